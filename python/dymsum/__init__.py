@@ -8,13 +8,13 @@ Coordinates have the unit that they are given in; angles are in radians. See doc
 from fractions import Fraction as Fraction
 
 from . import _core
+from . import shapes as shapes
+from . import solids as solids
 from ._convert import MeshLike as MeshLike
 from ._convert import RegionLike as RegionLike
 from ._convert import to_shapely as to_shapely
 from ._convert import to_trimesh as to_trimesh
 from ._core import *
-from ._core import shapes as shapes
-from ._core import solids as solids
 from ._errors import Error as Error
 from ._errors import Evidence as Evidence
 from ._values import Clearances as Clearances

@@ -67,7 +67,7 @@ using Points3View = nb::ndarray<nb::numpy, const double, nb::shape<-1, 3>>;
 /// live in.
 template <std::size_t K, class T>
 nb::ndarray<nb::numpy, const double, nb::shape<-1, static_cast<nb::ssize_t>(K)>> view_of(std::span<const T> items,
-                                                                                        nb::handle owner) {
+                                                                                         nb::handle owner) {
   static_assert(sizeof(T) % sizeof(double) == 0);
   static const double kNothing[K] = {};
   const std::size_t shape[] = {items.size(), K};
@@ -110,19 +110,19 @@ struct argument_caster {
 
 template <>
 struct type_caster<dymsum::python::RegionArgument> : argument_caster<dymsum::Region> {
-  static constexpr auto Name = const_name("dymsum._convert.RegionLike");
+  static constexpr auto Name = const_name("dymsum.RegionLike");
 };
 template <>
 struct type_caster<dymsum::python::MeshArgument> : argument_caster<dymsum::Mesh> {
-  static constexpr auto Name = const_name("dymsum._convert.MeshLike");
+  static constexpr auto Name = const_name("dymsum.MeshLike");
 };
 template <>
 struct type_caster<dymsum::python::RegionDataArgument> : argument_caster<dymsum::RegionData> {
-  static constexpr auto Name = const_name("dymsum._convert.RegionLike");
+  static constexpr auto Name = const_name("dymsum.RegionLike");
 };
 template <>
 struct type_caster<dymsum::python::MeshDataArgument> : argument_caster<dymsum::MeshData> {
-  static constexpr auto Name = const_name("dymsum._convert.MeshLike");
+  static constexpr auto Name = const_name("dymsum.MeshLike");
 };
 
 template <>
@@ -136,7 +136,9 @@ struct type_caster<dymsum::python::ScaleArgument> {
     return true;
   }
   bool from_python(handle src, uint32_t flags, cleanup_list* list) noexcept;
-  static handle from_cpp(const Value& of, rv_policy, cleanup_list*) noexcept { return nanobind::cast(of.value).release(); }
+  static handle from_cpp(const Value& of, rv_policy, cleanup_list*) noexcept {
+    return nanobind::cast(of.value).release();
+  }
   explicit operator Value() { return {dymsum::python::take(dymsum::Result<dymsum::Scale>(value))}; }
   dymsum::Result<dymsum::Scale> value = dymsum::Scale();
 };

@@ -11,7 +11,9 @@ namespace {
 using namespace nb::literals;
 
 void bind_changes(nb::module_& m) {
-  Record<IndexRange>(m, "IndexRange", "A run of indices.").field("first", &IndexRange::first).field("count", &IndexRange::count);
+  Record<IndexRange>(m, "IndexRange", "A run of indices.")
+      .field("first", &IndexRange::first)
+      .field("count", &IndexRange::count);
   Record<FacetChange> change(m, "FacetChange", "What happened to a facet from one solid to the next.");
   nb::enum_<FacetChange::Kind>(change, "Kind")
       .value("appeared", FacetChange::Kind::appeared)
@@ -36,7 +38,8 @@ nb::object copied(const std::vector<T>& numbers) {
 }
 
 void bind_buffers(nb::module_& m) {
-  nb::class_<SolidBuffers>(m, "SolidBuffers", "Positions and triangles as renderers take them, kept from solid to solid.")
+  nb::class_<SolidBuffers>(m, "SolidBuffers",
+                           "Positions and triangles as renderers take them, kept from solid to solid.")
       .def(nb::init<>())
       .def_prop_ro(
           "positions", [](const SolidBuffers& self) { return copied(self.positions); },
@@ -69,13 +72,15 @@ void bind_class(nb::module_& m) {
       .field("changes", &ConvexSolid::changes)
       .field("frame", &ConvexSolid::frame);
   solid.attr("kFree") = ConvexSolid::kFree;
-  solid.def("corners_of",
-            [](const ConvexSolid& self, std::size_t facet) {
-              if (facet >= self.facets.size()) throw nb::index_error("no such facet");
-              const auto corners = self.corners_of(facet);
-              return std::vector<std::uint32_t>(corners.begin(), corners.end());
-            },
-            "facet"_a)
+  solid
+      .def(
+          "corners_of",
+          [](const ConvexSolid& self, std::size_t facet) {
+            if (facet >= self.facets.size()) throw nb::index_error("no such facet");
+            const auto corners = self.corners_of(facet);
+            return std::vector<std::uint32_t>(corners.begin(), corners.end());
+          },
+          "facet"_a)
       .def_prop_ro(
           "positions",
           [](nb::handle_t<ConvexSolid> self) {

@@ -51,14 +51,17 @@ void bind_results(nb::module_& m) {
 }
 
 void bind_making(nb::class_<Convex>& type) {
-  type.def("__init__",
-           [](Convex* self, const MeshArgument& p, const MeshArgument& q, FlatFeatures flat) {
-             new (self) Convex(of_meshes(p, q, flat));
-           },
-           "p"_a, "q"_a, "flat"_a = FlatFeatures::merged, "At the identity. Raises Error: not_convex, no_area, unsupported_operand.")
-      .def("__init__",
-           [](Convex* self, nb::handle_t<SolidSum> p, const MeshArgument& q) { new (self) Convex(of_sum(p, q)); }, "p"_a, "q"_a,
-           "Of a sum and one more solid.")
+  type.def(
+          "__init__",
+          [](Convex* self, const MeshArgument& p, const MeshArgument& q, FlatFeatures flat) {
+            new (self) Convex(of_meshes(p, q, flat));
+          },
+          "p"_a, "q"_a, "flat"_a = FlatFeatures::merged,
+          "At the identity. Raises Error: not_convex, no_area, unsupported_operand.")
+      .def(
+          "__init__",
+          [](Convex* self, nb::handle_t<SolidSum> p, const MeshArgument& q) { new (self) Convex(of_sum(p, q)); }, "p"_a,
+          "q"_a, "Of a sum and one more solid.")
       .def_static("create", &of_meshes, "p"_a, "q"_a, "flat"_a = FlatFeatures::merged)
       .def_static("create", &of_sum, "p"_a, "q"_a)
       .def("__copy__", [](const Convex& self) { return Convex(self); })
@@ -70,18 +73,26 @@ void bind_making(nb::class_<Convex>& type) {
 }
 
 void bind_moving(nb::class_<Convex>& type) {
-  type.def("set", [](Convex& self, const Rotation& p) { return self.sum.set(p); }, "p"_a)
-      .def("set", [](Convex& self, const SolidPose& p, const SolidPose& q) { return self.sum.set(p, q); }, "p"_a,
-           "q"_a = SolidPose(), "Moves P and Q to these poses.")
-      .def("rebuild", [](Convex& self, ConvexEngine engine) { return self.sum.rebuild(engine); }, "engine"_a = ConvexEngine::walk)
-      .def("rebuild",
-           [](Convex& self, const SolidPose& p, const SolidPose& q, ConvexEngine engine) { return self.sum.rebuild(p, q, engine); },
-           "p"_a, "q"_a, "engine"_a = ConvexEngine::walk)
+  type.def(
+          "set", [](Convex& self, const Rotation& p) { return self.sum.set(p); }, "p"_a)
+      .def(
+          "set", [](Convex& self, const SolidPose& p, const SolidPose& q) { return self.sum.set(p, q); }, "p"_a,
+          "q"_a = SolidPose(), "Moves P and Q to these poses.")
+      .def(
+          "rebuild", [](Convex& self, ConvexEngine engine) { return self.sum.rebuild(engine); },
+          "engine"_a = ConvexEngine::walk)
+      .def(
+          "rebuild",
+          [](Convex& self, const SolidPose& p, const SolidPose& q, ConvexEngine engine) {
+            return self.sum.rebuild(p, q, engine);
+          },
+          "p"_a, "q"_a, "engine"_a = ConvexEngine::walk)
       .def("p_pose", [](const Convex& self) { return self.sum.p_pose(); })
       .def("q_pose", [](const Convex& self) { return self.sum.q_pose(); })
       .def("work", [](const Convex& self) { return self.sum.work(); })
-      .def("solid", [](Convex& self) { return ConvexSolid(self.sum.solid()); },
-           "A copy of the finished solid, in an order that stays from move to move.");
+      .def(
+          "solid", [](Convex& self) { return ConvexSolid(self.sum.solid()); },
+          "A copy of the finished solid, in an order that stays from move to move.");
 }
 
 void bind_telling(nb::class_<Convex>& type) {
@@ -89,24 +100,31 @@ void bind_telling(nb::class_<Convex>& type) {
       .def("face_vertex_count", [](const Convex& self) { return self.sum.face_vertex_count(); })
       .def("edge_edge_count", [](const Convex& self) { return self.sum.edge_edge_count(); })
       .def("facet_count", [](const Convex& self) { return self.sum.facet_count(); })
-      .def("sum",
-           [](const Convex& self) {
-             return remembered(self.sum.sum(), "sum_of_convex", self.p, self.q, self.sum.p_pose(), self.sum.q_pose());
-           },
-           nb::sig("def sum(self) -> SolidSum"), "The sum at the current poses.")
+      .def(
+          "sum",
+          [](const Convex& self) {
+            return remembered(self.sum.sum(), "sum_of_convex", self.p, self.q, self.sum.p_pose(), self.sum.q_pose());
+          },
+          nb::sig("def sum(self) -> SolidSum"), "The sum at the current poses.")
       .def("volume_exact", [](const Convex& self) { return self.sum.volume_exact(); })
-      .def("volume", [](const Convex& self) { return self.sum.volume(); }, "With a relative error of at most 1e-12.")
+      .def(
+          "volume", [](const Convex& self) { return self.sum.volume(); }, "With a relative error of at most 1e-12.")
       .def("bytes", [](const Convex& self) { return self.sum.bytes(); })
-      .def("same_combinatorics", [](const Convex& self, const Convex& other) { return self.sum.same_combinatorics(other.sum); },
-           "other"_a)
-      .def("support", [](const Convex& self, const Point3& direction) { return self.sum.support(direction); }, "direction"_a,
-           "The vertex that is extreme in a direction. Raises ValueError where that is not finite.")
-      .def("depth", [](const Convex& self, const Point3& point) { return self.sum.depth(point); }, "point"_a = Point3(),
-           "How deep a point lies, with the nearest facet. Raises ValueError where it is not finite.");
+      .def(
+          "same_combinatorics",
+          [](const Convex& self, const Convex& other) { return self.sum.same_combinatorics(other.sum); }, "other"_a)
+      .def(
+          "support", [](const Convex& self, const Point3& direction) { return self.sum.support(direction); },
+          "direction"_a, "The vertex that is extreme in a direction. Raises ValueError where that is not finite.")
+      .def(
+          "depth", [](const Convex& self, const Point3& point) { return self.sum.depth(point); },
+          "point"_a = nb::make_tuple(0.0, 0.0, 0.0),
+          "How deep a point lies, with the nearest facet. Raises ValueError where it is not finite.");
 }
 
 void bind_class(nb::module_& m) {
-  nb::class_<Convex> type(m, "ConvexSum", R"doc(Holds P (+) Q of convex solids and follows the motion of both. One thread at a time.
+  nb::class_<Convex> type(m, "ConvexSum",
+                          R"doc(Holds P (+) Q of convex solids and follows the motion of both. One thread at a time.
 
 >>> from dymsum import ConvexSum, Rotation, negated, solids
 >>> sum = ConvexSum(solids.rod(18, 9, 0.5, 3), negated(solids.box(-1, -1, -1, 1, 1, 1)))
@@ -141,7 +159,8 @@ std::vector<PoseReport> batch(const MeshArgument& p, const MeshArgument& q, cons
 }
 
 /// The reports as arrays.
-nb::object batch_arrays(const MeshArgument& p, const MeshArgument& q, const Rows<4>& quaternions, const BatchOptions& options) {
+nb::object batch_arrays(const MeshArgument& p, const MeshArgument& q, const Rows<4>& quaternions,
+                        const BatchOptions& options) {
   const std::vector<PoseReport> reports = batch(p, q, rotations_of(quaternions), options);
   std::vector<std::uint64_t> facets;
   std::vector<double> volume, support, depth, direction;
@@ -172,16 +191,19 @@ void bind_batch(nb::module_& m) {
       [](BatchOptions* self, const Point3& direction, const Point3& point, Progress progress, int threads) {
         new (self) BatchOptions{direction, point, std::move(progress), threads};
       },
-      "support_direction"_a = Point3{0, 0, 1}, "depth_point"_a = Point3(), "progress"_a = nb::none(), "threads"_a = 0);
+      "support_direction"_a = nb::make_tuple(0.0, 0.0, 1.0), "depth_point"_a = nb::make_tuple(0.0, 0.0, 0.0),
+      "progress"_a = nb::none(), "threads"_a = 0);
   options.option("support_direction", &BatchOptions::support_direction)
       .option("depth_point", &BatchOptions::depth_point)
       .option("progress", &BatchOptions::progress)
       .option("threads", &BatchOptions::threads);
-  m.def("pose_batch", &batch, "p"_a, "q"_a, "poses"_a, "options"_a = BatchOptions(), "P (+) Q at many rotations of P, in parallel.");
-  m.def("pose_batch_arrays", &batch_arrays, "p"_a, "q"_a, "quaternions"_a, "options"_a = BatchOptions(),
-        nb::sig("def pose_batch_arrays(p: dymsum._convert.MeshLike, q: dymsum._convert.MeshLike, quaternions: "
-                "numpy.typing.ArrayLike, options: BatchOptions = ...) -> dymsum._values.PoseReports"),
-        R"doc(The same for quaternions (w, x, y, z), shape (n, 4), each taken as Rotation.nearest: arrays facets (n), volume (n),
+  m.def("pose_batch", &batch, "p"_a, "q"_a, "poses"_a, "options"_a = BatchOptions(),
+        "P (+) Q at many rotations of P, in parallel.");
+  m.def(
+      "pose_batch_arrays", &batch_arrays, "p"_a, "q"_a, "quaternions"_a, "options"_a = BatchOptions(),
+      nb::sig("def pose_batch_arrays(p: dymsum.MeshLike, q: dymsum.MeshLike, quaternions: "
+              "numpy.typing.ArrayLike, options: BatchOptions = ...) -> dymsum.PoseReports"),
+      R"doc(The same for quaternions (w, x, y, z), shape (n, 4), each taken as Rotation.nearest: arrays facets (n), volume (n),
 support (n, 3), depth (n), direction (n, 3), inside (n).
 
 >>> import numpy
@@ -193,29 +215,34 @@ array([24., 24.])
 }
 
 void bind_functions(nb::module_& m) {
-  m.def("penetration_depth",
-        [](const MeshArgument& p, const MeshArgument& q, const SolidPose& p_pose, const SolidPose& q_pose, const Point3& moved) {
-          return take(without_gil([&] { return penetration_depth(*p, *q, p_pose, q_pose, moved); }));
-        },
-        "p"_a, "q"_a, "p_pose"_a = SolidPose(), "q_pose"_a = SolidPose(), "q_moved_by"_a = Point3(),
-        R"doc(The shortest translation of Q that separates two convex solids. Raises Error: not_convex, no_area, not_finite.
+  m.def(
+      "penetration_depth",
+      [](const MeshArgument& p, const MeshArgument& q, const SolidPose& p_pose, const SolidPose& q_pose,
+         const Point3& moved) {
+        return take(without_gil([&] { return penetration_depth(*p, *q, p_pose, q_pose, moved); }));
+      },
+      "p"_a, "q"_a, "p_pose"_a = SolidPose(), "q_pose"_a = SolidPose(), "q_moved_by"_a = nb::make_tuple(0.0, 0.0, 0.0),
+      R"doc(The shortest translation of Q that separates two convex solids. Raises Error: not_convex, no_area, not_finite.
 
 >>> from dymsum import penetration_depth, solids
 >>> box = solids.box(0, 0, 0, 2, 2, 2)
 >>> penetration_depth(box, box, q_moved_by=(1.5, 0, 0)).depth_squared
 Fraction(1, 4)
 )doc");
-  m.def("convex_sum_within",
-        [](const MeshArgument& p, const MeshArgument& q, std::uint64_t memory) {
-          return Convex{p.object, q.object, take(without_gil([&] { return convex_sum_within(*p, *q, memory); }))};
-        },
-        "p"_a, "q"_a, "memory"_a, "ConvexSum that holds at most `memory` bytes; 0: no limit. Raises Error also: out_of_memory.");
-  m.def("convex_sum_within",
-        [](nb::handle_t<SolidSum> p, const MeshArgument& q, std::uint64_t memory) {
-          const SolidSum& first = *nb::inst_ptr<SolidSum>(p);
-          return Convex{nb::borrow(p), q.object, take(without_gil([&] { return convex_sum_within(first, *q, memory); }))};
-        },
-        "p"_a, "q"_a, "memory"_a);
+  m.def(
+      "convex_sum_within",
+      [](const MeshArgument& p, const MeshArgument& q, std::uint64_t memory) {
+        return Convex{p.object, q.object, take(without_gil([&] { return convex_sum_within(*p, *q, memory); }))};
+      },
+      "p"_a, "q"_a, "memory"_a,
+      "ConvexSum that holds at most `memory` bytes; 0: no limit. Raises Error also: out_of_memory.");
+  m.def(
+      "convex_sum_within",
+      [](nb::handle_t<SolidSum> p, const MeshArgument& q, std::uint64_t memory) {
+        const SolidSum& first = *nb::inst_ptr<SolidSum>(p);
+        return Convex{nb::borrow(p), q.object, take(without_gil([&] { return convex_sum_within(first, *q, memory); }))};
+      },
+      "p"_a, "q"_a, "memory"_a);
 }
 
 }  // namespace

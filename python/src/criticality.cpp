@@ -38,7 +38,8 @@ struct MapObject {
   CriticalityMap map;
 };
 
-MapObject created(const MeshArgument& p, const MeshArgument& q, std::array<std::int32_t, 3> axis, const Progress& progress) {
+MapObject created(const MeshArgument& p, const MeshArgument& q, std::array<std::int32_t, 3> axis,
+                  const Progress& progress) {
   return {p.object, q.object, axis,
           run(progress, [&](Progress own) { return CriticalityMap::create(*p, *q, axis, own); })};
 }
@@ -47,39 +48,58 @@ MapObject created(const MeshArgument& p, const MeshArgument& q, std::array<std::
 
 void bind_criticality(nb::module_& m) {
   bind_results(m);
-  nb::class_<MapObject>(m, "CriticalityMap", "All structures that the sum of two convex solids takes while P turns about an axis.")
-      .def("__init__",
-           [](MapObject* self, const MeshArgument& p, const MeshArgument& q, std::array<std::int32_t, 3> axis,
-              const Progress& progress) { new (self) MapObject(created(p, q, axis, progress)); },
-           "p"_a, "q"_a, "axis"_a, "progress"_a = nb::none(), "Raises Error: not_convex, no_area, bad_rotation, cancelled.")
+  nb::class_<MapObject>(m, "CriticalityMap",
+                        "All structures that the sum of two convex solids takes while P turns about an axis.")
+      .def(
+          "__init__",
+          [](MapObject* self, const MeshArgument& p, const MeshArgument& q, std::array<std::int32_t, 3> axis,
+             const Progress& progress) { new (self) MapObject(created(p, q, axis, progress)); },
+          "p"_a, "q"_a, "axis"_a, "progress"_a = nb::none(),
+          "Raises Error: not_convex, no_area, bad_rotation, cancelled.")
       .def_static("create", &created, "p"_a, "q"_a, "axis"_a, "progress"_a = nb::none())
       .def_ro_static("kAxisBits", &CriticalityMap::kAxisBits)
       .def("size", [](const MapObject& self) { return self.map.size(); })
       .def("__len__", [](const MapObject& self) { return self.map.size(); })
-      .def("angle", [](const MapObject& self, std::size_t i) {
-             if (i >= self.map.size()) throw nb::index_error("no such angle");
-             return self.map.angle(i);
-           }, "i"_a, "In [0, 2 pi].")
-      .def("exact_angle", [](const MapObject& self, std::size_t i) {
-             if (i >= self.map.size()) throw nb::index_error("no such angle");
-             return self.map.exact_angle(i);
-           }, "i"_a)
+      .def(
+          "angle",
+          [](const MapObject& self, std::size_t i) {
+            if (i >= self.map.size()) throw nb::index_error("no such angle");
+            return self.map.angle(i);
+          },
+          "i"_a, "In [0, 2 pi].")
+      .def(
+          "exact_angle",
+          [](const MapObject& self, std::size_t i) {
+            if (i >= self.map.size()) throw nb::index_error("no such angle");
+            return self.map.exact_angle(i);
+          },
+          "i"_a)
       .def("stats", [](const MapObject& self) { return self.map.stats(); })
       .def("bytes", [](const MapObject& self) { return self.map.bytes(); })
-      .def("near", [](const MapObject& self, double radians) { return self.map.near(radians); }, "radians"_a)
-      .def("inside", [](const MapObject& self, std::size_t i) {
-             if (i >= self.map.size()) throw nb::index_error("no such interval");
-             return self.map.inside(i);
-           }, "i"_a, "A rotation strictly inside interval i, or None.")
-      .def("interval", [](const MapObject& self, const Rotation& rotation) { return take(self.map.interval(rotation)); }, "rotation"_a)
-      .def("facet_count", [](const MapObject& self, const Rotation& rotation) { return take(self.map.facet_count(rotation)); },
-           "rotation"_a)
-      .def("at",
-           [](const MapObject& self, const Rotation& rotation) {
-             SolidSum sum = take(self.map.at(rotation));
-             return remembered(std::move(sum), "convex_sum", self.p, self.q, SolidPose{rotation, {}}, SolidPose());
-           },
-           "rotation"_a, nb::sig("def at(self, rotation: Rotation) -> SolidSum"), "The sum at a rotation about the axis.")
+      .def(
+          "near", [](const MapObject& self, double radians) { return self.map.near(radians); }, "radians"_a)
+      .def(
+          "inside",
+          [](const MapObject& self, std::size_t i) {
+            if (i >= self.map.size()) throw nb::index_error("no such interval");
+            return self.map.inside(i);
+          },
+          "i"_a, "A rotation strictly inside interval i, or None.")
+      .def(
+          "interval", [](const MapObject& self, const Rotation& rotation) { return take(self.map.interval(rotation)); },
+          "rotation"_a)
+      .def(
+          "facet_count",
+          [](const MapObject& self, const Rotation& rotation) { return take(self.map.facet_count(rotation)); },
+          "rotation"_a)
+      .def(
+          "at",
+          [](const MapObject& self, const Rotation& rotation) {
+            SolidSum sum = take(self.map.at(rotation));
+            return remembered(std::move(sum), "convex_sum", self.p, self.q, SolidPose{rotation, {}}, SolidPose());
+          },
+          "rotation"_a, nb::sig("def at(self, rotation: Rotation) -> SolidSum"),
+          "The sum at a rotation about the axis.")
       .def("__reduce__", [](nb::handle_t<MapObject> self) {
         const auto* object = nb::inst_ptr<MapObject>(self);
         return nb::make_tuple(self.type(), nb::make_tuple(object->p, object->q, object->axis));

@@ -59,7 +59,8 @@ void bind_codes(nb::module_& m) {
 }  // namespace
 
 nb::object error_object(const Error& error) {
-  return nb::module_::import_("dymsum._errors").attr("Error")(error.code, error.message, evidence_object(error.evidence));
+  return nb::module_::import_("dymsum._errors")
+      .attr("Error")(error.code, error.message, evidence_object(error.evidence));
 }
 
 Error error_of(nb::handle object) {

@@ -42,7 +42,7 @@ namespace nanobind::detail {
 
 template <>
 struct type_caster<dymsum::Error> {
-  NB_TYPE_CASTER(dymsum::Error, const_name("dymsum._errors.Error"))
+  NB_TYPE_CASTER(dymsum::Error, const_name("dymsum.Error"))
   bool from_python(handle, uint32_t, cleanup_list*) noexcept { return false; }
   static handle from_cpp(const dymsum::Error& error, rv_policy, cleanup_list*) noexcept {
     try {

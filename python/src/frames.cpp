@@ -23,7 +23,8 @@ void bind_options(nb::module_& m) {
       "__init__",
       [](MovingOptions* self, MovingOperand moving, bool reflect_q, Semantics semantics, FrameMode mode, double window,
          std::uint64_t kept_window_bytes, int threads, Progress progress) {
-        new (self) MovingOptions{moving, reflect_q, semantics, mode, window, kept_window_bytes, threads, {}, std::move(progress)};
+        new (self) MovingOptions{moving,  reflect_q, semantics,          mode, window, kept_window_bytes,
+                                 threads, {},        std::move(progress)};
       },
       "moving"_a = MovingOperand::p, "reflect_q"_a = false, "semantics"_a = Semantics::closed,
       "mode"_a = FrameMode::automatic, "window"_a = 0.0, "kept_window_bytes"_a = MovingOptions().kept_window_bytes,

@@ -60,17 +60,21 @@ void bind_data(nb::module_& m) {
   nb::class_<MeshData>(m, "MeshData", "The plain lists that a mesh is made from, not yet validated.")
       .def(
           "__init__",
-          [](MeshData* self, const Rows<3>& vertices, const nb::object& faces) { new (self) MeshData(data_of(vertices, faces)); },
+          [](MeshData* self, const Rows<3>& vertices, const nb::object& faces) {
+            new (self) MeshData(data_of(vertices, faces));
+          },
           "vertices"_a, "faces"_a, "From shape (n, 3), and shape (m, k) or lists of indices.")
       .def_prop_ro(
           "vertices",
           [](nb::handle_t<MeshData> self) { return vertices_view(self, nb::inst_ptr<MeshData>(self)->vertices); },
           "A view of shape (n, 3).")
       .def_ro("faces", &MeshData::faces, "Lists of vertex indices.")
-      .def("__eq__", [](const MeshData& a, const MeshData& b) { return a == b; }, nb::is_operator())
+      .def(
+          "__eq__", [](const MeshData& a, const MeshData& b) { return a == b; }, nb::is_operator())
       .def("__repr__",
            [](const MeshData& self) {
-             return "<MeshData: " + std::to_string(self.vertices.size()) + " vertices, " + std::to_string(self.faces.size()) + " faces>";
+             return "<MeshData: " + std::to_string(self.vertices.size()) + " vertices, " +
+                    std::to_string(self.faces.size()) + " faces>";
            })
       .def("__reduce__", [](nb::handle_t<MeshData> self) {
         return nb::make_tuple(self.type(), nb::make_tuple(self.attr("vertices"), self.attr("faces")));
@@ -82,7 +86,9 @@ void bind_reading(nb::class_<Mesh>& mesh) {
       .def_prop_ro(
           "vertices", [](nb::handle_t<Mesh> self) { return vertices_view(self, nb::inst_ptr<Mesh>(self)->vertices()); },
           "A view of shape (n, 3).")
-      .def_prop_ro("faces", [](const Mesh& self) { return self.faces(); }, "Lists of vertex indices, counter-clockwise from outside.")
+      .def_prop_ro(
+          "faces", [](const Mesh& self) { return self.faces(); },
+          "Lists of vertex indices, counter-clockwise from outside.")
       .def_prop_ro("triangles", &triangles_of, nb::sig("def triangles(self) -> numpy.typing.NDArray[numpy.uint32]"),
                    "The faces as triangles, shape (m, 3).")
       .def("empty", &Mesh::empty)
@@ -95,7 +101,8 @@ void bind_reading(nb::class_<Mesh>& mesh) {
 }
 
 void bind_class(nb::module_& m) {
-  nb::class_<Mesh> mesh(m, "Mesh", nb::dynamic_attr(), R"doc(A valid mesh: the boundary of a closed solid, perhaps empty, perhaps with thin parts.
+  nb::class_<Mesh> mesh(m, "Mesh", nb::dynamic_attr(),
+                        R"doc(A valid mesh: the boundary of a closed solid, perhaps empty, perhaps with thin parts.
 
 A mesh is made from a pair (vertices, faces) of shapes (n, 3) and (m, k), or lists of lists; from a trimesh object, or
 anything with `vertices` and `faces`; from MeshData. Raises Error: not_finite, bad_index, too_few_vertices,
@@ -109,28 +116,38 @@ vertex and a position.
 >>> tetrahedron.vertices.shape, tetrahedron.triangles.shape
 ((4, 3), (4, 3))
 )doc");
-  mesh.def("__init__", [](Mesh* self, const MeshArgument& source) { new (self) Mesh(*source); }, "source"_a)
+  mesh.def(
+          "__init__", [](Mesh* self, const MeshArgument& source) { new (self) Mesh(*source); }, "source"_a)
       .def(nb::init<>())
-      .def_static("create", [](MeshData data) { return take(Mesh::create(std::move(data))); }, "data"_a)
-      .def_static("with_thin_parts", [](MeshData data) { return take(Mesh::with_thin_parts(std::move(data))); }, "data"_a,
-                  "The union of a solid and points, segments, polygons and open surfaces.")
-      .def("__eq__", [](const Mesh& a, const Mesh& b) { return a == b; }, nb::is_operator(), "Equality of canonical forms.")
+      .def_static(
+          "create", [](MeshData data) { return take(Mesh::create(std::move(data))); }, "data"_a)
+      .def_static(
+          "with_thin_parts", [](MeshData data) { return take(Mesh::with_thin_parts(std::move(data))); }, "data"_a,
+          "The union of a solid and points, segments, polygons and open surfaces.")
+      .def(
+          "__eq__", [](const Mesh& a, const Mesh& b) { return a == b; }, nb::is_operator(),
+          "Equality of canonical forms.")
       .def("__bool__", [](const Mesh& self) { return !self.empty(); })
       .def("__repr__",
            [](const Mesh& self) {
-             return "<Mesh: " + std::to_string(self.vertices().size()) + " vertices, " + std::to_string(self.faces().size()) +
-                    " faces, " + std::to_string(self.shell_count()) + " shells>";
+             return "<Mesh: " + std::to_string(self.vertices().size()) + " vertices, " +
+                    std::to_string(self.faces().size()) + " faces, " + std::to_string(self.shell_count()) + " shells>";
            })
       .def("__reduce__",
            [](nb::handle_t<Mesh> self) {
              const char* how = nb::inst_ptr<Mesh>(self)->has_thin_parts() ? "with_thin_parts" : "create";
              return nb::make_tuple(self.type().attr(how), nb::make_tuple(self.attr("data")));
            })
-      .def("to_trimesh", [](nb::handle_t<Mesh> self) { return nb::module_::import_("dymsum._convert").attr("to_trimesh")(self); },
-           "The triangles as a trimesh object (needs trimesh).")
-      .def("to_glb", [](nb::handle_t<Mesh> self) { return nb::module_::import_("dymsum._display").attr("solid_glb")(self); },
-           nb::sig("def to_glb(self) -> bytes"), "The bytes of a .glb file.")
-      .def("_repr_svg_", [](nb::handle_t<Mesh> self) { return nb::module_::import_("dymsum._display").attr("solid_svg")(self); });
+      .def(
+          "to_trimesh",
+          [](nb::handle_t<Mesh> self) { return nb::module_::import_("dymsum._convert").attr("to_trimesh")(self); },
+          "The triangles as a trimesh object (needs trimesh).")
+      .def(
+          "to_glb",
+          [](nb::handle_t<Mesh> self) { return nb::module_::import_("dymsum._display").attr("solid_glb")(self); },
+          nb::sig("def to_glb(self) -> bytes"), "The bytes of a .glb file.")
+      .def("_repr_svg_",
+           [](nb::handle_t<Mesh> self) { return nb::module_::import_("dymsum._display").attr("solid_svg")(self); });
   mesh.attr("__hash__") = nb::none();
   bind_reading(mesh);
 }
@@ -148,10 +165,13 @@ void bind_repair(nb::module_& m) {
   Record<RepairedMesh>(m, "RepairedMesh", "A repaired mesh and what was changed.")
       .field("mesh", &RepairedMesh::mesh)
       .field("report", &RepairedMesh::report);
-  m.def("repair", [](const MeshDataArgument& data) { return take(repair(*data)); }, "data"_a,
-        "The named repair: merges vertices, drops unused ones and faces without area, splits faces that are not plane, orients.");
-  m.def("convexity_error", [](const MeshArgument& mesh) { return convexity_error(*mesh); }, "mesh"_a,
-        "None for a convex solid, else the Error not_convex with the reflex edge.");
+  m.def(
+      "repair", [](const MeshDataArgument& data) { return take(repair(*data)); }, "data"_a,
+      "The named repair: merges vertices, drops unused ones and faces without area, splits faces that are not plane, "
+      "orients.");
+  m.def(
+      "convexity_error", [](const MeshArgument& mesh) { return convexity_error(*mesh); }, "mesh"_a,
+      "None for a convex solid, else the Error not_convex with the reflex edge.");
 }
 
 void bind_hulls(nb::module_& m) {
@@ -164,37 +184,53 @@ void bind_hulls(nb::module_& m) {
   Record<HulledMesh>(m, "HulledMesh", "A hull and how far the solid was from it.")
       .field("mesh", &HulledMesh::mesh)
       .field("report", &HulledMesh::report);
-  m.def("convex_hull",
-        [](const Rows<3>& points) {
-          const auto* first = reinterpret_cast<const Point3*>(points.data);
-          return take(without_gil([&] { return convex_hull({first, points.size}); }));
-        },
-        "points"_a, "The exact hull of points, shape (n, 3). Raises Error: not_finite; no_area when all lie in one plane.");
-  m.def("hulled", [](const MeshDataArgument& data) { return take(hulled(*data)); }, "data"_a,
-        "The exact hull of a solid that is convex but for rounding, and how far it was from it.");
-  m.def("translated_hull",
-        [](const MeshArgument& mesh, double dx, double dy, double dz) { return take(translated_hull(*mesh, dx, dy, dz)); },
-        "mesh"_a, "dx"_a, "dy"_a, "dz"_a, "A convex solid moved, convex wherever it goes.");
+  m.def(
+      "convex_hull",
+      [](const Rows<3>& points) {
+        const auto* first = reinterpret_cast<const Point3*>(points.data);
+        return take(without_gil([&] { return convex_hull({first, points.size}); }));
+      },
+      "points"_a,
+      "The exact hull of points, shape (n, 3). Raises Error: not_finite; no_area when all lie in one plane.");
+  m.def(
+      "hulled", [](const MeshDataArgument& data) { return take(hulled(*data)); }, "data"_a,
+      "The exact hull of a solid that is convex but for rounding, and how far it was from it.");
+  m.def(
+      "translated_hull",
+      [](const MeshArgument& mesh, double dx, double dy, double dz) {
+        return take(translated_hull(*mesh, dx, dy, dz));
+      },
+      "mesh"_a, "dx"_a, "dy"_a, "dz"_a, "A convex solid moved, convex wherever it goes.");
 }
 
 void bind_functions(nb::module_& m) {
   Record<TriangulatedMesh>(m, "TriangulatedMesh", "Faces split into triangles of their own vertices.")
       .field("mesh", &TriangulatedMesh::mesh)
       .field("face", &TriangulatedMesh::face, "of every triangle the face that it is part of");
-  m.def("triangulated", [](const MeshArgument& mesh) { return triangulated(*mesh); }, "mesh"_a);
+  m.def(
+      "triangulated", [](const MeshArgument& mesh) { return triangulated(*mesh); }, "mesh"_a);
   nb::enum_<Precision>(m, "Precision").value("doubles", Precision::doubles).value("singles", Precision::singles);
-  m.def("volume", [](const MeshArgument& mesh) { return volume(*mesh); }, "mesh"_a, "The exact volume, rounded once.");
-  m.def("surface_area", [](const MeshArgument& mesh) { return surface_area(*mesh); }, "mesh"_a);
-  m.def("volume_text", [](const MeshArgument& mesh) { return volume_text(*mesh); }, "mesh"_a);
-  m.def("surface_text", [](const MeshArgument& mesh) { return surface_text(*mesh); }, "mesh"_a);
-  m.def("bounds", [](const MeshArgument& mesh) { return bounds(*mesh); }, "mesh"_a,
-        "[min x, min y, min z, max x, max y, max z]; zeros for the empty mesh.");
-  m.def("negated", [](const MeshArgument& mesh) { return negated(*mesh); }, "mesh"_a, "-mesh. Exact.");
-  m.def("translated",
-        [](const MeshArgument& mesh, double dx, double dy, double dz) { return take(translated(*mesh, dx, dy, dz)); },
-        "mesh"_a, "dx"_a, "dy"_a, "dz"_a, "mesh + (dx, dy, dz), each coordinate rounded once.");
-  m.def("scaled", [](const MeshArgument& mesh, double sx, double sy, double sz) { return take(scaled(*mesh, sx, sy, sz)); },
-        "mesh"_a, "sx"_a, "sy"_a, "sz"_a, "diag(sx, sy, sz) mesh, each coordinate rounded once.");
+  m.def(
+      "volume", [](const MeshArgument& mesh) { return volume(*mesh); }, "mesh"_a, "The exact volume, rounded once.");
+  m.def(
+      "surface_area", [](const MeshArgument& mesh) { return surface_area(*mesh); }, "mesh"_a);
+  m.def(
+      "volume_text", [](const MeshArgument& mesh) { return volume_text(*mesh); }, "mesh"_a);
+  m.def(
+      "surface_text", [](const MeshArgument& mesh) { return surface_text(*mesh); }, "mesh"_a);
+  m.def(
+      "bounds", [](const MeshArgument& mesh) { return bounds(*mesh); }, "mesh"_a,
+      "[min x, min y, min z, max x, max y, max z]; zeros for the empty mesh.");
+  m.def(
+      "negated", [](const MeshArgument& mesh) { return negated(*mesh); }, "mesh"_a, "-mesh. Exact.");
+  m.def(
+      "translated",
+      [](const MeshArgument& mesh, double dx, double dy, double dz) { return take(translated(*mesh, dx, dy, dz)); },
+      "mesh"_a, "dx"_a, "dy"_a, "dz"_a, "mesh + (dx, dy, dz), each coordinate rounded once.");
+  m.def(
+      "scaled",
+      [](const MeshArgument& mesh, double sx, double sy, double sz) { return take(scaled(*mesh, sx, sy, sz)); },
+      "mesh"_a, "sx"_a, "sy"_a, "sz"_a, "diag(sx, sy, sz) mesh, each coordinate rounded once.");
 }
 
 }  // namespace

@@ -3,6 +3,8 @@
 
 #include <nanobind/stl/pair.h>
 
+#include <algorithm>
+
 #include "arguments.h"
 #include "bind.h"
 #include "record.h"
@@ -14,6 +16,22 @@ using namespace nb::literals;
 
 nb::bytes bytes_of(const std::string& text) { return nb::bytes(text.data(), text.size()); }
 
+/// Faces of MeshData are not validated yet; writers and colours rely on them.
+void require_indices(const MeshData& mesh, const std::vector<FaceColour>& colours) {
+  const auto bad = [&](const Face& face) {
+    return std::any_of(face.begin(), face.end(), [&](std::uint32_t v) { return v >= mesh.vertices.size(); });
+  };
+  for (std::size_t f = 0; f < mesh.faces.size(); ++f) {
+    if (mesh.faces[f].empty() || bad(mesh.faces[f]))
+      throw nb::index_error("a face without vertices, or that names one that does not exist");
+  }
+  for (const FaceColour& colour : colours) {
+    for (const std::uint32_t f : colour.faces) {
+      if (f >= mesh.faces.size()) throw nb::index_error("a colour names a face that does not exist");
+    }
+  }
+}
+
 void bind_reading(nb::module_& m) {
   nb::enum_<MeshFormat>(m, "MeshFormat", "A format of mesh files; glb is written only.")
       .value("off", MeshFormat::off)
@@ -21,14 +39,17 @@ void bind_reading(nb::module_& m) {
       .value("stl", MeshFormat::stl)
       .value("ply", MeshFormat::ply)
       .value("glb", MeshFormat::glb);
-  m.def("mesh_format", [](const std::string& path) { return take(mesh_format(path)); }, "path"_a);
-  m.def("parse_mesh",
-        [](const nb::bytes& bytes, MeshFormat format, const std::string& file) {
-          return take(parse_mesh({bytes.c_str(), bytes.size()}, format, file));
-        },
-        "bytes"_a, "format"_a, "file"_a = "", "A whole file's bytes. Raises Error with line, or byte of binary formats.");
-  m.def("read_mesh", [](const std::string& path) { return take(read_mesh(path)); }, "path"_a,
-        "MeshData of a file, not yet validated: for Mesh.create or repair.");
+  m.def(
+      "mesh_format", [](const std::string& path) { return take(mesh_format(path)); }, "path"_a);
+  m.def(
+      "parse_mesh",
+      [](const nb::bytes& bytes, MeshFormat format, const std::string& file) {
+        return take(parse_mesh({bytes.c_str(), bytes.size()}, format, file));
+      },
+      "bytes"_a, "format"_a, "file"_a = "", "A whole file's bytes. Raises Error with line, or byte of binary formats.");
+  m.def(
+      "read_mesh", [](const std::string& path) { return take(read_mesh(path)); }, "path"_a,
+      "MeshData of a file, not yet validated: for Mesh.create or repair.");
   m.def("precision_of", &precision_of, "format"_a);
 }
 
@@ -38,26 +59,41 @@ void bind_writing(nb::module_& m) {
       .field("rgb", &FaceColour::rgb)
       .field("faces", &FaceColour::faces);
   const auto format_data = [](const MeshData& data, MeshFormat format, const std::vector<FaceColour>& colours) {
+    require_indices(data, colours);
     return bytes_of(format_mesh(data, format, colours));
   };
   m.def("format_mesh", format_data, "mesh"_a, "format"_a, "colours"_a = nb::list());
-  m.def("format_mesh",
-        [format_data](const MeshArgument& mesh, MeshFormat format, const std::vector<FaceColour>& colours) {
-          return format_data(mesh->data(), format, colours);
-        },
-        "mesh"_a, "format"_a, "colours"_a = nb::list(), "The bytes of a file.");
-  m.def("format_glb",
-        [](const MeshData& mesh, const std::vector<FaceColour>& colours,
-           const std::vector<std::pair<std::string, std::string>>& notes, const MeshData* marks) {
-          return bytes_of(format_glb(mesh, {colours, notes, marks}));
-        },
-        "mesh"_a, "colours"_a = nb::list(), "notes"_a = nb::list(), "marks"_a = nb::none(),
-        "The bytes of a .glb file with colours, notes and a second mesh in red.");
-  m.def("rounding_error", [](const MeshArgument& mesh, MeshFormat format) { return rounding_error(*mesh, format); }, "mesh"_a,
-        "format"_a, "None where a file of this format holds the solid, else the Error that tells what rounding did.");
-  m.def("picture_error", &picture_error, "mesh"_a);
-  m.def("write_mesh", [](const MeshArgument& mesh, const std::string& path) { return take(write_mesh(*mesh, path)); }, "mesh"_a,
-        "path"_a, "Replaces a file as a whole and returns its size. Raises Error: cannot_write, rounding_changed_topology.");
+  m.def(
+      "format_mesh",
+      [format_data](const MeshArgument& mesh, MeshFormat format, const std::vector<FaceColour>& colours) {
+        return format_data(mesh->data(), format, colours);
+      },
+      "mesh"_a, "format"_a, "colours"_a = nb::list(), "The bytes of a file.");
+  m.def(
+      "format_glb",
+      [](const MeshData& mesh, const std::vector<FaceColour>& colours,
+         const std::vector<std::pair<std::string, std::string>>& notes, const MeshData* marks) {
+        require_indices(mesh, colours);
+        if (marks) require_indices(*marks, {});
+        return bytes_of(format_glb(mesh, {colours, notes, marks}));
+      },
+      "mesh"_a, "colours"_a = nb::list(), "notes"_a = nb::list(), "marks"_a = nb::none(),
+      "The bytes of a .glb file with colours, notes and a second mesh in red.");
+  m.def(
+      "rounding_error", [](const MeshArgument& mesh, MeshFormat format) { return rounding_error(*mesh, format); },
+      "mesh"_a, "format"_a,
+      "None where a file of this format holds the solid, else the Error that tells what rounding did.");
+  m.def(
+      "picture_error",
+      [](const MeshData& mesh) {
+        require_indices(mesh, {});
+        return picture_error(mesh);
+      },
+      "mesh"_a, "None where a .glb file shows the mesh, else an Error.");
+  m.def(
+      "write_mesh", [](const MeshArgument& mesh, const std::string& path) { return take(write_mesh(*mesh, path)); },
+      "mesh"_a, "path"_a,
+      "Replaces a file as a whole and returns its size. Raises Error: cannot_write, rounding_changed_topology.");
 }
 
 }  // namespace

@@ -56,33 +56,36 @@ void bind_options(nb::module_& m) {
 }
 
 void bind_checks(nb::module_& m) {
-  m.def("check_translation",
-        [](const RegionArgument& robot, const RegionArgument& obstacle, const RationalPoint& from, const RationalPoint& to,
-           const Orientation& theta, Touching touch) {
-          return take(without_gil([&] { return check_translation(*robot, *obstacle, from, to, theta, touch); }));
-        },
-        "robot"_a, "obstacle"_a, "from_"_a, "to"_a, "theta"_a, "touch"_a = Touching::allowed,
-        R"doc(The robot at orientation theta, moved straight; positions are taken exactly. Raises Error: not_finite.
+  m.def(
+      "check_translation",
+      [](const RegionArgument& robot, const RegionArgument& obstacle, const RationalPoint& from,
+         const RationalPoint& to, const Orientation& theta, Touching touch) {
+        return take(without_gil([&] { return check_translation(*robot, *obstacle, from, to, theta, touch); }));
+      },
+      "robot"_a, "obstacle"_a, "from_"_a, "to"_a, "theta"_a, "touch"_a = Touching::allowed,
+      R"doc(The robot at orientation theta, moved straight; positions are taken exactly. Raises Error: not_finite.
 
 >>> from dymsum import Orientation, check_translation, shapes
 >>> unit = shapes.rectangle(0, 0, 1, 1)
 >>> check_translation(unit, unit, (-3, 0), (0, 0), Orientation()).first
 Fraction(2, 3)
 )doc");
-  m.def("check_rotation",
-        [](const RegionArgument& robot, const RegionArgument& obstacle, const RationalPoint& at, const Orientation& from,
-           const Orientation& to, TurnDirection turn, Touching touch) {
-          return take(without_gil([&] { return check_rotation(*robot, *obstacle, at, from, to, turn, touch); }));
-        },
-        "robot"_a, "obstacle"_a, "at"_a, "from_"_a, "to"_a, "turn"_a, "touch"_a = Touching::allowed,
-        "The robot at `at`, turned in place. Exact.");
-  m.def("check_motion",
-        [](const RegionArgument& robot, const RegionArgument& obstacle, const Configuration& a, const Configuration& b,
-           const MotionOptions& options) {
-          return take(without_gil([&] { return check_motion(*robot, *obstacle, a, b, options); }));
-        },
-        "robot"_a, "obstacle"_a, "a"_a, "b"_a, "options"_a = MotionOptions(),
-        "x, y and theta linear in time at once; certified. Raises Error: unsupported_operand, not_finite.");
+  m.def(
+      "check_rotation",
+      [](const RegionArgument& robot, const RegionArgument& obstacle, const RationalPoint& at, const Orientation& from,
+         const Orientation& to, TurnDirection turn, Touching touch) {
+        return take(without_gil([&] { return check_rotation(*robot, *obstacle, at, from, to, turn, touch); }));
+      },
+      "robot"_a, "obstacle"_a, "at"_a, "from_"_a, "to"_a, "turn"_a, "touch"_a = Touching::allowed,
+      "The robot at `at`, turned in place. Exact.");
+  m.def(
+      "check_motion",
+      [](const RegionArgument& robot, const RegionArgument& obstacle, const Configuration& a, const Configuration& b,
+         const MotionOptions& options) {
+        return take(without_gil([&] { return check_motion(*robot, *obstacle, a, b, options); }));
+      },
+      "robot"_a, "obstacle"_a, "a"_a, "b"_a, "options"_a = MotionOptions(),
+      "x, y and theta linear in time at once; certified. Raises Error: unsupported_operand, not_finite.");
 }
 
 }  // namespace

@@ -48,11 +48,12 @@ using Rotating = Moving<RotatingSum>;
 
 template <class Self, class Sum>
 void bind_common(nb::class_<Self>& type) {
-  type.def("__init__",
-           [](Self* self, const RegionArgument& p, const RegionArgument& q, const MovingOptions& options) {
-             new (self) Self(p, q, options);
-           },
-           "p"_a, "q"_a, "options"_a = MovingOptions())
+  type.def(
+          "__init__",
+          [](Self* self, const RegionArgument& p, const RegionArgument& q, const MovingOptions& options) {
+            new (self) Self(p, q, options);
+          },
+          "p"_a, "q"_a, "options"_a = MovingOptions())
       .def_static(
           "create",
           [](const RegionArgument& p, const RegionArgument& q, const MovingOptions& options) {
@@ -60,15 +61,18 @@ void bind_common(nb::class_<Self>& type) {
           },
           nb::rv_policy::take_ownership, "p"_a, "q"_a, "options"_a = MovingOptions(),
           "At rest. Raises Error: unsupported_operand for coordinates beyond 2^1000; cancelled.")
-      .def("ring_ids", [](Self& self) { return self.tell([](const Sum& sum) { return sum.ring_ids(); }); },
-           "Identities of the rings of sum(), part by part, outer ring first.")
-      .def("work", [](Self& self) { return self.tell([](const Sum& sum) { return sum.work(); }); },
-           "The work of the last frame.")
+      .def(
+          "ring_ids", [](Self& self) { return self.tell([](const Sum& sum) { return sum.ring_ids(); }); },
+          "Identities of the rings of sum(), part by part, outer ring first.")
+      .def(
+          "work", [](Self& self) { return self.tell([](const Sum& sum) { return sum.work(); }); },
+          "The work of the last frame.")
       .def_prop_ro("options", [](const Self& self) { return self.options; });
 }
 
 void bind_event(nb::module_& m) {
-  Record<ScaleEvent> event(m, "ScaleEvent", "An exact scale at which segments of the convolution begin or cease to meet.");
+  Record<ScaleEvent> event(m, "ScaleEvent",
+                           "An exact scale at which segments of the convolution begin or cease to meet.");
   nb::enum_<ScaleEvent::Kind>(event, "Kind")
       .value("vertex_on_segment", ScaleEvent::Kind::vertex_on_segment)
       .value("three_segments", ScaleEvent::Kind::three_segments);
@@ -95,7 +99,8 @@ nb::object set_scales(ScalingObject& self, const Scale& sx, const Scale& sy) {
 }
 
 void bind_scaling(nb::module_& m) {
-  nb::class_<ScalingObject> type(m, "ScalingSum", R"doc(P (+) Q with one operand scaled about the origin: it follows the scale, exactly.
+  nb::class_<ScalingObject> type(m, "ScalingSum",
+                                 R"doc(P (+) Q with one operand scaled about the origin: it follows the scale, exactly.
 
 >>> from dymsum import ScalingSum, Scale, shapes
 >>> sum = ScalingSum(shapes.star(5, 1, 2), shapes.rectangle(0, 0, 1, 1))
@@ -106,44 +111,54 @@ void bind_scaling(nb::module_& m) {
 []
 )doc");
   bind_common<ScalingObject, ScalingSum>(type);
-  type.def("set", [](ScalingObject& self, const ScaleArgument& s) { return set_scales(self, s.value, s.value); }, "s"_a,
-           nb::sig("def set(self, s: Scale | fractions.Fraction | float) -> FrameChanges"),
-           "Moves to a scale. Raises Error: bad_scale, not_finite, cancelled; nothing changes then.")
-      .def("set",
-           [](ScalingObject& self, const ScaleArgument& sx, const ScaleArgument& sy) { return set_scales(self, sx.value, sy.value); },
-           "sx"_a, "sy"_a,
-           nb::sig("def set(self, sx: Scale | fractions.Fraction | float, sy: Scale | fractions.Fraction | float) -> FrameChanges"),
-           "diag(sx, sy) times the scaled operand.")
+  type.def(
+          "set", [](ScalingObject& self, const ScaleArgument& s) { return set_scales(self, s.value, s.value); }, "s"_a,
+          nb::sig("def set(self, s: Scale | fractions.Fraction | float) -> FrameChanges"),
+          "Moves to a scale. Raises Error: bad_scale, not_finite, cancelled; nothing changes then.")
+      .def(
+          "set",
+          [](ScalingObject& self, const ScaleArgument& sx, const ScaleArgument& sy) {
+            return set_scales(self, sx.value, sy.value);
+          },
+          "sx"_a, "sy"_a,
+          nb::sig("def set(self, sx: Scale | fractions.Fraction | float, sy: Scale | fractions.Fraction | float) -> "
+                  "FrameChanges"),
+          "diag(sx, sy) times the scaled operand.")
       .def("scale", [](ScalingObject& self) { return self.tell([](const ScalingSum& sum) { return sum.scale(); }); })
-      .def("sum",
-           [](ScalingObject& self) {
-             return self.tell([&](const ScalingSum& sum) {
-               return remembered(sum.sum(), "scaling_sum", self.p, self.q, self.options, self.scales[0], self.scales[1]);
-             });
-           },
-           nb::sig("def sum(self) -> PlanarSum"), "A copy of the exact sum at the current scale.")
-      .def("combinatorial_hash",
-           [](ScalingObject& self) { return self.tell([](const ScalingSum& sum) { return sum.combinatorial_hash(); }); });
-  type.def("events",
-           [](ScalingObject& self, const ScaleArgument& a, const ScaleArgument& b, const Progress& progress) {
-             return self.tell([&](const ScalingSum& sum) {
-               return run(progress, [&](Progress own) { return sum.events(a.value, b.value, own); });
-             });
-           },
-           "a"_a, "b"_a, "progress"_a = nb::none(), "The events in [a, b] in order. Raises Error: bad_scale; cancelled.")
-      .def("next_event",
-           [](ScalingObject& self, const ScaleArgument& s, const ScaleArgument& limit, EventChange change,
-              const Progress& progress) {
-             return self.tell([&](const ScalingSum& sum) {
-               return run(progress, [&](Progress own) { return sum.next_event(s.value, limit.value, change, own); });
-             });
-           },
-           "s"_a, "limit"_a, "change"_a = EventChange::visible, "progress"_a = nb::none(),
-           "The first event of the kind asked for after s and at most `limit`, or None.")
+      .def(
+          "sum",
+          [](ScalingObject& self) {
+            return self.tell([&](const ScalingSum& sum) {
+              return remembered(sum.sum(), "scaling_sum", self.p, self.q, self.options, self.scales[0], self.scales[1]);
+            });
+          },
+          nb::sig("def sum(self) -> PlanarSum"), "A copy of the exact sum at the current scale.")
+      .def("combinatorial_hash", [](ScalingObject& self) {
+        return self.tell([](const ScalingSum& sum) { return sum.combinatorial_hash(); });
+      });
+  type.def(
+          "events",
+          [](ScalingObject& self, const ScaleArgument& a, const ScaleArgument& b, const Progress& progress) {
+            return self.tell([&](const ScalingSum& sum) {
+              return run(progress, [&](Progress own) { return sum.events(a.value, b.value, own); });
+            });
+          },
+          "a"_a, "b"_a, "progress"_a = nb::none(), "The events in [a, b] in order. Raises Error: bad_scale; cancelled.")
+      .def(
+          "next_event",
+          [](ScalingObject& self, const ScaleArgument& s, const ScaleArgument& limit, EventChange change,
+             const Progress& progress) {
+            return self.tell([&](const ScalingSum& sum) {
+              return run(progress, [&](Progress own) { return sum.next_event(s.value, limit.value, change, own); });
+            });
+          },
+          "s"_a, "limit"_a, "change"_a = EventChange::visible, "progress"_a = nb::none(),
+          "The first event of the kind asked for after s and at most `limit`, or None.")
       .def("__reduce__", [](nb::handle_t<ScalingObject> self) {
         const auto* object = nb::inst_ptr<ScalingObject>(self);
-        return nb::make_tuple(nb::module_::import_("dymsum._remake").attr("scaling"),
-                              nb::make_tuple(object->p, object->q, object->options, object->scales[0], object->scales[1]));
+        return nb::make_tuple(
+            nb::module_::import_("dymsum._remake").attr("scaling"),
+            nb::make_tuple(object->p, object->q, object->options, object->scales[0], object->scales[1]));
       });
 }
 
@@ -157,17 +172,22 @@ void bind_rotating(nb::module_& m) {
 (14, True)
 )doc");
   bind_common<Rotating, RotatingSum>(type);
-  type.def("set",
-           [](Rotating& self, const Orientation& theta) { return self.run([&](RotatingSum& sum) { return sum.set(theta); }); },
-           "theta"_a, "Turns to an orientation. Raises Error: cancelled; nothing changes then.")
-      .def("orientation", [](Rotating& self) { return self.tell([](const RotatingSum& sum) { return sum.orientation(); }); })
-      .def("sum",
-           [](Rotating& self) {
-             return self.tell([&](const RotatingSum& sum) {
-               return remembered(sum.sum(), "rotating_sum", self.p, self.q, self.options, sum.orientation());
-             });
-           },
-           nb::sig("def sum(self) -> PlanarSum"), "A copy of the exact sum at the current orientation.")
+  type.def(
+          "set",
+          [](Rotating& self, const Orientation& theta) {
+            return self.run([&](RotatingSum& sum) { return sum.set(theta); });
+          },
+          "theta"_a, "Turns to an orientation. Raises Error: cancelled; nothing changes then.")
+      .def("orientation",
+           [](Rotating& self) { return self.tell([](const RotatingSum& sum) { return sum.orientation(); }); })
+      .def(
+          "sum",
+          [](Rotating& self) {
+            return self.tell([&](const RotatingSum& sum) {
+              return remembered(sum.sum(), "rotating_sum", self.p, self.q, self.options, sum.orientation());
+            });
+          },
+          nb::sig("def sum(self) -> PlanarSum"), "A copy of the exact sum at the current orientation.")
       .def("__reduce__", [](nb::handle_t<Rotating> self) {
         const auto* object = nb::inst_ptr<Rotating>(self);
         return nb::make_tuple(nb::module_::import_("dymsum._remake").attr("rotating"),
@@ -181,11 +201,12 @@ void bind_counts(nb::module_& m) {
       .field("pairs_that_meet", &PairEventCount::pairs_that_meet)
       .field("events", &PairEventCount::events)
       .field("exact_pairs", &PairEventCount::exact_pairs);
-  m.def("count_pair_events",
-        [](const RegionArgument& p, const RegionArgument& q, MovingOperand scaled, const Progress& progress) {
-          return run(progress, [&](Progress own) { return count_pair_events(*p, *q, scaled, own); });
-        },
-        "p"_a, "q"_a, "scaled"_a, "progress"_a = nb::none());
+  m.def(
+      "count_pair_events",
+      [](const RegionArgument& p, const RegionArgument& q, MovingOperand scaled, const Progress& progress) {
+        return run(progress, [&](Progress own) { return count_pair_events(*p, *q, scaled, own); });
+      },
+      "p"_a, "q"_a, "scaled"_a, "progress"_a = nb::none());
 }
 
 void bind_copies(nb::module_& m) {
@@ -197,13 +218,14 @@ void bind_copies(nb::module_& m) {
       .field("sum", &CopySum::sum)
       .field("at", &CopySum::at, "add it to every position")
       .field("work", &CopySum::work);
-  m.def("scaled_copies",
-        [](const RegionArgument& master, const RegionArgument& q, const std::vector<ScaledCopy>& copies,
-           const MovingOptions& options) {
-          return run_with(options, [&](const MovingOptions& own) { return scaled_copies(*master, *q, copies, own); });
-        },
-        "master"_a, "q"_a, "copies"_a, "options"_a = MovingOptions(),
-        "s_i P (+) Q for every copy s_i P + z_i of an environment, in the order given.");
+  m.def(
+      "scaled_copies",
+      [](const RegionArgument& master, const RegionArgument& q, const std::vector<ScaledCopy>& copies,
+         const MovingOptions& options) {
+        return run_with(options, [&](const MovingOptions& own) { return scaled_copies(*master, *q, copies, own); });
+      },
+      "master"_a, "q"_a, "copies"_a, "options"_a = MovingOptions(),
+      "s_i P (+) Q for every copy s_i P + z_i of an environment, in the order given.");
 }
 
 }  // namespace

@@ -23,7 +23,7 @@ void bind_options(nb::module_& m) {
       .option("progress", &ObstacleMeshOptions::progress);
 }
 
-void bind_mesh(nb::module_& m) {
+void bind_triangles(nb::module_& m) {
   Record<ObstacleTriangle>(m, "ObstacleTriangle", "A triangle, counter-clockwise seen from the free side.")
       .field("vertices", &ObstacleTriangle::vertices)
       .field("patch", &ObstacleTriangle::patch)
@@ -52,12 +52,14 @@ void bind_mesh(nb::module_& m) {
 
 void bind_obstacle_mesh(nb::module_& m) {
   bind_options(m);
-  bind_mesh(m);
-  m.def("obstacle_mesh",
-        [](const CspaceObstacle& obstacle, const ObstacleMeshOptions& options) {
-          return run_with(options, [&](const ObstacleMeshOptions& own) { return obstacle_mesh(obstacle, own); });
-        },
-        "obstacle"_a, "options"_a = ObstacleMeshOptions(), R"doc(A closed mesh of the obstacle's boundary. Raises Error: out_of_range for the tolerance; cancelled.
+  bind_triangles(m);
+  m.def(
+      "obstacle_mesh",
+      [](const CspaceObstacle& obstacle, const ObstacleMeshOptions& options) {
+        return run_with(options, [&](const ObstacleMeshOptions& own) { return obstacle_mesh(obstacle, own); });
+      },
+      "obstacle"_a, "options"_a = ObstacleMeshOptions(),
+      R"doc(A closed mesh of the obstacle's boundary. Raises Error: out_of_range for the tolerance; cancelled.
 
 >>> from dymsum import CspaceObstacle, closure, obstacle_mesh, shapes
 >>> obstacle = CspaceObstacle(shapes.rectangle(-1, -0.25, 1, 0.25), shapes.rectangle(0, 0, 4, 4))

@@ -1,6 +1,9 @@
 // The sum of two regions and what it is made of.
 #include "dymsum/planar_sum.h"
 
+#include <algorithm>
+#include <functional>
+
 #include "arguments.h"
 #include "bind.h"
 #include "calls.h"
@@ -19,7 +22,8 @@ void bind_options(nb::module_& m) {
       .value("fast", Engine::fast)
       .value("brute", Engine::brute)
       .value("winding", Engine::winding);
-  nb::enum_<Semantics>(m, "Semantics", "closed: sums of closed sets; open: touching is allowed; regular: closure of the interior.")
+  nb::enum_<Semantics>(m, "Semantics",
+                       "closed: sums of closed sets; open: touching is allowed; regular: closure of the interior.")
       .value("closed", Semantics::closed)
       .value("open", Semantics::open)
       .value("regular", Semantics::regular);
@@ -37,7 +41,8 @@ void bind_options(nb::module_& m) {
 }
 
 void bind_contact(nb::module_& m) {
-  Record<Contact> contact(m, "Contact", "A segment of the convolution: an edge of one operand added to a vertex of the other.");
+  Record<Contact> contact(m, "Contact",
+                          "A segment of the convolution: an edge of one operand added to a vertex of the other.");
   nb::enum_<Contact::Kind>(contact, "Kind")
       .value("edge_of_p", Contact::Kind::edge_of_p, "edge p of P + vertex q of Q")
       .value("edge_of_q", Contact::Kind::edge_of_q, "vertex p of P + edge q of Q");
@@ -75,7 +80,9 @@ void bind_parts(nb::module_& m) {
 
 void bind_stats(nb::module_& m) {
   Record<SumStats> stats(m, "SumStats", "The work that was done.");
-  Record<SumStats::Stage>(stats, "Stage", "Time of a stage.").field("name", &SumStats::Stage::name).field("ms", &SumStats::Stage::ms);
+  Record<SumStats::Stage>(stats, "Stage", "Time of a stage.")
+      .field("name", &SumStats::Stage::name)
+      .field("ms", &SumStats::Stage::ms);
   stats.field("tier_bits", &SumStats::tier_bits)
       .field("reduced_segments", &SumStats::reduced_segments)
       .field("live_segments", &SumStats::live_segments)
@@ -111,30 +118,71 @@ void bind_trace(nb::module_& m) {
 }
 
 std::string repr_of(const PlanarSum& sum) {
-  return "<PlanarSum: " + std::to_string(sum.parts.size()) + " parts, " + std::to_string(sum.hole_count()) + " holes, " +
-         std::to_string(sum.vertex_count()) + " vertices, tight: " + std::to_string(sum.tight_points.size()) + " points, " +
+  return "<PlanarSum: " + std::to_string(sum.parts.size()) + " parts, " + std::to_string(sum.hole_count()) +
+         " holes, " + std::to_string(sum.vertex_count()) +
+         " vertices, tight: " + std::to_string(sum.tight_points.size()) + " points, " +
          std::to_string(sum.tight_segments.size()) + " segments>";
+}
+
+bool same(const SumVertex& a, const SumVertex& b) {
+  return a.at == b.at && a.in == b.in && a.out == b.out && a.corner_p == b.corner_p && a.corner_q == b.corner_q;
+}
+
+/// Whether one of the vertices is this one, by its place or as a copy.
+bool holds(const std::vector<SumVertex>& vertices, const SumVertex& vertex) {
+  const auto* first = vertices.data();
+  if (std::less_equal<>()(first, &vertex) && std::less<>()(&vertex, first + vertices.size())) return true;
+  return std::any_of(vertices.begin(), vertices.end(), [&](const SumVertex& one) { return same(one, vertex); });
+}
+bool holds(const std::vector<SumSegment>& segments, const SumVertex& vertex) {
+  return std::any_of(segments.begin(), segments.end(),
+                     [&](const SumSegment& one) { return same(one.from, vertex) || same(one.to, vertex); });
+}
+bool has(const PlanarSum& sum, const SumVertex& vertex) {
+  for (const SumPart& part : sum.parts) {
+    if (holds(part.outer.vertices, vertex)) return true;
+    for (const SumRing& hole : part.holes) {
+      if (holds(hole.vertices, vertex)) return true;
+    }
+  }
+  return holds(sum.points, vertex) || holds(sum.tight_points, vertex) || holds(sum.segments, vertex) ||
+         holds(sum.tight_segments, vertex);
 }
 
 void bind_numbers(nb::class_<PlanarSum>& sum) {
   sum.def("hole_count", &PlanarSum::hole_count)
       .def("vertex_count", &PlanarSum::vertex_count, "Of all rings.")
-      .def("area_exact", [](const PlanarSum& self) { return without_gil([&] { return self.area_exact(); }); },
-           "The area as one Fraction; expensive for thousands of crossings.")
-      .def("area_exact_within",
-           [](const PlanarSum& self, std::size_t bits) { return without_gil([&] { return self.area_exact_within(bits); }); },
-           "bits"_a, "The same where its denominator has at most so many bits, else None.")
-      .def("area", [](const PlanarSum& self) { return without_gil([&] { return self.area(); }); },
-           "The nearest double to the exact area.")
-      .def("exact", &PlanarSum::exact, "vertex"_a, "The exact position of a vertex of this sum.")
-      .def("rounded", [](const PlanarSum& self) { return take(without_gil([&] { return self.rounded(); })); },
-           "The set rounded to doubles. Raises Error: rounding_changed_topology, with the position.")
-      .def("rounded_with_repair", [](const PlanarSum& self) { return take(without_gil([&] { return self.rounded_with_repair(); })); },
-           "The same; vertices that collide are merged, rings that collapse dropped, and the report says how many.");
+      .def(
+          "area_exact", [](const PlanarSum& self) { return without_gil([&] { return self.area_exact(); }); },
+          "The area as one Fraction; expensive for thousands of crossings.")
+      .def(
+          "area_exact_within",
+          [](const PlanarSum& self, std::size_t bits) {
+            return without_gil([&] { return self.area_exact_within(bits); });
+          },
+          "bits"_a, "The same where its denominator has at most so many bits, else None.")
+      .def(
+          "area", [](const PlanarSum& self) { return without_gil([&] { return self.area(); }); },
+          "The nearest double to the exact area.")
+      .def(
+          "exact",
+          [](const PlanarSum& self, const SumVertex& vertex) {
+            if (!has(self, vertex)) throw nb::value_error("a vertex of another sum");
+            return self.exact(vertex);
+          },
+          "vertex"_a, "The exact position of a vertex of this sum. Raises ValueError for one of another sum.")
+      .def(
+          "rounded", [](const PlanarSum& self) { return take(without_gil([&] { return self.rounded(); })); },
+          "The set rounded to doubles. Raises Error: rounding_changed_topology, with the position.")
+      .def(
+          "rounded_with_repair",
+          [](const PlanarSum& self) { return take(without_gil([&] { return self.rounded_with_repair(); })); },
+          "The same; vertices that collide are merged, rings that collapse dropped, and the report says how many.");
 }
 
 void bind_class(nb::module_& m) {
-  nb::class_<PlanarSum> sum(m, "PlanarSum", nb::dynamic_attr(), R"doc(The exact sum of two regions. Equal sets compare equal.
+  nb::class_<PlanarSum> sum(m, "PlanarSum", nb::dynamic_attr(),
+                            R"doc(The exact sum of two regions. Equal sets compare equal.
 
 >>> from dymsum import nfp, shapes
 >>> sum = nfp(shapes.letter_u(4, 4, 1), shapes.rectangle(0, 0, 2, 1))
@@ -148,37 +196,46 @@ Fraction(30, 1)
   sum.def_ro("parts", &PlanarSum::parts, "The closure of the interior: SumPart by SumPart.")
       .def_ro("segments", &PlanarSum::segments, "One-dimensional pieces of the set.")
       .def_ro("points", &PlanarSum::points, "Isolated points of the set.")
-      .def_ro("tight_segments", &PlanarSum::tight_segments, "Touching without overlap only exactly here: cracks in the open sum.")
+      .def_ro("tight_segments", &PlanarSum::tight_segments,
+              "Touching without overlap only exactly here: cracks in the open sum.")
       .def_ro("tight_points", &PlanarSum::tight_points, "The same: punctures of the open sum.")
       .def_ro("at_error", &PlanarSum::at_error, "|at - exact| is at most this in each coordinate.")
       .def_ro("stats", &PlanarSum::stats)
       .def_ro("trace", &PlanarSum::trace)
-      .def("__eq__",
-           [](const PlanarSum& a, const PlanarSum& b) { return without_gil([&] { return a == b; }); }, nb::is_operator(),
-           "Same set and same tight features, exactly.")
+      .def(
+          "__eq__", [](const PlanarSum& a, const PlanarSum& b) { return without_gil([&] { return a == b; }); },
+          nb::is_operator(), "Same set and same tight features, exactly.")
       .def("__repr__", &repr_of)
       .def("__reduce__", [](nb::handle_t<PlanarSum> self) { return made_again(self); })
-      .def("to_json", [](const PlanarSum& self) { return sum_to_json(self); }, "As sum_to_json.")
-      .def("to_shapely", [](const PlanarSum& self) { return nb::cast(take(self.rounded())).attr("to_shapely")(); },
-           "rounded() as a shapely geometry (needs shapely 2).")
+      .def(
+          "to_json", [](const PlanarSum& self) { return sum_to_json(self); }, "As sum_to_json.")
+      .def(
+          "to_shapely", [](const PlanarSum& self) { return nb::cast(take(self.rounded())).attr("to_shapely")(); },
+          "rounded() as a shapely geometry (needs shapely 2).")
       .def("_repr_svg_", [](const PlanarSum& self) { return draw_section(self); });
   sum.attr("__hash__") = nb::none();
   bind_numbers(sum);
 }
 
 void bind_writers(nb::module_& m) {
-  m.def("format_sum",
-        [](const PlanarSum& sum, const RegionArgument& rounded, RegionFormat format) { return format_sum(sum, *rounded, format); },
-        "sum"_a, "rounded"_a, "format"_a, "The sum with its tight features as text of a format.");
-  m.def("draw_sum",
-        [](const RegionArgument& p, const RegionArgument& q, const PlanarSum& sum) { return draw_sum(*p, *q, sum); }, "p"_a,
-        "q"_a, "sum"_a, "P, Q and the sum with tight features, as SVG text.");
+  m.def(
+      "format_sum",
+      [](const PlanarSum& sum, const RegionArgument& rounded, RegionFormat format) {
+        return format_sum(sum, *rounded, format);
+      },
+      "sum"_a, "rounded"_a, "format"_a, "The sum with its tight features as text of a format.");
+  m.def(
+      "draw_sum",
+      [](const RegionArgument& p, const RegionArgument& q, const PlanarSum& sum) { return draw_sum(*p, *q, sum); },
+      "p"_a, "q"_a, "sum"_a, "P, Q and the sum with tight features, as SVG text.");
   m.def("draw_section", &draw_section, "sum"_a, "touching"_a = std::vector<SumPart>(), "A set alone, as SVG text.");
-  m.def("draw_trace",
-        [](const RegionArgument& p, const RegionArgument& q, const PlanarSum& sum) { return draw_trace(*p, *q, sum); }, "p"_a,
-        "q"_a, "sum"_a, "The stages side by side, as SVG text; of a sum with a trace.");
+  m.def(
+      "draw_trace",
+      [](const RegionArgument& p, const RegionArgument& q, const PlanarSum& sum) { return draw_trace(*p, *q, sum); },
+      "p"_a, "q"_a, "sum"_a, "The stages side by side, as SVG text; of a sum with a trace.");
   m.def("sum_to_json", &sum_to_json, "sum"_a, "Rings with rounded and exact coordinates and provenance, as JSON text.");
-  m.def("area_text", [](const PlanarSum& sum) { return area_text(sum); }, "sum"_a);
+  m.def(
+      "area_text", [](const PlanarSum& sum) { return area_text(sum); }, "sum"_a);
 }
 
 }  // namespace

@@ -22,25 +22,32 @@ nb::object of_two(const char* name, const RegionArgument& p, const RegionArgumen
 }
 
 void bind_sums(nb::module_& m) {
-  m.def("minkowski_sum",
-        [](const RegionArgument& p, const RegionArgument& q, const SumOptions& options) {
-          return of_two<minkowski_sum>("minkowski_sum", p, q, options);
-        },
-        "p"_a, "q"_a, "options"_a = SumOptions(),
-        R"doc(P (+) Q = { p + q : p in P, q in Q }, exactly. Raises Error: cancelled; unsupported_operand beyond 2^1000.
+  m.def(
+      "minkowski_sum",
+      [](const RegionArgument& p, const RegionArgument& q, const SumOptions& options) {
+        return of_two<minkowski_sum>("minkowski_sum", p, q, options);
+      },
+      "p"_a, "q"_a, "options"_a = SumOptions(),
+      R"doc(P (+) Q = { p + q : p in P, q in Q }, exactly. Raises Error: cancelled; unsupported_operand beyond 2^1000.
 
 >>> from dymsum import minkowski_sum
 >>> minkowski_sum("POLYGON((0 0, 1 0, 0 1, 0 0))", [(0, 0), (2, 0), (2, 2), (0, 2)]).area_exact()
 Fraction(17, 2)
 )doc");
-  m.def("nfp",
-        [](const RegionArgument& a, const RegionArgument& b, const SumOptions& options) { return of_two<nfp>("nfp", a, b, options); },
-        "a"_a, "b"_a, "options"_a = SumOptions(),
-        "The no-fit polygon A (+) -B: positions of B's reference point at which B meets A.");
-  m.def("erode",
-        [](const RegionArgument& p, const RegionArgument& q, const SumOptions& options) { return of_two<erode>("erode", p, q, options); },
-        "p"_a, "q"_a, "options"_a = SumOptions(),
-        R"doc(The inner fit P (-) Q = { x : x + Q inside P }, positions without freedom included. Raises Error:
+  m.def(
+      "nfp",
+      [](const RegionArgument& a, const RegionArgument& b, const SumOptions& options) {
+        return of_two<nfp>("nfp", a, b, options);
+      },
+      "a"_a, "b"_a, "options"_a = SumOptions(),
+      "The no-fit polygon A (+) -B: positions of B's reference point at which B meets A.");
+  m.def(
+      "erode",
+      [](const RegionArgument& p, const RegionArgument& q, const SumOptions& options) {
+        return of_two<erode>("erode", p, q, options);
+      },
+      "p"_a, "q"_a, "options"_a = SumOptions(),
+      R"doc(The inner fit P (-) Q = { x : x + Q inside P }, positions without freedom included. Raises Error:
 unsupported_operand when P has polylines or points, or Q is empty; cancelled.
 
 >>> from dymsum import erode, shapes
@@ -48,53 +55,59 @@ unsupported_operand when P has polylines or points, or Q is empty; cancelled.
 >>> [(s.from_.at, s.to.at) for s in fit.segments]
 [(Point(x=0.0, y=0.0), Point(x=2.0, y=0.0))]
 )doc");
-  m.def("union_of",
-        [](const std::vector<RegionArgument>& regions, const SumOptions& options) {
-          std::vector<Region> all;
-          nb::list kept;
-          for (const RegionArgument& region : regions) {
-            all.push_back(*region);
-            kept.append(region.object);
-          }
-          PlanarSum sum = run_with(options, [&](const SumOptions& own) { return union_of(all, own); });
-          return remembered(std::move(sum), "union_of", kept, options);
-        },
-        "regions"_a, "options"_a = SumOptions(), "The union of regions.");
-  m.def("rotated_sum",
-        [](const RegionArgument& p, const RegionArgument& q, const Orientation& theta, const SumOptions& options) {
-          PlanarSum sum = run_with(options, [&](const SumOptions& own) { return rotated_sum(*p, *q, theta, own); });
-          return remembered(std::move(sum), "rotated_sum", p.object, q.object, theta, options);
-        },
-        "p"_a, "q"_a, "theta"_a, "options"_a = SumOptions(), "R(theta) P (+) Q, P turned about the origin, never rounded.");
-  m.def("convolution_sizes",
-        [](const RegionArgument& p, const RegionArgument& q) { return convolution_sizes(*p, *q); }, "p"_a, "q"_a);
+  m.def(
+      "union_of",
+      [](const std::vector<RegionArgument>& regions, const SumOptions& options) {
+        std::vector<Region> all;
+        nb::list kept;
+        for (const RegionArgument& region : regions) {
+          all.push_back(*region);
+          kept.append(region.object);
+        }
+        PlanarSum sum = run_with(options, [&](const SumOptions& own) { return union_of(all, own); });
+        return remembered(std::move(sum), "union_of", kept, options);
+      },
+      "regions"_a, "options"_a = SumOptions(), "The union of regions.");
+  m.def(
+      "rotated_sum",
+      [](const RegionArgument& p, const RegionArgument& q, const Orientation& theta, const SumOptions& options) {
+        PlanarSum sum = run_with(options, [&](const SumOptions& own) { return rotated_sum(*p, *q, theta, own); });
+        return remembered(std::move(sum), "rotated_sum", p.object, q.object, theta, options);
+      },
+      "p"_a, "q"_a, "theta"_a, "options"_a = SumOptions(),
+      "R(theta) P (+) Q, P turned about the origin, never rounded.");
+  m.def(
+      "convolution_sizes", [](const RegionArgument& p, const RegionArgument& q) { return convolution_sizes(*p, *q); },
+      "p"_a, "q"_a);
 }
 
 void bind_contains(nb::module_& m) {
-  m.def("contains",
-        [](const RegionArgument& p, const RegionArgument& q, Point z, Semantics semantics) {
-          return contains(*p, *q, z, semantics);
-        },
-        "p"_a, "q"_a, "z"_a, "semantics"_a = Semantics::closed,
-        "True when z lies in P (+) Q: P and z - Q meet (closed), or overlap (open). Exact; O(nm).");
-  m.def("contains_each",
-        [](const RegionArgument& p, const RegionArgument& q, const Rows<2>& positions, Semantics semantics, int threads,
-           const Progress& progress) {
-          std::vector<std::uint8_t> inside(positions.size);
-          Watch watch(progress);
-          const bool done = without_gil([&] {
-            return for_each_item(positions.size, 64, threads, watch.progress(), [&](std::size_t i) {
-              const double* at = positions.row(i);
-              inside[i] = contains(*p, *q, {at[0], at[1]}, semantics);
-            });
+  m.def(
+      "contains",
+      [](const RegionArgument& p, const RegionArgument& q, Point z, Semantics semantics) {
+        return contains(*p, *q, z, semantics);
+      },
+      "p"_a, "q"_a, "z"_a, "semantics"_a = Semantics::closed,
+      "True when z lies in P (+) Q: P and z - Q meet (closed), or overlap (open). Exact; O(nm).");
+  m.def(
+      "contains_each",
+      [](const RegionArgument& p, const RegionArgument& q, const Rows<2>& positions, Semantics semantics, int threads,
+         const Progress& progress) {
+        std::vector<std::uint8_t> inside(positions.size);
+        Watch watch(progress);
+        const bool done = without_gil([&] {
+          return for_each_item(positions.size, 64, threads, watch.progress(), [&](std::size_t i) {
+            const double* at = positions.row(i);
+            inside[i] = contains(*p, *q, {at[0], at[1]}, semantics);
           });
-          watch.raise();
-          if (!done) throw ErrorRaised({ErrorCode::cancelled, "stopped on request", {}});
-          return array_of(std::move(inside)).attr("view")("bool");
-        },
-        "p"_a, "q"_a, "positions"_a, "semantics"_a = Semantics::closed, "threads"_a = 0, "progress"_a = nb::none(),
-       
-        R"doc(contains for many positions, shape (n, 2), on several threads (0: all cores); an array of n truth values.
+        });
+        watch.raise();
+        if (!done) throw ErrorRaised({ErrorCode::cancelled, "stopped on request", {}});
+        return array_of(std::move(inside)).attr("view")("bool");
+      },
+      "p"_a, "q"_a, "positions"_a, "semantics"_a = Semantics::closed, "threads"_a = 0, "progress"_a = nb::none(),
+
+      R"doc(contains for many positions, shape (n, 2), on several threads (0: all cores); an array of n truth values.
 
 >>> from dymsum import contains_each, shapes
 >>> square = shapes.rectangle(0, 0, 1, 1)
@@ -104,34 +117,35 @@ array([ True,  True, False])
 }
 
 void bind_table(nb::module_& m) {
-  m.def("nfp_each",
-        [](const std::vector<std::pair<RegionArgument, RegionArgument>>& pairs, const SumOptions& options, int threads,
-           bool return_errors) {
-          std::vector<std::optional<Result<PlanarSum>>> sums(pairs.size());
-          const Watch watch(options.progress), interrupts(Progress{});
-          SumOptions own = options;
-          own.progress = interrupts.progress();
-          const bool done = without_gil([&] {
-            return for_each_item(pairs.size(), 1, threads, watch.progress(), [&](std::size_t i) {
-              sums[i].emplace(nfp(*pairs[i].first, *pairs[i].second, own));
-            });
-          });
-          watch.raise();
-          interrupts.raise();
-          if (!done) throw ErrorRaised({ErrorCode::cancelled, "stopped on request", {}});
-          nb::list all;
-          for (std::size_t i = 0; i < pairs.size(); ++i) {
-            if (!sums[i]->ok() && return_errors) {
-              all.append(error_object(sums[i]->error()));
-              continue;
-            }
-            all.append(remembered(take(std::move(*sums[i])), "nfp", pairs[i].first.object, pairs[i].second.object, options));
+  m.def(
+      "nfp_each",
+      [](const std::vector<std::pair<RegionArgument, RegionArgument>>& pairs, const SumOptions& options, int threads,
+         bool return_errors) {
+        std::vector<std::optional<Result<PlanarSum>>> sums(pairs.size());
+        const Watch watch(options.progress), interrupts(Progress{});
+        SumOptions own = options;
+        own.progress = interrupts.progress();
+        const bool done = without_gil([&] {
+          return for_each_item(pairs.size(), 1, threads, watch.progress(),
+                               [&](std::size_t i) { sums[i].emplace(nfp(*pairs[i].first, *pairs[i].second, own)); });
+        });
+        watch.raise();
+        interrupts.raise();
+        if (!done) throw ErrorRaised({ErrorCode::cancelled, "stopped on request", {}});
+        nb::list all;
+        for (std::size_t i = 0; i < pairs.size(); ++i) {
+          if (!sums[i]->ok() && return_errors) {
+            all.append(error_object(sums[i]->error()));
+            continue;
           }
-          return all;
-        },
-        "pairs"_a, "options"_a = SumOptions(), "threads"_a = 0, "return_errors"_a = false,
-       
-        R"doc(nfp of every pair (A, B), in parallel and without the GIL: the table that nesting asks for. One Region object in
+          all.append(
+              remembered(take(std::move(*sums[i])), "nfp", pairs[i].first.object, pairs[i].second.object, options));
+        }
+        return all;
+      },
+      "pairs"_a, "options"_a = SumOptions(), "threads"_a = 0, "return_errors"_a = false,
+
+      R"doc(nfp of every pair (A, B), in parallel and without the GIL: the table that nesting asks for. One Region object in
 several pairs is prepared once. threads 0: as many as there are cores. return_errors: what fails is an Error in the
 list instead of raised.
 

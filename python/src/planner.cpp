@@ -92,11 +92,14 @@ void bind_plan(nb::module_& m) {
           },
           nb::sig("def configurations(self) -> numpy.typing.NDArray[numpy.float64]"),
           "The waypoints in doubles, shape (n, 3): x, y, theta.");
-  m.def("plan",
-        [](const CspaceObstacle& obstacle, const Configuration& start, const Configuration& goal, const PlanOptions& options) {
-          return run_with(options, [&](const PlanOptions& own) { return plan(obstacle, start, goal, own); });
-        },
-        "obstacle"_a, "start"_a, "goal"_a, "options"_a = PlanOptions(), R"doc(A path from start to goal, (x, y, theta) with theta in radians, or why there is none: a proof. Raises Error:
+  m.def(
+      "plan",
+      [](const CspaceObstacle& obstacle, const Configuration& start, const Configuration& goal,
+         const PlanOptions& options) {
+        return run_with(options, [&](const PlanOptions& own) { return plan(obstacle, start, goal, own); });
+      },
+      "obstacle"_a, "start"_a, "goal"_a, "options"_a = PlanOptions(),
+      R"doc(A path from start to goal, (x, y, theta) with theta in radians, or why there is none: a proof. Raises Error:
 bad_rotation, not_finite, out_of_range, unsupported_operand, cancelled.
 
 >>> from dymsum import CspaceObstacle, plan, shapes
@@ -119,20 +122,23 @@ void bind_check(nb::module_& m) {
       .field("at", &PathCheck::at)
       .field("contact", &PathCheck::contact)
       .field("pieces", &PathCheck::pieces);
-  m.def("check_path",
-        [](const RegionArgument& robot, const RegionArgument& obstacle, const std::vector<Waypoint>& path, Touching touch) {
-          return take(without_gil([&] { return check_path(*robot, *obstacle, std::span<const Waypoint>(path), touch); }));
-        },
-        "robot"_a, "obstacle"_a, "path"_a, "touch"_a = Touching::allowed,
-        "Each piece by the move of its end, exactly. Raises Error: malformed.");
-  m.def("check_path",
-        [](const RegionArgument& robot, const RegionArgument& obstacle, const Rows<3>& poses, Touching touch,
-           const MotionOptions& options) {
-          const std::span<const Configuration> all(reinterpret_cast<const Configuration*>(poses.data), poses.size);
-          return take(without_gil([&] { return check_path(*robot, *obstacle, all, touch, options); }));
-        },
-        "robot"_a, "obstacle"_a, "poses"_a, "touch"_a = Touching::allowed, "options"_a = MotionOptions(),
-        "From each pose (x, y, theta) to the next, shape (n, 3), linear in time; certified.");
+  m.def(
+      "check_path",
+      [](const RegionArgument& robot, const RegionArgument& obstacle, const std::vector<Waypoint>& path,
+         Touching touch) {
+        return take(without_gil([&] { return check_path(*robot, *obstacle, std::span<const Waypoint>(path), touch); }));
+      },
+      "robot"_a, "obstacle"_a, "path"_a, "touch"_a = Touching::allowed,
+      "Each piece by the move of its end, exactly. Raises Error: malformed.");
+  m.def(
+      "check_path",
+      [](const RegionArgument& robot, const RegionArgument& obstacle, const Rows<3>& poses, Touching touch,
+         const MotionOptions& options) {
+        const std::span<const Configuration> all(reinterpret_cast<const Configuration*>(poses.data), poses.size);
+        return take(without_gil([&] { return check_path(*robot, *obstacle, all, touch, options); }));
+      },
+      "robot"_a, "obstacle"_a, "poses"_a, "touch"_a = Touching::allowed, "options"_a = MotionOptions(),
+      "From each pose (x, y, theta) to the next, shape (n, 3), linear in time; certified.");
 }
 
 }  // namespace

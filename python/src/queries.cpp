@@ -39,8 +39,8 @@ nb::object contains_each(const ObstacleQueries& self, const Rows<3>& at, int thr
   return array_of(std::move(inside)).attr("view")("bool");
 }
 
-nb::object clearance_each(const ObstacleQueries& self, const Rows<3>& from, std::optional<double> weight, Touching touching,
-                          int threads, const Progress& progress) {
+nb::object clearance_each(const ObstacleQueries& self, const Rows<3>& from, std::optional<double> weight,
+                          Touching touching, int threads, const Progress& progress) {
   const auto all = configurations(from);
   const double length = weight ? *weight : self.gyration_radius();
   std::vector<double> distance(all.size()), error(all.size()), nearest(3 * all.size());
@@ -63,22 +63,33 @@ nb::object clearance_each(const ObstacleQueries& self, const Rows<3>& from, std:
 }
 
 void bind_single(nb::class_<ObstacleQueries>& type) {
-  type.def("contains", [](const ObstacleQueries& self, const Configuration& at) { return self.contains(at); }, "at"_a,
-           "Whether the robot at (x, y, theta) overlaps the obstacle; touching is free. Exact. Raises ValueError for a theta "
-           "that is not finite.")
-      .def("contains",
-           [](const ObstacleQueries& self, double x, double y, const Orientation& theta) { return self.contains(x, y, theta); },
-           "x"_a, "y"_a, "theta"_a)
-      .def("free_angles",
-           [](const ObstacleQueries& self, double x, double y) { return without_gil([&] { return self.free_angles(x, y); }); },
-           "x"_a, "y"_a, "All angles at which the robot can stand at (x, y), touching allowed. Raises ValueError.")
-      .def("clearance",
-           [](const ObstacleQueries& self, const Configuration& from, std::optional<double> weight, Touching touching) {
-             return self.clearance(from, weight ? *weight : self.gyration_radius(), touching);
-           },
-           "from_"_a, "weight"_a = nb::none(), "touching"_a = Touching::allowed,
-           "The signed distance to the boundary in the metric dx^2 + dy^2 + weight^2 dtheta^2; weight, a length per radian, is "
-           "gyration_radius() by default. Raises ValueError for what is not finite, and a weight that is negative or too large.")
+  type.def(
+          "contains", [](const ObstacleQueries& self, const Configuration& at) { return self.contains(at); }, "at"_a,
+          "Whether the robot at (x, y, theta) overlaps the obstacle; touching is free. Exact. Raises ValueError for a "
+          "theta "
+          "that is not finite.")
+      .def(
+          "contains",
+          [](const ObstacleQueries& self, double x, double y, const Orientation& theta) {
+            return self.contains(x, y, theta);
+          },
+          "x"_a, "y"_a, "theta"_a)
+      .def(
+          "free_angles",
+          [](const ObstacleQueries& self, double x, double y) {
+            return without_gil([&] { return self.free_angles(x, y); });
+          },
+          "x"_a, "y"_a, "All angles at which the robot can stand at (x, y), touching allowed. Raises ValueError.")
+      .def(
+          "clearance",
+          [](const ObstacleQueries& self, const Configuration& from, std::optional<double> weight, Touching touching) {
+            return self.clearance(from, weight ? *weight : self.gyration_radius(), touching);
+          },
+          "from_"_a, "weight"_a = nb::none(), "touching"_a = Touching::allowed,
+          "The signed distance to the boundary in the metric dx^2 + dy^2 + weight^2 dtheta^2; weight, a length per "
+          "radian, is "
+          "gyration_radius() by default. Raises ValueError for what is not finite, and a weight that is negative or "
+          "too large.")
       .def("exact_answers", &ObstacleQueries::exact_answers)
       .def("largest_weight", &ObstacleQueries::largest_weight)
       .def("gyration_radius", &ObstacleQueries::gyration_radius)
@@ -88,27 +99,35 @@ void bind_single(nb::class_<ObstacleQueries>& type) {
 
 void bind_batches(nb::class_<ObstacleQueries>& type) {
   type.def("contains_each", &contains_each, "at"_a, "threads"_a = 0,
-           nb::sig("def contains_each(self, at: numpy.typing.ArrayLike, threads: int = 0) -> numpy.typing.NDArray[numpy.bool_]"),
-           "contains for configurations (x, y, theta), shape (n, 3), in parallel without the GIL (threads 0: all cores): n truth "
+           nb::sig("def contains_each(self, at: numpy.typing.ArrayLike, threads: int = 0) -> "
+                   "numpy.typing.NDArray[numpy.bool_]"),
+           "contains for configurations (x, y, theta), shape (n, 3), in parallel without the GIL (threads 0: all "
+           "cores): n truth "
            "values.")
-      .def("free_each",
-           [](const ObstacleQueries& self, const Rows<3>& at, int threads) { return ~contains_each(self, at, threads); }, "at"_a,
-           "threads"_a = 0,
-           nb::sig("def free_each(self, at: numpy.typing.ArrayLike, threads: int = 0) -> numpy.typing.NDArray[numpy.bool_]"),
-           "The opposite: where the robot may stand.")
+      .def(
+          "free_each",
+          [](const ObstacleQueries& self, const Rows<3>& at, int threads) { return ~contains_each(self, at, threads); },
+          "at"_a, "threads"_a = 0,
+          nb::sig(
+              "def free_each(self, at: numpy.typing.ArrayLike, threads: int = 0) -> numpy.typing.NDArray[numpy.bool_]"),
+          "The opposite: where the robot may stand.")
       .def("clearance_each", &clearance_each, "from_"_a, "weight"_a = nb::none(), "touching"_a = Touching::allowed,
            "threads"_a = 0, "progress"_a = nb::none(),
-           nb::sig("def clearance_each(self, from_: numpy.typing.ArrayLike, weight: float | None = None, touching: Touching = ..., "
+           nb::sig("def clearance_each(self, from_: numpy.typing.ArrayLike, weight: float | None = None, touching: "
+                   "Touching = ..., "
                    "threads: int = 0, progress: collections.abc.Callable[[str, float], bool | None] | None = None) -> "
-                   "dymsum._values.Clearances"),
-           "clearance for configurations, shape (n, 3), in parallel: arrays distance (n), error (n), patch (n), nearest (n, 3).");
+                   "dymsum.Clearances"),
+           "clearance for configurations, shape (n, 3), in parallel: arrays distance (n), error (n), patch (n), "
+           "nearest (n, 3).");
 }
 
 }  // namespace
 
 void bind_queries(nb::module_& m) {
   bind_answers(m);
-  nb::class_<ObstacleQueries> type(m, "ObstacleQueries", nb::dynamic_attr(), R"doc(An index over the patches of an obstacle. Answers may be asked for on several threads.
+  nb::class_<ObstacleQueries> type(
+      m, "ObstacleQueries", nb::dynamic_attr(),
+      R"doc(An index over the patches of an obstacle. Answers may be asked for on several threads.
 
 >>> from dymsum import CspaceObstacle, ObstacleQueries, shapes
 >>> queries = ObstacleQueries(CspaceObstacle(shapes.rectangle(-1, -0.25, 1, 0.25), shapes.rectangle(0, 0, 4, 4)))

@@ -53,7 +53,8 @@ class Record : public nb::class_<T> {
     const RecordFields fields = fields_;
     this->def("__repr__", [fields](nb::handle_t<T> self) { return record_repr(*fields, self); });
     if constexpr (std::equality_comparable<T>) {
-      this->def("__eq__", [](const T& a, const T& b) { return a == b; }, nb::is_operator());
+      this->def(
+          "__eq__", [](const T& a, const T& b) { return a == b; }, nb::is_operator());
       this->attr("__hash__") = nb::none();
     }
     if constexpr (std::is_default_constructible_v<T>) {
@@ -77,10 +78,10 @@ class Record : public nb::class_<T> {
   /// A member to be read.
   template <class M>
   Record& field(const char* name, M T::*member, const char* doc = "") {
-    this->def_prop_ro(name, [member](const T& self) -> const M& { return self.*member; }, nb::rv_policy::reference_internal, doc);
-    fields_->push_back({name, [member](void* self, nb::handle value) {
-                          static_cast<T*>(self)->*member = member_of<M>(value);
-                        }});
+    this->def_prop_ro(
+        name, [member](const T& self) -> const M& { return self.*member; }, nb::rv_policy::reference_internal, doc);
+    fields_->push_back(
+        {name, [member](void* self, nb::handle value) { static_cast<T*>(self)->*member = member_of<M>(value); }});
     return *this;
   }
 
@@ -88,9 +89,8 @@ class Record : public nb::class_<T> {
   template <class M>
   Record& option(const char* name, M T::*member, const char* doc = "") {
     this->def_rw(name, member, doc);
-    fields_->push_back({name, [member](void* self, nb::handle value) {
-                          static_cast<T*>(self)->*member = member_of<M>(value);
-                        }});
+    fields_->push_back(
+        {name, [member](void* self, nb::handle value) { static_cast<T*>(self)->*member = member_of<M>(value); }});
     return *this;
   }
 

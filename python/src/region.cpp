@@ -51,7 +51,9 @@ void bind_part(nb::module_& m) {
   nb::class_<Part>(m, "Part", "A connected piece of the plane: inside `outer`, outside every hole.")
       .def(
           "__init__",
-          [](Part* self, const Rows<2>& outer, const std::vector<Rows<2>>& holes) { new (self) Part(part_of(outer, holes)); },
+          [](Part* self, const Rows<2>& outer, const std::vector<Rows<2>>& holes) {
+            new (self) Part(part_of(outer, holes));
+          },
           "outer"_a, "holes"_a = nb::list(), "From arrays of shape (n, 2).")
       .def_prop_ro(
           "outer", [](nb::handle_t<Part> self) { return view(self_of<Part>(self).outer, self); },
@@ -59,7 +61,8 @@ void bind_part(nb::module_& m) {
       .def_prop_ro(
           "holes", [](nb::handle_t<Part> self) { return views(self_of<Part>(self).holes, self); },
           "The holes, clockwise: views of shape (n, 2).")
-      .def("__eq__", [](const Part& a, const Part& b) { return a == b; }, nb::is_operator())
+      .def(
+          "__eq__", [](const Part& a, const Part& b) { return a == b; }, nb::is_operator())
       .def("__repr__",
            [](const Part& part) {
              return "Part(" + std::to_string(part.outer.size()) + " vertices, " + std::to_string(part.holes.size()) +
@@ -94,19 +97,22 @@ void bind_data(nb::module_& m) {
   nb::class_<RegionData> data(m, "RegionData", "The plain lists that a region is made from, not yet validated.");
   data.def(
       "__init__",
-      [](RegionData* self, const std::vector<Part>& parts, const std::vector<Rows<2>>& polylines, const Rows<2>& points) {
-        new (self) RegionData(data_of(parts, polylines, points));
-      },
+      [](RegionData* self, const std::vector<Part>& parts, const std::vector<Rows<2>>& polylines,
+         const Rows<2>& points) { new (self) RegionData(data_of(parts, polylines, points)); },
       "parts"_a = nb::list(), "polylines"_a = nb::list(), "points"_a = nb::list());
   bind_lists(data, [](const RegionData& of) -> const RegionData& { return of; });
-  data.def("__eq__", [](const RegionData& a, const RegionData& b) { return a == b; }, nb::is_operator());
+  data.def(
+      "__eq__", [](const RegionData& a, const RegionData& b) { return a == b; }, nb::is_operator());
   m.def("_region_data", &data_of);
-  m.def("_region_of_lists", [](const std::vector<Part>& parts, const std::vector<Rows<2>>& polylines,
-                               const Rows<2>& points) { return take(Region::create(data_of(parts, polylines, points))); });
+  m.def("_region_of_lists",
+        [](const std::vector<Part>& parts, const std::vector<Rows<2>>& polylines, const Rows<2>& points) {
+          return take(Region::create(data_of(parts, polylines, points)));
+        });
 }
 
 void bind_class(nb::module_& m) {
-  nb::class_<Region> region(m, "Region", nb::dynamic_attr(), R"doc(A valid planar region: parts with holes, polylines, points; perhaps empty.
+  nb::class_<Region> region(m, "Region", nb::dynamic_attr(),
+                            R"doc(A valid planar region: parts with holes, polylines, points; perhaps empty.
 
 Coordinates are doubles taken at face value. A region is made from
 
@@ -129,10 +135,13 @@ Traceback (most recent call last):
 ...
 dymsum.Error: part 0, ring 0, vertex 0 and ring 0, vertex 2, at (0.5, 0.5): the ring crosses itself
 )doc");
-  region.def("__init__", [](Region* self, const RegionArgument& source) { new (self) Region(*source); }, "source"_a)
+  region
+      .def(
+          "__init__", [](Region* self, const RegionArgument& source) { new (self) Region(*source); }, "source"_a)
       .def(nb::init<>())
-      .def_static("create", [](RegionData data) { return take(Region::create(std::move(data))); }, "data"_a,
-                  "Validates `data`. Raises Error as the constructor.")
+      .def_static(
+          "create", [](RegionData data) { return take(Region::create(std::move(data))); }, "data"_a,
+          "Validates `data`. Raises Error as the constructor.")
       .def_prop_ro("data", &Region::data, nb::rv_policy::reference_internal)
       .def_prop_ro("touching_points", &Region::touching_points,
                    "Points at which rings touch themselves or each other, sorted; usually none.")
@@ -140,8 +149,9 @@ dymsum.Error: part 0, ring 0, vertex 0 and ring 0, vertex 2, at (0.5, 0.5): the 
       .def("vertex_count", &Region::vertex_count)
       .def("hole_count", &Region::hole_count)
       .def("canonical", &Region::canonical, "The same set written in the one canonical way.")
-      .def("__eq__", [](const Region& a, const Region& b) { return a == b; }, nb::is_operator(),
-           "Equality of canonical forms.")
+      .def(
+          "__eq__", [](const Region& a, const Region& b) { return a == b; }, nb::is_operator(),
+          "Equality of canonical forms.")
       .def("__bool__", [](const Region& self) { return !self.empty(); })
       .def("__repr__",
            [](const Region& self) {
@@ -149,8 +159,9 @@ dymsum.Error: part 0, ring 0, vertex 0 and ring 0, vertex 2, at (0.5, 0.5): the 
                     " holes, " + std::to_string(self.vertex_count()) + " vertices>";
            })
       .def("_repr_svg_", [](const Region& self) { return draw_region(self); })
-      .def_prop_ro("wkt", [](const Region& self) { return format_region(self, RegionFormat::wkt); },
-                   "The region as WKT text, coordinates with the fewest digits that read back.")
+      .def_prop_ro(
+          "wkt", [](const Region& self) { return format_region(self, RegionFormat::wkt); },
+          "The region as WKT text, coordinates with the fewest digits that read back.")
       .def_prop_ro(
           "__geo_interface__",
           [](const Region& self) {
@@ -158,8 +169,10 @@ dymsum.Error: part 0, ring 0, vertex 0 and ring 0, vertex 2, at (0.5, 0.5): the 
             return nb::module_::import_("dymsum._convert").attr("geo_interface")(text);
           },
           "The region as a GeoJSON geometry.")
-      .def("to_shapely", [](nb::handle_t<Region> self) { return nb::module_::import_("dymsum._convert").attr("to_shapely")(self); },
-           "The region as a shapely geometry (needs shapely 2).");
+      .def(
+          "to_shapely",
+          [](nb::handle_t<Region> self) { return nb::module_::import_("dymsum._convert").attr("to_shapely")(self); },
+          "The region as a shapely geometry (needs shapely 2).");
   region.attr("__hash__") = nb::none();
   bind_lists(region, [](const Region& of) -> const RegionData& { return of.data(); });
 }
@@ -176,8 +189,9 @@ void bind_repair(nb::module_& m) {
   Record<Repaired>(m, "Repaired", "A repaired region and what was changed.")
       .field("region", &Repaired::region)
       .field("report", &Repaired::report);
-  m.def("repair", [](const RegionDataArgument& data) { return take(repair(*data)); }, "data"_a,
-        R"(The named repair: merges duplicate vertices, drops collinear ones, spikes and empty rings, orients rings, and
+  m.def(
+      "repair", [](const RegionDataArgument& data) { return take(repair(*data)); }, "data"_a,
+      R"(The named repair: merges duplicate vertices, drops collinear ones, spikes and empty rings, orients rings, and
 reports what it changed. Crossings are not repaired: they raise Error. Takes RegionData and all that Region takes.
 
 >>> from dymsum import repair
@@ -188,29 +202,41 @@ reports what it changed. Crossings are not repaired: they raise Error. Takes Reg
 }
 
 void bind_functions(nb::module_& m) {
-  m.def("area", [](const RegionArgument& region) { return area(*region); }, "region"_a,
-        "The area, rounded once; see area_text beyond the range of doubles.");
-  m.def("area_text", [](const RegionArgument& region) { return area_text(*region); }, "region"_a,
-        "The exact area to 17 digits, at any size.");
-  m.def("radius_of_gyration", [](const RegionArgument& region) { return radius_of_gyration(*region); }, "region"_a,
-        "The root of the mean square distance from the origin: the natural length per radian.");
-  m.def("bounds", [](const RegionArgument& region) { return bounds(*region); }, "region"_a,
-        "[min x, min y, max x, max y]; zeros for the empty region.");
-  m.def("negated", [](const RegionArgument& region) { return negated(*region); }, "region"_a, "-region. Exact.");
-  m.def("translated", [](const RegionArgument& region, double dx, double dy) { return take(translated(*region, dx, dy)); },
-        "region"_a, "dx"_a, "dy"_a, "region + (dx, dy), each coordinate rounded once.");
-  m.def("scaled", [](const RegionArgument& region, double sx, double sy) { return take(scaled(*region, sx, sy)); },
-        "region"_a, "sx"_a, "sy"_a, "diag(sx, sy) region, each coordinate rounded once. Raises Error: unsupported_operand.");
+  m.def(
+      "area", [](const RegionArgument& region) { return area(*region); }, "region"_a,
+      "The area, rounded once; see area_text beyond the range of doubles.");
+  m.def(
+      "area_text", [](const RegionArgument& region) { return area_text(*region); }, "region"_a,
+      "The exact area to 17 digits, at any size.");
+  m.def(
+      "radius_of_gyration", [](const RegionArgument& region) { return radius_of_gyration(*region); }, "region"_a,
+      "The root of the mean square distance from the origin: the natural length per radian.");
+  m.def(
+      "bounds", [](const RegionArgument& region) { return bounds(*region); }, "region"_a,
+      "[min x, min y, max x, max y]; zeros for the empty region.");
+  m.def(
+      "negated", [](const RegionArgument& region) { return negated(*region); }, "region"_a, "-region. Exact.");
+  m.def(
+      "translated",
+      [](const RegionArgument& region, double dx, double dy) { return take(translated(*region, dx, dy)); }, "region"_a,
+      "dx"_a, "dy"_a, "region + (dx, dy), each coordinate rounded once.");
+  m.def(
+      "scaled", [](const RegionArgument& region, double sx, double sy) { return take(scaled(*region, sx, sy)); },
+      "region"_a, "sx"_a, "sy"_a,
+      "diag(sx, sy) region, each coordinate rounded once. Raises Error: unsupported_operand.");
   Record<GrownRegion>(m, "GrownRegion", "A region with a margin around it.")
       .field("region", &GrownRegion::region)
       .field("margin", &GrownRegion::margin, "every point within this distance of the given region lies inside")
       .field("at_most", &GrownRegion::at_most, "no point is farther from the given region than this");
-  m.def("grown", [](const RegionArgument& region, double margin, int sides) {
-          return take(without_gil([&] { return grown(*region, margin, sides); }));
-        },
-        "region"_a, "margin"_a, "sides"_a = 16,
-        "The sum with a regular polygon around the disc of radius `margin`, rounded outwards. Raises Error: out_of_range, "
-        "rounding_changed_topology.");
+  m.def(
+      "grown",
+      [](const RegionArgument& region, double margin, int sides) {
+        return take(without_gil([&] { return grown(*region, margin, sides); }));
+      },
+      "region"_a, "margin"_a, "sides"_a = 16,
+      "The sum with a regular polygon around the disc of radius `margin`, rounded outwards. Raises Error: "
+      "out_of_range, "
+      "rounding_changed_topology.");
 }
 
 }  // namespace

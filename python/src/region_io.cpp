@@ -20,29 +20,37 @@ void bind_reading(nb::module_& m) {
   Record<NamedShape>(m, "NamedShape", "One named shape of a file.")
       .field("name", &NamedShape::name)
       .field("data", &NamedShape::data, "RegionData, not yet validated");
-  m.def("region_format", [](const std::string& path) { return take(region_format(path)); }, "path"_a,
-        "The format that a path's extension names. Raises Error: unsupported_format.");
+  m.def(
+      "region_format", [](const std::string& path) { return take(region_format(path)); }, "path"_a,
+      "The format that a path's extension names. Raises Error: unsupported_format.");
   m.def("names_region", &names_region, "path"_a);
-  m.def("read_shapes", [](const std::string& path) { return take(read_shapes(path)); }, "path"_a,
-        "All shapes of a file (.poly, .wkt, .geojson, .svg, nesting .json), or the one of \"f.json#name\". Raises Error with file "
-        "and line.");
-  m.def("parse_shapes",
-        [](const std::string& text, RegionFormat format, const std::string& name) {
-          return take(parse_shapes(text, format, name));
-        },
-        "text"_a, "format"_a, "name_for_errors"_a = "text");
-  m.def("read_region_data", [](const std::string& path) { return take(read_region_data(path)); }, "path"_a,
-        "The file's only or selected shape, not yet validated. Raises Error: malformed where there are several.");
+  m.def(
+      "read_shapes", [](const std::string& path) { return take(read_shapes(path)); }, "path"_a,
+      "All shapes of a file (.poly, .wkt, .geojson, .svg, nesting .json), or the one of \"f.json#name\". Raises Error "
+      "with file "
+      "and line.");
+  m.def(
+      "parse_shapes",
+      [](const std::string& text, RegionFormat format, const std::string& name) {
+        return take(parse_shapes(text, format, name));
+      },
+      "text"_a, "format"_a, "name_for_errors"_a = "text");
+  m.def(
+      "read_region_data", [](const std::string& path) { return take(read_region_data(path)); }, "path"_a,
+      "The file's only or selected shape, not yet validated. Raises Error: malformed where there are several.");
 }
 
 void bind_writing(nb::module_& m) {
-  m.def("format_region", [](const RegionArgument& region, RegionFormat format) { return format_region(*region, format); },
-        "region"_a, "format"_a, "The region as text; coordinates read back as the same doubles.");
-  m.def("write_file", [](const std::string& path, const std::string& text) { take(write_file(path, text)); }, "path"_a,
-        "text"_a, "Replaces a file as a whole. Raises Error: cannot_write.");
+  m.def(
+      "format_region", [](const RegionArgument& region, RegionFormat format) { return format_region(*region, format); },
+      "region"_a, "format"_a, "The region as text; coordinates read back as the same doubles.");
+  m.def(
+      "write_file", [](const std::string& path, const std::string& text) { take(write_file(path, text)); }, "path"_a,
+      "text"_a, "Replaces a file as a whole. Raises Error: cannot_write.");
   m.def("written_path", &written_path, "path"_a);
-  m.def("draw_region", [](const RegionArgument& region) { return draw_region(*region); }, "region"_a,
-        "A picture as SVG text.");
+  m.def(
+      "draw_region", [](const RegionArgument& region) { return draw_region(*region); }, "region"_a,
+      "A picture as SVG text.");
 }
 
 }  // namespace

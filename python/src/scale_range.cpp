@@ -32,7 +32,8 @@ void bind_results(nb::module_& m) {
       .field("free", &ScaleRange::free, "intervals in order, disjoint")
       .field("critical", &ScaleRange::critical)
       .field("tested", &ScaleRange::tested)
-      .def("contains", [](const ScaleRange& self, const ScaleArgument& s) { return self.contains(s.value); }, "s"_a)
+      .def(
+          "contains", [](const ScaleRange& self, const ScaleArgument& s) { return self.contains(s.value); }, "s"_a)
       .def("trap", &ScaleRange::trap, "The scale up to which all smaller parts are free; None: never blocked.");
 }
 
@@ -40,24 +41,29 @@ void bind_results(nb::module_& m) {
 
 void bind_scale_range(nb::module_& m) {
   bind_results(m);
-  m.def("scale_range",
-        [](const RegionArgument& part, const std::vector<Point>& path, const RegionArgument& obstacles, const Progress& progress) {
-          return run(progress, [&](Progress own) { return scale_range(*part, path, *obstacles, own); });
-        },
-        "part"_a, "path"_a, "obstacles"_a, "progress"_a = nb::none(),
-        "The scales s for which s `part`, moved along the path, never overlaps the obstacles. Raises Error: "
-        "unsupported_operand, not_finite, cancelled.");
-  m.def("fit_range",
-        [](const RegionArgument& part, const RegionArgument& container, Point at, const Progress& progress) {
-          return run(progress, [&](Progress own) { return fit_range(*part, *container, at, own); });
-        },
-        "part"_a, "container"_a, "at"_a, "progress"_a = nb::none(),
-        "The scales at which s `part`, placed at `at`, lies inside the container.");
-  m.def("fit_range",
-        [](const RegionArgument& part, const RegionArgument& container, const Progress& progress) {
-          return run(progress, [&](Progress own) { return fit_range(*part, *container, own); });
-        },
-        "part"_a, "container"_a, "progress"_a = nb::none(), R"doc(The scales at which s `part` lies inside the container at some translation.
+  m.def(
+      "scale_range",
+      [](const RegionArgument& part, const std::vector<Point>& path, const RegionArgument& obstacles,
+         const Progress& progress) {
+        return run(progress, [&](Progress own) { return scale_range(*part, path, *obstacles, own); });
+      },
+      "part"_a, "path"_a, "obstacles"_a, "progress"_a = nb::none(),
+      "The scales s for which s `part`, moved along the path, never overlaps the obstacles. Raises Error: "
+      "unsupported_operand, not_finite, cancelled.");
+  m.def(
+      "fit_range",
+      [](const RegionArgument& part, const RegionArgument& container, Point at, const Progress& progress) {
+        return run(progress, [&](Progress own) { return fit_range(*part, *container, at, own); });
+      },
+      "part"_a, "container"_a, "at"_a, "progress"_a = nb::none(),
+      "The scales at which s `part`, placed at `at`, lies inside the container.");
+  m.def(
+      "fit_range",
+      [](const RegionArgument& part, const RegionArgument& container, const Progress& progress) {
+        return run(progress, [&](Progress own) { return fit_range(*part, *container, own); });
+      },
+      "part"_a, "container"_a, "progress"_a = nb::none(),
+      R"doc(The scales at which s `part` lies inside the container at some translation.
 
 >>> from dymsum import fit_range, shapes
 >>> fit_range(shapes.rectangle(0, 0, 2, 1), shapes.rectangle(0, 0, 7, 3)).free[0].high

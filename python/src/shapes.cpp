@@ -15,7 +15,8 @@ void bind_shapes(nb::module_& m) {
   s.def("rectangle", &shapes::rectangle, "x0"_a, "y0"_a, "x1"_a, "y1"_a);
   s.def("disc", &shapes::disc, "vertices"_a, "radius"_a);
   s.def("gear", &shapes::gear, "teeth"_a, "inner"_a, "outer"_a, "4 vertices a tooth.");
-  s.def("grate", &shapes::grate, "bars"_a, "pitch"_a, "bar"_a, "length"_a, "A frame with `bars` - 1 rectangular holes.");
+  s.def("grate", &shapes::grate, "bars"_a, "pitch"_a, "bar"_a, "length"_a,
+        "A frame with `bars` - 1 rectangular holes.");
   s.def("comb", &shapes::comb, "teeth"_a, "pitch"_a, "tooth"_a, "length"_a);
   s.def("star", &shapes::star, "points"_a, "inner"_a, "outer"_a);
   s.def("noisy_star", &shapes::noisy_star, "vertices"_a, "noise"_a, "seed"_a);
@@ -24,7 +25,9 @@ void bind_shapes(nb::module_& m) {
   s.def("letter_l", &shapes::letter_l, "width"_a, "height"_a, "thickness"_a);
   s.def("pockets", &shapes::pockets, "holes"_a, "size"_a, "A plate with square holes of growing size.");
   s.def("random_polygon", &shapes::random_polygon, "vertices"_a, "holes"_a, "seed"_a);
-  Record<shapes::Named>(s, "Named", "A named shape.").field("name", &shapes::Named::name).field("region", &shapes::Named::region);
+  Record<shapes::Named>(s, "Named", "A named shape.")
+      .field("name", &shapes::Named::name)
+      .field("region", &shapes::Named::region);
   s.def("thesis_like_set", &shapes::thesis_like_set);
 }
 

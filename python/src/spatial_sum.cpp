@@ -104,26 +104,37 @@ void bind_fields(nb::class_<SpatialSum>& sum) {
 
 void bind_numbers(nb::class_<SpatialSum>& sum) {
   sum.def("tight_triangles", &SpatialSum::tight_triangles)
-      .def("exact", [](const SpatialSum& self, std::size_t vertex) {
-             if (vertex >= self.vertices.size()) throw nb::index_error("no such vertex");
-             return self.exact(vertex);
-           }, "vertex"_a, "The exact position of a vertex.")
-      .def("volume", [](const SpatialSum& self) { return without_gil([&] { return self.volume(); }); },
-           "The nearest double to the exact volume.")
+      .def(
+          "exact",
+          [](const SpatialSum& self, std::size_t vertex) {
+            if (vertex >= self.vertices.size()) throw nb::index_error("no such vertex");
+            return self.exact(vertex);
+          },
+          "vertex"_a, "The exact position of a vertex.")
+      .def(
+          "volume", [](const SpatialSum& self) { return without_gil([&] { return self.volume(); }); },
+          "The nearest double to the exact volume.")
       .def("area", [](const SpatialSum& self) { return without_gil([&] { return self.area(); }); })
-      .def("volume_exact", [](const SpatialSum& self) { return without_gil([&] { return self.volume_exact(); }); },
-           "The volume as one Fraction; expensive for thousands of vertices.")
-      .def("volume_exact_within",
-           [](const SpatialSum& self, std::size_t bits) { return without_gil([&] { return self.volume_exact_within(bits); }); },
-           "bits"_a)
-      .def("rounded", [](const SpatialSum& self) { return take(without_gil([&] { return self.rounded(); })); },
-           "The boundary as triangles, every vertex rounded. Raises Error: rounding_changed_topology.")
-      .def("drawn", [](const SpatialSum& self) { return without_gil([&] { return self.drawn(); }); },
-           "The same for a picture, whatever rounding does.");
+      .def(
+          "volume_exact", [](const SpatialSum& self) { return without_gil([&] { return self.volume_exact(); }); },
+          "The volume as one Fraction; expensive for thousands of vertices.")
+      .def(
+          "volume_exact_within",
+          [](const SpatialSum& self, std::size_t bits) {
+            return without_gil([&] { return self.volume_exact_within(bits); });
+          },
+          "bits"_a)
+      .def(
+          "rounded", [](const SpatialSum& self) { return take(without_gil([&] { return self.rounded(); })); },
+          "The boundary as triangles, every vertex rounded. Raises Error: rounding_changed_topology.")
+      .def(
+          "drawn", [](const SpatialSum& self) { return without_gil([&] { return self.drawn(); }); },
+          "The same for a picture, whatever rounding does.");
 }
 
 void bind_class(nb::module_& m) {
-  nb::class_<SpatialSum> sum(m, "SpatialSum", nb::dynamic_attr(), R"doc(The exact sum of two solids. Equal sets compare equal.
+  nb::class_<SpatialSum> sum(m, "SpatialSum", nb::dynamic_attr(),
+                             R"doc(The exact sum of two solids. Equal sets compare equal.
 
 >>> from dymsum import minkowski_sum, solids
 >>> sum = minkowski_sum(solids.box(0, 0, 0, 1, 1, 1), solids.box(0, 0, 0, 2, 2, 2))
@@ -135,24 +146,31 @@ void bind_class(nb::module_& m) {
   Record<SpatialSum::Rounded>(sum, "Rounded", "Triangles of a sum, rounded.")
       .field("mesh", &SpatialSum::Rounded::mesh)
       .field("face", &SpatialSum::Rounded::face, "of every triangle the face that it is a part of");
-  sum.def("__eq__", [](const SpatialSum& a, const SpatialSum& b) { return without_gil([&] { return a == b; }); },
-          nb::is_operator())
+  sum.def(
+         "__eq__", [](const SpatialSum& a, const SpatialSum& b) { return without_gil([&] { return a == b; }); },
+         nb::is_operator())
       .def("__repr__",
            [](const SpatialSum& self) {
-             return "<SpatialSum: " + std::to_string(self.vertices.size()) + " vertices, " + std::to_string(self.faces.size()) +
-                    " faces, " + std::to_string(self.shells) + " shells, tight: " + std::to_string(self.tight_points.size()) +
-                    " points, " + std::to_string(self.tight_segments.size()) + " segments, " +
+             return "<SpatialSum: " + std::to_string(self.vertices.size()) + " vertices, " +
+                    std::to_string(self.faces.size()) + " faces, " + std::to_string(self.shells) +
+                    " shells, tight: " + std::to_string(self.tight_points.size()) + " points, " +
+                    std::to_string(self.tight_segments.size()) + " segments, " +
                     std::to_string(self.tight_faces.size()) + " faces>";
            })
-      .def("to_trimesh",
-           [](const SpatialSum& self) {
-             const nb::object mesh = nb::cast(take(self.rounded()).mesh);
-             return nb::module_::import_("dymsum._convert").attr("to_trimesh")(mesh);
-           },
-           "rounded() as a trimesh object (needs trimesh).")
-      .def("to_glb", [](nb::handle_t<SpatialSum> self) { return nb::module_::import_("dymsum._display").attr("solid_glb")(self); },
-           nb::sig("def to_glb(self) -> bytes"), "The bytes of a .glb file, rounded.")
-      .def("_repr_svg_", [](nb::handle_t<SpatialSum> self) { return nb::module_::import_("dymsum._display").attr("solid_svg")(self); })
+      .def(
+          "to_trimesh",
+          [](const SpatialSum& self) {
+            const nb::object mesh = nb::cast(take(self.rounded()).mesh);
+            return nb::module_::import_("dymsum._convert").attr("to_trimesh")(mesh);
+          },
+          "rounded() as a trimesh object (needs trimesh).")
+      .def(
+          "to_glb",
+          [](nb::handle_t<SpatialSum> self) { return nb::module_::import_("dymsum._display").attr("solid_glb")(self); },
+          nb::sig("def to_glb(self) -> bytes"), "The bytes of a .glb file, rounded.")
+      .def(
+          "_repr_svg_",
+          [](nb::handle_t<SpatialSum> self) { return nb::module_::import_("dymsum._display").attr("solid_svg")(self); })
       .def("__reduce__", [](nb::handle_t<SpatialSum> self) { return made_again(self); });
   sum.attr("__hash__") = nb::none();
 }
@@ -164,8 +182,10 @@ void bind_spatial_sum(nb::module_& m) {
   bind_parts(m);
   bind_trace(m);
   bind_class(m);
-  m.def("volume_text", [](const SpatialSum& sum) { return volume_text(sum); }, "sum"_a);
-  m.def("surface_text", [](const SpatialSum& sum) { return surface_text(sum); }, "sum"_a);
+  m.def(
+      "volume_text", [](const SpatialSum& sum) { return volume_text(sum); }, "sum"_a);
+  m.def(
+      "surface_text", [](const SpatialSum& sum) { return surface_text(sum); }, "sum"_a);
 }
 
 }  // namespace dymsum::python

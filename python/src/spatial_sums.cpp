@@ -15,73 +15,86 @@ namespace {
 using namespace nb::literals;
 
 void bind_sums(nb::module_& m) {
-  m.def("minkowski_sum",
-        [](const MeshArgument& p, const MeshArgument& q, const SpatialOptions& options) {
-          SpatialSum sum = run_with(options, [&](const SpatialOptions& own) { return minkowski_sum(*p, *q, own); });
-          return remembered(std::move(sum), "solid_sum", p.object, q.object, options);
-        },
-        "p"_a, "q"_a, "options"_a = SpatialOptions(),
-        nb::sig("def minkowski_sum(p: dymsum._convert.MeshLike, q: dymsum._convert.MeshLike, options: SpatialOptions = ...) -> SpatialSum"),
-        "The exact sum of two solids of any shape. Raises Error: cancelled; out_of_memory; unsupported_operand.");
-  m.def("minkowski_sum",
-        [](const std::vector<MeshArgument>& operands, const SpatialOptions& options) {
-          std::vector<Mesh> all;
-          nb::list kept;
-          for (const MeshArgument& one : operands) {
-            all.push_back(*one);
-            kept.append(one.object);
-          }
-          SpatialSum sum = run_with(
-              options, [&](const SpatialOptions& own) { return minkowski_sum(std::span<const Mesh>(all), own); });
-          return remembered(std::move(sum), "solid_sum_of", kept, options);
-        },
-        "operands"_a, "options"_a = SpatialOptions(),
-        nb::sig("def minkowski_sum(operands: collections.abc.Sequence[dymsum._convert.MeshLike], options: SpatialOptions = ...) -> SpatialSum"),
-        "The sum of several operands, at least one.");
-  m.def("as_mesh", [](const SpatialSum& sum) { return take(as_mesh(sum)); }, "sum"_a,
-        "The regular part of a sum as an operand. Raises Error: unsupported_operand where no doubles hold a vertex.");
-  m.def("erode",
-        [](const MeshArgument& a, const MeshArgument& b, const SpatialOptions& options) {
-          SpatialSum fit = run_with(options, [&](const SpatialOptions& own) { return erode(*a, *b, own); });
-          return remembered(std::move(fit), "solid_erode", a.object, b.object, options);
-        },
-        "a"_a, "b"_a, "options"_a = SpatialOptions(),
-        nb::sig("def erode(a: dymsum._convert.MeshLike, b: dymsum._convert.MeshLike, options: SpatialOptions = ...) -> SpatialSum"),
-        "A (-) B = { x : x + B inside A }, positions without room to move included as tight features.");
+  m.def(
+      "minkowski_sum",
+      [](const MeshArgument& p, const MeshArgument& q, const SpatialOptions& options) {
+        SpatialSum sum = run_with(options, [&](const SpatialOptions& own) { return minkowski_sum(*p, *q, own); });
+        return remembered(std::move(sum), "solid_sum", p.object, q.object, options);
+      },
+      "p"_a, "q"_a, "options"_a = SpatialOptions(),
+      nb::sig("def minkowski_sum(p: dymsum.MeshLike, q: dymsum.MeshLike, options: SpatialOptions = "
+              "...) -> SpatialSum"),
+      "The exact sum of two solids of any shape. Raises Error: cancelled; out_of_memory; unsupported_operand.");
+  m.def(
+      "minkowski_sum",
+      [](const std::vector<MeshArgument>& operands, const SpatialOptions& options) {
+        std::vector<Mesh> all;
+        nb::list kept;
+        for (const MeshArgument& one : operands) {
+          all.push_back(*one);
+          kept.append(one.object);
+        }
+        SpatialSum sum = run_with(
+            options, [&](const SpatialOptions& own) { return minkowski_sum(std::span<const Mesh>(all), own); });
+        return remembered(std::move(sum), "solid_sum_of", kept, options);
+      },
+      "operands"_a, "options"_a = SpatialOptions(),
+      nb::sig("def minkowski_sum(operands: collections.abc.Sequence[dymsum.MeshLike], options: SpatialOptions "
+              "= ...) -> SpatialSum"),
+      "The sum of several operands, at least one.");
+  m.def(
+      "as_mesh", [](const SpatialSum& sum) { return take(as_mesh(sum)); }, "sum"_a,
+      "The regular part of a sum as an operand. Raises Error: unsupported_operand where no doubles hold a vertex.");
+  m.def(
+      "erode",
+      [](const MeshArgument& a, const MeshArgument& b, const SpatialOptions& options) {
+        SpatialSum fit = run_with(options, [&](const SpatialOptions& own) { return erode(*a, *b, own); });
+        return remembered(std::move(fit), "solid_erode", a.object, b.object, options);
+      },
+      "a"_a, "b"_a, "options"_a = SpatialOptions(),
+      nb::sig("def erode(a: dymsum.MeshLike, b: dymsum.MeshLike, options: SpatialOptions = ...) -> "
+              "SpatialSum"),
+      "A (-) B = { x : x + B inside A }, positions without room to move included as tight features.");
 }
 
 void bind_contains(nb::module_& m) {
-  m.def("contains",
-        [](const MeshArgument& p, const MeshArgument& q, const Point3& z, Semantics semantics) {
-          return take(without_gil([&] { return contains(*p, *q, z, semantics); }));
-        },
-        "p"_a, "q"_a, "z"_a, "semantics"_a = Semantics::closed);
-  m.def("contains_each",
-        [](const MeshArgument& p, const MeshArgument& q, const Rows<3>& positions, Semantics semantics) {
-          std::vector<RationalPoint3> exact(positions.size);
-          for (std::size_t i = 0; i < positions.size; ++i) {
-            const double* at = positions.row(i);
-            exact[i] = {take(Rational::of(at[0])), take(Rational::of(at[1])), take(Rational::of(at[2]))};
-          }
-          const std::vector<bool> inside = take(without_gil([&] { return contains_each(*p, *q, exact, semantics); }));
-          return array_of(std::vector<std::uint8_t>(inside.begin(), inside.end())).attr("view")("bool");
-        },
-        "p"_a, "q"_a, "positions"_a, "semantics"_a = Semantics::closed,
-        nb::sig("def contains_each(p: dymsum._convert.MeshLike, q: dymsum._convert.MeshLike, positions: numpy.typing.ArrayLike, "
-                "semantics: Semantics = ...) -> numpy.typing.NDArray[numpy.bool_]"),
-        "contains for many positions, shape (n, 3), without the GIL: n truth values.");
-  m.def("contains_each",
-        [](const MeshArgument& p, const MeshArgument& q, const std::vector<RationalPoint3>& positions, Semantics semantics) {
-          return take(without_gil([&] { return contains_each(*p, *q, positions, semantics); }));
-        },
-        "p"_a, "q"_a, "positions"_a, "semantics"_a = Semantics::closed, "The same for exact positions: a list.");
+  m.def(
+      "contains",
+      [](const MeshArgument& p, const MeshArgument& q, const Point3& z, Semantics semantics) {
+        return take(without_gil([&] { return contains(*p, *q, z, semantics); }));
+      },
+      "p"_a, "q"_a, "z"_a, "semantics"_a = Semantics::closed);
+  m.def(
+      "contains_each",
+      [](const MeshArgument& p, const MeshArgument& q, const Rows<3>& positions, Semantics semantics) {
+        std::vector<RationalPoint3> exact(positions.size);
+        for (std::size_t i = 0; i < positions.size; ++i) {
+          const double* at = positions.row(i);
+          exact[i] = {take(Rational::of(at[0])), take(Rational::of(at[1])), take(Rational::of(at[2]))};
+        }
+        const std::vector<bool> inside = take(without_gil([&] { return contains_each(*p, *q, exact, semantics); }));
+        return array_of(std::vector<std::uint8_t>(inside.begin(), inside.end())).attr("view")("bool");
+      },
+      "p"_a, "q"_a, "positions"_a, "semantics"_a = Semantics::closed,
+      nb::sig("def contains_each(p: dymsum.MeshLike, q: dymsum.MeshLike, positions: "
+              "numpy.typing.ArrayLike, "
+              "semantics: Semantics = ...) -> numpy.typing.NDArray[numpy.bool_]"),
+      "contains for many positions, shape (n, 3), without the GIL: n truth values.");
+  m.def(
+      "contains_each",
+      [](const MeshArgument& p, const MeshArgument& q, const std::vector<RationalPoint3>& positions,
+         Semantics semantics) {
+        return take(without_gil([&] { return contains_each(*p, *q, positions, semantics); }));
+      },
+      "p"_a, "q"_a, "positions"_a, "semantics"_a = Semantics::closed, "The same for exact positions: a list.");
   Record<SpatialCost>(m, "SpatialCost", "What a sum will take, before it is computed.")
       .field("face_vertex", &SpatialCost::face_vertex)
       .field("edge_edge", &SpatialCost::edge_edge)
       .field("full_face_vertex", &SpatialCost::full_face_vertex)
       .field("full_edge_edge", &SpatialCost::full_edge_edge)
       .field("bytes", &SpatialCost::bytes);
-  m.def("predict_cost", [](const MeshArgument& p, const MeshArgument& q) { return predict_cost(*p, *q); }, "p"_a, "q"_a);
+  m.def(
+      "predict_cost", [](const MeshArgument& p, const MeshArgument& q) { return predict_cost(*p, *q); }, "p"_a, "q"_a);
 }
 
 void bind_opening(nb::module_& m) {
@@ -91,17 +104,19 @@ void bind_opening(nb::module_& m) {
   Record<SolidOpening>(m, "SolidOpening", "An opening or a closing.")
       .field("solid", &SolidOpening::solid)
       .field("moved", &SolidOpening::moved, "no vertex between was moved by more; 0: exact");
-  m.def("opening",
-        [](const MeshArgument& a, const MeshArgument& b, const SpatialOptions& options, BetweenSteps between) {
-          return run_with(options, [&](const SpatialOptions& own) { return opening(*a, *b, own, between); });
-        },
-        "a"_a, "b"_a, "options"_a = SpatialOptions(), "between"_a = BetweenSteps::exact,
-        "(A (-) B) (+) B: the union of all x + B inside A. Raises Error: rounding_changed_topology.");
-  m.def("closing",
-        [](const MeshArgument& a, const MeshArgument& b, const SpatialOptions& options, BetweenSteps between) {
-          return run_with(options, [&](const SpatialOptions& own) { return closing(*a, *b, own, between); });
-        },
-        "a"_a, "b"_a, "options"_a = SpatialOptions(), "between"_a = BetweenSteps::exact, "(A (+) B) (-) B.");
+  m.def(
+      "opening",
+      [](const MeshArgument& a, const MeshArgument& b, const SpatialOptions& options, BetweenSteps between) {
+        return run_with(options, [&](const SpatialOptions& own) { return opening(*a, *b, own, between); });
+      },
+      "a"_a, "b"_a, "options"_a = SpatialOptions(), "between"_a = BetweenSteps::exact,
+      "(A (-) B) (+) B: the union of all x + B inside A. Raises Error: rounding_changed_topology.");
+  m.def(
+      "closing",
+      [](const MeshArgument& a, const MeshArgument& b, const SpatialOptions& options, BetweenSteps between) {
+        return run_with(options, [&](const SpatialOptions& own) { return closing(*a, *b, own, between); });
+      },
+      "a"_a, "b"_a, "options"_a = SpatialOptions(), "between"_a = BetweenSteps::exact, "(A (+) B) (-) B.");
 }
 
 void bind_offset(nb::module_& m) {
@@ -112,20 +127,26 @@ void bind_offset(nb::module_& m) {
       .field("mesh", &TessellatedBall::mesh)
       .field("low", &TessellatedBall::low)
       .field("high", &TessellatedBall::high);
-  m.def("tessellated_ball",
-        [](double radius, double tolerance, OffsetBound bound) { return take(tessellated_ball(radius, tolerance, bound)); },
-        "radius"_a, "tolerance"_a, "bound"_a = OffsetBound::inside);
+  m.def(
+      "tessellated_ball",
+      [](double radius, double tolerance, OffsetBound bound) {
+        return take(tessellated_ball(radius, tolerance, bound));
+      },
+      "radius"_a, "tolerance"_a, "bound"_a = OffsetBound::inside);
   Record<SolidOffset>(m, "SolidOffset", "An offset: between the exact ones by `low` and `high`.")
       .field("solid", &SolidOffset::solid)
       .field("low", &SolidOffset::low)
       .field("high", &SolidOffset::high)
       .field("ball_facets", &SolidOffset::ball_facets);
-  m.def("offset",
-        [](const MeshArgument& mesh, double distance, double tolerance, OffsetBound bound, const SpatialOptions& options) {
-          return run_with(options, [&](const SpatialOptions& own) { return offset(*mesh, distance, tolerance, bound, own); });
-        },
-        "mesh"_a, "distance"_a, "tolerance"_a, "bound"_a = OffsetBound::inside, "options"_a = SpatialOptions(),
-        "The solid grown by a distance, or shrunk by a negative one, up to the tolerance. Raises Error: out_of_range.");
+  m.def(
+      "offset",
+      [](const MeshArgument& mesh, double distance, double tolerance, OffsetBound bound,
+         const SpatialOptions& options) {
+        return run_with(options,
+                        [&](const SpatialOptions& own) { return offset(*mesh, distance, tolerance, bound, own); });
+      },
+      "mesh"_a, "distance"_a, "tolerance"_a, "bound"_a = OffsetBound::inside, "options"_a = SpatialOptions(),
+      "The solid grown by a distance, or shrunk by a negative one, up to the tolerance. Raises Error: out_of_range.");
 }
 
 void bind_slice(nb::module_& m) {
@@ -141,11 +162,12 @@ void bind_slice(nb::module_& m) {
       .field("touching", &SolidSlice::touching)
       .field("contacts", &SolidSlice::contacts)
       .field("stats", &SolidSlice::stats);
-  m.def("slice_of_sum",
-        [](const MeshArgument& p, const MeshArgument& q, double z, const SpatialOptions& options) {
-          return run_with(options, [&](const SpatialOptions& own) { return slice_of_sum(*p, *q, z, own); });
-        },
-        "p"_a, "q"_a, "z"_a, "options"_a = SpatialOptions(), "One height of a sum of solids. Raises Error: not_finite.");
+  m.def(
+      "slice_of_sum",
+      [](const MeshArgument& p, const MeshArgument& q, double z, const SpatialOptions& options) {
+        return run_with(options, [&](const SpatialOptions& own) { return slice_of_sum(*p, *q, z, own); });
+      },
+      "p"_a, "q"_a, "z"_a, "options"_a = SpatialOptions(), "One height of a sum of solids. Raises Error: not_finite.");
 }
 
 }  // namespace

@@ -65,7 +65,9 @@ std::string digits_of(nb::handle number) {
 
 std::string signed_digits_of(nb::handle number) {
   const nb::object magnitude = checked(PyNumber_Absolute(number.ptr()));
-  return (nb::cast<bool>(number < nb::int_(0)) ? "-" : "") + digits_of(magnitude);
+  const int negative = PyObject_RichCompareBool(number.ptr(), magnitude.ptr(), Py_LT);
+  if (negative < 0) throw nb::python_error();
+  return (negative ? "-" : "") + digits_of(magnitude);
 }
 
 bool is_integer(PyObject* object) { return PyLong_Check(object) || (!PyFloat_Check(object) && PyIndex_Check(object)); }
@@ -189,16 +191,16 @@ PyObject* new_fraction(const Rational& value) noexcept {
 
 PyObject* new_named(const char* type, std::span<const double> values) noexcept {
   return or_exception([&] {
-    nb::tuple tuple = values.size() == 2 ? nb::make_tuple(values[0], values[1])
-                                         : nb::make_tuple(values[0], values[1], values[2]);
+    nb::tuple tuple =
+        values.size() == 2 ? nb::make_tuple(values[0], values[1]) : nb::make_tuple(values[0], values[1], values[2]);
     return new_named_of(type, tuple);
   });
 }
 
 PyObject* new_named(const char* type, std::span<const Rational> values) noexcept {
   return or_exception([&] {
-    nb::tuple tuple = values.size() == 2 ? nb::make_tuple(values[0], values[1])
-                                         : nb::make_tuple(values[0], values[1], values[2]);
+    nb::tuple tuple =
+        values.size() == 2 ? nb::make_tuple(values[0], values[1]) : nb::make_tuple(values[0], values[1], values[2]);
     return new_named_of(type, tuple);
   });
 }

@@ -53,20 +53,20 @@ struct type_caster<dymsum::Rational> {
 };
 
 /// A struct of doubles as a named tuple.
-#define DYMSUM_NAMED_DOUBLES(TYPE, COUNT, ...)                                                                       \
-  template <>                                                                                                        \
-  struct type_caster<dymsum::TYPE> {                                                                                 \
-    NB_TYPE_CASTER(dymsum::TYPE, io_name("numpy.typing.ArrayLike", "dymsum._values." #TYPE))                         \
-    bool from_python(handle src, uint32_t, cleanup_list*) noexcept {                                                 \
-      double v[COUNT];                                                                                               \
-      if (!dymsum::python::read_doubles(src, v)) return false;                                                       \
-      value = {v[0], v[1] __VA_ARGS__};                                                                              \
-      return true;                                                                                                   \
-    }                                                                                                                \
-    static handle from_cpp(const dymsum::TYPE& of, rv_policy, cleanup_list*) noexcept {                              \
-      static_assert(sizeof(of) == COUNT * sizeof(double));                                                           \
-      return dymsum::python::new_named(#TYPE, std::span(reinterpret_cast<const double*>(&of), COUNT));               \
-    }                                                                                                                \
+#define DYMSUM_NAMED_DOUBLES(TYPE, COUNT, ...)                                                         \
+  template <>                                                                                          \
+  struct type_caster<dymsum::TYPE> {                                                                   \
+    NB_TYPE_CASTER(dymsum::TYPE, io_name("numpy.typing.ArrayLike", "dymsum." #TYPE))           \
+    bool from_python(handle src, uint32_t, cleanup_list*) noexcept {                                   \
+      double v[COUNT];                                                                                 \
+      if (!dymsum::python::read_doubles(src, v)) return false;                                         \
+      value = {v[0], v[1] __VA_ARGS__};                                                                \
+      return true;                                                                                     \
+    }                                                                                                  \
+    static handle from_cpp(const dymsum::TYPE& of, rv_policy, cleanup_list*) noexcept {                \
+      static_assert(sizeof(of) == COUNT * sizeof(double));                                             \
+      return dymsum::python::new_named(#TYPE, std::span(reinterpret_cast<const double*>(&of), COUNT)); \
+    }                                                                                                  \
   };
 #define DYMSUM_COMMA ,
 DYMSUM_NAMED_DOUBLES(Point, 2)
@@ -106,7 +106,7 @@ struct named_rationals_caster {
 template <>
 struct type_caster<dymsum::RationalPoint> : named_rationals_caster<dymsum::RationalPoint, 2> {
   static constexpr auto Name =
-      io_name("collections.abc.Sequence[fractions.Fraction | float]", "dymsum._values.RationalPoint");
+      io_name("collections.abc.Sequence[fractions.Fraction | float]", "dymsum.RationalPoint");
   static handle from_cpp(const dymsum::RationalPoint& p, rv_policy, cleanup_list*) noexcept {
     const dymsum::Rational values[] = {p.x, p.y};
     return dymsum::python::new_named("RationalPoint", values);
@@ -116,7 +116,7 @@ struct type_caster<dymsum::RationalPoint> : named_rationals_caster<dymsum::Ratio
 template <>
 struct type_caster<dymsum::RationalPoint3> : named_rationals_caster<dymsum::RationalPoint3, 3> {
   static constexpr auto Name =
-      io_name("collections.abc.Sequence[fractions.Fraction | float]", "dymsum._values.RationalPoint3");
+      io_name("collections.abc.Sequence[fractions.Fraction | float]", "dymsum.RationalPoint3");
   static handle from_cpp(const dymsum::RationalPoint3& p, rv_policy, cleanup_list*) noexcept {
     const dymsum::Rational values[] = {p.x, p.y, p.z};
     return dymsum::python::new_named("RationalPoint3", values);

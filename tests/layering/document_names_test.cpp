@@ -69,9 +69,9 @@ bool is_there(const fs::path& path) {
 /// The files of the project by which a name in a document is checked.
 const std::vector<fs::path>& sources() {
   static const std::vector<fs::path> kSources = [] {
-    std::vector<fs::path> found = {kRoot / "run", kRoot / "CMakeLists.txt", kRoot / "CMakePresets.json",
+    std::vector<fs::path> found = {kRoot / "run", kRoot / "CMakeLists.txt", kRoot / "CMakePresets.json", kRoot / "pyproject.toml",
                                    kRoot / "docs/guide/report.schema.json"};
-    for (const char* top : {"include", "src", "cli", "examples", "tests", "bench", "cmake"})
+    for (const char* top : {"include", "src", "cli", "examples", "python", "tests", "bench", "cmake"})
       for (const auto& entry : fs::recursive_directory_iterator(kRoot / top))
         if (entry.is_regular_file()) found.push_back(entry.path());
     return found;

@@ -61,7 +61,7 @@ const std::map<std::string, std::string> kUnheard = {{"planar/arrangement", "pla
 
 /// Those of the other trees. The folders of the command line include each other freely.
 const std::vector<std::string> kOtherRooms = {"include/dymsum", "cli",          "cli/verbs", "cli/planar",
-                                              "cli/solid",      "cli/pictures", "examples"};
+                                              "cli/solid",      "cli/pictures", "examples",  "python/src"};
 
 /// Headers from outside the standard library by the first folder of the rooms that may include them; POSIX ones for
 /// files and terminals.
@@ -72,6 +72,7 @@ const std::map<std::string, std::vector<std::string>> kForeign = {
     {"spatial", {"emmintrin.h"}},
     {"io", {"nlohmann/", "pugixml.hpp", "fcntl.h", "sys/stat.h", "unistd.h"}},
     {"cli", {"CLI/", "nlohmann/", "unistd.h"}},
+    {"python", {"nanobind/"}},
 };
 
 /// The folder of a path if it is one of these rooms, or "".
@@ -150,7 +151,7 @@ const std::vector<std::string>& other_rooms() { return kOtherRooms; }
 
 Reading read_tree(const fs::path& root) {
   std::vector<std::string> files;
-  for (const char* top : {"include", "src", "cli", "examples"}) {
+  for (const char* top : {"include", "src", "cli", "examples", "python"}) {
     if (!fs::exists(root / top)) continue;
     for (const auto& entry : fs::recursive_directory_iterator(root / top)) {
       const std::string extension = entry.path().extension().string();
