@@ -5,6 +5,7 @@ keywords of Python end in an underscore. Exact numbers are `fractions.Fraction`;
 Coordinates have the unit that they are given in; angles are in radians. See docs/guide/python.md.
 """
 
+import copyreg
 from fractions import Fraction as Fraction
 
 from . import _core
@@ -29,3 +30,6 @@ from ._values import RationalPoint3 as RationalPoint3
 Rational = Fraction
 
 __version__ = _core.__version__
+
+# Functions of the compiled part are pickled by their names, as others are.
+copyreg.pickle(type(_core.nfp), lambda function: str(function.__qualname__))

@@ -175,8 +175,9 @@ def to_shapely(source: _core.Region) -> shapely.Geometry:
     return items[0] if len(items) == 1 else several(items)
 
 
-def to_trimesh(source: _core.Mesh) -> trimesh.Trimesh:
-    """Triangles, with the vertices and their order as they are."""
+def to_trimesh(source: _core.Mesh | _core.MeshData) -> trimesh.Trimesh:
+    """Triangles, with the vertices and their order as they are. The faces of MeshData have to be triangles."""
     import trimesh
 
-    return trimesh.Trimesh(numpy.array(source.points), numpy.array(source.triangles), process=False)
+    triangles = source.triangles if isinstance(source, _core.Mesh) else numpy.array(source.faces).reshape(-1, 3)
+    return trimesh.Trimesh(numpy.array(source.vertices), triangles, process=False)

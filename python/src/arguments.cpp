@@ -45,16 +45,16 @@ namespace nanobind::detail {
 
 bool type_caster<dymsum::python::ScaleArgument>::from_python(handle src, uint32_t, cleanup_list*) noexcept {
   if (isinstance<dymsum::Scale>(src)) {
-    value = *inst_ptr<dymsum::Scale>(src);
+    value.given = *inst_ptr<dymsum::Scale>(src);
     return true;
   }
   if (PyFloat_Check(src.ptr())) {
-    value = dymsum::Scale::of(PyFloat_AS_DOUBLE(src.ptr()));
+    value.given = dymsum::Scale::of(PyFloat_AS_DOUBLE(src.ptr()));
     return true;
   }
-  dymsum::Result<dymsum::Rational> number = dymsum::Rational();
+  dymsum::Rational number;
   if (!dymsum::python::read_rational(src, number)) return false;
-  value = number ? dymsum::Scale::of(*number) : dymsum::Result<dymsum::Scale>(number.error());
+  value.given = dymsum::Scale::of(number);
   return true;
 }
 

@@ -8,6 +8,7 @@
 #include <cstddef>
 #include <span>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include "dymsum/mesh.h"
@@ -34,9 +35,20 @@ using MeshArgument = Argument<Mesh>;
 using RegionDataArgument = Argument<RegionData>;
 using MeshDataArgument = Argument<MeshData>;
 
+/// A sequence of these, or of pairs of them. Casters of containers must not throw, those of arguments may.
+template <class T>
+struct Many {
+  std::vector<Argument<T>> items;
+};
+struct RegionPairs {
+  std::vector<std::pair<RegionArgument, RegionArgument>> items;
+};
+
 /// A Scale, or a number that is taken exactly.
 struct ScaleArgument {
-  Scale value;
+  Result<Scale> given = Scale();
+  /// Raises what is wrong with the number.
+  Scale value() const { return take(Result<Scale>(given)); }
 };
 
 /// An array of shape (n, K) of doubles in rows, kept alive: the caller's own where it is one, without a copy.
@@ -48,16 +60,41 @@ struct Rows {
   const double* row(std::size_t n) const { return data + n * K; }
 };
 
+/// Whether the object is a sequence, no text, and `read` is true for every item. Never raises.
+template <class Read>
+bool each_item(nb::handle object, Read&& read) noexcept {
+  if (PyUnicode_Check(object.ptr()) || !PySequence_Check(object.ptr())) return false;
+  PyObject* const items = PySequence_Fast(object.ptr(), "");
+  if (!items) {
+    PyErr_Clear();
+    return false;
+  }
+  const nb::object kept = nb::steal(items);
+  for (Py_ssize_t k = 0; k < PySequence_Fast_GET_SIZE(items); ++k) {
+    if (!read(nb::handle(PySequence_Fast_ITEMS(items)[k]))) return false;
+  }
+  return true;
+}
+
 /// numpy.ascontiguousarray(object, float64); raises what numpy does.
 nb::object contiguous(nb::handle object);
 
+/// A numpy array of T; truth values are bool.
+template <class T>
+struct Array {
+  nb::object object;
+};
+
 /// An array of its own memory, of shape (values.size() / columns, columns), or (values.size()) where columns is 0.
 template <class T>
-nb::object array_of(std::vector<T> values, std::size_t columns = 0) {
+Array<T> array_of(std::vector<T> values, std::size_t columns = 0) {
   auto* kept = new std::vector<T>(std::move(values));
   const nb::capsule owner(kept, [](void* p) noexcept { delete static_cast<std::vector<T>*>(p); });
   const std::size_t shape[] = {columns ? kept->size() / columns : kept->size(), columns};
-  return nb::cast(nb::ndarray<nb::numpy, T>(kept->data(), columns ? 2 : 1, shape, owner));
+  return {nb::cast(nb::ndarray<nb::numpy, T>(kept->data(), columns ? 2 : 1, shape, owner))};
+}
+inline Array<bool> truths_of(std::vector<std::uint8_t> values) {
+  return {array_of(std::move(values)).object.attr("view")("bool")};
 }
 
 using PointsView = nb::ndarray<nb::numpy, const double, nb::shape<-1, 2>>;
@@ -125,22 +162,81 @@ struct type_caster<dymsum::python::MeshDataArgument> : argument_caster<dymsum::M
   static constexpr auto Name = const_name("dymsum.MeshLike");
 };
 
-template <>
-struct type_caster<dymsum::python::ScaleArgument> {
-  static constexpr auto Name = const_name("Scale | fractions.Fraction | float");
-  using Value = dymsum::python::ScaleArgument;
+template <class T>
+struct type_caster<dymsum::python::Many<T>> {
+  using Item = argument_caster<T>;
+  using Value = dymsum::python::Many<T>;
   template <typename U>
   using Cast = Value;
   template <typename U>
   bool can_cast() const {
     return true;
   }
-  bool from_python(handle src, uint32_t flags, cleanup_list* list) noexcept;
-  static handle from_cpp(const Value& of, rv_policy, cleanup_list*) noexcept {
-    return nanobind::cast(of.value).release();
+  static constexpr auto Name =
+      const_name("collections.abc.Sequence[") + make_caster<dymsum::python::Argument<T>>::Name + const_name("]");
+  bool from_python(handle src, uint32_t flags, cleanup_list* list) noexcept {
+    items_.clear();
+    return dymsum::python::each_item(src, [&](handle item) {
+      items_.emplace_back();
+      return items_.back().from_python(item, flags, list);
+    });
   }
-  explicit operator Value() { return {dymsum::python::take(dymsum::Result<dymsum::Scale>(value))}; }
-  dymsum::Result<dymsum::Scale> value = dymsum::Scale();
+  explicit operator Value() {
+    Value all;
+    for (Item& item : items_) all.items.push_back(item.operator dymsum::python::Argument<T>());
+    return all;
+  }
+
+ private:
+  std::vector<Item> items_;
+};
+
+template <>
+struct type_caster<dymsum::python::RegionPairs> {
+  using Item = argument_caster<dymsum::Region>;
+  using Value = dymsum::python::RegionPairs;
+  template <typename U>
+  using Cast = Value;
+  template <typename U>
+  bool can_cast() const {
+    return true;
+  }
+  static constexpr auto Name = const_name("collections.abc.Sequence[tuple[dymsum.RegionLike, dymsum.RegionLike]]");
+  bool from_python(handle src, uint32_t flags, cleanup_list* list) noexcept {
+    items_.clear();
+    const auto read = [&](handle item) {
+      items_.emplace_back();
+      return items_.back().from_python(item, flags, list);
+    };
+    return dymsum::python::each_item(src, [&](handle pair) {
+      const std::size_t before = items_.size();
+      return dymsum::python::each_item(pair, read) && items_.size() == before + 2;
+    });
+  }
+  explicit operator Value() {
+    Value all;
+    for (std::size_t i = 0; i < items_.size(); i += 2) {
+      all.items.emplace_back(items_[i].operator dymsum::python::RegionArgument(),
+                             items_[i + 1].operator dymsum::python::RegionArgument());
+    }
+    return all;
+  }
+
+ private:
+  std::vector<Item> items_;
+};
+
+template <>
+struct type_caster<dymsum::python::ScaleArgument> {
+  NB_TYPE_CASTER(dymsum::python::ScaleArgument, const_name("Scale | fractions.Fraction | float"))
+  bool from_python(handle src, uint32_t flags, cleanup_list* list) noexcept;
+};
+
+template <class T>
+struct type_caster<dymsum::python::Array<T>> {
+  using Value = dymsum::python::Array<T>;
+  static constexpr auto Name = const_name("numpy.typing.NDArray[numpy.") + dtype_traits<T>::name + const_name("]");
+  static handle from_cpp(const Value& of, rv_policy, cleanup_list*) noexcept { return handle(of.object).inc_ref(); }
 };
 
 template <std::size_t K>

@@ -25,7 +25,6 @@ void bind_sum(nb::module_& m) {
             const auto* first = reinterpret_cast<const double*>(points.data());
             return array_of(std::vector<double>(first, first + 2 * points.size()), 2);
           },
-          nb::sig("def rounded(self) -> numpy.typing.NDArray[numpy.float64]"),
           "Shape (n, 2), each coordinate the nearest double.");
   Record<PolygonWork>(m, "PolygonWork", "The work of one move.")
       .field("vertex_checks", &PolygonWork::vertex_checks)

@@ -15,7 +15,7 @@ void bind_changes(nb::module_& m) {
       .field("first", &IndexRange::first)
       .field("count", &IndexRange::count);
   Record<FacetChange> change(m, "FacetChange", "What happened to a facet from one solid to the next.");
-  nb::enum_<FacetChange::Kind>(change, "Kind")
+  nb::enum_<FacetChange::Kind>(change, "Kind", "What happened to a facet.")
       .value("appeared", FacetChange::Kind::appeared)
       .value("disappeared", FacetChange::Kind::disappeared)
       .value("reshaped", FacetChange::Kind::reshaped);
@@ -33,7 +33,7 @@ void bind_changes(nb::module_& m) {
 
 /// A copy: the next write may move the buffer.
 template <class T>
-nb::object copied(const std::vector<T>& numbers) {
+Array<T> copied(const std::vector<T>& numbers) {
   return array_of(std::vector<T>(numbers), 3);
 }
 
@@ -42,11 +42,9 @@ void bind_buffers(nb::module_& m) {
                            "Positions and triangles as renderers take them, kept from solid to solid.")
       .def(nb::init<>())
       .def_prop_ro(
-          "positions", [](const SolidBuffers& self) { return copied(self.positions); },
-          nb::sig("def positions(self) -> numpy.typing.NDArray[numpy.float32]"), "A copy, shape (n, 3).")
+          "positions", [](const SolidBuffers& self) { return copied(self.positions); }, "A copy, shape (n, 3).")
       .def_prop_ro(
-          "triangles", [](const SolidBuffers& self) { return copied(self.triangles); },
-          nb::sig("def triangles(self) -> numpy.typing.NDArray[numpy.uint32]"), "A copy, shape (m, 3).")
+          "triangles", [](const SolidBuffers& self) { return copied(self.triangles); }, "A copy, shape (m, 3).")
       .def_prop_ro("positions_changed", [](const SolidBuffers& self) { return self.positions_changed; })
       .def_prop_ro("triangles_changed", [](const SolidBuffers& self) { return self.triangles_changed; })
       .def_ro("frame", &SolidBuffers::frame);

@@ -47,7 +47,9 @@ void bind_results(nb::module_& m) {
       .field("direction", &ConvexDepth::direction, "unit outward normal of the nearest facet")
       .field("p", &ConvexDepth::p)
       .field("q", &ConvexDepth::q);
-  nb::enum_<FlatFeatures>(m, "FlatFeatures").value("merged", FlatFeatures::merged).value("kept", FlatFeatures::kept);
+  nb::enum_<FlatFeatures>(m, "FlatFeatures", "What becomes of edges between coplanar faces.")
+      .value("merged", FlatFeatures::merged)
+      .value("kept", FlatFeatures::kept);
 }
 
 void bind_making(nb::class_<Convex>& type) {
@@ -105,7 +107,7 @@ void bind_telling(nb::class_<Convex>& type) {
           [](const Convex& self) {
             return remembered(self.sum.sum(), "sum_of_convex", self.p, self.q, self.sum.p_pose(), self.sum.q_pose());
           },
-          nb::sig("def sum(self) -> SolidSum"), "The sum at the current poses.")
+          "The sum at the current poses.")
       .def("volume_exact", [](const Convex& self) { return self.sum.volume_exact(); })
       .def(
           "volume", [](const Convex& self) { return self.sum.volume(); }, "With a relative error of at most 1e-12.")
@@ -174,9 +176,9 @@ nb::object batch_arrays(const MeshArgument& p, const MeshArgument& q, const Rows
     direction.insert(direction.end(), {r.depth.direction.x, r.depth.direction.y, r.depth.direction.z});
   }
   return nb::module_::import_("dymsum._values")
-      .attr("PoseReports")(array_of(std::move(facets)), array_of(std::move(volume)), array_of(std::move(support), 3),
-                           array_of(std::move(depth)), array_of(std::move(direction), 3),
-                           array_of(std::move(inside)).attr("view")("bool"));
+      .attr("PoseReports")(array_of(std::move(facets)).object, array_of(std::move(volume)).object,
+                           array_of(std::move(support), 3).object, array_of(std::move(depth)).object,
+                           array_of(std::move(direction), 3).object, truths_of(std::move(inside)).object);
 }
 
 void bind_batch(nb::module_& m) {

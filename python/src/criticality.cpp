@@ -98,8 +98,7 @@ void bind_criticality(nb::module_& m) {
             SolidSum sum = take(self.map.at(rotation));
             return remembered(std::move(sum), "convex_sum", self.p, self.q, SolidPose{rotation, {}}, SolidPose());
           },
-          "rotation"_a, nb::sig("def at(self, rotation: Rotation) -> SolidSum"),
-          "The sum at a rotation about the axis.")
+          "rotation"_a, "The sum at a rotation about the axis.")
       .def("__reduce__", [](nb::handle_t<MapObject> self) {
         const auto* object = nb::inst_ptr<MapObject>(self);
         return nb::make_tuple(self.type(), nb::make_tuple(object->p, object->q, object->axis));

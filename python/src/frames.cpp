@@ -63,7 +63,7 @@ void bind_work(nb::module_& m) {
 
 void bind_changes(nb::module_& m) {
   Record<RingChange> ring(m, "RingChange", "What happened to a ring from one frame to the next.");
-  nb::enum_<RingChange::Kind>(ring, "Kind")
+  nb::enum_<RingChange::Kind>(ring, "Kind", "What happened to a ring.")
       .value("appeared", RingChange::Kind::appeared)
       .value("disappeared", RingChange::Kind::disappeared)
       .value("reshaped", RingChange::Kind::reshaped)

@@ -42,7 +42,7 @@ MeshData data_of(const Rows<3>& vertices, nb::handle faces) {
 }
 
 /// The triangles of a mesh, shape (n, 3).
-nb::object triangles_of(const Mesh& mesh) {
+Array<std::uint32_t> triangles_of(const Mesh& mesh) {
   std::vector<std::uint32_t> indices;
   const TriangulatedMesh split = triangulated(mesh);
   for (const Face& face : split.mesh.faces()) {
@@ -89,8 +89,7 @@ void bind_reading(nb::class_<Mesh>& mesh) {
       .def_prop_ro(
           "faces", [](const Mesh& self) { return self.faces(); },
           "Lists of vertex indices, counter-clockwise from outside.")
-      .def_prop_ro("triangles", &triangles_of, nb::sig("def triangles(self) -> numpy.typing.NDArray[numpy.uint32]"),
-                   "The faces as triangles, shape (m, 3).")
+      .def_prop_ro("triangles", &triangles_of, "The faces as triangles, shape (m, 3).")
       .def("empty", &Mesh::empty)
       .def("shell_count", &Mesh::shell_count)
       .def("thin_faces", &Mesh::thin_faces)
@@ -209,7 +208,9 @@ void bind_functions(nb::module_& m) {
       .field("face", &TriangulatedMesh::face, "of every triangle the face that it is part of");
   m.def(
       "triangulated", [](const MeshArgument& mesh) { return triangulated(*mesh); }, "mesh"_a);
-  nb::enum_<Precision>(m, "Precision").value("doubles", Precision::doubles).value("singles", Precision::singles);
+  nb::enum_<Precision>(m, "Precision", "How exactly a file holds coordinates.")
+      .value("doubles", Precision::doubles)
+      .value("singles", Precision::singles);
   m.def(
       "volume", [](const MeshArgument& mesh) { return volume(*mesh); }, "mesh"_a, "The exact volume, rounded once.");
   m.def(

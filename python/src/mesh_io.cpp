@@ -14,6 +14,13 @@ namespace {
 
 using namespace nb::literals;
 
+/// GlbLook, owning what it shows.
+struct Look {
+  std::vector<FaceColour> colours;
+  std::vector<std::pair<std::string, std::string>> notes;
+  std::optional<MeshData> marks;
+};
+
 nb::bytes bytes_of(const std::string& text) { return nb::bytes(text.data(), text.size()); }
 
 /// Faces of MeshData are not validated yet; writers and colours rely on them.
@@ -69,16 +76,19 @@ void bind_writing(nb::module_& m) {
         return format_data(mesh->data(), format, colours);
       },
       "mesh"_a, "format"_a, "colours"_a = nb::list(), "The bytes of a file.");
+  Record<Look>(m, "GlbLook", "What a .glb file can hold beside the mesh.")
+      .constructible()
+      .field("colours", &Look::colours)
+      .field("notes", &Look::notes, "names and texts")
+      .field("marks", &Look::marks, "a second mesh, MeshData, in red");
   m.def(
       "format_glb",
-      [](const MeshData& mesh, const std::vector<FaceColour>& colours,
-         const std::vector<std::pair<std::string, std::string>>& notes, const MeshData* marks) {
-        require_indices(mesh, colours);
-        if (marks) require_indices(*marks, {});
-        return bytes_of(format_glb(mesh, {colours, notes, marks}));
+      [](const MeshDataArgument& mesh, const Look& look) {
+        require_indices(*mesh, look.colours);
+        if (look.marks) require_indices(*look.marks, {});
+        return bytes_of(format_glb(*mesh, {look.colours, look.notes, look.marks ? &*look.marks : nullptr}));
       },
-      "mesh"_a, "colours"_a = nb::list(), "notes"_a = nb::list(), "marks"_a = nb::none(),
-      "The bytes of a .glb file with colours, notes and a second mesh in red.");
+      "mesh"_a, "look"_a, "The bytes of a .glb file with colours, notes and marks.");
   m.def(
       "rounding_error", [](const MeshArgument& mesh, MeshFormat format) { return rounding_error(*mesh, format); },
       "mesh"_a, "format"_a,

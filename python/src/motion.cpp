@@ -18,7 +18,7 @@ void bind_results(nb::module_& m) {
       .field("first", &TranslationCheck::first, "the share of the way up to which it is free")
       .field("at", &TranslationCheck::at)
       .field("contact", &TranslationCheck::contact);
-  nb::enum_<TurnDirection>(m, "TurnDirection")
+  nb::enum_<TurnDirection>(m, "TurnDirection", "Which way a rotation goes.")
       .value("counter_clockwise", TurnDirection::counter_clockwise)
       .value("clockwise", TurnDirection::clockwise);
   Record<TurnInterval>(m, "TurnInterval", "A closed interval of angles, counter-clockwise.")
@@ -33,7 +33,7 @@ void bind_results(nb::module_& m) {
       .field("always", &RotationCheck::always)
       .field("free_angles", &RotationCheck::free_angles);
   Record<MotionCheck> check(m, "MotionCheck", "Whether a motion is free, certified.");
-  nb::enum_<MotionCheck::Outcome>(check, "Outcome")
+  nb::enum_<MotionCheck::Outcome>(check, "Outcome", "What is proved of a motion.")
       .value("free", MotionCheck::Outcome::free)
       .value("blocked", MotionCheck::Outcome::blocked)
       .value("undecided", MotionCheck::Outcome::undecided);
@@ -70,6 +70,20 @@ void bind_checks(nb::module_& m) {
 >>> check_translation(unit, unit, (-3, 0), (0, 0), Orientation()).first
 Fraction(2, 3)
 )doc");
+  m.def(
+      "check_translation",
+      [](const RegionArgument& robot, const RegionArgument& obstacle, Point from, Point to, const Orientation& theta,
+         Touching touch) {
+        return take(without_gil([&] { return check_translation(*robot, *obstacle, from, to, theta, touch); }));
+      },
+      "robot"_a, "obstacle"_a, "from_"_a, "to"_a, "theta"_a, "touch"_a = Touching::allowed);
+  m.def(
+      "check_rotation",
+      [](const RegionArgument& robot, const RegionArgument& obstacle, Point at, const Orientation& from,
+         const Orientation& to, TurnDirection turn, Touching touch) {
+        return take(without_gil([&] { return check_rotation(*robot, *obstacle, at, from, to, turn, touch); }));
+      },
+      "robot"_a, "obstacle"_a, "at"_a, "from_"_a, "to"_a, "turn"_a, "touch"_a = Touching::allowed);
   m.def(
       "check_rotation",
       [](const RegionArgument& robot, const RegionArgument& obstacle, const RationalPoint& at, const Orientation& from,

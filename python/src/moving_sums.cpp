@@ -73,7 +73,7 @@ void bind_common(nb::class_<Self>& type) {
 void bind_event(nb::module_& m) {
   Record<ScaleEvent> event(m, "ScaleEvent",
                            "An exact scale at which segments of the convolution begin or cease to meet.");
-  nb::enum_<ScaleEvent::Kind>(event, "Kind")
+  nb::enum_<ScaleEvent::Kind>(event, "Kind", "What meets at an event.")
       .value("vertex_on_segment", ScaleEvent::Kind::vertex_on_segment)
       .value("three_segments", ScaleEvent::Kind::three_segments);
   event.field("s", &ScaleEvent::s)
@@ -112,13 +112,13 @@ void bind_scaling(nb::module_& m) {
 )doc");
   bind_common<ScalingObject, ScalingSum>(type);
   type.def(
-          "set", [](ScalingObject& self, const ScaleArgument& s) { return set_scales(self, s.value, s.value); }, "s"_a,
-          nb::sig("def set(self, s: Scale | fractions.Fraction | float) -> FrameChanges"),
+          "set", [](ScalingObject& self, const ScaleArgument& s) { return set_scales(self, s.value(), s.value()); },
+          "s"_a, nb::sig("def set(self, s: Scale | fractions.Fraction | float) -> FrameChanges"),
           "Moves to a scale. Raises Error: bad_scale, not_finite, cancelled; nothing changes then.")
       .def(
           "set",
           [](ScalingObject& self, const ScaleArgument& sx, const ScaleArgument& sy) {
-            return set_scales(self, sx.value, sy.value);
+            return set_scales(self, sx.value(), sy.value());
           },
           "sx"_a, "sy"_a,
           nb::sig("def set(self, sx: Scale | fractions.Fraction | float, sy: Scale | fractions.Fraction | float) -> "
@@ -132,7 +132,7 @@ void bind_scaling(nb::module_& m) {
               return remembered(sum.sum(), "scaling_sum", self.p, self.q, self.options, self.scales[0], self.scales[1]);
             });
           },
-          nb::sig("def sum(self) -> PlanarSum"), "A copy of the exact sum at the current scale.")
+          "A copy of the exact sum at the current scale.")
       .def("combinatorial_hash", [](ScalingObject& self) {
         return self.tell([](const ScalingSum& sum) { return sum.combinatorial_hash(); });
       });
@@ -140,7 +140,7 @@ void bind_scaling(nb::module_& m) {
           "events",
           [](ScalingObject& self, const ScaleArgument& a, const ScaleArgument& b, const Progress& progress) {
             return self.tell([&](const ScalingSum& sum) {
-              return run(progress, [&](Progress own) { return sum.events(a.value, b.value, own); });
+              return run(progress, [&](Progress own) { return sum.events(a.value(), b.value(), own); });
             });
           },
           "a"_a, "b"_a, "progress"_a = nb::none(), "The events in [a, b] in order. Raises Error: bad_scale; cancelled.")
@@ -149,7 +149,7 @@ void bind_scaling(nb::module_& m) {
           [](ScalingObject& self, const ScaleArgument& s, const ScaleArgument& limit, EventChange change,
              const Progress& progress) {
             return self.tell([&](const ScalingSum& sum) {
-              return run(progress, [&](Progress own) { return sum.next_event(s.value, limit.value, change, own); });
+              return run(progress, [&](Progress own) { return sum.next_event(s.value(), limit.value(), change, own); });
             });
           },
           "s"_a, "limit"_a, "change"_a = EventChange::visible, "progress"_a = nb::none(),
@@ -187,7 +187,7 @@ void bind_rotating(nb::module_& m) {
               return remembered(sum.sum(), "rotating_sum", self.p, self.q, self.options, sum.orientation());
             });
           },
-          nb::sig("def sum(self) -> PlanarSum"), "A copy of the exact sum at the current orientation.")
+          "A copy of the exact sum at the current orientation.")
       .def("__reduce__", [](nb::handle_t<Rotating> self) {
         const auto* object = nb::inst_ptr<Rotating>(self);
         return nb::make_tuple(nb::module_::import_("dymsum._remake").attr("rotating"),

@@ -81,9 +81,7 @@ void bind_questions(nb::class_<CspaceObstacle>& type) {
             PlanarSum sum = take(without_gil([&] { return obstacle.slice(theta, semantics); }));
             return remembered(std::move(sum), "cspace_slice", obstacle.robot(), obstacle.obstacle(), theta, options);
           },
-          "theta"_a, "semantics"_a = Semantics::closed,
-          nb::sig("def slice(self, theta: Orientation, semantics: Semantics = ...) -> PlanarSum"),
-          "The exact slice O (+) -R(theta).")
+          "theta"_a, "semantics"_a = Semantics::closed, "The exact slice O (+) -R(theta).")
       .def("contains", &CspaceObstacle::contains, "x"_a, "y"_a, "theta"_a,
            "Whether the robot overlaps the obstacle there: touching is free. Exact; see ObstacleQueries for fast "
            "answers.")
@@ -145,9 +143,6 @@ void bind_obstacle(nb::module_& m) {
         return remembered(std::move(sum), "cspace_slice", robot.object, obstacle.object, theta, options);
       },
       "robot"_a, "obstacle"_a, "theta"_a, "options"_a = SumOptions(),
-      nb::sig("def cspace_slice(robot: dymsum.RegionLike, obstacle: dymsum.RegionLike, theta: "
-              "Orientation, "
-              "options: SumOptions = ...) -> PlanarSum"),
       "O (+) -R(theta), exactly, without the obstacle of all angles.");
   m.def("format_obstacle", &format_obstacle, "obstacle"_a, "The obstacle as text; nothing is rounded.");
   m.def(

@@ -16,7 +16,7 @@ void bind_events(nb::module_& m) {
       .field("high", &EventAngle::high)
       .field("exact", &EventAngle::exact, "where the tangent of the half angle is rational");
   Record<ObstacleEvent> event(m, "ObstacleEvent", "What happens at an event angle.");
-  nb::enum_<ObstacleEvent::Kind>(event, "Kind")
+  nb::enum_<ObstacleEvent::Kind>(event, "Kind", "What happens at an event angle.")
       .value("alignment", ObstacleEvent::Kind::alignment)
       .value("vertex_on_segment", ObstacleEvent::Kind::vertex_on_segment)
       .value("three_segments", ObstacleEvent::Kind::three_segments)

@@ -43,7 +43,7 @@ void bind_options(nb::module_& m) {
 void bind_contact(nb::module_& m) {
   Record<Contact> contact(m, "Contact",
                           "A segment of the convolution: an edge of one operand added to a vertex of the other.");
-  nb::enum_<Contact::Kind>(contact, "Kind")
+  nb::enum_<Contact::Kind>(contact, "Kind", "Whose edge it is.")
       .value("edge_of_p", Contact::Kind::edge_of_p, "edge p of P + vertex q of Q")
       .value("edge_of_q", Contact::Kind::edge_of_q, "vertex p of P + edge q of Q");
   contact.constructible().field("kind", &Contact::kind).field("p", &Contact::p).field("q", &Contact::q);

@@ -16,7 +16,8 @@ using namespace nb::literals;
 using OfTwo = Result<PlanarSum> (*)(const Region&, const Region&, const SumOptions&);
 
 template <OfTwo function>
-nb::object of_two(const char* name, const RegionArgument& p, const RegionArgument& q, const SumOptions& options) {
+Remembered<PlanarSum> of_two(const char* name, const RegionArgument& p, const RegionArgument& q,
+                             const SumOptions& options) {
   PlanarSum sum = run_with(options, [&](const SumOptions& own) { return function(*p, *q, own); });
   return remembered(std::move(sum), name, p.object, q.object, options);
 }
@@ -57,10 +58,10 @@ unsupported_operand when P has polylines or points, or Q is empty; cancelled.
 )doc");
   m.def(
       "union_of",
-      [](const std::vector<RegionArgument>& regions, const SumOptions& options) {
+      [](const Many<Region>& regions, const SumOptions& options) {
         std::vector<Region> all;
         nb::list kept;
-        for (const RegionArgument& region : regions) {
+        for (const RegionArgument& region : regions.items) {
           all.push_back(*region);
           kept.append(region.object);
         }
@@ -103,7 +104,7 @@ void bind_contains(nb::module_& m) {
         });
         watch.raise();
         if (!done) throw ErrorRaised({ErrorCode::cancelled, "stopped on request", {}});
-        return array_of(std::move(inside)).attr("view")("bool");
+        return truths_of(std::move(inside));
       },
       "p"_a, "q"_a, "positions"_a, "semantics"_a = Semantics::closed, "threads"_a = 0, "progress"_a = nb::none(),
 
@@ -116,38 +117,49 @@ array([ True,  True, False])
 )doc");
 }
 
+using Table = std::vector<std::optional<Result<PlanarSum>>>;
+
+Table table_of(const RegionPairs& pairs, const SumOptions& options, int threads) {
+  Table sums(pairs.items.size());
+  const Watch watch(options.progress), interrupts(Progress{});
+  SumOptions own = options;
+  own.progress = interrupts.progress();
+  const bool done = without_gil([&] {
+    return for_each_item(sums.size(), 1, threads, watch.progress(), [&](std::size_t i) {
+      sums[i].emplace(nfp(*pairs.items[i].first, *pairs.items[i].second, own));
+    });
+  });
+  watch.raise();
+  interrupts.raise();
+  if (!done) throw ErrorRaised({ErrorCode::cancelled, "stopped on request", {}});
+  return sums;
+}
+
+nb::list nfp_each(const RegionPairs& pairs, const SumOptions& options, int threads, bool return_errors) {
+  Table sums = table_of(pairs, options, threads);
+  nb::list all;
+  for (std::size_t i = 0; i < sums.size(); ++i) {
+    if (!sums[i]->ok() && return_errors) {
+      all.append(error_object(sums[i]->error()));
+      continue;
+    }
+    const auto& [a, b] = pairs.items[i];
+    all.append(remembered(take(std::move(*sums[i])), "nfp", a.object, b.object, options).object);
+  }
+  return all;
+}
+
 void bind_table(nb::module_& m) {
   m.def(
       "nfp_each",
-      [](const std::vector<std::pair<RegionArgument, RegionArgument>>& pairs, const SumOptions& options, int threads,
-         bool return_errors) {
-        std::vector<std::optional<Result<PlanarSum>>> sums(pairs.size());
-        const Watch watch(options.progress), interrupts(Progress{});
-        SumOptions own = options;
-        own.progress = interrupts.progress();
-        const bool done = without_gil([&] {
-          return for_each_item(pairs.size(), 1, threads, watch.progress(),
-                               [&](std::size_t i) { sums[i].emplace(nfp(*pairs[i].first, *pairs[i].second, own)); });
-        });
-        watch.raise();
-        interrupts.raise();
-        if (!done) throw ErrorRaised({ErrorCode::cancelled, "stopped on request", {}});
-        nb::list all;
-        for (std::size_t i = 0; i < pairs.size(); ++i) {
-          if (!sums[i]->ok() && return_errors) {
-            all.append(error_object(sums[i]->error()));
-            continue;
-          }
-          all.append(
-              remembered(take(std::move(*sums[i])), "nfp", pairs[i].first.object, pairs[i].second.object, options));
-        }
-        return all;
+      [](const RegionPairs& pairs, const SumOptions& options, int threads) {
+        return nfp_each(pairs, options, threads, false);
       },
-      "pairs"_a, "options"_a = SumOptions(), "threads"_a = 0, "return_errors"_a = false,
-
+      "pairs"_a, "options"_a = SumOptions(), "threads"_a = 0,
+      nb::sig("def nfp_each(pairs: collections.abc.Sequence[tuple[dymsum.RegionLike, dymsum.RegionLike]], options: "
+              "SumOptions = ..., threads: int = 0) -> list[PlanarSum]"),
       R"doc(nfp of every pair (A, B), in parallel and without the GIL: the table that nesting asks for. One Region object in
-several pairs is prepared once. threads 0: as many as there are cores. return_errors: what fails is an Error in the
-list instead of raised.
+several pairs is prepared once. threads 0: as many as there are cores.
 
 >>> from dymsum import nfp_each, shapes
 >>> parts = [shapes.letter_l(3, 3, 1), shapes.star(5, 1, 2)]
@@ -155,6 +167,10 @@ list instead of raised.
 >>> [sum.vertex_count() for sum in table]
 [8, 20, 20, 20]
 )doc");
+  m.def("nfp_each", &nfp_each, "pairs"_a, "options"_a = SumOptions(), "threads"_a = 0, nb::kw_only(), "return_errors"_a,
+        nb::sig("def nfp_each(pairs: collections.abc.Sequence[tuple[dymsum.RegionLike, dymsum.RegionLike]], options: "
+                "SumOptions = ..., threads: int = 0, *, return_errors: bool) -> list[PlanarSum | dymsum.Error]"),
+        "The same; with return_errors what fails is an Error in the list instead of raised.");
 }
 
 }  // namespace

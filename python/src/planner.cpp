@@ -14,7 +14,7 @@ using namespace nb::literals;
 
 void bind_waypoint(nb::module_& m) {
   Record<Waypoint> waypoint(m, "Waypoint", "A point of a path, and how it is reached.");
-  nb::enum_<Waypoint::Move>(waypoint, "Move")
+  nb::enum_<Waypoint::Move>(waypoint, "Move", "How a waypoint is reached.")
       .value("start", Waypoint::Move::start)
       .value("translation", Waypoint::Move::translation)
       .value("counter_clockwise", Waypoint::Move::counter_clockwise)
@@ -44,7 +44,7 @@ void bind_no_path(nb::module_& m) {
       .field("seconds", &SearchLimit::seconds)
       .field("passage", &SearchLimit::passage);
   Record<NoPath> reason(m, "NoPath", "Why there is no path.");
-  nb::enum_<NoPath::Kind>(reason, "Kind")
+  nb::enum_<NoPath::Kind>(reason, "Kind", "Why there is no path.")
       .value("start_not_free", NoPath::Kind::start_not_free)
       .value("goal_not_free", NoPath::Kind::goal_not_free)
       .value("separated", NoPath::Kind::separated)
@@ -90,7 +90,6 @@ void bind_plan(nb::module_& m) {
             for (const Waypoint& w : self.path) all.insert(all.end(), {w.approx.x, w.approx.y, w.approx.theta});
             return array_of(std::move(all), 3);
           },
-          nb::sig("def configurations(self) -> numpy.typing.NDArray[numpy.float64]"),
           "The waypoints in doubles, shape (n, 3): x, y, theta.");
   m.def(
       "plan",

@@ -34,9 +34,9 @@ std::span<const Configuration> configurations(const Rows<3>& rows) {
   return {reinterpret_cast<const Configuration*>(rows.data), rows.size};
 }
 
-nb::object contains_each(const ObstacleQueries& self, const Rows<3>& at, int threads) {
+Array<bool> contains_each(const ObstacleQueries& self, const Rows<3>& at, int threads) {
   std::vector<std::uint8_t> inside = without_gil([&] { return self.contains(configurations(at), threads); });
-  return array_of(std::move(inside)).attr("view")("bool");
+  return truths_of(std::move(inside));
 }
 
 nb::object clearance_each(const ObstacleQueries& self, const Rows<3>& from, std::optional<double> weight,
@@ -58,8 +58,8 @@ nb::object clearance_each(const ObstacleQueries& self, const Rows<3>& from, std:
   watch.raise();
   if (!done) throw ErrorRaised({ErrorCode::cancelled, "stopped on request", {}});
   return nb::module_::import_("dymsum._values")
-      .attr("Clearances")(array_of(std::move(distance)), array_of(std::move(error)), array_of(std::move(patch)),
-                          array_of(std::move(nearest), 3));
+      .attr("Clearances")(array_of(std::move(distance)).object, array_of(std::move(error)).object,
+                          array_of(std::move(patch)).object, array_of(std::move(nearest), 3).object);
 }
 
 void bind_single(nb::class_<ObstacleQueries>& type) {
@@ -99,18 +99,15 @@ void bind_single(nb::class_<ObstacleQueries>& type) {
 
 void bind_batches(nb::class_<ObstacleQueries>& type) {
   type.def("contains_each", &contains_each, "at"_a, "threads"_a = 0,
-           nb::sig("def contains_each(self, at: numpy.typing.ArrayLike, threads: int = 0) -> "
-                   "numpy.typing.NDArray[numpy.bool_]"),
            "contains for configurations (x, y, theta), shape (n, 3), in parallel without the GIL (threads 0: all "
            "cores): n truth "
            "values.")
       .def(
           "free_each",
-          [](const ObstacleQueries& self, const Rows<3>& at, int threads) { return ~contains_each(self, at, threads); },
-          "at"_a, "threads"_a = 0,
-          nb::sig(
-              "def free_each(self, at: numpy.typing.ArrayLike, threads: int = 0) -> numpy.typing.NDArray[numpy.bool_]"),
-          "The opposite: where the robot may stand.")
+          [](const ObstacleQueries& self, const Rows<3>& at, int threads) {
+            return Array<bool>{~contains_each(self, at, threads).object};
+          },
+          "at"_a, "threads"_a = 0, "The opposite: where the robot may stand.")
       .def("clearance_each", &clearance_each, "from_"_a, "weight"_a = nb::none(), "touching"_a = Touching::allowed,
            "threads"_a = 0, "progress"_a = nb::none(),
            nb::sig("def clearance_each(self, from_: numpy.typing.ArrayLike, weight: float | None = None, touching: "

@@ -133,7 +133,7 @@ hole_outside, parts_overlap, with part, ring, vertex and a position; malformed f
 >>> Region([(0, 0), (1, 1), (1, 0), (0, 1)])
 Traceback (most recent call last):
 ...
-dymsum.Error: part 0, ring 0, vertex 0 and ring 0, vertex 2, at (0.5, 0.5): the ring crosses itself
+dymsum.Error: part 0, ring 0, vertex 0: a ring crosses itself or runs along itself (the other: part 0, ring 0, vertex 2) at (0.5, 0.5)
 )doc");
   region
       .def(

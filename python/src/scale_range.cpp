@@ -13,7 +13,7 @@ using namespace nb::literals;
 
 void bind_results(nb::module_& m) {
   Record<ScaleContact> contact(m, "ScaleContact", "A contact of part and obstacle at one exact scale.");
-  nb::enum_<ScaleContact::Kind>(contact, "Kind")
+  nb::enum_<ScaleContact::Kind>(contact, "Kind", "What touches what.")
       .value("vertex_on_edge", ScaleContact::Kind::vertex_on_edge)
       .value("edge_on_vertex", ScaleContact::Kind::edge_on_vertex)
       .value("vertex_on_vertex", ScaleContact::Kind::vertex_on_vertex);
@@ -33,7 +33,7 @@ void bind_results(nb::module_& m) {
       .field("critical", &ScaleRange::critical)
       .field("tested", &ScaleRange::tested)
       .def(
-          "contains", [](const ScaleRange& self, const ScaleArgument& s) { return self.contains(s.value); }, "s"_a)
+          "contains", [](const ScaleRange& self, const ScaleArgument& s) { return self.contains(s.value()); }, "s"_a)
       .def("trap", &ScaleRange::trap, "The scale up to which all smaller parts are free; None: never blocked.");
 }
 

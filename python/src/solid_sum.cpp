@@ -14,7 +14,7 @@ using namespace nb::literals;
 
 void bind_parts(nb::module_& m) {
   Record<SolidFeature> feature(m, "SolidFeature", "A feature of an operand, by indices into its mesh.");
-  nb::enum_<SolidFeature::Kind>(feature, "Kind")
+  nb::enum_<SolidFeature::Kind>(feature, "Kind", "What a feature is.")
       .value("vertex", SolidFeature::Kind::vertex)
       .value("edge", SolidFeature::Kind::edge)
       .value("face", SolidFeature::Kind::face);
@@ -24,7 +24,9 @@ void bind_parts(nb::module_& m) {
       .field("p", &SolidFacet::p)
       .field("q", &SolidFacet::q)
       .field("changed", &SolidFacet::changed, "not there before the last move");
-  nb::enum_<ConvexEngine>(m, "ConvexEngine").value("walk", ConvexEngine::walk).value("brute", ConvexEngine::brute);
+  nb::enum_<ConvexEngine>(m, "ConvexEngine", "How a sum of convex solids is found.")
+      .value("walk", ConvexEngine::walk)
+      .value("brute", ConvexEngine::brute);
 }
 
 void bind_numbers(nb::class_<SolidSum>& sum) {
@@ -99,9 +101,6 @@ void bind_functions(nb::module_& m) {
         return remembered(std::move(sum), "convex_sum", p.object, q.object, p_pose, q_pose);
       },
       "p"_a, "q"_a, "p_pose"_a = SolidPose(), "q_pose"_a = SolidPose(), "engine"_a = ConvexEngine::walk,
-      nb::sig("def convex_sum(p: dymsum.MeshLike, q: dymsum.MeshLike, p_pose: SolidPose = ..., "
-              "q_pose: SolidPose = "
-              "..., engine: ConvexEngine = ...) -> SolidSum"),
       R"doc(P (+) Q for convex solids. Raises Error: not_convex with the reflex edge; no_area for an empty operand.
 
 >>> from dymsum import convex_sum, solids
@@ -110,18 +109,17 @@ Fraction(24, 1)
 )doc");
   m.def(
       "convex_sum",
-      [](const std::vector<MeshArgument>& solids) {
+      [](const Many<Mesh>& solids) {
         std::vector<Mesh> all;
         nb::list kept;
-        for (const MeshArgument& one : solids) {
+        for (const MeshArgument& one : solids.items) {
           all.push_back(*one);
           kept.append(one.object);
         }
         SolidSum sum = take(without_gil([&] { return convex_sum(std::span<const Mesh>(all)); }));
         return remembered(std::move(sum), "convex_sum_of", kept);
       },
-      "solids"_a, nb::sig("def convex_sum(solids: collections.abc.Sequence[dymsum.MeshLike]) -> SolidSum"),
-      "The sum of two or more solids, added from the first one on.");
+      "solids"_a, "The sum of two or more solids, added from the first one on.");
   m.def(
       "volume_text", [](const SolidSum& sum) { return volume_text(sum); }, "sum"_a);
   m.def(

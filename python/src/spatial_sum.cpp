@@ -72,7 +72,7 @@ void bind_parts(nb::module_& m) {
 void bind_trace(nb::module_& m) {
   Record<SpatialTrace> trace(m, "SpatialTrace", "The stages of a sum as data, rounded.");
   Record<SpatialTrace::Facet> facet(trace, "Facet", "A facet of the reduced convolution.");
-  nb::enum_<SpatialTrace::Facet::Kind>(facet, "Kind")
+  nb::enum_<SpatialTrace::Facet::Kind>(facet, "Kind", "What a facet is the sum of.")
       .value("face_vertex", SpatialTrace::Facet::Kind::face_vertex)
       .value("vertex_face", SpatialTrace::Facet::Kind::vertex_face)
       .value("edge_edge", SpatialTrace::Facet::Kind::edge_edge);

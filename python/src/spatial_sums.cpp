@@ -22,15 +22,13 @@ void bind_sums(nb::module_& m) {
         return remembered(std::move(sum), "solid_sum", p.object, q.object, options);
       },
       "p"_a, "q"_a, "options"_a = SpatialOptions(),
-      nb::sig("def minkowski_sum(p: dymsum.MeshLike, q: dymsum.MeshLike, options: SpatialOptions = "
-              "...) -> SpatialSum"),
       "The exact sum of two solids of any shape. Raises Error: cancelled; out_of_memory; unsupported_operand.");
   m.def(
       "minkowski_sum",
-      [](const std::vector<MeshArgument>& operands, const SpatialOptions& options) {
+      [](const Many<Mesh>& operands, const SpatialOptions& options) {
         std::vector<Mesh> all;
         nb::list kept;
-        for (const MeshArgument& one : operands) {
+        for (const MeshArgument& one : operands.items) {
           all.push_back(*one);
           kept.append(one.object);
         }
@@ -38,10 +36,7 @@ void bind_sums(nb::module_& m) {
             options, [&](const SpatialOptions& own) { return minkowski_sum(std::span<const Mesh>(all), own); });
         return remembered(std::move(sum), "solid_sum_of", kept, options);
       },
-      "operands"_a, "options"_a = SpatialOptions(),
-      nb::sig("def minkowski_sum(operands: collections.abc.Sequence[dymsum.MeshLike], options: SpatialOptions "
-              "= ...) -> SpatialSum"),
-      "The sum of several operands, at least one.");
+      "operands"_a, "options"_a = SpatialOptions(), "The sum of several operands, at least one.");
   m.def(
       "as_mesh", [](const SpatialSum& sum) { return take(as_mesh(sum)); }, "sum"_a,
       "The regular part of a sum as an operand. Raises Error: unsupported_operand where no doubles hold a vertex.");
@@ -52,8 +47,6 @@ void bind_sums(nb::module_& m) {
         return remembered(std::move(fit), "solid_erode", a.object, b.object, options);
       },
       "a"_a, "b"_a, "options"_a = SpatialOptions(),
-      nb::sig("def erode(a: dymsum.MeshLike, b: dymsum.MeshLike, options: SpatialOptions = ...) -> "
-              "SpatialSum"),
       "A (-) B = { x : x + B inside A }, positions without room to move included as tight features.");
 }
 
@@ -73,20 +66,18 @@ void bind_contains(nb::module_& m) {
           exact[i] = {take(Rational::of(at[0])), take(Rational::of(at[1])), take(Rational::of(at[2]))};
         }
         const std::vector<bool> inside = take(without_gil([&] { return contains_each(*p, *q, exact, semantics); }));
-        return array_of(std::vector<std::uint8_t>(inside.begin(), inside.end())).attr("view")("bool");
+        return truths_of(std::vector<std::uint8_t>(inside.begin(), inside.end()));
       },
       "p"_a, "q"_a, "positions"_a, "semantics"_a = Semantics::closed,
-      nb::sig("def contains_each(p: dymsum.MeshLike, q: dymsum.MeshLike, positions: "
-              "numpy.typing.ArrayLike, "
-              "semantics: Semantics = ...) -> numpy.typing.NDArray[numpy.bool_]"),
       "contains for many positions, shape (n, 3), without the GIL: n truth values.");
   m.def(
       "contains_each",
       [](const MeshArgument& p, const MeshArgument& q, const std::vector<RationalPoint3>& positions,
          Semantics semantics) {
-        return take(without_gil([&] { return contains_each(*p, *q, positions, semantics); }));
+        const std::vector<bool> inside = take(without_gil([&] { return contains_each(*p, *q, positions, semantics); }));
+        return truths_of(std::vector<std::uint8_t>(inside.begin(), inside.end()));
       },
-      "p"_a, "q"_a, "positions"_a, "semantics"_a = Semantics::closed, "The same for exact positions: a list.");
+      "p"_a, "q"_a, "positions"_a, "semantics"_a = Semantics::closed, "The same for exact positions.");
   Record<SpatialCost>(m, "SpatialCost", "What a sum will take, before it is computed.")
       .field("face_vertex", &SpatialCost::face_vertex)
       .field("edge_edge", &SpatialCost::edge_edge)

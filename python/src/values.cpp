@@ -170,16 +170,19 @@ bool read_doubles(nb::handle from, std::span<double> to) noexcept {
   return read_each(from, to.size(), [&](PyObject* item, std::size_t k) { return read_double(item, to[k]); });
 }
 
-bool read_rational(nb::handle from, Result<Rational>& to) noexcept {
+bool read_rational(nb::handle from, Rational& to) noexcept {
   try {
-    return read_number(from, to);
+    Result<Rational> number = Rational();
+    if (!read_number(from, number) || !number) return false;
+    to = *number;
+    return true;
   } catch (std::exception&) {
     return false;
   }
 }
 
-bool read_rationals(nb::handle from, std::span<Result<Rational>> to) noexcept {
-  return read_each(from, to.size(), [&](PyObject* item, std::size_t k) { return read_number(item, to[k]); });
+bool read_rationals(nb::handle from, std::span<Rational> to) noexcept {
+  return read_each(from, to.size(), [&](PyObject* item, std::size_t k) { return read_rational(item, to[k]); });
 }
 
 PyObject* new_fraction(const Rational& value) noexcept {
