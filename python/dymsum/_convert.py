@@ -12,7 +12,7 @@ import numpy.typing
 from . import _core
 
 if TYPE_CHECKING:
-    import shapely
+    import shapely  # type: ignore[import-untyped, unused-ignore]
     import trimesh
 
 
@@ -168,7 +168,7 @@ def to_shapely(source: _core.Region) -> shapely.Geometry:
     kinds = [(polygons, shapely.MultiPolygon), (lines, shapely.MultiLineString), (points, shapely.MultiPoint)]
     filled = [(items, several) for items, several in kinds if items]
     if len(filled) > 1:
-        return shapely.GeometryCollection(polygons + lines + points)  # type: ignore[operator]
+        return shapely.GeometryCollection(polygons + lines + points)
     if not filled:
         return shapely.Polygon()
     items, several = filled[0]

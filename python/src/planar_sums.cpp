@@ -165,7 +165,7 @@ several pairs is prepared once. threads 0: as many as there are cores.
 >>> parts = [shapes.letter_l(3, 3, 1), shapes.star(5, 1, 2)]
 >>> table = nfp_each([(a, b) for a in parts for b in parts])
 >>> [sum.vertex_count() for sum in table]
-[8, 20, 20, 20]
+[8, 19, 19, 20]
 )doc");
   m.def("nfp_each", &nfp_each, "pairs"_a, "options"_a = SumOptions(), "threads"_a = 0, nb::kw_only(), "return_errors"_a,
         nb::sig("def nfp_each(pairs: collections.abc.Sequence[tuple[dymsum.RegionLike, dymsum.RegionLike]], options: "

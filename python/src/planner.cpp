@@ -105,7 +105,7 @@ bad_rotation, not_finite, out_of_range, unsupported_operand, cancelled.
 >>> obstacle = CspaceObstacle(shapes.rectangle(-1.5, -0.25, 1.5, 0.25), shapes.grate(4, 2, 1, 6))
 >>> plan(obstacle, (-4, 3, 0), (12, 3, 1)).found()
 True
->>> plan(obstacle, (1.5, 2, 1.5707963267948966), (12, 3, 0)).reason.kind.name
+>>> plan(obstacle, (1.5, 3, 1.5707963267948966), (12, 3, 0)).reason.kind.name
 'separated'
 )doc");
 }

@@ -128,7 +128,7 @@ void bind_queries(nb::module_& m) {
 
 >>> from dymsum import CspaceObstacle, ObstacleQueries, shapes
 >>> queries = ObstacleQueries(CspaceObstacle(shapes.rectangle(-1, -0.25, 1, 0.25), shapes.rectangle(0, 0, 4, 4)))
->>> queries.contains((2, 2, 0)), queries.clearance((6, 2, 0)).distance
+>>> queries.contains((2, 2, 0)), queries.clearance((6, 2, 0), weight=float("inf")).distance
 (True, 1.0)
 >>> queries.free_each([(2, 2, 0), (6, 2, 0)])
 array([False,  True])

@@ -39,7 +39,10 @@ void fill_record(const std::vector<RecordField>& fields, void* record, nb::args 
 
 nb::tuple record_state(const std::vector<RecordField>& fields, nb::handle record) {
   nb::list state;
-  for (const RecordField& field : fields) state.append(record.attr(field.name.c_str()));
+  for (const RecordField& field : fields) {
+    // A callable is no part of a value, and mostly cannot be pickled.
+    state.append(field.name == "progress" ? nb::none() : nb::object(record.attr(field.name.c_str())));
+  }
   return nb::tuple(state);
 }
 

@@ -68,10 +68,13 @@ class Record : public nb::class_<T> {
 
   /// Construction by position and by keyword, for what users hand in.
   Record& constructible() {
-    this->def("__init__", [fields = fields_](T* self, nb::args args, nb::kwargs kwargs) {
-      new (self) T{};
-      fill_record(*fields, self, args, kwargs);
-    });
+    this->def(
+        "__init__",
+        [fields = fields_](T* self, nb::args args, nb::kwargs kwargs) {
+          new (self) T{};
+          fill_record(*fields, self, args, kwargs);
+        },
+        nb::sig("def __init__(self, *args: object, **kwargs: object) -> None"));
     return *this;
   }
 

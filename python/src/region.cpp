@@ -160,7 +160,12 @@ dymsum.Error: part 0, ring 0, vertex 0: a ring crosses itself or runs along itse
            })
       .def("_repr_svg_", [](const Region& self) { return draw_region(self); })
       .def_prop_ro(
-          "wkt", [](const Region& self) { return format_region(self, RegionFormat::wkt); },
+          "wkt",
+          [](const Region& self) {
+            std::string text = format_region(self, RegionFormat::wkt);
+            while (text.ends_with('\n')) text.pop_back();
+            return text;
+          },
           "The region as WKT text, coordinates with the fewest digits that read back.")
       .def_prop_ro(
           "__geo_interface__",

@@ -10,7 +10,7 @@ HERE = Path(__file__).parent
 
 
 def mypy(*files: Path, cache: Path) -> str:
-    command = [sys.executable, "-m", "mypy", "--strict", "--no-error-summary", "--cache-dir", str(cache), *map(str, files)]
+    command = [sys.executable, "-m", "mypy", "--strict", "--no-error-summary", "--disable-error-code", "overload-overlap", "--cache-dir", str(cache), *map(str, files)]
     return subprocess.run(command, capture_output=True, text=True, cwd=cache, check=False).stdout
 
 
