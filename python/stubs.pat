@@ -4,8 +4,6 @@
 \.__version__$:
     __version__: str
 
-\.(shapes|solids)$:
-
 \.__eq__$:
     def __eq__(self, other: object, /) -> bool: ...
 

@@ -14,7 +14,7 @@ from ._convert import RegionLike as RegionLike
 from ._convert import to_shapely as to_shapely
 from ._convert import to_trimesh as to_trimesh
 from ._core import *
-from . import shapes as shapes  # after the compiled modules of these names
+from . import shapes as shapes
 from . import solids as solids
 from ._errors import Error as Error
 from ._errors import Evidence as Evidence

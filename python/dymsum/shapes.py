@@ -1,3 +1,3 @@
 """Generators of planar test and demo shapes."""
 
-from ._core.shapes import *
+from ._core._shapes import *

@@ -1,3 +1,3 @@
 """Generators of solid test and demo shapes."""
 
-from ._core.solids import *
+from ._core._solids import *

@@ -11,7 +11,7 @@ namespace dymsum::python {
 using namespace nb::literals;
 
 void bind_shapes(nb::module_& m) {
-  nb::module_ s = m.def_submodule("shapes", "Generators of planar test and demo shapes.");
+  nb::module_ s = m.def_submodule("_shapes", "Generators of planar test and demo shapes.");
   s.def("rectangle", &shapes::rectangle, "x0"_a, "y0"_a, "x1"_a, "y1"_a);
   s.def("disc", &shapes::disc, "vertices"_a, "radius"_a);
   s.def("gear", &shapes::gear, "teeth"_a, "inner"_a, "outer"_a, "4 vertices a tooth.");
@@ -32,7 +32,7 @@ void bind_shapes(nb::module_& m) {
 }
 
 void bind_solids(nb::module_& m) {
-  nb::module_ s = m.def_submodule("solids", "Generators of solid test and demo shapes.");
+  nb::module_ s = m.def_submodule("_solids", "Generators of solid test and demo shapes.");
   s.def("box", &solids::box, "x0"_a, "y0"_a, "z0"_a, "x1"_a, "y1"_a, "z1"_a, "6 quadrangles.");
   s.def("prism", &solids::prism, "base"_a, "height"_a, "Over a simple counter-clockwise ring, from z = 0.");
   s.def("tessellated_cube", &solids::tessellated_cube, "size"_a, "k"_a);
