@@ -41,7 +41,7 @@ struct ConvexPolygons {
   ConvexPolygonSum sum;
 };
 
-void bind_class(nb::module_& m) {
+void bind_convex_polygons(nb::module_& m) {
   nb::class_<ConvexPolygons>(m, "ConvexPolygonSum",
                              R"doc(P (+) Q of convex polygons that rotate and scale. One thread at a time.
 
@@ -86,7 +86,7 @@ void bind_class(nb::module_& m) {
 
 void bind_convex_polygon(nb::module_& m) {
   bind_sum(m);
-  bind_class(m);
+  bind_convex_polygons(m);
 }
 
 }  // namespace dymsum::python

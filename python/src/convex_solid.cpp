@@ -10,7 +10,7 @@ namespace {
 
 using namespace nb::literals;
 
-void bind_changes(nb::module_& m) {
+void bind_solid_changes(nb::module_& m) {
   Record<IndexRange>(m, "IndexRange", "A run of indices.")
       .field("first", &IndexRange::first)
       .field("count", &IndexRange::count);
@@ -50,7 +50,7 @@ void bind_buffers(nb::module_& m) {
       .def_ro("frame", &SolidBuffers::frame);
 }
 
-void bind_class(nb::module_& m) {
+void bind_convex_solid_class(nb::module_& m) {
   Record<ConvexSolid> solid(m, "ConvexSolid", "The exact sum at one pose, in an order that stays.");
   Record<ConvexSolid::Facet>(solid, "Facet", "A facet, by a run of corners.")
       .field("first", &ConvexSolid::Facet::first)
@@ -91,9 +91,9 @@ void bind_class(nb::module_& m) {
 }  // namespace
 
 void bind_convex_solid(nb::module_& m) {
-  bind_changes(m);
+  bind_solid_changes(m);
   bind_buffers(m);
-  bind_class(m);
+  bind_convex_solid_class(m);
 }
 
 }  // namespace dymsum::python

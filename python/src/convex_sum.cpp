@@ -29,7 +29,7 @@ Convex of_sum(nb::handle_t<SolidSum> p, const MeshArgument& q) {
   return {nb::borrow(p), q.object, take(without_gil([&] { return ConvexSum::create(first, *q); }))};
 }
 
-void bind_results(nb::module_& m) {
+void bind_convex_results(nb::module_& m) {
   Record<MotionWork>(m, "MotionWork", "The work of one move.")
       .field("vertex_checks", &MotionWork::vertex_checks)
       .field("vertex_errors", &MotionWork::vertex_errors)
@@ -124,7 +124,7 @@ void bind_telling(nb::class_<Convex>& type) {
           "How deep a point lies, with the nearest facet. Raises ValueError where it is not finite.");
 }
 
-void bind_class(nb::module_& m) {
+void bind_convex_sum_class(nb::module_& m) {
   nb::class_<Convex> type(m, "ConvexSum",
                           R"doc(Holds P (+) Q of convex solids and follows the motion of both. One thread at a time.
 
@@ -216,7 +216,7 @@ array([24., 24.])
 )doc");
 }
 
-void bind_functions(nb::module_& m) {
+void bind_convex_functions(nb::module_& m) {
   m.def(
       "penetration_depth",
       [](const MeshArgument& p, const MeshArgument& q, const SolidPose& p_pose, const SolidPose& q_pose,
@@ -250,10 +250,10 @@ Fraction(1, 4)
 }  // namespace
 
 void bind_convex_sum(nb::module_& m) {
-  bind_results(m);
-  bind_class(m);
+  bind_convex_results(m);
+  bind_convex_sum_class(m);
   bind_batch(m);
-  bind_functions(m);
+  bind_convex_functions(m);
 }
 
 }  // namespace dymsum::python

@@ -11,7 +11,7 @@ namespace {
 
 using namespace nb::literals;
 
-void bind_results(nb::module_& m) {
+void bind_critical_angles(nb::module_& m) {
   Record<CriticalAngle>(m, "CriticalAngle", "An angle at which the structure of the sum changes.")
       .field("radians", &CriticalAngle::radians)
       .field("coefficients", &CriticalAngle::coefficients)
@@ -38,8 +38,8 @@ struct MapObject {
   CriticalityMap map;
 };
 
-MapObject created(const MeshArgument& p, const MeshArgument& q, std::array<std::int32_t, 3> axis,
-                  const Progress& progress) {
+MapObject created_map(const MeshArgument& p, const MeshArgument& q, std::array<std::int32_t, 3> axis,
+                      const Progress& progress) {
   return {p.object, q.object, axis,
           run(progress, [&](Progress own) { return CriticalityMap::create(*p, *q, axis, own); })};
 }
@@ -47,16 +47,16 @@ MapObject created(const MeshArgument& p, const MeshArgument& q, std::array<std::
 }  // namespace
 
 void bind_criticality(nb::module_& m) {
-  bind_results(m);
+  bind_critical_angles(m);
   nb::class_<MapObject>(m, "CriticalityMap",
                         "All structures that the sum of two convex solids takes while P turns about an axis.")
       .def(
           "__init__",
           [](MapObject* self, const MeshArgument& p, const MeshArgument& q, std::array<std::int32_t, 3> axis,
-             const Progress& progress) { new (self) MapObject(created(p, q, axis, progress)); },
+             const Progress& progress) { new (self) MapObject(created_map(p, q, axis, progress)); },
           "p"_a, "q"_a, "axis"_a, "progress"_a = nb::none(),
           "Raises Error: not_convex, no_area, bad_rotation, cancelled.")
-      .def_static("create", &created, "p"_a, "q"_a, "axis"_a, "progress"_a = nb::none())
+      .def_static("create", &created_map, "p"_a, "q"_a, "axis"_a, "progress"_a = nb::none())
       .def_ro_static("kAxisBits", &CriticalityMap::kAxisBits)
       .def("size", [](const MapObject& self) { return self.map.size(); })
       .def("__len__", [](const MapObject& self) { return self.map.size(); })

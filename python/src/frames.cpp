@@ -10,7 +10,7 @@ namespace {
 
 using namespace nb::literals;
 
-void bind_options(nb::module_& m) {
+void bind_moving_options(nb::module_& m) {
   nb::enum_<MovingOperand>(m, "MovingOperand", "Which operand moves, about the origin of its coordinates.")
       .value("p", MovingOperand::p)
       .value("q", MovingOperand::q);
@@ -39,7 +39,7 @@ void bind_options(nb::module_& m) {
       .option("progress", &MovingOptions::progress);
 }
 
-void bind_work(nb::module_& m) {
+void bind_frame_work(nb::module_& m) {
   Record<FrameWork>(m, "FrameWork", "The work of one frame.")
       .field("rebuilt", &FrameWork::rebuilt)
       .field("new_window", &FrameWork::new_window)
@@ -61,7 +61,7 @@ void bind_work(nb::module_& m) {
       .field("peak_bytes", &FrameWork::peak_bytes);
 }
 
-void bind_changes(nb::module_& m) {
+void bind_frame_changes(nb::module_& m) {
   Record<RingChange> ring(m, "RingChange", "What happened to a ring from one frame to the next.");
   nb::enum_<RingChange::Kind>(ring, "Kind", "What happened to a ring.")
       .value("appeared", RingChange::Kind::appeared)
@@ -82,9 +82,9 @@ void bind_changes(nb::module_& m) {
 }  // namespace
 
 void bind_frames(nb::module_& m) {
-  bind_options(m);
-  bind_work(m);
-  bind_changes(m);
+  bind_moving_options(m);
+  bind_frame_work(m);
+  bind_frame_changes(m);
 }
 
 }  // namespace dymsum::python

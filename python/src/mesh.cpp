@@ -35,7 +35,7 @@ std::vector<Face> faces_of(nb::handle faces) {
   return all;
 }
 
-MeshData data_of(const Rows<3>& vertices, nb::handle faces) {
+MeshData mesh_data_of(const Rows<3>& vertices, nb::handle faces) {
   static_assert(sizeof(Point3) == 3 * sizeof(double));
   const auto* first = reinterpret_cast<const Point3*>(vertices.data);
   return {{first, first + vertices.size}, faces_of(faces)};
@@ -56,12 +56,12 @@ Points3View vertices_view(nb::handle_t<T> self, const std::vector<Point3>& verti
   return view_of<3>(std::span<const Point3>(vertices), self);
 }
 
-void bind_data(nb::module_& m) {
+void bind_mesh_data(nb::module_& m) {
   nb::class_<MeshData>(m, "MeshData", "The plain lists that a mesh is made from, not yet validated.")
       .def(
           "__init__",
           [](MeshData* self, const Rows<3>& vertices, const nb::object& faces) {
-            new (self) MeshData(data_of(vertices, faces));
+            new (self) MeshData(mesh_data_of(vertices, faces));
           },
           "vertices"_a, "faces"_a, "From shape (n, 3), and shape (m, k) or lists of indices.")
       .def_prop_ro(
@@ -81,7 +81,7 @@ void bind_data(nb::module_& m) {
       });
 }
 
-void bind_reading(nb::class_<Mesh>& mesh) {
+void bind_mesh_reading(nb::class_<Mesh>& mesh) {
   mesh.def_prop_ro("data", &Mesh::data, nb::rv_policy::reference_internal)
       .def_prop_ro(
           "vertices", [](nb::handle_t<Mesh> self) { return vertices_view(self, nb::inst_ptr<Mesh>(self)->vertices()); },
@@ -99,7 +99,7 @@ void bind_reading(nb::class_<Mesh>& mesh) {
       .def("canonical", &Mesh::canonical, "The same solid written in one way.");
 }
 
-void bind_class(nb::module_& m) {
+void bind_mesh_class(nb::module_& m) {
   nb::class_<Mesh> mesh(m, "Mesh", nb::dynamic_attr(),
                         R"doc(A valid mesh: the boundary of a closed solid, perhaps empty, perhaps with thin parts.
 
@@ -148,10 +148,10 @@ vertex and a position.
       .def("_repr_svg_",
            [](nb::handle_t<Mesh> self) { return nb::module_::import_("dymsum._display").attr("solid_svg")(self); });
   mesh.attr("__hash__") = nb::none();
-  bind_reading(mesh);
+  bind_mesh_reading(mesh);
 }
 
-void bind_repair(nb::module_& m) {
+void bind_mesh_repair(nb::module_& m) {
   Record<MeshRepairReport>(m, "MeshRepairReport", "What repair changed, as counts.")
       .field("duplicate_vertices", &MeshRepairReport::duplicate_vertices)
       .field("unused_vertices", &MeshRepairReport::unused_vertices)
@@ -202,7 +202,7 @@ void bind_hulls(nb::module_& m) {
       "mesh"_a, "dx"_a, "dy"_a, "dz"_a, "A convex solid moved, convex wherever it goes.");
 }
 
-void bind_functions(nb::module_& m) {
+void bind_mesh_functions(nb::module_& m) {
   Record<TriangulatedMesh>(m, "TriangulatedMesh", "Faces split into triangles of their own vertices.")
       .field("mesh", &TriangulatedMesh::mesh)
       .field("face", &TriangulatedMesh::face, "of every triangle the face that it is part of");
@@ -237,11 +237,11 @@ void bind_functions(nb::module_& m) {
 }  // namespace
 
 void bind_mesh(nb::module_& m) {
-  bind_data(m);
-  bind_class(m);
-  bind_repair(m);
+  bind_mesh_data(m);
+  bind_mesh_class(m);
+  bind_mesh_repair(m);
   bind_hulls(m);
-  bind_functions(m);
+  bind_mesh_functions(m);
 }
 
 }  // namespace dymsum::python

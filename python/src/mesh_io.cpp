@@ -39,7 +39,7 @@ void require_indices(const MeshData& mesh, const std::vector<FaceColour>& colour
   }
 }
 
-void bind_reading(nb::module_& m) {
+void bind_mesh_readers(nb::module_& m) {
   nb::enum_<MeshFormat>(m, "MeshFormat", "A format of mesh files; glb is written only.")
       .value("off", MeshFormat::off)
       .value("obj", MeshFormat::obj)
@@ -60,7 +60,7 @@ void bind_reading(nb::module_& m) {
   m.def("precision_of", &precision_of, "format"_a);
 }
 
-void bind_writing(nb::module_& m) {
+void bind_mesh_writers(nb::module_& m) {
   Record<FaceColour>(m, "FaceColour", "One coloured group of faces: rgb from 0 to 1, indices of faces.")
       .constructible()
       .field("rgb", &FaceColour::rgb)
@@ -109,8 +109,8 @@ void bind_writing(nb::module_& m) {
 }  // namespace
 
 void bind_mesh_io(nb::module_& m) {
-  bind_reading(m);
-  bind_writing(m);
+  bind_mesh_readers(m);
+  bind_mesh_writers(m);
 }
 
 }  // namespace dymsum::python

@@ -12,7 +12,7 @@ namespace {
 
 using namespace nb::literals;
 
-void bind_results(nb::module_& m) {
+void bind_motion_results(nb::module_& m) {
   Record<TranslationCheck>(m, "TranslationCheck", "Whether a translation is free, and where it first is not.")
       .field("free", &TranslationCheck::free)
       .field("first", &TranslationCheck::first, "the share of the way up to which it is free")
@@ -44,7 +44,7 @@ void bind_results(nb::module_& m) {
       .field("poses", &MotionCheck::poses);
 }
 
-void bind_options(nb::module_& m) {
+void bind_motion_options(nb::module_& m) {
   Record<MotionOptions> options(m, "MotionOptions", "Options of check_motion.");
   options.def(
       "__init__",
@@ -105,8 +105,8 @@ Fraction(2, 3)
 }  // namespace
 
 void bind_motion(nb::module_& m) {
-  bind_results(m);
-  bind_options(m);
+  bind_motion_results(m);
+  bind_motion_options(m);
   bind_checks(m);
 }
 

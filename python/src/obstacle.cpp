@@ -16,7 +16,8 @@ namespace {
 
 using namespace nb::literals;
 
-CspaceObstacle created(const RegionArgument& robot, const RegionArgument& obstacle, const ObstacleOptions& options) {
+CspaceObstacle created_obstacle(const RegionArgument& robot, const RegionArgument& obstacle,
+                                const ObstacleOptions& options) {
   return run_with(options, [&](const ObstacleOptions& own) { return CspaceObstacle::create(*robot, *obstacle, own); });
 }
 
@@ -25,7 +26,7 @@ void require_slab(const CspaceObstacle& obstacle, std::uint32_t slab) {
 }
 
 /// Patches are told by their place, or by their contacts where they are copies.
-bool has(const CspaceObstacle& obstacle, const Patch& patch) {
+bool has_patch(const CspaceObstacle& obstacle, const Patch& patch) {
   const std::vector<Patch>& all = obstacle.patches();
   if (std::less_equal<>()(all.data(), &patch) && std::less<>()(&patch, all.data() + all.size())) return true;
   return std::any_of(all.begin(), all.end(), [&](const Patch& one) {
@@ -33,7 +34,7 @@ bool has(const CspaceObstacle& obstacle, const Patch& patch) {
   });
 }
 
-void bind_reading(nb::class_<CspaceObstacle>& type) {
+void bind_obstacle_reading(nb::class_<CspaceObstacle>& type) {
   const auto here = nb::rv_policy::reference_internal;
   type.def("robot", &CspaceObstacle::robot, here)
       .def("obstacle", &CspaceObstacle::obstacle, here)
@@ -65,7 +66,7 @@ void bind_reading(nb::class_<CspaceObstacle>& type) {
       .def(
           "ends",
           [](const CspaceObstacle& self, const Patch& patch, double theta) {
-            if (!has(self, patch)) throw nb::value_error("a patch of another obstacle");
+            if (!has_patch(self, patch)) throw nb::value_error("a patch of another obstacle");
             return self.ends(patch, theta);
           },
           "patch"_a, "theta"_a, "Where a patch starts and ends at an angle, in doubles.");
@@ -100,7 +101,7 @@ void bind_questions(nb::class_<CspaceObstacle>& type) {
       });
 }
 
-void bind_class(nb::module_& m) {
+void bind_obstacle_class(nb::module_& m) {
   nb::class_<CspaceObstacle> type(
       m, "CspaceObstacle",
       R"doc(The exact obstacle of a robot that translates and rotates about the origin of its coordinates.
@@ -121,19 +122,19 @@ Fraction(66, 1)
   type.def(
           "__init__",
           [](CspaceObstacle* self, const RegionArgument& robot, const RegionArgument& obstacle,
-             const ObstacleOptions& options) { new (self) CspaceObstacle(created(robot, obstacle, options)); },
+             const ObstacleOptions& options) { new (self) CspaceObstacle(created_obstacle(robot, obstacle, options)); },
           "robot"_a, "obstacle"_a, "options"_a = ObstacleOptions(),
           "Raises Error: unsupported_operand for pieces without area in both, empty regions, coordinates beyond 2^400; "
           "cancelled.")
-      .def_static("create", &created, "robot"_a, "obstacle"_a, "options"_a = ObstacleOptions());
-  bind_reading(type);
+      .def_static("create", &created_obstacle, "robot"_a, "obstacle"_a, "options"_a = ObstacleOptions());
+  bind_obstacle_reading(type);
   bind_questions(type);
 }
 
 }  // namespace
 
 void bind_obstacle(nb::module_& m) {
-  bind_class(m);
+  bind_obstacle_class(m);
   m.def(
       "cspace_slice",
       [](const RegionArgument& robot, const RegionArgument& obstacle, const Orientation& theta,

@@ -11,7 +11,7 @@ namespace {
 
 using namespace nb::literals;
 
-void bind_options(nb::module_& m) {
+void bind_mesh_options(nb::module_& m) {
   Record<ObstacleMeshOptions> options(m, "ObstacleMeshOptions", "Options of obstacle_mesh.");
   options.def(
       "__init__",
@@ -51,7 +51,7 @@ void bind_triangles(nb::module_& m) {
 }  // namespace
 
 void bind_obstacle_mesh(nb::module_& m) {
-  bind_options(m);
+  bind_mesh_options(m);
   bind_triangles(m);
   m.def(
       "obstacle_mesh",

@@ -57,7 +57,7 @@ void bind_boundary(nb::module_& m) {
       .field("free_behind", &TurnMark::free_behind);
 }
 
-void bind_work(nb::module_& m) {
+void bind_obstacle_work(nb::module_& m) {
   Record<ObstacleWork>(m, "ObstacleWork", "The work that was done.")
       .field("windows", &ObstacleWork::windows)
       .field("segments", &ObstacleWork::segments)
@@ -93,7 +93,7 @@ void bind_obstacle_parts(nb::module_& m) {
       .value("forbidden", Touching::forbidden);
   bind_events(m);
   bind_boundary(m);
-  bind_work(m);
+  bind_obstacle_work(m);
 }
 
 }  // namespace dymsum::python

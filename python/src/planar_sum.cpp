@@ -17,7 +17,7 @@ namespace {
 
 using namespace nb::literals;
 
-void bind_options(nb::module_& m) {
+void bind_sum_options(nb::module_& m) {
   nb::enum_<Engine>(m, "Engine", "How the boundary is found; all give the same result.")
       .value("fast", Engine::fast)
       .value("brute", Engine::brute)
@@ -57,15 +57,15 @@ void bind_contact(nb::module_& m) {
 }
 
 /// Positions of vertices, where they are.
-PointsView view(const std::vector<SumVertex>& vertices, nb::handle owner) {
+PointsView positions_of(const std::vector<SumVertex>& vertices, nb::handle owner) {
   return view_of<2>(std::span<const SumVertex>(vertices), owner);
 }
 
-void bind_parts(nb::module_& m) {
+void bind_planar_parts(nb::module_& m) {
   Record<SumRing> ring(m, "SumRing", "A boundary ring, its interior on the left.");
   ring.field("vertices", &SumRing::vertices)
       .def_prop_ro(
-          "at", [](nb::handle_t<SumRing> self) { return view(nb::inst_ptr<SumRing>(self)->vertices, self); },
+          "at", [](nb::handle_t<SumRing> self) { return positions_of(nb::inst_ptr<SumRing>(self)->vertices, self); },
           "Positions of the vertices: a view of shape (n, 2), within PlanarSum.at_error.")
       .def("__len__", [](const SumRing& self) { return self.vertices.size(); });
   Record<SumPart>(m, "SumPart", "A connected piece.").field("outer", &SumPart::outer).field("holes", &SumPart::holes);
@@ -99,7 +99,7 @@ void bind_stats(nb::module_& m) {
       .field("stages", &SumStats::stages);
 }
 
-void bind_trace(nb::module_& m) {
+void bind_planar_trace(nb::module_& m) {
   Record<PlanarTrace> trace(m, "PlanarTrace", "The stages of a sum as data, rounded.");
   Record<PlanarTrace::Segment>(trace, "Segment", "A segment of the convolution.")
       .field("from_", &PlanarTrace::Segment::from)
@@ -138,7 +138,7 @@ bool holds(const std::vector<SumSegment>& segments, const SumVertex& vertex) {
   return std::any_of(segments.begin(), segments.end(),
                      [&](const SumSegment& one) { return same(one.from, vertex) || same(one.to, vertex); });
 }
-bool has(const PlanarSum& sum, const SumVertex& vertex) {
+bool has_vertex(const PlanarSum& sum, const SumVertex& vertex) {
   for (const SumPart& part : sum.parts) {
     if (holds(part.outer.vertices, vertex)) return true;
     for (const SumRing& hole : part.holes) {
@@ -149,7 +149,7 @@ bool has(const PlanarSum& sum, const SumVertex& vertex) {
          holds(sum.tight_segments, vertex);
 }
 
-void bind_numbers(nb::class_<PlanarSum>& sum) {
+void bind_planar_numbers(nb::class_<PlanarSum>& sum) {
   sum.def("hole_count", &PlanarSum::hole_count)
       .def("vertex_count", &PlanarSum::vertex_count, "Of all rings.")
       .def(
@@ -167,7 +167,7 @@ void bind_numbers(nb::class_<PlanarSum>& sum) {
       .def(
           "exact",
           [](const PlanarSum& self, const SumVertex& vertex) {
-            if (!has(self, vertex)) throw nb::value_error("a vertex of another sum");
+            if (!has_vertex(self, vertex)) throw nb::value_error("a vertex of another sum");
             return self.exact(vertex);
           },
           "vertex"_a, "The exact position of a vertex of this sum. Raises ValueError for one of another sum.")
@@ -180,7 +180,7 @@ void bind_numbers(nb::class_<PlanarSum>& sum) {
           "The same; vertices that collide are merged, rings that collapse dropped, and the report says how many.");
 }
 
-void bind_class(nb::module_& m) {
+void bind_planar_sum_class(nb::module_& m) {
   nb::class_<PlanarSum> sum(m, "PlanarSum", nb::dynamic_attr(),
                             R"doc(The exact sum of two regions. Equal sets compare equal.
 
@@ -214,7 +214,7 @@ Fraction(30, 1)
           "rounded() as a shapely geometry (needs shapely 2).")
       .def("_repr_svg_", [](const PlanarSum& self) { return draw_section(self); });
   sum.attr("__hash__") = nb::none();
-  bind_numbers(sum);
+  bind_planar_numbers(sum);
 }
 
 void bind_writers(nb::module_& m) {
@@ -241,12 +241,12 @@ void bind_writers(nb::module_& m) {
 }  // namespace
 
 void bind_planar_sum(nb::module_& m) {
-  bind_options(m);
+  bind_sum_options(m);
   bind_contact(m);
-  bind_parts(m);
+  bind_planar_parts(m);
   bind_stats(m);
-  bind_trace(m);
-  bind_class(m);
+  bind_planar_trace(m);
+  bind_planar_sum_class(m);
   bind_writers(m);
 }
 

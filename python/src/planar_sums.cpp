@@ -22,7 +22,7 @@ Remembered<PlanarSum> of_two(const char* name, const RegionArgument& p, const Re
   return remembered(std::move(sum), name, p.object, q.object, options);
 }
 
-void bind_sums(nb::module_& m) {
+void bind_sums_of_regions(nb::module_& m) {
   m.def(
       "minkowski_sum",
       [](const RegionArgument& p, const RegionArgument& q, const SumOptions& options) {
@@ -82,7 +82,7 @@ unsupported_operand when P has polylines or points, or Q is empty; cancelled.
       "p"_a, "q"_a);
 }
 
-void bind_contains(nb::module_& m) {
+void bind_planar_contains(nb::module_& m) {
   m.def(
       "contains",
       [](const RegionArgument& p, const RegionArgument& q, Point z, Semantics semantics) {
@@ -176,8 +176,8 @@ several pairs is prepared once. threads 0: as many as there are cores.
 }  // namespace
 
 void bind_planar_sums(nb::module_& m) {
-  bind_sums(m);
-  bind_contains(m);
+  bind_sums_of_regions(m);
+  bind_planar_contains(m);
   bind_table(m);
 }
 

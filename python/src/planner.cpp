@@ -58,7 +58,7 @@ void bind_no_path(nb::module_& m) {
       .field("unexamined_angles", &NoPath::unexamined_angles);
 }
 
-void bind_options(nb::module_& m) {
+void bind_plan_options(nb::module_& m) {
   Record<PlanOptions> options(m, "PlanOptions", "Options of plan.");
   options.def(
       "__init__",
@@ -145,7 +145,7 @@ void bind_check(nb::module_& m) {
 void bind_planner(nb::module_& m) {
   bind_waypoint(m);
   bind_no_path(m);
-  bind_options(m);
+  bind_plan_options(m);
   bind_plan(m);
   bind_check(m);
 }

@@ -20,13 +20,13 @@ std::vector<Point> points_of(const Rows<2>& rows) {
   return {first, first + rows.size};
 }
 
-PointsView view(const std::vector<Point>& points, nb::handle owner) {
+PointsView ring_view(const std::vector<Point>& points, nb::handle owner) {
   return view_of<2>(std::span<const Point>(points), owner);
 }
 
 std::vector<PointsView> views(const std::vector<std::vector<Point>>& lists, nb::handle owner) {
   std::vector<PointsView> all;
-  for (const auto& list : lists) all.push_back(view(list, owner));
+  for (const auto& list : lists) all.push_back(ring_view(list, owner));
   return all;
 }
 
@@ -36,7 +36,8 @@ Part part_of(const Rows<2>& outer, const std::vector<Rows<2>>& holes) {
   return part;
 }
 
-RegionData data_of(const std::vector<Part>& parts, const std::vector<Rows<2>>& polylines, const Rows<2>& points) {
+RegionData region_data_of(const std::vector<Part>& parts, const std::vector<Rows<2>>& polylines,
+                          const Rows<2>& points) {
   RegionData data{parts, {}, points_of(points)};
   for (const auto& line : polylines) data.polylines.push_back(points_of(line));
   return data;
@@ -56,7 +57,7 @@ void bind_part(nb::module_& m) {
           },
           "outer"_a, "holes"_a = nb::list(), "From arrays of shape (n, 2).")
       .def_prop_ro(
-          "outer", [](nb::handle_t<Part> self) { return view(self_of<Part>(self).outer, self); },
+          "outer", [](nb::handle_t<Part> self) { return ring_view(self_of<Part>(self).outer, self); },
           "The outer ring, counter-clockwise: a view of shape (n, 2); the first vertex is not repeated.")
       .def_prop_ro(
           "holes", [](nb::handle_t<Part> self) { return views(self_of<Part>(self).holes, self); },
@@ -83,7 +84,7 @@ void bind_lists(nb::class_<T>& type, DataOf data) {
           "polylines", [data](nb::handle_t<T> self) { return views(data(self_of<T>(self)).polylines, self); },
           "Open chains of segments: views of shape (n, 2).")
       .def_prop_ro(
-          "points", [data](nb::handle_t<T> self) { return view(data(self_of<T>(self)).points, self); },
+          "points", [data](nb::handle_t<T> self) { return ring_view(data(self_of<T>(self)).points, self); },
           "Isolated points: a view of shape (n, 2).")
       .def("__reduce__", [](nb::handle_t<T> self) {
         const nb::object rebuild = nb::module_::import_("dymsum._core").attr("_region_data");
@@ -93,24 +94,24 @@ void bind_lists(nb::class_<T>& type, DataOf data) {
       });
 }
 
-void bind_data(nb::module_& m) {
+void bind_region_data(nb::module_& m) {
   nb::class_<RegionData> data(m, "RegionData", "The plain lists that a region is made from, not yet validated.");
   data.def(
       "__init__",
       [](RegionData* self, const std::vector<Part>& parts, const std::vector<Rows<2>>& polylines,
-         const Rows<2>& points) { new (self) RegionData(data_of(parts, polylines, points)); },
+         const Rows<2>& points) { new (self) RegionData(region_data_of(parts, polylines, points)); },
       "parts"_a = nb::list(), "polylines"_a = nb::list(), "points"_a = nb::list());
   bind_lists(data, [](const RegionData& of) -> const RegionData& { return of; });
   data.def(
       "__eq__", [](const RegionData& a, const RegionData& b) { return a == b; }, nb::is_operator());
-  m.def("_region_data", &data_of);
+  m.def("_region_data", &region_data_of);
   m.def("_region_of_lists",
         [](const std::vector<Part>& parts, const std::vector<Rows<2>>& polylines, const Rows<2>& points) {
-          return take(Region::create(data_of(parts, polylines, points)));
+          return take(Region::create(region_data_of(parts, polylines, points)));
         });
 }
 
-void bind_class(nb::module_& m) {
+void bind_region_class(nb::module_& m) {
   nb::class_<Region> region(m, "Region", nb::dynamic_attr(),
                             R"doc(A valid planar region: parts with holes, polylines, points; perhaps empty.
 
@@ -182,7 +183,7 @@ dymsum.Error: part 0, ring 0, vertex 0: a ring crosses itself or runs along itse
   bind_lists(region, [](const Region& of) -> const RegionData& { return of.data(); });
 }
 
-void bind_repair(nb::module_& m) {
+void bind_region_repair(nb::module_& m) {
   Record<RepairReport>(m, "RepairReport", "What repair changed, as counts.")
       .field("duplicate_vertices", &RepairReport::duplicate_vertices)
       .field("collinear_vertices", &RepairReport::collinear_vertices)
@@ -206,7 +207,7 @@ reports what it changed. Crossings are not repaired: they raise Error. Takes Reg
 )");
 }
 
-void bind_functions(nb::module_& m) {
+void bind_region_functions(nb::module_& m) {
   m.def(
       "area", [](const RegionArgument& region) { return area(*region); }, "region"_a,
       "The area, rounded once; see area_text beyond the range of doubles.");
@@ -248,10 +249,10 @@ void bind_functions(nb::module_& m) {
 
 void bind_region(nb::module_& m) {
   bind_part(m);
-  bind_data(m);
-  bind_class(m);
-  bind_repair(m);
-  bind_functions(m);
+  bind_region_data(m);
+  bind_region_class(m);
+  bind_region_repair(m);
+  bind_region_functions(m);
 }
 
 }  // namespace dymsum::python

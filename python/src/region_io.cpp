@@ -10,7 +10,7 @@ namespace {
 
 using namespace nb::literals;
 
-void bind_reading(nb::module_& m) {
+void bind_region_readers(nb::module_& m) {
   nb::enum_<RegionFormat>(m, "RegionFormat", "A format of planar files.")
       .value("poly", RegionFormat::poly)
       .value("wkt", RegionFormat::wkt)
@@ -40,7 +40,7 @@ void bind_reading(nb::module_& m) {
       "The file's only or selected shape, not yet validated. Raises Error: malformed where there are several.");
 }
 
-void bind_writing(nb::module_& m) {
+void bind_region_writers(nb::module_& m) {
   m.def(
       "format_region", [](const RegionArgument& region, RegionFormat format) { return format_region(*region, format); },
       "region"_a, "format"_a, "The region as text; coordinates read back as the same doubles.");
@@ -56,8 +56,8 @@ void bind_writing(nb::module_& m) {
 }  // namespace
 
 void bind_region_io(nb::module_& m) {
-  bind_reading(m);
-  bind_writing(m);
+  bind_region_readers(m);
+  bind_region_writers(m);
 }
 
 }  // namespace dymsum::python

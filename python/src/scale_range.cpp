@@ -11,7 +11,7 @@ namespace {
 
 using namespace nb::literals;
 
-void bind_results(nb::module_& m) {
+void bind_range_results(nb::module_& m) {
   Record<ScaleContact> contact(m, "ScaleContact", "A contact of part and obstacle at one exact scale.");
   nb::enum_<ScaleContact::Kind>(contact, "Kind", "What touches what.")
       .value("vertex_on_edge", ScaleContact::Kind::vertex_on_edge)
@@ -40,7 +40,7 @@ void bind_results(nb::module_& m) {
 }  // namespace
 
 void bind_scale_range(nb::module_& m) {
-  bind_results(m);
+  bind_range_results(m);
   m.def(
       "scale_range",
       [](const RegionArgument& part, const std::vector<Point>& path, const RegionArgument& obstacles,

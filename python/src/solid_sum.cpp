@@ -12,7 +12,7 @@ namespace {
 
 using namespace nb::literals;
 
-void bind_parts(nb::module_& m) {
+void bind_solid_parts(nb::module_& m) {
   Record<SolidFeature> feature(m, "SolidFeature", "A feature of an operand, by indices into its mesh.");
   nb::enum_<SolidFeature::Kind>(feature, "Kind", "What a feature is.")
       .value("vertex", SolidFeature::Kind::vertex)
@@ -29,7 +29,7 @@ void bind_parts(nb::module_& m) {
       .value("brute", ConvexEngine::brute);
 }
 
-void bind_numbers(nb::class_<SolidSum>& sum) {
+void bind_solid_numbers(nb::class_<SolidSum>& sum) {
   sum.def(
          "exact",
          [](const SolidSum& self, std::size_t vertex) {
@@ -52,7 +52,7 @@ void bind_numbers(nb::class_<SolidSum>& sum) {
       .def("area", &SolidSum::area, "With a relative error below 1e-14.");
 }
 
-void bind_class(nb::module_& m) {
+void bind_solid_sum_class(nb::module_& m) {
   nb::class_<SolidSum> sum(m, "SolidSum", nb::dynamic_attr(), "The exact sum of two convex solids.");
   Record<SolidSum::Vertex>(sum, "Vertex", "A vertex of P plus a vertex of Q.")
       .field("p", &SolidSum::Vertex::p)
@@ -89,10 +89,10 @@ void bind_class(nb::module_& m) {
           },
           "rounded_mesh() as a trimesh object (needs trimesh).");
   sum.attr("__hash__") = nb::none();
-  bind_numbers(sum);
+  bind_solid_numbers(sum);
 }
 
-void bind_functions(nb::module_& m) {
+void bind_convex_sums(nb::module_& m) {
   m.def(
       "convex_sum",
       [](const MeshArgument& p, const MeshArgument& q, const SolidPose& p_pose, const SolidPose& q_pose,
@@ -129,9 +129,9 @@ Fraction(24, 1)
 }  // namespace
 
 void bind_solid_sum(nb::module_& m) {
-  bind_parts(m);
-  bind_class(m);
-  bind_functions(m);
+  bind_solid_parts(m);
+  bind_solid_sum_class(m);
+  bind_convex_sums(m);
 }
 
 }  // namespace dymsum::python

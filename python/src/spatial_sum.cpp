@@ -13,7 +13,7 @@ namespace {
 
 using namespace nb::literals;
 
-void bind_options(nb::module_& m) {
+void bind_spatial_options(nb::module_& m) {
   nb::enum_<SpatialEngine>(m, "SpatialEngine", "How the boundary is found; both give the same result.")
       .value("fast", SpatialEngine::fast)
       .value("brute", SpatialEngine::brute);
@@ -35,7 +35,7 @@ void bind_options(nb::module_& m) {
       .option("progress", &SpatialOptions::progress);
 }
 
-void bind_parts(nb::module_& m) {
+void bind_spatial_parts(nb::module_& m) {
   Record<SolidContact>(m, "SolidContact", "A feature of P and one of Q that touch.")
       .field("p", &SolidContact::p)
       .field("q", &SolidContact::q);
@@ -69,7 +69,7 @@ void bind_parts(nb::module_& m) {
       .field("stages", &SpatialStats::stages);
 }
 
-void bind_trace(nb::module_& m) {
+void bind_spatial_trace(nb::module_& m) {
   Record<SpatialTrace> trace(m, "SpatialTrace", "The stages of a sum as data, rounded.");
   Record<SpatialTrace::Facet> facet(trace, "Facet", "A facet of the reduced convolution.");
   nb::enum_<SpatialTrace::Facet::Kind>(facet, "Kind", "What a facet is the sum of.")
@@ -102,7 +102,7 @@ void bind_fields(nb::class_<SpatialSum>& sum) {
       .def_ro("trace", &SpatialSum::trace);
 }
 
-void bind_numbers(nb::class_<SpatialSum>& sum) {
+void bind_spatial_numbers(nb::class_<SpatialSum>& sum) {
   sum.def("tight_triangles", &SpatialSum::tight_triangles)
       .def(
           "exact",
@@ -132,7 +132,7 @@ void bind_numbers(nb::class_<SpatialSum>& sum) {
           "The same for a picture, whatever rounding does.");
 }
 
-void bind_class(nb::module_& m) {
+void bind_spatial_sum_class(nb::module_& m) {
   nb::class_<SpatialSum> sum(m, "SpatialSum", nb::dynamic_attr(),
                              R"doc(The exact sum of two solids. Equal sets compare equal.
 
@@ -142,7 +142,7 @@ void bind_class(nb::module_& m) {
 (Fraction(27, 1), 6, (8, 3))
 )doc");
   bind_fields(sum);
-  bind_numbers(sum);
+  bind_spatial_numbers(sum);
   Record<SpatialSum::Rounded>(sum, "Rounded", "Triangles of a sum, rounded.")
       .field("mesh", &SpatialSum::Rounded::mesh)
       .field("face", &SpatialSum::Rounded::face, "of every triangle the face that it is a part of");
@@ -178,10 +178,10 @@ void bind_class(nb::module_& m) {
 }  // namespace
 
 void bind_spatial_sum(nb::module_& m) {
-  bind_options(m);
-  bind_parts(m);
-  bind_trace(m);
-  bind_class(m);
+  bind_spatial_options(m);
+  bind_spatial_parts(m);
+  bind_spatial_trace(m);
+  bind_spatial_sum_class(m);
   m.def(
       "volume_text", [](const SpatialSum& sum) { return volume_text(sum); }, "sum"_a);
   m.def(

@@ -14,7 +14,7 @@ namespace {
 
 using namespace nb::literals;
 
-void bind_sums(nb::module_& m) {
+void bind_sums_of_solids(nb::module_& m) {
   m.def(
       "minkowski_sum",
       [](const MeshArgument& p, const MeshArgument& q, const SpatialOptions& options) {
@@ -50,7 +50,7 @@ void bind_sums(nb::module_& m) {
       "A (-) B = { x : x + B inside A }, positions without room to move included as tight features.");
 }
 
-void bind_contains(nb::module_& m) {
+void bind_spatial_contains(nb::module_& m) {
   m.def(
       "contains",
       [](const MeshArgument& p, const MeshArgument& q, const Point3& z, Semantics semantics) {
@@ -164,8 +164,8 @@ void bind_slice(nb::module_& m) {
 }  // namespace
 
 void bind_spatial_sums(nb::module_& m) {
-  bind_sums(m);
-  bind_contains(m);
+  bind_sums_of_solids(m);
+  bind_spatial_contains(m);
   bind_opening(m);
   bind_offset(m);
   bind_slice(m);
