@@ -70,8 +70,8 @@ bool is_there(const fs::path& path) {
 const std::vector<fs::path>& sources() {
   static const std::vector<fs::path> kSources = [] {
     std::vector<fs::path> found = {kRoot / "run", kRoot / "CMakeLists.txt", kRoot / "CMakePresets.json",
-                                   kRoot / "docs/guide/report.schema.json"};
-    for (const char* top : {"include", "src", "cli", "adapters", "examples", "tests", "bench", "cmake"})
+                                   kRoot / "pyproject.toml", kRoot / "docs/guide/report.schema.json"};
+    for (const char* top : {"include", "src", "cli", "adapters", "examples", "python", "tests", "bench", "cmake"})
       for (const auto& entry : fs::recursive_directory_iterator(kRoot / top))
         if (entry.is_regular_file()) found.push_back(entry.path());
     return found;

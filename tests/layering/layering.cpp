@@ -68,7 +68,8 @@ const std::vector<std::string> kOtherRooms = {"include/dymsum",
                                               "cli/pictures",
                                               "examples",
                                               "adapters/ompl/dymsum",
-                                              "adapters/ompl/dymsum/ompl"};
+                                              "adapters/ompl/dymsum/ompl",
+                                              "python/src"};
 
 /// Headers from outside the standard library by the first folder of the rooms that may include them. What the operating
 /// system has for files and terminals is in two files: elsewhere another system finds nothing to replace.
@@ -83,6 +84,7 @@ const std::map<std::string, std::vector<std::string>> kForeign = {
     {"cli", {"CLI/", "nlohmann/", "unistd.h"}},
     {"adapters", {"ompl/"}},
     {"examples", {"ompl/"}},
+    {"python", {"nanobind/"}},
 };
 
 /// The folder of a path if it is one of these rooms, or "".
@@ -165,7 +167,7 @@ const std::vector<std::string>& other_rooms() { return kOtherRooms; }
 
 Reading read_tree(const fs::path& root) {
   std::vector<std::string> files;
-  for (const char* top : {"include", "src", "cli", "adapters", "examples"}) {
+  for (const char* top : {"include", "src", "cli", "adapters", "examples", "python"}) {
     if (!fs::exists(root / top)) continue;
     for (const auto& entry : fs::recursive_directory_iterator(root / top)) {
       const std::string extension = entry.path().extension().string();

@@ -1,0 +1,183 @@
+"""From and to the objects of other packages. shapely and trimesh are imported where they are asked for, never before."""
+
+from __future__ import annotations
+
+import json
+from collections.abc import Mapping, Sequence
+from typing import TYPE_CHECKING, Any, Protocol, Union
+
+import numpy
+import numpy.typing
+
+from . import _core
+
+if TYPE_CHECKING:
+    import shapely  # type: ignore[import-untyped, unused-ignore]
+    import trimesh
+
+
+class HasGeoInterface(Protocol):
+    """shapely's geometries, rows of geopandas, and others."""
+
+    @property
+    def __geo_interface__(self) -> Any: ...
+
+
+class HasFaces(Protocol):
+    """trimesh's meshes, and others."""
+
+    @property
+    def vertices(self) -> Any: ...
+
+    @property
+    def faces(self) -> Any: ...
+
+
+RegionLike = Union[
+    _core.Region, _core.RegionData, str, HasGeoInterface, Mapping[str, Any], Sequence[Any], "numpy.typing.NDArray[Any]"
+]
+"""What a Region is made from: see Region."""
+
+MeshLike = Union[_core.Mesh, _core.MeshData, HasFaces, tuple[Any, Any]]
+"""What a Mesh is made from: see Mesh."""
+
+
+def _depth(value: Any) -> int:
+    """How deep sequences are nested up to the first number; an array of shape (n, 2) has depth 2."""
+    shape = getattr(value, "shape", None)
+    if shape is not None and getattr(value, "dtype", None) != object:
+        return len(shape)
+    if not isinstance(value, Sequence) or isinstance(value, str):
+        return 0
+    return 1 + max((_depth(item) for item in value[:1]), default=0)
+
+
+def _is_vertices_and_faces(value: Any) -> bool:
+    if not isinstance(value, (tuple, list)) or len(value) != 2:
+        return False
+    try:
+        return len(value[0]) > 0 and len(value[0][0]) == 3 and _depth(value[0]) == 2
+    except (TypeError, KeyError, IndexError):
+        return False
+
+
+def kind(value: Any) -> str:
+    """"region" or "mesh" where one can be made of the value, else ""."""
+    if isinstance(value, (str, Mapping, _core.Region, _core.RegionData)) or hasattr(value, "__geo_interface__"):
+        return "region"
+    if hasattr(value, "vertices") and hasattr(value, "faces"):
+        return "mesh"
+    if _is_vertices_and_faces(value):
+        return "mesh"
+    if isinstance(value, (list, tuple)) and len(value) == 0:
+        return "region"
+    return "region" if 2 <= _depth(value) <= 4 else ""
+
+
+def _rows(ring: Any, columns: int = 2) -> numpy.typing.NDArray[numpy.float64]:
+    rows = numpy.ascontiguousarray(ring, dtype=numpy.float64)
+    if rows.size == 0:
+        return rows.reshape(0, columns)
+    if rows.ndim != 2 or rows.shape[1] != columns:
+        raise ValueError(f"{columns} numbers a vertex are needed, not an array of shape {rows.shape}")
+    return rows
+
+
+def _part(rings: Any) -> _core.Part:
+    return _core.Part(_rows(rings[0]), [_rows(hole) for hole in rings[1:]])
+
+
+def _one_shape(text: str, form: _core.RegionFormat, name: str) -> _core.RegionData:
+    shapes = _core.parse_shapes(text, form, name)
+    if len(shapes) != 1:
+        raise ValueError(f"{len(shapes)} shapes where one is needed")
+    return shapes[0].data
+
+
+def _geojson(value: Any) -> Any:
+    """The mapping with what shapely calls a ring as GeoJSON's line."""
+    if value.get("type") == "LinearRing":
+        return {**value, "type": "LineString"}
+    return value
+
+
+def region_data(value: Any) -> _core.RegionData:
+    """The plain lists of a value, not yet validated."""
+    if isinstance(value, _core.Region):
+        return value.data
+    if isinstance(value, _core.RegionData):
+        return value
+    if isinstance(value, str):
+        return _one_shape(value, _core.RegionFormat.wkt, "text")
+    if hasattr(value, "__geo_interface__"):
+        value = value.__geo_interface__
+    if isinstance(value, Mapping):
+        return _one_shape(json.dumps(_geojson(value)), _core.RegionFormat.geojson, "mapping")
+    depth = _depth(value)
+    if depth == 2:
+        return _core.RegionData([_part([value])])
+    if depth == 3:
+        return _core.RegionData([_part(value)])
+    if depth == 4:
+        return _core.RegionData([_part(rings) for rings in value])
+    if hasattr(value, "__len__") and len(value) == 0:
+        return _core.RegionData()
+    raise TypeError(f"no region can be made of {type(value).__name__}")
+
+
+def region(value: Any) -> _core.Region:
+    """The region of a value: see Region."""
+    return value if isinstance(value, _core.Region) else _core.Region.create(region_data(value))
+
+
+def mesh_data(value: Any) -> _core.MeshData:
+    """The plain lists of a value, not yet validated."""
+    if isinstance(value, _core.Mesh):
+        return value.data
+    if isinstance(value, _core.MeshData):
+        return value
+    if isinstance(value, (tuple, list)) and len(value) == 2:
+        vertices, faces = value
+    elif hasattr(value, "vertices") and hasattr(value, "faces"):
+        vertices, faces = value.vertices, value.faces
+    else:
+        raise TypeError(f"no mesh can be made of {type(value).__name__}")
+    return _core.MeshData(_rows(vertices, 3), faces)
+
+
+def mesh(value: Any) -> _core.Mesh:
+    """The mesh of a value: see Mesh."""
+    return value if isinstance(value, _core.Mesh) else _core.Mesh.create(mesh_data(value))
+
+
+def geo_interface(text: str) -> Any:
+    """The geometry of a GeoJSON text, without the feature around it."""
+    value = json.loads(text)
+    while value["type"] in ("Feature", "FeatureCollection"):
+        value = value["geometry"] if value["type"] == "Feature" else value["features"][0]
+    return value
+
+
+def to_shapely(source: _core.Region) -> shapely.Geometry:
+    """A Polygon, LineString or Point, a Multi... of one kind, or a GeometryCollection."""
+    import shapely
+
+    polygons = [shapely.Polygon(part.outer, part.holes) for part in source.parts]
+    lines = [shapely.LineString(line) for line in source.polylines]
+    points = [shapely.Point(point) for point in source.points]
+    kinds = [(polygons, shapely.MultiPolygon), (lines, shapely.MultiLineString), (points, shapely.MultiPoint)]
+    filled = [(items, several) for items, several in kinds if items]
+    if len(filled) > 1:
+        return shapely.GeometryCollection(polygons + lines + points)
+    if not filled:
+        return shapely.Polygon()
+    items, several = filled[0]
+    return items[0] if len(items) == 1 else several(items)
+
+
+def to_trimesh(source: _core.Mesh | _core.MeshData) -> trimesh.Trimesh:
+    """Triangles, with the vertices and their order as they are. The faces of MeshData have to be triangles."""
+    import trimesh
+
+    triangles = source.triangles if isinstance(source, _core.Mesh) else numpy.array(source.faces).reshape(-1, 3)
+    return trimesh.Trimesh(numpy.array(source.vertices), triangles, process=False)

@@ -1,0 +1,77 @@
+"""What pickled results are made again by: from their operands and options, as exactly as the first time."""
+
+from __future__ import annotations
+
+from typing import Union
+
+from . import _core
+from ._core import (
+    ConvexPolygonSum,
+    ConvexSum,
+    Mesh,
+    MovingOptions,
+    Orientation,
+    PlanarPose,
+    PlanarSum,
+    Region,
+    RotatingSum,
+    Scale,
+    ScalingSum,
+    SolidPose,
+    SolidSum,
+)
+
+minkowski_sum = _core.minkowski_sum
+nfp = _core.nfp
+erode = _core.erode
+union_of = _core.union_of
+rotated_sum = _core.rotated_sum
+cspace_slice = _core.cspace_slice
+convex_sum = _core.convex_sum
+solid_sum = _core.minkowski_sum
+solid_sum_of = _core.minkowski_sum
+solid_erode = _core.erode
+convex_sum_of = _core.convex_sum
+
+
+def scaling(p: Region, q: Region, options: MovingOptions, sx: Scale, sy: Scale) -> ScalingSum:
+    """A scaling sum at the scales it stood at."""
+    made = ScalingSum(p, q, options)
+    made.set(sx, sy)
+    return made
+
+
+def scaling_sum(p: Region, q: Region, options: MovingOptions, sx: Scale, sy: Scale) -> PlanarSum:
+    """The sum that a scaling sum had."""
+    return scaling(p, q, options, sx, sy).sum()
+
+
+def rotating(p: Region, q: Region, options: MovingOptions, theta: Orientation) -> RotatingSum:
+    """A rotating sum at the orientation it stood at."""
+    made = RotatingSum(p, q, options)
+    made.set(theta)
+    return made
+
+
+def rotating_sum(p: Region, q: Region, options: MovingOptions, theta: Orientation) -> PlanarSum:
+    """The sum that a rotating sum had."""
+    return rotating(p, q, options, theta).sum()
+
+
+def convex_polygons(p: Region, q: Region, p_pose: PlanarPose, q_pose: PlanarPose) -> ConvexPolygonSum:
+    """A sum of convex polygons at the poses it stood at."""
+    made = ConvexPolygonSum(p, q)
+    made.set(p_pose, q_pose)
+    return made
+
+
+def convex(p: Union[Mesh, SolidSum], q: Mesh, p_pose: SolidPose, q_pose: SolidPose) -> ConvexSum:
+    """A sum of convex solids at the poses it stood at."""
+    made = ConvexSum(p, q)
+    made.set(p_pose, q_pose)
+    return made
+
+
+def sum_of_convex(p: Union[Mesh, SolidSum], q: Mesh, p_pose: SolidPose, q_pose: SolidPose) -> SolidSum:
+    """The sum that such an object had."""
+    return convex(p, q, p_pose, q_pose).sum()

@@ -1,0 +1,3 @@
+"""Generators of planar test and demo shapes."""
+
+from ._core._shapes import *

@@ -1,0 +1,3 @@
+"""Generators of solid test and demo shapes."""
+
+from ._core._solids import *

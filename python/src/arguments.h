@@ -1,0 +1,272 @@
+// What functions take besides the library's own classes: anything that is a region or a mesh to Python's other
+// packages, scales as numbers, and arrays of rows of doubles.
+#pragma once
+
+#include <nanobind/nanobind.h>
+#include <nanobind/ndarray.h>
+
+#include <cstddef>
+#include <span>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include "dymsum/mesh.h"
+#include "dymsum/region.h"
+#include "dymsum/scale.h"
+#include "errors.h"
+
+namespace dymsum::python {
+
+/// Whether dymsum._convert makes a value of this kind, "region" or "mesh", of an object. Never raises.
+bool is_like(nb::handle object, std::string_view kind) noexcept;
+/// What its function `maker` makes of the object; raises what is wrong with that.
+nb::object converted(nb::handle object, const char* maker);
+
+/// A Region, a Mesh or their data (T), kept alive; made of the object that was handed in where that is none.
+template <class T>
+struct Argument {
+  nb::object object;
+  const T& operator*() const { return *nb::inst_ptr<T>(object); }
+  const T* operator->() const { return nb::inst_ptr<T>(object); }
+};
+using RegionArgument = Argument<Region>;
+using MeshArgument = Argument<Mesh>;
+using RegionDataArgument = Argument<RegionData>;
+using MeshDataArgument = Argument<MeshData>;
+
+/// A sequence of these, or of pairs of them. Casters of containers must not throw, those of arguments may.
+template <class T>
+struct Many {
+  std::vector<Argument<T>> items;
+};
+struct RegionPairs {
+  std::vector<std::pair<RegionArgument, RegionArgument>> items;
+};
+
+/// A Scale, or a number that is taken exactly.
+struct ScaleArgument {
+  Result<Scale> given = Scale();
+  /// Raises what is wrong with the number.
+  Scale value() const { return take(Result<Scale>(given)); }
+};
+
+/// An array of shape (n, K) of doubles in rows, kept alive: the caller's own where it is one, without a copy.
+template <std::size_t K>
+struct Rows {
+  nb::object kept;
+  const double* data = nullptr;
+  std::size_t size = 0;
+  const double* row(std::size_t n) const { return data + n * K; }
+};
+
+/// Whether the object is a sequence, no text, and `read` is true for every item. Never raises.
+template <class Read>
+bool each_item(nb::handle object, Read&& read) noexcept {
+  if (PyUnicode_Check(object.ptr()) || !PySequence_Check(object.ptr())) return false;
+  PyObject* const items = PySequence_Fast(object.ptr(), "");
+  if (!items) {
+    PyErr_Clear();
+    return false;
+  }
+  const nb::object kept = nb::steal(items);
+  for (Py_ssize_t k = 0; k < PySequence_Fast_GET_SIZE(items); ++k) {
+    if (!read(nb::handle(PySequence_Fast_ITEMS(items)[k]))) return false;
+  }
+  return true;
+}
+
+/// numpy.ascontiguousarray(object, float64); raises what numpy does.
+nb::object contiguous(nb::handle object);
+
+/// A numpy array of T; truth values are bool.
+template <class T>
+struct Array {
+  nb::object object;
+};
+
+/// An array of its own memory, of shape (values.size() / columns, columns), or (values.size()) where columns is 0.
+template <class T>
+Array<T> array_of(std::vector<T> values, std::size_t columns = 0) {
+  auto* kept = new std::vector<T>(std::move(values));
+  const nb::capsule owner(kept, [](void* p) noexcept { delete static_cast<std::vector<T>*>(p); });
+  const std::size_t shape[] = {columns ? kept->size() / columns : kept->size(), columns};
+  return {nb::cast(nb::ndarray<nb::numpy, T>(kept->data(), columns ? 2 : 1, shape, owner))};
+}
+inline Array<bool> truths_of(std::vector<std::uint8_t> values) {
+  return {array_of(std::move(values)).object.attr("view")("bool")};
+}
+
+using PointsView = nb::ndarray<nb::numpy, const double, nb::shape<-1, 2>>;
+using Points3View = nb::ndarray<nb::numpy, const double, nb::shape<-1, 3>>;
+
+/// The doubles of an array of structs that begin with K of them, by reference: `owner` is the Python object that they
+/// live in.
+template <std::size_t K, class T>
+nb::ndarray<nb::numpy, const double, nb::shape<-1, static_cast<nb::ssize_t>(K)>> view_of(std::span<const T> items,
+                                                                                         nb::handle owner) {
+  static_assert(sizeof(T) % sizeof(double) == 0);
+  static const double kNothing[K] = {};
+  const std::size_t shape[] = {items.size(), K};
+  const std::int64_t strides[] = {sizeof(T) / sizeof(double), 1};
+  const double* data = items.empty() ? kNothing : reinterpret_cast<const double*>(items.data());
+  return {data, 2, shape, owner, strides};
+}
+
+}  // namespace dymsum::python
+
+namespace nanobind::detail {
+
+/// What an object has to be like, and the function of dymsum._convert that makes a T of it.
+template <class T>
+struct argument_caster {
+  using Value = dymsum::python::Argument<T>;
+  template <typename U>
+  using Cast = Value;
+  template <typename U>
+  bool can_cast() const {
+    return true;
+  }
+  static constexpr bool kPlanar = std::is_same_v<T, dymsum::Region> || std::is_same_v<T, dymsum::RegionData>;
+  static constexpr bool kData = std::is_same_v<T, dymsum::RegionData> || std::is_same_v<T, dymsum::MeshData>;
+  static constexpr const char* kKind = kPlanar ? "region" : "mesh";
+  static constexpr const char* kMaker = kPlanar ? kData ? "region_data" : "region" : kData ? "mesh_data" : "mesh";
+  bool from_python(handle src, uint32_t flags, cleanup_list*) noexcept {
+    ready_ = isinstance<T>(src);
+    if (!ready_ && !((flags & cast_flags::convert) && dymsum::python::is_like(src, kKind))) return false;
+    object_ = borrow(src);
+    return true;
+  }
+  /// Converts here and not above, so that what is wrong with the object is raised, and no TypeError.
+  explicit operator Value() { return {ready_ ? object_ : dymsum::python::converted(object_, kMaker)}; }
+
+ private:
+  object object_;
+  bool ready_ = false;
+};
+
+template <>
+struct type_caster<dymsum::python::RegionArgument> : argument_caster<dymsum::Region> {
+  static constexpr auto Name = const_name("dymsum.RegionLike");
+};
+template <>
+struct type_caster<dymsum::python::MeshArgument> : argument_caster<dymsum::Mesh> {
+  static constexpr auto Name = const_name("dymsum.MeshLike");
+};
+template <>
+struct type_caster<dymsum::python::RegionDataArgument> : argument_caster<dymsum::RegionData> {
+  static constexpr auto Name = const_name("dymsum.RegionLike");
+};
+template <>
+struct type_caster<dymsum::python::MeshDataArgument> : argument_caster<dymsum::MeshData> {
+  static constexpr auto Name = const_name("dymsum.MeshLike");
+};
+
+template <class T>
+struct type_caster<dymsum::python::Many<T>> {
+  using Item = argument_caster<T>;
+  using Value = dymsum::python::Many<T>;
+  template <typename U>
+  using Cast = Value;
+  template <typename U>
+  bool can_cast() const {
+    return true;
+  }
+  static constexpr auto Name =
+      const_name("collections.abc.Sequence[") + make_caster<dymsum::python::Argument<T>>::Name + const_name("]");
+  bool from_python(handle src, uint32_t flags, cleanup_list* list) noexcept {
+    items_.clear();
+    return dymsum::python::each_item(src, [&](handle item) {
+      items_.emplace_back();
+      return items_.back().from_python(item, flags, list);
+    });
+  }
+  explicit operator Value() {
+    Value all;
+    for (Item& item : items_) all.items.push_back(item.operator dymsum::python::Argument<T>());
+    return all;
+  }
+
+ private:
+  std::vector<Item> items_;
+};
+
+template <>
+struct type_caster<dymsum::python::RegionPairs> {
+  using Item = argument_caster<dymsum::Region>;
+  using Value = dymsum::python::RegionPairs;
+  template <typename U>
+  using Cast = Value;
+  template <typename U>
+  bool can_cast() const {
+    return true;
+  }
+  static constexpr auto Name = const_name("collections.abc.Sequence[tuple[dymsum.RegionLike, dymsum.RegionLike]]");
+  bool from_python(handle src, uint32_t flags, cleanup_list* list) noexcept {
+    items_.clear();
+    const auto read = [&](handle item) {
+      items_.emplace_back();
+      return items_.back().from_python(item, flags, list);
+    };
+    return dymsum::python::each_item(src, [&](handle pair) {
+      const std::size_t before = items_.size();
+      return dymsum::python::each_item(pair, read) && items_.size() == before + 2;
+    });
+  }
+  explicit operator Value() {
+    Value all;
+    for (std::size_t i = 0; i < items_.size(); i += 2) {
+      all.items.emplace_back(items_[i].operator dymsum::python::RegionArgument(),
+                             items_[i + 1].operator dymsum::python::RegionArgument());
+    }
+    return all;
+  }
+
+ private:
+  std::vector<Item> items_;
+};
+
+template <>
+struct type_caster<dymsum::python::ScaleArgument> {
+  NB_TYPE_CASTER(dymsum::python::ScaleArgument, const_name("Scale | fractions.Fraction | float"))
+  bool from_python(handle src, uint32_t flags, cleanup_list* list) noexcept;
+};
+
+template <class T>
+struct type_caster<dymsum::python::Array<T>> {
+  using Value = dymsum::python::Array<T>;
+  static constexpr auto Name = const_name("numpy.typing.NDArray[numpy.") + dtype_traits<T>::name + const_name("]");
+  static handle from_cpp(const Value& of, rv_policy, cleanup_list*) noexcept { return handle(of.object).inc_ref(); }
+};
+
+template <std::size_t K>
+struct type_caster<dymsum::python::Rows<K>> {
+  NB_TYPE_CASTER(dymsum::python::Rows<K>, const_name("numpy.typing.ArrayLike"))
+  using Array = ndarray<const double, shape<-1, static_cast<ssize_t>(K)>, c_contig, device::cpu>;
+  bool from_python(handle src, uint32_t flags, cleanup_list*) noexcept {
+    try {
+      if (take(src)) return true;
+      if (!(flags & cast_flags::convert)) return false;
+      const object array = dymsum::python::contiguous(src);
+      if (len(array) == 0) {  // of an empty list numpy tells no columns
+        value.kept = array;
+        return true;
+      }
+      return take(array);
+    } catch (std::exception&) {
+      return false;
+    }
+  }
+
+ private:
+  bool take(handle src) {
+    Array array;
+    if (!try_cast(src, array, false)) return false;
+    value.data = array.data();
+    value.size = array.shape(0);
+    value.kept = nanobind::cast(array, rv_policy::reference);
+    return true;
+  }
+};
+
+}  // namespace nanobind::detail

@@ -1,0 +1,37 @@
+// The parts of the module, each in the file of its name.
+#pragma once
+
+#include <nanobind/nanobind.h>
+
+namespace dymsum::python {
+
+namespace nb = nanobind;
+
+void bind_errors(nb::module_& m);
+void bind_exact(nb::module_& m);  // scales, orientations, rotations, poses
+void bind_region(nb::module_& m);
+void bind_region_io(nb::module_& m);
+void bind_shapes(nb::module_& m);
+void bind_planar_sum(nb::module_& m);
+void bind_planar_sums(nb::module_& m);
+void bind_frames(nb::module_& m);
+void bind_moving_sums(nb::module_& m);
+void bind_convex_polygon(nb::module_& m);
+void bind_scale_range(nb::module_& m);
+void bind_obstacle_parts(nb::module_& m);
+void bind_obstacle(nb::module_& m);
+void bind_queries(nb::module_& m);
+void bind_obstacle_mesh(nb::module_& m);
+void bind_motion(nb::module_& m);
+void bind_planner(nb::module_& m);
+void bind_mesh(nb::module_& m);
+void bind_mesh_io(nb::module_& m);
+void bind_solids(nb::module_& m);
+void bind_spatial_sum(nb::module_& m);
+void bind_spatial_sums(nb::module_& m);
+void bind_solid_sum(nb::module_& m);
+void bind_convex_sum(nb::module_& m);
+void bind_convex_solid(nb::module_& m);
+void bind_criticality(nb::module_& m);
+
+}  // namespace dymsum::python

@@ -1,0 +1,87 @@
+// Calls that take long: without the GIL, with progress and interrupts.
+#pragma once
+
+#include <nanobind/nanobind.h>
+
+#include <memory>
+#include <utility>
+
+#include "dymsum/progress.h"
+#include "errors.h"
+
+namespace dymsum::python {
+
+/// A Python callable as the library's Progress. It may be copied and destroyed without the GIL. None: an empty one.
+Progress progress_of(nb::object callable);
+/// The callable again, or None.
+nb::object callable_of(const Progress& progress);
+
+/// What one call hands to the library as Progress: it asks Python for signals (KeyboardInterrupt) on the thread that
+/// called, and the user's callable, both at most fifty times a second but for the first time. An exception of either
+/// stops the call and is raised by take(). Objects whose state keeps the Progress keep their Watch.
+class Watch {
+ public:
+  explicit Watch(const Progress& user);
+  ~Watch();
+  Watch(Watch&&) noexcept;
+  Watch& operator=(Watch&&) noexcept;
+
+  /// A call begins, on this thread.
+  void begin();
+  Progress progress() const;
+  /// Raises what stopped the call, if anything did. With the GIL.
+  void raise() const;
+  template <class T>
+  T take(Result<T>&& result) const {
+    raise();
+    return python::take(std::move(result));
+  }
+
+ private:
+  struct State;
+  std::shared_ptr<State> state_;
+};
+
+/// work() without the GIL.
+template <class Work>
+auto without_gil(Work&& work) {
+  const nb::gil_scoped_release free;
+  return work();
+}
+
+/// The value of work(progress), a Result, without the GIL.
+template <class Work>
+auto run(const Progress& user, Work&& work) {
+  Watch watch(user);
+  auto result = without_gil([&] { return work(watch.progress()); });
+  return watch.take(std::move(result));
+}
+
+/// The same with the progress of `options`: work(options).
+template <class Options, class Work>
+auto run_with(const Options& options, Work&& work) {
+  return run(options.progress, [&](Progress progress) {
+    Options own = options;
+    own.progress = std::move(progress);
+    return work(own);
+  });
+}
+
+}  // namespace dymsum::python
+
+namespace nanobind::detail {
+
+template <>
+struct type_caster<dymsum::Progress> {
+  NB_TYPE_CASTER(dymsum::Progress, const_name("collections.abc.Callable[[str, float], bool | None] | None"))
+  bool from_python(handle src, uint32_t, cleanup_list*) noexcept {
+    if (!src.is_none() && !PyCallable_Check(src.ptr())) return false;
+    value = dymsum::python::progress_of(borrow(src));
+    return true;
+  }
+  static handle from_cpp(const dymsum::Progress& progress, rv_policy, cleanup_list*) noexcept {
+    return dymsum::python::callable_of(progress).release();
+  }
+};
+
+}  // namespace nanobind::detail

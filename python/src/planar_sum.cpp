@@ -1,0 +1,253 @@
+// The sum of two regions and what it is made of.
+#include "dymsum/planar_sum.h"
+
+#include <algorithm>
+#include <functional>
+
+#include "arguments.h"
+#include "bind.h"
+#include "calls.h"
+#include "dymsum/area_text.h"
+#include "dymsum/region_io.h"
+#include "record.h"
+#include "remember.h"
+
+namespace dymsum::python {
+namespace {
+
+using namespace nb::literals;
+
+void bind_sum_options(nb::module_& m) {
+  nb::enum_<Engine>(m, "Engine", "How the boundary is found; all give the same result.")
+      .value("fast", Engine::fast)
+      .value("brute", Engine::brute)
+      .value("winding", Engine::winding);
+  nb::enum_<Semantics>(m, "Semantics",
+                       "closed: sums of closed sets; open: touching is allowed; regular: closure of the interior.")
+      .value("closed", Semantics::closed)
+      .value("open", Semantics::open)
+      .value("regular", Semantics::regular);
+  Record<SumOptions> options(m, "SumOptions", "Options of planar sums.");
+  options.def(
+      "__init__",
+      [](SumOptions* self, Engine engine, Semantics semantics, Progress progress, bool trace) {
+        new (self) SumOptions{engine, semantics, std::move(progress), trace, {}};
+      },
+      "engine"_a = Engine::fast, "semantics"_a = Semantics::closed, "progress"_a = nb::none(), "trace"_a = false);
+  options.option("engine", &SumOptions::engine)
+      .option("semantics", &SumOptions::semantics)
+      .option("progress", &SumOptions::progress, "called with the stage and its share in [0, 1]; False stops")
+      .option("trace", &SumOptions::trace, "record the stages in PlanarSum.trace");
+}
+
+void bind_contact(nb::module_& m) {
+  Record<Contact> contact(m, "Contact",
+                          "A segment of the convolution: an edge of one operand added to a vertex of the other.");
+  nb::enum_<Contact::Kind>(contact, "Kind", "Whose edge it is.")
+      .value("edge_of_p", Contact::Kind::edge_of_p, "edge p of P + vertex q of Q")
+      .value("edge_of_q", Contact::Kind::edge_of_q, "vertex p of P + edge q of Q");
+  contact.constructible().field("kind", &Contact::kind).field("p", &Contact::p).field("q", &Contact::q);
+  Record<SumVertex>(m, "SumVertex", "A vertex of the result: the common point of two segments of the convolution.")
+      .field("at", &SumVertex::at, "position within PlanarSum.at_error")
+      .field("in_", &SumVertex::in, "the edge that arrives")
+      .field("out", &SumVertex::out, "the edge that leaves")
+      .field("corner_p", &SumVertex::corner_p, "vertex of P, or kNone at a crossing")
+      .field("corner_q", &SumVertex::corner_q, "vertex of Q, or kNone at a crossing")
+      .attr("kNone") = SumVertex::kNone;
+}
+
+/// Positions of vertices, where they are.
+PointsView positions_of(const std::vector<SumVertex>& vertices, nb::handle owner) {
+  return view_of<2>(std::span<const SumVertex>(vertices), owner);
+}
+
+void bind_planar_parts(nb::module_& m) {
+  Record<SumRing> ring(m, "SumRing", "A boundary ring, its interior on the left.");
+  ring.field("vertices", &SumRing::vertices)
+      .def_prop_ro(
+          "at", [](nb::handle_t<SumRing> self) { return positions_of(nb::inst_ptr<SumRing>(self)->vertices, self); },
+          "Positions of the vertices: a view of shape (n, 2), within PlanarSum.at_error.")
+      .def("__len__", [](const SumRing& self) { return self.vertices.size(); });
+  Record<SumPart>(m, "SumPart", "A connected piece.").field("outer", &SumPart::outer).field("holes", &SumPart::holes);
+  Record<SumSegment>(m, "SumSegment", "A maximal segment of a tight feature or of a piece without area.")
+      .field("from_", &SumSegment::from)
+      .field("to", &SumSegment::to);
+  Record<ConvolutionSizes>(m, "ConvolutionSizes", "Sizes of the three convolutions.")
+      .field("full", &ConvolutionSizes::full)
+      .field("kinetic", &ConvolutionSizes::kinetic)
+      .field("reduced", &ConvolutionSizes::reduced);
+}
+
+void bind_stats(nb::module_& m) {
+  Record<SumStats> stats(m, "SumStats", "The work that was done.");
+  Record<SumStats::Stage>(stats, "Stage", "Time of a stage.")
+      .field("name", &SumStats::Stage::name)
+      .field("ms", &SumStats::Stage::ms);
+  stats.field("tier_bits", &SumStats::tier_bits)
+      .field("reduced_segments", &SumStats::reduced_segments)
+      .field("live_segments", &SumStats::live_segments)
+      .field("cell_entries", &SumStats::cell_entries)
+      .field("pair_tests", &SumStats::pair_tests)
+      .field("crossings", &SumStats::crossings)
+      .field("degenerate_nodes", &SumStats::degenerate_nodes)
+      .field("loops", &SumStats::loops)
+      .field("collision_tests", &SumStats::collision_tests)
+      .field("filtered_signs", &SumStats::filtered_signs)
+      .field("exact_signs", &SumStats::exact_signs)
+      .field("mask_grid", &SumStats::mask_grid)
+      .field("peak_bytes", &SumStats::peak_bytes)
+      .field("stages", &SumStats::stages);
+}
+
+void bind_planar_trace(nb::module_& m) {
+  Record<PlanarTrace> trace(m, "PlanarTrace", "The stages of a sum as data, rounded.");
+  Record<PlanarTrace::Segment>(trace, "Segment", "A segment of the convolution.")
+      .field("from_", &PlanarTrace::Segment::from)
+      .field("to", &PlanarTrace::Segment::to)
+      .field("edge_of_p", &PlanarTrace::Segment::edge_of_p);
+  Record<PlanarTrace::Cell>(trace, "Cell", "A run of grid cells.")
+      .field("low", &PlanarTrace::Cell::low)
+      .field("high", &PlanarTrace::Cell::high);
+  trace.field("convolution", &PlanarTrace::convolution)
+      .field("masked_cells", &PlanarTrace::masked_cells)
+      .field("crossings", &PlanarTrace::crossings)
+      .field("kept_loops", &PlanarTrace::kept_loops)
+      .field("dropped_loops", &PlanarTrace::dropped_loops)
+      .field("tight_points", &PlanarTrace::tight_points)
+      .field("tight_segments", &PlanarTrace::tight_segments);
+}
+
+std::string repr_of(const PlanarSum& sum) {
+  return "<PlanarSum: " + std::to_string(sum.parts.size()) + " parts, " + std::to_string(sum.hole_count()) +
+         " holes, " + std::to_string(sum.vertex_count()) +
+         " vertices, tight: " + std::to_string(sum.tight_points.size()) + " points, " +
+         std::to_string(sum.tight_segments.size()) + " segments>";
+}
+
+bool same(const SumVertex& a, const SumVertex& b) {
+  return a.at == b.at && a.in == b.in && a.out == b.out && a.corner_p == b.corner_p && a.corner_q == b.corner_q;
+}
+
+/// Whether one of the vertices is this one, by its place or as a copy.
+bool holds(const std::vector<SumVertex>& vertices, const SumVertex& vertex) {
+  const auto* first = vertices.data();
+  if (std::less_equal<>()(first, &vertex) && std::less<>()(&vertex, first + vertices.size())) return true;
+  return std::any_of(vertices.begin(), vertices.end(), [&](const SumVertex& one) { return same(one, vertex); });
+}
+bool holds(const std::vector<SumSegment>& segments, const SumVertex& vertex) {
+  return std::any_of(segments.begin(), segments.end(),
+                     [&](const SumSegment& one) { return same(one.from, vertex) || same(one.to, vertex); });
+}
+bool has_vertex(const PlanarSum& sum, const SumVertex& vertex) {
+  for (const SumPart& part : sum.parts) {
+    if (holds(part.outer.vertices, vertex)) return true;
+    for (const SumRing& hole : part.holes) {
+      if (holds(hole.vertices, vertex)) return true;
+    }
+  }
+  return holds(sum.points, vertex) || holds(sum.tight_points, vertex) || holds(sum.segments, vertex) ||
+         holds(sum.tight_segments, vertex);
+}
+
+void bind_planar_numbers(nb::class_<PlanarSum>& sum) {
+  sum.def("hole_count", &PlanarSum::hole_count)
+      .def("vertex_count", &PlanarSum::vertex_count, "Of all rings.")
+      .def(
+          "area_exact", [](const PlanarSum& self) { return without_gil([&] { return self.area_exact(); }); },
+          "The area as one Fraction; expensive for thousands of crossings.")
+      .def(
+          "area_exact_within",
+          [](const PlanarSum& self, std::size_t bits) {
+            return without_gil([&] { return self.area_exact_within(bits); });
+          },
+          "bits"_a, "The same where its denominator has at most so many bits, else None.")
+      .def(
+          "area", [](const PlanarSum& self) { return without_gil([&] { return self.area(); }); },
+          "The nearest double to the exact area.")
+      .def(
+          "exact",
+          [](const PlanarSum& self, const SumVertex& vertex) {
+            if (!has_vertex(self, vertex)) throw nb::value_error("a vertex of another sum");
+            return self.exact(vertex);
+          },
+          "vertex"_a, "The exact position of a vertex of this sum. Raises ValueError for one of another sum.")
+      .def(
+          "rounded", [](const PlanarSum& self) { return take(without_gil([&] { return self.rounded(); })); },
+          "The set rounded to doubles. Raises Error: rounding_changed_topology, with the position.")
+      .def(
+          "rounded_with_repair",
+          [](const PlanarSum& self) { return take(without_gil([&] { return self.rounded_with_repair(); })); },
+          "The same; vertices that collide are merged, rings that collapse dropped, and the report says how many.");
+}
+
+void bind_planar_sum_class(nb::module_& m) {
+  nb::class_<PlanarSum> sum(m, "PlanarSum", nb::dynamic_attr(),
+                            R"doc(The exact sum of two regions. Equal sets compare equal.
+
+>>> from dymsum import nfp, shapes
+>>> sum = nfp(shapes.letter_u(4, 4, 1), shapes.rectangle(0, 0, 2, 1))
+>>> sum.area_exact()
+Fraction(30, 1)
+>>> [(way.from_.at, way.to.at) for way in sum.tight_segments]
+[(Point(x=1.0, y=1.0), Point(x=1.0, y=4.0))]
+>>> sum.parts[0].outer.at.shape
+(4, 2)
+)doc");
+  sum.def_ro("parts", &PlanarSum::parts, "The closure of the interior: SumPart by SumPart.")
+      .def_ro("segments", &PlanarSum::segments, "One-dimensional pieces of the set.")
+      .def_ro("points", &PlanarSum::points, "Isolated points of the set.")
+      .def_ro("tight_segments", &PlanarSum::tight_segments,
+              "Touching without overlap only exactly here: cracks in the open sum.")
+      .def_ro("tight_points", &PlanarSum::tight_points, "The same: punctures of the open sum.")
+      .def_ro("at_error", &PlanarSum::at_error, "|at - exact| is at most this in each coordinate.")
+      .def_ro("stats", &PlanarSum::stats)
+      .def_ro("trace", &PlanarSum::trace)
+      .def(
+          "__eq__", [](const PlanarSum& a, const PlanarSum& b) { return without_gil([&] { return a == b; }); },
+          nb::is_operator(), "Same set and same tight features, exactly.")
+      .def("__repr__", &repr_of)
+      .def("__reduce__", [](nb::handle_t<PlanarSum> self) { return made_again(self); })
+      .def(
+          "to_json", [](const PlanarSum& self) { return sum_to_json(self); }, "As sum_to_json.")
+      .def(
+          "to_shapely", [](const PlanarSum& self) { return nb::cast(take(self.rounded())).attr("to_shapely")(); },
+          "rounded() as a shapely geometry (needs shapely 2).")
+      .def("_repr_svg_", [](const PlanarSum& self) { return draw_section(self); });
+  sum.attr("__hash__") = nb::none();
+  bind_planar_numbers(sum);
+}
+
+void bind_writers(nb::module_& m) {
+  m.def(
+      "format_sum",
+      [](const PlanarSum& sum, const RegionArgument& rounded, RegionFormat format) {
+        return format_sum(sum, *rounded, format);
+      },
+      "sum"_a, "rounded"_a, "format"_a, "The sum with its tight features as text of a format.");
+  m.def(
+      "draw_sum",
+      [](const RegionArgument& p, const RegionArgument& q, const PlanarSum& sum) { return draw_sum(*p, *q, sum); },
+      "p"_a, "q"_a, "sum"_a, "P, Q and the sum with tight features, as SVG text.");
+  m.def("draw_section", &draw_section, "sum"_a, "touching"_a = std::vector<SumPart>(), "A set alone, as SVG text.");
+  m.def(
+      "draw_trace",
+      [](const RegionArgument& p, const RegionArgument& q, const PlanarSum& sum) { return draw_trace(*p, *q, sum); },
+      "p"_a, "q"_a, "sum"_a, "The stages side by side, as SVG text; of a sum with a trace.");
+  m.def("sum_to_json", &sum_to_json, "sum"_a, "Rings with rounded and exact coordinates and provenance, as JSON text.");
+  m.def(
+      "area_text", [](const PlanarSum& sum) { return area_text(sum); }, "sum"_a);
+}
+
+}  // namespace
+
+void bind_planar_sum(nb::module_& m) {
+  bind_sum_options(m);
+  bind_contact(m);
+  bind_planar_parts(m);
+  bind_stats(m);
+  bind_planar_trace(m);
+  bind_planar_sum_class(m);
+  bind_writers(m);
+}
+
+}  // namespace dymsum::python

@@ -1,0 +1,153 @@
+// Paths, or why there is none; and checks of whole paths.
+#include "dymsum/planner.h"
+
+#include "arguments.h"
+#include "bind.h"
+#include "calls.h"
+#include "dymsum/path_check.h"
+#include "record.h"
+
+namespace dymsum::python {
+namespace {
+
+using namespace nb::literals;
+
+void bind_waypoint(nb::module_& m) {
+  Record<Waypoint> waypoint(m, "Waypoint", "A point of a path, and how it is reached.");
+  nb::enum_<Waypoint::Move>(waypoint, "Move", "How a waypoint is reached.")
+      .value("start", Waypoint::Move::start)
+      .value("translation", Waypoint::Move::translation)
+      .value("counter_clockwise", Waypoint::Move::counter_clockwise)
+      .value("clockwise", Waypoint::Move::clockwise);
+  waypoint.constructible()
+      .field("move", &Waypoint::move)
+      .field("at", &Waypoint::at, "exactly")
+      .field("theta", &Waypoint::theta, "exactly")
+      .field("approx", &Waypoint::approx);
+}
+
+void bind_no_path(nb::module_& m) {
+  Record<FreeComponent>(m, "FreeComponent", "A connected component of free space.")
+      .field("index", &FreeComponent::index)
+      .field("unbounded", &FreeComponent::unbounded)
+      .field("all_angles", &FreeComponent::all_angles)
+      .field("from_", &FreeComponent::from)
+      .field("to", &FreeComponent::to)
+      .field("shells", &FreeComponent::shells);
+  Record<SearchLimit> limit(m, "SearchLimit", "What a search that did not decide was limited by.");
+  Record<SearchLimit::Passage>(limit, "Passage", "The passage nearest to the goal that was not crossed.")
+      .field("from_", &SearchLimit::Passage::from)
+      .field("to", &SearchLimit::Passage::to)
+      .field("reached", &SearchLimit::Passage::reached)
+      .field("beyond", &SearchLimit::Passage::beyond);
+  limit.field("out_of_time", &SearchLimit::out_of_time)
+      .field("seconds", &SearchLimit::seconds)
+      .field("passage", &SearchLimit::passage);
+  Record<NoPath> reason(m, "NoPath", "Why there is no path.");
+  nb::enum_<NoPath::Kind>(reason, "Kind", "Why there is no path.")
+      .value("start_not_free", NoPath::Kind::start_not_free)
+      .value("goal_not_free", NoPath::Kind::goal_not_free)
+      .value("separated", NoPath::Kind::separated)
+      .value("undecided", NoPath::Kind::undecided);
+  reason.field("kind", &NoPath::kind)
+      .field("text", &NoPath::text)
+      .field("contact", &NoPath::contact)
+      .field("start", &NoPath::start)
+      .field("goal", &NoPath::goal)
+      .field("limit", &NoPath::limit)
+      .field("unexamined_angles", &NoPath::unexamined_angles);
+}
+
+void bind_plan_options(nb::module_& m) {
+  Record<PlanOptions> options(m, "PlanOptions", "Options of plan.");
+  options.def(
+      "__init__",
+      [](PlanOptions* self, Touching touching, double seconds, Progress progress) {
+        new (self) PlanOptions{touching, seconds, std::move(progress)};
+      },
+      "touching"_a = Touching::allowed, "time_limit_seconds"_a = 60.0, "progress"_a = nb::none());
+  options.option("touching", &PlanOptions::touching)
+      .option("time_limit_seconds", &PlanOptions::time_limit_seconds)
+      .option("progress", &PlanOptions::progress);
+}
+
+void bind_plan(nb::module_& m) {
+  Record<PlanWork>(m, "PlanWork", "The work that was done.")
+      .field("levels", &PlanWork::levels)
+      .field("slices", &PlanWork::slices)
+      .field("rotations", &PlanWork::rotations)
+      .field("refinements", &PlanWork::refinements)
+      .field("ms", &PlanWork::ms);
+  Record<Plan>(m, "Plan", "A path, or the reason why there is none.")
+      .field("path", &Plan::path, "from start to goal; empty when there is none")
+      .field("reason", &Plan::reason, "exactly when there is none")
+      .field("work", &Plan::work)
+      .def("found", &Plan::found)
+      .def_prop_ro(
+          "configurations",
+          [](const Plan& self) {
+            std::vector<double> all;
+            for (const Waypoint& w : self.path) all.insert(all.end(), {w.approx.x, w.approx.y, w.approx.theta});
+            return array_of(std::move(all), 3);
+          },
+          "The waypoints in doubles, shape (n, 3): x, y, theta.");
+  m.def(
+      "plan",
+      [](const CspaceObstacle& obstacle, const Configuration& start, const Configuration& goal,
+         const PlanOptions& options) {
+        return run_with(options, [&](const PlanOptions& own) { return plan(obstacle, start, goal, own); });
+      },
+      "obstacle"_a, "start"_a, "goal"_a, "options"_a = PlanOptions(),
+      R"doc(A path from start to goal, (x, y, theta) with theta in radians, or why there is none: a proof. Raises Error:
+bad_rotation, not_finite, out_of_range, unsupported_operand, cancelled.
+
+>>> from dymsum import CspaceObstacle, plan, shapes
+>>> obstacle = CspaceObstacle(shapes.rectangle(-1.5, -0.25, 1.5, 0.25), shapes.grate(4, 2, 1, 6))
+>>> plan(obstacle, (-4, 3, 0), (12, 3, 1)).found()
+True
+>>> plan(obstacle, (1.5, 3, 1.5707963267948966), (12, 3, 0)).reason.kind.name
+'separated'
+)doc");
+}
+
+void bind_check(nb::module_& m) {
+  Record<PathCheck>(m, "PathCheck", "Whether a path is free, and the first piece that is not.")
+      .field("outcome", &PathCheck::outcome)
+      .field("piece", &PathCheck::piece)
+      .field("moves", &PathCheck::moves)
+      .field("turns", &PathCheck::turns)
+      .field("low", &PathCheck::low)
+      .field("high", &PathCheck::high)
+      .field("at", &PathCheck::at)
+      .field("contact", &PathCheck::contact)
+      .field("pieces", &PathCheck::pieces);
+  m.def(
+      "check_path",
+      [](const RegionArgument& robot, const RegionArgument& obstacle, const std::vector<Waypoint>& path,
+         Touching touch) {
+        return take(without_gil([&] { return check_path(*robot, *obstacle, std::span<const Waypoint>(path), touch); }));
+      },
+      "robot"_a, "obstacle"_a, "path"_a, "touch"_a = Touching::allowed,
+      "Each piece by the move of its end, exactly. Raises Error: malformed.");
+  m.def(
+      "check_path",
+      [](const RegionArgument& robot, const RegionArgument& obstacle, const Rows<3>& poses, Touching touch,
+         const MotionOptions& options) {
+        const std::span<const Configuration> all(reinterpret_cast<const Configuration*>(poses.data), poses.size);
+        return take(without_gil([&] { return check_path(*robot, *obstacle, all, touch, options); }));
+      },
+      "robot"_a, "obstacle"_a, "poses"_a, "touch"_a = Touching::allowed, "options"_a = MotionOptions(),
+      "From each pose (x, y, theta) to the next, shape (n, 3), linear in time; certified.");
+}
+
+}  // namespace
+
+void bind_planner(nb::module_& m) {
+  bind_waypoint(m);
+  bind_no_path(m);
+  bind_plan_options(m);
+  bind_plan(m);
+  bind_check(m);
+}
+
+}  // namespace dymsum::python

@@ -1,0 +1,69 @@
+#include "record.h"
+
+#include <set>
+
+namespace dymsum::python {
+namespace {
+
+const RecordField* find(const std::vector<RecordField>& fields, std::string_view name) {
+  for (const RecordField& field : fields) {
+    if (field.name == name) return &field;
+  }
+  return nullptr;
+}
+
+/// Long lists are told by their length.
+std::string short_repr(nb::handle value) {
+  constexpr std::size_t kMost = 6;
+  if (nb::isinstance<nb::list>(value) && nb::len(value) > kMost) {
+    return "[... " + std::to_string(nb::len(value)) + " items]";
+  }
+  return nb::cast<std::string>(nb::repr(value));
+}
+
+}  // namespace
+
+void fill_record(const std::vector<RecordField>& fields, void* record, nb::args args, nb::kwargs kwargs) {
+  if (args.size() > fields.size()) throw nb::type_error("too many arguments");
+  for (std::size_t k = 0; k < args.size(); ++k) fields[k].set(record, args[k]);
+  for (const auto& [key, value] : kwargs) {
+    const auto name = nb::cast<std::string>(key);
+    const RecordField* field = find(fields, name);
+    if (!field) throw nb::type_error(("no field is named " + name).c_str());
+    if (static_cast<std::size_t>(field - fields.data()) < args.size()) {
+      throw nb::type_error(("two values for " + name).c_str());
+    }
+    field->set(record, value);
+  }
+}
+
+nb::tuple record_state(const std::vector<RecordField>& fields, nb::handle record) {
+  nb::list state;
+  for (const RecordField& field : fields) {
+    // A callable is no part of a value, and mostly cannot be pickled.
+    state.append(field.name == "progress" ? nb::none() : nb::object(record.attr(field.name.c_str())));
+  }
+  return nb::tuple(state);
+}
+
+void restore_record(const std::vector<RecordField>& fields, void* record, nb::tuple state) {
+  if (state.size() != fields.size()) throw nb::value_error("pickled by another version of dymsum");
+  for (std::size_t k = 0; k < fields.size(); ++k) fields[k].set(record, state[k]);
+}
+
+std::string record_repr(const std::vector<RecordField>& fields, nb::handle record) {
+  std::string text = nb::cast<std::string>(record.type().attr("__qualname__")) + "(";
+  const char* between = "";
+  for (const RecordField& field : fields) {
+    text += between + field.name + "=" + short_repr(record.attr(field.name.c_str()));
+    between = ", ";
+  }
+  return text + ")";
+}
+
+std::string_view interned(std::string_view text) {
+  static std::set<std::string, std::less<>>& texts = *new std::set<std::string, std::less<>>;
+  return *texts.emplace(text).first;
+}
+
+}  // namespace dymsum::python

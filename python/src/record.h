@@ -1,0 +1,104 @@
+// Structs of the library as Python classes: their public members, comparison, repr, construction by keywords, pickling.
+#pragma once
+
+#include <nanobind/nanobind.h>
+#include <nanobind/stl/array.h>
+#include <nanobind/stl/optional.h>
+#include <nanobind/stl/string.h>
+#include <nanobind/stl/string_view.h>
+#include <nanobind/stl/vector.h>
+
+#include <concepts>
+#include <functional>
+#include <memory>
+#include <string>
+#include <string_view>
+#include <type_traits>
+#include <vector>
+
+#include "values.h"
+
+namespace dymsum::python {
+
+/// How a field is set from a Python value.
+struct RecordField {
+  std::string name;
+  std::function<void(void* record, nb::handle value)> set;
+};
+using RecordFields = std::shared_ptr<std::vector<RecordField>>;
+
+/// Sets fields by position and by name, as the aggregate's initialiser would. Raises TypeError.
+void fill_record(const std::vector<RecordField>& fields, void* record, nb::args args, nb::kwargs kwargs);
+nb::tuple record_state(const std::vector<RecordField>& fields, nb::handle record);
+void restore_record(const std::vector<RecordField>& fields, void* record, nb::tuple state);
+std::string record_repr(const std::vector<RecordField>& fields, nb::handle record);
+/// A text that lives for ever: names of stages are views of literals.
+std::string_view interned(std::string_view text);
+
+template <class M>
+M member_of(nb::handle value) {
+  if constexpr (std::is_same_v<M, std::string_view>) {
+    return interned(nb::cast<std::string>(value));
+  } else {
+    return nb::cast<M>(value);
+  }
+}
+
+template <class T>
+class Record : public nb::class_<T> {
+ public:
+  template <class... Extra>
+  Record(nb::handle scope, const char* name, const char* doc, const Extra&... extra)
+      : nb::class_<T>(scope, name, doc, extra...), fields_(std::make_shared<std::vector<RecordField>>()) {
+    const RecordFields fields = fields_;
+    this->def("__repr__", [fields](nb::handle_t<T> self) { return record_repr(*fields, self); });
+    if constexpr (std::equality_comparable<T>) {
+      this->def(
+          "__eq__", [](const T& a, const T& b) { return a == b; }, nb::is_operator());
+      this->attr("__hash__") = nb::none();
+    }
+    if constexpr (std::is_default_constructible_v<T>) {
+      this->def("__getstate__", [fields](nb::handle_t<T> self) { return record_state(*fields, self); });
+      this->def("__setstate__", [fields](T& self, nb::tuple state) {
+        new (&self) T{};
+        restore_record(*fields, &self, state);
+      });
+    }
+  }
+
+  /// Construction by position and by keyword, for what users hand in.
+  Record& constructible() {
+    this->def(
+        "__init__",
+        [fields = fields_](T* self, nb::args args, nb::kwargs kwargs) {
+          new (self) T{};
+          fill_record(*fields, self, args, kwargs);
+        },
+        nb::sig("def __init__(self, *args: object, **kwargs: object) -> None"));
+    return *this;
+  }
+
+  /// A member to be read.
+  template <class M>
+  Record& field(const char* name, M T::*member, const char* doc = "") {
+    this->def_prop_ro(
+        name, [member](const T& self) -> const M& { return self.*member; }, nb::rv_policy::reference_internal, doc);
+    fields_->push_back(
+        {name, [member](void* self, nb::handle value) { static_cast<T*>(self)->*member = member_of<M>(value); }});
+    return *this;
+  }
+
+  /// A member to be read and set.
+  template <class M>
+  Record& option(const char* name, M T::*member, const char* doc = "") {
+    this->def_rw(name, member, doc);
+    fields_->push_back(
+        {name, [member](void* self, nb::handle value) { static_cast<T*>(self)->*member = member_of<M>(value); }});
+    return *this;
+  }
+
+ private:
+  RecordFields fields_;
+};
+
+}  // namespace dymsum::python

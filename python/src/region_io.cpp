@@ -1,0 +1,63 @@
+// Files of planar regions.
+#include "dymsum/region_io.h"
+
+#include "arguments.h"
+#include "bind.h"
+#include "record.h"
+
+namespace dymsum::python {
+namespace {
+
+using namespace nb::literals;
+
+void bind_region_readers(nb::module_& m) {
+  nb::enum_<RegionFormat>(m, "RegionFormat", "A format of planar files.")
+      .value("poly", RegionFormat::poly)
+      .value("wkt", RegionFormat::wkt)
+      .value("geojson", RegionFormat::geojson)
+      .value("svg", RegionFormat::svg)
+      .value("json", RegionFormat::json);
+  Record<NamedShape>(m, "NamedShape", "One named shape of a file.")
+      .field("name", &NamedShape::name)
+      .field("data", &NamedShape::data, "RegionData, not yet validated");
+  m.def(
+      "region_format", [](const std::string& path) { return take(region_format(path)); }, "path"_a,
+      "The format that a path's extension names. Raises Error: unsupported_format.");
+  m.def("names_region", &names_region, "path"_a);
+  m.def(
+      "read_shapes", [](const std::string& path) { return take(read_shapes(path)); }, "path"_a,
+      "All shapes of a file (.poly, .wkt, .geojson, .svg, nesting .json), or the one of \"f.json#name\". Raises Error "
+      "with file "
+      "and line.");
+  m.def(
+      "parse_shapes",
+      [](const std::string& text, RegionFormat format, const std::string& name) {
+        return take(parse_shapes(text, format, name));
+      },
+      "text"_a, "format"_a, "name_for_errors"_a = "text");
+  m.def(
+      "read_region_data", [](const std::string& path) { return take(read_region_data(path)); }, "path"_a,
+      "The file's only or selected shape, not yet validated. Raises Error: malformed where there are several.");
+}
+
+void bind_region_writers(nb::module_& m) {
+  m.def(
+      "format_region", [](const RegionArgument& region, RegionFormat format) { return format_region(*region, format); },
+      "region"_a, "format"_a, "The region as text; coordinates read back as the same doubles.");
+  m.def(
+      "write_file", [](const std::string& path, const std::string& text) { take(write_file(path, text)); }, "path"_a,
+      "text"_a, "Replaces a file as a whole. Raises Error: cannot_write.");
+  m.def("written_path", &written_path, "path"_a);
+  m.def(
+      "draw_region", [](const RegionArgument& region) { return draw_region(*region); }, "region"_a,
+      "A picture as SVG text.");
+}
+
+}  // namespace
+
+void bind_region_io(nb::module_& m) {
+  bind_region_readers(m);
+  bind_region_writers(m);
+}
+
+}  // namespace dymsum::python

@@ -1,0 +1,42 @@
+// How a result was made, kept with it so that it can be pickled: made again, from operands and options.
+#pragma once
+
+#include <nanobind/nanobind.h>
+
+#include <type_traits>
+#include <utility>
+
+namespace dymsum::python {
+
+namespace nb = nanobind;
+
+/// A T as a Python object.
+template <class T>
+struct Remembered {
+  nb::object object;
+};
+
+/// `result` as a Python object that pickles as a call of dymsum._remake's `function` with these arguments.
+template <class T, class... Arguments>
+Remembered<std::remove_cvref_t<T>> remembered(T&& result, const char* function, Arguments&&... arguments) {
+  nb::object object = nb::cast(std::forward<T>(result));
+  object.attr("_made_by") = nb::make_tuple(function, nb::make_tuple(std::forward<Arguments>(arguments)...));
+  return {std::move(object)};
+}
+
+/// __reduce__ of a class whose objects are remembered. Raises TypeError for one that is not.
+nb::object made_again(nb::handle object);
+
+}  // namespace dymsum::python
+
+namespace nanobind::detail {
+
+/// Its type in signatures is T.
+template <class T>
+struct type_caster<dymsum::python::Remembered<T>> {
+  using Value = dymsum::python::Remembered<T>;
+  static constexpr auto Name = make_caster<T>::Name;
+  static handle from_cpp(const Value& of, rv_policy, cleanup_list*) noexcept { return handle(of.object).inc_ref(); }
+};
+
+}  // namespace nanobind::detail

@@ -1,0 +1,74 @@
+// At which scales a part fits.
+#include "dymsum/scale_range.h"
+
+#include "arguments.h"
+#include "bind.h"
+#include "calls.h"
+#include "record.h"
+
+namespace dymsum::python {
+namespace {
+
+using namespace nb::literals;
+
+void bind_range_results(nb::module_& m) {
+  Record<ScaleContact> contact(m, "ScaleContact", "A contact of part and obstacle at one exact scale.");
+  nb::enum_<ScaleContact::Kind>(contact, "Kind", "What touches what.")
+      .value("vertex_on_edge", ScaleContact::Kind::vertex_on_edge)
+      .value("edge_on_vertex", ScaleContact::Kind::edge_on_vertex)
+      .value("vertex_on_vertex", ScaleContact::Kind::vertex_on_vertex);
+  contact.field("kind", &ScaleContact::kind)
+      .field("part", &ScaleContact::part)
+      .field("obstacle", &ScaleContact::obstacle)
+      .field("leg", &ScaleContact::leg)
+      .field("along", &ScaleContact::along)
+      .field("at", &ScaleContact::at);
+  Record<ScaleInterval>(m, "ScaleInterval", "A closed interval of scales; low None: from 0 on, high None: without end.")
+      .field("low", &ScaleInterval::low)
+      .field("high", &ScaleInterval::high)
+      .field("at_low", &ScaleInterval::at_low)
+      .field("at_high", &ScaleInterval::at_high);
+  Record<ScaleRange>(m, "ScaleRange", "An exact set of scales.")
+      .field("free", &ScaleRange::free, "intervals in order, disjoint")
+      .field("critical", &ScaleRange::critical)
+      .field("tested", &ScaleRange::tested)
+      .def(
+          "contains", [](const ScaleRange& self, const ScaleArgument& s) { return self.contains(s.value()); }, "s"_a)
+      .def("trap", &ScaleRange::trap, "The scale up to which all smaller parts are free; None: never blocked.");
+}
+
+}  // namespace
+
+void bind_scale_range(nb::module_& m) {
+  bind_range_results(m);
+  m.def(
+      "scale_range",
+      [](const RegionArgument& part, const std::vector<Point>& path, const RegionArgument& obstacles,
+         const Progress& progress) {
+        return run(progress, [&](Progress own) { return scale_range(*part, path, *obstacles, own); });
+      },
+      "part"_a, "path"_a, "obstacles"_a, "progress"_a = nb::none(),
+      "The scales s for which s `part`, moved along the path, never overlaps the obstacles. Raises Error: "
+      "unsupported_operand, not_finite, cancelled.");
+  m.def(
+      "fit_range",
+      [](const RegionArgument& part, const RegionArgument& container, Point at, const Progress& progress) {
+        return run(progress, [&](Progress own) { return fit_range(*part, *container, at, own); });
+      },
+      "part"_a, "container"_a, "at"_a, "progress"_a = nb::none(),
+      "The scales at which s `part`, placed at `at`, lies inside the container.");
+  m.def(
+      "fit_range",
+      [](const RegionArgument& part, const RegionArgument& container, const Progress& progress) {
+        return run(progress, [&](Progress own) { return fit_range(*part, *container, own); });
+      },
+      "part"_a, "container"_a, "progress"_a = nb::none(),
+      R"doc(The scales at which s `part` lies inside the container at some translation.
+
+>>> from dymsum import fit_range, shapes
+>>> fit_range(shapes.rectangle(0, 0, 2, 1), shapes.rectangle(0, 0, 7, 3)).free[0].high
+Fraction(3, 1)
+)doc");
+}
+
+}  // namespace dymsum::python

@@ -1,0 +1,54 @@
+// Generators of planar shapes and of solids: the modules dymsum.shapes and dymsum.solids.
+#include "dymsum/shapes.h"
+
+#include "arguments.h"
+#include "bind.h"
+#include "dymsum/solids.h"
+#include "record.h"
+
+namespace dymsum::python {
+
+using namespace nb::literals;
+
+void bind_shapes(nb::module_& m) {
+  nb::module_ s = m.def_submodule("_shapes", "Generators of planar test and demo shapes.");
+  s.def("rectangle", &shapes::rectangle, "x0"_a, "y0"_a, "x1"_a, "y1"_a);
+  s.def("disc", &shapes::disc, "vertices"_a, "radius"_a);
+  s.def("gear", &shapes::gear, "teeth"_a, "inner"_a, "outer"_a, "4 vertices a tooth.");
+  s.def("grate", &shapes::grate, "bars"_a, "pitch"_a, "bar"_a, "length"_a,
+        "A frame with `bars` - 1 rectangular holes.");
+  s.def("comb", &shapes::comb, "teeth"_a, "pitch"_a, "tooth"_a, "length"_a);
+  s.def("star", &shapes::star, "points"_a, "inner"_a, "outer"_a);
+  s.def("noisy_star", &shapes::noisy_star, "vertices"_a, "noise"_a, "seed"_a);
+  s.def("spiral", &shapes::spiral, "turns"_a, "vertices_per_turn"_a, "pitch"_a, "width"_a);
+  s.def("letter_u", &shapes::letter_u, "width"_a, "height"_a, "thickness"_a);
+  s.def("letter_l", &shapes::letter_l, "width"_a, "height"_a, "thickness"_a);
+  s.def("pockets", &shapes::pockets, "holes"_a, "size"_a, "A plate with square holes of growing size.");
+  s.def("random_polygon", &shapes::random_polygon, "vertices"_a, "holes"_a, "seed"_a);
+  Record<shapes::Named>(s, "Named", "A named shape.")
+      .field("name", &shapes::Named::name)
+      .field("region", &shapes::Named::region);
+  s.def("thesis_like_set", &shapes::thesis_like_set);
+}
+
+void bind_solids(nb::module_& m) {
+  nb::module_ s = m.def_submodule("_solids", "Generators of solid test and demo shapes.");
+  s.def("box", &solids::box, "x0"_a, "y0"_a, "z0"_a, "x1"_a, "y1"_a, "z1"_a, "6 quadrangles.");
+  s.def("prism", &solids::prism, "base"_a, "height"_a, "Over a simple counter-clockwise ring, from z = 0.");
+  s.def("tessellated_cube", &solids::tessellated_cube, "size"_a, "k"_a);
+  s.def("cone", &solids::cone, "sides"_a, "radius"_a, "height"_a);
+  s.def("cylinder", &solids::cylinder, "sides"_a, "radius"_a, "height"_a);
+  s.def("dipyramid", &solids::dipyramid, "sides"_a, "radius"_a, "height"_a);
+  s.def("pyramid", &solids::pyramid, "sides"_a, "radius"_a, "height"_a);
+  s.def("geodesic_sphere", &solids::geodesic_sphere, "frequency"_a, "radius"_a);
+  s.def("ellipsoid", &solids::ellipsoid, "slices"_a, "stacks"_a, "rx"_a, "ry"_a, "rz"_a);
+  s.def("triakis_icosahedron", &solids::triakis_icosahedron, "radius"_a);
+  s.def("truncated_icosidodecahedron", &solids::truncated_icosidodecahedron, "radius"_a);
+  s.def("rod", &solids::rod, "slices"_a, "stacks"_a, "radius"_a, "length"_a, "A capsule.");
+  Record<solids::NamedMesh>(s, "NamedMesh", "A named mesh.")
+      .field("name", &solids::NamedMesh::name)
+      .field("mesh", &solids::NamedMesh::mesh);
+  s.def("thesis_models", &solids::thesis_models);
+}
+
+}  // namespace dymsum::python

@@ -1,0 +1,191 @@
+// The sum of two solids of any shape and what it is made of.
+#include "dymsum/spatial_sum.h"
+
+#include "arguments.h"
+#include "bind.h"
+#include "calls.h"
+#include "dymsum/volume_text.h"
+#include "record.h"
+#include "remember.h"
+
+namespace dymsum::python {
+namespace {
+
+using namespace nb::literals;
+
+void bind_spatial_options(nb::module_& m) {
+  nb::enum_<SpatialEngine>(m, "SpatialEngine", "How the boundary is found; both give the same result.")
+      .value("fast", SpatialEngine::fast)
+      .value("brute", SpatialEngine::brute);
+  Record<SpatialOptions> options(m, "SpatialOptions", "Options of sums of solids.");
+  options.def(
+      "__init__",
+      [](SpatialOptions* self, SpatialEngine engine, Semantics semantics, bool tight, bool trace, int threads,
+         std::uint64_t memory, Progress progress) {
+        new (self) SpatialOptions{engine, semantics, tight, trace, threads, memory, std::move(progress)};
+      },
+      "engine"_a = SpatialEngine::fast, "semantics"_a = Semantics::closed, "tight"_a = true, "trace"_a = false,
+      "threads"_a = 0, "memory"_a = 0, "progress"_a = nb::none());
+  options.option("engine", &SpatialOptions::engine)
+      .option("semantics", &SpatialOptions::semantics)
+      .option("tight", &SpatialOptions::tight)
+      .option("trace", &SpatialOptions::trace)
+      .option("threads", &SpatialOptions::threads)
+      .option("memory", &SpatialOptions::memory, "bytes that the computation may hold; 0: no limit")
+      .option("progress", &SpatialOptions::progress);
+}
+
+void bind_spatial_parts(nb::module_& m) {
+  Record<SolidContact>(m, "SolidContact", "A feature of P and one of Q that touch.")
+      .field("p", &SolidContact::p)
+      .field("q", &SolidContact::q);
+  Record<SpatialFace>(m, "SpatialFace", "A face of the boundary: a polygon in one plane, perhaps with holes.")
+      .field("loops", &SpatialFace::loops, "vertex indices: the outer loop, then holes")
+      .field("p", &SpatialFace::p)
+      .field("q", &SpatialFace::q)
+      .field("shell", &SpatialFace::shell);
+  Record<SpatialEdge>(m, "SpatialEdge", "An edge of the boundary.")
+      .field("from_", &SpatialEdge::from)
+      .field("to", &SpatialEdge::to)
+      .field("faces", &SpatialEdge::faces)
+      .field("contact", &SpatialEdge::contact);
+  Record<SpatialStats> stats(m, "SpatialStats", "The work that was done.");
+  Record<SpatialStats::Stage>(stats, "Stage", "Time of a stage.")
+      .field("name", &SpatialStats::Stage::name)
+      .field("ms", &SpatialStats::Stage::ms);
+  stats.field("bits", &SpatialStats::bits)
+      .field("face_vertex", &SpatialStats::face_vertex)
+      .field("edge_edge", &SpatialStats::edge_edge)
+      .field("inner_facets", &SpatialStats::inner_facets)
+      .field("box_pairs", &SpatialStats::box_pairs)
+      .field("contacts", &SpatialStats::contacts)
+      .field("points", &SpatialStats::points)
+      .field("cells", &SpatialStats::cells)
+      .field("patches", &SpatialStats::patches)
+      .field("collision_tests", &SpatialStats::collision_tests)
+      .field("tight_tests", &SpatialStats::tight_tests)
+      .field("exact_signs", &SpatialStats::exact_signs)
+      .field("held_bytes", &SpatialStats::held_bytes)
+      .field("stages", &SpatialStats::stages);
+}
+
+void bind_spatial_trace(nb::module_& m) {
+  Record<SpatialTrace> trace(m, "SpatialTrace", "The stages of a sum as data, rounded.");
+  Record<SpatialTrace::Facet> facet(trace, "Facet", "A facet of the reduced convolution.");
+  nb::enum_<SpatialTrace::Facet::Kind>(facet, "Kind", "What a facet is the sum of.")
+      .value("face_vertex", SpatialTrace::Facet::Kind::face_vertex)
+      .value("vertex_face", SpatialTrace::Facet::Kind::vertex_face)
+      .value("edge_edge", SpatialTrace::Facet::Kind::edge_edge);
+  facet.field("corners", &SpatialTrace::Facet::corners).field("kind", &SpatialTrace::Facet::kind);
+  trace.field("facets", &SpatialTrace::facets).field("pieces", &SpatialTrace::pieces);
+}
+
+void bind_fields(nb::class_<SpatialSum>& sum) {
+  sum.def_prop_ro(
+         "vertices",
+         [](nb::handle_t<SpatialSum> self) {
+           return view_of<3>(std::span<const Point3>(nb::inst_ptr<SpatialSum>(self)->vertices), self);
+         },
+         "Positions within at_error: a view of shape (n, 3).")
+      .def_ro("at_error", &SpatialSum::at_error)
+      .def_ro("faces", &SpatialSum::faces)
+      .def_ro("shells", &SpatialSum::shells)
+      .def_ro("edges", &SpatialSum::edges)
+      .def_ro("vertex_contacts", &SpatialSum::vertex_contacts)
+      .def_ro("tight_faces", &SpatialSum::tight_faces)
+      .def_ro("tight_segments", &SpatialSum::tight_segments)
+      .def_ro("tight_points", &SpatialSum::tight_points)
+      .def_ro("tight_face_contacts", &SpatialSum::tight_face_contacts)
+      .def_ro("tight_segment_contacts", &SpatialSum::tight_segment_contacts)
+      .def_ro("tight_point_contacts", &SpatialSum::tight_point_contacts)
+      .def_ro("stats", &SpatialSum::stats)
+      .def_ro("trace", &SpatialSum::trace);
+}
+
+void bind_spatial_numbers(nb::class_<SpatialSum>& sum) {
+  sum.def("tight_triangles", &SpatialSum::tight_triangles)
+      .def(
+          "exact",
+          [](const SpatialSum& self, std::size_t vertex) {
+            if (vertex >= self.vertices.size()) throw nb::index_error("no such vertex");
+            return self.exact(vertex);
+          },
+          "vertex"_a, "The exact position of a vertex.")
+      .def(
+          "volume", [](const SpatialSum& self) { return without_gil([&] { return self.volume(); }); },
+          "The nearest double to the exact volume.")
+      .def("area", [](const SpatialSum& self) { return without_gil([&] { return self.area(); }); })
+      .def(
+          "volume_exact", [](const SpatialSum& self) { return without_gil([&] { return self.volume_exact(); }); },
+          "The volume as one Fraction; expensive for thousands of vertices.")
+      .def(
+          "volume_exact_within",
+          [](const SpatialSum& self, std::size_t bits) {
+            return without_gil([&] { return self.volume_exact_within(bits); });
+          },
+          "bits"_a)
+      .def(
+          "rounded", [](const SpatialSum& self) { return take(without_gil([&] { return self.rounded(); })); },
+          "The boundary as triangles, every vertex rounded. Raises Error: rounding_changed_topology.")
+      .def(
+          "drawn", [](const SpatialSum& self) { return without_gil([&] { return self.drawn(); }); },
+          "The same for a picture, whatever rounding does.");
+}
+
+void bind_spatial_sum_class(nb::module_& m) {
+  nb::class_<SpatialSum> sum(m, "SpatialSum", nb::dynamic_attr(),
+                             R"doc(The exact sum of two solids. Equal sets compare equal.
+
+>>> from dymsum import minkowski_sum, solids
+>>> sum = minkowski_sum(solids.box(0, 0, 0, 1, 1, 1), solids.box(0, 0, 0, 2, 2, 2))
+>>> sum.volume_exact(), len(sum.faces), sum.vertices.shape
+(Fraction(27, 1), 6, (8, 3))
+)doc");
+  bind_fields(sum);
+  bind_spatial_numbers(sum);
+  Record<SpatialSum::Rounded>(sum, "Rounded", "Triangles of a sum, rounded.")
+      .field("mesh", &SpatialSum::Rounded::mesh)
+      .field("face", &SpatialSum::Rounded::face, "of every triangle the face that it is a part of");
+  sum.def(
+         "__eq__", [](const SpatialSum& a, const SpatialSum& b) { return without_gil([&] { return a == b; }); },
+         nb::is_operator())
+      .def("__repr__",
+           [](const SpatialSum& self) {
+             return "<SpatialSum: " + std::to_string(self.vertices.size()) + " vertices, " +
+                    std::to_string(self.faces.size()) + " faces, " + std::to_string(self.shells) +
+                    " shells, tight: " + std::to_string(self.tight_points.size()) + " points, " +
+                    std::to_string(self.tight_segments.size()) + " segments, " +
+                    std::to_string(self.tight_faces.size()) + " faces>";
+           })
+      .def(
+          "to_trimesh",
+          [](const SpatialSum& self) {
+            const nb::object mesh = nb::cast(take(self.rounded()).mesh);
+            return nb::module_::import_("dymsum._convert").attr("to_trimesh")(mesh);
+          },
+          "rounded() as a trimesh object (needs trimesh).")
+      .def(
+          "to_glb",
+          [](nb::handle_t<SpatialSum> self) { return nb::module_::import_("dymsum._display").attr("solid_glb")(self); },
+          nb::sig("def to_glb(self) -> bytes"), "The bytes of a .glb file, rounded.")
+      .def(
+          "_repr_svg_",
+          [](nb::handle_t<SpatialSum> self) { return nb::module_::import_("dymsum._display").attr("solid_svg")(self); })
+      .def("__reduce__", [](nb::handle_t<SpatialSum> self) { return made_again(self); });
+  sum.attr("__hash__") = nb::none();
+}
+
+}  // namespace
+
+void bind_spatial_sum(nb::module_& m) {
+  bind_spatial_options(m);
+  bind_spatial_parts(m);
+  bind_spatial_trace(m);
+  bind_spatial_sum_class(m);
+  m.def(
+      "volume_text", [](const SpatialSum& sum) { return volume_text(sum); }, "sum"_a);
+  m.def(
+      "surface_text", [](const SpatialSum& sum) { return surface_text(sum); }, "sum"_a);
+}
+
+}  // namespace dymsum::python

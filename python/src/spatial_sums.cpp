@@ -1,0 +1,174 @@
+// Sums of solids and what is made of them: inner fits, openings, offsets, slices.
+#include "arguments.h"
+#include "bind.h"
+#include "calls.h"
+#include "dymsum/solid_erosion.h"
+#include "dymsum/solid_offset.h"
+#include "dymsum/solid_slice.h"
+#include "dymsum/spatial_sum.h"
+#include "record.h"
+#include "remember.h"
+
+namespace dymsum::python {
+namespace {
+
+using namespace nb::literals;
+
+void bind_sums_of_solids(nb::module_& m) {
+  m.def(
+      "minkowski_sum",
+      [](const MeshArgument& p, const MeshArgument& q, const SpatialOptions& options) {
+        SpatialSum sum = run_with(options, [&](const SpatialOptions& own) { return minkowski_sum(*p, *q, own); });
+        return remembered(std::move(sum), "solid_sum", p.object, q.object, options);
+      },
+      "p"_a, "q"_a, "options"_a = SpatialOptions(),
+      "The exact sum of two solids of any shape. Raises Error: cancelled; out_of_memory; unsupported_operand.");
+  m.def(
+      "minkowski_sum",
+      [](const Many<Mesh>& operands, const SpatialOptions& options) {
+        std::vector<Mesh> all;
+        nb::list kept;
+        for (const MeshArgument& one : operands.items) {
+          all.push_back(*one);
+          kept.append(one.object);
+        }
+        SpatialSum sum = run_with(
+            options, [&](const SpatialOptions& own) { return minkowski_sum(std::span<const Mesh>(all), own); });
+        return remembered(std::move(sum), "solid_sum_of", kept, options);
+      },
+      "operands"_a, "options"_a = SpatialOptions(), "The sum of several operands, at least one.");
+  m.def(
+      "as_mesh", [](const SpatialSum& sum) { return take(as_mesh(sum)); }, "sum"_a,
+      "The regular part of a sum as an operand. Raises Error: unsupported_operand where no doubles hold a vertex.");
+  m.def(
+      "erode",
+      [](const MeshArgument& a, const MeshArgument& b, const SpatialOptions& options) {
+        SpatialSum fit = run_with(options, [&](const SpatialOptions& own) { return erode(*a, *b, own); });
+        return remembered(std::move(fit), "solid_erode", a.object, b.object, options);
+      },
+      "a"_a, "b"_a, "options"_a = SpatialOptions(),
+      "A (-) B = { x : x + B inside A }, positions without room to move included as tight features.");
+}
+
+void bind_spatial_contains(nb::module_& m) {
+  m.def(
+      "contains",
+      [](const MeshArgument& p, const MeshArgument& q, const Point3& z, Semantics semantics) {
+        return take(without_gil([&] { return contains(*p, *q, z, semantics); }));
+      },
+      "p"_a, "q"_a, "z"_a, "semantics"_a = Semantics::closed);
+  m.def(
+      "contains_each",
+      [](const MeshArgument& p, const MeshArgument& q, const Rows<3>& positions, Semantics semantics) {
+        std::vector<RationalPoint3> exact(positions.size);
+        for (std::size_t i = 0; i < positions.size; ++i) {
+          const double* at = positions.row(i);
+          exact[i] = {take(Rational::of(at[0])), take(Rational::of(at[1])), take(Rational::of(at[2]))};
+        }
+        const std::vector<bool> inside = take(without_gil([&] { return contains_each(*p, *q, exact, semantics); }));
+        return truths_of(std::vector<std::uint8_t>(inside.begin(), inside.end()));
+      },
+      "p"_a, "q"_a, "positions"_a, "semantics"_a = Semantics::closed,
+      "contains for many positions, shape (n, 3), without the GIL: n truth values.");
+  m.def(
+      "contains_each",
+      [](const MeshArgument& p, const MeshArgument& q, const std::vector<RationalPoint3>& positions,
+         Semantics semantics) {
+        const std::vector<bool> inside = take(without_gil([&] { return contains_each(*p, *q, positions, semantics); }));
+        return truths_of(std::vector<std::uint8_t>(inside.begin(), inside.end()));
+      },
+      "p"_a, "q"_a, "positions"_a, "semantics"_a = Semantics::closed, "The same for exact positions.");
+  Record<SpatialCost>(m, "SpatialCost", "What a sum will take, before it is computed.")
+      .field("face_vertex", &SpatialCost::face_vertex)
+      .field("edge_edge", &SpatialCost::edge_edge)
+      .field("full_face_vertex", &SpatialCost::full_face_vertex)
+      .field("full_edge_edge", &SpatialCost::full_edge_edge)
+      .field("bytes", &SpatialCost::bytes);
+  m.def(
+      "predict_cost", [](const MeshArgument& p, const MeshArgument& q) { return predict_cost(*p, *q); }, "p"_a, "q"_a);
+}
+
+void bind_opening(nb::module_& m) {
+  nb::enum_<BetweenSteps>(m, "BetweenSteps", "What becomes of positions between two operations that are no doubles.")
+      .value("exact", BetweenSteps::exact)
+      .value("rounded", BetweenSteps::rounded);
+  Record<SolidOpening>(m, "SolidOpening", "An opening or a closing.")
+      .field("solid", &SolidOpening::solid)
+      .field("moved", &SolidOpening::moved, "no vertex between was moved by more; 0: exact");
+  m.def(
+      "opening",
+      [](const MeshArgument& a, const MeshArgument& b, const SpatialOptions& options, BetweenSteps between) {
+        return run_with(options, [&](const SpatialOptions& own) { return opening(*a, *b, own, between); });
+      },
+      "a"_a, "b"_a, "options"_a = SpatialOptions(), "between"_a = BetweenSteps::exact,
+      "(A (-) B) (+) B: the union of all x + B inside A. Raises Error: rounding_changed_topology.");
+  m.def(
+      "closing",
+      [](const MeshArgument& a, const MeshArgument& b, const SpatialOptions& options, BetweenSteps between) {
+        return run_with(options, [&](const SpatialOptions& own) { return closing(*a, *b, own, between); });
+      },
+      "a"_a, "b"_a, "options"_a = SpatialOptions(), "between"_a = BetweenSteps::exact, "(A (+) B) (-) B.");
+}
+
+void bind_offset(nb::module_& m) {
+  nb::enum_<OffsetBound>(m, "OffsetBound", "On which side of the exact offset a result lies.")
+      .value("inside", OffsetBound::inside)
+      .value("outside", OffsetBound::outside);
+  Record<TessellatedBall>(m, "TessellatedBall", "A convex solid between two balls.")
+      .field("mesh", &TessellatedBall::mesh)
+      .field("low", &TessellatedBall::low)
+      .field("high", &TessellatedBall::high);
+  m.def(
+      "tessellated_ball",
+      [](double radius, double tolerance, OffsetBound bound) {
+        return take(tessellated_ball(radius, tolerance, bound));
+      },
+      "radius"_a, "tolerance"_a, "bound"_a = OffsetBound::inside);
+  Record<SolidOffset>(m, "SolidOffset", "An offset: between the exact ones by `low` and `high`.")
+      .field("solid", &SolidOffset::solid)
+      .field("low", &SolidOffset::low)
+      .field("high", &SolidOffset::high)
+      .field("ball_facets", &SolidOffset::ball_facets);
+  m.def(
+      "offset",
+      [](const MeshArgument& mesh, double distance, double tolerance, OffsetBound bound,
+         const SpatialOptions& options) {
+        return run_with(options,
+                        [&](const SpatialOptions& own) { return offset(*mesh, distance, tolerance, bound, own); });
+      },
+      "mesh"_a, "distance"_a, "tolerance"_a, "bound"_a = OffsetBound::inside, "options"_a = SpatialOptions(),
+      "The solid grown by a distance, or shrunk by a negative one, up to the tolerance. Raises Error: out_of_range.");
+}
+
+void bind_slice(nb::module_& m) {
+  Record<SolidSlice> slice(m, "SolidSlice", "The section of P (+) Q by the plane of one z.");
+  Record<SolidSlice::Stats>(slice, "Stats", "The work that was done.")
+      .field("bits", &SolidSlice::Stats::bits)
+      .field("facets", &SolidSlice::Stats::facets)
+      .field("crossed", &SolidSlice::Stats::crossed)
+      .field("cells", &SolidSlice::Stats::cells)
+      .field("collision_tests", &SolidSlice::Stats::collision_tests);
+  slice.field("z", &SolidSlice::z)
+      .field("section", &SolidSlice::section)
+      .field("touching", &SolidSlice::touching)
+      .field("contacts", &SolidSlice::contacts)
+      .field("stats", &SolidSlice::stats);
+  m.def(
+      "slice_of_sum",
+      [](const MeshArgument& p, const MeshArgument& q, double z, const SpatialOptions& options) {
+        return run_with(options, [&](const SpatialOptions& own) { return slice_of_sum(*p, *q, z, own); });
+      },
+      "p"_a, "q"_a, "z"_a, "options"_a = SpatialOptions(), "One height of a sum of solids. Raises Error: not_finite.");
+}
+
+}  // namespace
+
+void bind_spatial_sums(nb::module_& m) {
+  bind_sums_of_solids(m);
+  bind_spatial_contains(m);
+  bind_opening(m);
+  bind_offset(m);
+  bind_slice(m);
+}
+
+}  // namespace dymsum::python

@@ -1,0 +1,9 @@
+# What stubs need not tell, or tell otherwise than the module: see nanobind's stubgen.
+\.__(reduce|getstate|setstate|hash|copy|repr)__$:
+
+\.__version__$:
+    __version__: str
+
+\.__eq__$:
+    def __eq__(self, other: object, /) -> bool: ...
+

@@ -1,0 +1,60 @@
+"""Examples in docstrings and in the guide print what they say; the README's program too."""
+
+from __future__ import annotations
+
+import doctest
+import inspect
+import re
+from pathlib import Path
+from typing import Any, Iterator
+
+import pytest
+
+import dymsum
+
+ROOT = Path(__file__).parents[2]
+
+
+def documented() -> Iterator[tuple[str, str]]:
+    """Every docstring with an example."""
+    seen: set[int] = set()
+    for scope_name, scope in [("dymsum", dymsum), ("dymsum.shapes", dymsum.shapes), ("dymsum.solids", dymsum.solids)]:
+        for name, value in vars(scope).items():
+            if name.startswith("_") or id(value) in seen or not getattr(value, "__module__", "").startswith("dymsum"):
+                continue
+            seen.add(id(value))
+            members: list[tuple[str, Any]] = [("", value)]
+            if inspect.isclass(value):
+                members += [("." + n, m) for n, m in vars(value).items() if not n.startswith("_")]
+            for member_name, member in members:
+                text = inspect.cleandoc(getattr(member, "__doc__", None) or "")
+                if ">>>" in text:
+                    yield f"{scope_name}.{name}{member_name}", text
+
+
+EXAMPLES = list(documented())
+PAGES = [page for page in (ROOT / "docs/guide/python.md", ROOT / "README.md") if page.exists()]
+
+
+def run(text: str, name: str) -> None:
+    test = doctest.DocTestParser().get_doctest(text, {}, name, name, 0)
+    runner = doctest.DocTestRunner(optionflags=doctest.ELLIPSIS)
+    said: list[str] = []
+    runner.run(test, out=said.append)
+    assert runner.failures == 0, "".join(said)
+
+
+def test_there_are_examples() -> None:
+    assert len(EXAMPLES) >= 25
+
+
+@pytest.mark.parametrize(("name", "text"), EXAMPLES, ids=[name for name, _ in EXAMPLES])
+def test_docstring(name: str, text: str) -> None:
+    run(text, name)
+
+
+@pytest.mark.parametrize("page", PAGES, ids=[page.name for page in PAGES])
+def test_page(page: Path) -> None:
+    blocks = re.findall(r"```pycon\n(.*?)```", page.read_text(), re.DOTALL)
+    assert blocks
+    run("\n".join(blocks), page.name)

@@ -1,0 +1,34 @@
+"""What mypy --strict has to say about uses of the package: nothing, but for the lines that end in "wrong"."""
+
+from fractions import Fraction
+
+import numpy
+from numpy.typing import NDArray
+
+import dymsum
+from dymsum import CspaceObstacle, ObstacleQueries, PlanarSum, Point, Region, SumOptions, shapes, solids
+
+square: list[tuple[float, float]] = [(0, 0), (1, 0), (1, 1), (0, 1)]
+region = Region(square)
+sum_: PlanarSum = dymsum.minkowski_sum(square, region, SumOptions(semantics=dymsum.Semantics.open))
+area: Fraction = sum_.area_exact()
+at: NDArray[numpy.float64] = sum_.parts[0].outer.at
+first: Point = sum_.parts[0].outer.vertices[0].at
+spatial: dymsum.SpatialSum = dymsum.minkowski_sum(solids.box(0, 0, 0, 1, 1, 1), solids.cone(5, 1, 1))
+gear: Region = shapes.gear(5, 1, 2)
+queries = ObstacleQueries(CspaceObstacle(gear, "POLYGON((9 0, 10 0, 10 1, 9 0))"))
+free: NDArray[numpy.bool_] = queries.free_each([(0, 0, 0), (1, 2, 3)])
+distances: NDArray[numpy.float64] = queries.clearance_each(numpy.zeros((5, 3))).distance
+try:
+    dymsum.nfp(gear, gear)
+except dymsum.Error as error:
+    code: dymsum.ErrorCode = error.code
+    line: int | None = error.evidence.line
+found = dymsum.plan(CspaceObstacle(gear, gear), (9, 9, 0), (10, 10, 1))
+if found.reason is not None:
+    text: str = found.reason.text
+
+dymsum.nfp(gear, 5)  # wrong
+volume: str = dymsum.volume(solids.box(0, 0, 0, 1, 1, 1))  # wrong
+SumOptions(engine="fast")  # wrong
+sum_.nothing  # wrong
