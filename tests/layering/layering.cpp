@@ -54,6 +54,7 @@ const std::vector<std::string> kRooms = {
     "io/mesh",
     "io/picture",
     "io/obstacle",
+    "nesting",
 };
 
 /// Rooms that may not use one that stands before them: the arrangement works on labelled segments.
@@ -70,7 +71,8 @@ const std::map<std::string, std::vector<std::string>> kForeign = {
     {"exact", {"boost/multiprecision/"}},
     {"planar", {"emmintrin.h"}},
     {"spatial", {"emmintrin.h"}},
-    {"io", {"nlohmann/", "pugixml.hpp", "fcntl.h", "sys/stat.h", "unistd.h"}},
+    {"io", {"nlohmann/", "pugixml.hpp", "fcntl.h", "sys/file.h", "sys/stat.h", "unistd.h"}},
+    {"nesting", {"nlohmann/"}},
     {"cli", {"CLI/", "nlohmann/", "unistd.h"}},
 };
 

@@ -1,0 +1,17 @@
+// The answer of one row, and of the one that mirrors it.
+#pragma once
+
+#include <array>
+
+#include "nesting/table_plan.h"
+
+namespace dymsum::nesting {
+
+/// The answers of a task: of its row and, where it has one, of its mirror (else an empty one). Errors of the library make
+/// them refused; where `progress` asks to stop, they are timed out.
+std::array<TableAnswer, 2> answers_of(const NfpTable::State& table, const Task& task, const Progress& progress);
+
+/// The answer of a strip fit.
+TableAnswer strip_answer(const NfpTable::State& table, const TableRow& row);
+
+}  // namespace dymsum::nesting
