@@ -57,10 +57,10 @@ void add_convert(CLI::App& app, Action& action) {
   command->parser = verb;
   verb->add_option("IN", command->in, "File, FILE#NAME for one shape of several, or - for standard input")->required();
   verb->add_option("OUT", command->out,
-                   "File .poly .wkt .geojson .svg .json, of solids .off .obj .stl .ply .glb, or - for standard output")
+                   "File .poly .wkt .geojson .svg .json .dxf, of solids .off .obj .stl .ply .glb, or - for standard output")
       ->required();
   verb->add_option("--to", command->output.to, "Format of the output -; of solids off if not given")
-      ->check(CLI::IsMember({"poly", "wkt", "geojson", "svg", "json", "off", "obj", "stl", "ply", "glb"}))
+      ->check(CLI::IsMember({"poly", "wkt", "geojson", "svg", "json", "dxf", "off", "obj", "stl", "ply", "glb"}))
       ->capture_default_str();
   verb->add_flag("--canonical", command->canonical, "Write the canonical form: equal sets become equal files");
   verb->add_flag("--triangulate", command->triangulate,

@@ -118,9 +118,10 @@ struct TableOptions {
   std::uint32_t shard = 1, shards = 1;  ///< compute the tasks of one shard alone, from 1 on
   double pair_seconds = std::numeric_limits<double>::infinity();  ///< for a task
   double all_seconds = std::numeric_limits<double>::infinity();   ///< for all tasks
-  std::string store;    ///< a folder, made where it is not there, that answers are taken from and added to; empty: none
-  bool compute = true;  ///< else only what the store has is taken
-  Progress progress;    ///< called by one thread at a time
+  /// A folder, made where it is not there, that answers are taken from and added to; empty: none.
+  std::string store = {};
+  bool compute = true;     ///< else only what the store has is taken
+  Progress progress = {};  ///< called by one thread at a time
 };
 
 /// A file of the store of which not everything could be believed; what is missing is computed again.
