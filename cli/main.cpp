@@ -41,6 +41,7 @@ void add_verbs(CLI::App& app, Action& action) {
   add_slice(app, action);
   add_cspace(app, action);
   add_clearance(app, action);
+  add_angles(app, action);
   add_path(app, action);
   add_depth(app, action);
   add_contains(app, action);

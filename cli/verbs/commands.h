@@ -22,6 +22,7 @@ void add_rotate(CLI::App& app, Action& action);
 void add_slice(CLI::App& app, Action& action);
 void add_cspace(CLI::App& app, Action& action);
 void add_clearance(CLI::App& app, Action& action);
+void add_angles(CLI::App& app, Action& action);
 void add_path(CLI::App& app, Action& action);
 void add_depth(CLI::App& app, Action& action);
 void add_contains(CLI::App& app, Action& action);

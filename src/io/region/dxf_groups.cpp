@@ -12,7 +12,7 @@
 namespace dymsum::io {
 namespace {
 
-std::string_view trimmed(std::string_view text) {
+std::string_view without_blanks(std::string_view text) {
   while (!text.empty() && is_blank(text.front())) text.remove_prefix(1);
   while (!text.empty() && is_blank(text.back())) text.remove_suffix(1);
   return text;
@@ -40,14 +40,14 @@ std::vector<DxfGroup> dxf_groups(const Source& source) {
   };
   while (at < source.text.size()) {
     const auto [code_line, code_at] = take_line();
-    if (trimmed(code_line).empty() && trimmed(source.text.substr(at)).empty()) break;
-    const std::optional<int> code = whole_number(trimmed(code_line));
+    if (without_blanks(code_line).empty() && without_blanks(source.text.substr(at)).empty()) break;
+    const std::optional<int> code = whole_number(without_blanks(code_line));
     if (!code)
-      source.fail(ErrorCode::malformed, "expected the code of a group instead of " + in_quotes(trimmed(code_line)),
+      source.fail(ErrorCode::malformed, "expected the code of a group instead of " + in_quotes(without_blanks(code_line)),
                   code_at);
     if (at >= source.text.size()) break;
     const auto [value, value_at] = take_line();
-    groups.push_back({*code, trimmed(value), value_at});
+    groups.push_back({*code, without_blanks(value), value_at});
     if (*code == 0 && groups.back().value == "EOF") return groups;
   }
   source.fail(ErrorCode::truncated, "the file ends before its EOF", source.text.size());
