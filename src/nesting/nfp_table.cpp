@@ -10,6 +10,7 @@
 
 #include "base/parallel.h"
 #include "nesting/row_answer.h"
+#include "nesting/strip_fit.h"
 #include "nesting/table_store.h"
 
 namespace dymsum {

@@ -1,39 +1,39 @@
 #include "nesting/rounded_row.h"
 
-#include <cmath>
-#include <optional>
+#include <limits>
 #include <utility>
 
 #include "io/region/tight_data.h"
 #include "planar/position/exact_source.h"
-#include "planar/position/nearest_point.h"
 
 namespace dymsum::nesting {
 namespace {
 
 using exact::BigInteger;
 
-/// n / w is the double `value`.
-bool is_exactly(const BigInteger& n, const BigInteger& w, double value) {
-  if (!std::isfinite(value)) return false;
-  constexpr int kDigits = 53;
-  int exponent = 0;
-  const BigInteger digits = static_cast<std::int64_t>(std::ldexp(std::frexp(value, &exponent), kDigits));
-  exponent -= kDigits;
-  const auto shift = static_cast<unsigned>(std::abs(exponent));
-  if (exponent >= 0) return BigInteger(digits << shift) * w == n;
-  return digits * w == BigInteger(n << shift);
+/// Whether n / w is a double.
+bool is_double(BigInteger n, BigInteger w) {
+  if (n.is_zero()) return true;
+  const auto twos = static_cast<int>(lsb(w));
+  w >>= twos;
+  if (w != 1) {
+    if (!BigInteger(n % w).is_zero()) return false;
+    n /= w;
+  }
+  n = abs(n);
+  const int low = static_cast<int>(lsb(n)) - twos, high = static_cast<int>(msb(n)) - twos;
+  using Limits = std::numeric_limits<double>;
+  return high - low < Limits::digits && high < Limits::max_exponent && low >= Limits::min_exponent - Limits::digits;
 }
 
 /// Whether vertices are pairs of doubles.
 class ExactVertices {
  public:
-  explicit ExactVertices(const ExactSource& source) : source_(source), nearest_(source) {}
+  explicit ExactVertices(const ExactSource& source) : source_(source) {}
 
   bool operator()(const SumVertex& vertex) const {
-    const ExactSource::Homogeneous exact = source_.homogeneous(vertex);
-    const Point at = nearest_(vertex);
-    return is_exactly(exact.x, exact.w, at.x) && is_exactly(exact.y, exact.w, at.y);
+    ExactSource::Homogeneous exact = source_.homogeneous(vertex);
+    return is_double(std::move(exact.x), exact.w) && is_double(std::move(exact.y), std::move(exact.w));
   }
   bool operator()(const SumSegment& segment) const { return (*this)(segment.from) && (*this)(segment.to); }
   bool operator()(const SumRing& ring) const { return (*this)(ring.vertices); }
@@ -51,7 +51,6 @@ class ExactVertices {
 
  private:
   const ExactSource& source_;
-  planar::NearestPoint nearest_;
 };
 
 bool is_empty(const PlanarSum& sum) {

@@ -1,18 +1,15 @@
 #include "nesting/row_answer.h"
 
-#include <cmath>
 #include <optional>
 #include <utility>
 
 #include "dymsum/cspace_obstacle.h"
 #include "dymsum/orientation_sum.h"
 #include "dymsum/planar_sum.h"
-#include "exact/big.h"
 #include "io/region/write_wkb.h"
 #include "nesting/canonical_order.h"
 #include "nesting/quarter_turn.h"
 #include "nesting/rounded_row.h"
-#include "planar/turning/turn.h"
 
 namespace dymsum::nesting {
 namespace {
@@ -72,39 +69,6 @@ std::array<TableAnswer, 2> answers_of(const NfpTable::State& table, const Task& 
                    ? with_geometry(std::move(rounded.answer), std::move(rounded.data))
                    : std::move(rounded.answer);
   return answers;
-}
-
-TableAnswer strip_answer(const NfpTable::State& table, const TableRow& row) {
-  using exact::BigRational;
-  const auto [n, d] = planar::tan_half_of(table.angles[row.angle].orientation);
-  const BigRational w(d * d + n * n), cosine = BigRational(d * d - n * n) / w, sine = BigRational(2 * n * d) / w;
-  std::optional<BigRational> least_x, least_y, most_y;
-  const auto see = [&](const std::vector<Point>& points) {
-    for (const Point p : points) {
-      const BigRational px = exact::exact_value(p.x), py = exact::exact_value(p.y);
-      const BigRational x = cosine * px - sine * py, y = sine * px + cosine * py;
-      if (!least_x || x < *least_x) least_x = x;
-      if (!least_y || y < *least_y) least_y = y;
-      if (!most_y || y > *most_y) most_y = y;
-    }
-  };
-  const Region& part = table.input.items[row.moving].shape;
-  for (const Part& piece : part.parts()) see(piece.outer);
-  for (const Polyline& line : part.polylines()) see(line);
-  see(part.points());
-  TableAnswer answer;
-  answer.strip.emplace();
-  const BigRational low = -*least_y, high = exact::exact_value(*table.input.strip_height) - *most_y;
-  const BigRational left = -*least_x;
-  if (low > high) return answer;
-  answer.strip = StripFit{true, exact::round_to_double(left), exact::round_to_double(low), exact::round_to_double(high)};
-  const StripFit& fit = *answer.strip;
-  if (!std::isfinite(fit.x_min) || !std::isfinite(fit.y_min) || !std::isfinite(fit.y_max))
-    return failed({ErrorCode::rounding_changed_topology, "a position in the strip leaves the range of doubles", {}});
-  const bool exact = exact::exact_value(fit.x_min) == left && exact::exact_value(fit.y_min) == low &&
-                     exact::exact_value(fit.y_max) == high;
-  answer.rounding = exact ? TableAnswer::Rounding::none : TableAnswer::Rounding::nearest;
-  return answer;
 }
 
 }  // namespace dymsum::nesting

@@ -11,7 +11,4 @@ namespace dymsum::nesting {
 /// them refused; where `progress` asks to stop, they are timed out.
 std::array<TableAnswer, 2> answers_of(const NfpTable::State& table, const Task& task, const Progress& progress);
 
-/// The answer of a strip fit.
-TableAnswer strip_answer(const NfpTable::State& table, const TableRow& row);
-
 }  // namespace dymsum::nesting
