@@ -67,7 +67,8 @@ Result<Region> make_region(RegionData data, const std::string& file, const Input
 
 /// The format whose name is given ("poly", "wkt", "geojson", "svg", "json", "dxf").
 RegionFormat format_named(const std::string& name);
-/// dxf where the text begins like one; poly for digits, comments and signs; svg for "<"; wkt for letters; for "{" json when it has "items", else geojson.
+/// dxf where the text begins like one; poly for digits, comments and signs; svg for "<"; wkt for letters; for "{" json
+/// when it has "items", else geojson.
 RegionFormat format_of_text(std::string_view text);
 
 template <class T>

@@ -19,7 +19,8 @@ namespace {
 using namespace dymsum::cli;
 
 constexpr const char* kFooter =
-    "Files: planar .poly .wkt .geojson .svg .json (nesting instances) .dxf, maps .yaml .map; FILE#NAME selects one shape of "
+    "Files: planar .poly .wkt .geojson .svg .json (nesting instances) .dxf, maps .yaml .map; FILE#NAME selects one "
+    "shape of "
     "several; - is standard\n"
     "input or output; solid .off .obj .stl .ply, written also as .glb. Results go to standard output, messages to "
     "standard error.\n"

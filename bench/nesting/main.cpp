@@ -98,8 +98,9 @@ Rivalry against_cgal(const NfpTable& table) {
     const CgalOperands operands(fixed.data(), moving.data(), theta);
     const RivalAnswer theirs = operands.sum(CgalMethod::reduced_convolution, Repeats{});
     PlanarSum sum;
-    const Times ours = measure({3, 3, 100, 100}, [&] { return cspace_slice(moving, fixed, theta).value(); },
-                               [&](PlanarSum&& s) { sum = std::move(s); });
+    const Times ours = measure(
+        {3, 3, 100, 100}, [&] { return cspace_slice(moving, fixed, theta).value(); },
+        [&](PlanarSum&& s) { sum = std::move(s); });
     ++all.rows;
     all.cgal_ms += theirs.median_ms;
     all.sums_ms += ours.median();
@@ -144,13 +145,15 @@ int run(int argc, char** argv) {
   const Options options = parse(argc, argv);
   Report report;
   report.line("# Tables of no-fit polygons\n");
-  report.line("`./run bench nesting --results docs/results` made this page. All ordered pairs of items at " +
-              std::to_string(options.orientations) +
-              " relative angles. Processor time, but for the gain of two threads, which is of wall time. CGAL: reduced "
-              "convolution with its exact kernel, one sum a row, operands made before the clock starts, results not rounded. Table: the whole of "
-              "`compute_table`, rounded to doubles and as well-known binary, with mirrored rows made of one another. "
-              "Sums: our exact sums alone, one a row.\nCompared: parts, holes, vertices and area; where they differ, how "
-              "often CGAL's vertical decomposition says what we say.\n");
+  report.line(
+      "`./run bench nesting --results docs/results` made this page. All ordered pairs of items at " +
+      std::to_string(options.orientations) +
+      " relative angles. Processor time, but for the gain of two threads, which is of wall time. CGAL: reduced "
+      "convolution with its exact kernel, one sum a row, operands made before the clock starts, results not rounded. "
+      "Table: the whole of "
+      "`compute_table`, rounded to doubles and as well-known binary, with mirrored rows made of one another. "
+      "Sums: our exact sums alone, one a row.\nCompared: parts, holes, vertices and area; where they differ, how "
+      "often CGAL's vertical decomposition says what we say.\n");
   report.heading({"instance", "items", "rows", "tasks", "CGAL ms", "table ms", "CGAL / table", "sums ms", "CGAL / sums",
                   "two threads", "equal", "differ, witnessed"});
   report.csv << "instance,measure,value\n";

@@ -35,8 +35,10 @@ std::vector<Rational> orientations_in(const std::string& text) {
   for (const std::string& piece : split(text, ',')) {
     const std::optional<Angle> angle = angle_in(piece);
     if (!angle || !angle->degrees)
-      throw Stop(kUsage, "--orientations wants a count of equally spaced ones from 1 to 100000, or degrees as 0deg,45deg, "
-                         "not '" + text + "'");
+      throw Stop(kUsage,
+                 "--orientations wants a count of equally spaced ones from 1 to 100000, or degrees as 0deg,45deg, "
+                 "not '" +
+                     text + "'");
     degrees.push_back(angle->exact);
   }
   return degrees;

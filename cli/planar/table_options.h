@@ -11,7 +11,8 @@
 
 namespace dymsum::cli {
 
-/// "8" for as many equally spaced orientations, or degrees: "0deg,45deg,90.5deg". Stops with wrong usage for other text.
+/// "8" for as many equally spaced orientations, or degrees: "0deg,45deg,90.5deg". Stops with wrong usage for other
+/// text.
 std::vector<Rational> orientations_in(const std::string& text);
 
 struct ShardOption {

@@ -135,11 +135,13 @@ void add_angles(CLI::App& app, Action& action) {
   verb.add_option("--at", command->at, "Where the reference point of the robot is; repeatable")
       ->type_name("x,y")
       ->allow_extra_args(false);
-  verb.add_option("--at-file", command->at_file, "A file of such, x,y on a line; - for standard input")->type_name("FILE");
+  verb.add_option("--at-file", command->at_file, "A file of such, x,y on a line; - for standard input")
+      ->type_name("FILE");
   add_report_options(verb, command->report, "Ask N times and report the median and minimum time");
   add_input_options(verb, command->source.input);
   verb.footer(
-      "Touching is allowed. In radians, counter-clockwise from each first angle to the second one. Exit code 4 when there is\n"
+      "Touching is allowed. In radians, counter-clockwise from each first angle to the second one. Exit code 4 when "
+      "there is\n"
       "no angle at a single place.\nExample: dymsum angles 'swim.json#3' 'swim.json#0' --repair --at 2000,100");
   verb.callback([command, &action] { action = [command] { return run_angles(*command); }; });
 }

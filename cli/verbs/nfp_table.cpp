@@ -61,7 +61,8 @@ void check_table_outputs(const TableCommand& command) {
   if (command.cache.empty()) refuse_options(parser, {"--shard", "--merge"}, "wants --cache, the folder of all shards");
   if (!command.shard.empty())
     refuse_options(parser, {"--merge", "-o"}, "is not for one shard: --merge writes the table when all are there");
-  if (command.merge) refuse_options(parser, {"--threads", "--time", "--pair-time"}, "is for computing, not for --merge");
+  if (command.merge)
+    refuse_options(parser, {"--threads", "--time", "--pair-time"}, "is for computing, not for --merge");
 }
 
 TableOptions options_of(const TableCommand& command) {
@@ -139,14 +140,13 @@ ExitCode run_nfp_table(const TableCommand& command) {
   TableOptions options = options_of(command);
   const std::vector<Rational> degrees =
       command.orientations.empty() ? std::vector<Rational>{} : orientations_in(command.orientations);
-  NestingInstance instance =
-      require(parse_nesting_instance(file_text(command.instance), shown_file(command.instance)));
-  const NfpTable table = table_of(shown_file(command.instance), std::move(instance), degrees, command.error, command.input);
+  NestingInstance instance = require(parse_nesting_instance(file_text(command.instance), shown_file(command.instance)));
+  const NfpTable table =
+      table_of(shown_file(command.instance), std::move(instance), degrees, command.error, command.input);
   const InterruptGuard guard;
   std::optional<ProgressBar> bar(std::in_place);
   options.progress = bar->callback();
-  const auto [result, timing] =
-      timed(command.report.repeat, [&] { return require(compute_table(table, options)); });
+  const auto [result, timing] = timed(command.report.repeat, [&] { return require(compute_table(table, options)); });
   bar.reset();
   warn_of_cache(result);
   if (command.merge) require_all(command, table, result);
@@ -180,22 +180,25 @@ void add_cache_options(CLI::App& verb, TableCommand& command) {
 void add_nfp_table(CLI::App& app, Action& action) {
   auto command = std::make_shared<TableCommand>();
   CLI::App& verb = *app.add_subcommand(
-      "nfp-table", "All no-fit polygons of pairs of items of a nesting instance, and the inner fits of its bins and strip");
+      "nfp-table",
+      "All no-fit polygons of pairs of items of a nesting instance, and the inner fits of its bins and strip");
   command->parser = &verb;
   verb.add_option("INSTANCE", command->instance, "The instance: a .json file with items, or - for standard input")
       ->required()
       ->type_name("");
-  verb.add_option("--orientations", command->orientations,
-                  "Orientations of all items instead of those that the instance allows: how many equally spaced ones, or "
-                  "degrees as 0deg,90deg")
+  verb.add_option(
+          "--orientations", command->orientations,
+          "Orientations of all items instead of those that the instance allows: how many equally spaced ones, or "
+          "degrees as 0deg,90deg")
       ->type_name("N|LIST");
   within(verb.add_option("--error", command->error, "Largest error of angles other than quarter turns, in radians"),
          0x1p-49)
       ->type_name("E")
       ->capture_default_str();
-  verb.add_option("-o", command->outputs,
-                  "Write the table; repeatable; .jsonl rows, with their geometry unless there is a .wkb; .wkb geometry; "
-                  ".json manifest; - rows on standard output")
+  verb.add_option(
+          "-o", command->outputs,
+          "Write the table; repeatable; .jsonl rows, with their geometry unless there is a .wkb; .wkb geometry; "
+          ".json manifest; - rows on standard output")
       ->type_name("FILE")
       ->allow_extra_args(false);
   add_cache_options(verb, *command);

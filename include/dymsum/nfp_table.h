@@ -1,6 +1,6 @@
-// Tables of no-fit polygons: all pairs of the items of a nesting instance, and the inner fits of its bins and its strip.
-// Rows are computed once for whatever shapes are the same, on several threads, in shards, kept in a folder, and written
-// as the same bytes whatever the history was (docs/design/nfp-table.md).
+// Tables of no-fit polygons: all pairs of the items of a nesting instance, and the inner fits of its bins and its
+// strip. Rows are computed once for whatever shapes are the same, on several threads, in shards, kept in a folder, and
+// written as the same bytes whatever the history was (docs/design/nfp-table.md).
 #pragma once
 
 #include <array>
@@ -93,9 +93,9 @@ class NfpTable {
   /// Rows in the order of their indices: nfp by fixed item, moving item, relative angle; then bins, then the strip. The
   /// relative angles of A and B are the differences of an orientation of B and one of A, which serve all such pairs:
   /// turned by R(a), row(A, B, b - a) is the no-fit polygon of A turned by a and B turned by b. O(rows), and a hash of
-  /// every shape. Errors: unsupported_operand for an item or a bin that is empty, for an item without orientations, for a
-  /// bin with polylines or points; out_of_range for angle errors below 2^-49, strip heights that
-  /// are not positive and finite, and more than 2^32 - 2 rows.
+  /// every shape. Errors: unsupported_operand for an item or a bin that is empty, for an item without orientations, for
+  /// a bin with polylines or points; out_of_range for angle errors below 2^-49, strip heights that are not positive and
+  /// finite, and more than 2^32 - 2 rows.
   static Result<NfpTable> create(TableInput input);
 
   const TableInput& input() const;
@@ -114,7 +114,7 @@ class NfpTable {
 };
 
 struct TableOptions {
-  int threads = 0;                     ///< 0: as many as there are cores; the answers do not depend on it
+  int threads = 0;                      ///< 0: as many as there are cores; the answers do not depend on it
   std::uint32_t shard = 1, shards = 1;  ///< compute the tasks of one shard alone, from 1 on
   double pair_seconds = std::numeric_limits<double>::infinity();  ///< for a task
   double all_seconds = std::numeric_limits<double>::infinity();   ///< for all tasks
@@ -142,14 +142,14 @@ struct TableResult {
 };
 
 /// The answers of a table. Answers that are done or refused are kept; those of tasks that ran out of time are computed
-/// again by the next call. Killed at any moment, the store keeps what was finished. Errors: out_of_range for a shard that
-/// is not one of 1 to `shards`, and limits of time that are not positive; cannot_open, cannot_write for the store;
+/// again by the next call. Killed at any moment, the store keeps what was finished. Errors: out_of_range for a shard
+/// that is not one of 1 to `shards`, and limits of time that are not positive; cannot_open, cannot_write for the store;
 /// cancelled. Cost: tasks times that of nfp, and of reading the whole store.
 Result<TableResult> compute_table(const NfpTable& table, const TableOptions& options = {});
 
 /// Rows as JSON lines, one object each (docs/guide/nesting.md). With `inline_geometry` each holds its geometry in
-/// hexadecimal digits as `wkb`, else where it is in table_geometry(): `offset` and `bytes`. Requires: an answer to every
-/// row (else std::invalid_argument).
+/// hexadecimal digits as `wkb`, else where it is in table_geometry(): `offset` and `bytes`. Requires: an answer to
+/// every row (else std::invalid_argument).
 std::string table_rows(const NfpTable& table, const TableResult& result, bool inline_geometry);
 /// The geometry of all rows, one after the other. Requires the same.
 std::string table_geometry(const NfpTable& table, const TableResult& result);

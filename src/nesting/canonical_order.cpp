@@ -10,7 +10,8 @@ namespace {
 bool less(Point a, Point b) { return a.x != b.x ? a.x < b.x : a.y < b.y; }
 
 bool less(const std::vector<Point>& a, const std::vector<Point>& b) {
-  return std::lexicographical_compare(a.begin(), a.end(), b.begin(), b.end(), [](Point p, Point q) { return less(p, q); });
+  return std::lexicographical_compare(a.begin(), a.end(), b.begin(), b.end(),
+                                      [](Point p, Point q) { return less(p, q); });
 }
 
 bool less(const Part& a, const Part& b) {
@@ -30,8 +31,7 @@ void drop_negative_zeros(std::vector<Point>& points) {
 
 void begin_smallest(Ring& ring) {
   drop_negative_zeros(ring);
-  const auto smallest =
-      std::min_element(ring.begin(), ring.end(), [](Point a, Point b) { return less(a, b); });
+  const auto smallest = std::min_element(ring.begin(), ring.end(), [](Point a, Point b) { return less(a, b); });
   const Point first = *smallest;
   std::rotate(ring.begin(), smallest, ring.end());
   // A ring that touches itself there begins in several ways.

@@ -117,7 +117,8 @@ std::optional<Error> wrong(const TableOptions& options) {
   const auto out_of_range = [](const char* what) { return Error{ErrorCode::out_of_range, what, {}}; };
   if (options.shard < 1 || options.shard > options.shards)
     return out_of_range("a shard is one of 1 to the number of shards");
-  if (!(options.pair_seconds > 0) || !(options.all_seconds > 0)) return out_of_range("a limit of time has to be positive");
+  if (!(options.pair_seconds > 0) || !(options.all_seconds > 0))
+    return out_of_range("a limit of time has to be positive");
   return std::nullopt;
 }
 

@@ -62,8 +62,7 @@ std::array<TableAnswer, 2> answers_of(const NfpTable::State& table, const Task& 
     if (rounded.answer.status != TableAnswer::Status::done ||
         rounded.answer.rounding == TableAnswer::Rounding::repaired)
       answers[1] = answers_of(table, {task.mirror, Task::kNone}, progress)[0];
-    else
-      answers[1] = with_geometry(rounded.answer, mirrored(rounded.data, *table.quarters[row.angle]));
+    else answers[1] = with_geometry(rounded.answer, mirrored(rounded.data, *table.quarters[row.angle]));
   }
   answers[0] = rounded.answer.status == TableAnswer::Status::done
                    ? with_geometry(std::move(rounded.answer), std::move(rounded.data))

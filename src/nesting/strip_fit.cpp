@@ -84,7 +84,8 @@ TableAnswer strip_answer(const NfpTable::State& table, const TableRow& row) {
   const StripFit fit{true, exact::round_to_double(left), exact::round_to_double(low), exact::round_to_double(high)};
   if (!std::isfinite(fit.x_min) || !std::isfinite(fit.y_min) || !std::isfinite(fit.y_max)) {
     answer.status = TableAnswer::Status::refused;
-    answer.error = Error{ErrorCode::rounding_changed_topology, "a position in the strip leaves the range of doubles", {}};
+    answer.error =
+        Error{ErrorCode::rounding_changed_topology, "a position in the strip leaves the range of doubles", {}};
     return answer;
   }
   answer.strip = fit;

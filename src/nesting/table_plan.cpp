@@ -179,8 +179,8 @@ class Planner {
 
   NfpTable::State& state_;
   std::map<Rational, std::uint32_t> angle_of_;
-  std::vector<std::set<Rational>> sets_;  ///< of orientations, each once
-  std::vector<std::size_t> set_of_;       ///< by item
+  std::vector<std::set<Rational>> sets_;                       ///< of orientations, each once
+  std::vector<std::size_t> set_of_;                            ///< by item
   std::vector<std::vector<std::uint32_t>> own_, differences_;  ///< angles, by set and by pair of sets (from, to)
 };
 

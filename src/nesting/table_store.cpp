@@ -45,8 +45,8 @@ Error store_error(ErrorCode code, const std::string& what, const fs::path& path)
 
 /// What was found in a file.
 struct Scan {
-  std::size_t good = 0;  ///< bytes from its beginning
-  std::string why;       ///< what is wrong behind them; empty where nothing is
+  std::size_t good = 0;     ///< bytes from its beginning
+  std::string why;          ///< what is wrong behind them; empty where nothing is
   bool unfinished = false;  ///< it ends within a record, as where a process is writing or was killed
 };
 
@@ -61,7 +61,8 @@ class StoreReader {
   Scan scan(std::string_view bytes) {
     if (bytes.empty()) return {};
     const std::string header = store_header();
-    if (header.starts_with(bytes.substr(0, kHeader)) && bytes.size() < kHeader) return {0, "its header is cut off", true};
+    if (header.starts_with(bytes.substr(0, kHeader)) && bytes.size() < kHeader)
+      return {0, "its header is cut off", true};
     if (!bytes.starts_with(header)) return {0, "it is not a store of this version, or its header is damaged", false};
     std::size_t at = kHeader;
     while (at < bytes.size()) {

@@ -66,9 +66,7 @@ std::string hex_of(const base::Digest& digest) {
 }
 
 /// A text in JSON: bytes that are no text are replaced.
-std::string quoted(const std::string& text) {
-  return Json(text).dump(-1, ' ', false, Json::error_handler_t::replace);
-}
+std::string quoted(const std::string& text) { return Json(text).dump(-1, ' ', false, Json::error_handler_t::replace); }
 
 std::string number_text(double value) {
   std::string text;
@@ -153,9 +151,7 @@ Json degrees_json(const std::vector<Rational>& degrees) {
   return list;
 }
 
-Json text_json(const std::string& text) {
-  return {{"bytes", text.size()}, {"sha256", hex_of(base::sha256(text))}};
-}
+Json text_json(const std::string& text) { return {{"bytes", text.size()}, {"sha256", hex_of(base::sha256(text))}}; }
 
 Json counts_json(const NfpTable::State& table, const TableResult& result) {
   std::map<std::string, std::uint64_t> counts{{"done", 0}, {"refused", 0}, {"timed_out", 0}};
@@ -196,16 +192,15 @@ std::string table_manifest(const NfpTable& table, const TableResult& result, boo
     angles.push_back({{"degrees", angle.degrees.to_double()},
                       {"tan_half", nesting::tangent_of(angle.orientation)},
                       {"error", angle.error}});
-  const Json manifest = {
-      {"format", "dymsum nfp table"},
-      {"format_version", 1},
-      {"items", std::move(items)},
-      {"bins", std::move(bins)},
-      {"strip_height", state.input.strip_height ? Json(*state.input.strip_height) : Json(nullptr)},
-      {"angles", std::move(angles)},
-      {"rows", nesting::counts_json(state, result)},
-      {"row_text", nesting::text_json(table_rows(table, result, inline_geometry))},
-      {"geometry", nesting::text_json(table_geometry(table, result))}};
+  const Json manifest = {{"format", "dymsum nfp table"},
+                         {"format_version", 1},
+                         {"items", std::move(items)},
+                         {"bins", std::move(bins)},
+                         {"strip_height", state.input.strip_height ? Json(*state.input.strip_height) : Json(nullptr)},
+                         {"angles", std::move(angles)},
+                         {"rows", nesting::counts_json(state, result)},
+                         {"row_text", nesting::text_json(table_rows(table, result, inline_geometry))},
+                         {"geometry", nesting::text_json(table_geometry(table, result))}};
   return manifest.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
 }
 

@@ -93,8 +93,9 @@ class JsonReports : public CliTest {
     work.write("frame.wkt", kFrame);
     work.write("two.wkt", "POINT (1 2)\nPOLYGON ((0 0, 1 0, 0 1, 0 0))\n");
     work.write("bow.wkt", kBow);
-    work.write("parts.json",
-               R"({"items":[{"allowed_orientations":[0,9],"shape":{"type":"simple_polygon","data":[[0,0],[1,0],[0,1]]}}]})");
+    work.write(
+        "parts.json",
+        R"({"items":[{"allowed_orientations":[0,9],"shape":{"type":"simple_polygon","data":[[0,0],[1,0],[0,1]]}}]})");
     std::filesystem::create_directories(work.folder() / "work" / "answers");
     work.write("answers/damaged.nfpt", "not one of ours");
     work.write("poses.txt", "1,6,0\n1,1,0\n");

@@ -30,11 +30,12 @@ class NfpTables : public CliTest {
  protected:
   NfpTables() {
     const std::string two = R"(,"allowed_orientations":[0,180])";
-    work.write("small.json",
-               instance_text({item_text("ell", shapes::letter_l(3, 3, 1), two), item_text("u", shapes::letter_u(3, 3, 1), two),
-                              item_text("star", shapes::star(5, 1, 2), R"(,"allowed_orientations":[0,22.5])")},
-                             R"(,"strip_height":5,"bins":[{"shape":{"type":"rectangle","data":)"
-                             R"({"x_min":0,"y_min":0,"width":8,"height":5}}}])"));
+    work.write(
+        "small.json",
+        instance_text({item_text("ell", shapes::letter_l(3, 3, 1), two), item_text("u", shapes::letter_u(3, 3, 1), two),
+                       item_text("star", shapes::star(5, 1, 2), R"(,"allowed_orientations":[0,22.5])")},
+                      R"(,"strip_height":5,"bins":[{"shape":{"type":"rectangle","data":)"
+                      R"({"x_min":0,"y_min":0,"width":8,"height":5}}}])"));
     std::vector<std::string> stars;
     for (int k = 0; k < 8; ++k)
       stars.push_back(item_text(std::to_string(k), shapes::noisy_star(60, 0.7, static_cast<std::uint64_t>(k) + 1)));
@@ -102,8 +103,9 @@ TEST_F(NfpTables, ShardsAreMergedToTheSameBytes) {
 
 TEST_F(NfpTables, AnswersAreTakenFromAnotherInstance) {
   done("dymsum nfp-table small.json --cache c");
-  work.write("other.json", instance_text({item_text("renamed", shapes::star(5, 1, 2), R"(,"allowed_orientations":[22.5,0])"),
-                                          item_text("new", shapes::rectangle(0, 0, 2, 1), R"(,"allowed_orientations":[0])")}));
+  work.write("other.json",
+             instance_text({item_text("renamed", shapes::star(5, 1, 2), R"(,"allowed_orientations":[22.5,0])"),
+                            item_text("new", shapes::rectangle(0, 0, 2, 1), R"(,"allowed_orientations":[0])")}));
   const Json report = json("dymsum nfp-table other.json --cache c --json");
   EXPECT_GT(report["computed"], 0);
   EXPECT_LT(report["computed"], report["tasks"]);
@@ -124,7 +126,9 @@ TEST_F(NfpTables, KillsLoseNothing) {
       break;
     }
     ++killed;
-    if (work.exists("rows.jsonl")) EXPECT_EQ(work.read("rows.jsonl"), work.read("whole.jsonl")) << "half a table";
+    if (work.exists("rows.jsonl")) {
+      EXPECT_EQ(work.read("rows.jsonl"), work.read("whole.jsonl")) << "half a table";
+    }
   }
   EXPECT_GT(killed, 0);
   EXPECT_EQ(resumed, 1) << "nothing of what the killed runs had done was used";

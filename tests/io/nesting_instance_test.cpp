@@ -91,7 +91,8 @@ TEST(NestingInstance, damage_is_told) {
       instance("\n" + item(R"(,"id":"a","demand":3,"allowed_orientations":[0.0,180.0])") + ",\n" +
                    item(R"(,"allowed_orientations":[0,90.5,180])"),
                R"(,"name":"test","strip_height":40.5,"bins":[{)" + std::string(kShape) + R"(,"zones":[]}])");
-  const std::vector<std::string> words = {"NaN", "1e999", "-1", "[", "]", "{", "}", "\"", ",", "null", "\n", "1e300", ""};
+  const std::vector<std::string> words = {"NaN", "1e999", "-1",   "[",  "]",     "{", "}",
+                                          "\"",  ",",     "null", "\n", "1e300", ""};
   int good = 0, bad = 0;
   for (std::uint64_t seed = 1; seed <= 3000; ++seed) {
     const std::string text = io_test::Damage(seed, words)(whole, whole);

@@ -36,10 +36,12 @@ constexpr const char* kSquare = "10\n0\n20\n0\n10\n2\n20\n0\n10\n2\n20\n2\n10\n0
 TEST(ReadDxf, polylines_are_rings_where_they_are_closed) {
   const Ring square = {{0, 0}, {2, 0}, {2, 2}, {0, 2}};
   EXPECT_EQ(drawn("0\nLWPOLYLINE\n90\n4\n70\n1\n" + std::string(kSquare)), (RegionData{{{square, {}}}, {}, {}}));
-  EXPECT_EQ(drawn("0\nLWPOLYLINE\n70\n0\n" + std::string(kSquare) + "10\n0\n20\n0\n"), (RegionData{{{square, {}}}, {}, {}}));
+  EXPECT_EQ(drawn("0\nLWPOLYLINE\n70\n0\n" + std::string(kSquare) + "10\n0\n20\n0\n"),
+            (RegionData{{{square, {}}}, {}, {}}));
   EXPECT_EQ(drawn("0\nLWPOLYLINE\n" + std::string(kSquare)), (RegionData{{}, {square}, {}}));
-  const std::string old = "0\nPOLYLINE\n66\n1\n70\n1\n0\nVERTEX\n10\n0\n20\n0\n0\nVERTEX\n10\n2\n20\n0\n0\nVERTEX\n10\n2\n20\n2\n"
-                          "0\nVERTEX\n10\n0\n20\n2\n0\nSEQEND\n";
+  const std::string old =
+      "0\nPOLYLINE\n66\n1\n70\n1\n0\nVERTEX\n10\n0\n20\n0\n0\nVERTEX\n10\n2\n20\n0\n0\nVERTEX\n10\n2\n20\n2\n"
+      "0\nVERTEX\n10\n0\n20\n2\n0\nSEQEND\n";
   EXPECT_EQ(drawn(old), (RegionData{{{square, {}}}, {}, {}}));
 }
 
@@ -83,24 +85,24 @@ TEST(ReadDxf, bulges_are_arcs_between_exact_ends) {
   const auto chain = [](const std::string& b) {
     return drawn(polyline("0", {{10, "2"}, {20, "0"}, {42, b}, {10, "0"}, {20, "2"}})).polylines.at(0);
   };
-  for (const std::string& b : {quarter, "-2.4142135623730949"}) {
+  for (const std::string& b : std::vector<std::string>{quarter, "-2.4142135623730949"}) {
     const Polyline bent = chain(b);
     EXPECT_EQ(bent.front(), (Point{2, 0}));
     EXPECT_EQ(bent.back(), (Point{0, 2}));
     EXPECT_GT(bent.size(), 18u);
-    if (b == quarter) expect_on_circle(bent, {0, 0}, 2);
-    else expect_on_circle(bent, {2, 2}, 2);
+    expect_on_circle(bent, {0, 0}, 2);  // a quarter counter-clockwise, three quarters clockwise
   }
   EXPECT_GT(chain("-2.4142135623730949").size(), chain(quarter).size());
   // Half a circle, either way.
-  for (const std::string& b : {"1", "-1"}) {
+  for (const std::string& b : std::vector<std::string>{"1", "-1"}) {
     const Polyline half = drawn(polyline("0", {{10, "-3"}, {20, "0"}, {42, b}, {10, "3"}, {20, "0"}})).polylines.at(0);
     expect_on_circle(half, {0, 0}, 3);
-    EXPECT_EQ(half[half.size() / 2].y < 0, b == std::string("1")) << "counter-clockwise from left to right is below";
+    EXPECT_EQ(half[half.size() / 2].y < 0, b == "1") << "counter-clockwise from left to right is below";
   }
   EXPECT_EQ(chain("0").size(), 2u);
   // An arc that is nearly straight keeps its sagitta of a bulge times half the chord.
-  const Polyline flat = drawn(polyline("0", {{10, "0"}, {20, "0"}, {42, "0.02"}, {10, "10"}, {20, "0"}})).polylines.at(0);
+  const Polyline flat =
+      drawn(polyline("0", {{10, "0"}, {20, "0"}, {42, "0.02"}, {10, "10"}, {20, "0"}})).polylines.at(0);
   ASSERT_EQ(flat.size(), 2u) << "0.08 radians are one step";
 }
 
@@ -141,7 +143,7 @@ TEST(ReadDxf, texts_as_programs_write_them) {
 
 void refused(const std::string& entities, std::int64_t entity_line, std::string_view words,
              ErrorCode code = ErrorCode::malformed) {
-  constexpr std::int64_t kBefore = 12;  // lines of the header, and of the section's beginning
+  constexpr std::int64_t kBefore = 14;  // lines of the header, and of the section's beginning
   expect_refused(drawing(entities), RegionFormat::dxf, code, kBefore + entity_line, words);
 }
 
@@ -167,7 +169,8 @@ TEST(ReadDxf, what_cannot_be_read_is_told) {
   refused("0\nPOLYLINE\n70\n64\n0\nSEQEND\n", 2, "meshes");
   refused("0\nPOLYLINE\n0\nLINE\n", 2, "not ended by SEQEND");
   refused("0\nPOLYLINE\n0\nVERTEX\n10\n0\n20\n0\n", 2, "not ended by SEQEND");
-  refused(line("0", "0", "1", "0") + line("0", "0", "2", "0") + line("0", "0", "3", "0"), 34, "more than two lines or arcs end at 0 0");
+  refused(line("0", "0", "1", "0") + line("0", "0", "2", "0") + line("0", "0", "3", "0"), 34,
+          "more than two lines or arcs end at 0 0");
   const auto bad = [](std::string_view text, std::int64_t at, ErrorCode code, std::string_view words) {
     expect_refused(text, RegionFormat::dxf, code, at, words);
   };

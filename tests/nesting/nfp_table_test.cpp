@@ -26,7 +26,8 @@ std::vector<Rational> degrees_of(const std::vector<double>& values) {
 /// Convex, with a notch, with a hole in which the first one fits exactly, and one of them once more.
 TableInput small_input() {
   const Region square = shapes::rectangle(0, 0, 2, 2), ell = shapes::letter_l(3, 3, 1);
-  const Region frame = made_region({{{{{-1, -1}, {6, -1}, {6, 6}, {-1, 6}}, {{{1, 1}, {1, 3}, {3, 3}, {3, 1}}}}}, {}, {}});
+  const Region frame =
+      made_region({{{{{-1, -1}, {6, -1}, {6, 6}, {-1, 6}}, {{{1, 1}, {1, 3}, {3, 3}, {3, 1}}}}}, {}, {}});
   TableInput input;
   const std::vector<Rational> four = degrees_of({0, 90, 180, 270}), two = degrees_of({0, 30.5});
   input.items = {{"square", square, four}, {"ell", ell, two}, {"frame", frame, four}, {"again", ell, two}};

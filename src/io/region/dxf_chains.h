@@ -21,8 +21,8 @@ struct DxfChains {
 };
 
 /// Joins ends that are equal, then ends within the reach of arcs; at a joint the coordinates of a line count. Closed
-/// chains are rings. Error malformed where more than two ends meet. O(n log n) unless very many ends are within reach of
-/// one another; beyond 10^8 comparisons that is an error, too.
+/// chains are rings. Error malformed where more than two ends meet. O(n log n) unless very many ends are within reach
+/// of one another; beyond 10^8 comparisons that is an error, too.
 DxfChains join_pieces(const Source& source, std::vector<DxfPiece> pieces);
 
 }  // namespace dymsum::io

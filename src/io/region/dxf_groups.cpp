@@ -43,8 +43,8 @@ std::vector<DxfGroup> dxf_groups(const Source& source) {
     if (without_blanks(code_line).empty() && without_blanks(source.text.substr(at)).empty()) break;
     const std::optional<int> code = whole_number(without_blanks(code_line));
     if (!code)
-      source.fail(ErrorCode::malformed, "expected the code of a group instead of " + in_quotes(without_blanks(code_line)),
-                  code_at);
+      source.fail(ErrorCode::malformed,
+                  "expected the code of a group instead of " + in_quotes(without_blanks(code_line)), code_at);
     if (at >= source.text.size()) break;
     const auto [value, value_at] = take_line();
     groups.push_back({*code, without_blanks(value), value_at});

@@ -12,12 +12,12 @@ namespace dymsum::io {
 
 struct DxfGroup {
   int code = 0;
-  std::string_view value;   ///< without blanks around it
-  std::size_t offset = 0;   ///< of the value
+  std::string_view value;  ///< without blanks around it
+  std::size_t offset = 0;  ///< of the value
 };
 
-/// All groups up to the one that ends the file. Errors: malformed for a code that is none, and for binary files; truncated
-/// where the text ends before that.
+/// All groups up to the one that ends the file. Errors: malformed for a code that is none, and for binary files;
+/// truncated where the text ends before that.
 std::vector<DxfGroup> dxf_groups(const Source& source);
 
 /// An entity: its kind, and its groups.

@@ -51,8 +51,8 @@ Result<RegionFormat> format_of_text(std::string_view text, std::string_view file
   if (begins_like_dxf(text)) return RegionFormat::dxf;
   if (first == '#' || io::is_digit(first)) return RegionFormat::poly;
   if (io::is_letter(first)) return RegionFormat::wkt;
-  return file_error(ErrorCode::unsupported_format, "the text begins like none of .poly, .wkt, .geojson, .svg, .json, .dxf",
-                    file);
+  return file_error(ErrorCode::unsupported_format,
+                    "the text begins like none of .poly, .wkt, .geojson, .svg, .json, .dxf", file);
 }
 
 std::vector<NamedShape> read_format(const io::Source& source, RegionFormat format) {
@@ -121,7 +121,8 @@ Result<std::vector<NamedShape>> read_map(const Selection& selection) {
 Result<RegionFormat> region_format(std::string_view path) {
   if (const auto format = format_of_extension(path)) return *format;
   if (const auto format = format_of_extension(path.substr(0, path.rfind('#')))) return *format;
-  return file_error(ErrorCode::unsupported_format, "the extension is none of .poly, .wkt, .geojson, .svg, .json, .dxf", path);
+  return file_error(ErrorCode::unsupported_format, "the extension is none of .poly, .wkt, .geojson, .svg, .json, .dxf",
+                    path);
 }
 
 Result<std::vector<NamedShape>> parse_shapes(std::string_view text, RegionFormat format,
