@@ -51,10 +51,11 @@ RowCounts counts_of(const NfpTable& table, const TableResult& result) {
 
 bool writes_rows(const std::string& file) { return file == "-" || file.ends_with(".jsonl"); }
 bool writes_geometry(const std::string& file) { return file.ends_with(".wkb"); }
+bool writes_manifest(const std::string& file) { return file.ends_with(".json"); }
 
 void check_table_outputs(const TableCommand& command) {
   for (const std::string& file : command.outputs)
-    if (!writes_rows(file) && !writes_geometry(file) && !file.ends_with(".json"))
+    if (!writes_rows(file) && !writes_geometry(file) && !writes_manifest(file))
       throw Stop(kUsage, "-o " + file + ": a table is written as .jsonl (rows), .wkb (geometry) and .json (manifest)");
   const CLI::App& parser = *command.parser;
   if (!command.cache.empty()) refuse_options(parser, {"--repeat"}, "would measure how fast --cache is read");
@@ -79,13 +80,19 @@ TableOptions options_of(const TableCommand& command) {
   return options;
 }
 
-/// Each text is made when its file is to be written.
+/// Rows and geometry are made where an output, or the manifest, wants them.
 void write_table(const TableCommand& command, const NfpTable& table, const TableResult& result) {
-  const bool inline_geometry = std::none_of(command.outputs.begin(), command.outputs.end(), writes_geometry);
+  const auto wants = [&](const auto& kind) {
+    return std::any_of(command.outputs.begin(), command.outputs.end(), kind);
+  };
+  const bool geometry_apart = wants(writes_geometry), manifest = wants(writes_manifest);
+  std::string rows, geometry;
+  if (manifest || wants(writes_rows)) rows = table_rows(table, result, !geometry_apart);
+  if (manifest || geometry_apart) geometry = table_geometry(table, result);
   for (const std::string& file : command.outputs)
-    write_text(file, writes_rows(file)       ? table_rows(table, result, inline_geometry)
-                     : writes_geometry(file) ? table_geometry(table, result)
-                                             : table_manifest(table, result, inline_geometry));
+    write_text(file, writes_rows(file)       ? rows
+                     : writes_geometry(file) ? geometry
+                                             : table_manifest(table, result, rows, geometry));
 }
 
 Json table_json(const TableCommand& command, const NfpTable& table, const TableResult& result, const Timing& timing) {

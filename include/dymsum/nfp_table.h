@@ -9,6 +9,7 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "dymsum/orientation.h"
@@ -153,7 +154,9 @@ Result<TableResult> compute_table(const NfpTable& table, const TableOptions& opt
 std::string table_rows(const NfpTable& table, const TableResult& result, bool inline_geometry);
 /// The geometry of all rows, one after the other. Requires the same.
 std::string table_geometry(const NfpTable& table, const TableResult& result);
-/// The table as one JSON object: items, bins, angles, counts, sizes and SHA-256 of both texts. Requires the same.
-std::string table_manifest(const NfpTable& table, const TableResult& result, bool inline_geometry);
+/// The table as one JSON object: items, bins, angles, counts of rows by status, and the sizes and SHA-256 of both
+/// texts, as they were made of this result. Requires the same.
+std::string table_manifest(const NfpTable& table, const TableResult& result, std::string_view rows,
+                           std::string_view geometry);
 
 }  // namespace dymsum

@@ -50,7 +50,7 @@ class TableRunner {
   }
 
  private:
-  /// What is written at once, or after so long: a death loses no more.
+  /// Answers wait to be written together: at most so many, and only those of so short a time since the last write.
   static constexpr std::size_t kMostKept = 64;
   static constexpr std::chrono::milliseconds kLongestKept{20};
 

@@ -151,7 +151,7 @@ Json degrees_json(const std::vector<Rational>& degrees) {
   return list;
 }
 
-Json text_json(const std::string& text) { return {{"bytes", text.size()}, {"sha256", hex_of(base::sha256(text))}}; }
+Json text_json(std::string_view text) { return {{"bytes", text.size()}, {"sha256", hex_of(base::sha256(text))}}; }
 
 Json counts_json(const NfpTable::State& table, const TableResult& result) {
   std::map<std::string, std::uint64_t> counts{{"done", 0}, {"refused", 0}, {"timed_out", 0}};
@@ -178,7 +178,8 @@ std::string table_geometry(const NfpTable& table, const TableResult& result) {
   return out;
 }
 
-std::string table_manifest(const NfpTable& table, const TableResult& result, bool inline_geometry) {
+std::string table_manifest(const NfpTable& table, const TableResult& result, std::string_view rows,
+                           std::string_view geometry) {
   using nesting::Json;
   const NfpTable::State& state = table.state();
   Json items = Json::array(), bins = Json::array(), angles = Json::array();
@@ -199,8 +200,8 @@ std::string table_manifest(const NfpTable& table, const TableResult& result, boo
                          {"strip_height", state.input.strip_height ? Json(*state.input.strip_height) : Json(nullptr)},
                          {"angles", std::move(angles)},
                          {"rows", nesting::counts_json(state, result)},
-                         {"row_text", nesting::text_json(table_rows(table, result, inline_geometry))},
-                         {"geometry", nesting::text_json(table_geometry(table, result))}};
+                         {"row_text", nesting::text_json(rows)},
+                         {"geometry", nesting::text_json(geometry)}};
   return manifest.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
 }
 

@@ -125,8 +125,8 @@ TEST(NfpTable, mirrored_rows_are_the_computed_ones) {
 }
 
 std::vector<std::string> texts_of(const NfpTable& table, const TableResult& result) {
-  return {table_rows(table, result, true), table_rows(table, result, false), table_geometry(table, result),
-          table_manifest(table, result, true)};
+  const std::string rows = table_rows(table, result, true), geometry = table_geometry(table, result);
+  return {rows, table_rows(table, result, false), geometry, table_manifest(table, result, rows, geometry)};
 }
 
 TEST(NfpTable, same_bytes_with_any_number_of_threads) {

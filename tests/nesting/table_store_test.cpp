@@ -36,7 +36,8 @@ TableResult run(const NfpTable& table, const std::string& store, TableOptions op
 }
 
 std::string text_of(const NfpTable& table, const TableResult& result) {
-  return table_rows(table, result, true) + table_manifest(table, result, true);
+  const std::string rows = table_rows(table, result, true);
+  return rows + table_manifest(table, result, rows, table_geometry(table, result));
 }
 
 std::string plain_text() {
