@@ -31,8 +31,8 @@ constexpr const char* kFooter =
 void add_verbs(CLI::App& app, Action& action) {
   add_sum(app, action);
   add_nfp(app, action);
-  add_nfp_table(app, action);
   add_erode(app, action);
+  add_nfp_table(app, action);
   add_opening(app, action);
   add_closing(app, action);
   add_offset(app, action);
