@@ -28,7 +28,7 @@ std::vector<Rational> equally_spaced(std::uint32_t count) {
 }  // namespace
 
 std::vector<Rational> orientations_in(const std::string& text) {
-  constexpr std::uint32_t kMost = 100000;
+  constexpr std::uint32_t kMost = 3600;
   if (const std::optional<std::uint32_t> count = count_in(text); count && *count >= 1 && *count <= kMost)
     return equally_spaced(*count);
   std::vector<Rational> degrees;
@@ -36,7 +36,7 @@ std::vector<Rational> orientations_in(const std::string& text) {
     const std::optional<Angle> angle = angle_in(piece);
     if (!angle || !angle->degrees)
       throw Stop(kUsage,
-                 "--orientations wants a count of equally spaced ones from 1 to 100000, or degrees as 0deg,45deg, "
+                 "--orientations wants a count of equally spaced ones from 1 to 3600, or degrees as 0deg,45deg, "
                  "not '" +
                      text + "'");
     degrees.push_back(angle->exact);

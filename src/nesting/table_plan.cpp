@@ -87,15 +87,17 @@ class Planner {
       if (fresh) sets_.push_back(std::move(own));
       set_of_.push_back(at->second);
     }
-    for (const std::set<Rational>& from : sets_) {
-      for (const std::set<Rational>& to : sets_) {
-        std::set<Rational> all;
-        for (const Rational& b : to)
-          for (const Rational& a : from) all.insert(reduced(b - a));
-        differences_.push_back(angles(all));
-      }
-    }
     for (const std::set<Rational>& own : sets_) own_.push_back(angles(own));
+  }
+
+  /// The angles of pairs of items whose orientations are these sets.
+  const std::vector<std::uint32_t>& differences(std::size_t from, std::size_t to) {
+    const auto [at, fresh] = differences_.try_emplace({from, to});
+    if (!fresh) return at->second;
+    std::set<Rational> all;
+    for (const Rational& b : sets_[to])
+      for (const Rational& a : sets_[from]) all.insert(reduced(b - a));
+    return at->second = angles(all);
   }
 
   bool add_rows(TableRow row, const std::vector<std::uint32_t>& angles) {
@@ -114,7 +116,7 @@ class Planner {
     using Kind = TableRow::Kind;
     for (std::uint32_t a = 0; a < items; ++a)
       for (std::uint32_t b = 0; b < items; ++b)
-        if (!add_rows({Kind::nfp, a, b, 0, 0}, differences_[set_of_[a] * sets_.size() + set_of_[b]])) return false;
+        if (!add_rows({Kind::nfp, a, b, 0, 0}, differences(set_of_[a], set_of_[b]))) return false;
     for (std::uint32_t c = 0; c < bins; ++c)
       for (std::uint32_t b = 0; b < items; ++b)
         if (!add_rows({Kind::bin_fit, c, b, 0, 0}, own_[set_of_[b]])) return false;
@@ -179,10 +181,14 @@ class Planner {
 
   NfpTable::State& state_;
   std::map<Rational, std::uint32_t> angle_of_;
-  std::vector<std::set<Rational>> sets_;                       ///< of orientations, each once
-  std::vector<std::size_t> set_of_;                            ///< by item
-  std::vector<std::vector<std::uint32_t>> own_, differences_;  ///< angles, by set and by pair of sets (from, to)
+  std::vector<std::set<Rational>> sets_;         ///< of orientations, each once
+  std::vector<std::size_t> set_of_;              ///< by item
+  std::vector<std::vector<std::uint32_t>> own_;  ///< angles, by set
+  std::map<std::pair<std::size_t, std::size_t>, std::vector<std::uint32_t>> differences_;  ///< by sets (from, to)
 };
+
+/// Relative angles are as many as their square, if they are not equally spaced.
+constexpr std::size_t kMostOrientations = 3600;
 
 std::optional<Error> wrong(const TableInput& input) {
   const auto about = [](const std::string& what, const std::string& name, const std::string& why) {
@@ -191,6 +197,8 @@ std::optional<Error> wrong(const TableInput& input) {
   for (const TableItem& item : input.items) {
     if (item.shape.empty()) return about("item", item.name, "is empty");
     if (item.degrees.empty()) return about("item", item.name, "may take no orientation");
+    if (item.degrees.size() > kMostOrientations)
+      return about("item", item.name, "may take more than 3600 orientations");
   }
   for (const TableBin& bin : input.bins) {
     if (bin.shape.parts().empty()) return about("bin", bin.name, "is empty");

@@ -218,6 +218,8 @@ TEST(NfpTable, wrong_input_is_refused) {
   input = small_input();
   input.items[0].degrees.clear();
   EXPECT_EQ(code(input), ErrorCode::unsupported_operand);
+  input.items[0].degrees.assign(3601, Rational(1));
+  EXPECT_EQ(code(input), ErrorCode::unsupported_operand);
   input = small_input();
   input.bins[0].shape = made_region({{}, {}, {{0, 0}}});
   EXPECT_EQ(code(input), ErrorCode::unsupported_operand);

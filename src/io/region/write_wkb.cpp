@@ -1,5 +1,7 @@
 #include "io/region/write_wkb.h"
 
+#include <array>
+#include <bit>
 #include <cstddef>
 #include <cstdint>
 #include <vector>
@@ -19,9 +21,17 @@ void append_kind(std::string& out, std::uint32_t kind) {
   append_bytes(out, kind);
 }
 
+/// Positions are nearly all of a geometry: eight bytes at once.
+void put_coordinate(char* to, double value) {
+  const auto bits = std::bit_cast<std::uint64_t>(value + 0.0);
+  for (unsigned i = 0; i < 8; ++i) to[i] = static_cast<char>((bits >> (8 * i)) & 0xff);
+}
+
 void append_position(std::string& out, Point p) {
-  append_bytes(out, p.x + 0.0);
-  append_bytes(out, p.y + 0.0);
+  std::array<char, 16> bytes;
+  put_coordinate(bytes.data(), p.x);
+  put_coordinate(bytes.data() + 8, p.y);
+  out.append(bytes.data(), bytes.size());
 }
 
 void append_closed(std::string& out, const Ring& ring) {

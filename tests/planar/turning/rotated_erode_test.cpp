@@ -46,7 +46,7 @@ TEST(RotatedErode, by_a_rational_angle_as_by_the_turned_region) {
       options.semantics = semantics;
       const PlanarSum expected = erode(made(p), made(times(turned, 5)), options).value();
       const PlanarSum sum = rotated_erode(made(p), made(q), theta, options).value();
-      ASSERT_TRUE(sum == expected) << oracles::pair_text({p, q});
+      ASSERT_TRUE(sum == expected) << oracles::to_text(p, q, "erode");
       fits += !sum.parts.empty();
       tight += !sum.tight_points.empty() || !sum.tight_segments.empty();
     }
