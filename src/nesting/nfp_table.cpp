@@ -113,6 +113,15 @@ class TableRunner {
   std::atomic<bool> stopped_ = false;
 };
 
+/// Strip fits are too quick to be kept. They are the last rows.
+void fit_strips(const NfpTable::State& table, int threads, TableResult& result) {
+  const std::size_t first = table.rows.size() - (table.answers - table.keys.size());
+  base::parallel_parts(table.rows.size() - first, threads, [&](std::size_t i) {
+    const TableRow& row = table.rows[first + i];
+    result.answers[row.answer] = strip_answer(table, row);
+  });
+}
+
 std::optional<Error> wrong(const TableOptions& options) {
   const auto out_of_range = [](const char* what) { return Error{ErrorCode::out_of_range, what, {}}; };
   if (options.shard < 1 || options.shard > options.shards)
@@ -136,8 +145,7 @@ Result<TableResult> compute_table(const NfpTable& table, const TableOptions& opt
   nesting::TableStore store = std::move(opened).value();
   result.work.store_files = store.files();
   result.work.refused_files = store.refused();
-  for (const TableRow& row : state.rows)
-    if (row.kind == TableRow::Kind::strip_fit) result.answers[row.answer] = nesting::strip_answer(state, row);
+  nesting::fit_strips(state, options.threads, result);
   if (!options.compute) return result;
   if (std::optional<Error> error = nesting::TableRunner(state, options, result, store).run()) return *std::move(error);
   return result;

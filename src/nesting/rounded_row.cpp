@@ -1,6 +1,10 @@
 #include "nesting/rounded_row.h"
 
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
 #include <limits>
+#include <optional>
 #include <utility>
 
 #include "io/region/tight_data.h"
@@ -11,46 +15,67 @@ namespace {
 
 using exact::BigInteger;
 
-/// Whether n / w is a double.
-bool is_double(BigInteger n, BigInteger w) {
-  if (n.is_zero()) return true;
+/// n / w where that is a double.
+std::optional<double> exact_double(BigInteger n, BigInteger w) {
+  if (n.is_zero()) return 0;
   const auto twos = static_cast<int>(lsb(w));
   w >>= twos;
   if (w != 1) {
-    if (!BigInteger(n % w).is_zero()) return false;
+    if (!BigInteger(n % w).is_zero()) return std::nullopt;
     n /= w;
   }
-  n = abs(n);
-  const int low = static_cast<int>(lsb(n)) - twos, high = static_cast<int>(msb(n)) - twos;
+  const bool negative = n.sign() < 0;
+  if (negative) n = -n;
+  const auto shift = static_cast<int>(lsb(n));
+  const int low = shift - twos, high = static_cast<int>(msb(n)) - twos;
   using Limits = std::numeric_limits<double>;
-  return high - low < Limits::digits && high < Limits::max_exponent && low >= Limits::min_exponent - Limits::digits;
+  if (high - low >= Limits::digits || high >= Limits::max_exponent || low < Limits::min_exponent - Limits::digits)
+    return std::nullopt;
+  const double value = std::ldexp(static_cast<double>(static_cast<std::uint64_t>(n >> shift)), low);
+  return negative ? -value : value;
 }
 
-/// Whether vertices are pairs of doubles.
-class ExactVertices {
+/// A sum whose vertices are all pairs of doubles, as it is: nothing is rounded, so nothing can go wrong.
+class ExactData {
  public:
-  explicit ExactVertices(const ExactSource& source) : source_(source) {}
-
-  bool operator()(const SumVertex& vertex) const {
-    ExactSource::Homogeneous exact = source_.homogeneous(vertex);
-    return is_double(std::move(exact.x), exact.w) && is_double(std::move(exact.y), std::move(exact.w));
+  explicit ExactData(const PlanarSum& sum) : source_(*exact_source(sum)) {
+    good_ = take(sum.parts) && take(sum.segments, set_.polylines) && take(sum.points, set_.points) &&
+            take(sum.tight_segments, tight_.polylines) && take(sum.tight_points, tight_.points);
   }
-  bool operator()(const SumSegment& segment) const { return (*this)(segment.from) && (*this)(segment.to); }
-  bool operator()(const SumRing& ring) const { return (*this)(ring.vertices); }
-  bool operator()(const SumPart& part) const { return (*this)(part.outer) && (*this)(part.holes); }
-  template <class T>
-  bool operator()(const std::vector<T>& items) const {
-    for (const T& item : items)
-      if (!(*this)(item)) return false;
-    return true;
-  }
-  bool operator()(const PlanarSum& sum) const {
-    return (*this)(sum.parts) && (*this)(sum.segments) && (*this)(sum.points) && (*this)(sum.tight_segments) &&
-           (*this)(sum.tight_points);
+  /// The closed set with its tight features, or nothing.
+  std::optional<RegionData> data() && {
+    if (!good_) return std::nullopt;
+    return io::with_tight(std::move(set_), tight_);
   }
 
  private:
+  bool take(const SumVertex& vertex, Point& at) const {
+    ExactSource::Homogeneous exact = source_.homogeneous(vertex);
+    const std::optional<double> x = exact_double(std::move(exact.x), exact.w);
+    const std::optional<double> y = x ? exact_double(std::move(exact.y), std::move(exact.w)) : std::nullopt;
+    if (y) at = {*x, *y};
+    return y.has_value();
+  }
+  bool take(const SumRing& ring, Ring& to) const { return take(ring.vertices, to); }
+  bool take(const SumSegment& segment, Polyline& to) const {
+    to.resize(2);
+    return take(segment.from, to[0]) && take(segment.to, to[1]);
+  }
+  template <class From, class To>
+  bool take(const std::vector<From>& from, std::vector<To>& to) const {
+    to.reserve(from.size());
+    return std::all_of(from.begin(), from.end(), [&](const From& one) { return take(one, to.emplace_back()); });
+  }
+  bool take(const std::vector<SumPart>& parts) {
+    return std::all_of(parts.begin(), parts.end(), [&](const SumPart& part) {
+      Part& to = set_.parts.emplace_back();
+      return take(part.outer, to.outer) && take(part.holes, to.holes);
+    });
+  }
+
   const ExactSource& source_;
+  RegionData set_, tight_;
+  bool good_ = false;
 };
 
 bool is_empty(const PlanarSum& sum) {
@@ -68,6 +93,10 @@ RoundedRow rounded_row(const PlanarSum& sum) {
   answer.tight_segments = sum.tight_segments.size();
   answer.tight_points = sum.tight_points.size();
   if (is_empty(sum)) return row;
+  if (std::optional<RegionData> exact = ExactData(sum).data()) {
+    row.data = *std::move(exact);
+    return row;
+  }
   answer.rounding = TableAnswer::Rounding::nearest;
   Result<Region> rounded = sum.rounded();
   if (!rounded) {
@@ -80,10 +109,8 @@ RoundedRow rounded_row(const PlanarSum& sum) {
     }
     answer.rounding = TableAnswer::Rounding::repaired;
     rounded = std::move(repaired).value().region;
-  } else if (ExactVertices(*exact_source(sum))(sum)) {
-    answer.rounding = TableAnswer::Rounding::none;
   }
-  row.data = io::closed_data(sum, *rounded);
+  row.data = io::with_tight(rounded->data(), io::tight_data(sum));
   return row;
 }
 

@@ -52,12 +52,10 @@ RegionData tight_data(const PlanarSum& sum) {
   return TightData(sum).data();
 }
 
-RegionData closed_data(const PlanarSum& sum, const Region& rounded) {
-  const RegionData tight = tight_data(sum);
-  RegionData all = rounded.data();
-  append_new(all.polylines, tight.polylines);
-  append_new(all.points, tight.points);
-  return all;
+RegionData with_tight(RegionData set, const RegionData& tight) {
+  append_new(set.polylines, tight.polylines);
+  append_new(set.points, tight.points);
+  return set;
 }
 
 }  // namespace dymsum::io

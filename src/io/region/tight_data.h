@@ -8,8 +8,8 @@ namespace dymsum::io {
 /// Tight segments as polylines and tight points as points, every vertex correctly rounded.
 RegionData tight_data(const PlanarSum& sum);
 
-/// The rounded set of a sum with its tight features, where they are not pieces of it anyway, behind its own polylines
-/// and points: the same closed set.
-RegionData closed_data(const PlanarSum& sum, const Region& rounded);
+/// A set with its tight features, where they are not pieces of it anyway, behind its own polylines and points: the same
+/// closed set.
+RegionData with_tight(RegionData set, const RegionData& tight);
 
 }  // namespace dymsum::io

@@ -22,7 +22,7 @@ std::string format_sum(const PlanarSum& sum, const Region& rounded, RegionFormat
   if (format == RegionFormat::geojson)
     return R"({"type":"FeatureCollection","features":[)" + feature("sum", R"("tight":false)", rounded.data()) + ",\n" +
            feature("tight", R"("tight":true)", io::tight_data(sum)) + "]}\n";
-  const RegionData all = io::closed_data(sum, rounded);
+  const RegionData all = io::with_tight(rounded.data(), io::tight_data(sum));
   const std::size_t polylines = rounded.polylines().size(), points = rounded.points().size();
   std::string text = io::format_region_data(all, format);
   if (format != RegionFormat::poly) return text;

@@ -55,14 +55,15 @@ TEST(RotatedErode, by_a_rational_angle_as_by_the_turned_region) {
   EXPECT_GT(tight, 20u);
 }
 
-// A frame just as far away as the bar is long would reach the bar where it stands across.
+// Turned, the bar is longer than the room beside the square would be in a frame for bars that stay as they are.
 TEST(RotatedErode, a_long_bar_across_a_square) {
-  const Region square = made({{{{{0, 0}, {64, 0}, {64, 64}, {0, 64}}, {}}}, {}, {}});
-  const Region bar = made({{{{{0, 0}, {63, 63}, {62, 64}, {-1, 1}}, {}}}, {}, {}});
-  const PlanarSum flat = rotated_erode(square, bar, Orientation::of(1, 2).value()).value();
-  EXPECT_TRUE(flat.parts.empty());
-  EXPECT_EQ(rotated_erode(square, bar, {}).value(), erode(square, bar).value());
-  EXPECT_FALSE(rotated_erode(square, bar, {}).value().parts.empty());
+  const Region square = made({{{{{0, 0}, {127, 0}, {127, 127}, {0, 127}}, {}}}, {}, {}});
+  const Region bar = made({{{{{0, 0}, {126, 126}, {125, 127}, {-1, 1}}, {}}}, {}, {}});
+  const PlanarSum turned = rotated_erode(square, bar, Orientation::of(1, 2).value()).value();
+  EXPECT_TRUE(turned.parts.empty() && turned.points.empty() && turned.segments.empty());
+  const PlanarSum as_it_is = rotated_erode(square, bar, {}).value();
+  EXPECT_EQ(as_it_is, erode(square, bar).value());
+  EXPECT_EQ(as_it_is.points.size(), 1u) << "it fits exactly";
 }
 
 TEST(RotatedErode, refuses_what_erode_refuses) {
