@@ -65,9 +65,10 @@ void refuse_unused_format(const std::vector<std::string>& files, const InputOpti
 /// Validates, or repairs where asked, one shape of a file.
 Result<Region> make_region(RegionData data, const std::string& file, const InputOptions& options);
 
-/// The format whose name is given ("poly", "wkt", "geojson", "svg", "json").
+/// The format whose name is given ("poly", "wkt", "geojson", "svg", "json", "dxf").
 RegionFormat format_named(const std::string& name);
-/// poly for digits, comments and signs; svg for "<"; wkt for letters; for "{" json when it has "items", else geojson.
+/// dxf where the text begins like one; poly for digits, comments and signs; svg for "<"; wkt for letters; for "{" json
+/// when it has "items", else geojson.
 RegionFormat format_of_text(std::string_view text);
 
 template <class T>

@@ -20,7 +20,8 @@ namespace {
 using namespace dymsum::cli;
 
 constexpr const char* kFooter =
-    "Files: planar .poly .wkt .geojson .svg .json (nesting instances), maps .yaml .map; FILE#NAME selects one shape of "
+    "Files: planar .poly .wkt .geojson .svg .json (nesting instances) .dxf, maps .yaml .map; FILE#NAME selects one "
+    "shape of "
     "several; - is standard\n"
     "input or output; solid .off .obj .stl .ply, written also as .glb. Results go to standard output, messages to "
     "standard error.\n"
@@ -32,6 +33,7 @@ void add_verbs(CLI::App& app, Action& action) {
   add_sum(app, action);
   add_nfp(app, action);
   add_erode(app, action);
+  add_nfp_table(app, action);
   add_opening(app, action);
   add_closing(app, action);
   add_offset(app, action);
@@ -41,6 +43,7 @@ void add_verbs(CLI::App& app, Action& action) {
   add_slice(app, action);
   add_cspace(app, action);
   add_clearance(app, action);
+  add_angles(app, action);
   add_path(app, action);
   add_depth(app, action);
   add_contains(app, action);

@@ -12,6 +12,7 @@ namespace dymsum::cli {
 void add_sum(CLI::App& app, Action& action);
 void add_nfp(CLI::App& app, Action& action);
 void add_erode(CLI::App& app, Action& action);
+void add_nfp_table(CLI::App& app, Action& action);
 void add_opening(CLI::App& app, Action& action);
 void add_closing(CLI::App& app, Action& action);
 void add_offset(CLI::App& app, Action& action);
@@ -21,6 +22,7 @@ void add_rotate(CLI::App& app, Action& action);
 void add_slice(CLI::App& app, Action& action);
 void add_cspace(CLI::App& app, Action& action);
 void add_clearance(CLI::App& app, Action& action);
+void add_angles(CLI::App& app, Action& action);
 void add_path(CLI::App& app, Action& action);
 void add_depth(CLI::App& app, Action& action);
 void add_contains(CLI::App& app, Action& action);

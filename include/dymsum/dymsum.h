@@ -13,6 +13,8 @@
 #include "dymsum/mesh.h"
 #include "dymsum/mesh_io.h"
 #include "dymsum/motion.h"
+#include "dymsum/nesting.h"
+#include "dymsum/nfp_table.h"
 #include "dymsum/obstacle_file.h"
 #include "dymsum/obstacle_mesh.h"
 #include "dymsum/obstacle_queries.h"

@@ -11,4 +11,9 @@ namespace dymsum {
 Result<PlanarSum> rotated_sum(const Region& p, const Region& q, const Orientation& theta,
                               const SumOptions& options = {});
 
+/// P (-) R(theta) Q = { x : x + R(theta) Q inside P }, Q never rounded. Provenance indices refer to P and Q. Errors as
+/// erode.
+Result<PlanarSum> rotated_erode(const Region& p, const Region& q, const Orientation& theta,
+                                const SumOptions& options = {});
+
 }  // namespace dymsum

@@ -15,11 +15,15 @@ namespace dymsum {
 
 /// poly: the thesis's format (number of chains; per chain `n out|in`, n points, their order on an index line or more; #
 /// comments; glued numbers such as `-6.64248.788605` are split). wkt: any geometry. geojson: geometry, feature or
-/// collection. svg: path, polygon, polyline, rect, circle-free. json: a nesting instance with `items`.
-enum class RegionFormat { poly, wkt, geojson, svg, json };
+/// collection. svg: path, polygon, polyline, rect, circle-free. json: a nesting instance with `items`. dxf: polylines
+/// with bulges, lines, arcs, circles, points; arcs as chords (docs/guide/files.md).
+enum class RegionFormat { poly, wkt, geojson, svg, json, dxf };
 
 /// The format a path's extension names.
 Result<RegionFormat> region_format(std::string_view path);
+/// Whether a text begins as .dxf files do: with a section, or with a comment that is not a number, on the line behind
+/// its code. Other formats never do.
+bool begins_like_dxf(std::string_view text);
 /// Whether read_shapes reads files of that name, by the extension, perhaps in front of a "#": those formats and maps.
 bool names_region(const std::string& path);
 

@@ -53,6 +53,8 @@ const std::vector<Case> kCases = {
     {"cspace", "cspace peg.wkt frame.wkt -o out.glb"},
     {"clearance", "clearance peg.wkt slot.wkt --at 1,6,0 --at 1,1,90deg"},
     {"clearance", "clearance peg.wkt slot.wkt --at 1,6,0 --weight inf"},
+    {"angles", "angles peg.wkt slot.wkt --at 1,6 --at 1,2 --at 2,2"},
+    {"nfp_table", "nfp-table parts.json --cache answers"},
     {"path", "path peg.wkt slot.wkt --from 1,6,0 --to 1,1,0"},
     {"path", "path peg.wkt slot.wkt --from 1,6,0 --to 1,1,0 --strict", 4},
     {"path", "path square.wkt frame.wkt --from 1.5,1.5,0 --to 9,9,0", 4},
@@ -91,6 +93,11 @@ class JsonReports : public CliTest {
     work.write("frame.wkt", kFrame);
     work.write("two.wkt", "POINT (1 2)\nPOLYGON ((0 0, 1 0, 0 1, 0 0))\n");
     work.write("bow.wkt", kBow);
+    work.write(
+        "parts.json",
+        R"({"items":[{"allowed_orientations":[0,9],"shape":{"type":"simple_polygon","data":[[0,0],[1,0],[0,1]]}}]})");
+    std::filesystem::create_directories(work.folder() / "work" / "answers");
+    work.write("answers/damaged.nfpt", "not one of ours");
     work.write("poses.txt", "1,6,0\n1,1,0\n");
     work.write("copies.txt", "1 0 0\n3/2 9 0\n");
     work.write("cube.off", kCube);

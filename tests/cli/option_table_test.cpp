@@ -56,6 +56,9 @@ std::set<std::string> options_of(const std::string& help) {
   return options;
 }
 
+constexpr const char* kParts =
+    R"({"items":[{"allowed_orientations":[0,180],"shape":{"type":"simple_polygon","data":[[0,0],[3,0],[3,1],[0,2]]}}]})";
+
 std::string first_word(const std::string& text) { return text.substr(0, text.find(' ')); }
 
 class OptionTable : public testing::TestWithParam<Section> {
@@ -71,6 +74,7 @@ class OptionTable : public testing::TestWithParam<Section> {
                                             {"turned.wkt", "POLYGON ((2 1, 0 1, 0 0, 2 0, 2 1))\n"},
                                             {"cube.off", kCube},
                                             {"wedge.off", kTetrahedron},
+                                            {"parts.json", kParts},
                                             {"copies.txt", "1 0 0\n3/2 9 0\n"},
                                             {"poses.txt", "1,6,0\n1,9,0\n"},
                                             {"places.txt", "3,3\n"},
@@ -80,7 +84,7 @@ class OptionTable : public testing::TestWithParam<Section> {
     const Outcome outcome = work.run(command + " < peg.wkt");
     std::string seen = outcome.out + outcome.err;
     for (const char* file : {"out.wkt", "out.svg", "out.off", "out.json", "out.html", "out.glb", "out.poly",
-                             "out.obstacle", "more.svg", "more.json"})
+                             "out.obstacle", "out.jsonl", "out.wkb", "more.svg", "more.json"})
       if (work.exists(file)) seen += file + work.read(file);
     return {outcome, without_times(seen)};
   }

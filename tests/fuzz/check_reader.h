@@ -30,8 +30,8 @@ inline std::string check_reader(std::string_view text, RegionFormat format) {
   for (const NamedShape& shape : *shapes) {
     const auto region = Region::create(shape.data);
     if (!region) continue;
-    for (const RegionFormat other :
-         {RegionFormat::poly, RegionFormat::wkt, RegionFormat::geojson, RegionFormat::svg, RegionFormat::json}) {
+    for (const RegionFormat other : {RegionFormat::poly, RegionFormat::wkt, RegionFormat::geojson, RegionFormat::svg,
+                                     RegionFormat::json, RegionFormat::dxf}) {
       const auto again = parse_shapes(format_region(*region, other), other, "again");
       if (!again) return "our own text is refused: " + again.error().to_string();
       if (again->size() != 1 || again->front().data != region->data())

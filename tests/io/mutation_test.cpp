@@ -9,7 +9,8 @@ namespace {
 constexpr std::pair<const char*, RegionFormat> kFolders[] = {{"read_poly", RegionFormat::poly},
                                                              {"read_wkt", RegionFormat::wkt},
                                                              {"read_json", RegionFormat::json},
-                                                             {"read_svg", RegionFormat::svg}};
+                                                             {"read_svg", RegionFormat::svg},
+                                                             {"read_dxf", RegionFormat::dxf}};
 
 void damage(const std::string& folder, RegionFormat format) {
   static const std::vector<std::string> kWords = {"NaN",        "-inf",
@@ -40,6 +41,7 @@ TEST(DamagedFiles, poly) { damage("read_poly", RegionFormat::poly); }
 TEST(DamagedFiles, wkt) { damage("read_wkt", RegionFormat::wkt); }
 TEST(DamagedFiles, json) { damage("read_json", RegionFormat::json); }
 TEST(DamagedFiles, svg) { damage("read_svg", RegionFormat::svg); }
+TEST(DamagedFiles, dxf) { damage("read_dxf", RegionFormat::dxf); }
 
 TEST(DamagedFiles, every_truncation_of_every_seed) {
   for (const auto& [folder, format] : kFolders) {

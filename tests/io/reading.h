@@ -17,11 +17,11 @@
 
 namespace dymsum::io_test {
 
-inline constexpr RegionFormat kFormats[] = {RegionFormat::poly, RegionFormat::wkt, RegionFormat::geojson,
-                                            RegionFormat::svg, RegionFormat::json};
+inline constexpr RegionFormat kFormats[] = {RegionFormat::poly, RegionFormat::wkt,  RegionFormat::geojson,
+                                            RegionFormat::svg,  RegionFormat::json, RegionFormat::dxf};
 
 inline std::string_view extension(RegionFormat format) {
-  constexpr std::string_view kNames[] = {".poly", ".wkt", ".geojson", ".svg", ".json"};
+  constexpr std::string_view kNames[] = {".poly", ".wkt", ".geojson", ".svg", ".json", ".dxf"};
   return kNames[static_cast<int>(format)];
 }
 

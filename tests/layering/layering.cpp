@@ -54,6 +54,7 @@ const std::vector<std::string> kRooms = {
     "io/mesh",
     "io/picture",
     "io/obstacle",
+    "nesting",
 };
 
 /// Rooms that may not use one that stands before them: the arrangement works on labelled segments.
@@ -81,6 +82,7 @@ const std::map<std::string, std::vector<std::string>> kForeign = {
     {"planar", {"emmintrin.h"}},
     {"spatial", {"emmintrin.h"}},
     {"io", {"nlohmann/", "pugixml.hpp"}},
+    {"nesting", {"nlohmann/"}},
     {"cli", {"CLI/", "nlohmann/", "unistd.h"}},
     {"adapters", {"ompl/"}},
     {"examples", {"ompl/"}},

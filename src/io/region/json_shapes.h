@@ -17,6 +17,9 @@ std::vector<NamedShape> read_geojson(const Source& source, const JsonValue& root
 /// A nesting instance: a shape per entry of `items`, named by its id. Vertices stay exactly as they are.
 std::vector<NamedShape> read_nesting(const Source& source, const JsonValue& root);
 
+/// An item or a bin of such an instance: its `shape`, named by its `id`; a name that is no text is empty.
+NamedShape read_nesting_shape(const Source& source, const JsonValue& item);
+
 /// What an object has under a key. Failure malformed where it has none.
 JsonValue require_member(const Source& source, const JsonValue& object, std::string_view key);
 

@@ -9,23 +9,11 @@ namespace dymsum::io {
 
 namespace {
 
-class NestingReader {
+class ShapeReader {
  public:
-  explicit NestingReader(const Source& source) : source_(source) {}
+  explicit ShapeReader(const Source& source) : source_(source) {}
 
-  std::vector<NamedShape> read(const JsonValue& root) const {
-    std::vector<NamedShape> shapes;
-    visit_array(source_, require_member(source_, root, "items"), "items", [&](const JsonValue& item) {
-      NamedShape shape;
-      shape.data = read_shape(require_member(source_, item, "shape"));
-      if (const auto id = item.find("id")) shape.name = name_of(*id).value_or("");
-      shapes.push_back(std::move(shape));
-    });
-    return shapes;
-  }
-
- private:
-  RegionData read_shape(const JsonValue& shape) const {
+  RegionData read(const JsonValue& shape) const {
     const std::string& type = require_text(source_, require_member(source_, shape, "type"), "'type'");
     RegionData data;
     if (type == "simple_polygon") {
@@ -45,6 +33,7 @@ class NestingReader {
     return data;
   }
 
+ private:
   Part read_polygon(const JsonValue& value) const {
     Part part{require_positions(source_, require_member(source_, value, "outer")), {}};
     if (const auto inner = value.find("inner"); inner && inner->kind() != JsonKind::null) {
@@ -91,8 +80,18 @@ class NestingReader {
 
 }  // namespace
 
+NamedShape read_nesting_shape(const Source& source, const JsonValue& item) {
+  NamedShape shape;
+  shape.data = ShapeReader(source).read(require_member(source, item, "shape"));
+  if (const auto id = item.find("id")) shape.name = name_of(*id).value_or("");
+  return shape;
+}
+
 std::vector<NamedShape> read_nesting(const Source& source, const JsonValue& root) {
-  return NestingReader(source).read(root);
+  std::vector<NamedShape> shapes;
+  visit_array(source, require_member(source, root, "items"), "items",
+              [&](const JsonValue& item) { shapes.push_back(read_nesting_shape(source, item)); });
+  return shapes;
 }
 
 }  // namespace dymsum::io

@@ -38,19 +38,21 @@ std::optional<RegionFormat> format_of_extension(std::string_view path) {
   if (text == ".geojson") return RegionFormat::geojson;
   if (text == ".svg") return RegionFormat::svg;
   if (text == ".json") return RegionFormat::json;
+  if (text == ".dxf") return RegionFormat::dxf;
   return std::nullopt;
 }
 
-/// The formats begin with different characters.
+/// The formats begin with different characters, but for .dxf: with the group of a section or of a comment.
 Result<RegionFormat> format_of_text(std::string_view text, std::string_view file) {
   const std::size_t start = text.find_first_not_of(" \t\r\n\v\f\xEF\xBB\xBF");
   const char first = start == std::string_view::npos ? '\0' : text[start];
   if (first == '{') return RegionFormat::json;
   if (first == '<') return RegionFormat::svg;
+  if (begins_like_dxf(text)) return RegionFormat::dxf;
   if (first == '#' || io::is_digit(first)) return RegionFormat::poly;
   if (io::is_letter(first)) return RegionFormat::wkt;
-  return file_error(ErrorCode::unsupported_format, "the text begins like none of .poly, .wkt, .geojson, .svg, .json",
-                    file);
+  return file_error(ErrorCode::unsupported_format,
+                    "the text begins like none of .poly, .wkt, .geojson, .svg, .json, .dxf", file);
 }
 
 std::vector<NamedShape> read_format(const io::Source& source, RegionFormat format) {
@@ -61,6 +63,8 @@ std::vector<NamedShape> read_format(const io::Source& source, RegionFormat forma
       return io::read_wkt(source);
     case RegionFormat::svg:
       return io::read_svg(source);
+    case RegionFormat::dxf:
+      return io::read_dxf(source);
     case RegionFormat::geojson:
     case RegionFormat::json:
       break;
@@ -117,7 +121,8 @@ Result<std::vector<NamedShape>> read_map(const Selection& selection) {
 Result<RegionFormat> region_format(std::string_view path) {
   if (const auto format = format_of_extension(path)) return *format;
   if (const auto format = format_of_extension(path.substr(0, path.rfind('#')))) return *format;
-  return file_error(ErrorCode::unsupported_format, "the extension is none of .poly, .wkt, .geojson, .svg, .json", path);
+  return file_error(ErrorCode::unsupported_format, "the extension is none of .poly, .wkt, .geojson, .svg, .json, .dxf",
+                    path);
 }
 
 Result<std::vector<NamedShape>> parse_shapes(std::string_view text, RegionFormat format,
@@ -143,7 +148,7 @@ Result<std::vector<NamedShape>> read_shapes(const std::string& path) {
   const std::optional<RegionFormat> known = format_of_extension(selection.file);
   if (selection.file != "-" && !known && !io::is_directory(selection.file))
     return file_error(ErrorCode::unsupported_format,
-                      "the extension is none of .poly, .wkt, .geojson, .svg, .json, .yaml, .map", selection.file);
+                      "the extension is none of .poly, .wkt, .geojson, .svg, .json, .dxf, .yaml, .map", selection.file);
   const Result<std::string> text = io::read_file(selection.file);
   if (!text) return text.error();
   const Result<RegionFormat> format = known ? Result<RegionFormat>(*known) : format_of_text(*text, selection.file);

@@ -15,6 +15,7 @@ std::vector<NamedShape> read_wkt(const Source& source);
 /// GeoJSON, a nesting instance or a footprint, told apart by what is outermost.
 std::vector<NamedShape> read_json(const Source& source);
 std::vector<NamedShape> read_svg(const Source& source);
+std::vector<NamedShape> read_dxf(const Source& source);
 
 std::string write_poly(const RegionData& data);
 std::string write_wkt(const RegionData& data);
@@ -23,6 +24,7 @@ std::string write_geojson(const RegionData& data);
 std::string geojson_geometry(const RegionData& data);
 std::string write_nesting(const RegionData& data);
 std::string write_svg(const RegionData& data);
+std::string write_dxf(const RegionData& data);
 
 /// format_region before validation: what the readers give, in a format.
 std::string format_region_data(const RegionData& data, RegionFormat format);

@@ -211,6 +211,8 @@ std::string format_region_data(const RegionData& data, RegionFormat format) {
       return write_geojson(data);
     case RegionFormat::svg:
       return write_svg(data);
+    case RegionFormat::dxf:
+      return write_dxf(data);
     case RegionFormat::json:
       break;
   }

@@ -1,6 +1,7 @@
 #include "planar/position/nearest_point.h"
 
 #include <cmath>
+#include <cstdint>
 
 #include "planar/position/position_signs.h"
 
@@ -13,7 +14,18 @@ using base::DoublePair;
 DoublePair pair_of(const exact::BigRational& v) {
   const double high = exact::round_to_double(v);
   if (!std::isfinite(high)) return {high, 0};
-  return {high, exact::round_to_double(exact::BigRational(v - exact::exact_value(high)))};
+  // v - high without the greatest common divisors of rationals: high = digits 2^exponent.
+  int exponent = 0;
+  const exact::BigInteger digits = static_cast<std::int64_t>(std::ldexp(std::frexp(high, &exponent), 53));
+  exponent -= 53;
+  exact::BigInteger num = numerator(v), den = denominator(v);
+  if (exponent >= 0) {
+    num -= exact::BigInteger(digits << exponent) * den;
+  } else {
+    num = exact::BigInteger(num << -exponent) - digits * den;
+    den <<= -exponent;
+  }
+  return {high, num.is_zero() ? 0 : exact::round_to_double(num, den)};
 }
 
 /// Of origin + unit v, times the sizes of both terms: unit and origin (2^-105), the product and the sum.

@@ -10,6 +10,7 @@
 #include "planar/region/region_sweep.h"
 #include "planar/region/separate_touching.h"
 #include "planar/result/finish_sum.h"
+#include "planar/sum/inside_of_frame.h"
 #include "planar/sum/sum_engine.h"
 
 namespace dymsum {
@@ -21,22 +22,24 @@ using planar::RingLayout;
 using planar::RingList;
 using planar::RingPlace;
 using planar::separate_touching;
+using planar::Turning;
 
 // The number of the frame's own vertices and edges.
 constexpr std::uint32_t kFrame = SumVertex::kNone;
 
 // Integers are grid points of any grid with a unit of at most 1; a power of two at least as large as everything else is
 // one of any.
-double frame_margin(const Region& p, const Region& q) {
+double frame_margin(const Region& p, const Region& q, Turning turning) {
   const auto bp = bounds(p), bq = bounds(q);
   const double reach = std::max({bp[2] - bp[0], bp[3] - bp[1], bq[2] - bq[0], bq[3] - bq[1], std::abs(bp[0]),
                                  std::abs(bp[1]), std::abs(bp[2]), std::abs(bp[3])});
   constexpr double kLeast = 0x1p-1000;  // of a point, which reaches nowhere
-  return std::ldexp(1.0, std::ilogb(std::max(reach, kLeast)) + 2);
+  // The frame is farther away than Q is wide, turned by any angle at most sqrt(2) times as much.
+  return std::ldexp(1.0, std::ilogb(std::max(reach, kLeast)) + (turning == Turning::any ? 3 : 2));
 }
 
 constexpr double kLargestFramed =
-    0x1p996;  // widths are at most twice as large, and the frame's coordinates four times that
+    0x1p996;  // widths are at most twice as large, and the frame's coordinates eight times that
 
 double size(Point v) { return std::max(std::abs(v.x), std::abs(v.y)); }
 
@@ -69,10 +72,10 @@ std::optional<Error> planar::too_large_to_frame(const Region& p, const Region& q
   return error;
 }
 
-EngineRegion planar::complement_of(const Region& p, const Region& q) {
+EngineRegion planar::complement_of(const Region& p, const Region& q, Turning turning) {
   RegionData data;
   std::vector<std::uint32_t> vertex_number(4, kFrame), edge_number(4, kFrame);
-  const double m = frame_margin(p, q);
+  const double m = frame_margin(p, q, turning);
   data.parts.push_back({{{-m, -m}, {m, -m}, {m, m}, {-m, m}}, {}});
   const auto reversed = [&](const Ring& ring, std::uint32_t first) {
     const std::uint32_t n = static_cast<std::uint32_t>(ring.size());
@@ -134,20 +137,22 @@ bool of_frame(const Contact& c) { return c.p == kFrame; }
 
 }  // namespace
 
-Result<PlanarSum> erode(const Region& p, const Region& q, const SumOptions& options) {
+std::optional<Error> planar::not_erodible(const Region& p, const Region& q) {
   if (!p.polylines().empty() || !p.points().empty())
     return Error{ErrorCode::unsupported_operand, "only a region without polylines and points can be eroded", {}};
   if (q.empty()) return Error{ErrorCode::unsupported_operand, "every position holds the empty region", {}};
-  if (p.empty()) return minkowski_sum(p, q, options);  // empty too
-  if (std::optional<Error> error = planar::too_large_to_frame(p, q)) return *std::move(error);
+  return p.empty() ? std::nullopt : too_large_to_frame(p, q);
+}
+
+SumOptions planar::options_inside(const SumOptions& options) {
   SumOptions open = options;
   if (open.semantics == Semantics::closed) open.semantics = Semantics::open;
-  Result<planar::SumState> computed = planar::compute_boundary(planar::make_operand(planar::complement_of(p, q), 0),
-                                                               planar::prepared_operand(q, 1, true), open);
-  if (!computed.ok()) return computed.error();
-  planar::SumState state = std::move(computed).value();
+  return open;
+}
+
+PlanarSum planar::inside_of_frame(SumState&& state, const SumOptions& options) {
   // Positions that hold Q are what the sum leaves free: its rings the other way round, without the frame's.
-  planar::RawBoundary inner;
+  RawBoundary inner;
   inner.at_error = state.boundary.at_error;
   for (std::size_t i = 0; i < state.boundary.rings.size(); ++i) {
     SumRing& ring = state.boundary.rings[i];
@@ -161,12 +166,22 @@ Result<PlanarSum> erode(const Region& p, const Region& q, const SumOptions& opti
   inner.cracks = std::move(state.boundary.cracks);
   inner.punctures = std::move(state.boundary.punctures);
   state.boundary = std::move(inner);
-  PlanarSum result = planar::finish_sum(std::move(state), open);
+  PlanarSum result = finish_sum(std::move(state), options_inside(options));
   if (options.semantics == Semantics::closed) {
     result.segments = result.tight_segments;
     result.points = result.tight_points;
   }
   return result;
+}
+
+Result<PlanarSum> erode(const Region& p, const Region& q, const SumOptions& options) {
+  if (std::optional<Error> error = planar::not_erodible(p, q)) return *std::move(error);
+  if (p.empty()) return minkowski_sum(p, q, options);  // empty too
+  Result<planar::SumState> computed =
+      planar::compute_boundary(planar::make_operand(planar::complement_of(p, q), 0),
+                               planar::prepared_operand(q, 1, true), planar::options_inside(options));
+  if (!computed.ok()) return computed.error();
+  return planar::inside_of_frame(std::move(computed).value(), options);
 }
 
 }  // namespace dymsum

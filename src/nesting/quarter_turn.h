@@ -1,0 +1,35 @@
+// Quarter turns, which are exact in doubles.
+#pragma once
+
+#include "dymsum/region.h"
+
+namespace dymsum::nesting {
+
+/// Turned about the origin by that many quarters, from 0 to 3, counter-clockwise.
+inline Point turned(Point p, int quarters) {
+  switch (quarters) {
+    case 1:
+      return {0 - p.y, p.x};
+    case 2:
+      return {0 - p.x, 0 - p.y};
+    case 3:
+      return {p.y, 0 - p.x};
+    default:
+      return p;
+  }
+}
+
+inline RegionData turned(RegionData data, int quarters) {
+  const auto turn = [quarters](std::vector<Point>& points) {
+    for (Point& p : points) p = turned(p, quarters);
+  };
+  for (Part& part : data.parts) {
+    turn(part.outer);
+    for (Ring& hole : part.holes) turn(hole);
+  }
+  for (Polyline& line : data.polylines) turn(line);
+  turn(data.points);
+  return data;
+}
+
+}  // namespace dymsum::nesting

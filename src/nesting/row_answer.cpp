@@ -1,0 +1,73 @@
+#include "nesting/row_answer.h"
+
+#include <optional>
+#include <utility>
+
+#include "dymsum/cspace_obstacle.h"
+#include "dymsum/orientation_sum.h"
+#include "dymsum/planar_sum.h"
+#include "io/region/write_wkb.h"
+#include "nesting/canonical_order.h"
+#include "nesting/quarter_turn.h"
+#include "nesting/rounded_row.h"
+
+namespace dymsum::nesting {
+namespace {
+
+Result<PlanarSum> exact_row(const NfpTable::State& table, const TableRow& row, const SumOptions& options) {
+  const bool nfp_row = row.kind == TableRow::Kind::nfp;
+  const Region& fixed = nfp_row ? table.input.items[row.fixed].shape : table.input.bins[row.fixed].shape;
+  if (const std::optional<int> quarters = table.quarters[row.angle]) {
+    const Region& moving = *table.turned[row.moving][static_cast<std::size_t>(*quarters)];
+    return nfp_row ? nfp(fixed, moving, options) : erode(fixed, moving, options);
+  }
+  const Region& moving = table.input.items[row.moving].shape;
+  const Orientation& theta = table.angles[row.angle].orientation;
+  return nfp_row ? cspace_slice(moving, fixed, theta, options) : rotated_erode(fixed, moving, theta, options);
+}
+
+TableAnswer failed(const Error& error) {
+  TableAnswer answer;
+  const bool stopped = error.code == ErrorCode::cancelled;
+  answer.status = stopped ? TableAnswer::Status::timed_out : TableAnswer::Status::refused;
+  // With its evidence in words: that is all that is kept.
+  if (!stopped) answer.error = Error{error.code, error.to_string(), {}};
+  return answer;
+}
+
+TableAnswer with_geometry(TableAnswer answer, RegionData data) {
+  put_in_order(data);
+  io::append_wkb(answer.wkb, data);
+  return answer;
+}
+
+/// -R(-d) of the row's set: d quarter turns.
+RegionData mirrored(const RegionData& data, int quarters) { return turned(data, (6 - quarters) % 4); }
+
+}  // namespace
+
+std::array<TableAnswer, 2> answers_of(const NfpTable::State& table, const Task& task, const Progress& progress) {
+  const TableRow& row = table.rows[task.row];
+  SumOptions options;
+  options.progress = progress;
+  std::array<TableAnswer, 2> answers;
+  const Result<PlanarSum> sum = exact_row(table, row, options);
+  if (!sum) {
+    answers.fill(failed(sum.error()));
+    return answers;
+  }
+  RoundedRow rounded = rounded_row(*sum);
+  if (task.mirror != Task::kNone) {
+    // Rounding to nearest commutes with quarter turns; of repairs nothing is promised.
+    if (rounded.answer.status != TableAnswer::Status::done ||
+        rounded.answer.rounding == TableAnswer::Rounding::repaired)
+      answers[1] = answers_of(table, {task.mirror, Task::kNone}, progress)[0];
+    else answers[1] = with_geometry(rounded.answer, mirrored(rounded.data, *table.quarters[row.angle]));
+  }
+  answers[0] = rounded.answer.status == TableAnswer::Status::done
+                   ? with_geometry(std::move(rounded.answer), std::move(rounded.data))
+                   : std::move(rounded.answer);
+  return answers;
+}
+
+}  // namespace dymsum::nesting

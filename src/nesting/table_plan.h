@@ -1,0 +1,43 @@
+// What a table consists of, behind NfpTable.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <vector>
+
+#include "base/sha256.h"
+#include "dymsum/nfp_table.h"
+
+namespace dymsum {
+
+namespace nesting {
+
+using Key = base::Digest;
+
+/// One answer to be computed, and perhaps the one that mirrors it, by the first rows that have them.
+struct Task {
+  static constexpr std::uint32_t kNone = TableRow::kNone;
+  std::uint32_t row = 0;
+  std::uint32_t mirror = kNone;  ///< the operands exchanged
+};
+
+/// The SHA-256 of a shape: of its well-known binary.
+base::Digest digest_of(const Region& shape);
+
+}  // namespace nesting
+
+struct NfpTable::State {
+  TableInput input;
+  std::vector<base::Digest> item_digests, bin_digests;
+  std::vector<TableAngle> angles;
+  /// Of angles that are quarter turns: how many, counter-clockwise.
+  std::vector<std::optional<int>> quarters;
+  /// Of items, turned by 1, 2 and 3 quarters where a row needs that.
+  std::vector<std::array<std::optional<Region>, 4>> turned;
+  std::vector<TableRow> rows;
+  std::vector<nesting::Key> keys;  ///< by answer; strip fits have none, their answers come last
+  std::vector<nesting::Task> tasks;
+  std::size_t answers = 0;
+};
+
+}  // namespace dymsum

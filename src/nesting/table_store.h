@@ -1,0 +1,43 @@
+// Answers in a folder of files that only grow: what was finished survives, what is damaged is not believed.
+#pragma once
+
+#include <cstdint>
+#include <map>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "dymsum/nfp_table.h"
+#include "io/append_file.h"
+#include "nesting/table_plan.h"
+
+namespace dymsum::nesting {
+
+/// Where a process adds to a store: to the first file "shard-I-of-N.K.nfpt", K = 1, 2, ..., that nobody else writes to.
+struct StorePlace {
+  std::string folder;  ///< empty: nowhere
+  std::uint32_t shard = 1, shards = 1;
+};
+
+class TableStore {
+ public:
+  /// Reads the answers to `keys` from all files of the folder, which is made where it is not there; into `answers`, by
+  /// the indices of the keys, answers that are done or refused before those that timed out. `writable`: more will be
+  /// added. Errors: cannot_open, cannot_write.
+  static Result<TableStore> open(const StorePlace& place, bool writable, const std::vector<Key>& keys,
+                                 std::vector<std::optional<TableAnswer>>& answers);
+
+  /// Keeps answers; several at once are one write. Errors: cannot_write.
+  Result<void> add(const std::vector<std::pair<Key, const TableAnswer*>>& answers);
+
+  std::uint64_t files() const { return files_; }
+  const std::vector<RefusedFile>& refused() const { return refused_; }
+
+ private:
+  friend class StoreReader;
+  std::optional<io::AppendFile> own_;
+  std::uint64_t files_ = 0;
+  std::vector<RefusedFile> refused_;
+};
+
+}  // namespace dymsum::nesting
