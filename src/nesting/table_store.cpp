@@ -101,13 +101,13 @@ class StoreReader {
 
 namespace {
 
-Result<io::AppendFile> own_file(const StorePlace& place) {
+Result<base::AppendFile> own_file(const StorePlace& place) {
   const std::string stem = "shard-" + std::to_string(place.shard) + "-of-" + std::to_string(place.shards) + ".";
   for (std::uint64_t k = 1;; ++k) {
-    Result<std::optional<io::AppendFile>> file =
-        io::AppendFile::open((fs::path(place.folder) / (stem + std::to_string(k) + std::string(kExtension))).string());
+    Result<std::optional<base::AppendFile>> file = base::AppendFile::open(
+        (fs::path(place.folder) / (stem + std::to_string(k) + std::string(kExtension))).string());
     if (!file) return file.error();
-    std::optional<io::AppendFile> opened = std::move(file).value();
+    std::optional<base::AppendFile> opened = std::move(file).value();
     if (opened) return *std::move(opened);
   }
 }
@@ -135,7 +135,7 @@ Result<TableStore> TableStore::open(const StorePlace& place, bool writable, cons
     fs::create_directories(place.folder, failed);
     if (failed)
       return store_error(ErrorCode::cannot_write, "the folder cannot be made: " + failed.message(), place.folder);
-    Result<io::AppendFile> own = own_file(place);
+    Result<base::AppendFile> own = own_file(place);
     if (!own) return own.error();
     store.own_ = std::move(own).value();
   }

@@ -7,8 +7,8 @@
 #include <string>
 #include <vector>
 
+#include "base/append_file.h"
 #include "dymsum/nfp_table.h"
-#include "io/append_file.h"
 #include "nesting/table_plan.h"
 
 namespace dymsum::nesting {
@@ -35,7 +35,7 @@ class TableStore {
 
  private:
   friend class StoreReader;
-  std::optional<io::AppendFile> own_;
+  std::optional<base::AppendFile> own_;
   std::uint64_t files_ = 0;
   std::vector<RefusedFile> refused_;
 };

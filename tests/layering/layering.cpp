@@ -73,10 +73,10 @@ const std::vector<std::string> kOtherRooms = {"include/dymsum",
                                               "python/src"};
 
 /// Headers from outside the standard library by the first folder of the rooms that may include them. What the operating
-/// system has for files and terminals is in two files: elsewhere another system finds nothing to replace.
+/// system has for files and terminals is in `base` and `cli`: elsewhere another system finds nothing to replace.
 const std::map<std::string, std::vector<std::string>> kForeign = {
     {"base",
-     {"tbb/", "oneapi/", "emmintrin.h", "fcntl.h", "sys/stat.h",
+     {"tbb/", "oneapi/", "emmintrin.h", "fcntl.h", "sys/file.h", "sys/stat.h",
       "unistd.h"}},  // the compiler's own: vector registers, where it has them
     {"exact", {"boost/multiprecision/"}},
     {"planar", {"emmintrin.h"}},

@@ -5,9 +5,9 @@
 #include <fstream>
 #include <iterator>
 
+#include "base/append_file.h"
 #include "dymsum/nfp_table.h"
 #include "dymsum/shapes.h"
-#include "io/append_file.h"
 #include "io/reading.h"
 #include "nesting/answer_record.h"
 
@@ -151,7 +151,7 @@ TEST(TableStore, a_file_that_somebody_else_writes_to_is_not_shared) {
   const Folder folder("locked");
   const NfpTable table = store_table();
   fs::create_directories(folder / "x");
-  const auto held = io::AppendFile::open((fs::path(folder / "x") / kFirst).string()).value();
+  const auto held = base::AppendFile::open((fs::path(folder / "x") / kFirst).string()).value();
   ASSERT_TRUE(held.has_value());
   EXPECT_EQ(text_of(table, run(table, folder / "x")), plain_text());
   EXPECT_TRUE(fs::exists(fs::path(folder / "x") / "shard-1-of-1.2.nfpt"));

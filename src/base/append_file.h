@@ -8,7 +8,7 @@
 
 #include "dymsum/result.h"
 
-namespace dymsum::io {
+namespace dymsum::base {
 
 /// Open for appending, and locked until it is closed or the process ends in any way.
 class AppendFile {
@@ -35,4 +35,4 @@ class AppendFile {
   int file_ = -1;
 };
 
-}  // namespace dymsum::io
+}  // namespace dymsum::base

@@ -1,4 +1,4 @@
-#include "io/append_file.h"
+#include "base/append_file.h"
 
 #include <fcntl.h>
 #include <sys/file.h>
@@ -9,13 +9,17 @@
 #include <cstring>
 #include <utility>
 
-#include "io/read_file.h"
-
-namespace dymsum::io {
+namespace dymsum::base {
 namespace {
 
+Error failed(ErrorCode code, const std::string& path, const std::string& what) {
+  Evidence evidence;
+  evidence.file = path;
+  return {code, what + ": " + std::strerror(errno), std::move(evidence)};
+}
+
 Error cannot_append(const std::string& path, const std::string& what) {
-  return file_error(ErrorCode::cannot_write, what + ": " + std::strerror(errno), path);
+  return failed(ErrorCode::cannot_write, path, what);
 }
 
 }  // namespace
@@ -49,8 +53,7 @@ Result<std::string> AppendFile::read() {
     const std::size_t size = bytes.size();
     bytes.resize(size + kChunk);
     const ssize_t count = ::pread(file_, bytes.data() + size, kChunk, static_cast<off_t>(size));
-    if (count < 0 && errno != EINTR)
-      return file_error(ErrorCode::cannot_open, std::string("reading failed: ") + std::strerror(errno), path_);
+    if (count < 0 && errno != EINTR) return failed(ErrorCode::cannot_open, path_, "reading failed");
     bytes.resize(size + static_cast<std::size_t>(std::max<ssize_t>(count, 0)));
     if (count == 0) return bytes;
   }
@@ -71,4 +74,4 @@ Result<void> AppendFile::append(std::string_view bytes) {
   return {};
 }
 
-}  // namespace dymsum::io
+}  // namespace dymsum::base
