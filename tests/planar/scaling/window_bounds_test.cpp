@@ -148,7 +148,7 @@ TEST(WindowBounds, kept_positions_err_by_less_and_not_by_much_less) {
 TEST(WindowBounds, projections_err_by_less_and_not_by_much_less) {
   oracles::Random random(12);
   Shares of_place, of_gap;
-  for (int k = 0; k < oracles::rounds(20000, 2); ++k) {
+  for (int k = 0; k < 20000; ++k) {
     const BigRational scale(random.below(1000) + 1, 1001);  // tau1 = 1
     const double tau = exact::round_to_double(scale);
     const double size = random.chance(50) ? 1 : 0x1p-10;
