@@ -13,7 +13,7 @@
 namespace dymsum::exact {
 namespace {
 
-constexpr std::uint64_t kSeed = 606;
+constexpr std::uint64_t kRootSeed = 606;
 
 // The witness: Sturm's theorem over the rationals, which counts distinct roots in (a, b] also where some are multiple,
 // unless a or b is a multiple one.
@@ -95,7 +95,7 @@ void check_roots(const Polynomial& p, double lo, double hi, const std::vector<Al
 }
 
 TEST(AlgebraicRoot, random_polynomials_have_the_roots_that_sturm_counts) {
-  std::mt19937_64 random = seeded(kSeed);
+  std::mt19937_64 random = seeded(kRootSeed);
   FilterCounts generic, skew;
   std::size_t roots = 0, wide = 0;
   for (int i = 0; i < 3000; ++i) {
@@ -118,7 +118,7 @@ TEST(AlgebraicRoot, random_polynomials_have_the_roots_that_sturm_counts) {
 }
 
 TEST(AlgebraicRoot, generic_polynomials_of_rotation_events_never_leave_doubles) {
-  std::mt19937_64 random = seeded(kSeed + 1);
+  std::mt19937_64 random = seeded(kRootSeed + 1);
   FilterCounts counts;
   std::vector<AlgebraicRoot> all;
   for (int i = 0; i < 4000; ++i)
@@ -133,7 +133,7 @@ TEST(AlgebraicRoot, generic_polynomials_of_rotation_events_never_leave_doubles) 
 }
 
 TEST(AlgebraicRoot, rational_roots_come_with_their_multiplicities) {
-  std::mt19937_64 random = seeded(kSeed + 2);
+  std::mt19937_64 random = seeded(kRootSeed + 2);
   FilterCounts counts;
   for (int i = 0; i < 1500; ++i) {
     std::map<BigRational, int> multiplicities;
@@ -309,7 +309,7 @@ TEST(AlgebraicRoot, neighbours_that_doubles_cannot_tell) {
 }
 
 TEST(AlgebraicRoot, equal_roots_of_different_polynomials) {
-  std::mt19937_64 random = seeded(kSeed + 3);
+  std::mt19937_64 random = seeded(kRootSeed + 3);
   FilterCounts counts;
   std::size_t shared = 0;
   for (int i = 0; i < 300; ++i) {
@@ -335,7 +335,7 @@ TEST(AlgebraicRoot, equal_roots_of_different_polynomials) {
 }
 
 TEST(AlgebraicRoot, signs_at_roots) {
-  std::mt19937_64 random = seeded(kSeed + 4);
+  std::mt19937_64 random = seeded(kRootSeed + 4);
   FilterCounts counts;
   for (int i = 0; i < 600; ++i) {
     const Polynomial p = generic_polynomial(random, 2 + i % 3, 80), q = random_polynomial(random, i % 7, 80);
@@ -362,7 +362,7 @@ AlgebraicRoot negated(const AlgebraicRoot& r) {
 }
 
 TEST(AlgebraicRoot, irrational_roots_are_not_rational) {
-  std::mt19937_64 random = seeded(kSeed + 7);
+  std::mt19937_64 random = seeded(kRootSeed + 7);
   std::size_t proved = 0, irrational = 0, rational = 0;
   for (int i = 0; i < 200; ++i) {
     const Polynomial p = generic_polynomial(random, 2 + i % 4, 3 + i % 90);
@@ -386,7 +386,7 @@ TEST(AlgebraicRoot, irrational_roots_are_not_rational) {
 }
 
 TEST(AlgebraicRoot, numbers_between_are_the_simplest) {
-  std::mt19937_64 random = seeded(kSeed + 5);
+  std::mt19937_64 random = seeded(kRootSeed + 5);
   std::vector<AlgebraicRoot> roots;
   for (int i = 0; i < 40; ++i)
     for (const AlgebraicRoot& r : roots_in(generic_polynomial(random, 4, 50), i % 4 ? -1 : -100, i % 3 ? 1 : 100))
@@ -415,7 +415,7 @@ TEST(AlgebraicRoot, numbers_between_are_the_simplest) {
 }
 
 TEST(AlgebraicRoot, compare_is_a_total_order) {
-  std::mt19937_64 random = seeded(kSeed + 6);
+  std::mt19937_64 random = seeded(kRootSeed + 6);
   std::vector<AlgebraicRoot> roots;
   const Polynomial shared = poly({-1, 0, 3});
   for (int i = 0; i < 12; ++i) {

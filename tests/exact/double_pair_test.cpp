@@ -14,7 +14,7 @@ namespace {
 
 using base::exact_sum;
 
-constexpr unsigned kSeed = 4711;
+constexpr unsigned kPairSeed = 4711;
 
 BigRational value_of_pair(DoublePair v) { return exact_value(v.high) + exact_value(v.low); }
 BigRational power(int exponent) {
@@ -26,8 +26,8 @@ bool within(const BigRational& v, const BigRational& wanted, int exponent) {
 }
 
 TEST(DoublePair, IntegersOfEverySizeKeep104Bits) {
-  SCOPED_TRACE(kSeed);
-  std::mt19937_64 random(kSeed);
+  SCOPED_TRACE(kPairSeed);
+  std::mt19937_64 random(kPairSeed);
   for (int round = 0; round < 4000; ++round) {
     const int bits = static_cast<int>(random() % 500);
     BigInteger v = 0;
@@ -50,8 +50,8 @@ TEST(DoublePair, IntegersOfEverySizeKeep104Bits) {
 }
 
 TEST(DoublePair, OperationsKeep100Bits) {
-  SCOPED_TRACE(kSeed);
-  std::mt19937_64 random(kSeed);
+  SCOPED_TRACE(kPairSeed);
+  std::mt19937_64 random(kPairSeed);
   std::uniform_real_distribution<double> fraction(-1, 1);
   const auto pair = [&] {
     const double high = std::ldexp(fraction(random), static_cast<int>(random() % 200) - 100);
@@ -70,8 +70,8 @@ TEST(DoublePair, OperationsKeep100Bits) {
 }
 
 TEST(DecimalText, PrintsDoublesAsTheCLibraryDoes) {
-  SCOPED_TRACE(kSeed);
-  std::mt19937_64 random(kSeed);
+  SCOPED_TRACE(kPairSeed);
+  std::mt19937_64 random(kPairSeed);
   for (int round = 0; round < 3000; ++round) {
     double v = std::bit_cast<double>(random());
     if (round < 40) v = std::ldexp(round % 2 == 0 ? 1.0 : -9.5, round - 20);

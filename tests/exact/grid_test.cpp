@@ -12,7 +12,7 @@
 namespace dymsum::exact {
 namespace {
 
-constexpr std::uint64_t kSeed = 4711;
+constexpr std::uint64_t kGridSeed = 4711;
 constexpr double kMax = std::numeric_limits<double>::max();
 
 mpq_class power_of_two(int e) {
@@ -35,7 +35,7 @@ double everyday_double(std::mt19937_64& random) {
 }
 
 TEST(Grid, DyadicPartsGiveTheNumberBack) {
-  std::mt19937_64 random = seeded(kSeed);
+  std::mt19937_64 random = seeded(kGridSeed);
   for (int i = 0; i < 20000; ++i) {
     const double v = random_double(random);
     const Dyadic d = to_dyadic(v);
@@ -51,7 +51,7 @@ TEST(Grid, DyadicPartsGiveTheNumberBack) {
 }
 
 TEST(Grid, TheCommonUnitDividesEverythingAndTwiceTheUnitDoesNot) {
-  std::mt19937_64 random = seeded(kSeed);
+  std::mt19937_64 random = seeded(kGridSeed);
   for (int i = 0; i < 300; ++i) {
     std::vector<double> x, y;
     for (int k = 0; k < 5; ++k) {
@@ -80,7 +80,7 @@ TEST(Grid, TheCommonUnitDividesEverythingAndTwiceTheUnitDoesNot) {
 }
 
 TEST(Grid, BitsNeededIsSmallest) {
-  std::mt19937_64 random = seeded(kSeed + 1);
+  std::mt19937_64 random = seeded(kGridSeed + 1);
   const auto holds = [](int bits, const mpq_class& v, int e) { return abs(v) <= power_of_two(bits) * power_of_two(e); };
   for (int i = 0; i < 20000; ++i) {
     const bool wild = i % 2 == 0;
@@ -116,7 +116,7 @@ TEST(Grid, BitsNeededIsSmallest) {
 }
 
 TEST(Grid, TheCenterIsOnTheGridAndHalvesTheBits) {
-  std::mt19937_64 random = seeded(kSeed + 2);
+  std::mt19937_64 random = seeded(kGridSeed + 2);
   for (int i = 0; i < 10000; ++i) {
     double low = i % 2 ? everyday_double(random) : random_double(random);
     double high = i % 2 ? everyday_double(random) : random_double(random);
@@ -151,7 +151,7 @@ mpz_class to_mpz_any(const Int<B>& v) {
 /// v - offset on the grid, for an offset far larger than the extent: the terms wrap around, the difference does not.
 template <class C>
 void check_coordinates(int bits) {
-  std::mt19937_64 random = seeded(kSeed + 3);
+  std::mt19937_64 random = seeded(kGridSeed + 3);
   int used = 0;
   for (int i = 0; i < 20000; ++i) {
     const double offset = i % 3 == 0 ? 0.0 : everyday_double(random);

@@ -13,7 +13,7 @@
 namespace dymsum::exact {
 namespace {
 
-constexpr std::uint64_t kSeed = 20240611;
+constexpr std::uint64_t kIntSeed = 20240611;
 
 // Result widths, storage, and that nothing narrower comes out.
 static_assert(std::is_same_v<decltype(Int<29>{} + Int<29>{}), Int<30>>);
@@ -102,11 +102,11 @@ void check_table(std::uint64_t seed, std::integer_sequence<int, As...> widths) {
 }
 
 TEST(Int, ArithmeticAndOrderAgreeWithGmpForEveryPairOfStorages) {
-  check_table(kSeed, std::integer_sequence<int, 1, 62, 63, 126, 127, 254>{});
+  check_table(kIntSeed, std::integer_sequence<int, 1, 62, 63, 126, 127, 254>{});
 }
 
 TEST(Int, ArithmeticAgreesWithGmpAtTheWidthsOfTheTiers) {
-  check_table(kSeed + 1, std::integer_sequence<int, 0, 29, 61, 125>{});
+  check_table(kIntSeed + 1, std::integer_sequence<int, 0, 29, 61, 125>{});
 }
 
 struct Unary {
@@ -157,7 +157,7 @@ template <int B>
 
 template <int... Bs>
 void check_widths(std::integer_sequence<int, Bs...>) {
-  (check_width<Bs>(kSeed), ...);
+  (check_width<Bs>(kIntSeed), ...);
 }
 
 TEST(Int, UnaryOperationsConversionsAndDoublesAgreeWithGmpAtEveryStorageBoundary) {
@@ -166,7 +166,7 @@ TEST(Int, UnaryOperationsConversionsAndDoublesAgreeWithGmpAtEveryStorageBoundary
 }
 
 TEST(Int, DoublesOfTwoLimbIntegersAreCloseWhereTheHalvesMeet) {
-  std::mt19937_64 random = seeded(kSeed);
+  std::mt19937_64 random = seeded(kIntSeed);
   for (int i = 0; i < 20000; ++i) {
     // a high half of any length above a low half around the sign change and the rounding boundaries
     const mpz_class low = (mpz_class(1) << static_cast<int>(random() % 64)) + random_integer(random, 12);

@@ -11,7 +11,7 @@
 namespace dymsum::exact {
 namespace {
 
-constexpr std::uint64_t kSeed = 31337;
+constexpr std::uint64_t kOrientSeed = 31337;
 constexpr double kGreatest = std::numeric_limits<double>::max();
 
 int cross_by_gmp(Point a, Point b, Point c, Point d) {
@@ -60,13 +60,14 @@ RungTally tally(std::uint64_t seed, int rounds, Draw draw) {
 }
 
 TEST(Orient, TheFilterAnswersNearlyAllGenericCalls) {
-  const RungTally t = tally(kSeed, 5000, [](auto& random) { return static_cast<double>(random() >> 11) * 0x1p-53; });
+  const RungTally t =
+      tally(kOrientSeed, 5000, [](auto& random) { return static_cast<double>(random() >> 11) * 0x1p-53; });
   EXPECT_EQ(t.wrong, 0);
   EXPECT_GT(t.at(Rung::filter), 14990);
 }
 
 TEST(Orient, TinyGridsNeedNoMoreThanTheNarrowExactRung) {
-  const RungTally t = tally(kSeed, 5000, [](auto& random) { return static_cast<double>(random() % 4); });
+  const RungTally t = tally(kOrientSeed, 5000, [](auto& random) { return static_cast<double>(random() % 4); });
   EXPECT_EQ(t.wrong, 0);
   EXPECT_GT(t.zeros, 1000);
   EXPECT_EQ(t.at(Rung::int61), t.zeros);  // the filter opens only on zeros here
@@ -74,7 +75,7 @@ TEST(Orient, TinyGridsNeedNoMoreThanTheNarrowExactRung) {
 }
 
 TEST(Orient, ArbitraryExponentsReachEveryRung) {
-  const RungTally t = tally(kSeed, 5000, [](auto& random) {
+  const RungTally t = tally(kOrientSeed, 5000, [](auto& random) {
     for (;;) {
       const double v = std::bit_cast<double>(random());
       if (std::isfinite(v)) return v;
@@ -88,14 +89,14 @@ TEST(Orient, ArbitraryExponentsReachEveryRung) {
 TEST(Orient, ExtremesOfTheRangeUnderflowAndOverflow) {
   const std::array<double, 13> values = {0,   0x1p-1074, -0x1p-1074, 0x3p-1074, 0x1p-1022,  0x1p-540,  -0x1p-537,
                                          1.0, 0x1p512,   -0x1p1023,  kGreatest, -kGreatest, 0x1.fp-500};
-  const RungTally t = tally(kSeed, 20000, [&](auto& random) { return values[random() % values.size()]; });
+  const RungTally t = tally(kOrientSeed, 20000, [&](auto& random) { return values[random() % values.size()]; });
   EXPECT_EQ(t.wrong, 0);
   EXPECT_GT(t.zeros, 100);
   for (const Rung rung : {Rung::filter, Rung::int61, Rung::big}) EXPECT_GT(t.at(rung), 100);
 }
 
 TEST(Orient, NearlyCollinearPointsOfEveryScale) {
-  std::mt19937_64 random = seeded(kSeed);
+  std::mt19937_64 random = seeded(kOrientSeed);
   RungTally t;
   for (int i = 0; i < 5000; ++i) {
     // c is on the line ab, rounded, or one or two ulps beside it
@@ -163,7 +164,7 @@ TEST(Orient, CountsTellWhoAnswered) {
 }
 
 TEST(Orient, SwapsChangeTheSignAndRotationsKeepIt) {
-  std::mt19937_64 random = seeded(kSeed);
+  std::mt19937_64 random = seeded(kOrientSeed);
   int zeros = 0;
   for (int i = 0; i < 3000; ++i) {
     const auto point = [&] {

@@ -12,7 +12,7 @@
 namespace dymsum::exact {
 namespace {
 
-constexpr std::uint64_t kSeed = 707;
+constexpr std::uint64_t kPolynomialSeed = 707;
 
 mpq_class value_of_polynomial(const Polynomial& p, const mpq_class& x) {
   mpq_class v = 0;
@@ -21,7 +21,7 @@ mpq_class value_of_polynomial(const Polynomial& p, const mpq_class& x) {
 }
 
 TEST(Polynomial, values_and_derivatives) {
-  std::mt19937_64 random = seeded(kSeed);
+  std::mt19937_64 random = seeded(kPolynomialSeed);
   for (int i = 0; i < 300; ++i) {
     const Polynomial p = random_polynomial(random, i % 7, 90);
     const std::int64_t num = static_cast<int>(random() % 2001) - 1000, den = 1 + static_cast<int>(random() % 50);
@@ -37,7 +37,7 @@ TEST(Polynomial, values_and_derivatives) {
 }
 
 TEST(Polynomial, doubles_err_by_what_is_promised) {
-  std::mt19937_64 random = seeded(kSeed + 1);
+  std::mt19937_64 random = seeded(kPolynomialSeed + 1);
   for (int i = 0; i < 2000; ++i) {
     const Polynomial p = random_polynomial(random, i % 7, 1 + i % 700);
     if (p.is_zero()) continue;
@@ -61,7 +61,7 @@ TEST(Polynomial, doubles_err_by_what_is_promised) {
 }
 
 TEST(Polynomial, common_divisors_of_products) {
-  std::mt19937_64 random = seeded(kSeed + 2);
+  std::mt19937_64 random = seeded(kPolynomialSeed + 2);
   std::size_t proved = 0;
   for (int i = 0; i < 400; ++i) {
     const int bits = 2 + i % 100, shared = i % 4;
@@ -90,7 +90,7 @@ TEST(Polynomial, common_divisors_of_products) {
 }
 
 TEST(Polynomial, factors_by_multiplicity) {
-  std::mt19937_64 random = seeded(kSeed + 3);
+  std::mt19937_64 random = seeded(kPolynomialSeed + 3);
   const Polynomial x = poly({-1, 3}), y = poly({-2, 0, 7}), z = poly({5, 1});
   // -6 x z^2 y^1, x^3 z^2, y^3, z^6
   auto f = square_free_factors(times(times(poly({-6}), times(x, y)), times(z, z)));
@@ -119,7 +119,7 @@ TEST(Polynomial, factors_by_multiplicity) {
 }
 
 TEST(Polynomial, signs_in_doubles_are_never_wrong) {
-  std::mt19937_64 random = seeded(kSeed + 4);
+  std::mt19937_64 random = seeded(kPolynomialSeed + 4);
   std::size_t open = 0, decided = 0;
   for (int i = 0; i < 20000; ++i) {
     // Near the rational roots of a product, where values cancel.

@@ -11,7 +11,7 @@
 namespace dymsum::exact {
 namespace {
 
-constexpr std::uint64_t kSeed = 404;
+constexpr std::uint64_t kQuadraticSeed = 404;
 constexpr int kBits = 600;
 
 mpz_class mpz_of(const Big& v) { return mpz_class(v.value().str()); }
@@ -105,7 +105,7 @@ TEST(QuadraticRoot, small_coefficients_exhaustively) {
 }
 
 TEST(QuadraticRoot, approximations_and_reciprocals) {
-  std::mt19937_64 random = seeded(kSeed);
+  std::mt19937_64 random = seeded(kQuadraticSeed);
   for (int i = 0; i < 2000; ++i) {
     const int bits = i % 3 == 0 ? 4 : i % 3 == 1 ? 60 : 200;
     const Quadratic q(big(random_integer(random, bits)), big(random_integer(random, bits)),
@@ -128,7 +128,7 @@ TEST(QuadraticRoot, approximations_and_reciprocals) {
 }
 
 TEST(QuadraticRoot, large_and_neighbouring_coefficients) {
-  std::mt19937_64 random = seeded(kSeed + 1);
+  std::mt19937_64 random = seeded(kQuadraticSeed + 1);
   FilterCounts counts;
   for (int i = 0; i < 1500; ++i) {
     const int bits = i % 2 ? 30 : 100;
@@ -187,7 +187,7 @@ TEST(QuadraticRoot, lower_degrees_infinity_and_nothing) {
 }
 
 TEST(QuadraticRoot, numbers_between) {
-  std::mt19937_64 random = seeded(kSeed + 2);
+  std::mt19937_64 random = seeded(kQuadraticSeed + 2);
   std::size_t checked = 0, tight = 0;
   const auto check = [&](const QuadraticRoot& a, const QuadraticRoot& b) {
     if (a.is_infinite() || b.is_infinite() || compare(a, b) >= 0) return;

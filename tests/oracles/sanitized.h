@@ -10,4 +10,8 @@ namespace dymsum::oracles {
 /// either library, so this is asked when the program starts.
 inline const bool kSanitized = &__asan_init != nullptr;
 
+/// The rounds of a test, or how many cases it has to meet in them: a share of what is usual under sanitizers, which
+/// look at memory and undefined behaviour, not at answers.
+inline int rounds(int usual, int share = 4) { return kSanitized ? usual / share : usual; }
+
 }  // namespace dymsum::oracles

@@ -6,8 +6,10 @@
 #include <set>
 #include <utility>
 
+#include "cspace/boundary/obstacle_state.h"
 #include "cspace/events/walked_rings.h"
 #include "cspace/mesh/obstacle_rails.h"
+#include "exact/rounding_bound.h"
 
 namespace dymsum::cspace {
 namespace {
@@ -22,12 +24,39 @@ Point along(const RingTable& table, std::uint32_t edge) {
   return {b.x - a.x, b.y - a.y};
 }
 
+/// Of the cross product of an edge and a turned one, times their lengths, besides what the angle errs by. The edges (1
+/// each), the cosine and the sine (2), products and their sum (1 each): a component of the turned edge errs by 5, as a
+/// vector that is less than 8. The other edge, and the products and their difference, 1 each.
+constexpr double kTurnedEdges = exact::rounding_bound(8 + 1 + 1 + 1, 16);
+
+/// Whether d and r, turned by an angle, are parallel.
+bool parallel_at(const planar::ExactAngle& angle, const std::array<Point, 2>& d, const std::array<Point, 2>& r) {
+  using exact::BigInteger;
+  using exact::BigRational;
+  const auto difference = [](double b, double a) { return BigRational(exact::exact_value(b) - exact::exact_value(a)); };
+  const BigRational dx = difference(d[1].x, d[0].x), dy = difference(d[1].y, d[0].y), rx = difference(r[1].x, r[0].x),
+                    ry = difference(r[1].y, r[0].y);
+  const BigRational cross = dx * ry - dy * rx, dot = dx * rx + dy * ry;
+  // (1 + t^2) d x (turned r) = (1 - t^2) d x r + 2 t d . r, in the other chart less by a sign.
+  const BigInteger scale = denominator(cross) * denominator(dot);
+  const exact::Big a(BigInteger(numerator(BigRational(cross * scale)))),
+      b(BigInteger(2 * numerator(BigRational(dot * scale)))), c(BigInteger(-numerator(BigRational(cross * scale))));
+  return exact::sign_at(angle.t, exact::Polynomial({a, b, c})) == 0;
+}
+
 class Lines {
  public:
   explicit Lines(const CspaceObstacle& obstacle)
-      : obstacle_(ring_table(obstacle.obstacle())), robot_(ring_table(obstacle.robot())) {}
+      : state_(planar::ObstacleInternals::of(obstacle)),
+        obstacle_(ring_table(obstacle.obstacle())),
+        robot_(ring_table(obstacle.robot())) {}
 
-  void turn(double theta) { cosine_ = std::cos(theta), sine_ = std::sin(theta); }
+  /// To an event angle.
+  void turn(std::uint32_t angle) {
+    const EventAngle& near = state_.angles[angle];
+    angle_ = &state_.exact_angles[angle];
+    cosine_ = std::cos(near.theta), sine_ = std::sin(near.theta), width_ = near.high - near.low;
+  }
 
   /// The line of a contact at the angle of turn().
   Line of(const Contact& c) const {
@@ -42,18 +71,23 @@ class Lines {
   }
 
  private:
-  /// Whether they have the same direction in the sum. Asked only where some pair has exactly, and of edges that meet in
-  /// a contact: far more than the roundings of the angle. It says by which line a joint of the mesh is found again.
+  /// Whether they have the same direction in the sum. Doubles tell most, and of parallel ones whether it is the same.
   bool parallel(std::uint32_t of_obstacle, std::uint32_t of_robot) const {
-    constexpr double kRoundings = 1e-9;
     const Point d = along(obstacle_, of_obstacle), r = along(robot_, of_robot);
     const Point e{sine_ * r.y - cosine_ * r.x, -sine_ * r.x - cosine_ * r.y};  // of the reflected robot, turned
     const double dot = d.x * e.x + d.y * e.y, cross = d.x * e.y - d.y * e.x;
-    return dot > 0 && std::abs(cross) <= kRoundings * dot;
+    const auto ends = [](const RingTable& table, std::uint32_t edge) {
+      return std::array{table.at[edge], table.at[table.next[edge]]};
+    };
+    return std::abs(cross) <= (kTurnedEdges + width_) * dot &&
+           parallel_at(*angle_, ends(obstacle_, of_obstacle), ends(robot_, of_robot));
   }
 
+  const planar::ObstacleState& state_;
   RingTable obstacle_, robot_;
+  const planar::ExactAngle* angle_ = nullptr;
   double cosine_ = 1, sine_ = 0;
+  double width_ = 0;  ///< the angle errs by less
 };
 
 /// The joints of one side of a station that have no counterpart of the same name, by the lines that cross in them.
@@ -108,7 +142,7 @@ void name_joints_at_alignments(ObstacleLayout& layout, const CspaceObstacle& obs
   Lines lines(obstacle);
   for (const std::uint32_t k : aligned) {
     Station& station = layout.stations[k];
-    lines.turn(station.theta);
+    lines.turn(k);
     const auto below = unmatched(layout, obstacle, lines, station.ending, station.above);
     const auto above = unmatched(layout, obstacle, lines, station.beginning, station.below);
     for (const auto& [crossing, joint] : below) {

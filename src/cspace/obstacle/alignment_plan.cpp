@@ -8,9 +8,9 @@ namespace {
 
 using Node = BoundaryGraph::Node;
 
-/// Of places along two edges in line, times their lengths: the lengths (1 for each coordinate, 2 for the root), shares
-/// of them, sums.
-constexpr double kInLine = exact::rounding_bound(1 + 2 + 1 + 2, 32);
+/// Of the difference of a place along two edges in line and a length, times both lengths: each length (1 for the
+/// coordinates, 2 for the root), a share of one, the sum with the other.
+constexpr double kInLine = exact::rounding_bound(3 + 1 + 1 + 3, 16);
 
 /// Visible sub-edges that follow each other along the common line of two aligned edges, and where they start and end
 /// on it.

@@ -24,8 +24,9 @@ namespace {
 
 using namespace planar;
 
-// Of a position in the lattice's doubles, times its span: both coordinates and their sum.
-constexpr double kPositionInSteps = exact::rounding_bound(1 + 1 + 1, 16);
+// Of a position in the lattice's doubles, times its span: coordinates of up to three roundings, whose sum is no longer
+// than the span, and the sum. No input shows it: what Collision grants beyond its counts is as much.
+constexpr double kPositionInSteps = exact::rounding_bound(3 + 1, 8);
 
 Error unsupported(const char* message) { return {ErrorCode::unsupported_operand, message, {}}; }
 

@@ -12,9 +12,9 @@
 namespace dymsum::planar {
 namespace {
 
-// Of a position from the lattice's base: itself and its double, times the span; the sum of the offsets, times the
-// reach.
-constexpr double kPlace = exact::rounding_bound(1, 512), kBase = exact::rounding_bound(2, 8);
+// Of a position from the lattice's base: its double, times the span, which Collision's own slack covers as well; and
+// the sum of the offsets, times the reach.
+constexpr double kPlace = exact::rounding_bound(1, 2), kBase = exact::rounding_bound(1, 2);
 
 // The middle of the loop's first piece.
 Place place_on_loop(const std::vector<WalkSegment>& loop, const TurningForms& forms, const PlacedPair& state) {

@@ -33,7 +33,9 @@ const SliceGraph& PathLevels::graph(std::size_t k) {
   return *level.graph;
 }
 
-// Of the difference of two angles in (-pi, pi], absolutely: their doubles, and a rounding of at most 2 pi.
+// Of the difference of two angles in (-pi, pi], absolutely: their doubles, and a rounding of at most 2 pi. No input
+// shows it where arc tangents are rounded monotonously, as they mostly are: orientations then never are in the wrong
+// order.
 constexpr double kAngleGap = exact::rounding_bound(2 * 12 + 4, 32);
 
 std::size_t PathLevels::index_of(const PathLevel* level) const {

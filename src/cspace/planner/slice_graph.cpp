@@ -22,9 +22,12 @@ namespace {
 constexpr double kTold = 8, kMoved = 16;
 static_assert(2 / (1 - 2 / kTold) + 2 <= kMoved / 2);
 // Besides, times the sizes of what is added: two differences, the quotient, another difference, the product, the sum.
-constexpr double kHeight = exact::rounding_bound(6, 16);
-// Of half a sum, and of a difference.
-constexpr double kMiddle = exact::rounding_bound(1, 4), kDifference = exact::rounding_bound(1, 2);
+constexpr double kHeight = exact::rounding_bound(6, 8);
+// Of half a sum. No input shows it: twice what spots err by is more where they err at all, and where they do not
+// kHeight grants as much.
+constexpr double kMiddle = exact::rounding_bound(1, 2);
+// Of a difference.
+constexpr double kDifference = exact::rounding_bound(1, 2);
 
 // Names the connected pieces of a graph 0, 1, ... in the order of their first nodes; returns how many.
 template <class Links>

@@ -13,10 +13,12 @@ constexpr double kTurn = 2 * std::numbers::pi;
 // Of a position or an angle, times the sizes of both: hinges, lines, places on them and the distance, 16 to 64 each
 // (patch_forms.cpp, end_curve.cpp, stretch_distance.cpp).
 constexpr double kPosition = exact::rounding_bound(4 * 64, 1024);
-// Of the angle of a question from a stretch's reference: both doubles, and three differences of at most 8.
-constexpr double kAngle = exact::rounding_bound(12 + 3 * 4, 32);
+// Of the angle of a question from a stretch's reference: both doubles (8 each), their difference and that from the
+// middle (4 each, as they are below 8), a turn (3) and the sum with the middle (1).
+constexpr double kAngle = exact::rounding_bound(2 * 8 + 2 * 4 + 3 + 1, 32);
 // Parts that are shorter, relatively or absolutely, are not halved any more; what they leave open is part of the error.
 constexpr double kShortPart = 0x1p-46, kShortest = 0x1p-80;
+constexpr double kGoodShare = 1 - 0x1p-30;  // any share is right
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 constexpr std::uint64_t kMostBounds = 20000;  // what is left open then is part of the error
 
@@ -85,8 +87,8 @@ class Search {
   }
 
  private:
-  // It is no use to be more exact than positions are known.
-  double good_enough() const { return upper_ * (1 - 1e-9) - 8 * slack_; }
+  // It is no use to be more exact than positions are known; what is left open is part of the error.
+  double good_enough() const { return upper_ * kGoodShare - 8 * slack_; }
 
   // A stretch that is near, so that most others are never kept: down the tree by the nearest boxes.
   std::uint32_t first_guess() const {

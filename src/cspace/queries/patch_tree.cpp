@@ -16,8 +16,9 @@ using Box = std::array<Range, 3>;  // x, y, theta
 
 Box join(const Box& a, const Box& b) { return {join(a[0], b[0]), join(a[1], b[1]), join(a[2], b[2])}; }
 
-// Of half a width, relatively: the difference from the middle, which is a double itself.
-constexpr double kHalf = exact::rounding_bound(1, 8);
+// Of half a width, relatively: the difference from the middle, which is a double itself. No input shows it: boxes are
+// wider by far more (kStretchBox), and searches add what positions err by.
+constexpr double kHalf = exact::rounding_bound(1, 2);
 
 double middle(Range r) { return r.low / 2 + r.high / 2; }
 double half(Range r) { return std::max(r.high - middle(r), middle(r) - r.low) * (1 + kHalf); }

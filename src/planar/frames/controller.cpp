@@ -12,7 +12,7 @@ constexpr double kSteps = kFrames + 0.5,
                  kWidestSteps = 2.5;  // where those are so much wider than windows should be, none is tried
 constexpr double kMostFrames = 160;
 constexpr double kLargestStep = 0.16;  // beyond it no window has been seen to pay
-constexpr double kNarrowest = 1e-6;
+constexpr double kNarrowest = 1e-6;    // any width is right
 constexpr double kTooExpensive =
     1.15;  // windows are left above so much of a frame from scratch: most of their frames are far cheaper
 constexpr double kMostOfWindow = 12, kMostOfFrame = 2;  // times a frame from scratch

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "exact/quadratic_root.h"
+#include "exact/rounding_bound.h"
 #include "spatial/gauss/polytope.h"
 
 namespace dymsum::spatial {
@@ -28,7 +29,9 @@ class TurnForms {
   exact::Quadratic form(int op, std::uint32_t f, HalfEdge h) const;
   /// theta of a root in [0, 2 pi], within kAngleError.
   double angle(const exact::QuadraticRoot& root) const;
-  static constexpr double kAngleError = 0x1p-46;
+  // Twice the arc tangent of a quotient: components of the root (16 each) and the axis's length in a product (3) turn
+  // it by half of that, itself it errs by 4; whole turns (3), and the sum with one (4).
+  static constexpr double kAngleError = exact::rounding_bound(16 + 16 + 3 + 2 * 4 + 3 + 4, 128);
 
  private:
   std::array<const Polytope*, 2> poly_;

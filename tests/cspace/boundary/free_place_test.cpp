@@ -95,7 +95,7 @@ class Places {
 
 TEST(FreePlace, equals_membership_in_the_open_sum) {
   Tally tally;
-  for_seeds(120, [&](Random& random) {
+  for_seeds(static_cast<std::uint64_t>(oracles::rounds(120, 3)), [&](Random& random) {
     const int parts = 1 + static_cast<int>(random() % 2);
     const bool cells = random() % 3 == 0;
     const Region robot = scaled(cells ? random_cells(random, 3, 1) : random_shape(random, 2, 5, false, parts), 5);
@@ -106,14 +106,14 @@ TEST(FreePlace, equals_membership_in_the_open_sum) {
     Places(robot, obstacle, kTurns[random() % kTurns.size()]).check(random, 12, tally);
   });
   if (std::getenv("DYMSUM_SEED") != nullptr) return;
-  EXPECT_GT(tally.free, 500 / static_cast<int>(kShareOfSeeds));
-  EXPECT_GT(tally.covered, 500 / static_cast<int>(kShareOfSeeds));
+  EXPECT_GT(tally.free, oracles::rounds(500, 3) / static_cast<int>(kShareOfSeeds));
+  EXPECT_GT(tally.covered, oracles::rounds(500, 3) / static_cast<int>(kShareOfSeeds));
 }
 
 // Parts, a bent polyline and a point, in any place, against parts; either way round.
 TEST(FreePlace, of_pieces_without_area_equals_membership_in_the_open_sum) {
   Tally tally;
-  for_seeds(120, [&](Random& random) {
+  for_seeds(static_cast<std::uint64_t>(oracles::rounds(120, 3)), [&](Random& random) {
     const auto grid = [&](int reach) {
       return 5.0 * (static_cast<int>(random() % static_cast<unsigned>(2 * reach + 1)) - reach);
     };
@@ -130,13 +130,13 @@ TEST(FreePlace, of_pieces_without_area_equals_membership_in_the_open_sum) {
     Places(robot ? one : other, robot ? other : one, kTurns[random() % kTurns.size()]).check(random, 12, tally);
   });
   if (std::getenv("DYMSUM_SEED") != nullptr) return;
-  EXPECT_GT(tally.free, 300 / static_cast<int>(kShareOfSeeds));
-  EXPECT_GT(tally.covered, 300 / static_cast<int>(kShareOfSeeds));
+  EXPECT_GT(tally.free, oracles::rounds(300, 3) / static_cast<int>(kShareOfSeeds));
+  EXPECT_GT(tally.covered, oracles::rounds(300, 3) / static_cast<int>(kShareOfSeeds));
 }
 
 TEST(FreePlace, of_a_segment_equals_membership_in_the_open_sum) {
   Tally tally;
-  for_seeds(120, [&](Random& random) {
+  for_seeds(static_cast<std::uint64_t>(oracles::rounds(120, 3)), [&](Random& random) {
     const auto at = [&] { return static_cast<double>(static_cast<int>(random() % 9) - 4); };
     RegionData rod;
     rod.polylines.push_back({{at(), at()}, {at() + 0.5, at()}});
@@ -144,8 +144,8 @@ TEST(FreePlace, of_a_segment_equals_membership_in_the_open_sum) {
     Places(scaled(*Region::create(rod), 10), obstacle, kTurns[random() % kTurns.size()]).check(random, 20, tally);
   });
   if (std::getenv("DYMSUM_SEED") != nullptr) return;
-  EXPECT_GT(tally.free, 500 / static_cast<int>(kShareOfSeeds));
-  EXPECT_GT(tally.covered, 500 / static_cast<int>(kShareOfSeeds));
+  EXPECT_GT(tally.free, oracles::rounds(500, 3) / static_cast<int>(kShareOfSeeds));
+  EXPECT_GT(tally.covered, oracles::rounds(500, 3) / static_cast<int>(kShareOfSeeds));
 }
 
 // The robot in its own cavity; and in place of the obstacle itself, or with a ring of one in the other.

@@ -3,8 +3,7 @@
 
 #include <gtest/gtest.h>
 
-#include <boost/multiprecision/cpp_bin_float.hpp>
-
+#include "oracles/digits.h"
 #include "oracles/random.h"
 
 namespace dymsum::planar {
@@ -13,7 +12,7 @@ namespace {
 using exact::BigRational;
 
 TEST(EventAngleBounds, angles_err_by_less_and_not_by_much_less) {
-  using Digits = boost::multiprecision::cpp_bin_float_50;
+  using oracles::Digits;
   oracles::Random random(51);
   double most = 0;
   for (int k = 0; k < 2000; ++k) {
@@ -23,7 +22,7 @@ TEST(EventAngleBounds, angles_err_by_less_and_not_by_much_less) {
     TurnEvent event;
     event.root = exact::AlgebraicRoot::rational(t);
     set_angles(event, range);
-    const Digits truth = 2 * atan(Digits(t)) + (range.chart == 1 ? boost::math::constants::pi<Digits>() : Digits(0));
+    const Digits truth = 2 * atan(Digits(t)) + (range.chart == 1 ? Digits::pi() : Digits(0));
     ASSERT_LE(Digits(event.low), truth) << k;
     ASSERT_GE(Digits(event.high), truth) << k;
     if (event.root->low() != event.root->high()) continue;

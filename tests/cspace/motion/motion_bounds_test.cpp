@@ -8,6 +8,7 @@
 #include "cspace/motion/slice_map.h"
 #include "dymsum/shapes.h"
 #include "oracles/random.h"
+#include "oracles/sanitized.h"
 
 namespace dymsum::planar {
 namespace {
@@ -21,7 +22,7 @@ SlicePoint point(BigRational x, BigRational y) { return SlicePoint(Position{std:
 // Points on a line, moved off it by less or a little more than doubles of their positions tell.
 TEST(MotionBounds, sides_next_to_a_line_are_the_exact_ones) {
   Random random(31);
-  for (int k = 0; k < 20000; ++k) {
+  for (int k = 0; k < oracles::rounds(5000); ++k) {
     const double reach = k % 2 == 0 ? 1 : 0x1p-20;  // both coordinates large, or only one
     const auto at = [&](double most) { return exactly(random.signed_unit() * most) / 3; };
     const Position a{1 + at(0x1p-10), at(1)}, d{at(reach), at(1)};

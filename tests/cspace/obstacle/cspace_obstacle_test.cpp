@@ -9,6 +9,7 @@
 #include <random>
 #include <set>
 
+#include "cspace/obstacle/obstacle_slices.h"
 #include "dymsum/cspace_obstacle.h"
 #include "dymsum/shapes.h"
 #include "exact/big.h"
@@ -17,13 +18,8 @@ namespace dymsum {
 namespace {
 
 using exact::BigRational;
-using Random = std::mt19937_64;
-
-Region polygon(Ring ring) {
-  RegionData data;
-  data.parts.push_back({std::move(ring), {}});
-  return *Region::create(std::move(data));
-}
+using testing_obstacles::polygon;
+using testing_obstacles::Random;
 
 double cross(Point o, Point a, Point b) { return (a.x - o.x) * (b.y - o.y) - (a.y - o.y) * (b.x - o.x); }
 
@@ -104,7 +100,7 @@ std::uint32_t slabs(const CspaceObstacle& c) {
   return std::max<std::uint32_t>(1, static_cast<std::uint32_t>(c.angles().size()));
 }
 
-void expect_slices(const CspaceObstacle& c, std::uint32_t slab, const Orientation& at) {
+void expect_slice_at(const CspaceObstacle& c, std::uint32_t slab, const Orientation& at) {
   const PlanarSum slice = *cspace_slice(c.robot(), c.obstacle(), at);
   EXPECT_TRUE(slice == *c.slice(at));
   EXPECT_EQ(contacts(c, slab), contacts(slice));
@@ -166,8 +162,8 @@ void expect_obstacle(const CspaceObstacle& c, Random& random, std::size_t most_s
     ASSERT_EQ(loops.size(), 1u);
     EXPECT_EQ(loops[0].size(), m + n);
     for (const std::uint32_t k : loops[0]) EXPECT_EQ(c.free_cell(slab, k), 0u);
-    expect_slices(c, slab, at);
-    expect_slices(c, slab, elsewhere(c, slab, random));
+    expect_slice_at(c, slab, at);
+    expect_slice_at(c, slab, elsewhere(c, slab, random));
   }
 }
 

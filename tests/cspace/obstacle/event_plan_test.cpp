@@ -10,6 +10,7 @@
 #include "cspace/obstacle/tight_events.h"
 #include "cspace/obstacle/turn_windows.h"
 #include "dymsum/shapes.h"
+#include "oracles/random.h"
 #include "planar/frames/region_pair.h"
 #include "planar/turning/turn.h"
 
@@ -240,6 +241,31 @@ TEST(EventPlan, aligned_edges_change_their_order) {
     ++alignments;
   });
   EXPECT_EQ(alignments, 9);
+}
+
+// The robot's tip stands in a notch one side of which is as long as the tip's, up to roundings: where they are aligned
+// doubles do not tell which one is longer.
+TEST(EventPlan, alignments_of_edges_of_nearly_one_length_are_right_or_unsure) {
+  oracles::Random random(65);
+  Compared compared;
+  for (int k = 0; k < 60 && !HasFatalFailure(); ++k) {
+    const Point a{1 + 0.1 * random.signed_unit(), 0.2 + 0.1 * random.signed_unit()},
+        b{1 + 0.1 * random.signed_unit(), -0.2 + 0.1 * random.signed_unit()};
+    const double by = 3 * random.signed_unit();
+    const auto turned = [](double angle, Point v) {
+      const double c = std::cos(angle), s = std::sin(angle);
+      return Point{c * v.x - s * v.y, s * v.x + c * v.y};
+    };
+    Ring tip{{0, 0}, b, a}, notched{turned(by - 0.5, b), {0, 0}, turned(by + 0.5, a)};
+    for (int i = 0; i < 5; ++i) notched.push_back(turned(by + 0.7 + 1.2 * i, {4, 0}));
+    for (Ring* ring : {&tip, &notched})  // so that differences are rounded
+      for (const Point off{random.signed_unit(), random.signed_unit()}; Point & v : *ring) v.x += off.x, v.y += off.y;
+    for_each_moment(Turning(polygon(tip), polygon(notched)), [&](const Moment& m) {
+      if (m.events[0]->kind == TurnEvent::Kind::alignment && !HasFatalFailure()) expect_plans(m, compared);
+    });
+  }
+  EXPECT_GT((compared.plans[{TurnEvent::Kind::alignment, Verdict::change}]), 100);
+  EXPECT_GT(compared.whole, 45);
 }
 
 /// An L whose notch a bar of width 2 dips into, and what is planned at the first angle after `theta`.

@@ -2,11 +2,12 @@
 // hardly tell apart, and tight placements far from the origin.
 #include <gtest/gtest.h>
 
-#include <boost/multiprecision/cpp_bin_float.hpp>
 #include <numbers>
 
 #include "cspace/obstacle/event_plan.h"
+#include "cspace/obstacle/slice_reader.h"
 #include "dymsum/cspace_obstacle.h"
+#include "oracles/digits.h"
 #include "oracles/random.h"
 #include "oracles/random_pentagon.h"
 #include "planar/frames/region_pair.h"
@@ -82,11 +83,11 @@ TEST(ObstacleBounds, alignments_that_doubles_hardly_tell_apart_are_in_their_orde
     for (const Point v : robot.parts()[0].outer) data.parts[0].outer.push_back({c * v.x - s * v.y, s * v.x + c * v.y});
     const CspaceObstacle obstacle = CspaceObstacle::create(robot, Region::create(std::move(data)).value()).value();
     // tan(theta / 4) grows with the angle: by charts of half a turn, those about pi at both ends.
-    using Digits = boost::multiprecision::cpp_bin_float_50;
+    using oracles::Digits;
     std::vector<Digits> exactly;
     for (std::uint32_t a = 0; a < obstacle.angles().size(); ++a) {
       const CspaceObstacle::HalfTangent t = obstacle.half_tangent(a);
-      const Digits half = atan(Digits(t.high) + Digits(t.low)), pi = boost::math::constants::pi<Digits>();
+      const Digits half = atan(Digits(t.high) + Digits(t.low)), pi = Digits::pi();
       exactly.push_back(!t.opposite ? Digits(2 * half) : half > 0 ? Digits(2 * half - pi) : Digits(2 * half + pi));
     }
     ASSERT_TRUE(std::is_sorted(exactly.begin(), exactly.end())) << k;
@@ -125,6 +126,38 @@ TEST(ObstacleBounds, tight_placements_far_from_the_origin_err_by_less_and_not_by
   }
   EXPECT_LE(most, 1);
   EXPECT_GT(most, 1.0 / 64);
+}
+
+// Free doubles on one side and an operand far from the origin on the other: the sum of what they are moved by is
+// rounded.
+TEST(ObstacleBounds, boundaries_far_from_the_origin_have_free_sides) {
+  oracles::Random random(64);
+  int loops = 0;
+  for (int k = 0; k < 60; ++k) {
+    const auto whole = [&] { return 0x1p40 + random.below(1 << 30); };
+    const Region robot = oracles::random_pentagon(random, random.signed_unit(), random.signed_unit(), 1),
+                 near = oracles::random_pentagon(random, 0, 0, 2);
+    RegionData data;
+    data.parts.emplace_back();
+    const double x = whole(), y = whole();
+    for (const Point v : near.parts()[0].outer) data.parts[0].outer.push_back({x + v.x, y + v.y});
+    const auto base =
+        pair_of_regions(Region::create(std::move(data)).value(), robot, PairOptions{.moved = 1, .reflect_q = true})
+            .value();
+    const TurningForms forms(*base);
+    const SliceReader reader(forms, base);
+    const SegmentIndex index(forms.size(0), forms.size(1));
+    for (int i = 0; i < 4; ++i) {
+      const Orientation at = Orientation::nearest(3 * random.signed_unit()).value();
+      for (const SliceLoop& loop : reader.loops(at)) {
+        std::vector<WalkSegment> segments;
+        for (const std::uint32_t s : loop.segments) segments.push_back(index.segment(s));
+        EXPECT_TRUE(reader.is_free(segments, at)) << k;
+        ++loops;
+      }
+    }
+  }
+  EXPECT_EQ(loops, 4 * 60);
 }
 
 }  // namespace

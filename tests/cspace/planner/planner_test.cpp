@@ -280,7 +280,7 @@ Region random_maze(Random& random, int n, std::vector<std::vector<bool>>& wall) 
 
 TEST(Planner, a_square_in_mazes_of_exactly_its_width) {
   int found = 0, none = 0;
-  for (std::uint64_t seed = 1; seed <= 40; ++seed) {
+  for (std::uint64_t seed = 1; seed <= static_cast<std::uint64_t>(oracles::rounds(40)); ++seed) {
     SCOPED_TRACE(testing::Message() << "seed " << seed);
     Random random(seed);
     std::vector<std::vector<bool>> wall;
@@ -321,8 +321,8 @@ TEST(Planner, a_square_in_mazes_of_exactly_its_width) {
     (p.found() ? found : none)++;
     if (testing::Test::HasFatalFailure()) return;
   }
-  EXPECT_GT(found, 5);
-  EXPECT_GT(none, 5);
+  EXPECT_GT(found, oracles::rounds(5));
+  EXPECT_GT(none, oracles::rounds(5));
 }
 
 // There and back: both ways valid, or neither.

@@ -5,18 +5,20 @@
 #include <limits>
 #include <random>
 
+#include "cspace/obstacle/obstacle_slices.h"
 #include "dymsum/obstacle_queries.h"
 #include "dymsum/shapes.h"
 
 namespace dymsum {
 namespace {
 
+using testing_obstacles::box;
+
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
 Region shape(Ring outer, std::vector<Ring> holes = {}) {
   return Region::create({{{std::move(outer), std::move(holes)}}, {}, {}}).value();
 }
-Ring box(double x0, double y0, double x1, double y1) { return {{x0, y0}, {x1, y0}, {x1, y1}, {x0, y1}}; }
 
 std::vector<std::pair<Region, Region>> scenes() {
   const Ring hole{{-4, -4}, {-4, 6}, {8, 6}, {8, 1}, {2, 1}, {2, -1}, {8, -1}, {8, -4}};

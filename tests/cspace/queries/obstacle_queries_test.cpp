@@ -5,22 +5,19 @@
 #include <limits>
 #include <random>
 
+#include "cspace/obstacle/obstacle_slices.h"
 #include "dymsum/obstacle_queries.h"
 #include "dymsum/shapes.h"
+#include "oracles/sanitized.h"
 
 namespace dymsum {
 namespace {
 
-using Random = std::mt19937_64;
+using testing_obstacles::polygon;
+using testing_obstacles::Random;
 
 double uniform_between(Random& random, double low, double high) {
   return std::uniform_real_distribution<double>(low, high)(random);
-}
-
-Region polygon(Ring ring) {
-  RegionData data;
-  data.parts.push_back({std::move(ring), {}});
-  return *Region::create(std::move(data));
 }
 
 Region moved(const Region& region, double dx, double dy) { return *translated(region, dx, dy); }
@@ -75,13 +72,13 @@ TEST(ObstacleQueries, contains_equals_the_exact_test_anywhere) {
     const CspaceObstacle c = make(pair);
     const ObstacleQueries q(c);
     int inside = 0;
-    for (int k = 0; k < 1000; ++k) {
+    for (int k = 0; k < oracles::rounds(1000); ++k) {
       const Configuration at = anywhere(c, random);
       const bool expected = c.contains(at.x, at.y, *Orientation::nearest(at.theta));
       EXPECT_EQ(q.contains(at), expected);
       inside += expected;
     }
-    EXPECT_GT(inside, 20);
+    EXPECT_GT(inside, oracles::rounds(20));
     EXPECT_LE(q.exact_answers(), 2u);
   }
 }
@@ -190,7 +187,7 @@ TEST(ObstacleQueries, clearance_is_the_least_distance_to_all_patches) {
     const CspaceObstacle c = make(pair);
     const ObstacleQueries q(c);
     const double size = frame(c).size;
-    for (int k = 0; k < 30; ++k) {
+    for (int k = 0; k < oracles::rounds(30, 3); ++k) {
       const Configuration from = anywhere(c, random);
       for (const double weight : {q.gyration_radius(), 0.1, 10.0, 0.0}) {
         SCOPED_TRACE(testing::Message() << from.x << " " << from.y << " " << from.theta << " weight " << weight);
@@ -318,8 +315,8 @@ TEST(ObstacleQueries, clearance_of_a_nearly_symmetric_star) {
   const CspaceObstacle c = make({star, star});
   const ObstacleQueries q(c);
   const double size = frame(c).size, w = q.gyration_radius();
-  constexpr int kAsked = 120;
-  for (int k = 0; k < kAsked; ++k) {
+  const int asked = oracles::rounds(120);
+  for (int k = 0; k < asked; ++k) {
     Configuration from = anywhere(c, random);
     if (k == 0) from = {2.6755101274912469, 6.1136040221208816, -0.22326770522919492};
     if (k == 1) from = {-2.6585513931131821, 6.6042293465492214, -2.7693829285172318};
@@ -344,7 +341,7 @@ TEST(ObstacleQueries, clearance_of_a_nearly_symmetric_star) {
       EXPECT_LE(std::abs(found.distance), std::hypot(slice_distance(c, at), turn) + found.error);
     }
   }
-  EXPECT_LT(q.bounds_evaluated(), 200u * kAsked);
+  EXPECT_LT(q.bounds_evaluated(), 200u * static_cast<unsigned>(asked));
 }
 
 TEST(ObstacleQueries, clearance_looks_at_few_patches) {
@@ -370,7 +367,7 @@ TEST(ObstacleQueries, free_angles_are_those_that_are_free) {
   for (const auto& pair : pairs()) {
     const CspaceObstacle c = make(pair);
     const ObstacleQueries q(c);
-    for (int k = 0; k < 60; ++k) {
+    for (int k = 0; k < oracles::rounds(60); ++k) {
       const Configuration at = anywhere(c, random);
       const std::vector<FreeAngles> free = q.free_angles(at.x, at.y);
       for (int i = 0; i < 500; ++i) {
@@ -400,9 +397,9 @@ TEST(ObstacleQueries, free_angles_are_those_that_are_free) {
       }
     }
   }
-  EXPECT_GT(ends, 100);
-  EXPECT_GT(whole, 20);
-  EXPECT_GT(none, 20);
+  EXPECT_GT(ends, oracles::rounds(100));
+  EXPECT_GT(whole, oracles::rounds(20));
+  EXPECT_GT(none, oracles::rounds(20));
 }
 
 TEST(ObstacleQueries, free_angles_of_a_bar_beside_a_corner) {

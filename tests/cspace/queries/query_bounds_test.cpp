@@ -2,29 +2,19 @@
 // angles a line passes a position, and how far tight angles are.
 #include <gtest/gtest.h>
 
-#include <boost/multiprecision/cpp_bin_float.hpp>
 #include <numbers>
 
 #include "cspace/queries/angle_passages.h"
 #include "cspace/queries/end_curve.h"
 #include "cspace/queries/tight_distance.h"
+#include "oracles/largest_share.h"
 #include "oracles/random.h"
 
 namespace dymsum::cspace {
 namespace {
 
-using Digits = boost::multiprecision::cpp_bin_float_50;
-
-struct LargestShare {
-  double most = 0;
-  void add(const Digits& error, double bound) {
-    most = std::max(most, static_cast<double>(Digits(abs(error))) / bound);
-  }
-  void expect_bounded(double some) const {
-    EXPECT_LE(most, 1);
-    EXPECT_GT(most, some);
-  }
-};
+using oracles::Digits;
+using oracles::LargestShare;
 
 PatchEnd mixed_crossing(oracles::Random& random) {
   PatchEnd end;

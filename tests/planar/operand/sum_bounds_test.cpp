@@ -8,6 +8,7 @@
 
 #include "exact/big.h"
 #include "oracles/random.h"
+#include "oracles/sanitized.h"
 #include "planar/operand/directions.h"
 
 namespace dymsum::planar {
@@ -90,7 +91,7 @@ Shares largest_shares(int rounds) {
 }
 
 TEST(SumBounds, sums_and_signs_err_by_less_and_not_by_much_less) {
-  const Shares most = largest_shares(20000);
+  const Shares most = largest_shares(oracles::rounds(20000));
   const double shares[] = {most.point, most.side, most.of_place, most.height, most.cross,  most.angle,
                            most.gap,   most.box,  most.touch,    most.step,   most.rounded};
   for (std::size_t k = 0; k < std::size(shares); ++k) {
@@ -103,7 +104,7 @@ TEST(SumBounds, sums_and_signs_err_by_less_and_not_by_much_less) {
 TEST(SumBounds, weights_of_mediants_err_by_less_and_not_by_much_less) {
   oracles::Random random(23);
   double most = 0;
-  for (int k = 0; k < 20000; ++k) {
+  for (int k = 0; k < oracles::rounds(20000); ++k) {
     const double d0 = 1 + 7 * std::abs(random.signed_unit()), d1 = random.chance(50) ? d0 : 1.0 / d0;
     const double r = std::abs(random.signed_unit()) * (random.chance(50) ? 0x1p-30 : 0.9),
                  s = random.chance(50) ? r : 0;
@@ -133,7 +134,7 @@ TEST(SumBounds, a_scaled_vertex_takes_nearly_all_that_is_granted) {
 TEST(SumBounds, shares_of_crossings_err_by_less_and_not_by_much_less) {
   oracles::Random random(22);
   double most = 0;
-  for (int k = 0; k < 20000; ++k) {
+  for (int k = 0; k < oracles::rounds(20000); ++k) {
     const double d = (8 + 100 * std::abs(random.signed_unit())) * 0x1p-40, t = std::abs(random.signed_unit());
     const BigRational n = exactly(t) * exactly(d), m = n - exactly(d);
     const double e = 0x1p-40;

@@ -5,6 +5,7 @@
 
 #include "exact/big.h"
 #include "oracles/random.h"
+#include "oracles/sanitized.h"
 #include "planar/scaling/crossing_range.h"
 
 namespace dymsum::planar {
@@ -42,7 +43,7 @@ struct Rounded {
 TEST(WindowBounds, points_and_sides_err_by_less_and_not_by_much_less) {
   oracles::Random random(7);
   Shares of_point, of_side, of_search;
-  for (int k = 0; k < 20000; ++k) {
+  for (int k = 0; k < oracles::rounds(20000); ++k) {
     // All of the span belongs to the fixed operand, to the moving one, or to both.
     const int fixed = random.below(3), moving = fixed == 0 ? 1 : random.below(3);
     const double span = fixed + 2.0 * moving;
@@ -69,7 +70,7 @@ TEST(WindowBounds, points_and_sides_err_by_less_and_not_by_much_less) {
 TEST(WindowBounds, cross_products_of_edge_vectors) {
   oracles::Random random(8);
   Shares shares;
-  for (int k = 0; k < 20000; ++k) {
+  for (int k = 0; k < oracles::rounds(20000); ++k) {
     const Rounded ax(random, 1), ay(random, 1), bx(random, 1), by(random, 1);
     const double u = ax.value * by.value, v = ay.value * bx.value;
     shares.add(exactly(u - v) - (ax.exact * by.exact - ay.exact * bx.exact), kEdgeCross * (u + v));
@@ -80,7 +81,7 @@ TEST(WindowBounds, cross_products_of_edge_vectors) {
 TEST(WindowBounds, shares_of_crossing_lines) {
   oracles::Random random(9);
   Shares shares;
-  for (int k = 0; k < 20000; ++k) {
+  for (int k = 0; k < oracles::rounds(20000); ++k) {
     const BigRational n = exactly(random.signed_unit()), d = exactly(0.25 + std::abs(random.signed_unit()));
     const double rn = 0x1p-30, rd = 0x1p-3;  // the worst of what is known of both
     const double value_n = exact::round_to_double(BigRational(n + exactly(random.chance(50) ? rn : -rn))),
@@ -95,7 +96,7 @@ TEST(WindowBounds, shares_of_crossing_lines) {
 TEST(WindowBounds, signs_are_certain_beyond_the_error_of_a_root) {
   oracles::Random random(10);
   Shares shares;
-  for (int k = 0; k < 20000; ++k) {
+  for (int k = 0; k < oracles::rounds(20000); ++k) {
     const double a = -std::abs(random.signed_unit()), b = 1 + random.signed_unit() / 2,
                  error = random.chance(50) ? 0 : 0x1p-50;
     const double root = -a / b, tau1 = 1;
@@ -109,7 +110,7 @@ TEST(WindowBounds, signs_are_certain_beyond_the_error_of_a_root) {
 TEST(WindowBounds, moving_shares_err_by_less_and_not_by_much_less) {
   oracles::Random random(11);
   Shares of_share, of_gap, followed;
-  for (int k = 0; k < 20000; ++k) {
+  for (int k = 0; k < oracles::rounds(20000); ++k) {
     const BigRational scale(random.below(1000) + 1, 1001);
     const double tau = exact::round_to_double(scale), b = random.signed_unit(), a = random.chance(50) ? 0 : 1 - b * tau,
                  c = random.signed_unit(), d = random.chance(50) ? 0 : 1 - c * tau;
@@ -128,7 +129,7 @@ TEST(WindowBounds, moving_shares_err_by_less_and_not_by_much_less) {
 TEST(WindowBounds, kept_positions_err_by_less_and_not_by_much_less) {
   oracles::Random random(14);
   Shares inside, outside;
-  for (int k = 0; k < 20000; ++k) {
+  for (int k = 0; k < oracles::rounds(20000); ++k) {
     const BigRational s(random.below(1000) + 1, random.below(1000) + 1), tau = 1 / s;
     const double scale = exact::round_to_double(s), t = exact::round_to_double(tau);
     const double a = random.signed_unit(), b = random.signed_unit() * scale, span = 1 + scale * t;
@@ -180,7 +181,7 @@ TEST(WindowBounds, projections_err_by_less_and_not_by_much_less) {
 TEST(WindowBounds, weights_and_coefficients) {
   oracles::Random random(13);
   Shares of_length, of_cross, coefficient;
-  for (int k = 0; k < 20000; ++k) {
+  for (int k = 0; k < oracles::rounds(20000); ++k) {
     const Rounded ax(random, 1), ay(random, 1), bx(random, 1), by(random, 1), vx(random, 1), vy(random, 1),
         wx(random, 1), wy(random, 1);
     of_length.add(exactly(ax.value) - ax.exact, kLengthWeight * ax.value);

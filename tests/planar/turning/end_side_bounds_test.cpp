@@ -1,9 +1,9 @@
 // Bounds of the ends of segments and of exact angles in doubles: they hold, and are not many times too large.
 #include <gtest/gtest.h>
 
-#include <boost/multiprecision/cpp_bin_float.hpp>
 #include <numbers>
 
+#include "oracles/digits.h"
 #include "oracles/random.h"
 #include "oracles/random_pentagon.h"
 #include "planar/frames/region_pair.h"
@@ -55,7 +55,7 @@ TEST(EndSideBounds, sides_of_ends_err_by_less_and_not_by_much_less) {
 
 // Against angles of fifty digits.
 TEST(EndSideBounds, event_angles_err_by_less_and_not_by_much_less) {
-  using Digits = boost::multiprecision::cpp_bin_float_50;
+  using oracles::Digits;
   oracles::Random random(22);
   double near_zero = 0, turned = 0;
   for (int k = 0; k < 4000; ++k) {
@@ -63,7 +63,7 @@ TEST(EndSideBounds, event_angles_err_by_less_and_not_by_much_less) {
     const double t = random.signed_unit() * std::ldexp(1.0, -random.below(20));
     const ExactAngle angle{k % 2, exact::AlgebraicRoot::of(t)};
     const EventAngle at = event_angle(angle);
-    const Digits half_turn = boost::math::constants::pi<Digits>(), rest = 2 * atan(Digits(t)),
+    const Digits half_turn = Digits::pi(), rest = 2 * atan(Digits(t)),
                  truth = angle.chart == 0 ? rest : Digits(t > 0 ? rest - half_turn : rest + half_turn);
     ASSERT_LE(Digits(at.low), truth) << k;
     ASSERT_GE(Digits(at.high), truth) << k;

@@ -2,9 +2,9 @@
 // not by many times more.
 #include <gtest/gtest.h>
 
-#include <boost/multiprecision/cpp_bin_float.hpp>
 #include <numbers>
 
+#include "oracles/digits.h"
 #include "oracles/random.h"
 #include "oracles/random_pentagon.h"
 #include "planar/frames/region_pair.h"
@@ -23,7 +23,7 @@ ExactPlane turned_by(const BigRational& t, const ExactPlane& p) {
 
 // At the end of a window so narrow that roundings are a good part of what moves.
 TEST(SweptBounds, places_move_by_less_and_not_by_much_less) {
-  using Digits = boost::multiprecision::cpp_bin_float_50;
+  using oracles::Digits;
   oracles::Random random(23);
   double of_place = 0, of_rim = 0;
   for (int k = 0; k < 20; ++k) {

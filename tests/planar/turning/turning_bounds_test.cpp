@@ -4,12 +4,12 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <boost/multiprecision/cpp_bin_float.hpp>
 #include <numbers>
 #include <set>
 
 #include "dymsum/orientation.h"
 #include "dymsum/shapes.h"
+#include "oracles/digits.h"
 #include "oracles/random.h"
 #include "planar/frames/region_pair.h"
 #include "planar/turning/rotating_window.h"
@@ -205,9 +205,9 @@ TEST(TurningBounds, shares_of_crossings_err_by_less_and_not_by_much_less) {
 
 // Angles against those of fifty digits: of orientations, and of where segments begin and end.
 TEST(TurningBounds, angles_err_by_less) {
-  using Digits = boost::multiprecision::cpp_bin_float_50;
+  using oracles::Digits;
   Random random(15);
-  const Digits turn = 2 * boost::math::constants::pi<Digits>();
+  const Digits turn = 2 * Digits::pi();
   double of_double = 0, of_difference = 0, of_span = 0;
   const auto off = [&](const Digits& a) {  // from a multiple of a turn
     return static_cast<double>(abs(Digits(a - turn * round(Digits(a / turn)))));

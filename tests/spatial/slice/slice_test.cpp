@@ -6,6 +6,7 @@
 
 #include "dymsum/solid_slice.h"
 #include "dymsum/solids.h"
+#include "oracles/sanitized.h"
 #include "oracles/voxel_solids.h"
 #include "spatial/sum/solid_cases.h"
 
@@ -250,7 +251,7 @@ LatticeSection lattice_section(const Voxels& p, const Voxels& q, int doubled_z) 
 
 TEST(SolidSlice, of_unions_of_cubes_is_that_of_lattice_cells) {
   int tight = 0;
-  for (int k = 0; k < fuzz_pairs(60); ++k) {
+  for (int k = 0; k < fuzz_pairs(oracles::rounds(60, 3)); ++k) {
     std::mt19937_64 random(static_cast<std::uint64_t>(k));
     const auto [a, b] = oracles::random_voxels(k % 4 == 0 ? 3 : 2, random);
     Voxels q = b;
@@ -283,7 +284,7 @@ TEST(SolidSlice, of_unions_of_cubes_is_that_of_lattice_cells) {
       tight += expected.cracks + expected.punctures > 0;
     }
   }
-  EXPECT_GT(tight, 5);
+  EXPECT_GT(tight, oracles::rounds(5, 3));
 }
 
 }  // namespace

@@ -6,6 +6,7 @@
 
 #include "dymsum/solids.h"
 #include "dymsum/spatial_sum.h"
+#include "oracles/sanitized.h"
 #include "oracles/voxel_solids.h"
 
 namespace dymsum {
@@ -126,7 +127,7 @@ LatticeCells random_cells(std::mt19937_64& random, bool cube) {
 TEST(ThinOperands, of_lattice_cells_and_unions_of_cubes) {
   const oracles::IntegerMap shear{{{1, 2, -1}, {0, 1, 1}, {0, 0, 1}}};
   int tight = 0, checked = 0;
-  for (int k = 0; k < fuzz_pairs(60); ++k) {
+  for (int k = 0; k < fuzz_pairs(oracles::rounds(60, 3)); ++k) {
     std::mt19937_64 random(static_cast<std::uint64_t>(7000 + k));
     const Voxels p = oracles::random_voxels(k % 10 == 0 ? 4 : 3, random)[0];
     const LatticeCells q = random_cells(random, k % 5 == 0);
@@ -153,8 +154,8 @@ TEST(ThinOperands, of_lattice_cells_and_unions_of_cubes) {
     }
     tight += expected.tight_points + expected.tight_edges + expected.tight_faces > 0;
   }
-  EXPECT_GT(checked, 45);
-  EXPECT_GT(tight, 5);
+  EXPECT_GT(checked, oracles::rounds(45, 3));
+  EXPECT_GT(tight, oracles::rounds(5, 3));
 }
 
 TEST(ThinOperands, two_of_them_give_the_volume_that_they_sweep) {

@@ -5,6 +5,7 @@
 
 #include "dymsum/solids.h"
 #include "dymsum/spatial_sum.h"
+#include "oracles/sanitized.h"
 #include "oracles/voxel_solids.h"
 #include "spatial/sum/solid_cases.h"
 
@@ -42,7 +43,7 @@ double length_of_tight(const SpatialSum& s) {
 
 TEST(ThinPairs, of_lattice_cells_have_an_open_sum) {
   int tight = 0, checked = 0;
-  for (int k = 0; k < pairs_of_thin_sets(20); ++k) {
+  for (int k = 0; k < pairs_of_thin_sets(oracles::rounds(20, 2)); ++k) {
     std::mt19937_64 random(static_cast<std::uint64_t>(4000 + k));
     const LatticeCells a = random_set(random, k % 2 == 0, 1 + k % 7), b = random_set(random, k % 2 == 0, k % 3);
     const Result<Mesh> p = Mesh::with_thin_parts(oracles::lattice_mesh(a)),
@@ -69,8 +70,8 @@ TEST(ThinPairs, of_lattice_cells_have_an_open_sum) {
       EXPECT_FALSE(contains(*p, *q, made->vertices[i], Semantics::open).value()) << seed;
     tight += expected.tight_faces + expected.tight_edges + expected.tight_points > 0;
   }
-  EXPECT_GT(checked, 12);
-  EXPECT_GT(tight, 2);
+  EXPECT_GT(checked, oracles::rounds(12, 2));
+  EXPECT_GT(tight, oracles::rounds(2, 2));
 }
 
 TEST(ThinPairs, a_pin_with_a_wire_in_a_slot_with_a_whisker) {
