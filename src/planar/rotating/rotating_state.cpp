@@ -36,6 +36,7 @@ RotatingSum::State::State(std::shared_ptr<const OperandPair> base, std::shared_p
     : MovingSum(options), base_(std::move(base)), swapped_(p_is_smaller(*base_)) {
   if (!has_windows(*base_)) return;
   operands_ = std::make_shared<const TurnedOperands>(std::move(forms_base));
+  grids_ = std::make_shared<Grids>();
   operands_->catalog.for_each(0, 0, [&](const WalkSegment&) { ++segments_; });
   loops_ = std::make_unique<RotatingLoops>(forms(), base_->connected, swapped_);
   rings_ = std::make_unique<TurnedRings>(*operands_->pair, forms(), swapped_, swapped_ == p_turns());
@@ -78,12 +79,12 @@ int RotatingSum::State::cells_for(double half) const {
 MakeWindow RotatingSum::State::maker(double low, double high) {
   const double half = 0.5 * (high - low), middle = std::remainder(0.5 * (low + high), kTurn);
   const int cells = cells_for(half);
-  std::shared_ptr<const TurnGrid>& grid = grids_[cells];
-  if (!grid) grid = std::make_shared<const TurnGrid>(forms(), cells);
   const std::size_t most_pairs =
       chooses() ? static_cast<std::size_t>(kMostOfPairs * slice_cost_ / kCostOfPair) : ~std::size_t{0};
-  return [operands = operands_, grid, middle, half, mask = segments_ >= kMaskFrom,
+  return [operands = operands_, grids = grids_, cells, middle, half, mask = segments_ >= kMaskFrom,
           most_pairs](const std::stop_token& stop) -> std::unique_ptr<FrameWindow> {
+    std::unique_ptr<TurnGrid>& grid = (*grids)[cells];
+    if (!grid) grid = std::make_unique<TurnGrid>(operands->forms, cells);
     RotatingWindow next(*grid, operands->catalog, middle, half, mask, most_pairs, stop);
     if (!next.complete) return nullptr;
     return std::make_unique<TurnedWindow>(operands, std::move(next));

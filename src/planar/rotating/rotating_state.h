@@ -26,6 +26,8 @@ class RotatingSum::State final : public planar::MovingSum {
   Orientation orientation;
 
  private:
+  using Grids = std::map<int, std::unique_ptr<planar::TurnGrid>>;  ///< by cells
+
   planar::PlacedPair placed() const override;
   planar::MakeWindow window_for(const Move& move, const planar::WindowController::Choice& reach) override;
   planar::MakeWindow window_from(double end, const Move& move, double width) override;
@@ -46,14 +48,14 @@ class RotatingSum::State final : public planar::MovingSum {
   const planar::TurningForms& forms() const { return operands_->forms; }
   void assemble(NextFrame& next);
 
-  std::shared_ptr<const planar::OperandPair> base_;               // P is operand 0
-  bool swapped_ = false;                                          // P is the smaller operand, which moves in windows
-  std::shared_ptr<const planar::TurnedOperands> operands_;        // none: every frame is a rebuild
-  std::map<int, std::shared_ptr<const planar::TurnGrid>> grids_;  // by cells
-  double segments_ = 0;                                           // of the reduced convolution, about
-  double slice_cost_ = 0;                                         // of the last frame from scratch
-  Orientation theta_;                                             // the new position, during a move
-  planar::RotatingFrame frame_;                                   // in the current window
+  std::shared_ptr<const planar::OperandPair> base_;         // P is operand 0
+  bool swapped_ = false;                                    // P is the smaller operand, which moves in windows
+  std::shared_ptr<const planar::TurnedOperands> operands_;  // none: every frame is a rebuild
+  std::shared_ptr<Grids> grids_;                            // used by one window at a time, on any thread
+  double segments_ = 0;                                     // of the reduced convolution, about
+  double slice_cost_ = 0;                                   // of the last frame from scratch
+  Orientation theta_;                                       // the new position, during a move
+  planar::RotatingFrame frame_;                             // in the current window
   std::unique_ptr<planar::RotatingLoops> loops_;
   std::unique_ptr<planar::TurnedRings> rings_;
 };

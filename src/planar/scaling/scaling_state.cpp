@@ -17,7 +17,11 @@ namespace {
 constexpr double kWidestStep = 0.16, kBeyond = 0x1p-30;  // longer steps are not reached back over; beyond the end
 // A window made ahead begins so much of its width before the last one ends, where it is entered.
 constexpr double kShared = 0x1p-10;
-constexpr double kCheapWindow = 4000;  // some milliseconds to build: no window as cheap as that is abandoned
+// Exact signs for each piece of a window, from which where so much touches a frame from scratch is cheaper: its twins
+// count once, and a mask proves most of what touches covered.
+constexpr double kMostTouching = 1;
+constexpr std::size_t kMostKnown = 32;  // scales at which something touches, the last ones
+constexpr double kCheapWindow = 4000;   // some milliseconds to build: no window as cheap as that is abandoned
 
 }  // namespace
 
@@ -88,9 +92,14 @@ std::optional<MovingSum::NextFrame> ScalingSum::State::window_frame(const Move& 
     last_ = &frames();
   } else {
     next_work.degenerate = true;
+    last_ = nullptr;
+    if (chooses() &&
+        static_cast<double>(frame.exact_signs) > kMostTouching * static_cast<double>(window.pieces.size())) {
+      next_work.exact_signs += frame.exact_signs;
+      return std::nullopt;
+    }
     next.sum = degenerate_frame(window, *frames().convolution, frame, options.semantics);
     next_work.loops_traced = next.sum.stats.loops;
-    last_ = nullptr;
   }
   next_work.exact_signs += frame.exact_signs;
   if (frame.has_collision()) {
@@ -114,6 +123,14 @@ MovingSum::WindowCost ScalingSum::State::cost_of_window() const {
   return {planar::cost_of_window(*frames().window, frames().convolution->size()), 0};
 }
 
+// A motion that comes back there builds no window for it: a window has all that touches at this one scale among its
+// pairs, and serves no frame there.
+void ScalingSum::State::remember_touching(const Scale& s) {
+  if (std::find(touching_.begin(), touching_.end(), s) != touching_.end()) return;
+  if (touching_.size() == kMostKnown) touching_.erase(touching_.begin());
+  touching_.push_back(s);
+}
+
 Result<FrameChanges> ScalingSum::State::move_to(const Scale& x, const Scale& y) {
   if (x == scale && y == scale_y && exact_source(sum) != nullptr) {
     work = {};
@@ -123,7 +140,8 @@ Result<FrameChanges> ScalingSum::State::move_to(const Scale& x, const Scale& y) 
   y_ = x == y ? x_ : scale_value(y);
   const bool empty = base->operands[0].size() == 0 || base->operands[1].size() == 0;
   Move to;
-  to.windows = x == y && scale == scale_y && base->regular && !empty;
+  to.windows = x == y && scale == scale_y && base->regular && !empty &&
+               !(chooses() && std::find(touching_.begin(), touching_.end(), x) != touching_.end());
   to.stays = x == scale && y == scale_y;
   to.at = x_.approx;
   to.step = std::log(x_.approx / scale.approx());
@@ -131,6 +149,7 @@ Result<FrameChanges> ScalingSum::State::move_to(const Scale& x, const Scale& y) 
   to.asked = std::log1p(options.window);
   Result<FrameChanges> changes = move(to);
   if (!changes) return changes;
+  if (work.rebuilt && x == y && sum.stats.degenerate_nodes > 0) remember_touching(x);
   scale = x;
   scale_y = y;
   return changes;

@@ -39,7 +39,10 @@ class ScalingSum::State final : public planar::MovingSum {
   planar::MakeWindow maker(double low, double high, double entry);
   planar::WindowFrames& frames() const { return static_cast<planar::WindowFrames&>(*window()); }
 
-  planar::ScaleValue x_, y_;                    ///< the new position, during a move
+  planar::ScaleValue x_, y_;  ///< the new position, during a move
+  void remember_touching(const Scale& s);
+
+  std::vector<Scale> touching_;                 ///< where frames from scratch found that something touches
   const planar::WindowFrames* last_ = nullptr;  ///< where the last frame was made, if in a window
 };
 
