@@ -35,6 +35,20 @@ TEST_F(ScaleCli, ScalePrintsEveryKeyOfTheContract) {
   EXPECT_TRUE(found);
 }
 
+TEST_F(ScaleCli, ThreadsChangeNoFrame) {
+  const auto frames = [&](const std::string& command) {
+    Json list = json(command)["frames"];
+    for (Json& frame : list) frame.erase("update_ms");
+    return list;
+  };
+  for (const std::string command : {"dymsum scale plate.wkt peg.wkt --sweep 1:1.3:0.5% --exact --json",
+                                    "dymsum rotate plate.wkt peg.wkt --steps 300 --exact --json"}) {
+    const Json one = frames(command);
+    EXPECT_GT(one.size(), 50u);
+    EXPECT_EQ(frames(command + " --threads 2"), one) << command;
+  }
+}
+
 TEST_F(ScaleCli, SweepsAreExactAndPicturesAreWritten) {
   const Json report =
       json("dymsum scale plate.wkt peg.wkt --scaled q --sweep 1:2:1/3 -o strip.svg -o page.html --json");

@@ -11,8 +11,9 @@ constexpr double kFrames = 2;    // and at least this many steps
 constexpr double kSteps = kFrames + 0.5,
                  kWidestSteps = 2.5;  // where those are so much wider than windows should be, none is tried
 constexpr double kMostFrames = 160;
-constexpr double kLargestStep = 0.16;  // beyond it no window has been seen to pay
-constexpr double kNarrowest = 1e-6;    // any width is right
+constexpr double kLargestStep = 0.16;                  // beyond it no window has been seen to pay
+constexpr double kShortStep = 0.02, kScattered = 0.3;  // a first step that is longer counts as one of so much
+constexpr double kNarrowest = 1e-6;                    // any width is right
 constexpr double kTooExpensive =
     1.15;  // windows are left above so much of a frame from scratch: most of their frames are far cheaper
 constexpr double kMostOfWindow = 12, kMostOfFrame = 2;  // times a frame from scratch
@@ -95,8 +96,8 @@ WindowController::Choice WindowController::choose(double step, double widest, Fr
   if (mode == FrameMode::rebuild) return {};
   if (window > 0) return {true, 0.1 * window, window};
   if (size == 0 && mode == FrameMode::automatic) return {};  // nobody knows where the motion goes
-  // Large steps are remembered for a while: among random jumps a small one is no sweep.
-  recent_ = std::max(size, 0.8 * recent_);
+  // Large steps are remembered for a while: among random jumps a small one is no sweep. Of the first one nobody knows.
+  recent_ = recent_ == 0 && size > kShortStep ? std::max(size, kScattered) : std::max(size, 0.8 * recent_);
   const std::uint64_t served = served_;
   close_window();
   if (mode == FrameMode::automatic) {

@@ -186,6 +186,31 @@ TEST(ScalingWindows, a_window_made_ahead_is_entered_without_building_one) {
   EXPECT_GT(windows.size(), 2u);
 }
 
+// At s = 1 all segments of P (+) P have twins there: a window would have to list them all, and serves no frame.
+TEST(ScalingWindows, coming_back_to_where_much_touches_builds_no_window) {
+  const Region p = on_integers(shapes::noisy_star(60, 0.6, 1), 9000);
+  const Operands twins{p, p};
+  Walk walk(twins, {});
+  for (long a = 4137; a < 4600; a += 41) ASSERT_TRUE(walk.to(a));
+  const std::size_t built = walk.windows, rebuilt = walk.rebuilt;
+  EXPECT_GT(built, 0u);
+  for (long a = 4500; a > 4137; a -= 41) ASSERT_TRUE(walk.to(a));
+  ASSERT_TRUE(walk.to(4096));
+  EXPECT_TRUE(walk.state().work.rebuilt);
+  EXPECT_EQ(walk.windows, built);
+  EXPECT_EQ(walk.rebuilt, rebuilt + 1);
+  ASSERT_TRUE(walk.to(4141));
+  EXPECT_EQ(walk.windows, built) << "the kept one is entered again";
+}
+
+TEST(ScalingWindows, scattered_scales_build_no_window_at_the_first_step) {
+  const Operands operands = stars();
+  Walk walk(operands, {});
+  for (const long a : {4400L, 7000L, 4700L, 6100L, 6500L, 5000L}) ASSERT_TRUE(walk.to(a));
+  EXPECT_EQ(walk.windows, 0u);
+  EXPECT_EQ(walk.rebuilt, walk.frames);
+}
+
 TEST(ScalingWindows, no_frame_waits_for_a_window_that_is_under_way) {
   const Operands operands{on_integers(shapes::noisy_star(150, 0.6, 1), 1 << 16),
                           on_integers(shapes::noisy_star(150, 0.6, 2), 1 << 16)};
