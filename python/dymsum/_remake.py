@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from typing import Union
+from typing import Optional, Union
 
 from . import _core
 from ._core import (
@@ -19,14 +19,36 @@ from ._core import (
     ScalingSum,
     SolidPose,
     SolidSum,
+    SumOptions,
 )
 
-minkowski_sum = _core.minkowski_sum
-nfp = _core.nfp
-erode = _core.erode
-union_of = _core.union_of
-rotated_sum = _core.rotated_sum
-cspace_slice = _core.cspace_slice
+
+
+def minkowski_sum(p: Region, q: Region, options: Optional[SumOptions]) -> PlanarSum:
+    """As the function of this name; without options by the default ones. So the following."""
+    return _core.minkowski_sum(p, q, options or SumOptions())
+
+
+def nfp(a: Region, b: Region, options: Optional[SumOptions]) -> PlanarSum:
+    return _core.nfp(a, b, options or SumOptions())
+
+
+def erode(p: Region, q: Region, options: Optional[SumOptions]) -> PlanarSum:
+    return _core.erode(p, q, options or SumOptions())
+
+
+def union_of(regions: list[Region], options: Optional[SumOptions]) -> PlanarSum:
+    return _core.union_of(regions, options or SumOptions())
+
+
+def rotated_sum(p: Region, q: Region, theta: Orientation, options: Optional[SumOptions]) -> PlanarSum:
+    return _core.rotated_sum(p, q, theta, options or SumOptions())
+
+
+def cspace_slice(robot: Region, obstacle: Region, theta: Orientation, options: Optional[SumOptions]) -> PlanarSum:
+    return _core.cspace_slice(robot, obstacle, theta, options or SumOptions())
+
+
 convex_sum = _core.convex_sum
 solid_sum = _core.minkowski_sum
 solid_sum_of = _core.minkowski_sum

@@ -80,7 +80,8 @@ void bind_questions(nb::class_<CspaceObstacle>& type) {
             SumOptions options;
             options.semantics = semantics;
             PlanarSum sum = take(without_gil([&] { return obstacle.slice(theta, semantics); }));
-            return remembered(std::move(sum), "cspace_slice", obstacle.robot(), obstacle.obstacle(), theta, options);
+            return remembered(std::move(sum), "cspace_slice", obstacle.robot(), obstacle.obstacle(), theta,
+                              kept(options));
           },
           "theta"_a, "semantics"_a = Semantics::closed, "The exact slice O (+) -R(theta).")
       .def("contains", &CspaceObstacle::contains, "x"_a, "y"_a, "theta"_a,
@@ -141,7 +142,7 @@ void bind_obstacle(nb::module_& m) {
          const SumOptions& options) {
         PlanarSum sum =
             run_with(options, [&](const SumOptions& own) { return cspace_slice(*robot, *obstacle, theta, own); });
-        return remembered(std::move(sum), "cspace_slice", robot.object, obstacle.object, theta, options);
+        return remembered(std::move(sum), "cspace_slice", robot.object, obstacle.object, theta, kept(options));
       },
       "robot"_a, "obstacle"_a, "theta"_a, "options"_a = SumOptions(),
       "O (+) -R(theta), exactly, without the obstacle of all angles.");

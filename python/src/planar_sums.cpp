@@ -19,7 +19,7 @@ template <OfTwo function>
 Remembered<PlanarSum> of_two(const char* name, const RegionArgument& p, const RegionArgument& q,
                              const SumOptions& options) {
   PlanarSum sum = run_with(options, [&](const SumOptions& own) { return function(*p, *q, own); });
-  return remembered(std::move(sum), name, p.object, q.object, options);
+  return remembered(std::move(sum), name, p.object, q.object, kept(options));
 }
 
 void bind_sums_of_regions(nb::module_& m) {
@@ -60,20 +60,20 @@ unsupported_operand when P has polylines or points, or Q is empty; cancelled.
       "union_of",
       [](const Many<Region>& regions, const SumOptions& options) {
         std::vector<Region> all;
-        nb::list kept;
+        nb::list given;
         for (const RegionArgument& region : regions.items) {
           all.push_back(*region);
-          kept.append(region.object);
+          given.append(region.object);
         }
         PlanarSum sum = run_with(options, [&](const SumOptions& own) { return union_of(all, own); });
-        return remembered(std::move(sum), "union_of", kept, options);
+        return remembered(std::move(sum), "union_of", given, kept(options));
       },
       "regions"_a, "options"_a = SumOptions(), "The union of regions.");
   m.def(
       "rotated_sum",
       [](const RegionArgument& p, const RegionArgument& q, const Orientation& theta, const SumOptions& options) {
         PlanarSum sum = run_with(options, [&](const SumOptions& own) { return rotated_sum(*p, *q, theta, own); });
-        return remembered(std::move(sum), "rotated_sum", p.object, q.object, theta, options);
+        return remembered(std::move(sum), "rotated_sum", p.object, q.object, theta, kept(options));
       },
       "p"_a, "q"_a, "theta"_a, "options"_a = SumOptions(),
       "R(theta) P (+) Q, P turned about the origin, never rounded.");
@@ -138,13 +138,14 @@ Table table_of(const RegionPairs& pairs, const SumOptions& options, int threads)
 nb::list nfp_each(const RegionPairs& pairs, const SumOptions& options, int threads, bool return_errors) {
   Table sums = table_of(pairs, options, threads);
   nb::list all;
+  const nb::object options_kept = kept(options);
   for (std::size_t i = 0; i < sums.size(); ++i) {
     if (!sums[i]->ok() && return_errors) {
       all.append(error_object(sums[i]->error()));
       continue;
     }
     const auto& [a, b] = pairs.items[i];
-    all.append(remembered(take(std::move(*sums[i])), "nfp", a.object, b.object, options).object);
+    all.append(remembered(take(std::move(*sums[i])), "nfp", a.object, b.object, options_kept).object);
   }
   return all;
 }

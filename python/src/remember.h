@@ -6,6 +6,8 @@
 #include <type_traits>
 #include <utility>
 
+#include "dymsum/planar_sum.h"
+
 namespace dymsum::python {
 
 namespace nb = nanobind;
@@ -16,11 +18,16 @@ struct Remembered {
   nb::object object;
 };
 
+void remember(nb::handle object, const char* function, nb::tuple arguments);
+
+/// Options to be remembered: None for those by default, which costs no object.
+nb::object kept(const SumOptions& options);
+
 /// `result` as a Python object that pickles as a call of dymsum._remake's `function` with these arguments.
 template <class T, class... Arguments>
 Remembered<std::remove_cvref_t<T>> remembered(T&& result, const char* function, Arguments&&... arguments) {
   nb::object object = nb::cast(std::forward<T>(result));
-  object.attr("_made_by") = nb::make_tuple(function, nb::make_tuple(std::forward<Arguments>(arguments)...));
+  remember(object, function, nb::make_tuple(std::forward<Arguments>(arguments)...));
   return {std::move(object)};
 }
 
