@@ -70,7 +70,7 @@ double seconds_since(std::chrono::steady_clock::time_point start) {
 /// The best of some runs of whole tables.
 double table_ms(const NfpTable& table, int threads, bool processor_time) {
   double best = std::numeric_limits<double>::infinity();
-  for (int k = 0; k < 5; ++k) {
+  for (int k = 0; k < 25; ++k) {
     const double cpu = cpu_ms();
     const auto start = std::chrono::steady_clock::now();
     TableOptions options;

@@ -168,7 +168,8 @@ TEST_F(NfpTables, WrongInstancesAreTold) {
   bad(instance_text({item_text("a", shapes::letter_l(3, 3, 1))}), "--orientations");
   bad(R"({"items":[{"allowed_orientations":[0],"shape":{"type":"simple_polygon","data":[[0,0],[2,2],[2,0],[0,2]]}}]})",
       "bad.json#0");
-  bad(R"({"items":[{"allowed_orientations":[0],"shape":{"type":"region","data":{"parts":[],"polylines":[],"points":[]}}}]})",
+  bad(R"({"items":[{"allowed_orientations":[0],"shape":{"type":"region",)"
+      R"("data":{"parts":[],"polylines":[],"points":[]}}}]})",
       "empty");
   bad(instance_text({item_text("a", shapes::letter_l(3, 3, 1), none)},
                     R"(,"bins":[{"id":"b","shape":{"type":"simple_polygon","data":[[0,0],[0,1],[1,0]]}}])"),

@@ -56,8 +56,8 @@ std::set<std::string> options_of(const std::string& help) {
   return options;
 }
 
-constexpr const char* kParts =
-    R"({"items":[{"allowed_orientations":[0,180],"shape":{"type":"simple_polygon","data":[[0,0],[3,0],[3,1],[0,2]]}}]})";
+constexpr const char* kParts = R"({"items":[{"allowed_orientations":[0,180],)"
+                               R"("shape":{"type":"simple_polygon","data":[[0,0],[3,0],[3,1],[0,2]]}}]})";
 
 std::string first_word(const std::string& text) { return text.substr(0, text.find(' ')); }
 
