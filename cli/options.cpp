@@ -79,6 +79,15 @@ Angle read_angle(const AngleOptions& options) {
                              : "--degrees wants a number of degrees, not '" + options.degrees + "'");
 }
 
+void add_threads_option(CLI::App& verb, std::size_t& threads) {
+  whole_within(verb.add_option("--threads", threads,
+                               "Planar: with 2 or more the next window of frames is made ahead on a thread of its own, "
+                               "and no frame waits for it; the sums are the same"),
+               1, 1024)
+      ->type_name("N")
+      ->capture_default_str();
+}
+
 void refuse_options(const CLI::App& verb, const std::vector<std::string>& options, const std::string& why) {
   for (const std::string& name : options)
     if (const CLI::Option* option = verb.get_option_no_throw(name); option && option->count() > 0)

@@ -78,6 +78,9 @@ CLI::Option* whole_within(CLI::Option* option, std::size_t least, std::size_t mo
 /// Takes the largest error of an angle: at least Orientation::kAngularError.
 CLI::Option* add_error_option(CLI::App& verb, std::optional<double>& error, const std::string& what);
 
+/// Declares --threads of planar sums that move.
+void add_threads_option(CLI::App& verb, std::size_t& threads);
+
 /// Stops with wrong usage when one of these options is given: "--axis is for solid operands".
 void refuse_options(const CLI::App& verb, const std::vector<std::string>& options, const std::string& why);
 

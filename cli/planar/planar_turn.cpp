@@ -24,6 +24,7 @@ RotatingSum rotating_sum(const PlanarTurn& turn, const std::vector<Input>& input
                       : turn.semantics == "regular" ? Semantics::regular
                                                     : Semantics::closed;
   options.mode = mode;
+  options.threads = static_cast<int>(turn.threads);
   return require_of(inputs, RotatingSum::create(inputs[0].region, inputs[1].region, options));
 }
 

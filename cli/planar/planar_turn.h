@@ -14,6 +14,7 @@ struct PlanarTurn {
   std::vector<Angle> angles;  ///< of the frames
   double error = 1e-6;        ///< in radians: the simplest exact orientation within it is taken
   std::string semantics = "closed";
+  std::size_t threads = 1;
   ReportOptions report;
   InputOptions input;
 };

@@ -31,7 +31,7 @@ std::vector<Angle> frame_angles(const RotateCommand& command) {
 }
 
 ExitCode run_solids(const RotateCommand& command) {
-  refuse_options(*command.parser, {"--error", "--semantics", "--exact"}, "is for planar operands");
+  refuse_options(*command.parser, {"--error", "--semantics", "--exact", "--threads"}, "is for planar operands");
   const Point3 axis = parse_point(command.axis.value_or("0,0,1"), "--axis");
   const std::vector<SolidInput> inputs = read_convex_solids(command.planar.operands, command.planar.input);
   SolidMotion motion{"rotate", inputs, {}, command.planar.files, {}, ""};
@@ -73,6 +73,7 @@ void add_rotate(CLI::App& app, Action& action) {
   add_error_option(verb, command->error, "Planar: largest error of a frame's angle in radians [1e-6]");
   verb.add_option("--semantics", command->semantics, "Planar: closed, open or regular [closed]")
       ->check(CLI::IsMember({"closed", "open", "regular"}));
+  add_threads_option(verb, command->planar.threads);
   verb.add_option("-o", command->planar.files,
                   "Write .html (a page that plays, or with a slider); planar also .svg (a film strip) and anim.svg (an "
                   "animation), solid the last frame as .off .obj .stl .ply .glb .json; repeatable")
@@ -81,7 +82,9 @@ void add_rotate(CLI::App& app, Action& action) {
   add_report_options(verb, command->planar.report, "Turn N times and report the median and minimum frame");
   add_exact_option(verb, command->planar.report, OperandKind::planar);
   add_solid_input_options(verb, command->planar.input, OperandKind::either, Hulls::of_results_too);
-  verb.footer("Example: dymsum rotate rod.off box.off --steps 500 --axis 1,2,3 -o turn.html");
+  verb.footer(
+      "Examples: dymsum rotate rod.off box.off --steps 500 --axis 1,2,3 -o turn.html\n"
+      "          dymsum rotate star.wkt plate.wkt --steps 500 --threads 2");
   verb.callback([command, &action] { action = [command] { return run(*command); }; });
 }
 

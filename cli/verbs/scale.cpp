@@ -96,6 +96,7 @@ ExitCode run_planar_scale(const ScaleCommand& command) {
   std::optional<ProgressBar> bar(std::in_place);
   const Progress progress = bar->callback();
   MovingOptions options = scaling_options(command);
+  options.threads = static_cast<int>(command.threads);
   auto motion = run_planar_motion<ScalingSum>(
       frames, command.report, command.files, progress, [&] { return scaling_sum(inputs, options); },
       [](ScalingSum& sum, const Scale& s) { require(sum.set(s)); });
@@ -148,6 +149,7 @@ void add_options(CLI::App& verb, ScaleCommand& command) {
                   "Planar: automatic chooses between the others by their cost; all give the same sums")
       ->check(CLI::IsMember({"automatic", "window", "rebuild"}))
       ->capture_default_str();
+  add_threads_option(verb, command.threads);
   verb.add_option("--semantics", command.semantics, "Planar: closed, open or regular")
       ->check(CLI::IsMember({"closed", "open", "regular"}))
       ->capture_default_str();
@@ -194,7 +196,9 @@ void add_scale(CLI::App& app, Action& action) {
   auto command = std::make_shared<ScaleCommand>();
   CLI::App& verb = *app.add_subcommand("scale", "s P (+) Q, frame by frame, exact at every scale");
   add_options(verb, *command);
-  verb.footer("Example: dymsum scale plate.wkt star.wkt --sweep 1:2:1% --json -o frames.svg");
+  verb.footer(
+      "Examples: dymsum scale plate.wkt star.wkt --sweep 1:2:1% --json -o frames.svg\n"
+      "          dymsum scale plate.wkt star.wkt --sweep 1:2:0.1% --threads 2");
   verb.callback([command, &action] { action = [command] { return run_scale(*command); }; });
 }
 

@@ -16,6 +16,7 @@ struct ScaleCommand {
   std::vector<std::string> operands{"", ""};
   std::string sweep, copies, scaled = "p", mode = "automatic", semantics = "closed";
   std::vector<std::string> at, files;
+  std::size_t threads = 1;
   bool robot = false;  ///< Q is a robot: sums with -Q
   bool events = false;
   ReportOptions report;

@@ -17,27 +17,34 @@ Result<FrameChanges> MovingSum::move(const Move& move) {
   if (!next) {
     Result<NextFrame> rebuilt = rebuilt_frame(next_work);
     if (!rebuilt) return rebuilt.error();
-    if (!*in_window) drop_window();
+    if (!*in_window) set_window(nullptr, true);
     next = std::move(rebuilt).value();
   }
   FrameChanges changes = take(*std::move(next), move);
   next_work.ms = watch.ms();
   charge(next_work);
   work = next_work;
+  if (move.windows && makes_ahead()) make_next_window(move);
   return changes;
 }
 
 // Whether the current window, perhaps a new one, covers the new position.
 Result<bool> MovingSum::open_window(const Move& move, FrameWork& next_work) {
   if (!move.windows || options.mode == FrameMode::rebuild) return false;
-  if (move.inside) return true;
-  if (awaits_window(move)) return false;
+  if (enter_window(move.at)) return true;
+  if (!move.builds || (makes_ahead() && ahead_.busy())) return false;
   const WindowController::Choice reach = controller_.choose(move.step, move.widest, options.mode, move.asked);
   if (!reach.window) return false;
   if (options.progress && !options.progress("window", 0)) return Error{ErrorCode::cancelled, "stopped on request", {}};
-  if (build_elsewhere(move, reach)) return false;
-  next_work.new_window = build_window(move, reach);
-  if (!next_work.new_window) controller_.abandoned(move.step);
+  MakeWindow make = window_for(move, reach);
+  if (makes_ahead()) {
+    start_ahead(std::move(make), move.step);
+    return false;
+  }
+  std::unique_ptr<FrameWindow> next = make({});
+  next_work.new_window = next != nullptr;
+  if (next_work.new_window) set_window(std::move(next), true);
+  else controller_.abandoned(move.step);
   return next_work.new_window;
 }
 
@@ -90,11 +97,11 @@ void MovingSum::charge(const FrameWork& done) {
   if (done.new_window) {
     const WindowCost window = cost_of_window();
     controller_.built(cost + window.counted, window.forgiven);
-  } else if (!has_window()) {
+  } else if (window_ == nullptr) {
     controller_.rebuilt(cost);
   } else {
     controller_.updated(cost);
-    if (chooses() && controller_.give_up(cost)) abandon_window();
+    if (chooses() && controller_.give_up(cost)) set_window(nullptr, false);
   }
 }
 

@@ -1,8 +1,9 @@
-// The one skeleton of planar sums in motion. A move goes to the window that covers the new position, or builds one
-// where the controller expects that to pay; the window updates its loops, or the static engine computes the frame; then
-// rings get their identities, and changes and costs are told.
+// The one skeleton of planar sums in motion. A move goes to the window that covers the new position - the one the last
+// frame was made in, one that was left, one made ahead - or builds one where the controller expects that to pay; the
+// window updates its loops, or the static engine computes the frame; then rings get their identities, and changes and
+// costs are told.
 //
-// A motion (scaling, rotating) supplies the window, the frame inside it and what both cost.
+// A motion (scaling, rotating) supplies windows, the frame inside one and what both cost.
 #pragma once
 
 #include <cstdint>
@@ -12,6 +13,8 @@
 #include "dymsum/frames.h"
 #include "planar/frames/controller.h"
 #include "planar/frames/frame_rings.h"
+#include "planar/frames/kept_windows.h"
+#include "planar/frames/window_ahead.h"
 #include "planar/operand/placed_pair.h"
 
 namespace dymsum::planar {
@@ -26,12 +29,17 @@ class MovingSum {
   std::vector<std::uint64_t> ring_ids;
   FrameWork work;
 
+  /// For tests: what is kept, and waits until the window that is under way is ready.
+  const KeptWindows& kept_windows() const { return kept_; }
+  void finish_window_ahead();
+
  protected:
   /// A move, as the controller sees it: lengths are logarithms of scales, or angles.
   struct Move {
     bool windows = true;  ///< whether windows can serve at the new position
-    bool inside = false;  ///< it lies in the current window
+    bool builds = true;   ///< whether one may be built for it
     bool stays = false;   ///< it is the old position
+    double at = 0;        ///< the new position, as windows have it
     double step = 0;      ///< from the old position to the new one
     double widest = 0;    ///< windows should not be wider
     double asked = 0;     ///< the width that the options ask for, or 0
@@ -52,6 +60,10 @@ class MovingSum {
   /// Storage of a ring that is gone, for one of a frame that comes; what it holds means nothing.
   SumRing spare_ring();
   bool chooses() const { return options.mode == FrameMode::automatic && options.window == 0; }
+  /// Windows are made on a thread of their own.
+  bool makes_ahead() const { return options.threads > 1 && chooses(); }
+  /// The current window, or nothing.
+  FrameWindow* window() const { return window_.get(); }
 
   WindowController controller_;
   RingIdentities identities_;
@@ -59,16 +71,12 @@ class MovingSum {
  private:
   /// The operands at the new position.
   virtual PlacedPair placed() const = 0;
-  /// A window for the new position is under way elsewhere: the frame is computed from scratch.
-  virtual bool awaits_window(const Move&) const { return false; }
-  /// Whether a window that reaches so far is made elsewhere; until then frames are computed from scratch.
-  virtual bool build_elsewhere(const Move&, const WindowController::Choice&) { return false; }
-  /// Makes the current window one that covers the new position. False: it would cost too much, and there is none.
-  virtual bool build_window(const Move& move, const WindowController::Choice& reach) = 0;
-  virtual void drop_window() = 0;
-  /// The same where frames inside it were more expensive than from scratch.
-  virtual void abandon_window() { drop_window(); }
-  virtual bool has_window() const = 0;
+  /// What makes a window for the new position that reaches so far.
+  virtual MakeWindow window_for(const Move& move, const WindowController::Choice& reach) = 0;
+  /// The same for one that is entered at `end` by a motion such as the last move, and so wide.
+  virtual MakeWindow window_from(double end, const Move& move, double width) = 0;
+  /// The current window is about to be `next`, or none.
+  virtual void window_changes(FrameWindow* next) = 0;
   /// The frame at the new position inside the window; nothing where it has to be computed from scratch.
   virtual std::optional<NextFrame> window_frame(const Move& move, FrameWork& work) = 0;
   /// Of the frame that has just been taken over; of the window that was built for it.
@@ -76,11 +84,22 @@ class MovingSum {
   virtual WindowCost cost_of_window() const = 0;
 
   Result<bool> open_window(const Move& move, FrameWork& work);
+  bool enter_window(double at);
+  void set_window(std::unique_ptr<FrameWindow> next, bool keep);
+  void take_window_ahead();
+  void start_ahead(MakeWindow make, double step);
+  void make_next_window(const Move& move);
   Result<NextFrame> rebuilt_frame(FrameWork& work) const;
   FrameChanges take(NextFrame next, const Move& move);
   void charge(const FrameWork& work);
 
   std::vector<SumRing> spare_rings_;
+  std::unique_ptr<FrameWindow> window_;
+  KeptWindows kept_;
+  std::unique_ptr<FrameWindow> made_ahead_;
+  bool too_expensive_ahead_ = false;  ///< the next window was abandoned, and none has been entered since
+  double step_ahead_ = 0;             ///< that the window under way was started at
+  WindowAhead ahead_;
 };
 
 }  // namespace dymsum::planar

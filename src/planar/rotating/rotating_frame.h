@@ -36,25 +36,30 @@ class RotatingFrame {
     double e_in = 0, e_out = 0;     ///< bounds on their errors
   };
 
-  explicit RotatingFrame(const RotatingWindow& window);
+  /// In no window yet.
+  RotatingFrame() = default;
+  explicit RotatingFrame(const RotatingWindow& window) { enter(window); }
   RotatingFrame(const RotatingFrame&) = delete;
   RotatingFrame& operator=(const RotatingFrame&) = delete;
 
+  /// Frames are made in this window from now on; its arrays take the place of those of the window before.
+  void enter(const RotatingWindow& window);
   /// At an angle given as the middle of the window + delta, whose cos and sin err by at most 2^-49. False where doubles
   /// do not decide; then nothing here means anything.
   bool compute(double delta, Heading heading);
 
-  const RotatingWindow& window() const { return window_; }
+  const RotatingWindow& window() const { return *window_; }
   const std::vector<Cycle>& cycles() const { return cycles_; }
   const std::vector<Step>& steps() const { return steps_; }
   const std::vector<Crossing>& crossings() const { return crossings_; }
   Heading heading() const { return heading_; }
+  std::size_t bytes() const;
   double delta() const { return delta_; }
 
   Point place(Pair v) const {
-    return {window_.forms().points(0)[v.p].x + turned_[v.q].x, window_.forms().points(0)[v.p].y + turned_[v.q].y};
+    return {window_->forms().points(0)[v.p].x + turned_[v.q].x, window_->forms().points(0)[v.p].y + turned_[v.q].y};
   }
-  double point_error() const { return kTurnedPlace * window_.forms().span(); }
+  double point_error() const { return kTurnedPlace * window_->forms().span(); }
   /// Where a step ends, and a bound on the error of each coordinate.
   struct Located {
     Point at;
@@ -66,7 +71,7 @@ class RotatingFrame {
   std::optional<Point> middle_of(const Step& s) const;
   const Point& turned(std::uint32_t v) const { return turned_[v]; }
   Point direction(const WalkSegment& s) const {
-    return s.side == 0 ? window_.forms().edge(0, s.edge) : turned_edge_[s.edge];
+    return s.side == 0 ? window_->forms().edge(0, s.edge) : turned_edge_[s.edge];
   }
   /// In shares of the segment.
   double from_share(const Step& s) const { return s.from_crossing == kEnd ? 0 : crossings_[s.from_crossing].t_out; }
@@ -77,6 +82,10 @@ class RotatingFrame {
   struct Placed {
     Two at{}, d{};
     double length1 = 0, error = 0;
+  };
+  /// The segments of a candidate.
+  struct Meeting {
+    std::uint32_t a = 0, b = 0;
   };
   /// Where to take one from.
   struct Busy {
@@ -119,7 +128,7 @@ class RotatingFrame {
   bool find_cycles();
   bool find_plain_cycles();
   std::uint32_t count(std::uint32_t piece) const { return count_[piece]; }
-  const Entry& entry(std::uint32_t piece, std::uint32_t k) const { return entries_[window_.first_of[piece] + k]; }
+  const Entry& entry(std::uint32_t piece, std::uint32_t k) const { return entries_[window_->first_of[piece] + k]; }
   std::uint32_t partner(std::uint32_t piece, std::uint32_t crossing) const;
   /// The crossing at which a walk arrives that leaves one; kNone where it ends.
   std::uint32_t successor(std::uint32_t crossing) {
@@ -133,7 +142,7 @@ class RotatingFrame {
   bool close(std::uint32_t first);
   int half(const TurnSegment& s, Point d);
 
-  const RotatingWindow& window_;
+  const RotatingWindow* window_ = nullptr;
   Heading heading_;
   double delta_ = 0;
   std::vector<Point> turned_, turned_edge_;
@@ -141,7 +150,8 @@ class RotatingFrame {
   std::array<std::vector<Busy>, 2> busy_;  // segments with candidates, by side
   std::vector<Placed> placed_;             // by segment, of busy ones; anything where it does not exist
   std::vector<std::uint8_t> exists_;
-  std::vector<Near> near_;  // candidates that may cross: the first near_count_
+  std::vector<Meeting> meetings_;  // of candidates
+  std::vector<Near> near_;         // candidates that may cross: the first near_count_
   std::size_t near_count_ = 0;
   std::vector<Crossing> crossings_;
   std::vector<std::uint32_t> count_;  // of entries, by piece; the places are those of the window's index of candidates

@@ -34,11 +34,11 @@ class RotatingLoops::Stretch {
   int side(std::uint32_t s, Pair v) const { return sign(forms_.side(walk(s), v), forms_.side_error(walk(s))); }
   /// Both ends of b lie on one side of a.
   bool beside(std::uint32_t a, std::uint32_t b) const {
-    const int u = side(a, window_.segments[b].start);
+    const int u = side(a, window_.segments[b].start());
     return u != 0 && side(a, window_.segments[b].end) == u;
   }
   bool across(std::uint32_t a, std::uint32_t b) const {
-    const int u = side(a, window_.segments[b].start);
+    const int u = side(a, window_.segments[b].start());
     return u != 0 && side(a, window_.segments[b].end) == -u;
   }
   /// They cross all the time.
@@ -241,7 +241,7 @@ bool RotatingLoops::covered(const RotatingFrame& frame, Loop& loop, ExactOverlap
   double best = -1;
   for (std::uint32_t k = loop.first; k < loop.last; ++k) {
     const RotatingFrame::Step& s = frame.steps()[k];
-    const double l = (frame.to_share(s) - frame.from_share(s)) * frame.window().segments[s.segment].length1;
+    const double l = (frame.to_share(s) - frame.from_share(s)) * forms_.length1(frame.window().segments[s.segment]);
     if (l > best) {
       best = l;
       longest = &s;

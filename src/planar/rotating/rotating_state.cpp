@@ -26,17 +26,19 @@ constexpr double kLargestStep = 0.4;
 constexpr double kMostOfPairs = 3;
 // Loops that are tested at the start of a window: with more of them it begins at the frame before.
 constexpr std::size_t kFewLoops = 8;
+// By so much windows that follow one another overlap at least: more than doubles of angles err by. In radians.
+constexpr double kShared = 0x1p-40;
 
 }  // namespace
 
 RotatingSum::State::State(std::shared_ptr<const OperandPair> base, std::shared_ptr<const OperandPair> forms_base,
                           const MovingOptions& options)
-    : MovingSum(options), base_(std::move(base)), forms_base_(std::move(forms_base)), swapped_(p_is_smaller(*base_)) {
+    : MovingSum(options), base_(std::move(base)), swapped_(p_is_smaller(*base_)) {
   if (!has_windows(*base_)) return;
-  forms_ = std::make_unique<TurningForms>(*forms_base_);
-  catalog_ = std::make_unique<TurnCatalog>(*forms_);
-  catalog_->for_each(0, 0, [&](const WalkSegment&) { ++segments_; });
-  loops_ = std::make_unique<RotatingLoops>(*forms_, base_->connected, swapped_);
+  operands_ = std::make_shared<const TurnedOperands>(std::move(forms_base));
+  operands_->catalog.for_each(0, 0, [&](const WalkSegment&) { ++segments_; });
+  loops_ = std::make_unique<RotatingLoops>(forms(), base_->connected, swapped_);
+  rings_ = std::make_unique<TurnedRings>(*operands_->pair, forms(), swapped_, swapped_ == p_turns());
 }
 
 bool RotatingSum::State::has_windows(const OperandPair& base) {
@@ -50,49 +52,71 @@ bool RotatingSum::State::p_is_smaller(const OperandPair& base) {
 
 PlacedPair RotatingSum::State::placed() const { return placed_at(*base_, theta_); }
 
-void RotatingSum::State::drop_window() {
-  frames_.reset();
-  if (loops_) loops_->forget();
+// What is known of the loops goes along.
+void RotatingSum::State::window_changes(FrameWindow* next) {
+  if (next == nullptr) return loops_->forget();
+  const RotatingWindow& entered = static_cast<const TurnedWindow*>(next)->window;
+  if (window() != nullptr) loops_->renumber(turned().window, entered);
+  else loops_->forget();
+  frame_.enter(entered);
+  rings_->enter(entered);
 }
 
-double RotatingSum::State::extent() const { return std::max(forms_->width(), forms_->height()) + 2 * forms_->reach(); }
+double RotatingSum::State::extent() const { return std::max(forms().width(), forms().height()) + 2 * forms().reach(); }
 
 double RotatingSum::State::widest_window() const {
-  return forms_->reach() > 0 ? 2 * kWidest * extent() / (std::sqrt(std::max(segments_, 1.0)) * forms_->reach()) : 1;
+  return forms().reach() > 0 ? 2 * kWidest * extent() / (std::sqrt(std::max(segments_, 1.0)) * forms().reach()) : 1;
 }
 
 int RotatingSum::State::cells_for(double half) const {
-  const double most = extent() / (kCellsSwept * half * forms_->reach());
+  const double most = extent() / (kCellsSwept * half * forms().reach());
   const double cells = std::clamp(std::min(kCellsPerRoot * std::sqrt(segments_), most), kLeastCells, kMostCells);
   // In steps of a root of two, so that few grids are made.
   return static_cast<int>(kLeastCells * std::exp2(0.5 * std::floor(2 * std::log2(cells / kLeastCells))));
 }
 
-bool RotatingSum::State::build_window(const Move& move, const WindowController::Choice& reach) {
-  auto [chosen, behind, ahead] = reach;
-  if (options.window > 0 && move.step < 0) std::swap(behind, ahead);
-  // Where many loops would have to be tested the frame before lies inside, so that what is known of it serves.
-  if (loops_->loops().size() > kFewLoops && std::abs(move.step) < 0.5) {
-    double& towards = move.step >= 0 ? behind : ahead;
-    towards = std::max(towards, 1.001 * std::abs(move.step));
-  }
-  const double angle = moving_angle(theta_), low = angle - behind, high = angle + ahead, half = 0.5 * (high - low);
+MakeWindow RotatingSum::State::maker(double low, double high) {
+  const double half = 0.5 * (high - low), middle = std::remainder(0.5 * (low + high), kTurn);
   const int cells = cells_for(half);
-  std::unique_ptr<TurnGrid>& grid = grids_[cells];
-  if (!grid) grid = std::make_unique<TurnGrid>(*forms_, cells);
+  std::shared_ptr<const TurnGrid>& grid = grids_[cells];
+  if (!grid) grid = std::make_shared<const TurnGrid>(forms(), cells);
   const std::size_t most_pairs =
       chooses() ? static_cast<std::size_t>(kMostOfPairs * slice_cost_ / kCostOfPair) : ~std::size_t{0};
-  RotatingWindow next(*grid, *catalog_, 0.5 * (low + high), half, segments_ >= kMaskFrom, most_pairs);
-  if (!next.complete) return false;
-  if (frames_ != nullptr) loops_->renumber(frames_->window, next);
-  frames_ = std::make_unique<Frames>(std::move(next), *forms_base_, swapped_, swapped_ == p_turns());
-  return true;
+  return [operands = operands_, grid, middle, half, mask = segments_ >= kMaskFrom,
+          most_pairs](const std::stop_token& stop) -> std::unique_ptr<FrameWindow> {
+    RotatingWindow next(*grid, operands->catalog, middle, half, mask, most_pairs, stop);
+    if (!next.complete) return nullptr;
+    return std::make_unique<TurnedWindow>(operands, std::move(next));
+  };
+}
+
+// Where many loops would have to be tested the frame before lies inside, so that what is known of it serves.
+double RotatingSum::State::reach_back(const Move& move) const {
+  return loops_->loops().size() > kFewLoops && std::abs(move.step) < 0.5 ? 1.001 * std::abs(move.step) : 0;
+}
+
+// Between it and the window before nothing is left out, for who comes back.
+MakeWindow RotatingSum::State::window_for(const Move& move, const WindowController::Choice& reach) {
+  auto [behind, ahead] = std::pair{reach.behind, reach.ahead};
+  if (options.window > 0 && move.step < 0) std::swap(behind, ahead);
+  double& towards = move.step >= 0 ? behind : ahead;
+  towards = std::max(towards, reach_back(move));
+  if (window() != nullptr) {
+    const double gap = std::abs(std::remainder(move.at - turned().end(move.step >= 0), kTurn)) + kShared;
+    if (gap <= std::min(std::abs(move.step) + kShared, behind + ahead)) towards = std::max(towards, gap);
+  }
+  return maker(move.at - behind, move.at + ahead);
+}
+
+MakeWindow RotatingSum::State::window_from(double end, const Move& move, double width) {
+  const double back = std::max(reach_back(move), kShared);
+  return move.step > 0 ? maker(end - back, end + width) : maker(end - width, end + back);
 }
 
 // The kept loops as rings in canonical order.
 void RotatingSum::State::assemble(NextFrame& next) {
-  const RotatingWindow& window = frames_->window;
-  const RotatingFrame& frame = frames_->frame;
+  const RotatingWindow& window = turned().window;
+  const RotatingFrame& frame = frame_;
   PlanarSum& sum = next.sum;
   exact_source(sum) = std::make_shared<TurnedSource>(base_, theta_);
   sum.stats.tier_bits = base_->lattice->tier_bits;
@@ -100,7 +124,7 @@ void RotatingSum::State::assemble(NextFrame& next) {
   sum.stats.live_segments = window.segments.size();
   sum.stats.crossings = frame.crossings().size();
   sum.stats.loops = loops_->loops().size();
-  TurnedRings::Rings kept = frames_->rings.at(theta_, frame, *loops_, *exact_source(sum));
+  TurnedRings::Rings kept = rings_->at(theta_, frame, *loops_, *exact_source(sum));
   sum.at_error = kept.at_error;
   const VertexOrder order(*exact_source(sum), sum.at_error);
   for (SumRing& ring : kept.rings)
@@ -113,18 +137,18 @@ void RotatingSum::State::assemble(NextFrame& next) {
 
 // Nothing where doubles do not decide the frame.
 std::optional<MovingSum::NextFrame> RotatingSum::State::window_frame(const Move&, FrameWork& next_work) {
-  const RotatingWindow& window = frames_->window;
+  const RotatingWindow& window = turned().window;
   const double angle = moving_angle(theta_);
   next_work.pieces = window.pieces.size();
   next_work.candidates = window.candidates.size();
   next_work.window_low = window.middle - window.half;
   next_work.window_high = window.middle + window.half;
-  next_work.peak_bytes = window.bytes() + loops_->bytes();
+  next_work.peak_bytes = window.bytes() + frame_.bytes() + loops_->bytes() + rings_->bytes();
   NextFrame next;
   next.followed = loops_->known();
-  if (frames_->frame.compute(std::remainder(angle - window.middle, kTurn), Heading::of(angle))) {
+  if (frame_.compute(std::remainder(angle - window.middle, kTurn), Heading::of(angle))) {
     ExactOverlap overlap(base_, theta_);
-    loops_->update(frames_->frame, overlap, identities_, next_work, next.changes);
+    loops_->update(frame_, overlap, identities_, next_work, next.changes);
     assemble(next);
     next_work.exact_signs += overlap.exact_signs();
     return next;
@@ -141,7 +165,7 @@ double RotatingSum::State::cost_of(const FrameWork& done) {
 }
 
 MovingSum::WindowCost RotatingSum::State::cost_of_window() const {
-  return {planar::cost_of_window(frames_->window), 0};
+  return {planar::cost_of_window(turned().window), 0};
 }
 
 Result<FrameChanges> RotatingSum::State::move_to(const Orientation& theta) {
@@ -151,13 +175,11 @@ Result<FrameChanges> RotatingSum::State::move_to(const Orientation& theta) {
   }
   theta_ = theta;
   Move to;
-  const double angle = moving_angle(theta);
-  to.step = std::remainder(angle - moving_angle(orientation), kTurn);
-  // Doubles of angles err, so a window's ends are left a little early.
-  to.inside = frames_ != nullptr && std::abs(std::remainder(angle - frames_->window.middle, kTurn)) <=
-                                        frames_->window.half - kAngleDifference;
-  to.widest = forms_ != nullptr ? widest_window() : 0;
-  to.windows = forms_ != nullptr && (to.inside || !chooses() || std::abs(to.step) <= kLargestStep * to.widest);
+  to.at = moving_angle(theta);
+  to.step = std::remainder(to.at - moving_angle(orientation), kTurn);
+  to.widest = operands_ != nullptr ? widest_window() : 0;
+  to.windows = operands_ != nullptr;
+  to.builds = !chooses() || std::abs(to.step) <= kLargestStep * to.widest;
   to.asked = options.window;
   Result<FrameChanges> changes = move(to);
   if (changes) orientation = theta;

@@ -1,4 +1,4 @@
-// The state behind a RotatingSum: the window of angles, its frame and loops.
+// The state behind a RotatingSum: windows of angles, the frames inside them and their loops.
 #pragma once
 
 #include <map>
@@ -7,6 +7,7 @@
 #include "dymsum/rotating_sum.h"
 #include "planar/frames/moving_sum.h"
 #include "planar/rotating/turned_rings.h"
+#include "planar/rotating/turned_window.h"
 
 namespace dymsum {
 
@@ -25,18 +26,10 @@ class RotatingSum::State final : public planar::MovingSum {
   Orientation orientation;
 
  private:
-  /// What frames inside the window look at.
-  struct Frames {
-    Frames(planar::RotatingWindow w, const planar::OperandPair& base, bool swapped, bool moving_turns)
-        : window(std::move(w)), frame(window), rings(base, window, swapped, moving_turns) {}
-    planar::RotatingWindow window;
-    planar::RotatingFrame frame;
-    planar::TurnedRings rings;
-  };
   planar::PlacedPair placed() const override;
-  bool build_window(const Move& move, const planar::WindowController::Choice& reach) override;
-  void drop_window() override;
-  bool has_window() const override { return frames_ != nullptr; }
+  planar::MakeWindow window_for(const Move& move, const planar::WindowController::Choice& reach) override;
+  planar::MakeWindow window_from(double end, const Move& move, double width) override;
+  void window_changes(planar::FrameWindow* next) override;
   std::optional<NextFrame> window_frame(const Move& move, FrameWork& work) override;
   double cost_of(const FrameWork& work) override;
   WindowCost cost_of_window() const override;
@@ -47,19 +40,22 @@ class RotatingSum::State final : public planar::MovingSum {
   double widest_window() const;
   double extent() const;
   int cells_for(double half) const;
+  double reach_back(const Move& move) const;
+  planar::MakeWindow maker(double low, double high);
+  const planar::TurnedWindow& turned() const { return static_cast<const planar::TurnedWindow&>(*window()); }
+  const planar::TurningForms& forms() const { return operands_->forms; }
   void assemble(NextFrame& next);
 
-  std::shared_ptr<const planar::OperandPair> base_;        // P is operand 0
-  std::shared_ptr<const planar::OperandPair> forms_base_;  // the moving operand is operand 1: the smaller one
-  bool swapped_ = false;                                   // that is P
-  std::unique_ptr<planar::TurningForms> forms_;            // none: every frame is a rebuild
-  std::unique_ptr<planar::TurnCatalog> catalog_;
-  std::map<int, std::unique_ptr<planar::TurnGrid>> grids_;  // by cells
-  double segments_ = 0;                                     // of the reduced convolution, about
-  double slice_cost_ = 0;                                   // of the last frame from scratch
-  Orientation theta_;                                       // the new position, during a move
-  std::unique_ptr<Frames> frames_;
+  std::shared_ptr<const planar::OperandPair> base_;               // P is operand 0
+  bool swapped_ = false;                                          // P is the smaller operand, which moves in windows
+  std::shared_ptr<const planar::TurnedOperands> operands_;        // none: every frame is a rebuild
+  std::map<int, std::shared_ptr<const planar::TurnGrid>> grids_;  // by cells
+  double segments_ = 0;                                           // of the reduced convolution, about
+  double slice_cost_ = 0;                                         // of the last frame from scratch
+  Orientation theta_;                                             // the new position, during a move
+  planar::RotatingFrame frame_;                                   // in the current window
   std::unique_ptr<planar::RotatingLoops> loops_;
+  std::unique_ptr<planar::TurnedRings> rings_;
 };
 
 namespace planar {

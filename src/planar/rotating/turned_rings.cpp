@@ -14,18 +14,15 @@ constexpr double kPoor = 0x1p-36;
 
 }  // namespace
 
-TurnedRings::TurnedRings(const OperandPair& forms_base, const RotatingWindow& window, bool swapped, bool moving_turns)
-    : base_(forms_base),
-      window_(window),
-      forms_(window.forms()),
-      swapped_(swapped),
-      moving_turns_(moving_turns),
-      names_(window.segments.size(), {{Contact::Kind::edge_of_p, kNone, kNone}, kNone, kNone}) {}
+void TurnedRings::enter(const RotatingWindow& window) {
+  window_ = &window;
+  names_.assign(window.segments.size(), {{Contact::Kind::edge_of_p, kNone, kNone}, kNone, kNone});
+}
 
 const TurnedRings::Names& TurnedRings::names(std::uint32_t segment) {
   Names& names = names_[segment];
   if (names.contact.p != kNone) return names;
-  const TurnSegment& s = window_.segments[segment];
+  const TurnSegment& s = window_->segments[segment];
   const Operand &fixed = forms_.operand(0), &moving = forms_.operand(1);
   names.contact = swapped_ ? contact_of({1 - s.side, s.edge, s.vertex}, moving, fixed) : contact_of(s, fixed, moving);
   names.corner_p = fixed.vertex_number[s.end.p];
@@ -76,7 +73,7 @@ double TurnedRings::find_positions(const RotatingLoops::Loop& loop, const Rotati
     const RotatingFrame::Step& s = steps[k];
     if (s.straight) continue;
     if (s.to_crossing == RotatingFrame::kEnd) {
-      const Point at = frame.place(window_.segments[s.segment].end);
+      const Point at = frame.place(window_->segments[s.segment].end);
       positions_[n] = rigid(at.x, at.y);
     } else if (const RotatingFrame::Located z = frame.end_of(s); z.error <= poor) {
       worst = std::max(worst, z.error);

@@ -10,12 +10,15 @@
 
 namespace dymsum::planar {
 
-/// Of one window.
+/// Of one window at a time.
 class TurnedRings {
  public:
   /// `swapped`: P is the moving operand, operand 1 of the forms. `moving_turns`: the moving operand turns in the sum;
   /// otherwise what it stands against does.
-  TurnedRings(const OperandPair& forms_base, const RotatingWindow& window, bool swapped, bool moving_turns);
+  TurnedRings(const OperandPair& forms_base, const TurningForms& forms, bool swapped, bool moving_turns)
+      : base_(forms_base), forms_(forms), swapped_(swapped), moving_turns_(moving_turns) {}
+  /// Loops are those of frames in this window from now on.
+  void enter(const RotatingWindow& window);
 
   struct Rings {
     std::vector<SumRing> rings;  ///< from their leftmost vertices on, as doubles have them
@@ -23,6 +26,10 @@ class TurnedRings {
     std::vector<RotatingLoops::Loop*> loops;
     double at_error = 0;
   };
+  std::size_t bytes() const {
+    return names_.capacity() * sizeof(Names) + steps_.capacity() * sizeof(std::uint32_t) +
+           positions_.capacity() * sizeof(Point);
+  }
   /// The kept loops; `source` knows their exact positions.
   Rings at(const Orientation& theta, const RotatingFrame& frame, RotatingLoops& loops, const ExactSource& source);
 
@@ -46,9 +53,9 @@ class TurnedRings {
   SumRing ring(const RotatingLoops::Loop& loop, const RotatingFrame& frame);
 
   const OperandPair& base_;
-  const RotatingWindow& window_;
   const TurningForms& forms_;
   bool swapped_, moving_turns_;
+  const RotatingWindow* window_ = nullptr;
   std::vector<Names> names_;             // of segments, made when first asked for
   std::vector<std::uint32_t> steps_;     // scratch: the steps of a ring that end at its vertices
   std::vector<Point> positions_;         // and where

@@ -31,8 +31,9 @@ Window::Window(const OperandPair& base, const ReducedConvolution& convolution, c
   const std::uint32_t m = frame_.moving;
   span_ = std::max(base.width[1 - m], base.height[1 - m]) + 2 * frame_.tau1 * std::max(base.width[m], base.height[m]);
   const SweptMask mask(*base.lattice, base.operands, swept, settings.cells, settings.mask);
-  add_live(convolution, swept, mask);
-  const std::vector<PieceEnds> ends = cut_pieces(*this, swept, mask);
+  Scratch memory;
+  add_live(convolution, swept, mask, &memory);
+  const Array<PieceEnds> ends = cut_pieces(*this, swept, mask, &memory);
   EdgeSearch search(*this);
   const auto touch_pairs = find_candidates(*this, swept, mask, ends, settings.most_pairs, settings.stop,
                                            {settings.covers ? &search : nullptr, settings.memory});
@@ -50,7 +51,7 @@ Segment Window::exact(std::uint32_t s) const {
 }
 
 std::size_t Window::bytes() const {
-  return segments.capacity() * sizeof(LiveSegment) + pieces.capacity() * (sizeof(Piece) + sizeof(PieceEnds)) +
+  return segments.capacity() * sizeof(LiveSegment) + pieces.capacity() * sizeof(Piece) +
          candidates.capacity() * sizeof(Candidate) + touches.capacity() * sizeof(PersistentTouch) +
          nodes.capacity() * sizeof(PersistentNode) + rays.capacity() * sizeof(PersistentNode::Ray) +
          (folds.capacity() + touching.capacity()) * 8 +
@@ -90,7 +91,8 @@ struct SweptBoxes {
 }  // namespace
 
 // Those that come near a live cell.
-void Window::add_live(const ReducedConvolution& convolution, const WindowFrame& swept, const SweptMask& mask) {
+void Window::add_live(const ReducedConvolution& convolution, const WindowFrame& swept, const SweptMask& mask,
+                      Scratch* memory) {
   live.assign(convolution.size(), kNone);
   const Grid& g = mask.grid();
   constexpr double reach = 2 * kReach;
@@ -99,6 +101,7 @@ void Window::add_live(const ReducedConvolution& convolution, const WindowFrame& 
     edges.emplace_back(base_, op, swept, g, true);
     vertices.emplace_back(base_, op, swept, g, false);
   }
+  Array<LiveSegment> found(memory);
   std::uint32_t id = 0;
   convolution.for_each_turn([&](std::uint32_t side, std::uint32_t v, std::span<const std::uint32_t> turn,
                                 std::uint32_t lo, std::uint32_t count) {
@@ -108,18 +111,20 @@ void Window::add_live(const ReducedConvolution& convolution, const WindowFrame& 
       const auto row = [&](double r) { return std::clamp(static_cast<int>(r), 0, g.rows - 1); };
       const auto column = [&](double c) { return std::clamp(static_cast<int>(c), 0, g.columns - 1); };
       if (mask.any_live(row(at.row0 + e.row0 - reach), column(at.column0 + e.column0 - reach),
-                        row(at.row1 + e.row1 + reach), column(at.column1 + e.column1 + reach)))
-        add_segment({side, turn[i], v}, id);
+                        row(at.row1 + e.row1 + reach), column(at.column1 + e.column1 + reach))) {
+        live[id] = static_cast<std::uint32_t>(found.size());
+        found.push_back(segment({side, turn[i], v}, id));
+      }
     }
   });
+  segments.assign(found.begin(), found.end());
 }
 
-void Window::add_segment(const WalkSegment& w, std::uint32_t id) {
+LiveSegment Window::segment(const WalkSegment& w, std::uint32_t id) const {
   const std::uint32_t m = frame_.moving;
   const Operand &o = base_.operands[w.side], &other = base_.operands[1 - w.side];
   const bool moving = w.side == m;
   const std::uint32_t next = o.next[w.edge];
-  live[id] = static_cast<std::uint32_t>(segments.size());
   LiveSegment s;
   s.walk = w;
   s.id = id;
@@ -131,7 +136,7 @@ void Window::add_segment(const WalkSegment& w, std::uint32_t id) {
   s.start = w.side == 0 ? WalkPair{w.edge, w.vertex} : WalkPair{w.vertex, w.edge};
   s.end = w.side == 0 ? WalkPair{next, w.vertex} : WalkPair{w.vertex, next};
   s.contact = contact_of(w, base_.operands[0], base_.operands[1]);
-  segments.push_back(s);
+  return s;
 }
 
 int Window::cross(std::uint32_t a, std::uint32_t b) const {

@@ -12,6 +12,7 @@
 #include <stop_token>
 #include <vector>
 
+#include "base/scratch.h"
 #include "base/two_lanes.h"
 #include "planar/frames/candidate_index.h"
 #include "planar/frames/operand_pair.h"
@@ -143,8 +144,9 @@ class Window : public CandidateIndex {
   std::size_t bytes() const;
 
  private:
-  void add_live(const ReducedConvolution& convolution, const WindowFrame& swept, const SweptMask& mask);
-  void add_segment(const WalkSegment& w, std::uint32_t id);
+  void add_live(const ReducedConvolution& convolution, const WindowFrame& swept, const SweptMask& mask,
+                Scratch* memory);
+  LiveSegment segment(const WalkSegment& w, std::uint32_t id) const;
   void link_pieces(const ReducedConvolution& convolution);
 
   const OperandPair& base_;

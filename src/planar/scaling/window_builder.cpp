@@ -108,7 +108,7 @@ WindowPlan WindowBuilder::plan(double low, double high, double at, std::uint64_t
 std::unique_ptr<WindowFrames> window_frames(const OperandPair& base, const WindowPlan& plan) {
   auto window = std::make_unique<Window>(base, *plan.convolution, plan.settings);
   if (window->abandoned) return nullptr;
-  return std::unique_ptr<WindowFrames>(new WindowFrames{plan.low, plan.high, plan.convolution, std::move(window)});
+  return std::make_unique<WindowFrames>(plan.low, plan.high, plan.convolution, std::move(window));
 }
 
 }  // namespace dymsum::planar

@@ -3,11 +3,16 @@
 
 #include <memory>
 
+#include "planar/frames/frame_window.h"
 #include "planar/scaling/loop_rings.h"
 
 namespace dymsum::planar {
 
-struct WindowFrames {
+struct WindowFrames final : FrameWindow {
+  WindowFrames(double low, double high, std::shared_ptr<const ReducedConvolution> convolution,
+               std::unique_ptr<Window> window)
+      : low(low), high(high), convolution(std::move(convolution)), window(std::move(window)) {}
+
   double low = 0, high = 0;  ///< scales the window covers
   std::shared_ptr<const ReducedConvolution> convolution;
   std::unique_ptr<Window> window;
@@ -16,8 +21,9 @@ struct WindowFrames {
   LoopRings rings{loops};
   bool known = false;  ///< the loops are those of the last frame that was made here
 
-  bool covers(double s) const { return s > low && s < high; }
-  std::size_t bytes() const { return window->bytes() + lists.bytes() + loops.bytes(); }
+  bool covers(double s) const override { return s > low && s < high; }
+  double end(bool up) const override { return up ? high : low; }
+  std::size_t bytes() const override { return window->bytes() + lists.bytes() + loops.bytes(); }
   /// Brings lists and loops to a scale inside. False where something touches there that needs the vertex routine, and
   /// then nothing is known.
   bool follow(ExactFrame& frame, FrameWork& work) {

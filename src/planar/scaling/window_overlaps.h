@@ -3,13 +3,12 @@
 #pragma once
 
 #include <array>
-#include <vector>
-
+#include "base/scratch.h"
 #include "planar/scaling/always_on.h"
 
 namespace dymsum::planar {
 
-using PiecePairs = std::vector<std::array<std::uint32_t, 2>>;
+using PiecePairs = Array<std::array<std::uint32_t, 2>>;
 
 /// Settles the pairs of pieces that lie along each other; what stays open stays in `close`. What stops counting still
 /// has to be known where something touches at one scale.

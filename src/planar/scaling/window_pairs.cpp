@@ -18,28 +18,31 @@ constexpr double kKnownShare = 0x1p-8;
 /// What a piece sweeps lies in its box, some of a cell wider than it; in cells of the mask.
 struct PieceBox {
   int row0, column0, row1, column1;
+  std::uint32_t segment;
 };
 
 /// The boxes of pieces, in cells and in quanta.
 struct PieceBoxes {
-  PieceBoxes(const std::vector<PieceEnds>& ends, const Grid& g) {
+  PieceBoxes(const Window& window, const Array<PieceEnds>& ends, const Grid& g, Scratch* memory)
+      : cells(memory), quanta(memory) {
     const double reach = 4 * kReach * g.cell, per_x = (kBoxQuanta - 1) / (g.columns * g.cell),
                  per_y = (kBoxQuanta - 1) / (g.rows * g.cell);
     // What is not less stays so: boxes that meet do in quanta too.
     const auto quantum = [](double v) { return static_cast<std::int16_t>(std::clamp(v, 0.0, kBoxQuanta - 1.0)); };
     cells.reserve(ends.size());
     quanta.reserve(ends.size());
-    for (const PieceEnds& e : ends) {
+    for (std::size_t i = 0; i < ends.size(); ++i) {
+      const PieceEnds& e = ends[i];
       const Two x_low = least(e.ax, e.bx), x_high = most(e.ax, e.bx), y_low = least(e.ay, e.by),
                 y_high = most(e.ay, e.by);
       const double x0 = std::min(x_low[0], x_low[1]) - reach, x1 = std::max(x_high[0], x_high[1]) + reach;
       const double y0 = std::min(y_low[0], y_low[1]) - reach, y1 = std::max(y_high[0], y_high[1]) + reach;
-      cells.push_back({g.row(y0), g.column(x0), g.row(y1), g.column(x1)});
+      cells.push_back({g.row(y0), g.column(x0), g.row(y1), g.column(x1), window.pieces[i].segment});
       quanta.push_back({quantum(x0 * per_x), quantum(y0 * per_y), quantum(x1 * per_x), quantum(y1 * per_y)});
     }
   }
-  std::vector<PieceBox> cells;
-  std::vector<BoxQuanta> quanta;
+  Array<PieceBox> cells;
+  Array<BoxQuanta> quanta;
 };
 
 /// Doubles prove at both ends of the window that one piece stays on one side of the other's line; sides are linear in
@@ -69,7 +72,7 @@ class PairTests {
         search_(search),
         always_on_(window),
         touches_(window, always_on_) {}
-  bool run(const std::vector<PieceEnds>& ends, std::uint64_t most_pairs, const std::stop_token& stop);
+  bool run(const Array<PieceEnds>& ends, std::uint64_t most_pairs, const std::stop_token& stop);
   const std::vector<WalkPair>& touch_pairs() const { return touches_.pairs(); }
 
  private:
@@ -88,21 +91,21 @@ class PairTests {
 };
 
 // Pieces meet in what their boxes share; where all of that is dead nothing matters.
-bool PairTests::run(const std::vector<PieceEnds>& ends, std::uint64_t most_pairs, const std::stop_token& stop) {
-  PiecePairs close;
-  const PieceBoxes boxes(ends, mask_.grid());
-  Scratch memory;
+bool PairTests::run(const Array<PieceEnds>& ends, std::uint64_t most_pairs, const std::stop_token& stop) {
+  Scratch* const memory = ends.get_allocator().scratch();
+  PiecePairs close(memory);
+  const PieceBoxes boxes(window_, ends, mask_.grid(), memory);
   const auto meet = [&](std::uint32_t i, std::uint32_t j) {
     const PieceBox &a = boxes.cells[i], &b = boxes.cells[j];
     if (!mask_.any_live(std::max(a.row0, b.row0), std::max(a.column0, b.column0), std::min(a.row1, b.row1),
                         std::min(a.column1, b.column1)))
       return;
     ++window_.pair_tests;
-    if (window_.pieces[i].segment != window_.pieces[j].segment && !apart(ends[i], ends[j]) && !apart(ends[j], ends[i]))
+    if (a.segment != b.segment && !apart(ends[i], ends[j]) && !apart(ends[j], ends[i]))
       close.push_back({std::min(i, j), std::max(i, j)});
   };
   sweep_boxes(
-      std::span<const BoxQuanta>(boxes.quanta), &memory,
+      std::span<const BoxQuanta>(boxes.quanta), memory,
       [&](std::uint32_t, std::uint32_t) {
         const bool go_on = window_.pair_tests <= most_pairs && !stop.stop_requested();
         return [go_on](std::uint32_t) { return go_on; };
@@ -232,7 +235,7 @@ void PairTests::solve(Candidate& c) const {
 }  // namespace
 
 std::optional<std::vector<WalkPair>> find_candidates(Window& window, const WindowFrame& swept, const SweptMask& mask,
-                                                     const std::vector<PieceEnds>& ends, std::uint64_t most_pairs,
+                                                     const Array<PieceEnds>& ends, std::uint64_t most_pairs,
                                                      const std::stop_token& stop, const CoverSearch& search) {
   PairTests tests(window, swept, mask, search);
   if (!tests.run(ends, most_pairs, stop)) return std::nullopt;

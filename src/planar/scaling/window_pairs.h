@@ -24,7 +24,7 @@ struct CoverSearch {
 /// nothing where more than `most_pairs` boxes of pieces meet, or where it is stopped. `search` leaves out crossings
 /// that two edges prove covered while they exist.
 std::optional<std::vector<WalkPair>> find_candidates(Window& window, const WindowFrame& swept, const SweptMask& mask,
-                                                     const std::vector<PieceEnds>& ends, std::uint64_t most_pairs,
+                                                     const Array<PieceEnds>& ends, std::uint64_t most_pairs,
                                                      const std::stop_token& stop, const CoverSearch& search);
 
 }  // namespace dymsum::planar

@@ -101,8 +101,11 @@ class PieceCutter {
 
 }  // namespace
 
-std::vector<PieceEnds> cut_pieces(Window& window, const WindowFrame& frame, const SweptMask& mask) {
-  std::vector<PieceEnds> all_ends;
+Array<PieceEnds> cut_pieces(Window& window, const WindowFrame& frame, const SweptMask& mask, Scratch* memory) {
+  Array<PieceEnds> all_ends(memory);
+  Array<Piece> pieces(memory);  // windows are kept: their own list is no longer than it has to be
+  all_ends.reserve(window.segments.size() + window.segments.size() / 4);
+  pieces.reserve(all_ends.capacity());
   PieceCutter cutter(mask);
   const double width = frame.tau1 - frame.tau0;
   for (std::uint32_t n = 0; n < window.segments.size(); ++n) {
@@ -114,7 +117,7 @@ std::vector<PieceEnds> cut_pieces(Window& window, const WindowFrame& frame, cons
       const double slope = width > 0 ? (v - u) / width : 0;
       return Linear{u - slope * frame.tau0, slope};
     };
-    s.first_piece = static_cast<std::uint32_t>(window.pieces.size());
+    s.first_piece = static_cast<std::uint32_t>(pieces.size());
     for (std::size_t k = 0; k <= cuts.size(); ++k) {
       const CutPlace from = k == 0 ? CutPlace{{0, 0}} : cuts[k - 1], to = k == cuts.size() ? CutPlace{{1, 1}} : cuts[k];
       PieceEnds ends = ends_between(swept, from, to);
@@ -129,11 +132,12 @@ std::vector<PieceEnds> cut_pieces(Window& window, const WindowFrame& frame, cons
       p.tail_cut = k < cuts.size();
       if (p.head_cut) p.head = linear(from);
       if (p.tail_cut) p.tail = linear(to);
-      window.pieces.push_back(p);
+      pieces.push_back(p);
       all_ends.push_back(ends);
     }
-    s.last_piece = static_cast<std::uint32_t>(window.pieces.size());
+    s.last_piece = static_cast<std::uint32_t>(pieces.size());
   }
+  window.pieces.assign(pieces.begin(), pieces.end());
   return all_ends;
 }
 

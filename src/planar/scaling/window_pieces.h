@@ -1,6 +1,7 @@
 // Cutting: segments of a window lose what lies in covered cells throughout.
 #pragma once
 
+#include "base/scratch.h"
 #include "planar/scaling/window.h"
 
 namespace dymsum::planar {
@@ -13,6 +14,6 @@ struct PieceEnds {
 };
 
 /// Gives a window's segments their pieces. `swept`: the frame of the mask. Returns the ends of the pieces.
-std::vector<PieceEnds> cut_pieces(Window& window, const WindowFrame& swept, const SweptMask& mask);
+Array<PieceEnds> cut_pieces(Window& window, const WindowFrame& swept, const SweptMask& mask, Scratch* memory);
 
 }  // namespace dymsum::planar

@@ -5,7 +5,7 @@
 
 namespace dymsum::planar {
 // Where the extent is minute or huge the factor is not a number of use: then all boxes meet.
-BoxPairs::BoxPairs(double extent) {
+BoxPairs::BoxPairs(double extent, Scratch* memory) : memory_(memory), boxes_(memory), pairs_(memory), sides_(memory) {
   const double factor = (kBoxQuanta - 1) / extent;
   per_unit_ = factor <= std::numeric_limits<double>::max() ? factor : 0;
 }
@@ -22,15 +22,15 @@ int BoxPairs::strips() const {
       std::clamp<long>(kBoxQuanta / (kHeights * mean), 1, static_cast<long>(std::min(kMost, boxes_.size() / kBoxes))));
 }
 
-std::vector<std::array<std::uint32_t, 2>> BoxPairs::find(std::size_t most) {
+Array<BoxPairs::Pair> BoxPairs::find(std::size_t most, const std::stop_token& stop) {
   const int n = strips(), height = kBoxQuanta / n + 1;
-  std::vector<std::vector<std::uint64_t>> of(static_cast<std::size_t>(n));
+  std::vector<Array<std::uint64_t>> of(static_cast<std::size_t>(n), Array<std::uint64_t>(memory_));
   for (std::uint32_t i = 0; i < boxes_.size(); ++i)
     for (int k = boxes_[i].y0 / height, last = boxes_[i].y1 / height; k <= last; ++k)
       of[static_cast<std::size_t>(k)].push_back(left_order(boxes_[i].x0, i));
   pairs_.resize(4 * boxes_.size() + 4 * kLanes);
   count_ = 0;
-  for (int k = 0; k < n && count_ <= most; ++k)
+  for (int k = 0; k < n && count_ <= most && !stop.stop_requested(); ++k)
     sweep(of[static_cast<std::size_t>(k)], static_cast<std::int16_t>(k * height), most);
   pairs_.resize(count_);
   return std::move(pairs_);
@@ -39,7 +39,7 @@ std::vector<std::array<std::uint32_t, 2>> BoxPairs::find(std::size_t most) {
 // Of a strip, the pairs whose common part begins in it: one of them does. Behind the last box lie some that start to
 // the right of everything and meet nothing. Which of eight boxes meet cannot be predicted: all are listed and the place
 // moves on for those that do.
-void BoxPairs::sweep(std::vector<std::uint64_t>& order, std::int16_t strip, std::size_t most) {
+void BoxPairs::sweep(Array<std::uint64_t>& order, std::int16_t strip, std::size_t most) {
   sort_by_left(order);
   const std::size_t n = order.size(), padded = n + 2 * kLanes;
   sides_.resize(3 * padded);
@@ -66,7 +66,7 @@ void BoxPairs::sweep(std::vector<std::uint64_t>& order, std::int16_t strip, std:
       std::memcpy(&halves, &meets, sizeof halves);
       if ((halves[0] | halves[1]) == 0) continue;
       if (count_ + kLanes > pairs_.size()) pairs_.resize(2 * pairs_.size());
-      std::array<std::uint32_t, 2>* to = pairs_.data() + count_;
+      Pair* to = pairs_.data() + count_;
       for (std::uint32_t k = 0; k < kLanes; ++k) {
         const auto t = static_cast<std::uint32_t>(order[j + k]);
         *to = {std::min(s, t), std::max(s, t)};

@@ -5,16 +5,20 @@
 #include <algorithm>
 #include <array>
 #include <cstdint>
+#include <stop_token>
 #include <vector>
 
 #include "base/box_lanes.h"
+#include "base/scratch.h"
 
 namespace dymsum::planar {
 
 class BoxPairs {
  public:
+  using Pair = std::array<std::uint32_t, 2>;
+
   /// For boxes within [0, extent] in both axes; what lies beyond counts as at the rim.
-  explicit BoxPairs(double extent);
+  explicit BoxPairs(double extent, Scratch* memory = nullptr);
 
   void reserve(std::size_t n) { boxes_.reserve(n); }
   /// The next box, number 0, 1, ...
@@ -22,9 +26,9 @@ class BoxPairs {
     boxes_.push_back({quantum(x0), quantum(y0), quantum(x1), quantum(y1)});
   }
 
-  /// Every two boxes that meet, once, and some that nearly do; only some of them if there are more than `most`.
-  /// O(n log n + pairs of a strip that meet in x / 8).
-  std::vector<std::array<std::uint32_t, 2>> find(std::size_t most = ~std::size_t{0});
+  /// Every two boxes that meet, once, and some that nearly do; only some of them if there are more than `most`, or if
+  /// it is asked to stop. O(n log n + pairs of a strip that meet in x / 8).
+  Array<Pair> find(std::size_t most = ~std::size_t{0}, const std::stop_token& stop = {});
 
  private:
   struct Box {
@@ -36,12 +40,13 @@ class BoxPairs {
   }
 
   int strips() const;
-  void sweep(std::vector<std::uint64_t>& order, std::int16_t low, std::size_t most);
+  void sweep(Array<std::uint64_t>& order, std::int16_t low, std::size_t most);
 
   double per_unit_ = 0;
-  std::vector<Box> boxes_;
-  std::vector<std::int16_t> sides_;  // of the boxes of a strip in their order: left, low, high
-  std::vector<std::array<std::uint32_t, 2>> pairs_;
+  Scratch* memory_;
+  Array<Box> boxes_;
+  Array<Pair> pairs_;
+  Array<std::int16_t> sides_;  // of the boxes of a strip in their order: left, low, high
   std::size_t count_ = 0;
 };
 

@@ -9,7 +9,7 @@ namespace dymsum::planar {
 // A float errs by at most kReach, as there are fewer than 2048 rows and columns: that of the edge, that of the vertex,
 // and their sum; and doubles by less than another one.
 EdgeCells::EdgeCells(const TurningForms& forms, const CoveredCells& cells, const std::vector<Point>& turned,
-                     const std::vector<Point>& reach)
+                     std::span<const Point> reach)
     : cells_(cells) {
   static_assert(1024 * exact::kFloatRoundoff <= kReach);
   const Grid& g = cells.grid();

@@ -4,6 +4,7 @@
 
 #include <array>
 #include <cstdint>
+#include <span>
 #include <vector>
 
 #include "planar/mask/covered_cells.h"
@@ -16,7 +17,7 @@ class EdgeCells {
   /// `turned`: the turning operand's vertices at the middle of the window, about its centre; `reach`: how far a point
   /// with each of them moves from there.
   EdgeCells(const TurningForms& forms, const CoveredCells& cells, const std::vector<Point>& turned,
-            const std::vector<Point>& reach);
+            std::span<const Point> reach);
 
   /// Whether the segment of an edge of operand `side` and a vertex of the other one lies in covered cells at every
   /// angle.

@@ -26,10 +26,11 @@ std::uint32_t bits(Told told) {
 }  // namespace
 
 // Beyond 2^-120 of the span nothing that matters underflows.
-PieceLines::PieceLines(double span, double half)
+PieceLines::PieceLines(double span, double half, Scratch* memory)
     : scale_(1 / span),
       half_(static_cast<float>(half) * exact::kFloatOutwards),
-      second_(static_cast<float>(0.5 * half * half + 0x1p-100) * exact::kFloatOutwards) {}
+      second_(static_cast<float>(0.5 * half * half + 0x1p-100) * exact::kFloatOutwards),
+      pieces_(memory) {}
 
 PieceLines::Lines PieceLines::lines(const std::array<std::uint32_t, 4>& of) const {
   const Piece &a = pieces_[of[0]], &b = pieces_[of[1]], &c = pieces_[of[2]], &d = pieces_[of[3]];

@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "base/scratch.h"
 #include "planar/turning/turning_forms.h"
 
 namespace dymsum::planar {
@@ -12,7 +13,7 @@ namespace dymsum::planar {
 class PieceLines {
  public:
   /// For coordinates of sums up to `span`; `half`: the range reaches so far from its middle, at most a radian.
-  PieceLines(double span, double half);
+  PieceLines(double span, double half, Scratch* memory = nullptr);
 
   void reserve(std::size_t n) { pieces_.reserve(n); }
   /// The next piece: of the segment of an edge of operand `side` with vector d that starts at the sum of a fixed and a
@@ -43,7 +44,7 @@ class PieceLines {
 
   double scale_;
   float half_, second_;
-  std::vector<Piece> pieces_;
+  Array<Piece> pieces_;
 };
 
 }  // namespace dymsum::planar

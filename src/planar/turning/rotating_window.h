@@ -4,49 +4,50 @@
 
 #include <array>
 #include <cstdint>
+#include <stop_token>
 #include <vector>
 
+#include "base/scratch.h"
 #include "planar/frames/candidate_index.h"
 #include "planar/turning/turn_catalog.h"
 #include "planar/turning/turn_grid.h"
 
 namespace dymsum::planar {
 
-/// A segment that is live somewhere in the window.
+/// A segment that is live somewhere in the window. Windows are kept, so all of this is as small as it can be.
 struct TurnSegment : WalkSegment {
+  bool throughout = false;      ///< it exists at every angle of the window
   TurnCatalog::Span span = {};  ///< it exists there, relative to the middle of the window
-  Pair start = {}, end = {};
-  double length1 = 0;
+  Pair end = {};
   std::uint32_t first_piece = 0, last_piece = 0;  ///< its pieces [first_piece, last_piece)
   std::array<std::uint32_t, 2> next{kNone,
                                     kNone};  ///< the live segments that may continue it; at most one exists at a time
-  bool throughout = false;                   ///< it exists at every angle of the window
+  Pair start() const { return TurningForms::start(*this); }
 };
 
 /// A stretch of a segment between its ends or places that lie in dead cells at every angle of the window. What reaches
 /// one is false.
 struct TurnPiece {
-  std::uint32_t segment = 0;
   double head = 0, tail = 1;  ///< in shares of the segment
-  bool head_cut = false, tail_cut = false;
-  bool tail_dead = false;          ///< behind the tail nothing alive can follow, at no angle of the window
-  bool quiet = false;              ///< whole, there at every angle of the window, and nothing meets it
+  std::uint32_t segment = 0;
   std::uint32_t follower = kNone;  ///< a quiet piece that follows it at every angle of the window
   std::uint32_t run_last = kNone;  ///< of a quiet one: where followers lead to
+  bool head_cut = false, tail_cut = false;
+  bool tail_dead = false;  ///< behind the tail nothing alive can follow, at no angle of the window
+  bool quiet = false;      ///< whole, there at every angle of the window, and nothing meets it
 };
 
-/// Two pieces that may meet, and their segments.
+/// Two pieces that may meet.
 struct TurnCandidate {
   std::uint32_t a = 0, b = 0;
-  std::uint32_t segment_a = 0, segment_b = 0;
 };
 
 class RotatingWindow : public CandidateIndex {
  public:
   /// Angles within `half` of `middle`, a little more being covered. `mask` off: no cell is dead. Given up where boxes
-  /// of more than `most_pairs` pairs of pieces meet.
+  /// of more than `most_pairs` pairs of pieces meet, and when it is asked to stop.
   RotatingWindow(const TurnGrid& grid, const TurnCatalog& catalog, double middle, double half, bool mask,
-                 std::size_t most_pairs = ~std::size_t{0});
+                 std::size_t most_pairs = ~std::size_t{0}, const std::stop_token& stop = {});
 
   bool complete = true;  ///< not given up
 
@@ -64,14 +65,14 @@ class RotatingWindow : public CandidateIndex {
   const TurningForms& forms() const { return forms_; }
   /// The live segment of that name, or kNone.
   std::uint32_t find(const WalkSegment& s) const;
+  std::uint32_t segment_of(std::uint32_t piece) const { return pieces[piece].segment; }
   std::size_t bytes() const;
 
  private:
-  /// A segment at the middle: the vertices it starts with, its vector and |vector|_1, and how far a point of it moves
-  /// from there in either axis.
+  /// A segment at the middle: the vertices it starts with, its vector, and how far a point of it moves from there in
+  /// either axis.
   struct Swept {
     Point fixed, turning, d;
-    double length1 = 0;
     Point reach;
     std::uint32_t side = 0;
     double x() const { return fixed.x + turning.x; }
@@ -80,17 +81,20 @@ class RotatingWindow : public CandidateIndex {
   struct Box {
     double x0 = 0, y0 = 0, x1 = 0, y1 = 0;
   };
+  /// The live segments of a vertex with edges of a side, in the order of the edges.
   struct Turn {
-    std::uint32_t lo = 0, count = 0, base = 0;
+    std::uint32_t first = 0, last = 0;
   };
-  Swept swept(const WalkSegment& s) const;
-  void add_segments(const CoveredCells& dead);
-  bool add_segment(const WalkSegment& walk, const CoveredCells& dead);
-  void add_pieces(const Swept& w, const CoveredCells& dead);
-  void find_cuts(Point start, Point d, Point reach, const CoveredCells& dead);
-  Box box_of(const TurnPiece& p, double reach) const;
-  void find_candidates(const CoveredCells& dead, std::size_t most_pairs);
-  std::vector<std::array<std::uint32_t, 2>> near_pairs(const std::vector<Box>& boxes, std::size_t most_pairs);
+  struct Making;  ///< what is needed until it is made
+  std::uint32_t find_in_order(const WalkSegment& s) const;
+  Swept swept(const WalkSegment& s, const Making& making) const;
+  void add_segments(const CoveredCells& dead, Making& making);
+  void add_segment(const WalkSegment& walk, const CoveredCells& dead, Making& making) const;
+  void add_pieces(const Swept& w, const CoveredCells& dead, Making& making) const;
+  void find_cuts(Point start, Point d, Point reach, const CoveredCells& dead, Array<double>& cuts) const;
+  Box box_of(const TurnPiece& p, const Swept& w, double reach) const;
+  void find_candidates(const CoveredCells& dead, Making& making);
+  Array<std::array<std::uint32_t, 2>> near_pairs(Making& making);
   void find_next();
   void find_dead_tails();
   void find_runs();
@@ -101,10 +105,6 @@ class RotatingWindow : public CandidateIndex {
   double shift_ = 0;                        // of coordinates to those of the grid
   bool masked_ = false;                     // cells may be dead
   std::array<std::vector<Turn>, 2> turns_;  // by side and vertex
-  std::vector<std::uint32_t> live_;         // all segments of the window -> segments
-  std::vector<Point> moved_;                // how far a place with each turning vertex moves from there
-  std::vector<Swept> swept_;                // of segments
-  std::vector<double> cuts_;
 };
 
 }  // namespace dymsum::planar

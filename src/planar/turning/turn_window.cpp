@@ -17,7 +17,7 @@ TurnWindow::TurnWindow(const TurnGrid& grid, const TurnCatalog& catalog, const T
       high(high_of(r)) {
   pairs.reserve(candidates.size());
   for (const TurnCandidate& c : candidates)
-    pairs.push_back({std::min(c.segment_a, c.segment_b), std::max(c.segment_a, c.segment_b)});
+    pairs.push_back({std::min(segment_of(c.a), segment_of(c.b)), std::max(segment_of(c.a), segment_of(c.b))});
   sort_pairs();
 }
 

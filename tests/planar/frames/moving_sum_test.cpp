@@ -4,6 +4,9 @@
 
 #include <gtest/gtest.h>
 
+#include <atomic>
+#include <thread>
+
 #include "dymsum/shapes.h"
 #include "planar/frames/region_pair.h"
 #include "planar/sum/placed_sum.h"
@@ -11,14 +14,21 @@
 namespace dymsum::planar {
 namespace {
 
+struct Range final : FrameWindow {
+  Range(double low, double high) : low(low), high(high) {}
+  bool covers(double at) const override { return at > low && at < high; }
+  double end(bool up) const override { return up ? high : low; }
+  std::size_t bytes() const override { return 100; }
+  double low, high;
+};
+
 class Still final : public MovingSum {
  public:
   explicit Still(MovingOptions options) : MovingSum(std::move(options)) {}
 
   Result<FrameChanges> move_to(double to) {
-    position_ = to;
     Move next;
-    next.inside = open_ && to > low_ && to < high_;
+    next.at = to;
     next.stays = to == at_;
     next.step = to - at_;
     next.widest = 1;
@@ -32,24 +42,32 @@ class Still final : public MovingSum {
   bool too_expensive = false;
   bool followed = false;
   std::uint64_t identity = 0;  // of the one ring, as loops would keep it
-  int built = 0, dropped = 0;
+  int built() const { return making_->built; }
+  void make_for_ever() { making_->never_ready = true; }  // until it is stopped
+  int entered = 0, dropped = 0;
   double at_ = 0;
 
  private:
   PlacedPair placed() const override { return pair_->placed_on_lattice(pair_->lattice); }
-  bool build_window(const Move&, const WindowController::Choice& reach) override {
-    if (too_expensive) return false;
-    ++built;
-    open_ = true;
-    low_ = position_ - reach.behind;
-    high_ = position_ + reach.ahead;
-    return true;
+  MakeWindow window_for(const Move& to, const WindowController::Choice& reach) override {
+    return maker(to.at - reach.behind, to.at + reach.ahead);
   }
-  void drop_window() override {
-    dropped += open_;
-    open_ = false;
+  MakeWindow window_from(double end, const Move& to, double width) override {
+    return to.step > 0 ? maker(end - 0.01, end + width) : maker(end - width, end + 0.01);
   }
-  bool has_window() const override { return open_; }
+  MakeWindow maker(double low, double high) {
+    return [making = making_, low, high,
+            nothing = too_expensive](const std::stop_token& stop) -> std::unique_ptr<FrameWindow> {
+      if (nothing) return nullptr;
+      while (making->never_ready && !stop.stop_requested()) std::this_thread::yield();
+      ++making->built;
+      return std::make_unique<Range>(low, high);
+    };
+  }
+  void window_changes(FrameWindow* next) override {
+    entered += next != nullptr;
+    dropped += next == nullptr;
+  }
   std::optional<NextFrame> window_frame(const Move&, FrameWork&) override {
     if (undecided) return std::nullopt;
     NextFrame next;
@@ -61,10 +79,13 @@ class Still final : public MovingSum {
   double cost_of(const FrameWork& done) override { return done.rebuilt ? 100 : 1; }
   WindowCost cost_of_window() const override { return {10, 0}; }
 
+  struct Making {  // outlives this, as the thread does
+    std::atomic<int> built = 0;
+    std::atomic<bool> never_ready = false;
+  };
+  std::shared_ptr<Making> making_ = std::make_shared<Making>();
   std::shared_ptr<const OperandPair> pair_ =
       *pair_of_regions(shapes::rectangle(0, 0, 2, 1), shapes::rectangle(0, 0, 1, 3), PairOptions{.moved = 1});
-  double position_ = 0, low_ = 0, high_ = 0;
-  bool open_ = false;
 };
 
 MovingOptions with(FrameMode mode, double window = 0) {
@@ -77,11 +98,11 @@ MovingOptions with(FrameMode mode, double window = 0) {
 TEST(MovingSum, a_window_serves_until_its_end) {
   Still sum(with(FrameMode::window, 0.5));
   for (const double to : {0.1, 0.2, 0.3}) ASSERT_TRUE(sum.move_to(to).ok());
-  EXPECT_EQ(sum.built, 1);
+  EXPECT_EQ(sum.built(), 1);
   EXPECT_FALSE(sum.work.new_window);
   EXPECT_FALSE(sum.work.rebuilt);
   ASSERT_TRUE(sum.move_to(2).ok());
-  EXPECT_EQ(sum.built, 2);
+  EXPECT_EQ(sum.built(), 2);
   EXPECT_TRUE(sum.work.new_window);
 }
 
@@ -91,7 +112,7 @@ TEST(MovingSum, rebuilding_opens_no_window) {
     ASSERT_TRUE(sum.move_to(to).ok());
     EXPECT_TRUE(sum.work.rebuilt);
   }
-  EXPECT_EQ(sum.built, 0);
+  EXPECT_EQ(sum.built(), 0);
 }
 
 TEST(MovingSum, what_a_window_does_not_decide_is_rebuilt_and_the_window_stays) {
@@ -105,7 +126,7 @@ TEST(MovingSum, what_a_window_does_not_decide_is_rebuilt_and_the_window_stays) {
   sum.undecided = false;
   ASSERT_TRUE(sum.move_to(0.3).ok());
   EXPECT_FALSE(sum.work.rebuilt);
-  EXPECT_EQ(sum.built, 1);
+  EXPECT_EQ(sum.built(), 1);
   EXPECT_EQ(sum.dropped, 0);
 }
 
@@ -115,6 +136,55 @@ TEST(MovingSum, windows_that_would_cost_too_much_are_left) {
   ASSERT_TRUE(sum.move_to(0.1).ok());
   EXPECT_TRUE(sum.work.rebuilt);
   EXPECT_FALSE(sum.work.new_window);
+}
+
+TEST(MovingSum, windows_that_were_left_are_entered_again) {
+  Still sum(with(FrameMode::window, 0.5));
+  for (const double to : {0.1, 2.0, 4.0, 2.1, 0.2, 4.1}) ASSERT_TRUE(sum.move_to(to).ok());
+  EXPECT_EQ(sum.built(), 3);
+  EXPECT_EQ(sum.entered, 6);
+  EXPECT_EQ(sum.kept_windows().size(), 2u);
+  EXPECT_EQ(sum.kept_windows().bytes(), 200u);
+}
+
+TEST(MovingSum, the_least_recently_used_window_goes_first) {
+  MovingOptions options = with(FrameMode::window, 0.5);
+  options.kept_window_bytes = 250;
+  Still sum(options);
+  for (const double to : {0.1, 2.0, 4.0, 0.2, 6.0}) ASSERT_TRUE(sum.move_to(to).ok());
+  EXPECT_EQ(sum.built(), 4);
+  EXPECT_EQ(sum.kept_windows().size(), 2u) << "those of 0.1 and 4, for 2 was left earlier";
+  for (const double to : {4.1, 0.1}) ASSERT_TRUE(sum.move_to(to).ok());
+  EXPECT_EQ(sum.built(), 4);
+  ASSERT_TRUE(sum.move_to(2.1).ok());
+  EXPECT_EQ(sum.built(), 5);
+}
+
+TEST(MovingSum, the_next_window_is_made_ahead_on_one_thread_for_all) {
+  MovingOptions options;
+  options.threads = 2;
+  Still sum(options);
+  ASSERT_TRUE(sum.move_to(0.01).ok());
+  EXPECT_TRUE(sum.work.rebuilt) << "no frame waits";
+  for (int k = 2; k < 60; ++k) {
+    sum.finish_window_ahead();
+    ASSERT_TRUE(sum.move_to(0.01 * k).ok());
+    EXPECT_FALSE(sum.work.rebuilt) << k;
+    EXPECT_FALSE(sum.work.new_window) << k;
+  }
+  EXPECT_GT(sum.entered, 3);
+}
+
+TEST(MovingSum, a_window_under_way_is_stopped_with_the_sum) {
+  MovingOptions options;
+  options.threads = 2;
+  Still sum(options);
+  sum.make_for_ever();
+  for (const double to : {0.01, 0.02, 0.03}) {
+    ASSERT_TRUE(sum.move_to(to).ok());
+    EXPECT_TRUE(sum.work.rebuilt);
+  }
+  EXPECT_EQ(sum.built(), 0);
 }
 
 TEST(MovingSum, nothing_changes_where_it_is_stopped) {
@@ -127,7 +197,7 @@ TEST(MovingSum, nothing_changes_where_it_is_stopped) {
   EXPECT_EQ(stopped.error().code, ErrorCode::cancelled);
   EXPECT_EQ(sum.at_, 0.1);
   EXPECT_EQ(sum.ring_ids, ids);
-  EXPECT_EQ(sum.built, 1);
+  EXPECT_EQ(sum.built(), 1);
 }
 
 TEST(MovingSum, identities_go_from_sums_to_loops_and_back) {

@@ -63,7 +63,7 @@ void expect_all_crossings(const TurnedPair& t, double middle, double half, std::
   const TurnGrid grid(*t.forms, 24);
   const RotatingWindow window(grid, *t.catalog, middle, half, false);
   std::set<std::pair<std::uint32_t, std::uint32_t>> candidates;
-  for (const TurnCandidate& c : window.candidates) candidates.insert(std::minmax(c.segment_a, c.segment_b));
+  for (const TurnCandidate& c : window.candidates) candidates.insert(std::minmax(window.segment_of(c.a), window.segment_of(c.b)));
   for (const double share : {-1.0, -0.4, 0.0, 0.7, 1.0}) {
     const double theta = middle + share * half;
     const Heading h = Heading::of(theta);

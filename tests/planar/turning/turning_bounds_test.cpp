@@ -289,16 +289,18 @@ TEST(TurningBounds, short_edges_meet_what_crosses_them) {
     const RotatingWindow window(grid, catalog, 2 * std::atan(t), 0x1p-40, false);
     const auto across = [&](const TurnSegment& i, const TurnSegment& j) {
       const auto sign = [&](Pair x) { return f.exact_side(i, x, 0).sign_at(rt); };
-      return sign(j.start) * sign(j.end) < 0;
+      return sign(j.start()) * sign(j.end) < 0;
     };
     const auto same = [](Pair i, Pair j) { return i == j; };
     std::set<std::pair<std::uint32_t, std::uint32_t>> meet;
-    for (const TurnCandidate& n : window.candidates) meet.insert(std::minmax(n.segment_a, n.segment_b));
+    for (const TurnCandidate& n : window.candidates)
+      meet.insert(std::minmax(window.segment_of(n.a), window.segment_of(n.b)));
     for (std::uint32_t i = 0; i < window.segments.size(); ++i)
       for (std::uint32_t j = i + 1; j < window.segments.size(); ++j) {
         const TurnSegment &x = window.segments[i], &z = window.segments[j];
-        if (!x.throughout || !z.throughout || std::min(x.length1, z.length1) > 0x1p-40) continue;
-        if (same(x.start, z.start) || same(x.start, z.end) || same(x.end, z.start) || same(x.end, z.end)) continue;
+        if (!x.throughout || !z.throughout || std::min(f.length1(x), f.length1(z)) > 0x1p-40) continue;
+        if (same(x.start(), z.start()) || same(x.start(), z.end) || same(x.end, z.start()) || same(x.end, z.end))
+          continue;
         if (!across(x, z) || !across(z, x)) continue;
         ++crossing;
         EXPECT_TRUE(meet.contains({i, j})) << k;

@@ -6,23 +6,23 @@
 #include <list>
 #include <memory>
 
-#include "planar/scaling/window_frames.h"
+#include "planar/frames/frame_window.h"
 
 namespace dymsum::planar {
 
 class KeptWindows {
  public:
-  /// The most recently used one that covers a scale; it is kept no longer. None: nothing.
-  std::unique_ptr<WindowFrames> take(double scale);
-  bool covers(double scale) const;
+  /// The most recently used one that covers a position; it is kept no longer. None: nothing.
+  std::unique_ptr<FrameWindow> take(double at);
+  bool covers(double at) const;
   /// Keeps one. The least recently used ones go until all of them hold at most `most_bytes`.
-  void keep(std::unique_ptr<WindowFrames> frames, std::uint64_t most_bytes);
+  void keep(std::unique_ptr<FrameWindow> window, std::uint64_t most_bytes);
   std::uint64_t bytes() const { return bytes_; }
   std::size_t size() const { return windows_.size(); }
 
  private:
   struct Kept {
-    std::unique_ptr<WindowFrames> frames;
+    std::unique_ptr<FrameWindow> window;
     std::uint64_t bytes = 0;
   };
   std::list<Kept> windows_;  // the most recently used first

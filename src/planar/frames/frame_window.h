@@ -1,0 +1,28 @@
+// A window of positions - scales or angles - in which frames are made, with all that they look at and know.
+#pragma once
+
+#include <cstddef>
+#include <functional>
+#include <memory>
+#include <stop_token>
+
+namespace dymsum::planar {
+
+class FrameWindow {
+ public:
+  FrameWindow() = default;
+  FrameWindow(const FrameWindow&) = delete;
+  FrameWindow& operator=(const FrameWindow&) = delete;
+  virtual ~FrameWindow() = default;
+
+  /// Whether frames at a position are made here.
+  virtual bool covers(double at) const = 0;
+  /// The position at which it ends for a motion that goes up, or down.
+  virtual double end(bool up) const = 0;
+  virtual std::size_t bytes() const = 0;
+};
+
+/// Makes a window, on any thread, from what never changes. Nothing where that would cost too much, or is stopped.
+using MakeWindow = std::function<std::unique_ptr<FrameWindow>(const std::stop_token&)>;
+
+}  // namespace dymsum::planar
