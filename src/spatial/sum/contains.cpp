@@ -81,8 +81,8 @@ class Membership {
       : p_(p),
         q_(q),
         open_(semantics == Semantics::open),
-        a_(spatial::solid_operand(p.data(), p.thin_faces(), FlatFeatures::kept)),
-        b_(spatial::solid_operand(q.data(), q.thin_faces(), FlatFeatures::kept)) {}
+        a_(spatial::solid_operand(p.data(), p.thin_faces(), spatial::FlatFeatures::kept)),
+        b_(spatial::solid_operand(q.data(), q.thin_faces(), spatial::FlatFeatures::kept)) {}
 
   /// Positions in fractions of one number.
   Result<std::vector<bool>> run(const std::vector<Rationals>& positions, const BigInteger& scale) const {

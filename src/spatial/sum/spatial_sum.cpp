@@ -22,8 +22,8 @@ namespace dymsum {
 namespace {
 
 /// The reference takes operands as they are.
-FlatFeatures flat_features(const SpatialOptions& options) {
-  return options.engine == SpatialEngine::brute ? FlatFeatures::kept : FlatFeatures::merged;
+spatial::FlatFeatures flat_features(const SpatialOptions& options) {
+  return options.engine == SpatialEngine::brute ? spatial::FlatFeatures::kept : spatial::FlatFeatures::merged;
 }
 
 Result<SpatialSum> sum_of_pair(const MeshData& p, const std::vector<bool>& thin_p, const MeshData& q,
