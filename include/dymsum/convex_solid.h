@@ -25,6 +25,7 @@ struct FacetChange {
     appeared,
     disappeared,
     reshaped,  ///< still there, with other vertices
+    turned,    ///< still there, with the same vertices in the opposite order: seen from the other side
   };
   Kind kind = Kind::reshaped;
   std::uint32_t facet = 0;                                        ///< its index
@@ -69,7 +70,7 @@ struct ConvexSolid {
   std::size_t vertex_count = 0, facet_count = 0, triangle_slots = 0;
   SolidPose p_pose, q_pose;
   SolidChanges changes;     ///< since the solid before; of the first one everything
-  std::uint64_t frame = 0;  ///< 1 for the first solid, one more for every change
+  std::uint64_t frame = 0;  ///< 1 for the first solid, one more for every one after it, changed or not
 
   std::span<const std::uint32_t> corners_of(std::size_t facet) const {
     return {corners.data() + facets[facet].first, facets[facet].count};

@@ -118,13 +118,7 @@ struct ConvexDepth {
   Rational depth_squared;  ///< exact
   Point3
       direction;  ///< unit outward normal of that facet, with an error below 2^-50: move the point by depth * direction
-  SolidFeature p, q;  ///< the facet
-};
-
-/// What becomes of edges between coplanar faces and of vertices in the middle of edges and faces.
-enum class FlatFeatures : std::uint8_t {
-  merged,  ///< they belong to the face or edge around them (the default)
-  kept,    ///< features of their own, as in the thesis: slower, with the same sums
+  SolidFeature p, q;  ///< the facet, as SolidFacet has it; of facets equally near any
 };
 
 struct ConvexSolid;
@@ -133,9 +127,8 @@ struct ConvexSolid;
 /// equals a fresh computation, always. Thread-compatible.
 class ConvexSum {
  public:
-  /// At the identity. Errors: as convex_sum; unsupported_operand for FlatFeatures::kept and faces that are no
-  /// triangles.
-  static Result<ConvexSum> create(const Mesh& p, const Mesh& q, FlatFeatures flat = FlatFeatures::merged);
+  /// At the identity. Errors: as convex_sum.
+  static Result<ConvexSum> create(const Mesh& p, const Mesh& q);
   /// Of a sum and one more solid, from the exact positions of the sum: P's vertices and faces are the vertices and
   /// facets of `p` by their indices. Errors also: unsupported_operand for sums at poses whose positions are no binary
   /// fractions.
@@ -170,7 +163,7 @@ class ConvexSum {
   struct FacetCount {
     std::size_t all = 0, changed = 0;
   };
-  /// O(size), without making the sum. Requires merged operands, as `create` makes them by default.
+  /// O(size), without making the sum.
   FacetCount facet_count() const;
 
   /// The sum at the current poses, in canonical order. O(size log size).
@@ -192,7 +185,8 @@ class ConvexSum {
   /// Whether the combinatorics are those of another sum of the same operands.
   bool same_combinatorics(const ConvexSum& other) const;
 
-  /// The vertex of the sum that is extreme in a direction (ties: any), and its rounded position.
+  /// The vertex of the sum that is extreme in a direction, and its rounded position. Of several the one with the
+  /// largest x, of these with the largest y, then z; so also of all vertices, where the direction is 0.
   struct Support {
     SolidSum::Vertex vertex;
     Point3 at;
@@ -228,11 +222,11 @@ struct BatchOptions {
   Point3 support_direction{0, 0, 1};
   Point3 depth_point;
   Progress progress;
-  int threads = 0;  ///< 0: as many as there are cores
+  int threads = 0;  ///< 0: as many as there are cores; at least 0
 };
 /// P (+) Q at many rotations of P. They are taken in an order that makes steps short (along a curve through all
 /// rotations), in as many parts as there are threads; the reports come in the order given. Errors: as create;
-/// cancelled.
+/// not_finite for a direction or point that is not finite; out_of_range for threads; cancelled.
 Result<std::vector<PoseReport>> pose_batch(const Mesh& p, const Mesh& q, std::span<const Rotation> poses,
                                            const BatchOptions& options = {});
 

@@ -28,14 +28,15 @@ struct MovingOptions {
   Semantics semantics = Semantics::closed;
   FrameMode mode = FrameMode::automatic;
   /// How far windows reach ahead: relative to the scale (0.05: from s to 1.05 s), or in radians; 0: chosen by the
-  /// controller.
+  /// controller. Finite, at least 0. Windows of angles reach at most 1.5 radians ahead, however far they are asked to.
   double window = 0;
   /// Windows that the sum has left are kept in at most so many bytes, the least recently used ones going first: coming
   /// back, or round by a whole turn, costs frames, no windows. 0: none is kept.
   std::uint64_t kept_window_bytes = std::uint64_t{64} << 20;
   /// With two or more, a sum whose frames are made automatically makes its windows ahead on a thread of its own, and no
   /// frame waits for one: until it is ready frames are computed from scratch. The sums are the same; which
-  /// frames were rebuilt, and the rest of FrameWork, then depend on time. Other modes make no windows ahead.
+  /// frames were rebuilt, and the rest of FrameWork, then depend on time. Other modes make no windows ahead. At least
+  /// 0.
   int threads = 1;
   ForcedTier forced_tier;
   Progress progress;  ///< asked before a window is built and between stages of a rebuild, see progress.h

@@ -3,6 +3,7 @@
 #include <cmath>
 #include <optional>
 #include <stdexcept>
+#include <vector>
 
 #include "depth/exact_facet_distances.h"
 #include "depth/facet_distances.h"
@@ -29,10 +30,15 @@ void name_features(const spatial::ConvexState& s, const GenericFacet& facet, Con
     depth.q = spatial::edge_feature(*s.q, s.q->origin[c.q], s.q->target(c.q));
     return;
   }
-  const SolidFeature face = spatial::face_feature(s.poly(facet.op), facet.id);
-  const SolidFeature vertex = spatial::vertex_feature(s.poly(1 - facet.op), o.extreme(facet.op, facet.id));
-  depth.p = facet.op == 0 ? face : vertex;
-  depth.q = facet.op == 0 ? vertex : face;
+  std::vector<spatial::VertexPair> corners;
+  const spatial::FacetFeatures features = spatial::append_face(o, facet.op, facet.id, corners);
+  depth.p = features.p;
+  depth.q = features.q;
+}
+
+/// Edges whose arcs do not truly cross span a part of a facet that a face makes, which is as near.
+bool is_part_of_another(const spatial::Overlay& o, const GenericFacet& facet) {
+  return facet.op == 2 && !spatial::crosses_properly(o, o.crossing(facet.id));
 }
 
 }  // namespace
@@ -56,7 +62,7 @@ ConvexDepth ConvexSum::depth(Point3 point) const {
   GenericFacet nearest;
   for (const GenericFacet& facet : distances.candidates()) {
     std::optional<spatial::SignedSquare> d = exact_distances.signed_square(facet);
-    if (!d || (least && !(*d < *least))) continue;
+    if (!d || (least && !(*d < *least)) || is_part_of_another(state_->overlay, facet)) continue;
     least = std::move(d);
     nearest = facet;
   }

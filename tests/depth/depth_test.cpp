@@ -207,6 +207,27 @@ TEST(ConvexDepth, points_that_are_no_places_are_refused) {
   EXPECT_THROW((void)sum.support({0, nan, 0}), std::invalid_argument);
 }
 
+// Where directions coincide it is a face and a face, or a face and an edge.
+TEST(ConvexDepth, names_the_features_of_the_facet) {
+  std::mt19937_64 random(33);
+  const Mesh box = cube(1), ball = random_round_polytope(random, 30), fine = solids::tessellated_cube(2, 1),
+             cylinder = solids::cylinder(6, 1, 2);
+  std::set<std::pair<SolidFeature::Kind, SolidFeature::Kind>> kinds;
+  for (const auto& [p, q] : std::vector<std::pair<Mesh, Mesh>>{
+           {box, box}, {fine, box}, {box, fine}, {cylinder, box}, {box, cylinder}, {fine, ball}, {cylinder, cylinder}})
+    for (const Rotation& turn : {Rotation(), *Rotation::of(4, 0, 0, 1), *Rotation::of(5, 1, 2, 1)})
+      for (const Point3 at : {Point3{0.5, 0.125, 0.25}, Point3{}, Point3{0.125, -1, 0}, Point3{0, 0.25, 1}}) {
+        ConvexSum sum = *ConvexSum::create(p, q);
+        sum.set(turn);
+        const ConvexDepth depth = sum.depth(at);
+        const SolidSum whole = sum.sum();
+        EXPECT_TRUE(std::any_of(whole.facets.begin(), whole.facets.end(),
+                                [&](const SolidFacet& f) { return f.p == depth.p && f.q == depth.q; }));
+        kinds.insert({depth.p.kind, depth.q.kind});
+      }
+  EXPECT_GE(kinds.size(), 4u);
+}
+
 TEST(ConvexDepth, of_every_hard_case_of_the_corpus) {
   std::size_t found = 0;
   for (const auto& entry : std::filesystem::directory_iterator(std::string(DYMSUM_CORPUS_DIR) + "/convex")) {
@@ -223,6 +244,24 @@ TEST(ConvexDepth, of_every_hard_case_of_the_corpus) {
     ++found;
   }
   EXPECT_GE(found, 5u);
+}
+
+TEST(PoseBatch, options_out_of_range_are_errors) {
+  const double nan = std::nan(""), inf = std::numeric_limits<double>::infinity();
+  const std::vector<Rotation> poses{Rotation()};
+  for (const double bad : {nan, inf, -inf}) {
+    BatchOptions point, direction;
+    point.depth_point.y = bad;
+    direction.support_direction.z = bad;
+    for (const BatchOptions& options : {point, direction}) {
+      const auto reports = pose_batch(cube(1), cube(1), poses, options);
+      ASSERT_FALSE(reports.ok());
+      EXPECT_EQ(reports.error().code, ErrorCode::not_finite);
+    }
+  }
+  BatchOptions threads;
+  threads.threads = -1;
+  EXPECT_EQ(pose_batch(cube(1), cube(1), poses, threads).error().code, ErrorCode::out_of_range);
 }
 
 TEST(PoseBatch, reports_what_single_sums_say_in_the_order_given) {

@@ -7,17 +7,6 @@
 #include "planar/result/part_nesting.h"
 
 namespace dymsum::planar {
-namespace {
-
-bool same_rings(const SumRing& a, const SumRing& b) {
-  return std::equal(a.vertices.begin(), a.vertices.end(), b.vertices.begin(), b.vertices.end(),
-                    [](const SumVertex& u, const SumVertex& v) {
-                      return u.in == v.in && u.out == v.out && u.corner_p == v.corner_p && u.corner_q == v.corner_q;
-                    });
-}
-
-}  // namespace
-
 std::vector<const SumRing*> rings_of(const PlanarSum& sum) {
   std::vector<const SumRing*> rings;
   for (const SumPart& part : sum.parts) {
@@ -149,7 +138,7 @@ std::vector<std::uint64_t> RingIdentities::match(const PlanarSum& from, const st
     ids[i] = known[ring];
     const auto old = static_cast<std::uint32_t>(before[ring]->vertices.size());
     shared = std::min({shared, size, old});
-    const bool same = size == old && shared == size && same_rings(*before[ring], *after[i]);
+    const bool same = size == old && shared == size;
     if (!same || !same_place)
       changes.rings.push_back(
           {same ? RingChange::Kind::moved : RingChange::Kind::reshaped, ids[i], size - shared, old - shared});

@@ -1,5 +1,7 @@
 #include "planar/frames/region_pair.h"
 
+#include <cmath>
+
 #include "planar/operand/prepared_region.h"
 #include "planar/position/exact_source.h"
 
@@ -13,6 +15,9 @@ Result<std::shared_ptr<const OperandPair>> pair_of_regions(const Region& p, cons
 
 Result<std::shared_ptr<const OperandPair>> pair_of_regions(const Region& p, const Region& q,
                                                            const MovingOptions& options) {
+  if (!(options.window >= 0) || std::isinf(options.window))
+    return Error{ErrorCode::out_of_range, "how far windows reach ahead is a finite number of at least 0", {}};
+  if (options.threads < 0) return Error{ErrorCode::out_of_range, "there are at least 0 threads", {}};
   return pair_of_regions(p, q,
                          PairOptions{.moved = options.moving == MovingOperand::p ? 0U : 1U,
                                      .reflect_q = options.reflect_q,

@@ -13,7 +13,7 @@ struct PairOptions {
   int min_tier_bits = 0;
 };
 
-/// P as operand 0, Q as operand 1. Errors: unsupported_operand.
+/// P as operand 0, Q as operand 1. Errors: unsupported_operand; out_of_range for options.
 Result<std::shared_ptr<const OperandPair>> pair_of_regions(const Region& p, const Region& q,
                                                            const PairOptions& options = {});
 Result<std::shared_ptr<const OperandPair>> pair_of_regions(const Region& p, const Region& q,

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <bit>
 #include <cctype>
+#include <charconv>
 #include <cmath>
 #include <optional>
 #include <string>
@@ -18,6 +19,12 @@ using exact::BigRational;
 constexpr unsigned kMaxBits = exact::kMaxTextBits;
 
 Error bad(std::string message) { return {ErrorCode::bad_scale, std::move(message), {}}; }
+
+/// The fewest digits that say this double.
+std::string shortest_text(double value) {
+  char text[32];
+  return std::string(text, std::to_chars(text, text + sizeof text, value).ptr);
+}
 
 Result<BigRational> within_limits(BigRational v, const std::string& what, const std::string& text) {
   const BigInteger limit = BigInteger(1) << 64;
@@ -46,7 +53,7 @@ Result<Scale> Scale::of(double value) {
   if (!std::isfinite(value)) return Error{ErrorCode::not_finite, "a scale has to be a finite number", {}};
   constexpr double kLimit = 0x1p64;  // of within_limits
   if (!(value >= 1 / kLimit && value <= kLimit))
-    return checked(exact::exact_value(value), std::to_string(value)).error();
+    return checked(exact::exact_value(value), shortest_text(value)).error();
   Scale s;
   if (value * 0x1p30 == std::floor(value * 0x1p30) && value < 0x1p30) {
     // A small dyadic fraction, as sweeps use them: lowest terms by hand.

@@ -28,6 +28,9 @@ constexpr double kMostOfPairs = 3;
 constexpr std::size_t kFewLoops = 8;
 // By so much windows that follow one another overlap at least: more than doubles of angles err by. In radians.
 constexpr double kShared = 0x1p-40;
+// How far a window reaches in the direction of the motion, and in all: less than a radian from its middle, which is
+// what a window of angles requires.
+constexpr double kFarthestAhead = 1.5, kWidestOfAll = 1.98;
 
 }  // namespace
 
@@ -100,12 +103,14 @@ double RotatingSum::State::reach_back(const Move& move) const {
 MakeWindow RotatingSum::State::window_for(const Move& move, const WindowController::Choice& reach) {
   auto [behind, ahead] = std::pair{reach.behind, reach.ahead};
   if (options.window > 0 && move.step < 0) std::swap(behind, ahead);
-  double& towards = move.step >= 0 ? behind : ahead;
+  double &towards = move.step >= 0 ? behind : ahead, &away = move.step >= 0 ? ahead : behind;
+  away = std::min(away, kFarthestAhead);
   towards = std::max(towards, reach_back(move));
   if (window() != nullptr) {
     const double gap = std::abs(std::remainder(move.at - turned().end(move.step >= 0), kTurn)) + kShared;
     if (gap <= std::min(std::abs(move.step) + kShared, behind + ahead)) towards = std::max(towards, gap);
   }
+  towards = std::min(towards, kWidestOfAll - away);
   return maker(move.at - behind, move.at + ahead);
 }
 

@@ -38,16 +38,17 @@ TurnedRings::Rigid TurnedRings::to_sum(const Orientation& theta) const {
   const Point fixed = l.points[0]->offset, moving{l.points[1]->offset.x + l.unit * forms_.centre().x,
                                                   l.points[1]->offset.y + l.unit * forms_.centre().y};
   const Point turned = turn(moving_turns_ ? moving : fixed), still = moving_turns_ ? fixed : moving;
-  const double c = moving_turns_ ? l.unit : l.unit * world.c, s = moving_turns_ ? 0 : l.unit * world.s;
-  return {c, -s, s, c, {turned.x + still.x, turned.y + still.y}};
+  const Heading by = moving_turns_ ? Heading{} : world;
+  return {by.c, by.s, l.unit, {turned.x + still.x, turned.y + still.y}};
 }
 
-// Turning back mixes both coordinates.
+// Turning back mixes both coordinates. Below the range of ordinary doubles the bound rounds to nothing, and so may at
+// most seven products by half a unit each: of the unit, and of the offset that turns.
 double TurnedRings::input_error(double error) const {
   const Lattice& l = *base_.lattice;
   double offsets = std::abs(forms_.centre().x) * l.unit + std::abs(forms_.centre().y) * l.unit;
   for (const auto& points : l.points) offsets += std::abs(points->offset.x) + std::abs(points->offset.y);
-  return (kMixed * error + kTurnedBack * forms_.span()) * l.unit + kTurnedOffset * offsets;
+  return (kMixed * error + kTurnedBack * forms_.span()) * l.unit + kTurnedOffset * offsets + exact::kSubnormal;
 }
 
 // Of a crossing.

@@ -34,11 +34,14 @@ class TurnedRings {
   Rings at(const Orientation& theta, const RotatingFrame& frame, RotatingLoops& loops, const ExactSource& source);
 
  private:
-  /// From the coordinates of the forms to those of the sum: scaled, perhaps turned, and moved.
+  /// From the coordinates of the forms to those of the sum: perhaps turned, scaled, and moved. In this order, as what
+  /// is small may be subnormal.
   struct Rigid {
-    double xx = 1, xy = 0, yx = 0, yy = 1;
+    double c = 1, s = 0, unit = 1;
     Point by;
-    Point operator()(double x, double y) const { return {xx * x + xy * y + by.x, yx * x + yy * y + by.y}; }
+    Point operator()(double x, double y) const {
+      return {(c * x - s * y) * unit + by.x, (s * x + c * y) * unit + by.y};
+    }
   };
   /// How the sum names a segment and its end.
   struct Names {

@@ -17,6 +17,8 @@ namespace {
 constexpr double kWidestStep = 0.16, kBeyond = 0x1p-30;  // longer steps are not reached back over; beyond the end
 // A window made ahead begins so much of its width before the last one ends, where it is entered.
 constexpr double kShared = 0x1p-10;
+// No window reaches beyond these: scales do not.
+constexpr double kLowest = 0x1p-65, kHighest = 0x1p65;
 // Exact signs for each piece of a window, from which where so much touches a frame from scratch is cheaper: its twins
 // count once, and a mask proves most of what touches covered.
 constexpr double kMostTouching = 1;
@@ -54,7 +56,7 @@ MakeWindow ScalingSum::State::window_for(const Move& move, const WindowControlle
   const double back = sum.stats.degenerate_nodes > 0 ? 0 : std::min(std::abs(move.step), kWidestStep);
   const double behind = move.step > 0 ? std::max(reach.behind, back + kBeyond) : reach.behind,
                ahead = move.step < 0 ? std::max(reach.ahead, back + kBeyond) : reach.ahead;
-  return maker(move.at * std::exp(-behind), move.at * std::exp(ahead), move.at);
+  return maker(std::max(move.at * std::exp(-behind), kLowest), std::min(move.at * std::exp(ahead), kHighest), move.at);
 }
 
 MakeWindow ScalingSum::State::window_from(double end, const Move& move, double width) {

@@ -45,7 +45,8 @@ struct TurnCandidate {
 class RotatingWindow : public CandidateIndex {
  public:
   /// Angles within `half` of `middle`, a little more being covered. `mask` off: no cell is dead. Given up where boxes
-  /// of more than `most_pairs` pairs of pieces meet, and when it is asked to stop.
+  /// of more than `most_pairs` pairs of pieces meet, and when it is asked to stop. Requires `half` below a radian:
+  /// bounds of turning_bounds.h count on that, and spans on less than a quarter turn (TurnCatalog::span).
   RotatingWindow(const TurnGrid& grid, const TurnCatalog& catalog, double middle, double half, bool mask,
                  std::size_t most_pairs = ~std::size_t{0}, const std::stop_token& stop = {});
 

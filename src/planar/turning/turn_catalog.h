@@ -88,6 +88,9 @@ class TurnCatalog {
     double from = 0, to = 0;
   };
   /// The stretch of angles, relative to theta, at which a segment exists and that is nearest to 0. Requires may_exist.
+  /// It is the only one that comes within a quarter turn of theta: stretches begin a whole turn apart, so that the
+  /// middles of all others are at least half a turn away, and none is longer than half a turn, by which a convex vertex
+  /// turns at most.
   Span span(const WalkSegment& s, double theta) const {
     const std::uint32_t op = 1 - s.side;
     if (forms_.is_point(op, s.vertex)) return {-2 * kTurn, 2 * kTurn};

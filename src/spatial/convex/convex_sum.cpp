@@ -60,9 +60,8 @@ struct Operands {
   std::shared_ptr<const spatial::ConvexOperands> source;
 };
 
-Result<Operands> operands_of(const Mesh& p, const Mesh& q, FlatFeatures flat) {
-  const bool merge = flat == FlatFeatures::merged;
-  Result<Polytope> a = spatial::make_polytope(p, merge), b = spatial::make_polytope(q, merge);
+Result<Operands> operands_of(const Mesh& p, const Mesh& q) {
+  Result<Polytope> a = spatial::make_polytope(p), b = spatial::make_polytope(q);
   if (!a) return a.error();
   if (!b) return b.error();
   auto source = std::make_shared<spatial::ConvexOperands>();
@@ -94,26 +93,24 @@ Result<ConvexSum> spatial::ConvexSumInternals::of(std::shared_ptr<const Polytope
     state.overlay.build(spatial::RelativeMap());
   } catch (const spatial::TooManyCrossings&) {
     return Error{ErrorCode::out_of_memory,
-                 "the sum of convex solids takes more memory than the limit of " + base::megabytes(memory),
+                 "the sum of convex solids takes more memory than the limit of " + base::memory_text(memory),
                  {}};
   }
   state.overlay.limit_crossings(std::numeric_limits<std::size_t>::max());
   state.report();
   state.overlay.forget_changes();
+  // What a crossing takes was counted on roughly.
+  if (memory != 0 && made.bytes() > memory)
+    return base::budget_error("the sum of convex solids takes", made.bytes(), memory);
   return made;
 }
 
-Result<ConvexSum> ConvexSum::create(const Mesh& p, const Mesh& q, FlatFeatures flat) {
-  Result<Operands> made = operands_of(p, q, flat);
-  if (!made) return made.error();
-  Operands operands = *std::move(made);
-  return of(std::move(operands.p), std::move(operands.q), std::move(operands.source));
-}
+Result<ConvexSum> ConvexSum::create(const Mesh& p, const Mesh& q) { return convex_sum_within(p, q, 0); }
 
 Result<ConvexSum> ConvexSum::create(const SolidSum& p, const Mesh& q) { return convex_sum_within(p, q, 0); }
 
 Result<ConvexSum> convex_sum_within(const Mesh& p, const Mesh& q, std::uint64_t memory) {
-  Result<Operands> made = operands_of(p, q, FlatFeatures::merged);
+  Result<Operands> made = operands_of(p, q);
   if (!made) return made.error();
   Operands operands = *std::move(made);
   return spatial::ConvexSumInternals::of(std::move(operands.p), std::move(operands.q), std::move(operands.source),

@@ -43,9 +43,14 @@ void KeptSolid::follow(const Overlay& overlay, const SolidPose& p, const SolidPo
   changes.moved = solid_.frame == 0 || !(p == solid_.p_pose) || !(q == solid_.q_pose);
   ++solid_.frame;
   add_crossings(overlay);
+  keep_slots(overlay);
   find_close(overlay);
   follow_faces(overlay);
   follow_crossings(overlay);
+  const auto in_order = [](const FacetChange& a, const FacetChange& b) {
+    return a.facet != b.facet ? a.facet < b.facet : a.kind > b.kind;  // disappeared, then appeared
+  };
+  std::sort(changes.facets.begin(), changes.facets.end(), in_order);
   drop_unused_vertices();
   name_new_vertices(overlay);
   join_ranges();
@@ -59,11 +64,48 @@ void KeptSolid::follow(const Overlay& overlay, const SolidPose& p, const SolidPo
 /// Facets for the overlay's crossings, as many as it has indices.
 void KeptSolid::add_crossings(const Overlay& overlay) {
   while (crossed_.size() < overlay.crossing_indices()) {
+    slot_.push_back(static_cast<std::uint32_t>(crossed_.size()));
     crossed_.push_back({kNothing, kNothing});
     solid_.facets.emplace_back();
     room_.push_back(0);
     allot(static_cast<std::uint32_t>(solid_.facets.size() - 1), 4);
   }
+}
+
+KeptSolid::Edges KeptSolid::edges_now(const Overlay& overlay, std::uint32_t id) {
+  if (id >= overlay.crossing_indices() || !overlay.is_crossing(id)) return {kNothing, kNothing};
+  return {overlay.crossing(id).p, overlay.crossing(id).q};
+}
+
+/// What was made anew, or went and came back, has another index now: its facet stays. The slots of crossings that
+/// differ are handed out again, first to those that had one, then to the others.
+void KeptSolid::keep_slots(const Overlay& overlay) {
+  before_.clear();
+  now_.clear();
+  vacant_.clear();
+  for (std::uint32_t id = 0; id < slot_.size(); ++id) {
+    const Edges now = edges_now(overlay, id), before = crossed_[slot_[id]];
+    if (now.key() == before.key()) continue;
+    before_.push_back({before.key(), slot_[id]});
+    now_.push_back({now.key(), id});
+  }
+  const auto in_order = [](const Moved& a, const Moved& b) { return a.key != b.key ? a.key < b.key : a.at < b.at; };
+  std::sort(before_.begin(), before_.end(), in_order);
+  std::sort(now_.begin(), now_.end(), in_order);
+  const std::uint64_t nothing = Edges{kNothing, kNothing}.key();
+  auto was = before_.begin();
+  std::size_t others = 0;
+  for (const Moved& is : now_) {
+    for (; was != before_.end() && was->key < is.key; ++was) vacant_.push_back(was->at);
+    if (is.key == nothing || was == before_.end() || was->key != is.key) {
+      now_[others++] = is;
+      continue;
+    }
+    slot_[is.at] = was->at;
+    ++was;
+  }
+  for (; was != before_.end(); ++was) vacant_.push_back(was->at);
+  for (std::size_t k = 0; k < others; ++k) slot_[now_[k].at] = vacant_[k];
 }
 
 /// A facet differs from what the overlay's words say only where something is truly zero. A face of the walker has a
@@ -116,12 +158,12 @@ void KeptSolid::follow_faces(const Overlay& overlay) {
 void KeptSolid::follow_crossings(const Overlay& overlay) {
   for (std::uint32_t id = 0; id < crossed_.size(); ++id) {
     const std::uint32_t facet = facet_of(id);
-    const bool is_there = id < overlay.crossing_indices() && overlay.is_crossing(id);
-    const Edges now = is_there ? Edges{overlay.crossing(id).p, overlay.crossing(id).q} : Edges{kNothing, kNothing};
+    const Edges now = edges_now(overlay, id);
+    const bool is_there = now.p != kNothing;
     const bool close = look_[facet] == Look::close;
-    Edges& before = crossed_[id];
+    Edges& before = crossed_[slot_[id]];
     if (!close && look_before_[facet] == Look::plain && now.p == before.p && now.q == before.q) continue;
-    const bool same = now.p == before.p && now.q / 2 == before.q / 2;
+    const bool same = now.key() == before.key();
     before = now;
     corners_.clear();
     FacetFeatures features;
@@ -159,10 +201,18 @@ void KeptSolid::change(std::uint32_t facet, const FacetFeatures& features, bool 
   note(facet, same, {before, now, kept});
 }
 
+/// The same vertices in the same order, from whichever on.
 bool KeptSolid::is_as_before(std::uint32_t facet) const {
   const std::span<const std::uint32_t> before = solid_.corners_of(facet);
-  return std::equal(before.begin(), before.end(), corners_.begin(), corners_.end(),
-                    [this](std::uint32_t v, const VertexPair& pair) { return pair_[v] == pair; });
+  if (before.size() != corners_.size()) return false;
+  if (before.empty()) return true;
+  const auto is = [this](std::uint32_t v, const VertexPair& pair) { return pair_[v] == pair; };
+  std::size_t first = 0;
+  while (first < corners_.size() && !is(before[0], corners_[first])) ++first;
+  const auto start = corners_.begin() + static_cast<std::ptrdiff_t>(first);
+  const auto behind = before.begin() + (corners_.end() - start);
+  return start != corners_.end() && std::equal(before.begin(), behind, start, is) &&
+         std::equal(behind, before.end(), corners_.begin(), is);
 }
 
 /// Room for so many corners, at the end.
@@ -181,7 +231,9 @@ void KeptSolid::note(std::uint32_t facet, bool same, const Counts& corners) {
   using Kind = FacetChange::Kind;
   std::vector<FacetChange>& changes = solid_.changes.facets;
   const auto [before, now, kept] = corners;
-  if (same && before > 0 && now > 0) {
+  if (same && before == now && kept == now) {
+    changes.push_back({Kind::turned, facet, 0, 0});
+  } else if (same && before > 0 && now > 0) {
     changes.push_back({Kind::reshaped, facet, now - kept, before - kept});
   } else {
     if (before > 0) changes.push_back({Kind::disappeared, facet, 0, before});
@@ -255,8 +307,8 @@ std::size_t KeptSolid::bytes() const {
   const SolidChanges& c = solid_.changes;
   return sizeof(*this) + index_.bytes() + places_.bytes() +
          of(solid_.vertices, solid_.at, solid_.facets, solid_.corners, c.facets, c.vertices_appeared,
-            c.vertices_disappeared, c.triangles, extreme_[0], extreme_[1], crossed_, look_, look_before_, room_, uses_,
-            pair_, free_vertices_, unused_, corners_, seen_);
+            c.vertices_disappeared, c.triangles, extreme_[0], extreme_[1], crossed_, slot_, before_, now_, vacant_,
+            look_, look_before_, room_, uses_, pair_, free_vertices_, unused_, corners_, seen_);
 }
 
 }  // namespace dymsum::spatial

@@ -36,10 +36,18 @@ class KeptSolid {
   };
   struct Edges {
     std::uint32_t p, q;
+    std::uint64_t key() const { return std::uint64_t{p} << 32 | q / 2; }
   };
+  /// A crossing that another one was before, or will be: its edges, and its slot or index.
+  struct Moved {
+    std::uint64_t key;
+    std::uint32_t at;
+  };
+  static Edges edges_now(const Overlay& overlay, std::uint32_t crossing);
   std::uint32_t facet_of(int op, std::uint32_t f) const { return op == 0 ? f : p_faces_ + f; }
-  std::uint32_t facet_of(std::uint32_t crossing) const { return p_faces_ + q_faces_ + crossing; }
+  std::uint32_t facet_of(std::uint32_t crossing) const { return p_faces_ + q_faces_ + slot_[crossing]; }
   void add_crossings(const Overlay& overlay);
+  void keep_slots(const Overlay& overlay);
   void find_close(const Overlay& overlay);
   void follow_faces(const Overlay& overlay);
   void follow_crossings(const Overlay& overlay);
@@ -56,7 +64,10 @@ class KeptSolid {
   std::uint32_t p_faces_, q_faces_;
   // The overlay's words as they were.
   std::array<std::vector<std::uint32_t>, 2> extreme_;
-  std::vector<Edges> crossed_;
+  std::vector<Edges> crossed_;         // by slots
+  std::vector<std::uint32_t> slot_;    // of the overlay's crossings: which facet behind those of the faces
+  std::vector<Moved> before_, now_;    // scratch of keep_slots
+  std::vector<std::uint32_t> vacant_;  // the same
   std::vector<Look> look_, look_before_;
   std::vector<std::uint32_t> room_;  // of each facet, for corners; two less for triangles
   // Of vertices: their pairs, how many corners of facets are there, and when they were seen last.

@@ -1,4 +1,5 @@
-// The vertex that is extreme in a direction: the sum of those of the operands.
+// The vertex that is extreme in a direction: the sum of those of the operands. Ties are decided by position, as then
+// both are of one vertex of the sum: sums of extreme vertices may lie in the middle of its edges and facets.
 #include <cmath>
 #include <stdexcept>
 
@@ -17,8 +18,17 @@ using spatial::HalfEdge;
 using spatial::Polytope;
 using spatial::Vec3;
 
+/// A direction, then those that decide ties.
+using Directions = std::array<exact::Vector3<Big>, 4>;
+
+bool rises(const Directions& directions, const exact::Vector3<Big>& along) {
+  for (const exact::Vector3<Big>& d : directions)
+    if (const int s = sign(exact::dot(d, along)); s != 0) return s > 0;
+  return false;
+}
+
 /// Climbs in doubles, then exactly from there: doubles may stop short, but never for long.
-std::uint32_t extreme_vertex(const Polytope& p, Vec3 direction, const exact::Vector3<Big>& exact_direction) {
+std::uint32_t extreme_vertex(const Polytope& p, Vec3 direction, const Directions& directions) {
   std::uint32_t v = 0;
   for (std::size_t steps = 0; steps < p.vertex_count(); ++steps) {
     double most = 0;
@@ -32,12 +42,12 @@ std::uint32_t extreme_vertex(const Polytope& p, Vec3 direction, const exact::Vec
     if (best == v) break;
     v = best;
   }
-  for (bool rises = true; rises;) {
-    rises = false;
+  for (bool climbs = true; climbs;) {
+    climbs = false;
     for (const HalfEdge h : p.leaving(v)) {
-      if (sign(exact::dot(exact_direction, p.edge_vector<Big>(h))) <= 0) continue;
+      if (!rises(directions, p.edge_vector<Big>(h))) continue;
       v = p.target(h);
-      rises = true;
+      climbs = true;
       break;
     }
   }
@@ -57,12 +67,17 @@ ConvexSum::Support ConvexSum::support(Point3 direction) const {
   std::array<std::uint32_t, 2> v{};
   for (int op = 0; op < 2; ++op) {
     const spatial::ExactPose pose = spatial::ExactPose::of(op == 0 ? s.p_pose : s.q_pose);
-    // Turned back into the operand's own coordinates: m^T d.
+    // Turned back into the operand's own coordinates: m^T d. The vertex of the sum that comes last in the order by the
+    // direction, x, y and z is the sum of those of the operands.
     std::array<Big, 3> back;
     for (std::size_t c = 0; c < 3; ++c)
       back[c] = Big(pose.matrix[c]) * b[0] + Big(pose.matrix[3 + c]) * b[1] + Big(pose.matrix[6 + c]) * b[2];
-    const exact::Vector3<Big> turned_back{back[0], back[1], back[2]};
-    v[op] = extreme_vertex(s.poly(op), spatial::rounded(turned_back, -spatial::bit_length(turned_back)), turned_back);
+    const auto row = [&](std::size_t k) {
+      return exact::Vector3<Big>{Big(pose.matrix[k]), Big(pose.matrix[k + 1]), Big(pose.matrix[k + 2])};
+    };
+    const Directions directions{exact::Vector3<Big>{back[0], back[1], back[2]}, row(0), row(3), row(6)};
+    v[op] =
+        extreme_vertex(s.poly(op), spatial::rounded(directions[0], -spatial::bit_length(directions[0])), directions);
   }
   Support result;
   result.vertex = {s.p->source_vertex[v[0]], s.q->source_vertex[v[1]]};

@@ -13,6 +13,12 @@
 
 namespace dymsum::spatial {
 
+/// What becomes of edges between coplanar faces and of vertices in the middle of edges and faces.
+enum class FlatFeatures : std::uint8_t {
+  merged,  ///< they belong to the face or edge around them
+  kept,    ///< features of their own
+};
+
 /// The material at an edge, between two triangles: `left` runs through the edge from `from` to `to`, `right` the other
 /// way. An edge where more than two triangles meet has several wedges.
 struct Wedge {

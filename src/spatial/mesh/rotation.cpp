@@ -80,10 +80,10 @@ Result<Rotation> Rotation::of(std::int64_t w, std::int64_t x, std::int64_t y, st
 
 Result<Rotation> Rotation::nearest(double w, double x, double y, double z) {
   const double most = std::max({std::abs(w), std::abs(x), std::abs(y), std::abs(z)});
-  if (!(most > 0) || !std::isfinite(w + x + y + z))
+  const std::array<double, 4> d{w, x, y, z};
+  if (!(most > 0) || !std::all_of(d.begin(), d.end(), [](double c) { return std::isfinite(c); }))
     return Error{ErrorCode::bad_rotation, "a rotation needs finite numbers that are not all zero", {}};
   std::array<i128, 4> q;
-  const std::array<double, 4> d{w, x, y, z};
   for (int i = 0; i < 4; ++i)
     q[i] = static_cast<std::int64_t>(std::nearbyint(d[i] / most * static_cast<double>(kMost)));
   reduce(q);
@@ -92,7 +92,8 @@ Result<Rotation> Rotation::nearest(double w, double x, double y, double z) {
 
 Result<Rotation> Rotation::about(Point3 axis, double radians) {
   const double most = std::max({std::abs(axis.x), std::abs(axis.y), std::abs(axis.z)});
-  if (!(most > 0) || !std::isfinite(axis.x + axis.y + axis.z) || !std::isfinite(radians))
+  if (!(most > 0) || !std::isfinite(axis.x) || !std::isfinite(axis.y) || !std::isfinite(axis.z) ||
+      !std::isfinite(radians))
     return Error{ErrorCode::bad_rotation, "a rotation needs an axis that is not zero, and finite numbers", {}};
   const double x = axis.x / most, y = axis.y / most, z = axis.z / most;
   const double c = std::cos(radians / 2), s = std::sin(radians / 2) / std::sqrt(x * x + y * y + z * z);

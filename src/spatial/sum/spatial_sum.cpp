@@ -22,8 +22,8 @@ namespace dymsum {
 namespace {
 
 /// The reference takes operands as they are.
-FlatFeatures flat_features(const SpatialOptions& options) {
-  return options.engine == SpatialEngine::brute ? FlatFeatures::kept : FlatFeatures::merged;
+spatial::FlatFeatures flat_features(const SpatialOptions& options) {
+  return options.engine == SpatialEngine::brute ? spatial::FlatFeatures::kept : spatial::FlatFeatures::merged;
 }
 
 Result<SpatialSum> sum_of_pair(const MeshData& p, const std::vector<bool>& thin_p, const MeshData& q,
@@ -91,7 +91,7 @@ Result<SpatialSum> spatial::sum_of_operands(const SolidOperand& a, const SolidOp
     return base::budget_error("the sum takes at least", e.bytes, options.memory);
   } catch (const std::bad_alloc&) {
     return Error{ErrorCode::out_of_memory,
-                 "the sum needs more memory than there is; predicted were " + base::megabytes(cost.bytes),
+                 "the sum needs more memory than there is; predicted were " + base::memory_text(cost.bytes),
                  {}};
   } catch (const std::invalid_argument&) {
     if (std::optional<Error> error = grid_error(a.vertices, b.vertices)) return *std::move(error);

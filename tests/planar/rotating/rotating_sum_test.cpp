@@ -397,6 +397,54 @@ TEST(RotatingSum, large_steps_in_wide_windows_equal_slices) {
   }
 }
 
+// Of a ring that only begins at another vertex none has come or gone.
+TEST(RotatingSum, a_ring_that_begins_elsewhere_has_moved) {
+  const auto triangle = [](const Ring& ring) { return Region::create({{{ring, {}}}, {}, {}}).value(); };
+  const Region p = triangle({{0, 0}, {3, 1}, {0, 2}}), q = triangle({{0, 0}, {2, 1}, {1, 3}});
+  for (const FrameMode mode : {FrameMode::rebuild, FrameMode::automatic, FrameMode::window}) {
+    MovingOptions options;
+    options.mode = mode;
+    RotatingSum sum = RotatingSum::create(p, q, options).value();
+    ASSERT_TRUE(sum.set(Orientation::of(-1, 1000).value()).ok());
+    const SumVertex first = sum.sum().parts[0].outer.vertices[0];
+    const FrameChanges changes = sum.set(Orientation::of(1, 1000).value()).value();
+    const SumVertex now = sum.sum().parts[0].outer.vertices[0];
+    EXPECT_FALSE(first.in == now.in && first.out == now.out) << "it begins elsewhere";
+    ASSERT_EQ(changes.rings.size(), 1u);
+    EXPECT_EQ(changes.rings[0].kind, RingChange::Kind::moved);
+  }
+}
+
+// Positions round to few digits there, which the stated error has to tell.
+TEST(RotatingSum, rings_begin_at_their_smallest_vertex_among_subnormal_numbers) {
+  std::size_t frames = 0;
+  for (const int exponent : {-1040, -1060, -1070}) {
+    const auto region = [&](Ring ring) {
+      for (Point& v : ring) v = {std::ldexp(v.x, exponent), std::ldexp(v.y, exponent)};
+      return Region::create({{{ring, {}}}, {}, {}}).value();
+    };
+    const Region p = region({{0, 0}, {5, 1}, {9, 7}, {2, 4}}), q = region({{0, 0}, {3, 0}, {3, 4}, {0, 4}});
+    for (const MovingOperand moving : {MovingOperand::p, MovingOperand::q}) {
+      MovingOptions options;
+      options.moving = moving;
+      options.mode = FrameMode::window;
+      RotatingSum sum = RotatingSum::create(p, q, options).value();
+      for (int k = 1; k < 60; ++k) {
+        ASSERT_TRUE(sum.set(at(0.05 * k)).ok());
+        frames += !sum.work().rebuilt;
+        if (moving == MovingOperand::p) expect_frame(sum, rotated_sum(p, q, at(0.05 * k)).value(), false);
+        for (const SumVertex& v : sum.sum().parts[0].outer.vertices) {
+          const RationalPoint exact = sum.sum().exact(v), first = sum.sum().exact(sum.sum().parts[0].outer.vertices[0]);
+          EXPECT_FALSE(exact.x < first.x || (exact.x == first.x && exact.y < first.y)) << exponent << " " << k;
+          EXPECT_LE(std::abs(exact.x.to_double() - v.at.x), sum.sum().at_error + 0x1p-1074);
+          EXPECT_LE(std::abs(exact.y.to_double() - v.at.y), sum.sum().at_error + 0x1p-1074);
+        }
+      }
+    }
+  }
+  EXPECT_GT(frames, 200u);
+}
+
 // A hole that is covered at one angle and free at the next, its edges and crossings being the same: what covers it has
 // passed over it.
 TEST(RotatingSum, a_hole_uncovered_in_one_step_appears) {

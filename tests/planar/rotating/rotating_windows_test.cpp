@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdlib>
+#include <limits>
 #include <numbers>
 #include <set>
 
@@ -90,6 +91,40 @@ TEST(RotatingWindows, turning_back_costs_no_window) {
     EXPECT_EQ(walk.windows, built);
     EXPECT_EQ(walk.rebuilt, walk.degenerate);
     EXPECT_EQ(walk.state().kept_windows().size(), built - 1);
+  }
+}
+
+// Beyond half a turn of width segments come and go twice in a window. It has room for them once.
+TEST(RotatingWindows, sums_are_right_however_wide_windows_are_asked_for) {
+  const auto region = [](const Ring& ring) { return Region::create({{{ring, {}}}, {}, {}}).value(); };
+  const Turning operands{region({{-2, -3}, {1, 1}, {-1, 2}}), region({{1, 0}, {-0.5, 0.875}, {-0.5, -0.875}})};
+  for (const double width : {1.5, 2.0, 3.0, 3.2, 5.0, kWhole, 1e3, 1e300, std::numeric_limits<double>::max()}) {
+    Walk walk(operands, windows_of(width));
+    for (const double a : {0.01, 0.4, -0.9, -0.8, 3.1, 3.2, -2.0, 1.0}) {
+      ASSERT_TRUE(walk.to(a)) << width;
+      const FrameWork& work = walk.state().work;
+      EXPECT_LT(work.window_high - work.window_low, 2) << width;
+    }
+    EXPECT_EQ(walk.rebuilt, walk.degenerate);
+  }
+}
+
+TEST(RotatingWindows, a_segment_exists_once_within_a_quarter_turn) {
+  for (const Turning& operands : {stars(), holes(), grates()}) {
+    const auto pair = planar::pair_of_regions(operands.p, operands.q, planar::PairOptions{.moved = 1}).value();
+    const planar::TurnedOperands turned(pair);
+    std::size_t existing = 0;
+    for (const double theta : {0.0, 0.7, 2.9, -1.3})
+      turned.catalog.for_each(theta - 1.57, theta + 1.57, [&](const planar::WalkSegment& s) {
+        const planar::TurnCatalog::Span span = turned.catalog.span(s, theta);
+        for (double by = -1.57; by < 1.57; by += 0.05) {
+          const auto exists = turned.catalog.exists(s, theta + by);
+          if (exists == planar::TurnCatalog::Existence::unsure) continue;
+          existing += exists == planar::TurnCatalog::Existence::yes;
+          ASSERT_EQ(exists == planar::TurnCatalog::Existence::yes, span.from < by && by < span.to);
+        }
+      });
+    EXPECT_GT(existing, 1000u);
   }
 }
 

@@ -285,6 +285,8 @@ TEST(ScalingSum, bad_scales_are_refused_and_change_nothing) {
   EXPECT_EQ(sum.set(0x1p-65).error().code, ErrorCode::bad_scale);
   EXPECT_EQ(sum.set(0x1p65).error().code, ErrorCode::bad_scale);
   EXPECT_EQ(sum.set(0x1p-1074).error().code, ErrorCode::bad_scale);
+  EXPECT_EQ(sum.set(5e-324).error().message, "a scale has to lie between 2^-64 and 2^64: 5e-324");
+  EXPECT_EQ(sum.set(1e308).error().message, "a scale has to lie between 2^-64 and 2^64: 1e+308");
   EXPECT_EQ(Scale::of(Rational()).error().code, ErrorCode::bad_scale);
   EXPECT_EQ(Scale::parse("1/0").error().code, ErrorCode::bad_scale);
   EXPECT_EQ(Scale::parse("x/2").error().code, ErrorCode::malformed);

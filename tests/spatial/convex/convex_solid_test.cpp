@@ -149,6 +149,52 @@ TEST(ConvexSolid, standing_still_changes_nothing_and_small_moves_change_little) 
   EXPECT_LT(changed, before.facet_count);
 }
 
+// Rebuilding gives crossings other indices, and so does what goes and comes back.
+TEST(ConvexSolid, facets_keep_their_indices_when_all_is_made_anew) {
+  std::mt19937_64 random(84);
+  for (const auto& [p, q] : solid_pairs(random)) {
+    ConvexSum moving = *ConvexSum::create(p, q);
+    for (int k = 0; k < 3; ++k) {
+      if (k > 0) moving.set(k == 1 ? random_rotation(random) : small_rotation(random, 0.1));
+      const ConvexSolid before = moving.solid();
+      const SolidPose pose = moving.p_pose();
+      const auto expect_nothing = [&](const char* where) {
+        const ConvexSolid& now = moving.solid();
+        EXPECT_TRUE(now.changes.facets.empty()) << where;
+        EXPECT_TRUE(now.changes.vertices_appeared.empty() && now.changes.vertices_disappeared.empty()) << where;
+        EXPECT_TRUE(!now.changes.moved && now.changes.triangles.empty()) << where;
+        EXPECT_TRUE(now.facets == before.facets && now.vertices == before.vertices && now.at == before.at) << where;
+        expect_same_solid(now, moving.sum(), where);
+      };
+      moving.rebuild();
+      expect_nothing("walk");
+      moving.rebuild(ConvexEngine::brute);
+      expect_nothing("brute");
+      moving.set(small_rotation(random, 0.05) * pose.rotation);
+      moving.set(pose);
+      expect_nothing("there and back");
+    }
+  }
+}
+
+TEST(ConvexSolid, facets_seen_from_the_other_side_are_turned) {
+  std::size_t turned = 0;
+  for (const double angle : {0.01, 0.05, 0.2}) {
+    ConvexSum moving = *ConvexSum::create(cube(1), solids::box(-2, -0.5, -0.25, 2, 0.5, 0.25));
+    for (int k = 0; k < 40; ++k) {
+      const double sign = k % 2 == 0 ? 1 : -1;
+      moving.set(*Rotation::about({sign, 2 * sign, 3 * sign}, angle + 0.002 * k));
+      const ConvexSolid before = moving.solid();
+      moving.set(*Rotation::about({-sign, -2 * sign, -3 * sign}, angle + 0.002 * k));
+      const ConvexSolid& now = moving.solid();
+      expect_true_changes(before, now, std::to_string(k));
+      expect_same_solid(now, moving.sum(), std::to_string(k));
+      for (const FacetChange& c : now.changes.facets) turned += c.kind == FacetChange::Kind::turned;
+    }
+  }
+  EXPECT_GT(turned, 10u);
+}
+
 TEST(ConvexSolid, copies_go_their_own_ways) {
   std::mt19937_64 random(83);
   ConvexSum one = *ConvexSum::create(random_round_polytope(random, 30), cube(1));

@@ -1,6 +1,7 @@
 // The sum of convex solids against the hull of all sums of vertices, the brute force and the laws.
 #include "dymsum/convex_sum.h"
 
+#include "dymsum/convex_memory.h"
 #include "exact/big.h"
 #include "spatial/convex/convex_cases.h"
 
@@ -93,6 +94,54 @@ TEST(ConvexSum, support_adds_up_and_is_the_furthest_vertex) {
     EXPECT_EQ(height(p.vertices()[s.vertex.p]), most_p);
     EXPECT_EQ(height(q.vertices()[s.vertex.q]), most_q);
   }
+}
+
+// Extreme vertices of both operands may add up to a place in the middle of an edge or a facet.
+TEST(ConvexSum, support_is_a_vertex_of_the_sum_whatever_the_direction) {
+  std::mt19937_64 random(16);
+  const std::vector<Mesh> solids{cube(1), solids::rod(4, 3, 0.5, 2), solids::cylinder(6, 1, 1),
+                                 solids::tessellated_cube(2, 2), random_grid_polytope(random, 12, 3)};
+  for (const Mesh& p : solids)
+    for (const Mesh& q : {negated(p), p, solids::box(0, 0, 0, 1, 2, 3)})
+      for (const Rotation& turn : {Rotation(), *Rotation::of(1, 1, 0, 0), *Rotation::of(3, 1, 0, 2)}) {
+        ConvexSum moving = *ConvexSum::create(p, q);
+        moving.set({turn, {}}, {turn, {}});
+        const SolidSum sum = moving.sum();
+        std::vector<RationalPoint3> exact;
+        for (std::size_t v = 0; v < sum.vertices.size(); ++v) exact.push_back(sum.exact(v));
+        for (const Point3 d :
+             {Point3{1, 0, 0}, Point3{0, 0, 0}, Point3{0, -5, 2}, Point3{-1, 1, 0}, Point3{0, 0, -1}}) {
+          const auto rank = [&](const RationalPoint3& x) {
+            const Rational height = *Rational::of(d.x) * x.x + *Rational::of(d.y) * x.y + *Rational::of(d.z) * x.z;
+            return std::array{height, x.x, x.y, x.z};
+          };
+          std::size_t last = 0;
+          for (std::size_t v = 1; v < exact.size(); ++v)
+            if (rank(exact[last]) < rank(exact[v])) last = v;
+          const ConvexSum::Support s = moving.support(d);
+          EXPECT_EQ(s.vertex, sum.vertices[last]);
+          EXPECT_EQ(s.at, sum.at[last]);
+        }
+      }
+}
+
+TEST(ConvexSum, within_a_budget_holds_no_more) {
+  std::mt19937_64 random(17);
+  const Mesh p = random_round_polytope(random, 60), q = random_round_polytope(random, 80);
+  const std::size_t whole = ConvexSum::create(p, q)->bytes();
+  std::size_t made = 0, refused = 0;
+  for (std::size_t memory = whole / 2; memory < whole + whole / 2; memory += whole / 500) {
+    const Result<ConvexSum> sum = convex_sum_within(p, q, memory);
+    ++(sum.ok() ? made : refused);
+    if (sum.ok()) {
+      EXPECT_LE(sum->bytes(), memory);
+    } else {
+      EXPECT_EQ(sum.error().code, ErrorCode::out_of_memory);
+      EXPECT_NE(sum.error().message.find(std::to_string(memory) + " bytes"), std::string::npos) << sum.error().message;
+    }
+  }
+  EXPECT_GT(made, 10u);
+  EXPECT_GT(refused, 10u);
 }
 
 TEST(ConvexSum, huge_small_and_wide_coordinates_are_exact) {

@@ -75,8 +75,11 @@ inline void expect_true_changes(const ConvexSolid& before, const ConvexSolid& no
     std::set_intersection(was.begin(), was.end(), is.begin(), is.end(), std::back_inserter(both));
     const auto count = [](const std::vector<SolidSum::Vertex>& v) { return static_cast<std::uint32_t>(v.size()); };
     std::vector<FacetChange> expected;
-    if (it->second.size() == 1 && it->second[0].kind == Kind::reshaped) {
-      ASSERT_TRUE(!was.empty() && !is.empty()) << where;
+    if (it->second.size() == 1 && it->second[0].kind == Kind::turned) {
+      ASSERT_EQ(was, is) << where;
+      expected = {{Kind::turned, f, 0, 0}};
+    } else if (it->second.size() == 1 && it->second[0].kind == Kind::reshaped) {
+      ASSERT_TRUE(!was.empty() && !is.empty() && was != is) << where;
       expected = {{Kind::reshaped, f, count(is) - count(both), count(was) - count(both)}};
     } else {
       if (!was.empty()) expected.push_back({Kind::disappeared, f, 0, count(was)});

@@ -46,6 +46,17 @@ TEST(Rotation, composes_as_matrices_do) {
   }
 }
 
+TEST(Rotation, numbers_whose_sum_overflows_are_finite) {
+  for (const double huge : {8.9e307, std::numeric_limits<double>::max()}) {
+    const Result<Rotation> nearest = Rotation::nearest(huge, huge, -huge, huge);
+    ASSERT_TRUE(nearest.ok());
+    EXPECT_EQ(*nearest, *Rotation::of(1, 1, -1, 1));
+    const Result<Rotation> about = Rotation::about({huge, huge, huge}, 1);
+    ASSERT_TRUE(about.ok());
+    EXPECT_EQ(*about, *Rotation::about({1, 1, 1}, 1));
+  }
+}
+
 TEST(Rotation, compositions_do_not_grow_and_err_by_the_stated_angle) {
   const Rotation step = *Rotation::about({1, 2, 3}, 0.01);
   Rotation r;

@@ -13,6 +13,7 @@
 namespace dymsum {
 namespace {
 
+using spatial::FlatFeatures;
 using spatial::solid_operand;
 using spatial::SolidOperand;
 

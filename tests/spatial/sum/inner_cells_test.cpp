@@ -86,8 +86,8 @@ class InnerCellsOfPrisms {
     MeshData p = l_prism(s_, height_);
     // Points of no face, to make facets of.
     for (int k = 0; k < 200; ++k) p.vertices.push_back({dyadic(0, 2), dyadic(0, 2), dyadic(0, height_)});
-    p_ = spatial::solid_operand(turn(p), {}, FlatFeatures::kept);
-    q_ = spatial::solid_operand(turn(l_prism(t_, height_)), {}, FlatFeatures::kept);
+    p_ = spatial::solid_operand(turn(p), {}, spatial::FlatFeatures::kept);
+    q_ = spatial::solid_operand(turn(l_prism(t_, height_)), {}, spatial::FlatFeatures::kept);
     space_ = spatial::make_sum_space(p_.vertices, q_.vertices);
     watch_.begin("inner cells");
     inner_ = std::make_unique<InnerCells>(*space_, p_, q_, 24 + static_cast<int>(random() % 20), watch_);

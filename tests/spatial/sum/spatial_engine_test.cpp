@@ -96,7 +96,7 @@ TEST(SpatialEngine, facets_deep_inside_unions_of_cubes_are_dropped) {
         if (z != 2 || x == 0) q.insert({x, y, z});
   // With flat vertices: there are small facets then.
   const auto operand = [](const oracles::Voxels& voxels) {
-    return spatial::solid_operand(oracles::voxel_mesh(voxels), {}, FlatFeatures::kept);
+    return spatial::solid_operand(oracles::voxel_mesh(voxels), {}, spatial::FlatFeatures::kept);
   };
   const SpatialSum fast = spatial::sum_of_operands(operand(p), operand(q), {}).value();
   EXPECT_GT(fast.stats.inner_facets, 10u);
