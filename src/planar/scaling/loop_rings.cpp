@@ -22,7 +22,8 @@ struct ToInput {
   }
   Two operator()(const Two& at) const { return both(grow) * at * both(unit) + origin; }
   double error(double of_point) const {
-    return grow * (of_point + kKeptPosition * span) * unit * exact::kOutwards + kKeptOffsets * reach;
+    return grow * (of_point + kKeptPosition * span) * unit * exact::kOutwards + kKeptOffsets * reach +
+           exact::kSubnormal;
   }
   double span, grow = 1, unit = 1, reach = 0;
   Two origin{};
