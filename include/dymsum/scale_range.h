@@ -49,7 +49,7 @@ struct ScaleRange {
 /// The scales s for which s `part` (about the origin of its coordinates), moved along the path, never overlaps the
 /// obstacles; touching is allowed. `path` is a polyline of translations with at least one waypoint. Valid is not
 /// monotone in s unless the part is star-shaped about its reference point: hence a set. Exact. Errors:
-/// unsupported_operand for a path without waypoints, empty or lower-dimensional operands, coordinates beyond 2^1000;
+/// unsupported_operand for a path without waypoints, empty or lower-dimensional operands, and as ScalingSum::create;
 /// not_finite; cancelled. Cost: O(L N) exact values and, per value, O(L N) filtered signs, for L waypoints and N
 /// convolution segments. Source: Behar 2016, 6.6.1.
 Result<ScaleRange> scale_range(const Region& part, const std::vector<Point>& path, const Region& obstacles,

@@ -97,14 +97,15 @@ class Checker {
     return {from_digits<N>(at.x.numerator(), at.x.denominator()), from_digits<N>(at.y.numerator(), at.y.denominator())};
   }
 
-  /// The stated error is small against the extent of the operands: 2^-33 of it.
+  /// The stated error is small against the extent of the operands, 2^-33 of it, or against what doubles tell.
   void check_error_bound() {
     double extent = 0;
     for (const auto* operand : {&p_, &q_})
       for (const Pt<N>& c : operand->vertices)
         for (const N& value : {c.x, c.y})
           extent = std::max(extent, std::fabs(to_big(value).template convert_to<double>()));
-    if (sum_.at_error > extent * 0x1p-33) wrong_ = "provenance: the error bound of positions is too large";
+    if (sum_.at_error > std::max(extent * 0x1p-33, 0x1p-1069))
+      wrong_ = "provenance: the error bound of positions is too large";
   }
 
   /// The segment a contact names, and whether both its features exist.

@@ -40,7 +40,10 @@ std::vector<TurnMark> FreeTurn::marks(const Orientation& from, const Orientation
 bool FreeTurn::is_free_at(const ExactAngle& angle) {
   if (!forms_) {
     base_ = pair_of_regions(obstacle_.obstacle(), obstacle_.robot(),
-                            {.moved = 1, .reflect_q = true, .further = {{{at_}, {Point{0, 0}}}}})
+                            {.moved = 1,
+                             .reflect_q = true,
+                             .further = {{{at_}, {Point{0, 0}}}},  // whose edges have no vertex there
+                             .spread = Spread::any})
                 .value();
     forms_.emplace(*base_, 1);
   }

@@ -271,8 +271,9 @@ Result<PlanarSum> CspaceObstacle::slice(const Orientation& theta, Semantics sema
 bool CspaceObstacle::contains(double x, double y, const Orientation& theta) const {
   // The obstacle of moderate operands is moderate.
   if (!(std::abs(x) <= 4 * kLargestCoordinate && std::abs(y) <= 4 * kLargestCoordinate)) return false;
-  const auto base = pair_of_regions(state_->obstacle, state_->robot,
-                                    {.moved = 1, .reflect_q = true, .further = {{{Point{x, y}}, {Point{0, 0}}}}});
+  const auto base = pair_of_regions(
+      state_->obstacle, state_->robot,
+      {.moved = 1, .reflect_q = true, .further = {{{Point{x, y}}, {Point{0, 0}}}}, .spread = Spread::any});
   const PlacedPair at = placed_at(**base, theta);
   const Lattice& l = *at.lattice;
   Place place;

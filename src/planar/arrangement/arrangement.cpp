@@ -280,13 +280,16 @@ constexpr double kLengthShare = exact::rounding_bound(3, 8), kCrossShare = exact
 // |denominator| of a cut's parameter as the lattice takes it, for the mediant.
 double Arrangement::denominator(std::uint32_t s, const Cut& cut, double& relative_error) const {
   const double dx = soup_.dx(s), dy = soup_.dy(s);
-  relative_error = kLengthShare;
-  if (cut.kind == Cut::Kind::pair) return dx != 0 ? std::abs(dx) : std::abs(dy);
+  if (cut.kind == Cut::Kind::pair) {
+    const double length = dx != 0 ? std::abs(dx) : std::abs(dy);
+    relative_error = length > exact::kUnderflow ? kLengthShare : 1.0;
+    return length;
+  }
   const Point b = soup_.lattice.vector(cut.by.edge);
   const double u = dx * b.y, v = dy * b.x, d = std::abs(u - v);
-  relative_error = d > 0 ? std::min(1.0, kCrossShare * (std::abs(u) + std::abs(v)) / d) : 1.0;
+  relative_error = d > 0 ? std::min(1.0, (kCrossShare * (std::abs(u) + std::abs(v)) + exact::kUnderflow) / d) : 1.0;
   // In the integers of the exact layer, against which the other kind of cut is measured once less.
-  return d * soup_.lattice.integers_per_unit;
+  return soup_.lattice.in_integers(d);
 }
 
 std::optional<double> Arrangement::inner_parameter(Step at) const {

@@ -55,7 +55,7 @@ struct CrossingFinder::Probe {
 
 inline CrossingFinder::Probe CrossingFinder::probe(std::uint32_t s) const {
   const SoupBox& b = soup_.boxes[s];
-  return {s, next_.empty() ? kNone : next_[s], b, soup_.side_error * (std::abs(b.dx) + std::abs(b.dy))};
+  return {s, next_.empty() ? kNone : next_[s], b, soup_.error(b)};
 }
 
 namespace {
@@ -109,7 +109,7 @@ inline bool CrossingFinder::undecided_strangers(const Probe& i, std::uint32_t j)
   const double o1 = a.dx * (b.ay - a.ay) - a.dy * (b.ax - a.ax);
   const double o2 = a.dx * (b.by - a.ay) - a.dy * (b.bx - a.ax);
   if (one_side(o1, o2, i.error)) return false;
-  const double b_error = soup_.side_error * (std::abs(b.dx) + std::abs(b.dy));
+  const double b_error = soup_.error(b);
   const double o3 = b.dx * (a.ay - b.ay) - b.dy * (a.ax - b.ax);
   const double o4 = b.dx * (a.by - b.ay) - b.dy * (a.bx - b.ax);
   if (one_side(o3, o4, b_error)) return false;

@@ -161,7 +161,8 @@ void Arrangement::process_node(const Array<Spot>& spots, const Array<WalkPair>& 
   Array<Ray>& rays = buffers.rays;
   rays.clear();
   const auto add = [&](std::uint32_t s, std::uint32_t k, bool out) {
-    const double sign = out ? 1 : -1, dx = sign * soup_.dx(s), dy = sign * soup_.dy(s);
+    const Point d = soup_.lattice.wide ? soup_.lattice.direction(soup_.exact(s).edge) : Point{soup_.dx(s), soup_.dy(s)};
+    const double sign = out ? 1 : -1, dx = sign * d.x, dy = sign * d.y;
     const std::uint32_t sub = first_sub(s) + k;
     rays.push_back({pseudo_angle(dx, dy), s, sub, out, dy > 0 || (dy == 0 && dx > 0)});
     flags_[sub] |= out ? kDegenerateStart : kDegenerateEnd;

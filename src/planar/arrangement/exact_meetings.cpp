@@ -84,7 +84,7 @@ void CrossingFinder::exact_test(std::uint32_t i, std::uint32_t j) {
     const auto signed_magnitude = [](double o, int s, double error) {
       return s * std::max(std::abs(o), error * kLeastSide);
     };
-    const double a_error = soup_.error(i) + exact::kUnderflow, b_error = soup_.error(j) + exact::kUnderflow;
+    const double a_error = soup_.error(i), b_error = soup_.error(j);
     add_crossing(i, j, signed_magnitude(o3, s3, b_error), signed_magnitude(o4, s4, b_error),
                  signed_magnitude(o1, s1, a_error), signed_magnitude(o2, s2, a_error));
     return;

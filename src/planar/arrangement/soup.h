@@ -63,7 +63,8 @@ class Soup {
   double dx(std::uint32_t s) const { return boxes[s].dx; }
   double dy(std::uint32_t s) const { return boxes[s].dy; }
   /// |cross computed in doubles - exact| is at most this for the directed line of s.
-  double error(std::uint32_t s) const { return side_error * (std::abs(dx(s)) + std::abs(dy(s))); }
+  double error(std::uint32_t s) const { return error(boxes[s]); }
+  double error(const SoupBox& b) const { return side_error * (std::abs(b.dx) + std::abs(b.dy)) + exact::kUnderflow; }
 
   /// A bound on the error of the parameter of s where it crosses t properly, computed from its ends' sides of t. It is
   /// at least 1 where the directions are too nearly parallel.

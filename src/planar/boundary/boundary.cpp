@@ -147,11 +147,11 @@ SumVertex vertex_of(const Soup& soup, std::uint32_t in, std::uint32_t out, const
 
 // The sum of the offsets errs by u of itself, the final sum by u of itself and by no more than what is added to the
 // base: with R the reach and S the span, both by at most 2 u (R + S). (By 2 u R + u S, but for terms of u^2 R; those
-// are less than u S where S > u R, and else the final sum errs by S at most.)
+// are less than u S where S > u R, and else the final sum errs by S at most.) Products may be subnormal besides.
 constexpr double kInput = 2 * exact::kRoundoff;
 
 double rounding_error(const Lattice& lattice) {
-  return kInput * (lattice.base_reach + lattice.span * lattice.unit) + lattice.base_error;
+  return kInput * (lattice.base_reach + lattice.span * lattice.unit) + lattice.base_error + exact::kSubnormal;
 }
 
 double input_error(const Lattice& lattice, double grid_error) {

@@ -72,7 +72,7 @@ int Collision::side(std::uint32_t op, std::uint32_t edge, std::uint32_t vertex) 
   const double ex = o.ex[edge], ey = o.ey[edge];
   const double sx = o.x[edge] + other.x[vertex], sy = o.y[edge] + other.y[vertex];
   const double value = ex * (x_->y - sy) - ey * (x_->x - sx);
-  const double bound = (std::abs(ex) + std::abs(ey)) * (x_->error + kSumSide * lattice_.span);
+  const double bound = (std::abs(ex) + std::abs(ey)) * (x_->error + kSumSide * lattice_.span) + exact::kUnderflow;
   if (value > bound || value < -bound) {
     ++counts_.filtered;
     return value > 0 ? 1 : -1;
@@ -203,7 +203,7 @@ bool Collision::edges_cross(std::uint32_t e, std::uint32_t f) {
   const auto sides = [&](std::uint32_t op, std::uint32_t edge, std::uint32_t other_edge) {
     const Operand &o = *operands_[op], &other = *operands_[1 - op];
     const double ex = o.ex[edge], ey = o.ey[edge], ax = x_->x - o.x[edge], ay = x_->y - o.y[edge];
-    const double bound = (std::abs(ex) + std::abs(ey)) * (x_->error + kSumSide * lattice_.span);
+    const double bound = (std::abs(ex) + std::abs(ey)) * (x_->error + kSumSide * lattice_.span) + exact::kUnderflow;
     const auto value = [&](std::uint32_t v) { return ex * (ay - other.y[v]) - ey * (ax - other.x[v]); };
     const double s = value(other_edge), t = value(other.next[other_edge]);
     return (s > bound && t < -bound) || (s < -bound && t > bound);

@@ -1,10 +1,34 @@
 #include "planar/frames/operand_pair.h"
 
+#include <string>
+
+#include "exact/grid.h"
+
 namespace dymsum::planar {
+namespace {
+
+// The vertex that needs the finest grid.
+Error too_far_apart(const Lattice& lattice) {
+  Error error{ErrorCode::unsupported_operand,
+              "sums that move need operands that reach less than 2^800 times as far as the finest step of their "
+              "coordinates; this one takes steps of 2^" +
+                  std::to_string(lattice.grid_exponent),
+              {}};
+  for (const auto& points : lattice.points)
+    for (const Point& v : points->input)
+      if (v != Point{} && exact::common_exponent({&v, 1}) == lattice.grid_exponent) {
+        error.evidence.x = v.x;
+        error.evidence.y = v.y;
+        return error;
+      }
+  return error;
+}
+
+}  // namespace
 
 Result<std::shared_ptr<const OperandPair>> OperandPair::create(
     const std::array<std::shared_ptr<const Operand>, 2>& kept, const std::array<std::vector<Point>, 2>& further,
-    std::uint32_t moved, int min_tier_bits) {
+    std::uint32_t moved, int min_tier_bits, Spread spread) {
   auto base = std::make_shared<OperandPair>();
   base->moved = moved;
   base->min_tier_bits = min_tier_bits;
@@ -19,6 +43,7 @@ Result<std::shared_ptr<const OperandPair>> OperandPair::create(
     if (std::optional<Error> error = too_large(*points[op])) return *std::move(error);
   }
   base->lattice = make_lattice(points[0], points[1], min_tier_bits, Further::lattices);
+  if (spread == Spread::narrow && base->lattice->wide) return too_far_apart(*base->lattice);
   for (std::uint32_t op = 0; op < 2; ++op) {
     base->operands[op] = *placed_on(*base->lattice, kept[op]);
     const Operand& o = base->operands[op];

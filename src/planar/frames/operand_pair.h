@@ -11,12 +11,16 @@
 
 namespace dymsum::planar {
 
+/// What numbers a pair may have: all of them for sums at rest, narrow ones (not Lattice::wide) for those that move.
+enum class Spread { narrow, any };
+
 class OperandPair : public std::enable_shared_from_this<OperandPair> {
  public:
   /// Of operands, with further source vertices behind their own that belong to no walk. Errors: unsupported_operand.
   static Result<std::shared_ptr<const OperandPair>> create(const std::array<std::shared_ptr<const Operand>, 2>& kept,
                                                            const std::array<std::vector<Point>, 2>& further,
-                                                           std::uint32_t moved, int min_tier_bits);
+                                                           std::uint32_t moved, int min_tier_bits,
+                                                           Spread spread = Spread::narrow);
 
   std::uint32_t moved = 0;  ///< the operand that is scaled or turned
   int min_tier_bits = 0;

@@ -10,7 +10,7 @@ namespace dymsum::planar {
 Result<std::shared_ptr<const OperandPair>> pair_of_regions(const Region& p, const Region& q,
                                                            const PairOptions& options) {
   return OperandPair::create({prepared_operand(p, 0), prepared_operand(q, 1, options.reflect_q)}, options.further,
-                             options.moved, options.min_tier_bits);
+                             options.moved, options.min_tier_bits, options.spread);
 }
 
 Result<std::shared_ptr<const OperandPair>> pair_of_regions(const Region& p, const Region& q,

@@ -11,6 +11,7 @@ struct PairOptions {
   bool reflect_q = false;                          ///< P (+) -Q
   std::array<std::vector<Point>, 2> further = {};  ///< source vertices that belong to no walk
   int min_tier_bits = 0;
+  Spread spread = Spread::narrow;
 };
 
 /// P as operand 0, Q as operand 1. Errors: unsupported_operand; out_of_range for options.

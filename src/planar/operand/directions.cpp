@@ -122,7 +122,10 @@ DirectionList sort_by_direction(const OwnEdges& edges, const Operand& o, const C
   if (n == 0) return list;
   Scratch memory;
   Array<Item> items(n, &memory);
-  for (std::uint32_t i = c.first; i < c.last; ++i) items[i - c.first] = {key_of(o.ex[i], o.ey[i]), i};
+  for (std::uint32_t i = c.first; i < c.last; ++i) {
+    const Point d = edges.direction(o.source[i], o.source[o.next[i]]);
+    items[i - c.first] = {key_of(d.x, d.y), i};
+  }
   const Before before(edges, o);
   if (n > kFew) sort_into_buckets(items, before, memory);
   else sort_few(items, memory);

@@ -3,7 +3,9 @@
 #pragma once
 
 #include <array>
+#include <cmath>
 #include <cstdint>
+#include <limits>
 #include <memory>
 #include <mutex>
 #include <optional>
@@ -65,8 +67,10 @@ struct TurnedPoints {
   double factor = 1;                                  ///< of `at`: from integers to the lattice's doubles, rounded
   exact::BigRational big_factor = 1;                  ///< of `big`: the same
   std::size_t size() const { return at.empty() ? big.size() : at.size(); }
-  /// The vector from one vertex to another, each component with three roundings.
+  /// The vector from one vertex to another, each component with three roundings; zero only where it is.
   Point vector(std::uint32_t from, std::uint32_t to) const;
+  /// The same, times a power of two, so that the larger component is far from under- and overflow.
+  Point direction(std::uint32_t from, std::uint32_t to) const;
   double rounded(std::uint32_t i, int axis) const;
   /// The sign of coordinate(i) - coordinate(j) along an axis.
   int compare(std::uint32_t i, std::uint32_t j, int axis) const;
@@ -87,10 +91,20 @@ struct PlacedPoints {
   /// The bits of the integers on a grid that holds them.
   int bits(int grid_exponent) const { return top > grid_exponent ? top - grid_exponent : 0; }
   /// Nothing can over- or underflow when the unit is 1.
-  bool moderate() const { return exponent >= -400 && extent <= 0x1p400; }
+  bool moderate() const { return exponent >= -kModerateBits && top <= kModerateBits; }
+  static constexpr int kModerateBits = 400;
 };
 
-/// Placed in units of 1 where they are moderate, else of their own grid or 2^-60 of their extent.
+/// Beyond so many bits of the unscaled integers no unit keeps all doubles moderate: see Lattice::wide.
+inline constexpr int kNarrowBits = 2 * PlacedPoints::kModerateBits;
+
+/// A rounded component of a vector whose exact one has the sign of `gap`: one that underflowed is the smallest number
+/// of that sign, so that signs and zeros of components are those of the exact ones.
+inline double with_sign_of(double gap, double component) {
+  return component != 0 || gap == 0 ? component : std::copysign(std::numeric_limits<double>::denorm_min(), gap);
+}
+
+/// Placed in units of 1 where they are moderate, else in units in which they are where there are any.
 std::shared_ptr<const PlacedPoints> place_points(std::vector<Point> input);
 
 /// The unscaled integers of both operands, shared by the lattices of all scales; made when first asked for. Requires
@@ -111,9 +125,12 @@ struct LatticeDoubles {
   bool exact_input = false;  ///< pair sums in input coordinates are doubles without rounding
   double span = 0;           ///< every pair sum has coordinates in [0, span]; a rounding errs by at most span * 2^-53
   double unit = 1;           ///< doubles count multiples of this power of two: 1 unless an operand is huge or minute
-  double integers_per_unit =
-      1;                  ///< the exact layer's integers per unit of the doubles; may be infinite for huge exponents
-  int grid_exponent = 0;  ///< unscaled coordinates are integers times 2^grid_exponent
+  /// Not all numbers are moderate in these units: components of vectors can underflow, by less than 2^-1074, while
+  /// coordinates are below 2^62. Sums of two products lose less than exact::kUnderflow by it, and are filtered with
+  /// that; lengths and angles of such vectors tell nothing. Only sums that do not move allow it.
+  bool wide = false;
+  double integers_per_unit = 1;  ///< the exact layer's integers per unit of the doubles; may be infinite where wide
+  int grid_exponent = 0;         ///< unscaled coordinates are integers times 2^grid_exponent
   std::array<std::shared_ptr<const PlacedPoints>, 2> points;
   std::shared_ptr<SharedIntegers>
       integers;           ///< of unscaled coordinates, only for lattices made for further ones, and these
@@ -126,8 +143,25 @@ struct LatticeDoubles {
     const PlacedPoints& o = *points[e.op];
     if (o.turned != nullptr) return o.turned->vector(e.from, e.to);
     const Point &a = o.input[e.from], &b = o.input[e.to];
-    return {(b.x - a.x) / unit * o.stretch.x, (b.y - a.y) / unit * o.stretch.y};
+    const double x = b.x - a.x, y = b.y - a.y;
+    return {with_sign_of(x, x / unit * o.stretch.x), with_sign_of(y, y / unit * o.stretch.y)};
   }
+  /// The same for angles: times a factor of the edge's own, so that nothing underflows that an angle depends on.
+  Point direction(const Edge& e) const {
+    const PlacedPoints& o = *points[e.op];
+    if (!wide) return vector(e);
+    if (o.turned != nullptr) return o.turned->direction(e.from, e.to);
+    // Differences of doubles never underflow, nor do they overflow below 2^1000.
+    const Point &a = o.input[e.from], &b = o.input[e.to];
+    return {b.x - a.x, b.y - a.y};
+  }
+  /// d integers_per_unit, where this is infinite too.
+  double in_integers(double d) const {
+    return integers_per_unit < std::numeric_limits<double>::infinity() ? d * integers_per_unit
+                                                                       : std::ldexp(d * mantissa, integer_exponent);
+  }
+  double mantissa = 1;       ///< integers_per_unit is mantissa 2^integer_exponent,
+  int integer_exponent = 0;  ///< mantissa in [1, 2]
   /// A rounded position in input coordinates.
   Point to_input(double gx, double gy) const { return {gx * unit + base.x, gy * unit + base.y}; }
 };

@@ -51,6 +51,13 @@ LatticeDoubles lattice_doubles(const LatticePoints& points, const std::optional<
   doubles.unit = power_of_two(points.unit);
   doubles.grid_exponent = exponent;
   doubles.integers_per_unit = den == 1 ? power_of_two(points.unit - exponent) : std::ldexp(den, points.unit - exponent);
+  if (scale) {
+    const int shift = static_cast<int>(msb(scale->den));
+    doubles.mantissa = exact::round_to_double(BigRational(scale->den, exact::BigInteger(1) << shift));
+    doubles.integer_exponent = shift;
+  }
+  doubles.integer_exponent += points.unit - exponent;
+  for (const auto& o : points.points) doubles.wide |= o->bits(exponent) > kNarrowBits;
   for (const auto& o : points.points) doubles.span += std::max(o->width, o->height);
   add_offsets(doubles, scale);
   doubles.exact_input = doubles.exact_doubles && !scale &&

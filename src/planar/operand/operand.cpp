@@ -117,8 +117,11 @@ void place(Operand& o, const Lattice& lattice) {
   place_walk(o);
   // A scale per axis keeps the order of the directions, but not their angles.
   for (DirectionList& list : o.directions)
-    for (std::size_t k = 0; k < list.edges.size(); ++k)
-      list.keys[k] = pseudo_angle(o.ex[list.edges[k]], o.ey[list.edges[k]]);
+    for (std::size_t k = 0; k < list.edges.size(); ++k) {
+      const std::uint32_t i = list.edges[k];
+      const Point d = lattice.wide ? lattice.direction(o.edge(i)) : Point{o.ex[i], o.ey[i]};
+      list.keys[k] = pseudo_angle(d.x, d.y);
+    }
   if (o.points->turned != nullptr) {
     for (DirectionList& list : o.directions) restart(list, o, lattice);
     for (Loop& loop : o.loops) find_turned_extremes(loop, o, *o.points->turned);

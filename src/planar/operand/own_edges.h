@@ -21,10 +21,15 @@ class OwnEdges {
     if (points.bits(points.exponent) <= 53 && std::abs(shift) <= 1000) per_double_ = power_of_two(shift);
   }
 
-  /// Each component rounded once, in the units of the points.
+  /// Each component rounded once, in the units of the points; zero only where it is.
   Point vector(std::uint32_t from, std::uint32_t to) const {
+    const Point d = direction(from, to);
+    return {with_sign_of(d.x, d.x * per_unit_), with_sign_of(d.y, d.y * per_unit_)};
+  }
+  /// In input units: no rounding underflows.
+  Point direction(std::uint32_t from, std::uint32_t to) const {
     const Point a = input_[from], b = input_[to];
-    return {(b.x - a.x) * per_unit_, (b.y - a.y) * per_unit_};
+    return {b.x - a.x, b.y - a.y};
   }
   /// The sign of d x e, of d . e for edge vectors.
   int cross(const Edge& d, const Edge& e) const {

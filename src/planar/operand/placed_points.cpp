@@ -58,7 +58,11 @@ void place_below(PlacedPoints& points, int unit, Point high) {
 void place_in_units(PlacedPoints& points, int unit) { place_below(points, unit, corners_of(points.input).high); }
 
 int unit_for(double extent, int exponent, int bits) {
-  return bits <= 61 ? std::max(exponent, -1000) : std::max(std::ilogb(extent) - 60, -1000);
+  if (bits <= 61) return std::max(exponent, -1000);
+  const int below_extent = std::ilogb(extent) - 60;
+  // Moderate: the grid is at least 2^-400 units then, and the extent at most 2^400.
+  const int unit = bits <= kNarrowBits ? std::min(below_extent, exponent + PlacedPoints::kModerateBits) : below_extent;
+  return std::max(unit, -1000);
 }
 
 std::shared_ptr<const PlacedPoints> place_points(std::vector<Point> input) {

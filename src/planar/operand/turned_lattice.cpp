@@ -12,11 +12,23 @@ using exact::BigRational;
 Point TurnedPoints::vector(std::uint32_t from, std::uint32_t to) const {
   if (at.empty()) {
     const auto component = [&](int axis) {
-      return exact::round_to_double(BigRational(BigRational(big[to][axis] - big[from][axis]) * big_factor));
+      const exact::BigInteger gap = big[to][axis] - big[from][axis];
+      return with_sign_of(gap.sign(), exact::round_to_double(BigRational(BigRational(gap) * big_factor)));
     };
     return {component(0), component(1)};
   }
   return {static_cast<double>(at[to][0] - at[from][0]) * factor, static_cast<double>(at[to][1] - at[from][1]) * factor};
+}
+
+Point TurnedPoints::direction(std::uint32_t from, std::uint32_t to) const {
+  if (at.empty()) {
+    const exact::BigInteger x = big[to][0] - big[from][0], y = big[to][1] - big[from][1],
+                            longer = std::max(exact::BigInteger(abs(x)), exact::BigInteger(abs(y)));
+    const exact::BigInteger one = longer == 0 ? exact::BigInteger(1) : exact::BigInteger(1) << msb(longer);
+    return {with_sign_of(x.sign(), exact::round_to_double(BigRational(x, one))),
+            with_sign_of(y.sign(), exact::round_to_double(BigRational(y, one)))};
+  }
+  return {static_cast<double>(at[to][0] - at[from][0]), static_cast<double>(at[to][1] - at[from][1])};
 }
 
 double TurnedPoints::rounded(std::uint32_t i, int axis) const {

@@ -1,6 +1,7 @@
 // Whether one point lies in a sum: P meets z - Q, decided on a lattice that also holds z and the origin.
 #include <cmath>
 #include <optional>
+#include <stdexcept>
 
 #include "dymsum/planar_sum.h"
 #include "planar/boundary/collision.h"
@@ -97,6 +98,10 @@ bool boundaries_meet(const Query& query, const Component& cp, const Component& c
 
 bool contains(const Region& p, const Region& q, Point z, Semantics semantics) {
   if (p.empty() || q.empty() || !std::isfinite(z.x) || !std::isfinite(z.y)) return false;
+  for (const auto& o : {prepared_operand(p, 0), prepared_operand(q, 1)})
+    if (const std::optional<Error> error = too_large(*o)) throw std::invalid_argument("contains: " + error->message);
+  constexpr double kReach = 0x1p1001;  // of all sums
+  if (std::abs(z.x) > kReach || std::abs(z.y) > kReach) return false;
   const Query query = make_query(p, q, z);
   if (semantics != Semantics::open)
     for (const Component& cp : query.p->components)

@@ -46,6 +46,7 @@ std::optional<InteriorMask> make_mask(Run& run, std::uint32_t segments, Refine w
   constexpr std::size_t kMask = 400;  // below this many a mask does not pay
   std::optional<InteriorMask> mask;
   if (!run.fast || (segments < kMask && (segments == 0 || when != Refine::always))) return mask;
+  if (run.lattice.wide) return mask;  // a mask measures edges in doubles
   run.poll.stage("mask");
   run.stats.mask_grid = grid_size(segments);
   mask.emplace(run.p, run.q, run.stats.mask_grid);

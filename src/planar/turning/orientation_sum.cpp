@@ -15,6 +15,7 @@ namespace {
 Result<PlanarSum> sum_of(const Region& p, const Region& q, const Orientation& theta, const SumOptions& options,
                          planar::PairOptions pair) {
   pair.min_tier_bits = planar::SumInternals::min_tier_bits(options);
+  pair.spread = planar::Spread::any;
   const auto base = planar::pair_of_regions(p, q, pair);
   if (!base) return base.error();
   return planar::sum_at(**base, theta, options);

@@ -23,8 +23,8 @@ Result<std::vector<bool>> contains_each(const Mesh& p, const Mesh& q, std::span<
                                         Semantics semantics) {
   std::vector<bool> inside(positions.size());
   if (p.empty() || q.empty()) return inside;
-  const spatial::SolidOperand a = spatial::solid_operand(p.data(), p.thin_faces(), FlatFeatures::kept),
-                              b = spatial::solid_operand(q.data(), q.thin_faces(), FlatFeatures::kept);
+  const spatial::SolidOperand a = spatial::solid_operand(p.data(), p.thin_faces(), spatial::FlatFeatures::kept),
+                              b = spatial::solid_operand(q.data(), q.thin_faces(), spatial::FlatFeatures::kept);
   std::unique_ptr<spatial::SumSpace> space;
   try {
     space = spatial::make_sum_space(p.vertices(), q.vertices());
