@@ -54,7 +54,12 @@ def calls() -> None:
         ("queries.clearance at one box", lambda: queries.clearance(far)),
         ("Orientation.of(1, 2)", lambda: Orientation.of(1, 2)),
     ]:
-        line(what, 1e6 * per_call(work), "us", "asked of the overhead: at most 2 us" if "far away" in what or "()" in what else "")
+        line(
+            what,
+            1e6 * per_call(work),
+            "us",
+            "asked of the overhead: at most 2 us" if "far away" in what or "()" in what else "",
+        )
     line("nfp of two squares, a whole sum", 1e6 * per_call(lambda: dymsum.nfp(square, other), 2000), "us")
     ring = numpy.array(shapes.disc(100, 1).parts[0].outer)
     line("Region of an array of 100 vertices", 1e6 * per_call(lambda: Region(ring), 2000), "us")
@@ -76,7 +81,11 @@ def batches() -> None:
         each = len(near) / seconds(lambda: queries.contains_each(near, threads=threads), 3)
         line(f"contains_each at a rod among posts, {threads} thread(s)", each / 1e6, "1e6/s", "asked: 1 (1e6 a second)")
     some = near[:20_000]
-    line("clearance_each there, 1 thread", 1e6 * seconds(lambda: queries.clearance_each(some, threads=1), 3) / len(some), "us/item")
+    line(
+        "clearance_each there, 1 thread",
+        1e6 * seconds(lambda: queries.clearance_each(some, threads=1), 3) / len(some),
+        "us/item",
+    )
     one = 1e6 * seconds(lambda: [queries.clearance(p) for p in some[:5000].tolist()], 3) / 5000
     line("clearance of single poses", one, "us/call")
     points = numpy.random.default_rng(2).uniform(-1, 3, (1_000_000, 2))
@@ -110,7 +119,9 @@ def clipper_sum(a: numpy.ndarray, b: numpy.ndarray) -> float:
     """The area that Clipper's sum of A and -B has, as users call it: coordinates times 1000 as integers."""
     import pyclipper
 
-    paths = pyclipper.MinkowskiSum((-1000 * b).round().astype(int).tolist(), (1000 * a).round().astype(int).tolist(), True)
+    paths = pyclipper.MinkowskiSum(
+        (-1000 * b).round().astype(int).tolist(), (1000 * a).round().astype(int).tolist(), True
+    )
     return sum(pyclipper.Area(path) for path in paths) / 1e6
 
 
@@ -123,12 +134,14 @@ def shapely_sum(a: Region, b: Region) -> float:
         return [numpy.array(piece.exterior.coords)[:3] for piece in pieces]
 
     others = [-t for t in triangles(b)]
-    hulls = [shapely.MultiPoint((s[:, None] + t[None]).reshape(-1, 2)).convex_hull for s in triangles(a) for t in others]
+    hulls = [
+        shapely.MultiPoint((s[:, None] + t[None]).reshape(-1, 2)).convex_hull for s in triangles(a) for t in others
+    ]
     return float(shapely.unary_union(hulls).area)
 
 
 def rivals(pairs: list[tuple[Region, Region]]) -> None:
-    """The same pairs by what people call from Python today; how often their area is off by more than 1 % (theirs are rounded)."""
+    """The same pairs by what people call from Python today, and how often their area, of rounded input, is off by 1 %."""
     some = pairs[:: max(1, len(pairs) // 40)]
     rings = [(numpy.array(a.parts[0].outer), numpy.array(b.parts[0].outer)) for a, b in some]
     areas = [nfp.area() for nfp in dymsum.nfp_each(some)]

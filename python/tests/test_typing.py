@@ -10,7 +10,18 @@ HERE = Path(__file__).parent
 
 
 def mypy(*what: object, cache: Path) -> str:
-    command = [sys.executable, "-m", "mypy", "--strict", "--no-error-summary", "--disable-error-code", "overload-overlap", "--cache-dir", str(cache), *map(str, what)]
+    command = [
+        sys.executable,
+        "-m",
+        "mypy",
+        "--strict",
+        "--no-error-summary",
+        "--disable-error-code",
+        "overload-overlap",
+        "--cache-dir",
+        str(cache),
+        *map(str, what),
+    ]
     return subprocess.run(command, capture_output=True, text=True, cwd=cache, check=False).stdout
 
 
