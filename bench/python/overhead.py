@@ -141,7 +141,7 @@ def shapely_sum(a: Region, b: Region) -> float:
 
 
 def rivals(pairs: list[tuple[Region, Region]]) -> None:
-    """The same pairs by what people call from Python today, and how often their area, of rounded input, is off by 1 %."""
+    """The same pairs by what people call from Python today; how often their area, of rounded input, is off by 1 %."""
     some = pairs[:: max(1, len(pairs) // 40)]
     rings = [(numpy.array(a.parts[0].outer), numpy.array(b.parts[0].outer)) for a, b in some]
     areas = [nfp.area() for nfp in dymsum.nfp_each(some)]
