@@ -173,3 +173,8 @@ def test_options_are_pickled_and_shown() -> None:
     assert repr(options).startswith("SumOptions(engine=")
     options.trace = True
     assert options.trace
+
+
+def test_functions_are_pickled_by_name() -> None:
+    for function in (dymsum.nfp, dymsum.minkowski_sum, shapes.gear):
+        assert pickle.loads(pickle.dumps(function)) is function
