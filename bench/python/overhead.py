@@ -1,8 +1,7 @@
 """What the way through Python costs: `./run bench python`. Times are medians of runs on this machine, now.
 
-Overhead is measured, not derived: calls whose C++ work is a few nanoseconds (a count, a truth value of a trivial
-question), less nothing; items of batches, less what the same items cost on one C++ thread where the library has a batch
-of its own.
+The overhead of a call is what a call costs whose C++ work is next to nothing (a count, a pose far away), and that of an
+item what an item of such a batch costs. Of other calls both are shown: the call, and the same as an item of a batch.
 """
 
 from __future__ import annotations
@@ -51,11 +50,16 @@ def calls() -> None:
         ("region.vertex_count()", square.vertex_count),
         ("region.parts[0].outer, a view", lambda: square.parts[0].outer),
         ("contains(P, Q, z), 4 + 4 edges", lambda: dymsum.contains(square, other, (9, 9))),
-        ("queries.contains((x, y, theta)), far away", lambda: queries.contains(far)),
-        ("queries.clearance(...), one box", lambda: queries.clearance(far)),
+        ("queries.contains of a pose far away", lambda: queries.contains(far)),
+        ("queries.clearance at one box", lambda: queries.clearance(far)),
         ("Orientation.of(1, 2)", lambda: Orientation.of(1, 2)),
     ]:
-        line(what, 1e6 * per_call(work), "us", "asked of the overhead: at most 2 us")
+        line(
+            what,
+            1e6 * per_call(work),
+            "us",
+            "asked of the overhead: at most 2 us" if "far away" in what or "()" in what else "",
+        )
     line("nfp of two squares, a whole sum", 1e6 * per_call(lambda: dymsum.nfp(square, other), 2000), "us")
     ring = numpy.array(shapes.disc(100, 1).parts[0].outer)
     line("Region of an array of 100 vertices", 1e6 * per_call(lambda: Region(ring), 2000), "us")
@@ -77,7 +81,11 @@ def batches() -> None:
         each = len(near) / seconds(lambda: queries.contains_each(near, threads=threads), 3)
         line(f"contains_each at a rod among posts, {threads} thread(s)", each / 1e6, "1e6/s", "asked: 1 (1e6 a second)")
     some = near[:20_000]
-    line("clearance_each there, 1 thread", 1e6 * seconds(lambda: queries.clearance_each(some, threads=1), 3) / len(some), "us/item")
+    line(
+        "clearance_each there, 1 thread",
+        1e6 * seconds(lambda: queries.clearance_each(some, threads=1), 3) / len(some),
+        "us/item",
+    )
     one = 1e6 * seconds(lambda: [queries.clearance(p) for p in some[:5000].tolist()], 3) / 5000
     line("clearance of single poses", one, "us/call")
     points = numpy.random.default_rng(2).uniform(-1, 3, (1_000_000, 2))
@@ -104,6 +112,52 @@ def table(path: Path) -> None:
     line("one thread / two threads", times[0] / times[1], "", "asked: at least 1.7, on two free cores")
     single = seconds(lambda: [dymsum.nfp(a, b) for a, b in pairs], 3)
     line("single calls in a loop", 1e6 * single / len(pairs), "us/pair")
+    rivals(pairs)
+
+
+def clipper_sum(a: numpy.ndarray, b: numpy.ndarray) -> float:
+    """The area that Clipper's sum of A and -B has, as users call it: coordinates times 1000 as integers."""
+    import pyclipper
+
+    paths = pyclipper.MinkowskiSum(
+        (-1000 * b).round().astype(int).tolist(), (1000 * a).round().astype(int).tolist(), True
+    )
+    return sum(pyclipper.Area(path) for path in paths) / 1e6
+
+
+def shapely_sum(a: Region, b: Region) -> float:
+    """The area of the union of the sums of triangles, by shapely."""
+    import shapely
+
+    def triangles(region: Region) -> list[numpy.ndarray]:
+        pieces = shapely.constrained_delaunay_triangles(region.to_shapely()).geoms
+        return [numpy.array(piece.exterior.coords)[:3] for piece in pieces]
+
+    others = [-t for t in triangles(b)]
+    hulls = [
+        shapely.MultiPoint((s[:, None] + t[None]).reshape(-1, 2)).convex_hull for s in triangles(a) for t in others
+    ]
+    return float(shapely.unary_union(hulls).area)
+
+
+def rivals(pairs: list[tuple[Region, Region]]) -> None:
+    """The same pairs by what people call from Python today; how often their area, of rounded input, is off by 1 %."""
+    some = pairs[:: max(1, len(pairs) // 40)]
+    rings = [(numpy.array(a.parts[0].outer), numpy.array(b.parts[0].outer)) for a, b in some]
+    areas = [nfp.area() for nfp in dymsum.nfp_each(some)]
+    ours = seconds(lambda: dymsum.nfp_each(some, threads=1)) / len(some)
+    for name, work in [
+        ("pyclipper", lambda: [clipper_sum(a, b) for a, b in rings]),
+        ("shapely", lambda: [shapely_sum(a, b) for a, b in some]),
+    ]:
+        try:
+            theirs = work()
+        except (ImportError, AttributeError) as error:
+            print(f"  no {name}: {error}")
+            continue
+        each = seconds(work, 3) / len(some)
+        wrong = sum(abs(x - y) > 0.01 * y for x, y in zip(theirs, areas))
+        line(f"{name}, {wrong} of {len(some)} areas wrong", 1e6 * each, "us/pair", f"{each / ours:.0f} times ours")
 
 
 def main() -> None:

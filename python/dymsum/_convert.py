@@ -1,4 +1,4 @@
-"""From and to the objects of other packages. shapely and trimesh are imported where they are asked for, never before."""
+"""From and to the objects of other packages; shapely and trimesh are imported only where they are asked for."""
 
 from __future__ import annotations
 
@@ -62,7 +62,7 @@ def _is_vertices_and_faces(value: Any) -> bool:
 
 
 def kind(value: Any) -> str:
-    """"region" or "mesh" where one can be made of the value, else ""."""
+    """ "region" or "mesh" where one can be made of the value, else ""."""
     if isinstance(value, (str, Mapping, _core.Region, _core.RegionData)) or hasattr(value, "__geo_interface__"):
         return "region"
     if hasattr(value, "vertices") and hasattr(value, "faces"):

@@ -1,4 +1,4 @@
-"""Pictures of solids for notebooks: triangles in an orthographic view, as SVG text, without a network or a plot library."""
+"""Pictures of solids for notebooks: triangles in an orthographic view as SVG text; no network, no plot library."""
 
 from __future__ import annotations
 

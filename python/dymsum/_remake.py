@@ -23,7 +23,6 @@ from ._core import (
 )
 
 
-
 def minkowski_sum(p: Region, q: Region, options: Optional[SumOptions]) -> PlanarSum:
     """As the function of this name; without options by the default ones. So the following."""
     return _core.minkowski_sum(p, q, options or SumOptions())

@@ -1,7 +1,7 @@
 # %% [markdown]
 # # A rod turns beside a box: how deep do they overlap?
-# The sum of the rod and the reflected box holds the translations at which they overlap. It follows the turn exactly, and
-# the depth is a global minimum.
+# The sum of the rod and the reflected box holds the translations at which they overlap. It follows the turn exactly,
+# and the depth is a global minimum.
 
 # %%
 import numpy

@@ -106,7 +106,9 @@ def test_keyboard_interrupt_of_a_table(threads: int) -> None:
     [
         lambda: dymsum.CspaceObstacle(shapes.random_polygon(60, 0, 1), shapes.random_polygon(200, 3, 2)),
         lambda: dymsum.fit_range(shapes.random_polygon(60, 0, 1), shapes.random_polygon(120, 0, 2)),
-        lambda: dymsum.ScalingSum(shapes.random_polygon(100, 0, 1), shapes.gear(20, 0.5, 1)).events(Fraction(1, 1000), 1000),
+        lambda: dymsum.ScalingSum(shapes.random_polygon(100, 0, 1), shapes.gear(20, 0.5, 1)).events(
+            Fraction(1, 1000), 1000
+        ),
         lambda: dymsum.contains_each(*LARGE, numpy.zeros((10**6, 2)), threads=2),
     ],
 )

@@ -51,7 +51,9 @@ def _declared(statement: str, scope: list[str], names: set[str]) -> None:
     if re.search(r"\boperator\b|= delete$|= default$", statement) or not statement:
         return
     head = re.sub(r"<[^()]*?>(?=\s|&|\*|::)", "", statement)
-    function = re.match(r"(?:[\w:]+[\s&*]+)+(\w+)\s*\(", re.sub(r"<.*?>+", "", head.split("(")[0]) + "(" if "(" in head else "")
+    function = re.match(
+        r"(?:[\w:]+[\s&*]+)+(\w+)\s*\(", re.sub(r"<.*?>+", "", head.split("(")[0]) + "(" if "(" in head else ""
+    )
     if function and "=" not in statement.split("(")[0]:
         names.add(".".join([*scope, function[1]]))
     elif "(" not in statement.split("=")[0].split("{")[0]:
@@ -79,7 +81,9 @@ def _read(text: str, scope: list[str], names: set[str], public: bool) -> None:
                 if name in ("dymsum", "shapes", "solids"):
                     _read(inside, [] if name == "dymsum" else [name], names, True)
                 begin = end
-            elif kind := re.search(r"\b(struct|class|enum class|enum)\s+(?:\[\[\w+\]\]\s*)?(\w+)(?:\s*:[^{]*)?$", statement):
+            elif kind := re.search(
+                r"\b(struct|class|enum class|enum)\s+(?:\[\[\w+\]\]\s*)?(\w+)(?:\s*:[^{]*)?$", statement
+            ):
                 if public and "template" not in statement:
                     own = [*scope, kind[2]]
                     names.add(".".join(own))
@@ -126,7 +130,18 @@ def _has(name: str) -> bool:
 def test_every_public_name_is_there() -> None:
     names = public_names()
     assert len(names) > 1000, "the headers were not read"
-    for known in ("minkowski_sum", "convex_sum", "CspaceObstacle.loops", "check_path", "SolidFeature.Kind.edge", "shapes.gear", "Region.create", "Patch.contact", "FrameWork.rebuilt", "Engine.winding"):
+    for known in (
+        "minkowski_sum",
+        "convex_sum",
+        "CspaceObstacle.loops",
+        "check_path",
+        "SolidFeature.Kind.edge",
+        "shapes.gear",
+        "Region.create",
+        "Patch.contact",
+        "FrameWork.rebuilt",
+        "Engine.winding",
+    ):
         assert known in names
     assert [name for name in names if not _has(name)] == []
 

@@ -27,7 +27,9 @@ def queries(obstacle: CspaceObstacle) -> ObstacleQueries:
 
 def poses(count: int) -> numpy.ndarray:
     random = numpy.random.default_rng(5)
-    return numpy.column_stack([random.uniform(-3, 12, count), random.uniform(-3, 9, count), random.uniform(-4, 4, count)])
+    return numpy.column_stack(
+        [random.uniform(-3, 12, count), random.uniform(-3, 9, count), random.uniform(-4, 4, count)]
+    )
 
 
 def test_parts_of_an_obstacle(obstacle: CspaceObstacle) -> None:
@@ -60,7 +62,9 @@ def test_batches_equal_single_answers(obstacle: CspaceObstacle, queries: Obstacl
             assert (many.distance[k], many.error[k], many.patch[k]) == (one.distance, one.error, one.patch)
             assert tuple(many.nearest[k]) == one.nearest
         assert ((many.distance < 0) <= inside[:60]).all()
-    assert (queries.clearance_each(at[:5], weight=2.0).distance == [queries.clearance(p, 2.0).distance for p in at[:5]]).all()
+    assert (
+        queries.clearance_each(at[:5], weight=2.0).distance == [queries.clearance(p, 2.0).distance for p in at[:5]]
+    ).all()
     assert queries.contains_each(numpy.empty((0, 3))).shape == (0,)
     assert queries.contains_each([]).shape == (0,)
 
@@ -125,7 +129,9 @@ def test_a_path_and_its_check(obstacle: CspaceObstacle) -> None:
 
 def test_motions() -> None:
     unit = shapes.rectangle(0, 0, 1, 1)
-    turn = dymsum.check_rotation(unit, unit, (3, 0), Orientation(), Orientation.half_turn(), dymsum.TurnDirection.clockwise)
+    turn = dymsum.check_rotation(
+        unit, unit, (3, 0), Orientation(), Orientation.half_turn(), dymsum.TurnDirection.clockwise
+    )
     assert turn.free and turn.always
     motion = dymsum.check_motion(unit, unit, (-5, 0, 0), (5, 0, 1), dymsum.MotionOptions(resolution=1e-3))
     assert motion.outcome == MotionCheck.Outcome.blocked and 0 < motion.low <= motion.high

@@ -58,7 +58,9 @@ def test_depth_of_lists_tells_rings_and_parts() -> None:
         shapely.MultiLineString([[(0, 0), (1, 2)], [(5, 5), (6, 6)]]),
         shapely.Point(3, 4),
         shapely.MultiPoint([(0, 0), (1, 1)]),
-        shapely.GeometryCollection([shapely.box(0, 0, 1, 1), shapely.LineString([(5, 5), (6, 6)]), shapely.Point(9, 9)]),
+        shapely.GeometryCollection(
+            [shapely.box(0, 0, 1, 1), shapely.LineString([(5, 5), (6, 6)]), shapely.Point(9, 9)]
+        ),
         shapely.LinearRing(SQUARE),
     ],
 )

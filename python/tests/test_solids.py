@@ -86,7 +86,9 @@ def test_files_of_meshes(tmp_path: Any) -> None:
     text = dymsum.format_mesh(BOX, dymsum.MeshFormat.off)
     assert Mesh(dymsum.parse_mesh(text, dymsum.MeshFormat.off)) == BOX
     assert BOX.to_glb()[:4] == b"glTF" and dymsum.minkowski_sum(BOX, U_PRISM).to_glb()[:4] == b"glTF"
-    coloured = dymsum.format_glb(BOX, dymsum.GlbLook(colours=[dymsum.FaceColour((1, 0, 0), [0])], notes=[("name", "box")]))
+    coloured = dymsum.format_glb(
+        BOX, dymsum.GlbLook(colours=[dymsum.FaceColour((1, 0, 0), [0])], notes=[("name", "box")])
+    )
     assert b'"name"' in coloured
 
 

@@ -53,7 +53,9 @@ def test_union_and_rotation() -> None:
 
 def test_cancelled_by_progress() -> None:
     with pytest.raises(dymsum.Error) as raised:
-        dymsum.minkowski_sum(shapes.random_polygon(400, 2, 1), shapes.random_polygon(400, 2, 2), SumOptions(progress=lambda s, f: False))
+        dymsum.minkowski_sum(
+            shapes.random_polygon(400, 2, 1), shapes.random_polygon(400, 2, 2), SumOptions(progress=lambda s, f: False)
+        )
     assert raised.value.code == ErrorCode.cancelled
 
 
@@ -171,3 +173,8 @@ def test_options_are_pickled_and_shown() -> None:
     assert repr(options).startswith("SumOptions(engine=")
     options.trace = True
     assert options.trace
+
+
+def test_functions_are_pickled_by_name() -> None:
+    for function in (dymsum.nfp, dymsum.minkowski_sum, shapes.gear):
+        assert pickle.loads(pickle.dumps(function)) is function
