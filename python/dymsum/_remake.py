@@ -26,6 +26,7 @@ nfp = _core.nfp
 erode = _core.erode
 union_of = _core.union_of
 rotated_sum = _core.rotated_sum
+rotated_erode = _core.rotated_erode
 cspace_slice = _core.cspace_slice
 convex_sum = _core.convex_sum
 solid_sum = _core.minkowski_sum
