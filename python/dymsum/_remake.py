@@ -48,6 +48,10 @@ def cspace_slice(robot: Region, obstacle: Region, theta: Orientation, options: O
     return _core.cspace_slice(robot, obstacle, theta, options or SumOptions())
 
 
+def rotated_erode(container: Region, part: Region, theta: Orientation, options: Optional[SumOptions]) -> PlanarSum:
+    return _core.rotated_erode(container, part, theta, options or SumOptions())
+
+
 convex_sum = _core.convex_sum
 solid_sum = _core.minkowski_sum
 solid_sum_of = _core.minkowski_sum

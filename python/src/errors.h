@@ -43,7 +43,14 @@ namespace nanobind::detail {
 template <>
 struct type_caster<dymsum::Error> {
   NB_TYPE_CASTER(dymsum::Error, const_name("dymsum.Error"))
-  bool from_python(handle, uint32_t, cleanup_list*) noexcept { return false; }
+  bool from_python(handle src, uint32_t, cleanup_list*) noexcept {
+    try {
+      value = dymsum::python::error_of(src);
+      return true;
+    } catch (std::exception&) {
+      return false;
+    }
+  }
   static handle from_cpp(const dymsum::Error& error, rv_policy, cleanup_list*) noexcept {
     try {
       return dymsum::python::error_object(error).release();

@@ -12,12 +12,13 @@ const RecordField* find(const std::vector<RecordField>& fields, std::string_view
   return nullptr;
 }
 
-/// Long lists are told by their length.
+/// Long lists, and bytes, are told by their length.
 std::string short_repr(nb::handle value) {
   constexpr std::size_t kMost = 6;
   if (nb::isinstance<nb::list>(value) && nb::len(value) > kMost) {
     return "[... " + std::to_string(nb::len(value)) + " items]";
   }
+  if (nb::isinstance<nb::bytes>(value)) return "b'... " + std::to_string(nb::len(value)) + " bytes'";
   return nb::cast<std::string>(nb::repr(value));
 }
 

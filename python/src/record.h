@@ -88,6 +88,17 @@ class Record : public nb::class_<T> {
     return *this;
   }
 
+  /// A member of bytes that are no text.
+  Record& bytes(const char* name, std::string T::*member, const char* doc = "") {
+    this->def_prop_ro(
+        name, [member](const T& self) { return nb::bytes((self.*member).data(), (self.*member).size()); }, doc);
+    fields_->push_back({name, [member](void* self, nb::handle value) {
+                          const auto given = nb::cast<nb::bytes>(value);
+                          static_cast<T*>(self)->*member = std::string(given.c_str(), given.size());
+                        }});
+    return *this;
+  }
+
   /// A member to be read and set.
   template <class M>
   Record& option(const char* name, M T::*member, const char* doc = "") {

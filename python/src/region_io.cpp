@@ -16,7 +16,8 @@ void bind_region_readers(nb::module_& m) {
       .value("wkt", RegionFormat::wkt)
       .value("geojson", RegionFormat::geojson)
       .value("svg", RegionFormat::svg)
-      .value("json", RegionFormat::json);
+      .value("json", RegionFormat::json)
+      .value("dxf", RegionFormat::dxf);
   Record<NamedShape>(m, "NamedShape", "One named shape of a file.")
       .field("name", &NamedShape::name)
       .field("data", &NamedShape::data, "RegionData, not yet validated");
@@ -25,10 +26,12 @@ void bind_region_readers(nb::module_& m) {
       "The format that a path's extension names. Raises Error: unsupported_format.");
   m.def("names_region", &names_region, "path"_a);
   m.def(
+      "begins_like_dxf", [](const std::string& text) { return begins_like_dxf(text); }, "text"_a,
+      "Whether a text begins as .dxf files do; other formats never do.");
+  m.def(
       "read_shapes", [](const std::string& path) { return take(read_shapes(path)); }, "path"_a,
-      "All shapes of a file (.poly, .wkt, .geojson, .svg, nesting .json), or the one of \"f.json#name\". Raises Error "
-      "with file "
-      "and line.");
+      "All shapes of a file (.poly, .wkt, .geojson, .svg, .dxf, nesting .json), or the one of \"f.json#name\". Raises "
+      "Error with file and line.");
   m.def(
       "parse_shapes",
       [](const std::string& text, RegionFormat format, const std::string& name) {
@@ -47,6 +50,9 @@ void bind_region_writers(nb::module_& m) {
   m.def(
       "write_file", [](const std::string& path, const std::string& text) { take(write_file(path, text)); }, "path"_a,
       "text"_a, "Replaces a file as a whole. Raises Error: cannot_write.");
+  m.def(
+      "check_writable", [](const std::string& path) { take(check_writable(path)); }, "path"_a,
+      "Raises the Error cannot_write that write_file would, as far as can be told without writing.");
   m.def("written_path", &written_path, "path"_a);
   m.def(
       "draw_region", [](const RegionArgument& region) { return draw_region(*region); }, "region"_a,

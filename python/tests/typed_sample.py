@@ -28,6 +28,10 @@ found = dymsum.plan(CspaceObstacle(gear, gear), (9, 9, 0), (10, 10, 1))
 if found.reason is not None:
     text: str = found.reason.text
 
+table = dymsum.NfpTable(dymsum.TableInput([dymsum.TableItem("gear", gear, [0, Fraction(45, 2)])]))
+answer: dymsum.TableAnswer | None = dymsum.compute_table(table, dymsum.TableOptions(threads=2)).answers[0]
+wkb: bytes = answer.wkb if answer else b""
+
 dymsum.nfp(gear, 5)  # wrong
 volume: str = dymsum.volume(solids.box(0, 0, 0, 1, 1, 1))  # wrong
 SumOptions(engine="fast")  # wrong
