@@ -49,7 +49,7 @@ struct SumOptions {
 };
 
 /// A segment of the convolution: an edge of one operand added to a vertex of the other, by their indices in the
-/// regions.
+/// regions. Edges in a row on one line, collinear vertices between them, are one edge, named by the first of them.
 struct Contact {
   enum class Kind : std::uint8_t {
     edge_of_p,  ///< edge p of P + vertex q of Q

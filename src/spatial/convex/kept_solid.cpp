@@ -70,6 +70,9 @@ void KeptSolid::add_crossings(const Overlay& overlay) {
     room_.push_back(0);
     allot(static_cast<std::uint32_t>(solid_.facets.size() - 1), 4);
   }
+  before_.reserve(slot_.capacity());
+  now_.reserve(slot_.capacity());
+  vacant_.reserve(slot_.capacity());
 }
 
 KeptSolid::Edges KeptSolid::edges_now(const Overlay& overlay, std::uint32_t id) {
@@ -105,6 +108,10 @@ void KeptSolid::keep_slots(const Overlay& overlay) {
     ++was;
   }
   for (; was != before_.end(); ++was) vacant_.push_back(was->at);
+  // In order, so that most keep theirs.
+  std::sort(vacant_.begin(), vacant_.end());
+  std::sort(now_.begin(), now_.begin() + static_cast<std::ptrdiff_t>(others),
+            [](const Moved& a, const Moved& b) { return a.at < b.at; });
   for (std::size_t k = 0; k < others; ++k) slot_[now_[k].at] = vacant_[k];
 }
 

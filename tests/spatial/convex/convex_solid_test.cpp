@@ -162,8 +162,10 @@ TEST(ConvexSolid, facets_keep_their_indices_when_all_is_made_anew) {
         const ConvexSolid& now = moving.solid();
         EXPECT_TRUE(now.changes.facets.empty()) << where;
         EXPECT_TRUE(now.changes.vertices_appeared.empty() && now.changes.vertices_disappeared.empty()) << where;
-        EXPECT_TRUE(!now.changes.moved && now.changes.triangles.empty()) << where;
-        EXPECT_TRUE(now.facets == before.facets && now.vertices == before.vertices && now.at == before.at) << where;
+        EXPECT_FALSE(now.changes.moved) << where;
+        // There may be more room for facets to come.
+        EXPECT_TRUE(std::equal(before.facets.begin(), before.facets.end(), now.facets.begin())) << where;
+        EXPECT_TRUE(now.vertices == before.vertices && now.at == before.at) << where;
         expect_same_solid(now, moving.sum(), where);
       };
       moving.rebuild();
