@@ -125,7 +125,7 @@ class CspaceObstacle {
   /// overlap where they meet the interior of the other one. Contacts name the vertices and edges of walked rings: those
   /// of the parts, then every polyline there and back, a ring of 2 (n - 1) for n vertices, then points; cspace_slice
   /// names both sides of a polyline by its edge. Errors: unsupported_operand for polylines or points in both, as two
-  /// pieces without area never overlap; for empty regions, coordinates beyond 2^400, operands wider than 2^800 of their
+  /// pieces without area never overlap; for empty regions, coordinates beyond 2^400, operands wider than 2^920 of their
   /// finest steps; for a polyline that runs along another one, itself or an edge of a part; for polylines and points in
   /// one where rings of the other touch, as these may be held there without clearance at a range of angles, unless they
   /// are one point, or one segment that cannot pass between the rings; cancelled.

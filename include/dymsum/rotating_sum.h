@@ -22,7 +22,7 @@ struct RotatingInternals;
 class RotatingSum {
  public:
   /// R(theta) P (+) Q at theta = 0. General regions; polylines and points make every frame a rebuild. Errors:
-  /// unsupported_operand for coordinates beyond 2^1000, operands wider than 2^800 of their finest steps;
+  /// unsupported_operand for coordinates beyond 2^1000, operands wider than 2^920 of their finest steps;
   /// out_of_range for the options; cancelled.
   static Result<RotatingSum> create(const Region& p, const Region& q, const MovingOptions& options = {});
   RotatingSum(RotatingSum&&) noexcept;

@@ -40,7 +40,7 @@ enum class EventChange : std::uint8_t {
 class ScalingSum {
  public:
   /// P (+) Q with one operand to be scaled, at s = 1. General regions; polylines and points make every frame a rebuild.
-  /// Errors: unsupported_operand for coordinates beyond 2^1000 and operands wider than 2^800 of their steps;
+  /// Errors: unsupported_operand for coordinates beyond 2^1000 and operands wider than 2^920 of their steps;
   /// out_of_range for the options; cancelled.
   static Result<ScalingSum> create(const Region& p, const Region& q, const MovingOptions& options = {});
 

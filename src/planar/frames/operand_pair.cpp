@@ -10,7 +10,7 @@ namespace {
 // The vertex that needs the finest grid.
 Error too_far_apart(const Lattice& lattice) {
   Error error{ErrorCode::unsupported_operand,
-              "sums that move need operands that reach less than 2^800 times as far as the finest step of their "
+              "sums that move need operands that reach less than 2^920 times as far as the finest step of their "
               "coordinates; this one takes steps of 2^" +
                   std::to_string(lattice.grid_exponent),
               {}};

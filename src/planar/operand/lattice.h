@@ -96,7 +96,7 @@ struct PlacedPoints {
 };
 
 /// Beyond so many bits of the unscaled integers no unit keeps all doubles moderate: see Lattice::wide.
-inline constexpr int kNarrowBits = 2 * PlacedPoints::kModerateBits;
+inline constexpr int kNarrowBits = 920;
 
 /// A rounded component of a vector whose exact one has the sign of `gap`: one that underflowed is the smallest number
 /// of that sign, so that signs and zeros of components are those of the exact ones.

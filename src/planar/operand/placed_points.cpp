@@ -60,8 +60,8 @@ void place_in_units(PlacedPoints& points, int unit) { place_below(points, unit, 
 int unit_for(double extent, int exponent, int bits) {
   if (bits <= 61) return std::max(exponent, -1000);
   const int below_extent = std::ilogb(extent) - 60;
-  // Moderate: the grid is at least 2^-400 units then, and the extent at most 2^400.
-  const int unit = bits <= kNarrowBits ? std::min(below_extent, exponent + PlacedPoints::kModerateBits) : below_extent;
+  // The grid is at least 2^-460 units then, and the extent at most 2^460: products stay far from both ends.
+  const int unit = bits <= kNarrowBits ? std::min(below_extent, exponent + kNarrowBits / 2) : below_extent;
   return std::max(unit, -1000);
 }
 
