@@ -58,11 +58,7 @@ void place_below(PlacedPoints& points, int unit, Point high) {
 void place_in_units(PlacedPoints& points, int unit) { place_below(points, unit, corners_of(points.input).high); }
 
 int unit_for(double extent, int exponent, int bits) {
-  if (bits <= 61) return std::max(exponent, -1000);
-  const int below_extent = std::ilogb(extent) - 60;
-  // The grid is at least 2^-460 units then, and the extent at most 2^460: products stay far from both ends.
-  const int unit = bits <= kNarrowBits ? std::min(below_extent, exponent + kNarrowBits / 2) : below_extent;
-  return std::max(unit, -1000);
+  return bits <= 61 ? std::max(exponent, -1000) : std::max(std::ilogb(extent) - 60, -1000);
 }
 
 std::shared_ptr<const PlacedPoints> place_points(std::vector<Point> input) {
