@@ -201,7 +201,7 @@ def instances(options: argparse.Namespace) -> list[Instance]:
     if options.instance:
         return [Instance(os.path.basename(path), path, options.copies) for path in options.instance]
     data = os.path.join(os.environ.get("DYMSUM_DATA", "../shared/data"), "nesting", "swim.json")
-    known = [Instance("swim.json", os.path.abspath(data), 8)] if os.path.exists(data) else []
+    known = [Instance("swim.json", os.path.abspath(data), 6)] if os.path.exists(data) else []
     return [*known, Instance("Random polygons of 100 to 199 vertices", "", 2)]
 
 
@@ -215,11 +215,15 @@ def main() -> None:
     parser.add_argument("--runs", type=int, default=3)
     parser.add_argument("--results", help="a folder: write clusters.md there")
     options = parser.parse_args()
-    page = PAGE + "\n".join(section(instance, options) for instance in instances(options))
-    print(page)
+    page = PAGE
+    print(page, flush=True)
+    for instance in instances(options):
+        text = section(instance, options)
+        print(text, flush=True)
+        page += text + "\n"
     if options.results:
         with open(os.path.join(options.results, "clusters.md"), "w") as file:
-            file.write(page)
+            file.write(page.rstrip("\n") + "\n")
 
 
 if __name__ == "__main__":
