@@ -167,7 +167,7 @@ void bind_rotating(nb::module_& m) {
 
 >>> from dymsum import Orientation, RotatingSum, shapes
 >>> sum = RotatingSum(shapes.letter_l(3, 2, 1), shapes.disc(8, 0.5))
->>> changes = sum.set(Orientation.nearest(0.1))
+>>> changes = sum.set(Orientation.nearest(0.01))
 >>> sum.sum().vertex_count(), sum.work().rebuilt
 (16, False)
 )doc");
