@@ -200,6 +200,8 @@ else, and by the processor time of the busiest worker, which leaves out waiting 
 What is **simulated** is list scheduling of task times that were recorded on this machine: nothing is known there of
 networks, of folders that machines share, or of memory that cores share. Recorded times are processor time.
 
+Other work on the machine as this was written (load average): {os.getloadavg()[1]:.1f}; by the clock, figures are sound near 0 alone.
+
 - *Static*: one shard for each worker, all begun at once. *Dynamic*: {SHARDS_PER_WORKER} for each, the next one for whoever is idle.
 - *With planning and reading*: a shard reads what the store holds as it begins; every worker plans the table once, and in
   the end one process plans it and reads the store to merge. The single process does not have to.
