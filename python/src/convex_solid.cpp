@@ -18,7 +18,8 @@ void bind_solid_changes(nb::module_& m) {
   nb::enum_<FacetChange::Kind>(change, "Kind", "What happened to a facet.")
       .value("appeared", FacetChange::Kind::appeared)
       .value("disappeared", FacetChange::Kind::disappeared)
-      .value("reshaped", FacetChange::Kind::reshaped);
+      .value("reshaped", FacetChange::Kind::reshaped)
+      .value("turned", FacetChange::Kind::turned);
   change.field("kind", &FacetChange::kind)
       .field("facet", &FacetChange::facet)
       .field("vertices_appeared", &FacetChange::vertices_appeared)
