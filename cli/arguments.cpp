@@ -26,16 +26,37 @@ void refuse_repeated(const CLI::Option& outputs) {
       throw Stop(kUsage, "-o " + output + " is given twice: one result would replace the other");
 }
 
+/// FILE of FILE#NAME, unless there is a file of that very name.
+std::string file_of(const std::string& operand) {
+  std::error_code unknown;
+  return std::filesystem::exists(operand, unknown) ? operand : operand.substr(0, operand.rfind('#'));
+}
+
+bool is_output(const CLI::Option& option) { return option.check_name("-o") || option.check_name("OUT"); }
+
+void refuse_replaced_input(const CLI::App& verb, const std::string& output) {
+  std::error_code unknown;
+  const std::filesystem::path place = written_path(output);
+  if (!std::filesystem::is_regular_file(place, unknown)) return;
+  for (const CLI::Option* option : verb.get_options()) {
+    if (is_output(*option)) continue;
+    for (const std::string& value : option->results())
+      if (std::filesystem::equivalent(file_of(value), place, unknown))
+        throw Stop(kUsage, "the output " + output + " is the file that " + value + " is read from, and would replace it");
+  }
+}
+
 }  // namespace
 
 void check_arguments(const CLI::App& verb) {
   bool input_taken = false;
   for (const CLI::Option* option : verb.get_options()) {
-    const bool output = option->check_name("-o") || option->check_name("OUT");
+    const bool output = is_output(*option);
     if (option->check_name("-o")) refuse_repeated(*option);
     for (const std::string& value : option->results()) {
       if (value.empty()) throw Stop(kUsage, option->get_name() + " is given as an empty text");
       if (output) require(check_writable(value));
+      if (output) refuse_replaced_input(verb, value);
       if (output || value != "-") continue;
       if (input_taken) throw Stop(kUsage, "standard input can be only one of the operands and files that are read");
       input_taken = true;

@@ -143,6 +143,11 @@ Result<TableStore> TableStore::open(const StorePlace& place, bool writable, cons
   if (!files) return files.error();
   for (const fs::path& file : *files) {
     const bool own = store.own_ && fs::path(store.own_->path()) == file;
+    // A pipe or a device may never end.
+    if (std::error_code unknown; !own && !fs::is_regular_file(file, unknown)) {
+      store.refused_.push_back({file.string(), "it is not a regular file"});
+      continue;
+    }
     const Result<std::string> bytes = own ? store.own_->read() : io::read_file(file.string());
     if (!bytes) return bytes.error();
     const Scan scan = reader.scan(*bytes);

@@ -178,7 +178,7 @@ TEST_F(NfpTables, WrongInstancesAreTold) {
 }
 
 TEST_F(NfpTables, WrongUsage) {
-  all_refused({"dymsum nfp-table small.json -o rows.txt", "dymsum nfp-table small.json --shard 1/2",
+  all_refused({"dymsum nfp-table small.json -o rows.txt", "dymsum nfp-table small.json -o small.json", "dymsum nfp-table small.json --shard 1/2",
                "dymsum nfp-table small.json --merge", "dymsum nfp-table small.json --shard 0/2 --cache c",
                "dymsum nfp-table small.json --shard 3/2 --cache c", "dymsum nfp-table small.json --shard 1 --cache c",
                "dymsum nfp-table small.json --shard 1/2 --cache c -o rows.jsonl",

@@ -129,6 +129,52 @@ TEST(ReadDxf, what_is_not_drawn_is_not_read) {
   EXPECT_EQ(read_one("0\nSECTION\n2\nBLOCKS\n0\nCIRCLE\n0\nENDSEC\n0\nEOF\n", RegionFormat::dxf), RegionData{});
 }
 
+std::string layers(const std::string& table) {
+  return "0\nSECTION\n2\nTABLES\n0\nTABLE\n2\nLAYER\n70\n1\n" + table + "0\nENDTAB\n0\nENDSEC\n";
+}
+
+TEST(ReadDxf, hidden_layers_are_not_read) {
+  const std::string entities =
+      "0\nSECTION\n2\nENTITIES\n0\nSPLINE\n8\nHid\n0\nPOLYLINE\n8\nhid\n70\n64\n0\nVERTEX\n10\n0\n0\nSEQEND\n"
+      "0\nPOINT\n8\nseen\n10\n1\n20\n2\n0\nENDSEC\n0\nEOF\n";
+  for (const std::string hidden : {"62\n-7\n70\n0\n", "70\n65\n62\n7\n"})
+    EXPECT_EQ(read_one(layers("0\nLAYER\n2\nhiD\n" + hidden + "0\nLAYER\n2\nseen\n70\n64\n62\n3\n") + entities,
+                       RegionFormat::dxf),
+              (RegionData{{}, {}, {{1, 2}}}));
+  expect_refused(layers("0\nLAYER\n2\nhid\n62\n7\n70\n2\n") + entities, RegionFormat::dxf, ErrorCode::malformed, 28,
+                 "'SPLINE' cannot be read");
+  const std::string nothing = layers("0\nLAYER\n2\n0\n62\n-7\n") + "0\nSECTION\n2\nENTITIES\n0\nPOINT\n10\n1\n20\n2\n";
+  EXPECT_EQ(read_one(nothing + "0\nENDSEC\n0\nEOF\n", RegionFormat::dxf), RegionData{}) << "layer 0, without a name";
+}
+
+// A file of our own that somebody drew in: nothing of it is left out, nothing open is closed.
+TEST(ReadDxf, edited_files_of_our_own_are_read_as_others) {
+  const Ring square = {{0, 0}, {2, 0}, {2, 2}, {0, 2}};
+  const auto edited = [](const std::string& more) {
+    const std::string own = format_region(Region::create({{{{{0, 0}, {2, 0}, {2, 2}, {0, 2}}, {}}}, {}, {}}).value(),
+                                          RegionFormat::dxf);
+    std::string text = own;
+    return read_one(text.insert(own.rfind("0\nENDSEC"), more), RegionFormat::dxf);
+  };
+  EXPECT_EQ(edited(""), (RegionData{{{square, {}}}, {}, {}}));
+  const RegionData holed = edited("0\nCIRCLE\n8\nouter\n10\n1\n20\n1\n40\n0.5\n");
+  ASSERT_EQ(holed.parts.size(), 1u);
+  EXPECT_EQ(holed.parts[0].holes.size(), 1u);
+  EXPECT_EQ(edited("0\nARC\n10\n9\n20\n9\n40\n1\n50\n0\n51\n90\n").polylines.size(), 1u);
+  EXPECT_EQ(edited("0\nLINE\n10\n9\n20\n9\n11\n8\n21\n8\n").polylines.size(), 1u);
+  const std::string corner = "10\n5\n20\n5\n10\n6\n20\n5\n10\n6\n20\n6\n";
+  EXPECT_EQ(edited("0\nLWPOLYLINE\n8\nouter\n70\n0\n" + corner),
+            (RegionData{{{square, {}}}, {{{5, 5}, {6, 5}, {6, 6}}}, {}}));
+  EXPECT_EQ(edited("0\nLWPOLYLINE\n8\nline\n70\n1\n" + corner).parts.size(), 2u);
+  EXPECT_EQ(edited("0\nLWPOLYLINE\n8\n0\n70\n1\n" + corner).parts.size(), 2u);
+  EXPECT_EQ(edited("0\nPOINT\n8\nouter\n10\n9\n20\n9\n").points.size(), 1u);
+}
+
+TEST(ReadDxf, lines_without_length_draw_nothing) {
+  EXPECT_EQ(drawn(line("1", "0", "1", "0") + line("0", "0", "1", "0")).polylines,
+            (std::vector<Polyline>{{{0, 0}, {1, 0}}}));
+}
+
 TEST(ReadDxf, texts_as_programs_write_them) {
   std::string text = drawing(line(" 0.0", "0.0 ", "1e0", "+1"));
   std::string dos;

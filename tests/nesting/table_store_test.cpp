@@ -147,6 +147,18 @@ TEST(TableStore, foreign_files_are_told_and_left_alone) {
   EXPECT_EQ(text_of(table, result), plain_text());
 }
 
+TEST(TableStore, only_regular_files_are_read) {
+  const Folder folder("irregular");
+  const NfpTable table = store_table();
+  const fs::path store = folder / "x";
+  fs::create_directories(store / "folder.nfpt");
+  fs::create_symlink("/dev/zero", store / "endless.nfpt");
+  fs::create_symlink("nowhere", store / "dangling.nfpt");
+  const TableResult result = run(table, folder / "x");
+  EXPECT_EQ(result.work.refused_files.size(), 3u);
+  EXPECT_EQ(text_of(table, result), plain_text());
+}
+
 TEST(TableStore, a_file_that_somebody_else_writes_to_is_not_shared) {
   const Folder folder("locked");
   const NfpTable table = store_table();

@@ -58,7 +58,8 @@ const DxfGroup* DxfEntity::find(int code) const {
   return found == last ? nullptr : found;
 }
 
-std::vector<DxfEntity> dxf_entities(const Source& source, const std::vector<DxfGroup>& groups) {
+std::vector<DxfEntity> dxf_entities(const Source& source, const std::vector<DxfGroup>& groups,
+                                    std::string_view name) {
   std::vector<DxfEntity> entities;
   const DxfGroup* const end = groups.data() + groups.size();
   const DxfGroup* section = nullptr;
@@ -68,7 +69,7 @@ std::vector<DxfEntity> dxf_entities(const Source& source, const std::vector<DxfG
     if (at->code == 0 && at->value == "SECTION") {
       if (section != nullptr) source.fail(ErrorCode::malformed, "a section inside another one", at->offset);
       section = at;
-      wanted = at + 1 != end && (at + 1)->code == 2 && (at + 1)->value == "ENTITIES";
+      wanted = at + 1 != end && (at + 1)->code == 2 && (at + 1)->value == name;
     } else if (at->code == 0 && at->value == "ENDSEC") {
       section = nullptr;
       wanted = false;

@@ -33,8 +33,8 @@ struct DxfEntity {
   const DxfGroup* find(int code) const;
 };
 
-/// Those of the section ENTITIES, in their order. Errors: malformed, for sections that do not end.
-std::vector<DxfEntity> dxf_entities(const Source& source, const std::vector<DxfGroup>& groups);
+/// Those of the section with that name, in their order. Errors: malformed, for sections that do not end.
+std::vector<DxfEntity> dxf_entities(const Source& source, const std::vector<DxfGroup>& groups, std::string_view name);
 
 /// The finite number, or the whole number, of a group. Errors: malformed, not_finite.
 double dxf_number(const Source& source, const DxfGroup& group);

@@ -11,6 +11,7 @@
 #include "io/region/dxf_arc.h"
 #include "io/region/dxf_chains.h"
 #include "io/region/dxf_groups.h"
+#include "io/region/dxf_layers.h"
 #include "io/region/dxf_words.h"
 #include "io/region/readers.h"
 #include "io/region/ring_order.h"
@@ -30,8 +31,10 @@ class DxfReader {
 
   RegionData read() {
     const std::vector<DxfGroup> groups = dxf_groups(source_);
-    own_ = !groups.empty() && groups.front().code == 999 && groups.front().value == kDxfOwn;
-    for (const DxfEntity& entity : dxf_entities(source_, groups)) take(entity);
+    const std::vector<DxfEntity> entities = dxf_entities(source_, groups, "ENTITIES");
+    own_ = is_own_dxf(source_, groups, entities);
+    hidden_layers_.emplace(source_, groups);
+    for (const DxfEntity& entity : entities) take(entity);
     if (open_polyline_) fail(*open_polyline_, "the polyline is not ended by SEQEND");
     DxfChains chains = join_pieces(source_, std::move(pieces_));
     std::move(chains.rings.begin(), chains.rings.end(), std::back_inserter(rings_));
@@ -71,8 +74,10 @@ class DxfReader {
     }
   }
 
-  /// Invisible, or not in the model but on a sheet of paper.
-  bool is_hidden(const DxfEntity& entity) const { return flags(entity, 60) == 1 || flags(entity, 67) == 1; }
+  /// Invisible, on a layer that is, or not in the model but on a sheet of paper.
+  bool is_hidden(const DxfEntity& entity) const {
+    return flags(entity, 60) == 1 || flags(entity, 67) == 1 || hidden_layers_->contains(dxf_layer(entity));
+  }
 
   static bool is_annotation(std::string_view kind) {
     static constexpr std::array<std::string_view, 7> kKinds = {"TEXT",   "MTEXT",    "DIMENSION", "LEADER",
@@ -83,7 +88,7 @@ class DxfReader {
   void take(const DxfEntity& entity) {
     if (open_polyline_) return take_vertex(entity);
     if (is_annotation(entity.kind)) return;
-    if (is_hidden(entity) && entity.kind != "POLYLINE") return;
+    if (is_hidden(entity)) return take_hidden(entity);
     require_planar(entity);
     if (entity.kind == "LWPOLYLINE") take_light_polyline(entity);
     else if (entity.kind == "POLYLINE") begin_polyline(entity);
@@ -93,6 +98,11 @@ class DxfReader {
     else if (entity.kind == "POINT") data_.points.push_back(point(entity, 10));
     else if (entity.kind == "INSERT") fail(entity, "INSERT draws a block: explode blocks into their lines first");
     else fail(entity, in_quotes(entity.kind) + " cannot be read: only lines, polylines, arcs, circles and points can");
+  }
+
+  /// The vertices of a hidden polyline follow it.
+  void take_hidden(const DxfEntity& entity) {
+    if (entity.kind == "POLYLINE") open_polyline_ = entity;
   }
 
   void take_light_polyline(const DxfEntity& entity) {
@@ -130,6 +140,7 @@ class DxfReader {
   }
 
   void take_vertex(const DxfEntity& entity) {
+    if (entity.kind == "VERTEX" && is_hidden(*open_polyline_)) return;
     if (entity.kind == "VERTEX") {
       require_planar(entity);
       const DxfGroup* const bulge = entity.find(42);
@@ -159,12 +170,10 @@ class DxfReader {
 
   /// Of a file of our own: as it stands, told apart by its layer.
   void add_own(const DxfEntity& entity, std::vector<Point> chain) {
-    const DxfGroup* const layer = entity.find(8);
-    const std::string_view name = layer == nullptr ? std::string_view() : layer->value;
-    if (name == kDxfOuter) data_.parts.push_back({std::move(chain), {}});
-    else if (name == kDxfHole && !data_.parts.empty()) data_.parts.back().holes.push_back(std::move(chain));
-    else if (name == kDxfLine) data_.polylines.push_back(std::move(chain));
-    else fail(entity, "files of our own have the layers outer, hole and line, not " + in_quotes(name));
+    const std::string_view layer = dxf_layer(entity);
+    if (layer == kDxfOuter) data_.parts.push_back({std::move(chain), {}});
+    else if (layer == kDxfHole) data_.parts.back().holes.push_back(std::move(chain));
+    else data_.polylines.push_back(std::move(chain));
   }
 
   void require_finite(const DxfEntity& entity, const std::vector<Point>& chain) const {
@@ -180,7 +189,8 @@ class DxfReader {
   }
 
   void take_line(const DxfEntity& entity) {
-    pieces_.push_back({{point(entity, 10), point(entity, 11)}, 0, entity.offset});
+    const Point from = point(entity, 10), to = point(entity, 11);
+    if (from != to) pieces_.push_back({{from, to}, 0, entity.offset});  // one without length draws nothing
   }
 
   void take_arc(const DxfEntity& entity) {
@@ -200,6 +210,7 @@ class DxfReader {
 
   const Source& source_;
   bool own_ = false;
+  std::optional<DxfHiddenLayers> hidden_layers_;
   RegionData data_;
   std::vector<Ring> rings_;
   std::vector<DxfPiece> pieces_;
