@@ -20,8 +20,8 @@ struct Convex {
   ConvexSum sum;
 };
 
-Convex of_meshes(const MeshArgument& p, const MeshArgument& q, FlatFeatures flat) {
-  return {p.object, q.object, take(without_gil([&] { return ConvexSum::create(*p, *q, flat); }))};
+Convex of_meshes(const MeshArgument& p, const MeshArgument& q) {
+  return {p.object, q.object, take(without_gil([&] { return ConvexSum::create(*p, *q); }))};
 }
 
 Convex of_sum(nb::handle_t<SolidSum> p, const MeshArgument& q) {
@@ -47,24 +47,21 @@ void bind_convex_results(nb::module_& m) {
       .field("direction", &ConvexDepth::direction, "unit outward normal of the nearest facet")
       .field("p", &ConvexDepth::p)
       .field("q", &ConvexDepth::q);
-  nb::enum_<FlatFeatures>(m, "FlatFeatures", "What becomes of edges between coplanar faces.")
-      .value("merged", FlatFeatures::merged)
-      .value("kept", FlatFeatures::kept);
 }
 
 void bind_making(nb::class_<Convex>& type) {
   type.def(
           "__init__",
-          [](Convex* self, const MeshArgument& p, const MeshArgument& q, FlatFeatures flat) {
-            new (self) Convex(of_meshes(p, q, flat));
+          [](Convex* self, const MeshArgument& p, const MeshArgument& q) {
+            new (self) Convex(of_meshes(p, q));
           },
-          "p"_a, "q"_a, "flat"_a = FlatFeatures::merged,
+          "p"_a, "q"_a,
           "At the identity. Raises Error: not_convex, no_area, unsupported_operand.")
       .def(
           "__init__",
           [](Convex* self, nb::handle_t<SolidSum> p, const MeshArgument& q) { new (self) Convex(of_sum(p, q)); }, "p"_a,
           "q"_a, "Of a sum and one more solid.")
-      .def_static("create", &of_meshes, "p"_a, "q"_a, "flat"_a = FlatFeatures::merged)
+      .def_static("create", &of_meshes, "p"_a, "q"_a)
       .def_static("create", &of_sum, "p"_a, "q"_a)
       .def("__copy__", [](const Convex& self) { return Convex(self); })
       .def("__reduce__", [](nb::handle_t<Convex> self) {
