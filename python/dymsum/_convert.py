@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import json
+import math
 from collections.abc import Mapping, Sequence
 from typing import TYPE_CHECKING, Any, Protocol, Union
 
@@ -74,8 +75,55 @@ def kind(value: Any) -> str:
     return "region" if 2 <= _depth(value) <= 4 else ""
 
 
+def _is_masked(value: Any) -> bool:
+    return isinstance(value, numpy.ma.MaskedArray) or (
+        isinstance(value, (list, tuple)) and numpy.ma.MaskedArray in set(map(type, value))
+    )
+
+
+_NO_NUMBERS = (str, bytes, complex, numpy.complexfloating, numpy.datetime64, numpy.timedelta64)
+
+
+def _same_double(item: Any) -> float:
+    """The number as a double, which it has to be exactly."""
+    if isinstance(item, _NO_NUMBERS):
+        raise TypeError(f"no number: {item!r}")
+    try:
+        number = float(item)
+    except OverflowError:
+        number = math.inf
+    if item == number or number != number:
+        return number
+    raise _core_error(f"no double holds the coordinate {item!s:.60}")
+
+
+def _core_error(message: str) -> Exception:
+    from ._errors import Error  # it needs the compiled part, which imports this module late
+
+    return Error(_core.ErrorCode.unsupported_operand, message)
+
+
+def doubles(value: Any) -> numpy.typing.NDArray[numpy.float64]:
+    """The numbers of a value as a contiguous array of doubles. None is rounded: an error where one would have to be."""
+    if _is_masked(value):
+        raise TypeError("a masked array: fill or compress it first")
+    array = numpy.asarray(value)
+    if array.dtype.kind not in "biufO":
+        raise TypeError(f"no numbers but {array.dtype}")
+    if array.dtype == numpy.float64:
+        # Integers of lists were rounded here, those beyond 2^53 perhaps.
+        if array is value or isinstance(value, numpy.ndarray) or not (numpy.abs(array) >= 2**53).any():
+            return numpy.ascontiguousarray(array)
+        array = numpy.asarray(value, dtype=object)
+    if array.dtype.kind == "b" or array.dtype.itemsize < 8:
+        return numpy.ascontiguousarray(array, dtype=numpy.float64)
+    if array.dtype.kind in "iu" and (array.size == 0 or (array.max() <= 2**53 and array.min() >= -(2**53))):
+        return numpy.ascontiguousarray(array, dtype=numpy.float64)
+    return numpy.array([_same_double(item) for item in array.astype(object).ravel()], float).reshape(array.shape)
+
+
 def _rows(ring: Any, columns: int = 2) -> numpy.typing.NDArray[numpy.float64]:
-    rows = numpy.ascontiguousarray(ring, dtype=numpy.float64)
+    rows = doubles(ring)
     if rows.size == 0:
         return rows.reshape(0, columns)
     if rows.ndim != 2 or rows.shape[1] != columns:
