@@ -42,7 +42,8 @@ void refuse_replaced_input(const CLI::App& verb, const std::string& output) {
     if (is_output(*option)) continue;
     for (const std::string& value : option->results())
       if (std::filesystem::equivalent(file_of(value), place, unknown))
-        throw Stop(kUsage, "the output " + output + " is the file that " + value + " is read from, and would replace it");
+        throw Stop(kUsage,
+                   "the output " + output + " is the file that " + value + " is read from, and would replace it");
   }
 }
 

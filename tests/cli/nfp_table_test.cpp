@@ -178,9 +178,10 @@ TEST_F(NfpTables, WrongInstancesAreTold) {
 }
 
 TEST_F(NfpTables, WrongUsage) {
-  all_refused({"dymsum nfp-table small.json -o rows.txt", "dymsum nfp-table small.json -o small.json", "dymsum nfp-table small.json --shard 1/2",
-               "dymsum nfp-table small.json --merge", "dymsum nfp-table small.json --shard 0/2 --cache c",
-               "dymsum nfp-table small.json --shard 3/2 --cache c", "dymsum nfp-table small.json --shard 1 --cache c",
+  all_refused({"dymsum nfp-table small.json -o rows.txt", "dymsum nfp-table small.json -o small.json",
+               "dymsum nfp-table small.json --shard 1/2", "dymsum nfp-table small.json --merge",
+               "dymsum nfp-table small.json --shard 0/2 --cache c", "dymsum nfp-table small.json --shard 3/2 --cache c",
+               "dymsum nfp-table small.json --shard 1 --cache c",
                "dymsum nfp-table small.json --shard 1/2 --cache c -o rows.jsonl",
                "dymsum nfp-table small.json --orientations 0", "dymsum nfp-table small.json --orientations 0deg,,9deg",
                "dymsum nfp-table small.json --orientations 0.5,1", "dymsum nfp-table small.json --error 0",

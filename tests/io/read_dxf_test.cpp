@@ -151,8 +151,8 @@ TEST(ReadDxf, hidden_layers_are_not_read) {
 TEST(ReadDxf, edited_files_of_our_own_are_read_as_others) {
   const Ring square = {{0, 0}, {2, 0}, {2, 2}, {0, 2}};
   const auto edited = [](const std::string& more) {
-    const std::string own = format_region(Region::create({{{{{0, 0}, {2, 0}, {2, 2}, {0, 2}}, {}}}, {}, {}}).value(),
-                                          RegionFormat::dxf);
+    const std::string own =
+        format_region(Region::create({{{{{0, 0}, {2, 0}, {2, 2}, {0, 2}}, {}}}, {}, {}}).value(), RegionFormat::dxf);
     std::string text = own;
     return read_one(text.insert(own.rfind("0\nENDSEC"), more), RegionFormat::dxf);
   };

@@ -58,8 +58,7 @@ const DxfGroup* DxfEntity::find(int code) const {
   return found == last ? nullptr : found;
 }
 
-std::vector<DxfEntity> dxf_entities(const Source& source, const std::vector<DxfGroup>& groups,
-                                    std::string_view name) {
+std::vector<DxfEntity> dxf_entities(const Source& source, const std::vector<DxfGroup>& groups, std::string_view name) {
   std::vector<DxfEntity> entities;
   const DxfGroup* const end = groups.data() + groups.size();
   const DxfGroup* section = nullptr;
