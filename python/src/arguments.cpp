@@ -34,9 +34,13 @@ bool is_like(nb::handle object, std::string_view kind) noexcept {
 nb::object converted(nb::handle object, const char* maker) { return converter(maker)(object); }
 
 nb::object contiguous(nb::handle object) {
-  static const nb::handle kFunction = function_of("numpy", "ascontiguousarray");
-  static const nb::handle kDouble = function_of("numpy", "float64");
-  return kFunction(object, kDouble);
+  static const nb::handle kFunction = function_of("dymsum._convert", "doubles");
+  return kFunction(object);
+}
+
+bool is_masked(nb::handle object) {
+  static const nb::handle kMasked = function_of("numpy.ma", "MaskedArray");
+  return nb::isinstance(object, kMasked);
 }
 
 }  // namespace dymsum::python

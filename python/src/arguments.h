@@ -76,8 +76,10 @@ bool each_item(nb::handle object, Read&& read) noexcept {
   return true;
 }
 
-/// numpy.ascontiguousarray(object, float64); raises what numpy does.
+/// A contiguous array of the doubles that the object holds; raises where one would have to be rounded.
 nb::object contiguous(nb::handle object);
+/// Whether it is an array of numpy that hides some of its items.
+bool is_masked(nb::handle object);
 
 /// A numpy array of T; truth values are bool.
 template <class T>
@@ -245,7 +247,7 @@ struct type_caster<dymsum::python::Rows<K>> {
   using Array = ndarray<const double, shape<-1, static_cast<ssize_t>(K)>, c_contig, device::cpu>;
   bool from_python(handle src, uint32_t flags, cleanup_list*) noexcept {
     try {
-      if (take(src)) return true;
+      if (!dymsum::python::is_masked(src) && take(src)) return true;
       if (!(flags & cast_flags::convert)) return false;
       const object array = dymsum::python::contiguous(src);
       if (len(array) == 0) {  // of an empty list numpy tells no columns

@@ -14,23 +14,50 @@ namespace {
 
 using namespace nb::literals;
 
+[[noreturn]] void raise_index(std::size_t face, const char* message) {
+  Evidence evidence;
+  evidence.face = static_cast<std::int64_t>(face);
+  throw ErrorRaised({ErrorCode::bad_index, message, evidence});
+}
+
+std::uint32_t index_of(std::int64_t index, std::size_t face) {
+  if (index < 0 || index > 0xffffffff) raise_index(face, "a face names a vertex that does not exist");
+  return static_cast<std::uint32_t>(index);
+}
+
+std::uint32_t index_of(nb::handle item, std::size_t face) {
+  if (!PyIndex_Check(item.ptr())) raise_index(face, "an index of a face is no integer");
+  const nb::object number = nb::steal(PyNumber_Index(item.ptr()));
+  if (!number.is_valid()) throw nb::python_error();
+  int far = 0;
+  const long long index = PyLong_AsLongLongAndOverflow(number.ptr(), &far);
+  return index_of(far ? -1 : static_cast<std::int64_t>(index), face);
+}
+
+std::vector<Face> faces_of_lists(nb::handle faces) {
+  std::vector<Face> all;
+  for (nb::handle face : nb::list(faces)) {
+    if (PyUnicode_Check(face.ptr())) throw nb::type_error("a face is a sequence of indices, and no text");
+    Face& to = all.emplace_back();
+    for (nb::handle item : nb::list(face)) to.push_back(index_of(item, all.size() - 1));
+  }
+  return all;
+}
+
 /// Faces of one size from an array of shape (n, k), or a list of lists of indices.
 std::vector<Face> faces_of(nb::handle faces) {
+  nb::ndarray<nb::ro, nb::device::cpu> any;
   nb::ndarray<const std::int64_t, nb::ndim<2>, nb::device::cpu> array;
-  const bool is_array = nb::ndarray_check(faces) && nb::try_cast(faces, array, true);
-  if (!is_array) return nb::cast<std::vector<Face>>(nb::list(faces));
+  const bool is_array = nb::ndarray_check(faces) && nb::try_cast(faces, any, false) && nb::try_cast(faces, array, true);
+  if (!is_array) return faces_of_lists(faces);
+  const auto code = static_cast<nb::dlpack::dtype_code>(any.dtype().code);
+  if (any.size() && code != nb::dlpack::dtype_code::Int && code != nb::dlpack::dtype_code::UInt) {
+    raise_index(0, "an index of a face is no integer");
+  }
   const auto at = array.view();
   std::vector<Face> all(array.shape(0), Face(array.shape(1)));
   for (std::size_t f = 0; f < array.shape(0); ++f) {
-    for (std::size_t k = 0; k < array.shape(1); ++k) {
-      const std::int64_t index = at(f, k);
-      if (index < 0 || index > 0xffffffff) {
-        Evidence evidence;
-        evidence.face = static_cast<std::int64_t>(f);
-        throw ErrorRaised({ErrorCode::bad_index, "a face names a vertex that does not exist", evidence});
-      }
-      all[f][k] = static_cast<std::uint32_t>(index);
-    }
+    for (std::size_t k = 0; k < array.shape(1); ++k) all[f][k] = index_of(at(f, k), f);
   }
   return all;
 }
@@ -57,8 +84,8 @@ Points3View vertices_view(nb::handle_t<T> self, const std::vector<Point3>& verti
 }
 
 void bind_mesh_data(nb::module_& m) {
-  nb::class_<MeshData>(m, "MeshData", "The plain lists that a mesh is made from, not yet validated.")
-      .def(
+  nb::class_<MeshData> data(m, "MeshData", "The plain lists that a mesh is made from, not yet validated.");
+  data.def(
           "__init__",
           [](MeshData* self, const Rows<3>& vertices, const nb::object& faces) {
             new (self) MeshData(mesh_data_of(vertices, faces));
@@ -79,6 +106,7 @@ void bind_mesh_data(nb::module_& m) {
       .def("__reduce__", [](nb::handle_t<MeshData> self) {
         return nb::make_tuple(self.type(), nb::make_tuple(self.attr("vertices"), self.attr("faces")));
       });
+  data.attr("__hash__") = nb::none();
 }
 
 void bind_mesh_reading(nb::class_<Mesh>& mesh) {

@@ -82,6 +82,53 @@ unsupported_operand when P has polylines or points, or Q is empty; cancelled.
       "p"_a, "q"_a);
 }
 
+/// The doubles that a position is; TypeError where there are none.
+Point doubles_of(const RationalPoint& z) {
+  const Point at{z.x.to_double(), z.y.to_double()};
+  const Result<Rational> x = Rational::of(at.x), y = Rational::of(at.y);
+  if (x && y && *x == z.x && *y == z.y) return at;
+  throw nb::type_error(
+      "no double holds a position, and contains in the plane takes doubles; at exact positions ask "
+      "check_translation(negated(q), p, z, z, Orientation(), touch).free");
+}
+
+template <class PositionOf>
+auto contains_at(const Region& p, const Region& q, std::size_t count, const PositionOf& position_of,
+                 Semantics semantics, int threads, const Progress& progress) {
+  std::vector<std::uint8_t> inside(count);
+  Watch watch(progress);
+  const bool done = without_gil([&] {
+    return for_each_item(count, 64, threads, watch.progress(),
+                         [&](std::size_t i) { inside[i] = contains(p, q, position_of(i), semantics); });
+  });
+  watch.raise();
+  if (!done) throw ErrorRaised({ErrorCode::cancelled, "stopped on request", {}});
+  return truths_of(std::move(inside));
+}
+
+/// At positions given by exact numbers, which have to be doubles.
+void bind_exact_positions(nb::module_& m) {
+  m.def(
+      "contains",
+      [](const RegionArgument& p, const RegionArgument& q, const RationalPoint& z, Semantics semantics) {
+        return contains(*p, *q, doubles_of(z), semantics);
+      },
+      "p"_a, "q"_a, "z"_a, "semantics"_a = Semantics::closed,
+      "The same for exact numbers. Raises TypeError where no double holds the position: check_translation answers "
+      "there.");
+  m.def(
+      "contains_each",
+      [](const RegionArgument& p, const RegionArgument& q, const std::vector<RationalPoint>& positions,
+         Semantics semantics, int threads, const Progress& progress) {
+        std::vector<Point> at;
+        for (const RationalPoint& z : positions) at.push_back(doubles_of(z));
+        return contains_at(
+            *p, *q, at.size(), [&](std::size_t i) { return at[i]; }, semantics, threads, progress);
+      },
+      "p"_a, "q"_a, "positions"_a, "semantics"_a = Semantics::closed, "threads"_a = 0, "progress"_a = nb::none(),
+      "The same for exact numbers. Raises TypeError where no double holds a position.");
+}
+
 void bind_planar_contains(nb::module_& m) {
   m.def(
       "contains",
@@ -94,17 +141,8 @@ void bind_planar_contains(nb::module_& m) {
       "contains_each",
       [](const RegionArgument& p, const RegionArgument& q, const Rows<2>& positions, Semantics semantics, int threads,
          const Progress& progress) {
-        std::vector<std::uint8_t> inside(positions.size);
-        Watch watch(progress);
-        const bool done = without_gil([&] {
-          return for_each_item(positions.size, 64, threads, watch.progress(), [&](std::size_t i) {
-            const double* at = positions.row(i);
-            inside[i] = contains(*p, *q, {at[0], at[1]}, semantics);
-          });
-        });
-        watch.raise();
-        if (!done) throw ErrorRaised({ErrorCode::cancelled, "stopped on request", {}});
-        return truths_of(std::move(inside));
+        const auto at = [&](std::size_t i) { return Point{positions.row(i)[0], positions.row(i)[1]}; };
+        return contains_at(*p, *q, positions.size, at, semantics, threads, progress);
       },
       "p"_a, "q"_a, "positions"_a, "semantics"_a = Semantics::closed, "threads"_a = 0, "progress"_a = nb::none(),
 
@@ -115,6 +153,7 @@ void bind_planar_contains(nb::module_& m) {
 >>> contains_each(square, square, [(1, 1), (2, 2), (3, 3)])
 array([ True,  True, False])
 )doc");
+  bind_exact_positions(m);
 }
 
 using Table = std::vector<std::optional<Result<PlanarSum>>>;

@@ -12,6 +12,14 @@ const RecordField* find(const std::vector<RecordField>& fields, std::string_view
   return nullptr;
 }
 
+void set_field(const RecordField& field, void* record, nb::handle value) {
+  try {
+    field.set(record, value);
+  } catch (const nb::cast_error&) {
+    throw nb::type_error(("no value for " + field.name + ": " + nb::cast<std::string>(nb::repr(value))).c_str());
+  }
+}
+
 /// Long lists, and bytes, are told by their length.
 std::string short_repr(nb::handle value) {
   constexpr std::size_t kMost = 6;
@@ -26,7 +34,7 @@ std::string short_repr(nb::handle value) {
 
 void fill_record(const std::vector<RecordField>& fields, void* record, nb::args args, nb::kwargs kwargs) {
   if (args.size() > fields.size()) throw nb::type_error("too many arguments");
-  for (std::size_t k = 0; k < args.size(); ++k) fields[k].set(record, args[k]);
+  for (std::size_t k = 0; k < args.size(); ++k) set_field(fields[k], record, args[k]);
   for (const auto& [key, value] : kwargs) {
     const auto name = nb::cast<std::string>(key);
     const RecordField* field = find(fields, name);
@@ -34,7 +42,7 @@ void fill_record(const std::vector<RecordField>& fields, void* record, nb::args 
     if (static_cast<std::size_t>(field - fields.data()) < args.size()) {
       throw nb::type_error(("two values for " + name).c_str());
     }
-    field->set(record, value);
+    set_field(*field, record, value);
   }
 }
 
@@ -49,7 +57,7 @@ nb::tuple record_state(const std::vector<RecordField>& fields, nb::handle record
 
 void restore_record(const std::vector<RecordField>& fields, void* record, nb::tuple state) {
   if (state.size() != fields.size()) throw nb::value_error("pickled by another version of dymsum");
-  for (std::size_t k = 0; k < fields.size(); ++k) fields[k].set(record, state[k]);
+  for (std::size_t k = 0; k < fields.size(); ++k) set_field(fields[k], record, state[k]);
 }
 
 std::string record_repr(const std::vector<RecordField>& fields, nb::handle record) {

@@ -16,6 +16,8 @@
 #include <type_traits>
 #include <vector>
 
+#include "arguments.h"
+#include "dymsum/progress.h"
 #include "values.h"
 
 namespace dymsum::python {
@@ -39,6 +41,8 @@ template <class M>
 M member_of(nb::handle value) {
   if constexpr (std::is_same_v<M, std::string_view>) {
     return interned(nb::cast<std::string>(value));
+  } else if constexpr (std::is_same_v<M, Scale>) {
+    return nb::cast<ScaleArgument>(value).value();
   } else {
     return nb::cast<M>(value);
   }
@@ -102,7 +106,11 @@ class Record : public nb::class_<T> {
   /// A member to be read and set.
   template <class M>
   Record& option(const char* name, M T::*member, const char* doc = "") {
-    this->def_rw(name, member, doc);
+    if constexpr (std::is_same_v<M, Progress>) {
+      this->def_rw(name, member, nb::for_setter(nb::arg("value").none()), doc);
+    } else {
+      this->def_rw(name, member, doc);
+    }
     fields_->push_back(
         {name, [member](void* self, nb::handle value) { static_cast<T*>(self)->*member = member_of<M>(value); }});
     return *this;

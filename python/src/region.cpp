@@ -49,8 +49,8 @@ const T& self_of(nb::handle self) {
 }
 
 void bind_part(nb::module_& m) {
-  nb::class_<Part>(m, "Part", "A connected piece of the plane: inside `outer`, outside every hole.")
-      .def(
+  nb::class_<Part> part(m, "Part", "A connected piece of the plane: inside `outer`, outside every hole.");
+  part.def(
           "__init__",
           [](Part* self, const Rows<2>& outer, const std::vector<Rows<2>>& holes) {
             new (self) Part(part_of(outer, holes));
@@ -72,6 +72,7 @@ void bind_part(nb::module_& m) {
       .def("__reduce__", [](nb::handle_t<Part> self) {
         return nb::make_tuple(self.type(), nb::make_tuple(self.attr("outer"), self.attr("holes")));
       });
+  part.attr("__hash__") = nb::none();
 }
 
 /// What RegionData and Region show alike.
@@ -104,6 +105,7 @@ void bind_region_data(nb::module_& m) {
   bind_lists(data, [](const RegionData& of) -> const RegionData& { return of; });
   data.def(
       "__eq__", [](const RegionData& a, const RegionData& b) { return a == b; }, nb::is_operator());
+  data.attr("__hash__") = nb::none();
   m.def("_region_data", &region_data_of);
   m.def("_region_of_lists",
         [](const std::vector<Part>& parts, const std::vector<Rows<2>>& polylines, const Rows<2>& points) {

@@ -58,6 +58,12 @@ void bind_spatial_contains(nb::module_& m) {
       },
       "p"_a, "q"_a, "z"_a, "semantics"_a = Semantics::closed);
   m.def(
+      "contains",
+      [](const MeshArgument& p, const MeshArgument& q, const RationalPoint3& z, Semantics semantics) {
+        return bool(take(without_gil([&] { return contains_each(*p, *q, std::span(&z, 1), semantics); }))[0]);
+      },
+      "p"_a, "q"_a, "z"_a, "semantics"_a = Semantics::closed, "The same for an exact position.");
+  m.def(
       "contains_each",
       [](const MeshArgument& p, const MeshArgument& q, const Rows<3>& positions, Semantics semantics) {
         std::vector<RationalPoint3> exact(positions.size);

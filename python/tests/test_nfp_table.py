@@ -6,7 +6,6 @@ import _thread
 import hashlib
 import json
 import pickle
-import threading
 from fractions import Fraction
 from pathlib import Path
 
@@ -144,11 +143,14 @@ def test_a_table_tells_how_far_it_is_and_stops() -> None:
 @pytest.mark.parametrize("threads", [1, 2])
 def test_an_interrupted_table_keeps_what_is_finished(threads: int, tmp_path: Path) -> None:
     table = large()
-    timer = threading.Timer(0.3, _thread.interrupt_main)
-    timer.start()
+
+    def interrupt(_stage: str, share: float) -> bool:
+        if share > 0.1:
+            _thread.interrupt_main()
+        return True
+
     with pytest.raises(KeyboardInterrupt):
-        compute_table(table, TableOptions(threads=threads, store=str(tmp_path)))
-    timer.join()
+        compute_table(table, TableOptions(threads=threads, store=str(tmp_path), progress=interrupt))
     found = compute_table(table, TableOptions(store=str(tmp_path), compute=False)).answers
     assert 0 < sum(answer is not None for answer in found) < len(found)
 

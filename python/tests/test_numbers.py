@@ -9,12 +9,32 @@ import numpy
 import pytest
 
 import dymsum
-from dymsum import ErrorCode
+from dymsum import ErrorCode, Scale, shapes, solids
 
 TRIANGLE = [(0, 0), (1, 0), (0, 1)]
 VERTICES = [(0, 0, 0), (1, 0, 0), (0, 1, 0), (0, 0, 1)]
 FACES = [(0, 2, 1), (0, 1, 3), (1, 2, 3), (0, 3, 2)]
 TINY = F(1, 10**40)
+
+
+def test_solids_contain_exact_positions() -> None:
+    solid = (VERTICES, FACES)
+    edge, beyond = (F(1, 3), F(1, 3), F(4, 3)), (F(1, 3), F(1, 3), F(4, 3) + TINY)
+    for p in (solid, dymsum.Mesh(solid)):
+        assert dymsum.contains_each(p, p, [edge, beyond]).tolist() == [True, False]
+        assert dymsum.contains_each(p, p, numpy.array([edge, beyond], object)).tolist() == [True, False]
+        assert dymsum.contains(p, p, edge) and not dymsum.contains(p, p, beyond)
+
+
+def test_the_plane_takes_positions_that_doubles_hold() -> None:
+    halves = [(F(1, 2), F(3, 2)), (F(1, 2), F(7, 4))]
+    assert dymsum.contains_each(TRIANGLE, TRIANGLE, halves).tolist() == [True, False]
+    assert dymsum.contains(TRIANGLE, TRIANGLE, halves[0]) and not dymsum.contains(TRIANGLE, TRIANGLE, halves[1])
+    third = (F(1, 3), F(5, 3))
+    with pytest.raises(TypeError, match="check_translation"):
+        dymsum.contains_each(TRIANGLE, TRIANGLE, [third])
+    with pytest.raises(TypeError, match="check_translation"):
+        dymsum.contains(TRIANGLE, TRIANGLE, third)
 
 
 @pytest.mark.parametrize(
@@ -24,6 +44,30 @@ def test_check_translation_tells_exact_positions_of_the_plane(at: tuple[F, F], i
     robot = dymsum.negated(TRIANGLE)
     check = dymsum.check_translation(robot, TRIANGLE, at, at, dymsum.Orientation(), dymsum.Touching.forbidden)
     assert check.free is not inside
+
+
+@pytest.mark.parametrize(
+    "faces",
+    [
+        numpy.array(FACES, float),
+        numpy.array(FACES, float) + 0.5,
+        *([bad, *FACES[1:]] for bad in [(0, 2, -1), (0, 2, 2**32 + 1), (0, 2, 2**80), (0, 2, "1"), (0.0, 2.0, 1.0)]),
+        [(0, 2, float("nan")), *FACES[1:]],
+        numpy.array([(0, 2, 2**32 + 1), *FACES[1:]]),
+    ],
+)
+def test_indices_of_faces_are_integers(faces: Any) -> None:
+    with pytest.raises(dymsum.Error) as caught:
+        dymsum.volume((VERTICES, faces))
+    assert caught.value.code == ErrorCode.bad_index
+    assert caught.value.face == 0
+
+
+def test_faces_that_are_no_lists() -> None:
+    for faces in (None, ["021", "013"], 5):
+        with pytest.raises(TypeError):
+            dymsum.MeshData(VERTICES, faces)
+    assert dymsum.volume((VERTICES, [numpy.array(face, "u1") for face in FACES])) == 1 / 6
 
 
 @pytest.mark.parametrize("x", [F(1, 3), 2**53 + 1, 10**400, numpy.longdouble(1) / 3])
@@ -46,3 +90,41 @@ def test_arrays_that_are_no_plain_numbers() -> None:
     for ring in (hidden, list(hidden), numpy.array(TRIANGLE, complex), numpy.array(TRIANGLE, "M8[D]")):
         with pytest.raises(TypeError):
             dymsum.Region(ring)
+        with pytest.raises(TypeError):
+            dymsum.Part(ring)
+
+
+def test_fields_say_what_they_refuse() -> None:
+    assert dymsum.ScaledCopy(F(3, 2), (1, 1)).scale == Scale(1.5)
+    assert dymsum.ScaledCopy(2, (1, 1)).at == (1, 1)
+    with pytest.raises(dymsum.Error):
+        dymsum.ScaledCopy(-1)
+    for make in (
+        lambda: dymsum.ScaledCopy("x"),  # type: ignore[arg-type, unused-ignore]
+        lambda: dymsum.Contact(None),
+        lambda: dymsum.Waypoint("x", "y"),
+        lambda: dymsum.FaceColour(1),
+        lambda: dymsum.GlbLook(1),
+        lambda: dymsum.Contact(p="x"),
+    ):
+        with pytest.raises(TypeError):
+            make()
+
+
+OPTIONS = "SumOptions MovingOptions SpatialOptions PlanOptions ObstacleOptions BatchOptions ObstacleMeshOptions TableOptions"
+
+
+@pytest.mark.parametrize("name", OPTIONS.split())
+def test_progress_is_taken_back(name: str) -> None:
+    options = getattr(dymsum, name)(progress=lambda stage, share: None)
+    options.progress = None
+    assert options.progress is None
+
+
+@pytest.mark.parametrize(
+    "make", [lambda: shapes.star(5, 1, 2).data, lambda: shapes.star(5, 1, 2).parts[0], lambda: solids.box(0, 0, 0, 1, 1, 1).data]
+)
+def test_lists_are_not_hashed(make: Any) -> None:
+    assert make() == make()
+    with pytest.raises(TypeError, match="unhashable"):
+        hash(make())
