@@ -1,6 +1,7 @@
 #include "planar/obstacle_input.h"
 
 #include "dymsum/obstacle_file.h"
+#include "progress_bar.h"
 #include "solid/solid_operands.h"
 
 namespace dymsum::cli {
@@ -31,6 +32,19 @@ ObstacleSource read_source(const ObstacleInput& input) {
 CspaceObstacle obstacle_of(ObstacleSource& source, const Region& robot, const ObstacleOptions& options) {
   if (source.read) return std::move(*source.read);
   return require_of(source.inputs, CspaceObstacle::create(robot, source.inputs[1].region, options));
+}
+
+CspaceObstacle obstacle_of(ObstacleSource& source) {
+  ProgressBar bar;
+  ObstacleOptions options;
+  options.progress = bar.callback();
+  return obstacle_of(source, source.inputs[0].region, options);
+}
+
+Json report_of_answers(const std::string& verb, const ObstacleSource& source, const CspaceObstacle& obstacle,
+                       const Timing& timing) {
+  return report_head(verb, inputs_json(source.inputs), require(obstacle.slice({})).stats.tier_bits, timing,
+                     {{"obstacle", obstacle.work().ms}, {"answers", timing.median_ms}});
 }
 
 }  // namespace dymsum::cli

@@ -8,6 +8,8 @@
 
 #include "dymsum/cspace_obstacle.h"
 #include "inputs.h"
+#include "report.h"
+#include "timing.h"
 
 namespace dymsum::cli {
 
@@ -29,5 +31,10 @@ void check_obstacle_input(const std::string& verb, const ObstacleInput& input);
 ObstacleSource read_source(const ObstacleInput& input);
 /// The one that was read, which leaves the source, or that of a robot.
 CspaceObstacle obstacle_of(ObstacleSource& source, const Region& robot, const ObstacleOptions& options);
+/// That of the source's robot, behind a progress bar.
+CspaceObstacle obstacle_of(ObstacleSource& source);
+/// The head of a report of answers from an obstacle.
+Json report_of_answers(const std::string& verb, const ObstacleSource& source, const CspaceObstacle& obstacle,
+                       const Timing& timing);
 
 }  // namespace dymsum::cli

@@ -96,12 +96,8 @@ ExitCode run_angles(const AnglesCommand& command) {
   check_obstacle_input("angles", command.source);
   const std::vector<Point> places = read_places(command);
   const InterruptGuard guard;
-  std::optional<ProgressBar> bar(std::in_place);
-  ObstacleOptions options;
-  options.progress = bar->callback();
   ObstacleSource source = read_source(command.source);
-  const CspaceObstacle obstacle = obstacle_of(source, source.inputs[0].region, options);
-  bar.reset();
+  const CspaceObstacle obstacle = obstacle_of(source);
   const ObstacleQueries queries(obstacle);
   const auto [answers, timing] = timed(command.report.repeat, [&] {
     std::vector<AnglesAnswer> all;
@@ -112,8 +108,7 @@ ExitCode run_angles(const AnglesCommand& command) {
     return all;
   });
   if (command.report.json) {
-    Json json = report_head("angles", inputs_json(source.inputs), require(obstacle.slice({})).stats.tier_bits, timing,
-                            {{"obstacle", obstacle.work().ms}, {"answers", timing.median_ms}});
+    Json json = report_of_answers("angles", source, obstacle, timing);
     json["answers"] = angles_json(obstacle, answers);
     print_report(json);
   } else {

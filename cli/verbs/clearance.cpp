@@ -103,12 +103,8 @@ ExitCode run_clearance(const ClearanceCommand& command) {
   }
   if (at.empty()) throw Stop(kUsage, "clearance wants --at x,y,theta or --at-file FILE");
   const InterruptGuard guard;
-  std::optional<ProgressBar> bar(std::in_place);
-  ObstacleOptions options;
-  options.progress = bar->callback();
   ObstacleSource source = read_source(command.source);
-  const CspaceObstacle obstacle = obstacle_of(source, source.inputs[0].region, options);
-  bar.reset();
+  const CspaceObstacle obstacle = obstacle_of(source);
   const ObstacleQueries queries(obstacle);
   const double weight = read_weight(command.weight, queries);
   const auto [answers, timing] = timed(command.report.repeat, [&] {
@@ -126,8 +122,7 @@ ExitCode run_clearance(const ClearanceCommand& command) {
   }
   Json list = Json::array();
   for (const Answer& a : answers) list.push_back(answer_json(a));
-  Json json = report_head("clearance", inputs_json(source.inputs), require(obstacle.slice({})).stats.tier_bits, timing,
-                          {{"obstacle", obstacle.work().ms}, {"answers", timing.median_ms}});
+  Json json = report_of_answers("clearance", source, obstacle, timing);
   json.update({{"weight", std::isfinite(weight) ? Json(weight) : Json("inf")}, {"answers", list}});
   print_report(json);
   return kDone;

@@ -15,55 +15,16 @@
 #include "exact/big.h"
 #include "oracles/random.h"
 #include "oracles/tiny_regions.h"
-#include "planar/position/exact_source.h"
+#include "planar/rotating/rotating_frames.h"
 
 namespace dymsum {
 namespace {
 
-Orientation at(double radians, double error = 1e-6) { return Orientation::nearest(radians, error).value(); }
+using rotating_frames::at, rotating_frames::expect_frame, rotating_frames::fresh;
 
 std::uint64_t fuzz_rounds(std::uint64_t usual) {
   const char* pairs = std::getenv("DYMSUM_FUZZ_PAIRS");
   return pairs != nullptr ? std::max<std::uint64_t>(usual, std::strtoull(pairs, nullptr, 10) / 40) : usual;
-}
-
-PlanarSum fresh(const Region& p, const Region& q, const Orientation& theta, const MovingOptions& options) {
-  SumOptions sum_options;
-  sum_options.semantics = options.semantics;
-  if (options.reflect_q) return cspace_slice(q, p, theta, sum_options).value();
-  if (options.moving == MovingOperand::p) return rotated_sum(p, q, theta, sum_options).value();
-  // P + R Q is R (R^-1 P + Q): the same positions need Q in the turning place, and numbers the other way round.
-  return rotated_sum(q, p, theta, sum_options).value();
-}
-
-bool same_contacts(const SumRing& a, const SumRing& b) {
-  return std::equal(a.vertices.begin(), a.vertices.end(), b.vertices.begin(), b.vertices.end(),
-                    [](const SumVertex& u, const SumVertex& v) {
-                      return u.in == v.in && u.out == v.out && u.corner_p == v.corner_p && u.corner_q == v.corner_q;
-                    });
-}
-
-void expect_frame(const RotatingSum& sum, const PlanarSum& wanted, bool contacts) {
-  ASSERT_TRUE(sum.sum() == wanted);
-  if (sum.work().rebuilt) return;
-  ASSERT_EQ(sum.sum().parts.size(), wanted.parts.size());
-  const auto ring = [&](const SumRing& ours, const SumRing& theirs) {
-    EXPECT_TRUE(!contacts || same_contacts(ours, theirs));
-    for (std::size_t k = 0; k < ours.vertices.size(); k += 1 + ours.vertices.size() / 5) {
-      const RationalPoint exact = sum.sum().exact(ours.vertices[k]);
-      const auto off = [&](double v, const Rational& r) -> exact::BigRational {
-        return exact::BigRational(abs(exact::BigRational(exact::exact_value(v) - exact::exact_value(r))));
-      };
-      const exact::BigRational bound = exact::exact_value(sum.sum().at_error);
-      EXPECT_LE(off(ours.vertices[k].at.x, exact.x), bound);
-      EXPECT_LE(off(ours.vertices[k].at.y, exact.y), bound);
-    }
-  };
-  for (std::size_t i = 0; i < wanted.parts.size(); ++i) {
-    ring(sum.sum().parts[i].outer, wanted.parts[i].outer);
-    for (std::size_t h = 0; h < wanted.parts[i].holes.size(); ++h)
-      ring(sum.sum().parts[i].holes[h], wanted.parts[i].holes[h]);
-  }
 }
 
 TEST(RotatingSum, tiny_pairs_equal_slices_at_every_step) {
@@ -415,36 +376,6 @@ TEST(RotatingSum, a_ring_that_begins_elsewhere_has_moved) {
   }
 }
 
-// Positions round to few digits there, which the stated error has to tell.
-TEST(RotatingSum, rings_begin_at_their_smallest_vertex_among_subnormal_numbers) {
-  std::size_t frames = 0;
-  for (const int exponent : {-1040, -1060, -1070}) {
-    const auto region = [&](Ring ring) {
-      for (Point& v : ring) v = {std::ldexp(v.x, exponent), std::ldexp(v.y, exponent)};
-      return Region::create({{{ring, {}}}, {}, {}}).value();
-    };
-    const Region p = region({{0, 0}, {5, 1}, {9, 7}, {2, 4}}), q = region({{0, 0}, {3, 0}, {3, 4}, {0, 4}});
-    for (const MovingOperand moving : {MovingOperand::p, MovingOperand::q}) {
-      MovingOptions options;
-      options.moving = moving;
-      options.mode = FrameMode::window;
-      RotatingSum sum = RotatingSum::create(p, q, options).value();
-      for (int k = 1; k < 60; ++k) {
-        ASSERT_TRUE(sum.set(at(0.05 * k)).ok());
-        frames += !sum.work().rebuilt;
-        if (moving == MovingOperand::p) expect_frame(sum, rotated_sum(p, q, at(0.05 * k)).value(), false);
-        for (const SumVertex& v : sum.sum().parts[0].outer.vertices) {
-          const RationalPoint exact = sum.sum().exact(v), first = sum.sum().exact(sum.sum().parts[0].outer.vertices[0]);
-          EXPECT_FALSE(exact.x < first.x || (exact.x == first.x && exact.y < first.y)) << exponent << " " << k;
-          EXPECT_LE(std::abs(exact.x.to_double() - v.at.x), sum.sum().at_error + 0x1p-1074);
-          EXPECT_LE(std::abs(exact.y.to_double() - v.at.y), sum.sum().at_error + 0x1p-1074);
-        }
-      }
-    }
-  }
-  EXPECT_GT(frames, 200u);
-}
-
 // A hole that is covered at one angle and free at the next, its edges and crossings being the same: what covers it has
 // passed over it.
 TEST(RotatingSum, a_hole_uncovered_in_one_step_appears) {
@@ -491,27 +422,6 @@ TEST(RotatingSum, the_same_motion_is_followed_in_the_same_way) {
   }
   EXPECT_GT(windows, 10u);
   EXPECT_LT(windows, 80u);
-}
-
-// Products of coordinates that over- or underflow leave signs undecided, never wrong.
-TEST(RotatingSum, huge_and_minute_coordinates_equal_slices) {
-  const auto scaled = [](const Region& region, int exponent) {
-    RegionData data = region.data();
-    for (Part& part : data.parts)
-      for (Point& v : part.outer) v = {std::ldexp(v.x, exponent), std::ldexp(v.y, exponent)};
-    return Region::create(data).value();
-  };
-  for (const auto& [one, other] : {std::pair{390, 390}, {-380, -380}, {980, 980}, {-900, -900}, {390, 300}, {0, 60}}) {
-    const Region p = scaled(shapes::noisy_star(20, 0.6, 1), one), q = scaled(shapes::noisy_star(14, 0.7, 2), other);
-    MovingOptions options;
-    options.mode = FrameMode::window;
-    RotatingSum sum = RotatingSum::create(p, q, options).value();
-    for (int k = 1; k < 12; ++k) {
-      const Orientation theta = at(0.012 * k);
-      ASSERT_TRUE(sum.set(theta).ok());
-      ASSERT_TRUE(sum.sum() == rotated_sum(p, q, theta).value()) << one << ", " << other << ", frame " << k;
-    }
-  }
 }
 
 TEST(RotatingSum, stops_on_request) {
