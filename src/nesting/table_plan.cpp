@@ -9,20 +9,12 @@
 
 #include "exact/big.h"
 #include "io/region/write_wkb.h"
+#include "nesting/angle_differences.h"
 #include "nesting/quarter_turn.h"
 
 namespace dymsum {
 namespace nesting {
 namespace {
-
-/// Less whole turns, in [0, 360).
-Rational reduced(const Rational& degrees) {
-  const exact::BigRational value = exact::exact_value(degrees);
-  const exact::BigInteger turn = exact::BigInteger(360 * denominator(value));
-  exact::BigInteger rest = numerator(value) % turn;
-  if (rest.sign() < 0) rest += turn;
-  return exact::to_rational(exact::BigRational(rest, denominator(value)));
-}
 
 /// How many quarter turns an angle in [0, 360) is.
 std::optional<int> quarters_of(const Rational& degrees) {
@@ -82,7 +74,7 @@ class Planner {
     std::map<std::set<Rational>, std::size_t> known;
     for (const TableItem& item : state_.input.items) {
       std::set<Rational> own;
-      for (const Rational& d : item.degrees) own.insert(reduced(d));
+      for (const Rational& d : item.degrees) own.insert(reduced_angle(d));
       const auto [at, fresh] = known.emplace(own, sets_.size());
       if (fresh) sets_.push_back(std::move(own));
       set_of_.push_back(at->second);
@@ -94,10 +86,7 @@ class Planner {
   const std::vector<std::uint32_t>& differences(std::size_t from, std::size_t to) {
     const auto [at, fresh] = differences_.try_emplace({from, to});
     if (!fresh) return at->second;
-    std::set<Rational> all;
-    for (const Rational& b : sets_[to])
-      for (const Rational& a : sets_[from]) all.insert(reduced(b - a));
-    return at->second = angles(all);
+    return at->second = angles(angle_differences(sets_[from], sets_[to]));
   }
 
   bool add_rows(TableRow row, const std::vector<std::uint32_t>& angles) {
