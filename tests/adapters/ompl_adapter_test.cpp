@@ -20,6 +20,11 @@ namespace ob = ::ompl::base;
 namespace og = ::ompl::geometric;
 using Scoped = ob::ScopedState<ob::SE2StateSpace>;
 
+/// Nothing but a wall, so that bounds alone are at its ends.
+Region wall_without_a_room() {
+  return Region::create({{{{{-0.5, -60}, {0.5, -60}, {0.5, 60}, {-0.5, 60}}, {}}}, {}, {}}).value();
+}
+
 class OmplAdapter : public testing::Test {
  protected:
   void SetUp() override { ::ompl::msg::setLogLevel(::ompl::msg::LOG_NONE); }
@@ -150,14 +155,69 @@ TEST_F(OmplAdapter, the_planner_proves_that_there_is_no_path) {
 }
 
 TEST_F(OmplAdapter, a_path_out_of_bounds_is_no_solution) {
-  const Region wall = Region::create({{{{{-0.5, -60}, {0.5, -60}, {0.5, 60}, {-0.5, 60}}, {}}}, {}, {}}).value();
-  const auto scene = for_ompl::Scene::create(robot_of_walls(), wall).value();
+  const auto scene = for_ompl::Scene::create(robot_of_walls(), wall_without_a_room()).value();
   og::SimpleSetup setup = wall_problem(scene, Validator::certified);
   const auto planner = std::make_shared<for_ompl::ExactPlanner>(setup.getSpaceInformation(), scene);
   setup.setPlanner(planner);
   EXPECT_EQ(setup.solve(20.0), ob::PlannerStatus::ABORT);
   EXPECT_FALSE(planner->proved_infeasible());
   EXPECT_NE(planner->why().find("bounds"), std::string::npos) << planner->why();
+}
+
+TEST_F(OmplAdapter, free_states_out_of_bounds_are_not_valid) {
+  const auto scene = for_ompl::Scene::create(robot_of_walls(), wall_without_a_room()).value();
+  og::SimpleSetup setup = wall_problem(scene, Validator::certified);
+  setup.setup();
+  const ob::SpaceInformationPtr& si = setup.getSpaceInformation();
+  EXPECT_TRUE(si->isValid(at(setup, -50, 0, 0).get()));
+  EXPECT_FALSE(si->isValid(at(setup, std::nextafter(-50, -51), 0, 0).get()));
+  EXPECT_FALSE(si->checkMotion(at(setup, -49, 0, 0).get(), at(setup, -51, 0, 0).get()));
+}
+
+TEST_F(OmplAdapter, the_planner_turns_the_way_that_is_free) {
+  // A bar that turns about its end; a post bars the way through angle 0, so it turns through pi, past OMPL's seam.
+  const Region bar = Region::create({{{{{-0.1, -0.1}, {2, -0.1}, {2, 0.1}, {-0.1, 0.1}}, {}}}, {}, {}}).value();
+  const Region walls = Region::create({{{{{-3, -3}, {3, -3}, {3, 3}, {-3, 3}},
+                                         {{{-0.15, 0.15},
+                                           {-0.15, 2.9},
+                                           {2.9, 2.9},
+                                           {2.9, 0.6},
+                                           {1.2, 0.6},
+                                           {1.2, -0.6},
+                                           {2.9, -0.6},
+                                           {2.9, -2.9},
+                                           {-2.9, -2.9},
+                                           {-2.9, 0.15}}}}},
+                                       {},
+                                       {}})
+                           .value();
+  const auto scene = for_ompl::Scene::create(bar, walls).value();
+  og::SimpleSetup setup = wall_problem(scene, Validator::certified);
+  setup.setStartAndGoalStates(at(setup, 0, 0, 1.5), at(setup, 0, 0, -1.5));
+  setup.setPlanner(std::make_shared<for_ompl::ExactPlanner>(setup.getSpaceInformation(), scene));
+  const ob::PlannerStatus status = setup.solve(20.0);
+  const auto& planner = static_cast<const for_ompl::ExactPlanner&>(*setup.getPlanner());
+  ASSERT_EQ(status, ob::PlannerStatus::EXACT_SOLUTION) << planner.why();
+  EXPECT_TRUE(setup.getSolutionPath().check());
+}
+
+TEST_F(OmplAdapter, a_path_that_only_touches_is_no_solution) {
+  // A channel exactly as wide as the robot: there is a path that touches, and no state space can prove it free.
+  const Ring rooms = {{-30, -30}, {-30, 10}, {-10, 10}, {-10, -19.5}, {10, -19.5},  {10, 10},
+                      {30, 10},   {30, -30}, {10, -30}, {10, -20.5},  {-10, -20.5}, {-10, -30}};
+  const Region walls = Region::create({{{{{-40, -40}, {40, -40}, {40, 40}, {-40, 40}}, {rooms}}}, {}, {}}).value();
+  const auto scene = for_ompl::Scene::create(
+                         Region::create({{{{{-1, -0.5}, {1, -0.5}, {1, 0.5}, {-1, 0.5}}, {}}}, {}, {}}).value(), walls)
+                         .value();
+  og::SimpleSetup setup = wall_problem(scene, Validator::certified);
+  const auto planner = std::make_shared<for_ompl::ExactPlanner>(setup.getSpaceInformation(), scene);
+  setup.setPlanner(planner);
+  EXPECT_EQ(setup.solve(20.0), ob::PlannerStatus::ABORT);
+  EXPECT_TRUE(planner->proved_infeasible()) << planner->why();
+  planner->set_touching(Touching::allowed);
+  setup.clear();
+  EXPECT_EQ(setup.solve(20.0), ob::PlannerStatus::ABORT);
+  EXPECT_FALSE(planner->proved_infeasible()) << planner->why();
 }
 
 TEST_F(OmplAdapter, samplers_use_the_clearance) {
