@@ -3,6 +3,8 @@
 
 #include <gtest/gtest.h>
 
+#include <set>
+
 #include "dymsum/cspace_obstacle.h"
 #include "dymsum/orientation_sum.h"
 #include "dymsum/planar_sum.h"
@@ -208,6 +210,41 @@ TEST(NfpTable, cancelled_by_its_progress) {
     return share < 0.5;
   };
   EXPECT_EQ(compute_table(table, options).error().code, ErrorCode::cancelled);
+}
+
+/// 66 orientations whose differences are all others: more than 4,096 angles.
+TableInput many_angles(std::int64_t denominator) {
+  std::vector<Rational> degrees;
+  std::uint64_t state = 7;
+  for (std::int64_t k = 0; k < 66; ++k) {
+    state = state * 6364136223846793005u + 1442695040888963407u;
+    degrees.push_back(Rational::of(static_cast<std::int64_t>((state >> 32) % 359000), 1000).value() +
+                      Rational::of(k + 1, denominator).value());
+  }
+  return {{{"square", shapes::rectangle(0, 0, 1, 1), degrees}}, {}, {}};
+}
+
+TEST(NfpTable, planning_can_be_cancelled_in_every_stage) {
+  for (const std::int64_t denominator : {std::int64_t{1} << 30, (std::int64_t{1} << 60) - 1}) {
+    const TableInput input = many_angles(denominator);
+    std::set<std::string> stages;
+    const Progress watching = [&](std::string_view stage, double share) {
+      EXPECT_TRUE(share >= 0 && share <= 1) << share;
+      stages.emplace(stage);
+      return true;
+    };
+    EXPECT_GT(NfpTable::create(input, watching).value().angles().size(), 4096u);
+    EXPECT_EQ(stages, (std::set<std::string>{"differences of angles", "orientations", "keys"}));
+    for (const std::string& last : stages) {
+      const auto stopped = NfpTable::create(input, [&](std::string_view stage, double) { return stage != last; });
+      ASSERT_FALSE(stopped) << last;
+      EXPECT_EQ(stopped.error().code, ErrorCode::cancelled) << last;
+    }
+  }
+}
+
+TEST(NfpTable, small_tables_are_planned_whatever_the_limit) {
+  EXPECT_TRUE(NfpTable::create(small_input(), [](std::string_view, double) { return false; }));
 }
 
 TEST(NfpTable, wrong_input_is_refused) {
