@@ -110,6 +110,33 @@ TEST_F(NfpTables, AnswersAreTakenFromAnotherInstance) {
   const Json report = json("dymsum nfp-table other.json --cache c --json");
   EXPECT_GT(report["computed"], 0);
   EXPECT_LT(report["computed"], report["tasks"]);
+  done("dymsum nfp-table other.json -o alone.jsonl");
+  done("dymsum nfp-table other.json --cache c -o cached.jsonl");
+  EXPECT_EQ(work.read("cached.jsonl"), work.read("alone.jsonl"));
+}
+
+// Names and angles are the same, shapes are not: nothing of one gets into the table of the other.
+TEST_F(NfpTables, TwoInstancesInOneCacheStayApart) {
+  const std::string turns = R"(,"allowed_orientations":[0,90,22.5])";
+  work.write("a.json", instance_text({item_text("x", shapes::letter_l(3, 3, 1), turns),
+                                      item_text("y", shapes::star(5, 1, 2), turns)}));
+  work.write("b.json", instance_text({item_text("x", shapes::letter_u(3, 3, 1), turns),
+                                      item_text("y", shapes::star(5, 1, 2), turns)}));
+  for (const std::string name : {"a", "b"}) {
+    const std::string command = "dymsum nfp-table " + name + ".json ";
+    done(command + "-o " + name + ".jsonl -o " + name + ".manifest.json");
+    for (const std::string shard : {"1/3", "2/3"}) done(command + "--cache c --shard " + shard);
+  }
+  EXPECT_NE(work.read("a.jsonl"), work.read("b.jsonl"));
+  // The third shards of both: one of them is not enough for the other.
+  done("dymsum nfp-table a.json --cache c --shard 3/3");
+  EXPECT_EQ(work.run("dymsum nfp-table b.json --cache c --merge -o m.jsonl").code, 2);
+  done("dymsum nfp-table b.json --cache c --shard 3/3");
+  for (const std::string name : {"a", "b"}) {
+    done("dymsum nfp-table " + name + ".json --cache c --merge -o m.jsonl -o m.json");
+    EXPECT_EQ(work.read("m.jsonl"), work.read(name + ".jsonl"));
+    EXPECT_EQ(work.read("m.json"), work.read(name + ".manifest.json"));
+  }
 }
 
 // Killed again and again, wherever it is: in the end the table is there, and its bytes are those of one run.
