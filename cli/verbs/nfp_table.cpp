@@ -125,8 +125,8 @@ Json table_json(const TableCommand& command, const NfpTable& table, const TableR
 std::string work_text(const TableCommand& command, const TableWork& work) {
   if (command.merge) return "read from " + counted(work.store_files, "file") + " of the cache";
   std::string text = counted(work.tasks, "task") + ": " + std::to_string(work.computed) + " computed";
-  if (!command.cache.empty())
-    text += ", " + std::to_string(work.tasks - work.computed - work.timed_out) + " taken from the cache";
+  const std::uint64_t taken = work.tasks - work.computed - work.timed_out;
+  if (taken > 0) text += ", " + std::to_string(taken) + " taken from the cache";
   if (work.timed_out > 0) text += ", " + std::to_string(work.timed_out) + " given up";
   return text;
 }
