@@ -7,7 +7,7 @@ int main() {
   const Region rod = shapes::rectangle(-1.5, -0.25, 1.5, 0.25), grate = shapes::grate(4, 2, 1, 6);
   RotatingSum sum = RotatingSum::create(rod, grate).value();  // R(theta) rod (+) grate, at theta = 0
   for (const double radians : {1.35, 1.4, 1.45, 1.5}) {
-    const Orientation theta = Orientation::nearest(radians, 1e-3).value();  // the simplest one so near
+    const Orientation theta = Orientation::nearest(radians, 1e-3).value();  // a simple one so near
     const FrameChanges changes = sum.set(theta).value();
     std::cout << "tan(theta / 2) = " << theta.tan_half().to_string() << ": area " << sum.sum().area_exact().to_string()
               << ", " << sum.sum().hole_count() << " holes; rings";

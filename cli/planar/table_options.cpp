@@ -53,8 +53,8 @@ ShardOption shard_in(const std::string& text) {
   throw Stop(kUsage, "--shard wants i/N, such as 2/8 for the second of eight, not '" + text + "'");
 }
 
-NfpTable table_of(const std::string& file, NestingInstance instance, const std::vector<Rational>& degrees,
-                  double angle_error, const InputOptions& options) {
+TableInput table_input(const std::string& file, NestingInstance instance, const std::vector<Rational>& degrees,
+                       double angle_error, const InputOptions& options) {
   TableInput input;
   input.strip_height = instance.strip_height;
   input.angle_error = angle_error;
@@ -69,11 +69,7 @@ NfpTable table_of(const std::string& file, NestingInstance instance, const std::
     Region shape = require(make_region(std::move(bin.shape), file + ", bin " + bin.name, options));
     input.bins.push_back({std::move(bin.name), std::move(shape)});
   }
-  Result<NfpTable> table = NfpTable::create(std::move(input));
-  if (table) return std::move(table).value();
-  Error error = table.error();
-  error.evidence.file = file;
-  stop_with(error);
+  return input;
 }
 
 }  // namespace dymsum::cli

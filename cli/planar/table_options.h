@@ -21,9 +21,9 @@ struct ShardOption {
 /// "2/8" for the second of eight. Stops with wrong usage for other text.
 ShardOption shard_in(const std::string& text);
 
-/// The table of an instance: its valid shapes, and for items the orientations of the file, or `degrees` where there are
-/// some. Stops where an item has neither.
-NfpTable table_of(const std::string& file, NestingInstance instance, const std::vector<Rational>& degrees,
-                  double angle_error, const InputOptions& options);
+/// What the table of an instance is made of: its valid shapes, and for items the orientations of the file, or `degrees`
+/// where there are some. Stops where an item has neither.
+TableInput table_input(const std::string& file, NestingInstance instance, const std::vector<Rational>& degrees,
+                       double angle_error, const InputOptions& options);
 
 }  // namespace dymsum::cli

@@ -3,6 +3,7 @@
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
+#include <chrono>
 #include <iostream>
 #include <limits>
 #include <memory>
@@ -116,16 +117,28 @@ Json table_json(const TableCommand& command, const NfpTable& table, const TableR
                  {"missing", counts.missing}}},
                {"tasks", result.work.tasks},
                {"computed", result.work.computed},
+               {"timed_out", result.work.timed_out},
                {"cache", {{"files", result.work.store_files}, {"refused_files", refused}}}});
   return json;
 }
 
-void print_table(std::ostream& out, const NfpTable& table, const TableResult& result, const Timing& timing) {
+std::string work_text(const TableCommand& command, const TableWork& work) {
+  if (command.merge) return "read from " + counted(work.store_files, "file") + " of the cache";
+  std::string text = counted(work.tasks, "task") + ": " + std::to_string(work.computed) + " computed";
+  const std::uint64_t taken = work.tasks - work.computed - work.timed_out;
+  if (taken > 0) text += ", " + std::to_string(taken) + " taken from the cache";
+  if (work.timed_out > 0) text += ", " + std::to_string(work.timed_out) + " given up";
+  return text;
+}
+
+void print_table(std::ostream& out, const TableCommand& command, const NfpTable& table, const TableResult& result,
+                 const Timing& timing) {
   const RowCounts counts = counts_of(table, result);
-  out << counted(table.input().items.size(), "item") << ", " << counted(counts.all, "row") << ": " << counts.done
-      << " done, " << counts.refused << " refused, " << counts.timed_out << " timed out";
-  if (counts.missing > 0) out << ", " << counts.missing << " of other shards";
-  out << "\n" << counted(result.work.tasks, "task") << ", " << result.work.computed << " computed\n";
+  out << counted(table.input().items.size(), "item") << ", " << counted(counts.all, "row")
+      << (command.shard.empty() ? ": " : " of all shards: ") << counts.done << " done, " << counts.refused
+      << " refused, " << counts.timed_out << " timed out";
+  if (counts.missing > 0) out << ", " << counts.missing << " not there yet";
+  out << "\n" << work_text(command, result.work) << "\n";
   print_times(out, timing);
 }
 
@@ -141,6 +154,28 @@ void require_all(const TableCommand& command, const NfpTable& table, const Table
                             " rows are missing: not all shards have been computed to their ends");
 }
 
+/// Lists the rows, which takes long where there are very many, and takes the time for that off options.all_seconds.
+NfpTable planned(const TableCommand& command, TableInput input, TableOptions& options) {
+  using Clock = std::chrono::steady_clock;
+  const auto seconds = [start = Clock::now()] { return std::chrono::duration<double>(Clock::now() - start).count(); };
+  bool late = false;
+  const auto go_on = [&](std::string_view stage, double share) {
+    late = seconds() > options.all_seconds;
+    return !late && options.progress(stage, share);
+  };
+  Result<NfpTable> table = NfpTable::create(std::move(input), go_on);
+  if (late)
+    throw Stop(kUndecided, "the limit of --time was reached while the rows were being listed: there is no table");
+  if (!table) {
+    Error error = table.error();
+    error.evidence.file = shown_file(command.instance);
+    stop_with(error);
+  }
+  // Past the limit every row is given up.
+  options.all_seconds = std::max(options.all_seconds - seconds(), std::numeric_limits<double>::min());
+  return std::move(table).value();
+}
+
 ExitCode run_nfp_table(const TableCommand& command) {
   check_table_outputs(command);
   std::ostream& out = report_stream(command.outputs, command.report.json);
@@ -148,19 +183,22 @@ ExitCode run_nfp_table(const TableCommand& command) {
   const std::vector<Rational> degrees =
       command.orientations.empty() ? std::vector<Rational>{} : orientations_in(command.orientations);
   NestingInstance instance = require(parse_nesting_instance(file_text(command.instance), shown_file(command.instance)));
-  const NfpTable table =
-      table_of(shown_file(command.instance), std::move(instance), degrees, command.error, command.input);
+  TableInput input =
+      table_input(shown_file(command.instance), std::move(instance), degrees, command.error, command.input);
   const InterruptGuard guard;
   std::optional<ProgressBar> bar(std::in_place);
   options.progress = bar->callback();
+  const NfpTable table = planned(command, std::move(input), options);
   const auto [result, timing] = timed(command.report.repeat, [&] { return require(compute_table(table, options)); });
   bar.reset();
   warn_of_cache(result);
   if (command.merge) require_all(command, table, result);
   write_table(command, table, result);
   if (command.report.json) print_report(table_json(command, table, result, timing));
-  else print_table(out, table, result, timing);
-  return counts_of(table, result).timed_out > 0 ? kUndecided : kDone;
+  else print_table(out, command, table, result, timing);
+  // What other shards gave up is not this one's failure.
+  const std::size_t given_up = command.merge ? counts_of(table, result).timed_out : result.work.timed_out;
+  return given_up > 0 ? kUndecided : kDone;
 }
 
 void add_limits(CLI::App& verb, TableCommand& command) {

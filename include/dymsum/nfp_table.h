@@ -94,10 +94,11 @@ class NfpTable {
   /// Rows in the order of their indices: nfp by fixed item, moving item, relative angle; then bins, then the strip. The
   /// relative angles of A and B are the differences of an orientation of B and one of A, which serve all such pairs:
   /// turned by R(a), row(A, B, b - a) is the no-fit polygon of A turned by a and B turned by b. O(rows), and a hash of
-  /// every shape. Errors: unsupported_operand for an item or a bin that is empty, for an item without orientations or
-  /// with more than 3600, for a bin with polylines or points; out_of_range for angle errors below 2^-49, strip heights
-  /// that are not positive and finite, and more than 2^32 - 2 rows.
-  static Result<NfpTable> create(TableInput input);
+  /// every shape. `progress` is asked once in some thousands of angles and of rows: smaller tables are planned at once.
+  /// Errors: unsupported_operand for an item or a bin that is empty, for an item without orientations or with more than
+  /// 3600, for a bin with polylines or points; out_of_range for angle errors below 2^-49, strip heights that are not
+  /// positive and finite, and more than 2^32 - 2 rows; cancelled.
+  static Result<NfpTable> create(TableInput input, const Progress& progress = {});
 
   const TableInput& input() const;
   const std::vector<TableAngle>& angles() const;
@@ -131,8 +132,9 @@ struct RefusedFile {
 };
 
 struct TableWork {
-  std::uint64_t tasks = 0;     ///< of this shard
-  std::uint64_t computed = 0;  ///< of these; the others were in the store
+  std::uint64_t tasks = 0;      ///< of this shard
+  std::uint64_t computed = 0;   ///< of these, by this call
+  std::uint64_t timed_out = 0;  ///< of these, given up; the others were in the store
   std::uint64_t store_files = 0;
   std::vector<RefusedFile> refused_files;
 };
@@ -143,9 +145,10 @@ struct TableResult {
 };
 
 /// The answers of a table. Answers that are done or refused are kept; those of tasks that ran out of time are computed
-/// again by the next call. Killed at any moment, the store keeps what was finished. Errors: out_of_range for a shard
-/// that is not one of 1 to `shards`, and limits of time that are not positive; cannot_open, cannot_write for the store;
-/// cancelled. Cost: tasks times that of nfp, and of reading the whole store.
+/// again by the next call. Killed at any moment, the store keeps what was finished. A store that has all answers may be
+/// one that cannot be written to. Errors: out_of_range for a shard that is not one of 1 to `shards`, and limits of time
+/// that are not positive; cannot_open, cannot_write for the store; cancelled. Cost: tasks times that of nfp, and of
+/// reading the whole store.
 Result<TableResult> compute_table(const NfpTable& table, const TableOptions& options = {});
 
 /// Rows as JSON lines, one object each (docs/guide/nesting.md). With `inline_geometry` each holds its geometry in

@@ -35,8 +35,8 @@ class Orientation {
   /// doubles of these up to about 4 pi; farther out a double says what it says). Errors: bad_rotation for an angle that
   /// is not finite.
   static Result<Orientation> nearest(double radians);
-  /// The simplest one within `error` of the angle: fewer bits, faster exact signs. Errors: bad_rotation for an angle
-  /// that is not finite, and for an error below kAngularError, which cannot be promised.
+  /// Within `error` of the angle, and the simplest one within 0.99 of it: fewer bits, faster exact signs. Errors:
+  /// bad_rotation for an angle that is not finite, and for an error below kAngularError, which cannot be promised.
   static Result<Orientation> nearest(double radians, double error);
 
   bool is_half_turn() const { return half_turn_; }

@@ -91,7 +91,7 @@ True
           "Within 2^-50 of the angle; quarter turns are met exactly. Raises Error: bad_rotation.")
       .def_static(
           "nearest", [](double radians, double error) { return take(Orientation::nearest(radians, error)); },
-          "radians"_a, "error"_a, "The simplest one within `error` radians of the angle.")
+          "radians"_a, "error"_a, "Within `error` radians of the angle, the simplest one within 0.99 of that.")
       .def("is_half_turn", &Orientation::is_half_turn)
       .def("tan_half", &Orientation::tan_half, "Raises ValueError for half a turn.")
       .def("radians", &Orientation::radians, "In (-pi, pi], within 2^-50.")

@@ -89,11 +89,16 @@ void bind_answers(nb::module_& m) {
       .field("error", &TableAnswer::error, "Where it was refused: not raised.");
 }
 
+NfpTable planned(const TableInput& input, const Progress& progress) {
+  return run(progress, [&](const Progress& own) { return NfpTable::create(input, own); });
+}
+
 void bind_nfp_table_class(nb::module_& m) {
   nb::class_<NfpTable>(m, "NfpTable", R"doc(What a table of no-fit polygons consists of: see compute_table.
 
 Rows in the order of their indices: by fixed item, moving item, relative angle; then bins, then the strip. Raises Error:
-unsupported_operand for empty shapes, items without orientations, bins with polylines; out_of_range.
+unsupported_operand for empty shapes, items without orientations, bins with polylines; out_of_range; cancelled. Planning
+tables of very many angles takes long: it runs without the GIL and asks `progress`.
 
 >>> from dymsum import NfpTable, TableInput, TableItem, compute_table, shapes
 >>> quarters = [0, 90, 180, 270]
@@ -106,10 +111,11 @@ StripFit(fits=True, x_min=0.0, y_min=2.0, y_max=3.0)
 )doc")
       .def(
           "__init__",
-          [](NfpTable* self, const TableInput& input) { new (self) NfpTable(take(NfpTable::create(input))); },
-          "input"_a)
-      .def_static(
-          "create", [](const TableInput& input) { return take(NfpTable::create(input)); }, "input"_a)
+          [](NfpTable* self, const TableInput& input, const Progress& progress) {
+            new (self) NfpTable(planned(input, progress));
+          },
+          "input"_a, "progress"_a = nb::none())
+      .def_static("create", planned, "input"_a, "progress"_a = nb::none())
       .def_prop_ro("input", &NfpTable::input, nb::rv_policy::reference_internal)
       .def_prop_ro("angles", &NfpTable::angles, nb::rv_policy::reference_internal)
       .def_prop_ro("rows", &NfpTable::rows, nb::rv_policy::reference_internal, "A new list: O(rows).")
@@ -150,7 +156,8 @@ void bind_table_options(nb::module_& m) {
       .field("why", &RefusedFile::why);
   Record<TableWork>(m, "TableWork", "What compute_table did.")
       .field("tasks", &TableWork::tasks, "Of this shard.")
-      .field("computed", &TableWork::computed, "Of these; the others were in the store.")
+      .field("computed", &TableWork::computed, "Of these, by this call.")
+      .field("timed_out", &TableWork::timed_out, "Of these, given up; the others were in the store.")
       .field("store_files", &TableWork::store_files)
       .field("refused_files", &TableWork::refused_files);
   Record<TableResult>(m, "TableResult", "Answers of a table, and what was done for them.")

@@ -140,6 +140,19 @@ def test_a_table_tells_how_far_it_is_and_stops() -> None:
     assert raised.value.code == ErrorCode.cancelled
 
 
+def test_planning_tells_how_far_it_is_and_stops() -> None:
+    # 66 orientations whose differences are all others.
+    scattered = [Fraction(360 * (k * k * k * k % 1000003), 1000003) for k in range(1, 67)]
+    planned = TableInput([TableItem("bar", BAR, scattered)])
+    stages: list[str] = []
+    NfpTable(planned, lambda stage, share: stages.append(stage))
+    assert stages
+    for plan in (NfpTable, NfpTable.create):
+        with pytest.raises(dymsum.Error) as raised:
+            plan(planned, progress=lambda stage, share: False)
+        assert raised.value.code == ErrorCode.cancelled
+
+
 @pytest.mark.parametrize("threads", [1, 2])
 def test_an_interrupted_table_keeps_what_is_finished(threads: int, tmp_path: Path) -> None:
     table = large()

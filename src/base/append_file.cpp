@@ -2,6 +2,7 @@
 
 #include <fcntl.h>
 #include <sys/file.h>
+#include <sys/stat.h>
 #include <unistd.h>
 
 #include <algorithm>
@@ -18,6 +19,12 @@ Error failed(ErrorCode code, const std::string& path, const std::string& what) {
   return {code, what + ": " + std::strerror(errno), std::move(evidence)};
 }
 
+Error not_a_file(const std::string& path) {
+  Evidence evidence;
+  evidence.file = path;
+  return {ErrorCode::cannot_write, "this is not a regular file", std::move(evidence)};
+}
+
 Error cannot_append(const std::string& path, const std::string& what) {
   return failed(ErrorCode::cannot_write, path, what);
 }
@@ -25,9 +32,13 @@ Error cannot_append(const std::string& path, const std::string& what) {
 }  // namespace
 
 Result<std::optional<AppendFile>> AppendFile::open(const std::string& path) {
-  const int file = ::open(path.c_str(), O_RDWR | O_CREAT | O_APPEND | O_CLOEXEC, 0666);
+  // A pipe or a device may let nobody open it until somebody comes, never end, or forget what is written.
+  const int file = ::open(path.c_str(), O_RDWR | O_CREAT | O_APPEND | O_CLOEXEC | O_NONBLOCK | O_NOCTTY, 0666);
   if (file < 0) return cannot_append(path, "the file cannot be opened for writing");
   AppendFile opened(path, file);
+  struct stat status;
+  if (::fstat(file, &status) != 0) return cannot_append(path, "the file cannot be looked at");
+  if (!S_ISREG(status.st_mode)) return not_a_file(path);
   if (::flock(file, LOCK_EX | LOCK_NB) == 0) return std::optional(std::move(opened));
   if (errno == EWOULDBLOCK) return std::optional<AppendFile>();
   return cannot_append(path, "the file cannot be locked");

@@ -13,7 +13,8 @@ namespace dymsum::base {
 /// Open for appending, and locked until it is closed or the process ends in any way.
 class AppendFile {
  public:
-  /// Nothing where somebody else has locked it. Made where it is not there. Error cannot_write.
+  /// Nothing where somebody else has locked it. Made where it is not there. Error cannot_write: also for what is no
+  /// regular file.
   static Result<std::optional<AppendFile>> open(const std::string& path);
   AppendFile(AppendFile&& other) noexcept;
   AppendFile& operator=(AppendFile&& other) noexcept;

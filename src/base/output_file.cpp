@@ -5,6 +5,8 @@
 #include <unistd.h>
 
 #include <cerrno>
+#include <chrono>
+#include <thread>
 #include <utility>
 
 namespace dymsum::base {
@@ -22,6 +24,22 @@ int write_all(int file, std::string_view text) {
   return 0;
 }
 
+/// Opens a pipe or a device. Of a pipe that nobody reads that would wait for ever: its reader, which may just be
+/// starting, is given a second.
+int open_for_reader(const std::filesystem::path& path) {
+  using namespace std::chrono_literals;
+  const auto end = std::chrono::steady_clock::now() + 1s;
+  int file = -1;
+  while ((file = ::open(path.c_str(), O_WRONLY | O_CLOEXEC | O_NONBLOCK | O_NOCTTY)) < 0) {
+    if (errno != ENXIO || std::chrono::steady_clock::now() >= end) return -1;
+    std::this_thread::sleep_for(10ms);
+    errno = ENXIO;
+  }
+  // Writing waits as usual.
+  ::fcntl(file, F_SETFL, ::fcntl(file, F_GETFL) & ~O_NONBLOCK);
+  return file;
+}
+
 }  // namespace
 
 int may_be_changed(const std::filesystem::path& path) { return ::access(path.c_str(), W_OK) == 0 ? 0 : errno; }
@@ -33,7 +51,7 @@ int may_hold_new_files(const std::filesystem::path& folder) {
 int write_to_standard_output(std::string_view text) { return write_all(STDOUT_FILENO, text); }
 
 int write_through(const std::filesystem::path& path, std::string_view text) {
-  const int file = ::open(path.c_str(), O_WRONLY | O_CLOEXEC);
+  const int file = open_for_reader(path);
   if (file < 0) return errno;
   const int error = write_all(file, text);
   const int closed = ::close(file) == 0 ? 0 : errno;

@@ -1,5 +1,6 @@
 // Output files appear whole or not at all: the text goes to a draft in the same directory, which takes the target's
 // name as the last step.
+#include <cerrno>
 #include <cstring>
 #include <filesystem>
 #include <string>
@@ -74,6 +75,8 @@ Result<void> write_file(const std::string& path, std::string_view text) {
   if (Result<void> may = check_writable(path); !may) return may;
   if (is_device(path)) {
     const int error = base::write_through(path, text);
+    if (std::error_code gone; error == ENXIO && std::filesystem::is_fifo(path, gone))
+      return io::file_error(ErrorCode::cannot_write, "nobody reads from this pipe", path);
     if (error) return cannot_write(path, "writing failed", error);
     return {};
   }

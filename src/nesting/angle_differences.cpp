@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cstdint>
 #include <optional>
+#include <string_view>
 #include <vector>
 
 #include "exact/big.h"
@@ -50,12 +51,20 @@ Rational reduced_angle(const Rational& degrees) {
   return exact::to_rational(BigRational(rest, denominator(value)));
 }
 
-std::set<Rational> angle_differences(const std::set<Rational>& from, const std::set<Rational>& to) {
+std::set<Rational> angle_differences(const std::set<Rational>& from, const std::set<Rational>& to,
+                                     const PlanningPoll& poll) {
+  constexpr std::string_view kStage = "differences of angles";
   std::set<Rational> all;
   const std::optional<std::int64_t> parts = common_parts(from, to);
+  const std::size_t pairs = from.size() * to.size();
+  std::size_t pair = 0;
   if (!parts) {
-    for (const Rational& b : to)
-      for (const Rational& a : from) all.insert(reduced_angle(b - a));
+    for (const Rational& b : to) {
+      for (const Rational& a : from) {
+        all.insert(reduced_angle(b - a));
+        poll.at(kStage, pair++, pairs);
+      }
+    }
     return all;
   }
   const std::vector<std::int64_t> a = in_parts(from, *parts), b = in_parts(to, *parts);
@@ -63,14 +72,19 @@ std::set<Rational> angle_differences(const std::set<Rational>& from, const std::
   std::size_t distinct = 0;
   for (const std::int64_t v : b) {
     for (const std::int64_t u : a) found.push_back(v < u ? v - u + 360 * *parts : v - u);
+    pair += a.size();
     // Of equally spaced angles all sets of differences are one: memory stays that of the result.
     if (found.size() > 2 * distinct + 0x10000) {
       keep_each_once(found);
       distinct = found.size();
+      poll.now(kStage, pair, pairs);
     }
   }
   keep_each_once(found);
-  for (const std::int64_t count : found) all.insert(all.end(), Rational::of(count, *parts).value());
+  for (const std::int64_t count : found) {
+    all.insert(all.end(), Rational::of(count, *parts).value());
+    poll.at(kStage, all.size(), found.size());
+  }
   return all;
 }
 

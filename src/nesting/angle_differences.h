@@ -4,6 +4,7 @@
 #include <set>
 
 #include "dymsum/rational.h"
+#include "nesting/planning_poll.h"
 
 namespace dymsum::nesting {
 
@@ -11,7 +12,9 @@ namespace dymsum::nesting {
 Rational reduced_angle(const Rational& degrees);
 
 /// All b - a for a of `from` and b of `to`, all in [0, 360), reduced; each once. O(nm) machine operations and, for d
-/// results, O(d) rational ones, where one denominator of at most 40 bits serves all; else O(nm) rational ones.
-std::set<Rational> angle_differences(const std::set<Rational>& from, const std::set<Rational>& to);
+/// results, O(d) rational ones, where one denominator of at most 40 bits serves all; else O(nm) rational ones. Asks
+/// `poll` where that takes long.
+std::set<Rational> angle_differences(const std::set<Rational>& from, const std::set<Rational>& to,
+                                     const PlanningPoll& poll);
 
 }  // namespace dymsum::nesting

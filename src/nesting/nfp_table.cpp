@@ -41,7 +41,7 @@ class TableRunner {
       ++result_.work.tasks;
       if (!done(table_.tasks[t])) open.push_back(t);
     }
-    result_.work.computed = open.size();
+    if (!open.empty() && store_.unwritable()) return store_.unwritable();
     count_ = open.size();
     base::parallel_parts(open.size(), options_.threads, [&](std::size_t i) { run_task(table_.tasks[open[i]]); });
     const std::lock_guard<std::mutex> lock(mutex_);
@@ -82,6 +82,7 @@ class TableRunner {
     };
     put(task.row, std::move(answers[0]));
     if (task.mirror != Task::kNone) put(task.mirror, std::move(answers[1]));
+    ++(done(task) ? result_.work.computed : result_.work.timed_out);
     if (kept_.size() >= kMostKept || Clock::now() >= flushed_ + kLongestKept) flush();
     ++finished_;
     if (options_.progress && !options_.progress("pairs", static_cast<double>(finished_) / static_cast<double>(count_)))

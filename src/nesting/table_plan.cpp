@@ -10,6 +10,7 @@
 #include "exact/big.h"
 #include "io/region/write_wkb.h"
 #include "nesting/angle_differences.h"
+#include "nesting/planning_poll.h"
 #include "nesting/quarter_turn.h"
 
 namespace dymsum {
@@ -33,7 +34,7 @@ Result<Orientation> orientation_of(const Rational& degrees, std::optional<int> q
 /// Plans rows, angles, keys and tasks, in this order.
 class Planner {
  public:
-  explicit Planner(NfpTable::State& state) : state_(state) {}
+  Planner(NfpTable::State& state, const Progress& progress) : state_(state), poll_(progress) {}
 
   std::optional<Error> run() {
     digest();
@@ -65,7 +66,10 @@ class Planner {
 
   std::vector<std::uint32_t> angles(const std::set<Rational>& degrees) {
     std::vector<std::uint32_t> all;
-    for (const Rational& d : degrees) all.push_back(angle(d));
+    for (const Rational& d : degrees) {
+      all.push_back(angle(d));
+      poll_.at("orientations", all.size(), degrees.size());
+    }
     return all;
   }
 
@@ -86,7 +90,7 @@ class Planner {
   const std::vector<std::uint32_t>& differences(std::size_t from, std::size_t to) {
     const auto [at, fresh] = differences_.try_emplace({from, to});
     if (!fresh) return at->second;
-    return at->second = angles(angle_differences(sets_[from], sets_[to]));
+    return at->second = angles(angle_differences(sets_[from], sets_[to], poll_));
   }
 
   bool add_rows(TableRow row, const std::vector<std::uint32_t>& angles) {
@@ -147,6 +151,7 @@ class Planner {
     };
     std::vector<bool> has_row;  // by answer: a mirror has none until its own row comes
     for (std::uint32_t r = 0; r < state_.rows.size(); ++r) {
+      poll_.at("keys", r, state_.rows.size());
       TableRow& row = state_.rows[r];
       if (row.kind == TableRow::Kind::strip_fit) continue;
       const bool nfp = row.kind == TableRow::Kind::nfp;
@@ -169,6 +174,7 @@ class Planner {
   }
 
   NfpTable::State& state_;
+  PlanningPoll poll_;
   std::map<Rational, std::uint32_t> angle_of_;
   std::vector<std::set<Rational>> sets_;         ///< of orientations, each once
   std::vector<std::size_t> set_of_;              ///< by item
@@ -211,14 +217,16 @@ base::Digest digest_of(const Region& shape) {
 
 }  // namespace nesting
 
-Result<NfpTable> NfpTable::create(TableInput input) {
+Result<NfpTable> NfpTable::create(TableInput input, const Progress& progress) try {
   if (std::optional<Error> error = nesting::wrong(input)) return *std::move(error);
   auto state = std::make_shared<State>();
   state->input = std::move(input);
-  if (std::optional<Error> error = nesting::Planner(*state).run()) return *std::move(error);
+  if (std::optional<Error> error = nesting::Planner(*state, progress).run()) return *std::move(error);
   NfpTable table;
   table.state_ = std::move(state);
   return table;
+} catch (const planar::Cancelled&) {
+  return Error{ErrorCode::cancelled, "stopped on request", {}};
 }
 
 const TableInput& NfpTable::input() const { return state_->input; }

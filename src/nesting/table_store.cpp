@@ -112,6 +112,16 @@ Result<base::AppendFile> own_file(const StorePlace& place) {
   }
 }
 
+/// What is there is no folder.
+std::optional<Error> other_than_folder(const fs::path& path, ErrorCode code) {
+  std::error_code unknown;
+  const fs::file_status status = fs::status(path, unknown);
+  if (fs::is_directory(status)) return std::nullopt;
+  if (fs::exists(status)) return store_error(code, "this is not a folder", path);
+  if (fs::is_symlink(path, unknown)) return store_error(code, "this is a symbolic link to what is not there", path);
+  return std::nullopt;
+}
+
 /// The files of a store, by name.
 Result<std::vector<fs::path>> files_of(const fs::path& folder) {
   std::vector<fs::path> files;
@@ -130,14 +140,16 @@ Result<TableStore> TableStore::open(const StorePlace& place, bool writable, cons
   TableStore store;
   if (place.folder.empty()) return store;
   StoreReader reader(keys, answers);
+  const ErrorCode code = writable ? ErrorCode::cannot_write : ErrorCode::cannot_open;
+  if (std::optional<Error> error = other_than_folder(place.folder, code)) return *std::move(error);
   if (writable) {
     std::error_code failed;
     fs::create_directories(place.folder, failed);
     if (failed)
       return store_error(ErrorCode::cannot_write, "the folder cannot be made: " + failed.message(), place.folder);
     Result<base::AppendFile> own = own_file(place);
-    if (!own) return own.error();
-    store.own_ = std::move(own).value();
+    if (own) store.own_ = std::move(own).value();
+    else store.unwritable_ = own.error();
   }
   const Result<std::vector<fs::path>> files = files_of(place.folder);
   if (!files) return files.error();
@@ -156,16 +168,16 @@ Result<TableStore> TableStore::open(const StorePlace& place, bool writable, cons
     if (!scan.why.empty() && (own || !scan.unfinished)) store.refused_.push_back({file.string(), scan.why});
     if (own && scan.good < bytes->size())
       if (const Result<void> cut = store.own_->resize(scan.good); !cut) return cut.error();
-    if (own && scan.good == 0)
-      if (const Result<void> begun = store.own_->append(store_header()); !begun) return begun.error();
+    if (own) store.begun_ = scan.good > 0;
   }
   return store;
 }
 
 Result<void> TableStore::add(const std::vector<std::pair<Key, const TableAnswer*>>& answers) {
   if (!own_) return {};
-  std::string bytes;
+  std::string bytes = begun_ ? "" : store_header();
   for (const auto& [key, answer] : answers) bytes += record_of(key, *answer);
+  begun_ = true;
   return own_->append(bytes);
 }
 

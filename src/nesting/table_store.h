@@ -21,13 +21,15 @@ struct StorePlace {
 
 class TableStore {
  public:
-  /// Reads the answers to `keys` from all files of the folder, which is made where it is not there; into `answers`, by
-  /// the indices of the keys, answers that are done or refused before those that timed out. `writable`: more will be
-  /// added. Errors: cannot_open, cannot_write.
+  /// Reads the answers to `keys` from all files of the folder into `answers`, by the indices of the keys, answers that
+  /// are done or refused before those that timed out. `writable`: more may be added; the folder is made where it is not
+  /// there. Errors: cannot_open, cannot_write.
   static Result<TableStore> open(const StorePlace& place, bool writable, const std::vector<Key>& keys,
                                  std::vector<std::optional<TableAnswer>>& answers);
 
-  /// Keeps answers; several at once are one write. Errors: cannot_write.
+  /// Why nothing can be added, though it was to be writable.
+  const std::optional<Error>& unwritable() const { return unwritable_; }
+  /// Keeps answers; several at once are one write. Requires: not unwritable. Errors: cannot_write.
   Result<void> add(const std::vector<std::pair<Key, const TableAnswer*>>& answers);
 
   std::uint64_t files() const { return files_; }
@@ -36,6 +38,8 @@ class TableStore {
  private:
   friend class StoreReader;
   std::optional<base::AppendFile> own_;
+  bool begun_ = false;  ///< the own file has its header
+  std::optional<Error> unwritable_;
   std::uint64_t files_ = 0;
   std::vector<RefusedFile> refused_;
 };

@@ -94,7 +94,8 @@ TEST_F(NfpTables, ShardsAreMergedToTheSameBytes) {
     EXPECT_EQ(work.read("merged.json"), work.read("one.json")) << shards;
   }
   const Outcome half = done("dymsum nfp-table small.json --shard 1/2 --cache half");
-  EXPECT_NE(half.out.find("of other shards"), std::string::npos) << half.out;
+  EXPECT_NE(half.out.find(" of all shards: "), std::string::npos) << half.out;
+  EXPECT_NE(half.out.find(" not there yet"), std::string::npos) << half.out;
   const Outcome early = work.run("dymsum nfp-table small.json --merge --cache half -o m.jsonl");
   EXPECT_EQ(early.code, 2);
   EXPECT_NE(early.err.find("rows are missing"), std::string::npos) << early.err;
@@ -109,6 +110,33 @@ TEST_F(NfpTables, AnswersAreTakenFromAnotherInstance) {
   const Json report = json("dymsum nfp-table other.json --cache c --json");
   EXPECT_GT(report["computed"], 0);
   EXPECT_LT(report["computed"], report["tasks"]);
+  done("dymsum nfp-table other.json -o alone.jsonl");
+  done("dymsum nfp-table other.json --cache c -o cached.jsonl");
+  EXPECT_EQ(work.read("cached.jsonl"), work.read("alone.jsonl"));
+}
+
+// Names and angles are the same, shapes are not: nothing of one gets into the table of the other.
+TEST_F(NfpTables, TwoInstancesInOneCacheStayApart) {
+  const std::string turns = R"(,"allowed_orientations":[0,90,22.5])";
+  work.write("a.json", instance_text({item_text("x", shapes::letter_l(3, 3, 1), turns),
+                                      item_text("y", shapes::star(5, 1, 2), turns)}));
+  work.write("b.json", instance_text({item_text("x", shapes::letter_u(3, 3, 1), turns),
+                                      item_text("y", shapes::star(5, 1, 2), turns)}));
+  for (const std::string name : {"a", "b"}) {
+    const std::string command = "dymsum nfp-table " + name + ".json ";
+    done(command + "-o " + name + ".jsonl -o " + name + ".manifest.json");
+    for (const std::string shard : {"1/3", "2/3"}) done(command + "--cache c --shard " + shard);
+  }
+  EXPECT_NE(work.read("a.jsonl"), work.read("b.jsonl"));
+  // The third shards of both: one of them is not enough for the other.
+  done("dymsum nfp-table a.json --cache c --shard 3/3");
+  EXPECT_EQ(work.run("dymsum nfp-table b.json --cache c --merge -o m.jsonl").code, 2);
+  done("dymsum nfp-table b.json --cache c --shard 3/3");
+  for (const std::string name : {"a", "b"}) {
+    done("dymsum nfp-table " + name + ".json --cache c --merge -o m.jsonl -o m.json");
+    EXPECT_EQ(work.read("m.jsonl"), work.read(name + ".jsonl"));
+    EXPECT_EQ(work.read("m.json"), work.read(name + ".manifest.json"));
+  }
 }
 
 // Killed again and again, wherever it is: in the end the table is there, and its bytes are those of one run.
@@ -143,6 +171,74 @@ TEST_F(NfpTables, LimitsOfTimeAreRowsAndTheExitCode) {
   EXPECT_EQ(work.run("dymsum nfp-table stars.json --orientations 3 --merge --cache c -o rows.jsonl").code, 5);
   done("dymsum nfp-table stars.json --orientations 3 --cache c -o rows.jsonl");
   for (const Json& row : rows("rows.jsonl")) EXPECT_EQ(row["status"], "done");
+}
+
+TEST_F(NfpTables, TheSummarySaysWhatBecameOfEveryTask) {
+  const std::string command = "dymsum nfp-table stars.json --orientations 3 ";
+  const auto work_line = [](const Outcome& outcome) { return outcome.out.substr(outcome.out.find('\n') + 1); };
+  EXPECT_EQ(work_line(work.run(command + "--time 1e-9")), "164 tasks: 0 computed, 164 given up\n");
+  EXPECT_EQ(work_line(work.run(command + "--time 1e-9 --cache c")), "164 tasks: 0 computed, 164 given up\n");
+  EXPECT_EQ(json(command + "--time 1e-9 --json", 5)["timed_out"], 164);
+  EXPECT_EQ(work_line(done(command + "--cache c --shard 1/2")), "82 tasks: 82 computed\n");
+  EXPECT_EQ(work.run(command + "--cache c --merge").code, 5) << "the other shard has given up";
+  EXPECT_EQ(work_line(done(command + "--cache c")), "164 tasks: 82 computed, 82 taken from the cache\n");
+  EXPECT_EQ(work_line(done(command + "--cache c --merge")), "read from 2 files of the cache\n");
+}
+
+/// An item with so many orientations that listing their differences, 359,000 angles, takes seconds.
+std::string many_angles() {
+  std::string list;
+  std::uint64_t state = 7;
+  for (int k = 0; k < 600; ++k) {
+    state = state * 6364136223846793005u + 1442695040888963407u;
+    list += (k == 0 ? "" : ",") + std::to_string((state >> 33) % 360000000) + "e-6";
+  }
+  return instance_text(
+      {item_text("square", shapes::rectangle(0, 0, 1, 1), R"(,"allowed_orientations":[)" + list + "]")});
+}
+
+TEST_F(NfpTables, ListingTheRowsKeepsToTheLimitOfTime) {
+  work.write("many.json", many_angles());
+  const Outcome late = work.run("timeout -k 1 9 dymsum nfp-table many.json --time 0.1 -o rows.jsonl");
+  EXPECT_EQ(late.code, 5) << late.err;
+  EXPECT_NE(late.err.find("the limit of --time was reached while the rows were being listed"), std::string::npos)
+      << late.err;
+  EXPECT_FALSE(work.exists("rows.jsonl"));
+}
+
+TEST_F(NfpTables, CtrlCWhileTheRowsAreListed) {
+  work.write("many.json", many_angles());
+  const Outcome stopped =
+      work.run("timeout --foreground --preserve-status -s INT -k 9 0.5 dymsum nfp-table many.json --json");
+  EXPECT_EQ(stopped.code, 130) << stopped.err;
+  EXPECT_EQ(Json::parse(stopped.out)["error"]["code"], "cancelled");
+}
+
+TEST_F(NfpTables, APipeThatNobodyReadsIsAnErrorAndOneThatIsReadIsWritten) {
+  const Outcome unread = work.run("mkfifo table.json && timeout -k 1 20 dymsum nfp-table small.json -o table.json");
+  EXPECT_EQ(unread.code, 2) << unread.err;
+  EXPECT_NE(unread.err.find("table.json: nobody reads from this pipe"), std::string::npos) << unread.err;
+  const Outcome read = work.run("cat table.json > copy & dymsum nfp-table small.json -o table.json; wait");
+  EXPECT_EQ(read.code, 0) << read.err;
+  done("dymsum nfp-table small.json -o plain.json");
+  EXPECT_EQ(work.read("copy"), work.read("plain.json"));
+}
+
+TEST_F(NfpTables, WhatIsNoFileIsRefusedBeforeAnyWork) {
+  const auto refused_as = [&](const std::string& preparation, const std::string& command, const std::string& named) {
+    const Outcome outcome =
+        work.run("rm -rf t c && " + preparation + " && timeout -k 1 9 dymsum nfp-table small.json " + command);
+    EXPECT_EQ(outcome.code, 2) << preparation << ": " << outcome.err;
+    EXPECT_NE(outcome.err.find(named), std::string::npos) << outcome.err;
+  };
+  for (const std::string kind : {"mkfifo", "ln -s /dev/zero", "ln -s /dev/null"})
+    refused_as("mkdir c && " + kind + " c/shard-1-of-1.1.nfpt", "--cache c",
+               "c/shard-1-of-1.1.nfpt: this is not a regular file");
+  for (const std::string kind : {"mkfifo", "ln -s /dev/zero", "touch"})
+    refused_as(kind + " c", "--cache c", "c: this is not a folder");
+  refused_as("ln -s nowhere c", "--cache c", "c: this is a symbolic link to what is not there");
+  refused_as("mkdir -p t/x.json", "-o t/x.json", "t/x.json: this is a directory");
+  refused_as("mkdir t && ln -s gone/x t/x.json", "-o t/x.json", "t/x.json: no file can be made at t/gone/x");
 }
 
 TEST_F(NfpTables, DamagedCachesAreToldAndNotBelieved) {

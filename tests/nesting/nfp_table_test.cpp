@@ -3,6 +3,11 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+#include <map>
+#include <numbers>
+#include <set>
+
 #include "dymsum/cspace_obstacle.h"
 #include "dymsum/orientation_sum.h"
 #include "dymsum/planar_sum.h"
@@ -95,6 +100,42 @@ TEST(NfpTable, the_angles_are_the_differences_of_orientations) {
   }
   // "ell" and "again" are one shape: nothing is computed twice.
   EXPECT_LT(table.task_count(), table.rows().size() / 2);
+}
+
+// Denominators are tried one by one. Of the allowed error a hundredth is kept for rounding.
+TEST(NfpTable, angles_have_the_simplest_tangents) {
+  constexpr double kError = 1e-3;
+  std::vector<double> degrees;
+  for (int k = 0; k < 180; ++k) degrees.push_back(k + 0.25);
+  TableInput input;
+  input.items = {{"one", shapes::rectangle(0, 0, 1, 1), degrees_of({0})},
+                 {"other", shapes::rectangle(0, 0, 1, 2), degrees_of(degrees)}};
+  input.angle_error = kError;
+  std::size_t tried = 0;
+  const NfpTable table = NfpTable::create(input).value();
+  for (const TableAngle& angle : table.angles()) {
+    const double theta = angle.degrees.to_double() * std::numbers::pi / 180;
+    if (theta <= kError || theta >= std::numbers::pi - kError) continue;
+    const double low = std::tan((theta - 0.99 * kError) / 2), high = std::tan((theta + 0.99 * kError) / 2);
+    std::int64_t d = 1;
+    while (std::ceil(low * static_cast<double>(d)) > high * static_cast<double>(d)) ++d;
+    const auto n = static_cast<std::int64_t>(std::ceil(low * static_cast<double>(d)));
+    EXPECT_EQ(angle.orientation.tan_half(), Rational::of(n, d).value()) << angle.degrees.to_string();
+    ++tried;
+  }
+  EXPECT_GE(tried, 180u);
+}
+
+TEST(NfpTable, quarter_turns_are_exact) {
+  TableInput input = small_input();
+  input.angle_error = 0.1;
+  const NfpTable table = NfpTable::create(input).value();
+  std::map<Rational, Orientation> found;
+  for (const TableAngle& angle : table.angles()) found.emplace(angle.degrees, angle.orientation);
+  EXPECT_EQ(found.at(0).tan_half(), 0);
+  EXPECT_EQ(found.at(90).tan_half(), 1);
+  EXPECT_TRUE(found.at(180).is_half_turn());
+  EXPECT_EQ(found.at(270).tan_half(), -1);
 }
 
 // Both orders of two items: one of each pair of rows is computed, the other one mirrored, and the other way round.
@@ -208,6 +249,41 @@ TEST(NfpTable, cancelled_by_its_progress) {
     return share < 0.5;
   };
   EXPECT_EQ(compute_table(table, options).error().code, ErrorCode::cancelled);
+}
+
+/// 66 orientations whose differences are all others: more than 4,096 angles.
+TableInput many_angles(std::int64_t denominator) {
+  std::vector<Rational> degrees;
+  std::uint64_t state = 7;
+  for (std::int64_t k = 0; k < 66; ++k) {
+    state = state * 6364136223846793005u + 1442695040888963407u;
+    degrees.push_back(Rational::of(static_cast<std::int64_t>((state >> 32) % 359000), 1000).value() +
+                      Rational::of(k + 1, denominator).value());
+  }
+  return {{{"square", shapes::rectangle(0, 0, 1, 1), degrees}}, {}, {}};
+}
+
+TEST(NfpTable, planning_can_be_cancelled_in_every_stage) {
+  for (const std::int64_t denominator : {std::int64_t{1} << 30, (std::int64_t{1} << 60) - 1}) {
+    const TableInput input = many_angles(denominator);
+    std::set<std::string> stages;
+    const Progress watching = [&](std::string_view stage, double share) {
+      EXPECT_TRUE(share >= 0 && share <= 1) << share;
+      stages.emplace(stage);
+      return true;
+    };
+    EXPECT_GT(NfpTable::create(input, watching).value().angles().size(), 4096u);
+    EXPECT_EQ(stages, (std::set<std::string>{"differences of angles", "orientations", "keys"}));
+    for (const std::string& last : stages) {
+      const auto stopped = NfpTable::create(input, [&](std::string_view stage, double) { return stage != last; });
+      ASSERT_FALSE(stopped) << last;
+      EXPECT_EQ(stopped.error().code, ErrorCode::cancelled) << last;
+    }
+  }
+}
+
+TEST(NfpTable, small_tables_are_planned_whatever_the_limit) {
+  EXPECT_TRUE(NfpTable::create(small_input(), [](std::string_view, double) { return false; }));
 }
 
 TEST(NfpTable, wrong_input_is_refused) {

@@ -1,5 +1,6 @@
 // The folder of answers: shards, deaths, damage.
 #include <gtest/gtest.h>
+#include <sys/stat.h>
 
 #include <filesystem>
 #include <fstream>
@@ -159,6 +160,59 @@ TEST(TableStore, only_regular_files_are_read) {
   EXPECT_EQ(text_of(table, result), plain_text());
 }
 
+/// What may stand where a process would make its file, with a name for each.
+void put_irregular(const std::string& kind, const fs::path& at) {
+  if (kind == "pipe") ASSERT_EQ(::mkfifo(at.c_str(), 0666), 0);
+  else if (kind == "folder") fs::create_directories(at);
+  else if (kind == "link to nowhere") fs::create_symlink("nowhere/file", at);
+  else if (kind == "link to itself") fs::create_symlink(at.filename(), at);
+  else fs::create_symlink(kind, at);
+}
+
+constexpr const char* kIrregular[] = {"pipe", "folder", "link to nowhere", "link to itself", "/dev/null", "/dev/zero"};
+
+// Neither do they hang or fill the memory, nor are answers lost in them.
+TEST(TableStore, what_is_no_file_cannot_be_the_own_one) {
+  const NfpTable table = store_table();
+  for (const std::string kind : kIrregular) {
+    SCOPED_TRACE(kind);
+    const Folder folder("own");
+    const fs::path store = folder / "x";
+    fs::create_directories(store);
+    put_irregular(kind, store / kFirst);
+    const auto refused = compute_table(table, {.store = store});
+    ASSERT_FALSE(refused);
+    EXPECT_EQ(refused.error().code, ErrorCode::cannot_write);
+    EXPECT_EQ(refused.error().evidence.file, (store / kFirst).string());
+  }
+}
+
+TEST(TableStore, a_link_to_a_file_that_is_not_there_yet_is_followed) {
+  const NfpTable table = store_table();
+  const Folder folder("link");
+  const fs::path store = folder / "x";
+  fs::create_directories(store);
+  fs::create_symlink(folder / "elsewhere", store / kFirst);
+  EXPECT_EQ(text_of(table, run(table, store)), plain_text());
+  EXPECT_GT(fs::file_size(folder / "elsewhere"), 0u);
+  EXPECT_EQ(run(table, store).work.computed, 0u);
+}
+
+// As on a medium that is read only: nothing would have to be written.
+TEST(TableStore, a_whole_store_need_not_be_writable) {
+  const NfpTable table = store_table();
+  const Folder folder("whole");
+  const fs::path store = folder / "x";
+  run(table, store, {.shard = 1, .shards = 2});
+  fs::create_directories(store / kFirst);
+  EXPECT_EQ(compute_table(table, {.store = store}).error().code, ErrorCode::cannot_write);
+  run(table, store, {.shard = 2, .shards = 2});
+  const TableResult whole = run(table, store);
+  EXPECT_EQ(whole.work.computed, 0u);
+  EXPECT_EQ(text_of(table, whole), plain_text());
+  EXPECT_EQ(text_of(table, run(table, store, {.compute = false})), plain_text());
+}
+
 TEST(TableStore, a_file_that_somebody_else_writes_to_is_not_shared) {
   const Folder folder("locked");
   const NfpTable table = store_table();
@@ -173,7 +227,9 @@ TEST(TableStore, a_file_that_somebody_else_writes_to_is_not_shared) {
 TEST(TableStore, pairs_that_ran_out_of_time_are_computed_again) {
   const Folder folder("time");
   const NfpTable table = store_table();
-  run(table, folder / "x", {.all_seconds = 1e-9});
+  const TableWork late = run(table, folder / "x", {.all_seconds = 1e-9}).work;
+  EXPECT_EQ(late.computed, 0u);
+  EXPECT_EQ(late.timed_out, table.task_count());
   const TableResult merged = run(table, folder / "x", {.compute = false});
   for (const TableRow& row : table.rows())
     EXPECT_EQ(merged.answers[row.answer]->status, TableAnswer::Status::timed_out);
@@ -188,6 +244,20 @@ TEST(TableStore, folders_that_cannot_be_used) {
   const NfpTable table = store_table();
   EXPECT_EQ(compute_table(table, {.store = folder / "file"}).error().code, ErrorCode::cannot_write);
   EXPECT_EQ(compute_table(table, {.store = folder / "none", .compute = false}).error().code, ErrorCode::cannot_open);
+  for (const std::string kind : kIrregular) {
+    if (kind == "folder") continue;
+    const fs::path store = folder / "x";
+    put_irregular(kind, store);
+    const std::string why =
+        kind.starts_with("link") ? "this is a symbolic link to what is not there" : "this is not a folder";
+    for (const bool compute : {true, false}) {
+      const auto refused = compute_table(table, {.store = store, .compute = compute});
+      ASSERT_FALSE(refused) << kind;
+      EXPECT_EQ(refused.error().code, compute ? ErrorCode::cannot_write : ErrorCode::cannot_open) << kind;
+      EXPECT_EQ(refused.error().message, why) << kind;
+    }
+    fs::remove(store);
+  }
 }
 
 TEST(AnswerRecord, answers_come_back) {
