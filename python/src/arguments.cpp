@@ -1,5 +1,6 @@
 #include "arguments.h"
 
+#include "leaving.h"
 #include "values.h"
 
 namespace dymsum::python {
@@ -24,6 +25,7 @@ nb::handle converter(std::string_view name) {
 }  // namespace
 
 bool is_like(nb::handle object, std::string_view kind) noexcept {
+  const Inside call;
   try {
     return nb::cast<std::string_view>(converter("kind")(object)) == kind;
   } catch (std::exception&) {
@@ -31,10 +33,14 @@ bool is_like(nb::handle object, std::string_view kind) noexcept {
   }
 }
 
-nb::object converted(nb::handle object, const char* maker) { return converter(maker)(object); }
+nb::object converted(nb::handle object, const char* maker) {
+  const Inside call;
+  return converter(maker)(object);
+}
 
 nb::object contiguous(nb::handle object) {
   static const nb::handle kFunction = function_of("dymsum._convert", "doubles");
+  const Inside call;
   return kFunction(object);
 }
 
