@@ -61,8 +61,9 @@ def _depth(value: Any) -> int:
     if not isinstance(value, Sequence) or isinstance(value, str):
         return 0
     # Rings and parts may be empty: the first that is not tells.
-    filled = next((item for item in value if not isinstance(item, Sequence) or len(item) > 0), value[:1])
-    return 1 + (_depth(filled) if len(value) > 0 else 0)
+    if len(value) == 0:
+        return 1
+    return 1 + _depth(next((item for item in value if not isinstance(item, Sequence) or len(item) > 0), value[0]))
 
 
 def _is_vertices_and_faces(value: Any) -> bool:
@@ -110,7 +111,8 @@ def _same_double(item: Any) -> float:
         number = float(item)
     except OverflowError:
         number = math.inf
-    if item == number or number != number:
+    # numpy compares its integers with floats after rounding them.
+    if (item.item() if isinstance(item, numpy.integer) else item) == number or number != number:
         return number
     raise _core_error(f"no double holds the coordinate {item!s:.60}")
 
@@ -153,7 +155,7 @@ def _part(rings: Any) -> _core.Part:
     if not hasattr(rings, "__len__") or isinstance(rings, (str, bytes)):
         raise TypeError(f"a part is a list of rings, not {type(rings).__name__}")
     if len(rings) == 0:
-        return _core.Part()
+        return _core.Part(numpy.empty((0, 2)))
     return _core.Part(_rows(rings[0]), [_rows(hole) for hole in rings[1:]])
 
 

@@ -89,7 +89,7 @@ Array<bool> inside_of(const Region& p, const Region& q, auto positions, Semantic
       progress, [&](const Progress& watched) { return contains_each(p, q, positions, semantics, threads, watched); }));
 }
 
-std::span<const Point> points_of(const Rows<2>& rows) {
+std::span<const Point> places_of(const Rows<2>& rows) {
   static_assert(sizeof(Point) == 2 * sizeof(double));
   return {reinterpret_cast<const Point*>(rows.data), rows.size};
 }
@@ -126,7 +126,7 @@ void bind_planar_contains(nb::module_& m) {
   m.def(
       "contains_each",
       [](const RegionArgument& p, const RegionArgument& q, const Rows<2>& positions, Semantics semantics, int threads,
-         const Progress& progress) { return inside_of(*p, *q, points_of(positions), semantics, threads, progress); },
+         const Progress& progress) { return inside_of(*p, *q, places_of(positions), semantics, threads, progress); },
       "p"_a, "q"_a, "positions"_a, "semantics"_a = Semantics::closed, "threads"_a = 0, "progress"_a = nb::none(),
       R"doc(contains for many positions, shape (n, 2), on several threads (0: all cores); an array of n truth values.
 Many are found in the sum, which is computed once; few are answered one by one. Raises Error: cancelled;
@@ -170,7 +170,7 @@ array([ True,  True, False])
       .def(
           "contains_each",
           [](const SumLocator& self, const Rows<2>& positions, int threads) {
-            return truths_of(without_gil([&] { return self.contains(points_of(positions), threads); }));
+            return truths_of(without_gil([&] { return self.contains(places_of(positions), threads); }));
           },
           "positions"_a, "threads"_a = 0,
           "contains for many positions, shape (n, 2), on several threads (0: all cores): n truth values.")
