@@ -39,7 +39,8 @@ def moving(progress: Progress) -> dymsum.MovingOptions:
 
 
 def table() -> dymsum.NfpTable:
-    return dymsum.NfpTable.create([dymsum.NfpShape("p", P), dymsum.NfpShape("q", Q)])
+    items = [dymsum.TableItem("p", P, [0]), dymsum.TableItem("q", Q, [0])]
+    return dymsum.NfpTable(dymsum.TableInput(items))
 
 
 #: What is called, by its name; several calls of one name are its overloads.
