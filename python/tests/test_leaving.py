@@ -118,3 +118,20 @@ def test_a_progress_in_use_stays() -> None:
     assert holder.held.progress == holder.progress
     dymsum.minkowski_sum(shapes.star(5, 1, 2), shapes.star(6, 1, 2), holder.held)
     assert holder.held.progress is not None
+
+
+def test_threads_use_the_package_first_at_the_same_time() -> None:
+    """Each waited for what the other one was importing, with the GIL."""
+    program = """
+import sys, threading, numpy, dymsum
+sys.setswitchinterval(1e-6)
+square, points = dymsum.shapes.rectangle(0, 0, 1, 1), numpy.zeros((3, 2))
+threads = [threading.Thread(target=dymsum.contains_each, args=(square, square, points)) for _ in range(8)]
+for thread in threads:
+    thread.start()
+for thread in threads:
+    thread.join()
+"""
+    for _ in range(4):
+        ended = subprocess.run([sys.executable, "-c", program], capture_output=True, text=True, timeout=30)
+        assert (ended.returncode, ended.stderr) == (0, "")
