@@ -6,6 +6,7 @@
 
 #include "dymsum/motion.h"
 #include "dymsum/obstacle_queries.h"
+#include "dymsum/sum_locator.h"
 #include "options.h"
 #include "planar/configuration.h"
 #include "planar/query_file.h"
@@ -61,12 +62,14 @@ bool is_closed(const ContainsCommand& command, bool robot) {
   return command.semantics.empty() ? !robot : command.semantics == "closed";
 }
 
-std::vector<bool> in_sum(const Region& p, const Region& q, const std::vector<Query>& queries, bool closed) {
-  std::vector<bool> inside;
-  for (const Query& query : queries) {
-    inside.push_back(contains(p, q, {query.x, query.y}, closed ? Semantics::closed : Semantics::open));
-  }
-  return inside;
+std::vector<bool> in_sum(const std::vector<Input>& inputs, const std::vector<Query>& queries, bool closed,
+                         const Progress& progress) {
+  std::vector<Point> places;
+  for (const Query& query : queries) places.push_back({query.x, query.y});
+  const std::vector<std::uint8_t> inside =
+      require_of(inputs, contains_each(inputs[0].region, inputs[1].region, places,
+                                       closed ? Semantics::closed : Semantics::open, 0, progress));
+  return {inside.begin(), inside.end()};
 }
 
 /// The obstacle of all angles is worth its while for many questions; it knows interiors only.
@@ -129,7 +132,8 @@ ExitCode run_contains(const ContainsCommand& command) {
   // no file.
   std::optional<ProgressBar> bar(std::in_place);
   const auto [inside, timing] = timed(command.report.repeat, [&] {
-    return robot ? in_obstacle(inputs, queries, closed, bar->callback()) : in_sum(first, second, queries, closed);
+    return robot ? in_obstacle(inputs, queries, closed, bar->callback())
+                 : in_sum(inputs, queries, closed, bar->callback());
   });
   bar.reset();
   if (command.report.json) {

@@ -40,6 +40,7 @@
 #include "dymsum/solids.h"
 #include "dymsum/spatial_sum.h"
 #include "dymsum/spatial_trace.h"
+#include "dymsum/sum_locator.h"
 #include "dymsum/trace.h"
 #include "dymsum/version.h"
 #include "dymsum/volume_text.h"

@@ -6,6 +6,7 @@
 
 #include "dymsum/motion.h"
 #include "dymsum/planner.h"
+#include "dymsum/progress.h"
 
 namespace dymsum {
 
@@ -24,14 +25,15 @@ struct PathCheck {
 
 /// Each piece by the move of its end, exactly: by check_translation or check_rotation. Errors: malformed, with the
 /// index in the sentence, for a translation that turns and a rotation that moves, a start that is not the first, and
-/// for an empty path; as these checks.
+/// for an empty path; cancelled, which progress is asked for before each piece; as these checks.
 Result<PathCheck> check_path(const Region& robot, const Region& obstacle, std::span<const Waypoint> path,
-                             Touching touch = Touching::allowed);
+                             Touching touch = Touching::allowed, const Progress& progress = {});
 
 /// From each pose to the next, x, y and theta linear in time: exactly where it is a translation, or a rotation in place
 /// the way theta says at face value (with Orientation::nearest at both ends), by check_motion where it is both.
-/// Errors: malformed for an empty path; as these checks.
+/// Errors: malformed for an empty path; cancelled, as above; as these checks.
 Result<PathCheck> check_path(const Region& robot, const Region& obstacle, std::span<const Configuration> poses,
-                             Touching touch = Touching::allowed, const MotionOptions& options = {});
+                             Touching touch = Touching::allowed, const MotionOptions& options = {},
+                             const Progress& progress = {});
 
 }  // namespace dymsum

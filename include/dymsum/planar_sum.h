@@ -184,7 +184,8 @@ Result<PlanarSum> union_of(const std::vector<Region>& regions, const SumOptions&
 ConvolutionSizes convolution_sizes(const Region& p, const Region& q);
 
 /// True when z lies in the sum: closed and regular operands meet (closed), or overlap (open). Nothing that is not
-/// finite does. Exact; O(nm). Requires: coordinates of both up to 2^1000 (else std::invalid_argument).
+/// finite does. Exact; O(n + m) and the pairs of edges with boxes that meet where Q, reflected, is moved to z; for many
+/// points see contains_each (sum_locator.h). Requires: coordinates of both up to 2^1000 (else std::invalid_argument).
 bool contains(const Region& p, const Region& q, Point z, Semantics semantics = Semantics::closed);
 
 }  // namespace dymsum

@@ -180,9 +180,10 @@ Result<SpatialSum> minkowski_sum(std::span<const Mesh> operands, const SpatialOp
 /// both have thin parts (open: only where they can cross, as for minkowski_sum; closed: never), and for operands whose
 /// coordinates need more than 250 bits on their common grid.
 Result<bool> contains(const Mesh& p, const Mesh& q, const Point3& z, Semantics semantics = Semantics::closed);
-/// The same for many positions, which may be any fractions. Exact. The operands are prepared once.
+/// The same for many positions, which may be any fractions. Exact. The operands are prepared once. Errors too:
+/// cancelled, which progress is asked for before each position.
 Result<std::vector<bool>> contains_each(const Mesh& p, const Mesh& q, std::span<const RationalPoint3> positions,
-                                        Semantics semantics = Semantics::closed);
+                                        Semantics semantics = Semantics::closed, const Progress& progress = {});
 
 /// What a sum will take, before it is computed: expected numbers of facets of the reduced convolution, if each operand
 /// were turned at random against the other one, and the memory that so many facets need.

@@ -34,12 +34,22 @@ class HasFaces(Protocol):
     def faces(self) -> Any: ...
 
 
+class HasGeometry(Protocol):
+    """trimesh's scenes."""
+
+    @property
+    def geometry(self) -> Any: ...
+
+    @property
+    def graph(self) -> Any: ...
+
+
 RegionLike = Union[
     _core.Region, _core.RegionData, str, HasGeoInterface, Mapping[str, Any], Sequence[Any], "numpy.typing.NDArray[Any]"
 ]
 """What a Region is made from: see Region."""
 
-MeshLike = Union[_core.Mesh, _core.MeshData, HasFaces, tuple[Any, Any]]
+MeshLike = Union[_core.Mesh, _core.MeshData, HasFaces, HasGeometry, tuple[Any, Any]]
 """What a Mesh is made from: see Mesh."""
 
 
@@ -50,23 +60,32 @@ def _depth(value: Any) -> int:
         return len(shape)
     if not isinstance(value, Sequence) or isinstance(value, str):
         return 0
-    return 1 + max((_depth(item) for item in value[:1]), default=0)
+    # Rings and parts may be empty: the first that is not tells.
+    if len(value) == 0:
+        return 1
+    return 1 + _depth(next((item for item in value if not isinstance(item, Sequence) or len(item) > 0), value[0]))
 
 
 def _is_vertices_and_faces(value: Any) -> bool:
     if not isinstance(value, (tuple, list)) or len(value) != 2:
         return False
+    if getattr(value[0], "shape", None) == (0, 3):
+        return True
     try:
         return len(value[0]) > 0 and len(value[0][0]) == 3 and _depth(value[0]) == 2
     except (TypeError, KeyError, IndexError):
         return False
 
 
+def _is_scene(value: Any) -> bool:
+    return hasattr(value, "geometry") and hasattr(value, "graph") and hasattr(value, "dump")
+
+
 def kind(value: Any) -> str:
     """ "region" or "mesh" where one can be made of the value, else ""."""
     if isinstance(value, (str, Mapping, _core.Region, _core.RegionData)) or hasattr(value, "__geo_interface__"):
         return "region"
-    if hasattr(value, "vertices") and hasattr(value, "faces"):
+    if _is_scene(value) or (hasattr(value, "vertices") and hasattr(value, "faces")):
         return "mesh"
     if _is_vertices_and_faces(value):
         return "mesh"
@@ -92,7 +111,8 @@ def _same_double(item: Any) -> float:
         number = float(item)
     except OverflowError:
         number = math.inf
-    if item == number or number != number:
+    # numpy compares its integers with floats after rounding them.
+    if (item.item() if isinstance(item, numpy.integer) else item) == number or number != number:
         return number
     raise _core_error(f"no double holds the coordinate {item!s:.60}")
 
@@ -124,7 +144,7 @@ def doubles(value: Any) -> numpy.typing.NDArray[numpy.float64]:
 
 def _rows(ring: Any, columns: int = 2) -> numpy.typing.NDArray[numpy.float64]:
     rows = doubles(ring)
-    if rows.size == 0:
+    if rows.size == 0 and (rows.ndim < 2 or rows.shape[-1] in (0, columns)):
         return rows.reshape(0, columns)
     if rows.ndim != 2 or rows.shape[1] != columns:
         raise ValueError(f"{columns} numbers a vertex are needed, not an array of shape {rows.shape}")
@@ -132,6 +152,10 @@ def _rows(ring: Any, columns: int = 2) -> numpy.typing.NDArray[numpy.float64]:
 
 
 def _part(rings: Any) -> _core.Part:
+    if not hasattr(rings, "__len__") or isinstance(rings, (str, bytes)):
+        raise TypeError(f"a part is a list of rings, not {type(rings).__name__}")
+    if len(rings) == 0:
+        return _core.Part(numpy.empty((0, 2)))
     return _core.Part(_rows(rings[0]), [_rows(hole) for hole in rings[1:]])
 
 
@@ -142,11 +166,37 @@ def _one_shape(text: str, form: _core.RegionFormat, name: str) -> _core.RegionDa
     return shapes[0].data
 
 
+def _plain_numbers(value: Any) -> Any:
+    """Coordinates, in arrays or not, as lists of doubles. None is rounded."""
+    if isinstance(value, float):
+        return float(value)
+    if _is_masked(value):
+        raise TypeError("a masked array: fill or compress it first")
+    if isinstance(value, (list, tuple)):
+        return [_plain_numbers(item) for item in value]
+    if isinstance(value, numpy.ndarray):
+        return _plain_numbers(value.tolist())
+    return _same_double(value)
+
+
+#: shapely's rings are GeoJSON's lines; empty points and lines have no other form there.
+_OF_NOTHING = {"Point": "MultiPoint", "LineString": "MultiLineString", "LinearRing": "MultiLineString"}
+
+
 def _geojson(value: Any) -> Any:
-    """The mapping with what shapely calls a ring as GeoJSON's line."""
-    if value.get("type") == "LinearRing":
-        return {**value, "type": "LineString"}
-    return value
+    """What of a mapping makes the shape, in numbers that JSON holds."""
+    if isinstance(value, (list, tuple)):
+        return [_geojson(item) for item in value]
+    if not isinstance(value, Mapping):
+        return value
+    plain = {key: _geojson(value[key]) for key in ("type", "geometry", "geometries", "features") if key in value}
+    if "coordinates" in value:
+        plain["coordinates"] = _plain_numbers(value["coordinates"])
+        if plain["coordinates"] == [] and plain.get("type") in _OF_NOTHING:
+            plain["type"] = _OF_NOTHING[plain["type"]]
+    if plain.get("type") == "LinearRing":
+        plain["type"] = "LineString"
+    return plain
 
 
 def region_data(value: Any) -> _core.RegionData:
@@ -165,7 +215,7 @@ def region_data(value: Any) -> _core.RegionData:
     if depth == 2:
         return _core.RegionData([_part([value])])
     if depth == 3:
-        return _core.RegionData([_part(value)])
+        return _core.RegionData([_part(value)] if len(value) > 0 else [])
     if depth == 4:
         return _core.RegionData([_part(rings) for rings in value])
     if hasattr(value, "__len__") and len(value) == 0:
@@ -178,13 +228,29 @@ def region(value: Any) -> _core.Region:
     return value if isinstance(value, _core.Region) else _core.Region.create(region_data(value))
 
 
+def _mesh_of_scene(scene: Any) -> Any:
+    """All meshes of a scene where they stand, as one."""
+    for name, one in scene.geometry.items():
+        if not hasattr(one, "faces"):
+            raise TypeError(f"no mesh can be made of a scene with {type(one).__name__} {name!r}")
+    meshes = scene.dump()
+    vertices = [numpy.empty((0, 3))]
+    faces = [numpy.empty((0, 3), numpy.int64)]
+    for one in meshes:
+        faces.append(numpy.asarray(one.faces) + sum(map(len, vertices)))
+        vertices.append(numpy.asarray(one.vertices))
+    return numpy.concatenate(vertices), numpy.concatenate(faces)
+
+
 def mesh_data(value: Any) -> _core.MeshData:
     """The plain lists of a value, not yet validated."""
     if isinstance(value, _core.Mesh):
         return value.data
     if isinstance(value, _core.MeshData):
         return value
-    if isinstance(value, (tuple, list)) and len(value) == 2:
+    if _is_scene(value):
+        vertices, faces = _mesh_of_scene(value)
+    elif isinstance(value, (tuple, list)) and len(value) == 2:
         vertices, faces = value
     elif hasattr(value, "vertices") and hasattr(value, "faces"):
         vertices, faces = value.vertices, value.faces

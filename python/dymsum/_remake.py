@@ -19,6 +19,7 @@ from ._core import (
     ScalingSum,
     SolidPose,
     SolidSum,
+    SumLocator,
     SumOptions,
 )
 
@@ -53,6 +54,7 @@ def rotated_erode(container: Region, part: Region, theta: Orientation, options: 
 
 
 convex_sum = _core.convex_sum
+sum_locator = SumLocator
 solid_sum = _core.minkowski_sum
 solid_sum_of = _core.minkowski_sum
 solid_erode = _core.erode

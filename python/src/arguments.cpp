@@ -1,29 +1,27 @@
 #include "arguments.h"
 
+#include "imported.h"
+#include "leaving.h"
 #include "values.h"
 
 namespace dymsum::python {
 namespace {
 
-/// A function of a module; it stays for ever.
-nb::handle function_of(const char* module, const char* name) {
-  return nb::object(nb::module_::import_(module).attr(name)).release();
-}
+constinit Imported g_kind{"dymsum._convert", "kind"}, g_region{"dymsum._convert", "region"},
+    g_mesh{"dymsum._convert", "mesh"}, g_region_data{"dymsum._convert", "region_data"},
+    g_mesh_data{"dymsum._convert", "mesh_data"}, g_doubles{"dymsum._convert", "doubles"},
+    g_masked{"numpy.ma", "MaskedArray"};
 
 nb::handle converter(std::string_view name) {
-  static const nb::handle kKind = function_of("dymsum._convert", "kind");
-  static const nb::handle kRegion = function_of("dymsum._convert", "region");
-  static const nb::handle kMesh = function_of("dymsum._convert", "mesh");
-  static const nb::handle kRegionData = function_of("dymsum._convert", "region_data");
-  static const nb::handle kMeshData = function_of("dymsum._convert", "mesh_data");
-  if (name == "region_data") return kRegionData;
-  if (name == "mesh_data") return kMeshData;
-  return name == "kind" ? kKind : name == "region" ? kRegion : kMesh;
+  if (name == "region_data") return g_region_data.get();
+  if (name == "mesh_data") return g_mesh_data.get();
+  return name == "kind" ? g_kind.get() : name == "region" ? g_region.get() : g_mesh.get();
 }
 
 }  // namespace
 
 bool is_like(nb::handle object, std::string_view kind) noexcept {
+  const Inside call;
   try {
     return nb::cast<std::string_view>(converter("kind")(object)) == kind;
   } catch (std::exception&) {
@@ -31,17 +29,17 @@ bool is_like(nb::handle object, std::string_view kind) noexcept {
   }
 }
 
-nb::object converted(nb::handle object, const char* maker) { return converter(maker)(object); }
+nb::object converted(nb::handle object, const char* maker) {
+  const Inside call;
+  return converter(maker)(object);
+}
 
 nb::object contiguous(nb::handle object) {
-  static const nb::handle kFunction = function_of("dymsum._convert", "doubles");
-  return kFunction(object);
+  const Inside call;
+  return g_doubles.get()(object);
 }
 
-bool is_masked(nb::handle object) {
-  static const nb::handle kMasked = function_of("numpy.ma", "MaskedArray");
-  return nb::isinstance(object, kMasked);
-}
+bool is_masked(nb::handle object) { return nb::isinstance(object, g_masked.get()); }
 
 }  // namespace dymsum::python
 

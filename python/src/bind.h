@@ -7,6 +7,7 @@ namespace dymsum::python {
 
 namespace nb = nanobind;
 
+void bind_leaving(nb::module_& m);  // first: others let go of the GIL
 void bind_errors(nb::module_& m);
 void bind_exact(nb::module_& m);  // scales, orientations, rotations, poses
 void bind_region(nb::module_& m);

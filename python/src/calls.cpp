@@ -15,6 +15,10 @@ constexpr auto kBetweenQuestions = std::chrono::milliseconds(20);
 struct Callable {
   explicit Callable(nb::object what) : object(std::move(what)) {}
   ~Callable() {
+    if (leaving()) {
+      object.release();  // nobody may ask for the GIL any more
+      return;
+    }
     const nb::gil_scoped_acquire held;
     object.reset();
   }
@@ -48,6 +52,12 @@ nb::object callable_of(const Progress& progress) {
   return python ? nb::object(python->callable->object) : nb::none();
 }
 
+int visit_callable(const Progress& progress, long copies, visitproc visit, void* arg) {
+  const auto* python = progress.target<PythonProgress>();
+  if (python && python->callable.use_count() == copies) Py_VISIT(python->callable->object.ptr());
+  return 0;
+}
+
 struct Watch::State {
   Progress user;
   std::atomic<Clock::rep> next = 0;  // nothing is asked before
@@ -56,7 +66,7 @@ struct Watch::State {
 
   bool ask(std::string_view stage, double fraction) {
     const Clock::rep now = Clock::now().time_since_epoch().count();
-    if (stopped) return false;
+    if (stopped || leaving()) return false;
     Clock::rep due = next;
     if (now < due || !next.compare_exchange_strong(due, now + Clock::duration(kBetweenQuestions).count())) return true;
     const nb::gil_scoped_acquire held;
@@ -89,6 +99,8 @@ void Watch::begin() {
 Progress Watch::progress() const {
   return [state = state_](std::string_view stage, double fraction) { return state->ask(stage, fraction); };
 }
+
+void Watch::forget() { state_->user = {}; }
 
 void Watch::raise() const {
   if (!state_->exception) return;

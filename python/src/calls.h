@@ -8,6 +8,7 @@
 
 #include "dymsum/progress.h"
 #include "errors.h"
+#include "leaving.h"
 
 namespace dymsum::python {
 
@@ -15,6 +16,27 @@ namespace dymsum::python {
 Progress progress_of(nb::object callable);
 /// The callable again, or None.
 nb::object callable_of(const Progress& progress);
+/// The same Progress with a reference to the callable of its own. With the GIL.
+inline Progress own_progress(const Progress& of) { return progress_of(callable_of(of)); }
+/// For tp_traverse of an object that has `copies` copies of a Progress: visits the callable where nobody else has one,
+/// for the reference to it is one and shared by all copies.
+int visit_callable(const Progress& progress, long copies, visitproc visit, void* arg);
+
+/// Slots of a class with a member `progress`, so that the garbage collector sees the callable.
+template <class T>
+struct ProgressSlots {
+  static int traverse(PyObject* self, visitproc visit, void* arg) {
+    Py_VISIT(Py_TYPE(self));
+    return nb::inst_ready(self) ? visit_callable(nb::inst_ptr<T>(self)->progress, 1, visit, arg) : 0;
+  }
+  static int clear(PyObject* self) {
+    if (nb::inst_ready(self)) nb::inst_ptr<T>(self)->progress = {};
+    return 0;
+  }
+  static inline const PyType_Slot slots[] = {{Py_tp_traverse, reinterpret_cast<void*>(&traverse)},
+                                             {Py_tp_clear, reinterpret_cast<void*>(&clear)},
+                                             {0, nullptr}};
+};
 
 /// What one call hands to the library as Progress: it asks Python for signals (KeyboardInterrupt) on the thread that
 /// called, and the user's callable, both at most fifty times a second but for the first time. An exception of either
@@ -29,6 +51,8 @@ class Watch {
   /// A call begins, on this thread.
   void begin();
   Progress progress() const;
+  /// The user's progress is asked no more.
+  void forget();
   /// Raises what stopped the call, if anything did. With the GIL.
   void raise() const;
   template <class T>
@@ -45,7 +69,7 @@ class Watch {
 /// work() without the GIL.
 template <class Work>
 auto without_gil(Work&& work) {
-  const nb::gil_scoped_release free;
+  const WithoutGil free;
   return work();
 }
 

@@ -8,6 +8,8 @@
 #include <stdexcept>
 #include <utility>
 
+#include "leaving.h"
+
 namespace dymsum::python {
 
 /// A T that is changed without the GIL, with the Python objects it was made of. A second thread that calls meanwhile is
@@ -17,7 +19,7 @@ class Held {
  public:
   explicit Held(T value) : value_(std::move(value)) {}
   ~Held() {
-    const nanobind::gil_scoped_release free;  // its own threads may be asking for the GIL
+    const WithoutGil free;  // its own threads may be asking for the GIL
     value_.reset();
   }
   Held(const Held&) = delete;

@@ -17,8 +17,12 @@ using namespace nb::literals;
 template <class Sum>
 struct Moving {
   Moving(const RegionArgument& p_of, const RegionArgument& q_of, const MovingOptions& o)
-      : p(p_of.object), q(q_of.object), options(o), watch(o.progress), held(create(*p_of, *q_of)) {}
+      : p(p_of.object), q(q_of.object), options(own_options(o)), watch(options.progress), held(create(*p_of, *q_of)) {}
 
+  static MovingOptions own_options(MovingOptions options) {
+    options.progress = own_progress(options.progress);
+    return options;
+  }
   Sum create(const Region& p_of, const Region& q_of) {
     MovingOptions own = options;
     own.progress = watch.progress();
@@ -43,6 +47,25 @@ struct Moving {
   Watch watch;
   Held<Sum> held;
 };
+
+/// The garbage collector sees the progress, which the options and the watch have.
+template <class Self>
+struct MovingSlots {
+  static int traverse(PyObject* self, visitproc visit, void* arg) {
+    Py_VISIT(Py_TYPE(self));
+    return nb::inst_ready(self) ? visit_callable(nb::inst_ptr<Self>(self)->options.progress, 2, visit, arg) : 0;
+  }
+  static int clear(PyObject* self) {
+    if (!nb::inst_ready(self)) return 0;
+    nb::inst_ptr<Self>(self)->options.progress = {};
+    nb::inst_ptr<Self>(self)->watch.forget();
+    return 0;
+  }
+  static inline const PyType_Slot slots[] = {{Py_tp_traverse, reinterpret_cast<void*>(&traverse)},
+                                             {Py_tp_clear, reinterpret_cast<void*>(&clear)},
+                                             {0, nullptr}};
+};
+
 using Scaling = Moving<ScalingSum>;
 using Rotating = Moving<RotatingSum>;
 
@@ -67,7 +90,7 @@ void bind_common(nb::class_<Self>& type) {
       .def(
           "work", [](Self& self) { return self.tell([](const Sum& sum) { return sum.work(); }); },
           "The work of the last frame.")
-      .def_prop_ro("options", [](const Self& self) { return self.options; });
+      .def_prop_ro("options", [](const Self& self) { return Self::own_options(self.options); });
 }
 
 void bind_event(nb::module_& m) {
@@ -109,7 +132,8 @@ void bind_scaling(nb::module_& m) {
 (Fraction(5, 4), 17)
 >>> [float(event.s) for event in sum.events(1, 4) if event.topology]
 []
-)doc");
+)doc",
+                                 nb::type_slots(MovingSlots<ScalingObject>::slots));
   bind_common<ScalingObject, ScalingSum>(type);
   type.def(
           "set", [](ScalingObject& self, const ScaleArgument& s) { return set_scales(self, s.value(), s.value()); },
@@ -170,7 +194,8 @@ void bind_rotating(nb::module_& m) {
 >>> changes = sum.set(Orientation.nearest(0.01))
 >>> sum.sum().vertex_count(), sum.work().rebuilt
 (16, False)
-)doc");
+)doc",
+                            nb::type_slots(MovingSlots<Rotating>::slots));
   bind_common<Rotating, RotatingSum>(type);
   type.def(
           "set",

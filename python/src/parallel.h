@@ -21,9 +21,10 @@ inline int thread_count(int threads, std::size_t blocks) {
 }
 
 /// item(i) for every i below `count`, in blocks, on so many threads, this one among them. The first exception is thrown
-/// again here. False where progress said stop; it is asked on this thread.
+/// again here. False where progress said stop; it is asked on this thread, once before any item.
 template <class Item>
 bool for_each_item(std::size_t count, std::size_t block, int threads, const Progress& progress, Item&& item) {
+  if (progress && !progress("items", 0)) return false;
   std::atomic<std::size_t> next = 0;
   std::atomic<bool> stop = false, refused = false;
   std::exception_ptr thrown;

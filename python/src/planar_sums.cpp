@@ -4,6 +4,7 @@
 #include "calls.h"
 #include "dymsum/orientation_sum.h"
 #include "dymsum/planar_sum.h"
+#include "dymsum/sum_locator.h"
 #include "parallel.h"
 #include "record.h"
 #include "remember.h"
@@ -82,51 +83,36 @@ unsupported_operand when P has polylines or points, or Q is empty; cancelled.
       "p"_a, "q"_a);
 }
 
-/// The doubles that a position is; TypeError where there are none.
-Point doubles_of(const RationalPoint& z) {
-  const Point at{z.x.to_double(), z.y.to_double()};
-  const Result<Rational> x = Rational::of(at.x), y = Rational::of(at.y);
-  if (x && y && *x == z.x && *y == z.y) return at;
-  throw nb::type_error(
-      "no double holds a position, and contains in the plane takes doubles; at exact positions ask "
-      "check_translation(negated(q), p, z, z, Orientation(), touch).free");
+Array<bool> inside_of(const Region& p, const Region& q, auto positions, Semantics semantics, int threads,
+                      const Progress& progress) {
+  return truths_of(run(
+      progress, [&](const Progress& watched) { return contains_each(p, q, positions, semantics, threads, watched); }));
 }
 
-template <class PositionOf>
-auto contains_at(const Region& p, const Region& q, std::size_t count, const PositionOf& position_of,
-                 Semantics semantics, int threads, const Progress& progress) {
-  std::vector<std::uint8_t> inside(count);
-  Watch watch(progress);
-  const bool done = without_gil([&] {
-    return for_each_item(count, 64, threads, watch.progress(),
-                         [&](std::size_t i) { inside[i] = contains(p, q, position_of(i), semantics); });
-  });
-  watch.raise();
-  if (!done) throw ErrorRaised({ErrorCode::cancelled, "stopped on request", {}});
-  return truths_of(std::move(inside));
+std::span<const Point> places_of(const Rows<2>& rows) {
+  static_assert(sizeof(Point) == 2 * sizeof(double));
+  return {reinterpret_cast<const Point*>(rows.data), rows.size};
 }
 
-/// At positions given by exact numbers, which have to be doubles.
+/// At positions given by exact numbers.
 void bind_exact_positions(nb::module_& m) {
   m.def(
       "contains",
       [](const RegionArgument& p, const RegionArgument& q, const RationalPoint& z, Semantics semantics) {
-        return contains(*p, *q, doubles_of(z), semantics);
+        return run({}, [&](const Progress& watched) {
+                 return contains_each(*p, *q, std::span(&z, 1), semantics, 1, watched);
+               })[0] != 0;
       },
       "p"_a, "q"_a, "z"_a, "semantics"_a = Semantics::closed,
-      "The same for exact numbers. Raises TypeError where no double holds the position: check_translation answers "
-      "there.");
+      "The same for exact numbers. Where doubles do not hold them the sum is computed: see SumLocator for more.");
   m.def(
       "contains_each",
       [](const RegionArgument& p, const RegionArgument& q, const std::vector<RationalPoint>& positions,
          Semantics semantics, int threads, const Progress& progress) {
-        std::vector<Point> at;
-        for (const RationalPoint& z : positions) at.push_back(doubles_of(z));
-        return contains_at(
-            *p, *q, at.size(), [&](std::size_t i) { return at[i]; }, semantics, threads, progress);
+        return inside_of(*p, *q, std::span<const RationalPoint>(positions), semantics, threads, progress);
       },
       "p"_a, "q"_a, "positions"_a, "semantics"_a = Semantics::closed, "threads"_a = 0, "progress"_a = nb::none(),
-      "The same for exact numbers. Raises TypeError where no double holds a position.");
+      "The same for exact numbers.");
 }
 
 void bind_planar_contains(nb::module_& m) {
@@ -136,17 +122,15 @@ void bind_planar_contains(nb::module_& m) {
         return contains(*p, *q, z, semantics);
       },
       "p"_a, "q"_a, "z"_a, "semantics"_a = Semantics::closed,
-      "True when z lies in P (+) Q: P and z - Q meet (closed), or overlap (open). Exact; O(nm).");
+      "True when z lies in P (+) Q: P and z - Q meet (closed), or overlap (open). Exact.");
   m.def(
       "contains_each",
       [](const RegionArgument& p, const RegionArgument& q, const Rows<2>& positions, Semantics semantics, int threads,
-         const Progress& progress) {
-        const auto at = [&](std::size_t i) { return Point{positions.row(i)[0], positions.row(i)[1]}; };
-        return contains_at(*p, *q, positions.size, at, semantics, threads, progress);
-      },
+         const Progress& progress) { return inside_of(*p, *q, places_of(positions), semantics, threads, progress); },
       "p"_a, "q"_a, "positions"_a, "semantics"_a = Semantics::closed, "threads"_a = 0, "progress"_a = nb::none(),
-
       R"doc(contains for many positions, shape (n, 2), on several threads (0: all cores); an array of n truth values.
+Many are found in the sum, which is computed once; few are answered one by one. Raises Error: cancelled;
+unsupported_operand beyond 2^1000.
 
 >>> from dymsum import contains_each, shapes
 >>> square = shapes.rectangle(0, 0, 1, 1)
@@ -154,6 +138,43 @@ void bind_planar_contains(nb::module_& m) {
 array([ True,  True, False])
 )doc");
   bind_exact_positions(m);
+}
+
+void bind_locator(nb::module_& m) {
+  nb::class_<SumLocator>(m, "SumLocator", nb::dynamic_attr(),
+                         R"doc(Answers whether points lie in a sum, a no-fit polygon, an inner fit, prepared once.
+
+>>> from dymsum import SumLocator, nfp, shapes
+>>> square = shapes.rectangle(0, 0, 1, 1)
+>>> locator = SumLocator(nfp(square, square))
+>>> locator.contains_each([(0, 0), (1, 1), (1, 1.5)])
+array([ True,  True, False])
+)doc")
+      .def(
+          "__init__",
+          [](nb::pointer_and_handle<SumLocator> self, nb::handle_t<PlanarSum> sum, Semantics semantics) {
+            const PlanarSum& of = *nb::inst_ptr<PlanarSum>(sum);
+            without_gil([&] { new (self.p) SumLocator(of, semantics); });
+            remember(self.h, "sum_locator", nb::make_tuple(sum, semantics));
+          },
+          "sum"_a, "semantics"_a = Semantics::closed,
+          "Of a sum made with these semantics: closed, its parts, segments and points; regular, its parts; open, the "
+          "interior of its parts without tight features.")
+      .def(
+          "contains", [](const SumLocator& self, Point z) { return self.contains(z); }, "z"_a,
+          "True when z lies in the set. Exact.")
+      .def(
+          "contains", [](const SumLocator& self, const RationalPoint& z) { return self.contains_rational(z); }, "z"_a,
+          "The same for exact numbers.")
+      .def("contains_rational", &SumLocator::contains_rational, "z"_a)
+      .def(
+          "contains_each",
+          [](const SumLocator& self, const Rows<2>& positions, int threads) {
+            return truths_of(without_gil([&] { return self.contains(places_of(positions), threads); }));
+          },
+          "positions"_a, "threads"_a = 0,
+          "contains for many positions, shape (n, 2), on several threads (0: all cores): n truth values.")
+      .def("__reduce__", [](nb::handle_t<SumLocator> self) { return made_again(self); });
 }
 
 using Table = std::vector<std::optional<Result<PlanarSum>>>;
@@ -218,6 +239,7 @@ several pairs is prepared once. threads 0: as many as there are cores.
 void bind_planar_sums(nb::module_& m) {
   bind_sums_of_regions(m);
   bind_planar_contains(m);
+  bind_locator(m);
   bind_table(m);
 }
 

@@ -123,21 +123,25 @@ void bind_check(nb::module_& m) {
       .field("pieces", &PathCheck::pieces);
   m.def(
       "check_path",
-      [](const RegionArgument& robot, const RegionArgument& obstacle, const std::vector<Waypoint>& path,
-         Touching touch) {
-        return take(without_gil([&] { return check_path(*robot, *obstacle, std::span<const Waypoint>(path), touch); }));
+      [](const RegionArgument& robot, const RegionArgument& obstacle, const std::vector<Waypoint>& path, Touching touch,
+         const Progress& progress) {
+        return run(progress, [&](const Progress& watched) {
+          return check_path(*robot, *obstacle, std::span<const Waypoint>(path), touch, watched);
+        });
       },
-      "robot"_a, "obstacle"_a, "path"_a, "touch"_a = Touching::allowed,
-      "Each piece by the move of its end, exactly. Raises Error: malformed.");
+      "robot"_a, "obstacle"_a, "path"_a, "touch"_a = Touching::allowed, "progress"_a = nb::none(),
+      "Each piece by the move of its end, exactly. Raises Error: malformed, cancelled.");
   m.def(
       "check_path",
       [](const RegionArgument& robot, const RegionArgument& obstacle, const Rows<3>& poses, Touching touch,
-         const MotionOptions& options) {
+         const MotionOptions& options, const Progress& progress) {
         const std::span<const Configuration> all(reinterpret_cast<const Configuration*>(poses.data), poses.size);
-        return take(without_gil([&] { return check_path(*robot, *obstacle, all, touch, options); }));
+        return run(progress, [&](const Progress& watched) {
+          return check_path(*robot, *obstacle, all, touch, options, watched);
+        });
       },
       "robot"_a, "obstacle"_a, "poses"_a, "touch"_a = Touching::allowed, "options"_a = MotionOptions(),
-      "From each pose (x, y, theta) to the next, shape (n, 3), linear in time; certified.");
+      "progress"_a = nb::none(), "From each pose (x, y, theta) to the next, shape (n, 3), linear in time; certified.");
 }
 
 }  // namespace

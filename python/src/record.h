@@ -17,6 +17,7 @@
 #include <vector>
 
 #include "arguments.h"
+#include "calls.h"
 #include "dymsum/progress.h"
 #include "values.h"
 
@@ -53,7 +54,8 @@ class Record : public nb::class_<T> {
  public:
   template <class... Extra>
   Record(nb::handle scope, const char* name, const char* doc, const Extra&... extra)
-      : nb::class_<T>(scope, name, doc, extra...), fields_(std::make_shared<std::vector<RecordField>>()) {
+      : nb::class_<T>(scope, name, doc, nb::type_slots(slots()), extra...),
+        fields_(std::make_shared<std::vector<RecordField>>()) {
     const RecordFields fields = fields_;
     this->def("__repr__", [fields](nb::handle_t<T> self) { return record_repr(*fields, self); });
     if constexpr (std::equality_comparable<T>) {
@@ -117,6 +119,14 @@ class Record : public nb::class_<T> {
   }
 
  private:
+  static const PyType_Slot* slots() {
+    static constexpr PyType_Slot kNone[] = {{0, nullptr}};
+    if constexpr (requires(T & record) { record.progress = Progress(); }) {
+      return ProgressSlots<T>::slots;
+    } else {
+      return kNone;
+    }
+  }
   RecordFields fields_;
 };
 

@@ -11,7 +11,7 @@ void remember(nb::handle object, const char* function, nb::tuple arguments) {
 
 nb::object kept(const SumOptions& options) {
   const bool plain = options.engine == Engine::fast && options.semantics == Semantics::closed && !options.trace;
-  return plain ? nb::none() : nb::cast(options);
+  return plain ? nb::none() : nb::cast(without_progress(options));
 }
 
 nb::object made_again(nb::handle object) {

@@ -23,11 +23,19 @@ void remember(nb::handle object, const char* function, nb::tuple arguments);
 /// Options to be remembered: None for those by default, which costs no object.
 nb::object kept(const SumOptions& options);
 
+/// What is remembered of an argument: of options no progress, which would be kept alive.
+template <class T>
+auto without_progress(T&& argument) {
+  std::remove_cvref_t<T> own = std::forward<T>(argument);
+  if constexpr (requires { own.progress = Progress(); }) own.progress = {};
+  return own;
+}
+
 /// `result` as a Python object that pickles as a call of dymsum._remake's `function` with these arguments.
 template <class T, class... Arguments>
 Remembered<std::remove_cvref_t<T>> remembered(T&& result, const char* function, Arguments&&... arguments) {
   nb::object object = nb::cast(std::forward<T>(result));
-  remember(object, function, nb::make_tuple(std::forward<Arguments>(arguments)...));
+  remember(object, function, nb::make_tuple(without_progress(std::forward<Arguments>(arguments))...));
   return {std::move(object)};
 }
 

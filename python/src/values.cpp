@@ -6,27 +6,23 @@
 #include <string>
 #include <string_view>
 
+#include "imported.h"
+
 namespace dymsum::python {
 namespace {
 
 /// Python converts no more decimal digits at once than a limit, which programs may set as low as 640.
 constexpr std::size_t kDigitsAtOnce = 600;
 
-/// Classes that stay for ever; new references are not needed.
-PyObject* class_of(const char* module, const char* name) {
-  return nb::object(nb::module_::import_(module).attr(name)).release().ptr();
-}
+constinit Imported g_point{"dymsum._values", "Point"}, g_point3{"dymsum._values", "Point3"},
+    g_configuration{"dymsum._values", "Configuration"}, g_rational_point{"dymsum._values", "RationalPoint"},
+    g_rational_point3{"dymsum._values", "RationalPoint3"}, g_fraction{"fractions", "Fraction"};
 
 PyObject* named_type(std::string_view name) {
-  static PyObject* const kPoint = class_of("dymsum._values", "Point");
-  static PyObject* const kPoint3 = class_of("dymsum._values", "Point3");
-  static PyObject* const kConfiguration = class_of("dymsum._values", "Configuration");
-  static PyObject* const kRationalPoint = class_of("dymsum._values", "RationalPoint");
-  static PyObject* const kRationalPoint3 = class_of("dymsum._values", "RationalPoint3");
-  if (name == "Point") return kPoint;
-  if (name == "Point3") return kPoint3;
-  if (name == "Configuration") return kConfiguration;
-  return name == "RationalPoint" ? kRationalPoint : kRationalPoint3;
+  if (name == "Point") return g_point.get().ptr();
+  if (name == "Point3") return g_point3.get().ptr();
+  if (name == "Configuration") return g_configuration.get().ptr();
+  return name == "RationalPoint" ? g_rational_point.get().ptr() : g_rational_point3.get().ptr();
 }
 
 /// 10^n.
@@ -187,8 +183,7 @@ bool read_rationals(nb::handle from, std::span<Rational> to) noexcept {
 
 PyObject* new_fraction(const Rational& value) noexcept {
   return or_exception([&] {
-    static PyObject* const kFraction = class_of("fractions", "Fraction");
-    return nb::handle(kFraction)(signed_integer_of(value.numerator()), integer_of(value.denominator())).release().ptr();
+    return g_fraction.get()(signed_integer_of(value.numerator()), integer_of(value.denominator())).release().ptr();
   });
 }
 

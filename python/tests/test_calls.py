@@ -14,6 +14,9 @@ import pytest
 import dymsum
 from dymsum import ErrorCode, SumOptions, shapes
 
+ROUND = dymsum.solids.geodesic_sphere(1, 8)
+ROD, WALL = shapes.rectangle(-1, -0.25, 1, 0.25), shapes.gear(8, 2, 3)
+CREEPING = numpy.linspace((-9, 0, 0), (-9, 1, 1), 10**6)
 LARGE = [shapes.random_polygon(1500, 0, seed) for seed in (1, 2)]
 
 
@@ -109,7 +112,9 @@ def test_keyboard_interrupt_of_a_table(threads: int) -> None:
         lambda: dymsum.ScalingSum(shapes.random_polygon(100, 0, 1), shapes.gear(20, 0.5, 1)).events(
             Fraction(1, 1000), 1000
         ),
-        lambda: dymsum.contains_each(*LARGE, numpy.zeros((10**6, 2)), threads=2),
+        lambda: [dymsum.contains_each(*LARGE, numpy.zeros((10**6, 2)), threads=2) for _ in range(20)],
+        lambda: dymsum.contains_each(ROUND, ROUND, numpy.random.default_rng(1).uniform(-2, 2, (10**6, 3))),
+        lambda: dymsum.check_path(ROD, WALL, CREEPING),
     ],
 )
 def test_keyboard_interrupt_of_long_calls(work: Any) -> None:

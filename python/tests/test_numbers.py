@@ -26,15 +26,16 @@ def test_solids_contain_exact_positions() -> None:
         assert dymsum.contains(p, p, edge) and not dymsum.contains(p, p, beyond)
 
 
-def test_the_plane_takes_positions_that_doubles_hold() -> None:
+def test_the_plane_takes_exact_positions() -> None:
     halves = [(F(1, 2), F(3, 2)), (F(1, 2), F(7, 4))]
     assert dymsum.contains_each(TRIANGLE, TRIANGLE, halves).tolist() == [True, False]
     assert dymsum.contains(TRIANGLE, TRIANGLE, halves[0]) and not dymsum.contains(TRIANGLE, TRIANGLE, halves[1])
     third = (F(1, 3), F(5, 3))
-    with pytest.raises(TypeError, match="check_translation"):
-        dymsum.contains_each(TRIANGLE, TRIANGLE, [third])
-    with pytest.raises(TypeError, match="check_translation"):
-        dymsum.contains(TRIANGLE, TRIANGLE, third)
+    beyond = (third[0], third[1] + TINY)
+    for corners in ([third, beyond], [beyond]):
+        assert dymsum.contains_each(TRIANGLE, TRIANGLE, corners).tolist() == [at is third for at in corners]
+    assert dymsum.contains(TRIANGLE, TRIANGLE, third) and not dymsum.contains(TRIANGLE, TRIANGLE, beyond)
+    assert not dymsum.contains(TRIANGLE, TRIANGLE, third, dymsum.Semantics.open)
 
 
 @pytest.mark.parametrize(

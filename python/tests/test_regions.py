@@ -182,6 +182,102 @@ def test_exact_numbers() -> None:
 
 
 def test_integers_that_no_double_holds_are_refused() -> None:
-    with pytest.raises(TypeError):
-        dymsum.contains(SQUARE, SQUARE, (2**53 + 1, 0))
+    with pytest.raises(dymsum.Error):
+        Region([(2**53 + 1, 0), (0, 1), (0, 0)])
+    assert not dymsum.contains(SQUARE, SQUARE, (2**53 + 1, 0))
     assert not dymsum.contains(SQUARE, SQUARE, (2**53, 0))
+
+
+TRIANGLE = [(0, 0), (1, 0), (0, 1)]
+
+
+@pytest.mark.parametrize(
+    ("source", "part", "ring"),
+    [
+        ([[TRIANGLE], []], 1, 0),
+        ([[], [TRIANGLE]], 0, 0),
+        ([[], TRIANGLE], 0, 0),
+        ([TRIANGLE, []], 0, 1),
+        ([[TRIANGLE], [[]]], 1, 0),
+        ([[]], 0, 0),
+        (numpy.zeros((0, 2)), 0, 0),
+        (numpy.zeros((1, 0, 2)), 0, 0),
+        ([numpy.zeros((0, 2))], 0, 0),
+    ],
+)
+def test_rings_of_nothing_are_named(source: Any, part: int, ring: int) -> None:
+    with pytest.raises(dymsum.Error) as raised:
+        Region(source)
+    assert raised.value.code == ErrorCode.too_few_vertices
+    assert (raised.value.evidence.part, raised.value.evidence.ring) == (part, ring)
+
+
+@pytest.mark.parametrize(
+    ("source", "error"),
+    [
+        ([[TRIANGLE], 5], "a part is a list of rings, not int"),
+        (numpy.zeros((0, 3)), "shape"),
+        ([TRIANGLE, 5], "shape"),
+    ],
+)
+def test_what_is_no_ring_is_told(source: Any, error: str) -> None:
+    with pytest.raises((TypeError, ValueError), match=error):
+        Region(source)
+
+
+CLOSED = numpy.array([*TRIANGLE, TRIANGLE[0]], float)
+
+
+@pytest.mark.parametrize(
+    "coordinates",
+    [
+        CLOSED[None],
+        [CLOSED],
+        CLOSED[None].astype(numpy.float32),
+        CLOSED[None].astype(numpy.int8),
+        [[(numpy.float32(x), numpy.int64(y)) for x, y in CLOSED]],
+        [[(Fraction(x), y) for x, y in CLOSED]],
+        CLOSED[None].astype(object),
+    ],
+)
+def test_geojson_with_numbers_of_numpy(coordinates: Any) -> None:
+    shape = {"type": "Polygon", "coordinates": coordinates}
+    assert Region(shape) == Region(TRIANGLE)
+    collection = {"type": "GeometryCollection", "geometries": [shape]}
+    feature = {"type": "Feature", "properties": {"weights": numpy.zeros(3)}, "geometry": shape}
+    assert Region(collection) == Region(feature) == Region(TRIANGLE)
+
+
+@pytest.mark.parametrize("far", [2**53 + 1, Fraction(1, 3), numpy.uint64(2**63 + 1)])
+def test_geojson_is_not_rounded(far: Any) -> None:
+    with pytest.raises(dymsum.Error) as raised:
+        Region({"type": "Polygon", "coordinates": [[(far, 0), (0, 1), (0, 0), (far, 0)]]})
+    assert raised.value.code == ErrorCode.unsupported_operand
+
+
+@pytest.mark.parametrize(
+    "empty",
+    [
+        shapely.Point(),
+        shapely.LineString(),
+        shapely.LinearRing(),
+        shapely.Polygon(),
+        shapely.MultiPoint(),
+        shapely.MultiLineString(),
+        shapely.MultiPolygon(),
+        shapely.GeometryCollection(),
+        shapely.GeometryCollection([shapely.Point(), shapely.Polygon()]),
+        numpy.zeros((0, 3, 2)),
+        [],
+        {"type": "Point", "coordinates": numpy.zeros(0)},
+    ],
+)
+def test_empty_geometries_are_the_empty_region(empty: Any) -> None:
+    assert Region(empty) == Region()
+    assert dymsum.minkowski_sum(SQUARE, empty).parts == []
+    assert not dymsum.contains(SQUARE, empty, (0, 0))
+
+
+def test_an_empty_point_in_a_collection() -> None:
+    both = shapely.GeometryCollection([shapely.Point(), shapely.box(0, 0, 4, 4)])
+    assert Region(both) == Region(SQUARE)

@@ -200,3 +200,24 @@ def test_cancelled() -> None:
     with pytest.raises(dymsum.Error) as raised:
         dymsum.minkowski_sum(U_PRISM, U_PRISM, SpatialOptions(progress=lambda stage, share: False))
     assert raised.value.code == ErrorCode.cancelled
+
+
+def test_scenes_of_trimesh() -> None:
+    box = trimesh.creation.box((1, 2, 3))
+    scene = trimesh.Scene()
+    scene.add_geometry(box, geom_name="a")
+    scene.add_geometry(box, geom_name="b", transform=trimesh.transformations.translation_matrix((5, 0, 0)))
+    mesh = dymsum.Mesh(scene)
+    assert len(mesh.vertices) == 16 and mesh.vertices.max(axis=0).tolist() == [5.5, 1, 1.5]
+    assert dymsum.minkowski_sum(scene, BOX).volume() == 2 * dymsum.minkowski_sum(box, BOX).volume()
+    assert dymsum.Mesh(trimesh.Scene()) == dymsum.Mesh()
+    scene.add_geometry(box, geom_name="c", transform=trimesh.transformations.translation_matrix((0.5, 0, 0)))
+    with pytest.raises(dymsum.Error):
+        dymsum.Mesh(scene)  # two of them cross
+    with pytest.raises(TypeError, match="scene with PointCloud 'dust'"):
+        dymsum.Mesh(trimesh.Scene({"dust": trimesh.PointCloud([(0, 0, 0)])}))
+
+
+def test_meshes_of_nothing() -> None:
+    assert dymsum.Mesh((numpy.zeros((0, 3)), numpy.zeros((0, 3), int))) == dymsum.Mesh()
+    assert dymsum.Mesh(trimesh.Trimesh()) == dymsum.Mesh()

@@ -112,10 +112,12 @@ Result<PathCheck> check_piece(const Region& robot, const Region& obstacle, const
 
 // The first piece that is not free, else the last one; a path of one pose is a translation to itself.
 template <class Pose, class Check>
-Result<PathCheck> first_not_free(std::span<const Pose> path, Check check) {
+Result<PathCheck> first_not_free(std::span<const Pose> path, const Progress& progress, Check check) {
   if (path.empty()) return Error{ErrorCode::malformed, "a path of no poses", {}};
   PathCheck last;
   for (std::size_t k = path.size() == 1 ? 0 : 1; k < path.size(); ++k) {
+    if (progress && !progress("pieces", static_cast<double>(k) / static_cast<double>(path.size())))
+      return Error{ErrorCode::cancelled, "stopped on request", {}};
     Result<PathCheck> piece = check(path[k == 0 ? 0 : k - 1], path[k], k);
     if (!piece) return piece;
     last = *piece;
@@ -129,17 +131,17 @@ Result<PathCheck> first_not_free(std::span<const Pose> path, Check check) {
 }  // namespace
 
 Result<PathCheck> check_path(const Region& robot, const Region& obstacle, std::span<const Waypoint> path,
-                             Touching touch) {
+                             Touching touch, const Progress& progress) {
   if (!path.empty() && path[0].move != Waypoint::Move::start) return malformed(0, "is not its start");
-  return first_not_free(path, [&](const Waypoint& a, Waypoint b, std::size_t k) {
+  return first_not_free(path, progress, [&](const Waypoint& a, Waypoint b, std::size_t k) {
     if (k == 0) b.move = Waypoint::Move::translation;
     return check_piece(robot, obstacle, a, b, k, touch);
   });
 }
 
 Result<PathCheck> check_path(const Region& robot, const Region& obstacle, std::span<const Configuration> poses,
-                             Touching touch, const MotionOptions& options) {
-  return first_not_free(poses, [&](const Configuration& a, const Configuration& b, std::size_t) {
+                             Touching touch, const MotionOptions& options, const Progress& progress) {
+  return first_not_free(poses, progress, [&](const Configuration& a, const Configuration& b, std::size_t) {
     return check_piece(robot, obstacle, a, b, touch, options);
   });
 }

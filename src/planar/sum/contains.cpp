@@ -1,7 +1,9 @@
 // Whether one point lies in a sum: P meets z - Q, decided on a lattice that also holds z and the origin.
+#include <array>
 #include <cmath>
 #include <optional>
 #include <stdexcept>
+#include <vector>
 
 #include "dymsum/planar_sum.h"
 #include "planar/boundary/collision.h"
@@ -36,7 +38,7 @@ Query make_query(const Region& p, const Region& q, Point z) {
   return query;
 }
 
-// z as a place on some segment, or nothing when both operands are the single points z and 0.
+// z as a place on some segment, or nothing when both operands are the single points z and 0: then it is their sum.
 std::optional<Place> place_of(const Query& query) {
   const Lattice& l = *query.lattice;
   Place x;
@@ -72,25 +74,47 @@ bool edges_meet(const Lattice& l, const Edge& e, const Edge& f, Pair z) {
          lies_on(l, {f, e.to}, z);
 }
 
-// Whether the boundaries of two components meet; with `regular`, only where that puts z into the closure of an open
-// set.
-bool boundaries_meet(const Query& query, const Component& cp, const Component& cq, bool regular) {
+// Whether edge i of P, or point, and edge j of Q, reflected and moved to z, meet; with `regular`, only where that puts
+// z into the closure of an open set.
+bool pieces_meet(const Query& query, const Component& cp, std::uint32_t i, const Component& cq, std::uint32_t j,
+                 bool regular) {
   const Lattice& l = *query.lattice;
   const bool thin = cp.dimension < 2 && cq.dimension < 2;
-  if (regular && thin && (cp.dimension == 0 || cq.dimension == 0)) return false;
-  for (std::uint32_t i = cp.first; i < cp.last; ++i)
-    for (std::uint32_t j = cq.first; j < cq.last; ++j) {
-      const Edge e = query.p->edge(i), f = query.q->edge(j);
-      if (cp.dimension == 0 && cq.dimension == 0) {
-        if (l.same({e.from, f.from}, query.z)) return true;
-      } else if (cp.dimension == 0) {
-        if (lies_on(l, {f, e.from}, query.z)) return true;
-      } else if (cq.dimension == 0) {
-        if (lies_on(l, {e, f.from}, query.z)) return true;
-      } else if (edges_meet(l, e, f, query.z) && !(regular && thin && l.cross(e, f) == 0)) {
-        return true;
-      }
+  const Edge e = query.p->edge(i), f = query.q->edge(j);
+  if (cp.dimension == 0 && cq.dimension == 0) return l.same({e.from, f.from}, query.z);
+  if (cp.dimension == 0) return lies_on(l, {f, e.from}, query.z);
+  if (cq.dimension == 0) return lies_on(l, {e, f.from}, query.z);
+  return edges_meet(l, e, f, query.z) && !(regular && thin && l.cross(e, f) == 0);
+}
+
+// Whether the boundaries of two components meet, of which only what lies in boxes that do is looked at.
+bool boundaries_meet(const Query& query, const Place& z, std::size_t p_component, std::size_t q_component,
+                     bool regular) {
+  using Node = EdgeTree::Node;
+  const Component &cp = query.p->components[p_component], &cq = query.q->components[q_component];
+  if (regular && cp.dimension < 2 && cq.dimension < 2 && (cp.dimension == 0 || cq.dimension == 0)) return false;
+  const std::vector<Node>&tp = query.p->trees()[p_component].nodes, &tq = query.q->trees()[q_component].nodes;
+  const double margin = z.error + kSumBox * query.lattice->span;
+  const auto apart = [&](const Node& a, const Node& b) {
+    return a.x1 < z.x - b.x1 - margin || a.x0 > z.x - b.x0 + margin || a.y1 < z.y - b.y1 - margin ||
+           a.y0 > z.y - b.y0 + margin;
+  };
+  std::vector<std::array<std::uint32_t, 2>> stack{{0, 0}};
+  while (!stack.empty()) {
+    const auto [i, j] = stack.back();
+    stack.pop_back();
+    const Node &a = tp[i], &b = tq[j];
+    if (apart(a, b)) continue;
+    if (a.left == 0 && b.left == 0) {
+      for (std::uint32_t e = a.first; e < a.last; ++e)
+        for (std::uint32_t f = b.first; f < b.last; ++f)
+          if (pieces_meet(query, cp, e, cq, f, regular)) return true;
+    } else if (b.left == 0 || (a.left != 0 && a.last - a.first >= b.last - b.first)) {
+      stack.insert(stack.end(), {{a.left, j}, {a.right, j}});
+    } else {
+      stack.insert(stack.end(), {{i, b.left}, {i, b.right}});
     }
+  }
   return false;
 }
 
@@ -103,12 +127,14 @@ bool contains(const Region& p, const Region& q, Point z, Semantics semantics) {
   constexpr double kReach = 0x1p1001;  // of all sums
   if (std::abs(z.x) > kReach || std::abs(z.y) > kReach) return false;
   const Query query = make_query(p, q, z);
-  if (semantics != Semantics::open)
-    for (const Component& cp : query.p->components)
-      for (const Component& cq : query.q->components)
-        if (boundaries_meet(query, cp, cq, semantics == Semantics::regular)) return true;
   const std::optional<Place> x = place_of(query);
-  return x && Collision(*query.lattice, *query.p, *query.q, true).overlaps(*x);
+  if (!x) return semantics == Semantics::closed;
+  if (Collision(*query.lattice, *query.p, *query.q, true).overlaps(*x)) return true;
+  if (semantics == Semantics::open) return false;
+  for (std::size_t i = 0; i < query.p->components.size(); ++i)
+    for (std::size_t j = 0; j < query.q->components.size(); ++j)
+      if (boundaries_meet(query, *x, i, j, semantics == Semantics::regular)) return true;
+  return false;
 }
 
 }  // namespace dymsum

@@ -20,7 +20,7 @@ Error error_of(const char* message) { return {ErrorCode::unsupported_operand, me
 }  // namespace
 
 Result<std::vector<bool>> contains_each(const Mesh& p, const Mesh& q, std::span<const RationalPoint3> positions,
-                                        Semantics semantics) {
+                                        Semantics semantics, const Progress& progress) {
   std::vector<bool> inside(positions.size());
   if (p.empty() || q.empty()) return inside;
   const spatial::SolidOperand a = spatial::solid_operand(p.data(), p.thin_faces(), spatial::FlatFeatures::kept),
@@ -41,6 +41,8 @@ Result<std::vector<bool>> contains_each(const Mesh& p, const Mesh& q, std::span<
   }
   const spatial::Collision collision(*space, a, b);
   for (std::size_t k = 0; k < positions.size(); ++k) {
+    if (progress && !progress("positions", static_cast<double>(k) / static_cast<double>(positions.size())))
+      return Error{ErrorCode::cancelled, "stopped on request", {}};
     const RationalPoint3& z = positions[k];
     const std::optional<PointSource> at =
         space->add_place({exact::exact_value(z.x), exact::exact_value(z.y), exact::exact_value(z.z)});

@@ -1,0 +1,35 @@
+// What becomes of other threads when the interpreter ends. Python stops each where it next asks for the GIL, and as C++
+// on the way out of that ends the process, no thread may ask any more.
+#pragma once
+
+#include <nanobind/nanobind.h>
+
+namespace dymsum::python {
+
+/// Whether the interpreter ends and this thread is not the one that ends it.
+bool leaving();
+
+/// Between these a thread is inside the library: the end of the interpreter tells it to stop and waits for it, two
+/// seconds at most. With the GIL; one that is to enter when the interpreter ends sleeps until the process does.
+class Inside {
+ public:
+  Inside();
+  ~Inside();
+  Inside(const Inside&) = delete;
+  Inside& operator=(const Inside&) = delete;
+};
+
+/// Lets go of the GIL, from inside, and takes it again; where the interpreter ends, it sleeps instead.
+class WithoutGil {
+ public:
+  WithoutGil();
+  ~WithoutGil();
+  WithoutGil(const WithoutGil&) = delete;
+  WithoutGil& operator=(const WithoutGil&) = delete;
+
+ private:
+  Inside inside_;
+  PyThreadState* state_;
+};
+
+}  // namespace dymsum::python

@@ -1,0 +1,155 @@
+"""Every function that takes a progress calls it, and is stopped by it."""
+
+from __future__ import annotations
+
+import inspect
+from fractions import Fraction
+from typing import Any, Callable, Iterator
+
+import numpy
+import pytest
+
+import dymsum
+from dymsum import shapes, solids
+
+P, Q = shapes.random_polygon(40, 1, 4), shapes.gear(12, 0.3, 0.5)
+BOX, BALL = solids.box(0, 0, 0, 1, 1, 1), solids.geodesic_sphere(1, 2)
+#: A solid that is not convex, so that sums go the long way.
+ANGLE = solids.prism([(0, 0), (3, 0), (3, 1), (1, 1), (1, 3), (0, 3)], 1.0)
+ROD, WALL = shapes.rectangle(-1, -0.25, 1, 0.25), shapes.gear(8, 2, 3)
+OBSTACLE = dymsum.CspaceObstacle(ROD, WALL)
+QUERIES = dymsum.ObstacleQueries(OBSTACLE)
+THETA = dymsum.Orientation.nearest(0.3)
+POINTS = numpy.random.default_rng(1).uniform(-2, 2, (5000, 2))
+PLACES = numpy.random.default_rng(2).uniform(-2, 2, (300, 3))
+POSES = numpy.array([[-9, 9 - k / 100, 0] for k in range(200)])
+Progress = Callable[[str, float], Any]
+
+
+def planar(progress: Progress) -> dymsum.SumOptions:
+    return dymsum.SumOptions(progress=progress)
+
+
+def solid(progress: Progress) -> dymsum.SpatialOptions:
+    return dymsum.SpatialOptions(progress=progress)
+
+
+def moving(progress: Progress) -> dymsum.MovingOptions:
+    return dymsum.MovingOptions(progress=progress)
+
+
+def table() -> dymsum.NfpTable:
+    items = [dymsum.TableItem("p", P, [0]), dymsum.TableItem("q", Q, [0])]
+    return dymsum.NfpTable(dymsum.TableInput(items))
+
+
+#: What is called, by its name; several calls of one name are its overloads.
+CALLS: list[tuple[str, Callable[[Progress], Any]]] = [
+    ("minkowski_sum", lambda f: dymsum.minkowski_sum(P, Q, planar(f))),
+    ("minkowski_sum", lambda f: dymsum.minkowski_sum(ANGLE, ANGLE, solid(f))),
+    ("minkowski_sum", lambda f: dymsum.minkowski_sum([ANGLE, BOX, BOX], solid(f))),
+    ("nfp", lambda f: dymsum.nfp(P, Q, planar(f))),
+    ("erode", lambda f: dymsum.erode(shapes.rectangle(0, 0, 9, 9), P, planar(f))),
+    ("erode", lambda f: dymsum.erode(solids.box(0, 0, 0, 9, 9, 9), ANGLE, solid(f))),
+    ("union_of", lambda f: dymsum.union_of([P, Q], planar(f))),
+    ("rotated_sum", lambda f: dymsum.rotated_sum(P, Q, THETA, planar(f))),
+    ("rotated_erode", lambda f: dymsum.rotated_erode(shapes.rectangle(0, 0, 9, 9), P, THETA, planar(f))),
+    ("cspace_slice", lambda f: dymsum.cspace_slice(ROD, WALL, THETA, planar(f))),
+    ("contains_each", lambda f: dymsum.contains_each(P, Q, POINTS, progress=f)),
+    ("contains_each", lambda f: dymsum.contains_each(P, Q, POINTS[:2], progress=f)),
+    ("contains_each", lambda f: dymsum.contains_each(P, Q, [(Fraction(1, 3), 1)], progress=f)),
+    ("contains_each", lambda f: dymsum.contains_each(ANGLE, BOX, PLACES, progress=f)),
+    ("contains_each", lambda f: dymsum.contains_each(ANGLE, BOX, [(Fraction(1, 3), 1, 1)], progress=f)),
+    ("nfp_each", lambda f: dymsum.nfp_each([(P, Q)] * 3, planar(f))),
+    ("nfp_each", lambda f: dymsum.nfp_each([(P, Q)] * 3, planar(f), return_errors=True)),
+    ("ScalingSum", lambda f: dymsum.ScalingSum(P, Q, moving(f))),
+    ("ScalingSum", lambda f: dymsum.ScalingSum.create(P, Q, moving(f))),
+    ("ScalingSum.events", lambda f: dymsum.ScalingSum(P, Q).events(1, Fraction(9, 8), f)),
+    ("ScalingSum.next_event", lambda f: dymsum.ScalingSum(P, Q).next_event(1, 8, dymsum.EventChange.topology, f)),
+    ("RotatingSum", lambda f: dymsum.RotatingSum(P, Q, moving(f))),
+    ("RotatingSum", lambda f: dymsum.RotatingSum.create(P, Q, moving(f))),
+    ("count_pair_events", lambda f: dymsum.count_pair_events(P, Q, dymsum.MovingOperand.p, f)),
+    ("scaled_copies", lambda f: dymsum.scaled_copies(P, Q, [dymsum.ScaledCopy(dymsum.Scale.of(2), (0, 0))], moving(f))),
+    ("scale_range", lambda f: dymsum.scale_range(Q, [(0, 0), (5, 0)], WALL, f)),
+    ("fit_range", lambda f: dymsum.fit_range(Q, P, f)),
+    ("fit_range", lambda f: dymsum.fit_range(Q, P, (0.1, 0.1), f)),
+    ("CspaceObstacle", lambda f: dymsum.CspaceObstacle(ROD, WALL, dymsum.ObstacleOptions(progress=f))),
+    ("CspaceObstacle", lambda f: dymsum.CspaceObstacle.create(ROD, WALL, dymsum.ObstacleOptions(progress=f))),
+    ("obstacle_mesh", lambda f: dymsum.obstacle_mesh(OBSTACLE, dymsum.ObstacleMeshOptions(progress=f))),
+    ("ObstacleQueries.clearance_each", lambda f: QUERIES.clearance_each(PLACES, progress=f)),
+    ("plan", lambda f: dymsum.plan(OBSTACLE, (-8, 0, 0), (8, 0, 1), dymsum.PlanOptions(progress=f))),
+    ("check_path", lambda f: dymsum.check_path(ROD, WALL, POSES, progress=f)),
+    ("check_path", lambda f: dymsum.check_path(ROD, WALL, PATH, progress=f)),
+    ("pose_batch", lambda f: dymsum.pose_batch(BALL, BOX, [dymsum.Rotation()] * 40, dymsum.BatchOptions(progress=f))),
+    (
+        "pose_batch_arrays",
+        lambda f: dymsum.pose_batch_arrays(BALL, BOX, [(1, 0, 0, 0)] * 40, dymsum.BatchOptions(progress=f)),
+    ),
+    ("opening", lambda f: dymsum.opening(solids.box(0, 0, 0, 9, 9, 9), ANGLE, solid(f))),
+    ("closing", lambda f: dymsum.closing(ANGLE, BOX, solid(f))),
+    ("offset", lambda f: dymsum.offset(ANGLE, 0.5, 0.2, options=solid(f))),
+    ("slice_of_sum", lambda f: dymsum.slice_of_sum(ANGLE, ANGLE, 0.5, solid(f))),
+    ("CriticalityMap", lambda f: dymsum.CriticalityMap(BALL, BOX, (0, 0, 1), f)),
+    ("CriticalityMap", lambda f: dymsum.CriticalityMap.create(BALL, BOX, (0, 0, 1), f)),
+    ("compute_table", lambda f: dymsum.compute_table(table(), dymsum.TableOptions(progress=f))),
+]
+PATH = dymsum.plan(OBSTACLE, (-8, 0, 0), (8, 0, 1)).path
+NAMES = [f"{name} {k}" for k, (name, _) in enumerate(CALLS)]
+
+
+def _signatures(function: Any) -> list[str]:
+    return [overload[0] for overload in getattr(function, "__nb_signature__", ())]
+
+
+def _that_take_a_progress() -> Iterator[str]:
+    options = [
+        name for name, kind in vars(dymsum).items() if name.endswith("Options") and hasattr(kind, "progress")
+    ]
+    assert len(options) == 8
+    for name, value in vars(dymsum).items():
+        members = vars(value).items() if inspect.isclass(value) else [("", value)]
+        for member, function in members:
+            if name in options or not any(
+                word in text for text in _signatures(function) for word in ("progress:", *(f"{o} =" for o in options))
+            ):
+                continue
+            yield name if member in ("", "__init__", "create") else f"{name}.{member}"
+
+
+def test_all_of_them_are_called() -> None:
+    assert sorted(set(_that_take_a_progress())) == sorted({name for name, _ in CALLS})
+
+
+@pytest.mark.parametrize("call", [call for _, call in CALLS], ids=NAMES)
+def test_progress(call: Callable[[Progress], Any]) -> None:
+    seen: list[tuple[str, float]] = []
+    call(lambda stage, share: seen.append((stage, share)))
+    assert seen and all(stage and 0 <= share <= 1 for stage, share in seen)
+
+    class Stop(Exception):
+        pass
+
+    def stop(stage: str, share: float) -> None:
+        raise Stop(stage)
+
+    with pytest.raises(Stop) as stopped:
+        call(stop)
+    assert stopped.value.args == (seen[0][0],)
+    with pytest.raises(dymsum.Error) as raised:
+        call(lambda stage, share: False)
+    assert raised.value.code == dymsum.ErrorCode.cancelled
+
+
+@pytest.mark.parametrize("kind", [dymsum.ScalingSum, dymsum.RotatingSum])
+def test_moves_are_stopped_and_change_nothing(kind: Any) -> None:
+    answer: list[Any] = [None]
+    made = kind(P, Q, moving(lambda stage, share: answer[0]))
+    before = made.sum()
+    there = Fraction(13, 7) if kind is dymsum.ScalingSum else dymsum.Orientation.nearest(1.3)
+    answer[0] = False
+    with pytest.raises(dymsum.Error):
+        made.set(there)
+    assert made.sum() == before
+    answer[0] = None
+    made.set(there)
+    assert made.sum() != before
