@@ -38,9 +38,7 @@ def moving(progress: Progress) -> dymsum.MovingOptions:
     return dymsum.MovingOptions(progress=progress)
 
 
-def table() -> dymsum.NfpTable:
-    items = [dymsum.TableItem("p", P, [0]), dymsum.TableItem("q", Q, [0])]
-    return dymsum.NfpTable(dymsum.TableInput(items))
+TABLE = dymsum.TableInput([dymsum.TableItem("p", P, [0]), dymsum.TableItem("q", Q, [0])])
 
 
 #: What is called, by its name; several calls of one name are its overloads.
@@ -91,7 +89,9 @@ CALLS: list[tuple[str, Callable[[Progress], Any]]] = [
     ("slice_of_sum", lambda f: dymsum.slice_of_sum(ANGLE, ANGLE, 0.5, solid(f))),
     ("CriticalityMap", lambda f: dymsum.CriticalityMap(BALL, BOX, (0, 0, 1), f)),
     ("CriticalityMap", lambda f: dymsum.CriticalityMap.create(BALL, BOX, (0, 0, 1), f)),
-    ("compute_table", lambda f: dymsum.compute_table(table(), dymsum.TableOptions(progress=f))),
+    ("NfpTable", lambda f: dymsum.NfpTable(TABLE, progress=f)),
+    ("NfpTable", lambda f: dymsum.NfpTable.create(TABLE, progress=f)),
+    ("compute_table", lambda f: dymsum.compute_table(dymsum.NfpTable(TABLE), dymsum.TableOptions(progress=f))),
 ]
 PATH = dymsum.plan(OBSTACLE, (-8, 0, 0), (8, 0, 1)).path
 NAMES = [f"{name} {k}" for k, (name, _) in enumerate(CALLS)]
