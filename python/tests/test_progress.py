@@ -39,6 +39,8 @@ def moving(progress: Progress) -> dymsum.MovingOptions:
 
 
 TABLE = dymsum.TableInput([dymsum.TableItem("p", P, [0]), dymsum.TableItem("q", Q, [0])])
+#: Small tables are planned without a question.
+LARGE_TABLE = dymsum.TableInput([dymsum.TableItem(f"p{k}", P, [0]) for k in range(70)])
 
 
 #: What is called, by its name; several calls of one name are its overloads.
@@ -89,8 +91,8 @@ CALLS: list[tuple[str, Callable[[Progress], Any]]] = [
     ("slice_of_sum", lambda f: dymsum.slice_of_sum(ANGLE, ANGLE, 0.5, solid(f))),
     ("CriticalityMap", lambda f: dymsum.CriticalityMap(BALL, BOX, (0, 0, 1), f)),
     ("CriticalityMap", lambda f: dymsum.CriticalityMap.create(BALL, BOX, (0, 0, 1), f)),
-    ("NfpTable", lambda f: dymsum.NfpTable(TABLE, progress=f)),
-    ("NfpTable", lambda f: dymsum.NfpTable.create(TABLE, progress=f)),
+    ("NfpTable", lambda f: dymsum.NfpTable(LARGE_TABLE, progress=f)),
+    ("NfpTable", lambda f: dymsum.NfpTable.create(LARGE_TABLE, progress=f)),
     ("compute_table", lambda f: dymsum.compute_table(dymsum.NfpTable(TABLE), dymsum.TableOptions(progress=f))),
 ]
 PATH = dymsum.plan(OBSTACLE, (-8, 0, 0), (8, 0, 1)).path
