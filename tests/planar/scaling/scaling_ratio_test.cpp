@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <cstdlib>
+#include <tuple>
 
 #include "dymsum/shapes.h"
 #include "oracles/membership.h"
@@ -219,6 +220,36 @@ TEST(ScalingRatio, extreme_ratios_are_right_too) {
     }
     EXPECT_EQ(rebuilt, std::abs(bits) > 32 ? 8u : 1u) << bits;
   }
+}
+
+// The exact layer takes the mediant of two cuts by its integers, which have the ratio's denominator among their factors.
+TEST(ScalingRatio, samples_of_loops_are_where_the_exact_layer_has_them) {
+  std::size_t mixed = 0;
+  for (const RatioShapes& shapes : ratio_shapes()) {
+    const auto plain = planar::pair_of_regions(shapes.p, shapes.q, planar::PairOptions{.moved = 0}).value();
+    planar::RatioSweeps sweeps;
+    const planar::Stretch stretch =
+        planar::stretch_of(planar::scale_value(Scale()), planar::scale_value(scale_of(100, 137)));
+    planar::RatioSweep& sweep = *sweeps.make(*plain, stretch);
+    const auto frames = planar::window_frames(sweep.windows.plan(1.1, 1.3, 1.2, UINT64_MAX));
+    const planar::LoopPlaces places(frames->lists);
+    for (long a = 1105; a < 1295; a += 5) {
+      planar::ExactFrame frame(sweep.base, planar::scale_value(scale_of(a, 1000)));
+      FrameWork work;
+      if (!frames->follow(frame, work)) continue;
+      for (const planar::FrameLoop& loop : frames->loops.loops()) {
+        const planar::Place p = places.sample(loop.steps, frame.tau(frames->window->frame().moving), frame);
+        const planar::Lattice::Position at = frame.lattice().position(p);
+        const Point& offset = plain->lattice->points[1]->offset;  // P has none
+        mixed += p.first.kind != p.second.kind;
+        for (const auto& [truth, value, from] : {std::tuple{at.x, p.x, offset.x}, {at.y, p.y, offset.y}}) {
+          const exact::BigRational off = truth - exact::exact_value(from) - exact::exact_value(value);
+          EXPECT_LE(exact::BigRational(abs(off)), exact::exact_value(p.error));
+        }
+      }
+    }
+  }
+  EXPECT_GT(mixed, 0u) << "of a vertex and a crossing";
 }
 
 /// Whether a point lies inside the rings of a sum: crossings of a ray, exactly. Requires: not on a ring.
