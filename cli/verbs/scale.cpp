@@ -99,8 +99,9 @@ std::vector<ScaleEvent> events_of(const ScalingSum& sum, const ScaleCommand& com
                                   const std::vector<AxisScales>& scales, const Progress& progress) {
   if (!command.events && std::none_of(command.files.begin(), command.files.end(), is_page)) return {};
   if (!std::all_of(scales.begin(), scales.end(), [](const AxisScales& s) { return s.uniform(); })) return {};
-  const auto [low, high] = std::minmax_element(
-      scales.begin(), scales.end(), [](const AxisScales& a, const AxisScales& b) { return a.x.approx() < b.x.approx(); });
+  const auto [low, high] =
+      std::minmax_element(scales.begin(), scales.end(),
+                          [](const AxisScales& a, const AxisScales& b) { return a.x.approx() < b.x.approx(); });
   return require(sum.events(low->x, high->x, progress));
 }
 
@@ -129,8 +130,7 @@ ExitCode run_planar_scale(const ScaleCommand& command) {
   MovingOptions options = scaling_options(command);
   options.threads = static_cast<int>(command.threads);
   auto motion = run_planar_motion<ScalingSum>(
-      frames, command.report, command.files, progress, [&] { return scaling_sum(inputs, options); },
-      set_scales);
+      frames, command.report, command.files, progress, [&] { return scaling_sum(inputs, options); }, set_scales);
   const std::vector<ScaleEvent> events = events_of(*motion.sum, command, scales, progress);
   options.mode = FrameMode::rebuild;
   const double static_ms = planar_static_ms(

@@ -16,7 +16,7 @@ constexpr double kLargestStep = 0.16;                  // beyond it no window ha
 constexpr double kShortStep = 0.02, kScattered = 0.3;  // a first step that is longer counts as one of so much
 // A longer step belongs to a motion where it is like the one before, or leads back: scattered positions do neither.
 constexpr double kAlike = 1.1, kBack = 1.001;
-constexpr double kNarrowest = 1e-6;                    // any width is right
+constexpr double kNarrowest = 1e-6;  // any width is right
 constexpr double kTooExpensive =
     1.15;  // windows are left above so much of a frame from scratch: most of their frames are far cheaper
 constexpr double kMostOfWindow = 12, kMostOfFrame = 2;  // times a frame from scratch

@@ -8,9 +8,9 @@ bool MovingSum::enter_window(const Move& move) {
   const std::uint64_t family = move.family;
   if (window_ != nullptr && window_->serves(family, move.at)) return true;
   if (ahead_.ready()) take_window_ahead();
-  std::unique_ptr<FrameWindow> next =
-      made_ahead_ != nullptr && made_ahead_->serves(family, move.at) ? std::move(made_ahead_)
-                                                                     : kept_.take(family, move.at);
+  std::unique_ptr<FrameWindow> next = made_ahead_ != nullptr && made_ahead_->serves(family, move.at)
+                                          ? std::move(made_ahead_)
+                                          : kept_.take(family, move.at);
   if (next == nullptr) return false;
   set_window(std::move(next), true);
   controller_.returned();

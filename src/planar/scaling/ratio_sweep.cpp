@@ -18,9 +18,8 @@ Stretch stretch_of(const ScaleValue& x, const ScaleValue& y) {
 }
 
 RatioSweep* RatioSweeps::find(const Stretch& stretch) {
-  const auto found = std::find_if(sweeps_.begin(), sweeps_.end(), [&](const RatioSweep& s) {
-    return s.stretch == stretch;
-  });
+  const auto found =
+      std::find_if(sweeps_.begin(), sweeps_.end(), [&](const RatioSweep& s) { return s.stretch == stretch; });
   if (found == sweeps_.end()) return nullptr;
   sweeps_.splice(sweeps_.begin(), sweeps_, found);
   return &sweeps_.front();

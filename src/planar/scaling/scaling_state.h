@@ -50,10 +50,10 @@ class ScalingSum::State final : public planar::MovingSum {
   planar::ScaleValue s_;      ///< the same as windows have it: the larger of both
   planar::Stretch stretch_;   ///< of the last position
   planar::RatioSweeps ratios_;
-  planar::WindowBuilder* builder_ = nullptr;  ///< of windows at the new position, where they serve
+  planar::WindowBuilder* builder_ = nullptr;          ///< of windows at the new position, where they serve
   std::shared_ptr<const planar::OperandPair> swept_;  ///< the operands these are of
-  std::vector<std::array<Scale, 2>> touching_;  ///< where frames from scratch found that something touches
-  const planar::WindowFrames* last_ = nullptr;  ///< where the last frame was made, if in a window
+  std::vector<std::array<Scale, 2>> touching_;        ///< where frames from scratch found that something touches
+  const planar::WindowFrames* last_ = nullptr;        ///< where the last frame was made, if in a window
 };
 
 namespace planar {

@@ -214,15 +214,16 @@ TEST(ScalingRatio, extreme_ratios_are_right_too) {
       const double s = 1 + k / 256.0, power = std::ldexp(1.0, bits);
       ASSERT_TRUE(sum.set(Scale::of(s).value(), Scale::of(s * power).value()).ok());
       rebuilt += sum.work().rebuilt;
-      const PlanarSum fresh = minkowski_sum(multiplied(shapes.p, 256 * s, 256 * s * power),
-                                            multiplied(shapes.q, 256, 256)).value();
+      const PlanarSum fresh =
+          minkowski_sum(multiplied(shapes.p, 256 * s, 256 * s * power), multiplied(shapes.q, 256, 256)).value();
       EXPECT_EQ(described(sum.sum(), exact::BigRational(256)), described(fresh, exact::BigRational(1))) << bits;
     }
     EXPECT_EQ(rebuilt, std::abs(bits) > 32 ? 8u : 1u) << bits;
   }
 }
 
-// The exact layer takes the mediant of two cuts by its integers, which have the ratio's denominator among their factors.
+// The exact layer takes the mediant of two cuts by its integers, which have the ratio's denominator among their
+// factors.
 TEST(ScalingRatio, samples_of_loops_are_where_the_exact_layer_has_them) {
   std::size_t mixed = 0;
   for (const RatioShapes& shapes : ratio_shapes()) {
