@@ -17,7 +17,7 @@
 
 namespace dymsum::cli {
 
-/// A frame to be made. `Place` is a Scale or an Orientation.
+/// A frame to be made. `Place` is what the sum moves to.
 template <class Place>
 struct PlanarFrame {
   Place place;
@@ -84,13 +84,15 @@ PlanarMotion<Sum> run_planar_motion(const std::vector<PlanarFrame<Place>>& frame
   return motion;
 }
 
-/// The median of fresh computations at a few of the frames. Requires: `fresh` computes every frame from scratch.
-template <class Sum, class Place>
-double planar_static_ms(Sum fresh, const std::vector<PlanarFrame<Place>>& frames, std::size_t repeat) {
+/// The median of fresh computations at a few of the frames. `make` returns a fresh sum that computes every frame from
+/// scratch, `move(sum, place)` moves it there unless that is where it was made.
+template <class Place, class Make, class Move>
+double planar_static_ms(const std::vector<PlanarFrame<Place>>& frames, std::size_t repeat, Make&& make, Move&& move) {
   std::vector<double> ms;
   for (const std::size_t i : {std::size_t{0}, frames.size() / 3, frames.size() / 2, frames.size() - 1})
     for (std::size_t k = 0; k < repeat; ++k) {
-      require(fresh.set(frames[i].place));
+      auto fresh = make();
+      move(fresh, frames[i].place);
       ms.push_back(fresh.work().ms);
     }
   return timing_of(ms).median_ms;

@@ -44,7 +44,8 @@ ExitCode run_planar_turn(const PlanarTurn& turn) {
   auto motion = run_planar_motion<RotatingSum>(
       frames, turn.report, turn.files, bar->callback(),
       [&] { return rotating_sum(turn, inputs, FrameMode::automatic); }, turn_to);
-  const double static_ms = planar_static_ms(rotating_sum(turn, inputs, FrameMode::rebuild), frames, turn.report.repeat);
+  const double static_ms = planar_static_ms(
+      frames, turn.report.repeat, [&] { return rotating_sum(turn, inputs, FrameMode::rebuild); }, turn_to);
   bar.reset();
   throw_if_interrupted();
   write_frame_pictures(turn.files, motion.pictures, {}, inputs[0].file + " turns, " + inputs[1].file + " stays");

@@ -145,7 +145,7 @@ std::vector<Scale> scales_in(const std::string& text) {
 }  // namespace
 
 ExitCode run_solid_scale(const ScaleCommand& command, const std::vector<Scale>& sweep) {
-  refuse_options(*command.parser, {"--copies", "--events", "--mode", "--semantics", "--exact", "--threads"},
+  refuse_options(*command.parser, {"--copies", "--ratio", "--events", "--mode", "--semantics", "--exact", "--threads"},
                  "is for planar operands");
   if (sweep.empty() == command.at.empty()) throw Stop(kUsage, "give one of --sweep and --at");
   SolidMotion motion{"scale", read_convex_solids(command.operands, command.input), {}, command.files, {}, ""};

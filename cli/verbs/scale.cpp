@@ -6,6 +6,7 @@
 #include <optional>
 
 #include "dymsum/scaling_sum.h"
+#include "numbers.h"
 #include "planar/planar_motion.h"
 #include "solid/solid_motion.h"
 #include "solid/solid_operands.h"
@@ -31,11 +32,33 @@ std::vector<Scale> sweep_scales(const std::string& text) {
                         "--sweep");
 }
 
-std::vector<Scale> scales_of(const ScaleCommand& command) {
+/// diag(x, y).
+struct AxisScales {
+  Scale x, y;
+  bool uniform() const { return x == y; }
+};
+
+/// diag(s, R s) with --ratio R, else s for both axes.
+AxisScales with_ratio(const Scale& s, const ScaleCommand& command) {
+  if (command.ratio.empty()) return {s, s};
+  const Scale ratio = read_scale(command.ratio, "--ratio");
+  return {s, require_option(Scale::of(s.exact() * ratio.exact()), "--ratio")};
+}
+
+AxisScales axis_scales(const std::string& text, const ScaleCommand& command) {
+  const std::vector<std::string> pieces = split(text, ':');
+  if (pieces.size() == 1) return with_ratio(read_scale(text, "--at"), command);
+  if (pieces.size() != 2) throw Stop(kUsage, "--at wants one scale or two, SX:SY: " + text);
+  if (!command.ratio.empty()) throw Stop(kUsage, "--ratio does not apply to --at SX:SY: " + text);
+  return {read_scale(pieces[0], "--at"), read_scale(pieces[1], "--at")};
+}
+
+std::vector<AxisScales> scales_of(const ScaleCommand& command) {
   if (command.sweep.empty() == command.at.empty()) throw Stop(kUsage, "give one of --sweep, --at and --copies");
-  std::vector<Scale> scales;
-  if (!command.sweep.empty()) scales = sweep_scales(command.sweep);
-  for (const std::string& s : listed(command.at)) scales.push_back(read_scale(s, "--at"));
+  std::vector<AxisScales> scales;
+  if (!command.sweep.empty())
+    for (const Scale& s : sweep_scales(command.sweep)) scales.push_back(with_ratio(s, command));
+  for (const std::string& s : listed(command.at)) scales.push_back(axis_scales(s, command));
   check_frame_pictures(command.files);
   return scales;
 }
@@ -52,13 +75,15 @@ Json events_json(const std::vector<ScaleEvent>& events) {
 }
 
 /// Pictures have the exact scale as a caption, or its digits where that is long.
-std::vector<PlanarFrame<Scale>> frames_at(const std::vector<Scale>& scales) {
-  std::vector<PlanarFrame<Scale>> frames;
-  for (const Scale& s : scales) {
-    std::string caption = shown(s.exact());
-    if (caption.size() > 14) caption = number(s.approx());
-    frames.push_back({s, frame_name({s}), s.approx(), "s = " + caption});
-  }
+std::vector<PlanarFrame<AxisScales>> frames_at(const std::vector<AxisScales>& scales) {
+  const auto caption = [](const Scale& s) {
+    const std::string exact = shown(s.exact());
+    return exact.size() > 14 ? number(s.approx()) : exact;
+  };
+  std::vector<PlanarFrame<AxisScales>> frames;
+  for (const AxisScales& s : scales)
+    frames.push_back({s, s.uniform() ? frame_name({s.x}) : frame_name({s.x, s.y}), s.x.approx(),
+                      "s = " + caption(s.x) + (s.uniform() ? "" : ":" + caption(s.y))});
   return frames;
 }
 
@@ -69,13 +94,18 @@ std::vector<PicturedTick> ticks_of(const std::vector<ScaleEvent>& events) {
   return ticks;
 }
 
-std::vector<ScaleEvent> events_of(const ScalingSum& sum, const ScaleCommand& command, const std::vector<Scale>& scales,
-                                  const Progress& progress) {
+/// Those of uniform scales: there are none for the ticks of other motions.
+std::vector<ScaleEvent> events_of(const ScalingSum& sum, const ScaleCommand& command,
+                                  const std::vector<AxisScales>& scales, const Progress& progress) {
   if (!command.events && std::none_of(command.files.begin(), command.files.end(), is_page)) return {};
-  const auto [low, high] = std::minmax_element(scales.begin(), scales.end(),
-                                               [](const Scale& a, const Scale& b) { return a.approx() < b.approx(); });
-  return require(sum.events(*low, *high, progress));
+  if (!std::all_of(scales.begin(), scales.end(), [](const AxisScales& s) { return s.uniform(); })) return {};
+  const auto [low, high] =
+      std::minmax_element(scales.begin(), scales.end(),
+                          [](const AxisScales& a, const AxisScales& b) { return a.x.approx() < b.x.approx(); });
+  return require(sum.events(low->x, high->x, progress));
 }
+
+void set_scales(ScalingSum& sum, const AxisScales& s) { require(s.uniform() ? sum.set(s.x) : sum.set(s.x, s.y)); }
 
 std::vector<std::string> event_lines(const std::vector<ScaleEvent>& events) {
   std::vector<std::string> lines;
@@ -89,8 +119,10 @@ ScalingSum scaling_sum(const std::vector<Input>& inputs, const MovingOptions& op
 }
 
 ExitCode run_planar_scale(const ScaleCommand& command) {
-  const std::vector<Scale> scales = scales_of(command);
-  const std::vector<PlanarFrame<Scale>> frames = frames_at(scales);
+  const std::vector<AxisScales> scales = scales_of(command);
+  if (command.events && !std::all_of(scales.begin(), scales.end(), [](const AxisScales& s) { return s.uniform(); }))
+    throw Stop(kUsage, "--events wants the same scale along both axes");
+  const std::vector<PlanarFrame<AxisScales>> frames = frames_at(scales);
   const std::vector<Input> inputs = read_inputs(command.operands, command.input);
   const InterruptGuard guard;
   std::optional<ProgressBar> bar(std::in_place);
@@ -98,11 +130,14 @@ ExitCode run_planar_scale(const ScaleCommand& command) {
   MovingOptions options = scaling_options(command);
   options.threads = static_cast<int>(command.threads);
   auto motion = run_planar_motion<ScalingSum>(
-      frames, command.report, command.files, progress, [&] { return scaling_sum(inputs, options); },
-      [](ScalingSum& sum, const Scale& s) { require(sum.set(s)); });
+      frames, command.report, command.files, progress, [&] { return scaling_sum(inputs, options); }, set_scales);
   const std::vector<ScaleEvent> events = events_of(*motion.sum, command, scales, progress);
   options.mode = FrameMode::rebuild;
-  const double static_ms = planar_static_ms(scaling_sum(inputs, options), frames, command.report.repeat);
+  const double static_ms = planar_static_ms(
+      frames, command.report.repeat, [&] { return scaling_sum(inputs, options); },
+      [](ScalingSum& sum, const AxisScales& s) {
+        if (!(s.uniform() && s.x == sum.scale())) set_scales(sum, s);
+      });
   bar.reset();
   write_frame_pictures(command.files, motion.pictures, ticks_of(events),
                        inputs[0].file + " and " + inputs[1].file + ", " + command.scaled + " scales");
@@ -135,9 +170,11 @@ void add_options(CLI::App& verb, ScaleCommand& command) {
                   "FROM:TO:STEP; STEP is added, or with % multiplies: 1:2:1%; the last frame is at TO")
       ->type_name("A:B:STEP");
   verb.add_option("--at", command.at,
-                  "Scales between commas, exact: 3/2, 1.01, 1e-3; of solids also one per axis: 2:1:1/2; repeatable")
+                  "Scales between commas, exact: 3/2, 1.01, 1e-3; or one per axis: 2:1, of solids 2:1:1/2; repeatable")
       ->type_name("S,S,...")
       ->allow_extra_args(false);
+  verb.add_option("--ratio", command.ratio, "Planar: y scales by R times as much as x, diag(s, R s); exact")
+      ->type_name("R");
   verb.add_option("--copies", command.copies,
                   "Planar: copies of P, one `scale x y` a line: the sum of each with Q, from one sum that scales")
       ->type_name("FILE");
@@ -198,7 +235,8 @@ void add_scale(CLI::App& app, Action& action) {
   add_options(verb, *command);
   verb.footer(
       "Examples: dymsum scale plate.wkt star.wkt --sweep 1:2:1% --json -o frames.svg\n"
-      "          dymsum scale plate.wkt star.wkt --sweep 1:2:0.1% --threads 2");
+      "          dymsum scale plate.wkt star.wkt --sweep 1:2:0.1% --threads 2\n"
+      "          dymsum scale plate.wkt star.wkt --sweep 1:2:1% --ratio 2/3");
   verb.callback([command, &action] { action = [command] { return run_scale(*command); }; });
 }
 

@@ -14,7 +14,7 @@ namespace dymsum::cli {
 struct ScaleCommand {
   const CLI::App* parser = nullptr;  ///< which options were given
   std::vector<std::string> operands{"", ""};
-  std::string sweep, copies, scaled = "p", mode = "automatic", semantics = "closed";
+  std::string sweep, ratio, copies, scaled = "p", mode = "automatic", semantics = "closed";
   std::vector<std::string> at, files;
   std::size_t threads = 1;
   bool robot = false;  ///< Q is a robot: sums with -Q

@@ -16,6 +16,7 @@ namespace {
 void check(const ScaleCommand& command) {
   if (!command.sweep.empty() || !command.at.empty()) throw Stop(kUsage, "give one of --sweep, --at and --copies");
   if (command.scaled != "p") throw Stop(kUsage, "--copies scales P, the first operand: --scaled q does not apply");
+  refuse_options(*command.parser, {"--ratio"}, "belongs to --sweep and --at");
   refuse_options(*command.parser, {"--threads"}, "does not apply to --copies, whose windows are planned");
   if (command.events) throw Stop(kUsage, "--events belongs to --sweep and --at");
   for (const std::string& file : command.files)

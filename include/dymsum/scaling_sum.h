@@ -52,7 +52,9 @@ class ScalingSum {
   /// O(pieces checked + work reported + boundary).
   Result<FrameChanges> set(double s);
   Result<FrameChanges> set(const Scale& s);
-  /// diag(sx, sy) times the scaled operand; directions change, so frames are rebuilt unless sx = sy.
+  /// diag(sx, sy) times the scaled operand. While sy / sx stays what it is, from 2^-32 to 2^32, these are updates as
+  /// those of a uniform scale; a frame of another ratio is rebuilt unless a window of it is kept. FrameWork tells of
+  /// windows by the larger scale.
   Result<FrameChanges> set(const Scale& sx, const Scale& sy);
 
   const Scale& scale() const;

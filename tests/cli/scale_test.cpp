@@ -156,6 +156,35 @@ TEST_F(ScaleCli, AFitAnywhereNamesWhatHoldsThePart) {
             std::string::npos);
 }
 
+TEST_F(ScaleCli, AxesMayScaleByDifferentFactors) {
+  const auto frames = [&](const std::string& options) {
+    Json list = json("dymsum scale plate.wkt peg.wkt --scaled q --exact --json " + options)["frames"];
+    for (Json& frame : list) frame.erase("update_ms");
+    return list;
+  };
+  const Json swept = frames("--sweep 1:2:1/4 --ratio 2/3");
+  ASSERT_EQ(swept.size(), 5u);
+  EXPECT_EQ(swept[2]["s"], Json::array({"3/2", "1/1"}));
+  EXPECT_EQ(swept[2]["pose"], "s = 3/2:1");
+  EXPECT_EQ(frames("--at 1:2/3,5/4:5/6,3/2:1,7/4:7/6,2:4/3"), swept);
+  EXPECT_EQ(frames("--at 1,5/4,3/2,7/4,2 --ratio 2/3 --mode rebuild"), swept);
+  // The peg is 1.5 wide and 0.5 high there.
+  work.write("peg15.wkt", "POLYGON ((-1.5 -0.5, 0 -0.5, 0 0, -1.5 0, -1.5 -0.5))\n");
+  EXPECT_EQ(swept[2]["area_exact"], json("dymsum sum plate.wkt peg15.wkt --json")["area_exact"]);
+  EXPECT_EQ(frames("--at 3/2 --ratio 1")[0]["s"], "3/2");
+  ASSERT_EQ(work.run("dymsum scale plate.wkt peg.wkt --sweep 1:2:1/4 --ratio 2 -o page.html -o strip.svg").code, 0);
+  for (const char* wrong : {"--at 1:2:3", "--at 1:2 --ratio 2", "--at 1 --ratio 0", "--at 1 --ratio x",
+                            "--at 1e10 --ratio 1e10", "--at 1:2 --events", "--sweep 1:2:1 --ratio 2 --events"})
+    EXPECT_EQ(work.run(std::string("dymsum scale plate.wkt peg.wkt ") + wrong).code, 1) << wrong;
+}
+
+// A sum that is where it was asked to be makes no frame: it tells nothing of what one from scratch takes.
+TEST_F(ScaleCli, FramesFromScratchAreTimedWhereverTheyAreAndHoweverOften) {
+  for (const char* motion : {"scale plate.wkt peg.wkt --at 1", "scale plate.wkt peg.wkt --sweep 1:2:1/4 --repeat 5",
+                             "rotate plate.wkt peg.wkt --steps 1", "rotate plate.wkt peg.wkt --steps 8 --repeat 5"})
+    EXPECT_GT(json(std::string("dymsum ") + motion + " --json")["static_ms"], 0) << motion;
+}
+
 TEST_F(ScaleCli, BadScalesAndUsageHaveTheirExitCodes) {
   EXPECT_EQ(work.run("dymsum scale plate.wkt peg.wkt").code, 1);
   EXPECT_EQ(work.run("dymsum scale plate.wkt peg.wkt --sweep 1:2").code, 1);

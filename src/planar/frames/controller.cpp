@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace dymsum::planar {
 namespace {
@@ -13,7 +14,9 @@ constexpr double kSteps = kFrames + 0.5,
 constexpr double kMostFrames = 160;
 constexpr double kLargestStep = 0.16;                  // beyond it no window has been seen to pay
 constexpr double kShortStep = 0.02, kScattered = 0.3;  // a first step that is longer counts as one of so much
-constexpr double kNarrowest = 1e-6;                    // any width is right
+// A longer step belongs to a motion where it is like the one before, or leads back: scattered positions do neither.
+constexpr double kAlike = 1.1, kBack = 1.001;
+constexpr double kNarrowest = 1e-6;  // any width is right
 constexpr double kTooExpensive =
     1.15;  // windows are left above so much of a frame from scratch: most of their frames are far cheaper
 constexpr double kMostOfWindow = 12, kMostOfFrame = 2;  // times a frame from scratch
@@ -98,6 +101,8 @@ WindowController::Choice WindowController::choose(double step, double widest, Fr
   if (size == 0 && mode == FrameMode::automatic) return {};  // nobody knows where the motion goes
   // Large steps are remembered for a while: among random jumps a small one is no sweep. Of the first one nobody knows.
   recent_ = recent_ == 0 && size > kShortStep ? std::max(size, kScattered) : std::max(size, 0.8 * recent_);
+  const double last = std::exchange(last_step_, step), alike = step * last > 0 ? kAlike : kBack;
+  const bool scattered = size > kShortStep && !(size < alike * std::abs(last) && std::abs(last) < alike * size);
   const std::uint64_t served = served_;
   close_window();
   if (mode == FrameMode::automatic) {
@@ -109,7 +114,7 @@ WindowController::Choice WindowController::choose(double step, double widest, Fr
       bad_step_ = 0;
       backoff_ = 8;
     }
-    if (recent_ > kLargestStep || kSteps * size > kWidestSteps * widest) return {};
+    if (recent_ > kLargestStep || scattered || kSteps * size > kWidestSteps * widest) return {};
     // Once in a while a window would not clearly win: a fresh frame tells what it would have cost.
     if (served > 0 && last_cost_ > 0.7 * static_cost_ && ++windows_since_ % 4 == 0) return {};
     if (rest_ > 0 && size > 0.5 * bad_step_) return {};

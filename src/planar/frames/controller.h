@@ -57,6 +57,7 @@ class WindowController {
   bool counts_ = false;       ///< frames are of the window that was built last
   std::uint64_t served_ = 0;  ///< frames of the open window
   double recent_ = 0;         ///< the largest recent step, fading
+  double last_step_ = 0;      ///< the last one outside of windows
   double payback_ = 0;
   int expensive_ = 0;
   std::uint64_t windows_since_ = 0;

@@ -5,13 +5,13 @@
 
 namespace dymsum::planar {
 
-bool KeptWindows::covers(double at) const {
-  return std::any_of(windows_.begin(), windows_.end(), [&](const Kept& k) { return k.window->covers(at); });
+bool KeptWindows::covers(std::uint64_t family, double at) const {
+  return std::any_of(windows_.begin(), windows_.end(), [&](const Kept& k) { return k.window->serves(family, at); });
 }
 
-std::unique_ptr<FrameWindow> KeptWindows::take(double at) {
+std::unique_ptr<FrameWindow> KeptWindows::take(std::uint64_t family, double at) {
   const auto found =
-      std::find_if(windows_.begin(), windows_.end(), [&](const Kept& k) { return k.window->covers(at); });
+      std::find_if(windows_.begin(), windows_.end(), [&](const Kept& k) { return k.window->serves(family, at); });
   if (found == windows_.end()) return nullptr;
   std::unique_ptr<FrameWindow> window = std::move(found->window);
   bytes_ -= found->bytes;

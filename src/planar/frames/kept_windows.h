@@ -12,9 +12,9 @@ namespace dymsum::planar {
 
 class KeptWindows {
  public:
-  /// The most recently used one that covers a position; it is kept no longer. None: nothing.
-  std::unique_ptr<FrameWindow> take(double at);
-  bool covers(double at) const;
+  /// The most recently used one that covers a position of a family; it is kept no longer. None: nothing.
+  std::unique_ptr<FrameWindow> take(std::uint64_t family, double at);
+  bool covers(std::uint64_t family, double at) const;
   /// Keeps one. The least recently used ones go until all of them hold at most `most_bytes`.
   void keep(std::unique_ptr<FrameWindow> window, std::uint64_t most_bytes);
   std::uint64_t bytes() const { return bytes_; }

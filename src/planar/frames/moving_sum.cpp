@@ -31,7 +31,7 @@ Result<FrameChanges> MovingSum::move(const Move& move) {
 // Whether the current window, perhaps a new one, covers the new position.
 Result<bool> MovingSum::open_window(const Move& move, FrameWork& next_work) {
   if (!move.windows || options.mode == FrameMode::rebuild) return false;
-  if (enter_window(move.at)) return true;
+  if (enter_window(move)) return true;
   if (!move.builds || (makes_ahead() && ahead_.busy())) return false;
   const WindowController::Choice reach = controller_.choose(move.step, move.widest, options.mode, move.asked);
   if (!reach.window) return false;

@@ -36,13 +36,14 @@ class MovingSum {
  protected:
   /// A move, as the controller sees it: lengths are logarithms of scales, or angles.
   struct Move {
-    bool windows = true;  ///< whether windows can serve at the new position
-    bool builds = true;   ///< whether one may be built for it
-    bool stays = false;   ///< it is the old position
-    double at = 0;        ///< the new position, as windows have it
-    double step = 0;      ///< from the old position to the new one
-    double widest = 0;    ///< windows should not be wider
-    double asked = 0;     ///< the width that the options ask for, or 0
+    bool windows = true;       ///< whether windows can serve at the new position
+    bool builds = true;        ///< whether one may be built for it
+    bool stays = false;        ///< it is the old position
+    std::uint64_t family = 0;  ///< of positions: windows serve those of their own only
+    double at = 0;             ///< the new position, as windows have it
+    double step = 0;           ///< from the old position to the new one
+    double widest = 0;         ///< windows should not be wider
+    double asked = 0;          ///< the width that the options ask for, or 0
   };
   struct NextFrame {
     PlanarSum sum;
@@ -84,7 +85,7 @@ class MovingSum {
   virtual WindowCost cost_of_window() const = 0;
 
   Result<bool> open_window(const Move& move, FrameWork& work);
-  bool enter_window(double at);
+  bool enter_window(const Move& move);
   void set_window(std::unique_ptr<FrameWindow> next, bool keep);
   void take_window_ahead();
   void start_ahead(MakeWindow make, double step);

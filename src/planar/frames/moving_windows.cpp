@@ -4,11 +4,13 @@
 namespace dymsum::planar {
 
 // Whether there is one that covers the position.
-bool MovingSum::enter_window(double at) {
-  if (window_ != nullptr && window_->covers(at)) return true;
+bool MovingSum::enter_window(const Move& move) {
+  const std::uint64_t family = move.family;
+  if (window_ != nullptr && window_->serves(family, move.at)) return true;
   if (ahead_.ready()) take_window_ahead();
-  std::unique_ptr<FrameWindow> next =
-      made_ahead_ != nullptr && made_ahead_->covers(at) ? std::move(made_ahead_) : kept_.take(at);
+  std::unique_ptr<FrameWindow> next = made_ahead_ != nullptr && made_ahead_->serves(family, move.at)
+                                          ? std::move(made_ahead_)
+                                          : kept_.take(family, move.at);
   if (next == nullptr) return false;
   set_window(std::move(next), true);
   controller_.returned();
@@ -42,7 +44,7 @@ void MovingSum::start_ahead(MakeWindow make, double step) {
 void MovingSum::make_next_window(const Move& move) {
   if (window_ == nullptr || ahead_.busy() || too_expensive_ahead_ || move.step == 0) return;
   const double end = window_->end(move.step > 0);
-  if (kept_.covers(end) || (made_ahead_ != nullptr && made_ahead_->covers(end))) return;
+  if (kept_.covers(move.family, end) || (made_ahead_ != nullptr && made_ahead_->serves(move.family, end))) return;
   start_ahead(window_from(end, move, controller_.width(move.step, move.widest)), move.step);
 }
 

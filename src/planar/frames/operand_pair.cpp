@@ -42,17 +42,42 @@ Result<std::shared_ptr<const OperandPair>> OperandPair::create(
     points[op] = place_points(std::move(all));
     if (std::optional<Error> error = too_large(*points[op])) return *std::move(error);
   }
-  base->lattice = make_lattice(points[0], points[1], min_tier_bits, Further::lattices);
+  base->given = base->lattice = make_lattice(points[0], points[1], min_tier_bits, Further::lattices);
   if (spread == Spread::narrow && base->lattice->wide) return too_far_apart(*base->lattice);
-  for (std::uint32_t op = 0; op < 2; ++op) {
-    base->operands[op] = *placed_on(*base->lattice, kept[op]);
-    const Operand& o = base->operands[op];
+  base->place({placed_on(*base->lattice, kept[0]), placed_on(*base->lattice, kept[1])});
+  for (const Operand& o : base->operands) {
     for (const Component& c : o.components) base->regular &= c.dimension == 2;
     base->connected &= o.components.size() == 1;
-    base->width[op] = o.points->width;
-    base->height[op] = o.points->height;
   }
   return std::shared_ptr<const OperandPair>(std::move(base));
+}
+
+void OperandPair::place(const std::array<std::shared_ptr<const Operand>, 2>& placed) {
+  for (std::uint32_t op = 0; op < 2; ++op) {
+    operands[op] = *placed[op];
+    width[op] = operands[op].points->width;
+    height[op] = operands[op].points->height;
+  }
+}
+
+// Coordinates of moderate size are stretched and scaled, and two of them multiplied; where units are chosen for their
+// spread, products may underflow as far as they do without a stretch.
+static_assert(2 * (PlacedPoints::kModerateBits + 65 + OperandPair::kStretchBits) <= 1022);
+bool OperandPair::may_be_stretched() const {
+  return given->points[moved]->bits(given->grid_exponent) + kStretchBits <= kNarrowBits;
+}
+
+std::shared_ptr<const OperandPair> OperandPair::stretched(const ScaleValue& x, const ScaleValue& y) const {
+  auto made = std::make_shared<OperandPair>();
+  made->moved = moved;
+  made->min_tier_bits = min_tier_bits;
+  made->given = given;
+  made->lattice = lattice_at(lattice_scale(x, y));
+  made->regular = regular;
+  made->connected = connected;
+  made->stretch_ = {x, y};
+  made->place({operand_at(0, *made->lattice), operand_at(1, *made->lattice)});
+  return made;
 }
 
 LatticeScale OperandPair::lattice_scale(const ScaleValue& x, const ScaleValue& y) const {
@@ -61,8 +86,16 @@ LatticeScale OperandPair::lattice_scale(const ScaleValue& x, const ScaleValue& y
   return {exact::BigInteger(x.num * (common / x.den)), exact::BigInteger(y.num * (common / y.den)), common, moved};
 }
 
+LatticeScale OperandPair::lattice_scale(const ScaleValue& s) const {
+  const auto along = [&](const ScaleValue& stretch) {
+    if (stretch == ScaleValue{}) return s;
+    return scale_value(exact::BigRational(rational(s) * rational(stretch)));
+  };
+  return lattice_scale(along(stretch_[0]), along(stretch_[1]));
+}
+
 std::shared_ptr<const Lattice> OperandPair::lattice_at(const LatticeScale& scale) const {
-  return make_scaled_lattice(*lattice, scale, min_tier_bits);
+  return make_scaled_lattice(*given, scale, min_tier_bits);
 }
 
 std::shared_ptr<const Operand> OperandPair::operand_at(std::uint32_t op, const Lattice& at) const {

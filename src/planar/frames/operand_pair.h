@@ -24,17 +24,33 @@ class OperandPair : public std::enable_shared_from_this<OperandPair> {
 
   std::uint32_t moved = 0;  ///< the operand that is scaled or turned
   int min_tier_bits = 0;
-  std::shared_ptr<const Lattice> lattice;  ///< as they were given
+  std::shared_ptr<const Lattice> given;    ///< as they were given
+  std::shared_ptr<const Lattice> lattice;  ///< the same, or with the moved operand stretched
   std::array<Operand, 2> operands;
   std::array<double, 2> width{}, height{};  ///< of the operands, in the lattice's doubles
   bool regular = true;                      ///< every component has area
   bool connected = true;                    ///< one component each
 
+  /// The same operands with the moved one stretched: its uniform scales s are diag(s x, s y) of the one that was given.
+  /// Doubles carry three roundings there. Requires: this is as it was given; x and y from 2^-kStretchBits to 1.
+  std::shared_ptr<const OperandPair> stretched(const ScaleValue& x, const ScaleValue& y) const;
+  /// Whether doubles stay as moderate when the moved operand is stretched as they are without that.
+  bool may_be_stretched() const;
+  static constexpr int kStretchBits = 32;
+
+  /// diag(x, y) times the moved operand as it was given.
   LatticeScale lattice_scale(const ScaleValue& x, const ScaleValue& y) const;
+  /// s times the moved operand as it is here.
+  LatticeScale lattice_scale(const ScaleValue& s) const;
   std::shared_ptr<const Lattice> lattice_at(const LatticeScale& scale) const;
   /// The walks with edge vectors of a lattice.
   std::shared_ptr<const Operand> operand_at(std::uint32_t op, const Lattice& at) const;
   PlacedPair placed_on_lattice(std::shared_ptr<const Lattice> at) const;
+
+ private:
+  void place(const std::array<std::shared_ptr<const Operand>, 2>& placed);
+
+  std::array<ScaleValue, 2> stretch_;  ///< of the moved operand, along x and y
 };
 
 }  // namespace dymsum::planar

@@ -8,7 +8,7 @@ bool AlwaysOn::operator()(std::uint32_t segment, Pair v) {
   if (base.lattice->side(s, v) != 0) return false;
   if (doubled_ == nullptr) {
     const ScaleValue two = scale_value(exact::BigRational(2));
-    doubled_ = base.lattice_at(base.lattice_scale(two, two));
+    doubled_ = base.lattice_at(base.lattice_scale(two));
   }
   return doubled_->side(s, v) == 0;
 }

@@ -11,7 +11,7 @@ namespace dymsum::planar {
 class ExactFrame {
  public:
   ExactFrame(std::shared_ptr<const OperandPair> base, const ScaleValue& s)
-      : base_(std::move(base)), value_(s), scale_(base_->lattice_scale(s, s)) {}
+      : base_(std::move(base)), value_(s), scale_(base_->lattice_scale(s)) {}
 
   const ScaleValue& value() const { return value_; }
   const LatticeScale& scale() const { return scale_; }

@@ -39,7 +39,7 @@ LoopPlaces::Cutting LoopPlaces::end_cut(Step s, bool at_end) const {
   c.cut.kind = Cut::Kind::crossing;
   c.cut.by = window.exact(other);
   const double u = on.dx * by.dy, v = on.dy * by.dx, d = std::abs(u - v);
-  c.denominator = d * window.base().lattice->integers_per_unit;
+  c.denominator = d * window.base().given->integers_per_unit;
   c.relative_error = d > 0 ? std::min(1.0, kCrossWeight * (std::abs(u) + std::abs(v)) / d) : 1.0;
   return c;
 }
@@ -67,11 +67,11 @@ Place LoopPlaces::sample(const std::vector<LoopStep>& cycle, double tau, ExactFr
   const std::uint32_t segment = window.pieces[longest.piece].segment;
   const LiveSegment& on = window.segments[segment];
   const Cutting from = end_cut(longest, false), to = end_cut(longest, true);
-  // Denominators of crossings with an edge of the scaled operand grow with the scale; all are integers over the scale's
-  // denominator.
+  // Denominators of crossings with an edge of the scaled operand grow with the scale; all are integers over the common
+  // denominator of the frame's lattice.
   const auto weight_of = [&](const Cutting& c) {
     if (c.cut.kind == Cut::Kind::pair) return c.denominator;
-    const double den = exact::round_to_double(exact::BigRational(frame.value().den));
+    const double den = exact::round_to_double(exact::BigRational(frame.scale().den));
     return c.denominator * den * (c.cut.by.edge.op == frame.base().moved ? frame.value().approx : 1);
   };
   const double d0 = weight_of(from), d1 = weight_of(to), t0 = from.t.at(tau), t1 = to.t.at(tau);

@@ -228,8 +228,8 @@ void PieceLists::sort_items(std::uint32_t i, ExactFrame& frame) {
 }
 
 // The list is certain while the lines of neighbours stay apart by more than their errors. As doubles at tau they err by
-// less than is left of what their errors grant, as do tau and the end: bounds of windows grant more than twice what
-// they count. The margin's own roundings, its quotient's and the slopes' are shares of the margin, taken off.
+// less than is left of what their errors grant, as do tau and the end: those of shares grant more than twice what they
+// count. The margin's own roundings, its quotient's and the slopes' are shares of the margin, taken off.
 void PieceLists::look_at_neighbours(std::uint32_t i, double tau, ExactFrame& frame, Certainty& certain) const {
   for (std::size_t k = 0; k + 1 < items_.size(); ++k) {
     const Item &a = items_[k], &b = items_[k + 1];

@@ -4,7 +4,7 @@ namespace dymsum::planar {
 
 // Sums of vertices need no lattice: (p - p') num + (q - q') den, with P and Q the other way round when Q scales.
 std::optional<int> ScaledSource::compare_corners(const SumVertex& a, const SumVertex& b, int axis) const {
-  const Lattice& l = *base().lattice;
+  const Lattice& l = *base().given;
   if (l.tier_bits == 0) return std::nullopt;
   const SharedIntegers& integers = l.unscaled_integers();
   exact::BigInteger sum = 0;

@@ -33,17 +33,17 @@ PlacedPair ScalingSum::State::placed() const {
 
 // With lists and loops at `entry` where it is made ahead, so that the frame that enters it is like any other.
 MakeWindow ScalingSum::State::maker(double low, double high, double entry) {
-  const std::uint32_t all = windows.convolution_for(low, high).size();
+  const std::uint32_t all = builder_->convolution_for(low, high).size();
   const double most = chooses() ? controller_.most_expensive_building() : 0;
   const std::uint64_t pairs = most > 0 ? pairs_of_window(std::max(most, kCheapWindow), all) : UINT64_MAX;
   const bool ahead = makes_ahead();
-  return [base = base, plan = windows.plan(low, high, entry, pairs), entry,
+  return [plan = builder_->plan(low, high, entry, pairs), entry,
           ahead](const std::stop_token& stop) -> std::unique_ptr<FrameWindow> {
     WindowPlan stoppable = plan;
     stoppable.settings.stop = stop;
-    std::unique_ptr<WindowFrames> frames = window_frames(*base, stoppable);
+    std::unique_ptr<WindowFrames> frames = window_frames(stoppable);
     if (frames == nullptr || !ahead) return frames;
-    ExactFrame frame(base, scale_value(exact::exact_value(entry)));
+    ExactFrame frame(plan.base, scale_value(exact::exact_value(entry)));
     FrameWork work;
     frames->follow(frame, work);
     return frames;
@@ -68,9 +68,9 @@ MakeWindow ScalingSum::State::window_from(double end, const Move& move, double w
 // The kept loops at tau: rings in canonical order.
 MovingSum::NextFrame ScalingSum::State::assemble(double tau, ExactFrame& frame, bool stays) {
   NextFrame next;
-  const auto source = std::make_shared<ScaledSource>(base, frame.scale());
+  const auto source = std::make_shared<ScaledSource>(swept_, frame.scale());
   exact_source(next.sum) = source;
-  next.sum.stats.tier_bits = frame.has_lattice() ? frame.lattice().tier_bits : base->lattice->tier_bits;
+  next.sum.stats.tier_bits = frame.has_lattice() ? frame.lattice().tier_bits : swept_->lattice->tier_bits;
   next.sum.stats.reduced_segments = frames().convolution->size();
   next.sum.stats.live_segments = frames().window->segments.size();
   LoopRings::Rings kept = frames().rings.at(tau, *frames().window, frame, *source, [this] { return spare_ring(); });
@@ -86,7 +86,7 @@ MovingSum::NextFrame ScalingSum::State::assemble(double tau, ExactFrame& frame, 
 }
 
 std::optional<MovingSum::NextFrame> ScalingSum::State::window_frame(const Move& move, FrameWork& next_work) {
-  ExactFrame frame(base, x_);
+  ExactFrame frame(swept_, s_);
   const Window& window = *frames().window;
   NextFrame next;
   if (frames().follow(frame, next_work)) {
@@ -127,10 +127,45 @@ MovingSum::WindowCost ScalingSum::State::cost_of_window() const {
 
 // A motion that comes back there builds no window for it: a window has all that touches at this one scale among its
 // pairs, and serves no frame there.
-void ScalingSum::State::remember_touching(const Scale& s) {
-  if (std::find(touching_.begin(), touching_.end(), s) != touching_.end()) return;
+void ScalingSum::State::remember_touching(const Scale& x, const Scale& y) {
+  const std::array<Scale, 2> at{x, y};
+  if (std::find(touching_.begin(), touching_.end(), at) != touching_.end()) return;
   if (touching_.size() == kMostKnown) touching_.erase(touching_.begin());
-  touching_.push_back(s);
+  touching_.push_back(at);
+}
+
+RatioSweep* ScalingSum::State::ratio_sweep(const Stretch& stretch, bool make) {
+  RatioSweep* const known = ratios_.find(stretch);
+  return known != nullptr || !make ? known : ratios_.make(*base, stretch);
+}
+
+// Windows of one ratio are those of the uniform scales of the stretched operand. They are built from the second step of
+// one ratio on, and entered again whatever was in between.
+MovingSum::Move ScalingSum::State::move_of(const Scale& x, const Scale& y, const Stretch& stretch) {
+  s_ = stretch.x == ScaleValue{} ? x_ : y_;
+  Move to;
+  to.stays = x == scale && y == scale_y;
+  to.at = s_.approx;
+  to.builds = stretch == stretch_;
+  to.step = to.builds ? std::log(s_.approx / std::max(scale.approx(), scale_y.approx())) : 0;
+  to.asked = std::log1p(options.window);
+  const bool empty = base->operands[0].size() == 0 || base->operands[1].size() == 0;
+  to.windows = options.mode != FrameMode::rebuild && base->regular && !empty;
+  builder_ = &windows;
+  swept_ = base;
+  if (to.windows && !stretch.uniform()) {
+    RatioSweep* const sweep = ratio_sweep(stretch, to.builds);
+    to.windows = sweep != nullptr;
+    if (sweep != nullptr) {
+      to.family = sweep->family;
+      builder_ = &sweep->windows;
+      swept_ = sweep->base;
+    }
+  }
+  const std::array<Scale, 2> at{x, y};
+  to.windows &= !(chooses() && std::find(touching_.begin(), touching_.end(), at) != touching_.end());
+  to.widest = builder_->widest(s_.approx);
+  return to;
 }
 
 Result<FrameChanges> ScalingSum::State::move_to(const Scale& x, const Scale& y) {
@@ -140,20 +175,13 @@ Result<FrameChanges> ScalingSum::State::move_to(const Scale& x, const Scale& y) 
   }
   x_ = scale_value(x);
   y_ = x == y ? x_ : scale_value(y);
-  const bool empty = base->operands[0].size() == 0 || base->operands[1].size() == 0;
-  Move to;
-  to.windows = x == y && scale == scale_y && base->regular && !empty &&
-               !(chooses() && std::find(touching_.begin(), touching_.end(), x) != touching_.end());
-  to.stays = x == scale && y == scale_y;
-  to.at = x_.approx;
-  to.step = std::log(x_.approx / scale.approx());
-  to.widest = windows.widest(x_.approx);
-  to.asked = std::log1p(options.window);
-  Result<FrameChanges> changes = move(to);
+  const Stretch stretch = stretch_of(x_, y_);
+  Result<FrameChanges> changes = move(move_of(x, y, stretch));
   if (!changes) return changes;
-  if (work.rebuilt && x == y && sum.stats.degenerate_nodes > 0) remember_touching(x);
+  if (work.rebuilt && sum.stats.degenerate_nodes > 0) remember_touching(x, y);
   scale = x;
   scale_y = y;
+  stretch_ = stretch;
   return changes;
 }
 

@@ -1,11 +1,13 @@
 // The state behind a ScalingSum: windows of scales and the frames inside them.
 #pragma once
 
+#include <array>
 #include <memory>
+#include <vector>
 
 #include "dymsum/scaling_sum.h"
 #include "planar/frames/moving_sum.h"
-#include "planar/scaling/window_builder.h"
+#include "planar/scaling/ratio_sweep.h"
 
 namespace dymsum {
 
@@ -20,7 +22,7 @@ class ScalingSum::State final : public planar::MovingSum {
   Result<FrameChanges> move_to(const Scale& x, const Scale& y);
 
   std::shared_ptr<const planar::OperandPair> base;
-  planar::WindowBuilder windows;
+  planar::WindowBuilder windows;  ///< of uniform scales
   Scale scale, scale_y;
 
  private:
@@ -39,11 +41,19 @@ class ScalingSum::State final : public planar::MovingSum {
   planar::MakeWindow maker(double low, double high, double entry);
   planar::WindowFrames& frames() const { return static_cast<planar::WindowFrames&>(*window()); }
 
-  planar::ScaleValue x_, y_;  ///< the new position, during a move
-  void remember_touching(const Scale& s);
+  /// The motion to the new position, as windows see it.
+  Move move_of(const Scale& x, const Scale& y, const planar::Stretch& stretch);
+  planar::RatioSweep* ratio_sweep(const planar::Stretch& stretch, bool make);
+  void remember_touching(const Scale& x, const Scale& y);
 
-  std::vector<Scale> touching_;                 ///< where frames from scratch found that something touches
-  const planar::WindowFrames* last_ = nullptr;  ///< where the last frame was made, if in a window
+  planar::ScaleValue x_, y_;  ///< the new position, during a move
+  planar::ScaleValue s_;      ///< the same as windows have it: the larger of both
+  planar::Stretch stretch_;   ///< of the last position
+  planar::RatioSweeps ratios_;
+  planar::WindowBuilder* builder_ = nullptr;          ///< of windows at the new position, where they serve
+  std::shared_ptr<const planar::OperandPair> swept_;  ///< the operands these are of
+  std::vector<std::array<Scale, 2>> touching_;        ///< where frames from scratch found that something touches
+  const planar::WindowFrames* last_ = nullptr;        ///< where the last frame was made, if in a window
 };
 
 namespace planar {

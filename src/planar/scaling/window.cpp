@@ -141,7 +141,7 @@ LiveSegment Window::segment(const WalkSegment& w, std::uint32_t id) const {
 
 int Window::cross(std::uint32_t a, std::uint32_t b) const {
   const double u = segments[a].dx * segments[b].dy, v = segments[a].dy * segments[b].dx,
-               bound = kEdgeCross * (std::abs(u) + std::abs(v)) + exact::kUnderflow;
+               bound = kScaledEdgeCross * (std::abs(u) + std::abs(v)) + exact::kUnderflow;
   if (u - v > bound) return 1;
   if (u - v < -bound) return -1;
   return base_.lattice->cross(exact(a).edge, exact(b).edge);

@@ -38,7 +38,7 @@ const ReducedConvolution& WindowBuilder::convolution_for(double low, double high
   }
   const auto lattice_at = [&](double s) {
     const ScaleValue value = scale_value(exact::exact_value(s));
-    return base_->lattice_at(base_->lattice_scale(value, value));
+    return base_->lattice_at(base_->lattice_scale(value));
   };
   const auto at_low = lattice_at(fill_low_), at_high = lattice_at(fill_high_);
   const FillLattice fill(lattice, *at_low, *at_high, base_->moved);
@@ -98,17 +98,18 @@ std::unique_ptr<Window> WindowBuilder::between(const BigRational& low, const Big
 
 WindowPlan WindowBuilder::plan(double low, double high, double at, std::uint64_t most_pairs) {
   convolution_for(low, high);
-  WindowPlan plan{low, high, convolution_, memory_, {}};
+  WindowPlan plan{family_, base_, low, high, convolution_, memory_, {}};
   plan.settings = with_grid(settings_for(exact::exact_value(low), exact::exact_value(high), at));
   plan.settings.most_pairs = most_pairs;
   plan.settings.memory = memory_.get();
   return plan;
 }
 
-std::unique_ptr<WindowFrames> window_frames(const OperandPair& base, const WindowPlan& plan) {
-  auto window = std::make_unique<Window>(base, *plan.convolution, plan.settings);
+std::unique_ptr<WindowFrames> window_frames(const WindowPlan& plan) {
+  auto window = std::make_unique<Window>(*plan.base, *plan.convolution, plan.settings);
   if (window->abandoned) return nullptr;
-  return std::make_unique<WindowFrames>(plan.low, plan.high, plan.convolution, std::move(window));
+  return std::make_unique<WindowFrames>(plan.family, plan.base, plan.low, plan.high, plan.convolution,
+                                        std::move(window));
 }
 
 }  // namespace dymsum::planar

@@ -11,17 +11,21 @@ namespace dymsum::planar {
 
 /// All that a window for frames is made of, so that any thread can.
 struct WindowPlan {
+  std::uint64_t family = 0;
+  std::shared_ptr<const OperandPair> base;
   double low = 0, high = 0;
   std::shared_ptr<const ReducedConvolution> convolution;
   std::shared_ptr<CoverMemory> memory;  ///< used by one window at a time
   WindowSettings settings;
 };
 /// Nothing where it is abandoned.
-std::unique_ptr<WindowFrames> window_frames(const OperandPair& base, const WindowPlan& plan);
+std::unique_ptr<WindowFrames> window_frames(const WindowPlan& plan);
 
 class WindowBuilder {
  public:
-  explicit WindowBuilder(std::shared_ptr<const OperandPair> base) : base_(std::move(base)) {}
+  /// `family`: of the windows for frames.
+  explicit WindowBuilder(std::shared_ptr<const OperandPair> base, std::uint64_t family = 0)
+      : base_(std::move(base)), family_(family) {}
 
   /// A window for the events in [low, high]; without `covers` also of crossings inside the sum.
   std::unique_ptr<Window> between(const exact::BigRational& low, const exact::BigRational& high, bool covers = false);
@@ -44,6 +48,7 @@ class WindowBuilder {
   std::array<double, 2> sizes(double s) const;
 
   std::shared_ptr<const OperandPair> base_;
+  std::uint64_t family_ = 0;
   std::shared_ptr<CoverMemory> memory_;  ///< of windows for frames, made from convolution_
   std::shared_ptr<const ReducedConvolution> convolution_;
   double fill_low_ = 0, fill_high_ = 0;  ///< scales for which the convolution's filled holes are right

@@ -9,11 +9,17 @@
 namespace dymsum::planar {
 
 struct WindowFrames final : FrameWindow {
-  WindowFrames(double low, double high, std::shared_ptr<const ReducedConvolution> convolution,
-               std::unique_ptr<Window> window)
-      : low(low), high(high), convolution(std::move(convolution)), window(std::move(window)) {}
+  WindowFrames(std::uint64_t family, std::shared_ptr<const OperandPair> base, double low, double high,
+               std::shared_ptr<const ReducedConvolution> convolution, std::unique_ptr<Window> window)
+      : FrameWindow(family),
+        base(std::move(base)),
+        low(low),
+        high(high),
+        convolution(std::move(convolution)),
+        window(std::move(window)) {}
 
-  double low = 0, high = 0;  ///< scales the window covers
+  std::shared_ptr<const OperandPair> base;  // outlives the window
+  double low = 0, high = 0;                 ///< scales the window covers
   std::shared_ptr<const ReducedConvolution> convolution;
   std::unique_ptr<Window> window;
   PieceLists lists{*window};

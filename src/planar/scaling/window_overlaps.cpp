@@ -38,7 +38,7 @@ bool SharedLines::along_always(std::uint32_t i, std::uint32_t j) {
   const std::uint32_t si = window_.pieces[i].segment, sj = window_.pieces[j].segment;
   const LiveSegment &a = window_.segments[si], &b = window_.segments[sj];
   const double u = a.dx * b.dy, v = a.dy * b.dx;
-  if (std::abs(u - v) > kEdgeCross * (std::abs(u) + std::abs(v)) || a.dx * b.dx + a.dy * b.dy < 0) return false;
+  if (std::abs(u - v) > kScaledEdgeCross * (std::abs(u) + std::abs(v)) || a.dx * b.dx + a.dy * b.dy < 0) return false;
   const double error = kWindowSide * window_.span() * (std::abs(a.dx) + std::abs(a.dy));
   for (const double tau : {window_.frame().tau0, window_.frame().tau1}) {
     const double side = (b.x.at(tau) - a.x.at(tau)) * a.dy - (b.y.at(tau) - a.y.at(tau)) * a.dx;

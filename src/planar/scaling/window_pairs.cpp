@@ -60,7 +60,7 @@ struct Product {
 };
 Product product(const LiveSegment& a, const LiveSegment& b) {
   const double u = a.dx * b.dy, v = a.dy * b.dx;
-  return {u - v, kEdgeCross * (std::abs(u) + std::abs(v)) + exact::kUnderflow};
+  return {u - v, kScaledEdgeCross * (std::abs(u) + std::abs(v)) + exact::kUnderflow};
 }
 
 class PairTests {

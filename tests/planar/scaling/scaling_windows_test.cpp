@@ -211,6 +211,28 @@ TEST(ScalingWindows, scattered_scales_build_no_window_at_the_first_step) {
   EXPECT_EQ(walk.rebuilt, walk.frames);
 }
 
+// Two close scales in a row are no sweep: steps of one have to be alike.
+TEST(ScalingWindows, scattered_scales_build_few_windows_and_sweeps_build_theirs) {
+  const Operands operands = stars();
+  std::size_t windows = 0;
+  for (std::uint64_t seed = 1; seed <= 6; ++seed) {
+    std::vector<long> scales;
+    for (double s = 4096; s < 8192; s *= 1.01) scales.push_back(std::lround(s));
+    oracles::Random random(seed);
+    for (std::size_t i = scales.size(); i > 1; --i)
+      std::swap(scales[i - 1], scales[static_cast<std::size_t>(random.below(static_cast<int>(i)))]);
+    ScalingSum sum = ScalingSum::create(operands.p, operands.q).value();
+    for (const long a : scales) {
+      ASSERT_TRUE(sum.set(scale_of(a, 4096)).ok());
+      windows += sum.work().new_window;
+    }
+  }
+  EXPECT_LE(windows, 4u);
+  Walk sweep(operands, {});
+  for (double s = 4096; s < 8192; s *= 1.03) ASSERT_TRUE(sweep.to(std::lround(s)));
+  EXPECT_GE(sweep.windows, 2u);
+}
+
 TEST(ScalingWindows, no_frame_waits_for_a_window_that_is_under_way) {
   const Operands operands{on_integers(shapes::noisy_star(150, 0.6, 1), 1 << 16),
                           on_integers(shapes::noisy_star(150, 0.6, 2), 1 << 16)};

@@ -31,13 +31,19 @@ class Shares {
   double most_ = 0;
 };
 
-/// Coordinates that carry the rounding that vertices of a lattice do.
+/// Coordinates that carry the rounding that vertices of a lattice do, and those of a stretched operand besides a
+/// rounded factor and the product with it.
 struct Rounded {
   BigRational exact;
   double value;
   Rounded(oracles::Random& random, int place)
       : exact(exactly(std::abs(random.signed_unit()) * place) + exactly(random.signed_unit() * 0x1p-52)),
         value(exact::round_to_double(exact)) {}
+  void stretch(oracles::Random& random) {
+    const BigRational factor(500 + random.below(500), 1001);
+    exact *= factor;
+    value *= exact::round_to_double(factor);
+  }
 };
 
 TEST(WindowBounds, points_and_sides_err_by_less_and_not_by_much_less) {
@@ -49,8 +55,10 @@ TEST(WindowBounds, points_and_sides_err_by_less_and_not_by_much_less) {
     const double span = fixed + 2.0 * moving;
     const BigRational scale(random.below(1000) + 1, 1001);  // tau1 = 1
     const double tau = exact::round_to_double(scale);
-    const Rounded fx(random, fixed), fy(random, fixed), mx(random, moving), my(random, moving), gx(random, fixed),
+    Rounded fx(random, fixed), fy(random, fixed), mx(random, moving), my(random, moving), gx(random, fixed),
         gy(random, fixed), nx(random, moving), ny(random, moving), dx(random, 1), dy(random, 1);
+    if (k % 2 == 1)
+      for (Rounded* stretched : {&fx, &fy, &mx, &my, &gx, &gy, &nx, &ny, &dx, &dy}) stretched->stretch(random);
     const double x = fx.value + tau * mx.value, y = fy.value + tau * my.value, u = gx.value + tau * nx.value,
                  v = gy.value + tau * ny.value;
     const BigRational ex = fx.exact + scale * mx.exact, ey = fy.exact + scale * my.exact,
@@ -74,6 +82,18 @@ TEST(WindowBounds, cross_products_of_edge_vectors) {
     const Rounded ax(random, 1), ay(random, 1), bx(random, 1), by(random, 1);
     const double u = ax.value * by.value, v = ay.value * bx.value;
     shares.add(exactly(u - v) - (ax.exact * by.exact - ay.exact * bx.exact), kEdgeCross * (u + v));
+  }
+  shares.expect_bounded(1.0 / 8);
+}
+
+TEST(WindowBounds, cross_products_of_stretched_edge_vectors) {
+  oracles::Random random(17);
+  Shares shares;
+  for (int k = 0; k < oracles::rounds(20000); ++k) {
+    Rounded ax(random, 1), ay(random, 1), bx(random, 1), by(random, 1);
+    for (Rounded* stretched : {&ax, &ay, &bx, &by}) stretched->stretch(random);
+    const double u = ax.value * by.value, v = ay.value * bx.value;
+    shares.add(exactly(u - v) - (ax.exact * by.exact - ay.exact * bx.exact), kScaledEdgeCross * (u + v));
   }
   shares.expect_bounded(1.0 / 8);
 }
@@ -182,8 +202,13 @@ TEST(WindowBounds, weights_and_coefficients) {
   oracles::Random random(13);
   Shares of_length, of_cross, coefficient;
   for (int k = 0; k < oracles::rounds(20000); ++k) {
-    const Rounded ax(random, 1), ay(random, 1), bx(random, 1), by(random, 1), vx(random, 1), vy(random, 1),
-        wx(random, 1), wy(random, 1);
+    Rounded ax(random, 1), ay(random, 1), bx(random, 1), by(random, 1);
+    const Rounded vx(random, 1), vy(random, 1), wx(random, 1), wy(random, 1);
+    const double side = ax.value * (wy.value - vy.value) - ay.value * (wx.value - vx.value);
+    coefficient.add(exactly(side) - (ax.exact * (wy.exact - vy.exact) - ay.exact * (wx.exact - vx.exact)),
+                    kSideCoefficient * (ax.value + ay.value));
+    if (k % 2 == 1)
+      for (Rounded* stretched : {&ax, &ay, &bx, &by}) stretched->stretch(random);
     of_length.add(exactly(ax.value) - ax.exact, kLengthWeight * ax.value);
     // A cross product and the three factors that it is multiplied with.
     const BigRational f = 1 + BigRational(random.below(1000), 1001), g = 1 + BigRational(random.below(1000), 1003);
@@ -191,9 +216,6 @@ TEST(WindowBounds, weights_and_coefficients) {
                  weight = std::abs(u - v) * exact::round_to_double(f) * exact::round_to_double(g);
     const BigRational exactly_weight = abs(BigRational(ax.exact * by.exact - ay.exact * bx.exact)) * f * g;
     of_cross.add(exactly(weight) - exactly_weight, kCrossWeight * (u + v) * exact::round_to_double(BigRational(f * g)));
-    const double side = ax.value * (wy.value - vy.value) - ay.value * (wx.value - vx.value);
-    coefficient.add(exactly(side) - (ax.exact * (wy.exact - vy.exact) - ay.exact * (wx.exact - vx.exact)),
-                    kSideCoefficient * (ax.value + ay.value));
   }
   for (const Shares& shares : {of_length, of_cross, coefficient}) shares.expect_bounded(1.0 / 32);
 }
