@@ -95,7 +95,7 @@ class Formulas {
     if (surely_positive(e.x) && !may_vanish(e.y)) return (length + T(e.x)) / T(e.y);
     return T(e.y) / (length - T(e.x));
   }
-  T local_length(const Frame& f, const Vec<Z>& e) const { return sqrt(T(Z(dot(e, e)))); }
+  static T length_of(const Vec<Z>& e) { return sqrt(T(Z(dot(e, e)))); }
 
   /// R as a function of U.
   Quadratic<T> radius_along(const Frame& f, std::uint32_t j) const {
@@ -105,7 +105,7 @@ class Formulas {
       return {T(1) / y2, T(Z(-(p.x + p.x))) / y2, T(Z(p.x * p.x + p.y * p.y)) / y2};
     }
     const Vec<Z> e = in(f, vector(j));
-    const T length = local_length(f, e), k = slant(e, length);
+    const T length = length_of(e), k = slant(e, length);
     // -(Ey (U - Px) + Ex Py) / (|E| - Ex); Ex / (|E| - Ex) = (k^2 - 1) / 2
     const T x = (k * k - T(1)) / T(2);
     return {T(0), -k, k * T(p.x) - x * T(p.y)};
@@ -113,7 +113,7 @@ class Formulas {
   /// U of the disc that touches the line of edge j at one of its ends.
   T tangent_along(const Frame& f, std::uint32_t j, int end) const {
     const Vec<Z> q = local(f, end == 0 ? walks_.ends[j].a : walks_.ends[j].b), e = in(f, vector(j));
-    return T(q.x) - T(q.y) * slant(e, local_length(f, e));
+    return T(q.x) - T(q.y) * slant(e, length_of(e));
   }
 
   // About a vertex.
@@ -202,7 +202,6 @@ class Formulas {
   /// Root 0 is the smaller one.
   static T root(const Quadratic<T>& f, const Mark& m) {
     if (m.lead == 0) return -f.c / f.b;
-    if (m.lone) return -f.b / (f.a * T(2));
     const T d = sqrt(discriminant(f));
     // (-b + sigma d) / 2a with the sign that does not cancel, or the same as 2c / (-b - sigma d)
     const int sigma = (m.root == 0) == (m.lead > 0) ? -1 : 1;

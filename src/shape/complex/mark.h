@@ -29,11 +29,10 @@ struct Mark {
   };
   Kind kind = Kind::start;
   std::uint8_t root = 0;
-  std::uint8_t lone = 0;   ///< crossing: the only one
   std::int8_t lead = 0;    ///< crossing: the signs of the quadratic's coefficients of x^2 and x
   std::int8_t slope = 0;
   std::uint32_t i = kNoIndex, j = kNoIndex;
-  exact::Interval near;  ///< contains the parameter, unless it is infinite
+  exact::Interval near = {};  ///< contains the parameter, unless it is infinite
 
   bool is_infinite() const { return kind == Kind::minus_infinity || kind == Kind::plus_infinity; }
   /// The same name.
