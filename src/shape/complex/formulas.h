@@ -66,6 +66,8 @@ class Formulas {
   using Z = Whole<T>;
   explicit Formulas(const Walks& walks) : walks_(walks) {}
 
+  bool is_edge(std::uint32_t s) const { return walks_.is_edge(s); }
+
   Vec<Z> between(std::uint32_t from, std::uint32_t to) const {
     const BoundaryPoint &p = walks_.points[from], &q = walks_.points[to];
     if constexpr (std::is_same_v<T, exact::Interval>) {

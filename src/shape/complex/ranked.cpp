@@ -14,8 +14,8 @@ using exact::RootExpression;
 /// Radii in order.
 class Ranking {
  public:
-  Ranking(const Walks& walks, const std::vector<DiscSource>& discs, exact::FilterCounts& counts)
-      : walks_(walks), discs_(discs), counts_(counts), exact_(discs.size()) {
+  Ranking(const Walks& walks, const std::vector<DiscSource>& discs, Work& work)
+      : walks_(walks), discs_(discs), work_(work), exact_(discs.size()) {
     for (const DiscSource& d : discs) near_.push_back(radius_of<Interval>(walks, d));
   }
 
@@ -69,7 +69,7 @@ class Ranking {
     if (near_[i].high() < near_[j].low()) return -1;
     if (near_[i].low() > near_[j].high()) return 1;
     if (near_[i].is_point() && near_[j].is_point()) return 0;
-    ++counts_.exact;
+    ++work_.exact;
     return exact::compare(exactly(i), exactly(j));
   }
   const RootExpression& exactly(std::uint32_t i) {
@@ -79,7 +79,7 @@ class Ranking {
 
   const Walks& walks_;
   const std::vector<DiscSource>& discs_;
-  exact::FilterCounts& counts_;
+  Work& work_;
   std::vector<Interval> near_;
   std::vector<std::optional<RootExpression>> exact_;
 };
@@ -112,9 +112,9 @@ void permute(V& list, const std::vector<std::uint32_t>& order) {
 
 }  // namespace
 
-Complex ranked(Graph graph, std::shared_ptr<ExactComplex> exact, exact::FilterCounts& counts) {
+Complex ranked(Graph graph, std::shared_ptr<ExactComplex> exact, Work work) {
   const Walks& walks = exact->walks;
-  Ranking ranking(walks, graph.discs, counts);
+  Ranking ranking(walks, graph.discs, work);
   const std::vector<std::uint32_t> ranks = ranking.ranks();
   for (std::uint32_t n = 0; n < graph.nodes.size(); ++n) {
     graph.nodes[n].rank = ranks[n];
@@ -148,6 +148,7 @@ Complex ranked(Graph graph, std::shared_ptr<ExactComplex> exact, exact::FilterCo
   exact->discs = std::move(graph.discs);
   exact->contacts = std::move(graph.contacts);
   complex.exact = std::move(exact);
+  complex.work = work;
   return complex;
 }
 
