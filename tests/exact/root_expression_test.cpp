@@ -22,7 +22,7 @@ namespace {
 using Root = RootExpression;
 
 Root root(std::int64_t n) { return sqrt(Root(n)); }
-Root power(int e) { return Root(std::ldexp(1.0, e)); }
+Root two_to(int e) { return Root(std::ldexp(1.0, e)); }
 
 BigInteger integer_of_bits(std::mt19937_64& random, unsigned bits) {
   BigInteger n = 1;
@@ -58,9 +58,9 @@ TEST(RootExpression, zeros_are_zero) {
     EXPECT_FALSE(std::signbit(nearest_double(zero)));
     EXPECT_EQ(narrow_interval(zero).high(), 0);
     // And a little beside zero.
-    EXPECT_EQ(sign_of(zero + power(-200)), 1) << to_text(zero);
-    EXPECT_EQ(sign_of(zero - power(-1000)), -1) << to_text(zero);
-    EXPECT_EQ(nearest_double(zero + power(-1000)), 0x1p-1000);
+    EXPECT_EQ(sign_of(zero + two_to(-200)), 1) << to_text(zero);
+    EXPECT_EQ(sign_of(zero - two_to(-1000)), -1) << to_text(zero);
+    EXPECT_EQ(nearest_double(zero + two_to(-1000)), 0x1p-1000);
   }
 }
 
@@ -105,7 +105,7 @@ TEST(RootExpression, where_algebra_gives_up_the_bound_decides) {
   const Root d = sqrt(x * x) - x;
   EXPECT_FALSE(is_zero_by_algebra(RootParts(d.node())).has_value());
   EXPECT_EQ(sign_of(d), 0);
-  EXPECT_EQ(sign_of(d + power(-700)), 1);
+  EXPECT_EQ(sign_of(d + two_to(-700)), 1);
 }
 
 TEST(RootExpression, nearly_zero_is_not_zero) {
@@ -123,9 +123,9 @@ TEST(RootExpression, nearly_zero_is_not_zero) {
   EXPECT_EQ(compare(root(10) + root(11), root(5) + root(18)), 1);
   const Root x = sqrt(Root(5) + Root(2) * root(6)), y = root(2) + root(3);
   for (const int e : {-60, -200, -900}) {
-    EXPECT_EQ(compare(x, y + power(e)), -1);
-    EXPECT_EQ(compare(x, y * (Root(1) - power(e))), 1);
-    EXPECT_EQ(compare(sqrt(Root(5) + Root(2) * root(6) + power(e)), y), 1);
+    EXPECT_EQ(compare(x, y + two_to(e)), -1);
+    EXPECT_EQ(compare(x, y * (Root(1) - two_to(e))), 1);
+    EXPECT_EQ(compare(sqrt(Root(5) + Root(2) * root(6) + two_to(e)), y), 1);
   }
   EXPECT_EQ(compare(x, y), 0);
 }
@@ -256,7 +256,7 @@ TEST(SquareClasses, find_dependencies_and_nothing_else) {
 TEST(RootExpression, refuses_what_is_no_number) {
   EXPECT_THROW((void)root(-1), std::domain_error);
   EXPECT_THROW((void)sqrt(root(2) - root(3)), std::domain_error);
-  EXPECT_THROW((void)sqrt(root(8) - Root(2) * root(2) - power(-300)), std::domain_error);
+  EXPECT_THROW((void)sqrt(root(8) - Root(2) * root(2) - two_to(-300)), std::domain_error);
   EXPECT_THROW((void)(Root(1) / Root(0)), std::domain_error);
   EXPECT_THROW((void)(Root(1) / (root(8) - Root(2) * root(2))), std::domain_error);
   EXPECT_THROW((void)Root(std::nan("")), std::domain_error);
@@ -264,15 +264,15 @@ TEST(RootExpression, refuses_what_is_no_number) {
 }
 
 TEST(RootExpression, huge_and_tiny_numbers) {
-  const Root huge = power(900), tiny = power(-1000);
-  EXPECT_EQ(sign_of(sqrt(huge) - power(450)), 0);
-  EXPECT_EQ(sign_of(sqrt(huge * Root(2)) - power(450) * root(2)), 0);
-  EXPECT_EQ(sign_of(sqrt(huge * Root(2)) + tiny - power(450) * root(2)), 1);
-  EXPECT_EQ(sign_of(sqrt(huge * Root(2) + tiny) - power(450) * root(2)), 1);
-  EXPECT_EQ(sign_of(huge * root(3) / tiny - root(3) * huge * power(1000)), 0);
+  const Root huge = two_to(900), tiny = two_to(-1000);
+  EXPECT_EQ(sign_of(sqrt(huge) - two_to(450)), 0);
+  EXPECT_EQ(sign_of(sqrt(huge * Root(2)) - two_to(450) * root(2)), 0);
+  EXPECT_EQ(sign_of(sqrt(huge * Root(2)) + tiny - two_to(450) * root(2)), 1);
+  EXPECT_EQ(sign_of(sqrt(huge * Root(2) + tiny) - two_to(450) * root(2)), 1);
+  EXPECT_EQ(sign_of(huge * root(3) / tiny - root(3) * huge * two_to(1000)), 0);
   EXPECT_EQ(nearest_double(sqrt(tiny * tiny * Root(2))), std::ldexp(std::sqrt(2.0), -1000));
-  EXPECT_EQ(nearest_double(root(2) * tiny * power(-74)), 0x1p-1074);
-  EXPECT_EQ(nearest_double(root(2) * tiny * power(-76)), 0);
+  EXPECT_EQ(nearest_double(root(2) * tiny * two_to(-74)), 0x1p-1074);
+  EXPECT_EQ(nearest_double(root(2) * tiny * two_to(-76)), 0);
   EXPECT_EQ(nearest_double(root(2) * huge * huge), std::numeric_limits<double>::infinity());
   EXPECT_EQ(nearest_double(-(root(2) * huge * huge)), -std::numeric_limits<double>::infinity());
   EXPECT_TRUE(narrow_interval(root(2) * huge * huge).is_whole());
@@ -285,7 +285,7 @@ TEST(RootExpression, nearest_doubles_at_ties) {
   for (const double x : {1.0, 1 + 0x1p-52, 0x1p-1074, 3 * 0x1p-1074, 0x1.fffffffffffffp1022}) {
     const double up = std::nextafter(x, std::numeric_limits<double>::infinity());
     const BigRational middle = (exact_value(x) + exact_value(up)) / 2;
-    const Root hair = Root(middle) * power(-200);
+    const Root hair = Root(middle) * two_to(-200);
     for (const int sign : {1, -1}) {
       const Root e = (zero + Root(middle)) * Root(sign);
       EXPECT_EQ(nearest_double(e), sign * round_to_double(middle)) << x;
@@ -318,7 +318,7 @@ TEST(RootExpression, has_the_vocabulary_of_intervals) {
   FilterCounts counts;
   EXPECT_EQ(sign_of(e, counts), 1);
   EXPECT_EQ(sign_of(sqrt(e) * sqrt(e + Root(0)) - e, counts), 0);
-  EXPECT_EQ(compare(e, e + power(-80), counts), -1);
+  EXPECT_EQ(compare(e, e + two_to(-80), counts), -1);
   EXPECT_EQ(counts, (FilterCounts{2, 1}));
 }
 
