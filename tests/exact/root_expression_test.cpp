@@ -4,9 +4,7 @@
 
 #include <gtest/gtest.h>
 
-#include <chrono>
 #include <cmath>
-#include <iostream>
 #include <limits>
 #include <random>
 #include <stdexcept>
@@ -97,9 +95,9 @@ TEST(RootExpression, algebra_and_separation_bound_agree) {
 }
 
 TEST(RootExpression, where_algebra_gives_up_the_bound_decides) {
-  // More terms than algebra cares for: 2^13 products of roots, divided away again.
+  // More terms than algebra cares for: 2^18 products of roots, twice.
   Root x(1);
-  for (const int p : {2, 3, 5, 7, 11, 13, 17}) x *= Root(1) + root(p);
+  for (const int p : {2, 3, 5, 7, 11, 13, 17, 19, 23}) x *= Root(1) + root(p);
   const Root e = square(x) - x * x;
   EXPECT_EQ(sign_of(e), 0);
   const Root d = sqrt(x * x) - x;
@@ -152,11 +150,12 @@ TEST(RootExpression, random_formulas_against_fixed_point) {
     BigInteger fixed;
   };
   int zeros = 0, exact = 0;
-  for (int round = 0; round < 150; ++round) {
+  for (int round = 0; round < 80; ++round) {
     std::vector<Both> pool;
     for (int k = 0; k < 4; ++k) {
       const auto n = static_cast<std::int64_t>(random() % 9) + 1;
-      pool.push_back({Root(n), BigInteger(n) << kFixedBits});
+      const BigInteger fixed = BigInteger(n) << kFixedBits;
+      pool.push_back(k < 2 ? Both{Root(n), fixed} : Both{root(n), fixed_root(fixed)});
     }
     for (int k = 0; k < 7; ++k) {
       const Both &x = pool[random() % pool.size()], &y = pool[random() % pool.size()];
@@ -207,7 +206,7 @@ TEST(RootExpression, random_formulas_against_fixed_point) {
       }
     }
   }
-  EXPECT_GT(zeros, 500);
+  EXPECT_GT(zeros, 300);
   EXPECT_GT(exact, 100);
 }
 
