@@ -70,7 +70,10 @@ TEST(RootExpression, algebra_and_separation_bound_agree) {
     EXPECT_LT(bits, 1 << 20) << to_text(e);
     for (unsigned precision = 64;; precision *= 2) {
       const std::optional<Ball> value = parts.value(precision);
-      if (value && value->sign().value_or(0) != 0) return false;
+      if (value && value->sign().value_or(0) != 0) {
+        EXPECT_GT(value->top(), -bits) << to_text(e);
+        return false;
+      }
       if (value && value->top() <= -bits) return true;
     }
   };
@@ -92,6 +95,32 @@ TEST(RootExpression, algebra_and_separation_bound_agree) {
   }
   EXPECT_GT(zeros, 600);
   EXPECT_LT(zeros, 1200);
+}
+
+/// Asked directly: a sign asks algebra only about what is close to zero.
+bool zero_by_algebra(const Root& e) { return is_zero_by_algebra(RootParts(e.node())).value(); }
+
+TEST(RootExpression, algebra_tells_zeros_from_their_conjugates) {
+  const Root nested = sqrt(Root(5) + Root(2) * root(6)), a = root(2) - root(5), b = root(2) - root(3);
+  EXPECT_TRUE(zero_by_algebra(nested - root(2) - root(3)));
+  EXPECT_FALSE(zero_by_algebra(nested + root(2) + root(3)));
+  EXPECT_FALSE(zero_by_algebra(nested - root(2) + root(3)));
+  EXPECT_FALSE(zero_by_algebra(sqrt(Root(2) + root(2)) * root(3)));
+  // Numerators and denominators that are negative.
+  EXPECT_TRUE(zero_by_algebra(sqrt(a / b) - sqrt(-a) / sqrt(-b)));
+  EXPECT_FALSE(zero_by_algebra(sqrt(a / b) + sqrt(-a) / sqrt(-b)));
+  EXPECT_TRUE(zero_by_algebra(sqrt(Root(1) / (a * a)) * a + Root(1)));
+}
+
+TEST(RootExpression, the_separation_bound_holds_where_it_is_nearly_reached) {
+  // sqrt(n^2 + 1) - n is a little less than 1 / 2n, and its u a little more than 2n.
+  for (unsigned k = 1; k < 400; k += 7) {
+    const BigInteger n = BigInteger(1) << k;
+    const Root e = sqrt(Root(BigInteger(n * n + 1))) - Root(n);
+    EXPECT_GT(RootParts(e.node()).separation_bits(), k + 1);
+    EXPECT_LT(RootParts(e.node()).separation_bits(), k + 4);
+    EXPECT_GT(RootParts((e / (root(2) * Root(n))).node()).separation_bits(), 2 * k + 1);
+  }
 }
 
 TEST(RootExpression, where_algebra_gives_up_the_bound_decides) {
@@ -297,6 +326,10 @@ TEST(RootExpression, nearest_doubles_at_ties) {
 TEST(RootExpression, texts) {
   EXPECT_EQ(to_text(root(2) + Root(0.75)), "sqrt(2) + 3/4");
   EXPECT_EQ(to_text(root(4)), "2");
+  EXPECT_EQ(to_text(Root(2) / Root(3) * (Root(3) / Root(-4))), "-1/2");
+  EXPECT_EQ(to_text(Root(3) / Root(4) * (Root(2) / Root(3))), "1/2");
+  EXPECT_EQ(to_text(Root(1) / Root(6) + Root(1) / Root(3)), "1/2");
+  EXPECT_EQ(to_text(Root(1) / Root(10) - Root(4) / Root(15)), "-1/6");
   EXPECT_EQ(to_text((root(2) + Root(1)) * root(3) / (root(5) - Root(-3))),
             "(sqrt(2) + 1) * sqrt(3) / (sqrt(5) - (-3))");
   EXPECT_EQ(to_text(-root(2) + Root(-1)), "-sqrt(2) + (-1)");
