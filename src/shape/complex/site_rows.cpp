@@ -144,20 +144,13 @@ bool SiteRows::is_continuous(const Ends& e) {
     return i == e.after_section.site && j == s;  // a reflex vertex
   }
   if ((walks_.is_edge(s) && i == kNoIndex) || (walks_.is_edge(e.after_section.site) && j == kNoIndex)) return false;
-  const auto gap = [&](auto&& formulas) {
+  return order_.sign([&](const auto& formulas) {
     const auto before = size_at(formulas, e.before_section, m, i);
     const auto after = size_at(formulas, e.after_section, e.after.from, j);
     using T = std::decay_t<decltype(before)>;
     // Radii along edges, curvatures about vertices.
-    return walks_.is_edge(s) == walks_.is_edge(e.after_section.site) ? before - after : before * after - T(1);
-  };
-  const exact::Interval near = gap(order_.near());
-  if (!near.contains_zero()) {
-    ++order_.counts.filtered;
-    return false;
-  }
-  ++order_.counts.exact;
-  return exact::sign_of(gap(order_.exact())) == 0;
+    return walks_.is_edge(s) == walks_.is_edge(e.after_section.site) ? T(before - after) : T(before * after - T(1));
+  }) == 0;
 }
 
 std::vector<std::uint32_t> SiteRows::take_asked() {
@@ -184,9 +177,10 @@ bool SiteRows::closes_at_infinity() {
       // Whether direction +x lies in it, half open.
       const int x = s.axis == 0 ? 0 : s.axis == 1 ? -1 : 1;
       const auto sign = [&](const Mark& m) {
-        if (const std::optional<int> known = sign_of(m.near - exact::Interval(x))) return *known;
-        ++order_.counts.exact;
-        return exact::sign_of(order_.exact().value(s, m) - exact::RootExpression(x));
+        return order_.sign([&](const auto& formulas) {
+          const auto value = formulas.value(s, m);
+          return value - std::decay_t<decltype(value)>(x);
+        });
       };
       if (sign(p.from) <= 0 && sign(p.to) > 0) ++rounds;
     }
