@@ -47,16 +47,18 @@ class FineInterval {
   friend FineInterval operator-(const FineInterval& a, const FineInterval& b) { return a + -b; }
   friend FineInterval operator*(const FineInterval& a, const FineInterval& b) {
     if (a.is_zero() || b.is_zero()) return {};
-    if (!a.is_moderate() || !b.is_moderate()) return whole();
+    if (a.is_whole() || b.is_whole()) return whole();
+    if (!a.is_moderate() || !b.is_moderate()) return a.folded() * b.folded();
     const base::DoublePair p = a.middle_ * b.middle_;
     return {p, grown(a.size() * b.radius_ + b.size() * a.radius_ + a.radius_ * b.radius_, p)};
   }
   /// The whole line where b contains 0.
   // With middles m, n and radii r, s: |x / y - m / n| <= (r + |m / n| s) / (|n| - s) for y of the sign of n.
   friend FineInterval operator/(const FineInterval& a, const FineInterval& b) {
-    if (!b.is_moderate() || b.contains_zero()) return whole();
+    if (b.contains_zero() || !b.is_moderate()) return whole();
     if (a.is_zero()) return {};
-    if (!a.is_moderate()) return whole();
+    if (a.is_whole()) return whole();
+    if (!a.is_moderate()) return a.folded() / b;
     const base::DoublePair q = a.middle_ / b.middle_;
     const double least = (b.size() * kInwards - b.radius_) * kInwards;
     if (!(least > 0)) return whole();
@@ -66,7 +68,7 @@ class FineInterval {
   // |sqrt x - sqrt m| <= |x - m| / sqrt m.
   friend FineInterval sqrt(const FineInterval& a) {
     if (a.is_zero()) return {};
-    if (!a.is_moderate() || !(a.middle_.high > 0)) return whole();
+    if (a.is_whole() || !a.is_moderate() || !(a.middle_.high > 0)) return whole();
     const base::DoublePair root = base::square_root(a.middle_);
     return {root, grown(a.radius_ / (root.high * kInwards), root)};
   }
@@ -93,7 +95,11 @@ class FineInterval {
   static constexpr double kLarge = 0x1p300, kSmall = 0x1p-300;
   bool is_zero() const { return radius_ == 0 && middle_.high == 0 && middle_.low == 0; }
   double size() const { return std::abs(middle_.high) * kOutwards; }
-  bool is_moderate() const { return std::abs(middle_.high) > kSmall && !is_whole(); }
+  bool is_moderate() const { return middle_.high == 0 || std::abs(middle_.high) > kSmall; }
+  /// With the middle 0 instead of one that is too small.
+  FineInterval folded() const {
+    return is_moderate() ? *this : FineInterval(base::DoublePair{}, (radius_ + size()) * kOutwards + kUnderflow);
+  }
 
   /// A radius of few roundings, with the error of the middle.
   static double grown(double radius, base::DoublePair middle) {
