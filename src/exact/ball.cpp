@@ -47,7 +47,10 @@ void Ball::move_to(std::int64_t exponent) {
     const bool exact =
         radius_.is_zero() && (middle_.is_zero() || static_cast<std::int64_t>(lsb(magnitude_of(middle_))) >= cut);
     const auto shift = static_cast<unsigned>(all ? 0 : cut);
-    middle_ = all ? BigInteger(0) : BigInteger(middle_ >> shift);
+    // Magnitudes are shifted: Boost 1.74 loses the sign of some negative numbers, as of -(2^64 + 1).
+    const bool negative = middle_.sign() < 0;
+    middle_ = all ? BigInteger(0) : BigInteger(magnitude_of(middle_) >> shift);
+    if (negative) middle_ = -middle_;
     radius_ = all ? BigInteger(0) : BigInteger(radius_ >> shift);
     if (!exact) radius_ += 2;
   }
