@@ -60,6 +60,17 @@ Number to_boundary(const Region& region, bool all, const Of& of) {
   return *least;
 }
 
+/// For points that are not near the boundary, or whose distance from it is small either way.
+bool near_in_parts(const Region& region, Point z) {
+  bool inside = false;
+  for_each_edge(region, [&](Point p, Point q) {
+    if ((p.y <= z.y) == (q.y <= z.y)) return;
+    const double side = (q.x - p.x) * (z.y - p.y) - (q.y - p.y) * (z.x - p.x);
+    if ((side > 0) == (q.y > p.y)) inside = !inside;
+  });
+  return inside;
+}
+
 Point on_arc(const DiscPiece& piece, double r, double share) {
   const double angle = piece.from_angle + share * piece.sweep;
   return {piece.centre.x + r * std::cos(angle), piece.centre.y + r * std::sin(angle)};
@@ -111,11 +122,11 @@ Rational squared_depth(const Region& region, Point z) {
   return to_boundary<Rational>(region, false, [&](Point p, Point q) { return squared_distance(p, q, z); });
 }
 double distance(const Region& region, Point z) {
-  if (in_parts(region, z)) return 0;
+  if (near_in_parts(region, z)) return 0;
   return to_boundary<double>(region, true, [&](Point p, Point q) { return near_distance(p, q, z); });
 }
 double depth(const Region& region, Point z) {
-  if (!in_parts(region, z)) return 0;
+  if (!near_in_parts(region, z)) return 0;
   return to_boundary<double>(region, false, [&](Point p, Point q) { return near_distance(p, q, z); });
 }
 
@@ -139,12 +150,14 @@ std::vector<BoundaryPlace> middles(const DiscSet& set) {
       const DiscPiece& piece = ring.pieces[i];
       if (piece.of == DiscPiece::Of::edge) {
         const Point a = piece.from.at, b = ring.pieces[(i + 1) % ring.pieces.size()].from.at;
-        places.push_back(
-            {{(a.x + b.x) / 2, (a.y + b.y) / 2}, {-std::sin(piece.heading), std::cos(piece.heading)}});
+        places.push_back({{(a.x + b.x) / 2, (a.y + b.y) / 2},
+                          {-std::sin(piece.heading), std::cos(piece.heading)},
+                          std::hypot(b.x - a.x, b.y - a.y)});
       } else {
         const Point at = on_arc(piece, set.radius, 0.5);
         const double inwards = (piece.sweep > 0 ? -1 : 1) / set.radius;
-        places.push_back({at, {inwards * (at.x - piece.centre.x), inwards * (at.y - piece.centre.y)}});
+        places.push_back({at, {inwards * (at.x - piece.centre.x), inwards * (at.y - piece.centre.y)},
+                          set.radius * std::abs(piece.sweep)});
       }
     }
   });

@@ -46,6 +46,7 @@ std::optional<bool> reached(const Clear& clear, dymsum::Point z, double r, int s
 struct BoundaryPlace {
   dymsum::Point at;
   dymsum::Point left;  ///< unit vector into the set
+  double length = 0;   ///< of the piece
 };
 std::vector<BoundaryPlace> middles(const dymsum::DiscSet& set);
 
