@@ -101,8 +101,7 @@ void draw_set(Picture& picture, const DiscSet& set, const Placement& placement) 
     for (const DiscRing& hole : part.holes) path.ring(hole);
     parts += path.data();
   }
-  picture.path(parts, fill_style(palette::kSum, palette::kSumEdge, stroke_for(set.piece_count())) +
-                          " fill-opacity=\"0.75\"");
+  picture.path(parts, fill_style(palette::kSum, palette::kSumEdge, stroke_for(set.piece_count())));
   for (const DiscSegment& s : set.segments) lines.segment(s.from.at, s.to.at);
   for (const DiscCorner& p : set.points) dots.dot(p.at);
   for (const DiscSegment& s : set.tight_segments) tight.segment(s.from.at, s.to.at);
@@ -140,6 +139,7 @@ std::string draw_disc_set(const Region& p, const DiscSet& set) {
   const Placement placement = place(box, scale, kMargin, kMargin + height);
   draw_plain(picture, p.data(), placement, palette::kP, palette::kPEdge);
   draw_set(picture, set, placement);
+  draw_plain(picture, p.data(), placement, "none", palette::kPEdge);
   std::string caption = "radius ";
   append_rounded(caption, set.radius, 6);
   picture.text(kMargin, kMargin + height + 24, 13, palette::kQuiet, caption + ": " + describe_set(set));

@@ -220,8 +220,8 @@ ArcSet corner_arcs(const DiscPlaces& places, const BoundaryOrder& order, const L
     const std::uint32_t out = edge_behind(complex, places.level(), in, Connected::region);
     made.arc_at_end[in] = arc;
     made.arcs.push_back({places.disc_on(in), in, out});
-    // Between components that meet at a node the boundary goes on along one site: no arc.
-    if (out != in && complex.edges[in].right == complex.edges[out].left) continue;
+    // Between components that meet at a node and touch one place there the boundary goes on: no arc.
+    if (out != in && order.next(complex, order.item_of[in][1]) == order.item_of[out][0]) continue;
     groups[parts.root(complex.edges[in].low)].push_back(arc);
   }
   made.first.assign(made.arcs.size(), ArcFragment::kContact);

@@ -77,7 +77,7 @@ Result<DiscPolygons> to_region(const DiscSet& set, double error, DiscBound bound
   const double rounded = set.radius > 0 ? 4 * set.at_error : 0;
   if (!(error > 0) || !std::isfinite(error)) return bad_error("the error of polygons is a positive number");
   if (error < 2 * rounded)
-    return bad_error("doubles do not keep these positions to that error, only to " + std::to_string(2 * rounded));
+    return bad_error("the error of polygons is below what doubles keep of positions so far from the origin");
   ArcPolygons polygons(set.radius, error - rounded, bound);
   double chords = 0;
   RegionData data;
