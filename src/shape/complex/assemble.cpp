@@ -33,8 +33,9 @@ class Assembly {
   /// a piece over to its mate, which ends where the piece begins.
   void find_nodes() {
     node_after_.assign(pieces_.size(), kNoIndex);
+    mark_infinity();
     for (std::uint32_t i = 0; i < pieces_.size(); ++i) {
-      if (node_after_[i] != kNoIndex || is_infinite(i)) continue;
+      if (node_after_[i] != kNoIndex) continue;
       const auto node = static_cast<std::uint32_t>(graph_.nodes.size());
       std::vector<std::uint32_t> round;
       for (std::uint32_t k = i; node_after_[k] == kNoIndex; k = pieces_[pieces_[k].next].mate) {
@@ -45,9 +46,19 @@ class Assembly {
       rounds_.push_back(std::move(round));
     }
   }
-  bool is_infinite(std::uint32_t i) const {
-    return pieces_[i].other == kNoIndex || pieces_[pieces_[i].next].other == kNoIndex;
+  static constexpr std::uint32_t kInfinite = kNoIndex - 1;
+  /// Half-planes: next to nothing, and from there round to nothing again, where vertices of the hull lie on one line.
+  void mark_infinity() {
+    for (std::uint32_t i = 0; i < pieces_.size(); ++i) {
+      if (pieces_[i].other != kNoIndex) continue;
+      node_after_[i] = kInfinite;
+      for (std::uint32_t k = i; pieces_[pieces_[k].next].other != kNoIndex;) {
+        k = pieces_[pieces_[k].next].mate;
+        node_after_[k] = kInfinite;
+      }
+    }
   }
+  std::uint32_t node_after(std::uint32_t i) const { return node_after_[i] == kInfinite ? kNoIndex : node_after_[i]; }
 
   void add_node(const std::vector<std::uint32_t>& round) {
     Node node;
@@ -106,8 +117,8 @@ class Assembly {
 
   void add_edges(std::uint32_t i) {
     const CellPiece& p = pieces_[i];
-    const std::uint32_t from = is_infinite(p.prev) ? kNoIndex : node_after_[p.prev];
-    const std::uint32_t to = is_infinite(i) ? kNoIndex : node_after_[i];
+    const std::uint32_t from = node_after(p.prev);
+    const std::uint32_t to = node_after(i);
     if (walks_.is_edge(p.site) && walks_.is_edge(p.other)) {
       const Site &s = walks_.sites[p.site], &o = walks_.sites[p.other];
       const int slope = exact::cross_sign(s.a, s.b, o.a, o.b);
