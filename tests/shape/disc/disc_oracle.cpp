@@ -114,7 +114,7 @@ bool in_parts(const Region& region, Point z) {
 }
 
 Rational squared_distance(const Region& region, Point z) {
-  if (in_parts(region, z)) return 0;
+  if (in_parts(region, z)) return {};
   return to_boundary<Rational>(region, true, [&](Point p, Point q) { return squared_distance(p, q, z); });
 }
 Rational squared_depth(const Region& region, Point z) {
