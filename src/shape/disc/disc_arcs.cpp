@@ -258,7 +258,7 @@ Point towards_crossing(const DiscPlaces& places, const CornerDisc& disc, const C
                               centre_on_edge(complex, disc.index, r, origin)),
                         r, !entered);
       },
-      places.level());
+      places.level(), places.level().radius);
 }
 
 }  // namespace dymsum::shape

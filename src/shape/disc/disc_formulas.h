@@ -40,6 +40,19 @@ Vector<T> centre_of_edges(const Site& s, const Site& t, const T& r, Point origin
   return {(k * n.y - l * m.y) / d, (m.x * l - n.x * k) / d};
 }
 
+/// The same for edges that follow each other and turn little: no difference of nearly equal numbers.
+template <class T>
+Vector<T> centre_in_corner(const Site& s, const Site& t, Point corner, const T& r, Point origin) {
+  const Vector<T> m = long_normal<T>(s), n = long_normal<T>(t), v = between<T>(origin, corner);
+  const T a = sqrt(dot(m, m)), b = sqrt(dot(n, n)), w = r / (a * b + dot(m, n));
+  return {v.x + w * (m.x * b + n.x * a), v.y + w * (m.y * b + n.y * a)};
+}
+
+/// Whether the normals of two edges are less than a right angle apart: by doubles, as either formula holds.
+inline bool turn_little(const Site& s, const Site& t) {
+  return (s.b.x - s.a.x) * (t.b.x - t.a.x) + (s.b.y - s.a.y) * (t.b.y - t.a.y) > 0;
+}
+
 /// With h the height of the vertex over the edge: r over the edge, sqrt(r^2 - (r - h)^2) along it from the vertex. Radii
 /// ascend in the edge's direction where the edge is on the left.
 template <class T>
@@ -68,7 +81,11 @@ Vector<T> centre_on_edge(const Complex& complex, std::uint32_t edge, const T& r,
   const Site& left = complex.sites[complex.edges[edge].left];
   const Site& right = complex.sites[complex.edges[edge].right];
   const bool edge_left = left.kind == Site::Kind::edge, edge_right = right.kind == Site::Kind::edge;
-  if (edge_left && edge_right) return centre_of_edges(left, right, r, origin);
+  if (edge_left && edge_right) {
+    if (left.a == right.b && turn_little(left, right)) return centre_in_corner(left, right, left.a, r, origin);
+    if (left.b == right.a && turn_little(left, right)) return centre_in_corner(left, right, left.b, r, origin);
+    return centre_of_edges(left, right, r, origin);
+  }
   if (edge_left) return centre_of_edge_and_vertex(left, right, true, r, origin);
   if (edge_right) return centre_of_edge_and_vertex(right, left, false, r, origin);
   return centre_of_vertices(left.a, right.a, r, origin);

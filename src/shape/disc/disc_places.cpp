@@ -1,8 +1,14 @@
 #include "shape/disc/disc_places.h"
 
+#include <algorithm>
 #include <cmath>
 
 namespace dymsum::shape {
+
+DiscPlaces::DiscPlaces(const Complex& complex, const Level& level)
+    : complex_(complex), level_(level), reach_(level.radius) {
+  for (const Site& site : complex.sites) reach_ = std::max({reach_, std::abs(site.a.x), std::abs(site.a.y)});
+}
 
 CornerDisc DiscPlaces::disc_on(std::uint32_t edge) const {
   const Edge& e = complex_.edges[edge];
@@ -15,16 +21,17 @@ Point DiscPlaces::centre(const CornerDisc& disc) const {
   if (disc.at_node) return complex_.nodes[disc.index].centre;
   // From a place of the region: coordinates far from the origin cost the vector no digits.
   const Point anchor = complex_.sites[complex_.edges[disc.index].left].a;
-  const Point v = centre_from(disc, anchor);
+  const Point v = near_vector([&](const auto& r) { return centre_on_edge(complex_, disc.index, r, anchor); }, level_, reach_);
   return {anchor.x + v.x, anchor.y + v.y};
 }
 
-Point DiscPlaces::centre_from(const CornerDisc& disc, Point origin) const {
+Point DiscPlaces::centre_from(const CornerDisc& disc, Point vertex) const {
   if (disc.at_node) {
-    const Vector<exact::RootExpression> v = exact_centre_from(disc, origin);
+    const Vector<exact::RootExpression> v = exact_centre_from(disc, vertex);
     return {exact::nearest_double(v.x), exact::nearest_double(v.y)};
   }
-  return near_vector([&](const auto& r) { return centre_on_edge(complex_, disc.index, r, origin); }, level_);
+  return near_vector([&](const auto& r) { return centre_on_edge(complex_, disc.index, r, vertex); }, level_,
+                     level_.radius);
 }
 
 Vector<exact::RootExpression> DiscPlaces::exact_centre_from(const CornerDisc& disc, Point origin) const {

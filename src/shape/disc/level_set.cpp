@@ -41,11 +41,8 @@ UnionFind joined_components(const DiscPlaces& places, const BoundaryOrder& order
 void finish(const DiscPlaces& places, DiscSet& set) {
   set.radius = places.level().radius;
   set.radius_exact = places.level().text;
-  double reach = set.radius;
-  for (const Site& site : places.complex().sites) reach = std::max({reach, std::abs(site.a.x), std::abs(site.a.y)});
-  // Centres are within 2^-48 of their vectors from a place of the region, which are at most twice as long as anything
-  // is far from the origin, and a contact takes a few roundings more.
-  set.at_error = 0x1p-45 * reach;
+  // A centre is within 2^-42 of the reach, and a contact takes a few roundings more.
+  set.at_error = 0x1p-41 * places.reach();
 }
 
 DiscSet sum_set(const DiscPlaces& places, const BoundaryOrder& order, Semantics semantics) {

@@ -12,8 +12,8 @@ namespace {
 
 // Of a term: its products and sums, the sine and the sum over all terms, which err by a few units each.
 constexpr double kTermError = 0x1p-45;
-// Of the angle an arc covers: two angles of vectors that are within 2^-47 of theirs.
-constexpr double kAngleError = 0x1p-44;
+// Of the angle an arc covers, its roundings. Besides, each of its ends may be at_error off.
+constexpr double kAngleError = 0x1p-41;
 
 template <class Use>
 void for_each_ring(const DiscSet& set, const Use& use) {
@@ -56,6 +56,7 @@ std::size_t DiscSet::piece_count() const {
 Measured area(const DiscSet& set) {
   Measured made;
   const double r = set.radius, moved = 2 * set.at_error;
+  const double arc_error = kAngleError * r * r + 2 * moved * r;
   for_each_ring(set, [&](const DiscRing& ring) {
     // From the ring's own corner: far from the origin products would lose digits.
     const Point origin = ring.pieces.front().from.at;
@@ -67,7 +68,7 @@ Measured area(const DiscSet& set) {
       made.value += (ax * by - ay * bx) / 2 + arc;
       made.error += moved * (std::hypot(bx - ax, by - ay) + moved) +
                     kTermError * (std::abs(ax * by) + std::abs(ay * bx) + r * r * std::abs(piece.sweep)) +
-                    kAngleError * (piece.sweep != 0 ? r * r : 0);
+                    (piece.sweep != 0 ? arc_error : 0);
     }
   });
   return made;
@@ -82,7 +83,7 @@ Measured perimeter(const DiscSet& set) {
       const bool arc = piece.of != DiscPiece::Of::edge;
       const double length = arc ? set.radius * std::abs(piece.sweep) : std::hypot(b.x - a.x, b.y - a.y);
       made.value += length;
-      made.error += kTermError * length + (arc ? kAngleError * set.radius : 4 * set.at_error);
+      made.error += kTermError * length + (arc ? kAngleError * set.radius : 0) + 4 * set.at_error;
     }
   });
   return made;

@@ -48,10 +48,12 @@ DiscCorner vertex_corner(std::uint32_t vertex, Point at) {
   return corner;
 }
 
-DiscCorner centre_corner(const DiscPlaces& places, std::uint32_t edge) {
+/// `known` is one whose position may be the same.
+DiscCorner centre_corner(const DiscPlaces& places, std::uint32_t edge, const DiscCorner& known) {
   DiscCorner corner;
   corner.kind = DiscCorner::Kind::centre;
   corner.disc = places.disc_on(edge);
+  if (known.kind == corner.kind && known.disc == corner.disc) return known;
   corner.at = places.centre(corner.disc);
   return corner;
 }
@@ -88,7 +90,15 @@ DiscPiece moved_edge(const Site& site, DiscCorner from) {
 Point arm(const DiscPlaces& places, const BoundaryOrder& order, std::uint32_t site, const DiscCorner& corner,
           int step) {
   const Point v = places.complex().sites[site].a;
-  if (corner.kind == DiscCorner::Kind::centre) return places.centre_from(corner.disc, v);
+  if (corner.kind == DiscCorner::Kind::centre) {
+    // The difference of two positions does where the disc is not small for where it is. A point tells by its angles
+    // whether it has all or nothing of its circle.
+    constexpr double kSmall = 0x1p-16;
+    const std::uint32_t loop = places.complex().sites[site].loop;
+    const bool alone = order.first_site[loop + 1] - order.first_site[loop] == 1;
+    if (!alone && places.level().radius > kSmall * places.reach()) return {corner.at.x - v.x, corner.at.y - v.y};
+    return places.centre_from(corner.disc, v);
+  }
   return places.normal(neighbour(places, order, site, step));
 }
 
@@ -145,11 +155,11 @@ void append_moved(const DiscPlaces& places, const BoundaryOrder& order, const Ru
   DiscCorner from;
   const bool whole = run.whole();
   const bool circle = whole && order.first_site[run.loop + 1] - order.first_site[run.loop] == 1;
-  if (!whole) from = centre_corner(places, order.items[run.from].edge);
+  if (!whole) from = centre_corner(places, order.items[run.from].edge, pieces.end);
   else if (!circle) from = joint_with(places, order, order.first_site[run.loop], -1);
   for_each_site(places, order, run, [&](const Site& site, std::uint32_t index, bool, bool ends) {
     DiscCorner to;
-    if (ends) to = centre_corner(places, order.items[run.to].edge);
+    if (ends) to = centre_corner(places, order.items[run.to].edge, {});
     else if (!circle) to = joint_with(places, order, index, 1);
     pieces.list.push_back(site.kind == Site::Kind::edge ? moved_edge(site, from)
                                                         : arc_about_vertex(places, order, index, from, to));
