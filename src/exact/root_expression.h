@@ -74,7 +74,8 @@ class RootExpression {
   std::shared_ptr<const RootNode> node_;
 };
 
-/// Exact.
+/// Exact. Nanoseconds where intervals decide; microseconds to a few hundred of them for zeros with up to six roots, two
+/// of them nested. Where algebra gives up, a zero costs what the bound's bits do; throws std::length_error past 2^28.
 SignAnswer sign_answer(const RootExpression& a);
 inline int sign_of(const RootExpression& a) { return sign_answer(a).sign; }
 inline int sign_of(const RootExpression& a, FilterCounts& counts) { return counts.add(sign_answer(a)); }

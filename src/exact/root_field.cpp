@@ -10,8 +10,8 @@ namespace dymsum::exact {
 
 namespace {
 
-/// Products of more terms than these are given up.
-constexpr std::size_t kMostTerms = 1 << 12;
+/// Products of terms, each counted by the length of its factors in words, after which algebra gives up: some 20 ms.
+constexpr std::size_t kMostWork = 1 << 20;
 constexpr std::size_t kMostRoots = 32;
 
 /// A sum of coefficient * product of the roots in the set; sets ascend, coefficients are not 0.
@@ -27,6 +27,11 @@ struct TooLong {};
 
 RootPolynomial constant(BigInteger n) { return n.is_zero() ? RootPolynomial{} : RootPolynomial{{0, std::move(n)}}; }
 bool is_constant(const RootPolynomial& p) { return p.empty() || (p.size() == 1 && p[0].roots == 0); }
+
+/// The length of its first coefficient: the others are about as long.
+std::size_t words_of(const RootPolynomial& p) {
+  return p.empty() ? 0 : msb(boost::multiprecision::abs(p[0].coefficient)) / 64 + 1;
+}
 
 RootPolynomial combined(const RootPolynomial& p, const RootPolynomial& q, int sign) {
   RootPolynomial result;
@@ -71,9 +76,9 @@ struct RootFraction {
 /// The tower. Every root is positive, and its square is made of earlier ones.
 class RootField {
  public:
-  RootPolynomial product(const RootPolynomial& p, const RootPolynomial& q) const;
+  RootPolynomial product(const RootPolynomial& p, const RootPolynomial& q);
   RootFraction root_of(const RootFraction& x);
-  bool is_zero(const RootPolynomial& p) const;
+  bool is_zero(const RootPolynomial& p);
 
  private:
   struct Root {
@@ -81,16 +86,17 @@ class RootField {
     bool nested = false;
   };
   RootFraction root_of_integer(const BigInteger& n);
-  void add_product(const RootTerm& a, const RootTerm& b, RootPolynomial& terms) const;
+  void add_product(const RootTerm& a, const RootTerm& b, RootPolynomial& terms);
   Ball value(const RootPolynomial& p, unsigned precision, const std::vector<Ball>& roots) const;
   int sign_of_nonzero(const RootPolynomial& p) const;
 
   std::vector<Root> roots_;
   SquareClasses integers_;
   std::vector<std::uint32_t> root_of_member_;  // member of integers_ -> bit
+  std::size_t work_ = 0;
 };
 
-void RootField::add_product(const RootTerm& a, const RootTerm& b, RootPolynomial& terms) const {
+void RootField::add_product(const RootTerm& a, const RootTerm& b, RootPolynomial& terms) {
   const std::uint32_t common = a.roots & b.roots;
   RootTerm term{a.roots ^ b.roots, a.coefficient * b.coefficient};
   bool nested = false;
@@ -109,8 +115,9 @@ void RootField::add_product(const RootTerm& a, const RootTerm& b, RootPolynomial
   terms.insert(terms.end(), p.begin(), p.end());
 }
 
-RootPolynomial RootField::product(const RootPolynomial& p, const RootPolynomial& q) const {
-  if (p.size() * q.size() > kMostTerms) throw TooLong{};
+RootPolynomial RootField::product(const RootPolynomial& p, const RootPolynomial& q) {
+  work_ += p.size() * q.size() * (words_of(p) + words_of(q));
+  if (work_ > kMostWork) throw TooLong{};
   RootPolynomial terms;
   terms.reserve(p.size() * q.size());
   for (const RootTerm& a : p)
@@ -174,7 +181,7 @@ int RootField::sign_of_nonzero(const RootPolynomial& p) const {
   }
 }
 
-bool RootField::is_zero(const RootPolynomial& p) const {
+bool RootField::is_zero(const RootPolynomial& p) {
   std::uint32_t all = 0;
   for (const RootTerm& term : p) all |= term.roots;
   std::size_t top = roots_.size();

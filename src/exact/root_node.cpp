@@ -13,21 +13,24 @@ namespace {
 /// The largest precision that a sign may ask for.
 constexpr unsigned kLastPrecision = 1U << 28;
 
-bool same_radicand(const RootNode& a, const RootNode& b) {
+}  // namespace
+
+bool has_same_value(const RootNode& a, const RootNode& b) {
   return &a == &b || (a.is_rational() && b.is_rational() && a.num == b.num && a.den == b.den);
 }
 
-}  // namespace
+RootParts::RootParts(const RootNode& node) {
+  std::unordered_map<const RootNode*, std::uint32_t> places;
+  add(node, places);
+}
 
-RootParts::RootParts(const RootNode& node) { add(node); }
-
-std::uint32_t RootParts::add(const RootNode& node) {
-  // Expressions have a dozen parts: looking through them is cheaper than a table.
-  for (std::uint32_t k = 0; k < parts_.size(); ++k)
-    if (parts_[k].node == &node) return k;
-  const std::uint32_t a = node.a ? add(*node.a) : 0, b = node.b ? add(*node.b) : 0;
+std::uint32_t RootParts::add(const RootNode& node, std::unordered_map<const RootNode*, std::uint32_t>& places) {
+  if (const auto known = places.find(&node); known != places.end()) return known->second;
+  const std::uint32_t a = node.a ? add(*node.a, places) : 0, b = node.b ? add(*node.b, places) : 0;
+  const auto own = static_cast<std::uint32_t>(parts_.size());
   parts_.push_back({&node, a, b});
-  return static_cast<std::uint32_t>(parts_.size() - 1);
+  places.emplace(&node, own);
+  return own;
 }
 
 std::uint64_t RootParts::separation_bits() const {
@@ -36,7 +39,7 @@ std::uint64_t RootParts::separation_bits() const {
     if (part.node->kind != RootNode::Kind::root) continue;
     const RootNode& radicand = *part.node->a;
     if (std::none_of(radicands.begin(), radicands.end(),
-                     [&](const RootNode* r) { return same_radicand(*r, radicand); }))
+                     [&](const RootNode* r) { return has_same_value(*r, radicand); }))
       radicands.push_back(&radicand);
   }
   const RootNode& e = *parts_.back().node;

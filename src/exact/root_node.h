@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <memory>
 #include <optional>
+#include <unordered_map>
 #include <vector>
 
 #include "exact/ball.h"
@@ -30,6 +31,8 @@ struct RootNode {
   bool is_rational() const { return kind == Kind::rational; }
 };
 
+/// True only if they are equal: one node, or the same rational.
+bool has_same_value(const RootNode& a, const RootNode& b);
 /// Exact.
 SignAnswer sign_of_node(const RootNode& node);
 
@@ -50,7 +53,7 @@ class RootParts {
   const std::vector<Part>& all() const { return parts_; }
 
  private:
-  std::uint32_t add(const RootNode& node);
+  std::uint32_t add(const RootNode& node, std::unordered_map<const RootNode*, std::uint32_t>& places);
   std::vector<Part> parts_;
 };
 

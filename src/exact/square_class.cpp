@@ -1,7 +1,6 @@
 #include "exact/square_class.h"
 
 #include <array>
-#include <bit>
 #include <utility>
 
 #include "exact/square_root.h"
@@ -42,11 +41,10 @@ constexpr std::array<Squares, 8> squares_of(const std::array<std::uint64_t, 8>& 
 
 std::uint64_t remainder(const BigInteger& n, std::uint64_t m) { return static_cast<std::uint64_t>(BigInteger(n % m)); }
 
-/// The two characters of n at p, which divides it: bit 32 and bit 0.
-std::uint64_t characters_at_divisor(BigInteger n, std::uint64_t p, const Squares& squares) {
-  std::uint64_t odd = 0;
-  for (; remainder(n, p) == 0; odd ^= 1) n /= p;
-  return odd << 32 | (squares.has(remainder(n, p)) ? 0U : 1U);
+/// n without its divisors p, modulo p.
+std::uint64_t unit_part(BigInteger n, std::uint64_t p) {
+  while (remainder(n, p) == 0) n /= p;
+  return remainder(n, p);
 }
 
 }  // namespace
@@ -65,16 +63,15 @@ std::optional<BigInteger> root_of_square(const BigInteger& n) {
   return root;
 }
 
-std::uint64_t square_characters(const BigInteger& n) {
+std::uint32_t square_characters(const BigInteger& n) {
   static constexpr std::array<std::array<Squares, 8>, 4> kSquares{squares_of(kPrimes[0]), squares_of(kPrimes[1]),
                                                                   squares_of(kPrimes[2]), squares_of(kPrimes[3])};
-  std::uint64_t result = 0;
+  std::uint32_t result = 0;
   for (std::size_t g = 0; g < 4; ++g) {
     const std::uint64_t rest = remainder(n, product_of(kPrimes[g]));
     for (std::size_t i = 0; i < 8; ++i) {
       const std::uint64_t p = kPrimes[g][i], k = rest % p;
-      const std::uint64_t at = k != 0 ? (kSquares[g][i].has(k) ? 0U : 1U) : characters_at_divisor(n, p, kSquares[g][i]);
-      result |= at << (8 * g + i);
+      if (!kSquares[g][i].has(k != 0 ? k : unit_part(n, p))) result |= std::uint32_t{1} << (8 * g + i);
     }
   }
   return result;
@@ -98,7 +95,6 @@ std::optional<SquareClasses::Relation> SquareClasses::add(const BigInteger& n) {
     if (!root) return std::nullopt;
     return Relation{row.members, std::move(*root)};
   }
-  if (members_.size() == 32) return std::nullopt;
   const auto own = std::uint32_t{1} << members_.size();
   row.members ^= own;
   rows_.push_back(row);

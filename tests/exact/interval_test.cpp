@@ -4,10 +4,8 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <cstring>
 #include <limits>
 #include <random>
-#include <vector>
 
 namespace dymsum::exact {
 namespace {
@@ -43,7 +41,7 @@ double any_double(std::mt19937_64& random) {
 TEST(Interval, contains_what_points_make) {
   std::mt19937_64 random(11);
   int whole = 0, points = 0;
-  for (int k = 0; k < 20000; ++k) {
+  for (int k = 0; k < 6000; ++k) {
     const double x = any_double(random), y = k % 7 == 0 ? -x : any_double(random);
     ASSERT_TRUE(std::isfinite(x) && std::isfinite(y));
     const Interval a(x), b(y);
@@ -67,13 +65,13 @@ TEST(Interval, contains_what_points_make) {
     points += (a + b).is_point() && (a * b).is_point();
   }
   EXPECT_GT(whole, 100);
-  EXPECT_LT(whole, 10000);
-  EXPECT_GT(points, 500);
+  EXPECT_LT(whole, 3000);
+  EXPECT_GT(points, 150);
 }
 
 TEST(Interval, contains_what_its_numbers_make) {
   std::mt19937_64 random(12);
-  for (int k = 0; k < 3000; ++k) {
+  for (int k = 0; k < 800; ++k) {
     const double x = any_double(random), y = any_double(random), s = any_double(random), t = any_double(random);
     const Interval a(std::min(x, y), std::max(x, y)), b(std::min(s, t), std::max(s, t));
     for (const double u : {x, y, x / 2 + y / 2}) {

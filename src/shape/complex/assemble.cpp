@@ -101,18 +101,12 @@ class Assembly {
 
   /// -1, 0, 1 as the radius falls, stays, grows along the piece at its place `at`: for vertices.
   int side_of_neck(const CellPiece& p, const Section& s, const Mark& at) {
-    const auto side = [&](auto&& formulas) {
-      using T = std::decay_t<decltype(formulas.value(s, at))>;
+    return order_.sign([&](const auto& formulas) {
+      using T = decltype(formulas.value(s, at));
       const auto d = formulas.turned(s, formulas.between(walks_.ends[p.site].a, walks_.ends[p.other].a));
       const T x = formulas.value(s, at);
       return T(d.x) * T(2) * x - T(d.y) * (T(1) - x * x);
-    };
-    if (const std::optional<int> sign = sign_of(side(order_.near()))) {
-      ++order_.counts.filtered;
-      return *sign;
-    }
-    ++order_.counts.exact;
-    return exact::sign_of(side(order_.exact()));
+    });
   }
 
   void add_edges(std::uint32_t i) {

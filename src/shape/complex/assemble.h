@@ -19,6 +19,6 @@ struct Graph {
 Graph assemble(Order& order, const Cells& cells);
 
 /// Sorts by radius, exactly. `exact` gets what it needs but the walks, which it has.
-Complex ranked(Graph graph, std::shared_ptr<ExactComplex> exact, exact::FilterCounts& counts);
+Complex ranked(Graph graph, std::shared_ptr<ExactComplex> exact, Work work);
 
 }  // namespace dymsum::shape

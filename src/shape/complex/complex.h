@@ -61,6 +61,15 @@ struct Spoke {
 
 struct ExactComplex;  // exact/: the sites in integers and what every node is made of
 
+/// What it took to make a complex.
+struct Work {
+  std::uint64_t candidates = 0;      ///< pairs of sites, in both orders
+  std::uint64_t closing_rounds = 0;  ///< how often envelopes named pairs that were no candidates
+  std::uint64_t full_sites = 0;      ///< sites that took all others as candidates
+  bool certified = false;            ///< of the fast engine: without all pairs
+  std::uint64_t filtered = 0, exact = 0;  ///< decisions by intervals, by exact numbers
+};
+
 /// Nodes and edges in a canonical order: the same whatever the engine and the number of threads.
 struct Complex {
   Side side = Side::outside;
@@ -70,6 +79,7 @@ struct Complex {
   std::vector<std::uint32_t> first_spoke;  ///< node -> into spokes; one more than nodes
   std::vector<Spoke> spokes;               ///< counter-clockwise about each node
   std::shared_ptr<const ExactComplex> exact;
+  Work work;
 };
 
 /// How the complex is made; the result is the same.

@@ -12,6 +12,8 @@ template <class T>
 Position<T> position(const BoundaryPoint& p) {
   if constexpr (std::is_same_v<T, exact::Interval>) {
     return {p.ix, p.iy};
+  } else if constexpr (std::is_same_v<T, exact::FineInterval>) {
+    return {T(p.ix), T(p.iy)};
   } else {
     return {T(p.x), T(p.y)};
   }
@@ -69,8 +71,10 @@ T radius_of(const Walks& walks, const DiscSource& d) {
 }
 
 template DiscOf<exact::Interval> disc_of(const Walks&, const DiscSource&);
+template DiscOf<exact::FineInterval> disc_of(const Walks&, const DiscSource&);
 template DiscOf<exact::RootExpression> disc_of(const Walks&, const DiscSource&);
 template exact::Interval radius_of(const Walks&, const DiscSource&);
+template exact::FineInterval radius_of(const Walks&, const DiscSource&);
 template exact::RootExpression radius_of(const Walks&, const DiscSource&);
 
 }  // namespace dymsum::shape

@@ -8,7 +8,6 @@ Envelope::Envelope(Order& order, const Section& section)
     : order_(order), section_(section), on_edge_(order.walks().is_edge(section.site)) {
   functions_.push_back({});
   parts_.push_back({order.mark(section, {.kind = Mark::Kind::start}), order.mark(section, {.kind = Mark::Kind::end}), 0});
-  refresh();
 }
 
 void Envelope::insert(std::uint32_t j) {
@@ -17,7 +16,6 @@ void Envelope::insert(std::uint32_t j) {
   functions_.push_back({j, order_.near().function(section_, j)});
   for (int i = 0; i < where.count; ++i)
     insert_stretch(static_cast<std::uint32_t>(functions_.size() - 1), where.stretches[static_cast<std::size_t>(i)]);
-  refresh();
 }
 
 void Envelope::insert_stretch(std::uint32_t slot, Stretch s) {
@@ -81,9 +79,11 @@ void Envelope::put(const Mark& from, const Mark& to, std::uint32_t slot) {
   }
 }
 
-void Envelope::refresh() {
-  pieces_.clear();
-  for (const Part& part : parts_) pieces_.push_back({functions_[part.slot].site, part.from, part.to});
+std::vector<Piece> Envelope::pieces() const {
+  std::vector<Piece> out;
+  out.reserve(parts_.size());
+  for (const Part& part : parts_) out.push_back({functions_[part.slot].site, part.from, part.to});
+  return out;
 }
 
 std::vector<Section> sections_of(const Walks& walks, std::uint32_t site) {

@@ -21,7 +21,7 @@ class Envelope {
   Envelope(Order& order, const Section& section);
 
   void insert(std::uint32_t j);
-  const std::vector<Piece>& pieces() const { return pieces_; }
+  std::vector<Piece> pieces() const;
 
  private:
   struct Part {
@@ -37,13 +37,11 @@ class Envelope {
   bool on_edge_;
   std::vector<Function> functions_;
   std::vector<Part> parts_, scratch_;
-  mutable std::vector<Piece> pieces_;
 
   void insert_stretch(std::uint32_t slot, Stretch s);
   void compete(const Part& part, std::uint32_t slot, const Mark& low, const Mark& high);
   void put(const Mark& from, const Mark& to, std::uint32_t slot);
   bool less(const Mark& a, const Mark& b) { return order_.compare(section_, a, b) < 0; }
-  void refresh();
 };
 
 /// The sections of a site: one, but two of an isolated point.

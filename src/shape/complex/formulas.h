@@ -1,4 +1,4 @@
-// Discs that touch a site, in numbers of any type T: exact::Interval or exact::RootExpression.
+// Discs that touch a site, in numbers of any type T: exact::Interval, exact::FineInterval or exact::RootExpression.
 //
 // Along an edge a -> b with vector D, right normal N (of the same length) and L = D.D, a point p has the coordinates
 // (X, Y) = (D.(p - a), N.(p - a)), that is, sqrt(L) times its true ones; the disc at parameter U in [0, L] has its
@@ -12,6 +12,7 @@
 #include <type_traits>
 
 #include "exact/big.h"
+#include "exact/fine_interval.h"
 #include "exact/interval.h"
 #include "exact/root_expression.h"
 #include "shape/complex/mark.h"
@@ -20,7 +21,7 @@ namespace dymsum::shape {
 
 /// Integers for T; intervals stand for themselves.
 template <class T>
-using Whole = std::conditional_t<std::is_same_v<T, exact::Interval>, exact::Interval, exact::BigInteger>;
+using Whole = std::conditional_t<std::is_same_v<T, exact::RootExpression>, exact::BigInteger, T>;
 
 template <class N>
 struct Vec {
@@ -58,6 +59,7 @@ T discriminant(const Quadratic<T>& f) {
 
 /// What is known of the sign of a denominator's cancelling terms: not for exact numbers, which do not cancel.
 inline bool surely_positive(const exact::Interval& v) { return v.low() > 0; }
+inline bool surely_positive(const exact::FineInterval& v) { return sign_of(v) == 1; }
 inline bool surely_positive(const exact::BigInteger& v) { return v.sign() > 0; }
 
 template <class T>
@@ -66,10 +68,14 @@ class Formulas {
   using Z = Whole<T>;
   explicit Formulas(const Walks& walks) : walks_(walks) {}
 
+  bool is_edge(std::uint32_t s) const { return walks_.is_edge(s); }
+
   Vec<Z> between(std::uint32_t from, std::uint32_t to) const {
     const BoundaryPoint &p = walks_.points[from], &q = walks_.points[to];
     if constexpr (std::is_same_v<T, exact::Interval>) {
       return {q.ix - p.ix, q.iy - p.iy};
+    } else if constexpr (std::is_same_v<T, exact::FineInterval>) {
+      return {difference(p.ix, q.ix), difference(p.iy, q.iy)};
     } else {
       return {Z(q.x - p.x), Z(q.y - p.y)};
     }
@@ -182,7 +188,13 @@ class Formulas {
   }
 
  private:
+  static exact::FineInterval difference(const exact::Interval& a, const exact::Interval& b) {
+    if (a.is_point() && b.is_point()) return exact::FineInterval::difference(a.low(), b.low());
+    return exact::FineInterval(b) - exact::FineInterval(a);
+  }
+
   static bool may_vanish(const exact::Interval& v) { return v.contains_zero(); }
+  static bool may_vanish(const exact::FineInterval& v) { return v.contains_zero(); }
   static bool may_vanish(const exact::BigInteger& v) { return v.is_zero(); }
 
   T section_end(const Section& s, int end) const {

@@ -1,40 +1,59 @@
 #include <stdexcept>
 
 #include "shape/complex/assemble.h"
+#include "shape/complex/site_rows.h"
 
 namespace dymsum::shape {
 namespace {
 
-/// The cells of the brute engine.
-Cells brute_cells(Order& order) {
-  const Walks& walks = order.walks();
-  std::vector<Section> sections;
-  std::vector<std::vector<Piece>> rows;
-  for (std::uint32_t s = 0; s < walks.sites.size(); ++s) {
-    for (const Section& section : sections_of(walks, s)) {
-      Envelope envelope(order, section);
-      for (std::uint32_t j = 0; j < walks.sites.size(); ++j) {
-        if (j != s) envelope.insert(j);
-      }
-      sections.push_back(section);
-      rows.push_back(envelope.pieces());
+Candidates all_pairs(const Walks& walks) {
+  const auto n = static_cast<std::uint32_t>(walks.sites.size());
+  Candidates all(n);
+  for (std::uint32_t s = 0; s < n; ++s) {
+    for (std::uint32_t j = 0; j < n; ++j) {
+      if (j != s) all[s].push_back(j);
     }
   }
-  Cells cells = join_cells(walks, sections, rows);
-  if (!match_cells(order, cells)) throw std::logic_error("cells of a complex do not match");
+  return all;
+}
+
+/// Matched cells, or nothing where the certificate fails.
+std::optional<Cells> certified_cells(Order& order, Candidates candidates, int threads, Work& work) {
+  SiteRows rows(order.walks(), std::move(candidates), threads);
+  rows.close();
+  const bool closes = rows.closes_at_infinity();
+  work.candidates = rows.work.candidates;
+  work.closing_rounds = rows.work.closing_rounds;
+  work.full_sites = rows.work.full_sites;
+  work.filtered += rows.work.filtered;
+  work.exact += rows.work.exact;
+  if (!closes) return std::nullopt;
+  Cells cells = join_cells(order.walks(), rows.sections(), rows.rows());
+  if (!match_cells(order, cells)) return std::nullopt;
   return cells;
 }
 
 }  // namespace
 
-Result<Complex> make_complex(const Region& region, Side side, Engine, int) {
+Result<Complex> make_complex(const Region& region, Side side, Engine engine, int threads) {
   Result<Walks> walks = make_walks(region, side);
   if (!walks) return walks.error();
   auto exact = std::make_shared<ExactComplex>();
   exact->walks = std::move(walks).value();
+  if (exact->walks.sites.empty()) return ranked({}, std::move(exact), {});
   Order order(exact->walks);
-  Graph graph = assemble(order, brute_cells(order));
-  return ranked(std::move(graph), std::move(exact), order.counts);
+  Work work;
+  std::optional<Cells> cells;
+  if (engine == Engine::fast) {
+    cells = certified_cells(order, candidates_of(exact->walks), threads, work);
+    work.certified = cells.has_value();
+  }
+  if (!cells) cells = certified_cells(order, all_pairs(exact->walks), threads, work);
+  if (!cells) throw std::logic_error("the cells of a complex do not match");
+  Graph graph = assemble(order, *cells);
+  work.filtered += order.counts.filtered;
+  work.exact += order.counts.exact;
+  return ranked(std::move(graph), std::move(exact), work);
 }
 
 }  // namespace dymsum::shape

@@ -13,30 +13,31 @@ int Order::compare(const Section& s, const Mark& a, const Mark& b) {
     ++counts.filtered;
     return a.near.low() < b.near.low() ? -1 : a.near.low() > b.near.low();
   }
-  ++counts.exact;
-  return exact::compare(exact_.value(s, a), exact_.value(s, b));
+  return sign_beyond([&](const auto& formulas) { return formulas.value(s, a) - formulas.value(s, b); });
 }
 
 QuadraticSigns Order::signs(const Section& s, std::uint32_t i, std::uint32_t j, const Quadratic<Interval>& near) {
+  std::optional<Quadratic<Fine>> fine;
   std::optional<Quadratic<Exact>> exactly;
-  const auto decide = [&](const Interval& v, auto&& of) {
-    if (const std::optional<int> sign = sign_of(v)) {
-      ++counts.filtered;
-      return *sign;
-    }
+  const auto decide = [&](auto&& of) {
+    ++counts.filtered;
+    if (const std::optional<int> sign = sign_of(of(near))) return *sign;
+    if (!fine) fine = fine_.difference(s, i, j);
+    if (const std::optional<int> sign = sign_of(of(*fine))) return *sign;
+    --counts.filtered;
     ++counts.exact;
     if (!exactly) exactly = exact_.difference(s, i, j);
     return exact::sign_of(of(*exactly));
   };
   QuadraticSigns signs;
-  signs.a = decide(near.a, [](const Quadratic<Exact>& f) { return f.a; });
+  signs.a = decide([](const auto& f) { return f.a; });
   if (signs.a != 0) {
     signs.b = sign_of(near.b).value_or(0);  // for the choice of a formula only
-    signs.discriminant = decide(discriminant(near), [](const Quadratic<Exact>& f) { return discriminant(f); });
+    signs.discriminant = decide([](const auto& f) { return discriminant(f); });
     return signs;
   }
-  signs.b = decide(near.b, [](const Quadratic<Exact>& f) { return f.b; });
-  if (signs.b == 0) signs.c = decide(near.c, [](const Quadratic<Exact>& f) { return f.c; });
+  signs.b = decide([](const auto& f) { return f.b; });
+  if (signs.b == 0) signs.c = decide([](const auto& f) { return f.c; });
   return signs;
 }
 

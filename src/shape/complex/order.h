@@ -18,9 +18,10 @@ struct QuadraticSigns {
 class Order {
  public:
   using Interval = exact::Interval;
+  using Fine = exact::FineInterval;
   using Exact = exact::RootExpression;
 
-  explicit Order(const Walks& walks) : walks_(walks), near_(walks), exact_(walks) {}
+  explicit Order(const Walks& walks) : walks_(walks), near_(walks), fine_(walks), exact_(walks) {}
 
   const Walks& walks() const { return walks_; }
   const Formulas<Interval>& near() const { return near_; }
@@ -32,6 +33,26 @@ class Order {
   QuadraticSigns signs(const Section& s, std::uint32_t i, std::uint32_t j, const Quadratic<Interval>& near);
   /// Whether the disc that touches edge j at an end lies exactly opposite the section's axis.
   bool is_opposite(const Section& s, std::uint32_t j, int end);
+
+  /// The sign of form(formulas), which is Formulas for one type of numbers after the other.
+  template <class Form>
+  int sign(Form&& form) {
+    if (const std::optional<int> sign = sign_of(form(near_))) {
+      ++counts.filtered;
+      return *sign;
+    }
+    return sign_beyond(form);
+  }
+  /// The same where intervals of doubles do not tell.
+  template <class Form>
+  int sign_beyond(Form&& form) {
+    if (const std::optional<int> sign = sign_of(form(fine_))) {
+      ++counts.filtered;
+      return *sign;
+    }
+    ++counts.exact;
+    return exact::sign_of(form(exact_));
+  }
 
   /// With `near` filled in.
   Mark mark(const Section& s, Mark m) const {
@@ -48,6 +69,7 @@ class Order {
  private:
   const Walks& walks_;
   Formulas<Interval> near_;
+  Formulas<Fine> fine_;
   Formulas<Exact> exact_;
 };
 

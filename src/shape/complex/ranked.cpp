@@ -8,15 +8,21 @@
 namespace dymsum::shape {
 namespace {
 
+using exact::FineInterval;
 using exact::Interval;
 using exact::RootExpression;
+
+bool is_narrow(const Interval& v, double scale) { return !v.is_whole() && v.high() - v.low() <= scale * 0x1p-46; }
 
 /// Radii in order.
 class Ranking {
  public:
-  Ranking(const Walks& walks, const std::vector<DiscSource>& discs, exact::FilterCounts& counts)
-      : walks_(walks), discs_(discs), counts_(counts), exact_(discs.size()) {
-    for (const DiscSource& d : discs) near_.push_back(radius_of<Interval>(walks, d));
+  Ranking(const Walks& walks, const std::vector<DiscSource>& discs, Work& work)
+      : walks_(walks), discs_(discs), work_(work), fine_(discs.size()), exact_(discs.size()) {
+    for (const DiscSource& d : discs) {
+      near_.push_back(radius_of<Interval>(walks, d));
+      if (!is_narrow(near_.back(), near_.back().middle())) near_.back() = radius_of<FineInterval>(walks, d).rounded();
+    }
   }
 
   /// The rank of every disc.
@@ -69,8 +75,13 @@ class Ranking {
     if (near_[i].high() < near_[j].low()) return -1;
     if (near_[i].low() > near_[j].high()) return 1;
     if (near_[i].is_point() && near_[j].is_point()) return 0;
-    ++counts_.exact;
+    if (const std::optional<int> sign = sign_of(finely(i) - finely(j))) return *sign;
+    ++work_.exact;
     return exact::compare(exactly(i), exactly(j));
+  }
+  const FineInterval& finely(std::uint32_t i) {
+    if (!fine_[i]) fine_[i] = radius_of<FineInterval>(walks_, discs_[i]);
+    return *fine_[i];
   }
   const RootExpression& exactly(std::uint32_t i) {
     if (!exact_[i]) exact_[i] = radius_of<RootExpression>(walks_, discs_[i]);
@@ -79,20 +90,28 @@ class Ranking {
 
   const Walks& walks_;
   const std::vector<DiscSource>& discs_;
-  exact::FilterCounts& counts_;
+  Work& work_;
   std::vector<Interval> near_;
+  std::vector<std::optional<FineInterval>> fine_;
   std::vector<std::optional<RootExpression>> exact_;
 };
 
-bool is_narrow(const Interval& v, double scale) { return !v.is_whole() && v.high() - v.low() <= scale * 0x1p-46; }
+
+bool is_narrow(const DiscOf<Interval>& d) {
+  const double scale = std::max(std::abs(d.x.middle()), std::abs(d.y.middle()));
+  return is_narrow(d.x, scale) && is_narrow(d.y, scale) && is_narrow(d.radius, d.radius.middle());
+}
 
 /// Centre and radius as doubles.
 void round_disc(const Walks& walks, const DiscSource& source, Node& node) {
-  const DiscOf<Interval> near = disc_of<Interval>(walks, source);
-  const double x = near.x.middle(), y = near.y.middle(), scale = std::max(std::abs(x), std::abs(y));
-  if (is_narrow(near.x, scale) && is_narrow(near.y, scale) && is_narrow(near.radius, near.radius.middle())) {
+  DiscOf<Interval> near = disc_of<Interval>(walks, source);
+  if (!is_narrow(near)) {
+    const DiscOf<FineInterval> fine = disc_of<FineInterval>(walks, source);
+    near = {fine.x.rounded(), fine.y.rounded(), fine.radius.rounded()};
+  }
+  if (is_narrow(near)) {
     const int e = walks.unit_exponent;
-    node.centre = {std::ldexp(x, e), std::ldexp(y, e)};
+    node.centre = {std::ldexp(near.x.middle(), e), std::ldexp(near.y.middle(), e)};
     node.radius = std::ldexp(near.radius.middle(), e);
     return;
   }
@@ -112,9 +131,9 @@ void permute(V& list, const std::vector<std::uint32_t>& order) {
 
 }  // namespace
 
-Complex ranked(Graph graph, std::shared_ptr<ExactComplex> exact, exact::FilterCounts& counts) {
+Complex ranked(Graph graph, std::shared_ptr<ExactComplex> exact, Work work) {
   const Walks& walks = exact->walks;
-  Ranking ranking(walks, graph.discs, counts);
+  Ranking ranking(walks, graph.discs, work);
   const std::vector<std::uint32_t> ranks = ranking.ranks();
   for (std::uint32_t n = 0; n < graph.nodes.size(); ++n) {
     graph.nodes[n].rank = ranks[n];
@@ -148,6 +167,7 @@ Complex ranked(Graph graph, std::shared_ptr<ExactComplex> exact, exact::FilterCo
   exact->discs = std::move(graph.discs);
   exact->contacts = std::move(graph.contacts);
   complex.exact = std::move(exact);
+  complex.work = work;
   return complex;
 }
 

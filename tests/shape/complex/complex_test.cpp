@@ -26,6 +26,9 @@ void expect_sound(const Region& region, const std::string& name) {
     ASSERT_TRUE(made.ok()) << name << made.error().to_string();
     EXPECT_EQ(check_complex(*made), "") << name << (side == Side::inside ? " inside" : " outside") << "\n"
                                         << summary(*made);
+    Result<Complex> fast = make_complex(region, side, Engine::fast);
+    EXPECT_EQ(summary(*fast), summary(*made)) << name;
+    EXPECT_TRUE(fast->work.certified) << name;
   }
 }
 

@@ -1,0 +1,18 @@
+// Guesses which sites bound each other's cells.
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "shape/complex/walks.h"
+
+namespace dymsum::shape {
+
+/// Per site: others, ascending.
+using Candidates = std::vector<std::vector<std::uint32_t>>;
+
+/// Neighbours in the Voronoi diagram of the sites with coordinates rounded to 30 bits; of their ends and middles alone
+/// where rounding makes segments meet. O(n log n).
+Candidates candidates_of(const Walks& walks);
+
+}  // namespace dymsum::shape

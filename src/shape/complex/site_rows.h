@@ -1,0 +1,50 @@
+// The envelopes of all sites over their candidates, and what they ask for.
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "shape/complex/candidates.h"
+#include "shape/complex/envelope.h"
+
+namespace dymsum::shape {
+
+class SiteRows {
+ public:
+  /// `candidates`: per site, ascending.
+  SiteRows(const Walks& walks, Candidates candidates, int threads);
+
+  /// Envelopes, and again with what their breakpoints name, until these name nothing new. Where an envelope jumps at the
+  /// end of a site, that site's neighbours in the walk become candidates, then all sites.
+  void close();
+
+  const std::vector<Section>& sections() const { return sections_; }
+  /// Per section.
+  const std::vector<std::vector<Piece>>& rows() const { return rows_; }
+  /// The unbounded cells go once round (outside), or there are none (inside). Exact.
+  bool closes_at_infinity();
+
+  Work work;
+
+ private:
+  struct Ends;  // two pieces in turn along a walk
+  void make_rows(const std::vector<std::uint32_t>& sites);
+  std::vector<std::uint32_t> extend();
+  void ask(std::uint32_t s, std::uint32_t j);
+  void ask_about(const Ends& e);
+  void ask_at_jump(std::uint32_t s, std::uint32_t other);
+  bool is_continuous(const Ends& e);
+  std::vector<std::uint32_t> take_asked();
+
+  const Walks& walks_;
+  Order order_;
+  Candidates candidates_;
+  int threads_;
+  std::vector<Section> sections_;
+  std::vector<std::uint32_t> first_section_;  // per site, and one more
+  std::vector<std::vector<Piece>> rows_;
+  std::vector<std::pair<std::uint32_t, std::uint32_t>> asked_;
+  std::vector<std::uint8_t> full_;
+};
+
+}  // namespace dymsum::shape
