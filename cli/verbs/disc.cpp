@@ -107,8 +107,6 @@ void write_outputs(const DiscCommand& command, const Region& p, const DiscSet& s
   for (std::size_t i = 0; i < texts.size(); ++i) write_text(command.output.files[i], texts[i]);
 }
 
-Json measured_json(const Measured& m) { return {{"value", m.value}, {"error", m.error}}; }
-
 Json events_json(const std::vector<DiscEvent>& events) {
   Json list = Json::array();
   for (const DiscEvent& e : events) list.push_back({{"radius", e.radius}, {"nodes", e.nodes}});
@@ -125,12 +123,16 @@ Json disc_json(const DiscCommand& command, const std::vector<Input>& inputs, con
   json["outer"] = set.parts.size();
   json["holes"] = set.hole_count();
   json["pieces"] = set.piece_count();
-  json["area"] = measured_json(area(set));
-  json["perimeter"] = measured_json(perimeter(set));
+  const Measured inside = area(set), around = perimeter(set);
+  json["area"] = inside.value;
+  json["area_error"] = inside.error;
+  json["perimeter"] = around.value;
+  json["perimeter_error"] = around.error;
   json["bounds"] = bounds(set);
   json["at_error"] = set.at_error;
   json["tight"] = {{"points", set.tight_points.size()}, {"segments", set.tight_segments.size()}};
-  json["events"] = command.events ? events_json(events) : Json(events.size());
+  json["event_count"] = events.size();
+  json["events"] = command.events ? events_json(events) : Json(nullptr);
   return json;
 }
 

@@ -86,7 +86,7 @@ RegionData mixed(oracles::Random& random, int grid) {
 
 int rounds_of_fuzz() {
   const char* text = std::getenv("DYMSUM_FUZZ_PAIRS");
-  return oracles::rounds(text != nullptr ? std::atoi(text) : 150);
+  return oracles::rounds(text != nullptr ? std::atoi(text) : 120);
 }
 
 TEST(DiscFuzz, SetsOfTinyRegionsAreThoseOfTheDefinition) {
