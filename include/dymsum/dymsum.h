@@ -10,6 +10,7 @@
 #include "dymsum/cspace_obstacle.h"
 #include "dymsum/frames.h"
 #include "dymsum/grown_region.h"
+#include "dymsum/growing_disc.h"
 #include "dymsum/mesh.h"
 #include "dymsum/mesh_io.h"
 #include "dymsum/motion.h"
