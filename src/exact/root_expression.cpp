@@ -1,0 +1,240 @@
+#include "exact/root_expression.h"
+
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+
+#include "exact/root_node.h"
+#include "exact/square_root.h"
+
+namespace dymsum::exact {
+
+namespace {
+
+using Kind = RootNode::Kind;
+using NodePointer = std::shared_ptr<const RootNode>;
+
+/// Rational parts longer than this stay formulas.
+constexpr std::uint64_t kLongest = 1 << 14;
+/// The precision of the first look beyond doubles, and the largest one.
+constexpr unsigned kFirstPrecision = 128, kLastPrecision = 1U << 28;
+
+std::uint64_t bits_of(const BigInteger& positive) { return static_cast<std::uint64_t>(msb(positive)) + 1; }
+/// max(|n|, 1) <= 2^result.
+std::uint64_t log_of(const BigInteger& n) {
+  const BigInteger magnitude = boost::multiprecision::abs(n);
+  return magnitude <= 1 ? 0 : bits_of(BigInteger(magnitude - 1));
+}
+
+/// num / den in lowest terms, den > 0.
+NodePointer rational_node(BigInteger num, BigInteger den) {
+  auto node = std::make_shared<RootNode>();
+  node->log_u = log_of(num);
+  node->log_l = log_of(den);
+  node->interval = den == 1 ? Interval(num) : Interval(num) / Interval(den);
+  node->num = std::move(num);
+  node->den = std::move(den);
+  return node;
+}
+/// Any den that is not 0.
+NodePointer reduced_node(BigInteger num, BigInteger den) {
+  if (den.sign() < 0) num = -num, den = -den;
+  if (den != 1) {
+    const BigInteger common = gcd(num, den);
+    if (common != 1) num /= common, den /= common;
+  }
+  return rational_node(std::move(num), std::move(den));
+}
+const NodePointer& zero_node() {
+  static const NodePointer node = rational_node(0, 1);
+  return node;
+}
+
+bool is_zero(const RootNode& a) { return a.is_rational() && a.num.is_zero(); }
+
+NodePointer operation_node(Kind kind, const NodePointer& a, const NodePointer& b, const Interval& interval) {
+  auto node = std::make_shared<RootNode>();
+  node->kind = kind;
+  node->a = a;
+  node->b = b;
+  node->interval = interval;
+  const std::uint64_t ua = a->log_u, la = a->log_l, ub = b ? b->log_u : 0, lb = b ? b->log_l : 0;
+  switch (kind) {
+    case Kind::product:
+      node->log_u = ua + ub, node->log_l = la + lb;
+      break;
+    case Kind::quotient:
+      node->log_u = ua + lb, node->log_l = la + ub;
+      break;
+    case Kind::root:
+      node->log_u = ua >= la ? (ua + la + 1) / 2 : ua;
+      node->log_l = ua >= la ? la : (ua + la + 1) / 2;
+      break;
+    default:
+      node->log_u = is_zero(*a) ? ub : std::max(ua + lb, la + ub) + 1;
+      node->log_l = la + lb;
+      break;
+  }
+  return node;
+}
+
+bool is_short(const RootNode& a, const RootNode& b) {
+  return a.is_rational() && b.is_rational() && a.log_u + a.log_l + b.log_u + b.log_l <= kLongest;
+}
+bool is_one(const RootNode& a) { return a.is_rational() && a.num == 1 && a.den == 1; }
+
+NodePointer sum_node(const NodePointer& a, const NodePointer& b, int sign) {
+  if (is_zero(*b)) return a;
+  if (is_zero(*a) && sign > 0) return b;
+  if (is_short(*a, *b)) {
+    if (a->den == b->den) return reduced_node(BigInteger(a->num + sign * b->num), a->den);
+    return reduced_node(BigInteger(a->num * b->den + sign * b->num * a->den), BigInteger(a->den * b->den));
+  }
+  if (sign < 0 && a == b) return zero_node();
+  return operation_node(sign < 0 ? Kind::difference : Kind::sum, a, b,
+                        sign < 0 ? a->interval - b->interval : a->interval + b->interval);
+}
+
+NodePointer product_node(const NodePointer& a, const NodePointer& b) {
+  if (is_zero(*a) || is_zero(*b)) return zero_node();
+  if (is_one(*a)) return b;
+  if (is_one(*b)) return a;
+  if (is_short(*a, *b)) return reduced_node(BigInteger(a->num * b->num), BigInteger(a->den * b->den));
+  if (a->kind == Kind::root && b->kind == Kind::root && (a == b || a->a == b->a)) return a->a;
+  return operation_node(Kind::product, a, b, a == b ? square(a->interval) : a->interval * b->interval);
+}
+
+/// Whether n >= 0 is a square; only few others get as far as its root.
+bool is_square(const BigInteger& n, BigInteger& root) {
+  if (n.is_zero()) return true;
+  const auto twos = static_cast<unsigned>(lsb(n));
+  if (twos % 2 != 0 || (static_cast<std::uint64_t>(BigInteger((n >> twos) & 7))) != 1) return false;
+  // Bit k tells that k is a square modulo the number; the product of the numbers is below 2^63.
+  constexpr std::uint64_t kProduct = 63ULL * 11 * 13 * 17 * 19 * 23 * 29 * 31;
+  struct Modulus {
+    std::uint64_t number, squares;
+  };
+  static const auto moduli = [] {
+    std::array<Modulus, 8> result{};
+    const std::array<std::uint64_t, 8> numbers{63, 11, 13, 17, 19, 23, 29, 31};
+    for (std::size_t i = 0; i < 8; ++i) {
+      result[i] = {numbers[i], 0};
+      for (std::uint64_t k = 0; k < numbers[i]; ++k) result[i].squares |= std::uint64_t{1} << (k * k % numbers[i]);
+    }
+    return result;
+  }();
+  const auto left = static_cast<std::uint64_t>(BigInteger(n % kProduct));
+  for (const Modulus& m : moduli)
+    if ((m.squares >> (left % m.number) & 1) == 0) return false;
+  BigInteger rest;
+  root = floor_root(n, rest);
+  return rest.is_zero();
+}
+
+SignAnswer sign_of_node(const RootNode& node);
+
+NodePointer root_node(const NodePointer& a) {
+  const int sign = sign_of_node(*a).sign;
+  if (sign < 0) throw std::domain_error("RootExpression: the root of a negative number");
+  if (sign == 0) return zero_node();
+  if (!a->is_rational()) return operation_node(Kind::root, a, nullptr, sqrt(a->interval));
+  BigInteger num, den;
+  if (is_square(a->num, num) && is_square(a->den, den)) return rational_node(std::move(num), std::move(den));
+  if (a->den == 1) return operation_node(Kind::root, a, nullptr, sqrt(a->interval));
+  // sqrt(n / d) = sqrt(n d) / d: the same root for more numbers.
+  return product_node(rational_node(1, a->den), root_node(rational_node(BigInteger(a->num * a->den), 1)));
+}
+
+/// From the first precision up; the theorem ends it.
+int sign_by_precision(const RootNode& node) {
+  const RootParts parts(node);
+  const std::uint64_t bits = parts.separation_bits();
+  for (unsigned precision = kFirstPrecision; precision <= kLastPrecision; precision *= 2) {
+    const std::optional<Ball> value = parts.value(precision);
+    if (!value) continue;
+    if (const std::optional<int> sign = value->sign()) return *sign;
+    if (value->top() <= -static_cast<std::int64_t>(bits)) return 0;
+  }
+  throw std::length_error("RootExpression: a sign needs too many bits");
+}
+
+SignAnswer sign_of_node(const RootNode& node) {
+  if (node.is_rational()) return {node.num.sign(), Rung::filter};
+  if (const std::optional<int> sign = sign_of(node.interval)) return {*sign, Rung::filter};
+  return {sign_by_precision(node), Rung::big};
+}
+
+/// 64 good bits, or exactly 0.
+Ball narrow_ball(const RootExpression& a) {
+  if (sign_of(a) == 0) return {};
+  const RootParts parts(a.node());
+  for (unsigned precision = kFirstPrecision;; precision *= 2) {
+    const std::optional<Ball> value = parts.value(precision);
+    if (value && value->is_narrow(64)) return *value;
+  }
+}
+
+}  // namespace
+
+RootExpression::RootExpression() : node_(zero_node()) {}
+RootExpression::RootExpression(double v) : RootExpression(exact_value(v)) {}
+RootExpression::RootExpression(const BigInteger& v) : node_(rational_node(v, 1)) {}
+RootExpression::RootExpression(const BigRational& v) : node_(rational_node(numerator(v), denominator(v))) {}
+
+RootExpression operator-(const RootExpression& a) {
+  if (a.node_->is_rational()) return RootExpression(rational_node(BigInteger(-a.node_->num), a.node_->den));
+  return RootExpression() - a;
+}
+RootExpression operator+(const RootExpression& a, const RootExpression& b) {
+  return RootExpression(sum_node(a.node_, b.node_, 1));
+}
+RootExpression operator-(const RootExpression& a, const RootExpression& b) {
+  return RootExpression(sum_node(a.node_, b.node_, -1));
+}
+RootExpression operator*(const RootExpression& a, const RootExpression& b) {
+  return RootExpression(product_node(a.node_, b.node_));
+}
+RootExpression operator/(const RootExpression& a, const RootExpression& b) {
+  const NodePointer &x = a.node_, &y = b.node_;
+  if (sign_of(b) == 0) throw std::domain_error("RootExpression: division by zero");
+  if (is_zero(*x) || is_one(*y)) return a;
+  if (is_short(*x, *y)) return RootExpression(reduced_node(BigInteger(x->num * y->den), BigInteger(x->den * y->num)));
+  return RootExpression(operation_node(Kind::quotient, x, y, x->interval / y->interval));
+}
+RootExpression sqrt(const RootExpression& a) { return RootExpression(root_node(a.node_)); }
+
+const Interval& RootExpression::interval() const { return node_->interval; }
+
+SignAnswer sign_answer(const RootExpression& a) { return sign_of_node(a.node()); }
+
+SignAnswer compare_answer(const RootExpression& a, const RootExpression& b) {
+  if (a.interval().low() > b.interval().high()) return {1, Rung::filter};
+  if (a.interval().high() < b.interval().low()) return {-1, Rung::filter};
+  if (&a.node() == &b.node()) return {0, Rung::filter};
+  return {sign_of(a - b), Rung::big};
+}
+
+Interval narrow_interval(const RootExpression& a) {
+  const Interval& known = a.interval();
+  if (known.is_point() || std::nextafter(known.low(), known.high()) == known.high()) return known;
+  return narrow_ball(a).rounded_outwards();
+}
+
+// The ends of a narrow interval two steps apart are so because the number is close to the double between them: nearer
+// than 2^-64 of itself. Next to each other, their middle decides.
+double nearest_double(const RootExpression& a) {
+  const Interval near = narrow_interval(a);
+  if (near.is_point()) return near.low();
+  if (near.is_whole()) {
+    const double infinity = std::numeric_limits<double>::infinity(), most = std::numeric_limits<double>::max();
+    const RootExpression threshold(exact_value(most) + exact_value(0x1p970));
+    return compare(a, threshold) >= 0 ? infinity : compare(a, -threshold) <= 0 ? -infinity : sign_of(a) * most;
+  }
+  const double step = std::nextafter(near.low(), near.high());
+  if (step != near.high()) return step;
+  const BigRational middle = (exact_value(near.low()) + exact_value(near.high())) / 2;
+  const int side = compare(a, RootExpression(middle));
+  return side == 0 ? round_to_double(middle) : (side > 0 ? near.high() : near.low()) + 0.0;
+}
+
+}  // namespace dymsum::exact

@@ -1,0 +1,48 @@
+// What root expressions are made of.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <vector>
+
+#include "exact/ball.h"
+#include "exact/big.h"
+#include "exact/interval.h"
+
+namespace dymsum::exact {
+
+/// Immutable; shared by the expressions that it occurs in.
+struct RootNode {
+  enum class Kind : std::uint8_t { rational, sum, difference, product, quotient, root };
+
+  Kind kind = Kind::rational;
+  Interval interval;                     ///< contains the number
+  std::uint64_t log_u = 0, log_l = 0;    ///< the theorem's u <= 2^log_u, l <= 2^log_l
+  BigInteger num = 0, den = 1;           ///< rational: lowest terms, den > 0
+  std::shared_ptr<const RootNode> a, b;  ///< operands; a alone of a root
+
+  bool is_rational() const { return kind == Kind::rational; }
+};
+
+/// The distinct parts of an expression, operands before what is made of them.
+class RootParts {
+ public:
+  explicit RootParts(const RootNode& node);
+
+  /// If E is not zero, |E| >= 2^-bits.
+  std::uint64_t separation_bits() const;
+  /// Contains E; nothing where the precision does not tell a divisor from 0.
+  std::optional<Ball> value(unsigned precision) const;
+
+ private:
+  struct Part {
+    const RootNode* node;
+    std::uint32_t a, b;
+  };
+  std::uint32_t add(const RootNode& node);
+  std::vector<Part> parts_;
+};
+
+}  // namespace dymsum::exact
