@@ -34,6 +34,7 @@ void add_verbs(CLI::App& app, Action& action) {
   add_nfp(app, action);
   add_erode(app, action);
   add_nfp_table(app, action);
+  add_disc(app, action);
   add_opening(app, action);
   add_closing(app, action);
   add_offset(app, action);

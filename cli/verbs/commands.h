@@ -13,6 +13,7 @@ void add_sum(CLI::App& app, Action& action);
 void add_nfp(CLI::App& app, Action& action);
 void add_erode(CLI::App& app, Action& action);
 void add_nfp_table(CLI::App& app, Action& action);
+void add_disc(CLI::App& app, Action& action);
 void add_opening(CLI::App& app, Action& action);
 void add_closing(CLI::App& app, Action& action);
 void add_offset(CLI::App& app, Action& action);

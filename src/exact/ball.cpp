@@ -47,14 +47,17 @@ void Ball::move_to(std::int64_t exponent) {
     const bool exact =
         radius_.is_zero() && (middle_.is_zero() || static_cast<std::int64_t>(lsb(magnitude_of(middle_))) >= cut);
     const auto shift = static_cast<unsigned>(all ? 0 : cut);
-    middle_ = all ? BigInteger(0) : BigInteger(middle_ >> shift);
+    // Magnitudes are shifted: Boost 1.74 loses the sign of some negative numbers, as of -(2^64 + 1).
+    const bool negative = middle_.sign() < 0;
+    middle_ = all ? BigInteger(0) : BigInteger(magnitude_of(middle_) >> shift);
+    if (negative) middle_ = -middle_;
     radius_ = all ? BigInteger(0) : BigInteger(radius_ >> shift);
     if (!exact) radius_ += 2;
   }
   exponent_ = exponent;
 }
 
-Ball sum(const Ball& a, const Ball& b, int sign_of_b, unsigned precision) {
+Ball Ball::sum(const Ball& a, const Ball& b, int sign_of_b, unsigned precision) {
   if (a.middle_.is_zero() && a.radius_.is_zero()) return {sign_of_b * b.middle_, b.radius_, b.exponent_, precision};
   if (b.middle_.is_zero() && b.radius_.is_zero()) return {a.middle_, a.radius_, a.exponent_, precision};
   // No operand is shifted to the left by more than the precision.
@@ -67,7 +70,7 @@ Ball sum(const Ball& a, const Ball& b, int sign_of_b, unsigned precision) {
           BigInteger(x.radius_ + y.radius_), exponent, precision};
 }
 
-Ball product(const Ball& a, const Ball& b, unsigned precision) {
+Ball Ball::product(const Ball& a, const Ball& b, unsigned precision) {
   BigInteger radius = a.radius_ * b.radius_;
   if (!a.radius_.is_zero()) radius += a.radius_ * magnitude_of(b.middle_);
   if (!b.radius_.is_zero()) radius += b.radius_ * magnitude_of(a.middle_);
@@ -76,7 +79,7 @@ Ball product(const Ball& a, const Ball& b, unsigned precision) {
 
 // With middles m, n, radii r, s and |x - m| <= r, |y - n| <= s:
 //   |x / y - m / n| = |(x - m) n - m (y - n)| / |y n| <= (r |n| + |m| s) / ((|n| - s) |n|).
-std::optional<Ball> quotient(const Ball& a, const Ball& b, unsigned precision) {
+std::optional<Ball> Ball::quotient(const Ball& a, const Ball& b, unsigned precision) {
   const BigInteger n = magnitude_of(b.middle_), least = n - b.radius_;
   if (least.sign() <= 0) return std::nullopt;
   const std::int64_t wanted = static_cast<std::int64_t>(precision) + size_of(n) -
@@ -89,7 +92,7 @@ std::optional<Ball> quotient(const Ball& a, const Ball& b, unsigned precision) {
 }
 
 // Away from zero |sqrt x - sqrt m| = |x - m| / (sqrt x + sqrt m) <= r / floor(sqrt m), and one more for the floor.
-Ball root(const Ball& a, unsigned precision) {
+Ball Ball::root(const Ball& a, unsigned precision) {
   const std::int64_t size = std::max(size_of(magnitude_of(a.middle_)), size_of(a.radius_));
   auto shift = static_cast<unsigned>(std::max<std::int64_t>(2 * static_cast<std::int64_t>(precision) - size, 0));
   if ((a.exponent_ - shift) % 2 != 0) ++shift;

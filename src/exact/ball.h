@@ -17,12 +17,13 @@ class Ball {
   Ball() = default;  ///< exactly 0
   Ball(BigInteger middle, BigInteger radius, std::int64_t exponent, unsigned precision);
 
-  friend Ball sum(const Ball& a, const Ball& b, int sign_of_b, unsigned precision);
-  friend Ball product(const Ball& a, const Ball& b, unsigned precision);
+  /// a + b or, for the sign -1, a - b.
+  static Ball sum(const Ball& a, const Ball& b, int sign_of_b, unsigned precision);
+  static Ball product(const Ball& a, const Ball& b, unsigned precision);
   /// Nothing where b contains 0.
-  friend std::optional<Ball> quotient(const Ball& a, const Ball& b, unsigned precision);
+  static std::optional<Ball> quotient(const Ball& a, const Ball& b, unsigned precision);
   /// The roots of the numbers that are not negative. Requires that there are some.
-  friend Ball root(const Ball& a, unsigned precision);
+  static Ball root(const Ball& a, unsigned precision);
 
   /// The sign of all its numbers, if they have one.
   std::optional<int> sign() const;

@@ -47,17 +47,17 @@ class SturmChain {
 };
 
 /// (low, high] / 2^shift with the variations at its ends.
-struct Interval {
+struct Isolating {
   BigInteger low, high;
   unsigned shift;
   int low_variations, high_variations;
 };
 
 struct Halves {
-  Interval left, right;
+  Isolating left, right;
 };
 
-Halves halves(const SturmChain& chain, const Interval& i) {
+Halves halves(const SturmChain& chain, const Isolating& i) {
   const BigInteger middle = i.low + i.high;
   const unsigned shift = i.shift + 1;
   const int v = chain.variations(middle, shift);
@@ -66,7 +66,7 @@ Halves halves(const SturmChain& chain, const Interval& i) {
 }
 
 /// The one root in (low, high], which is not low: halved until low is not another root, unless high is the root.
-RootBracket bracket_in(const Polynomial& f, const SturmChain& chain, Interval i) {
+RootBracket bracket_in(const Polynomial& f, const SturmChain& chain, Isolating i) {
   for (;;) {
     if (f.value_at_dyadic(i.high, i.shift).is_zero()) return {f, {i.high, i.shift}};
     if (!f.value_at_dyadic(i.low, i.shift).is_zero()) return {f, {i.low, i.shift}, {i.high, i.shift}};
@@ -255,10 +255,10 @@ std::vector<RootBracket> isolated_roots(const Polynomial& f, double lo, double h
   const DyadicNumber from = DyadicNumber::of(lo), to = DyadicNumber::of(hi);
   const unsigned shift = std::max(from.shift, to.shift);
   const BigInteger low = from.numerator << (shift - from.shift), high = to.numerator << (shift - to.shift);
-  std::vector<Interval> waiting{{low, high, shift, chain.variations(low, shift), chain.variations(high, shift)}};
+  std::vector<Isolating> waiting{{low, high, shift, chain.variations(low, shift), chain.variations(high, shift)}};
   std::vector<RootBracket> roots;
   while (!waiting.empty()) {
-    const Interval i = std::move(waiting.back());
+    const Isolating i = std::move(waiting.back());
     waiting.pop_back();
     const int count = i.low_variations - i.high_variations;
     if (count == 1) roots.push_back(bracket_in(f, chain, i));

@@ -5,7 +5,7 @@
 #include <stdexcept>
 
 #include "exact/root_node.h"
-#include "exact/square_root.h"
+#include "exact/square_class.h"
 
 namespace dymsum::exact {
 
@@ -16,8 +16,6 @@ using NodePointer = std::shared_ptr<const RootNode>;
 
 /// Rational parts longer than this stay formulas.
 constexpr std::uint64_t kLongest = 1 << 14;
-/// The precision of the first look beyond doubles, and the largest one.
-constexpr unsigned kFirstPrecision = 128, kLastPrecision = 1U << 28;
 
 std::uint64_t bits_of(const BigInteger& positive) { return static_cast<std::uint64_t>(msb(positive)) + 1; }
 /// max(|n|, 1) <= 2^result.
@@ -104,64 +102,16 @@ NodePointer product_node(const NodePointer& a, const NodePointer& b) {
   return operation_node(Kind::product, a, b, a == b ? square(a->interval) : a->interval * b->interval);
 }
 
-/// Whether n >= 0 is a square; only few others get as far as its root.
-bool is_square(const BigInteger& n, BigInteger& root) {
-  if (n.is_zero()) return true;
-  const auto twos = static_cast<unsigned>(lsb(n));
-  if (twos % 2 != 0 || (static_cast<std::uint64_t>(BigInteger((n >> twos) & 7))) != 1) return false;
-  // Bit k tells that k is a square modulo the number; the product of the numbers is below 2^63.
-  constexpr std::uint64_t kProduct = 63ULL * 11 * 13 * 17 * 19 * 23 * 29 * 31;
-  struct Modulus {
-    std::uint64_t number, squares;
-  };
-  static const auto moduli = [] {
-    std::array<Modulus, 8> result{};
-    const std::array<std::uint64_t, 8> numbers{63, 11, 13, 17, 19, 23, 29, 31};
-    for (std::size_t i = 0; i < 8; ++i) {
-      result[i] = {numbers[i], 0};
-      for (std::uint64_t k = 0; k < numbers[i]; ++k) result[i].squares |= std::uint64_t{1} << (k * k % numbers[i]);
-    }
-    return result;
-  }();
-  const auto left = static_cast<std::uint64_t>(BigInteger(n % kProduct));
-  for (const Modulus& m : moduli)
-    if ((m.squares >> (left % m.number) & 1) == 0) return false;
-  BigInteger rest;
-  root = floor_root(n, rest);
-  return rest.is_zero();
-}
-
-SignAnswer sign_of_node(const RootNode& node);
-
 NodePointer root_node(const NodePointer& a) {
   const int sign = sign_of_node(*a).sign;
   if (sign < 0) throw std::domain_error("RootExpression: the root of a negative number");
   if (sign == 0) return zero_node();
   if (!a->is_rational()) return operation_node(Kind::root, a, nullptr, sqrt(a->interval));
-  BigInteger num, den;
-  if (is_square(a->num, num) && is_square(a->den, den)) return rational_node(std::move(num), std::move(den));
+  if (std::optional<BigInteger> num = root_of_square(a->num))
+    if (std::optional<BigInteger> den = root_of_square(a->den)) return rational_node(std::move(*num), std::move(*den));
   if (a->den == 1) return operation_node(Kind::root, a, nullptr, sqrt(a->interval));
   // sqrt(n / d) = sqrt(n d) / d: the same root for more numbers.
   return product_node(rational_node(1, a->den), root_node(rational_node(BigInteger(a->num * a->den), 1)));
-}
-
-/// From the first precision up; the theorem ends it.
-int sign_by_precision(const RootNode& node) {
-  const RootParts parts(node);
-  const std::uint64_t bits = parts.separation_bits();
-  for (unsigned precision = kFirstPrecision; precision <= kLastPrecision; precision *= 2) {
-    const std::optional<Ball> value = parts.value(precision);
-    if (!value) continue;
-    if (const std::optional<int> sign = value->sign()) return *sign;
-    if (value->top() <= -static_cast<std::int64_t>(bits)) return 0;
-  }
-  throw std::length_error("RootExpression: a sign needs too many bits");
-}
-
-SignAnswer sign_of_node(const RootNode& node) {
-  if (node.is_rational()) return {node.num.sign(), Rung::filter};
-  if (const std::optional<int> sign = sign_of(node.interval)) return {*sign, Rung::filter};
-  return {sign_by_precision(node), Rung::big};
 }
 
 /// 64 good bits, or exactly 0.

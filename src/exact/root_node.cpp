@@ -2,10 +2,16 @@
 
 #include <algorithm>
 #include <limits>
+#include <stdexcept>
+
+#include "exact/root_field.h"
 
 namespace dymsum::exact {
 
 namespace {
+
+/// The largest precision that a sign may ask for.
+constexpr unsigned kLastPrecision = 1U << 28;
 
 bool same_radicand(const RootNode& a, const RootNode& b) {
   return &a == &b || (a.is_rational() && b.is_rational() && a.num == b.num && a.den == b.den);
@@ -47,32 +53,61 @@ std::optional<Ball> RootParts::value(unsigned precision) const {
     const RootNode& node = *part.node;
     if (node.kind == Kind::rational) {
       Ball num(node.num, 0, 0, precision);
-      values.push_back(node.den == 1 ? std::move(num) : *quotient(num, Ball(node.den, 0, 0, precision), precision));
+      values.push_back(node.den == 1 ? std::move(num)
+                                     : *Ball::quotient(num, Ball(node.den, 0, 0, precision), precision));
       continue;
     }
     const Ball &a = values[part.a], &b = values[part.b];
     switch (node.kind) {
       case Kind::sum:
-        values.push_back(sum(a, b, 1, precision));
+        values.push_back(Ball::sum(a, b, 1, precision));
         break;
       case Kind::difference:
-        values.push_back(sum(a, b, -1, precision));
+        values.push_back(Ball::sum(a, b, -1, precision));
         break;
       case Kind::product:
-        values.push_back(product(a, b, precision));
+        values.push_back(Ball::product(a, b, precision));
         break;
       case Kind::quotient: {
-        std::optional<Ball> q = quotient(a, b, precision);
+        std::optional<Ball> q = Ball::quotient(a, b, precision);
         if (!q) return std::nullopt;
         values.push_back(std::move(*q));
         break;
       }
       default:
-        values.push_back(root(a, precision));
+        values.push_back(Ball::root(a, precision));
         break;
     }
   }
   return values.back();
+}
+
+namespace {
+
+/// From the first precision up; that the number is not zero, or the theorem, ends it.
+int sign_by_precision(const RootNode& node) {
+  const RootParts parts(node);
+  std::optional<bool> zero;
+  std::int64_t least = std::numeric_limits<std::int64_t>::min();
+  for (unsigned precision = kFirstPrecision; precision <= kLastPrecision; precision *= 2) {
+    const std::optional<Ball> value = parts.value(precision);
+    if (const std::optional<int> sign = value ? value->sign() : std::nullopt) return *sign;
+    if (precision == kFirstPrecision) {
+      zero = is_zero_by_algebra(parts);
+      if (zero && *zero) return 0;
+      if (!zero) least = -static_cast<std::int64_t>(parts.separation_bits());
+    }
+    if (value && value->top() <= least) return 0;
+  }
+  throw std::length_error("RootExpression: a sign needs too many bits");
+}
+
+}  // namespace
+
+SignAnswer sign_of_node(const RootNode& node) {
+  if (node.is_rational()) return {node.num.sign(), Rung::filter};
+  if (const std::optional<int> sign = sign_of(node.interval)) return {*sign, Rung::filter};
+  return {sign_by_precision(node), Rung::big};
 }
 
 }  // namespace dymsum::exact

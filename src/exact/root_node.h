@@ -10,8 +10,12 @@
 #include "exact/ball.h"
 #include "exact/big.h"
 #include "exact/interval.h"
+#include "exact/orient.h"
 
 namespace dymsum::exact {
+
+/// The precision of the first look beyond doubles.
+inline constexpr unsigned kFirstPrecision = 128;
 
 /// Immutable; shared by the expressions that it occurs in.
 struct RootNode {
@@ -26,6 +30,9 @@ struct RootNode {
   bool is_rational() const { return kind == Kind::rational; }
 };
 
+/// Exact.
+SignAnswer sign_of_node(const RootNode& node);
+
 /// The distinct parts of an expression, operands before what is made of them.
 class RootParts {
  public:
@@ -36,11 +43,13 @@ class RootParts {
   /// Contains E; nothing where the precision does not tell a divisor from 0.
   std::optional<Ball> value(unsigned precision) const;
 
- private:
   struct Part {
     const RootNode* node;
-    std::uint32_t a, b;
+    std::uint32_t a, b;  ///< operands among the parts; 0 where there is none
   };
+  const std::vector<Part>& all() const { return parts_; }
+
+ private:
   std::uint32_t add(const RootNode& node);
   std::vector<Part> parts_;
 };

@@ -55,6 +55,10 @@ const std::vector<std::string> kRooms = {
     "io/picture",
     "io/obstacle",
     "nesting",
+    "shape/complex",
+    "shape/disc",
+    "shape/features",
+    "shape/decompose",
 };
 
 /// Rooms that may not use one that stands before them: the arrangement works on labelled segments.
@@ -83,6 +87,7 @@ const std::map<std::string, std::vector<std::string>> kForeign = {
     {"spatial", {"emmintrin.h"}},
     {"io", {"nlohmann/", "pugixml.hpp"}},
     {"nesting", {"nlohmann/"}},
+    {"shape", {"boost/polygon/"}},
     {"cli", {"CLI/", "nlohmann/", "unistd.h"}},
     {"adapters", {"ompl/"}},
     {"examples", {"ompl/"}},

@@ -40,7 +40,7 @@ struct Node {
   };
   Kind kind = Kind::joint;
   std::uint32_t rank = 0;           ///< equal exactly for equal radii; ascending, without gaps
-  Point centre;                     ///< each coordinate within some ulps of the larger one
+  Point centre = {};                 ///< each coordinate within some ulps of the larger one
   double radius = 0;                ///< within some ulps
   std::uint32_t vertex = kNoIndex;  ///< corner: of the region
 };

@@ -1,0 +1,234 @@
+// dymsum disc P --radius R
+#include <CLI/CLI.hpp>
+#include <cmath>
+#include <iostream>
+#include <map>
+#include <memory>
+#include <optional>
+#include <sstream>
+#include <string>
+#include <vector>
+
+#include "dymsum/growing_disc.h"
+#include "inputs.h"
+#include "options.h"
+#include "outputs.h"
+#include "pictures/disc_frames.h"
+#include "progress_bar.h"
+#include "report.h"
+#include "timing.h"
+#include "verbs/commands.h"
+
+namespace dymsum::cli {
+namespace {
+
+struct DiscCommand {
+  const CLI::App* parser = nullptr;
+  std::string p, radius, set = "sum", semantics = "closed", bound = "inside";
+  std::optional<double> error;
+  std::size_t frames = 120;
+  bool events = false;
+  ReportOptions report;
+  InputOptions input;
+  OutputOptions output;
+};
+
+const std::map<std::string, Semantics> kDiscSemantics = {
+    {"closed", Semantics::closed}, {"open", Semantics::open}, {"regular", Semantics::regular}};
+
+DiscRadius read_radius(const std::string& text) {
+  if (!text.starts_with("event:")) return require_option(Rational::parse(text), "--radius");
+  const std::string digits = text.substr(6);
+  if (digits.empty() || digits.size() > 9 || digits.find_first_not_of("0123456789") != std::string::npos)
+    throw Stop(kUsage, "--radius wants a number, or event:K with the index of an event, not '" + text + "'");
+  return DiscRadius::at_event(static_cast<std::uint32_t>(std::stoul(digits)));
+}
+
+bool writes_polygons(const std::string& file, const OutputOptions& options) {
+  if (is_page(file)) return false;
+  const RegionFormat format = output_format(file, options);
+  return format != RegionFormat::json && format != RegionFormat::svg;
+}
+
+void check(const DiscCommand& command) {
+  OutputOptions others = command.output;
+  std::erase_if(others.files, is_page);
+  check_outputs(others);
+  if (!writes_to_stdout(command.output.files)) refuse_options(*command.parser, {"--to"}, "is the format of -o -");
+  const auto& files = command.output.files;
+  if (std::none_of(files.begin(), files.end(), is_page)) refuse_options(*command.parser, {"--frames"}, "is for -o FILE.html");
+  if (std::none_of(files.begin(), files.end(), [&](const auto& f) { return writes_polygons(f, command.output); }))
+    refuse_options(*command.parser, {"--error", "--bound"}, "is of polygons: -o FILE.wkt, .poly, .geojson or .dxf");
+}
+
+DiscMaker maker(const GrowingDisc& disc, const DiscCommand& command) {
+  const Semantics semantics = kDiscSemantics.at(command.semantics);
+  if (command.set == "erosion") return [=](const DiscRadius& r) { return disc.eroded_at(r, semantics); };
+  if (command.set == "opening") return [=](const DiscRadius& r) { return disc.opened_at(r, semantics); };
+  if (command.set == "closing") return [=](const DiscRadius& r) { return disc.closed_at(r, semantics); };
+  return [=](const DiscRadius& r) { return disc.sum_at(r, semantics); };
+}
+
+DiscSide side_of(const std::string& set) {
+  return set == "erosion" || set == "opening" ? DiscSide::inside : DiscSide::outside;
+}
+
+/// An event that there is not is wrong usage; what the region has is bad input.
+DiscSet made_at(const DiscMaker& make, const DiscRadius& r, const std::vector<Input>& inputs) {
+  Result<DiscSet> set = make(r);
+  if (!set && set.error().code == ErrorCode::out_of_range && set.error().evidence == Evidence{})
+    throw Stop(kUsage, "--radius: " + set.error().message, set.error());
+  return require_of(inputs, std::move(set));
+}
+
+double default_error(const DiscSet& set) { return set.radius > 0 ? set.radius / 1000 : 1; }
+
+void write_outputs(const DiscCommand& command, const Region& p, const DiscSet& set, const DiscFrames& frames) {
+  std::optional<DiscPolygons> polygons;
+  std::vector<std::string> texts;
+  for (const std::string& file : command.output.files) {
+    if (is_page(file)) {
+      texts.push_back(disc_page(frames));
+      continue;
+    }
+    const RegionFormat format = output_format(file, command.output);
+    if (format == RegionFormat::json) {
+      texts.push_back(disc_set_to_json(set));
+    } else if (format == RegionFormat::svg) {
+      texts.push_back(draw_disc_set(p, set));
+    } else {
+      if (!polygons)
+        polygons = require(to_region(set, command.error.value_or(default_error(set)),
+                                     command.bound == "inside" ? DiscBound::inside : DiscBound::outside));
+      texts.push_back(format_region(polygons->region, format));
+    }
+  }
+  throw_if_interrupted();
+  for (std::size_t i = 0; i < texts.size(); ++i) write_text(command.output.files[i], texts[i]);
+}
+
+Json measured_json(const Measured& m) { return {{"value", m.value}, {"error", m.error}}; }
+
+Json events_json(const std::vector<DiscEvent>& events) {
+  Json list = Json::array();
+  for (const DiscEvent& e : events) list.push_back({{"radius", e.radius}, {"nodes", e.nodes}});
+  return list;
+}
+
+Json disc_json(const DiscCommand& command, const std::vector<Input>& inputs, const DiscSet& set, const Timing& first,
+               const Timing& again, const std::vector<DiscEvent>& events) {
+  Json json = report_head("disc", inputs_json(inputs), 0, again, {{"complex", first.median_ms}});
+  json["set"] = command.set;
+  json["semantics"] = command.semantics;
+  json["radius"] = set.radius;
+  json["radius_exact"] = set.radius_exact;
+  json["outer"] = set.parts.size();
+  json["holes"] = set.hole_count();
+  json["pieces"] = set.piece_count();
+  json["area"] = measured_json(area(set));
+  json["perimeter"] = measured_json(perimeter(set));
+  json["bounds"] = bounds(set);
+  json["at_error"] = set.at_error;
+  json["tight"] = {{"points", set.tight_points.size()}, {"segments", set.tight_segments.size()}};
+  json["events"] = command.events ? events_json(events) : Json(events.size());
+  return json;
+}
+
+void print_disc(std::ostream& out, const DiscCommand& command, const DiscSet& set, const Timing& timing,
+                const std::vector<DiscEvent>& events) {
+  std::ostringstream text;
+  text.precision(17);
+  text << command.set << " with a disc of radius " << set.radius << ": " << counted(set.parts.size(), "part") << ", "
+       << counted(set.hole_count(), "hole") << ", " << counted(set.piece_count(), "piece") << ", area "
+       << area(set).value << "\n";
+  if (!set.tight_points.empty() || !set.tight_segments.empty())
+    text << "tight: " << counted(set.tight_points.size(), "point") << ", "
+         << counted(set.tight_segments.size(), "segment") << "\n";
+  if (command.events)
+    for (std::size_t i = 0; i < events.size(); ++i)
+      text << "event:" << i << " " << events[i].radius << (events[i].nodes > 1 ? "  " : "")
+           << (events[i].nodes > 1 ? counted(events[i].nodes, "node") : "") << "\n";
+  out << text.str();
+  print_times(out, timing);
+}
+
+ExitCode run_disc(const DiscCommand& command) {
+  std::ostream& out = report_stream(command.output.files, command.report.json);
+  check(command);
+  const DiscRadius radius = read_radius(command.radius);
+  refuse_unused_format({command.p}, command.input);
+  std::vector<Input> inputs{read_input(command.p, command.input)};
+  const InterruptGuard guard;
+  const GrowingDisc disc(inputs[0].region);
+  const DiscMaker make = maker(disc, command);
+  const auto [set_once, first] = timed(1, [&] { return made_at(make, radius, inputs); });
+  const auto [set, again] = timed(command.report.repeat, [&] {
+    throw_if_interrupted();
+    return made_at(make, radius, inputs);
+  });
+  const std::vector<DiscEvent> events = require(disc.events(side_of(command.set)));
+  DiscFrames frames;
+  const auto& files = command.output.files;
+  if (std::any_of(files.begin(), files.end(), is_page)) {
+    frames.title = inputs[0].file + ", " + command.set + " with a growing disc";
+    frames.events = events;
+    append_frames(frames, make, set.radius, command.frames);
+  }
+  write_outputs(command, inputs[0].region, set, frames);
+  if (command.report.json) print_report(disc_json(command, inputs, set, first, again, events));
+  else print_disc(out, command, set, again, events);
+  const bool empty = set.parts.empty() && set.segments.empty() && set.points.empty() && set.tight_segments.empty() &&
+                     set.tight_points.empty();
+  return empty && side_of(command.set) == DiscSide::inside ? kNo : kDone;
+}
+
+void add_disc_outputs(CLI::App& verb, DiscCommand& command) {
+  verb.add_option("-o", command.output.files,
+                  "Write the result; repeatable; by extension .json (exact, pieces by name), .svg (true arcs), .html (a "
+                  "page with a slider from 0 to R), .poly .wkt .geojson .dxf (polygons); - is standard output")
+      ->type_name("FILE")
+      ->allow_extra_args(false);
+  verb.add_option("--to", command.output.to, "Format of -o -")
+      ->check(CLI::IsMember({"poly", "wkt", "geojson", "svg", "json", "dxf"}))
+      ->capture_default_str();
+  within(verb.add_option("--error", command.error, "Of polygons: how far they may be from the arcs; a 1000th of R"), 0)
+      ->type_name("E");
+  verb.add_option("--bound", command.bound, "Of polygons: inside the set, or outside around it")
+      ->check(CLI::IsMember({"inside", "outside"}))
+      ->capture_default_str();
+  whole_within(verb.add_option("--frames", command.frames, "Of a page: how many radii"), 2, 240)
+      ->capture_default_str();
+}
+
+}  // namespace
+
+void add_disc(CLI::App& app, Action& action) {
+  auto command = std::make_shared<DiscCommand>();
+  CLI::App& verb = *app.add_subcommand(
+      "disc", "A planar region grown, shrunk, opened or closed by an exact disc: boundaries of segments and arcs");
+  command->parser = &verb;
+  verb.add_option("P", command->p, "The region: a file, FILE#NAME, or - for standard input")->required()->type_name("");
+  verb.add_option("--radius", command->radius,
+                  "Radius of the disc, exact: 3/2, 0.1, 1e-3; or event:K, exactly the radius of event K")
+      ->required()
+      ->type_name("R");
+  verb.add_option("--set", command->set,
+                  "sum: P with all that is R away at most; erosion: where discs fit inside P; opening: what discs inside "
+                  "P cover; closing: what discs outside P do not")
+      ->check(CLI::IsMember({"sum", "erosion", "opening", "closing"}))
+      ->capture_default_str();
+  verb.add_option("--semantics", command->semantics,
+                  "closed; open: touching is allowed, and tight features are listed; regular: exact fits do not count")
+      ->check(CLI::IsMember({"closed", "open", "regular"}))
+      ->capture_default_str();
+  verb.add_flag("--events", command->events, "List the radii at which the boundary's pieces change");
+  add_disc_outputs(verb, *command);
+  add_report_options(verb, command->report, "Compute N times and report the median and minimum time of a radius");
+  add_input_options(verb, command->input);
+  verb.footer(
+      "Ends with 4 where no disc fits (erosion, opening).\n"
+      "Example: dymsum disc part.wkt --radius 3/2 --set opening -o opened.svg -o opened.json");
+  verb.callback([command, &action] { action = [command] { return run_disc(*command); }; });
+}
+
+}  // namespace dymsum::cli

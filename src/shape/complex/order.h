@@ -1,0 +1,54 @@
+// Exact decisions about the places of a site, intervals first.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+
+#include "exact/orient.h"
+#include "shape/complex/formulas.h"
+
+namespace dymsum::shape {
+
+/// The signs that tell where a quadratic is negative, as far as they matter.
+struct QuadraticSigns {
+  int a = 0, b = 0, c = 0;
+  int discriminant = 0;  ///< only where a is not zero
+};
+
+class Order {
+ public:
+  using Interval = exact::Interval;
+  using Exact = exact::RootExpression;
+
+  explicit Order(const Walks& walks) : walks_(walks), near_(walks), exact_(walks) {}
+
+  const Walks& walks() const { return walks_; }
+  const Formulas<Interval>& near() const { return near_; }
+  const Formulas<Exact>& exact() const { return exact_; }
+
+  /// The sign of a - b.
+  int compare(const Section& s, const Mark& a, const Mark& b);
+  /// Of the difference that Formulas::difference names; `near` contains it.
+  QuadraticSigns signs(const Section& s, std::uint32_t i, std::uint32_t j, const Quadratic<Interval>& near);
+  /// Whether the disc that touches edge j at an end lies exactly opposite the section's axis.
+  bool is_opposite(const Section& s, std::uint32_t j, int end);
+
+  /// With `near` filled in.
+  Mark mark(const Section& s, Mark m) const {
+    if (!m.is_infinite()) m.near = near_.value(s, m);
+    return m;
+  }
+  Mark tangent(const Section& s, std::uint32_t j, int end) const {
+    return mark(s, {.kind = Mark::Kind::tangent, .root = static_cast<std::uint8_t>(end), .i = j});
+  }
+
+  /// How often the intervals answered, and the exact numbers.
+  exact::FilterCounts counts;
+
+ private:
+  const Walks& walks_;
+  Formulas<Interval> near_;
+  Formulas<Exact> exact_;
+};
+
+}  // namespace dymsum::shape

@@ -1,0 +1,154 @@
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+#include <optional>
+
+#include "shape/complex/assemble.h"
+
+namespace dymsum::shape {
+namespace {
+
+using exact::Interval;
+using exact::RootExpression;
+
+/// Radii in order.
+class Ranking {
+ public:
+  Ranking(const Walks& walks, const std::vector<DiscSource>& discs, exact::FilterCounts& counts)
+      : walks_(walks), discs_(discs), counts_(counts), exact_(discs.size()) {
+    for (const DiscSource& d : discs) near_.push_back(radius_of<Interval>(walks, d));
+  }
+
+  /// The rank of every disc.
+  std::vector<std::uint32_t> ranks() {
+    std::vector<std::uint32_t> order(discs_.size());
+    std::iota(order.begin(), order.end(), 0U);
+    std::stable_sort(order.begin(), order.end(),
+                     [&](std::uint32_t i, std::uint32_t j) { return near_[i].low() < near_[j].low(); });
+    std::vector<std::uint32_t> ranks(discs_.size());
+    std::uint32_t rank = 0;
+    for (auto first = order.begin(); first != order.end();) {
+      auto last = first + 1;
+      double high = near_[*first].high();
+      while (last != order.end() && near_[*last].low() <= high) high = std::max(high, near_[*last++].high());
+      rank = rank_cluster(first, last, rank, ranks);
+      first = last;
+    }
+    return ranks;
+  }
+  std::vector<Interval> take_near() { return std::move(near_); }
+
+ private:
+  using Iterator = std::vector<std::uint32_t>::iterator;
+
+  /// Radii whose intervals hang together: classes of equal ones, found by halving.
+  std::uint32_t rank_cluster(Iterator first, Iterator last, std::uint32_t rank, std::vector<std::uint32_t>& ranks) {
+    std::vector<std::vector<std::uint32_t>> classes;
+    for (; first != last; ++first) {
+      std::size_t low = 0, high = classes.size();
+      bool found = false;
+      while (low < high && !found) {
+        const std::size_t middle = (low + high) / 2;
+        const int sign = compare(*first, classes[middle][0]);
+        found = sign == 0;
+        if (found) low = middle;
+        if (sign < 0) high = middle;
+        if (sign > 0) low = middle + 1;
+      }
+      if (!found) classes.insert(classes.begin() + static_cast<std::ptrdiff_t>(low), std::vector<std::uint32_t>{});
+      classes[low].push_back(*first);
+    }
+    for (const auto& equal : classes) {
+      for (const std::uint32_t i : equal) ranks[i] = rank;
+      ++rank;
+    }
+    return rank;
+  }
+
+  int compare(std::uint32_t i, std::uint32_t j) {
+    if (near_[i].high() < near_[j].low()) return -1;
+    if (near_[i].low() > near_[j].high()) return 1;
+    if (near_[i].is_point() && near_[j].is_point()) return 0;
+    ++counts_.exact;
+    return exact::compare(exactly(i), exactly(j));
+  }
+  const RootExpression& exactly(std::uint32_t i) {
+    if (!exact_[i]) exact_[i] = radius_of<RootExpression>(walks_, discs_[i]);
+    return *exact_[i];
+  }
+
+  const Walks& walks_;
+  const std::vector<DiscSource>& discs_;
+  exact::FilterCounts& counts_;
+  std::vector<Interval> near_;
+  std::vector<std::optional<RootExpression>> exact_;
+};
+
+bool is_narrow(const Interval& v, double scale) { return !v.is_whole() && v.high() - v.low() <= scale * 0x1p-46; }
+
+/// Centre and radius as doubles.
+void round_disc(const Walks& walks, const DiscSource& source, Node& node) {
+  const DiscOf<Interval> near = disc_of<Interval>(walks, source);
+  const double x = near.x.middle(), y = near.y.middle(), scale = std::max(std::abs(x), std::abs(y));
+  if (is_narrow(near.x, scale) && is_narrow(near.y, scale) && is_narrow(near.radius, near.radius.middle())) {
+    const int e = walks.unit_exponent;
+    node.centre = {std::ldexp(x, e), std::ldexp(y, e)};
+    node.radius = std::ldexp(near.radius.middle(), e);
+    return;
+  }
+  const DiscOf<RootExpression> disc = disc_of<RootExpression>(walks, source);
+  const RootExpression unit(std::ldexp(1.0, walks.grid_exponent));
+  node.centre = {exact::nearest_double(disc.x * unit), exact::nearest_double(disc.y * unit)};
+  node.radius = exact::nearest_double(disc.radius * unit);
+}
+
+template <class V>
+void permute(V& list, const std::vector<std::uint32_t>& order) {
+  V out;
+  out.reserve(list.size());
+  for (const std::uint32_t i : order) out.push_back(std::move(list[i]));
+  list = std::move(out);
+}
+
+}  // namespace
+
+Complex ranked(Graph graph, std::shared_ptr<ExactComplex> exact, exact::FilterCounts& counts) {
+  const Walks& walks = exact->walks;
+  Ranking ranking(walks, graph.discs, counts);
+  const std::vector<std::uint32_t> ranks = ranking.ranks();
+  for (std::uint32_t n = 0; n < graph.nodes.size(); ++n) {
+    graph.nodes[n].rank = ranks[n];
+    round_disc(walks, graph.discs[n], graph.nodes[n]);
+  }
+  std::vector<std::uint32_t> order(ranks.size()), place(ranks.size());
+  std::iota(order.begin(), order.end(), 0U);
+  std::stable_sort(order.begin(), order.end(), [&](std::uint32_t i, std::uint32_t j) { return ranks[i] < ranks[j]; });
+  for (std::uint32_t i = 0; i < order.size(); ++i) place[order[i]] = i;
+  exact->radii = ranking.take_near();
+  permute(graph.nodes, order);
+  permute(graph.discs, order);
+  permute(graph.contacts, order);
+  permute(graph.spokes, order);
+  permute(exact->radii, order);
+
+  Complex complex;
+  complex.side = walks.side;
+  complex.sites = walks.sites;
+  complex.nodes = std::move(graph.nodes);
+  complex.edges = std::move(graph.edges);
+  for (Edge& e : complex.edges) {
+    e.low = place[e.low];
+    if (e.high != kNoIndex) e.high = place[e.high];
+  }
+  complex.first_spoke.push_back(0);
+  for (const std::vector<Spoke>& spokes : graph.spokes) {
+    complex.spokes.insert(complex.spokes.end(), spokes.begin(), spokes.end());
+    complex.first_spoke.push_back(static_cast<std::uint32_t>(complex.spokes.size()));
+  }
+  exact->discs = std::move(graph.discs);
+  exact->contacts = std::move(graph.contacts);
+  complex.exact = std::move(exact);
+  return complex;
+}
+
+}  // namespace dymsum::shape

@@ -1,0 +1,57 @@
+#include "shape/disc/disc_places.h"
+
+#include <cmath>
+
+namespace dymsum::shape {
+
+CornerDisc DiscPlaces::disc_on(std::uint32_t edge) const {
+  const Edge& e = complex_.edges[edge];
+  if (level_.holds(e.low)) return {true, e.low};
+  if (e.high != kNoIndex && level_.holds(e.high)) return {true, e.high};
+  return {false, edge};
+}
+
+Point DiscPlaces::centre(const CornerDisc& disc) const {
+  if (disc.at_node) return complex_.nodes[disc.index].centre;
+  // From a place of the region: coordinates far from the origin cost the vector no digits.
+  const Point anchor = complex_.sites[complex_.edges[disc.index].left].a;
+  const Point v = centre_from(disc, anchor);
+  return {anchor.x + v.x, anchor.y + v.y};
+}
+
+Point DiscPlaces::centre_from(const CornerDisc& disc, Point origin) const {
+  if (disc.at_node) {
+    const Vector<exact::RootExpression> v = exact_centre_from(disc, origin);
+    return {exact::nearest_double(v.x), exact::nearest_double(v.y)};
+  }
+  return near_vector([&](const auto& r) { return centre_on_edge(complex_, disc.index, r, origin); }, level_);
+}
+
+Vector<exact::RootExpression> DiscPlaces::exact_centre_from(const CornerDisc& disc, Point origin) const {
+  using exact::RootExpression;
+  if (!disc.at_node) return centre_on_edge(complex_, disc.index, level_.exact, origin);
+  const ExactDisc node = exact_disc(complex_, disc.index);
+  return {node.centre.x - RootExpression(origin.x), node.centre.y - RootExpression(origin.y)};
+}
+
+Point DiscPlaces::normal(const Site& site) const {
+  const double dx = site.b.x - site.a.x, dy = site.b.y - site.a.y, length = std::hypot(dx, dy);
+  return {dy / length, -dx / length};
+}
+
+Point DiscPlaces::towards(const CornerDisc& disc, const Site& site) const {
+  if (site.kind == Site::Kind::edge) {
+    const Point n = normal(site);
+    return {-n.x * level_.radius, -n.y * level_.radius};
+  }
+  const Point v = centre_from(disc, site.a);
+  return {-v.x, -v.y};
+}
+
+Point DiscPlaces::contact(const CornerDisc& disc, const Site& site) const {
+  if (site.kind == Site::Kind::vertex) return site.a;
+  const Point c = centre(disc), v = towards(disc, site);
+  return {c.x + v.x, c.y + v.y};
+}
+
+}  // namespace dymsum::shape

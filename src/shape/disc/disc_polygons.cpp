@@ -1,0 +1,105 @@
+// Chords and tangents in place of arcs.
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <utility>
+
+#include "dymsum/growing_disc.h"
+
+namespace dymsum {
+
+namespace {
+
+constexpr double kMostChords = 1e7;
+
+/// Replaces arcs by polygons that leave them by at most `error`.
+class ArcPolygons {
+ public:
+  ArcPolygons(double radius, double error, DiscBound bound) : radius_(radius), bound_(bound) {
+    // Half of the angle of a chord whose middle is `error` off, of a tangent whose end is.
+    chord_half_ = error >= radius ? std::numbers::pi / 2 : std::acos(1 - error / radius);
+    tangent_half_ = std::acos(radius / (radius + error));
+  }
+
+  Ring ring(const DiscRing& ring) {
+    Ring made;
+    for (const DiscPiece& piece : ring.pieces) {
+      if (piece.from.kind != DiscCorner::Kind::none) add(made, piece.from.at);
+      if (piece.of != DiscPiece::Of::edge) arc(made, piece);
+    }
+    while (made.size() > 1 && made.front() == made.back()) made.pop_back();
+    return made;
+  }
+
+  /// How many chords the arcs of a set take, before they are made.
+  double chords(const DiscPiece& piece) const { return std::ceil(std::abs(piece.sweep) / (2 * half(piece))); }
+  std::size_t made() const { return chords_; }
+
+ private:
+  bool chord(const DiscPiece& piece) const { return (piece.sweep > 0) == (bound_ == DiscBound::inside); }
+  double half(const DiscPiece& piece) const {
+    // Three at least for a whole circle.
+    return std::min(chord(piece) ? chord_half_ : tangent_half_, std::numbers::pi / 3);
+  }
+
+  static void add(Ring& ring, Point p) {
+    if (ring.empty() || !(ring.back() == p)) ring.push_back(p);
+  }
+
+  void arc(Ring& ring, const DiscPiece& piece) {
+    const double count = std::max(1.0, chords(piece)), step = piece.sweep / count;
+    const bool whole = piece.from.kind == DiscCorner::Kind::none, chord_here = chord(piece);
+    const double radius = chord_here ? radius_ : radius_ / std::cos(step / 2);
+    chords_ += static_cast<std::size_t>(count);
+    for (double i = chord_here ? (whole ? 0 : 1) : 0.5; i < count; ++i) {
+      const double angle = piece.from_angle + i * step;
+      add(ring, {piece.centre.x + radius * std::cos(angle), piece.centre.y + radius * std::sin(angle)});
+    }
+  }
+
+  double radius_, chord_half_ = 0, tangent_half_ = 0;
+  DiscBound bound_;
+  std::size_t chords_ = 0;
+};
+
+Error changed(Error error) {
+  error.message = "polygons of this error are no valid region, as parts of the boundary are closer (" + error.message + ")";
+  error.code = ErrorCode::rounding_changed_topology;
+  return error;
+}
+
+Error bad_error(const std::string& what) { return {ErrorCode::out_of_range, what, {}}; }
+
+}  // namespace
+
+Result<DiscPolygons> to_region(const DiscSet& set, double error, DiscBound bound) {
+  // A vertex is a position, or one at an angle from a centre that is: a few roundings more.
+  const double rounded = set.radius > 0 ? 4 * set.at_error : 0;
+  if (!(error > 0) || !std::isfinite(error)) return bad_error("the error of polygons is a positive number");
+  if (error < 2 * rounded)
+    return bad_error("the error of polygons is below what doubles keep of positions so far from the origin");
+  ArcPolygons polygons(set.radius, error - rounded, bound);
+  double chords = 0;
+  RegionData data;
+  const auto count = [&](const DiscRing& ring) {
+    for (const DiscPiece& piece : ring.pieces)
+      if (piece.of != DiscPiece::Of::edge) chords += polygons.chords(piece);
+  };
+  for (const DiscPart& part : set.parts) {
+    count(part.outer);
+    for (const DiscRing& hole : part.holes) count(hole);
+  }
+  if (chords > kMostChords) return bad_error("polygons of so small an error have more than ten million vertices");
+  for (const DiscPart& part : set.parts) {
+    Part& made = data.parts.emplace_back();
+    made.outer = polygons.ring(part.outer);
+    for (const DiscRing& hole : part.holes) made.holes.push_back(polygons.ring(hole));
+  }
+  for (const DiscSegment& segment : set.segments) data.polylines.push_back({segment.from.at, segment.to.at});
+  for (const DiscCorner& point : set.points) data.points.push_back(point.at);
+  auto region = Region::create(std::move(data));
+  if (!region) return changed(region.error());
+  return DiscPolygons{*std::move(region), polygons.made() == 0 ? rounded : error, rounded, polygons.made()};
+}
+
+}  // namespace dymsum

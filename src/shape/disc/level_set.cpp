@@ -1,0 +1,102 @@
+#include "shape/disc/level_set.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "base/union_find.h"
+#include "shape/disc/level_rings.h"
+#include "shape/disc/run_pieces.h"
+#include "shape/disc/tight_features.h"
+
+namespace dymsum::shape {
+
+namespace {
+
+std::vector<DiscPiece> moved_pieces(const DiscPlaces& places, const BoundaryOrder& order, const LevelRings& rings,
+                                    const std::vector<std::uint32_t>& ring) {
+  Pieces pieces;
+  for (const std::uint32_t run : ring) append_moved(places, order, rings.runs[run], pieces);
+  return std::move(pieces.list);
+}
+
+/// Components of the region that a sum joins: across edges of the complex below the radius, and along its rings.
+UnionFind joined_components(const DiscPlaces& places, const BoundaryOrder& order, const LevelRings& rings) {
+  const Complex& complex = places.complex();
+  std::uint32_t components = 0;
+  for (const Site& site : complex.sites) components = std::max(components, site.component + 1);
+  UnionFind joined(components);
+  for (const Edge& edge : complex.edges)
+    if (edge.low < places.level().below)
+      joined.unite(complex.sites[edge.left].component, complex.sites[edge.right].component);
+  const auto component = [&](std::uint32_t run) {
+    return complex.sites[order.first_site[rings.runs[run].loop]].component;
+  };
+  for (const auto& ring : rings.rings)
+    for (const std::uint32_t run : ring) joined.unite(component(ring.front()), component(run));
+  return joined;
+}
+
+}  // namespace
+
+void finish(const DiscPlaces& places, DiscSet& set) {
+  set.radius = places.level().radius;
+  set.radius_exact = places.level().text;
+  double reach = set.radius;
+  for (const Site& site : places.complex().sites) reach = std::max({reach, std::abs(site.a.x), std::abs(site.a.y)});
+  // Centres are within 2^-48 of their vectors from a place of the region, which are at most twice as long as anything
+  // is far from the origin, and a contact takes a few roundings more.
+  set.at_error = 0x1p-45 * reach;
+}
+
+DiscSet sum_set(const DiscPlaces& places, const BoundaryOrder& order, Semantics semantics) {
+  const Complex& complex = places.complex();
+  const LevelRings rings =
+      level_rings(complex, order, places.level(), places.level().up_to, Connected::region, true);
+  UnionFind joined = joined_components(places, order, rings);
+  std::vector<OwnedRing> made;
+  for (const auto& ring : rings.rings) {
+    const std::uint32_t loop = rings.runs[ring.front()].loop;
+    made.push_back({{moved_pieces(places, order, rings, ring)},
+                    joined.root(complex.sites[order.first_site[loop]].component)});
+  }
+  DiscSet set;
+  set.parts = parts_of(std::move(made), Corners::clockwise);
+  if (semantics == Semantics::open) {
+    TightFeatures tight = tight_features(places);
+    set.tight_segments = std::move(tight.segments);
+    set.tight_points = std::move(tight.points);
+  }
+  finish(places, set);
+  return set;
+}
+
+DiscSet eroded_set(const DiscPlaces& places, const BoundaryOrder& order, Semantics semantics) {
+  const Complex& complex = places.complex();
+  const std::uint32_t cut = places.level().up_to;
+  const LevelRings rings = level_rings(complex, order, places.level(), cut, Connected::discs, true);
+  UnionFind joined(static_cast<std::uint32_t>(complex.nodes.size()));
+  for (const Edge& edge : complex.edges)
+    if (edge.low >= cut) joined.unite(edge.low, edge.high);
+  std::vector<OwnedRing> made;
+  for (const auto& ring : rings.rings) {
+    const Run& run = rings.runs[ring.front()];
+    const std::uint32_t item = run.whole() ? order.first_item[run.loop] : run.from;
+    made.push_back({reversed(moved_pieces(places, order, rings, ring)),
+                    joined.root(complex.edges[order.items[item].edge].high)});
+  }
+  DiscSet set;
+  set.parts = parts_of(std::move(made), Corners::counter_clockwise);
+  if (semantics != Semantics::regular) {
+    TightFeatures tight = tight_features(places);
+    set.tight_segments = tight.segments;
+    set.tight_points = tight.points;
+    if (semantics == Semantics::closed) {
+      set.segments = std::move(tight.segments);
+      set.points = std::move(tight.points);
+    }
+  }
+  finish(places, set);
+  return set;
+}
+
+}  // namespace dymsum::shape

@@ -1,0 +1,178 @@
+#include "shape/disc/run_pieces.h"
+
+#include <cmath>
+#include <numbers>
+
+namespace dymsum::shape {
+
+namespace {
+
+constexpr double kPi = std::numbers::pi;
+
+double angle_of(Point v) { return std::atan2(v.y, v.x); }
+
+/// The sites of a run in the order of the walk, each with its index and whether the run begins and ends on it.
+template <class Use>
+void for_each_site(const DiscPlaces& places, const BoundaryOrder& order, const Run& run, const Use& use) {
+  const std::uint32_t first = order.first_site[run.loop], sites = order.first_site[run.loop + 1] - first;
+  std::uint32_t begin = 0, count = sites;
+  if (!run.whole()) {
+    begin = order.items[run.from].site - first;
+    count = (order.items[run.to].site - first + sites - begin) % sites + 1;
+    // Both ends on one site, but the last one in front of the first: once round.
+    if (count == 1 && run.to < run.from && sites > 1) count = sites + 1;
+  }
+  for (std::uint32_t i = 0; i < count; ++i) {
+    const std::uint32_t index = first + (begin + i) % sites;
+    use(places.complex().sites[index], index, i == 0 && !run.whole(), i + 1 == count && !run.whole());
+  }
+}
+
+/// A full turn where both ends are one direction; what doubles do not decide, the exact vectors do.
+double turn_about_point(const DiscPlaces& places, const CornerDisc& from, const CornerDisc& to, Point centre,
+                        double turn) {
+  constexpr double kClear = 1e-9;  // far beyond the error of two angles
+  if (turn > kClear && turn < 2 * kPi - kClear) return turn;
+  const auto u = places.exact_centre_from(from, centre), v = places.exact_centre_from(to, centre);
+  const int side = exact::sign_of(cross(u, v));
+  if (side > 0) return turn > kPi ? turn - 2 * kPi : turn;
+  if (side < 0) return turn > kPi ? turn : turn + 2 * kPi;
+  return 2 * kPi;
+}
+
+DiscCorner vertex_corner(std::uint32_t vertex, Point at) {
+  DiscCorner corner;
+  corner.kind = DiscCorner::Kind::vertex;
+  corner.vertex = vertex;
+  corner.at = at;
+  return corner;
+}
+
+DiscCorner centre_corner(const DiscPlaces& places, std::uint32_t edge) {
+  DiscCorner corner;
+  corner.kind = DiscCorner::Kind::centre;
+  corner.disc = places.disc_on(edge);
+  corner.at = places.centre(corner.disc);
+  return corner;
+}
+
+/// Where a moved edge meets the arc about a vertex at one of its ends.
+DiscCorner joint_corner(const DiscPlaces& places, const Site& vertex, const Site& edge) {
+  const Point n = places.normal(edge);
+  const double r = places.level().radius;
+  return vertex_corner(vertex.index, {vertex.a.x + r * n.x, vertex.a.y + r * n.y});
+}
+
+const Site& neighbour(const DiscPlaces& places, const BoundaryOrder& order, std::uint32_t site, int step) {
+  const std::uint32_t loop = places.complex().sites[site].loop;
+  const std::uint32_t first = order.first_site[loop], last = order.first_site[loop + 1];
+  if (step > 0) return places.complex().sites[site + 1 == last ? first : site + 1];
+  return places.complex().sites[site == first ? last - 1 : site - 1];
+}
+
+DiscCorner joint_with(const DiscPlaces& places, const BoundaryOrder& order, std::uint32_t site, int step) {
+  const Site &here = places.complex().sites[site], &other = neighbour(places, order, site, step);
+  return here.kind == Site::Kind::vertex ? joint_corner(places, here, other) : joint_corner(places, other, here);
+}
+
+DiscPiece moved_edge(const Site& site, DiscCorner from) {
+  DiscPiece piece;
+  piece.of = DiscPiece::Of::edge;
+  piece.index = site.index;
+  piece.heading = angle_of({site.b.x - site.a.x, site.b.y - site.a.y});
+  piece.from = from;
+  return piece;
+}
+
+/// From the vertex to a corner of its arc.
+Point arm(const DiscPlaces& places, const BoundaryOrder& order, std::uint32_t site, const DiscCorner& corner,
+          int step) {
+  const Point v = places.complex().sites[site].a;
+  if (corner.kind == DiscCorner::Kind::centre) return places.centre_from(corner.disc, v);
+  return places.normal(neighbour(places, order, site, step));
+}
+
+DiscPiece arc_about_vertex(const DiscPlaces& places, const BoundaryOrder& order, std::uint32_t index,
+                           const DiscCorner& from, const DiscCorner& to) {
+  const Site& site = places.complex().sites[index];
+  DiscPiece piece;
+  piece.of = DiscPiece::Of::vertex;
+  piece.index = site.index;
+  piece.centre = site.a;
+  piece.from = from;
+  const bool alone = order.first_site[site.loop + 1] - order.first_site[site.loop] == 1;
+  if (from.kind == DiscCorner::Kind::none) {
+    piece.sweep = 2 * kPi;
+    return piece;
+  }
+  piece.from_angle = angle_of(arm(places, order, index, from, -1));
+  const double to_angle = angle_of(arm(places, order, index, to, 1));
+  piece.sweep = turn_between(piece.from_angle, to_angle, alone ? 2 * kPi : kPi);
+  if (alone) piece.sweep = turn_about_point(places, from.disc, to.disc, site.a, piece.sweep);
+  return piece;
+}
+
+/// Whether the disc at an end of a run touches where the site there goes over into the next one: nothing of it is in
+/// the run.
+bool empty_at_end(const DiscPlaces& places, const BoundaryOrder& order, std::uint32_t item, bool begins) {
+  const Complex& complex = places.complex();
+  const BoundaryItem& here = order.items[item];
+  const std::uint32_t high = complex.edges[here.edge].high;
+  if (high == kNoIndex || !places.level().holds(high)) return false;
+  const BoundaryItem& inner = order.items[begins ? order.next(complex, item) : order.previous(complex, item)];
+  return inner.site != here.site || crosses(complex.edges[inner.edge], places.level().below);
+}
+
+}  // namespace
+
+double turn_between(double from_angle, double to_angle, double most) {
+  double turn = std::fmod(to_angle - from_angle, 2 * kPi);
+  if (turn < 0) turn += 2 * kPi;
+  return most < 2 * kPi && turn > most + kPi / 4 ? 0 : turn;
+}
+
+DiscCorner contact_corner(const DiscPlaces& places, std::uint32_t edge, std::uint32_t site) {
+  DiscCorner corner;
+  corner.kind = DiscCorner::Kind::contact;
+  corner.disc = places.disc_on(edge);
+  const Site& s = places.complex().sites[site];
+  if (s.kind == Site::Kind::vertex) return vertex_corner(s.index, s.a);
+  corner.at = places.contact(corner.disc, s);
+  return corner;
+}
+
+void append_moved(const DiscPlaces& places, const BoundaryOrder& order, const Run& run, Pieces& pieces) {
+  DiscCorner from;
+  const bool whole = run.whole();
+  const bool circle = whole && order.first_site[run.loop + 1] - order.first_site[run.loop] == 1;
+  if (!whole) from = centre_corner(places, order.items[run.from].edge);
+  else if (!circle) from = joint_with(places, order, order.first_site[run.loop], -1);
+  for_each_site(places, order, run, [&](const Site& site, std::uint32_t index, bool, bool ends) {
+    DiscCorner to;
+    if (ends) to = centre_corner(places, order.items[run.to].edge);
+    else if (!circle) to = joint_with(places, order, index, 1);
+    pieces.list.push_back(site.kind == Site::Kind::edge ? moved_edge(site, from)
+                                                        : arc_about_vertex(places, order, index, from, to));
+    from = to;
+  });
+  pieces.end = from;
+}
+
+void append_in_place(const DiscPlaces& places, const BoundaryOrder& order, const Run& run, Pieces& pieces) {
+  for_each_site(places, order, run, [&](const Site& site, std::uint32_t index, bool begins, bool ends) {
+    if (site.kind == Site::Kind::vertex) return;
+    if (begins && empty_at_end(places, order, run.from, true)) return;
+    if (ends && empty_at_end(places, order, run.to, false)) return;
+    const auto end_of_edge = [&](int step, Point at) {
+      return vertex_corner(neighbour(places, order, index, step).kind == Site::Kind::vertex
+                               ? neighbour(places, order, index, step).index
+                               : kNoIndex,
+                           at);
+    };
+    pieces.list.push_back(moved_edge(site, begins ? contact_corner(places, order.items[run.from].edge, index)
+                                                  : end_of_edge(-1, site.a)));
+    pieces.end = ends ? contact_corner(places, order.items[run.to].edge, index) : end_of_edge(1, site.b);
+  });
+}
+
+}  // namespace dymsum::shape

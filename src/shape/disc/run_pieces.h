@@ -1,0 +1,29 @@
+// The pieces of boundary that a run of places makes at a level.
+#pragma once
+
+#include "shape/disc/disc_places.h"
+#include "shape/disc/level_rings.h"
+
+namespace dymsum::shape {
+
+/// Pieces in the order of the walk, and where the last one ends.
+struct Pieces {
+  std::vector<DiscPiece> list;
+  DiscCorner end;
+};
+
+/// The places moved by the radius: segments, and arcs about vertices, counter-clockwise. Requires radius > 0.
+void append_moved(const DiscPlaces& places, const BoundaryOrder& order, const Run& run, Pieces& pieces);
+
+/// The places themselves: parts of edges between where the discs at both ends of the run touch. Pieces without length
+/// are left out, and so is a run that is a vertex alone. Requires radius > 0.
+void append_in_place(const DiscPlaces& places, const BoundaryOrder& order, const Run& run, Pieces& pieces);
+
+/// The corner where the disc on an edge of the complex touches the site on its left, or right.
+DiscCorner contact_corner(const DiscPlaces& places, std::uint32_t edge, std::uint32_t site);
+
+/// The turn from one direction to another, clockwise or not, in [0, 2 pi): what rounds to just below 0 is 0 where at
+/// most `most` + pi / 4 can be, else beyond it.
+double turn_between(double from_angle, double to_angle, double most);
+
+}  // namespace dymsum::shape

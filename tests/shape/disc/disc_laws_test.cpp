@@ -1,0 +1,248 @@
+#include <cmath>
+#include <limits>
+#include <nlohmann/json.hpp>
+#include <numbers>
+
+#include <gtest/gtest.h>
+
+#include "dymsum/region_io.h"
+#include "dymsum/shapes.h"
+#include "shape/disc/disc_oracle.h"
+
+namespace dymsum {
+namespace {
+
+constexpr double kTurn = std::numbers::pi;
+
+Rational rational(const char* text) { return *Rational::parse(text); }
+Region region_of(const char* wkt) {
+  return *Region::create((*parse_shapes(wkt, RegionFormat::wkt, "test")).front().data);
+}
+
+void expect_area(const DiscSet& set, double expected) {
+  const Measured measured = area(set);
+  EXPECT_NEAR(measured.value, expected, measured.error + 1e-13 * expected);
+  EXPECT_LT(measured.error, 1e-9 * (1 + expected));
+}
+
+double length_of(const Region& region) { return perimeter(*GrowingDisc(region).sum_at(Rational(0))).value; }
+
+TEST(DiscLaws, SteinersFormulaHoldsForConvexRegions) {
+  for (const Region& region : {shapes::rectangle(0, 0, 3, 2), shapes::disc(7, 2), region_of("POLYGON((0 0,9 1,2 1,0 0))")})
+    for (const char* r : {"1/1000", "1/3", "5", "1000"}) {
+      const double radius = rational(r).to_double();
+      const DiscSet set = *GrowingDisc(region).sum_at(rational(r));
+      expect_area(set, area(region) + length_of(region) * radius + kTurn * radius * radius);
+      const Measured around = perimeter(set);
+      EXPECT_NEAR(around.value, length_of(region) + 2 * kTurn * radius, around.error + 1e-12 * radius);
+    }
+}
+
+TEST(DiscLaws, BeforeTheFirstEventReflexVerticesTakeTheirShare) {
+  const Region region = shapes::letter_l(5, 4, 1);
+  const DiscSet set = *GrowingDisc(region).sum_at(rational("1/2"));
+  expect_area(set, area(region) + length_of(region) / 2 + 0.25 * (5 * kTurn / 4 - 1));
+}
+
+TEST(DiscLaws, RadiusZeroIsTheRegion) {
+  const Region region = region_of("GEOMETRYCOLLECTION(POLYGON((0 0,4 0,4 4,0 4,0 0),(1 1,1 2,2 2,1 1)),LINESTRING(6 0,7 1,8 0),POINT(9 9))");
+  const DiscSet set = *GrowingDisc(region).sum_at(Rational(0));
+  EXPECT_EQ(to_region(set, 1)->region, Region::create(to_region(set, 1)->region.data()).value());
+  EXPECT_EQ(set.parts.size(), 1u);
+  EXPECT_EQ(set.hole_count(), 1u);
+  EXPECT_EQ(set.segments.size(), 2u);
+  EXPECT_EQ(set.points.size(), 1u);
+  EXPECT_EQ(area(set).value, area(region));
+}
+
+TEST(DiscLaws, PointsAndLinesGrowToCirclesAndStadiums) {
+  const DiscSet circle = *GrowingDisc(region_of("POINT(3 4)")).sum_at(Rational(2));
+  ASSERT_EQ(circle.piece_count(), 1u);
+  EXPECT_EQ(circle.parts[0].outer.pieces[0].from.kind, DiscCorner::Kind::none);
+  expect_area(circle, 4 * kTurn);
+  EXPECT_EQ(bounds(circle), (std::array<double, 4>{1, 2, 5, 6}));
+  const DiscSet stadium = *GrowingDisc(region_of("LINESTRING(0 0,3 0)")).sum_at(Rational(1));
+  EXPECT_EQ(stadium.piece_count(), 4u);
+  expect_area(stadium, 6 + kTurn);
+}
+
+TEST(DiscLaws, DiscsThatTouchExactlyStayTwoParts) {
+  const GrowingDisc disc(region_of("MULTIPOINT((0 0),(6 0))"));
+  const DiscSet apart = *disc.sum_at(rational("2.999999999999999999999999"));
+  EXPECT_EQ(apart.parts.size(), 2u);
+  for (const DiscRadius& r : {DiscRadius(Rational(3)), DiscRadius::at_event(0)}) {
+    const DiscSet touching = *disc.sum_at(r);
+    EXPECT_EQ(touching.parts.size(), 2u);
+    expect_area(touching, 18 * kTurn);
+  }
+  const DiscSet joined = *disc.sum_at(rational("3.000000000000000000000001"));
+  EXPECT_EQ(joined.parts.size(), 1u);
+  EXPECT_EQ(joined.piece_count(), 2u);
+}
+
+TEST(DiscLaws, AChannelAsWideAsTheDiscIsTight) {
+  const GrowingDisc disc(region_of("POLYGON((0 0,10 0,10 6,6 6,6 2,4 2,4 6,0 6,0 0),(1 1,1 3,3 3,3 1,1 1))"));
+  const DiscSet open = *disc.sum_at(Rational(1), Semantics::open);
+  ASSERT_EQ(open.tight_segments.size(), 1u);
+  EXPECT_EQ(std::min(open.tight_segments[0].from.at.y, open.tight_segments[0].to.at.y), 3);
+  EXPECT_EQ(std::max(open.tight_segments[0].from.at.y, open.tight_segments[0].to.at.y), 6);
+  ASSERT_EQ(open.tight_points.size(), 1u);
+  EXPECT_EQ(open.tight_points[0].at, (Point{2, 2}));
+  for (const Semantics semantics : {Semantics::closed, Semantics::regular})
+    EXPECT_TRUE(disc.sum_at(Rational(1), semantics)->tight_points.empty());
+  EXPECT_EQ(disc.sum_at(Rational(1))->hole_count(), 0u);
+  EXPECT_EQ(disc.sum_at(rational("0.99999999999999999999"))->hole_count(), 1u);
+  EXPECT_TRUE(disc.sum_at(rational("0.99999999999999999999"), Semantics::open)->tight_points.empty());
+}
+
+TEST(DiscLaws, AnErosionKeepsWhatFitsExactly) {
+  const GrowingDisc disc(shapes::rectangle(0, 0, 7, 2));
+  const DiscSet closed = *disc.eroded_at(Rational(1)), regular = *disc.eroded_at(Rational(1), Semantics::regular),
+                open = *disc.eroded_at(Rational(1), Semantics::open);
+  EXPECT_TRUE(closed.parts.empty());
+  ASSERT_EQ(closed.segments.size(), 1u);
+  EXPECT_EQ(closed.tight_segments.size(), 1u);
+  EXPECT_TRUE(regular.segments.empty() && regular.tight_segments.empty());
+  EXPECT_TRUE(open.segments.empty());
+  EXPECT_EQ(open.tight_segments.size(), 1u);
+  const DiscSet stadium = *disc.opened_at(Rational(1));
+  expect_area(stadium, 10 + kTurn);
+  EXPECT_TRUE(disc.opened_at(Rational(1), Semantics::regular)->parts.empty());
+  EXPECT_TRUE(disc.opened_at(rational("1.0000000000000000000001"))->parts.empty());
+}
+
+TEST(DiscLaws, ASquareOpenedByItsIncircleIsThatCircle) {
+  const DiscSet set = *GrowingDisc(shapes::rectangle(0, 0, 2, 2)).opened_at(DiscRadius::at_event(0));
+  expect_area(set, kTurn);
+  EXPECT_EQ(set.piece_count(), 4u);
+}
+
+TEST(DiscLaws, PolygonalDiscsBoundTheSumFromBothSides) {
+  for (const Region& region : {shapes::star(5, 2, 5), shapes::grate(3, 2, 1, 4), shapes::random_polygon(24, 1, 3)})
+    for (const double r : {0.1, 0.4, 1.3}) {
+      const GrowingDisc disc(region);
+      constexpr int kSides = 64;
+      const Region inner = shapes::disc(kSides, r * (1 - 1e-12)), outer = shapes::disc(kSides, r / std::cos(kTurn / kSides) * (1 + 1e-12));
+      const DiscSet sum = *disc.sum_at(*Rational::of(r)), eroded = *disc.eroded_at(*Rational::of(r));
+      const double a = area(sum).value, e = area(eroded).value;
+      EXPECT_LT(minkowski_sum(region, inner)->area(), a);
+      EXPECT_GT(minkowski_sum(region, outer)->area(), a);
+      EXPECT_LE(erode(region, outer)->area(), e);
+      EXPECT_GE(erode(region, inner)->area(), e);
+    }
+}
+
+TEST(DiscLaws, PolygonsOfASetKeepTheirSideAndTheirError) {
+  const Region region = shapes::star(7, 2, 5);
+  const GrowingDisc disc(region);
+  for (const auto& made : {disc.sum_at(rational("1/2")), disc.eroded_at(rational("1/2")), disc.opened_at(rational("0.7")),
+                           disc.closed_at(rational("0.7"))}) {
+    const DiscSet& set = *made;
+    double before = std::numeric_limits<double>::infinity();
+    for (const double error : {0.1, 0.01, 0.0001}) {
+      const auto inside = to_region(set, error, DiscBound::inside), outside = to_region(set, error, DiscBound::outside);
+      ASSERT_TRUE(inside.ok() && outside.ok()) << inside.error().to_string();
+      const double a = area(set).value, length = perimeter(set).value;
+      EXPECT_LE(area(inside->region), a * (1 + 1e-12));
+      EXPECT_GE(area(outside->region), a * (1 - 1e-12));
+      const double gap = area(outside->region) - area(inside->region);
+      EXPECT_LE(gap, 2 * error * length);
+      EXPECT_LT(gap, before);
+      before = gap;
+      EXPECT_LE(inside->rounded, inside->error);
+    }
+  }
+}
+
+TEST(DiscLaws, SetsAreMonotoneAndOpeningsLieInsideClosings) {
+  const Region region = shapes::random_polygon(30, 2, 11);
+  const GrowingDisc disc(region);
+  double sum = area(region), eroded = area(region), opened = area(region), closed = area(region);
+  for (int i = 1; i <= 20; ++i) {
+    const Rational r = *Rational::of(i, 20);
+    const double s = area(*disc.sum_at(r)).value, e = area(*disc.eroded_at(r)).value,
+                 o = area(*disc.opened_at(r)).value, c = area(*disc.closed_at(r)).value;
+    EXPECT_GT(s, sum);
+    EXPECT_LE(e, eroded);
+    EXPECT_LE(o, opened + 1e-9);
+    EXPECT_GE(c, closed - 1e-9);
+    EXPECT_LE(e, o);
+    EXPECT_LE(c, s);
+    sum = s, eroded = e, opened = o, closed = c;
+  }
+}
+
+TEST(DiscLaws, AreasAreContinuousAtEvents) {
+  const Region region = shapes::random_polygon(20, 1, 5);
+  const GrowingDisc disc(region);
+  const auto events = *disc.events(DiscSide::outside);
+  ASSERT_GT(events.size(), 10u);
+  for (std::uint32_t i = 0; i < events.size(); i += 3) {
+    const double at = area(*disc.sum_at(DiscRadius::at_event(i))).value;
+    for (const double beside : {-1e-9, 1e-9}) {
+      const double r = events[i].radius + beside;
+      EXPECT_NEAR(area(*disc.sum_at(*Rational::of(r))).value, at, 1e-6 * (1 + at));
+    }
+  }
+}
+
+/// Pieces and corners by name alone.
+std::string names(const DiscSet& set) {
+  auto json = nlohmann::json::parse(disc_set_to_json(set));
+  std::string text;
+  const auto ring = [&](const nlohmann::json& r) {
+    for (const auto& piece : r.at("pieces")) {
+      auto from = piece.at("from");
+      from.erase("at");
+      text += piece.at("of").dump() + from.dump() + "\n";
+    }
+    text += "-\n";
+  };
+  for (const auto& part : json.at("parts")) {
+    ring(part.at("outer"));
+    for (const auto& hole : part.at("holes")) ring(hole);
+  }
+  return text;
+}
+
+TEST(DiscLaws, NamesDoNotChangeWithPlaceAndScale) {
+  const Region region = shapes::star(9, 2, 5);
+  const Region scaled = *dymsum::scaled(region, 0x1p40, 0x1p40);
+  for (const char* r : {"1/5", "1", "2"}) {
+    const std::string here = names(*GrowingDisc(region).sum_at(rational(r)));
+    EXPECT_EQ(here, names(*GrowingDisc(scaled).sum_at(rational(r) * *Rational::of(0x1p40))));
+  }
+  const Region comb = shapes::comb(4, 2, 1, 3), moved = *translated(comb, 0x1p45, -0x1p45);
+  const DiscSet a = *GrowingDisc(comb).sum_at(rational("1/2"), Semantics::open),
+                b = *GrowingDisc(moved).sum_at(rational("1/2"), Semantics::open);
+  EXPECT_EQ(names(a), names(b));
+  EXPECT_EQ(a.tight_segments.size(), b.tight_segments.size());
+  EXPECT_GT(a.tight_segments.size(), 0u);
+}
+
+TEST(DiscLaws, PicturesHaveTrueArcs) {
+  const Region region = shapes::rectangle(0, 0, 3, 2);
+  const std::string svg = draw_disc_set(region, *GrowingDisc(region).sum_at(Rational(1)));
+  std::size_t arcs = 0;
+  for (std::size_t at = svg.find("A152 152 0 0 0 "); at != std::string::npos; at = svg.find("A152 152", at + 1)) ++arcs;
+  EXPECT_EQ(arcs, 4u) << svg;
+}
+
+TEST(DiscErrors, AreToldWithWhatIsWrong) {
+  const GrowingDisc disc(shapes::letter_l(5, 4, 1));
+  EXPECT_EQ(disc.sum_at(Rational(-1)).error().code, ErrorCode::out_of_range);
+  EXPECT_EQ(disc.sum_at(DiscRadius::at_event(1000)).error().code, ErrorCode::out_of_range);
+  const GrowingDisc lines(region_of("LINESTRING(0 0,1 1)"));
+  EXPECT_EQ(lines.eroded_at(Rational(1)).error().code, ErrorCode::unsupported_operand);
+  EXPECT_EQ(lines.opened_at(Rational(1)).error().code, ErrorCode::unsupported_operand);
+  EXPECT_EQ(lines.closed_at(Rational(1)).error().code, ErrorCode::unsupported_operand);
+  const DiscSet set = *disc.sum_at(Rational(1));
+  for (const double error : {0.0, -1.0, std::numeric_limits<double>::quiet_NaN(), 1e-30})
+    EXPECT_EQ(to_region(set, error).error().code, ErrorCode::out_of_range);
+  const DiscSet empty = *GrowingDisc(Region()).sum_at(Rational(1));
+  EXPECT_TRUE(empty.parts.empty());
+  EXPECT_TRUE(to_region(empty, 1)->region.empty());
+}
+
+}  // namespace
+}  // namespace dymsum
