@@ -61,7 +61,9 @@ class Sweep {
     bar.end = end;
     bar.last = last;
     bar.parent = parent;
-    bar.minimum = pockets_.deepest(last);
+    const PocketMinimumAt minimum = pockets_.deepest(last);
+    bar.minimum = minimum.vertex;
+    bar.concavity = minimum.concavity;
     tracks_.bar_of[last] = std::uint32_t(tracks_.bars.size());
     tracks_.bars.push_back(bar);
   }
@@ -86,17 +88,25 @@ class Sweep {
       if (e != on) start(e, index, Bar::Death::merged, bar);
   }
 
-  std::uint32_t continuing(const Junction& j, std::uint32_t bar) {
+  std::uint32_t continuing(const Junction& j, std::uint32_t index) {
+    if (j.in.size() == 1) return j.in.front();
+    Bar& bar = tracks_.bars[index];
     const std::uint32_t oldest = elder_[j.out.front()];
-    std::uint32_t best = kNoIndex;
-    const std::uint32_t minimum = tracks_.bars[bar].minimum;
-    for (const std::uint32_t e : j.in) {
-      if (elder_[e] != oldest) continue;
-      if (minimum != kNoIndex && pockets_.holds(e, minimum)) return e;
-      if (best == kNoIndex || pockets_.compare(e, best) > 0) best = e;
+    std::vector<std::uint32_t> old;
+    for (const std::uint32_t e : j.in)
+      if (elder_[e] == oldest) old.push_back(e);
+    for (const std::uint32_t e : old)
+      if (bar.minimum != kNoIndex && pockets_.holds(e, bar.minimum)) return e;
+    // The minimum belongs to a younger bar, or there is none: from here on it is that of the older one's own pocket.
+    std::uint32_t best = old.front();
+    PocketMinimumAt deepest = pockets_.deepest(best);
+    for (const std::uint32_t e : old) {
+      const PocketMinimumAt other = pockets_.deepest(e);
+      if (other.concavity > deepest.concavity) best = e, deepest = other;
     }
-    // The minimum belongs to a younger bar, or to none: from here on it is that of the older one's own pocket.
-    tracks_.bars[bar].minimum = pockets_.deepest(best);
+    if (deepest.vertex == kNoIndex) return best;
+    bar.minimum = deepest.vertex;
+    bar.concavity = deepest.concavity;
     return best;
   }
 

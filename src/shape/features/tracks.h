@@ -32,17 +32,20 @@ struct Bar {
   std::uint32_t last = kNoIndex;   ///< the edge that it dies on, or leaves on
   std::uint32_t first = kNoIndex;  ///< the edge that it is born on
   std::uint32_t parent = kNoIndex;
-  std::uint32_t minimum = kNoIndex;  ///< what `deepest` told of its last edge, or of the last one that is not shared
+  std::uint32_t minimum = kNoIndex;  ///< what `deepest` told of its last edge, or where that belongs to a younger bar,
+  double concavity = 0;              ///< of the edge on which it met that
 };
 
-/// A place of the boundary, told by `deepest`, and whether the pocket of an edge holds it.
+/// A loop vertex, or kNoIndex where a bridge has no pocket.
+struct PocketMinimumAt {
+  std::uint32_t vertex = kNoIndex;
+  double concavity = 0;
+};
+
+/// What tracks ask about the bridges at the upper ends of edges.
 struct PocketOracle {
-  /// The pocket minimum of the bridge at the upper end of an edge; kNoIndex where the bridge has no pocket.
-  std::function<std::uint32_t(std::uint32_t edge)> deepest;
-  /// Whether a pocket minimum lies in the pocket of the bridge at the upper end of an edge.
-  std::function<bool(std::uint32_t edge, std::uint32_t minimum)> holds;
-  /// Which of two pockets at the upper ends of edges is deeper: -1, 0, 1 for the first less deep, equally, deeper.
-  std::function<int(std::uint32_t, std::uint32_t)> compare;
+  std::function<PocketMinimumAt(std::uint32_t edge)> deepest;
+  std::function<bool(std::uint32_t edge, std::uint32_t vertex)> holds;  ///< whether the pocket has the vertex inside
 };
 
 struct Tracks {
@@ -53,7 +56,7 @@ struct Tracks {
 
 /// Elder rule: where tracks meet, the one that was born first goes on. Of equally old ones it is the one whose pocket
 /// holds the pocket minimum of the bar where the bar dies, hence the deeper one as seen from there; where none holds it,
-/// the one with the deeper pocket, then the one of the lower edge. Bars are ordered by their births, then their first
+/// the one with the larger concavity, then the one of the lower edge. Bars are ordered by their births, then their first
 /// edges. O(edges) and one question per bar.
 /// Throws std::logic_error where a track would split, which no complex has.
 Tracks tracks_of(const Complex& complex, const PocketOracle& pockets);
