@@ -48,6 +48,8 @@ void add_verbs(CLI::App& app, Action& action) {
   add_path(app, action);
   add_depth(app, action);
   add_contains(app, action);
+  add_features(app, action);
+  add_decompose(app, action);
   add_info(app, action);
   add_convert(app, action);
   add_hull(app, action);

@@ -27,6 +27,8 @@ void add_angles(CLI::App& app, Action& action);
 void add_path(CLI::App& app, Action& action);
 void add_depth(CLI::App& app, Action& action);
 void add_contains(CLI::App& app, Action& action);
+void add_features(CLI::App& app, Action& action);
+void add_decompose(CLI::App& app, Action& action);
 void add_info(CLI::App& app, Action& action);
 void add_convert(CLI::App& app, Action& action);
 void add_hull(CLI::App& app, Action& action);

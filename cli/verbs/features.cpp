@@ -1,0 +1,263 @@
+// dymsum features P and dymsum decompose P
+#include <CLI/CLI.hpp>
+#include <cmath>
+#include <iostream>
+#include <map>
+#include <memory>
+#include <optional>
+
+#include "dymsum/decomposition.h"
+#include "dymsum/growing_disc.h"
+#include "dymsum/region_io.h"
+#include "dymsum/shape_features.h"
+#include "inputs.h"
+#include "options.h"
+#include "outputs.h"
+#include "pictures/shape_pictures.h"
+#include "planar/tier.h"
+#include "report.h"
+#include "timing.h"
+#include "verbs/commands.h"
+
+namespace dymsum::cli {
+namespace {
+
+const std::map<std::string, Concavity> kConcavities{{"straight", Concavity::straight_line},
+                                                    {"shortest", Concavity::shortest_path},
+                                                    {"hybrid1", Concavity::hybrid1},
+                                                    {"hybrid2", Concavity::hybrid2}};
+
+struct FeaturesCommand {
+  std::string operand, alpha, tau = "0", from = "0", to, concavity = "straight";
+  double hybrid_tolerance = 0;
+  bool exact = false;
+  OutputOptions output;
+  ReportOptions report;
+  InputOptions input;
+};
+
+/// A diameter or a span of diameters.
+Rational read_number(const std::string& text, const std::string& option) {
+  Rational value = require_option(Rational::parse(text), option);
+  if (value.sign() < 0) throw Stop(kUsage, option + " wants a number of at least 0, not '" + text + "'");
+  return value;
+}
+
+struct Selection {
+  Rational life, from;
+  std::optional<Rational> to;
+};
+
+Selection selection_of(const FeaturesCommand& command) {
+  Selection s{read_number(command.tau, "--tau"), read_number(command.from, "--alpha-from"), std::nullopt};
+  if (!command.to.empty()) s.to = read_number(command.to, "--alpha-to");
+  if (s.to && *s.to < s.from) throw Stop(kUsage, "--alpha-to is below --alpha-from");
+  return s;
+}
+
+FeatureOptions options_of(const FeaturesCommand& command) {
+  FeatureOptions options;
+  options.concavity = kConcavities.at(command.concavity);
+  options.hybrid_tolerance = command.hybrid_tolerance;
+  return options;
+}
+
+Json point_json(Point p) { return {p.x, p.y}; }
+Json point_json(const RationalPoint& p) { return {p.x.to_string(), p.y.to_string()}; }
+Json optional_json(const std::optional<std::uint32_t>& v) { return v ? Json(*v) : Json(nullptr); }
+
+const char* death_name(FeatureBar::Death death) {
+  return death == FeatureBar::Death::merged ? "merged" : death == FeatureBar::Death::filled ? "filled" : "never";
+}
+
+Json bar_json(const ShapeFeatures& features, std::uint32_t index, bool exact) {
+  const FeatureBar& bar = features.bars()[index];
+  Json json{{"bar", index},
+            {"born", bar.born == FeatureBar::Birth::corner ? "corner" : "neck"},
+            {"died", death_name(bar.died)},
+            {"birth", bar.birth_alpha},
+            {"death", bar.death ? Json(bar.death_alpha) : Json(nullptr)},
+            {"birth_event", bar.birth},
+            {"death_event", optional_json(bar.death)},
+            {"parent", optional_json(bar.parent)},
+            {"vertex", optional_json(bar.vertex)},
+            {"minimum", optional_json(bar.minimum)},
+            {"concavity", bar.concavity},
+            {"in_hole", bar.in_hole}};
+  if (!exact) return json;
+  json["birth_exact"] = features.event_text(bar.birth);
+  json["death_exact"] = bar.death ? Json(features.event_text(*bar.death)) : Json(nullptr);
+  return json;
+}
+
+Json bridge_json(const AlphaBridge& b) {
+  const auto contact = [](const BridgeContact& c) {
+    return Json{{"on", c.at_vertex ? "vertex" : "edge"}, {"index", c.index}, {"at", point_json(c.at)}};
+  };
+  return {{"from", contact(b.from)},   {"to", contact(b.to)},    {"centre", point_json(b.centre)},
+          {"gap", b.gap},              {"length", b.length},     {"bar", b.bar},
+          {"pocket", b.pocket_size},   {"minimum", optional_json(b.minimum)},
+          {"concavity", b.concavity}};
+}
+
+void print_bars(const ShapeFeatures& features, const std::vector<std::uint32_t>& kept,
+                const std::vector<AlphaBridge>* bridges) {
+  std::cout << counted(features.bars().size(), "bar") << ", " << counted(features.event_count(), "event") << ", "
+            << kept.size() << " kept\n     birth      death  ends    minimum  concavity\n";
+  for (const std::uint32_t i : kept) {
+    const FeatureBar& bar = features.bars()[i];
+    char line[160];
+    std::snprintf(line, sizeof line, "%10.6g %10.6g  %-6s  %7s %10.6g\n", bar.birth_alpha, bar.death_alpha,
+                  death_name(bar.died), bar.minimum ? std::to_string(*bar.minimum).c_str() : "gap", bar.concavity);
+    std::cout << line;
+  }
+  if (bridges != nullptr) std::cout << counted(bridges->size(), "bridge") << "\n";
+}
+
+void write_pictures(const FeaturesCommand& command, const ShapeFeatures& features, const std::vector<AlphaBridge>& at,
+                    const std::vector<std::uint32_t>& kept) {
+  for (const std::string& file : command.output.files)
+    if (!file.ends_with(".svg")) throw Stop(kUsage, "-o writes .svg: " + file);
+  if (command.output.files.empty()) return;
+  Region sum;
+  double alpha = 0;
+  if (!command.alpha.empty()) {
+    const Rational r = read_number(command.alpha, "--alpha") / Rational(2);
+    alpha = 2 * r.to_double();
+    const DiscSet set = require(GrowingDisc(features.region()).sum_at(r));
+    if (alpha > 0) sum = require(to_region(set, alpha / 2000)).region;
+  }
+  for (const std::string& file : command.output.files)
+    write_text(file, features_picture(features, sum, at, alpha, kept));
+}
+
+ExitCode run_features(const FeaturesCommand& command) {
+  const Selection selection = selection_of(command);
+  std::optional<Rational> alpha;
+  if (!command.alpha.empty()) alpha = read_number(command.alpha, "--alpha");
+  report_stream(command.output.files, command.report.json);
+  const std::vector<Input> inputs{read_input(command.operand, command.input)};
+  const auto [features, timing] = timed(command.report.repeat, [&] {
+    return require_of(inputs, ShapeFeatures::create(inputs[0].region, options_of(command)));
+  });
+  const std::vector<std::uint32_t> kept = features.lasting(selection.life, selection.from, selection.to);
+  std::vector<AlphaBridge> bridges;
+  if (alpha) bridges = require_of(inputs, features.bridges(*alpha));
+  write_pictures(command, features, bridges, kept);
+  if (!command.report.json) {
+    print_bars(features, kept, alpha ? &bridges : nullptr);
+    print_times(std::cout, timing);
+    return kDone;
+  }
+  Json json = report_head("features", inputs_json(inputs), tier_of(inputs[0].region), timing);
+  Json bars = Json::array(), list = Json::array();
+  for (const std::uint32_t i : kept) bars.push_back(bar_json(features, i, command.exact));
+  for (const AlphaBridge& b : bridges) list.push_back(bridge_json(b));
+  json.update({{"events", features.event_count()}, {"bars", features.bars().size()}, {"kept", bars}});
+  json["bridges"] = alpha ? list : Json(nullptr);
+  print_report(json);
+  return kDone;
+}
+
+Json ring_json(const RationalRing& ring) {
+  Json points = Json::array();
+  for (const RationalPoint& p : ring) points.push_back(point_json(p));
+  return points;
+}
+
+Json cut_json(const Cut& cut) {
+  const char* end = cut.end == Cut::End::vertex ? "vertex" : cut.end == Cut::End::edge ? "edge" : "cut";
+  return {{"vertex", cut.vertex},        {"end", end},                {"index", cut.index},
+          {"from", point_json(cut.from)}, {"to", point_json(cut.to)}, {"bar", cut.bar}};
+}
+
+Json piece_json(const Piece& piece) {
+  Json holes = Json::array();
+  for (const RationalRing& hole : piece.holes) holes.push_back(ring_json(hole));
+  return {{"outer", ring_json(piece.outer)}, {"holes", holes}};
+}
+
+void write_pieces(const FeaturesCommand& command, const Region& region, const Decomposition& made) {
+  std::vector<std::string> texts;
+  for (const std::string& file : command.output.files) {
+    const RegionFormat format = output_format(file, command.output);
+    if (format == RegionFormat::svg) {
+      texts.push_back(decomposition_picture(region, made));
+      continue;
+    }
+    const std::vector<Region> pieces = require(rounded(made));
+    std::string text;
+    for (const Region& piece : pieces) text += format_region(piece, format);
+    texts.push_back(text);
+  }
+  for (std::size_t i = 0; i < texts.size(); ++i) write_text(command.output.files[i], texts[i]);
+}
+
+ExitCode run_decompose(const FeaturesCommand& command) {
+  const Selection selection = selection_of(command);
+  std::ostream& out = report_stream(command.output.files, command.report.json);
+  for (const std::string& file : command.output.files)
+    if (const RegionFormat f = output_format(file, command.output); f != RegionFormat::svg && f != RegionFormat::wkt)
+      throw Stop(kUsage, "-o writes .wkt (a polygon per line) and .svg: " + file);
+  const std::vector<Input> inputs{read_input(command.operand, command.input)};
+  const auto [made, timing] = timed(command.report.repeat, [&] {
+    const ShapeFeatures features = require_of(inputs, ShapeFeatures::create(inputs[0].region, options_of(command)));
+    return require_of(inputs, decompose(features, {selection.life, selection.from, selection.to}));
+  });
+  write_pieces(command, inputs[0].region, made);
+  if (!command.report.json) {
+    out << counted(made.cuts.size(), "cut") << ", " << counted(made.pieces.size(), "piece") << "\n";
+    print_times(out, timing);
+    return kDone;
+  }
+  Json json = report_head("decompose", inputs_json(inputs), tier_of(inputs[0].region), timing);
+  Json cuts = Json::array(), pieces = Json::array();
+  for (const Cut& cut : made.cuts) cuts.push_back(cut_json(cut));
+  for (const Piece& piece : made.pieces) pieces.push_back(piece_json(piece));
+  json["cuts"] = cuts;
+  json["pieces"] = pieces;
+  print_report(json);
+  return kDone;
+}
+
+void add_shared_options(CLI::App& verb, FeaturesCommand& command) {
+  verb.add_option("P", command.operand, "The region: a file, or - for standard input")->required()->type_name("");
+  verb.add_option("--tau", command.tau, "Keep what lasts at least this long, in diameters")->type_name("T");
+  verb.add_option("--alpha-from", command.from, "Count lives from this diameter on")->type_name("A");
+  verb.add_option("--alpha-to", command.to, "Count lives up to this diameter")->type_name("B");
+  verb.add_option("--concavity", command.concavity, "How the deepest vertex of a pocket is found")
+      ->check(CLI::IsMember({"straight", "shortest", "hybrid1", "hybrid2"}))
+      ->capture_default_str();
+  within(verb.add_option("--hybrid-tolerance", command.hybrid_tolerance,
+                         "Of hybrid2: pockets no deeper than this are measured by shortest paths"),
+         0)
+      ->type_name("D");
+  add_report_options(verb, command.report, "Compute N times and report the median and minimum time");
+  add_input_options(verb, command.input);
+}
+
+}  // namespace
+
+void add_features(CLI::App& app, Action& action) {
+  auto command = std::make_shared<FeaturesCommand>();
+  CLI::App& verb = *app.add_subcommand("features", "What a growing disc sees: bridges, pockets and how long they last");
+  add_shared_options(verb, *command);
+  verb.add_option("--alpha", command->alpha, "Also the bridges of the disc of this diameter")->type_name("A");
+  verb.add_flag("--exact", command->exact, "With --json: births and deaths as formulas of roots, too");
+  verb.add_option("-o,--output", command->output.files, "A picture .svg; may be given several times")->type_name("FILE");
+  verb.footer("Example: dymsum features beetle.poly --repair --alpha 1/5 --tau 1/10 -o beetle.svg --json");
+  verb.callback([command, &action] { action = [command] { return run_features(*command); }; });
+}
+
+void add_decompose(CLI::App& app, Action& action) {
+  auto command = std::make_shared<FeaturesCommand>();
+  CLI::App& verb = *app.add_subcommand("decompose", "Cuts a region into nearly convex pieces at its lasting pockets");
+  add_shared_options(verb, *command);
+  verb.add_option("-o,--output", command->output.files,
+                  "Pieces .wkt, a polygon per line, or a picture .svg; may be given several times")
+      ->type_name("FILE");
+  verb.footer("Example: dymsum decompose beetle.poly --repair --tau 1/10 -o pieces.wkt -o pieces.svg");
+  verb.callback([command, &action] { action = [command] { return run_decompose(*command); }; });
+}
+
+}  // namespace dymsum::cli

@@ -1,0 +1,52 @@
+// The boundary as closed loops of vertices, in the order of the sites of a complex: what lies between two contacts.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <vector>
+
+#include "shape/complex/complex.h"
+
+namespace dymsum::shape {
+
+/// A vertex of a loop, reflex or convex. The loop's edge behind it leads to the next one.
+struct LoopVertex {
+  Point at;
+  std::uint32_t vertex = 0;  ///< of the region
+  std::uint32_t edge = kNoIndex;  ///< site of the loop edge that starts here; kNoIndex for a region's isolated point
+  bool convex = false;       ///< a site of its own
+};
+
+/// Vertices [first, last) of a closed loop.
+struct BoundaryLoop {
+  std::uint32_t first = 0, last = 0, component = 0;
+  bool encloses = false;  ///< the discs around it lie in what it bounds: the loop of a hole
+  /// Convex vertices, not in line, from which a ray leads to infinity without coming near the loop again: no pocket has
+  /// one of them inside. Of loops that enclose: none.
+  std::array<std::uint32_t, 3> outermost{kNoIndex, kNoIndex, kNoIndex};
+};
+
+struct BoundaryLoops {
+  std::vector<LoopVertex> vertices;
+  std::vector<BoundaryLoop> loops;
+  std::vector<std::uint32_t> loop_of;    ///< loop vertex -> loop
+  std::vector<std::uint32_t> before;     ///< site -> the last loop vertex strictly before a contact with it
+  std::vector<std::uint32_t> after;      ///< site -> the first one strictly behind it
+  std::vector<std::uint32_t> loop_of_site;
+
+  std::uint32_t next(std::uint32_t v) const;
+  std::uint32_t previous(std::uint32_t v) const;
+};
+
+/// Vertices first, next(first), ..., last of one loop.
+struct BoundaryChain {
+  std::uint32_t loop = 0, first = 0, last = 0;
+};
+
+std::uint32_t length(const BoundaryLoops& loops, const BoundaryChain& chain);
+bool holds(const BoundaryLoops& loops, const BoundaryChain& chain, std::uint32_t vertex);
+
+/// O(sites).
+BoundaryLoops boundary_loops(const Complex& complex);
+
+}  // namespace dymsum::shape

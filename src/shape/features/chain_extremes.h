@@ -1,0 +1,39 @@
+// The vertex of a chain of the boundary that lies farthest to the left of a line.
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "shape/features/boundary_loops.h"
+#include "shape/features/place.h"
+
+namespace dymsum::shape {
+
+/// Convex hulls of the runs of a binary tree over all loops.
+class ChainExtremes {
+ public:
+  /// O(n log n). Keeps a reference.
+  explicit ChainExtremes(const BoundaryLoops& loops);
+
+  /// The vertex of the chain that is farthest to the left of the directed line a -> b; of several the one that comes
+  /// first in its direction, then the one with the smallest index. Exact. O(log^2 n) signs.
+  std::uint32_t farthest(const BoundaryChain& chain, const Place& a, const Place& b) const;
+
+ private:
+  struct Hull {
+    std::vector<std::uint32_t> upper, lower;  ///< from left to right, without vertices in the middle of their edges
+  };
+  struct Line {
+    const Place &a, &b;
+    int dx = 0;  ///< sign of b.x - a.x
+  };
+  bool better(const Line& line, std::uint32_t v, std::uint32_t than) const;
+  void see(const Line& line, std::uint32_t v, std::uint32_t& best) const;
+  void see_run(const Line& line, std::uint32_t first, std::uint32_t end, std::uint32_t& best) const;
+  void see_hull(const Line& line, const Hull& hull, std::uint32_t& best) const;
+
+  const BoundaryLoops* loops_;
+  std::vector<std::vector<Hull>> levels_;  ///< level k: runs of kRun 2^k vertices
+};
+
+}  // namespace dymsum::shape

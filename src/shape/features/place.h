@@ -1,0 +1,23 @@
+// Ends of bridges and vertices of pockets: points that are doubles, or exact ones beside their doubles.
+#pragma once
+
+#include <memory>
+
+#include "shape/complex/complex.h"
+
+namespace dymsum::shape {
+
+struct Place {
+  Point at;                                 ///< each coordinate rounded
+  std::shared_ptr<const ExactPoint> exact;  ///< null: it is `at`
+};
+
+/// The signs of (b - a) x (d - c) and (b - a) . (d - c), exactly.
+int cross_sign(const Place& a, const Place& b, const Place& c, const Place& d);
+int dot_sign(const Place& a, const Place& b, const Place& c, const Place& d);
+inline int turn_sign(const Place& a, const Place& b, const Place& c) { return cross_sign(a, b, a, c); }
+
+/// Where the disc about an exact centre touches a site.
+Place contact_place(const Complex& complex, std::uint32_t site, const ExactPoint& centre);
+
+}  // namespace dymsum::shape

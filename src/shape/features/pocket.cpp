@@ -1,0 +1,106 @@
+#include "shape/features/pocket.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "shape/features/geodesic.h"
+
+namespace dymsum::shape {
+namespace {
+
+bool holds_outermost(const BoundaryLoops& loops, const BoundaryChain& chain) {
+  const auto& outermost = loops.loops[chain.loop].outermost;
+  return std::any_of(outermost.begin(), outermost.end(),
+                     [&](std::uint32_t v) { return v != kNoIndex && holds(loops, chain, v); });
+}
+
+Bridge bridge_between(const Complex& complex, const BoundaryLoops& loops, std::uint32_t edge, Place left, Place right) {
+  const PocketSide side = pocket_side(complex, loops, edge);
+  const Edge& e = complex.edges[edge];
+  if (side.ahead) return {std::move(left), std::move(right), e.left, e.right, side.chain};
+  return {std::move(right), std::move(left), e.right, e.left, side.chain};
+}
+
+/// Whether an edge of the chain runs backwards along the bridge: only then may shortest paths turn at vertices.
+bool turns_back(const BoundaryLoops& loops, const Bridge& bridge) {
+  const BoundaryChain& chain = *bridge.pocket;
+  Place last = bridge.from;
+  for (std::uint32_t v = chain.first;; v = loops.next(v)) {
+    const Place here{loops.vertices[v].at, nullptr};
+    if (dot_sign(bridge.from, bridge.to, last, here) < 0) return true;
+    last = here;
+    if (v == chain.last) break;
+  }
+  return dot_sign(bridge.from, bridge.to, last, bridge.to) < 0;
+}
+
+Deepest straight_minimum(const BoundaryLoops& loops, const ChainExtremes& extremes, const Bridge& bridge) {
+  const std::uint32_t v = extremes.farthest(*bridge.pocket, bridge.from, bridge.to);
+  return {v, straight_depth(bridge, loops.vertices[v].at)};
+}
+
+Deepest geodesic_minimum(const BoundaryLoops& loops, const Bridge& bridge) {
+  std::vector<Place> chain;
+  for (std::uint32_t v = bridge.pocket->first;; v = loops.next(v)) {
+    chain.push_back({loops.vertices[v].at, nullptr});
+    if (v == bridge.pocket->last) break;
+  }
+  const std::vector<double> far = distances_from_bridge(bridge.from, chain, bridge.to);
+  Deepest best;
+  std::uint32_t v = bridge.pocket->first;
+  for (const double distance : far) {
+    if (best.vertex == kNoIndex || distance > best.concavity) best = {v, distance};
+    v = loops.next(v);
+  }
+  return best;
+}
+
+}  // namespace
+
+PocketSide pocket_side(const Complex& complex, const BoundaryLoops& loops, std::uint32_t edge) {
+  const std::uint32_t left = complex.edges[edge].left, right = complex.edges[edge].right;
+  const std::uint32_t loop = loops.loop_of_site[left];
+  if (loops.loop_of_site[right] != loop) return {};
+  const BoundaryChain behind{loop, loops.after[right], loops.before[left]};
+  if (!holds_outermost(loops, behind)) return {behind, false};
+  return {BoundaryChain{loop, loops.after[left], loops.before[right]}, true};
+}
+
+Bridge bridge_at_end(const Complex& complex, const BoundaryLoops& loops, std::uint32_t edge) {
+  const Edge& e = complex.edges[edge];
+  if (e.high == kNoIndex) {
+    const Place left{complex.sites[e.left].a, nullptr}, right{complex.sites[e.right].a, nullptr};
+    return bridge_between(complex, loops, edge, left, right);
+  }
+  if (complex.sites[e.left].kind == Site::Kind::vertex && complex.sites[e.right].kind == Site::Kind::vertex)
+    return bridge_between(complex, loops, edge, {complex.sites[e.left].a, nullptr}, {complex.sites[e.right].a, nullptr});
+  const ExactPoint centre = exact_disc(complex, e.high).centre;
+  return bridge_between(complex, loops, edge, contact_place(complex, e.left, centre),
+                        contact_place(complex, e.right, centre));
+}
+
+Bridge bridge_at(const Complex& complex, const BoundaryLoops& loops, std::uint32_t edge, const Rational& r) {
+  const Edge& e = complex.edges[edge];
+  const ExactPoint centre = exact_centre_on_edge(complex, edge, r);
+  return bridge_between(complex, loops, edge, contact_place(complex, e.left, centre),
+                        contact_place(complex, e.right, centre));
+}
+
+double straight_depth(const Bridge& bridge, Point p) {
+  const Point a = bridge.from.at, b = bridge.to.at;
+  const double dx = b.x - a.x, dy = b.y - a.y, length = std::hypot(dx, dy);
+  return length > 0 ? std::max(0.0, (dx * (p.y - a.y) - dy * (p.x - a.x)) / length) : 0.0;
+}
+
+Deepest pocket_minimum(const BoundaryLoops& loops, const ChainExtremes& extremes, const Bridge& bridge,
+                       const FeatureOptions& options) {
+  const bool shortest = options.concavity == Concavity::shortest_path ||
+                        (options.concavity == Concavity::hybrid1 && turns_back(loops, bridge));
+  if (shortest) return geodesic_minimum(loops, bridge);
+  const Deepest straight = straight_minimum(loops, extremes, bridge);
+  if (options.concavity == Concavity::hybrid2 && straight.concavity <= options.hybrid_tolerance)
+    return geodesic_minimum(loops, bridge);
+  return straight;
+}
+
+}  // namespace dymsum::shape

@@ -1,0 +1,206 @@
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+#include "shape/features/feature_state.h"
+
+namespace dymsum {
+namespace {
+
+using namespace shape;  // NOLINT(google-build-using-namespace)
+
+FeatureBar public_bar(const ShapeFeatures::State& state, const Bar& bar) {
+  const Complex& complex = state.complex;
+  const Node& birth = complex.nodes[state.tracks.junctions[bar.birth].nodes.front()];
+  FeatureBar result;
+  result.born = birth.kind == Node::Kind::corner ? FeatureBar::Birth::corner : FeatureBar::Birth::neck;
+  result.died = bar.death == Bar::Death::merged   ? FeatureBar::Death::merged
+                : bar.death == Bar::Death::filled ? FeatureBar::Death::filled
+                                                  : FeatureBar::Death::never;
+  result.birth = birth.rank;
+  result.birth_alpha = 2 * birth.radius;
+  result.death_alpha = INFINITY;
+  if (bar.end != kNoIndex) {
+    const Node& end = complex.nodes[state.tracks.junctions[bar.end].nodes.front()];
+    result.death = end.rank;
+    result.death_alpha = 2 * end.radius;
+  }
+  if (bar.parent != kNoIndex) result.parent = bar.parent;
+  if (birth.kind == Node::Kind::corner) result.vertex = birth.vertex;
+  const std::uint32_t left = complex.edges[bar.first].left;
+  result.in_hole = state.loops.loops[state.loops.loop_of_site[left]].encloses;
+  result.loop = state.loops.loop_of_site[left];
+  if (bar.minimum != kNoIndex) {
+    result.minimum = state.loops.vertices[bar.minimum].vertex;
+    result.loop = state.loops.loop_of[bar.minimum];
+    result.concavity = bar.concavity;
+  }
+  return result;
+}
+
+/// Lives between two diameters as exact halves of diameters, compared with as little exact work as possible.
+class Lives {
+ public:
+  using Number = exact::RootExpression;
+  Lives(const ShapeFeatures::State& state, const Rational& from, const std::optional<Rational>& to)
+      : state_(state), from_(half(from)), below_(nodes_below(state.complex, halved(from))) {
+    if (to) to_ = half(*to), above_ = nodes_up_to(state.complex, halved(*to));
+  }
+  static Rational halved(const Rational& alpha) { return alpha / Rational(2); }
+  static Number half(const Rational& alpha) {
+    const exact::RationalParts& parts = exact::RationalAccess::parts(halved(alpha));
+    return Number(exact::BigRational(parts.num, parts.den));
+  }
+
+  bool endless(const FeatureBar& bar) const { return !bar.death && !to_; }
+  /// Ranks that tell equal clipped births and deaths apart at once: nodes at the ends of the range count as its ends.
+  std::uint32_t birth_key(const FeatureBar& bar) const {
+    const std::uint32_t node = state_.first_node[bar.birth];
+    return node < below_ ? kNoIndex : bar.birth;
+  }
+  std::uint32_t death_key(const FeatureBar& bar) const {
+    if (!bar.death) return kNoIndex;
+    return to_ && state_.first_node[*bar.death] >= above_ ? kNoIndex : *bar.death;
+  }
+  Number birth(const FeatureBar& bar) const {
+    return birth_key(bar) == kNoIndex ? from_ : exact_radius(state_.complex, state_.first_node[bar.birth]);
+  }
+  Number death(const FeatureBar& bar) const {
+    return death_key(bar) == kNoIndex ? *to_ : exact_radius(state_.complex, state_.first_node[*bar.death]);
+  }
+  /// Negative for a bar outside of the range. Requires: not endless.
+  Number life(const FeatureBar& bar) const { return death(bar) - birth(bar); }
+
+ private:
+  const ShapeFeatures::State& state_;
+  Number from_;
+  std::optional<Number> to_;
+  std::uint32_t below_ = 0, above_ = 0;
+};
+
+BridgeContact contact_of(const Complex& complex, std::uint32_t site, const Place& place) {
+  const Site& s = complex.sites[site];
+  return {s.kind == Site::Kind::vertex, s.index, place.at};
+}
+
+/// Edges of the complex that a level crosses, as ShapeFeatures::bridges says.
+std::vector<std::uint32_t> crossed_edges(const ShapeFeatures::State& state, const Rational& r) {
+  const std::uint32_t below = nodes_below(state.complex, r), up_to = nodes_up_to(state.complex, r);
+  std::vector<std::uint32_t> edges;
+  for (std::uint32_t e = 0; e < state.complex.edges.size(); ++e) {
+    const Edge& edge = state.complex.edges[e];
+    if (!edge.flat && edge.low < below && (edge.high == kNoIndex || edge.high >= below)) edges.push_back(e);
+  }
+  for (const Junction& j : state.tracks.junctions)
+    if (j.in.empty() && j.nodes.front() >= below && j.nodes.front() < up_to)
+      edges.insert(edges.end(), j.out.begin(), j.out.end());
+  return edges;
+}
+
+AlphaBridge public_bridge(const ShapeFeatures::State& state, std::uint32_t edge, const Rational& r) {
+  const Bridge bridge = bridge_at(state.complex, state.loops, edge, r);
+  AlphaBridge result;
+  result.from = contact_of(state.complex, bridge.from_site, bridge.from);
+  result.to = contact_of(state.complex, bridge.to_site, bridge.to);
+  result.centre = disc_on_edge(state.complex, edge, r).centre;
+  result.gap = !bridge.pocket;
+  result.length = std::hypot(bridge.to.at.x - bridge.from.at.x, bridge.to.at.y - bridge.from.at.y);
+  result.bar = state.tracks.bar_of[edge];
+  if (!bridge.pocket) return result;
+  result.pocket_size = length(state.loops, *bridge.pocket);
+  const Deepest deepest = pocket_minimum(state.loops, *state.extremes, bridge, state.options);
+  result.minimum = state.loops.vertices[deepest.vertex].vertex;
+  result.concavity = deepest.concavity;
+  return result;
+}
+
+/// What tracks ask of pockets, with the bridges at the ends of edges.
+PocketOracle oracle_of(const ShapeFeatures::State& state) {
+  const auto minimum = [&state](std::uint32_t edge) {
+    const Bridge bridge = bridge_at_end(state.complex, state.loops, edge);
+    return bridge.pocket ? pocket_minimum(state.loops, *state.extremes, bridge, state.options) : Deepest{};
+  };
+  PocketOracle oracle;
+  oracle.deepest = [minimum](std::uint32_t edge) {
+    const Deepest found = minimum(edge);
+    return PocketMinimumAt{found.vertex, found.concavity};
+  };
+  oracle.holds = [&state](std::uint32_t edge, std::uint32_t vertex) {
+    const PocketSide side = pocket_side(state.complex, state.loops, edge);
+    return side.chain && holds(state.loops, *side.chain, vertex);
+  };
+  return oracle;
+}
+
+}  // namespace
+
+Result<ShapeFeatures> ShapeFeatures::create(const Region& region, const FeatureOptions& options) {
+  if (region.empty()) return Error{ErrorCode::unsupported_operand, "an empty region has no features", {}};
+  if (!(options.hybrid_tolerance >= 0) || std::isinf(options.hybrid_tolerance))
+    return Error{ErrorCode::out_of_range, "the tolerance of hybrid2 is a number of at least 0", {}};
+  Result<Complex> complex = make_complex(region, Side::outside, Engine::fast, options.threads);
+  if (!complex) return complex.error();
+  auto state = std::make_shared<State>();
+  state->region = region;
+  state->options = options;
+  state->complex = std::move(complex).value();
+  state->loops = boundary_loops(state->complex);
+  state->extremes.emplace(state->loops);
+  state->tracks = tracks_of(state->complex, oracle_of(*state));
+  for (std::uint32_t n = 0; n < state->complex.nodes.size(); ++n)
+    if (state->complex.nodes[n].rank == state->first_node.size()) state->first_node.push_back(n);
+  for (const Bar& bar : state->tracks.bars) state->bars.push_back(public_bar(*state, bar));
+  return ShapeFeatures(std::move(state));
+}
+
+const Region& ShapeFeatures::region() const { return state_->region; }
+const FeatureOptions& ShapeFeatures::options() const { return state_->options; }
+const std::vector<FeatureBar>& ShapeFeatures::bars() const { return state_->bars; }
+std::uint32_t ShapeFeatures::event_count() const { return std::uint32_t(state_->first_node.size()); }
+
+double ShapeFeatures::event_alpha(std::uint32_t event) const {
+  if (event >= event_count()) throw std::invalid_argument("no such event");
+  return 2 * state_->complex.nodes[state_->first_node[event]].radius;
+}
+
+std::string ShapeFeatures::event_text(std::uint32_t event) const {
+  if (event >= event_count()) throw std::invalid_argument("no such event");
+  const exact::RootExpression r = exact_radius(state_->complex, state_->first_node[event]);
+  return to_text(exact::RootExpression(2) * r);
+}
+
+Result<std::vector<AlphaBridge>> ShapeFeatures::bridges(const Rational& alpha) const {
+  if (alpha.sign() < 0) return Error{ErrorCode::out_of_range, "alpha is a diameter: at least 0", {}};
+  const Rational r = alpha / Rational(2);
+  std::vector<AlphaBridge> bridges;
+  for (const std::uint32_t e : crossed_edges(*state_, r)) bridges.push_back(public_bridge(*state_, e, r));
+  return bridges;
+}
+
+std::vector<std::uint32_t> ShapeFeatures::lasting(const Rational& life, const Rational& from,
+                                                  const std::optional<Rational>& to) const {
+  const Lives lives(*state_, from, to);
+  const exact::RootExpression least = Lives::half(life);
+  std::vector<std::uint32_t> kept;
+  std::vector<exact::RootExpression> length(bars().size());
+  for (std::uint32_t i = 0; i < bars().size(); ++i) {
+    const FeatureBar& bar = bars()[i];
+    if (!lives.endless(bar)) {
+      length[i] = lives.life(bar);
+      if (exact::sign_of(length[i]) < 0 || compare(length[i], least) < 0) continue;
+    }
+    kept.push_back(i);
+  }
+  const auto longer = [&](std::uint32_t i, std::uint32_t j) {
+    const FeatureBar &a = bars()[i], &b = bars()[j];
+    if (lives.endless(a) != lives.endless(b)) return lives.endless(a);
+    const bool same = lives.birth_key(a) == lives.birth_key(b) && lives.death_key(a) == lives.death_key(b);
+    if (!lives.endless(a) && !same)
+      if (const int sign = compare(length[i], length[j]); sign != 0) return sign > 0;
+    return a.concavity != b.concavity ? a.concavity > b.concavity : i < j;
+  };
+  std::sort(kept.begin(), kept.end(), longer);
+  return kept;
+}
+
+}  // namespace dymsum
