@@ -145,19 +145,6 @@ TEST(Decompose, LevelsAreNested) {
   }
 }
 
-TEST(Decompose, SmallNoiseLeavesLastingCutsWhereTheyWere) {
-  // A notch in each side, and teeth 1/16 high along the bottom.
-  Ring clean{{0, 0}, {40, 0}, {40, 20}, {24, 20}, {20, 8}, {16, 20}, {0, 20}}, noisy{{0, 0}};
-  for (int i = 1; i < 40; ++i) noisy.push_back({double(i), i % 2 == 1 ? -0.0625 : 0.0});
-  noisy.insert(noisy.end(), clean.begin() + 1, clean.end());
-  const Decomposition a = cut(Region::create({{{clean, {}}}, {}, {}}).value(), 6);
-  const Decomposition b = cut(Region::create({{{noisy, {}}}, {}, {}}).value(), 6);
-  ASSERT_EQ(a.cuts.size(), 1u);
-  ASSERT_EQ(b.cuts.size(), 1u);
-  EXPECT_EQ(a.cuts[0].from, b.cuts[0].from);
-  EXPECT_EQ(a.pieces.size(), b.pieces.size());
-}
-
 TEST(Decompose, WhatCannotBeCutIsTold) {
   const ShapeFeatures line = ShapeFeatures::create(Region::create({{}, {{{0, 0}, {1, 0}, {1, 1}}}, {}}).value()).value();
   EXPECT_EQ(decompose(line).error().code, ErrorCode::unsupported_operand);
