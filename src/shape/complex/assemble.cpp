@@ -86,7 +86,8 @@ class Assembly {
     int least = 100;
     for (const std::uint32_t i : round) {
       const CellPiece &p = pieces_[i], &q = pieces_[p.next];
-      int cost = (walks_.is_edge(p.site) ? 0 : 2) + (walks_.is_edge(p.other) ? 1 : 0) + (walks_.is_edge(q.other) ? 1 : 0);
+      int cost =
+          (walks_.is_edge(p.site) ? 0 : 2) + (walks_.is_edge(p.other) ? 1 : 0) + (walks_.is_edge(q.other) ? 1 : 0);
       if (p.to.kind != Mark::Kind::crossing) cost -= 2;
       if (cost < least) {
         least = cost;
@@ -189,8 +190,8 @@ class Assembly {
   const Walks& walks_;
   const std::vector<CellPiece>& pieces_;
   Graph graph_;
-  std::vector<std::uint32_t> node_after_;            // per piece
-  std::vector<std::vector<std::uint32_t>> rounds_;   // per node: pieces that end there
+  std::vector<std::uint32_t> node_after_;           // per piece
+  std::vector<std::vector<std::uint32_t>> rounds_;  // per node: pieces that end there
   std::vector<std::array<std::uint32_t, 2>> edges_of_;
   std::vector<std::array<std::uint32_t, 3>> necks_;
 };

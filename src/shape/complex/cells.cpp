@@ -21,11 +21,12 @@ bool begins_past(Order& order, const CellPiece& piece, std::uint32_t other) {
 using Iterator = std::vector<std::uint32_t>::iterator;
 
 /// Pieces of one site with one other site, so that those of a vertex begin behind the direction away from the other.
+/// The piece across the first direction begins last of all, though it is the first of its row.
 void order_from_away(Order& order, const Cells& cells, Iterator first, Iterator last) {
   const CellPiece& piece = cells.pieces[*first];
   if (last - first < 2 || order.walks().is_edge(piece.site)) return;
-  std::stable_partition(first, last,
-                        [&](std::uint32_t i) { return begins_past(order, cells.pieces[i], piece.other); });
+  if (piece.wraps) std::rotate(first, first + 1, last);
+  std::stable_partition(first, last, [&](std::uint32_t i) { return begins_past(order, cells.pieces[i], piece.other); });
 }
 
 }  // namespace
@@ -45,7 +46,7 @@ Cells join_cells(const Walks& walks, const std::vector<Section>& sections,
           out.back().to_section = s;
           out.back().to = p.to;
         } else {
-          out.push_back({s.site, p.other, s, s, p.from, p.to, 0, 0, kNoIndex});
+          out.push_back({.site = s.site, .other = p.other, .section = s, .to_section = s, .from = p.from, .to = p.to});
         }
       }
     }
@@ -53,6 +54,7 @@ Cells join_cells(const Walks& walks, const std::vector<Section>& sections,
     if (out.size() > first + 1 && out[first].site == out.back().site && out[first].other == out.back().other) {
       out[first].section = out.back().section;
       out[first].from = out.back().from;
+      out[first].wraps = true;
       out.pop_back();
     }
     for (std::size_t k = first; k < out.size(); ++k) {

@@ -14,6 +14,7 @@ struct CellPiece {
   std::uint32_t site = 0, other = kNoIndex;
   Section section, to_section;
   Mark from, to;
+  bool wraps = false;                ///< it begins before the first direction of an isolated point and ends behind it
   std::uint32_t next = 0, prev = 0;  ///< in the walk
   std::uint32_t mate = kNoIndex;     ///< the same discs as seen from the other site; they go backwards there
 };
@@ -23,8 +24,7 @@ struct Cells {
 };
 
 /// Joins the envelopes of all sites (their sections in order). `rows[i]` are the pieces of section i.
-Cells join_cells(const Walks& walks, const std::vector<Section>& sections,
-                 const std::vector<std::vector<Piece>>& rows);
+Cells join_cells(const Walks& walks, const std::vector<Section>& sections, const std::vector<std::vector<Piece>>& rows);
 
 /// Finds mates: along two sites the pieces that they share come in opposite orders. False where some piece has none:
 /// then candidates are missing.

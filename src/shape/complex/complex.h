@@ -1,5 +1,6 @@
 // The complex of a region: all centres of discs that touch its boundary at two places or more and lie outside it (or
-// inside it). A sum with a disc is a level of this complex, an event one of its nodes. See docs/design/growing-discs.md.
+// inside it). A sum with a disc is a level of this complex, an event one of its nodes. See
+// docs/design/growing-discs.md.
 #pragma once
 
 #include <cstdint>
@@ -27,7 +28,7 @@ struct Site {
   std::uint32_t index = 0;      ///< of the edge or vertex in the region
   std::uint32_t loop = 0;       ///< closed walk of the boundary; sites of a loop are consecutive, in its order
   std::uint32_t component = 0;  ///< connected piece of the region
-  Point a, b;                   ///< the edge's ends in the order of the walk, the discs on the right; equal for a vertex
+  Point a, b;  ///< the edge's ends in the order of the walk, the discs on the right; equal for a vertex
 };
 
 /// A disc that touches at least two places, or a reflex vertex. Nodes are sorted by radius.
@@ -40,7 +41,7 @@ struct Node {
   };
   Kind kind = Kind::joint;
   std::uint32_t rank = 0;           ///< equal exactly for equal radii; ascending, without gaps
-  Point centre = {};                 ///< each coordinate within some ulps of the larger one
+  Point centre = {};                ///< each coordinate within some ulps of the larger one
   double radius = 0;                ///< within some ulps
   std::uint32_t vertex = kNoIndex;  ///< corner: of the region
 };
@@ -63,10 +64,10 @@ struct ExactComplex;  // exact/: the sites in integers and what every node is ma
 
 /// What it took to make a complex.
 struct Work {
-  std::uint64_t candidates = 0;      ///< pairs of sites, in both orders
-  std::uint64_t closing_rounds = 0;  ///< how often envelopes named pairs that were no candidates
-  std::uint64_t full_sites = 0;      ///< sites that took all others as candidates
-  bool certified = false;            ///< of the fast engine: without all pairs
+  std::uint64_t candidates = 0;           ///< pairs of sites, in both orders
+  std::uint64_t closing_rounds = 0;       ///< how often envelopes named pairs that were no candidates
+  std::uint64_t full_sites = 0;           ///< sites that took all others as candidates
+  bool certified = false;                 ///< of the fast engine: without all pairs
   std::uint64_t filtered = 0, exact = 0;  ///< decisions by intervals, by exact numbers
 };
 
@@ -88,8 +89,8 @@ enum class Engine : std::uint8_t {
   brute,  ///< every site is a candidate of every site: O(n^2) steps at least
 };
 
-/// Errors: unsupported_operand where polylines cross or run along themselves or others, with evidence; out_of_range for
-/// coordinates beyond 2^1000. An empty region has the empty complex.
+/// Errors: unsupported_operand where discs lie outside and a polyline or point touches another piece of the region or
+/// itself, with the place; out_of_range for coordinates beyond 2^1000. An empty region has the empty complex.
 Result<Complex> make_complex(const Region& region, Side side, Engine engine = Engine::fast, int threads = 0);
 
 // Exact questions. Radii and positions are in input coordinates.

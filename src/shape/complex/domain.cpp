@@ -7,9 +7,7 @@ using exact::cross_sign;
 using exact::dot_sign;
 using exact::orient_sign;
 
-Mark infinite(int sign) {
-  return {.kind = sign < 0 ? Mark::Kind::minus_infinity : Mark::Kind::plus_infinity};
-}
+Mark infinite(int sign) { return {.kind = sign < 0 ? Mark::Kind::minus_infinity : Mark::Kind::plus_infinity}; }
 
 /// A directed edge by its ends.
 struct Line {
@@ -39,8 +37,8 @@ class DomainOf {
   void edge_along_edge() {
     const Line s(site(s_.site)), j(site(j_));
     const int start = s.side(j.a), end = s.side(j.b);
-    if (start <= 0 && end <= 0) return;                   // j lies behind s
-    if (j.side(s.a) <= 0 && j.side(s.b) <= 0) return;     // s lies behind j
+    if (start <= 0 && end <= 0) return;                                                   // j lies behind s
+    if (j.side(s.a) <= 0 && j.side(s.b) <= 0) return;                                     // s lies behind j
     if (cross_sign(s.a, s.b, j.a, j.b) == 0 && dot_sign(s.a, s.b, j.a, j.b) > 0) return;  // never both at once
     // An end of j behind s: lines cross, beyond an end of s, and discs between s and j reach as far as s does.
     out_.add(end > 0 ? order_.tangent(s_, j_, 1) : infinite(-1), start > 0 ? order_.tangent(s_, j_, 0) : infinite(1));

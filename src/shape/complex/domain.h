@@ -17,8 +17,8 @@ struct Domain {
   void add(Mark low, Mark high) { stretches[static_cast<std::size_t>(count++)] = {low, high}; }
 };
 
-/// A superset within which Formulas::function(s, j) is the disc's. At a vertex the function may be negative in it, where
-/// no disc touches both. Empty where no disc does; ends may lie beyond the section's. Exact.
+/// A superset within which Formulas::function(s, j) is the disc's. At a vertex the function may be negative in it,
+/// where no disc touches both. Empty where no disc does; ends may lie beyond the section's. Exact.
 Domain domain(Order& order, const Section& s, std::uint32_t j);
 
 }  // namespace dymsum::shape

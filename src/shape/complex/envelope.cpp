@@ -7,7 +7,8 @@ namespace dymsum::shape {
 Envelope::Envelope(Order& order, const Section& section)
     : order_(order), section_(section), on_edge_(order.walks().is_edge(section.site)) {
   functions_.push_back({});
-  parts_.push_back({order.mark(section, {.kind = Mark::Kind::start}), order.mark(section, {.kind = Mark::Kind::end}), 0});
+  parts_.push_back(
+      {order.mark(section, {.kind = Mark::Kind::start}), order.mark(section, {.kind = Mark::Kind::end}), 0});
 }
 
 void Envelope::insert(std::uint32_t j) {
@@ -95,8 +96,7 @@ std::vector<Section> sections_of(const Walks& walks, std::uint32_t site) {
   constexpr std::array<Point, 4> kAxes{Point{1, 0}, Point{0, 1}, Point{-1, 0}, Point{0, -1}};
   for (std::uint8_t axis = 0; axis < 4; ++axis) {
     const Point back = kAxes[(axis + 2) % 4];
-    if (exact::dot_sign(in.a, in.b, o, back) < 0 || exact::dot_sign(out.a, out.b, o, back) > 0)
-      return {{site, axis}};
+    if (exact::dot_sign(in.a, in.b, o, back) < 0 || exact::dot_sign(out.a, out.b, o, back) > 0) return {{site, axis}};
   }
   throw std::logic_error("a corner with all directions");
 }

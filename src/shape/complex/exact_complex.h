@@ -35,9 +35,9 @@ T radius_of(const Walks& walks, const DiscSource& source);
 
 struct ExactComplex {
   Walks walks;
-  std::vector<DiscSource> discs;                       ///< per node
-  std::vector<exact::Interval> radii;                  ///< per node, in interval units
-  std::vector<std::vector<std::uint32_t>> contacts;    ///< per node: sites, clockwise
+  std::vector<DiscSource> discs;                     ///< per node
+  std::vector<exact::Interval> radii;                ///< per node, in interval units
+  std::vector<std::vector<std::uint32_t>> contacts;  ///< per node: sites, clockwise
 };
 
 }  // namespace dymsum::shape

@@ -16,7 +16,7 @@ bool before(const Point& a, const Point& b) { return a.x != b.x ? a.x < b.x : a.
 struct Segment {
   Point a, b;
   std::uint32_t index = 0, from_index = 0, to_index = 0;  ///< edge, and vertices; kNoIndex where it was cut
-  bool one_sided = true;  ///< of a ring
+  bool one_sided = true;                                  ///< of a ring
 };
 
 struct Segments {

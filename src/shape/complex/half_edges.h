@@ -19,9 +19,9 @@ struct HalfEdge {
 struct HalfEdges {
   std::vector<Point> points;  ///< no two equal, lexicographically
   std::vector<HalfEdge> edges;
-  std::vector<std::uint32_t> next;                                 ///< edge -> edge
-  std::vector<std::pair<std::uint32_t, std::uint32_t>> isolated;   ///< points that are components; vertex indices
-  std::vector<std::uint32_t> component;                            ///< point -> connected piece of the region
+  std::vector<std::uint32_t> next;                                ///< edge -> edge
+  std::vector<std::pair<std::uint32_t, std::uint32_t>> isolated;  ///< points that are components; vertex indices
+  std::vector<std::uint32_t> component;                           ///< point -> connected piece of the region
 };
 
 /// Edges are cut at the places where rings touch. Outside, a polyline is there and back; inside, polylines and points

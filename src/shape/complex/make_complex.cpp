@@ -2,6 +2,7 @@
 
 #include "shape/complex/assemble.h"
 #include "shape/complex/site_rows.h"
+#include "shape/complex/thin_contacts.h"
 
 namespace dymsum::shape {
 namespace {
@@ -36,6 +37,9 @@ std::optional<Cells> certified_cells(Order& order, Candidates candidates, int th
 }  // namespace
 
 Result<Complex> make_complex(const Region& region, Side side, Engine engine, int threads) {
+  if (side == Side::outside) {
+    if (std::optional<Error> error = thin_contact(region)) return *std::move(error);
+  }
   Result<Walks> walks = make_walks(region, side);
   if (!walks) return walks.error();
   auto exact = std::make_shared<ExactComplex>();

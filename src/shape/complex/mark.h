@@ -29,7 +29,7 @@ struct Mark {
   };
   Kind kind = Kind::start;
   std::uint8_t root = 0;
-  std::int8_t lead = 0;    ///< crossing: the signs of the quadratic's coefficients of x^2 and x
+  std::int8_t lead = 0;  ///< crossing: the signs of the quadratic's coefficients of x^2 and x
   std::int8_t slope = 0;
   std::uint32_t i = kNoIndex, j = kNoIndex;
   exact::Interval near = {};  ///< contains the parameter, unless it is infinite

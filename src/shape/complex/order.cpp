@@ -7,8 +7,8 @@ int Order::compare(const Section& s, const Mark& a, const Mark& b) {
   if (a.kind == b.kind && (a.is_infinite() || a.same(b))) return 0;
   if (a.kind == Kind::minus_infinity || b.kind == Kind::plus_infinity) return -1;
   if (b.kind == Kind::minus_infinity || a.kind == Kind::plus_infinity) return 1;
-  const bool decided = a.near.high() < b.near.low() || a.near.low() > b.near.high() ||
-                       (a.near.is_point() && b.near.is_point());
+  const bool decided =
+      a.near.high() < b.near.low() || a.near.low() > b.near.high() || (a.near.is_point() && b.near.is_point());
   if (decided) {
     ++counts.filtered;
     return a.near.low() < b.near.low() ? -1 : a.near.low() > b.near.low();

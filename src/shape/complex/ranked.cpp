@@ -96,7 +96,6 @@ class Ranking {
   std::vector<std::optional<RootExpression>> exact_;
 };
 
-
 bool is_narrow(const DiscOf<Interval>& d) {
   const double scale = std::max(std::abs(d.x.middle()), std::abs(d.y.middle()));
   return is_narrow(d.x, scale) && is_narrow(d.y, scale) && is_narrow(d.radius, d.radius.middle());

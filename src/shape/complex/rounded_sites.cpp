@@ -47,7 +47,8 @@ RoundedSites round_sites(const Walks& walks) {
     out.lossless = out.lossless && whole == scaled && std::ldexp(scaled, -shift) + from == v;
     return static_cast<std::int32_t>(whole);
   };
-  for (const BoundaryPoint& p : walks.points) out.points.push_back({round(p.input.x, middle.x), round(p.input.y, middle.y)});
+  for (const BoundaryPoint& p : walks.points)
+    out.points.push_back({round(p.input.x, middle.x), round(p.input.y, middle.y)});
   for (std::uint32_t s = 0; s < walks.sites.size(); ++s) {
     const RoundedPoint a = out.points[walks.ends[s].a], b = out.points[walks.ends[s].b];
     if (a != b) out.segments.push_back({std::min(a, b), std::max(a, b), s});

@@ -14,8 +14,8 @@ class SiteRows {
   /// `candidates`: per site, ascending.
   SiteRows(const Walks& walks, Candidates candidates, int threads);
 
-  /// Envelopes, and again with what their breakpoints name, until these name nothing new. Where an envelope jumps at the
-  /// end of a site, that site's neighbours in the walk become candidates, then all sites.
+  /// Envelopes, and again with what their breakpoints name, until these name nothing new. Where an envelope jumps at
+  /// the end of a site, that site's neighbours in the walk become candidates, then all sites.
   void close();
 
   const std::vector<Section>& sections() const { return sections_; }

@@ -32,7 +32,7 @@ struct SiteLoop {
 struct Walks {
   Side side = Side::outside;
   std::vector<Site> sites;
-  std::vector<SiteEnds> ends;  ///< per site
+  std::vector<SiteEnds> ends;         ///< per site
   std::vector<std::uint32_t> corner;  ///< per site: the region's vertex at its start if that is reflex, or kNoIndex
   std::vector<SiteLoop> loops;
   std::vector<BoundaryPoint> points;

@@ -58,9 +58,7 @@ std::string edge_errors(const Complex& c) {
     const auto count = c.first_spoke[n + 1] - c.first_spoke[n];
     using Kind = shape::Node::Kind;
     const Kind kind = c.nodes[n].kind;
-    const bool fits = kind == Kind::corner  ? count == 1
-                      : kind == Kind::joint ? count >= 3
-                                            : count == 2;
+    const bool fits = kind == Kind::corner ? count == 1 : kind == Kind::joint ? count >= 3 : count == 2;
     if (!fits) out << "node " << n << " has " << count << " spokes\n";
     for (auto s = c.first_spoke[n]; s < c.first_spoke[n + 1]; ++s) {
       const shape::Edge& e = c.edges[c.spokes[s].edge];
