@@ -90,7 +90,8 @@ enum class Engine : std::uint8_t {
 };
 
 /// Errors: unsupported_operand where discs lie outside and a polyline or point touches another piece of the region or
-/// itself, with the place; out_of_range for coordinates beyond 2^1000. An empty region has the empty complex.
+/// itself, with the place; out_of_range for coordinates beyond 2^1000 and where a node's disc is larger than doubles
+/// reach. An empty region has the empty complex.
 Result<Complex> make_complex(const Region& region, Side side, Engine engine = Engine::fast, int threads = 0);
 
 // Exact questions. Radii and positions are in input coordinates.

@@ -1,0 +1,14 @@
+// The complex of given walks, from a guess which may be wrong.
+#pragma once
+
+#include <optional>
+
+#include "shape/complex/candidates.h"
+
+namespace dymsum::shape {
+
+/// The same complex whatever the guess: it is completed, certified, and where that fails replaced by all pairs, as
+/// where there is none.
+Complex complex_from(Walks walks, std::optional<Candidates> guess, int threads);
+
+}  // namespace dymsum::shape
