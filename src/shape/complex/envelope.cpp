@@ -1,5 +1,7 @@
 #include "shape/complex/envelope.h"
 
+#include <algorithm>
+#include <iterator>
 #include <stdexcept>
 
 namespace dymsum::shape {
@@ -20,8 +22,14 @@ void Envelope::insert(std::uint32_t j) {
 }
 
 void Envelope::insert_stretch(std::uint32_t slot, Stretch s) {
+  // The parts that it meets, and one on either side, which may be of the same function.
+  auto first = std::partition_point(parts_.begin(), parts_.end(), [&](const Part& p) { return !less(s.low, p.to); });
+  auto last = std::partition_point(first, parts_.end(), [&](const Part& p) { return less(p.from, s.high); });
+  if (first != parts_.begin()) --first;
+  if (last != parts_.end()) ++last;
   scratch_.clear();
-  for (const Part& part : parts_) {
+  for (auto p = first; p != last; ++p) {
+    const Part& part = *p;
     const bool from_inside = less(part.from, s.low), to_inside = less(s.high, part.to);
     const Mark &low = from_inside ? s.low : part.from, &high = to_inside ? s.high : part.to;
     if (!less(low, high)) {
@@ -32,7 +40,9 @@ void Envelope::insert_stretch(std::uint32_t slot, Stretch s) {
     compete(part, slot, low, high);
     if (to_inside) put(high, part.to, part.slot);
   }
-  parts_.swap(scratch_);
+  const auto kept = std::min<std::ptrdiff_t>(last - first, std::ssize(scratch_));
+  const auto at = std::copy_n(scratch_.begin(), kept, first);
+  parts_.insert(parts_.erase(at, last), scratch_.begin() + kept, scratch_.end());
 }
 
 /// The smaller disc, or greater curvature, of the part's function and another, from low to high.

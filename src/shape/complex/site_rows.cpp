@@ -143,13 +143,18 @@ bool SiteRows::is_continuous(const Ends& e) {
   } else if (walks_.is_edge(s) && walks_.is_edge(e.after_section.site)) {
     return i == e.after_section.site && j == s;  // a reflex vertex
   }
-  if ((walks_.is_edge(s) && i == kNoIndex) || (walks_.is_edge(e.after_section.site) && j == kNoIndex)) return false;
+  const bool alike = walks_.is_edge(s) == walks_.is_edge(e.after_section.site);
+  const bool half_plane_before = walks_.is_edge(s) && i == kNoIndex;
+  const bool half_plane_after = walks_.is_edge(e.after_section.site) && j == kNoIndex;
+  if (alike && (half_plane_before || half_plane_after)) return false;
   return order_.sign([&](const auto& formulas) {
     const auto before = size_at(formulas, e.before_section, m, i);
     const auto after = size_at(formulas, e.after_section, e.after.from, j);
     using T = std::decay_t<decltype(before)>;
-    // Radii along edges, curvatures about vertices.
-    return walks_.is_edge(s) == walks_.is_edge(e.after_section.site) ? T(before - after) : T(before * after - T(1));
+    // Radii along edges, curvatures about vertices; the curvature of a half-plane along an edge is 0.
+    if (half_plane_before) return T(after);
+    if (half_plane_after) return T(before);
+    return alike ? T(before - after) : T(before * after - T(1));
   }) == 0;
 }
 

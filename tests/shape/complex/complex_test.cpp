@@ -191,6 +191,13 @@ TEST(Complex, CandidatesWithoutThoseOfOneSiteAreCompleted) {
   }
 }
 
+// Half-planes lie along the tips of the teeth, next to discs about their vertices that grow without end.
+TEST(Complex, CandidatesOfCombsStayFew) {
+  const Complex c = make_complex(comb(50, 2, 1, 3), Side::outside).value();
+  EXPECT_EQ(c.work.full_sites, 0U);
+  EXPECT_LT(c.work.candidates, 20 * c.sites.size());
+}
+
 // Each square goes once round infinity by itself: only the certificate sees that they are two.
 TEST(Complex, GuessesThatFailTheCertificateFallBackToAllPairs) {
   const Region region = together({square_at(0, 0, 2), square_at(5, 1, 3)});
