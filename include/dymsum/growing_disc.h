@@ -156,8 +156,9 @@ class GrowingDisc {
   /// Radii at which the boundary's pieces change, positive and ascending. O(n log n) when first asked for.
   Result<std::vector<DiscEvent>> events(DiscSide side) const;
 
-  // Errors of the following: out_of_range for a negative radius and an event that there is not; what make_complex cannot
-  // take. Radius 0 gives the region. Cost: O(n).
+  // Errors of the following: out_of_range for a negative radius, an event that there is not, coordinates beyond 2^1000
+  // and discs larger than doubles reach; outside, unsupported_operand where a polyline or point touches another piece,
+  // with the place. Radius 0 gives the region. Cost: O(n).
 
   /// P + D, { x : distance from P at most r }. Tight features, of the open semantics: where a disc that stays clear of P
   /// touches it on all sides.
