@@ -153,7 +153,7 @@ ExitCode run_features(const FeaturesCommand& command) {
   Json bars = Json::array(), list = Json::array();
   for (const std::uint32_t i : kept) bars.push_back(bar_json(features, i, command.exact));
   for (const AlphaBridge& b : bridges) list.push_back(bridge_json(b));
-  json.update({{"events", features.event_count()}, {"bars", features.bars().size()}, {"kept", bars}});
+  json.update({{"event_count", features.event_count()}, {"bar_count", features.bars().size()}, {"bars", bars}});
   json["bridges"] = alpha ? list : Json(nullptr);
   print_report(json);
   return kDone;
@@ -220,9 +220,9 @@ ExitCode run_decompose(const FeaturesCommand& command) {
   return kDone;
 }
 
-void add_shared_options(CLI::App& verb, FeaturesCommand& command) {
+void add_shared_options(CLI::App& verb, FeaturesCommand& command, const std::string& least) {
   verb.add_option("P", command.operand, "The region: a file, or - for standard input")->required()->type_name("");
-  verb.add_option("--tau", command.tau, "Keep what lasts at least this long, in diameters")->type_name("T");
+  verb.add_option("--tau", command.tau, least)->type_name("T");
   verb.add_option("--alpha-from", command.from, "Count lives from this diameter on")->type_name("A");
   verb.add_option("--alpha-to", command.to, "Count lives up to this diameter")->type_name("B");
   verb.add_option("--concavity", command.concavity, "How the deepest vertex of a pocket is found")
@@ -241,7 +241,7 @@ void add_shared_options(CLI::App& verb, FeaturesCommand& command) {
 void add_features(CLI::App& app, Action& action) {
   auto command = std::make_shared<FeaturesCommand>();
   CLI::App& verb = *app.add_subcommand("features", "What a growing disc sees: bridges, pockets and how long they last");
-  add_shared_options(verb, *command);
+  add_shared_options(verb, *command, "Keep what lasts at least this long, in diameters");
   verb.add_option("--alpha", command->alpha, "Also the bridges of the disc of this diameter")->type_name("A");
   verb.add_flag("--exact", command->exact, "With --json: births and deaths as formulas of roots, too");
   verb.add_option("-o,--output", command->output.files, "A picture .svg; may be given several times")->type_name("FILE");
@@ -252,7 +252,7 @@ void add_features(CLI::App& app, Action& action) {
 void add_decompose(CLI::App& app, Action& action) {
   auto command = std::make_shared<FeaturesCommand>();
   CLI::App& verb = *app.add_subcommand("decompose", "Cuts a region into nearly convex pieces at its lasting pockets");
-  add_shared_options(verb, *command);
+  add_shared_options(verb, *command, "Cut at what lasts at least this long, in diameters, and is at least this deep");
   verb.add_option("-o,--output", command->output.files,
                   "Pieces .wkt, a polygon per line, or a picture .svg; may be given several times")
       ->type_name("FILE");

@@ -48,7 +48,7 @@ struct FeatureBar {
   std::optional<std::uint32_t> parent;      ///< of a bar that merged
   std::optional<std::uint32_t> vertex;      ///< of the region: where a corner is born
   std::optional<std::uint32_t> minimum;     ///< vertex of the region: the pocket minimum; none of gaps
-  double concavity = 0;                     ///< of the minimum where the bar dies, rounded
+  double concavity = 0;  ///< of the minimum where the bar dies; by the straight line the double nearest to it
   bool in_hole = false;                     ///< its disc touches the ring of a hole
   std::uint32_t loop = 0;                   ///< boundary ring of its minimum: outer ring, then holes, part by part
   friend bool operator==(const FeatureBar&, const FeatureBar&) = default;
@@ -100,6 +100,12 @@ class ShapeFeatures {
   /// long ones the deeper first, then the earlier bar. Decided exactly.
   std::vector<std::uint32_t> lasting(const Rational& life, const Rational& from = {},
                                      const std::optional<Rational>& to = std::nullopt) const;
+
+  /// As lasting(), with every life bounded by the bar's concavity, in length and in order: a pocket is as significant as
+  /// the lesser of how long it lasts and how deep it is. Gaps count with their lives. So noise of an amplitude below
+  /// `significance` is not kept however wide its notches are. Decided exactly for the concavity that the bar has.
+  std::vector<std::uint32_t> significant(const Rational& significance, const Rational& from = {},
+                                         const std::optional<Rational>& to = std::nullopt) const;
 
   struct State;
 

@@ -14,7 +14,7 @@ Result<Decomposition> decompose(const ShapeFeatures& features, const DecomposeOp
   const shape::RingTable table = shape::ring_table(region);
   Decomposition result;
   result.cuts = shape::find_cuts(table, features.bars(),
-                                 features.lasting(options.persistence, options.alpha_from, options.alpha_to));
+                                 features.significant(options.persistence, options.alpha_from, options.alpha_to));
   result.pieces = shape::pieces_between(table, result.cuts);
   return result;
 }

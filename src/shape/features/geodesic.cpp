@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <stdexcept>
 #include <utility>
 
 namespace dymsum::shape {
@@ -26,8 +27,9 @@ class Ears {
   std::vector<std::array<std::uint32_t, 3>> run() {
     std::vector<std::array<std::uint32_t, 3>> triangles;
     std::uint32_t left = std::uint32_t(polygon_.size()), at = 0, tried = 0;
-    while (left > 3 && tried <= left) {
+    while (left > 3) {
       if (!is_ear(at)) {
+        if (tried > left) throw std::logic_error("a pocket without an ear");
         at = next_[at], ++tried;
         continue;
       }
@@ -48,6 +50,7 @@ class Ears {
     const std::uint32_t a = previous_[b], c = next_[b];
     const int turn = turn_sign(polygon_[a], polygon_[b], polygon_[c]);
     if (turn < 0) return false;
+    if (same(polygon_[a], polygon_[b]) || same(polygon_[b], polygon_[c])) return true;
     if (turn == 0) return dot_sign(polygon_[b], polygon_[a], polygon_[b], polygon_[c]) < 0 || same(polygon_[a], polygon_[c]);
     for (std::uint32_t v = next_[c]; v != a; v = next_[v]) {
       const Place& p = polygon_[v];
