@@ -96,9 +96,14 @@ Json bridge_json(const AlphaBridge& b) {
   const auto contact = [](const BridgeContact& c) {
     return Json{{"on", c.at_vertex ? "vertex" : "edge"}, {"index", c.index}, {"at", point_json(c.at)}};
   };
-  return {{"from", contact(b.from)},   {"to", contact(b.to)},    {"centre", point_json(b.centre)},
-          {"gap", b.gap},              {"length", b.length},     {"bar", b.bar},
-          {"pocket", b.pocket_size},   {"minimum", optional_json(b.minimum)},
+  return {{"from", contact(b.from)},
+          {"to", contact(b.to)},
+          {"centre", point_json(b.centre)},
+          {"gap", b.gap},
+          {"length", b.length},
+          {"bar", b.bar},
+          {"pocket", b.pocket_size},
+          {"minimum", optional_json(b.minimum)},
           {"concavity", b.concavity}};
 }
 
@@ -171,8 +176,8 @@ Json ring_json(const RationalRing& ring) {
 
 Json cut_json(const Cut& cut) {
   const char* end = cut.end == Cut::End::vertex ? "vertex" : cut.end == Cut::End::edge ? "edge" : "cut";
-  return {{"vertex", cut.vertex},        {"end", end},                {"index", cut.index},
-          {"from", point_json(cut.from)}, {"to", point_json(cut.to)}, {"bar", cut.bar}};
+  return {{"vertex", cut.vertex},     {"end", end},    {"index", cut.index}, {"from", point_json(cut.from)},
+          {"to", point_json(cut.to)}, {"bar", cut.bar}};
 }
 
 Json piece_json(const Piece& piece) {

@@ -50,9 +50,8 @@ struct Notch {
   /// The part of a segment in the cone: {first, last} in [0, 1], nothing where it does not meet it.
   std::optional<std::pair<Rational, Rational>> clip(const Obstacle& o) const {
     Rational first(0), last(1);
-    const std::pair<Rational, Rational> sides[] = {
-        {cross(m, next, m, o.a), cross(m, next, m, o.b)},
-        {-cross(m, previous, m, o.a), -cross(m, previous, m, o.b)}};
+    const std::pair<Rational, Rational> sides[] = {{cross(m, next, m, o.a), cross(m, next, m, o.b)},
+                                                   {-cross(m, previous, m, o.a), -cross(m, previous, m, o.b)}};
     for (const auto& [at_a, at_b] : sides) {
       if (at_a.sign() < 0 && at_b.sign() < 0) return std::nullopt;
       if (at_a.sign() < 0) first = std::max(first, at_a / (at_a - at_b));
@@ -78,15 +77,22 @@ Obstacle obstacle(RationalPoint a, RationalPoint b, Cut::End kind, std::uint32_t
   // The exact number lies between the neighbours of the double nearest to it.
   const auto below = [](double v) { return std::nextafter(v, -INFINITY); };
   const auto above = [](double v) { return std::nextafter(v, INFINITY); };
-  return {std::move(a), std::move(b), below(std::min(ax, bx)), below(std::min(ay, by)),
-          above(std::max(ax, bx)), above(std::max(ay, by)), kind, index};
+  return {std::move(a),
+          std::move(b),
+          below(std::min(ax, bx)),
+          below(std::min(ay, by)),
+          above(std::max(ax, bx)),
+          above(std::max(ay, by)),
+          kind,
+          index};
 }
 
 class CutSearch {
  public:
   explicit CutSearch(const RingTable& table) : table_(table) {
     for (std::uint32_t v = 0; v < table.at.size(); ++v)
-      edges_.push_back(obstacle(rational_point(table.at[v]), rational_point(table.at[table.next[v]]), Cut::End::edge, v));
+      edges_.push_back(
+          obstacle(rational_point(table.at[v]), rational_point(table.at[table.next[v]]), Cut::End::edge, v));
   }
 
   std::vector<Cut> run(const std::vector<FeatureBar>& bars, const std::vector<std::uint32_t>& order) {
@@ -100,7 +106,8 @@ class CutSearch {
         if (!table_.is_hole[ring]) return true;
         if (leading[ring] == order.size()) return false;
         const FeatureBar& other = bars[order[leading[ring]]];
-        return leading[ring] <= k || (other.birth == bar.birth && other.death == bar.death && other.concavity == bar.concavity);
+        return leading[ring] <= k ||
+               (other.birth == bar.birth && other.death == bar.death && other.concavity == bar.concavity);
       };
       cut_at(*bar.minimum, order[k], stands);
     }

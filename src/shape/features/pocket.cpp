@@ -73,7 +73,8 @@ Bridge bridge_at_end(const Complex& complex, const BoundaryLoops& loops, std::ui
     return bridge_between(complex, loops, edge, left, right);
   }
   if (complex.sites[e.left].kind == Site::Kind::vertex && complex.sites[e.right].kind == Site::Kind::vertex)
-    return bridge_between(complex, loops, edge, {complex.sites[e.left].a, nullptr}, {complex.sites[e.right].a, nullptr});
+    return bridge_between(complex, loops, edge, {complex.sites[e.left].a, nullptr},
+                          {complex.sites[e.right].a, nullptr});
   const ExactPoint centre = exact_disc(complex, e.high).centre;
   return bridge_between(complex, loops, edge, contact_place(complex, e.left, centre),
                         contact_place(complex, e.right, centre));

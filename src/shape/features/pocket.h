@@ -38,8 +38,8 @@ struct Deepest {
   double concavity = 0;             ///< by the straight line: the double nearest to the exact distance
 };
 
-/// The pocket minimum by a measure. Requires a bridge with a pocket. What is deepest is decided exactly for the straight
-/// line; for shortest paths the lengths are compared in doubles, and only their turns are exact.
+/// The pocket minimum by a measure. Requires a bridge with a pocket. What is deepest is decided exactly for the
+/// straight line; for shortest paths the lengths are compared in doubles, and only their turns are exact.
 Deepest pocket_minimum(const BoundaryLoops& loops, const ChainExtremes& extremes, const Bridge& bridge,
                        const FeatureOptions& options);
 

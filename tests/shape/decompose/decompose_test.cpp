@@ -4,11 +4,13 @@
 
 #include <algorithm>
 #include <cmath>
+#include <filesystem>
 #include <functional>
 #include <random>
 #include <string>
 
 #include "dymsum/planar_sum.h"
+#include "dymsum/region_io.h"
 
 namespace dymsum {
 namespace {
@@ -162,6 +164,24 @@ TEST(Decompose, SmallNoiseLeavesLastingCutsWhereTheyWere) {
   EXPECT_EQ(a.pieces.size(), b.pieces.size());
 }
 
+TEST(Decompose, NoiseMovesTheCutsOfARealShapeAsLittleAsItself) {
+  const std::filesystem::path folder = std::filesystem::path(DYMSUM_SOURCE_DIR) / "../shared/data/planar";
+  if (!std::filesystem::exists(folder / "mammoth_noise.poly")) GTEST_SKIP() << "no such data";
+  const auto cuts = [&](const char* name) {
+    const RegionData data = read_region_data((folder / name).string()).value();
+    return cut(repair(data).value().region, 3).cuts;
+  };
+  const std::vector<Cut> clean = cuts("mammoth.poly"), noisy = cuts("mammoth_noise.poly");
+  ASSERT_EQ(clean.size(), 4u);
+  ASSERT_EQ(noisy.size(), 4u);
+  const auto far = [](const RationalPoint& a, const RationalPoint& b) {
+    return std::hypot((a.x - b.x).to_double(), (a.y - b.y).to_double());
+  };
+  for (const Cut& a : clean)
+    EXPECT_TRUE(std::any_of(noisy.begin(), noisy.end(),
+                            [&](const Cut& b) { return far(a.from, b.from) < 0.05 && far(a.to, b.to) < 0.05; }));
+}
+
 TEST(Decompose, WideShallowNoiseCountsByItsDepth) {
   // Notches 1/16 deep and 8 wide, alone and beside each other.
   Ring ring{{0, 0}};
@@ -201,7 +221,8 @@ TEST(Decompose, EveryPointOfATinyGridLiesInOnePiece) {
   for (unsigned seed = 0; seed < 60; ++seed) {
     const Region region = small_polygon(seed);
     RationalRing outer;
-    for (const Point& p : region.parts()[0].outer) outer.push_back({Rational::of(p.x).value(), Rational::of(p.y).value()});
+    for (const Point& p : region.parts()[0].outer)
+      outer.push_back({Rational::of(p.x).value(), Rational::of(p.y).value()});
     for (const int tau : {0, 1}) {
       const Decomposition made = cut(region, tau);
       for (int i = 0; i < 15; ++i)
@@ -218,8 +239,7 @@ TEST(Decompose, EveryPointOfATinyGridLiesInOnePiece) {
 
 bool are_doubles(const Decomposition& made) {
   const auto plain = [](const Rational& v) { return Rational::of(v.to_double()).value() == v; };
-  return std::all_of(made.cuts.begin(), made.cuts.end(),
-                     [&](const Cut& c) { return plain(c.to.x) && plain(c.to.y); });
+  return std::all_of(made.cuts.begin(), made.cuts.end(), [&](const Cut& c) { return plain(c.to.x) && plain(c.to.y); });
 }
 
 TEST(Decompose, TheUnionOfThePiecesIsTheRegion) {
@@ -236,7 +256,8 @@ TEST(Decompose, TheUnionOfThePiecesIsTheRegion) {
 }
 
 /// Cuts as pairs of points, in order.
-std::vector<std::string> cut_texts(const std::vector<Cut>& cuts, const std::function<RationalPoint(RationalPoint)>& map) {
+std::vector<std::string> cut_texts(const std::vector<Cut>& cuts,
+                                   const std::function<RationalPoint(RationalPoint)>& map) {
   std::vector<std::string> texts;
   for (const Cut& c : cuts) {
     const RationalPoint from = map(c.from), to = map(c.to);
@@ -248,12 +269,24 @@ std::vector<std::string> cut_texts(const std::vector<Cut>& cuts, const std::func
 TEST(Decompose, MotionsMoveTheCuts) {
   const auto same = [](const RationalPoint& p) { return p; };
   const std::vector<std::function<RationalPoint(RationalPoint)>> motions{
-      [](const RationalPoint& p) { return RationalPoint{-p.y, p.x}; },
-      [](const RationalPoint& p) { return RationalPoint{-p.x, -p.y}; },
-      [](const RationalPoint& p) { return RationalPoint{p.y, -p.x}; },
-      [](const RationalPoint& p) { return RationalPoint{-p.x, p.y}; },
-      [](const RationalPoint& p) { return RationalPoint{p.y, p.x}; },
-      [](const RationalPoint& p) { return RationalPoint{p.x + Rational(12345), p.y - Rational(678)}; }};
+      [](const RationalPoint& p) {
+        return RationalPoint{-p.y, p.x};
+      },
+      [](const RationalPoint& p) {
+        return RationalPoint{-p.x, -p.y};
+      },
+      [](const RationalPoint& p) {
+        return RationalPoint{p.y, -p.x};
+      },
+      [](const RationalPoint& p) {
+        return RationalPoint{-p.x, p.y};
+      },
+      [](const RationalPoint& p) {
+        return RationalPoint{p.y, p.x};
+      },
+      [](const RationalPoint& p) {
+        return RationalPoint{p.x + Rational(12345), p.y - Rational(678)};
+      }};
   for (const unsigned seed : {1u, 2u, 3u, 7u}) {
     const Region region = random_star(seed, 24);
     for (const int tau : {0, 50, 200}) {
@@ -273,8 +306,10 @@ TEST(Decompose, MotionsMoveTheCuts) {
 }
 
 TEST(Decompose, WhatCannotBeCutIsTold) {
-  const ShapeFeatures line = ShapeFeatures::create(Region::create({{}, {{{0, 0}, {1, 0}, {1, 1}}}, {}}).value()).value();
+  const ShapeFeatures line =
+      ShapeFeatures::create(Region::create({{}, {{{0, 0}, {1, 0}, {1, 1}}}, {}}).value()).value();
   EXPECT_EQ(decompose(line).error().code, ErrorCode::unsupported_operand);
+  EXPECT_EQ(decompose(line).error().evidence.x, 0);
   const ShapeFeatures features = ShapeFeatures::create(comb(2)).value();
   EXPECT_EQ(decompose(features, {-1, 0, std::nullopt}).error().code, ErrorCode::out_of_range);
   EXPECT_EQ(decompose(features, {0, 2, Rational(1)}).error().code, ErrorCode::out_of_range);

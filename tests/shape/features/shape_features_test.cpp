@@ -5,8 +5,8 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
-#include <set>
 #include <random>
+#include <set>
 #include <vector>
 
 #include "dymsum/shapes.h"
@@ -22,7 +22,8 @@ Region ring_region(const Ring& outer, const std::vector<Ring>& holes = {}) {
 
 /// A plate with two rectangular notches of widths 2 and 4.
 Region two_notches() {
-  return ring_region({{0, 0}, {20, 0}, {20, 10}, {14, 10}, {14, 4}, {10, 4}, {10, 10}, {6, 10}, {6, 2}, {4, 2}, {4, 10}, {0, 10}});
+  return ring_region(
+      {{0, 0}, {20, 0}, {20, 10}, {14, 10}, {14, 4}, {10, 4}, {10, 10}, {6, 10}, {6, 2}, {4, 2}, {4, 10}, {0, 10}});
 }
 
 Region star(int tips) {
@@ -105,7 +106,8 @@ TEST(ShapeFeatures, BridgesBeyondTheLastEventAreHullEdges) {
   const ShapeFeatures notches = features_of(two_notches());
   const std::vector<AlphaBridge> bridges = notches.bridges(1000).value();
   ASSERT_EQ(bridges.size(), 2u);
-  for (const AlphaBridge& b : bridges) EXPECT_TRUE(b.from.at_vertex && b.to.at_vertex && b.from.at.y == 10 && b.to.at.y == 10);
+  for (const AlphaBridge& b : bridges)
+    EXPECT_TRUE(b.from.at_vertex && b.to.at_vertex && b.from.at.y == 10 && b.to.at.y == 10);
   EXPECT_EQ(features_of(star(5)).bridges(1000000).value().size(), 5u);
   EXPECT_EQ(features_of(grid_of_holes(3)).bridges(1000).value().size(), 0u);
 }
@@ -137,7 +139,9 @@ TEST(ShapeFeatures, AlikeHolesFillAtOneEvent) {
 }
 
 TEST(ShapeFeatures, GapsBetweenPartsAreBornInPairs) {
-  const Region two = Region::create({{{{{0, 0}, {4, 0}, {4, 4}, {0, 4}}, {}}, {{{7, 0}, {11, 0}, {11, 4}, {7, 4}}, {}}}, {}, {}}).value();
+  const Region two =
+      Region::create({{{{{0, 0}, {4, 0}, {4, 4}, {0, 4}}, {}}, {{{7, 0}, {11, 0}, {11, 4}, {7, 4}}, {}}}, {}, {}})
+          .value();
   const ShapeFeatures features = features_of(two);
   ASSERT_EQ(features.bars().size(), 2u);
   for (const FeatureBar& bar : features.bars()) {
@@ -165,7 +169,8 @@ TEST(ShapeFeatures, EventsStayUnderRigidMotionsAndScale) {
 
 TEST(ShapeFeatures, ShortestPathsGoAroundCornersOfThePocket) {
   // A pocket with a side arm: the end of the arm is 2 below the bridge, and 2 + 8 - 2 away around its corner.
-  const Region region = ring_region({{0, 0}, {20, 0}, {20, 10}, {6, 10}, {6, 8}, {14, 8}, {14, 6}, {4, 6}, {4, 10}, {0, 10}});
+  const Region region =
+      ring_region({{0, 0}, {20, 0}, {20, 10}, {6, 10}, {6, 8}, {14, 8}, {14, 6}, {4, 6}, {4, 10}, {0, 10}});
   const auto largest = [&](Concavity measure) {
     double most = 0;
     const ShapeFeatures features = features_of(region, {measure, 0, 0});
