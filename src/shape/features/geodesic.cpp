@@ -29,6 +29,7 @@ class Ears {
     std::uint32_t left = std::uint32_t(polygon_.size()), at = 0, tried = 0;
     while (left > 3) {
       if (!is_ear(at)) {
+        // The walk round a pocket does not cross itself: it has a triangulation, whose tree has leaves, which are ears.
         if (tried > left) throw std::logic_error("a pocket without an ear");
         at = next_[at], ++tried;
         continue;
@@ -45,7 +46,8 @@ class Ears {
   }
 
  private:
-  /// Vertices in line make flat ears, which are cut off as well: a triangle without area changes no path.
+  /// Vertices in line make flat ears, which are cut off as well, and so do equal neighbours, which are left where the
+  /// two sides of a polyline's tip were: a triangle without area changes no path.
   bool is_ear(std::uint32_t b) const {
     const std::uint32_t a = previous_[b], c = next_[b];
     const int turn = turn_sign(polygon_[a], polygon_[b], polygon_[c]);
