@@ -101,9 +101,9 @@ class ShapeFeatures {
   std::vector<std::uint32_t> lasting(const Rational& life, const Rational& from = {},
                                      const std::optional<Rational>& to = std::nullopt) const;
 
-  /// As lasting(), with every life bounded by the bar's concavity, in length and in order: a pocket is as significant as
-  /// the lesser of how long it lasts and how deep it is, so that a shallow notch is not kept however wide it is. Gaps
-  /// count with their lives. Decided exactly for the concavity that the bar has.
+  /// As lasting(), with every life bounded by the bar's concavity, in length and in order: a pocket is as significant
+  /// as the lesser of how long it lasts and how deep it is, so that a shallow notch is not kept however wide it is.
+  /// Gaps count with their lives. Decided exactly for the concavity that the bar has.
   std::vector<std::uint32_t> significant(const Rational& significance, const Rational& from = {},
                                          const std::optional<Rational>& to = std::nullopt) const;
 
