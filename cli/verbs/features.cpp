@@ -29,7 +29,7 @@ const std::map<std::string, Concavity> kConcavities{{"straight", Concavity::stra
 
 struct FeaturesCommand {
   std::string operand, alpha, tau = "0", from = "0", to, concavity = "straight";
-  double hybrid_tolerance = 0;
+  std::optional<double> hybrid_tolerance;
   bool exact = false;
   OutputOptions output;
   ReportOptions report;
@@ -52,13 +52,15 @@ Selection selection_of(const FeaturesCommand& command) {
   Selection s{read_number(command.tau, "--tau"), read_number(command.from, "--alpha-from"), std::nullopt};
   if (!command.to.empty()) s.to = read_number(command.to, "--alpha-to");
   if (s.to && *s.to < s.from) throw Stop(kUsage, "--alpha-to is below --alpha-from");
+  if (command.hybrid_tolerance && command.concavity != "hybrid2")
+    throw Stop(kUsage, "--hybrid-tolerance is for --concavity hybrid2");
   return s;
 }
 
 FeatureOptions options_of(const FeaturesCommand& command) {
   FeatureOptions options;
   options.concavity = kConcavities.at(command.concavity);
-  options.hybrid_tolerance = command.hybrid_tolerance;
+  options.hybrid_tolerance = command.hybrid_tolerance.value_or(0);
   return options;
 }
 
@@ -94,9 +96,14 @@ Json bridge_json(const AlphaBridge& b) {
   const auto contact = [](const BridgeContact& c) {
     return Json{{"on", c.at_vertex ? "vertex" : "edge"}, {"index", c.index}, {"at", point_json(c.at)}};
   };
-  return {{"from", contact(b.from)},   {"to", contact(b.to)},    {"centre", point_json(b.centre)},
-          {"gap", b.gap},              {"length", b.length},     {"bar", b.bar},
-          {"pocket", b.pocket_size},   {"minimum", optional_json(b.minimum)},
+  return {{"from", contact(b.from)},
+          {"to", contact(b.to)},
+          {"centre", point_json(b.centre)},
+          {"gap", b.gap},
+          {"length", b.length},
+          {"bar", b.bar},
+          {"pocket", b.pocket_size},
+          {"minimum", optional_json(b.minimum)},
           {"concavity", b.concavity}};
 }
 
@@ -133,9 +140,11 @@ void write_pictures(const FeaturesCommand& command, const ShapeFeatures& feature
 
 ExitCode run_features(const FeaturesCommand& command) {
   const Selection selection = selection_of(command);
+  if (command.exact && !command.report.json) throw Stop(kUsage, "--exact is for --json");
   std::optional<Rational> alpha;
   if (!command.alpha.empty()) alpha = read_number(command.alpha, "--alpha");
   report_stream(command.output.files, command.report.json);
+  refuse_unused_format({command.operand}, command.input);
   const std::vector<Input> inputs{read_input(command.operand, command.input)};
   const auto [features, timing] = timed(command.report.repeat, [&] {
     return require_of(inputs, ShapeFeatures::create(inputs[0].region, options_of(command)));
@@ -153,7 +162,7 @@ ExitCode run_features(const FeaturesCommand& command) {
   Json bars = Json::array(), list = Json::array();
   for (const std::uint32_t i : kept) bars.push_back(bar_json(features, i, command.exact));
   for (const AlphaBridge& b : bridges) list.push_back(bridge_json(b));
-  json.update({{"events", features.event_count()}, {"bars", features.bars().size()}, {"kept", bars}});
+  json.update({{"event_count", features.event_count()}, {"bar_count", features.bars().size()}, {"bars", bars}});
   json["bridges"] = alpha ? list : Json(nullptr);
   print_report(json);
   return kDone;
@@ -167,8 +176,8 @@ Json ring_json(const RationalRing& ring) {
 
 Json cut_json(const Cut& cut) {
   const char* end = cut.end == Cut::End::vertex ? "vertex" : cut.end == Cut::End::edge ? "edge" : "cut";
-  return {{"vertex", cut.vertex},        {"end", end},                {"index", cut.index},
-          {"from", point_json(cut.from)}, {"to", point_json(cut.to)}, {"bar", cut.bar}};
+  return {{"vertex", cut.vertex},     {"end", end},    {"index", cut.index}, {"from", point_json(cut.from)},
+          {"to", point_json(cut.to)}, {"bar", cut.bar}};
 }
 
 Json piece_json(const Piece& piece) {
@@ -196,6 +205,7 @@ void write_pieces(const FeaturesCommand& command, const Region& region, const De
 ExitCode run_decompose(const FeaturesCommand& command) {
   const Selection selection = selection_of(command);
   std::ostream& out = report_stream(command.output.files, command.report.json);
+  refuse_unused_format({command.operand}, command.input);
   for (const std::string& file : command.output.files)
     if (const RegionFormat f = output_format(file, command.output); f != RegionFormat::svg && f != RegionFormat::wkt)
       throw Stop(kUsage, "-o writes .wkt (a polygon per line) and .svg: " + file);
@@ -220,9 +230,9 @@ ExitCode run_decompose(const FeaturesCommand& command) {
   return kDone;
 }
 
-void add_shared_options(CLI::App& verb, FeaturesCommand& command) {
+void add_shared_options(CLI::App& verb, FeaturesCommand& command, const std::string& least) {
   verb.add_option("P", command.operand, "The region: a file, or - for standard input")->required()->type_name("");
-  verb.add_option("--tau", command.tau, "Keep what lasts at least this long, in diameters")->type_name("T");
+  verb.add_option("--tau", command.tau, least)->type_name("T");
   verb.add_option("--alpha-from", command.from, "Count lives from this diameter on")->type_name("A");
   verb.add_option("--alpha-to", command.to, "Count lives up to this diameter")->type_name("B");
   verb.add_option("--concavity", command.concavity, "How the deepest vertex of a pocket is found")
@@ -241,10 +251,10 @@ void add_shared_options(CLI::App& verb, FeaturesCommand& command) {
 void add_features(CLI::App& app, Action& action) {
   auto command = std::make_shared<FeaturesCommand>();
   CLI::App& verb = *app.add_subcommand("features", "What a growing disc sees: bridges, pockets and how long they last");
-  add_shared_options(verb, *command);
+  add_shared_options(verb, *command, "Keep what lasts at least this long, in diameters");
   verb.add_option("--alpha", command->alpha, "Also the bridges of the disc of this diameter")->type_name("A");
   verb.add_flag("--exact", command->exact, "With --json: births and deaths as formulas of roots, too");
-  verb.add_option("-o,--output", command->output.files, "A picture .svg; may be given several times")->type_name("FILE");
+  verb.add_option("-o", command->output.files, "A picture .svg; may be given several times")->type_name("FILE");
   verb.footer("Example: dymsum features beetle.poly --repair --alpha 1/5 --tau 1/10 -o beetle.svg --json");
   verb.callback([command, &action] { action = [command] { return run_features(*command); }; });
 }
@@ -252,8 +262,8 @@ void add_features(CLI::App& app, Action& action) {
 void add_decompose(CLI::App& app, Action& action) {
   auto command = std::make_shared<FeaturesCommand>();
   CLI::App& verb = *app.add_subcommand("decompose", "Cuts a region into nearly convex pieces at its lasting pockets");
-  add_shared_options(verb, *command);
-  verb.add_option("-o,--output", command->output.files,
+  add_shared_options(verb, *command, "Cut at what lasts at least this long, in diameters, and is at least this deep");
+  verb.add_option("-o", command->output.files,
                   "Pieces .wkt, a polygon per line, or a picture .svg; may be given several times")
       ->type_name("FILE");
   verb.footer("Example: dymsum decompose beetle.poly --repair --tau 1/10 -o pieces.wkt -o pieces.svg");

@@ -28,8 +28,8 @@ struct FeatureOptions {
   int threads = 0;              ///< 0: as many as there are
 };
 
-/// The life of a corner of the sum with a growing disc. Events are numbered by their diameters: equal numbers are exactly
-/// equal diameters.
+/// The life of a corner of the sum with a growing disc. Events are numbered by their diameters: equal numbers are
+/// exactly equal diameters.
 struct FeatureBar {
   enum class Birth : std::uint8_t {
     corner,  ///< at diameter 0, at a reflex vertex of the region
@@ -42,15 +42,15 @@ struct FeatureBar {
   };
   Birth born = Birth::corner;
   Death died = Death::never;
-  std::uint32_t birth = 0;             ///< event
-  std::optional<std::uint32_t> death;  ///< event; none: never
+  std::uint32_t birth = 0;                  ///< event
+  std::optional<std::uint32_t> death;       ///< event; none: never
   double birth_alpha = 0, death_alpha = 0;  ///< diameters within some units in the last place; infinity for never
   std::optional<std::uint32_t> parent;      ///< of a bar that merged
   std::optional<std::uint32_t> vertex;      ///< of the region: where a corner is born
   std::optional<std::uint32_t> minimum;     ///< vertex of the region: the pocket minimum; none of gaps
-  double concavity = 0;                     ///< of the minimum where the bar dies, rounded
-  bool in_hole = false;                     ///< its disc touches the ring of a hole
-  std::uint32_t loop = 0;                   ///< boundary ring of its minimum: outer ring, then holes, part by part
+  double concavity = 0;    ///< of the minimum where the bar dies; by the straight line the double nearest to it
+  bool in_hole = false;    ///< its disc touches the ring of a hole
+  std::uint32_t loop = 0;  ///< boundary ring of its minimum: outer ring, then holes, part by part
   friend bool operator==(const FeatureBar&, const FeatureBar&) = default;
 };
 
@@ -96,10 +96,16 @@ class ShapeFeatures {
   /// Errors: out_of_range for negative alpha.
   Result<std::vector<AlphaBridge>> bridges(const Rational& alpha) const;
 
-  /// Bars that last at least `life` between the diameters `from` and `to` (none: infinity), the longest first, of equally
-  /// long ones the deeper first, then the earlier bar. Decided exactly.
+  /// Bars that last at least `life` between the diameters `from` and `to` (none: infinity), the longest first, of
+  /// equally long ones the deeper first, then the earlier bar. Decided exactly.
   std::vector<std::uint32_t> lasting(const Rational& life, const Rational& from = {},
                                      const std::optional<Rational>& to = std::nullopt) const;
+
+  /// As lasting(), with every life bounded by the bar's concavity, in length and in order: a pocket is as significant
+  /// as the lesser of how long it lasts and how deep it is, so that a shallow notch is not kept however wide it is.
+  /// Gaps count with their lives. Decided exactly for the concavity that the bar has.
+  std::vector<std::uint32_t> significant(const Rational& significance, const Rational& from = {},
+                                         const std::optional<Rational>& to = std::nullopt) const;
 
   struct State;
 

@@ -5,6 +5,8 @@
 #include <optional>
 #include <utility>
 
+#include "exact/rounding_bound.h"
+
 namespace dymsum::shape {
 namespace {
 
@@ -22,15 +24,15 @@ Rational dot(const RationalPoint& a, const RationalPoint& b, const RationalPoint
   return (b.x - a.x) * (d.x - c.x) + (b.y - a.y) * (d.y - c.y);
 }
 
-/// Rounded coordinates err by less than the factor that boxes and bounds are widened by.
-constexpr double kWider = 1 + 0x1p-40, kLess = 1 - 0x1p-40;
-double outward(double v, int side) { return v + side * std::abs(v) * 0x1p-50; }
-
-/// No more than the square of the distance of p from the obstacle.
+/// No more than the square of the distance of p from the obstacle: a difference, a square, a sum and the factor round
+/// less than 2^12 times, and what underflows is less than kUnderflow.
 double least_square(const Obstacle& o, Point p) {
   const double dx = std::max({0.0, o.x0 - p.x, p.x - o.x1}), dy = std::max({0.0, o.y0 - p.y, p.y - o.y1});
-  return (dx * dx + dy * dy) * kLess;
+  return (dx * dx + dy * dy) * exact::kInwards - exact::kUnderflow;
 }
+
+/// No less than a number that is not negative.
+double at_least(const Rational& v) { return std::nextafter(v.to_double(), INFINITY); }
 
 struct Found {
   Rational square, t;
@@ -48,9 +50,8 @@ struct Notch {
   /// The part of a segment in the cone: {first, last} in [0, 1], nothing where it does not meet it.
   std::optional<std::pair<Rational, Rational>> clip(const Obstacle& o) const {
     Rational first(0), last(1);
-    const std::pair<Rational, Rational> sides[] = {
-        {cross(m, next, m, o.a), cross(m, next, m, o.b)},
-        {-cross(m, previous, m, o.a), -cross(m, previous, m, o.b)}};
+    const std::pair<Rational, Rational> sides[] = {{cross(m, next, m, o.a), cross(m, next, m, o.b)},
+                                                   {-cross(m, previous, m, o.a), -cross(m, previous, m, o.b)}};
     for (const auto& [at_a, at_b] : sides) {
       if (at_a.sign() < 0 && at_b.sign() < 0) return std::nullopt;
       if (at_a.sign() < 0) first = std::max(first, at_a / (at_a - at_b));
@@ -73,15 +74,25 @@ struct Notch {
 
 Obstacle obstacle(RationalPoint a, RationalPoint b, Cut::End kind, std::uint32_t index) {
   const double ax = a.x.to_double(), ay = a.y.to_double(), bx = b.x.to_double(), by = b.y.to_double();
-  return {std::move(a), std::move(b), outward(std::min(ax, bx), -1), outward(std::min(ay, by), -1),
-          outward(std::max(ax, bx), 1), outward(std::max(ay, by), 1), kind, index};
+  // The exact number lies between the neighbours of the double nearest to it.
+  const auto below = [](double v) { return std::nextafter(v, -INFINITY); };
+  const auto above = [](double v) { return std::nextafter(v, INFINITY); };
+  return {std::move(a),
+          std::move(b),
+          below(std::min(ax, bx)),
+          below(std::min(ay, by)),
+          above(std::max(ax, bx)),
+          above(std::max(ay, by)),
+          kind,
+          index};
 }
 
 class CutSearch {
  public:
   explicit CutSearch(const RingTable& table) : table_(table) {
     for (std::uint32_t v = 0; v < table.at.size(); ++v)
-      edges_.push_back(obstacle(rational_point(table.at[v]), rational_point(table.at[table.next[v]]), Cut::End::edge, v));
+      edges_.push_back(
+          obstacle(rational_point(table.at[v]), rational_point(table.at[table.next[v]]), Cut::End::edge, v));
   }
 
   std::vector<Cut> run(const std::vector<FeatureBar>& bars, const std::vector<std::uint32_t>& order) {
@@ -91,11 +102,12 @@ class CutSearch {
       const FeatureBar& bar = bars[order[k]];
       if (!bar.minimum || done[*bar.minimum]) continue;
       done[*bar.minimum] = true;
-      const auto stands = [&](std::uint32_t ring) {  // outer rings, and holes that last as long as the bar
+      const auto stands = [&](std::uint32_t ring) {  // outer rings, and holes as significant as the bar
         if (!table_.is_hole[ring]) return true;
         if (leading[ring] == order.size()) return false;
         const FeatureBar& other = bars[order[leading[ring]]];
-        return leading[ring] <= k || (other.birth == bar.birth && other.death == bar.death);
+        return leading[ring] <= k ||
+               (other.birth == bar.birth && other.death == bar.death && other.concavity == bar.concavity);
       };
       cut_at(*bar.minimum, order[k], stands);
     }
@@ -140,7 +152,7 @@ class CutSearch {
       std::pop_heap(near.begin(), near.end(), farther);
       const auto [square, o] = near.back();
       near.pop_back();
-      if (best && square > best->square.to_double() * kWider) break;
+      if (best && square > at_least(best->square)) break;
       std::optional<Found> found = notch.nearest(*o);
       if (found && (!best || found->square < best->square || (found->square == best->square && before(*found, *best))))
         best = std::move(found);

@@ -2,11 +2,25 @@
 #include "shape/decompose/cut_search.h"
 
 namespace dymsum {
+namespace {
+
+std::optional<Point> what_is_not_cut(const Region& region) {
+  if (!region.polylines().empty()) return region.polylines().front().front();
+  if (!region.points().empty()) return region.points().front();
+  if (!region.touching_points().empty()) return region.touching_points().front();
+  return std::nullopt;
+}
+
+}  // namespace
 
 Result<Decomposition> decompose(const ShapeFeatures& features, const DecomposeOptions& options) {
   const Region& region = features.region();
-  if (!region.polylines().empty() || !region.points().empty() || !region.touching_points().empty())
-    return Error{ErrorCode::unsupported_operand, "polylines, points and rings that touch are not cut", {}};
+  if (const std::optional<Point> place = what_is_not_cut(region)) {
+    Evidence evidence;
+    evidence.x = place->x;
+    evidence.y = place->y;
+    return Error{ErrorCode::unsupported_operand, "polylines, points and rings that touch are not cut", evidence};
+  }
   if (options.persistence.sign() < 0 || options.alpha_from.sign() < 0)
     return Error{ErrorCode::out_of_range, "persistence and diameters are at least 0", {}};
   if (options.alpha_to && *options.alpha_to < options.alpha_from)
@@ -14,7 +28,7 @@ Result<Decomposition> decompose(const ShapeFeatures& features, const DecomposeOp
   const shape::RingTable table = shape::ring_table(region);
   Decomposition result;
   result.cuts = shape::find_cuts(table, features.bars(),
-                                 features.lasting(options.persistence, options.alpha_from, options.alpha_to));
+                                 features.significant(options.persistence, options.alpha_from, options.alpha_to));
   result.pieces = shape::pieces_between(table, result.cuts);
   return result;
 }

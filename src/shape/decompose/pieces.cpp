@@ -8,9 +8,7 @@ namespace dymsum::shape {
 namespace {
 
 struct Less {
-  bool operator()(const RationalPoint& a, const RationalPoint& b) const {
-    return a.x != b.x ? a.x < b.x : a.y < b.y;
-  }
+  bool operator()(const RationalPoint& a, const RationalPoint& b) const { return a.x != b.x ? a.x < b.x : a.y < b.y; }
 };
 
 Rational turn(const RationalPoint& a, const RationalPoint& b, const RationalPoint& c) {
@@ -51,9 +49,8 @@ class Subdivision {
         if (d != c && on(cuts[c].from, cuts[c].to, cuts[d].to)) on_cut[c].push_back(cuts[d].to);
     }
     for (std::uint32_t e = 0; e < corners_.size(); ++e)
-      add_pieces(corners_[e], corners_[table.next[e]], std::move(on_edge[e]), [&](const auto& a, const auto& b) {
-        out_[a].push_back(b);
-      });
+      add_pieces(corners_[e], corners_[table.next[e]], std::move(on_edge[e]),
+                 [&](const auto& a, const auto& b) { out_[a].push_back(b); });
     for (std::size_t c = 0; c < cuts.size(); ++c) {
       const bool plain = on_cut[c].size() <= 2;
       add_pieces(cuts[c].from, cuts[c].to, std::move(on_cut[c]), [&](const auto& a, const auto& b) {

@@ -7,7 +7,8 @@ namespace {
 
 bool less(Point a, Point b) { return a.x != b.x ? a.x < b.x : a.y < b.y; }
 
-/// Sites [first, last) are one loop: edges in order, each perhaps led by the convex vertex that it starts at, or a point.
+/// Sites [first, last) are one loop: edges in order, each perhaps led by the convex vertex that it starts at, or a
+/// point.
 void add_loop(const Complex& complex, std::uint32_t first, std::uint32_t last, BoundaryLoops& loops) {
   BoundaryLoop loop;
   loop.first = std::uint32_t(loops.vertices.size());
@@ -90,8 +91,7 @@ std::uint32_t BoundaryLoops::previous(std::uint32_t v) const {
 
 std::uint32_t length(const BoundaryLoops& loops, const BoundaryChain& chain) {
   const BoundaryLoop& loop = loops.loops[chain.loop];
-  return (chain.last >= chain.first ? chain.last - chain.first
-                                    : loop.last - loop.first - (chain.first - chain.last)) +
+  return (chain.last >= chain.first ? chain.last - chain.first : loop.last - loop.first - (chain.first - chain.last)) +
          1;
 }
 

@@ -12,9 +12,9 @@ namespace dymsum::shape {
 /// A vertex of a loop, reflex or convex. The loop's edge behind it leads to the next one.
 struct LoopVertex {
   Point at;
-  std::uint32_t vertex = 0;  ///< of the region
+  std::uint32_t vertex = 0;       ///< of the region
   std::uint32_t edge = kNoIndex;  ///< site of the loop edge that starts here; kNoIndex for a region's isolated point
-  bool convex = false;       ///< a site of its own
+  bool convex = false;            ///< a site of its own
 };
 
 /// Vertices [first, last) of a closed loop.
@@ -29,9 +29,9 @@ struct BoundaryLoop {
 struct BoundaryLoops {
   std::vector<LoopVertex> vertices;
   std::vector<BoundaryLoop> loops;
-  std::vector<std::uint32_t> loop_of;    ///< loop vertex -> loop
-  std::vector<std::uint32_t> before;     ///< site -> the last loop vertex strictly before a contact with it
-  std::vector<std::uint32_t> after;      ///< site -> the first one strictly behind it
+  std::vector<std::uint32_t> loop_of;  ///< loop vertex -> loop
+  std::vector<std::uint32_t> before;   ///< site -> the last loop vertex strictly before a contact with it
+  std::vector<std::uint32_t> after;    ///< site -> the first one strictly behind it
   std::vector<std::uint32_t> loop_of_site;
 
   std::uint32_t next(std::uint32_t v) const;

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <stdexcept>
 #include <utility>
 
 namespace dymsum::shape {
@@ -10,8 +11,8 @@ namespace {
 
 bool same(const Place& a, const Place& b) { return !a.exact && !b.exact && a.at == b.at; }
 
-/// Whether a vertex p with neighbours before and behind it keeps the ear a, b, c from being cut off: it lies in the ear,
-/// its corners left out, or at one of them with the boundary going into the ear.
+/// Whether a vertex p with neighbours before and behind it keeps the ear a, b, c from being cut off: it lies in the
+/// ear, its corners left out, or at one of them with the boundary going into the ear.
 bool in_triangle(const Place& a, const Place& b, const Place& c, const Place& p) {
   return turn_sign(a, b, p) >= 0 && turn_sign(b, c, p) >= 0 && turn_sign(c, a, p) >= 0;
 }
@@ -26,8 +27,10 @@ class Ears {
   std::vector<std::array<std::uint32_t, 3>> run() {
     std::vector<std::array<std::uint32_t, 3>> triangles;
     std::uint32_t left = std::uint32_t(polygon_.size()), at = 0, tried = 0;
-    while (left > 3 && tried <= left) {
+    while (left > 3) {
       if (!is_ear(at)) {
+        // The walk round a pocket does not cross itself: it has a triangulation, whose tree has leaves, which are ears.
+        if (tried > left) throw std::logic_error("a pocket without an ear");
         at = next_[at], ++tried;
         continue;
       }
@@ -43,12 +46,15 @@ class Ears {
   }
 
  private:
-  /// Vertices in line make flat ears, which are cut off as well: a triangle without area changes no path.
+  /// Vertices in line make flat ears, which are cut off as well, and so do equal neighbours, which are left where the
+  /// two sides of a polyline's tip were: a triangle without area changes no path.
   bool is_ear(std::uint32_t b) const {
     const std::uint32_t a = previous_[b], c = next_[b];
     const int turn = turn_sign(polygon_[a], polygon_[b], polygon_[c]);
     if (turn < 0) return false;
-    if (turn == 0) return dot_sign(polygon_[b], polygon_[a], polygon_[b], polygon_[c]) < 0 || same(polygon_[a], polygon_[c]);
+    if (same(polygon_[a], polygon_[b]) || same(polygon_[b], polygon_[c])) return true;
+    if (turn == 0)
+      return dot_sign(polygon_[b], polygon_[a], polygon_[b], polygon_[c]) < 0 || same(polygon_[a], polygon_[c]);
     for (std::uint32_t v = next_[c]; v != a; v = next_[v]) {
       const Place& p = polygon_[v];
       if (same(p, polygon_[a]) || same(p, polygon_[b]) || same(p, polygon_[c])) {
@@ -65,7 +71,12 @@ class Ears {
       if (w == a || w == b || w == c) continue;
       const Place &p = polygon_[v], &q = polygon_[w];
       const bool at_a = same(p, polygon_[a]), at_b = same(p, polygon_[b]);
-      const Place &u = at_a ? polygon_[b] : at_b ? polygon_[c] : polygon_[a], &t = at_a ? polygon_[c] : at_b ? polygon_[a] : polygon_[b];
+      const Place &u = at_a   ? polygon_[b]
+                       : at_b ? polygon_[c]
+                              : polygon_[a],
+                  &t = at_a   ? polygon_[c]
+                       : at_b ? polygon_[a]
+                              : polygon_[b];
       if (turn_sign(p, u, q) > 0 && turn_sign(p, t, q) < 0) return true;
     }
     return false;
@@ -83,7 +94,8 @@ class Funnel {
     known_.assign(polygon.size(), false);
     known_[0] = known_[1] = true;
     for (const auto& t : triangles_of(polygon))
-      for (int i = 0; i < 3; ++i) beyond_[{t[std::size_t(i)], t[std::size_t((i + 1) % 3)]}] = t[std::size_t((i + 2) % 3)];
+      for (int i = 0; i < 3; ++i)
+        beyond_[{t[std::size_t(i)], t[std::size_t((i + 1) % 3)]}] = t[std::size_t((i + 2) % 3)];
     std::vector<std::pair<std::uint32_t, std::uint32_t>> doors{{0, 1}};
     while (!doors.empty()) {
       const auto [a, b] = doors.back();  // what lies beyond is to the left of a -> b

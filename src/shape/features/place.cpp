@@ -59,6 +59,11 @@ int dot_sign(const Place& a, const Place& b, const Place& c, const Place& d) {
   return certain ? *certain : exact::sign_of(dot<RootExpression>(a, b, c, d));
 }
 
+double distance_left(const Place& a, const Place& b, const Place& p) {
+  if (turn_sign(a, b, p) <= 0) return 0;
+  return nearest_double(cross<RootExpression>(a, b, a, p) / sqrt(dot<RootExpression>(a, b, a, b)));
+}
+
 Place contact_place(const Complex& complex, std::uint32_t site, const ExactPoint& centre) {
   const Site& s = complex.sites[site];
   if (s.kind == Site::Kind::vertex) return {s.a, nullptr};

@@ -17,6 +17,10 @@ int cross_sign(const Place& a, const Place& b, const Place& c, const Place& d);
 int dot_sign(const Place& a, const Place& b, const Place& c, const Place& d);
 inline int turn_sign(const Place& a, const Place& b, const Place& c) { return cross_sign(a, b, a, c); }
 
+/// How far p lies to the left of the line a -> b: the double nearest to that distance, 0 to the right of it and where a
+/// and b are one point.
+double distance_left(const Place& a, const Place& b, const Place& p);
+
 /// Where the disc about an exact centre touches a site.
 Place contact_place(const Complex& complex, std::uint32_t site, const ExactPoint& centre);
 

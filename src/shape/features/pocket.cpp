@@ -36,7 +36,7 @@ bool turns_back(const BoundaryLoops& loops, const Bridge& bridge) {
 
 Deepest straight_minimum(const BoundaryLoops& loops, const ChainExtremes& extremes, const Bridge& bridge) {
   const std::uint32_t v = extremes.farthest(*bridge.pocket, bridge.from, bridge.to);
-  return {v, straight_depth(bridge, loops.vertices[v].at)};
+  return {v, distance_left(bridge.from, bridge.to, {loops.vertices[v].at, nullptr})};
 }
 
 Deepest geodesic_minimum(const BoundaryLoops& loops, const Bridge& bridge) {
@@ -73,7 +73,8 @@ Bridge bridge_at_end(const Complex& complex, const BoundaryLoops& loops, std::ui
     return bridge_between(complex, loops, edge, left, right);
   }
   if (complex.sites[e.left].kind == Site::Kind::vertex && complex.sites[e.right].kind == Site::Kind::vertex)
-    return bridge_between(complex, loops, edge, {complex.sites[e.left].a, nullptr}, {complex.sites[e.right].a, nullptr});
+    return bridge_between(complex, loops, edge, {complex.sites[e.left].a, nullptr},
+                          {complex.sites[e.right].a, nullptr});
   const ExactPoint centre = exact_disc(complex, e.high).centre;
   return bridge_between(complex, loops, edge, contact_place(complex, e.left, centre),
                         contact_place(complex, e.right, centre));
@@ -84,12 +85,6 @@ Bridge bridge_at(const Complex& complex, const BoundaryLoops& loops, std::uint32
   const ExactPoint centre = exact_centre_on_edge(complex, edge, r);
   return bridge_between(complex, loops, edge, contact_place(complex, e.left, centre),
                         contact_place(complex, e.right, centre));
-}
-
-double straight_depth(const Bridge& bridge, Point p) {
-  const Point a = bridge.from.at, b = bridge.to.at;
-  const double dx = b.x - a.x, dy = b.y - a.y, length = std::hypot(dx, dy);
-  return length > 0 ? std::max(0.0, (dx * (p.y - a.y) - dy * (p.x - a.x)) / length) : 0.0;
 }
 
 Deepest pocket_minimum(const BoundaryLoops& loops, const ChainExtremes& extremes, const Bridge& bridge,

@@ -35,15 +35,12 @@ Bridge bridge_at(const Complex& complex, const BoundaryLoops& loops, std::uint32
 
 struct Deepest {
   std::uint32_t vertex = kNoIndex;  ///< of the loops
-  double concavity = 0;             ///< rounded
+  double concavity = 0;             ///< by the straight line: the double nearest to the exact distance
 };
 
-/// The pocket minimum by a measure. Requires a bridge with a pocket. What is deepest is decided exactly for the straight
-/// line; for shortest paths the lengths are compared in doubles, and only their turns are exact.
+/// The pocket minimum by a measure. Requires a bridge with a pocket. What is deepest is decided exactly for the
+/// straight line; for shortest paths the lengths are compared in doubles, and only their turns are exact.
 Deepest pocket_minimum(const BoundaryLoops& loops, const ChainExtremes& extremes, const Bridge& bridge,
                        const FeatureOptions& options);
-
-/// The distance of a vertex to the line of a bridge, rounded.
-double straight_depth(const Bridge& bridge, Point p);
 
 }  // namespace dymsum::shape

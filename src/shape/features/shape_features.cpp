@@ -78,6 +78,65 @@ class Lives {
   std::uint32_t below_ = 0, above_ = 0;
 };
 
+/// Bars by their lives, or by the lesser of life and concavity. Keeps a reference.
+class Ranking {
+ public:
+  Ranking(const ShapeFeatures::State& state, const Rational& from, const std::optional<Rational>& to, bool bounded)
+      : state_(state), lives_(state, from, to) {
+    for (const FeatureBar& bar : state.bars) worth_.push_back(worth_of(bar, bounded && bar.minimum));
+  }
+
+  std::vector<std::uint32_t> at_least(const Rational& least) const {
+    const Lives::Number half = Lives::half(least);
+    std::vector<std::uint32_t> kept;
+    for (std::uint32_t i = 0; i < worth_.size(); ++i)
+      if (worth_[i].by == Worth::By::nothing || (worth_[i].in_range && compare(worth_[i].half, half) >= 0))
+        kept.push_back(i);
+    std::sort(kept.begin(), kept.end(), [this](std::uint32_t i, std::uint32_t j) { return before(i, j); });
+    return kept;
+  }
+
+ private:
+  struct Worth {
+    enum class By : std::uint8_t { nothing, life, concavity };
+    By by = By::nothing;  ///< what bounds it
+    bool in_range = true;
+    Lives::Number half;
+  };
+
+  Worth worth_of(const FeatureBar& bar, bool bounded) const {
+    Worth worth;
+    if (!lives_.endless(bar)) {
+      worth = {Worth::By::life, true, lives_.life(bar)};
+      worth.in_range = exact::sign_of(worth.half) >= 0;
+    }
+    if (!bounded) return worth;
+    const Lives::Number depth = Lives::Number(bar.concavity) / Lives::Number(2);
+    if (worth.by == Worth::By::nothing || compare(depth, worth.half) < 0)
+      worth = {Worth::By::concavity, worth.in_range, depth};
+    return worth;
+  }
+  /// Equal ones are mostly told apart from others without exact work.
+  bool surely_equal(std::uint32_t i, std::uint32_t j) const {
+    if (worth_[i].by != worth_[j].by) return false;
+    const FeatureBar &a = state_.bars[i], &b = state_.bars[j];
+    if (worth_[i].by == Worth::By::concavity) return a.concavity == b.concavity;
+    return lives_.birth_key(a) == lives_.birth_key(b) && lives_.death_key(a) == lives_.death_key(b);
+  }
+  bool before(std::uint32_t i, std::uint32_t j) const {
+    const FeatureBar &a = state_.bars[i], &b = state_.bars[j];
+    const bool endless = worth_[i].by == Worth::By::nothing;
+    if (endless != (worth_[j].by == Worth::By::nothing)) return endless;
+    if (!endless && !surely_equal(i, j))
+      if (const int sign = compare(worth_[i].half, worth_[j].half); sign != 0) return sign > 0;
+    return a.concavity != b.concavity ? a.concavity > b.concavity : i < j;
+  }
+
+  const ShapeFeatures::State& state_;
+  Lives lives_;
+  std::vector<Worth> worth_;
+};
+
 BridgeContact contact_of(const Complex& complex, std::uint32_t site, const Place& place) {
   const Site& s = complex.sites[site];
   const Point at = place.exact ? Point{nearest_double(place.exact->x), nearest_double(place.exact->y)} : place.at;
@@ -180,28 +239,12 @@ Result<std::vector<AlphaBridge>> ShapeFeatures::bridges(const Rational& alpha) c
 
 std::vector<std::uint32_t> ShapeFeatures::lasting(const Rational& life, const Rational& from,
                                                   const std::optional<Rational>& to) const {
-  const Lives lives(*state_, from, to);
-  const exact::RootExpression least = Lives::half(life);
-  std::vector<std::uint32_t> kept;
-  std::vector<exact::RootExpression> length(bars().size());
-  for (std::uint32_t i = 0; i < bars().size(); ++i) {
-    const FeatureBar& bar = bars()[i];
-    if (!lives.endless(bar)) {
-      length[i] = lives.life(bar);
-      if (exact::sign_of(length[i]) < 0 || compare(length[i], least) < 0) continue;
-    }
-    kept.push_back(i);
-  }
-  const auto longer = [&](std::uint32_t i, std::uint32_t j) {
-    const FeatureBar &a = bars()[i], &b = bars()[j];
-    if (lives.endless(a) != lives.endless(b)) return lives.endless(a);
-    const bool same = lives.birth_key(a) == lives.birth_key(b) && lives.death_key(a) == lives.death_key(b);
-    if (!lives.endless(a) && !same)
-      if (const int sign = compare(length[i], length[j]); sign != 0) return sign > 0;
-    return a.concavity != b.concavity ? a.concavity > b.concavity : i < j;
-  };
-  std::sort(kept.begin(), kept.end(), longer);
-  return kept;
+  return Ranking(*state_, from, to, false).at_least(life);
+}
+
+std::vector<std::uint32_t> ShapeFeatures::significant(const Rational& significance, const Rational& from,
+                                                      const std::optional<Rational>& to) const {
+  return Ranking(*state_, from, to, true).at_least(significance);
 }
 
 }  // namespace dymsum

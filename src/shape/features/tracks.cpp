@@ -35,7 +35,8 @@ class Sweep {
   Tracks run() {
     ascend();
     for (std::uint32_t e = 0; e < complex_.edges.size(); ++e)
-      if (!complex_.edges[e].flat && complex_.edges[e].high == kNoIndex) start(e, kNoIndex, Bar::Death::never, kNoIndex);
+      if (!complex_.edges[e].flat && complex_.edges[e].high == kNoIndex)
+        start(e, kNoIndex, Bar::Death::never, kNoIndex);
     for (std::size_t j = tracks_.junctions.size(); j-- > 0;) descend(std::uint32_t(j));
     order();
     return std::move(tracks_);

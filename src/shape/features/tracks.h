@@ -55,10 +55,10 @@ struct Tracks {
 };
 
 /// Elder rule: where tracks meet, the one that was born first goes on. Of equally old ones it is the one whose pocket
-/// holds the pocket minimum of the bar where the bar dies, hence the deeper one as seen from there; where none holds it,
-/// the one with the larger concavity, then the one of the lower edge. Bars are ordered by their births, then their first
-/// edges. O(edges) and one question per bar.
-/// Throws std::logic_error where a track would split, which no complex has.
+/// holds the pocket minimum of the bar where the bar dies, hence the deeper one as seen from there; where none holds
+/// it, the one with the larger concavity, then the one of the lower edge. Bars are ordered by their births, then their
+/// first edges. O(edges) and one question per bar. Throws std::logic_error where a track would split, which no complex
+/// has.
 Tracks tracks_of(const Complex& complex, const PocketOracle& pockets);
 
 }  // namespace dymsum::shape

@@ -4,7 +4,13 @@
 
 #include <algorithm>
 #include <cmath>
+#include <filesystem>
+#include <functional>
 #include <random>
+#include <string>
+
+#include "dymsum/planar_sum.h"
+#include "dymsum/region_io.h"
 
 namespace dymsum {
 namespace {
@@ -145,9 +151,165 @@ TEST(Decompose, LevelsAreNested) {
   }
 }
 
+TEST(Decompose, SmallNoiseLeavesLastingCutsWhereTheyWere) {
+  // A notch in each side, and teeth 1/16 high along the bottom.
+  Ring clean{{0, 0}, {40, 0}, {40, 20}, {24, 20}, {20, 8}, {16, 20}, {0, 20}}, noisy{{0, 0}};
+  for (int i = 1; i < 40; ++i) noisy.push_back({double(i), i % 2 == 1 ? -0.0625 : 0.0});
+  noisy.insert(noisy.end(), clean.begin() + 1, clean.end());
+  const Decomposition a = cut(Region::create({{{clean, {}}}, {}, {}}).value(), 6);
+  const Decomposition b = cut(Region::create({{{noisy, {}}}, {}, {}}).value(), 6);
+  ASSERT_EQ(a.cuts.size(), 1u);
+  ASSERT_EQ(b.cuts.size(), 1u);
+  EXPECT_EQ(a.cuts[0].from, b.cuts[0].from);
+  EXPECT_EQ(a.pieces.size(), b.pieces.size());
+}
+
+TEST(Decompose, NoiseMovesTheCutsOfARealShapeAsLittleAsItself) {
+  const std::filesystem::path folder = std::filesystem::path(DYMSUM_SOURCE_DIR) / "../shared/data/planar";
+  if (!std::filesystem::exists(folder / "mammoth_noise.poly")) GTEST_SKIP() << "no such data";
+  const auto cuts = [&](const char* name) {
+    const RegionData data = read_region_data((folder / name).string()).value();
+    return cut(repair(data).value().region, 3).cuts;
+  };
+  const std::vector<Cut> clean = cuts("mammoth.poly"), noisy = cuts("mammoth_noise.poly");
+  ASSERT_EQ(clean.size(), 4u);
+  ASSERT_EQ(noisy.size(), 4u);
+  const auto far = [](const RationalPoint& a, const RationalPoint& b) {
+    return std::hypot((a.x - b.x).to_double(), (a.y - b.y).to_double());
+  };
+  for (const Cut& a : clean)
+    EXPECT_TRUE(std::any_of(noisy.begin(), noisy.end(),
+                            [&](const Cut& b) { return far(a.from, b.from) < 0.05 && far(a.to, b.to) < 0.05; }));
+}
+
+TEST(Decompose, WideShallowNoiseCountsByItsDepth) {
+  // Notches 1/16 deep and 8 wide, alone and beside each other.
+  Ring ring{{0, 0}};
+  for (int i = 1; i < 10; ++i) ring.push_back({4.0 * i, i % 2 == 1 ? 0.0625 : 0.0});
+  ring.insert(ring.end(), {{40, 0}, {40, 20}, {0, 20}});
+  const Region region = Region::create({{{ring, {}}}, {}, {}}).value();
+  EXPECT_TRUE(cut(region, Rational::parse("1/8").value()).cuts.empty());
+  EXPECT_EQ(cut(region, Rational::parse("1/16").value()).cuts.size(), 5u);
+}
+
+Region small_polygon(unsigned seed) {
+  std::mt19937 random(seed);
+  for (;;) {
+    Ring ring;
+    for (int i = 0; i < 5 + int(seed % 4); ++i) ring.push_back({double(random() % 6), double(random() % 6)});
+    if (Result<Region> made = Region::create({{{ring, {}}}, {}, {}}); made && made.value().touching_points().empty())
+      return made.value();
+  }
+}
+
+bool inside(const RationalRing& ring, const RationalPoint& p) {
+  bool odd = false;
+  for (std::size_t i = 0; i < ring.size(); ++i) {
+    const RationalPoint &a = ring[i], &b = ring[(i + 1) % ring.size()];
+    if ((a.y > p.y) != (b.y > p.y)) odd = odd != ((turn(a, b, p).sign() > 0) == (b.y > a.y));
+  }
+  return odd;
+}
+
+bool inside(const Piece& piece, const RationalPoint& p) {
+  bool in = inside(piece.outer, p);
+  for (const RationalRing& hole : piece.holes) in = in && !inside(hole, p);
+  return in;
+}
+
+TEST(Decompose, EveryPointOfATinyGridLiesInOnePiece) {
+  for (unsigned seed = 0; seed < 60; ++seed) {
+    const Region region = small_polygon(seed);
+    RationalRing outer;
+    for (const Point& p : region.parts()[0].outer)
+      outer.push_back({Rational::of(p.x).value(), Rational::of(p.y).value()});
+    for (const int tau : {0, 1}) {
+      const Decomposition made = cut(region, tau);
+      for (int i = 0; i < 15; ++i)
+        for (int j = 0; j < 15; ++j) {  // on no edge and on no cut: the denominators are large primes
+          const RationalPoint p{Rational(i) / Rational(3) + Rational(1) / Rational(100003),
+                                Rational(j) / Rational(3) + Rational(1) / Rational(10007)};
+          const auto holders = std::count_if(made.pieces.begin(), made.pieces.end(),
+                                             [&](const Piece& piece) { return inside(piece, p); });
+          ASSERT_EQ(holders, inside(outer, p) ? 1 : 0) << "seed " << seed << ", tau " << tau;
+        }
+    }
+  }
+}
+
+bool are_doubles(const Decomposition& made) {
+  const auto plain = [](const Rational& v) { return Rational::of(v.to_double()).value() == v; };
+  return std::all_of(made.cuts.begin(), made.cuts.end(), [&](const Cut& c) { return plain(c.to.x) && plain(c.to.y); });
+}
+
+TEST(Decompose, TheUnionOfThePiecesIsTheRegion) {
+  std::vector<Region> regions{comb(4), plate_with_holes()};
+  for (unsigned seed = 0; seed < 60; ++seed) regions.push_back(small_polygon(seed));
+  int cuts = 0;
+  for (const Region& region : regions) {
+    const Decomposition made = cut(region, 0);
+    if (!are_doubles(made)) continue;
+    cuts += int(made.cuts.size());
+    EXPECT_EQ(union_of(rounded(made).value()).value().rounded().value(), region.canonical());
+  }
+  EXPECT_GT(cuts, 40);
+}
+
+/// Cuts as pairs of points, in order.
+std::vector<std::string> cut_texts(const std::vector<Cut>& cuts,
+                                   const std::function<RationalPoint(RationalPoint)>& map) {
+  std::vector<std::string> texts;
+  for (const Cut& c : cuts) {
+    const RationalPoint from = map(c.from), to = map(c.to);
+    texts.push_back(from.x.to_string() + " " + from.y.to_string() + " " + to.x.to_string() + " " + to.y.to_string());
+  }
+  return texts;
+}
+
+TEST(Decompose, MotionsMoveTheCuts) {
+  const auto same = [](const RationalPoint& p) { return p; };
+  const std::vector<std::function<RationalPoint(RationalPoint)>> motions{
+      [](const RationalPoint& p) {
+        return RationalPoint{-p.y, p.x};
+      },
+      [](const RationalPoint& p) {
+        return RationalPoint{-p.x, -p.y};
+      },
+      [](const RationalPoint& p) {
+        return RationalPoint{p.y, -p.x};
+      },
+      [](const RationalPoint& p) {
+        return RationalPoint{-p.x, p.y};
+      },
+      [](const RationalPoint& p) {
+        return RationalPoint{p.y, p.x};
+      },
+      [](const RationalPoint& p) {
+        return RationalPoint{p.x + Rational(12345), p.y - Rational(678)};
+      }};
+  for (const unsigned seed : {1u, 2u, 3u, 7u}) {
+    const Region region = random_star(seed, 24);
+    for (const int tau : {0, 50, 200}) {
+      const std::vector<Cut> cuts = cut(region, tau).cuts;
+      for (std::size_t k = 0; k < motions.size(); ++k) {
+        Ring ring;
+        for (const Point& p : region.parts()[0].outer) {
+          const RationalPoint moved = motions[k]({Rational::of(p.x).value(), Rational::of(p.y).value()});
+          ring.push_back({moved.x.to_double(), moved.y.to_double()});
+        }
+        if (k == 3 || k == 4) std::reverse(ring.begin(), ring.end());
+        const Region turned = Region::create({{{ring, {}}}, {}, {}}).value();
+        EXPECT_EQ(cut_texts(cut(turned, tau).cuts, same), cut_texts(cuts, motions[k])) << seed << " motion " << k;
+      }
+    }
+  }
+}
+
 TEST(Decompose, WhatCannotBeCutIsTold) {
-  const ShapeFeatures line = ShapeFeatures::create(Region::create({{}, {{{0, 0}, {1, 0}, {1, 1}}}, {}}).value()).value();
+  const ShapeFeatures line =
+      ShapeFeatures::create(Region::create({{}, {{{0, 0}, {1, 0}, {1, 1}}}, {}}).value()).value();
   EXPECT_EQ(decompose(line).error().code, ErrorCode::unsupported_operand);
+  EXPECT_EQ(decompose(line).error().evidence.x, 0);
   const ShapeFeatures features = ShapeFeatures::create(comb(2)).value();
   EXPECT_EQ(decompose(features, {-1, 0, std::nullopt}).error().code, ErrorCode::out_of_range);
   EXPECT_EQ(decompose(features, {0, 2, Rational(1)}).error().code, ErrorCode::out_of_range);

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <random>
 #include <set>
 #include <vector>
 
@@ -180,6 +181,34 @@ TEST(ShapeFeatures, ShortestPathsGoAroundCornersOfThePocket) {
   EXPECT_DOUBLE_EQ(largest(Concavity::shortest_path), 2 + std::hypot(8, 2));
   EXPECT_DOUBLE_EQ(largest(Concavity::hybrid1), 2 + std::hypot(8, 2));
   EXPECT_EQ(largest(Concavity::hybrid2), 4);
+}
+
+/// Every pocket has ears until it is a triangle, or it is told as a defect.
+TEST(ShapeFeatures, ShortestPathsInPocketsOfAllKinds) {
+  std::mt19937 random(5);
+  const auto walk = [&](std::size_t n) {
+    std::vector<Point> points;
+    while (points.size() < n) {
+      const Point p{double(random() % 7), double(random() % 7)};
+      if (points.empty() || points.back() != p) points.push_back(p);
+    }
+    return points;
+  };
+  int made = 0;
+  for (int i = 0; i < 3000; ++i) {
+    const std::vector<Point> points = walk(5 + std::size_t(i % 4));
+    const Result<Region> region =
+        i % 2 == 0 ? Region::create({{}, {points}, {}}) : Region::create({{{points, {}}}, {}, {}});
+    if (!region) continue;
+    for (const Concavity concavity : {Concavity::shortest_path, Concavity::straight_line, Concavity::hybrid1}) {
+      const Result<ShapeFeatures> features = ShapeFeatures::create(region.value(), {concavity, 0, 1});
+      if (!features) continue;
+      ++made;
+      for (const FeatureBar& bar : features.value().bars())
+        EXPECT_TRUE(std::isfinite(bar.concavity) && bar.concavity >= 0);
+    }
+  }
+  EXPECT_GT(made, 300);
 }
 
 /// The elder rule by definition: the oldest birth below an edge, over all ways down.
