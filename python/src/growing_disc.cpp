@@ -69,12 +69,12 @@ void bind_disc_radius(nb::module_& m) {
                                 "A radius: an exact number, or exactly that of an event, which need not be rational.");
   radius
       .def(
-          "__init__",
-          [](DiscRadius* self, const RadiusArgument& value) { new (self) DiscRadius(value.value()); }, "value"_a,
-          "Raises Error: not_finite.")
+          "__init__", [](DiscRadius* self, const RadiusArgument& value) { new (self) DiscRadius(value.value()); },
+          "value"_a, "Raises Error: not_finite.")
       .def_static("at_event", &DiscRadius::at_event, "index"_a,
                   "The radius of that event of GrowingDisc.events of the side at hand.")
-      .def_prop_ro("value", [](const DiscRadius& self) { return self.value; }, "Where no event is named.")
+      .def_prop_ro(
+          "value", [](const DiscRadius& self) { return self.value; }, "Where no event is named.")
       .def_prop_ro("event", [](const DiscRadius& self) { return self.event; })
       .def(
           "__eq__", [](const DiscRadius& a, const DiscRadius& b) { return a == b; }, nb::is_operator())
@@ -158,10 +158,18 @@ nb::object shapely_of(const DiscSetOf& set, std::optional<double> error, DiscBou
   return nb::cast(polygons_of(set, error.value_or(fine), bound).region).attr("to_shapely")();
 }
 
+std::string short_text(const DiscSetOf& set) {
+  return "<DiscSet: radius " + set.radius_exact + ", " + std::to_string(set.parts.size()) + " parts, " +
+         std::to_string(set.hole_count()) + " holes, " + std::to_string(set.piece_count()) +
+         " pieces, tight: " + std::to_string(set.tight_points.size()) + " points, " +
+         std::to_string(set.tight_segments.size()) + " segments>";
+}
+
 void bind_disc_set(nb::module_& m) {
   Record<DiscPolygons>(m, "DiscPolygons", "Polygons in place of a set with arcs.")
       .field("region", &DiscPolygons::region)
-      .field("error", &DiscPolygons::error, "no boundary point of either is further than this from the other's boundary")
+      .field("error", &DiscPolygons::error,
+             "no boundary point of either is further than this from the other's boundary")
       .field("rounded", &DiscPolygons::rounded, "how far rounding moved a vertex at most: a part of `error`")
       .field("chords", &DiscPolygons::chords, "segments that stand for arcs");
   Record<Measured>(m, "Measured", "A double and how far it may be from the exact number.")
@@ -179,7 +187,6 @@ Which pieces there are and how they follow each other is exact; positions are do
 >>> grown.parts[0].outer.at.shape
 (8, 2)
 )doc");
-  nb::del(set.attr("__repr__"));  // all pieces by name: a shorter one follows
   set.field("parts", of_set(&DiscSet::parts), "closures of the connected interiors")
       .field("segments", of_set(&DiscSet::segments), "pieces of the set without area")
       .field("points", of_set(&DiscSet::points), "the same")
@@ -190,18 +197,15 @@ Which pieces there are and how they follow each other is exact; positions are do
       .field("at_error", of_set(&DiscSet::at_error), "positions are within this in each coordinate")
       .field("region", &DiscSetOf::region, "what the set was made from")
       .def("hole_count", [](const DiscSetOf& self) { return self.hole_count(); })
-      .def("piece_count", [](const DiscSetOf& self) { return self.piece_count(); }, "Of all rings.")
-      .def("__repr__",
-           [](const DiscSetOf& self) {
-             return "<DiscSet: radius " + self.radius_exact + ", " + std::to_string(self.parts.size()) + " parts, " +
-                    std::to_string(self.hole_count()) + " holes, " + std::to_string(self.piece_count()) +
-                    " pieces, tight: " + std::to_string(self.tight_points.size()) + " points, " +
-                    std::to_string(self.tight_segments.size()) + " segments>";
-           })
-      .def("to_json", [](const DiscSetOf& self) { return disc_set_to_json(self); }, "As disc_set_to_json.")
+      .def(
+          "piece_count", [](const DiscSetOf& self) { return self.piece_count(); }, "Of all rings.")
+      .def(
+          "to_json", [](const DiscSetOf& self) { return disc_set_to_json(self); }, "As disc_set_to_json.")
       .def("to_shapely", &shapely_of, "error"_a = nb::none(), "bound"_a = DiscBound::inside,
            "to_region as a shapely geometry (needs shapely 2); without `error` within a 1000th of the radius.")
       .def("_repr_svg_", [](const DiscSetOf& self) { return draw_disc_set(self.region, self); });
+  // Not piece by piece, as records are.
+  set.attr("__repr__") = nb::cpp_function(&short_text, nb::is_method());
 }
 
 void bind_disc_set_functions(nb::module_& m) {
@@ -258,14 +262,16 @@ void bind_set_at(nb::class_<GrowingDiscObject>& type, const char* name, SetAt ma
 }
 
 void bind_sets_at(nb::class_<GrowingDiscObject>& type) {
-  bind_set_at(type, "sum_at", &GrowingDisc::sum_at,
-              "All points at most `r` from the region. open: with the tight features, where a disc that stays clear of the "
-              "region touches it on all sides. Radius 0 gives "
-              "the region. Raises Error: out_of_range for a negative radius and an event that there is not.");
-  bind_set_at(type, "eroded_at", &GrowingDisc::eroded_at,
-              "The centres of discs that lie in the region. Positions without room to move are `segments` and `points`, "
-              "and tight; regular drops them, open only lists them as tight. Raises Error: as sum_at; "
-              "unsupported_operand for polylines and points.");
+  bind_set_at(
+      type, "sum_at", &GrowingDisc::sum_at,
+      "All points at most `r` from the region. open: with the tight features, where a disc that stays clear of the "
+      "region touches it on all sides. Radius 0 gives "
+      "the region. Raises Error: out_of_range for a negative radius and an event that there is not.");
+  bind_set_at(
+      type, "eroded_at", &GrowingDisc::eroded_at,
+      "The centres of discs that lie in the region. Positions without room to move are `segments` and `points`, "
+      "and tight; regular drops them, open only lists them as tight. Raises Error: as sum_at; "
+      "unsupported_operand for polylines and points.");
   bind_set_at(type, "opened_at", &GrowingDisc::opened_at,
               "What discs that lie in the region cover. closed and open: with those that fit exactly; regular: the "
               "closure of what the others cover. Raises Error: as eroded_at.");

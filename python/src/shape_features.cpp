@@ -109,7 +109,8 @@ void bind_feature_questions(nb::class_<ShapeFeatures>& type) {
           },
           "alpha"_a,
           "The bridges of discs of diameter `alpha`, at an event those that end there, or go on, and those that are "
-          "born there. Those of diameter 0 are the reflex vertices; above all events, the edges of the convex hull that "
+          "born there. Those of diameter 0 are the reflex vertices; above all events, the edges of the convex hull "
+          "that "
           "are not in the boundary. Raises Error: out_of_range for a negative diameter.")
       .def(
           "lasting",
@@ -122,8 +123,9 @@ void bind_feature_questions(nb::class_<ShapeFeatures>& type) {
 }
 
 void bind_shape_features_class(nb::module_& m) {
-  nb::class_<ShapeFeatures> type(m, "ShapeFeatures",
-                                 R"doc(What a growing disc sees of a region: bridges and pockets, and how long they last.
+  nb::class_<ShapeFeatures> type(
+      m, "ShapeFeatures",
+      R"doc(What a growing disc sees of a region: bridges and pockets, and how long they last.
 
 Births, deaths and their order are exact; diameters are in the unit of the coordinates. Made without the GIL. May be
 shared by threads.
@@ -192,7 +194,9 @@ void bind_pieces(nb::module_& m) {
       .field("holes", &Piece::holes)
       .def(
           "to_shapely",
-          [](const Piece& self) { return shapely_piece(take(rounded(Decomposition{{}, {self}})).front()); },
+          [](const Piece& self) {
+            return shapely_piece(take(rounded(Decomposition{{}, {self}})).front());
+          },
           "The piece rounded to doubles as a shapely polygon (needs shapely 2). Raises Error: "
           "rounding_changed_topology.");
   Record<Decomposition>(m, "Decomposition", "Cuts, and the pieces between them.")
