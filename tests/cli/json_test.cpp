@@ -72,6 +72,8 @@ const std::vector<Case> kCases = {
     {"info", "info bow.wkt", 2},
     {"solid_info", "info cube.off"},
     {"solid_info", "info open.off", 2},
+    {"disc", "disc slot.wkt --radius 1/3 --events"},
+    {"disc", "disc slot.wkt --radius 100 --set erosion", 4},
     {"convert", "convert frame.wkt out.geojson"},
     {"solid_convert", "convert cube.off out.obj"},
     {"solid_convert", "hull cube.off out.off"},

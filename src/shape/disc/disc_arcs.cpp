@@ -4,6 +4,7 @@
 #include <functional>
 #include <map>
 #include <numeric>
+#include <optional>
 #include <stdexcept>
 
 #include "base/union_find.h"
@@ -74,10 +75,12 @@ class ArcGroup {
   }
 
  private:
-  /// A part of an arc that another disc covers.
+  /// A part of an arc that another disc covers. Where that touches the vertex at which the arc starts or stops, it is
+  /// known to begin or end there.
   struct Cover {
     std::uint32_t by = 0;
     LazyVector enter, leave;
+    bool at_start = false, at_stop = false;
   };
 
   LazyVector centre(const CornerDisc& disc) const {
@@ -146,26 +149,62 @@ class ArcGroup {
     const LazyVector start = towards_site(i, complex.sites[complex.edges[arcs_[arc].in].right]);
     const LazyVector stop = towards_site(i, complex.sites[complex.edges[arcs_[arc].out].left]);
     std::vector<Cover> covers;
-    for (const std::uint32_t j : near) {
-      Cover cover{members_[j], towards_circle(i, j, false), towards_circle(i, j, true)};
-      // What the other disc covers contains no contact inside: all of it lies in front of the start, or behind it.
-      if (compare(start, cover.enter, stop) < 0) covers.push_back(std::move(cover));
-    }
+    for (const std::uint32_t j : near)
+      if (auto cover = cover_of(i, j, start, stop)) covers.push_back(std::move(*cover));
     std::sort(covers.begin(), covers.end(), [&](const Cover& a, const Cover& b) {
+      if (a.at_start || b.at_start) return a.at_start != b.at_start ? a.at_start : a.by < b.by;
       const int order = compare(start, a.enter, b.enter);
       return order != 0 ? order < 0 : a.by < b.by;
     });
-    std::uint32_t begin = ArcFragment::kContact;
-    const LazyVector* at = nullptr;  // the start
+    const Cover* last = nullptr;  // the one that reaches furthest
+    const auto is_beyond = [&](const LazyVector& v) {
+      if (last == nullptr) return quarter(start, v) != 0;
+      return !last->at_stop && compare(start, last->leave, v) < 0;
+    };
+    const auto begin = [&] { return last == nullptr ? ArcFragment::kContact : last->by; };
     for (const Cover& cover : covers) {
-      const bool uncovered = at == nullptr ? quarter(start, cover.enter) != 0 : compare(start, *at, cover.enter) < 0;
-      if (uncovered) add(arc, begin, cover.by, made);
-      if (at == nullptr || compare(start, *at, cover.leave) < 0) {
-        at = &cover.leave;
-        begin = cover.by;
-      }
+      if (!cover.at_start && is_beyond(cover.enter)) add(arc, begin(), cover.by, made);
+      if (last == nullptr || (cover.at_stop && !last->at_stop) || (!cover.at_stop && is_beyond(cover.leave)))
+        last = &cover;
     }
-    if (at == nullptr || compare(start, *at, stop) < 0) add(arc, begin, ArcFragment::kContact, made);
+    if (last == nullptr || is_beyond(stop)) add(arc, begin(), ArcFragment::kContact, made);
+  }
+
+  /// Of arc i by the disc of j. No contact lies inside of what a disc covers.
+  std::optional<Cover> cover_of(std::uint32_t i, std::uint32_t j, const LazyVector& start,
+                                const LazyVector& stop) const {
+    const Complex& complex = places_.complex();
+    const CornerArc &arc = arcs_[members_[i]], &other = arcs_[members_[j]];
+    Cover cover{members_[j], towards_circle(i, j, false), towards_circle(i, j, true)};
+    if (touch_vertex(other.disc, complex.edges[arc.in].right)) {
+      if (sign_of_cross(difference(i, j), start) < 0) return std::nullopt;
+      cover.at_start = true;
+    }
+    if (touch_vertex(other.disc, complex.edges[arc.out].left)) {
+      if (sign_of_cross(difference(i, j), stop) > 0) return std::nullopt;
+      cover.at_stop = true;
+    }
+    if (!cover.at_start && compare(start, cover.enter, stop) >= 0) return std::nullopt;
+    return cover;
+  }
+
+  bool touch_vertex(const CornerDisc& disc, std::uint32_t site) const {
+    const Complex& complex = places_.complex();
+    if (complex.sites[site].kind != Site::Kind::vertex) return false;
+    const auto touches = [&](std::uint32_t edge) {
+      return complex.edges[edge].left == site || complex.edges[edge].right == site;
+    };
+    if (!disc.at_node) return touches(disc.index);
+    const auto first = complex.spokes.begin() + complex.first_spoke[disc.index],
+               last = complex.spokes.begin() + complex.first_spoke[disc.index + 1];
+    return std::any_of(first, last, [&](const Spoke& spoke) { return touches(spoke.edge); });
+  }
+
+  LazyVector difference(std::uint32_t i, std::uint32_t j) const {
+    LazyVector made;
+    made.near = minus(centres_[j].near, centres_[i].near);
+    made.exact = [this, i, j] { return minus(centres_[j].exact(), centres_[i].exact()); };
+    return made;
   }
 
   static void add(std::uint32_t arc, std::uint32_t begin, std::uint32_t end, ArcSet& made) {
