@@ -80,7 +80,8 @@ class Lives {
 
 BridgeContact contact_of(const Complex& complex, std::uint32_t site, const Place& place) {
   const Site& s = complex.sites[site];
-  return {s.kind == Site::Kind::vertex, s.index, place.at};
+  const Point at = place.exact ? Point{nearest_double(place.exact->x), nearest_double(place.exact->y)} : place.at;
+  return {s.kind == Site::Kind::vertex, s.index, at};
 }
 
 /// Edges of the complex that a level crosses, as ShapeFeatures::bridges says.
@@ -104,7 +105,7 @@ AlphaBridge public_bridge(const ShapeFeatures::State& state, std::uint32_t edge,
   result.to = contact_of(state.complex, bridge.to_site, bridge.to);
   result.centre = disc_on_edge(state.complex, edge, r).centre;
   result.gap = !bridge.pocket;
-  result.length = std::hypot(bridge.to.at.x - bridge.from.at.x, bridge.to.at.y - bridge.from.at.y);
+  result.length = std::hypot(result.to.at.x - result.from.at.x, result.to.at.y - result.from.at.y);
   result.bar = state.tracks.bar_of[edge];
   if (!bridge.pocket) return result;
   result.pocket_size = length(state.loops, *bridge.pocket);

@@ -1,0 +1,220 @@
+#include "dymsum/shape_features.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <set>
+#include <vector>
+
+#include "dymsum/shapes.h"
+#include "shape/complex/complex.h"
+#include "shape/features/tracks.h"
+
+namespace dymsum {
+namespace {
+
+Region ring_region(const Ring& outer, const std::vector<Ring>& holes = {}) {
+  return Region::create({{{outer, holes}}, {}, {}}).value();
+}
+
+/// A plate with two rectangular notches of widths 2 and 4.
+Region two_notches() {
+  return ring_region({{0, 0}, {20, 0}, {20, 10}, {14, 10}, {14, 4}, {10, 4}, {10, 10}, {6, 10}, {6, 2}, {4, 2}, {4, 10}, {0, 10}});
+}
+
+Region star(int tips) {
+  Ring ring;
+  for (int i = 0; i < 2 * tips; ++i) {
+    const double angle = M_PI * i / tips, r = i % 2 == 0 ? 100 : 40;
+    ring.push_back({std::round(r * std::cos(angle) * 64), std::round(r * std::sin(angle) * 64)});
+  }
+  return ring_region(ring);
+}
+
+Region grid_of_holes(int n) {
+  std::vector<Ring> holes;
+  for (int i = 0; i < n; ++i)
+    for (int j = 0; j < n; ++j) {
+      const double x = 4 * i + 1, y = 4 * j + 1;
+      holes.push_back({{x, y}, {x, y + 2}, {x + 2, y + 2}, {x + 2, y}});
+    }
+  const double size = 4 * n;
+  return ring_region({{0, 0}, {size, 0}, {size, size}, {0, size}}, holes);
+}
+
+Region mapped(const Region& region, double a, double b, double c, double d, Point by) {
+  RegionData data = region.data();
+  const bool reflected = a * d - b * c < 0;
+  const auto map = [&](Ring& ring) {
+    for (Point& p : ring) p = {a * p.x + b * p.y + by.x, c * p.x + d * p.y + by.y};
+    if (reflected) std::reverse(ring.begin(), ring.end());
+  };
+  for (Part& part : data.parts) {
+    map(part.outer);
+    for (Ring& hole : part.holes) map(hole);
+  }
+  return Region::create(std::move(data)).value();
+}
+
+ShapeFeatures features_of(const Region& region, const FeatureOptions& options = {}) {
+  return ShapeFeatures::create(region, options).value();
+}
+
+std::multiset<std::pair<std::uint32_t, std::uint32_t>> events_of_bars(const ShapeFeatures& features) {
+  std::multiset<std::pair<std::uint32_t, std::uint32_t>> events;
+  for (const FeatureBar& bar : features.bars()) events.insert({bar.birth, bar.death.value_or(0xffffffff)});
+  return events;
+}
+
+std::size_t reflex_count(const Region& region) {
+  std::size_t count = 0;
+  const auto see = [&](const Ring& r) {
+    for (std::size_t i = 0, n = r.size(); i < n; ++i) {
+      const Point a = r[i], b = r[(i + 1) % n], c = r[(i + 2) % n];
+      count += (b.x - a.x) * (c.y - b.y) - (b.y - a.y) * (c.x - b.x) < 0;
+    }
+  };
+  for (const Part& part : region.parts()) {
+    see(part.outer);
+    for (const Ring& hole : part.holes) see(hole);
+  }
+  return count;
+}
+
+std::vector<Region> shapes() { return {two_notches(), star(5), star(8), grid_of_holes(3)}; }
+
+TEST(ShapeFeatures, BridgesOfDiameterZeroAreTheReflexVertices) {
+  for (const Region& region : shapes()) {
+    const ShapeFeatures features = features_of(region);
+    const std::vector<AlphaBridge> bridges = features.bridges(0).value();
+    EXPECT_EQ(bridges.size(), reflex_count(region));
+    std::set<std::uint32_t> minima;
+    for (const AlphaBridge& b : bridges) {
+      EXPECT_EQ(b.length, 0);
+      EXPECT_EQ(b.pocket_size, 1u);
+      minima.insert(b.minimum.value());
+    }
+    EXPECT_EQ(minima.size(), bridges.size());
+  }
+}
+
+TEST(ShapeFeatures, BridgesBeyondTheLastEventAreHullEdges) {
+  const ShapeFeatures notches = features_of(two_notches());
+  const std::vector<AlphaBridge> bridges = notches.bridges(1000).value();
+  ASSERT_EQ(bridges.size(), 2u);
+  for (const AlphaBridge& b : bridges) EXPECT_TRUE(b.from.at_vertex && b.to.at_vertex && b.from.at.y == 10 && b.to.at.y == 10);
+  EXPECT_EQ(features_of(star(5)).bridges(1000000).value().size(), 5u);
+  EXPECT_EQ(features_of(grid_of_holes(3)).bridges(1000).value().size(), 0u);
+}
+
+TEST(ShapeFeatures, RectangularNotchesMergeAtTheirWidth) {
+  const ShapeFeatures features = features_of(two_notches());
+  ASSERT_EQ(features.bars().size(), 4u);
+  EXPECT_EQ(features.event_count(), 3u);
+  EXPECT_EQ(features.event_text(1), "2");
+  EXPECT_EQ(features.event_text(2), "4");
+  std::size_t endless = 0;
+  for (const FeatureBar& bar : features.bars()) {
+    EXPECT_EQ(bar.birth_alpha, 0);
+    EXPECT_EQ(bar.minimum, bar.vertex);
+    endless += bar.died == FeatureBar::Death::never;
+  }
+  EXPECT_EQ(endless, 2u);
+}
+
+TEST(ShapeFeatures, AlikeHolesFillAtOneEvent) {
+  const ShapeFeatures features = features_of(grid_of_holes(3));
+  ASSERT_EQ(features.bars().size(), 36u);
+  for (const FeatureBar& bar : features.bars()) {
+    EXPECT_TRUE(bar.in_hole);
+    EXPECT_EQ(bar.died, FeatureBar::Death::filled);
+    EXPECT_EQ(bar.death_alpha, 2);
+    EXPECT_EQ(bar.death, features.bars()[0].death);
+  }
+}
+
+TEST(ShapeFeatures, GapsBetweenPartsAreBornInPairs) {
+  const Region two = Region::create({{{{{0, 0}, {4, 0}, {4, 4}, {0, 4}}, {}}, {{{7, 0}, {11, 0}, {11, 4}, {7, 4}}, {}}}, {}, {}}).value();
+  const ShapeFeatures features = features_of(two);
+  ASSERT_EQ(features.bars().size(), 2u);
+  for (const FeatureBar& bar : features.bars()) {
+    EXPECT_EQ(bar.born, FeatureBar::Birth::neck);
+    EXPECT_EQ(bar.birth_alpha, 3);
+    EXPECT_FALSE(bar.minimum.has_value());
+  }
+  for (const int alpha : {3, 4}) {
+    const std::vector<AlphaBridge> bridges = features.bridges(alpha).value();
+    ASSERT_EQ(bridges.size(), 2u);
+    EXPECT_TRUE(bridges[0].gap && bridges[1].gap);
+  }
+  EXPECT_EQ(features.bridges(2).value().size(), 0u);
+}
+
+TEST(ShapeFeatures, EventsStayUnderRigidMotionsAndScale) {
+  for (const Region& region : shapes()) {
+    const auto expected = events_of_bars(features_of(region));
+    EXPECT_EQ(events_of_bars(features_of(mapped(region, 0, -1, 1, 0, {7, -3}))), expected);
+    EXPECT_EQ(events_of_bars(features_of(mapped(region, -1, 0, 0, 1, {0, 5}))), expected);
+    EXPECT_EQ(events_of_bars(features_of(mapped(region, 3, -4, 4, 3, {1, 2}))), expected);
+    EXPECT_EQ(events_of_bars(features_of(mapped(region, 0.25, 0, 0, 0.25, {}))), expected);
+  }
+}
+
+TEST(ShapeFeatures, ShortestPathsGoAroundCornersOfThePocket) {
+  // A pocket with a side arm: the end of the arm is 2 below the bridge, and 2 + 8 - 2 away around its corner.
+  const Region region = ring_region({{0, 0}, {20, 0}, {20, 10}, {6, 10}, {6, 8}, {14, 8}, {14, 6}, {4, 6}, {4, 10}, {0, 10}});
+  const auto largest = [&](Concavity measure) {
+    double most = 0;
+    const ShapeFeatures features = features_of(region, {measure, 0, 0});
+    for (const AlphaBridge& b : features.bridges(1000).value()) most = std::max(most, b.concavity);
+    return most;
+  };
+  EXPECT_EQ(largest(Concavity::straight_line), 4);
+  EXPECT_DOUBLE_EQ(largest(Concavity::shortest_path), 2 + std::hypot(8, 2));
+  EXPECT_DOUBLE_EQ(largest(Concavity::hybrid1), 2 + std::hypot(8, 2));
+  EXPECT_EQ(largest(Concavity::hybrid2), 4);
+}
+
+/// The elder rule by definition: the oldest birth below an edge, over all ways down.
+std::uint32_t oldest_below(const shape::Complex& complex, const std::vector<shape::Junction>& junctions,
+                           const std::map<std::uint32_t, std::size_t>& below, std::uint32_t edge) {
+  const shape::Junction& j = junctions[below.at(edge)];
+  std::uint32_t oldest = complex.nodes[j.nodes.front()].rank;
+  for (const std::uint32_t e : j.in) oldest = std::min(oldest, oldest_below(complex, junctions, below, e));
+  return oldest;
+}
+
+TEST(Tracks, TheOldestBirthBelowGoesOn) {
+  for (const Region& region : shapes()) {
+    const shape::Complex complex = shape::make_complex(region, shape::Side::outside, shape::Engine::brute).value();
+    const std::vector<shape::Junction> junctions = shape::junctions_of(complex);
+    std::map<std::uint32_t, std::size_t> below;
+    for (std::size_t j = 0; j < junctions.size(); ++j)
+      for (const std::uint32_t e : junctions[j].out) below[e] = j;
+    const shape::PocketOracle none{[](std::uint32_t) { return shape::PocketMinimumAt{}; },
+                                   [](std::uint32_t, std::uint32_t) { return false; }};
+    const shape::Tracks tracks = shape::tracks_of(complex, none);
+    for (const auto& [e, j] : below) {
+      const std::uint32_t birth = junctions[tracks.bars[tracks.bar_of[e]].birth].nodes.front();
+      EXPECT_EQ(complex.nodes[birth].rank, oldest_below(complex, junctions, below, e));
+    }
+  }
+}
+
+TEST(ShapeFeatures, SelectionByLifeIsExact) {
+  const ShapeFeatures features = features_of(two_notches());
+  EXPECT_EQ(features.lasting(4).size(), 3u);
+  EXPECT_EQ(features.lasting(Rational::parse("4.0000001").value()).size(), 2u);
+  EXPECT_EQ(features.lasting(2, 1, 3).size(), 3u);
+}
+
+TEST(ShapeFeatures, WhatCannotBeDoneIsTold) {
+  EXPECT_EQ(ShapeFeatures::create(Region()).error().code, ErrorCode::unsupported_operand);
+  EXPECT_EQ(features_of(star(5)).bridges(-1).error().code, ErrorCode::out_of_range);
+  EXPECT_EQ(ShapeFeatures::create(star(5), {Concavity::hybrid2, -1, 0}).error().code, ErrorCode::out_of_range);
+}
+
+}  // namespace
+}  // namespace dymsum
