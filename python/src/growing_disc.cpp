@@ -225,9 +225,9 @@ void bind_disc_set_functions(nb::module_& m) {
   m.def("to_region", &polygons_of, "set"_a, "error"_a, "bound"_a = DiscBound::inside,
         R"doc(Chords in place of arcs, by at most `error`, in the unit of the coordinates.
 
-inside: the polygon lies in the set; outside: the set in the polygon; both before vertices are rounded to doubles. Raises
-Error: out_of_range where `error` is not positive or below what doubles keep; rounding_changed_topology where polygons of
-that error cross: a smaller one may do.
+inside: the polygon lies in the set; outside: the set in the polygon; both before vertices are rounded to doubles.
+Raises Error: out_of_range where `error` is not positive or below what doubles keep; rounding_changed_topology where
+polygons of that error cross: a smaller one may do.
 
 >>> from dymsum import DiscBound, GrowingDisc, area, shapes, to_region
 >>> grown = GrowingDisc(shapes.rectangle(0, 0, 2, 1)).sum_at(1)
