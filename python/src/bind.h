@@ -36,5 +36,7 @@ void bind_convex_solid(nb::module_& m);
 void bind_criticality(nb::module_& m);
 void bind_nesting(nb::module_& m);
 void bind_nfp_table(nb::module_& m);
+void bind_growing_disc(nb::module_& m);
+void bind_shape_features(nb::module_& m);
 
 }  // namespace dymsum::python

@@ -56,6 +56,7 @@ def samples() -> list[Any]:
     obstacle = dymsum.CspaceObstacle(unit, unit)
     sum = dymsum.nfp(unit, unit)
     convex = dymsum.ConvexSum(box, box)
+    features = dymsum.ShapeFeatures(dymsum.shapes.letter_u(4, 4, 1))
     made = [
         unit,
         box,
@@ -72,11 +73,16 @@ def samples() -> list[Any]:
         dymsum.ConvexPolygonSum(unit, unit),
         dymsum.CriticalityMap(box, box, (0, 0, 1)),
         dymsum.fit_range(unit, unit),
+        dymsum.GrowingDisc(unit),
+        dymsum.GrowingDisc(unit).sum_at(1),
+        features,
+        dymsum.decompose(features),
     ]
     JUNK.extend(
         [sum, sum.parts[0].outer.vertices[0], dymsum.nfp(unit, dymsum.shapes.disc(9, 1)).parts[0].outer.vertices[7]]
     )
     JUNK.extend([obstacle, dymsum.CspaceObstacle(dymsum.shapes.disc(9, 1), unit).patches()[3], dymsum.SolidBuffers()])
+    JUNK.extend([made[-3], features, dymsum.DiscRadius.at_event(3)])
     return made
 
 

@@ -32,6 +32,14 @@ table = dymsum.NfpTable(dymsum.TableInput([dymsum.TableItem("gear", gear, [0, Fr
 answer: dymsum.TableAnswer | None = dymsum.compute_table(table, dymsum.TableOptions(threads=2)).answers[0]
 wkb: bytes = answer.wkb if answer else b""
 
+grown: dymsum.DiscSet = dymsum.GrowingDisc(gear).sum_at(Fraction(1, 2))
+covered: dymsum.Measured = dymsum.area(grown)
+plain: float = dymsum.area(gear)
+event: dymsum.DiscSet = dymsum.GrowingDisc(gear).closed_at(dymsum.DiscRadius.at_event(0))
+features = dymsum.ShapeFeatures(gear, dymsum.FeatureOptions(dymsum.Concavity.hybrid1))
+corner: Fraction = dymsum.decompose(features, dymsum.DecomposeOptions(0.5)).pieces[0].outer[0].x
+minimum: int | None = features.bars()[features.lasting(1, to=3)[0]].minimum
+
 dymsum.nfp(gear, 5)  # wrong
 volume: str = dymsum.volume(solids.box(0, 0, 0, 1, 1, 1))  # wrong
 SumOptions(engine="fast")  # wrong
