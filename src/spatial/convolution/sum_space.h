@@ -21,6 +21,7 @@
 
 #include "dymsum/mesh.h"
 #include "exact/residue.h"
+#include "spatial/mesh/grid_places.h"
 #include "spatial/mesh/vec3.h"
 
 namespace dymsum::spatial {
@@ -194,5 +195,13 @@ class SumSpace {
 /// The space of the sums of two lists of points, on their common grid (for every axis by itself). Requires finite
 /// coordinates, and at most 250 bits.
 std::unique_ptr<SumSpace> make_sum_space(const std::vector<Point3>& p, const std::vector<Point3>& q);
+
+/// Places of a grid under a linear map: x -> matrix x, row by row.
+struct MappedPlaces {
+  const GridPlaces& places;
+  std::array<exact::BigInteger, 9> matrix;
+};
+/// The space of the sums of mapped places, in units of 2^exponent. Requires at most 250 bits.
+std::unique_ptr<SumSpace> make_sum_space(const MappedPlaces& p, const MappedPlaces& q, int exponent);
 
 }  // namespace dymsum::spatial
