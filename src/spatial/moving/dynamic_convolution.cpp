@@ -10,9 +10,6 @@ namespace dymsum::spatial {
 
 namespace {
 
-/// Taken off every margin: more than all that doubles lose of it.
-constexpr double kSlack = 0x1p-38;
-
 Way::Of operand_name(int op) { return op == 0 ? Way::Of::p : Way::Of::q; }
 
 int certain_sign(double v) { return v > kSignError ? 1 : v < -kSignError ? -1 : 0; }
@@ -107,26 +104,28 @@ void DynamicConvolution::match_all_edges() {
 void DynamicConvolution::look_at(int op, std::uint32_t triangle, double step, bool first) {
   ++work_.normals_checked;
   const int other = 1 - op;
-  const GaussSide& side = sides_[other];
   const Vec3 n = seen_from_other(op, sides_[op].normals[triangle]);
   const GaussCells::Cell cell = cells_[other]->at(n);
-  double margin = cells_[other]->reach() - drift_[other];
-  const double passed = step + kSlack;
+  const double drift = drift_[other] + GaussCells::kFloatError, passed = step + drift;
+  double margin = cells_[other]->reach();
+  const float x = static_cast<float>(n.x), y = static_cast<float>(n.y), z = static_cast<float>(n.z);
   bool any_passed = first;
-  for (const std::uint32_t arc : cell.arcs) {
-    // How far the normal is from the arc, at least.
-    double far = std::abs(dot(n, side.edges[arc]));
+  for (const GaussCells::Arc& arc : cell.arcs) {
+    // How far the normal is from the arc, at least, but for what arcs have turned since cells were made.
+    double far = std::abs(x * arc.edge[0] + y * arc.edge[1] + z * arc.edge[2]);
     if (far >= margin && far > passed) continue;
-    far = std::max(far, length(n - side.arcs[arc].middle) - side.arcs[arc].radius);
+    const float dx = x - arc.middle[0], dy = y - arc.middle[1], dz = z - arc.middle[2];
+    far = std::max<double>(far, std::sqrt(dx * dx + dy * dy + dz * dz) - arc.radius);
     if (skipped_ != SkippedCertificate::crossings) margin = std::min(margin, far);
-    if (far > passed || (same_shapes_ && !first && stays_beside(op, triangle, n, arc))) continue;
+    if (far > passed || (same_shapes_ && !first && stays_beside(op, triangle, n, arc.index))) continue;
     any_passed = true;
     if (first) continue;
-    sides_[op].for_each_edge(
-        triangle, [&](std::uint32_t edge) { op == 0 ? match_edges(edge, arc) : match_edges(arc, edge); });
+    sides_[op].for_each_edge(triangle, [&](std::uint32_t edge) {
+      op == 0 ? match_edges(edge, arc.index) : match_edges(arc.index, edge);
+    });
   }
   if (any_passed) match_cones(op, triangle, n, cell.cones);
-  walkers_[op].due[triangle] = travelled_ + std::max(0.0, margin - kSlack);
+  walkers_[op].due[triangle] = travelled_ + std::max(0.0, margin - drift);
 }
 
 /// Whether a normal is now on the side of an arc's circle on which it was before the move, a turn.

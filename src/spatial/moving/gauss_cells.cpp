@@ -9,8 +9,7 @@ namespace dymsum::spatial {
 
 namespace {
 
-constexpr int kMostDepth = 7;
-constexpr std::size_t kFew = 10;  // listed cones and arcs that need no further split
+constexpr std::uint32_t kMostAcross = 64;
 
 /// Face 2 k lies towards the axis k, face 2 k + 1 the other way; u and v are the other two coordinates over that one.
 Vec3 direction(std::uint32_t face, double u, double v) {
@@ -19,25 +18,48 @@ Vec3 direction(std::uint32_t face, double u, double v) {
   return (1 / length(d)) * d;
 }
 
+GaussCells::Arc in_floats(const GaussSide& side, std::uint32_t e) {
+  const auto f = [](double v) { return static_cast<float>(v); };
+  const Vec3 &d = side.edges[e], &m = side.arcs[e].middle;
+  return {{f(d.x), f(d.y), f(d.z)}, {f(m.x), f(m.y), f(m.z)}, f(side.arcs[e].radius), e};
+}
+
+template <class T, class F>
+void join(const std::vector<std::vector<std::uint32_t>>& lists, std::vector<std::uint32_t>& first, std::vector<T>& all,
+          F make) {
+  for (const std::vector<std::uint32_t>& list : lists) {
+    first.push_back(static_cast<std::uint32_t>(all.size()));
+    for (const std::uint32_t k : list) all.push_back(make(k));
+  }
+  first.push_back(static_cast<std::uint32_t>(all.size()));
+}
+
 }  // namespace
 
 GaussCells::GaussCells(const GaussSide& side) {
-  // A third of what a cone would be wide if all shared the sphere.
+  // A quarter of what a cone would be wide if all shared the sphere; cells are half as wide.
   const double share = 4 * std::numbers::pi / static_cast<double>(side.solid.cones.size() + 1);
-  reach_ = std::clamp(0.35 * std::sqrt(share), 0.02, 0.3);
+  reach_ = std::clamp(0.3 * std::sqrt(share), 0.02, 0.3);
+  while (across_ < kMostAcross && 2.0 / across_ > reach_) across_ *= 2;
   std::vector<std::uint32_t> cones(side.solid.cones.size()), arcs(side.arcs.size());
   std::iota(cones.begin(), cones.end(), 0u), std::iota(arcs.begin(), arcs.end(), 0u);
-  nodes_.resize(6);
-  for (std::uint32_t face = 0; face < 6; ++face) split(side, face, {face, -1, -1, 2}, cones, arcs, 0);
+  Lists lists;
+  lists.arcs.resize(cell(6, 0, 0)), lists.cones.resize(cell(6, 0, 0));
+  for (std::uint32_t face = 0; face < 6; ++face) split(side, {face, 0, 0, across_}, cones, arcs, lists);
+  join(lists.arcs, first_arc_, arcs_, [&](std::uint32_t e) { return in_floats(side, e); });
+  join(lists.cones, first_cone_, cones_, [](std::uint32_t c) { return c; });
 }
 
-void GaussCells::split(const GaussSide& side, std::uint32_t node, const Square& square,
-                       std::span<const std::uint32_t> cones, std::span<const std::uint32_t> arcs, int depth) {
-  const Vec3 middle = direction(square.face, square.u + square.size / 2, square.v + square.size / 2);
+void GaussCells::split(const GaussSide& side, const Square& square, std::span<const std::uint32_t> cones,
+                       std::span<const std::uint32_t> arcs, Lists& lists) const {
+  const auto at = [&](double u, double v) {
+    return direction(square.face, 2 * (square.u + u) / across_ - 1, 2 * (square.v + v) / across_ - 1);
+  };
+  const double size = square.size;
+  const Vec3 middle = at(size / 2, size / 2);
   double radius = 0;
-  for (const double u : {square.u, square.u + square.size})
-    for (const double v : {square.v, square.v + square.size})
-      radius = std::max(radius, length(direction(square.face, u, v) - middle));
+  for (const double u : {0.0, size})
+    for (const double v : {0.0, size}) radius = std::max(radius, length(at(u, v) - middle));
   // Scaling may turn a cone by a quarter of the reach before cells are made again, and rounding may put a direction
   // into the cell beside its own.
   const double around = radius + 0.25 * reach_ + 0x1p-30, far = radius + reach_ + 0x1p-30;
@@ -48,42 +70,31 @@ void GaussCells::split(const GaussSide& side, std::uint32_t node, const Square& 
     if (std::none_of(side.rays.begin() + cone.first, side.rays.begin() + cone.last, above)) near_cones.push_back(c);
   }
   for (const std::uint32_t e : arcs)
-    if (std::abs(dot(middle, side.edges[e])) <= far &&
-        length(middle - side.arcs[e].middle) - side.arcs[e].radius <= far)
+    if (std::abs(dot(middle, side.edges[e])) <= far && length(middle - side.arcs[e].middle) <= far + side.arcs[e].radius)
       near_arcs.push_back(e);
-  const bool few = near_cones.size() + near_arcs.size() <= kFew;
-  if (few || radius < 0.6 * reach_ || depth == kMostDepth) {
-    nodes_[node].cones = static_cast<std::uint32_t>(lists_.size());
-    lists_.insert(lists_.end(), near_cones.begin(), near_cones.end());
-    nodes_[node].arcs = static_cast<std::uint32_t>(lists_.size());
-    lists_.insert(lists_.end(), near_arcs.begin(), near_arcs.end());
-    nodes_[node].end = static_cast<std::uint32_t>(lists_.size());
+  if (square.size == 1) {
+    const std::size_t here = cell(square.face, square.u, square.v);
+    lists.arcs[here] = std::move(near_arcs), lists.cones[here] = std::move(near_cones);
     return;
   }
-  const auto first = static_cast<std::uint32_t>(nodes_.size());
-  nodes_[node].children = first;
-  nodes_.resize(nodes_.size() + 4);
-  const double half = square.size / 2;
-  for (std::uint32_t k = 0; k < 4; ++k)
-    split(side, first + k, {square.face, square.u + (k & 1 ? half : 0), square.v + (k & 2 ? half : 0), half},
-          near_cones, near_arcs, depth + 1);
+  const std::uint32_t half = square.size / 2;
+  for (const std::uint32_t u : {square.u, square.u + half})
+    for (const std::uint32_t v : {square.v, square.v + half})
+      split(side, {square.face, u, v, half}, near_cones, near_arcs, lists);
 }
 
 GaussCells::Cell GaussCells::at(Vec3 n) const {
   const double x = std::abs(n.x), y = std::abs(n.y), z = std::abs(n.z);
   const std::uint32_t axis = x >= y && x >= z ? 0 : y >= z ? 1 : 2;
   const double along = axis == 0 ? n.x : axis == 1 ? n.y : n.z;
-  const double size = std::abs(along);
-  double u = (axis == 0 ? n.y : n.x) / size, v = (axis == 2 ? n.y : n.z) / size;
-  std::uint32_t node = 2 * axis + (along < 0 ? 1 : 0);
-  // The cell's own coordinates: from its middle, in halves of its width.
-  while (nodes_[node].children != 0) {
-    const std::uint32_t right = u >= 0, up = v >= 0;
-    node = nodes_[node].children + right + 2 * up;
-    u = 2 * u + (right ? -1 : 1), v = 2 * v + (up ? -1 : 1);
-  }
-  const Node& leaf = nodes_[node];
-  return {{lists_.data() + leaf.cones, lists_.data() + leaf.arcs}, {lists_.data() + leaf.arcs, lists_.data() + leaf.end}};
+  const double scale = 0.5 * across_ / std::abs(along);
+  const auto index = [&](double c) {
+    return static_cast<std::uint32_t>(std::clamp(c * scale + 0.5 * across_, 0.0, across_ - 1.0));
+  };
+  const std::size_t here =
+      cell(2 * axis + (along < 0 ? 1 : 0), index(axis == 0 ? n.y : n.x), index(axis == 2 ? n.y : n.z));
+  return {{arcs_.data() + first_arc_[here], arcs_.data() + first_arc_[here + 1]},
+          {cones_.data() + first_cone_[here], cones_.data() + first_cone_[here + 1]}};
 }
 
 }  // namespace dymsum::spatial

@@ -1,8 +1,6 @@
-// The sphere of directions in cells, with what of a Gauss map comes near each: a cube whose faces are split in quarters
-// where much does.
+// The sphere of directions in cells, with what of a Gauss map comes near each: the faces of a cube in equal squares.
 #pragma once
 
-#include <array>
 #include <span>
 #include <vector>
 
@@ -14,28 +12,39 @@ class GaussCells {
  public:
   explicit GaussCells(const GaussSide& side);
 
+  /// The arc of a convex edge as the cells were made, in floats.
+  struct Arc {
+    float edge[3], middle[3], radius;
+    std::uint32_t index;
+  };
   struct Cell {
-    std::span<const std::uint32_t> cones, arcs;
+    std::span<const Arc> arcs;
+    std::span<const std::uint32_t> cones;
   };
   /// Arcs nearer to n than reach(), a distance, as the cells were made, and cones nearer than a quarter of that.
   Cell at(Vec3 n) const;
   double reach() const { return reach_; }
+  /// Distances from floats are within this of the exact ones.
+  static constexpr double kFloatError = 0x1p-20;
 
  private:
   struct Square {
-    std::uint32_t face;
-    double u, v, size;  // its lowest corner, in [-1, 1]
+    std::uint32_t face, u, v, size;  // its lowest cell, and cells along a side
   };
-  struct Node {
-    std::uint32_t children = 0;  // the first of four, or 0 for a leaf
-    std::uint32_t cones = 0, arcs = 0, end = 0;
+  struct Lists {
+    std::vector<std::vector<std::uint32_t>> arcs, cones;  // per cell
   };
-  void split(const GaussSide& side, std::uint32_t node, const Square& square, std::span<const std::uint32_t> cones,
-             std::span<const std::uint32_t> arcs, int depth);
+  void split(const GaussSide& side, const Square& square, std::span<const std::uint32_t> cones,
+             std::span<const std::uint32_t> arcs, Lists& lists) const;
+  std::size_t cell(std::uint32_t face, std::uint32_t u, std::uint32_t v) const {
+    return (static_cast<std::size_t>(face) * across_ + v) * across_ + u;
+  }
 
   double reach_ = 0;
-  std::vector<Node> nodes_;
-  std::vector<std::uint32_t> lists_;
+  std::uint32_t across_ = 1;  // cells along a side of the cube, a power of two
+  std::vector<std::uint32_t> first_arc_, first_cone_;  // per cell; one more at the end
+  std::vector<Arc> arcs_;
+  std::vector<std::uint32_t> cones_;
 };
 
 }  // namespace dymsum::spatial
