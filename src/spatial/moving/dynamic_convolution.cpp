@@ -22,6 +22,7 @@ DynamicConvolution::DynamicConvolution(const SolidPair& pair, SkippedCertificate
       sides_{GaussSide(pair.p, pair.p_places), GaussSide(pair.q, pair.q_places)},
       edges_(sides_[0].convex.size()) {
   for (int op = 0; op < 2; ++op) {
+    reach_[op] = cells_[op].emplace(sides_[op]).reach();
     walkers_[op].due.resize(operand(op).triangles.size());
     walkers_[op].matches.resize(operand(op).triangles.size());
   }
@@ -34,9 +35,9 @@ const ConvolutionWork& DynamicConvolution::set(const PosePair& poses, SpaceOnDem
   exact_ = &exact;
   const double step = motion_to(poses);
   for (int op = 0; op < 2; ++op)
-    if (!cells_[op] || drift_[op] > 0.25 * cells_[op]->reach()) cells_[op].emplace(sides_[op]), drift_[op] = 0;
+    if (drift_[op] > 0.25 * reach_[op]) cells_[op].emplace(sides_[op]), drift_[op] = 0;
   // Cells list what the step may have brought near.
-  if (!started_ || step > 0.5 * std::min(cells_[0]->reach(), cells_[1]->reach())) {
+  if (!started_ || step > longest_step()) {
     rebuild();
   } else {
     travelled_ += step;
@@ -47,6 +48,13 @@ const ConvolutionWork& DynamicConvolution::set(const PosePair& poses, SpaceOnDem
   exact_ = nullptr;
   work_.added = added_.size(), work_.removed = removed_.size();
   return work_;
+}
+
+double DynamicConvolution::motion(const PosePair& from, const PosePair& to) const {
+  return angle_of_scaling(scale_factors(from.p), scale_factors(to.p)) +
+         angle_of_scaling(scale_factors(from.q), scale_factors(to.q)) +
+         angle_between(relative_rotation(from.p.rotation, from.q.rotation),
+                       relative_rotation(to.p.rotation, to.q.rotation));
 }
 
 /// At least the angle by which any direction or normal of one operand moves as the other one sees it, on a path on

@@ -40,6 +40,9 @@ class DynamicConvolution {
   /// near them; a comparison for each normal. After a long move that of a fresh convolution.
   const ConvolutionWork& set(const PosePair& poses, SpaceOnDemand& exact);
   const ConvolutionWork& work() const { return work_; }
+  /// At least the angle by which directions move from poses to others, and the longest such step that is no fresh start.
+  double motion(const PosePair& from, const PosePair& to) const;
+  double longest_step() const { return 0.5 * std::min(reach_[0], reach_[1]); }
 
   /// Facets have a slot as long as they exist; slots of facets that ended are used again from the next move on.
   std::size_t slots() const { return facets_.size(); }
@@ -92,6 +95,7 @@ class DynamicConvolution {
   bool same_shapes_ = true;  // the last move did not scale but uniformly
   bool started_ = false;
   double travelled_ = 0;
+  std::array<double, 2> reach_{};
   std::array<Walkers, 2> walkers_;
   std::vector<Matches> edges_;  // per convex edge of P, by those of Q
   SpaceOnDemand* exact_ = nullptr;
