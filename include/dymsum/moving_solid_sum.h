@@ -25,13 +25,12 @@ struct MovingSolidOptions {
 /// The work of one frame.
 struct SolidFrameWork {
   bool rebuilt = false;               ///< computed from scratch
-  bool new_window = false;            ///< boxes inside both operands were made anew, for this frame and some after it
   std::uint64_t normals_checked = 0;  ///< faces whose certificates had ended, of both operands
   std::uint64_t pairs_checked = 0;    ///< pairs of edges that may have come or gone
   std::uint64_t facets = 0;           ///< of the reduced convolution
   std::uint64_t facets_added = 0, facets_removed = 0;
-  std::uint64_t inner_kept = 0;    ///< facets known to lie deep inside the open sum without a look
-  std::uint64_t inner_tested = 0;  ///< those looked at
+  std::uint64_t inner_kept = 0;    ///< facets deep inside the open sum as the pair of balls shows that did before
+  std::uint64_t inner_tested = 0;  ///< those for which other pairs were tried
   std::uint64_t contacts = 0;      ///< of the other facets
   std::uint64_t exact_signs = 0;
   double ms = 0;

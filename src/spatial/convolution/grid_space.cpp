@@ -97,6 +97,7 @@ PlaneId GridSpace<C>::add_planes(std::span<const PlaneSource> sources, int threa
   const auto first = static_cast<PlaneId>(n_.size());
   const std::size_t all = n_.size() + sources.size();
   n_.resize(all), d_.resize(all), plane_residues_.resize(all), planes_.resize(all);
+  plane_sources_.insert(plane_sources_.end(), sources.begin(), sources.end());
   constexpr std::size_t kPart = 512;
   base::parallel_parts((sources.size() + kPart - 1) / kPart, threads, [&](std::size_t part) {
     for (std::size_t k = part * kPart; k < std::min(sources.size(), (part + 1) * kPart); ++k)

@@ -49,15 +49,15 @@ int passes_upward(Vec3 from, Vec3 a, Vec3 b, Vec3 c, double margin) {
 }
 
 InnerCells::InnerCells(const SumSpace& space, const SolidOperand& p, const SolidOperand& q, int across,
-                       StageWatch& watch, double sweep)
-    : space_(space), margin_(space.sum_radius() + space.span() * 0x1p-44), sweep_(sweep) {
+                       StageWatch& watch)
+    : space_(space), margin_(space.sum_radius() + space.span() * 0x1p-44) {
   if (across < 2 || p.triangles.empty() || q.triangles.empty()) return;
   Box of_p, of_q;
   for (const Vec3& v : space.p()) of_p.add(v);
   for (const Vec3& v : space.q()) of_q.add(v);
   axis_ = flattest(of_p.high - of_p.low, of_q.high - of_q.low);
   step_ = (1.0 / across) * turned((of_p.high - of_p.low) + (of_q.high - of_q.low));
-  if (!(std::min({step_.x, step_.y, step_.z}) > std::max(64 * margin_, 2 * sweep_))) return;
+  if (!(std::min({step_.x, step_.y, step_.z}) > 64 * margin_)) return;
   Lattice both[2];
   for (std::size_t k = 0; k < 2; ++k) {
     const std::vector<Vec3>& from = k == 0 ? space.p() : space.q();
@@ -120,8 +120,7 @@ void InnerCells::mark(Lattice& lattice, Vec3 a, Vec3 b, Vec3 c) const {
   const auto index = [&](double v, std::size_t axis) {
     return std::clamp(static_cast<int>(std::floor(v)), 0, lattice.size[axis] - 1);
   };
-  const double away = margin_ + sweep_;
-  const Vec3 room{away / step_.x + 0x1p-40, away / step_.y + 0x1p-40, away / step_.z + 0x1p-40};
+  const Vec3 room{margin_ / step_.x + 0x1p-40, margin_ / step_.y + 0x1p-40, margin_ / step_.z + 0x1p-40};
   const Vec3 low = box.low - room, high = box.high + room;
   const Place from{index(low.x, 0), index(low.y, 1), index(low.z, 2)},
       to{index(high.x, 0), index(high.y, 1), index(high.z, 2)};
@@ -210,11 +209,11 @@ bool InnerCells::hold(const Box& box) const {
   const Vec3 from = turned(box.low), to = turned(box.high);
   const double low[3] = {from.x, from.y, from.z}, high[3] = {to.x, to.y, to.z};
   const double origin[3] = {low_.x, low_.y, low_.z}, step[3] = {step_.x, step_.y, step_.z};
-  const double away = 4 * margin_ + sweep_;
   for (std::size_t i = 0; i < 3; ++i) {
     const double m = std::floor((0.5 * (low[i] + high[i]) - origin[i]) / step[i] + 0.5);
     if (m < 1 || m > size_[i]) return false;
-    if (low[i] < origin[i] + (m - 1) * step[i] + away || high[i] > origin[i] + (m + 1) * step[i] - away) return false;
+    if (low[i] < origin[i] + (m - 1) * step[i] + 4 * margin_ || high[i] > origin[i] + (m + 1) * step[i] - 4 * margin_)
+      return false;
     at[i] = static_cast<std::size_t>(m) - 1;
   }
   return bits_[(at[0] * static_cast<std::size_t>(size_[1]) + at[1]) * words_ + at[2] / 64] >> (at[2] % 64) & 1;

@@ -21,11 +21,9 @@ int passes_upward(Vec3 from, Vec3 a, Vec3 b, Vec3 c, double margin);
 /// with a margin: what it holds is a proof, the rest says nothing.
 class InnerCells {
  public:
-  /// With about `across` boxes over the sum in each direction; below 2 there are none. What it holds stays in the open
-  /// sum while no point of P or of Q moves by more than `sweep` in all, in the space's units, facets moving along.
-  /// O(k + r s) for k boxes near the surfaces and r and s rows of boxes inside.
-  InnerCells(const SumSpace& space, const SolidOperand& p, const SolidOperand& q, int across, StageWatch& watch,
-             double sweep = 0);
+  /// With about `across` boxes over the sum in each direction; below 2 there are none. O(k + r s) for k boxes near the
+  /// surfaces and r and s rows of boxes inside.
+  InnerCells(const SumSpace& space, const SolidOperand& p, const SolidOperand& q, int across, StageWatch& watch);
 
   /// Whether all positions in a closed box lie in the open sum.
   bool hold(const Box& box) const;
@@ -62,7 +60,7 @@ class InnerCells {
   const SumSpace& space_;
   int axis_ = 2;  // along which rows run
   Vec3 step_, low_;
-  double margin_ = 0, sweep_ = 0;
+  double margin_ = 0;
   Place size_{};
   std::size_t words_ = 0;
   std::vector<std::uint64_t> bits_;  // of sums of boxes, rows along z

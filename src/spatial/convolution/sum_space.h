@@ -138,6 +138,12 @@ class SumSpace {
   /// Of the component of a plane's normal.
   virtual int exact_normal(const PlaneSource& plane, int axis) const = 0;
 
+  /// Whether a plane was made from a sum, or from both ends of an edge: then it lies in the plane. A "no" says nothing.
+  bool made_from(PlaneId plane, SumPoint point) const;
+  bool made_from(PlaneId plane, EdgeId edge) const {
+    return made_from(plane, edges_[edge].from) && made_from(plane, edges_[edge].to);
+  }
+
   /// Signs, by doubles where they decide.
   int side(PlaneId plane, SumPoint point) const;
   int side(PlaneId plane, const PointSource& point, const Approx& approx) const;
@@ -185,6 +191,7 @@ class SumSpace {
   std::vector<Vec3> p_, q_;
   std::vector<std::array<exact::Residue, 3>> p_residue_, q_residue_;
   std::vector<Plane> planes_;
+  std::vector<PlaneSource> plane_sources_;
   std::vector<PlaneResidue> plane_residues_;
   std::vector<SumEdge> edges_;
   Line lines_[3];

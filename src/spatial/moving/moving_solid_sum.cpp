@@ -46,7 +46,7 @@ class MovingSolidSum::State {
     if (stages.progress && !stages.progress("frame", 0)) throw spatial::Cancelled{};
     if (convex) return convex_frame(to, now);
     if (frames && (options.mode == FrameMode::window || !started || !frames->is_long(poses, to)))
-      return frames->frame(to, started ? poses : to, now);
+      return frames->frame(to, now);
     now.rebuilt = true;
     SpatialSum fresh = spatial::fresh_sum(pair, to, stages);
     now.facets = fresh.stats.face_vertex + fresh.stats.edge_edge;
