@@ -50,10 +50,18 @@ const std::vector<Motion> kMotions = {
     {"1 % along x", [](int k) { return scaled_by(1, 1, k); }},
 };
 
-const std::vector<std::string> kPairs = {
-    "torus 256 + torus 256",  "torus 1024 + torus 1024", "blob 1024 + blob 1024",         "torus 1024 + ball 224",
-    "grate 2 + grate 2",      "grate 4 + grate 4",       "comb 8 + upright comb 8",       "gear 12 + gear 9",
-    "gear 24 + turned gear 16", "block + thinner peg",   "bunny-348.obj + bunny-128.off", "gc_fox.off + gc_bob_small.off"};
+const std::vector<std::string> kPairs = {"torus 256 + torus 256",
+                                         "torus 1024 + torus 1024",
+                                         "blob 1024 + blob 1024",
+                                         "torus 1024 + ball 224",
+                                         "grate 2 + grate 2",
+                                         "grate 4 + grate 4",
+                                         "comb 8 + upright comb 8",
+                                         "gear 12 + gear 9",
+                                         "gear 24 + turned gear 16",
+                                         "block + thinner peg",
+                                         "bunny-348.obj + bunny-128.off",
+                                         "gc_fox.off + gc_bob_small.off"};
 
 struct Row {
   std::vector<double> moving, fresh, convolution, fresh_convolution;
@@ -138,9 +146,12 @@ int run(int argc, char** argv) {
   report.line("# Sums of solids in motion\n");
   report.line("`./run bench moving-solids --results docs/results` made this page.\n");
   report.line(
-      "P turns about (1, 2, 3), or scales. Milliseconds on one thread: the facets of the convolution after each move, and "
-      "all of them from scratch; a frame of a MovingSolidSum, and the sum from scratch at the same exact pose, by turns. "
-      "A gain below 1 is a loss. `changed`: facets that came or went in a frame; `inner`: those that balls keep out. The "
+      "P turns about (1, 2, 3), or scales. Milliseconds on one thread: the facets of the convolution after each move, "
+      "and "
+      "all of them from scratch; a frame of a MovingSolidSum, and the sum from scratch at the same exact pose, by "
+      "turns. "
+      "A gain below 1 is a loss. `changed`: facets that came or went in a frame; `inner`: those that balls keep out. "
+      "The "
       "last column compares every frame's facets and sum with those from scratch.\n");
   report.heading({"pair", "motion", "facets", "changed", "normals looked at", "convolution ms", "from scratch", "gain",
                   "frame median ms", "mean", "p99", "worst", "from scratch", "gain of medians", "of means",

@@ -60,8 +60,7 @@ ExitCode run(const RotateCommand& command) {
 
 void add_rotate(CLI::App& app, Action& action) {
   auto command = std::make_shared<RotateCommand>();
-  CLI::App& verb = *app.add_subcommand(
-      "rotate", "P turns and P (+) Q follows, frame by frame, exact at every frame");
+  CLI::App& verb = *app.add_subcommand("rotate", "P turns and P (+) Q follows, frame by frame, exact at every frame");
   command->parser = &verb;
   add_operands(verb, {"P", "The region or solid that turns about the origin of its coordinates"},
                {"Q", "The one that stays"}, command->planar.operands);
@@ -77,9 +76,10 @@ void add_rotate(CLI::App& app, Action& action) {
   verb.add_option("--semantics", command->semantics, "Planar: closed, open or regular [closed]")
       ->check(CLI::IsMember({"closed", "open", "regular"}));
   add_threads_option(verb, command->planar.threads);
-  verb.add_option("-o", command->planar.files,
-                  "Write .html (of regions and convex solids: a page that plays, or with a slider); planar also .svg (a "
-                  "film strip) and anim.svg (an animation), solid a frame as .off .obj .stl .ply .glb .json; repeatable")
+  verb.add_option(
+          "-o", command->planar.files,
+          "Write .html (of regions and convex solids: a page that plays, or with a slider); planar also .svg (a "
+          "film strip) and anim.svg (an animation), solid a frame as .off .obj .stl .ply .glb .json; repeatable")
       ->type_name("FILE")
       ->allow_extra_args(false);
   add_report_options(verb, command->planar.report, "Turn N times and report the median and minimum frame");

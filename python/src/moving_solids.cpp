@@ -117,8 +117,7 @@ void bind_class(nb::module_& m) {
       .def(
           "changes",
           [](MovingSolid& self) {
-            return self.held.alone(
-                [](MovingSolidSum& sum) { return without_gil([&] { return sum.changes(); }); });
+            return self.held.alone([](MovingSolidSum& sum) { return without_gil([&] { return sum.changes(); }); });
           },
           "From the frame before to this one.")
       .def_prop_ro("options", [](const MovingSolid& self) { return self.options; })
@@ -132,9 +131,9 @@ void bind_class(nb::module_& m) {
       "posed_sum",
       [](const MeshArgument& p, const MeshArgument& q, const SolidPose& p_pose, const SolidPose& q_pose,
          const MovingSolidOptions& options) {
-        return remembered(run_with(options,
-                                   [&](const MovingSolidOptions& own) { return posed_sum(*p, *q, p_pose, q_pose, own); }),
-                          "posed_sum", p.object, q.object, p_pose, q_pose, options);
+        return remembered(
+            run_with(options, [&](const MovingSolidOptions& own) { return posed_sum(*p, *q, p_pose, q_pose, own); }),
+            "posed_sum", p.object, q.object, p_pose, q_pose, options);
       },
       "p"_a, "q"_a, "p_pose"_a, "q_pose"_a = SolidPose(), "options"_a = MovingSolidOptions(),
       "P (+) Q at a pair of poses, computed from scratch.");

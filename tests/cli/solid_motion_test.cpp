@@ -58,10 +58,11 @@ TEST_F(SolidMotionCli, RotateFollowsATurnAndWritesAPage) {
 }
 
 TEST_F(SolidMotionCli, SolidsOfAnyShapeTurnAndScale) {
-  work.write("ell.off", "OFF\n12 8 0\n0 0 0\n3 0 0\n3 1 0\n1 1 0\n1 3 0\n0 3 0\n"
-                        "0 0 2\n3 0 2\n3 1 2\n1 1 2\n1 3 2\n0 3 2\n"
-                        "6 5 4 3 2 1 0\n6 6 7 8 9 10 11\n4 0 1 7 6\n4 1 2 8 7\n4 2 3 9 8\n4 3 4 10 9\n4 4 5 11 10\n"
-                        "4 5 0 6 11\n");
+  work.write("ell.off",
+             "OFF\n12 8 0\n0 0 0\n3 0 0\n3 1 0\n1 1 0\n1 3 0\n0 3 0\n"
+             "0 0 2\n3 0 2\n3 1 2\n1 1 2\n1 3 2\n0 3 2\n"
+             "6 5 4 3 2 1 0\n6 6 7 8 9 10 11\n4 0 1 7 6\n4 1 2 8 7\n4 2 3 9 8\n4 3 4 10 9\n4 4 5 11 10\n"
+             "4 5 0 6 11\n");
   const Json turn = json("dymsum rotate ell.off cube.off --steps 4 --json -o first.glb -o first.json --frame 0");
   ASSERT_EQ(turn["frames"].size(), 4u);
   const Json still = json("dymsum sum ell.off cube.off --json");

@@ -409,15 +409,13 @@ std::optional<std::vector<Vector3<exact::i128>>> mapped_in_words(const MappedPla
   std::vector<Vector3<exact::i128>> result;
   result.reserve(p.places.grid.size());
   for (const auto& [x, y, z] : p.places.grid)
-    result.push_back(
-        {m[0] * x + m[1] * y + m[2] * z, m[3] * x + m[4] * y + m[5] * z, m[6] * x + m[7] * y + m[8] * z});
+    result.push_back({m[0] * x + m[1] * y + m[2] * z, m[3] * x + m[4] * y + m[5] * z, m[6] * x + m[7] * y + m[8] * z});
   return result;
 }
 
 std::vector<Vector3<Big>> mapped_of_any_size(const MappedPlaces& p) {
   exact::Matrix3<Big> m;
-  for (std::size_t r = 0; r < 3; ++r)
-    m[r] = {Big(p.matrix[3 * r]), Big(p.matrix[3 * r + 1]), Big(p.matrix[3 * r + 2])};
+  for (std::size_t r = 0; r < 3; ++r) m[r] = {Big(p.matrix[3 * r]), Big(p.matrix[3 * r + 1]), Big(p.matrix[3 * r + 2])};
   std::vector<Vector3<Big>> result;
   const std::size_t count = p.places.bits <= 61 ? p.places.grid.size() : p.places.big.size();
   for (std::uint32_t v = 0; v < count; ++v) result.push_back(exact::apply(m, p.places.place<Big>(v)));

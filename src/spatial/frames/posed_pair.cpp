@@ -33,8 +33,7 @@ PosedSpace posed_space(const SolidPair& pair, const PosePair& poses) {
   const BigInteger common = gcd(p.den, q.den), of_p = q.den / common, of_q = p.den / common;
   for (BigInteger& m : p.matrix) m *= of_p;
   for (BigInteger& m : q.matrix) m *= of_q;
-  return {make_sum_space({pair.p_places, p.matrix}, {pair.q_places, q.matrix}, pair.p_places.exponent),
-          p.den * of_p};
+  return {make_sum_space({pair.p_places, p.matrix}, {pair.q_places, q.matrix}, pair.p_places.exponent), p.den * of_p};
 }
 
 }  // namespace dymsum::spatial

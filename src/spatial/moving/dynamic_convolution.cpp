@@ -12,6 +12,14 @@ namespace {
 
 Way::Of operand_name(int op) { return op == 0 ? Way::Of::p : Way::Of::q; }
 
+/// Whether all directions stay what they are: nothing moves but by scalings alike along all axes.
+bool same_directions(const SolidPose& a, const SolidPose& b) {
+  const auto alike = [](const SolidPose& pose) {
+    return pose.scale[0] == pose.scale[1] && pose.scale[1] == pose.scale[2];
+  };
+  return a.rotation == b.rotation && (a.scale == b.scale || (alike(a) && alike(b)));
+}
+
 int certain_sign(double v) { return v > kSignError ? 1 : v < -kSignError ? -1 : 0; }
 
 }  // namespace
@@ -32,6 +40,9 @@ const ConvolutionWork& DynamicConvolution::set(const PosePair& poses, SpaceOnDem
   work_ = {};
   free_.insert(free_.end(), removed_.begin(), removed_.end());
   added_.clear(), removed_.clear();
+  const bool still = started_ && same_directions(poses_.p, poses.p) && same_directions(poses_.q, poses.q);
+  poses_ = poses;
+  if (still) return work_;
   exact_ = &exact;
   const double step = motion_to(poses);
   for (int op = 0; op < 2; ++op)
@@ -128,9 +139,8 @@ void DynamicConvolution::look_at(int op, std::uint32_t triangle, double step, bo
     if (far > passed || (same_shapes_ && !first && stays_beside(op, triangle, n, arc.index))) continue;
     any_passed = true;
     if (first) continue;
-    sides_[op].for_each_edge(triangle, [&](std::uint32_t edge) {
-      op == 0 ? match_edges(edge, arc.index) : match_edges(arc.index, edge);
-    });
+    sides_[op].for_each_edge(
+        triangle, [&](std::uint32_t edge) { op == 0 ? match_edges(edge, arc.index) : match_edges(arc.index, edge); });
   }
   if (any_passed) match_cones(op, triangle, n, cell.cones);
   walkers_[op].due[triangle] = travelled_ + std::max(0.0, margin - drift);

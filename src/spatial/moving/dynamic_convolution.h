@@ -40,7 +40,8 @@ class DynamicConvolution {
   /// near them; a comparison for each normal. After a long move that of a fresh convolution.
   const ConvolutionWork& set(const PosePair& poses, SpaceOnDemand& exact);
   const ConvolutionWork& work() const { return work_; }
-  /// At least the angle by which directions move from poses to others, and the longest such step that is no fresh start.
+  /// At least the angle by which directions move from poses to others, and the longest such step that is no fresh
+  /// start.
   double motion(const PosePair& from, const PosePair& to) const;
   double longest_step() const { return 0.5 * std::min(reach_[0], reach_[1]); }
 
@@ -89,6 +90,7 @@ class DynamicConvolution {
   std::array<GaussSide, 2> sides_;
   std::array<std::optional<GaussCells>, 2> cells_;
   std::array<double, 2> drift_{};  // how far directions may have turned by scaling since the cells were made
+  PosePair poses_;
   std::array<Vec3, 2> factors_{Vec3{1, 1, 1}, Vec3{1, 1, 1}};
   UnitQuaternion rotation_;  // from Q's frame to P's
   Mat3 q_to_p_, q_to_p_before_;

@@ -70,7 +70,8 @@ void GaussCells::split(const GaussSide& side, const Square& square, std::span<co
     if (std::none_of(side.rays.begin() + cone.first, side.rays.begin() + cone.last, above)) near_cones.push_back(c);
   }
   for (const std::uint32_t e : arcs)
-    if (std::abs(dot(middle, side.edges[e])) <= far && length(middle - side.arcs[e].middle) <= far + side.arcs[e].radius)
+    if (std::abs(dot(middle, side.edges[e])) <= far &&
+        length(middle - side.arcs[e].middle) <= far + side.arcs[e].radius)
       near_arcs.push_back(e);
   if (square.size == 1) {
     const std::size_t here = cell(square.face, square.u, square.v);

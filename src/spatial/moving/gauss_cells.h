@@ -41,7 +41,7 @@ class GaussCells {
   }
 
   double reach_ = 0;
-  std::uint32_t across_ = 1;  // cells along a side of the cube, a power of two
+  std::uint32_t across_ = 1;                           // cells along a side of the cube, a power of two
   std::vector<std::uint32_t> first_arc_, first_cone_;  // per cell; one more at the end
   std::vector<Arc> arcs_;
   std::vector<std::uint32_t> cones_;

@@ -45,7 +45,7 @@ class MovingSolidSum::State {
   SpatialSum frame(const PosePair& to, SolidFrameWork& now) {
     if (stages.progress && !stages.progress("frame", 0)) throw spatial::Cancelled{};
     if (convex) return convex_frame(to, now);
-    if (frames && (options.mode == FrameMode::window || !started || !frames->is_long(poses, to)))
+    if (frames && (options.mode == FrameMode::window || !started || !frames->had_better_not(poses, to)))
       return frames->frame(to, now);
     now.rebuilt = true;
     SpatialSum fresh = spatial::fresh_sum(pair, to, stages);
@@ -103,8 +103,9 @@ SolidFrameChanges MovingSolidSum::changes() const {
 Result<SpatialSum> posed_sum(const Mesh& p, const Mesh& q, const SolidPose& p_pose, const SolidPose& q_pose,
                              const MovingSolidOptions& options) {
   if (std::optional<Error> error = refusal(p, q, options)) return *std::move(error);
-  return spatial::guarded(
-      [&] { return spatial::fresh_sum(spatial::solid_pair(p, q), {p_pose, q_pose}, spatial::stage_options(options)); });
+  return spatial::guarded([&] {
+    return spatial::fresh_sum(spatial::solid_pair(p, q), {p_pose, q_pose}, spatial::stage_options(options));
+  });
 }
 
 }  // namespace dymsum

@@ -17,8 +17,8 @@ SpatialSum sum_of_facets(const SolidPair& pair, PosedSpace space, ReducedConvolu
   SpatialSum sum;
   StageWatch watch(options, sum.stats);
   watch.begin("inner facets");
-  SolidBoundary boundary = solid_boundary(std::move(space.space), std::move(convolution), pair.p, pair.q, hints, options,
-                                          sum.stats, watch);
+  SolidBoundary boundary =
+      solid_boundary(std::move(space.space), std::move(convolution), pair.p, pair.q, hints, options, sum.stats, watch);
   watch.begin("faces");
   assemble(boundary, pair.p, pair.q, sum, watch);
   watch.begin("");

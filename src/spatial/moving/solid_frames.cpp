@@ -4,12 +4,28 @@
 
 namespace dymsum::spatial {
 
+namespace {
+
+/// Exact signs are some twenty times as expensive as what else makes a facet of a fresh convolution. Where an update
+/// takes more of them than there are facets, it is given up for this many frames.
+constexpr std::uint32_t kFramesFromScratch = 50;
+
+}  // namespace
+
+bool SolidFrames::had_better_not(const PosePair& from, const PosePair& to) {
+  if (convolution_.motion(from, to) > convolution_.longest_step()) return true;
+  if (crowded_ == 0) return false;
+  --crowded_;
+  return true;
+}
+
 SpatialSum SolidFrames::frame(const PosePair& poses, SolidFrameWork& work) {
   SpaceOnDemand exact(pair_, poses);
   exact();  // throws before anything has moved
   const ConvolutionWork& moved = convolution_.set(poses, exact);
   work.normals_checked = moved.normals_checked, work.pairs_checked = moved.pairs_checked;
   work.facets = convolution_.size(), work.facets_added = moved.added, work.facets_removed = moved.removed;
+  if (!moved.rebuilt && moved.exact_checks > convolution_.size()) crowded_ = kFramesFromScratch;
   for (const std::uint32_t slot : convolution_.added()) inner_.forget(slot);
   PosedSpace space = exact.take();
   inner_.move(space, poses);

@@ -15,10 +15,10 @@ class SolidFrames {
 
   /// The sum at a pair of poses. Throws as fresh_sum; what is kept then still serves.
   SpatialSum frame(const PosePair& poses, SolidFrameWork& work);
-  /// Whether a move is too long for the certificates of the convolution to serve.
-  bool is_long(const PosePair& from, const PosePair& to) const {
-    return convolution_.motion(from, to) > convolution_.longest_step();
-  }
+  /// Whether a frame had better be made from scratch: the move is too long for the certificates of the convolution to
+  /// serve, or normals lie on arcs in masses, as where faces and edges stay parallel while solids scale along an axis.
+  /// That is found out at a frame, and holds for some after it.
+  bool had_better_not(const PosePair& from, const PosePair& to);
 
  private:
   ReducedConvolution outer_facets();
@@ -27,6 +27,7 @@ class SolidFrames {
   const SpatialOptions& options_;
   DynamicConvolution convolution_;
   InnerFacets inner_;
+  std::uint32_t crowded_ = 0;  // frames for which that holds
 };
 
 }  // namespace dymsum::spatial

@@ -79,9 +79,7 @@ void look_at_both_sides(SolidArrangement& arrangement, const Collision& collisio
 
 }  // namespace
 
-int inner_boxes_across(std::size_t facets) {
-  return facets < 500 ? 0 : facets < 2000 ? 32 : facets < 20000 ? 62 : 126;
-}
+int inner_boxes_across(std::size_t facets) { return facets < 500 ? 0 : facets < 2000 ? 32 : facets < 20000 ? 62 : 126; }
 
 Flag flag_at(const SolidArrangement& arrangement, const PlaneGroup& group, const Cell& cell, int side) {
   const std::uint32_t h = group.cells.half_edges[group.cells.loops[cell.first_loop]];

@@ -84,7 +84,8 @@ TEST(DynamicConvolution, SmallMovesLookAtFewNormals) {
 }
 
 TEST(DynamicConvolution, ThereAndBackIsTheSame) {
-  const SolidPair pair = solid_pair(moving_cases::mesh_of(moving_cases::torus(3, 1, 6, 4)), moving_cases::gear(5, 4, 2));
+  const SolidPair pair =
+      solid_pair(moving_cases::mesh_of(moving_cases::torus(3, 1, 6, 4)), moving_cases::gear(5, 4, 2));
   DynamicConvolution moving(pair);
   const std::vector<PosePair> poses = turn(90);
   std::vector<std::vector<SumFacet>> there;

@@ -102,6 +102,32 @@ TEST(MovingSolidSum, ConvexOperandsHaveTheSumsOfTheGeneralStages) {
   }
 }
 
+TEST(MovingSolidSum, ScalingAlikeAlongAllAxesLooksAtNothing) {
+  const Mesh p = moving_cases::mesh_of(tunnel()), q = moving_cases::mesh_of(ell());
+  MovingSolidSum moving = MovingSolidSum::create(p, q).value();
+  for (int k = 1; k < 4; ++k) {
+    SolidPose pose;
+    for (Scale& s : pose.scale) s = *Scale::parse(std::to_string(100 + k) + "/100");
+    const SolidFrameWork work = moving.set(pose).value();
+    EXPECT_FALSE(work.rebuilt);
+    EXPECT_EQ(work.normals_checked + work.pairs_checked + work.facets_added + work.facets_removed, 0u);
+    ASSERT_TRUE(moving.sum() == fresh(p, q, {pose, {}}));
+  }
+}
+
+TEST(MovingSolidSum, MassesOfTiesAreMadeFromScratch) {
+  const Mesh p = moving_cases::gear(6, 4, 2), q = moving_cases::gear(5, 3, 1);
+  MovingSolidSum moving = MovingSolidSum::create(p, q).value();
+  std::size_t rebuilt = 0;
+  for (int k = 1; k < 6; ++k) {
+    SolidPose pose;
+    pose.scale[2] = *Scale::parse(std::to_string(100 + k) + "/100");
+    rebuilt += moving.set(pose)->rebuilt;
+    ASSERT_TRUE(moving.sum() == fresh(p, q, {pose, {}}));
+  }
+  EXPECT_EQ(rebuilt, 4u) << "all but the one that found it out";
+}
+
 TEST(MovingSolidSum, ThereAndBackIsTheSame) {
   const Mesh p = moving_cases::mesh_of(moving_cases::torus(3, 1, 6, 4)), q = moving_cases::mesh_of(ell());
   MovingSolidSum moving = MovingSolidSum::create(p, q).value();
