@@ -4,8 +4,8 @@
 #include <gtest/gtest.h>
 
 #include "dymsum/convex_sum.h"
-#include "dymsum/planar_sum.h"
 #include "dymsum/rotating_sum.h"
+#include "dymsum/shapes.h"
 #include "exact/big.h"
 #include "spatial/convex/setting.h"
 #include "spatial/moving/moving_cases.h"
@@ -99,6 +99,21 @@ TEST(MovingSolidSum, ConvexOperandsHaveTheSumsOfTheGeneralStages) {
     convex.set(poses.p, poses.q);
     ASSERT_TRUE(moving.sum() == spatial::boundary_of(convex.sum()));
     ASSERT_TRUE(moving.sum() == fresh(p, q, poses)) << k;
+  }
+}
+
+/// Upright prisms that turn about the upright axis: the planar sum that turns, over both heights.
+TEST(MovingSolidSum, PrismsHaveTheSumsOfPlanarFrames) {
+  const Region base_p = shapes::letter_l(3, 2, 1), base_q = shapes::letter_l(2, 5, 1);
+  const auto upright = [](const Region& base, double height) { return solids::prism(base.parts()[0].outer, height); };
+  MovingSolidSum solid = MovingSolidSum::create(upright(base_p, 2), upright(base_q, 3)).value();
+  RotatingSum planar = RotatingSum::create(base_p, base_q).value();
+  for (int k = 0; k < 12; ++k) {
+    ASSERT_TRUE(planar.set(*Orientation::of(k, 40)).ok());
+    ASSERT_TRUE(solid.set({*Rotation::of(40, 0, 0, k), {}}).ok());
+    EXPECT_EQ(solid.sum().volume_exact(), planar.sum().area_exact() * Rational(5));
+    EXPECT_EQ(solid.sum().vertices.size(), 2 * planar.sum().vertex_count());
+    EXPECT_EQ(solid.sum().faces.size(), 2 + planar.sum().vertex_count());
   }
 }
 
