@@ -129,28 +129,35 @@ void DynamicConvolution::look_at(int op, std::uint32_t triangle, double step, bo
   double margin = cells_[other]->reach();
   const float x = static_cast<float>(n.x), y = static_cast<float>(n.y), z = static_cast<float>(n.z);
   bool any_passed = first;
-  for (const GaussCells::Arc& arc : cell.arcs) {
-    // How far the normal is from the arc, at least, but for what arcs have turned since cells were made.
-    double far = std::abs(x * arc.edge[0] + y * arc.edge[1] + z * arc.edge[2]);
-    if (far >= margin && far > passed) continue;
-    const float dx = x - arc.middle[0], dy = y - arc.middle[1], dz = z - arc.middle[2];
-    far = std::max<double>(far, std::sqrt(dx * dx + dy * dy + dz * dz) - arc.radius);
-    if (skipped_ != SkippedCertificate::crossings) margin = std::min(margin, far);
-    if (far > passed || (same_shapes_ && !first && stays_beside(op, triangle, n, arc.index))) continue;
-    any_passed = true;
-    if (first) continue;
-    sides_[op].for_each_edge(
-        triangle, [&](std::uint32_t edge) { op == 0 ? match_edges(edge, arc.index) : match_edges(arc.index, edge); });
+  for (const GaussCells::FourArcs& four : cell.arcs) {
+    // How far the normal is from the arcs, at least, but for what arcs have turned since cells were made.
+    float aside[4];
+    for (int k = 0; k < 4; ++k) aside[k] = std::abs(x * four.x[k] + y * four.y[k] + z * four.z[k]);
+    const double near = std::max(margin, passed);
+    if (std::min({aside[0], aside[1], aside[2], aside[3]}) > near) continue;
+    for (int k = 0; k < 4; ++k) {
+      if (aside[k] > near) continue;
+      const float dx = x - four.middle_x[k], dy = y - four.middle_y[k], dz = z - four.middle_z[k];
+      const double far = std::max(aside[k], std::sqrt(dx * dx + dy * dy + dz * dz) - four.radius[k]);
+      if (skipped_ != SkippedCertificate::crossings) margin = std::min(margin, far);
+      if (far <= passed && (first || pass(op, triangle, n, four.index[k]))) any_passed = true;
+    }
   }
   if (any_passed) match_cones(op, triangle, n, cell.cones);
   walkers_[op].due[triangle] = travelled_ + std::max(0.0, margin - drift);
 }
 
-/// Whether a normal is now on the side of an arc's circle on which it was before the move, a turn.
-bool DynamicConvolution::stays_beside(int op, std::uint32_t triangle, Vec3 n, std::uint32_t arc) const {
-  const Vec3 &own = sides_[op].normals[triangle], edge = sides_[1 - op].edges[arc];
-  const Vec3 before = op == 0 ? row_times(own, q_to_p_before_) : q_to_p_before_ * own;
-  return certain_sign(dot(before, edge)) * certain_sign(dot(n, edge)) > 0;
+/// Looks at the pairs of a normal's edges with an arc that it may have passed; false where it has not: it is on the
+/// side of the arc's circle on which it was before the move, a turn.
+bool DynamicConvolution::pass(int op, std::uint32_t triangle, Vec3 n, std::uint32_t arc) {
+  if (same_shapes_) {
+    const Vec3 &own = sides_[op].normals[triangle], edge = sides_[1 - op].edges[arc];
+    const Vec3 before = op == 0 ? row_times(own, q_to_p_before_) : q_to_p_before_ * own;
+    if (certain_sign(dot(before, edge)) * certain_sign(dot(n, edge)) > 0) return false;
+  }
+  sides_[op].for_each_edge(triangle,
+                           [&](std::uint32_t edge) { op == 0 ? match_edges(edge, arc) : match_edges(arc, edge); });
+  return true;
 }
 
 void DynamicConvolution::match_cones(int op, std::uint32_t triangle, Vec3 n, std::span<const std::uint32_t> cones) {

@@ -74,7 +74,7 @@ class DynamicConvolution {
   void rebuild();
   void match_all_edges();
   void look_at(int op, std::uint32_t triangle, double step, bool first);
-  bool stays_beside(int op, std::uint32_t triangle, Vec3 n, std::uint32_t arc) const;
+  bool pass(int op, std::uint32_t triangle, Vec3 n, std::uint32_t arc);
   void match_cones(int op, std::uint32_t triangle, Vec3 n, std::span<const std::uint32_t> cones);
   void keep_found(int op, std::uint32_t triangle);
   void match_edges(std::uint32_t e, std::uint32_t g);

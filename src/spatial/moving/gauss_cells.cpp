@@ -18,20 +18,21 @@ Vec3 direction(std::uint32_t face, double u, double v) {
   return (1 / length(d)) * d;
 }
 
-GaussCells::Arc in_floats(const GaussSide& side, std::uint32_t e) {
+GaussCells::FourArcs in_floats(const GaussSide& side, std::span<const std::uint32_t> edges) {
   const auto f = [](double v) { return static_cast<float>(v); };
-  const Vec3 &d = side.edges[e], &m = side.arcs[e].middle;
-  return {{f(d.x), f(d.y), f(d.z)}, {f(m.x), f(m.y), f(m.z)}, f(side.arcs[e].radius), e};
-}
-
-template <class T, class F>
-void join(const std::vector<std::vector<std::uint32_t>>& lists, std::vector<std::uint32_t>& first, std::vector<T>& all,
-          F make) {
-  for (const std::vector<std::uint32_t>& list : lists) {
-    first.push_back(static_cast<std::uint32_t>(all.size()));
-    for (const std::uint32_t k : list) all.push_back(make(k));
+  GaussCells::FourArcs four{};
+  for (std::size_t k = 0; k < 4; ++k) {
+    if (k >= edges.size()) {
+      four.radius[k] = -100;
+      continue;
+    }
+    const std::uint32_t e = edges[k];
+    const Vec3 &d = side.edges[e], &m = side.arcs[e].middle;
+    four.x[k] = f(d.x), four.y[k] = f(d.y), four.z[k] = f(d.z);
+    four.middle_x[k] = f(m.x), four.middle_y[k] = f(m.y), four.middle_z[k] = f(m.z);
+    four.radius[k] = f(side.arcs[e].radius), four.index[k] = e;
   }
-  first.push_back(static_cast<std::uint32_t>(all.size()));
+  return four;
 }
 
 }  // namespace
@@ -46,8 +47,16 @@ GaussCells::GaussCells(const GaussSide& side) {
   Lists lists;
   lists.arcs.resize(cell(6, 0, 0)), lists.cones.resize(cell(6, 0, 0));
   for (std::uint32_t face = 0; face < 6; ++face) split(side, {face, 0, 0, across_}, cones, arcs, lists);
-  join(lists.arcs, first_arc_, arcs_, [&](std::uint32_t e) { return in_floats(side, e); });
-  join(lists.cones, first_cone_, cones_, [](std::uint32_t c) { return c; });
+  for (const std::vector<std::uint32_t>& list : lists.arcs) {
+    first_arc_.push_back(static_cast<std::uint32_t>(arcs_.size()));
+    for (std::size_t k = 0; k < list.size(); k += 4) arcs_.push_back(in_floats(side, std::span(list).subspan(k)));
+  }
+  first_arc_.push_back(static_cast<std::uint32_t>(arcs_.size()));
+  for (const std::vector<std::uint32_t>& list : lists.cones) {
+    first_cone_.push_back(static_cast<std::uint32_t>(cones_.size()));
+    cones_.insert(cones_.end(), list.begin(), list.end());
+  }
+  first_cone_.push_back(static_cast<std::uint32_t>(cones_.size()));
 }
 
 void GaussCells::split(const GaussSide& side, const Square& square, std::span<const std::uint32_t> cones,

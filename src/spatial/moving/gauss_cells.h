@@ -12,13 +12,14 @@ class GaussCells {
  public:
   explicit GaussCells(const GaussSide& side);
 
-  /// The arc of a convex edge as the cells were made, in floats.
-  struct Arc {
-    float edge[3], middle[3], radius;
-    std::uint32_t index;
+  /// Arcs of four convex edges as the cells were made, in floats: directions of the edges, and the balls around arcs.
+  /// Where there are fewer, the radius of what is left over is below zero and far from everything.
+  struct FourArcs {
+    float x[4], y[4], z[4], middle_x[4], middle_y[4], middle_z[4], radius[4];
+    std::uint32_t index[4];
   };
   struct Cell {
-    std::span<const Arc> arcs;
+    std::span<const FourArcs> arcs;
     std::span<const std::uint32_t> cones;
   };
   /// Arcs nearer to n than reach(), a distance, as the cells were made, and cones nearer than a quarter of that.
@@ -43,7 +44,7 @@ class GaussCells {
   double reach_ = 0;
   std::uint32_t across_ = 1;                           // cells along a side of the cube, a power of two
   std::vector<std::uint32_t> first_arc_, first_cone_;  // per cell; one more at the end
-  std::vector<Arc> arcs_;
+  std::vector<FourArcs> arcs_;
   std::vector<std::uint32_t> cones_;
 };
 
