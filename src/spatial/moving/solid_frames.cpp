@@ -9,6 +9,11 @@ namespace {
 /// Exact signs are some twenty times as expensive as what else makes a facet of a fresh convolution. Where an update
 /// takes more of them than there are facets, it is given up for this many frames.
 constexpr std::uint32_t kFramesFromScratch = 50;
+/// The boxes of a fresh sum take about a quarter of it. Where they drop fewer than one in so many of the facets that
+/// balls left, they are left out of this many frames.
+constexpr std::uint64_t kOneIn = 12;
+constexpr std::uint32_t kFramesWithoutBoxes = 8;
+constexpr std::uint64_t kFewTests = 100;
 
 }  // namespace
 
@@ -31,7 +36,13 @@ SpatialSum SolidFrames::frame(const PosePair& poses, SolidFrameWork& work) {
   inner_.move(space, poses);
   ReducedConvolution outer = outer_facets();
   work.inner_kept = inner_.kept(), work.inner_tested = inner_.tested();
-  SpatialSum sum = sum_of_facets(pair_, std::move(space), std::move(outer), {true}, options_);
+  const std::size_t count = outer.facets.size();
+  const bool boxes = without_boxes_ == 0;
+  SpatialSum sum = sum_of_facets(pair_, std::move(space), std::move(outer), {!boxes}, options_);
+  const bool many_tests = sum.stats.tight_tests + sum.stats.collision_tests > kFewTests;
+  if (many_tests) without_boxes_ = 0;
+  else if (!boxes) --without_boxes_;
+  else if (sum.stats.inner_facets * kOneIn < count) without_boxes_ = kFramesWithoutBoxes;
   work.contacts = sum.stats.contacts, work.exact_signs = sum.stats.exact_signs + moved.exact_checks;
   return sum;
 }

@@ -27,7 +27,8 @@ class SolidFrames {
   const SpatialOptions& options_;
   DynamicConvolution convolution_;
   InnerFacets inner_;
-  std::uint32_t crowded_ = 0;  // frames for which that holds
+  std::uint32_t crowded_ = 0;        // frames for which that holds
+  std::uint32_t without_boxes_ = 0;  // frames for which boxes do not pay
 };
 
 }  // namespace dymsum::spatial
