@@ -9,6 +9,7 @@
 #include "pictures/frame_pictures.h"
 #include "pictures/solid_page.h"
 #include "progress_bar.h"
+#include "solid/moving_solids.h"
 #include "solid/solid_outputs.h"
 #include "timing.h"
 
@@ -75,9 +76,11 @@ void write_outputs(const SolidMotion& motion, const Rounds& rounds) {
   const std::vector<SolidInput>& inputs = motion.inputs;
   const std::string title = motion.verb + " of " + inputs[0].file + " and " + inputs[1].file;
   std::vector<std::string> texts;
+  ConvexSum shown = *rounds.sum;
+  if (motion.shown) shown.set(motion.frames[*motion.shown].p, motion.frames[*motion.shown].q);
   for (const std::string& file : motion.files)
     texts.push_back(is_page(file) ? solid_page(rounds.pictures, title)
-                                  : solid_output(rounds.sum->sum(), file, {"off", inputs[0].hull.has_value(), false}));
+                                  : solid_output(shown.sum(), file, {"off", inputs[0].hull.has_value(), false}));
   for (std::size_t i = 0; i < texts.size(); ++i) write_text(motion.files[i], texts[i]);
 }
 
@@ -117,6 +120,10 @@ SolidFrame turned_frame(const Rotation& rotation, const Point3& axis, const std:
 }
 
 ExitCode run_solid_motion(const SolidMotion& motion, const ReportOptions& report) {
+  if (motion.shown && *motion.shown >= motion.frames.size())
+    throw Stop(kUsage, "--frame is beyond the last one, " + std::to_string(motion.frames.size() - 1));
+  for (const SolidInput& input : motion.inputs)
+    if (convexity_error(input.mesh)) return run_moving_solids(motion, report);
   std::ostream& out = report_stream(motion.files, report.json);
   check_outputs(motion.files);
   const InterruptGuard guard;
@@ -148,7 +155,7 @@ ExitCode run_solid_scale(const ScaleCommand& command, const std::vector<Scale>& 
   refuse_options(*command.parser, {"--copies", "--ratio", "--events", "--mode", "--semantics", "--exact", "--threads"},
                  "is for planar operands");
   if (sweep.empty() == command.at.empty()) throw Stop(kUsage, "give one of --sweep and --at");
-  SolidMotion motion{"scale", read_convex_solids(command.operands, command.input), {}, command.files, {}, ""};
+  SolidMotion motion{"scale", read_solids(command.operands, command.input), {}, command.files, {}, "", command.frame};
   const auto add = [&](const std::vector<Scale>& s) {
     SolidFrame frame;
     (command.scaled == "p" ? frame.p : frame.q).scale = {s.front(), s[s.size() / 2], s.back()};

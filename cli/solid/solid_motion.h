@@ -1,6 +1,7 @@
-// Convex solids that turn or scale, frame by frame: what rotate and scale do with solid operands.
+// Solids that turn or scale, frame by frame: what rotate and scale do with solid operands.
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -22,12 +23,13 @@ struct SolidMotion {
   std::string verb;
   std::vector<SolidInput> inputs;
   std::vector<SolidFrame> frames;
-  std::vector<std::string> files;  ///< may end in .html (a page that plays), or be a mesh of the last frame
+  std::vector<std::string> files;  ///< may end in .html (a page that plays), or be a mesh of a frame
   Json asked;                      ///< as MotionReport has it
   std::string note;
+  std::optional<std::size_t> shown;  ///< the frame that meshes are of; else the last one
 };
 
-/// Makes the frames, writes pictures and reports.
+/// Makes the frames, writes pictures and reports. Stops where `shown` is no frame.
 ExitCode run_solid_motion(const SolidMotion& motion, const ReportOptions& report);
 
 /// Turned about an axis: of the name of the frame, theta is the exact rotation's angle, in (-pi, pi].

@@ -19,6 +19,7 @@ struct RotateCommand {
   AngleOptions angle;
   std::optional<double> error;
   std::optional<std::string> axis, semantics;
+  std::optional<std::size_t> frame;
 };
 
 /// From zero to the end of the turn in equal steps. The end of a whole turn is its beginning, and shown once.
@@ -33,8 +34,8 @@ std::vector<Angle> frame_angles(const RotateCommand& command) {
 ExitCode run_solids(const RotateCommand& command) {
   refuse_options(*command.parser, {"--error", "--semantics", "--exact", "--threads"}, "is for planar operands");
   const Point3 axis = parse_point(command.axis.value_or("0,0,1"), "--axis");
-  const std::vector<SolidInput> inputs = read_convex_solids(command.planar.operands, command.planar.input);
-  SolidMotion motion{"rotate", inputs, {}, command.planar.files, {}, ""};
+  const std::vector<SolidInput> inputs = read_solids(command.planar.operands, command.planar.input);
+  SolidMotion motion{"rotate", inputs, {}, command.planar.files, {}, "", command.frame};
   for (const Angle& angle : frame_angles(command))  // every angle by itself: nothing adds up
     motion.frames.push_back(
         turned_frame(require_option(Rotation::about(axis, angle.radians()), "--axis"), axis, angle.label()));
@@ -47,7 +48,7 @@ ExitCode run_solids(const RotateCommand& command) {
 
 ExitCode run(const RotateCommand& command) {
   if (are_solid(command.planar.operands, command.planar.input)) return run_solids(command);
-  refuse_options(*command.parser, {"--axis"}, "is for solid operands");
+  refuse_options(*command.parser, {"--axis", "--frame"}, "is for solid operands");
   PlanarTurn turn = command.planar;
   turn.angles = frame_angles(command);
   turn.error = command.error.value_or(turn.error);
@@ -59,24 +60,26 @@ ExitCode run(const RotateCommand& command) {
 
 void add_rotate(CLI::App& app, Action& action) {
   auto command = std::make_shared<RotateCommand>();
-  CLI::App& verb = *app.add_subcommand(
-      "rotate", "P turns and P (+) Q follows, frame by frame, exact at every frame (planar, or convex solids)");
+  CLI::App& verb = *app.add_subcommand("rotate", "P turns and P (+) Q follows, frame by frame, exact at every frame");
   command->parser = &verb;
-  add_operands(verb, {"P", "The region or convex solid that turns about the origin of its coordinates"},
+  add_operands(verb, {"P", "The region or solid that turns about the origin of its coordinates"},
                {"Q", "The one that stays"}, command->planar.operands);
   const char* const steps =
       "Steps of the turn: a frame at the beginning of each, and one at the end unless it is the first again";
   whole_within(verb.add_option("--steps", command->steps, steps), 1, 1000000)->type_name("N")->required();
   verb.add_option("--axis", command->axis, "Of solids: axis through the origin [0,0,1]")->type_name("X,Y,Z");
+  verb.add_option("--frame", command->frame, "Of solids: the frame that meshes are of, from 0 [the last]")
+      ->type_name("N");
   add_angle_options(verb, command->angle,
                     "The whole turn [360 degrees], its frames met within 2^-28 (solids) or --error (planar),");
   add_error_option(verb, command->error, "Planar: largest error of a frame's angle in radians [1e-6]");
   verb.add_option("--semantics", command->semantics, "Planar: closed, open or regular [closed]")
       ->check(CLI::IsMember({"closed", "open", "regular"}));
   add_threads_option(verb, command->planar.threads);
-  verb.add_option("-o", command->planar.files,
-                  "Write .html (a page that plays, or with a slider); planar also .svg (a film strip) and anim.svg (an "
-                  "animation), solid the last frame as .off .obj .stl .ply .glb .json; repeatable")
+  verb.add_option(
+          "-o", command->planar.files,
+          "Write .html (of regions and convex solids: a page that plays, or with a slider); planar also .svg (a "
+          "film strip) and anim.svg (an animation), solid a frame as .off .obj .stl .ply .glb .json; repeatable")
       ->type_name("FILE")
       ->allow_extra_args(false);
   add_report_options(verb, command->planar.report, "Turn N times and report the median and minimum frame");

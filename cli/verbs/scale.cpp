@@ -159,12 +159,13 @@ ExitCode run_planar_scale(const ScaleCommand& command) {
 ExitCode run_scale(const ScaleCommand& command) {
   if (are_solid(command.operands, command.input))
     return run_solid_scale(command, command.sweep.empty() ? std::vector<Scale>{} : sweep_scales(command.sweep));
+  refuse_options(*command.parser, {"--frame"}, "is for solid operands");
   return command.copies.empty() ? run_planar_scale(command) : run_copies(command);
 }
 
 void add_options(CLI::App& verb, ScaleCommand& command) {
   command.parser = &verb;
-  add_operands(verb, {"P", "The region or convex solid that scales, unless --scaled q"}, {"Q", "The other one"},
+  add_operands(verb, {"P", "The region or solid that scales, unless --scaled q"}, {"Q", "The other one"},
                command.operands);
   verb.add_option("--sweep", command.sweep,
                   "FROM:TO:STEP; STEP is added, or with % multiplies: 1:2:1%; the last frame is at TO")
@@ -190,13 +191,16 @@ void add_options(CLI::App& verb, ScaleCommand& command) {
   verb.add_option("--semantics", command.semantics, "Planar: closed, open or regular")
       ->check(CLI::IsMember({"closed", "open", "regular"}))
       ->capture_default_str();
-  verb.add_option("-o", command.files,
-                  "Write .svg (a film strip), anim.svg (an animation) or .html (a page with a slider and ticks at "
-                  "events); with --copies .svg (obstacles, "
-                  "what they grow to, robot); of solids .html (a page that plays) and the last frame as .off .obj .stl "
-                  ".ply .glb .json; repeatable")
+  verb.add_option(
+          "-o", command.files,
+          "Write .svg (a film strip), anim.svg (an animation) or .html (a page with a slider and ticks at "
+          "events); with --copies .svg (obstacles, "
+          "what they grow to, robot); of convex solids .html (a page that plays), of solids a frame as .off .obj .stl "
+          ".ply .glb .json; repeatable")
       ->type_name("FILE")
       ->allow_extra_args(false);
+  verb.add_option("--frame", command.frame, "Of solids: the frame that meshes are of, from 0 [the last]")
+      ->type_name("N");
   verb.add_flag("--events", command.events, "Planar: list the exact scales at which the sum changes");
   add_report_options(verb, command.report, "Sweep N times and report the median and minimum frame");
   add_exact_option(verb, command.report, OperandKind::planar);

@@ -1,6 +1,7 @@
 // What the command line asks of the verb scale.
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -19,6 +20,7 @@ struct ScaleCommand {
   std::size_t threads = 1;
   bool robot = false;  ///< Q is a robot: sums with -Q
   bool events = false;
+  std::optional<std::size_t> frame;  ///< of solids: the one that is written
   ReportOptions report;
   InputOptions input;
 };

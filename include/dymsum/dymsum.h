@@ -14,6 +14,7 @@
 #include "dymsum/mesh.h"
 #include "dymsum/mesh_io.h"
 #include "dymsum/motion.h"
+#include "dymsum/moving_solid_sum.h"
 #include "dymsum/nesting.h"
 #include "dymsum/nfp_table.h"
 #include "dymsum/obstacle_file.h"

@@ -10,6 +10,8 @@ from ._core import (
     ConvexSum,
     Mesh,
     MovingOptions,
+    MovingSolidOptions,
+    MovingSolidSum,
     Orientation,
     PlanarPose,
     PlanarSum,
@@ -102,3 +104,13 @@ def convex(p: Union[Mesh, SolidSum], q: Mesh, p_pose: SolidPose, q_pose: SolidPo
 def sum_of_convex(p: Union[Mesh, SolidSum], q: Mesh, p_pose: SolidPose, q_pose: SolidPose) -> SolidSum:
     """The sum that such an object had."""
     return convex(p, q, p_pose, q_pose).sum()
+
+
+posed_sum = _core.posed_sum
+
+
+def moving_solid(p: Mesh, q: Mesh, options: MovingSolidOptions, p_pose: SolidPose, q_pose: SolidPose) -> MovingSolidSum:
+    """A sum of moving solids at the poses it stood at."""
+    made = MovingSolidSum(p, q, options)
+    made.set(p_pose, q_pose)
+    return made

@@ -45,6 +45,8 @@ const std::vector<Case> kCases = {
     {"scale_copies", "scale frame.wkt square.wkt --copies copies.txt --robot"},
     {"solid_scale", "scale cube.off cube.off --at 1,1:2:3"},
     {"solid_rotate", "rotate cube.off cube.off --steps 3 --axis 1,2,3"},
+    {"solid_rotate", "rotate ell.off cube.off --steps 3 --axis 1,2,3"},
+    {"solid_scale", "scale ell.off cube.off --at 1,1:2:3"},
     {"rotate", "rotate peg.wkt slot.wkt --steps 4"},
     {"scale_range", "scale-range square.wkt slot.wkt --path '9,9 6,9'"},
     {"scale_range", "scale-range square.wkt frame.wkt --inside --place 0,0"},

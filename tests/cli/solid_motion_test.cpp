@@ -57,6 +57,29 @@ TEST_F(SolidMotionCli, RotateFollowsATurnAndWritesAPage) {
     EXPECT_NE(work.read("turn.html").find(part), std::string::npos) << part;
 }
 
+TEST_F(SolidMotionCli, SolidsOfAnyShapeTurnAndScale) {
+  work.write("ell.off",
+             "OFF\n12 8 0\n0 0 0\n3 0 0\n3 1 0\n1 1 0\n1 3 0\n0 3 0\n"
+             "0 0 2\n3 0 2\n3 1 2\n1 1 2\n1 3 2\n0 3 2\n"
+             "6 5 4 3 2 1 0\n6 6 7 8 9 10 11\n4 0 1 7 6\n4 1 2 8 7\n4 2 3 9 8\n4 3 4 10 9\n4 4 5 11 10\n"
+             "4 5 0 6 11\n");
+  const Json turn = json("dymsum rotate ell.off cube.off --steps 4 --json -o first.glb -o first.json --frame 0");
+  ASSERT_EQ(turn["frames"].size(), 4u);
+  const Json still = json("dymsum sum ell.off cube.off --json");
+  for (const char* key : {"faces", "vertices", "shells", "volume_exact", "tight"})
+    EXPECT_EQ(turn["frames"][0][key], still[key]) << key;
+  for (const Json& frame : turn["frames"]) EXPECT_EQ(frame["volume_exact"], still["volume_exact"]) << "a quarter turn";
+  EXPECT_EQ(Json::parse(work.read("first.json"))["vertices"], still["vertices"]);
+  EXPECT_GT(turn["static_ms"], 0);
+  const Json scaled = json("dymsum scale ell.off cube.off --at 1,2:1:1/2 --json");
+  EXPECT_EQ(scaled["frames"][0]["volume_exact"], still["volume_exact"]);
+  EXPECT_NE(scaled["frames"][1]["volume_exact"], still["volume_exact"]);
+  EXPECT_NE(work.run("dymsum rotate ell.off cube.off --steps 4").out.find("from scratch"), std::string::npos);
+  all_refused({"dymsum rotate ell.off cube.off --steps 4 -o turn.html",
+               "dymsum rotate ell.off cube.off --steps 4 -o stages.glb",
+               "dymsum rotate ell.off cube.off --steps 4 -o a.glb --frame 4"});
+}
+
 TEST_F(SolidMotionCli, ScaleTakesOneFactorOrThree) {
   const Json report = json("dymsum scale cube.off cube.off --at 1,2,3:1:1/2 --json");
   ASSERT_EQ(report["frames"].size(), 3u);

@@ -44,6 +44,8 @@ const std::vector<std::string> kRooms = {
     "spatial/arrangement",
     "spatial/boundary",
     "spatial/sum",
+    "spatial/frames",
+    "spatial/moving",
     "spatial/erode",
     "spatial/offset",
     "spatial/slice",

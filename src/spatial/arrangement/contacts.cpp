@@ -65,6 +65,7 @@ int twist(const SumSpace& space, const SumEdge& a, const SumEdge& b) {
   const double error = U * V * W * 0x1p-48 + 8 * space.sum_radius() * (U * V + V * W + U * W);
   if (value > error) return 1;
   if (value < -error) return -1;
+  if (a.from == b.from || a.from == b.to || a.to == b.from || a.to == b.to) return 0;
   return space.exact_twist(a, b);
 }
 

@@ -6,6 +6,7 @@
 
 #include "base/parallel.h"
 #include "spatial/mesh/grid_points.h"
+#include "spatial/mesh/rounded_vector.h"
 
 namespace dymsum::spatial {
 
@@ -96,6 +97,7 @@ PlaneId GridSpace<C>::add_planes(std::span<const PlaneSource> sources, int threa
   const auto first = static_cast<PlaneId>(n_.size());
   const std::size_t all = n_.size() + sources.size();
   n_.resize(all), d_.resize(all), plane_residues_.resize(all), planes_.resize(all);
+  plane_sources_.insert(plane_sources_.end(), sources.begin(), sources.end());
   constexpr std::size_t kPart = 512;
   base::parallel_parts((sources.size() + kPart - 1) / kPart, threads, [&](std::size_t part) {
     for (std::size_t k = part * kPart; k < std::min(sources.size(), (part + 1) * kPart); ++k)
@@ -392,20 +394,93 @@ std::vector<Vector3<C>> on_grid(const std::vector<Point3>& points, const Line (&
 
 }  // namespace
 
+namespace {
+
+/// Coordinates in 128 bits, where products and sums of mapped places stay within 126.
+std::optional<std::vector<Vector3<exact::i128>>> mapped_in_words(const MappedPlaces& p) {
+  std::array<exact::i128, 9> m;
+  int bits = 0;
+  for (std::size_t k = 0; k < 9; ++k) {
+    bits = std::max(bits, bit_length(Big(p.matrix[k])));
+    if (bits > 124) return std::nullopt;
+    m[k] = exact::narrowed<Int<124>>(Big(p.matrix[k])).raw();
+  }
+  if (p.places.bits > 61 || p.places.bits + bits > 124) return std::nullopt;
+  std::vector<Vector3<exact::i128>> result;
+  result.reserve(p.places.grid.size());
+  for (const auto& [x, y, z] : p.places.grid)
+    result.push_back({m[0] * x + m[1] * y + m[2] * z, m[3] * x + m[4] * y + m[5] * z, m[6] * x + m[7] * y + m[8] * z});
+  return result;
+}
+
+std::vector<Vector3<Big>> mapped_of_any_size(const MappedPlaces& p) {
+  exact::Matrix3<Big> m;
+  for (std::size_t r = 0; r < 3; ++r) m[r] = {Big(p.matrix[3 * r]), Big(p.matrix[3 * r + 1]), Big(p.matrix[3 * r + 2])};
+  std::vector<Vector3<Big>> result;
+  const std::size_t count = p.places.bits <= 61 ? p.places.grid.size() : p.places.big.size();
+  for (std::uint32_t v = 0; v < count; ++v) result.push_back(exact::apply(m, p.places.place<Big>(v)));
+  return result;
+}
+
+int bits_of(const std::vector<Vector3<exact::i128>>& points) {
+  exact::i128 most = 0;
+  for (const Vector3<exact::i128>& v : points)
+    for (const exact::i128 c : {v.x, v.y, v.z}) most = std::max(most, c < 0 ? -c : c);
+  int bits = 0;
+  while (bits < 126 && (exact::i128{1} << bits) < most) ++bits;
+  return bits;
+}
+
+template <class C>
+std::vector<Vector3<C>> narrowed_points(const std::vector<Vector3<exact::i128>>& points) {
+  const auto narrow = [](exact::i128 v) {
+    if constexpr (std::is_same_v<C, Big>) return exact::to_big(v);
+    else return C::from_raw(exact::raw_cast<C::kBits>(v));
+  };
+  std::vector<Vector3<C>> result;
+  result.reserve(points.size());
+  for (const Vector3<exact::i128>& v : points) result.push_back({narrow(v.x), narrow(v.y), narrow(v.z)});
+  return result;
+}
+
+/// f(C{}) with the narrowest type of coordinates of so many bits.
+template <class F>
+std::unique_ptr<SumSpace> with_width(int bits, F f) {
+  if (bits <= 26) return f(Int<26>{});
+  if (bits <= 61) return f(Int<61>{});    // doubles of about one size
+  if (bits <= 72) return f(Int<72>{});    // heights of slices: all digits of a double, next to operands of few
+  if (bits <= 124) return f(Int<124>{});  // turned by quaternions; what rounding leaves of zeros, as in sin(pi)
+  if (bits <= 250) return f(Big{});
+  throw std::invalid_argument("coordinates of more than 250 bits on their common grid");
+}
+
+}  // namespace
+
 std::unique_ptr<SumSpace> make_sum_space(const std::vector<Point3>& p, const std::vector<Point3>& q) {
   int bits = 0;
   const Line lines[3] = {common_line(p, q, &Point3::x, bits), common_line(p, q, &Point3::y, bits),
                          common_line(p, q, &Point3::z, bits)};
-  const auto make = [&]<class C>(C) -> std::unique_ptr<SumSpace> {
+  return with_width(bits, [&]<class C>(C) -> std::unique_ptr<SumSpace> {
     return std::make_unique<GridSpace<C>>(on_grid<C>(p, lines, &Line::p_offset), on_grid<C>(q, lines, &Line::q_offset),
                                           bits, lines);
-  };
-  if (bits <= 26) return make(Int<26>{});
-  if (bits <= 61) return make(Int<61>{});    // doubles of about one size
-  if (bits <= 72) return make(Int<72>{});    // heights of slices: all digits of a double, next to operands of few
-  if (bits <= 124) return make(Int<124>{});  // with what rounding leaves of zeros, as in sin(pi)
-  if (bits <= 250) return make(Big{});
-  throw std::invalid_argument("coordinates of more than 250 bits on their common grid");
+  });
+}
+
+std::unique_ptr<SumSpace> make_sum_space(const MappedPlaces& p, const MappedPlaces& q, int exponent) {
+  const Line lines[3] = {{exponent, 0, 0}, {exponent, 0, 0}, {exponent, 0, 0}};
+  const auto a = mapped_in_words(p), b = mapped_in_words(q);
+  if (a && b) {
+    const int bits = std::max(bits_of(*a), bits_of(*b));
+    return with_width(bits, [&]<class C>(C) -> std::unique_ptr<SumSpace> {
+      return std::make_unique<GridSpace<C>>(narrowed_points<C>(*a), narrowed_points<C>(*b), bits, lines);
+    });
+  }
+  std::vector<Vector3<Big>> big_p = mapped_of_any_size(p), big_q = mapped_of_any_size(q);
+  int bits = 125;  // or more: there is no narrower space for them
+  for (const std::vector<Vector3<Big>>* points : {&big_p, &big_q})
+    for (const Vector3<Big>& v : *points) bits = std::max(bits, bit_length(v));
+  if (bits > 250) throw std::invalid_argument("coordinates of more than 250 bits on their common grid");
+  return std::make_unique<GridSpace<Big>>(std::move(big_p), std::move(big_q), bits, lines);
 }
 
 }  // namespace dymsum::spatial

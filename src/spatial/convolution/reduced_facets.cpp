@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "spatial/convolution/direction.h"
+#include "spatial/convolution/facet_rule.h"
 #include "spatial/mesh/box_tree.h"
 
 namespace dymsum::spatial {
@@ -44,8 +45,7 @@ struct FacetSide {
 };
 
 int normal_sign(const SumSpace& space, const FacetSide& faces, std::uint32_t triangle, Way d) {
-  const Triangle& t = faces.solid.triangles[triangle];
-  return space.exact_det(faces.way(t[0], t[1]), faces.way(t[0], t[2]), d);
+  return normal_sign(space, faces.of, faces.solid.triangles[triangle], d);
 }
 
 /// A bound, in each coordinate, of the unit vectors along v.
@@ -167,14 +167,11 @@ class Facets {
   }
 
   void add_face_vertex(const FacetSide& faces, std::uint32_t t, std::uint32_t v) {
-    const Triangle& tri = faces.solid.triangles[t];
-    SumFacet facet;
-    const bool of_p = faces.of == Way::Of::p;
-    facet.kind = of_p ? SumFacet::Kind::face_vertex : SumFacet::Kind::vertex_face;
-    facet.p = of_p ? t : v, facet.q = of_p ? v : t;
-    for (int k = 0; k < 3; ++k) facet.corner[k] = of_p ? SumPoint{tri[k], v} : SumPoint{v, tri[k]};
+    add(face_vertex_facet(faces.of, faces.solid, t, v));
+  }
+  void add(const SumFacet& facet) {
     result_.facets.push_back(facet);
-    result_.planes.push_back({facet.corner[0], faces.way(tri[0], tri[1]), faces.way(tri[0], tri[2]), false});
+    result_.planes.push_back(plane_of(facet));
   }
 
   /// The sign of face's normal times the other operand's edge.
@@ -187,10 +184,21 @@ class Facets {
 
   void try_edges(std::uint32_t i, std::uint32_t j) {
     const Wedge &e = p_.solid.wedges[p_.convex[i]], &g = q_.solid.wedges[q_.convex[j]];
-    // With n = s (e x g) and d, c from the edges into their faces, n . d <= 0 and n . c <= 0 read, for the faces'
-    // normals: s (g . n_left) >= 0 >= s (g . n_right), s (e . m_left) <= 0 <= s (e . m_right).
-    // A segment by itself has no faces, and those of a plate's edge are opposite. All zero: parallel edges, or thin
-    // parts in one plane, which is seen from both sides.
+    if (p_.is_thin(e) || q_.is_thin(g)) return try_thin_edges(i, j);
+    EdgePairSigns at{sign_at(p_, e.left, q_, j), sign_at(p_, e.right, q_, j), 0, 0};
+    if (at.e_left == at.e_right) return;
+    at.g_left = sign_at(q_, g.left, p_, i);
+    if ((at.e_left != 0 ? at.e_left : -at.e_right) * at.g_left > 0) return;
+    at.g_right = sign_at(q_, g.right, p_, i);
+    const int side = edge_pair_side(at);
+    if (side == 0 || (at.any_zero() && !ties_hold(space_, p_.solid, q_.solid, e, g, at))) return;
+    add_edge_edge(i, j, side);
+  }
+
+  /// A segment by itself has no faces, and those of a plate's edge are opposite. All zero: parallel edges, or thin
+  /// parts in one plane, which is seen from both sides.
+  void try_thin_edges(std::uint32_t i, std::uint32_t j) {
+    const Wedge &e = p_.solid.wedges[p_.convex[i]], &g = q_.solid.wedges[q_.convex[j]];
     const bool bare_e = e.is_segment(), bare_g = g.is_segment();
     const int a = bare_e ? 0 : sign_at(p_, e.left, q_, j), b = bare_e ? 0 : sign_at(p_, e.right, q_, j);
     if (a == b && (a != 0 || !p_.is_thin(e))) return;
@@ -204,39 +212,15 @@ class Facets {
         space_.exact_dot(p_.way(e.from, e.to), q_.way(g.from, g.to), p_.way(e.from, e.to), q_.way(g.from, g.to)) == 0)
       return;
     if (s * c > 0 || s * d < 0) return;
-    if ((a == 0 || b == 0 || c == 0 || d == 0) && !ties_hold(e, g, a, b, c, d)) return;
+    const EdgePairSigns at{a, b, c, d};
+    if (at.any_zero() && !ties_hold(space_, p_.solid, q_.solid, e, g, at)) return;
     add_edge_edge(i, j, s != 0 ? s : 1);
     if (s == 0) add_edge_edge(i, j, -1);
   }
 
-  /// Where a face of one edge is coplanar with the facet, the ray of the other edge on its side has to be
-  /// lexicographically positive.
-  bool ties_hold(const Wedge& e, const Wedge& g, int a, int b, int c, int d) const {
-    const Way ew = p_.way(e.from, e.to), gw = q_.way(g.from, g.to);
-    const auto along = [&](const FacetSide& faces, std::uint32_t triangle) {
-      const Triangle& t = faces.solid.triangles[triangle];
-      return space_.exact_dot(faces.way(t[0], t[1]), faces.way(t[0], t[2]), ew, gw);
-    };
-    const int lex_e = space_.exact_leading(ew), lex_g = space_.exact_leading(gw);
-    if (!e.is_segment() && a == 0 && along(p_, e.left) * lex_g < 0) return false;
-    if (!e.is_segment() && b == 0 && -along(p_, e.right) * lex_g < 0) return false;
-    if (!g.is_segment() && c == 0 && along(q_, g.left) * lex_e < 0) return false;
-    if (!g.is_segment() && d == 0 && -along(q_, g.right) * lex_e < 0) return false;
-    return true;
-  }
-
   void add_edge_edge(std::uint32_t i, std::uint32_t j, int s) {
-    const std::uint32_t we = p_.convex[i], wg = q_.convex[j];
-    const Wedge &e = p_.solid.wedges[we], &g = q_.solid.wedges[wg];
-    SumFacet facet;
-    facet.kind = SumFacet::Kind::edge_edge;
-    facet.corners = 4;
-    facet.p = we, facet.q = wg;
-    facet.corner = {SumPoint{e.from, g.from}, {e.to, g.from}, {e.to, g.to}, {e.from, g.to}};
-    if (s < 0) std::swap(facet.corner[1], facet.corner[3]);
     ++result_.counts.edge_edge;
-    result_.facets.push_back(facet);
-    result_.planes.push_back({facet.corner[0], p_.way(e.from, e.to), q_.way(g.from, g.to), s < 0});
+    add(edge_edge_facet(p_.solid, q_.solid, p_.convex[i], q_.convex[j], s));
   }
 
   const SumSpace& space_;

@@ -35,16 +35,28 @@ EdgeId SumSpace::add_edges(std::span<const SumEdge> edges) {
   return first;
 }
 
+bool SumSpace::made_from(PlaneId plane, SumPoint point) const {
+  const PlaneSource& source = plane_sources_[plane];
+  // From `at` along u, along v, or along both, where these are of different operands.
+  SumPoint at = source.at;
+  for (const Way* way : {&source.u, &source.v}) {
+    if (way->of == Way::Of::p && point.p == way->to && at.p == way->from) at.p = way->to;
+    if (way->of == Way::Of::q && point.q == way->to && at.q == way->from) at.q = way->to;
+  }
+  return at == point;
+}
+
 int SumSpace::side(PlaneId plane, SumPoint point) const {
   const int s = sign_of(height(planes_[plane], approx(point), sum_radius_));
-  return s != 0 ? s : exact_side(plane, point);
+  return s != 0 || made_from(plane, point) ? s : exact_side(plane, point);
 }
 
 int SumSpace::side(PlaneId plane, const PointSource& point, const Approx& at) const {
   const int s = sign_of(height(planes_[plane], at.at, at.radius));
   if (s != 0) return s;
   if (point.kind == PointSource::Kind::planes && (point.a == plane || point.b == plane || point.c == plane)) return 0;
-  if (point.kind == PointSource::Kind::edge && point.b == plane) return 0;
+  if (point.kind == PointSource::Kind::edge && (point.b == plane || made_from(plane, EdgeId{point.a}))) return 0;
+  if (point.kind == PointSource::Kind::sum && made_from(plane, SumPoint{point.a, point.b})) return 0;
   return exact_side(plane, point);
 }
 

@@ -21,6 +21,7 @@
 
 #include "dymsum/mesh.h"
 #include "exact/residue.h"
+#include "spatial/mesh/grid_places.h"
 #include "spatial/mesh/vec3.h"
 
 namespace dymsum::spatial {
@@ -137,6 +138,12 @@ class SumSpace {
   /// Of the component of a plane's normal.
   virtual int exact_normal(const PlaneSource& plane, int axis) const = 0;
 
+  /// Whether a plane was made from a sum, or from both ends of an edge: then it lies in the plane. A "no" says nothing.
+  bool made_from(PlaneId plane, SumPoint point) const;
+  bool made_from(PlaneId plane, EdgeId edge) const {
+    return made_from(plane, edges_[edge].from) && made_from(plane, edges_[edge].to);
+  }
+
   /// Signs, by doubles where they decide.
   int side(PlaneId plane, SumPoint point) const;
   int side(PlaneId plane, const PointSource& point, const Approx& approx) const;
@@ -184,6 +191,7 @@ class SumSpace {
   std::vector<Vec3> p_, q_;
   std::vector<std::array<exact::Residue, 3>> p_residue_, q_residue_;
   std::vector<Plane> planes_;
+  std::vector<PlaneSource> plane_sources_;
   std::vector<PlaneResidue> plane_residues_;
   std::vector<SumEdge> edges_;
   Line lines_[3];
@@ -194,5 +202,13 @@ class SumSpace {
 /// The space of the sums of two lists of points, on their common grid (for every axis by itself). Requires finite
 /// coordinates, and at most 250 bits.
 std::unique_ptr<SumSpace> make_sum_space(const std::vector<Point3>& p, const std::vector<Point3>& q);
+
+/// Places of a grid under a linear map: x -> matrix x, row by row.
+struct MappedPlaces {
+  const GridPlaces& places;
+  std::array<exact::BigInteger, 9> matrix;
+};
+/// The space of the sums of mapped places, in units of 2^exponent. Requires at most 250 bits.
+std::unique_ptr<SumSpace> make_sum_space(const MappedPlaces& p, const MappedPlaces& q, int exponent);
 
 }  // namespace dymsum::spatial

@@ -44,9 +44,6 @@ void judge_cells(SolidBoundary& result, const Collision& collision, StageWatch& 
 /// In the table and on the way into it, its planes and edges, its borders as segments and their upright planes.
 constexpr std::size_t kBytesPerTableFacet = sizeof(TableFacet) + 900;
 
-/// Few boxes are many times faster than the facets that they save.
-int boxes_across(std::size_t facets) { return facets < 500 ? 0 : facets < 2000 ? 32 : facets < 20000 ? 62 : 126; }
-
 /// Facets deep inside the open sum bound nothing, and without them off the facets there still are only cells of the
 /// open sum and cells of the outside.
 std::size_t drop_inner(ReducedConvolution& convolution, const InnerCells& inner, StageWatch& watch) {
@@ -82,6 +79,8 @@ void look_at_both_sides(SolidArrangement& arrangement, const Collision& collisio
 
 }  // namespace
 
+int inner_boxes_across(std::size_t facets) { return facets < 500 ? 0 : facets < 2000 ? 32 : facets < 20000 ? 62 : 126; }
+
 Flag flag_at(const SolidArrangement& arrangement, const PlaneGroup& group, const Cell& cell, int side) {
   const std::uint32_t h = group.cells.half_edges[group.cells.loops[cell.first_loop]];
   const CellEdge& e = group.cells.edges[h / 2];
@@ -92,13 +91,21 @@ Flag flag_at(const SolidArrangement& arrangement, const PlaneGroup& group, const
 
 SolidBoundary solid_boundary(const SolidOperand& p, const SolidOperand& q, const SpatialOptions& options,
                              SpatialStats& stats, StageWatch& watch) {
-  SolidBoundary result;
   watch.begin("convolution");
-  result.space = make_sum_space(p.vertices, q.vertices);
-  ReducedConvolution convolution = reduced_convolution(*result.space, p, q, watch);
+  std::unique_ptr<SumSpace> space = make_sum_space(p.vertices, q.vertices);
+  ReducedConvolution convolution = reduced_convolution(*space, p, q, watch);
+  return solid_boundary(std::move(space), std::move(convolution), p, q, {}, options, stats, watch);
+}
+
+SolidBoundary solid_boundary(std::unique_ptr<SumSpace> space, ReducedConvolution convolution, const SolidOperand& p,
+                             const SolidOperand& q, const ConvolutionHints& hints, const SpatialOptions& options,
+                             SpatialStats& stats, StageWatch& watch) {
+  SolidBoundary result;
+  result.space = std::move(space);
   // What is left out for speed is proved for solids alone.
   const bool fast = options.engine == SpatialEngine::fast && !p.has_thin() && !q.has_thin();
-  const InnerCells inner(*result.space, p, q, fast ? boxes_across(convolution.facets.size()) : 0, watch);
+  const int across = fast && !hints.inner_dropped ? inner_boxes_across(convolution.facets.size()) : 0;
+  const InnerCells inner(*result.space, p, q, across, watch);
   stats.inner_facets = drop_inner(convolution, inner, watch);
   watch.hold(convolution.facets.size() * kBytesPerTableFacet);
   result.table = facet_table(*result.space, convolution, watch);

@@ -23,6 +23,17 @@ struct SolidBoundary {
 SolidBoundary solid_boundary(const SolidOperand& p, const SolidOperand& q, const SpatialOptions& options,
                              SpatialStats& stats, StageWatch& watch);
 
+/// What is known of a convolution beforehand.
+struct ConvolutionHints {
+  bool inner_dropped = false;  ///< facets deep inside the open sum are left out already
+};
+/// The same of a space and the facets in it, whatever places of the operands' vertices the space has.
+SolidBoundary solid_boundary(std::unique_ptr<SumSpace> space, ReducedConvolution convolution, const SolidOperand& p,
+                             const SolidOperand& q, const ConvolutionHints& hints, const SpatialOptions& options,
+                             SpatialStats& stats, StageWatch& watch);
+/// Across the sum, for so many facets: few boxes are many times faster than the facets that they save.
+int inner_boxes_across(std::size_t facets);
+
 /// A position off the facets, infinitely near to a cell: in front of it for side 1 or -1 (of the plane's normal),
 /// inside it for 0.
 Flag flag_at(const SolidArrangement& arrangement, const PlaneGroup& group, const Cell& cell, int side);

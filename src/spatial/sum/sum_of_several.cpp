@@ -101,27 +101,6 @@ std::optional<Mesh> in_units(const Term& term, const BigInteger& scale) {
   return larger ? std::optional(*std::move(larger)) : std::nullopt;
 }
 
-/// A sum of sets in units of 1 / scale as it is.
-void unscale(SpatialSum& sum, const BigInteger& scale) {
-  if (scale == 1 || sum.vertices.empty()) return;
-  const double by = exact::round_to_double(scale, kWhole);
-  auto positions = std::make_shared<spatial::SpatialPositions>(SpatialSumInternals::positions(sum));
-  positions->scale = scale;
-  SpatialSumInternals::set_positions(sum, std::move(positions));
-  double largest = 0;
-  const auto divide = [&](Point3& p) {
-    p = {p.x / by, p.y / by, p.z / by};
-    largest = std::max({largest, std::abs(p.x), std::abs(p.y), std::abs(p.z)});
-  };
-  for (Point3& v : sum.vertices) divide(v);
-  sum.at_error = sum.at_error / by * (1 + 0x1p-50) + largest * 0x1p-52;
-  if (!sum.trace) return;
-  for (SpatialTrace::Facet& facet : sum.trace->facets)
-    for (Point3& p : facet.corners) divide(p);
-  for (auto& piece : sum.trace->pieces)
-    for (Point3& p : piece) divide(p);
-}
-
 Result<SpatialSum> sum_of_terms(const Term& a, const Term& b, const SpatialOptions& options) {
   const BigInteger scale = lcm(a.scale, b.scale);
   const std::optional<Mesh> p = in_units(a, scale), q = in_units(b, scale);
@@ -129,7 +108,7 @@ Result<SpatialSum> sum_of_terms(const Term& a, const Term& b, const SpatialOptio
   Result<SpatialSum> sum = minkowski_sum(*p, *q, options);
   if (!sum) return sum;
   SpatialSum made = *std::move(sum);
-  unscale(made, scale);
+  spatial::unscale(made, scale);
   return made;
 }
 

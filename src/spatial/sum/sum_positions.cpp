@@ -1,6 +1,7 @@
 #include "spatial/sum/sum_source.h"
 
 #include <algorithm>
+#include <cmath>
 
 #include "exact/grid.h"
 
@@ -86,6 +87,26 @@ void SpatialPositions::grow(std::size_t vertex, std::array<int, 3>& exponents) c
     const int size = static_cast<int>(msb(abs(h[axis]))) - static_cast<int>(msb(h[3])) + 1 + unit[axis];
     exponents[axis] = std::max(exponents[axis], size);
   }
+}
+
+void unscale(SpatialSum& sum, const BigInteger& scale) {
+  if (scale == 1 || sum.vertices.empty()) return;
+  const double by = exact::round_to_double(scale, BigInteger(1));
+  auto positions = std::make_shared<SpatialPositions>(SpatialSumInternals::positions(sum));
+  positions->scale = scale;
+  SpatialSumInternals::set_positions(sum, std::move(positions));
+  double largest = 0;
+  const auto divide = [&](Point3& p) {
+    p = {p.x / by, p.y / by, p.z / by};
+    largest = std::max({largest, std::abs(p.x), std::abs(p.y), std::abs(p.z)});
+  };
+  for (Point3& v : sum.vertices) divide(v);
+  sum.at_error = sum.at_error / by * (1 + 0x1p-50) + largest * 0x1p-52;
+  if (!sum.trace) return;
+  for (SpatialTrace::Facet& facet : sum.trace->facets)
+    for (Point3& p : facet.corners) divide(p);
+  for (auto& piece : sum.trace->pieces)
+    for (Point3& p : piece) divide(p);
 }
 
 }  // namespace dymsum::spatial

@@ -44,4 +44,7 @@ struct SpatialSumInternals {
   static const SpatialPositions& positions(const SpatialSum& sum) { return *sum.positions_; }
 };
 
+/// Divides a sum of sets in units of 1 / scale by that.
+void unscale(SpatialSum& sum, const exact::BigInteger& scale);
+
 }  // namespace dymsum::spatial

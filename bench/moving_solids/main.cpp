@@ -1,0 +1,177 @@
+// dymsum_bench_moving_solids: frames of sums of solids in motion, against sums from scratch at the same poses.
+#include <cstdlib>
+#include <iostream>
+#include <numbers>
+#include <stdexcept>
+
+#include "base/stopwatch.h"
+#include "dymsum/moving_solid_sum.h"
+#include "page.h"
+#include "solid/inputs.h"
+#include "spatial/moving/dynamic_convolution.h"
+#include "spread.h"
+
+namespace dymsum::bench {
+namespace {
+
+constexpr const char* kUsage =
+    "dymsum_bench_moving_solids [--frames N] [--only TEXT] [--results DIR]\n"
+    "  (default)      all motions\n"
+    "  --frames N     of every motion (default 20)\n"
+    "  --only TEXT    only pairs whose name contains TEXT\n"
+    "  --results DIR  also write moving-solids.md into DIR\n"
+    "Environment: DYMSUM_DATA, a folder with solid/ (else ../shared/data beside the checkout, where present).\n";
+
+struct Options {
+  int frames = 20;
+  std::string only, results;
+};
+
+/// P's poses, one after the other.
+struct Motion {
+  std::string name;
+  SolidPose (*pose)(int frame);
+};
+
+SolidPose turned_by(double steps, int frame) {
+  return {*Rotation::about({1, 2, 3}, 2 * std::numbers::pi * frame / steps), {}};
+}
+SolidPose scaled_by(int percent, int axes, int frame) {
+  SolidPose pose;
+  const Scale s = *Scale::parse(std::to_string(100 + percent * frame) + "/100");
+  for (int k = 0; k < axes; ++k) pose.scale[k] = s;
+  return pose;
+}
+const std::vector<Motion> kMotions = {
+    {"500 steps a turn", [](int k) { return turned_by(500, k); }},
+    {"5,000 steps a turn", [](int k) { return turned_by(5000, k); }},
+    {"60 steps a turn", [](int k) { return turned_by(60, k); }},
+    {"1 % scale steps", [](int k) { return scaled_by(1, 3, k); }},
+    {"1 % along x", [](int k) { return scaled_by(1, 1, k); }},
+};
+
+const std::vector<std::string> kPairs = {"torus 256 + torus 256",
+                                         "torus 1024 + torus 1024",
+                                         "blob 1024 + blob 1024",
+                                         "torus 1024 + ball 224",
+                                         "grate 2 + grate 2",
+                                         "grate 4 + grate 4",
+                                         "comb 8 + upright comb 8",
+                                         "gear 12 + gear 9",
+                                         "gear 24 + turned gear 16",
+                                         "block + thinner peg",
+                                         "bunny-348.obj + bunny-128.off",
+                                         "gc_fox.off + gc_bob_small.off"};
+
+struct Row {
+  std::vector<double> moving, fresh, convolution, fresh_convolution;
+  double facets = 0, changed = 0, normals = 0, inner = 0;
+  std::size_t rebuilt = 0;
+  bool same = true;
+};
+
+/// The convolution alone, and one made from scratch in a space that is there already.
+void add_convolutions(const spatial::SolidPair& pair, const Motion& motion, int frames, Row& row) {
+  spatial::DynamicConvolution moving(pair);
+  SpatialOptions options;
+  options.threads = 1;
+  for (int k = 0; k <= frames; ++k) {
+    const spatial::PosePair poses{motion.pose(k), {}};
+    spatial::SpaceOnDemand exact(pair, poses);
+    exact();
+    SpatialStats stats;
+    spatial::StageWatch watch(options, stats);
+    Stopwatch time;
+    const spatial::ConvolutionWork& work = moving.set(poses, exact);
+    const double update = time.lap();
+    const spatial::ReducedConvolution fresh = reduced_convolution(exact(), pair.p, pair.q, watch);
+    const double scratch = time.lap();
+    const std::vector<std::uint32_t> slots = moving.in_order();
+    row.same = row.same && slots.size() == fresh.facets.size();
+    for (std::size_t f = 0; row.same && f < slots.size(); ++f)
+      row.same = moving.facet(slots[f]).corner == fresh.facets[f].corner;
+    if (k == 0) continue;
+    row.convolution.push_back(update), row.fresh_convolution.push_back(scratch);
+    row.facets = static_cast<double>(slots.size());
+    row.changed += static_cast<double>(work.added + work.removed) / frames;
+    row.normals += static_cast<double>(work.normals_checked) / frames;
+  }
+}
+
+Row measure(const Mesh& p, const Mesh& q, const Motion& motion, int frames) {
+  Row row;
+  add_convolutions(spatial::solid_pair(p, q), motion, frames, row);
+  MovingSolidOptions options;
+  MovingSolidSum moving = MovingSolidSum::create(p, q, options).value();
+  options.mode = FrameMode::rebuild;
+  MovingSolidSum fresh = MovingSolidSum::create(p, q, options).value();
+  for (int k = 1; k <= frames; ++k) {
+    const SolidFrameWork work = moving.set(motion.pose(k)).value();
+    row.moving.push_back(work.ms), row.rebuilt += work.rebuilt;
+    row.inner += static_cast<double>(work.inner_kept) / frames;
+    row.fresh.push_back(fresh.set(motion.pose(k)).value().ms);
+    row.same = row.same && moving.sum() == fresh.sum();
+  }
+  return row;
+}
+
+void add_row(const std::string& name, const Motion& motion, const Row& row, Report& report) {
+  const Spread moving = spread(row.moving), fresh = spread(row.fresh), update = spread(row.convolution),
+               scratch = spread(row.fresh_convolution);
+  report.row({name, motion.name, fixed(row.facets, 0), fixed(row.changed, 0), fixed(row.normals, 0),
+              fixed(update.mean, 3), fixed(scratch.mean, 2), ratio(scratch.mean, update.mean, 1),
+              fixed(moving.median, 1), fixed(moving.mean, 1), fixed(moving.p99, 1), fixed(moving.worst, 1),
+              fixed(fresh.median, 1), ratio(fresh.median, moving.median, 2), ratio(fresh.mean, moving.mean, 2),
+              std::to_string(row.rebuilt), fixed(row.inner, 0), row.same ? "same" : "DIFFERENT"});
+}
+
+Options parse(int argc, char** argv) {
+  Options options;
+  for (int i = 1; i < argc; ++i) {
+    const std::string word = argv[i];
+    if (word == "--frames" && i + 1 < argc) options.frames = std::atoi(argv[++i]);
+    else if (word == "--only" && i + 1 < argc) options.only = argv[++i];
+    else if (word == "--results" && i + 1 < argc) options.results = argv[++i];
+    else throw std::invalid_argument(kUsage);
+  }
+  if (options.frames < 1) throw std::invalid_argument(kUsage);
+  return options;
+}
+
+int run(int argc, char** argv) {
+  const Options options = parse(argc, argv);
+  const char* given = std::getenv("DYMSUM_DATA");
+  const std::string data = given != nullptr ? given : std::string(DYMSUM_SOURCE_DIR) + "/../shared/data";
+  Report report;
+  report.line("# Sums of solids in motion\n");
+  report.line("`./run bench moving-solids --results docs/results` made this page.\n");
+  report.line(
+      "P turns about (1, 2, 3), or scales. Milliseconds on one thread: the facets of the convolution after each move, "
+      "and "
+      "all of them from scratch; a frame of a MovingSolidSum, and the sum from scratch at the same exact pose, by "
+      "turns. "
+      "A gain below 1 is a loss. `changed`: facets that came or went in a frame; `inner`: those that balls keep out. "
+      "The "
+      "last column compares every frame's facets and sum with those from scratch.\n");
+  report.heading({"pair", "motion", "facets", "changed", "normals looked at", "convolution ms", "from scratch", "gain",
+                  "frame median ms", "mean", "p99", "worst", "from scratch", "gain of medians", "of means",
+                  "frames from scratch", "inner", "results"});
+  bool same = true;
+  for (const SolidPair& pair : solid_pairs(data)) {
+    if (std::find(kPairs.begin(), kPairs.end(), pair.name) == kPairs.end()) continue;
+    if (pair.name.find(options.only) == std::string::npos) continue;
+    const Mesh p = Mesh::create(pair.p).value(), q = Mesh::create(pair.q).value();
+    for (const Motion& motion : kMotions) {
+      const Row row = measure(p, q, motion, options.frames);
+      add_row(pair.name, motion, row, report);
+      same = same && row.same;
+    }
+  }
+  write_result(options.results, "moving-solids.md", report.markdown.str());
+  return same ? 0 : 3;
+}
+
+}  // namespace
+}  // namespace dymsum::bench
+
+int main(int argc, char** argv) { return dymsum::bench::guarded(dymsum::bench::run, argc, argv); }

@@ -1,0 +1,150 @@
+// Sums of solids of any shape that follow the poses of both operands.
+#include "arguments.h"
+#include "bind.h"
+#include "calls.h"
+#include "dymsum/moving_solid_sum.h"
+#include "held.h"
+#include "record.h"
+#include "remember.h"
+
+namespace dymsum::python {
+namespace {
+
+using namespace nb::literals;
+
+/// A MovingSolidSum, its operands and options, and the watch whose Progress it keeps.
+struct MovingSolid {
+  MovingSolid(const MeshArgument& p_of, const MeshArgument& q_of, const MovingSolidOptions& o)
+      : p(p_of.object), q(q_of.object), options(o), watch(o.progress), held(create(*p_of, *q_of)) {}
+
+  MovingSolidSum create(const Mesh& p_of, const Mesh& q_of) {
+    MovingSolidOptions own = options;
+    own.progress = watch.progress();
+    return watch.take(without_gil([&] { return MovingSolidSum::create(p_of, q_of, own); }));
+  }
+  SolidFrameWork set(const SolidPose& p_pose, const SolidPose& q_pose) {
+    return held.alone([&](MovingSolidSum& sum) {
+      watch.begin();
+      return watch.take(without_gil([&] { return sum.set(p_pose, q_pose); }));
+    });
+  }
+
+  nb::object p, q;
+  MovingSolidOptions options;
+  Watch watch;
+  Held<MovingSolidSum> held;
+};
+
+void bind_options(nb::module_& m) {
+  Record<MovingSolidOptions> options(m, "MovingSolidOptions", "Options of sums of solids in motion.");
+  options.def(
+      "__init__",
+      [](MovingSolidOptions* self, Semantics semantics, bool tight, FrameMode mode, int threads, Progress progress) {
+        new (self) MovingSolidOptions{semantics, tight, mode, threads, std::move(progress)};
+      },
+      "semantics"_a = Semantics::closed, "tight"_a = true, "mode"_a = FrameMode::automatic, "threads"_a = 1,
+      "progress"_a = nb::none());
+  options.option("semantics", &MovingSolidOptions::semantics)
+      .option("tight", &MovingSolidOptions::tight)
+      .option("mode", &MovingSolidOptions::mode)
+      .option("threads", &MovingSolidOptions::threads)
+      .option("progress", &MovingSolidOptions::progress);
+}
+
+void bind_results(nb::module_& m) {
+  Record<SolidFrameWork>(m, "SolidFrameWork", "The work of one frame.")
+      .field("rebuilt", &SolidFrameWork::rebuilt)
+      .field("normals_checked", &SolidFrameWork::normals_checked)
+      .field("pairs_checked", &SolidFrameWork::pairs_checked)
+      .field("facets", &SolidFrameWork::facets)
+      .field("facets_added", &SolidFrameWork::facets_added)
+      .field("facets_removed", &SolidFrameWork::facets_removed)
+      .field("inner_kept", &SolidFrameWork::inner_kept)
+      .field("inner_tested", &SolidFrameWork::inner_tested)
+      .field("contacts", &SolidFrameWork::contacts)
+      .field("exact_signs", &SolidFrameWork::exact_signs)
+      .field("ms", &SolidFrameWork::ms);
+  Record<SolidFrameChanges>(m, "SolidFrameChanges", "What happened to the faces since the frame before.")
+      .field("appeared", &SolidFrameChanges::appeared)
+      .field("disappeared", &SolidFrameChanges::disappeared)
+      .field("changed", &SolidFrameChanges::changed)
+      .field("shells", &SolidFrameChanges::shells)
+      .field("tight_faces", &SolidFrameChanges::tight_faces)
+      .field("tight_segments", &SolidFrameChanges::tight_segments)
+      .field("tight_points", &SolidFrameChanges::tight_points);
+}
+
+void bind_class(nb::module_& m) {
+  nb::class_<MovingSolid> type(m, "MovingSolidSum",
+                               R"doc(P (+) Q of solids of any shape: it follows the poses of both, exactly.
+
+>>> from dymsum import MovingSolidSum, Rotation, SolidPose, shapes, solids
+>>> ell = solids.prism(shapes.letter_l(3, 2, 1).parts[0].outer, 1)
+>>> sum = MovingSolidSum(ell, solids.box(0, 0, 0, 1, 1, 1))
+>>> work = sum.set(SolidPose(Rotation.of(1, 0, 0, 1)))
+>>> sum.sum().shells, len(sum.changes().appeared) > 0
+(1, True)
+)doc");
+  type.def(
+          "__init__",
+          [](MovingSolid* self, const MeshArgument& p, const MeshArgument& q, const MovingSolidOptions& options) {
+            new (self) MovingSolid(p, q, options);
+          },
+          "p"_a, "q"_a, "options"_a = MovingSolidOptions())
+      .def_static(
+          "create",
+          [](const MeshArgument& p, const MeshArgument& q, const MovingSolidOptions& options) {
+            return new MovingSolid(p, q, options);
+          },
+          nb::rv_policy::take_ownership, "p"_a, "q"_a, "options"_a = MovingSolidOptions(),
+          "At the identity. Raises Error: unsupported_operand, out_of_range, cancelled.")
+      .def("set", &MovingSolid::set, "p"_a, "q"_a = SolidPose(),
+           "Moves both. Raises Error: unsupported_operand, cancelled; nothing changes then.")
+      .def("p_pose",
+           [](MovingSolid& self) { return self.held.alone([](MovingSolidSum& sum) { return sum.p_pose(); }); })
+      .def("q_pose",
+           [](MovingSolid& self) { return self.held.alone([](MovingSolidSum& sum) { return sum.q_pose(); }); })
+      .def(
+          "sum",
+          [](MovingSolid& self) {
+            return self.held.alone([&](MovingSolidSum& sum) {
+              return remembered(SpatialSum(sum.sum()), "posed_sum", self.p, self.q, sum.p_pose(), sum.q_pose(),
+                                self.options);
+            });
+          },
+          "A copy of the exact sum at the current poses.")
+      .def("work", [](MovingSolid& self) { return self.held.alone([](MovingSolidSum& sum) { return sum.work(); }); })
+      .def(
+          "changes",
+          [](MovingSolid& self) {
+            return self.held.alone([](MovingSolidSum& sum) { return without_gil([&] { return sum.changes(); }); });
+          },
+          "From the frame before to this one.")
+      .def_prop_ro("options", [](const MovingSolid& self) { return self.options; })
+      .def("__reduce__", [](nb::handle_t<MovingSolid> self) {
+        const auto* object = nb::inst_ptr<MovingSolid>(self);
+        return nb::make_tuple(
+            nb::module_::import_("dymsum._remake").attr("moving_solid"),
+            nb::make_tuple(object->p, object->q, object->options, self.attr("p_pose")(), self.attr("q_pose")()));
+      });
+  m.def(
+      "posed_sum",
+      [](const MeshArgument& p, const MeshArgument& q, const SolidPose& p_pose, const SolidPose& q_pose,
+         const MovingSolidOptions& options) {
+        return remembered(
+            run_with(options, [&](const MovingSolidOptions& own) { return posed_sum(*p, *q, p_pose, q_pose, own); }),
+            "posed_sum", p.object, q.object, p_pose, q_pose, options);
+      },
+      "p"_a, "q"_a, "p_pose"_a, "q_pose"_a = SolidPose(), "options"_a = MovingSolidOptions(),
+      "P (+) Q at a pair of poses, computed from scratch.");
+}
+
+}  // namespace
+
+void bind_moving_solids(nb::module_& m) {
+  bind_options(m);
+  bind_results(m);
+  bind_class(m);
+}
+
+}  // namespace dymsum::python

@@ -1,0 +1,56 @@
+// Two solids at exact poses: what they are made of once and for all, and the space of their sum at a pair of poses.
+#pragma once
+
+#include <memory>
+#include <optional>
+
+#include "dymsum/mesh.h"
+#include "dymsum/rotation.h"
+#include "exact/big.h"
+#include "spatial/convolution/solid_operand.h"
+#include "spatial/convolution/sum_space.h"
+#include "spatial/mesh/grid_places.h"
+
+namespace dymsum::spatial {
+
+/// Triangles, wedges and cones stay what they are under rotations and positive scales: only places move.
+struct SolidPair {
+  SolidOperand p, q;
+  GridPlaces p_places, q_places;  ///< in one unit
+};
+SolidPair solid_pair(const Mesh& p, const Mesh& q);
+
+/// A pose of either operand.
+struct PosePair {
+  SolidPose p, q;
+  friend bool operator==(const PosePair&, const PosePair&) = default;
+};
+
+/// The space of the sum at a pair of poses; positions are its own divided by `scale`.
+struct PosedSpace {
+  std::unique_ptr<SumSpace> space;
+  exact::BigInteger scale = 1;
+};
+/// Throws std::invalid_argument where coordinates need more than 250 bits.
+PosedSpace posed_space(const SolidPair& pair, const PosePair& poses);
+
+/// The space at a pair of poses, made when it is first asked for: most signs of a motion need none.
+class SpaceOnDemand {
+ public:
+  SpaceOnDemand(const SolidPair& pair, const PosePair& poses) : pair_(pair), poses_(poses) {}
+  const SumSpace& operator()() {
+    if (!made_) made_ = posed_space(pair_, poses_);
+    return *made_->space;
+  }
+  PosedSpace take() {
+    (*this)();
+    return *std::exchange(made_, std::nullopt);
+  }
+
+ private:
+  const SolidPair& pair_;
+  const PosePair& poses_;
+  std::optional<PosedSpace> made_;
+};
+
+}  // namespace dymsum::spatial

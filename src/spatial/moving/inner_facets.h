@@ -1,0 +1,49 @@
+// Which facets of a convolution in motion lie deep inside the open sum, each proved by a ball of P plus one of Q, that
+// is looked for from the pair that proved it at the frame before.
+#pragma once
+
+#include <vector>
+
+#include "spatial/frames/posed_pair.h"
+#include "spatial/moving/inner_balls.h"
+
+namespace dymsum::spatial {
+
+class InnerFacets {
+ public:
+  explicit InnerFacets(const SolidPair& pair);
+
+  /// At the poses of a space, which has to live until the next call.
+  void move(const PosedSpace& at, const PosePair& poses);
+  /// A facet in a slot is a new one.
+  void forget(std::uint32_t slot) {
+    if (slot >= pairs_.size()) pairs_.resize(slot + 1, kUnknown);
+    pairs_[slot] = kUnknown;
+  }
+  /// Whether a facet is proved to lie in the open sum. A "no" says nothing. O(steps from pair to pair).
+  bool hold(std::uint32_t slot, const SumFacet& facet);
+  std::uint64_t kept() const { return kept_; }      ///< since move(): proved by the pair at hand
+  std::uint64_t tested() const { return tested_; }  ///< those for which others were tried
+
+ private:
+  struct BallPair {
+    std::uint32_t p, q;
+  };
+  static constexpr BallPair kUnknown{0xffffffff, 0xffffffff};
+  double gap(BallPair pair, Vec3 x) const {
+    const InnerBalls::Ball &a = posed_[0][pair.p], &b = posed_[1][pair.q];
+    return length(x - a.middle - b.middle) - a.radius - b.radius;
+  }
+  bool covers(BallPair pair, const SumFacet& facet) const;
+  BallPair search(Vec3 x) const;
+  BallPair descend(BallPair from, Vec3 x) const;
+
+  std::array<InnerBalls, 2> own_;
+  std::array<std::vector<InnerBalls::Ball>, 2> posed_;  // in units of the space
+  std::vector<BallPair> pairs_;                         // per slot
+  const SumSpace* space_ = nullptr;
+  double margin_ = 0;
+  std::uint64_t kept_ = 0, tested_ = 0;
+};
+
+}  // namespace dymsum::spatial

@@ -1,0 +1,32 @@
+// A sum of two solids at exact poses, from the facets of its convolution.
+#pragma once
+
+#include "dymsum/moving_solid_sum.h"
+#include "spatial/frames/posed_pair.h"
+#include "spatial/sum/solid_boundary.h"
+
+namespace dymsum::spatial {
+
+SpatialOptions stage_options(const MovingSolidOptions& options);
+
+/// The stages behind the convolution. Throws Cancelled.
+SpatialSum sum_of_facets(const SolidPair& pair, PosedSpace space, ReducedConvolution convolution,
+                         const ConvolutionHints& hints, const SpatialOptions& options);
+/// All stages. Throws Cancelled, and std::invalid_argument as posed_space.
+SpatialSum fresh_sum(const SolidPair& pair, const PosePair& poses, const SpatialOptions& options);
+
+/// Calls make(), and tells what it throws as errors.
+template <class F>
+auto guarded(F make) -> Result<decltype(make())> {
+  try {
+    return make();
+  } catch (const Cancelled&) {
+    return Error{ErrorCode::cancelled, "the computation was cancelled", {}};
+  } catch (const std::invalid_argument&) {
+    return Error{ErrorCode::unsupported_operand, "at these poses coordinates need more than 250 bits", {}};
+  } catch (const std::bad_alloc&) {
+    return Error{ErrorCode::out_of_memory, "the sum needs more memory than there is", {}};
+  }
+}
+
+}  // namespace dymsum::spatial

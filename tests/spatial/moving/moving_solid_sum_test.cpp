@@ -1,0 +1,210 @@
+// A sum in motion is the one made from scratch at its poses: canonical form and tight features.
+#include "dymsum/moving_solid_sum.h"
+
+#include <gtest/gtest.h>
+
+#include "dymsum/convex_sum.h"
+#include "dymsum/rotating_sum.h"
+#include "dymsum/shapes.h"
+#include "exact/big.h"
+#include "spatial/convex/setting.h"
+#include "spatial/moving/moving_cases.h"
+#include "spatial/sum/sum_of_solids.h"
+
+namespace dymsum {
+namespace {
+
+using moving_cases::Moves;
+using spatial::PosePair;
+
+SpatialSum fresh(const Mesh& p, const Mesh& q, const PosePair& poses) {
+  MovingSolidOptions options;
+  return posed_sum(p, q, poses.p, poses.q, options).value();
+}
+
+TEST(MovingSolidSum, IsAFreshSumAfterMovesOfAllKinds) {
+  const std::uint64_t seed = test::setting("DYMSUM_FUZZ_SEED", 31), asked = test::setting("DYMSUM_FUZZ_MOVES", 130);
+  std::size_t updated = 0;
+  const auto pairs = moving_cases::small_pairs();
+  for (const auto& [name, p, q] : pairs) {
+    MovingSolidSum moving = MovingSolidSum::create(p, q).value();
+    Moves moves(seed);
+    PosePair poses;
+    for (std::size_t k = 0; k < asked / pairs.size(); ++k) {
+      poses = moves.next(poses);
+      const Result<SolidFrameWork> work = moving.set(poses.p, poses.q);
+      ASSERT_TRUE(work.ok()) << work.error().to_string();
+      const SpatialSum sum = fresh(p, q, poses);
+      ASSERT_TRUE(moving.sum() == sum) << name << ", move " << k;
+      updated += !work->rebuilt;
+    }
+  }
+  EXPECT_GT(updated, asked / 4);
+}
+
+TEST(MovingSolidSum, AFittingPegStaysTightAtQuarterTurns) {
+  const Mesh block = moving_cases::mesh_of(tunnel()), peg = moving_cases::mesh_of(box(1));
+  MovingSolidSum moving = MovingSolidSum::create(block, peg).value();
+  Rotation turn;
+  for (int k = 0; k < 6; ++k) {
+    turn = *Rotation::of(1, k % 3 == 0, k % 3 == 1, k % 3 == 2) * turn;
+    const SolidPose beside{moving_cases::Moves(1).turned(turn, 1e-6), {}};
+    ASSERT_TRUE(moving.set({turn, {}}).ok());
+    EXPECT_EQ(moving.sum().tight_faces.size() + moving.sum().tight_segments.size(), 1u);
+    ASSERT_TRUE(moving.sum() == fresh(block, peg, {{turn, {}}, {}}));
+    ASSERT_TRUE(moving.set(beside).ok());
+    EXPECT_EQ(moving.sum().tight_segments.size(), 0u);
+    ASSERT_TRUE(moving.sum() == fresh(block, peg, {beside, {}}));
+  }
+}
+
+/// Turned coordinates are integers over the norm of the quaternion, so that P and Q times that norm are meshes.
+TEST(MovingSolidSum, IsTheSumOfTurnedMeshes) {
+  const Mesh p = moving_cases::mesh_of(moving_cases::bumpy(1, 4)), q = moving_cases::mesh_of(ell());
+  MovingSolidSum moving = MovingSolidSum::create(p, q).value();
+  for (const auto& [w, x, y, z] : {std::array<int, 4>{5, 1, 0, 2}, {5, 1, 1, 2}, {1, 1, 0, 0}, {2, -1, 3, 1}}) {
+    const Rotation turn = *Rotation::of(w, x, y, z);
+    ASSERT_TRUE(moving.set({turn, {}}).ok());
+    MeshData turned = p.data(), scaled = q.data();
+    const auto n = turn.matrix();
+    const auto row = [&](std::size_t r, const Point3& v) {
+      return double(n[3 * r]) * v.x + double(n[3 * r + 1]) * v.y + double(n[3 * r + 2]) * v.z;
+    };
+    const double norm = static_cast<double>(turn.norm());
+    for (Point3& v : turned.vertices) v = {row(0, v), row(1, v), row(2, v)};
+    for (Point3& v : scaled.vertices) v = {norm * v.x, norm * v.y, norm * v.z};
+    const SpatialSum expected = minkowski_sum(Mesh::create(turned).value(), Mesh::create(scaled).value()).value();
+    const SpatialSum& sum = moving.sum();
+    ASSERT_EQ(sum.faces, expected.faces);
+    ASSERT_EQ(sum.vertices.size(), expected.vertices.size());
+    for (std::size_t v = 0; v < sum.vertices.size(); ++v) {
+      const RationalPoint3 a = sum.exact(v), b = expected.exact(v);
+      const auto same = [&](const Rational& s, const Rational& t) {
+        return exact::exact_value(s) * exact::BigRational(turn.norm()) == exact::exact_value(t);
+      };
+      ASSERT_TRUE(same(a.x, b.x) && same(a.y, b.y) && same(a.z, b.z));
+    }
+  }
+}
+
+TEST(MovingSolidSum, ConvexOperandsHaveTheSumsOfTheGeneralStages) {
+  const Mesh p = solids::dipyramid(7, 2, 3), q = solids::box(0, 0, 0, 2, 1, 1);
+  MovingSolidSum moving = MovingSolidSum::create(p, q).value();
+  ConvexSum convex = ConvexSum::create(p, q).value();
+  Moves moves(8);
+  PosePair poses;
+  for (int k = 0; k < 25; ++k) {
+    poses = moves.next(poses);
+    ASSERT_TRUE(moving.set(poses.p, poses.q).ok());
+    convex.set(poses.p, poses.q);
+    ASSERT_TRUE(moving.sum() == spatial::boundary_of(convex.sum()));
+    ASSERT_TRUE(moving.sum() == fresh(p, q, poses)) << k;
+  }
+}
+
+/// Upright prisms that turn about the upright axis: the planar sum that turns, over both heights.
+TEST(MovingSolidSum, PrismsHaveTheSumsOfPlanarFrames) {
+  const Region base_p = shapes::letter_l(3, 2, 1), base_q = shapes::letter_l(2, 5, 1);
+  const auto upright = [](const Region& base, double height) { return solids::prism(base.parts()[0].outer, height); };
+  MovingSolidSum solid = MovingSolidSum::create(upright(base_p, 2), upright(base_q, 3)).value();
+  RotatingSum planar = RotatingSum::create(base_p, base_q).value();
+  for (int k = 0; k < 12; ++k) {
+    ASSERT_TRUE(planar.set(*Orientation::of(k, 40)).ok());
+    ASSERT_TRUE(solid.set({*Rotation::of(40, 0, 0, k), {}}).ok());
+    EXPECT_EQ(solid.sum().volume_exact(), planar.sum().area_exact() * Rational(5));
+    EXPECT_EQ(solid.sum().vertices.size(), 2 * planar.sum().vertex_count());
+    EXPECT_EQ(solid.sum().faces.size(), 2 + planar.sum().vertex_count());
+  }
+}
+
+TEST(MovingSolidSum, ScalingAlikeAlongAllAxesLooksAtNothing) {
+  const Mesh p = moving_cases::mesh_of(tunnel()), q = moving_cases::mesh_of(ell());
+  MovingSolidSum moving = MovingSolidSum::create(p, q).value();
+  for (int k = 1; k < 4; ++k) {
+    SolidPose pose;
+    for (Scale& s : pose.scale) s = *Scale::parse(std::to_string(100 + k) + "/100");
+    const SolidFrameWork work = moving.set(pose).value();
+    EXPECT_FALSE(work.rebuilt);
+    EXPECT_EQ(work.normals_checked + work.pairs_checked + work.facets_added + work.facets_removed, 0u);
+    ASSERT_TRUE(moving.sum() == fresh(p, q, {pose, {}}));
+  }
+}
+
+TEST(MovingSolidSum, MassesOfTiesAreMadeFromScratch) {
+  const Mesh p = moving_cases::gear(6, 4, 2), q = moving_cases::gear(5, 3, 1);
+  MovingSolidSum moving = MovingSolidSum::create(p, q).value();
+  std::size_t rebuilt = 0;
+  for (int k = 1; k < 6; ++k) {
+    SolidPose pose;
+    pose.scale[2] = *Scale::parse(std::to_string(100 + k) + "/100");
+    rebuilt += moving.set(pose)->rebuilt;
+    ASSERT_TRUE(moving.sum() == fresh(p, q, {pose, {}}));
+  }
+  EXPECT_EQ(rebuilt, 4u) << "all but the one that found it out";
+}
+
+TEST(MovingSolidSum, ThereAndBackIsTheSame) {
+  const Mesh p = moving_cases::mesh_of(moving_cases::torus(3, 1, 6, 4)), q = moving_cases::mesh_of(ell());
+  MovingSolidSum moving = MovingSolidSum::create(p, q).value();
+  std::vector<SpatialSum> there;
+  const auto pose = [](int k) { return SolidPose{*Rotation::about({1, 1, 2}, 0.01 * k), {}}; };
+  for (int k = 0; k < 12; ++k) {
+    ASSERT_TRUE(moving.set(pose(k)).ok());
+    EXPECT_FALSE(moving.work().rebuilt);
+    there.push_back(moving.sum());
+  }
+  for (int k = 12; k-- > 0;) {
+    ASSERT_TRUE(moving.set(pose(k)).ok());
+    ASSERT_TRUE(moving.sum() == there[k]);
+  }
+}
+
+TEST(MovingSolidSum, ChangesTellWhichFacesCameAndWent) {
+  const Mesh p = moving_cases::mesh_of(moving_cases::bumpy(2, 1)), q = moving_cases::mesh_of(ell());
+  MovingSolidSum moving = MovingSolidSum::create(p, q).value();
+  EXPECT_TRUE(moving.changes().appeared.empty());
+  const auto faces = [&] {
+    std::set<SolidContact> all;
+    for (const SpatialFace& face : moving.sum().faces) all.insert({face.p, face.q});
+    return all;
+  };
+  std::set<SolidContact> now = faces();
+  for (int k = 1; k < 8; ++k) {
+    ASSERT_TRUE(moving.set({*Rotation::about({3, 1, 2}, 0.05 * k), {}}).ok());
+    const SolidFrameChanges changes = moving.changes();
+    const std::set<SolidContact> then = faces();
+    for (const SolidContact& c : changes.appeared) EXPECT_TRUE(now.insert(c).second);
+    for (const SolidContact& c : changes.disappeared) EXPECT_EQ(now.erase(c), 1u);
+    EXPECT_EQ(now, then);
+    for (const SolidContact& c : changes.changed) EXPECT_TRUE(then.contains(c));
+  }
+  ASSERT_TRUE(moving.set(moving.p_pose()).ok());
+  const SolidFrameChanges still = moving.changes();
+  EXPECT_TRUE(still.appeared.empty() && still.disappeared.empty() && still.changed.empty());
+}
+
+TEST(MovingSolidSum, RefusesWhatItCannotHold) {
+  const Mesh cube = moving_cases::mesh_of(box(1)), bent = moving_cases::mesh_of(ell());
+  MovingSolidOptions options;
+  options.threads = -1;
+  EXPECT_EQ(MovingSolidSum::create(bent, cube, options).error().code, ErrorCode::out_of_range);
+  const Mesh wire = Mesh::with_thin_parts({{{0, 0, 0}, {1, 0, 0}}, {{0, 1}}}).value();
+  EXPECT_EQ(MovingSolidSum::create(wire, wire).error().code, ErrorCode::unsupported_operand);
+  MovingSolidSum moving = MovingSolidSum::create(bent, cube).value();
+  const SpatialSum before = moving.sum();
+  SolidPose fine;
+  fine.scale[0] = *Scale::parse("1" + std::string(90, '0') + "1/1" + std::string(90, '0') + "3");
+  EXPECT_EQ(moving.set(fine).error().code, ErrorCode::unsupported_operand);
+  EXPECT_TRUE(moving.sum() == before);
+  EXPECT_TRUE(moving.p_pose() == SolidPose{});
+  options.threads = 1;
+  options.progress = [](std::string_view, double) { return false; };
+  EXPECT_EQ(MovingSolidSum::create(bent, cube, options).error().code, ErrorCode::cancelled);
+  options.progress = {};
+  MovingSolidSum with_wire = MovingSolidSum::create(bent, wire, options).value();
+  ASSERT_TRUE(with_wire.set({*Rotation::of(3, 0, 0, 1), {}}).ok());
+  EXPECT_TRUE(with_wire.work().rebuilt);
+}
+
+}  // namespace
+}  // namespace dymsum
