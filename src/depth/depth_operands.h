@@ -36,6 +36,13 @@ struct DepthOperands {
   spatial::Vec3 scaled(const std::array<exact::BigRational, 3>& world) const;
 };
 
+/// An open ball in the open sum, found by an earlier question, in scaled doubles and a little smaller.
+struct CoveredBall {
+  spatial::Vec3 middle;
+  double radius = 0;
+  bool holds(spatial::Vec3 x) const { return spatial::length(x - middle) < radius; }
+};
+
 Result<std::shared_ptr<const DepthOperands>> depth_operands(const Mesh& p, const Mesh& q, const DepthOptions& options);
 
 }  // namespace dymsum::depth

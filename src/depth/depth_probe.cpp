@@ -6,6 +6,7 @@ namespace {
 
 /// A space keeps the places that it was asked about: it is made anew before they are many.
 constexpr std::size_t kPlaces = 1 << 16;
+constexpr std::size_t kBalls = 4;
 
 }  // namespace
 
@@ -22,6 +23,12 @@ bool DepthProbe::overlaps(const std::array<BigRational, 3>& position) {
   if (++places_ > kPlaces) renew();
   const std::optional<spatial::PointSource> at = space_->add_place(position);
   return at && collision_->overlaps({*at, 0, 0, 0, 0, 0});
+}
+
+void DepthProbe::remember(const CoveredBall& ball, const std::vector<std::array<BigRational, 3>>& free) {
+  balls_.insert(balls_.begin(), ball);
+  if (balls_.size() > kBalls) balls_.pop_back();
+  free_ = free;
 }
 
 bool DepthProbe::surely_overlaps(spatial::Vec3 at, double radius) { return sure_.holds(at, radius); }

@@ -134,9 +134,14 @@ ExactPosition ExactFrame::position(const std::array<BigRational, 3>& relative) c
   return {{whole(v[0]), whole(v[1]), whole(v[2])}, Big(all)};
 }
 
+std::array<BigRational, 3> ExactFrame::origin() const {
+  return {exact::exact_value(at_.x), exact::exact_value(at_.y), exact::exact_value(at_.z)};
+}
+
 std::array<BigRational, 3> ExactFrame::absolute(const ExactPosition& x) const {
   std::array<BigRational, 3> at = relative(x);
-  at[0] += exact::exact_value(at_.x), at[1] += exact::exact_value(at_.y), at[2] += exact::exact_value(at_.z);
+  const std::array<BigRational, 3> from = origin();
+  for (std::size_t k = 0; k < 3; ++k) at[k] += from[k];
   return at;
 }
 

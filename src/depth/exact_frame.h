@@ -52,6 +52,7 @@ class ExactFrame {
   /// Where it is seen from the origin, in the operands' own units.
   std::array<BigRational, 3> relative(const ExactPosition& x) const;
   std::array<BigRational, 3> absolute(const ExactPosition& x) const;
+  std::array<BigRational, 3> origin() const;
   /// The position that is seen there.
   ExactPosition position(const std::array<BigRational, 3>& relative) const;
   /// A length.

@@ -57,6 +57,13 @@ Vec3 FacetView::nearest(std::uint32_t f) const {
   return best;
 }
 
+bool FacetView::cover(Vec3 a, Vec3 b, double off) const {
+  return std::any_of(balls.begin(), balls.end(), [&](const CoveredBall& ball) {
+    const double radius = ball.radius - 2 * off - slack;
+    return length(from + a - ball.middle) < radius && length(from + b - ball.middle) < radius;
+  });
+}
+
 double FacetLine::distance() const { return length(at(std::clamp(0.0, first, last))) - off; }
 
 FacetCandidates::FacetCandidates(const FacetView& view, const ExactFrame& frame, std::uint32_t facet, double within)
@@ -71,7 +78,8 @@ FacetCandidates::FacetCandidates(const FacetView& view, const ExactFrame& frame,
 }
 
 void FacetCandidates::add_line(const FacetLine& line) {
-  if (!(line.distance() > within_)) lines_.push_back(line);
+  if (line.distance() > within_ || view_.cover(line.at(line.first), line.at(line.last), line.off)) return;
+  lines_.push_back(line);
 }
 
 namespace {

@@ -14,11 +14,14 @@ struct FacetView {
   const DepthOperands& o;
   spatial::Vec3 from;  ///< the place
   double slack;        ///< more than positions on facets are off, in any direction
+  std::vector<CoveredBall> balls = {};
 
   std::size_t corners(std::uint32_t f) const { return o.facets[f].corners; }
   spatial::Vec3 corner(std::uint32_t f, std::size_t k) const {
     return o.corner(o.facets[f].corner[k % o.facets[f].corners]) - from;
   }
+  /// Whether a ball covers a segment, its ends as seen from the place and off by so much.
+  bool cover(spatial::Vec3 a, spatial::Vec3 b, double off) const;
   /// The position of a facet that is nearest.
   spatial::Vec3 nearest(std::uint32_t f) const;
 };

@@ -40,7 +40,11 @@ class PositionSearch {
   void open(std::uint32_t node);
   void look_at(std::uint32_t facet);
   void look_for_free(std::uint32_t facet);
-  void offer(const ExactPosition& x);
+  enum class Known : std::uint8_t { nothing, free };
+  void offer(const ExactPosition& x, Known known = Known::nothing);
+  void offer_known();
+  void remember();
+  bool is_covered(const spatial::Box& box) const;
   double lower_bound(double distance) const { return distance > view_.slack ? distance - view_.slack : 0; }
 
   const FacetView& view_;
@@ -54,6 +58,7 @@ class PositionSearch {
 
 NearestPositions PositionSearch::run(double time_limit) {
   Stopwatch watch;
+  if (inside_) offer_known();
   if (!view_.o.tree.empty()) queue_.push({0, 0, false});
   while (!queue_.empty() && !(queue_.top().lower > bound_)) {
     const SearchItem item = queue_.top();
@@ -69,8 +74,33 @@ NearestPositions PositionSearch::run(double time_limit) {
     }
     look_at(item.id);
   }
+  if (inside_) remember();
   return std::move(result_);
 }
+
+/// Positions that were the nearest free ones to another place are free.
+void PositionSearch::offer_known() {
+  for (const std::array<BigRational, 3>& x : probe_.free()) {
+    const std::array<BigRational, 3> from = frame_.origin();
+    offer(frame_.position({x[0] - from[0], x[1] - from[1], x[2] - from[2]}), Known::free);
+  }
+}
+
+void PositionSearch::remember() {
+  std::vector<std::array<BigRational, 3>> free;
+  for (const ExactPosition& x : result_.all) free.push_back(frame_.absolute(x));
+  if (!free.empty()) probe_.remember({view_.from, bound_ - 4 * view_.slack}, free);
+}
+
+/// Whether one ball covers all corners of a convex set.
+bool PositionSearch::is_covered(const spatial::Box& box) const {
+  return std::any_of(view_.balls.begin(), view_.balls.end(), [&](const CoveredBall& ball) {
+    const auto far = [](double low, double high, double v) { return std::max(std::abs(v - low), std::abs(high - v)); };
+    return length({far(box.low.x, box.high.x, ball.middle.x), far(box.low.y, box.high.y, ball.middle.y),
+                   far(box.low.z, box.high.z, ball.middle.z)}) < ball.radius;
+  });
+}
+
 
 void PositionSearch::open(std::uint32_t id) {
   const FacetTree& tree = view_.o.tree;
@@ -80,12 +110,12 @@ void PositionSearch::open(std::uint32_t id) {
   };
   if (!node.leaf()) {
     for (const std::uint32_t child : {node.left, node.right})
-      push({lower_bound(distance(tree.node(child).box, view_.from)), child, false});
+      if (!inside_ || !is_covered(tree.node(child).box)) push({lower_bound(distance(tree.node(child).box, view_.from)), child, false});
     return;
   }
   for (std::uint32_t k = node.first; k < node.last; ++k) {
     const std::uint32_t f = tree.item(k);
-    push({lower_bound(length(view_.nearest(f))), f, true});
+    if (!inside_ || !is_covered(tree.box(f))) push({lower_bound(length(view_.nearest(f))), f, true});
   }
 }
 
@@ -93,7 +123,8 @@ void PositionSearch::look_at(std::uint32_t f) {
   ++result_.work.facets;
   const Vec3 at = view_.nearest(f);
   ++result_.work.candidates;
-  if (!inside_ || !probe_.surely_overlaps(view_.from + at, view_.slack)) offer(frame_.nearest(view_.o.facets[f]));
+  if (!inside_ || !(view_.cover(at, at, view_.slack) || probe_.surely_overlaps(view_.from + at, view_.slack)))
+    offer(frame_.nearest(view_.o.facets[f]));
   if (inside_ && !(lower_bound(length(at)) > bound_)) look_for_free(f);
 }
 
@@ -101,6 +132,7 @@ void PositionSearch::look_for_free(std::uint32_t f) {
   const FacetCandidates candidates(view_, frame_, f, bound_ + view_.slack);
   for (const FacetCandidate& c : candidates.all()) {
     if (c.lower > bound_) return;
+    if (view_.cover(c.at, c.at, c.off)) continue;
     ++result_.work.candidates;
     if (c.off < kVague && probe_.surely_overlaps(view_.from + c.at, c.off)) continue;
     if (const std::optional<ExactPosition> x = candidates.exact(c)) offer(*x);
@@ -108,13 +140,13 @@ void PositionSearch::look_for_free(std::uint32_t f) {
 }
 
 /// Takes a position that is as near as any, and free or of the sum.
-void PositionSearch::offer(const ExactPosition& x) {
+void PositionSearch::offer(const ExactPosition& x, Known known) {
   ++result_.work.exact_tests;
   std::vector<ExactPosition>& all = result_.all;
   const int order = all.empty() ? -1 : compare_lengths(x, all.front());
   if (order > 0) return;
   if (order == 0 && std::any_of(all.begin(), all.end(), [&](const auto& y) { return same_position(x, y); })) return;
-  if (inside_ && probe_.overlaps(frame_.absolute(x))) return;
+  if (inside_ && known == Known::nothing && probe_.overlaps(frame_.absolute(x))) return;
   if (order < 0) all.clear();
   all.push_back(x);
   if (order == 0) return;

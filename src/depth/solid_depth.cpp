@@ -119,8 +119,9 @@ SolidDistance SolidDepth::at(Point3 q_moved_by, double time_limit) {
   if (!(time_limit >= 0)) throw std::invalid_argument("SolidDepth::at: the time limit is below 0");
   const DepthOperands& o = *operands_;
   const RationalVector from = exact_vector(q_moved_by);
-  const FacetView view = view_from(o, q_moved_by);
-  const bool overlapping = probe_->overlaps(from);
+  FacetView view = view_from(o, q_moved_by);
+  view.balls = probe_->balls();
+  const bool overlapping = probe_->surely_overlaps(view.from, view.slack) || probe_->overlaps(from);
   if (o.engine == DepthEngine::boundary)
     return distance_with(view, depth::nearest_on_boundary(*o.sum, from), q_moved_by, overlapping);
   const ExactFrame frame(o.p.vertices, o.q.vertices, o.exponent, q_moved_by);
