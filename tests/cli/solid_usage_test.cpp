@@ -80,11 +80,11 @@ TEST_F(SolidUsage, ExtensionsThatNothingReadsAreBadInputThatNamesTheFile) {
 TEST_F(SolidUsage, OperandsOfTheWrongKindAreNamed) {
   says("sum cube.off square.wkt", 1, "cube.off is a solid and square.wkt is not");
   says("sum cube.off cube.off square.wkt", 1, "square.wkt is not");
-  for (const char* verb : {"opening square.wkt square.wkt", "offset square.wkt --by 1", "depth square.wkt square.wkt"})
+  for (const char* verb : {"opening square.wkt square.wkt", "offset square.wkt --by 1"})
     says(verb, 1, "is for solids: .off .obj .stl .ply, not square.wkt");
   says("scale-range cube.off cube.off --inside", 1, "cube.off is a solid");
   for (const char* verb :
-       {"depth ell.off cube.off", "rotate ell.off cube.off --steps 2", "scale ell.off cube.off --at 1"})
+       {"depth ell.off cube.off --axis 0,0,1 --degrees 9", "rotate ell.off cube.off --steps 2", "scale ell.off cube.off --at 1"})
     says(verb, 2, "only convex solids are taken; --hull takes the convex hull");
 }
 

@@ -33,6 +33,11 @@ SolidDistance agreed(SolidDepth& search, SolidDepth& boundary, Point3 at) {
   return found;
 }
 
+MeshData moved_by(MeshData m, double dx) {
+  for (Point3& v : m.vertices) v.x += dx;
+  return m;
+}
+
 SolidDistance agreed(const Mesh& p, const Mesh& q, Point3 at = {}) {
   SolidDepth search = depth_of(p, q), boundary = depth_of(p, q, DepthEngine::boundary);
   return agreed(search, boundary, at);
@@ -112,6 +117,116 @@ TEST(SolidDepth, of_random_solids_is_that_of_all_faces_of_the_sum) {
   }
   EXPECT_GT(overlapping, pairs);
   EXPECT_GT(ties, 0);
+}
+
+/// A plate with a hole: two of them are links of a chain.
+Mesh link(bool upright) {
+  MeshData m = tunnel();
+  for (Point3& v : m.vertices) {
+    v = {v.x / 5, v.y, v.z};  // a plate of thickness 2 with a hole of 2 x 2
+    if (upright) v = {v.y, v.z, v.x};
+  }
+  return solid(m);
+}
+
+TEST(SolidDepth, interlocked_links_and_a_ball_in_a_cup) {
+  for (const Point3 at : {Point3{0, 0, 0}, {0.5, 3, 0}, {1, 2, 3}, {3, 3, 3}, {0, 3, 0.25}})
+    agreed(link(false), link(true), at);
+  const Mesh cup = solid(cavity()), ball = solids::geodesic_sphere(1, 0.75);
+  SolidDepth search = depth_of(cup, ball), boundary = depth_of(cup, ball, DepthEngine::boundary);
+  for (const Point3 at : {Point3{0, 0, 0}, {0.25, 0.125, 0}, {1, 0.5, 0.25}, {3, 0, 0}, {6, 6, 6}})
+    agreed(search, boundary, at);
+}
+
+TEST(SolidDepth, coaxial_cylinders_leave_by_the_end_or_the_side) {
+  const Mesh thick = solids::cylinder(8, 2, 4), thin = solids::cylinder(8, 1, 1);
+  const SolidDistance d = agreed(thick, thin, {0, 0, 2.75});
+  EXPECT_EQ(d.meeting, Meeting::overlapping);
+  agreed(thick, thick);
+}
+
+TEST(SolidDepth, is_the_same_along_a_motion_as_from_scratch) {
+  SolidDepth moving = depth_of(solid(ell()), link(true));
+  std::uint64_t work = 0, fresh_work = 0;
+  for (int k = 0; k < 40; ++k) {
+    const Point3 at{0.125 * k, 2 + 0.0625 * k, 4 - 0.125 * k};
+    const SolidDistance d = moving.at(at), fresh = depth_of(solid(ell()), link(true)).at(at);
+    EXPECT_TRUE(d == fresh) << k;
+    work += d.work.candidates, fresh_work += fresh.work.candidates;
+  }
+  EXPECT_LT(work, fresh_work) << "what the last answer covers is left out";
+}
+
+TEST(SolidDepth, moves_with_the_solids_and_turns_with_exchange) {
+  const Mesh p = solid(ell()), q = link(true);
+  const SolidDistance d = depth_of(p, q).at({3, 3, 4}), other = depth_of(q, p).at({-3, -3, -4});
+  EXPECT_EQ(d.squared.to_string(), other.squared.to_string());
+  EXPECT_EQ(d.ways.size(), other.ways.size());
+  const SolidDistance moved = depth_of(solid(moved_by(ell(), 1024.5)), q).at({3 + 1024.5, 3, 4});
+  EXPECT_EQ(d.squared.to_string(), moved.squared.to_string());
+}
+
+TEST(SolidDepth, along_a_direction_is_the_first_free_position) {
+  SolidDepth pair = depth_of(solid(tunnel()), solid(box(0.5)));
+  EXPECT_EQ(pair.along({0, 0.75, 0}, {0, -1, 0}).to_string(), "1/4");
+  EXPECT_EQ(pair.along({0, 0.75, 0}, {0, 1, 0}).to_string(), "19/4");
+  EXPECT_EQ(pair.along({0, 0, 0}, {0, 1, 0}).to_string(), "0/1") << "free at once";
+  EXPECT_EQ(depth_of(solid(tunnel()), solid(box(1))).along({0, 0.25, 0}, {0, -0.5, 0}).to_string(), "1/2")
+      << "a tight passage";
+  EXPECT_EQ(pair.along({0, 3, 0}, {1, 0, 0}).to_string(), "11/2");
+  EXPECT_THROW(pair.along({0, 0, 0}, {0, 0, 0}), std::invalid_argument);
+}
+
+TEST(SolidDepth, hostile_input_is_refused_or_answered) {
+  const Mesh cube = solid(box(1));
+  EXPECT_EQ(SolidDepth::create(cube, Mesh()).error().code, ErrorCode::no_area);
+  MeshData sheet{{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}, {{0, 1, 2}}};
+  EXPECT_EQ(SolidDepth::create(cube, Mesh::with_thin_parts(sheet).value()).error().code,
+            ErrorCode::unsupported_operand);
+  const double inf = std::numeric_limits<double>::infinity();
+  SolidDepth pair = depth_of(cube, cube);
+  EXPECT_THROW(pair.at({inf, 0, 0}), std::invalid_argument);
+  EXPECT_THROW(pair.at({}, -1), std::invalid_argument);
+  EXPECT_EQ(pair.at({1e300, 0, 0}).meeting, Meeting::apart);
+  EXPECT_EQ(pair.at({0x1p-1060, 0, 0}).ways.size(), 1U);
+  const Mesh large = solid(box(0x1p900)), small = solid(box(0x1p-900));
+  EXPECT_EQ(depth_of(large, large).at({0x1p900, 0, 0}).distance, 0x1p900);
+  EXPECT_EQ(depth_of(small, small).at({0x1p-900, 0, 0}).distance, 0x1p-900);
+  EXPECT_EQ(SolidDepth::create(large, small).error().code, ErrorCode::unsupported_operand);
+}
+
+TEST(DepthBatch, rows_are_in_order_and_do_not_depend_on_threads) {
+  const SolidDepth pair = depth_of(solid(ell()), link(true));
+  std::vector<Point3> moves;
+  for (int k = 0; k < 60; ++k) moves.push_back({0.25 * (k % 7), 0.5 * (k % 11), 0.375 * (k % 13)});
+  DepthBatchOptions one, many;
+  one.threads = 1, many.threads = 4;
+  const std::vector<SolidDistance> rows = depth_batch(pair, moves, one).value();
+  EXPECT_TRUE(rows == depth_batch(pair, moves, many).value());
+  for (const std::size_t k : {0U, 17U, 59U}) EXPECT_TRUE(rows[k] == SolidDepth(pair).at(moves[k])) << k;
+  one.time_limit = -1;
+  EXPECT_EQ(depth_batch(pair, moves, one).error().code, ErrorCode::out_of_range);
+  moves[3].x = std::numeric_limits<double>::quiet_NaN();
+  EXPECT_EQ(depth_batch(pair, moves, many).error().evidence.vertex, 3);
+  many.progress = [](std::string_view, double) { return false; };
+  moves[3].x = 0;
+  EXPECT_EQ(depth_batch(pair, moves, many).error().code, ErrorCode::cancelled);
+  const Mesh cube = solid(box(1)), none;
+  const std::vector<DepthQuestion> questions{{&cube, &cube, {1.5, 0, 0}}, {&cube, &none, {}}, {&cube, &cube, {4, 0, 0}}};
+  const auto answers = depth_batch(questions).value();
+  EXPECT_EQ(answers[0]->distance, 0.5);
+  EXPECT_EQ(answers[1].error().code, ErrorCode::no_area);
+  EXPECT_EQ(answers[2]->distance, 2);
+}
+
+TEST(DepthBatch, a_row_whose_time_is_over_has_bounds) {
+  SolidDepth pair = depth_of(solid(ell()), link(true));
+  const Point3 at{3, 3, 4};
+  const SolidDistance whole = SolidDepth(pair).at(at), cut = pair.at(at, 1e-9);
+  EXPECT_FALSE(cut.complete);
+  EXPECT_TRUE(cut.ways.empty());
+  EXPECT_LE(cut.at_least, whole.distance);
+  EXPECT_GE(cut.distance, whole.distance);
 }
 
 }  // namespace
