@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <stdexcept>
 
 #include "depth/exact_frame.h"
@@ -23,11 +24,17 @@ BigRational over_power(BigRational v, int exponent) {
 
 void set_scaled_places(DepthOperands& o) {
   const spatial::SumSpace& space = *o.space;
-  int top = space.line(0).exponent;
-  for (int axis = 1; axis < 3; ++axis) top = std::max(top, space.line(axis).exponent);
-  int size = 0;
-  std::frexp(space.span(), &size);
-  o.scale = top + size + 1;
+  // Every axis has a grid of its own: the largest coordinate of all decides.
+  int top = std::numeric_limits<int>::min();
+  for (const std::vector<Vec3>* places : {&space.p(), &space.q()}) {
+    Vec3 most;
+    for (const Vec3& v : *places)
+      most = {std::max(most.x, std::abs(v.x)), std::max(most.y, std::abs(v.y)), std::max(most.z, std::abs(v.z))};
+    const double sizes[3] = {most.x, most.y, most.z};
+    for (int axis = 0; axis < 3; ++axis)
+      if (sizes[axis] > 0) top = std::max(top, space.line(axis).exponent + std::ilogb(sizes[axis]) + 1);
+  }
+  o.scale = top + 1;
   const auto factor = [&](int axis) { return std::ldexp(1.0, space.line(axis).exponent - o.scale); };
   const Vec3 f{factor(0), factor(1), factor(2)};
   for (const Vec3& v : space.p()) o.p_at.push_back({f.x * v.x, f.y * v.y, f.z * v.z});
