@@ -65,10 +65,10 @@ ExactPlane ExactFrame::plane(const SumFacet& facet) const {
   return {n, dot(n, a)};
 }
 
-ExactPlane ExactFrame::border(const SumFacet& facet, int k) const {
+ExactPlane ExactFrame::border(const SumFacet& facet, int k, const ExactPlane& plane) const {
   const BigVector a = corner(facet.corner[static_cast<std::size_t>(k)]),
                   b = corner(facet.corner[static_cast<std::size_t>((k + 1) % facet.corners)]);
-  const BigVector n = cross(plane(facet).n, b - a);
+  const BigVector n = cross(plane.n, b - a);
   return {n, dot(n, a)};
 }
 
@@ -94,8 +94,9 @@ int ExactFrame::side(const ExactPlane& plane, const ExactPosition& x) {
 }
 
 ExactPosition ExactFrame::nearest(const SumFacet& facet) const {
-  ExactPosition best = foot(plane(facet));
-  if (holds(facet, best)) return best;
+  const ExactPlane own = plane(facet);
+  ExactPosition best = foot(own);
+  if (within_borders(facet, own, best)) return best;
   for (int k = 0; k < facet.corners; ++k) {
     ExactPosition x = nearest_of_segment(corner(facet.corner[static_cast<std::size_t>(k)]),
                                          corner(facet.corner[static_cast<std::size_t>((k + 1) % facet.corners)]));
@@ -105,9 +106,13 @@ ExactPosition ExactFrame::nearest(const SumFacet& facet) const {
 }
 
 bool ExactFrame::holds(const SumFacet& facet, const ExactPosition& x) const {
-  if (side(plane(facet), x) != 0) return false;
+  const ExactPlane own = plane(facet);
+  return side(own, x) == 0 && within_borders(facet, own, x);
+}
+
+bool ExactFrame::within_borders(const SumFacet& facet, const ExactPlane& plane, const ExactPosition& x) const {
   for (int k = 0; k < facet.corners; ++k)
-    if (side(border(facet, k), x) < 0) return false;
+    if (side(border(facet, k, plane), x) < 0) return false;
   return true;
 }
 

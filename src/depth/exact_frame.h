@@ -36,7 +36,7 @@ class ExactFrame {
   BigVector corner(spatial::SumPoint s) const;
   ExactPlane plane(const spatial::SumFacet& facet) const;
   /// Through the border from corner k on, and across the facet's plane; its normal points into the facet.
-  ExactPlane border(const spatial::SumFacet& facet, int k) const;
+  ExactPlane border(const spatial::SumFacet& facet, int k) const { return border(facet, k, plane(facet)); }
 
   static ExactPosition foot(const ExactPlane& a);
   /// Nothing for parallel planes.
@@ -60,6 +60,8 @@ class ExactFrame {
 
  private:
   BigVector vertex(const Point3& v) const;
+  ExactPlane border(const spatial::SumFacet& facet, int k, const ExactPlane& plane) const;
+  bool within_borders(const spatial::SumFacet& facet, const ExactPlane& plane, const ExactPosition& x) const;
 
   const std::vector<Point3>&p_, &q_;
   int exponent_;

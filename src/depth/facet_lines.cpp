@@ -152,6 +152,7 @@ void FacetCandidates::add_across(std::uint32_t g) {
     line.foot = view_.o.scaled(x) - view_.from;
     line.off = 4 * view_.slack;
   }
+  if (length(line.foot) - line.off > within_) return;
   const double reach = 4 * (1 + length(view_.from)) + length(line.foot);
   line.first = -reach, line.last = reach;
   if (clip(f_, line) && clip(g, line)) add_line(line);

@@ -123,9 +123,13 @@ void PositionSearch::look_at(std::uint32_t f) {
   ++result_.work.facets;
   const Vec3 at = view_.nearest(f);
   ++result_.work.candidates;
-  if (!inside_ || !(view_.cover(at, at, view_.slack) || probe_.surely_overlaps(view_.from + at, view_.slack)))
-    offer(frame_.nearest(view_.o.facets[f]));
-  if (inside_ && !(lower_bound(length(at)) > bound_)) look_for_free(f);
+  if (!inside_ || !(view_.cover(at, at, view_.slack) || probe_.surely_overlaps(view_.from + at, view_.slack))) {
+    const ExactPosition x = frame_.nearest(view_.o.facets[f]);
+    offer(x);
+    // Nothing else of the facet is as near as that.
+    if (!result_.all.empty() && compare_lengths(x, result_.all.front()) >= 0) return;
+  }
+  if (inside_) look_for_free(f);
 }
 
 void PositionSearch::look_for_free(std::uint32_t f) {

@@ -166,6 +166,22 @@ TEST(SolidDepth, moves_with_the_solids_and_turns_with_exchange) {
   EXPECT_EQ(d.squared.to_string(), moved.squared.to_string());
 }
 
+TEST(SolidDepth, of_convex_solids_is_that_of_their_convex_sum) {
+  std::mt19937_64 random(3);
+  std::uniform_int_distribution<int> eighth(-16, 16);
+  for (int k = 0; k < 12; ++k) {
+    const Mesh p = random_grid_polytope(random, 8, 3), q = random_round_polytope(random, 9);
+    SolidDepth pair = depth_of(p, q);
+    const Point3 at{eighth(random) / 8.0, eighth(random) / 8.0, eighth(random) / 8.0};
+    const ConvexDepth convex = penetration_depth(p, q, {}, {}, at).value();
+    const SolidDistance d = pair.at(at);
+    EXPECT_EQ(convex.inside, d.meeting == Meeting::overlapping) << k;
+    if (convex.inside) {
+      EXPECT_EQ(convex.depth_squared.to_string(), d.squared.to_string()) << k;
+    }
+  }
+}
+
 TEST(SolidDepth, along_a_direction_is_the_first_free_position) {
   SolidDepth pair = depth_of(solid(tunnel()), solid(box(0.5)));
   EXPECT_EQ(pair.along({0, 0.75, 0}, {0, -1, 0}).to_string(), "1/4");
