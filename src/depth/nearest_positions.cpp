@@ -45,6 +45,7 @@ class PositionSearch {
   void offer_known();
   void remember();
   bool is_covered(const spatial::Box& box) const;
+  bool is_covered(Vec3 x, double off);
   double lower_bound(double distance) const { return distance > view_.slack ? distance - view_.slack : 0; }
 
   const FacetView& view_;
@@ -53,6 +54,7 @@ class PositionSearch {
   const bool inside_;
   std::priority_queue<SearchItem, std::vector<SearchItem>, std::greater<>> queue_;
   double bound_ = kInfinity;  // not less than the distance of result_.all
+  std::vector<Vec3> found_;   // these, in doubles
   NearestPositions result_;
 };
 
@@ -102,6 +104,14 @@ bool PositionSearch::is_covered(const spatial::Box& box) const {
 }
 
 
+/// Told by doubles: a "no" says nothing. What may be one of the positions found, as their facets list them too, is not
+/// asked about in vain.
+bool PositionSearch::is_covered(Vec3 x, double off) {
+  if (view_.cover(x, x, off)) return true;
+  const auto may_be = [&](Vec3 found) { return length(x - found) <= 2 * (off + view_.slack); };
+  return !std::any_of(found_.begin(), found_.end(), may_be) && probe_.surely_overlaps(view_.from + x, off);
+}
+
 void PositionSearch::open(std::uint32_t id) {
   const FacetTree& tree = view_.o.tree;
   const FacetTree::Node& node = tree.node(id);
@@ -123,7 +133,7 @@ void PositionSearch::look_at(std::uint32_t f) {
   ++result_.work.facets;
   const Vec3 at = view_.nearest(f);
   ++result_.work.candidates;
-  if (!inside_ || !(view_.cover(at, at, view_.slack) || probe_.surely_overlaps(view_.from + at, view_.slack))) {
+  if (!inside_ || !is_covered(at, view_.slack)) {
     const ExactPosition x = frame_.nearest(view_.o.facets[f]);
     offer(x);
     // Nothing else of the facet is as near as that.
@@ -136,9 +146,8 @@ void PositionSearch::look_for_free(std::uint32_t f) {
   const FacetCandidates candidates(view_, frame_, f, bound_ + view_.slack);
   for (const FacetCandidate& c : candidates.all()) {
     if (c.lower > bound_) return;
-    if (view_.cover(c.at, c.at, c.off)) continue;
     ++result_.work.candidates;
-    if (c.off < kVague && probe_.surely_overlaps(view_.from + c.at, c.off)) continue;
+    if (c.off < kVague && is_covered(c.at, c.off)) continue;
     if (const std::optional<ExactPosition> x = candidates.exact(c)) offer(*x);
   }
 }
@@ -151,11 +160,10 @@ void PositionSearch::offer(const ExactPosition& x, Known known) {
   if (order > 0) return;
   if (order == 0 && std::any_of(all.begin(), all.end(), [&](const auto& y) { return same_position(x, y); })) return;
   if (inside_ && known == Known::nothing && probe_.overlaps(frame_.absolute(x))) return;
-  if (order < 0) all.clear();
+  if (order < 0) all.clear(), found_.clear();
   all.push_back(x);
-  if (order == 0) return;
-  const double reached = length(view_.o.scaled(frame_.absolute(x)) - view_.from);
-  bound_ = reached + view_.slack;
+  found_.push_back(view_.o.scaled(frame_.absolute(x)) - view_.from);
+  bound_ = length(found_.front()) + view_.slack;
 }
 
 }  // namespace
