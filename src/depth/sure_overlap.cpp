@@ -13,7 +13,7 @@ using spatial::Vec3;
 namespace {
 
 constexpr std::size_t kWitnesses = 8, kInner = 96;
-constexpr int kPairs = 64;
+constexpr int kPairs = 600;
 
 BoxTree triangle_tree(const std::vector<Vec3>& at, const std::vector<Triangle>& triangles) {
   std::vector<Box> boxes;
