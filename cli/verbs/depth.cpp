@@ -173,18 +173,22 @@ void add_depth(CLI::App& app, Action& action) {
       "separate them; how far apart they are where they do not overlap");
   command->parser = &verb;
   add_operands(verb, {"P", "A solid or a region"}, {"Q", "Another one, which may move"}, command->operands);
-  verb.add_option("--move", command->moved, "Move Q by this translation first")->type_name("X,Y[,Z]");
-  verb.add_option("--along", command->along, "Also how far Q has to go in this direction, in multiples of it")
-      ->type_name("X,Y,Z");
-  verb.add_option("--at-file", command->at_file,
-                  "Many translations x,y,z of Q, one a line; # begins a comment; - for standard input")
-      ->type_name("FILE");
-  within(verb.add_option("--time", command->time_limit, "Give up after so many seconds, for every translation")
-             ->type_name("SECONDS"),
-         0);
+  CLI::Option* move = verb.add_option("--move", command->moved, "Move Q by this translation first");
+  move->type_name("X,Y[,Z]");
+  CLI::Option* along = verb.add_option("--along", command->along, "Also how far Q has to go in this direction, in multiples of it");
+  along->type_name("X,Y,Z");
+  CLI::Option* at_file = verb.add_option(
+      "--at-file", command->at_file, "Many translations x,y,z of Q, one a line; # begins a comment; - for standard input");
+  at_file->type_name("FILE")->excludes(move)->excludes(along);
+  CLI::Option* time = within(
+      verb.add_option("--time", command->time_limit, "Give up after so many seconds, for every translation"), 0);
+  time->type_name("SECONDS");
   verb.add_option("--threads", command->threads, "Threads for --at-file, 0: all cores")->type_name("N");
   verb.add_option("--axis", command->axis, "Turn P about this axis through the origin first; convex solids")
-      ->type_name("X,Y,Z");
+      ->type_name("X,Y,Z")
+      ->excludes(along)
+      ->excludes(at_file)
+      ->excludes(time);
   add_angle_options(verb, command->angle, "by this angle,");
   add_report_options(verb, command->report, "Compute N times and report the median and minimum time");
   add_solid_input_options(verb, command->input);

@@ -168,7 +168,7 @@ TEST_F(SolidUsage, StandardInputIsToldFromItsFirstWord) {
 
 TEST_F(SolidUsage, HelpSaysWhatIsForWhichOperands) {
   const auto help = [&](const std::string& verb) { return work.run("dymsum " + verb + " --help").out; };
-  for (const char* verb : {"opening", "closing", "offset", "depth"}) {
+  for (const char* verb : {"opening", "closing", "offset"}) {
     const std::string text = help(verb);
     for (const char* planar : {"FILE#NAME", "wkt", "area_exact", "collinear", "Solids:"})
       EXPECT_EQ(text.find(planar), std::string::npos) << verb << " has no " << planar << "\n" << text;
