@@ -91,7 +91,8 @@ void convex_pairs(Report& report) {
   for (const auto& [a, b] : {std::pair{"cube", "T"}, {"T", "TI"}, {"GS1", "cylinder"}}) {
     const Mesh &p = named(a), &q = named(b);
     double width = 0;
-    for (const Point3& v : p.vertices()) width = std::max({width, 2 * std::abs(v.x), 2 * std::abs(v.y), 2 * std::abs(v.z)});
+    for (const Point3& v : p.vertices())
+      width = std::max({width, 2 * std::abs(v.x), 2 * std::abs(v.y), 2 * std::abs(v.z)});
     std::mt19937_64 random(7);
     std::uniform_real_distribution<double> offset(-0.3 * width, 0.3 * width);
     std::vector<Point3> places(200);
@@ -104,7 +105,8 @@ void convex_pairs(Report& report) {
     const std::string name = std::string(a) + " + " + b;
     report.row({name, "dymsum", fixed(our_us / 200, 1), "0", "0", "0"});
     const DepthPair rivals(p, q);
-    for (const DepthRival rival : {DepthRival::fcl, DepthRival::fcl_tight, DepthRival::ccd_gjk_epa, DepthRival::ccd_mpr}) {
+    for (const DepthRival rival :
+         {DepthRival::fcl, DepthRival::fcl_tight, DepthRival::ccd_gjk_epa, DepthRival::ccd_mpr}) {
       int wrong = 0, none = 0;
       double worst = 0;
       const double us = us_of([&] {
@@ -129,8 +131,8 @@ void meshes(Report& report) {
     const SolidDistance d = SolidDepth::create(p, q).value().at(at);
     const MeshAnswer theirs = fcl_mesh_distance(p.data(), q.data(), at);
     const double ours = d.meeting == Meeting::overlapping ? -d.distance : d.distance;
-    report.row({name, fixed(truth, 4), fixed(ours, 4), fixed(theirs.signed_distance, 4), std::to_string(theirs.contacts),
-                fixed(theirs.deepest, 2)});
+    report.row({name, fixed(truth, 4), fixed(ours, 4), fixed(theirs.signed_distance, 4),
+                std::to_string(theirs.contacts), fixed(theirs.deepest, 2)});
   };
   for (const int k : {1, 2, 4, 8})
     row("cubes of 2 that overlap by 0.5, " + std::to_string(12 * k * k) + " triangles", -0.5,

@@ -80,7 +80,8 @@ std::string distance_text(const Distance& d, const std::string& p, const std::st
     out << "  along (" << numbers_text(way["direction"]) << ")";
     const char* before = ": ";
     for (const Json& contact : way["contacts"]) {
-      out << before << feature_text(contact["p"]) << " of " << p << " and " << feature_text(contact["q"]) << " of " << q;
+      out << before << feature_text(contact["p"]) << " of " << p << " and " << feature_text(contact["q"]) << " of "
+          << q;
       before = ", ";
     }
     out << " touch then\n";
@@ -93,7 +94,8 @@ std::string distance_text(const Distance& d, const std::string& p, const std::st
 
 Json depth_json(const SolidDistance& d) {
   if (d.complete) return distance_json(d);
-  Json json = {{"meeting", meeting_name(d.meeting)}, {"complete", false}, {"at_least", d.at_least}, {"at_most", d.distance}};
+  Json json = {
+      {"meeting", meeting_name(d.meeting)}, {"complete", false}, {"at_least", d.at_least}, {"at_most", d.distance}};
   if (!(d.distance < std::numeric_limits<double>::infinity())) json["at_most"] = nullptr;
   return json;
 }

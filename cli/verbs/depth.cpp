@@ -44,8 +44,9 @@ std::optional<std::vector<double>> numbers_in(const std::string& text, std::size
 std::vector<double> option_numbers(const std::string& text, const std::string& option, std::size_t count) {
   if (text.empty()) return std::vector<double>(count, 0.0);
   const std::optional<std::vector<double>> numbers = numbers_in(text, count);
-  if (!numbers) throw Stop(kUsage, option + " wants " + std::to_string(count) + " numbers x,y" + (count == 3 ? ",z" : "") +
-                                       ", not '" + text + "'");
+  if (!numbers)
+    throw Stop(kUsage, option + " wants " + std::to_string(count) + " numbers x,y" + (count == 3 ? ",z" : "") +
+                           ", not '" + text + "'");
   return *numbers;
 }
 
@@ -175,13 +176,15 @@ void add_depth(CLI::App& app, Action& action) {
   add_operands(verb, {"P", "A solid or a region"}, {"Q", "Another one, which may move"}, command->operands);
   CLI::Option* move = verb.add_option("--move", command->moved, "Move Q by this translation first");
   move->type_name("X,Y[,Z]");
-  CLI::Option* along = verb.add_option("--along", command->along, "Also how far Q has to go in this direction, in multiples of it");
+  CLI::Option* along =
+      verb.add_option("--along", command->along, "Also how far Q has to go in this direction, in multiples of it");
   along->type_name("X,Y,Z");
-  CLI::Option* at_file = verb.add_option(
-      "--at-file", command->at_file, "Many translations x,y,z of Q, one a line; # begins a comment; - for standard input");
+  CLI::Option* at_file =
+      verb.add_option("--at-file", command->at_file,
+                      "Many translations x,y,z of Q, one a line; # begins a comment; - for standard input");
   at_file->type_name("FILE")->excludes(move)->excludes(along);
-  CLI::Option* time = within(
-      verb.add_option("--time", command->time_limit, "Give up after so many seconds, for every translation"), 0);
+  CLI::Option* time =
+      within(verb.add_option("--time", command->time_limit, "Give up after so many seconds, for every translation"), 0);
   time->type_name("SECONDS");
   verb.add_option("--threads", command->threads, "Threads for --at-file, 0: all cores")->type_name("N");
   verb.add_option("--axis", command->axis, "Turn P about this axis through the origin first; convex solids")

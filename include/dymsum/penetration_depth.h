@@ -29,9 +29,10 @@ enum class Meeting : std::uint8_t { overlapping, touching, apart };
 
 /// A shortest move of Q: one that separates overlapping solids, or brings those apart in touch.
 struct SolidWay {
-  RationalPoint3 move;                 ///< exact
-  Point3 direction;                    ///< of length 1, to within some units in the last place; zero where `move` is
-  std::vector<SolidContact> contacts;  ///< features of P and Q that touch once Q is moved, sorted; by the meshes' indices
+  RationalPoint3 move;  ///< exact
+  Point3 direction;     ///< of length 1, to within some units in the last place; zero where `move` is
+  std::vector<SolidContact>
+      contacts;  ///< features of P and Q that touch once Q is moved, sorted; by the meshes' indices
 };
 
 struct SolidDistance {

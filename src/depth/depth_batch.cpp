@@ -82,10 +82,9 @@ Result<std::vector<Result<SolidDistance>>> depth_batch(std::span<const DepthQues
     if (question.p == nullptr || question.q == nullptr)
       return Error{ErrorCode::out_of_range, "a question names no solid", {}};
   std::vector<Result<SolidDistance>> rows(questions.size(), Result<SolidDistance>(SolidDistance{}));
-  const bool done = for_each_row(questions.size(), options, worker_count(questions.size(), options),
-                                 [&](std::size_t, std::size_t k) {
-                                   rows[k] = distance_of(questions[k], options.time_limit);
-                                 });
+  const bool done =
+      for_each_row(questions.size(), options, worker_count(questions.size(), options),
+                   [&](std::size_t, std::size_t k) { rows[k] = distance_of(questions[k], options.time_limit); });
   if (!done) return batch_cancelled();
   return rows;
 }

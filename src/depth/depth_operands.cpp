@@ -93,9 +93,9 @@ void find_facets(DepthOperands& o, const DepthOptions& options) {
 Vec3 DepthOperands::scaled(const std::array<BigRational, 3>& world) const {
   const auto coordinate = [&](int axis) {
     const spatial::SumSpace::Line line = space->line(axis);
-    return exact::round_to_double(over_power(world[static_cast<std::size_t>(axis)] - exact::exact_value(line.p_offset) -
-                                                 exact::exact_value(line.q_offset),
-                                             scale));
+    return exact::round_to_double(over_power(
+        world[static_cast<std::size_t>(axis)] - exact::exact_value(line.p_offset) - exact::exact_value(line.q_offset),
+        scale));
   };
   return {coordinate(0), coordinate(1), coordinate(2)};
 }

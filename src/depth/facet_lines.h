@@ -31,21 +31,21 @@ struct FacetView {
 struct FacetLine {
   enum class Kind : std::uint8_t { own, level, across } kind = Kind::own;
   std::uint32_t facet = 0;
-  int border = 0;                   ///< of own and level ones
-  spatial::Vec3 foot, along;        ///< the foot of the place, a unit vector
-  double first = 0, last = 0;       ///< the stretch, as multiples of `along`
-  double off = 0;                   ///< how far it may be off
+  int border = 0;              ///< of own and level ones
+  spatial::Vec3 foot, along;   ///< the foot of the place, a unit vector
+  double first = 0, last = 0;  ///< the stretch, as multiples of `along`
+  double off = 0;              ///< how far it may be off
   spatial::Vec3 at(double s) const { return foot + s * along; }
-  double distance() const;          ///< of the stretch, at least
+  double distance() const;  ///< of the stretch, at least
 };
 
 /// A position that may be free: the foot on a line, or where two lines cross.
 struct FacetCandidate {
-  double lower = 0;      ///< a bound of its distance
-  spatial::Vec3 at;      ///< within `off` of it, where that is not too large to say anything
+  double lower = 0;  ///< a bound of its distance
+  spatial::Vec3 at;  ///< within `off` of it, where that is not too large to say anything
   double off = 0;
-  int a = 0, b = -1;     ///< lines; none twice: the foot on one
-  int corner = -1;       ///< of the facet itself, else -1
+  int a = 0, b = -1;  ///< lines; none twice: the foot on one
+  int corner = -1;    ///< of the facet itself, else -1
 };
 
 /// Those of a facet within some distance, the nearest first. Of what several facets make, each is listed with one of

@@ -103,7 +103,6 @@ bool PositionSearch::is_covered(const spatial::Box& box) const {
   });
 }
 
-
 /// Told by doubles: a "no" says nothing. What may be one of the positions found, as their facets list them too, is not
 /// asked about in vain.
 bool PositionSearch::is_covered(Vec3 x, double off) {
@@ -120,7 +119,8 @@ void PositionSearch::open(std::uint32_t id) {
   };
   if (!node.leaf()) {
     for (const std::uint32_t child : {node.left, node.right})
-      if (!inside_ || !is_covered(tree.node(child).box)) push({lower_bound(distance(tree.node(child).box, view_.from)), child, false});
+      if (!inside_ || !is_covered(tree.node(child).box))
+        push({lower_bound(distance(tree.node(child).box, view_.from)), child, false});
     return;
   }
   for (std::uint32_t k = node.first; k < node.last; ++k) {

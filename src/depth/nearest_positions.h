@@ -9,7 +9,7 @@
 namespace dymsum::depth {
 
 struct NearestPositions {
-  std::vector<ExactPosition> all;  ///< equally near and different; none where the time was over
+  std::vector<ExactPosition> all;    ///< equally near and different; none where the time was over
   double at_most = 0, at_least = 0;  ///< scaled: bounds of the distance where the time was over
   SolidDistance::Work work;
 };

@@ -73,7 +73,8 @@ bool earlier(const Contact& a, const Contact& b) { return std::tie(a.kind, a.p, 
 
 std::optional<Error> planar_operand_error(const Region& region) {
   if (!region.polylines().empty() || !region.points().empty())
-    return Error{ErrorCode::unsupported_operand, "an operand has parts without area: depth is of regions with area", {}};
+    return Error{
+        ErrorCode::unsupported_operand, "an operand has parts without area: depth is of regions with area", {}};
   if (region.empty()) return Error{ErrorCode::no_area, "an operand is empty: it has no depth", {}};
   return std::nullopt;
 }

@@ -39,7 +39,9 @@ FacetView view_from(const DepthOperands& o, const Point3& at) {
 Point3 unit_direction(const RationalVector& v) {
   exact::BigInteger all = 1;
   for (const BigRational& c : v) all = lcm(all, denominator(c));
-  const auto whole = [&](std::size_t k) { return exact::Big(exact::BigInteger(numerator(v[k]) * (all / denominator(v[k])))); };
+  const auto whole = [&](std::size_t k) {
+    return exact::Big(exact::BigInteger(numerator(v[k]) * (all / denominator(v[k]))));
+  };
   const exact::Vector3<exact::Big> n{whole(0), whole(1), whole(2)};
   if (exact::leading_sign(n) == 0) return {};
   const Vec3 u = spatial::unit(n);
@@ -93,8 +95,7 @@ bool operator==(const SolidDistance& a, const SolidDistance& b) {
     return x.move == y.move && x.direction == y.direction && x.contacts == y.contacts;
   };
   return a.meeting == b.meeting && a.squared == b.squared && a.distance == b.distance && a.complete == b.complete &&
-         a.at_least == b.at_least &&
-         std::equal(a.ways.begin(), a.ways.end(), b.ways.begin(), b.ways.end(), same_way);
+         a.at_least == b.at_least && std::equal(a.ways.begin(), a.ways.end(), b.ways.begin(), b.ways.end(), same_way);
 }
 
 Result<SolidDepth> SolidDepth::create(const Mesh& p, const Mesh& q, const DepthOptions& options) {
@@ -148,8 +149,7 @@ Rational SolidDepth::along(Point3 q_moved_by, Point3 direction) {
   const RationalVector from = exact_vector(q_moved_by);
   if (!probe_->overlaps(from)) return 0;
   const ExactFrame frame(o.p.vertices, o.q.vertices, o.exponent, q_moved_by);
-  return exact::to_rational(
-      depth::exit_along(view_from(o, q_moved_by), frame, *probe_, exact_vector(direction), from));
+  return exact::to_rational(depth::exit_along(view_from(o, q_moved_by), frame, *probe_, exact_vector(direction), from));
 }
 
 }  // namespace dymsum

@@ -10,15 +10,15 @@
 
 namespace dymsum::depth {
 
-/// A vertex that is inside, or an edge of one solid that crosses a triangle of the other, told by doubles with a margin:
-/// a "no" says nothing.
+/// A vertex that is inside, or an edge of one solid that crosses a triangle of the other, told by doubles with a
+/// margin: a "no" says nothing.
 class SureOverlap {
  public:
   explicit SureOverlap(const DepthOperands& o);
 
   /// Of P and Q at all positions within `radius` of one, in each coordinate. Pairs that crossed at the last positions
-  /// are tried first, then those whose boxes overlap, some of them; then places inside one solid, whether they are inside
-  /// the other: they tell where faces are flush and nothing crosses.
+  /// are tried first, then those whose boxes overlap, some of them; then places inside one solid, whether they are
+  /// inside the other: they tell where faces are flush and nothing crosses.
   bool holds(spatial::Vec3 at, double radius);
 
  private:

@@ -15,9 +15,7 @@ Region region(std::vector<Part> parts) { return Region::create({std::move(parts)
 Region square(double half) { return region({{{{-half, -half}, {half, -half}, {half, half}, {-half, half}}, {}}}); }
 
 /// A square of half size 3 with a hole of half size 1.
-Region frame() {
-  return region({{{{-3, -3}, {3, -3}, {3, 3}, {-3, 3}}, {{{-1, -1}, {-1, 1}, {1, 1}, {1, -1}}}}});
-}
+Region frame() { return region({{{{-3, -3}, {3, -3}, {3, 3}, {-3, 3}}, {{{-1, -1}, {-1, 1}, {1, 1}, {1, -1}}}}}); }
 
 TEST(PlanarDepth, of_squares_and_a_frame) {
   const PlanarDepth squares = PlanarDepth::create(square(1), square(1)).value();

@@ -109,7 +109,8 @@ TEST(SolidDepth, of_random_solids_is_that_of_all_faces_of_the_sum) {
     SolidDepth search = depth_of(p, q), boundary = depth_of(p, q, DepthEngine::boundary);
     for (int i = 0; i < 8; ++i) {
       const double unit = i % 2 ? 0.25 : 0.5;
-      const SolidDistance d = agreed(search, boundary, {unit * quarter(random), unit * quarter(random), unit * quarter(random)});
+      const SolidDistance d =
+          agreed(search, boundary, {unit * quarter(random), unit * quarter(random), unit * quarter(random)});
       overlapping += d.meeting == Meeting::overlapping;
       ties += d.ways.size() > 1;
       if (HasFailure()) FAIL() << "pair " << k;
@@ -228,7 +229,8 @@ TEST(DepthBatch, rows_are_in_order_and_do_not_depend_on_threads) {
   moves[3].x = 0;
   EXPECT_EQ(depth_batch(pair, moves, many).error().code, ErrorCode::cancelled);
   const Mesh cube = solid(box(1)), none;
-  const std::vector<DepthQuestion> questions{{&cube, &cube, {1.5, 0, 0}}, {&cube, &none, {}}, {&cube, &cube, {4, 0, 0}}};
+  const std::vector<DepthQuestion> questions{
+      {&cube, &cube, {1.5, 0, 0}}, {&cube, &none, {}}, {&cube, &cube, {4, 0, 0}}};
   const auto answers = depth_batch(questions).value();
   EXPECT_EQ(answers[0]->distance, 0.5);
   EXPECT_EQ(answers[1].error().code, ErrorCode::no_area);
