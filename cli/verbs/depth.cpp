@@ -2,12 +2,16 @@
 #include <CLI/CLI.hpp>
 #include <iostream>
 #include <memory>
+#include <sstream>
 
 #include "dymsum/convex_sum.h"
+#include "dymsum/penetration_depth.h"
+#include "line_file.h"
 #include "options.h"
 #include "planar/tier.h"
+#include "progress_bar.h"
+#include "solid/depth_report.h"
 #include "solid/solid_operands.h"
-#include "solid/solid_outputs.h"
 #include "timing.h"
 #include "verbs/commands.h"
 
@@ -15,50 +19,149 @@ namespace dymsum::cli {
 namespace {
 
 struct DepthCommand {
+  const CLI::App* parser = nullptr;
   std::vector<std::string> operands{"", ""};
-  std::string moved, axis;
+  std::string moved, axis, along, at_file;
   AngleOptions angle;
+  double time_limit = 0;
+  std::size_t threads = 0;
   ReportOptions report;
   InputOptions input;
 };
 
-std::string feature_text(const SolidFeature& f) {
-  if (f.kind == SolidFeature::Kind::vertex) return "vertex " + std::to_string(f.a);
-  if (f.kind == SolidFeature::Kind::edge) return "edge " + std::to_string(f.a) + "-" + std::to_string(f.b);
-  return "face " + std::to_string(f.a);
+/// x,y or x,y,z of an option or a line; nothing for other text.
+std::optional<std::vector<double>> numbers_in(const std::string& text, std::size_t count) {
+  std::vector<double> numbers;
+  for (const std::string& word : words_of(text)) {
+    const std::optional<double> number = finite_number(word);
+    if (!number) return std::nullopt;
+    numbers.push_back(*number);
+  }
+  if (numbers.size() != count) return std::nullopt;
+  return numbers;
+}
+
+std::vector<double> option_numbers(const std::string& text, const std::string& option, std::size_t count) {
+  if (text.empty()) return std::vector<double>(count, 0.0);
+  const std::optional<std::vector<double>> numbers = numbers_in(text, count);
+  if (!numbers)
+    throw Stop(kUsage, option + " wants " + std::to_string(count) + " numbers x,y" + (count == 3 ? ",z" : "") +
+                           ", not '" + text + "'");
+  return *numbers;
+}
+
+std::vector<Point3> read_moves(const std::string& file) {
+  std::vector<Point3> moves;
+  const bool any = for_each_line(file_text(file), [&](const std::string& text, std::int64_t line) {
+    const std::optional<std::vector<double>> v = numbers_in(text, 3);
+    if (!v) refuse_line({ErrorCode::malformed, "a translation is x,y,z", {}}, file, line);
+    moves.push_back({(*v)[0], (*v)[1], (*v)[2]});
+  });
+  if (!any) refuse_line({ErrorCode::malformed, "the file holds no translations", {}}, file, std::nullopt);
+  return moves;
+}
+
+void print_depth(const DepthCommand& command, Json inputs, int tier, const Timing& timing, const Json& found,
+                 const std::string& text) {
+  if (command.report.json) {
+    Json json = report_head("depth", std::move(inputs), tier, timing);
+    json.update(found);
+    print_report(json);
+  } else {
+    std::cout << text;
+    print_times(std::cout, timing);
+  }
+}
+
+/// Convex solids may turn.
+ExitCode run_turned(const DepthCommand& command) {
+  const std::vector<double> moved = option_numbers(command.moved, "--move", 3);
+  SolidPose pose;
+  pose.rotation = require_option(
+      Rotation::about(parse_point(command.axis, "--axis"), read_angle(command.angle).radians()), "--axis");
+  const std::vector<SolidInput> inputs = read_convex_solids(command.operands, command.input);
+  const Mesh &p = inputs[0].mesh, &q = inputs[1].mesh;
+  const auto [depth, timing] = timed(command.report.repeat, [&] {
+    return require(penetration_depth(p, q, pose, {}, {moved[0], moved[1], moved[2]}));
+  });
+  const Json found = depth_json(depth);
+  std::ostringstream text;
+  if (depth.inside)
+    text << "depth " << depth.depth << ": moving " << inputs[1].file << " by that along (" << depth.direction.x << ", "
+         << depth.direction.y << ", " << depth.direction.z << ") separates them\n  depth squared is exactly "
+         << shown(depth.depth_squared) << "\n";
+  else text << "the interiors do not meet\n";
+  print_depth(command, solid_inputs_json(inputs), tier_of(p, q), timing, found, text.str());
+  return depth.inside ? kDone : kNo;
+}
+
+ExitCode run_rows(const DepthCommand& command, const std::vector<SolidInput>& inputs) {
+  const std::vector<Point3> moves = read_moves(command.at_file);
+  DepthBatchOptions options;
+  options.threads = static_cast<int>(command.threads), options.time_limit = command.time_limit;
+  std::optional<ProgressBar> bar(std::in_place);
+  options.progress = bar->callback();
+  const auto [rows, timing] = timed(command.report.repeat, [&] {
+    return require(depth_batch(require(SolidDepth::create(inputs[0].mesh, inputs[1].mesh)), moves, options));
+  });
+  bar.reset();
+  Json list = Json::array();
+  std::ostringstream text;
+  for (std::size_t k = 0; k < rows.size(); ++k) {
+    Json row = {{"at", {moves[k].x, moves[k].y, moves[k].z}}};
+    row.update(depth_json(rows[k]));
+    list.push_back(std::move(row));
+    text << "(" << moves[k].x << ", " << moves[k].y << ", " << moves[k].z << "): ";
+    if (!rows[k].complete) text << "at least " << rows[k].at_least << ", the time was over\n";
+    else text << depth_text(rows[k], inputs[0].file, inputs[1].file);
+  }
+  print_depth(command, solid_inputs_json(inputs), tier_of(inputs[0].mesh, inputs[1].mesh), timing,
+              {{"rows", std::move(list)}}, text.str());
+  return kDone;
+}
+
+ExitCode run_solids(const DepthCommand& command) {
+  if (!command.axis.empty()) return run_turned(command);
+  const std::vector<double> v = option_numbers(command.moved, "--move", 3),
+                            w = option_numbers(command.along, "--along", 3);
+  const Point3 moved{v[0], v[1], v[2]}, along{w[0], w[1], w[2]};
+  if (!command.along.empty() && along == Point3{}) throw Stop(kUsage, "--along wants a direction, not 0,0,0");
+  const std::vector<SolidInput> inputs = read_solids(command.operands, command.input);
+  if (!command.at_file.empty()) return run_rows(command, inputs);
+  const Mesh &p = inputs[0].mesh, &q = inputs[1].mesh;
+  std::optional<Rational> exit;
+  const auto [distance, timing] = timed(command.report.repeat, [&] {
+    SolidDepth pair = require(SolidDepth::create(p, q));
+    if (!command.along.empty()) exit = pair.along(moved, along);
+    return pair.at(moved, command.time_limit);
+  });
+  Json found = depth_json(distance);
+  std::string text = distance.complete ? depth_text(distance, inputs[0].file, inputs[1].file)
+                                       : "the time was over: at least " + Json(distance.at_least).dump() + "\n";
+  if (exit) {
+    found["along"] = exit->to_double(), found["along_exact"] = exit->to_string();
+    text += "  free after " + Json(exit->to_double()).dump() + " times (" + command.along + ")\n";
+  }
+  print_depth(command, solid_inputs_json(inputs), tier_of(p, q), timing, found, text);
+  return distance.meeting == Meeting::overlapping ? kDone : kNo;
+}
+
+ExitCode run_regions(const DepthCommand& command) {
+  refuse_options(*command.parser, {"--axis", "--along", "--at-file", "--time", "--threads", "--hull"}, "is for solids");
+  const std::vector<double> moved = option_numbers(command.moved, "--move", 2);
+  const std::vector<Input> inputs = read_inputs(command.operands, command.input);
+  const Region &p = inputs[0].region, &q = inputs[1].region;
+  const auto [distance, timing] = timed(command.report.repeat, [&] {
+    return require_of(inputs, PlanarDepth::create(p, q)).at({moved[0], moved[1]});
+  });
+  print_depth(command, inputs_json(inputs), tier_of(p, q), timing, depth_json(distance),
+              depth_text(distance, inputs[0].file, inputs[1].file));
+  return distance.meeting == Meeting::overlapping ? kDone : kNo;
 }
 
 ExitCode run(const DepthCommand& command) {
-  require_solid("depth", command.operands, command.input);
   if (command.axis.empty() == command.angle.given()) throw Stop(kUsage, "--axis and --angle or --degrees go together");
-  const Point3 moved = command.moved.empty() ? Point3{} : parse_point(command.moved, "--move");
-  SolidPose pose;
-  if (!command.axis.empty())
-    pose.rotation = require_option(
-        Rotation::about(parse_point(command.axis, "--axis"), read_angle(command.angle).radians()), "--axis");
-  const std::vector<SolidInput> inputs = read_convex_solids(command.operands, command.input);
-  const auto [depth, timing] = timed(command.report.repeat, [&] {
-    return require(penetration_depth(inputs[0].mesh, inputs[1].mesh, pose, {}, moved));
-  });
-  if (command.report.json) {
-    Json json = report_head("depth", solid_inputs_json(inputs), tier_of(inputs[0].mesh, inputs[1].mesh), timing);
-    json.update({{"inside", depth.inside},
-                 {"depth", depth.depth},
-                 {"depth_squared_exact", depth.depth_squared.to_string()},
-                 {"direction", {depth.direction.x, depth.direction.y, depth.direction.z}},
-                 {"p", feature_json(depth.p)},
-                 {"q", feature_json(depth.q)}});
-    print_report(json);
-  } else if (depth.inside) {
-    std::cout << "depth " << depth.depth << ": moving " << inputs[1].file << " by that along (" << depth.direction.x
-              << ", " << depth.direction.y << ", " << depth.direction.z << ") separates them\n  "
-              << feature_text(depth.p) << " of " << inputs[0].file << " and " << feature_text(depth.q) << " of "
-              << inputs[1].file << " touch then\n  depth squared is exactly " << shown(depth.depth_squared) << "\n";
-  } else {
-    std::cout << "the interiors do not meet\n";
-  }
-  if (!command.report.json) print_times(std::cout, timing);
-  return depth.inside ? kDone : kNo;
+  return are_solid(command.operands, command.input) ? run_solids(command) : run_regions(command);
 }
 
 }  // namespace
@@ -66,16 +169,34 @@ ExitCode run(const DepthCommand& command) {
 void add_depth(CLI::App& app, Action& action) {
   auto command = std::make_shared<DepthCommand>();
   CLI::App& verb = *app.add_subcommand(
-      "depth", "The penetration depth of convex solids: the shortest translation of Q that separates them");
-  add_operands(verb, {"P", "A convex solid, which may turn"}, {"Q", "Another one, which may move"}, command->operands,
-               OperandKind::solid);
-  verb.add_option("--move", command->moved, "Move Q by this translation first")->type_name("X,Y,Z");
-  verb.add_option("--axis", command->axis, "Turn P about this axis through the origin first")->type_name("X,Y,Z");
+      "depth",
+      "The penetration depth of two solids or regions of any shape, exactly: the shortest translations of Q that "
+      "separate them; how far apart they are where they do not overlap");
+  command->parser = &verb;
+  add_operands(verb, {"P", "A solid or a region"}, {"Q", "Another one, which may move"}, command->operands);
+  CLI::Option* move = verb.add_option("--move", command->moved, "Move Q by this translation first");
+  move->type_name("X,Y[,Z]");
+  CLI::Option* along =
+      verb.add_option("--along", command->along, "Also how far Q has to go in this direction, in multiples of it");
+  along->type_name("X,Y,Z");
+  CLI::Option* at_file =
+      verb.add_option("--at-file", command->at_file,
+                      "Many translations x,y,z of Q, one a line; # begins a comment; - for standard input");
+  at_file->type_name("FILE")->excludes(move)->excludes(along);
+  CLI::Option* time =
+      within(verb.add_option("--time", command->time_limit, "Give up after so many seconds, for every translation"), 0);
+  time->type_name("SECONDS");
+  verb.add_option("--threads", command->threads, "Threads for --at-file, 0: all cores")->type_name("N");
+  verb.add_option("--axis", command->axis, "Turn P about this axis through the origin first; convex solids")
+      ->type_name("X,Y,Z")
+      ->excludes(along)
+      ->excludes(at_file)
+      ->excludes(time);
   add_angle_options(verb, command->angle, "by this angle,");
   add_report_options(verb, command->report, "Compute N times and report the median and minimum time");
-  add_solid_input_options(verb, command->input, OperandKind::solid);
+  add_solid_input_options(verb, command->input);
   verb.footer(
-      "Exit code 4 when their interiors do not meet.\nExample: dymsum depth box.off rod.off --move 0.5,0,0 --json");
+      "Exit code 4 when their interiors do not meet.\nExample: dymsum depth cup.off spoon.off --move 0.5,0,0 --json");
   verb.callback([command, &action] { action = [command] { return run(*command); }; });
 }
 

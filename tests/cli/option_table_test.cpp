@@ -78,6 +78,7 @@ class OptionTable : public testing::TestWithParam<Section> {
                                             {"copies.txt", "1 0 0\n3/2 9 0\n"},
                                             {"poses.txt", "1,6,0\n1,9,0\n"},
                                             {"places.txt", "3,3\n"},
+                                            {"moves.txt", "0.25,0,0\n9,9,9\n"},
                                             {"heights.txt", "1/3,9,9\n"},
                                             {"slot.obstacle", obstacle()}})
       work.write(file, text);

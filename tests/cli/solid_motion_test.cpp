@@ -105,7 +105,7 @@ TEST_F(SolidMotionCli, WrongUsageAndBadSolidsAreTold) {
                "dymsum sum cube.off cube.off -o s.svg", "dymsum sum cube.off cube.off --engine winding",
                "dymsum rotate cube.off cube.off", "dymsum rotate cube.off cube.off --steps 0",
                "dymsum rotate cube.off cube.off --steps 4 --axis 1,2", "dymsum rotate flat.wkt cube.off --steps 4",
-               "dymsum depth flat.wkt flat.wkt", "dymsum depth cube.off cube.off --axis 0,0,1",
+               "dymsum depth flat.wkt flat.wkt --move 1,2,3", "dymsum depth flat.wkt cube.off", "dymsum depth cube.off cube.off --axis 0,0,1",
                "dymsum depth cube.off cube.off --move 1,nan,0", "dymsum scale cube.off cube.off --at 1:2",
                "dymsum scale cube.off cube.off", "dymsum rotate cube.off cube.off --steps 4 -o turn.svg",
                "dymsum rotate cube.off cube.off --steps 4 --axis 0,0,0", "dymsum scale cube.off cube.off --at 0"});

@@ -80,10 +80,10 @@ TEST_F(SolidUsage, ExtensionsThatNothingReadsAreBadInputThatNamesTheFile) {
 TEST_F(SolidUsage, OperandsOfTheWrongKindAreNamed) {
   says("sum cube.off square.wkt", 1, "cube.off is a solid and square.wkt is not");
   says("sum cube.off cube.off square.wkt", 1, "square.wkt is not");
-  for (const char* verb : {"opening square.wkt square.wkt", "offset square.wkt --by 1", "depth square.wkt square.wkt"})
+  for (const char* verb : {"opening square.wkt square.wkt", "offset square.wkt --by 1"})
     says(verb, 1, "is for solids: .off .obj .stl .ply, not square.wkt");
   says("scale-range cube.off cube.off --inside", 1, "cube.off is a solid");
-  says("depth ell.off cube.off", 2, "only convex solids are taken; --hull takes the convex hull");
+  says("depth ell.off cube.off --axis 0,0,1 --degrees 9", 2, "only convex solids are taken; --hull takes the convex hull");
 }
 
 TEST_F(SolidUsage, FilesWithVerticesAloneSaySo) {
@@ -166,7 +166,7 @@ TEST_F(SolidUsage, StandardInputIsToldFromItsFirstWord) {
 
 TEST_F(SolidUsage, HelpSaysWhatIsForWhichOperands) {
   const auto help = [&](const std::string& verb) { return work.run("dymsum " + verb + " --help").out; };
-  for (const char* verb : {"opening", "closing", "offset", "depth"}) {
+  for (const char* verb : {"opening", "closing", "offset"}) {
     const std::string text = help(verb);
     for (const char* planar : {"FILE#NAME", "wkt", "area_exact", "collinear", "Solids:"})
       EXPECT_EQ(text.find(planar), std::string::npos) << verb << " has no " << planar << "\n" << text;

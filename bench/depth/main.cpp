@@ -1,0 +1,166 @@
+// dymsum_bench_depth: penetration depth along motions, against FCL and libccd on convex pairs and FCL on meshes.
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <cstring>
+#include <functional>
+#include <numbers>
+#include <random>
+#include <stdexcept>
+#include <vector>
+
+#include "dymsum/penetration_depth.h"
+#include "dymsum/solids.h"
+#include "page.h"
+#include "solid/inputs.h"
+#include "versus/fcl_meshes.h"
+#include "versus/solid_rivals.h"
+
+namespace dymsum::bench {
+namespace {
+
+double us_of(const std::function<void()>& run) {
+  const auto begin = std::chrono::steady_clock::now();
+  run();
+  return std::chrono::duration<double, std::micro>(std::chrono::steady_clock::now() - begin).count();
+}
+
+struct MotionPair {
+  std::string name;
+  MeshData p, q;
+  double reach;
+};
+
+std::vector<MotionPair> motion_pairs() {
+  return {{"torus 1024 + torus 1024", torus(1, 0.4, 32, 16), turned(torus(1, 0.4, 32, 16), 0.7, 0.3, 0.2), 1.6},
+          {"blob 1012 + blob 1012", blob(1, 0.3, 23, 23, 1), blob(1, 0.3, 23, 23, 2), 1.6},
+          {"gear 380 + gear 380", gear(24, 10), gear(24, 10), 14},
+          {"ell + tunnel", ell(), tunnel(), 8}};
+}
+
+/// Along a closed curve through and around P.
+Point3 place_on_curve(double reach, int k, int steps) {
+  const double a = 2 * std::numbers::pi * k / steps, r = reach * (0.35 + 0.3 * std::sin(3 * a));
+  return {r * std::cos(a), r * std::sin(a), 0.3 * r * std::sin(2 * a)};
+}
+
+void motions(int steps, Report& report) {
+  report.line("\n## Along a motion\n");
+  report.line(
+      "Q follows a closed curve. `prepare` makes the facets of the convolution once; the first step and the others are "
+      "told apart, as the later ones know what the last answers covered.\n");
+  report.heading({"pair", "facets", "prepare ms", "overlapping", "first us", "median us", "p99 us", "worst us",
+                  "facets a step", "positions", "exact tests"});
+  for (const MotionPair& pair : motion_pairs()) {
+    const Mesh p = Mesh::create(pair.p).value(), q = Mesh::create(pair.q).value();
+    std::optional<SolidDepth> depth;
+    const double prepare = us_of([&] { depth = SolidDepth::create(p, q).value(); });
+    std::vector<double> us;
+    double first = 0;
+    SolidDistance::Work work;
+    int overlapping = 0;
+    for (int k = 0; k < steps; ++k) {
+      SolidDistance d;
+      const double t = us_of([&] { d = depth->at(place_on_curve(pair.reach, k, steps)); });
+      overlapping += d.meeting == Meeting::overlapping;
+      if (k == 0) {
+        first = t;
+        continue;
+      }
+      us.push_back(t);
+      work.facets += d.work.facets, work.candidates += d.work.candidates, work.exact_tests += d.work.exact_tests;
+    }
+    std::sort(us.begin(), us.end());
+    const auto mean = [&](std::uint64_t v) { return fixed(static_cast<double>(v) / (steps - 1), 0); };
+    report.row({pair.name, std::to_string(depth->facet_count()), fixed(prepare / 1000, 1),
+                std::to_string(overlapping) + " of " + std::to_string(steps), fixed(first, 0),
+                fixed(us[us.size() / 2], 0), fixed(us[us.size() * 99 / 100], 0), fixed(us.back(), 0), mean(work.facets),
+                mean(work.candidates), mean(work.exact_tests)});
+  }
+}
+
+void convex_pairs(Report& report) {
+  report.line("\n## Convex pairs\n");
+  report.line("Q somewhere inside P, 200 translations. Ours is exact; the others' errors are relative to P's width.\n");
+  report.heading({"pair", "system", "us a query", "no answer", "wrong by more than 1e-6", "largest error"});
+  const std::vector<solids::NamedMesh> models = solids::thesis_models();
+  const auto named = [&](std::string_view name) -> const Mesh& {
+    return std::find_if(models.begin(), models.end(), [&](const auto& m) { return m.name == name; })->mesh;
+  };
+  const double identity[9] = {1, 0, 0, 0, 1, 0, 0, 0, 1};
+  for (const auto& [a, b] : {std::pair{"cube", "T"}, {"T", "TI"}, {"GS1", "cylinder"}}) {
+    const Mesh &p = named(a), &q = named(b);
+    double width = 0;
+    for (const Point3& v : p.vertices())
+      width = std::max({width, 2 * std::abs(v.x), 2 * std::abs(v.y), 2 * std::abs(v.z)});
+    std::mt19937_64 random(7);
+    std::uniform_real_distribution<double> offset(-0.3 * width, 0.3 * width);
+    std::vector<Point3> places(200);
+    for (Point3& at : places) at = {offset(random), offset(random), offset(random)};
+    SolidDepth ours = SolidDepth::create(p, q).value();
+    std::vector<double> truth;
+    const double our_us = us_of([&] {
+      for (const Point3& at : places) truth.push_back(ours.at(at).distance);
+    });
+    const std::string name = std::string(a) + " + " + b;
+    report.row({name, "dymsum", fixed(our_us / 200, 1), "0", "0", "0"});
+    const DepthPair rivals(p, q);
+    for (const DepthRival rival :
+         {DepthRival::fcl, DepthRival::fcl_tight, DepthRival::ccd_gjk_epa, DepthRival::ccd_mpr}) {
+      int wrong = 0, none = 0;
+      double worst = 0;
+      const double us = us_of([&] {
+        for (std::size_t k = 0; k < places.size(); ++k) {
+          const double error = std::abs(rivals.depth(rival, identity, places[k]) - truth[k]) / width;
+          none += std::isnan(error), wrong += error > 1e-6, worst = std::max(worst, error);
+        }
+      });
+      std::ostringstream text;
+      text << worst;
+      report.row({name, dymsum::bench::name(rival), fixed(us / 200, 1), std::to_string(none), std::to_string(wrong),
+                  text.str()});
+    }
+  }
+}
+
+void meshes(Report& report) {
+  report.line("\n## Meshes\n");
+  report.line("Below 0 inside, as FCL 0.7 has it. The truth is known by construction.\n");
+  report.heading({"case", "truth", "dymsum", "FCL signed distance", "FCL contacts", "FCL deepest contact"});
+  const auto row = [&](const std::string& name, double truth, const Mesh& p, const Mesh& q, Point3 at) {
+    const SolidDistance d = SolidDepth::create(p, q).value().at(at);
+    const MeshAnswer theirs = fcl_mesh_distance(p.data(), q.data(), at);
+    const double ours = d.meeting == Meeting::overlapping ? -d.distance : d.distance;
+    report.row({name, fixed(truth, 4), fixed(ours, 4), fixed(theirs.signed_distance, 4),
+                std::to_string(theirs.contacts), fixed(theirs.deepest, 2)});
+  };
+  for (const int k : {1, 2, 4, 8})
+    row("cubes of 2 that overlap by 0.5, " + std::to_string(12 * k * k) + " triangles", -0.5,
+        solids::tessellated_cube(2, k), solids::tessellated_cube(2, k), {1.5, 0, 0});
+  row("a cube of 0.4 inside one of 2", -1.2, solids::tessellated_cube(2, 1), solids::tessellated_cube(0.4, 1), {});
+  const Mesh pipe = Mesh::create(tunnel()).value();
+  row("a cube of 1 in a tunnel of 2, 0.25 into its wall", -0.25, pipe, solids::tessellated_cube(1, 1), {0, 0.75, 0});
+  row("a cube of 1 in a tunnel of 2", 0.5, pipe, solids::tessellated_cube(1, 1), {});
+}
+
+int run(int argc, char** argv) {
+  int steps = 1000;
+  std::string results;
+  for (int k = 1; k < argc; ++k) {
+    if (k + 1 < argc && std::strcmp(argv[k], "--steps") == 0) steps = std::max(10, std::atoi(argv[++k]));
+    else if (k + 1 < argc && std::strcmp(argv[k], "--results") == 0) results = argv[++k];
+    else throw std::invalid_argument("dymsum_bench_depth [--steps N] [--results DIR]");
+  }
+  Report report;
+  report.line("# Penetration depth");
+  motions(steps, report);
+  convex_pairs(report);
+  meshes(report);
+  write_result(results, "depth.md", report.markdown.str());
+  return 0;
+}
+
+}  // namespace
+}  // namespace dymsum::bench
+
+int main(int argc, char** argv) { return dymsum::bench::guarded(dymsum::bench::run, argc, argv); }

@@ -1,0 +1,36 @@
+#include "depth/depth_probe.h"
+
+namespace dymsum::depth {
+
+namespace {
+
+/// A space keeps the places that it was asked about: it is made anew before they are many.
+constexpr std::size_t kPlaces = 1 << 16;
+constexpr std::size_t kBalls = 4;
+
+}  // namespace
+
+DepthProbe::DepthProbe(const DepthOperands& o) : o_(o), sure_(o) { renew(); }
+
+void DepthProbe::renew() {
+  collision_.reset();
+  space_ = spatial::make_sum_space(o_.p.vertices, o_.q.vertices);
+  collision_ = std::make_unique<const spatial::Collision>(*space_, o_.p, o_.q, o_.inner.get());
+  places_ = 0;
+}
+
+bool DepthProbe::overlaps(const std::array<BigRational, 3>& position) {
+  if (++places_ > kPlaces) renew();
+  const std::optional<spatial::PointSource> at = space_->add_place(position);
+  return at && collision_->overlaps({*at, 0, 0, 0, 0, 0});
+}
+
+void DepthProbe::remember(const CoveredBall& ball, const std::vector<std::array<BigRational, 3>>& free) {
+  balls_.insert(balls_.begin(), ball);
+  if (balls_.size() > kBalls) balls_.pop_back();
+  free_ = free;
+}
+
+bool DepthProbe::surely_overlaps(spatial::Vec3 at, double radius) { return sure_.holds(at, radius); }
+
+}  // namespace dymsum::depth

@@ -1,0 +1,162 @@
+#include "depth/exact_frame.h"
+
+#include <algorithm>
+#include <limits>
+
+namespace dymsum::depth {
+
+using exact::BigInteger;
+using exact::cross;
+using exact::dot;
+using spatial::SumFacet;
+using spatial::SumPoint;
+
+namespace {
+
+Big in_units(double v, int exponent) {
+  const exact::Dyadic d = exact::to_dyadic(v);
+  if (d.mantissa == 0) return Big::from_int64(0);
+  return Big(BigInteger(BigInteger(d.mantissa) << static_cast<unsigned>(d.exponent - exponent)));
+}
+
+int lowest_exponent(const Point3& v, int least) {
+  for (const double c : {v.x, v.y, v.z})
+    if (c != 0) least = std::min(least, exact::to_dyadic(c).exponent);
+  return least;
+}
+
+BigVector times(const Big& s, const BigVector& v) { return {s * v.x, s * v.y, s * v.z}; }
+
+bool is_zero(const BigVector& v) { return exact::leading_sign(v) == 0; }
+
+ExactPosition whole(BigVector x) { return {std::move(x), Big::from_int64(1)}; }
+
+/// The position nearest to the origin of the segment from a to b.
+ExactPosition nearest_of_segment(const BigVector& a, const BigVector& b) {
+  const BigVector d = b - a;
+  const Big t = -dot(a, d), size = dot(d, d);
+  if (sign(t) <= 0) return whole(a);
+  if (t >= size) return whole(b);
+  return {times(size, a) + times(t, d), size};
+}
+
+}  // namespace
+
+int common_exponent(const std::vector<Point3>& p, const std::vector<Point3>& q) {
+  constexpr int kNone = std::numeric_limits<int>::max();
+  int least = kNone;
+  for (const Point3& v : p) least = lowest_exponent(v, least);
+  for (const Point3& v : q) least = lowest_exponent(v, least);
+  return least == kNone ? 0 : least;
+}
+
+ExactFrame::ExactFrame(const std::vector<Point3>& p, const std::vector<Point3>& q, int exponent, const Point3& origin)
+    : p_(p), q_(q), exponent_(lowest_exponent(origin, exponent)), origin_(vertex(origin)), at_(origin) {}
+
+BigVector ExactFrame::vertex(const Point3& v) const {
+  return {in_units(v.x, exponent_), in_units(v.y, exponent_), in_units(v.z, exponent_)};
+}
+
+BigVector ExactFrame::corner(SumPoint s) const { return vertex(p_[s.p]) + vertex(q_[s.q]) - origin_; }
+
+ExactPlane ExactFrame::plane(const SumFacet& facet) const {
+  const BigVector a = corner(facet.corner[0]), b = corner(facet.corner[1]), c = corner(facet.corner[2]);
+  const BigVector n = cross(b - a, c - a);
+  return {n, dot(n, a)};
+}
+
+ExactPlane ExactFrame::border(const SumFacet& facet, int k, const ExactPlane& plane) const {
+  const BigVector a = corner(facet.corner[static_cast<std::size_t>(k)]),
+                  b = corner(facet.corner[static_cast<std::size_t>((k + 1) % facet.corners)]);
+  const BigVector n = cross(plane.n, b - a);
+  return {n, dot(n, a)};
+}
+
+ExactPosition ExactFrame::foot(const ExactPlane& a) { return {times(a.d, a.n), dot(a.n, a.n)}; }
+
+std::optional<ExactPosition> ExactFrame::foot(const ExactPlane& a, const ExactPlane& b) {
+  const BigVector along = cross(a.n, b.n);
+  if (is_zero(along)) return std::nullopt;
+  return meet(a, b, {along, Big::from_int64(0)});
+}
+
+std::optional<ExactPosition> ExactFrame::meet(const ExactPlane& a, const ExactPlane& b, const ExactPlane& c) {
+  const BigVector bc = cross(b.n, c.n), ca = cross(c.n, a.n), ab = cross(a.n, b.n);
+  const Big w = dot(a.n, bc);
+  if (sign(w) == 0) return std::nullopt;
+  const BigVector x = times(a.d, bc) + times(b.d, ca) + times(c.d, ab);
+  if (sign(w) < 0) return ExactPosition{{-x.x, -x.y, -x.z}, -w};
+  return ExactPosition{x, w};
+}
+
+int ExactFrame::side(const ExactPlane& plane, const ExactPosition& x) {
+  return sign(dot(plane.n, x.x) - plane.d * x.w);
+}
+
+ExactPosition ExactFrame::nearest(const SumFacet& facet) const {
+  const ExactPlane own = plane(facet);
+  ExactPosition best = foot(own);
+  if (within_borders(facet, own, best)) return best;
+  for (int k = 0; k < facet.corners; ++k) {
+    ExactPosition x = nearest_of_segment(corner(facet.corner[static_cast<std::size_t>(k)]),
+                                         corner(facet.corner[static_cast<std::size_t>((k + 1) % facet.corners)]));
+    if (k == 0 || compare_lengths(x, best) < 0) best = std::move(x);
+  }
+  return best;
+}
+
+bool ExactFrame::holds(const SumFacet& facet, const ExactPosition& x) const {
+  const ExactPlane own = plane(facet);
+  return side(own, x) == 0 && within_borders(facet, own, x);
+}
+
+bool ExactFrame::within_borders(const SumFacet& facet, const ExactPlane& plane, const ExactPosition& x) const {
+  for (int k = 0; k < facet.corners; ++k)
+    if (side(border(facet, k, plane), x) < 0) return false;
+  return true;
+}
+
+BigRational ExactFrame::in_operand_units(const BigRational& v) const {
+  const BigInteger power = BigInteger(1) << static_cast<unsigned>(std::abs(exponent_));
+  return exponent_ < 0 ? BigRational(v / power) : BigRational(v * power);
+}
+
+std::array<BigRational, 3> ExactFrame::relative(const ExactPosition& x) const {
+  const auto coordinate = [&](const Big& c) { return in_operand_units(exact::ratio(c, x.w)); };
+  return {coordinate(x.x.x), coordinate(x.x.y), coordinate(x.x.z)};
+}
+
+ExactPosition ExactFrame::position(const std::array<BigRational, 3>& relative) const {
+  const BigInteger power = BigInteger(1) << static_cast<unsigned>(std::abs(exponent_));
+  std::array<BigRational, 3> v = relative;
+  BigInteger all = 1;
+  for (BigRational& c : v) {
+    if (exponent_ < 0) c *= power;
+    else c /= power;
+    all = lcm(all, denominator(c));
+  }
+  const auto whole = [&](const BigRational& c) { return Big(BigInteger(numerator(c) * (all / denominator(c)))); };
+  return {{whole(v[0]), whole(v[1]), whole(v[2])}, Big(all)};
+}
+
+std::array<BigRational, 3> ExactFrame::origin() const {
+  return {exact::exact_value(at_.x), exact::exact_value(at_.y), exact::exact_value(at_.z)};
+}
+
+std::array<BigRational, 3> ExactFrame::absolute(const ExactPosition& x) const {
+  std::array<BigRational, 3> at = relative(x);
+  const std::array<BigRational, 3> from = origin();
+  for (std::size_t k = 0; k < 3; ++k) at[k] += from[k];
+  return at;
+}
+
+int compare_lengths(const ExactPosition& a, const ExactPosition& b) {
+  const Big left = dot(a.x, a.x) * (b.w * b.w), right = dot(b.x, b.x) * (a.w * a.w);
+  return left < right ? -1 : right < left ? 1 : 0;
+}
+
+bool same_position(const ExactPosition& a, const ExactPosition& b) {
+  return a.x.x * b.w == b.x.x * a.w && a.x.y * b.w == b.x.y * a.w && a.x.z * b.w == b.x.z * a.w;
+}
+
+}  // namespace dymsum::depth

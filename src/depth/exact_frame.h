@@ -1,0 +1,79 @@
+// Exact positions as seen from the place that is asked about: where planes of facets and borders meet, and the feet of
+// that place on planes and lines.
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "exact/big.h"
+#include "exact/grid.h"
+#include "exact/vector3.h"
+#include "spatial/convolution/reduced_facets.h"
+
+namespace dymsum::depth {
+
+using exact::Big;
+using exact::BigRational;
+using BigVector = exact::Vector3<Big>;
+
+/// n . x = d.
+struct ExactPlane {
+  BigVector n;
+  Big d;
+};
+
+/// x / w, w > 0, in units of 2^exponent.
+struct ExactPosition {
+  BigVector x;
+  Big w;
+};
+
+/// Positions are relative to `origin`, in units of one power of two that divides all coordinates.
+class ExactFrame {
+ public:
+  ExactFrame(const std::vector<Point3>& p, const std::vector<Point3>& q, int exponent, const Point3& origin);
+
+  BigVector corner(spatial::SumPoint s) const;
+  ExactPlane plane(const spatial::SumFacet& facet) const;
+  /// Through the border from corner k on, and across the facet's plane; its normal points into the facet.
+  ExactPlane border(const spatial::SumFacet& facet, int k) const { return border(facet, k, plane(facet)); }
+
+  static ExactPosition foot(const ExactPlane& a);
+  /// Nothing for parallel planes.
+  static std::optional<ExactPosition> foot(const ExactPlane& a, const ExactPlane& b);
+  /// Nothing where they do not meet in one point.
+  static std::optional<ExactPosition> meet(const ExactPlane& a, const ExactPlane& b, const ExactPlane& c);
+  static int side(const ExactPlane& plane, const ExactPosition& x);
+
+  /// The position of a facet that is nearest to the origin.
+  ExactPosition nearest(const spatial::SumFacet& facet) const;
+  bool holds(const spatial::SumFacet& facet, const ExactPosition& x) const;
+
+  /// Where it is seen from the origin, in the operands' own units.
+  std::array<BigRational, 3> relative(const ExactPosition& x) const;
+  std::array<BigRational, 3> absolute(const ExactPosition& x) const;
+  std::array<BigRational, 3> origin() const;
+  /// The position that is seen there.
+  ExactPosition position(const std::array<BigRational, 3>& relative) const;
+  /// A length.
+  BigRational in_operand_units(const BigRational& v) const;
+
+ private:
+  BigVector vertex(const Point3& v) const;
+  ExactPlane border(const spatial::SumFacet& facet, int k, const ExactPlane& plane) const;
+  bool within_borders(const spatial::SumFacet& facet, const ExactPlane& plane, const ExactPosition& x) const;
+
+  const std::vector<Point3>&p_, &q_;
+  int exponent_;
+  BigVector origin_;
+  Point3 at_;
+};
+
+/// Of the squares of two distances from the origin: -1, 0, 1.
+int compare_lengths(const ExactPosition& a, const ExactPosition& b);
+bool same_position(const ExactPosition& a, const ExactPosition& b);
+
+/// The largest power of two that divides all coordinates of the solids; 0 where all are zero.
+int common_exponent(const std::vector<Point3>& p, const std::vector<Point3>& q);
+
+}  // namespace dymsum::depth

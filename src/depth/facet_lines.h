@@ -1,0 +1,82 @@
+// What of a facet may be the nearest free position: its lines and where they cross, as the place that is asked about
+// sees them.
+#pragma once
+
+#include <vector>
+
+#include "depth/depth_operands.h"
+#include "depth/exact_frame.h"
+
+namespace dymsum::depth {
+
+/// Facets seen from a place, in scaled doubles.
+struct FacetView {
+  const DepthOperands& o;
+  spatial::Vec3 from;  ///< the place
+  double slack;        ///< more than positions on facets are off, in any direction
+  std::vector<CoveredBall> balls = {};
+
+  std::size_t corners(std::uint32_t f) const { return o.facets[f].corners; }
+  spatial::Vec3 corner(std::uint32_t f, std::size_t k) const {
+    return o.corner(o.facets[f].corner[k % o.facets[f].corners]) - from;
+  }
+  /// Whether a ball covers a segment, its ends as seen from the place and off by so much.
+  bool cover(spatial::Vec3 a, spatial::Vec3 b, double off) const;
+  /// The position of a facet that is nearest.
+  spatial::Vec3 nearest(std::uint32_t f) const;
+};
+
+/// A line in a facet's plane, which holds a border of it or of another facet in its plane, or meets a facet in
+/// another plane.
+struct FacetLine {
+  enum class Kind : std::uint8_t { own, level, across } kind = Kind::own;
+  std::uint32_t facet = 0;
+  int border = 0;              ///< of own and level ones
+  spatial::Vec3 foot, along;   ///< the foot of the place, a unit vector
+  double first = 0, last = 0;  ///< the stretch, as multiples of `along`
+  double off = 0;              ///< how far it may be off
+  spatial::Vec3 at(double s) const { return foot + s * along; }
+  double distance() const;  ///< of the stretch, at least
+};
+
+/// A position that may be free: the foot on a line, or where two lines cross.
+struct FacetCandidate {
+  double lower = 0;  ///< a bound of its distance
+  spatial::Vec3 at;  ///< within `off` of it, where that is not too large to say anything
+  double off = 0;
+  int a = 0, b = -1;  ///< lines; none twice: the foot on one
+  int corner = -1;    ///< of the facet itself, else -1
+};
+
+/// Those of a facet within some distance, the nearest first. Of what several facets make, each is listed with one of
+/// them at least. A superset: what is listed need not lie on the facet.
+class FacetCandidates {
+ public:
+  FacetCandidates(const FacetView& view, const ExactFrame& frame, std::uint32_t facet, double within);
+
+  const std::vector<FacetCandidate>& all() const { return candidates_; }
+  /// Nothing for what is no position.
+  std::optional<ExactPosition> exact(const FacetCandidate& c) const;
+
+ private:
+  void add_borders();
+  void add_neighbours();
+  void add_level(std::uint32_t g);
+  void add_across(std::uint32_t g);
+  void add_line(const FacetLine& line);
+  void add_feet();
+  void add_crossings();
+  void cross_lines(int i, int j);
+  bool clip(std::uint32_t f, FacetLine& line) const;
+  ExactPlane support(const FacetLine& line) const;
+
+  const FacetView& view_;
+  const ExactFrame& frame_;
+  std::uint32_t f_;
+  double within_;
+  spatial::Vec3 normal_;
+  std::vector<FacetLine> lines_;
+  std::vector<FacetCandidate> candidates_;
+};
+
+}  // namespace dymsum::depth

@@ -1,0 +1,142 @@
+// Depth and distance of planar regions: how far a place is from the boundary and the tight features of their sum.
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <stdexcept>
+#include <tuple>
+
+#include "dymsum/penetration_depth.h"
+#include "exact/big.h"
+#include "exact/square_root.h"
+
+namespace dymsum {
+namespace {
+
+using exact::BigRational;
+using PlaneVector = std::array<BigRational, 2>;
+
+/// A segment of the boundary, or a point of it, and what touches along it.
+struct BoundaryPiece {
+  const SumVertex* from;
+  const SumVertex* to;
+  std::array<Contact, 2> contacts;
+};
+
+std::vector<BoundaryPiece> boundary_pieces(const PlanarSum& sum) {
+  std::vector<BoundaryPiece> pieces;
+  const auto add_ring = [&](const SumRing& ring) {
+    for (std::size_t k = 0; k < ring.vertices.size(); ++k) {
+      const SumVertex &a = ring.vertices[k], &b = ring.vertices[(k + 1) % ring.vertices.size()];
+      pieces.push_back({&a, &b, {a.out, b.in}});
+    }
+  };
+  for (const SumPart& part : sum.parts) {
+    add_ring(part.outer);
+    for (const SumRing& hole : part.holes) add_ring(hole);
+  }
+  for (const SumSegment& s : sum.tight_segments) pieces.push_back({&s.from, &s.to, {s.from.out, s.to.in}});
+  for (const SumVertex& v : sum.tight_points) pieces.push_back({&v, &v, {v.in, v.out}});
+  return pieces;
+}
+
+double rough_distance(Point a, Point b, Point z) {
+  const double dx = b.x - a.x, dy = b.y - a.y, size = dx * dx + dy * dy;
+  double t = size > 0 ? ((z.x - a.x) * dx + (z.y - a.y) * dy) / size : 0;
+  t = std::clamp(t, 0.0, 1.0);
+  return std::hypot(a.x + t * dx - z.x, a.y + t * dy - z.y);
+}
+
+PlaneVector nearest_of_piece(const PlanarSum& sum, const BoundaryPiece& piece, const PlaneVector& z) {
+  const auto seen = [&](const SumVertex& v) {
+    const RationalPoint x = sum.exact(v);
+    return PlaneVector{exact::exact_value(x.x) - z[0], exact::exact_value(x.y) - z[1]};
+  };
+  const PlaneVector a = seen(*piece.from);
+  if (piece.from == piece.to) return a;
+  const PlaneVector b = seen(*piece.to), d{b[0] - a[0], b[1] - a[1]};
+  const BigRational t = -(a[0] * d[0] + a[1] * d[1]) / (d[0] * d[0] + d[1] * d[1]);
+  if (t <= 0) return a;
+  if (t >= 1) return b;
+  return {a[0] + t * d[0], a[1] + t * d[1]};
+}
+
+Point unit_of(const PlaneVector& v) {
+  const BigRational x = abs(v[0]), y = abs(v[1]), larger = x > y ? x : y;
+  if (larger == 0) return {};
+  const double u = exact::round_to_double(v[0] / larger), w = exact::round_to_double(v[1] / larger);
+  const double size = std::hypot(u, w);
+  return {u / size, w / size};
+}
+
+bool earlier(const Contact& a, const Contact& b) { return std::tie(a.kind, a.p, a.q) < std::tie(b.kind, b.p, b.q); }
+
+std::optional<Error> planar_operand_error(const Region& region) {
+  if (!region.polylines().empty() || !region.points().empty())
+    return Error{
+        ErrorCode::unsupported_operand, "an operand has parts without area: depth is of regions with area", {}};
+  if (region.empty()) return Error{ErrorCode::no_area, "an operand is empty: it has no depth", {}};
+  return std::nullopt;
+}
+
+}  // namespace
+
+Result<PlanarDepth> PlanarDepth::create(const Region& p, const Region& q) {
+  for (const Region* region : {&p, &q})
+    if (std::optional<Error> error = planar_operand_error(*region)) return *std::move(error);
+  Result<PlanarSum> sum = nfp(p, q);
+  if (!sum) return sum.error();
+  PlanarDepth depth;
+  depth.sum_ = std::make_shared<const PlanarSum>(*std::move(sum));
+  depth.p_ = p, depth.q_ = negated(q);
+  return depth;
+}
+
+PlanarDistance PlanarDepth::at(Point q_moved_by) const {
+  const Point z = q_moved_by;
+  if (!std::isfinite(z.x) || !std::isfinite(z.y))
+    throw std::invalid_argument("PlanarDepth::at: the translation is not finite");
+  const std::vector<BoundaryPiece> pieces = boundary_pieces(*sum_);
+  // Doubles leave few pieces: positions are off by at_error, and what is computed of them by some units more.
+  double reach = std::abs(z.x) + std::abs(z.y), bound = std::numeric_limits<double>::infinity();
+  std::vector<double> rough;
+  for (const BoundaryPiece& piece : pieces) {
+    reach = std::max({reach, std::abs(piece.from->at.x), std::abs(piece.from->at.y)});
+    rough.push_back(rough_distance(piece.from->at, piece.to->at, z));
+    bound = std::min(bound, rough.back());
+  }
+  const double off = 4 * sum_->at_error + reach * 0x1p-24;
+  const PlaneVector from{exact::exact_value(z.x), exact::exact_value(z.y)};
+  struct Nearest {
+    PlaneVector move;
+    std::vector<Contact> contacts;
+  };
+  std::vector<Nearest> nearest;
+  BigRational least;
+  for (std::size_t k = 0; k < pieces.size(); ++k) {
+    if (rough[k] > bound + 2 * off) continue;  // not so for what is no number
+    const PlaneVector x = nearest_of_piece(*sum_, pieces[k], from);
+    const BigRational square = x[0] * x[0] + x[1] * x[1];
+    if (!nearest.empty() && square > least) continue;
+    if (nearest.empty() || square < least) nearest.clear(), least = square;
+    auto same = std::find_if(nearest.begin(), nearest.end(), [&](const Nearest& n) { return n.move == x; });
+    if (same == nearest.end()) same = nearest.insert(nearest.end(), {x, {}});
+    same->contacts.insert(same->contacts.end(), pieces[k].contacts.begin(), pieces[k].contacts.end());
+  }
+  std::sort(nearest.begin(), nearest.end(), [](const Nearest& a, const Nearest& b) { return a.move < b.move; });
+  PlanarDistance result;
+  result.meeting = contains(p_, q_, z, Semantics::open) ? Meeting::overlapping
+                   : least == 0                         ? Meeting::touching
+                                                        : Meeting::apart;
+  result.squared = exact::to_rational(least);
+  result.distance = exact::root_to_double(least);
+  for (Nearest& n : nearest) {
+    std::sort(n.contacts.begin(), n.contacts.end(), earlier);
+    n.contacts.erase(std::unique(n.contacts.begin(), n.contacts.end()), n.contacts.end());
+    result.ways.push_back(
+        {{exact::to_rational(n.move[0]), exact::to_rational(n.move[1])}, unit_of(n.move), std::move(n.contacts)});
+  }
+  return result;
+}
+
+}  // namespace dymsum

@@ -1,0 +1,155 @@
+// Depth and distance of two solids of any shape.
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <stdexcept>
+
+#include "depth/boundary_distance.h"
+#include "depth/nearest_positions.h"
+#include "depth/ray_exit.h"
+#include "dymsum/penetration_depth.h"
+#include "exact/square_root.h"
+#include "spatial/mesh/rounded_vector.h"
+#include "spatial/sum/feature_pairs.h"
+
+namespace dymsum {
+namespace {
+
+using depth::DepthOperands;
+using depth::DepthProbe;
+using depth::ExactFrame;
+using depth::FacetView;
+using depth::RationalVector;
+using exact::BigRational;
+using spatial::Vec3;
+
+RationalVector exact_vector(const Point3& v) {
+  return {exact::exact_value(v.x), exact::exact_value(v.y), exact::exact_value(v.z)};
+}
+
+bool is_finite_vector(const Point3& v) { return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z); }
+
+FacetView view_from(const DepthOperands& o, const Point3& at) {
+  const Vec3 from = o.scaled(exact_vector(at));
+  const double size = std::max({std::abs(from.x), std::abs(from.y), std::abs(from.z), 1.0});
+  return {o, from, size * 0x1p-32};
+}
+
+/// Numbers that are not all zero, by one common factor: rounded only then.
+Point3 unit_direction(const RationalVector& v) {
+  exact::BigInteger all = 1;
+  for (const BigRational& c : v) all = lcm(all, denominator(c));
+  const auto whole = [&](std::size_t k) {
+    return exact::Big(exact::BigInteger(numerator(v[k]) * (all / denominator(v[k]))));
+  };
+  const exact::Vector3<exact::Big> n{whole(0), whole(1), whole(2)};
+  if (exact::leading_sign(n) == 0) return {};
+  const Vec3 u = spatial::unit(n);
+  return {u.x, u.y, u.z};
+}
+
+/// What touches where the reference point of Q is at a position: the features of all facets that hold it.
+std::vector<SolidContact> contacts_at(const FacetView& view, const RationalVector& move, const Point3& from) {
+  const DepthOperands& o = view.o;
+  RationalVector at = exact_vector(from);
+  for (std::size_t k = 0; k < 3; ++k) at[k] += move[k];
+  spatial::Box box;
+  box.add(o.scaled(at));
+  box.grow(2 * view.slack);
+  std::vector<SolidContact> contacts;
+  const ExactFrame frame(o.p.vertices, o.q.vertices, o.exponent, from);
+  const depth::ExactPosition x = frame.position(move);
+  o.tree.for_each(box, [&](std::uint32_t f) {
+    const Vec3 gap = o.corner(o.facets[f].corner[0]) - box.middle();
+    if (std::abs(spatial::dot(o.normals[f], gap)) > 2 * view.slack || !frame.holds(o.facets[f], x)) return;
+    contacts.push_back(spatial::features_of(o.facets[f], o.p, o.q));
+  });
+  std::sort(contacts.begin(), contacts.end());
+  contacts.erase(std::unique(contacts.begin(), contacts.end()), contacts.end());
+  return contacts;
+}
+
+SolidDistance distance_with(const FacetView& view, std::vector<RationalVector> moves, const Point3& from,
+                            bool overlapping) {
+  SolidDistance result;
+  std::sort(moves.begin(), moves.end());
+  const RationalVector& v = moves.front();
+  const BigRational square = v[0] * v[0] + v[1] * v[1] + v[2] * v[2];
+  result.meeting = overlapping ? Meeting::overlapping : square == 0 ? Meeting::touching : Meeting::apart;
+  result.squared = exact::to_rational(square);
+  result.distance = exact::root_to_double(square);
+  result.at_least = result.distance;
+  for (const RationalVector& move : moves) {
+    SolidWay& way = result.ways.emplace_back();
+    way.move = {exact::to_rational(move[0]), exact::to_rational(move[1]), exact::to_rational(move[2])};
+    way.direction = unit_direction(move);
+    way.contacts = contacts_at(view, move, from);
+  }
+  return result;
+}
+
+}  // namespace
+
+bool operator==(const SolidDistance& a, const SolidDistance& b) {
+  const auto same_way = [](const SolidWay& x, const SolidWay& y) {
+    return x.move == y.move && x.direction == y.direction && x.contacts == y.contacts;
+  };
+  return a.meeting == b.meeting && a.squared == b.squared && a.distance == b.distance && a.complete == b.complete &&
+         a.at_least == b.at_least && std::equal(a.ways.begin(), a.ways.end(), b.ways.begin(), b.ways.end(), same_way);
+}
+
+Result<SolidDepth> SolidDepth::create(const Mesh& p, const Mesh& q, const DepthOptions& options) {
+  if (options.threads < 0) return Error{ErrorCode::out_of_range, "threads have to be at least 0", {}};
+  Result<std::shared_ptr<const DepthOperands>> operands = depth::depth_operands(p, q, options);
+  if (!operands) return operands.error();
+  return SolidDepth(*std::move(operands));
+}
+
+SolidDepth::SolidDepth(std::shared_ptr<const DepthOperands> operands)
+    : operands_(std::move(operands)), probe_(std::make_unique<DepthProbe>(*operands_)) {}
+SolidDepth::SolidDepth(const SolidDepth& other) : SolidDepth(other.operands_) {}
+SolidDepth& SolidDepth::operator=(const SolidDepth& other) { return *this = SolidDepth(other); }
+SolidDepth::SolidDepth(SolidDepth&&) noexcept = default;
+SolidDepth& SolidDepth::operator=(SolidDepth&&) noexcept = default;
+SolidDepth::~SolidDepth() = default;
+
+std::size_t SolidDepth::facet_count() const { return operands_->facets.size(); }
+
+SolidDistance SolidDepth::at(Point3 q_moved_by, double time_limit) {
+  if (!is_finite_vector(q_moved_by)) throw std::invalid_argument("SolidDepth::at: the translation is not finite");
+  if (!(time_limit >= 0)) throw std::invalid_argument("SolidDepth::at: the time limit is below 0");
+  const DepthOperands& o = *operands_;
+  const RationalVector from = exact_vector(q_moved_by);
+  FacetView view = view_from(o, q_moved_by);
+  view.balls = probe_->balls();
+  const bool overlapping = probe_->surely_overlaps(view.from, view.slack) || probe_->overlaps(from);
+  if (o.engine == DepthEngine::boundary)
+    return distance_with(view, depth::nearest_on_boundary(*o.sum, from), q_moved_by, overlapping);
+  const ExactFrame frame(o.p.vertices, o.q.vertices, o.exponent, q_moved_by);
+  const depth::NearestPositions found = nearest_positions(view, frame, *probe_, overlapping, time_limit);
+  if (found.all.empty()) {
+    SolidDistance result;
+    result.meeting = overlapping ? Meeting::overlapping : Meeting::apart;
+    result.complete = false;
+    result.distance = std::ldexp(found.at_most, o.scale), result.at_least = std::ldexp(found.at_least, o.scale);
+    result.work = found.work;
+    return result;
+  }
+  std::vector<RationalVector> moves;
+  for (const depth::ExactPosition& x : found.all) moves.push_back(frame.relative(x));
+  SolidDistance result = distance_with(view, std::move(moves), q_moved_by, overlapping);
+  result.work = found.work;
+  return result;
+}
+
+Rational SolidDepth::along(Point3 q_moved_by, Point3 direction) {
+  if (!is_finite_vector(q_moved_by) || !is_finite_vector(direction) || direction == Point3{})
+    throw std::invalid_argument("SolidDepth::along: wants finite vectors, and a direction");
+  const DepthOperands& o = *operands_;
+  const RationalVector from = exact_vector(q_moved_by);
+  if (!probe_->overlaps(from)) return 0;
+  const ExactFrame frame(o.p.vertices, o.q.vertices, o.exponent, q_moved_by);
+  return exact::to_rational(depth::exit_along(view_from(o, q_moved_by), frame, *probe_, exact_vector(direction), from));
+}
+
+}  // namespace dymsum
