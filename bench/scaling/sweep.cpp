@@ -27,7 +27,7 @@ bool use_threads(Options& options, int threads) {
 /// What the two motions do differently.
 struct Scaling {
   using Sum = ScalingSum;
-  using Place = Scale;
+  using Place = ScaleXY;
   static constexpr bool kRounds = true;  // regions at a place have rounded points
 
   explicit Scaling(const ScalingPair& pair) : pair_(pair) {
@@ -36,17 +36,18 @@ struct Scaling {
     static_.emplace(ScalingSum::create(pair.p, pair.q, options).value());
   }
 
-  const PlanarSum& from_scratch(const Scale& s) {
-    static_->set(s).value();
+  static void move(Sum& sum, const Place& at) { sum.set(at.x, at.y).value(); }
+  const PlanarSum& from_scratch(const Place& at) {
+    move(*static_, at);
     return static_->sum();
   }
   /// Of points rounded to doubles; nothing where rounding spoils the region.
-  std::optional<std::pair<Region, Region>> regions(const Scale& s) const {
-    Result<Region> p = scaled(pair_.p, s.approx(), s.approx());
+  std::optional<std::pair<Region, Region>> regions(const Place& at) const {
+    Result<Region> p = scaled(pair_.p, at.x.approx(), at.y.approx());
     if (!p) return std::nullopt;
     return std::pair{*std::move(p), Region::create(pair_.q.data()).value()};
   }
-  PlanarSum sum_of(const std::pair<Region, Region>& made, const Scale&) const {
+  PlanarSum sum_of(const std::pair<Region, Region>& made, const Place&) const {
     return minkowski_sum(made.first, made.second).value();
   }
 
@@ -62,6 +63,7 @@ struct Turning {
 
   explicit Turning(const ScalingPair& pair) : pair_(pair) {}
 
+  static void move(Sum& sum, const Place& theta) { sum.set(theta).value(); }
   PlanarSum from_scratch(const Orientation& theta) const { return rotated_sum(pair_.p, pair_.q, theta).value(); }
   std::optional<std::pair<Region, Region>> regions(const Orientation&) const {
     return std::pair{Region::create(pair_.p.data()).value(), Region::create(pair_.q.data()).value()};
@@ -91,7 +93,7 @@ std::optional<Round> run_round(const ScalingPair& pair, const std::vector<typena
   double start = now();
   auto sum = Motion::Sum::create(pair.p, pair.q, options).value();
   const auto frame = [&](const typename Motion::Place& place, std::vector<double>& ms) {
-    sum.set(place).value();
+    Motion::move(sum, place);
     ms.push_back(std::max(now() - start - clock, 0.0));
     round.windows += sum.work().new_window;
     round.rebuilt += sum.work().rebuilt;
@@ -183,7 +185,7 @@ void compare(SweepRow& row, const ScalingPair& pair, const std::vector<typename 
   Motion motion(pair);
   const std::vector<std::size_t> chosen = some_of(places.size(), plan.some);
   const auto check = [&](std::size_t i) {
-    sum.set(places[i]).value();
+    Motion::move(sum, places[i]);
     if (!std::binary_search(chosen.begin(), chosen.end(), i)) return;
     const PlanarSum& answer = motion.from_scratch(places[i]);
     ++row.compared;
@@ -209,7 +211,7 @@ SweepRow measure(const ScalingPair& pair, const std::vector<typename Motion::Pla
 
 }  // namespace
 
-SweepRow measure_sweep(const ScalingPair& pair, const std::vector<Scale>& scales, const SweepPlan& plan) {
+SweepRow measure_sweep(const ScalingPair& pair, const std::vector<ScaleXY>& scales, const SweepPlan& plan) {
   return measure<Scaling>(pair, scales, plan);
 }
 SweepRow measure_sweep(const ScalingPair& pair, const std::vector<Orientation>& thetas, const SweepPlan& plan) {

@@ -36,8 +36,13 @@ struct SweepPlan {
   std::size_t some = 30;   ///< frames that are compared; a third of them fresh
 };
 
-/// s P (+) Q at these scales.
-SweepRow measure_sweep(const ScalingPair& pair, const std::vector<Scale>& scales, const SweepPlan& plan);
+/// diag(x, y) P (+) Q.
+struct ScaleXY {
+  Scale x, y;
+};
+
+/// At these scales.
+SweepRow measure_sweep(const ScalingPair& pair, const std::vector<ScaleXY>& scales, const SweepPlan& plan);
 /// R(theta) P (+) Q at these orientations.
 SweepRow measure_sweep(const ScalingPair& pair, const std::vector<Orientation>& thetas, const SweepPlan& plan);
 

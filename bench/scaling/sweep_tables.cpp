@@ -8,18 +8,21 @@
 namespace dymsum::bench {
 namespace {
 
-constexpr const char* kScattered = "1:2:1%, scattered";
+constexpr const char *kScattered = "1:2:1%, scattered", *kRatio = "1:2:1% in x, three quarters of it in y";
 
 struct NamedScales {
   std::string name;
-  std::vector<Scale> scales;
+  std::vector<ScaleXY> scales;
 };
 
 NamedScales sweep(const char* from, const char* to, const char* step, StepKind kind) {
   const std::string text = std::string(from) + ":" + to + ":" + step + (kind == StepKind::percent ? "%" : "");
-  return {text,
-          scale_steps(Scale::parse(from).value(), Scale::parse(to).value(), parse_scale_step(step).value(), kind, 10000)
-              .value()};
+  NamedScales list{text, {}};
+  for (const Scale& s :
+       scale_steps(Scale::parse(from).value(), Scale::parse(to).value(), parse_scale_step(step).value(), kind, 10000)
+           .value())
+    list.scales.push_back({s, s});
+  return list;
 }
 
 std::vector<NamedScales> scale_lists() {
@@ -30,6 +33,9 @@ std::vector<NamedScales> scale_lists() {
   for (std::size_t i = scattered.scales.size(); i > 1; --i)
     std::swap(scattered.scales[i - 1], scattered.scales[random() % i]);
   lists.push_back(std::move(scattered));
+  NamedScales ratio{kRatio, lists[1].scales};
+  for (ScaleXY& at : ratio.scales) at.y = Scale::of(at.x.exact() * Rational::of(3, 4).value()).value();
+  lists.push_back(std::move(ratio));
   return lists;
 }
 
