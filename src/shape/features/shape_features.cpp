@@ -48,7 +48,8 @@ class Lives {
   }
   static Rational halved(const Rational& alpha) { return alpha / Rational(2); }
   static Number half(const Rational& alpha) {
-    const exact::RationalParts& parts = exact::RationalAccess::parts(halved(alpha));
+    const Rational radius = halved(alpha);  // the parts are its own
+    const exact::RationalParts& parts = exact::RationalAccess::parts(radius);
     return Number(exact::BigRational(parts.num, parts.den));
   }
 
