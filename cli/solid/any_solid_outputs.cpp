@@ -87,11 +87,8 @@ std::vector<FaceColour> colours_of(const SpatialSum& sum, const SpatialSum::Roun
                                   {{0.36f, 0.73f, 0.55f}, {}},
                                   {{0.55f, 0.73f, 0.90f}, {}},
                                   {{0.70f, 0.72f, 0.75f}, {}}};
-  for (std::uint32_t t = 0; t < rounded.face.size(); ++t) {
-    const std::string kind = face_kind(sum.faces[rounded.face[t]]);
-    const std::size_t k = kind == "face_vertex" ? 0 : kind == "vertex_face" ? 1 : kind == "edge_edge" ? 2 : 3;
-    colours[k].faces.push_back(t);
-  }
+  for (std::uint32_t t = 0; t < rounded.face.size(); ++t)
+    colours[static_cast<std::size_t>(face_colour(sum.faces[rounded.face[t]]))].faces.push_back(t);
   return colours;
 }
 
@@ -154,6 +151,11 @@ Json any_solid_sum_json(const SpatialSum& sum, bool exact) {
             {"segments", sum.tight_segments.size()},
             {"faces", sum.tight_faces.size()}}},
           {"convolution", {{"fv", sum.stats.face_vertex}, {"ee", sum.stats.edge_edge}}}};
+}
+
+int face_colour(const SpatialFace& face) {
+  const std::string kind = face_kind(face);
+  return kind == "face_vertex" ? 0 : kind == "vertex_face" ? 1 : kind == "edge_edge" ? 2 : 3;
 }
 
 std::string any_solid_output(const SpatialSum& sum, const std::string& file, const SolidOutput& how) {

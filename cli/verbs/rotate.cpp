@@ -78,7 +78,7 @@ void add_rotate(CLI::App& app, Action& action) {
   add_threads_option(verb, command->planar.threads);
   verb.add_option(
           "-o", command->planar.files,
-          "Write .html (of regions and convex solids: a page that plays, or with a slider); planar also .svg (a "
+          "Write .html (a page that plays, or with a slider); planar also .svg (a "
           "film strip) and anim.svg (an animation), solid a frame as .off .obj .stl .ply .glb .json; repeatable")
       ->type_name("FILE")
       ->allow_extra_args(false);

@@ -195,7 +195,7 @@ void add_options(CLI::App& verb, ScaleCommand& command) {
           "-o", command.files,
           "Write .svg (a film strip), anim.svg (an animation) or .html (a page with a slider and ticks at "
           "events); with --copies .svg (obstacles, "
-          "what they grow to, robot); of convex solids .html (a page that plays), of solids a frame as .off .obj .stl "
+          "what they grow to, robot); of solids .html (a page that plays), and a frame as .off .obj .stl "
           ".ply .glb .json; repeatable")
       ->type_name("FILE")
       ->allow_extra_args(false);

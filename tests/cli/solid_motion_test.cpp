@@ -75,8 +75,21 @@ TEST_F(SolidMotionCli, SolidsOfAnyShapeTurnAndScale) {
   EXPECT_EQ(scaled["frames"][0]["volume_exact"], still["volume_exact"]);
   EXPECT_NE(scaled["frames"][1]["volume_exact"], still["volume_exact"]);
   EXPECT_NE(work.run("dymsum rotate ell.off cube.off --steps 4").out.find("from scratch"), std::string::npos);
-  all_refused({"dymsum rotate ell.off cube.off --steps 4 -o turn.html",
-               "dymsum rotate ell.off cube.off --steps 4 -o stages.glb",
+  work.run("dymsum rotate ell.off cube.off --steps 8 -o turn.html");
+  const std::string page = work.read("turn.html");
+  for (const char* part : {"<canvas", "webgl", "show what is new", "new or changed", "tight features"})
+    EXPECT_NE(page.find(part), std::string::npos) << part;
+  const std::string start = "frames = ";
+  const std::size_t at = page.find(start) + start.size();
+  const Json frames = Json::parse(page.substr(at, page.find(";\n", at) - at));
+  ASSERT_EQ(frames.size(), 8u);
+  for (const Json& frame : frames) {
+    EXPECT_EQ(frame["t"].size(), 3 * frame["k"].size());
+    for (const Json& v : frame["t"]) EXPECT_LT(3 * v.get<std::size_t>(), frame["v"].size());
+  }
+  EXPECT_NE(frames[0]["text"].get<std::string>().find(" 0 new or"), std::string::npos);
+  EXPECT_EQ(frames[1]["text"].get<std::string>().find(" 0 new or"), std::string::npos);
+  all_refused({"dymsum rotate ell.off cube.off --steps 4 -o stages.glb",
                "dymsum rotate ell.off cube.off --steps 4 -o a.glb --frame 4"});
 }
 
@@ -105,9 +118,10 @@ TEST_F(SolidMotionCli, WrongUsageAndBadSolidsAreTold) {
                "dymsum sum cube.off cube.off -o s.svg", "dymsum sum cube.off cube.off --engine winding",
                "dymsum rotate cube.off cube.off", "dymsum rotate cube.off cube.off --steps 0",
                "dymsum rotate cube.off cube.off --steps 4 --axis 1,2", "dymsum rotate flat.wkt cube.off --steps 4",
-               "dymsum depth flat.wkt flat.wkt --move 1,2,3", "dymsum depth flat.wkt cube.off", "dymsum depth cube.off cube.off --axis 0,0,1",
-               "dymsum depth cube.off cube.off --move 1,nan,0", "dymsum scale cube.off cube.off --at 1:2",
-               "dymsum scale cube.off cube.off", "dymsum rotate cube.off cube.off --steps 4 -o turn.svg",
+               "dymsum depth flat.wkt flat.wkt --move 1,2,3", "dymsum depth flat.wkt cube.off",
+               "dymsum depth cube.off cube.off --axis 0,0,1", "dymsum depth cube.off cube.off --move 1,nan,0",
+               "dymsum scale cube.off cube.off --at 1:2", "dymsum scale cube.off cube.off",
+               "dymsum rotate cube.off cube.off --steps 4 -o turn.svg",
                "dymsum rotate cube.off cube.off --steps 4 --axis 0,0,0", "dymsum scale cube.off cube.off --at 0"});
   for (const char* command :
        {"dymsum sum cube.off open.off", "dymsum sum cube.off dent.off", "dymsum sum cube.off missing.off"}) {
