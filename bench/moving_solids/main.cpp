@@ -1,7 +1,9 @@
 // dymsum_bench_moving_solids: frames of sums of solids in motion, against sums from scratch at the same poses.
+#include <algorithm>
 #include <cstdlib>
 #include <iostream>
 #include <numbers>
+#include <sstream>
 #include <stdexcept>
 
 #include "base/stopwatch.h"
@@ -19,7 +21,7 @@ constexpr const char* kUsage =
     "  (default)      all motions\n"
     "  --frames N     of every motion (default 20)\n"
     "  --only TEXT    only pairs whose name contains TEXT\n"
-    "  --results DIR  also write moving-solids.md into DIR\n"
+    "  --results DIR  also write moving-solids.md and moving-solids.csv into DIR\n"
     "Environment: DYMSUM_DATA, a folder with solid/ (else ../shared/data beside the checkout, where present).\n";
 
 struct Options {
@@ -42,9 +44,10 @@ SolidPose scaled_by(int percent, int axes, int frame) {
   for (int k = 0; k < axes; ++k) pose.scale[k] = s;
   return pose;
 }
+constexpr const char *kCoarse = "500 steps a turn", *kFine = "5,000 steps a turn";
 const std::vector<Motion> kMotions = {
-    {"500 steps a turn", [](int k) { return turned_by(500, k); }},
-    {"5,000 steps a turn", [](int k) { return turned_by(5000, k); }},
+    {kCoarse, [](int k) { return turned_by(500, k); }},
+    {kFine, [](int k) { return turned_by(5000, k); }},
     {"60 steps a turn", [](int k) { return turned_by(60, k); }},
     {"1 % scale steps", [](int k) { return scaled_by(1, 3, k); }},
     {"1 % along x", [](int k) { return scaled_by(1, 1, k); }},
@@ -120,9 +123,35 @@ void add_row(const std::string& name, const Motion& motion, const Row& row, Repo
                scratch = spread(row.fresh_convolution);
   report.row({name, motion.name, fixed(row.facets, 0), fixed(row.changed, 0), fixed(row.normals, 0),
               fixed(update.mean, 3), fixed(scratch.mean, 2), ratio(scratch.mean, update.mean, 1),
-              fixed(moving.median, 1), fixed(moving.mean, 1), fixed(moving.p99, 1), fixed(moving.worst, 1),
-              fixed(fresh.median, 1), ratio(fresh.median, moving.median, 2), ratio(fresh.mean, moving.mean, 2),
-              std::to_string(row.rebuilt), fixed(row.inner, 0), row.same ? "same" : "DIFFERENT"});
+              ratio(fresh.mean, update.mean, 0), fixed(moving.median, 1), fixed(moving.mean, 1), fixed(moving.p99, 1),
+              fixed(moving.worst, 1), fixed(fresh.median, 1), ratio(fresh.median, moving.median, 2),
+              ratio(fresh.mean, moving.mean, 2), std::to_string(row.rebuilt), fixed(row.inner, 0),
+              row.same ? "same" : "DIFFERENT"});
+}
+
+/// Gains of every pair at one motion.
+struct Gains {
+  std::vector<double> median, mean, convolution;
+
+  void add(const Row& row) {
+    median.push_back(spread(row.fresh).median / spread(row.moving).median);
+    mean.push_back(spread(row.fresh).mean / spread(row.moving).mean);
+    convolution.push_back(spread(row.fresh_convolution).mean / spread(row.convolution).mean);
+  }
+  static void promise_least(Report& report, const std::string& text, const std::vector<double>& gains, double asked) {
+    const auto [least, most] = std::minmax_element(gains.begin(), gains.end());
+    report.promise(text + ", on every pair", fixed(*least, 2) + " to " + fixed(*most, 2), *least >= asked);
+  }
+};
+
+void add_csv(const std::string& name, const Motion& motion, const Row& row, std::ostream& csv) {
+  const auto list = [&](const std::vector<double>& times) {
+    csv << ",";
+    for (std::size_t i = 0; i < times.size(); ++i) csv << (i > 0 ? " " : "") << fixed(times[i], 3);
+  };
+  csv << name << ",\"" << motion.name << "\"";
+  list(row.moving), list(row.fresh);
+  csv << "\n";
 }
 
 Options parse(int argc, char** argv) {
@@ -152,11 +181,15 @@ int run(int argc, char** argv) {
       "turns. "
       "A gain below 1 is a loss. `changed`: facets that came or went in a frame; `inner`: those that balls keep out. "
       "The "
-      "last column compares every frame's facets and sum with those from scratch.\n");
+      "last column compares every frame's facets and sum with those from scratch. `whole sum / update`: the sum from "
+      "scratch over the update of its convolution. All frames are in moving-solids.csv.\n");
   report.heading({"pair", "motion", "facets", "changed", "normals looked at", "convolution ms", "from scratch", "gain",
-                  "frame median ms", "mean", "p99", "worst", "from scratch", "gain of medians", "of means",
-                  "frames from scratch", "inner", "results"});
+                  "whole sum / update", "frame median ms", "mean", "p99", "worst", "from scratch", "gain of medians",
+                  "of means", "frames from scratch", "inner", "results"});
   bool same = true;
+  Gains coarse, fine;
+  std::ostringstream csv;
+  csv << "pair,motion,frames_ms,from_scratch_ms\n";
   for (const SolidPair& pair : solid_pairs(data)) {
     if (std::find(kPairs.begin(), kPairs.end(), pair.name) == kPairs.end()) continue;
     if (pair.name.find(options.only) == std::string::npos) continue;
@@ -164,10 +197,22 @@ int run(int argc, char** argv) {
     for (const Motion& motion : kMotions) {
       const Row row = measure(p, q, motion, options.frames);
       add_row(pair.name, motion, row, report);
+      add_csv(pair.name, motion, row, csv);
+      if (motion.name == kCoarse) coarse.add(row);
+      if (motion.name == kFine) fine.add(row);
       same = same && row.same;
     }
   }
+  if (!coarse.mean.empty()) {
+    report.line("\n## Promises\n");
+    coarse.promise_least(report, "the median frame at least 5 times faster than from scratch", coarse.median, 5);
+    coarse.promise_least(report, "the mean frame at least 2.5 times", coarse.mean, 2.5);
+    coarse.promise_least(report, "the convolution alone at least 20 times", coarse.convolution, 20);
+    fine.promise_least(report, "5,000 steps a turn: the mean frame at least 6 times", fine.mean, 6);
+    report.promise("every frame is the sum from scratch", same ? "all" : "NOT all", same);
+  }
   write_result(options.results, "moving-solids.md", report.markdown.str());
+  write_result(options.results, "moving-solids.csv", csv.str());
   return same ? 0 : 3;
 }
 
