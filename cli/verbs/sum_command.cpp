@@ -66,7 +66,7 @@ void add_sum_options(CLI::App& verb, SumCommand& command, bool planar_result) {
   add_output_options(verb, command, planar_result);
   verb.add_option("--engine", command.engine,
                   planar_result ? "Planar operands: how the boundary is found; all give the same result"
-                                : "How the boundary is found; all give the same result; of solids fast or brute")
+                                : "How the boundary is found; all give the same set; of solids fast or brute")
       ->check(CLI::IsMember({"fast", "brute", "winding"}))
       ->capture_default_str();
   verb.add_option("--semantics", command.semantics,

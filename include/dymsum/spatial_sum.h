@@ -51,7 +51,7 @@ struct SpatialOptions {
 struct SpatialFace {
   std::vector<std::vector<std::uint32_t>>
       loops;                ///< vertex indices: the outer one counter-clockwise, then holes clockwise
-  SolidFeature p, q;        ///< what touches there: the smallest pair, where several facets tile the face
+  SolidFeature p, q;        ///< what touches there; where several pairs do, the smallest beside its first edge's start
   std::uint32_t shell = 0;  ///< connected pieces of the boundary, in the order of their first faces
   friend bool operator==(const SpatialFace& a, const SpatialFace& b) { return a.loops == b.loops; }
 };

@@ -74,6 +74,8 @@ TEST_F(SolidMotionCli, SolidsOfAnyShapeTurnAndScale) {
   const Json scaled = json("dymsum scale ell.off cube.off --at 1,2:1:1/2 --json");
   EXPECT_EQ(scaled["frames"][0]["volume_exact"], still["volume_exact"]);
   EXPECT_NE(scaled["frames"][1]["volume_exact"], still["volume_exact"]);
+  const Json alike = json("dymsum scale ell.off cube.off --at 1,1.01,1.02 --json");
+  for (const Json& frame : alike["frames"]) EXPECT_EQ(frame["changed"], 0) << "the same faces of coplanar facets";
   EXPECT_NE(work.run("dymsum rotate ell.off cube.off --steps 4").out.find("from scratch"), std::string::npos);
   work.run("dymsum rotate ell.off cube.off --steps 8 -o turn.html");
   const std::string page = work.read("turn.html");

@@ -57,16 +57,18 @@ FeaturePairs::FeaturePairs(const SolidBoundary& boundary, const SolidOperand& p,
   watch.sort(ends_, std::less<>());
 }
 
-// The facets of a group tile or overlap; any that covers the cell will do. Of thin parts in both operands either side
-// of a facet may be free.
-SolidContact FeaturePairs::of_cell(std::uint32_t id, int side) const {
-  const PlaneGroup& group = arrangement_.groups[arrangement_.group_of(id)];
-  for (const std::uint32_t f : group.facets) {
+// The facets of a group tile or overlap, and which of them cover a place depends on nothing but the sum and its
+// convolution. Of thin parts in both operands either side of a facet may be free.
+SolidContact FeaturePairs::of_face(const Place& place, int side) const {
+  std::optional<SolidContact> least;
+  for (const std::uint32_t f : place.group.facets) {
     const TableFacet& facet = boundary_.table.facets[f];
-    if ((facet.side == side || both_thin_) && covers(facet, group, group.cells.cells[id - group.first_cell]))
-      return features(facet.facet);
+    if (facet.side != side && !both_thin_) continue;
+    const SolidContact contact = features(facet.facet);
+    if ((!least || contact < *least) && covers(facet, place)) least = contact;
   }
-  throw std::logic_error("solid sum: a cell without a facet");
+  if (!least) throw std::logic_error("solid sum: a face without a facet");
+  return *least;
 }
 
 std::optional<SolidContact> FeaturePairs::of_edge(PointId a, PointId b) const {
@@ -104,19 +106,15 @@ std::vector<SolidContact> FeaturePairs::of_facets_along(PointId at, PointId to) 
   return contacts;
 }
 
-/// Whether the convex facet covers the cell near the beginning of its first side. Cells end at borders, so it covers
-/// all of it, or other triangles of one face do that go on behind inner edges.
-bool FeaturePairs::covers(const TableFacet& facet, const PlaneGroup& group, const Cell& cell) const {
-  if (group.facets.size() == 1) return true;
-  const std::uint32_t h = group.cells.half_edges[group.cells.loops[cell.first_loop]];
-  const CellEdge& e = group.cells.edges[h / 2];
-  const PointId from = arrangement_.point(group, h & 1 ? e.b : e.a), to = arrangement_.point(group, h & 1 ? e.a : e.b);
-  if (!holds_start(facet, from, to)) return false;
-  // The cell is to the left seen against the plane's normal, the facet to the left of its borders against its own.
+/// Whether the convex facet covers the place.
+bool FeaturePairs::covers(const TableFacet& facet, const Place& place) const {
+  if (place.group.facets.size() == 1) return true;
+  if (!holds_start(facet, place.from, place.to)) return false;
+  // The facet is to the left of its borders, seen from its own side.
   for (int i = 0; i < facet.facet.corners; ++i) {
-    if (side_of_border(facet, i, from) != 0 || side_of_border(facet, i, to) != 0) continue;
+    if (side_of_border(facet, i, place.from) != 0 || side_of_border(facet, i, place.to) != 0) continue;
     const SumPoint a = facet.facet.corner[i], b = facet.facet.corner[(i + 1) % facet.facet.corners];
-    if (runs_with(a, b, from, to) != (facet.side > 0)) return false;
+    if (runs_with(a, b, place.from, place.to) != (facet.side == place.seen_from)) return false;
   }
   return true;
 }

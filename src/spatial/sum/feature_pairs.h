@@ -19,8 +19,15 @@ class FeaturePairs {
  public:
   FeaturePairs(const SolidBoundary& boundary, const SolidOperand& p, const SolidOperand& q, StageWatch& watch);
 
-  /// The pair of a facet with this side (1 or -1: of the plane's normal) that covers the cell.
-  SolidContact of_cell(std::uint32_t cell, int side) const;
+  /// A place in a plane: near `from`, to the left of the way to `to` as seen from this side (1 or -1: of the plane's
+  /// normal).
+  struct Place {
+    const PlaneGroup& group;
+    PointId from, to;
+    int seen_from;
+  };
+  /// The smallest pair of the facets with this side that cover the place.
+  SolidContact of_face(const Place& place, int side) const;
   /// An edge and a vertex whose sum runs along ab at one of its ends; none where two faces cross.
   std::optional<SolidContact> of_edge(PointId a, PointId b) const;
   /// Two vertices with that sum, or an edge and a vertex; none where three faces cross.
@@ -31,7 +38,7 @@ class FeaturePairs {
   std::vector<SolidContact> of_facets_along(PointId at, PointId to) const;
 
  private:
-  bool covers(const TableFacet& facet, const PlaneGroup& group, const Cell& cell) const;
+  bool covers(const TableFacet& facet, const Place& place) const;
   bool holds_start(const TableFacet& facet, PointId at, PointId to) const;
   bool is_on(const TableFacet& facet, PointId at) const;
   int side_of_border(const TableFacet& facet, int border, PointId at) const;

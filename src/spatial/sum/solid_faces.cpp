@@ -138,6 +138,12 @@ class Assembler {
     return length(n);
   }
 
+  /// Where a face is asked what touches there: at its first vertex, beside its first edge.
+  FeaturePairs::Place place_of(const std::vector<std::vector<std::uint32_t>>& loops, const PlaneGroup& group,
+                               int side) const {
+    return {group, point_of_[loops[0][0]], point_of_[loops[0][1]], side};
+  }
+
   void add_faces(const std::vector<CellPolygon>& polygons) {
     std::vector<SpatialFace> faces(polygons.size());
     std::vector<std::uint32_t> order(faces.size()), shell(arrangement_.cell_count, kNoId);
@@ -146,8 +152,9 @@ class Assembler {
         const CellPolygon& polygon = polygons[k];
         const PlaneGroup& group = arrangement_.groups[arrangement_.group_of(polygon.cell)];
         const int side = group.cells.cells[polygon.cell - group.first_cell].front > 0 ? 1 : -1;
-        const SolidContact contact = pairs_.of_cell(polygon.cell, side);
-        faces[k] = {named(polygon), contact.p, contact.q, 0};
+        faces[k].loops = named(polygon);
+        const SolidContact contact = pairs_.of_face(place_of(faces[k].loops, group, side), side);
+        faces[k].p = contact.p, faces[k].q = contact.q;
         order[k] = static_cast<std::uint32_t>(k);
       }
     });
@@ -178,7 +185,9 @@ class Assembler {
     std::vector<Entry> entries;
     for (const CellPolygon& polygon : polygons) {
       const int front = tight_side(polygon.cell);
-      entries.push_back({named(polygon), {pairs_.of_cell(polygon.cell, front), pairs_.of_cell(polygon.cell, -front)}});
+      auto loops = named(polygon);
+      const auto place = place_of(loops, arrangement_.groups[arrangement_.group_of(polygon.cell)], front);
+      entries.push_back({std::move(loops), {pairs_.of_face(place, front), pairs_.of_face(place, -front)}});
     }
     std::sort(entries.begin(), entries.end());
     for (Entry& entry : entries) {

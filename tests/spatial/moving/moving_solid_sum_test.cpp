@@ -22,6 +22,16 @@ SpatialSum fresh(const Mesh& p, const Mesh& q, const PosePair& poses) {
   return posed_sum(p, q, poses.p, poses.q, options).value();
 }
 
+/// What touches on faces, along edges and at vertices, tight ones included.
+bool same_features(const SpatialSum& a, const SpatialSum& b) {
+  const auto of_faces = [](const SpatialFace& f, const SpatialFace& g) { return f.p == g.p && f.q == g.q; };
+  const auto of_edges = [](const SpatialEdge& e, const SpatialEdge& f) { return e.contact == f.contact; };
+  return std::equal(a.faces.begin(), a.faces.end(), b.faces.begin(), b.faces.end(), of_faces) &&
+         std::equal(a.edges.begin(), a.edges.end(), b.edges.begin(), b.edges.end(), of_edges) &&
+         a.vertex_contacts == b.vertex_contacts && a.tight_face_contacts == b.tight_face_contacts &&
+         a.tight_segment_contacts == b.tight_segment_contacts && a.tight_point_contacts == b.tight_point_contacts;
+}
+
 TEST(MovingSolidSum, IsAFreshSumAfterMovesOfAllKinds) {
   const std::uint64_t seed = test::setting("DYMSUM_FUZZ_SEED", 31), asked = test::setting("DYMSUM_FUZZ_MOVES", 130);
   std::size_t updated = 0;
@@ -36,6 +46,8 @@ TEST(MovingSolidSum, IsAFreshSumAfterMovesOfAllKinds) {
       ASSERT_TRUE(work.ok()) << work.error().to_string();
       const SpatialSum sum = fresh(p, q, poses);
       ASSERT_TRUE(moving.sum() == sum) << name << ", move " << k;
+      const bool convex = !convexity_error(p) && !convexity_error(q);  // then faces are named as ConvexSum does
+      ASSERT_TRUE(convex || same_features(moving.sum(), sum)) << name << ", move " << k;
       updated += !work->rebuilt;
     }
   }
@@ -156,6 +168,29 @@ TEST(MovingSolidSum, ThereAndBackIsTheSame) {
   for (int k = 12; k-- > 0;) {
     ASSERT_TRUE(moving.set(pose(k)).ok());
     ASSERT_TRUE(moving.sum() == there[k]);
+  }
+}
+
+// Faces that several pairs of coplanar features tile are named by the sum alone, not by how it was found.
+TEST(MovingSolidSum, GrowingAlikeChangesNoFace) {
+  for (const auto& [name, p, q] : moving_cases::small_pairs()) {
+    MovingSolidSum moving = MovingSolidSum::create(p, p).value();
+    for (const char* s : {"1.01", "1.02", "1.03", "1.03"}) {
+      const Scale scale = *Scale::parse(s);
+      const SolidPose pose{{}, {scale, scale, scale}};
+      ASSERT_TRUE(moving.set(pose, pose).ok());
+      const SolidFrameChanges changes = moving.changes();
+      EXPECT_TRUE(changes.appeared.empty() && changes.disappeared.empty() && changes.changed.empty()) << name << s;
+    }
+  }
+}
+
+TEST(MovingSolidSum, AtTheIdentityFeaturesAreThoseOfASumAtRest) {
+  for (const auto& [name, p, q] : moving_cases::small_pairs()) {
+    const SpatialSum still = minkowski_sum(p, q).value();
+    if (!convexity_error(p) && !convexity_error(q)) continue;  // a ConvexSum
+    EXPECT_TRUE(same_features(still, posed_sum(p, q, {}, {}, {}).value())) << name;
+    EXPECT_TRUE(same_features(still, MovingSolidSum::create(p, q).value().sum())) << name;
   }
 }
 
