@@ -120,8 +120,9 @@ def test_events_that_there_are_not() -> None:
     for ask in (features.event_alpha, features.event_text):
         with pytest.raises(IndexError):
             ask(features.event_count())
-    with pytest.raises(TypeError):
+    with pytest.raises(dymsum.Error) as raised:
         features.bridges(math.nan)
+    assert raised.value.code == ErrorCode.not_finite
 
 
 def test_significant_bars_are_as_deep_as_they_last() -> None:
