@@ -21,8 +21,8 @@ class Inside {
   Inside& operator=(const Inside&) = delete;
 };
 
-/// What the callable returns, null with an exception set. Where Python stops the thread in the middle, as the interpreter
-/// has ended, the thread sleeps instead: nothing behind it may run any more.
+/// What the callable returns, null with an exception set. Where Python stops the thread in the middle, as the
+/// interpreter has ended, the thread sleeps instead: nothing behind it may run any more.
 PyObject* call_python(PyObject* callable, PyObject* const* arguments, std::size_t count);
 
 /// Lets go of the GIL, from inside, and takes it again; where the interpreter ends, it sleeps instead.
