@@ -1,5 +1,5 @@
 # What stubs need not tell, or tell otherwise than the module: see nanobind's stubgen.
-\.__(reduce|getstate|setstate|hash|copy|repr)__$:
+\.__(reduce|getstate|setstate|hash|copy|deepcopy|repr)__$:
 
 \.__version__$:
     __version__: str

@@ -4,8 +4,8 @@
 #include <optional>
 
 #include "dymsum/spatial_sum.h"
+#include "exact_number.h"
 #include "line_file.h"
-#include "numbers.h"
 #include "report.h"
 #include "solid/any_solid_outputs.h"
 #include "timing.h"
@@ -15,20 +15,10 @@ namespace {
 
 constexpr const char* kWanted = "a place of solids is x,y,z, each a number or a fraction 1/3";
 
-/// Decimals are the doubles that they are in files, fractions what they say.
-std::optional<Rational> coordinate_in(const std::string& text) {
-  if (text.find('/') == std::string::npos) {
-    const std::optional<double> number = finite_number(text);
-    return number ? std::optional(Rational::of(*number).value()) : std::nullopt;
-  }
-  const Result<Rational> fraction = Rational::parse(text);
-  return fraction ? std::optional(*fraction) : std::nullopt;
-}
-
 std::optional<RationalPoint3> place_in(const std::string& text) {
   const std::vector<std::string> words = words_of(text);
   if (words.size() != 3) return std::nullopt;
-  const auto x = coordinate_in(words[0]), y = coordinate_in(words[1]), z = coordinate_in(words[2]);
+  const auto x = exact_number(words[0]), y = exact_number(words[1]), z = exact_number(words[2]);
   if (!x || !y || !z) return std::nullopt;
   return RationalPoint3{*x, *y, *z};
 }
@@ -63,20 +53,13 @@ Json answers_json(const std::vector<RationalPoint3>& places, const std::vector<b
   return list;
 }
 
-/// As it was asked: a double, or the fraction that no double is.
-void print(std::ostream& out, const Rational& value) {
-  const double nearest = value.to_double();
-  if (const Result<Rational> back = Rational::of(nearest); back && *back == value) out << nearest;
-  else out << value.to_string();
-}
-
 void print_text(const std::vector<RationalPoint3>& places, const std::vector<bool>& inside) {
   const auto precision = std::cout.precision(17);
   for (std::size_t k = 0; k < places.size(); ++k) {
     std::cout << "(";
-    print(std::cout, places[k].x);
-    print(std::cout << ", ", places[k].y);
-    print(std::cout << ", ", places[k].z);
+    print_exact(std::cout, places[k].x);
+    print_exact(std::cout << ", ", places[k].y);
+    print_exact(std::cout << ", ", places[k].z);
     std::cout << "): " << (inside[k] ? "inside" : "outside") << "\n";
   }
   std::cout.precision(precision);

@@ -1,12 +1,15 @@
 // dymsum contains P Q --at x,y | ROBOT OBSTACLE --at x,y,theta | SOLID SOLID --at x,y,z
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <iostream>
 #include <memory>
 #include <optional>
+#include <span>
 
 #include "dymsum/motion.h"
 #include "dymsum/obstacle_queries.h"
 #include "dymsum/sum_locator.h"
+#include "exact_number.h"
 #include "options.h"
 #include "planar/configuration.h"
 #include "planar/query_file.h"
@@ -31,12 +34,19 @@ struct ContainsCommand {
 struct Query {
   double x = 0, y = 0;
   std::optional<Orientation> theta;
+  std::optional<RationalPoint> exact;  ///< where it was given in fractions
+
+  RationalPoint at() const { return exact ? *exact : RationalPoint{Rational::of(x).value(), Rational::of(y).value()}; }
 };
+
+bool in_fractions(const std::vector<Query>& queries) {
+  return std::any_of(queries.begin(), queries.end(), [](const Query& query) { return query.exact.has_value(); });
+}
 
 std::vector<Query> read_queries(const ContainsCommand& command) {
   std::vector<Query> queries;
   const auto add = [&](const QueryLine& line, const auto& refuse) {
-    Query query{line.x, line.y, std::nullopt};
+    Query query{line.x, line.y, std::nullopt, line.exact};
     if (line.theta) {
       const Result<Orientation> theta = Orientation::nearest(line.theta->radians());
       if (!theta) refuse(theta.error().message);
@@ -48,11 +58,11 @@ std::vector<Query> read_queries(const ContainsCommand& command) {
   };
   for (const std::string& text : command.at) {
     const auto refuse = [&](const std::string& why) { throw Stop(kUsage, "--at '" + text + "': " + why); };
-    const std::optional<QueryLine> line = query_in(text);
+    const std::optional<QueryLine> line = query_in(text, Fractions::taken);
     if (!line) refuse("wants x,y for a place or x,y,theta for a configuration");
     add(*line, refuse);
   }
-  if (!command.at_file.empty()) for_each_query(command.at_file, add);
+  if (!command.at_file.empty()) for_each_query(command.at_file, add, Fractions::taken);
   if (queries.empty()) throw Stop(kUsage, "give --at or --at-file");
   return queries;
 }
@@ -64,12 +74,20 @@ bool is_closed(const ContainsCommand& command, bool robot) {
 
 std::vector<bool> in_sum(const std::vector<Input>& inputs, const std::vector<Query>& queries, bool closed,
                          const Progress& progress) {
+  const auto ask = [&](const auto& places) -> std::vector<bool> {
+    const std::vector<std::uint8_t> inside =
+        require_of(inputs, contains_each(inputs[0].region, inputs[1].region, std::span(places),
+                                         closed ? Semantics::closed : Semantics::open, 0, progress));
+    return {inside.begin(), inside.end()};
+  };
+  if (in_fractions(queries)) {
+    std::vector<RationalPoint> places;
+    for (const Query& query : queries) places.push_back(query.at());
+    return ask(places);
+  }
   std::vector<Point> places;
   for (const Query& query : queries) places.push_back({query.x, query.y});
-  const std::vector<std::uint8_t> inside =
-      require_of(inputs, contains_each(inputs[0].region, inputs[1].region, places,
-                                       closed ? Semantics::closed : Semantics::open, 0, progress));
-  return {inside.begin(), inside.end()};
+  return ask(places);
 }
 
 /// The obstacle of all angles is worth its while for many questions; it knows interiors only.
@@ -78,7 +96,7 @@ std::vector<bool> in_obstacle(const std::vector<Input>& inputs, const std::vecto
   const Region &robot = inputs[0].region, &obstacle = inputs[1].region;
   constexpr std::size_t kMany = 256;
   std::vector<bool> inside;
-  if (!closed && queries.size() >= kMany) {
+  if (!closed && queries.size() >= kMany && !in_fractions(queries)) {
     ObstacleOptions options;
     options.progress = progress;
     const CspaceObstacle made = require_of(inputs, CspaceObstacle::create(robot, obstacle, options));
@@ -87,7 +105,7 @@ std::vector<bool> in_obstacle(const std::vector<Input>& inputs, const std::vecto
     return inside;
   }
   for (const Query& query : queries) {
-    const Point at{query.x, query.y};
+    const RationalPoint at = query.at();
     inside.push_back(!require_of(inputs, check_translation(robot, obstacle, at, at, *query.theta,
                                                            closed ? Touching::forbidden : Touching::allowed))
                           .free);
@@ -102,6 +120,7 @@ Json answers_json(const std::vector<Query>& queries, const std::vector<bool>& in
     Json at = {q.x, q.y};
     if (q.theta) at.push_back(q.theta->radians());
     Json answer = {{"at", at}};
+    if (q.exact) answer["exact"] = {q.exact->x.to_string(), q.exact->y.to_string()};
     if (q.theta) answer["tan_half"] = orientation_json(*q.theta)["tan_half"];
     answer["inside"] = bool{inside[i]};
     list.push_back(answer);
@@ -112,7 +131,9 @@ Json answers_json(const std::vector<Query>& queries, const std::vector<bool>& in
 void print_text(const std::vector<Query>& queries, const std::vector<bool>& inside) {
   const auto precision = std::cout.precision(17);
   for (std::size_t i = 0; i < queries.size(); ++i) {
-    std::cout << "(" << queries[i].x << ", " << queries[i].y;
+    const RationalPoint at = queries[i].at();
+    print_exact(std::cout << "(", at.x);
+    print_exact(std::cout << ", ", at.y);
     if (queries[i].theta) std::cout << ", " << queries[i].theta->radians();
     std::cout << "): " << (inside[i] ? "inside" : "outside") << "\n";
   }
@@ -161,7 +182,7 @@ void add_contains(CLI::App& app, Action& action) {
   verb.add_option(
           "--at", command->at,
           "A place x,y of the sum, or a configuration x,y,theta of the robot, theta in radians or as 90deg; of solids "
-          "a place x,y,z, also in fractions 1/3; repeatable")
+          "a place x,y,z; x, y and z may be fractions 1/3; repeatable")
       ->type_name("x,y[,theta|,z]")
       ->allow_extra_args(false);
   verb.add_option("--at-file", command->at_file,

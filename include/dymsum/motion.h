@@ -9,6 +9,7 @@
 #include "dymsum/cspace_obstacle.h"
 #include "dymsum/orientation.h"
 #include "dymsum/planar_sum.h"
+#include "dymsum/progress.h"
 #include "dymsum/rational.h"
 #include "dymsum/region.h"
 #include "dymsum/result.h"
@@ -85,8 +86,9 @@ struct MotionCheck {
 /// reach; whole turns of theta are taken off exactly, and on a way of more than 2^50 radians any angle may occur. An
 /// overlap that exceeds all rounding errors is proved; otherwise the interval is halved. Source: Schwarzer, Saha and
 /// Latombe, "Exact collision checking of robot paths" (2004). Errors: unsupported_operand as CspaceObstacle::create,
-/// and for configurations beyond 2^400; not_finite.
+/// and for configurations beyond 2^400; not_finite; cancelled.
 Result<MotionCheck> check_motion(const Region& robot, const Region& obstacle, const Configuration& a,
-                                 const Configuration& b, const MotionOptions& options = {});
+                                 const Configuration& b, const MotionOptions& options = {},
+                                 const Progress& progress = {});
 
 }  // namespace dymsum

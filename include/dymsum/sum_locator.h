@@ -25,8 +25,12 @@ class SumLocator {
   /// True when z lies in the set. Nothing that is not finite does.
   bool contains(Point z) const;
   bool contains_rational(const RationalPoint& z) const;
-  /// contains for many points, in their order (1: inside), on so many threads (0: all cores).
-  std::vector<std::uint8_t> contains(std::span<const Point> points, int threads = 0) const;
+  /// contains for many points, in their order (1: inside), on so many threads (0: all cores); progress is called on
+  /// this one. Errors: cancelled.
+  Result<std::vector<std::uint8_t>> contains_each(std::span<const Point> points, int threads = 0,
+                                                  const Progress& progress = {}) const;
+  Result<std::vector<std::uint8_t>> contains_each(std::span<const RationalPoint> points, int threads = 0,
+                                                  const Progress& progress = {}) const;
 
  private:
   struct State;

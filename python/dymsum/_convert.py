@@ -58,6 +58,8 @@ def _depth(value: Any) -> int:
     shape = getattr(value, "shape", None)
     if shape is not None and getattr(value, "dtype", None) != object:
         return len(shape)
+    if isinstance(value, numpy.ndarray):  # of objects: numbers, or rings of several lengths
+        return value.ndim + (_depth(value.flat[0]) if value.size > 0 else 0)
     if not isinstance(value, Sequence) or isinstance(value, str):
         return 0
     # Rings and parts may be empty: the first that is not tells.

@@ -18,26 +18,28 @@ nb::handle converter(std::string_view name) {
   return name == "kind" ? g_kind.get() : name == "region" ? g_region.get() : g_mesh.get();
 }
 
+/// function(object), from inside.
+nb::object called(nb::handle function, nb::handle object) {
+  const Inside call;
+  PyObject* const argument = object.ptr();
+  nb::object made = nb::steal(call_python(function.ptr(), &argument, 1));
+  if (!made) throw nb::python_error();
+  return made;
+}
+
 }  // namespace
 
-bool is_like(nb::handle object, std::string_view kind) noexcept {
-  const Inside call;
+bool is_like(nb::handle object, std::string_view kind, Interruption& thrown) noexcept {
   try {
-    return nb::cast<std::string_view>(converter("kind")(object)) == kind;
-  } catch (std::exception&) {
-    return false;
+    return nb::cast<std::string_view>(called(converter("kind"), object)) == kind;
+  } catch (...) {
+    return thrown.keep();
   }
 }
 
-nb::object converted(nb::handle object, const char* maker) {
-  const Inside call;
-  return converter(maker)(object);
-}
+nb::object converted(nb::handle object, const char* maker) { return called(converter(maker), object); }
 
-nb::object contiguous(nb::handle object) {
-  const Inside call;
-  return g_doubles.get()(object);
-}
+nb::object contiguous(nb::handle object) { return called(g_doubles.get(), object); }
 
 bool is_masked(nb::handle object) { return nb::isinstance(object, g_masked.get()); }
 
@@ -54,9 +56,11 @@ bool type_caster<dymsum::python::ScaleArgument>::from_python(handle src, uint32_
     value.given = dymsum::Scale::of(PyFloat_AS_DOUBLE(src.ptr()));
     return true;
   }
-  dymsum::Rational number;
-  if (!dymsum::python::read_rational(src, number)) return false;
-  value.given = dymsum::Scale::of(number);
+  dymsum::Result<dymsum::Rational> number = dymsum::Rational();
+  dymsum::python::Interruption thrown;
+  if (!dymsum::python::read_rational(src, number, thrown)) return false;
+  value.thrown = thrown.release();
+  value.given = number ? dymsum::Scale::of(*number) : number.error();
   return true;
 }
 

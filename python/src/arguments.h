@@ -6,8 +6,11 @@
 #include <nanobind/ndarray.h>
 
 #include <cstddef>
+#include <exception>
+#include <optional>
 #include <span>
 #include <string_view>
+#include <type_traits>
 #include <utility>
 #include <vector>
 
@@ -15,11 +18,15 @@
 #include "dymsum/region.h"
 #include "dymsum/scale.h"
 #include "errors.h"
+#include "interruption.h"
+#include "lists.h"
+#include "values.h"
 
 namespace dymsum::python {
 
-/// Whether dymsum._convert makes a value of this kind, "region" or "mesh", of an object. Never raises.
-bool is_like(nb::handle object, std::string_view kind) noexcept;
+/// Whether dymsum._convert makes a value of this kind, "region" or "mesh", of an object; true as well where something
+/// is thrown.
+bool is_like(nb::handle object, std::string_view kind, Interruption& thrown) noexcept;
 /// What its function `maker` makes of the object; raises what is wrong with that.
 nb::object converted(nb::handle object, const char* maker);
 
@@ -47,8 +54,12 @@ struct RegionPairs {
 /// A Scale, or a number that is taken exactly.
 struct ScaleArgument {
   Result<Scale> given = Scale();
+  std::exception_ptr thrown = nullptr;
   /// Raises what is wrong with the number.
-  Scale value() const { return take(Result<Scale>(given)); }
+  Scale value() const {
+    if (thrown != nullptr) std::rethrow_exception(thrown);
+    return take(Result<Scale>(given));
+  }
 };
 
 /// An array of shape (n, K) of doubles in rows, kept alive: the caller's own where it is one, without a copy.
@@ -60,21 +71,22 @@ struct Rows {
   const double* row(std::size_t n) const { return data + n * K; }
 };
 
-/// Whether the object is a sequence, no text, and `read` is true for every item. Never raises.
-template <class Read>
-bool each_item(nb::handle object, Read&& read) noexcept {
-  if (PyUnicode_Check(object.ptr()) || !PySequence_Check(object.ptr())) return false;
-  PyObject* const items = PySequence_Fast(object.ptr(), "");
-  if (!items) {
-    PyErr_Clear();
-    return false;
-  }
-  const nb::object kept = nb::steal(items);
-  for (Py_ssize_t k = 0; k < PySequence_Fast_GET_SIZE(items); ++k) {
-    if (!read(nb::handle(PySequence_Fast_ITEMS(items)[k]))) return false;
-  }
-  return true;
-}
+template <std::size_t K>
+inline constexpr bool kThrowsWhenAsked<Rows<K>> = true;
+
+/// Positions in a plane, or in space: doubles in rows, or where not all of them are doubles exact numbers.
+template <std::size_t K>
+struct Positions {
+  using Exact = std::conditional_t<K == 2, RationalPoint, RationalPoint3>;
+  Rows<K> doubles;
+  std::vector<Exact> exact;  ///< where not empty; the origin where a coordinate is not finite
+  std::vector<std::size_t> not_finite;
+};
+
+/// One position that may have a coordinate that is not finite: none then.
+struct ExactPlace {
+  std::optional<RationalPoint> at;
+};
 
 /// A contiguous array of the doubles that the object holds; raises where one would have to be rounded.
 nb::object contiguous(nb::handle object);
@@ -135,12 +147,16 @@ struct argument_caster {
   static constexpr const char* kMaker = kPlanar ? kData ? "region_data" : "region" : kData ? "mesh_data" : "mesh";
   bool from_python(handle src, uint32_t flags, cleanup_list*) noexcept {
     ready_ = isinstance<T>(src);
-    if (!ready_ && !((flags & cast_flags::convert) && dymsum::python::is_like(src, kKind))) return false;
+    if (!ready_ && !((flags & cast_flags::convert) && dymsum::python::is_like(src, kKind, thrown))) return false;
     object_ = borrow(src);
     return true;
   }
   /// Converts here and not above, so that what is wrong with the object is raised, and no TypeError.
-  explicit operator Value() { return {ready_ ? object_ : dymsum::python::converted(object_, kMaker)}; }
+  explicit operator Value() {
+    thrown.raise();
+    return {ready_ ? object_ : dymsum::python::converted(object_, kMaker)};
+  }
+  dymsum::python::Interruption thrown;
 
  private:
   object object_;
@@ -178,12 +194,15 @@ struct type_caster<dymsum::python::Many<T>> {
       const_name("collections.abc.Sequence[") + make_caster<dymsum::python::Argument<T>>::Name + const_name("]");
   bool from_python(handle src, uint32_t flags, cleanup_list* list) noexcept {
     items_.clear();
-    return dymsum::python::each_item(src, [&](handle item) {
+    return dymsum::python::each_item(src, thrown_, [&](handle item) {
       items_.emplace_back();
-      return items_.back().from_python(item, flags, list);
+      const bool is_one = items_.back().from_python(item, flags, list);
+      thrown_ = std::move(items_.back().thrown);
+      return is_one;
     });
   }
   explicit operator Value() {
+    thrown_.raise();
     Value all;
     for (Item& item : items_) all.items.push_back(item.operator dymsum::python::Argument<T>());
     return all;
@@ -191,6 +210,7 @@ struct type_caster<dymsum::python::Many<T>> {
 
  private:
   std::vector<Item> items_;
+  dymsum::python::Interruption thrown_;
 };
 
 template <>
@@ -208,14 +228,17 @@ struct type_caster<dymsum::python::RegionPairs> {
     items_.clear();
     const auto read = [&](handle item) {
       items_.emplace_back();
-      return items_.back().from_python(item, flags, list);
+      const bool is_one = items_.back().from_python(item, flags, list);
+      thrown_ = std::move(items_.back().thrown);
+      return is_one;
     };
-    return dymsum::python::each_item(src, [&](handle pair) {
+    return dymsum::python::each_item(src, thrown_, [&](handle pair) {
       const std::size_t before = items_.size();
-      return dymsum::python::each_item(pair, read) && items_.size() == before + 2;
+      return dymsum::python::each_item(pair, thrown_, read) && (thrown_.kept() || items_.size() == before + 2);
     });
   }
   explicit operator Value() {
+    thrown_.raise();
     Value all;
     for (std::size_t i = 0; i < items_.size(); i += 2) {
       all.items.emplace_back(items_[i].operator dymsum::python::RegionArgument(),
@@ -226,6 +249,7 @@ struct type_caster<dymsum::python::RegionPairs> {
 
  private:
   std::vector<Item> items_;
+  dymsum::python::Interruption thrown_;
 };
 
 template <>
@@ -242,8 +266,8 @@ struct type_caster<dymsum::python::Array<T>> {
 };
 
 template <std::size_t K>
-struct type_caster<dymsum::python::Rows<K>> {
-  NB_TYPE_CASTER(dymsum::python::Rows<K>, const_name("numpy.typing.ArrayLike"))
+struct type_caster<dymsum::python::Rows<K>> : asked_caster<dymsum::python::Rows<K>> {
+  static constexpr auto Name = const_name("numpy.typing.ArrayLike");
   using Array = ndarray<const double, shape<-1, static_cast<ssize_t>(K)>, c_contig, device::cpu>;
   bool from_python(handle src, uint32_t flags, cleanup_list*) noexcept {
     try {
@@ -251,12 +275,12 @@ struct type_caster<dymsum::python::Rows<K>> {
       if (!(flags & cast_flags::convert)) return false;
       const object array = dymsum::python::contiguous(src);
       if (len(array) == 0) {  // of an empty list numpy tells no columns
-        value.kept = array;
+        this->value_ = {array, nullptr, 0};
         return true;
       }
       return take(array);
-    } catch (std::exception&) {
-      return false;
+    } catch (...) {
+      return this->thrown_.keep();
     }
   }
 
@@ -264,10 +288,48 @@ struct type_caster<dymsum::python::Rows<K>> {
   bool take(handle src) {
     Array array;
     if (!try_cast(src, array, false)) return false;
-    value.data = array.data();
-    value.size = array.shape(0);
-    value.kept = nanobind::cast(array, rv_policy::reference);
+    this->value_ = {nanobind::cast(array, rv_policy::reference), array.data(), array.shape(0)};
     return true;
+  }
+};
+
+template <std::size_t K>
+struct type_caster<dymsum::python::Positions<K>> : asked_caster<dymsum::python::Positions<K>> {
+  static constexpr auto Name = const_name("numpy.typing.ArrayLike");
+  bool from_python(handle src, uint32_t flags, cleanup_list* list) noexcept {
+    const auto keep_rows = [&](dymsum::python::Rows<K>&& rows) { this->value_.doubles = std::move(rows); };
+    if (this->template read<dymsum::python::Rows<K>>(src, flags, list, keep_rows)) return true;
+    if (!(flags & cast_flags::convert) || dymsum::python::is_masked(src)) return false;
+    return dymsum::python::each_item(src, this->thrown_, [&](handle item) { return add(item); });
+  }
+
+ private:
+  bool add(handle item) noexcept {
+    type_caster<typename dymsum::python::Positions<K>::Exact> one;
+    if (!one.from_python(item, 0, nullptr)) return false;
+    if (one.is_finite()) {
+      try {
+        this->value_.exact.push_back(one.operator typename dymsum::python::Positions<K>::Exact());
+      } catch (...) {
+        return this->thrown_.keep();
+      }
+      return true;
+    }
+    this->value_.not_finite.push_back(this->value_.exact.size());
+    this->value_.exact.emplace_back();
+    return true;
+  }
+};
+
+template <>
+struct type_caster<dymsum::python::ExactPlace> : rational_caster<dymsum::python::ExactPlace, 2> {
+  static constexpr auto Name = type_caster<dymsum::RationalPoint>::Name;
+  bool from_python(handle src, uint32_t, cleanup_list*) noexcept {
+    return dymsum::python::read_rationals(src, numbers_, thrown_);
+  }
+  explicit operator Value() {
+    if (!is_finite()) return {};
+    return {dymsum::RationalPoint{take<0>(), take<1>()}};
   }
 };
 

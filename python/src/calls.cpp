@@ -31,7 +31,11 @@ struct PythonProgress {
   std::shared_ptr<Callable> callable;
   /// With the GIL. What the callable returns means stop where it is False; None goes on.
   bool ask(std::string_view stage, double fraction) const {
-    const nb::object answer = callable->object(nb::str(stage.data(), stage.size()), fraction);
+    const nb::str name(stage.data(), stage.size());
+    const nb::float_ share(fraction);
+    PyObject* const arguments[] = {name.ptr(), share.ptr()};
+    const nb::object answer = nb::steal(call_python(callable->object.ptr(), arguments, 2));
+    if (!answer) throw nb::python_error();
     return answer.is_none() || nb::cast<bool>(nb::bool_(answer));
   }
   bool operator()(std::string_view stage, double fraction) const {

@@ -66,6 +66,25 @@ class Watch {
   std::shared_ptr<State> state_;
 };
 
+/// Slots of a class with `options`, which have a progress, and a `watch` of it: the garbage collector sees the
+/// callable.
+template <class Self>
+struct WatchedSlots {
+  static int traverse(PyObject* self, visitproc visit, void* arg) {
+    Py_VISIT(Py_TYPE(self));
+    return nb::inst_ready(self) ? visit_callable(nb::inst_ptr<Self>(self)->options.progress, 2, visit, arg) : 0;
+  }
+  static int clear(PyObject* self) {
+    if (!nb::inst_ready(self)) return 0;
+    nb::inst_ptr<Self>(self)->options.progress = {};
+    nb::inst_ptr<Self>(self)->watch.forget();
+    return 0;
+  }
+  static inline const PyType_Slot slots[] = {{Py_tp_traverse, reinterpret_cast<void*>(&traverse)},
+                                             {Py_tp_clear, reinterpret_cast<void*>(&clear)},
+                                             {0, nullptr}};
+};
+
 /// work() without the GIL.
 template <class Work>
 auto without_gil(Work&& work) {

@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "dymsum/result.h"
+#include "interruption.h"
 
 namespace dymsum::python {
 
@@ -44,10 +45,12 @@ template <>
 struct type_caster<dymsum::Error> {
   NB_TYPE_CASTER(dymsum::Error, const_name("dymsum.Error"))
   bool from_python(handle src, uint32_t, cleanup_list*) noexcept {
+    dymsum::python::Interruption thrown;
     try {
       value = dymsum::python::error_of(src);
       return true;
-    } catch (std::exception&) {
+    } catch (...) {
+      thrown.keep();
       return false;
     }
   }

@@ -12,8 +12,12 @@ namespace dymsum::python {
 /// A DiscRadius, or a number that is taken exactly.
 struct RadiusArgument {
   Result<DiscRadius> given = DiscRadius(Rational());
+  std::exception_ptr thrown = nullptr;
   /// Raises what is wrong with the number.
-  DiscRadius value() const { return take(Result<DiscRadius>(given)); }
+  DiscRadius value() const {
+    if (thrown != nullptr) std::rethrow_exception(thrown);
+    return take(Result<DiscRadius>(given));
+  }
 };
 
 }  // namespace dymsum::python
@@ -28,14 +32,11 @@ struct type_caster<dymsum::python::RadiusArgument> {
       value.given = *inst_ptr<dymsum::DiscRadius>(src);
       return true;
     }
-    if (PyFloat_Check(src.ptr())) {
-      const auto number = dymsum::Rational::of(PyFloat_AS_DOUBLE(src.ptr()));
-      value.given = number ? dymsum::Result<dymsum::DiscRadius>(*number) : number.error();
-      return true;
-    }
-    dymsum::Rational number;
-    if (!dymsum::python::read_rational(src, number)) return false;
-    value.given = dymsum::DiscRadius(number);
+    dymsum::Result<dymsum::Rational> number = dymsum::Rational();
+    dymsum::python::Interruption thrown;
+    if (!dymsum::python::read_rational(src, number, thrown)) return false;
+    value.thrown = thrown.release();
+    value.given = number ? dymsum::Result<dymsum::DiscRadius>(*number) : number.error();
     return true;
   }
 };

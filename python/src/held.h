@@ -4,7 +4,7 @@
 #include <nanobind/nanobind.h>
 
 #include <atomic>
-#include <optional>
+#include <memory>
 #include <stdexcept>
 #include <utility>
 
@@ -17,8 +17,10 @@ namespace dymsum::python {
 template <class T>
 class Held {
  public:
-  explicit Held(T value) : value_(std::move(value)) {}
+  explicit Held(T value) : value_(std::make_unique<T>(std::move(value))) {}
   ~Held() {
+    // In the child of a fork, where the thread that changes it is not: what it left half done is left.
+    if (busy_.test_and_set()) static_cast<void>(value_.release());
     const WithoutGil free;  // its own threads may be asking for the GIL
     value_.reset();
   }
@@ -40,7 +42,7 @@ class Held {
     ~Claim() { busy.clear(); }
     std::atomic_flag& busy;
   };
-  std::optional<T> value_;
+  std::unique_ptr<T> value_;
   std::atomic_flag busy_;
 };
 

@@ -1,5 +1,7 @@
 #include "leaving.h"
 
+#include <cxxabi.h>
+
 #include <atomic>
 #include <chrono>
 #include <condition_variable>
@@ -35,10 +37,14 @@ void count(int by) {
   if (s.begun) s.fewer.notify_all();
 }
 
+[[noreturn]] void sleep_for_ever() {
+  for (;;) std::this_thread::sleep_for(std::chrono::hours(1));
+}
+
 /// Without the GIL.
 [[noreturn]] void sleep_until_the_end() {
   count(-t_depth);
-  for (;;) std::this_thread::sleep_for(std::chrono::hours(1));
+  sleep_for_ever();
 }
 
 void leave() {
@@ -76,6 +82,19 @@ Inside::Inside() {
 }
 
 Inside::~Inside() { count(-1); }
+
+// No frame between here and Python's has anything to destroy.
+PyObject* call_python(PyObject* callable, PyObject* const* arguments, std::size_t count) {
+#ifdef __GLIBCXX__
+  try {
+    return PyObject_Vectorcall(callable, arguments, count, nullptr);
+  } catch (const abi::__forced_unwind&) {  // Python before 3.14 ends threads so
+    sleep_for_ever();
+  }
+#else
+  return PyObject_Vectorcall(callable, arguments, count, nullptr);
+#endif
+}
 
 WithoutGil::WithoutGil() : state_(PyEval_SaveThread()) {}
 

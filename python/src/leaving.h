@@ -4,6 +4,8 @@
 
 #include <nanobind/nanobind.h>
 
+#include <cstddef>
+
 namespace dymsum::python {
 
 /// Whether the interpreter ends and this thread is not the one that ends it.
@@ -18,6 +20,10 @@ class Inside {
   Inside(const Inside&) = delete;
   Inside& operator=(const Inside&) = delete;
 };
+
+/// What the callable returns, null with an exception set. Where Python stops the thread in the middle, as the
+/// interpreter has ended, the thread sleeps instead: nothing behind it may run any more.
+PyObject* call_python(PyObject* callable, PyObject* const* arguments, std::size_t count);
 
 /// Lets go of the GIL, from inside, and takes it again; where the interpreter ends, it sleeps instead.
 class WithoutGil {

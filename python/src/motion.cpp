@@ -95,11 +95,12 @@ Fraction(2, 3)
   m.def(
       "check_motion",
       [](const RegionArgument& robot, const RegionArgument& obstacle, const Configuration& a, const Configuration& b,
-         const MotionOptions& options) {
-        return take(without_gil([&] { return check_motion(*robot, *obstacle, a, b, options); }));
+         const MotionOptions& options, const Progress& progress) {
+        return run(progress,
+                   [&](const Progress& watched) { return check_motion(*robot, *obstacle, a, b, options, watched); });
       },
-      "robot"_a, "obstacle"_a, "a"_a, "b"_a, "options"_a = MotionOptions(),
-      "x, y and theta linear in time at once; certified. Raises Error: unsupported_operand, not_finite.");
+      "robot"_a, "obstacle"_a, "a"_a, "b"_a, "options"_a = MotionOptions(), "progress"_a = nb::none(),
+      "x, y and theta linear in time at once; certified. Raises Error: unsupported_operand, not_finite, cancelled.");
 }
 
 }  // namespace

@@ -15,8 +15,12 @@ using namespace nb::literals;
 /// A MovingSolidSum, its operands and options, and the watch whose Progress it keeps.
 struct MovingSolid {
   MovingSolid(const MeshArgument& p_of, const MeshArgument& q_of, const MovingSolidOptions& o)
-      : p(p_of.object), q(q_of.object), options(o), watch(o.progress), held(create(*p_of, *q_of)) {}
+      : p(p_of.object), q(q_of.object), options(own_options(o)), watch(options.progress), held(create(*p_of, *q_of)) {}
 
+  static MovingSolidOptions own_options(MovingSolidOptions options) {
+    options.progress = own_progress(options.progress);
+    return options;
+  }
   MovingSolidSum create(const Mesh& p_of, const Mesh& q_of) {
     MovingSolidOptions own = options;
     own.progress = watch.progress();
@@ -45,30 +49,30 @@ void bind_options(nb::module_& m) {
       "semantics"_a = Semantics::closed, "tight"_a = true, "mode"_a = FrameMode::automatic, "threads"_a = 1,
       "progress"_a = nb::none());
   options.option("semantics", &MovingSolidOptions::semantics)
-      .option("tight", &MovingSolidOptions::tight)
-      .option("mode", &MovingSolidOptions::mode)
-      .option("threads", &MovingSolidOptions::threads)
-      .option("progress", &MovingSolidOptions::progress);
+      .option("tight", &MovingSolidOptions::tight, "look for tight features; False lists none")
+      .option("mode", &MovingSolidOptions::mode, "automatic, window or rebuild: all give the same sum")
+      .option("threads", &MovingSolidOptions::threads, "0: as many as there are cores")
+      .option("progress", &MovingSolidOptions::progress, "called with the stage and its share in [0, 1]; False stops");
 }
 
 void bind_results(nb::module_& m) {
   Record<SolidFrameWork>(m, "SolidFrameWork", "The work of one frame.")
-      .field("rebuilt", &SolidFrameWork::rebuilt)
-      .field("normals_checked", &SolidFrameWork::normals_checked)
-      .field("pairs_checked", &SolidFrameWork::pairs_checked)
-      .field("facets", &SolidFrameWork::facets)
+      .field("rebuilt", &SolidFrameWork::rebuilt, "computed from scratch")
+      .field("normals_checked", &SolidFrameWork::normals_checked, "faces whose certificates had ended")
+      .field("pairs_checked", &SolidFrameWork::pairs_checked, "pairs of edges that may have come or gone")
+      .field("facets", &SolidFrameWork::facets, "of the reduced convolution")
       .field("facets_added", &SolidFrameWork::facets_added)
       .field("facets_removed", &SolidFrameWork::facets_removed)
-      .field("inner_kept", &SolidFrameWork::inner_kept)
-      .field("inner_tested", &SolidFrameWork::inner_tested)
-      .field("contacts", &SolidFrameWork::contacts)
+      .field("inner_kept", &SolidFrameWork::inner_kept, "facets that stay deep inside the open sum")
+      .field("inner_tested", &SolidFrameWork::inner_tested, "facets for which that was found out anew")
+      .field("contacts", &SolidFrameWork::contacts, "of the other facets")
       .field("exact_signs", &SolidFrameWork::exact_signs)
       .field("ms", &SolidFrameWork::ms);
   Record<SolidFrameChanges>(m, "SolidFrameChanges", "What happened to the faces since the frame before.")
-      .field("appeared", &SolidFrameChanges::appeared)
+      .field("appeared", &SolidFrameChanges::appeared, "pairs of features that make faces now, and did not before")
       .field("disappeared", &SolidFrameChanges::disappeared)
-      .field("changed", &SolidFrameChanges::changed)
-      .field("shells", &SolidFrameChanges::shells)
+      .field("changed", &SolidFrameChanges::changed, "those that did and do, with other neighbours or vertices")
+      .field("shells", &SolidFrameChanges::shells, "how many more there are; so the following")
       .field("tight_faces", &SolidFrameChanges::tight_faces)
       .field("tight_segments", &SolidFrameChanges::tight_segments)
       .field("tight_points", &SolidFrameChanges::tight_points);
@@ -84,7 +88,8 @@ void bind_class(nb::module_& m) {
 >>> work = sum.set(SolidPose(Rotation.of(1, 0, 0, 1)))
 >>> sum.sum().shells, len(sum.changes().appeared) > 0
 (1, True)
-)doc");
+)doc",
+                               nb::type_slots(WatchedSlots<MovingSolid>::slots));
   type.def(
           "__init__",
           [](MovingSolid* self, const MeshArgument& p, const MeshArgument& q, const MovingSolidOptions& options) {
@@ -97,7 +102,7 @@ void bind_class(nb::module_& m) {
             return new MovingSolid(p, q, options);
           },
           nb::rv_policy::take_ownership, "p"_a, "q"_a, "options"_a = MovingSolidOptions(),
-          "At the identity. Raises Error: unsupported_operand, out_of_range, cancelled.")
+          "At the identity. Raises Error: unsupported_operand; out_of_range for threads below 0; cancelled.")
       .def("set", &MovingSolid::set, "p"_a, "q"_a = SolidPose(),
            "Moves both. Raises Error: unsupported_operand, cancelled; nothing changes then.")
       .def("p_pose",
@@ -120,7 +125,7 @@ void bind_class(nb::module_& m) {
             return self.held.alone([](MovingSolidSum& sum) { return without_gil([&] { return sum.changes(); }); });
           },
           "From the frame before to this one.")
-      .def_prop_ro("options", [](const MovingSolid& self) { return self.options; })
+      .def_prop_ro("options", [](const MovingSolid& self) { return MovingSolid::own_options(self.options); })
       .def("__reduce__", [](nb::handle_t<MovingSolid> self) {
         const auto* object = nb::inst_ptr<MovingSolid>(self);
         return nb::make_tuple(
@@ -136,7 +141,13 @@ void bind_class(nb::module_& m) {
             "posed_sum", p.object, q.object, p_pose, q_pose, options);
       },
       "p"_a, "q"_a, "p_pose"_a, "q_pose"_a = SolidPose(), "options"_a = MovingSolidOptions(),
-      "P (+) Q at a pair of poses, computed from scratch.");
+      R"doc(P (+) Q at a pair of poses, computed from scratch. Raises Error: as MovingSolidSum.
+
+>>> from dymsum import Rotation, SolidPose, posed_sum, solids
+>>> box = solids.box(0, 0, 0, 1, 2, 3)
+>>> posed_sum(box, box, SolidPose(Rotation.of(1, 0, 0, 1))).volume()  # a quarter turn about z
+54.0
+)doc");
 }
 
 }  // namespace

@@ -48,24 +48,6 @@ struct Moving {
   Held<Sum> held;
 };
 
-/// The garbage collector sees the progress, which the options and the watch have.
-template <class Self>
-struct MovingSlots {
-  static int traverse(PyObject* self, visitproc visit, void* arg) {
-    Py_VISIT(Py_TYPE(self));
-    return nb::inst_ready(self) ? visit_callable(nb::inst_ptr<Self>(self)->options.progress, 2, visit, arg) : 0;
-  }
-  static int clear(PyObject* self) {
-    if (!nb::inst_ready(self)) return 0;
-    nb::inst_ptr<Self>(self)->options.progress = {};
-    nb::inst_ptr<Self>(self)->watch.forget();
-    return 0;
-  }
-  static inline const PyType_Slot slots[] = {{Py_tp_traverse, reinterpret_cast<void*>(&traverse)},
-                                             {Py_tp_clear, reinterpret_cast<void*>(&clear)},
-                                             {0, nullptr}};
-};
-
 using Scaling = Moving<ScalingSum>;
 using Rotating = Moving<RotatingSum>;
 
@@ -133,7 +115,7 @@ void bind_scaling(nb::module_& m) {
 >>> [float(event.s) for event in sum.events(1, 4) if event.topology]
 []
 )doc",
-                                 nb::type_slots(MovingSlots<ScalingObject>::slots));
+                                 nb::type_slots(WatchedSlots<ScalingObject>::slots));
   bind_common<ScalingObject, ScalingSum>(type);
   type.def(
           "set", [](ScalingObject& self, const ScaleArgument& s) { return set_scales(self, s.value(), s.value()); },
@@ -195,7 +177,7 @@ void bind_rotating(nb::module_& m) {
 >>> sum.sum().vertex_count(), sum.work().rebuilt
 (16, False)
 )doc",
-                            nb::type_slots(MovingSlots<Rotating>::slots));
+                            nb::type_slots(WatchedSlots<Rotating>::slots));
   bind_common<Rotating, RotatingSum>(type);
   type.def(
           "set",

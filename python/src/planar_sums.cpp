@@ -83,36 +83,21 @@ unsupported_operand when P has polylines or points, or Q is empty; cancelled.
       "p"_a, "q"_a);
 }
 
-Array<bool> inside_of(const Region& p, const Region& q, auto positions, Semantics semantics, int threads,
-                      const Progress& progress) {
-  return truths_of(run(
-      progress, [&](const Progress& watched) { return contains_each(p, q, positions, semantics, threads, watched); }));
-}
-
 std::span<const Point> places_of(const Rows<2>& rows) {
   static_assert(sizeof(Point) == 2 * sizeof(double));
   return {reinterpret_cast<const Point*>(rows.data), rows.size};
 }
 
-/// At positions given by exact numbers.
-void bind_exact_positions(nb::module_& m) {
-  m.def(
-      "contains",
-      [](const RegionArgument& p, const RegionArgument& q, const RationalPoint& z, Semantics semantics) {
-        return run({}, [&](const Progress& watched) {
-                 return contains_each(*p, *q, std::span(&z, 1), semantics, 1, watched);
-               })[0] != 0;
-      },
-      "p"_a, "q"_a, "z"_a, "semantics"_a = Semantics::closed,
-      "The same for exact numbers. Where doubles do not hold them the sum is computed: see SumLocator for more.");
-  m.def(
-      "contains_each",
-      [](const RegionArgument& p, const RegionArgument& q, const std::vector<RationalPoint>& positions,
-         Semantics semantics, int threads, const Progress& progress) {
-        return inside_of(*p, *q, std::span<const RationalPoint>(positions), semantics, threads, progress);
-      },
-      "p"_a, "q"_a, "positions"_a, "semantics"_a = Semantics::closed, "threads"_a = 0, "progress"_a = nb::none(),
-      "The same for exact numbers.");
+/// Whether positions lie in a set: ask(positions, progress) of it. What is not finite lies in none.
+Array<bool> inside_of(const Positions<2>& positions, const Progress& progress, auto&& ask) {
+  if (positions.exact.empty()) {
+    return truths_of(
+        run(progress, [&](const Progress& watched) { return ask(places_of(positions.doubles), watched); }));
+  }
+  std::vector<std::uint8_t> inside = run(
+      progress, [&](const Progress& watched) { return ask(std::span<const RationalPoint>(positions.exact), watched); });
+  for (const std::size_t k : positions.not_finite) inside[k] = 0;
+  return truths_of(std::move(inside));
 }
 
 void bind_planar_contains(nb::module_& m) {
@@ -122,22 +107,38 @@ void bind_planar_contains(nb::module_& m) {
         return contains(*p, *q, z, semantics);
       },
       "p"_a, "q"_a, "z"_a, "semantics"_a = Semantics::closed,
-      "True when z lies in P (+) Q: P and z - Q meet (closed), or overlap (open). Exact.");
+      "True when z lies in P (+) Q: P and z - Q meet (closed), or overlap (open). Exact. Nothing that is not finite "
+      "does.");
+  m.def(
+      "contains",
+      [](const RegionArgument& p, const RegionArgument& q, const ExactPlace& z, Semantics semantics) {
+        return z.at && run({}, [&](const Progress& watched) {
+                         return contains_each(*p, *q, std::span(&*z.at, 1), semantics, 1, watched);
+                       })[0] != 0;
+      },
+      "p"_a, "q"_a, "z"_a, "semantics"_a = Semantics::closed,
+      "The same for exact numbers. Where doubles do not hold them the sum is computed: see SumLocator for more.");
   m.def(
       "contains_each",
-      [](const RegionArgument& p, const RegionArgument& q, const Rows<2>& positions, Semantics semantics, int threads,
-         const Progress& progress) { return inside_of(*p, *q, places_of(positions), semantics, threads, progress); },
+      [](const RegionArgument& p, const RegionArgument& q, const Positions<2>& positions, Semantics semantics,
+         int threads, const Progress& progress) {
+        return inside_of(positions, progress, [&](auto at, const Progress& watched) {
+          return contains_each(*p, *q, at, semantics, threads, watched);
+        });
+      },
       "p"_a, "q"_a, "positions"_a, "semantics"_a = Semantics::closed, "threads"_a = 0, "progress"_a = nb::none(),
       R"doc(contains for many positions, shape (n, 2), on several threads (0: all cores); an array of n truth values.
-Many are found in the sum, which is computed once; few are answered one by one. Raises Error: cancelled;
-unsupported_operand beyond 2^1000.
+Positions may be exact numbers. Many are found in the sum, which is computed once; few are answered one by one. Raises
+Error: cancelled; unsupported_operand beyond 2^1000.
 
+>>> from fractions import Fraction
 >>> from dymsum import contains_each, shapes
 >>> square = shapes.rectangle(0, 0, 1, 1)
 >>> contains_each(square, square, [(1, 1), (2, 2), (3, 3)])
 array([ True,  True, False])
+>>> contains_each(square, square, [(Fraction(1, 3), 2), (Fraction(1, 3), 2 + Fraction(1, 10**40))])
+array([ True, False])
 )doc");
-  bind_exact_positions(m);
 }
 
 void bind_locator(nb::module_& m) {
@@ -162,18 +163,21 @@ array([ True,  True, False])
           "interior of its parts without tight features.")
       .def(
           "contains", [](const SumLocator& self, Point z) { return self.contains(z); }, "z"_a,
-          "True when z lies in the set. Exact.")
+          "True when z lies in the set. Exact. Nothing that is not finite does.")
       .def(
-          "contains", [](const SumLocator& self, const RationalPoint& z) { return self.contains_rational(z); }, "z"_a,
-          "The same for exact numbers.")
-      .def("contains_rational", &SumLocator::contains_rational, "z"_a)
+          "contains", [](const SumLocator& self, const ExactPlace& z) { return z.at && self.contains_rational(*z.at); },
+          "z"_a, "The same for exact numbers.")
+      .def("contains_rational", &SumLocator::contains_rational, "z"_a, "Raises Error: not_finite.")
       .def(
           "contains_each",
-          [](const SumLocator& self, const Rows<2>& positions, int threads) {
-            return truths_of(without_gil([&] { return self.contains(places_of(positions), threads); }));
+          [](const SumLocator& self, const Positions<2>& positions, int threads, const Progress& progress) {
+            return inside_of(positions, progress, [&](auto at, const Progress& watched) {
+              return self.contains_each(at, threads, watched);
+            });
           },
-          "positions"_a, "threads"_a = 0,
-          "contains for many positions, shape (n, 2), on several threads (0: all cores): n truth values.")
+          "positions"_a, "threads"_a = 0, "progress"_a = nb::none(),
+          "contains for many positions, shape (n, 2), which may be exact numbers, on several threads (0: all cores): n "
+          "truth values. Raises Error: cancelled.")
       .def("__reduce__", [](nb::handle_t<SumLocator> self) { return made_again(self); });
 }
 

@@ -1,5 +1,6 @@
 #include "record.h"
 
+#include <cstdint>
 #include <set>
 
 namespace dymsum::python {
@@ -58,6 +59,17 @@ nb::tuple record_state(const std::vector<RecordField>& fields, nb::handle record
 void restore_record(const std::vector<RecordField>& fields, void* record, nb::tuple state) {
   if (state.size() != fields.size()) throw nb::value_error("pickled by another version of dymsum");
   for (std::size_t k = 0; k < fields.size(); ++k) set_field(fields[k], record, state[k]);
+}
+
+void copy_record(const std::vector<RecordField>& fields, nb::handle record, nb::handle made, void* to,
+                 const nb::object& memo) {
+  const nb::object deepcopy = memo.is_none() ? nb::object() : nb::module_::import_("copy").attr("deepcopy");
+  // Before the fields, one of which may lead back to the record.
+  if (deepcopy) memo[nb::int_(reinterpret_cast<std::uintptr_t>(record.ptr()))] = made;
+  for (const RecordField& field : fields) {
+    const nb::object value = record.attr(field.name.c_str());
+    set_field(field, to, deepcopy ? deepcopy(value, memo) : value);
+  }
 }
 
 std::string record_repr(const std::vector<RecordField>& fields, nb::handle record) {

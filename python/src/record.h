@@ -34,6 +34,10 @@ using RecordFields = std::shared_ptr<std::vector<RecordField>>;
 void fill_record(const std::vector<RecordField>& fields, void* record, nb::args args, nb::kwargs kwargs);
 nb::tuple record_state(const std::vector<RecordField>& fields, nb::handle record);
 void restore_record(const std::vector<RecordField>& fields, void* record, nb::tuple state);
+/// Sets the fields of `made`, whose memory is `to`, as they are in `record`, progress included: for copy.copy, and with
+/// a memo for copy.deepcopy.
+void copy_record(const std::vector<RecordField>& fields, nb::handle record, nb::handle made, void* to,
+                 const nb::object& memo);
 std::string record_repr(const std::vector<RecordField>& fields, nb::handle record);
 /// A text that lives for ever: names of stages are views of literals.
 std::string_view interned(std::string_view text);
@@ -69,6 +73,13 @@ class Record : public nb::class_<T> {
         new (&self) T{};
         restore_record(*fields, &self, state);
       });
+    }
+    if constexpr (kHasProgress) {  // what pickling leaves out, copying does not
+      this->def("__copy__", [fields](nb::handle_t<T> self) { return copied(*fields, self, nb::none()); });
+      this->def(
+          "__deepcopy__",
+          [fields](nb::handle_t<T> self, const nb::object& memo) { return copied(*fields, self, memo); },
+          nb::arg("memo"));
     }
   }
 
@@ -119,9 +130,17 @@ class Record : public nb::class_<T> {
   }
 
  private:
+  static constexpr bool kHasProgress = requires(T & record) { record.progress = Progress(); };
+  static nb::object copied(const std::vector<RecordField>& fields, nb::handle self, const nb::object& memo) {
+    nb::object made = nb::inst_alloc(self.type());
+    T* const to = new (nb::inst_ptr<T>(made)) T{};
+    nb::inst_mark_ready(made);
+    copy_record(fields, self, made, to, memo);
+    return made;
+  }
   static const PyType_Slot* slots() {
     static constexpr PyType_Slot kNone[] = {{0, nullptr}};
-    if constexpr (requires(T & record) { record.progress = Progress(); }) {
+    if constexpr (kHasProgress) {
       return ProgressSlots<T>::slots;
     } else {
       return kNone;

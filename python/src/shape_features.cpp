@@ -119,7 +119,16 @@ void bind_feature_questions(nb::class_<ShapeFeatures>& type) {
           },
           "life"_a, "from_"_a = 0, "to"_a = nb::none(),
           "Indices of the bars that last at least `life` between the diameters `from_` and `to` (None: infinity), the "
-          "longest first; of equally long ones the deeper first, then the earlier. Decided exactly.");
+          "longest first; of equally long ones the deeper first, then the earlier. Decided exactly.")
+      .def(
+          "significant",
+          [](const ShapeFeatures& self, const Rational& significance, const Rational& from,
+             const std::optional<Rational>& to) {
+            return without_gil([&] { return self.significant(significance, from, to); });
+          },
+          "significance"_a, "from_"_a = 0, "to"_a = nb::none(),
+          "As lasting(), with every life bounded by the bar's concavity, in length and in order: a pocket is as "
+          "significant as the lesser of how long it lasts and how deep it is. Gaps count with their lives.");
 }
 
 void bind_shape_features_class(nb::module_& m) {
@@ -137,6 +146,8 @@ shared by threads.
 (Birth.corner, Death.never, 3)
 >>> [(bridge.from_.at, bridge.to.at) for bridge in features.bridges(1000)]
 [(Point(x=3.0, y=1.0), Point(x=1.0, y=3.0))]
+>>> features.lasting(100), features.significant(100), features.significant(1)
+([0], [], [0])
 )doc");
   type.def(
           "__init__",

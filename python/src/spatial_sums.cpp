@@ -1,4 +1,6 @@
 // Sums of solids and what is made of them: inner fits, openings, offsets, slices.
+#include <cmath>
+
 #include "arguments.h"
 #include "bind.h"
 #include "calls.h"
@@ -50,11 +52,16 @@ void bind_sums_of_solids(nb::module_& m) {
       "A (-) B = { x : x + B inside A }, positions without room to move included as tight features.");
 }
 
-Array<bool> solid_contains(const Mesh& p, const Mesh& q, const std::vector<RationalPoint3>& positions,
-                           Semantics semantics, const Progress& progress) {
-  const std::vector<bool> inside =
-      run(progress, [&](const Progress& watched) { return contains_each(p, q, positions, semantics, watched); });
-  return truths_of(std::vector<std::uint8_t>(inside.begin(), inside.end()));
+/// Raises Error: not_finite.
+std::vector<RationalPoint3> exact_of(const Positions<3>& positions) {
+  if (!positions.not_finite.empty()) take(Rational::of(std::nan("")));
+  if (!positions.exact.empty()) return positions.exact;
+  std::vector<RationalPoint3> exact(positions.doubles.size);
+  for (std::size_t i = 0; i < exact.size(); ++i) {
+    const double* at = positions.doubles.row(i);
+    exact[i] = {take(Rational::of(at[0])), take(Rational::of(at[1])), take(Rational::of(at[2]))};
+  }
+  return exact;
 }
 
 void bind_spatial_contains(nb::module_& m) {
@@ -72,24 +79,16 @@ void bind_spatial_contains(nb::module_& m) {
       "p"_a, "q"_a, "z"_a, "semantics"_a = Semantics::closed, "The same for an exact position.");
   m.def(
       "contains_each",
-      [](const MeshArgument& p, const MeshArgument& q, const Rows<3>& positions, Semantics semantics,
+      [](const MeshArgument& p, const MeshArgument& q, const Positions<3>& positions, Semantics semantics,
          const Progress& progress) {
-        std::vector<RationalPoint3> exact(positions.size);
-        for (std::size_t i = 0; i < positions.size; ++i) {
-          const double* at = positions.row(i);
-          exact[i] = {take(Rational::of(at[0])), take(Rational::of(at[1])), take(Rational::of(at[2]))};
-        }
-        return solid_contains(*p, *q, exact, semantics, progress);
+        const std::vector<RationalPoint3> exact = exact_of(positions);
+        const std::vector<bool> inside =
+            run(progress, [&](const Progress& watched) { return contains_each(*p, *q, exact, semantics, watched); });
+        return truths_of({inside.begin(), inside.end()});
       },
       "p"_a, "q"_a, "positions"_a, "semantics"_a = Semantics::closed, "progress"_a = nb::none(),
-      "contains for many positions, shape (n, 3), without the GIL: n truth values.");
-  m.def(
-      "contains_each",
-      [](const MeshArgument& p, const MeshArgument& q, const std::vector<RationalPoint3>& positions,
-         Semantics semantics,
-         const Progress& progress) { return solid_contains(*p, *q, positions, semantics, progress); },
-      "p"_a, "q"_a, "positions"_a, "semantics"_a = Semantics::closed, "progress"_a = nb::none(),
-      "The same for exact positions.");
+      "contains for many positions, shape (n, 3), which may be exact numbers, without the GIL: n truth values. Raises "
+      "Error: not_finite, cancelled.");
   Record<SpatialCost>(m, "SpatialCost", "What a sum will take, before it is computed.")
       .field("face_vertex", &SpatialCost::face_vertex)
       .field("edge_edge", &SpatialCost::edge_edge)

@@ -76,6 +76,25 @@ Result<Rational> ratio_of(nb::handle numerator, nb::handle denominator) {
   return Rational::parse(signed_digits_of(numerator) + "/" + signed_digits_of(denominator));
 }
 
+/// Null where there is none.
+nb::object attribute(nb::handle from, const char* name) {
+  PyObject* const found = PyObject_GetAttrString(from.ptr(), name);
+  if (found == nullptr && !PyErr_ExceptionMatches(PyExc_AttributeError)) throw nb::python_error();
+  if (found == nullptr) PyErr_Clear();
+  return nb::steal(found);
+}
+
+/// What as_integer_ratio of numpy's floats and of Decimal says; of NaN and infinities, the error.
+Result<Rational> ratio_told_by(nb::handle as_integer_ratio) {
+  try {
+    const nb::object ratio = as_integer_ratio();
+    return ratio_of(ratio[0], ratio[1]);
+  } catch (const nb::python_error& error) {
+    if (!error.matches(PyExc_ValueError) && !error.matches(PyExc_OverflowError)) throw;
+    return Rational::of(std::nan(""));
+  }
+}
+
 bool read_number(nb::handle from, Result<Rational>& to) {
   PyObject* const object = from.ptr();
   if (PyFloat_Check(object)) {
@@ -87,19 +106,16 @@ bool read_number(nb::handle from, Result<Rational>& to) {
     return true;
   }
   if (PyUnicode_Check(object)) return false;
-  if (nb::hasattr(from, "numerator") && nb::hasattr(from, "denominator")) {
-    to = ratio_of(checked(PyNumber_Index(from.attr("numerator").ptr())),
-                  checked(PyNumber_Index(from.attr("denominator").ptr())));
+  const bool fraction = from.type().is(g_fraction.get());  // its properties are written in Python, which takes longer
+  const nb::object numerator = attribute(from, fraction ? "_numerator" : "numerator");
+  const nb::object denominator = numerator ? attribute(from, fraction ? "_denominator" : "denominator") : numerator;
+  if (denominator) {
+    to = ratio_of(checked(PyNumber_Index(numerator.ptr())), checked(PyNumber_Index(denominator.ptr())));
     return true;
   }
-  if (!nb::hasattr(from, "as_integer_ratio")) return false;
-  if (!std::isfinite(PyFloat_AsDouble(object))) {  // of numpy's floats and of Decimal
-    to = Rational::of(std::nan(""));
-    return true;
-  }
-  const nb::object ratio = from.attr("as_integer_ratio")();
-  to = ratio_of(ratio[0], ratio[1]);
-  return true;
+  const nb::object as_integer_ratio = attribute(from, "as_integer_ratio");
+  if (as_integer_ratio) to = ratio_told_by(as_integer_ratio);
+  return as_integer_ratio.is_valid();
 }
 
 bool read_double(PyObject* object, double& to) {
@@ -110,7 +126,7 @@ bool read_double(PyObject* object, double& to) {
   Result<Rational> exact = Rational();
   if (PyUnicode_Check(object)) return false;
   if (!is_integer(object)) {  // numpy's floats of other widths; no fraction: it would have to be rounded
-    if (!nb::hasattr(object, "dtype")) return false;
+    if (!attribute(object, "dtype")) return false;
     to = PyFloat_AsDouble(object);
     if (to == -1 && PyErr_Occurred()) throw nb::python_error();
     return true;
@@ -124,23 +140,16 @@ bool read_double(PyObject* object, double& to) {
 }
 
 template <class Read>
-bool read_each(nb::handle from, std::size_t count, Read&& read) noexcept {
-  try {
-    PyObject* const object = from.ptr();
-    if (PyUnicode_Check(object) || !PySequence_Check(object)) return false;
-    PyObject* const items = PySequence_Fast(object, "");
-    if (!items) throw nb::python_error();
-    const nb::object kept = nb::steal(items);
-    if (static_cast<std::size_t>(PySequence_Fast_GET_SIZE(items)) != count) return false;
-    for (std::size_t k = 0; k < count; ++k) {
-      if (!read(PySequence_Fast_ITEMS(items)[k], k)) return false;
+bool read_each(nb::handle from, std::size_t count, Interruption& thrown, Read&& read) noexcept {
+  std::size_t k = 0;
+  const auto one = [&](nb::handle item) noexcept {
+    try {
+      return k < count && read(item.ptr(), k++);
+    } catch (...) {
+      return thrown.keep();
     }
-    return true;
-  } catch (nb::python_error&) {
-    return false;
-  } catch (std::exception&) {
-    return false;
-  }
+  };
+  return each_item(from, thrown, one) && (thrown.kept() || k == count);
 }
 
 PyObject* new_named_of(const char* type, nb::tuple values) {
@@ -163,22 +172,21 @@ PyObject* or_exception(Make&& make) noexcept {
 }  // namespace
 
 bool read_doubles(nb::handle from, std::span<double> to) noexcept {
-  return read_each(from, to.size(), [&](PyObject* item, std::size_t k) { return read_double(item, to[k]); });
+  Interruption thrown;
+  const auto read = [&](PyObject* item, std::size_t k) { return read_double(item, to[k]); };
+  return read_each(from, to.size(), thrown, read) && !thrown.kept();
 }
 
-bool read_rational(nb::handle from, Rational& to) noexcept {
+bool read_rational(nb::handle from, Result<Rational>& to, Interruption& thrown) noexcept {
   try {
-    Result<Rational> number = Rational();
-    if (!read_number(from, number) || !number) return false;
-    to = *number;
-    return true;
-  } catch (std::exception&) {
-    return false;
+    return read_number(from, to);
+  } catch (...) {
+    return thrown.keep();
   }
 }
 
-bool read_rationals(nb::handle from, std::span<Rational> to) noexcept {
-  return read_each(from, to.size(), [&](PyObject* item, std::size_t k) { return read_rational(item, to[k]); });
+bool read_rationals(nb::handle from, std::span<Result<Rational>> to, Interruption& thrown) noexcept {
+  return read_each(from, to.size(), thrown, [&](PyObject* item, std::size_t k) { return read_number(item, to[k]); });
 }
 
 PyObject* new_fraction(const Rational& value) noexcept {

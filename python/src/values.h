@@ -4,37 +4,85 @@
 
 #include <nanobind/nanobind.h>
 
+#include <algorithm>
+#include <array>
 #include <span>
+#include <utility>
 
 #include "dymsum/cspace_obstacle.h"
 #include "dymsum/mesh.h"
 #include "dymsum/rational.h"
 #include "dymsum/region.h"
 #include "errors.h"
+#include "interruption.h"
+#include "lists.h"
 
 namespace dymsum::python {
 
 /// Reads `to.size()` doubles from a sequence of so many numbers. An integer has to be a double. False, without an
 /// exception set, for anything else.
 bool read_doubles(nb::handle from, std::span<double> to) noexcept;
-/// Reads exact numbers: int, float, Fraction, Decimal, numpy's. False, without an exception, for anything else, and for
-/// NaN and infinities.
-bool read_rational(nb::handle from, Rational& to) noexcept;
-bool read_rationals(nb::handle from, std::span<Rational> to) noexcept;
+/// Reads exact numbers: int, float, Fraction, Decimal, numpy's. False, without an exception, for anything else. NaN and
+/// infinities are the error not_finite.
+bool read_rational(nb::handle from, Result<Rational>& to, Interruption& thrown) noexcept;
+bool read_rationals(nb::handle from, std::span<Result<Rational>> to, Interruption& thrown) noexcept;
 
 /// New references; null with an exception set.
 PyObject* new_fraction(const Rational& value) noexcept;
 PyObject* new_named(const char* type, std::span<const double> values) noexcept;
 PyObject* new_named(const char* type, std::span<const Rational> values) noexcept;
 
+template <>
+inline constexpr bool kThrowsWhenAsked<Rational> = true;
+template <>
+inline constexpr bool kThrowsWhenAsked<RationalPoint> = true;
+template <>
+inline constexpr bool kThrowsWhenAsked<RationalPoint3> = true;
+
 }  // namespace dymsum::python
 
 namespace nanobind::detail {
 
+/// What is asked for throws what is wrong with the numbers.
+template <class T, std::size_t K>
+struct rational_caster {
+  using Value = T;
+  template <typename U>
+  using Cast = Value;
+  template <typename U>
+  bool can_cast() const {
+    return true;
+  }
+  /// Of what was read: false where one of the numbers is NaN or infinite.
+  bool is_finite() const {
+    return std::none_of(numbers_.begin(), numbers_.end(), [](const dymsum::Result<dymsum::Rational>& number) {
+      return !number && number.error().code == dymsum::ErrorCode::not_finite;
+    });
+  }
+
+ protected:
+  template <std::size_t N>
+  dymsum::Rational take() {
+    thrown_.raise();
+    return dymsum::python::take(std::move(numbers_[N]));
+  }
+  std::array<dymsum::Result<dymsum::Rational>, K> numbers_ = filled(std::make_index_sequence<K>());
+  dymsum::python::Interruption thrown_;
+
+ private:
+  template <std::size_t... N>
+  static std::array<dymsum::Result<dymsum::Rational>, K> filled(std::index_sequence<N...>) {
+    return {((void)N, dymsum::Rational())...};
+  }
+};
+
 template <>
-struct type_caster<dymsum::Rational> {
-  NB_TYPE_CASTER(dymsum::Rational, io_name("fractions.Fraction | float", "fractions.Fraction"))
-  bool from_python(handle src, uint32_t, cleanup_list*) noexcept { return dymsum::python::read_rational(src, value); }
+struct type_caster<dymsum::Rational> : rational_caster<dymsum::Rational, 1> {
+  static constexpr auto Name = io_name("fractions.Fraction | float", "fractions.Fraction");
+  bool from_python(handle src, uint32_t, cleanup_list*) noexcept {
+    return dymsum::python::read_rational(src, numbers_[0], thrown_);
+  }
+  explicit operator Value() { return take<0>(); }
   static handle from_cpp(const dymsum::Rational& number, rv_policy, cleanup_list*) noexcept {
     return dymsum::python::new_fraction(number);
   }
@@ -64,15 +112,12 @@ DYMSUM_NAMED_DOUBLES(Configuration, 3, DYMSUM_COMMA v[2])
 #undef DYMSUM_NAMED_DOUBLES
 
 template <>
-struct type_caster<dymsum::RationalPoint> {
-  NB_TYPE_CASTER(dymsum::RationalPoint,
-                 io_name("collections.abc.Sequence[fractions.Fraction | float]", "dymsum.RationalPoint"))
+struct type_caster<dymsum::RationalPoint> : rational_caster<dymsum::RationalPoint, 2> {
+  static constexpr auto Name = io_name("collections.abc.Sequence[fractions.Fraction | float]", "dymsum.RationalPoint");
   bool from_python(handle src, uint32_t, cleanup_list*) noexcept {
-    dymsum::Rational v[2];
-    if (!dymsum::python::read_rationals(src, v)) return false;
-    value = {v[0], v[1]};
-    return true;
+    return dymsum::python::read_rationals(src, numbers_, thrown_);
   }
+  explicit operator Value() { return {take<0>(), take<1>()}; }
   static handle from_cpp(const dymsum::RationalPoint& p, rv_policy, cleanup_list*) noexcept {
     const dymsum::Rational values[] = {p.x, p.y};
     return dymsum::python::new_named("RationalPoint", values);
@@ -80,15 +125,12 @@ struct type_caster<dymsum::RationalPoint> {
 };
 
 template <>
-struct type_caster<dymsum::RationalPoint3> {
-  NB_TYPE_CASTER(dymsum::RationalPoint3,
-                 io_name("collections.abc.Sequence[fractions.Fraction | float]", "dymsum.RationalPoint3"))
+struct type_caster<dymsum::RationalPoint3> : rational_caster<dymsum::RationalPoint3, 3> {
+  static constexpr auto Name = io_name("collections.abc.Sequence[fractions.Fraction | float]", "dymsum.RationalPoint3");
   bool from_python(handle src, uint32_t, cleanup_list*) noexcept {
-    dymsum::Rational v[3];
-    if (!dymsum::python::read_rationals(src, v)) return false;
-    value = {v[0], v[1], v[2]};
-    return true;
+    return dymsum::python::read_rationals(src, numbers_, thrown_);
   }
+  explicit operator Value() { return {take<0>(), take<1>(), take<2>()}; }
   static handle from_cpp(const dymsum::RationalPoint3& p, rv_policy, cleanup_list*) noexcept {
     const dymsum::Rational values[] = {p.x, p.y, p.z};
     return dymsum::python::new_named("RationalPoint3", values);

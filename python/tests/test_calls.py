@@ -115,6 +115,10 @@ def test_keyboard_interrupt_of_a_table(threads: int) -> None:
         lambda: [dymsum.contains_each(*LARGE, numpy.zeros((10**6, 2)), threads=2) for _ in range(20)],
         lambda: dymsum.contains_each(ROUND, ROUND, numpy.random.default_rng(1).uniform(-2, 2, (10**6, 3))),
         lambda: dymsum.check_path(ROD, WALL, CREEPING),
+        lambda: dymsum.check_motion(
+            ROD, WALL, (-9, 0, 0), (-4.001, 0, 0.001), dymsum.MotionOptions(resolution=0, most_poses=2**62)
+        ),
+        lambda: dymsum.SumLocator(dymsum.minkowski_sum(*LARGE)).contains_each(numpy.zeros((2 * 10**7, 2)), threads=1),
     ],
 )
 def test_keyboard_interrupt_of_long_calls(work: Any) -> None:

@@ -20,6 +20,8 @@ WORK = {
     "batches": "dymsum.contains_each(*large, numpy.zeros((10**6, 2)))",
     "conversions": "dymsum.nfp([(0, 0), (1, 0), (0, 1)], 'POLYGON((0 0, 2 0, 2 2, 0 2, 0 0))')",
     "solids": "dymsum.minkowski_sum(*solid)",
+    "endless progress": "dymsum.minkowski_sum(*large, dymsum.SumOptions(progress=lambda stage, share: endless()))",
+    "endless conversion": "dymsum.Region(Endless())",
 }
 
 
@@ -30,6 +32,13 @@ import threading, time, numpy, dymsum
 large = [dymsum.shapes.random_polygon(1500, 0, seed) for seed in (1, 2)]
 solid = [dymsum.solids.prism([(0, 0), (3, 0), (3, k), (1, 1), (1, 3), (0, 3)], 1.0) for k in (0.5, 0.25)]
 begun = threading.Event()
+def endless():
+    while True:
+        time.sleep(1e-4)
+class Endless:
+    @property
+    def __geo_interface__(self):
+        endless()
 def work():
     while True:
         begun.set()
@@ -52,6 +61,7 @@ OPTIONS = [
     dymsum.PlanOptions,
     dymsum.BatchOptions,
     dymsum.TableOptions,
+    dymsum.MovingSolidOptions,
 ]
 
 
@@ -80,12 +90,15 @@ def test_options_with_a_progress_of_their_holder_are_collected(kind: Any) -> Non
     assert seen() is None
 
 
-@pytest.mark.parametrize("kind", [dymsum.ScalingSum, dymsum.RotatingSum])
+@pytest.mark.parametrize("kind", [dymsum.ScalingSum, dymsum.RotatingSum, dymsum.MovingSolidSum])
 def test_moving_sums_with_a_progress_of_their_holder_are_collected(kind: Any) -> None:
+    solid = kind is dymsum.MovingSolidSum
+    p, q = (dymsum.solids.box(0, 0, 0, 1, 1, 1),) * 2 if solid else (shapes.star(5, 1, 2), shapes.disc(5, 1))
+
     def made(keeps_options: bool) -> weakref.ref[Holder]:
         holder = Holder()
-        options = dymsum.MovingOptions(progress=holder.progress)
-        holder.held = [kind(shapes.star(5, 1, 2), shapes.disc(5, 1), options), options if keeps_options else None]
+        options = (dymsum.MovingSolidOptions if solid else dymsum.MovingOptions)(progress=holder.progress)
+        holder.held = [kind(p, q, options), options if keeps_options else None]
         holder.sum = [holder.held[0].sum(), holder.held[0].options]
         assert holder.held[0].options.progress == holder.progress
         return weakref.ref(holder)

@@ -2,6 +2,9 @@
 
 from __future__ import annotations
 
+import copy
+import decimal
+import pickle
 from fractions import Fraction as F
 from typing import Any
 
@@ -86,6 +89,22 @@ def test_coordinates_that_doubles_hold(x: Any) -> None:
     assert dymsum.Region([(0, 0), (x, 0), (0, x)]).parts[0].outer[1, 0] == x
 
 
+def test_arrays_of_objects() -> None:
+    mixed = [[0, F(0)], [F(3, 2), 0.5], [numpy.float32(0.25), 2]]
+    expected = dymsum.Region([(0, 0), (1.5, 0.5), (0.25, 2)])
+    assert dymsum.Region(numpy.array(mixed, object)) == expected
+    rings = numpy.empty(2, object)
+    rings[:] = [numpy.array([(0, 0), (4, 0), (0, 4)]), [(1, 1), (1, F(3, 2)), (2, 1)]]
+    assert len(dymsum.Region(rings).parts[0].holes) == 1
+    assert dymsum.area(dymsum.minkowski_sum(numpy.array(TRIANGLE, object), TRIANGLE).rounded()) == 2
+    assert dymsum.volume((numpy.array(VERTICES, object), numpy.array(FACES, object))) == 1 / 6
+    with pytest.raises(dymsum.Error) as caught:
+        dymsum.Region(numpy.array([(0, 0), (F(1, 3), 0), (0, 1)], object))
+    assert caught.value.code == ErrorCode.unsupported_operand
+    with pytest.raises(TypeError, match="no number"):
+        dymsum.Region(numpy.array([(0, 0), ("1", 0), (0, 1)], object))
+
+
 def test_arrays_that_are_no_plain_numbers() -> None:
     hidden = numpy.ma.array(TRIANGLE, mask=[[0, 0], [1, 1], [0, 0]], dtype=float)
     for ring in (hidden, list(hidden), numpy.array(TRIANGLE, complex), numpy.array(TRIANGLE, "M8[D]")):
@@ -93,6 +112,42 @@ def test_arrays_that_are_no_plain_numbers() -> None:
             dymsum.Region(ring)
         with pytest.raises(TypeError):
             dymsum.Part(ring)
+
+
+NAN, INFINITE = float("nan"), float("inf")
+
+
+@pytest.mark.parametrize("odd", [NAN, INFINITE, -INFINITE, numpy.float32(NAN), decimal.Decimal("inf"), decimal.Decimal("nan")])
+def test_what_is_not_finite_lies_nowhere_or_is_an_error(odd: Any) -> None:
+    """Beside fractions as beside doubles."""
+    locator = dymsum.SumLocator(dymsum.minkowski_sum(TRIANGLE, TRIANGLE))
+    for other in (0.25, F(1, 3)):
+        assert not dymsum.contains(TRIANGLE, TRIANGLE, (other, odd))
+        assert not locator.contains((other, odd))
+        for each in (lambda p: dymsum.contains_each(TRIANGLE, TRIANGLE, p), locator.contains_each):
+            assert each([(other, odd), (other, other), (odd, other)]).tolist() == [False, True, False]
+    solid, theta = (VERTICES, FACES), dymsum.Orientation()
+    for call in (
+        lambda: locator.contains_rational((F(1, 3), odd)),
+        lambda: dymsum.contains(solid, solid, (F(1, 3), odd, 0)),
+        lambda: dymsum.contains_each(solid, solid, [(F(1, 3), 0, 0), (odd, 0, F(1, 3))]),
+        lambda: dymsum.contains_each(solid, solid, [(0.5, 0, 0), (odd, 0, 0)]),
+        lambda: dymsum.check_translation(TRIANGLE, TRIANGLE, (F(1, 3), odd), (0, 0), theta),
+        lambda: Scale(odd),
+        lambda: dymsum.GrowingDisc(TRIANGLE).sum_at(odd),
+        lambda: dymsum.ShapeFeatures(TRIANGLE).bridges(odd),
+        lambda: dymsum.ShapeFeatures(TRIANGLE).lasting(0, to=odd),
+        lambda: dymsum.TableItem("a", dymsum.Region(TRIANGLE), [0, odd]),
+        lambda: dymsum.twice_area([(0, 0), (1, 0), (odd, 1)]),
+    ):
+        with pytest.raises(dymsum.Error) as caught:
+            call()
+        assert caught.value.code in (ErrorCode.not_finite, ErrorCode.bad_scale, ErrorCode.out_of_range)
+
+
+def test_numbers_of_decimal_are_taken_exactly() -> None:
+    assert dymsum.TableItem("a", dymsum.Region(TRIANGLE), [decimal.Decimal("0.1")]).degrees == [F(1, 10)]
+    assert dymsum.TableItem("a", dymsum.Region(TRIANGLE), [decimal.Decimal("1e400")]).degrees == [10**400]
 
 
 def test_fields_say_what_they_refuse() -> None:
@@ -112,7 +167,7 @@ def test_fields_say_what_they_refuse() -> None:
             make()
 
 
-OPTIONS = "SumOptions MovingOptions SpatialOptions PlanOptions ObstacleOptions BatchOptions ObstacleMeshOptions TableOptions"
+OPTIONS = "SumOptions MovingOptions SpatialOptions PlanOptions ObstacleOptions BatchOptions ObstacleMeshOptions TableOptions MovingSolidOptions"
 
 
 @pytest.mark.parametrize("name", OPTIONS.split())
@@ -120,6 +175,46 @@ def test_progress_is_taken_back(name: str) -> None:
     options = getattr(dymsum, name)(progress=lambda stage, share: None)
     options.progress = None
     assert options.progress is None
+
+
+@pytest.mark.parametrize("name", OPTIONS.split())
+def test_copies_of_options_keep_all_fields(name: str) -> None:
+    kind = getattr(dymsum, name)
+    options = kind(progress=print)
+    fields = [field for field in dir(options) if not field.startswith("_")]
+    for field in fields:
+        if isinstance(getattr(options, field), (bool, int, float)) and field != "trace":
+            setattr(options, field, type(getattr(options, field))(3))
+    for copied in (copy.copy(options), copy.deepcopy(options)):
+        assert type(copied) is kind
+        assert [getattr(copied, field) for field in fields] == [getattr(options, field) for field in fields]
+        copied.progress = None
+    assert options.progress is print and pickle.loads(pickle.dumps(options)).progress is None
+    held = kind()
+    held.progress = Progress(held)
+    deep = copy.deepcopy(held)
+    assert deep.progress is not held.progress and deep.progress.options is deep
+    assert copy.copy(held).progress is held.progress
+
+
+class Progress:
+    """It leads back to the options that have it."""
+
+    def __init__(self, options: Any) -> None:
+        self.options = options
+
+    def __call__(self, stage: str, share: float) -> None:
+        pass
+
+
+def test_copies_of_moving_sums_keep_their_progress() -> None:
+    made = dymsum.ScalingSum(TRIANGLE, TRIANGLE, dymsum.MovingOptions(progress=print_nothing))
+    assert copy.copy(made).options.progress is print_nothing
+    assert copy.deepcopy(made).options.progress is print_nothing
+
+
+def print_nothing(stage: str, share: float) -> None:
+    pass
 
 
 @pytest.mark.parametrize(

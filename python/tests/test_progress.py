@@ -19,7 +19,9 @@ ANGLE = solids.prism([(0, 0), (3, 0), (3, 1), (1, 1), (1, 3), (0, 3)], 1.0)
 ROD, WALL = shapes.rectangle(-1, -0.25, 1, 0.25), shapes.gear(8, 2, 3)
 OBSTACLE = dymsum.CspaceObstacle(ROD, WALL)
 QUERIES = dymsum.ObstacleQueries(OBSTACLE)
+LOCATOR = dymsum.SumLocator(dymsum.minkowski_sum(P, Q))
 THETA = dymsum.Orientation.nearest(0.3)
+POSE = dymsum.SolidPose(dymsum.Rotation.of(5, 1, 2, 1))
 POINTS = numpy.random.default_rng(1).uniform(-2, 2, (5000, 2))
 PLACES = numpy.random.default_rng(2).uniform(-2, 2, (300, 3))
 POSES = numpy.array([[-9, 9 - k / 100, 0] for k in range(200)])
@@ -60,6 +62,12 @@ CALLS: list[tuple[str, Callable[[Progress], Any]]] = [
     ("contains_each", lambda f: dymsum.contains_each(P, Q, [(Fraction(1, 3), 1)], progress=f)),
     ("contains_each", lambda f: dymsum.contains_each(ANGLE, BOX, PLACES, progress=f)),
     ("contains_each", lambda f: dymsum.contains_each(ANGLE, BOX, [(Fraction(1, 3), 1, 1)], progress=f)),
+    ("SumLocator.contains_each", lambda f: LOCATOR.contains_each(POINTS, progress=f)),
+    ("SumLocator.contains_each", lambda f: LOCATOR.contains_each([(Fraction(1, 3), 1)], progress=f)),
+    ("check_motion", lambda f: dymsum.check_motion(ROD, WALL, (-9, 9, 0), (9, 9, 1), progress=f)),
+    ("MovingSolidSum", lambda f: dymsum.MovingSolidSum(ANGLE, BOX, dymsum.MovingSolidOptions(progress=f))),
+    ("MovingSolidSum", lambda f: dymsum.MovingSolidSum.create(ANGLE, BOX, dymsum.MovingSolidOptions(progress=f))),
+    ("posed_sum", lambda f: dymsum.posed_sum(ANGLE, BOX, POSE, options=dymsum.MovingSolidOptions(progress=f))),
     ("nfp_each", lambda f: dymsum.nfp_each([(P, Q)] * 3, planar(f))),
     ("nfp_each", lambda f: dymsum.nfp_each([(P, Q)] * 3, planar(f), return_errors=True)),
     ("ScalingSum", lambda f: dymsum.ScalingSum(P, Q, moving(f))),
@@ -107,7 +115,7 @@ def _that_take_a_progress() -> Iterator[str]:
     options = [
         name for name, kind in vars(dymsum).items() if name.endswith("Options") and hasattr(kind, "progress")
     ]
-    assert len(options) == 8
+    assert len(options) >= 9
     for name, value in vars(dymsum).items():
         members = vars(value).items() if inspect.isclass(value) else [("", value)]
         for member, function in members:
@@ -140,6 +148,19 @@ def test_progress(call: Callable[[Progress], Any]) -> None:
     with pytest.raises(dymsum.Error) as raised:
         call(lambda stage, share: False)
     assert raised.value.code == dymsum.ErrorCode.cancelled
+
+
+def test_a_solid_sum_in_motion_is_stopped_and_changes_nothing() -> None:
+    answer: list[Any] = [None]
+    made = dymsum.MovingSolidSum(ANGLE, BOX, dymsum.MovingSolidOptions(progress=lambda stage, share: answer[0]))
+    before = made.sum()
+    answer[0] = False
+    with pytest.raises(dymsum.Error):
+        made.set(POSE)
+    assert made.sum() == before and made.p_pose() == dymsum.SolidPose()
+    answer[0] = None
+    made.set(POSE)
+    assert made.sum() == dymsum.posed_sum(ANGLE, BOX, POSE) != before
 
 
 @pytest.mark.parametrize("kind", [dymsum.ScalingSum, dymsum.RotatingSum])

@@ -120,5 +120,21 @@ def test_events_that_there_are_not() -> None:
     for ask in (features.event_alpha, features.event_text):
         with pytest.raises(IndexError):
             ask(features.event_count())
-    with pytest.raises(TypeError):
+    with pytest.raises(dymsum.Error) as raised:
         features.bridges(math.nan)
+    assert raised.value.code == ErrorCode.not_finite
+
+
+def test_significant_bars_are_as_deep_as_they_last() -> None:
+    features = ShapeFeatures(COMB)
+    assert features.significant(0) == features.lasting(0)
+    assert features.significant(3) == [0, 2, 4, 6] and features.significant(Fraction(301, 100)) == []
+    assert features.lasting(Fraction(301, 100)) == [0, 2, 4, 6], "they last for ever, and are 3 deep"
+    assert features.significant(2, from_=1, to=4) == [0, 2, 4, 6] and features.significant(3, 1, 3) == []
+
+
+@pytest.mark.parametrize("crossing", ["MULTILINESTRING((0 0, 2 2), (0 2, 2 0))", "MULTILINESTRING((0 0, 2 0), (1 0, 3 0))"])
+def test_polylines_that_cross_are_refused(crossing: str) -> None:
+    with pytest.raises(dymsum.Error) as raised:
+        ShapeFeatures(crossing)
+    assert raised.value.code == ErrorCode.unsupported_operand

@@ -79,8 +79,10 @@ void PathFree::add(Critical& to, const BigRational& s, const WalkSegment* wall, 
   to[s].push_back(c);
 }
 
-PathFree::Critical PathFree::critical() const {
+PathFree::Critical PathFree::critical(const std::function<void(double)>& ask) const {
   Critical found;
+  const double all = static_cast<double>(walls_.size() + corners_.size());
+  double done = 0;
   const auto on = [&](const Segment& s, Pair v, const BigRational& at) {
     return forms_.along(s, v).sign_at(at) >= 0 && forms_.along(reversed(s), v).sign_at(at) >= 0;
   };
@@ -95,11 +97,13 @@ PathFree::Critical PathFree::critical() const {
     }
   };
   for (const WalkSegment& w : walls_) {
+    ask(done++ / all);
     const Segment wall{base_->operands[w.side].edge(w.edge), base_->operands[1 - w.side].source[w.vertex]};
     for (std::uint32_t k = 0; k < count_; ++k)
       values(wall, waypoint(k), [&](const BigRational& s) { add(found, s, &w, nullptr, k, waypoint(k), false); });
   }
   for (const WalkPair& corner : corners_) {
+    ask(done++ / all);
     const Pair v{base_->operands[0].source[corner.p], base_->operands[1].source[corner.q]};
     for (std::uint32_t k = 0; k + 1 < count_; ++k)
       values(leg(k), v, [&](const BigRational& s) { add(found, s, nullptr, &corner, k, v, true); });

@@ -1,6 +1,7 @@
 // A path of translations against the open sum of obstacles and a scaled, reflected part.
 #pragma once
 
+#include <functional>
 #include <map>
 #include <vector>
 
@@ -20,7 +21,8 @@ class PathFree {
 
   /// Scales at which something comes into contact with the path, with what does.
   using Critical = std::map<exact::BigRational, std::vector<ScaleContact>>;
-  Critical critical() const;
+  /// `ask` is called with the share that is done, and may throw.
+  Critical critical(const std::function<void(double)>& ask) const;
   /// Whether the part at this scale overlaps the obstacles nowhere on the path.
   bool free(const exact::BigRational& s) const;
 

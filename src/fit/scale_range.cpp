@@ -2,7 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 
+#include "base/poll.h"
 #include "fit/fit_contacts.h"
 #include "fit/path_free.h"
 #include "planar/operand/prepared_region.h"
@@ -36,9 +38,11 @@ std::optional<Error> assemble(const PathFree::Critical& critical, const std::opt
   };
   const std::size_t n = values.size();
   std::vector<std::uint8_t> gap(n + 1, 0);  // gap i lies below value i
+  const auto stopped = [&](std::size_t asked) {
+    return progress && !progress("scales", static_cast<double>(asked) / static_cast<double>(2 * n + 1));
+  };
   for (std::size_t i = 0; i <= n; ++i) {
-    if (progress && !progress("scales", double(i) / double(n + 1)))
-      return Error{ErrorCode::cancelled, "stopped on request", {}};
+    if (stopped(i)) return Error{ErrorCode::cancelled, "stopped on request", {}};
     if (i == n && limit) break;
     const BigRational s = n == 0   ? BigRational(1)
                           : i == 0 ? BigRational(values[0] / 2)
@@ -50,6 +54,7 @@ std::optional<Error> assemble(const PathFree::Critical& critical, const std::opt
   bool open = gap[0];
   if (open) range.free.push_back({});
   for (std::size_t i = 0; i < n; ++i) {
+    if (stopped(n + 1 + i)) return Error{ErrorCode::cancelled, "stopped on request", {}};
     const bool here = gap[i] || gap[i + 1] || (++range.tested, free(values[i]));
     if (here && !open) {
       range.free.push_back({});
@@ -77,7 +82,7 @@ std::optional<Error> check(const Region& part, const Region& other) {
 
 /// The path of a part past an engine region whose first vertex is not all there is.
 Result<ScaleRange> range_of(const Region& part, const std::vector<Point>& path, const EngineRegion& obstacles,
-                            const std::optional<BigRational>& limit, const Progress& progress) {
+                            const std::optional<BigRational>& limit, const Progress& progress) try {
   const std::array<std::shared_ptr<const Operand>, 2> kept{make_operand(obstacles, 0), prepared_operand(part, 1, true)};
   const auto first = static_cast<std::uint32_t>(kept[0]->points->input.size());
   const auto reference = static_cast<std::uint32_t>(kept[1]->points->input.size());
@@ -89,11 +94,15 @@ Result<ScaleRange> range_of(const Region& part, const std::vector<Point>& path, 
   std::uint32_t beside = 0;
   while (vertices[beside] == path[0]) ++beside;
   const PathFree walk(std::move(base).value(), first, static_cast<std::uint32_t>(path.size()), reference, beside);
+  Poll poll(progress);
+  poll.stage("contacts");
   ScaleRange range;
-  if (std::optional<Error> error =
-          assemble(walk.critical(), limit, progress, range, [&](const BigRational& s) { return walk.free(s); }))
+  if (std::optional<Error> error = assemble(walk.critical([&](double share) { poll(share); }), limit, progress, range,
+                                            [&](const BigRational& s) { return walk.free(s); }))
     return *std::move(error);
   return range;
+} catch (const Cancelled&) {
+  return Error{ErrorCode::cancelled, "stopped on request", {}};
 }
 
 // The largest scale at which the part's bounding box is no larger than the container's.
@@ -120,7 +129,10 @@ Region frame_tool(const Region& part, const BigRational& limit) {
 
 /// A scale below `limit` at which the part's bounding box, taken a little larger than it is, has room: it is convex, so
 /// every smaller part has room too.
-Result<BigRational> certain_fit(const Region& part, const Region& container, const BigRational& limit) {
+Result<BigRational> certain_fit(const Region& part, const Region& container, const BigRational& limit,
+                                const Progress& progress) {
+  SumOptions options;
+  options.progress = progress;
   const auto box = bounds(part);
   const auto up = [](double v) { return std::nextafter(v, INFINITY); };
   const double wide = up(box[2] - box[0]), high = up(box[3] - box[1]);
@@ -129,7 +141,7 @@ Result<BigRational> certain_fit(const Region& part, const Region& container, con
     low /= 2;
     const double s = up(exact::round_to_double(low)), w = up(wide * s), h = up(high * s);
     const Region hull = Region::create({{{{{0, 0}, {w, 0}, {w, h}, {0, h}}, {}}}, {}, {}}).value();
-    const Result<PlanarSum> room = erode(container, hull);
+    const Result<PlanarSum> room = erode(container, hull, options);
     if (!room) return room.error();
     if (!room->parts.empty()) return low;
   }
@@ -166,8 +178,9 @@ class AnyPlacement {
     return tight_contacts(*base_, state_->sum, s, numbers_);
   }
 
-  std::vector<EventValue> events(const BigRational& from, const BigRational& to) {
-    return events_of(*state_->windows.between(from, to), forms_, from, to);
+  /// `again` throws to stop.
+  std::vector<EventValue> events(const BigRational& from, const BigRational& to, const std::function<void()>& again) {
+    return events_of(*state_->windows.between(from, to), forms_, from, to, again);
   }
 
  private:
@@ -192,16 +205,21 @@ class AnyPlacement {
 };
 
 Result<PathFree::Critical> critical_of(AnyPlacement& placement, const BigRational& low, const BigRational& limit,
-                                       const Progress& progress) {
+                                       const Progress& progress) try {
   PathFree::Critical critical;
+  Poll poll(progress);
+  poll.stage("events");
   for (BigRational from = low; from < limit;) {
     const double done = exact::round_to_double(BigRational((from - low) / (limit - low)));
-    if (progress && !progress("events", done)) return Error{ErrorCode::cancelled, "stopped on request", {}};
+    const auto ask = [&] { poll(done); };
+    ask();
     const BigRational to = std::min<BigRational>(BigRational(from * BigRational(17, 16)), limit);
-    for (const EventValue& e : placement.events(from, to)) critical[e.s];
+    for (const EventValue& e : placement.events(from, to, ask)) critical[e.s];
     from = to;
   }
   return critical;
+} catch (const Cancelled&) {
+  return Error{ErrorCode::cancelled, "stopped on request", {}};
 }
 
 }  // namespace
@@ -258,7 +276,7 @@ Result<ScaleRange> fit_range(const Region& part, const Region& container, const 
   Result<AnyPlacement> made = AnyPlacement::create(part, container, limit);
   if (!made) return made.error();
   AnyPlacement placement = std::move(made).value();
-  const Result<BigRational> low = certain_fit(part, container, limit);
+  const Result<BigRational> low = certain_fit(part, container, limit, progress);
   if (!low) return low.error();
   const Result<PathFree::Critical> critical = critical_of(placement, *low, limit, progress);
   if (!critical) return critical.error();

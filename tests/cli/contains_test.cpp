@@ -65,6 +65,35 @@ TEST_F(ContainsCli, ManyQuestionsAreReadFromAFile) {
   EXPECT_LT(inside, 50u);
 }
 
+TEST_F(ContainsCli, PlacesMayBeFractions) {
+  // The first is on the boundary of the hole, which is open.
+  const Outcome two = work.run("dymsum contains frame.wkt square.wkt --json --at 2,7/3 --at 1/3,0.1 --at 3,3");
+  ASSERT_EQ(two.code, 0) << two.err;
+  const Json answers = Json::parse(two.out)["answers"];
+  ASSERT_EQ(answers.size(), 3u);
+  EXPECT_EQ(answers[0]["exact"], Json({"2/1", "7/3"}));
+  EXPECT_EQ(answers[0]["inside"], true);
+  EXPECT_EQ(answers[1]["exact"], Json({"1/3", "3602879701896397/36028797018963968"})) << "a decimal is a double";
+  EXPECT_FALSE(answers[2].contains("exact"));
+  EXPECT_EQ(answers[2]["inside"], false);
+  EXPECT_EQ(code("frame.wkt square.wkt --at 2,7/3 --semantics open"), 4);
+  const std::string tiny = "1" + std::string(40, '0');
+  EXPECT_EQ(code("frame.wkt square.wkt --at 2,7/3"), 0);
+  EXPECT_EQ(code("frame.wkt square.wkt --at 2" + std::string(39, '0') + "1/1" + std::string(40, '0') + ",7/3"), 4);
+  EXPECT_EQ(work.run("dymsum contains frame.wkt square.wkt --at 2/6,0.5").out.rfind("(1/3, 0.5): inside\n", 0), 0u);
+  // A square in a hole of its size.
+  EXPECT_EQ(code("square.wkt slot.wkt --at 0/7,0,0"), 4);
+  EXPECT_EQ(code("square.wkt slot.wkt --at 1/" + tiny + ",0,0"), 0);
+  EXPECT_EQ(code("square.wkt slot.wkt --semantics closed --at 2,1/3,0"), 0);
+  EXPECT_EQ(code("square.wkt slot.wkt --semantics closed --at 2,-4/3,90deg"), 0);
+  work.write("places.txt", "1/3 1/2\n2,7/3 # on the hole\n");
+  const Outcome file = work.run("dymsum contains frame.wkt square.wkt --at-file places.txt");
+  EXPECT_EQ(file.out.substr(0, file.out.find("inside\n", 20) + 7), "(1/3, 0.5): inside\n(2, 7/3): inside\n");
+  for (const char* wrong : {"1/0,1", "1/,1", "1/3,x", "/3,1", "0.5/2,nan"})
+    EXPECT_EQ(code(std::string("frame.wkt square.wkt --at ") + wrong), 1) << wrong;
+  EXPECT_EQ(work.run("dymsum angles square.wkt slot.wkt --at 1/3,1").code, 1) << "doubles, as said";
+}
+
 TEST_F(ContainsCli, WrongQuestionsAreTold) {
   for (const char* wrong :
        {"", "--at 1", "--at nan,0", "--at 1,2,3,4", "--at 1,2 --at 1,2,3", "--at 1,,2", "--at 1,2 --semantics regular"})

@@ -5,6 +5,8 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <set>
+#include <string>
 
 #include "dymsum/shapes.h"
 #include "oracles/random.h"
@@ -341,6 +343,32 @@ TEST(ScaleRange, inputs_without_an_answer_give_errors) {
   const auto stop = [](std::string_view, double) { return false; };
   EXPECT_EQ(scale_range(square, {{3, 3}}, square, stop).error().code, ErrorCode::cancelled);
   EXPECT_EQ(fit_range(square, square, stop).error().code, ErrorCode::cancelled);
+}
+
+// Whatever it asks first: all of the work may take long.
+TEST(ScaleRange, is_stopped_wherever_it_asks) {
+  const Region part = shapes::star(5, 0.5, 1), container = shapes::gear(8, 3, 4);
+  const auto of_path = [&](const Progress& progress) {
+    return scale_range(part, {{0, 0}, {1, 0.5}}, container, progress);
+  };
+  const auto of_fit = [&](const Progress& progress) { return fit_range(part, container, progress); };
+  const auto check = [](auto&& work, std::size_t least) {
+    std::size_t all = 0;
+    std::set<std::string, std::less<>> stages;
+    ASSERT_TRUE(work([&](std::string_view stage, double share) {
+                  stages.emplace(stage);
+                  EXPECT_TRUE(share >= 0 && share <= 1);
+                  return ++all > 0;
+                }).ok());
+    EXPECT_GE(all, least);
+    EXPECT_GE(stages.size(), 2u);
+    for (std::size_t asked = 1; asked <= all; asked += 1 + all / 9) {
+      std::size_t left = asked;
+      EXPECT_EQ(work([&](std::string_view, double) { return --left > 0; }).error().code, ErrorCode::cancelled);
+    }
+  };
+  check(of_path, 150);
+  check(of_fit, 100);
 }
 
 }  // namespace

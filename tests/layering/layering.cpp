@@ -82,7 +82,7 @@ const std::vector<std::string> kOtherRooms = {"include/dymsum",
 /// system has for files and terminals is in `base` and `cli`: elsewhere another system finds nothing to replace.
 const std::map<std::string, std::vector<std::string>> kForeign = {
     {"base",
-     {"tbb/", "oneapi/", "emmintrin.h", "fcntl.h", "sys/file.h", "sys/stat.h",
+     {"tbb/", "oneapi/", "emmintrin.h", "fcntl.h", "pthread.h", "sys/file.h", "sys/stat.h",
       "unistd.h"}},  // the compiler's own: vector registers, where it has them
     {"exact", {"boost/multiprecision/"}},
     {"planar", {"emmintrin.h"}},

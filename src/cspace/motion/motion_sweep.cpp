@@ -48,11 +48,13 @@ class Sweep {
              kCoordinate * (std::abs(a.x) + std::abs(b.x) + std::abs(a.y) + std::abs(b.y));
   }
 
-  MotionCheck run(const MotionOptions& options) {
+  Result<MotionCheck> run(const MotionOptions& options, const Progress& progress) {
     // Intervals still to be examined, the earliest on top.
     std::vector<std::pair<double, double>> open{{0.0, 1.0}};
     while (!open.empty()) {
       const auto [low, high] = open.back();
+      if (progress && check_.poses % kBetween == 0 && !progress("poses", low))
+        return Error{ErrorCode::cancelled, "stopped on request", {}};
       open.pop_back();
       const double middle = 0.5 * (low + high);
       const Pose::Overlap here = overlap(middle);
@@ -112,7 +114,8 @@ class Sweep {
     return check_;
   }
 
-  static constexpr int kLook = 64;  // half steps behind the first touch that are searched for an overlap
+  static constexpr std::uint64_t kBetween = 16;  // poses between questions whether to go on
+  static constexpr int kLook = 64;               // half steps behind the first touch that are searched for an overlap
 
   Pose pose_;
   Configuration a_, d_;
@@ -125,14 +128,14 @@ class Sweep {
 }  // namespace
 
 Result<MotionCheck> check_motion(const Region& robot, const Region& obstacle, const Configuration& a,
-                                 const Configuration& b, const MotionOptions& options) {
+                                 const Configuration& b, const MotionOptions& options, const Progress& progress) {
   if (auto error = planar::refused_pair(robot, obstacle)) return *std::move(error);
   for (const double v : {a.x, a.y, a.theta, b.x, b.y, b.theta})
     if (!std::isfinite(v)) return Error{ErrorCode::not_finite, "a configuration is not finite", {}};
   for (const double v : {a.x, a.y, b.x, b.y})
     if (std::abs(v) > planar::kLargestCoordinate)
       return Error{ErrorCode::unsupported_operand, "a coordinate is larger than 2^400", {}};
-  return Sweep(robot, obstacle, a, b, scale_for(robot, obstacle, a, b)).run(options);
+  return Sweep(robot, obstacle, a, b, scale_for(robot, obstacle, a, b)).run(options, progress);
 }
 
 }  // namespace dymsum

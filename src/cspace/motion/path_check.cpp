@@ -88,7 +88,8 @@ Result<PathCheck> check_turn(const Region& robot, const Region& obstacle, const 
 }
 
 Result<PathCheck> check_piece(const Region& robot, const Region& obstacle, const Configuration& a,
-                              const Configuration& b, Touching touch, const MotionOptions& options) {
+                              const Configuration& b, Touching touch, const MotionOptions& options,
+                              const Progress& progress) {
   if (a.theta == b.theta) {
     const Result<Orientation> theta = Orientation::nearest(a.theta);
     if (!theta) return theta.error();
@@ -98,7 +99,7 @@ Result<PathCheck> check_piece(const Region& robot, const Region& obstacle, const
     return of_translation(*check, a, b);
   }
   if (a.x == b.x && a.y == b.y) return check_turn(robot, obstacle, a, b, touch);
-  const Result<MotionCheck> check = check_motion(robot, obstacle, a, b, options);
+  const Result<MotionCheck> check = check_motion(robot, obstacle, a, b, options, progress);
   if (!check) return check.error();
   PathCheck piece;
   piece.outcome = check->outcome;
@@ -108,6 +109,14 @@ Result<PathCheck> check_piece(const Region& robot, const Region& obstacle, const
   piece.at = between(a, b, piece.low);
   piece.contact = check->contact;
   return piece;
+}
+
+// Of the whole path, while a piece of it is examined.
+Progress of_piece(const Progress& progress, std::size_t piece, std::size_t poses) {
+  if (!progress) return {};
+  return [&progress, piece, poses](std::string_view, double share) {
+    return progress("pieces", (static_cast<double>(piece) + share) / static_cast<double>(poses));
+  };
 }
 
 // The first piece that is not free, else the last one; a path of one pose is a translation to itself.
@@ -141,8 +150,8 @@ Result<PathCheck> check_path(const Region& robot, const Region& obstacle, std::s
 
 Result<PathCheck> check_path(const Region& robot, const Region& obstacle, std::span<const Configuration> poses,
                              Touching touch, const MotionOptions& options, const Progress& progress) {
-  return first_not_free(poses, progress, [&](const Configuration& a, const Configuration& b, std::size_t) {
-    return check_piece(robot, obstacle, a, b, touch, options);
+  return first_not_free(poses, progress, [&](const Configuration& a, const Configuration& b, std::size_t k) {
+    return check_piece(robot, obstacle, a, b, touch, options, of_piece(progress, k, poses.size()));
   });
 }
 

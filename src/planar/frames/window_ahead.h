@@ -1,39 +1,43 @@
 // A window that is made on a thread of its own while frames go on. What it becomes does not depend on when it is ready.
 #pragma once
 
-#include <atomic>
-#include <condition_variable>
 #include <memory>
-#include <mutex>
-#include <thread>
 
+#include "base/around_forks.h"
 #include "planar/frames/frame_window.h"
 
 namespace dymsum::planar {
 
 /// Used by one thread, except for the work itself. The thread that does it is started with the first window, and waits
 /// for the next one: waking it costs a frame less than starting one. Destroying this stops the work and waits until it
-/// has stopped.
-class WindowAhead {
+/// has stopped. Around a fork the work rests: what was done for the window is lost, and the parent begins it again. A
+/// child has no thread, so no window is under way there until one is started.
+class WindowAhead final : private base::AroundForks {
  public:
+  WindowAhead();
+  ~WindowAhead();
+  WindowAhead(const WindowAhead&) = delete;
+  WindowAhead& operator=(const WindowAhead&) = delete;
+
   /// Requires: not busy.
   void start(MakeWindow make);
   /// A window is under way, or waits to be taken.
   bool busy() const { return busy_; }
-  bool ready() const { return busy_ && ready_.load(std::memory_order_acquire); }
+  bool ready() const;
   /// Takes the window, or nothing where it would have cost too much; waits until it is ready. Requires: busy.
   std::unique_ptr<FrameWindow> take();
 
  private:
-  void work(const std::stop_token& stop);
+  void before_fork() override;
+  void after_fork_in_parent() override;
+  void after_fork_in_child() override;
+
+  struct Worker;
+  /// Starts the thread. False where memory or threads have run out.
+  bool begin();
 
   bool busy_ = false;
-  std::atomic<bool> ready_ = false;  // written under the mutex
-  std::mutex mutex_;
-  std::condition_variable_any wake_;     // to the thread: there is something to make, and back: it is made
-  MakeWindow make_;                      // what the thread has not taken yet
-  std::unique_ptr<FrameWindow> window_;  // written by the thread until it is ready
-  std::jthread thread_;                  // stopped and joined before what it writes to dies
+  std::unique_ptr<Worker> worker_;  // nothing: no window comes of what was started
 };
 
 }  // namespace dymsum::planar

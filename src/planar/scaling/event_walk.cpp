@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/poll.h"
 #include "planar/scaling/events.h"
 #include "planar/scaling/line_hashes.h"
 #include "planar/scaling/scaling_state.h"
@@ -32,24 +33,24 @@ struct Snapshot {
 /// Walks upwards through the events, window by window, looking at the sum between them and at them.
 class EventWalk {
  public:
-  explicit EventWalk(ScalingState& probe) : probe_(probe), lines_(probe.base) {}
+  EventWalk(ScalingState& probe, const Progress& progress) : probe_(probe), lines_(probe.base), poll_(progress) {
+    poll_.stage("events");
+  }
 
-  /// Calls f(event) for the events in [from, to] in order until it returns false. Errors: cancelled, and those of
-  /// frames.
+  /// Calls f(event) for the events in [from, to] in order until it returns false. Errors: those of frames. Throws
+  /// Cancelled.
   template <class F>
-  std::optional<Error> run(const BigRational& from, const BigRational& to, const Progress& progress, F&& f) {
+  std::optional<Error> run(const BigRational& from, const BigRational& to, F&& f) {
     // Neighbours just outside decide what lies before the first and behind the last.
     BigRational low = from * BigRational(1023, 1024);
     const BigRational end = to * BigRational(1025, 1024);
-    const double all = std::log(exact::round_to_double(BigRational(end / low)));
+    low_ = std::log(exact::round_to_double(low));
+    end_ = std::log(exact::round_to_double(end));
     std::optional<BigRational> last;
     std::optional<Snapshot> before;
     while (low < end) {
-      if (progress && !progress("events", 1 - std::log(exact::round_to_double(BigRational(end / low))) / all))
-        return Error{ErrorCode::cancelled, "stopped on request", {}};
       const BigRational high = std::min<BigRational>(BigRational(low * kRatio), end);
-      const std::unique_ptr<Window> window = probe_.windows.between(low, high);
-      std::vector<EventValue> values = events_of(*window, lines_.forms(), low, high);
+      std::vector<EventValue> values = values_between(low, high);
       for (std::size_t i = 0; i < values.size(); ++i) {
         const EventValue& e = values[i];
         if (last && e.s == *last) continue;  // on the border of two windows
@@ -88,12 +89,23 @@ class EventWalk {
  private:
   static inline const BigRational kRatio{17, 16};
 
+  /// Asks whether to go on, s being reached.
+  void ask(double s) {
+    share_ = std::max(share_, std::clamp((std::log(s) - low_) / (end_ - low_), 0.0, 1.0));
+    poll_(share_);
+  }
+
+  std::vector<EventValue> values_between(const BigRational& low, const BigRational& high) {
+    ask(exact::round_to_double(low));
+    const std::unique_ptr<Window> window = probe_.windows.between(low, high);
+    return events_of(*window, lines_.forms(), low, high, [this] { poll_(share_); });
+  }
+
   BigRational next_after(const BigRational& low, const BigRational& end) {
     BigRational from = low;
     while (from < end) {
       const BigRational to = std::min<BigRational>(BigRational(from * kRatio), end);
-      const std::unique_ptr<Window> window = probe_.windows.between(from, to);
-      for (const EventValue& e : events_of(*window, lines_.forms(), from, to))
+      for (const EventValue& e : values_between(from, to))
         if (e.s > low) return e.s;
       from = to;
     }
@@ -101,6 +113,7 @@ class EventWalk {
   }
 
   Result<Snapshot> look(const BigRational& s) {
+    ask(exact::round_to_double(s));
     const Result<Scale> scale = Scale::of(exact::to_rational(s));
     if (!scale) return scale.error();
     const Result<FrameChanges> moved = probe_.move_to(*scale, *scale);
@@ -110,6 +123,8 @@ class EventWalk {
 
   ScalingState& probe_;
   LineHashes lines_;
+  Poll poll_;
+  double low_ = 0, end_ = 1, share_ = 0;  ///< logarithms of the first and the last scale; the share that was told last
 };
 
 MovingOptions probe_options(MovingOptions options) {
@@ -118,6 +133,18 @@ MovingOptions probe_options(MovingOptions options) {
   options.progress = {};
   options.kept_window_bytes = 0;  // scales ascend
   return options;
+}
+
+/// EventWalk::run in [low, high] on a sum of its own.
+template <class F>
+std::optional<Error> walk(const ScalingState& state, const BigRational& low, const BigRational& high,
+                          const Progress& progress, F&& f) {
+  ScalingState probe(state.base, probe_options(state.options));
+  try {
+    return EventWalk(probe, progress).run(low, high, f);
+  } catch (const Cancelled&) {
+    return Error{ErrorCode::cancelled, "stopped on request", {}};
+  }
 }
 
 std::optional<Error> not_regular(const OperandPair& base) {
@@ -134,10 +161,8 @@ Result<std::vector<ScaleEvent>> ScalingSum::events(const Scale& a, const Scale& 
     return Error{ErrorCode::bad_scale,
                  "the range of scales is empty: " + a.exact().to_string() + " > " + b.exact().to_string(),
                  {}};
-  State probe(state_->base, probe_options(state_->options));
   std::vector<ScaleEvent> events;
-  EventWalk walk(probe);
-  if (std::optional<Error> error = walk.run(low, high, progress, [&](const ScaleEvent& e) {
+  if (std::optional<Error> error = walk(*state_, low, high, progress, [&](const ScaleEvent& e) {
         events.push_back(e);
         return true;
       }))
@@ -151,9 +176,7 @@ Result<std::optional<ScaleEvent>> ScalingSum::next_event(const Scale& s, const S
   const BigRational low = rational(scale_value(s)), high = rational(scale_value(limit));
   std::optional<ScaleEvent> found;
   if (low >= high) return found;
-  State probe(state_->base, probe_options(state_->options));
-  EventWalk walk(probe);
-  if (std::optional<Error> error = walk.run(low, high, progress, [&](const ScaleEvent& e) {
+  if (std::optional<Error> error = walk(*state_, low, high, progress, [&](const ScaleEvent& e) {
         if (exact::exact_value(e.s) > low && (change == EventChange::topology ? e.topology : e.visible)) found = e;
         return !found;
       }))

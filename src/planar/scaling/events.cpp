@@ -11,8 +11,9 @@ namespace {
 
 class Collector {
  public:
-  Collector(const Window& window, const ExactForms& forms, const BigRational& low, const BigRational& high)
-      : window_(window), forms_(forms), low_(low), high_(high) {}
+  Collector(const Window& window, const ExactForms& forms, const BigRational& low, const BigRational& high,
+            const std::function<void()>& again)
+      : window_(window), forms_(forms), low_(low), high_(high), again_(again) {}
 
   std::vector<EventValue> run() {
     for (const Candidate& c : window_.candidates) ends(window_.pieces[c.a].segment, window_.pieces[c.b].segment, c);
@@ -28,6 +29,15 @@ class Collector {
   }
 
  private:
+  // After so many pairs, some of which cost exact roots.
+  void count(std::uint32_t pairs) {
+    constexpr std::uint32_t kBetween = 1024;
+    since_ += pairs;
+    if (since_ < kBetween) return;
+    since_ = 0;
+    again_();
+  }
+
   bool within(const BigRational& s) const { return s >= low_ && s <= high_; }
 
   // v is on the line of s at this scale: is it on the closed segment?
@@ -45,6 +55,7 @@ class Collector {
   }
 
   void ends_of(std::uint32_t i, std::uint32_t j) {
+    count(16);
     const Segment a = window_.exact(i), b = window_.exact(j);
     const auto test = [&](const Segment& s, Pair v) {
       const std::optional<BigRational> root = forms_.side(s, v).root();
@@ -77,7 +88,8 @@ class Collector {
     const std::uint32_t first = window_.first_of[i], last = window_.first_of[i + 1];
     const auto line = [&](const Candidate& c) { return c.a == i ? c.ta : c.tb; };
     const auto error = [&](const Candidate& c) { return c.a == i ? c.error_a : c.error_b; };
-    for (std::uint32_t k = first; k < last; ++k)
+    for (std::uint32_t k = first; k < last; ++k) {
+      count(last - k);
       for (std::uint32_t l = k + 1; l < last; ++l) {
         const Candidate &x = window_.candidates[window_.of[k]], &y = window_.candidates[window_.of[l]];
         if (x.sign == 0 || y.sign == 0) continue;
@@ -95,19 +107,22 @@ class Collector {
         if (root && within(*root) && touch(s, a, *root) && touch(s, b, *root) && touch(a, b, *root))
           values_.push_back({*root, ScaleEvent::Kind::three_segments});
       }
+    }
   }
 
   const Window& window_;
   const ExactForms& forms_;
   const BigRational &low_, &high_;
+  const std::function<void()>& again_;
+  std::uint32_t since_ = 0;
   std::vector<EventValue> values_;
 };
 
 }  // namespace
 
 std::vector<EventValue> events_of(const Window& window, const ExactForms& forms, const BigRational& low,
-                                  const BigRational& high) {
-  return Collector(window, forms, low, high).run();
+                                  const BigRational& high, const std::function<void()>& again) {
+  return Collector(window, forms, low, high, again).run();
 }
 
 }  // namespace dymsum::planar

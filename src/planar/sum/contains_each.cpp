@@ -1,31 +1,15 @@
 // Whether many points lie in a sum: one by one while that is cheaper than the sum, else located in it.
-#include <algorithm>
 #include <optional>
 
-#include "base/parallel.h"
 #include "dymsum/sum_locator.h"
 #include "planar/operand/prepared_region.h"
 #include "planar/operand/sum_bounds.h"
+#include "planar/sum/answer_blocks.h"
 
 namespace dymsum {
 namespace {
 
 using Answers = Result<std::vector<std::uint8_t>>;
-
-Error stopped() { return {ErrorCode::cancelled, "stopped on request", {}}; }
-
-/// Progress is asked on this thread, after every block of points.
-template <class Block>
-Answers in_blocks(std::size_t count, std::size_t block, const Progress& progress, Block&& answer) {
-  std::vector<std::uint8_t> inside;
-  inside.reserve(count);
-  for (std::size_t first = 0; first < count; first += block) {
-    if (progress && !progress("points", static_cast<double>(first) / static_cast<double>(count))) return stopped();
-    const std::vector<std::uint8_t> next = answer(first, std::min(block, count - first));
-    inside.insert(inside.end(), next.begin(), next.end());
-  }
-  return inside;
-}
 
 std::size_t thin_vertices(const Region& r) {
   std::size_t count = r.points().size();
@@ -59,15 +43,8 @@ Result<SumLocator> locator_of(const Region& p, const Region& q, Semantics semant
 
 Answers one_by_one(const Region& p, const Region& q, std::span<const Point> points, Semantics semantics, int threads,
                    const Progress& progress) {
-  constexpr std::size_t kBlock = 256, kShare = 16;
-  return in_blocks(points.size(), kBlock, progress, [&](std::size_t first, std::size_t count) {
-    std::vector<std::uint8_t> inside(count);
-    base::parallel_parts((count + kShare - 1) / kShare, threads, [&](std::size_t part) {
-      for (std::size_t k = part * kShare; k < std::min(count, (part + 1) * kShare); ++k)
-        inside[k] = contains(p, q, points[first + k], semantics) ? 1 : 0;
-    });
-    return inside;
-  });
+  return planar::answer_blocks(points.size(), 256, 16, threads, progress,
+                               [&](std::size_t k) { return contains(p, q, points[k], semantics); });
 }
 
 /// Why no sum of these operands is asked about.
@@ -93,30 +70,21 @@ std::optional<std::vector<Point>> doubles_of(std::span<const RationalPoint> poin
 
 Answers contains_each(const Region& p, const Region& q, std::span<const Point> points, Semantics semantics, int threads,
                       const Progress& progress) {
-  constexpr std::size_t kBlock = 1 << 16;
   if (p.empty() || q.empty()) return std::vector<std::uint8_t>(points.size());
   if (const std::optional<Error> error = refusal(p, q)) return *error;
   if (!worth_a_sum(p, q, points.size(), semantics)) return one_by_one(p, q, points, semantics, threads, progress);
   const Result<SumLocator> sum = locator_of(p, q, semantics, progress);
   if (!sum) return sum.error();
-  return in_blocks(points.size(), kBlock, progress, [&](std::size_t first, std::size_t count) {
-    return sum->contains(points.subspan(first, count), threads);
-  });
+  return sum->contains_each(points, threads, progress);
 }
 
 Answers contains_each(const Region& p, const Region& q, std::span<const RationalPoint> points, Semantics semantics,
                       int threads, const Progress& progress) {
-  constexpr std::size_t kBlock = 1 << 12;
   if (p.empty() || q.empty()) return std::vector<std::uint8_t>(points.size());
   if (const auto doubles = doubles_of(points)) return contains_each(p, q, *doubles, semantics, threads, progress);
   const Result<SumLocator> sum = locator_of(p, q, semantics, progress);
   if (!sum) return sum.error();
-  return in_blocks(points.size(), kBlock, progress, [&](std::size_t first, std::size_t count) {
-    std::vector<std::uint8_t> inside(count);
-    base::parallel_parts(count, threads,
-                         [&](std::size_t k) { inside[k] = sum->contains_rational(points[first + k]) ? 1 : 0; });
-    return inside;
-  });
+  return sum->contains_each(points, threads, progress);
 }
 
 }  // namespace dymsum

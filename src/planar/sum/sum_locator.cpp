@@ -5,10 +5,10 @@
 #include <deque>
 #include <stdexcept>
 
-#include "base/parallel.h"
 #include "planar/position/exact_source.h"
 #include "planar/position/feature_tree.h"
 #include "planar/position/ring_slabs.h"
+#include "planar/sum/answer_blocks.h"
 
 namespace dymsum {
 
@@ -70,14 +70,16 @@ bool SumLocator::contains_rational(const RationalPoint& z) const {
   return state_->contains(planar::near_spot({exact::exact_value(z.x), exact::exact_value(z.y)}, kept));
 }
 
-std::vector<std::uint8_t> SumLocator::contains(std::span<const Point> points, int threads) const {
-  constexpr std::size_t kBlock = 2048;
-  std::vector<std::uint8_t> inside(points.size());
-  base::parallel_parts((points.size() + kBlock - 1) / kBlock, threads, [&](std::size_t block) {
-    for (std::size_t k = block * kBlock; k < std::min(points.size(), (block + 1) * kBlock); ++k)
-      inside[k] = contains(points[k]) ? 1 : 0;
-  });
-  return inside;
+Result<std::vector<std::uint8_t>> SumLocator::contains_each(std::span<const Point> points, int threads,
+                                                            const Progress& progress) const {
+  return planar::answer_blocks(points.size(), 1 << 16, 2048, threads, progress,
+                               [&](std::size_t k) { return contains(points[k]); });
+}
+
+Result<std::vector<std::uint8_t>> SumLocator::contains_each(std::span<const RationalPoint> points, int threads,
+                                                            const Progress& progress) const {
+  return planar::answer_blocks(points.size(), 1 << 12, 16, threads, progress,
+                               [&](std::size_t k) { return contains_rational(points[k]); });
 }
 
 }  // namespace dymsum

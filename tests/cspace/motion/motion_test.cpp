@@ -3,12 +3,14 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <cstdlib>
 #include <numbers>
 #include <random>
 
 #include "cspace/planner/test_rooms.h"
+#include "dymsum/path_check.h"
 #include "dymsum/region.h"
 #include "oracles/decimal_parts.h"
 #include "oracles/sanitized.h"
@@ -251,6 +253,30 @@ TEST(Motion, free_blocked_and_grazing) {
   MotionOptions few;
   few.most_poses = 3;
   EXPECT_EQ(check_motion(square(), wall, {0, 0, 0}, {3.99, 0, 7}, few)->outcome, MotionCheck::Outcome::undecided);
+}
+
+TEST(Motion, a_single_motion_asks_progress_and_stops) {
+  const Region wall = region({{box(5, -2, 6, 2), {}}});
+  const Configuration a{3.999, -9, 0}, b{3.999, 9, 1e-9};
+  std::vector<double> shares;
+  const Progress count = [&](std::string_view, double share) {
+    shares.push_back(share);
+    return true;
+  };
+  const MotionCheck check = check_motion(square(), wall, a, b, {}, count).value();
+  EXPECT_GT(check.poses, 100u);
+  EXPECT_GE(shares.size(), check.poses / 32);
+  EXPECT_TRUE(std::is_sorted(shares.begin(), shares.end()) && shares.back() <= 1);
+  for (const std::size_t asked : {std::size_t{1}, shares.size()}) {
+    std::size_t left = asked;
+    const Progress stop = [&](std::string_view, double) { return --left > 0; };
+    EXPECT_EQ(check_motion(square(), wall, a, b, {}, stop).error().code, ErrorCode::cancelled);
+  }
+  shares.clear();
+  const std::vector<Configuration> path{{0, -9, 0}, a, b};
+  ASSERT_TRUE(check_path(square(), wall, path, Touching::allowed, {}, count).ok());
+  EXPECT_GT(shares.size(), 4u);
+  EXPECT_TRUE(std::is_sorted(shares.begin(), shares.end()) && shares.back() <= 1);
 }
 
 TEST(Motion, whole_turns_far_away_are_free_at_any_angle) {

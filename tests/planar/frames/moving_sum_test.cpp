@@ -3,8 +3,11 @@
 #include "planar/frames/moving_sum.h"
 
 #include <gtest/gtest.h>
+#include <sys/wait.h>
+#include <unistd.h>
 
 #include <atomic>
+#include <memory>
 #include <thread>
 
 #include "dymsum/shapes.h"
@@ -43,7 +46,10 @@ class Still final : public MovingSum {
   bool followed = false;
   std::uint64_t identity = 0;  // of the one ring, as loops would keep it
   int built() const { return making_->built; }
-  void make_for_ever() { making_->never_ready = true; }  // until it is stopped
+  void make_for_ever(bool on = true) { making_->never_ready = on; }  // until it is stopped
+  void wait_until_begun(int times) const {
+    while (making_->begun < times) std::this_thread::yield();
+  }
   int entered = 0, dropped = 0;
   double at_ = 0;
 
@@ -59,7 +65,9 @@ class Still final : public MovingSum {
     return [making = making_, low, high,
             nothing = too_expensive](const std::stop_token& stop) -> std::unique_ptr<FrameWindow> {
       if (nothing) return nullptr;
+      ++making->begun;
       while (making->never_ready && !stop.stop_requested()) std::this_thread::yield();
+      if (stop.stop_requested()) return nullptr;
       ++making->built;
       return std::make_unique<Range>(low, high);
     };
@@ -80,7 +88,7 @@ class Still final : public MovingSum {
   WindowCost cost_of_window() const override { return {10, 0}; }
 
   struct Making {  // outlives this, as the thread does
-    std::atomic<int> built = 0;
+    std::atomic<int> begun = 0, built = 0;
     std::atomic<bool> never_ready = false;
   };
   std::shared_ptr<Making> making_ = std::make_shared<Making>();
@@ -185,6 +193,76 @@ TEST(MovingSum, a_window_under_way_is_stopped_with_the_sum) {
     EXPECT_TRUE(sum.work.rebuilt);
   }
   EXPECT_EQ(sum.built(), 0);
+}
+
+/// What `child` returns in a forked process.
+template <class Child>
+int status_of_child(Child&& child) {
+  const pid_t pid = ::fork();
+  if (pid == 0) {
+    ::alarm(20);
+    ::_exit(child());
+  }
+  int status = 0;
+  EXPECT_EQ(::waitpid(pid, &status, 0), pid);
+  return status;
+}
+
+// The thread that makes windows is not there in a child.
+TEST(MovingSum, a_forked_child_destroys_a_sum_that_makes_windows_ahead) {
+  MovingOptions options;
+  options.threads = 2;
+  for (const bool never_ready : {false, true}) {
+    auto sum = std::make_unique<Still>(options);
+    sum->make_for_ever(never_ready);
+    ASSERT_TRUE(sum->move_to(0.01).ok());
+    sum->wait_until_begun(1);
+    EXPECT_EQ(status_of_child([&] {
+                sum = nullptr;
+                return 0;
+              }),
+              0);
+  }
+}
+
+TEST(MovingSum, a_forked_child_makes_windows_of_its_own) {
+  MovingOptions options;
+  options.threads = 2;
+  for (const bool under_way : {false, true}) {
+    Still sum(options);
+    sum.make_for_ever(under_way);
+    ASSERT_TRUE(sum.move_to(0.01).ok());
+    sum.wait_until_begun(1);
+    if (!under_way) sum.finish_window_ahead();
+    const PlanarSum before = sum.sum;
+    EXPECT_EQ(status_of_child([&] {
+                sum.make_for_ever(false);
+                bool right = true;
+                for (int k = 2; k < 60; ++k) {
+                  right = right && sum.move_to(0.01 * k).ok() && sum.sum == before;
+                  sum.finish_window_ahead();
+                }
+                return right && sum.entered > 3 ? 0 : 1;
+              }),
+              0);
+  }
+}
+
+TEST(MovingSum, a_window_under_way_is_begun_again_behind_a_fork) {
+  MovingOptions options;
+  options.threads = 2;
+  Still sum(options);
+  sum.make_for_ever();
+  ASSERT_TRUE(sum.move_to(0.01).ok());
+  sum.wait_until_begun(1);
+  EXPECT_EQ(status_of_child([] { return 0; }), 0);
+  sum.wait_until_begun(2);
+  EXPECT_EQ(sum.built(), 0);
+  sum.make_for_ever(false);
+  sum.finish_window_ahead();
+  EXPECT_EQ(sum.built(), 1);
+  ASSERT_TRUE(sum.move_to(0.02).ok());
+  EXPECT_FALSE(sum.work.rebuilt);
 }
 
 TEST(MovingSum, nothing_changes_where_it_is_stopped) {

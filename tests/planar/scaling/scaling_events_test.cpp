@@ -1,6 +1,8 @@
 // Events: exact values, the sum at them and right beside them, and nothing visible in between.
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
 #include "dymsum/shapes.h"
 #include "oracles/random.h"
 #include "oracles/tiny_regions.h"
@@ -109,6 +111,28 @@ TEST(ScaleEvents, ranges_and_operands_that_have_no_events_give_errors) {
 
 /// Ends of the intervals in which two segments of the convolution cross, by testing every pair at every candidate
 /// scale.
+// Windows of many segments take seconds.
+TEST(ScaleEvents, progress_is_asked_at_every_event) {
+  const ScalingSum sum =
+      ScalingSum::create(shapes::random_polygon(40, 0, 1), shapes::random_polygon(30, 1, 2)).value();
+  const Scale a = Scale::of(1).value(), b = Scale::of(2).value();
+  std::vector<double> shares;
+  const Progress count = [&](std::string_view, double share) {
+    shares.push_back(share);
+    return true;
+  };
+  const std::size_t events = sum.events(a, b, count).value().size();
+  EXPECT_GT(events, 10u);
+  EXPECT_GT(shares.size(), 2 * events);
+  EXPECT_TRUE(std::is_sorted(shares.begin(), shares.end()) && shares.front() >= 0 && shares.back() <= 1);
+  for (std::size_t asked = 1; asked < shares.size(); asked += 1 + shares.size() / 9) {
+    std::size_t left = asked;
+    const Progress stop = [&](std::string_view, double) { return --left > 0; };
+    EXPECT_EQ(sum.events(a, b, stop).error().code, ErrorCode::cancelled) << asked;
+    EXPECT_EQ(left, 0u);
+  }
+}
+
 TEST(ScaleEvents, pair_events_of_two_triangles_are_counted) {
   const Region p = Region::create({{{{{0, 0}, {4, 1}, {1, 3}}, {}}}, {}, {}}).value(),
                q = Region::create({{{{{0, 0}, {3, 0}, {0, 2}}, {}}}, {}, {}}).value();

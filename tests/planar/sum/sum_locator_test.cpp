@@ -143,7 +143,8 @@ TEST(SumLocator, equals_contains_at_free_coordinates) {
             {a[0] + b[0] + s * (a[2] + b[2] - a[0] - b[0]), a[1] + b[1] + t * (a[3] + b[3] - a[1] - b[1])});
       }
       for (const Semantics semantics : kSemantics) {
-        const std::vector<std::uint8_t> found = SumLocator(sum_with(p, q, semantics), semantics).contains(points, 2);
+        const SumLocator sum(sum_with(p, q, semantics), semantics);
+        const std::vector<std::uint8_t> found = sum.contains_each(points, 2).value();
         for (std::size_t k = 0; k < points.size(); ++k)
           ASSERT_EQ(found[k] != 0, contains(p, q, points[k], semantics)) << points[k].x << " " << points[k].y;
         asked += static_cast<int>(points.size());
@@ -155,6 +156,27 @@ TEST(SumLocator, equals_contains_at_free_coordinates) {
 }
 
 // Positions nearer to each other than doubles are: what decides is exact, not the nearest double.
+TEST(SumLocator, asks_progress_and_stops) {
+  const Region square = shapes::rectangle(0, 0, 1, 1);
+  const SumLocator sum(minkowski_sum(square, square).value());
+  const std::vector<Point> points(200000, Point{1, 1});
+  const std::vector<RationalPoint> exact(10000, RationalPoint{*Rational::of(1, 3), 1});
+  std::vector<double> shares;
+  const Progress count = [&](std::string_view, double share) {
+    shares.push_back(share);
+    return true;
+  };
+  EXPECT_EQ(sum.contains_each(points, 1, count).value(), std::vector<std::uint8_t>(points.size(), 1));
+  EXPECT_GE(shares.size(), 3u);
+  EXPECT_TRUE(std::is_sorted(shares.begin(), shares.end()) && shares.back() <= 1);
+  shares.clear();
+  EXPECT_EQ(sum.contains_each(exact, 2, count).value(), std::vector<std::uint8_t>(exact.size(), 1));
+  EXPECT_GE(shares.size(), 3u);
+  const Progress stop = [](std::string_view, double) { return false; };
+  EXPECT_EQ(sum.contains_each(points, 1, stop).error().code, ErrorCode::cancelled);
+  EXPECT_EQ(sum.contains_each(exact, 1, stop).error().code, ErrorCode::cancelled);
+}
+
 TEST(SumLocator, decides_what_doubles_cannot_hold) {
   const Region p = shapes::rectangle(0, 0, 0.1, 1), q = shapes::rectangle(0, 0, 0.2, 1);
   const SumLocator sum(minkowski_sum(p, q).value());

@@ -1,0 +1,32 @@
+// The same question about many points, with progress.
+#pragma once
+
+#include <algorithm>
+#include <cstdint>
+#include <vector>
+
+#include "base/parallel.h"
+#include "dymsum/progress.h"
+#include "dymsum/result.h"
+
+namespace dymsum::planar {
+
+/// inside(k) for every k below `count`, block after block on so many threads, in shares (1: true); progress is asked on
+/// this one before each block. Errors: cancelled.
+template <class Inside>
+Result<std::vector<std::uint8_t>> answer_blocks(std::size_t count, std::size_t block, std::size_t share, int threads,
+                                                const Progress& progress, Inside&& inside) {
+  std::vector<std::uint8_t> answers(count);
+  for (std::size_t first = 0; first < count; first += block) {
+    if (progress && !progress("points", static_cast<double>(first) / static_cast<double>(count)))
+      return Error{ErrorCode::cancelled, "stopped on request", {}};
+    const std::size_t last = std::min(count, first + block);
+    base::parallel_parts((last - first + share - 1) / share, threads, [&](std::size_t part) {
+      const std::size_t begin = first + part * share;
+      for (std::size_t k = begin; k < std::min(last, begin + share); ++k) answers[k] = inside(k) ? 1 : 0;
+    });
+  }
+  return answers;
+}
+
+}  // namespace dymsum::planar
