@@ -57,9 +57,9 @@ struct LocalPart {
   Where where = Where::outside;
 
   struct Work {
-    bool rebuilt = false;       ///< the facets were found anew
-    std::uint64_t pairs = 0;    ///< of features that the bounding spheres left (hierarchy)
-    std::uint64_t facets = 0;   ///< of the convolution that come near the box
+    bool rebuilt = false;      ///< the facets were found anew
+    std::uint64_t pairs = 0;   ///< of features that the bounding spheres left (hierarchy)
+    std::uint64_t facets = 0;  ///< of the convolution that come near the box
     std::uint64_t contacts = 0, collision_tests = 0, tight_tests = 0, exact_signs = 0;
     double ms = 0;
   };
@@ -80,11 +80,11 @@ class LocalSum {
   LocalSum& operator=(LocalSum&&) noexcept;
   ~LocalSum();
 
-  /// P (+) Q at these poses, cut to the box. Requires low < high along every axis (else Error out_of_range; not_finite).
-  /// A translation moves the sum along, and is left to the caller. Errors too: unsupported_operand where poses and box
-  /// need more than 250 bits; cancelled. Exact: equal to the whole sum cut. Cost: what changed of the convolution
-  /// (hierarchy: pairs of features whose bounding spheres reach the box); then the stages of a sum for the facets that
-  /// come near the box.
+  /// P (+) Q at these poses, cut to the box. Requires low < high along every axis (else Error out_of_range;
+  /// not_finite). A translation moves the sum along, and is left to the caller. Errors too: unsupported_operand where
+  /// poses and box need more than 250 bits; cancelled. Exact: equal to the whole sum cut. Cost: what changed of the
+  /// convolution (hierarchy: pairs of features whose bounding spheres reach the box); then the stages of a sum for the
+  /// facets that come near the box.
   Result<LocalPart> in(const ClipBox& box, const SolidPose& p = {}, const SolidPose& q = {});
   /// The same in the ball's bounding box, less the pieces of faces and tight features that do not meet the closed ball,
   /// decided exactly. `where` is that of the ball's inside. Errors too: out_of_range for a radius of 0 or less.

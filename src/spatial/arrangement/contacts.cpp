@@ -161,8 +161,12 @@ std::vector<PlaneCut> plane_cuts(const SumSpace& space, const FacetTable& table,
       for (int k = 0; k < f.facet.corners; ++k) off |= space.side(plane, f.facet.corner[k]) != 0;
       const std::optional<Chord> c = off ? chord(space, f, plane) : std::nullopt;
       if (!c) continue;
-      const PlaneCut cut{
-          i, plane, source(f, c->from, plane), source(f, c->to, plane), goes_on(table, f, c->from), goes_on(table, f, c->to)};
+      const PlaneCut cut{i,
+                         plane,
+                         source(f, c->from, plane),
+                         source(f, c->to, plane),
+                         goes_on(table, f, c->from),
+                         goes_on(table, f, c->to)};
       if (!(cut.from == cut.to)) cuts.push_back(cut);
     }
   }

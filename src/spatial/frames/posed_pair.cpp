@@ -50,8 +50,11 @@ Vector3<Big> place_at(const AxisLevel& level, const BigInteger& scale, int unit,
   const unsigned shift = d.mantissa == 0 ? 0 : static_cast<unsigned>(d.exponent - unit);
   const Big at(BigInteger((BigInteger(d.mantissa) << shift) * scale));
   Vector3<Big> place = p;
-  (level.axis == 0 ? place.x : level.axis == 1 ? place.y : place.z) =
-      at - (level.axis == 0 ? q.x : level.axis == 1 ? q.y : q.z);
+  (level.axis == 0   ? place.x
+   : level.axis == 1 ? place.y
+                     : place.z) = at - (level.axis == 0   ? q.x
+                                        : level.axis == 1 ? q.y
+                                                          : q.z);
   return place;
 }
 

@@ -1,7 +1,6 @@
 #include "spatial/local/local_boundary.h"
 
 #include <algorithm>
-#include <stdexcept>
 
 #include "spatial/boundary/cell_links.h"
 
@@ -11,12 +10,9 @@ namespace {
 
 using Scopes = ClipWalls::Scopes;
 
-bool overlaps_middle(SumSpace& space, const exact::BigInteger& scale, const Collision& collision, const ClipBox& box) {
-  const auto middle = [&](double low, double high) {
-    return exact::BigRational((exact::exact_value(low) + exact::exact_value(high)) * scale / 2);
-  };
-  const std::optional<PointSource> at = space.add_place(
-      {middle(box.low.x, box.high.x), middle(box.low.y, box.high.y), middle(box.low.z, box.high.z)});
+bool overlaps_at(SumSpace& space, const exact::BigInteger& scale, const Collision& collision, const Middle& middle) {
+  const std::optional<PointSource> at =
+      space.add_place({middle.at[0] * scale, middle.at[1] * scale, middle.at[2] * scale});
   return at && collision.overlaps({*at, 0, 0, 0, 0, 0});
 }
 
@@ -93,21 +89,14 @@ class LocalStages {
 
 }  // namespace
 
-ReducedConvolution facets_near(const SumSpace& space, const Box& box, const ReducedConvolution& all) {
-  ReducedConvolution near;
-  near.counts = all.counts;
-  for (std::size_t f = 0; f < all.facets.size(); ++f) {
-    Box of;
-    for (int k = 0; k < all.facets[f].corners; ++k) of.add(space.approx(all.facets[f].corner[static_cast<std::size_t>(k)]));
-    if (!overlap(of, box)) continue;
-    near.facets.push_back(all.facets[f]);
-    near.planes.push_back(all.planes[f]);
-  }
-  return near;
+bool comes_near(const SumSpace& space, const SumFacet& facet, const Box& box) {
+  Box of;
+  for (int k = 0; k < facet.corners; ++k) of.add(space.approx(facet.corner[static_cast<std::size_t>(k)]));
+  return overlap(of, box);
 }
 
-LocalBoundary local_boundary(PosedSpace& space, ReducedConvolution convolution, const SolidPair& pair,
-                             ClipWalls& walls, const ClipBox& box, const SpatialOptions& options, SpatialStats& stats,
+LocalBoundary local_boundary(PosedSpace& space, ReducedConvolution convolution, const SolidPair& pair, ClipWalls& walls,
+                             const Middle& middle, const SpatialOptions& options, SpatialStats& stats,
                              StageWatch& watch) {
   const bool brute = options.engine == SpatialEngine::brute;
   const auto vertices = static_cast<std::uint32_t>(pair.p.vertices.size());
@@ -135,7 +124,8 @@ LocalBoundary local_boundary(PosedSpace& space, ReducedConvolution convolution, 
   watch.begin("tight features");
   if (options.tight) stages.find_tight(brute);
   stages.keep_inside();
-  local.middle_inside = stages.is_empty() && overlaps_middle(*result.space, space.scale, collision, box);
+  if (middle.always || stages.is_empty())
+    local.middle_inside = overlaps_at(*result.space, space.scale, collision, middle);
   watch.begin("");
   stats.bits = result.space->bits();
   stats.points = result.arrangement->points.size(), stats.cells = result.arrangement->cell_count;
