@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 #include <map>
+#include <optional>
 
 #include "exact/big.h"
 #include "spatial/mesh/box_tree.h"
@@ -57,7 +58,8 @@ class BallTest {
       for (const auto& loop : loops)
         for (std::size_t k = 0; k < loop.size(); ++k)
           if (meets_segment(loop[k], loop[(k + 1) % loop.size()])) return true;
-    return meets_inside(loops);
+    const std::optional<bool> inside = close ? std::nullopt : rough_inside(loops);
+    return inside ? *inside : meets_inside(loops);
   }
 
  private:
@@ -95,6 +97,45 @@ class BallTest {
     t = t < 0 ? BigRational(0) : t > 1 ? BigRational(1) : t;
     const Seen x{u[0] + t * d[0], u[1] + t * d[1], u[2] + t * d[2]};
     return product(x, x);
+  }
+  /// The same in doubles of a face whose borders are all further away than the ball reaches: then the ball's disc in
+  /// its plane lies inside or outside as a whole, and its middle away from the borders. Nothing where that is not sure.
+  std::optional<bool> rough_inside(const Loops& loops) const {
+    const std::vector<std::uint32_t>& outer = loops.front();
+    const Vec3 o = seen(outer[0]);
+    Vec3 n;
+    double areas = 0, sides = 0;
+    for (std::size_t k = 1; k + 1 < outer.size(); ++k) {
+      const Vec3 u = seen(outer[k]) - o, v = seen(outer[k + 1]) - o;
+      n = n + cross(u, v);
+      areas += length(u) * length(v), sides += length(u) + length(v);
+    }
+    const double size = length(n), reach = length(o) + ball_.radius;
+    const double off = (8 * slack_ * sides + 0x1p-46 * areas) / size;  // of the unit normal
+    if (!(off < 0x1p-10)) return std::nullopt;
+    const Vec3 unit = (1 / size) * n;
+    const double d = dot(unit, o), d_off = 4 * (off * reach + slack_);
+    if (std::abs(d) > ball_.radius + d_off) return false;
+    const double margin = ball_.radius * ball_.radius - d * d;
+    if (!(margin > 256 * d_off * reach)) return std::nullopt;
+    return holds(loops, d * unit, unit);
+  }
+  bool holds(const Loops& loops, Vec3 foot, Vec3 n) const {
+    const double x = std::abs(n.x), y = std::abs(n.y), z = std::abs(n.z);
+    const int drop = x >= y && x >= z ? 0 : y >= z ? 1 : 2;
+    const auto flat = [&](Vec3 v) {
+      return drop == 0 ? std::array{v.y, v.z} : drop == 1 ? std::array{v.z, v.x} : std::array{v.x, v.y};
+    };
+    const auto [fx, fy] = flat(foot);
+    bool inside = false;
+    for (const auto& loop : loops) {
+      for (std::size_t k = 0; k < loop.size(); ++k) {
+        const auto [ax, ay] = flat(seen(loop[k]));
+        const auto [bx, by] = flat(seen(loop[(k + 1) % loop.size()]));
+        if ((ay > fy) != (by > fy)) inside ^= fx < ax + (fy - ay) / (by - ay) * (bx - ax);
+      }
+    }
+    return inside;
   }
   /// The foot of the middle on the face's plane lies inside, no further than the radius.
   bool meets_inside(const Loops& loops) {
