@@ -90,6 +90,8 @@ CALLS: list[tuple[str, Callable[[Progress], Any]]] = [
     ("closing", lambda f: dymsum.closing(ANGLE, BOX, solid(f))),
     ("offset", lambda f: dymsum.offset(ANGLE, 0.5, 0.2, options=solid(f))),
     ("slice_of_sum", lambda f: dymsum.slice_of_sum(ANGLE, ANGLE, 0.5, solid(f))),
+    ("LocalSum", lambda f: dymsum.LocalSum(ANGLE, BOX, dymsum.LocalOptions(progress=f))),
+    ("LocalSum", lambda f: dymsum.LocalSum.create(ANGLE, BOX, dymsum.LocalOptions(progress=f))),
     ("SolidDepth", lambda f: dymsum.SolidDepth(ANGLE, BOX, dymsum.DepthOptions(progress=f))),
     ("SolidDepth", lambda f: dymsum.SolidDepth.create(ANGLE, BOX, dymsum.DepthOptions(progress=f))),
     ("depth_batch", lambda f: dymsum.depth_batch(DEPTH, PLACES[:40], dymsum.DepthBatchOptions(1, progress=f))),
@@ -120,7 +122,7 @@ def _that_take_a_progress() -> Iterator[str]:
     options = [
         name for name, kind in vars(dymsum).items() if name.endswith("Options") and hasattr(kind, "progress")
     ]
-    assert len(options) == 11
+    assert len(options) == 12
     for name, value in vars(dymsum).items():
         members = vars(value).items() if inspect.isclass(value) else [("", value)]
         for member, function in members:
