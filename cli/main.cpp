@@ -47,6 +47,7 @@ void add_verbs(CLI::App& app, Action& action) {
   add_angles(app, action);
   add_path(app, action);
   add_depth(app, action);
+  add_local_sum(app, action);
   add_contains(app, action);
   add_features(app, action);
   add_decompose(app, action);

@@ -63,8 +63,9 @@ Json tight_list(const SpatialSum& sum) {
   return {{"faces", std::move(faces)}, {"segments", std::move(segments)}, {"points", std::move(points)}};
 }
 
-Json exact_json(const SpatialSum& sum) {
-  Json json = any_solid_sum_json(sum, false);
+}  // namespace
+
+Json exact_sum_json(const SpatialSum& sum, Json json) {
   Json faces = Json::array(), edges = Json::array();
   for (const SpatialFace& f : sum.faces) {
     faces.push_back({{"kind", face_kind(f)},
@@ -81,6 +82,8 @@ Json exact_json(const SpatialSum& sum) {
   json["tight_list"] = tight_list(sum);
   return json;
 }
+
+namespace {
 
 std::vector<FaceColour> colours_of(const SpatialSum& sum, const SpatialSum::Rounded& rounded) {
   std::vector<FaceColour> colours{{{0.91f, 0.64f, 0.24f}, {}},
@@ -160,7 +163,7 @@ int face_colour(const SpatialFace& face) {
 
 std::string any_solid_output(const SpatialSum& sum, const std::string& file, const SolidOutput& how) {
   const std::string name = format_name(file, how.to);
-  if (name.ends_with(".json")) return exact_json(sum).dump(1) + "\n";
+  if (name.ends_with(".json")) return exact_sum_json(sum, any_solid_sum_json(sum, false)).dump(1) + "\n";
   const MeshFormat format = require(mesh_format(name));
   if (format == MeshFormat::glb) return picture_of(sum, file, is_stage_mesh(name));
   const Result<SpatialSum::Rounded> rounded = sum.rounded();

@@ -26,6 +26,9 @@ std::uint64_t stage_mesh_bytes(const SpatialTrace& trace);
 /// The summary of a report. volume_exact is null where it is long, unless it is wanted `exact`.
 Json any_solid_sum_json(const SpatialSum& sum, bool exact);
 
+/// A summary, and behind it vertices, edges, faces and what is tight, exactly and with provenance.
+Json exact_sum_json(const SpatialSum& sum, Json summary);
+
 /// The error with the file of the operand that has the vertex it tells, or whose reflection has; where it tells
 /// nothing, of the last one that is empty.
 Error in_solid_operand(Error error, const std::vector<SolidInput>& inputs);

@@ -20,6 +20,7 @@ from ._errors import Error as Error
 from ._errors import Evidence as Evidence
 from ._values import Clearances as Clearances
 from ._values import Configuration as Configuration
+from ._values import DepthRows as DepthRows
 from ._values import Point as Point
 from ._values import Point3 as Point3
 from ._values import PoseReports as PoseReports

@@ -7,7 +7,12 @@ from typing import Optional, Union
 from . import _core
 from ._core import (
     ConvexPolygonSum,
+    ClipBall,
+    ClipBox,
     ConvexSum,
+    LocalOptions,
+    LocalPart,
+    LocalSum,
     Mesh,
     MovingOptions,
     MovingSolidOptions,
@@ -114,3 +119,11 @@ def moving_solid(p: Mesh, q: Mesh, options: MovingSolidOptions, p_pose: SolidPos
     made = MovingSolidSum(p, q, options)
     made.set(p_pose, q_pose)
     return made
+
+
+def local_part(
+    p: Mesh, q: Mesh, options: LocalOptions, place: Union[ClipBox, ClipBall], p_pose: SolidPose, q_pose: SolidPose
+) -> LocalPart:
+    """The part of a sum at a place."""
+    sum = LocalSum(p, q, options)
+    return sum.in_(place, p_pose, q_pose) if isinstance(place, ClipBox) else sum.in_(place, p_pose, q_pose)

@@ -56,6 +56,17 @@ class Clearances(NamedTuple):
     nearest: NDArray[numpy.float64]  #: (n, 3): x, y, theta
 
 
+class DepthRows(NamedTuple):
+    """Answers of depth_batch_arrays for n translations, as for SolidDistance."""
+
+    meeting: NDArray[numpy.uint8]  #: (n): values of Meeting
+    distance: NDArray[numpy.float64]  #: (n)
+    direction: NDArray[numpy.float64]  #: (n, 3): of the first shortest move; zero where there is none
+    ways: NDArray[numpy.uint32]  #: (n): how many shortest moves
+    complete: NDArray[numpy.bool_]  #: (n)
+    at_least: NDArray[numpy.float64]  #: (n)
+
+
 class PoseReports(NamedTuple):
     """Answers of pose_batch_arrays for n rotations, as for PoseReport."""
 

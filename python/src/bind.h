@@ -34,6 +34,8 @@ void bind_moving_solids(nb::module_& m);
 void bind_solid_sum(nb::module_& m);
 void bind_convex_sum(nb::module_& m);
 void bind_convex_solid(nb::module_& m);
+void bind_depth(nb::module_& m);
+void bind_local_sum(nb::module_& m);
 void bind_criticality(nb::module_& m);
 void bind_nesting(nb::module_& m);
 void bind_nfp_table(nb::module_& m);

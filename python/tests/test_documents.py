@@ -33,7 +33,7 @@ def documented() -> Iterator[tuple[str, str]]:
 
 
 EXAMPLES = list(documented())
-PAGES = [page for page in (ROOT / "docs/guide/python.md", ROOT / "docs/guide/nesting.md", ROOT / "README.md") if page.exists()]
+PAGES = [page for page in (ROOT / "docs/guide/python.md", ROOT / "docs/guide/nesting.md", ROOT / "docs/guide/depth.md", ROOT / "README.md") if page.exists()]
 
 
 def run(text: str, name: str) -> None:

@@ -77,12 +77,15 @@ def samples() -> list[Any]:
         dymsum.GrowingDisc(unit).sum_at(1),
         features,
         dymsum.decompose(features),
+        dymsum.SolidDepth(box, box),
+        dymsum.PlanarDepth(unit, unit),
+        dymsum.LocalSum(box, box),
     ]
     JUNK.extend(
         [sum, sum.parts[0].outer.vertices[0], dymsum.nfp(unit, dymsum.shapes.disc(9, 1)).parts[0].outer.vertices[7]]
     )
     JUNK.extend([obstacle, dymsum.CspaceObstacle(dymsum.shapes.disc(9, 1), unit).patches()[3], dymsum.SolidBuffers()])
-    JUNK.extend([made[-3], features, dymsum.DiscRadius.at_event(3)])
+    JUNK.extend([made[-6], features, dymsum.DiscRadius.at_event(3)])
     return made
 
 

@@ -16,6 +16,7 @@ P, Q = shapes.random_polygon(40, 1, 4), shapes.gear(12, 0.3, 0.5)
 BOX, BALL = solids.box(0, 0, 0, 1, 1, 1), solids.geodesic_sphere(1, 2)
 #: A solid that is not convex, so that sums go the long way.
 ANGLE = solids.prism([(0, 0), (3, 0), (3, 1), (1, 1), (1, 3), (0, 3)], 1.0)
+DEPTH, QUESTIONS = dymsum.SolidDepth(ANGLE, BOX), [dymsum.DepthQuestion(ANGLE, BOX)] * 3
 ROD, WALL = shapes.rectangle(-1, -0.25, 1, 0.25), shapes.gear(8, 2, 3)
 OBSTACLE = dymsum.CspaceObstacle(ROD, WALL)
 QUERIES = dymsum.ObstacleQueries(OBSTACLE)
@@ -97,6 +98,20 @@ CALLS: list[tuple[str, Callable[[Progress], Any]]] = [
     ("closing", lambda f: dymsum.closing(ANGLE, BOX, solid(f))),
     ("offset", lambda f: dymsum.offset(ANGLE, 0.5, 0.2, options=solid(f))),
     ("slice_of_sum", lambda f: dymsum.slice_of_sum(ANGLE, ANGLE, 0.5, solid(f))),
+    ("LocalSum", lambda f: dymsum.LocalSum(ANGLE, BOX, dymsum.LocalOptions(progress=f))),
+    ("LocalSum", lambda f: dymsum.LocalSum.create(ANGLE, BOX, dymsum.LocalOptions(progress=f))),
+    ("SolidDepth", lambda f: dymsum.SolidDepth(ANGLE, BOX, dymsum.DepthOptions(progress=f))),
+    ("SolidDepth", lambda f: dymsum.SolidDepth.create(ANGLE, BOX, dymsum.DepthOptions(progress=f))),
+    ("depth_batch", lambda f: dymsum.depth_batch(DEPTH, PLACES[:40], dymsum.DepthBatchOptions(1, progress=f))),
+    ("depth_batch", lambda f: dymsum.depth_batch(QUESTIONS, dymsum.DepthBatchOptions(1, progress=f))),
+    (
+        "depth_batch",
+        lambda f: dymsum.depth_batch(QUESTIONS, dymsum.DepthBatchOptions(1, progress=f), return_errors=True),
+    ),
+    (
+        "depth_batch_arrays",
+        lambda f: dymsum.depth_batch_arrays(DEPTH, PLACES[:40], dymsum.DepthBatchOptions(1, progress=f)),
+    ),
     ("CriticalityMap", lambda f: dymsum.CriticalityMap(BALL, BOX, (0, 0, 1), f)),
     ("CriticalityMap", lambda f: dymsum.CriticalityMap.create(BALL, BOX, (0, 0, 1), f)),
     ("NfpTable", lambda f: dymsum.NfpTable(LARGE_TABLE, progress=f)),
@@ -115,7 +130,7 @@ def _that_take_a_progress() -> Iterator[str]:
     options = [
         name for name, kind in vars(dymsum).items() if name.endswith("Options") and hasattr(kind, "progress")
     ]
-    assert len(options) >= 9
+    assert len(options) == 12
     for name, value in vars(dymsum).items():
         members = vars(value).items() if inspect.isclass(value) else [("", value)]
         for member, function in members:

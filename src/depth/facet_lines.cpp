@@ -57,10 +57,38 @@ Vec3 FacetView::nearest(std::uint32_t f) const {
   return best;
 }
 
-bool FacetView::cover(Vec3 a, Vec3 b, double off) const {
+namespace {
+
+/// What is seen as y, no further than `within`, and outside of a ball of radius r about -e, has
+/// 2 y . e > r^2 - within^2 - e . e: the bound of y . e, less what positions are off.
+double least_beyond(Vec3 e, double radius, double within, double off) {
+  return 0.5 * (radius * radius - within * within - dot(e, e)) - 4 * off * (1 + length(e) + radius + within);
+}
+
+}  // namespace
+
+bool FacetView::cover(Vec3 a, Vec3 b, double off, double within) const {
   return std::any_of(balls.begin(), balls.end(), [&](const CoveredBall& ball) {
     const double radius = ball.radius - 2 * off - slack;
-    return length(from + a - ball.middle) < radius && length(from + b - ball.middle) < radius;
+    if (!(radius > 0)) return false;
+    const Vec3 e = from - ball.middle;
+    if (length(e + a) < radius && length(e + b) < radius) return true;
+    return std::max(dot(a, e), dot(b, e)) < least_beyond(e, radius, within, off + slack);
+  });
+}
+
+bool FacetView::cover(const Box& box, double within) const {
+  return std::any_of(balls.begin(), balls.end(), [&](const CoveredBall& ball) {
+    if (!(ball.radius > 0)) return false;
+    const auto far = [](double low, double high, double v) { return std::max(std::abs(v - low), std::abs(high - v)); };
+    const Vec3 m = ball.middle, e = from - m;
+    if (length({far(box.low.x, box.high.x, m.x), far(box.low.y, box.high.y, m.y), far(box.low.z, box.high.z, m.z)}) <
+        ball.radius)
+      return true;
+    const auto most = [](double low, double high, double by) { return by > 0 ? high * by : low * by; };
+    const Vec3 low = box.low - from, high = box.high - from;
+    return most(low.x, high.x, e.x) + most(low.y, high.y, e.y) + most(low.z, high.z, e.z) <
+           least_beyond(e, ball.radius, within, slack);
   });
 }
 
@@ -78,7 +106,7 @@ FacetCandidates::FacetCandidates(const FacetView& view, const ExactFrame& frame,
 }
 
 void FacetCandidates::add_line(const FacetLine& line) {
-  if (line.distance() > within_ || view_.cover(line.at(line.first), line.at(line.last), line.off)) return;
+  if (line.distance() > within_ || view_.cover(line.at(line.first), line.at(line.last), line.off, within_)) return;
   lines_.push_back(line);
 }
 
@@ -117,12 +145,23 @@ void FacetCandidates::add_neighbours() {
   box.low = {std::max(box.low.x, ball.low.x), std::max(box.low.y, ball.low.y), std::max(box.low.z, ball.low.z)};
   box.high = {std::min(box.high.x, ball.high.x), std::min(box.high.y, ball.high.y), std::min(box.high.z, ball.high.z)};
   view_.o.tree.for_each(box, [&](std::uint32_t g) {
-    if (g == f_) return;
+    if (g == f_ || !may_cross(box, g)) return;
     const SumFacet &a = view_.o.facets[f_], &b = view_.o.facets[g];
     const double sine = length(cross(normal_, view_.o.normals[g]));
     if (sine < kFlat && is_parallel(frame_, a, b)) return add_level(g);
     if (!share_border(a, b)) add_across(g);
   });
+}
+
+/// Where the facet's part within reach meets another one lies in both boxes.
+bool FacetCandidates::may_cross(const Box& part, std::uint32_t g) const {
+  const Box& of = view_.o.tree.box(g);
+  const double more = 2 * view_.slack;
+  const auto low = [&](double a, double b) { return std::max(a, b - more); };
+  const auto high = [&](double a, double b) { return std::min(a, b + more); };
+  const Box both{{low(part.low.x, of.low.x), low(part.low.y, of.low.y), low(part.low.z, of.low.z)},
+                 {high(part.high.x, of.high.x), high(part.high.y, of.high.y), high(part.high.z, of.high.z)}};
+  return !(distance(both, view_.from) > within_ + more) && !view_.cover(both, within_);
 }
 
 void FacetCandidates::add_level(std::uint32_t g) {

@@ -20,8 +20,11 @@ struct FacetView {
   spatial::Vec3 corner(std::uint32_t f, std::size_t k) const {
     return o.corner(o.facets[f].corner[k % o.facets[f].corners]) - from;
   }
-  /// Whether a ball covers a segment, its ends as seen from the place and off by so much.
-  bool cover(spatial::Vec3 a, spatial::Vec3 b, double off) const;
+  /// Whether a ball covers what of a segment is nearer than `within`; its ends as seen from the place, and off by so
+  /// much.
+  bool cover(spatial::Vec3 a, spatial::Vec3 b, double off, double within) const;
+  /// The same of a box where it stands.
+  bool cover(const spatial::Box& box, double within) const;
   /// The position of a facet that is nearest.
   spatial::Vec3 nearest(std::uint32_t f) const;
 };
@@ -63,6 +66,7 @@ class FacetCandidates {
   void add_neighbours();
   void add_level(std::uint32_t g);
   void add_across(std::uint32_t g);
+  bool may_cross(const spatial::Box& part, std::uint32_t g) const;
   void add_line(const FacetLine& line);
   void add_feet();
   void add_crossings();

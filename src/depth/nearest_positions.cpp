@@ -44,7 +44,6 @@ class PositionSearch {
   void offer(const ExactPosition& x, Known known = Known::nothing);
   void offer_known();
   void remember();
-  bool is_covered(const spatial::Box& box) const;
   bool is_covered(Vec3 x, double off);
   double lower_bound(double distance) const { return distance > view_.slack ? distance - view_.slack : 0; }
 
@@ -94,19 +93,10 @@ void PositionSearch::remember() {
   if (!free.empty()) probe_.remember({view_.from, bound_ - 4 * view_.slack}, free);
 }
 
-/// Whether one ball covers all corners of a convex set.
-bool PositionSearch::is_covered(const spatial::Box& box) const {
-  return std::any_of(view_.balls.begin(), view_.balls.end(), [&](const CoveredBall& ball) {
-    const auto far = [](double low, double high, double v) { return std::max(std::abs(v - low), std::abs(high - v)); };
-    return length({far(box.low.x, box.high.x, ball.middle.x), far(box.low.y, box.high.y, ball.middle.y),
-                   far(box.low.z, box.high.z, ball.middle.z)}) < ball.radius;
-  });
-}
-
 /// Told by doubles: a "no" says nothing. What may be one of the positions found, as their facets list them too, is not
 /// asked about in vain.
 bool PositionSearch::is_covered(Vec3 x, double off) {
-  if (view_.cover(x, x, off)) return true;
+  if (view_.cover(x, x, off, length(x) + off)) return true;
   const auto may_be = [&](Vec3 found) { return length(x - found) <= 2 * (off + view_.slack); };
   return !std::any_of(found_.begin(), found_.end(), may_be) && probe_.surely_overlaps(view_.from + x, off);
 }
@@ -119,17 +109,18 @@ void PositionSearch::open(std::uint32_t id) {
   };
   if (!node.leaf()) {
     for (const std::uint32_t child : {node.left, node.right})
-      if (!inside_ || !is_covered(tree.node(child).box))
+      if (!inside_ || !view_.cover(tree.node(child).box, bound_))
         push({lower_bound(distance(tree.node(child).box, view_.from)), child, false});
     return;
   }
   for (std::uint32_t k = node.first; k < node.last; ++k) {
     const std::uint32_t f = tree.item(k);
-    if (!inside_ || !is_covered(tree.box(f))) push({lower_bound(length(view_.nearest(f))), f, true});
+    if (!inside_ || !view_.cover(tree.box(f), bound_)) push({lower_bound(length(view_.nearest(f))), f, true});
   }
 }
 
 void PositionSearch::look_at(std::uint32_t f) {
+  if (inside_ && view_.cover(view_.o.tree.box(f), bound_)) return;  // the bound is better than when it was listed
   ++result_.work.facets;
   const Vec3 at = view_.nearest(f);
   ++result_.work.candidates;

@@ -74,6 +74,8 @@ const std::vector<Case> kCases = {
     {"depth", "depth cube.off cube.off --axis 0,0,1 --degrees 9"},
     {"depth", "depth peg.wkt slot.wkt --move 9,9", 4},
     {"depth", "depth square.wkt frame.wkt"},
+    {"local_sum", "local-sum ell.off cube.off --ball 6,6,4,0.5"},
+    {"local_sum", "local-sum ell.off cube.off --box 1,1,1,2,2,2 --engine hierarchy"},
     {"info", "info two.wkt"},
     {"info", "info bow.wkt", 2},
     {"solid_info", "info cube.off"},

@@ -20,13 +20,13 @@ struct Chord {
   End from, to;
 };
 
-/// The stretch of facet f on the plane of g, in the direction n_f x n_g. None where they do not meet.
-std::optional<Chord> chord(const SumSpace& space, const TableFacet& f, const TableFacet& g) {
+/// The stretch of facet f on a plane, in the direction n_f x n_plane. None where they do not meet.
+std::optional<Chord> chord(const SumSpace& space, const TableFacet& f, PlaneId plane) {
   const int n = f.facet.corners;
   int s[4];
   bool above = false, below = false, on = false;
   for (int k = 0; k < n; ++k) {
-    s[k] = space.side(g.plane, f.facet.corner[k]);
+    s[k] = space.side(plane, f.facet.corner[k]);
     above |= s[k] > 0, below |= s[k] < 0, on |= s[k] == 0;
   }
   if (!on && !(above && below)) return std::nullopt;
@@ -98,6 +98,15 @@ bool share_edge(const TableFacet& f, const TableFacet& g) {
 /// The contact itself, its ends as points, and its segments in two planes, before they are cut.
 constexpr std::size_t kBytesPerContact = sizeof(Contact) + 2 * (sizeof(PointSource) + sizeof(PointId)) + 2 * 24;
 
+/// What two boxes have in common, or a place of the second one.
+Box common(const Box& a, const Box& b) {
+  const auto within = [&](Vec3 v) {
+    return Vec3{std::clamp(v.x, b.low.x, b.high.x), std::clamp(v.y, b.low.y, b.high.y),
+                std::clamp(v.z, b.low.z, b.high.z)};
+  };
+  return {within(a.low), within(a.high)};
+}
+
 Box box_of(const SumSpace& space, const TableFacet& f) {
   Box box;
   for (int k = 0; k < f.facet.corners; ++k) box.add(space.approx(f.facet.corner[k]));
@@ -109,9 +118,9 @@ Box box_of(const SumSpace& space, const TableFacet& f) {
 
 std::optional<Contact> contact(const SumSpace& space, const FacetTable& table, std::uint32_t i, std::uint32_t j) {
   const TableFacet &f = table.facets[i], &g = table.facets[j];
-  const std::optional<Chord> a = chord(space, f, g);
+  const std::optional<Chord> a = chord(space, f, g.plane);
   if (!a) return std::nullopt;
-  std::optional<Chord> b = chord(space, g, f);
+  std::optional<Chord> b = chord(space, g, f.plane);
   if (!b) return std::nullopt;
   std::swap(b->from, b->to);  // in the direction n_f x n_g
   // The later beginning and the earlier end; of equal ones a corner.
@@ -143,10 +152,34 @@ std::optional<Contact> contact(const SumSpace& space, const FacetTable& table, s
   return result;
 }
 
-Contacts find_contacts(const SumSpace& space, const FacetTable& table, StageWatch& watch) {
+std::vector<PlaneCut> plane_cuts(const SumSpace& space, const FacetTable& table, std::span<const PlaneId> planes) {
+  std::vector<PlaneCut> cuts;
+  for (std::uint32_t i = 0; i < table.facets.size(); ++i) {
+    const TableFacet& f = table.facets[i];
+    for (const PlaneId plane : planes) {
+      bool off = false;
+      for (int k = 0; k < f.facet.corners; ++k) off |= space.side(plane, f.facet.corner[k]) != 0;
+      const std::optional<Chord> c = off ? chord(space, f, plane) : std::nullopt;
+      if (!c) continue;
+      const PlaneCut cut{i,
+                         plane,
+                         source(f, c->from, plane),
+                         source(f, c->to, plane),
+                         goes_on(table, f, c->from),
+                         goes_on(table, f, c->to)};
+      if (!(cut.from == cut.to)) cuts.push_back(cut);
+    }
+  }
+  return cuts;
+}
+
+Contacts find_contacts(const SumSpace& space, const FacetTable& table, StageWatch& watch, const Box* within) {
   std::vector<Box> boxes(table.facets.size());
   watch.run_stretches(boxes.size(), 1024, [&](std::size_t, std::size_t first, std::size_t last) {
-    for (std::size_t f = first; f < last; ++f) boxes[f] = box_of(space, table.facets[f]);
+    for (std::size_t f = first; f < last; ++f) {
+      boxes[f] = box_of(space, table.facets[f]);
+      if (within != nullptr) boxes[f] = common(boxes[f], *within);
+    }
   });
   const BoxTree tree(std::move(boxes), watch.threads());
   constexpr std::size_t kPart = 256;

@@ -3,9 +3,11 @@
 
 #include <cstdint>
 #include <optional>
+#include <span>
 #include <vector>
 
 #include "spatial/arrangement/facet_table.h"
+#include "spatial/mesh/box_tree.h"
 
 namespace dymsum::spatial {
 
@@ -33,7 +35,18 @@ struct Contacts {
 std::optional<Contact> contact(const SumSpace& space, const FacetTable& table, std::uint32_t f, std::uint32_t g);
 
 /// All of them, but for points at which the contacts of neighbours go on. Where two facets in different planes share an
-/// edge of sums, that edge is all they have in common, and not listed.
-Contacts find_contacts(const SumSpace& space, const FacetTable& table, StageWatch& watch);
+/// edge of sums, that edge is all they have in common, and not listed. With `within` only contacts that meet that box,
+/// on the grid, need be listed.
+Contacts find_contacts(const SumSpace& space, const FacetTable& table, StageWatch& watch, const Box* within = nullptr);
+
+/// The stretch of a facet on a plane that is none of a facet, from `from` to `to` in the direction n_f x n_plane.
+struct PlaneCut {
+  std::uint32_t facet = 0;
+  PlaneId plane = 0;
+  PointSource from, to;
+  bool from_inner = false, to_inner = false;  ///< as of a Contact
+};
+/// Where planes cut facets: stretches that are no points, of facets that do not lie in the plane. Exact.
+std::vector<PlaneCut> plane_cuts(const SumSpace& space, const FacetTable& table, std::span<const PlaneId> planes);
 
 }  // namespace dymsum::spatial

@@ -127,7 +127,8 @@ std::uint32_t SolidArrangement::group_of(std::uint32_t cell) const {
   return static_cast<std::uint32_t>(at - groups.begin()) - 1;
 }
 
-SolidArrangement arrange(SumSpace& space, const FacetTable& table, Contacts contacts, StageWatch& watch) {
+SolidArrangement arrange(SumSpace& space, const FacetTable& table, Contacts contacts, StageWatch& watch,
+                         std::span<const PlaneCut> cuts) {
   SolidArrangement result(space);
   std::vector<std::uint32_t> group_of;
   result.groups = plane_groups(table, contacts, group_of);
@@ -153,6 +154,7 @@ SolidArrangement arrange(SumSpace& space, const FacetTable& table, Contacts cont
     sources.push_back(c.from), sources.push_back(c.to);
     meetings.push_back({c.f, c.g, c.from_inner, c.to_inner});
   }
+  for (const PlaneCut& c : cuts) sources.push_back(c.from), sources.push_back(c.to);
   base::free_memory(contacts.contacts, contacts.coplanar);
   std::vector<PointId> ids = result.points.add(sources, watch);
   base::free_memory(sources);
@@ -163,6 +165,7 @@ SolidArrangement arrange(SumSpace& space, const FacetTable& table, Contacts cont
     for (int k = 0; k < table.facets[i].facet.corners; ++k)
       begin[group_of[i] + 1] += table.is_inner(table.facets[i].edge[k]) ? 0 : 1;
   for (const Meeting& m : meetings) ++begin[group_of[m.f] + 1], ++begin[group_of[m.g] + 1];
+  for (const PlaneCut& c : cuts) ++begin[group_of[c.facet] + 1];
   std::partial_sum(begin.begin(), begin.end(), begin.begin());
   std::vector<PlaneSegment> segments(begin.back());
   std::vector<std::uint32_t> place(begin.begin(), begin.end() - 1);
@@ -194,6 +197,10 @@ SolidArrangement arrange(SumSpace& space, const FacetTable& table, Contacts cont
     const PointId from = ids[at++], to = ids[at++];
     segments[place[group_of[m.f]]++] = {from, to, table.facets[m.g].plane, 0, 1, kNoId, m.from_inner, m.to_inner};
     segments[place[group_of[m.g]]++] = {to, from, table.facets[m.f].plane, 0, 1, kNoId, m.to_inner, m.from_inner};
+  }
+  for (const PlaneCut& c : cuts) {
+    const PointId from = ids[at++], to = ids[at++];
+    segments[place[group_of[c.facet]]++] = {from, to, c.plane, 0, 1, kNoId, c.from_inner, c.to_inner};
   }
 
   base::free_memory(meetings, ids, place);

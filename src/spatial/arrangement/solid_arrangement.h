@@ -48,7 +48,13 @@ struct SolidArrangement {
   const CellEdge& edge(EdgeUse use) const { return groups[use.group].cells.edges[use.edge]; }
 };
 
-/// Exact.
-SolidArrangement arrange(SumSpace& space, const FacetTable& table, Contacts contacts, StageWatch& watch);
+/// Exact. `cuts` cut their facets' planes as contacts do.
+SolidArrangement arrange(SumSpace& space, const FacetTable& table, Contacts contacts, StageWatch& watch,
+                         std::span<const PlaneCut> cuts = {});
+
+/// What of an arrangement counts: the rest is looked through.
+struct ArrangementScope {
+  std::vector<bool> points, edges, cells;
+};
 
 }  // namespace dymsum::spatial

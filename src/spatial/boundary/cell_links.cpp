@@ -97,13 +97,16 @@ class Wedges {
 
 }  // namespace
 
-CellLinks link_cells(const SumSpace& space, const SolidArrangement& arrangement, StageWatch& watch) {
+CellLinks link_cells(const SumSpace& space, const SolidArrangement& arrangement, StageWatch& watch,
+                     const ArrangementScope* scope) {
   const std::uint32_t covered = arrangement.cell_count;
   std::vector<std::int8_t> facing;  // 1 where the free side is the normal's, -1 the other one, 0 none
   facing.reserve(covered);
   for (const PlaneGroup& group : arrangement.groups)
     for (const Cell& cell : group.cells.cells)
       facing.push_back(cell.front > 0 ? cell.back > 0 ? 0 : 1 : cell.back > 0 ? -1 : kNoWall);
+  for (std::uint32_t c = 0; c < covered && scope != nullptr; ++c)
+    if (!scope->cells[c]) facing[c] = kNoWall;
 
   constexpr std::size_t kPart = 2048;
   const std::size_t edges = arrangement.edge_ends.size();
@@ -111,7 +114,7 @@ CellLinks link_cells(const SumSpace& space, const SolidArrangement& arrangement,
   watch.run(joins.size(), [&](std::size_t part) {
     Wedges wedges(space, arrangement, facing);
     for (std::size_t e = part * kPart; e < std::min(edges, (part + 1) * kPart); ++e)
-      wedges.link_edge(static_cast<std::uint32_t>(e), joins[part]);
+      if (scope == nullptr || scope->edges[e]) wedges.link_edge(static_cast<std::uint32_t>(e), joins[part]);
   });
 
   std::vector<std::uint32_t> parent(covered + 1);

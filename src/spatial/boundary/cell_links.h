@@ -22,7 +22,9 @@ struct CellLinks {
 };
 
 /// Statement and proof: docs/design/solid-sum.md, "Links". A cell that facets of both directions cover has no patch,
-/// and one of neither is looked through.
-CellLinks link_cells(const SumSpace& space, const SolidArrangement& arrangement, StageWatch& watch);
+/// and one of neither is looked through. With a scope only cells and edges in it are linked, and other cells have no
+/// patch.
+CellLinks link_cells(const SumSpace& space, const SolidArrangement& arrangement, StageWatch& watch,
+                     const ArrangementScope* scope = nullptr);
 
 }  // namespace dymsum::spatial

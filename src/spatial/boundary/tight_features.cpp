@@ -26,13 +26,15 @@ struct Trace {
 class Tight {
  public:
   Tight(const SumSpace& space, const SolidArrangement& arrangement, const std::vector<bool>& boundary,
-        const Collision& collision, LoneContacts lone, bool every_place, StageWatch& watch)
+        const Collision& collision, LoneContacts lone, bool every_place, StageWatch& watch,
+        const ArrangementScope* scope)
       : space_(space),
         arrangement_(arrangement),
         collision_(collision),
         lone_(std::move(lone)),
         every_place_(every_place),
         watch_(watch),
+        scope_(scope),
         outside_(boundary),
         touched_(arrangement.points.size()),
         lone_groups_(arrangement.groups.size()) {}
@@ -46,7 +48,7 @@ class Tight {
     std::vector<std::uint8_t> closed(arrangement_.edge_ends.size());
     in_parts(closed.size(), 512, [&](Part& part, std::size_t e) {
       closed[e] = touches_outside(static_cast<std::uint32_t>(e));
-      if (!closed[e]) look_at_edge(static_cast<std::uint32_t>(e), part);
+      if (!closed[e] && (scope_ == nullptr || scope_->edges[e])) look_at_edge(static_cast<std::uint32_t>(e), part);
     });
     for (std::uint32_t e = 0; e < closed.size(); ++e)
       if (closed[e]) touch(e);
@@ -108,7 +110,7 @@ class Tight {
   void look_at_cells(const PlaneGroup& group, Part& part) const {
     for (std::uint32_t c = 0; c < group.cells.cells.size(); ++c) {
       const Cell& cell = group.cells.cells[c];
-      if (cell.front == 0 || cell.back == 0) continue;
+      if (cell.front == 0 || cell.back == 0 || (scope_ != nullptr && !scope_->cells[group.first_cell + c])) continue;
       const std::uint32_t h = group.cells.half_edges[group.cells.loops[cell.first_loop]];
       const CellEdge& e = group.cells.edges[h / 2];
       const PointId at = arrangement_.point(group, h & 1 ? e.b : e.a);
@@ -236,7 +238,7 @@ class Tight {
     for (const PlaneGroup& group : arrangement_.groups) {
       for (const PlaneCells::Touch& t : group.cells.touches) {
         dots_.push_back(arrangement_.point(group, t.at));
-        if (!touched_[dots_.back()]) touches.push_back({dots_.back(), group.plane, t.cut});
+        if (!touched_[dots_.back()] && counts(dots_.back())) touches.push_back({dots_.back(), group.plane, t.cut});
       }
     }
     std::stable_sort(touches.begin(), touches.end(), [](const Touch& a, const Touch& b) { return a.at < b.at; });
@@ -265,7 +267,7 @@ class Tight {
         const PlaneGroup& group = arrangement_.groups[g];
         for (std::uint32_t e = 0; e < group.cells.edges.size(); ++e)
           for (const PointId p : {group.cells.edges[e].a, group.cells.edges[e].b})
-            if (const PointId at = arrangement_.point(group, p); !touched_[at]) f(at, EdgeUse{g, e});
+            if (const PointId at = arrangement_.point(group, p); !touched_[at] && counts(at)) f(at, EdgeUse{g, e});
       }
     };
     for_each([&](PointId at, EdgeUse) { ++begin[at + 1]; });
@@ -291,12 +293,15 @@ class Tight {
     if (!overlaps({arrangement_.points.source(at), 0, 0, 0, 0, 0}, part)) part.found.points.push_back(at);
   }
 
+  bool counts(PointId point) const { return scope_ == nullptr || scope_->points[point]; }
+
   const SumSpace& space_;
   const SolidArrangement& arrangement_;
   const Collision& collision_;
   LoneContacts lone_;
   bool every_place_;
   StageWatch& watch_;
+  const ArrangementScope* scope_;
   std::vector<bool> outside_;  // cells of the boundary, and tight ones
   std::vector<bool> touched_;  // points in the closure of something outside
   std::vector<PointId> dots_;  // points that facets touch inside of a cell
@@ -309,9 +314,9 @@ class Tight {
 
 TightFeatures tight_features(const SumSpace& space, const FacetTable& table, const SolidArrangement& arrangement,
                              const std::vector<bool>& boundary, const Collision& collision, bool every_place,
-                             StageWatch& watch) {
+                             StageWatch& watch, const ArrangementScope* scope) {
   return Tight(space, arrangement, boundary, collision, LoneContacts(space, table, collision.p(), collision.q()),
-               every_place, watch)
+               every_place, watch, scope)
       .run();
 }
 

@@ -410,6 +410,11 @@ std::optional<std::vector<Vector3<exact::i128>>> mapped_in_words(const MappedPla
   result.reserve(p.places.grid.size());
   for (const auto& [x, y, z] : p.places.grid)
     result.push_back({m[0] * x + m[1] * y + m[2] * z, m[3] * x + m[4] * y + m[5] * z, m[6] * x + m[7] * y + m[8] * z});
+  for (const Vector3<Big>& v : p.further) {
+    if (bit_length(v) > 124) return std::nullopt;
+    const auto word = [](const Big& c) { return exact::narrowed<Int<124>>(c).raw(); };
+    result.push_back({word(v.x), word(v.y), word(v.z)});
+  }
   return result;
 }
 
@@ -419,6 +424,7 @@ std::vector<Vector3<Big>> mapped_of_any_size(const MappedPlaces& p) {
   std::vector<Vector3<Big>> result;
   const std::size_t count = p.places.bits <= 61 ? p.places.grid.size() : p.places.big.size();
   for (std::uint32_t v = 0; v < count; ++v) result.push_back(exact::apply(m, p.places.place<Big>(v)));
+  result.insert(result.end(), p.further.begin(), p.further.end());
   return result;
 }
 

@@ -203,10 +203,11 @@ class SumSpace {
 /// coordinates, and at most 250 bits.
 std::unique_ptr<SumSpace> make_sum_space(const std::vector<Point3>& p, const std::vector<Point3>& q);
 
-/// Places of a grid under a linear map: x -> matrix x, row by row.
+/// Places of a grid under a linear map: x -> matrix x, row by row; and further ones behind them, which are not mapped.
 struct MappedPlaces {
   const GridPlaces& places;
   std::array<exact::BigInteger, 9> matrix;
+  std::vector<exact::Vector3<exact::Big>> further = {};
 };
 /// The space of the sums of mapped places, in units of 2^exponent. Requires at most 250 bits.
 std::unique_ptr<SumSpace> make_sum_space(const MappedPlaces& p, const MappedPlaces& q, int exponent);

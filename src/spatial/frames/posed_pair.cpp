@@ -1,7 +1,9 @@
 #include "spatial/frames/posed_pair.h"
 
+#include <algorithm>
 #include <utility>
 
+#include "exact/grid.h"
 #include "spatial/convex/exact_places.h"
 
 namespace dymsum::spatial {
@@ -28,12 +30,51 @@ SolidPair solid_pair(const Mesh& p, const Mesh& q) {
   return pair;
 }
 
-PosedSpace posed_space(const SolidPair& pair, const PosePair& poses) {
+namespace {
+
+using exact::Big;
+using exact::Vector3;
+
+Vector3<Big> mapped(const ExactPose& pose, const Vector3<Big>& v) {
+  const auto row = [&](std::size_t r) {
+    return Big(pose.matrix[3 * r]) * v.x + Big(pose.matrix[3 * r + 1]) * v.y + Big(pose.matrix[3 * r + 2]) * v.z;
+  };
+  return {row(0), row(1), row(2)};
+}
+
+/// Vertex 0 of P moved along the axis. `unit` is the exponent of the space's own unit, of which a level times `scale`
+/// is a multiple.
+Vector3<Big> place_at(const AxisLevel& level, const BigInteger& scale, int unit, const Vector3<Big>& p,
+                      const Vector3<Big>& q) {
+  const exact::Dyadic d = exact::to_dyadic(level.at);
+  const unsigned shift = d.mantissa == 0 ? 0 : static_cast<unsigned>(d.exponent - unit);
+  const Big at(BigInteger((BigInteger(d.mantissa) << shift) * scale));
+  Vector3<Big> place = p;
+  (level.axis == 0   ? place.x
+   : level.axis == 1 ? place.y
+                     : place.z) = at - (level.axis == 0   ? q.x
+                                        : level.axis == 1 ? q.y
+                                                          : q.z);
+  return place;
+}
+
+}  // namespace
+
+PosedSpace posed_space(const SolidPair& pair, const PosePair& poses, std::span<const AxisLevel> levels) {
   ExactPose p = ExactPose::of(poses.p), q = ExactPose::of(poses.q);
-  const BigInteger common = gcd(p.den, q.den), of_p = q.den / common, of_q = p.den / common;
-  for (BigInteger& m : p.matrix) m *= of_p;
-  for (BigInteger& m : q.matrix) m *= of_q;
-  return {make_sum_space({pair.p_places, p.matrix}, {pair.q_places, q.matrix}, pair.p_places.exponent), p.den * of_p};
+  const BigInteger common = gcd(p.den, q.den), of_p = q.den / common, of_q = p.den / common, scale = p.den * of_p;
+  int unit = pair.p_places.exponent;
+  for (const AxisLevel& level : levels)
+    if (level.at != 0) unit = std::min(unit, exact::to_dyadic(level.at).exponent);
+  const BigInteger finer = BigInteger(1) << static_cast<unsigned>(pair.p_places.exponent - unit);
+  for (BigInteger& m : p.matrix) m *= of_p * finer;
+  for (BigInteger& m : q.matrix) m *= of_q * finer;
+  MappedPlaces of_first{pair.p_places, p.matrix};
+  if (!levels.empty()) {
+    const Vector3<Big> a = mapped(p, pair.p_places.place<Big>(0)), b = mapped(q, pair.q_places.place<Big>(0));
+    for (const AxisLevel& level : levels) of_first.further.push_back(place_at(level, scale, unit, a, b));
+  }
+  return {make_sum_space(of_first, {pair.q_places, q.matrix}, unit), scale};
 }
 
 }  // namespace dymsum::spatial

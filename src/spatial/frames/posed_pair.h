@@ -3,6 +3,7 @@
 
 #include <memory>
 #include <optional>
+#include <span>
 
 #include "dymsum/mesh.h"
 #include "dymsum/rotation.h"
@@ -31,8 +32,14 @@ struct PosedSpace {
   std::unique_ptr<SumSpace> space;
   exact::BigInteger scale = 1;
 };
+/// A height along an axis (0, 1 or 2), in the operands' own units.
+struct AxisLevel {
+  int axis = 0;
+  double at = 0;
+};
+/// Behind P's vertices the space has a place for every level, whose sum with Q's first vertex lies at that height.
 /// Throws std::invalid_argument where coordinates need more than 250 bits.
-PosedSpace posed_space(const SolidPair& pair, const PosePair& poses);
+PosedSpace posed_space(const SolidPair& pair, const PosePair& poses, std::span<const AxisLevel> levels = {});
 
 /// The space at a pair of poses, made when it is first asked for: most signs of a motion need none.
 class SpaceOnDemand {

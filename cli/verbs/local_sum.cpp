@@ -1,0 +1,184 @@
+// dymsum local-sum P Q --box ... | --ball ...
+#include "dymsum/local_sum.h"
+
+#include <CLI/CLI.hpp>
+#include <iostream>
+#include <memory>
+#include <optional>
+#include <sstream>
+
+#include "options.h"
+#include "outputs.h"
+#include "progress_bar.h"
+#include "solid/any_solid_outputs.h"
+#include "solid/solid_operands.h"
+#include "timing.h"
+#include "verbs/commands.h"
+
+namespace dymsum::cli {
+namespace {
+
+struct LocalCommand {
+  const CLI::App* parser = nullptr;
+  std::vector<std::string> operands{"", ""}, files;
+  std::string box, ball, axis, to = "json", engine = "updated";
+  AngleOptions angle;
+  ReportOptions report;
+  InputOptions input;
+};
+
+std::vector<double> numbers_of(const std::string& text, std::size_t count, const std::string& what) {
+  std::vector<double> numbers;
+  const std::vector<std::string> words = split(text, ',');
+  for (const std::string& word : words)
+    if (const std::optional<double> number = finite_number(word)) numbers.push_back(*number);
+  if (numbers.size() != count || words.size() != count) throw Stop(kUsage, what + ", not '" + text + "'");
+  return numbers;
+}
+
+/// A box, or a ball with its box.
+struct Place {
+  ClipBox box;
+  std::optional<ClipBall> ball;
+};
+
+Place read_place(const LocalCommand& command) {
+  Place place;
+  if (command.ball.empty()) {
+    const std::vector<double> v = numbers_of(command.box, 6, "--box wants two corners X,Y,Z,X,Y,Z");
+    place.box = {{v[0], v[1], v[2]}, {v[3], v[4], v[5]}};
+    if (!(v[0] < v[3] && v[1] < v[4] && v[2] < v[5]))
+      throw Stop(kUsage, "--box wants the lower corner first, and an extent along every axis");
+    return place;
+  }
+  const std::vector<double> v = numbers_of(command.ball, 4, "--ball wants a place and a radius X,Y,Z,R");
+  if (!(v[3] > 0)) throw Stop(kUsage, "--ball wants a positive radius");
+  place.ball = ClipBall{{v[0], v[1], v[2]}, v[3]};
+  place.box = bounding_box(*place.ball);
+  return place;
+}
+
+const char* where_name(LocalPart::Where where) {
+  return where == LocalPart::Where::crossed ? "crossed" : where == LocalPart::Where::inside ? "inside" : "outside";
+}
+
+Json summary_of(const LocalPart& part) {
+  const SpatialSum& sum = part.boundary;
+  const ClipBox& b = part.box;
+  return {{"where", where_name(part.where)},
+          {"box", {b.low.x, b.low.y, b.low.z, b.high.x, b.high.y, b.high.z}},
+          {"pieces", sum.shells},
+          {"vertices", sum.vertices.size()},
+          {"faces", sum.faces.size()},
+          {"tight",
+           {{"points", sum.tight_points.size()},
+            {"segments", sum.tight_segments.size()},
+            {"faces", sum.tight_faces.size()}}},
+          {"near_facets", part.work.facets},
+          {"contacts", part.work.contacts}};
+}
+
+std::string text_of(const LocalPart& part) {
+  const SpatialSum& sum = part.boundary;
+  std::ostringstream out;
+  if (part.where == LocalPart::Where::crossed)
+    out << "  " << counted(sum.faces.size(), "face") << " in " << counted(sum.shells, "piece") << ", "
+        << counted(sum.vertices.size(), "vertex", "vertices") << "; tight: " << counted(sum.tight_faces.size(), "face")
+        << ", " << counted(sum.tight_segments.size(), "segment") << ", " << counted(sum.tight_points.size(), "point")
+        << "\n";
+  else out << "  nothing bounds the sum there: it lies " << where_name(part.where) << "\n";
+  return out.str();
+}
+
+std::string output_of(const LocalCommand& command, const LocalPart& part, const std::string& file) {
+  const SolidOutput how{command.to, false, false};
+  if (!format_name(file, command.to).ends_with(".json")) return any_solid_output(part.boundary, file, how);
+  return exact_sum_json(part.boundary, summary_of(part)).dump(1) + "\n";
+}
+
+SolidPose pose_of(const LocalCommand& command) {
+  SolidPose pose;
+  if (command.axis.empty() == command.angle.given()) throw Stop(kUsage, "--axis and --angle or --degrees go together");
+  if (!command.axis.empty())
+    pose.rotation = require_option(
+        Rotation::about(parse_point(command.axis, "--axis"), read_angle(command.angle).radians()), "--axis");
+  return pose;
+}
+
+ExitCode run(const LocalCommand& command) {
+  const Place place = read_place(command);
+  const SolidPose pose = pose_of(command);
+  if (!writes_to_stdout(command.files)) refuse_options(*command.parser, {"--to"}, "is the format of -o -");
+  for (const std::string& file : command.files)
+    if (const std::string name = format_name(file, command.to); !name.ends_with(".json") && !name.ends_with(".glb"))
+      throw Stop(kUsage, "-o writes a part of a sum as .json or .glb: " + file);
+  std::ostream& out = report_stream(command.files, command.report.json);
+  require_solid("local-sum", command.operands, command.input);
+  const std::vector<SolidInput> inputs = read_solids(command.operands, command.input);
+  LocalOptions options;
+  options.engine = command.engine == "brute"       ? LocalEngine::brute
+                   : command.engine == "hierarchy" ? LocalEngine::hierarchy
+                                                   : LocalEngine::updated;
+  options.threads = 0;
+  const InterruptGuard guard;
+  std::optional<ProgressBar> bar(std::in_place);
+  options.progress = bar->callback();
+  const auto [part, timing] = timed(command.report.repeat, [&] {
+    Result<LocalSum> sum = LocalSum::create(inputs[0].mesh, inputs[1].mesh, options);
+    throw_if_interrupted();
+    LocalSum made = require(std::move(sum));
+    Result<LocalPart> found = place.ball ? made.in(*place.ball, pose) : made.in(place.box, pose);
+    throw_if_interrupted();
+    return require(std::move(found));
+  });
+  bar.reset();
+  std::vector<std::string> texts;
+  for (const std::string& file : command.files) texts.push_back(output_of(command, part, file));
+  for (std::size_t i = 0; i < texts.size(); ++i) write_text(command.files[i], texts[i]);
+  if (command.report.json) {
+    Json stages = Json::object();
+    for (const SpatialStats::Stage& stage : part.boundary.stats.stages) stages[std::string(stage.name)] = stage.ms;
+    Json json = report_head("local-sum", solid_inputs_json(inputs), solid_tier(part.boundary.stats.bits), timing,
+                            std::move(stages));
+    json["engine"] = command.engine;
+    json.update(summary_of(part));
+    print_report(json);
+  } else {
+    out << "local-sum of " << inputs[0].file << " and " << inputs[1].file << "\n" << text_of(part);
+    print_times(out, timing);
+  }
+  return kDone;
+}
+
+}  // namespace
+
+void add_local_sum(CLI::App& app, Action& action) {
+  auto command = std::make_shared<LocalCommand>();
+  CLI::App& verb = *app.add_subcommand(
+      "local-sum", "The part of the sum of two solids that lies in a box or meets a ball, exactly, without the rest");
+  command->parser = &verb;
+  add_operands(verb, {"P", "A solid"}, {"Q", "Another one"}, command->operands, OperandKind::solid);
+  CLI::Option* box = verb.add_option("--box", command->box, "The closed box between two corners, the lower one first");
+  CLI::Option* ball = verb.add_option("--ball", command->ball,
+                                      "The faces that meet this closed ball, cut to its bounding box");
+  box->type_name("X,Y,Z,X,Y,Z"), ball->type_name("X,Y,Z,R")->excludes(box);
+  verb.add_option("--axis", command->axis, "Turn P about this axis through the origin first")->type_name("X,Y,Z");
+  add_angle_options(verb, command->angle, "by this angle,");
+  verb.add_option("-o", command->files,
+                  "Write the part; repeatable; .json (exact, with provenance) or .glb (a picture); - is standard output")
+      ->type_name("FILE")
+      ->allow_extra_args(false);
+  verb.add_option("--to", command->to, "Format of -o -")->check(CLI::IsMember({"json", "glb"}))->capture_default_str();
+  verb.add_option("--engine", command->engine, "How the facets near the place are found; all give the same part")
+      ->check(CLI::IsMember({"updated", "hierarchy", "brute"}))
+      ->capture_default_str();
+  add_report_options(verb, command->report, "Compute N times and report the median and minimum time");
+  add_solid_input_options(verb, command->input, OperandKind::solid);
+  verb.footer("Example: dymsum local-sum cup.off spoon.off --ball 2,0,1,0.5 -o near.glb");
+  verb.callback([command, &action] {
+    if (command->box.empty() && command->ball.empty()) throw Stop(kUsage, "local-sum wants --box or --ball");
+    action = [command] { return run(*command); };
+  });
+}
+
+}  // namespace dymsum::cli

@@ -1,0 +1,195 @@
+// The public class: one place after the other.
+#include "dymsum/local_sum.h"
+
+#include <cmath>
+#include <limits>
+#include <optional>
+#include <utility>
+
+#include "base/stopwatch.h"
+#include "spatial/convolution/facet_rule.h"
+#include "spatial/local/ball_faces.h"
+#include "spatial/local/local_boundary.h"
+#include "spatial/local/near_facets.h"
+#include "spatial/moving/dynamic_convolution.h"
+#include "spatial/sum/solid_faces.h"
+#include "spatial/sum/sum_source.h"
+
+namespace dymsum {
+
+using spatial::ClipWalls;
+using spatial::PosedSpace;
+using spatial::PosePair;
+using spatial::ReducedConvolution;
+
+namespace {
+
+double exact_end(double middle, double radius, double towards) {
+  const exact::BigRational end = exact::exact_value(middle) + exact::exact_value(radius);
+  const double rounded = middle + radius;
+  if (!std::isfinite(rounded)) return std::copysign(std::numeric_limits<double>::max(), towards);
+  const bool inside = towards > 0 ? exact::exact_value(rounded) < end : exact::exact_value(rounded) > end;
+  return inside ? std::nextafter(rounded, towards) : rounded;
+}
+
+spatial::Middle middle_of(const ClipBox& box, const ClipBall* ball) {
+  const auto middle = [](double low, double high) {
+    return exact::BigRational((exact::exact_value(low) + exact::exact_value(high)) / 2);
+  };
+  const Point3 &a = ball != nullptr ? ball->middle : box.low, &b = ball != nullptr ? ball->middle : box.high;
+  return {{middle(a.x, b.x), middle(a.y, b.y), middle(a.z, b.z)}, ball != nullptr};
+}
+
+bool is_finite_place(const Point3& v) { return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z); }
+
+std::optional<Error> box_error(const ClipBox& box) {
+  if (!is_finite_place(box.low) || !is_finite_place(box.high))
+    return Error{ErrorCode::not_finite, "a corner of the box is not finite", {}};
+  if (!(box.low.x < box.high.x && box.low.y < box.high.y && box.low.z < box.high.z))
+    return Error{ErrorCode::out_of_range, "the box has no extent along an axis", {}};
+  return std::nullopt;
+}
+
+}  // namespace
+
+ClipBox bounding_box(const ClipBall& ball) {
+  constexpr double kUp = std::numeric_limits<double>::infinity();
+  const Point3& m = ball.middle;
+  const double r = ball.radius;
+  return {{exact_end(m.x, -r, -kUp), exact_end(m.y, -r, -kUp), exact_end(m.z, -r, -kUp)},
+          {exact_end(m.x, r, kUp), exact_end(m.y, r, kUp), exact_end(m.z, r, kUp)}};
+}
+
+class LocalSum::State {
+ public:
+  State(const Mesh& p, const Mesh& q, const LocalOptions& given) : options_(given), pair_(spatial::solid_pair(p, q)) {
+    stages_.tight = options_.tight, stages_.threads = options_.threads, stages_.progress = options_.progress;
+    if (options_.engine == LocalEngine::brute) stages_.engine = SpatialEngine::brute;
+    if (is_empty()) return;
+    if (options_.engine == LocalEngine::updated) convolution_.emplace(pair_);
+    if (options_.engine == LocalEngine::hierarchy) near_.emplace(pair_);
+  }
+
+  Result<LocalPart> in(const ClipBox& box, const ClipBall* ball, const PosePair& poses) {
+    const Stopwatch watch;
+    if (std::optional<Error> error = box_error(box)) return *std::move(error);
+    Result<LocalPart> part = spatial::guarded([&] { return part_of(box, ball, poses); });
+    if (!part) return part.error();
+    LocalPart result = *std::move(part);
+    result.work.ms = watch.ms();
+    return result;
+  }
+
+  std::size_t facet_count() const { return convolution_ && moved_ ? convolution_->size() : all_facets_; }
+
+ private:
+  bool is_empty() const { return pair_.p.vertices.empty() || pair_.q.vertices.empty(); }
+
+  LocalPart part_of(const ClipBox& box, const ClipBall* ball, const PosePair& poses) {
+    LocalPart part;
+    part.box = box;
+    SpatialStats& stats = part.boundary.stats;
+    spatial::StageWatch watch(stages_, stats);
+    watch.begin("convolution");
+    if (is_empty()) return part;
+    ClipWalls walls(box, spatial::sum_bounds(pair_, poses), options_.engine != LocalEngine::brute);
+    if (walls.misses()) return part;
+    PosedSpace space = spatial::posed_space(pair_, poses, walls.levels());
+    const exact::BigInteger scale = space.scale;
+    ReducedConvolution near = facets(space, walls, poses, watch, part.work);
+    part.work.facets = near.facets.size();
+    stats.face_vertex = near.counts.face_vertex, stats.edge_edge = near.counts.edge_edge;
+    spatial::LocalBoundary local =
+        spatial::local_boundary(space, std::move(near), pair_, walls, middle_of(box, ball), stages_, stats, watch);
+    watch.begin("faces");
+    spatial::assemble(local.boundary, pair_.p, pair_.q, part.boundary, watch);
+    watch.begin("");
+    set_space(part.boundary, std::move(local.boundary.space));
+    spatial::unscale(part.boundary, scale);
+    if (ball != nullptr) spatial::keep_in_ball(*ball, part.boundary);
+    part.work.contacts = stats.contacts, part.work.collision_tests = stats.collision_tests;
+    part.work.tight_tests = stats.tight_tests, part.work.exact_signs = stats.exact_signs;
+    part.where = !part.boundary.vertices.empty() ? LocalPart::Where::crossed
+                 : local.middle_inside           ? LocalPart::Where::inside
+                                                 : LocalPart::Where::outside;
+    return part;
+  }
+
+  static void set_space(SpatialSum& sum, std::shared_ptr<const spatial::SumSpace> space) {
+    auto positions = std::make_shared<spatial::SpatialPositions>(spatial::SpatialSumInternals::positions(sum));
+    positions->space = std::move(space);
+    spatial::SpatialSumInternals::set_positions(sum, std::move(positions));
+  }
+
+  /// Those near the larger box of the walls; of the reference all.
+  ReducedConvolution facets(const PosedSpace& space, const ClipWalls& walls, const PosePair& poses,
+                            spatial::StageWatch& watch, LocalPart::Work& work) {
+    const spatial::Box reach = walls.reach(*space.space, static_cast<std::uint32_t>(pair_.p.vertices.size()));
+    if (near_) {
+      ReducedConvolution found = near_->find(*space.space, reach);
+      work.rebuilt = true, work.pairs = near_->pairs();
+      return found;
+    }
+    if (convolution_) return updated_facets(*space.space, reach, poses, work);
+    ReducedConvolution all = spatial::reduced_convolution(*space.space, pair_.p, pair_.q, watch);
+    work.rebuilt = true, all_facets_ = all.facets.size();
+    return all;
+  }
+
+  ReducedConvolution updated_facets(const spatial::SumSpace& space, const spatial::Box& reach, const PosePair& poses,
+                                    LocalPart::Work& work) {
+    if (!moved_ || !(poses_ == poses)) {
+      spatial::SpaceOnDemand exact(pair_, poses);
+      work.rebuilt = convolution_->set(poses, exact).rebuilt;
+      poses_ = poses, moved_ = true;
+    }
+    ReducedConvolution near;
+    for (std::uint32_t slot = 0; slot < convolution_->slots(); ++slot) {
+      if (!convolution_->exists(slot)) continue;
+      const spatial::SumFacet& facet = convolution_->facet(slot);
+      ++(facet.kind == spatial::SumFacet::Kind::edge_edge ? near.counts.edge_edge : near.counts.face_vertex);
+      if (!spatial::comes_near(space, facet, reach)) continue;
+      near.facets.push_back(facet);
+      near.planes.push_back(spatial::plane_of(facet));
+    }
+    return near;
+  }
+
+  LocalOptions options_;
+  SpatialOptions stages_;
+  spatial::SolidPair pair_;
+  std::optional<spatial::DynamicConvolution> convolution_;
+  std::optional<spatial::NearFacets> near_;
+  PosePair poses_;
+  bool moved_ = false;
+  std::size_t all_facets_ = 0;
+};
+
+Result<LocalSum> LocalSum::create(const Mesh& p, const Mesh& q, const LocalOptions& options) {
+  if (options.threads < 0) return Error{ErrorCode::out_of_range, "the number of threads is negative", {}};
+  if (p.has_thin_parts() || q.has_thin_parts())
+    return Error{ErrorCode::unsupported_operand, "an operand of a local sum has parts without volume", {}};
+  if (options.progress && !options.progress("operands", 0))
+    return Error{ErrorCode::cancelled, "the computation was cancelled", {}};
+  return LocalSum(std::make_unique<State>(p, q, options));
+}
+
+LocalSum::LocalSum(std::unique_ptr<State> state) : state_(std::move(state)) {}
+LocalSum::LocalSum(LocalSum&&) noexcept = default;
+LocalSum& LocalSum::operator=(LocalSum&&) noexcept = default;
+LocalSum::~LocalSum() = default;
+
+Result<LocalPart> LocalSum::in(const ClipBox& box, const SolidPose& p, const SolidPose& q) {
+  return state_->in(box, nullptr, {p, q});
+}
+
+Result<LocalPart> LocalSum::in(const ClipBall& ball, const SolidPose& p, const SolidPose& q) {
+  if (!is_finite_place(ball.middle) || !std::isfinite(ball.radius))
+    return Error{ErrorCode::not_finite, "the ball is not finite", {}};
+  if (!(ball.radius > 0)) return Error{ErrorCode::out_of_range, "the radius has to be positive", {}};
+  return state_->in(bounding_box(ball), &ball, {p, q});
+}
+
+std::size_t LocalSum::facet_count() const { return state_->facet_count(); }
+
+}  // namespace dymsum
