@@ -16,7 +16,8 @@ namespace {
 /// One boundary ring between the discs, on the right, and what they do not reach.
 struct DiscBoundary {
   std::vector<DiscPiece> pieces;
-  std::uint32_t edge = kNoIndex;  ///< of the complex, on which one of its runs begins or ends; or any of a whole walk's
+  std::uint32_t edge =
+      kNoIndex;  ///< of the complex, on which one of its runs begins or ends; or any of a whole walk's that has one
 };
 
 class DiscBoundaries {
@@ -53,7 +54,10 @@ class DiscBoundaries {
     run_done_[run] = 1;
     Pieces pieces;
     append_in_place(places_, order_, rings_.runs[run], pieces);
-    return {std::move(pieces.list), order_.items[order_.first_item[rings_.runs[run].loop]].edge};
+    const std::uint32_t loop = rings_.runs[run].loop, item = order_.first_item[loop];
+    // A convex region alone sees nothing outside.
+    const bool has_edge = item < order_.first_item[loop + 1];
+    return {std::move(pieces.list), has_edge ? order_.items[item].edge : kNoIndex};
   }
 
   /// Once round.
