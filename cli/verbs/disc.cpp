@@ -36,6 +36,9 @@ struct DiscCommand {
 const std::map<std::string, Semantics> kDiscSemantics = {
     {"closed", Semantics::closed}, {"open", Semantics::open}, {"regular", Semantics::regular}};
 
+const std::map<std::string, DiscBound> kDiscBounds = {
+    {"inside", DiscBound::inside}, {"outside", DiscBound::outside}, {"nearest", DiscBound::nearest}};
+
 DiscRadius read_radius(const std::string& text) {
   if (!text.starts_with("event:")) return require_option(Rational::parse(text), "--radius");
   const std::string digits = text.substr(6);
@@ -56,7 +59,8 @@ void check(const DiscCommand& command) {
   check_outputs(others);
   if (!writes_to_stdout(command.output.files)) refuse_options(*command.parser, {"--to"}, "is the format of -o -");
   const auto& files = command.output.files;
-  if (std::none_of(files.begin(), files.end(), is_page)) refuse_options(*command.parser, {"--frames"}, "is for -o FILE.html");
+  if (std::none_of(files.begin(), files.end(), is_page))
+    refuse_options(*command.parser, {"--frames"}, "is for -o FILE.html");
   if (std::none_of(files.begin(), files.end(), [&](const auto& f) { return writes_polygons(f, command.output); }))
     refuse_options(*command.parser, {"--error", "--bound"}, "is of polygons: -o FILE.wkt, .poly, .geojson or .dxf");
 }
@@ -98,8 +102,7 @@ void write_outputs(const DiscCommand& command, const Region& p, const DiscSet& s
       texts.push_back(draw_disc_set(p, set));
     } else {
       if (!polygons)
-        polygons = require(to_region(set, command.error.value_or(default_error(set)),
-                                     command.bound == "inside" ? DiscBound::inside : DiscBound::outside));
+        polygons = require(to_region(set, command.error.value_or(default_error(set)), kDiscBounds.at(command.bound)));
       texts.push_back(format_region(polygons->region, format));
     }
   }
@@ -185,9 +188,10 @@ ExitCode run_disc(const DiscCommand& command) {
 }
 
 void add_disc_outputs(CLI::App& verb, DiscCommand& command) {
-  verb.add_option("-o", command.output.files,
-                  "Write the result; repeatable; by extension .json (exact, pieces by name), .svg (true arcs), .html (a "
-                  "page with a slider from 0 to R), .poly .wkt .geojson .dxf (polygons); - is standard output")
+  verb.add_option(
+          "-o", command.output.files,
+          "Write the result; repeatable; by extension .json (exact, pieces by name), .svg (true arcs), .html (a "
+          "page with a slider from 0 to R), .poly .wkt .geojson .dxf (polygons); - is standard output")
       ->type_name("FILE")
       ->allow_extra_args(false);
   verb.add_option("--to", command.output.to, "Format of -o -")
@@ -195,11 +199,11 @@ void add_disc_outputs(CLI::App& verb, DiscCommand& command) {
       ->capture_default_str();
   within(verb.add_option("--error", command.error, "Of polygons: how far they may be from the arcs; a 1000th of R"), 0)
       ->type_name("E");
-  verb.add_option("--bound", command.bound, "Of polygons: inside the set, or outside around it")
-      ->check(CLI::IsMember({"inside", "outside"}))
+  verb.add_option("--bound", command.bound,
+                  "Of polygons: inside the set, outside around it, or nearest, with vertices on its boundary")
+      ->check(CLI::IsMember({"inside", "outside", "nearest"}))
       ->capture_default_str();
-  whole_within(verb.add_option("--frames", command.frames, "Of a page: how many radii"), 2, 240)
-      ->capture_default_str();
+  whole_within(verb.add_option("--frames", command.frames, "Of a page: how many radii"), 2, 240)->capture_default_str();
 }
 
 }  // namespace
@@ -214,9 +218,10 @@ void add_disc(CLI::App& app, Action& action) {
                   "Radius of the disc, exact: 3/2, 0.1, 1e-3; or event:K, exactly the radius of event K")
       ->required()
       ->type_name("R");
-  verb.add_option("--set", command->set,
-                  "sum: P with all that is R away at most; erosion: where discs fit inside P; opening: what discs inside "
-                  "P cover; closing: what discs outside P do not")
+  verb.add_option(
+          "--set", command->set,
+          "sum: P with all that is R away at most; erosion: where discs fit inside P; opening: what discs inside "
+          "P cover; closing: what discs outside P do not")
       ->check(CLI::IsMember({"sum", "erosion", "opening", "closing"}))
       ->capture_default_str();
   verb.add_option("--semantics", command->semantics,

@@ -97,8 +97,8 @@ struct DiscSegment {
   DiscCorner from, to;
 };
 
-/// The sign of what is written: which set a polygon contains or is contained in.
-enum class DiscBound : std::uint8_t { inside, outside };
+/// Where polygons that stand for a set lie: in it, around it, or with all vertices on its boundary.
+enum class DiscBound : std::uint8_t { inside, outside, nearest };
 
 struct DiscPolygons {
   Region region;
@@ -133,9 +133,11 @@ Measured perimeter(const DiscSet& set);
 /// {min x, min y, max x, max y} within at_error; zeros for the empty set.
 std::array<double, 4> bounds(const DiscSet& set);
 
-/// Chords in place of arcs. `inside`: before its vertices are rounded, the polygon lies in the set; `outside`: the set in
-/// the polygon. Errors: out_of_range where `error` is not a positive number or below what doubles can keep;
-/// rounding_changed_topology where the polygons cross because of `error` or of rounding (a smaller one may do).
+/// Segments in place of arcs. `inside`: before its vertices are rounded, the polygon lies in the set; `outside`: the set
+/// in the polygon; `nearest`: its vertices lie on the boundary, each rounded to the nearest doubles, and chords on either
+/// side of it. Errors: out_of_range where `error` is not a positive number or below what doubles can keep;
+/// rounding_changed_topology where the polygons cross because of `error` or of rounding (a smaller one may do; where two
+/// arcs touch each other in a cusp, only `nearest` does).
 Result<DiscPolygons> to_region(const DiscSet& set, double error, DiscBound bound = DiscBound::inside);
 
 /// The set as JSON text: every ring with its pieces by name; as a picture over the region it comes from, with true arcs.

@@ -62,9 +62,10 @@ void bind_disc_radius(nb::module_& m) {
   nb::enum_<DiscSide>(m, "DiscSide", "Where discs grow.")
       .value("outside", DiscSide::outside, "outside of the region: sum, closing")
       .value("inside", DiscSide::inside, "inside: erosion, opening");
-  nb::enum_<DiscBound>(m, "DiscBound", "Which set a polygon is contained in or contains.")
-      .value("inside", DiscBound::inside)
-      .value("outside", DiscBound::outside);
+  nb::enum_<DiscBound>(m, "DiscBound", "Where polygons that stand for a set lie.")
+      .value("inside", DiscBound::inside, "in it")
+      .value("outside", DiscBound::outside, "around it")
+      .value("nearest", DiscBound::nearest, "with all vertices on its boundary");
   nb::class_<DiscRadius> radius(m, "DiscRadius",
                                 "A radius: an exact number, or exactly that of an event, which need not be rational.");
   radius
@@ -226,6 +227,7 @@ void bind_disc_set_functions(nb::module_& m) {
         R"doc(Chords in place of arcs, by at most `error`, in the unit of the coordinates.
 
 inside: the polygon lies in the set; outside: the set in the polygon; both before vertices are rounded to doubles.
+nearest: vertices lie on the boundary, each rounded to the nearest doubles.
 Raises Error: out_of_range where `error` is not positive or below what doubles keep; rounding_changed_topology where
 polygons of that error cross: a smaller one may do.
 

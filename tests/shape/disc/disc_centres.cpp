@@ -42,8 +42,7 @@ DiscCentres::DiscCentres(const Region& region, DiscSide side, double radius)
       const Line &s = lines_[i], &t = lines_[j];
       const double cross = s.direction.x * t.direction.y - s.direction.y * t.direction.x;
       if (std::abs(cross) < 1e-9) continue;
-      see(along(s.a, s.direction,
-                ((t.a.x - s.a.x) * t.direction.y - (t.a.y - s.a.y) * t.direction.x) / cross));
+      see(along(s.a, s.direction, ((t.a.x - s.a.x) * t.direction.y - (t.a.y - s.a.y) * t.direction.x) / cross));
     }
   for (const Line& line : lines_)
     for (const Point v : vertices_) meet(line, v);

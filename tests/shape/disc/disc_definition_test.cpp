@@ -24,10 +24,14 @@ const char* const kSemanticsNames[] = {"closed", "open", "regular"};
 
 Result<DiscSet> made_at(const GrowingDisc& disc, Which which, const DiscRadius& r, Semantics semantics) {
   switch (which) {
-    case Which::sum: return disc.sum_at(r, semantics);
-    case Which::erosion: return disc.eroded_at(r, semantics);
-    case Which::opening: return disc.opened_at(r, semantics);
-    default: return disc.closed_at(r, semantics);
+    case Which::sum:
+      return disc.sum_at(r, semantics);
+    case Which::erosion:
+      return disc.eroded_at(r, semantics);
+    case Which::opening:
+      return disc.opened_at(r, semantics);
+    default:
+      return disc.closed_at(r, semantics);
   }
 }
 
@@ -40,7 +44,9 @@ struct Asked {
 class Definition {
  public:
   Definition(const Region& region, Which which, double r, Semantics semantics)
-      : which_(which), r_(r), side_(which == Which::sum || which == Which::closing ? DiscSide::outside : DiscSide::inside),
+      : which_(which),
+        r_(r),
+        side_(which == Which::sum || which == Which::closing ? DiscSide::outside : DiscSide::inside),
         exact_fits_(which == Which::opening ? semantics != Semantics::regular : semantics == Semantics::open),
         centres_(region, side_, r + (exact_fits_ || is_level() ? 0 : kRoom)) {}
 
@@ -148,19 +154,23 @@ void expect_as_defined(const Region& region, const GrowingDisc& disc, Which whic
   for (int i = 0; i < 4; ++i)
     expect_at({(box[0] + box[2]) / 2 + random.signed_unit() * ((box[2] - box[0]) / 2 + margin),
                (box[1] + box[3]) / 2 + random.signed_unit() * ((box[3] - box[1]) / 2 + margin)});
-  if (definition.is_level() && semantics == Semantics::open)
-    expect_tight(set, definition);
+  if (definition.is_level() && semantics == Semantics::open) expect_tight(set, definition);
   ++asked.sets;
   // Rings that cross or lie in the wrong part are no region.
-  for (const double error : {1e-4, 1e-6})
-    if (to_region(set, error * set.radius, DiscBound::inside).ok()) {
+  for (const double error : {1e-4, 1e-6}) {
+    const auto polygons = to_region(set, error * (set.radius + set.at_error / 1e-7), DiscBound::nearest);
+    if (polygons.ok()) {
       ++asked.polygons;
+      EXPECT_EQ(polygons->region.parts().size(), set.parts.size());
+      EXPECT_NEAR(area(polygons->region), area(set).value, 3 * error * (1 + set.radius) * perimeter(set).value);
       break;
-    } else if (error == 1e-6 && std::getenv("DYMSUM_SHOW") != nullptr) {
-      std::cout << "no polygons: " << format_region(region, RegionFormat::wkt) << kNames[int(which)] << " "
-                << kSemanticsNames[int(semantics)] << " " << (r.event ? int(*r.event) : -1) << " " << r.value.to_string()
-                << " " << to_region(set, error * set.radius, DiscBound::inside).error().to_string() << "\n";
     }
+    if (error == 1e-6 && std::getenv("DYMSUM_SHOW") != nullptr) {
+      std::cout << "no polygons: " << set.radius << " " << kNames[int(which)] << " " << kSemanticsNames[int(semantics)]
+                << " " << (r.event ? int(*r.event) : -1) << " " << polygons.error().to_string() << "\n"
+                << format_region(region, RegionFormat::wkt);
+    }
+  }
 }
 
 std::vector<DiscRadius> radii_at_and_between(const std::vector<DiscEvent>& events, std::size_t most) {
@@ -271,8 +281,8 @@ TEST(DiscDefinition, PolygonsOfTheSmallestGrids) {
 
 TEST(DiscDefinition, StarsCombsAndChannelsAsWideAsTheDisc) {
   Asked asked;
-  std::vector<Region> regions{shapes::star(5, 2, 5),  shapes::star(4, 1, 3), shapes::comb(4, 2, 1, 3),
-                              shapes::gear(6, 4, 5),  shapes::grate(3, 2, 1, 4), shapes::pockets(3, 1),
+  std::vector<Region> regions{shapes::star(5, 2, 5),     shapes::star(4, 1, 3),     shapes::comb(4, 2, 1, 3),
+                              shapes::gear(6, 4, 5),     shapes::grate(3, 2, 1, 4), shapes::pockets(3, 1),
                               shapes::letter_u(5, 4, 1), shapes::letter_l(4, 3, 1)};
   for (const Region& region : regions) {
     expect_all_sets(region, 7, asked, 12);
