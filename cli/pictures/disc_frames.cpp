@@ -51,10 +51,12 @@ Drawn drawn(const DiscSet& set) {
 
 }  // namespace
 
-void append_frames(DiscFrames& frames, const DiscMaker& make, double last, std::size_t count) {
+void append_frames(DiscFrames& frames, const DiscMaker& make, double last, std::size_t count,
+                   const Progress& progress) {
   const Rational end = require(Rational::of(last));
   for (std::size_t i = 0; i < count; ++i) {
     throw_if_interrupted();
+    progress("frames", static_cast<double>(i) / static_cast<double>(count));
     const Rational r = end * Rational(static_cast<std::int64_t>(i)) / Rational(static_cast<std::int64_t>(count - 1));
     const double alpha = 2 * r.to_double();
     frames.frames.push_back({alpha, "\u03b1 = " + number(alpha), drawn(require(make(r)))});

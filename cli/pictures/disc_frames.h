@@ -19,7 +19,7 @@ struct DiscFrames {
 };
 
 /// The set at radii from 0 to `last`, evenly. Stops with what making one of them does.
-void append_frames(DiscFrames& frames, const DiscMaker& make, double last, std::size_t count);
+void append_frames(DiscFrames& frames, const DiscMaker& make, double last, std::size_t count, const Progress& progress);
 /// A slider over alpha, the diameter, with a tick for every event on the way.
 std::string disc_page(const DiscFrames& frames);
 

@@ -65,12 +65,12 @@ void check(const DiscCommand& command) {
     refuse_options(*command.parser, {"--error", "--bound"}, "is of polygons: -o FILE.wkt, .poly, .geojson or .dxf");
 }
 
-DiscMaker maker(const GrowingDisc& disc, const DiscCommand& command) {
+DiscMaker maker(const GrowingDisc& disc, const DiscCommand& command, const Progress& progress) {
   const Semantics semantics = kDiscSemantics.at(command.semantics);
-  if (command.set == "erosion") return [=](const DiscRadius& r) { return disc.eroded_at(r, semantics); };
-  if (command.set == "opening") return [=](const DiscRadius& r) { return disc.opened_at(r, semantics); };
-  if (command.set == "closing") return [=](const DiscRadius& r) { return disc.closed_at(r, semantics); };
-  return [=](const DiscRadius& r) { return disc.sum_at(r, semantics); };
+  if (command.set == "erosion") return [=](const DiscRadius& r) { return disc.eroded_at(r, semantics, progress); };
+  if (command.set == "opening") return [=](const DiscRadius& r) { return disc.opened_at(r, semantics, progress); };
+  if (command.set == "closing") return [=](const DiscRadius& r) { return disc.closed_at(r, semantics, progress); };
+  return [=](const DiscRadius& r) { return disc.sum_at(r, semantics, progress); };
 }
 
 DiscSide side_of(const std::string& set) {
@@ -165,7 +165,8 @@ ExitCode run_disc(const DiscCommand& command) {
   std::vector<Input> inputs{read_input(command.p, command.input)};
   const InterruptGuard guard;
   const GrowingDisc disc(inputs[0].region);
-  const DiscMaker make = maker(disc, command);
+  std::optional<ProgressBar> bar(std::in_place);
+  const DiscMaker make = maker(disc, command, bar->callback());
   const auto [set_once, first] = timed(1, [&] { return made_at(make, radius, inputs); });
   const auto [set, again] = timed(command.report.repeat, [&] {
     throw_if_interrupted();
@@ -177,8 +178,9 @@ ExitCode run_disc(const DiscCommand& command) {
   if (std::any_of(files.begin(), files.end(), is_page)) {
     frames.title = inputs[0].file + ", " + command.set + " with a growing disc";
     frames.events = events;
-    append_frames(frames, make, set.radius, command.frames);
+    append_frames(frames, maker(disc, command, {}), set.radius, command.frames, bar->callback());
   }
+  bar.reset();
   write_outputs(command, inputs[0].region, set, frames);
   if (command.report.json) print_report(disc_json(command, inputs, set, first, again, events));
   else print_disc(out, command, set, again, events);

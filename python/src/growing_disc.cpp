@@ -251,16 +251,17 @@ struct GrowingDiscObject {
   GrowingDiscOptions options;
 };
 
-using SetAt = Result<DiscSet> (GrowingDisc::*)(const DiscRadius&, Semantics) const;
+using SetAt = Result<DiscSet> (GrowingDisc::*)(const DiscRadius&, Semantics, const Progress&) const;
 
 void bind_set_at(nb::class_<GrowingDiscObject>& type, const char* name, SetAt made, const char* doc) {
   type.def(
       name,
-      [made](const GrowingDiscObject& self, const RadiusArgument& r, Semantics semantics) {
+      [made](const GrowingDiscObject& self, const RadiusArgument& r, Semantics semantics, const Progress& progress) {
         const DiscRadius radius = r.value();
-        return DiscSetOf{take(without_gil([&] { return (self.disc.*made)(radius, semantics); })), self.disc.region()};
+        return DiscSetOf{run(progress, [&](Progress own) { return (self.disc.*made)(radius, semantics, own); }),
+                         self.disc.region()};
       },
-      "r"_a, "semantics"_a = Semantics::closed, doc);
+      "r"_a, "semantics"_a = Semantics::closed, "progress"_a = nb::none(), doc);
 }
 
 void bind_sets_at(nb::class_<GrowingDiscObject>& type) {
@@ -312,10 +313,11 @@ exact numbers in the unit of the coordinates, or DiscRadius.at_event(index). May
       .def("region", [](const GrowingDiscObject& self) { return self.disc.region(); })
       .def(
           "events",
-          [](const GrowingDiscObject& self, DiscSide side) {
-            return take(without_gil([&] { return self.disc.events(side); }));
+          [](const GrowingDiscObject& self, DiscSide side, const Progress& progress) {
+            return run(progress, [&](Progress own) { return self.disc.events(side, own); });
           },
-          "side"_a, "Radii at which the pieces of the boundary change, positive and ascending.")
+          "side"_a, "progress"_a = nb::none(),
+          "Radii at which the pieces of the boundary change, positive and ascending.")
       .def("__repr__",
            [](const GrowingDiscObject& self) {
              return "<GrowingDisc of " + nb::cast<std::string>(nb::repr(nb::cast(self.disc.region()))) + ">";

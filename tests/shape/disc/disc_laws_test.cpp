@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <nlohmann/json.hpp>
@@ -184,6 +185,31 @@ TEST(DiscLaws, AreasAreContinuousAtEvents) {
       EXPECT_NEAR(area(*disc.sum_at(*Rational::of(r))).value, at, 1e-6 * (1 + at));
     }
   }
+}
+
+TEST(DiscLaws, ProgressStopsACallAndLeavesNothingBehind) {
+  const GrowingDisc disc(shapes::letter_u(4, 4, 1));
+  std::vector<std::string> stages;
+  const auto stop_at = [&](const std::string& stage, double fraction) {
+    return [&, stage, fraction](std::string_view s, double f) {
+      stages.push_back(std::string(s) + (f == 0 ? " 0" : " 1"));
+      return stage != s || fraction != f;
+    };
+  };
+  EXPECT_EQ(disc.sum_at(Rational(1), Semantics::closed, stop_at("complex", 0)).error().code, ErrorCode::cancelled);
+  EXPECT_EQ(disc.events(DiscSide::outside, stop_at("complex", 0)).error().code, ErrorCode::cancelled);
+  EXPECT_EQ(stages, (std::vector<std::string>{"complex 0", "complex 0"}));
+  EXPECT_EQ(disc.sum_at(Rational(1), Semantics::closed, stop_at("complex", 1)).error().code, ErrorCode::cancelled);
+  stages.clear();
+  for (const double fraction : {0, 1})
+    for (const auto member : {&GrowingDisc::sum_at, &GrowingDisc::closed_at})
+      EXPECT_EQ((disc.*member)(Rational(1), Semantics::closed, stop_at("set", fraction)).error().code,
+                ErrorCode::cancelled);
+  for (const auto member : {&GrowingDisc::eroded_at, &GrowingDisc::opened_at})
+    EXPECT_EQ((disc.*member)(Rational(1), Semantics::closed, stop_at("set", 0)).error().code, ErrorCode::cancelled);
+  // The outer complex stood already.
+  EXPECT_EQ(std::count(stages.begin(), stages.end(), "complex 0"), 1);
+  EXPECT_EQ(area(*disc.sum_at(Rational(1))).value, area(*GrowingDisc(disc.region()).sum_at(Rational(1))).value);
 }
 
 /// Pieces and corners by name alone.
