@@ -177,6 +177,8 @@ ExitCode run_disc(const DiscCommand& command) {
   const auto& files = command.output.files;
   if (std::any_of(files.begin(), files.end(), is_page)) {
     frames.title = inputs[0].file + ", " + command.set + " with a growing disc";
+    frames.set = command.set;
+    frames.region = inputs[0].region;
     frames.events = events;
     append_frames(frames, maker(disc, command, {}), set.radius, command.frames, bar->callback());
   }
@@ -205,7 +207,9 @@ void add_disc_outputs(CLI::App& verb, DiscCommand& command) {
                   "Of polygons: inside the set, outside around it, or nearest, with vertices on its boundary")
       ->check(CLI::IsMember({"inside", "outside", "nearest"}))
       ->capture_default_str();
-  whole_within(verb.add_option("--frames", command.frames, "Of a page: how many radii"), 2, 240)->capture_default_str();
+  whole_within(verb.add_option("--frames", command.frames, "Of a page: how many radii, evenly; with events between"), 2,
+               240)
+      ->capture_default_str();
 }
 
 }  // namespace
