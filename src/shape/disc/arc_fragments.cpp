@@ -1,12 +1,12 @@
 // What other discs leave of the arcs of corner discs.
 #include <algorithm>
-#include <functional>
 #include <map>
 #include <numeric>
 #include <stdexcept>
 
 #include "base/union_find.h"
 #include "shape/disc/disc_arcs.h"
+#include "shape/disc/lazy_vector.h"
 
 namespace dymsum::shape {
 
@@ -14,31 +14,6 @@ namespace {
 
 using exact::Interval;
 using exact::RootExpression;
-
-template <class T>
-Vector<T> minus(const Vector<T>& a, const Vector<T>& b) {
-  return {a.x - b.x, a.y - b.y};
-}
-
-/// A vector in intervals, and exactly when these do not decide.
-struct LazyVector {
-  Vector<Interval> near;
-  std::function<Vector<RootExpression>()> exact;
-};
-
-int sign_of_cross(const LazyVector& a, const LazyVector& b) {
-  if (const auto sign = sign_of(cross(a.near, b.near))) return *sign;
-  return exact::sign_of(cross(a.exact(), b.exact()));
-}
-
-/// Where a circle of radius r is crossed by that about `d`, clockwise of d or counter-clockwise. Requires |d| < 2 r.
-template <class T>
-Vector<T> crossing(const Vector<T>& d, const T& r, bool clockwise) {
-  const T half = T(0.5);
-  const T w = sqrt(r * r / dot(d, d) - half * half);
-  const T v = clockwise ? -w : w;
-  return {half * d.x - d.y * v, half * d.y + d.x * v};
-}
 
 /// The arcs about one connected part of the complex below a level.
 class ArcGroup {
@@ -255,11 +230,8 @@ class ArcGroup {
     const std::uint32_t i = local(disc_of(f)), j = local(at_end ? f.end : f.begin);
     const LazyVector arm = towards_circle(i, j, !at_end);
     LazyVector made;
-    made.near = {centres_[i].near.x + arm.near.x, centres_[i].near.y + arm.near.y};
-    made.exact = [this, i, arm] {
-      const auto c = centres_[i].exact(), v = arm.exact();
-      return Vector<RootExpression>{c.x + v.x, c.y + v.y};
-    };
+    made.near = plus(centres_[i].near, arm.near);
+    made.exact = [this, i, arm] { return plus(centres_[i].exact(), arm.exact()); };
     return made;
   }
 
@@ -304,11 +276,17 @@ UnionFind parts_below(const Complex& complex, std::uint32_t cut) {
 void cut_arcs(const DiscPlaces& places, std::uint32_t cut, ArcSet& arcs) {
   const Complex& complex = places.complex();
   UnionFind parts = parts_below(complex, cut);
+  for (std::uint32_t node = 0; node < cut; ++node) arcs.part.push_back(parts.root(node));
+  arcs.is_split.assign(cut, 0);
   std::map<std::uint32_t, std::vector<std::uint32_t>> groups;
   for (std::uint32_t arc = 0; arc < arcs.arcs.size(); ++arc)
     groups[parts.root(complex.edges[arcs.arcs[arc].edge].low)].push_back(arc);
   arcs.first.assign(arcs.arcs.size(), kNoIndex);
-  for (auto& [root, members] : groups) ArcGroup(places, arcs, std::move(members)).find();
+  for (auto& [root, members] : groups) {
+    const std::size_t before = arcs.overlaps.size();
+    ArcGroup(places, arcs, std::move(members)).find();
+    arcs.is_split[root] = arcs.overlaps.size() > before;
+  }
 }
 
 Point towards_crossing(const DiscPlaces& places, const CornerDisc& disc, const CornerDisc& other, bool entered) {

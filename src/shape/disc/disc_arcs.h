@@ -38,6 +38,8 @@ struct ArcSet {
   std::vector<ArcFragment> fragments;                  ///< those of an arc follow each other
   std::vector<std::uint32_t> first;                    ///< arc -> its fragment that begins at its start, or kNoIndex
   std::vector<std::array<std::uint32_t, 2>> overlaps;  ///< discs that overlap
+  std::vector<std::uint32_t> part;     ///< node below the cut -> one that stands for its connected part below the cut
+  std::vector<std::uint8_t> is_split;  ///< the latter -> whether discs overlap across the part
 };
 
 /// All arcs, whole: of every corner between a run and the next one, those from contact to contact. O(n).

@@ -1,4 +1,5 @@
 // Opening and closing: the region's boundary as far as discs of the radius touch it, and arcs about those at the ends.
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 #include <utility>
@@ -16,8 +17,9 @@ namespace {
 /// One boundary ring between the discs, on the right, and what they do not reach.
 struct DiscBoundary {
   std::vector<DiscPiece> pieces;
-  std::uint32_t edge =
-      kNoIndex;  ///< of the complex, on which one of its runs begins or ends; or any of a whole walk's that has one
+  std::vector<std::uint32_t> sites;     ///< piece -> the site where it begins, if at a contact
+  std::vector<std::uint32_t> touching;  ///< sites that its runs begin on and its arcs touch
+  std::uint32_t edge = kNoIndex;        ///< of the complex, beyond the level; none about a convex region
 };
 
 class DiscBoundaries {
@@ -57,7 +59,12 @@ class DiscBoundaries {
     const std::uint32_t loop = rings_.runs[run].loop, item = order_.first_item[loop];
     // A convex region alone sees nothing outside.
     const bool has_edge = item < order_.first_item[loop + 1];
-    return {std::move(pieces.list), has_edge ? order_.items[item].edge : kNoIndex};
+    DiscBoundary ring;
+    ring.sites.assign(pieces.list.size(), kNoIndex);
+    ring.pieces = std::move(pieces.list);
+    ring.touching = {order_.first_site[loop]};
+    if (has_edge) ring.edge = order_.items[item].edge;
+    return ring;
   }
 
   /// Once round.
@@ -73,6 +80,9 @@ class DiscBoundaries {
     ring.edge = order_.items[rings_.runs[run].from].edge;
     Pieces pieces;
     append_in_place(places_, order_, rings_.runs[run], pieces);
+    ring.touching.push_back(order_.items[rings_.runs[run].from].site);
+    // Of a run only the first piece can begin at a contact, on the first site.
+    ring.sites.resize(ring.sites.size() + pieces.list.size(), ring.touching.back());
     ring.pieces.insert(ring.pieces.end(), pieces.list.begin(), pieces.list.end());
     const std::uint32_t to = rings_.runs[run].to, arc = arcs_.arc_behind[order_.items[to].edge];
     return arc == kNoIndex ? next_along(to) : start_of(arc);
@@ -84,6 +94,9 @@ class DiscBoundaries {
     const CornerArc& arc = arcs_.arcs[fragment.arc];
     if (ring.edge == kNoIndex) ring.edge = arcs_.disc_edge[arc.disc];
     ring.pieces.push_back(arc_piece(fragment));
+    ring.sites.push_back(arc.start);
+    if (fragment.begin == kNoIndex) ring.touching.push_back(arc.start);
+    if (fragment.end == kNoIndex) ring.touching.push_back(arc.stop);
     if (fragment.end != kNoIndex) return {kNoIndex, fragment.next};
     if (arc.next != kNoIndex) return start_of(arc.next);
     return {rings_.run_from[arc.out], kNoIndex};
@@ -170,6 +183,25 @@ UnionFind connected_discs(const DiscPlaces& places, std::uint32_t cut, const Arc
   return joined;
 }
 
+/// Pieces of the region that a closing joins: along its rings, and across edges of the complex below the level where no
+/// discs overlap.
+UnionFind joined_pieces(const DiscPlaces& places, std::uint32_t cut, const ArcSet& arcs,
+                        const std::vector<DiscBoundary>& rings) {
+  const Complex& complex = places.complex();
+  std::uint32_t pieces = 0;
+  for (const Site& site : complex.sites) pieces = std::max(pieces, site.component + 1);
+  UnionFind joined(pieces);
+  for (const DiscBoundary& ring : rings)
+    for (const std::uint32_t site : ring.touching)
+      joined.unite(complex.sites[ring.touching.front()].component, complex.sites[site].component);
+  for (const Edge& edge : complex.edges) {
+    const bool is_below = edge.low < places.level().below || (edge.flat && edge.low < cut);
+    if (is_below && !arcs.is_split[arcs.part[edge.low]])
+      joined.unite(complex.sites[edge.left].component, complex.sites[edge.right].component);
+  }
+  return joined;
+}
+
 }  // namespace
 
 DiscSet opened_set(const DiscPlaces& places, const BoundaryOrder& order, Semantics semantics) {
@@ -187,12 +219,23 @@ DiscSet opened_set(const DiscPlaces& places, const BoundaryOrder& order, Semanti
 }
 
 DiscSet closed_set(const DiscPlaces& places, const BoundaryOrder& order, Semantics semantics) {
+  const Complex& complex = places.complex();
   const std::uint32_t cut = semantics == Semantics::open ? places.level().below : places.level().up_to;
   DiscBoundaries boundaries(places, order, cut);
-  std::vector<DiscRing> made;
-  for (DiscBoundary& ring : boundaries.make()) made.push_back({std::move(ring.pieces)});
+  std::vector<DiscBoundary> rings = boundaries.make();
+  UnionFind joined = joined_pieces(places, cut, boundaries.arcs(), rings);
+  std::vector<PlacedRing> placed;
+  for (DiscBoundary& ring : rings) {
+    PlacedRing& made = placed.emplace_back();
+    made.ring = {std::move(ring.pieces)};
+    made.sites = std::move(ring.sites);
+    if (ring.touching.empty()) continue;
+    const Site& site = complex.sites[ring.touching.front()];
+    made.owner = joined.root(site.component);
+    made.anchor = site.a;
+  }
   DiscSet set;
-  set.parts = nested(std::move(made), Corners::counter_clockwise);
+  set.parts = nested(places, std::move(placed));
   finish(places, set);
   return set;
 }
