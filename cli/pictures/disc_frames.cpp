@@ -1,7 +1,9 @@
 #include "pictures/disc_frames.h"
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <utility>
 
 #include "inputs.h"
 #include "progress_bar.h"
@@ -51,13 +53,28 @@ Drawn drawn(const DiscSet& set) {
 
 }  // namespace
 
-void append_frames(DiscFrames& frames, const DiscMaker& make, double last, std::size_t count) {
+void append_frames(DiscFrames& frames, const DiscMaker& make, double last, std::size_t count,
+                   const Progress& progress) {
   const Rational end = require(Rational::of(last));
+  std::vector<std::pair<double, DiscRadius>> radii;
   for (std::size_t i = 0; i < count; ++i) {
-    throw_if_interrupted();
     const Rational r = end * Rational(static_cast<std::int64_t>(i)) / Rational(static_cast<std::int64_t>(count - 1));
-    const double alpha = 2 * r.to_double();
-    frames.frames.push_back({alpha, "\u03b1 = " + number(alpha), drawn(require(make(r)))});
+    radii.emplace_back(r.to_double(), r);
+  }
+  const auto within = [&](const DiscEvent& e) { return e.radius <= last; };
+  const auto events = static_cast<std::size_t>(std::count_if(frames.events.begin(), frames.events.end(), within));
+  if (events + count <= kMostPictures)
+    for (std::uint32_t i = 0; i < events; ++i) {
+      std::erase_if(radii, [&](const auto& r) { return r.first == frames.events[i].radius; });
+      radii.emplace_back(frames.events[i].radius, DiscRadius::at_event(i));
+    }
+  std::sort(radii.begin(), radii.end(), [](const auto& a, const auto& b) { return a.first < b.first; });
+  for (std::size_t i = 0; i < radii.size(); ++i) {
+    throw_if_interrupted();
+    progress("frames", static_cast<double>(i) / static_cast<double>(radii.size()));
+    const auto& [near, r] = radii[i];
+    const std::string event = r.event ? ", event:" + std::to_string(*r.event) : "";
+    frames.frames.push_back({near, "radius " + number(near) + event, drawn(require(make(r)))});
   }
 }
 
@@ -65,8 +82,9 @@ std::string disc_page(const DiscFrames& frames) {
   std::vector<PicturedTick> ticks;
   const double last = frames.frames.empty() ? 0 : frames.frames.back().at;
   for (const DiscEvent& e : frames.events)
-    if (2 * e.radius <= last) ticks.push_back({2 * e.radius, "\u03b1 = " + number(2 * e.radius), e.nodes > 1});
-  return scrub_page(frames.frames, ticks, frames.title);
+    if (e.radius <= last) ticks.push_back({e.radius, "radius " + number(e.radius), e.nodes > 1});
+  return scrub_page(frames.frames, ticks, frames.title,
+                    {"the " + frames.set, "several at once", drawn(frames.region), "the region"});
 }
 
 }  // namespace dymsum::cli

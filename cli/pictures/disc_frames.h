@@ -13,14 +13,16 @@ namespace dymsum::cli {
 using DiscMaker = std::function<Result<DiscSet>(const DiscRadius&)>;
 
 struct DiscFrames {
-  std::string title;
+  std::string title, set;
+  Region region;
   std::vector<PicturedFrame> frames;
   std::vector<DiscEvent> events;
 };
 
-/// The set at radii from 0 to `last`, evenly. Stops with what making one of them does.
-void append_frames(DiscFrames& frames, const DiscMaker& make, double last, std::size_t count);
-/// A slider over alpha, the diameter, with a tick for every event on the way.
+/// The set at radii from 0 to `last`, evenly, and exactly at the events between, if these are few enough for a page.
+/// Stops with what making one of them does.
+void append_frames(DiscFrames& frames, const DiscMaker& make, double last, std::size_t count, const Progress& progress);
+/// A slider over the radius, with a tick for every event on the way.
 std::string disc_page(const DiscFrames& frames);
 
 }  // namespace dymsum::cli

@@ -42,8 +42,15 @@ std::string film_strip(const std::vector<PicturedFrame>& frames, std::size_t col
 /// shows the first frame.
 std::string animation(const std::vector<PicturedFrame>& frames);
 
+/// What a page shows besides its frames.
+struct PageLegend {
+  std::string set = "the sum", strong_tick = "the topology changes";
+  Drawn still = {};  ///< dashed lines in every frame
+  std::string still_name = {};
+};
+
 /// One HTML page with a slider over the frames and ticks; no network, no library.
 std::string scrub_page(const std::vector<PicturedFrame>& frames, const std::vector<PicturedTick>& ticks,
-                       const std::string& title);
+                       const std::string& title, const PageLegend& words = {});
 
 }  // namespace dymsum::cli

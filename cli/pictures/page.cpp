@@ -10,7 +10,7 @@ body { font: 15px sans-serif; color: #243447; background: #fff; margin: 0 auto; 
 h1 { font-size: 1.1rem; margin: .2rem 0 .7rem; overflow-wrap: anywhere }
 #drawing { display: block; width: 100%; height: min(70vh, 100vw); box-sizing: border-box; border: 1px solid #dfe5ea }
 .track { flex: 1; min-width: 8rem }
-#ticks { display: block; box-sizing: border-box; width: calc(100% - 16px); margin: 0 8px; height: 16px }
+#ticks { display: block; box-sizing: border-box; width: calc(100% - 16px); margin: 0 8px; height: 16px; overflow: visible }
 #ticks:empty { display: none }
 .row { display: flex; flex-wrap: wrap; gap: .4rem 1rem; align-items: center; margin: .6rem 0 }
 .row button { font: inherit; min-width: 4.5rem; padding: .4rem .6rem }

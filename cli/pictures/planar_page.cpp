@@ -40,11 +40,20 @@ for (const t of ticks) {
 }
 )";
 
+constexpr const char* kStillColour = "#555555";
+
+std::string still_path(const Drawn& still, Point origin) {
+  if (still.chains.empty()) return "";
+  return "<path fill=\"none\" stroke=\"" + std::string(kStillColour) +
+         "\" stroke-dasharray=\"5 4\" vector-effect=\"non-scaling-stroke\" d=\"" + path_data(still.chains, origin) +
+         "\"/>";
+}
+
 }  // namespace
 
 std::string scrub_page(const std::vector<PicturedFrame>& frames, const std::vector<PicturedTick>& marks,
-                       const std::string& title) {
-  Box box;
+                       const std::string& title, const PageLegend& words) {
+  Box box = words.still.box;
   for (const PicturedFrame& f : frames) box.see(f.set.box);
   box = box.drawable();
   const double margin = 0.03 * box.size();
@@ -66,15 +75,15 @@ std::string scrub_page(const std::vector<PicturedFrame>& frames, const std::vect
           << number(box.height() + 2 * margin)
           << "\"><path id=\"sum\" fill=\"#9ecae1\" fill-rule=\"evenodd\" stroke=\"#08519c\" "
              "vector-effect=\"non-scaling-stroke\"/>"
-             "<path id=\"segments\" fill=\"none\" stroke=\""
-          << kTightColour
+          << still_path(words.still, origin) << "<path id=\"segments\" fill=\"none\" stroke=\"" << kTightColour
           << "\" stroke-width=\"2.5\" stroke-linecap=\"round\" vector-effect=\"non-scaling-stroke\"/><g id=\"tight\" "
              "fill=\""
           << kTightColour << "\"></g></svg>";
-  std::vector<LegendEntry> legend = {{"#9ecae1", "the sum"}, {kTightColour, "tight features"}};
+  std::vector<LegendEntry> legend = {{"#9ecae1", words.set}, {kTightColour, "tight features"}};
+  if (!words.still_name.empty()) legend.push_back({kStillColour, "dashed: " + words.still_name});
   if (!marks.empty()) {
     legend.push_back({"#777777", "low tick: an event"});
-    legend.push_back({kTightColour, "high tick: the topology changes"});
+    legend.push_back({kTightColour, "high tick: " + words.strong_tick});
   }
   return page(title, drawing.str(), legend, "", list.dump(), "const ticks = " + ticks.dump() + ";" + kShowRegion);
 }

@@ -36,6 +36,9 @@ struct DiscCommand {
 const std::map<std::string, Semantics> kDiscSemantics = {
     {"closed", Semantics::closed}, {"open", Semantics::open}, {"regular", Semantics::regular}};
 
+const std::map<std::string, DiscBound> kDiscBounds = {
+    {"inside", DiscBound::inside}, {"outside", DiscBound::outside}, {"nearest", DiscBound::nearest}};
+
 DiscRadius read_radius(const std::string& text) {
   if (!text.starts_with("event:")) return require_option(Rational::parse(text), "--radius");
   const std::string digits = text.substr(6);
@@ -56,17 +59,18 @@ void check(const DiscCommand& command) {
   check_outputs(others);
   if (!writes_to_stdout(command.output.files)) refuse_options(*command.parser, {"--to"}, "is the format of -o -");
   const auto& files = command.output.files;
-  if (std::none_of(files.begin(), files.end(), is_page)) refuse_options(*command.parser, {"--frames"}, "is for -o FILE.html");
+  if (std::none_of(files.begin(), files.end(), is_page))
+    refuse_options(*command.parser, {"--frames"}, "is for -o FILE.html");
   if (std::none_of(files.begin(), files.end(), [&](const auto& f) { return writes_polygons(f, command.output); }))
     refuse_options(*command.parser, {"--error", "--bound"}, "is of polygons: -o FILE.wkt, .poly, .geojson or .dxf");
 }
 
-DiscMaker maker(const GrowingDisc& disc, const DiscCommand& command) {
+DiscMaker maker(const GrowingDisc& disc, const DiscCommand& command, const Progress& progress) {
   const Semantics semantics = kDiscSemantics.at(command.semantics);
-  if (command.set == "erosion") return [=](const DiscRadius& r) { return disc.eroded_at(r, semantics); };
-  if (command.set == "opening") return [=](const DiscRadius& r) { return disc.opened_at(r, semantics); };
-  if (command.set == "closing") return [=](const DiscRadius& r) { return disc.closed_at(r, semantics); };
-  return [=](const DiscRadius& r) { return disc.sum_at(r, semantics); };
+  if (command.set == "erosion") return [=](const DiscRadius& r) { return disc.eroded_at(r, semantics, progress); };
+  if (command.set == "opening") return [=](const DiscRadius& r) { return disc.opened_at(r, semantics, progress); };
+  if (command.set == "closing") return [=](const DiscRadius& r) { return disc.closed_at(r, semantics, progress); };
+  return [=](const DiscRadius& r) { return disc.sum_at(r, semantics, progress); };
 }
 
 DiscSide side_of(const std::string& set) {
@@ -98,8 +102,7 @@ void write_outputs(const DiscCommand& command, const Region& p, const DiscSet& s
       texts.push_back(draw_disc_set(p, set));
     } else {
       if (!polygons)
-        polygons = require(to_region(set, command.error.value_or(default_error(set)),
-                                     command.bound == "inside" ? DiscBound::inside : DiscBound::outside));
+        polygons = require(to_region(set, command.error.value_or(default_error(set)), kDiscBounds.at(command.bound)));
       texts.push_back(format_region(polygons->region, format));
     }
   }
@@ -162,7 +165,8 @@ ExitCode run_disc(const DiscCommand& command) {
   std::vector<Input> inputs{read_input(command.p, command.input)};
   const InterruptGuard guard;
   const GrowingDisc disc(inputs[0].region);
-  const DiscMaker make = maker(disc, command);
+  std::optional<ProgressBar> bar(std::in_place);
+  const DiscMaker make = maker(disc, command, bar->callback());
   const auto [set_once, first] = timed(1, [&] { return made_at(make, radius, inputs); });
   const auto [set, again] = timed(command.report.repeat, [&] {
     throw_if_interrupted();
@@ -173,9 +177,12 @@ ExitCode run_disc(const DiscCommand& command) {
   const auto& files = command.output.files;
   if (std::any_of(files.begin(), files.end(), is_page)) {
     frames.title = inputs[0].file + ", " + command.set + " with a growing disc";
+    frames.set = command.set;
+    frames.region = inputs[0].region;
     frames.events = events;
-    append_frames(frames, make, set.radius, command.frames);
+    append_frames(frames, maker(disc, command, {}), set.radius, command.frames, bar->callback());
   }
+  bar.reset();
   write_outputs(command, inputs[0].region, set, frames);
   if (command.report.json) print_report(disc_json(command, inputs, set, first, again, events));
   else print_disc(out, command, set, again, events);
@@ -185,9 +192,10 @@ ExitCode run_disc(const DiscCommand& command) {
 }
 
 void add_disc_outputs(CLI::App& verb, DiscCommand& command) {
-  verb.add_option("-o", command.output.files,
-                  "Write the result; repeatable; by extension .json (exact, pieces by name), .svg (true arcs), .html (a "
-                  "page with a slider from 0 to R), .poly .wkt .geojson .dxf (polygons); - is standard output")
+  verb.add_option(
+          "-o", command.output.files,
+          "Write the result; repeatable; by extension .json (exact, pieces by name), .svg (true arcs), .html (a "
+          "page with a slider from 0 to R), .poly .wkt .geojson .dxf (polygons); - is standard output")
       ->type_name("FILE")
       ->allow_extra_args(false);
   verb.add_option("--to", command.output.to, "Format of -o -")
@@ -195,10 +203,12 @@ void add_disc_outputs(CLI::App& verb, DiscCommand& command) {
       ->capture_default_str();
   within(verb.add_option("--error", command.error, "Of polygons: how far they may be from the arcs; a 1000th of R"), 0)
       ->type_name("E");
-  verb.add_option("--bound", command.bound, "Of polygons: inside the set, or outside around it")
-      ->check(CLI::IsMember({"inside", "outside"}))
+  verb.add_option("--bound", command.bound,
+                  "Of polygons: inside the set, outside around it, or nearest, with vertices on its boundary")
+      ->check(CLI::IsMember({"inside", "outside", "nearest"}))
       ->capture_default_str();
-  whole_within(verb.add_option("--frames", command.frames, "Of a page: how many radii"), 2, 240)
+  whole_within(verb.add_option("--frames", command.frames, "Of a page: how many radii, evenly; with events between"), 2,
+               240)
       ->capture_default_str();
 }
 
@@ -214,9 +224,10 @@ void add_disc(CLI::App& app, Action& action) {
                   "Radius of the disc, exact: 3/2, 0.1, 1e-3; or event:K, exactly the radius of event K")
       ->required()
       ->type_name("R");
-  verb.add_option("--set", command->set,
-                  "sum: P with all that is R away at most; erosion: where discs fit inside P; opening: what discs inside "
-                  "P cover; closing: what discs outside P do not")
+  verb.add_option(
+          "--set", command->set,
+          "sum: P with all that is R away at most; erosion: where discs fit inside P; opening: what discs inside "
+          "P cover; closing: what discs outside P do not")
       ->check(CLI::IsMember({"sum", "erosion", "opening", "closing"}))
       ->capture_default_str();
   verb.add_option("--semantics", command->semantics,

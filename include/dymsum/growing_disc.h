@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "dymsum/planar_sum.h"
+#include "dymsum/progress.h"
 #include "dymsum/rational.h"
 #include "dymsum/region.h"
 #include "dymsum/result.h"
@@ -23,8 +24,8 @@ enum class DiscSide : std::uint8_t { outside, inside };
 
 /// A radius: a rational, or exactly the one of an event, which need not be rational.
 struct DiscRadius {
-  Rational value;                      ///< where no event is named
-  std::optional<std::uint32_t> event;  ///< into GrowingDisc::events of the side at hand
+  Rational value;                                  ///< where no event is named
+  std::optional<std::uint32_t> event;              ///< into GrowingDisc::events of the side at hand
   DiscRadius(Rational r) : value(std::move(r)) {}  // NOLINT(google-explicit-constructor)
   static DiscRadius at_event(std::uint32_t index) {
     DiscRadius radius{Rational()};
@@ -36,7 +37,7 @@ struct DiscRadius {
 
 /// A radius at which the pieces of the boundary change. Coincident changes are one event.
 struct DiscEvent {
-  double radius = 0;       ///< within some units in the last place
+  double radius = 0;        ///< within some units in the last place
   std::uint32_t nodes = 0;  ///< discs of that radius which touch the region in a way that others beside them do not
 };
 
@@ -97,27 +98,27 @@ struct DiscSegment {
   DiscCorner from, to;
 };
 
-/// The sign of what is written: which set a polygon contains or is contained in.
-enum class DiscBound : std::uint8_t { inside, outside };
+/// Where polygons that stand for a set lie: in it, around it, or with all vertices on its boundary.
+enum class DiscBound : std::uint8_t { inside, outside, nearest };
 
 struct DiscPolygons {
   Region region;
-  double error = 0;    ///< no boundary point of either is further than this from the other's boundary
-  double rounded = 0;  ///< how far rounding to doubles moved a vertex at most: a part of `error`
+  double error = 0;        ///< no boundary point of either is further than this from the other's boundary
+  double rounded = 0;      ///< how far rounding to doubles moved a vertex at most: a part of `error`
   std::size_t chords = 0;  ///< segments that stand for arcs
 };
 
 /// A set whose boundary is made of segments and arcs. Which pieces there are and how they follow each other is exact;
 /// positions are doubles near the exact ones.
 struct DiscSet {
-  std::vector<DiscPart> parts;        ///< closures of the connected interiors
-  std::vector<DiscSegment> segments;  ///< pieces of the set without area
-  std::vector<DiscCorner> points;     ///< the same
+  std::vector<DiscPart> parts;              ///< closures of the connected interiors
+  std::vector<DiscSegment> segments;        ///< pieces of the set without area
+  std::vector<DiscCorner> points;           ///< the same
   std::vector<DiscSegment> tight_segments;  ///< where a disc fits exactly, without room to move sideways
   std::vector<DiscCorner> tight_points;     ///< without any room
-  double radius = 0;       ///< the nearest double
-  std::string radius_exact;  ///< "3/2", or a formula of roots at an event
-  double at_error = 0;     ///< positions are within this in each coordinate
+  double radius = 0;                        ///< the nearest double
+  std::string radius_exact;                 ///< "3/2", or a formula of roots at an event
+  double at_error = 0;                      ///< positions are within this in each coordinate
 
   std::size_t hole_count() const;
   std::size_t piece_count() const;
@@ -133,12 +134,15 @@ Measured perimeter(const DiscSet& set);
 /// {min x, min y, max x, max y} within at_error; zeros for the empty set.
 std::array<double, 4> bounds(const DiscSet& set);
 
-/// Chords in place of arcs. `inside`: before its vertices are rounded, the polygon lies in the set; `outside`: the set in
-/// the polygon. Errors: out_of_range where `error` is not a positive number or below what doubles can keep;
-/// rounding_changed_topology where the polygons cross because of `error` or of rounding (a smaller one may do).
+/// Segments in place of arcs. `inside`: before its vertices are rounded, the polygon lies in the set; `outside`: the
+/// set in the polygon; `nearest`: its vertices lie on the boundary, each rounded to the nearest doubles, and chords on
+/// either side of it. Errors: out_of_range where `error` is not a positive number or below what doubles can keep;
+/// rounding_changed_topology where the polygons cross because of `error` or of rounding (a smaller one may do; where
+/// two arcs touch each other in a cusp, only `nearest` does).
 Result<DiscPolygons> to_region(const DiscSet& set, double error, DiscBound bound = DiscBound::inside);
 
-/// The set as JSON text: every ring with its pieces by name; as a picture over the region it comes from, with true arcs.
+/// The set as JSON text: every ring with its pieces by name; as a picture over the region it comes from, with true
+/// arcs.
 std::string disc_set_to_json(const DiscSet& set);
 std::string draw_disc_set(const Region& p, const DiscSet& set);
 
@@ -154,24 +158,29 @@ class GrowingDisc {
   const Region& region() const;
 
   /// Radii at which the boundary's pieces change, positive and ascending. O(n log n) when first asked for.
-  Result<std::vector<DiscEvent>> events(DiscSide side) const;
+  Result<std::vector<DiscEvent>> events(DiscSide side, const Progress& progress = {}) const;
 
   // Errors of the following: out_of_range for a negative radius, an event that there is not, coordinates beyond 2^1000
   // and discs larger than doubles reach; outside, unsupported_operand where a polyline or point touches another piece,
-  // with the place. Radius 0 gives the region. Cost: O(n).
+  // with the place; cancelled, where `progress` stops it: it is asked before and after the stages "complex", once for a
+  // side, and "set". Radius 0 gives the region. Cost: O(n).
 
-  /// P + D, { x : distance from P at most r }. Tight features, of the open semantics: where a disc that stays clear of P
-  /// touches it on all sides.
-  Result<DiscSet> sum_at(const DiscRadius& r, Semantics semantics = Semantics::closed) const;
+  /// P + D, { x : distance from P at most r }. Tight features, of the open semantics: where a disc that stays clear of
+  /// P touches it on all sides.
+  Result<DiscSet> sum_at(const DiscRadius& r, Semantics semantics = Semantics::closed,
+                         const Progress& progress = {}) const;
   /// { x : x + D inside P }. Positions without room to move are `segments` and `points`, and tight; regular drops them,
   /// open only lists them as tight. Error unsupported_operand for polylines and points.
-  Result<DiscSet> eroded_at(const DiscRadius& r, Semantics semantics = Semantics::closed) const;
+  Result<DiscSet> eroded_at(const DiscRadius& r, Semantics semantics = Semantics::closed,
+                            const Progress& progress = {}) const;
   /// All discs of radius r inside P. closed and open: with those that fit exactly; regular: the closure of what the
   /// others cover. Error unsupported_operand for polylines and points.
-  Result<DiscSet> opened_at(const DiscRadius& r, Semantics semantics = Semantics::closed) const;
+  Result<DiscSet> opened_at(const DiscRadius& r, Semantics semantics = Semantics::closed,
+                            const Progress& progress = {}) const;
   /// P with all that no disc of radius r outside of P reaches. closed and regular: discs without room to move do not
   /// reach; open: they do. Error unsupported_operand for polylines and points.
-  Result<DiscSet> closed_at(const DiscRadius& r, Semantics semantics = Semantics::closed) const;
+  Result<DiscSet> closed_at(const DiscRadius& r, Semantics semantics = Semantics::closed,
+                            const Progress& progress = {}) const;
 
  private:
   struct State;

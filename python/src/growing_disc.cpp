@@ -63,9 +63,10 @@ void bind_disc_radius(nb::module_& m) {
   nb::enum_<DiscSide>(m, "DiscSide", "Where discs grow.")
       .value("outside", DiscSide::outside, "outside of the region: sum, closing")
       .value("inside", DiscSide::inside, "inside: erosion, opening");
-  nb::enum_<DiscBound>(m, "DiscBound", "Which set a polygon is contained in or contains.")
-      .value("inside", DiscBound::inside)
-      .value("outside", DiscBound::outside);
+  nb::enum_<DiscBound>(m, "DiscBound", "Where polygons that stand for a set lie.")
+      .value("inside", DiscBound::inside, "in it")
+      .value("outside", DiscBound::outside, "around it")
+      .value("nearest", DiscBound::nearest, "with all vertices on its boundary");
   nb::class_<DiscRadius> radius(m, "DiscRadius",
                                 "A radius: an exact number, or exactly that of an event, which need not be rational.");
   radius
@@ -227,6 +228,7 @@ void bind_disc_set_functions(nb::module_& m) {
         R"doc(Chords in place of arcs, by at most `error`, in the unit of the coordinates.
 
 inside: the polygon lies in the set; outside: the set in the polygon; both before vertices are rounded to doubles.
+nearest: vertices lie on the boundary, each rounded to the nearest doubles.
 Raises Error: out_of_range where `error` is not positive or below what doubles keep; rounding_changed_topology where
 polygons of that error cross: a smaller one may do.
 
@@ -250,16 +252,17 @@ struct GrowingDiscObject {
   GrowingDiscOptions options;
 };
 
-using SetAt = Result<DiscSet> (GrowingDisc::*)(const DiscRadius&, Semantics) const;
+using SetAt = Result<DiscSet> (GrowingDisc::*)(const DiscRadius&, Semantics, const Progress&) const;
 
 void bind_set_at(nb::class_<GrowingDiscObject>& type, const char* name, SetAt made, const char* doc) {
   type.def(
       name,
-      [made](const GrowingDiscObject& self, const RadiusArgument& r, Semantics semantics) {
+      [made](const GrowingDiscObject& self, const RadiusArgument& r, Semantics semantics, const Progress& progress) {
         const DiscRadius radius = r.value();
-        return DiscSetOf{take(without_gil([&] { return (self.disc.*made)(radius, semantics); })), self.disc.region()};
+        return DiscSetOf{run(progress, [&](Progress own) { return (self.disc.*made)(radius, semantics, own); }),
+                         self.disc.region()};
       },
-      "r"_a, "semantics"_a = Semantics::closed, doc);
+      "r"_a, "semantics"_a = Semantics::closed, "progress"_a = nb::none(), doc);
 }
 
 void bind_sets_at(nb::class_<GrowingDiscObject>& type) {
@@ -311,10 +314,11 @@ exact numbers in the unit of the coordinates, or DiscRadius.at_event(index). May
       .def("region", [](const GrowingDiscObject& self) { return self.disc.region(); })
       .def(
           "events",
-          [](const GrowingDiscObject& self, DiscSide side) {
-            return take(without_gil([&] { return self.disc.events(side); }));
+          [](const GrowingDiscObject& self, DiscSide side, const Progress& progress) {
+            return run(progress, [&](Progress own) { return self.disc.events(side, own); });
           },
-          "side"_a, "Radii at which the pieces of the boundary change, positive and ascending.")
+          "side"_a, "progress"_a = nb::none(),
+          "Radii at which the pieces of the boundary change, positive and ascending.")
       .def("__repr__",
            [](const GrowingDiscObject& self) {
              return "<GrowingDisc of " + nb::cast<std::string>(nb::repr(nb::cast(self.disc.region()))) + ">";

@@ -116,6 +116,11 @@ CALLS: list[tuple[str, Callable[[Progress], Any]]] = [
     ("CriticalityMap", lambda f: dymsum.CriticalityMap.create(BALL, BOX, (0, 0, 1), f)),
     ("NfpTable", lambda f: dymsum.NfpTable(LARGE_TABLE, progress=f)),
     ("NfpTable", lambda f: dymsum.NfpTable.create(LARGE_TABLE, progress=f)),
+    ("GrowingDisc.events", lambda f: dymsum.GrowingDisc(P).events(dymsum.DiscSide.inside, f)),
+    ("GrowingDisc.sum_at", lambda f: dymsum.GrowingDisc(P).sum_at(1, progress=f)),
+    ("GrowingDisc.eroded_at", lambda f: dymsum.GrowingDisc(P).eroded_at(0.01, progress=f)),
+    ("GrowingDisc.opened_at", lambda f: dymsum.GrowingDisc(P).opened_at(0.01, progress=f)),
+    ("GrowingDisc.closed_at", lambda f: dymsum.GrowingDisc(P).closed_at(1, progress=f)),
     ("compute_table", lambda f: dymsum.compute_table(dymsum.NfpTable(TABLE), dymsum.TableOptions(progress=f))),
 ]
 PATH = dymsum.plan(OBSTACLE, (-8, 0, 0), (8, 0, 1)).path

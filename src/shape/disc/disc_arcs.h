@@ -1,40 +1,53 @@
 // Arcs of the corner discs of a level: what is left of them where such discs overlap.
 #pragma once
 
+#include <array>
+#include <optional>
+
 #include "shape/disc/boundary_order.h"
 #include "shape/disc/disc_places.h"
 #include "shape/disc/level_rings.h"
 
 namespace dymsum::shape {
 
-/// The arc about a corner disc between a run of places and the next one: clockwise from where the disc touches the site
-/// on the right of edge `in` of the complex to where it touches the one on the left of `out`, at most half a turn.
+/// An arc about a corner disc, clockwise between two places that the disc touches one after the other: across an edge
+/// of the complex that descends from its centre, less than half a turn, or half a turn across a flat edge.
 struct CornerArc {
-  CornerDisc disc;
-  std::uint32_t in = 0, out = 0;
+  std::uint32_t disc = 0;                          ///< into ArcSet::discs
+  std::uint32_t edge = 0;                          ///< of the complex, across which it goes
+  std::uint32_t start = 0, stop = 0;               ///< sites that the disc touches at its ends
+  std::optional<Point> start_vertex, stop_vertex;  ///< where that is a vertex, or an edge's end
+  std::uint32_t next = kNoIndex;                   ///< the arc that begins where it stops; kNoIndex: the run of `out`
+  std::uint32_t out = 0;                           ///< edge of the complex on which the next run begins
 };
 
 /// What no other corner disc covers of an arc. It begins and ends where the arc does, or on the circle of another disc.
 struct ArcFragment {
-  static constexpr std::uint32_t kContact = 0xffffffff;
   std::uint32_t arc = 0;
-  std::uint32_t begin = kContact, end = kContact;  ///< an arc whose disc is left there, or entered
-  std::uint32_t next = kContact;                   ///< the fragment that goes on where the end is no contact
+  std::uint32_t begin = kNoIndex, end = kNoIndex;  ///< the disc that is left there, or entered; kNoIndex: a contact
+  std::uint32_t next = kNoIndex;                   ///< the fragment that goes on where the end is no contact
 };
 
 struct ArcSet {
-  std::vector<CornerArc> arcs;           ///< one for each run that has an end
-  std::vector<ArcFragment> fragments;    ///< those of an arc follow each other
-  std::vector<std::uint32_t> first;      ///< arc -> into fragments, where its first one begins at its contact; else kContact
-  std::vector<std::uint32_t> arc_at_end; ///< edge of the complex -> the arc with that `in`, or kContact
-  std::vector<std::array<std::uint32_t, 2>> overlaps;  ///< arcs whose discs overlap
-  std::vector<std::uint8_t> split;       ///< node -> whether overlapping discs lie about its part of the complex, by its root
-  std::vector<std::uint32_t> root;       ///< node below the cut -> a node that stands for its connected part below it
+  std::vector<CornerDisc> discs;
+  std::vector<std::uint32_t> disc_edge;   ///< disc -> an edge of the complex on which a run ends at it
+  std::vector<CornerArc> arcs;            ///< those of a corner follow each other
+  std::vector<std::uint32_t> arc_behind;  ///< edge of the complex -> the arc after the run that ends on it, or kNoIndex
+  /// Edge of the complex -> the arc across it about a disc at its low end (flat edges), and at its high one or between.
+  std::vector<std::array<std::uint32_t, 2>> arc_across;
+  std::vector<ArcFragment> fragments;                  ///< those of an arc follow each other
+  std::vector<std::uint32_t> first;                    ///< arc -> its fragment that begins at its start, or kNoIndex
+  std::vector<std::array<std::uint32_t, 2>> overlaps;  ///< discs that overlap
+  std::vector<std::uint32_t> part;     ///< node below the cut -> one that stands for its connected part below the cut
+  std::vector<std::uint8_t> is_split;  ///< the latter -> whether discs overlap across the part
 };
 
-/// Discs overlap only within one connected part of the complex below the level: any way from one to the other leads
-/// through it. (docs/design/disc-sum.md)
-ArcSet corner_arcs(const DiscPlaces& places, const BoundaryOrder& order, const LevelRings& rings, std::uint32_t cut);
+/// All arcs, whole: of every corner between a run and the next one, those from contact to contact. O(n).
+ArcSet corner_arcs(const DiscPlaces& places, const BoundaryOrder& order, const LevelRings& rings);
+
+/// Adds fragments and overlaps. Discs overlap only within one connected part of the complex below the level: any way
+/// from one to the other leads through it. (docs/design/disc-sum.md)
+void cut_arcs(const DiscPlaces& places, std::uint32_t cut, ArcSet& arcs);
 
 /// From the centre of a disc to where the circle of another one is entered, going clockwise (`entered`), or left.
 Point towards_crossing(const DiscPlaces& places, const CornerDisc& disc, const CornerDisc& other, bool entered);

@@ -36,6 +36,9 @@ class DiscPlaces {
 
   /// The largest coordinate of the region, or the radius where that is larger.
   double reach() const { return reach_; }
+  /// Positions of a set are within this in each coordinate: a centre is within 2^-42 of the reach, and a contact takes
+  /// a few roundings more.
+  double at_error() const { return 0x1p-41 * reach_; }
   const Complex& complex() const { return complex_; }
   const Level& level() const { return level_; }
 

@@ -36,7 +36,9 @@ class ArcPolygons {
   std::size_t made() const { return chords_; }
 
  private:
-  bool chord(const DiscPiece& piece) const { return (piece.sweep > 0) == (bound_ == DiscBound::inside); }
+  bool chord(const DiscPiece& piece) const {
+    return bound_ == DiscBound::nearest || (piece.sweep > 0) == (bound_ == DiscBound::inside);
+  }
   double half(const DiscPiece& piece) const {
     // Three at least for a whole circle.
     return std::min(chord(piece) ? chord_half_ : tangent_half_, std::numbers::pi / 3);
@@ -63,7 +65,8 @@ class ArcPolygons {
 };
 
 Error changed(Error error) {
-  error.message = "polygons of this error are no valid region, as parts of the boundary are closer (" + error.message + ")";
+  error.message =
+      "polygons of this error are no valid region, as parts of the boundary are closer (" + error.message + ")";
   error.code = ErrorCode::rounding_changed_topology;
   return error;
 }

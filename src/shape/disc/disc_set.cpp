@@ -20,9 +20,7 @@ double heading_at(const DiscPiece& piece, bool at_end) {
 
 /// In a half-open turn whose middle is where corners can turn to: one that turns right back is not mistaken.
 double corner_turn(double angle, Corners corners) {
-  const double middle = corners == Corners::clockwise           ? -kHalfTurn / 2
-                        : corners == Corners::counter_clockwise ? kHalfTurn / 2
-                                                                : 0;
+  const double middle = corners == Corners::clockwise ? -kHalfTurn / 2 : kHalfTurn / 2;
   return middle + std::remainder(angle - middle, 2 * kHalfTurn);
 }
 

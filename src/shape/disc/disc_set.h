@@ -6,9 +6,8 @@
 
 namespace dymsum::shape {
 
-/// Boundaries whose corners all turn clockwise, as those of sums do, or counter-clockwise; or either way, but nowhere
-/// back.
-enum class Corners : std::uint8_t { clockwise, counter_clockwise, either };
+/// Boundaries whose corners all turn clockwise, as those of sums do, or counter-clockwise.
+enum class Corners : std::uint8_t { clockwise, counter_clockwise };
 
 /// A ring with the set on its left, and a name for the part that it belongs to.
 struct OwnedRing {

@@ -10,29 +10,44 @@ namespace dymsum {
 using shape::Complex;
 using shape::Side;
 
+namespace {
+
+bool goes_on(const Progress& progress, const char* stage, double fraction) {
+  return !progress || progress(stage, fraction);
+}
+Error stopped() { return {ErrorCode::cancelled, "stopped on request", {}}; }
+
+}  // namespace
+
 /// The complex of each side with the order along the boundary, made when first asked for.
 struct GrowingDisc::State {
   Region region;
   GrowingDiscOptions options;
   struct OneSide {
-    std::once_flag once;
+    std::mutex mutex;
+    bool made = false;
     std::optional<Error> error;
     Complex complex;
     shape::BoundaryOrder order;
   };
   OneSide sides[2];
 
-  Result<const OneSide*> side(Side which) {
+  /// What is made stays so, and is read without the mutex; a call that is stopped leaves nothing.
+  Result<const OneSide*> side(Side which, const Progress& progress) {
     OneSide& one = sides[which == Side::inside ? 1 : 0];
-    std::call_once(one.once, [&] {
+    const std::lock_guard lock(one.mutex);
+    if (!one.made) {
+      if (!goes_on(progress, "complex", 0)) return stopped();
       auto made = shape::make_complex(region, which, options.brute ? shape::Engine::brute : shape::Engine::fast);
       if (!made) {
         one.error = made.error();
-        return;
+      } else {
+        one.complex = *std::move(made);
+        one.order = shape::boundary_order(one.complex);
       }
-      one.complex = *std::move(made);
-      one.order = shape::boundary_order(one.complex);
-    });
+      one.made = true;
+      if (!goes_on(progress, "complex", 1)) return stopped();
+    }
     if (one.error) return *one.error;
     return &one;
   }
@@ -44,20 +59,22 @@ using Make = DiscSet (*)(const shape::DiscPlaces&, const shape::BoundaryOrder&, 
 
 std::optional<Error> needs_area(const Region& region, const char* what) {
   if (region.polylines().empty() && region.points().empty()) return std::nullopt;
-  return Error{ErrorCode::unsupported_operand,
-               std::string(what) + " is defined for regions without polylines and points",
-               {}};
+  return Error{
+      ErrorCode::unsupported_operand, std::string(what) + " is defined for regions without polylines and points", {}};
 }
 
 template <class OneSide>
 Result<DiscSet> set_at(const Result<const OneSide*>& side, const Region& region, const DiscRadius& r,
-                       Semantics semantics, Make make) {
+                       Semantics semantics, const Progress& progress, Make make) {
   if (!side) return side.error();
   const OneSide& one = **side;
+  if (!goes_on(progress, "set", 0)) return stopped();
   const auto level = shape::level_at(one.complex, r);
   if (!level) return level.error();
   if (level->radius == 0) return shape::set_of(region);
-  return make(shape::DiscPlaces(one.complex, *level), one.order, semantics);
+  DiscSet set = make(shape::DiscPlaces(one.complex, *level), one.order, semantics);
+  if (!goes_on(progress, "set", 1)) return stopped();
+  return set;
 }
 
 }  // namespace
@@ -69,29 +86,29 @@ GrowingDisc::GrowingDisc(Region region, GrowingDiscOptions options) : state_(std
 
 const Region& GrowingDisc::region() const { return state_->region; }
 
-Result<std::vector<DiscEvent>> GrowingDisc::events(DiscSide side) const {
-  const auto one = state_->side(side == DiscSide::inside ? Side::inside : Side::outside);
+Result<std::vector<DiscEvent>> GrowingDisc::events(DiscSide side, const Progress& progress) const {
+  const auto one = state_->side(side == DiscSide::inside ? Side::inside : Side::outside, progress);
   if (!one) return one.error();
   return shape::disc_events((*one)->complex);
 }
 
-Result<DiscSet> GrowingDisc::sum_at(const DiscRadius& r, Semantics semantics) const {
-  return set_at(state_->side(Side::outside), region(), r, semantics, shape::sum_set);
+Result<DiscSet> GrowingDisc::sum_at(const DiscRadius& r, Semantics semantics, const Progress& progress) const {
+  return set_at(state_->side(Side::outside, progress), region(), r, semantics, progress, shape::sum_set);
 }
 
-Result<DiscSet> GrowingDisc::eroded_at(const DiscRadius& r, Semantics semantics) const {
+Result<DiscSet> GrowingDisc::eroded_at(const DiscRadius& r, Semantics semantics, const Progress& progress) const {
   if (auto error = needs_area(region(), "erosion")) return *error;
-  return set_at(state_->side(Side::inside), region(), r, semantics, shape::eroded_set);
+  return set_at(state_->side(Side::inside, progress), region(), r, semantics, progress, shape::eroded_set);
 }
 
-Result<DiscSet> GrowingDisc::opened_at(const DiscRadius& r, Semantics semantics) const {
+Result<DiscSet> GrowingDisc::opened_at(const DiscRadius& r, Semantics semantics, const Progress& progress) const {
   if (auto error = needs_area(region(), "opening")) return *error;
-  return set_at(state_->side(Side::inside), region(), r, semantics, shape::opened_set);
+  return set_at(state_->side(Side::inside, progress), region(), r, semantics, progress, shape::opened_set);
 }
 
-Result<DiscSet> GrowingDisc::closed_at(const DiscRadius& r, Semantics semantics) const {
+Result<DiscSet> GrowingDisc::closed_at(const DiscRadius& r, Semantics semantics, const Progress& progress) const {
   if (auto error = needs_area(region(), "closing")) return *error;
-  return set_at(state_->side(Side::outside), region(), r, semantics, shape::closed_set);
+  return set_at(state_->side(Side::outside, progress), region(), r, semantics, progress, shape::closed_set);
 }
 
 }  // namespace dymsum

@@ -41,20 +41,18 @@ UnionFind joined_components(const DiscPlaces& places, const BoundaryOrder& order
 void finish(const DiscPlaces& places, DiscSet& set) {
   set.radius = places.level().radius;
   set.radius_exact = places.level().text;
-  // A centre is within 2^-42 of the reach, and a contact takes a few roundings more.
-  set.at_error = 0x1p-41 * places.reach();
+  set.at_error = places.at_error();
 }
 
 DiscSet sum_set(const DiscPlaces& places, const BoundaryOrder& order, Semantics semantics) {
   const Complex& complex = places.complex();
-  const LevelRings rings =
-      level_rings(complex, order, places.level(), places.level().up_to, Connected::region, true);
+  const LevelRings rings = level_rings(complex, order, places.level(), places.level().up_to, Connected::region, true);
   UnionFind joined = joined_components(places, order, rings);
   std::vector<OwnedRing> made;
   for (const auto& ring : rings.rings) {
     const std::uint32_t loop = rings.runs[ring.front()].loop;
-    made.push_back({{moved_pieces(places, order, rings, ring)},
-                    joined.root(complex.sites[order.first_site[loop]].component)});
+    made.push_back(
+        {{moved_pieces(places, order, rings, ring)}, joined.root(complex.sites[order.first_site[loop]].component)});
   }
   DiscSet set;
   set.parts = parts_of(std::move(made), Corners::clockwise);
@@ -78,8 +76,8 @@ DiscSet eroded_set(const DiscPlaces& places, const BoundaryOrder& order, Semanti
   for (const auto& ring : rings.rings) {
     const Run& run = rings.runs[ring.front()];
     const std::uint32_t item = run.whole() ? order.first_item[run.loop] : run.from;
-    made.push_back({reversed(moved_pieces(places, order, rings, ring)),
-                    joined.root(complex.edges[order.items[item].edge].high)});
+    made.push_back(
+        {reversed(moved_pieces(places, order, rings, ring)), joined.root(complex.edges[order.items[item].edge].high)});
   }
   DiscSet set;
   set.parts = parts_of(std::move(made), Corners::counter_clockwise);

@@ -1,8 +1,6 @@
 #include "shape/disc/nested_rings.h"
 
-#include <cmath>
-#include <limits>
-#include <numbers>
+#include <map>
 #include <stdexcept>
 #include <utility>
 
@@ -10,56 +8,103 @@ namespace dymsum::shape {
 
 namespace {
 
-/// The nearest corner of a ring, squared.
-double clearance(const DiscRing& ring, Point z) {
-  double least = std::numeric_limits<double>::infinity();
-  for (const DiscPiece& piece : ring.pieces)
-    least = std::min(least, std::hypot(piece.from.at.x - z.x, piece.from.at.y - z.y));
-  return least;
+using exact::Interval;
+using exact::RootExpression;
+
+/// The exact corners of rings, relative to a place of the region.
+class ExactCorners {
+ public:
+  ExactCorners(const DiscPlaces& places, Point origin) : places_(places), origin_(origin) {}
+
+  LazyVector at(const PlacedRing& ring, std::size_t piece) const {
+    const DiscCorner& corner = ring.ring.pieces[piece].from;
+    if (corner.kind == DiscCorner::Kind::vertex) return vertex(corner.at);
+    const double off = places_.at_error();
+    const Vector<Interval> near{Interval(corner.at.x - off, corner.at.x + off) - Interval(origin_.x),
+                                Interval(corner.at.y - off, corner.at.y + off) - Interval(origin_.y)};
+    if (corner.kind == DiscCorner::Kind::crossing) return {near, [this, corner] { return crossing_at(corner); }};
+    const Site& site = places_.complex().sites[ring.sites[piece]];
+    return {near, [this, corner, &site] { return contact_at(corner, site); }};
+  }
+  LazyVector vertex(Point p) const {
+    return {between<Interval>(origin_, p), [this, p] { return between<RootExpression>(origin_, p); }};
+  }
+
+ private:
+  /// Where corner.disc is entered by those who leave corner.other, clockwise.
+  Vector<RootExpression> crossing_at(const DiscCorner& corner) const {
+    const auto c = places_.exact_centre_from(corner.disc, origin_),
+               d = places_.exact_centre_from(corner.other, origin_);
+    return plus(c, crossing(minus(d, c), places_.level().exact, true));
+  }
+  Vector<RootExpression> contact_at(const DiscCorner& corner, const Site& edge) const {
+    const auto n = long_normal<RootExpression>(edge);
+    const RootExpression share = places_.level().exact / sqrt(dot(n, n));
+    return minus(places_.exact_centre_from(corner.disc, origin_), Vector<RootExpression>{n.x * share, n.y * share});
+  }
+
+  const DiscPlaces& places_;
+  Point origin_;
+};
+
+LazyVector difference(const LazyVector& a, const LazyVector& b) {
+  return {minus(a.near, b.near), [a, b] { return minus(a.exact(), b.exact()); }};
 }
 
-/// A corner of the hole as far from those of the ring as there is: they may touch.
-Point corner_away_from(const DiscRing& hole, const DiscRing& ring) {
-  Point best = hole.pieces.front().from.at;
-  double most = -1;
-  for (const DiscPiece& piece : hole.pieces) {
-    const double d = clearance(ring, piece.from.at);
-    if (d > most) most = d, best = piece.from.at;
+/// Whether a place of another ring, or a vertex in the part that this bounds, lies within a ring: by the edges that a
+/// ray from it towards +x crosses. Between an arc and its chord lies nothing of the set, as the arc bends into it:
+/// chords wind as often, and never meet the place.
+bool winds_about(const DiscPlaces& places, const PlacedRing& ring, const PlacedRing& inner) {
+  const Point origin = inner.anchor.value_or(places.complex().sites.front().a);
+  const ExactCorners corners(places, origin);
+  const LazyVector z = inner.anchor ? corners.vertex(origin) : corners.at(inner, 0);
+  const std::size_t n = ring.ring.pieces.size();
+  int winding = 0;
+  LazyVector a = difference(corners.at(ring, n - 1), z);
+  bool a_above = sign_of_y(a) > 0;
+  for (std::size_t i = 0; i < n; ++i) {
+    LazyVector b = difference(corners.at(ring, i), z);
+    const bool b_above = sign_of_y(b) > 0;
+    if (a_above != b_above && (sign_of_cross(a, b) > 0) == b_above) winding += b_above ? 1 : -1;
+    a = std::move(b);
+    a_above = b_above;
   }
-  return best;
+  return winding != 0;
 }
 
-/// Between an arc and its chord lies nothing of the set, as the arc bends into it: chords wind as often.
-bool winds_about(const DiscRing& ring, Point z) {
-  double angle = 0;
-  for (std::size_t i = 0; i < ring.pieces.size(); ++i) {
-    const Point a = ring.pieces[i].from.at, b = ring.pieces[(i + 1) % ring.pieces.size()].from.at;
-    const double ax = a.x - z.x, ay = a.y - z.y, bx = b.x - z.x, by = b.y - z.y;
-    angle += std::atan2(ax * by - ay * bx, ax * bx + ay * by);
-  }
-  return std::abs(angle) > std::numbers::pi;
+/// Of two rings around a hole, which do not cross, one lies within the other.
+std::size_t innermost_around(const DiscPlaces& places, const std::vector<const PlacedRing*>& outer,
+                             const PlacedRing& hole) {
+  if (outer.size() == 1) return 0;
+  std::optional<std::size_t> innermost;
+  for (std::size_t i = 0; i < outer.size(); ++i)
+    if (winds_about(places, *outer[i], hole) && (!innermost || winds_about(places, *outer[*innermost], *outer[i])))
+      innermost = i;
+  if (!innermost) throw std::logic_error("a hole lies in no part");
+  return *innermost;
 }
 
 }  // namespace
 
-std::vector<DiscPart> nested(std::vector<DiscRing> rings, Corners corners) {
+std::vector<DiscPart> nested(const DiscPlaces& places, std::vector<PlacedRing> rings) {
   std::vector<DiscPart> parts;
-  std::vector<DiscRing> holes;
-  for (DiscRing& ring : rings) {
-    if (is_outer(ring, corners)) parts.push_back({std::move(ring), {}});
-    else holes.push_back(std::move(ring));
-  }
-  for (DiscRing& hole : holes) {
-    std::size_t innermost = parts.size();
-    for (std::size_t i = 0; i < parts.size(); ++i) {
-      if (parts.size() > 1 && !winds_about(parts[i].outer, corner_away_from(hole, parts[i].outer))) continue;
-      // Of two rings around the hole, which do not cross, one lies within the other.
-      if (innermost == parts.size() ||
-          winds_about(parts[innermost].outer, corner_away_from(parts[i].outer, parts[innermost].outer)))
-        innermost = i;
+  std::vector<const PlacedRing*> outer;
+  std::vector<PlacedRing*> holes;
+  std::map<std::uint32_t, std::size_t> part_of;
+  for (PlacedRing& ring : rings) {
+    if (!is_outer(ring.ring, Corners::counter_clockwise)) {
+      holes.push_back(&ring);
+      continue;
     }
-    if (innermost == parts.size()) throw std::logic_error("a hole lies in no part");
-    parts[innermost].holes.push_back(std::move(hole));
+    if (ring.owner && !part_of.try_emplace(*ring.owner, parts.size()).second)
+      throw std::logic_error("a part of a closing has two outer rings");
+    outer.push_back(&ring);
+    parts.push_back({ring.ring, {}});
+  }
+  for (PlacedRing* hole : holes) {
+    const auto known = hole->owner ? part_of.find(*hole->owner) : part_of.end();
+    const std::size_t part = known != part_of.end() ? known->second : innermost_around(places, outer, *hole);
+    parts[part].holes.push_back(std::move(hole->ring));
   }
   return parts;
 }

@@ -1,13 +1,23 @@
-// Which hole lies in which part, where nothing else tells.
+// Which hole lies in which part, where what the rings touch does not tell.
 #pragma once
 
+#include "shape/disc/disc_places.h"
 #include "shape/disc/disc_set.h"
+#include "shape/disc/lazy_vector.h"
 
 namespace dymsum::shape {
 
-/// Parts of rings that do not cross, the set on their left: every hole goes to the innermost outer ring around it, by
-/// winding numbers about a corner of the hole. Requires: arcs are concave as seen from the set. Cost: one pass over all
-/// outer rings for each hole, where there are several.
-std::vector<DiscPart> nested(std::vector<DiscRing> rings, Corners corners);
+/// A ring with the set on its left, and what is known of the part that it bounds.
+struct PlacedRing {
+  DiscRing ring;
+  std::vector<std::uint32_t> sites;    ///< piece -> the site that the corner at its start lies on, if that is a contact
+  std::optional<std::uint32_t> owner;  ///< rings with the same one bound one part
+  std::optional<Point> anchor;         ///< a vertex of the region in that part
+};
+
+/// Parts of rings that do not cross: every hole goes to the part of its owner or, where no outer ring has that, to the
+/// innermost outer ring around it. Exact. Requires: arcs are concave as seen from the set, and outer rings have
+/// different owners. Cost: one pass over all outer rings for each hole that no owner tells about.
+std::vector<DiscPart> nested(const DiscPlaces& places, std::vector<PlacedRing> rings);
 
 }  // namespace dymsum::shape

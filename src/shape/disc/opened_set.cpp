@@ -1,4 +1,5 @@
 // Opening and closing: the region's boundary as far as discs of the radius touch it, and arcs about those at the ends.
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 #include <utility>
@@ -16,106 +17,142 @@ namespace {
 /// One boundary ring between the discs, on the right, and what they do not reach.
 struct DiscBoundary {
   std::vector<DiscPiece> pieces;
-  std::uint32_t item = kNoIndex;  ///< one of its runs' items, or of the loop it is
-  std::uint32_t arc = kNoIndex;   ///< one of its arcs
+  std::vector<std::uint32_t> sites;     ///< piece -> the site where it begins, if at a contact
+  std::vector<std::uint32_t> touching;  ///< sites that its runs begin on and its arcs touch
+  std::uint32_t edge = kNoIndex;        ///< of the complex, beyond the level; none about a convex region
 };
 
 class DiscBoundaries {
  public:
   DiscBoundaries(const DiscPlaces& places, const BoundaryOrder& order, std::uint32_t cut)
-      : places_(places), order_(order), cut_(cut),
+      : places_(places),
+        order_(order),
+        cut_(cut),
         rings_(level_rings(places.complex(), order, places.level(), cut, Connected::region, false)),
-        arcs_(corner_arcs(places, order, rings_, cut)),
-        run_done_(rings_.runs.size(), 0), fragment_done_(arcs_.fragments.size(), 0) {}
+        arcs_(corner_arcs(places, order, rings_)) {
+    cut_arcs(places, cut, arcs_);
+    run_done_.assign(rings_.runs.size(), 0);
+    fragment_done_.assign(arcs_.fragments.size(), 0);
+  }
 
   std::vector<DiscBoundary> make() {
     std::vector<DiscBoundary> made;
     for (std::uint32_t run = 0; run < rings_.runs.size(); ++run)
-      if (!run_done_[run]) made.push_back(from_run(run));
-    for (std::uint32_t f = 0; f < arcs_.fragments.size(); ++f) {
-      if (fragment_done_[f]) continue;
-      DiscBoundary ring;
-      follow(kNoIndex, f, ring);
-      made.push_back(std::move(ring));
-    }
+      if (!run_done_[run]) made.push_back(rings_.runs[run].whole() ? whole(run) : followed({run, kNoIndex}));
+    for (std::uint32_t f = 0; f < arcs_.fragments.size(); ++f)
+      if (!fragment_done_[f]) made.push_back(followed({kNoIndex, f}));
     return made;
   }
 
   const ArcSet& arcs() const { return arcs_; }
-  const LevelRings& rings() const { return rings_; }
 
  private:
-  DiscBoundary from_run(std::uint32_t run) {
+  /// What a boundary goes on with: a run, or a fragment of an arc.
+  struct Next {
+    std::uint32_t run = kNoIndex, fragment = kNoIndex;
+  };
+
+  DiscBoundary whole(std::uint32_t run) {
+    run_done_[run] = 1;
+    Pieces pieces;
+    append_in_place(places_, order_, rings_.runs[run], pieces);
+    const std::uint32_t loop = rings_.runs[run].loop, item = order_.first_item[loop];
+    // A convex region alone sees nothing outside.
+    const bool has_edge = item < order_.first_item[loop + 1];
     DiscBoundary ring;
-    if (rings_.runs[run].whole()) {
-      run_done_[run] = 1;
-      ring.item = order_.first_item[rings_.runs[run].loop];
-      append_whole(run, ring);
-    } else {
-      ring.item = rings_.runs[run].from;
-      follow(run, kNoIndex, ring);
-    }
+    ring.sites.assign(pieces.list.size(), kNoIndex);
+    ring.pieces = std::move(pieces.list);
+    ring.touching = {order_.first_site[loop]};
+    if (has_edge) ring.edge = order_.items[item].edge;
     return ring;
   }
 
-  void append_whole(std::uint32_t run, DiscBoundary& ring) const {
-    Pieces pieces;
-    append_in_place(places_, order_, rings_.runs[run], pieces);
-    ring.pieces = std::move(pieces.list);
+  /// Once round.
+  DiscBoundary followed(Next at) {
+    DiscBoundary ring;
+    while (at.run != kNoIndex ? !run_done_[at.run] : !fragment_done_[at.fragment])
+      at = at.run != kNoIndex ? append_run(at.run, ring) : append_fragment(at.fragment, ring);
+    return ring;
   }
 
-  /// From a run or a fragment once round.
-  void follow(std::uint32_t run, std::uint32_t fragment, DiscBoundary& ring) {
-    while (run != kNoIndex ? !run_done_[run] : !fragment_done_[fragment]) {
-      if (run != kNoIndex) {
-        run_done_[run] = 1;
-        if (ring.item == kNoIndex) ring.item = rings_.runs[run].from;
-        Pieces pieces;
-        append_in_place(places_, order_, rings_.runs[run], pieces);
-        ring.pieces.insert(ring.pieces.end(), pieces.list.begin(), pieces.list.end());
-        const std::uint32_t arc = arcs_.arc_at_end[order_.items[rings_.runs[run].to].edge];
-        fragment = arcs_.first[arc];
-        // Where the arc's beginning is covered, by a disc that touches the same vertex, the boundary goes on at the
-        // vertex with the next places of it.
-        run = fragment == ArcFragment::kContact ? next_run(rings_.runs[run].to) : kNoIndex;
-      } else {
-        fragment_done_[fragment] = 1;
-        ring.arc = arcs_.fragments[fragment].arc;
-        ring.pieces.push_back(arc_piece(arcs_.fragments[fragment]));
-        const ArcFragment& here = arcs_.fragments[fragment];
-        if (here.end == ArcFragment::kContact) run = rings_.run_from[arcs_.arcs[here.arc].out];
-        else fragment = here.next;
-      }
+  Next append_run(std::uint32_t run, DiscBoundary& ring) {
+    run_done_[run] = 1;
+    ring.edge = order_.items[rings_.runs[run].from].edge;
+    Pieces pieces;
+    append_in_place(places_, order_, rings_.runs[run], pieces);
+    ring.touching.push_back(order_.items[rings_.runs[run].from].site);
+    // Of a run only the first piece can begin at a contact, on the first site.
+    ring.sites.resize(ring.sites.size() + pieces.list.size(), ring.touching.back());
+    ring.pieces.insert(ring.pieces.end(), pieces.list.begin(), pieces.list.end());
+    const std::uint32_t to = rings_.runs[run].to, arc = arcs_.arc_behind[order_.items[to].edge];
+    return arc == kNoIndex ? next_along(to) : start_of(arc);
+  }
+
+  Next append_fragment(std::uint32_t f, DiscBoundary& ring) {
+    fragment_done_[f] = 1;
+    const ArcFragment& fragment = arcs_.fragments[f];
+    const CornerArc& arc = arcs_.arcs[fragment.arc];
+    if (ring.edge == kNoIndex) ring.edge = arcs_.disc_edge[arc.disc];
+    ring.pieces.push_back(arc_piece(fragment));
+    ring.sites.push_back(arc.start);
+    if (fragment.begin == kNoIndex) ring.touching.push_back(arc.start);
+    if (fragment.end == kNoIndex) ring.touching.push_back(arc.stop);
+    if (fragment.end != kNoIndex) return {kNoIndex, fragment.next};
+    if (arc.next != kNoIndex) return start_of(arc.next);
+    return {rings_.run_from[arc.out], kNoIndex};
+  }
+
+  /// Where the start of an arc is covered, by a disc that touches the same vertex, the boundary goes on at that vertex.
+  Next start_of(std::uint32_t arc) const {
+    if (arcs_.first[arc] != kNoIndex) return {kNoIndex, arcs_.first[arc]};
+    return next_along(order_.item_of[arcs_.arcs[arc].edge][1]);
+  }
+
+  /// The next place of a walk, behind those of an item, at which a run begins, or an arc of a disc that touches there
+  /// without room to move.
+  Next next_along(std::uint32_t item) const {
+    const Complex& complex = places_.complex();
+    for (;;) {
+      item = order_.next(complex, item);
+      const BoundaryItem& here = order_.items[item];
+      const Edge& edge = complex.edges[here.edge];
+      if (here.up && crosses(edge, cut_)) return {rings_.run_from[here.edge], kNoIndex};
+      const std::uint32_t node = here.up ? edge.high : edge.low;
+      const std::uint32_t arc = places_.level().holds(node) ? arc_after(here.edge, node) : kNoIndex;
+      if (arc != kNoIndex) return start_of(arc);
     }
   }
 
-  std::uint32_t next_run(std::uint32_t item) const {
+  /// The arc about a node across the edge of the complex that comes clockwise after this one.
+  std::uint32_t arc_after(std::uint32_t edge, std::uint32_t node) const {
     const Complex& complex = places_.complex();
-    do {
-      item = order_.next(complex, item);
-    } while (!(order_.items[item].up && crosses(complex.edges[order_.items[item].edge], cut_)));
-    return rings_.run_from[order_.items[item].edge];
+    std::uint32_t spoke = complex.first_spoke[node];
+    while (complex.spokes[spoke].edge != edge) ++spoke;
+    const Spoke& next =
+        complex.spokes[spoke == complex.first_spoke[node] ? complex.first_spoke[node + 1] - 1 : spoke - 1];
+    return arcs_.arc_across[next.edge][next.up ? 0 : 1];
   }
 
   DiscPiece arc_piece(const ArcFragment& fragment) const {
     const Complex& complex = places_.complex();
     const CornerArc& arc = arcs_.arcs[fragment.arc];
+    const CornerDisc& disc = arcs_.discs[arc.disc];
     DiscPiece piece;
     piece.of = DiscPiece::Of::disc;
-    piece.index = arc.disc.index;
-    piece.disc = arc.disc;
-    piece.centre = places_.centre(arc.disc);
-    const std::uint32_t right = complex.edges[arc.in].right, left = complex.edges[arc.out].left;
-    Point from = places_.towards(arc.disc, complex.sites[right]), to = places_.towards(arc.disc, complex.sites[left]);
-    if (fragment.end != ArcFragment::kContact)
-      to = towards_crossing(places_, arc.disc, arcs_.arcs[fragment.end].disc, true);
-    if (fragment.begin == ArcFragment::kContact) {
-      piece.from = contact_corner(places_, arc.in, right);
+    piece.index = disc.index;
+    piece.disc = disc;
+    piece.centre = places_.centre(disc);
+    Point from, to;
+    if (fragment.end == kNoIndex) to = places_.towards(disc, complex.sites[arc.stop]);
+    else to = towards_crossing(places_, disc, arcs_.discs[fragment.end], true);
+    if (fragment.begin == kNoIndex) {
+      from = places_.towards(disc, complex.sites[arc.start]);
+      piece.from = contact_corner(places_, disc, arc.start);
     } else {
-      from = towards_crossing(places_, arc.disc, arcs_.arcs[fragment.begin].disc, false);
+      from = towards_crossing(places_, disc, arcs_.discs[fragment.begin], false);
       piece.from.kind = DiscCorner::Kind::crossing;
-      piece.from.disc = arc.disc;
-      piece.from.other = arcs_.arcs[fragment.begin].disc;
+      piece.from.disc = disc;
+      piece.from.other = arcs_.discs[fragment.begin];
       piece.from.at = {piece.centre.x + from.x, piece.centre.y + from.y};
     }
     piece.from_angle = std::atan2(from.y, from.x);
@@ -131,16 +168,37 @@ class DiscBoundaries {
   std::vector<std::uint8_t> run_done_, fragment_done_;
 };
 
-/// Connected sets of discs: along the complex beyond the cut, and where corner discs overlap. The last element is what
-/// is connected through infinity.
-UnionFind connected_discs(const Complex& complex, std::uint32_t cut, const ArcSet& arcs) {
+/// Connected sets of discs: along the complex beyond the cut, from nodes of the level to all that rises from them, and
+/// where corner discs overlap. The last element is what is connected through infinity.
+UnionFind connected_discs(const DiscPlaces& places, std::uint32_t cut, const ArcSet& arcs) {
+  const Complex& complex = places.complex();
   const auto infinity = static_cast<std::uint32_t>(complex.nodes.size());
   UnionFind joined(infinity + 1);
   const auto high = [&](std::uint32_t edge) { return std::min(complex.edges[edge].high, infinity); };
-  for (std::uint32_t edge = 0; edge < complex.edges.size(); ++edge)
-    if (complex.edges[edge].low >= cut) joined.unite(complex.edges[edge].low, high(edge));
-  for (const CornerArc& arc : arcs.arcs) joined.unite(high(arc.in), high(arc.out));
-  for (const auto& [a, b] : arcs.overlaps) joined.unite(high(arcs.arcs[a].in), high(arcs.arcs[b].in));
+  for (std::uint32_t edge = 0; edge < complex.edges.size(); ++edge) {
+    const Edge& e = complex.edges[edge];
+    if (e.low >= cut || (places.level().holds(e.low) && !e.flat)) joined.unite(e.low, high(edge));
+  }
+  for (const auto& [a, b] : arcs.overlaps) joined.unite(high(arcs.disc_edge[a]), high(arcs.disc_edge[b]));
+  return joined;
+}
+
+/// Pieces of the region that a closing joins: along its rings, and across edges of the complex below the level where no
+/// discs overlap.
+UnionFind joined_pieces(const DiscPlaces& places, std::uint32_t cut, const ArcSet& arcs,
+                        const std::vector<DiscBoundary>& rings) {
+  const Complex& complex = places.complex();
+  std::uint32_t pieces = 0;
+  for (const Site& site : complex.sites) pieces = std::max(pieces, site.component + 1);
+  UnionFind joined(pieces);
+  for (const DiscBoundary& ring : rings)
+    for (const std::uint32_t site : ring.touching)
+      joined.unite(complex.sites[ring.touching.front()].component, complex.sites[site].component);
+  for (const Edge& edge : complex.edges) {
+    const bool is_below = edge.low < places.level().below || (edge.flat && edge.low < cut);
+    if (is_below && !arcs.is_split[arcs.part[edge.low]])
+      joined.unite(complex.sites[edge.left].component, complex.sites[edge.right].component);
+  }
   return joined;
 }
 
@@ -150,13 +208,10 @@ DiscSet opened_set(const DiscPlaces& places, const BoundaryOrder& order, Semanti
   const Complex& complex = places.complex();
   const std::uint32_t cut = semantics == Semantics::regular ? places.level().up_to : places.level().below;
   DiscBoundaries boundaries(places, order, cut);
-  UnionFind joined = connected_discs(complex, cut, boundaries.arcs());
+  UnionFind joined = connected_discs(places, cut, boundaries.arcs());
   std::vector<OwnedRing> made;
-  for (DiscBoundary& ring : boundaries.make()) {
-    const std::uint32_t edge =
-        ring.item != kNoIndex ? order.items[ring.item].edge : boundaries.arcs().arcs[ring.arc].in;
-    made.push_back({reversed(std::move(ring.pieces)), joined.root(complex.edges[edge].high)});
-  }
+  for (DiscBoundary& ring : boundaries.make())
+    made.push_back({reversed(std::move(ring.pieces)), joined.root(complex.edges[ring.edge].high)});
   DiscSet set;
   set.parts = parts_of(std::move(made), Corners::clockwise);
   finish(places, set);
@@ -164,12 +219,23 @@ DiscSet opened_set(const DiscPlaces& places, const BoundaryOrder& order, Semanti
 }
 
 DiscSet closed_set(const DiscPlaces& places, const BoundaryOrder& order, Semantics semantics) {
+  const Complex& complex = places.complex();
   const std::uint32_t cut = semantics == Semantics::open ? places.level().below : places.level().up_to;
   DiscBoundaries boundaries(places, order, cut);
-  std::vector<DiscRing> made;
-  for (DiscBoundary& ring : boundaries.make()) made.push_back({std::move(ring.pieces)});
+  std::vector<DiscBoundary> rings = boundaries.make();
+  UnionFind joined = joined_pieces(places, cut, boundaries.arcs(), rings);
+  std::vector<PlacedRing> placed;
+  for (DiscBoundary& ring : rings) {
+    PlacedRing& made = placed.emplace_back();
+    made.ring = {std::move(ring.pieces)};
+    made.sites = std::move(ring.sites);
+    if (ring.touching.empty()) continue;
+    const Site& site = complex.sites[ring.touching.front()];
+    made.owner = joined.root(site.component);
+    made.anchor = site.a;
+  }
   DiscSet set;
-  set.parts = nested(std::move(made), Corners::counter_clockwise);
+  set.parts = nested(places, std::move(placed));
   finish(places, set);
   return set;
 }

@@ -141,10 +141,10 @@ double turn_between(double from_angle, double to_angle, double most) {
   return most < 2 * kPi && turn > most + kPi / 4 ? 0 : turn;
 }
 
-DiscCorner contact_corner(const DiscPlaces& places, std::uint32_t edge, std::uint32_t site) {
+DiscCorner contact_corner(const DiscPlaces& places, const CornerDisc& disc, std::uint32_t site) {
   DiscCorner corner;
   corner.kind = DiscCorner::Kind::contact;
-  corner.disc = places.disc_on(edge);
+  corner.disc = disc;
   const Site& s = places.complex().sites[site];
   if (s.kind == Site::Kind::vertex) return vertex_corner(s.index, s.a);
   corner.at = places.contact(corner.disc, s);
@@ -179,9 +179,11 @@ void append_in_place(const DiscPlaces& places, const BoundaryOrder& order, const
                                : kNoIndex,
                            at);
     };
-    pieces.list.push_back(moved_edge(site, begins ? contact_corner(places, order.items[run.from].edge, index)
-                                                  : end_of_edge(-1, site.a)));
-    pieces.end = ends ? contact_corner(places, order.items[run.to].edge, index) : end_of_edge(1, site.b);
+    pieces.list.push_back(
+        moved_edge(site, begins ? contact_corner(places, places.disc_on(order.items[run.from].edge), index)
+                                : end_of_edge(-1, site.a)));
+    pieces.end =
+        ends ? contact_corner(places, places.disc_on(order.items[run.to].edge), index) : end_of_edge(1, site.b);
   });
 }
 

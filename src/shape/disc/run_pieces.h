@@ -19,8 +19,8 @@ void append_moved(const DiscPlaces& places, const BoundaryOrder& order, const Ru
 /// are left out, and so is a run that is a vertex alone. Requires radius > 0.
 void append_in_place(const DiscPlaces& places, const BoundaryOrder& order, const Run& run, Pieces& pieces);
 
-/// The corner where the disc on an edge of the complex touches the site on its left, or right.
-DiscCorner contact_corner(const DiscPlaces& places, std::uint32_t edge, std::uint32_t site);
+/// The corner where a disc touches a site.
+DiscCorner contact_corner(const DiscPlaces& places, const CornerDisc& disc, std::uint32_t site);
 
 /// The turn from one direction to another, clockwise or not, in [0, 2 pi): what rounds to just below 0 is 0 where at
 /// most `most` + pi / 4 can be, else beyond it.

@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <nlohmann/json.hpp>
@@ -184,6 +185,79 @@ TEST(DiscLaws, AreasAreContinuousAtEvents) {
       EXPECT_NEAR(area(*disc.sum_at(*Rational::of(r))).value, at, 1e-6 * (1 + at));
     }
   }
+}
+
+/// The part whose outer ring has a piece of an edge, and its holes' edges.
+std::vector<std::uint32_t> hole_edges_of_part_with(const DiscSet& set, std::uint32_t edge) {
+  std::vector<std::uint32_t> edges;
+  const auto has = [](const DiscRing& ring, std::uint32_t index) {
+    return std::any_of(ring.pieces.begin(), ring.pieces.end(), [&](const DiscPiece& piece) {
+      return piece.of == DiscPiece::Of::edge && piece.index == index;
+    });
+  };
+  for (const DiscPart& part : set.parts)
+    if (has(part.outer, edge))
+      for (const DiscRing& hole : part.holes)
+        for (const DiscPiece& piece : hole.pieces)
+          if (piece.of == DiscPiece::Of::edge) edges.push_back(piece.index);
+  std::sort(edges.begin(), edges.end());
+  return edges;
+}
+
+TEST(DiscLaws, HolesOfAClosingLieInTheirPartsFarFromTheOrigin) {
+  // Positions of discs are some units off there.
+  const double far = 0x1p46;
+  const Region near = region_of("MULTIPOLYGON(((0 0,12 0,12 12,0 12,0 0),(2 2,2 10,10 10,10 2,2 2)),"
+                                "((4 4,8 4,8 8,4 8,4 4)),((13 -9,30 -9,30 8,13 8,13 -9),(16 -6,16 5,27 5,27 -6,16 -6)))");
+  const Region region = *translated(near, far, -far);
+  for (const char* r : {"1/4", "1/3", "0.45"}) {
+    const DiscSet set = *GrowingDisc(region).closed_at(rational(r));
+    ASSERT_EQ(set.parts.size(), 3u);
+    EXPECT_EQ(hole_edges_of_part_with(set, 0), (std::vector<std::uint32_t>{4, 5, 6, 7}));
+    EXPECT_EQ(hole_edges_of_part_with(set, 8), std::vector<std::uint32_t>());
+    EXPECT_EQ(hole_edges_of_part_with(set, 12), (std::vector<std::uint32_t>{16, 17, 18, 19}));
+  }
+}
+
+TEST(DiscLaws, AHoleLiesInThePartThatOnlyASlitLeadsTo) {
+  // The frame in the cavity touches no disc outside, and discs overlap in front of the slit.
+  const Region region = region_of(
+      "MULTIPOLYGON(((0.125 1,10 14,10 30,-10 30,-10 14,-0.125 1,-0.125 14,-6 14,-6 26,6 26,6 14,0.125 14,0.125 1)),"
+      "((-5.5 14.5,5.5 14.5,5.5 25.5,-5.5 25.5,-5.5 14.5),(-5 15,-5 25,5 25,5 15,-5 15)),"
+      "((0.125 -1,-0.125 -1,-10 -14,10 -14,0.125 -1)))");
+  const GrowingDisc disc(region);
+  for (const Semantics semantics : {Semantics::closed, Semantics::open, Semantics::regular}) {
+    const DiscSet set = *disc.closed_at(rational("3/2"), semantics);
+    ASSERT_EQ(set.parts.size(), 2u);
+    ASSERT_EQ(set.hole_count(), 1u);
+    for (const DiscPart& part : set.parts)
+      EXPECT_EQ(part.holes.size(), bounds({{part}, {}, {}, {}, {}, set.radius, "", 0})[3] > 20 ? 1u : 0u);
+  }
+}
+
+TEST(DiscLaws, ProgressStopsACallAndLeavesNothingBehind) {
+  const GrowingDisc disc(shapes::letter_u(4, 4, 1));
+  std::vector<std::string> stages;
+  const auto stop_at = [&](const std::string& stage, double fraction) {
+    return [&, stage, fraction](std::string_view s, double f) {
+      stages.push_back(std::string(s) + (f == 0 ? " 0" : " 1"));
+      return stage != s || fraction != f;
+    };
+  };
+  EXPECT_EQ(disc.sum_at(Rational(1), Semantics::closed, stop_at("complex", 0)).error().code, ErrorCode::cancelled);
+  EXPECT_EQ(disc.events(DiscSide::outside, stop_at("complex", 0)).error().code, ErrorCode::cancelled);
+  EXPECT_EQ(stages, (std::vector<std::string>{"complex 0", "complex 0"}));
+  EXPECT_EQ(disc.sum_at(Rational(1), Semantics::closed, stop_at("complex", 1)).error().code, ErrorCode::cancelled);
+  stages.clear();
+  for (const double fraction : {0, 1})
+    for (const auto member : {&GrowingDisc::sum_at, &GrowingDisc::closed_at})
+      EXPECT_EQ((disc.*member)(Rational(1), Semantics::closed, stop_at("set", fraction)).error().code,
+                ErrorCode::cancelled);
+  for (const auto member : {&GrowingDisc::eroded_at, &GrowingDisc::opened_at})
+    EXPECT_EQ((disc.*member)(Rational(1), Semantics::closed, stop_at("set", 0)).error().code, ErrorCode::cancelled);
+  // The outer complex stood already.
+  EXPECT_EQ(std::count(stages.begin(), stages.end(), "complex 0"), 1);
+  EXPECT_EQ(area(*disc.sum_at(Rational(1))).value, area(*GrowingDisc(disc.region()).sum_at(Rational(1))).value);
 }
 
 /// Pieces and corners by name alone.
