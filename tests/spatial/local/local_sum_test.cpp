@@ -81,7 +81,9 @@ class LocalSums {
                    bool with_brute = true) {
     LocalPart part = updated_.in(box, poses.p, poses.q).value();
     EXPECT_TRUE(part == hierarchy_.in(box, poses.p, poses.q).value()) << "hierarchy";
-    if (with_brute) EXPECT_TRUE(part == brute_.in(box, poses.p, poses.q).value()) << "brute";
+    if (with_brute) {
+      EXPECT_TRUE(part == brute_.in(box, poses.p, poses.q).value()) << "brute";
+    }
     EXPECT_TRUE(clipped_chains::shape_of(part.boundary) == clipped_chains::cut(whole, box)) << "cut";
     EXPECT_TRUE(ends_at_walls(part)) << "ends";
     if (part.where != Where::crossed && poses == spatial::PosePair{}) {
