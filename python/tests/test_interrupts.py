@@ -66,7 +66,9 @@ CALLS: dict[str, Callable[[Any, Any], Any]] = {
     "of solids each": lambda x, g: dymsum.contains_each(BOX, BOX, [(F(1, 3), 0, 0), (0, x, 0)]),
     "SumLocator": lambda x, g: LOCATOR.contains((x, 1)),
     "SumLocator each": lambda x, g: LOCATOR.contains_each([(F(1, 3), 0), (0, x)]),
-    "check_translation": lambda x, g: dymsum.check_translation(SQUARE, SQUARE, (x, 0), (0, F(1, 3)), dymsum.Orientation()),
+    "check_translation": lambda x, g: dymsum.check_translation(
+        SQUARE, SQUARE, (x, 0), (0, F(1, 3)), dymsum.Orientation()
+    ),
     "Scale": lambda x, g: Scale(x),
     "DiscRadius": lambda x, g: dymsum.GrowingDisc(SQUARE).sum_at(x),
     "set": lambda x, g: ScalingSum(SQUARE, SQUARE).set(1, x),

@@ -117,7 +117,9 @@ def test_arrays_that_are_no_plain_numbers() -> None:
 NAN, INFINITE = float("nan"), float("inf")
 
 
-@pytest.mark.parametrize("odd", [NAN, INFINITE, -INFINITE, numpy.float32(NAN), decimal.Decimal("inf"), decimal.Decimal("nan")])
+@pytest.mark.parametrize(
+    "odd", [NAN, INFINITE, -INFINITE, numpy.float32(NAN), decimal.Decimal("inf"), decimal.Decimal("nan")]
+)
 def test_what_is_not_finite_lies_nowhere_or_is_an_error(odd: Any) -> None:
     """Beside fractions as beside doubles."""
     locator = dymsum.SumLocator(dymsum.minkowski_sum(TRIANGLE, TRIANGLE))
@@ -167,7 +169,10 @@ def test_fields_say_what_they_refuse() -> None:
             make()
 
 
-OPTIONS = "SumOptions MovingOptions SpatialOptions PlanOptions ObstacleOptions BatchOptions ObstacleMeshOptions TableOptions MovingSolidOptions"
+OPTIONS = (
+    "SumOptions MovingOptions SpatialOptions PlanOptions ObstacleOptions BatchOptions ObstacleMeshOptions "
+    "TableOptions MovingSolidOptions"
+)
 
 
 @pytest.mark.parametrize("name", OPTIONS.split())

@@ -133,7 +133,9 @@ def test_significant_bars_are_as_deep_as_they_last() -> None:
     assert features.significant(2, from_=1, to=4) == [0, 2, 4, 6] and features.significant(3, 1, 3) == []
 
 
-@pytest.mark.parametrize("crossing", ["MULTILINESTRING((0 0, 2 2), (0 2, 2 0))", "MULTILINESTRING((0 0, 2 0), (1 0, 3 0))"])
+@pytest.mark.parametrize(
+    "crossing", ["MULTILINESTRING((0 0, 2 2), (0 2, 2 0))", "MULTILINESTRING((0 0, 2 0), (1 0, 3 0))"]
+)
 def test_polylines_that_cross_are_refused(crossing: str) -> None:
     with pytest.raises(dymsum.Error) as raised:
         ShapeFeatures(crossing)

@@ -94,7 +94,7 @@ const std::map<std::string, std::vector<std::string>> kForeign = {
     {"cli", {"CLI/", "nlohmann/", "unistd.h"}},
     {"adapters", {"ompl/"}},
     {"examples", {"ompl/"}},
-    {"python", {"nanobind/"}},
+    {"python", {"cxxabi.h", "nanobind/"}},
 };
 
 /// The folder of a path if it is one of these rooms, or "".

@@ -113,8 +113,7 @@ TEST(ScaleEvents, ranges_and_operands_that_have_no_events_give_errors) {
 /// scale.
 // Windows of many segments take seconds.
 TEST(ScaleEvents, progress_is_asked_at_every_event) {
-  const ScalingSum sum =
-      ScalingSum::create(shapes::random_polygon(40, 0, 1), shapes::random_polygon(30, 1, 2)).value();
+  const ScalingSum sum = ScalingSum::create(shapes::random_polygon(40, 0, 1), shapes::random_polygon(30, 1, 2)).value();
   const Scale a = Scale::of(1).value(), b = Scale::of(2).value();
   std::vector<double> shares;
   const Progress count = [&](std::string_view, double share) {
