@@ -9,8 +9,8 @@
 
 namespace dymsum::cli {
 
-/// The region, its sum with the disc (if any), bridges with their pocket minima, and the bars beside it; those of `kept`
-/// are strong.
+/// The region, its sum with the disc (if any), bridges with their pocket minima, and the bars beside it; those of
+/// `kept` are strong.
 std::string features_picture(const ShapeFeatures& features, const Region& sum, const std::vector<AlphaBridge>& bridges,
                              double alpha, const std::vector<std::uint32_t>& kept);
 

@@ -159,13 +159,14 @@ void add_local_sum(CLI::App& app, Action& action) {
   command->parser = &verb;
   add_operands(verb, {"P", "A solid"}, {"Q", "Another one"}, command->operands, OperandKind::solid);
   CLI::Option* box = verb.add_option("--box", command->box, "The closed box between two corners, the lower one first");
-  CLI::Option* ball = verb.add_option("--ball", command->ball,
-                                      "The faces that meet this closed ball, cut to its bounding box");
+  CLI::Option* ball =
+      verb.add_option("--ball", command->ball, "The faces that meet this closed ball, cut to its bounding box");
   box->type_name("X,Y,Z,X,Y,Z"), ball->type_name("X,Y,Z,R")->excludes(box);
   verb.add_option("--axis", command->axis, "Turn P about this axis through the origin first")->type_name("X,Y,Z");
   add_angle_options(verb, command->angle, "by this angle,");
-  verb.add_option("-o", command->files,
-                  "Write the part; repeatable; .json (exact, with provenance) or .glb (a picture); - is standard output")
+  verb.add_option(
+          "-o", command->files,
+          "Write the part; repeatable; .json (exact, with provenance) or .glb (a picture); - is standard output")
       ->type_name("FILE")
       ->allow_extra_args(false);
   verb.add_option("--to", command->to, "Format of -o -")->check(CLI::IsMember({"json", "glb"}))->capture_default_str();

@@ -25,7 +25,9 @@ class FineInterval {
     static_assert(sizeof(Integer) <= 4);
   }
   explicit FineInterval(const Interval& v)
-      : FineInterval(v.is_whole() ? whole() : v.is_point() ? FineInterval(v.low()) : around(v)) {}
+      : FineInterval(v.is_whole()   ? whole()
+                     : v.is_point() ? FineInterval(v.low())
+                                    : around(v)) {}
   static FineInterval whole() { return {base::DoublePair{}, std::numeric_limits<double>::infinity()}; }
   /// b - a exactly.
   static FineInterval difference(double a, double b) { return {base::exact_sum(b, -a), 0}; }

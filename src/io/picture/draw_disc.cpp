@@ -116,8 +116,8 @@ void draw_set(Picture& picture, const DiscSet& set, const Placement& placement) 
 
 std::string describe_set(const DiscSet& set) {
   if (set.parts.empty() && set.segments.empty() && set.points.empty()) return "empty";
-  std::string text = io::counted(set.parts.size(), "part", "parts") + ", " +
-                     io::counted(set.piece_count(), "piece", "pieces");
+  std::string text =
+      io::counted(set.parts.size(), "part", "parts") + ", " + io::counted(set.piece_count(), "piece", "pieces");
   if (set.hole_count() > 0) text += ", " + io::counted(set.hole_count(), "hole", "holes");
   return text;
 }

@@ -10,7 +10,6 @@ std::uint32_t site_of(const Complex& complex, std::uint32_t half) {
   return half % 2 == 0 ? edge.left : edge.right;
 }
 
-
 /// The next half-edge with the same face on its left: the spoke behind this one clockwise about its end.
 std::vector<std::uint32_t> followers(const Complex& complex) {
   std::vector<std::uint32_t> next(2 * complex.edges.size(), kNoIndex);
@@ -28,7 +27,8 @@ std::vector<std::uint32_t> followers(const Complex& complex) {
 /// Appends the half-edges of a site in the order of its places. Rays to infinity part them into two runs at most, the
 /// second of which comes from there.
 void append_site(const Complex& complex, const std::vector<std::uint32_t>& halves,
-                 const std::vector<std::uint32_t>& next, std::vector<std::uint8_t>& has_previous, BoundaryOrder& order) {
+                 const std::vector<std::uint32_t>& next, std::vector<std::uint8_t>& has_previous,
+                 BoundaryOrder& order) {
   const auto append_run = [&](std::uint32_t half) {
     for (const std::uint32_t begin = half;;) {
       order.item_of[half / 2][half % 2] = static_cast<std::uint32_t>(order.items.size());

@@ -20,8 +20,8 @@ struct BoundaryItem {
 /// the next begins there. A loop without items sees nothing but infinity.
 struct BoundaryOrder {
   std::vector<BoundaryItem> items;
-  std::vector<std::uint32_t> first_item, first_site;    ///< loop -> into items, sites; one more than loops
-  std::vector<std::array<std::uint32_t, 2>> item_of;    ///< edge -> its item up, its item down
+  std::vector<std::uint32_t> first_item, first_site;  ///< loop -> into items, sites; one more than loops
+  std::vector<std::array<std::uint32_t, 2>> item_of;  ///< edge -> its item up, its item down
   std::uint32_t loops() const { return static_cast<std::uint32_t>(first_site.size()) - 1; }
   std::uint32_t loop_of(const Complex& complex, std::uint32_t item) const {
     return complex.sites[items[item].site].loop;

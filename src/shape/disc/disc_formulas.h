@@ -53,8 +53,8 @@ inline bool turn_little(const Site& s, const Site& t) {
   return (s.b.x - s.a.x) * (t.b.x - t.a.x) + (s.b.y - s.a.y) * (t.b.y - t.a.y) > 0;
 }
 
-/// With h the height of the vertex over the edge: r over the edge, sqrt(r^2 - (r - h)^2) along it from the vertex. Radii
-/// ascend in the edge's direction where the edge is on the left.
+/// With h the height of the vertex over the edge: r over the edge, sqrt(r^2 - (r - h)^2) along it from the vertex.
+/// Radii ascend in the edge's direction where the edge is on the left.
 template <class T>
 Vector<T> centre_of_edge_and_vertex(const Site& edge, const Site& vertex, bool edge_left, const T& r, Point origin) {
   const Vector<T> m = long_normal<T>(edge);

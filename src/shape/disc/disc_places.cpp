@@ -21,7 +21,8 @@ Point DiscPlaces::centre(const CornerDisc& disc) const {
   if (disc.at_node) return complex_.nodes[disc.index].centre;
   // From a place of the region: coordinates far from the origin cost the vector no digits.
   const Point anchor = complex_.sites[complex_.edges[disc.index].left].a;
-  const Point v = near_vector([&](const auto& r) { return centre_on_edge(complex_, disc.index, r, anchor); }, level_, reach_);
+  const Point v =
+      near_vector([&](const auto& r) { return centre_on_edge(complex_, disc.index, r, anchor); }, level_, reach_);
   return {anchor.x + v.x, anchor.y + v.y};
 }
 

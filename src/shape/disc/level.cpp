@@ -45,7 +45,8 @@ Result<Level> level_at(const Complex& complex, const DiscRadius& r) {
     const std::uint32_t events = complex.nodes.empty() ? 0 : complex.nodes.back().rank + 1 - first;
     if (*r.event >= events)
       return Error{ErrorCode::out_of_range,
-                   "there is no event " + std::to_string(*r.event) + ": there are " + std::to_string(events), {}};
+                   "there is no event " + std::to_string(*r.event) + ": there are " + std::to_string(events),
+                   {}};
     level = level_of_event(complex, *r.event + first);
   } else {
     if (r.value.sign() < 0) return Error{ErrorCode::out_of_range, "a radius is not negative", {}};

@@ -20,12 +20,12 @@ enum class Connected : std::uint8_t { region, discs };
 
 struct LevelRings {
   std::vector<Run> runs;
-  std::vector<std::uint32_t> run_from;              ///< edge of the complex -> the run that begins on it, or kNoIndex
-  std::vector<std::vector<std::uint32_t>> rings;    ///< of runs; whole walks are rings of their own
+  std::vector<std::uint32_t> run_from;            ///< edge of the complex -> the run that begins on it, or kNoIndex
+  std::vector<std::vector<std::uint32_t>> rings;  ///< of runs; whole walks are rings of their own
 };
 
-/// The edge at which the boundary goes on that came to a crossing of `edge`: itself, or at a node of the level where the
-/// region stays connected that of the next component clockwise.
+/// The edge at which the boundary goes on that came to a crossing of `edge`: itself, or at a node of the level where
+/// the region stays connected that of the next component clockwise.
 std::uint32_t edge_behind(const Complex& complex, const Level& level, std::uint32_t edge, Connected connected);
 
 /// Runs of places whose edges of the complex lie beyond nodes [0, cut), with cut = level.below or level.up_to. Rings

@@ -17,10 +17,14 @@ enum class Kind { sum, erosion, opening, closing };
 
 Result<DiscSet> make(const GrowingDisc& disc, Kind kind, const DiscRadius& r, Semantics semantics) {
   switch (kind) {
-    case Kind::sum: return disc.sum_at(r, semantics);
-    case Kind::erosion: return disc.eroded_at(r, semantics);
-    case Kind::opening: return disc.opened_at(r, semantics);
-    default: return disc.closed_at(r, semantics);
+    case Kind::sum:
+      return disc.sum_at(r, semantics);
+    case Kind::erosion:
+      return disc.eroded_at(r, semantics);
+    case Kind::opening:
+      return disc.opened_at(r, semantics);
+    default:
+      return disc.closed_at(r, semantics);
   }
 }
 

@@ -29,7 +29,8 @@ void expect_area(const DiscSet& set, double expected) {
 double length_of(const Region& region) { return perimeter(*GrowingDisc(region).sum_at(Rational(0))).value; }
 
 TEST(DiscLaws, SteinersFormulaHoldsForConvexRegions) {
-  for (const Region& region : {shapes::rectangle(0, 0, 3, 2), shapes::disc(7, 2), region_of("POLYGON((0 0,9 1,2 1,0 0))")})
+  for (const Region& region :
+       {shapes::rectangle(0, 0, 3, 2), shapes::disc(7, 2), region_of("POLYGON((0 0,9 1,2 1,0 0))")})
     for (const char* r : {"1/1000", "1/3", "5", "1000"}) {
       const double radius = rational(r).to_double();
       const DiscSet set = *GrowingDisc(region).sum_at(rational(r));
@@ -46,7 +47,8 @@ TEST(DiscLaws, BeforeTheFirstEventReflexVerticesTakeTheirShare) {
 }
 
 TEST(DiscLaws, RadiusZeroIsTheRegion) {
-  const Region region = region_of("GEOMETRYCOLLECTION(POLYGON((0 0,4 0,4 4,0 4,0 0),(1 1,1 2,2 2,1 1)),LINESTRING(6 0,7 1,8 0),POINT(9 9))");
+  const Region region = region_of(
+      "GEOMETRYCOLLECTION(POLYGON((0 0,4 0,4 4,0 4,0 0),(1 1,1 2,2 2,1 1)),LINESTRING(6 0,7 1,8 0),POINT(9 9))");
   const DiscSet set = *GrowingDisc(region).sum_at(Rational(0));
   EXPECT_EQ(to_region(set, 1)->region, Region::create(to_region(set, 1)->region.data()).value());
   EXPECT_EQ(set.parts.size(), 1u);
@@ -123,7 +125,8 @@ TEST(DiscLaws, PolygonalDiscsBoundTheSumFromBothSides) {
     for (const double r : {0.1, 0.4, 1.3}) {
       const GrowingDisc disc(region);
       constexpr int kSides = 64;
-      const Region inner = shapes::disc(kSides, r * (1 - 1e-12)), outer = shapes::disc(kSides, r / std::cos(kTurn / kSides) * (1 + 1e-12));
+      const Region inner = shapes::disc(kSides, r * (1 - 1e-12)),
+                   outer = shapes::disc(kSides, r / std::cos(kTurn / kSides) * (1 + 1e-12));
       const DiscSet sum = *disc.sum_at(*Rational::of(r)), eroded = *disc.eroded_at(*Rational::of(r));
       const double a = area(sum).value, e = area(eroded).value;
       EXPECT_LT(minkowski_sum(region, inner)->area(), a);
@@ -136,8 +139,8 @@ TEST(DiscLaws, PolygonalDiscsBoundTheSumFromBothSides) {
 TEST(DiscLaws, PolygonsOfASetKeepTheirSideAndTheirError) {
   const Region region = shapes::star(7, 2, 5);
   const GrowingDisc disc(region);
-  for (const auto& made : {disc.sum_at(rational("1/2")), disc.eroded_at(rational("1/2")), disc.opened_at(rational("0.7")),
-                           disc.closed_at(rational("0.7"))}) {
+  for (const auto& made : {disc.sum_at(rational("1/2")), disc.eroded_at(rational("1/2")),
+                           disc.opened_at(rational("0.7")), disc.closed_at(rational("0.7"))}) {
     const DiscSet& set = *made;
     double before = std::numeric_limits<double>::infinity();
     for (const double error : {0.1, 0.01, 0.0001}) {
@@ -191,9 +194,8 @@ TEST(DiscLaws, AreasAreContinuousAtEvents) {
 std::vector<std::uint32_t> hole_edges_of_part_with(const DiscSet& set, std::uint32_t edge) {
   std::vector<std::uint32_t> edges;
   const auto has = [](const DiscRing& ring, std::uint32_t index) {
-    return std::any_of(ring.pieces.begin(), ring.pieces.end(), [&](const DiscPiece& piece) {
-      return piece.of == DiscPiece::Of::edge && piece.index == index;
-    });
+    return std::any_of(ring.pieces.begin(), ring.pieces.end(),
+                       [&](const DiscPiece& piece) { return piece.of == DiscPiece::Of::edge && piece.index == index; });
   };
   for (const DiscPart& part : set.parts)
     if (has(part.outer, edge))
@@ -207,8 +209,9 @@ std::vector<std::uint32_t> hole_edges_of_part_with(const DiscSet& set, std::uint
 TEST(DiscLaws, HolesOfAClosingLieInTheirPartsFarFromTheOrigin) {
   // Positions of discs are some units off there.
   const double far = 0x1p46;
-  const Region near = region_of("MULTIPOLYGON(((0 0,12 0,12 12,0 12,0 0),(2 2,2 10,10 10,10 2,2 2)),"
-                                "((4 4,8 4,8 8,4 8,4 4)),((13 -9,30 -9,30 8,13 8,13 -9),(16 -6,16 5,27 5,27 -6,16 -6)))");
+  const Region near = region_of(
+      "MULTIPOLYGON(((0 0,12 0,12 12,0 12,0 0),(2 2,2 10,10 10,10 2,2 2)),"
+      "((4 4,8 4,8 8,4 8,4 4)),((13 -9,30 -9,30 8,13 8,13 -9),(16 -6,16 5,27 5,27 -6,16 -6)))");
   const Region region = *translated(near, far, -far);
   for (const char* r : {"1/4", "1/3", "0.45"}) {
     const DiscSet set = *GrowingDisc(region).closed_at(rational(r));

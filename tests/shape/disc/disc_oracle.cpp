@@ -7,7 +7,6 @@
 
 namespace dymsum::oracles {
 
-
 namespace {
 
 Rational exactly(double v) { return *Rational::of(v); }
@@ -156,7 +155,8 @@ std::vector<BoundaryPlace> middles(const DiscSet& set) {
       } else {
         const Point at = on_arc(piece, set.radius, 0.5);
         const double inwards = (piece.sweep > 0 ? -1 : 1) / set.radius;
-        places.push_back({at, {inwards * (at.x - piece.centre.x), inwards * (at.y - piece.centre.y)},
+        places.push_back({at,
+                          {inwards * (at.x - piece.centre.x), inwards * (at.y - piece.centre.y)},
                           set.radius * std::abs(piece.sweep)});
       }
     }

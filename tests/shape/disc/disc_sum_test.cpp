@@ -1,5 +1,5 @@
-#include <cmath>
 #include <gtest/gtest.h>
+#include <cmath>
 #include <numbers>
 #include <random>
 
@@ -14,9 +14,9 @@ constexpr double kPi = std::numbers::pi;
 Rational fraction(std::int64_t n, std::int64_t d) { return *Rational::of(n, d); }
 
 std::vector<Region> sample_regions() {
-  std::vector<Region> regions{shapes::rectangle(0, 0, 3, 2),    shapes::letter_u(6, 5, 1), shapes::letter_l(5, 4, 1),
-                              shapes::comb(4, 2, 1, 3),          shapes::star(5, 2, 5),     shapes::gear(6, 4, 5),
-                              shapes::grate(3, 2, 1, 4),         shapes::pockets(3, 1)};
+  std::vector<Region> regions{shapes::rectangle(0, 0, 3, 2), shapes::letter_u(6, 5, 1), shapes::letter_l(5, 4, 1),
+                              shapes::comb(4, 2, 1, 3),      shapes::star(5, 2, 5),     shapes::gear(6, 4, 5),
+                              shapes::grate(3, 2, 1, 4),     shapes::pockets(3, 1)};
   for (const std::uint64_t seed : {1, 2, 3, 5, 6})
     regions.push_back(shapes::random_polygon(12 + 4 * int(seed), int(seed % 3), seed));
   return regions;
@@ -51,8 +51,8 @@ void expect_levels(const DiscSet& set, const Region& region, bool inside, std::m
   for (const auto& place : oracles::middles(set)) {
     EXPECT_NEAR(level(place.at), r, 1e-9 * (1 + r));
     const double step = (inside ? 1 : -1) * std::min(1e-7, place.length / 1000);
-    EXPECT_GT(level({place.at.x + step * place.left.x, place.at.y + step * place.left.y}) - r,
-              -1e-9 * (1 + r)) << "towards what is beyond the level";
+    EXPECT_GT(level({place.at.x + step * place.left.x, place.at.y + step * place.left.y}) - r, -1e-9 * (1 + r))
+        << "towards what is beyond the level";
   }
   const Box box = around(region, inside ? 0 : 1.2 * r);
   std::uniform_real_distribution<double> x(box.x0, box.x1), y(box.y0, box.y1);
@@ -117,7 +117,8 @@ TEST(DiscOpening, PointsAreInItIfADiscInsideTheRegionReachesThem) {
       const auto set = disc.opened_at(r);
       ASSERT_TRUE(set.ok()) << set.error().to_string();
       SCOPED_TRACE(set->radius_exact);
-      expect_reached(*set, region, [&](Point z) { return oracles::depth(region, z); }, true, random);
+      expect_reached(
+          *set, region, [&](Point z) { return oracles::depth(region, z); }, true, random);
     }
   }
 }
@@ -130,7 +131,8 @@ TEST(DiscClosing, PointsAreInItIfNoDiscOutsideTheRegionReachesThem) {
       const auto set = disc.closed_at(r);
       ASSERT_TRUE(set.ok()) << set.error().to_string();
       SCOPED_TRACE(set->radius_exact);
-      expect_reached(*set, region, [&](Point z) { return oracles::distance(region, z); }, false, random);
+      expect_reached(
+          *set, region, [&](Point z) { return oracles::distance(region, z); }, false, random);
     }
   }
 }
