@@ -6,6 +6,7 @@
 #include "dymsum/spatial_sum.h"
 #include "exact_number.h"
 #include "line_file.h"
+#include "progress_bar.h"
 #include "report.h"
 #include "solid/any_solid_outputs.h"
 #include "timing.h"
@@ -71,6 +72,7 @@ ExitCode run_solid_contains(const SolidContains& command) {
   const std::vector<RationalPoint3> places = read_places(command);
   const bool open = command.semantics == "open";
   const std::vector<SolidInput> inputs = read_solids(command.operands, command.input);
+  const InterruptGuard guard;
   const auto [inside, timing] = timed(command.report.repeat, [&] {
     Result<std::vector<bool>> made =
         contains_each(inputs[0].mesh, inputs[1].mesh, places, open ? Semantics::open : Semantics::closed);

@@ -149,8 +149,7 @@ ExitCode run_contains(const ContainsCommand& command) {
   const bool robot = queries.front().theta.has_value(), closed = is_closed(command, robot);
   const std::vector<Input> inputs = read_inputs(command.operands, command.input);
   const Region &first = inputs[0].region, &second = inputs[1].region;
-  // No interrupt guard: a single question cannot be asked to stop, and an interrupt ends the run at once, as it writes
-  // no file.
+  const InterruptGuard guard;
   std::optional<ProgressBar> bar(std::in_place);
   const auto [inside, timing] = timed(command.report.repeat, [&] {
     return robot ? in_obstacle(inputs, queries, closed, bar->callback())

@@ -10,6 +10,7 @@
 #include "options.h"
 #include "planar/tier.h"
 #include "progress_bar.h"
+#include "solid/any_solid_outputs.h"
 #include "solid/depth_report.h"
 #include "solid/solid_operands.h"
 #include "timing.h"
@@ -80,6 +81,7 @@ ExitCode run_turned(const DepthCommand& command) {
   pose.rotation = require_option(
       Rotation::about(parse_point(command.axis, "--axis"), read_angle(command.angle).radians()), "--axis");
   const std::vector<SolidInput> inputs = read_convex_solids(command.operands, command.input);
+  const InterruptGuard guard;
   const Mesh &p = inputs[0].mesh, &q = inputs[1].mesh;
   const auto [depth, timing] = timed(command.report.repeat, [&] {
     return require(penetration_depth(p, q, pose, {}, {moved[0], moved[1], moved[2]}));
@@ -95,15 +97,31 @@ ExitCode run_turned(const DepthCommand& command) {
   return depth.inside ? kDone : kNo;
 }
 
+std::string bounds_text(const SolidDistance& d) {
+  const std::string what =
+      d.meeting == Meeting::overlapping ? "they overlap, and the depth" : "they are apart, and the gap";
+  return "the time was over: " + what + " is at least " + Json(d.at_least).dump() + "\n";
+}
+
+SolidDepth depth_of(const std::vector<SolidInput>& inputs) {
+  Result<SolidDepth> made = SolidDepth::create(inputs[0].mesh, inputs[1].mesh);
+  if (made) return *std::move(made);
+  Error error = made.error();
+  const bool convex = !convexity_error(inputs[0].mesh) && !convexity_error(inputs[1].mesh);
+  if (error.code == ErrorCode::unsupported_operand && convex && !inputs[0].mesh.faces().empty())
+    error.message += "; with --axis 0,0,1 --degrees 0 convex solids of any sizes are taken";
+  stop_with(in_solid_operand(error, inputs));
+}
+
 ExitCode run_rows(const DepthCommand& command, const std::vector<SolidInput>& inputs) {
   const std::vector<Point3> moves = read_moves(command.at_file);
+  const InterruptGuard guard;
   DepthBatchOptions options;
   options.threads = static_cast<int>(command.threads), options.time_limit = command.time_limit;
   std::optional<ProgressBar> bar(std::in_place);
   options.progress = bar->callback();
-  const auto [rows, timing] = timed(command.report.repeat, [&] {
-    return require(depth_batch(require(SolidDepth::create(inputs[0].mesh, inputs[1].mesh)), moves, options));
-  });
+  const auto [rows, timing] =
+      timed(command.report.repeat, [&] { return require(depth_batch(depth_of(inputs), moves, options)); });
   bar.reset();
   Json list = Json::array();
   std::ostringstream text;
@@ -112,8 +130,7 @@ ExitCode run_rows(const DepthCommand& command, const std::vector<SolidInput>& in
     row.update(depth_json(rows[k]));
     list.push_back(std::move(row));
     text << "(" << moves[k].x << ", " << moves[k].y << ", " << moves[k].z << "): ";
-    if (!rows[k].complete) text << "at least " << rows[k].at_least << ", the time was over\n";
-    else text << depth_text(rows[k], inputs[0].file, inputs[1].file);
+    text << (rows[k].complete ? depth_text(rows[k], inputs[0].file, inputs[1].file) : bounds_text(rows[k]));
   }
   print_depth(command, solid_inputs_json(inputs), tier_of(inputs[0].mesh, inputs[1].mesh), timing,
               {{"rows", std::move(list)}}, text.str());
@@ -128,21 +145,22 @@ ExitCode run_solids(const DepthCommand& command) {
   if (!command.along.empty() && along == Point3{}) throw Stop(kUsage, "--along wants a direction, not 0,0,0");
   const std::vector<SolidInput> inputs = read_solids(command.operands, command.input);
   if (!command.at_file.empty()) return run_rows(command, inputs);
+  const InterruptGuard guard;
   const Mesh &p = inputs[0].mesh, &q = inputs[1].mesh;
   std::optional<Rational> exit;
   const auto [distance, timing] = timed(command.report.repeat, [&] {
-    SolidDepth pair = require(SolidDepth::create(p, q));
+    SolidDepth pair = depth_of(inputs);
     if (!command.along.empty()) exit = pair.along(moved, along);
     return pair.at(moved, command.time_limit);
   });
   Json found = depth_json(distance);
-  std::string text = distance.complete ? depth_text(distance, inputs[0].file, inputs[1].file)
-                                       : "the time was over: at least " + Json(distance.at_least).dump() + "\n";
+  std::string text = distance.complete ? depth_text(distance, inputs[0].file, inputs[1].file) : bounds_text(distance);
   if (exit) {
     found["along"] = exit->to_double(), found["along_exact"] = exit->to_string();
     text += "  free after " + Json(exit->to_double()).dump() + " times (" + command.along + ")\n";
   }
   print_depth(command, solid_inputs_json(inputs), tier_of(p, q), timing, found, text);
+  if (!distance.complete) return kUndecided;
   return distance.meeting == Meeting::overlapping ? kDone : kNo;
 }
 
@@ -150,6 +168,7 @@ ExitCode run_regions(const DepthCommand& command) {
   refuse_options(*command.parser, {"--axis", "--along", "--at-file", "--time", "--threads", "--hull"}, "is for solids");
   const std::vector<double> moved = option_numbers(command.moved, "--move", 2);
   const std::vector<Input> inputs = read_inputs(command.operands, command.input);
+  const InterruptGuard guard;
   const Region &p = inputs[0].region, &q = inputs[1].region;
   const auto [distance, timing] = timed(command.report.repeat, [&] {
     return require_of(inputs, PlanarDepth::create(p, q)).at({moved[0], moved[1]});
@@ -176,17 +195,21 @@ void add_depth(CLI::App& app, Action& action) {
   add_operands(verb, {"P", "A solid or a region"}, {"Q", "Another one, which may move"}, command->operands);
   CLI::Option* move = verb.add_option("--move", command->moved, "Move Q by this translation first");
   move->type_name("X,Y[,Z]");
-  CLI::Option* along =
-      verb.add_option("--along", command->along, "Also how far Q has to go in this direction, in multiples of it");
+  CLI::Option* along = verb.add_option("--along", command->along,
+                                       "Of solids: also how far Q has to go in this direction, in multiples of it");
   along->type_name("X,Y,Z");
   CLI::Option* at_file =
       verb.add_option("--at-file", command->at_file,
-                      "Many translations x,y,z of Q, one a line; # begins a comment; - for standard input");
+                      "Of solids: many translations x,y,z of Q, one a line; # begins a comment; - for standard input");
   at_file->type_name("FILE")->excludes(move)->excludes(along);
-  CLI::Option* time =
-      within(verb.add_option("--time", command->time_limit, "Give up after so many seconds, for every translation"), 0);
+  CLI::Option* time = within(
+      verb.add_option("--time", command->time_limit, "Of solids: give up after so many seconds, for every translation"),
+      0);
   time->type_name("SECONDS");
-  verb.add_option("--threads", command->threads, "Threads for --at-file, 0: all cores")->type_name("N");
+  whole_within(verb.add_option("--threads", command->threads, "Of solids: threads for --at-file, 0: all cores"), 0,
+               1024)
+      ->type_name("N")
+      ->needs(at_file);
   verb.add_option("--axis", command->axis, "Turn P about this axis through the origin first; convex solids")
       ->type_name("X,Y,Z")
       ->excludes(along)
@@ -196,7 +219,8 @@ void add_depth(CLI::App& app, Action& action) {
   add_report_options(verb, command->report, "Compute N times and report the median and minimum time");
   add_solid_input_options(verb, command->input);
   verb.footer(
-      "Exit code 4 when their interiors do not meet.\nExample: dymsum depth cup.off spoon.off --move 0.5,0,0 --json");
+      "Exit code 4 when their interiors do not meet, 5 when the time was over.\nExample: dymsum depth cup.off "
+      "spoon.off --move 0.5,0,0 --json");
   verb.callback([command, &action] { action = [command] { return run(*command); }; });
 }
 

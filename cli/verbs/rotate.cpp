@@ -68,7 +68,8 @@ void add_rotate(CLI::App& app, Action& action) {
       "Steps of the turn: a frame at the beginning of each, and one at the end unless it is the first again";
   whole_within(verb.add_option("--steps", command->steps, steps), 1, 1000000)->type_name("N")->required();
   verb.add_option("--axis", command->axis, "Of solids: axis through the origin [0,0,1]")->type_name("X,Y,Z");
-  verb.add_option("--frame", command->frame, "Of solids: the frame that meshes are of, from 0 [the last]")
+  whole_within(verb.add_option("--frame", command->frame, "Of solids: the frame that meshes are of, from 0 [the last]"),
+               0, 1000000000)
       ->type_name("N");
   add_angle_options(verb, command->angle,
                     "The whole turn [360 degrees], its frames met within 2^-28 (solids) or --error (planar),");

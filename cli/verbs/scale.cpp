@@ -198,7 +198,8 @@ void add_options(CLI::App& verb, ScaleCommand& command) {
                   ".ply .glb .json; repeatable")
       ->type_name("FILE")
       ->allow_extra_args(false);
-  verb.add_option("--frame", command.frame, "Of solids: the frame that meshes are of, from 0 [the last]")
+  whole_within(verb.add_option("--frame", command.frame, "Of solids: the frame that meshes are of, from 0 [the last]"),
+               0, 1000000000)
       ->type_name("N");
   verb.add_flag("--events", command.events, "Planar: list the exact scales at which the sum changes");
   add_report_options(verb, command.report, "Sweep N times and report the median and minimum frame");

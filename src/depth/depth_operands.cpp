@@ -7,6 +7,7 @@
 
 #include "depth/exact_frame.h"
 #include "spatial/mesh/rounded_vector.h"
+#include "spatial/sum/grid_error.h"
 
 namespace dymsum::depth {
 
@@ -102,6 +103,7 @@ Vec3 DepthOperands::scaled(const std::array<BigRational, 3>& world) const {
 
 Result<std::shared_ptr<const DepthOperands>> depth_operands(const Mesh& p, const Mesh& q, const DepthOptions& options) {
   if (std::optional<Error> error = operand_error(p, q)) return *std::move(error);
+  if (std::optional<Error> error = spatial::grid_error(p.vertices(), q.vertices())) return *std::move(error);
   auto o = std::make_shared<DepthOperands>();
   o->engine = options.engine;
   const Mesh reflected = negated(q);

@@ -92,6 +92,24 @@ TEST_F(LongWork, LargeConvexSolidsEndAtOnce) {
   EXPECT_FALSE(work.exists("turn.html"));
 }
 
+TEST_F(LongWork, ManyQuestionsEndWithOneErrorObject) {
+  work.write("ball.off", format_mesh(solids::geodesic_sphere(3, 1).data(), MeshFormat::off));
+  std::string places;
+  for (int k = 0; k < 20000; ++k) places += std::to_string(0.0001 * k) + ",0.5,0.25\n";
+  work.write("places.txt", places);
+  for (const char* const question : {"contains ball.off ball.off --at-file places.txt --json --repeat 1000",
+                                     "depth ball.off ball.off --at-file places.txt --json --repeat 1000",
+                                     "depth a.wkt a.wkt --move 0.1,0 --json --repeat 100000",
+                                     "contains a.wkt a.wkt --at-file places.txt --json --repeat 100000"}) {
+    const Outcome outcome =
+        work.run(std::string("timeout --foreground --preserve-status -s INT -k 9 0.5 dymsum ") + question);
+    EXPECT_EQ(outcome.code, 130) << question << ": " << outcome.err;
+    const auto json = nlohmann::json::parse(outcome.out, nullptr, false);
+    ASSERT_TRUE(json.is_object()) << question << ": " << outcome.out;
+    EXPECT_EQ(json["error"]["code"], "cancelled") << question;
+  }
+}
+
 TEST_F(LongWork, AnInterruptedReportIsOneObject) {
   const Outcome outcome =
       work.run("timeout --foreground --preserve-status -s INT 0.5 dymsum sum a.wkt a.wkt --repeat 1000000 --json");

@@ -16,6 +16,12 @@ class SolidMotionCli : public CliTest {
   }
 };
 
+const std::string kEllAtZero =
+    "OFF\n12 8 0\n0 0 0\n3 0 0\n3 1 0\n1 1 0\n1 3 0\n0 3 0\n"
+    "0 0 2\n3 0 2\n3 1 2\n1 1 2\n1 3 2\n0 3 2\n"
+    "6 5 4 3 2 1 0\n6 6 7 8 9 10 11\n4 0 1 7 6\n4 1 2 8 7\n4 2 3 9 8\n4 3 4 10 9\n4 4 5 11 10\n"
+    "4 5 0 6 11\n";
+
 TEST_F(SolidMotionCli, SumPrintsEveryKeyOfTheContractAndWritesEveryFormat) {
   const Json report =
       json("dymsum sum cube.off tetrahedron.off --json -o s.off -o s.obj -o s.stl -o s.ply -o s.glb -o s.json");
@@ -58,11 +64,7 @@ TEST_F(SolidMotionCli, RotateFollowsATurnAndWritesAPage) {
 }
 
 TEST_F(SolidMotionCli, SolidsOfAnyShapeTurnAndScale) {
-  work.write("ell.off",
-             "OFF\n12 8 0\n0 0 0\n3 0 0\n3 1 0\n1 1 0\n1 3 0\n0 3 0\n"
-             "0 0 2\n3 0 2\n3 1 2\n1 1 2\n1 3 2\n0 3 2\n"
-             "6 5 4 3 2 1 0\n6 6 7 8 9 10 11\n4 0 1 7 6\n4 1 2 8 7\n4 2 3 9 8\n4 3 4 10 9\n4 4 5 11 10\n"
-             "4 5 0 6 11\n");
+  work.write("ell.off", kEllAtZero);
   const Json turn = json("dymsum rotate ell.off cube.off --steps 4 --json -o first.glb -o first.json --frame 0");
   ASSERT_EQ(turn["frames"].size(), 4u);
   const Json still = json("dymsum sum ell.off cube.off --json");
@@ -110,6 +112,25 @@ TEST_F(SolidMotionCli, DepthTellsTheShortestWayOut) {
   EXPECT_EQ(report["direction"], Json::array({1.0, 0.0, 0.0}));
   EXPECT_EQ(json("dymsum depth cube.off cube.off --move 2,0,0 --json", 4)["inside"], false);
   EXPECT_EQ(work.run("dymsum depth cube.off cube.off --axis 0,0,1 --degrees 45").code, 0);
+}
+
+TEST_F(SolidMotionCli, DepthTellsWhatItDidNotDecideOrTake) {
+  const Outcome late = work.run("dymsum depth cube.off cube.off --move 0.5,0.25,0 --time 1e-9");
+  EXPECT_EQ(late.code, 5);
+  EXPECT_NE(late.out.find("the time was over: they overlap, and the depth is at least"), std::string::npos) << late.out;
+  work.write("speck.off",
+             "OFF\n4 4 0\n0 0 0\n1e-300 0 0\n0 1e-300 0\n0 0 1e-300\n3 0 2 1\n3 0 1 3\n3 1 2 3\n3 2 0 3\n");
+  const Outcome far = work.run("dymsum depth cube.off speck.off");
+  EXPECT_EQ(far.code, 2);
+  for (const char* part : {"speck.off", "more than 250 bits", "--axis 0,0,1 --degrees 0"})
+    EXPECT_NE(far.err.find(part), std::string::npos) << far.err;
+  const std::string ell = "dymsum rotate ell.off speck.off --steps 2";
+  work.write("ell.off", kEllAtZero);
+  EXPECT_NE(work.run(ell).err.find("speck.off: vertex 1: coordinates of more than 250 bits"), std::string::npos);
+  EXPECT_EQ(work.run("dymsum depth cube.off speck.off --axis 0,0,1 --degrees 0").code, 0);
+  const Json past = json("dymsum depth cube.off cube.off --along 5e-324,0,0 --json");
+  EXPECT_TRUE(past["along"].is_null());
+  all_refused({"dymsum depth cube.off cube.off --threads 2", "dymsum rotate cube.off cube.off --steps 2 --frame -1"});
 }
 
 TEST_F(SolidMotionCli, WrongUsageAndBadSolidsAreTold) {

@@ -6,6 +6,7 @@
 #include "base/stopwatch.h"
 #include "spatial/moving/frame_changes.h"
 #include "spatial/moving/solid_frames.h"
+#include "spatial/sum/grid_error.h"
 #include "spatial/sum/sum_of_solids.h"
 
 namespace dymsum {
@@ -81,7 +82,11 @@ std::optional<Error> refusal(const Mesh& p, const Mesh& q, const MovingSolidOpti
 Result<MovingSolidSum> MovingSolidSum::create(const Mesh& p, const Mesh& q, const MovingSolidOptions& options) {
   if (std::optional<Error> error = refusal(p, q, options)) return *std::move(error);
   MovingSolidSum sum(std::make_unique<State>(p, q, options));
-  if (const Result<SolidFrameWork> first = sum.set({}); !first) return first.error();
+  if (const Result<SolidFrameWork> first = sum.set({}); !first) {
+    const bool wide = first.error().code == ErrorCode::unsupported_operand && !p.empty() && !q.empty();
+    if (std::optional<Error> error; wide && (error = spatial::grid_error(p.vertices(), q.vertices()))) return *error;
+    return first.error();
+  }
   sum.state_->before.reset();
   return sum;
 }
