@@ -155,6 +155,7 @@ bool PositionSearch::is_free(const ExactPosition& x, std::uint32_t facet) {
           same_cell(view_, frame_, facet, view_.o.scaled(other) - view_.from, seen))
         return true;
   }
+  ++result_.work.collision_tests;
   return !probe_.overlaps(at);
 }
 
