@@ -9,6 +9,8 @@
 #include <stdexcept>
 #include <vector>
 
+#include "dymsum/local_sum.h"
+#include "dymsum/moving_solid_sum.h"
 #include "dymsum/penetration_depth.h"
 #include "dymsum/solids.h"
 #include "page.h"
@@ -143,17 +145,102 @@ void meshes(Report& report) {
   row("a cube of 1 in a tunnel of 2", 0.5, pipe, solids::tessellated_cube(1, 1), {});
 }
 
+/// Translations anywhere about P, on all cores; a part of them again on one thread, which has to answer the same.
+void batch(std::size_t first_rows, Report& report) {
+  const std::vector<MotionPair> pairs = motion_pairs();
+  report.line("\n## A batch\n");
+  report.line(
+      "Translations of Q at random, without order, on all cores. `late`: rows that a limit of 20 ms each leaves with "
+      "bounds, in a run of its own. The last column compares rows with those of one thread.\n");
+  report.heading({"pair", "rows", "seconds", "rows a second", "overlapping", "late", "same rows"});
+  for (const MotionPair& pair : pairs) {
+    const std::size_t rows = &pair == &pairs.front() ? first_rows : 2000;
+    const SolidDepth depth = SolidDepth::create(Mesh::create(pair.p).value(), Mesh::create(pair.q).value()).value();
+    std::mt19937_64 random(11);
+    std::uniform_real_distribution<double> offset(-0.65 * pair.reach, 0.65 * pair.reach);
+    std::vector<Point3> moves(rows);
+    for (Point3& at : moves) at = {offset(random), offset(random), 0.3 * offset(random)};
+    DepthBatchOptions limited;
+    limited.time_limit = 0.02;
+    std::size_t late = 0, overlapping = 0;
+    for (const SolidDistance& row : depth_batch(depth, moves, limited).value()) late += !row.complete;
+    std::vector<SolidDistance> answers;
+    const double us = us_of([&] { answers = depth_batch(depth, moves).value(); });
+    for (const SolidDistance& row : answers) overlapping += row.meeting == Meeting::overlapping;
+    DepthBatchOptions single;
+    single.threads = 1;
+    const std::size_t part = std::min<std::size_t>(rows, 500);
+    const std::vector<SolidDistance> again = depth_batch(depth, std::span(moves).first(part), single).value();
+    const bool same = std::equal(again.begin(), again.end(), answers.begin());
+    report.row({pair.name, std::to_string(rows), fixed(us / 1e6, 1), fixed(static_cast<double>(rows) / us * 1e6, 0),
+                std::to_string(overlapping), std::to_string(late), same ? "yes" : "no"});
+  }
+}
+
+/// Local sums while P turns, in balls about vertices of the sum, against the whole sum at the same poses.
+void local_sums(int frames, Report& report) {
+  report.line("\n## Sums near a place\n");
+  report.line(
+      "P turns in steps of 1/500 turn; a ball about a vertex of the sum, its radius a 20th of the sum's size, another "
+      "one every ten frames. Milliseconds: the part by update and by hierarchy, medians and worst; the whole sum at "
+      "the same pose, and with the engine that tests every cell, then cut. The last column compares all of them.\n");
+  report.heading({"pair", "faces", "near", "updated median", "worst", "hierarchy median", "worst", "brute", "whole sum",
+                  "gain on whole", "same"});
+  for (const MotionPair& pair : motion_pairs()) {
+    const Mesh p = Mesh::create(pair.p).value(), q = Mesh::create(pair.q).value();
+    const SpatialSum sum = minkowski_sum(p, q).value();
+    double size = 0;
+    for (const Point3& v : sum.vertices) size = std::max({size, std::abs(v.x), std::abs(v.y), std::abs(v.z)});
+    LocalOptions by_hierarchy, by_brute;
+    by_hierarchy.engine = LocalEngine::hierarchy, by_brute.engine = LocalEngine::brute;
+    LocalSum updated = LocalSum::create(p, q).value(), hierarchy = LocalSum::create(p, q, by_hierarchy).value(),
+             brute = LocalSum::create(p, q, by_brute).value();
+    std::vector<double> ms[2];
+    double brute_ms = 0, whole_ms = 0;
+    std::uint64_t faces = 0, near = 0;
+    bool same = true;
+    for (int k = 0; k < frames; ++k) {
+      SolidPose pose;
+      pose.rotation = Rotation::about({1, 2, 3}, 2 * std::numbers::pi * k / 500).value();
+      const ClipBall ball{sum.vertices[static_cast<std::size_t>(k / 10) * 7919 % sum.vertices.size()], size / 20};
+      std::optional<LocalPart> a, b, c;
+      const double u = us_of([&] { a = updated.in(ball, pose).value(); }) / 1000;
+      const double h = us_of([&] { b = hierarchy.in(ball, pose).value(); }) / 1000;
+      if (k > 0) ms[0].push_back(u), ms[1].push_back(h);
+      same = same && *a == *b;
+      faces += a->boundary.faces.size(), near += a->work.facets;
+      if (k > 0) continue;
+      brute_ms = us_of([&] { c = brute.in(ball, pose).value(); }) / 1000;
+      whole_ms = us_of([&] { posed_sum(p, q, pose).value(); }) / 1000;
+      same = same && *a == *c;
+    }
+    for (std::vector<double>& list : ms) std::sort(list.begin(), list.end());
+    const double median = ms[0][ms[0].size() / 2];
+    const auto mean = [&](std::uint64_t v) { return fixed(static_cast<double>(v) / frames, 0); };
+    report.row({pair.name, mean(faces), mean(near), fixed(median, 2), fixed(ms[0].back(), 2),
+                fixed(ms[1][ms[1].size() / 2], 2), fixed(ms[1].back(), 2), fixed(brute_ms, 0), fixed(whole_ms, 1),
+                fixed(whole_ms / median, 0), same ? "yes" : "no"});
+  }
+}
+
 int run(int argc, char** argv) {
   int steps = 1000;
+  bool is_long = false;
   std::string results;
   for (int k = 1; k < argc; ++k) {
     if (k + 1 < argc && std::strcmp(argv[k], "--steps") == 0) steps = std::max(10, std::atoi(argv[++k]));
     else if (k + 1 < argc && std::strcmp(argv[k], "--results") == 0) results = argv[++k];
-    else throw std::invalid_argument("dymsum_bench_depth [--steps N] [--results DIR]");
+    else if (std::strcmp(argv[k], "--long") == 0) is_long = true;
+    else throw std::invalid_argument("dymsum_bench_depth [--steps N] [--long] [--results DIR]");
   }
   Report report;
   report.line("# Penetration depth");
+  report.line(
+      "\n`./run bench depth --long --results docs/results` makes this page; without --long the first batch has 2,000 "
+      "rows, too.");
   motions(steps, report);
+  batch(is_long ? 100000 : 2000, report);
+  local_sums(40, report);
   convex_pairs(report);
   meshes(report);
   write_result(results, "depth.md", report.markdown.str());

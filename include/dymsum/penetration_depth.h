@@ -46,9 +46,10 @@ struct SolidDistance {
   double at_least = 0;
 
   struct Work {
-    std::uint64_t facets = 0;       ///< of the convolution that were looked at
-    std::uint64_t candidates = 0;   ///< positions that were asked about
-    std::uint64_t exact_tests = 0;  ///< of these, in exact arithmetic
+    std::uint64_t facets = 0;           ///< of the convolution that were looked at
+    std::uint64_t candidates = 0;       ///< positions that were asked about
+    std::uint64_t exact_tests = 0;      ///< of these, in exact arithmetic
+    std::uint64_t collision_tests = 0;  ///< exact ones; none where a free position of the last answer tells
   };
   Work work;  ///< no part of the value
   friend bool operator==(const SolidDistance& a, const SolidDistance& b);

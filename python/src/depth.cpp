@@ -56,7 +56,9 @@ void bind_solid_distance(nb::module_& m) {
   Record<SolidDistance::Work>(distance, "Work", "What an answer took.")
       .field("facets", &SolidDistance::Work::facets, "of the convolution that were looked at")
       .field("candidates", &SolidDistance::Work::candidates, "positions that were asked about")
-      .field("exact_tests", &SolidDistance::Work::exact_tests, "of these, in exact arithmetic");
+      .field("exact_tests", &SolidDistance::Work::exact_tests, "of these, in exact arithmetic")
+      .field("collision_tests", &SolidDistance::Work::collision_tests,
+             "exact ones; none where a free position of the last answer tells");
   distance.field("meeting", &SolidDistance::meeting)
       .field("squared", &SolidDistance::squared, "the exact square of `distance`")
       .field("distance", &SolidDistance::distance, "the nearest double, in the unit of the coordinates")

@@ -1,5 +1,7 @@
 #include "depth/depth_probe.h"
 
+#include <utility>
+
 namespace dymsum::depth {
 
 namespace {
@@ -25,10 +27,10 @@ bool DepthProbe::overlaps(const std::array<BigRational, 3>& position) {
   return at && collision_->overlaps({*at, 0, 0, 0, 0, 0});
 }
 
-void DepthProbe::remember(const CoveredBall& ball, const std::vector<std::array<BigRational, 3>>& free) {
+void DepthProbe::remember(const CoveredBall& ball, std::vector<Free> free) {
   balls_.insert(balls_.begin(), ball);
   if (balls_.size() > kBalls) balls_.pop_back();
-  free_ = free;
+  free_ = std::move(free);
 }
 
 bool DepthProbe::surely_overlaps(spatial::Vec3 at, double radius) { return sure_.holds(at, radius); }

@@ -18,11 +18,18 @@ class DepthProbe {
   /// A "no" says nothing. `at` is scaled.
   bool surely_overlaps(spatial::Vec3 at, double radius);
 
+  /// A position that is free, and a facet that it lies on, or kNoFacet.
+  struct Free {
+    std::array<BigRational, 3> at;
+    std::uint32_t facet;
+  };
+  static constexpr std::uint32_t kNoFacet = 0xffffffff;
+
   /// What the last questions found: depth is continuous, so nearly all of what lies nearer is known to be covered, and
   /// a free position is near.
-  void remember(const CoveredBall& ball, const std::vector<std::array<BigRational, 3>>& free);
+  void remember(const CoveredBall& ball, std::vector<Free> free);
   const std::vector<CoveredBall>& balls() const { return balls_; }
-  const std::vector<std::array<BigRational, 3>>& free() const { return free_; }
+  const std::vector<Free>& free() const { return free_; }
 
  private:
   void renew();
@@ -33,7 +40,7 @@ class DepthProbe {
   std::unique_ptr<const spatial::Collision> collision_;
   std::size_t places_ = 0;
   std::vector<CoveredBall> balls_;  // the last one first
-  std::vector<std::array<BigRational, 3>> free_;
+  std::vector<Free> free_;
 };
 
 }  // namespace dymsum::depth

@@ -7,6 +7,7 @@
 #include <tuple>
 
 #include "base/stopwatch.h"
+#include "depth/same_cell.h"
 
 namespace dymsum::depth {
 
@@ -41,7 +42,8 @@ class PositionSearch {
   void look_at(std::uint32_t facet);
   void look_for_free(std::uint32_t facet);
   enum class Known : std::uint8_t { nothing, free };
-  void offer(const ExactPosition& x, Known known = Known::nothing);
+  void offer(const ExactPosition& x, std::uint32_t facet = DepthProbe::kNoFacet, Known known = Known::nothing);
+  bool is_free(const ExactPosition& x, std::uint32_t facet);
   void offer_known();
   void remember();
   bool is_covered(Vec3 x, double off);
@@ -52,8 +54,9 @@ class PositionSearch {
   DepthProbe& probe_;
   const bool inside_;
   std::priority_queue<SearchItem, std::vector<SearchItem>, std::greater<>> queue_;
-  double bound_ = kInfinity;  // not less than the distance of result_.all
-  std::vector<Vec3> found_;   // these, in doubles
+  double bound_ = kInfinity;           // not less than the distance of result_.all
+  std::vector<Vec3> found_;            // these, in doubles
+  std::vector<std::uint32_t> facets_;  // on which they lie
   NearestPositions result_;
 };
 
@@ -81,16 +84,15 @@ NearestPositions PositionSearch::run(double time_limit) {
 
 /// Positions that were the nearest free ones to another place are free.
 void PositionSearch::offer_known() {
-  for (const std::array<BigRational, 3>& x : probe_.free()) {
-    const std::array<BigRational, 3> from = frame_.origin();
-    offer(frame_.position({x[0] - from[0], x[1] - from[1], x[2] - from[2]}), Known::free);
-  }
+  const std::array<BigRational, 3> from = frame_.origin();
+  for (const auto& [x, facet] : probe_.free())
+    offer(frame_.position({x[0] - from[0], x[1] - from[1], x[2] - from[2]}), facet, Known::free);
 }
 
 void PositionSearch::remember() {
-  std::vector<std::array<BigRational, 3>> free;
-  for (const ExactPosition& x : result_.all) free.push_back(frame_.absolute(x));
-  if (!free.empty()) probe_.remember({view_.from, bound_ - 4 * view_.slack}, free);
+  std::vector<DepthProbe::Free> free;
+  for (std::size_t k = 0; k < result_.all.size(); ++k) free.push_back({frame_.absolute(result_.all[k]), facets_[k]});
+  if (!free.empty()) probe_.remember({view_.from, bound_ - 4 * view_.slack}, std::move(free));
 }
 
 /// Told by doubles: a "no" says nothing. What may be one of the positions found, as their facets list them too, is not
@@ -126,7 +128,7 @@ void PositionSearch::look_at(std::uint32_t f) {
   ++result_.work.candidates;
   if (!inside_ || !is_covered(at, view_.slack)) {
     const ExactPosition x = frame_.nearest(view_.o.facets[f]);
-    offer(x);
+    offer(x, f);
     // Nothing else of the facet is as near as that.
     if (!result_.all.empty() && compare_lengths(x, result_.all.front()) >= 0) return;
   }
@@ -143,16 +145,30 @@ void PositionSearch::look_for_free(std::uint32_t f) {
   }
 }
 
+/// In the same cell as a position that was free: then no collision test is needed.
+bool PositionSearch::is_free(const ExactPosition& x, std::uint32_t facet) {
+  const std::array<BigRational, 3> at = frame_.absolute(x);
+  if (facet != DepthProbe::kNoFacet) {
+    const Vec3 seen = view_.o.scaled(at) - view_.from;
+    for (const auto& [other, of] : probe_.free())
+      if (of != DepthProbe::kNoFacet && in_one_plane(view_, frame_, facet, of) &&
+          same_cell(view_, frame_, facet, view_.o.scaled(other) - view_.from, seen))
+        return true;
+  }
+  ++result_.work.collision_tests;
+  return !probe_.overlaps(at);
+}
+
 /// Takes a position that is as near as any, and free or of the sum.
-void PositionSearch::offer(const ExactPosition& x, Known known) {
+void PositionSearch::offer(const ExactPosition& x, std::uint32_t facet, Known known) {
   ++result_.work.exact_tests;
   std::vector<ExactPosition>& all = result_.all;
   const int order = all.empty() ? -1 : compare_lengths(x, all.front());
   if (order > 0) return;
   if (order == 0 && std::any_of(all.begin(), all.end(), [&](const auto& y) { return same_position(x, y); })) return;
-  if (inside_ && known == Known::nothing && probe_.overlaps(frame_.absolute(x))) return;
-  if (order < 0) all.clear(), found_.clear();
-  all.push_back(x);
+  if (inside_ && known == Known::nothing && !is_free(x, facet)) return;
+  if (order < 0) all.clear(), found_.clear(), facets_.clear();
+  all.push_back(x), facets_.push_back(facet);
   found_.push_back(view_.o.scaled(frame_.absolute(x)) - view_.from);
   bound_ = length(found_.front()) + view_.slack;
 }

@@ -146,6 +146,29 @@ TEST(SolidDepth, coaxial_cylinders_leave_by_the_end_or_the_side) {
   agreed(thick, thick);
 }
 
+/// Flush faces and edges all along, in steps of many sizes: what is told of a cell without a collision test is what a
+/// fresh search finds.
+TEST(SolidDepth, sliding_along_flush_faces_is_the_same_as_from_scratch_with_few_collision_tests) {
+  const Mesh p = solid(ell()), q = solid(box(1));
+  const SolidDepth fresh = depth_of(p, q);
+  SolidDepth moving = fresh;
+  std::uint64_t tests = 0, steps = 0;
+  for (const Point3 way : {Point3{1, 0, 0}, {0, 1, 0}, {1, 1, 0}, {1, 0.5, 0.25}}) {
+    for (const double step : {1.0, 0.25, 0x1p-5}) {
+      for (int k = 0; k < 60; ++k) {
+        const double s = step * k;
+        const Point3 at{2 + s * way.x, 1 + s * way.y, 3 + s * way.z};
+        const SolidDistance d = moving.at(at);
+        ASSERT_TRUE(d == SolidDepth(fresh).at(at)) << at.x << " " << at.y << " " << at.z;
+        if (step > 0.1 || d.meeting != Meeting::overlapping) continue;
+        tests += d.work.collision_tests, ++steps;
+      }
+    }
+  }
+  EXPECT_GT(steps, 100U);
+  EXPECT_LT(4 * tests, steps);
+}
+
 TEST(SolidDepth, is_the_same_along_a_motion_as_from_scratch) {
   SolidDepth moving = depth_of(solid(ell()), link(true));
   std::uint64_t work = 0, fresh_work = 0;
