@@ -29,6 +29,7 @@ const std::vector<std::string> kRooms = {
     "planar/turning",
     "planar/rotating",
     "planar/convex",
+    "planar/local",
     "cspace/events",
     "cspace/boundary",
     "cspace/obstacle",
