@@ -30,7 +30,7 @@ Json ring_json(const RationalRing& ring) {
 
 Json cut_json(const Cut& cut) {
   const char* end = cut.end == Cut::End::vertex ? "vertex" : cut.end == Cut::End::edge ? "edge" : "cut";
-  return {{"vertex", cut.vertex},     {"end", end},    {"index", cut.index}, {"from", point_json(cut.from)},
+  return {{"vertex", cut.vertex},     {"end", end},     {"index", cut.index},    {"from", point_json(cut.from)},
           {"to", point_json(cut.to)}, {"bar", cut.bar}, {"partner", cut.partner}};
 }
 
@@ -60,9 +60,10 @@ std::string rounded_text(const std::string& file, const Decomposition& made, boo
   } else {
     Result<std::vector<Region>> plain = rounded(made);
     if (!plain)
-      throw Stop(kBadInput,
-                 file + ": " + plain.error().to_string() + " (--round-repair merges what collides; .json keeps it exact)",
-                 plain.error());
+      throw Stop(
+          kBadInput,
+          file + ": " + plain.error().to_string() + " (--round-repair merges what collides; .json keeps it exact)",
+          plain.error());
     pieces = std::move(plain).value();
   }
   std::string text;
@@ -128,8 +129,9 @@ void add_decompose(CLI::App& app, Action& action) {
   CLI::App& verb = *app.add_subcommand("decompose", "Cuts a region into nearly convex pieces at its lasting pockets");
   command->parser = &verb;
   add_shared_options(verb, *command, "Cut at what lasts at least this long, in diameters, and is at least this deep");
-  verb.add_option("-o", command->output.files,
-                  "Pieces .wkt, a polygon per line, rounded; .json, exact; or a picture .svg; may be given several times")
+  verb.add_option(
+          "-o", command->output.files,
+          "Pieces .wkt, a polygon per line, rounded; .json, exact; or a picture .svg; may be given several times")
       ->type_name("FILE");
   verb.add_flag("--round-repair", command->output.round_repair,
                 "Where rounding makes a piece of -o FILE.wkt no polygon, merge what collides instead of refusing");

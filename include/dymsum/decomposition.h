@@ -53,14 +53,14 @@ struct Decomposition {
 /// ends at the nearest such point of the boundary or of an earlier cut. Cuts do not cross. They pass over holes that
 /// are less significant than the bar they are made for, and the pieces lack these; later cuts end there as at others.
 ///
-/// Every cut separates two pieces. One that alone connects a hole, or a group of holes, with the rest is not left so: it
-/// gets a partner, the shortest cut at a vertex of the convex hull of that group, and the partner one if need be, before
-/// the cuts of a less significant bar. So a significant hole is cut open, and no piece has a slit.
+/// Every cut separates two pieces. One that alone connects a hole, or a group of holes, with the rest is not left so:
+/// it gets a partner, the shortest cut at a vertex of the convex hull of that group, and the partner one if need be,
+/// before the cuts of a less significant bar. So a significant hole is cut open, and no piece has a slit.
 ///
 /// What a bar is cut by depends on bars as significant or more alone: with a larger persistence the cuts are the first
-/// ones of those with a smaller, and pieces are unions of theirs. Exact: a cut ends at a vertex or at the exact rational
-/// foot. Nearly O(n log n) in practice. Errors: unsupported_operand for a region with polylines or points, or whose
-/// rings touch; out_of_range for a negative persistence and alpha_to < alpha_from; cancelled.
+/// ones of those with a smaller, and pieces are unions of theirs. Exact: a cut ends at a vertex or at the exact
+/// rational foot. Nearly O(n log n) in practice. Errors: unsupported_operand for a region with polylines or points, or
+/// whose rings touch; out_of_range for a negative persistence and alpha_to < alpha_from; cancelled.
 Result<Decomposition> decompose(const ShapeFeatures& features, const DecomposeOptions& options = {});
 
 /// Twice the exact area of a piece's ring, positive counter-clockwise.

@@ -189,9 +189,9 @@ class CutSearch {
   const std::vector<std::uint32_t>& order_;
   WallSet walls_;
   CutLinks links_;
-  std::vector<bool> stands_;                           ///< per ring: cuts end there, and do not pass over it
+  std::vector<bool> stands_;                              ///< per ring: cuts end there, and do not pass over it
   std::map<Worth, std::vector<std::uint32_t>> first_of_;  ///< holes by the most significant of their bars
-  std::vector<std::vector<std::uint32_t>> touching_;   ///< vertex -> cuts
+  std::vector<std::vector<std::uint32_t>> touching_;      ///< vertex -> cuts
   std::vector<PlacedCut> cuts_;
 };
 

@@ -87,9 +87,8 @@ class PieceMaker {
   }
   /// By their points, which are in lexicographic order.
   bool before(const Loop& a, const Loop& b) const {
-    return std::lexicographical_compare(
-        a.begin(), a.end(), b.begin(), b.end(),
-        [this](std::uint32_t p, std::uint32_t q) { return compare(p, q) < 0; });
+    return std::lexicographical_compare(a.begin(), a.end(), b.begin(), b.end(),
+                                        [this](std::uint32_t p, std::uint32_t q) { return compare(p, q) < 0; });
   }
   void begin_lowest(Loop& loop) const {
     const auto lowest = std::min_element(loop.begin(), loop.end(),

@@ -24,12 +24,12 @@ class SectionMaker {
       : table_(table), cuts_(cuts), ends_(cuts.size(), kNew), passages_(cuts.size()) {
     made_.edges = std::uint32_t(table.at.size());
     for (std::uint32_t v = 0; v < table.at.size(); ++v) {
-      made_.spots.push_back({rational_point(table.at[v]), exact::Interval(table.at[v].x), exact::Interval(table.at[v].y)});
+      made_.spots.push_back(
+          {rational_point(table.at[v]), exact::Interval(table.at[v].x), exact::Interval(table.at[v].y)});
       made_.walls.push_back(edge_wall(table.at[v], table.at[table.next[v]], v, table.ring[v]));
     }
     for (std::uint32_t c = 0; c < cuts.size(); ++c)
-      made_.walls.push_back(
-          cut_wall(table.at[cuts[c].cut.vertex], cuts[c].cut.to, c, table.ring[cuts[c].cut.vertex]));
+      made_.walls.push_back(cut_wall(table.at[cuts[c].cut.vertex], cuts[c].cut.to, c, table.ring[cuts[c].cut.vertex]));
   }
 
   Sections run() {
@@ -82,7 +82,7 @@ class SectionMaker {
     const std::uint32_t v = passage.index;
     const Point at = table_.at[v], next = table_.at[table_.next[v]], previous = table_.at[table_.previous[v]];
     if (!passage.at_vertex) return side_of_end(at, next, cut) > 0;
-    const bool right_of_previous = side_of_end(at, previous, cut) < 0, left_of_next = side_of_end(at, next, cut) > 0;
+    const bool right_of_previous = side_of_end(at, previous, cut)<0, left_of_next = side_of_end(at, next, cut)> 0;
     return exact::orient_sign(previous, at, next) > 0 ? left_of_next && right_of_previous
                                                       : left_of_next || right_of_previous;
   }
@@ -167,9 +167,7 @@ Sections make_sections(const RingTable& table, const std::vector<PlacedCut>& cut
 
 std::vector<std::uint32_t> following(const Sections& sections) {
   const auto halves = std::uint32_t(2 * sections.all.size());
-  const auto origin = [&](std::uint32_t h) {
-    return h % 2 == 0 ? sections.all[h / 2].from : sections.all[h / 2].to;
-  };
+  const auto origin = [&](std::uint32_t h) { return h % 2 == 0 ? sections.all[h / 2].from : sections.all[h / 2].to; };
   std::vector<std::uint32_t> first(sections.spots.size() + 1, 0), around(halves), next(halves);
   for (std::uint32_t h = 0; h < halves; ++h) ++first[origin(h) + 1];
   for (std::size_t i = 1; i < first.size(); ++i) first[i] += first[i - 1];

@@ -30,8 +30,8 @@ struct Sections {
 };
 Sections make_sections(const RingTable& table, const std::vector<PlacedCut>& cuts);
 
-/// Half-edge 2s runs along section s, 2s + 1 against it. The one that follows with the same piece on the left; for those
-/// against an edge, which bound nothing, any number.
+/// Half-edge 2s runs along section s, 2s + 1 against it. The one that follows with the same piece on the left; for
+/// those against an edge, which bound nothing, any number.
 std::vector<std::uint32_t> following(const Sections& sections);
 
 /// The sign of a.x - b.x and of a.y - b.y. Exact.

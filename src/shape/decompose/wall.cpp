@@ -117,11 +117,11 @@ bool Notch::misses(const Box& box) const {
 }
 
 Notch::Estimate Notch::estimate(const Wall& w) const {
-  const ConeSide sides[] = {{exact::orient_sign(m, next, w.a), side_of_end(m, next, w),
-                             wide_cross(m, next, Interval(w.a.x), Interval(w.a.y)), wide_cross(m, next, w.bx, w.by)},
-                            {-exact::orient_sign(m, previous, w.a), -side_of_end(m, previous, w),
-                             -wide_cross(m, previous, Interval(w.a.x), Interval(w.a.y)),
-                             -wide_cross(m, previous, w.bx, w.by)}};
+  const ConeSide sides[] = {
+      {exact::orient_sign(m, next, w.a), side_of_end(m, next, w), wide_cross(m, next, Interval(w.a.x), Interval(w.a.y)),
+       wide_cross(m, next, w.bx, w.by)},
+      {-exact::orient_sign(m, previous, w.a), -side_of_end(m, previous, w),
+       -wide_cross(m, previous, Interval(w.a.x), Interval(w.a.y)), -wide_cross(m, previous, w.bx, w.by)}};
   Interval first(0), last(1);
   for (const ConeSide& side : sides) {
     if (side.at_a < 0 && side.at_b < 0) return {true, false, {}};

@@ -51,7 +51,8 @@ struct Nearest {
   RationalPoint at;
 };
 
-/// A reflex vertex, and the directions that resolve it: not to the right of m -> next, not to the left of m -> previous.
+/// A reflex vertex, and the directions that resolve it: not to the right of m -> next, not to the left of m ->
+/// previous.
 struct Notch {
   Point m, previous, next;
 
