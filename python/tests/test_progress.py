@@ -21,6 +21,7 @@ ROD, WALL = shapes.rectangle(-1, -0.25, 1, 0.25), shapes.gear(8, 2, 3)
 OBSTACLE = dymsum.CspaceObstacle(ROD, WALL)
 QUERIES = dymsum.ObstacleQueries(OBSTACLE)
 LOCATOR = dymsum.SumLocator(dymsum.minkowski_sum(P, Q))
+FEATURES = dymsum.ShapeFeatures(P)
 THETA = dymsum.Orientation.nearest(0.3)
 POSE = dymsum.SolidPose(dymsum.Rotation.of(5, 1, 2, 1))
 POINTS = numpy.random.default_rng(1).uniform(-2, 2, (5000, 2))
@@ -116,6 +117,7 @@ CALLS: list[tuple[str, Callable[[Progress], Any]]] = [
     ("CriticalityMap", lambda f: dymsum.CriticalityMap.create(BALL, BOX, (0, 0, 1), f)),
     ("NfpTable", lambda f: dymsum.NfpTable(LARGE_TABLE, progress=f)),
     ("NfpTable", lambda f: dymsum.NfpTable.create(LARGE_TABLE, progress=f)),
+    ("decompose", lambda f: dymsum.decompose(FEATURES, dymsum.DecomposeOptions(progress=f))),
     ("GrowingDisc.events", lambda f: dymsum.GrowingDisc(P).events(dymsum.DiscSide.inside, f)),
     ("GrowingDisc.sum_at", lambda f: dymsum.GrowingDisc(P).sum_at(1, progress=f)),
     ("GrowingDisc.eroded_at", lambda f: dymsum.GrowingDisc(P).eroded_at(0.01, progress=f)),
@@ -135,7 +137,7 @@ def _that_take_a_progress() -> Iterator[str]:
     options = [
         name for name, kind in vars(dymsum).items() if name.endswith("Options") and hasattr(kind, "progress")
     ]
-    assert len(options) == 12
+    assert len(options) == 13
     for name, value in vars(dymsum).items():
         members = vars(value).items() if inspect.isclass(value) else [("", value)]
         for member, function in members:

@@ -62,7 +62,7 @@ Rational twice_area(const Region& region) {
 }
 
 Decomposition cut(const Region& region, const Rational& tau) {
-  return decompose(ShapeFeatures::create(region).value(), {tau, 0, std::nullopt}).value();
+  return decompose(ShapeFeatures::create(region).value(), {tau, 0, std::nullopt, {}}).value();
 }
 
 Rational turn(const RationalPoint& a, const RationalPoint& b, const RationalPoint& c) {
@@ -311,8 +311,8 @@ TEST(Decompose, WhatCannotBeCutIsTold) {
   EXPECT_EQ(decompose(line).error().code, ErrorCode::unsupported_operand);
   EXPECT_EQ(decompose(line).error().evidence.x, 0);
   const ShapeFeatures features = ShapeFeatures::create(comb(2)).value();
-  EXPECT_EQ(decompose(features, {-1, 0, std::nullopt}).error().code, ErrorCode::out_of_range);
-  EXPECT_EQ(decompose(features, {0, 2, Rational(1)}).error().code, ErrorCode::out_of_range);
+  EXPECT_EQ(decompose(features, {-1, 0, std::nullopt, {}}).error().code, ErrorCode::out_of_range);
+  EXPECT_EQ(decompose(features, {0, 2, Rational(1), {}}).error().code, ErrorCode::out_of_range);
 }
 
 }  // namespace
