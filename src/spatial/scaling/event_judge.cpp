@@ -66,12 +66,12 @@ struct Gathering {
     return borders.size() > 1 ? Kind::edge_on_edge : Kind::four_facets;
   }
 
-  /// A corner with all its facets on another one's inside, two borders of two facets each, such a border on two facets,
-  /// or four facets; no two of them parallel.
+  /// A corner with all its facets on another one's inside, two borders with all theirs, a border on two facets, or four
+  /// facets; no two of them parallel.
   bool is_general(const MovingFacets& all) const {
     if (parallel || corners.size() > 1) return false;
     for (const auto& [border, here] : borders)
-      if (here != 2 || all.facets_of(all.borders()[border]).size() != 2) return false;
+      if (here < 2 || here != all.facets_of(all.borders()[border]).size()) return false;
     if (corners.empty()) return 2 * borders.size() + insides == 4;
     const auto& [corner, here] = *corners.begin();
     return borders.empty() && insides == 1 && here == all.facets_of(all.corners()[corner]).size();
@@ -95,22 +95,31 @@ struct Gathering {
 
 constexpr double kLeastFall = 0x1p-7;
 
-/// A unit vector that surely goes from the front of all these facets to their backs; nothing where none is found.
+/// A unit vector that surely goes from the front of all these facets to their backs; nothing where there is none. The
+/// steepest one has the same fall at one, two or three of them.
 std::optional<Vec3> common_way_in(const MovingFacets& all, const std::vector<FacetThere>& facets) {
-  std::vector<Vec3> normals;
-  Vec3 d;
-  for (const FacetThere& there : facets) normals.push_back(unit_normal(all, there.facet)), d = d - normals.back();
-  for (int round = 0; round < 60; ++round) {
+  std::vector<Vec3> n;
+  for (const FacetThere& there : facets) n.push_back(unit_normal(all, there.facet));
+  std::optional<Vec3> best;
+  double least = kLeastFall;
+  const auto try_way = [&](Vec3 d) {
     const double size = length(d);
-    if (size > 0x1p-20) d = (1 / size) * d;
-    double worst = -2;
-    Vec3 against;
-    for (const Vec3& n : normals)
-      if (dot(n, d) > worst) worst = dot(n, d), against = n;
-    if (worst < -kLeastFall && size > 0x1p-20) return d;
-    d = d - (0.5 + worst) * against;
+    if (size < 0x1p-30) return;
+    for (const double s : {-1 / size, 1 / size}) {
+      double fall = 1;
+      for (const Vec3& m : n) fall = std::min(fall, -s * dot(m, d));
+      if (fall > least) least = fall, best = s * d;
+    }
+  };
+  const std::size_t most = std::min<std::size_t>(n.size(), 24);
+  for (std::size_t i = 0; i < most; ++i) {
+    try_way(n[i]);
+    for (std::size_t j = i + 1; j < most; ++j) {
+      try_way(n[i] + n[j]);
+      for (std::size_t k = j + 1; k < most; ++k) try_way(cross(n[j] - n[i], n[k] - n[i]));
+    }
   }
-  return std::nullopt;
+  return best;
 }
 
 /// Whether a facet surely misses the segment from x to y.
@@ -156,14 +165,13 @@ JudgedPoint judge(const MovingFacets& all, const EventSearch& search, const Scal
                   const MeetingEvent& event) {
   const Gathering there(all, search, event);
   JudgedPoint result{Verdict::unknown, there.kind()};
-  if (!there.is_general(all)) return result;
   const std::optional<Vec3> in = common_way_in(all, there.facets);
   if (!in) return result;
   const std::optional<Vec3> y = place_in_front(all, search, there.facets, *in, event.near);
   if (!y) return result;
   const NearMeeting& at = event.near;
   if (overlap.at(*y, at.s, 2 * at.radius, at.s_radius) == ScaledOverlap::Answer::apart)
-    result.verdict = Verdict::changes;
+    result.verdict = there.is_general(all) ? Verdict::changes : Verdict::quiet;
   return result;
 }
 

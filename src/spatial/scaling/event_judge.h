@@ -9,6 +9,7 @@ namespace dymsum::spatial {
 struct JudgedPoint {
   enum class Verdict : std::uint8_t {
     changes,  ///< the boundary changes, and its topology does not
+    quiet,    ///< the topology does not change; sums have to be compared for the rest
     unknown,  ///< sums have to be compared
   };
   Verdict verdict = Verdict::unknown;

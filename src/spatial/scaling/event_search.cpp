@@ -1,6 +1,7 @@
 #include "spatial/scaling/event_search.h"
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
 
 namespace dymsum::spatial {
@@ -20,19 +21,9 @@ int lasting_side(const MovingFacets& all, std::uint32_t f, SumPoint c, double lo
   return s == sign_surely(a + high * b, error) ? s : 0;
 }
 
-bool same_edge_of_operand(const MovingBorder& a, const MovingBorder& b) {
-  if (a.of_p != b.of_p) return false;
-  return a.of_p ? a.a.p == b.a.p && a.b.p == b.b.p : a.a.q == b.a.q && a.b.q == b.b.q;
-}
 bool share_corner(const MovingBorder& a, const MovingBorder& b) {
   return a.a == b.a || a.a == b.b || a.b == b.a || a.b == b.b;
 }
-/// Facets that one triangle makes with two vertices are parallel.
-bool are_parallel(const SumFacet& a, const SumFacet& b) {
-  if (a.kind != b.kind || a.kind == SumFacet::Kind::edge_edge) return false;
-  return a.kind == SumFacet::Kind::face_vertex ? a.p == b.p : a.q == b.q;
-}
-
 }  // namespace
 
 std::vector<double> window_ends(const MovingFacets& all, double low, double high) {
@@ -102,24 +93,67 @@ std::vector<MeetingEvent> EventSearch::run(const std::function<void()>& ask) {
   return std::move(found_);
 }
 
-bool EventSearch::is_of_interest(const NearMeeting& at) const {
-  if (at.s < low_ - at.s_radius || at.s > high_ + at.s_radius) return false;
-  return !(at.radius < span_ * 0x1p-20) ||
-         overlap_.at(at.x, at.s, at.radius, at.s_radius) != ScaledOverlap::Answer::overlap;
+namespace {
+
+bool is_same(const ExactMeeting& a, const ExactMeeting& b) {
+  const auto equal = [&](const exact::BigInteger& x, const exact::BigInteger& y) { return x * b.w == y * a.w; };
+  return equal(a.s, b.s) && equal(a.x[0], b.x[0]) && equal(a.x[1], b.x[1]) && equal(a.x[2], b.x[2]);
+}
+
+}  // namespace
+
+std::size_t EventSearch::CellHash::operator()(const Cell& cell) const {
+  std::uint64_t h = 0;
+  for (const std::int64_t c : cell) {
+    h ^= static_cast<std::uint64_t>(c) + 0x9e3779b97f4a7c15ULL + (h << 6) + (h >> 2);
+    h ^= h >> 31, h *= 0x7fb5d329728ea185ULL, h ^= h >> 29;
+  }
+  return h;
+}
+
+/// Whether all of the cell of (x, s) around a point surely lies in the open sum. Many tuples meet in one point, and
+/// ask.
+bool EventSearch::is_covered(const NearMeeting& at) {
+  const double step = std::ldexp(1.0, std::ilogb(span_) - 28), s_step = std::ldexp(1.0, std::ilogb(high_) - 28);
+  if (at.radius > step || at.s_radius > s_step) return false;
+  const auto cell = [](double v, double width) { return std::floor(v / width); };
+  const double x = cell(at.x.x, step), y = cell(at.x.y, step), z = cell(at.x.z, step), s = cell(at.s, s_step);
+  const auto [known, fresh] = covered_.try_emplace({static_cast<std::int64_t>(x), static_cast<std::int64_t>(y),
+                                                    static_cast<std::int64_t>(z), static_cast<std::int64_t>(s)},
+                                                   false);
+  const Vec3 middle{(x + 0.5) * step, (y + 0.5) * step, (z + 0.5) * step};
+  if (fresh)
+    known->second = overlap_.at(middle, (s + 0.5) * s_step, 2 * step, 2 * s_step) == ScaledOverlap::Answer::overlap;
+  return known->second;
+}
+
+void EventSearch::add(ExactMeeting at) {
+  MeetingEvent event{std::move(at), {}};
+  event.near = near(event.at);
+  if (event.near.s < low_ * (1 - 0x1p-50) || event.near.s > high_ * (1 + 0x1p-50)) return;
+  const auto bits = [](double v) { return std::bit_cast<std::int64_t>(v); };
+  const Cell key{bits(event.near.x.x), bits(event.near.x.y), bits(event.near.x.z), bits(event.near.s)};
+  const auto [first, last] = found_at_.equal_range(key);
+  for (auto k = first; k != last; ++k)
+    if (is_same(found_[k->second].at, event.at)) return;
+  if (overlap_.at(event.near.x, event.near.s, event.near.radius, event.near.s_radius) == ScaledOverlap::Answer::overlap)
+    return;
+  found_at_.emplace(key, found_.size());
+  found_.push_back(std::move(event));
 }
 
 /// Lists a point that doubles leave open: `exact` gives it where it is one, and lies in all that is to meet there.
 template <class Exact>
 void EventSearch::decide(Meets meets, const NearMeeting& around, Exact exact) {
-  if (meets == Meets::no || (meets == Meets::near && !is_of_interest(around))) return;
+  if (meets == Meets::no) return;
+  if (meets == Meets::near) {
+    if (around.s < low_ - around.s_radius || around.s > high_ + around.s_radius || is_covered(around)) return;
+  }
   ++exact_;
   std::optional<ExactMeeting> at = exact();
   if (!at || at->s <= 0) return;
-  MeetingEvent event{*std::move(at), {}};
-  event.near = near(event.at);
-  if (event.near.s < low_ * (1 - 0x1p-50) || event.near.s > high_ * (1 + 0x1p-50)) return;
-  if (meets != Meets::near && !is_of_interest(event.near)) return;
-  found_.push_back(std::move(event));
+  if (meets != Meets::near && is_covered(near(*at))) return;
+  add(*std::move(at));
 }
 
 void EventSearch::corners_on_facets() {
@@ -197,7 +231,7 @@ void EventSearch::borders_on_borders() {
       if (j <= k) return;
       ask_now_and_then();
       const MovingBorder& other = all_.borders()[g];
-      if (share_corner(one, other) || same_edge_of_operand(one, other)) return;
+      if (share_corner(one, other) || one.direction == other.direction) return;
       ++candidates_;
       NearMeeting at;
       const auto &r = all_.rows_of(e), &q = all_.rows_of(g);
@@ -269,7 +303,7 @@ void EventSearch::borders_through_facets() {
       for (std::size_t j = i + 1; j < through.size(); ++j) {
         const std::uint32_t f = through[i], g = through[j];
         ask_now_and_then();
-        if (are_parallel(all_.facets()[f], all_.facets()[g])) continue;
+        if (all_.hyperplane(f) == all_.hyperplane(g)) continue;
         ++candidates_;
         NearMeeting at;
         const Meets meets = meeting_near({&r[0], &r[1], &all_.row(f), &all_.row(g)}, span_, at);
@@ -291,7 +325,7 @@ void EventSearch::borders_through_facets() {
 /// Whether two facets may meet in more than a border or a corner that they share.
 bool EventSearch::may_cross(std::uint32_t f, std::uint32_t g) const {
   const SumFacet &a = all_.facets()[f], &b = all_.facets()[g];
-  if (are_parallel(a, b)) return false;
+  if (all_.hyperplane(f) == all_.hyperplane(g)) return false;
   int shared = 0;
   const auto passes = [&](const SumFacet& facet, const SumFacet& other, std::uint32_t plane) {
     int below = 0, above = 0, open = 0;

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <functional>
+#include <unordered_map>
 #include <vector>
 
 #include "spatial/scaling/meeting_point.h"
@@ -22,7 +23,7 @@ class EventSearch {
  public:
   EventSearch(const MovingFacets& all, const ScaledOverlap& overlap, double low, double high);
 
-  /// The points at scales from `low` to `high`, some of them several times. `ask` is called now and then, and may
+  /// The points at scales from `low` to `high`, each once. `ask` is called now and then, and may
   /// throw.
   std::vector<MeetingEvent> run(const std::function<void()>& ask);
   /// Facets that may come near a box at some of these scales, but for those deep inside the open sum.
@@ -34,6 +35,10 @@ class EventSearch {
   std::uint64_t exact() const { return exact_; }
 
  private:
+  using Cell = std::array<std::int64_t, 4>;
+  struct CellHash {
+    std::size_t operator()(const Cell& cell) const;
+  };
   void corners_on_facets();
   void corners_on_borders();
   void borders_on_borders();
@@ -42,7 +47,8 @@ class EventSearch {
   void four_facets();
   void facet_neighbours();
   bool may_cross(std::uint32_t f, std::uint32_t g) const;
-  bool is_of_interest(const NearMeeting& at) const;
+  bool is_covered(const NearMeeting& at);
+  void add(ExactMeeting at);
   template <class Exact>
   void decide(Meets meets, const NearMeeting& near, Exact exact);
   void ask_now_and_then() {
@@ -58,6 +64,8 @@ class EventSearch {
   BoxTree facets_, borders_, corners_;
   std::vector<std::vector<std::uint32_t>> neighbours_;  // of live facets, with larger indices, sorted
   std::vector<MeetingEvent> found_;
+  std::unordered_multimap<Cell, std::size_t, CellHash> found_at_;  // by their doubles
+  std::unordered_map<Cell, bool, CellHash> covered_;               // small cells of (x, s), surely or perhaps not
   const std::function<void()>* ask_ = nullptr;
   std::uint64_t candidates_ = 0, exact_ = 0, asked_ = 0;
 };

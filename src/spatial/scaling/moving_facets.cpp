@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <tuple>
 #include <unordered_map>
 
@@ -20,6 +21,27 @@ BigVector big_cross(const BigVector& a, const BigVector& b) {
 BigInteger big_dot(const BigVector& a, const BigVector& b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
 
 double nearest(const BigInteger& v) { return exact::to_double(exact::Big(v)); }
+
+/// Names lists of integers that are multiples of each other alike.
+template <std::size_t N>
+class ProportionalNames {
+ public:
+  std::uint32_t name(std::array<BigInteger, N> values) {
+    BigInteger divisor = 0;
+    for (const BigInteger& v : values) divisor = gcd(divisor, v);
+    for (const BigInteger& v : values)
+      if (v != 0) {
+        if (v < 0) divisor = -divisor;
+        break;
+      }
+    if (divisor != 0)
+      for (BigInteger& v : values) v /= divisor;
+    return names_.try_emplace(std::move(values), static_cast<std::uint32_t>(names_.size())).first->second;
+  }
+
+ private:
+  std::map<std::array<BigInteger, N>, std::uint32_t> names_;
+};
 
 std::uint64_t pair_key(std::uint32_t a, std::uint32_t b) {
   return (static_cast<std::uint64_t>(std::min(a, b)) << 32) | std::max(a, b);
@@ -67,6 +89,7 @@ MovingFacets::MovingFacets(const SolidPair& pair, int moving, StageWatch& watch)
       for (const BigInteger& c : x) reach_[op] = std::max(reach_[op], std::abs(nearest(c)) * (1 + 0x1p-50));
     }
   }
+  ProportionalNames<5> names;
   for (std::size_t f = 0; f < facets().size(); ++f) {
     const SumFacet& facet = facets()[f];
     const PlaneSource source = convolution_.planes[f];
@@ -79,6 +102,7 @@ MovingFacets::MovingFacets(const SolidPair& pair, int moving, StageWatch& watch)
     plane.d0 = big_dot(plane.n, exact_fixed(facet.corner[0]));
     plane.d1 = big_dot(plane.n, exact_moved(facet.corner[0]));
     rows_.push_back(row_of(plane));
+    hyperplanes_.push_back(names.name({plane.n[0], plane.n[1], plane.n[2], plane.d0, plane.d1}));
     planes_.push_back(std::move(plane));
   }
   list_borders();
@@ -111,7 +135,14 @@ void MovingFacets::list_borders() {
     border_facets_.push_back(use.place / 4);
     ++borders_.back().last;
   }
-  for (const MovingBorder& border : borders_) {
+  ProportionalNames<3> directions;
+  std::map<std::pair<std::uint32_t, std::uint32_t>, std::uint32_t> known[2];  // by the ends of an operand's edge
+  for (MovingBorder& border : borders_) {
+    const std::size_t op = border.of_p ? 0 : 1;
+    const std::pair ends = op == 0 ? std::pair{border.a.p, border.b.p} : std::pair{border.a.q, border.b.q};
+    const auto [at, fresh] = known[op].try_emplace(ends, 0);
+    if (fresh) at->second = directions.name(big_minus(exact_[op][ends.second], exact_[op][ends.first]));
+    border.direction = at->second;
     const std::array<MovingPlane, 2> planes = planes_of(border);
     border_rows_.push_back({row_of(planes[0]), row_of(planes[1])});
   }

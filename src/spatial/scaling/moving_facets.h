@@ -28,6 +28,7 @@ struct MovingBorder {
   std::uint32_t first = 0, last = 0;  ///< of MovingFacets::border_facets
   bool inner = false;                 ///< between two triangles of one face
   bool of_p = false;                  ///< along an edge of P
+  std::uint32_t direction = 0;        ///< the same for parallel ones
 };
 struct MovingCorner {
   SumPoint at;
@@ -65,6 +66,8 @@ class MovingFacets {
 
   const MovingPlane& plane(std::uint32_t facet) const { return planes_[facet]; }
   const PlaneRow& row(std::uint32_t facet) const { return rows_[facet]; }
+  /// The same for facets that lie in one plane at every scale.
+  std::uint32_t hyperplane(std::uint32_t facet) const { return hyperplanes_[facet]; }
   /// Two planes along a border whose directions differ: its 2-flat of (x, s) is where they cross.
   std::array<MovingPlane, 2> planes_of(const MovingBorder& border) const;
   const std::array<PlaneRow, 2>& rows_of(std::uint32_t border) const { return border_rows_[border]; }
@@ -87,6 +90,7 @@ class MovingFacets {
   std::array<double, 2> reach_{};
   std::vector<MovingPlane> planes_;
   std::vector<PlaneRow> rows_;
+  std::vector<std::uint32_t> hyperplanes_;
   std::vector<std::array<PlaneRow, 2>> border_rows_;
   std::vector<MovingBorder> borders_;
   std::vector<MovingCorner> corners_;

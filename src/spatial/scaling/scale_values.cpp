@@ -45,10 +45,11 @@ std::vector<ScaleOfInterest> scales_of_interest(const MovingFacets& all, const S
   watch.sort(judged, is_before);
   std::vector<ScaleOfInterest> values;
   for (const JudgedScale& j : judged) {
-    if (values.empty() || values.back().s != j.s) values.push_back({j.s, j.judged.kind, false, false});
+    if (values.empty() || values.back().s != j.s) values.push_back({j.s, j.judged.kind, false, false, false});
     ScaleOfInterest& value = values.back();
     value.kind = std::max(value.kind, j.judged.kind);
     (j.judged.verdict == JudgedPoint::Verdict::changes ? value.changes : value.unknown) = true;
+    if (j.judged.verdict == JudgedPoint::Verdict::unknown) value.unknown_topology = true;
   }
   work.values += values.size();
   return values;

@@ -8,8 +8,9 @@ namespace dymsum::spatial {
 struct ScaleOfInterest {
   exact::BigRational s;
   SolidScaleEvent::Kind kind = SolidScaleEvent::Kind::vertex_on_facet;
-  bool changes = false;  ///< surely
-  bool unknown = false;  ///< sums have to be compared
+  bool changes = false;           ///< surely
+  bool unknown = false;           ///< sums have to be compared, unless it surely changes
+  bool unknown_topology = false;  ///< in any case
 };
 
 /// All of them from `low` to `high`, and perhaps some just beside. Exact. Throws Cancelled.

@@ -25,6 +25,8 @@ std::optional<Error> refused(const Mesh& p, const Mesh& q, const ScalingSolidOpt
 
 Scale scale_of(const BigRational& s) { return Scale::of(exact::to_rational(s)).value(); }
 
+bool has_to_be_compared(const ScaleOfInterest& v) { return v.unknown_topology || (v.unknown && !v.changes); }
+
 /// Beyond both ends, so that there is a scale before the first event and one after the last.
 constexpr double kBeside = 0x1p-12;
 
@@ -114,7 +116,7 @@ std::vector<SolidScaleEvent> ScalingSolidSum::State::events(const BigRational& a
   std::vector<BigRational> wanted;
   const auto is_asked = [&](const ScaleOfInterest& v) { return v.s >= a && v.s <= b; };
   for (std::size_t k = 0; k < values.size(); ++k)
-    if (values[k].unknown && is_asked(values[k]))
+    if (has_to_be_compared(values[k]) && is_asked(values[k]))
       for (const BigRational& s : {between[k], values[k].s, between[k + 1]})
         if (wanted.empty() || wanted.back() < s) wanted.push_back(s);
   const Shapes shapes = shapes_at(wanted, watch);
@@ -124,7 +126,7 @@ std::vector<SolidScaleEvent> ScalingSolidSum::State::events(const BigRational& a
     const ScaleOfInterest& v = values[k];
     if (!is_asked(v)) continue;
     bool changes = v.changes, topology = false;
-    if (v.unknown) {
+    if (has_to_be_compared(v)) {
       const SumShape &before = shapes.at(between[k]), &here = shapes.at(v.s), &after = shapes.at(between[k + 1]);
       changes = changes || !(before == here) || !(here == after);
       topology = !(before.topology == here.topology) || !(here.topology == after.topology);
