@@ -183,16 +183,29 @@ class ContinuousDepth::State {
       near_ = depth::nearest_on(tracker_.place()->surface, from);
       if (is_covered(from)) return std::nullopt;
     }
+    if (std::max({std::abs(at.x), std::abs(at.y), std::abs(at.z)}) > extent_) return far_away(at, turned);
     const double scale = tracker_.limits().scale;
     double reach = (near_.inside ? tracker_.wanted(near_.nearest.distance) / scale : smoothing_) + margin_;
     for (;;) {
       if (std::optional<Error> error = cut(at, turned, reach, result)) return error;
       const ContinuousPlace& place = *tracker_.place();
       near_ = depth::nearest_on(place.surface, from);
-      if (is_covered(from)) return std::nullopt;
       const double wanted = near_.inside ? tracker_.wanted(near_.nearest.distance) / scale : 0;
+      if (is_covered(from) && (std::isinf(place.reach) || wanted + 0.5 * margin_ <= reach)) return std::nullopt;
       reach = std::max(near_.face.distance / scale <= reach ? wanted : 2 * reach, wanted) + margin_;
     }
+  }
+
+  /// Where no point of Q can meet P.
+  std::optional<Error> far_away(const Point3& at, const Rotation& turned) {
+    auto place = std::make_shared<ContinuousPlace>();
+    place->boundary = std::make_shared<const SpatialSum>();
+    place->middle = tracker_.scaled(at);
+    near_ = {};
+    near_.face.distance = near_.nearest.distance = std::numeric_limits<double>::infinity();
+    turned_ = turned;
+    tracker_.move_to(std::move(place));
+    return std::nullopt;
   }
 
   bool is_covered(Vec3 from) const {

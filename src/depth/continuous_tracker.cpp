@@ -108,7 +108,7 @@ void ContinuousTracker::report(Vec3 from, const SurfaceDistance& near, Continuou
   if (result.smoothed) foot = *foot_;
   else {
     foot.x = near.nearest.at, foot.face = near.nearest.face, foot.n = shortest, foot.h = length(way);
-    foot.gradient = -shortest;
+    foot.gradient = -shortest, foot.turn_rate = 1 / foot.h;
   }
   result.depth = foot.h / limits_.scale, result.normal = plain(foot.n), result.gradient = plain(foot.gradient);
   result.turn_rate = foot.turn_rate * limits_.scale;
