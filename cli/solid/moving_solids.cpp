@@ -19,7 +19,7 @@ namespace dymsum::cli {
 namespace {
 
 /// Pages show every frame, of a long or large motion evenly chosen ones.
-constexpr std::size_t kMostPictures = 240, kMostPicturedFaces = 60000;
+constexpr std::size_t kMostMovingPictures = 240, kMostPicturedFaces = 60000;
 
 void check_files(const std::vector<std::string>& files) {
   for (const std::string& file : files) {
@@ -58,7 +58,8 @@ MovingSolidSum moving_sum(const SolidMotion& motion, const MovingSolidOptions& o
 void add_picture(const SolidMotion& motion, std::size_t i, const SpatialSum& sum, const SolidFrameChanges& changes,
                  MovingPictures& pictures) {
   if (i == 0) {
-    const std::size_t most = std::clamp<std::size_t>(kMostPicturedFaces / (sum.faces.size() + 1), 1, kMostPictures);
+    const std::size_t most =
+        std::clamp<std::size_t>(kMostPicturedFaces / (sum.faces.size() + 1), 1, kMostMovingPictures);
     pictures.every = (motion.frames.size() + most - 1) / most;
   }
   SolidFrameChanges& since = pictures.since;

@@ -72,6 +72,7 @@ const std::vector<Case> kCases = {
     {"depth", "depth cube.off cube.off --move 9,0,0", 4},
     {"depth", "depth ell.off cube.off --move 1,1,0 --along 1,0,0"},
     {"depth", "depth cube.off cube.off --axis 0,0,1 --degrees 9"},
+    {"depth", "depth ell.off cube.off --track motion.csv --smoothing 1"},
     {"depth", "depth peg.wkt slot.wkt --move 9,9", 4},
     {"depth", "depth square.wkt frame.wkt"},
     {"local_sum", "local-sum ell.off cube.off --ball 6,6,4,0.5"},
@@ -112,6 +113,7 @@ class JsonReports : public CliTest {
     std::filesystem::create_directories(work.folder() / "work" / "answers");
     work.write("answers/damaged.nfpt", "not one of ours");
     work.write("poses.txt", "1,6,0\n1,1,0\n");
+    work.write("motion.csv", "1,1,0\n2,1,0\n");
     work.write("copies.txt", "1 0 0\n3/2 9 0\n");
     work.write("cube.off", kCube);
     work.write("small.off",
