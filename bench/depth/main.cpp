@@ -1,4 +1,4 @@
-// dymsum_bench_depth: penetration depth along motions, against FCL and libccd on convex pairs and FCL on meshes.
+// dymsum_bench_depth: penetration depth along motions, against FCL, libccd, Bullet and Coal on convex pairs and meshes.
 #include <algorithm>
 #include <chrono>
 #include <cmath>
@@ -9,13 +9,14 @@
 #include <stdexcept>
 #include <vector>
 
+#include "depth/continuous.h"
+#include "depth/other_systems.h"
 #include "dymsum/local_sum.h"
 #include "dymsum/moving_solid_sum.h"
 #include "dymsum/penetration_depth.h"
 #include "dymsum/solids.h"
 #include "page.h"
 #include "solid/inputs.h"
-#include "versus/fcl_meshes.h"
 #include "versus/solid_rivals.h"
 
 namespace dymsum::bench {
@@ -122,27 +123,8 @@ void convex_pairs(Report& report) {
       report.row({name, dymsum::bench::name(rival), fixed(us / 200, 1), std::to_string(none), std::to_string(wrong),
                   text.str()});
     }
+    other_convex_rows(name, p, q, width, places, truth, report);
   }
-}
-
-void meshes(Report& report) {
-  report.line("\n## Meshes\n");
-  report.line("Below 0 inside, as FCL 0.7 has it. The truth is known by construction.\n");
-  report.heading({"case", "truth", "dymsum", "FCL signed distance", "FCL contacts", "FCL deepest contact"});
-  const auto row = [&](const std::string& name, double truth, const Mesh& p, const Mesh& q, Point3 at) {
-    const SolidDistance d = SolidDepth::create(p, q).value().at(at);
-    const MeshAnswer theirs = fcl_mesh_distance(p.data(), q.data(), at);
-    const double ours = d.meeting == Meeting::overlapping ? -d.distance : d.distance;
-    report.row({name, fixed(truth, 4), fixed(ours, 4), fixed(theirs.signed_distance, 4),
-                std::to_string(theirs.contacts), fixed(theirs.deepest, 2)});
-  };
-  for (const int k : {1, 2, 4, 8})
-    row("cubes of 2 that overlap by 0.5, " + std::to_string(12 * k * k) + " triangles", -0.5,
-        solids::tessellated_cube(2, k), solids::tessellated_cube(2, k), {1.5, 0, 0});
-  row("a cube of 0.4 inside one of 2", -1.2, solids::tessellated_cube(2, 1), solids::tessellated_cube(0.4, 1), {});
-  const Mesh pipe = Mesh::create(tunnel()).value();
-  row("a cube of 1 in a tunnel of 2, 0.25 into its wall", -0.25, pipe, solids::tessellated_cube(1, 1), {0, 0.75, 0});
-  row("a cube of 1 in a tunnel of 2", 0.5, pipe, solids::tessellated_cube(1, 1), {});
 }
 
 /// Translations anywhere about P, on all cores; a part of them again on one thread, which has to answer the same.
@@ -225,15 +207,31 @@ void local_sums(int frames, Report& report) {
 
 int run(int argc, char** argv) {
   int steps = 1000;
-  bool is_long = false;
+  bool is_long = false, only_meshes = false;
+  long walked = 0;
   std::string results;
   for (int k = 1; k < argc; ++k) {
     if (k + 1 < argc && std::strcmp(argv[k], "--steps") == 0) steps = std::max(10, std::atoi(argv[++k]));
     else if (k + 1 < argc && std::strcmp(argv[k], "--results") == 0) results = argv[++k];
     else if (std::strcmp(argv[k], "--long") == 0) is_long = true;
-    else throw std::invalid_argument("dymsum_bench_depth [--steps N] [--long] [--results DIR]");
+    else if (k + 1 < argc && std::strcmp(argv[k], "--continuity") == 0) walked = std::max(1200L, std::atol(argv[++k]));
+    else if (std::strcmp(argv[k], "--meshes") == 0) only_meshes = true;
+    else
+      throw std::invalid_argument(
+          "dymsum_bench_depth [--steps N] [--continuity N] [--meshes] [--long] [--results DIR]");
   }
   Report report;
+  if (only_meshes) return mesh_rows(report), 0;
+  if (walked > 0) {
+    report.line("# Continuous depth");
+    report.line(
+        "\n`./run bench depth --continuity 1000000 --results docs/results` makes this page and figure-7.4.svg.");
+    continuity(walked, report);
+    two_rates(10, report);
+    write_result(results, "continuous-depth.md", report.markdown.str());
+    write_result(results, "figure-7.4.svg", results.empty() ? "" : figure_7_4());
+    return 0;
+  }
   report.line("# Penetration depth");
   report.line(
       "\n`./run bench depth --long --results docs/results` makes this page; without --long the first batch has 2,000 "
@@ -242,7 +240,7 @@ int run(int argc, char** argv) {
   batch(is_long ? 100000 : 2000, report);
   local_sums(40, report);
   convex_pairs(report);
-  meshes(report);
+  mesh_rows(report);
   write_result(results, "depth.md", report.markdown.str());
   return 0;
 }

@@ -58,7 +58,8 @@ BulletPair::~BulletPair() = default;
 double BulletPair::depth(Point3 at) const {
   btGjkEpaSolver2::sResults found;
   const btVector3 guess(at.x + 1e-3, at.y + 1e-3, at.z + 1e-3);
-  if (btGjkEpaSolver2::Penetration(objects_->p.get(), moved_to({}), objects_->q.get(), moved_to(at), guess, found, false))
+  if (btGjkEpaSolver2::Penetration(objects_->p.get(), moved_to({}), objects_->q.get(), moved_to(at), guess, found,
+                                   false))
     return -found.distance;
   return found.status == btGjkEpaSolver2::sResults::Separated ? 0 : std::numeric_limits<double>::quiet_NaN();
 }
