@@ -47,7 +47,8 @@ void draw_faces(std::ostringstream& out, const View& view, const SpatialSum& sum
     for (std::size_t k = 0; k < 3; ++k) v[k] = view.turned(all.mesh.vertices[f[k]]);
     const Point3 a{v[1].x - v[0].x, v[1].y - v[0].y, v[1].z - v[0].z},
         b{v[2].x - v[0].x, v[2].y - v[0].y, v[2].z - v[0].z};
-    const Point3 n{a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
+    // Right, up, away is a left-handed system.
+    const Point3 n{a.z * b.y - a.y * b.z, a.x * b.z - a.z * b.x, a.y * b.x - a.x * b.y};
     const double size = std::hypot(n.x, n.y, n.z);
     const bool front = n.z < 0;
     if (size == 0 || (!front && !both_sides)) continue;
@@ -58,7 +59,7 @@ void draw_faces(std::ostringstream& out, const View& view, const SpatialSum& sum
     char shade[8];
     std::snprintf(shade, sizeof shade, "#%02x%02x%02x", static_cast<int>(light * colour[0]),
                   static_cast<int>(light * colour[1]), static_cast<int>(light * colour[2]));
-    path << "Z' fill='" << shade << "' stroke='" << shade << "'/>\n";
+    path << "Z' fill='" << shade << "' stroke='" << (both_sides ? "#2d5a36" : shade) << "' stroke-width='0.6'/>\n";
     list.push_back({std::max({v[0].z, v[1].z, v[2].z}), path.str()});
   }
   std::stable_sort(list.begin(), list.end(), [](const Drawn& a, const Drawn& b) { return a.away > b.away; });
@@ -94,7 +95,7 @@ void draw_pair(std::ostringstream& out, const FigurePair& pair, double left) {
   }
   const double diagonal = std::hypot(high.x - low.x, high.y - low.y, high.z - low.z);
   View view{{(low.x + high.x) / 2, (low.y + high.y) / 2, (low.z + high.z) / 2},
-            0.95 * kPanel / diagonal,
+            1.15 * kPanel / diagonal,
             left + kPanel / 2,
             kTop + kPanel / 2};
   out << "<text x='" << left + kPanel / 2 << "' y='" << kTop - 12 << "' text-anchor='middle'>" << pair.name << ", "
@@ -112,7 +113,7 @@ void draw_pair(std::ostringstream& out, const FigurePair& pair, double left) {
   };
   circle(view);
   const LocalPart part = LocalSum::create(p, q).value().in(ball).value();
-  view.middle = ball.middle, view.scale *= 3.6, view.y0 += kPanel + kGap;
+  view.middle = ball.middle, view.scale *= 3, view.y0 += kPanel + kGap;
   draw_faces(out, view, part.boundary, {120, 200, 130}, true);
   circle(view);
   out << "<text x='" << left + kPanel / 2 << "' y='" << kTop + 2 * kPanel + kGap + 18 << "' text-anchor='middle'>"
