@@ -133,9 +133,9 @@ One thread at a time; work is done without the GIL.
 >>> for x in (1.2, 1.3, 1.4):
 ...     found = pair.query((x, 0, 1.3))
 ...     print(f"{found.depth:.3f} {found.euclidean_depth:.3f} {found.normal.x:.3f} {found.discontinuity.name}")
-0.918 0.700 0.617 entered
-0.989 0.700 0.707 none
-0.839 0.600 0.813 none
+0.865 0.700 0.587 entered
+0.990 0.700 0.707 none
+0.760 0.600 0.790 none
 )doc",
       nb::type_slots(WatchedSlots<Continuous>::slots));
   type.def(

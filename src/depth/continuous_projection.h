@@ -10,9 +10,11 @@ struct NormalFoot {
   std::uint32_t face = kNoEdge;
   Vec3 x, n;
   double h = 0;
-  Vec3 gradient;         ///< of h, by `from`
-  double turn_rate = 0;  ///< an upper bound of the turn of n for a unit of `from`
-  double residual = 0;   ///< |from - (x - h n)|
+  Vec3 gradient;          ///< of h, by `from`
+  double turn_rate = 0;   ///< an upper bound of the turn of n for a unit of `from`
+  double residual = 0;    ///< |from - (x - h n)|
+  SmoothedNormal normal;  ///< at x, where it is known
+  bool is_known = false;
 };
 
 enum class WalkEnd : std::uint8_t {

@@ -27,7 +27,7 @@ void ContinuousTracker::move_to(std::shared_ptr<const ContinuousPlace> place) {
   if (!foot_) return;
   const SurfacePoint x = nearest_face(place_->surface, foot_->x);
   if (x.face == kNoEdge) return drop(Discontinuity::lost);
-  foot_->face = x.face, foot_->x = x.at;
+  foot_->face = x.face, foot_->x = x.at, foot_->is_known = false;
 }
 
 void ContinuousTracker::drop(Discontinuity why) { foot_.reset(), why_ = why; }
