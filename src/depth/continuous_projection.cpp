@@ -15,7 +15,6 @@ using spatial::length;
 constexpr int kMostSteps = 200;        // of one walk: across edges, and Newton's
 constexpr double kLongestStep = 0.25;  // of a walk, in smoothing lengths
 constexpr double kLeastVolume = 1e-4;  // of the three derivatives, of length about 1, where a branch is taken to end
-constexpr double kMostTurn = 0.25;     // of n in a step that is believed, in radians
 constexpr std::size_t kMostStarts = 64;
 
 /// d(x - h n) = u (e1 - h dn e1) + v (e2 - h dn e2) - n dh: the three columns and what solves it.

@@ -5,6 +5,9 @@
 
 namespace dymsum::depth {
 
+/// Of a direction in a step that is believed, in radians.
+inline constexpr double kMostTurn = 0.25;
+
 /// A way out along the smoothed normal n at x, a position of a face; h >= 0 but for rounding.
 struct NormalFoot {
   std::uint32_t face = kNoEdge;

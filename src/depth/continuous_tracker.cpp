@@ -14,6 +14,8 @@ using spatial::length;
 
 double largest_coordinate(Vec3 v) { return std::max({std::abs(v.x), std::abs(v.y), std::abs(v.z)}); }
 
+Vec3 shortest_direction(Vec3 from, const SurfacePoint& nearest) { return (1 / nearest.distance) * (nearest.at - from); }
+
 Discontinuity reason_of(WalkEnd end) { return end == WalkEnd::lost ? Discontinuity::lost : Discontinuity::fold; }
 
 }  // namespace
@@ -32,10 +34,12 @@ void ContinuousTracker::move_to(std::shared_ptr<const ContinuousPlace> place) {
 
 void ContinuousTracker::drop(Discontinuity why) { foot_.reset(), why_ = why, falls_back_ = false; }
 
-/// The end of the shortest way out moves by no more than the place does, off jumps: on a face, an edge or a vertex it is
-/// the foot on a plane, a line or a point. Unsmoothed answers are told to jump by that.
-double ContinuousTracker::most_moved(Vec3 from, double turned_by) const {
-  return (length(from - last_) + 2 * turned_by) * (1 + 1e-9) + 2 * error();
+/// The end of the shortest way out moves by no more than the place does, off jumps: on a face, an edge or a vertex it
+/// is the foot on a plane, a line or a point. Where it is nearer than a step that tells nothing of its direction, which
+/// may turn by as much as that of smoothed ways.
+bool ContinuousTracker::follows_shortest(Vec3 from, const SurfacePoint& nearest, double turned_by) const {
+  const double most = (length(from - last_) + 2 * turned_by) * (1 + 1e-9) + 2 * error();
+  return length(nearest.at - before_.x) <= most && length(shortest_direction(from, nearest) - before_.n) <= kMostTurn;
 }
 
 bool ContinuousTracker::answer(Vec3 from, const SurfaceDistance& near, double turned_by, bool must,
@@ -58,7 +62,7 @@ bool ContinuousTracker::answer(Vec3 from, const SurfaceDistance& near, double tu
   result.discontinuity = *goes_on ? Discontinuity::none : why_;
   report(from, near, result);
   if (foot_) before_ = *foot_;
-  else before_.x = near.nearest.at, why_ = Discontinuity::inflation;
+  else before_.x = near.nearest.at, before_.n = shortest_direction(from, near.nearest), why_ = Discontinuity::inflation;
   last_ = from;
   result.work.steps += work.steps, result.work.normals += work.normals;
   result.work.projection_us += watch.ms() * 1000;
@@ -66,10 +70,10 @@ bool ContinuousTracker::answer(Vec3 from, const SurfaceDistance& near, double tu
 }
 
 bool ContinuousTracker::follow_shortest(Vec3 from, const SurfacePoint& nearest, double turned_by) {
-  const bool goes_on = foot_ && length(nearest.at - before_.x) <= most_moved(from, turned_by);
+  const bool goes_on = foot_ && follows_shortest(from, nearest, turned_by);
   if (foot_ && !goes_on) drop(turned_by > 0 ? Discontinuity::lost : Discontinuity::fold);
   foot_ = NormalFoot{};
-  foot_->x = nearest.at, foot_->face = nearest.face;
+  foot_->x = nearest.at, foot_->face = nearest.face, foot_->n = shortest_direction(from, nearest);
   return goes_on;
 }
 
@@ -88,7 +92,7 @@ std::optional<bool> ContinuousTracker::follow_or_search(Vec3 from, const Surface
     }
   }
   search(from, nearest.distance, work);
-  const bool goes_on = !foot_ && falls_back_ && length(nearest.at - before_.x) <= most_moved(from, turned_by);
+  const bool goes_on = !foot_ && falls_back_ && follows_shortest(from, nearest, turned_by);
   falls_back_ = !foot_;
   return goes_on;
 }

@@ -59,7 +59,7 @@ class ContinuousTracker {
                                        WalkWork& work);
   bool follow_last(Vec3 from, double turned_by, WalkWork& work);
   void search(Vec3 from, double distance, WalkWork& work);
-  double most_moved(Vec3 from, double turned_by) const;
+  bool follows_shortest(Vec3 from, const SurfacePoint& nearest, double turned_by) const;
   void report(Vec3 from, const SurfaceDistance& near, ContinuousContact& result) const;
 
   Limits limits_;
