@@ -37,14 +37,16 @@ std::unique_ptr<btTriangleMesh> triangles_of(const MeshData& mesh) {
   return triangles;
 }
 
-struct DeepestContact : btCollisionWorld::ContactResultCallback {
+BulletMeshes read_contacts(btDispatcher& all) {
   BulletMeshes found;
-  btScalar addSingleResult(btManifoldPoint& point, const btCollisionObjectWrapper*, int, int,
-                           const btCollisionObjectWrapper*, int, int) override {
-    ++found.contacts, found.deepest = std::max<double>(found.deepest, -point.getDistance());
-    return 0;
-  }
-};
+  for (int k = 0; k < all.getNumManifolds(); ++k)
+    for (int i = 0; i < all.getManifoldByIndexInternal(k)->getNumContacts(); ++i) {
+      ++found.contacts;
+      const double depth = -all.getManifoldByIndexInternal(k)->getContactPoint(i).getDistance();
+      found.deepest = std::max(found.deepest, depth);
+    }
+  return found;
+}
 
 }  // namespace
 
@@ -58,7 +60,8 @@ BulletPair::~BulletPair() = default;
 double BulletPair::depth(Point3 at) const {
   btGjkEpaSolver2::sResults found;
   const btVector3 guess(at.x + 1e-3, at.y + 1e-3, at.z + 1e-3);
-  if (btGjkEpaSolver2::Penetration(objects_->p.get(), moved_to({}), objects_->q.get(), moved_to(at), guess, found, false))
+  if (btGjkEpaSolver2::Penetration(objects_->p.get(), moved_to({}), objects_->q.get(), moved_to(at), guess, found,
+                                   false))
     return -found.distance;
   return found.status == btGjkEpaSolver2::sResults::Separated ? 0 : std::numeric_limits<double>::quiet_NaN();
 }
@@ -75,9 +78,11 @@ BulletMeshes bullet_meshes(const MeshData& p, const MeshData& q, Point3 at) {
   btCollisionObject object_a, object_b;
   object_a.setCollisionShape(&shape_a), object_b.setCollisionShape(&shape_b);
   object_b.setWorldTransform(moved_to(at));
-  DeepestContact deepest;
-  world.contactPairTest(&object_a, &object_b, deepest);
-  return deepest.found;
+  world.addCollisionObject(&object_a), world.addCollisionObject(&object_b);
+  world.performDiscreteCollisionDetection();
+  const BulletMeshes found = read_contacts(dispatcher);
+  world.removeCollisionObject(&object_a), world.removeCollisionObject(&object_b);
+  return found;
 }
 
 }  // namespace dymsum::bench

@@ -53,7 +53,8 @@ double radius_of(const Mesh& mesh) {
   return most;
 }
 
-/// The end of the shortest way out moves by no more than the sum's boundary and Q do, off jumps.
+/// The end of the shortest way out moves by no more than the sum's boundary and Q do, off jumps; where it is nearer
+/// than that its direction tells.
 bool exact_jumps(const DepthRow& last, const DepthRow& row, double radius) {
   if (last.contact.meeting != Meeting::overlapping || row.contact.meeting != Meeting::overlapping) return false;
   const auto end = [](const DepthRow& r) {
@@ -63,6 +64,9 @@ bool exact_jumps(const DepthRow& last, const DepthRow& row, double radius) {
   };
   const auto gap = [](const Point3& a, const Point3& b) { return std::hypot(a.x - b.x, a.y - b.y, a.z - b.z); };
   const double turned = (row.turned * last.turned.inverse()).angle();
+  if (gap(last.contact.euclidean_normal, row.contact.euclidean_normal) > 0.25 &&
+      row.contact.euclidean_depth < gap(last.at, row.at))
+    return true;
   return gap(end(last), end(row)) > (gap(last.at, row.at) + 2 * turned * radius) * (1 + 1e-6) + 4 * row.contact.error;
 }
 

@@ -101,6 +101,8 @@ CALLS: list[tuple[str, Callable[[Progress], Any]]] = [
     ("slice_of_sum", lambda f: dymsum.slice_of_sum(ANGLE, ANGLE, 0.5, solid(f))),
     ("LocalSum", lambda f: dymsum.LocalSum(ANGLE, BOX, dymsum.LocalOptions(progress=f))),
     ("LocalSum", lambda f: dymsum.LocalSum.create(ANGLE, BOX, dymsum.LocalOptions(progress=f))),
+    ("ContinuousDepth", lambda f: dymsum.ContinuousDepth(ANGLE, BOX, dymsum.ContinuousDepthOptions(progress=f))),
+    ("ContinuousDepth", lambda f: dymsum.ContinuousDepth.create(ANGLE, BOX, dymsum.ContinuousDepthOptions(progress=f))),
     ("SolidDepth", lambda f: dymsum.SolidDepth(ANGLE, BOX, dymsum.DepthOptions(progress=f))),
     ("SolidDepth", lambda f: dymsum.SolidDepth.create(ANGLE, BOX, dymsum.DepthOptions(progress=f))),
     ("depth_batch", lambda f: dymsum.depth_batch(DEPTH, PLACES[:40], dymsum.DepthBatchOptions(1, progress=f))),

@@ -15,7 +15,6 @@ using spatial::length;
 constexpr int kMostSteps = 200;        // of one walk: across edges, and Newton's
 constexpr double kLongestStep = 0.25;  // of a walk, in smoothing lengths
 constexpr double kLeastVolume = 1e-4;  // of the three derivatives, of length about 1, where a branch is taken to end
-constexpr double kMostTurn = 0.25;     // of n in a step that is believed, in radians
 constexpr std::size_t kMostStarts = 64;
 
 /// d(x - h n) = u (e1 - h dn e1) + v (e2 - h dn e2) - n dh: the three columns and what solves it.
@@ -30,9 +29,9 @@ struct Tangents {
   }
 };
 
-std::optional<Tangents> tangents_at(const ContinuousSurface& s, double l, const NormalFoot& foot, WalkWork& work) {
-  ++work.normals;
-  const SmoothedNormal sum = smoothed_normal(s, l, foot.x);
+std::optional<Tangents> tangents_at(const ContinuousSurface& s, double l, NormalFoot& foot, WalkWork& work) {
+  if (!foot.is_known) ++work.normals, foot.normal = smoothed_normal(s, l, foot.x), foot.is_known = true;
+  const SmoothedNormal& sum = foot.normal;
   const double size = length(sum.value);
   if (!(size > 1e-9 * std::pow(l, 6))) return std::nullopt;
   Tangents t;
@@ -83,6 +82,7 @@ bool advance(const ContinuousSurface& s, const Tangents& t, Vec3 step, double l,
   if (longest > kLongestStep * l) share = kLongestStep * l / longest;
   way = share * way;
   const Leaving exit = leaving(s, foot, way);
+  foot.is_known = false;
   foot.x = foot.x + exit.share * way, foot.h += exit.share * share * step.z;
   if (exit.edge == kNoEdge) return true;
   const SurfaceEdge& e = s.edges[exit.edge];
@@ -108,7 +108,7 @@ void settle(const Tangents& t, double residual, NormalFoot& foot) {
 }  // namespace
 
 WalkEnd walk_to(const ContinuousSurface& s, double l, Vec3 from, NormalFoot& foot, WalkWork& work) {
-  const double fine = 1e-14 * (1 + length(from) + length(foot.x));
+  const double fine = 2e-13 * (1 + length(from) + length(foot.x));
   double last = std::numeric_limits<double>::infinity();
   for (int k = 0; k < kMostSteps; ++k) {
     ++work.steps;

@@ -5,14 +5,19 @@
 
 namespace dymsum::depth {
 
+/// Of a direction in a step that is believed, in radians.
+inline constexpr double kMostTurn = 0.25;
+
 /// A way out along the smoothed normal n at x, a position of a face; h >= 0 but for rounding.
 struct NormalFoot {
   std::uint32_t face = kNoEdge;
   Vec3 x, n;
   double h = 0;
-  Vec3 gradient;         ///< of h, by `from`
-  double turn_rate = 0;  ///< an upper bound of the turn of n for a unit of `from`
-  double residual = 0;   ///< |from - (x - h n)|
+  Vec3 gradient;          ///< of h, by `from`
+  double turn_rate = 0;   ///< an upper bound of the turn of n for a unit of `from`
+  double residual = 0;    ///< |from - (x - h n)|
+  SmoothedNormal normal;  ///< at x, where it is known
+  bool is_known = false;
 };
 
 enum class WalkEnd : std::uint8_t {

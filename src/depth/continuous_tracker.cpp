@@ -14,6 +14,8 @@ using spatial::length;
 
 double largest_coordinate(Vec3 v) { return std::max({std::abs(v.x), std::abs(v.y), std::abs(v.z)}); }
 
+Vec3 shortest_direction(Vec3 from, const SurfacePoint& nearest) { return (1 / nearest.distance) * (nearest.at - from); }
+
 Discontinuity reason_of(WalkEnd end) { return end == WalkEnd::lost ? Discontinuity::lost : Discontinuity::fold; }
 
 }  // namespace
@@ -27,13 +29,19 @@ void ContinuousTracker::move_to(std::shared_ptr<const ContinuousPlace> place) {
   if (!foot_) return;
   const SurfacePoint x = nearest_face(place_->surface, foot_->x);
   if (x.face == kNoEdge) return drop(Discontinuity::lost);
-  foot_->face = x.face, foot_->x = x.at;
+  foot_->face = x.face, foot_->x = x.at, foot_->is_known = false;
 }
 
-void ContinuousTracker::drop(Discontinuity why) { foot_.reset(), why_ = why; }
+void ContinuousTracker::drop(Discontinuity why) { foot_.reset(), why_ = why, falls_back_ = false; }
 
-/// The shortest way out moves with the place by no more than that moves, off jumps: on a face, an edge or a vertex it
-/// is the foot on a plane, a line or a point. Unsmoothed answers are told to jump by that.
+/// The end of the shortest way out moves by no more than the place does, off jumps: on a face, an edge or a vertex it
+/// is the foot on a plane, a line or a point. Where it is nearer than a step that tells nothing of its direction, which
+/// may turn by as much as that of smoothed ways.
+bool ContinuousTracker::follows_shortest(Vec3 from, const SurfacePoint& nearest, double turned_by) const {
+  const double most = (length(from - last_) + 2 * turned_by) * (1 + 1e-9) + 2 * error();
+  return length(nearest.at - before_.x) <= most && length(shortest_direction(from, nearest) - before_.n) <= kMostTurn;
+}
+
 bool ContinuousTracker::answer(Vec3 from, const SurfaceDistance& near, double turned_by, bool must,
                                ContinuousContact& result) {
   const Stopwatch watch;
@@ -41,39 +49,52 @@ bool ContinuousTracker::answer(Vec3 from, const SurfaceDistance& near, double tu
   result.error = error() / limits_.scale;
   result.euclidean_depth = near.inside ? near.nearest.distance / limits_.scale : 0;
   if (!near.inside || near.nearest.distance <= error()) {
-    result.meeting = near.face.distance <= error() ? Meeting::touching : Meeting::apart;
+    result.meeting = near.nearest.distance <= error() ? Meeting::touching : Meeting::apart;
     drop(Discontinuity::entered);
     return true;
   }
   result.meeting = Meeting::overlapping;
-  const Discontinuity before = why_;
-  bool goes_on = false;
-  if (limits_.smoothing == 0) {
-    const double moved = (length(from - last_) + 2 * turned_by) * (1 + 1e-9) + 2 * error();
-    goes_on = foot_ && length(near.nearest.at - before_.x) <= moved;
-    if (foot_ && !goes_on) drop(turned_by > 0 ? Discontinuity::lost : Discontinuity::fold);
-    foot_ = NormalFoot{};
-    foot_->x = near.nearest.at, foot_->face = near.nearest.face;
-  } else if (foot_) {
-    const NormalFoot kept = *foot_;
-    goes_on = follow_last(from, turned_by, work);
-    if (goes_on && foot_->h > limits_.inflation * near.nearest.distance * (1 + 1e-9) + error())
-      drop(Discontinuity::inflation), goes_on = false;
-    if (!goes_on && !must) {
-      foot_ = kept, why_ = before;
-      return false;
-    }
-  }
-  if (limits_.smoothing > 0 && !goes_on) search(from, near.nearest.distance, work);
-  if (!goes_on) ++branch_;
-  result.discontinuity = goes_on ? Discontinuity::none : why_;
+  const std::optional<bool> goes_on = limits_.smoothing == 0
+                                          ? follow_shortest(from, near.nearest, turned_by)
+                                          : follow_or_search(from, near.nearest, turned_by, must, work);
+  if (!goes_on) return false;
+  if (!*goes_on) ++branch_;
+  result.discontinuity = *goes_on ? Discontinuity::none : why_;
   report(from, near, result);
   if (foot_) before_ = *foot_;
-  else why_ = Discontinuity::inflation;
+  else before_.x = near.nearest.at, before_.n = shortest_direction(from, near.nearest), why_ = Discontinuity::inflation;
   last_ = from;
   result.work.steps += work.steps, result.work.normals += work.normals;
   result.work.projection_us += watch.ms() * 1000;
   return true;
+}
+
+bool ContinuousTracker::follow_shortest(Vec3 from, const SurfacePoint& nearest, double turned_by) {
+  const bool goes_on = foot_ && follows_shortest(from, nearest, turned_by);
+  if (foot_ && !goes_on) drop(turned_by > 0 ? Discontinuity::lost : Discontinuity::fold);
+  foot_ = NormalFoot{};
+  foot_->x = nearest.at, foot_->face = nearest.face, foot_->n = shortest_direction(from, nearest);
+  return goes_on;
+}
+
+std::optional<bool> ContinuousTracker::follow_or_search(Vec3 from, const SurfacePoint& nearest, double turned_by,
+                                                        bool must, WalkWork& work) {
+  if (foot_) {
+    const NormalFoot kept = *foot_;
+    const Discontinuity before = why_;
+    bool goes_on = follow_last(from, turned_by, work);
+    if (goes_on && foot_->h > limits_.inflation * nearest.distance * (1 + 1e-9) + error())
+      drop(Discontinuity::inflation), goes_on = false;
+    if (goes_on) return true;
+    if (!must) {
+      foot_ = kept, why_ = before;
+      return std::nullopt;
+    }
+  }
+  search(from, nearest.distance, work);
+  const bool goes_on = !foot_ && falls_back_ && follows_shortest(from, nearest, turned_by);
+  falls_back_ = !foot_;
+  return goes_on;
 }
 
 bool ContinuousTracker::follow_last(Vec3 from, double turned_by, WalkWork& work) {

@@ -52,8 +52,14 @@ class ContinuousTracker {
   double error() const { return place_->size * 0x1p-46; }
 
  private:
+  /// Whether the answer goes on from the last one. The second: nothing, and nothing changed, where it does not and need
+  /// not.
+  bool follow_shortest(Vec3 from, const SurfacePoint& nearest, double turned_by);
+  std::optional<bool> follow_or_search(Vec3 from, const SurfacePoint& nearest, double turned_by, bool must,
+                                       WalkWork& work);
   bool follow_last(Vec3 from, double turned_by, WalkWork& work);
   void search(Vec3 from, double distance, WalkWork& work);
+  bool follows_shortest(Vec3 from, const SurfacePoint& nearest, double turned_by) const;
   void report(Vec3 from, const SurfaceDistance& near, ContinuousContact& result) const;
 
   Limits limits_;
@@ -61,6 +67,7 @@ class ContinuousTracker {
   std::optional<NormalFoot> foot_;  ///< of the last place, on this surface
   NormalFoot before_;               ///< the same as it was found, on the surface then
   Vec3 last_;
+  bool falls_back_ = false;  ///< the last answer was the shortest way out, for want of a smoothed one
   std::uint64_t branch_ = 0;
   Discontinuity why_ = Discontinuity::entered;
 };

@@ -269,6 +269,18 @@ TEST(ContinuousDepth, sliding_over_an_edge_turns_the_normal_continuously) {
   EXPECT_EQ(along(sharp, corner, to, 500).jumps, 1);
 }
 
+TEST(ContinuousDepth, where_smoothed_ways_are_too_long_the_shortest_is_followed) {
+  const Mesh p = mesh_of(box(2)), q = mesh_of(box(1));
+  ContinuousDepth pair = tracker_of(p, q, 3, 1.05);
+  const Point3 from{0.5, 0, 2.5}, corner{2.5, 0, 2.5}, to{2.5, 0, 0.5};
+  const Trace first = along(pair, from, corner, 300), second = along(pair, corner, to, 300);
+  EXPECT_LE(std::max(first.excess, second.excess), 1.05 + 1e-9);
+  EXPECT_LT(std::max(first.turn, second.turn), 0.05);
+  // Out of the smoothed branch, over the edge, back into one.
+  EXPECT_GE(first.jumps + second.jumps, 3);
+  EXPECT_LE(first.jumps + second.jumps, 4);
+}
+
 TEST(ContinuousDepth, what_jumps_is_told_and_nothing_else_jumps) {
   const Mesh p = mesh_of(box(1)), q = turned(solids::tessellated_cube(1, 1), Rotation::about({3, 1, 2}, 0.7).value());
   for (const double l : {0.1, 0.3, 1.0, 3.0}) {
