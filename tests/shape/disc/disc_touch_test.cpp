@@ -168,5 +168,28 @@ TEST(DiscTouch, PointsBesideATouchAreAsDefined) {
   }
 }
 
+TEST(DiscTouch, ATouchThatAnotherDiscCoversIsNone) {
+  // Four teeth with tips at distance 4 point to the origin. Discs of radius 3 in the gaps touch each other at (3, 0),
+  // ..., and those about places near the origin cover that.
+  std::vector<Part> teeth;
+  Ring tooth{{4, 0}, {24, -15}, {34, -15}, {34, 15}, {24, 15}};
+  for (int i = 0; i < 4; ++i) {
+    teeth.push_back({tooth, {}});
+    for (Point& p : tooth) p = {-p.y, p.x};
+  }
+  const GrowingDisc disc(Region::create({teeth, {}, {}}).value());
+  double before = 0;
+  for (const char* r : {"2.999999", "3", "3.000001"}) {
+    const DiscSet set = disc.closed_at(Rational::parse(r).value()).value();
+    oracles::check_form(set);
+    expect_simple(set);
+    const Counts four{4, 0};
+    EXPECT_EQ(counts(set), four) << r;
+    EXPECT_EQ(set.piece_count(), 36u) << r;
+    EXPECT_GT(area(set).value, before);
+    before = area(set).value;
+  }
+}
+
 }  // namespace
 }  // namespace dymsum
