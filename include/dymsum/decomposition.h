@@ -18,7 +18,7 @@ struct DecomposeOptions {
   Rational persistence;
   Rational alpha_from;               ///< lives are counted between these diameters
   std::optional<Rational> alpha_to;  ///< none: infinity
-  Progress progress;                 ///< stages "significance", "cuts" and "pieces"
+  Progress progress = {};            ///< stages "significance", "cuts" and "pieces"
 };
 
 /// A segment inside the region from a reflex vertex to the boundary or to an earlier cut.

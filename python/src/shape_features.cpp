@@ -235,7 +235,7 @@ void bind_decompose(nb::module_& m) {
   m.def(
       "decompose",
       [](const ShapeFeatures& features, const DecomposeOptions& options) {
-        return run(options, [&](const DecomposeOptions& own) { return decompose(features, own); });
+        return run_with(options, [&](const DecomposeOptions& own) { return decompose(features, own); });
       },
       "features"_a, "options"_a = DecomposeOptions(),
       R"doc(Cuts at the pocket minima of lasting bars, the longest first: nearly convex pieces, with exact vertices.

@@ -83,7 +83,8 @@ def test_cuts() -> None:
     vertices = [tuple(point) for ring in rings_of(ROUGH) for point in ring]
     assert all(vertices[cut.vertex] == tuple(map(float, cut.from_)) for cut in fine.cuts)
     assert len(decompose(ShapeFeatures(COMB)).pieces) == 9
-    opened = decompose(ShapeFeatures("POLYGON((0 0,9 0,9 9,0 9),(2 1,2 4,3 4,3 5,5 5,5 1))"), DecomposeOptions(1.5))
+    holed = "POLYGON((0 0,10 0,10 10,0 10,0 0),(2 1,2 4,3 4,3 5,5 5,5 1,2 1))"
+    opened = decompose(ShapeFeatures(holed), DecomposeOptions(1.5))
     assert [cut.partner for cut in opened.cuts] == [False, True] and len(opened.pieces) == 2
     assert [made.region for made in dymsum.rounded_with_repair(opened)] == dymsum.rounded(opened)
     again = pickle.loads(pickle.dumps(fine))

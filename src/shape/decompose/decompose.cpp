@@ -1,5 +1,6 @@
 #include "dymsum/decomposition.h"
 
+#include <string>
 #include <utility>
 
 #include "base/poll.h"
@@ -74,7 +75,8 @@ RegionData rounded_data(const Piece& piece) {
 Error changed_by_rounding(const Error& error, std::size_t piece) {
   Evidence evidence = error.evidence;
   evidence.part = std::int64_t(piece);
-  return {ErrorCode::rounding_changed_topology, "of a piece when it is rounded: " + error.message, evidence};
+  return {ErrorCode::rounding_changed_topology,
+          "rounded to doubles, piece " + std::to_string(piece) + " is no polygon: " + error.message, evidence};
 }
 
 }  // namespace

@@ -47,11 +47,10 @@ Region plate(unsigned seed) {
       if (random() % 4 == 0) continue;
       const double s = 2 * (1 + below(5)), x = 16 * i + 2 + below(unsigned(13 - s)),
                    y = 16 * j + 2 + below(unsigned(13 - s));
-      const Ring kinds[] = {
-          {{x, y}, {x, y + s}, {x + s, y + s}, {x + s, y}},
-          {{x, y}, {x, y + s}, {x + s / 2, y}},
-          {{x, y}, {x, y + s}, {x + 1, y + s}, {x + 1, y + s / 2}, {x + s, y + s / 2}, {x + s, y}},
-          {{x + 1, y}, {x, y + s / 2}, {x + s / 2, y + s}, {x + s, y + 1}}};
+      const Ring kinds[] = {{{x, y}, {x, y + s}, {x + s, y + s}, {x + s, y}},
+                            {{x, y}, {x, y + s}, {x + s / 2, y}},
+                            {{x, y}, {x, y + s}, {x + 1, y + s}, {x + 1, y + s / 2}, {x + s, y + s / 2}, {x + s, y}},
+                            {{x + 1, y}, {x, y + s / 2}, {x + s / 2, y + s}, {x + s, y + 1}}};
       holes.push_back(kinds[random() % 4]);
     }
   const double w = 16 * nx, h = 16 * ny;
