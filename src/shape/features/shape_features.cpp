@@ -2,6 +2,7 @@
 #include <cmath>
 #include <numeric>
 
+#include "shape/features/canonical_order.h"
 #include "shape/features/feature_state.h"
 
 namespace dymsum {
@@ -190,6 +191,7 @@ PocketOracle oracle_of(const ShapeFeatures::State& state) {
     const PocketSide side = pocket_side(state.complex, state.loops, edge);
     return side.chain && holds(state.loops, *side.chain, vertex);
   };
+  oracle.contacts = [&state](std::uint32_t edge) { return contact_ranks(state.complex, state.loops, edge); };
   return oracle;
 }
 
