@@ -28,8 +28,9 @@ FeatureBar public_bar(const ShapeFeatures::State& state, const Bar& bar) {
   }
   if (bar.parent != kNoIndex) result.parent = bar.parent;
   if (birth.kind == Node::Kind::corner) result.vertex = birth.vertex;
-  const std::uint32_t left = complex.edges[bar.first].left;
-  result.in_hole = state.loops.loops[state.loops.loop_of_site[left]].encloses;
+  const std::uint32_t left = complex.edges[bar.first].left, right = complex.edges[bar.first].right;
+  const auto is_of_hole = [&](std::uint32_t s) { return state.loops.loops[state.loops.loop_of_site[s]].encloses; };
+  result.in_hole = is_of_hole(left) || is_of_hole(right);
   result.loop = state.loops.loop_of_site[left];
   if (bar.minimum != kNoIndex) {
     result.minimum = state.loops.vertices[bar.minimum].vertex;
