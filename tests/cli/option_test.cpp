@@ -93,7 +93,7 @@ TEST_F(OptionCli, WhatDoesNotApplyIsRefused) {
            {"nfp cube.off cube.off --round-repair", "--round-repair"},
            {"scale cube.off cube.off --at 1 --semantics open", "--semantics"},
            {"scale cube.off cube.off --at 1 --mode window", "--mode"},
-           {"scale cube.off cube.off --at 1 --events", "--events"},
+           {"scale cube.off cube.off --at 1:2:1 --events", "--events"},
            {"rotate cube.off cube.off --steps 2 --semantics closed", "--semantics"},
            {"rotate cube.off cube.off --steps 2 --error 1e-3", "--error"},
            {"rotate peg.wkt slot.wkt --steps 2 --axis 0,0,1", "--axis"},
