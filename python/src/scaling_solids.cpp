@@ -24,9 +24,8 @@ struct ScalingSolid {
   /// The value of work(sum, progress), a Result, without the GIL.
   template <class Work>
   auto ask(const Progress& progress, Work&& work) {
-    return held.alone([&](const ScalingSolidSum& sum) {
-      return run(progress, [&](const Progress& own) { return work(sum, own); });
-    });
+    return held.alone(
+        [&](const ScalingSolidSum& sum) { return run(progress, [&](const Progress& own) { return work(sum, own); }); });
   }
   nb::object p, q;
   ScalingSolidOptions options;
@@ -34,8 +33,8 @@ struct ScalingSolid {
 };
 
 void bind_event_types(nb::module_& m) {
-  Record<SolidScaleEvent> event(m, "SolidScaleEvent",
-                                "An exact scale at which the structure of a sum of solids differs from that beside it.");
+  Record<SolidScaleEvent> event(
+      m, "SolidScaleEvent", "An exact scale at which the structure of a sum of solids differs from that beside it.");
   nb::enum_<SolidScaleEvent::Kind>(event, "Kind", "What meets at an event.")
       .value("vertex_on_facet", SolidScaleEvent::Kind::vertex_on_facet)
       .value("edge_on_edge", SolidScaleEvent::Kind::edge_on_edge)
@@ -106,9 +105,8 @@ void bind_sum(nb::module_& m) {
           "events",
           [](ScalingSolid& self, const ScaleArgument& a, const ScaleArgument& b, const Progress& progress) {
             const Scale low = a.value(), high = b.value();
-            return self.ask(progress, [&](const ScalingSolidSum& sum, const Progress& own) {
-              return sum.events(low, high, own);
-            });
+            return self.ask(
+                progress, [&](const ScalingSolidSum& sum, const Progress& own) { return sum.events(low, high, own); });
           },
           "a"_a, "b"_a, "progress"_a = nb::none(), "All events in [a, b] in order. Raises Error: bad_scale, cancelled.")
       .def(
