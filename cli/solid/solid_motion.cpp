@@ -207,6 +207,8 @@ std::vector<Scale> scales_in(const std::string& text) {
 ExitCode run_solid_scale(const ScaleCommand& command, const std::vector<Scale>& sweep) {
   refuse_options(*command.parser, {"--copies", "--ratio", "--mode", "--semantics", "--exact"},
                  "is for planar operands");
+  if (!command.events && std::none_of(command.files.begin(), command.files.end(), is_page))
+    refuse_options(*command.parser, {"--threads"}, "is for planar operands, and for events");
   if (sweep.empty() == command.at.empty()) throw Stop(kUsage, "give one of --sweep and --at");
   SolidMotion motion{"scale", read_solids(command.operands, command.input), {}, command.files, {}, "", command.frame};
   std::vector<Scale> uniform;

@@ -107,8 +107,7 @@ TEST_F(OptionCli, WhatDoesNotApplyIsRefused) {
            {"cspace peg.wkt slot.wkt --slices 4", "--slices"},
            {"cspace peg.wkt slot.wkt --tolerance 0.5 -o x.svg", "--tolerance"},
            {"clearance cube.off cube.off --at 0,0,0", "planar"},
-           {"path cube.off cube.off --from 0,0,0 --to 1,0,0", "planar"},
-           {"scale-range cube.off cube.off --inside", "planar"}})
+           {"path cube.off cube.off --from 0,0,0 --to 1,0,0", "planar"}})
     refused("dymsum " + command, option);
   EXPECT_EQ(work.file_count(), 3u) << "and nothing is written";
 }
