@@ -80,6 +80,24 @@ CALLS: list[tuple[str, Callable[[Progress], Any]]] = [
     ("RotatingSum", lambda f: dymsum.RotatingSum.create(P, Q, moving(f))),
     ("count_pair_events", lambda f: dymsum.count_pair_events(P, Q, dymsum.MovingOperand.p, f)),
     ("scaled_copies", lambda f: dymsum.scaled_copies(P, Q, [dymsum.ScaledCopy(dymsum.Scale.of(2), (0, 0))], moving(f))),
+    ("ScalingSolidSum.at", lambda f: dymsum.ScalingSolidSum(ANGLE, BOX).at(2, f)),
+    ("ScalingSolidSum.events", lambda f: dymsum.ScalingSolidSum(ANGLE, BOX).events(1, 2, f)),
+    ("ScalingSolidSum.next_event", lambda f: dymsum.ScalingSolidSum(ANGLE, BOX).next_event(1, 2, progress=f)),
+    (
+        "ScalingSolidSum.next_topology_change",
+        lambda f: dymsum.ScalingSolidSum(ANGLE, BOX).next_topology_change(1, 2, progress=f),
+    ),
+    ("ScalingSolidSum.combinatorial_hash", lambda f: dymsum.ScalingSolidSum(ANGLE, BOX).combinatorial_hash(2, f)),
+    ("count_solid_pair_events", lambda f: dymsum.count_solid_pair_events(ANGLE, ANGLE, progress=f)),
+    ("solid_scale_range", lambda f: dymsum.solid_scale_range(BOX, [(0, 0, 9), (0, 0, -9)], ANGLE, f)),
+    ("solid_fit_range", lambda f: dymsum.solid_fit_range(BOX, ANGLE, f)),
+    ("solid_fit_range", lambda f: dymsum.solid_fit_range(BOX, ANGLE, (0.1, 0.1, 0.1), f)),
+    (
+        "scaled_solid_copies",
+        lambda f: dymsum.scaled_solid_copies(
+            ANGLE, BOX, [dymsum.ScaledSolidCopy(dymsum.Scale.of(2), (0, 0, 0))], progress=f
+        ),
+    ),
     ("scale_range", lambda f: dymsum.scale_range(Q, [(0, 0), (5, 0)], WALL, f)),
     ("fit_range", lambda f: dymsum.fit_range(Q, P, f)),
     ("fit_range", lambda f: dymsum.fit_range(Q, P, (0.1, 0.1), f)),

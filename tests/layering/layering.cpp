@@ -47,6 +47,7 @@ const std::vector<std::string> kRooms = {
     "spatial/sum",
     "spatial/frames",
     "spatial/moving",
+    "spatial/scaling",
     "spatial/local",
     "spatial/erode",
     "spatial/offset",

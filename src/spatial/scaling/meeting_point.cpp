@@ -160,6 +160,18 @@ bool may_hold(const MovingFacets& all, std::uint32_t f, const NearMeeting& at) {
   return true;
 }
 
+int surely_holds(const MovingFacets& all, std::uint32_t f, const NearMeeting& at) {
+  const SumFacet& facet = all.facets()[f];
+  const Vec3 n = normal_of(all.row(f));
+  int holds = 1;
+  for (int k = 0; k < facet.corners; ++k) {
+    const Sized side = side_of_border(all, facet, n, k, at);
+    if (side.v < -side.size) return -1;
+    if (!(side.v > side.size)) holds = 0;
+  }
+  return holds;
+}
+
 bool may_hold(const MovingFacets& all, const MovingBorder& border, const NearMeeting& at) {
   const Vec3 a = all.at(border.a, at.s), b = all.at(border.b, at.s);
   const double reach = std::max(largest(all.moved(border.a)), largest(all.moved(border.b)));

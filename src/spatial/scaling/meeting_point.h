@@ -44,6 +44,8 @@ struct PlaceInFacet {
 /// Whether the facet's plane may hold the point, and the facet, by doubles: no only where that is sure.
 bool may_hold(const MovingFacets& all, std::uint32_t facet, const NearMeeting& at);
 bool may_hold(const MovingFacets& all, const MovingBorder& border, const NearMeeting& at);
+/// 1 where the facet surely holds a point of its plane, -1 where it surely does not, else 0.
+int surely_holds(const MovingFacets& all, std::uint32_t facet, const NearMeeting& at);
 /// Exact.
 PlaceInFacet place_in(const MovingFacets& all, std::uint32_t facet, const ExactMeeting& at, const NearMeeting& near);
 bool lies_on(const MovingFacets& all, const MovingBorder& border, const ExactMeeting& at);

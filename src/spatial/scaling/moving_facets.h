@@ -60,6 +60,9 @@ class MovingFacets {
   Vec3 fixed(SumPoint c) const { return moving_ == 0 ? places_[1][c.q] : places_[0][c.p]; }
   Vec3 moved(SumPoint c) const { return moving_ == 0 ? places_[0][c.p] : places_[1][c.q]; }
   Vec3 at(SumPoint c, double s) const { return fixed(c) + s * moved(c); }
+  /// Whether corners are sums with the same vertex of the operand that does not scale, or of that which does.
+  bool same_fixed(SumPoint a, SumPoint b) const { return moving_ == 0 ? a.q == b.q : a.p == b.p; }
+  bool same_moved(SumPoint a, SumPoint b) const { return moving_ == 0 ? a.p == b.p : a.q == b.q; }
   const BigVector& exact_fixed(SumPoint c) const { return moving_ == 0 ? exact_[1][c.q] : exact_[0][c.p]; }
   const BigVector& exact_moved(SumPoint c) const { return moving_ == 0 ? exact_[0][c.p] : exact_[1][c.q]; }
   const std::vector<Vec3>& places(int operand) const { return places_[operand]; }
