@@ -17,7 +17,7 @@ namespace dymsum::cli {
 namespace {
 
 /// Pictures show every frame, of a long or large motion evenly chosen ones.
-constexpr std::size_t kMostPictures = 240, kMostPicturedFacets = 150000;
+constexpr std::size_t kMostFramePictures = 240, kMostPicturedFacets = 150000;
 
 void check_outputs(const std::vector<std::string>& files) {
   for (const std::string& file : files)
@@ -50,7 +50,7 @@ Rounds run(const SolidMotion& motion, const ReportOptions& report, const Progres
   for (std::size_t round = 0; round < report.repeat; ++round) {
     rounds.sum = require(ConvexSum::create(motion.inputs[0].mesh, motion.inputs[1].mesh));
     const std::size_t facets = rounds.sum->facet_count().all;
-    const std::size_t most = std::clamp<std::size_t>(kMostPicturedFacets / facets, 1, kMostPictures);
+    const std::size_t most = std::clamp<std::size_t>(kMostPicturedFacets / facets, 1, kMostFramePictures);
     const std::size_t every = (frames.size() + most - 1) / most;
     for (std::size_t i = 0; i < frames.size(); ++i) {
       if (!progress("frames", double(i) / double(frames.size()))) throw_if_interrupted();

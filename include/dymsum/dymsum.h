@@ -23,6 +23,7 @@
 #include "dymsum/orientation.h"
 #include "dymsum/orientation_sum.h"
 #include "dymsum/path_check.h"
+#include "dymsum/planar_local_sum.h"
 #include "dymsum/planar_sum.h"
 #include "dymsum/planner.h"
 #include "dymsum/progress.h"

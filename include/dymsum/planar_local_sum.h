@@ -3,16 +3,16 @@
 
 #include <cstdint>
 #include <memory>
+#include <string>
 #include <vector>
 
+#include "dymsum/convex_polygon_sum.h"
 #include "dymsum/local_sum.h"
-#include "dymsum/orientation.h"
 #include "dymsum/planar_sum.h"
 #include "dymsum/progress.h"
 #include "dymsum/rational.h"
 #include "dymsum/region.h"
 #include "dymsum/result.h"
-#include "dymsum/scale.h"
 
 namespace dymsum {
 
@@ -29,14 +29,6 @@ struct PlanarDisc {
 };
 /// The smallest box of doubles that holds the disc.
 PlanarBox bounding_box(const PlanarDisc& disc);
-
-/// Where a region stands: x -> orientation (scale x) + offset.
-struct PlanarPose {
-  Orientation orientation;
-  Scale scale;
-  Point offset;
-  friend bool operator==(const PlanarPose&, const PlanarPose&) = default;
-};
 
 struct PlanarLocalOptions {
   LocalEngine engine = LocalEngine::updated;  ///< how the segments near the place are found; all give the same part
@@ -88,8 +80,8 @@ class PlanarLocalPart {
   std::shared_ptr<const Positions> positions_;
 };
 
-/// Two regions whose sum is asked for near one place after the other, while both turn, scale and move. One thread at a
-/// time. Source: Behar 2016, section 7.2, in the plane (docs/design/local-sum.md).
+/// Two regions whose sum is asked for near one place after the other, while both turn and scale. One thread at a time.
+/// Source: Behar 2016, section 7.2, in the plane (docs/design/local-sum.md).
 class PlanarLocalSum {
  public:
   /// Errors: unsupported_operand for polylines and points, and for coordinates beyond 2^1000; cancelled.
@@ -99,9 +91,10 @@ class PlanarLocalSum {
   ~PlanarLocalSum();
 
   /// P (+) Q at these poses, cut to the box: of every edge and tight segment the pieces with length, and the tight
-  /// points. Requires low < high along both axes (else Error out_of_range; not_finite). Errors too: cancelled. Exact:
-  /// equal to the whole sum cut. Cost: what is near the box of pairs of features (updated: of those that were near the
-  /// last place), the crossings among them, and a collision test for each piece of the boundary.
+  /// points. Requires low < high along both axes (else Error out_of_range; not_finite). A translation moves
+  /// the sum along, and is left to the caller. Errors too: cancelled. Exact: equal to the whole sum cut. Cost: what is
+  /// near the box of pairs of features (updated: of those that were near the last place), the crossings among them, and
+  /// a collision test for each piece of the boundary.
   Result<PlanarLocalPart> in(const PlanarBox& box, const PlanarPose& p = {}, const PlanarPose& q = {});
   /// The same in the disc's bounding box, less the edges and tight features that do not meet the closed disc, decided
   /// exactly. `where` is that of the disc's inside. Errors too: out_of_range for a radius of 0 or less.
@@ -112,5 +105,8 @@ class PlanarLocalSum {
   explicit PlanarLocalSum(std::unique_ptr<State> state);
   std::unique_ptr<State> state_;
 };
+
+/// A picture of a part as an SVG document: the box, edges with a band on the sum's side, tight features in red.
+std::string part_svg(const PlanarLocalPart& part);
 
 }  // namespace dymsum

@@ -18,6 +18,11 @@ from ._core import (
     MovingSolidOptions,
     MovingSolidSum,
     Orientation,
+    PlanarBox,
+    PlanarDisc,
+    PlanarLocalOptions,
+    PlanarLocalPart,
+    PlanarLocalSum,
     PlanarPose,
     PlanarSum,
     Region,
@@ -127,3 +132,16 @@ def local_part(
     """The part of a sum at a place."""
     sum = LocalSum(p, q, options)
     return sum.in_(place, p_pose, q_pose) if isinstance(place, ClipBox) else sum.in_(place, p_pose, q_pose)
+
+
+def planar_local_part(
+    p: Region,
+    q: Region,
+    options: PlanarLocalOptions,
+    place: Union[PlanarBox, PlanarDisc],
+    p_pose: PlanarPose,
+    q_pose: PlanarPose,
+) -> PlanarLocalPart:
+    """The part of a planar sum at a place."""
+    sum = PlanarLocalSum(p, q, options)
+    return sum.in_(place, p_pose, q_pose) if isinstance(place, PlanarBox) else sum.in_(place, p_pose, q_pose)

@@ -55,7 +55,9 @@ void bind_places(nb::module_& m) {
       },
       "middle"_a, "radius"_a);
   ball.field("middle", &ClipBall::middle).field("radius", &ClipBall::radius);
-  m.def("bounding_box", &bounding_box, "ball"_a, "The smallest box of doubles that holds the ball.");
+  m.def(
+      "bounding_box", [](const ClipBall& of) { return bounding_box(of); }, "ball"_a,
+      "The smallest box of doubles that holds the ball.");
 }
 
 void bind_local_options(nb::module_& m) {

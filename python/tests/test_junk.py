@@ -81,6 +81,7 @@ def samples() -> list[Any]:
         dymsum.PlanarDepth(unit, unit),
         dymsum.LocalSum(box, box),
         dymsum.ContinuousDepth(box, box),
+        dymsum.PlanarLocalSum(unit, unit),
     ]
     JUNK.extend(
         [sum, sum.parts[0].outer.vertices[0], dymsum.nfp(unit, dymsum.shapes.disc(9, 1)).parts[0].outer.vertices[7]]

@@ -118,6 +118,8 @@ CALLS: list[tuple[str, Callable[[Progress], Any]]] = [
     ("offset", lambda f: dymsum.offset(ANGLE, 0.5, 0.2, options=solid(f))),
     ("slice_of_sum", lambda f: dymsum.slice_of_sum(ANGLE, ANGLE, 0.5, solid(f))),
     ("LocalSum", lambda f: dymsum.LocalSum(ANGLE, BOX, dymsum.LocalOptions(progress=f))),
+    ("PlanarLocalSum", lambda f: dymsum.PlanarLocalSum(P, Q, dymsum.PlanarLocalOptions(progress=f))),
+    ("PlanarLocalSum", lambda f: dymsum.PlanarLocalSum.create(P, Q, dymsum.PlanarLocalOptions(progress=f))),
     ("LocalSum", lambda f: dymsum.LocalSum.create(ANGLE, BOX, dymsum.LocalOptions(progress=f))),
     ("ContinuousDepth", lambda f: dymsum.ContinuousDepth(ANGLE, BOX, dymsum.ContinuousDepthOptions(progress=f))),
     ("ContinuousDepth", lambda f: dymsum.ContinuousDepth.create(ANGLE, BOX, dymsum.ContinuousDepthOptions(progress=f))),

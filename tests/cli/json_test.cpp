@@ -80,6 +80,8 @@ const std::vector<Case> kCases = {
     {"depth", "depth peg.wkt slot.wkt --move 9,9", 4},
     {"depth", "depth square.wkt frame.wkt"},
     {"local_sum", "local-sum ell.off cube.off --ball 6,6,4,0.5"},
+    {"planar_local_sum", "local-sum gear.wkt star.wkt --disc 0,1,0.5"},
+    {"planar_local_sum", "local-sum gear.wkt star.wkt --box 0,0,1,1 --engine brute --degrees 30"},
     {"local_sum", "local-sum ell.off cube.off --box 1,1,1,2,2,2 --engine hierarchy"},
     {"info", "info two.wkt"},
     {"info", "info bow.wkt", 2},

@@ -36,7 +36,8 @@ bool may_meet(const DirectionRange& a, double turn, const DirectionRange& b, dou
   return ahead <= a.width + slack || kWholeTurn - ahead <= b.width + slack;
 }
 
-FeatureDiscs::FeatureDiscs(const Operand& operand, Of of) : operand_(operand), of_(of) {
+FeatureDiscs::FeatureDiscs(const Operand& operand, Of of, Point stretch)
+    : operand_(operand), of_(of), stretch_(stretch) {
   for (std::uint32_t k = 0; k < operand.size(); ++k)
     if (of == Of::edges || operand.convex[k] != 0) items_.push_back(k);
   ranges_.resize(operand.size());
@@ -48,7 +49,7 @@ FeatureDiscs::FeatureDiscs(const Operand& operand, Of of) : operand_(operand), o
 double FeatureDiscs::angle_of(std::uint32_t edge) const {
   const Point a = at(edge), b = at(operand_.next[edge]);
   const double x = b.x - a.x, y = b.y - a.y, most = std::max(std::abs(x), std::abs(y));
-  return std::atan2(y / most, x / most);
+  return std::atan2(y / most * stretch_.y, x / most * stretch_.x);
 }
 
 DirectionRange FeatureDiscs::range_of(std::uint32_t item) const {

@@ -1,5 +1,6 @@
 // Edges or convex vertices of an operand in a tree of discs, with the directions that their segments can have. It is
-// made once: where the operand turns and scales, discs and ranges of directions move along.
+// made once: where the operand turns and scales, discs move along, and directions unless scales of x and y change
+// ratio.
 #pragma once
 
 #include <cstdint>
@@ -31,7 +32,8 @@ class FeatureDiscs {
     std::uint32_t left = 0, right = 0;  ///< nodes; 0, 0: a leaf
     bool leaf() const { return right == 0; }
   };
-  FeatureDiscs(const Operand& operand, Of of);
+  /// `stretch`: what coordinates are multiplied by before directions are taken.
+  FeatureDiscs(const Operand& operand, Of of, Point stretch = {1, 1});
 
   bool empty() const { return nodes_.empty(); }
   const Node& node(std::uint32_t k) const { return nodes_[k]; }
@@ -48,6 +50,7 @@ class FeatureDiscs {
 
   const Operand& operand_;
   Of of_;
+  Point stretch_;
   std::vector<std::uint32_t> items_;
   std::vector<DirectionRange> ranges_;  // by walk edge or vertex
   std::vector<Node> nodes_;

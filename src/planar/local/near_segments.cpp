@@ -10,8 +10,10 @@ namespace {
 
 /// More than angles of edges and poses err.
 constexpr double kAngleOff = 0x1p-44;
-/// What is kept for the next places: so much of the box around it, and of a turn.
+/// What is kept for the next places: so much of the box around it, and turns up to so many radians.
 constexpr double kKeptShare = 0.5, kKeptTurn = 0.1;
+/// Where operands move fast: so many times as far as they moved between two calls.
+constexpr double kKeptCalls = 8;
 
 bool misses(const ScaledBox& box, Point middle, double radius) {
   const double dx = std::max({box.x0 - middle.x, middle.x - box.x1, 0.0}),
@@ -23,10 +25,12 @@ ScaledBox grown(const ScaledBox& b, double by) { return {b.x0 - by, b.y0 - by, b
 
 }  // namespace
 
-NearSegments::NearSegments(const Operand& p, const Operand& q)
+NearSegments::NearSegments(const Operand& p, const Operand& q, const std::array<Point, 2>& stretch)
     : operands_{&p, &q},
-      edges_{FeatureDiscs(p, FeatureDiscs::Of::edges), FeatureDiscs(q, FeatureDiscs::Of::edges)},
-      vertices_{FeatureDiscs(p, FeatureDiscs::Of::vertices), FeatureDiscs(q, FeatureDiscs::Of::vertices)} {}
+      edges_{FeatureDiscs(p, FeatureDiscs::Of::edges, stretch[0]),
+             FeatureDiscs(q, FeatureDiscs::Of::edges, stretch[1])},
+      vertices_{FeatureDiscs(p, FeatureDiscs::Of::vertices, stretch[0]),
+                FeatureDiscs(q, FeatureDiscs::Of::vertices, stretch[1])} {}
 
 std::vector<WalkSegment> NearSegments::find(const PosedRegions& posed, const ScaledBox& box) {
   rebuilt_ = true, pairs_ = 0;
@@ -36,12 +40,14 @@ std::vector<WalkSegment> NearSegments::find(const PosedRegions& posed, const Sca
 std::vector<WalkSegment> NearSegments::update(const PosedRegions& posed, const PosePair& poses, const ScaledBox& box) {
   rebuilt_ = !still_holds(posed, poses, box), pairs_ = 0;
   if (rebuilt_) {
+    const double a_call = kept_ ? kept_->moved / static_cast<double>(kept_->calls + 1) : 0;
     Kept kept;
     kept.poses = poses, kept.scale = posed.scale(), kept.turn = kKeptTurn;
-    kept.box = grown(box, kKeptShare * std::max(box.x1 - box.x0, box.y1 - box.y0));
+    kept.box = grown(box, std::max(kKeptShare * std::max(box.x1 - box.x0, box.y1 - box.y0), kKeptCalls * a_call));
     kept.segments = search(posed, {kept.box, kept.turn});
     kept_ = std::move(kept);
   }
+  ++kept_->calls;
   pairs_ += kept_->segments.size();
   const Wanted wanted{box, kAngleOff};
   std::vector<WalkSegment> near;
@@ -54,8 +60,9 @@ bool NearSegments::still_holds(const PosedRegions& posed, const PosePair& poses,
   if (!kept_ || kept_->scale != posed.scale()) return false;
   const PoseChange p = change_of(*operands_[0], kept_->poses[0], poses[0]),
                    q = change_of(*operands_[1], kept_->poses[1], poses[1]);
-  if (std::abs(p.turn - q.turn) + kAngleOff > kept_->turn) return false;
   const double moved = std::ldexp(p.distance + q.distance, -posed.scale()) + 4 * PosedRegions::kOff;
+  kept_->moved = moved;
+  if (std::abs(p.turn - q.turn) + kAngleOff > kept_->turn) return false;
   const ScaledBox reach = grown(box, moved), &held = kept_->box;
   return reach.x0 > held.x0 && reach.y0 > held.y0 && reach.x1 < held.x1 && reach.y1 < held.y1;
 }

@@ -17,7 +17,8 @@ struct ScaledBox {
 
 class NearSegments {
  public:
-  NearSegments(const Operand& p, const Operand& q);
+  /// For poses with these scales; others of the same ratio do, too.
+  NearSegments(const Operand& p, const Operand& q, const std::array<Point, 2>& stretch);
 
   /// A superset of the segments of the reduced convolution that meet the box: edges and convex vertices whose
   /// directions meet, or nearly, as doubles tell.
@@ -53,6 +54,8 @@ class NearSegments {
     ScaledBox box;  ///< with its margin
     double turn = 0;
     int scale = 0;
+    std::uint64_t calls = 0;  ///< since it was made, and how far operands have moved
+    double moved = 0;
   };
   std::optional<Kept> kept_;
 };

@@ -30,11 +30,9 @@ double disc_end(double middle, double radius, double towards) {
 
 bool is_finite_point(Point v) { return std::isfinite(v.x) && std::isfinite(v.y); }
 
-std::optional<Error> clip_error(const PlanarBox& box, const PosePair& poses) {
+std::optional<Error> clip_error(const PlanarBox& box) {
   if (!is_finite_point(box.low) || !is_finite_point(box.high))
     return Error{ErrorCode::not_finite, "a corner of the box is not finite", {}};
-  for (const PlanarPose& pose : poses)
-    if (!is_finite_point(pose.offset)) return Error{ErrorCode::not_finite, "the offset of a pose is not finite", {}};
   if (!(box.low.x < box.high.x && box.low.y < box.high.y))
     return Error{ErrorCode::out_of_range, "the box has no extent along an axis", {}};
   return std::nullopt;
@@ -98,11 +96,11 @@ PlanarBox bounding_box(const PlanarDisc& disc) {
 class PlanarLocalSum::State {
  public:
   State(std::shared_ptr<const Operand> p, std::shared_ptr<const Operand> q, PlanarLocalOptions options)
-      : p_(std::move(p)), q_(std::move(q)), options_(std::move(options)), near_(*p_, *q_), overlap_(*p_, *q_) {}
+      : p_(std::move(p)), q_(std::move(q)), options_(std::move(options)), overlap_(*p_, *q_) {}
 
   Result<PlanarLocalPart> in(const PlanarBox& box, const PlanarDisc* disc, const PosePair& poses) {
     const Stopwatch watch;
-    if (std::optional<Error> error = clip_error(box, poses)) return *std::move(error);
+    if (std::optional<Error> error = clip_error(box)) return *std::move(error);
     PlanarLocalPart part;
     part.box = box;
     if (p_->size() == 0 || q_->size() == 0) return part;
@@ -122,6 +120,7 @@ class PlanarLocalSum::State {
     const PlanarBox reach = larger_box(box, extent);
     places.push_back(reach.low), places.push_back(reach.high);
     const PosedRegions posed(*p_, *q_, poses, places);
+    prepare(poses);
     const LocalWalls walls(posed, box, reach);
     const LocalNodes nodes(posed, walls, segments(posed, poses, walls, part.work));
     part.work.segments = nodes.segment_count();
@@ -134,18 +133,27 @@ class PlanarLocalSum::State {
     part.work.collision_tests = overlap_.tests(), part.work.exact_tests = overlap_.exact_tests();
   }
 
+  /// Directions depend on the ratios of scales.
+  void prepare(const PosePair& poses) {
+    const auto ratio = [](const PlanarPose& pose) { return pose.scale[0].exact() / pose.scale[1].exact(); };
+    const std::array<Rational, 2> ratios{ratio(poses[0]), ratio(poses[1])};
+    if (near_ && ratios == ratios_) return;
+    near_.emplace(*p_, *q_, std::array<Point, 2>{stretch_of(poses[0]), stretch_of(poses[1])});
+    ratios_ = ratios;
+  }
+
   /// In an order that does not depend on how they were found.
   std::vector<WalkSegment> segments(const PosedRegions& posed, const PosePair& poses, const LocalWalls& walls,
                                     PlanarLocalPart::Work& work) {
     work.rebuilt = true;
     std::vector<WalkSegment> found;
     if (options_.engine == LocalEngine::brute) {
-      found = near_.all(posed);
+      found = near_->all(posed);
       work.pairs = p_->size() * q_->size();
     } else {
-      found = options_.engine == LocalEngine::updated ? near_.update(posed, poses, walls.reach())
-                                                      : near_.find(posed, walls.reach());
-      work.rebuilt = near_.rebuilt(), work.pairs = near_.pairs();
+      found = options_.engine == LocalEngine::updated ? near_->update(posed, poses, walls.reach())
+                                                      : near_->find(posed, walls.reach());
+      work.rebuilt = near_->rebuilt(), work.pairs = near_->pairs();
     }
     std::sort(found.begin(), found.end(), [](const WalkSegment& a, const WalkSegment& b) {
       return std::tie(a.side, a.edge, a.vertex) < std::tie(b.side, b.edge, b.vertex);
@@ -155,7 +163,8 @@ class PlanarLocalSum::State {
 
   std::shared_ptr<const Operand> p_, q_;
   PlanarLocalOptions options_;
-  NearSegments near_;
+  std::optional<NearSegments> near_;
+  std::array<Rational, 2> ratios_;
   LocalOverlap overlap_;
 };
 

@@ -47,11 +47,8 @@ namespace {
 int top_of(const Operand& o, const PlanarPose& pose) {
   double most = 0;
   for (const Point& v : o.points->input) most = std::max({most, std::abs(v.x), std::abs(v.y)});
-  const double far = std::max(std::abs(pose.offset.x), std::abs(pose.offset.y));
-  int top = std::numeric_limits<int>::min() / 2;
-  if (most > 0) top = std::ilogb(most) + std::ilogb(pose.scale.approx()) + 3;
-  if (far > 0) top = std::max(top, std::ilogb(far) + 1);
-  return top;
+  const double stretch = std::max(pose.scale[0].approx(), pose.scale[1].approx());
+  return most > 0 ? std::ilogb(most) + std::ilogb(stretch) + 3 : std::numeric_limits<int>::min() / 2;
 }
 
 void lower_to(int& exponent, double v) {
@@ -70,25 +67,30 @@ PosedRegions::PosedRegions(const Operand& p, const Operand& q, const PosePair& p
   int exponent = kNothing;
   for (const Operand* o : operands_)
     if (!o->points->input.empty()) exponent = std::min(exponent, o->points->exponent);
-  for (const PlanarPose& pose : poses) lower_to(exponent, pose.offset.x), lower_to(exponent, pose.offset.y);
   for (const Point& v : places) lower_to(exponent, v.x), lower_to(exponent, v.y);
   unit_.exponent = exponent == kNothing ? 0 : exponent;
   std::array<LatticeScale, 2> turn;
   std::array<BigInteger, 2> den;
   for (std::uint32_t op = 0; op < 2; ++op) {
-    turn[op] = turn_of(poses[op].orientation, op);
-    den[op] = turn[op].den * exact::denominator_of(poses[op].scale.exact());
+    const auto& [x, y] = poses[op].scale;
+    turn[op] = turn_of(poses[op].rotation, op);
+    den[op] = turn[op].den * exact::denominator_of(x.exact()) * exact::denominator_of(y.exact());
   }
   unit_.den = den[0] * den[1];
   for (std::uint32_t op = 0; op < 2; ++op) {
     Map& m = map_[op];
-    const BigInteger by = exact::numerator_of(poses[op].scale.exact()), c = turn[op].x * by, s = turn[op].turn * by;
-    m.exact_c = Big(BigInteger(c * den[1 - op])), m.exact_s = Big(BigInteger(s * den[1 - op]));
-    m.exact_offset = exact(poses[op].offset);
-    m.c = std::ldexp(quotient(c, den[op]), -scale_), m.s = std::ldexp(quotient(s, den[op]), -scale_);
-    m.stretch = std::ldexp(poses[op].scale.approx(), -scale_);
-    m.angle = poses[op].orientation.radians();
-    m.offset = {std::ldexp(poses[op].offset.x, -scale_), std::ldexp(poses[op].offset.y, -scale_)};
+    const Rational &sx = poses[op].scale[0].exact(), &sy = poses[op].scale[1].exact();
+    const BigInteger x = exact::numerator_of(sx) * exact::denominator_of(sy),
+                     y = exact::numerator_of(sy) * exact::denominator_of(sx), &c = turn[op].x, &s = turn[op].turn;
+    const auto entry = [&](const BigInteger& n, double& rounded, Big& exact) {
+      rounded = std::ldexp(quotient(n, den[op]), -scale_);
+      exact = Big(BigInteger(n * den[1 - op]));
+    };
+    entry(BigInteger(c * x), m.xx, m.exact_xx), entry(BigInteger(-s * y), m.xy, m.exact_xy);
+    entry(BigInteger(s * x), m.yx, m.exact_yx), entry(BigInteger(c * y), m.yy, m.exact_yy);
+    const Point stretch = stretch_of(poses[op]);
+    m.stretch = std::ldexp(std::max(stretch.x, stretch.y), -scale_);
+    m.angle = poses[op].rotation.radians();
     exact_[op].resize(operands_[op]->size());
   }
 }
@@ -109,7 +111,7 @@ const BigPoint& PosedRegions::exact(std::uint32_t op, std::uint32_t walk) const 
     const Point v = own(op, walk);
     const Big x = exact::grid_coordinate<Big>(v.x, unit_.exponent),
               y = exact::grid_coordinate<Big>(v.y, unit_.exponent);
-    kept = BigPoint{m.exact_c * x - m.exact_s * y, m.exact_s * x + m.exact_c * y} + m.exact_offset;
+    kept = BigPoint{m.exact_xx * x + m.exact_xy * y, m.exact_yx * x + m.exact_yy * y};
   }
   return *kept;
 }
@@ -118,19 +120,24 @@ Point PosedRegions::scaled(const BigPlace& place) const {
   return {std::ldexp(unit_.rounded(place.x, place.w), -scale_), std::ldexp(unit_.rounded(place.y, place.w), -scale_)};
 }
 
+Point stretch_of(const PlanarPose& pose) { return {pose.scale[0].approx(), pose.scale[1].approx()}; }
+
 PoseChange change_of(const Operand& operand, const PlanarPose& from, const PlanarPose& to) {
   double most = 0;
   for (const Point& v : operand.points->input) most = std::max(most, std::hypot(v.x, v.y));
+  // The largest singular value of the difference of both maps, (x . y; z . w) by columns.
   const auto map = [](const PlanarPose& pose) {
-    const double s = pose.scale.approx(), a = pose.orientation.radians();
-    return Point{s * std::cos(a), s * std::sin(a)};
+    const Point s = stretch_of(pose);
+    const double c = std::cos(pose.rotation.radians()), t = std::sin(pose.rotation.radians());
+    return std::array{c * s.x, t * s.x, t * s.y, c * s.y};
   };
-  const Point a = map(from), b = map(to);
-  const double size = from.scale.approx() + to.scale.approx();
-  const double turn = std::remainder(to.orientation.radians() - from.orientation.radians(), 2 * std::numbers::pi);
-  return {most * (std::hypot(b.x - a.x, b.y - a.y) + 0x1p-44 * size) * (1 + 0x1p-40) +
-              std::hypot(to.offset.x - from.offset.x, to.offset.y - from.offset.y) * (1 + 0x1p-40),
-          turn};
+  const auto a = map(from), b = map(to);
+  double squares = 0, size = 0;
+  for (std::size_t k = 0; k < 4; ++k) squares += (b[k] - a[k]) * (b[k] - a[k]), size += std::abs(a[k]) + std::abs(b[k]);
+  const double det = (b[0] - a[0]) * (b[3] - a[3]) - (b[1] - a[1]) * (b[2] - a[2]);
+  const double largest = 0.5 * (squares + std::sqrt(std::max(0.0, squares * squares - 4 * det * det)));
+  const double turn = std::remainder(to.rotation.radians() - from.rotation.radians(), 2 * std::numbers::pi);
+  return {most * (std::sqrt(largest) + 0x1p-44 * size) * (1 + 0x1p-40), turn};
 }
 
 }  // namespace dymsum::planar

@@ -54,7 +54,7 @@ class PosedRegions {
   /// A point of an operand's own coordinates where it stands.
   Point posed(std::uint32_t op, Point v) const {
     const Map& m = map_[op];
-    return {m.c * v.x - m.s * v.y + m.offset.x, m.s * v.x + m.c * v.y + m.offset.y};
+    return {m.xx * v.x + m.xy * v.y, m.yx * v.x + m.yy * v.y};
   }
   Point vertex(std::uint32_t op, std::uint32_t walk) const { return posed(op, own(op, walk)); }
   /// What a length of an operand's own coordinates becomes, at most.
@@ -73,10 +73,8 @@ class PosedRegions {
 
  private:
   struct Map {
-    double c = 1, s = 0, stretch = 1, angle = 0;  // scaled
-    Point offset;
-    Big exact_c, exact_s;
-    BigPoint exact_offset;
+    double xx = 1, xy = 0, yx = 0, yy = 1, stretch = 1, angle = 0;  // scaled
+    Big exact_xx, exact_xy, exact_yx, exact_yy;
   };
   Point own(std::uint32_t op, std::uint32_t walk) const {
     const Operand& o = *operands_[op];
@@ -88,6 +86,9 @@ class PosedRegions {
   int scale_ = 0;
   mutable std::array<std::vector<std::optional<BigPoint>>, 2> exact_;
 };
+
+/// Of the coordinates of an operand before it turns.
+Point stretch_of(const PlanarPose& pose);
 
 /// How far vertices of an operand move from one pose to another, at most, and how much it turns; in its units.
 struct PoseChange {
