@@ -235,7 +235,7 @@ std::optional<SolidTurnContact> RootContacts::free_contact(const Meeting& meetin
     double radius = std::max({origin.x.reach(), origin.y.reach(), origin.z.reach()});
     for (const Jet* x : {&place.x.x, &place.x.y, &place.x.z})
       radius = std::max(radius, origin.x.reach() + (x->reach() + std::abs(x->value) * place.w.reach() / w) / w_low);
-    if (in_balls({at}, 2 * radius)) {
+    if (in_balls({at}, 2 * radius) || surely_overlaps(at, 2 * radius)) {
       ++work_.covered;
       return std::nullopt;
     }
@@ -287,6 +287,11 @@ bool RootContacts::in_balls(const std::vector<Vec3>& places, double radius) {
         return true;
     }
   return false;
+}
+
+bool RootContacts::surely_overlaps(Vec3 at, double radius) {
+  if (!overlap_) overlap_.emplace(pair_, jets_frame_.matrix());
+  return overlap_->at(at, radius);
 }
 
 const SumSpace& RootContacts::space() {

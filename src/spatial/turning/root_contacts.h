@@ -7,6 +7,7 @@
 
 #include "spatial/boundary/collision.h"
 #include "spatial/moving/inner_balls.h"
+#include "spatial/turning/sure_overlap.h"
 #include "spatial/turning/turn_candidates.h"
 
 namespace dymsum::spatial {
@@ -54,6 +55,7 @@ class RootContacts {
   template <class F>
   std::optional<SolidTurnContact> free_contact(const Meeting& meeting, const Jets::Place& place, F source);
   bool in_balls(const std::vector<Vec3>& places, double radius);
+  bool surely_overlaps(Vec3 at, double radius);
   const SumSpace& space();
   SolidContact features(std::uint32_t facet) const;
 
@@ -68,6 +70,7 @@ class RootContacts {
   Jets jets_;
   Exact exact_;
   std::array<std::vector<InnerBalls::Ball>, 2> turned_;
+  std::optional<SureOverlap> overlap_;
   std::unique_ptr<SumSpace> space_;
   std::optional<Collision> collision_;
   std::map<std::uint32_t, bool> covered_;  // by Meeting::place
