@@ -66,7 +66,7 @@ struct SolidTurnEvent {
   std::vector<std::string> polynomial;
   double t_low = 0, t_high = 0;
   bool opposite = false;
-  std::vector<SolidTurnContact> contacts;
+  std::vector<SolidTurnContact> contacts;  ///< the first 16, where masses meet
   /// Faces, how they meet, or tight features differ before, behind or (where t is rational) at the angle. Known where
   /// changes were asked for.
   bool visible = false;
@@ -82,7 +82,6 @@ struct TurningSolidOptions {
   double window = 0;
   bool tight = true;
   int threads = 1;  ///< of sums; 0: as many as there are cores
-  Progress progress;
 };
 
 /// The work of the last query.
@@ -110,7 +109,7 @@ class TurningSolidSum {
 
   const TurnAxis& axis() const;  ///< primitive
   /// The exact sum at a turn. Errors: unsupported_operand where coordinates need more than 250 bits; cancelled.
-  Result<SpatialSum> at(const AxisTurn& turn) const;
+  Result<SpatialSum> at(const AxisTurn& turn, const Progress& progress = {}) const;
 
   /// The events from `a` counter-clockwise to `b`, both included, in order. Equal turns: those of that angle alone.
   /// Errors: cancelled; as at(). Cost: windows of candidates, and sums where changes are asked for.

@@ -6,6 +6,7 @@ from typing import Optional, Union
 
 from . import _core
 from ._core import (
+    AxisTurn,
     ConvexPolygonSum,
     ClipBall,
     ClipBox,
@@ -28,6 +29,8 @@ from ._core import (
     SolidSum,
     SumLocator,
     SumOptions,
+    TurningSolidOptions,
+    TurningSolidSum,
 )
 
 
@@ -127,3 +130,9 @@ def local_part(
     """The part of a sum at a place."""
     sum = LocalSum(p, q, options)
     return sum.in_(place, p_pose, q_pose) if isinstance(place, ClipBox) else sum.in_(place, p_pose, q_pose)
+
+
+def turned_solid_sum(
+    p: Mesh, q: Mesh, axis: tuple[int, int, int], options: TurningSolidOptions, turn: AxisTurn
+) -> "_core.SpatialSum":
+    return TurningSolidSum(p, q, axis, options).at(turn)

@@ -31,6 +31,7 @@ void bind_solids(nb::module_& m);
 void bind_spatial_sum(nb::module_& m);
 void bind_spatial_sums(nb::module_& m);
 void bind_moving_solids(nb::module_& m);
+void bind_turning_solids(nb::module_& m);
 void bind_solid_sum(nb::module_& m);
 void bind_convex_sum(nb::module_& m);
 void bind_convex_solid(nb::module_& m);

@@ -15,7 +15,7 @@ using exact::BigRational;
 namespace {
 
 /// An angle at which masses meet lists so many of its contacts.
-constexpr std::size_t kMostContacts = 64;
+constexpr std::size_t kMostContacts = 16;
 
 /// Windows within which directions and places move by some part of an edge are cheapest.
 double window_of(const TurningPair& pair) {
@@ -75,27 +75,32 @@ void TurnWalk::run(const ChartPlace& a, const ChartPlace& b, bool behind, bool w
     share_ = std::clamp(done / (all + step_), 0.0, 1.0);
     ask();
     TurnRangeOfT range{low.chart, low.t, dyadic(exact::round_to_double(low.t) + step, step)};
-    bool root_at_end = false;
-    std::vector<Angle> angles = angles_in(range, root_at_end);
-    for (int k = 1; root_at_end; ++k) {
-      range.high = range.low + dyadic(step * (1 - k / (37.0 + 8 * k)), step / std::ldexp(1.0, std::min(k, 30)));
-      angles = angles_in(range, root_at_end);
-    }
     const std::optional<BigRational> to = seen_in(range.chart, b);
     const double ahead = to ? circle.radians(range.chart, exact::round_to_double(*to)) - radians(low) : 0;
-    // A turn or more may lead from a to b: the way that is left tells.
-    const bool ends = to && *to >= range.low && *to < range.high && std::abs(done + ahead - all) < 1;
+    // A turn or more may lead from a to b: the way that is left tells whether it ends here.
+    const auto ends = [&] {
+      return to && *to >= range.low && *to < range.high && std::abs(done + ahead - all) < 1;
+    };
+    const auto wanted = [&] {
+      return Wanted{first ? std::optional(a.t) : std::nullopt, ends() ? to : std::nullopt, behind};
+    };
+    std::vector<Angle> angles = angles_in(range, wanted());
+    for (int k = 1; !angles.empty() && exact::compare(angles.back().root, range.high) == 0; ++k) {
+      range.high = range.low + dyadic(step * (1 - k / (37.0 + 8 * k)), step / std::ldexp(1.0, std::min(k, 30)));
+      angles = angles_in(range, wanted());
+    }
     before_.reset();
     for (std::size_t i = 0; i < angles.size(); ++i) {
-      const int from_a = first ? exact::compare(angles[i].root, a.t) : 1;
-      if (from_a < 0 || (from_a == 0 && behind)) continue;
-      if (ends && exact::compare(angles[i].root, *to) > 0) return;
+      if (!angles[i].wanted) {
+        before_.reset();
+        continue;
+      }
       std::optional<SolidTurnEvent> event = event_at(range, angles, i);
       if (!event) continue;
       ++work_.events;
       if (!take(*event)) return;
     }
-    if (ends) return;
+    if (ends()) return;
     done += radians({range.chart, range.high}) - radians(low);
     low = {range.chart, range.high};
     if (range.high > circle.reach(range.chart)) low = {1 - range.chart, *seen_in(1 - range.chart, low)};
@@ -119,28 +124,28 @@ std::optional<SolidTurnEvent> TurnWalk::event_at(const TurnRangeOfT& range, std:
   return event;
 }
 
-std::vector<TurnWalk::Angle> TurnWalk::angles_in(const TurnRangeOfT& range, bool& root_at_end) {
+bool TurnWalk::Wanted::holds(const AlgebraicRoot& root) const {
+  if (low && exact::compare(root, *low) < (behind ? 1 : 0)) return false;
+  return !high || exact::compare(root, *high) <= 0;
+}
+
+std::vector<TurnWalk::Angle> TurnWalk::angles_in(const TurnRangeOfT& range, const Wanted& wanted) {
   const SolidTurnWindow window(pair_, maps_, range);
   std::vector<RootMeeting> meetings = meetings_in(pair_, window, work_, [this] { ask(); });
   std::sort(meetings.begin(), meetings.end(),
             [](const RootMeeting& a, const RootMeeting& b) { return exact::compare(a.root, b.root) < 0; });
   std::vector<Angle> angles;
-  root_at_end = false;
   for (std::size_t i = 0, j; i < meetings.size(); i = j) {
-    RootContacts contacts(pair_, balls_, window, meetings[i].root, work_);
-    Angle angle{meetings[i].root, {}};
-    for (j = i; j < meetings.size() && (j == i || exact::compare(meetings[i].root, meetings[j].root) == 0); ++j)
-      if (std::optional<SolidTurnContact> c = contacts.contact(meetings[j].meeting)) {
-        angle.contacts.push_back(*std::move(c));
-        if (angle.contacts.size() == kMostContacts) {
-          while (j < meetings.size() && exact::compare(meetings[i].root, meetings[j].root) == 0) ++j;
-          break;
-        }
-      }
-    if (angle.contacts.empty()) continue;
-    root_at_end = root_at_end || exact::compare(angle.root, range.high) == 0;
+    Angle angle{meetings[i].root, wanted.holds(meetings[i].root), {}};
+    for (j = i + 1; j < meetings.size() && exact::compare(meetings[i].root, meetings[j].root) == 0;) ++j;
+    if (angle.wanted) {
+      RootContacts contacts(pair_, balls_, window, angle.root, work_);
+      for (std::size_t k = i; k < j && angle.contacts.size() < kMostContacts; ++k, ask())
+        if (std::optional<SolidTurnContact> c = contacts.contact(meetings[k].meeting))
+          angle.contacts.push_back(*std::move(c));
+      if (angle.contacts.empty()) continue;
+    }
     angles.push_back(std::move(angle));
-    ask();
   }
   return angles;
 }

@@ -25,9 +25,16 @@ class TurnWalk {
  private:
   struct Angle {
     exact::AlgebraicRoot root;
+    bool wanted = false;  ///< others are known by their roots alone, to choose places between
     std::vector<SolidTurnContact> contacts;
   };
-  std::vector<Angle> angles_in(const TurnRangeOfT& range, bool& root_at_end);
+  /// Which angles of a window are asked for: from `low` (open where `behind`) to `high`, where they are.
+  struct Wanted {
+    std::optional<exact::BigRational> low, high;
+    bool behind = false;
+    bool holds(const exact::AlgebraicRoot& root) const;
+  };
+  std::vector<Angle> angles_in(const TurnRangeOfT& range, const Wanted& wanted);
   /// A place's t in a chart; nothing for infinity.
   std::optional<exact::BigRational> seen_in(int chart, const ChartPlace& place) const;
   std::optional<SolidTurnEvent> event_at(const TurnRangeOfT& range, std::vector<Angle>& angles, std::size_t i);

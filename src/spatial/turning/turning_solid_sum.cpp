@@ -14,7 +14,7 @@ class TurningSolidSum::State {
  public:
   State(const Mesh& p, const Mesh& q, const TurnAxis& axis, const TurningSolidOptions& given)
       : options(given), pair(p, q, axis, given.moving == MovingOperand::p ? 0 : 1), maps(pair), balls(pair) {
-    stages.tight = options.tight, stages.threads = options.threads, stages.progress = options.progress;
+    stages.tight = options.tight, stages.threads = options.threads;
   }
 
   /// Runs a walk; errors as events().
@@ -23,7 +23,7 @@ class TurningSolidSum::State {
     work = {};
     const Stopwatch watch;
     Result<bool> made = spatial::guarded([&] {
-      spatial::TurnWalk(pair, maps, balls, how, work, progress ? progress : options.progress)
+      spatial::TurnWalk(pair, maps, balls, how, work, progress)
           .run(pair.circle.place(a), pair.circle.place(b), behind, whole, take);
       return true;
     });
@@ -93,9 +93,11 @@ TurningSolidSum::~TurningSolidSum() = default;
 const TurnAxis& TurningSolidSum::axis() const { return state_->pair.circle.axis(); }
 const TurningSolidWork& TurningSolidSum::work() const { return state_->work; }
 
-Result<SpatialSum> TurningSolidSum::at(const AxisTurn& turn) const {
+Result<SpatialSum> TurningSolidSum::at(const AxisTurn& turn, const Progress& progress) const {
+  SpatialOptions stages = state_->stages;
+  stages.progress = progress;
   return spatial::guarded(
-      [&] { return spatial::turned_sum(state_->pair, state_->pair.circle.place(turn), state_->stages); });
+      [&] { return spatial::turned_sum(state_->pair, state_->pair.circle.place(turn), stages); });
 }
 
 std::uint64_t TurningSolidSum::combinatorial_hash(const SpatialSum& sum) const {
