@@ -100,7 +100,7 @@ ExitCode run_solid_turns(const SolidTurns& turns, const ReportOptions& report) {
   std::optional<ProgressBar> bar(std::in_place);
   const Progress progress = bar->callback();
   const TurningSolidSum sum =
-      require_of(turns.inputs, TurningSolidSum::create(turns.inputs[0].mesh, turns.inputs[1].mesh, axis));
+      require(TurningSolidSum::create(turns.inputs[0].mesh, turns.inputs[1].mesh, axis));
   const auto [events, timing] = timed(report.repeat, [&] { return find_events(sum, turns, progress); });
   bar.reset();
   if (report.json) {

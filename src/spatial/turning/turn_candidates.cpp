@@ -169,9 +169,10 @@ class Finder {
     edge_boxes_ = boxes;
     const BoxTree tree(std::move(boxes));
     for (std::uint32_t i = 0; i < w_.edges.size(); ++i) {
+      if (!w_.bounds[i]) continue;
       const SumEdge& a = w_.edges[i];
       tree.for_each(edge_boxes_[i], [&](std::uint32_t j) {
-        if (j <= i || share_end(a, w_.edges[j]) || always_coplanar(i, j)) return;
+        if (j <= i || !w_.bounds[j] || share_end(a, w_.edges[j]) || always_coplanar(i, j)) return;
         poll();
         const SumEdge& b = w_.edges[j];
         if (jets_.twist(a, b).sign() != 0) return;
@@ -203,7 +204,7 @@ class Finder {
         for (const std::uint32_t g : w_.facets_at_edge[i]) {
           neighbours_[f].push_back(g), neighbours_[g].push_back(f);
         }
-      for (std::size_t k = 0; k < met.size(); ++k)
+      for (std::size_t k = 0; k < met.size() && w_.bounds[i]; ++k)
         for (std::size_t l = k + 1; l < met.size(); ++l) {
           const WindowFacet &f = w_.facets[met[k]], &g = w_.facets[met[l]];
           poll();
@@ -357,14 +358,20 @@ SolidTurnWindow::SolidTurnWindow(const TurningPair& pair, const GaussMaps& maps,
   facets = maps.facets(middle, half);
   std::map<SumPoint, std::vector<std::uint32_t>> at_vertex;
   std::map<SumEdge, std::vector<std::uint32_t>> at_edge;
+  std::set<SumEdge> inner;
   for (std::uint32_t f = 0; f < facets.size(); ++f)
     for (int k = 0; k < facets[f].facet.corners; ++k) {
       at_vertex[facets[f].facet.corner[k]].push_back(f);
-      if (!is_inner(pair, facets[f], k)) at_edge[ordered(facets[f].border(k))].push_back(f);
+      const SumEdge e = ordered(facets[f].border(k));
+      at_edge[e].push_back(f);
+      if (is_inner(pair, facets[f], k)) inner.insert(e);
     }
   plane_of = number_planes(pair, *this);
   for (auto& [v, list] : at_vertex) vertices.push_back(v), facets_at_vertex.push_back(std::move(list));
-  for (auto& [e, list] : at_edge) edges.push_back(e), facets_at_edge.push_back(std::move(list));
+  for (auto& [e, list] : at_edge) {
+    edges.push_back(e), facets_at_edge.push_back(std::move(list));
+    bounds.push_back(!inner.contains(e));
+  }
 }
 
 const std::vector<std::uint32_t>& SolidTurnWindow::around(SumPoint v) const {

@@ -41,6 +41,7 @@ struct SolidTurnWindow {
   std::vector<std::vector<std::uint32_t>> facets_at_vertex, facets_at_edge;
   std::vector<SumPoint> vertices;
   std::vector<SumEdge> edges;  ///< from < to
+  std::vector<bool> bounds;    ///< per edge: false inside a face of an operand, where it bounds nothing
 
   SolidTurnWindow(const TurningPair& pair, const GaussMaps& maps, const TurnRangeOfT& range);
   const std::vector<std::uint32_t>& around(SumPoint v) const;

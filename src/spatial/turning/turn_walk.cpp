@@ -132,8 +132,8 @@ bool TurnWalk::Wanted::holds(const AlgebraicRoot& root) const {
 std::vector<TurnWalk::Angle> TurnWalk::angles_in(const TurnRangeOfT& range, const Wanted& wanted) {
   const SolidTurnWindow window(pair_, maps_, range);
   std::vector<RootMeeting> meetings = meetings_in(pair_, window, work_, [this] { ask(); });
-  std::sort(meetings.begin(), meetings.end(),
-            [](const RootMeeting& a, const RootMeeting& b) { return exact::compare(a.root, b.root) < 0; });
+  std::stable_sort(meetings.begin(), meetings.end(),
+                   [](const RootMeeting& a, const RootMeeting& b) { return exact::compare(a.root, b.root) < 0; });
   std::vector<Angle> angles;
   for (std::size_t i = 0, j; i < meetings.size(); i = j) {
     Angle angle{meetings[i].root, wanted.holds(meetings[i].root), {}};
