@@ -46,6 +46,7 @@ const std::vector<std::string> kRooms = {
     "spatial/sum",
     "spatial/frames",
     "spatial/moving",
+    "spatial/turning",
     "spatial/local",
     "spatial/erode",
     "spatial/offset",
