@@ -47,5 +47,6 @@
 #include "dymsum/spatial_trace.h"
 #include "dymsum/sum_locator.h"
 #include "dymsum/trace.h"
+#include "dymsum/turning_solid_sum.h"
 #include "dymsum/version.h"
 #include "dymsum/volume_text.h"

@@ -6,6 +6,7 @@ from typing import Optional, Union
 
 from . import _core
 from ._core import (
+    AxisTurn,
     ConvexPolygonSum,
     ClipBall,
     ClipBox,
@@ -33,6 +34,8 @@ from ._core import (
     SolidSum,
     SumLocator,
     SumOptions,
+    TurningSolidOptions,
+    TurningSolidSum,
 )
 
 
@@ -145,3 +148,9 @@ def planar_local_part(
     """The part of a planar sum at a place."""
     sum = PlanarLocalSum(p, q, options)
     return sum.in_(place, p_pose, q_pose) if isinstance(place, PlanarBox) else sum.in_(place, p_pose, q_pose)
+
+
+def turned_solid_sum(
+    p: Mesh, q: Mesh, axis: tuple[int, int, int], options: TurningSolidOptions, turn: AxisTurn
+) -> "_core.SpatialSum":
+    return TurningSolidSum(p, q, axis, options).at(turn)

@@ -44,7 +44,8 @@ NB_MODULE(_core, m) {
                           bind_local_sum,
                           bind_continuous_depth,
                           bind_scaling_solids,
-                          bind_planar_local_sum}) {
+                          bind_planar_local_sum,
+                          bind_turning_solids}) {
     part(m);
   }
 }

@@ -46,6 +46,8 @@ const std::vector<Case> kCases = {
     {"solid_scale", "scale cube.off cube.off --at 1,1:2:3"},
     {"solid_rotate", "rotate cube.off cube.off --steps 3 --axis 1,2,3"},
     {"solid_rotate", "rotate ell.off cube.off --steps 3 --axis 1,2,3"},
+    {"solid_turn_events", "rotate cube.off cube.off --events --range 30deg:95deg"},
+    {"solid_turn_events", "rotate cube.off cube.off --next-topology --range 30deg:40deg --axis 1,2,3", 4},
     {"solid_scale", "scale ell.off cube.off --at 1,1:2:3"},
     {"rotate", "rotate peg.wkt slot.wkt --steps 4"},
     {"solid_scale", "scale ell.off cube.off --range 1/2:2"},

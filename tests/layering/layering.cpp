@@ -48,6 +48,7 @@ const std::vector<std::string> kRooms = {
     "spatial/frames",
     "spatial/moving",
     "spatial/scaling",
+    "spatial/turning",
     "spatial/local",
     "spatial/erode",
     "spatial/offset",
