@@ -133,7 +133,9 @@ void add_scale_range(CLI::App& app, Action& action) {
                                        "container; ends with 4 when there are none");
   add_operands(verb, {"PART", "the shape that scales"}, {"OTHER", "obstacles, or with --inside the container"},
                command->operands);
-  verb.add_option("--path", command->path, "The translations of the part: \"x,y x,y ...\", of solids \"x,y,z x,y,z ...\", or a planar file with one polyline")
+  verb.add_option("--path", command->path,
+                  "The translations of the part: \"x,y x,y ...\", of solids \"x,y,z x,y,z ...\", or a planar file with "
+                  "one polyline")
       ->type_name("PATH");
   verb.add_flag("--inside", command->inside, "OTHER is a container, anywhere inside which the part may lie");
   verb.add_option("--place", command->place, "With --inside: only at this translation")->type_name("x,y[,z]");

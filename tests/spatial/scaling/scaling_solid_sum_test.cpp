@@ -77,6 +77,14 @@ TEST(ScalingSolidSum, EventsSeparateTheCombinatoricsOfSmallPairs) {
   EXPECT_GT(found, 40u);
 }
 
+/// Seven of these events are points of four facets, no two of which share a border: the thesis has none of them.
+TEST(ScalingSolidSum, FourFacetsInAPointAreEvents) {
+  MeshData across = moving_cases::torus(2, 0.75, 5, 5);
+  for (Point3& v : across.vertices) v = {v.y, v.z, v.x};
+  const Mesh p = moving_cases::mesh_of(moving_cases::torus(3, 1, 6, 4)), q = moving_cases::mesh_of(across);
+  EXPECT_EQ(run("tori across each other", p, q, scale("1/2"), scale("2")), 28u);
+}
+
 TEST(ScalingSolidSum, EventsOfRandomPolyhedraOnTinyGrids) {
   const std::uint64_t seed = test::setting("DYMSUM_FUZZ_SEED", 71), rounds = test::setting("DYMSUM_FUZZ_EVENTS", 6);
   std::mt19937_64 random(seed);
