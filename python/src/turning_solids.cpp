@@ -60,9 +60,7 @@ Fraction(1, 1)
                                         : "AxisTurn.of(Fraction('" + self.t().to_string() + "'))";
            })
       .def("__getstate__",
-           [](const AxisTurn& self) {
-             return nb::make_tuple(self.is_half_turn() ? nb::none() : nb::cast(self.t()));
-           })
+           [](const AxisTurn& self) { return nb::make_tuple(self.is_half_turn() ? nb::none() : nb::cast(self.t())); })
       .def("__setstate__", [](AxisTurn& self, nb::tuple state) {
         new (&self) AxisTurn(state[0].is_none() ? AxisTurn::half_turn() : AxisTurn::of(nb::cast<Rational>(state[0])));
       });
