@@ -32,6 +32,13 @@ double window_of(const TurningPair& pair) {
   return std::clamp(0.06 * edges / static_cast<double>(count) / reach, 1e-4, 0.2);
 }
 
+/// Triangles of one face have the same features.
+bool lists(const std::vector<SolidTurnContact>& all, const SolidTurnContact& contact) {
+  return std::any_of(all.begin(), all.end(), [&](const SolidTurnContact& c) {
+    return c.kind == contact.kind && c.features == contact.features;
+  });
+}
+
 /// The multiple of a power of two near x, with some bits more than |x| / grain has.
 BigRational dyadic(double x, double grain) {
   const double unit = std::ldexp(1.0, std::ilogb(grain) - 8);
@@ -139,7 +146,7 @@ std::vector<TurnWalk::Angle> TurnWalk::angles_in(const TurnRangeOfT& range, cons
     if (angle.wanted) {
       RootContacts contacts(pair_, balls_, window, angle.root, work_);
       for (std::size_t k = i; k < j && angle.contacts.size() < kMostContacts; ++k, ask())
-        if (std::optional<SolidTurnContact> c = contacts.contact(meetings[k].meeting))
+        if (std::optional<SolidTurnContact> c = contacts.contact(meetings[k].meeting); c && !lists(angle.contacts, *c))
           angle.contacts.push_back(*std::move(c));
       if (angle.contacts.empty()) continue;
     }
