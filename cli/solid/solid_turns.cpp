@@ -71,8 +71,7 @@ void print_event(std::ostream& out, const SolidTurnEvent& event) {
   std::vector<std::size_t> kinds(5);
   for (const SolidTurnContact& c : event.contacts) ++kinds[static_cast<std::size_t>(c.kind)];
   out << "event " << number(event.radians * 180 / std::acos(-1.0)) << " degrees";
-  if (event.exact)
-    out << ", t = " << (event.exact->is_half_turn() ? std::string("inf") : shown(event.exact->t()));
+  if (event.exact) out << ", t = " << (event.exact->is_half_turn() ? std::string("inf") : shown(event.exact->t()));
   else out << ", t of degree " << event.polynomial.size() - 1;
   out << ":";
   for (std::size_t k = 0; k < kinds.size(); ++k)
@@ -99,8 +98,7 @@ ExitCode run_solid_turns(const SolidTurns& turns, const ReportOptions& report) {
   const InterruptGuard guard;
   std::optional<ProgressBar> bar(std::in_place);
   const Progress progress = bar->callback();
-  const TurningSolidSum sum =
-      require(TurningSolidSum::create(turns.inputs[0].mesh, turns.inputs[1].mesh, axis));
+  const TurningSolidSum sum = require(TurningSolidSum::create(turns.inputs[0].mesh, turns.inputs[1].mesh, axis));
   const auto [events, timing] = timed(report.repeat, [&] { return find_events(sum, turns, progress); });
   bar.reset();
   if (report.json) {
@@ -113,8 +111,8 @@ ExitCode run_solid_turns(const SolidTurns& turns, const ReportOptions& report) {
     print_report(json);
   } else {
     for (const SolidTurnEvent& e : events) print_event(std::cout, e);
-    std::cout << counted(events.size(), "event") << ", " << sum.work().windows << " windows, "
-              << sum.work().candidates << " polynomials, " << counted(sum.work().sums, "sum") << "\n";
+    std::cout << counted(events.size(), "event") << ", " << sum.work().windows << " windows, " << sum.work().candidates
+              << " polynomials, " << counted(sum.work().sums, "sum") << "\n";
     print_times(std::cout, timing);
   }
   return events.empty() && (turns.next || turns.next_topology) ? kNo : kDone;

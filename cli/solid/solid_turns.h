@@ -13,9 +13,9 @@ namespace dymsum::cli {
 
 struct SolidTurns {
   std::vector<SolidInput> inputs;
-  std::string axis, range;      ///< as they were written; an empty range is a whole turn
-  bool next = false;            ///< the first visible event behind the range's beginning alone
-  bool next_topology = false;   ///< the first one that changes shells, tunnels or tight features
+  std::string axis, range;     ///< as they were written; an empty range is a whole turn
+  bool next = false;           ///< the first visible event behind the range's beginning alone
+  bool next_topology = false;  ///< the first one that changes shells, tunnels or tight features
 };
 
 /// Ends with 4 where there is no next event.

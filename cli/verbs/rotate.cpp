@@ -35,7 +35,8 @@ std::vector<Angle> frame_angles(const RotateCommand& command) {
 }
 
 ExitCode run_events(const RotateCommand& command) {
-  refuse_options(*command.parser, {"--steps", "--frame", "--angle", "--degrees", "--output"}, "does not go with --events");
+  refuse_options(*command.parser, {"--steps", "--frame", "--angle", "--degrees", "-o"},
+                 "does not go with --events, --next and --next-topology");
   const SolidTurns turns{read_solids(command.planar.operands, command.planar.input), command.axis.value_or("0,0,1"),
                          command.range, command.next, command.next_topology};
   return run_solid_turns(turns, command.planar.report);

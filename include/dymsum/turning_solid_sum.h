@@ -18,9 +18,9 @@ namespace dymsum {
 /// The direction of an axis through the origin, in integers of at most 2^15 in magnitude.
 using TurnAxis = std::array<std::int32_t, 3>;
 
-/// A turn by theta about an axis, counter-clockwise seen from its tip, given by t = tan(theta / 2) / |axis|, |axis| being
-/// the length of the primitive axis (without common divisor): its matrix is rational. For the axes of coordinates t is
-/// tan(theta / 2). Half a turn is t = infinity. A value.
+/// A turn by theta about an axis, counter-clockwise seen from its tip, given by t = tan(theta / 2) / |axis|, |axis|
+/// being the length of the primitive axis (without common divisor): its matrix is rational. For the axes of coordinates
+/// t is tan(theta / 2). Half a turn is t = infinity. A value.
 class AxisTurn {
  public:
   AxisTurn() = default;  ///< theta = 0
@@ -59,10 +59,10 @@ struct SolidTurnContact {
 
 /// An angle at which something meets on the boundary of the sum.
 struct SolidTurnEvent {
-  double radians = 0;          ///< in (-pi, pi], within 2^-44
+  double radians = 0;             ///< in (-pi, pi], within 2^-44
   std::optional<AxisTurn> exact;  ///< where t is rational: the sum can be had there
-  /// c0, c1, ...: integers without common divisor of a polynomial of which t (in (-1, 1] / |axis| or a little more) is a
-  /// simple root, its only one between t_low and t_high; of the angle less half a turn where `opposite`.
+  /// c0, c1, ...: integers without common divisor of a polynomial of which t (in (-1, 1] / |axis| or a little more) is
+  /// a simple root, its only one between t_low and t_high; of the angle less half a turn where `opposite`.
   std::vector<std::string> polynomial;
   double t_low = 0, t_high = 0;
   bool opposite = false;
@@ -113,8 +113,7 @@ class TurningSolidSum {
 
   /// The events from `a` counter-clockwise to `b`, both included, in order. Equal turns: those of that angle alone.
   /// Errors: cancelled; as at(). Cost: windows of candidates, and sums where changes are asked for.
-  Result<std::vector<SolidTurnEvent>> events(const AxisTurn& a, const AxisTurn& b,
-                                             const Progress& progress = {}) const;
+  Result<std::vector<SolidTurnEvent>> events(const AxisTurn& a, const AxisTurn& b, const Progress& progress = {}) const;
   /// Those of a whole turn, from -pi (excluded) to pi.
   Result<std::vector<SolidTurnEvent>> events_of_turn(const Progress& progress = {}) const;
   /// The first visible event behind `a` and not beyond `limit`, which is reached counter-clockwise.

@@ -60,13 +60,11 @@ Fraction(1, 1)
                                         : "AxisTurn.of(Fraction('" + self.t().to_string() + "'))";
            })
       .def("__getstate__",
-           [](const AxisTurn& self) {
-             return nb::make_tuple(self.is_half_turn() ? nb::none() : nb::cast(self.t()));
-           })
+           [](const AxisTurn& self) { return nb::make_tuple(self.is_half_turn() ? nb::none() : nb::cast(self.t())); })
       .def("__setstate__", [](AxisTurn& self, nb::tuple state) {
         new (&self) AxisTurn(state[0].is_none() ? AxisTurn::half_turn() : AxisTurn::of(nb::cast<Rational>(state[0])));
       });
-  bind_hash<AxisTurn>(turn, [](const AxisTurn& self) -> nb::object { return nb::cast(text_of(self)); });
+  turn.def("__hash__", [](const AxisTurn& self) { return nb::hash(nb::cast(text_of(self))); });
 }
 
 void bind_events(nb::module_& m) {

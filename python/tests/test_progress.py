@@ -20,6 +20,8 @@ DEPTH, QUESTIONS = dymsum.SolidDepth(ANGLE, BOX), [dymsum.DepthQuestion(ANGLE, B
 ROD, WALL = shapes.rectangle(-1, -0.25, 1, 0.25), shapes.gear(8, 2, 3)
 OBSTACLE = dymsum.CspaceObstacle(ROD, WALL)
 QUERIES = dymsum.ObstacleQueries(OBSTACLE)
+TURNING = dymsum.TurningSolidSum(ANGLE, BOX, (0, 0, 1))
+TURN, FURTHER = dymsum.AxisTurn.of(Fraction(3, 10)), dymsum.AxisTurn.of(Fraction(3, 8))
 LOCATOR = dymsum.SumLocator(dymsum.minkowski_sum(P, Q))
 FEATURES = dymsum.ShapeFeatures(P)
 THETA = dymsum.Orientation.nearest(0.3)
@@ -70,6 +72,11 @@ CALLS: list[tuple[str, Callable[[Progress], Any]]] = [
     ("MovingSolidSum", lambda f: dymsum.MovingSolidSum(ANGLE, BOX, dymsum.MovingSolidOptions(progress=f))),
     ("MovingSolidSum", lambda f: dymsum.MovingSolidSum.create(ANGLE, BOX, dymsum.MovingSolidOptions(progress=f))),
     ("posed_sum", lambda f: dymsum.posed_sum(ANGLE, BOX, POSE, options=dymsum.MovingSolidOptions(progress=f))),
+    ("TurningSolidSum.at", lambda f: TURNING.at(TURN, progress=f)),
+    ("TurningSolidSum.events", lambda f: TURNING.events(TURN, TURN, progress=f)),
+    ("TurningSolidSum.events_of_turn", lambda f: TURNING.events_of_turn(progress=f)),
+    ("TurningSolidSum.next_event", lambda f: TURNING.next_event(TURN, FURTHER, progress=f)),
+    ("TurningSolidSum.next_topology_change", lambda f: TURNING.next_topology_change(TURN, FURTHER, progress=f)),
     ("nfp_each", lambda f: dymsum.nfp_each([(P, Q)] * 3, planar(f))),
     ("nfp_each", lambda f: dymsum.nfp_each([(P, Q)] * 3, planar(f), return_errors=True)),
     ("ScalingSum", lambda f: dymsum.ScalingSum(P, Q, moving(f))),

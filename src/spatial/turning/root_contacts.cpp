@@ -128,8 +128,8 @@ std::optional<SolidTurnContact> RootContacts::normal_on_arc(const Meeting& meeti
   const SlantCondition& c = meeting.slant;
   const auto hangs_on = [&](const WindowFacet& f) {
     return std::any_of(f.unsure.begin(), f.unsure.end(), [&](const SlantCondition& d) {
-      return d.op == c.op && d.triangle == c.triangle && std::minmax(d.way.from, d.way.to) ==
-                                                             std::minmax(c.way.from, c.way.to);
+      return d.op == c.op && d.triangle == c.triangle &&
+             std::minmax(d.way.from, d.way.to) == std::minmax(c.way.from, c.way.to);
     });
   };
   bool any = false;

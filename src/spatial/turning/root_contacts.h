@@ -24,9 +24,9 @@ class RootContacts {
   RootContacts(const TurningPair& pair, const PairOfBalls& balls, const SolidTurnWindow& window,
                const exact::AlgebraicRoot& root, TurningSolidWork& work);
 
-  /// What a meeting tells of the sum's boundary: nothing where a feature does not exist at this angle, where they do not
-  /// meet as far as they reach, or where the position lies in the open sum. Exact, but of normal_on_arc: these are left
-  /// out only where balls prove the face plus the edge to lie in the open sum.
+  /// What a meeting tells of the sum's boundary: nothing where a feature does not exist at this angle, where they do
+  /// not meet as far as they reach, or where the position lies in the open sum. Exact, but of normal_on_arc: these are
+  /// left out only where balls prove the face plus the edge to lie in the open sum.
   std::optional<SolidTurnContact> contact(const Meeting& meeting);
   double radians() const { return radians_; }
 
@@ -73,7 +73,7 @@ class RootContacts {
   std::optional<SureOverlap> overlap_;
   std::unique_ptr<SumSpace> space_;
   std::optional<Collision> collision_;
-  std::map<std::uint32_t, bool> covered_;  // by Meeting::place
+  std::map<std::uint32_t, bool> covered_;   // by Meeting::place
   mutable std::vector<std::int8_t> known_;  // per facet: exists, 0 not asked
 };
 

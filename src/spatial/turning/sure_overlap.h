@@ -1,5 +1,5 @@
-// Whether an operand that has turned overlaps the other one's reflection at a position, as doubles prove it: by an edge of
-// one that crosses a triangle of the other.
+// Whether an operand that has turned overlaps the other one's reflection at a position, as doubles prove it: by an edge
+// of one that crosses a triangle of the other.
 #pragma once
 
 #include "spatial/mesh/box_tree.h"

@@ -40,7 +40,8 @@ Box box_at(const JetFrame::Vector& at) {
 
 class Finder {
  public:
-  Finder(const TurningPair& pair, const SolidTurnWindow& window, TurningSolidWork& work, const std::function<void()>& again)
+  Finder(const TurningPair& pair, const SolidTurnWindow& window, TurningSolidWork& work,
+         const std::function<void()>& again)
       : pair_(pair),
         w_(window),
         work_(work),
@@ -110,7 +111,8 @@ class Finder {
         if (jets_.slant(c.op, t, c.way).sign() != 0) continue;
         Meeting meeting;
         meeting.kind = Meeting::Kind::normal_on_arc, meeting.slant = c;
-        roots(key, [&](const auto& s) { return s.slant(c.op, t, c.way); }, meeting);
+        roots(
+            key, [&](const auto& s) { return s.slant(c.op, t, c.way); }, meeting);
       }
   }
 
@@ -125,7 +127,8 @@ class Finder {
         if (surely_outside(facet, at)) return;
         Meeting meeting;
         meeting.kind = Meeting::Kind::vertex_on_facet, meeting.vertex = v, meeting.facets[0] = f;
-        roots({1, v.p, v.q, w_.plane_of[f], 0}, [&](const auto& s) { return s.side(facet.plane, v); }, meeting);
+        roots(
+            {1, v.p, v.q, w_.plane_of[f], 0}, [&](const auto& s) { return s.side(facet.plane, v); }, meeting);
       });
     }
   }
@@ -180,7 +183,8 @@ class Finder {
         if (surely_beyond(a, at) || surely_beyond(b, jets_.at(b, a))) return;
         Meeting meeting;
         meeting.kind = Meeting::Kind::edge_on_edge, meeting.a = a, meeting.b = b;
-        roots({2, i, j, 0, 0}, [&](const auto& s) { return s.twist(a, b); }, meeting);
+        roots(
+            {2, i, j, 0, 0}, [&](const auto& s) { return s.twist(a, b); }, meeting);
       });
     }
   }
@@ -351,7 +355,8 @@ std::vector<std::uint32_t> number_planes(const TurningPair& pair, const SolidTur
 
 }  // namespace
 
-SolidTurnWindow::SolidTurnWindow(const TurningPair& pair, const GaussMaps& maps, const TurnRangeOfT& given) : range(given) {
+SolidTurnWindow::SolidTurnWindow(const TurningPair& pair, const GaussMaps& maps, const TurnRangeOfT& given)
+    : range(given) {
   const double low = pair.circle.radians(range.chart, exact::round_to_double(range.low)),
                high = pair.circle.radians(range.chart, exact::round_to_double(range.high));
   middle = (low + high) / 2, half = (high - low) / 2 * (1 + 0x1p-30) + 0x1p-45;

@@ -20,11 +20,11 @@ struct TurnRangeOfT {
 struct Meeting {
   using Kind = SolidTurnContact::Kind;
   Kind kind = Kind::normal_on_arc;
-  SlantCondition slant;                           ///< normal_on_arc
-  SumPoint vertex;                                ///< vertex_on_facet
-  SumEdge a, b;                                   ///< edge_on_edge; a of edge_and_facets
-  std::array<std::uint32_t, 4> facets{};          ///< 1 of vertex_on_facet, 2 of edge_and_facets, 4 of four_facets
-  std::uint32_t place = 0;  ///< equal for meetings that are at one position at every angle
+  SlantCondition slant;                   ///< normal_on_arc
+  SumPoint vertex;                        ///< vertex_on_facet
+  SumEdge a, b;                           ///< edge_on_edge; a of edge_and_facets
+  std::array<std::uint32_t, 4> facets{};  ///< 1 of vertex_on_facet, 2 of edge_and_facets, 4 of four_facets
+  std::uint32_t place = 0;                ///< equal for meetings that are at one position at every angle
 };
 
 struct RootMeeting {

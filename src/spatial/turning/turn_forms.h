@@ -14,8 +14,8 @@ namespace dymsum::spatial {
 struct TurningPair {
   SolidPair pair;
   TurnCircle circle;
-  int turning = 0;       ///< 0: P
-  double unit = 1;       ///< places times this are at most 1 in magnitude; a power of two
+  int turning = 0;                          ///< 0: P
+  double unit = 1;                          ///< places times this are at most 1 in magnitude; a power of two
   std::array<std::vector<Vec3>, 2> places;  ///< of vertices, exact doubles in units
 
   TurningPair(const Mesh& p, const Mesh& q, const TurnAxis& axis, int turning);
@@ -140,7 +140,8 @@ class TurnSigns {
     return {f.at, scaled(dot(b, between(f.at, g.at)), ca) + scaled(dot(c, between(f.at, h.at)), cross(a, b)),
             dot(b, ca)};
   }
-  /// On which side of border e, in a plane of this normal, a place lies: positive inside, for borders counter-clockwise.
+  /// On which side of border e, in a plane of this normal, a place lies: positive inside, for borders
+  /// counter-clockwise.
   Number inside(const Vector& n, const SumEdge& e, const Place& at) const {
     const Vector m = cross(n, along(e));
     return dot(m, at.x) - at.w * dot(m, between(at.origin, e.from));

@@ -17,8 +17,8 @@ struct Jet {
   int sign() const { return value > reach() ? 1 : value < -reach() ? -1 : 0; }
 };
 
-// Every operation rounds value and slope by 2^-53 of the terms, twice at most, and products of tiny numbers by less than
-// 2^-1000; the bounds themselves are rounded by less than what they are raised by.
+// Every operation rounds value and slope by 2^-53 of the terms, twice at most, and products of tiny numbers by less
+// than 2^-1000; the bounds themselves are rounded by less than what they are raised by.
 inline Jet operator+(Jet a, Jet b) {
   const double value = a.value + b.value, slope = a.slope + b.slope;
   return {value, slope, (a.rest + b.rest) * (1 + 0x1p-50) + (std::abs(value) + std::abs(slope)) * 0x1p-52};

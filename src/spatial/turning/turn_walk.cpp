@@ -29,7 +29,14 @@ double window_of(const TurningPair& pair) {
     for (const Wedge& w : pair.operand(op).wedges)
       edges += length(pair.places[op][w.to] - pair.places[op][w.from]), ++count;
   if (reach == 0 || count == 0) return 0.25;
-  return std::clamp(0.12 * edges / static_cast<double>(count) / reach, 1e-4, 0.2);
+  return std::clamp(0.06 * edges / static_cast<double>(count) / reach, 1e-4, 0.2);
+}
+
+/// Triangles of one face have the same features.
+bool lists(const std::vector<SolidTurnContact>& all, const SolidTurnContact& contact) {
+  return std::any_of(all.begin(), all.end(), [&](const SolidTurnContact& c) {
+    return c.kind == contact.kind && c.features == contact.features;
+  });
 }
 
 /// The multiple of a power of two near x, with some bits more than |x| / grain has.
@@ -78,9 +85,7 @@ void TurnWalk::run(const ChartPlace& a, const ChartPlace& b, bool behind, bool w
     const std::optional<BigRational> to = seen_in(range.chart, b);
     const double ahead = to ? circle.radians(range.chart, exact::round_to_double(*to)) - radians(low) : 0;
     // A turn or more may lead from a to b: the way that is left tells whether it ends here.
-    const auto ends = [&] {
-      return to && *to >= range.low && *to < range.high && std::abs(done + ahead - all) < 1;
-    };
+    const auto ends = [&] { return to && *to >= range.low && *to < range.high && std::abs(done + ahead - all) < 1; };
     const auto wanted = [&] {
       return Wanted{first ? std::optional(a.t) : std::nullopt, ends() ? to : std::nullopt, behind};
     };
@@ -141,7 +146,7 @@ std::vector<TurnWalk::Angle> TurnWalk::angles_in(const TurnRangeOfT& range, cons
     if (angle.wanted) {
       RootContacts contacts(pair_, balls_, window, angle.root, work_);
       for (std::size_t k = i; k < j && angle.contacts.size() < kMostContacts; ++k, ask())
-        if (std::optional<SolidTurnContact> c = contacts.contact(meetings[k].meeting))
+        if (std::optional<SolidTurnContact> c = contacts.contact(meetings[k].meeting); c && !lists(angle.contacts, *c))
           angle.contacts.push_back(*std::move(c));
       if (angle.contacts.empty()) continue;
     }

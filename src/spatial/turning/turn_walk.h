@@ -17,8 +17,9 @@ class TurnWalk {
   TurnWalk(const TurningPair& pair, const GaussMaps& maps, const PairOfBalls& balls, const TurningSolidOptions& options,
            TurningSolidWork& work, const Progress& progress);
 
-  /// Calls take(event) until it says false. The events from a to b, both included unless `behind` (then those at a are not), in order. A whole turn from a back
-  /// to it where `whole`. Throws Cancelled, and std::invalid_argument where sums need more than 250 bits.
+  /// Calls take(event) until it says false. The events from a to b, both included unless `behind` (then those at a are
+  /// not), in order. A whole turn from a back to it where `whole`. Throws Cancelled, and std::invalid_argument where
+  /// sums need more than 250 bits.
   void run(const ChartPlace& a, const ChartPlace& b, bool behind, bool whole,
            const std::function<bool(SolidTurnEvent&)>& take);
 

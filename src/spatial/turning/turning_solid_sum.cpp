@@ -66,7 +66,8 @@ std::optional<Error> refusal(const Mesh& p, const Mesh& q, const TurnAxis& axis,
   if (!(options.window >= 0 && options.window <= 1))
     return Error{ErrorCode::out_of_range, "windows are between 0 and 1 radian wide", {}};
   if (p.empty() || q.empty() || p.has_thin_parts() || q.has_thin_parts())
-    return Error{ErrorCode::unsupported_operand, "operands of a turning sum are solids, without parts of no volume", {}};
+    return Error{
+        ErrorCode::unsupported_operand, "operands of a turning sum are solids, without parts of no volume", {}};
   return std::nullopt;
 }
 
@@ -96,8 +97,7 @@ const TurningSolidWork& TurningSolidSum::work() const { return state_->work; }
 Result<SpatialSum> TurningSolidSum::at(const AxisTurn& turn, const Progress& progress) const {
   SpatialOptions stages = state_->stages;
   stages.progress = progress;
-  return spatial::guarded(
-      [&] { return spatial::turned_sum(state_->pair, state_->pair.circle.place(turn), stages); });
+  return spatial::guarded([&] { return spatial::turned_sum(state_->pair, state_->pair.circle.place(turn), stages); });
 }
 
 std::uint64_t TurningSolidSum::combinatorial_hash(const SpatialSum& sum) const {

@@ -104,11 +104,10 @@ void GaussMaps::add_edge_edge(const JetFrame& frame, double margin, std::vector<
         // s (g . e_left) >= 0 >= s (g . e_right), s (e . g_left) <= 0 <= s (e . g_right): facet_rule.h.
         const double up[4] = {-s * a, s * b, s * c, -s * d};
         if (up[0] > margin || up[1] > margin || up[2] > margin || up[3] > margin) continue;
-        const SlantCondition all[4] = {
-            {0, static_cast<std::int8_t>(-s), e.left, {Way::Of::q, g.from, g.to}},
-            {0, static_cast<std::int8_t>(s), e.right, {Way::Of::q, g.from, g.to}},
-            {1, static_cast<std::int8_t>(s), g.left, {Way::Of::p, e.from, e.to}},
-            {1, static_cast<std::int8_t>(-s), g.right, {Way::Of::p, e.from, e.to}}};
+        const SlantCondition all[4] = {{0, static_cast<std::int8_t>(-s), e.left, {Way::Of::q, g.from, g.to}},
+                                       {0, static_cast<std::int8_t>(s), e.right, {Way::Of::q, g.from, g.to}},
+                                       {1, static_cast<std::int8_t>(s), g.left, {Way::Of::p, e.from, e.to}},
+                                       {1, static_cast<std::int8_t>(-s), g.right, {Way::Of::p, e.from, e.to}}};
         WindowFacet facet;
         facet.facet = edge_edge_facet(p, q, we, wg, s);
         facet.plane = plane_of(facet.facet);

@@ -59,8 +59,8 @@ struct Sample {
 
   Sample(const TurningPair& pair, const std::vector<WindowFacet>& all, double theta) : facets(all), at(pair.places) {
     const Vec3 a = (1 / pair.circle.length()) * Vec3{static_cast<double>(pair.circle.axis()[0]),
-                                                      static_cast<double>(pair.circle.axis()[1]),
-                                                      static_cast<double>(pair.circle.axis()[2])};
+                                                     static_cast<double>(pair.circle.axis()[1]),
+                                                     static_cast<double>(pair.circle.axis()[2])};
     for (Vec3& v : at[pair.turning])  // Rodrigues
       v = std::cos(theta) * v + std::sin(theta) * cross(a, v) + ((1 - std::cos(theta)) * dot(a, v)) * a;
     for (const WindowFacet& f : facets) {
@@ -90,7 +90,8 @@ struct Sample {
     return std::abs(dot(normals[f], cross(normals[g], normals[h]))) > 1e-6 * sizes;
   }
   Vec3 point(std::uint32_t f, std::uint32_t g, std::uint32_t h) const {
-    const Vec3 ab = cross(normals[f], normals[g]), bc = cross(normals[g], normals[h]), ca = cross(normals[h], normals[f]);
+    const Vec3 ab = cross(normals[f], normals[g]), bc = cross(normals[g], normals[h]),
+               ca = cross(normals[h], normals[f]);
     const double w = dot(normals[f], bc);
     const auto offset = [&](std::uint32_t i) { return dot(normals[i], of(facets[i].facet.corner[0])); };
     return (1 / w) * (offset(f) * bc + offset(g) * ca + offset(h) * ab);
