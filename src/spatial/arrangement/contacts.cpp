@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 #include <utility>
 
 #include "spatial/mesh/box_tree.h"
@@ -20,13 +21,25 @@ struct Chord {
   End from, to;
 };
 
+/// Where a facet's corners are, nearly.
+using Corners = std::array<Vec3, 4>;
+
+Corners corners_of(const SumSpace& space, const TableFacet& f) {
+  Corners corners;
+  for (int k = 0; k < f.facet.corners; ++k) corners[static_cast<std::size_t>(k)] = space.approx(f.facet.corner[k]);
+  return corners;
+}
+
 /// The stretch of facet f on a plane, in the direction n_f x n_plane. None where they do not meet.
-std::optional<Chord> chord(const SumSpace& space, const TableFacet& f, PlaneId plane) {
+std::optional<Chord> chord(const SumSpace& space, const TableFacet& f, const Corners& corners, PlaneId plane) {
   const int n = f.facet.corners;
+  const Plane& cut = space.plane(plane);
+  const double error = cut.slack + cut.norm1 * space.sum_radius();
   int s[4];
   bool above = false, below = false, on = false;
   for (int k = 0; k < n; ++k) {
-    s[k] = space.side(plane, f.facet.corner[k]);
+    const double height = dot(cut.n, corners[static_cast<std::size_t>(k)]) - cut.d;
+    s[k] = height > error ? 1 : height < -error ? -1 : space.side(plane, f.facet.corner[k]);
     above |= s[k] > 0, below |= s[k] < 0, on |= s[k] == 0;
   }
   if (!on && !(above && below)) return std::nullopt;
@@ -56,23 +69,31 @@ std::optional<Chord> chord(const SumSpace& space, const TableFacet& f, PlaneId p
 
 SumEdge border(const TableFacet& f, int k) { return {f.facet.corner[k], f.facet.corner[(k + 1) % f.facet.corners]}; }
 
-int twist(const SumSpace& space, const SumEdge& a, const SumEdge& b) {
+/// A facet with its corners.
+struct Placed {
+  const TableFacet& facet;
+  const Corners& at;
+};
+
+int twist(const SumSpace& space, const Placed& f, int k, const Placed& g, int l) {
   const auto norm = [&](Vec3 v) { return std::abs(v.x) + std::abs(v.y) + std::abs(v.z) + 4 * space.sum_radius(); };
-  const Vec3 from = space.approx(a.from), u = space.approx(a.to) - from, v = space.approx(b.to) - space.approx(b.from),
-             w = space.approx(b.from) - from;
+  const auto corner = [](const Placed& p, int i) { return p.at[static_cast<std::size_t>(i % p.facet.facet.corners)]; };
+  const Vec3 from = corner(f, k), u = corner(f, k + 1) - from, v = corner(g, l + 1) - corner(g, l),
+             w = corner(g, l) - from;
   const double U = norm(u), V = norm(v), W = norm(w);
   const double value = dot(cross(u, v), w);
   const double error = U * V * W * 0x1p-48 + 8 * space.sum_radius() * (U * V + V * W + U * W);
   if (value > error) return 1;
   if (value < -error) return -1;
+  const SumEdge a = border(f.facet, k), b = border(g.facet, l);
   if (a.from == b.from || a.from == b.to || a.to == b.from || a.to == b.to) return 0;
   return space.exact_twist(a, b);
 }
 
 /// The sign of the way from f's end to g's end in the direction n_f x n_g: with x on the border e of f and y on h of g,
 /// y - x = l (n_f x n_g) and (e x h) . (n_f x n_g) = -(e . n_g) (h . n_f).
-int order(const SumSpace& space, const TableFacet& f, End x, const TableFacet& g, End y) {
-  return -twist(space, border(f, x.border), border(g, y.border)) * x.rise * y.rise;
+int order(const SumSpace& space, const Placed& f, End x, const Placed& g, End y) {
+  return -twist(space, f, x.border, g, y.border) * x.rise * y.rise;
 }
 
 PointSource source(const TableFacet& f, End end, PlaneId plane) {
@@ -107,31 +128,31 @@ Box common(const Box& a, const Box& b) {
   return {within(a.low), within(a.high)};
 }
 
-Box box_of(const SumSpace& space, const TableFacet& f) {
+Box box_of(const SumSpace& space, const TableFacet& f, const Corners& corners) {
   Box box;
-  for (int k = 0; k < f.facet.corners; ++k) box.add(space.approx(f.facet.corner[k]));
+  for (int k = 0; k < f.facet.corners; ++k) box.add(corners[static_cast<std::size_t>(k)]);
   box.grow(space.sum_radius());
   return box;
 }
 
-}  // namespace
-
-std::optional<Contact> contact(const SumSpace& space, const FacetTable& table, std::uint32_t i, std::uint32_t j) {
+std::optional<Contact> contact(const SumSpace& space, const FacetTable& table, std::uint32_t i, const Corners& i_at,
+                               std::uint32_t j, const Corners& j_at) {
   const TableFacet &f = table.facets[i], &g = table.facets[j];
-  const std::optional<Chord> a = chord(space, f, g.plane);
+  const Placed at_f{f, i_at}, at_g{g, j_at};
+  const std::optional<Chord> a = chord(space, f, i_at, g.plane);
   if (!a) return std::nullopt;
-  std::optional<Chord> b = chord(space, g, f.plane);
+  std::optional<Chord> b = chord(space, g, j_at, f.plane);
   if (!b) return std::nullopt;
   std::swap(b->from, b->to);  // in the direction n_f x n_g
   // The later beginning and the earlier end; of equal ones a corner.
-  const int begin = order(space, f, a->from, g, b->from);
-  const int end = order(space, f, a->to, g, b->to);
+  const int begin = order(space, at_f, a->from, at_g, b->from);
+  const int end = order(space, at_f, a->to, at_g, b->to);
   const bool begin_f = begin < 0 || (begin == 0 && a->from.corner >= 0),
              end_f = end > 0 || (end == 0 && a->to.corner >= 0);
   // The stretch of f begins and ends in order, and so does that of g: only mixed ends can be out of order.
   int length = 1;
-  if (begin_f && !end_f) length = order(space, f, a->from, g, b->to);
-  if (!begin_f && end_f) length = -order(space, f, a->to, g, b->from);
+  if (begin_f && !end_f) length = order(space, at_f, a->from, at_g, b->to);
+  if (!begin_f && end_f) length = -order(space, at_f, a->to, at_g, b->from);
   if (length < 0) return std::nullopt;
   // Where both end at one place, both have to go on.
   const auto inner = [&](End x, End y, int way) {
@@ -152,6 +173,33 @@ std::optional<Contact> contact(const SumSpace& space, const FacetTable& table, s
   return result;
 }
 
+/// Pairs f < g of facets whose boxes overlap: `others` from begin[f] on, ascending.
+struct NearPairs {
+  std::vector<std::size_t> begin;
+  std::vector<std::uint32_t> others;
+
+  NearPairs(const BoxTree& tree, std::size_t facets) : begin(facets + 1, 0) {
+    std::vector<std::array<std::uint32_t, 2>> pairs;
+    tree.any_pair(tree, [&](std::uint32_t f, std::uint32_t g) {
+      if (f < g) pairs.push_back({f, g}), ++begin[f + 1];
+      return false;
+    });
+    std::partial_sum(begin.begin(), begin.end(), begin.begin());
+    others.resize(pairs.size());
+    std::vector<std::size_t> place(begin.begin(), begin.end() - 1);
+    for (const auto& [f, g] : pairs) others[place[f]++] = g;
+    for (std::size_t f = 0; f < facets; ++f)
+      std::sort(others.begin() + static_cast<std::ptrdiff_t>(begin[f]),
+                others.begin() + static_cast<std::ptrdiff_t>(begin[f + 1]));
+  }
+};
+
+}  // namespace
+
+std::optional<Contact> contact(const SumSpace& space, const FacetTable& table, std::uint32_t f, std::uint32_t g) {
+  return contact(space, table, f, corners_of(space, table.facets[f]), g, corners_of(space, table.facets[g]));
+}
+
 std::vector<PlaneCut> plane_cuts(const SumSpace& space, const FacetTable& table, std::span<const PlaneId> planes) {
   std::vector<PlaneCut> cuts;
   for (std::uint32_t i = 0; i < table.facets.size(); ++i) {
@@ -159,7 +207,7 @@ std::vector<PlaneCut> plane_cuts(const SumSpace& space, const FacetTable& table,
     for (const PlaneId plane : planes) {
       bool off = false;
       for (int k = 0; k < f.facet.corners; ++k) off |= space.side(plane, f.facet.corner[k]) != 0;
-      const std::optional<Chord> c = off ? chord(space, f, plane) : std::nullopt;
+      const std::optional<Chord> c = off ? chord(space, f, corners_of(space, f), plane) : std::nullopt;
       if (!c) continue;
       const PlaneCut cut{i,
                          plane,
@@ -175,32 +223,30 @@ std::vector<PlaneCut> plane_cuts(const SumSpace& space, const FacetTable& table,
 
 Contacts find_contacts(const SumSpace& space, const FacetTable& table, StageWatch& watch, const Box* within) {
   std::vector<Box> boxes(table.facets.size());
+  std::vector<Corners> corners(table.facets.size());
   watch.run_stretches(boxes.size(), 1024, [&](std::size_t, std::size_t first, std::size_t last) {
     for (std::size_t f = first; f < last; ++f) {
-      boxes[f] = box_of(space, table.facets[f]);
+      corners[f] = corners_of(space, table.facets[f]);
+      boxes[f] = box_of(space, table.facets[f], corners[f]);
       if (within != nullptr) boxes[f] = common(boxes[f], *within);
     }
   });
   const BoxTree tree(std::move(boxes), watch.threads());
   constexpr std::size_t kPart = 256;
   const std::size_t count = table.facets.size();
+  const NearPairs near(tree, count);
   std::vector<Contacts> parts((count + kPart - 1) / kPart);
   watch.run(parts.size(), [&](std::size_t part) {
     Contacts& some = parts[part];
-    std::vector<std::uint32_t> near;
     for (std::size_t k = part * kPart; k < std::min(count, (part + 1) * kPart); ++k) {
       const auto f = static_cast<std::uint32_t>(k);
-      near.clear();
-      tree.for_each(tree.box(f), [&](std::uint32_t g) {
-        if (g > f) near.push_back(g);
-      });
-      std::sort(near.begin(), near.end());
-      some.counts.box_pairs += near.size();
-      for (const std::uint32_t g : near) {
+      some.counts.box_pairs += near.begin[k + 1] - near.begin[k];
+      for (std::size_t i = near.begin[k]; i < near.begin[k + 1]; ++i) {
+        const std::uint32_t g = near.others[i];
         if (table.facets[f].plane == table.facets[g].plane) {
           some.coplanar.push_back({f, g});
         } else if (!share_edge(table.facets[f], table.facets[g])) {
-          const std::optional<Contact> c = contact(space, table, f, g);
+          const std::optional<Contact> c = contact(space, table, f, corners[f], g, corners[g]);
           if (c && !(c->point() && c->from_inner)) some.contacts.push_back(*c);
         }
       }

@@ -1,7 +1,7 @@
 #include "spatial/sum/feature_pairs.h"
 
 #include <algorithm>
-#include <functional>
+#include <numeric>
 #include <stdexcept>
 
 namespace dymsum::spatial {
@@ -52,9 +52,13 @@ FeaturePairs::FeaturePairs(const SolidBoundary& boundary, const SolidOperand& p,
   if (!boundary.tight.segments.empty() || !boundary.tight.points.empty())
     facets_ = BoxTree(facet_boxes(space_, boundary.table), watch.threads());
   const std::vector<SumEdge>& edges = space_.edges();
-  ends_.reserve(2 * edges.size());
-  for (EdgeId e = 0; e < edges.size(); ++e) ends_.push_back({edges[e].from, e}), ends_.push_back({edges[e].to, e});
-  watch.sort(ends_, std::less<>());
+  first_end_.assign(space_.p().size() + 1, 0);
+  for (const SumEdge& edge : edges) ++first_end_[edge.from.p + 1], ++first_end_[edge.to.p + 1];
+  std::partial_sum(first_end_.begin(), first_end_.end(), first_end_.begin());
+  ends_.resize(2 * edges.size());
+  std::vector<std::uint32_t> place(first_end_.begin(), first_end_.end() - 1);
+  for (EdgeId e = 0; e < edges.size(); ++e)
+    for (const SumPoint end : {edges[e].from, edges[e].to}) ends_[place[end.p]++] = {end.q, e};
 }
 
 // The facets of a group tile or overlap, and which of them cover a place depends on nothing but the sum and its
@@ -71,14 +75,24 @@ SolidContact FeaturePairs::of_face(const Place& place, int side) const {
   return *least;
 }
 
+/// Calls f for the edges of sums that a point's source tells to hold it.
+template <class F>
+void FeaturePairs::for_each_edge_at(PointId at, F f) const {
+  const PointSource& source = arrangement_.points.source(at);
+  if (source.kind == PointSource::Kind::edge) f(source.a);
+  if (source.kind != PointSource::Kind::sum) return;
+  for (std::uint32_t k = first_end_[source.a]; k < first_end_[source.a + 1]; ++k)
+    if (ends_[k].q == source.b) f(ends_[k].edge);
+}
+
 std::optional<SolidContact> FeaturePairs::of_edge(PointId a, PointId b) const {
   std::optional<SumEdge> least;
   for (const auto& [from, to] : {std::pair{a, b}, {b, a}}) {
-    for (const EdgeId e : edges_at(from)) {
+    for_each_edge_at(from, [&, from = from, to = to](EdgeId e) {
       const SumEdge& edge = space_.edges()[e];
-      if (least && !(edge < *least)) continue;
+      if (least && !(edge < *least)) return;
       if ((is_named_by(from, e) && is_named_by(to, e)) || runs_along(edge, from, to)) least = edge;
-    }
+    });
   }
   return least ? std::optional(features(*least)) : std::nullopt;
 }
@@ -207,19 +221,6 @@ bool FeaturePairs::runs_along(const SumEdge& edge, PointId from, PointId to) con
   for (std::size_t i = 0; i < 3; ++i)
     if (e[i] * w[(i + 1) % 3] != e[(i + 1) % 3] * w[i]) return false;
   return before > 0 || after > 0;
-}
-
-/// The edges of sums that a point's source tells to hold it.
-std::vector<EdgeId> FeaturePairs::edges_at(PointId at) const {
-  const PointSource& source = arrangement_.points.source(at);
-  if (source.kind == PointSource::Kind::edge) return {source.a};
-  std::vector<EdgeId> edges;
-  if (source.kind != PointSource::Kind::sum) return edges;
-  const SumPoint sum{source.a, source.b};
-  for (auto k = std::lower_bound(ends_.begin(), ends_.end(), std::pair{sum, EdgeId{0}});
-       k != ends_.end() && k->first == sum; ++k)
-    edges.push_back(k->second);
-  return edges;
 }
 
 SolidContact features_of(const SumFacet& f, const SolidOperand& p, const SolidOperand& q) {
