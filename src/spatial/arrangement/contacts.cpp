@@ -2,10 +2,10 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numeric>
 #include <utility>
 
-#include "spatial/mesh/box_tree.h"
+#include "base/free_memory.h"
+#include "spatial/arrangement/near_pairs.h"
 
 namespace dymsum::spatial {
 
@@ -116,6 +116,24 @@ bool share_edge(const TableFacet& f, const TableFacet& g) {
   return false;
 }
 
+/// Whether a point is a corner of a facet by its name, at which a border ends in the facet's plane.
+bool ends_border(const FacetTable& table, const TableFacet& f, const PointSource& point) {
+  const int n = f.facet.corners;
+  for (int k = 0; k < n; ++k)
+    if (f.facet.corner[k] == SumPoint{point.a, point.b})
+      return !table.is_inner(f.edge[static_cast<std::size_t>(k)]) ||
+             !table.is_inner(f.edge[static_cast<std::size_t>((k + n - 1) % n)]);
+  return false;
+}
+
+/// Whether a contact is a point that cuts neither plane: one at which borders end in both of them, or where contacts of
+/// neighbours go on.
+bool cuts_nothing(const FacetTable& table, const Contact& c) {
+  if (!c.point()) return false;
+  return c.from_inner || (c.from.kind == PointSource::Kind::sum && ends_border(table, table.facets[c.f], c.from) &&
+                          ends_border(table, table.facets[c.g], c.from));
+}
+
 /// The contact itself, its ends as points, and its segments in two planes, before they are cut.
 constexpr std::size_t kBytesPerContact = sizeof(Contact) + 2 * (sizeof(PointSource) + sizeof(PointId)) + 2 * 24;
 
@@ -173,27 +191,6 @@ std::optional<Contact> contact(const SumSpace& space, const FacetTable& table, s
   return result;
 }
 
-/// Pairs f < g of facets whose boxes overlap: `others` from begin[f] on, ascending.
-struct NearPairs {
-  std::vector<std::size_t> begin;
-  std::vector<std::uint32_t> others;
-
-  NearPairs(const BoxTree& tree, std::size_t facets) : begin(facets + 1, 0) {
-    std::vector<std::array<std::uint32_t, 2>> pairs;
-    tree.any_pair(tree, [&](std::uint32_t f, std::uint32_t g) {
-      if (f < g) pairs.push_back({f, g}), ++begin[f + 1];
-      return false;
-    });
-    std::partial_sum(begin.begin(), begin.end(), begin.begin());
-    others.resize(pairs.size());
-    std::vector<std::size_t> place(begin.begin(), begin.end() - 1);
-    for (const auto& [f, g] : pairs) others[place[f]++] = g;
-    for (std::size_t f = 0; f < facets; ++f)
-      std::sort(others.begin() + static_cast<std::ptrdiff_t>(begin[f]),
-                others.begin() + static_cast<std::ptrdiff_t>(begin[f + 1]));
-  }
-};
-
 }  // namespace
 
 std::optional<Contact> contact(const SumSpace& space, const FacetTable& table, std::uint32_t f, std::uint32_t g) {
@@ -231,23 +228,22 @@ Contacts find_contacts(const SumSpace& space, const FacetTable& table, StageWatc
       if (within != nullptr) boxes[f] = common(boxes[f], *within);
     }
   });
-  const BoxTree tree(std::move(boxes), watch.threads());
   constexpr std::size_t kPart = 256;
   const std::size_t count = table.facets.size();
-  const NearPairs near(tree, count);
+  const NearPairs near = near_pairs(boxes, watch);
+  base::free_memory(boxes);
   std::vector<Contacts> parts((count + kPart - 1) / kPart);
   watch.run(parts.size(), [&](std::size_t part) {
     Contacts& some = parts[part];
     for (std::size_t k = part * kPart; k < std::min(count, (part + 1) * kPart); ++k) {
       const auto f = static_cast<std::uint32_t>(k);
-      some.counts.box_pairs += near.begin[k + 1] - near.begin[k];
-      for (std::size_t i = near.begin[k]; i < near.begin[k + 1]; ++i) {
-        const std::uint32_t g = near.others[i];
+      some.counts.box_pairs += near.of(k).size();
+      for (const std::uint32_t g : near.of(k)) {
         if (table.facets[f].plane == table.facets[g].plane) {
           some.coplanar.push_back({f, g});
         } else if (!share_edge(table.facets[f], table.facets[g])) {
           const std::optional<Contact> c = contact(space, table, f, corners[f], g, corners[g]);
-          if (c && !(c->point() && c->from_inner)) some.contacts.push_back(*c);
+          if (c && !cuts_nothing(table, *c)) some.contacts.push_back(*c);
         }
       }
     }

@@ -8,7 +8,6 @@ namespace dymsum::spatial {
 
 namespace {
 
-using exact::BigRational;
 using Kind = SolidFeature::Kind;
 
 std::uint64_t key(std::uint32_t a, std::uint32_t b) {
@@ -163,19 +162,20 @@ int FeaturePairs::side_of_border(const TableFacet& facet, int border, PointId at
 }
 
 int FeaturePairs::exact_side_of_border(const TableFacet& facet, SumPoint a, SumPoint b, PointId at) const {
-  const auto coordinate = [&](SumPoint s, int axis) {
-    return space_.exact_coordinate({PointSource::Kind::sum, s.p, s.q, 0}, axis);
-  };
-  BigRational d[3], w[3];
-  for (int axis = 0; axis < 3; ++axis) {
-    d[axis] = coordinate(b, axis) - coordinate(a, axis);
-    w[axis] = space_.exact_coordinate(arrangement_.points.source(at), axis) - coordinate(a, axis);
+  const PointSource& source = arrangement_.points.source(at);
+  if (source.kind == PointSource::Kind::sum && (SumPoint{source.a, source.b} == a || SumPoint{source.a, source.b} == b))
+    return 0;
+  if (source.kind == PointSource::Kind::edge) {
+    const SumEdge& edge = space_.edges()[source.a];
+    if (edge == SumEdge{a, b} || edge == SumEdge{b, a}) return 0;
   }
-  for (int axis = 0; axis < 3; ++axis) {
-    const int up = space_.exact_normal(facet.plane, axis) * facet.side;
+  const Way along = a.q == b.q ? Way{Way::Of::p, a.p, b.p} : Way{Way::Of::q, a.q, b.q};
+  for (std::uint32_t axis = 0; axis < 3; ++axis) {
+    const int up = space_.exact_normal(facet.plane, static_cast<int>(axis)) * facet.side;
     if (up == 0) continue;
-    const int i = (axis + 1) % 3, j = (axis + 2) % 3;
-    return BigRational(d[i] * w[j] - d[j] * w[i]).sign() * up;
+    // Along the axis e the way d to the point w turns to the left: e . (d x w) = -(d x e) . w.
+    const PlaneSource upright{a, along, {Way::Of::axis, axis, 0}, false};
+    return -space_.exact_side(upright, Flag{source, 0, 0, 0, 0, 0}) * up;
   }
   throw std::logic_error("solid sum: a plane without a normal");
 }
