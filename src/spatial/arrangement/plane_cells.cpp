@@ -12,6 +12,7 @@ class PlaneArranger::Cells {
   Cells(const SumSpace& space, const PointTable& points) : space_(space), points_(space, points), lines_(points_) {}
 
   PlaneCells run(PlaneId plane, std::span<const PlaneSegment> segments) {
+    if (is_lone_facet(segments)) return lone_facet(segments);
     points_.begin(plane);
     lines_.run(segments);
     result_ = {};
@@ -31,6 +32,38 @@ class PlaneArranger::Cells {
   }
 
  private:
+  /// Whether segments are the borders of one facet, each beginning where another one ends, and nothing else.
+  static bool is_lone_facet(std::span<const PlaneSegment> segments) {
+    if (segments.size() < 3 || segments.size() > 4) return false;
+    for (std::size_t k = 0; k < segments.size(); ++k) {
+      const PlaneSegment &s = segments[k], &next = segments[(k + 1) % segments.size()];
+      if (s.inside == 0 || s.side != segments[0].side || s.a == s.b || end_of(s) != start_of(next)) return false;
+    }
+    return segments.size() == 3 || start_of(segments[0]) != start_of(segments[2]);
+  }
+  /// On the way around a facet counter-clockwise about its own normal.
+  static PointId start_of(const PlaneSegment& s) { return s.inside * s.side > 0 ? s.a : s.b; }
+  static PointId end_of(const PlaneSegment& s) { return s.inside * s.side > 0 ? s.b : s.a; }
+
+  /// Facets are convex: one cell.
+  PlaneCells lone_facet(std::span<const PlaneSegment> segments) const {
+    PlaneCells result;
+    const int side = segments[0].side;
+    result.known = points_.known();
+    result.cells.push_back({side > 0 ? 1U : 0U, side > 0 ? 0U : 1U, 0, 1});
+    result.edges.reserve(segments.size()), result.half_edges.reserve(segments.size());
+    for (const PlaneSegment& s : segments) {
+      const bool along = s.a < s.b, left = (s.inside > 0) == along;
+      result.half_edges.push_back(static_cast<std::uint32_t>(2 * result.edges.size() + (left ? 0 : 1)));
+      result.edges.push_back(
+          {std::min(s.a, s.b), std::max(s.a, s.b), left ? 0 : kNoId, left ? kNoId : 0, s.cut, along, s.border});
+    }
+    // Seen against the plane's normal the way around is clockwise where the facet's is the opposite one.
+    if (side < 0) std::reverse(result.half_edges.begin(), result.half_edges.end());
+    result.loops.push_back(static_cast<std::uint32_t>(segments.size()));
+    return result;
+  }
+
   int order(PointId a, PointId b, int axis) const { return points_.order(a, b, axis); }
   int left_of(PlaneId cut, PointId point) const { return points_.left_of(cut, point); }
 
