@@ -116,22 +116,50 @@ bool share_edge(const TableFacet& f, const TableFacet& g) {
   return false;
 }
 
-/// Whether a point is a corner of a facet by its name, at which a border ends in the facet's plane.
-bool ends_border(const FacetTable& table, const TableFacet& f, const PointSource& point) {
-  const int n = f.facet.corners;
-  for (int k = 0; k < n; ++k)
-    if (f.facet.corner[k] == SumPoint{point.a, point.b})
-      return !table.is_inner(f.edge[static_cast<std::size_t>(k)]) ||
-             !table.is_inner(f.edge[static_cast<std::size_t>((k + n - 1) % n)]);
-  return false;
+/// Whether a border of a facet ends in its plane at a corner, and none inside of a face.
+bool ends_border(const FacetTable& table, const TableFacet& f, int corner) {
+  return !table.is_inner(f.edge[corner]) || !table.is_inner(f.edge[(corner + f.facet.corners - 1) % f.facet.corners]);
+}
+int corner_at(const TableFacet& f, SumPoint point) {
+  for (int k = 0; k < f.facet.corners; ++k)
+    if (f.facet.corner[k] == point) return k;
+  return -1;
 }
 
 /// Whether a contact is a point that cuts neither plane: one at which borders end in both of them, or where contacts of
 /// neighbours go on.
 bool cuts_nothing(const FacetTable& table, const Contact& c) {
   if (!c.point()) return false;
-  return c.from_inner || (c.from.kind == PointSource::Kind::sum && ends_border(table, table.facets[c.f], c.from) &&
-                          ends_border(table, table.facets[c.g], c.from));
+  if (c.from_inner) return true;
+  if (c.from.kind != PointSource::Kind::sum) return false;
+  const TableFacet &f = table.facets[c.f], &g = table.facets[c.g];
+  const int i = corner_at(f, {c.from.a, c.from.b}), j = corner_at(g, {c.from.a, c.from.b});
+  return i >= 0 && j >= 0 && ends_border(table, f, i) && ends_border(table, g, j);
+}
+
+/// Whether doubles tell that a facet lies to one side of a plane but for one corner.
+bool beside(const SumSpace& space, const Placed& f, int corner, PlaneId plane) {
+  const Plane& cut = space.plane(plane);
+  const double error = cut.slack + cut.norm1 * space.sum_radius();
+  bool above = true, below = true;
+  for (int k = 0; k < f.facet.facet.corners; ++k) {
+    if (k == corner) continue;
+    const double height = dot(cut.n, f.at[static_cast<std::size_t>(k)]) - cut.d;
+    above = above && height > error, below = below && height < -error;
+  }
+  return above || below;
+}
+
+/// Whether two facets have a corner in common, by its name, and doubles tell that they have no other point in common
+/// and that it cuts nothing: as most neighbours.
+bool only_share_corner(const SumSpace& space, const FacetTable& table, const Placed& f, const Placed& g) {
+  for (int i = 0; i < f.facet.facet.corners; ++i) {
+    const int j = corner_at(g.facet, f.facet.facet.corner[i]);
+    if (j < 0) continue;
+    return ends_border(table, f.facet, i) && ends_border(table, g.facet, j) &&
+           (beside(space, f, i, g.facet.plane) || beside(space, g, j, f.facet.plane));
+  }
+  return false;
 }
 
 /// The contact itself, its ends as points, and its segments in two planes, before they are cut.
@@ -241,7 +269,8 @@ Contacts find_contacts(const SumSpace& space, const FacetTable& table, StageWatc
       for (const std::uint32_t g : near.of(k)) {
         if (table.facets[f].plane == table.facets[g].plane) {
           some.coplanar.push_back({f, g});
-        } else if (!share_edge(table.facets[f], table.facets[g])) {
+        } else if (!share_edge(table.facets[f], table.facets[g]) &&
+                   !only_share_corner(space, table, {table.facets[f], corners[f]}, {table.facets[g], corners[g]})) {
           const std::optional<Contact> c = contact(space, table, f, corners[f], g, corners[g]);
           if (c && !cuts_nothing(table, *c)) some.contacts.push_back(*c);
         }
