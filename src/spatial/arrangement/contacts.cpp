@@ -4,7 +4,8 @@
 #include <cmath>
 #include <utility>
 
-#include "spatial/mesh/box_tree.h"
+#include "base/free_memory.h"
+#include "spatial/arrangement/near_pairs.h"
 
 namespace dymsum::spatial {
 
@@ -20,13 +21,25 @@ struct Chord {
   End from, to;
 };
 
+/// Where a facet's corners are, nearly.
+using Corners = std::array<Vec3, 4>;
+
+Corners corners_of(const SumSpace& space, const TableFacet& f) {
+  Corners corners;
+  for (int k = 0; k < f.facet.corners; ++k) corners[static_cast<std::size_t>(k)] = space.approx(f.facet.corner[k]);
+  return corners;
+}
+
 /// The stretch of facet f on a plane, in the direction n_f x n_plane. None where they do not meet.
-std::optional<Chord> chord(const SumSpace& space, const TableFacet& f, PlaneId plane) {
+std::optional<Chord> chord(const SumSpace& space, const TableFacet& f, const Corners& corners, PlaneId plane) {
   const int n = f.facet.corners;
+  const Plane& cut = space.plane(plane);
+  const double error = cut.slack + cut.norm1 * space.sum_radius();
   int s[4];
   bool above = false, below = false, on = false;
   for (int k = 0; k < n; ++k) {
-    s[k] = space.side(plane, f.facet.corner[k]);
+    const double height = dot(cut.n, corners[static_cast<std::size_t>(k)]) - cut.d;
+    s[k] = height > error ? 1 : height < -error ? -1 : space.side(plane, f.facet.corner[k]);
     above |= s[k] > 0, below |= s[k] < 0, on |= s[k] == 0;
   }
   if (!on && !(above && below)) return std::nullopt;
@@ -56,23 +69,31 @@ std::optional<Chord> chord(const SumSpace& space, const TableFacet& f, PlaneId p
 
 SumEdge border(const TableFacet& f, int k) { return {f.facet.corner[k], f.facet.corner[(k + 1) % f.facet.corners]}; }
 
-int twist(const SumSpace& space, const SumEdge& a, const SumEdge& b) {
+/// A facet with its corners.
+struct Placed {
+  const TableFacet& facet;
+  const Corners& at;
+};
+
+int twist(const SumSpace& space, const Placed& f, int k, const Placed& g, int l) {
   const auto norm = [&](Vec3 v) { return std::abs(v.x) + std::abs(v.y) + std::abs(v.z) + 4 * space.sum_radius(); };
-  const Vec3 from = space.approx(a.from), u = space.approx(a.to) - from, v = space.approx(b.to) - space.approx(b.from),
-             w = space.approx(b.from) - from;
+  const auto corner = [](const Placed& p, int i) { return p.at[static_cast<std::size_t>(i % p.facet.facet.corners)]; };
+  const Vec3 from = corner(f, k), u = corner(f, k + 1) - from, v = corner(g, l + 1) - corner(g, l),
+             w = corner(g, l) - from;
   const double U = norm(u), V = norm(v), W = norm(w);
   const double value = dot(cross(u, v), w);
   const double error = U * V * W * 0x1p-48 + 8 * space.sum_radius() * (U * V + V * W + U * W);
   if (value > error) return 1;
   if (value < -error) return -1;
+  const SumEdge a = border(f.facet, k), b = border(g.facet, l);
   if (a.from == b.from || a.from == b.to || a.to == b.from || a.to == b.to) return 0;
   return space.exact_twist(a, b);
 }
 
 /// The sign of the way from f's end to g's end in the direction n_f x n_g: with x on the border e of f and y on h of g,
 /// y - x = l (n_f x n_g) and (e x h) . (n_f x n_g) = -(e . n_g) (h . n_f).
-int order(const SumSpace& space, const TableFacet& f, End x, const TableFacet& g, End y) {
-  return -twist(space, border(f, x.border), border(g, y.border)) * x.rise * y.rise;
+int order(const SumSpace& space, const Placed& f, End x, const Placed& g, End y) {
+  return -twist(space, f, x.border, g, y.border) * x.rise * y.rise;
 }
 
 PointSource source(const TableFacet& f, End end, PlaneId plane) {
@@ -95,6 +116,52 @@ bool share_edge(const TableFacet& f, const TableFacet& g) {
   return false;
 }
 
+/// Whether a border of a facet ends in its plane at a corner, and none inside of a face.
+bool ends_border(const FacetTable& table, const TableFacet& f, int corner) {
+  return !table.is_inner(f.edge[corner]) || !table.is_inner(f.edge[(corner + f.facet.corners - 1) % f.facet.corners]);
+}
+int corner_at(const TableFacet& f, SumPoint point) {
+  for (int k = 0; k < f.facet.corners; ++k)
+    if (f.facet.corner[k] == point) return k;
+  return -1;
+}
+
+/// Whether a contact is a point that cuts neither plane: one at which borders end in both of them, or where contacts of
+/// neighbours go on.
+bool cuts_nothing(const FacetTable& table, const Contact& c) {
+  if (!c.point()) return false;
+  if (c.from_inner) return true;
+  if (c.from.kind != PointSource::Kind::sum) return false;
+  const TableFacet &f = table.facets[c.f], &g = table.facets[c.g];
+  const int i = corner_at(f, {c.from.a, c.from.b}), j = corner_at(g, {c.from.a, c.from.b});
+  return i >= 0 && j >= 0 && ends_border(table, f, i) && ends_border(table, g, j);
+}
+
+/// Whether doubles tell that a facet lies to one side of a plane but for one corner.
+bool beside(const SumSpace& space, const Placed& f, int corner, PlaneId plane) {
+  const Plane& cut = space.plane(plane);
+  const double error = cut.slack + cut.norm1 * space.sum_radius();
+  bool above = true, below = true;
+  for (int k = 0; k < f.facet.facet.corners; ++k) {
+    if (k == corner) continue;
+    const double height = dot(cut.n, f.at[static_cast<std::size_t>(k)]) - cut.d;
+    above = above && height > error, below = below && height < -error;
+  }
+  return above || below;
+}
+
+/// Whether two facets have a corner in common, by its name, and doubles tell that they have no other point in common
+/// and that it cuts nothing: as most neighbours.
+bool only_share_corner(const SumSpace& space, const FacetTable& table, const Placed& f, const Placed& g) {
+  for (int i = 0; i < f.facet.facet.corners; ++i) {
+    const int j = corner_at(g.facet, f.facet.facet.corner[i]);
+    if (j < 0) continue;
+    return ends_border(table, f.facet, i) && ends_border(table, g.facet, j) &&
+           (beside(space, f, i, g.facet.plane) || beside(space, g, j, f.facet.plane));
+  }
+  return false;
+}
+
 /// The contact itself, its ends as points, and its segments in two planes, before they are cut.
 constexpr std::size_t kBytesPerContact = sizeof(Contact) + 2 * (sizeof(PointSource) + sizeof(PointId)) + 2 * 24;
 
@@ -107,31 +174,31 @@ Box common(const Box& a, const Box& b) {
   return {within(a.low), within(a.high)};
 }
 
-Box box_of(const SumSpace& space, const TableFacet& f) {
+Box box_of(const SumSpace& space, const TableFacet& f, const Corners& corners) {
   Box box;
-  for (int k = 0; k < f.facet.corners; ++k) box.add(space.approx(f.facet.corner[k]));
+  for (int k = 0; k < f.facet.corners; ++k) box.add(corners[static_cast<std::size_t>(k)]);
   box.grow(space.sum_radius());
   return box;
 }
 
-}  // namespace
-
-std::optional<Contact> contact(const SumSpace& space, const FacetTable& table, std::uint32_t i, std::uint32_t j) {
+std::optional<Contact> contact(const SumSpace& space, const FacetTable& table, std::uint32_t i, const Corners& i_at,
+                               std::uint32_t j, const Corners& j_at) {
   const TableFacet &f = table.facets[i], &g = table.facets[j];
-  const std::optional<Chord> a = chord(space, f, g.plane);
+  const Placed at_f{f, i_at}, at_g{g, j_at};
+  const std::optional<Chord> a = chord(space, f, i_at, g.plane);
   if (!a) return std::nullopt;
-  std::optional<Chord> b = chord(space, g, f.plane);
+  std::optional<Chord> b = chord(space, g, j_at, f.plane);
   if (!b) return std::nullopt;
   std::swap(b->from, b->to);  // in the direction n_f x n_g
   // The later beginning and the earlier end; of equal ones a corner.
-  const int begin = order(space, f, a->from, g, b->from);
-  const int end = order(space, f, a->to, g, b->to);
+  const int begin = order(space, at_f, a->from, at_g, b->from);
+  const int end = order(space, at_f, a->to, at_g, b->to);
   const bool begin_f = begin < 0 || (begin == 0 && a->from.corner >= 0),
              end_f = end > 0 || (end == 0 && a->to.corner >= 0);
   // The stretch of f begins and ends in order, and so does that of g: only mixed ends can be out of order.
   int length = 1;
-  if (begin_f && !end_f) length = order(space, f, a->from, g, b->to);
-  if (!begin_f && end_f) length = -order(space, f, a->to, g, b->from);
+  if (begin_f && !end_f) length = order(space, at_f, a->from, at_g, b->to);
+  if (!begin_f && end_f) length = -order(space, at_f, a->to, at_g, b->from);
   if (length < 0) return std::nullopt;
   // Where both end at one place, both have to go on.
   const auto inner = [&](End x, End y, int way) {
@@ -152,6 +219,12 @@ std::optional<Contact> contact(const SumSpace& space, const FacetTable& table, s
   return result;
 }
 
+}  // namespace
+
+std::optional<Contact> contact(const SumSpace& space, const FacetTable& table, std::uint32_t f, std::uint32_t g) {
+  return contact(space, table, f, corners_of(space, table.facets[f]), g, corners_of(space, table.facets[g]));
+}
+
 std::vector<PlaneCut> plane_cuts(const SumSpace& space, const FacetTable& table, std::span<const PlaneId> planes) {
   std::vector<PlaneCut> cuts;
   for (std::uint32_t i = 0; i < table.facets.size(); ++i) {
@@ -159,7 +232,7 @@ std::vector<PlaneCut> plane_cuts(const SumSpace& space, const FacetTable& table,
     for (const PlaneId plane : planes) {
       bool off = false;
       for (int k = 0; k < f.facet.corners; ++k) off |= space.side(plane, f.facet.corner[k]) != 0;
-      const std::optional<Chord> c = off ? chord(space, f, plane) : std::nullopt;
+      const std::optional<Chord> c = off ? chord(space, f, corners_of(space, f), plane) : std::nullopt;
       if (!c) continue;
       const PlaneCut cut{i,
                          plane,
@@ -175,33 +248,31 @@ std::vector<PlaneCut> plane_cuts(const SumSpace& space, const FacetTable& table,
 
 Contacts find_contacts(const SumSpace& space, const FacetTable& table, StageWatch& watch, const Box* within) {
   std::vector<Box> boxes(table.facets.size());
+  std::vector<Corners> corners(table.facets.size());
   watch.run_stretches(boxes.size(), 1024, [&](std::size_t, std::size_t first, std::size_t last) {
     for (std::size_t f = first; f < last; ++f) {
-      boxes[f] = box_of(space, table.facets[f]);
+      corners[f] = corners_of(space, table.facets[f]);
+      boxes[f] = box_of(space, table.facets[f], corners[f]);
       if (within != nullptr) boxes[f] = common(boxes[f], *within);
     }
   });
-  const BoxTree tree(std::move(boxes), watch.threads());
   constexpr std::size_t kPart = 256;
   const std::size_t count = table.facets.size();
+  const NearPairs near = near_pairs(boxes, watch);
+  base::free_memory(boxes);
   std::vector<Contacts> parts((count + kPart - 1) / kPart);
   watch.run(parts.size(), [&](std::size_t part) {
     Contacts& some = parts[part];
-    std::vector<std::uint32_t> near;
     for (std::size_t k = part * kPart; k < std::min(count, (part + 1) * kPart); ++k) {
       const auto f = static_cast<std::uint32_t>(k);
-      near.clear();
-      tree.for_each(tree.box(f), [&](std::uint32_t g) {
-        if (g > f) near.push_back(g);
-      });
-      std::sort(near.begin(), near.end());
-      some.counts.box_pairs += near.size();
-      for (const std::uint32_t g : near) {
+      some.counts.box_pairs += near.of(k).size();
+      for (const std::uint32_t g : near.of(k)) {
         if (table.facets[f].plane == table.facets[g].plane) {
           some.coplanar.push_back({f, g});
-        } else if (!share_edge(table.facets[f], table.facets[g])) {
-          const std::optional<Contact> c = contact(space, table, f, g);
-          if (c && !(c->point() && c->from_inner)) some.contacts.push_back(*c);
+        } else if (!share_edge(table.facets[f], table.facets[g]) &&
+                   !only_share_corner(space, table, {table.facets[f], corners[f]}, {table.facets[g], corners[g]})) {
+          const std::optional<Contact> c = contact(space, table, f, corners[f], g, corners[g]);
+          if (c && !cuts_nothing(table, *c)) some.contacts.push_back(*c);
         }
       }
     }

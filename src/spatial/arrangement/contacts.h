@@ -34,9 +34,9 @@ struct Contacts {
 /// The contact of two facets in different planes that share no edge. Exact.
 std::optional<Contact> contact(const SumSpace& space, const FacetTable& table, std::uint32_t f, std::uint32_t g);
 
-/// All of them, but for points at which the contacts of neighbours go on. Where two facets in different planes share an
-/// edge of sums, that edge is all they have in common, and not listed. With `within` only contacts that meet that box,
-/// on the grid, need be listed.
+/// All of them, but for points at which the contacts of neighbours go on, or that are corners of both facets with
+/// borders that end there. Where two facets in different planes share an edge of sums, that edge is all they have in
+/// common, and not listed. With `within` only contacts that meet that box, on the grid, need be listed.
 Contacts find_contacts(const SumSpace& space, const FacetTable& table, StageWatch& watch, const Box* within = nullptr);
 
 /// The stretch of a facet on a plane that is none of a facet, from `from` to `to` in the direction n_f x n_plane.

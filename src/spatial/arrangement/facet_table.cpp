@@ -1,6 +1,7 @@
 #include "spatial/arrangement/facet_table.h"
 
 #include <algorithm>
+#include <bit>
 #include <numeric>
 #include <tuple>
 #include <unordered_map>
@@ -36,32 +37,27 @@ void share_planes(const SumSpace& space, PlaneId first, FacetTable& table, Stage
   }
 }
 
-void share_edges(SumSpace& space, FacetTable& table, StageWatch& watch) {
-  struct Border {
-    SumEdge edge;
-    std::uint32_t facet;
-    int corner;
-  };
-  std::vector<Border> borders;
-  borders.reserve(4 * table.facets.size());
-  for (std::uint32_t f = 0; f < table.facets.size(); ++f) {
-    TableFacet& facet = table.facets[f];
+/// Edges once, in the order in which facets have them.
+void share_edges(SumSpace& space, FacetTable& table) {
+  const auto before = static_cast<EdgeId>(space.edges().size());
+  std::vector<SumEdge> edges;
+  std::vector<std::uint32_t> slots(std::bit_ceil(4 * table.facets.size() + 1), kNoId);  // open addressing
+  for (TableFacet& facet : table.facets) {
     const int n = facet.facet.corners;
     for (int k = 0; k < n; ++k) {
       SumEdge edge{facet.facet.corner[k], facet.facet.corner[(k + 1) % n]};
       facet.forward[k] = edge.from < edge.to;
       if (!facet.forward[k]) std::swap(edge.from, edge.to);
-      borders.push_back({edge, f, k});
+      const auto pair = [](SumPoint s) { return static_cast<std::uint64_t>(s.p) << 32 | s.q; };
+      const std::uint64_t mixed = pair(edge.from) * 0x9e3779b97f4a7c15ULL + pair(edge.to) * 0xd6e8feb86659fd93ULL;
+      std::size_t at = (mixed >> 32) & (slots.size() - 1);
+      while (slots[at] != kNoId && edges[slots[at]] != edge) at = (at + 1) & (slots.size() - 1);
+      if (slots[at] == kNoId) {
+        slots[at] = static_cast<std::uint32_t>(edges.size());
+        edges.push_back(edge);
+      }
+      facet.edge[k] = before + slots[at];
     }
-  }
-  watch.sort(borders, [](const Border& a, const Border& b) {
-    return std::tie(a.edge, a.facet, a.corner) < std::tie(b.edge, b.facet, b.corner);
-  });
-  std::vector<SumEdge> edges;
-  const auto first = static_cast<EdgeId>(space.edges().size());
-  for (std::size_t k = 0; k < borders.size(); ++k) {
-    if (k == 0 || borders[k].edge != borders[k - 1].edge) edges.push_back(borders[k].edge);
-    table.facets[borders[k].facet].edge[borders[k].corner] = first + static_cast<EdgeId>(edges.size() - 1);
   }
   space.add_edges(edges);
 }
@@ -108,7 +104,7 @@ FacetTable facet_table(SumSpace& space, const ReducedConvolution& convolution, S
   table.facets.reserve(convolution.facets.size());
   for (const SumFacet& facet : convolution.facets) table.facets.push_back({facet, 0, 1, {}, {}});
   share_planes(space, space.add_planes(convolution.planes, watch.threads()), table, watch);
-  share_edges(space, table, watch);
+  share_edges(space, table);
   return table;
 }
 

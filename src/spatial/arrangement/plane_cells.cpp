@@ -1,6 +1,7 @@
 #include "spatial/arrangement/plane_cells.h"
 
 #include <algorithm>
+#include <bit>
 #include <numeric>
 #include <stdexcept>
 
@@ -11,6 +12,7 @@ class PlaneArranger::Cells {
   Cells(const SumSpace& space, const PointTable& points) : space_(space), points_(space, points), lines_(points_) {}
 
   PlaneCells run(PlaneId plane, std::span<const PlaneSegment> segments) {
+    if (is_lone_facet(segments)) return lone_facet(segments);
     points_.begin(plane);
     lines_.run(segments);
     result_ = {};
@@ -30,6 +32,38 @@ class PlaneArranger::Cells {
   }
 
  private:
+  /// Whether segments are the borders of one facet, each beginning where another one ends, and nothing else.
+  static bool is_lone_facet(std::span<const PlaneSegment> segments) {
+    if (segments.size() < 3 || segments.size() > 4) return false;
+    for (std::size_t k = 0; k < segments.size(); ++k) {
+      const PlaneSegment &s = segments[k], &next = segments[(k + 1) % segments.size()];
+      if (s.inside == 0 || s.side != segments[0].side || s.a == s.b || end_of(s) != start_of(next)) return false;
+    }
+    return segments.size() == 3 || start_of(segments[0]) != start_of(segments[2]);
+  }
+  /// On the way around a facet counter-clockwise about its own normal.
+  static PointId start_of(const PlaneSegment& s) { return s.inside * s.side > 0 ? s.a : s.b; }
+  static PointId end_of(const PlaneSegment& s) { return s.inside * s.side > 0 ? s.b : s.a; }
+
+  /// Facets are convex: one cell.
+  PlaneCells lone_facet(std::span<const PlaneSegment> segments) const {
+    PlaneCells result;
+    const int side = segments[0].side;
+    result.known = points_.known();
+    result.cells.push_back({side > 0 ? 1U : 0U, side > 0 ? 0U : 1U, 0, 1});
+    result.edges.reserve(segments.size()), result.half_edges.reserve(segments.size());
+    for (const PlaneSegment& s : segments) {
+      const bool along = s.a < s.b, left = (s.inside > 0) == along;
+      result.half_edges.push_back(static_cast<std::uint32_t>(2 * result.edges.size() + (left ? 0 : 1)));
+      result.edges.push_back(
+          {std::min(s.a, s.b), std::max(s.a, s.b), left ? 0 : kNoId, left ? kNoId : 0, s.cut, along, s.border});
+    }
+    // Seen against the plane's normal the way around is clockwise where the facet's is the opposite one.
+    if (side < 0) std::reverse(result.half_edges.begin(), result.half_edges.end());
+    result.loops.push_back(static_cast<std::uint32_t>(segments.size()));
+    return result;
+  }
+
   int order(PointId a, PointId b, int axis) const { return points_.order(a, b, axis); }
   int left_of(PlaneId cut, PointId point) const { return points_.left_of(cut, point); }
 
@@ -44,43 +78,53 @@ class PlaneArranger::Cells {
     return a == b ? 0 : way(g) * way(h) * space_.det(points_.plane(), a, b);
   }
 
-  void sort_around_points() {
-    out_.resize(half_edge_count());
-    std::iota(out_.begin(), out_.end(), 0u);
-    std::sort(out_.begin(), out_.end(),
-              [&](std::uint32_t g, std::uint32_t h) { return from(g) != from(h) ? from(g) < from(h) : g < h; });
-    place_.resize(out_.size());
-    spans_.clear(), span_of_.clear();
-    for (std::size_t first = 0, last = 0; first < out_.size(); first = last) {
-      while (last < out_.size() && from(out_[last]) == from(out_[first])) ++last;
-      const std::uint32_t reference = out_[first];
-      // 0 along the reference, 1 less than half a turn from it, 2 opposite, 3 beyond.
-      const auto sector = [&](std::uint32_t h) {
-        if (h == reference) return 0;
-        const int t = turn(reference, h);
-        return t > 0 ? 1 : t < 0 ? 3 : 2;
-      };
-      if (last - first > 2) {
-        std::sort(out_.begin() + static_cast<std::ptrdiff_t>(first), out_.begin() + static_cast<std::ptrdiff_t>(last),
-                  [&](std::uint32_t g, std::uint32_t h) {
-                    const int a = sector(g), b = sector(h);
-                    if (a != b || a == 0 || a == 2) return a < b;
-                    return turn(g, h) > 0;
-                  });
+  /// Gives the ends of half-edges indices from 0 on, in the order of their first half-edges.
+  void number_points() {
+    const std::size_t slots = std::bit_ceil(2 * half_edge_count() + 1);
+    slot_.assign(slots, kNoId);
+    point_.clear(), vertex_.resize(half_edge_count());
+    for (std::uint32_t h = 0; h < half_edge_count(); ++h) {
+      const PointId p = from(h);
+      std::size_t at = (p * 0x9e3779b1u) & (slots - 1);
+      while (slot_[at] != kNoId && point_[slot_[at]] != p) at = (at + 1) & (slots - 1);
+      if (slot_[at] == kNoId) {
+        slot_[at] = static_cast<std::uint32_t>(point_.size());
+        point_.push_back(p);
       }
-      for (std::size_t k = first; k < last; ++k) place_[out_[k]] = static_cast<std::uint32_t>(k);
-      spans_.push_back({static_cast<std::uint32_t>(first), static_cast<std::uint32_t>(last)});
-      for (std::size_t k = first; k < last; ++k) span_of_.push_back(static_cast<std::uint32_t>(spans_.size() - 1));
+      vertex_[h] = slot_[at];
     }
   }
-  /// Of half-edge h's span, the next one counter-clockwise, or clockwise.
-  std::uint32_t around(std::uint32_t h, int step) const {
-    const auto [first, last] = spans_[span_of_[place_[h]]];
-    const std::uint32_t n = last - first;
-    return out_[first + (place_[h] - first + (step > 0 ? 1 : n - 1)) % n];
+  /// Half-edges by the points that they leave, counter-clockwise around each; and which one follows which.
+  void sort_around_points() {
+    number_points();
+    begin_.assign(point_.size() + 1, 0);
+    for (const std::uint32_t v : vertex_) ++begin_[v + 1];
+    std::partial_sum(begin_.begin(), begin_.end(), begin_.begin());
+    out_.resize(half_edge_count()), next_.resize(half_edge_count());
+    place_.assign(begin_.begin(), begin_.end() - 1);
+    for (std::uint32_t h = 0; h < half_edge_count(); ++h) out_[place_[vertex_[h]]++] = h;
+    for (std::size_t v = 0; v < point_.size(); ++v) {
+      const std::uint32_t first = begin_[v], last = begin_[v + 1];
+      if (last - first > 2) sort_around(first, last);
+      // Along the face to the left: clockwise around the end.
+      for (std::uint32_t k = first; k < last; ++k) next_[out_[k] ^ 1] = out_[k == first ? last - 1 : k - 1];
+    }
   }
-  /// Along the face to the left.
-  std::uint32_t next(std::uint32_t h) const { return around(h ^ 1, -1); }
+  void sort_around(std::uint32_t first, std::uint32_t last) {
+    const std::uint32_t reference = out_[first];
+    // 0 along the reference, 1 less than half a turn from it, 2 opposite, 3 beyond.
+    sectors_.clear();
+    for (std::uint32_t k = first; k < last; ++k) {
+      const int t = k == first ? 0 : turn(reference, out_[k]);
+      sectors_.push_back({k == first ? 0 : t > 0 ? 1 : t < 0 ? 3 : 2, out_[k]});
+    }
+    std::sort(sectors_.begin(), sectors_.end(), [&](const Sector& g, const Sector& h) {
+      if (g.sector != h.sector || g.sector == 0 || g.sector == 2) return g.sector < h.sector;
+      return turn(g.half_edge, h.half_edge) > 0;
+    });
+    for (std::uint32_t k = first; k < last; ++k) out_[k] = sectors_[k - first].half_edge;
+  }
+  std::uint32_t next(std::uint32_t h) const { return next_[h]; }
 
   // -- loops and faces
   void trace_loops() {
@@ -95,32 +139,14 @@ class PlaneArranger::Cells {
   }
 
   void find_components() {
-    parent_.resize(loop_start_.size());
-    std::iota(parent_.begin(), parent_.end(), 0u);
-    const auto root = [&](std::uint32_t v) {
-      while (parent_[v] != v) v = parent_[v] = parent_[parent_[v]];
-      return v;
-    };
-    // Loops with a point in common: the two sides of every edge, and all half-edges out of a point.
-    for (const auto& [first, last] : spans_)
-      for (std::uint32_t k = first; k < last; ++k) {
-        parent_[root(loop_of_[out_[k]])] = root(loop_of_[out_[first]]);
-        parent_[root(loop_of_[out_[k] ^ 1])] = root(loop_of_[out_[first]]);
-      }
-    component_.resize(loop_start_.size());
-    index_.assign(loop_start_.size(), kNoId);
-    lowest_.clear();
-    for (std::uint32_t l = 0; l < component_.size(); ++l) {
-      const std::uint32_t r = root(l);
-      if (index_[r] == kNoId) {
-        index_[r] = static_cast<std::uint32_t>(lowest_.size());
-        lowest_.push_back(kNoId);
-      }
-      component_[l] = index_[r];
-    }
-    for (std::uint32_t s = 0; s < spans_.size(); ++s) {
-      std::uint32_t& lowest = lowest_[component_[loop_of_[out_[spans_[s].first]]]];
-      if (lowest == kNoId || before(point_of(s), point_of(lowest))) lowest = s;
+    // Each component has two more points and loops than edges.
+    const std::size_t components = (point_.size() + loop_start_.size() - result_.edges.size()) / 2;
+    if (components == 1) component_.assign(loop_start_.size(), 0);
+    else join_loops();
+    lowest_.assign(components, kNoId);
+    for (std::uint32_t v = 0; v < point_.size(); ++v) {
+      std::uint32_t& lowest = lowest_[component_[loop_of_[out_[begin_[v]]]]];
+      if (lowest == kNoId || before(point_[v], point_[lowest])) lowest = v;
     }
     outer_.resize(lowest_.size());
     is_outer_.assign(loop_start_.size(), false);
@@ -129,7 +155,27 @@ class PlaneArranger::Cells {
       is_outer_[outer_[c]] = true;
     }
   }
-  PointId point_of(std::uint32_t span) const { return from(out_[spans_[span].first]); }
+  /// Loops with a point in common: the two sides of every edge, and all half-edges out of a point.
+  void join_loops() {
+    parent_.resize(loop_start_.size());
+    std::iota(parent_.begin(), parent_.end(), 0u);
+    const auto root = [&](std::uint32_t v) {
+      while (parent_[v] != v) v = parent_[v] = parent_[parent_[v]];
+      return v;
+    };
+    for (std::uint32_t h = 0; h < half_edge_count(); ++h) {
+      parent_[root(loop_of_[h])] = root(loop_of_[h ^ 1]);
+      parent_[root(loop_of_[h])] = root(loop_of_[out_[begin_[vertex_[h]]]]);
+    }
+    component_.resize(loop_start_.size());
+    index_.assign(loop_start_.size(), kNoId);
+    std::uint32_t count = 0;
+    for (std::uint32_t l = 0; l < component_.size(); ++l) {
+      const std::uint32_t r = root(l);
+      if (index_[r] == kNoId) index_[r] = count++;
+      component_[l] = index_[r];
+    }
+  }
   /// Lexicographic order of points of the plane.
   bool before(PointId a, PointId b) const {
     const int s = order(a, b, 0);
@@ -137,13 +183,14 @@ class PlaneArranger::Cells {
   }
   /// At the lowest point of a component all half-edges leave into half a turn: the last one counter-clockwise. To its
   /// left is the outside.
-  std::uint32_t last_around(std::uint32_t span) const {
-    const auto [first, last] = spans_[span];
+  std::uint32_t last_around(std::uint32_t vertex) const {
+    const std::uint32_t first = begin_[vertex], last = begin_[vertex + 1];
     for (std::uint32_t k = first; k < last; ++k)
-      if (last - first == 1 || turn(out_[k], around(out_[k], 1)) < 0) return out_[k];
+      if (last - first == 1 || turn(out_[k], out_[k + 1 < last ? k + 1 : first]) < 0) return out_[k];
     // Two half-edges leave in opposite directions at no lowest point.
     throw std::logic_error("plane_cells: no outer side at a lowest point");
   }
+  PointId lowest_point(std::uint32_t component) const { return point_[lowest_[component]]; }
 
   /// Which loop's face every component lies in: kNoId for none.
   void nest_components() {
@@ -153,13 +200,13 @@ class PlaneArranger::Cells {
     for (std::uint32_t c = 0; c < lowest_.size(); ++c) {
       around_.clear();
       for (std::uint32_t l = 0; l < loop_start_.size(); ++l)
-        if (!is_outer_[l] && component_[l] != c && encloses(l, point_of(lowest_[c]))) around_.push_back(l);
+        if (!is_outer_[l] && component_[l] != c && encloses(l, lowest_point(c))) around_.push_back(l);
       // The innermost: the one whose component is enclosed by all the others.
       std::size_t most = 0;
       for (const std::uint32_t l : around_) {
         std::size_t depth = 1;
         for (const std::uint32_t m : around_)
-          depth += m != l && component_[m] != component_[l] && encloses(m, point_of(lowest_[component_[l]]));
+          depth += m != l && component_[m] != component_[l] && encloses(m, lowest_point(component_[l]));
         if (depth > most) most = depth, home_[c] = l;
       }
     }
@@ -271,8 +318,7 @@ class PlaneArranger::Cells {
   }
   void collect_touches() {
     if (lines_.dots().empty()) return;
-    std::vector<PointId> ends;
-    for (const CellEdge& e : result_.edges) ends.insert(ends.end(), {e.a, e.b});
+    std::vector<PointId> ends = point_;
     std::sort(ends.begin(), ends.end());
     for (const PlaneSegment& dot : lines_.dots())
       if (!std::binary_search(ends.begin(), ends.end(), dot.a)) result_.touches.push_back({dot.a, dot.cut});
@@ -290,20 +336,23 @@ class PlaneArranger::Cells {
   PlanePoints points_;
   PlaneLines lines_;
 
-  std::vector<std::uint32_t> out_, place_;  // half-edges by points, counter-clockwise; where each is
-  struct Span {
-    std::uint32_t first, last;
-  };
-  std::vector<Span> spans_;             // per point
-  std::vector<std::uint32_t> span_of_;  // per place
+  std::vector<PointId> point_;                // the ends of edges, each once
+  std::vector<std::uint32_t> vertex_, next_;  // per half-edge: where it begins, in point_; what follows it
+  std::vector<std::uint32_t> begin_, out_;    // half-edges by points, counter-clockwise
   std::vector<std::uint32_t> loop_start_, loop_of_, component_;
-  // Per component: span of its lowest point, loop around it, loop it lies in.
+  // Per component: its lowest point, loop around it, loop it lies in.
   std::vector<std::uint32_t> lowest_, outer_, home_;
   std::vector<bool> is_outer_;
   std::vector<std::array<int, 2>> covered_;  // per loop: by facets with the plane's normal, and with its opposite
   std::vector<LoopBox> box_;
   std::vector<std::array<std::uint32_t, 2>> inner_;  // loops with components in them
   // Scratch.
+  struct Sector {
+    int sector;
+    std::uint32_t half_edge;
+  };
+  std::vector<Sector> sectors_;
+  std::vector<std::uint32_t> slot_, place_;
   std::vector<std::uint32_t> parent_, index_, around_, todo_;
   std::vector<std::uint8_t> seen_, done_;
   PlaneCells result_;

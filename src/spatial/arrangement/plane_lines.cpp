@@ -6,6 +6,13 @@
 
 namespace dymsum::spatial {
 
+namespace {
+
+/// So many stretches, or crossings, are compared with one another faster than they are sorted, or hashed.
+constexpr std::size_t kFew = 24;
+
+}  // namespace
+
 void PlaneLines::run(std::span<const PlaneSegment> segments) {
   merge_equal(segments);
   find_lines();
@@ -34,21 +41,37 @@ void PlaneLines::merge_equal(std::span<const PlaneSegment> segments) {
   dots_.erase(
       std::unique(dots_.begin(), dots_.end(), [](const PlaneSegment& s, const PlaneSegment& t) { return s.a == t.a; }),
       dots_.end());
+  if (stretches_.size() <= kFew) merge_few();
+  else merge_sorted();
+}
+
+void PlaneLines::merge(Stretch& t, const Stretch& s) {
+  t.front += s.front, t.back += s.back;
+  t.a_inner = t.a_inner && s.a_inner, t.b_inner = t.b_inner && s.b_inner;
+  if (t.border == kNoId) t.border = s.border;
+  else if (s.border != kNoId && s.border != t.border) t.border = kManyEdges;
+}
+
+void PlaneLines::merge_sorted() {
   std::sort(stretches_.begin(), stretches_.end(), [](const Stretch& s, const Stretch& t) {
     return std::tie(s.a, s.b, s.cut, s.border) < std::tie(t.a, t.b, t.cut, t.border);
   });
   std::size_t kept = 0;
+  for (const Stretch& s : stretches_) {
+    if (kept == 0 || stretches_[kept - 1].a != s.a || stretches_[kept - 1].b != s.b) stretches_[kept++] = s;
+    else merge(stretches_[kept - 1], s);
+  }
+  stretches_.resize(kept);
+}
+
+void PlaneLines::merge_few() {
+  std::size_t kept = 0;
   for (std::size_t k = 0; k < stretches_.size(); ++k) {
     const Stretch& s = stretches_[k];
-    if (kept == 0 || stretches_[kept - 1].a != s.a || stretches_[kept - 1].b != s.b) {
-      stretches_[kept++] = s;
-      continue;
-    }
-    Stretch& t = stretches_[kept - 1];
-    t.front += s.front, t.back += s.back;
-    t.a_inner = t.a_inner && s.a_inner, t.b_inner = t.b_inner && s.b_inner;
-    if (t.border == kNoId) t.border = s.border;
-    else if (s.border != kNoId && s.border != t.border) t.border = kManyEdges;
+    std::size_t same = 0;
+    while (same < kept && (stretches_[same].a != s.a || stretches_[same].b != s.b)) ++same;
+    if (same < kept) merge(stretches_[same], s);
+    else if (kept++ < k) stretches_[kept - 1] = s;
   }
   stretches_.resize(kept);
 }
@@ -59,6 +82,7 @@ bool PlaneLines::on_line(const Stretch& line, const Stretch& s) const {
 
 /// Numbers the lines of all stretches: `order_` lists stretches line by line.
 void PlaneLines::find_lines() {
+  if (stretches_.size() <= kFew) return find_few_lines();
   const auto n = static_cast<std::uint32_t>(stretches_.size());
   cuts_.clear(), order_.clear();
   for (std::uint32_t k = 0; k < n; ++k) cuts_.push_back(stretches_[k].cut), order_.push_back(k);
@@ -80,6 +104,30 @@ void PlaneLines::find_lines() {
       ++s.line;
     if (s.line == lines) leaders.push_back(order_[k]);
     else mixed |= s.line + 1 < lines;
+  }
+  if (mixed)
+    std::sort(order_.begin(), order_.end(), [&](std::uint32_t a, std::uint32_t b) {
+      return std::tie(stretches_[a].line, a) < std::tie(stretches_[b].line, b);
+    });
+}
+
+/// Each stretch beside the first ones of all lines before: most are told apart by doubles.
+void PlaneLines::find_few_lines() {
+  std::vector<std::uint32_t>& leaders = by_x_;
+  leaders.clear(), order_.clear();
+  bool mixed = false;
+  for (std::uint32_t k = 0; k < stretches_.size(); ++k) {
+    Stretch& s = stretches_[k];
+    const auto lines = static_cast<std::uint32_t>(leaders.size());
+    s.line = 0;
+    const auto differs = [&](const Stretch& lead) {
+      return lead.cut != s.cut &&
+             (points_.off_line(lead.cut, s.a) || points_.off_line(lead.cut, s.b) || !on_line(lead, s));
+    };
+    while (s.line < lines && differs(stretches_[leaders[s.line]])) ++s.line;
+    if (s.line == lines) leaders.push_back(k);
+    else mixed |= s.line + 1 < lines;
+    order_.push_back(k);
   }
   if (mixed)
     std::sort(order_.begin(), order_.end(), [&](std::uint32_t a, std::uint32_t b) {
@@ -230,8 +278,30 @@ void PlaneLines::place_dot(PointId dot, std::uint32_t k) {
     breaks_.push_back({k, dot});
 }
 
+/// Names crossings where they are few, and doubles tell them from one another and from all other points of the lines.
+bool PlaneLines::name_apart() {
+  if (crossings_.size() > kFew || runs_.size() + breaks_.size() > 4 * kFew) return false;
+  near_.clear();
+  for (const Crossing& c : crossings_) near_.push_back(points_.space().approximate(c.at));
+  const auto is_apart = [&](std::size_t k) {
+    const auto from = [&](PointId p) { return points_.apart(near_[k], points_.approx(p)); };
+    return std::all_of(near_.begin(), near_.begin() + static_cast<std::ptrdiff_t>(k),
+                       [&](const Approx& at) { return points_.apart(near_[k], at); }) &&
+           std::all_of(runs_.begin(), runs_.end(), [&](const Run& r) { return from(r.a) && from(r.b); }) &&
+           std::all_of(breaks_.begin(), breaks_.end(), [&](const Break& b) { return from(b.at); });
+  };
+  for (std::size_t k = 0; k < near_.size(); ++k)
+    if (!is_apart(k)) return false;
+  for (std::size_t k = 0; k < near_.size(); ++k) {
+    const PointId at = points_.add(crossings_[k].at, near_[k]);
+    breaks_.push_back({crossings_[k].s, at});
+    breaks_.push_back({crossings_[k].t, at});
+  }
+  return true;
+}
+
 void PlaneLines::name_crossings() {
-  if (crossings_.empty()) return;
+  if (crossings_.empty() || name_apart()) return;
   sources_.clear(), named_.clear();
   for (const Crossing& c : crossings_) sources_.push_back(c.at);
   const std::vector<exact::Residue> hashes = points_.space().point_hashes(sources_);

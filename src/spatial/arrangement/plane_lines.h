@@ -42,8 +42,8 @@ class PlaneLines {
   explicit PlaneLines(PlanePoints& points) : points_(points) {}
 
   /// Adds crossings to the points. Exact: equal stretches are one, stretches on one line are found by a hash of the
-  /// line and compared exactly, and only whole runs of them are crossed. O(n log n + k) for n segments and k pairs of
-  /// runs with overlapping boxes.
+  /// line (among few of them by doubles) and compared exactly, and only whole runs of them are crossed. O(n log n + k)
+  /// for n segments and k pairs of runs with overlapping boxes.
   void run(std::span<const PlaneSegment> segments);
 
   const std::vector<LinePiece>& pieces() const { return pieces_; }
@@ -78,7 +78,11 @@ class PlaneLines {
   };
 
   void merge_equal(std::span<const PlaneSegment> segments);
+  void merge_sorted();
+  void merge_few();
+  static void merge(Stretch& t, const Stretch& s);
   void find_lines();
+  void find_few_lines();
   bool on_line(const Stretch& line, const Stretch& s) const;
   void make_runs();
   void add_run(std::uint32_t first, std::uint32_t last, PointId a, PointId b);
@@ -87,6 +91,7 @@ class PlaneLines {
   void cross(std::uint32_t i, std::uint32_t j);
   void place_dots();
   void place_dot(PointId dot, std::uint32_t run);
+  bool name_apart();
   void name_crossings();
   void cut_runs();
   void cut_run(std::uint32_t r, std::span<PointId> points);
@@ -100,6 +105,7 @@ class PlaneLines {
   std::vector<LinePiece> pieces_;
   std::vector<PlaneSegment> dots_;
   // Scratch.
+  std::vector<Approx> near_;
   std::vector<PlaneId> cuts_;
   std::vector<exact::Residue> hash_;
   std::vector<PointId> inner_;

@@ -26,9 +26,10 @@ class PlanePoints {
   /// Points with ids from here on were found in this plane.
   PointId known() const { return static_cast<PointId>(table_.size()); }
 
-  PointId add(const PointSource& source) {
+  PointId add(const PointSource& source) { return add(source, space_.approximate(source)); }
+  PointId add(const PointSource& source, const Approx& near) {
     found.push_back(source);
-    found_approx_.push_back(space_.approximate(source));
+    found_approx_.push_back(near);
     return known() + static_cast<PointId>(found.size() - 1);
   }
   const PointSource& source(PointId id) const { return id < known() ? table_.source(id) : found[id - known()]; }
@@ -46,6 +47,12 @@ class PlanePoints {
     return axis == 0 ? space_.exact_order(source(a), source(b), (axis_ + 1) % 3)
                      : facing_ * space_.exact_order(source(a), source(b), (axis_ + 2) % 3);
   }
+  /// Whether doubles tell that two positions differ.
+  bool apart(const Approx& a, const Approx& b) const {
+    const double near = (a.radius + b.radius) * (1 + 0x1p-40) + space_.span() * 0x1p-51;
+    const Vec3 gap = b.at - a.at;
+    return std::abs(gap.x) > near || std::abs(gap.y) > near || std::abs(gap.z) > near;
+  }
   /// The axis along which two different points differ, and by more where doubles tell.
   int long_axis(PointId a, PointId b) const {
     const Approx &u = approx(a), &v = approx(b);
@@ -54,6 +61,12 @@ class PlanePoints {
   }
   /// 1 where the point is to the left of the direction n x n_cut on the line of `cut`, -1 to the right.
   int left_of(PlaneId cut, PointId point) const { return -space_.side(cut, source(point), approx(point)); }
+  /// Whether doubles tell that a point does not lie on the line of `cut`.
+  bool off_line(PlaneId cut, PointId point) const {
+    const Plane& p = space_.plane(cut);
+    const Approx& at = approx(point);
+    return std::abs(dot(p.n, at.at) - p.d) > p.slack + p.norm1 * at.radius;
+  }
 
   std::vector<PointSource> found;
 

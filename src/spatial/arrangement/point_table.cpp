@@ -14,7 +14,43 @@ void PointTable::rehash(std::size_t slots) {
   }
 }
 
-std::vector<PointId> PointTable::add(std::span<const PointSource> sources, StageWatch& watch) {
+namespace {
+
+/// Each source once, and which of these every one is.
+struct NamedOnce {
+  std::vector<PointSource> sources;
+  std::vector<std::uint32_t> index;
+};
+
+NamedOnce named_once(std::span<const PointSource> all) {
+  NamedOnce once;
+  once.index.reserve(all.size());
+  std::vector<std::uint32_t> slots(std::bit_ceil(2 * all.size() + 1), kNoId);
+  for (const PointSource& s : all) {
+    const std::uint64_t mixed = ((static_cast<std::uint64_t>(s.a) << 32 | s.b) ^ s.c * 0x9e3779b97f4a7c15ULL) *
+                                (0xd6e8feb86659fd93ULL + 2 * static_cast<std::uint64_t>(s.kind));
+    std::size_t at = (mixed >> 32) & (slots.size() - 1);
+    while (slots[at] != kNoId && once.sources[slots[at]] != s) at = (at + 1) & (slots.size() - 1);
+    if (slots[at] == kNoId) {
+      slots[at] = static_cast<std::uint32_t>(once.sources.size());
+      once.sources.push_back(s);
+    }
+    once.index.push_back(slots[at]);
+  }
+  return once;
+}
+
+}  // namespace
+
+std::vector<PointId> PointTable::add(std::span<const PointSource> all, StageWatch& watch) {
+  const NamedOnce once = named_once(all);
+  std::vector<PointId> ids = add_named_once(once.sources, watch), result;
+  result.reserve(all.size());
+  for (const std::uint32_t k : once.index) result.push_back(ids[k]);
+  return result;
+}
+
+std::vector<PointId> PointTable::add_named_once(std::span<const PointSource> sources, StageWatch& watch) {
   constexpr std::size_t kPart = 1024;
   std::vector<exact::Residue> hashes(sources.size());
   watch.run((sources.size() + kPart - 1) / kPart, [&](std::size_t part) {

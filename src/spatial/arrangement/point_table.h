@@ -13,8 +13,8 @@ class PointTable {
  public:
   explicit PointTable(const SumSpace& space) : space_(space) {}
 
-  /// The ids of points, new ones for those that are not there yet. Exact: found by a hash of the position, compared
-  /// exactly where sources differ.
+  /// The ids of points, new ones for those that are not there yet. Exact: found by their names, else by a hash of the
+  /// position, compared exactly where sources differ.
   std::vector<PointId> add(std::span<const PointSource> sources, StageWatch& watch);
 
   std::size_t size() const { return sources_.size(); }
@@ -24,6 +24,8 @@ class PointTable {
   const std::vector<PointSource>& sources() const { return sources_; }
 
  private:
+  /// Of sources that are named but once.
+  std::vector<PointId> add_named_once(std::span<const PointSource> sources, StageWatch& watch);
   void rehash(std::size_t slots);
 
   const SumSpace& space_;

@@ -67,6 +67,74 @@ class UprightPlanes {
   PlaneId first_ = 0;
 };
 
+/// Planes across borders. Of a group that nothing cuts only their sides are asked for, now and then: there the plane of
+/// a neighbour serves.
+class CutPlanes {
+ public:
+  CutPlanes(SumSpace& space, const FacetTable& table, const Contacts& contacts, std::span<const PlaneCut> cuts,
+            const std::vector<std::uint32_t>& group_of, std::span<const PlaneGroup> groups, int threads)
+      : space_(space), table_(table), group_of_(group_of), upright_(space), uncut_(groups.size()) {
+    for (std::size_t g = 0; g < groups.size(); ++g) uncut_[g] = groups[g].facets.size() == 1;
+    for (const Contact& c : contacts.contacts) uncut_[group_of[c.f]] = uncut_[group_of[c.g]] = false;
+    for (const PlaneCut& c : cuts) uncut_[group_of[c.facet]] = false;
+    list_facets();
+    for (std::uint32_t i = 0; i < table.facets.size(); ++i) {
+      const TableFacet& f = table.facets[i];
+      for (int k = 0; k < f.facet.corners; ++k)
+        if (!table.is_inner(f.edge[k]) && neighbour(i, k) == kNoId)
+          upright_.want(f.edge[k], dropped_axis(space.plane(f.plane)));
+    }
+    upright_.make(threads);
+  }
+
+  /// The border from `a` at corner k of facet i to `b` at the next one as a segment.
+  PlaneSegment segment(std::uint32_t i, int k, PointId a, PointId b) const {
+    const TableFacet& f = table_.facets[i];
+    const std::uint32_t other = neighbour(i, k);
+    bool along = false;  // whether the way is n x n_cut
+    PlaneId cut = 0;
+    if (other != kNoId) {
+      // With the facet to the left of the way w, and w = l (n x n_cut): it lies below the cut where l > 0.
+      cut = table_.facets[other].plane;
+      along = space_.side(cut, f.facet.corner[(k + 2) % f.facet.corners]) * f.side < 0;
+    } else {
+      const Plane& plane = space_.plane(f.plane);
+      const int axis = dropped_axis(plane);
+      const bool up = (axis == 0 ? plane.n.x : axis == 1 ? plane.n.y : plane.n.z) > 0;
+      // n x (e x axis) = e n_axis: along the edge where the normal points up.
+      cut = upright_.get(f.edge[k], axis), along = f.forward[k] == up;
+    }
+    // The facet is to the left of its border seen against its own normal.
+    const int inside = (along ? 1 : -1) * f.side;
+    return {along ? a : b, along ? b : a, cut, static_cast<std::int8_t>(inside), f.side, f.edge[k], false, false};
+  }
+
+ private:
+  /// Two facets at every edge of sums, where there are.
+  void list_facets() {
+    facets_.assign(space_.edges().size(), {kNoId, kNoId});
+    for (std::uint32_t i = 0; i < table_.facets.size(); ++i)
+      for (int k = 0; k < table_.facets[i].facet.corners; ++k) {
+        auto& [first, second] = facets_[table_.facets[i].edge[k]];
+        (first == kNoId ? first : second) = i;
+      }
+  }
+  /// Of a facet that nothing cuts another one in another plane at a border; kNoId for none.
+  std::uint32_t neighbour(std::uint32_t facet, int border) const {
+    if (!uncut_[group_of_[facet]]) return kNoId;
+    const auto [first, second] = facets_[table_.facets[facet].edge[border]];
+    const std::uint32_t other = first == facet ? second : first;
+    return other != kNoId && table_.facets[other].plane != table_.facets[facet].plane ? other : kNoId;
+  }
+
+  const SumSpace& space_;
+  const FacetTable& table_;
+  const std::vector<std::uint32_t>& group_of_;
+  UprightPlanes upright_;
+  std::vector<bool> uncut_;                           // per group
+  std::vector<std::array<std::uint32_t, 2>> facets_;  // per edge of sums
+};
+
 /// Lists the edges of all planes by their ends: sorted by the smaller end, for each by the other one.
 void collect_edges(SolidArrangement& all, StageWatch& watch) {
   std::vector<std::uint32_t> begin(all.points.size() + 1, 0);
@@ -132,11 +200,7 @@ SolidArrangement arrange(SumSpace& space, const FacetTable& table, Contacts cont
   SolidArrangement result(space);
   std::vector<std::uint32_t> group_of;
   result.groups = plane_groups(table, contacts, group_of);
-  UprightPlanes upright(space);
-  for (const TableFacet& f : table.facets)
-    for (int k = 0; k < f.facet.corners; ++k)
-      if (!table.is_inner(f.edge[k])) upright.want(f.edge[k], dropped_axis(space.plane(f.plane)));
-  upright.make(watch.threads());
+  const CutPlanes across(space, table, contacts, cuts, group_of, result.groups, watch.threads());
 
   // Points: corners first, then ends of contacts.
   std::vector<PointSource> sources;
@@ -172,24 +236,11 @@ SolidArrangement arrange(SumSpace& space, const FacetTable& table, Contacts cont
   std::size_t at = 0;
   for (std::uint32_t i = 0; i < table.facets.size(); ++i) {
     const TableFacet& f = table.facets[i];
-    const Plane& plane = space.plane(f.plane);
-    const int axis = dropped_axis(plane), n = f.facet.corners;
-    const bool up = (axis == 0 ? plane.n.x : axis == 1 ? plane.n.y : plane.n.z) > 0;
+    const int n = f.facet.corners;
     for (int k = 0; k < n; ++k) {
       if (table.is_inner(f.edge[k])) continue;
-      // n x (e x axis) = e n_axis: along the edge where the normal points up.
       const PointId a = ids[at + static_cast<std::size_t>(k)], b = ids[at + static_cast<std::size_t>((k + 1) % n)];
-      const bool along = f.forward[k] == up;
-      // The facet is to the left of its border seen against its own normal.
-      const int inside = (along ? 1 : -1) * f.side;
-      segments[place[group_of[i]]++] = {along ? a : b,
-                                        along ? b : a,
-                                        upright.get(f.edge[k], axis),
-                                        static_cast<std::int8_t>(inside),
-                                        f.side,
-                                        f.edge[k],
-                                        false,
-                                        false};
+      segments[place[group_of[i]]++] = across.segment(i, k, a, b);
     }
     at += static_cast<std::size_t>(n);
   }

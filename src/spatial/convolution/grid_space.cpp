@@ -96,14 +96,48 @@ Vector3<typename GridSpace<C>::Edge> GridSpace<C>::along(const SumEdge& e) const
 
 template <class C>
 Vector3<typename GridSpace<C>::Normal> GridSpace<C>::normal(const PlaneSource& source) const {
+  if (source.v.of == Way::Of::axis) {
+    // u x axis: components of u, one of them turned over.
+    const auto u = way(source.u);
+    const Normal x = u.x, y = u.y, z = u.z, zero = small<Normal>(0);
+    const exact::Vector3<Normal> n = source.v.from == 0   ? exact::Vector3<Normal>{zero, z, -u.y}
+                                     : source.v.from == 1 ? exact::Vector3<Normal>{-u.z, zero, x}
+                                                          : exact::Vector3<Normal>{y, -u.x, zero};
+    return source.reversed ? exact::Vector3<Normal>{Normal(-n.x), Normal(-n.y), Normal(-n.z)} : n;
+  }
   return source.reversed ? cross(way(source.v), way(source.u)) : cross(way(source.u), way(source.v));
+}
+
+/// All of a plane is whole numbers made from coordinates: so are its residues, from theirs.
+template <class C>
+SumSpace::PlaneResidue GridSpace<C>::residue_of(const PlaneSource& source) const {
+  using exact::minus;
+  using exact::plus;
+  using exact::Residue;
+  using exact::times;
+  using Residues = std::array<Residue, 3>;
+  const auto way = [&](const Way& w) {
+    if (w.of == Way::Of::axis) return Residues{w.from == 0, w.from == 1, w.from == 2};
+    const std::vector<Residues>& at = w.of == Way::Of::p ? p_residue_ : q_residue_;
+    Residues d;
+    for (std::size_t i = 0; i < 3; ++i) d[i] = minus(at[w.to][i], at[w.from][i]);
+    return d;
+  };
+  const Residues u = way(source.reversed ? source.v : source.u), v = way(source.reversed ? source.u : source.v);
+  PlaneResidue plane{{}, 0};
+  for (std::size_t i = 0; i < 3; ++i) {
+    const std::size_t j = (i + 1) % 3, k = (i + 2) % 3;
+    plane.n[i] = minus(times(u[j], v[k]), times(u[k], v[j]));
+    plane.d = plus(plane.d, times(plane.n[i], plus(p_residue_[source.at.p][i], q_residue_[source.at.q][i])));
+  }
+  return plane;
 }
 
 template <class C>
 PlaneId GridSpace<C>::add_planes(std::span<const PlaneSource> sources, int threads) {
   const auto first = static_cast<PlaneId>(n_.size());
   const std::size_t all = n_.size() + sources.size();
-  n_.resize(all), d_.resize(all), plane_residues_.resize(all), planes_.resize(all);
+  n_.resize(all), plane_residues_.resize(all), planes_.resize(all);
   plane_sources_.insert(plane_sources_.end(), sources.begin(), sources.end());
   constexpr std::size_t kPart = 512;
   base::parallel_parts((sources.size() + kPart - 1) / kPart, threads, [&](std::size_t part) {
@@ -116,20 +150,19 @@ PlaneId GridSpace<C>::add_planes(std::span<const PlaneSource> sources, int threa
 template <class C>
 void GridSpace<C>::set_plane(PlaneId id, const PlaneSource& source) {
   const auto n = normal(source);
-  const Offset d = dot(n, sum(source.at));
   n_[id] = n;
-  d_[id] = d;
-  plane_residues_[id] = {{exact::residue(n.x), exact::residue(n.y), exact::residue(n.z)}, exact::residue(d)};
-  Plane plane{doubles(n), to_double(d), 0, 0};
+  plane_residues_[id] = residue_of(source);
+  Plane plane{doubles(n), 0, 0, 0};
   int exponent = 0;
   std::frexp(std::max({std::abs(plane.n.x), std::abs(plane.n.y), std::abs(plane.n.z)}), &exponent);
   const auto scaled = [&](double v) { return std::ldexp(v, -exponent); };
   plane.n = {scaled(plane.n.x), scaled(plane.n.y), scaled(plane.n.z)};
-  plane.d = scaled(plane.d);
+  plane.d = dot(plane.n, approx(source.at));
   plane.norm1 = (std::abs(plane.n.x) + std::abs(plane.n.y) + std::abs(plane.n.z)) * (1 + 0x1p-50);
-  // Conversions err by 2^-52 of each term, products and sums by 2^-53: 8 of these for every term at most. Underflows by
-  // less than the last summand.
-  plane.slack = (plane.norm1 * span_ + std::abs(plane.d)) * 0x1p-49 + 0x1p-1000;
+  // Conversions of normals err by 2^-52 of each term, those of sums by 2^-51, products and sums by 2^-53: of the
+  // offset, that of a sum, as well as of any other height 10 of these for every term at most. Underflows by less than
+  // the last summand.
+  plane.slack = (plane.norm1 * span_ + std::abs(plane.d)) * 0x1p-48 + 0x1p-1000;
   planes_[id] = plane;
 }
 
@@ -145,14 +178,14 @@ auto GridSpace<C>::with_point(const PointSource& point, F f) const {
     const auto from = sum(edge.from);
     const auto d = along(edge);
     const auto& n = n_[point.b];
-    const auto h = dot(n, from) - d_[point.b];
+    const auto h = dot(n, from) - offset(point.b);
     const auto w = dot(n, d);
     const auto x = from.x * w - d.x * h, y = from.y * w - d.y * h, z = from.z * w - d.z * h;
     return f(Homogeneous<decltype(from.x * w - d.x * h), decltype(dot(n, d))>{{x, y, z}, w});
   }
   const auto &a = n_[point.a], &b = n_[point.b], &c = n_[point.c];
   const auto bc = cross(b, c), ca = cross(c, a), ab = cross(a, b);
-  const auto &da = d_[point.a], &db = d_[point.b], &dc = d_[point.c];
+  const auto da = offset(point.a), db = offset(point.b), dc = offset(point.c);
   const auto x = da * bc.x + db * ca.x + dc * ab.x, y = da * bc.y + db * ca.y + dc * ab.y,
              z = da * bc.z + db * ca.z + dc * ab.z;
   const auto w = dot(a, bc);
@@ -162,13 +195,14 @@ auto GridSpace<C>::with_point(const PointSource& point, F f) const {
 template <class C>
 int GridSpace<C>::exact_side(PlaneId plane, SumPoint point) const {
   exact_signs_.fetch_add(1, std::memory_order_relaxed);
-  return sign(dot(n_[plane], sum(point)) - d_[plane]);
+  return sign(dot(n_[plane], sum(point) - sum(plane_sources_[plane].at)));
 }
 
 template <class C>
 int GridSpace<C>::exact_side(PlaneId plane, const PointSource& point) const {
   exact_signs_.fetch_add(1, std::memory_order_relaxed);
-  return with_point(point, [&](const auto& h) { return sign(dot(n_[plane], h.x) - d_[plane] * h.w) * sign(h.w); });
+  const Offset d = offset(plane);
+  return with_point(point, [&](const auto& h) { return sign(dot(n_[plane], h.x) - d * h.w) * sign(h.w); });
 }
 
 template <class C>
@@ -214,7 +248,7 @@ int GridSpace<C>::same_plane(PlaneId a, PlaneId b) const {
   int axis = 0;
   while (sign(component(n_[a], axis)) == 0) ++axis;
   const auto na = component(n_[a], axis), nb = component(n_[b], axis);
-  if (sign(d_[a] * nb - d_[b] * na) != 0) return 0;
+  if (sign(offset(a) * nb - offset(b) * na) != 0) return 0;
   return sign(na) * sign(nb);
 }
 

@@ -57,13 +57,15 @@ class GridSpace final : public SumSpace {
   exact::Vector3<Edge> along(const SumEdge& e) const;
   exact::Vector3<Normal> normal(const PlaneSource& source) const;
   void set_plane(PlaneId id, const PlaneSource& source);
+  PlaneResidue residue_of(const PlaneSource& source) const;
+  /// n . x of all points x of a plane: made where it is asked for, as doubles answer most questions.
+  Offset offset(PlaneId plane) const { return exact::dot(n_[plane], sum(plane_sources_[plane].at)); }
   /// f(Homogeneous) with the point in the narrowest form of its kind.
   template <class F>
   auto with_point(const PointSource& point, F f) const;
 
   std::vector<Point> p_int_, q_int_;
   std::vector<exact::Vector3<Normal>> n_;
-  std::vector<Offset> d_;
   struct Place {
     Homogeneous<exact::Big, exact::Big> at;  // w > 0
     Approx approx;

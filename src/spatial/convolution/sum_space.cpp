@@ -112,10 +112,11 @@ Approx SumSpace::approximate(const PointSource& point) const {
   const double w = dot(a.n, bc);
   constexpr double w_error = 0x1p-45;
   if (std::abs(w) > 8 * w_error) {
-    // Cramer's rule: components of the products are at most 2, each off by 2^-47; offsets are at most 2 span and
-    // relatively right.
+    // Cramer's rule: components of the products are at most 2, each off by 2^-47; offsets are off by less than 2^-49 of
+    // the span times the sizes of the normal's components.
     const Vec3 x = a.d * bc + b.d * ca + c.d * ab;
-    const double x_error = (std::abs(a.d) + std::abs(b.d) + std::abs(c.d)) * 0x1p-45;
+    const double x_error =
+        (std::abs(a.d) + std::abs(b.d) + std::abs(c.d)) * 0x1p-45 + (a.norm1 + b.norm1 + c.norm1) * span_ * 0x1p-48;
     const Vec3 at = (1 / w) * x;
     const double size = std::max({std::abs(at.x), std::abs(at.y), std::abs(at.z)});
     const double radius = (x_error + size * w_error) / (std::abs(w) - w_error) + size * kRounding;

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "spatial/frames/pose_angles.h"
 
@@ -11,7 +12,7 @@ InnerFacets::InnerFacets(const SolidPair& pair) : own_{inner_balls(pair.p), inne
 
 void InnerFacets::move(const PosedSpace& at, const PosePair& poses) {
   space_ = at.space.get();
-  kept_ = tested_ = 0;
+  kept_ = tested_ = 0, last_ = kUnknown;
   margin_ = 8 * space_->sum_radius() + space_->span() * 0x1p-40;
   const double unit = std::ldexp(exact::round_to_double(exact::BigRational(at.scale)), -space_->line(0).exponent);
   for (int op = 0; op < 2; ++op) {
@@ -24,6 +25,23 @@ void InnerFacets::move(const PosedSpace& at, const PosePair& poses) {
     for (const InnerBalls::Ball& ball : own_[op].balls) {
       const Vec3& m = ball.middle;
       posed_[op].push_back({unit * (turn * Vec3{s.x * m.x, s.y * m.y, s.z * m.z}), least * ball.radius});
+    }
+  }
+  make_some();
+}
+
+/// Sums of some balls of either operand.
+void InnerFacets::make_some() {
+  some_ = {};
+  const auto some = [](const std::vector<InnerBalls::Ball>& balls) {
+    return static_cast<std::uint32_t>(std::min<std::size_t>(balls.size(), 20));
+  };
+  for (std::uint32_t i = 0; i < some(posed_[0]); ++i) {
+    for (std::uint32_t j = 0; j < some(posed_[1]); ++j) {
+      const InnerBalls::Ball &a = posed_[0][i], &b = posed_[1][j];
+      const Vec3 middle = a.middle + b.middle;
+      some_.x.push_back(middle.x), some_.y.push_back(middle.y), some_.z.push_back(middle.z);
+      some_.radius.push_back(a.radius + b.radius), some_.pair.push_back({i, j});
     }
   }
 }
@@ -40,34 +58,42 @@ bool InnerFacets::hold(std::uint32_t slot, const SumFacet& facet) {
   BallPair& pair = pairs_[slot];
   if (pair.p != kUnknown.p && covers(pair, facet)) {
     ++kept_;
+    last_ = pair;
     return true;
   }
   ++tested_;
   Vec3 middle;
   for (int k = 0; k < facet.corners; ++k) middle = middle + 1.0 / facet.corners * space_->approx(facet.corner[k]);
-  pair = pair.p == kUnknown.p ? search(middle) : descend(pair, middle);
+  if (pair.p != kUnknown.p) {
+    pair = descend(pair, middle);
+  } else {
+    // Facets come in an order in which neighbours are often near to one another.
+    if (last_.p != kUnknown.p) pair = descend(last_, middle);
+    if (pair.p == kUnknown.p || !covers(pair, facet)) pair = search(middle);
+  }
+  last_ = pair;
   return covers(pair, facet);
 }
 
 /// From the best pairs of those that stand for all others.
-InnerFacets::BallPair InnerFacets::search(Vec3 x) const {
+InnerFacets::BallPair InnerFacets::search(Vec3 x) {
   constexpr std::size_t kStarts = 4;
   std::array<std::pair<double, BallPair>, kStarts> starts;
-  starts.fill({1e300, {0, 0}});
-  const auto some = [](const std::vector<InnerBalls::Ball>& balls) {
-    return static_cast<std::uint32_t>(std::min<std::size_t>(balls.size(), 20));
-  };
-  for (std::uint32_t i = 0; i < some(posed_[0]); ++i) {
-    for (std::uint32_t j = 0; j < some(posed_[1]); ++j) {
-      const double g = gap({i, j}, x);
-      if (g >= starts.back().first) continue;
-      std::size_t at = kStarts - 1;
-      for (; at > 0 && g < starts[at - 1].first; --at) starts[at] = starts[at - 1];
-      starts[at] = {g, {i, j}};
-    }
+  starts.fill({std::numeric_limits<double>::infinity(), {0, 0}});
+  // By their powers, many at a time: roots would take longer than all else.
+  powers_.resize(some_.x.size());
+  for (std::size_t k = 0; k < powers_.size(); ++k) {
+    const double dx = x.x - some_.x[k], dy = x.y - some_.y[k], dz = x.z - some_.z[k], r = some_.radius[k];
+    powers_[k] = dx * dx + dy * dy + dz * dz - r * r;
+  }
+  for (std::size_t k = 0; k < powers_.size(); ++k) {
+    if (powers_[k] >= starts.back().first) continue;
+    std::size_t at = kStarts - 1;
+    for (; at > 0 && powers_[k] < starts[at - 1].first; --at) starts[at] = starts[at - 1];
+    starts[at] = {powers_[k], some_.pair[k]};
   }
   BallPair best = starts[0].second;
-  double least = 1e300;
+  double least = std::numeric_limits<double>::infinity();
   for (const auto& [value, start] : starts) {
     const BallPair end = descend(start, x);
     if (const double g = gap(end, x); g < least) least = g, best = end;

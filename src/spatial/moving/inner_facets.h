@@ -4,6 +4,7 @@
 
 #include <vector>
 
+#include "spatial/convolution/reduced_facets.h"
 #include "spatial/frames/posed_pair.h"
 #include "spatial/moving/inner_balls.h"
 
@@ -35,12 +36,19 @@ class InnerFacets {
     return length(x - a.middle - b.middle) - a.radius - b.radius;
   }
   bool covers(BallPair pair, const SumFacet& facet) const;
-  BallPair search(Vec3 x) const;
+  void make_some();
+  BallPair search(Vec3 x);
   BallPair descend(BallPair from, Vec3 x) const;
 
   std::array<InnerBalls, 2> own_;
   std::array<std::vector<InnerBalls::Ball>, 2> posed_;  // in units of the space
   std::vector<BallPair> pairs_;                         // per slot
+  BallPair last_ = kUnknown;                            // of the facet asked about before
+  struct SomePairs {
+    std::vector<double> x, y, z, radius;
+    std::vector<BallPair> pair;
+  } some_;  // sums of some balls of either operand: where a search begins
+  std::vector<double> powers_;
   const SumSpace* space_ = nullptr;
   double margin_ = 0;
   std::uint64_t kept_ = 0, tested_ = 0;

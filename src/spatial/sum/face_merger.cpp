@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <atomic>
-#include <functional>
 #include <iterator>
 #include <numeric>
 
@@ -23,9 +22,7 @@ class Merger {
         parts_((arrangement.groups.size() + kPart - 1) / kPart) {}
 
   std::vector<CellPolygon> run() {
-    in_parts([&](Part& part, const PlaneGroup& group) { count_walls(group, part); });
-    collect(walls_, &Part::walls);
-    watch_.sort(walls_, std::less<>());
+    count_walls();
     in_parts([&](Part& part, const PlaneGroup& group) { trace(group, part); });
     collect(polygons_, &Part::polygons), collect(borders_, &Part::borders);
     find_corners();
@@ -44,7 +41,6 @@ class Merger {
   };
   /// What a stretch of groups gives.
   struct Part {
-    std::vector<std::uint64_t> walls;
     std::vector<CellPolygon> polygons;
     std::vector<Border> borders;
     struct Scratch {
@@ -75,31 +71,35 @@ class Merger {
                        [](std::int8_t side) { return side != 0; });
   }
 
-  static std::uint64_t key(PointId a, PointId b) {
-    return (static_cast<std::uint64_t>(std::min(a, b)) << 32) | std::max(a, b);
-  }
-  std::uint64_t key(const PlaneGroup& group, std::uint32_t edge) const {
-    const CellEdge& e = group.cells.edges[edge];
-    return key(arrangement_.point(group, e.a), arrangement_.point(group, e.b));
-  }
   int side(const PlaneGroup& group, std::uint32_t cell) const {
     return cell == kNoId ? 0 : selection_.side[group.first_cell + cell];
   }
 
-  /// How many selected cells come to every piece.
-  void count_walls(const PlaneGroup& group, Part& part) const {
-    for (std::uint32_t e = 0; e < group.cells.edges.size(); ++e) {
-      const CellEdge& edge = group.cells.edges[e];
-      for (const std::uint32_t cell : {edge.left, edge.right})
-        if (side(group, cell) != 0) part.walls.push_back(key(group, e));
+  /// How many selected cells come to every piece, up to three.
+  void count_walls() {
+    first_edge_.push_back(0);
+    for (const PlaneGroup& group : arrangement_.groups)
+      first_edge_.push_back(first_edge_.back() + static_cast<std::uint32_t>(group.cells.edges.size()));
+    edge_of_.resize(first_edge_.back()), walls_.resize(arrangement_.edge_ends.size());
+    watch_.run_stretches(walls_.size(), 1024, [&](std::size_t, std::size_t first, std::size_t last) {
+      for (std::size_t e = first; e < last; ++e) count_walls(static_cast<std::uint32_t>(e));
+    });
+  }
+  void count_walls(std::uint32_t edge) {
+    int walls = 0;
+    for (const EdgeUse use : arrangement_.uses(edge)) {
+      edge_of_[first_edge_[use.group] + use.edge] = edge;
+      const PlaneGroup& group = arrangement_.groups[use.group];
+      const CellEdge& e = group.cells.edges[use.edge];
+      walls += (side(group, e.left) != 0) + (side(group, e.right) != 0);
     }
+    walls_[edge] = static_cast<std::uint8_t>(std::min(walls, 3));
   }
   bool merged(const PlaneGroup& group, std::uint32_t e) const {
     const CellEdge& edge = group.cells.edges[e];
     const int left = side(group, edge.left);
     if (left == 0 || left != side(group, edge.right)) return false;
-    const auto [first, last] = std::equal_range(walls_.begin(), walls_.end(), key(group, e));
-    return last - first == 2;
+    return walls_[edge_of_[first_edge_[&group - arrangement_.groups.data()] + e]] == 2;
   }
 
   void trace(const PlaneGroup& group, Part& part) const {
@@ -160,20 +160,19 @@ class Merger {
       for (std::size_t k = begin; k < end; ++k) {
         for (const PointId at : {borders_[k].a, borders_[k].b}) {
           const std::atomic_ref<std::uint8_t> corner(corner_[at]);
-          if (corner.load(std::memory_order_relaxed) == 0 && !on_line(borders_[first[at]], borders_[k]))
+          if (corner.load(std::memory_order_relaxed) == 0 && !on_line(borders_[first[at]], borders_[k], at))
             corner.store(1, std::memory_order_relaxed);
         }
       }
     });
   }
-  bool on_line(const Border& x, const Border& y) const {
+  /// Whether two borders with an end in common run along one line.
+  bool on_line(const Border& x, const Border& y, PointId common) const {
     if (x.plane == y.plane && x.cut == y.cut) return true;
-    const auto on = [&](PointId p) {
-      const PointSource& s = arrangement_.points.source(p);
-      const Approx& a = arrangement_.points.approx(p);
-      return space_.side(x.plane, s, a) == 0 && space_.side(x.cut, s, a) == 0;
-    };
-    return on(y.a) && on(y.b);
+    const PointId end = y.a == common ? y.b : y.a;
+    const PointSource& s = arrangement_.points.source(end);
+    const Approx& a = arrangement_.points.approx(end);
+    return space_.side(x.plane, s, a) == 0 && space_.side(x.cut, s, a) == 0;
   }
 
   const SumSpace& space_;
@@ -181,7 +180,8 @@ class Merger {
   const Selection& selection_;
   StageWatch& watch_;
   std::vector<Part> parts_;
-  std::vector<std::uint64_t> walls_;
+  std::vector<std::uint32_t> first_edge_, edge_of_;  // per group; of its edges: which one of the arrangement each is
+  std::vector<std::uint8_t> walls_;                  // per edge of the arrangement
   std::vector<CellPolygon> polygons_;
   std::vector<Border> borders_;
   std::vector<std::uint8_t> corner_;  // per point

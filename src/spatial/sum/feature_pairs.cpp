@@ -1,14 +1,13 @@
 #include "spatial/sum/feature_pairs.h"
 
 #include <algorithm>
-#include <functional>
+#include <numeric>
 #include <stdexcept>
 
 namespace dymsum::spatial {
 
 namespace {
 
-using exact::BigRational;
 using Kind = SolidFeature::Kind;
 
 std::uint64_t key(std::uint32_t a, std::uint32_t b) {
@@ -52,9 +51,13 @@ FeaturePairs::FeaturePairs(const SolidBoundary& boundary, const SolidOperand& p,
   if (!boundary.tight.segments.empty() || !boundary.tight.points.empty())
     facets_ = BoxTree(facet_boxes(space_, boundary.table), watch.threads());
   const std::vector<SumEdge>& edges = space_.edges();
-  ends_.reserve(2 * edges.size());
-  for (EdgeId e = 0; e < edges.size(); ++e) ends_.push_back({edges[e].from, e}), ends_.push_back({edges[e].to, e});
-  watch.sort(ends_, std::less<>());
+  first_end_.assign(space_.p().size() + 1, 0);
+  for (const SumEdge& edge : edges) ++first_end_[edge.from.p + 1], ++first_end_[edge.to.p + 1];
+  std::partial_sum(first_end_.begin(), first_end_.end(), first_end_.begin());
+  ends_.resize(2 * edges.size());
+  std::vector<std::uint32_t> place(first_end_.begin(), first_end_.end() - 1);
+  for (EdgeId e = 0; e < edges.size(); ++e)
+    for (const SumPoint end : {edges[e].from, edges[e].to}) ends_[place[end.p]++] = {end.q, e};
 }
 
 // The facets of a group tile or overlap, and which of them cover a place depends on nothing but the sum and its
@@ -71,14 +74,24 @@ SolidContact FeaturePairs::of_face(const Place& place, int side) const {
   return *least;
 }
 
+/// Calls f for the edges of sums that a point's source tells to hold it.
+template <class F>
+void FeaturePairs::for_each_edge_at(PointId at, F f) const {
+  const PointSource& source = arrangement_.points.source(at);
+  if (source.kind == PointSource::Kind::edge) f(source.a);
+  if (source.kind != PointSource::Kind::sum) return;
+  for (std::uint32_t k = first_end_[source.a]; k < first_end_[source.a + 1]; ++k)
+    if (ends_[k].q == source.b) f(ends_[k].edge);
+}
+
 std::optional<SolidContact> FeaturePairs::of_edge(PointId a, PointId b) const {
   std::optional<SumEdge> least;
   for (const auto& [from, to] : {std::pair{a, b}, {b, a}}) {
-    for (const EdgeId e : edges_at(from)) {
+    for_each_edge_at(from, [&, from = from, to = to](EdgeId e) {
       const SumEdge& edge = space_.edges()[e];
-      if (least && !(edge < *least)) continue;
+      if (least && !(edge < *least)) return;
       if ((is_named_by(from, e) && is_named_by(to, e)) || runs_along(edge, from, to)) least = edge;
-    }
+    });
   }
   return least ? std::optional(features(*least)) : std::nullopt;
 }
@@ -149,19 +162,20 @@ int FeaturePairs::side_of_border(const TableFacet& facet, int border, PointId at
 }
 
 int FeaturePairs::exact_side_of_border(const TableFacet& facet, SumPoint a, SumPoint b, PointId at) const {
-  const auto coordinate = [&](SumPoint s, int axis) {
-    return space_.exact_coordinate({PointSource::Kind::sum, s.p, s.q, 0}, axis);
-  };
-  BigRational d[3], w[3];
-  for (int axis = 0; axis < 3; ++axis) {
-    d[axis] = coordinate(b, axis) - coordinate(a, axis);
-    w[axis] = space_.exact_coordinate(arrangement_.points.source(at), axis) - coordinate(a, axis);
+  const PointSource& source = arrangement_.points.source(at);
+  if (source.kind == PointSource::Kind::sum && (SumPoint{source.a, source.b} == a || SumPoint{source.a, source.b} == b))
+    return 0;
+  if (source.kind == PointSource::Kind::edge) {
+    const SumEdge& edge = space_.edges()[source.a];
+    if (edge == SumEdge{a, b} || edge == SumEdge{b, a}) return 0;
   }
-  for (int axis = 0; axis < 3; ++axis) {
-    const int up = space_.exact_normal(facet.plane, axis) * facet.side;
+  const Way along = a.q == b.q ? Way{Way::Of::p, a.p, b.p} : Way{Way::Of::q, a.q, b.q};
+  for (std::uint32_t axis = 0; axis < 3; ++axis) {
+    const int up = space_.exact_normal(facet.plane, static_cast<int>(axis)) * facet.side;
     if (up == 0) continue;
-    const int i = (axis + 1) % 3, j = (axis + 2) % 3;
-    return BigRational(d[i] * w[j] - d[j] * w[i]).sign() * up;
+    // Along the axis e the way d to the point w turns to the left: e . (d x w) = -(d x e) . w.
+    const PlaneSource upright{a, along, {Way::Of::axis, axis, 0}, false};
+    return -space_.exact_side(upright, Flag{source, 0, 0, 0, 0, 0}) * up;
   }
   throw std::logic_error("solid sum: a plane without a normal");
 }
@@ -207,19 +221,6 @@ bool FeaturePairs::runs_along(const SumEdge& edge, PointId from, PointId to) con
   for (std::size_t i = 0; i < 3; ++i)
     if (e[i] * w[(i + 1) % 3] != e[(i + 1) % 3] * w[i]) return false;
   return before > 0 || after > 0;
-}
-
-/// The edges of sums that a point's source tells to hold it.
-std::vector<EdgeId> FeaturePairs::edges_at(PointId at) const {
-  const PointSource& source = arrangement_.points.source(at);
-  if (source.kind == PointSource::Kind::edge) return {source.a};
-  std::vector<EdgeId> edges;
-  if (source.kind != PointSource::Kind::sum) return edges;
-  const SumPoint sum{source.a, source.b};
-  for (auto k = std::lower_bound(ends_.begin(), ends_.end(), std::pair{sum, EdgeId{0}});
-       k != ends_.end() && k->first == sum; ++k)
-    edges.push_back(k->second);
-  return edges;
 }
 
 SolidContact features_of(const SumFacet& f, const SolidOperand& p, const SolidOperand& q) {

@@ -48,13 +48,20 @@ class FeaturePairs {
   bool runs_along(const SumEdge& edge, PointId from, PointId to) const;
   SolidContact features(const SumFacet& facet) const { return features_of(facet, p_, q_); }
   SolidContact features(const SumEdge& edge) const;
-  std::vector<EdgeId> edges_at(PointId at) const;
+  template <class F>
+  void for_each_edge_at(PointId at, F f) const;
 
   const SolidBoundary& boundary_;
   const SumSpace& space_;
   const SolidArrangement& arrangement_;
   const SolidOperand &p_, &q_;
-  std::vector<std::pair<SumPoint, EdgeId>> ends_;  // of all edges of sums, sorted
+  /// An end of an edge of sums, by its vertex of P: that of Q.
+  struct EdgeEnd {
+    std::uint32_t q;
+    EdgeId edge;
+  };
+  std::vector<std::uint32_t> first_end_;  // per vertex of P
+  std::vector<EdgeEnd> ends_;
   bool both_thin_;
   std::unordered_map<std::uint64_t, std::uint32_t> diagonal_[2];  // edges inside faces, and these faces
   BoxTree facets_;                                                // only where something is tight

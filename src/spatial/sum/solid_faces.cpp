@@ -75,17 +75,44 @@ class Assembler {
     return 0;
   }
 
+  /// By x, y, z: by the doubles of x first, then stretches in which these do not tell.
+  void sort_points(std::vector<PointId>& points) const {
+    struct Key {
+      double x;
+      PointId point;
+      auto operator<=>(const Key&) const = default;
+    };
+    std::vector<Key> keys;
+    keys.reserve(points.size());
+    double radius = 0;
+    for (const PointId p : points) {
+      const Approx& at = arrangement_.points.approx(p);
+      keys.push_back({at.at.x, p}), radius = std::max(radius, at.radius);
+    }
+    watch_.sort(keys, std::less<>());
+    for (std::size_t k = 0; k < keys.size(); ++k) points[k] = keys[k].point;
+    const double near = 4 * radius + space_.span() * 0x1p-50;
+    for (std::size_t first = 0, last = 0; first < keys.size(); first = last) {
+      for (last = first + 1; last < keys.size() && keys[last].x - keys[last - 1].x <= near;) ++last;
+      std::sort(points.begin() + static_cast<std::ptrdiff_t>(first), points.begin() + static_cast<std::ptrdiff_t>(last),
+                [&](PointId a, PointId b) { return order(a, b) > 0; });
+    }
+  }
+
   void name_vertices(const std::vector<CellPolygon>& faces, const std::vector<CellPolygon>& tight,
                      const std::vector<TightLine>& lines) {
     std::vector<PointId>& used = point_of_;
+    std::vector<bool> listed(arrangement_.points.size());
+    const auto use = [&](PointId p) {
+      if (!listed[p]) used.push_back(p);
+      listed[p] = true;
+    };
     for (const std::vector<CellPolygon>* list : {&faces, &tight})
       for (const CellPolygon& polygon : *list)
-        for (const std::vector<PointId>& loop : polygon.loops) used.insert(used.end(), loop.begin(), loop.end());
-    for (const TightLine& line : lines) used.push_back(line.from), used.push_back(line.to);
-    used.insert(used.end(), boundary_.tight.points.begin(), boundary_.tight.points.end());
-    watch_.sort(used, std::less<>());
-    used.erase(std::unique(used.begin(), used.end()), used.end());
-    watch_.sort(used, [&](PointId a, PointId b) { return order(a, b) > 0; });
+        for (const std::vector<PointId>& loop : polygon.loops) std::for_each(loop.begin(), loop.end(), use);
+    for (const TightLine& line : lines) use(line.from), use(line.to);
+    std::for_each(boundary_.tight.points.begin(), boundary_.tight.points.end(), use);
+    sort_points(used);
     name_.assign(arrangement_.points.size(), kNoId);
     auto source = std::make_shared<SpatialPositions>();
     double world[3], offset[3];
@@ -158,7 +185,11 @@ class Assembler {
         order[k] = static_cast<std::uint32_t>(k);
       }
     });
-    watch_.sort(order, [&](std::uint32_t a, std::uint32_t b) { return faces[a].loops < faces[b].loops; });
+    const auto begins = [&](std::uint32_t k) { return std::pair(faces[k].loops[0][0], faces[k].loops[0][1]); };
+    watch_.sort(order, [&](std::uint32_t a, std::uint32_t b) {
+      const auto x = begins(a), y = begins(b);
+      return x != y ? x < y : faces[a].loops < faces[b].loops;
+    });
     sum_.faces.reserve(faces.size());
     for (const std::uint32_t k : order) {
       const std::uint32_t patch = boundary_.patch[polygons[k].cell];
@@ -171,7 +202,7 @@ class Assembler {
   }
 
   void add_edges() {
-    sum_.edges = edges_of(sum_.faces, watch_.threads());
+    sum_.edges = edges_of(sum_.faces);
     watch_.run_stretches(sum_.edges.size(), kPart, [&](std::size_t, std::size_t first, std::size_t last) {
       for (std::size_t k = first; k < last; ++k) {
         SpatialEdge& edge = sum_.edges[k];

@@ -1,29 +1,52 @@
 #include "spatial/sum/sum_edges.h"
 
 #include <algorithm>
-#include <functional>
-#include <tuple>
-
-#include "base/parallel_sort.h"
+#include <numeric>
 
 namespace dymsum::spatial {
 
-std::vector<SpatialEdge> edges_of(const std::vector<SpatialFace>& faces, int threads) {
-  std::vector<std::array<std::uint32_t, 3>> sides;  // from, to, face
-  for (std::uint32_t f = 0; f < faces.size(); ++f) {
-    for (const std::vector<std::uint32_t>& loop : faces[f].loops) {
+namespace {
+
+/// Calls f(a, b, face) for all sides of faces, from a vertex to a larger one.
+template <class F>
+void for_each_side(const std::vector<SpatialFace>& faces, F f) {
+  for (std::uint32_t face = 0; face < faces.size(); ++face) {
+    for (const std::vector<std::uint32_t>& loop : faces[face].loops) {
       for (std::size_t k = 0; k < loop.size(); ++k) {
         const auto [a, b] = std::minmax(loop[k], loop[k + 1 < loop.size() ? k + 1 : 0]);
-        sides.push_back({a, b, f});
+        f(a, b, face);
       }
     }
   }
-  base::parallel_sort(sides, threads, std::less<>());
+}
+
+}  // namespace
+
+std::vector<SpatialEdge> edges_of(const std::vector<SpatialFace>& faces) {
+  struct Side {
+    std::uint32_t to, face;
+    auto operator<=>(const Side&) const = default;
+  };
+  // By the smaller ends, then at each of these.
+  std::vector<std::uint32_t> begin(1, 0);
+  for_each_side(faces, [&](std::uint32_t a, std::uint32_t, std::uint32_t) {
+    if (begin.size() < a + std::size_t{2}) begin.resize(a + std::size_t{2}, 0);
+    ++begin[a + std::size_t{1}];
+  });
+  std::partial_sum(begin.begin(), begin.end(), begin.begin());
+  std::vector<Side> sides(begin.back());
+  std::vector<std::uint32_t> place(begin.begin(), begin.end() - 1);
+  for_each_side(faces, [&](std::uint32_t a, std::uint32_t b, std::uint32_t face) { sides[place[a]++] = {b, face}; });
   std::vector<SpatialEdge> edges;
   edges.reserve(sides.size() / 2);
-  for (const auto& [a, b, f] : sides) {
-    if (edges.empty() || edges.back().from != a || edges.back().to != b) edges.push_back({a, b, {}, std::nullopt});
-    if (edges.back().faces.empty() || edges.back().faces.back() != f) edges.back().faces.push_back(f);
+  for (std::uint32_t a = 0; a + 1 < begin.size(); ++a) {
+    const auto first = sides.begin() + begin[a], last = sides.begin() + begin[a + 1];
+    std::sort(first, last);
+    for (auto side = first; side != last; ++side) {
+      if (side == first || side->to != edges.back().to) edges.push_back({a, side->to, {}, std::nullopt});
+      if (edges.back().faces.empty() || edges.back().faces.back() != side->face)
+        edges.back().faces.push_back(side->face);
+    }
   }
   return edges;
 }

@@ -8,6 +8,6 @@
 namespace dymsum::spatial {
 
 /// All edges with the faces that they bound, sorted; without contacts. O(n log n).
-std::vector<SpatialEdge> edges_of(const std::vector<SpatialFace>& faces, int threads = 1);
+std::vector<SpatialEdge> edges_of(const std::vector<SpatialFace>& faces);
 
 }  // namespace dymsum::spatial
