@@ -9,6 +9,7 @@
 #include "numbers.h"
 #include "progress_bar.h"
 #include "report.h"
+#include "solid/any_solid_outputs.h"
 #include "solid/solid_operands.h"
 #include "timing.h"
 

@@ -8,6 +8,7 @@
 #include "dymsum/turning_solid_sum.h"
 #include "numbers.h"
 #include "options.h"
+#include "pictures/svg_paths.h"
 #include "progress_bar.h"
 #include "solid/solid_operands.h"
 #include "solid/solid_outputs.h"

@@ -29,6 +29,13 @@ PlanarLocalSum near_sum(const Region& p, const Region& q, LocalEngine engine = L
   return PlanarLocalSum::create(p, q, options).value();
 }
 
+/// With the tight features.
+SumOptions open_sums() {
+  SumOptions options;
+  options.semantics = Semantics::open;
+  return options;
+}
+
 Region region_of(RegionData data) { return Region::create(std::move(data)).value(); }
 
 /// Boundaries end at sides of the box only (observation 5 of the thesis): elsewhere as many edges arrive as leave.
@@ -117,7 +124,7 @@ TEST(PlanarLocalSum, is_the_whole_sum_cut_in_random_boxes_and_discs_on_tiny_grid
     pd.polylines.clear(), pd.points.clear(), qd.polylines.clear(), qd.points.clear();
     if (pd.parts.empty() || qd.parts.empty()) continue;
     const Region p = region_of(pd), q = region_of(qd);
-    const PlanarSum whole = minkowski_sum(p, q, {.semantics = Semantics::open}).value();
+    const PlanarSum whole = minkowski_sum(p, q, open_sums()).value();
     Engines engines(p, q);
     for (int i = 0; i < 12; ++i, ++places) {
       const PlanarBox box = random_box(random, whole);
@@ -171,7 +178,7 @@ TEST(PlanarLocalSum, follows_quarter_turns_and_scales_exactly) {
     const auto [p_pose, p_quarter] = random_pose();
     const auto [q_pose, q_quarter] = random_pose();
     const PlanarSum whole =
-        minkowski_sum(moved(p, p_pose, p_quarter), moved(q, q_pose, q_quarter), {.semantics = Semantics::open}).value();
+        minkowski_sum(moved(p, p_pose, p_quarter), moved(q, q_pose, q_quarter), open_sums()).value();
     const PlanarBox box = random_box(random, whole);
     const PlanarLocalPart part = engines.in(box, p_pose, q_pose, k % 5 == 0);
     ASSERT_TRUE(clipped_sum::shape_of(part) == clipped_sum::cut(whole, box)) << "move " << k << " in " << text(box);
@@ -191,7 +198,7 @@ TEST(PlanarLocalSum, follows_a_turning_operand_and_updates_what_it_keeps) {
     for (std::uint64_t k = 0; k < frames; ++k) {
       PlanarPose pose;
       pose.rotation = Orientation::nearest(0.013 * static_cast<double>(k), 0x1p-12).value();
-      const PlanarSum whole = rotated_sum(p, q, pose.rotation, {.semantics = Semantics::open}).value();
+      const PlanarSum whole = rotated_sum(p, q, pose.rotation, open_sums()).value();
       if (k % 10 == 0) box = random_box(random, whole);
       box.low.x += 1.0 / 64, box.high.x += 1.0 / 64;
       const PlanarLocalPart part = engines.in(box, pose, {}, k % 10 == 0);
