@@ -99,8 +99,9 @@ struct TurningSolidWork {
 /// they meet, tight features. Source: Behar 2016, 8.2; docs/design/turning-solids.md.
 class TurningSolidSum {
  public:
-  /// Solids without thin parts. Errors: unsupported_operand for thin parts, nothing in them, or coordinates beyond 100
-  /// bits on their common grid; bad_rotation for an axis that is zero or beyond 2^15; out_of_range for the options.
+  /// Solids without thin parts. Errors: unsupported_operand for thin parts, nothing in them, or coordinates on their
+  /// common grid that need more than 140 bits together with four times those of |axis|; bad_rotation for an axis that
+  /// is zero or beyond 2^15; out_of_range for the options.
   static Result<TurningSolidSum> create(const Mesh& p, const Mesh& q, const TurnAxis& axis,
                                         const TurningSolidOptions& options = {});
   TurningSolidSum(TurningSolidSum&&) noexcept;

@@ -88,12 +88,18 @@ void bind_events(nb::module_& m) {
       .field("contacts", &SolidTurnEvent::contacts)
       .field("visible", &SolidTurnEvent::visible, "the sum's structure changes")
       .field("topology", &SolidTurnEvent::topology, "so do shells, tunnels or tight features");
-  Record<TurningSolidOptions>(m, "TurningSolidOptions", "Options of TurningSolidSum.")
-      .field("moving", &TurningSolidOptions::moving, "the operand that turns")
-      .field("changes", &TurningSolidOptions::changes, "compare sums beside every event")
-      .field("window", &TurningSolidOptions::window, "how far windows reach, in radians; 0: chosen")
-      .field("tight", &TurningSolidOptions::tight, "look for tight features")
-      .field("threads", &TurningSolidOptions::threads, "of sums; 0: as many as there are cores");
+  Record<TurningSolidOptions> options(m, "TurningSolidOptions", "Options of TurningSolidSum.");
+  options.def(
+      "__init__",
+      [](TurningSolidOptions* self, MovingOperand moving, bool changes, double window, bool tight, int threads) {
+        new (self) TurningSolidOptions{moving, changes, window, tight, threads};
+      },
+      "moving"_a = MovingOperand::p, "changes"_a = true, "window"_a = 0.0, "tight"_a = true, "threads"_a = 1);
+  options.option("moving", &TurningSolidOptions::moving, "the operand that turns")
+      .option("changes", &TurningSolidOptions::changes, "compare sums beside every event")
+      .option("window", &TurningSolidOptions::window, "how far windows reach, in radians; 0: chosen")
+      .option("tight", &TurningSolidOptions::tight, "look for tight features")
+      .option("threads", &TurningSolidOptions::threads, "of sums; 0: as many as there are cores");
   Record<TurningSolidWork>(m, "TurningSolidWork", "The work of the last query.")
       .field("windows", &TurningSolidWork::windows)
       .field("facets", &TurningSolidWork::facets)

@@ -82,7 +82,9 @@ Result<TurningSolidSum> TurningSolidSum::create(const Mesh& p, const Mesh& q, co
   int square_bits = 0;
   while ((std::int64_t{1} << square_bits) < state->pair.circle.square()) ++square_bits;
   if (std::max(state->pair.pair.p_places.bits, state->pair.pair.q_places.bits) + 2 * square_bits > kMostBits)
-    return Error{ErrorCode::unsupported_operand, "coordinates are beyond 140 bits on their common grid", {}};
+    return Error{ErrorCode::unsupported_operand,
+                 "coordinates on their common grid, with the square of the axis twice, need more than 140 bits",
+                 {}};
   return TurningSolidSum(std::move(state));
 }
 
