@@ -12,6 +12,7 @@
 #include "spatial/local/local_boundary.h"
 #include "spatial/local/near_facets.h"
 #include "spatial/moving/dynamic_convolution.h"
+#include "spatial/moving/inner_facets.h"
 #include "spatial/sum/solid_faces.h"
 #include "spatial/sum/sum_source.h"
 
@@ -66,6 +67,7 @@ class LocalSum::State {
     stages_.tight = options_.tight, stages_.threads = options_.threads, stages_.progress = options_.progress;
     if (options_.engine == LocalEngine::brute) stages_.engine = SpatialEngine::brute;
     if (is_empty()) return;
+    if (options_.engine != LocalEngine::brute) inner_.emplace(pair_);
     if (options_.engine == LocalEngine::updated) convolution_.emplace(pair_);
     if (options_.engine == LocalEngine::hierarchy) near_.emplace(pair_);
   }
@@ -125,15 +127,28 @@ class LocalSum::State {
   ReducedConvolution facets(const PosedSpace& space, const ClipWalls& walls, const PosePair& poses,
                             spatial::StageWatch& watch, LocalPart::Work& work) {
     const spatial::Box reach = walls.reach(*space.space, static_cast<std::uint32_t>(pair_.p.vertices.size()));
+    if (inner_) inner_->move(space, poses);
     if (near_) {
       ReducedConvolution found = near_->find(*space.space, reach);
       work.rebuilt = true, work.pairs = near_->pairs();
-      return found;
+      return outer_facets(found);
     }
     if (convolution_) return updated_facets(*space.space, reach, poses, work);
     ReducedConvolution all = spatial::reduced_convolution(*space.space, pair_.p, pair_.q, watch);
     work.rebuilt = true, all_facets_ = all.facets.size();
     return all;
+  }
+
+  /// Those that are not known to lie deep inside the open sum.
+  ReducedConvolution outer_facets(const ReducedConvolution& all) {
+    ReducedConvolution outer;
+    outer.counts = all.counts;
+    for (std::uint32_t f = 0; f < all.facets.size(); ++f) {
+      inner_->forget(f);
+      if (inner_->hold(f, all.facets[f])) continue;
+      outer.facets.push_back(all.facets[f]), outer.planes.push_back(all.planes[f]);
+    }
+    return outer;
   }
 
   ReducedConvolution updated_facets(const spatial::SumSpace& space, const spatial::Box& reach, const PosePair& poses,
@@ -142,13 +157,14 @@ class LocalSum::State {
       spatial::SpaceOnDemand exact(pair_, poses);
       work.rebuilt = convolution_->set(poses, exact).rebuilt;
       poses_ = poses, moved_ = true;
+      for (const std::uint32_t slot : convolution_->added()) inner_->forget(slot);
     }
     ReducedConvolution near;
     for (std::uint32_t slot = 0; slot < convolution_->slots(); ++slot) {
       if (!convolution_->exists(slot)) continue;
       const spatial::SumFacet& facet = convolution_->facet(slot);
       ++(facet.kind == spatial::SumFacet::Kind::edge_edge ? near.counts.edge_edge : near.counts.face_vertex);
-      if (!spatial::comes_near(space, facet, reach)) continue;
+      if (!spatial::comes_near(space, facet, reach) || inner_->hold(slot, facet)) continue;
       near.facets.push_back(facet);
       near.planes.push_back(spatial::plane_of(facet));
     }
@@ -160,6 +176,7 @@ class LocalSum::State {
   spatial::SolidPair pair_;
   std::optional<spatial::DynamicConvolution> convolution_;
   std::optional<spatial::NearFacets> near_;
+  std::optional<spatial::InnerFacets> inner_;
   PosePair poses_;
   bool moved_ = false;
   std::size_t all_facets_ = 0;
