@@ -15,6 +15,7 @@
 #include "outputs.h"
 #include "pictures/shape_pictures.h"
 #include "planar/tier.h"
+#include "progress_bar.h"
 #include "report.h"
 #include "timing.h"
 #include "verbs/commands.h"
@@ -57,8 +58,9 @@ Selection selection_of(const FeaturesCommand& command) {
   return s;
 }
 
-FeatureOptions options_of(const FeaturesCommand& command) {
+FeatureOptions options_of(const FeaturesCommand& command, const Progress& progress) {
   FeatureOptions options;
+  options.progress = progress;
   options.concavity = kConcavities.at(command.concavity);
   options.hybrid_tolerance = command.hybrid_tolerance.value_or(0);
   return options;
@@ -146,9 +148,14 @@ ExitCode run_features(const FeaturesCommand& command) {
   report_stream(command.output.files, command.report.json);
   refuse_unused_format({command.operand}, command.input);
   const std::vector<Input> inputs{read_input(command.operand, command.input)};
+  const InterruptGuard guard;
+  std::optional<ProgressBar> bar(std::in_place);
+  const FeatureOptions options = options_of(command, bar->callback());
   const auto [features, timing] = timed(command.report.repeat, [&] {
-    return require_of(inputs, ShapeFeatures::create(inputs[0].region, options_of(command)));
+    throw_if_interrupted();
+    return require_of(inputs, ShapeFeatures::create(inputs[0].region, options));
   });
+  bar.reset();
   const std::vector<std::uint32_t> kept = features.lasting(selection.life, selection.from, selection.to);
   std::vector<AlphaBridge> bridges;
   if (alpha) bridges = require_of(inputs, features.bridges(*alpha));
@@ -210,10 +217,15 @@ ExitCode run_decompose(const FeaturesCommand& command) {
     if (const RegionFormat f = output_format(file, command.output); f != RegionFormat::svg && f != RegionFormat::wkt)
       throw Stop(kUsage, "-o writes .wkt (a polygon per line) and .svg: " + file);
   const std::vector<Input> inputs{read_input(command.operand, command.input)};
+  const InterruptGuard guard;
+  std::optional<ProgressBar> bar(std::in_place);
+  const FeatureOptions options = options_of(command, bar->callback());
   const auto [made, timing] = timed(command.report.repeat, [&] {
-    const ShapeFeatures features = require_of(inputs, ShapeFeatures::create(inputs[0].region, options_of(command)));
+    throw_if_interrupted();
+    const ShapeFeatures features = require_of(inputs, ShapeFeatures::create(inputs[0].region, options));
     return require_of(inputs, decompose(features, {selection.life, selection.from, selection.to}));
   });
+  bar.reset();
   write_pieces(command, inputs[0].region, made);
   if (!command.report.json) {
     out << counted(made.cuts.size(), "cut") << ", " << counted(made.pieces.size(), "piece") << "\n";
