@@ -106,7 +106,8 @@ ExitCode run_decompose(const FeaturesCommand& command) {
   const DecomposeOptions options{selection.life, selection.from, selection.to, bar->callback()};
   const auto [made, timing] = timed(command.report.repeat, [&] {
     throw_if_interrupted();
-    const ShapeFeatures features = require_of(inputs, ShapeFeatures::create(inputs[0].region, options_of(command)));
+    const ShapeFeatures features =
+        require_of(inputs, ShapeFeatures::create(inputs[0].region, options_of(command, bar->callback())));
     return require_of(inputs, decompose(features, options));
   });
   bar.reset();

@@ -79,10 +79,14 @@ DiscSide side_of(const std::string& set) {
 }
 
 /// An event that there is not is wrong usage; what the region has is bad input.
-DiscSet made_at(const DiscMaker& make, const DiscRadius& r, const std::vector<Input>& inputs) {
+/// A negative radius and an event that there is not are wrong usage; one that is too large or too small for this
+/// library is data that it does not take.
+DiscSet made_at(const DiscMaker& make, const DiscRadius& r, std::size_t event_count, const std::vector<Input>& inputs) {
   Result<DiscSet> set = make(r);
-  if (!set && set.error().code == ErrorCode::out_of_range && set.error().evidence == Evidence{})
-    throw Stop(kUsage, "--radius: " + set.error().message, set.error());
+  if (!set && set.error().code == ErrorCode::out_of_range && set.error().evidence == Evidence{}) {
+    const bool misused = r.event ? *r.event >= event_count : r.value.sign() < 0;
+    throw Stop(misused ? kUsage : kBadInput, "--radius: " + set.error().message, set.error());
+  }
   return require_of(inputs, std::move(set));
 }
 
@@ -177,10 +181,15 @@ ExitCode run_disc(const DiscCommand& command) {
   const GrowingDisc disc(inputs[0].region);
   std::optional<ProgressBar> bar(std::in_place);
   const DiscMaker make = maker(disc, command, bar->callback());
-  const auto [set_once, first] = timed(1, [&] { return made_at(make, radius, inputs); });
+  const auto make_set = [&] {
+    const std::size_t events =
+        radius.event ? require_of(inputs, disc.events(side_of(command.set), bar->callback())).size() : 0;
+    return made_at(make, radius, events, inputs);
+  };
+  const auto [set_once, first] = timed(1, make_set);
   const auto [set, again] = timed(command.report.repeat, [&] {
     throw_if_interrupted();
-    return made_at(make, radius, inputs);
+    return make_set();
   });
   const std::vector<DiscEvent> events = require(disc.events(side_of(command.set)));
   DiscFrames frames;

@@ -13,6 +13,7 @@
 #include "outputs.h"
 #include "pictures/shape_pictures.h"
 #include "planar/tier.h"
+#include "progress_bar.h"
 #include "report.h"
 #include "timing.h"
 #include "verbs/commands.h"
@@ -102,9 +103,14 @@ ExitCode run_features(const FeaturesCommand& command) {
   report_stream(command.output.files, command.report.json);
   refuse_unused_format({command.operand}, command.input);
   const std::vector<Input> inputs{read_input(command.operand, command.input)};
+  const InterruptGuard guard;
+  std::optional<ProgressBar> bar(std::in_place);
+  const FeatureOptions options = options_of(command, bar->callback());
   const auto [features, timing] = timed(command.report.repeat, [&] {
-    return require_of(inputs, ShapeFeatures::create(inputs[0].region, options_of(command)));
+    throw_if_interrupted();
+    return require_of(inputs, ShapeFeatures::create(inputs[0].region, options));
   });
+  bar.reset();
   const std::vector<std::uint32_t> kept = features.lasting(selection.life, selection.from, selection.to);
   std::vector<AlphaBridge> bridges;
   if (alpha) bridges = require_of(inputs, features.bridges(*alpha));

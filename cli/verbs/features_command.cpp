@@ -29,8 +29,9 @@ Selection selection_of(const FeaturesCommand& command) {
   return s;
 }
 
-FeatureOptions options_of(const FeaturesCommand& command) {
+FeatureOptions options_of(const FeaturesCommand& command, const Progress& progress) {
   FeatureOptions options;
+  options.progress = progress;
   options.concavity = kConcavities.at(command.concavity);
   options.hybrid_tolerance = command.hybrid_tolerance.value_or(0);
   return options;

@@ -33,7 +33,7 @@ struct Selection {
 
 Selection selection_of(const FeaturesCommand& command);
 
-FeatureOptions options_of(const FeaturesCommand& command);
+FeatureOptions options_of(const FeaturesCommand& command, const Progress& progress);
 
 /// `least` tells what --tau is.
 void add_shared_options(CLI::App& verb, FeaturesCommand& command, const std::string& least);

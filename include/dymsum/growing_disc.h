@@ -37,7 +37,7 @@ struct DiscRadius {
 
 /// A radius at which the pieces of the boundary change. Coincident changes are one event.
 struct DiscEvent {
-  double radius = 0;        ///< within some units in the last place
+  double radius = 0;        ///< the nearest double
   std::uint32_t nodes = 0;  ///< discs of that radius which touch the region in a way that others beside them do not
 };
 

@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "dymsum/progress.h"
 #include "dymsum/rational.h"
 #include "dymsum/region.h"
 #include "dymsum/result.h"
@@ -26,6 +27,7 @@ struct FeatureOptions {
   Concavity concavity = Concavity::straight_line;
   double hybrid_tolerance = 0;  ///< of hybrid2
   int threads = 0;              ///< 0: as many as there are
+  Progress progress = {};       ///< asked in the stages "complex" and "bars" (see progress.h)
 };
 
 /// The life of a corner of the sum with a growing disc. Events are numbered by their diameters: equal numbers are
@@ -44,7 +46,7 @@ struct FeatureBar {
   Death died = Death::never;
   std::uint32_t birth = 0;                  ///< event
   std::optional<std::uint32_t> death;       ///< event; none: never
-  double birth_alpha = 0, death_alpha = 0;  ///< diameters within some units in the last place; infinity for never
+  double birth_alpha = 0, death_alpha = 0;  ///< diameters, the nearest doubles; infinity for never
   std::optional<std::uint32_t> parent;      ///< of a bar that merged
   std::optional<std::uint32_t> vertex;      ///< of the region: where a corner is born
   std::optional<std::uint32_t> minimum;     ///< vertex of the region: the pocket minimum; none of gaps
@@ -78,15 +80,17 @@ class ShapeFeatures {
  public:
   /// Discs outside of the region. Births, deaths and their order are exact. Errors: unsupported_operand where polylines
   /// cross or run along each other, or the region is empty; out_of_range for coordinates beyond 2^1000 and a tolerance
-  /// that is negative or no number. O(n log n) in practice.
+  /// that is negative or no number; cancelled where the options' progress stops it. O(n log n) in practice.
   static Result<ShapeFeatures> create(const Region& region, const FeatureOptions& options = {});
 
   const Region& region() const;
+  /// Those of create() without the progress.
   const FeatureOptions& options() const;
-  /// In the order of their births.
+  /// In the order of their births; of equal ones in an order that rigid motions and reflections keep. Which of two bars
+  /// goes on where they are equally old and deep is decided by the region's geometry, too.
   const std::vector<FeatureBar>& bars() const;
   std::uint32_t event_count() const;
-  /// Requires: event < event_count() (else std::invalid_argument).
+  /// The diameter, the nearest double. Requires: event < event_count() (else std::invalid_argument).
   double event_alpha(std::uint32_t event) const;
   /// The diameter as a formula of integers, + - * / and sqrt().
   std::string event_text(std::uint32_t event) const;

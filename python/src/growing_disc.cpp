@@ -92,7 +92,7 @@ void bind_disc_radius(nb::module_& m) {
       });
   radius.attr("__hash__") = nb::none();
   Record<DiscEvent>(m, "DiscEvent", "A radius at which the pieces of the boundary change.")
-      .field("radius", &DiscEvent::radius, "within some units in the last place")
+      .field("radius", &DiscEvent::radius, "the nearest double")
       .field("nodes", &DiscEvent::nodes, "discs that touch the region there as others beside them do not");
 }
 

@@ -21,13 +21,14 @@ void bind_feature_options(nb::module_& m) {
   Record<FeatureOptions> options(m, "FeatureOptions", "Options of ShapeFeatures.");
   options.def(
       "__init__",
-      [](FeatureOptions* self, Concavity concavity, double hybrid_tolerance, int threads) {
-        new (self) FeatureOptions{concavity, hybrid_tolerance, threads};
+      [](FeatureOptions* self, Concavity concavity, double hybrid_tolerance, int threads, Progress progress) {
+        new (self) FeatureOptions{concavity, hybrid_tolerance, threads, std::move(progress)};
       },
-      "concavity"_a = Concavity::straight_line, "hybrid_tolerance"_a = 0.0, "threads"_a = 0);
+      "concavity"_a = Concavity::straight_line, "hybrid_tolerance"_a = 0.0, "threads"_a = 0, "progress"_a = nb::none());
   options.option("concavity", &FeatureOptions::concavity)
       .option("hybrid_tolerance", &FeatureOptions::hybrid_tolerance, "of hybrid2, in the unit of the coordinates")
-      .option("threads", &FeatureOptions::threads, "0: as many as there are cores");
+      .option("threads", &FeatureOptions::threads, "0: as many as there are cores")
+      .option("progress", &FeatureOptions::progress, "called with the stage and its share in [0, 1]; False stops");
 }
 
 void bind_feature_bar(nb::module_& m) {
@@ -43,7 +44,7 @@ void bind_feature_bar(nb::module_& m) {
       .field("died", &FeatureBar::died)
       .field("birth", &FeatureBar::birth, "event; equal events are exactly equal diameters")
       .field("death", &FeatureBar::death, "event; None: never")
-      .field("birth_alpha", &FeatureBar::birth_alpha, "diameter, within some units in the last place")
+      .field("birth_alpha", &FeatureBar::birth_alpha, "diameter, the nearest double")
       .field("death_alpha", &FeatureBar::death_alpha, "the same; infinity for never")
       .field("parent", &FeatureBar::parent, "index of the bar that it merged into")
       .field("vertex", &FeatureBar::vertex, "of the region: where a corner is born")
@@ -71,7 +72,7 @@ void bind_alpha_bridge(nb::module_& m) {
 }
 
 ShapeFeatures features_of(const RegionArgument& region, const FeatureOptions& options) {
-  return take(without_gil([&] { return ShapeFeatures::create(*region, options); }));
+  return run_with(options, [&](const FeatureOptions& own) { return ShapeFeatures::create(*region, own); });
 }
 
 void require_event(const ShapeFeatures& features, std::uint32_t event) {
@@ -94,7 +95,7 @@ void bind_feature_questions(nb::class_<ShapeFeatures>& type) {
             require_event(self, event);
             return self.event_alpha(event);
           },
-          "event"_a, "The diameter of an event, within some units in the last place.")
+          "event"_a, "The diameter of an event, the nearest double.")
       .def(
           "event_text",
           [](const ShapeFeatures& self, std::uint32_t event) {
@@ -156,7 +157,9 @@ shared by threads.
           },
           "region"_a, "options"_a = FeatureOptions(),
           "Raises Error: unsupported_operand where polylines cross or run along each other, or the region is empty; "
-          "out_of_range for coordinates beyond 2^1000 and a tolerance that is negative or no number.")
+          "out_of_range for coordinates beyond 2^1000 and a tolerance that is negative or no number; cancelled where "
+          "the "
+          "options' progress stops it.")
       .def_static("create", &features_of, "region"_a, "options"_a = FeatureOptions())
       .def("__repr__",
            [](const ShapeFeatures& self) {

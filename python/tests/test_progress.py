@@ -152,6 +152,8 @@ CALLS: list[tuple[str, Callable[[Progress], Any]]] = [
     ("GrowingDisc.eroded_at", lambda f: dymsum.GrowingDisc(P).eroded_at(0.01, progress=f)),
     ("GrowingDisc.opened_at", lambda f: dymsum.GrowingDisc(P).opened_at(0.01, progress=f)),
     ("GrowingDisc.closed_at", lambda f: dymsum.GrowingDisc(P).closed_at(1, progress=f)),
+    ("ShapeFeatures", lambda f: dymsum.ShapeFeatures(P, dymsum.FeatureOptions(progress=f))),
+    ("ShapeFeatures", lambda f: dymsum.ShapeFeatures.create(P, dymsum.FeatureOptions(progress=f))),
     ("compute_table", lambda f: dymsum.compute_table(dymsum.NfpTable(TABLE), dymsum.TableOptions(progress=f))),
 ]
 PATH = dymsum.plan(OBSTACLE, (-8, 0, 0), (8, 0, 1)).path
@@ -166,7 +168,7 @@ def _that_take_a_progress() -> Iterator[str]:
     options = [
         name for name, kind in vars(dymsum).items() if name.endswith("Options") and hasattr(kind, "progress")
     ]
-    assert len(options) == 15
+    assert len(options) == 16
     for name, value in vars(dymsum).items():
         members = vars(value).items() if inspect.isclass(value) else [("", value)]
         for member, function in members:

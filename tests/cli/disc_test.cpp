@@ -34,5 +34,17 @@ TEST_F(DiscCli, PolygonsNearestToASetAreThereWhereItFallsApart) {
   EXPECT_NE(work.run(disc + " --to wkt --bound middle").code, 0);
 }
 
+TEST_F(DiscCli, RadiiThatAreNoRadiiAreUsageAndThoseOutOfRangeAreData) {
+  work.write("u.wkt", "POLYGON((0 0,4 0,4 4,2 1,0 4,0 0))");
+  const auto code = [&](const char* radius) {
+    return work.run(std::string("dymsum disc u.wkt --radius=") + radius).code;
+  };
+  EXPECT_EQ(code("-1"), 1);
+  EXPECT_EQ(code("event:99"), 1);
+  EXPECT_EQ(code("1e200"), 2);
+  EXPECT_EQ(code("1e-200"), 2);
+  EXPECT_EQ(code("event:0"), 0);
+}
+
 }  // namespace
 }  // namespace dymsum::cli_test

@@ -7,6 +7,7 @@
 #include <memory>
 #include <vector>
 
+#include "dymsum/progress.h"
 #include "dymsum/rational.h"
 #include "dymsum/region.h"
 #include "dymsum/result.h"
@@ -91,8 +92,10 @@ enum class Engine : std::uint8_t {
 
 /// Errors: unsupported_operand where discs lie outside and a polyline or point touches another piece of the region or
 /// itself, with the place; out_of_range for coordinates beyond 2^1000 and where a node's disc is larger than doubles
-/// reach. An empty region has the empty complex.
-Result<Complex> make_complex(const Region& region, Side side, Engine engine = Engine::fast, int threads = 0);
+/// reach; cancelled where `progress` stops it: it is asked in the stage "complex", not while the approximate diagram is
+/// made, and not at the end. An empty region has the empty complex.
+Result<Complex> make_complex(const Region& region, Side side, Engine engine = Engine::fast, int threads = 0,
+                             const Progress& progress = {});
 
 // Exact questions. Radii and positions are in input coordinates.
 

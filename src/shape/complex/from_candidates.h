@@ -3,14 +3,15 @@
 
 #include <optional>
 
+#include "base/poll.h"
 #include "shape/complex/candidates.h"
 
 namespace dymsum::shape {
 
 /// The same complex whatever the guess: it is completed, certified, and where that fails replaced by all pairs, as
-/// where there is none.
-Complex complex_from(Walks walks, std::optional<Candidates> guess, int threads);
+/// where there is none. Throws Cancelled.
+Complex complex_from(Walks walks, std::optional<Candidates> guess, int threads, const planar::Poll& poll);
 /// The same from rough candidates, if these are good, or else from better ones.
-Complex complex_from_rough(Walks walks, int threads);
+Complex complex_from_rough(Walks walks, int threads, const planar::Poll& poll);
 
 }  // namespace dymsum::shape

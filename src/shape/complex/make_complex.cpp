@@ -22,9 +22,9 @@ Candidates all_pairs(const Walks& walks) {
 
 /// Matched cells, or nothing where the certificate fails.
 std::optional<Cells> certified_cells(Order& order, Candidates candidates, int threads, SiteRows::Guess kind,
-                                     Work& work) {
+                                     const planar::Poll& poll, Work& work) {
   SiteRows rows(order.walks(), std::move(candidates), threads);
-  if (!rows.close(kind)) return std::nullopt;
+  if (!rows.close(kind, poll)) return std::nullopt;
   const bool closes = rows.closes_at_infinity();
   work.candidates = rows.work.candidates;
   work.closing_rounds = rows.work.closing_rounds;
@@ -69,7 +69,8 @@ std::optional<Error> too_large(const Complex& c) {
 namespace {
 
 /// One complex from guesses, the best one last.
-Complex complex_of(Walks walks, int threads, std::optional<Candidates> guess, bool guess_is_rough) {
+Complex complex_of(Walks walks, int threads, std::optional<Candidates> guess, SiteRows::Guess kind,
+                   const planar::Poll& poll) {
   auto exact = std::make_shared<ExactComplex>();
   exact->walks = std::move(walks);
   Work work;
@@ -78,11 +79,11 @@ Complex complex_of(Walks walks, int threads, std::optional<Candidates> guess, bo
     return ranked({}, std::move(exact), work);
   }
   Order order(exact->walks);
-  const auto cells_from = [&](Candidates candidates, SiteRows::Guess kind) {
-    return certified_cells(order, std::move(candidates), threads, kind, work);
+  const auto cells_from = [&](Candidates candidates, SiteRows::Guess how) {
+    return certified_cells(order, std::move(candidates), threads, how, poll, work);
   };
   std::optional<Cells> cells;
-  if (guess_is_rough) {
+  if (kind == SiteRows::Guess::rough) {
     if (guess) cells = cells_from(*std::move(guess), SiteRows::Guess::rough);
     if (!cells) guess = candidates_of(exact->walks);
   }
@@ -90,7 +91,9 @@ Complex complex_of(Walks walks, int threads, std::optional<Candidates> guess, bo
   work.certified = cells.has_value();
   if (!cells) cells = cells_from(all_pairs(exact->walks), SiteRows::Guess::good);
   if (!cells) throw std::logic_error("the cells of a complex do not match");
+  poll(0.8);
   Graph graph = assemble(order, *cells);
+  poll(0.85);
   work.filtered += order.counts.filtered;
   work.exact += order.counts.exact;
   return ranked(std::move(graph), std::move(exact), work);
@@ -98,26 +101,40 @@ Complex complex_of(Walks walks, int threads, std::optional<Candidates> guess, bo
 
 }  // namespace
 
-Complex complex_from(Walks walks, std::optional<Candidates> guess, int threads) {
-  return complex_of(std::move(walks), threads, std::move(guess), false);
+Complex complex_from(Walks walks, std::optional<Candidates> guess, int threads, const planar::Poll& poll) {
+  return complex_of(std::move(walks), threads, std::move(guess), SiteRows::Guess::good, poll);
 }
 
-Complex complex_from_rough(Walks walks, int threads) {
+Complex complex_from_rough(Walks walks, int threads, const planar::Poll& poll) {
   std::optional<Candidates> guess = walks.sites.empty() ? Candidates{} : rough_candidates_of(walks);
-  return complex_of(std::move(walks), threads, std::move(guess), true);
+  return complex_of(std::move(walks), threads, std::move(guess), SiteRows::Guess::rough, poll);
 }
 
-Result<Complex> make_complex(const Region& region, Side side, Engine engine, int threads) {
+namespace {
+
+Result<Complex> made(const Region& region, Side side, Engine engine, int threads, const planar::Poll& poll) {
   if (side == Side::outside) {
     if (std::optional<Error> error = thin_contact(region)) return *std::move(error);
   }
   Result<Walks> walks = make_walks(region, side);
   if (!walks) return walks.error();
   if (std::optional<Error> error = too_large(*walks)) return *std::move(error);
-  Complex made = engine == Engine::fast ? complex_from_rough(std::move(walks).value(), threads)
-                                        : complex_from(std::move(walks).value(), std::nullopt, threads);
-  if (std::optional<Error> error = too_large(made)) return *std::move(error);
-  return made;
+  Complex complex = engine == Engine::fast ? complex_from_rough(std::move(walks).value(), threads, poll)
+                                           : complex_from(std::move(walks).value(), std::nullopt, threads, poll);
+  if (std::optional<Error> error = too_large(complex)) return *std::move(error);
+  return complex;
+}
+
+}  // namespace
+
+Result<Complex> make_complex(const Region& region, Side side, Engine engine, int threads, const Progress& progress) {
+  planar::Poll poll(progress);
+  try {
+    poll.stage("complex");
+    return made(region, side, engine, threads, poll);
+  } catch (const planar::Cancelled&) {
+    return Error{ErrorCode::cancelled, "stopped on request", {}};
+  }
 }
 
 }  // namespace dymsum::shape

@@ -17,6 +17,9 @@ struct SiteRows::Ends {
 
 namespace {
 
+/// Of the work of a complex: rows begin and end about there.
+constexpr double kFirstShare = 0.4, kLastShare = 0.8;
+
 /// Of the disc that touches site j: its radius at a place of an edge, 1 / radius at a vertex.
 template <class T>
 T size_at(const Formulas<T>& formulas, const Section& s, const Mark& at, std::uint32_t j) {
@@ -38,12 +41,12 @@ SiteRows::SiteRows(const Walks& walks, Candidates candidates, int threads)
   rows_.resize(sections_.size());
 }
 
-bool SiteRows::close(Guess guess) {
+bool SiteRows::close(Guess guess, const planar::Poll& poll) {
   constexpr std::uint64_t kRounds = 3;
   std::vector<std::uint32_t> sites(walks_.sites.size());
   std::iota(sites.begin(), sites.end(), 0U);
   while (!sites.empty()) {
-    make_rows(sites);
+    make_rows(sites, poll);
     sites = extend();
     if (!sites.empty()) ++work.closing_rounds;
     const bool costly = work.closing_rounds > kRounds || std::find(full_.begin(), full_.end(), 1) != full_.end();
@@ -56,15 +59,24 @@ bool SiteRows::close(Guess guess) {
   return true;
 }
 
-void SiteRows::make_rows(const std::vector<std::uint32_t>& sites) {
+/// In batches: between them it is asked whether to go on.
+void SiteRows::make_rows(const std::vector<std::uint32_t>& sites, const planar::Poll& poll) {
+  constexpr std::size_t kSitesPerBatch = 16384;
+  for (std::size_t i = 0; i < sites.size(); i += kSitesPerBatch) {
+    const double done = work.closing_rounds > 0 ? 1 : static_cast<double>(i) / static_cast<double>(sites.size());
+    poll(kFirstShare + (kLastShare - kFirstShare) * done);
+    make_some_rows(sites.data() + i, sites.data() + std::min(sites.size(), i + kSitesPerBatch));
+  }
+}
+
+void SiteRows::make_some_rows(const std::uint32_t* first, const std::uint32_t* last) {
   constexpr std::size_t kSitesPerPart = 256;
   std::mutex mutex;
-  const std::size_t parts = (sites.size() + kSitesPerPart - 1) / kSitesPerPart;
+  const auto count = static_cast<std::size_t>(last - first);
   const auto part = [&](std::size_t p) {
     Order order(walks_);
-    const std::size_t last = std::min(sites.size(), (p + 1) * kSitesPerPart);
-    for (std::size_t i = p * kSitesPerPart; i < last; ++i) {
-      const std::uint32_t s = sites[i];
+    for (std::size_t i = p * kSitesPerPart; i < std::min(count, (p + 1) * kSitesPerPart); ++i) {
+      const std::uint32_t s = first[i];
       for (std::uint32_t k = first_section_[s]; k < first_section_[s + 1]; ++k) {
         Envelope envelope(order, sections_[k]);
         for (const std::uint32_t j : candidates_[s]) envelope.insert(j);
@@ -75,7 +87,7 @@ void SiteRows::make_rows(const std::vector<std::uint32_t>& sites) {
     work.filtered += order.counts.filtered;
     work.exact += order.counts.exact;
   };
-  base::parallel_parts(parts, threads_, part);
+  base::parallel_parts((count + kSitesPerPart - 1) / kSitesPerPart, threads_, part);
 }
 
 /// Looks at all pairs of pieces in turn. The sites that have new candidates.

@@ -37,8 +37,9 @@ struct GrowingDisc::State {
     OneSide& one = sides[which == Side::inside ? 1 : 0];
     const std::lock_guard lock(one.mutex);
     if (!one.made) {
-      if (!goes_on(progress, "complex", 0)) return stopped();
-      auto made = shape::make_complex(region, which, options.brute ? shape::Engine::brute : shape::Engine::fast);
+      const auto engine = options.brute ? shape::Engine::brute : shape::Engine::fast;
+      auto made = shape::make_complex(region, which, engine, 0, progress);
+      if (!made && made.error().code == ErrorCode::cancelled) return made.error();
       if (!made) {
         one.error = made.error();
       } else {

@@ -1,9 +1,12 @@
 #include "shape/features/place.h"
 
+#include <cmath>
+#include <limits>
 #include <optional>
 
 #include "exact/interval.h"
 #include "exact/orient.h"
+#include "shape/complex/exact_complex.h"
 
 namespace dymsum::shape {
 namespace {
@@ -11,34 +14,46 @@ namespace {
 using exact::Interval;
 using exact::RootExpression;
 
-template <class N>
-N coordinate(double v, const RootExpression* exact);
-template <>
-Interval coordinate(double v, const RootExpression* exact) {
-  return exact == nullptr ? Interval(v) : exact->interval();
-}
-template <>
-RootExpression coordinate(double v, const RootExpression* exact) {
-  return exact == nullptr ? RootExpression(v) : *exact;
-}
+using exact::FineInterval;
 
 template <class N>
-N x_of(const Place& p) {
-  return coordinate<N>(p.at.x, p.exact ? &p.exact->x : nullptr);
-}
+struct At {
+  N x, y;
+};
 template <class N>
-N y_of(const Place& p) {
-  return coordinate<N>(p.at.y, p.exact ? &p.exact->y : nullptr);
+At<N> at(const Place& p);
+template <>
+At<Interval> at(const Place& p) {
+  if (!p.exact) return {Interval(p.at.x), Interval(p.at.y)};
+  return {p.exact->x.interval(), p.exact->y.interval()};
+}
+template <>
+At<FineInterval> at(const Place& p) {
+  if (!p.exact) return {FineInterval(p.at.x), FineInterval(p.at.y)};
+  return {p.fine.x, p.fine.y};
+}
+template <>
+At<RootExpression> at(const Place& p) {
+  if (!p.exact) return {RootExpression(p.at.x), RootExpression(p.at.y)};
+  return {p.exact->x, p.exact->y};
 }
 
 template <class N>
 N cross(const Place& a, const Place& b, const Place& c, const Place& d) {
-  return (x_of<N>(b) - x_of<N>(a)) * (y_of<N>(d) - y_of<N>(c)) - (y_of<N>(b) - y_of<N>(a)) * (x_of<N>(d) - x_of<N>(c));
+  const At<N> p = at<N>(a), q = at<N>(b), r = at<N>(c), s = at<N>(d);
+  return (q.x - p.x) * (s.y - r.y) - (q.y - p.y) * (s.x - r.x);
 }
 
 template <class N>
 N dot(const Place& a, const Place& b, const Place& c, const Place& d) {
-  return (x_of<N>(b) - x_of<N>(a)) * (x_of<N>(d) - x_of<N>(c)) + (y_of<N>(b) - y_of<N>(a)) * (y_of<N>(d) - y_of<N>(c));
+  const At<N> p = at<N>(a), q = at<N>(b), r = at<N>(c), s = at<N>(d);
+  return (q.x - p.x) * (s.x - r.x) + (q.y - p.y) * (s.y - r.y);
+}
+
+/// The distance of p from the line.
+template <class N>
+N distance(const Place& a, const Place& b, const Place& p) {
+  return cross<N>(a, b, a, p) / sqrt(dot<N>(a, b, a, b));
 }
 
 bool plain(const Place& a, const Place& b, const Place& c, const Place& d) {
@@ -49,27 +64,45 @@ bool plain(const Place& a, const Place& b, const Place& c, const Place& d) {
 
 int cross_sign(const Place& a, const Place& b, const Place& c, const Place& d) {
   if (plain(a, b, c, d)) return exact::cross_sign(a.at, b.at, c.at, d.at);
-  const std::optional<int> certain = sign_of(cross<Interval>(a, b, c, d));
-  return certain ? *certain : exact::sign_of(cross<RootExpression>(a, b, c, d));
+  if (const std::optional<int> sign = sign_of(cross<Interval>(a, b, c, d))) return *sign;
+  if (const std::optional<int> sign = sign_of(cross<FineInterval>(a, b, c, d))) return *sign;
+  return exact::sign_of(cross<RootExpression>(a, b, c, d));
 }
 
 int dot_sign(const Place& a, const Place& b, const Place& c, const Place& d) {
   if (plain(a, b, c, d)) return exact::dot_sign(a.at, b.at, c.at, d.at);
-  const std::optional<int> certain = sign_of(dot<Interval>(a, b, c, d));
-  return certain ? *certain : exact::sign_of(dot<RootExpression>(a, b, c, d));
+  if (const std::optional<int> sign = sign_of(dot<Interval>(a, b, c, d))) return *sign;
+  if (const std::optional<int> sign = sign_of(dot<FineInterval>(a, b, c, d))) return *sign;
+  return exact::sign_of(dot<RootExpression>(a, b, c, d));
 }
 
 double distance_left(const Place& a, const Place& b, const Place& p) {
   if (turn_sign(a, b, p) <= 0) return 0;
-  return nearest_double(cross<RootExpression>(a, b, a, p) / sqrt(dot<RootExpression>(a, b, a, b)));
+  const std::optional<double> near = distance<FineInterval>(a, b, p).nearest();
+  if (near && *near >= std::numeric_limits<double>::min()) return *near;
+  return nearest_double(distance<RootExpression>(a, b, p));
 }
 
-Place contact_place(const Complex& complex, std::uint32_t site, const ExactPoint& centre) {
+Centre centre_of(const Complex& complex, std::uint32_t node) {
+  const ExactComplex& exact = *complex.exact;
+  Centre centre{exact_disc(complex, node).centre};
+  constexpr int kMostExponent = 250;  // pairs of doubles reach from 2^-300 to 2^300
+  if (std::abs(exact.walks.unit_exponent) > kMostExponent) return centre;
+  const DiscOf<FineInterval> disc = disc_of<FineInterval>(exact.walks, exact.discs[node]);
+  const FineInterval unit(std::ldexp(1.0, exact.walks.unit_exponent));
+  centre.fine = {disc.x * unit, disc.y * unit};
+  return centre;
+}
+
+Place contact_place(const Complex& complex, std::uint32_t site, const Centre& centre) {
   const Site& s = complex.sites[site];
   if (s.kind == Site::Kind::vertex) return {s.a, nullptr};
-  const ExactPoint touched = exact_contact(complex, site, centre);
-  const Point at{touched.x.interval().middle(), touched.y.interval().middle()};
-  return {at, std::make_shared<const ExactPoint>(touched)};
+  const ExactPoint touched = exact_contact(complex, site, centre.exact);
+  const FineInterval ax(s.a.x), ay(s.a.y), dx = FineInterval(s.b.x) - ax, dy = FineInterval(s.b.y) - ay;
+  const FineInterval k = ((centre.fine.x - ax) * dx + (centre.fine.y - ay) * dy) / (dx * dx + dy * dy);
+  return {{touched.x.interval().middle(), touched.y.interval().middle()},
+          std::make_shared<const ExactPoint>(touched),
+          {ax + k * dx, ay + k * dy}};
 }
 
 }  // namespace dymsum::shape

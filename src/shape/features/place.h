@@ -3,13 +3,20 @@
 
 #include <memory>
 
+#include "exact/fine_interval.h"
 #include "shape/complex/complex.h"
 
 namespace dymsum::shape {
 
+/// In input coordinates; the whole line where they are too large or small for that.
+struct FinePoint {
+  exact::FineInterval x, y;
+};
+
 struct Place {
-  Point at;                                 ///< each coordinate rounded
-  std::shared_ptr<const ExactPoint> exact;  ///< null: it is `at`
+  Point at;                                                                       ///< each coordinate rounded
+  std::shared_ptr<const ExactPoint> exact;                                        ///< null: it is `at`
+  FinePoint fine = {exact::FineInterval::whole(), exact::FineInterval::whole()};  ///< of `exact`
 };
 
 /// The signs of (b - a) x (d - c) and (b - a) . (d - c), exactly.
@@ -21,7 +28,12 @@ inline int turn_sign(const Place& a, const Place& b, const Place& c) { return cr
 /// and b are one point.
 double distance_left(const Place& a, const Place& b, const Place& p);
 
-/// Where the disc about an exact centre touches a site.
-Place contact_place(const Complex& complex, std::uint32_t site, const ExactPoint& centre);
+/// Where the disc about a centre touches a site. The fine centre is that of the exact one, or the whole plane.
+struct Centre {
+  ExactPoint exact;
+  FinePoint fine = {exact::FineInterval::whole(), exact::FineInterval::whole()};
+};
+Centre centre_of(const Complex& complex, std::uint32_t node);
+Place contact_place(const Complex& complex, std::uint32_t site, const Centre& centre);
 
 }  // namespace dymsum::shape

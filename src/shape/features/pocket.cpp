@@ -75,14 +75,14 @@ Bridge bridge_at_end(const Complex& complex, const BoundaryLoops& loops, std::ui
   if (complex.sites[e.left].kind == Site::Kind::vertex && complex.sites[e.right].kind == Site::Kind::vertex)
     return bridge_between(complex, loops, edge, {complex.sites[e.left].a, nullptr},
                           {complex.sites[e.right].a, nullptr});
-  const ExactPoint centre = exact_disc(complex, e.high).centre;
+  const Centre centre = centre_of(complex, e.high);
   return bridge_between(complex, loops, edge, contact_place(complex, e.left, centre),
                         contact_place(complex, e.right, centre));
 }
 
 Bridge bridge_at(const Complex& complex, const BoundaryLoops& loops, std::uint32_t edge, const Rational& r) {
   const Edge& e = complex.edges[edge];
-  const ExactPoint centre = exact_centre_on_edge(complex, edge, r);
+  const Centre centre{exact_centre_on_edge(complex, edge, r)};
   return bridge_between(complex, loops, edge, contact_place(complex, e.left, centre),
                         contact_place(complex, e.right, centre));
 }

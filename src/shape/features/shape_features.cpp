@@ -2,6 +2,7 @@
 #include <cmath>
 #include <numeric>
 
+#include "base/poll.h"
 #include "shape/features/canonical_order.h"
 #include "shape/features/feature_state.h"
 
@@ -178,13 +179,15 @@ AlphaBridge public_bridge(const ShapeFeatures::State& state, std::uint32_t edge,
 }
 
 /// What tracks ask of pockets, with the bridges at the ends of edges.
-PocketOracle oracle_of(const ShapeFeatures::State& state) {
+PocketOracle oracle_of(const ShapeFeatures::State& state, const planar::Poll& poll) {
   const auto minimum = [&state](std::uint32_t edge) {
     const Bridge bridge = bridge_at_end(state.complex, state.loops, edge);
     return bridge.pocket ? pocket_minimum(state.loops, *state.extremes, bridge, state.options) : Deepest{};
   };
   PocketOracle oracle;
-  oracle.deepest = [minimum](std::uint32_t edge) {
+  oracle.deepest = [minimum, &poll, asked = std::size_t{0},
+                    edges = state.complex.edges.size()](std::uint32_t edge) mutable {
+    poll.at_test(std::min(asked++, edges), edges);
     const Deepest found = minimum(edge);
     return PocketMinimumAt{found.vertex, found.concavity};
   };
@@ -202,15 +205,23 @@ Result<ShapeFeatures> ShapeFeatures::create(const Region& region, const FeatureO
   if (region.empty()) return Error{ErrorCode::unsupported_operand, "an empty region has no features", {}};
   if (!(options.hybrid_tolerance >= 0) || std::isinf(options.hybrid_tolerance))
     return Error{ErrorCode::out_of_range, "the tolerance of hybrid2 is a number of at least 0", {}};
-  Result<Complex> complex = make_complex(region, Side::outside, Engine::fast, options.threads);
+  Result<Complex> complex = make_complex(region, Side::outside, Engine::fast, options.threads, options.progress);
   if (!complex) return complex.error();
   auto state = std::make_shared<State>();
   state->region = region;
   state->options = options;
+  state->options.progress = {};
   state->complex = std::move(complex).value();
   state->loops = boundary_loops(state->complex);
   state->extremes.emplace(state->loops);
-  state->tracks = tracks_of(state->complex, oracle_of(*state));
+  try {
+    planar::Poll poll(options.progress);
+    poll.stage("bars");
+    state->tracks = tracks_of(state->complex, oracle_of(*state, poll));
+    poll(1);
+  } catch (const planar::Cancelled&) {
+    return Error{ErrorCode::cancelled, "stopped on request", {}};
+  }
   for (std::uint32_t n = 0; n < state->complex.nodes.size(); ++n)
     if (state->complex.nodes[n].rank == state->first_node.size()) state->first_node.push_back(n);
   for (const Bar& bar : state->tracks.bars) state->bars.push_back(public_bar(*state, bar));

@@ -222,10 +222,34 @@ TEST(Complex, CoordinatesAndDiscsBeyondTheRangeAreRefusedWithThePlace) {
   }
 }
 
+TEST(Complex, ProgressAscendsAndStopsAnywhere) {
+  const Region region = star(9, 1, 3);
+  std::vector<double> shares;
+  const auto go_on = [&](std::string_view stage, double share) {
+    EXPECT_EQ(stage, "complex");
+    shares.push_back(share);
+    return true;
+  };
+  ASSERT_TRUE(make_complex(region, Side::outside, Engine::fast, 1, go_on).ok());
+  EXPECT_GE(shares.size(), 4U);
+  EXPECT_TRUE(std::is_sorted(shares.begin(), shares.end()));
+  EXPECT_EQ(shares.front(), 0);
+  EXPECT_LE(shares.back(), 1);
+  for (std::size_t k = 0; k < shares.size(); ++k) {
+    std::size_t asked = 0;
+    const Result<Complex> made =
+        make_complex(region, Side::outside, Engine::fast, 1, [&](std::string_view, double) { return asked++ < k; });
+    ASSERT_FALSE(made.ok());
+    EXPECT_EQ(made.error().code, ErrorCode::cancelled);
+    EXPECT_EQ(asked, k + 1);
+  }
+}
+
 // Guesses that are wrong.
 
 std::string from_guess(const Region& region, Side side, const Candidates& guess, bool& certified) {
-  const Complex c = complex_from(make_walks(region, side).value(), guess, 1);
+  const Progress never_stops;
+  const Complex c = complex_from(make_walks(region, side).value(), guess, 1, planar::Poll(never_stops));
   certified = c.work.certified;
   return summary(c);
 }

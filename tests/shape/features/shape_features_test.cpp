@@ -228,7 +228,7 @@ TEST(ShapeFeatures, ShortestPathsGoAroundCornersOfThePocket) {
       ring_region({{0, 0}, {20, 0}, {20, 10}, {6, 10}, {6, 8}, {14, 8}, {14, 6}, {4, 6}, {4, 10}, {0, 10}});
   const auto largest = [&](Concavity measure) {
     double most = 0;
-    const ShapeFeatures features = features_of(region, {measure, 0, 0});
+    const ShapeFeatures features = features_of(region, {measure, 0, 0, {}});
     for (const AlphaBridge& b : features.bridges(1000).value()) most = std::max(most, b.concavity);
     return most;
   };
@@ -256,7 +256,7 @@ TEST(ShapeFeatures, ShortestPathsInPocketsOfAllKinds) {
         i % 2 == 0 ? Region::create({{}, {points}, {}}) : Region::create({{{points, {}}}, {}, {}});
     if (!region) continue;
     for (const Concavity concavity : {Concavity::shortest_path, Concavity::straight_line, Concavity::hybrid1}) {
-      const Result<ShapeFeatures> features = ShapeFeatures::create(region.value(), {concavity, 0, 1});
+      const Result<ShapeFeatures> features = ShapeFeatures::create(region.value(), {concavity, 0, 1, {}});
       if (!features) continue;
       ++made;
       for (const FeatureBar& bar : features.value().bars())
@@ -303,7 +303,12 @@ TEST(ShapeFeatures, SelectionByLifeIsExact) {
 TEST(ShapeFeatures, WhatCannotBeDoneIsTold) {
   EXPECT_EQ(ShapeFeatures::create(Region()).error().code, ErrorCode::unsupported_operand);
   EXPECT_EQ(features_of(star(5)).bridges(-1).error().code, ErrorCode::out_of_range);
-  EXPECT_EQ(ShapeFeatures::create(star(5), {Concavity::hybrid2, -1, 0}).error().code, ErrorCode::out_of_range);
+  EXPECT_EQ(ShapeFeatures::create(star(5), {Concavity::hybrid2, -1, 0, {}}).error().code, ErrorCode::out_of_range);
+  for (const char* const stop : {"complex", "bars"}) {
+    FeatureOptions options;
+    options.progress = [&](std::string_view stage, double) { return stage != stop; };
+    EXPECT_EQ(ShapeFeatures::create(star(5), options).error().code, ErrorCode::cancelled) << stop;
+  }
 }
 
 }  // namespace
