@@ -6,6 +6,7 @@
 #include <sstream>
 
 #include "dymsum/orientation.h"
+#include "exit_code.h"
 
 namespace dymsum::cli {
 
@@ -27,6 +28,15 @@ std::vector<std::string> split(const std::string& text, char separator) {
   }
   pieces.push_back(text.substr(from));
   return pieces;
+}
+
+std::vector<double> numbers_of(const std::string& text, std::size_t count, const std::string& what) {
+  std::vector<double> numbers;
+  const std::vector<std::string> words = split(text, ',');
+  for (const std::string& word : words)
+    if (const std::optional<double> number = finite_number(word)) numbers.push_back(*number);
+  if (numbers.size() != count || words.size() != count) throw Stop(kUsage, what + ", not '" + text + "'");
+  return numbers;
 }
 
 std::optional<Point> finite_point(const std::string& text) {

@@ -17,6 +17,9 @@ std::optional<double> finite_number(const std::string& text);
 /// The text between separators; one more piece than separators.
 std::vector<std::string> split(const std::string& text, char separator);
 
+/// So many numbers with commas between, all finite; wrong usage that says `what` else.
+std::vector<double> numbers_of(const std::string& text, std::size_t count, const std::string& what);
+
 /// "x,y", both finite.
 std::optional<Point> finite_point(const std::string& text);
 

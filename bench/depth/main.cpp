@@ -1,4 +1,4 @@
-// dymsum_bench_depth: penetration depth along motions, against FCL and libccd on convex pairs and FCL on meshes.
+// dymsum_bench_depth: penetration depth along motions, against FCL, libccd, Bullet and Coal on convex pairs and meshes.
 #include <algorithm>
 #include <chrono>
 #include <cmath>
@@ -9,13 +9,16 @@
 #include <stdexcept>
 #include <vector>
 
+#include "depth/continuous.h"
+#include "depth/gap_filling.h"
+#include "depth/other_systems.h"
+#include "depth/thesis_table.h"
 #include "dymsum/local_sum.h"
 #include "dymsum/moving_solid_sum.h"
 #include "dymsum/penetration_depth.h"
 #include "dymsum/solids.h"
 #include "page.h"
 #include "solid/inputs.h"
-#include "versus/fcl_meshes.h"
 #include "versus/solid_rivals.h"
 
 namespace dymsum::bench {
@@ -122,27 +125,8 @@ void convex_pairs(Report& report) {
       report.row({name, dymsum::bench::name(rival), fixed(us / 200, 1), std::to_string(none), std::to_string(wrong),
                   text.str()});
     }
+    other_convex_rows(name, p, q, width, places, truth, report);
   }
-}
-
-void meshes(Report& report) {
-  report.line("\n## Meshes\n");
-  report.line("Below 0 inside, as FCL 0.7 has it. The truth is known by construction.\n");
-  report.heading({"case", "truth", "dymsum", "FCL signed distance", "FCL contacts", "FCL deepest contact"});
-  const auto row = [&](const std::string& name, double truth, const Mesh& p, const Mesh& q, Point3 at) {
-    const SolidDistance d = SolidDepth::create(p, q).value().at(at);
-    const MeshAnswer theirs = fcl_mesh_distance(p.data(), q.data(), at);
-    const double ours = d.meeting == Meeting::overlapping ? -d.distance : d.distance;
-    report.row({name, fixed(truth, 4), fixed(ours, 4), fixed(theirs.signed_distance, 4),
-                std::to_string(theirs.contacts), fixed(theirs.deepest, 2)});
-  };
-  for (const int k : {1, 2, 4, 8})
-    row("cubes of 2 that overlap by 0.5, " + std::to_string(12 * k * k) + " triangles", -0.5,
-        solids::tessellated_cube(2, k), solids::tessellated_cube(2, k), {1.5, 0, 0});
-  row("a cube of 0.4 inside one of 2", -1.2, solids::tessellated_cube(2, 1), solids::tessellated_cube(0.4, 1), {});
-  const Mesh pipe = Mesh::create(tunnel()).value();
-  row("a cube of 1 in a tunnel of 2, 0.25 into its wall", -0.25, pipe, solids::tessellated_cube(1, 1), {0, 0.75, 0});
-  row("a cube of 1 in a tunnel of 2", 0.5, pipe, solids::tessellated_cube(1, 1), {});
 }
 
 /// Translations anywhere about P, on all cores; a part of them again on one thread, which has to answer the same.
@@ -154,7 +138,7 @@ void batch(std::size_t first_rows, Report& report) {
       "bounds, in a run of its own. The last column compares rows with those of one thread.\n");
   report.heading({"pair", "rows", "seconds", "rows a second", "overlapping", "late", "same rows"});
   for (const MotionPair& pair : pairs) {
-    const std::size_t rows = &pair == &pairs.front() ? first_rows : 2000;
+    const std::size_t rows = &pair == &pairs.front() ? first_rows : 300;
     const SolidDepth depth = SolidDepth::create(Mesh::create(pair.p).value(), Mesh::create(pair.q).value()).value();
     std::mt19937_64 random(11);
     std::uniform_real_distribution<double> offset(-0.65 * pair.reach, 0.65 * pair.reach);
@@ -210,39 +194,106 @@ void local_sums(int frames, Report& report) {
       same = same && *a == *b;
       faces += a->boundary.faces.size(), near += a->work.facets;
       if (k > 0) continue;
-      brute_ms = us_of([&] { c = brute.in(ball, pose).value(); }) / 1000;
       whole_ms = us_of([&] { posed_sum(p, q, pose).value(); }) / 1000;
+      if (pair.name.starts_with("blob") || pair.name.starts_with("gear")) continue;  // minutes
+      brute_ms = us_of([&] { c = brute.in(ball, pose).value(); }) / 1000;
       same = same && *a == *c;
     }
     for (std::vector<double>& list : ms) std::sort(list.begin(), list.end());
     const double median = ms[0][ms[0].size() / 2];
     const auto mean = [&](std::uint64_t v) { return fixed(static_cast<double>(v) / frames, 0); };
     report.row({pair.name, mean(faces), mean(near), fixed(median, 2), fixed(ms[0].back(), 2),
-                fixed(ms[1][ms[1].size() / 2], 2), fixed(ms[1].back(), 2), fixed(brute_ms, 0), fixed(whole_ms, 1),
-                fixed(whole_ms / median, 0), same ? "yes" : "no"});
+                fixed(ms[1][ms[1].size() / 2], 2), fixed(ms[1].back(), 2), brute_ms > 0 ? fixed(brute_ms, 0) : "-",
+                fixed(whole_ms, 1), fixed(whole_ms / median, 0), same ? "yes" : "no"});
+  }
+}
+
+/// The thesis's update of local sums in place of ours, in a box that stays where it is while P turns.
+void gap_filling(int frames, Report& report) {
+  report.line("\n## The thesis's gap filling\n");
+  report.line(
+      "The same part in a box, kept by the thesis's method (7.2.3) and by ours, while P turns in steps of 1/500 turn "
+      "and the box stays. `ended`: facets a frame that hold no longer; `queries`: boxes a frame that are searched "
+      "about "
+      "open ends of the surface. `wrong`: frames whose part is not the exact one, of which `open` with a surface that "
+      "still ends inside the box; the others look finished.\n");
+  report.heading({"pair", "frames", "ended", "repaired", "queries", "gap filling median ms", "worst", "ours median ms",
+                  "worst", "gain", "wrong", "open"});
+  for (const MotionPair& pair : motion_pairs()) {
+    const Mesh p = Mesh::create(pair.p).value(), q = Mesh::create(pair.q).value();
+    const SpatialSum sum = minkowski_sum(p, q).value();
+    double size = 0;
+    for (const Point3& v : sum.vertices) size = std::max({size, std::abs(v.x), std::abs(v.y), std::abs(v.z)});
+    const ClipBox box = bounding_box({sum.vertices[7919 % sum.vertices.size()], size / 20});
+    LocalOptions options;
+    options.tight = false;
+    LocalSum ours = LocalSum::create(p, q, options).value();
+    GapFilling theirs(p, q);
+    std::vector<double> ms[2];
+    GapFillingWork work;
+    int wrong = 0, open = 0;
+    for (int k = 0; k < frames; ++k) {
+      SolidPose pose;
+      pose.rotation = Rotation::about({1, 2, 3}, 2 * std::numbers::pi * k / 500).value();
+      std::optional<LocalPart> a, b;
+      const double t = us_of([&] { a = ours.in(box, pose).value(); }) / 1000;
+      const double g = us_of([&] { b = theirs.in(box, pose); }) / 1000;
+      if (k == 0) continue;
+      ms[0].push_back(g), ms[1].push_back(t);
+      wrong += !(*a == *b), open += !(*a == *b) && !theirs.work().closed;
+      work.ended += theirs.work().ended, work.repaired += theirs.work().repaired;
+      work.queries += theirs.work().queries;
+    }
+    for (std::vector<double>& list : ms) std::sort(list.begin(), list.end());
+    const double g = ms[0][ms[0].size() / 2], t = ms[1][ms[1].size() / 2];
+    const auto mean = [&](std::uint64_t v) { return fixed(static_cast<double>(v) / (frames - 1), 1); };
+    report.row({pair.name, std::to_string(frames - 1), mean(work.ended), mean(work.repaired), mean(work.queries),
+                fixed(g, 2), fixed(ms[0].back(), 2), fixed(t, 2), fixed(ms[1].back(), 2), fixed(g / t, 1),
+                std::to_string(wrong), std::to_string(open)});
   }
 }
 
 int run(int argc, char** argv) {
   int steps = 1000;
   bool is_long = false;
-  std::string results;
+  long walked = 0;
+  std::string results, only;
   for (int k = 1; k < argc; ++k) {
     if (k + 1 < argc && std::strcmp(argv[k], "--steps") == 0) steps = std::max(10, std::atoi(argv[++k]));
     else if (k + 1 < argc && std::strcmp(argv[k], "--results") == 0) results = argv[++k];
     else if (std::strcmp(argv[k], "--long") == 0) is_long = true;
-    else throw std::invalid_argument("dymsum_bench_depth [--steps N] [--long] [--results DIR]");
+    else if (k + 1 < argc && std::strcmp(argv[k], "--continuity") == 0) walked = std::max(1200L, std::atol(argv[++k]));
+    else if (k + 1 < argc && std::strcmp(argv[k], "--only") == 0) only = argv[++k];
+    else
+      throw std::invalid_argument(
+          "dymsum_bench_depth [--steps N] [--only PART] [--continuity N] [--long] [--results DIR]");
   }
   Report report;
+  if (walked > 0) {
+    report.line("# Continuous depth");
+    report.line(
+        "\n`./run bench depth --continuity 1000000 --results docs/results` makes this page and figure-7.4.svg.");
+    continuity(walked, report);
+    two_rates(10, report);
+    write_result(results, "continuous-depth.md", report.markdown.str());
+    write_result(results, "figure-7.4.svg", results.empty() ? "" : figure_7_4());
+    return 0;
+  }
   report.line("# Penetration depth");
   report.line(
-      "\n`./run bench depth --long --results docs/results` makes this page; without --long the first batch has 2,000 "
+      "\n`./run bench depth --long --results docs/results` makes this page; without --long the first batch has 1,000 "
       "rows, too.");
-  motions(steps, report);
-  batch(is_long ? 100000 : 2000, report);
-  local_sums(40, report);
-  convex_pairs(report);
-  meshes(report);
+  const std::vector<std::pair<const char*, std::function<void()>>> parts = {
+      {"motions", [&] { motions(steps, report); }},
+      {"batch", [&] { batch(is_long ? 100000 : 1000, report); }},
+      {"local-sums", [&] { local_sums(21, report); }},
+      {"thesis-table", [&] { thesis_table(21, report); }},
+      {"planar-local-sums", [&] { planar_local_sums(100, report); }},
+      {"gap-filling", [&] { gap_filling(100, report); }},
+      {"convex-pairs", [&] { convex_pairs(report); }},
+      {"meshes", [&] { mesh_rows(report); }}};
+  for (const auto& [name, make] : parts)
+    if (only.empty() || only == name) make();
   write_result(results, "depth.md", report.markdown.str());
   return 0;
 }

@@ -8,6 +8,7 @@ import os
 import subprocess
 import sys
 import tempfile
+from fractions import Fraction
 
 DYMSUM = os.environ.get("DYMSUM", "dymsum")
 
@@ -176,7 +177,57 @@ def fcl_inside():
     return "FCL (meshes)", f"signed distance {theirs:+g}: apart", f"depth {ours:g}", ours == 2 and theirs > 0
 
 
-CASES = [clipper_hole, clipper_tight_fit, shapely_tight_fit, manifold_moved, manifold_small, fcl_overlap, fcl_inside]
+def wkt_file(*rings):
+    """A file with a polygon each."""
+    with tempfile.NamedTemporaryFile("w", suffix=".wkt", delete=False, encoding="utf-8") as file:
+        shapes = ["((" + ", ".join(f"{x!r} {y!r}" for x, y in [*points, points[0]]) + "))" for points in rings]
+        file.write("MULTIPOLYGON (" + ", ".join(shapes) + ")\n")
+    return file.name
+
+
+def shapely_disc_slot():
+    """A disc of radius 1 goes into a slot of width 2, with its centre on a line: (8, 1) is a place for it."""
+    import shapely
+    part = [(0, 0), (10, 0), (10, 2), (4, 2), (4, 8), (0, 8)]
+    fits = shapely.Polygon(part).buffer(-1).covers(shapely.Point(8, 1))
+    ours = dymsum("disc", wkt_file(part), "--radius", 1, "--set", "erosion", "--semantics", "open")["tight"]["segments"]
+    return "shapely (buffer by -1)", f"(8, 1) is one: {fits}", f"{ours} free segment", ours == 1 and not fits
+
+
+def shapely_closing():
+    """Two wedges, their tips 2 apart, closed by a disc of radius 2: discs from both sides touch between the tips. 2 parts."""
+    import shapely
+    above = [(0, 1), (8, 7), (8, 9), (-8, 9), (-8, 7)]
+    below = [(x, -y) for x, y in reversed(above)]
+    both = shapely.MultiPolygon([shapely.Polygon(above), shapely.Polygon(below)])
+    segments = [8, 16, 64, 256]
+    parts = [shapely.get_num_geometries(both.buffer(2, q).buffer(-2, q)) for q in segments]
+    ours = dymsum("disc", wkt_file(above, below), "--radius", 2, "--set", "closing")["outer"]
+    theirs = f"{', '.join(map(str, parts))} parts, with {', '.join(map(str, segments))} segments a quarter"
+    return "shapely (buffer by 2 and by -2)", theirs, f"{ours} parts", ours == 2 and set(parts) != {2}
+
+
+def shapely_split():
+    """The shortest cut from the notch (3, 1) of a polygon ends inside a slanted edge and makes two pieces of it."""
+    import shapely
+    import shapely.ops
+    notched = [(0, 0), (7, -3), (9, 4), (3, 1), (1, 4)]
+    made = dymsum("decompose", wkt_file(notched))
+    start, end = ([float(Fraction(v)) for v in made["cuts"][0][key]] for key in ("from", "to"))
+    pieces = len(shapely.ops.split(shapely.Polygon(notched), shapely.LineString([start, end])).geoms)
+    area = sum(twice_area(piece["outer"]) for piece in made["pieces"])
+    exact = area == twice_area(notched)
+    ours = f"{len(made['pieces'])} pieces, which tile it exactly: {exact}"
+    return "shapely (ops.split)", f"{pieces} piece", ours, len(made["pieces"]) == 2 and exact and pieces == 1
+
+
+def twice_area(points):
+    exact = [(Fraction(x), Fraction(y)) for x, y in points]
+    return sum(a * d - b * c for (a, b), (c, d) in zip(exact, exact[1:] + exact[:1]))
+
+
+CASES = [clipper_hole, clipper_tight_fit, shapely_tight_fit, shapely_disc_slot, shapely_closing, shapely_split,
+         manifold_moved, manifold_small, fcl_overlap, fcl_inside]
 
 
 def main():

@@ -8,6 +8,7 @@
 
 #include "base/stopwatch.h"
 #include "dymsum/moving_solid_sum.h"
+#include "dymsum/scaling_solid_sum.h"
 #include "page.h"
 #include "solid/inputs.h"
 #include "spatial/moving/dynamic_convolution.h"
@@ -21,11 +22,13 @@ constexpr const char* kUsage =
     "  (default)      all motions\n"
     "  --frames N     of every motion (default 20)\n"
     "  --only TEXT    only pairs whose name contains TEXT\n"
+    "  --events       the events of P + s Q over [1, 1.1] instead, against sums from scratch around each\n"
     "  --results DIR  also write moving-solids.md and moving-solids.csv into DIR\n"
     "Environment: DYMSUM_DATA, a folder with solid/ (else ../shared/data beside the checkout, where present).\n";
 
 struct Options {
   int frames = 20;
+  bool events = false;
   std::string only, results;
 };
 
@@ -160,6 +163,7 @@ Options parse(int argc, char** argv) {
     const std::string word = argv[i];
     if (word == "--frames" && i + 1 < argc) options.frames = std::atoi(argv[++i]);
     else if (word == "--only" && i + 1 < argc) options.only = argv[++i];
+    else if (word == "--events") options.events = true;
     else if (word == "--results" && i + 1 < argc) options.results = argv[++i];
     else throw std::invalid_argument(kUsage);
   }
@@ -167,10 +171,41 @@ Options parse(int argc, char** argv) {
   return options;
 }
 
+/// Events over [1, 1.1], their time, and that of a sum from scratch on both sides of every one.
+int run_events(const Options& options, const std::string& data) {
+  Report report;
+  report.heading({"pair", "facets", "events", "topology", "candidates", "exact points", "sums compared", "ms",
+                  "ms a sum", "from scratch around each, ms", "gain", "pair events", "ms"});
+  const Scale low = *Scale::parse("1"), high = *Scale::parse("1.1");
+  for (const SolidPair& pair : solid_pairs(data)) {
+    if (std::find(kPairs.begin(), kPairs.end(), pair.name) == kPairs.end()) continue;
+    if (pair.name.find(options.only) == std::string::npos) continue;
+    const Mesh p = Mesh::create(pair.p).value(), q = Mesh::create(pair.q).value();
+    Stopwatch time;
+    const ScalingSolidSum sum = ScalingSolidSum::create(p, q).value();
+    SolidEventWork work;
+    const std::vector<SolidScaleEvent> events = sum.events(low, high, {}, &work).value();
+    const double ms = time.lap();
+    std::size_t topology = 0;
+    for (const SolidScaleEvent& e : events) topology += e.topology;
+    time.lap();
+    if (!sum.at(low).ok()) return 3;
+    const double at = time.lap(), scratch = at * 2 * static_cast<double>(events.size());
+    const SolidPairEventCount pairs = count_solid_pair_events(p, q).value();
+    report.row({pair.name, std::to_string(sum.facet_count()), std::to_string(events.size()), std::to_string(topology),
+                std::to_string(work.candidates), std::to_string(work.points), std::to_string(work.sums), fixed(ms, 0),
+                fixed(at, 1), fixed(scratch, 0), ratio(scratch, ms, 1), std::to_string(pairs.events()),
+                fixed(time.lap(), 0)});
+  }
+  write_result(options.results, "moving-solids-events.md", report.markdown.str());
+  return 0;
+}
+
 int run(int argc, char** argv) {
   const Options options = parse(argc, argv);
   const char* given = std::getenv("DYMSUM_DATA");
   const std::string data = given != nullptr ? given : std::string(DYMSUM_SOURCE_DIR) + "/../shared/data";
+  if (options.events) return run_events(options, data);
   Report report;
   report.line("# Sums of solids in motion\n");
   report.line("`./run bench moving-solids --results docs/results` made this page.\n");

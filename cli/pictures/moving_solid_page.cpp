@@ -118,14 +118,15 @@ canvas.onpointermove = e => {
 };
 canvas.addEventListener('wheel', e => { e.preventDefault(); zoom = Math.max(0.2, Math.min(50, zoom * Math.exp(-e.deltaY / 500))); again(); }, {passive: false});
 changes.onchange = () => again();
-frames.forEach((f, i) => {
-  if (!f.tick) return;
-  const l = document.createElementNS('http://www.w3.org/2000/svg', 'line'), x = 1000 * i / Math.max(1, frames.length - 1);
-  for (const [name, value] of Object.entries({x1: x, x2: x, y1: 0, y2: 16, stroke: '#d81e3a', 'stroke-width': 1.5, 'vector-effect': 'non-scaling-stroke'})) l.setAttribute(name, value);
+function tick(at, strong, text) {
+  const l = document.createElementNS('http://www.w3.org/2000/svg', 'line'), x = 1000 * at;
+  for (const [name, value] of Object.entries({x1: x, x2: x, y1: strong ? 0 : 8, y2: 16, stroke: strong ? '#d81e3a' : '#777777', 'stroke-width': 1.5, 'vector-effect': 'non-scaling-stroke'})) l.setAttribute(name, value);
   l.append(document.createElementNS('http://www.w3.org/2000/svg', 'title'));
-  l.firstChild.textContent = f.label + ': ' + f.tick;
+  l.firstChild.textContent = text;
   el('ticks').append(l);
-});
+}
+for (const e of events) tick(e.at, e.strong, e.label);
+if (!events.length) frames.forEach((f, i) => { if (f.tick) tick(i / Math.max(1, frames.length - 1), true, f.label + ': ' + f.tick); });
 )";
 
 /// Five digits are finer than any screen; the largest coordinate is 1.
@@ -237,17 +238,22 @@ nlohmann::json moving_frame_json(const MovingSolidPicture& picture, const Scene&
 
 }  // namespace
 
-std::string moving_solid_page(const std::vector<MovingSolidPicture>& frames, const std::string& title) {
+std::string moving_solid_page(const std::vector<MovingSolidPicture>& frames, const std::vector<MovingSolidTick>& events,
+                              const std::string& title) {
+  nlohmann::json marks = nlohmann::json::array();
+  for (const MovingSolidTick& e : events) marks.push_back({{"at", e.at}, {"label", e.label}, {"strong", e.strong}});
   const Scene scene = moving_scene(frames);
   nlohmann::json list = nlohmann::json::array();
   for (const MovingSolidPicture& frame : frames) list.push_back(moving_frame_json(frame, scene));
   const std::string extra =
       "<div class=\"row\"><label><input id=\"changes\" type=\"checkbox\" checked> show what is new in red</label>"
       "<span>drag to look around, wheel or pinch to come nearer</span></div>\n";
-  const std::vector<LegendEntry> legend = {{"#e8a33d", "face of P"},      {"#5bb98c", "face of Q"},
-                                           {"#8cbae6", "edge + edge"},    {"#b3b8bf", "merged"},
-                                           {"#d81e3a", "new or changed"}, {"#c2185b", "tight"}};
-  return page(title, "<canvas id=\"drawing\"></canvas>", legend, extra, list.dump(), kShowFrame);
+  std::vector<LegendEntry> legend = {{"#e8a33d", "face of P"},      {"#5bb98c", "face of Q"},
+                                     {"#8cbae6", "edge + edge"},    {"#b3b8bf", "merged"},
+                                     {"#d81e3a", "new or changed"}, {"#c2185b", "tight"}};
+  if (!events.empty()) legend.push_back({"#777777", "low tick: an event"});
+  return page(title, "<canvas id=\"drawing\"></canvas>", legend, extra, list.dump(),
+              "const events = " + marks.dump() + ";" + kShowFrame);
 }
 
 }  // namespace dymsum::cli

@@ -3,14 +3,11 @@
 #include <limits>
 #include <sstream>
 
+#include "pictures/depth_trace.h"
 #include "solid/solid_outputs.h"
 
 namespace dymsum::cli {
 namespace {
-
-const char* meeting_name(Meeting meeting) {
-  return meeting == Meeting::overlapping ? "overlapping" : meeting == Meeting::touching ? "touching" : "apart";
-}
 
 Json xyz(const Point3& v) { return {v.x, v.y, v.z}; }
 Json xy(const Point& v) { return {v.x, v.y}; }

@@ -19,7 +19,7 @@ namespace dymsum::cli {
 namespace {
 
 /// Pages show every frame, of a long or large motion evenly chosen ones.
-constexpr std::size_t kMostPictures = 240, kMostPicturedFaces = 60000;
+constexpr std::size_t kMostMovingPictures = 240, kMostPicturedFaces = 60000;
 
 void check_files(const std::vector<std::string>& files) {
   for (const std::string& file : files) {
@@ -58,7 +58,8 @@ MovingSolidSum moving_sum(const SolidMotion& motion, const MovingSolidOptions& o
 void add_picture(const SolidMotion& motion, std::size_t i, const SpatialSum& sum, const SolidFrameChanges& changes,
                  MovingPictures& pictures) {
   if (i == 0) {
-    const std::size_t most = std::clamp<std::size_t>(kMostPicturedFaces / (sum.faces.size() + 1), 1, kMostPictures);
+    const std::size_t most =
+        std::clamp<std::size_t>(kMostPicturedFaces / (sum.faces.size() + 1), 1, kMostMovingPictures);
     pictures.every = (motion.frames.size() + most - 1) / most;
   }
   SolidFrameChanges& since = pictures.since;
@@ -93,6 +94,24 @@ MovingRounds run_rounds(const SolidMotion& motion, const ReportOptions& report, 
     }
   }
   return rounds;
+}
+
+/// Where events lie between the frames that are pictured; none where the scales go to and fro.
+std::vector<MovingSolidTick> ticks_of(const SolidMotion& motion, const MovingPictures& pictures) {
+  std::vector<double> scales;
+  for (std::size_t i = 0; i < motion.frames.size() && motion.has_scale; i += pictures.every)
+    scales.push_back(motion.frames[i].scale);
+  std::vector<MovingSolidTick> ticks;
+  for (const SolidScaleEvent& event : motion.events) {
+    for (std::size_t k = 0; k + 1 < scales.size(); ++k) {
+      const double a = scales[k], b = scales[k + 1];
+      if (a == b || event.approx < std::min(a, b) || event.approx > std::max(a, b)) continue;
+      const double share = (static_cast<double>(k) + (event.approx - a) / (b - a)) / double(scales.size() - 1);
+      ticks.push_back({share, "s = " + shown(event.s).substr(0, 60), event.topology});
+      break;
+    }
+  }
+  return ticks;
 }
 
 /// The median of up to five frames from scratch, evenly chosen.
@@ -143,12 +162,11 @@ ExitCode run_moving_solids(const SolidMotion& motion, const ReportOptions& repor
   std::vector<std::string> texts;
   const std::string title = motion.verb + " of " + motion.inputs[0].file + " and " + motion.inputs[1].file;
   for (const std::string& file : motion.files)
-    texts.push_back(is_page(file) ? moving_solid_page(rounds.pictures.frames, title)
+    texts.push_back(is_page(file) ? moving_solid_page(rounds.pictures.frames, ticks_of(motion, rounds.pictures), title)
                                   : any_solid_output(rounds.shown, file, {}));
   for (std::size_t i = 0; i < texts.size(); ++i) write_text(motion.files[i], texts[i]);
-  const MotionReport made = report_of(motion, report.repeat, std::move(rounds));
-  if (report.json) print_report(motion_json(made));
-  else print_motion(out, made);
+  MotionReport made = report_of(motion, report.repeat, std::move(rounds));
+  print_solid_motion(out, motion, made, report.json);
   return kDone;
 }
 

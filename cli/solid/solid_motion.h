@@ -1,11 +1,13 @@
 // Solids that turn or scale, frame by frame: what rotate and scale do with solid operands.
 #pragma once
 
+#include <iosfwd>
 #include <optional>
 #include <string>
 #include <vector>
 
 #include "dymsum/convex_sum.h"
+#include "dymsum/scaling_solid_sum.h"
 #include "exit_code.h"
 #include "motion_report.h"
 #include "solid/solid_operands.h"
@@ -16,6 +18,7 @@ namespace dymsum::cli {
 struct SolidFrame {
   SolidPose p, q;
   FrameName name;
+  double scale = 0;  ///< the uniform one, where the frames have some
 };
 
 /// What moves, and what is written of it.
@@ -27,10 +30,19 @@ struct SolidMotion {
   Json asked;                      ///< as MotionReport has it
   std::string note;
   std::optional<std::size_t> shown;  ///< the frame that meshes are of; else the last one
+  bool has_scale = false;            ///< every frame is at a uniform scale
+  bool has_events = false;           ///< these were asked for
+  std::vector<SolidScaleEvent> events = {};
 };
 
 /// Makes the frames, writes pictures and reports. Stops where `shown` is no frame.
 ExitCode run_solid_motion(const SolidMotion& motion, const ReportOptions& report);
+
+/// The report, with the events where there are some.
+void print_solid_motion(std::ostream& out, const SolidMotion& motion, MotionReport& report, bool as_json);
+/// What a report says of the events that were asked for.
+Json solid_events_json(const std::vector<SolidScaleEvent>& events);
+std::vector<std::string> solid_event_lines(const std::vector<SolidScaleEvent>& events);
 
 /// Turned about an axis: of the name of the frame, theta is the exact rotation's angle, in (-pi, pi].
 SolidFrame turned_frame(const Rotation& rotation, const Point3& axis, const std::string& pose);

@@ -12,6 +12,7 @@
 #include "progress_bar.h"
 #include "solid/any_solid_outputs.h"
 #include "solid/depth_report.h"
+#include "solid/depth_track.h"
 #include "solid/solid_operands.h"
 #include "timing.h"
 #include "verbs/commands.h"
@@ -26,6 +27,7 @@ struct DepthCommand {
   AngleOptions angle;
   double time_limit = 0;
   std::size_t threads = 0;
+  TrackOptions track;
   ReportOptions report;
   InputOptions input;
 };
@@ -180,6 +182,10 @@ ExitCode run_regions(const DepthCommand& command) {
 
 ExitCode run(const DepthCommand& command) {
   if (command.axis.empty() == command.angle.given()) throw Stop(kUsage, "--axis and --angle or --degrees go together");
+  if (!command.track.motion.empty()) {
+    require_solid("depth --track", command.operands, command.input);
+    return run_track(command.operands, command.track, command.report, command.input);
+  }
   return are_solid(command.operands, command.input) ? run_solids(command) : run_regions(command);
 }
 
@@ -210,17 +216,38 @@ void add_depth(CLI::App& app, Action& action) {
                1024)
       ->type_name("N")
       ->needs(at_file);
-  verb.add_option("--axis", command->axis, "Turn P about this axis through the origin first; convex solids")
-      ->type_name("X,Y,Z")
-      ->excludes(along)
-      ->excludes(at_file)
-      ->excludes(time);
+  CLI::Option* axis =
+      verb.add_option("--axis", command->axis, "Turn P about this axis through the origin first; convex solids");
+  axis->type_name("X,Y,Z")->excludes(along)->excludes(at_file)->excludes(time);
+  CLI::Option* track = verb.add_option(
+      "--track", command->track.motion,
+      "Of solids: exact and continuous depth along a motion of Q, a pose a line, x,y,z or x,y,z and a quaternion "
+      "w,x,y,z; # begins a comment; - for standard input");
+  track->type_name("FILE");
+  for (CLI::Option* other : {move, along, at_file, time, axis}) track->excludes(other);
+  within(verb.add_option("--smoothing", command->track.smoothing,
+                         "With --track: average normals over this distance; 0 gives the exact depth alone"),
+         0)
+      ->type_name("LENGTH")
+      ->needs(track);
+  within(verb.add_option("--inflation", command->track.inflation,
+                         "With --track: jump where the continuous depth would be more than N times the exact one"),
+         1)
+      ->type_name("N")
+      ->needs(track)
+      ->capture_default_str();
+  verb.add_option("-o", command->track.files,
+                  "With --track: write the rows; repeatable; .csv, .json, .svg or .html (a plot, jumps marked); - is "
+                  "standard output, as .csv")
+      ->type_name("FILE")
+      ->allow_extra_args(false)
+      ->needs(track);
   add_angle_options(verb, command->angle, "by this angle,");
   add_report_options(verb, command->report, "Compute N times and report the median and minimum time");
   add_solid_input_options(verb, command->input);
   verb.footer(
       "Exit code 4 when their interiors do not meet, 5 when the time was over.\nExample: dymsum depth cup.off "
-      "spoon.off --move 0.5,0,0 --json");
+      "spoon.off --move 0.5,0,0 --json\n         dymsum depth cup.off spoon.off --track motion.csv -o trace.svg");
   verb.callback([command, &action] { action = [command] { return run(*command); }; });
 }
 

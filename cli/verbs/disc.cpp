@@ -7,6 +7,7 @@
 #include <optional>
 #include <sstream>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "dymsum/growing_disc.h"
@@ -85,6 +86,14 @@ DiscSet made_at(const DiscMaker& make, const DiscRadius& r, const std::vector<In
   return require_of(inputs, std::move(set));
 }
 
+/// With its error: as text where doubles do not hold it.
+std::pair<Measure, Measure> any_area(const DiscSet& set) {
+  const Measured made = area(set);
+  if (set.parts.empty() || (std::isnormal(made.value) && std::isfinite(made.error))) return {made.value, made.error};
+  MeasuredText text = area_text(set);
+  return {std::move(text.value), std::move(text.error)};
+}
+
 double default_error(const DiscSet& set) { return set.radius > 0 ? set.radius / 1000 : 1; }
 
 void write_outputs(const DiscCommand& command, const Region& p, const DiscSet& set, const DiscFrames& frames) {
@@ -126,9 +135,10 @@ Json disc_json(const DiscCommand& command, const std::vector<Input>& inputs, con
   json["outer"] = set.parts.size();
   json["holes"] = set.hole_count();
   json["pieces"] = set.piece_count();
-  const Measured inside = area(set), around = perimeter(set);
-  json["area"] = inside.value;
-  json["area_error"] = inside.error;
+  const Measured around = perimeter(set);
+  const auto [inside, inside_error] = any_area(set);
+  json["area"] = measure_json(inside);
+  json["area_error"] = measure_json(inside_error);
   json["perimeter"] = around.value;
   json["perimeter_error"] = around.error;
   json["bounds"] = bounds(set);
@@ -145,7 +155,7 @@ void print_disc(std::ostream& out, const DiscCommand& command, const DiscSet& se
   text.precision(17);
   text << command.set << " with a disc of radius " << set.radius << ": " << counted(set.parts.size(), "part") << ", "
        << counted(set.hole_count(), "hole") << ", " << counted(set.piece_count(), "piece") << ", area "
-       << area(set).value << "\n";
+       << shown(any_area(set).first) << "\n";
   if (!set.tight_points.empty() || !set.tight_segments.empty())
     text << "tight: " << counted(set.tight_points.size(), "point") << ", "
          << counted(set.tight_segments.size(), "segment") << "\n";

@@ -1,12 +1,10 @@
-// dymsum features P and dymsum decompose P
+// dymsum features P
 #include <CLI/CLI.hpp>
 #include <cmath>
 #include <iostream>
-#include <map>
 #include <memory>
 #include <optional>
 
-#include "dymsum/decomposition.h"
 #include "dymsum/growing_disc.h"
 #include "dymsum/region_io.h"
 #include "dymsum/shape_features.h"
@@ -18,54 +16,12 @@
 #include "report.h"
 #include "timing.h"
 #include "verbs/commands.h"
+#include "verbs/features_command.h"
 
 namespace dymsum::cli {
 namespace {
 
-const std::map<std::string, Concavity> kConcavities{{"straight", Concavity::straight_line},
-                                                    {"shortest", Concavity::shortest_path},
-                                                    {"hybrid1", Concavity::hybrid1},
-                                                    {"hybrid2", Concavity::hybrid2}};
-
-struct FeaturesCommand {
-  std::string operand, alpha, tau = "0", from = "0", to, concavity = "straight";
-  std::optional<double> hybrid_tolerance;
-  bool exact = false;
-  OutputOptions output;
-  ReportOptions report;
-  InputOptions input;
-};
-
-/// A diameter or a span of diameters.
-Rational read_number(const std::string& text, const std::string& option) {
-  Rational value = require_option(Rational::parse(text), option);
-  if (value.sign() < 0) throw Stop(kUsage, option + " wants a number of at least 0, not '" + text + "'");
-  return value;
-}
-
-struct Selection {
-  Rational life, from;
-  std::optional<Rational> to;
-};
-
-Selection selection_of(const FeaturesCommand& command) {
-  Selection s{read_number(command.tau, "--tau"), read_number(command.from, "--alpha-from"), std::nullopt};
-  if (!command.to.empty()) s.to = read_number(command.to, "--alpha-to");
-  if (s.to && *s.to < s.from) throw Stop(kUsage, "--alpha-to is below --alpha-from");
-  if (command.hybrid_tolerance && command.concavity != "hybrid2")
-    throw Stop(kUsage, "--hybrid-tolerance is for --concavity hybrid2");
-  return s;
-}
-
-FeatureOptions options_of(const FeaturesCommand& command) {
-  FeatureOptions options;
-  options.concavity = kConcavities.at(command.concavity);
-  options.hybrid_tolerance = command.hybrid_tolerance.value_or(0);
-  return options;
-}
-
 Json point_json(Point p) { return {p.x, p.y}; }
-Json point_json(const RationalPoint& p) { return {p.x.to_string(), p.y.to_string()}; }
 Json optional_json(const std::optional<std::uint32_t>& v) { return v ? Json(*v) : Json(nullptr); }
 
 const char* death_name(FeatureBar::Death death) {
@@ -168,84 +124,6 @@ ExitCode run_features(const FeaturesCommand& command) {
   return kDone;
 }
 
-Json ring_json(const RationalRing& ring) {
-  Json points = Json::array();
-  for (const RationalPoint& p : ring) points.push_back(point_json(p));
-  return points;
-}
-
-Json cut_json(const Cut& cut) {
-  const char* end = cut.end == Cut::End::vertex ? "vertex" : cut.end == Cut::End::edge ? "edge" : "cut";
-  return {{"vertex", cut.vertex},     {"end", end},    {"index", cut.index}, {"from", point_json(cut.from)},
-          {"to", point_json(cut.to)}, {"bar", cut.bar}};
-}
-
-Json piece_json(const Piece& piece) {
-  Json holes = Json::array();
-  for (const RationalRing& hole : piece.holes) holes.push_back(ring_json(hole));
-  return {{"outer", ring_json(piece.outer)}, {"holes", holes}};
-}
-
-void write_pieces(const FeaturesCommand& command, const Region& region, const Decomposition& made) {
-  std::vector<std::string> texts;
-  for (const std::string& file : command.output.files) {
-    const RegionFormat format = output_format(file, command.output);
-    if (format == RegionFormat::svg) {
-      texts.push_back(decomposition_picture(region, made));
-      continue;
-    }
-    const std::vector<Region> pieces = require(rounded(made));
-    std::string text;
-    for (const Region& piece : pieces) text += format_region(piece, format);
-    texts.push_back(text);
-  }
-  for (std::size_t i = 0; i < texts.size(); ++i) write_text(command.output.files[i], texts[i]);
-}
-
-ExitCode run_decompose(const FeaturesCommand& command) {
-  const Selection selection = selection_of(command);
-  std::ostream& out = report_stream(command.output.files, command.report.json);
-  refuse_unused_format({command.operand}, command.input);
-  for (const std::string& file : command.output.files)
-    if (const RegionFormat f = output_format(file, command.output); f != RegionFormat::svg && f != RegionFormat::wkt)
-      throw Stop(kUsage, "-o writes .wkt (a polygon per line) and .svg: " + file);
-  const std::vector<Input> inputs{read_input(command.operand, command.input)};
-  const auto [made, timing] = timed(command.report.repeat, [&] {
-    const ShapeFeatures features = require_of(inputs, ShapeFeatures::create(inputs[0].region, options_of(command)));
-    return require_of(inputs, decompose(features, {selection.life, selection.from, selection.to}));
-  });
-  write_pieces(command, inputs[0].region, made);
-  if (!command.report.json) {
-    out << counted(made.cuts.size(), "cut") << ", " << counted(made.pieces.size(), "piece") << "\n";
-    print_times(out, timing);
-    return kDone;
-  }
-  Json json = report_head("decompose", inputs_json(inputs), tier_of(inputs[0].region), timing);
-  Json cuts = Json::array(), pieces = Json::array();
-  for (const Cut& cut : made.cuts) cuts.push_back(cut_json(cut));
-  for (const Piece& piece : made.pieces) pieces.push_back(piece_json(piece));
-  json["cuts"] = cuts;
-  json["pieces"] = pieces;
-  print_report(json);
-  return kDone;
-}
-
-void add_shared_options(CLI::App& verb, FeaturesCommand& command, const std::string& least) {
-  verb.add_option("P", command.operand, "The region: a file, or - for standard input")->required()->type_name("");
-  verb.add_option("--tau", command.tau, least)->type_name("T");
-  verb.add_option("--alpha-from", command.from, "Count lives from this diameter on")->type_name("A");
-  verb.add_option("--alpha-to", command.to, "Count lives up to this diameter")->type_name("B");
-  verb.add_option("--concavity", command.concavity, "How the deepest vertex of a pocket is found")
-      ->check(CLI::IsMember({"straight", "shortest", "hybrid1", "hybrid2"}))
-      ->capture_default_str();
-  within(verb.add_option("--hybrid-tolerance", command.hybrid_tolerance,
-                         "Of hybrid2: pockets no deeper than this are measured by shortest paths"),
-         0)
-      ->type_name("D");
-  add_report_options(verb, command.report, "Compute N times and report the median and minimum time");
-  add_input_options(verb, command.input);
-}
-
 }  // namespace
 
 void add_features(CLI::App& app, Action& action) {
@@ -257,17 +135,6 @@ void add_features(CLI::App& app, Action& action) {
   verb.add_option("-o", command->output.files, "A picture .svg; may be given several times")->type_name("FILE");
   verb.footer("Example: dymsum features beetle.poly --repair --alpha 1/5 --tau 1/10 -o beetle.svg --json");
   verb.callback([command, &action] { action = [command] { return run_features(*command); }; });
-}
-
-void add_decompose(CLI::App& app, Action& action) {
-  auto command = std::make_shared<FeaturesCommand>();
-  CLI::App& verb = *app.add_subcommand("decompose", "Cuts a region into nearly convex pieces at its lasting pockets");
-  add_shared_options(verb, *command, "Cut at what lasts at least this long, in diameters, and is at least this deep");
-  verb.add_option("-o", command->output.files,
-                  "Pieces .wkt, a polygon per line, or a picture .svg; may be given several times")
-      ->type_name("FILE");
-  verb.footer("Example: dymsum decompose beetle.poly --repair --tau 1/10 -o pieces.wkt -o pieces.svg");
-  verb.callback([command, &action] { action = [command] { return run_decompose(*command); }; });
 }
 
 }  // namespace dymsum::cli

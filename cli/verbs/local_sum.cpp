@@ -9,6 +9,7 @@
 
 #include "options.h"
 #include "outputs.h"
+#include "planar/planar_local.h"
 #include "progress_bar.h"
 #include "solid/any_solid_outputs.h"
 #include "solid/solid_operands.h"
@@ -21,20 +22,11 @@ namespace {
 struct LocalCommand {
   const CLI::App* parser = nullptr;
   std::vector<std::string> operands{"", ""}, files;
-  std::string box, ball, axis, to = "json", engine = "updated";
+  std::string box, ball, disc, axis, to = "json", engine = "updated";
   AngleOptions angle;
   ReportOptions report;
   InputOptions input;
 };
-
-std::vector<double> numbers_of(const std::string& text, std::size_t count, const std::string& what) {
-  std::vector<double> numbers;
-  const std::vector<std::string> words = split(text, ',');
-  for (const std::string& word : words)
-    if (const std::optional<double> number = finite_number(word)) numbers.push_back(*number);
-  if (numbers.size() != count || words.size() != count) throw Stop(kUsage, what + ", not '" + text + "'");
-  return numbers;
-}
 
 /// A box, or a ball with its box.
 struct Place {
@@ -105,7 +97,25 @@ SolidPose pose_of(const LocalCommand& command) {
   return pose;
 }
 
-ExitCode run(const LocalCommand& command) {
+LocalEngine engine_of(const LocalCommand& command) {
+  return command.engine == "brute"       ? LocalEngine::brute
+         : command.engine == "hierarchy" ? LocalEngine::hierarchy
+                                         : LocalEngine::updated;
+}
+
+ExitCode run_regions(const LocalCommand& command) {
+  refuse_options(*command.parser, {"--ball", "--axis", "--hull"}, "is for solid operands");
+  PlanarLocal local;
+  local.operands = command.operands, local.files = command.files;
+  local.box = command.box, local.disc = command.disc, local.to = command.to;
+  local.engine = engine_of(command), local.engine_name = command.engine;
+  local.angle = command.angle, local.report = command.report, local.input = command.input;
+  if (!writes_to_stdout(command.files)) refuse_options(*command.parser, {"--to"}, "is the format of -o -");
+  return run_planar_local(local);
+}
+
+ExitCode run_solid_parts(const LocalCommand& command) {
+  refuse_options(*command.parser, {"--disc"}, "is for planar operands");
   const Place place = read_place(command);
   const SolidPose pose = pose_of(command);
   if (!writes_to_stdout(command.files)) refuse_options(*command.parser, {"--to"}, "is the format of -o -");
@@ -113,12 +123,9 @@ ExitCode run(const LocalCommand& command) {
     if (const std::string name = format_name(file, command.to); !name.ends_with(".json") && !name.ends_with(".glb"))
       throw Stop(kUsage, "-o writes a part of a sum as .json or .glb: " + file);
   std::ostream& out = report_stream(command.files, command.report.json);
-  require_solid("local-sum", command.operands, command.input);
   const std::vector<SolidInput> inputs = read_solids(command.operands, command.input);
   LocalOptions options;
-  options.engine = command.engine == "brute"       ? LocalEngine::brute
-                   : command.engine == "hierarchy" ? LocalEngine::hierarchy
-                                                   : LocalEngine::updated;
+  options.engine = engine_of(command);
   options.threads = 0;
   const InterruptGuard guard;
   std::optional<ProgressBar> bar(std::in_place);
@@ -150,34 +157,51 @@ ExitCode run(const LocalCommand& command) {
   return kDone;
 }
 
+ExitCode run(const LocalCommand& command) {
+  return are_solid(command.operands, command.input) ? run_solid_parts(command) : run_regions(command);
+}
+
 }  // namespace
 
 void add_local_sum(CLI::App& app, Action& action) {
   auto command = std::make_shared<LocalCommand>();
   CLI::App& verb = *app.add_subcommand(
-      "local-sum", "The part of the sum of two solids that lies in a box or meets a ball, exactly, without the rest");
+      "local-sum",
+      "The part of the sum of two regions or solids that lies in a box or meets a disc or ball, exactly, without the "
+      "rest");
   command->parser = &verb;
-  add_operands(verb, {"P", "A solid"}, {"Q", "Another one"}, command->operands, OperandKind::solid);
-  CLI::Option* box = verb.add_option("--box", command->box, "The closed box between two corners, the lower one first");
+  add_operands(verb, {"P", "A region or a solid"}, {"Q", "Another one"}, command->operands);
+  CLI::Option* box = verb.add_option("--box", command->box,
+                                     "The closed box between two corners, the lower one first: X,Y,Z,X,Y,Z or X,Y,X,Y");
   CLI::Option* ball =
       verb.add_option("--ball", command->ball, "The faces that meet this closed ball, cut to its bounding box");
-  box->type_name("X,Y,Z,X,Y,Z"), ball->type_name("X,Y,Z,R")->excludes(box);
-  verb.add_option("--axis", command->axis, "Turn P about this axis through the origin first")->type_name("X,Y,Z");
-  add_angle_options(verb, command->angle, "by this angle,");
-  verb.add_option(
-          "-o", command->files,
-          "Write the part; repeatable; .json (exact, with provenance) or .glb (a picture); - is standard output")
+  CLI::Option* disc =
+      verb.add_option("--disc", command->disc, "The edges that meet this closed disc, cut to its bounding box");
+  box->type_name("CORNERS"), ball->type_name("X,Y,Z,R")->excludes(box);
+  disc->type_name("X,Y,R")->excludes(box)->excludes(ball);
+  verb.add_option("--axis", command->axis, "Turn a solid P about this axis through the origin first")
+      ->type_name("X,Y,Z");
+  add_angle_options(verb, command->angle, "Turn P first; with --axis, a solid, by this angle,");
+  verb.add_option("-o", command->files,
+                  "Write the part; repeatable; .json (exact, with provenance), or a picture: .svg of regions, .glb of "
+                  "solids; - is "
+                  "standard output")
       ->type_name("FILE")
       ->allow_extra_args(false);
-  verb.add_option("--to", command->to, "Format of -o -")->check(CLI::IsMember({"json", "glb"}))->capture_default_str();
+  verb.add_option("--to", command->to, "Format of -o -")
+      ->check(CLI::IsMember({"json", "svg", "glb"}))
+      ->capture_default_str();
   verb.add_option("--engine", command->engine, "How the facets near the place are found; all give the same part")
       ->check(CLI::IsMember({"updated", "hierarchy", "brute"}))
       ->capture_default_str();
   add_report_options(verb, command->report, "Compute N times and report the median and minimum time");
-  add_solid_input_options(verb, command->input, OperandKind::solid);
-  verb.footer("Example: dymsum local-sum cup.off spoon.off --ball 2,0,1,0.5 -o near.glb");
+  add_solid_input_options(verb, command->input);
+  verb.footer(
+      "Example: dymsum local-sum cup.off spoon.off --ball 2,0,1,0.5 -o near.glb\n"
+      "         dymsum local-sum gear.wkt star.wkt --disc 0,3,1 -o near.svg");
   verb.callback([command, &action] {
-    if (command->box.empty() && command->ball.empty()) throw Stop(kUsage, "local-sum wants --box or --ball");
+    if (command->box.empty() && command->ball.empty() && command->disc.empty())
+      throw Stop(kUsage, "local-sum wants --box, or --ball of solids, or --disc of regions");
     action = [command] { return run(*command); };
   });
 }

@@ -7,6 +7,7 @@
 #include "options.h"
 #include "planar/planar_turn.h"
 #include "solid/solid_motion.h"
+#include "solid/solid_turns.h"
 #include "verbs/commands.h"
 
 namespace dymsum::cli {
@@ -20,6 +21,8 @@ struct RotateCommand {
   std::optional<double> error;
   std::optional<std::string> axis, semantics;
   std::optional<std::size_t> frame;
+  bool events = false, next = false, next_topology = false;
+  std::string range;
 };
 
 /// From zero to the end of the turn in equal steps. The end of a whole turn is its beginning, and shown once.
@@ -31,8 +34,19 @@ std::vector<Angle> frame_angles(const RotateCommand& command) {
   return angles;
 }
 
+ExitCode run_events(const RotateCommand& command) {
+  refuse_options(*command.parser, {"--steps", "--frame", "--angle", "--degrees", "-o"},
+                 "does not go with --events, --next and --next-topology");
+  const SolidTurns turns{read_solids(command.planar.operands, command.planar.input), command.axis.value_or("0,0,1"),
+                         command.range, command.next, command.next_topology};
+  return run_solid_turns(turns, command.planar.report);
+}
+
 ExitCode run_solids(const RotateCommand& command) {
   refuse_options(*command.parser, {"--error", "--semantics", "--exact", "--threads"}, "is for planar operands");
+  if (command.events || command.next || command.next_topology) return run_events(command);
+  refuse_options(*command.parser, {"--range"}, "goes with --events, --next and --next-topology");
+  if (command.steps == 0) throw Stop(kUsage, "give --steps N, or --events");
   const Point3 axis = parse_point(command.axis.value_or("0,0,1"), "--axis");
   const std::vector<SolidInput> inputs = read_solids(command.planar.operands, command.planar.input);
   SolidMotion motion{"rotate", inputs, {}, command.planar.files, {}, "", command.frame};
@@ -48,7 +62,9 @@ ExitCode run_solids(const RotateCommand& command) {
 
 ExitCode run(const RotateCommand& command) {
   if (are_solid(command.planar.operands, command.planar.input)) return run_solids(command);
-  refuse_options(*command.parser, {"--axis", "--frame"}, "is for solid operands");
+  refuse_options(*command.parser, {"--axis", "--frame", "--events", "--range", "--next", "--next-topology"},
+                 "is for solid operands");
+  if (command.steps == 0) throw Stop(kUsage, "give --steps N");
   PlanarTurn turn = command.planar;
   turn.angles = frame_angles(command);
   turn.error = command.error.value_or(turn.error);
@@ -66,7 +82,13 @@ void add_rotate(CLI::App& app, Action& action) {
                {"Q", "The one that stays"}, command->planar.operands);
   const char* const steps =
       "Steps of the turn: a frame at the beginning of each, and one at the end unless it is the first again";
-  whole_within(verb.add_option("--steps", command->steps, steps), 1, 1000000)->type_name("N")->required();
+  whole_within(verb.add_option("--steps", command->steps, steps), 1, 1000000)->type_name("N");
+  verb.add_flag("--events", command->events, "Of solids: list the exact angles at which the sum changes");
+  verb.add_option("--range", command->range, "Of events: from an angle counter-clockwise to another one [a whole turn]")
+      ->type_name("FROM:TO");
+  verb.add_flag("--next", command->next, "Only the first event behind FROM at which the sum is another one behind");
+  verb.add_flag("--next-topology", command->next_topology,
+                "Only the first event behind FROM that changes shells, tunnels or what is tight");
   verb.add_option("--axis", command->axis, "Of solids: axis through the origin [0,0,1]")->type_name("X,Y,Z");
   whole_within(verb.add_option("--frame", command->frame, "Of solids: the frame that meshes are of, from 0 [the last]"),
                0, 1000000000)
@@ -88,6 +110,7 @@ void add_rotate(CLI::App& app, Action& action) {
   add_solid_input_options(verb, command->planar.input, OperandKind::either, Hulls::of_results_too);
   verb.footer(
       "Examples: dymsum rotate rod.off box.off --steps 500 --axis 1,2,3 -o turn.html\n"
+      "          dymsum rotate gear.off housing.off --events --range 0deg:30deg --axis 0,0,1\n"
       "          dymsum rotate star.wkt plate.wkt --steps 500 --threads 2");
   verb.callback([command, &action] { action = [command] { return run(*command); }; });
 }

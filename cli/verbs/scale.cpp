@@ -102,6 +102,11 @@ std::vector<ScaleEvent> events_of(const ScalingSum& sum, const ScaleCommand& com
   const auto [low, high] =
       std::minmax_element(scales.begin(), scales.end(),
                           [](const AxisScales& a, const AxisScales& b) { return a.x.approx() < b.x.approx(); });
+  if (!command.next.empty()) {
+    const EventChange change = command.next == "topology" ? EventChange::topology : EventChange::visible;
+    const std::optional<ScaleEvent> first = require(sum.next_event(low->x, high->x, change, progress));
+    return first ? std::vector<ScaleEvent>{*first} : std::vector<ScaleEvent>{};
+  }
   return require(sum.events(low->x, high->x, progress));
 }
 
@@ -156,7 +161,23 @@ ExitCode run_planar_scale(const ScaleCommand& command) {
   return kDone;
 }
 
-ExitCode run_scale(const ScaleCommand& command) {
+/// --range as frames at both ends and their events.
+void take_range(ScaleCommand& command) {
+  if (command.range.empty()) {
+    if (!command.next.empty()) throw Stop(kUsage, "--next wants --range A:B");
+    return;
+  }
+  if (!command.sweep.empty() || !command.at.empty() || !command.copies.empty() || !command.ratio.empty())
+    throw Stop(kUsage, "--range takes the place of --sweep, --at, --copies and --ratio");
+  const std::vector<std::string> ends = split(command.range, ':');
+  if (ends.size() != 2) throw Stop(kUsage, "--range wants A:B, such as 1:3/2, not '" + command.range + "'");
+  const Scale low = read_scale(ends[0], "--range"), high = read_scale(ends[1], "--range");
+  if (low.exact() > high.exact()) throw Stop(kUsage, "--range begins after its end: " + command.range);
+  command.at = {ends[0], ends[1]}, command.events = true;
+}
+
+ExitCode run_scale(ScaleCommand command) {
+  take_range(command);
   if (are_solid(command.operands, command.input))
     return run_solid_scale(command, command.sweep.empty() ? std::vector<Scale>{} : sweep_scales(command.sweep));
   refuse_options(*command.parser, {"--frame"}, "is for solid operands");
@@ -201,7 +222,11 @@ void add_options(CLI::App& verb, ScaleCommand& command) {
   whole_within(verb.add_option("--frame", command.frame, "Of solids: the frame that meshes are of, from 0 [the last]"),
                0, 1000000000)
       ->type_name("N");
-  verb.add_flag("--events", command.events, "Planar: list the exact scales at which the sum changes");
+  verb.add_flag("--events", command.events, "List the exact scales at which the sum changes");
+  verb.add_option("--range", command.range, "Events of these scales, with frames at both ends")->type_name("A:B");
+  verb.add_option("--next", command.next,
+                  "With --range: only the first event after A that is visible, or changes the topology")
+      ->check(CLI::IsMember({"visible", "topology"}));
   add_report_options(verb, command.report, "Sweep N times and report the median and minimum frame");
   add_exact_option(verb, command.report, OperandKind::planar);
   add_solid_input_options(verb, command.input, OperandKind::either, Hulls::of_results_too);
@@ -240,7 +265,8 @@ void add_scale(CLI::App& app, Action& action) {
   verb.footer(
       "Examples: dymsum scale plate.wkt star.wkt --sweep 1:2:1% --json -o frames.svg\n"
       "          dymsum scale plate.wkt star.wkt --sweep 1:2:0.1% --threads 2\n"
-      "          dymsum scale plate.wkt star.wkt --sweep 1:2:1% --ratio 2/3");
+      "          dymsum scale plate.wkt star.wkt --sweep 1:2:1% --ratio 2/3\n"
+      "          dymsum scale block.off peg.off --range 1/2:2 --next topology");
   verb.callback([command, &action] { action = [command] { return run_scale(*command); }; });
 }
 

@@ -20,6 +20,7 @@ struct ScaleCommand {
   std::size_t threads = 1;
   bool robot = false;  ///< Q is a robot: sums with -Q
   bool events = false;
+  std::string range, next;           ///< of scales whose events are asked for; only the first of a kind
   std::optional<std::size_t> frame;  ///< of solids: the one that is written
   ReportOptions report;
   InputOptions input;

@@ -16,19 +16,12 @@
 #include "progress_bar.h"
 #include "report.h"
 #include "solid/solid_operands.h"
+#include "solid/solid_scale_range.h"
 #include "timing.h"
 #include "verbs/commands.h"
 
 namespace dymsum::cli {
 namespace {
-
-struct RangeCommand {
-  std::vector<std::string> operands{"", ""};
-  std::string path, place;
-  bool inside = false;
-  ReportOptions report;
-  InputOptions input;
-};
 
 Point read_place(const std::string& text, const std::string& option) {
   const std::optional<Point> p = finite_point(text);
@@ -109,10 +102,10 @@ void print_text(const ScaleRange& range, bool on_path) {
 ExitCode run_range(const RangeCommand& command) {
   if (command.inside == !command.path.empty()) throw Stop(kUsage, "give either --path or --inside");
   if (!command.inside && !command.place.empty()) throw Stop(kUsage, "--place belongs to --inside");
+  if (are_solid(command.operands, command.input)) return run_solid_scale_range(command);
   std::vector<Point> path;
   if (!command.path.empty()) path = read_path(command.path);
   if (!command.place.empty()) path = {read_place(command.place, "--place")};
-  require_planar("scale-range", command.operands);
   const std::vector<Input> inputs = read_inputs(command.operands, command.input);
   const Region &part = inputs[0].region, &other = inputs[1].region;
   // No interrupt guard: an interrupt ends the run at once, as it writes no file.
@@ -140,13 +133,17 @@ void add_scale_range(CLI::App& app, Action& action) {
                                        "container; ends with 4 when there are none");
   add_operands(verb, {"PART", "the shape that scales"}, {"OTHER", "obstacles, or with --inside the container"},
                command->operands);
-  verb.add_option("--path", command->path, "The translations of the part: \"x,y x,y ...\" or a file with one polyline")
+  verb.add_option("--path", command->path,
+                  "The translations of the part: \"x,y x,y ...\", of solids \"x,y,z x,y,z ...\", or a planar file with "
+                  "one polyline")
       ->type_name("PATH");
   verb.add_flag("--inside", command->inside, "OTHER is a container, anywhere inside which the part may lie");
-  verb.add_option("--place", command->place, "With --inside: only at this translation")->type_name("x,y");
+  verb.add_option("--place", command->place, "With --inside: only at this translation")->type_name("x,y[,z]");
   add_report_options(verb, command->report, "Compute N times and report the median and minimum time");
-  add_input_options(verb, command->input);
-  verb.footer("Example: dymsum scale-range part.wkt walls.wkt --path \"0,0 10,0 10,5\" --json");
+  add_solid_input_options(verb, command->input, OperandKind::either);
+  verb.footer(
+      "Examples: dymsum scale-range part.wkt walls.wkt --path \"0,0 10,0 10,5\" --json\n"
+      "          dymsum scale-range peg.off block.off --path \"0,0,9 0,0,-9\"");
   verb.callback([command, &action] { action = [command] { return run_range(*command); }; });
 }
 

@@ -5,6 +5,7 @@
 #include <optional>
 #include <vector>
 
+#include "dymsum/progress.h"
 #include "dymsum/rational.h"
 #include "dymsum/region.h"
 #include "dymsum/result.h"
@@ -17,6 +18,7 @@ struct DecomposeOptions {
   Rational persistence;
   Rational alpha_from;               ///< lives are counted between these diameters
   std::optional<Rational> alpha_to;  ///< none: infinity
+  Progress progress = {};            ///< stages "significance", "cuts" and "pieces"
 };
 
 /// A segment inside the region from a reflex vertex to the boundary or to an earlier cut.
@@ -26,13 +28,15 @@ struct Cut {
   End end = End::vertex;
   std::uint32_t index = 0;  ///< vertex or edge of the region, or earlier cut, that it ends at
   RationalPoint from, to;
-  std::uint32_t bar = 0;  ///< the most significant bar whose minimum it begins at
+  std::uint32_t bar = 0;  ///< the most significant bar whose minimum it begins at; of a partner that of the other cut
+  bool partner = false;   ///< made at once with a cut that would have separated nothing without it
   friend bool operator==(const Cut&, const Cut&) = default;
 };
 
 using RationalRing = std::vector<RationalPoint>;
 
-/// A connected piece: outer ring counter-clockwise, holes clockwise.
+/// A connected piece: outer ring counter-clockwise, holes clockwise. Rings are simple; they may touch at points. Each
+/// begins at its vertex with the least x, of those with the least y.
 struct Piece {
   RationalRing outer;
   std::vector<RationalRing> holes;
@@ -41,23 +45,33 @@ struct Piece {
 
 struct Decomposition {
   std::vector<Cut> cuts;      ///< in the order in which they were made
-  std::vector<Piece> pieces;  ///< they tile the region: its connected components without the cuts
+  std::vector<Piece> pieces;  ///< they tile the region: its connected components without the cuts, by lowest vertices
 };
 
 /// Cuts at the pocket minima of the bars that ShapeFeatures::significant tells, in its order. A cut resolves its notch:
 /// it lies in the cone of the extensions of the two edges there, so that no angle beside it exceeds 180 degrees. It
 /// ends at the nearest such point of the boundary or of an earlier cut. Cuts do not cross. They pass over holes that
-/// are less significant than the bar they are made for, and the pieces lack these. What a bar is cut by depends on bars
-/// as significant or more alone: with a larger persistence the cuts are the first ones of those with a smaller. Exact:
-/// a cut ends at a vertex or at the exact rational foot. Errors: unsupported_operand for a region with polylines or
-/// points, or whose rings touch; out_of_range for a negative persistence and alpha_to < alpha_from.
+/// are less significant than the bar they are made for, and the pieces lack these; later cuts end there as at others.
+///
+/// Every cut separates two pieces. One that alone connects a hole, or a group of holes, with the rest is not left so:
+/// it gets a partner, the shortest cut at a vertex of the convex hull of that group, and the partner one if need be,
+/// before the cuts of a less significant bar. So a significant hole is cut open, and no piece has a slit.
+///
+/// What a bar is cut by depends on bars as significant or more alone: with a larger persistence the cuts are the first
+/// ones of those with a smaller, and pieces are unions of theirs. Exact: a cut ends at a vertex or at the exact
+/// rational foot. Nearly O(n log n) in practice. Errors: unsupported_operand for a region with polylines or points, or
+/// whose rings touch; out_of_range for a negative persistence and alpha_to < alpha_from; cancelled.
 Result<Decomposition> decompose(const ShapeFeatures& features, const DecomposeOptions& options = {});
 
 /// Twice the exact area of a piece's ring, positive counter-clockwise.
 Rational twice_area(const RationalRing& ring);
 
 /// The pieces with every coordinate rounded to the nearest double. Errors: rounding_changed_topology where a piece is
-/// no valid region then.
+/// no valid region then, with its index as the evidence's part, and what happens where.
 Result<std::vector<Region>> rounded(const Decomposition& decomposition);
+/// As rounded(), but of a piece that is no valid region then colliding vertices are merged, and rings that collapse are
+/// dropped, as repair() does; where nothing is left of a piece its region is empty. Every report says what was done.
+/// Errors: rounding_changed_topology where edges of a piece cross.
+Result<std::vector<Repaired>> rounded_with_repair(const Decomposition& decomposition);
 
 }  // namespace dymsum

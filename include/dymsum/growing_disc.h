@@ -128,7 +128,13 @@ struct DiscSet {
 struct Measured {
   double value = 0, error = 0;
 };
+/// Infinite past the range of doubles.
 Measured area(const DiscSet& set);
+/// The same as decimal numbers of 17 significant digits with exponents of any size.
+struct MeasuredText {
+  std::string value, error;
+};
+MeasuredText area_text(const DiscSet& set);
 /// Of all boundary rings; pieces without area do not count.
 Measured perimeter(const DiscSet& set);
 /// {min x, min y, max x, max y} within at_error; zeros for the empty set.

@@ -6,6 +6,7 @@ from typing import Optional, Union
 
 from . import _core
 from ._core import (
+    AxisTurn,
     ConvexPolygonSum,
     ClipBall,
     ClipBox,
@@ -18,6 +19,11 @@ from ._core import (
     MovingSolidOptions,
     MovingSolidSum,
     Orientation,
+    PlanarBox,
+    PlanarDisc,
+    PlanarLocalOptions,
+    PlanarLocalPart,
+    PlanarLocalSum,
     PlanarPose,
     PlanarSum,
     Region,
@@ -28,6 +34,8 @@ from ._core import (
     SolidSum,
     SumLocator,
     SumOptions,
+    TurningSolidOptions,
+    TurningSolidSum,
 )
 
 
@@ -127,3 +135,22 @@ def local_part(
     """The part of a sum at a place."""
     sum = LocalSum(p, q, options)
     return sum.in_(place, p_pose, q_pose) if isinstance(place, ClipBox) else sum.in_(place, p_pose, q_pose)
+
+
+def planar_local_part(
+    p: Region,
+    q: Region,
+    options: PlanarLocalOptions,
+    place: Union[PlanarBox, PlanarDisc],
+    p_pose: PlanarPose,
+    q_pose: PlanarPose,
+) -> PlanarLocalPart:
+    """The part of a planar sum at a place."""
+    sum = PlanarLocalSum(p, q, options)
+    return sum.in_(place, p_pose, q_pose) if isinstance(place, PlanarBox) else sum.in_(place, p_pose, q_pose)
+
+
+def turned_solid_sum(
+    p: Mesh, q: Mesh, axis: tuple[int, int, int], options: TurningSolidOptions, turn: AxisTurn
+) -> "_core.SpatialSum":
+    return TurningSolidSum(p, q, axis, options).at(turn)

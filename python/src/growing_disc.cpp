@@ -174,6 +174,9 @@ void bind_disc_set(nb::module_& m) {
              "no boundary point of either is further than this from the other's boundary")
       .field("rounded", &DiscPolygons::rounded, "how far rounding moved a vertex at most: a part of `error`")
       .field("chords", &DiscPolygons::chords, "segments that stand for arcs");
+  Record<MeasuredText>(m, "MeasuredText", "A number and how far it may be from the exact one, as decimal numbers.")
+      .field("value", &MeasuredText::value)
+      .field("error", &MeasuredText::error);
   Record<Measured>(m, "Measured", "A double and how far it may be from the exact number.")
       .field("value", &Measured::value)
       .field("error", &Measured::error);
@@ -213,6 +216,9 @@ Which pieces there are and how they follow each other is exact; positions are do
 void bind_disc_set_functions(nb::module_& m) {
   m.def(
       "area", [](const DiscSetOf& set) { return area(set); }, "set"_a, "The area with its error.");
+  m.def(
+      "area_text", [](const DiscSetOf& set) { return area_text(set); }, "set"_a,
+      "The area and its error as decimal numbers with exponents of any size.");
   m.def(
       "perimeter", [](const DiscSetOf& set) { return perimeter(set); }, "set"_a,
       R"doc(The length of all boundary rings with its error; pieces without area do not count.

@@ -55,10 +55,12 @@ void bind_places(nb::module_& m) {
       },
       "middle"_a, "radius"_a);
   ball.field("middle", &ClipBall::middle).field("radius", &ClipBall::radius);
-  m.def("bounding_box", &bounding_box, "ball"_a, "The smallest box of doubles that holds the ball.");
+  m.def(
+      "bounding_box", [](const ClipBall& of) { return bounding_box(of); }, "ball"_a,
+      "The smallest box of doubles that holds the ball.");
 }
 
-void bind_options(nb::module_& m) {
+void bind_local_options(nb::module_& m) {
   nb::enum_<LocalEngine>(m, "LocalEngine", "How the facets near a place are found; all give the same part.")
       .value("updated", LocalEngine::updated, "those of the last call are brought to the new poses")
       .value("hierarchy", LocalEngine::hierarchy, "by bounding spheres over pairs of features, at every call")
@@ -99,7 +101,7 @@ void bind_part(nb::module_& m) {
       .def("__reduce__", [](nb::handle_t<LocalPart> self) { return made_again(self); });
 }
 
-void bind_class(nb::module_& m) {
+void bind_local_class(nb::module_& m) {
   nb::class_<Local> type(
       m, "LocalSum",
       R"doc(P (+) Q of solids near one place after the other, while both turn and scale: exactly the whole sum, cut.
@@ -147,9 +149,9 @@ Where.inside
 
 void bind_local_sum(nb::module_& m) {
   bind_places(m);
-  bind_options(m);
+  bind_local_options(m);
   bind_part(m);
-  bind_class(m);
+  bind_local_class(m);
 }
 
 }  // namespace dymsum::python

@@ -176,13 +176,15 @@ void bind_cuts(nb::module_& m) {
   Record<DecomposeOptions> options(m, "DecomposeOptions", "Options of decompose; diameters and lives are exact.");
   options.def(
       "__init__",
-      [](DecomposeOptions* self, const Rational& persistence, const Rational& from, const std::optional<Rational>& to) {
-        new (self) DecomposeOptions{persistence, from, to};
+      [](DecomposeOptions* self, const Rational& persistence, const Rational& from, const std::optional<Rational>& to,
+         Progress progress) {
+        new (self) DecomposeOptions{persistence, from, to, std::move(progress)};
       },
-      "persistence"_a = 0, "alpha_from"_a = 0, "alpha_to"_a = nb::none());
+      "persistence"_a = 0, "alpha_from"_a = 0, "alpha_to"_a = nb::none(), "progress"_a = nb::none());
   options.option("persistence", &DecomposeOptions::persistence, "bars that last at least this long are cut at; 0: all")
       .option("alpha_from", &DecomposeOptions::alpha_from, "lives are counted between these diameters")
-      .option("alpha_to", &DecomposeOptions::alpha_to, "None: infinity");
+      .option("alpha_to", &DecomposeOptions::alpha_to, "None: infinity")
+      .option("progress", &DecomposeOptions::progress);
   Record<Cut> cut(m, "Cut", "A segment in the region from a reflex vertex to the boundary or to an earlier cut.");
   nb::enum_<Cut::End>(cut, "End", "What a cut ends at.")
       .value("vertex", Cut::End::vertex)
@@ -193,7 +195,9 @@ void bind_cuts(nb::module_& m) {
       .field("index", &Cut::index, "vertex or edge of the region, or earlier cut, that it ends at")
       .field("from_", &Cut::from)
       .field("to", &Cut::to)
-      .field("bar", &Cut::bar, "the longest bar whose minimum it begins at");
+      .field("bar", &Cut::bar,
+             "the most significant bar whose minimum it begins at; of a partner that of the other cut")
+      .field("partner", &Cut::partner, "made at once with a cut that would have separated nothing without it");
 }
 
 /// One of the pieces, rounded.
@@ -231,14 +235,15 @@ void bind_decompose(nb::module_& m) {
   m.def(
       "decompose",
       [](const ShapeFeatures& features, const DecomposeOptions& options) {
-        return take(without_gil([&] { return decompose(features, options); }));
+        return run_with(options, [&](const DecomposeOptions& own) { return decompose(features, own); });
       },
       "features"_a, "options"_a = DecomposeOptions(),
       R"doc(Cuts at the pocket minima of lasting bars, the longest first: nearly convex pieces, with exact vertices.
 
-A cut ends at a vertex or at the exact foot of a perpendicular. With a larger persistence the cuts are the first ones of
+A cut ends at a vertex or at the exact foot of a perpendicular, and separates two pieces: one that alone opens a hole gets
+a partner. With a larger persistence the cuts are the first ones of
 those with a smaller. Raises Error: unsupported_operand for a region with polylines or points, or whose rings touch;
-out_of_range for a negative persistence and alpha_to < alpha_from.
+out_of_range for a negative persistence and alpha_to < alpha_from; cancelled.
 
 >>> from dymsum import ShapeFeatures, decompose, shapes, twice_area
 >>> made = decompose(ShapeFeatures(shapes.letter_l(3, 3, 1)))
@@ -254,6 +259,16 @@ out_of_range for a negative persistence and alpha_to < alpha_from.
       "decomposition"_a,
       "The pieces with every coordinate rounded to the nearest double. Raises Error: rounding_changed_topology where a "
       "piece is no valid region then.");
+  m.def(
+      "rounded_with_repair",
+      [](const Decomposition& decomposition) {
+        return take(without_gil([&] { return rounded_with_repair(decomposition); }));
+      },
+      "decomposition"_a,
+      "As rounded(), but of a piece that is no valid region then colliding vertices are merged, and rings that "
+      "collapse "
+      "are dropped; its region may be empty. The reports say what was done. Raises Error: rounding_changed_topology "
+      "where edges of a piece cross.");
 }
 
 }  // namespace

@@ -80,12 +80,14 @@ def samples() -> list[Any]:
         dymsum.SolidDepth(box, box),
         dymsum.PlanarDepth(unit, unit),
         dymsum.LocalSum(box, box),
+        dymsum.ContinuousDepth(box, box),
+        dymsum.PlanarLocalSum(unit, unit),
     ]
     JUNK.extend(
         [sum, sum.parts[0].outer.vertices[0], dymsum.nfp(unit, dymsum.shapes.disc(9, 1)).parts[0].outer.vertices[7]]
     )
     JUNK.extend([obstacle, dymsum.CspaceObstacle(dymsum.shapes.disc(9, 1), unit).patches()[3], dymsum.SolidBuffers()])
-    JUNK.extend([made[-6], features, dymsum.DiscRadius.at_event(3)])
+    JUNK.extend([made[-7], features, dymsum.DiscRadius.at_event(3)])
     return made
 
 

@@ -20,7 +20,10 @@ DEPTH, QUESTIONS = dymsum.SolidDepth(ANGLE, BOX), [dymsum.DepthQuestion(ANGLE, B
 ROD, WALL = shapes.rectangle(-1, -0.25, 1, 0.25), shapes.gear(8, 2, 3)
 OBSTACLE = dymsum.CspaceObstacle(ROD, WALL)
 QUERIES = dymsum.ObstacleQueries(OBSTACLE)
+TURNING = dymsum.TurningSolidSum(ANGLE, BOX, (0, 0, 1))
+TURN, FURTHER = dymsum.AxisTurn.of(Fraction(3, 10)), dymsum.AxisTurn.of(Fraction(3, 8))
 LOCATOR = dymsum.SumLocator(dymsum.minkowski_sum(P, Q))
+FEATURES = dymsum.ShapeFeatures(P)
 THETA = dymsum.Orientation.nearest(0.3)
 POSE = dymsum.SolidPose(dymsum.Rotation.of(5, 1, 2, 1))
 POINTS = numpy.random.default_rng(1).uniform(-2, 2, (5000, 2))
@@ -69,6 +72,11 @@ CALLS: list[tuple[str, Callable[[Progress], Any]]] = [
     ("MovingSolidSum", lambda f: dymsum.MovingSolidSum(ANGLE, BOX, dymsum.MovingSolidOptions(progress=f))),
     ("MovingSolidSum", lambda f: dymsum.MovingSolidSum.create(ANGLE, BOX, dymsum.MovingSolidOptions(progress=f))),
     ("posed_sum", lambda f: dymsum.posed_sum(ANGLE, BOX, POSE, options=dymsum.MovingSolidOptions(progress=f))),
+    ("TurningSolidSum.at", lambda f: TURNING.at(TURN, progress=f)),
+    ("TurningSolidSum.events", lambda f: TURNING.events(TURN, TURN, progress=f)),
+    ("TurningSolidSum.events_of_turn", lambda f: TURNING.events_of_turn(progress=f)),
+    ("TurningSolidSum.next_event", lambda f: TURNING.next_event(TURN, FURTHER, progress=f)),
+    ("TurningSolidSum.next_topology_change", lambda f: TURNING.next_topology_change(TURN, FURTHER, progress=f)),
     ("nfp_each", lambda f: dymsum.nfp_each([(P, Q)] * 3, planar(f))),
     ("nfp_each", lambda f: dymsum.nfp_each([(P, Q)] * 3, planar(f), return_errors=True)),
     ("ScalingSum", lambda f: dymsum.ScalingSum(P, Q, moving(f))),
@@ -79,6 +87,24 @@ CALLS: list[tuple[str, Callable[[Progress], Any]]] = [
     ("RotatingSum", lambda f: dymsum.RotatingSum.create(P, Q, moving(f))),
     ("count_pair_events", lambda f: dymsum.count_pair_events(P, Q, dymsum.MovingOperand.p, f)),
     ("scaled_copies", lambda f: dymsum.scaled_copies(P, Q, [dymsum.ScaledCopy(dymsum.Scale.of(2), (0, 0))], moving(f))),
+    ("ScalingSolidSum.at", lambda f: dymsum.ScalingSolidSum(ANGLE, BOX).at(2, f)),
+    ("ScalingSolidSum.events", lambda f: dymsum.ScalingSolidSum(ANGLE, BOX).events(1, 2, f)),
+    ("ScalingSolidSum.next_event", lambda f: dymsum.ScalingSolidSum(ANGLE, BOX).next_event(1, 2, progress=f)),
+    (
+        "ScalingSolidSum.next_topology_change",
+        lambda f: dymsum.ScalingSolidSum(ANGLE, BOX).next_topology_change(1, 2, progress=f),
+    ),
+    ("ScalingSolidSum.combinatorial_hash", lambda f: dymsum.ScalingSolidSum(ANGLE, BOX).combinatorial_hash(2, f)),
+    ("count_solid_pair_events", lambda f: dymsum.count_solid_pair_events(ANGLE, ANGLE, progress=f)),
+    ("solid_scale_range", lambda f: dymsum.solid_scale_range(BOX, [(0, 0, 9), (0, 0, -9)], ANGLE, f)),
+    ("solid_fit_range", lambda f: dymsum.solid_fit_range(BOX, ANGLE, f)),
+    ("solid_fit_range", lambda f: dymsum.solid_fit_range(BOX, ANGLE, (0.1, 0.1, 0.1), f)),
+    (
+        "scaled_solid_copies",
+        lambda f: dymsum.scaled_solid_copies(
+            ANGLE, BOX, [dymsum.ScaledSolidCopy(dymsum.Scale.of(2), (0, 0, 0))], progress=f
+        ),
+    ),
     ("scale_range", lambda f: dymsum.scale_range(Q, [(0, 0), (5, 0)], WALL, f)),
     ("fit_range", lambda f: dymsum.fit_range(Q, P, f)),
     ("fit_range", lambda f: dymsum.fit_range(Q, P, (0.1, 0.1), f)),
@@ -99,7 +125,11 @@ CALLS: list[tuple[str, Callable[[Progress], Any]]] = [
     ("offset", lambda f: dymsum.offset(ANGLE, 0.5, 0.2, options=solid(f))),
     ("slice_of_sum", lambda f: dymsum.slice_of_sum(ANGLE, ANGLE, 0.5, solid(f))),
     ("LocalSum", lambda f: dymsum.LocalSum(ANGLE, BOX, dymsum.LocalOptions(progress=f))),
+    ("PlanarLocalSum", lambda f: dymsum.PlanarLocalSum(P, Q, dymsum.PlanarLocalOptions(progress=f))),
+    ("PlanarLocalSum", lambda f: dymsum.PlanarLocalSum.create(P, Q, dymsum.PlanarLocalOptions(progress=f))),
     ("LocalSum", lambda f: dymsum.LocalSum.create(ANGLE, BOX, dymsum.LocalOptions(progress=f))),
+    ("ContinuousDepth", lambda f: dymsum.ContinuousDepth(ANGLE, BOX, dymsum.ContinuousDepthOptions(progress=f))),
+    ("ContinuousDepth", lambda f: dymsum.ContinuousDepth.create(ANGLE, BOX, dymsum.ContinuousDepthOptions(progress=f))),
     ("SolidDepth", lambda f: dymsum.SolidDepth(ANGLE, BOX, dymsum.DepthOptions(progress=f))),
     ("SolidDepth", lambda f: dymsum.SolidDepth.create(ANGLE, BOX, dymsum.DepthOptions(progress=f))),
     ("depth_batch", lambda f: dymsum.depth_batch(DEPTH, PLACES[:40], dymsum.DepthBatchOptions(1, progress=f))),
@@ -116,6 +146,7 @@ CALLS: list[tuple[str, Callable[[Progress], Any]]] = [
     ("CriticalityMap", lambda f: dymsum.CriticalityMap.create(BALL, BOX, (0, 0, 1), f)),
     ("NfpTable", lambda f: dymsum.NfpTable(LARGE_TABLE, progress=f)),
     ("NfpTable", lambda f: dymsum.NfpTable.create(LARGE_TABLE, progress=f)),
+    ("decompose", lambda f: dymsum.decompose(FEATURES, dymsum.DecomposeOptions(progress=f))),
     ("GrowingDisc.events", lambda f: dymsum.GrowingDisc(P).events(dymsum.DiscSide.inside, f)),
     ("GrowingDisc.sum_at", lambda f: dymsum.GrowingDisc(P).sum_at(1, progress=f)),
     ("GrowingDisc.eroded_at", lambda f: dymsum.GrowingDisc(P).eroded_at(0.01, progress=f)),
@@ -135,7 +166,7 @@ def _that_take_a_progress() -> Iterator[str]:
     options = [
         name for name, kind in vars(dymsum).items() if name.endswith("Options") and hasattr(kind, "progress")
     ]
-    assert len(options) == 12
+    assert len(options) == 15
     for name, value in vars(dymsum).items():
         members = vars(value).items() if inspect.isclass(value) else [("", value)]
         for member, function in members:

@@ -6,6 +6,7 @@
 #include <stdexcept>
 
 #include "depth/exact_frame.h"
+#include "dymsum/convex_solid.h"
 #include "spatial/mesh/rounded_vector.h"
 #include "spatial/sum/grid_error.h"
 
@@ -106,6 +107,7 @@ Result<std::shared_ptr<const DepthOperands>> depth_operands(const Mesh& p, const
   if (std::optional<Error> error = spatial::grid_error(p.vertices(), q.vertices())) return *std::move(error);
   auto o = std::make_shared<DepthOperands>();
   o->engine = options.engine;
+  o->convex = !convexity_error(p) && !convexity_error(q);
   const Mesh reflected = negated(q);
   o->p = spatial::solid_operand(p.data()), o->q = spatial::solid_operand(reflected.data());
   try {

@@ -20,6 +20,7 @@ struct DepthOperands {
   static constexpr double kOff = 0x1p-50;
 
   DepthEngine engine = DepthEngine::search;
+  bool convex = false;         ///< both: then all facets bound the sum, and every position on them is free
   spatial::SolidOperand p, q;  ///< Q reflected
   std::unique_ptr<const spatial::SumSpace> space;
   std::unique_ptr<const spatial::InnerCells> inner;

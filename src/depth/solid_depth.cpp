@@ -126,7 +126,9 @@ SolidDistance SolidDepth::at(Point3 q_moved_by, double time_limit) {
   if (o.engine == DepthEngine::boundary)
     return distance_with(view, depth::nearest_on_boundary(*o.sum, from), q_moved_by, overlapping);
   const ExactFrame frame(o.p.vertices, o.q.vertices, o.exponent, q_moved_by);
-  const depth::NearestPositions found = nearest_positions(view, frame, *probe_, overlapping, time_limit);
+  // Of convex solids the nearest facet is the answer on both sides of it.
+  const bool covers = overlapping && !o.convex;
+  const depth::NearestPositions found = nearest_positions(view, frame, *probe_, covers, time_limit);
   if (found.all.empty()) {
     SolidDistance result;
     result.meeting = overlapping ? Meeting::overlapping : Meeting::apart;

@@ -40,6 +40,16 @@ class FineInterval {
     const Interval middle = Interval(middle_.high) + Interval(middle_.low);
     return radius_ == 0 ? middle : middle + Interval(-radius_, radius_);
   }
+  /// The double nearest to each of its numbers, where that is one and no tie.
+  // middle_.high is nearest to the middle. Numbers closer to it than half the way to its nearer neighbour round to it.
+  std::optional<double> nearest() const {
+    if (is_whole()) return std::nullopt;
+    const double v = middle_.high, size = std::abs(v);
+    if (v == 0) return radius_ == 0 && middle_.low == 0 ? std::optional<double>(0) : std::nullopt;
+    const double gap = size - std::nextafter(size, 0.0);  // the one towards zero is the nearer one
+    if (size > kSmall && (std::abs(middle_.low) + radius_) * kOutwards < gap / 2) return v;
+    return std::nullopt;
+  }
 
   friend FineInterval operator-(const FineInterval& a) { return {-a.middle_, a.radius_}; }
   friend FineInterval operator+(const FineInterval& a, const FineInterval& b) {

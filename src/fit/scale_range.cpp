@@ -6,6 +6,7 @@
 
 #include "base/poll.h"
 #include "fit/fit_contacts.h"
+#include "fit/free_intervals.h"
 #include "fit/path_free.h"
 #include "planar/operand/prepared_region.h"
 #include "planar/region/complement.h"
@@ -21,54 +22,6 @@ using exact::BigRational;
 namespace {
 
 Error unsupported(const char* text) { return {ErrorCode::unsupported_operand, text, {}}; }
-
-/// The free set from an oracle that is constant between consecutive critical scales and closed: one question per gap,
-/// and one per critical scale between two blocked gaps. Above `limit` (if any) nothing is free.
-template <class Free>
-std::optional<Error> assemble(const PathFree::Critical& critical, const std::optional<BigRational>& limit,
-                              const Progress& progress, ScaleRange& range, Free&& free) {
-  std::vector<BigRational> values;
-  for (const auto& [s, contacts] : critical)
-    if (!limit || s < *limit) values.push_back(s);
-  if (limit) values.push_back(*limit);
-  range.critical = values.size();
-  const auto contacts_at = [&](const BigRational& s) {
-    const auto it = critical.find(s);
-    return it == critical.end() ? std::vector<ScaleContact>{} : it->second;
-  };
-  const std::size_t n = values.size();
-  std::vector<std::uint8_t> gap(n + 1, 0);  // gap i lies below value i
-  const auto stopped = [&](std::size_t asked) {
-    return progress && !progress("scales", static_cast<double>(asked) / static_cast<double>(2 * n + 1));
-  };
-  for (std::size_t i = 0; i <= n; ++i) {
-    if (stopped(i)) return Error{ErrorCode::cancelled, "stopped on request", {}};
-    if (i == n && limit) break;
-    const BigRational s = n == 0   ? BigRational(1)
-                          : i == 0 ? BigRational(values[0] / 2)
-                          : i == n ? BigRational(values[n - 1] * 2)
-                                   : simple_between(values[i - 1], values[i]);
-    gap[i] = free(s);
-    ++range.tested;
-  }
-  bool open = gap[0];
-  if (open) range.free.push_back({});
-  for (std::size_t i = 0; i < n; ++i) {
-    if (stopped(n + 1 + i)) return Error{ErrorCode::cancelled, "stopped on request", {}};
-    const bool here = gap[i] || gap[i + 1] || (++range.tested, free(values[i]));
-    if (here && !open) {
-      range.free.push_back({});
-      range.free.back().low = exact::to_rational(values[i]);
-      range.free.back().at_low = contacts_at(values[i]);
-    }
-    open = gap[i + 1];
-    if (here && !open) {
-      range.free.back().high = exact::to_rational(values[i]);
-      range.free.back().at_high = contacts_at(values[i]);
-    }
-  }
-  return std::nullopt;
-}
 
 std::optional<Error> check(const Region& part, const Region& other) {
   if (part.empty()) return unsupported("the part is empty");
@@ -97,8 +50,8 @@ Result<ScaleRange> range_of(const Region& part, const std::vector<Point>& path, 
   Poll poll(progress);
   poll.stage("contacts");
   ScaleRange range;
-  if (std::optional<Error> error = assemble(walk.critical([&](double share) { poll(share); }), limit, progress, range,
-                                            [&](const BigRational& s) { return walk.free(s); }))
+  if (std::optional<Error> error = free_intervals(walk.critical([&](double share) { poll(share); }), limit, progress,
+                                                  range, [&](const BigRational& s) { return walk.free(s); }))
     return *std::move(error);
   return range;
 } catch (const Cancelled&) {
@@ -286,8 +239,8 @@ Result<ScaleRange> fit_range(const Region& part, const Region& container, const 
     return !failed && placement.fits();
   };
   ScaleRange range;
-  if (std::optional<Error> error =
-          assemble(*critical, limit, progress, range, [&](const BigRational& s) { return s <= *low || fits_at(s); }))
+  if (std::optional<Error> error = free_intervals(*critical, limit, progress, range,
+                                                  [&](const BigRational& s) { return s <= *low || fits_at(s); }))
     return *std::move(error);
   const auto name = [&](const std::optional<Rational>& end, std::vector<ScaleContact>& contacts) {
     if (!end || !fits_at(exact::exact_value(*end))) return;

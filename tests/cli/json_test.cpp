@@ -46,8 +46,14 @@ const std::vector<Case> kCases = {
     {"solid_scale", "scale cube.off cube.off --at 1,1:2:3"},
     {"solid_rotate", "rotate cube.off cube.off --steps 3 --axis 1,2,3"},
     {"solid_rotate", "rotate ell.off cube.off --steps 3 --axis 1,2,3"},
+    {"solid_turn_events", "rotate cube.off cube.off --events --range 30deg:95deg"},
+    {"solid_turn_events", "rotate cube.off cube.off --next-topology --range 30deg:40deg --axis 1,2,3", 4},
     {"solid_scale", "scale ell.off cube.off --at 1,1:2:3"},
     {"rotate", "rotate peg.wkt slot.wkt --steps 4"},
+    {"solid_scale", "scale ell.off cube.off --range 1/2:2"},
+    {"solid_scale", "scale ell.off cube.off --range 1/2:2 --next topology"},
+    {"solid_scale_range", "scale-range cube.off ell.off --path '9,9,9 -9,9,9'"},
+    {"solid_scale_range", "scale-range cube.off ell.off --inside"},
     {"scale_range", "scale-range square.wkt slot.wkt --path '9,9 6,9'"},
     {"scale_range", "scale-range square.wkt frame.wkt --inside --place 0,0"},
     {"scale_range", "scale-range square.wkt slot.wkt --path 2.25,0.25", 4},
@@ -72,9 +78,12 @@ const std::vector<Case> kCases = {
     {"depth", "depth cube.off cube.off --move 9,0,0", 4},
     {"depth", "depth ell.off cube.off --move 1,1,0 --along 1,0,0"},
     {"depth", "depth cube.off cube.off --axis 0,0,1 --degrees 9"},
+    {"depth", "depth ell.off cube.off --track motion.csv --smoothing 1"},
     {"depth", "depth peg.wkt slot.wkt --move 9,9", 4},
     {"depth", "depth square.wkt frame.wkt"},
     {"local_sum", "local-sum ell.off cube.off --ball 6,6,4,0.5"},
+    {"planar_local_sum", "local-sum frame.wkt square.wkt --disc 0,1,0.5"},
+    {"planar_local_sum", "local-sum frame.wkt peg.wkt --box 0,0,1,1 --engine brute --degrees 30"},
     {"local_sum", "local-sum ell.off cube.off --box 1,1,1,2,2,2 --engine hierarchy"},
     {"info", "info two.wkt"},
     {"info", "info bow.wkt", 2},
@@ -112,6 +121,7 @@ class JsonReports : public CliTest {
     std::filesystem::create_directories(work.folder() / "work" / "answers");
     work.write("answers/damaged.nfpt", "not one of ours");
     work.write("poses.txt", "1,6,0\n1,1,0\n");
+    work.write("motion.csv", "1,1,0\n2,1,0\n");
     work.write("copies.txt", "1 0 0\n3/2 9 0\n");
     work.write("cube.off", kCube);
     work.write("small.off",

@@ -93,7 +93,7 @@ TEST_F(OptionCli, WhatDoesNotApplyIsRefused) {
            {"nfp cube.off cube.off --round-repair", "--round-repair"},
            {"scale cube.off cube.off --at 1 --semantics open", "--semantics"},
            {"scale cube.off cube.off --at 1 --mode window", "--mode"},
-           {"scale cube.off cube.off --at 1 --events", "--events"},
+           {"scale cube.off cube.off --at 1:2:1 --events", "--events"},
            {"rotate cube.off cube.off --steps 2 --semantics closed", "--semantics"},
            {"rotate cube.off cube.off --steps 2 --error 1e-3", "--error"},
            {"rotate peg.wkt slot.wkt --steps 2 --axis 0,0,1", "--axis"},
@@ -107,8 +107,7 @@ TEST_F(OptionCli, WhatDoesNotApplyIsRefused) {
            {"cspace peg.wkt slot.wkt --slices 4", "--slices"},
            {"cspace peg.wkt slot.wkt --tolerance 0.5 -o x.svg", "--tolerance"},
            {"clearance cube.off cube.off --at 0,0,0", "planar"},
-           {"path cube.off cube.off --from 0,0,0 --to 1,0,0", "planar"},
-           {"scale-range cube.off cube.off --inside", "planar"}})
+           {"path cube.off cube.off --from 0,0,0 --to 1,0,0", "planar"}})
     refused("dymsum " + command, option);
   EXPECT_EQ(work.file_count(), 3u) << "and nothing is written";
 }

@@ -82,7 +82,6 @@ TEST_F(SolidUsage, OperandsOfTheWrongKindAreNamed) {
   says("sum cube.off cube.off square.wkt", 1, "square.wkt is not");
   for (const char* verb : {"opening square.wkt square.wkt", "offset square.wkt --by 1"})
     says(verb, 1, "is for solids: .off .obj .stl .ply, not square.wkt");
-  says("scale-range cube.off cube.off --inside", 1, "cube.off is a solid");
   says("depth ell.off cube.off --axis 0,0,1 --degrees 9", 2,
        "only convex solids are taken; --hull takes the convex hull");
 }

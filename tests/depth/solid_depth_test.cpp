@@ -260,6 +260,27 @@ TEST(DepthBatch, rows_are_in_order_and_do_not_depend_on_threads) {
   EXPECT_EQ(answers[2]->distance, 2);
 }
 
+TEST(DepthBatch, a_hundred_thousand_rows_are_the_same_for_any_number_of_threads) {
+  const auto rows_of = [](const SolidDepth& pair, std::size_t count, int threads) {
+    std::mt19937_64 random(19);
+    std::vector<Point3> moves(count);
+    const auto coordinate = [&] { return static_cast<double>(random() % 4096) / 1024 - 2; };
+    for (Point3& at : moves) at = {coordinate(), coordinate(), coordinate()};
+    DepthBatchOptions options;
+    options.threads = threads;
+    return depth_batch(pair, moves, options).value();
+  };
+  const auto same = [&](const SolidDepth& pair, std::size_t count, int threads) {
+    const std::vector<SolidDistance> one = rows_of(pair, count, 1), many = rows_of(pair, count, threads);
+    return one.size() == count && std::equal(one.begin(), one.end(), many.begin(), many.end());
+  };
+  EXPECT_TRUE(same(depth_of(solid(box(1)), solid(box(0.5))), 100000, 7));
+  // Not convex: what a thread knows of its last rows is not what another one knows.
+  const SolidDepth bent = depth_of(solid(ell()), solid(box(0.5)));
+  EXPECT_TRUE(same(bent, 1000, 2));
+  EXPECT_TRUE(same(bent, 1000, 5));
+}
+
 TEST(DepthBatch, a_row_whose_time_is_over_has_bounds) {
   SolidDepth pair = depth_of(solid(ell()), link(true));
   const Point3 at{3, 3, 4};

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <boost/polygon/voronoi.hpp>
 
+#include "shape/complex/rough_numbers.h"
 #include "shape/complex/rounded_sites.h"
 
 // Boost.Polygon takes points and segments of any type that says how.
@@ -36,8 +37,9 @@ class Neighbours {
     std::sort(vertices_.begin(), vertices_.end());
   }
 
+  template <class Builder>
   Candidates of_segments() {
-    bp::voronoi_builder<std::int32_t> builder;
+    Builder builder;
     const std::vector<RoundedSegment>& list = rounded_.segments;
     for (std::size_t i = 0; i < list.size(); ++i) {
       if (i > 0 && list[i].a == list[i - 1].a && list[i].b == list[i - 1].b) {
@@ -134,9 +136,15 @@ class Neighbours {
 }  // namespace
 
 Candidates candidates_of(const Walks& walks) {
-  const RoundedSites rounded = round_sites(walks);
+  const RoundedSites rounded = round_sites(walks, kMostBits);
   Neighbours neighbours(walks, rounded);
-  return is_planar(rounded) ? neighbours.of_segments() : neighbours.of_points();
+  return is_planar(rounded) ? neighbours.of_segments<bp::voronoi_builder<std::int32_t>>() : neighbours.of_points();
+}
+
+std::optional<Candidates> rough_candidates_of(const Walks& walks) {
+  const RoundedSites rounded = round_sites(walks, rough::kBits);
+  if (!is_planar(rounded)) return std::nullopt;
+  return Neighbours(walks, rounded).of_segments<rough::Builder>();
 }
 
 }  // namespace dymsum::shape

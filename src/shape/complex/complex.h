@@ -42,7 +42,7 @@ struct Node {
   Kind kind = Kind::joint;
   std::uint32_t rank = 0;           ///< equal exactly for equal radii; ascending, without gaps
   Point centre = {};                ///< each coordinate within some ulps of the larger one
-  double radius = 0;                ///< within some ulps
+  double radius = 0;                ///< the nearest double
   std::uint32_t vertex = kNoIndex;  ///< corner: of the region
 };
 

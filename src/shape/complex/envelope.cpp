@@ -49,6 +49,8 @@ void Envelope::insert_stretch(std::uint32_t slot, Stretch s) {
 void Envelope::compete(const Part& part, std::uint32_t slot, const Mark& low, const Mark& high) {
   const Function &f = functions_[slot], &g = functions_[part.slot];
   if (part.slot == 0 && on_edge_) return put(low, high, slot);
+  // About a vertex, 1 / radius is (1 + n.w) / h for an edge: never negative.
+  if (part.slot == 0 && order_.walks().is_edge(f.site)) return put(low, high, slot);
   const bool second = part.slot != 0 && f.site < g.site;
   const std::uint32_t i = part.slot == 0 ? f.site : second ? f.site : g.site;
   const std::uint32_t j = part.slot == 0 ? kNoIndex : second ? g.site : f.site;

@@ -9,6 +9,7 @@
 #pragma once
 
 #include <array>
+#include <optional>
 #include <type_traits>
 
 #include "exact/big.h"
@@ -151,6 +152,27 @@ class Formulas {
     const Vec<Z> e = turned(s, vector(j));
     return half_angle(mirrored(q, right_of(e)), sqrt(T(Z(dot(e, e)))) * T(Z(dot(q, q))));
   }
+  /// About a vertex: a vector in the direction of a mark, where that has one without roots.
+  std::optional<Vec<Z>> direction(const Section& s, const Mark& m) const {
+    const std::uint32_t v = walks_.ends[s.site].a;
+    switch (m.kind) {
+      case Mark::Kind::start:
+      case Mark::Kind::end: {
+        if (walks_.is_isolated(s.site)) return std::nullopt;
+        const SiteEnds& ends = walks_.ends[s.site];
+        return right_of(turned(s, vector(m.kind == Mark::Kind::start ? ends.prev : ends.next)));
+      }
+      case Mark::Kind::tangent: {
+        const SiteEnds& ends = walks_.ends[m.i];
+        return mirrored(turned(s, between(v, m.root == 0 ? ends.a : ends.b)), right_of(turned(s, vector(m.i))));
+      }
+      case Mark::Kind::toward:
+      case Mark::Kind::away:
+        return toward_vector(s, m.i, m.kind == Mark::Kind::away);
+      default:
+        return std::nullopt;
+    }
+  }
   /// q.q times the mirror image of m in the line perpendicular to q.
   static Vec<Z> mirrored(const Vec<Z>& q, const Vec<Z>& m) {
     const Z qq = dot(q, q), qm = Z(dot(q, m) * Z(2));
@@ -206,9 +228,13 @@ class Formulas {
 
   T toward(const Section& s, std::uint32_t j, bool away) const {
     if (walks_.is_edge(s.site)) return T(local(frame(s.site), walks_.ends[j].a).x);
-    Vec<Z> d = turned(s, walks_.is_edge(j) ? right_of(vector(j)) : between(walks_.ends[s.site].a, walks_.ends[j].a));
-    if (walks_.is_edge(j) != away) d = {Z(-d.x), Z(-d.y)};
+    const Vec<Z> d = toward_vector(s, j, away);
     return half_angle(d, sqrt(T(Z(dot(d, d)))));
+  }
+  Vec<Z> toward_vector(const Section& s, std::uint32_t j, bool away) const {
+    const Vec<Z> d =
+        turned(s, walks_.is_edge(j) ? right_of(vector(j)) : between(walks_.ends[s.site].a, walks_.ends[j].a));
+    return walks_.is_edge(j) != away ? Vec<Z>{Z(-d.x), Z(-d.y)} : d;
   }
 
   /// Root 0 is the smaller one.

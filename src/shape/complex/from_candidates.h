@@ -10,5 +10,7 @@ namespace dymsum::shape {
 /// The same complex whatever the guess: it is completed, certified, and where that fails replaced by all pairs, as
 /// where there is none.
 Complex complex_from(Walks walks, std::optional<Candidates> guess, int threads);
+/// The same from rough candidates, if these are good, or else from better ones.
+Complex complex_from_rough(Walks walks, int threads);
 
 }  // namespace dymsum::shape

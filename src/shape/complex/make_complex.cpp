@@ -21,9 +21,10 @@ Candidates all_pairs(const Walks& walks) {
 }
 
 /// Matched cells, or nothing where the certificate fails.
-std::optional<Cells> certified_cells(Order& order, Candidates candidates, int threads, Work& work) {
+std::optional<Cells> certified_cells(Order& order, Candidates candidates, int threads, SiteRows::Guess kind,
+                                     Work& work) {
   SiteRows rows(order.walks(), std::move(candidates), threads);
-  rows.close();
+  if (!rows.close(kind)) return std::nullopt;
   const bool closes = rows.closes_at_infinity();
   work.candidates = rows.work.candidates;
   work.closing_rounds = rows.work.closing_rounds;
@@ -65,24 +66,45 @@ std::optional<Error> too_large(const Complex& c) {
 
 }  // namespace
 
-Complex complex_from(Walks walks, std::optional<Candidates> guess, int threads) {
+namespace {
+
+/// One complex from guesses, the best one last.
+Complex complex_of(Walks walks, int threads, std::optional<Candidates> guess, bool guess_is_rough) {
   auto exact = std::make_shared<ExactComplex>();
   exact->walks = std::move(walks);
   Work work;
-  work.certified = guess.has_value();
-  if (exact->walks.sites.empty()) return ranked({}, std::move(exact), work);
-  Order order(exact->walks);
-  std::optional<Cells> cells;
-  if (guess) {
-    cells = certified_cells(order, *std::move(guess), threads, work);
-    work.certified = cells.has_value();
+  if (exact->walks.sites.empty()) {
+    work.certified = guess.has_value();
+    return ranked({}, std::move(exact), work);
   }
-  if (!cells) cells = certified_cells(order, all_pairs(exact->walks), threads, work);
+  Order order(exact->walks);
+  const auto cells_from = [&](Candidates candidates, SiteRows::Guess kind) {
+    return certified_cells(order, std::move(candidates), threads, kind, work);
+  };
+  std::optional<Cells> cells;
+  if (guess_is_rough) {
+    if (guess) cells = cells_from(*std::move(guess), SiteRows::Guess::rough);
+    if (!cells) guess = candidates_of(exact->walks);
+  }
+  if (!cells && guess) cells = cells_from(*std::move(guess), SiteRows::Guess::good);
+  work.certified = cells.has_value();
+  if (!cells) cells = cells_from(all_pairs(exact->walks), SiteRows::Guess::good);
   if (!cells) throw std::logic_error("the cells of a complex do not match");
   Graph graph = assemble(order, *cells);
   work.filtered += order.counts.filtered;
   work.exact += order.counts.exact;
   return ranked(std::move(graph), std::move(exact), work);
+}
+
+}  // namespace
+
+Complex complex_from(Walks walks, std::optional<Candidates> guess, int threads) {
+  return complex_of(std::move(walks), threads, std::move(guess), false);
+}
+
+Complex complex_from_rough(Walks walks, int threads) {
+  std::optional<Candidates> guess = walks.sites.empty() ? Candidates{} : rough_candidates_of(walks);
+  return complex_of(std::move(walks), threads, std::move(guess), true);
 }
 
 Result<Complex> make_complex(const Region& region, Side side, Engine engine, int threads) {
@@ -92,9 +114,8 @@ Result<Complex> make_complex(const Region& region, Side side, Engine engine, int
   Result<Walks> walks = make_walks(region, side);
   if (!walks) return walks.error();
   if (std::optional<Error> error = too_large(*walks)) return *std::move(error);
-  std::optional<Candidates> guess;
-  if (engine == Engine::fast) guess = walks->sites.empty() ? Candidates{} : candidates_of(*walks);
-  Complex made = complex_from(std::move(walks).value(), std::move(guess), threads);
+  Complex made = engine == Engine::fast ? complex_from_rough(std::move(walks).value(), threads)
+                                        : complex_from(std::move(walks).value(), std::nullopt, threads);
   if (std::optional<Error> error = too_large(made)) return *std::move(error);
   return made;
 }

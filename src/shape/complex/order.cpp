@@ -13,7 +13,17 @@ int Order::compare(const Section& s, const Mark& a, const Mark& b) {
     ++counts.filtered;
     return a.near.low() < b.near.low() ? -1 : a.near.low() > b.near.low();
   }
+  if (same_direction(s, a, b)) {
+    ++counts.exact;
+    return 0;
+  }
   return sign_beyond([&](const auto& formulas) { return formulas.value(s, a) - formulas.value(s, b); });
+}
+
+bool Order::same_direction(const Section& s, const Mark& a, const Mark& b) {
+  if (walks_.is_edge(s.site)) return false;
+  const auto v = exact_.direction(s, a), w = exact_.direction(s, b);
+  return v && w && v->x * w->y == v->y * w->x && dot(*v, *w) > 0;
 }
 
 QuadraticSigns Order::signs(const Section& s, std::uint32_t i, std::uint32_t j, const Quadratic<Interval>& near) {

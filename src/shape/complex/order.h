@@ -67,6 +67,9 @@ class Order {
   exact::FilterCounts counts;
 
  private:
+  /// Whether both marks are directions of integer vectors, and the same one: without roots.
+  bool same_direction(const Section& s, const Mark& a, const Mark& b);
+
   const Walks& walks_;
   Formulas<Interval> near_;
   Formulas<Fine> fine_;

@@ -1,9 +1,11 @@
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numeric>
 #include <optional>
 
 #include "shape/complex/assemble.h"
+#include "shape/complex/congruence.h"
 
 namespace dymsum::shape {
 namespace {
@@ -14,14 +16,22 @@ using exact::RootExpression;
 
 bool is_narrow(const Interval& v, double scale) { return !v.is_whole() && v.high() - v.low() <= scale * 0x1p-46; }
 
-/// Radii in order.
+bool is_narrow(const DiscOf<Interval>& d) {
+  const double scale = std::max(std::abs(d.x.middle()), std::abs(d.y.middle()));
+  return is_narrow(d.x, scale) && is_narrow(d.y, scale) && is_narrow(d.radius, d.radius.middle());
+}
+
+/// Discs, and their radii in order.
 class Ranking {
  public:
   Ranking(const Walks& walks, const std::vector<DiscSource>& discs, Work& work)
-      : walks_(walks), discs_(discs), work_(work), fine_(discs.size()), exact_(discs.size()) {
+      : walks_(walks), discs_(discs), work_(work), fine_(discs.size()), exact_(discs.size()), keys_(discs.size()) {
+    near_.reserve(discs.size());
     for (const DiscSource& d : discs) {
-      near_.push_back(radius_of<Interval>(walks, d));
-      if (!is_narrow(near_.back(), near_.back().middle())) near_.back() = radius_of<FineInterval>(walks, d).rounded();
+      near_.push_back(disc_of<Interval>(walks, d));
+      if (is_narrow(near_.back())) continue;
+      const DiscOf<FineInterval> fine = disc_of<FineInterval>(walks, d);
+      near_.back() = {fine.x.rounded(), fine.y.rounded(), fine.radius.rounded()};
     }
   }
 
@@ -29,26 +39,41 @@ class Ranking {
   std::vector<std::uint32_t> ranks() {
     std::vector<std::uint32_t> order(discs_.size());
     std::iota(order.begin(), order.end(), 0U);
-    std::stable_sort(order.begin(), order.end(),
-                     [&](std::uint32_t i, std::uint32_t j) { return near_[i].low() < near_[j].low(); });
+    std::stable_sort(order.begin(), order.end(), [&](std::uint32_t i, std::uint32_t j) { return low(i) < low(j); });
     std::vector<std::uint32_t> ranks(discs_.size());
     std::uint32_t rank = 0;
     for (auto first = order.begin(); first != order.end();) {
       auto last = first + 1;
-      double high = near_[*first].high();
-      while (last != order.end() && near_[*last].low() <= high) high = std::max(high, near_[*last++].high());
+      double top = high(*first);
+      while (last != order.end() && low(*last) <= top) top = std::max(top, high(*last++));
       rank = rank_cluster(first, last, rank, ranks);
       first = last;
     }
     return ranks;
   }
-  std::vector<Interval> take_near() { return std::move(near_); }
+
+  const DiscOf<Interval>& near(std::uint32_t i) const { return near_[i]; }
+  /// The double nearest to a radius.
+  double nearest_radius(std::uint32_t i) {
+    if (const std::optional<double> radius = finely(i).nearest()) {
+      const double scaled = std::ldexp(*radius, walks_.unit_exponent);
+      if (scaled == 0 || std::abs(scaled) >= std::numeric_limits<double>::min()) return scaled;
+    }
+    ++work_.exact;
+    return exact::nearest_double(exactly(i) * exact::RootExpression(std::ldexp(1.0, walks_.grid_exponent)));
+  }
 
  private:
   using Iterator = std::vector<std::uint32_t>::iterator;
+  double low(std::uint32_t i) const { return near_[i].radius.low(); }
+  double high(std::uint32_t i) const { return near_[i].radius.high(); }
 
   /// Radii whose intervals hang together: classes of equal ones, found by halving.
   std::uint32_t rank_cluster(Iterator first, Iterator last, std::uint32_t rank, std::vector<std::uint32_t>& ranks) {
+    if (last - first == 1) {
+      ranks[*first] = rank;
+      return rank + 1;
+    }
     std::vector<std::vector<std::uint32_t>> classes;
     for (; first != last; ++first) {
       std::size_t low = 0, high = classes.size();
@@ -72,16 +97,21 @@ class Ranking {
   }
 
   int compare(std::uint32_t i, std::uint32_t j) {
-    if (near_[i].high() < near_[j].low()) return -1;
-    if (near_[i].low() > near_[j].high()) return 1;
-    if (near_[i].is_point() && near_[j].is_point()) return 0;
+    if (high(i) < low(j)) return -1;
+    if (low(i) > high(j)) return 1;
+    if (near_[i].radius.is_point() && near_[j].radius.is_point()) return 0;
     if (const std::optional<int> sign = sign_of(finely(i) - finely(j))) return *sign;
+    if (!key(i).empty() && key(i) == key(j)) return 0;
     ++work_.exact;
     return exact::compare(exactly(i), exactly(j));
   }
   const FineInterval& finely(std::uint32_t i) {
     if (!fine_[i]) fine_[i] = radius_of<FineInterval>(walks_, discs_[i]);
     return *fine_[i];
+  }
+  const std::vector<exact::BigInteger>& key(std::uint32_t i) {
+    if (!keys_[i]) keys_[i] = congruence_key(walks_, discs_[i]);
+    return *keys_[i];
   }
   const RootExpression& exactly(std::uint32_t i) {
     if (!exact_[i]) exact_[i] = radius_of<RootExpression>(walks_, discs_[i]);
@@ -91,33 +121,34 @@ class Ranking {
   const Walks& walks_;
   const std::vector<DiscSource>& discs_;
   Work& work_;
-  std::vector<Interval> near_;
+  std::vector<DiscOf<Interval>> near_;
   std::vector<std::optional<FineInterval>> fine_;
   std::vector<std::optional<RootExpression>> exact_;
+  std::vector<std::optional<std::vector<exact::BigInteger>>> keys_;
 };
 
-bool is_narrow(const DiscOf<Interval>& d) {
-  const double scale = std::max(std::abs(d.x.middle()), std::abs(d.y.middle()));
-  return is_narrow(d.x, scale) && is_narrow(d.y, scale) && is_narrow(d.radius, d.radius.middle());
-}
-
-/// Centre and radius as doubles.
-void round_disc(const Walks& walks, const DiscSource& source, Node& node) {
-  DiscOf<Interval> near = disc_of<Interval>(walks, source);
-  if (!is_narrow(near)) {
-    const DiscOf<FineInterval> fine = disc_of<FineInterval>(walks, source);
-    near = {fine.x.rounded(), fine.y.rounded(), fine.radius.rounded()};
-  }
+/// The centre as doubles.
+Point rounded_centre(const Walks& walks, const DiscSource& source, const DiscOf<Interval>& near) {
   if (is_narrow(near)) {
     const int e = walks.unit_exponent;
-    node.centre = {std::ldexp(near.x.middle(), e), std::ldexp(near.y.middle(), e)};
-    node.radius = std::ldexp(near.radius.middle(), e);
-    return;
+    return {std::ldexp(near.x.middle(), e), std::ldexp(near.y.middle(), e)};
   }
   const DiscOf<RootExpression> disc = disc_of<RootExpression>(walks, source);
   const RootExpression unit(std::ldexp(1.0, walks.grid_exponent));
-  node.centre = {exact::nearest_double(disc.x * unit), exact::nearest_double(disc.y * unit)};
-  node.radius = exact::nearest_double(disc.radius * unit);
+  return {exact::nearest_double(disc.x * unit), exact::nearest_double(disc.y * unit)};
+}
+
+/// Ranks, centres and radii: equal ones are rounded once.
+void fill_in(Graph& graph, const Walks& walks, Ranking& ranking) {
+  const std::vector<std::uint32_t> ranks = ranking.ranks();
+  std::vector<double> radius(graph.nodes.size(), -1);
+  for (std::uint32_t n = 0; n < graph.nodes.size(); ++n) {
+    Node& node = graph.nodes[n];
+    node.rank = ranks[n];
+    node.centre = rounded_centre(walks, graph.discs[n], ranking.near(n));
+    if (radius[node.rank] < 0) radius[node.rank] = ranking.nearest_radius(n);
+    node.radius = radius[node.rank];
+  }
 }
 
 template <class V>
@@ -133,16 +164,15 @@ void permute(V& list, const std::vector<std::uint32_t>& order) {
 Complex ranked(Graph graph, std::shared_ptr<ExactComplex> exact, Work work) {
   const Walks& walks = exact->walks;
   Ranking ranking(walks, graph.discs, work);
-  const std::vector<std::uint32_t> ranks = ranking.ranks();
-  for (std::uint32_t n = 0; n < graph.nodes.size(); ++n) {
-    graph.nodes[n].rank = ranks[n];
-    round_disc(walks, graph.discs[n], graph.nodes[n]);
-  }
-  std::vector<std::uint32_t> order(ranks.size()), place(ranks.size());
+  fill_in(graph, walks, ranking);
+  std::vector<std::uint32_t> order(graph.nodes.size()), place(order.size());
   std::iota(order.begin(), order.end(), 0U);
-  std::stable_sort(order.begin(), order.end(), [&](std::uint32_t i, std::uint32_t j) { return ranks[i] < ranks[j]; });
-  for (std::uint32_t i = 0; i < order.size(); ++i) place[order[i]] = i;
-  exact->radii = ranking.take_near();
+  std::stable_sort(order.begin(), order.end(),
+                   [&](std::uint32_t i, std::uint32_t j) { return graph.nodes[i].rank < graph.nodes[j].rank; });
+  for (std::uint32_t i = 0; i < order.size(); ++i) {
+    place[order[i]] = i;
+    exact->radii.push_back(ranking.near(i).radius);
+  }
   permute(graph.nodes, order);
   permute(graph.discs, order);
   permute(graph.contacts, order);

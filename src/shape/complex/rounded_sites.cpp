@@ -7,15 +7,13 @@
 namespace dymsum::shape {
 namespace {
 
-constexpr int kBits = 30;
-
 int turn(const RoundedPoint& a, const RoundedPoint& b, const RoundedPoint& c) {
   const std::int64_t left = (std::int64_t{b.x} - a.x) * (std::int64_t{c.y} - a.y);
   const std::int64_t right = (std::int64_t{b.y} - a.y) * (std::int64_t{c.x} - a.x);
   return (left > right) - (left < right);
 }
 // 31 bits a difference, 62 a product.
-static_assert(2 * (kBits + 1) <= 63);
+static_assert(2 * (kMostBits + 1) <= 63);
 
 bool within(const RoundedSegment& s, const RoundedPoint& p) {
   return s.a <= p && p <= s.b && std::min(s.a.y, s.b.y) <= p.y && p.y <= std::max(s.a.y, s.b.y) &&
@@ -31,8 +29,9 @@ bool clash(const RoundedSegment& s, const RoundedSegment& t) {
 
 }  // namespace
 
-RoundedSites round_sites(const Walks& walks) {
+RoundedSites round_sites(const Walks& walks, int bits) {
   RoundedSites out;
+  out.bits = bits;
   out.lossless = true;
   Point low{INFINITY, INFINITY}, high{-INFINITY, -INFINITY};
   for (const BoundaryPoint& p : walks.points) {
@@ -41,7 +40,7 @@ RoundedSites round_sites(const Walks& walks) {
   }
   const Point middle{low.x / 2 + high.x / 2, low.y / 2 + high.y / 2};
   const double reach = std::max(high.x / 2 - low.x / 2, high.y / 2 - low.y / 2);
-  const int shift = reach > 0 ? kBits - 1 - std::ilogb(reach) - 1 : 0;
+  const int shift = reach > 0 ? bits - 1 - std::ilogb(reach) - 1 : 0;
   const auto round = [&](double v, double from) {
     const double scaled = std::ldexp(v - from, shift), whole = std::nearbyint(scaled);
     out.lossless = out.lossless && whole == scaled && std::ldexp(scaled, -shift) + from == v;
@@ -66,7 +65,7 @@ bool is_planar(const RoundedSites& sites) {
   const std::vector<RoundedSegment>& list = sites.segments;
   if (list.empty()) return true;
   const auto count = static_cast<std::int64_t>(std::sqrt(static_cast<double>(list.size()))) + 1;
-  const std::int64_t extent = std::int64_t{1} << (kBits + 1);
+  const std::int64_t extent = std::int64_t{1} << (sites.bits + 1);
   const auto cell = [&](std::int64_t v) { return (v + extent / 2) * count / (extent + 1); };
   std::vector<std::vector<std::uint32_t>> cells(static_cast<std::size_t>(count * count));
   for (std::uint32_t i = 0; i < list.size(); ++i) {

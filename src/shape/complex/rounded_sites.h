@@ -1,4 +1,4 @@
-// Sites with coordinates of 30 bits, for a diagram that needs no more than to be close.
+// Sites with coordinates of few bits, for a diagram that needs no more than to be close.
 #pragma once
 
 #include <cstdint>
@@ -22,10 +22,14 @@ struct RoundedSegment {
 struct RoundedSites {
   std::vector<RoundedPoint> points;      ///< per boundary point
   std::vector<RoundedSegment> segments;  ///< of the edges whose ends differ, in order
-  bool lossless = false;                 ///< they are the sites themselves, scaled
+  int bits = 0;
+  bool lossless = false;  ///< they are the sites themselves, scaled
 };
 
-RoundedSites round_sites(const Walks& walks);
+inline constexpr int kMostBits = 30;
+
+/// Requires: bits at most kMostBits.
+RoundedSites round_sites(const Walks& walks, int bits);
 
 /// Whether no two of the segments have more in common than an end of both, or the whole. Exact; O(n log n) in practice.
 bool is_planar(const RoundedSites& sites);

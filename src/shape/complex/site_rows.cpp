@@ -38,18 +38,22 @@ SiteRows::SiteRows(const Walks& walks, Candidates candidates, int threads)
   rows_.resize(sections_.size());
 }
 
-void SiteRows::close() {
+bool SiteRows::close(Guess guess) {
+  constexpr std::uint64_t kRounds = 3;
   std::vector<std::uint32_t> sites(walks_.sites.size());
   std::iota(sites.begin(), sites.end(), 0U);
   while (!sites.empty()) {
     make_rows(sites);
     sites = extend();
     if (!sites.empty()) ++work.closing_rounds;
+    const bool costly = work.closing_rounds > kRounds || std::find(full_.begin(), full_.end(), 1) != full_.end();
+    if (guess == Guess::rough && costly) return false;
   }
   for (const std::vector<std::uint32_t>& list : candidates_) work.candidates += list.size();
   work.full_sites = static_cast<std::uint64_t>(std::count(full_.begin(), full_.end(), 1));
   work.filtered += order_.counts.filtered;
   work.exact += order_.counts.exact;
+  return true;
 }
 
 void SiteRows::make_rows(const std::vector<std::uint32_t>& sites) {
@@ -100,6 +104,10 @@ std::vector<std::uint32_t> SiteRows::extend() {
 
 void SiteRows::ask(std::uint32_t s, std::uint32_t j) {
   if (s == j || s == kNoIndex || j == kNoIndex) return;
+  // No disc that touches an edge inside touches its end.
+  const bool edge_and_end =
+      walks_.is_edge(s) != walks_.is_edge(j) && (walks_.ends[s].next == j || walks_.ends[s].prev == j);
+  if (edge_and_end) return;
   const std::vector<std::uint32_t>& list = candidates_[s];
   if (!std::binary_search(list.begin(), list.end(), j)) asked_.emplace_back(s, j);
 }

@@ -16,7 +16,9 @@ class SiteRows {
 
   /// Envelopes, and again with what their breakpoints name, until these name nothing new. Where an envelope jumps at
   /// the end of a site, that site's neighbours in the walk become candidates, then all sites.
-  void close();
+  /// A rough guess is given up where it wants many rounds or all sites: then false, and nothing is complete.
+  enum class Guess : std::uint8_t { good, rough };
+  bool close(Guess guess);
 
   const std::vector<Section>& sections() const { return sections_; }
   /// Per section.
@@ -44,7 +46,7 @@ class SiteRows {
   std::vector<std::uint32_t> first_section_;  // per site, and one more
   std::vector<std::vector<Piece>> rows_;
   std::vector<std::pair<std::uint32_t, std::uint32_t>> asked_;
-  std::vector<std::uint8_t> full_;
+  std::vector<std::uint8_t> full_;  // per site: all others are candidates, or would have to be
 };
 
 }  // namespace dymsum::shape

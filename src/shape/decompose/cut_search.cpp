@@ -1,212 +1,205 @@
 #include "shape/decompose/cut_search.h"
 
 #include <algorithm>
-#include <cmath>
+#include <limits>
+#include <map>
 #include <optional>
+#include <stdexcept>
+#include <tuple>
 #include <utility>
 
-#include "exact/rounding_bound.h"
+#include "exact/orient.h"
+#include "shape/decompose/cut_links.h"
+#include "shape/decompose/passages.h"
+#include "shape/decompose/wall_set.h"
 
 namespace dymsum::shape {
 namespace {
 
-struct Obstacle {
-  RationalPoint a, b;
-  double x0, y0, x1, y1;  ///< a box around it
-  Cut::End kind;          ///< edge or cut
-  std::uint32_t index;    ///< of the edge or cut
+struct Candidate {
+  std::uint32_t vertex, wall;
+  Nearest end;
 };
 
-Rational cross(const RationalPoint& a, const RationalPoint& b, const RationalPoint& c, const RationalPoint& d) {
-  return (b.x - a.x) * (d.y - c.y) - (b.y - a.y) * (d.x - c.x);
-}
-Rational dot(const RationalPoint& a, const RationalPoint& b, const RationalPoint& c, const RationalPoint& d) {
-  return (b.x - a.x) * (d.x - c.x) + (b.y - a.y) * (d.y - c.y);
-}
-
-/// No more than the square of the distance of p from the obstacle: a difference, a square, a sum and the factor round
-/// less than 2^12 times, and what underflows is less than kUnderflow.
-double least_square(const Obstacle& o, Point p) {
-  const double dx = std::max({0.0, o.x0 - p.x, p.x - o.x1}), dy = std::max({0.0, o.y0 - p.y, p.y - o.y1});
-  return (dx * dx + dy * dy) * exact::kInwards - exact::kUnderflow;
+/// Of ends equally far: on the boundary before cuts, then by index.
+bool ends_before(const Wall& a, const Wall& b) {
+  if (a.kind != b.kind) return a.kind == Cut::End::edge;
+  return a.index < b.index;
 }
 
-/// No less than a number that is not negative.
-double at_least(const Rational& v) { return std::nextafter(v.to_double(), INFINITY); }
+/// What tells bars that count exactly as much.
+using Worth = std::tuple<std::uint32_t, std::optional<std::uint32_t>, double>;
+Worth worth_of(const FeatureBar& bar) { return {bar.birth, bar.death, bar.concavity}; }
 
-struct Found {
-  Rational square, t;
-  RationalPoint at;
-  const Obstacle* obstacle;
-};
+std::vector<Wall> walls_of(const RingTable& table) {
+  std::vector<Wall> walls;
+  for (std::uint32_t v = 0; v < table.at.size(); ++v)
+    walls.push_back(edge_wall(table.at[v], table.at[table.next[v]], v, table.ring[v]));
+  return walls;
+}
 
-/// Directions that resolve the notch at m: not to the right of m -> next, not to the left of m -> previous.
-struct Notch {
-  RationalPoint m, previous, next;
-
-  bool admits(const RationalPoint& p) const {
-    return cross(m, next, m, p).sign() >= 0 && cross(m, previous, m, p).sign() <= 0;
-  }
-  /// The part of a segment in the cone: {first, last} in [0, 1], nothing where it does not meet it.
-  std::optional<std::pair<Rational, Rational>> clip(const Obstacle& o) const {
-    Rational first(0), last(1);
-    const std::pair<Rational, Rational> sides[] = {{cross(m, next, m, o.a), cross(m, next, m, o.b)},
-                                                   {-cross(m, previous, m, o.a), -cross(m, previous, m, o.b)}};
-    for (const auto& [at_a, at_b] : sides) {
-      if (at_a.sign() < 0 && at_b.sign() < 0) return std::nullopt;
-      if (at_a.sign() < 0) first = std::max(first, at_a / (at_a - at_b));
-      if (at_b.sign() < 0) last = std::min(last, at_a / (at_a - at_b));
+/// Vertices of the convex hull without those in its edges, by index.
+std::vector<std::uint32_t> hull_vertices(const RingTable& table, const std::vector<std::uint32_t>& rings) {
+  std::vector<std::uint32_t> all, hull;
+  for (const std::uint32_t r : rings)
+    for (std::uint32_t v = table.first[r]; v < table.first[r + 1]; ++v) all.push_back(v);
+  std::sort(all.begin(), all.end(), [&](std::uint32_t a, std::uint32_t b) {
+    return std::pair(table.at[a].x, table.at[a].y) < std::pair(table.at[b].x, table.at[b].y);
+  });
+  for (const int pass : {0, 1}) {  // the lower chain, the upper one
+    const std::size_t base = hull.size();
+    for (const std::uint32_t v : all) {
+      while (hull.size() >= base + 2 &&
+             exact::orient_sign(table.at[hull[hull.size() - 2]], table.at[hull.back()], table.at[v]) <= 0)
+        hull.pop_back();
+      hull.push_back(v);
     }
-    if (last < first) return std::nullopt;
-    return std::pair{first, last};
+    hull.pop_back();
+    if (pass == 0) std::reverse(all.begin(), all.end());
   }
-  std::optional<Found> nearest(const Obstacle& o) const {
-    const auto part = clip(o);
-    if (!part) return std::nullopt;
-    Rational t = dot(o.a, o.b, o.a, m) / dot(o.a, o.b, o.a, o.b);
-    t = std::min(std::max(t, part->first), part->second);
-    const RationalPoint at{o.a.x + t * (o.b.x - o.a.x), o.a.y + t * (o.b.y - o.a.y)};
-    Rational square = dot(m, at, m, at);
-    if (square.sign() == 0) return std::nullopt;  // it touches m itself
-    return Found{std::move(square), std::move(t), at, &o};
-  }
-};
-
-Obstacle obstacle(RationalPoint a, RationalPoint b, Cut::End kind, std::uint32_t index) {
-  const double ax = a.x.to_double(), ay = a.y.to_double(), bx = b.x.to_double(), by = b.y.to_double();
-  // The exact number lies between the neighbours of the double nearest to it.
-  const auto below = [](double v) { return std::nextafter(v, -INFINITY); };
-  const auto above = [](double v) { return std::nextafter(v, INFINITY); };
-  return {std::move(a),
-          std::move(b),
-          below(std::min(ax, bx)),
-          below(std::min(ay, by)),
-          above(std::max(ax, bx)),
-          above(std::max(ay, by)),
-          kind,
-          index};
+  std::sort(hull.begin(), hull.end());
+  return hull;
 }
 
 class CutSearch {
  public:
-  explicit CutSearch(const RingTable& table) : table_(table) {
-    for (std::uint32_t v = 0; v < table.at.size(); ++v)
-      edges_.push_back(
-          obstacle(rational_point(table.at[v]), rational_point(table.at[table.next[v]]), Cut::End::edge, v));
+  CutSearch(const RingTable& table, const std::vector<FeatureBar>& bars, const std::vector<std::uint32_t>& order)
+      : table_(table), bars_(bars), order_(order), walls_(walls_of(table)), links_(table), touching_(table.at.size()) {
+    for (const bool hole : table.is_hole) stands_.push_back(!hole);
+    std::vector<bool> seen(stands_);
+    for (const std::uint32_t b : order)
+      if (bars[b].minimum && !seen[table.ring[*bars[b].minimum]]) {
+        seen[table.ring[*bars[b].minimum]] = true;
+        first_of_[worth_of(bars[b])].push_back(table.ring[*bars[b].minimum]);
+      }
   }
 
-  std::vector<Cut> run(const std::vector<FeatureBar>& bars, const std::vector<std::uint32_t>& order) {
-    const std::vector<std::uint32_t> leading = leading_bars(bars, order);
+  std::vector<PlacedCut> run(const planar::Poll& poll) {
     std::vector<bool> done(table_.at.size(), false);
-    for (std::size_t k = 0; k < order.size(); ++k) {
-      const FeatureBar& bar = bars[order[k]];
+    for (std::size_t k = 0; k < order_.size(); ++k) {
+      poll.at_test(k, order_.size());
+      const FeatureBar& bar = bars_[order_[k]];
+      if (k == 0 || worth_of(bar) != worth_of(bars_[order_[k - 1]])) {
+        add_partners(poll);
+        if (const auto found = first_of_.find(worth_of(bar)); found != first_of_.end())
+          for (const std::uint32_t ring : found->second) stands_[ring] = true;
+      }
       if (!bar.minimum || done[*bar.minimum]) continue;
       done[*bar.minimum] = true;
-      const auto stands = [&](std::uint32_t ring) {  // outer rings, and holes as significant as the bar
-        if (!table_.is_hole[ring]) return true;
-        if (leading[ring] == order.size()) return false;
-        const FeatureBar& other = bars[order[leading[ring]]];
-        return leading[ring] <= k ||
-               (other.birth == bar.birth && other.death == bar.death && other.concavity == bar.concavity);
-      };
-      cut_at(*bar.minimum, order[k], stands);
+      if (const std::optional<Candidate> found = nearest_end(*bar.minimum)) add(*found, order_[k], false);
     }
+    add_partners(poll);
     return std::move(cuts_);
   }
 
  private:
-  /// Ring -> place in the order of the longest bar of a hole's tracks.
-  std::vector<std::uint32_t> leading_bars(const std::vector<FeatureBar>& bars,
-                                          const std::vector<std::uint32_t>& order) const {
-    std::vector<std::uint32_t> leading(table_.is_hole.size(), std::uint32_t(order.size()));
-    for (std::size_t k = order.size(); k-- > 0;)
-      if (bars[order[k]].minimum) leading[table_.ring[*bars[order[k]].minimum]] = std::uint32_t(k);
-    return leading;
+  Notch notch_at(std::uint32_t v) const {
+    return {table_.at[v], table_.at[table_.previous[v]], table_.at[table_.next[v]]};
   }
 
-  bool resolved(const Notch& notch) const {
-    for (const Obstacle& cut : made_) {
-      if (cross(cut.a, cut.b, cut.a, notch.m).sign() != 0) continue;
-      const Rational along = dot(cut.a, cut.b, cut.a, notch.m);
-      if (along.sign() < 0 || along > dot(cut.a, cut.b, cut.a, cut.b)) continue;
-      if ((cut.a != notch.m && notch.admits(cut.a)) || (cut.b != notch.m && notch.admits(cut.b))) return true;
+  /// Whether a cut that passes v, or begins or ends there, lies in the cone.
+  bool resolved(std::uint32_t v, const Notch& notch) const {
+    return std::any_of(touching_[v].begin(), touching_[v].end(), [&](std::uint32_t c) {
+      const Cut& cut = cuts_[c].cut;
+      const bool begins = cut.vertex == v, ends = cut.end == Cut::End::vertex && cut.index == v;
+      const Wall& wall = walls_[std::uint32_t(table_.at.size()) + c];
+      return (!begins && notch.admits(wall.a)) || (!ends && notch.admits_end(wall));
+    });
+  }
+
+  bool can_end_at(const Wall& wall, std::uint32_t v) const {
+    if (table_.part[wall.ring] != table_.part[table_.ring[v]]) return false;
+    return wall.kind == Cut::End::cut || (stands_[wall.ring] && wall.index != v && table_.next[wall.index] != v);
+  }
+
+  /// The nearest place of what stands in the cone at v. Nothing where the notch is resolved.
+  std::optional<Candidate> nearest_end(std::uint32_t v) const {
+    const Notch notch = notch_at(v);
+    if (resolved(v, notch)) return std::nullopt;
+    double most = std::numeric_limits<double>::infinity();
+    std::vector<std::pair<double, std::uint32_t>> near;
+    walls_.near(notch, most, [&](std::uint32_t w) {
+      if (!can_end_at(walls_[w], v)) return;
+      const Notch::Estimate estimate = notch.estimate(walls_[w]);
+      if (estimate.none || estimate.square.low() > most) return;
+      near.emplace_back(estimate.square.low(), w);
+      if (estimate.sure) most = std::min(most, estimate.square.high());
+    });
+    std::optional<Candidate> best;
+    for (const auto& [least, w] : near) {
+      if (least > most) continue;
+      std::optional<Nearest> found = notch.nearest(walls_[w]);
+      if (!found) continue;
+      if (!best || found->square < best->end.square ||
+          (found->square == best->end.square && ends_before(walls_[w], walls_[best->wall])))
+        best = Candidate{v, w, *std::move(found)};
     }
-    return false;
+    return best;
   }
 
-  template <class Stands>
-  void cut_at(std::uint32_t v, std::uint32_t bar, const Stands& stands) {
-    const Notch notch{rational_point(table_.at[v]), rational_point(table_.at[table_.previous[v]]),
-                      rational_point(table_.at[table_.next[v]])};
-    if (resolved(notch)) return;
-    std::vector<std::pair<double, const Obstacle*>> near;
-    for (std::uint32_t e = 0; e < edges_.size(); ++e)
-      if (e != v && table_.next[e] != v && stands(table_.ring[e]))
-        near.emplace_back(least_square(edges_[e], table_.at[v]), &edges_[e]);
-    for (const Obstacle& cut : made_) near.emplace_back(least_square(cut, table_.at[v]), &cut);
-    // A heap gives the nearest boxes first; few are looked at.
-    const auto farther = [](const auto& a, const auto& b) { return a.first > b.first; };
-    std::make_heap(near.begin(), near.end(), farther);
-    std::optional<Found> best;
-    while (!near.empty()) {
-      std::pop_heap(near.begin(), near.end(), farther);
-      const auto [square, o] = near.back();
-      near.pop_back();
-      if (best && square > at_least(best->square)) break;
-      std::optional<Found> found = notch.nearest(*o);
-      if (found && (!best || found->square < best->square || (found->square == best->square && before(*found, *best))))
-        best = std::move(found);
-    }
-    if (best) add(v, bar, notch.m, *best);
-  }
-
-  /// Of ends equally far: on the boundary before cuts, then by index.
-  static bool before(const Found& a, const Found& b) {
-    if (a.obstacle->kind != b.obstacle->kind) return a.obstacle->kind == Cut::End::edge;
-    return a.obstacle->index < b.obstacle->index;
-  }
-
-  void add(std::uint32_t v, std::uint32_t bar, const RationalPoint& m, const Found& found) {
-    Cut cut{v, found.obstacle->kind, found.obstacle->index, m, found.at, bar};
-    if (cut.end == Cut::End::edge && (found.t == Rational(0) || found.t == Rational(1))) {
+  void add(const Candidate& found, std::uint32_t bar, bool partner) {
+    const Wall& wall = walls_[found.wall];
+    const auto index = std::uint32_t(cuts_.size());
+    Cut cut{found.vertex, wall.kind, wall.index, rational_point(table_.at[found.vertex]), found.end.at, bar, partner};
+    const Rational& t = found.end.t;
+    const std::uint32_t ring = table_.ring[found.vertex];
+    const CutLinks::End end{wall.kind == Cut::End::cut, wall.kind == Cut::End::cut ? wall.index : wall.ring, t};
+    if (cut.end == Cut::End::edge && (t == Rational(0) || t == Rational(1))) {
       cut.end = Cut::End::vertex;
-      cut.index = found.t == Rational(0) ? cut.index : table_.next[cut.index];
+      if (t == Rational(1)) cut.index = table_.next[cut.index];
+      touching_[cut.index].push_back(index);
     }
-    made_.push_back(obstacle(cut.from, cut.to, Cut::End::cut, std::uint32_t(cuts_.size())));
-    cuts_.push_back(std::move(cut));
+    touching_[cut.vertex].push_back(index);
+    Wall made = cut_wall(table_.at[found.vertex], cut.to, index, ring);
+    std::vector<Passage> over = passages(table_, walls_, made, stands_);
+    std::vector<CutLinks::Stop> stops;
+    for (const Passage& p : over) {
+      stops.push_back({p.on_cut, table_.ring[p.index]});
+      if (p.at_vertex) touching_[p.index].push_back(index);
+    }
+    for (const CutLinks::Stop& stop : stops) stands_[stop.node] = true;
+    links_.add(ring, std::move(stops), end);
+    cuts_.push_back({std::move(cut), t, std::move(over)});
+    walls_.add(std::move(made));
+  }
+
+  /// The shortest cut at a vertex of the hull of these rings. It leaves the hull: the cone there and the hull are
+  /// apart.
+  std::optional<Candidate> partner_of(const CutLinks::Loose& loose, const planar::Poll& poll) const {
+    std::optional<Candidate> best;
+    for (const std::uint32_t v : hull_vertices(table_, loose.rings)) {
+      poll(0);
+      std::optional<Candidate> found = nearest_end(v);
+      if (found && (!best || found->end.square < best->end.square)) best = std::move(found);
+    }
+    return best;
+  }
+
+  void add_partners(const planar::Poll& poll) {
+    while (const std::optional<CutLinks::Loose> loose = links_.first_loose()) {
+      const std::optional<Candidate> partner = partner_of(*loose, poll);
+      if (!partner) throw std::logic_error("rings that one cut connects have a second");
+      add(*partner, cuts_[loose->cut].cut.bar, true);
+    }
+    links_.close_round();
   }
 
   const RingTable& table_;
-  std::vector<Obstacle> edges_, made_;
-  std::vector<Cut> cuts_;
+  const std::vector<FeatureBar>& bars_;
+  const std::vector<std::uint32_t>& order_;
+  WallSet walls_;
+  CutLinks links_;
+  std::vector<bool> stands_;                              ///< per ring: cuts end there, and do not pass over it
+  std::map<Worth, std::vector<std::uint32_t>> first_of_;  ///< holes by the most significant of their bars
+  std::vector<std::vector<std::uint32_t>> touching_;      ///< vertex -> cuts
+  std::vector<PlacedCut> cuts_;
 };
 
 }  // namespace
 
-RationalPoint rational_point(Point p) { return {Rational::of(p.x).value(), Rational::of(p.y).value()}; }
-
-RingTable ring_table(const Region& region) {
-  RingTable table;
-  const auto add = [&](const Ring& ring, bool hole) {
-    const auto first = std::uint32_t(table.at.size()), n = std::uint32_t(ring.size());
-    for (std::uint32_t i = 0; i < n; ++i) {
-      table.at.push_back(ring[i]);
-      table.next.push_back(first + (i + 1) % n);
-      table.previous.push_back(first + (i + n - 1) % n);
-      table.ring.push_back(std::uint32_t(table.is_hole.size()));
-    }
-    table.is_hole.push_back(hole);
-  };
-  for (const Part& part : region.parts()) {
-    add(part.outer, false);
-    for (const Ring& hole : part.holes) add(hole, true);
-  }
-  return table;
-}
-
-std::vector<Cut> find_cuts(const RingTable& table, const std::vector<FeatureBar>& bars,
-                           const std::vector<std::uint32_t>& order) {
-  return CutSearch(table).run(bars, order);
+std::vector<PlacedCut> find_cuts(const RingTable& table, const std::vector<FeatureBar>& bars,
+                                 const std::vector<std::uint32_t>& order, const planar::Poll& poll) {
+  return CutSearch(table, bars, order).run(poll);
 }
 
 }  // namespace dymsum::shape

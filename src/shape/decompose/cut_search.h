@@ -4,25 +4,33 @@
 #include <cstdint>
 #include <vector>
 
+#include "base/poll.h"
 #include "dymsum/decomposition.h"
+#include "shape/decompose/ring_table.h"
 
 namespace dymsum::shape {
 
-/// The rings of a region without polylines and points, by the indices of their vertices.
-struct RingTable {
-  std::vector<Point> at;
-  std::vector<std::uint32_t> next, previous, ring;
-  std::vector<bool> is_hole;  ///< per ring
+/// Where a cut passes the boundary of a hole.
+struct Passage {
+  bool at_vertex;
+  std::uint32_t index;  ///< of the vertex or edge
+  Rational on_edge, on_cut;
+  RationalPoint at;
 };
-RingTable ring_table(const Region& region);
 
-RationalPoint rational_point(Point p);
+struct PlacedCut {
+  Cut cut;
+  Rational t;                 ///< of its end, along the edge or cut that it ends at
+  std::vector<Passage> over;  ///< in order
+};
 
-/// The cuts for the minima of these bars, in their order. O(n) steps in doubles and a few exact ones per bar.
-std::vector<Cut> find_cuts(const RingTable& table, const std::vector<FeatureBar>& bars,
-                           const std::vector<std::uint32_t>& order);
+/// The cuts for the minima of these bars, in their order, with the partners of those that would not separate anything.
+/// O(log n) steps in doubles and a few exact ones per bar in practice. Stops as the progress callback asks.
+std::vector<PlacedCut> find_cuts(const RingTable& table, const std::vector<FeatureBar>& bars,
+                                 const std::vector<std::uint32_t>& order, const planar::Poll& poll);
 
-/// The connected components of the region without the cuts. O((n + cuts) cuts).
-std::vector<Piece> pieces_between(const RingTable& table, const std::vector<Cut>& cuts);
+/// The connected components of the region without the cuts, each with simple rings. O(m log m) steps for m vertices and
+/// cuts, and for every hole that no cut touches a walk round the pieces in whose boxes it lies.
+std::vector<Piece> pieces_between(const RingTable& table, const std::vector<PlacedCut>& cuts, const planar::Poll& poll);
 
 }  // namespace dymsum::shape

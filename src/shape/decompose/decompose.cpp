@@ -1,4 +1,9 @@
 #include "dymsum/decomposition.h"
+
+#include <string>
+#include <utility>
+
+#include "base/poll.h"
 #include "shape/decompose/cut_search.h"
 
 namespace dymsum {
@@ -25,12 +30,23 @@ Result<Decomposition> decompose(const ShapeFeatures& features, const DecomposeOp
     return Error{ErrorCode::out_of_range, "persistence and diameters are at least 0", {}};
   if (options.alpha_to && *options.alpha_to < options.alpha_from)
     return Error{ErrorCode::out_of_range, "the range of diameters ends before it begins", {}};
-  const shape::RingTable table = shape::ring_table(region);
-  Decomposition result;
-  result.cuts = shape::find_cuts(table, features.bars(),
-                                 features.significant(options.persistence, options.alpha_from, options.alpha_to));
-  result.pieces = shape::pieces_between(table, result.cuts);
-  return result;
+  if (region.empty()) return Decomposition{};
+  planar::Poll poll(options.progress);
+  try {
+    poll.stage("significance");
+    const std::vector<std::uint32_t> order =
+        features.significant(options.persistence, options.alpha_from, options.alpha_to);
+    poll.stage("cuts");
+    const shape::RingTable table = shape::ring_table(region);
+    std::vector<shape::PlacedCut> cuts = shape::find_cuts(table, features.bars(), order, poll);
+    poll.stage("pieces");
+    Decomposition result{{}, shape::pieces_between(table, cuts, poll)};
+    for (shape::PlacedCut& cut : cuts) result.cuts.push_back(std::move(cut.cut));
+    poll(1);
+    return result;
+  } catch (const planar::Cancelled&) {
+    return Error{ErrorCode::cancelled, "stopped on request", {}};
+  }
 }
 
 Rational twice_area(const RationalRing& ring) {
@@ -42,21 +58,51 @@ Rational twice_area(const RationalRing& ring) {
   return sum;
 }
 
-Result<std::vector<Region>> rounded(const Decomposition& decomposition) {
-  std::vector<Region> regions;
+namespace {
+
+RegionData rounded_data(const Piece& piece) {
   const auto rounded_ring = [](const RationalRing& ring) {
     Ring result;
     for (const RationalPoint& p : ring) result.push_back({p.x.to_double(), p.y.to_double()});
     return result;
   };
+  Part part{rounded_ring(piece.outer), {}};
+  for (const RationalRing& hole : piece.holes) part.holes.push_back(rounded_ring(hole));
+  return {{std::move(part)}, {}, {}};
+}
+
+/// Of a piece that is no valid region when it is rounded: `part` is its index.
+Error changed_by_rounding(const Error& error, std::size_t piece) {
+  Evidence evidence = error.evidence;
+  evidence.part = std::int64_t(piece);
+  return {ErrorCode::rounding_changed_topology,
+          "rounded to doubles, piece " + std::to_string(piece) + " is no polygon: " + error.message, evidence};
+}
+
+}  // namespace
+
+Result<std::vector<Region>> rounded(const Decomposition& decomposition) {
+  std::vector<Region> regions;
   for (const Piece& piece : decomposition.pieces) {
-    Part part{rounded_ring(piece.outer), {}};
-    for (const RationalRing& hole : piece.holes) part.holes.push_back(rounded_ring(hole));
-    Result<Region> made = Region::create({{std::move(part)}, {}, {}});
-    if (!made) return Error{ErrorCode::rounding_changed_topology, made.error().message, made.error().evidence};
+    Result<Region> made = Region::create(rounded_data(piece));
+    if (!made) return changed_by_rounding(made.error(), regions.size());
     regions.push_back(std::move(made).value());
   }
   return regions;
+}
+
+Result<std::vector<Repaired>> rounded_with_repair(const Decomposition& decomposition) {
+  std::vector<Repaired> made;
+  for (const Piece& piece : decomposition.pieces) {
+    if (Result<Region> plain = Region::create(rounded_data(piece))) {
+      made.push_back({std::move(plain).value(), {}});
+      continue;
+    }
+    Result<Repaired> repaired = repair(rounded_data(piece));
+    if (!repaired) return changed_by_rounding(repaired.error(), made.size());
+    made.push_back(std::move(repaired).value());
+  }
+  return made;
 }
 
 }  // namespace dymsum

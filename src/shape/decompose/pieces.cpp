@@ -1,179 +1,188 @@
 #include <algorithm>
-#include <map>
-#include <set>
+#include <limits>
+#include <optional>
+#include <utility>
 
-#include "shape/decompose/cut_search.h"
+#include "shape/decompose/sections.h"
 
 namespace dymsum::shape {
 namespace {
 
-struct Less {
-  bool operator()(const RationalPoint& a, const RationalPoint& b) const { return a.x != b.x ? a.x < b.x : a.y < b.y; }
-};
+constexpr std::uint32_t kNowhere = std::numeric_limits<std::uint32_t>::max();
 
-Rational turn(const RationalPoint& a, const RationalPoint& b, const RationalPoint& c) {
-  return (b.x - a.x) * (c.y - a.y) - (b.y - a.y) * (c.x - a.x);
+using Loop = std::vector<std::uint32_t>;
+
+/// A loop that passes a point twice, as simple ones that touch there.
+std::vector<Loop> simple_loops(const Loop& loop, std::vector<std::uint32_t>& place) {
+  std::vector<Loop> made;
+  Loop open;
+  for (const std::uint32_t p : loop) {
+    if (place[p] != kNowhere) {
+      const auto first = open.begin() + place[p];
+      for (auto q = first; q != open.end(); ++q) place[*q] = kNowhere;
+      made.emplace_back(first, open.end());
+      open.erase(first, open.end());
+    }
+    place[p] = std::uint32_t(open.size());
+    open.push_back(p);
+  }
+  for (const std::uint32_t p : open) place[p] = kNowhere;
+  made.push_back(std::move(open));
+  return made;
 }
 
-/// Whether p lies on the closed segment.
-bool on(const RationalPoint& a, const RationalPoint& b, const RationalPoint& p) {
-  return turn(a, b, p).sign() == 0 && std::min(a.x, b.x) <= p.x && p.x <= std::max(a.x, b.x) &&
-         std::min(a.y, b.y) <= p.y && p.y <= std::max(a.y, b.y);
-}
-
-/// Whether a ray from p to the right crosses the edge.
-bool crosses_ray(const RationalPoint& a, const RationalPoint& b, const RationalPoint& p) {
-  if ((a.y > p.y) == (b.y > p.y)) return false;
-  return (turn(a, b, p).sign() > 0) == (b.y > a.y);
-}
-
-/// Counter-clockwise from the positive x direction.
-bool turns_before(const RationalPoint& at, const RationalPoint& p, const RationalPoint& q) {
-  const auto lower = [&](const RationalPoint& r) {
-    const int dy = (r.y - at.y).sign();
-    return dy < 0 || (dy == 0 && (r.x - at.x).sign() < 0);
-  };
-  if (lower(p) != lower(q)) return lower(q);
-  return turn(at, p, q).sign() > 0;
-}
-
-class Subdivision {
+class PieceMaker {
  public:
-  Subdivision(const RingTable& table, const std::vector<Cut>& cuts) {
-    for (std::uint32_t v = 0; v < table.at.size(); ++v) corners_.push_back(rational_point(table.at[v]));
-    std::vector<std::vector<RationalPoint>> on_edge(corners_.size()), on_cut(cuts.size());
-    for (std::size_t c = 0; c < cuts.size(); ++c) {
-      for (std::uint32_t e = 0; e < corners_.size(); ++e)
-        meet(table, cuts[c], e, corners_[table.next[e]], on_edge[e], on_cut[c]);
-      for (std::size_t d = 0; d < cuts.size(); ++d)
-        if (d != c && on(cuts[c].from, cuts[c].to, cuts[d].to)) on_cut[c].push_back(cuts[d].to);
+  explicit PieceMaker(const Sections& sections) : spots_(sections.spots) {}
+
+  /// Takes the simple loops of one cycle: one of them, if any, is the outer ring of a piece, the others are its holes.
+  void add_cycle(std::vector<Loop> loops) {
+    std::optional<std::size_t> outer;
+    for (std::size_t i = 0; i < loops.size(); ++i) {
+      begin_lowest(loops[i]);
+      if (is_outer(loops[i])) outer = i;
     }
-    for (std::uint32_t e = 0; e < corners_.size(); ++e)
-      add_pieces(corners_[e], corners_[table.next[e]], std::move(on_edge[e]),
-                 [&](const auto& a, const auto& b) { out_[a].push_back(b); });
-    for (std::size_t c = 0; c < cuts.size(); ++c) {
-      const bool plain = on_cut[c].size() <= 2;
-      add_pieces(cuts[c].from, cuts[c].to, std::move(on_cut[c]), [&](const auto& a, const auto& b) {
-        const RationalPoint middle{(a.x + b.x) / Rational(2), (a.y + b.y) / Rational(2)};
-        if (!plain && !inside(table, middle)) return;  // over a hole, or along its boundary
-        out_[a].push_back(b);
-        out_[b].push_back(a);
-      });
+    std::vector<Loop>* holes = &loose_;
+    if (outer) {
+      pieces_.push_back({std::move(loops[*outer]), {}});
+      holes = &pieces_.back().holes;
     }
+    for (std::size_t i = 0; i < loops.size(); ++i)
+      if (!outer || i != *outer) holes->push_back(std::move(loops[i]));
   }
 
-  std::vector<RationalRing> cycles() {
-    std::vector<RationalRing> rings;
-    std::set<std::pair<RationalPoint, RationalPoint>, LessPair> used;
-    for (const auto& [a, ends] : out_)
-      for (const RationalPoint& b : ends) {
-        RationalRing ring;
-        RationalPoint p = a, q = b;
-        while (used.insert({p, q}).second) {
-          ring.push_back(p);
-          const RationalPoint r = following(p, q);
-          p = q;
-          q = r;
-        }
-        if (!ring.empty()) rings.push_back(std::move(ring));
-      }
-    return rings;
+  std::vector<Piece> run(const planar::Poll& poll) {
+    std::vector<PlainBox> boxes;
+    if (!loose_.empty())
+      for (const LoopPiece& piece : pieces_) boxes.push_back(box_of(piece.outer));
+    for (Loop& hole : loose_) {
+      poll(0);
+      holder_of(hole.front(), boxes).holes.push_back(std::move(hole));
+    }
+    for (LoopPiece& piece : pieces_)
+      std::sort(piece.holes.begin(), piece.holes.end(), [this](const Loop& a, const Loop& b) { return before(a, b); });
+    std::sort(pieces_.begin(), pieces_.end(),
+              [this](const LoopPiece& a, const LoopPiece& b) { return before(a.outer, b.outer); });
+    std::vector<Piece> made;
+    for (const LoopPiece& piece : pieces_) {
+      made.push_back({ring_of(piece.outer), {}});
+      for (const Loop& hole : piece.holes) made.back().holes.push_back(ring_of(hole));
+    }
+    return made;
   }
 
  private:
-  struct LessPair {
-    bool operator()(const std::pair<RationalPoint, RationalPoint>& a,
-                    const std::pair<RationalPoint, RationalPoint>& b) const {
-      return a.first != b.first ? Less()(a.first, b.first) : Less()(a.second, b.second);
-    }
+  struct LoopPiece {
+    Loop outer;
+    std::vector<Loop> holes;
+  };
+  struct PlainBox {
+    double x0, x1, y0, y1;
   };
 
-  void meet(const RingTable& table, const Cut& cut, std::uint32_t e, const RationalPoint& b,
-            std::vector<RationalPoint>& on_edge, std::vector<RationalPoint>& on_cut) const {
-    const RationalPoint& a = corners_[e];
-    const Point p = table.at[e], q = table.at[table.next[e]];
-    const double x0 = std::min(p.x, q.x), x1 = std::max(p.x, q.x), y0 = std::min(p.y, q.y), y1 = std::max(p.y, q.y);
-    // Rounding is monotone: boxes of rounded ends that are apart tell exact ones that are.
-    const double fx = cut.from.x.to_double(), tx = cut.to.x.to_double();
-    const double fy = cut.from.y.to_double(), ty = cut.to.y.to_double();
-    if (std::max(fx, tx) < x0 || std::min(fx, tx) > x1 || std::max(fy, ty) < y0 || std::min(fy, ty) > y1) return;
-    for (const RationalPoint* end : {&cut.from, &cut.to})
-      if (on(a, b, *end)) on_edge.push_back(*end), on_cut.push_back(*end);
-    for (const RationalPoint* end : {&a, &b})
-      if (on(cut.from, cut.to, *end)) on_cut.push_back(*end);
-    const Rational s = turn(a, b, cut.from), t = turn(a, b, cut.to);
-    const int u = turn(cut.from, cut.to, a).sign(), w = turn(cut.from, cut.to, b).sign();
-    if (s.sign() * t.sign() >= 0 || u * w >= 0) return;
-    const Rational k = s / (s - t);
-    const RationalPoint x{cut.from.x + k * (cut.to.x - cut.from.x), cut.from.y + k * (cut.to.y - cut.from.y)};
-    on_edge.push_back(x);
-    on_cut.push_back(x);
+  int compare(std::uint32_t p, std::uint32_t q) const {
+    if (p == q) return 0;
+    const int x = compare_x(spots_[p], spots_[q]);
+    return x != 0 ? x : compare_y(spots_[p], spots_[q]);
+  }
+  /// By their points, which are in lexicographic order.
+  bool before(const Loop& a, const Loop& b) const {
+    return std::lexicographical_compare(a.begin(), a.end(), b.begin(), b.end(),
+                                        [this](std::uint32_t p, std::uint32_t q) { return compare(p, q) < 0; });
+  }
+  void begin_lowest(Loop& loop) const {
+    const auto lowest = std::min_element(loop.begin(), loop.end(),
+                                         [this](std::uint32_t p, std::uint32_t q) { return compare(p, q) < 0; });
+    std::rotate(loop.begin(), lowest, loop.end());
+  }
+  /// Counter-clockwise. The loop turns at its lowest point as it does as a whole, or not at all.
+  bool is_outer(const Loop& loop) const {
+    const Spot &before = spots_[loop.back()], &at = spots_[loop.front()], &after = spots_[loop[1]];
+    return turn_sign(before, at, after) > 0;
+  }
+  RationalRing ring_of(const Loop& loop) const {
+    RationalRing ring;
+    for (const std::uint32_t p : loop) ring.push_back(spots_[p].at);
+    return ring;
   }
 
-  template <class Add>
-  static void add_pieces(const RationalPoint& a, const RationalPoint& b, std::vector<RationalPoint> between,
-                         const Add& add) {
-    between.push_back(a);
-    between.push_back(b);
-    std::sort(between.begin(), between.end(), Less());
-    between.erase(std::unique(between.begin(), between.end()), between.end());
-    if (!Less()(a, b)) std::reverse(between.begin(), between.end());
-    for (std::size_t i = 0; i + 1 < between.size(); ++i) add(between[i], between[i + 1]);
+  PlainBox box_of(const Loop& loop) const {
+    const Spot& first = spots_[loop.front()];
+    PlainBox box{first.x.low(), first.x.high(), first.y.low(), first.y.high()};
+    for (const std::uint32_t p : loop) {
+      const Spot& s = spots_[p];
+      box = {std::min(box.x0, s.x.low()), std::max(box.x1, s.x.high()), std::min(box.y0, s.y.low()),
+             std::max(box.y1, s.y.high())};
+    }
+    return box;
   }
-
-  bool inside(const RingTable& table, const RationalPoint& p) const {
+  /// Whether a ray from p to the left crosses the loop an odd number of times.
+  bool contains(const Loop& loop, std::uint32_t p) const {
     bool odd = false;
-    for (std::uint32_t e = 0; e < corners_.size(); ++e) {
-      if (on(corners_[e], corners_[table.next[e]], p)) return false;
-      odd = odd != crosses_ray(corners_[e], corners_[table.next[e]], p);
+    for (std::size_t i = 0; i < loop.size(); ++i) {
+      const Spot &a = spots_[loop[i]], &b = spots_[loop[i + 1 == loop.size() ? 0 : i + 1]];
+      if ((a.x.low() > spots_[p].x.high() && b.x.low() > spots_[p].x.high()) ||
+          (a.y.high() < spots_[p].y.low() && b.y.high() < spots_[p].y.low()) ||
+          (a.y.low() > spots_[p].y.high() && b.y.low() > spots_[p].y.high()))
+        continue;
+      const bool up = compare_y(a, spots_[p]) <= 0;
+      if (up != (compare_y(b, spots_[p]) > 0)) continue;
+      if (turn_sign(a, b, spots_[p]) == (up ? -1 : 1)) odd = !odd;
     }
     return odd;
   }
-
-  /// The way on from p -> q with the piece on the left: the last direction before that back to p.
-  RationalPoint following(const RationalPoint& p, const RationalPoint& q) const {
-    const std::vector<RationalPoint>& ends = out_.at(q);
-    if (ends.size() == 1) return ends.front();
-    const RationalPoint *below = nullptr, *last = nullptr;
-    for (const RationalPoint& r : ends) {
-      if (turns_before(q, r, p) && (below == nullptr || turns_before(q, *below, r))) below = &r;
-      if (last == nullptr || turns_before(q, *last, r)) last = &r;
+  bool smaller(const Loop& a, const Loop& b) const {
+    const auto wide_area = [this](const Loop& loop) {
+      exact::Interval sum;
+      const Spot& o = spots_[loop.front()];
+      for (std::size_t i = 1; i + 1 < loop.size(); ++i) {
+        const Spot &p = spots_[loop[i]], &q = spots_[loop[i + 1]];
+        sum += (p.x - o.x) * (q.y - o.y) - (q.x - o.x) * (p.y - o.y);
+      }
+      return sum;
+    };
+    if (const std::optional<int> sign = sign_of(wide_area(a) - wide_area(b))) return *sign < 0;
+    return twice_area(ring_of(a)) < twice_area(ring_of(b));
+  }
+  /// The piece around the lowest point of a hole: pieces that touch the hole lie to the right of it. Of pieces inside
+  /// each other the innermost, which lies in a hole of the other one.
+  LoopPiece& holder_of(std::uint32_t p, const std::vector<PlainBox>& boxes) {
+    LoopPiece* best = nullptr;
+    const Spot& at = spots_[p];
+    for (std::size_t i = 0; i < boxes.size(); ++i) {
+      const PlainBox& box = boxes[i];
+      if (at.x.high() < box.x0 || at.x.low() > box.x1 || at.y.high() < box.y0 || at.y.low() > box.y1) continue;
+      if (!contains(pieces_[i].outer, p)) continue;
+      if (best == nullptr || smaller(pieces_[i].outer, best->outer)) best = &pieces_[i];
     }
-    return below != nullptr ? *below : *last;
+    return *best;
   }
 
-  std::vector<RationalPoint> corners_;
-  std::map<RationalPoint, std::vector<RationalPoint>, Less> out_;
+  const std::vector<Spot>& spots_;
+  std::vector<LoopPiece> pieces_;
+  std::vector<Loop> loose_;  ///< holes of cycles without an outer ring
 };
-
-bool contains(const RationalRing& ring, const RationalPoint& p) {
-  bool odd = false;
-  for (std::size_t i = 0; i < ring.size(); ++i) odd = odd != crosses_ray(ring[i], ring[(i + 1) % ring.size()], p);
-  return odd;
-}
 
 }  // namespace
 
-std::vector<Piece> pieces_between(const RingTable& table, const std::vector<Cut>& cuts) {
-  std::vector<Piece> pieces;
-  std::vector<Rational> areas;
-  std::vector<RationalRing> holes;
-  for (RationalRing& ring : Subdivision(table, cuts).cycles()) {
-    Rational area = twice_area(ring);
-    if (area.sign() < 0) {
-      holes.push_back(std::move(ring));
-      continue;
+std::vector<Piece> pieces_between(const RingTable& table, const std::vector<PlacedCut>& cuts,
+                                  const planar::Poll& poll) {
+  const Sections sections = make_sections(table, cuts);
+  const std::vector<std::uint32_t> next = following(sections);
+  std::vector<bool> used(next.size(), false);
+  std::vector<std::uint32_t> place(sections.spots.size(), kNowhere);
+  PieceMaker pieces(sections);
+  for (std::uint32_t h = 0; h < next.size(); ++h) {
+    poll.at(h, next.size());
+    if (used[h] || (h % 2 == 1 && sections.all[h / 2].wall < sections.edges)) continue;
+    Loop loop;
+    for (std::uint32_t g = h; !used[g]; g = next[g]) {
+      used[g] = true;
+      loop.push_back(g % 2 == 0 ? sections.all[g / 2].from : sections.all[g / 2].to);
     }
-    areas.push_back(std::move(area));
-    pieces.push_back({std::move(ring), {}});
+    pieces.add_cycle(simple_loops(loop, place));
   }
-  for (RationalRing& hole : holes) {
-    std::size_t best = pieces.size();
-    for (std::size_t i = 0; i < pieces.size(); ++i)
-      if (contains(pieces[i].outer, hole.front()) && (best == pieces.size() || areas[i] < areas[best])) best = i;
-    pieces.at(best).holes.push_back(std::move(hole));
-  }
-  return pieces;
+  return pieces.run(poll);
 }
 
 }  // namespace dymsum::shape

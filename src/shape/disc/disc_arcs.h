@@ -26,6 +26,8 @@ struct ArcFragment {
   std::uint32_t arc = 0;
   std::uint32_t begin = kNoIndex, end = kNoIndex;  ///< the disc that is left there, or entered; kNoIndex: a contact
   std::uint32_t next = kNoIndex;                   ///< the fragment that goes on where the end is no contact
+  bool touches_at_begin = false, touches_at_end = false;  ///< that disc is not left or entered, but touched
+  bool joined = false;                                    ///< the one before has taken it over
 };
 
 struct ArcSet {
@@ -38,8 +40,9 @@ struct ArcSet {
   std::vector<ArcFragment> fragments;                  ///< those of an arc follow each other
   std::vector<std::uint32_t> first;                    ///< arc -> its fragment that begins at its start, or kNoIndex
   std::vector<std::array<std::uint32_t, 2>> overlaps;  ///< discs that overlap
+  std::vector<std::array<std::uint32_t, 2>> touches;   ///< fragments that end where their discs touch; their arcs go on
   std::vector<std::uint32_t> part;     ///< node below the cut -> one that stands for its connected part below the cut
-  std::vector<std::uint8_t> is_split;  ///< the latter -> whether discs overlap across the part
+  std::vector<std::uint8_t> is_split;  ///< the latter -> whether discs overlap or touch across the part
 };
 
 /// All arcs, whole: of every corner between a run and the next one, those from contact to contact. O(n).
@@ -49,7 +52,14 @@ ArcSet corner_arcs(const DiscPlaces& places, const BoundaryOrder& order, const L
 /// from one to the other leads through it. (docs/design/disc-sum.md)
 void cut_arcs(const DiscPlaces& places, std::uint32_t cut, ArcSet& arcs);
 
+/// Takes the fragment that follows on the same arc, across a place where another disc touches, into this one.
+void join(ArcSet& arcs, std::uint32_t fragment);
+/// The fragment into which this one was taken, or itself.
+std::uint32_t joined_into(const ArcSet& arcs, std::uint32_t fragment);
+
 /// From the centre of a disc to where the circle of another one is entered, going clockwise (`entered`), or left.
 Point towards_crossing(const DiscPlaces& places, const CornerDisc& disc, const CornerDisc& other, bool entered);
+/// The same where they touch: the middle between the centres.
+Point towards_touch(const DiscPlaces& places, const CornerDisc& disc, const CornerDisc& other);
 
 }  // namespace dymsum::shape

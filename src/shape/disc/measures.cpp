@@ -3,8 +3,12 @@
 #include <cmath>
 #include <limits>
 #include <numbers>
+#include <string>
 
 #include "dymsum/growing_disc.h"
+#include "exact/big.h"
+#include "exact/decimal_text.h"
+#include "exact/rounding_bound.h"
 
 namespace dymsum {
 
@@ -53,9 +57,29 @@ std::size_t DiscSet::piece_count() const {
   return count;
 }
 
-Measured area(const DiscSet& set) {
+namespace {
+
+/// value * 2^exponent and its error: the unit is about the set's size, so that products stay within doubles.
+struct ScaledArea {
+  Measured in_units;
+  int exponent = 0;
+};
+
+int unit_of(const DiscSet& set) {
+  double size = set.radius;
+  for_each_ring(set, [&](const DiscRing& ring) {
+    const Point origin = ring.pieces.front().from.at;
+    for (const DiscPiece& piece : ring.pieces)
+      size = std::max({size, std::abs(piece.from.at.x - origin.x), std::abs(piece.from.at.y - origin.y)});
+  });
+  return size > 0 ? std::ilogb(size) : 0;
+}
+
+ScaledArea scaled_area(const DiscSet& set) {
   Measured made;
-  const double r = set.radius, moved = 2 * set.at_error;
+  const int unit = unit_of(set);
+  const auto scaled = [unit](double v) { return std::scalbn(v, -unit); };
+  const double r = scaled(set.radius), moved = 2 * scaled(set.at_error);
   const double arc_error = kAngleError * r * r + 2 * moved * r;
   for_each_ring(set, [&](const DiscRing& ring) {
     // From the ring's own corner: far from the origin products would lose digits.
@@ -63,7 +87,8 @@ Measured area(const DiscSet& set) {
     for (std::size_t i = 0; i < ring.pieces.size(); ++i) {
       const DiscPiece& piece = ring.pieces[i];
       const Point a = piece.from.at, b = ring.pieces[(i + 1) % ring.pieces.size()].from.at;
-      const double ax = a.x - origin.x, ay = a.y - origin.y, bx = b.x - origin.x, by = b.y - origin.y;
+      const double ax = scaled(a.x - origin.x), ay = scaled(a.y - origin.y), bx = scaled(b.x - origin.x),
+                   by = scaled(b.y - origin.y);
       const double arc = r * r / 2 * (piece.sweep - std::sin(piece.sweep));
       made.value += (ax * by - ay * bx) / 2 + arc;
       made.error += moved * (std::hypot(bx - ax, by - ay) + moved) +
@@ -71,7 +96,29 @@ Measured area(const DiscSet& set) {
                     (piece.sweep != 0 ? arc_error : 0);
     }
   });
-  return made;
+  return {made, 2 * unit};
+}
+
+std::string text_of(double v, int exponent) {
+  constexpr int kDigits = 17;  // enough to tell any two doubles apart
+  exact::BigRational exactly = exact::exact_value(v);
+  const exact::BigInteger power = exact::BigInteger(1) << static_cast<unsigned>(std::abs(exponent));
+  exactly *= exponent >= 0 ? exact::BigRational(power) : exact::BigRational(exact::BigInteger(1), power);
+  return exact::decimal_text(exactly, kDigits);
+}
+
+}  // namespace
+
+Measured area(const DiscSet& set) {
+  const auto [made, exponent] = scaled_area(set);
+  // What is below the range of doubles is rounded to one.
+  return {std::scalbn(made.value, exponent),
+          std::scalbn(made.error, exponent) + (exponent < 0 ? std::numeric_limits<double>::denorm_min() : 0)};
+}
+
+MeasuredText area_text(const DiscSet& set) {
+  const auto [made, exponent] = scaled_area(set);
+  return {text_of(made.value, exponent), text_of(made.error * exact::kOutwards, exponent)};
 }
 
 Measured perimeter(const DiscSet& set) {

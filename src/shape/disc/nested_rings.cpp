@@ -31,11 +31,15 @@ class ExactCorners {
   }
 
  private:
-  /// Where corner.disc is entered by those who leave corner.other, clockwise.
+  /// Where corner.disc is entered by those who leave corner.other, clockwise, or touched.
   Vector<RootExpression> crossing_at(const DiscCorner& corner) const {
     const auto c = places_.exact_centre_from(corner.disc, origin_),
                d = places_.exact_centre_from(corner.other, origin_);
-    return plus(c, crossing(minus(d, c), places_.level().exact, true));
+    const auto between = minus(d, c);
+    const RootExpression half(0.5),
+        room = places_.level().exact * places_.level().exact - half * half * dot(between, between);
+    if (exact::sign_of(room) == 0) return plus(c, {half * between.x, half * between.y});  // they touch
+    return plus(c, crossing(between, places_.level().exact, true));
   }
   Vector<RootExpression> contact_at(const DiscCorner& corner, const Site& edge) const {
     const auto n = long_normal<RootExpression>(edge);

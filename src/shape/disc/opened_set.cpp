@@ -24,7 +24,8 @@ struct DiscBoundary {
 
 class DiscBoundaries {
  public:
-  DiscBoundaries(const DiscPlaces& places, const BoundaryOrder& order, std::uint32_t cut)
+  /// Of a closing, what is connected is the region, of an opening the discs.
+  DiscBoundaries(const DiscPlaces& places, const BoundaryOrder& order, std::uint32_t cut, Connected side)
       : places_(places),
         order_(order),
         cut_(cut),
@@ -32,7 +33,8 @@ class DiscBoundaries {
         arcs_(corner_arcs(places, order, rings_)) {
     cut_arcs(places, cut, arcs_);
     run_done_.assign(rings_.runs.size(), 0);
-    fragment_done_.assign(arcs_.fragments.size(), 0);
+    settle_touches(side);
+    for (const ArcFragment& fragment : arcs_.fragments) fragment_done_.push_back(fragment.joined ? 1 : 0);
   }
 
   std::vector<DiscBoundary> make() {
@@ -52,6 +54,41 @@ class DiscBoundaries {
     std::uint32_t run = kNoIndex, fragment = kNoIndex;
   };
 
+  /// Where two discs touch, boundaries go on along their discs; those of a closing turn to the other disc, so that what
+  /// is pinched there comes apart. Where one boundary then passes the place twice the other way cuts it into two: rings
+  /// are simple, and touch. What goes on along its disc has no corner there.
+  void settle_touches(Connected side) {
+    const auto swap_next = [&](std::uint32_t f, std::uint32_t g) {
+      std::swap(arcs_.fragments[f].next, arcs_.fragments[g].next);
+    };
+    const bool turns = side == Connected::region;
+    if (turns)
+      for (const auto& [f, g] : arcs_.touches) swap_next(f, g);
+    for (const auto& touch : arcs_.touches) {
+      const std::uint32_t f = joined_into(arcs_, touch[0]), g = joined_into(arcs_, touch[1]);
+      Next at = after({kNoIndex, f});
+      while (at.fragment != f && at.fragment != g) at = after(at);
+      const bool twice = at.fragment == g;
+      if (twice) swap_next(f, g);
+      if (turns != twice) continue;
+      join(arcs_, f);
+      join(arcs_, g);
+    }
+  }
+
+  /// What follows on a boundary.
+  Next after(Next at) const {
+    if (at.run != kNoIndex) {
+      const std::uint32_t to = rings_.runs[at.run].to, arc = arcs_.arc_behind[order_.items[to].edge];
+      return arc == kNoIndex ? next_along(to) : start_of(arc);
+    }
+    const ArcFragment& fragment = arcs_.fragments[at.fragment];
+    const CornerArc& arc = arcs_.arcs[fragment.arc];
+    if (fragment.end != kNoIndex) return {kNoIndex, fragment.next};
+    if (arc.next != kNoIndex) return start_of(arc.next);
+    return {rings_.run_from[arc.out], kNoIndex};
+  }
+
   DiscBoundary whole(std::uint32_t run) {
     run_done_[run] = 1;
     Pieces pieces;
@@ -70,12 +107,14 @@ class DiscBoundaries {
   /// Once round.
   DiscBoundary followed(Next at) {
     DiscBoundary ring;
-    while (at.run != kNoIndex ? !run_done_[at.run] : !fragment_done_[at.fragment])
-      at = at.run != kNoIndex ? append_run(at.run, ring) : append_fragment(at.fragment, ring);
+    for (; at.run != kNoIndex ? !run_done_[at.run] : !fragment_done_[at.fragment]; at = after(at)) {
+      if (at.run != kNoIndex) append_run(at.run, ring);
+      else append_fragment(at.fragment, ring);
+    }
     return ring;
   }
 
-  Next append_run(std::uint32_t run, DiscBoundary& ring) {
+  void append_run(std::uint32_t run, DiscBoundary& ring) {
     run_done_[run] = 1;
     ring.edge = order_.items[rings_.runs[run].from].edge;
     Pieces pieces;
@@ -84,11 +123,9 @@ class DiscBoundaries {
     // Of a run only the first piece can begin at a contact, on the first site.
     ring.sites.resize(ring.sites.size() + pieces.list.size(), ring.touching.back());
     ring.pieces.insert(ring.pieces.end(), pieces.list.begin(), pieces.list.end());
-    const std::uint32_t to = rings_.runs[run].to, arc = arcs_.arc_behind[order_.items[to].edge];
-    return arc == kNoIndex ? next_along(to) : start_of(arc);
   }
 
-  Next append_fragment(std::uint32_t f, DiscBoundary& ring) {
+  void append_fragment(std::uint32_t f, DiscBoundary& ring) {
     fragment_done_[f] = 1;
     const ArcFragment& fragment = arcs_.fragments[f];
     const CornerArc& arc = arcs_.arcs[fragment.arc];
@@ -97,9 +134,6 @@ class DiscBoundaries {
     ring.sites.push_back(arc.start);
     if (fragment.begin == kNoIndex) ring.touching.push_back(arc.start);
     if (fragment.end == kNoIndex) ring.touching.push_back(arc.stop);
-    if (fragment.end != kNoIndex) return {kNoIndex, fragment.next};
-    if (arc.next != kNoIndex) return start_of(arc.next);
-    return {rings_.run_from[arc.out], kNoIndex};
   }
 
   /// Where the start of an arc is covered, by a disc that touches the same vertex, the boundary goes on at that vertex.
@@ -144,12 +178,15 @@ class DiscBoundaries {
     piece.centre = places_.centre(disc);
     Point from, to;
     if (fragment.end == kNoIndex) to = places_.towards(disc, complex.sites[arc.stop]);
+    else if (fragment.touches_at_end) to = towards_touch(places_, disc, arcs_.discs[fragment.end]);
     else to = towards_crossing(places_, disc, arcs_.discs[fragment.end], true);
     if (fragment.begin == kNoIndex) {
       from = places_.towards(disc, complex.sites[arc.start]);
       piece.from = contact_corner(places_, disc, arc.start);
     } else {
-      from = towards_crossing(places_, disc, arcs_.discs[fragment.begin], false);
+      const CornerDisc& left = arcs_.discs[fragment.begin];
+      from =
+          fragment.touches_at_begin ? towards_touch(places_, disc, left) : towards_crossing(places_, disc, left, false);
       piece.from.kind = DiscCorner::Kind::crossing;
       piece.from.disc = disc;
       piece.from.other = arcs_.discs[fragment.begin];
@@ -207,7 +244,7 @@ UnionFind joined_pieces(const DiscPlaces& places, std::uint32_t cut, const ArcSe
 DiscSet opened_set(const DiscPlaces& places, const BoundaryOrder& order, Semantics semantics) {
   const Complex& complex = places.complex();
   const std::uint32_t cut = semantics == Semantics::regular ? places.level().up_to : places.level().below;
-  DiscBoundaries boundaries(places, order, cut);
+  DiscBoundaries boundaries(places, order, cut, Connected::discs);
   UnionFind joined = connected_discs(places, cut, boundaries.arcs());
   std::vector<OwnedRing> made;
   for (DiscBoundary& ring : boundaries.make())
@@ -221,7 +258,7 @@ DiscSet opened_set(const DiscPlaces& places, const BoundaryOrder& order, Semanti
 DiscSet closed_set(const DiscPlaces& places, const BoundaryOrder& order, Semantics semantics) {
   const Complex& complex = places.complex();
   const std::uint32_t cut = semantics == Semantics::open ? places.level().below : places.level().up_to;
-  DiscBoundaries boundaries(places, order, cut);
+  DiscBoundaries boundaries(places, order, cut, Connected::region);
   std::vector<DiscBoundary> rings = boundaries.make();
   UnionFind joined = joined_pieces(places, cut, boundaries.arcs(), rings);
   std::vector<PlacedRing> placed;

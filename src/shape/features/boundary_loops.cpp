@@ -1,6 +1,8 @@
 #include "shape/features/boundary_loops.h"
 
 #include "exact/orient.h"
+#include "shape/complex/exact_complex.h"
+#include "shape/features/canonical_order.h"
 
 namespace dymsum::shape {
 namespace {
@@ -113,6 +115,7 @@ BoundaryLoops boundary_loops(const Complex& complex) {
   }
   name_corners(complex, loops);
   for (BoundaryLoop& loop : loops.loops) find_outermost(loops, loop);
+  loops.rank = canonical_ranks(loops, complex.exact->walks);
   return loops;
 }
 

@@ -33,6 +33,7 @@ struct BoundaryLoops {
   std::vector<std::uint32_t> before;   ///< site -> the last loop vertex strictly before a contact with it
   std::vector<std::uint32_t> after;    ///< site -> the first one strictly behind it
   std::vector<std::uint32_t> loop_of_site;
+  std::vector<std::uint32_t> rank;  ///< of loop vertices: see canonical_ranks
 
   std::uint32_t next(std::uint32_t v) const;
   std::uint32_t previous(std::uint32_t v) const;

@@ -1,6 +1,7 @@
 #include "shape/features/chain_extremes.h"
 
 #include <algorithm>
+#include <utility>
 
 #include "exact/orient.h"
 
@@ -20,7 +21,8 @@ std::vector<std::uint32_t> half_hull(const BoundaryLoops& loops, const std::vect
   for (const std::uint32_t v : sorted) {
     const auto at = [&](std::size_t back) { return loops.vertices[hull[hull.size() - back]].at; };
     if (!hull.empty() && at(1) == loops.vertices[v].at) {  // rings touch there, or a polyline comes back
-      if (loops.vertices[v].vertex < loops.vertices[hull.back()].vertex) hull.back() = v;
+      const auto name = [&](std::uint32_t w) { return std::make_pair(loops.rank[w], loops.vertices[w].vertex); };
+      if (name(v) < name(hull.back())) hull.back() = v;
       continue;
     }
     while (hull.size() > 1 && exact::orient_sign(at(2), at(1), loops.vertices[v].at) * turn >= 0) hull.pop_back();
@@ -59,18 +61,22 @@ ChainExtremes::ChainExtremes(const BoundaryLoops& loops) : loops_(&loops) {
   }
 }
 
-bool ChainExtremes::better(const Line& line, std::uint32_t v, std::uint32_t than) const {
+bool ChainExtremes::better(Line& line, std::uint32_t v, std::uint32_t than) const {
   const Place p{loops_->vertices[v].at, nullptr}, q{loops_->vertices[than].at, nullptr};
   if (const int sign = cross_sign(line.a, line.b, q, p); sign != 0) return sign > 0;
-  if (const int sign = dot_sign(line.a, line.b, q, p); sign != 0) return sign < 0;
-  return loops_->vertices[v].vertex < loops_->vertices[than].vertex;
+  if (const int sign = dot_sign(line.a, line.b, q, p); sign != 0) {
+    line.tied = true;
+    return sign == line.wanted;
+  }
+  const auto name = [&](std::uint32_t w) { return std::make_pair(loops_->rank[w], loops_->vertices[w].vertex); };
+  return name(v) < name(than);
 }
 
-void ChainExtremes::see(const Line& line, std::uint32_t v, std::uint32_t& best) const {
+void ChainExtremes::see(Line& line, std::uint32_t v, std::uint32_t& best) const {
   if (best == kNoIndex || better(line, v, best)) best = v;
 }
 
-void ChainExtremes::see_hull(const Line& line, const Hull& hull, std::uint32_t& best) const {
+void ChainExtremes::see_hull(Line& line, const Hull& hull, std::uint32_t& best) const {
   // Along the half hull the distance grows, stays for one edge at most, and falls.
   const std::vector<std::uint32_t>& half = line.dx >= 0 ? hull.upper : hull.lower;
   const auto grows = [&](std::size_t i) {
@@ -87,7 +93,7 @@ void ChainExtremes::see_hull(const Line& line, const Hull& hull, std::uint32_t& 
   if (low + 1 < half.size()) see(line, half[low + 1], best);
 }
 
-void ChainExtremes::see_run(const Line& line, std::uint32_t first, std::uint32_t end, std::uint32_t& best) const {
+void ChainExtremes::see_run(Line& line, std::uint32_t first, std::uint32_t end, std::uint32_t& best) const {
   while (first < end) {
     if (first % kRun != 0 || end - first < kRun) {
       see(line, first++, best);
@@ -102,9 +108,7 @@ void ChainExtremes::see_run(const Line& line, std::uint32_t first, std::uint32_t
   }
 }
 
-std::uint32_t ChainExtremes::farthest(const BoundaryChain& chain, const Place& a, const Place& b) const {
-  const Place zero{{0, 0}, nullptr}, up{{0, 1}, nullptr};
-  const Line line{a, b, cross_sign(a, b, zero, up)};
+std::uint32_t ChainExtremes::farthest_on(Line& line, const BoundaryChain& chain) const {
   const BoundaryLoop& loop = loops_->loops[chain.loop];
   std::uint32_t best = kNoIndex;
   if (chain.first <= chain.last) {
@@ -114,6 +118,16 @@ std::uint32_t ChainExtremes::farthest(const BoundaryChain& chain, const Place& a
     see_run(line, loop.first, chain.last + 1, best);
   }
   return best;
+}
+
+std::uint32_t ChainExtremes::farthest(const BoundaryChain& chain, const Place& a, const Place& b) const {
+  const Place zero{{0, 0}, nullptr}, up{{0, 1}, nullptr};
+  Line line{a, b, cross_sign(a, b, zero, up)};
+  const std::uint32_t first = farthest_on(line, chain);
+  if (!line.tied) return first;
+  line.wanted = 1;
+  const std::uint32_t last = farthest_on(line, chain);
+  return loops_->rank[last] < loops_->rank[first] ? last : first;
 }
 
 }  // namespace dymsum::shape

@@ -15,8 +15,8 @@ class ChainExtremes {
   /// O(n log n). Keeps a reference.
   explicit ChainExtremes(const BoundaryLoops& loops);
 
-  /// The vertex of the chain that is farthest to the left of the directed line a -> b; of several the one that comes
-  /// first in its direction, then the one with the smallest index. Exact. O(log^2 n) signs.
+  /// The vertex of the chain that is farthest to the left of the directed line a -> b; of several, of the first and the
+  /// last one in its direction, the one of the lesser canonical rank. Exact. O(log^2 n) signs.
   std::uint32_t farthest(const BoundaryChain& chain, const Place& a, const Place& b) const;
 
  private:
@@ -25,12 +25,15 @@ class ChainExtremes {
   };
   struct Line {
     const Place &a, &b;
-    int dx = 0;  ///< sign of b.x - a.x
+    int dx = 0;         ///< sign of b.x - a.x
+    int wanted = -1;    ///< of equally far ones: -1 the first, 1 the last
+    bool tied = false;  ///< there were some
   };
-  bool better(const Line& line, std::uint32_t v, std::uint32_t than) const;
-  void see(const Line& line, std::uint32_t v, std::uint32_t& best) const;
-  void see_run(const Line& line, std::uint32_t first, std::uint32_t end, std::uint32_t& best) const;
-  void see_hull(const Line& line, const Hull& hull, std::uint32_t& best) const;
+  std::uint32_t farthest_on(Line& line, const BoundaryChain& chain) const;
+  bool better(Line& line, std::uint32_t v, std::uint32_t than) const;
+  void see(Line& line, std::uint32_t v, std::uint32_t& best) const;
+  void see_run(Line& line, std::uint32_t first, std::uint32_t end, std::uint32_t& best) const;
+  void see_hull(Line& line, const Hull& hull, std::uint32_t& best) const;
 
   const BoundaryLoops* loops_;
   std::vector<std::vector<Hull>> levels_;  ///< level k: runs of kRun 2^k vertices

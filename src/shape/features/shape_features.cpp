@@ -2,6 +2,7 @@
 #include <cmath>
 #include <numeric>
 
+#include "shape/features/canonical_order.h"
 #include "shape/features/feature_state.h"
 
 namespace dymsum {
@@ -27,8 +28,9 @@ FeatureBar public_bar(const ShapeFeatures::State& state, const Bar& bar) {
   }
   if (bar.parent != kNoIndex) result.parent = bar.parent;
   if (birth.kind == Node::Kind::corner) result.vertex = birth.vertex;
-  const std::uint32_t left = complex.edges[bar.first].left;
-  result.in_hole = state.loops.loops[state.loops.loop_of_site[left]].encloses;
+  const std::uint32_t left = complex.edges[bar.first].left, right = complex.edges[bar.first].right;
+  const auto is_of_hole = [&](std::uint32_t s) { return state.loops.loops[state.loops.loop_of_site[s]].encloses; };
+  result.in_hole = is_of_hole(left) || is_of_hole(right);
   result.loop = state.loops.loop_of_site[left];
   if (bar.minimum != kNoIndex) {
     result.minimum = state.loops.vertices[bar.minimum].vertex;
@@ -190,6 +192,7 @@ PocketOracle oracle_of(const ShapeFeatures::State& state) {
     const PocketSide side = pocket_side(state.complex, state.loops, edge);
     return side.chain && holds(state.loops, *side.chain, vertex);
   };
+  oracle.contacts = [&state](std::uint32_t edge) { return contact_ranks(state.complex, state.loops, edge); };
   return oracle;
 }
 

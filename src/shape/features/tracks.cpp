@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <numeric>
 #include <stdexcept>
+#include <tuple>
 
 namespace dymsum::shape {
 namespace {
@@ -96,6 +97,10 @@ class Sweep {
     std::vector<std::uint32_t> old;
     for (const std::uint32_t e : j.in)
       if (elder_[e] == oldest) old.push_back(e);
+    std::sort(old.begin(), old.end(), [this](std::uint32_t a, std::uint32_t b) {
+      const auto name_a = name(a), name_b = name(b);
+      return name_a != name_b ? name_a < name_b : a < b;
+    });
     for (const std::uint32_t e : old)
       if (bar.minimum != kNoIndex && pockets_.holds(e, bar.minimum)) return e;
     // The minimum belongs to a younger bar, or there is none: from here on it is that of the older one's own pocket.
@@ -111,13 +116,28 @@ class Sweep {
     return best;
   }
 
+  /// Of an edge, for ties: an edge begins where its bar is born.
+  std::tuple<std::uint32_t, std::array<std::uint32_t, 4>> name(std::uint32_t edge) const {
+    return {complex_.nodes[complex_.edges[edge].low].rank, pockets_.contacts(edge)};
+  }
+
+  bool before_in_list(const Bar& a, const Bar& b) const {
+    const auto birth_a = name(a.first), birth_b = name(b.first);
+    if (birth_a != birth_b) return birth_a < birth_b;
+    const auto death = [this](const Bar& bar) {
+      return bar.end == kNoIndex ? kNoIndex : rank_of(tracks_.junctions[bar.end]);
+    };
+    return std::make_tuple(death(a), a.death, a.concavity, a.first) <
+           std::make_tuple(death(b), b.death, b.concavity, b.first);
+  }
+
   void order() {
     std::vector<std::uint32_t> sorted(tracks_.bars.size()), place(sorted.size());
     std::iota(sorted.begin(), sorted.end(), 0u);
-    std::sort(sorted.begin(), sorted.end(), [&](std::uint32_t a, std::uint32_t b) {
-      const Bar &x = tracks_.bars[a], &y = tracks_.bars[b];
-      return x.birth != y.birth ? x.birth < y.birth : x.first < y.first;
-    });
+    const auto before = [&](std::uint32_t a, std::uint32_t b) {
+      return before_in_list(tracks_.bars[a], tracks_.bars[b]);
+    };
+    std::sort(sorted.begin(), sorted.end(), before);
     for (std::uint32_t i = 0; i < sorted.size(); ++i) place[sorted[i]] = i;
     std::vector<Bar> bars;
     for (const std::uint32_t i : sorted) bars.push_back(tracks_.bars[i]);

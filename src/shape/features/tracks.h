@@ -2,6 +2,7 @@
 // See docs/design/shape-features.md.
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <functional>
 #include <vector>
@@ -46,6 +47,8 @@ struct PocketMinimumAt {
 struct PocketOracle {
   std::function<PocketMinimumAt(std::uint32_t edge)> deepest;
   std::function<bool(std::uint32_t edge, std::uint32_t vertex)> holds;  ///< whether the pocket has the vertex inside
+  /// What its discs touch, by ranks that tell nothing of indices.
+  std::function<std::array<std::uint32_t, 4>(std::uint32_t edge)> contacts;
 };
 
 struct Tracks {
@@ -56,9 +59,9 @@ struct Tracks {
 
 /// Elder rule: where tracks meet, the one that was born first goes on. Of equally old ones it is the one whose pocket
 /// holds the pocket minimum of the bar where the bar dies, hence the deeper one as seen from there; where none holds
-/// it, the one with the larger concavity, then the one of the lower edge. Bars are ordered by their births, then their
-/// first edges. O(edges) and one question per bar. Throws std::logic_error where a track would split, which no complex
-/// has.
+/// it, the one with the larger concavity, then the one whose edge begins at the smaller radius, then the one of the
+/// lesser contacts. Bars are ordered by their births, then the contacts of their first edges. Indices decide last of
+/// all. O(edges) and one question per bar. Throws std::logic_error where a track would split, which no complex has.
 Tracks tracks_of(const Complex& complex, const PocketOracle& pockets);
 
 }  // namespace dymsum::shape

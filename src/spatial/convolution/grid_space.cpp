@@ -8,6 +8,13 @@
 #include "spatial/mesh/grid_points.h"
 #include "spatial/mesh/rounded_vector.h"
 
+namespace dymsum::exact {
+
+/// One residue for all: equal values have to have equal ones, and roots have none in general.
+inline Residue residue(const RootValue&) { return 0; }
+
+}  // namespace dymsum::exact
+
 namespace dymsum::spatial {
 
 namespace {
@@ -521,6 +528,12 @@ std::unique_ptr<SumSpace> make_sum_space(const MappedPlaces& p, const MappedPlac
     for (const Vector3<Big>& v : *points) bits = std::max(bits, bit_length(v));
   if (bits > 250) throw std::invalid_argument("coordinates of more than 250 bits on their common grid");
   return std::make_unique<GridSpace<Big>>(std::move(big_p), std::move(big_q), bits, lines);
+}
+
+std::unique_ptr<SumSpace> make_root_space(std::vector<Vector3<exact::RootValue>> p,
+                                          std::vector<Vector3<exact::RootValue>> q, int bits) {
+  const Line lines[3] = {};
+  return std::make_unique<GridSpace<exact::RootValue>>(std::move(p), std::move(q), std::max(bits, 52), lines);
 }
 
 }  // namespace dymsum::spatial

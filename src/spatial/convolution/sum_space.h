@@ -21,6 +21,7 @@
 
 #include "dymsum/mesh.h"
 #include "exact/residue.h"
+#include "exact/root_value.h"
 #include "spatial/mesh/grid_places.h"
 #include "spatial/mesh/vec3.h"
 
@@ -211,5 +212,10 @@ struct MappedPlaces {
 };
 /// The space of the sums of mapped places, in units of 2^exponent. Requires at most 250 bits.
 std::unique_ptr<SumSpace> make_sum_space(const MappedPlaces& p, const MappedPlaces& q, int exponent);
+
+/// The space of sums of places that are values at one root of a polynomial, for collision tests there: signs are exact,
+/// hashes tell nothing, and coordinates are no integers. Requires values below 2^bits, bits at most 140.
+std::unique_ptr<SumSpace> make_root_space(std::vector<exact::Vector3<exact::RootValue>> p,
+                                          std::vector<exact::Vector3<exact::RootValue>> q, int bits);
 
 }  // namespace dymsum::spatial

@@ -4,7 +4,6 @@
 #include <utility>
 
 #include "exact/grid.h"
-#include "spatial/convex/exact_places.h"
 
 namespace dymsum::spatial {
 
@@ -61,7 +60,10 @@ Vector3<Big> place_at(const AxisLevel& level, const BigInteger& scale, int unit,
 }  // namespace
 
 PosedSpace posed_space(const SolidPair& pair, const PosePair& poses, std::span<const AxisLevel> levels) {
-  ExactPose p = ExactPose::of(poses.p), q = ExactPose::of(poses.q);
+  return posed_space(pair, ExactPose::of(poses.p), ExactPose::of(poses.q), levels);
+}
+
+PosedSpace posed_space(const SolidPair& pair, ExactPose p, ExactPose q, std::span<const AxisLevel> levels) {
   const BigInteger common = gcd(p.den, q.den), of_p = q.den / common, of_q = p.den / common, scale = p.den * of_p;
   int unit = pair.p_places.exponent;
   for (const AxisLevel& level : levels)

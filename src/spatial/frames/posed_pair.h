@@ -8,6 +8,7 @@
 #include "dymsum/mesh.h"
 #include "dymsum/rotation.h"
 #include "exact/big.h"
+#include "spatial/convex/exact_places.h"
 #include "spatial/convolution/solid_operand.h"
 #include "spatial/convolution/sum_space.h"
 #include "spatial/mesh/grid_places.h"
@@ -40,6 +41,8 @@ struct AxisLevel {
 /// Behind P's vertices the space has a place for every level, whose sum with Q's first vertex lies at that height.
 /// Throws std::invalid_argument where coordinates need more than 250 bits.
 PosedSpace posed_space(const SolidPair& pair, const PosePair& poses, std::span<const AxisLevel> levels = {});
+/// The same at any rational linear maps.
+PosedSpace posed_space(const SolidPair& pair, ExactPose p, ExactPose q, std::span<const AxisLevel> levels = {});
 
 /// The space at a pair of poses, made when it is first asked for: most signs of a motion need none.
 class SpaceOnDemand {

@@ -67,6 +67,12 @@ class BoxTree {
     const auto reflected = [&](const Box& b) { return Box{at.low - b.high, at.high - b.low}; };
     return any_overlap(other, reflected, f);
   }
+  /// The same where a box B of the other tree stands for the boxes at - scale B. Requires scale > 0.
+  template <class F>
+  bool any_reflected_pair(const BoxTree& other, const Box& at, double scale, F f) const {
+    const auto reflected = [&](const Box& b) { return Box{at.low - scale * b.high, at.high - scale * b.low}; };
+    return any_overlap(other, reflected, f);
+  }
   /// Calls f(i, j), i of this tree and j of the other one, for all pairs that overlap once j's boxes are moved by
   /// `shift`; stops where f says true, and returns whether it did.
   template <class F>

@@ -29,10 +29,13 @@ SpatialSum sum_of_facets(const SolidPair& pair, PosedSpace space, ReducedConvolu
 
 SpatialSum fresh_sum(const SolidPair& pair, const PosePair& poses, const SpatialOptions& options) {
   if (pair.p.vertices.empty() || pair.q.vertices.empty()) return {};
+  return fresh_sum(pair, posed_space(pair, poses), options);
+}
+
+SpatialSum fresh_sum(const SolidPair& pair, PosedSpace space, const SpatialOptions& options) {
   SpatialStats stats;
   StageWatch watch(options, stats);
   watch.begin("convolution");
-  PosedSpace space = posed_space(pair, poses);
   ReducedConvolution convolution = reduced_convolution(*space.space, pair.p, pair.q, watch);
   return sum_of_facets(pair, std::move(space), std::move(convolution), {}, options);
 }

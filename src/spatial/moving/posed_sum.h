@@ -15,6 +15,9 @@ SpatialSum sum_of_facets(const SolidPair& pair, PosedSpace space, ReducedConvolu
 /// All stages. Throws Cancelled, and std::invalid_argument as posed_space.
 SpatialSum fresh_sum(const SolidPair& pair, const PosePair& poses, const SpatialOptions& options);
 
+/// The same in the space of given poses.
+SpatialSum fresh_sum(const SolidPair& pair, PosedSpace space, const SpatialOptions& options);
+
 /// Calls make(), and tells what it throws as errors.
 template <class F>
 auto guarded(F make) -> Result<decltype(make())> {

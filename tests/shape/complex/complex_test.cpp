@@ -4,11 +4,13 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <map>
 #include <tuple>
 
 #include "dymsum/shapes.h"
 #include "oracles/tiny_regions.h"
 #include "oracles/verdict.h"
+#include "shape/complex/congruence.h"
 #include "shape/complex/definition.h"
 #include "shape/complex/from_candidates.h"
 
@@ -82,6 +84,60 @@ TEST(Complex, TinyRegionsHaveTheComplexOfTheDefinition) {
     expect_sound(Region::create(oracles::random_parts(random, grid)).value(),
                  "DYMSUM_FIRST_SEED=" + std::to_string(seed));
   }
+}
+
+// Radii as doubles, and radii that are told equal by congruence.
+
+/// Twice the region, one of them mirrored: most radii come in pairs.
+RegionData with_mirror_image(const RegionData& data) {
+  RegionData both = data;
+  const RegionData image = oracles::moved(oracles::mapped(data, -1, 0, 0, 1), 1000, 13);
+  both.parts.insert(both.parts.end(), image.parts.begin(), image.parts.end());
+  return both;
+}
+
+TEST(Complex, RadiiAreTheNearestDoublesAndAscend) {
+  const std::uint64_t count = oracles::setting("DYMSUM_FUZZ_PAIRS", 250) / 10;
+  std::vector<Region> regions = {star(7, 1, 3), random_polygon(30, 2, 5), noisy_star(60, 0.3, 1), grate(4, 2, 1, 3)};
+  for (std::uint64_t seed = 0; seed < count; ++seed) {
+    oracles::Random random(5000 + seed);
+    regions.push_back(Region::create(oracles::random_parts(random, 7)).value());
+  }
+  regions.push_back(Region::create({{{{{0, 0}, {0x1p-1070, 0}, {0x3p-1074, 0x5p-1072}}, {}}}, {}, {}}).value());
+  for (const Region& region : regions) {
+    for (const Side side : kSides) {
+      const Complex c = make_complex(region, side).value();
+      for (std::uint32_t n = 0; n < c.nodes.size(); ++n) {
+        EXPECT_EQ(c.nodes[n].radius, exact::nearest_double(exact_radius(c, n))) << "node " << n << name_of(side);
+        if (n > 0) {
+          EXPECT_LE(c.nodes[n - 1].radius, c.nodes[n].radius) << "node " << n;
+        }
+      }
+    }
+  }
+}
+
+TEST(Complex, DiscsWithEqualKeysHaveEqualRadii) {
+  std::size_t equal = 0, without = 0, nodes = 0;
+  for (std::uint64_t seed = 0; seed < oracles::setting("DYMSUM_FUZZ_PAIRS", 250) / 10; ++seed) {
+    oracles::Random random(6000 + seed);
+    const Region region = Region::create(with_mirror_image(oracles::random_parts(random, 9))).value();
+    for (const Side side : kSides) {
+      const Complex c = make_complex(region, side).value();
+      std::map<std::vector<exact::BigInteger>, std::uint32_t> rank_of;
+      for (std::uint32_t n = 0; n < c.nodes.size(); ++n) {
+        const auto key = congruence_key(c.exact->walks, c.exact->discs[n]);
+        ++nodes;
+        without += key.empty();
+        if (key.empty()) continue;
+        const auto [found, is_new] = rank_of.emplace(key, c.nodes[n].rank);
+        equal += !is_new;
+        EXPECT_EQ(found->second, c.nodes[n].rank) << "seed " << seed << " node " << n << name_of(side);
+      }
+    }
+  }
+  EXPECT_GT(3 * equal, nodes);
+  EXPECT_LT(20 * without, nodes);
 }
 
 // Rigid motions and similarities.

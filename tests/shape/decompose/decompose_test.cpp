@@ -6,8 +6,11 @@
 #include <cmath>
 #include <filesystem>
 #include <functional>
+#include <optional>
 #include <random>
 #include <string>
+#include <string_view>
+#include <vector>
 
 #include "dymsum/planar_sum.h"
 #include "dymsum/region_io.h"
@@ -62,7 +65,7 @@ Rational twice_area(const Region& region) {
 }
 
 Decomposition cut(const Region& region, const Rational& tau) {
-  return decompose(ShapeFeatures::create(region).value(), {tau, 0, std::nullopt}).value();
+  return decompose(ShapeFeatures::create(region).value(), {tau, 0, std::nullopt, {}}).value();
 }
 
 Rational turn(const RationalPoint& a, const RationalPoint& b, const RationalPoint& c) {
@@ -305,14 +308,61 @@ TEST(Decompose, MotionsMoveTheCuts) {
   }
 }
 
+TEST(Decompose, SliversThatRoundAwayAreToldOrRepaired) {
+  // Doubles are 1 apart at 2^52, 1/2 below: ends of cuts have no room.
+  int told = 0, emptied = 0;
+  for (const unsigned seed : {1u, 2u, 3u, 4u, 5u, 6u}) {
+    std::mt19937 random(seed);
+    Ring ring;
+    for (int i = 0; i < 40; ++i) {
+      const double angle = 2 * M_PI * i / 40, r = 20 + double(random() % 20);
+      ring.push_back({0x1p52 + std::round(r * std::cos(angle)), 0x1p52 + std::round(r * std::sin(angle))});
+    }
+    const Result<Region> region = Region::create({{{ring, {}}}, {}, {}});
+    if (!region || !region->touching_points().empty()) continue;
+    const Decomposition made = cut(*region, 0);
+    const auto plain = rounded(made);
+    const std::vector<Repaired> repaired = rounded_with_repair(made).value();
+    ASSERT_EQ(repaired.size(), made.pieces.size());
+    std::optional<std::int64_t> first;
+    for (std::size_t i = 0; i < repaired.size(); ++i) {
+      if (repaired[i].report.changed() && !first) first = std::int64_t(i);
+      emptied += repaired[i].region.empty() ? 1 : 0;
+      EXPECT_TRUE(!plain || repaired[i].region == (*plain)[i]);
+    }
+    if (plain) continue;
+    ++told;
+    EXPECT_EQ(plain.error().code, ErrorCode::rounding_changed_topology);
+    EXPECT_EQ(plain.error().evidence.part, first);
+  }
+  EXPECT_GT(told, 2);
+  EXPECT_GT(emptied, 0);
+}
+
+TEST(Decompose, ProgressStopsIt) {
+  const ShapeFeatures features = ShapeFeatures::create(random_star(5, 200)).value();
+  std::vector<std::string> stages;
+  const auto watch = [&](std::string_view stage, double) {
+    if (stages.empty() || stages.back() != stage) stages.emplace_back(stage);
+    return true;
+  };
+  const Decomposition made = decompose(features, {0, 0, std::nullopt, watch}).value();
+  EXPECT_EQ(stages, (std::vector<std::string>{"significance", "cuts", "pieces"}));
+  for (const std::string& last : stages) {
+    const auto stop = [&](std::string_view stage, double) { return stage != last; };
+    EXPECT_EQ(decompose(features, {0, 0, std::nullopt, stop}).error().code, ErrorCode::cancelled);
+  }
+  EXPECT_EQ(made.pieces.size(), decompose(features).value().pieces.size());
+}
+
 TEST(Decompose, WhatCannotBeCutIsTold) {
   const ShapeFeatures line =
       ShapeFeatures::create(Region::create({{}, {{{0, 0}, {1, 0}, {1, 1}}}, {}}).value()).value();
   EXPECT_EQ(decompose(line).error().code, ErrorCode::unsupported_operand);
   EXPECT_EQ(decompose(line).error().evidence.x, 0);
   const ShapeFeatures features = ShapeFeatures::create(comb(2)).value();
-  EXPECT_EQ(decompose(features, {-1, 0, std::nullopt}).error().code, ErrorCode::out_of_range);
-  EXPECT_EQ(decompose(features, {0, 2, Rational(1)}).error().code, ErrorCode::out_of_range);
+  EXPECT_EQ(decompose(features, {-1, 0, std::nullopt, {}}).error().code, ErrorCode::out_of_range);
+  EXPECT_EQ(decompose(features, {0, 2, Rational(1), {}}).error().code, ErrorCode::out_of_range);
 }
 
 }  // namespace

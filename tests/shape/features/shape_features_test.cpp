@@ -3,13 +3,18 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <map>
 #include <random>
 #include <set>
+#include <string>
+#include <tuple>
 #include <vector>
 
 #include "dymsum/shapes.h"
+#include "oracles/tiny_regions.h"
+#include "oracles/verdict.h"
 #include "shape/complex/complex.h"
 #include "shape/features/tracks.h"
 
@@ -167,6 +172,56 @@ TEST(ShapeFeatures, EventsStayUnderRigidMotionsAndScale) {
   }
 }
 
+/// What motions keep of every bar, in the order of the list.
+using BarText = std::tuple<std::uint32_t, std::uint32_t, int, std::uint32_t, double, bool>;
+std::vector<BarText> listed(const ShapeFeatures& features) {
+  std::vector<BarText> bars;
+  for (const FeatureBar& bar : features.bars()) {
+    const std::uint32_t parent = bar.parent ? features.bars()[*bar.parent].death.value_or(0xfffffffe) : 0xffffffff;
+    bars.emplace_back(bar.birth, bar.death.value_or(0xffffffff), static_cast<int>(bar.died), parent, bar.concavity,
+                      bar.in_hole);
+  }
+  return bars;
+}
+
+/// Rings begin elsewhere, parts come in another order.
+RegionData begun_elsewhere(RegionData data) {
+  for (Part& part : data.parts) {
+    std::rotate(part.outer.begin(), part.outer.begin() + std::ptrdiff_t(part.outer.size() / 2), part.outer.end());
+    for (Ring& hole : part.holes) std::rotate(hole.begin(), hole.begin() + 1, hole.end());
+  }
+  std::reverse(data.parts.begin(), data.parts.end());
+  return data;
+}
+
+TEST(ShapeFeatures, TiesAreDecidedTheSameInAllMotions) {
+  std::size_t bars = 0, equal_births = 0;
+  const std::uint64_t first = oracles::setting("DYMSUM_FIRST_SEED", 0);
+  const std::uint64_t count = oracles::setting("DYMSUM_FUZZ_PAIRS", 250) / 2;
+  std::vector<RegionData> all = {two_notches().data(), star(8).data(), grid_of_holes(3).data(),
+                                 shapes::comb(6, 2, 1, 3).data(), shapes::noisy_star(40, 0.3, 4).data()};
+  for (Point& p : all.back().parts[0].outer) p = {std::round(64 * p.x), std::round(64 * p.y)};
+  for (std::uint64_t seed = first; seed < first + count; ++seed) {
+    oracles::Random random(9000 + seed);
+    all.push_back(oracles::random_parts(random, 8));
+  }
+  for (std::size_t i = 0; i < all.size(); ++i) {
+    SCOPED_TRACE("region " + std::to_string(i));
+    const Region region = Region::create(all[i]).value();
+    const ShapeFeatures features = features_of(region);
+    const std::vector<BarText> expected = listed(features);
+    bars += expected.size();
+    for (const FeatureBar& bar : features.bars())
+      equal_births += bar.birth == 0 && bar.died == FeatureBar::Death::merged;
+    EXPECT_EQ(listed(features_of(mapped(region, 0, -1, 1, 0, {7, -3}))), expected);
+    EXPECT_EQ(listed(features_of(mapped(region, -1, 0, 0, 1, {0, 5}))), expected);
+    EXPECT_EQ(listed(features_of(mapped(region, 0, 1, 1, 0, {3, 0}))), expected);
+    EXPECT_EQ(listed(features_of(mapped(region, 1, 0, 0, -1, {0, 9}))), expected);
+    EXPECT_EQ(listed(features_of(Region::create(begun_elsewhere(all[i])).value())), expected);
+  }
+  EXPECT_GT(equal_births, bars / 20);
+}
+
 TEST(ShapeFeatures, ShortestPathsGoAroundCornersOfThePocket) {
   // A pocket with a side arm: the end of the arm is 2 below the bridge, and 2 + 8 - 2 away around its corner.
   const Region region =
@@ -228,7 +283,8 @@ TEST(Tracks, TheOldestBirthBelowGoesOn) {
     for (std::size_t j = 0; j < junctions.size(); ++j)
       for (const std::uint32_t e : junctions[j].out) below[e] = j;
     const shape::PocketOracle none{[](std::uint32_t) { return shape::PocketMinimumAt{}; },
-                                   [](std::uint32_t, std::uint32_t) { return false; }};
+                                   [](std::uint32_t, std::uint32_t) { return false; },
+                                   [](std::uint32_t) { return std::array<std::uint32_t, 4>{}; }};
     const shape::Tracks tracks = shape::tracks_of(complex, none);
     for (const auto& [e, j] : below) {
       const std::uint32_t birth = junctions[tracks.bars[tracks.bar_of[e]].birth].nodes.front();

@@ -1,0 +1,122 @@
+#include "solid/solid_turns.h"
+
+#include <cmath>
+#include <iostream>
+#include <numeric>
+#include <optional>
+
+#include "dymsum/turning_solid_sum.h"
+#include "numbers.h"
+#include "options.h"
+#include "pictures/svg_paths.h"
+#include "progress_bar.h"
+#include "solid/solid_operands.h"
+#include "solid/solid_outputs.h"
+#include "timing.h"
+
+namespace dymsum::cli {
+namespace {
+
+TurnAxis read_axis(const std::string& text) {
+  const Point3 axis = parse_point(text, "--axis");
+  TurnAxis whole{};
+  const double of[3] = {axis.x, axis.y, axis.z};
+  for (std::size_t k = 0; k < 3; ++k) {
+    if (of[k] != std::nearbyint(of[k]) || std::abs(of[k]) > 32768)
+      throw Stop(kUsage, "--axis wants whole numbers up to 32768 with --events, not '" + text + "'");
+    whole[k] = static_cast<std::int32_t>(of[k]);
+  }
+  return whole;
+}
+
+/// FROM:TO, angles as of --angle.
+std::array<AxisTurn, 2> read_range(const std::string& text, const TurnAxis& axis) {
+  const std::size_t colon = text.find(':');
+  std::array<AxisTurn, 2> turns;
+  for (std::size_t k = 0; k < 2; ++k) {
+    const std::string part = k == 0 ? text.substr(0, colon) : text.substr(std::min(colon, text.size() - 1) + 1);
+    const std::optional<Angle> angle = colon == std::string::npos ? std::nullopt : angle_in(part);
+    if (!angle) throw Stop(kUsage, "--range wants FROM:TO, such as 0:0.5 or 30deg:45deg, not '" + text + "'");
+    turns[k] = require_option(AxisTurn::nearest(axis, angle->radians()), "--axis");
+  }
+  return turns;
+}
+
+const char* kind_of(SolidTurnContact::Kind kind) {
+  static const char* const kKinds[] = {"normal_on_arc", "vertex_on_facet", "edge_on_edge", "edge_and_facets",
+                                       "four_facets"};
+  return kKinds[static_cast<int>(kind)];
+}
+
+Json turn_json(const AxisTurn& turn) { return turn.is_half_turn() ? "inf" : turn.t().to_string(); }
+
+Json event_json(const SolidTurnEvent& event) {
+  Json contacts = Json::array();
+  for (const SolidTurnContact& c : event.contacts) {
+    Json features = Json::array();
+    for (const SolidContact& f : c.features) features.push_back({{"p", feature_json(f.p)}, {"q", feature_json(f.q)}});
+    contacts.push_back({{"kind", kind_of(c.kind)}, {"at", {c.at.x, c.at.y, c.at.z}}, {"features", features}});
+  }
+  return {{"theta", event.radians},
+          {"t", event.exact ? turn_json(*event.exact) : Json(nullptr)},
+          {"polynomial", event.polynomial},
+          {"t_low", event.t_low},
+          {"t_high", event.t_high},
+          {"opposite", event.opposite},
+          {"visible", event.visible},
+          {"topology", event.topology},
+          {"contacts", contacts}};
+}
+
+void print_event(std::ostream& out, const SolidTurnEvent& event) {
+  std::vector<std::size_t> kinds(5);
+  for (const SolidTurnContact& c : event.contacts) ++kinds[static_cast<std::size_t>(c.kind)];
+  out << "event " << number(event.radians * 180 / std::acos(-1.0)) << " degrees";
+  if (event.exact) out << ", t = " << (event.exact->is_half_turn() ? std::string("inf") : shown(event.exact->t()));
+  else out << ", t of degree " << event.polynomial.size() - 1;
+  out << ":";
+  for (std::size_t k = 0; k < kinds.size(); ++k)
+    if (kinds[k] > 0) out << " " << kinds[k] << " " << kind_of(static_cast<SolidTurnContact::Kind>(k));
+  out << (event.topology ? "  topology changes" : event.visible ? "" : "  at this angle alone") << "\n";
+}
+
+std::vector<SolidTurnEvent> find_events(const TurningSolidSum& sum, const SolidTurns& turns, const Progress& progress) {
+  if (turns.range.empty() && !turns.next && !turns.next_topology) return require(sum.events_of_turn(progress));
+  const std::string range = turns.range.empty() ? "0deg:359.999999deg" : turns.range;
+  const std::array<AxisTurn, 2> ends = read_range(range, sum.axis());
+  if (!turns.next && !turns.next_topology) return require(sum.events(ends[0], ends[1], progress));
+  const std::optional<SolidTurnEvent> found =
+      require(turns.next_topology ? sum.next_topology_change(ends[0], ends[1], progress)
+                                  : sum.next_event(ends[0], ends[1], progress));
+  return found ? std::vector<SolidTurnEvent>{*found} : std::vector<SolidTurnEvent>{};
+}
+
+}  // namespace
+
+ExitCode run_solid_turns(const SolidTurns& turns, const ReportOptions& report) {
+  const TurnAxis axis = read_axis(turns.axis);
+  if (!turns.range.empty()) read_range(turns.range, axis);
+  const InterruptGuard guard;
+  std::optional<ProgressBar> bar(std::in_place);
+  const Progress progress = bar->callback();
+  const TurningSolidSum sum = require(TurningSolidSum::create(turns.inputs[0].mesh, turns.inputs[1].mesh, axis));
+  const auto [events, timing] = timed(report.repeat, [&] { return find_events(sum, turns, progress); });
+  bar.reset();
+  if (report.json) {
+    Json list = Json::array();
+    for (const SolidTurnEvent& e : events) list.push_back(event_json(e));
+    Json json = report_head("rotate", solid_inputs_json(turns.inputs), 0, timing);
+    json["axis"] = {sum.axis()[0], sum.axis()[1], sum.axis()[2]};
+    json["range"] = turns.range.empty() ? Json(nullptr) : Json(turns.range);
+    json["events"] = list;
+    print_report(json);
+  } else {
+    for (const SolidTurnEvent& e : events) print_event(std::cout, e);
+    std::cout << counted(events.size(), "event") << ", " << sum.work().windows << " windows, " << sum.work().candidates
+              << " polynomials, " << counted(sum.work().sums, "sum") << "\n";
+    print_times(std::cout, timing);
+  }
+  return events.empty() && (turns.next || turns.next_topology) ? kNo : kDone;
+}
+
+}  // namespace dymsum::cli

@@ -1,0 +1,107 @@
+// Sums of solids of any shape while an operand scales, as events: the exact scales at which P + s Q is another
+// polyhedron than beside them.
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <vector>
+
+#include "dymsum/frames.h"
+#include "dymsum/scale.h"
+#include "dymsum/scaling_sum.h"
+#include "dymsum/spatial_sum.h"
+
+namespace dymsum {
+
+/// An exact scale at which the combinatorial structure of a sum of solids differs from that before or after it: its
+/// faces by their planes, which of them meet along which edges and in which vertices, its shells, its tight features.
+struct SolidScaleEvent {
+  enum class Kind : std::uint8_t {
+    vertex_on_facet,  ///< a corner of a facet comes onto another facet, or onto an edge or a corner of one
+    edge_on_edge,     ///< two edges of facets cross
+    four_facets,      ///< four facets have a point in common, two of them perhaps at a common edge
+    coplanar_facets,  ///< parallel facets come into one plane
+  };
+  Rational s;
+  double approx = 0;
+  Kind kind = Kind::vertex_on_facet;  ///< of several at one scale the last of these
+  bool topology = false;  ///< shells, the genus of one, or the counts of tight features differ before, at or after it
+  friend bool operator==(const SolidScaleEvent&, const SolidScaleEvent&) = default;
+};
+
+struct ScalingSolidOptions {
+  MovingOperand moving = MovingOperand::q;  ///< which operand scales, about the origin of its coordinates
+  Semantics semantics = Semantics::closed;
+  bool tight = true;  ///< look for tight features; without them they make no events
+  int threads = 1;    ///< 0: as many as there are cores; the result does not depend on it
+};
+
+/// How an answer was found.
+struct SolidEventWork {
+  std::uint64_t candidates = 0;  ///< tuples of corners, edges and facets that might meet
+  std::uint64_t exact = 0;       ///< of these, points that exact numbers had to tell
+  std::uint64_t points = 0;      ///< that are, and are not surely in the open sum
+  std::uint64_t values = 0;      ///< different scales of these
+  std::uint64_t sums = 0;        ///< sums computed to compare them, where the facets at the points do not tell
+};
+
+/// P + s Q, or s P + Q, for exact s > 0. The reduced convolution is the same at every scale, so that it is made once,
+/// and its planes and corners move linearly: all events are rational. Immutable; queries may run at the same time.
+/// Source: Behar 2016, section 6.3, where four facets in a point are missing (docs/design/scaling-solids.md).
+class ScalingSolidSum {
+ public:
+  /// Errors: unsupported_operand for thin parts, and coordinates of more than 250 bits; out_of_range for threads below
+  /// 0.
+  static Result<ScalingSolidSum> create(const Mesh& p, const Mesh& q, const ScalingSolidOptions& options = {});
+  ScalingSolidSum(ScalingSolidSum&&) noexcept;
+  ScalingSolidSum& operator=(ScalingSolidSum&&) noexcept;
+  ~ScalingSolidSum();
+
+  std::size_t facet_count() const;  ///< of the reduced convolution
+
+  /// The exact sum at a scale, that of an event included: minkowski_sum of the scaled operands. Errors:
+  /// unsupported_operand where coordinates need more than 250 bits; cancelled. Cost: the stages of a sum behind its
+  /// convolution.
+  Result<SpatialSum> at(const Scale& s, const Progress& progress = {}) const;
+
+  /// All events in [a, b] in order. Exact. Errors: bad_scale when a > b; cancelled; unsupported_operand as at(), where
+  /// sums have to be compared. Cost: pairs and triples of facets that come near each other in windows of scales, an
+  /// exact point for each of their meetings outside of what is surely covered; three sums for every scale at which
+  /// facets meet in more than the general way, or in one that may change the topology.
+  Result<std::vector<SolidScaleEvent>> events(const Scale& a, const Scale& b, const Progress& progress = {},
+                                              SolidEventWork* work = nullptr) const;
+  /// The first event after s and at most `limit`, if there is one.
+  Result<std::optional<SolidScaleEvent>> next_event(const Scale& s, const Scale& limit,
+                                                    EventChange change = EventChange::visible,
+                                                    const Progress& progress = {}) const;
+  /// The first one that changes shells, genus or the counts of tight features.
+  Result<std::optional<SolidScaleEvent>> next_topology_change(const Scale& s, const Scale& limit,
+                                                              const Progress& progress = {}) const {
+    return next_event(s, limit, EventChange::topology, progress);
+  }
+  /// A hash of the sum's combinatorics at a scale, no positions: constant between consecutive events. Errors as at().
+  Result<std::uint64_t> combinatorial_hash(const Scale& s, const Progress& progress = {}) const;
+
+ private:
+  class State;
+  explicit ScalingSolidSum(std::unique_ptr<State> state);
+  std::unique_ptr<State> state_;
+};
+
+/// The thesis's pair events over s in (0, infinity), counted without storing them: for each pair of facets of the
+/// reduced convolution that are not parallel the finite ends of the interval of scales at which they meet.
+struct SolidPairEventCount {
+  std::uint64_t facets = 0;
+  std::uint64_t pairs_that_meet = 0;  ///< pairs with a non-empty interval, but for those that share a corner
+  std::uint64_t vertex_on_facet = 0;  ///< ends at which a corner of one lies on the other
+  std::uint64_t edge_on_edge = 0;     ///< ends at which two borders cross
+  std::uint64_t exact_pairs = 0;      ///< pairs that doubles did not decide
+  std::uint64_t events() const { return vertex_on_facet + edge_on_edge; }
+};
+/// O(N^2) time for N facets, O(N) memory. Errors: as ScalingSolidSum::create; cancelled.
+Result<SolidPairEventCount> count_solid_pair_events(const Mesh& p, const Mesh& q,
+                                                    const ScalingSolidOptions& options = {},
+                                                    const Progress& progress = {});
+
+}  // namespace dymsum

@@ -1,0 +1,237 @@
+// Sums of solids while one scales: events, scale ranges, copies.
+#include "arguments.h"
+#include "bind.h"
+#include "calls.h"
+#include "dymsum/moving_solid_sum.h"
+#include "dymsum/scaling_solid_sum.h"
+#include "dymsum/solid_scale_range.h"
+#include "held.h"
+#include "record.h"
+#include "remember.h"
+
+namespace dymsum::python {
+namespace {
+
+using namespace nb::literals;
+
+struct ScalingSolid {
+  ScalingSolid(const MeshArgument& p_of, const MeshArgument& q_of, const ScalingSolidOptions& o)
+      : p(p_of.object), q(q_of.object), options(o), held(create(*p_of, *q_of)) {}
+
+  ScalingSolidSum create(const Mesh& p_of, const Mesh& q_of) const {
+    return run(Progress(), [&](const Progress&) { return ScalingSolidSum::create(p_of, q_of, options); });
+  }
+  /// The value of work(sum, progress), a Result, without the GIL.
+  template <class Work>
+  auto ask(const Progress& progress, Work&& work) {
+    return held.alone(
+        [&](const ScalingSolidSum& sum) { return run(progress, [&](const Progress& own) { return work(sum, own); }); });
+  }
+  nb::object p, q;
+  ScalingSolidOptions options;
+  Held<ScalingSolidSum> held;
+};
+
+void bind_event_types(nb::module_& m) {
+  Record<SolidScaleEvent> event(
+      m, "SolidScaleEvent", "An exact scale at which the structure of a sum of solids differs from that beside it.");
+  nb::enum_<SolidScaleEvent::Kind>(event, "Kind", "What meets at an event.")
+      .value("vertex_on_facet", SolidScaleEvent::Kind::vertex_on_facet)
+      .value("edge_on_edge", SolidScaleEvent::Kind::edge_on_edge)
+      .value("four_facets", SolidScaleEvent::Kind::four_facets)
+      .value("coplanar_facets", SolidScaleEvent::Kind::coplanar_facets);
+  event.field("s", &SolidScaleEvent::s)
+      .field("approx", &SolidScaleEvent::approx)
+      .field("kind", &SolidScaleEvent::kind)
+      .field("topology", &SolidScaleEvent::topology, "shells, a genus or the counts of tight features change");
+  Record<SolidEventWork>(m, "SolidEventWork", "How events were found.")
+      .field("candidates", &SolidEventWork::candidates)
+      .field("exact", &SolidEventWork::exact)
+      .field("points", &SolidEventWork::points)
+      .field("values", &SolidEventWork::values)
+      .field("sums", &SolidEventWork::sums, "computed to compare them");
+  Record<ScalingSolidOptions> options(m, "ScalingSolidOptions", "Options of sums of solids one of which scales.");
+  options.def(
+      "__init__",
+      [](ScalingSolidOptions* self, MovingOperand moving, Semantics semantics, bool tight, int threads) {
+        new (self) ScalingSolidOptions{moving, semantics, tight, threads};
+      },
+      "moving"_a = MovingOperand::q, "semantics"_a = Semantics::closed, "tight"_a = true, "threads"_a = 1);
+  options.option("moving", &ScalingSolidOptions::moving, "which operand scales")
+      .option("semantics", &ScalingSolidOptions::semantics)
+      .option("tight", &ScalingSolidOptions::tight, "look for tight features; False lists none")
+      .option("threads", &ScalingSolidOptions::threads, "0: as many as there are cores");
+}
+
+void bind_sum(nb::module_& m) {
+  nb::class_<ScalingSolid> type(m, "ScalingSolidSum",
+                                R"doc(P (+) s Q of solids of any shape, with its events.
+
+>>> from dymsum import ScalingSolidSum, shapes, solids
+>>> ell = solids.prism(shapes.letter_l(3, 2, 1).parts[0].outer, 1)
+>>> sum = ScalingSolidSum(ell, solids.box(0, 0, 0, 1, 1, 1))
+>>> sum.events(1, 2), sum.at(2).shells
+([], 1)
+)doc");
+  type.def(
+          "__init__",
+          [](ScalingSolid* self, const MeshArgument& p, const MeshArgument& q, const ScalingSolidOptions& options) {
+            new (self) ScalingSolid(p, q, options);
+          },
+          "p"_a, "q"_a, "options"_a = ScalingSolidOptions())
+      .def_static(
+          "create",
+          [](const MeshArgument& p, const MeshArgument& q, const ScalingSolidOptions& options) {
+            return new ScalingSolid(p, q, options);
+          },
+          nb::rv_policy::take_ownership, "p"_a, "q"_a, "options"_a = ScalingSolidOptions(),
+          "Raises Error: unsupported_operand; out_of_range for threads below 0.")
+      .def("facet_count",
+           [](ScalingSolid& self) { return self.held.alone([](ScalingSolidSum& s) { return s.facet_count(); }); })
+      .def(
+          "at",
+          [](ScalingSolid& self, const ScaleArgument& s, const Progress& progress) {
+            const Scale at = s.value();
+            SolidPose pose[2];
+            pose[self.options.moving == MovingOperand::p ? 0 : 1].scale = {at, at, at};
+            MovingSolidOptions options;
+            options.semantics = self.options.semantics, options.tight = self.options.tight;
+            return remembered(
+                self.ask(progress, [&](const ScalingSolidSum& sum, const Progress& own) { return sum.at(at, own); }),
+                "posed_sum", self.p, self.q, pose[0], pose[1], options);
+          },
+          "s"_a, "progress"_a = nb::none(), "The exact sum at a scale, that of an event included.")
+      .def(
+          "events",
+          [](ScalingSolid& self, const ScaleArgument& a, const ScaleArgument& b, const Progress& progress) {
+            const Scale low = a.value(), high = b.value();
+            return self.ask(
+                progress, [&](const ScalingSolidSum& sum, const Progress& own) { return sum.events(low, high, own); });
+          },
+          "a"_a, "b"_a, "progress"_a = nb::none(), "All events in [a, b] in order. Raises Error: bad_scale, cancelled.")
+      .def(
+          "next_event",
+          [](ScalingSolid& self, const ScaleArgument& s, const ScaleArgument& limit, EventChange change,
+             const Progress& progress) {
+            const Scale low = s.value(), high = limit.value();
+            return self.ask(progress, [&](const ScalingSolidSum& sum, const Progress& own) {
+              return sum.next_event(low, high, change, own);
+            });
+          },
+          "s"_a, "limit"_a, "change"_a = EventChange::visible, "progress"_a = nb::none(),
+          "The first event after s and at most `limit`; None where there is none.")
+      .def(
+          "next_topology_change",
+          [](ScalingSolid& self, const ScaleArgument& s, const ScaleArgument& limit, const Progress& progress) {
+            const Scale low = s.value(), high = limit.value();
+            return self.ask(progress, [&](const ScalingSolidSum& sum, const Progress& own) {
+              return sum.next_topology_change(low, high, own);
+            });
+          },
+          "s"_a, "limit"_a, "progress"_a = nb::none(), "The first one that changes shells, genus or tight features.")
+      .def(
+          "combinatorial_hash",
+          [](ScalingSolid& self, const ScaleArgument& s, const Progress& progress) {
+            const Scale at = s.value();
+            return self.ask(progress, [&](const ScalingSolidSum& sum, const Progress& own) {
+              return sum.combinatorial_hash(at, own);
+            });
+          },
+          "s"_a, "progress"_a = nb::none(), "Constant between consecutive events.")
+      .def_prop_ro("options", [](const ScalingSolid& self) { return self.options; })
+      .def("__reduce__", [](nb::handle_t<ScalingSolid> self) {
+        const auto* object = nb::inst_ptr<ScalingSolid>(self);
+        return nb::make_tuple(self.type(), nb::make_tuple(object->p, object->q, object->options));
+      });
+}
+
+void bind_solid_counts(nb::module_& m) {
+  Record<SolidPairEventCount>(m, "SolidPairEventCount", "The thesis's pair events of solids over all scales.")
+      .field("facets", &SolidPairEventCount::facets)
+      .field("pairs_that_meet", &SolidPairEventCount::pairs_that_meet)
+      .field("vertex_on_facet", &SolidPairEventCount::vertex_on_facet)
+      .field("edge_on_edge", &SolidPairEventCount::edge_on_edge)
+      .field("exact_pairs", &SolidPairEventCount::exact_pairs)
+      .def("events", &SolidPairEventCount::events);
+  m.def(
+      "count_solid_pair_events",
+      [](const MeshArgument& p, const MeshArgument& q, const ScalingSolidOptions& options, const Progress& progress) {
+        return run(progress, [&](Progress own) { return count_solid_pair_events(*p, *q, options, own); });
+      },
+      "p"_a, "q"_a, "options"_a = ScalingSolidOptions(), "progress"_a = nb::none());
+}
+
+void bind_solid_ranges(nb::module_& m) {
+  Record<SolidScaleContact>(m, "SolidScaleContact", "A contact of part and obstacle at one exact scale.")
+      .field("part", &SolidScaleContact::part)
+      .field("obstacle", &SolidScaleContact::obstacle)
+      .field("leg", &SolidScaleContact::leg)
+      .field("along", &SolidScaleContact::along)
+      .field("at", &SolidScaleContact::at);
+  Record<SolidScaleInterval>(m, "SolidScaleInterval",
+                             "A closed interval of scales; low None: from 0 on, high None: without end.")
+      .field("low", &SolidScaleInterval::low)
+      .field("high", &SolidScaleInterval::high)
+      .field("at_low", &SolidScaleInterval::at_low)
+      .field("at_high", &SolidScaleInterval::at_high);
+  Record<SolidScaleRange>(m, "SolidScaleRange", "An exact set of scales.")
+      .field("free", &SolidScaleRange::free, "intervals in order, disjoint")
+      .field("critical", &SolidScaleRange::critical)
+      .field("tested", &SolidScaleRange::tested)
+      .def(
+          "contains", [](const SolidScaleRange& self, const ScaleArgument& s) { return self.contains(s.value()); },
+          "s"_a)
+      .def("trap", &SolidScaleRange::trap, "The scale up to which all smaller parts are free; None: never blocked.");
+  m.def(
+      "solid_scale_range",
+      [](const MeshArgument& part, const std::vector<Point3>& path, const MeshArgument& obstacles,
+         const Progress& progress) {
+        return run(progress, [&](Progress own) { return solid_scale_range(*part, path, *obstacles, own); });
+      },
+      "part"_a, "path"_a, "obstacles"_a, "progress"_a = nb::none(),
+      "The scales s for which s `part`, moved along the path, never overlaps the obstacles.");
+  m.def(
+      "solid_fit_range",
+      [](const MeshArgument& part, const MeshArgument& container, const Point3& at, const Progress& progress) {
+        return run(progress, [&](Progress own) { return solid_fit_range(*part, *container, at, own); });
+      },
+      "part"_a, "container"_a, "at"_a, "progress"_a = nb::none(),
+      "The scales at which s `part`, placed at `at`, lies inside the container.");
+  m.def(
+      "solid_fit_range",
+      [](const MeshArgument& part, const MeshArgument& container, const Progress& progress) {
+        return run(progress, [&](Progress own) { return solid_fit_range(*part, *container, own); });
+      },
+      "part"_a, "container"_a, "progress"_a = nb::none(),
+      "The scales at which s `part` lies inside the container at some translation.");
+}
+
+void bind_solid_copies(nb::module_& m) {
+  Record<ScaledSolidCopy>(m, "ScaledSolidCopy", "One copy of a master solid: scaled about its origin, then moved.")
+      .constructible()
+      .field("scale", &ScaledSolidCopy::scale)
+      .field("at", &ScaledSolidCopy::at);
+  Record<SolidCopySum>(m, "SolidCopySum", "The sum of a copy, not moved.")
+      .field("sum", &SolidCopySum::sum)
+      .field("at", &SolidCopySum::at, "add it to every position");
+  m.def(
+      "scaled_solid_copies",
+      [](const MeshArgument& master, const MeshArgument& q, const std::vector<ScaledSolidCopy>& copies,
+         const Progress& progress) {
+        return run(progress, [&](Progress own) { return scaled_solid_copies(*master, *q, copies, own); });
+      },
+      "master"_a, "q"_a, "copies"_a, "progress"_a = nb::none(),
+      "s_i P (+) Q for every copy s_i P + z_i of an environment, in the order given.");
+}
+
+}  // namespace
+
+void bind_scaling_solids(nb::module_& m) {
+  bind_event_types(m);
+  bind_sum(m);
+  bind_solid_counts(m);
+  bind_solid_ranges(m);
+  bind_solid_copies(m);
+}
+
+}  // namespace dymsum::python

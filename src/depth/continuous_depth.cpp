@@ -1,0 +1,305 @@
+// The public classes: one pose after the other.
+#include "dymsum/continuous_depth.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numbers>
+#include <stdexcept>
+
+#include "depth/boundary_distance.h"
+#include "depth/continuous_tracker.h"
+#include "exact/big.h"
+
+namespace dymsum {
+
+using depth::ContinuousPlace;
+using depth::ContinuousSurface;
+using depth::ContinuousTracker;
+using depth::SurfaceDistance;
+using spatial::Vec3;
+
+namespace {
+
+bool is_finite_at(const Point3& v) { return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z); }
+
+/// Twice the circumradius about the origin, at least the size of all coordinates.
+double extent(const Mesh& mesh) {
+  double most = 0;
+  for (const Point3& v : mesh.vertices()) most = std::max({most, std::abs(v.x), std::abs(v.y), std::abs(v.z)});
+  return 2 * most;
+}
+
+double diagonal(const Mesh& mesh) {
+  const std::array<double, 6> b = bounds(mesh);
+  return std::hypot(b[3] - b[0], b[4] - b[1], b[5] - b[2]);
+}
+
+std::optional<Error> options_error(const ContinuousDepthOptions& o) {
+  const double length = o.smoothing_length.value_or(0);
+  if (!std::isfinite(length) || !std::isfinite(o.inflation) || !std::isfinite(o.margin))
+    return Error{ErrorCode::not_finite, "an option of the depth is not finite", {}};
+  if (length < 0 || o.margin < 0) return Error{ErrorCode::out_of_range, "a length is below 0", {}};
+  if (o.inflation < 1) return Error{ErrorCode::out_of_range, "the inflation is below 1", {}};
+  if (o.halvings < 0 || o.halvings > 20)
+    return Error{ErrorCode::out_of_range, "a step is halved between 0 and 20 times", {}};
+  return std::nullopt;
+}
+
+/// Halfway, on the shorter way.
+Rotation between(const Rotation& a, const Rotation& b) {
+  std::array<double, 4> sum{};
+  double product = 0, na = 0, nb = 0;
+  for (std::size_t k = 0; k < 4; ++k) {
+    const auto x = static_cast<double>(a.quaternion()[k]), y = static_cast<double>(b.quaternion()[k]);
+    product += x * y, na += x * x, nb += y * y;
+  }
+  const double wa = 1 / std::sqrt(na), wb = (product < 0 ? -1 : 1) / std::sqrt(nb);
+  for (std::size_t k = 0; k < 4; ++k)
+    sum[k] = wa * static_cast<double>(a.quaternion()[k]) + wb * static_cast<double>(b.quaternion()[k]);
+  Result<Rotation> middle = Rotation::nearest(sum[0], sum[1], sum[2], sum[3]);
+  return middle ? *middle : a;
+}
+
+spatial::Mat3 matrix_of(const Rotation& r) {
+  const std::array<std::int64_t, 9> n = r.matrix();
+  const double s = 1 / static_cast<double>(r.norm());
+  const auto row = [&](std::size_t k) {
+    return Vec3{s * static_cast<double>(n[k]), s * static_cast<double>(n[k + 1]), s * static_cast<double>(n[k + 2])};
+  };
+  return {row(0), row(3), row(6)};
+}
+
+/// A box of short numbers that holds the one about a place.
+ClipBox box_about(const Point3& at, double reach) {
+  const double step = std::ldexp(1.0, std::ilogb(reach) - 5);
+  const auto low = [&](double v) { return (std::floor((v - reach) / step) - 1) * step; };
+  const auto high = [&](double v) { return (std::ceil((v + reach) / step) + 1) * step; };
+  return {{low(at.x), low(at.y), low(at.z)}, {high(at.x), high(at.y), high(at.z)}};
+}
+
+/// The part of a sum's boundary no further than `reach` from a place, more or less: what cannot be nearest is left out.
+SpatialSum near_part(const SpatialSum& sum, const ContinuousSurface& s, Vec3 from, double reach) {
+  SpatialSum part = sum;
+  part.faces.clear(), part.tight_faces.clear();
+  const auto is_near = [&](const depth::SurfaceFace& f) {
+    const auto gap = [](double low, double high, double v) { return std::max({low - v, v - high, 0.0}); };
+    return spatial::length({gap(f.low.x, f.high.x, from.x), gap(f.low.y, f.high.y, from.y),
+                            gap(f.low.z, f.high.z, from.z)}) <= reach;
+  };
+  for (std::size_t k = 0; k < s.faces.size(); ++k)
+    if (is_near(s.faces[k])) part.faces.push_back(sum.faces[k]);
+  for (std::size_t k = 0; k < sum.tight_faces.size(); ++k)
+    if (is_near(s.tight[k])) part.tight_faces.push_back(sum.tight_faces[k]);
+  return part;
+}
+
+}  // namespace
+
+class ContinuousDepth::State {
+ public:
+  State(const Mesh& p, const Mesh& q, LocalSum local, const ContinuousDepthOptions& options)
+      : local_(std::move(local)), radius_q_(std::sqrt(3.0) * extent(q) / 2), extent_(extent(p) + 2 * radius_q_) {
+    smoothing_ = options.smoothing_length.value_or(0.25 * std::min(diagonal(p), diagonal(q)));
+    margin_ = options.margin > 0 ? options.margin : smoothing_ > 0 ? smoothing_ : extent_ / 16;
+    ContinuousTracker::Limits limits;
+    limits.scale = std::ldexp(1.0, -std::ilogb(smoothing_ > 0 ? smoothing_ : extent_));
+    limits.smoothing = smoothing_ * limits.scale, limits.inflation = options.inflation;
+    limits.halvings = halvings_ = options.halvings;
+    tracker_ = ContinuousTracker(limits);
+    solids_.p = std::make_shared<const ContinuousSurface>(depth::continuous_surface(p, limits.scale));
+    solids_.q = std::make_shared<const ContinuousSurface>(depth::continuous_surface(q, limits.scale));
+  }
+
+  bool takes_smoothing() const {
+    return smoothing_ == 0 || (smoothing_ >= extent_ * 0x1p-30 && smoothing_ <= extent_ * 64);
+  }
+  double smoothing() const { return smoothing_; }
+
+  Result<ContinuousContact> query(const Point3& at, const Rotation& turned) {
+    answered_ = false;
+    ContinuousContact result;
+    if (std::optional<Error> error = step(at, turned, halvings_, result)) {
+      forget();
+      return *std::move(error);
+    }
+    at_ = at, answered_ = true;
+    return result;
+  }
+
+  Rational exact_square() const {
+    require_answer();
+    if (!near_.inside) return 0;
+    const double reach = near_.nearest.distance * (1 + 0x1p-30) + 4 * tracker_.error();
+    const SpatialSum part =
+        near_part(*tracker_.place()->boundary, tracker_.place()->surface, tracker_.scaled(at_), reach);
+    const depth::RationalVector from{exact::exact_value(at_.x), exact::exact_value(at_.y), exact::exact_value(at_.z)};
+    const depth::RationalVector v = depth::nearest_on_boundary(part, from).front();
+    return exact::to_rational(v[0] * v[0] + v[1] * v[1] + v[2] * v[2]);
+  }
+
+  const ContinuousTracker& tracker() const {
+    require_answer();
+    return tracker_;
+  }
+  void forget() { tracker_.drop(Discontinuity::entered), answered_ = false; }
+
+ private:
+  void require_answer() const {
+    if (!answered_) throw std::logic_error("ContinuousDepth: there is no answer yet");
+  }
+
+  /// From the last pose to this one, by halves where that is not sure to follow.
+  std::optional<Error> step(const Point3& at, const Rotation& turned, int halvings, ContinuousContact& result) {
+    const bool turns = !tracker_.place() || !(turned == turned_);
+    const ContinuousTracker before = tracker_;
+    const Rotation turned_before = turned_;
+    const Point3 from = last_;
+    const double angle = turns ? (turned * turned_.inverse()).angle() : 0;
+    if (std::optional<Error> error = prepare(at, turned, turns, result)) return error;
+    const double turned_by = angle * radius_q_ * tracker_.limits().scale;
+    const bool must = !turns || halvings == 0 || !before.is_tracking();
+    if (tracker_.answer(tracker_.scaled(at), near_, turned_by, must, result)) {
+      last_ = at;
+      return std::nullopt;
+    }
+    tracker_ = before, turned_ = turned_before;
+    const Point3 middle{0.5 * (from.x + at.x), 0.5 * (from.y + at.y), 0.5 * (from.z + at.z)};
+    const Rotation half = between(turned_before, turned);
+    ContinuousContact between_them;
+    between_them.work = result.work;
+    if (std::optional<Error> error = step(middle, half, halvings - 1, between_them)) return error;
+    result.work = between_them.work;
+    if (std::optional<Error> error = step(at, turned, halvings - 1, result)) return error;
+    // What jumped on the way has jumped.
+    if (result.discontinuity == Discontinuity::none) result.discontinuity = between_them.discontinuity;
+    return std::nullopt;
+  }
+
+  /// What has to be known of the boundary about a place, and the distance there.
+  std::optional<Error> prepare(const Point3& at, const Rotation& turned, bool turns, ContinuousContact& result) {
+    const Vec3 from = tracker_.scaled(at);
+    if (!turns) {
+      near_ = depth::nearest_on(tracker_.place()->surface, from);
+      if (is_covered(from)) return std::nullopt;
+    }
+    if (std::max({std::abs(at.x), std::abs(at.y), std::abs(at.z)}) > extent_) return far_away(at, turned);
+    const double scale = tracker_.limits().scale;
+    double reach = (near_.inside ? tracker_.wanted(near_.nearest.distance) / scale : smoothing_) + margin_;
+    for (;;) {
+      if (std::optional<Error> error = cut(at, turned, reach, result)) return error;
+      const ContinuousPlace& place = *tracker_.place();
+      near_ = depth::nearest_on(place.surface, from);
+      const double wanted = near_.inside ? tracker_.wanted(near_.nearest.distance) / scale : 0;
+      if (is_covered(from) && (std::isinf(place.reach) || wanted + 0.5 * margin_ <= reach)) return std::nullopt;
+      reach = std::max(near_.face.distance / scale <= reach ? wanted : 2 * reach, wanted) + margin_;
+    }
+  }
+
+  /// Where no point of Q can meet P.
+  std::optional<Error> far_away(const Point3& at, const Rotation& turned) {
+    auto place = std::make_shared<ContinuousPlace>();
+    place->boundary = std::make_shared<const SpatialSum>();
+    place->middle = tracker_.scaled(at);
+    near_ = {};
+    near_.face.distance = near_.nearest.distance = std::numeric_limits<double>::infinity();
+    turned_ = turned;
+    tracker_.move_to(std::move(place));
+    return std::nullopt;
+  }
+
+  bool is_covered(Vec3 from) const {
+    const ContinuousPlace& place = *tracker_.place();
+    if (std::isinf(place.reach)) return true;
+    if (near_.face.face == depth::kNoEdge) return !place.all_inside && spatial::length(from - place.middle) == 0;
+    if (near_.inside) return tracker_.covers(from, near_.nearest.distance);
+    return near_.face.distance <= place.reach - spatial::length(from - place.middle);
+  }
+
+  std::optional<Error> cut(const Point3& at, const Rotation& turned, double reach, ContinuousContact& result) {
+    SolidPose pose;
+    pose.rotation = turned;
+    ++result.work.local_sums;
+    Result<LocalPart> part = local_.in(box_about(at, reach), {}, pose);
+    if (!part) return part.error();
+    const double scale = tracker_.limits().scale;
+    auto place = std::make_shared<ContinuousPlace>();
+    place->surface = depth::continuous_surface(part->boundary, scale);
+    place->solids = solids_, place->solids.turn = matrix_of(turned);
+    place->middle = tracker_.scaled(at);
+    const double furthest = std::max({std::abs(at.x), std::abs(at.y), std::abs(at.z)});
+    place->size = (furthest + extent_) * scale;
+    place->reach = reach >= furthest + extent_ ? std::numeric_limits<double>::infinity() : reach * scale;
+    // Without faces, but with tight features: these are inside.
+    place->all_inside = part->where == LocalPart::Where::inside || part->where == LocalPart::Where::crossed;
+    place->boundary = std::make_shared<const SpatialSum>(std::move(part->boundary));
+    turned_ = turned;
+    tracker_.move_to(std::move(place));
+    return std::nullopt;
+  }
+
+  LocalSum local_;
+  depth::WitnessSolids solids_;
+  double radius_q_, extent_, smoothing_ = 0, margin_ = 0;
+  int halvings_ = 0;
+  ContinuousTracker tracker_;
+  SurfaceDistance near_;
+  Rotation turned_;
+  Point3 at_, last_;
+  bool answered_ = false;
+};
+
+Result<ContinuousDepth> ContinuousDepth::create(const Mesh& p, const Mesh& q, const ContinuousDepthOptions& options) {
+  if (std::optional<Error> error = options_error(options)) return *std::move(error);
+  if (p.faces().empty() || q.faces().empty()) return Error{ErrorCode::no_area, "an operand is empty", {}};
+  LocalOptions local;
+  local.tight = options.tight, local.threads = options.threads, local.progress = options.progress;
+  Result<LocalSum> sum = LocalSum::create(p, negated(q), local);
+  if (!sum) return sum.error();
+  auto state = std::make_unique<State>(p, q, *std::move(sum), options);
+  if (!state->takes_smoothing())
+    return Error{
+        ErrorCode::out_of_range, "the smoothing length is not between 2^-30 and 64 times the solids' size", {}};
+  return ContinuousDepth(std::move(state));
+}
+
+ContinuousDepth::ContinuousDepth(std::unique_ptr<State> state) : state_(std::move(state)) {}
+ContinuousDepth::ContinuousDepth(ContinuousDepth&&) noexcept = default;
+ContinuousDepth& ContinuousDepth::operator=(ContinuousDepth&&) noexcept = default;
+ContinuousDepth::~ContinuousDepth() = default;
+
+Result<ContinuousContact> ContinuousDepth::query(Point3 q_moved_by, const Rotation& q_turned) {
+  if (!is_finite_at(q_moved_by)) {
+    state_->forget();
+    return Error{ErrorCode::not_finite, "the translation is not finite", {}};
+  }
+  return state_->query(q_moved_by, q_turned);
+}
+
+Rational ContinuousDepth::euclidean_squared() const { return state_->exact_square(); }
+DepthPatch ContinuousDepth::patch() const { return DepthPatch(state_->tracker()); }
+void ContinuousDepth::forget() { state_->forget(); }
+double ContinuousDepth::smoothing_length() const { return state_->smoothing(); }
+
+DepthPatch::DepthPatch(const ContinuousTracker& tracker) : tracker_(std::make_unique<ContinuousTracker>(tracker)) {}
+DepthPatch::DepthPatch(const DepthPatch& other) : DepthPatch(*other.tracker_) {}
+DepthPatch& DepthPatch::operator=(const DepthPatch& other) { return *this = DepthPatch(other); }
+DepthPatch::DepthPatch(DepthPatch&&) noexcept = default;
+DepthPatch& DepthPatch::operator=(DepthPatch&&) noexcept = default;
+DepthPatch::~DepthPatch() = default;
+
+bool DepthPatch::covers(Point3 q_moved_by) const {
+  const Vec3 from = tracker_->scaled(q_moved_by);
+  const SurfaceDistance near = depth::nearest_on(tracker_->place()->surface, from);
+  return near.inside && tracker_->covers(from, near.nearest.distance);
+}
+
+ContinuousContact DepthPatch::at(Point3 q_moved_by) {
+  if (!is_finite_at(q_moved_by)) throw std::invalid_argument("DepthPatch::at: the translation is not finite");
+  const Vec3 from = tracker_->scaled(q_moved_by);
+  ContinuousContact result;
+  tracker_->answer(from, depth::nearest_on(tracker_->place()->surface, from), 0, true, result);
+  return result;
+}
+
+}  // namespace dymsum

@@ -1,0 +1,73 @@
+// The faces of a part of a sum's boundary in doubles, with their neighbours: what a projection walks on.
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "dymsum/spatial_sum.h"
+#include "spatial/mesh/vec3.h"
+
+namespace dymsum::depth {
+
+using spatial::Vec3;
+
+inline constexpr std::uint32_t kNoEdge = 0xffffffff;
+
+/// A directed edge of a face, whose inside is on the left seen from outside.
+struct SurfaceEdge {
+  std::uint32_t from = 0, to = 0, face = 0;
+  std::uint32_t twin = kNoEdge;  ///< the same edge of the neighbour; none where a clip box cut the face
+  Vec3 along, out;               ///< of length 1, in the face's plane; out of the face. Zero for an edge without length
+  double length = 0;
+};
+
+struct SurfaceFace {
+  Vec3 normal, low, high;             ///< outward; its box
+  std::uint32_t first = 0, last = 0;  ///< its edges, all loops
+  SolidContact contact;
+};
+
+/// A position on the surface and how far away it is.
+struct SurfacePoint {
+  Vec3 at;
+  std::uint32_t face = kNoEdge;  ///< none: on a tight feature, or nothing found
+  double distance = 0;
+};
+
+struct ContinuousSurface {
+  std::vector<Vec3> at;
+  std::vector<SurfaceFace> faces;
+  std::vector<SurfaceEdge> edges;
+  std::vector<SurfaceFace>
+      tight;  ///< faces without neighbours, by edges of tight_edges; segments are faces of one edge
+  std::vector<SurfaceEdge> tight_edges;
+  std::vector<Vec3> tight_points;
+
+  Vec3 start(const SurfaceEdge& e) const { return at[e.from]; }
+};
+
+/// Coordinates times `scale`, a power of two. O(n log n).
+ContinuousSurface continuous_surface(const SpatialSum& sum, double scale);
+
+/// The boundary of a solid.
+ContinuousSurface continuous_surface(const Mesh& mesh, double scale);
+
+/// Whether some face comes within `reach` of a position. O(n).
+bool comes_within(const ContinuousSurface& surface, Vec3 from, double reach);
+
+/// The nearest position, tight features included, and whether `from` is inside: beyond the faces that are nearest. By
+/// the best aligned of the faces at the nearest position, as at an edge not all tell. O(n).
+struct SurfaceDistance {
+  SurfacePoint nearest;  ///< of all
+  SurfacePoint face;     ///< of faces
+  bool inside = false;
+};
+SurfaceDistance nearest_on(const ContinuousSurface& surface, Vec3 from);
+/// The nearest position of the faces alone. O(n).
+SurfacePoint nearest_face(const ContinuousSurface& surface, Vec3 from);
+
+/// Positions of faces no further than `reach` where the distance from `from` has a local minimum, the nearest ones
+/// first. O(n log n).
+std::vector<SurfacePoint> local_minima(const ContinuousSurface& surface, Vec3 from, double reach);
+
+}  // namespace dymsum::depth

@@ -1,0 +1,219 @@
+#include "dymsum/solid_scale_range.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "dymsum/scaling_solid_sum.h"
+#include "fit/free_intervals.h"
+#include "fit/solid_path.h"
+#include "spatial/erode/frame.h"
+#include "spatial/moving/posed_sum.h"
+
+namespace dymsum {
+
+using namespace spatial;
+using exact::BigRational;
+
+namespace {
+
+Error refused_solid(const char* text) { return {ErrorCode::unsupported_operand, text, {}}; }
+
+std::optional<Error> check_solids(const Mesh& part, const Mesh& other) {
+  if (part.empty()) return refused_solid("the part is empty");
+  if (other.empty()) return refused_solid("the solid of obstacles, or the container, is empty");
+  if (part.has_thin_parts() || other.has_thin_parts())
+    return refused_solid("part, obstacles and containers have to be solids without parts that have no volume");
+  return std::nullopt;
+}
+
+bool is_finite_point(const Point3& p) { return std::isfinite(p.x) && std::isfinite(p.y) && std::isfinite(p.z); }
+
+Result<SolidScaleRange> range_of_path(const Mesh& part, const std::vector<Point3>& path, const Mesh& obstacles,
+                                      const std::optional<BigRational>& limit, const Progress& progress) {
+  Result<Result<SolidScaleRange>> made = guarded([&]() -> Result<SolidScaleRange> {
+    const SolidPair pair = solid_pair(obstacles, negated(part));
+    SpatialOptions stages;
+    stages.threads = 1, stages.progress = progress;
+    SpatialStats stats;
+    StageWatch watch(stages, stats);
+    watch.begin("convolution");
+    const MovingFacets facets(pair, 1, watch);
+    const ScaledOverlap overlap(facets);
+    const SolidPath walk(facets, overlap, path);
+    watch.begin("contacts");
+    const SolidPath::Critical critical = walk.critical([&](double share) { watch.ask(share); });
+    SolidScaleRange range;
+    if (std::optional<Error> error =
+            free_intervals(critical, limit, progress, range, [&](const BigRational& s) { return walk.free(s); }))
+      return *std::move(error);
+    return range;
+  });
+  if (!made) return made.error();
+  return *std::move(made);
+}
+
+/// The largest scale at which the part's bounding box is no larger than the container's.
+BigRational box_limit_of(const Mesh& part, const Mesh& container) {
+  std::optional<BigRational> least;
+  for (double Point3::*axis : {&Point3::x, &Point3::y, &Point3::z}) {
+    const auto width = [&](const Mesh& mesh) {
+      const auto [low, high] = std::minmax_element(mesh.vertices().begin(), mesh.vertices().end(),
+                                                   [&](const Point3& a, const Point3& b) { return a.*axis < b.*axis; });
+      return BigRational(exact::exact_value((*high).*axis) - exact::exact_value((*low).*axis));
+    };
+    const BigRational ratio = width(container) / width(part);
+    if (!least || ratio < *least) least = ratio;
+  }
+  return *least;
+}
+
+/// The container's complement in a frame that has room for the part at all scales up to the limit, wherever it is.
+Result<Mesh> frame_of(const Mesh& part, const Mesh& container, const BigRational& limit, const Point3& at) {
+  double reach = 0;
+  for (const Point3& v : part.vertices()) reach = std::max({reach, std::abs(v.x), std::abs(v.y), std::abs(v.z)});
+  reach = reach * exact::round_to_double(limit) * 1.01 + std::abs(at.x) + std::abs(at.y) + std::abs(at.z);
+  for (const Point3& v : container.vertices()) reach = std::max({reach, std::abs(v.x), std::abs(v.y), std::abs(v.z)});
+  reach = std::ldexp(1.0, std::ilogb(reach) + 2);
+  Result<MeshData> framed =
+      framed_complement(container.data(), {{{-reach, -reach, -reach}, {reach, reach, reach}}, {}});
+  if (!framed) return framed.error();
+  return Mesh::create(*std::move(framed));
+}
+
+Scale scale_at(const BigRational& s) { return Scale::of(exact::to_rational(s)).value(); }
+
+/// Anywhere inside a container: what the sum of its framed complement and the reflected part leaves free.
+class SolidRoom {
+ public:
+  SolidRoom(ScalingSolidSum sum, const Progress& progress) : sum_(std::move(sum)), progress_(progress) {}
+
+  /// Free placements are the shells of the sum behind that of the frame, and its tight features.
+  std::optional<Error> look(const BigRational& s) {
+    Result<SpatialSum> at = sum_.at(scale_at(s), progress_);
+    if (!at) return at.error();
+    fits = at->shells > 1 || !at->tight_faces.empty() || !at->tight_segments.empty() || !at->tight_points.empty();
+    contacts.clear();
+    const auto add = [&](const std::vector<SolidContact>& list, std::uint32_t vertex) {
+      const RationalPoint3 place = at->exact(vertex);
+      for (const SolidContact& c : list) contacts.push_back({c.q, c.p, 0, {}, place});
+    };
+    for (std::size_t k = 0; k < at->tight_points.size(); ++k) add(at->tight_point_contacts[k], at->tight_points[k]);
+    for (std::size_t k = 0; k < at->tight_segments.size(); ++k)
+      add(at->tight_segment_contacts[k], at->tight_segments[k][0]);
+    return std::nullopt;
+  }
+  const ScalingSolidSum& sum() const { return sum_; }
+
+  bool fits = false;
+  std::vector<SolidScaleContact> contacts;
+
+ private:
+  ScalingSolidSum sum_;
+  const Progress& progress_;
+};
+
+Result<SolidRoom> room_for(const Mesh& part, const Mesh& frame, const Progress& progress) {
+  Result<ScalingSolidSum> sum = ScalingSolidSum::create(frame, negated(part));
+  if (!sum) return sum.error();
+  return SolidRoom(*std::move(sum), progress);
+}
+
+/// A scale below the limit at which the part's bounding box has room: it is convex, so every smaller part has, too.
+Result<BigRational> certain_room(const Mesh& part, const Mesh& frame, BigRational low, const Progress& progress) {
+  Point3 a = part.vertices()[0], b = a;
+  for (const Point3& v : part.vertices()) {
+    a = {std::min(a.x, v.x), std::min(a.y, v.y), std::min(a.z, v.z)};
+    b = {std::max(b.x, v.x), std::max(b.y, v.y), std::max(b.z, v.z)};
+  }
+  const MeshData box{{{a.x, a.y, a.z},
+                      {b.x, a.y, a.z},
+                      {b.x, b.y, a.z},
+                      {a.x, b.y, a.z},
+                      {a.x, a.y, b.z},
+                      {b.x, a.y, b.z},
+                      {b.x, b.y, b.z},
+                      {a.x, b.y, b.z}},
+                     {{3, 2, 1, 0}, {4, 5, 6, 7}, {0, 1, 5, 4}, {1, 2, 6, 5}, {2, 3, 7, 6}, {3, 0, 4, 7}}};
+  Result<SolidRoom> made = room_for(Mesh::create(box).value(), frame, progress);
+  if (!made) return made.error();
+  SolidRoom room = *std::move(made);
+  for (int k = 0; k < 60; ++k) {
+    low /= 2;
+    if (std::optional<Error> error = room.look(low)) return *std::move(error);
+    if (room.fits) return low;
+  }
+  return refused_solid("the container is too thin for its size");
+}
+
+}  // namespace
+
+bool SolidScaleRange::contains(const Scale& s) const {
+  const BigRational v = exact::exact_value(s.exact());
+  return std::any_of(free.begin(), free.end(), [&](const SolidScaleInterval& i) {
+    return (!i.low || exact::exact_value(*i.low) <= v) && (!i.high || v <= exact::exact_value(*i.high));
+  });
+}
+
+std::optional<Rational> SolidScaleRange::trap() const {
+  if (free.empty() || free[0].low) return Rational();
+  return free[0].high;
+}
+
+Result<SolidScaleRange> solid_scale_range(const Mesh& part, const std::vector<Point3>& path, const Mesh& obstacles,
+                                          const Progress& progress) {
+  if (path.empty()) return refused_solid("a path needs at least one waypoint");
+  std::vector<Point3> way;
+  for (std::size_t k = 0; k < path.size(); ++k) {
+    if (!is_finite_point(path[k])) {
+      Error error{ErrorCode::not_finite, "a waypoint of the path is not finite", {}};
+      error.evidence.vertex = static_cast<std::int64_t>(k);
+      return error;
+    }
+    if (way.empty() || !(way.back() == path[k])) way.push_back(path[k]);
+  }
+  if (std::optional<Error> error = check_solids(part, obstacles)) return *std::move(error);
+  return range_of_path(part, way, obstacles, std::nullopt, progress);
+}
+
+Result<SolidScaleRange> solid_fit_range(const Mesh& part, const Mesh& container, const Point3& at,
+                                        const Progress& progress) {
+  if (!is_finite_point(at)) return Error{ErrorCode::not_finite, "the placement is not finite", {}};
+  if (std::optional<Error> error = check_solids(part, container)) return *std::move(error);
+  const BigRational limit = box_limit_of(part, container);
+  const Result<Mesh> frame = frame_of(part, container, limit, at);
+  if (!frame) return frame.error();
+  return range_of_path(part, {at}, *frame, limit, progress);
+}
+
+Result<SolidScaleRange> solid_fit_range(const Mesh& part, const Mesh& container, const Progress& progress) {
+  if (std::optional<Error> error = check_solids(part, container)) return *std::move(error);
+  const BigRational limit = box_limit_of(part, container);
+  const Result<Mesh> frame = frame_of(part, container, limit, {});
+  if (!frame) return frame.error();
+  const Result<BigRational> low = certain_room(part, *frame, limit, progress);
+  if (!low) return low.error();
+  Result<SolidRoom> made = room_for(part, *frame, progress);
+  if (!made) return made.error();
+  SolidRoom room = *std::move(made);
+  const Result<std::vector<SolidScaleEvent>> events = room.sum().events(scale_at(*low), scale_at(limit), progress);
+  if (!events) return events.error();
+  std::map<BigRational, std::vector<SolidScaleContact>> critical;
+  for (const SolidScaleEvent& e : *events)
+    if (e.topology) critical[exact::exact_value(e.s)];
+  std::optional<Error> failed;
+  const auto fits = [&](const BigRational& s) {
+    if (s <= *low) return true;
+    if (!failed) failed = room.look(s);
+    return !failed && room.fits;
+  };
+  SolidScaleRange range;
+  if (std::optional<Error> error = free_intervals(critical, limit, progress, range, fits)) return *std::move(error);
+  for (SolidScaleInterval& i : range.free) {
+    if (i.low && !failed && fits(exact::exact_value(*i.low))) i.at_low = room.contacts;
+    if (i.high && !failed && fits(exact::exact_value(*i.high))) i.at_high = room.contacts;
+  }
+  if (failed) return *std::move(failed);
+  return range;
+}
+
+}  // namespace dymsum

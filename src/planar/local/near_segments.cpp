@@ -1,0 +1,126 @@
+#include "planar/local/near_segments.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+namespace dymsum::planar {
+
+namespace {
+
+/// More than angles of edges and poses err.
+constexpr double kAngleOff = 0x1p-44;
+/// What is kept for the next places: so much of the box around it, and turns up to so many radians.
+constexpr double kKeptShare = 0.5, kKeptTurn = 0.1;
+/// Where operands move fast: so many times as far as they moved between two calls.
+constexpr double kKeptCalls = 8;
+
+bool misses(const ScaledBox& box, Point middle, double radius) {
+  const double dx = std::max({box.x0 - middle.x, middle.x - box.x1, 0.0}),
+               dy = std::max({box.y0 - middle.y, middle.y - box.y1, 0.0});
+  return dx * dx + dy * dy > radius * radius * (1 + 0x1p-40) + 0x1p-80;
+}
+
+ScaledBox grown(const ScaledBox& b, double by) { return {b.x0 - by, b.y0 - by, b.x1 + by, b.y1 + by}; }
+
+}  // namespace
+
+NearSegments::NearSegments(const Operand& p, const Operand& q, const std::array<Point, 2>& stretch)
+    : operands_{&p, &q},
+      edges_{FeatureDiscs(p, FeatureDiscs::Of::edges, stretch[0]),
+             FeatureDiscs(q, FeatureDiscs::Of::edges, stretch[1])},
+      vertices_{FeatureDiscs(p, FeatureDiscs::Of::vertices, stretch[0]),
+                FeatureDiscs(q, FeatureDiscs::Of::vertices, stretch[1])} {}
+
+std::vector<WalkSegment> NearSegments::find(const PosedRegions& posed, const ScaledBox& box) {
+  rebuilt_ = true, pairs_ = 0;
+  return search(posed, {box, kAngleOff});
+}
+
+std::vector<WalkSegment> NearSegments::update(const PosedRegions& posed, const PosePair& poses, const ScaledBox& box) {
+  rebuilt_ = !still_holds(posed, poses, box), pairs_ = 0;
+  if (rebuilt_) {
+    const double a_call = kept_ ? kept_->moved / static_cast<double>(kept_->calls + 1) : 0;
+    Kept kept;
+    kept.poses = poses, kept.scale = posed.scale(), kept.turn = kKeptTurn;
+    kept.box = grown(box, std::max(kKeptShare * std::max(box.x1 - box.x0, box.y1 - box.y0), kKeptCalls * a_call));
+    kept.segments = search(posed, {kept.box, kept.turn});
+    kept_ = std::move(kept);
+  }
+  ++kept_->calls;
+  pairs_ += kept_->segments.size();
+  const Wanted wanted{box, kAngleOff};
+  std::vector<WalkSegment> near;
+  for (const WalkSegment& s : kept_->segments)
+    if (is_near(posed, s, wanted)) near.push_back(s);
+  return near;
+}
+
+bool NearSegments::still_holds(const PosedRegions& posed, const PosePair& poses, const ScaledBox& box) {
+  if (!kept_ || kept_->scale != posed.scale()) return false;
+  const PoseChange p = change_of(*operands_[0], kept_->poses[0], poses[0]),
+                   q = change_of(*operands_[1], kept_->poses[1], poses[1]);
+  const double moved = std::ldexp(p.distance + q.distance, -posed.scale()) + 4 * PosedRegions::kOff;
+  kept_->moved = moved;
+  if (std::abs(p.turn - q.turn) + kAngleOff > kept_->turn) return false;
+  const ScaledBox reach = grown(box, moved), &held = kept_->box;
+  return reach.x0 > held.x0 && reach.y0 > held.y0 && reach.x1 < held.x1 && reach.y1 < held.y1;
+}
+
+std::vector<WalkSegment> NearSegments::all(const PosedRegions& posed) const {
+  std::vector<WalkSegment> found;
+  const Wanted everywhere{{-4, -4, 4, 4}, kAngleOff};
+  for (std::uint32_t side = 0; side < 2; ++side)
+    for (std::uint32_t e = 0; e < operands_[side]->size(); ++e)
+      for (std::uint32_t v = 0; v < operands_[1 - side]->size(); ++v)
+        if (operands_[1 - side]->convex[v] != 0 && is_near(posed, {side, e, v}, everywhere))
+          found.push_back({side, e, v});
+  return found;
+}
+
+std::vector<WalkSegment> NearSegments::search(const PosedRegions& posed, const Wanted& wanted) {
+  std::vector<WalkSegment> found;
+  for (std::uint32_t side = 0; side < 2; ++side) search_side(posed, wanted, side, found);
+  return found;
+}
+
+void NearSegments::search_side(const PosedRegions& posed, const Wanted& wanted, std::uint32_t side,
+                               std::vector<WalkSegment>& found) {
+  const FeatureDiscs &edges = edges_[side], &vertices = vertices_[1 - side];
+  if (edges.empty() || vertices.empty()) return;
+  const double turn = posed.angle(side) - posed.angle(1 - side);
+  std::vector<std::array<std::uint32_t, 2>> stack{{0, 0}};
+  while (!stack.empty()) {
+    const auto [i, j] = stack.back();
+    stack.pop_back();
+    ++pairs_;
+    const FeatureDiscs::Node &a = edges.node(i), &b = vertices.node(j);
+    if (!may_meet(a.directions, turn, b.directions, wanted.turn)) continue;
+    const Point m = posed.posed(side, a.middle), n = posed.posed(1 - side, b.middle);
+    const double radius = posed.stretched(side, a.radius) + posed.stretched(1 - side, b.radius) + PosedRegions::kOff;
+    if (misses(wanted.box, {m.x + n.x, m.y + n.y}, radius)) continue;
+    if (a.leaf() && b.leaf()) {
+      for (std::uint32_t k = a.first; k < a.last; ++k)
+        for (std::uint32_t l = b.first; l < b.last; ++l)
+          if (const WalkSegment s{side, edges.item(k), vertices.item(l)}; is_near(posed, s, wanted)) found.push_back(s);
+    } else if (b.leaf() || (!a.leaf() && a.last - a.first >= b.last - b.first)) {
+      stack.push_back({a.right, j}), stack.push_back({a.left, j});
+    } else {
+      stack.push_back({i, b.right}), stack.push_back({i, b.left});
+    }
+  }
+}
+
+bool NearSegments::is_near(const PosedRegions& posed, const WalkSegment& s, const Wanted& wanted) const {
+  const Operand& o = *operands_[s.side];
+  const Point v = posed.vertex(1 - s.side, s.vertex), a = posed.vertex(s.side, s.edge),
+              b = posed.vertex(s.side, o.next[s.edge]);
+  const ScaledBox reach = grown(wanted.box, 2 * PosedRegions::kOff);
+  if (std::max(a.x, b.x) + v.x < reach.x0 || std::min(a.x, b.x) + v.x > reach.x1 ||
+      std::max(a.y, b.y) + v.y < reach.y0 || std::min(a.y, b.y) + v.y > reach.y1)
+    return false;
+  return may_meet(edges_[s.side].directions(s.edge), posed.angle(s.side) - posed.angle(1 - s.side),
+                  vertices_[1 - s.side].directions(s.vertex), wanted.turn);
+}
+
+}  // namespace dymsum::planar

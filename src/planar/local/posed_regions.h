@@ -1,0 +1,99 @@
+// Two operands at exact poses: doubles of one scale for filters, integers of one unit where these do not decide.
+#pragma once
+
+#include <array>
+#include <optional>
+#include <vector>
+
+#include "dymsum/planar_local_sum.h"
+#include "exact/big.h"
+#include "planar/operand/operand.h"
+
+namespace dymsum::planar {
+
+using exact::Big;
+
+struct BigPoint {
+  Big x, y;
+  friend BigPoint operator+(const BigPoint& a, const BigPoint& b) { return {a.x + b.x, a.y + b.y}; }
+  friend BigPoint operator-(const BigPoint& a, const BigPoint& b) { return {a.x - b.x, a.y - b.y}; }
+};
+inline Big cross(const BigPoint& a, const BigPoint& b) { return a.x * b.y - a.y * b.x; }
+inline Big dot(const BigPoint& a, const BigPoint& b) { return a.x * b.x + a.y * b.y; }
+
+/// (x, y) / w, w > 0.
+struct BigPlace {
+  Big x, y, w;
+};
+/// The sign of a - b along an axis.
+int compare(const BigPlace& a, const BigPlace& b, int axis);
+bool same_place(const BigPlace& a, const BigPlace& b);
+BigPlace halfway(const BigPlace& a, const BigPlace& b);
+
+/// Integers count multiples of 2^exponent / den.
+struct LocalUnit {
+  exact::BigInteger den = 1;
+  int exponent = 0;
+  exact::BigRational value(const Big& n, const Big& w) const;
+  double rounded(const Big& n, const Big& w) const;
+  RationalPoint point(const BigPlace& place) const;
+};
+
+using PosePair = std::array<PlanarPose, 2>;
+
+/// Doubles are scaled by one power of two, so that all sums of vertices are within [-1, 1]; vertices, and sums of two,
+/// are off by less than kOff in each coordinate.
+class PosedRegions {
+ public:
+  static constexpr double kOff = 0x1p-46;
+
+  /// `places` are further points that have to be integers.
+  PosedRegions(const Operand& p, const Operand& q, const PosePair& poses, const std::vector<Point>& places);
+
+  const Operand& operand(std::uint32_t op) const { return *operands_[op]; }
+  /// A point of an operand's own coordinates where it stands.
+  Point posed(std::uint32_t op, Point v) const {
+    const Map& m = map_[op];
+    return {m.xx * v.x + m.xy * v.y, m.yx * v.x + m.yy * v.y};
+  }
+  Point vertex(std::uint32_t op, std::uint32_t walk) const { return posed(op, own(op, walk)); }
+  /// What a length of an operand's own coordinates becomes, at most.
+  double stretched(std::uint32_t op, double length) const { return length * map_[op].stretch * (1 + 0x1p-40) + kOff; }
+  double angle(std::uint32_t op) const { return map_[op].angle; }
+  /// Scaled, rounded; numbers beyond 2 in magnitude are 2.
+  double scaled(double coordinate) const;
+  int scale() const { return scale_; }
+
+  const BigPoint& exact(std::uint32_t op, std::uint32_t walk) const;
+  BigPoint exact(Point v) const { return {exact_number(v.x), exact_number(v.y)}; }
+  Big exact_number(double v) const;
+  const LocalUnit& unit() const { return unit_; }
+  /// In scaled doubles, rounded.
+  Point scaled(const BigPlace& place) const;
+
+ private:
+  struct Map {
+    double xx = 1, xy = 0, yx = 0, yy = 1, stretch = 1, angle = 0;  // scaled
+    Big exact_xx, exact_xy, exact_yx, exact_yy;
+  };
+  Point own(std::uint32_t op, std::uint32_t walk) const {
+    const Operand& o = *operands_[op];
+    return o.points->input[o.source[walk]];
+  }
+  std::array<const Operand*, 2> operands_;
+  std::array<Map, 2> map_;
+  LocalUnit unit_;
+  int scale_ = 0;
+  mutable std::array<std::vector<std::optional<BigPoint>>, 2> exact_;
+};
+
+/// Of the coordinates of an operand before it turns.
+Point stretch_of(const PlanarPose& pose);
+
+/// How far vertices of an operand move from one pose to another, at most, and how much it turns; in its units.
+struct PoseChange {
+  double distance = 0, turn = 0;
+};
+PoseChange change_of(const Operand& operand, const PlanarPose& from, const PlanarPose& to);
+
+}  // namespace dymsum::planar

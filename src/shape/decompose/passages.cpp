@@ -1,0 +1,54 @@
+#include "shape/decompose/passages.h"
+
+#include <algorithm>
+#include <optional>
+
+#include "exact/orient.h"
+
+namespace dymsum::shape {
+namespace {
+
+Rational passage_cross(const RationalPoint& a, const RationalPoint& b, const RationalPoint& p) {
+  return (b.x - a.x) * (p.y - a.y) - (b.y - a.y) * (p.x - a.x);
+}
+
+/// Where the first end of an edge lies on the cut.
+std::optional<Passage> at_vertex(const Wall& edge, const Wall& cut) {
+  if (side_of(cut, edge.a) != 0) return std::nullopt;
+  const RationalPoint from = cut.from(), to = cut.end(), at = edge.from();
+  const Rational dx = to.x - from.x, dy = to.y - from.y;
+  const Rational t = ((at.x - from.x) * dx + (at.y - from.y) * dy) / (dx * dx + dy * dy);
+  if (t.sign() < 0 || t > Rational(1)) return std::nullopt;
+  return Passage{true, edge.index, Rational(0), t, at};
+}
+
+/// Where the cut crosses an edge between its ends.
+std::optional<Passage> inside_edge(const Wall& edge, const Wall& cut) {
+  if (side_of(cut, edge.a) * side_of(cut, edge.b) >= 0) return std::nullopt;
+  if (exact::orient_sign(edge.a, edge.b, cut.a) * side_of_end(edge.a, edge.b, cut) >= 0) return std::nullopt;
+  const RationalPoint a = edge.from(), b = edge.end(), from = cut.from(), to = cut.end();
+  const Rational s = passage_cross(a, b, from), t = s / (s - passage_cross(a, b, to));
+  const Rational u = passage_cross(from, to, a);
+  return Passage{false,
+                 edge.index,
+                 u / (u - passage_cross(from, to, b)),
+                 t,
+                 {from.x + t * (to.x - from.x), from.y + t * (to.y - from.y)}};
+}
+
+}  // namespace
+
+std::vector<Passage> passages(const RingTable& table, const WallSet& walls, const Wall& cut,
+                              const std::vector<bool>& stands) {
+  std::vector<Passage> over;
+  walls.edges_meeting(cut.box, [&](std::uint32_t e) {
+    const Wall& edge = walls[e];
+    if (stands[edge.ring] || table.part[edge.ring] != table.part[cut.ring]) return;
+    if (std::optional<Passage> passage = at_vertex(edge, cut)) over.push_back(*std::move(passage));
+    if (std::optional<Passage> passage = inside_edge(edge, cut)) over.push_back(*std::move(passage));
+  });
+  std::sort(over.begin(), over.end(), [](const Passage& a, const Passage& b) { return a.on_cut < b.on_cut; });
+  return over;
+}
+
+}  // namespace dymsum::shape

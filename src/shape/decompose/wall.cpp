@@ -1,0 +1,163 @@
+#include "shape/decompose/wall.h"
+
+#include <cmath>
+#include <utility>
+
+#include "exact/orient.h"
+#include "exact/rounding_bound.h"
+#include "shape/decompose/ring_table.h"
+
+namespace dymsum::shape {
+namespace {
+
+using exact::Interval;
+
+double below(double v) { return std::nextafter(v, -INFINITY); }
+double above(double v) { return std::nextafter(v, INFINITY); }
+
+Rational wall_cross(const RationalPoint& a, const RationalPoint& b, const RationalPoint& c, const RationalPoint& d) {
+  return (b.x - a.x) * (d.y - c.y) - (b.y - a.y) * (d.x - c.x);
+}
+Rational wall_dot(const RationalPoint& a, const RationalPoint& b, const RationalPoint& c, const RationalPoint& d) {
+  return (b.x - a.x) * (d.x - c.x) + (b.y - a.y) * (d.y - c.y);
+}
+
+/// (b - a) x (p - a) for p in the intervals.
+Interval wide_cross(Point a, Point b, const Interval& px, const Interval& py) {
+  const Interval ax(a.x), ay(a.y);
+  return (Interval(b.x) - ax) * (py - ay) - (Interval(b.y) - ay) * (px - ax);
+}
+
+Interval clamped(const Interval& t, const Interval& first, const Interval& last) {
+  const auto clamp = [](double v, double low, double high) { return std::min(std::max(v, low), high); };
+  return {clamp(t.low(), first.low(), last.low()), clamp(t.high(), first.high(), last.high())};
+}
+
+Interval larger(const Interval& a, const Interval& b) {
+  return {std::max(a.low(), b.low()), std::max(a.high(), b.high())};
+}
+Interval smaller(const Interval& a, const Interval& b) {
+  return {std::min(a.low(), b.low()), std::min(a.high(), b.high())};
+}
+
+/// A side of the cone: the signs of a wall's ends, not negative in the cone, and the formula of the same.
+struct ConeSide {
+  int at_a, at_b;
+  Interval value_a, value_b;
+};
+
+}  // namespace
+
+Interval bounds_of(const Rational& v) {
+  const double nearest = v.to_double();
+  return {below(nearest), above(nearest)};
+}
+
+// A difference, a square, a sum and the factor round less than 2^12 times, and what underflows is less than kUnderflow.
+double least_square(const Box& box, Point p) {
+  const double dx = std::max({0.0, box.x0 - p.x, p.x - box.x1}), dy = std::max({0.0, box.y0 - p.y, p.y - box.y1});
+  return (dx * dx + dy * dy) * exact::kInwards - exact::kUnderflow;
+}
+
+RationalPoint Wall::from() const { return rational_point(a); }
+RationalPoint Wall::end() const { return to ? *to : rational_point(b); }
+
+Wall edge_wall(Point a, Point b, std::uint32_t index, std::uint32_t ring) {
+  return {Cut::End::edge,
+          index,
+          ring,
+          a,
+          b,
+          Interval(b.x),
+          Interval(b.y),
+          std::nullopt,
+          {std::min(a.x, b.x), std::min(a.y, b.y), std::max(a.x, b.x), std::max(a.y, b.y)}};
+}
+
+Wall cut_wall(Point a, const RationalPoint& to, std::uint32_t index, std::uint32_t ring) {
+  const Point b{to.x.to_double(), to.y.to_double()};
+  return {Cut::End::cut,
+          index,
+          ring,
+          a,
+          b,
+          bounds_of(to.x),
+          bounds_of(to.y),
+          to,
+          {std::min(a.x, below(b.x)), std::min(a.y, below(b.y)), std::max(a.x, above(b.x)), std::max(a.y, above(b.y))}};
+}
+
+int side_of_end(Point a, Point b, const Wall& wall) {
+  if (!wall.to) return exact::orient_sign(a, b, wall.b);
+  if (const std::optional<int> sign = sign_of(wide_cross(a, b, wall.bx, wall.by))) return *sign;
+  const RationalPoint from = rational_point(a);
+  return wall_cross(from, rational_point(b), from, *wall.to).sign();
+}
+
+int side_of(const Wall& wall, Point p) {
+  if (!wall.to) return exact::orient_sign(wall.a, wall.b, p);
+  return -side_of_end(wall.a, p, wall);
+}
+
+bool Notch::admits(Point p) const {
+  return exact::orient_sign(m, next, p) >= 0 && exact::orient_sign(m, previous, p) <= 0;
+}
+
+bool Notch::admits_end(const Wall& wall) const {
+  return side_of_end(m, next, wall) >= 0 && side_of_end(m, previous, wall) <= 0;
+}
+
+bool Notch::misses(const Box& box) const {
+  const Point corners[] = {{box.x0, box.y0}, {box.x1, box.y0}, {box.x0, box.y1}, {box.x1, box.y1}};
+  const auto all = [&](Point side, int sign) {
+    return std::all_of(std::begin(corners), std::end(corners),
+                       [&](Point c) { return exact::certain_cross_sign(m, side, m, c) == sign; });
+  };
+  return all(next, -1) || all(previous, 1);
+}
+
+Notch::Estimate Notch::estimate(const Wall& w) const {
+  const ConeSide sides[] = {
+      {exact::orient_sign(m, next, w.a), side_of_end(m, next, w), wide_cross(m, next, Interval(w.a.x), Interval(w.a.y)),
+       wide_cross(m, next, w.bx, w.by)},
+      {-exact::orient_sign(m, previous, w.a), -side_of_end(m, previous, w),
+       -wide_cross(m, previous, Interval(w.a.x), Interval(w.a.y)), -wide_cross(m, previous, w.bx, w.by)}};
+  Interval first(0), last(1);
+  for (const ConeSide& side : sides) {
+    if (side.at_a < 0 && side.at_b < 0) return {true, false, {}};
+    if (side.at_a >= 0 && side.at_b >= 0) continue;
+    const Interval meets = side.value_a / (side.value_a - side.value_b);
+    (side.at_a < 0 ? first : last) = side.at_a < 0 ? larger(first, meets) : smaller(last, meets);
+  }
+  if (last.high() < first.low()) return {true, false, {}};
+  const Interval mx(m.x), my(m.y), ax(w.a.x), ay(w.a.y), ux = w.bx - ax, uy = w.by - ay;
+  const Interval length = square(ux) + square(uy), foot = (ux * (mx - ax) + uy * (my - ay)) / length;
+  const Interval t = clamped(foot, first, last);
+  const Interval dx = ax - mx + t * ux, dy = ay - my + t * uy;
+  Interval result = square(dx) + square(dy);
+  // Inside the part the formula of the height loses less than that of the point.
+  if (first.high() < foot.low() && foot.high() < last.low()) result = square(ux * dy - uy * dx) / length;
+  return {false, first.high() <= last.low() && result.low() > 0, result};
+}
+
+std::optional<Nearest> Notch::nearest(const Wall& w) const {
+  const RationalPoint at = rational_point(m), a = w.from(), b = w.end(), n = rational_point(next),
+                      p = rational_point(previous);
+  Rational first(0), last(1);
+  const std::pair<Rational, Rational> sides[] = {{wall_cross(at, n, at, a), wall_cross(at, n, at, b)},
+                                                 {-wall_cross(at, p, at, a), -wall_cross(at, p, at, b)}};
+  for (const auto& [at_a, at_b] : sides) {
+    if (at_a.sign() < 0 && at_b.sign() < 0) return std::nullopt;
+    if (at_a.sign() < 0) first = std::max(first, at_a / (at_a - at_b));
+    if (at_b.sign() < 0) last = std::min(last, at_a / (at_a - at_b));
+  }
+  if (last < first) return std::nullopt;
+  Rational t = wall_dot(a, b, a, at) / wall_dot(a, b, a, b);
+  t = std::min(std::max(t, first), last);
+  const RationalPoint found{a.x + t * (b.x - a.x), a.y + t * (b.y - a.y)};
+  Rational square = wall_dot(at, found, at, found);
+  if (square.sign() == 0) return std::nullopt;  // it touches m itself
+  return Nearest{std::move(square), std::move(t), found};
+}
+
+}  // namespace dymsum::shape

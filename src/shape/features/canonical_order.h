@@ -1,0 +1,23 @@
+// An order of the boundary's vertices that tells nothing of where the region lies, which way it is turned or mirrored,
+// how large it is, or where its rings begin: for ties.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <vector>
+
+#include "shape/complex/walks.h"
+#include "shape/features/boundary_loops.h"
+
+namespace dymsum::shape {
+
+/// Loop vertex -> rank: by the distance from the mean of all loop vertices, then by what follows along the loop in
+/// either direction, distances and lengths of edges. Equal ranks are mostly images of each other under a symmetry of
+/// the region; they are so unless whole loops are congruent and equally far from the mean. Exact. O(n log^2 n).
+std::vector<std::uint32_t> canonical_ranks(const BoundaryLoops& loops, const Walks& walks);
+
+/// The ranks of what the discs on an edge of a complex touch: two for each site, the lesser one first.
+using ContactRanks = std::array<std::uint32_t, 4>;
+ContactRanks contact_ranks(const Complex& complex, const BoundaryLoops& loops, std::uint32_t edge);
+
+}  // namespace dymsum::shape

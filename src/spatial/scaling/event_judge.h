@@ -1,0 +1,23 @@
+// What happens at a point where facets meet: whether the sum changes there, as the facets through it tell.
+#pragma once
+
+#include "dymsum/scaling_solid_sum.h"
+#include "spatial/scaling/event_search.h"
+
+namespace dymsum::spatial {
+
+struct JudgedPoint {
+  enum class Verdict : std::uint8_t {
+    changes,  ///< the boundary changes, and its topology does not
+    quiet,    ///< the topology does not change; sums have to be compared for the rest
+    unknown,  ///< sums have to be compared
+  };
+  Verdict verdict = Verdict::unknown;
+  SolidScaleEvent::Kind kind = SolidScaleEvent::Kind::vertex_on_facet;
+};
+
+/// Statement and proof: docs/design/scaling-solids.md, "What the facets tell".
+JudgedPoint judge(const MovingFacets& all, const EventSearch& search, const ScaledOverlap& overlap,
+                  const MeetingEvent& event);
+
+}  // namespace dymsum::spatial

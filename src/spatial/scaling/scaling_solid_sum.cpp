@@ -1,0 +1,197 @@
+#include "dymsum/scaling_solid_sum.h"
+
+#include <algorithm>
+#include <map>
+#include <utility>
+
+#include "planar/operand/scale_value.h"
+#include "spatial/moving/posed_sum.h"
+#include "spatial/scaling/scale_values.h"
+#include "spatial/scaling/sum_shape.h"
+
+namespace dymsum {
+
+using exact::BigRational;
+using namespace spatial;
+
+namespace {
+
+std::optional<Error> refused(const Mesh& p, const Mesh& q, const ScalingSolidOptions& options) {
+  if (options.threads < 0) return Error{ErrorCode::out_of_range, "the number of threads is negative", {}};
+  if (p.has_thin_parts() || q.has_thin_parts())
+    return Error{ErrorCode::unsupported_operand, "an operand of a scaling sum of solids has parts without volume", {}};
+  return std::nullopt;
+}
+
+Scale scale_of(const BigRational& s) { return Scale::of(exact::to_rational(s)).value(); }
+
+bool has_to_be_compared(const ScaleOfInterest& v) { return v.unknown_topology || (v.unknown && !v.changes); }
+
+/// Beyond both ends, so that there is a scale before the first event and one after the last.
+constexpr double kBeside = 0x1p-12;
+
+}  // namespace
+
+class ScalingSolidSum::State {
+ public:
+  State(const Mesh& p, const Mesh& q, const ScalingSolidOptions& given)
+      : options_(given), p_(p), q_(q), pair_(solid_pair(p, q)) {
+    if (pair_.p.vertices.empty() || pair_.q.vertices.empty()) return;
+    stages_ = stage_options({});
+    stages_.semantics = options_.semantics, stages_.tight = options_.tight, stages_.threads = options_.threads;
+    SpatialStats stats;
+    StageWatch watch(stages_, stats);
+    watch.begin("convolution");
+    const int moving = options_.moving == MovingOperand::p ? 0 : 1;
+    facets_.emplace(pair_, moving, watch);
+    overlap_.emplace(*facets_);
+    shapes_.emplace(p_, q_, moving);
+  }
+
+  std::size_t facet_count() const { return facets_ ? facets_->facets().size() : 0; }
+
+  SpatialSum at(const Scale& s, const Progress& progress, int threads) const {
+    if (!facets_) return {};
+    SpatialOptions stages = stages_;
+    stages.progress = progress, stages.threads = threads;
+    return sum_of_facets(pair_, posed_space(pair_, facets_->poses(s)), facets_->convolution(), {}, stages);
+  }
+  SpatialSum at(const Scale& s, const Progress& progress) const { return at(s, progress, options_.threads); }
+  SumShape shape(const Scale& s, const Progress& progress, int threads) const {
+    return facets_ ? shapes_->of(at(s, progress, threads)) : SumShape{};
+  }
+
+  std::vector<SolidScaleEvent> events(const BigRational& a, const BigRational& b, const Progress& progress,
+                                      SolidEventWork& work) const;
+  std::vector<BigRational> steps(const BigRational& from, const BigRational& to) const;
+
+ private:
+  using Shapes = std::map<BigRational, SumShape>;
+  Shapes shapes_at(const std::vector<BigRational>& scales, StageWatch& watch) const;
+
+  ScalingSolidOptions options_;
+  Mesh p_, q_;
+  SolidPair pair_;
+  SpatialOptions stages_;
+  std::optional<MovingFacets> facets_;
+  std::optional<ScaledOverlap> overlap_;
+  std::optional<SumShapes> shapes_;
+};
+
+ScalingSolidSum::State::Shapes ScalingSolidSum::State::shapes_at(const std::vector<BigRational>& scales,
+                                                                 StageWatch& watch) const {
+  std::vector<SumShape> found(scales.size());
+  watch.run(scales.size(), [&](std::size_t k) {
+    found[k] = shape(
+        scale_of(scales[k]),
+        [&](std::string_view, double) {
+          watch.ask_within_part(static_cast<double>(k) / static_cast<double>(scales.size()));
+          return true;
+        },
+        1);
+  });
+  Shapes shapes;
+  for (std::size_t k = 0; k < scales.size(); ++k) shapes.emplace(scales[k], std::move(found[k]));
+  return shapes;
+}
+
+std::vector<SolidScaleEvent> ScalingSolidSum::State::events(const BigRational& a, const BigRational& b,
+                                                            const Progress& progress, SolidEventWork& work) const {
+  if (!facets_) return {};
+  SpatialStats stats;
+  SpatialOptions asked = stages_;
+  asked.progress = progress;
+  StageWatch watch(asked, stats);
+  watch.begin("events");
+  const double low = exact::round_to_double(a) * (1 - kBeside), high = exact::round_to_double(b) * (1 + kBeside);
+  const std::vector<ScaleOfInterest> values = scales_of_interest(*facets_, *overlap_, low, high, work, watch);
+  // One scale between each two of them, and one beyond both ends.
+  std::vector<BigRational> between;
+  for (std::size_t k = 0; k <= values.size(); ++k) {
+    const BigRational before = k == 0 ? exact::exact_value(low) : values[k - 1].s,
+                      after = k == values.size() ? exact::exact_value(high) : values[k].s;
+    between.push_back(before < after ? planar::simple_between(before, after) : before);
+  }
+  watch.begin("sums");
+  std::vector<BigRational> wanted;
+  const auto is_asked = [&](const ScaleOfInterest& v) { return v.s >= a && v.s <= b; };
+  for (std::size_t k = 0; k < values.size(); ++k)
+    if (has_to_be_compared(values[k]) && is_asked(values[k]))
+      for (const BigRational& s : {between[k], values[k].s, between[k + 1]})
+        if (wanted.empty() || wanted.back() < s) wanted.push_back(s);
+  const Shapes shapes = shapes_at(wanted, watch);
+  work.sums += wanted.size();
+  std::vector<SolidScaleEvent> events;
+  for (std::size_t k = 0; k < values.size(); ++k) {
+    const ScaleOfInterest& v = values[k];
+    if (!is_asked(v)) continue;
+    bool changes = v.changes, topology = false;
+    if (has_to_be_compared(v)) {
+      const SumShape &before = shapes.at(between[k]), &here = shapes.at(v.s), &after = shapes.at(between[k + 1]);
+      changes = changes || !(before == here) || !(here == after);
+      topology = !(before.topology == here.topology) || !(here.topology == after.topology);
+    }
+    if (changes) events.push_back({exact::to_rational(v.s), exact::round_to_double(v.s), v.kind, topology});
+  }
+  watch.begin("");
+  return events;
+}
+
+/// Ends of ranges in which facets move by about their own size.
+std::vector<BigRational> ScalingSolidSum::State::steps(const BigRational& from, const BigRational& to) const {
+  if (!facets_) return {from, to};
+  std::vector<BigRational> ends{from};
+  const std::vector<double> windows = window_ends(*facets_, exact::round_to_double(from), exact::round_to_double(to));
+  for (const double end : windows)
+    if (const BigRational e = exact::exact_value(end); e > ends.back() && e < to) ends.push_back(e);
+  ends.push_back(to);
+  return ends;
+}
+
+Result<ScalingSolidSum> ScalingSolidSum::create(const Mesh& p, const Mesh& q, const ScalingSolidOptions& options) {
+  if (std::optional<Error> error = refused(p, q, options)) return *std::move(error);
+  return guarded([&] { return ScalingSolidSum(std::make_unique<State>(p, q, options)); });
+}
+
+ScalingSolidSum::ScalingSolidSum(std::unique_ptr<State> state) : state_(std::move(state)) {}
+ScalingSolidSum::ScalingSolidSum(ScalingSolidSum&&) noexcept = default;
+ScalingSolidSum& ScalingSolidSum::operator=(ScalingSolidSum&&) noexcept = default;
+ScalingSolidSum::~ScalingSolidSum() = default;
+
+std::size_t ScalingSolidSum::facet_count() const { return state_->facet_count(); }
+
+Result<SpatialSum> ScalingSolidSum::at(const Scale& s, const Progress& progress) const {
+  return guarded([&] { return state_->at(s, progress); });
+}
+
+Result<std::vector<SolidScaleEvent>> ScalingSolidSum::events(const Scale& a, const Scale& b, const Progress& progress,
+                                                             SolidEventWork* work) const {
+  const BigRational from = exact::exact_value(a.exact()), to = exact::exact_value(b.exact());
+  if (from > to) return Error{ErrorCode::bad_scale, "the range of scales begins after its end", {}};
+  SolidEventWork counted;
+  return guarded([&] {
+    std::vector<SolidScaleEvent> events = state_->events(from, to, progress, counted);
+    if (work != nullptr) *work = counted;
+    return events;
+  });
+}
+
+Result<std::optional<SolidScaleEvent>> ScalingSolidSum::next_event(const Scale& s, const Scale& limit,
+                                                                   EventChange change, const Progress& progress) const {
+  const BigRational from = exact::exact_value(s.exact()), to = exact::exact_value(limit.exact());
+  if (from > to) return Error{ErrorCode::bad_scale, "the range of scales begins after its end", {}};
+  return guarded([&]() -> std::optional<SolidScaleEvent> {
+    SolidEventWork work;
+    const std::vector<BigRational> ends = state_->steps(from, to);
+    for (std::size_t k = 0; k + 1 < ends.size(); ++k)
+      for (const SolidScaleEvent& event : state_->events(ends[k], ends[k + 1], progress, work))
+        if (exact::exact_value(event.s) > from && (change == EventChange::visible || event.topology)) return event;
+    return std::nullopt;
+  });
+}
+
+Result<std::uint64_t> ScalingSolidSum::combinatorial_hash(const Scale& s, const Progress& progress) const {
+  return guarded([&] { return state_->shape(s, progress, 1).hash; });
+}
+
+}  // namespace dymsum

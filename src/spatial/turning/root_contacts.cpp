@@ -1,0 +1,316 @@
+#include "spatial/turning/root_contacts.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "spatial/sum/feature_pairs.h"
+
+namespace dymsum::spatial {
+
+using exact::AlgebraicRoot;
+using exact::RootValue;
+
+namespace {
+
+double angle_of(const TurningPair& pair, int chart, const AlgebraicRoot& root) {
+  return pair.circle.radians(chart, root.approx());
+}
+/// Half the angles between the root's bounds, at least what doubles leave open.
+double spread_of(const TurningPair& pair, int chart, const AlgebraicRoot& root) {
+  return std::max(pair.circle.radians(chart, root.high()) - pair.circle.radians(chart, root.low()), 0.0) + 0x1p-45;
+}
+
+SolidFeature edge_feature(std::uint32_t a, std::uint32_t b) {
+  return {SolidFeature::Kind::edge, std::min(a, b), std::max(a, b)};
+}
+SolidFeature vertex_feature(std::uint32_t a) { return {SolidFeature::Kind::vertex, a, 0}; }
+SolidContact features_of(SumPoint v) { return {vertex_feature(v.p), vertex_feature(v.q)}; }
+SolidContact features_of(const SumEdge& e) {
+  return e.from.q == e.to.q ? SolidContact{edge_feature(e.from.p, e.to.p), vertex_feature(e.from.q)}
+                            : SolidContact{vertex_feature(e.from.p), edge_feature(e.from.q, e.to.q)};
+}
+
+}  // namespace
+
+PairOfBalls::PairOfBalls(const TurningPair& pair) {
+  for (int op = 0; op < 2; ++op) {
+    balls[op] = inner_balls(pair.operand(op)).balls;
+    for (InnerBalls::Ball& b : balls[op]) b = {pair.unit * b.middle, pair.unit * b.radius * (1 - 0x1p-40) - 0x1p-40};
+  }
+}
+
+RootContacts::RootContacts(const TurningPair& pair, const PairOfBalls& balls, const SolidTurnWindow& window,
+                           const AlgebraicRoot& root, TurningSolidWork& work)
+    : pair_(pair),
+      balls_(balls),
+      w_(window),
+      work_(work),
+      point_(root),
+      radians_(angle_of(pair, window.range.chart, root)),
+      reach_(spread_of(pair, window.range.chart, root)),
+      jets_frame_(pair, radians_, reach_),
+      exact_frame_(pair, window.range.chart, &point_),
+      jets_(jets_frame_),
+      exact_(exact_frame_),
+      turned_(balls.balls),
+      known_(window.facets.size(), 0) {
+  for (InnerBalls::Ball& b : turned_[pair.turning]) b.middle = jets_frame_.matrix() * b.middle;
+}
+
+template <class F>
+int RootContacts::sign(F form) const {
+  if (const int s = form(jets_).sign(); s != 0) return s;
+  return exact::sign(form(exact_));
+}
+
+bool RootContacts::slant_holds(const SlantCondition& c) const {
+  const Triangle& t = pair_.operand(c.op).triangles[c.triangle];
+  return c.sense * sign([&](const auto& s) { return s.slant(c.op, t, c.way); }) <= 0;
+}
+
+bool RootContacts::exists(std::uint32_t facet) const {
+  std::int8_t& known = known_[facet];
+  if (known != 0) return known > 0;
+  const WindowFacet& f = w_.facets[facet];
+  bool holds = std::all_of(f.unsure.begin(), f.unsure.end(), [&](const SlantCondition& c) { return slant_holds(c); });
+  if (holds && f.facet.kind == SumFacet::Kind::edge_edge && f.unsure.size() == 4) {
+    // Parallel edges make no facet.
+    const auto strict = [&](const SlantCondition& c) {
+      const Triangle& t = pair_.operand(c.op).triangles[c.triangle];
+      return sign([&](const auto& s) { return s.slant(c.op, t, c.way); }) != 0;
+    };
+    holds = std::any_of(f.unsure.begin(), f.unsure.end(), strict);
+  }
+  known = holds ? 1 : -1;
+  return holds;
+}
+bool RootContacts::exists_at(SumPoint v) const {
+  const auto& around = w_.around(v);
+  return std::any_of(around.begin(), around.end(), [&](std::uint32_t f) { return exists(f); });
+}
+bool RootContacts::exists_at(const SumEdge& e) const {
+  const auto& around = w_.around(e);
+  return std::any_of(around.begin(), around.end(), [&](std::uint32_t f) { return exists(f); });
+}
+
+template <class F>
+bool RootContacts::in_facet(std::uint32_t facet, F place, int w) const {
+  const WindowFacet& f = w_.facets[facet];
+  for (int k = 0; k < f.facet.corners; ++k)
+    if (w * sign([&](const auto& s) { return s.inside(s.normal(f.plane), f.border(k), place(s)); }) < 0) return false;
+  return true;
+}
+template <class F>
+bool RootContacts::on_edge(const SumEdge& e, F place, int w) const {
+  for (const SumPoint end : {e.from, e.to})
+    if (w * sign([&](const auto& s) { return s.beyond(e, end, place(s)); }) > 0) return false;
+  return true;
+}
+
+std::optional<SolidTurnContact> RootContacts::contact(const Meeting& meeting) {
+  switch (meeting.kind) {
+    case Meeting::Kind::normal_on_arc:
+      return normal_on_arc(meeting);
+    case Meeting::Kind::vertex_on_facet:
+      return vertex_on_facet(meeting);
+    case Meeting::Kind::edge_on_edge:
+      return edge_on_edge(meeting);
+    case Meeting::Kind::edge_and_facets:
+      return edge_and_facets(meeting);
+    case Meeting::Kind::four_facets:
+      break;
+  }
+  return four_facets(meeting);
+}
+
+/// Where facets with this condition hold all others: the face plus the edge.
+std::optional<SolidTurnContact> RootContacts::normal_on_arc(const Meeting& meeting) {
+  const SlantCondition& c = meeting.slant;
+  const auto hangs_on = [&](const WindowFacet& f) {
+    return std::any_of(f.unsure.begin(), f.unsure.end(), [&](const SlantCondition& d) {
+      return d.op == c.op && d.triangle == c.triangle &&
+             std::minmax(d.way.from, d.way.to) == std::minmax(c.way.from, c.way.to);
+    });
+  };
+  bool any = false;
+  for (std::uint32_t f = 0; f < w_.facets.size() && !any; ++f) any = hangs_on(w_.facets[f]) && exists(f);
+  if (!any) return std::nullopt;
+  ++work_.roots;
+  const Triangle& t = pair_.operand(c.op).triangles[c.triangle];
+  std::vector<Vec3> corners;
+  double radius = 0;
+  for (const std::uint32_t v : t)
+    for (const std::uint32_t w : {c.way.from, c.way.to}) {
+      const JetFrame::Vector at = jets_frame_.place(c.op, v) + jets_frame_.place(1 - c.op, w);
+      corners.push_back({at.x.value, at.y.value, at.z.value});
+      radius = std::max({radius, at.x.reach(), at.y.reach(), at.z.reach()});
+    }
+  if (in_balls(corners, radius)) {
+    ++work_.covered;
+    return std::nullopt;
+  }
+  SolidTurnContact contact;
+  contact.kind = meeting.kind;
+  const std::uint32_t name = pair_.operand(c.op).face[c.triangle];
+  const SolidFeature face{SolidFeature::Kind::face, name, 0}, edge = edge_feature(c.way.from, c.way.to);
+  contact.features = {c.op == 0 ? SolidContact{face, edge} : SolidContact{edge, face}};
+  const Vec3 at = (1 / pair_.unit) * corners[0];
+  contact.at = {at.x, at.y, at.z};
+  return contact;
+}
+
+std::optional<SolidTurnContact> RootContacts::vertex_on_facet(const Meeting& meeting) {
+  const auto place = [&](const auto& s) { return s.at(meeting.vertex); };
+  if (!exists(meeting.facets[0]) || !exists_at(meeting.vertex) || !in_facet(meeting.facets[0], place, 1))
+    return std::nullopt;
+  return free_contact(meeting, place(jets_), [&](SumSpace&) {
+    return PointSource{PointSource::Kind::sum, meeting.vertex.p, meeting.vertex.q, 0};
+  });
+}
+
+std::optional<SolidTurnContact> RootContacts::edge_on_edge(const Meeting& meeting) {
+  const SumEdge &a = meeting.a, &b = meeting.b;
+  const auto place = [&](const auto& s) { return s.at(a, b); };
+  if (!exists_at(a) || !exists_at(b)) return std::nullopt;
+  const int w = sign([&](const auto& s) { return place(s).w; });
+  // Parallel: they meet where one of them ends, on facets of the other.
+  if (w == 0 || !on_edge(a, place, w) || !on_edge(b, place, w)) return std::nullopt;
+  return free_contact(meeting, place(jets_), [&](SumSpace& space) {
+    const auto way = [](const SumEdge& e) {
+      return e.from.q == e.to.q ? Way{Way::Of::p, e.from.p, e.to.p} : Way{Way::Of::q, e.from.q, e.to.q};
+    };
+    std::uint32_t axis = 0;
+    while (space.exact_det(way(b), Way{Way::Of::axis, axis, 0}, way(a)) == 0) ++axis;
+    const PlaneSource plane{b.from, way(b), {Way::Of::axis, axis, 0}, false};
+    return PointSource{PointSource::Kind::edge, space.add_edges({&a, 1}), space.add_planes({&plane, 1}), 0};
+  });
+}
+
+std::optional<SolidTurnContact> RootContacts::edge_and_facets(const Meeting& meeting) {
+  const SumEdge& e = meeting.a;
+  std::array<std::uint32_t, 2> f{meeting.facets[0], meeting.facets[1]};
+  if (!exists_at(e) || !exists(f[0]) || !exists(f[1])) return std::nullopt;
+  for (int k = 0; k < 2; ++k, std::swap(f[0], f[1])) {
+    const PlaneSource& plane = w_.facets[f[0]].plane;
+    const auto place = [&](const auto& s) { return s.at(e, plane); };
+    const int w = sign([&](const auto& s) { return place(s).w; });
+    if (w == 0) continue;
+    if (!on_edge(e, place, w) || !in_facet(f[0], place, w) || !in_facet(f[1], place, w)) return std::nullopt;
+    return free_contact(meeting, place(jets_), [&](SumSpace& space) {
+      return PointSource{PointSource::Kind::edge, space.add_edges({&e, 1}), space.add_planes({&plane, 1}), 0};
+    });
+  }
+  return std::nullopt;  // in both planes: it ends in the facets, or crosses borders of theirs
+}
+
+std::optional<SolidTurnContact> RootContacts::four_facets(const Meeting& meeting) {
+  const auto& f = meeting.facets;
+  for (const std::uint32_t facet : f)
+    if (!exists(facet)) return std::nullopt;
+  static constexpr int kThree[4][3] = {{0, 1, 2}, {0, 1, 3}, {0, 2, 3}, {1, 2, 3}};
+  for (const auto& three : kThree) {
+    const PlaneSource planes[3] = {w_.facets[f[three[0]]].plane, w_.facets[f[three[1]]].plane,
+                                   w_.facets[f[three[2]]].plane};
+    const auto place = [&](const auto& s) { return s.at(planes[0], planes[1], planes[2]); };
+    const int w = sign([&](const auto& s) { return place(s).w; });
+    if (w == 0) continue;
+    for (const std::uint32_t facet : f)
+      if (!in_facet(facet, place, w)) return std::nullopt;
+    return free_contact(meeting, place(jets_), [&](SumSpace& space) {
+      const PlaneId first = space.add_planes(planes);
+      return PointSource{PointSource::Kind::planes, first, first + 1, first + 2};
+    });
+  }
+  return std::nullopt;  // all along a line, that ends in borders
+}
+
+template <class F>
+std::optional<SolidTurnContact> RootContacts::free_contact(const Meeting& meeting, const Jets::Place& place, F source) {
+  ++work_.roots;
+  const JetFrame::Vector origin = jets_frame_.place(0, place.origin.p) + jets_frame_.place(1, place.origin.q);
+  Vec3 at{origin.x.value, origin.y.value, origin.z.value};
+  const double w = std::abs(place.w.value), w_low = w - place.w.reach();
+  if (w_low > 0) {
+    at = at + (1 / place.w.value) * Vec3{place.x.x.value, place.x.y.value, place.x.z.value};
+    double radius = std::max({origin.x.reach(), origin.y.reach(), origin.z.reach()});
+    for (const Jet* x : {&place.x.x, &place.x.y, &place.x.z})
+      radius = std::max(radius, origin.x.reach() + (x->reach() + std::abs(x->value) * place.w.reach() / w) / w_low);
+    if (in_balls({at}, 2 * radius) || surely_overlaps(at, 2 * radius)) {
+      ++work_.covered;
+      return std::nullopt;
+    }
+  }
+  const auto before = covered_.find(meeting.place);
+  if (before != covered_.end() && before->second) return std::nullopt;
+  ++work_.exact_tests;
+  space();
+  const PointSource position = source(*space_);
+  if (w_low <= 0) {
+    const Vec3 near = space_->approximate(position).at;  // in multiples of the grid, over the weight
+    at = (1 / exact::to_double(RootValue(pair_.circle.weight(w_.range.chart), &point_))) * near;
+    at = std::ldexp(pair_.unit, pair_.pair.p_places.exponent) * at;
+  }
+  const bool covered = before == covered_.end() && collision_->overlaps({position});
+  covered_.emplace(meeting.place, covered);
+  if (covered) return std::nullopt;
+  SolidTurnContact contact;
+  contact.kind = meeting.kind;
+  at = (1 / pair_.unit) * at;
+  contact.at = {at.x, at.y, at.z};
+  switch (meeting.kind) {
+    case Meeting::Kind::vertex_on_facet:
+      contact.features = {features_of(meeting.vertex), features(meeting.facets[0])};
+      break;
+    case Meeting::Kind::edge_on_edge:
+      contact.features = {features_of(meeting.a), features_of(meeting.b)};
+      break;
+    case Meeting::Kind::edge_and_facets:
+      contact.features = {features_of(meeting.a), features(meeting.facets[0]), features(meeting.facets[1])};
+      break;
+    default:
+      for (const std::uint32_t f : meeting.facets) contact.features.push_back(features(f));
+  }
+  return contact;
+}
+
+bool RootContacts::in_balls(const std::vector<Vec3>& places, double radius) {
+  const double margin = radius + 0x1p-36;
+  for (const InnerBalls::Ball& a : turned_[0])
+    for (const InnerBalls::Ball& b : turned_[1]) {
+      const Vec3 middle = a.middle + b.middle;
+      const double within = a.radius + b.radius - margin;
+      if (within <= 0) continue;
+      if (std::all_of(places.begin(), places.end(), [&](Vec3 x) {
+            const Vec3 d = x - middle;
+            return dot(d, d) < within * within;
+          }))
+        return true;
+    }
+  return false;
+}
+
+bool RootContacts::surely_overlaps(Vec3 at, double radius) {
+  if (!overlap_) overlap_.emplace(pair_, jets_frame_.matrix());
+  return overlap_->at(at, radius);
+}
+
+const SumSpace& RootContacts::space() {
+  if (space_) return *space_;
+  std::array<std::vector<exact::Vector3<RootValue>>, 2> places;
+  int bits = 0;
+  for (int op = 0; op < 2; ++op)
+    for (std::uint32_t v = 0; v < pair_.operand(op).vertices.size(); ++v)
+      places[op].push_back(exact_frame_.placed(op, pair_.grid(op).place<exact::Big>(v), true));
+  // A turned coordinate is at most twice a coordinate, times the weight.
+  const double weight = exact::to_double(RootValue(pair_.circle.weight(w_.range.chart), &point_));
+  bits = std::max(pair_.pair.p_places.bits, pair_.pair.q_places.bits) + 1 + std::ilogb(weight) + 1;
+  space_ = make_root_space(std::move(places[0]), std::move(places[1]), bits);
+  collision_.emplace(*space_, pair_.pair.p, pair_.pair.q);
+  return *space_;
+}
+
+SolidContact RootContacts::features(std::uint32_t facet) const {
+  return spatial::features_of(w_.facets[facet].facet, pair_.pair.p, pair_.pair.q);
+}
+
+}  // namespace dymsum::spatial

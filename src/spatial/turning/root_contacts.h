@@ -1,0 +1,80 @@
+// What happens at one exact angle: which of the features that may meet there do, and whether the place is covered.
+#pragma once
+
+#include <map>
+#include <memory>
+#include <optional>
+
+#include "spatial/boundary/collision.h"
+#include "spatial/moving/inner_balls.h"
+#include "spatial/turning/sure_overlap.h"
+#include "spatial/turning/turn_candidates.h"
+
+namespace dymsum::spatial {
+
+/// Balls inside both operands: what a ball of P plus one of Q holds lies in the open sum.
+struct PairOfBalls {
+  explicit PairOfBalls(const TurningPair& pair);
+  std::array<std::vector<InnerBalls::Ball>, 2> balls;  ///< in the pair's units
+};
+
+/// One angle, the root of a meeting of a window.
+class RootContacts {
+ public:
+  RootContacts(const TurningPair& pair, const PairOfBalls& balls, const SolidTurnWindow& window,
+               const exact::AlgebraicRoot& root, TurningSolidWork& work);
+
+  /// What a meeting tells of the sum's boundary: nothing where a feature does not exist at this angle, where they do
+  /// not meet as far as they reach, or where the position lies in the open sum. Exact, but of normal_on_arc: these are
+  /// left out only where balls prove the face plus the edge to lie in the open sum.
+  std::optional<SolidTurnContact> contact(const Meeting& meeting);
+  double radians() const { return radians_; }
+
+ private:
+  using Jets = TurnSigns<JetFrame>;
+  using Exact = TurnSigns<PolynomialFrame>;
+  /// The sign of form(TurnSigns) here: jets, else exact.
+  template <class F>
+  int sign(F form) const;
+  bool exists(std::uint32_t facet) const;
+  bool exists_at(SumPoint v) const;
+  bool exists_at(const SumEdge& e) const;
+  template <class F>
+  bool in_facet(std::uint32_t facet, F place, int w) const;
+  template <class F>
+  bool on_edge(const SumEdge& e, F place, int w) const;
+  bool slant_holds(const SlantCondition& c) const;
+
+  std::optional<SolidTurnContact> normal_on_arc(const Meeting& meeting);
+  std::optional<SolidTurnContact> vertex_on_facet(const Meeting& meeting);
+  std::optional<SolidTurnContact> edge_on_edge(const Meeting& meeting);
+  std::optional<SolidTurnContact> edge_and_facets(const Meeting& meeting);
+  std::optional<SolidTurnContact> four_facets(const Meeting& meeting);
+
+  /// At a place of jets, and as the space of the angle names it.
+  template <class F>
+  std::optional<SolidTurnContact> free_contact(const Meeting& meeting, const Jets::Place& place, F source);
+  bool in_balls(const std::vector<Vec3>& places, double radius);
+  bool surely_overlaps(Vec3 at, double radius);
+  const SumSpace& space();
+  SolidContact features(std::uint32_t facet) const;
+
+  const TurningPair& pair_;
+  const PairOfBalls& balls_;
+  const SolidTurnWindow& w_;
+  TurningSolidWork& work_;
+  exact::RootPoint point_;
+  double radians_ = 0, reach_ = 0;
+  JetFrame jets_frame_;
+  PolynomialFrame exact_frame_;
+  Jets jets_;
+  Exact exact_;
+  std::array<std::vector<InnerBalls::Ball>, 2> turned_;
+  std::optional<SureOverlap> overlap_;
+  std::unique_ptr<SumSpace> space_;
+  std::optional<Collision> collision_;
+  std::map<std::uint32_t, bool> covered_;   // by Meeting::place
+  mutable std::vector<std::int8_t> known_;  // per facet: exists, 0 not asked
+};
+
+}  // namespace dymsum::spatial

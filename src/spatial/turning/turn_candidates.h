@@ -1,0 +1,56 @@
+// What may meet in a window of angles: candidates, each with the exact roots at which it does.
+#pragma once
+
+#include <functional>
+#include <vector>
+
+#include "dymsum/turning_solid_sum.h"
+#include "exact/algebraic_root.h"
+#include "spatial/turning/window_facets.h"
+
+namespace dymsum::spatial {
+
+/// A window of angles: t in (low, high] of a chart.
+struct TurnRangeOfT {
+  int chart = 0;
+  exact::BigRational low, high;
+};
+
+/// Features of a window that come together; indices are those of its facets.
+struct Meeting {
+  using Kind = SolidTurnContact::Kind;
+  Kind kind = Kind::normal_on_arc;
+  SlantCondition slant;                   ///< normal_on_arc
+  SumPoint vertex;                        ///< vertex_on_facet
+  SumEdge a, b;                           ///< edge_on_edge; a of edge_and_facets
+  std::array<std::uint32_t, 4> facets{};  ///< 1 of vertex_on_facet, 2 of edge_and_facets, 4 of four_facets
+  std::uint32_t place = 0;                ///< equal for meetings that are at one position at every angle
+};
+
+struct RootMeeting {
+  exact::AlgebraicRoot root;
+  Meeting meeting;
+};
+
+/// The facets of a window with what they are made of.
+struct SolidTurnWindow {
+  TurnRangeOfT range;
+  double middle = 0, half = 0;  ///< in radians
+  std::vector<WindowFacet> facets;
+  std::vector<std::uint32_t> plane_of;  ///< per facet: equal where planes are one at every angle, whatever their sides
+  std::vector<std::vector<std::uint32_t>> facets_at_vertex, facets_at_edge;
+  std::vector<SumPoint> vertices;
+  std::vector<SumEdge> edges;  ///< from < to
+  std::vector<bool> bounds;    ///< per edge: false inside a face of an operand, where it bounds nothing
+
+  SolidTurnWindow(const TurningPair& pair, const GaussMaps& maps, const TurnRangeOfT& range);
+  const std::vector<std::uint32_t>& around(SumPoint v) const;
+  const std::vector<std::uint32_t>& around(const SumEdge& e) const;
+};
+
+/// Everything that may change how the facets of a window lie among each other, at every angle where its polynomial
+/// vanishes: a superset, in any order. `again` is called now and then and may throw.
+std::vector<RootMeeting> meetings_in(const TurningPair& pair, const SolidTurnWindow& window, TurningSolidWork& work,
+                                     const std::function<void()>& again);
+
+}  // namespace dymsum::spatial

@@ -1,0 +1,78 @@
+#include "spatial/turning/turn_forms.h"
+
+#include <algorithm>
+
+namespace dymsum::spatial {
+
+using exact::Big;
+using exact::RootValue;
+using exact::Vector3;
+
+TurningPair::TurningPair(const Mesh& p, const Mesh& q, const TurnAxis& axis, int which)
+    : pair(solid_pair(p, q)), circle(axis), turning(which) {
+  double most = 0;
+  for (const SolidOperand* solid : {&pair.p, &pair.q})
+    for (const Point3& v : solid->vertices) most = std::max({most, std::abs(v.x), std::abs(v.y), std::abs(v.z)});
+  unit = most == 0 ? 1 : std::ldexp(1.0, -std::ilogb(most) - 1);
+  for (int op = 0; op < 2; ++op)
+    for (const Point3& v : operand(op).vertices) places[op].push_back({v.x * unit, v.y * unit, v.z * unit});
+}
+
+Vector3<Big> TurningPair::way(int op, std::uint32_t from, std::uint32_t to) const {
+  return grid(op).place<Big>(to) - grid(op).place<Big>(from);
+}
+
+bool TurningPair::along_axis(int op, std::uint32_t from, std::uint32_t to) const {
+  const auto big = [](std::int32_t c) { return Big::from_int64(c); };
+  const TurnAxis& a = circle.axis();
+  const auto c = exact::cross(way(op, from, to), Vector3<Big>{big(a[0]), big(a[1]), big(a[2])});
+  return sign(c.x) == 0 && sign(c.y) == 0 && sign(c.z) == 0;
+}
+
+JetFrame::JetFrame(const TurningPair& pair, double middle, double half) : pair_(pair), half_(half) {
+  const double c = std::cos(middle), s = std::sin(middle), l = pair.circle.length();
+  const TurnAxis& axis = pair.circle.axis();
+  const Vec3 a{axis[0] / l, axis[1] / l, axis[2] / l};
+  const Vec3 unit[3] = {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
+  const double along[3] = {a.x, a.y, a.z};
+  for (int r = 0; r < 3; ++r) {
+    const Vec3 row = cross(unit[r], a);  // unit . (a x v) = (unit x a) . v
+    matrix_[r] = c * unit[r] + s * row + (1 - c) * along[r] * a;
+    slope_[r] = half * ((-s) * unit[r] + c * row + s * along[r] * a);
+  }
+}
+
+JetFrame::Vector JetFrame::placed(int op, Vec3 v, double error) const {
+  const double size = std::abs(v.x) + std::abs(v.y) + std::abs(v.z);
+  if (op != pair_.turning) {
+    const double rest = size * 0x1p-50 + error;
+    return {{v.x, 0, rest}, {v.y, 0, rest}, {v.z, 0, rest}};
+  }
+  // The middle is off by 2^-46, entries of the matrix by less than 2^-48; beyond the slope angles turn by half^2 / 2.
+  const double rest = size * (half_ * half_ * 0.5 * (1 + 0x1p-40) + 0x1p-44) + error;
+  const Vec3 at = matrix_ * v, way = slope_ * v;
+  return {{at.x, way.x, rest}, {at.y, way.y, rest}, {at.z, way.z, rest}};
+}
+
+JetFrame::Vector JetFrame::normal(int op, std::uint32_t a, std::uint32_t b, std::uint32_t c) const {
+  const std::vector<Vec3>& at = pair_.places[op];
+  const Vec3 u = at[b] - at[a], v = at[c] - at[a];
+  const auto size = [](Vec3 w) { return std::abs(w.x) + std::abs(w.y) + std::abs(w.z); };
+  return placed(op, cross(u, v), size(u) * size(v) * 0x1p-49);
+}
+
+PolynomialFrame::Vector PolynomialFrame::placed(int op, const Vector3<Big>& v, bool weighted) const {
+  if (op == pair_.turning) return pair_.circle.turned(chart_, v, at_);
+  const auto fixed = [&](const Big& c) {
+    if (sign(c) == 0) return RootValue(exact::Terms{}, at_);
+    return weighted ? RootValue(exact::product_of(pair_.circle.weight(chart_), {c.value()}), at_)
+                    : RootValue(exact::Terms{c.value()}, at_);
+  };
+  return {fixed(v.x), fixed(v.y), fixed(v.z)};
+}
+
+PolynomialFrame::Vector PolynomialFrame::normal(int op, std::uint32_t a, std::uint32_t b, std::uint32_t c) const {
+  return placed(op, exact::cross(pair_.way(op, a, b), pair_.way(op, a, c)), false);
+}
+
+}  // namespace dymsum::spatial

@@ -1,0 +1,194 @@
+#include "spatial/turning/turn_walk.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <optional>
+
+#include "spatial/moving/posed_sum.h"
+
+namespace dymsum::spatial {
+
+using exact::AlgebraicRoot;
+using exact::BigRational;
+
+namespace {
+
+/// An angle at which masses meet lists so many of its contacts.
+constexpr std::size_t kMostContacts = 16;
+
+/// Windows within which directions and places move by some part of an edge are cheapest.
+double window_of(const TurningPair& pair) {
+  double reach = 0, edges = 0;
+  std::size_t count = 0;
+  const TurnAxis& axis = pair.circle.axis();
+  const double l = pair.circle.length();
+  const Vec3 a{axis[0] / l, axis[1] / l, axis[2] / l};
+  for (const Vec3 v : pair.places[pair.turning]) reach = std::max(reach, length(cross(a, v)));
+  for (int op = 0; op < 2; ++op)
+    for (const Wedge& w : pair.operand(op).wedges)
+      edges += length(pair.places[op][w.to] - pair.places[op][w.from]), ++count;
+  if (reach == 0 || count == 0) return 0.25;
+  return std::clamp(0.06 * edges / static_cast<double>(count) / reach, 1e-4, 0.2);
+}
+
+/// Triangles of one face have the same features.
+bool lists(const std::vector<SolidTurnContact>& all, const SolidTurnContact& contact) {
+  return std::any_of(all.begin(), all.end(), [&](const SolidTurnContact& c) {
+    return c.kind == contact.kind && c.features == contact.features;
+  });
+}
+
+/// The multiple of a power of two near x, with some bits more than |x| / grain has.
+BigRational dyadic(double x, double grain) {
+  const double unit = std::ldexp(1.0, std::ilogb(grain) - 8);
+  return exact::exact_value(std::nearbyint(x / unit) * unit);
+}
+
+}  // namespace
+
+SpatialSum turned_sum(const TurningPair& pair, const ChartPlace& at, const SpatialOptions& options) {
+  ExactPose turned = pair.circle.pose(at), still = ExactPose::of({});
+  if (pair.turning == 1) std::swap(turned, still);
+  return fresh_sum(pair.pair, posed_space(pair.pair, std::move(turned), std::move(still)), options);
+}
+
+TurnWalk::TurnWalk(const TurningPair& pair, const GaussMaps& maps, const PairOfBalls& balls,
+                   const TurningSolidOptions& options, TurningSolidWork& work, const Progress& progress)
+    : pair_(pair), maps_(maps), balls_(balls), options_(options), work_(work), progress_(progress) {
+  stages_.tight = options.tight, stages_.threads = options.threads;
+  if (progress) stages_.progress = [this](std::string_view, double) { return progress_("events", share_); };
+  step_ = options.window > 0 ? options.window : window_of(pair);
+}
+
+void TurnWalk::ask() {
+  if (progress_ && !progress_("events", share_)) throw Cancelled{};
+}
+
+void TurnWalk::run(const ChartPlace& a, const ChartPlace& b, bool behind, bool whole,
+                   const std::function<bool(SolidTurnEvent&)>& take) {
+  const TurnCircle& circle = pair_.circle;
+  const auto radians = [&](const ChartPlace& p) { return circle.radians(p.chart, exact::round_to_double(p.t)); };
+  constexpr double kTurn = 2 * std::numbers::pi;
+  double all = radians(b) - radians(a);
+  while (all < 0) all += kTurn;
+  while (all >= kTurn) all -= kTurn;
+  if (a.chart == b.chart && a.t == b.t) all = whole ? kTurn : 0;
+  // In t of a chart; angles turn by at most 2 |axis| as much. The walk begins a little before a.
+  const double step = step_ / 2 / circle.length();
+  ChartPlace low{a.chart, dyadic(exact::round_to_double(a.t) - 0.3 * step, step)};
+  double done = radians(low) - radians(a);
+  for (bool first = true;; first = false) {
+    share_ = std::clamp(done / (all + step_), 0.0, 1.0);
+    ask();
+    TurnRangeOfT range{low.chart, low.t, dyadic(exact::round_to_double(low.t) + step, step)};
+    const std::optional<BigRational> to = seen_in(range.chart, b);
+    const double ahead = to ? circle.radians(range.chart, exact::round_to_double(*to)) - radians(low) : 0;
+    // A turn or more may lead from a to b: the way that is left tells whether it ends here.
+    const auto ends = [&] { return to && *to >= range.low && *to < range.high && std::abs(done + ahead - all) < 1; };
+    const auto wanted = [&] {
+      return Wanted{first ? std::optional(a.t) : std::nullopt, ends() ? to : std::nullopt, behind};
+    };
+    std::vector<Angle> angles = angles_in(range, wanted());
+    for (int k = 1; !angles.empty() && exact::compare(angles.back().root, range.high) == 0; ++k) {
+      range.high = range.low + dyadic(step * (1 - k / (37.0 + 8 * k)), step / std::ldexp(1.0, std::min(k, 30)));
+      angles = angles_in(range, wanted());
+    }
+    before_.reset();
+    for (std::size_t i = 0; i < angles.size(); ++i) {
+      if (!angles[i].wanted) {
+        before_.reset();
+        continue;
+      }
+      std::optional<SolidTurnEvent> event = event_at(range, angles, i);
+      if (!event) continue;
+      ++work_.events;
+      if (!take(*event)) return;
+    }
+    if (ends()) return;
+    done += radians({range.chart, range.high}) - radians(low);
+    low = {range.chart, range.high};
+    if (range.high > circle.reach(range.chart)) low = {1 - range.chart, *seen_in(1 - range.chart, low)};
+  }
+}
+
+std::optional<BigRational> TurnWalk::seen_in(int chart, const ChartPlace& p) const {
+  if (p.chart == chart) return p.t;
+  if (p.t.is_zero()) return std::nullopt;
+  return BigRational(-1 / (p.t * pair_.circle.square()));
+}
+
+std::optional<SolidTurnEvent> TurnWalk::event_at(const TurnRangeOfT& range, std::vector<Angle>& angles, std::size_t i) {
+  SolidTurnEvent event = event_of(range.chart, angles[i]);
+  if (!options_.changes) return event;
+  look(range, angles, i, event);
+  const bool shown = std::any_of(event.contacts.begin(), event.contacts.end(), [](const SolidTurnContact& c) {
+    return c.kind != SolidTurnContact::Kind::normal_on_arc;
+  });
+  if (!event.visible && !shown) return std::nullopt;
+  return event;
+}
+
+bool TurnWalk::Wanted::holds(const AlgebraicRoot& root) const {
+  if (low && exact::compare(root, *low) < (behind ? 1 : 0)) return false;
+  return !high || exact::compare(root, *high) <= 0;
+}
+
+std::vector<TurnWalk::Angle> TurnWalk::angles_in(const TurnRangeOfT& range, const Wanted& wanted) {
+  const SolidTurnWindow window(pair_, maps_, range);
+  std::vector<RootMeeting> meetings = meetings_in(pair_, window, work_, [this] { ask(); });
+  std::stable_sort(meetings.begin(), meetings.end(),
+                   [](const RootMeeting& a, const RootMeeting& b) { return exact::compare(a.root, b.root) < 0; });
+  std::vector<Angle> angles;
+  for (std::size_t i = 0, j; i < meetings.size(); i = j) {
+    Angle angle{meetings[i].root, wanted.holds(meetings[i].root), {}};
+    for (j = i + 1; j < meetings.size() && exact::compare(meetings[i].root, meetings[j].root) == 0;) ++j;
+    if (angle.wanted) {
+      RootContacts contacts(pair_, balls_, window, angle.root, work_);
+      for (std::size_t k = i; k < j && angle.contacts.size() < kMostContacts; ++k, ask())
+        if (std::optional<SolidTurnContact> c = contacts.contact(meetings[k].meeting); c && !lists(angle.contacts, *c))
+          angle.contacts.push_back(*std::move(c));
+      if (angle.contacts.empty()) continue;
+    }
+    angles.push_back(std::move(angle));
+  }
+  return angles;
+}
+
+SolidTurnEvent TurnWalk::event_of(int chart, Angle& angle) const {
+  SolidTurnEvent event;
+  const AlgebraicRoot& root = angle.root;
+  event.radians = std::remainder(pair_.circle.radians(chart, root.approx()), 2 * std::numbers::pi);
+  if (event.radians == -std::numbers::pi) event.radians = std::numbers::pi;
+  if (const auto t = exact::rational_value(root)) event.exact = pair_.circle.turn({chart, *t});
+  for (int k = 0; k <= root.polynomial().degree(); ++k) event.polynomial.push_back(root.polynomial()[k].value().str());
+  event.t_low = root.low(), event.t_high = root.high(), event.opposite = chart == 1;
+  event.contacts = angle.contacts;
+  return event;
+}
+
+void TurnWalk::look(const TurnRangeOfT& range, const std::vector<Angle>& angles, std::size_t i, SolidTurnEvent& event) {
+  const AlgebraicRoot& root = angles[i].root;
+  const auto place = [&](const AlgebraicRoot& a, const AlgebraicRoot& b) {
+    return ChartPlace{range.chart, exact::between(a, b)};
+  };
+  if (!before_) before_ = snapshot(place(i == 0 ? AlgebraicRoot::rational(range.low) : angles[i - 1].root, root));
+  const TurnSnapshot after =
+      snapshot(place(root, i + 1 < angles.size() ? angles[i + 1].root : AlgebraicRoot::rational(range.high)));
+  event.topology = !(before_->topology == after.topology);
+  event.visible = event.topology || before_->hash != after.hash;
+  if (event.exact) {
+    const TurnSnapshot here = snapshot(pair_.circle.place(*event.exact));
+    event.topology = event.topology || !(here.topology == before_->topology);
+    event.visible = event.visible || event.topology;
+  }
+  before_ = after;
+}
+
+TurnSnapshot TurnWalk::snapshot(const ChartPlace& at) {
+  ++work_.sums;
+  const SpatialSum sum = turned_sum(pair_, at, stages_);
+  return {structure_hash(pair_, sum), topology_of(sum)};
+}
+
+}  // namespace dymsum::spatial

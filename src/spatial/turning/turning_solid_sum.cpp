@@ -1,0 +1,141 @@
+#include "dymsum/turning_solid_sum.h"
+
+#include <numeric>
+
+#include "base/stopwatch.h"
+#include "spatial/moving/posed_sum.h"
+#include "spatial/turning/turn_walk.h"
+
+namespace dymsum {
+
+using spatial::ChartPlace;
+
+class TurningSolidSum::State {
+ public:
+  State(const Mesh& p, const Mesh& q, const TurnAxis& axis, const TurningSolidOptions& given)
+      : options(given), pair(p, q, axis, given.moving == MovingOperand::p ? 0 : 1), maps(pair), balls(pair) {
+    stages.tight = options.tight, stages.threads = options.threads;
+  }
+
+  /// Runs a walk; errors as events().
+  Result<bool> walk(const AxisTurn& a, const AxisTurn& b, bool behind, bool whole, const Progress& progress,
+                    const TurningSolidOptions& how, const std::function<bool(SolidTurnEvent&)>& take) {
+    work = {};
+    const Stopwatch watch;
+    Result<bool> made = spatial::guarded([&] {
+      spatial::TurnWalk(pair, maps, balls, how, work, progress)
+          .run(pair.circle.place(a), pair.circle.place(b), behind, whole, take);
+      return true;
+    });
+    work.ms = watch.ms();
+    return made;
+  }
+
+  Result<std::optional<SolidTurnEvent>> first(const AxisTurn& a, const AxisTurn& limit, const Progress& progress,
+                                              bool topology) {
+    std::optional<SolidTurnEvent> found;
+    if (a == limit) return found;
+    TurningSolidOptions how = options;
+    how.changes = true;
+    const Result<bool> made = walk(a, limit, true, false, progress, how, [&](SolidTurnEvent& e) {
+      if (topology ? e.topology : e.visible) found = std::move(e);
+      return !found;
+    });
+    if (!made) return made.error();
+    return found;
+  }
+
+  TurningSolidOptions options;
+  SpatialOptions stages;
+  spatial::TurningPair pair;
+  spatial::GaussMaps maps;
+  spatial::PairOfBalls balls;
+  TurningSolidWork work;
+};
+
+namespace {
+
+/// What numbers at roots may need: doubles hold products of seven coordinates.
+constexpr int kMostBits = 140;
+
+std::optional<Error> refusal(const Mesh& p, const Mesh& q, const TurnAxis& axis, const TurningSolidOptions& options) {
+  if (axis == TurnAxis{}) return Error{ErrorCode::bad_rotation, "the axis is zero", {}};
+  for (const std::int32_t a : axis)
+    if (a < -(1 << 15) || a > 1 << 15) return Error{ErrorCode::bad_rotation, "the axis is longer than 2^15", {}};
+  if (options.threads < 0) return Error{ErrorCode::out_of_range, "the number of threads is negative", {}};
+  if (!(options.window >= 0 && options.window <= 1))
+    return Error{ErrorCode::out_of_range, "windows are between 0 and 1 radian wide", {}};
+  if (p.empty() || q.empty() || p.has_thin_parts() || q.has_thin_parts())
+    return Error{
+        ErrorCode::unsupported_operand, "operands of a turning sum are solids, without parts of no volume", {}};
+  return std::nullopt;
+}
+
+}  // namespace
+
+Result<TurningSolidSum> TurningSolidSum::create(const Mesh& p, const Mesh& q, const TurnAxis& axis,
+                                                const TurningSolidOptions& options) {
+  if (std::optional<Error> error = refusal(p, q, axis, options)) return *std::move(error);
+  const std::int32_t divisor = std::gcd(std::gcd(axis[0], axis[1]), axis[2]);
+  auto state =
+      std::make_unique<State>(p, q, TurnAxis{axis[0] / divisor, axis[1] / divisor, axis[2] / divisor}, options);
+  int square_bits = 0;
+  while ((std::int64_t{1} << square_bits) < state->pair.circle.square()) ++square_bits;
+  if (std::max(state->pair.pair.p_places.bits, state->pair.pair.q_places.bits) + 2 * square_bits > kMostBits)
+    return Error{ErrorCode::unsupported_operand,
+                 "coordinates on their common grid, with the square of the axis twice, need more than 140 bits",
+                 {}};
+  return TurningSolidSum(std::move(state));
+}
+
+TurningSolidSum::TurningSolidSum(std::unique_ptr<State> state) : state_(std::move(state)) {}
+TurningSolidSum::TurningSolidSum(TurningSolidSum&&) noexcept = default;
+TurningSolidSum& TurningSolidSum::operator=(TurningSolidSum&&) noexcept = default;
+TurningSolidSum::~TurningSolidSum() = default;
+
+const TurnAxis& TurningSolidSum::axis() const { return state_->pair.circle.axis(); }
+const TurningSolidWork& TurningSolidSum::work() const { return state_->work; }
+
+Result<SpatialSum> TurningSolidSum::at(const AxisTurn& turn, const Progress& progress) const {
+  SpatialOptions stages = state_->stages;
+  stages.progress = progress;
+  return spatial::guarded([&] { return spatial::turned_sum(state_->pair, state_->pair.circle.place(turn), stages); });
+}
+
+std::uint64_t TurningSolidSum::combinatorial_hash(const SpatialSum& sum) const {
+  return spatial::structure_hash(state_->pair, sum);
+}
+
+Result<std::vector<SolidTurnEvent>> TurningSolidSum::events(const AxisTurn& a, const AxisTurn& b,
+                                                            const Progress& progress) const {
+  std::vector<SolidTurnEvent> events;
+  const Result<bool> made = state_->walk(a, b, false, false, progress, state_->options, [&](SolidTurnEvent& e) {
+    events.push_back(std::move(e));
+    return true;
+  });
+  if (!made) return made.error();
+  return events;
+}
+
+Result<std::vector<SolidTurnEvent>> TurningSolidSum::events_of_turn(const Progress& progress) const {
+  std::vector<SolidTurnEvent> events;
+  const AxisTurn half = AxisTurn::half_turn();
+  const Result<bool> made = state_->walk(half, half, true, true, progress, state_->options, [&](SolidTurnEvent& e) {
+    events.push_back(std::move(e));
+    return true;
+  });
+  if (!made) return made.error();
+  return events;
+}
+
+Result<std::optional<SolidTurnEvent>> TurningSolidSum::next_event(const AxisTurn& a, const AxisTurn& limit,
+                                                                  const Progress& progress) const {
+  return state_->first(a, limit, progress, false);
+}
+
+Result<std::optional<SolidTurnEvent>> TurningSolidSum::next_topology_change(const AxisTurn& a, const AxisTurn& limit,
+                                                                            const Progress& progress) const {
+  return state_->first(a, limit, progress, true);
+}
+
+}  // namespace dymsum

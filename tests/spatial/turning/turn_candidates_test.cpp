@@ -1,0 +1,177 @@
+// What may meet in a window: degrees of the polynomials, and nothing that samples show is missing.
+#include "spatial/turning/turn_candidates.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <iostream>
+#include <map>
+
+#include "spatial/moving/moving_cases.h"
+
+namespace dymsum {
+namespace {
+
+using namespace spatial;
+using moving_cases::mesh_of;
+
+std::size_t degree(const TurningPair& pair, const exact::RootValue& v) {
+  exact::Terms terms = v.terms();
+  while (terms.size() > 1 && exact::divide_exactly(terms, pair.circle.divisor())) continue;
+  return terms.empty() ? 0 : terms.size() - 1;
+}
+
+TEST(TurnCandidates, PolynomialsHaveTheDegreesOfTheDesignPage) {
+  for (const TurnAxis& axis : {TurnAxis{0, 0, 1}, TurnAxis{2, -1, 3}})
+    for (const int chart : {0, 1}) {
+      const TurningPair pair(mesh_of(moving_cases::bumpy(1, 3)), mesh_of(moving_cases::bumpy(1, 8)), axis, 0);
+      const GaussMaps maps(pair);
+      const std::vector<WindowFacet> facets = maps.facets(0.4, 0.3);
+      const PolynomialFrame frame(pair, chart);
+      const TurnSigns<PolynomialFrame> signs(frame);
+      std::mt19937_64 random(17);
+      const auto any = [&]() -> const WindowFacet& { return facets[random() % facets.size()]; };
+      std::array<std::size_t, 5> most{};
+      const auto note = [&](int kind, const exact::RootValue& v) {
+        most[kind] = std::max(most[kind], degree(pair, v));
+      };
+      for (int k = 0; k < 400; ++k) {
+        const WindowFacet &f = any(), &g = any(), &h = any(), &i = any();
+        if (!f.unsure.empty()) {
+          const SlantCondition& c = f.unsure[0];
+          note(0, signs.slant(c.op, pair.operand(c.op).triangles[c.triangle], c.way));
+        }
+        note(1, signs.side(f.plane, g.facet.corner[0]));
+        note(2, signs.twist(f.border(0), g.border(1)));
+        note(3, signs.order(f.border(1), g.plane, h.plane));
+        note(4, signs.height(f.plane, g.plane, h.plane, i.plane));
+      }
+      EXPECT_EQ(most, (std::array<std::size_t, 5>{2, 2, 2, 4, 6}));
+    }
+}
+
+/// Signs at one angle, in doubles from turned vertices alone.
+struct Sample {
+  const std::vector<WindowFacet>& facets;
+  std::array<std::vector<Vec3>, 2> at;
+  std::vector<bool> exists;
+  std::vector<Vec3> normals;
+
+  Sample(const TurningPair& pair, const std::vector<WindowFacet>& all, double theta) : facets(all), at(pair.places) {
+    const Vec3 a = (1 / pair.circle.length()) * Vec3{static_cast<double>(pair.circle.axis()[0]),
+                                                     static_cast<double>(pair.circle.axis()[1]),
+                                                     static_cast<double>(pair.circle.axis()[2])};
+    for (Vec3& v : at[pair.turning])  // Rodrigues
+      v = std::cos(theta) * v + std::sin(theta) * cross(a, v) + ((1 - std::cos(theta)) * dot(a, v)) * a;
+    for (const WindowFacet& f : facets) {
+      bool holds = true;
+      for (const SlantCondition& c : f.unsure) {
+        const Triangle& t = pair.operand(c.op).triangles[c.triangle];
+        const std::vector<Vec3>& own = at[c.op];
+        const Vec3 n = cross(own[t[1]] - own[t[0]], own[t[2]] - own[t[0]]);
+        holds = holds && c.sense * dot(n, at[1 - c.op][c.way.to] - at[1 - c.op][c.way.from]) < -1e-9;
+      }
+      exists.push_back(holds);
+      const Vec3 x = of(f.facet.corner[0]), y = of(f.facet.corner[1]), z = of(f.facet.corner[2]);
+      normals.push_back(cross(y - x, z - x));
+    }
+  }
+  Vec3 of(SumPoint v) const { return at[0][v.p] + at[1][v.q]; }
+  bool inside(std::uint32_t f, Vec3 x) const {
+    for (int k = 0; k < facets[f].facet.corners; ++k) {
+      const SumEdge e = facets[f].border(k);
+      if (dot(normals[f], cross(of(e.to) - of(e.from), x - of(e.from))) < 1e-7) return false;
+    }
+    return true;
+  }
+  double side(std::uint32_t f, Vec3 x) const { return dot(normals[f], x - of(facets[f].facet.corner[0])); }
+  bool cross_well(std::uint32_t f, std::uint32_t g, std::uint32_t h) const {
+    const double sizes = length(normals[f]) * length(normals[g]) * length(normals[h]);
+    return std::abs(dot(normals[f], cross(normals[g], normals[h]))) > 1e-6 * sizes;
+  }
+  Vec3 point(std::uint32_t f, std::uint32_t g, std::uint32_t h) const {
+    const Vec3 ab = cross(normals[f], normals[g]), bc = cross(normals[g], normals[h]),
+               ca = cross(normals[h], normals[f]);
+    const double w = dot(normals[f], bc);
+    const auto offset = [&](std::uint32_t i) { return dot(normals[i], of(facets[i].facet.corner[0])); };
+    return (1 / w) * (offset(f) * bc + offset(g) * ca + offset(h) * ab);
+  }
+};
+
+/// Samples of all vertices with all facets, and of all quadruples of facets: where a sign changes while the features
+/// meet well inside each other at both samples, the window has a root between them.
+TEST(TurnCandidates, HaveAllThatSamplesShow) {
+  std::mt19937_64 random(5);
+  std::map<Meeting::Kind, int> shown;
+  for (int round = 0; round < 9; ++round) {
+    const Mesh p = round < 4 ? random_solids::valid_polyhedron(random) : mesh_of(moving_cases::bumpy(2, round)),
+               q = round < 4 ? random_solids::valid_polyhedron(random) : mesh_of(moving_cases::bumpy(2, 9 + round));
+    const TurnAxis axis = round % 2 == 0 ? TurnAxis{0, 0, 1} : TurnAxis{1, -2, 2};
+    const TurningPair pair(p, q, axis, round % 2);
+    const GaussMaps maps(pair);
+    const exact::BigRational low(round - 2, 16), high = low + exact::BigRational(1, 24);
+    const SolidTurnWindow window(pair, maps, {0, low, high});
+    TurningSolidWork work;
+    const std::vector<RootMeeting> found = meetings_in(pair, window, work, [] {});
+    std::vector<double> t;
+    std::vector<Sample> samples;
+    for (int k = 1; k < 24; ++k) {
+      t.push_back((round - 2) / 16.0 + k / 24.0 / 24);
+      samples.emplace_back(pair, window.facets, pair.circle.radians(0, t.back()));
+    }
+    for (std::size_t s = 0; s + 1 < samples.size(); ++s) {
+      const Sample &a = samples[s], &b = samples[s + 1];
+      const auto has = [&](auto match) {
+        return std::any_of(found.begin(), found.end(), [&](const RootMeeting& m) {
+          return m.root.high() > t[s] && m.root.low() < t[s + 1] && match(m.meeting);
+        });
+      };
+      const auto n = static_cast<std::uint32_t>(window.facets.size());
+      for (std::uint32_t f = 0; f < n; ++f) {
+        if (!a.exists[f] || !b.exists[f]) continue;
+        for (const SumPoint v : window.vertices) {
+          if (window.facets[f].has_corner(v) || !a.inside(f, a.of(v)) || !b.inside(f, b.of(v))) continue;
+          if (!(a.side(f, a.of(v)) * b.side(f, b.of(v)) < -1e-18)) continue;
+          ++shown[Meeting::Kind::vertex_on_facet];
+          EXPECT_TRUE(has([&](const Meeting& m) {
+            return m.kind == Meeting::Kind::vertex_on_facet && m.vertex == v && m.facets[0] == f;
+          })) << round;
+        }
+      }
+      std::vector<std::array<std::uint32_t, 3>> points;
+      std::vector<std::vector<std::uint32_t>> near(n);
+      for (std::uint32_t f = 0; f < n; ++f)
+        for (std::uint32_t g = f + 1; g < n; ++g)
+          if (a.exists[f] && b.exists[f] && a.exists[g] && b.exists[g] &&
+              overlap(window.facets[f].box, window.facets[g].box))
+            near[f].push_back(g);
+      for (std::uint32_t f = 0; f < n; ++f)
+        for (const std::uint32_t g : near[f])
+          for (const std::uint32_t h : near[g]) {
+            if (!std::binary_search(near[f].begin(), near[f].end(), h)) continue;
+            if (!a.cross_well(f, g, h) || !b.cross_well(f, g, h)) continue;
+            const Vec3 x = a.point(f, g, h), y = b.point(f, g, h);
+            if (!a.inside(f, x) || !a.inside(g, x) || !a.inside(h, x) || !b.inside(f, y) || !b.inside(g, y) ||
+                !b.inside(h, y))
+              continue;
+            for (const std::uint32_t k : near[h]) {
+              if (!a.inside(k, x) || !b.inside(k, y)) continue;
+              if (!(a.side(k, x) * b.side(k, y) < -1e-18)) continue;
+              ++shown[Meeting::Kind::four_facets];
+              EXPECT_TRUE(has([&](const Meeting& m) {
+                std::array<std::uint32_t, 4> of = m.facets;
+                std::sort(of.begin(), of.end());
+                return m.kind == Meeting::Kind::four_facets && of == std::array{f, g, h, k};
+              })) << round;
+            }
+          }
+    }
+  }
+  std::cout << shown[Meeting::Kind::vertex_on_facet] << " vertices, " << shown[Meeting::Kind::four_facets]
+            << " fours of facets" << std::endl;
+  EXPECT_GT(shown[Meeting::Kind::vertex_on_facet], 20);
+  EXPECT_GT(shown[Meeting::Kind::four_facets], 0);
+}
+
+}  // namespace
+}  // namespace dymsum

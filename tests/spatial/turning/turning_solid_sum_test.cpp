@@ -1,0 +1,149 @@
+// Events of a sum while an operand turns: structure is constant between them and changes at visible ones.
+#include "dymsum/turning_solid_sum.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <iostream>
+#include <set>
+
+#include "dymsum/orientation_sum.h"
+#include "dymsum/shapes.h"
+#include "spatial/moving/moving_cases.h"
+#include "spatial/turning/turn_structure.h"
+
+namespace dymsum {
+namespace {
+
+using moving_cases::mesh_of;
+
+AxisTurn turn_at(const TurnAxis& axis, double radians) { return AxisTurn::nearest(axis, radians).value(); }
+
+struct Seen {
+  std::uint64_t hash = 0;
+  spatial::SolidTopology topology;
+  friend bool operator==(const Seen&, const Seen&) = default;
+};
+Seen seen(const TurningSolidSum& sum, const AxisTurn& turn) {
+  const Result<SpatialSum> at = sum.at(turn);
+  EXPECT_TRUE(at.ok()) << at.error().to_string();
+  return {sum.combinatorial_hash(*at), spatial::topology_of(*at)};
+}
+
+/// Between two samples with different structures lies a visible event, between neighbours with the same ones none (or
+/// two): looked at by samples alone, which know nothing of events. Returns how many events are visible.
+std::size_t check_by_samples(const TurningSolidSum& sum, double from, double to, int samples, const std::string& name) {
+  const TurnAxis axis = sum.axis();
+  const Result<std::vector<SolidTurnEvent>> events = sum.events(turn_at(axis, from), turn_at(axis, to));
+  EXPECT_TRUE(events.ok()) << name << ": " << events.error().to_string();
+  if (!events) return 0;
+  const TurningSolidWork w = sum.work();
+  std::size_t visible = 0, next = 0;
+  double last = from + 1e-9;
+  Seen before = seen(sum, turn_at(axis, last));
+  for (int k = 1; k <= samples; ++k) {
+    const double angle = from + (to - from) * (k - 0.3456789) / samples;
+    const Seen here = seen(sum, turn_at(axis, angle));
+    std::size_t between = 0;
+    for (; next < events->size() && (*events)[next].radians < angle; ++next)
+      between += (*events)[next].radians > last && (*events)[next].visible;
+    if (between == 0) {
+      EXPECT_TRUE(here == before) << name << ": changed between " << last << " and " << angle;
+    } else if (between == 1) {
+      EXPECT_FALSE(here == before) << name << ": the same at " << last << " and " << angle;
+    }
+    visible += between, before = here, last = angle;
+  }
+  std::cout << name << ", axis " << axis[2] << " at " << from << ": " << visible << " visible; " << w.windows
+            << " windows, " << w.facets << " facets, " << w.candidates << " candidates, " << w.roots << " meetings, "
+            << w.covered << " covered, " << w.exact_tests << " tested, " << w.events << " events, " << w.sums
+            << " sums, " << w.ms << " ms" << std::endl;
+  return visible;
+}
+
+TEST(TurningSolidSum, StructureIsConstantBetweenEventsAndChangesAtThem) {
+  std::size_t visible = 0;
+  double at = 0.1234;
+  for (const auto& [name, p, q] : moving_cases::small_pairs())
+    for (const TurnAxis& axis : {TurnAxis{0, 0, 1}, TurnAxis{1, 2, 3}}) {
+      at = std::remainder(at + 1.1, 2.8);
+      // Near zero everything of these two is parallel: tens of thousands of polynomials.
+      if (std::abs(at) < 0.1 && (name == "tunnel + L" || name == "L with itself")) continue;
+      const TurningSolidSum sum = TurningSolidSum::create(p, q, axis).value();
+      visible += check_by_samples(sum, at, at + 0.02, 8, name);
+    }
+  EXPECT_GT(visible, 40u);
+}
+
+/// A peg that turns in a cavity of its own shape fits at quarter turns alone: what is tight there is told.
+TEST(TurningSolidSum, ATightFitAtOneAngleIsAChangeOfTopology) {
+  const Mesh block = mesh_of(tunnel()), peg = mesh_of(box(1));
+  TurningSolidOptions options;
+  options.moving = MovingOperand::q;
+  const TurnAxis axis{0, 0, 1};
+  const TurningSolidSum sum = TurningSolidSum::create(block, peg, axis, options).value();
+  const auto found = sum.next_topology_change(turn_at(axis, 1.5), turn_at(axis, 1.6)).value();
+  ASSERT_TRUE(found.has_value());
+  ASSERT_TRUE(found->exact.has_value());
+  EXPECT_EQ(*found->exact, AxisTurn::of(1));
+  const SpatialSum at = sum.at(*found->exact).value();
+  EXPECT_GT(at.tight_faces.size() + at.tight_segments.size() + at.tight_points.size(), 0u);
+  EXPECT_FALSE(sum.next_topology_change(turn_at(axis, 1.5), turn_at(axis, 1.55)).value().has_value());
+}
+
+/// Prisms about the axis along which they were extruded: the sum is the prism over the planar sum, whose vertices come
+/// and go at the same angles.
+TEST(TurningSolidSum, PrismsChangeWhereThePlanarSumDoes) {
+  const Region star = shapes::star(5, 1.25, 3), ell = shapes::letter_l(3, 2, 1);
+  const Mesh p = solids::prism(star.parts()[0].outer, 2), q = solids::prism(ell.parts()[0].outer, 3);
+  const TurnAxis axis{0, 0, 1};
+  const TurningSolidSum sum = TurningSolidSum::create(p, q, axis).value();
+  const double from = 0.05, to = 0.45;
+  const std::vector<SolidTurnEvent> events = sum.events(turn_at(axis, from), turn_at(axis, to)).value();
+  std::vector<double> visible{from};
+  for (const SolidTurnEvent& e : events)
+    if (e.visible) visible.push_back(e.radians);
+  visible.push_back(to);
+  const auto planar = [&](double angle) {
+    const AxisTurn turn = turn_at(axis, angle);
+    const PlanarSum flat = rotated_sum(star, ell, Orientation::of(turn.t()).value()).value();
+    const SpatialSum solid = sum.at(turn).value();
+    EXPECT_EQ(solid.vertices.size(), 2 * flat.vertex_count()) << angle;
+    std::set<std::array<std::uint32_t, 6>> contacts;
+    const auto add = [&](const SumRing& ring) {
+      for (const SumVertex& v : ring.vertices)
+        contacts.insert({static_cast<std::uint32_t>(v.in.kind), v.in.p, v.in.q, static_cast<std::uint32_t>(v.out.kind),
+                         v.out.p, v.out.q});
+    };
+    for (const SumPart& part : flat.parts) {
+      add(part.outer);
+      for (const SumRing& hole : part.holes) add(hole);
+    }
+    return contacts;
+  };
+  ASSERT_GT(visible.size(), 3u);
+  std::set<std::array<std::uint32_t, 6>> before;
+  for (std::size_t k = 0; k + 1 < visible.size(); ++k) {
+    const double gap = visible[k + 1] - visible[k];
+    const auto low = planar(visible[k] + 0.1 * gap), high = planar(visible[k] + 0.9 * gap);
+    EXPECT_EQ(low, high) << visible[k];
+    EXPECT_TRUE(k == 0 || before != low) << visible[k];
+    before = high;
+  }
+}
+
+TEST(TurningSolidSum, BoxesAboutASharedAxisChangeAtQuarterTurnsAlone) {
+  const Mesh cube = mesh_of(box(1));
+  const TurningSolidSum sum = TurningSolidSum::create(cube, cube, {0, 0, 2}).value();
+  const std::vector<SolidTurnEvent> events = sum.events_of_turn().value();
+
+  ASSERT_EQ(events.size(), 4u);
+  EXPECT_EQ(*events[0].exact, AxisTurn::of(-1));
+  EXPECT_EQ(*events[1].exact, AxisTurn::of(0));
+  EXPECT_EQ(*events[2].exact, AxisTurn::of(1));
+  EXPECT_EQ(*events[3].exact, AxisTurn::half_turn());
+  for (const SolidTurnEvent& e : events) EXPECT_TRUE(e.visible);
+}
+
+}  // namespace
+}  // namespace dymsum
