@@ -66,7 +66,7 @@ class LeafTree {
     for (const Box& b : boxes)
       for (const double v : {b.low.x, b.low.y, b.low.z, b.high.x, b.high.y, b.high.z})
         most = std::max(most, std::abs(v));
-    const double scale = most > 0 ? std::ldexp(1.0, -std::ilogb(most)) : 1;
+    const double scale = most > 0 ? std::ldexp(1.0, std::min(1000, -std::ilogb(most))) : 1;
     entries_.reserve(boxes.size());
     for (std::uint32_t k = 0; k < boxes.size(); ++k) entries_.push_back({rounded_outward(boxes[k], scale), k});
     if (!boxes.empty()) build(0, entries_.size());

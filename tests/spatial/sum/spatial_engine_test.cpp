@@ -84,6 +84,16 @@ TEST(SpatialEngine, facets_deep_inside_are_dropped_and_nothing_else_changes) {
   EXPECT_TRUE(fast == all);
 }
 
+TEST(SpatialEngine, facets_that_only_meet_at_corners_and_edges_have_no_contacts) {
+  const Mesh p = solids::geodesic_sphere(3, 1), q = solids::dipyramid(7, 2, 3);
+  for (const SpatialEngine engine : {SpatialEngine::fast, SpatialEngine::brute}) {
+    const SpatialSum convex = sum(p.data(), q.data(), engine);
+    EXPECT_GT(convex.stats.box_pairs, 1000u);
+    EXPECT_EQ(convex.stats.contacts, 0u);
+    EXPECT_TRUE(convex == *minkowski_sum(p, q));
+  }
+}
+
 TEST(SpatialEngine, facets_deep_inside_unions_of_cubes_are_dropped) {
   oracles::Voxels p, q;
   for (int x = 0; x < 7; ++x)
