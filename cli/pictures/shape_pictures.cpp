@@ -132,9 +132,10 @@ std::string decomposition_picture(const Region& region, const Decomposition& dec
   }
   canvas.path(svg, shape, "fill=\"none\" stroke=\"#333333\"", 1);
   for (const Cut& cut : decomposition.cuts) {
-    const Point from{cut.from.x.to_double(), cut.from.y.to_double()}, to{cut.to.x.to_double(), cut.to.y.to_double()};
-    canvas.line(svg, from, to, "stroke=\"#d81e3a\"", 1.6);
-    canvas.dot(svg, from, 2.4, "#d81e3a");
+    const auto plain = [](const RationalPoint& p) { return Point{p.x.to_double(), p.y.to_double()}; };
+    for (const RationalSegment& run : cut.runs)
+      canvas.line(svg, plain(run[0]), plain(run[1]), "stroke=\"#d81e3a\"", 1.6);
+    canvas.dot(svg, plain(cut.from), 2.4, "#d81e3a");
   }
   svg << "</g>\n</svg>\n";
   return svg.str();

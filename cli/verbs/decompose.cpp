@@ -30,8 +30,10 @@ Json ring_json(const RationalRing& ring) {
 
 Json cut_json(const Cut& cut) {
   const char* end = cut.end == Cut::End::vertex ? "vertex" : cut.end == Cut::End::edge ? "edge" : "cut";
-  return {{"vertex", cut.vertex},     {"end", end},     {"index", cut.index},    {"from", point_json(cut.from)},
-          {"to", point_json(cut.to)}, {"bar", cut.bar}, {"partner", cut.partner}};
+  Json runs = Json::array();
+  for (const RationalSegment& run : cut.runs) runs.push_back(Json::array({point_json(run[0]), point_json(run[1])}));
+  return {{"vertex", cut.vertex},     {"end", end},     {"index", cut.index},     {"from", point_json(cut.from)},
+          {"to", point_json(cut.to)}, {"bar", cut.bar}, {"partner", cut.partner}, {"runs", runs}};
 }
 
 Json piece_json(const Piece& piece) {

@@ -1,6 +1,7 @@
 // Regions cut into nearly convex pieces at their lasting pockets. See docs/guide/shape-features.md.
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <optional>
 #include <vector>
@@ -21,7 +22,10 @@ struct DecomposeOptions {
   Progress progress = {};            ///< stages "significance", "cuts" and "pieces"
 };
 
-/// A segment inside the region from a reflex vertex to the boundary or to an earlier cut.
+using RationalSegment = std::array<RationalPoint, 2>;
+
+/// A segment from a reflex vertex to the boundary or to an earlier cut of the same part of the region. It lies in that
+/// part but for the holes that it passes over, with whatever other parts are in these: its runs are what counts.
 struct Cut {
   enum class End : std::uint8_t { vertex, edge, cut };
   std::uint32_t vertex = 0;  ///< of the region: where it begins
@@ -30,13 +34,14 @@ struct Cut {
   RationalPoint from, to;
   std::uint32_t bar = 0;  ///< the most significant bar whose minimum it begins at; of a partner that of the other cut
   bool partner = false;   ///< made at once with a cut that would have separated nothing without it
+  std::vector<RationalSegment> runs;  ///< what of it separates pieces, in order: all but holes and their edges
   friend bool operator==(const Cut&, const Cut&) = default;
 };
 
 using RationalRing = std::vector<RationalPoint>;
 
 /// A connected piece: outer ring counter-clockwise, holes clockwise. Rings are simple; they may touch at points. Each
-/// begins at its vertex with the least x, of those with the least y.
+/// begins at its vertex with the least x; where several have it, at that of them with the least y.
 struct Piece {
   RationalRing outer;
   std::vector<RationalRing> holes;
@@ -45,17 +50,21 @@ struct Piece {
 
 struct Decomposition {
   std::vector<Cut> cuts;      ///< in the order in which they were made
-  std::vector<Piece> pieces;  ///< they tile the region: its connected components without the cuts, by lowest vertices
+  std::vector<Piece> pieces;  ///< they tile the region: its connected components without the cuts, by first vertices
 };
 
-/// Cuts at the pocket minima of the bars that ShapeFeatures::significant tells, in its order. A cut resolves its notch:
-/// it lies in the cone of the extensions of the two edges there, so that no angle beside it exceeds 180 degrees. It
-/// ends at the nearest such point of the boundary or of an earlier cut. Cuts do not cross. They pass over holes that
-/// are less significant than the bar they are made for, and the pieces lack these; later cuts end there as at others.
+/// Cuts at the pocket minima of the bars that ShapeFeatures::significant tells, in its order. Every part of the region
+/// is cut by itself: an island in a hole and what is around it do not know of each other. A cut resolves its notch: it
+/// lies in the cone of the extensions of the two edges there, so that no angle beside it exceeds 180 degrees. It ends
+/// at the nearest such point of its part's boundary or of an earlier cut of that part. It passes over holes of its part
+/// that are less significant than the bar it is made for, unless an earlier cut touches them: it does not count inside
+/// these, and its runs leave them out. Runs do not cross. Later cuts end at such a hole as at others.
 ///
 /// Every cut separates two pieces. One that alone connects a hole, or a group of holes, with the rest is not left so:
-/// it gets a partner, the shortest cut at a vertex of the convex hull of that group, and the partner one if need be,
-/// before the cuts of a less significant bar. So a significant hole is cut open, and no piece has a slit.
+/// it gets a partner, a cut at a vertex of the convex hull of that group. That is the shortest of those that end
+/// neither at that cut nor at one that begins in the group; where all do, the shortest of all, and then it gets a
+/// partner in turn. Partners are made before the cuts of a less significant bar. So a significant hole is cut open, and
+/// no piece has a slit.
 ///
 /// What a bar is cut by depends on bars as significant or more alone: with a larger persistence the cuts are the first
 /// ones of those with a smaller, and pieces are unions of theirs. Exact: a cut ends at a vertex or at the exact

@@ -55,6 +55,7 @@ def pieces_svg(made: _core.Decomposition) -> str:
         colour = _PIECES[index % len(_PIECES)]
         body.append(f'<path d="{path}" fill="{colour}" fill-rule="evenodd" stroke="#333" stroke-width="0.7"/>')
     for cut in made.cuts:
-        body.append(f'<path d="M{place(cut.from_)}L{place(cut.to)}" stroke="{_CUT}" stroke-width="1.6"/>')
+        path = "".join("M" + "L".join(map(place, run)) for run in cut.runs)
+        body.append(f'<path d="{path}" stroke="{_CUT}" stroke-width="1.6"/>')
     lowest = min((point.y for point in corners), default=high)
     return _svg(float((high - lowest) / size) * (_WIDTH - 2 * _MARGIN) + 2 * _MARGIN, body)

@@ -188,7 +188,7 @@ void bind_cuts(nb::module_& m) {
       .option("alpha_from", &DecomposeOptions::alpha_from, "lives are counted between these diameters")
       .option("alpha_to", &DecomposeOptions::alpha_to, "None: infinity")
       .option("progress", &DecomposeOptions::progress);
-  Record<Cut> cut(m, "Cut", "A segment in the region from a reflex vertex to the boundary or to an earlier cut.");
+  Record<Cut> cut(m, "Cut", "A segment from a reflex vertex to the boundary or to an earlier cut of the same part.");
   nb::enum_<Cut::End>(cut, "End", "What a cut ends at.")
       .value("vertex", Cut::End::vertex)
       .value("edge", Cut::End::edge)
@@ -200,7 +200,8 @@ void bind_cuts(nb::module_& m) {
       .field("to", &Cut::to)
       .field("bar", &Cut::bar,
              "the most significant bar whose minimum it begins at; of a partner that of the other cut")
-      .field("partner", &Cut::partner, "made at once with a cut that would have separated nothing without it");
+      .field("partner", &Cut::partner, "made at once with a cut that would have separated nothing without it")
+      .field("runs", &Cut::runs, "what of it separates pieces: all but the holes that it passes over and their edges");
 }
 
 /// One of the pieces, rounded.

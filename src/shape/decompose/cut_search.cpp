@@ -80,7 +80,7 @@ class CutSearch {
       poll.at_test(k, order_.size());
       const FeatureBar& bar = bars_[order_[k]];
       if (k == 0 || worth_of(bar) != worth_of(bars_[order_[k - 1]])) {
-        add_partners(poll);
+        add_partners(poll, double(k) / double(order_.size()));
         if (const auto found = first_of_.find(worth_of(bar)); found != first_of_.end())
           for (const std::uint32_t ring : found->second) stands_[ring] = true;
       }
@@ -88,7 +88,7 @@ class CutSearch {
       done[*bar.minimum] = true;
       if (const std::optional<Candidate> found = nearest_end(*bar.minimum)) add(*found, order_[k], false);
     }
-    add_partners(poll);
+    add_partners(poll, 1);
     return std::move(cuts_);
   }
 
@@ -140,7 +140,8 @@ class CutSearch {
   void add(const Candidate& found, std::uint32_t bar, bool partner) {
     const Wall& wall = walls_[found.wall];
     const auto index = std::uint32_t(cuts_.size());
-    Cut cut{found.vertex, wall.kind, wall.index, rational_point(table_.at[found.vertex]), found.end.at, bar, partner};
+    Cut cut{found.vertex, wall.kind, wall.index, rational_point(table_.at[found.vertex]),
+            found.end.at, bar,       partner,    {}};
     const Rational& t = found.end.t;
     const std::uint32_t ring = table_.ring[found.vertex];
     const CutLinks::End end{wall.kind == Cut::End::cut, wall.kind == Cut::End::cut ? wall.index : wall.ring, t};
@@ -152,6 +153,7 @@ class CutSearch {
     touching_[cut.vertex].push_back(index);
     Wall made = cut_wall(table_.at[found.vertex], cut.to, index, ring);
     std::vector<Passage> over = passages(table_, walls_, made, stands_);
+    cut.runs = runs_of(cut, over);
     std::vector<CutLinks::Stop> stops;
     for (const Passage& p : over) {
       stops.push_back({p.on_cut, table_.ring[p.index]});
@@ -163,21 +165,32 @@ class CutSearch {
     walls_.add(std::move(made));
   }
 
-  /// The shortest cut at a vertex of the hull of these rings. It leaves the hull: the cone there and the hull are
-  /// apart.
-  std::optional<Candidate> partner_of(const CutLinks::Loose& loose, const planar::Poll& poll) const {
+  /// Whether what ends at this wall would still hang, with these rings, on the one cut that connects them.
+  bool hangs_too(const Wall& wall, const CutLinks::Loose& loose) const {
+    return wall.kind == Cut::End::cut &&
+           (wall.index == loose.cut || std::binary_search(loose.rings.begin(), loose.rings.end(), wall.ring));
+  }
+
+  /// The shortest cut at a vertex of the hull of these rings that connects them with others, or, where none does, the
+  /// shortest. It leaves the hull: the cone there and the hull are apart.
+  std::optional<Candidate> partner_of(const CutLinks::Loose& loose, const planar::Poll& poll, double share) const {
     std::optional<Candidate> best;
+    bool hangs = true;  // of the best
     for (const std::uint32_t v : hull_vertices(table_, loose.rings)) {
-      poll(0);
+      poll(share);
       std::optional<Candidate> found = nearest_end(v);
-      if (found && (!best || found->end.square < best->end.square)) best = std::move(found);
+      if (!found) continue;
+      const bool new_hangs = hangs_too(walls_[found->wall], loose);
+      if (best && (new_hangs != hangs ? new_hangs : found->end.square >= best->end.square)) continue;
+      hangs = new_hangs;
+      best = std::move(found);
     }
     return best;
   }
 
-  void add_partners(const planar::Poll& poll) {
+  void add_partners(const planar::Poll& poll, double share) {
     while (const std::optional<CutLinks::Loose> loose = links_.first_loose()) {
-      const std::optional<Candidate> partner = partner_of(*loose, poll);
+      const std::optional<Candidate> partner = partner_of(*loose, poll, share);
       if (!partner) throw std::logic_error("rings that one cut connects have a second");
       add(*partner, cuts_[loose->cut].cut.bar, true);
     }

@@ -16,6 +16,7 @@ struct Passage {
   std::uint32_t index;  ///< of the vertex or edge
   Rational on_edge, on_cut;
   RationalPoint at;
+  bool enters;  ///< whether the cut goes on inside the region
 };
 
 struct PlacedCut {

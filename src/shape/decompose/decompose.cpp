@@ -24,7 +24,8 @@ Result<Decomposition> decompose(const ShapeFeatures& features, const DecomposeOp
     Evidence evidence;
     evidence.x = place->x;
     evidence.y = place->y;
-    return Error{ErrorCode::unsupported_operand, "polylines, points and rings that touch are not cut", evidence};
+    return Error{ErrorCode::unsupported_operand,
+                 "decompose takes polygons whose rings do not touch, no polylines and points", evidence};
   }
   if (options.persistence.sign() < 0 || options.alpha_from.sign() < 0)
     return Error{ErrorCode::out_of_range, "persistence and diameters are at least 0", {}};

@@ -12,4 +12,7 @@ namespace dymsum::shape {
 std::vector<Passage> passages(const RingTable& table, const WallSet& walls, const Wall& cut,
                               const std::vector<bool>& stands);
 
+/// What of a cut lies inside the region, given where it passes holes.
+std::vector<RationalSegment> runs_of(const Cut& cut, const std::vector<Passage>& over);
+
 }  // namespace dymsum::shape

@@ -77,16 +77,6 @@ class SectionMaker {
     }
   }
 
-  /// Whether the cut goes on inside the region where it passes the boundary of a hole.
-  bool enters(const Wall& cut, const Passage& passage) const {
-    const std::uint32_t v = passage.index;
-    const Point at = table_.at[v], next = table_.at[table_.next[v]], previous = table_.at[table_.previous[v]];
-    if (!passage.at_vertex) return side_of_end(at, next, cut) > 0;
-    const bool right_of_previous = side_of_end(at, previous, cut)<0, left_of_next = side_of_end(at, next, cut)> 0;
-    return exact::orient_sign(previous, at, next) > 0 ? left_of_next && right_of_previous
-                                                      : left_of_next || right_of_previous;
-  }
-
   struct Stop {
     Rational t;
     std::uint32_t spot;     ///< kNew: not numbered yet
@@ -110,7 +100,7 @@ class SectionMaker {
       if (stop.spot == kNew) stop.spot = stop.t == stops[i - 1].t ? last : add_spot(cuts_[stop.ending].cut.to);
       if (stop.ending != kNew) ends_[stop.ending] = stop.spot;
       if (inside && stop.spot != last) made_.all.push_back({last, stop.spot, wall});
-      if (stop.passage != kNew) inside = enters(made_.walls[wall], cuts_[c].over[stop.passage]);
+      if (stop.passage != kNew) inside = cuts_[c].over[stop.passage].enters;
       last = stop.spot;
     }
   }
