@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 #include <map>
 #include <optional>
 
@@ -34,7 +35,8 @@ class BallTest {
       size =
           std::max({size, std::abs(v.x - ball.middle.x), std::abs(v.y - ball.middle.y), std::abs(v.z - ball.middle.z)});
     const double far = std::max({std::abs(ball.middle.x), std::abs(ball.middle.y), std::abs(ball.middle.z)});
-    slack_ = 4 * part.at_error + (size + far) * 0x1p-44;
+    // Products of four lengths have to stay doubles; else integers decide everything.
+    if (size + far > 0x1p-240 && size + far < 0x1p240) slack_ = 4 * part.at_error + (size + far) * 0x1p-44;
   }
 
   bool meets(std::uint32_t v) { return meets_segment(v, v); }
@@ -165,7 +167,7 @@ class BallTest {
   const ClipBall& ball_;
   const SpatialSum& part_;
   BigRational square_;
-  double slack_ = 0;
+  double slack_ = std::numeric_limits<double>::infinity();
   std::map<std::uint32_t, Seen> at_;
 };
 

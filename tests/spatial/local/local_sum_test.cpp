@@ -227,6 +227,28 @@ TEST(LocalSum, a_ball_takes_the_faces_that_it_meets_exactly) {
   EXPECT_GE(rounded.high.x, 0.1 + 0.7);
 }
 
+TEST(LocalSum, balls_of_sizes_whose_squares_are_no_doubles) {
+  for (const int k : {-1000, -700, -545, -538, -260, -200, 0, 200, 256, 300, 400, 515, 1000}) {
+    SCOPED_TRACE(k);
+    MeshData data = box(1);
+    for (Point3& v : data.vertices) v = {std::ldexp(v.x, k), std::ldexp(v.y, k), std::ldexp(v.z, k)};
+    const Mesh cube = mesh_of(data);
+    LocalSum sum = local_sum(cube, cube);
+    const auto ball = [&](double x, double y, double z, double r) {
+      return ClipBall{{std::ldexp(x, k), std::ldexp(y, k), std::ldexp(z, k)}, std::ldexp(r, k)};
+    };
+    EXPECT_EQ(sum.in(ball(0, 0, 0, 2.5))->boundary.faces.size(), 6U);
+    EXPECT_EQ(sum.in(ball(3, 3, 0, 1.4))->where, Where::outside) << "the edge is 1.41 away";
+    EXPECT_EQ(sum.in(ball(3, 3, 3, 1.7))->where, Where::outside) << "the corner is 1.73 away";
+    EXPECT_EQ(sum.in(ball(5, 6, 0, 5))->boundary.faces.size(), 2U) << "touches the edge";
+  }
+  const Mesh cube = mesh_of(box(1));
+  LocalSum sum = local_sum(cube, cube);
+  for (const double r : {3., 1e10, 1e150, 1e155, 1e300})
+    EXPECT_EQ(sum.in(ClipBall{{r, 0, 0}, r})->boundary.faces.size(), 5U) << r;
+  EXPECT_EQ(sum.in(ClipBall{{-1e300, 0, 0}, 1.5e300})->boundary.faces.size(), 6U);
+}
+
 TEST(LocalSum, errors) {
   const Mesh cube = mesh_of(box(1));
   LocalSum sum = local_sum(cube, cube);
