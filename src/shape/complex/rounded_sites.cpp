@@ -1,6 +1,7 @@
 #include "shape/complex/rounded_sites.h"
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
 #include <numeric>
 
@@ -27,6 +28,14 @@ bool clash(const RoundedSegment& s, const RoundedSegment& t) {
   return turn(s.a, s.b, t.a) * turn(s.a, s.b, t.b) < 0 && turn(t.a, t.b, s.a) * turn(t.a, t.b, s.b) < 0;
 }
 
+/// Small integers are shorter to calculate with.
+void drop_zero_bits(std::vector<RoundedPoint>& points) {
+  std::uint32_t bits = 0;
+  for (const RoundedPoint& p : points) bits |= static_cast<std::uint32_t>(p.x) | static_cast<std::uint32_t>(p.y);
+  const int zeros = bits == 0 ? 0 : std::countr_zero(bits);
+  for (RoundedPoint& p : points) p = {p.x >> zeros, p.y >> zeros};
+}
+
 }  // namespace
 
 RoundedSites round_sites(const Walks& walks, int bits) {
@@ -48,6 +57,7 @@ RoundedSites round_sites(const Walks& walks, int bits) {
   };
   for (const BoundaryPoint& p : walks.points)
     out.points.push_back({round(p.input.x, middle.x), round(p.input.y, middle.y)});
+  if (out.lossless) drop_zero_bits(out.points);
   for (std::uint32_t s = 0; s < walks.sites.size(); ++s) {
     const RoundedPoint a = out.points[walks.ends[s].a], b = out.points[walks.ends[s].b];
     if (a != b) out.segments.push_back({std::min(a, b), std::max(a, b), s});
