@@ -170,20 +170,18 @@ class Definition {
            lies_on(at_[e], at_[next_[e]], s.b);
   }
 
-  /// Whether v is a corner of the convex hull of its ring: no triangle and no segment of other vertices holds it.
+  /// Whether v is a corner of the convex hull of its ring: all else is left of a ray from v through another vertex, or
+  /// on it.
   bool on_hull(std::uint32_t v) const {
     std::vector<RationalPoint> others;
     for (std::uint32_t u = 0; u < at_.size(); ++u)
       if (ring_[u] == ring_[v] && u != v) others.push_back(at_[u]);
-    for (const RationalPoint& a : others)
-      for (const RationalPoint& b : others) {
-        if (a != b && lies_on(a, b, at_[v])) return false;
-        for (const RationalPoint& c : others)
-          if (cross_of(a, b, c).sign() > 0 && cross_of(a, b, at_[v]).sign() >= 0 &&
-              cross_of(b, c, at_[v]).sign() >= 0 && cross_of(c, a, at_[v]).sign() >= 0)
-            return false;
-      }
-    return true;
+    return std::any_of(others.begin(), others.end(), [&](const RationalPoint& a) {
+      return std::all_of(others.begin(), others.end(), [&](const RationalPoint& b) {
+        const int side = cross_of(at_[v], a, b).sign();
+        return side > 0 || (side == 0 && dot_of(at_[v], a, b).sign() > 0);
+      });
+    });
   }
 
   /// Of a hole that one cut connects with the rest: its partner is the shortest that ends elsewhere than at that cut,
