@@ -87,6 +87,9 @@ def test_cuts() -> None:
     opened = decompose(ShapeFeatures(holed), DecomposeOptions(1.5))
     assert [cut.partner for cut in opened.cuts] == [False, True] and len(opened.pieces) == 2
     assert [made.region for made in dymsum.rounded_with_repair(opened)] == dymsum.rounded(opened)
+    passing = "POLYGON((0 0,60 0,60 40,32 40,30 20,28 40,0 40,0 0),(26 4,30 12,34 4,26 4))"
+    (over,) = decompose(ShapeFeatures(passing), DecomposeOptions(5)).cuts
+    assert over.runs == [[(30, 20), (30, 12)], [(30, 4), (30, 0)]]
     again = pickle.loads(pickle.dumps(fine))
     assert again.cuts == fine.cuts and again.pieces == fine.pieces and again._repr_svg_() == fine._repr_svg_()
     assert fine._repr_svg_().count("<path") == len(fine.pieces) + len(fine.cuts)

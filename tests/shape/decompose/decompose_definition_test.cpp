@@ -11,30 +11,13 @@
 #include <string>
 #include <utility>
 
+#include "cut_definition.h"
 #include "dymsum/decomposition.h"
 
 namespace dymsum {
 namespace {
 
-struct PointLess {
-  bool operator()(const RationalPoint& a, const RationalPoint& b) const { return a.x != b.x ? a.x < b.x : a.y < b.y; }
-};
-
-RationalPoint exactly(Point p) { return {Rational::of(p.x).value(), Rational::of(p.y).value()}; }
-
-Rational cross_of(const RationalPoint& a, const RationalPoint& b, const RationalPoint& c) {
-  return (b.x - a.x) * (c.y - a.y) - (b.y - a.y) * (c.x - a.x);
-}
-Rational dot_of(const RationalPoint& a, const RationalPoint& b, const RationalPoint& c) {
-  return (b.x - a.x) * (c.x - a.x) + (b.y - a.y) * (c.y - a.y);
-}
-bool lies_on(const RationalPoint& a, const RationalPoint& b, const RationalPoint& p) {
-  return cross_of(a, b, p).sign() == 0 && dot_of(a, b, p).sign() >= 0 && dot_of(b, a, p).sign() >= 0;
-}
-bool cross_properly(const RationalPoint& a, const RationalPoint& b, const RationalPoint& c, const RationalPoint& d) {
-  return cross_of(a, b, c).sign() * cross_of(a, b, d).sign() < 0 &&
-         cross_of(c, d, a).sign() * cross_of(c, d, b).sign() < 0;
-}
+using namespace cut_definition;
 
 /// Axis-parallel, slanted and L-shaped holes on a grid of cells.
 Region plate(unsigned seed) {
@@ -80,122 +63,27 @@ Region loose_plate(unsigned seed) {
   return Region::create({{{outer, holes}}, {}, {}}).value();
 }
 
-/// A region's vertices, and the definition of a cut.
-class Definition {
- public:
-  explicit Definition(const Region& region) {
-    for (const Part& part : region.parts()) {
-      std::vector<Ring> rings{part.outer};
-      rings.insert(rings.end(), part.holes.begin(), part.holes.end());
-      for (std::size_t r = 0; r < rings.size(); ++r) add(rings[r], r > 0);
-    }
-  }
-
-  /// Follows the cuts, bar by bar: each has to be the one that the definition asks for.
-  void follow(const std::vector<FeatureBar>& bars, const std::vector<std::uint32_t>& order,
-              const std::vector<Cut>& cuts) {
-    std::set<std::uint32_t> done;
-    std::size_t next = 0;
-    const auto partners = [&] {
-      for (; next < cuts.size() && cuts[next].partner; ++next) {
-        EXPECT_TRUE(hole_[ring_[cuts[next].vertex]]);
-        take(cuts[next]);
-      }
-    };
-    for (std::size_t k = 0; k < order.size(); ++k) {
-      const FeatureBar& bar = bars[order[k]];
-      if (k == 0 || !same_worth(bar, bars[order[k - 1]])) partners();
-      for (const std::uint32_t other : order)
-        if (bars[other].minimum && same_worth(bars[other], bar)) stands_[ring_[*bars[other].minimum]] = true;
-      if (!bar.minimum || !done.insert(*bar.minimum).second || resolved(*bar.minimum)) continue;
-      ASSERT_LT(next, cuts.size());
-      EXPECT_EQ(cuts[next].vertex, *bar.minimum);
-      EXPECT_EQ(cuts[next].bar, order[k]);
-      EXPECT_FALSE(cuts[next].partner);
-      take(cuts[next++]);
-    }
-    partners();
-    EXPECT_EQ(next, cuts.size());
-    for (const std::uint32_t k : order) EXPECT_TRUE(!bars[k].minimum || resolved(*bars[k].minimum));
-  }
-
- private:
-  struct Segment {
-    RationalPoint a, b;
-  };
-
-  static bool same_worth(const FeatureBar& a, const FeatureBar& b) {
-    return a.birth == b.birth && a.death == b.death && a.concavity == b.concavity;
-  }
-
-  void add(const Ring& ring, bool hole) {
-    const auto first = std::uint32_t(at_.size()), n = std::uint32_t(ring.size());
-    for (std::uint32_t i = 0; i < n; ++i) {
-      at_.push_back(exactly(ring[i]));
-      next_.push_back(first + (i + 1) % n);
-      previous_.push_back(first + (i + n - 1) % n);
-      ring_.push_back(std::uint32_t(hole_.size()));
-    }
-    hole_.push_back(hole);
-    stands_.push_back(!hole);
-  }
-
-  bool admits(std::uint32_t v, const RationalPoint& p) const {
-    return cross_of(at_[v], at_[next_[v]], p).sign() >= 0 && cross_of(at_[v], at_[previous_[v]], p).sign() <= 0;
-  }
-  bool resolved(std::uint32_t v) const {
-    return std::any_of(made_.begin(), made_.end(), [&](const Segment& s) {
-      return lies_on(s.a, s.b, at_[v]) && ((s.a != at_[v] && admits(v, s.a)) || (s.b != at_[v] && admits(v, s.b)));
-    });
-  }
-  /// The square of the distance of the nearest place.
-  std::optional<Rational> nearest(std::uint32_t v) const {
-    std::vector<Segment> walls(made_);
-    for (std::uint32_t e = 0; e < at_.size(); ++e)
-      if (e != v && next_[e] != v && stands_[ring_[e]]) walls.push_back({at_[e], at_[next_[e]]});
-    std::optional<Rational> best;
-    for (const Segment& s : walls)
-      for (const RationalPoint& p : places(v, s)) {
-        const Rational square = dot_of(at_[v], p, p);
-        if (square.sign() > 0 && admits(v, p) && (!best || square < *best)) best = square;
-      }
-    return best;
-  }
-  /// Where the nearest place of a segment in the cone can be: its ends, the foot, the sides of the cone.
-  std::vector<RationalPoint> places(std::uint32_t v, const Segment& s) const {
-    std::vector<RationalPoint> found{s.a, s.b};
-    const auto add_at = [&](const Rational& t) {
-      if (t.sign() >= 0 && t <= Rational(1))
-        found.push_back({s.a.x + t * (s.b.x - s.a.x), s.a.y + t * (s.b.y - s.a.y)});
-    };
-    add_at(dot_of(s.a, s.b, at_[v]) / dot_of(s.a, s.b, s.b));
-    for (const std::uint32_t side : {next_[v], previous_[v]}) {
-      const Rational p = cross_of(at_[v], at_[side], s.a), q = cross_of(at_[v], at_[side], s.b);
-      if (p != q) add_at(p / (p - q));
-    }
-    return found;
-  }
-  /// Adds a cut after looking whether it is the shortest in the cone.
-  void take(const Cut& cut) {
-    EXPECT_EQ(cut.from, at_[cut.vertex]);
-    EXPECT_TRUE(admits(cut.vertex, cut.to));
-    EXPECT_FALSE(resolved(cut.vertex));
-    EXPECT_EQ(dot_of(cut.from, cut.to, cut.to), nearest(cut.vertex));
-    for (const Segment& s : made_) EXPECT_FALSE(cross_properly(s.a, s.b, cut.from, cut.to));
-    for (std::uint32_t e = 0; e < at_.size(); ++e) {
-      EXPECT_FALSE(stands_[ring_[e]] && cross_properly(cut.from, cut.to, at_[e], at_[next_[e]]));
-    }
-    for (std::uint32_t e = 0; e < at_.size(); ++e)
-      if (cross_properly(cut.from, cut.to, at_[e], at_[next_[e]]) || lies_on(cut.from, cut.to, at_[e]))
-        stands_[ring_[e]] = true;
-    made_.push_back({cut.from, cut.to});
-  }
-
-  std::vector<RationalPoint> at_;
-  std::vector<std::uint32_t> next_, previous_, ring_;
-  std::vector<bool> hole_, stands_;
-  std::vector<Segment> made_;
-};
+/// A notched square; in its way a hole with an island, which may have a hole with an island.
+Region nested(unsigned seed) {
+  std::mt19937 random(seed);
+  const auto below = [&](unsigned n) { return double(random() % n); };
+  const double a = 60 + below(40), s = 24 + 4 * below(4), x = a - 4 - below(16), y = 10 + below(30);
+  const double w = s - 6, u = x + 3, v = y + 3, m = w / 2;
+  const Part outer{{{0, 0}, {160, 0}, {160, 160}, {a + 9, 160}, {a, 80}, {a - 9, 160}, {0, 160}},
+                   {{{x, y}, {x, y + s}, {x + s, y + s}, {x + s, y + 4}, {x + s - 4, y}}}};
+  const double turn = below(7) - 3;
+  const Part notched{{{u, v}, {u + w, v}, {u + m + turn, v + m}, {u + w, v + w}, {u, v + w}}, {}};
+  const Part angled{{{u, v}, {u + w, v}, {u + w, v + m + turn}, {u + m, v + m}, {u + m, v + w}, {u, v + w}}, {}};
+  const Part framed{
+      {{u, v}, {u + w, v}, {u + w, v + w}, {u + m + 1, v + w}, {u + m, v + w - 3}, {u + m - 1, v + w}, {u, v + w}},
+      {{{u + 4, v + 4}, {u + 4, v + w - 5}, {u + w - 4, v + w - 5}, {u + w - 4, v + 4}}}};
+  const Part inner{{{u + 5, v + 5}, {u + m + turn, v + 7}, {u + w - 5, v + 5}, {u + m, v + w - 7}}, {}};
+  std::vector<Part> parts{outer};
+  const unsigned kind = random() % 4;
+  parts.push_back(kind == 0 ? notched : kind == 1 ? angled : framed);
+  if (kind == 3) parts.push_back(inner);
+  return Region::create({parts, {}, {}}).value();
+}
 
 /// Rings that pass no point twice and do not cross, holes inside the outer ring; no matter where they touch.
 void expect_valid(const Piece& piece) {
@@ -252,6 +140,27 @@ struct EdgeLess {
   }
 };
 
+/// Two pieces lie along all of each run, one on either side.
+void expect_runs_separate(const Cut& cut, const std::map<Edge, std::size_t, EdgeLess>& piece_at) {
+  ASSERT_FALSE(cut.runs.empty());
+  EXPECT_EQ(cut.runs.front()[0], cut.from);
+  EXPECT_EQ(cut.runs.back()[1], cut.to);
+  for (const RationalSegment& run : cut.runs) {
+    EXPECT_TRUE(run[0] != run[1] && lies_on(cut.from, cut.to, run[0]) && lies_on(cut.from, cut.to, run[1]));
+    Rational along, against;
+    for (const auto& [edge, piece] : piece_at) {
+      if (!lies_on(run[0], run[1], edge.first) || !lies_on(run[0], run[1], edge.second)) continue;
+      const auto other = piece_at.find({edge.second, edge.first});
+      ASSERT_NE(other, piece_at.end());
+      EXPECT_NE(other->second, piece) << "a slit";
+      const Rational length = dot_of(run[0], run[1], edge.second) - dot_of(run[0], run[1], edge.first);
+      (length.sign() > 0 ? along : against) += length;
+    }
+    EXPECT_EQ(along, dot_of(run[0], run[1], run[1]));
+    EXPECT_EQ(against, -along);
+  }
+}
+
 /// No two pieces have the same directed edge; every part of a cut has two pieces, others one.
 void expect_tiled(const Region& region, const Decomposition& made) {
   Rational sum;
@@ -266,28 +175,32 @@ void expect_tiled(const Region& region, const Decomposition& made) {
     }
   }
   EXPECT_EQ(sum, area_of(region));
-  for (const Cut& cut : made.cuts) {
-    bool separates = false;
-    for (const auto& [edge, piece] : piece_at) {
-      if (!lies_on(cut.from, cut.to, edge.first) || !lies_on(cut.from, cut.to, edge.second)) continue;
-      const auto other = piece_at.find({edge.second, edge.first});
-      if (other == piece_at.end()) continue;  // of a hole
-      EXPECT_NE(other->second, piece) << "a slit";
-      separates = true;
-    }
-    EXPECT_TRUE(separates);
-  }
+  for (const Cut& cut : made.cuts) expect_runs_separate(cut, piece_at);
+  std::vector<RationalSegment> runs;
+  for (const Cut& cut : made.cuts) runs.insert(runs.end(), cut.runs.begin(), cut.runs.end());
+  for (std::size_t i = 0; i < runs.size(); ++i)
+    for (std::size_t j = 0; j < i; ++j) EXPECT_FALSE(cross_properly(runs[i][0], runs[i][1], runs[j][0], runs[j][1]));
 }
 
-void expect_decomposed(const Region& region, const std::vector<Rational>& taus, int& partners) {
+/// What there was to look at.
+struct Seen {
+  int partners = 0, single = 0, passing = 0;
+};
+
+void expect_decomposed(const Region& region, const std::vector<Rational>& taus, Seen& seen) {
   const ShapeFeatures features = ShapeFeatures::create(region).value();
   std::optional<Decomposition> finer;
   for (const Rational& tau : taus) {
     const Decomposition made = decompose(features, {tau, 0, std::nullopt, {}}).value();
-    Definition(region).follow(features.bars(), features.significant(tau), made.cuts);
+    Definition definition(region);
+    definition.follow(features.bars(), features.significant(tau), made.cuts);
+    seen.single += definition.single_partners();
     for (const Piece& piece : made.pieces) expect_valid(piece);
     expect_tiled(region, made);
-    for (const Cut& cut : made.cuts) partners += cut.partner ? 1 : 0;
+    for (const Cut& cut : made.cuts) {
+      seen.partners += cut.partner ? 1 : 0;
+      seen.passing += cut.runs.size() > 1 ? 1 : 0;
+    }
     if (finer) {
       ASSERT_LE(made.cuts.size(), finer->cuts.size());
       EXPECT_TRUE(std::equal(made.cuts.begin(), made.cuts.end(), finer->cuts.begin())) << "levels are not nested";
@@ -297,24 +210,75 @@ void expect_decomposed(const Region& region, const std::vector<Rational>& taus, 
 }
 
 TEST(Decompose, PlatesAreCutAsDefined) {
-  int partners = 0;
+  Seen seen;
   for (unsigned seed = 0; seed < 60; ++seed) {
     SCOPED_TRACE("seed " + std::to_string(seed));
-    expect_decomposed(plate(seed), {0, 2, 3, 4, 5, 6, 8}, partners);
+    expect_decomposed(plate(seed), {0, 2, 3, 4, 5, 6, 8}, seen);
     if (HasFatalFailure()) return;
   }
-  EXPECT_GT(partners, 60);
+  EXPECT_GT(seen.partners, 60);
+  EXPECT_GT(seen.single, 60);
+  EXPECT_GT(seen.passing, 10);
 }
 
 TEST(Decompose, PlatesOfAnyDoublesAreCutAsDefined) {
-  int partners = 0;
+  Seen seen;
   for (unsigned seed = 0; seed < 12; ++seed) {
     SCOPED_TRACE("seed " + std::to_string(seed));
-    expect_decomposed(loose_plate(seed), {0, Rational::parse("1/10").value(), Rational::parse("1/4").value()},
-                      partners);
+    expect_decomposed(loose_plate(seed), {0, Rational::parse("1/10").value(), Rational::parse("1/4").value()}, seen);
     if (HasFatalFailure()) return;
   }
-  EXPECT_GT(partners, 3);
+  EXPECT_GT(seen.partners, 3);
+  EXPECT_GT(seen.single, 3);
+}
+
+TEST(Decompose, IslandsAreCutByThemselves) {
+  Seen seen;
+  for (unsigned seed = 0; seed < 40; ++seed) {
+    SCOPED_TRACE("seed " + std::to_string(seed));
+    expect_decomposed(nested(seed), {0, 2, 5, 12, 20}, seen);
+    if (HasFatalFailure()) return;
+  }
+  EXPECT_GT(seen.passing, 40);
+}
+
+RationalSegment segment(int ax, int ay, int bx, int by) {
+  return {RationalPoint{Rational(ax), Rational(ay)}, RationalPoint{Rational(bx), Rational(by)}};
+}
+
+TEST(Decompose, ACutIsNothingInAHoleThatItPasses) {
+  const Region notched = Region::create({{{{{0, 0}, {40, 0}, {40, 40}, {22, 40}, {20, 20}, {18, 40}, {0, 40}},
+                                           {{{18, 8}, {18, 14}, {24, 14}, {24, 8}}}},
+                                          {{{19, 9}, {23, 9}, {21, 11}, {23, 13}, {19, 13}}, {}}},
+                                         {},
+                                         {}})
+                             .value();
+  const Decomposition all = decompose(ShapeFeatures::create(notched).value()).value();
+  ASSERT_EQ(all.cuts.size(), 6u);
+  EXPECT_EQ(all.cuts[0].runs, (std::vector{segment(20, 20, 20, 14), segment(20, 8, 20, 0)}));
+  EXPECT_EQ(all.cuts[1].runs, (std::vector{segment(21, 11, 19, 11)}));
+  EXPECT_EQ(all.pieces.size(), 8u);
+  const Region whole =
+      Region::create(
+          {{{{{0, 0}, {60, 0}, {60, 40}, {32, 40}, {30, 20}, {28, 40}, {0, 40}}, {{{26, 4}, {30, 12}, {34, 4}}}},
+            {{{29, 6}, {31, 6}, {30, 8}}, {}}},
+           {},
+           {}})
+          .value();
+  const Decomposition made = decompose(ShapeFeatures::create(whole).value(), {5, 0, std::nullopt, {}}).value();
+  ASSERT_EQ(made.cuts.size(), 1u);
+  EXPECT_EQ(made.cuts[0].runs, (std::vector{segment(30, 20, 30, 12), segment(30, 4, 30, 0)}));
+  EXPECT_EQ(made.pieces.size(), 3u);
+}
+
+TEST(Decompose, ARoundHoleHasFewPartners) {
+  Ring hole;
+  for (int i = 0; i < 200; ++i) hole.push_back({10 * std::cos(-M_PI * i / 100), 10 * std::sin(-M_PI * i / 100)});
+  const Region region = Region::create({{{{{-20, -20}, {20, -20}, {20, 20}, {-20, 20}}, {hole}}}, {}, {}}).value();
+  const Decomposition made = decompose(ShapeFeatures::create(region).value()).value();
+  const auto partners = std::count_if(made.cuts.begin(), made.cuts.end(), [](const Cut& c) { return c.partner; });
+  EXPECT_EQ(made.cuts.size(), 200u);
+  EXPECT_EQ(partners, 1);
 }
 
 TEST(Decompose, AHoleThatOneCutOpensGetsASecondAndNoSlit) {

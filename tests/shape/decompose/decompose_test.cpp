@@ -360,6 +360,8 @@ TEST(Decompose, WhatCannotBeCutIsTold) {
       ShapeFeatures::create(Region::create({{}, {{{0, 0}, {1, 0}, {1, 1}}}, {}}).value()).value();
   EXPECT_EQ(decompose(line).error().code, ErrorCode::unsupported_operand);
   EXPECT_EQ(decompose(line).error().evidence.x, 0);
+  EXPECT_EQ(decompose(line).error().message,
+            "decompose takes polygons whose rings do not touch, no polylines and points");
   const ShapeFeatures features = ShapeFeatures::create(comb(2)).value();
   EXPECT_EQ(decompose(features, {-1, 0, std::nullopt, {}}).error().code, ErrorCode::out_of_range);
   EXPECT_EQ(decompose(features, {0, 2, Rational(1), {}}).error().code, ErrorCode::out_of_range);
