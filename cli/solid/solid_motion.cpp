@@ -230,7 +230,8 @@ ExitCode run_solid_scale(const ScaleCommand& command, const std::vector<Scale>& 
   const bool page = std::any_of(command.files.begin(), command.files.end(), is_page);
   const bool thin = motion.inputs[0].mesh.has_thin_parts() || motion.inputs[1].mesh.has_thin_parts();
   if (command.events || (page && is_uniform && !thin)) motion.events = events_of(motion, command, uniform);
-  return run_solid_motion(motion, command.report);
+  const ExitCode code = run_solid_motion(motion, command.report);
+  return code == kDone && !command.next.empty() && motion.events.empty() ? kNo : code;
 }
 
 }  // namespace dymsum::cli

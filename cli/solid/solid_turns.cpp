@@ -1,8 +1,9 @@
 #include "solid/solid_turns.h"
 
+#include <array>
 #include <cmath>
 #include <iostream>
-#include <numeric>
+#include <numbers>
 #include <optional>
 
 #include "dymsum/turning_solid_sum.h"
@@ -29,17 +30,31 @@ TurnAxis read_axis(const std::string& text) {
   return whole;
 }
 
+struct TurnRange {
+  AxisTurn from, to;
+  AxisTurn opposite;        ///< of `from`
+  bool whole_turn = false;  ///< behind `from`, round to it
+};
+
 /// FROM:TO, angles as of --angle.
-std::array<AxisTurn, 2> read_range(const std::string& text, const TurnAxis& axis) {
+TurnRange read_range(const std::string& text, const TurnAxis& axis) {
   const std::size_t colon = text.find(':');
   std::array<AxisTurn, 2> turns;
+  std::array<Angle, 2> angles;
   for (std::size_t k = 0; k < 2; ++k) {
     const std::string part = k == 0 ? text.substr(0, colon) : text.substr(std::min(colon, text.size() - 1) + 1);
     const std::optional<Angle> angle = colon == std::string::npos ? std::nullopt : angle_in(part);
     if (!angle) throw Stop(kUsage, "--range wants FROM:TO, such as 0:0.5 or 30deg:45deg, not '" + text + "'");
     turns[k] = require_option(AxisTurn::nearest(axis, angle->radians()), "--axis");
+    angles[k] = *angle;
   }
-  return turns;
+  const double turn = angles[0].degrees ? 360 : 2 * std::numbers::pi;
+  if (angles[0].degrees != angles[1].degrees) throw Stop(kUsage, "--range wants both ends in the same unit: " + text);
+  const double way = (angles[1].exact - angles[0].exact).to_double();
+  if (std::abs(way) > turn) throw Stop(kUsage, "--range wants ends that are at most a turn apart: " + text);
+  if (-way == turn) throw Stop(kUsage, "--range goes counter-clockwise: a whole turn ends at FROM + 360deg: " + text);
+  const AxisTurn opposite = require_option(AxisTurn::nearest(axis, angles[0].radians() + std::numbers::pi), "--axis");
+  return {turns[0], turns[1], opposite, way == turn};
 }
 
 const char* kind_of(SolidTurnContact::Kind kind) {
@@ -80,21 +95,31 @@ void print_event(std::ostream& out, const SolidTurnEvent& event) {
   out << (event.topology ? "  topology changes" : event.visible ? "" : "  at this angle alone") << "\n";
 }
 
+std::optional<SolidTurnEvent> find_next(const TurningSolidSum& sum, const SolidTurns& turns, const TurnRange& range,
+                                        const Progress& progress) {
+  const auto next = [&](const AxisTurn& from, const AxisTurn& to) {
+    return require(turns.next_topology ? sum.next_topology_change(from, to, progress)
+                                       : sum.next_event(from, to, progress));
+  };
+  if (!range.whole_turn) return next(range.from, range.to);
+  const std::optional<SolidTurnEvent> found = next(range.from, range.opposite);
+  return found ? found : next(range.opposite, range.from);
+}
+
 std::vector<SolidTurnEvent> find_events(const TurningSolidSum& sum, const SolidTurns& turns, const Progress& progress) {
-  if (turns.range.empty() && !turns.next && !turns.next_topology) return require(sum.events_of_turn(progress));
-  const std::string range = turns.range.empty() ? "0deg:359.999999deg" : turns.range;
-  const std::array<AxisTurn, 2> ends = read_range(range, sum.axis());
-  if (!turns.next && !turns.next_topology) return require(sum.events(ends[0], ends[1], progress));
-  const std::optional<SolidTurnEvent> found =
-      require(turns.next_topology ? sum.next_topology_change(ends[0], ends[1], progress)
-                                  : sum.next_event(ends[0], ends[1], progress));
-  return found ? std::vector<SolidTurnEvent>{*found} : std::vector<SolidTurnEvent>{};
+  const TurnRange range = read_range(turns.range.empty() ? "0deg:360deg" : turns.range, sum.axis());
+  if (turns.next || turns.next_topology) {
+    const std::optional<SolidTurnEvent> found = find_next(sum, turns, range, progress);
+    return found ? std::vector<SolidTurnEvent>{*found} : std::vector<SolidTurnEvent>{};
+  }
+  return require(range.whole_turn ? sum.events_of_turn(progress) : sum.events(range.from, range.to, progress));
 }
 
 }  // namespace
 
 ExitCode run_solid_turns(const SolidTurns& turns, const ReportOptions& report) {
   const TurnAxis axis = read_axis(turns.axis);
+  if (turns.next && turns.next_topology) throw Stop(kUsage, "--next excludes --next-topology");
   if (!turns.range.empty()) read_range(turns.range, axis);
   const InterruptGuard guard;
   std::optional<ProgressBar> bar(std::in_place);
@@ -106,7 +131,7 @@ ExitCode run_solid_turns(const SolidTurns& turns, const ReportOptions& report) {
     Json list = Json::array();
     for (const SolidTurnEvent& e : events) list.push_back(event_json(e));
     Json json = report_head("rotate", solid_inputs_json(turns.inputs), 0, timing);
-    json["axis"] = {sum.axis()[0], sum.axis()[1], sum.axis()[2]};
+    json["axis"] = {axis[0], axis[1], axis[2]};
     json["range"] = turns.range.empty() ? Json(nullptr) : Json(turns.range);
     json["events"] = list;
     print_report(json);

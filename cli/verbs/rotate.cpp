@@ -84,11 +84,14 @@ void add_rotate(CLI::App& app, Action& action) {
       "Steps of the turn: a frame at the beginning of each, and one at the end unless it is the first again";
   whole_within(verb.add_option("--steps", command->steps, steps), 1, 1000000)->type_name("N");
   verb.add_flag("--events", command->events, "Of solids: list the exact angles at which the sum changes");
-  verb.add_option("--range", command->range, "Of events: from an angle counter-clockwise to another one [a whole turn]")
+  verb.add_option("--range", command->range,
+                  "Of events: from an angle counter-clockwise to another one [a whole turn from 0]")
       ->type_name("FROM:TO");
-  verb.add_flag("--next", command->next, "Only the first event behind FROM at which the sum is another one behind");
+  verb.add_flag(
+      "--next", command->next,
+      "Only the first event behind FROM at which the sum is another one behind; exit code 4 if there is none");
   verb.add_flag("--next-topology", command->next_topology,
-                "Only the first event behind FROM that changes shells, tunnels or what is tight");
+                "Only the first event behind FROM that changes shells, tunnels or what is tight; likewise");
   verb.add_option("--axis", command->axis, "Of solids: axis through the origin [0,0,1]")->type_name("X,Y,Z");
   whole_within(verb.add_option("--frame", command->frame, "Of solids: the frame that meshes are of, from 0 [the last]"),
                0, 1000000000)

@@ -153,12 +153,12 @@ ExitCode run_planar_scale(const ScaleCommand& command) {
     Json json = motion_json(report);
     json["events"] = command.events ? events_json(events) : Json(nullptr);
     print_report(json);
-    return kDone;
+    return !command.next.empty() && events.empty() ? kNo : kDone;
   }
   if (command.events)
     for (std::string& line : event_lines(events)) report.lines.push_back(std::move(line));
   print_motion(std::cout, report);
-  return kDone;
+  return !command.next.empty() && events.empty() ? kNo : kDone;
 }
 
 /// --range as frames at both ends and their events.
@@ -225,7 +225,8 @@ void add_options(CLI::App& verb, ScaleCommand& command) {
   verb.add_flag("--events", command.events, "List the exact scales at which the sum changes");
   verb.add_option("--range", command.range, "Events of these scales, with frames at both ends")->type_name("A:B");
   verb.add_option("--next", command.next,
-                  "With --range: only the first event after A that is visible, or changes the topology")
+                  "With --range: only the first event after A that is visible, or changes the topology; exit code 4 if "
+                  "there is none")
       ->check(CLI::IsMember({"visible", "topology"}));
   add_report_options(verb, command.report, "Sweep N times and report the median and minimum frame");
   add_exact_option(verb, command.report, OperandKind::planar);
