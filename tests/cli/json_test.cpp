@@ -51,7 +51,7 @@ const std::vector<Case> kCases = {
     {"solid_scale", "scale ell.off cube.off --at 1,1:2:3"},
     {"rotate", "rotate peg.wkt slot.wkt --steps 4"},
     {"solid_scale", "scale ell.off cube.off --range 1/2:2"},
-    {"solid_scale", "scale ell.off cube.off --range 1/2:2 --next topology"},
+    {"solid_scale", "scale ell.off cube.off --range 1/2:2 --next topology", 4},
     {"solid_scale_range", "scale-range cube.off ell.off --path '9,9,9 -9,9,9'"},
     {"solid_scale_range", "scale-range cube.off ell.off --inside"},
     {"scale_range", "scale-range square.wkt slot.wkt --path '9,9 6,9'"},
