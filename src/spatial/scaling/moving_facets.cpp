@@ -89,7 +89,6 @@ MovingFacets::MovingFacets(const SolidPair& pair, int moving, StageWatch& watch)
       for (const BigInteger& c : x) reach_[op] = std::max(reach_[op], std::abs(nearest(c)) * (1 + 0x1p-50));
     }
   }
-  ProportionalNames<5> names;
   for (std::size_t f = 0; f < facets().size(); ++f) {
     const SumFacet& facet = facets()[f];
     const PlaneSource source = convolution_.planes[f];
@@ -102,10 +101,10 @@ MovingFacets::MovingFacets(const SolidPair& pair, int moving, StageWatch& watch)
     plane.d0 = big_dot(plane.n, exact_fixed(facet.corner[0]));
     plane.d1 = big_dot(plane.n, exact_moved(facet.corner[0]));
     rows_.push_back(row_of(plane));
-    hyperplanes_.push_back(names.name({plane.n[0], plane.n[1], plane.n[2], plane.d0, plane.d1}));
     planes_.push_back(std::move(plane));
   }
   list_borders();
+  name_planes();
   list_corners();
   mark_inner();
 }
@@ -143,9 +142,16 @@ void MovingFacets::list_borders() {
     const auto [at, fresh] = known[op].try_emplace(ends, 0);
     if (fresh) at->second = directions.name(big_minus(exact_[op][ends.second], exact_[op][ends.first]));
     border.direction = at->second;
-    const std::array<MovingPlane, 2> planes = planes_of(border);
-    border_rows_.push_back({row_of(planes[0]), row_of(planes[1])});
+    border_planes_.push_back(planes_along(border));
+    border_rows_.push_back({row_of(border_planes_.back()[0]), row_of(border_planes_.back()[1])});
   }
+}
+
+void MovingFacets::name_planes() {
+  ProportionalNames<5> names;
+  const auto name = [&](const MovingPlane& p) { return names.name({p.n[0], p.n[1], p.n[2], p.d0, p.d1}); };
+  for (const MovingPlane& plane : planes_) hyperplanes_.push_back(name(plane));
+  for (const auto& planes : border_planes_) border_hyperplanes_.push_back({name(planes[0]), name(planes[1])});
 }
 
 void MovingFacets::list_corners() {
@@ -181,7 +187,7 @@ void MovingFacets::mark_inner() {
   }
 }
 
-std::array<MovingPlane, 2> MovingFacets::planes_of(const MovingBorder& border) const {
+std::array<MovingPlane, 2> MovingFacets::planes_along(const MovingBorder& border) const {
   const int op = border.of_p ? 0 : 1;
   const BigVector along = op == 0 ? big_minus(exact_[0][border.b.p], exact_[0][border.a.p])
                                   : big_minus(exact_[1][border.b.q], exact_[1][border.a.q]);

@@ -72,8 +72,10 @@ class MovingFacets {
   /// The same for facets that lie in one plane at every scale.
   std::uint32_t hyperplane(std::uint32_t facet) const { return hyperplanes_[facet]; }
   /// Two planes along a border whose directions differ: its 2-flat of (x, s) is where they cross.
-  std::array<MovingPlane, 2> planes_of(const MovingBorder& border) const;
+  const std::array<MovingPlane, 2>& planes_of(std::uint32_t border) const { return border_planes_[border]; }
   const std::array<PlaneRow, 2>& rows_of(std::uint32_t border) const { return border_rows_[border]; }
+  /// As hyperplane(), of these planes, and by the same names.
+  const std::array<std::uint32_t, 2>& hyperplanes_of(std::uint32_t border) const { return border_hyperplanes_[border]; }
 
   /// At least the largest coordinate of any sum at scales up to s.
   double span(double s) const { return reach_[1 - moving_] + s * reach_[moving_]; }
@@ -82,6 +84,8 @@ class MovingFacets {
 
  private:
   void list_borders();
+  void name_planes();
+  std::array<MovingPlane, 2> planes_along(const MovingBorder& border) const;
   void list_corners();
   void mark_inner();
 
@@ -94,7 +98,9 @@ class MovingFacets {
   std::vector<MovingPlane> planes_;
   std::vector<PlaneRow> rows_;
   std::vector<std::uint32_t> hyperplanes_;
+  std::vector<std::array<MovingPlane, 2>> border_planes_;
   std::vector<std::array<PlaneRow, 2>> border_rows_;
+  std::vector<std::array<std::uint32_t, 2>> border_hyperplanes_;
   std::vector<MovingBorder> borders_;
   std::vector<MovingCorner> corners_;
   std::vector<std::uint32_t> border_facets_, corner_facets_, facet_borders_, facet_corners_;

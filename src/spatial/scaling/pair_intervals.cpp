@@ -239,12 +239,14 @@ class ExactVertices {
       const SumFacet& facet = all_.facets()[of];
       for (int c = 0; c < facet.corners; ++c) {
         add(meeting_of(all_, facet.corner[c], all_.plane(plane)), IntervalEnd::corner);
-        for (int j = 0; j < all_.facets()[plane].corners; ++j) corner_on_border(facet.corner[c], border(plane, j));
+        for (int j = 0; j < all_.facets()[plane].corners; ++j)
+          corner_on_border(facet.corner[c], all_.border_of(plane, j));
       }
     }
     for (int i = 0; i < all_.facets()[f_].corners; ++i)
       for (int j = 0; j < all_.facets()[g_].corners; ++j) {
-        const std::array<MovingPlane, 2> u = all_.planes_of(border(f_, i)), v = all_.planes_of(border(g_, j));
+        const std::array<MovingPlane, 2>&u = all_.planes_of(all_.border_of(f_, i)),
+                                      &v = all_.planes_of(all_.border_of(g_, j));
         add(meeting_of({&u[0], &u[1], &v[0], &v[1]}), IntervalEnd::borders);
       }
     return from_vertices();
@@ -255,7 +257,6 @@ class ExactVertices {
     BigRational s;
     IntervalEnd kind;
   };
-  const MovingBorder& border(std::uint32_t facet, int k) const { return all_.borders()[all_.border_of(facet, k)]; }
 
   /// All corners of one facet stay on one side of the other one's plane.
   bool are_apart(std::uint32_t of, std::uint32_t plane) const {
@@ -274,7 +275,7 @@ class ExactVertices {
   }
 
   /// A corner that stays in a plane comes onto its facet across a border.
-  void corner_on_border(SumPoint c, const MovingBorder& border) {
+  void corner_on_border(SumPoint c, std::uint32_t border) {
     for (const MovingPlane& plane : all_.planes_of(border)) add(meeting_of(all_, c, plane), IntervalEnd::corner);
   }
 
@@ -308,7 +309,7 @@ class ExactVertices {
     level.n = {0, 0, 0}, level.d0 = -numerator(s), level.d1 = denominator(s);
     for (const auto& [of, other] : {std::pair{f_, g_}, std::pair{g_, f_}})
       for (int k = 0; k < all_.facets()[of].corners; ++k) {
-        const std::array<MovingPlane, 2> u = all_.planes_of(border(of, k));
+        const std::array<MovingPlane, 2>& u = all_.planes_of(all_.border_of(of, k));
         const std::optional<ExactMeeting> at = meeting_of({&u[0], &u[1], &all_.plane(other), &level});
         if (!at) continue;
         const NearMeeting around = near(*at);
