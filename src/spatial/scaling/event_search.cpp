@@ -303,21 +303,34 @@ void EventSearch::lasting_crossing(std::uint32_t e, std::uint32_t g) {
   const MovingBorder &one = all_.borders()[e], &other = all_.borders()[g];
   const LastingCrossing crossing = lasting_crossing_of(all_, one, other, low_, high_);
   if (crossing.misses) return;
-  const auto &u = all_.planes_of(e), &v = all_.planes_of(g);
-  const std::array<const MovingPlane*, 4> all4{&u[0], &u[1], &v[0], &v[1]};
+  struct Plane {
+    const MovingPlane* plane;
+    const PlaneRow* row;
+    std::uint32_t name;
+  };
+  const auto plane_of = [&](std::uint32_t border, std::size_t k) {
+    return Plane{&all_.planes_of(border)[k], &all_.rows_of(border)[k], all_.hyperplanes_of(border)[k]};
+  };
+  const std::array<Plane, 4> all4{plane_of(e, 0), plane_of(e, 1), plane_of(g, 0), plane_of(g, 1)};
   // Whether the crossing does not stay in the plane at all scales.
-  const auto try_plane = [&](const MovingPlane& plane, std::uint32_t name, const PlaneRow& row, auto holds) {
-    if (bounds_plane(e, name) || bounds_plane(g, name)) return false;
-    if (crossing.stays_beside(row)) return true;
+  const auto try_plane = [&](const Plane& plane, auto may_hold_too, auto holds_too) {
+    if (bounds_plane(e, plane.name) || bounds_plane(g, plane.name)) return false;
+    if (crossing.stays_beside(*plane.row)) return true;
     for (std::size_t left_out = 0; left_out < 4; ++left_out) {
-      std::array<const MovingPlane*, 4> four = all4;
-      four[left_out] = &plane;
-      ++exact_;
-      const std::optional<ExactMeeting> point = meeting_of(four);
-      if (!point) continue;
-      if (point->s > 0 && lies_on(all_, one, *point) && lies_on(all_, other, *point) && holds(*point))
-        decide(Meets::unsure, {}, [&] { return point; });
-      return true;
+      std::array<Plane, 4> four = all4;
+      four[left_out] = plane;
+      const auto of_all = [&](auto member) {
+        return std::array{four[0].*member, four[1].*member, four[2].*member, four[3].*member};
+      };
+      const Common common = four_planes(
+          of_all(&Plane::name), of_all(&Plane::row), of_all(&Plane::plane),
+          [&](const NearMeeting& at) {
+            return may_hold(all_, one, at) && may_hold(all_, other, at) && may_hold_too(at);
+          },
+          [&](const ExactMeeting& at, const NearMeeting& around) {
+            return lies_on(all_, one, at) && lies_on(all_, other, at) && holds_too(at, around);
+          });
+      if (common != Common::lasting) return true;
     }
     return false;
   };
@@ -326,16 +339,19 @@ void EventSearch::lasting_crossing(std::uint32_t e, std::uint32_t g) {
                  {std::min(a.high.x, b.high.x), std::min(a.high.y, b.high.y), std::min(a.high.z, b.high.z)}};
   facets_.for_each(both, [&](std::uint32_t j) {
     const std::uint32_t f = live_[j];
-    try_plane(all_.plane(f), all_.hyperplane(f), all_.row(f),
-              [&](const ExactMeeting& at) { return place_in(all_, f, at, near(at)).holds; });
+    try_plane(
+        {&all_.plane(f), &all_.row(f), all_.hyperplane(f)},
+        [&](const NearMeeting& at) { return may_hold(all_, f, at); },
+        [&](const ExactMeeting& at, const NearMeeting& around) { return place_in(all_, f, at, around).holds; });
   });
   borders_.for_each(both, [&](std::uint32_t j) {
-    const MovingBorder& third = all_.borders()[live_borders_[j]];
-    if (live_borders_[j] == e || live_borders_[j] == g) return;
     const std::uint32_t t = live_borders_[j];
+    const MovingBorder& third = all_.borders()[t];
+    if (t == e || t == g) return;
     for (std::size_t k = 0; k < 2; ++k)
-      if (try_plane(all_.planes_of(t)[k], all_.hyperplanes_of(t)[k], all_.rows_of(t)[k],
-                    [&](const ExactMeeting& at) { return lies_on(all_, third, at); }))
+      if (try_plane(
+              plane_of(t, k), [&](const NearMeeting& at) { return may_hold(all_, third, at); },
+              [&](const ExactMeeting& at, const NearMeeting&) { return lies_on(all_, third, at); }))
         break;
   });
 }
