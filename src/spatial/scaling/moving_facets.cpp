@@ -6,6 +6,7 @@
 #include <tuple>
 #include <unordered_map>
 
+#include "exact/limbs.h"
 #include "spatial/convolution/facet_rule.h"
 
 namespace dymsum::spatial {
@@ -103,6 +104,7 @@ MovingFacets::MovingFacets(const SolidPair& pair, int moving, StageWatch& watch)
     rows_.push_back(row_of(plane));
     planes_.push_back(std::move(plane));
   }
+  keep_small();
   list_borders();
   name_planes();
   list_corners();
@@ -145,6 +147,61 @@ void MovingFacets::list_borders() {
     border_planes_.push_back(planes_along(border));
     border_rows_.push_back({row_of(border_planes_.back()[0]), row_of(border_planes_.back()[1])});
   }
+}
+
+namespace {
+
+/// Coordinates below 2^29: differences take 30 bits, a normal's component 2 * 30 + 1 and a sign, its product with
+/// another difference 91, three of them 93.
+constexpr double kSmallCoordinate = 0x1p29;
+static_assert(2 + (2 * 30 + 1) + 30 <= 127);
+
+template <class V>
+std::array<std::int64_t, 3> difference(const V& a, const V& b) {
+  return {a[0] - b[0], a[1] - b[1], a[2] - b[2]};
+}
+
+}  // namespace
+
+void MovingFacets::keep_small() {
+  small_ = std::max(reach_[0], reach_[1]) < kSmallCoordinate;
+  if (!small_) return;
+  const auto narrow = [](const BigVector& v) {
+    return SmallVector{v[0].convert_to<std::int64_t>(), v[1].convert_to<std::int64_t>(),
+                       v[2].convert_to<std::int64_t>()};
+  };
+  for (std::size_t op = 0; op < 2; ++op)
+    for (const BigVector& v : exact_[op]) integers_[op].push_back(narrow(v));
+  for (const MovingPlane& plane : planes_) small_normals_.push_back(narrow(plane.n));
+}
+
+SureForm MovingFacets::form_of(const SmallVector& n, SumPoint from, SumPoint to) const {
+  const auto product = [&](int op, std::uint32_t a, std::uint32_t b) {
+    const std::vector<SmallVector>& of = integers_[static_cast<std::size_t>(op)];
+    const SmallVector d = difference(of[b], of[a]);
+    exact::i128 sum = 0;
+    for (std::size_t k = 0; k < 3; ++k) sum += static_cast<exact::i128>(n[k]) * d[k];
+    return static_cast<double>(sum);
+  };
+  const double of_p = product(0, from.p, to.p), of_q = product(1, from.q, to.q);
+  return moving_ == 0 ? SureForm{of_q, of_p} : SureForm{of_p, of_q};
+}
+
+std::optional<SureForm> MovingFacets::sure_height(SumPoint corner, std::uint32_t facet) const {
+  if (!small_) return std::nullopt;
+  return form_of(small_normals_[facet], facets()[facet].corner[0], corner);
+}
+
+std::optional<SureForm> MovingFacets::sure_twist(const std::array<SumPoint, 2>& e,
+                                                 const std::array<SumPoint, 2>& h) const {
+  if (!small_) return std::nullopt;
+  const auto way = [&](const std::array<SumPoint, 2>& border) {
+    return border[0].p != border[1].p ? difference(integers_[0][border[1].p], integers_[0][border[0].p])
+                                      : difference(integers_[1][border[1].q], integers_[1][border[0].q]);
+  };
+  const SmallVector u = way(e), v = way(h);
+  const SmallVector n{u[1] * v[2] - u[2] * v[1], u[2] * v[0] - u[0] * v[2], u[0] * v[1] - u[1] * v[0]};
+  return form_of(n, e[0], h[0]);
 }
 
 void MovingFacets::name_planes() {

@@ -4,6 +4,7 @@
 
 #include <array>
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -18,6 +19,10 @@ namespace dymsum::spatial {
 struct MovingPlane {
   BigVector n;
   exact::BigInteger d0, d1;
+};
+/// A linear function of the scale, a + s b: each within 2^-52 of its size, so zero only where it is zero.
+struct SureForm {
+  double a = 0, b = 0;
 };
 /// The same hyperplane in doubles, each within 2^-53 of its size, over one power of two: n, -d1, d0.
 using PlaneRow = std::array<double, 5>;
@@ -77,6 +82,13 @@ class MovingFacets {
   /// As hyperplane(), of these planes, and by the same names.
   const std::array<std::uint32_t, 2>& hyperplanes_of(std::uint32_t border) const { return border_hyperplanes_[border]; }
 
+  /// The height of a corner over a facet's plane, times the length of its normal; nothing where coordinates are too
+  /// large for 128 bits.
+  std::optional<SureForm> sure_height(SumPoint corner, std::uint32_t facet) const;
+  /// det(e, h, gap) for the borders from e[0] to e[1] and from h[0] to h[1], without the scale in their lengths, and
+  /// the gap from e[0] to h[0].
+  std::optional<SureForm> sure_twist(const std::array<SumPoint, 2>& e, const std::array<SumPoint, 2>& h) const;
+
   /// At least the largest coordinate of any sum at scales up to s.
   double span(double s) const { return reach_[1 - moving_] + s * reach_[moving_]; }
   /// The pose of either operand at a scale.
@@ -85,6 +97,7 @@ class MovingFacets {
  private:
   void list_borders();
   void name_planes();
+  void keep_small();
   std::array<MovingPlane, 2> planes_along(const MovingBorder& border) const;
   void list_corners();
   void mark_inner();
@@ -93,7 +106,14 @@ class MovingFacets {
   int moving_;
   ReducedConvolution convolution_;
   std::array<std::vector<BigVector>, 2> exact_;
+  using SmallVector = std::array<std::int64_t, 3>;
+  /// n . (to - from).
+  SureForm form_of(const SmallVector& n, SumPoint from, SumPoint to) const;
+
   std::array<std::vector<Vec3>, 2> places_;
+  bool small_ = false;                                // all coordinates are
+  std::array<std::vector<SmallVector>, 2> integers_;  // where they are small, as are the normals
+  std::vector<SmallVector> small_normals_;
   std::array<double, 2> reach_{};
   std::vector<MovingPlane> planes_;
   std::vector<PlaneRow> rows_;
