@@ -109,7 +109,7 @@ SolidPath::Critical SolidPath::critical(const std::function<void(double)>& ask) 
             meeting_near({&legs_[k].rows[0], &legs_[k].rows[1], &rows[0], &rows[1]}, all_.span(1), around);
         if (meets == Meets::near && (around.s < -around.s_radius || !may_hold(all_, all_.borders()[b], around)))
           continue;
-        const std::array<MovingPlane, 2> planes = all_.planes_of(all_.borders()[b]);
+        const std::array<MovingPlane, 2>& planes = all_.planes_of(b);
         const auto at = meeting_of({&legs_[k].planes[0], &legs_[k].planes[1], &planes[0], &planes[1]});
         if (!at || at->s <= 0 || !lies_on(all_, all_.borders()[b], *at)) continue;
         const BigRational t = along(k, *at);

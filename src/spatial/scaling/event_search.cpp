@@ -4,6 +4,8 @@
 #include <bit>
 #include <cmath>
 
+#include "spatial/scaling/lasting_crossing.h"
+
 namespace dymsum::spatial {
 
 namespace {
@@ -102,6 +104,11 @@ bool is_same(const ExactMeeting& a, const ExactMeeting& b) {
 
 }  // namespace
 
+std::size_t EventSearch::PlaneNamesHash::operator()(const PlaneNames& names) const {
+  std::uint64_t h = 0;
+  for (const std::uint32_t n : names) h = (h ^ n) * 0x9e3779b97f4a7c15ULL, h ^= h >> 29;
+  return h;
+}
 std::size_t EventSearch::CellHash::operator()(const Cell& cell) const {
   std::uint64_t h = 0;
   for (const std::int64_t c : cell) {
@@ -127,17 +134,26 @@ bool EventSearch::is_covered(const NearMeeting& at) {
   return known->second;
 }
 
+/// Of the doubles of an exact point.
+bool EventSearch::is_in_window(const NearMeeting& at) const {
+  return at.s >= low_ * (1 - 0x1p-50) && at.s <= high_ * (1 + 0x1p-50);
+}
+
 void EventSearch::add(ExactMeeting at) {
   MeetingEvent event{std::move(at), {}};
   event.near = near(event.at);
-  if (event.near.s < low_ * (1 - 0x1p-50) || event.near.s > high_ * (1 + 0x1p-50)) return;
+  if (!is_in_window(event.near)) return;
   const auto bits = [](double v) { return std::bit_cast<std::int64_t>(v); };
   const Cell key{bits(event.near.x.x), bits(event.near.x.y), bits(event.near.x.z), bits(event.near.s)};
+  if (covered_at_.contains(key)) return;
   const auto [first, last] = found_at_.equal_range(key);
   for (auto k = first; k != last; ++k)
     if (is_same(found_[k->second].at, event.at)) return;
-  if (overlap_.at(event.near.x, event.near.s, event.near.radius, event.near.s_radius) == ScaledOverlap::Answer::overlap)
+  if (overlap_.at(event.near.x, event.near.s, event.near.radius, event.near.s_radius) ==
+      ScaledOverlap::Answer::overlap) {
+    covered_at_.insert(key);
     return;
+  }
   found_at_.emplace(key, found_.size());
   found_.push_back(std::move(event));
 }
@@ -154,6 +170,34 @@ void EventSearch::decide(Meets meets, const NearMeeting& around, Exact exact) {
   if (!at || at->s <= 0) return;
   if (meets != Meets::near && is_covered(near(*at))) return;
   add(*std::move(at));
+}
+
+/// The same of the one point of four hyperplanes: in masses of parallel and coplanar facets many fours of them lie in
+/// the same ones, which are decided once. `may_hold` and `holds` tell whether the point lies in these.
+template <class MayHold, class Holds>
+EventSearch::Common EventSearch::four_planes(PlaneNames names, const std::array<const PlaneRow*, 4>& rows,
+                                             const std::array<const MovingPlane*, 4>& planes, MayHold may_hold,
+                                             Holds holds) {
+  std::sort(names.begin(), names.end());
+  if (std::adjacent_find(names.begin(), names.end()) != names.end()) return Common::lasting;
+  if (const auto known = known_.find(names); known != known_.end()) return known->second;
+  const auto learn = [&](Common what) { return known_.emplace(names, what).first->second; };
+  ++candidates_;
+  NearMeeting at;
+  const Meets meets = meeting_near(rows, span_, at);
+  if (meets == Meets::near) {
+    if (at.s < low_ - at.s_radius || at.s > high_ + at.s_radius || !may_hold(at)) return Common::open;
+    if (is_covered(at)) return learn(Common::done);
+  }
+  ++exact_;
+  std::optional<ExactMeeting> point = meeting_of(planes);
+  if (!point) return learn(Common::lasting);
+  if (point->s <= 0) return learn(Common::done);
+  const NearMeeting around = near(*point);
+  if (!is_in_window(around) || (meets != Meets::near && is_covered(around))) return learn(Common::done);
+  if (!holds(*point, around)) return Common::open;
+  add(*std::move(point));
+  return learn(Common::done);
 }
 
 void EventSearch::corners_on_facets() {
@@ -198,7 +242,7 @@ void EventSearch::corners_on_borders() {
           std::abs(at[0].s - at[1].s) > 2 * (at[0].s_radius + at[1].s_radius))
         return;
       ++candidates_;
-      const std::array<MovingPlane, 2> planes = all_.planes_of(border);
+      const std::array<MovingPlane, 2>& planes = all_.planes_of(live_borders_[j]);
       const auto try_point = [&](const std::optional<ExactMeeting>& point) {
         if (!point || point->s <= 0 || !lies_on(all_, border, *point)) return;
         decide(Meets::unsure, {}, [&] { return point; });
@@ -232,39 +276,61 @@ void EventSearch::borders_on_borders() {
       ask_now_and_then();
       const MovingBorder& other = all_.borders()[g];
       if (share_corner(one, other) || one.direction == other.direction) return;
-      ++candidates_;
-      NearMeeting at;
       const auto &r = all_.rows_of(e), &q = all_.rows_of(g);
-      const Meets meets = meeting_near({&r[0], &r[1], &q[0], &q[1]}, span_, at);
-      if (meets == Meets::near && (!may_hold(all_, one, at) || !may_hold(all_, other, at))) return;
-      bool lasting = false;
-      decide(meets, at, [&]() -> std::optional<ExactMeeting> {
-        const std::array<MovingPlane, 2> u = all_.planes_of(one), v = all_.planes_of(other);
-        std::optional<ExactMeeting> point = meeting_of({&u[0], &u[1], &v[0], &v[1]});
-        lasting = !point;
-        if (point && (point->s <= 0 || !lies_on(all_, one, *point) || !lies_on(all_, other, *point)))
-          return std::nullopt;
-        return point;
-      });
-      if (lasting) lasting_crossing(e, g);
+      const auto &u = all_.planes_of(e), &v = all_.planes_of(g);
+      const auto &m = all_.hyperplanes_of(e), &n = all_.hyperplanes_of(g);
+      const Common common = four_planes(
+          {m[0], m[1], n[0], n[1]}, {&r[0], &r[1], &q[0], &q[1]}, {&u[0], &u[1], &v[0], &v[1]},
+          [&](const NearMeeting& at) { return may_hold(all_, one, at) && may_hold(all_, other, at); },
+          [&](const ExactMeeting& at, const NearMeeting&) {
+            return lies_on(all_, one, at) && lies_on(all_, other, at);
+          });
+      if (common == Common::lasting) lasting_crossing(e, g);
     });
   }
+}
+
+/// Whether a hyperplane of this name is one of those that are known to hold a border at all scales.
+bool EventSearch::bounds_plane(std::uint32_t border, std::uint32_t name) const {
+  const auto& along = all_.hyperplanes_of(border);
+  if (name == along[0] || name == along[1]) return true;
+  const auto facets = all_.facets_of(all_.borders()[border]);
+  return std::any_of(facets.begin(), facets.end(), [&](std::uint32_t f) { return all_.hyperplane(f) == name; });
 }
 
 /// Two borders that cross at all scales, in one plane: where their crossing passes something else.
 void EventSearch::lasting_crossing(std::uint32_t e, std::uint32_t g) {
   const MovingBorder &one = all_.borders()[e], &other = all_.borders()[g];
-  const std::array<MovingPlane, 2> u = all_.planes_of(one), v = all_.planes_of(other);
-  const std::array<const MovingPlane*, 4> all4{&u[0], &u[1], &v[0], &v[1]};
-  const auto try_plane = [&](const MovingPlane& plane, auto holds) {
+  const LastingCrossing crossing = lasting_crossing_of(all_, one, other, low_, high_);
+  if (crossing.misses) return;
+  struct Plane {
+    const MovingPlane* plane;
+    const PlaneRow* row;
+    std::uint32_t name;
+  };
+  const auto plane_of = [&](std::uint32_t border, std::size_t k) {
+    return Plane{&all_.planes_of(border)[k], &all_.rows_of(border)[k], all_.hyperplanes_of(border)[k]};
+  };
+  const std::array<Plane, 4> all4{plane_of(e, 0), plane_of(e, 1), plane_of(g, 0), plane_of(g, 1)};
+  // Whether the crossing does not stay in the plane at all scales.
+  const auto try_plane = [&](const Plane& plane, auto may_hold_too, auto holds_too) {
+    if (bounds_plane(e, plane.name) || bounds_plane(g, plane.name)) return false;
+    if (crossing.stays_beside(*plane.row)) return true;
     for (std::size_t left_out = 0; left_out < 4; ++left_out) {
-      std::array<const MovingPlane*, 4> four = all4;
-      four[left_out] = &plane;
-      std::optional<ExactMeeting> point = meeting_of(four);
-      if (!point) continue;
-      if (point->s > 0 && lies_on(all_, one, *point) && lies_on(all_, other, *point) && holds(*point))
-        decide(Meets::unsure, {}, [&] { return point; });
-      return true;
+      std::array<Plane, 4> four = all4;
+      four[left_out] = plane;
+      const auto of_all = [&](auto member) {
+        return std::array{four[0].*member, four[1].*member, four[2].*member, four[3].*member};
+      };
+      const Common common = four_planes(
+          of_all(&Plane::name), of_all(&Plane::row), of_all(&Plane::plane),
+          [&](const NearMeeting& at) {
+            return may_hold(all_, one, at) && may_hold(all_, other, at) && may_hold_too(at);
+          },
+          [&](const ExactMeeting& at, const NearMeeting& around) {
+            return lies_on(all_, one, at) && lies_on(all_, other, at) && holds_too(at, around);
+          });
+      if (common != Common::lasting) return true;
     }
     return false;
   };
@@ -272,14 +338,21 @@ void EventSearch::lasting_crossing(std::uint32_t e, std::uint32_t g) {
   const Box both{{std::max(a.low.x, b.low.x), std::max(a.low.y, b.low.y), std::max(a.low.z, b.low.z)},
                  {std::min(a.high.x, b.high.x), std::min(a.high.y, b.high.y), std::min(a.high.z, b.high.z)}};
   facets_.for_each(both, [&](std::uint32_t j) {
-    try_plane(all_.plane(live_[j]),
-              [&](const ExactMeeting& at) { return place_in(all_, live_[j], at, near(at)).holds; });
+    const std::uint32_t f = live_[j];
+    try_plane(
+        {&all_.plane(f), &all_.row(f), all_.hyperplane(f)},
+        [&](const NearMeeting& at) { return may_hold(all_, f, at); },
+        [&](const ExactMeeting& at, const NearMeeting& around) { return place_in(all_, f, at, around).holds; });
   });
   borders_.for_each(both, [&](std::uint32_t j) {
-    const MovingBorder& third = all_.borders()[live_borders_[j]];
-    if (live_borders_[j] == e || live_borders_[j] == g) return;
-    for (const MovingPlane& plane : all_.planes_of(third))
-      if (try_plane(plane, [&](const ExactMeeting& at) { return lies_on(all_, third, at); })) break;
+    const std::uint32_t t = live_borders_[j];
+    const MovingBorder& third = all_.borders()[t];
+    if (t == e || t == g) return;
+    for (std::size_t k = 0; k < 2; ++k)
+      if (try_plane(
+              plane_of(t, k), [&](const NearMeeting& at) { return may_hold(all_, third, at); },
+              [&](const ExactMeeting& at, const NearMeeting&) { return lies_on(all_, third, at); }))
+        break;
   });
 }
 
@@ -293,6 +366,7 @@ void EventSearch::borders_through_facets() {
       const std::uint32_t f = live_[j];
       ask_now_and_then();
       if (has_corner(all_.facets()[f], border.a) || has_corner(all_.facets()[f], border.b)) return;
+      if (bounds_plane(e, all_.hyperplane(f))) return;
       const int a = lasting_side(all_, f, border.a, low_, high_);
       if (a != 0 && a == lasting_side(all_, f, border.b, low_, high_)) return;
       through.push_back(f);
@@ -304,19 +378,18 @@ void EventSearch::borders_through_facets() {
         const std::uint32_t f = through[i], g = through[j];
         ask_now_and_then();
         if (all_.hyperplane(f) == all_.hyperplane(g)) continue;
-        ++candidates_;
-        NearMeeting at;
-        const Meets meets = meeting_near({&r[0], &r[1], &all_.row(f), &all_.row(g)}, span_, at);
-        if (meets == Meets::near && (!may_hold(all_, border, at) || !may_hold(all_, f, at) || !may_hold(all_, g, at)))
-          continue;
-        decide(meets, at, [&]() -> std::optional<ExactMeeting> {
-          const std::array<MovingPlane, 2> u = all_.planes_of(border);
-          std::optional<ExactMeeting> point = meeting_of({&u[0], &u[1], &all_.plane(f), &all_.plane(g)});
-          if (!point || point->s <= 0 || !lies_on(all_, border, *point)) return std::nullopt;
-          const NearMeeting around = near(*point);
-          if (!place_in(all_, f, *point, around).holds || !place_in(all_, g, *point, around).holds) return std::nullopt;
-          return point;
-        });
+        const auto& u = all_.planes_of(e);
+        const auto& m = all_.hyperplanes_of(e);
+        four_planes(
+            {m[0], m[1], all_.hyperplane(f), all_.hyperplane(g)}, {&r[0], &r[1], &all_.row(f), &all_.row(g)},
+            {&u[0], &u[1], &all_.plane(f), &all_.plane(g)},
+            [&](const NearMeeting& at) {
+              return may_hold(all_, border, at) && may_hold(all_, f, at) && may_hold(all_, g, at);
+            },
+            [&](const ExactMeeting& at, const NearMeeting& around) {
+              return lies_on(all_, border, at) && place_in(all_, f, at, around).holds &&
+                     place_in(all_, g, at, around).holds;
+            });
       }
     }
   }
@@ -371,23 +444,21 @@ void EventSearch::four_facets() {
         for (const std::uint32_t i : near_both) {
           if (i <= h || !std::binary_search(neighbours_[h].begin(), neighbours_[h].end(), i)) continue;
           ask_now_and_then();
-          ++candidates_;
           const std::array<std::uint32_t, 4> four{live_[f], live_[g], live_[h], live_[i]};
-          NearMeeting at;
-          const Meets meets =
-              meeting_near({&all_.row(four[0]), &all_.row(four[1]), &all_.row(four[2]), &all_.row(four[3])}, span_, at);
-          if (meets == Meets::near &&
-              !std::all_of(four.begin(), four.end(), [&](std::uint32_t k) { return may_hold(all_, k, at); }))
-            continue;
-          decide(meets, at, [&]() -> std::optional<ExactMeeting> {
-            std::optional<ExactMeeting> point =
-                meeting_of({&all_.plane(four[0]), &all_.plane(four[1]), &all_.plane(four[2]), &all_.plane(four[3])});
-            if (!point || point->s <= 0) return std::nullopt;
-            const NearMeeting around = near(*point);
-            for (const std::uint32_t k : four)
-              if (!place_in(all_, k, *point, around).holds) return std::nullopt;
-            return point;
-          });
+          const auto of_all = [&](auto get) {
+            return std::array{get(four[0]), get(four[1]), get(four[2]), get(four[3])};
+          };
+          four_planes(
+              of_all([&](std::uint32_t k) { return all_.hyperplane(k); }),
+              of_all([&](std::uint32_t k) { return &all_.row(k); }),
+              of_all([&](std::uint32_t k) { return &all_.plane(k); }),
+              [&](const NearMeeting& at) {
+                return std::all_of(four.begin(), four.end(), [&](std::uint32_t k) { return may_hold(all_, k, at); });
+              },
+              [&](const ExactMeeting& at, const NearMeeting& around) {
+                return std::all_of(four.begin(), four.end(),
+                                   [&](std::uint32_t k) { return place_in(all_, k, at, around).holds; });
+              });
         }
       }
     }

@@ -4,6 +4,7 @@
 
 #include <functional>
 #include <unordered_map>
+#include <unordered_set>
 #include <vector>
 
 #include "spatial/scaling/meeting_point.h"
@@ -43,12 +44,28 @@ class EventSearch {
   void corners_on_borders();
   void borders_on_borders();
   void lasting_crossing(std::uint32_t e, std::uint32_t g);
+  bool bounds_plane(std::uint32_t border, std::uint32_t name) const;
   void borders_through_facets();
   void four_facets();
   void facet_neighbours();
   bool may_cross(std::uint32_t f, std::uint32_t g) const;
   bool is_covered(const NearMeeting& at);
   void add(ExactMeeting at);
+  /// Four hyperplanes by their names, in order.
+  using PlaneNames = std::array<std::uint32_t, 4>;
+  struct PlaneNamesHash {
+    std::size_t operator()(const PlaneNames& names) const;
+  };
+  /// What needs not to be asked again of four hyperplanes, whatever facets and borders lie in them.
+  enum class Common : std::uint8_t {
+    open,     ///< a point outside of what is looked at, perhaps
+    lasting,  ///< no one point in common
+    done,     ///< the point is listed, covered, or at no scale of the window
+  };
+  template <class MayHold, class Holds>
+  Common four_planes(PlaneNames names, const std::array<const PlaneRow*, 4>& rows,
+                     const std::array<const MovingPlane*, 4>& planes, MayHold may_hold, Holds holds);
+  bool is_in_window(const NearMeeting& at) const;
   template <class Exact>
   void decide(Meets meets, const NearMeeting& near, Exact exact);
   void ask_now_and_then() {
@@ -66,6 +83,8 @@ class EventSearch {
   std::vector<MeetingEvent> found_;
   std::unordered_multimap<Cell, std::size_t, CellHash> found_at_;  // by their doubles
   std::unordered_map<Cell, bool, CellHash> covered_;               // small cells of (x, s), surely or perhaps not
+  std::unordered_set<Cell, CellHash> covered_at_;                  // doubles of points that surely are
+  std::unordered_map<PlaneNames, Common, PlaneNamesHash> known_;   // not those that are open
   const std::function<void()>* ask_ = nullptr;
   std::uint64_t candidates_ = 0, exact_ = 0, asked_ = 0;
 };

@@ -6,6 +6,7 @@
 #include <tuple>
 #include <unordered_map>
 
+#include "exact/limbs.h"
 #include "spatial/convolution/facet_rule.h"
 
 namespace dymsum::spatial {
@@ -89,7 +90,6 @@ MovingFacets::MovingFacets(const SolidPair& pair, int moving, StageWatch& watch)
       for (const BigInteger& c : x) reach_[op] = std::max(reach_[op], std::abs(nearest(c)) * (1 + 0x1p-50));
     }
   }
-  ProportionalNames<5> names;
   for (std::size_t f = 0; f < facets().size(); ++f) {
     const SumFacet& facet = facets()[f];
     const PlaneSource source = convolution_.planes[f];
@@ -102,10 +102,11 @@ MovingFacets::MovingFacets(const SolidPair& pair, int moving, StageWatch& watch)
     plane.d0 = big_dot(plane.n, exact_fixed(facet.corner[0]));
     plane.d1 = big_dot(plane.n, exact_moved(facet.corner[0]));
     rows_.push_back(row_of(plane));
-    hyperplanes_.push_back(names.name({plane.n[0], plane.n[1], plane.n[2], plane.d0, plane.d1}));
     planes_.push_back(std::move(plane));
   }
+  keep_small();
   list_borders();
+  name_planes();
   list_corners();
   mark_inner();
 }
@@ -143,9 +144,71 @@ void MovingFacets::list_borders() {
     const auto [at, fresh] = known[op].try_emplace(ends, 0);
     if (fresh) at->second = directions.name(big_minus(exact_[op][ends.second], exact_[op][ends.first]));
     border.direction = at->second;
-    const std::array<MovingPlane, 2> planes = planes_of(border);
-    border_rows_.push_back({row_of(planes[0]), row_of(planes[1])});
+    border_planes_.push_back(planes_along(border));
+    border_rows_.push_back({row_of(border_planes_.back()[0]), row_of(border_planes_.back()[1])});
   }
+}
+
+namespace {
+
+/// Coordinates below 2^29: differences take 30 bits, a normal's component 2 * 30 + 1 and a sign, its product with
+/// another difference 91, three of them 93.
+constexpr double kSmallCoordinate = 0x1p29;
+static_assert(2 + (2 * 30 + 1) + 30 <= 127);
+
+template <class V>
+std::array<std::int64_t, 3> difference(const V& a, const V& b) {
+  return {a[0] - b[0], a[1] - b[1], a[2] - b[2]};
+}
+
+}  // namespace
+
+void MovingFacets::keep_small() {
+  small_ = std::max(reach_[0], reach_[1]) < kSmallCoordinate;
+  if (!small_) return;
+  const auto narrow = [](const BigVector& v) {
+    return SmallVector{v[0].convert_to<std::int64_t>(), v[1].convert_to<std::int64_t>(),
+                       v[2].convert_to<std::int64_t>()};
+  };
+  for (std::size_t op = 0; op < 2; ++op)
+    for (const BigVector& v : exact_[op]) integers_[op].push_back(narrow(v));
+  for (const MovingPlane& plane : planes_) small_normals_.push_back(narrow(plane.n));
+}
+
+SureForm MovingFacets::form_of(const SmallVector& n, SumPoint from, SumPoint to) const {
+  const auto product = [&](int op, std::uint32_t a, std::uint32_t b) {
+    const std::vector<SmallVector>& of = integers_[static_cast<std::size_t>(op)];
+    const SmallVector d = difference(of[b], of[a]);
+    exact::i128 sum = 0;
+    for (std::size_t k = 0; k < 3; ++k) sum += static_cast<exact::i128>(n[k]) * d[k];
+    return static_cast<double>(sum);
+  };
+  const double of_p = product(0, from.p, to.p), of_q = product(1, from.q, to.q);
+  return moving_ == 0 ? SureForm{of_q, of_p} : SureForm{of_p, of_q};
+}
+
+std::optional<SureForm> MovingFacets::sure_height(SumPoint corner, std::uint32_t facet) const {
+  if (!small_) return std::nullopt;
+  return form_of(small_normals_[facet], facets()[facet].corner[0], corner);
+}
+
+std::optional<SureForm> MovingFacets::sure_twist(const std::array<SumPoint, 2>& e,
+                                                 const std::array<SumPoint, 2>& h) const {
+  if (!small_) return std::nullopt;
+  const auto way = [&](const std::array<SumPoint, 2>& border) {
+    return border[0].p != border[1].p ? difference(integers_[0][border[1].p], integers_[0][border[0].p])
+                                      : difference(integers_[1][border[1].q], integers_[1][border[0].q]);
+  };
+  const SmallVector u = way(e), v = way(h);
+  const SmallVector n{u[1] * v[2] - u[2] * v[1], u[2] * v[0] - u[0] * v[2], u[0] * v[1] - u[1] * v[0]};
+  return form_of(n, e[0], h[0]);
+}
+
+void MovingFacets::name_planes() {
+  ProportionalNames<5> names;
+  const auto name = [&](const MovingPlane& p) { return names.name({p.n[0], p.n[1], p.n[2], p.d0, p.d1}); };
+  for (const MovingPlane& plane : planes_) hyperplanes_.push_back(name(plane));
+  for (const auto& planes : border_planes_) border_hyperplanes_.push_back({name(planes[0]), name(planes[1])});
 }
 
 void MovingFacets::list_corners() {
@@ -181,7 +244,7 @@ void MovingFacets::mark_inner() {
   }
 }
 
-std::array<MovingPlane, 2> MovingFacets::planes_of(const MovingBorder& border) const {
+std::array<MovingPlane, 2> MovingFacets::planes_along(const MovingBorder& border) const {
   const int op = border.of_p ? 0 : 1;
   const BigVector along = op == 0 ? big_minus(exact_[0][border.b.p], exact_[0][border.a.p])
                                   : big_minus(exact_[1][border.b.q], exact_[1][border.a.q]);

@@ -4,6 +4,7 @@
 
 #include <array>
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -18,6 +19,10 @@ namespace dymsum::spatial {
 struct MovingPlane {
   BigVector n;
   exact::BigInteger d0, d1;
+};
+/// A linear function of the scale, a + s b: each within 2^-52 of its size, so zero only where it is zero.
+struct SureForm {
+  double a = 0, b = 0;
 };
 /// The same hyperplane in doubles, each within 2^-53 of its size, over one power of two: n, -d1, d0.
 using PlaneRow = std::array<double, 5>;
@@ -72,8 +77,17 @@ class MovingFacets {
   /// The same for facets that lie in one plane at every scale.
   std::uint32_t hyperplane(std::uint32_t facet) const { return hyperplanes_[facet]; }
   /// Two planes along a border whose directions differ: its 2-flat of (x, s) is where they cross.
-  std::array<MovingPlane, 2> planes_of(const MovingBorder& border) const;
+  const std::array<MovingPlane, 2>& planes_of(std::uint32_t border) const { return border_planes_[border]; }
   const std::array<PlaneRow, 2>& rows_of(std::uint32_t border) const { return border_rows_[border]; }
+  /// As hyperplane(), of these planes, and by the same names.
+  const std::array<std::uint32_t, 2>& hyperplanes_of(std::uint32_t border) const { return border_hyperplanes_[border]; }
+
+  /// The height of a corner over a facet's plane, times the length of its normal; nothing where coordinates are too
+  /// large for 128 bits.
+  std::optional<SureForm> sure_height(SumPoint corner, std::uint32_t facet) const;
+  /// det(e, h, gap) for the borders from e[0] to e[1] and from h[0] to h[1], without the scale in their lengths, and
+  /// the gap from e[0] to h[0].
+  std::optional<SureForm> sure_twist(const std::array<SumPoint, 2>& e, const std::array<SumPoint, 2>& h) const;
 
   /// At least the largest coordinate of any sum at scales up to s.
   double span(double s) const { return reach_[1 - moving_] + s * reach_[moving_]; }
@@ -82,6 +96,9 @@ class MovingFacets {
 
  private:
   void list_borders();
+  void name_planes();
+  void keep_small();
+  std::array<MovingPlane, 2> planes_along(const MovingBorder& border) const;
   void list_corners();
   void mark_inner();
 
@@ -89,12 +106,21 @@ class MovingFacets {
   int moving_;
   ReducedConvolution convolution_;
   std::array<std::vector<BigVector>, 2> exact_;
+  using SmallVector = std::array<std::int64_t, 3>;
+  /// n . (to - from).
+  SureForm form_of(const SmallVector& n, SumPoint from, SumPoint to) const;
+
   std::array<std::vector<Vec3>, 2> places_;
+  bool small_ = false;                                // all coordinates are
+  std::array<std::vector<SmallVector>, 2> integers_;  // where they are small, as are the normals
+  std::vector<SmallVector> small_normals_;
   std::array<double, 2> reach_{};
   std::vector<MovingPlane> planes_;
   std::vector<PlaneRow> rows_;
   std::vector<std::uint32_t> hyperplanes_;
+  std::vector<std::array<MovingPlane, 2>> border_planes_;
   std::vector<std::array<PlaneRow, 2>> border_rows_;
+  std::vector<std::array<std::uint32_t, 2>> border_hyperplanes_;
   std::vector<MovingBorder> borders_;
   std::vector<MovingCorner> corners_;
   std::vector<std::uint32_t> border_facets_, corner_facets_, facet_borders_, facet_corners_;

@@ -55,8 +55,11 @@ NearRoot root_of(const NearForm& f) {
   return root;
 }
 
+NearForm near_form(const SureForm& f) { return {f.a, f.b, std::abs(f.a) * 0x1p-52, std::abs(f.b) * 0x1p-52}; }
+
 /// Of a corner over the plane of a facet: what it has in common with one of that facet's corners drops out.
 NearForm height_form(const MovingFacets& all, SumPoint c, std::uint32_t facet) {
+  if (const std::optional<SureForm> sure = all.sure_height(c, facet)) return near_form(*sure);
   const PlaneRow& row = all.row(facet);
   const Vec3 n{row[0], row[1], row[2]}, f = all.fixed(c), m = all.moved(c);
   const auto size = [&](Vec3 v) { return std::abs(n.x * v.x) + std::abs(n.y * v.y) + std::abs(n.z * v.z); };
@@ -83,6 +86,7 @@ Side side_of(const MovingFacets& all, const SumFacet& facet, int k) {
 
 /// Of det(e, h, gap) for the gap between two borders, from e's beginning to h's.
 NearForm twist_form(const MovingFacets& all, const Side& e, const Side& h) {
+  if (const std::optional<SureForm> sure = all.sure_twist({e.a, e.b}, {h.a, h.b})) return near_form(*sure);
   const Vec3 n = cross(e.way, h.way), f = all.fixed(h.a) - all.fixed(e.a), m = all.moved(h.a) - all.moved(e.a);
   const double E = norm1(e.way), H = norm1(h.way);
   const auto error = [&](Vec3 gap, double sizes) {
@@ -96,6 +100,39 @@ NearForm twist_form(const MovingFacets& all, const Side& e, const Side& h) {
       if (all.same_moved(a, b)) form.clear_b();
     }
   return form;
+}
+
+/// Edges of sums with one edge of an operand.
+bool are_parallel(const MovingFacets& all, const Side& e, const Side& h) {
+  const auto same = [&](SumPoint a, SumPoint b, SumPoint c, SumPoint d, auto equal) {
+    return !equal(a, b) && ((equal(a, c) && equal(b, d)) || (equal(a, d) && equal(b, c)));
+  };
+  return same(e.a, e.b, h.a, h.b, [&](SumPoint x, SumPoint y) { return all.same_fixed(x, y); }) ||
+         same(e.a, e.b, h.a, h.b, [&](SumPoint x, SumPoint y) { return all.same_moved(x, y); });
+}
+
+/// Whether two borders that are in one plane at a root cross there: 1 surely, -1 surely not, else 0.
+int borders_meet(const MovingFacets& all, const Side& e, const Side& h, const NearRoot& root) {
+  // Along e, where the wall through h that is upright on both crosses it, and the other way round.
+  const Vec3 n = cross(e.way, h.way);
+  const Vec3 e0 = all.at(e.a, root.s), e1 = all.at(e.b, root.s), h0 = all.at(h.a, root.s), h1 = all.at(h.b, root.s);
+  const double reach = norm1(all.moved(e.a)) + norm1(all.moved(e.b)) + norm1(all.moved(h.a)) + norm1(all.moved(h.b)),
+               blur = root.radius * reach + all.span(root.s) * 0x1p-48;
+  const auto side = [&](Vec3 point, Vec3 from, Vec3 along) {
+    const Vec3 gap = point - from;
+    const double v = dot(cross(n, along), gap), N = norm1(n), A = norm1(along);
+    const double error = 8 * N * A * blur + 16 * (e.blur + h.blur) * (norm1(e.way) + norm1(h.way)) * A * norm1(gap) +
+                         N * A * norm1(gap) * 0x1p-46;
+    return v > error ? 1 : v < -error ? -1 : 0;
+  };
+  const int a = side(e0, h0, h.way), b = side(e1, h0, h.way), c = side(h0, e0, e.way), d = side(h1, e0, e.way);
+  if (a * b > 0 || c * d > 0) return -1;
+  return a * b * c * d == 0 ? 0 : 1;
+}
+
+/// Where a corner comes onto a facet's plane.
+NearMeeting corner_at_root(const MovingFacets& all, SumPoint c, const NearRoot& root) {
+  return {all.at(c, root.s), root.s, norm1(all.moved(c)) * root.radius + all.span(root.s) * 0x1p-50, root.radius};
 }
 
 /// The vertices of what two facets have in common, over (x, s), in doubles.
@@ -135,42 +172,15 @@ class NearVertices {
     const NearRoot root = root_of(height);
     unsure_ |= root.unsure;
     if (!root.any) return;
-    const NearMeeting at{all_.at(c, root.s), root.s, norm1(all_.moved(c)) * root.radius + all_.span(root.s) * 0x1p-50,
-                         root.radius};
-    add(surely_holds(all_, facet, at), root, IntervalEnd::corner);
-  }
-
-  /// Edges of sums with one edge of an operand.
-  bool are_parallel(const Side& e, const Side& h) const {
-    const auto same = [&](SumPoint a, SumPoint b, SumPoint c, SumPoint d, auto equal) {
-      return !equal(a, b) && ((equal(a, c) && equal(b, d)) || (equal(a, d) && equal(b, c)));
-    };
-    return same(e.a, e.b, h.a, h.b, [&](SumPoint x, SumPoint y) { return all_.same_fixed(x, y); }) ||
-           same(e.a, e.b, h.a, h.b, [&](SumPoint x, SumPoint y) { return all_.same_moved(x, y); });
+    add(surely_holds(all_, facet, corner_at_root(all_, c, root)), root, IntervalEnd::corner);
   }
 
   void borders_cross(const Side& e, const Side& h) {
-    if (are_parallel(e, h)) return;
+    if (are_parallel(all_, e, h)) return;
     const NearRoot root = root_of(twist_form(all_, e, h));
     unsure_ |= root.unsure;
     if (!root.any) return;
-    // Along e, where the wall through h that is upright on both crosses it, and the other way round.
-    const Vec3 n = cross(e.way, h.way);
-    const Vec3 e0 = all_.at(e.a, root.s), e1 = all_.at(e.b, root.s), h0 = all_.at(h.a, root.s),
-               h1 = all_.at(h.b, root.s);
-    const double reach =
-                     norm1(all_.moved(e.a)) + norm1(all_.moved(e.b)) + norm1(all_.moved(h.a)) + norm1(all_.moved(h.b)),
-                 blur = root.radius * reach + all_.span(root.s) * 0x1p-48;
-    const auto side = [&](Vec3 point, Vec3 from, Vec3 along) {
-      const Vec3 gap = point - from;
-      const double v = dot(cross(n, along), gap), N = norm1(n), A = norm1(along);
-      const double error = 8 * N * A * blur + 16 * (e.blur + h.blur) * (norm1(e.way) + norm1(h.way)) * A * norm1(gap) +
-                           N * A * norm1(gap) * 0x1p-46;
-      return v > error ? 1 : v < -error ? -1 : 0;
-    };
-    const int a = side(e0, h0, h.way), b = side(e1, h0, h.way), c = side(h0, e0, e.way), d = side(h1, e0, e.way);
-    if (a * b > 0 || c * d > 0) return;
-    add(a * b * c * d == 0 ? 0 : 1, root, IntervalEnd::borders);
+    if (const int meet = borders_meet(all_, e, h, root); meet >= 0) add(meet, root, IntervalEnd::borders);
   }
 
   void add(int holds, const NearRoot& root, IntervalEnd kind) {
@@ -228,23 +238,34 @@ class NearVertices {
   bool unsure_ = false;
 };
 
-/// The same in integers.
+/// The same in integers, of what doubles do not tell.
 class ExactVertices {
  public:
-  ExactVertices(const MovingFacets& all, std::uint32_t f, std::uint32_t g) : all_(all), f_(f), g_(g) {}
+  ExactVertices(const MovingFacets& all, std::uint32_t f, std::uint32_t g, Ahead ahead)
+      : all_(all), f_(f), g_(g), ahead_(ahead) {}
 
   PairInterval interval() {
     if (are_apart(f_, g_) || are_apart(g_, f_)) return {};
     for (const auto& [of, plane] : {std::pair{f_, g_}, std::pair{g_, f_}}) {
       const SumFacet& facet = all_.facets()[of];
       for (int c = 0; c < facet.corners; ++c) {
+        const NearRoot root = root_of(height_form(all_, facet.corner[c], plane));
+        if (ahead_ == Ahead::doubles && !root.unsure) {
+          if (!root.any || surely_holds(all_, plane, corner_at_root(all_, facet.corner[c], root)) < 0) continue;
+        } else {
+          for (int j = 0; j < all_.facets()[plane].corners; ++j)
+            corner_on_border(facet.corner[c], all_.border_of(plane, j));
+        }
         add(meeting_of(all_, facet.corner[c], all_.plane(plane)), IntervalEnd::corner);
-        for (int j = 0; j < all_.facets()[plane].corners; ++j) corner_on_border(facet.corner[c], border(plane, j));
       }
     }
     for (int i = 0; i < all_.facets()[f_].corners; ++i)
       for (int j = 0; j < all_.facets()[g_].corners; ++j) {
-        const std::array<MovingPlane, 2> u = all_.planes_of(border(f_, i)), v = all_.planes_of(border(g_, j));
+        if (ahead_ == Ahead::doubles &&
+            surely_miss(side_of(all_, all_.facets()[f_], i), side_of(all_, all_.facets()[g_], j)))
+          continue;
+        const std::array<MovingPlane, 2>&u = all_.planes_of(all_.border_of(f_, i)),
+                                      &v = all_.planes_of(all_.border_of(g_, j));
         add(meeting_of({&u[0], &u[1], &v[0], &v[1]}), IntervalEnd::borders);
       }
     return from_vertices();
@@ -255,7 +276,14 @@ class ExactVertices {
     BigRational s;
     IntervalEnd kind;
   };
-  const MovingBorder& border(std::uint32_t facet, int k) const { return all_.borders()[all_.border_of(facet, k)]; }
+
+  bool surely_miss(const Side& e, const Side& h) const {
+    if (are_parallel(all_, e, h)) return true;
+    const NearForm twist = twist_form(all_, e, h);
+    if (twist.is_zero_b()) return true;  // in one plane at no scale, or at all
+    const NearRoot root = root_of(twist);
+    return !root.unsure && (!root.any || borders_meet(all_, e, h, root) < 0);
+  }
 
   /// All corners of one facet stay on one side of the other one's plane.
   bool are_apart(std::uint32_t of, std::uint32_t plane) const {
@@ -274,7 +302,7 @@ class ExactVertices {
   }
 
   /// A corner that stays in a plane comes onto its facet across a border.
-  void corner_on_border(SumPoint c, const MovingBorder& border) {
+  void corner_on_border(SumPoint c, std::uint32_t border) {
     for (const MovingPlane& plane : all_.planes_of(border)) add(meeting_of(all_, c, plane), IntervalEnd::corner);
   }
 
@@ -308,7 +336,7 @@ class ExactVertices {
     level.n = {0, 0, 0}, level.d0 = -numerator(s), level.d1 = denominator(s);
     for (const auto& [of, other] : {std::pair{f_, g_}, std::pair{g_, f_}})
       for (int k = 0; k < all_.facets()[of].corners; ++k) {
-        const std::array<MovingPlane, 2> u = all_.planes_of(border(of, k));
+        const std::array<MovingPlane, 2>& u = all_.planes_of(all_.border_of(of, k));
         const std::optional<ExactMeeting> at = meeting_of({&u[0], &u[1], &all_.plane(other), &level});
         if (!at) continue;
         const NearMeeting around = near(*at);
@@ -319,6 +347,7 @@ class ExactVertices {
 
   const MovingFacets& all_;
   std::uint32_t f_, g_;
+  Ahead ahead_;
   std::vector<Vertex> vertices_;
 };
 
@@ -327,8 +356,8 @@ class ExactVertices {
 std::optional<PairInterval> near_interval(const MovingFacets& all, std::uint32_t f, std::uint32_t g) {
   return NearVertices(all, f, g).interval();
 }
-PairInterval exact_interval(const MovingFacets& all, std::uint32_t f, std::uint32_t g) {
-  return ExactVertices(all, f, g).interval();
+PairInterval exact_interval(const MovingFacets& all, std::uint32_t f, std::uint32_t g, Ahead ahead) {
+  return ExactVertices(all, f, g, ahead).interval();
 }
 
 }  // namespace dymsum::spatial

@@ -17,7 +17,8 @@ struct PairInterval {
 /// By doubles; nothing where these do not decide. Requires facets that share no corner, in planes that are not
 /// parallel.
 std::optional<PairInterval> near_interval(const MovingFacets& all, std::uint32_t f, std::uint32_t g);
-/// Exact.
-PairInterval exact_interval(const MovingFacets& all, std::uint32_t f, std::uint32_t g);
+/// Exact; corners and borders that doubles prove to miss each other are left out first, or nothing is.
+enum class Ahead : std::uint8_t { nothing, doubles };
+PairInterval exact_interval(const MovingFacets& all, std::uint32_t f, std::uint32_t g, Ahead ahead = Ahead::doubles);
 
 }  // namespace dymsum::spatial

@@ -4,8 +4,10 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <random>
 #include <set>
+#include <tuple>
 
 #include "dymsum/moving_solid_sum.h"
 #include "dymsum/scaling_sum.h"
@@ -146,6 +148,28 @@ TEST(ScalingSolidSum, NoFourPlanesMeetWhereAnEventIsMissing) {
   EXPECT_GT(candidates, 10u);
 }
 
+/// Two combs across each other: hundreds of borders and facets in few planes, where most fours of planes have no one
+/// point in common or share one, so that few are looked at.
+TEST(ScalingSolidSum, MassesInFewPlanesAreDecidedOnce) {
+  Ring teeth;
+  for (int k = 0; k < 4; ++k)
+    for (const auto& [x, y] : {std::pair{2, 1}, {2, 4}, {3, 4}, {3, 1}})
+      teeth.push_back({static_cast<double>(2 * k + x), static_cast<double>(y)});
+  teeth.push_back({9, 0}), teeth.push_back({2, 0});
+  // Counter-clockwise, and the other comb with its teeth along another axis.
+  std::reverse(teeth.begin(), teeth.end());
+  const Mesh p = solids::prism(teeth, 1);
+  MeshData upright = p.data();
+  for (Point3& v : upright.vertices) v = {v.y, v.z, v.x};
+  const Mesh q = moving_cases::mesh_of(upright);
+  const ScalingSolidSum sum = ScalingSolidSum::create(p, q).value();
+  SolidEventWork work;
+  const std::vector<SolidScaleEvent> events = sum.events(scale("1/2"), scale("9/8"), {}, &work).value();
+  EXPECT_FALSE(events.empty());
+  check_events("combs", p, q, scale("1/2"), scale("9/8"), events);
+  EXPECT_LT(work.candidates, 100000u);
+}
+
 TEST(ScalingSolidSum, BoxesCoincideAtQuarterScales) {
   // A peg of side 1 in a block with a square hole of side 1: at scale 1 it fits exactly, above 1 it does not enter.
   const Mesh block = moving_cases::mesh_of(tunnel()), peg = moving_cases::mesh_of(box(1));
@@ -261,8 +285,13 @@ TEST(SolidPairEvents, DoublesAgreeWithExactIntervals) {
         if (share_corner(all.facets()[f], all.facets()[g])) continue;
         const std::optional<spatial::PairInterval> near = near_interval(all, f, g);
         ++(near ? decided : unsure);
+        const spatial::BigVector &n = all.plane(f).n, &m = all.plane(g).n;
+        if (n[1] * m[2] == n[2] * m[1] && n[2] * m[0] == n[0] * m[2] && n[0] * m[1] == n[1] * m[0]) continue;
+        const spatial::PairInterval exact = exact_interval(all, f, g, spatial::Ahead::nothing),
+                                    quick = exact_interval(all, f, g);
+        ASSERT_EQ(std::tie(exact.meets, exact.low, exact.high), std::tie(quick.meets, quick.low, quick.high))
+            << name << ": facets " << f << " and " << g;
         if (!near) continue;
-        const spatial::PairInterval exact = exact_interval(all, f, g);
         ASSERT_EQ(near->meets, exact.meets) << name << " " << f << " " << g;
         ASSERT_EQ(near->low, exact.low) << name << " " << f << " " << g;
         ASSERT_EQ(near->high, exact.high) << name << " " << f << " " << g;
