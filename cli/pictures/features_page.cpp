@@ -7,6 +7,7 @@
 
 #include "inputs.h"
 #include "pictures/page.h"
+#include "pictures/shape_pictures.h"
 #include "pictures/svg_paths.h"
 #include "report.h"
 
@@ -115,16 +116,6 @@ class FeaturesPage {
   }
 
  private:
-  static std::vector<Point> vertices_of(const Region& region) {
-    std::vector<Point> vertices;
-    for (const Part& part : region.parts()) {
-      vertices.insert(vertices.end(), part.outer.begin(), part.outer.end());
-      for (const Ring& hole : part.holes) vertices.insert(vertices.end(), hole.begin(), hole.end());
-    }
-    for (const Polyline& line : region.polylines()) vertices.insert(vertices.end(), line.begin(), line.end());
-    vertices.insert(vertices.end(), region.points().begin(), region.points().end());
-    return vertices;
-  }
   double x_of(Point p) const { return short_number(p.x - origin_.x); }
   double y_of(Point p) const { return short_number(-p.y - origin_.y); }
 

@@ -44,17 +44,6 @@ struct Canvas {
   }
 };
 
-std::vector<Point> vertices_of(const Region& region) {
-  std::vector<Point> vertices;
-  for (const Part& part : region.parts()) {
-    vertices.insert(vertices.end(), part.outer.begin(), part.outer.end());
-    for (const Ring& hole : part.holes) vertices.insert(vertices.end(), hole.begin(), hole.end());
-  }
-  for (const Polyline& line : region.polylines()) vertices.insert(vertices.end(), line.begin(), line.end());
-  vertices.insert(vertices.end(), region.points().begin(), region.points().end());
-  return vertices;
-}
-
 /// Bars in the order given, the axis a little longer than the longest that ends.
 void draw_bars(std::ostringstream& svg, const ShapeFeatures& features, const std::vector<std::uint32_t>& order,
                std::size_t strong, double alpha, double x, double height) {
@@ -82,6 +71,17 @@ void draw_bars(std::ostringstream& svg, const ShapeFeatures& features, const std
 }
 
 }  // namespace
+
+std::vector<Point> vertices_of(const Region& region) {
+  std::vector<Point> vertices;
+  for (const Part& part : region.parts()) {
+    vertices.insert(vertices.end(), part.outer.begin(), part.outer.end());
+    for (const Ring& hole : part.holes) vertices.insert(vertices.end(), hole.begin(), hole.end());
+  }
+  for (const Polyline& line : region.polylines()) vertices.insert(vertices.end(), line.begin(), line.end());
+  vertices.insert(vertices.end(), region.points().begin(), region.points().end());
+  return vertices;
+}
 
 std::string features_picture(const ShapeFeatures& features, const Region& sum, const std::vector<AlphaBridge>& bridges,
                              double alpha, const std::vector<std::uint32_t>& kept) {

@@ -9,6 +9,9 @@
 
 namespace dymsum::cli {
 
+/// In the order in which bars and bridges number them.
+std::vector<Point> vertices_of(const Region& region);
+
 /// The region, its sum with the disc (if any), bridges with their pocket minima, and the bars beside it; those of
 /// `kept` are strong.
 std::string features_picture(const ShapeFeatures& features, const Region& sum, const std::vector<AlphaBridge>& bridges,
