@@ -3,6 +3,7 @@
 #include <cstdlib>
 #include <iostream>
 #include <numbers>
+#include <random>
 #include <sstream>
 #include <stdexcept>
 
@@ -23,12 +24,13 @@ constexpr const char* kUsage =
     "  --frames N     of every motion (default 20)\n"
     "  --only TEXT    only pairs whose name contains TEXT\n"
     "  --events       the events of P + s Q over [1, 1.1] instead, against sums from scratch around each\n"
+    "  --scattered    random orientations as a batch instead (N of --frames), against a posed_sum for each\n"
     "  --results DIR  also write moving-solids.md and moving-solids.csv into DIR\n"
     "Environment: DYMSUM_DATA, a folder with solid/ (else ../shared/data beside the checkout, where present).\n";
 
 struct Options {
   int frames = 20;
-  bool events = false;
+  bool events = false, scattered = false;
   std::string only, results;
 };
 
@@ -164,6 +166,7 @@ Options parse(int argc, char** argv) {
     if (word == "--frames" && i + 1 < argc) options.frames = std::atoi(argv[++i]);
     else if (word == "--only" && i + 1 < argc) options.only = argv[++i];
     else if (word == "--events") options.events = true;
+    else if (word == "--scattered") options.scattered = true;
     else if (word == "--results" && i + 1 < argc) options.results = argv[++i];
     else throw std::invalid_argument(kUsage);
   }
@@ -201,11 +204,50 @@ int run_events(const Options& options, const std::string& data) {
   return 0;
 }
 
+/// Batches of random orientations, and a sum from scratch for each by itself.
+int run_scattered(const Options& options, const std::string& data) {
+  std::mt19937_64 random(1);
+  const auto part = [&] { return static_cast<std::int64_t>(random() % 2001) - 1000; };
+  std::vector<SolidPose> poses;
+  for (int k = 0; k < options.frames; ++k)
+    poses.push_back({Rotation::of(1 + part() / 2, part(), part(), part()).value(), {}});
+  Report report;
+  report.heading(
+      {"pair", "poses", "one by one, ms a pose", "batch", "gain", "batch on two threads", "gain", "results"});
+  bool same = true;
+  for (const SolidPair& pair : solid_pairs(data)) {
+    if (std::find(kPairs.begin(), kPairs.end(), pair.name) == kPairs.end()) continue;
+    if (pair.name.find(options.only) == std::string::npos) continue;
+    const Mesh p = Mesh::create(pair.p).value(), q = Mesh::create(pair.q).value();
+    std::vector<SpatialSum> sums;
+    Stopwatch time;
+    for (const SolidPose& pose : poses) sums.push_back(posed_sum(p, q, pose).value());
+    const double n = options.frames, alone = time.lap() / n;
+    const auto batch = [&](int threads) {
+      MovingSolidOptions own;
+      own.threads = threads;
+      std::vector<SpatialSum> made(poses.size());
+      const auto visit = [&](std::size_t k, const SpatialSum& sum) { made[k] = sum; };
+      time.lap();
+      (void)posed_sums(p, q, poses, {}, visit, own).value();
+      const double ms = time.lap() / n;
+      same = same && made == sums;
+      return ms;
+    };
+    const double one = batch(1), two = batch(2);
+    report.row({pair.name, std::to_string(poses.size()), fixed(alone, 1), fixed(one, 1), ratio(alone, one, 2),
+                fixed(two, 1), ratio(alone, two, 2), same ? "same" : "DIFFERENT"});
+  }
+  write_result(options.results, "moving-solids-scattered.md", report.markdown.str());
+  return same ? 0 : 3;
+}
+
 int run(int argc, char** argv) {
   const Options options = parse(argc, argv);
   const char* given = std::getenv("DYMSUM_DATA");
   const std::string data = given != nullptr ? given : std::string(DYMSUM_SOURCE_DIR) + "/../shared/data";
   if (options.events) return run_events(options, data);
+  if (options.scattered) return run_scattered(options, data);
   Report report;
   report.line("# Sums of solids in motion\n");
   report.line("`./run bench moving-solids --results docs/results` made this page.\n");

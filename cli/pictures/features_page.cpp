@@ -39,12 +39,7 @@ function show(i) {
   el('cursor').setAttribute('x2', x);
   return f.label;
 }
-for (const t of ticks) {
-  const l = made('line', {x1: t.at, x2: t.at, y1: 6, y2: 16, stroke: '#d81e3a', 'stroke-width': 1.5, 'vector-effect': 'non-scaling-stroke'});
-  l.append(made('title', {}));
-  l.firstChild.textContent = t.label;
-  el('ticks').append(l);
-}
+for (const t of ticks) tick(t.at, true, t.label);
 )";
 
 /// Seven digits are what a picture needs.

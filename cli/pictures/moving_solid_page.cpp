@@ -118,15 +118,6 @@ canvas.onpointermove = e => {
 };
 canvas.addEventListener('wheel', e => { e.preventDefault(); zoom = Math.max(0.2, Math.min(50, zoom * Math.exp(-e.deltaY / 500))); again(); }, {passive: false});
 changes.onchange = () => again();
-function tick(at, strong, text) {
-  const l = document.createElementNS('http://www.w3.org/2000/svg', 'line'), x = 1000 * at;
-  for (const [name, value] of Object.entries({x1: x, x2: x, y1: strong ? 0 : 8, y2: 16, stroke: strong ? '#d81e3a' : '#777777', 'stroke-width': 1.5, 'vector-effect': 'non-scaling-stroke'})) l.setAttribute(name, value);
-  l.append(document.createElementNS('http://www.w3.org/2000/svg', 'title'));
-  l.firstChild.textContent = text;
-  el('ticks').append(l);
-}
-for (const e of events) tick(e.at, e.strong, e.label);
-if (!events.length) frames.forEach((f, i) => { if (f.tick) tick(i / Math.max(1, frames.length - 1), true, f.label + ': ' + f.tick); });
 )";
 
 /// Five digits are finer than any screen; the largest coordinate is 1.
@@ -231,17 +222,23 @@ nlohmann::json moving_frame_json(const MovingSolidPicture& picture, const Scene&
           {"e", lines_of(drawn)},
           {"m", m},
           {"w", w},
-          {"tick", topology_change(picture.changes)},
           {"text", counted(sum.faces.size(), "face") + ", " + std::to_string(changed) + " new or changed, " +
                        counted(sum.shells, "shell") + ", " + counted(tight, "tight feature")}};
 }
 
+std::vector<SliderTick> ticks_at_changes(const std::vector<MovingSolidPicture>& frames) {
+  std::vector<SliderTick> ticks;
+  for (std::size_t i = 0; i < frames.size(); ++i)
+    if (const std::string change = topology_change(frames[i].changes); !change.empty())
+      ticks.push_back({static_cast<double>(i) / static_cast<double>(std::max<std::size_t>(1, frames.size() - 1)),
+                       frames[i].label + ": " + change, true});
+  return ticks;
+}
+
 }  // namespace
 
-std::string moving_solid_page(const std::vector<MovingSolidPicture>& frames, const std::vector<MovingSolidTick>& events,
+std::string moving_solid_page(const std::vector<MovingSolidPicture>& frames, const std::vector<SliderTick>& events,
                               const std::string& title) {
-  nlohmann::json marks = nlohmann::json::array();
-  for (const MovingSolidTick& e : events) marks.push_back({{"at", e.at}, {"label", e.label}, {"strong", e.strong}});
   const Scene scene = moving_scene(frames);
   nlohmann::json list = nlohmann::json::array();
   for (const MovingSolidPicture& frame : frames) list.push_back(moving_frame_json(frame, scene));
@@ -253,7 +250,7 @@ std::string moving_solid_page(const std::vector<MovingSolidPicture>& frames, con
                                      {"#d81e3a", "new or changed"}, {"#c2185b", "tight"}};
   if (!events.empty()) legend.push_back({"#777777", "low tick: an event"});
   return page(title, "<canvas id=\"drawing\"></canvas>", legend, extra, list.dump(),
-              "const events = " + marks.dump() + ";" + kShowFrame);
+              kShowFrame + slider_ticks(events.empty() ? ticks_at_changes(frames) : events));
 }
 
 }  // namespace dymsum::cli

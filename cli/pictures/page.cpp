@@ -1,5 +1,7 @@
 #include "pictures/page.h"
 
+#include <nlohmann/json.hpp>
+
 #include "pictures/svg_paths.h"
 
 namespace dymsum::cli {
@@ -22,6 +24,16 @@ h1 { font-size: 1.1rem; margin: .2rem 0 .7rem; overflow-wrap: anywhere }
 constexpr const char* kControls = R"(<div class="row"><button id="play" type="button">play</button>
 <div class="track"><svg id="ticks" viewBox="0 0 1000 16" preserveAspectRatio="none"></svg><input id="slider" type="range" min="0" value="0" aria-label="frame"></div>
 <output id="caption"></output></div>
+)";
+
+constexpr const char* kTick = R"(
+function tick(x, strong, label) {
+  const [line, title] = ['line', 'title'].map(name => document.createElementNS('http://www.w3.org/2000/svg', name));
+  for (const [name, value] of Object.entries({x1: x, x2: x, y1: strong ? 0 : 8, y2: 16, stroke: strong ? '#d81e3a' : '#777777', 'stroke-width': 1.5, 'vector-effect': 'non-scaling-stroke'})) line.setAttribute(name, value);
+  title.textContent = label;
+  line.append(title);
+  el('ticks').append(line);
+}
 )";
 
 constexpr const char* kPlayer = R"(
@@ -62,7 +74,13 @@ std::string page(const std::string& title, const std::string& drawing, const std
   for (const LegendEntry& entry : legend)
     html += "<span><i style=\"background:" + entry.colour + "\"></i>" + escaped(entry.text) + "</span>\n";
   html += "</div>\n<script>\nconst el = id => document.getElementById(id), frames = " + in_script(data) + ";\n";
-  return html + script + kPlayer;
+  return html + kTick + script + kPlayer;
+}
+
+std::string slider_ticks(const std::vector<SliderTick>& ticks) {
+  nlohmann::json list = nlohmann::json::array();
+  for (const SliderTick& t : ticks) list.push_back({1000 * t.at, t.strong, t.label});
+  return ticks.empty() ? "" : "\nfor (const t of " + in_script(list.dump()) + ") tick(...t);\n";
 }
 
 }  // namespace dymsum::cli

@@ -32,11 +32,7 @@ function place(at) {
 }
 for (const t of ticks) {
   const x = place(t.at);
-  if (x < 0) continue;
-  const l = made('line', {x1: x, x2: x, y1: t.strong ? 0 : 8, y2: 16, stroke: t.strong ? '#d81e3a' : '#777777', 'stroke-width': 1.5, 'vector-effect': 'non-scaling-stroke'});
-  l.append(made('title', {}));
-  l.firstChild.textContent = t.label;
-  el('ticks').append(l);
+  if (x >= 0) tick(x, t.strong, t.label);
 }
 )";
 

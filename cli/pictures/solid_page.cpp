@@ -100,7 +100,8 @@ nlohmann::json frame_json(const SolidPicture& picture, const Point3& middle) {
 
 }  // namespace
 
-std::string solid_page(const std::vector<SolidPicture>& frames, const std::string& title) {
+std::string solid_page(const std::vector<SolidPicture>& frames, const std::vector<SliderTick>& events,
+                       const std::string& title) {
   const Point3 middle = middle_of(frames);
   double reach = 0;
   nlohmann::json list = nlohmann::json::array();
@@ -115,15 +116,17 @@ std::string solid_page(const std::vector<SolidPicture>& frames, const std::strin
   const std::string extra =
       "<div class=\"row\"><label><input id=\"changes\" type=\"checkbox\" checked> show what is new in red</label>"
       "<span>drag to look around</span></div>\n";
-  const std::vector<LegendEntry> legend = {{"#e8a33d", "face of P"},
-                                           {"#5bb98c", "face of Q"},
-                                           {"#8cbae6", "edge + edge"},
-                                           {"#b3b8bf", "merged"},
-                                           {"#d81e3a", "new"}};
+  std::vector<LegendEntry> legend = {{"#e8a33d", "face of P"},
+                                     {"#5bb98c", "face of Q"},
+                                     {"#8cbae6", "edge + edge"},
+                                     {"#b3b8bf", "merged"},
+                                     {"#d81e3a", "new"}};
+  if (!events.empty()) legend.push_back({"#777777", "low tick: an event"});
   std::ostringstream constants;
   constants.precision(17);
   constants << "const reach = " << (reach > 0 ? reach : 1) << ";";
-  return page(title, "<canvas id=\"drawing\"></canvas>", legend, extra, list.dump(), constants.str() + kShowSolid);
+  return page(title, "<canvas id=\"drawing\"></canvas>", legend, extra, list.dump(),
+              constants.str() + kShowSolid + slider_ticks(events));
 }
 
 }  // namespace dymsum::cli

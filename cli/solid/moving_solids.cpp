@@ -96,24 +96,6 @@ MovingRounds run_rounds(const SolidMotion& motion, const ReportOptions& report, 
   return rounds;
 }
 
-/// Where events lie between the frames that are pictured; none where the scales go to and fro.
-std::vector<MovingSolidTick> ticks_of(const SolidMotion& motion, const MovingPictures& pictures) {
-  std::vector<double> scales;
-  for (std::size_t i = 0; i < motion.frames.size() && motion.has_scale; i += pictures.every)
-    scales.push_back(motion.frames[i].scale);
-  std::vector<MovingSolidTick> ticks;
-  for (const SolidScaleEvent& event : motion.events) {
-    for (std::size_t k = 0; k + 1 < scales.size(); ++k) {
-      const double a = scales[k], b = scales[k + 1];
-      if (a == b || event.approx < std::min(a, b) || event.approx > std::max(a, b)) continue;
-      const double share = (static_cast<double>(k) + (event.approx - a) / (b - a)) / double(scales.size() - 1);
-      ticks.push_back({share, "s = " + shown(event.s).substr(0, 60), event.topology});
-      break;
-    }
-  }
-  return ticks;
-}
-
 /// The median of up to five frames from scratch, evenly chosen.
 double fresh_ms(const SolidMotion& motion) {
   MovingSolidOptions options;
@@ -162,8 +144,9 @@ ExitCode run_moving_solids(const SolidMotion& motion, const ReportOptions& repor
   std::vector<std::string> texts;
   const std::string title = motion.verb + " of " + motion.inputs[0].file + " and " + motion.inputs[1].file;
   for (const std::string& file : motion.files)
-    texts.push_back(is_page(file) ? moving_solid_page(rounds.pictures.frames, ticks_of(motion, rounds.pictures), title)
-                                  : any_solid_output(rounds.shown, file, {}));
+    texts.push_back(is_page(file)
+                        ? moving_solid_page(rounds.pictures.frames, event_ticks(motion, rounds.pictures.every), title)
+                        : any_solid_output(rounds.shown, file, {}));
   for (std::size_t i = 0; i < texts.size(); ++i) write_text(motion.files[i], texts[i]);
   MotionReport made = report_of(motion, report.repeat, std::move(rounds));
   print_solid_motion(out, motion, made, report.json);

@@ -41,6 +41,7 @@ struct Rounds {
   std::uint64_t changed = 0, checked = 0;
   Json frames = Json::array();
   std::vector<SolidPicture> pictures;
+  std::size_t every = 1;  ///< so-manieth frame that is pictured
 };
 
 Rounds run(const SolidMotion& motion, const ReportOptions& report, const Progress& progress) {
@@ -51,7 +52,7 @@ Rounds run(const SolidMotion& motion, const ReportOptions& report, const Progres
     rounds.sum = require(ConvexSum::create(motion.inputs[0].mesh, motion.inputs[1].mesh));
     const std::size_t facets = rounds.sum->facet_count().all;
     const std::size_t most = std::clamp<std::size_t>(kMostPicturedFacets / facets, 1, kMostFramePictures);
-    const std::size_t every = (frames.size() + most - 1) / most;
+    rounds.every = (frames.size() + most - 1) / most;
     for (std::size_t i = 0; i < frames.size(); ++i) {
       if (!progress("frames", double(i) / double(frames.size()))) throw_if_interrupted();
       const auto [work, timing] = timed(1, [&] { return rounds.sum->set(frames[i].p, frames[i].q); });
@@ -61,7 +62,7 @@ Rounds run(const SolidMotion& motion, const ReportOptions& report, const Progres
       rounds.checked += checked(work);
       if (report.json)
         rounds.frames.push_back(frame_json(frames[i].name, sizes_json(*rounds.sum, work), timing.median_ms));
-      if (pictures && i % every == 0) rounds.pictures.push_back({frames[i].name.pose, rounds.sum->sum()});
+      if (pictures && i % rounds.every == 0) rounds.pictures.push_back({frames[i].name.pose, rounds.sum->sum()});
     }
   }
   return rounds;
@@ -79,7 +80,7 @@ void write_outputs(const SolidMotion& motion, const Rounds& rounds) {
   ConvexSum shown = *rounds.sum;
   if (motion.shown) shown.set(motion.frames[*motion.shown].p, motion.frames[*motion.shown].q);
   for (const std::string& file : motion.files)
-    texts.push_back(is_page(file) ? solid_page(rounds.pictures, title)
+    texts.push_back(is_page(file) ? solid_page(rounds.pictures, event_ticks(motion, rounds.every), title)
                                   : solid_output(shown.sum(), file, {"off", inputs[0].hull.has_value(), false}));
   for (std::size_t i = 0; i < texts.size(); ++i) write_text(motion.files[i], texts[i]);
 }
@@ -140,98 +141,31 @@ ExitCode run_solid_motion(const SolidMotion& motion, const ReportOptions& report
 void print_solid_motion(std::ostream& out, const SolidMotion& motion, MotionReport& report, bool as_json) {
   if (as_json) {
     Json json = motion_json(report);
-    if (motion.has_events) json["events"] = solid_events_json(motion.events);
+    if (motion.has_events) {
+      Json& list = json["events"] = Json::array();
+      for (const MotionEvent& event : motion.events) list.push_back(event.json);
+    }
     return print_report(json);
   }
-  for (std::string& line : solid_event_lines(motion.events)) report.lines.push_back(std::move(line));
+  if (motion.has_events)
+    for (const MotionEvent& event : motion.events) report.lines.push_back(event.line);
   print_motion(out, report);
 }
 
-Json solid_events_json(const std::vector<SolidScaleEvent>& events) {
-  constexpr const char* kKinds[] = {"vertex_on_facet", "edge_on_edge", "four_facets", "coplanar_facets"};
-  Json list = Json::array();
-  for (const SolidScaleEvent& e : events)
-    list.push_back({{"s", e.s.to_string()},
-                    {"approx", e.approx},
-                    {"kind", kKinds[static_cast<std::size_t>(e.kind)]},
-                    {"visible", true},
-                    {"topology", e.topology}});
-  return list;
-}
-
-std::vector<std::string> solid_event_lines(const std::vector<SolidScaleEvent>& events) {
-  std::vector<std::string> lines;
-  for (const SolidScaleEvent& e : events)
-    lines.push_back("event " + shown(e.s) + (e.topology ? "  topology changes" : ""));
-  return lines;
-}
-
-namespace {
-
-/// Those between the least and the largest uniform scale of the frames, or the first that is asked for.
-std::vector<SolidScaleEvent> events_of(const SolidMotion& motion, const ScaleCommand& command,
-                                       const std::vector<Scale>& scales) {
-  const auto [low, high] = std::minmax_element(scales.begin(), scales.end(),
-                                               [](const Scale& a, const Scale& b) { return a.exact() < b.exact(); });
-  const InterruptGuard guard;
-  ProgressBar bar;
-  const Progress progress = bar.callback();
-  ScalingSolidOptions options;
-  options.moving = command.scaled == "p" ? MovingOperand::p : MovingOperand::q;
-  options.threads = static_cast<int>(command.threads);
-  const Result<ScalingSolidSum> sum = ScalingSolidSum::create(motion.inputs[0].mesh, motion.inputs[1].mesh, options);
-  if (!sum) stop_with(in_solid_operand(sum.error(), motion.inputs));
-  if (command.next.empty()) {
-    Result<std::vector<SolidScaleEvent>> events = sum->events(*low, *high, progress);
-    throw_if_interrupted();
-    return require(std::move(events));
+std::vector<SliderTick> event_ticks(const SolidMotion& motion, std::size_t every) {
+  std::vector<double> frames;
+  for (std::size_t i = 0; i < motion.frames.size(); i += every) frames.push_back(motion.frames[i].at);
+  std::vector<SliderTick> ticks;
+  for (const MotionEvent& event : motion.events) {
+    for (std::size_t k = 0; k + 1 < frames.size(); ++k) {
+      const double a = frames[k], b = frames[k + 1];
+      if (a == b || event.at < std::min(a, b) || event.at > std::max(a, b)) continue;
+      const double share = (static_cast<double>(k) + (event.at - a) / (b - a)) / double(frames.size() - 1);
+      ticks.push_back({share, event.label, event.topology});
+      break;
+    }
   }
-  const EventChange change = command.next == "topology" ? EventChange::topology : EventChange::visible;
-  Result<std::optional<SolidScaleEvent>> first = sum->next_event(*low, *high, change, progress);
-  throw_if_interrupted();
-  const std::optional<SolidScaleEvent> event = require(std::move(first));
-  return event ? std::vector<SolidScaleEvent>{*event} : std::vector<SolidScaleEvent>{};
-}
-
-/// One scale for all axes, or three between colons.
-std::vector<Scale> scales_in(const std::string& text) {
-  const std::vector<std::string> pieces = split(text, ':');
-  if (pieces.size() != 1 && pieces.size() != 3) throw Stop(kUsage, "--at wants one scale or three, SX:SY:SZ: " + text);
-  std::vector<Scale> scales;
-  for (const std::string& piece : pieces) scales.push_back(read_scale(piece, "--at"));
-  return scales;
-}
-
-}  // namespace
-
-ExitCode run_solid_scale(const ScaleCommand& command, const std::vector<Scale>& sweep) {
-  refuse_options(*command.parser, {"--copies", "--ratio", "--mode", "--semantics", "--exact"},
-                 "is for planar operands");
-  if (!command.events && std::none_of(command.files.begin(), command.files.end(), is_page))
-    refuse_options(*command.parser, {"--threads"}, "is for planar operands, and for events");
-  if (sweep.empty() == command.at.empty()) throw Stop(kUsage, "give one of --sweep and --at");
-  SolidMotion motion{"scale", read_solids(command.operands, command.input), {}, command.files, {}, "", command.frame};
-  std::vector<Scale> uniform;
-  const auto add = [&](const std::vector<Scale>& s) {
-    if (s.size() == 1 || (s[0] == s[1] && s[1] == s[2])) uniform.push_back(s[0]);
-    SolidFrame frame;
-    (command.scaled == "p" ? frame.p : frame.q).scale = {s.front(), s[s.size() / 2], s.back()};
-    frame.name = frame_name(s);
-    frame.scale = s[0].approx();
-    motion.frames.push_back(frame);
-  };
-  for (const Scale& s : sweep) add({s});
-  for (const std::string& text : listed(command.at)) add(scales_in(text));
-  if (command.robot) motion.inputs[1].mesh = negated(motion.inputs[1].mesh);
-  motion.asked = {{"scaled", command.scaled}, {"robot", command.robot}};
-  const bool is_uniform = uniform.size() == motion.frames.size();
-  if (command.events && !is_uniform) throw Stop(kUsage, "--events wants the same scale along all axes");
-  motion.has_events = command.events, motion.has_scale = is_uniform;
-  const bool page = std::any_of(command.files.begin(), command.files.end(), is_page);
-  const bool thin = motion.inputs[0].mesh.has_thin_parts() || motion.inputs[1].mesh.has_thin_parts();
-  if (command.events || (page && is_uniform && !thin)) motion.events = events_of(motion, command, uniform);
-  const ExitCode code = run_solid_motion(motion, command.report);
-  return code == kDone && !command.next.empty() && motion.events.empty() ? kNo : code;
+  return ticks;
 }
 
 }  // namespace dymsum::cli

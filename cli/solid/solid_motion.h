@@ -10,6 +10,7 @@
 #include "dymsum/scaling_solid_sum.h"
 #include "exit_code.h"
 #include "motion_report.h"
+#include "pictures/page.h"
 #include "solid/solid_operands.h"
 #include "verbs/scale_command.h"
 
@@ -18,7 +19,15 @@ namespace dymsum::cli {
 struct SolidFrame {
   SolidPose p, q;
   FrameName name;
-  double scale = 0;  ///< the uniform one, where the frames have some
+  double at = 0;  ///< the uniform scale or the angle in radians, where the motion has events
+};
+
+/// Something that happens between frames, as a report and a page tell it.
+struct MotionEvent {
+  double at = 0;  ///< as SolidFrame::at
+  std::string label, line;
+  bool topology = false;
+  Json json;
 };
 
 /// What moves, and what is written of it.
@@ -30,9 +39,8 @@ struct SolidMotion {
   Json asked;                      ///< as MotionReport has it
   std::string note;
   std::optional<std::size_t> shown;  ///< the frame that meshes are of; else the last one
-  bool has_scale = false;            ///< every frame is at a uniform scale
-  bool has_events = false;           ///< these were asked for
-  std::vector<SolidScaleEvent> events = {};
+  bool has_events = false;           ///< reports tell them
+  std::vector<MotionEvent> events = {};
 };
 
 /// Makes the frames, writes pictures and reports. Stops where `shown` is no frame.
@@ -40,9 +48,8 @@ ExitCode run_solid_motion(const SolidMotion& motion, const ReportOptions& report
 
 /// The report, with the events where there are some.
 void print_solid_motion(std::ostream& out, const SolidMotion& motion, MotionReport& report, bool as_json);
-/// What a report says of the events that were asked for.
-Json solid_events_json(const std::vector<SolidScaleEvent>& events);
-std::vector<std::string> solid_event_lines(const std::vector<SolidScaleEvent>& events);
+/// Ticks of its events among every so-manieth frame; none for those that no two neighbours have between them.
+std::vector<SliderTick> event_ticks(const SolidMotion& motion, std::size_t every);
 
 /// Turned about an axis: of the name of the frame, theta is the exact rotation's angle, in (-pi, pi].
 SolidFrame turned_frame(const Rotation& rotation, const Point3& axis, const std::string& pose);

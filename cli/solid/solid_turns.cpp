@@ -1,10 +1,12 @@
 #include "solid/solid_turns.h"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <iostream>
 #include <numbers>
 #include <optional>
+#include <sstream>
 
 #include "dymsum/turning_solid_sum.h"
 #include "numbers.h"
@@ -83,7 +85,8 @@ Json event_json(const SolidTurnEvent& event) {
           {"contacts", contacts}};
 }
 
-void print_event(std::ostream& out, const SolidTurnEvent& event) {
+std::string event_line(const SolidTurnEvent& event) {
+  std::ostringstream out;
   std::vector<std::size_t> kinds(5);
   for (const SolidTurnContact& c : event.contacts) ++kinds[static_cast<std::size_t>(c.kind)];
   out << "event " << number(event.radians * 180 / std::acos(-1.0)) << " degrees";
@@ -92,7 +95,8 @@ void print_event(std::ostream& out, const SolidTurnEvent& event) {
   out << ":";
   for (std::size_t k = 0; k < kinds.size(); ++k)
     if (kinds[k] > 0) out << " " << kinds[k] << " " << kind_of(static_cast<SolidTurnContact::Kind>(k));
-  out << (event.topology ? "  topology changes" : event.visible ? "" : "  at this angle alone") << "\n";
+  out << (event.topology ? "  topology changes" : event.visible ? "" : "  at this angle alone");
+  return out.str();
 }
 
 std::optional<SolidTurnEvent> find_next(const TurningSolidSum& sum, const SolidTurns& turns, const TurnRange& range,
@@ -115,7 +119,38 @@ std::vector<SolidTurnEvent> find_events(const TurningSolidSum& sum, const SolidT
   return require(range.whole_turn ? sum.events_of_turn(progress) : sum.events(range.from, range.to, progress));
 }
 
+/// On the way from zero to `turn`.
+MotionEvent motion_event(const SolidTurnEvent& event, double turn) {
+  const double whole = 2 * std::numbers::pi;
+  double at = event.radians;
+  if (turn >= 0 && at < 0) at += whole;
+  if (turn < 0 && at > 0) at -= whole;
+  return {at, number(at * 180 / std::numbers::pi) + " degrees", event_line(event), event.topology, event_json(event)};
+}
+
 }  // namespace
+
+std::vector<MotionEvent> turn_events(const std::vector<SolidInput>& inputs, const std::string& axis_text,
+                                     const Angle& turn) {
+  const TurnAxis axis = read_axis(axis_text);
+  const double radians = turn.radians(), whole = turn.degrees ? 360 : 2 * std::numbers::pi;
+  const double way = turn.exact.to_double();
+  if (std::abs(way) > whole) throw Stop(kUsage, "--events wants a turn of at most 360 degrees");
+  const InterruptGuard guard;
+  ProgressBar bar;
+  const TurningSolidSum sum = require(TurningSolidSum::create(inputs[0].mesh, inputs[1].mesh, axis));
+  const AxisTurn zero = require_option(AxisTurn::nearest(axis, 0), "--axis"),
+                 end = require_option(AxisTurn::nearest(axis, radians), "--angle");
+  const Result<std::vector<SolidTurnEvent>> found = std::abs(way) == whole ? sum.events_of_turn(bar.callback())
+                                                    : way > 0              ? sum.events(zero, end, bar.callback())
+                                                                           : sum.events(end, zero, bar.callback());
+  throw_if_interrupted();
+  std::vector<MotionEvent> events;
+  for (const SolidTurnEvent& event : require(found)) events.push_back(motion_event(event, way));
+  std::sort(events.begin(), events.end(),
+            [&](const MotionEvent& a, const MotionEvent& b) { return way < 0 ? b.at < a.at : a.at < b.at; });
+  return events;
+}
 
 ExitCode run_solid_turns(const SolidTurns& turns, const ReportOptions& report) {
   const TurnAxis axis = read_axis(turns.axis);
@@ -136,7 +171,7 @@ ExitCode run_solid_turns(const SolidTurns& turns, const ReportOptions& report) {
     json["events"] = list;
     print_report(json);
   } else {
-    for (const SolidTurnEvent& e : events) print_event(std::cout, e);
+    for (const SolidTurnEvent& e : events) std::cout << event_line(e) << "\n";
     std::cout << counted(events.size(), "event") << ", " << sum.work().windows << " windows, " << sum.work().candidates
               << " polynomials, " << counted(sum.work().sums, "sum") << "\n";
     print_times(std::cout, timing);

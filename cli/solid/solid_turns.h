@@ -6,8 +6,9 @@
 
 #include "dymsum/mesh.h"
 #include "exit_code.h"
+#include "options.h"
 #include "report.h"
-#include "solid/solid_inputs.h"
+#include "solid/solid_motion.h"
 
 namespace dymsum::cli {
 
@@ -17,6 +18,9 @@ struct SolidTurns {
   bool next = false;           ///< the first visible event behind the range's beginning alone
   bool next_topology = false;  ///< the first one that changes shells, tunnels or tight features
 };
+
+/// Those of a turn that begins at zero and is at most a whole one, clockwise where it is negative.
+std::vector<MotionEvent> turn_events(const std::vector<SolidInput>& inputs, const std::string& axis, const Angle& turn);
 
 /// Ends with 4 where there is no next event.
 ExitCode run_solid_turns(const SolidTurns& turns, const ReportOptions& report);

@@ -1,6 +1,7 @@
 // dymsum rotate P Q --steps N
 #include <CLI/CLI.hpp>
 #include <memory>
+#include <numbers>
 #include <optional>
 #include <sstream>
 
@@ -25,9 +26,13 @@ struct RotateCommand {
   std::string range;
 };
 
+Angle whole_angle(const RotateCommand& command) {
+  return command.angle.given() ? read_angle(command.angle) : Angle{Rational(360), true};
+}
+
 /// From zero to the end of the turn in equal steps. The end of a whole turn is its beginning, and shown once.
 std::vector<Angle> frame_angles(const RotateCommand& command) {
-  const Angle turn = command.angle.given() ? read_angle(command.angle) : Angle{Rational(360), true};
+  const Angle turn = whole_angle(command);
   std::vector<Angle> angles;
   for (std::size_t k = 0; k < command.steps + (turn.whole_turns() ? 0 : 1); ++k)
     angles.push_back(turn.share(k, command.steps));
@@ -35,8 +40,7 @@ std::vector<Angle> frame_angles(const RotateCommand& command) {
 }
 
 ExitCode run_events(const RotateCommand& command) {
-  refuse_options(*command.parser, {"--steps", "--frame", "--angle", "--degrees", "-o"},
-                 "does not go with --events, --next and --next-topology");
+  refuse_options(*command.parser, {"--frame", "--angle", "--degrees", "-o"}, "wants --steps");
   const SolidTurns turns{read_solids(command.planar.operands, command.planar.input), command.axis.value_or("0,0,1"),
                          command.range, command.next, command.next_topology};
   return run_solid_turns(turns, command.planar.report);
@@ -44,15 +48,19 @@ ExitCode run_events(const RotateCommand& command) {
 
 ExitCode run_solids(const RotateCommand& command) {
   refuse_options(*command.parser, {"--error", "--semantics", "--exact", "--threads"}, "is for planar operands");
-  if (command.events || command.next || command.next_topology) return run_events(command);
-  refuse_options(*command.parser, {"--range"}, "goes with --events, --next and --next-topology");
+  if (command.steps == 0 && (command.events || command.next || command.next_topology)) return run_events(command);
+  refuse_options(*command.parser, {"--range", "--next", "--next-topology"}, "goes with --events, and without --steps");
   if (command.steps == 0) throw Stop(kUsage, "give --steps N, or --events");
   const Point3 axis = parse_point(command.axis.value_or("0,0,1"), "--axis");
   const std::vector<SolidInput> inputs = read_solids(command.planar.operands, command.planar.input);
   SolidMotion motion{"rotate", inputs, {}, command.planar.files, {}, "", command.frame};
-  for (const Angle& angle : frame_angles(command))  // every angle by itself: nothing adds up
+  for (const Angle& angle : frame_angles(command)) {  // every angle by itself: nothing adds up
     motion.frames.push_back(
         turned_frame(require_option(Rotation::about(axis, angle.radians()), "--axis"), axis, angle.label()));
+    motion.frames.back().at = angle.value() * (angle.degrees ? std::numbers::pi / 180 : 1);
+  }
+  motion.has_events = command.events;
+  if (command.events) motion.events = turn_events(inputs, command.axis.value_or("0,0,1"), whole_angle(command));
   motion.asked = {{"axis", {axis.x, axis.y, axis.z}}, {"angle_error", Rotation::kAngularError}};
   std::ostringstream note;
   note << ", each exact at an orientation within " << Rotation::kAngularError << " of its angle";
@@ -83,7 +91,8 @@ void add_rotate(CLI::App& app, Action& action) {
   const char* const steps =
       "Steps of the turn: a frame at the beginning of each, and one at the end unless it is the first again";
   whole_within(verb.add_option("--steps", command->steps, steps), 1, 1000000)->type_name("N");
-  verb.add_flag("--events", command->events, "Of solids: list the exact angles at which the sum changes");
+  verb.add_flag("--events", command->events,
+                "Of solids: list the exact angles at which the sum changes; with --steps also as ticks of a page");
   verb.add_option("--range", command->range,
                   "Of events: from an angle counter-clockwise to another one [a whole turn from 0]")
       ->type_name("FROM:TO");

@@ -3,7 +3,9 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <memory>
+#include <span>
 #include <vector>
 
 #include "dymsum/frames.h"
@@ -80,5 +82,18 @@ class MovingSolidSum {
 /// MovingSolidSum::create and set.
 Result<SpatialSum> posed_sum(const Mesh& p, const Mesh& q, const SolidPose& p_pose, const SolidPose& q_pose = {},
                              const MovingSolidOptions& options = {});
+
+/// Takes the sum at pose k of a batch, which lasts for the call.
+using PosedSumVisit = std::function<void(std::size_t k, const SpatialSum& sum)>;
+
+/// P (+) Q at many poses that need not be near each other: visit(k, sum) once for each, in any order and from any of
+/// `options.threads` threads, one call at a time. `q_poses` are as many as P's, or none for the identity. Poses are
+/// taken along a curve through all rotations, in as many parts as there are threads, each with a moving sum of its own:
+/// what poses lie near is updated, and the rest made from scratch from operands prepared once (a part). Only the sum
+/// that is visited and one a thread are in memory. Returns the work of each pose. Errors: as MovingSolidSum::create and
+/// set, the first that a thread meets; out_of_range for another number of Q's poses. What visit throws is thrown on.
+Result<std::vector<SolidFrameWork>> posed_sums(const Mesh& p, const Mesh& q, std::span<const SolidPose> p_poses,
+                                               std::span<const SolidPose> q_poses, const PosedSumVisit& visit,
+                                               const MovingSolidOptions& options = {});
 
 }  // namespace dymsum

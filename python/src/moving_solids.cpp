@@ -150,12 +150,47 @@ void bind_class(nb::module_& m) {
 )doc");
 }
 
+/// The sums as a list, each as posed_sum would have made it.
+nb::list sums_at(const MeshArgument& p, const MeshArgument& q, const std::vector<SolidPose>& p_poses,
+                 const std::vector<SolidPose>& q_poses, const MovingSolidOptions& options) {
+  std::vector<SpatialSum> sums(p_poses.size());
+  run_with(options, [&](const MovingSolidOptions& own) {
+    return posed_sums(
+        *p, *q, p_poses, q_poses, [&](std::size_t k, const SpatialSum& sum) { sums[k] = sum; }, own);
+  });
+  nb::list list;
+  for (std::size_t k = 0; k < sums.size(); ++k)
+    list.append(remembered(std::move(sums[k]), "posed_sum", p.object, q.object, p_poses[k],
+                           q_poses.empty() ? SolidPose() : q_poses[k], options));
+  return list;
+}
+
+void bind_batch(nb::module_& m) {
+  m.def(
+      "posed_sums", &sums_at, "p"_a, "q"_a, "p_poses"_a, "q_poses"_a = std::vector<SolidPose>(),
+      "options"_a = MovingSolidOptions(),
+      nb::sig("def posed_sums(p: dymsum.MeshLike, q: dymsum.MeshLike, p_poses: "
+              "collections.abc.Sequence[SolidPose], q_poses: collections.abc.Sequence[SolidPose] = ..., "
+              "options: MovingSolidOptions = ...) -> list[SpatialSum]"),
+      R"doc(P (+) Q at many poses, which need not be near each other, on options.threads threads: the sums in the order of the
+poses. q_poses are as many as P's, or none for the identity. Raises Error: as MovingSolidSum; out_of_range for another
+number of Q's poses; cancelled.
+
+>>> from dymsum import Rotation, SolidPose, posed_sums, solids
+>>> box = solids.box(0, 0, 0, 1, 2, 3)
+>>> turns = [SolidPose(), SolidPose(Rotation.of(1, 0, 0, 1))]
+>>> [sum.volume() for sum in posed_sums(box, box, turns)]
+[48.0, 54.0]
+)doc");
+}
+
 }  // namespace
 
 void bind_moving_solids(nb::module_& m) {
   bind_options(m);
   bind_results(m);
   bind_class(m);
+  bind_batch(m);
 }
 
 }  // namespace dymsum::python

@@ -19,6 +19,7 @@ from dymsum import (
     Semantics,
     SolidPose,
     posed_sum,
+    posed_sums,
     shapes,
     solids,
 )
@@ -43,6 +44,20 @@ def test_every_frame_is_the_sum_from_scratch(mode: FrameMode) -> None:
         assert sum.sum() == posed_sum(ELL, ELL, turned(k), turned(-k))
         assert (sum.p_pose(), sum.q_pose()) == (turned(k), turned(-k))
     assert all(rebuilt) if mode == FrameMode.rebuild else not rebuilt[-1]
+
+
+@pytest.mark.parametrize("threads", [1, 2])
+def test_sums_at_scattered_poses_come_in_their_order(threads: int) -> None:
+    options = MovingSolidOptions(threads=threads)
+    of_p, of_q = [turned(7 * k % 30) for k in range(9)], [turned(-k) for k in range(9)]
+    sums = posed_sums(ELL, ELL, of_p, of_q, options)
+    assert sums == [posed_sum(ELL, ELL, p, q) for p, q in zip(of_p, of_q)]
+    assert pickle.loads(pickle.dumps(sums[4])) == sums[4]
+    assert posed_sums(ELL, BOX, of_p) == [posed_sum(ELL, BOX, p) for p in of_p]
+    assert posed_sums(ELL, BOX, []) == []
+    with pytest.raises(dymsum.Error) as error:
+        posed_sums(ELL, BOX, of_p, of_q[:2])
+    assert error.value.code == ErrorCode.out_of_range
 
 
 def test_changes_of_a_quarter_turn() -> None:

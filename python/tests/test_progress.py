@@ -72,6 +72,7 @@ CALLS: list[tuple[str, Callable[[Progress], Any]]] = [
     ("MovingSolidSum", lambda f: dymsum.MovingSolidSum(ANGLE, BOX, dymsum.MovingSolidOptions(progress=f))),
     ("MovingSolidSum", lambda f: dymsum.MovingSolidSum.create(ANGLE, BOX, dymsum.MovingSolidOptions(progress=f))),
     ("posed_sum", lambda f: dymsum.posed_sum(ANGLE, BOX, POSE, options=dymsum.MovingSolidOptions(progress=f))),
+    ("posed_sums", lambda f: dymsum.posed_sums(ANGLE, BOX, [POSE] * 3, options=dymsum.MovingSolidOptions(progress=f))),
     ("TurningSolidSum.at", lambda f: TURNING.at(TURN, progress=f)),
     ("TurningSolidSum.events", lambda f: TURNING.events(TURN, TURN, progress=f)),
     ("TurningSolidSum.events_of_turn", lambda f: TURNING.events_of_turn(progress=f)),

@@ -12,7 +12,8 @@ void parallel_parts(std::size_t parts, int threads, const std::function<void(std
     for (std::size_t i = 0; i < parts; ++i) part(i);
     return;
   }
-  tbb::task_arena arena(threads <= 0 ? tbb::task_arena::automatic : threads);
+  // More threads than cores make TBB warn, and serve nobody.
+  tbb::task_arena arena(threads <= 0 ? tbb::task_arena::automatic : std::min(threads, core_count()));
   arena.execute([&] { tbb::parallel_for(std::size_t{0}, parts, [&](std::size_t i) { part(i); }); });
 }
 

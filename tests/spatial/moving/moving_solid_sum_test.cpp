@@ -54,6 +54,61 @@ TEST(MovingSolidSum, IsAFreshSumAfterMovesOfAllKinds) {
   EXPECT_GT(updated, asked / 4);
 }
 
+TEST(PosedSums, AreFreshSumsOnceEachWhateverTheThreads) {
+  for (const auto& [name, p, q] : moving_cases::small_pairs()) {
+    Moves moves(5);
+    std::vector<SolidPose> of_p, of_q;
+    PosePair poses;
+    for (int k = 0; k < 12; ++k) poses = moves.next(poses), of_p.push_back(poses.p), of_q.push_back(poses.q);
+    for (const int threads : {1, 3}) {
+      MovingSolidOptions options;
+      options.threads = threads;
+      std::vector<int> visits(of_p.size());
+      const auto visit = [&](std::size_t k, const SpatialSum& sum) {
+        ++visits[k];
+        EXPECT_TRUE(sum == fresh(p, q, {of_p[k], of_q[k]})) << name << ", pose " << k;
+      };
+      const Result<std::vector<SolidFrameWork>> works = posed_sums(p, q, of_p, of_q, visit, options);
+      ASSERT_TRUE(works.ok()) << works.error().to_string();
+      EXPECT_EQ(works->size(), of_p.size());
+      EXPECT_EQ(visits, std::vector<int>(of_p.size(), 1));
+    }
+  }
+}
+
+/// Poses a hundredth of a degree apart, shuffled: in the order of the batch they are short moves.
+TEST(PosedSums, PosesThatLieNearAreUpdatedInWhateverOrderTheyCome) {
+  const Mesh p = moving_cases::mesh_of(moving_cases::bumpy(1, 6)), q = moving_cases::mesh_of(moving_cases::bumpy(2, 6));
+  std::vector<SolidPose> poses;
+  for (int k = 0; k < 30; ++k) poses.push_back({*Rotation::about({1, 2, 3}, 1 + 2e-4 * (k * 7 % 30)), {}});
+  std::size_t rebuilt = 0;
+  const auto visit = [&](std::size_t k, const SpatialSum& sum) { EXPECT_TRUE(sum == fresh(p, q, {poses[k], {}})); };
+  const std::vector<SolidFrameWork> works = posed_sums(p, q, poses, {}, visit).value();
+  for (const SolidFrameWork& work : works) rebuilt += work.rebuilt;
+  EXPECT_LT(rebuilt, poses.size() / 4);
+}
+
+TEST(PosedSums, StopAtTheFirstFailure) {
+  const Mesh p = moving_cases::mesh_of(ell());
+  const std::vector<SolidPose> poses(40), few(3);
+  const auto nothing = [](std::size_t, const SpatialSum&) {};
+  EXPECT_EQ(posed_sums(p, p, poses, few, nothing).error().code, ErrorCode::out_of_range);
+  EXPECT_TRUE(posed_sums(p, p, {}, {}, nothing)->empty());
+  MovingSolidOptions options;
+  options.threads = 2;
+  int visits = 0;
+  const auto thrown = [&](std::size_t, const SpatialSum&) {
+    if (++visits == 5) throw std::domain_error("enough");
+  };
+  EXPECT_THROW((void)posed_sums(p, p, poses, {}, thrown, options), std::domain_error);
+  EXPECT_EQ(visits, 5);
+  visits = 0;
+  options.progress = [&](std::string_view, double) { return visits < 7; };
+  const auto counted = [&](std::size_t, const SpatialSum&) { ++visits; };
+  EXPECT_EQ(posed_sums(p, p, poses, {}, counted, options).error().code, ErrorCode::cancelled);
+  EXPECT_EQ(visits, 7);
+}
+
 TEST(MovingSolidSum, AFittingPegStaysTightAtQuarterTurns) {
   const Mesh block = moving_cases::mesh_of(tunnel()), peg = moving_cases::mesh_of(box(1));
   MovingSolidSum moving = MovingSolidSum::create(block, peg).value();

@@ -1,0 +1,94 @@
+// scale with solid operands.
+#include <algorithm>
+
+#include "dymsum/scaling_solid_sum.h"
+#include "outputs.h"
+#include "pictures/frame_pictures.h"
+#include "progress_bar.h"
+#include "solid/any_solid_outputs.h"
+#include "solid/solid_motion.h"
+
+namespace dymsum::cli {
+namespace {
+
+MotionEvent motion_event(const SolidScaleEvent& e) {
+  constexpr const char* kKinds[] = {"vertex_on_facet", "edge_on_edge", "four_facets", "coplanar_facets"};
+  const Json json = {{"s", e.s.to_string()},
+                     {"approx", e.approx},
+                     {"kind", kKinds[static_cast<std::size_t>(e.kind)]},
+                     {"visible", true},
+                     {"topology", e.topology}};
+  return {e.approx, "s = " + shown(e.s).substr(0, 60), "event " + shown(e.s) + (e.topology ? "  topology changes" : ""),
+          e.topology, json};
+}
+
+/// Those between the least and the largest uniform scale of the frames, or the first that is asked for.
+std::vector<SolidScaleEvent> events_of(const SolidMotion& motion, const ScaleCommand& command,
+                                       const std::vector<Scale>& scales) {
+  const auto [low, high] = std::minmax_element(scales.begin(), scales.end(),
+                                               [](const Scale& a, const Scale& b) { return a.exact() < b.exact(); });
+  const InterruptGuard guard;
+  ProgressBar bar;
+  const Progress progress = bar.callback();
+  ScalingSolidOptions options;
+  options.moving = command.scaled == "p" ? MovingOperand::p : MovingOperand::q;
+  options.threads = static_cast<int>(command.threads);
+  const Result<ScalingSolidSum> sum = ScalingSolidSum::create(motion.inputs[0].mesh, motion.inputs[1].mesh, options);
+  if (!sum) stop_with(in_solid_operand(sum.error(), motion.inputs));
+  if (command.next.empty()) {
+    Result<std::vector<SolidScaleEvent>> events = sum->events(*low, *high, progress);
+    throw_if_interrupted();
+    return require(std::move(events));
+  }
+  const EventChange change = command.next == "topology" ? EventChange::topology : EventChange::visible;
+  Result<std::optional<SolidScaleEvent>> first = sum->next_event(*low, *high, change, progress);
+  throw_if_interrupted();
+  const std::optional<SolidScaleEvent> event = require(std::move(first));
+  return event ? std::vector<SolidScaleEvent>{*event} : std::vector<SolidScaleEvent>{};
+}
+
+/// One scale for all axes, or three between colons.
+std::vector<Scale> scales_in(const std::string& text) {
+  const std::vector<std::string> pieces = split(text, ':');
+  if (pieces.size() != 1 && pieces.size() != 3) throw Stop(kUsage, "--at wants one scale or three, SX:SY:SZ: " + text);
+  std::vector<Scale> scales;
+  for (const std::string& piece : pieces) scales.push_back(read_scale(piece, "--at"));
+  return scales;
+}
+
+}  // namespace
+
+ExitCode run_solid_scale(const ScaleCommand& command, const std::vector<Scale>& sweep) {
+  refuse_options(*command.parser, {"--copies", "--ratio", "--mode", "--semantics", "--exact"},
+                 "is for planar operands");
+  if (!command.events && std::none_of(command.files.begin(), command.files.end(), is_page))
+    refuse_options(*command.parser, {"--threads"}, "is for planar operands, and for events");
+  if (sweep.empty() == command.at.empty()) throw Stop(kUsage, "give one of --sweep and --at");
+  SolidMotion motion{"scale", read_solids(command.operands, command.input), {}, command.files, {}, "", command.frame};
+  std::vector<Scale> uniform;
+  const auto add = [&](const std::vector<Scale>& s) {
+    if (s.size() == 1 || (s[0] == s[1] && s[1] == s[2])) uniform.push_back(s[0]);
+    SolidFrame frame;
+    (command.scaled == "p" ? frame.p : frame.q).scale = {s.front(), s[s.size() / 2], s.back()};
+    frame.name = frame_name(s);
+    frame.at = s[0].approx();
+    motion.frames.push_back(frame);
+  };
+  for (const Scale& s : sweep) add({s});
+  for (const std::string& text : listed(command.at)) add(scales_in(text));
+  if (command.robot) motion.inputs[1].mesh = negated(motion.inputs[1].mesh);
+  motion.asked = {{"scaled", command.scaled}, {"robot", command.robot}};
+  const bool is_uniform = uniform.size() == motion.frames.size();
+  if (command.events && !is_uniform) throw Stop(kUsage, "--events wants the same scale along all axes");
+  motion.has_events = command.events;
+  const bool page = std::any_of(command.files.begin(), command.files.end(), is_page);
+  const bool thin = motion.inputs[0].mesh.has_thin_parts() || motion.inputs[1].mesh.has_thin_parts();
+  if (command.events || (page && is_uniform && !thin)) {
+    for (const SolidScaleEvent& event : events_of(motion, command, uniform))
+      motion.events.push_back(motion_event(event));
+  }
+  const ExitCode code = run_solid_motion(motion, command.report);
+  return code == kDone && !command.next.empty() && motion.events.empty() ? kNo : code;
+}
+
+}  // namespace dymsum::cli

@@ -1,0 +1,38 @@
+// What follows a pair of solids from pose to pose, one sum at a time.
+#pragma once
+
+#include <optional>
+
+#include "dymsum/convex_sum.h"
+#include "spatial/moving/solid_frames.h"
+
+namespace dymsum::spatial {
+
+/// One error for all makers of moving sums: out_of_range, unsupported_operand.
+std::optional<Error> motion_refusal(const Mesh& p, const Mesh& q, const MovingSolidOptions& options);
+
+class MovingPair {
+ public:
+  MovingPair(const Mesh& p, const Mesh& q, const MovingSolidOptions& options);
+  MovingPair(const MovingPair&) = delete;
+
+  /// The sum at a pair of poses, from what is kept of the frame before or from scratch. Throws as fresh_sum, Cancelled;
+  /// the next frame then is made as if that one had not been asked for.
+  SpatialSum frame(const PosePair& to, SolidFrameWork& work);
+  const PosePair& poses() const { return poses_; }
+  const MovingSolidOptions& options() const { return options_; }
+
+ private:
+  SpatialSum any_frame(const PosePair& to, SolidFrameWork& work);
+  SpatialSum convex_frame(const PosePair& to, SolidFrameWork& work);
+
+  MovingSolidOptions options_;
+  SpatialOptions stages_;
+  SolidPair pair_;
+  PosePair poses_;
+  bool started_ = false;
+  std::optional<ConvexSum> convex_;  // both operands are convex
+  std::optional<SolidFrames> frames_;
+};
+
+}  // namespace dymsum::spatial
