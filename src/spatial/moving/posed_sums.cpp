@@ -23,7 +23,7 @@ class PoseBatch {
   /// all parts.
   void run(const Mesh& p, const Mesh& q, const MovingSolidOptions& own, std::span<const std::uint32_t> part) {
     try {
-      spatial::MovingPair pair(p, q, own);
+      spatial::MovingPair pair(p, q, own, spatial::PoseOrder::scattered);
       for (const std::uint32_t k : part) {
         const Stopwatch watch;
         const SpatialSum sum = pair.frame(poses_[k], works_[k]);
