@@ -36,7 +36,7 @@ class MovingPair {
   PosePair poses_;
   PoseOrder order_;
   bool started_ = false;
-  std::uint32_t near_steps_ = 0;      // in a row, of scattered poses
+  std::uint32_t near_steps_ = 0;     // in a row, of scattered poses
   std::optional<ConvexSum> convex_;  // both operands are convex
   std::optional<SolidFrames> frames_;
 };
