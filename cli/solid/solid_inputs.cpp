@@ -37,12 +37,6 @@ std::optional<MeshFormat> solid_format_of(std::string_view text) {
   return std::nullopt;
 }
 
-std::optional<MeshFormat> format_of_input(const InputOptions& options) {
-  if (options.from.empty()) return solid_format_of(standard_input());
-  const Result<MeshFormat> named = mesh_format("." + options.from);
-  return named ? std::optional(*named) : std::nullopt;
-}
-
 /// Says how parts without volume are taken, and vertices without a face, where these are what is wrong.
 Error with_remedy(Error error, bool no_faces, const InputOptions& options) {
   const bool thin = error.code == ErrorCode::not_closed || error.code == ErrorCode::too_few_vertices;
@@ -69,6 +63,12 @@ Result<SolidInput> hull_of(const MeshData& data, const std::string& file) {
 
 }  // namespace
 
+std::optional<MeshFormat> mesh_format_of_input(const InputOptions& options) {
+  if (options.from.empty()) return solid_format_of(standard_input());
+  const Result<MeshFormat> named = mesh_format("." + options.from);
+  return named ? std::optional(*named) : std::nullopt;
+}
+
 void refuse_selection(const std::string& file) {
   const std::size_t mark = file.rfind('#');
   if (mark == std::string::npos || !mesh_format(file.substr(0, mark))) return;
@@ -85,13 +85,13 @@ void refuse_unknown_extension(const std::string& file) {
 
 bool names_solid(const std::string& file, const InputOptions& options) {
   refuse_selection(file);
-  return file == "-" ? format_of_input(options).has_value() : mesh_format(file).ok();
+  return file == "-" ? mesh_format_of_input(options).has_value() : mesh_format(file).ok();
 }
 
 Result<MeshData> read_mesh_data(const std::string& file, const InputOptions& options) {
   refuse_selection(file);
   if (file != "-") return read_mesh(file);
-  const std::optional<MeshFormat> format = format_of_input(options);
+  const std::optional<MeshFormat> format = mesh_format_of_input(options);
   if (!format) throw Stop(kUsage, "--from names the format of the solid on standard input: off, obj, stl or ply");
   return parse_mesh(standard_input(), *format, "standard input");
 }
