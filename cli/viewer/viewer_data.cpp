@@ -24,7 +24,7 @@ constexpr std::array<std::string_view, 10> kNotShown{"o",      "to",      "json"
 std::string bytes_of(const std::string& file) {
   std::ifstream in(file, std::ios::binary);
   std::string bytes{std::istreambuf_iterator<char>(in), std::istreambuf_iterator<char>()};
-  if (!in) stop_with({ErrorCode::cannot_open, "cannot be read", {.file = file}});
+  if (!in) throw Stop(kBadInput, file + ": cannot be read");
   return bytes;
 }
 
