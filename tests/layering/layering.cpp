@@ -71,16 +71,10 @@ const std::vector<std::string> kRooms = {
 const std::map<std::string, std::string> kUnheard = {{"planar/arrangement", "planar/convolution"}};
 
 /// Those of the other trees. The folders of the command line include each other freely.
-const std::vector<std::string> kOtherRooms = {"include/dymsum",
-                                              "cli",
-                                              "cli/verbs",
-                                              "cli/planar",
-                                              "cli/solid",
-                                              "cli/pictures",
-                                              "examples",
-                                              "adapters/ompl/dymsum",
-                                              "adapters/ompl/dymsum/ompl",
-                                              "python/src"};
+const std::vector<std::string> kOtherRooms = {
+    "include/dymsum", "cli",        "cli/verbs", "cli/planar",           "cli/solid",
+    "cli/pictures",   "cli/viewer", "examples",  "adapters/ompl/dymsum", "adapters/ompl/dymsum/ompl",
+    "python/src"};
 
 /// Headers from outside the standard library by the first folder of the rooms that may include them. What the operating
 /// system has for files and terminals is in `base` and `cli`: elsewhere another system finds nothing to replace.
@@ -94,7 +88,7 @@ const std::map<std::string, std::vector<std::string>> kForeign = {
     {"io", {"nlohmann/", "pugixml.hpp"}},
     {"nesting", {"nlohmann/"}},
     {"shape", {"boost/polygon/"}},
-    {"cli", {"CLI/", "nlohmann/", "unistd.h"}},
+    {"cli", {"CLI/", "httplib.h", "nlohmann/", "sys/socket.h", "unistd.h"}},
     {"adapters", {"ompl/"}},
     {"examples", {"ompl/"}},
     {"python", {"cxxabi.h", "nanobind/"}},
