@@ -18,8 +18,9 @@ namespace {
 namespace fs = std::filesystem;
 
 /// About outputs, reports and this program's own work: nothing of it changes what is shown.
-constexpr std::array<std::string_view, 10> kNotShown{"o",      "to",      "json", "repeat", "exact",
-                                                     "memory", "threads", "from", "help",   "round-repair"};
+constexpr std::array<std::string_view, 13> kNotShown{"o",      "to",      "json", "repeat", "exact",
+                                                     "memory", "threads", "from", "help",   "round-repair",
+                                                     "port",   "no-open", "page"};
 
 std::string bytes_of(const std::string& file) {
   std::ifstream in(file, std::ios::binary);

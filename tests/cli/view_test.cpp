@@ -63,7 +63,7 @@ TEST_F(View, ThePageHoldsTheFilesAndOptions) {
   EXPECT_EQ(data["inputs"], Json::parse(R"([{"name": "slot.wkt"}, {"name": "peg.wkt"}])")
                                 .patch({{{"op", "add"}, {"path", "/0/text"}, {"value", kSlot}},
                                         {{"op", "add"}, {"path", "/1/text"}, {"value", kPeg}}}));
-  EXPECT_EQ(data["parameters"], Json({{"verb", "view"}, {"repair", true}, {"no-open", true}}));
+  EXPECT_EQ(data["parameters"], Json({{"verb", "view"}, {"repair", true}}));
 }
 
 TEST_F(View, NothingElseIsLoadedAndNobodyElseReads) {
