@@ -33,7 +33,7 @@ let reportLater: (error: unknown) => void = (error) => console.error(error);
 
 function open(embedded: EmbeddedDocument): void {
   try {
-    history.change(openedDocument(pages, embedded));
+    history.open(openedDocument(pages, embedded));
   } catch (error) {
     reportLater(error);
   }

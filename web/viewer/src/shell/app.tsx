@@ -103,8 +103,9 @@ export function App(props: AppProps) {
       />
       <main class={dropping ? 'page dropping' : 'page'}>
         <page.View
-          key={page.id} state={document.state} shell={shell}
+          key={`${page.id} ${history.opened}`} state={document.state} shell={shell}
           change={(state, how) => {
+            if (how === 'aside') return history.amend({ page: page.id, state });
             setError(undefined);
             history.change({ page: page.id, state }, how);
           }}

@@ -35,6 +35,19 @@ export class History {
     return () => this.listeners.delete(listener);
   }
 
+  /** How often a document was opened from outside: pages begin anew then. */
+  opened = 0;
+
+  open(next: Document): void {
+    ++this.opened;
+    this.change(next);
+  }
+
+  /** Something that undo does not take back: where the reader looks. */
+  amend(next: Document): void {
+    this.show(next);
+  }
+
   /** All changes from the first live one to the next that is done are one step. */
   change(next: Document, how: 'live' | 'done' = 'done'): void {
     if (!this.inDrag) {

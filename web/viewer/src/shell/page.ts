@@ -31,8 +31,11 @@ export interface Shell {
   setDownloads: (downloads: readonly Download[]) => void;
 }
 
-/** live: one of many changes of a drag, which undo takes back together; done: a change of its own, or the last of a drag. */
-export type Change<S> = (next: S, how?: 'live' | 'done') => void;
+/**
+ * live: one of many changes of a drag, which undo takes back together; done: a change of its own, or the last of a drag;
+ * aside: nothing that undo takes back, such as where the reader looks.
+ */
+export type Change<S> = (next: S, how?: 'live' | 'done' | 'aside') => void;
 
 export interface PageProps<S> {
   state: S;
