@@ -1,0 +1,6 @@
+// The pages, in the order of the tabs.
+import type { Pages } from '../shell/opening';
+import { asAnyPage } from '../shell/page';
+import { sumPage } from './sum/page';
+
+export const pages: Pages = [asAnyPage(sumPage)];
