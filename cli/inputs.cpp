@@ -113,7 +113,8 @@ Result<Region> make_region(RegionData data, const std::string& file, const Input
   }
   Result<Repaired> repaired = repair(std::move(data));
   if (!repaired) return in_file(repaired.error());
-  if (repaired->report.changed()) std::cerr << file << ": repaired: " << repaired->report.to_string() << "\n";
+  if (repaired->report.changed() && !options.quiet)
+    std::cerr << file << ": repaired: " << repaired->report.to_string() << "\n";
   return std::move(repaired).value().region;
 }
 

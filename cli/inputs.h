@@ -17,6 +17,7 @@ struct InputOptions {
   bool hull = false;    ///< solids: take the convex hull with dymsum::hulled and print its report on standard error
   bool thin = false;    ///< solids: points, segments and open surfaces are operands, too
   bool offers_thin = false;  ///< whether the verb has --thin
+  bool quiet = false;        ///< repairs are not printed: they were before
   std::string from;          ///< the format of standard input; empty: told from its first characters
 };
 

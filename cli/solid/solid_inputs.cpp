@@ -54,10 +54,10 @@ void tell(const MeshRepairReport& report, const Mesh& mesh, const std::string& f
             << (mesh.empty() ? "; it holds no face with an area, and is taken as the empty solid" : "") << "\n";
 }
 
-Result<SolidInput> hull_of(const MeshData& data, const std::string& file) {
+Result<SolidInput> hull_of(const MeshData& data, const std::string& file, bool quiet) {
   Result<HulledMesh> hull = hulled(data);
   if (!hull) return hull.error();
-  std::cerr << shown_file(file) << ": convex hull: " << hull->report.to_string() << "\n";
+  if (!quiet) std::cerr << shown_file(file) << ": convex hull: " << hull->report.to_string() << "\n";
   return SolidInput{file, hull->mesh, hull->report};
 }
 
@@ -102,7 +102,7 @@ Result<SolidInput> make_solid(MeshData data, const std::string& file, const Inpu
     return error;
   };
   if (options.hull) {
-    Result<SolidInput> hull = hull_of(data, file);
+    Result<SolidInput> hull = hull_of(data, file, options.quiet);
     if (!hull) return in_file(hull.error());
     return hull;
   }
@@ -114,7 +114,7 @@ Result<SolidInput> make_solid(MeshData data, const std::string& file, const Inpu
   }
   Result<RepairedMesh> repaired = repair(std::move(data));
   if (!repaired) return in_file(repaired.error());
-  tell(repaired->report, repaired->mesh, shown_file(file));
+  if (!options.quiet) tell(repaired->report, repaired->mesh, shown_file(file));
   return SolidInput{file, std::move(repaired).value().mesh};
 }
 

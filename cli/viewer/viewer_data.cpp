@@ -9,6 +9,7 @@
 #include <iterator>
 #include <optional>
 #include <string_view>
+#include <utility>
 
 #include "solid/solid_inputs.h"
 
@@ -17,7 +18,8 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// About outputs, reports and this program's own work: nothing of it changes what is shown.
+/// About outputs, reports and this program's own work, or done to the inputs already: nothing of it changes what is
+/// shown.
 constexpr std::array<std::string_view, 13> kNotShown{"o",      "to",      "json", "repeat", "exact",
                                                      "memory", "threads", "from", "help",   "round-repair",
                                                      "port",   "no-open", "page"};
@@ -69,16 +71,41 @@ Json input_json(const ViewerInput& input) {
   return {{"name", input.name}, {"base64", base64(input.bytes)}};
 }
 
+/// Whether an operand is not all that its file holds, or not as it stands there.
+bool is_made(const std::string& operand, const InputOptions& options) {
+  return options.repair || options.hull || is_map(operand) || file_of_operand(operand) != operand;
+}
+
+std::string name_of(const std::string& operand) {
+  if (operand == "-") return "input";
+  if (is_footprint(operand)) return "footprint";
+  const std::string file = file_of_operand(operand), stem = fs::path(file).stem().string();
+  return file == operand ? stem : stem + " " + operand.substr(file.size() + 1);
+}
+
+ViewerInput made_input(const std::string& operand, InputOptions options) {
+  options.quiet = true;
+  if (names_solid(operand, options))
+    return {name_of(operand) + ".off", format_mesh(read_solid(operand, options).mesh, MeshFormat::off)};
+  std::string text;
+  for (NamedShape& shape : read_all(operand, options))
+    text += format_region(require(make_region(std::move(shape.data), operand, options)), RegionFormat::wkt);
+  return {name_of(operand) + ".wkt", text};
+}
+
 }  // namespace
 
 ViewerInput viewer_input(const std::string& operand, const InputOptions& options) {
-  if (operand == "-") return {"input" + extension_of_input(options), standard_input()};
-  if (is_footprint(operand)) return {"footprint.json", operand};
-  if (is_map(operand))
-    return {fs::path(operand).stem().string() + ".wkt",
-            format_region(read_input(operand, options).region, RegionFormat::wkt)};
+  if (is_made(operand, options)) {
+    try {
+      return made_input(operand, options);
+    } catch (const Stop&) {  // the page shows where the file is bad
+    }
+  }
+  if (operand == "-") return {name_of(operand) + extension_of_input(options), standard_input()};
+  if (is_footprint(operand)) return {name_of(operand) + ".json", operand};
   const std::string file = file_of_operand(operand);
-  return {fs::path(file).filename().string() + operand.substr(file.size()), bytes_of(file)};
+  return {fs::path(file).filename().string(), bytes_of(file)};
 }
 
 Json viewer_parameters(const CLI::App& verb) {
