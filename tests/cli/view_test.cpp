@@ -47,7 +47,7 @@ class View : public CliTest {
 };
 
 TEST_F(View, ThePageHoldsTheFilesAndOptions) {
-  Served served(work, {"slot.wkt", "peg.wkt", "--repair"});
+  Served served(work, {"slot.wkt", "peg.wkt"});
   const auto page = get(served, "/"), alone = get(served, "/data.json");
   ASSERT_TRUE(page && alone) << served.told();
   EXPECT_EQ(page->status, 200);
@@ -63,7 +63,7 @@ TEST_F(View, ThePageHoldsTheFilesAndOptions) {
   EXPECT_EQ(data["inputs"], Json::parse(R"([{"name": "slot.wkt"}, {"name": "peg.wkt"}])")
                                 .patch({{{"op", "add"}, {"path", "/0/text"}, {"value", kSlot}},
                                         {{"op", "add"}, {"path", "/1/text"}, {"value", kPeg}}}));
-  EXPECT_EQ(data["parameters"], Json({{"verb", "view"}, {"repair", true}}));
+  EXPECT_EQ(data["parameters"], Json({{"verb", "view"}}));
 }
 
 TEST_F(View, NothingElseIsLoadedAndNobodyElseReads) {

@@ -94,7 +94,24 @@ TEST_F(ViewerPage, InputsFromElsewhereHaveNamesToo) {
   const std::string two = R"({"items":[{"id":7,"shape":{"type":"simple_polygon","data":[[0,0],[3,0],[3,1]]}},
                                       {"id":8,"shape":{"type":"simple_polygon","data":[[0,0],[1,0],[0,1]]}}]})";
   work.write("folder/two.json", two);
-  EXPECT_EQ(told("dymsum sum 'folder/two.json#8' peg.wkt")["inputs"][0], Json({{"name", "two.json#8"}, {"text", two}}));
+  EXPECT_EQ(told("dymsum sum 'folder/two.json#8' peg.wkt")["inputs"][0],
+            Json({{"name", "two 8.wkt"}, {"text", "POLYGON ((0 0, 1 0, 0 1, 0 0))\n"}}));
+}
+
+TEST_F(ViewerPage, WhatIsRepairedIsGivenAsItWasTaken) {
+  const Outcome outcome = run("dymsum sum bow.wkt peg.wkt --repair -o x.html");
+  EXPECT_EQ(outcome.code, 0) << outcome.err;
+  EXPECT_EQ(outcome.err, work.run("dymsum sum bow.wkt peg.wkt --repair").err) << "told once";
+  const Json data = data_of(work.read("x.html"));
+  EXPECT_EQ(data["parameters"], Json({{"verb", "sum"}}));
+  EXPECT_EQ(data["inputs"][0]["name"], "bow.wkt");
+  work.write("mended.wkt", data["inputs"][0]["text"].get<std::string>());
+  EXPECT_EQ(work.run("dymsum convert bow.wkt mended2.wkt --repair && cmp mended.wkt mended2.wkt").code, 0);
+  work.write("points.off", "OFF\n5 0 0\n0 0 0\n4 0 0\n0 4 0\n0 0 4\n1 1 1\n");
+  const Json solid = told("dymsum sum points.off cube.off --hull")["inputs"][0];
+  EXPECT_EQ(solid["name"], "points.off");
+  work.write("hull.off", solid["text"].get<std::string>());
+  EXPECT_EQ(json("dymsum info hull.off --json")["vertices"], 4);
 }
 
 // A map lies in two files; the page is given the region they hold.
