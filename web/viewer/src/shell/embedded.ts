@@ -1,20 +1,39 @@
-// A document that stands in the page: what `dymsum view` and `-o x.html` write.
+// What the program puts into the page, or a link into its address: docs/design/viewer.md says what it holds.
 import type { InputFile } from './page';
 
-/** <script type="application/json" id="dymsum-document">: a page with its state, or files to open on it. */
+export type EmbeddedFile = { name: string; text: string } | { name: string; base64: string };
+/** The verb of a command and its options, as they were written. */
+export type Parameters = Readonly<Record<string, string | true | readonly string[]>>;
+
 export interface EmbeddedDocument {
   page?: string;
   state?: unknown;
-  files?: readonly ({ name: string; text: string } | { name: string; base64: string })[];
+  inputs?: readonly EmbeddedFile[];
+  parameters?: Parameters;
+}
+/** As the program writes it: with a server behind the page, or without. */
+export interface ProgramData extends EmbeddedDocument {
+  format: number;
+  live?: boolean;
+  revision?: number;
 }
 
-export function embeddedDocument(): EmbeddedDocument | undefined {
-  const text = document.getElementById('dymsum-document')?.textContent;
-  return text ? (JSON.parse(text) as EmbeddedDocument) : undefined;
+const kFormat = 1;
+
+/** Nothing for an empty text. Throws an Error for data of another version. */
+export function programData(text: string): ProgramData | undefined {
+  if (text.trim() === '') return undefined;
+  const { page, ...data } = JSON.parse(text) as ProgramData;
+  if (data.format !== kFormat) throw new Error(`This viewer reads data of format ${kFormat}, and what it was given has format ${String(data.format)}.`);
+  return page === undefined || page === 'home' ? data : { ...data, page };
+}
+
+export function embeddedData(): ProgramData | undefined {
+  return programData(document.getElementById('dymsum-data')?.textContent ?? '');
 }
 
 export function filesOf(embedded: EmbeddedDocument): InputFile[] {
-  return (embedded.files ?? []).map((file) => ({
+  return (embedded.inputs ?? []).map((file) => ({
     name: file.name,
     bytes: 'text' in file ? new TextEncoder().encode(file.text) : Uint8Array.from(atob(file.base64), (c) => c.charCodeAt(0)),
   }));

@@ -1,6 +1,7 @@
 // What a page of the viewer is. Its state is plain JSON: permalinks, undo and embedded documents hold nothing else.
 import type { ComponentType } from 'preact';
 import type { Engine } from '../engine/client';
+import type { Parameters } from './embedded';
 
 /** A file that was dropped, chosen or embedded. */
 export interface InputFile {
@@ -55,6 +56,8 @@ export interface Page<S> {
   parse: (value: unknown) => S;
   /** The state with these files taken up. Throws an Error that says what this page can take. */
   take: (files: readonly InputFile[], state: S) => S;
+  /** The state with the inputs of a command as its options ask for it; without this, as it is. */
+  command?: (parameters: Parameters, state: S) => S;
   /** Renders a <Stage> and a <Panel>. */
   View: ComponentType<PageProps<S>>;
 }

@@ -1,4 +1,6 @@
-// The document as the hash of the address: #/page/state, the state as compressed JSON in the alphabet of addresses.
+// The document as the hash of the address: #/page/state, the state as compressed JSON in the alphabet of addresses. Others
+// write #data=, the data that a program would put into the page, packed in the same way.
+import { programData, type ProgramData } from './embedded';
 import type { Document } from './history';
 
 async function through(bytes: Uint8Array, stream: GenericTransformStream): Promise<Uint8Array> {
@@ -16,6 +18,10 @@ function fromAddress(text: string): Uint8Array {
   return Uint8Array.from(atob(text.replaceAll('-', '+').replaceAll('_', '/')), (c) => c.charCodeAt(0));
 }
 
+async function unpacked(packed: string): Promise<string> {
+  return new TextDecoder().decode(await through(fromAddress(packed), new DecompressionStream('deflate-raw')));
+}
+
 export async function toHash(document: Document): Promise<string> {
   const json = new TextEncoder().encode(JSON.stringify(document.state));
   return `#/${document.page}/${toAddress(await through(json, new CompressionStream('deflate-raw')))}`;
@@ -27,9 +33,18 @@ export async function fromHash(hash: string): Promise<Document | undefined> {
   if (!page) return undefined;
   if (!packed) return { page, state: undefined };
   try {
-    const bytes = await through(fromAddress(packed), new DecompressionStream('deflate-raw'));
-    return { page, state: JSON.parse(new TextDecoder().decode(bytes)) as unknown };
+    return { page, state: JSON.parse(await unpacked(packed)) as unknown };
   } catch {
     throw new Error('The address is damaged: what follows the name of the page is no state of it. Was it copied whole?');
   }
+}
+
+/** Nothing for an address without data. Throws where it is damaged. */
+export async function dataFromHash(hash: string): Promise<ProgramData | undefined> {
+  const packed = /^#data=([\w-]+)$/.exec(hash)?.[1];
+  if (!packed) return undefined;
+  const text = await unpacked(packed).catch(() => {
+    throw new Error('The address is damaged: what follows #data= cannot be unpacked. Was it copied whole?');
+  });
+  return programData(text);
 }

@@ -1,6 +1,7 @@
 import { made } from '../../operands/catalogue';
 import { planarShapes } from '../../operands/planar_files';
 import type { Page } from '../../shell/page';
+import { asAsked } from './command';
 import { parseSumState, sumState, type SumState } from './state';
 import { kSummary, View } from './view';
 
@@ -21,5 +22,6 @@ export const sumPage: Page<SumState> = {
     const [p, q] = planarShapes(files, 2);
     return { ...state, p: p!, ...(q ? { q } : {}) };
   },
+  command: asAsked,
   View,
 };
