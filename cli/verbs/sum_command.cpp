@@ -109,6 +109,7 @@ void add_sum_verb(CLI::App& app, const SumVerb& verb, Action& action) {
 }
 
 Action with_viewer(const SumVerb& verb, SumCommand& command, const Action& action) {
+  if (verb.page.empty()) return action;
   const ViewerPage page{command.parser, verb.page, verb.solid_page};
   return [page, &command, action] {
     std::vector<std::string> operands = command.operands;

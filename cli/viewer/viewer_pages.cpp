@@ -26,12 +26,13 @@ std::vector<std::string> taken_pages(std::vector<std::string>& files) {
 std::string page_text(const ViewerPage& page, const std::vector<std::string>& operands, const InputOptions& input) {
   const std::string viewer = viewer_text();
   ViewerData data;
-  data.page = are_solid(operands, input) ? page.solid : page.planar;
+  const bool solid = are_solid(operands, input);
+  data.page = solid ? page.solid : page.planar;
   if (data.page.empty() || operands.size() > 2)
     throw Stop(kUsage, "-o FILE.html: the viewer shows no " + page.verb->get_name() + " of " +
-                           (operands.size() > 2       ? "more than two operands"
-                            : data.page == page.solid ? "solids"
-                                                      : "regions"));
+                           (operands.size() > 2 ? "more than two operands"
+                            : solid             ? "solids"
+                                                : "regions"));
   for (const std::string& operand : operands) data.inputs.push_back(viewer_input(operand, input));
   data.parameters = viewer_parameters(*page.verb);
   return viewer_with(viewer, viewer_json(data));
