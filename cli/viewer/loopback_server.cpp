@@ -30,7 +30,7 @@ constexpr std::chrono::milliseconds kPatience(500);
 /// may use threads.
 const httplib::Headers kHeaders = {
     {"Content-Security-Policy",
-     "default-src 'none'; script-src 'unsafe-inline' 'unsafe-eval' 'wasm-unsafe-eval' blob: data:; style-src "
+     "default-src 'none'; script-src 'unsafe-inline' 'wasm-unsafe-eval' blob: data:; style-src "
      "'unsafe-inline'; img-src data: blob:; font-src data:; worker-src blob: data:; connect-src 'self' data: blob:; "
      "base-uri 'none'; form-action 'none'; frame-ancestors 'none'"},
     {"Cross-Origin-Opener-Policy", "same-origin"},
