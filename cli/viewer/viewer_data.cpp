@@ -20,9 +20,9 @@ namespace fs = std::filesystem;
 
 /// About outputs, reports and this program's own work, or done to the inputs already: nothing of it changes what is
 /// shown.
-constexpr std::array<std::string_view, 13> kNotShown{"o",      "to",      "json", "repeat", "exact",
+constexpr std::array<std::string_view, 15> kNotShown{"o",      "to",      "json", "repeat", "exact",
                                                      "memory", "threads", "from", "help",   "round-repair",
-                                                     "port",   "no-open", "page"};
+                                                     "port",   "no-open", "page", "repair", "hull"};
 
 std::string bytes_of(const std::string& file) {
   std::ifstream in(file, std::ios::binary);
