@@ -13,6 +13,7 @@ from pathlib import Path
 
 BLOCK = re.compile(r"^```console\n(.*?)^```\n", re.MULTILINE | re.DOTALL)
 DATA = re.compile(r'<script id="dymsum-data" type="application/json">(.+?)</script>', re.DOTALL)
+WRONG_USAGE, ANSWER_IS_NO = 1, 4
 VERBS = {"sum", "nfp", "scale", "rotate", "cspace", "slice", "features", "decompose"}
 
 
@@ -27,13 +28,17 @@ def workplace(program):
 
 
 def viewer_data(command, program):
-    """The data of the page that a command writes."""
+    """The data of the page that a command writes; nothing where it takes no -o FILE.html, which is wrong usage."""
     words = shlex.split(command)
     written = [i for i, word in enumerate(words) if word == "-o"]
     for i in reversed(written):
         del words[i : i + 2]
     folder = workplace(program).name
-    subprocess.run([program, *words[1:], "-o", "live.html"], cwd=folder, check=True, capture_output=True)
+    done = subprocess.run([program, *words[1:], "-o", "live.html"], cwd=folder, capture_output=True, text=True)
+    if done.returncode == WRONG_USAGE:
+        return None
+    if done.returncode not in (0, ANSWER_IS_NO):
+        raise RuntimeError(f"{command}: exit code {done.returncode}: {done.stderr}")
     return json.loads(DATA.search((Path(folder) / "live.html").read_text(encoding="utf-8"))[1])
 
 
@@ -47,6 +52,8 @@ def permalink(data):
 
 def figure(command, program, viewer):
     data = viewer_data(command, program)
+    if data is None:
+        return ""
     del data["live"], data["revision"]
     address = html.escape(viewer + permalink(data))
     return (
