@@ -1,12 +1,14 @@
 // All that can be asked of the worker. A page adds its services here, under its own name.
 import type { Host } from './host';
 import { operandServices } from '../operands/service';
+import { discServices } from '../pages/discs/service';
 import { nestingServices } from '../pages/nesting/service';
 import { sumServices } from '../pages/sum/service';
 
 export const services = {
   ...operandServices,
   ...sumServices,
+  ...discServices,
   ...nestingServices,
 };
 
