@@ -70,12 +70,12 @@ export function View(props: PageProps<DiscState>) {
       <Stage>
         <PlaneView
           label={`${state.shape.name} and a disc of diameter ${short(alphaOf(state))}`} home={home} homeKey={state.shape.name} camera={state.camera}
-          onCamera={(camera) => change({ ...state, camera }, 'aside')} paint={(painter) => paintDiscs(painter, scene, set?.radius ?? alphaOf(state) / 2)}
+          onCamera={(camera) => change({ ...state, camera }, 'aside')} shows={answer} paint={(painter) => paintDiscs(painter, scene, set?.radius ?? alphaOf(state) / 2)}
         />
       </Stage>
       <Panel summary={kSummary}>
         <Section title="Shape">
-          <OperandCard role="P" tint="p" shape={state.shape} operand={operand} onShape={(shape) => change(discState(shape, { operation: state.operation }))} />
+          <OperandCard shell={shell} role="P" tint="p" shape={state.shape} operand={operand} onShape={(shape) => change(discState(shape, { operation: state.operation }))} />
         </Section>
         <AlphaSection state={state} change={change} events={data.events} reach={reach} />
         <BarsSection {...props} data={data} />
