@@ -76,7 +76,7 @@ constexpr auto guarded = &Guarded<function>::call;
 template <class T>
 emscripten::class_<T> handle(const char* name) {
   emscripten::class_<T> bound(name);
-  bound.template smart_ptr<std::shared_ptr<T>>(name);
+  bound.template smart_ptr<std::shared_ptr<T>>((std::string(name) + "Handle").c_str());
   return bound;
 }
 

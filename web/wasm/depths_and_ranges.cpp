@@ -2,7 +2,7 @@
 #include "arrays.h"
 #include "dymsum/penetration_depth.h"
 #include "dymsum/scale_range.h"
-#include "features.h"
+#include "solid_feature.h"
 #include "options.h"
 #include "planar_shape.h"
 

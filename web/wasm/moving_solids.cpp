@@ -6,7 +6,7 @@
 #include "dymsum/convex_solid.h"
 #include "dymsum/convex_sum.h"
 #include "dymsum/moving_solid_sum.h"
-#include "features.h"
+#include "solid_feature.h"
 #include "options.h"
 #include "spatial_shape.h"
 

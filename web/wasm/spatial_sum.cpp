@@ -7,7 +7,7 @@
 #include "dymsum/scaling_solid_sum.h"
 #include "dymsum/solid_slice.h"
 #include "dymsum/turning_solid_sum.h"
-#include "features.h"
+#include "solid_feature.h"
 #include "mesh.h"
 #include "options.h"
 #include "planar_shape.h"

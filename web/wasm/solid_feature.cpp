@@ -1,4 +1,4 @@
-#include "features.h"
+#include "solid_feature.h"
 
 #include <string>
 
