@@ -18,7 +18,8 @@ std::vector<std::uint32_t> indices_in(const val& array) { return plain_numbers<s
 
 Ring points_in(const val& coordinates) {
   const std::vector<double> numbers = numbers_in(coordinates);
-  if (numbers.size() % 2 != 0) throw Thrown{{ErrorCode::malformed, "coordinates are x, y after x, y: an odd number of them", {}}};
+  if (numbers.size() % 2 != 0)
+    throw Thrown{{ErrorCode::malformed, "coordinates are x, y after x, y: an odd number of them", {}}};
   Ring ring(numbers.size() / 2);
   for (std::size_t k = 0; k < ring.size(); ++k) ring[k] = {numbers[2 * k], numbers[2 * k + 1]};
   return ring;

@@ -2,9 +2,9 @@
 #include "arrays.h"
 #include "dymsum/penetration_depth.h"
 #include "dymsum/scale_range.h"
-#include "solid_feature.h"
 #include "options.h"
 #include "planar_shape.h"
+#include "solid_feature.h"
 
 namespace dymsum::web {
 namespace {
@@ -37,7 +37,9 @@ val way_data(const Way& way, Contacts contact_data) {
   return v;
 }
 
-std::shared_ptr<PlanarDepth> planar_depth(const Region& p, const Region& q) { return shared(got(PlanarDepth::create(p, q))); }
+std::shared_ptr<PlanarDepth> planar_depth(const Region& p, const Region& q) {
+  return shared(got(PlanarDepth::create(p, q)));
+}
 val planar_at(const PlanarDepth& depth, const val& x, const val& y) {
   const PlanarDistance distance = depth.at({is_none(x) ? 0 : x.as<double>(), is_none(y) ? 0 : y.as<double>()});
   val v = distance_data(distance);

@@ -27,7 +27,9 @@ FileInMemory::FileInMemory(const std::string& name, const std::string& bytes) : 
   std::ofstream out(file_, std::ios::binary);
   out.write(bytes.data(), static_cast<std::streamsize>(bytes.size()));
   out.flush();
-  if (!out) throw Thrown{{ErrorCode::cannot_open, "no file can have this name", {name, {}, {}, {}, {}, {}, {}, {}, {}, {}, {}, {}, {}}}};
+  if (!out)
+    throw Thrown{
+        {ErrorCode::cannot_open, "no file can have this name", {name, {}, {}, {}, {}, {}, {}, {}, {}, {}, {}, {}, {}}}};
 }
 
 FileInMemory::~FileInMemory() {

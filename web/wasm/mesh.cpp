@@ -14,7 +14,8 @@ using SharedMesh = std::shared_ptr<Mesh>;
 std::vector<Point3> points3(const val& array) {
   const std::vector<double> numbers = numbers_in(array);
   if (numbers.size() % 3 != 0)
-    throw Thrown{{ErrorCode::malformed, "vertices are x, y, z after x, y, z: their number is no multiple of three", {}}};
+    throw Thrown{
+        {ErrorCode::malformed, "vertices are x, y, z after x, y, z: their number is no multiple of three", {}}};
   std::vector<Point3> points;
   for (std::size_t k = 0; k < numbers.size(); k += 3) points.push_back({numbers[k], numbers[k + 1], numbers[k + 2]});
   return points;
@@ -32,7 +33,8 @@ MeshData data_in(const val& v) {
   const std::vector<std::uint32_t> corners = indices_in(faces);
   if (corners.size() % 3 != 0)
     throw Thrown{{ErrorCode::malformed, "triangles are three indices each: their number is no multiple of three", {}}};
-  for (std::size_t k = 0; k < corners.size(); k += 3) data.faces.push_back({corners[k], corners[k + 1], corners[k + 2]});
+  for (std::size_t k = 0; k < corners.size(); k += 3)
+    data.faces.push_back({corners[k], corners[k + 1], corners[k + 2]});
   return data;
 }
 
@@ -116,8 +118,12 @@ val convexity_of(const Mesh& mesh) {
   return error ? error_data(*error) : val::null();
 }
 SharedMesh negated_of(const Mesh& mesh) { return shared(negated(mesh)); }
-SharedMesh translated_of(const Mesh& mesh, double dx, double dy, double dz) { return shared(got(translated(mesh, dx, dy, dz))); }
-SharedMesh scaled_of(const Mesh& mesh, double sx, double sy, double sz) { return shared(got(scaled(mesh, sx, sy, sz))); }
+SharedMesh translated_of(const Mesh& mesh, double dx, double dy, double dz) {
+  return shared(got(translated(mesh, dx, dy, dz)));
+}
+SharedMesh scaled_of(const Mesh& mesh, double sx, double sy, double sz) {
+  return shared(got(scaled(mesh, sx, sy, sz)));
+}
 bool equal(const Mesh& a, const Mesh& b) { return a == b; }
 val formatted(const Mesh& mesh, const std::string& name) {
   const MeshFormat format = mesh_format_in(name);

@@ -6,8 +6,8 @@
 #include "dymsum/convex_solid.h"
 #include "dymsum/convex_sum.h"
 #include "dymsum/moving_solid_sum.h"
-#include "solid_feature.h"
 #include "options.h"
+#include "solid_feature.h"
 #include "spatial_shape.h"
 
 namespace dymsum::web {
@@ -39,7 +39,9 @@ val work_data(const SolidFrameWork& work) {
   return v;
 }
 
-val move_solid(MovingSolidSum& sum, const val& p, const val& q) { return work_data(got(sum.set(pose_in(p), pose_in(q)))); }
+val move_solid(MovingSolidSum& sum, const val& p, const val& q) {
+  return work_data(got(sum.set(pose_in(p), pose_in(q))));
+}
 val shape_of(const MovingSolidSum& sum) { return spatial_shape(sum.sum()); }
 std::shared_ptr<SpatialSum> sum_of(const MovingSolidSum& sum) { return shared(sum.sum()); }
 val work_of(const MovingSolidSum& sum) { return work_data(sum.work()); }
@@ -95,7 +97,9 @@ struct HeldConvexSum {
 std::shared_ptr<HeldConvexSum> convex(const Mesh& p, const Mesh& q) {
   return std::make_shared<HeldConvexSum>(got(ConvexSum::create(p, q)));
 }
-val move_convex(HeldConvexSum& held, const val& p, const val& q) { return motion_data(held.sum.set(pose_in(p), pose_in(q))); }
+val move_convex(HeldConvexSum& held, const val& p, const val& q) {
+  return motion_data(held.sum.set(pose_in(p), pose_in(q)));
+}
 val motion_of(const HeldConvexSum& held) { return motion_data(held.sum.work()); }
 
 val buffers_of(HeldConvexSum& held) {

@@ -59,8 +59,8 @@ MovingOptions moving_options(const val& v) {
   options.semantics = semantics_in(member(v, "semantics"));
   options.mode = mode_in(member(v, "mode"));
   options.window = member_or(v, "window", 0.0);
-  options.kept_window_bytes = static_cast<std::uint64_t>(
-      member_or(v, "keptWindowBytes", static_cast<double>(options.kept_window_bytes)));
+  options.kept_window_bytes =
+      static_cast<std::uint64_t>(member_or(v, "keptWindowBytes", static_cast<double>(options.kept_window_bytes)));
   options.progress = progress_in(member(v, "progress"));
   return options;
 }
@@ -101,7 +101,9 @@ Orientation orientation_in(const val& v) {
 
 namespace {
 
-bool is_small_integer(double v) { return v >= -0x1p30 && v <= 0x1p30 && v == static_cast<double>(static_cast<std::int64_t>(v)); }
+bool is_small_integer(double v) {
+  return v >= -0x1p30 && v <= 0x1p30 && v == static_cast<double>(static_cast<std::int64_t>(v));
+}
 
 Rotation quaternion_in(const val& v) {
   std::array<double, 4> q{};
@@ -121,7 +123,8 @@ Rotation rotation_in(const val& v) {
   if (is_none(v)) return {};
   if (const val q = v["quaternion"]; !is_none(q)) return quaternion_in(q);
   const val axis = v["axis"];
-  return got(Rotation::about({axis[0].as<double>(), axis[1].as<double>(), axis[2].as<double>()}, v["angle"].as<double>()));
+  return got(
+      Rotation::about({axis[0].as<double>(), axis[1].as<double>(), axis[2].as<double>()}, v["angle"].as<double>()));
 }
 
 SolidPose pose_in(const val& v) {

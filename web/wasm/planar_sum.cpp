@@ -109,8 +109,12 @@ std::string json_of(const PlanarSum& sum) { return sum_to_json(sum); }
 SharedSum sum_of_regions(const Region& p, const Region& q, const val& options) {
   return shared(got(minkowski_sum(p, q, sum_options(options))));
 }
-SharedSum nfp_of(const Region& a, const Region& b, const val& options) { return shared(got(nfp(a, b, sum_options(options)))); }
-SharedSum eroded(const Region& p, const Region& q, const val& options) { return shared(got(erode(p, q, sum_options(options)))); }
+SharedSum nfp_of(const Region& a, const Region& b, const val& options) {
+  return shared(got(nfp(a, b, sum_options(options))));
+}
+SharedSum eroded(const Region& p, const Region& q, const val& options) {
+  return shared(got(erode(p, q, sum_options(options))));
+}
 SharedSum rotated(const Region& p, const Region& q, const val& angle, const val& options) {
   return shared(got(rotated_sum(p, q, orientation_in(angle), sum_options(options))));
 }

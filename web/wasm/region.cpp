@@ -124,7 +124,9 @@ val bounds_of(const Region& region) {
 }
 double gyration_of(const Region& region) { return radius_of_gyration(region); }
 SharedRegion negated_of(const Region& region) { return shared(negated(region)); }
-SharedRegion translated_of(const Region& region, double dx, double dy) { return shared(got(translated(region, dx, dy))); }
+SharedRegion translated_of(const Region& region, double dx, double dy) {
+  return shared(got(translated(region, dx, dy)));
+}
 SharedRegion scaled_of(const Region& region, double sx, double sy) { return shared(got(scaled(region, sx, sy))); }
 SharedRegion canonical_of(const Region& region) { return shared(region.canonical()); }
 bool equal(const Region& a, const Region& b) { return a == b; }

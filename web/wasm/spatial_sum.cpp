@@ -7,10 +7,10 @@
 #include "dymsum/scaling_solid_sum.h"
 #include "dymsum/solid_slice.h"
 #include "dymsum/turning_solid_sum.h"
-#include "solid_feature.h"
 #include "mesh.h"
 #include "options.h"
 #include "planar_shape.h"
+#include "solid_feature.h"
 #include "spatial_shape.h"
 
 namespace dymsum::web {
@@ -128,10 +128,12 @@ SharedSum scaled_to(const ScalingSolidSum& sum, const val& s, const val& progres
 val scale_events(const ScalingSolidSum& sum, const val& from, const val& to, const val& progress) {
   return list_of(got(sum.events(scale_in(from), scale_in(to), progress_in(progress))), event_data);
 }
-val next_scale_event(const ScalingSolidSum& sum, const val& after, const val& limit, const val& change, const val& progress) {
-  static constexpr Named<EventChange> kNames[] = {{"visible", EventChange::visible}, {"topology", EventChange::topology}};
-  const auto event = got(sum.next_event(scale_in(after), scale_in(limit), enumerator(change, kNames, EventChange::visible),
-                                        progress_in(progress)));
+val next_scale_event(const ScalingSolidSum& sum, const val& after, const val& limit, const val& change,
+                     const val& progress) {
+  static constexpr Named<EventChange> kNames[] = {{"visible", EventChange::visible},
+                                                  {"topology", EventChange::topology}};
+  const auto event = got(sum.next_event(scale_in(after), scale_in(limit),
+                                        enumerator(change, kNames, EventChange::visible), progress_in(progress)));
   return event ? event_data(*event) : val::null();
 }
 
@@ -160,7 +162,7 @@ val turn_contact_data(const SolidTurnContact& contact) {
 val turn_event_data(const SolidTurnEvent& event) {
   val v = val::object();
   v.set("radians", event.radians);
-  v.set("exactT", !event.exact                ? val::null()
+  v.set("exactT", !event.exact                  ? val::null()
                   : event.exact->is_half_turn() ? val(std::string("inf"))
                                                 : val(event.exact->t().to_string()));
   v.set("polynomial", list_of(event.polynomial, [](const std::string& c) { return c; }));
