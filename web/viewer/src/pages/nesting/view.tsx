@@ -86,6 +86,9 @@ export function View(props: PageProps<NestingState>) {
     const to = (from: Point, now: Point): Placement => placementNear(nfp, { x: start.x + now.x - from.x, y: start.y + now.y - from.y }, reach * 1.25);
     return { drag: (from, now) => put(to(from, now), 'live'), drop: (from, now) => put(now ? to(from, now) : state.at, 'done') };
   };
+  const nudge = (by: Point): void => {
+    if (placed) put(placementNear(nfp, { x: placed.approx.x + by.x, y: placed.approx.y + by.y }, Math.hypot(by.x, by.y) / 2), 'done');
+  };
   // B is drawn where the engine says it stands, so contacts are of that placement, too.
   const scene = { a: a.outline, b: b.outline, nfp: failed ? undefined : nfp, at: data.placedAt ?? state.at, placed: failed ? undefined : placed, wrong: wrongPlaces(a, b) };
   return (
@@ -93,7 +96,7 @@ export function View(props: PageProps<NestingState>) {
       <Stage>
         <PlaneView
           label={`The no-fit polygon of ${state.b.name} around ${state.a.name}. ${placed ? meetingText(placed) : ''}`} home={home} homeKey={`${state.a.name} ${state.b.name}`}
-          camera={state.camera} onCamera={(camera) => change({ ...state, camera }, 'aside')} grip={grip} shows={ready && placed} paint={(painter) => paintNesting(painter, scene)}
+          camera={state.camera} onCamera={(camera) => change({ ...state, camera }, 'aside')} grip={grip} nudge={nudge} shows={ready && placed} paint={(painter) => paintNesting(painter, scene)}
         />
         <div class="status">{placed && meetingText(placed)}</div>
       </Stage>

@@ -16,7 +16,7 @@ import { originText } from './provenance';
 import { PickedSection, ResultSection } from './result_section';
 import type { SumArgs } from './service';
 import type { SumState } from './state';
-import { kTools, type Tool } from './tools';
+import { draggedState, kTools, type Tool } from './tools';
 import { usePointing, type Pointing } from './use_pointing';
 import { useSum, type Pull, type SumData } from './use_sum';
 
@@ -85,6 +85,7 @@ export function View({ state, change, shell }: PageProps<SumState>) {
           label={`The sum of ${state.p.name} and ${state.q.name}: ${sum ? `${sum.counts.vertices} vertices, ${sum.counts.holes} holes` : 'not known yet'}`}
           home={home} homeKey={`${withoutEdits(state.p.name)} ${withoutEdits(state.q.name)}`} camera={state.camera}
           onCamera={(camera) => change({ ...state, camera }, 'aside')} cursor={pointing.hovered ? 'pointer' : 'grab'}
+          nudge={(by) => change(draggedState('move', state, state.moving, { x: 0, y: 0 }, by, Math.hypot(by.x, by.y) / 4))}
           grip={(at, reach) => gripOf(context, at, reach)} hover={(at, reach) => pointing.hover(at && nearest(at, reach))}
           click={(at, reach) => pointing.pick(nearest(at, reach))} shows={scene.sum} paint={(painter) => paintSum(painter, scene)}
         />
