@@ -80,12 +80,20 @@ describe('speed', () => {
       (globalThis as unknown as { gc: () => void }).gc();
       return (performance as unknown as { memory: { usedJSHeapSize: number } }).memory.usedJSHeapSize;
     });
+    const held = async (): Promise<number> => {
+      await page.keyboard.press('?');
+      const text = page.getByText(/The engine.* holds \d+ MB/);
+      const megabytes = Number(/holds (\d+) MB/.exec(await text.innerText())![1]);
+      await page.keyboard.press('Escape');
+      return megabytes;
+    };
     await timesOfSlider(page, 'Scale of P', 0.5, 2, 2000);
-    const before = await memory();
+    const before = await memory(), engineBefore = await held();
     for (let k = 0; k < 4; ++k) await timesOfSlider(page, 'Scale of P', 0.5, 2, 2000);
-    const after = await memory();
-    console.log(`memory: ${(before / 1e6).toFixed(1)} MB, after 8000 more drags ${(after / 1e6).toFixed(1)} MB`);
+    const after = await memory(), engineAfter = await held();
+    console.log(`memory: page ${(before / 1e6).toFixed(1)} MB, engine ${engineBefore} MB; after 8000 more drags ${(after / 1e6).toFixed(1)} MB, ${engineAfter} MB`);
     expect(after).toBeLessThan(before + 5e6);
+    expect(engineAfter).toBe(engineBefore); // the module's memory never shrinks: any leak shows
     await close(it);
   });
 });

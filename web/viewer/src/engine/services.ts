@@ -6,6 +6,8 @@ import { nestingServices } from '../pages/nesting/service';
 import { sumServices } from '../pages/sum/service';
 
 export const services = {
+  /** bytes that the module holds */
+  memory: (host: Host, _: Record<never, never>): number => host.dymsum.memoryBytes(),
   ...operandServices,
   ...sumServices,
   ...discServices,

@@ -117,7 +117,7 @@ export function App(props: AppProps) {
         </div>
         <div class="unseen" aria-live="polite">{said}</div>
       </main>
-      {open === 'help' && <Help version={engine.status.version} onClose={() => setOpen(undefined)} />}
+      {open === 'help' && <Help engine={engine} onClose={() => setOpen(undefined)} />}
     </>
   );
 }
