@@ -1,11 +1,17 @@
 // All that can be asked of the worker. A page adds its services here, under its own name.
 import type { Host } from './host';
 import { operandServices } from '../operands/service';
+import { discServices } from '../pages/discs/service';
+import { nestingServices } from '../pages/nesting/service';
 import { sumServices } from '../pages/sum/service';
 
 export const services = {
+  /** bytes that the module holds */
+  memory: (host: Host, _: Record<never, never>): number => host.dymsum.memoryBytes(),
   ...operandServices,
   ...sumServices,
+  ...discServices,
+  ...nestingServices,
 };
 
 export type Services = typeof services;

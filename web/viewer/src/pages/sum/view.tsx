@@ -16,7 +16,7 @@ import { originText } from './provenance';
 import { PickedSection, ResultSection } from './result_section';
 import type { SumArgs } from './service';
 import type { SumState } from './state';
-import { kTools, type Tool } from './tools';
+import { draggedState, kTools, type Tool } from './tools';
 import { usePointing, type Pointing } from './use_pointing';
 import { useSum, type Pull, type SumData } from './use_sum';
 
@@ -85,15 +85,16 @@ export function View({ state, change, shell }: PageProps<SumState>) {
           label={`The sum of ${state.p.name} and ${state.q.name}: ${sum ? `${sum.counts.vertices} vertices, ${sum.counts.holes} holes` : 'not known yet'}`}
           home={home} homeKey={`${withoutEdits(state.p.name)} ${withoutEdits(state.q.name)}`} camera={state.camera}
           onCamera={(camera) => change({ ...state, camera }, 'aside')} cursor={pointing.hovered ? 'pointer' : 'grab'}
+          nudge={(by) => change(draggedState('move', state, state.moving, { x: 0, y: 0 }, by, Math.hypot(by.x, by.y) / 4))}
           grip={(at, reach) => gripOf(context, at, reach)} hover={(at, reach) => pointing.hover(at && nearest(at, reach))}
-          click={(at, reach) => pointing.pick(nearest(at, reach))} paint={(painter) => paintSum(painter, scene)}
+          click={(at, reach) => pointing.pick(nearest(at, reach))} shows={scene.sum} paint={(painter) => paintSum(painter, scene)}
         />
         <div class="status">{pointing.hovered && sum ? originText(sum.shape, pointing.hovered) : ''}</div>
       </Stage>
       <Panel summary={kSummary}>
         <Section title="Shapes">
-          <OperandCard role="P" tint="p" shape={state.p} operand={data.p} onShape={(p) => change({ ...state, p })} />
-          <OperandCard role="Q" tint="q" shape={state.q} operand={data.q} onShape={(q) => change({ ...state, q })} />
+          <OperandCard shell={shell} role="P" tint="p" shape={state.p} operand={data.p} onShape={(p) => change({ ...state, p })} />
+          <OperandCard shell={shell} role="Q" tint="q" shape={state.q} operand={data.q} onShape={(q) => change({ ...state, q })} />
           <Choice label="What dragging a shape does" options={kTools} value={tool} onChange={setTool} />
         </Section>
         <MotionSection state={state} change={change} shell={shell} args={data.args} />
