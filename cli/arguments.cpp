@@ -26,12 +26,6 @@ void refuse_repeated(const CLI::Option& outputs) {
       throw Stop(kUsage, "-o " + output + " is given twice: one result would replace the other");
 }
 
-/// FILE of FILE#NAME, unless there is a file of that very name.
-std::string file_of(const std::string& operand) {
-  std::error_code unknown;
-  return std::filesystem::exists(operand, unknown) ? operand : operand.substr(0, operand.rfind('#'));
-}
-
 bool is_output(const CLI::Option& option) { return option.check_name("-o") || option.check_name("OUT"); }
 
 void refuse_replaced_input(const CLI::App& verb, const std::string& output) {
@@ -41,7 +35,7 @@ void refuse_replaced_input(const CLI::App& verb, const std::string& output) {
   for (const CLI::Option* option : verb.get_options()) {
     if (is_output(*option)) continue;
     for (const std::string& value : option->results())
-      if (std::filesystem::equivalent(file_of(value), place, unknown))
+      if (std::filesystem::equivalent(file_of_operand(value), place, unknown))
         throw Stop(kUsage,
                    "the output " + output + " is the file that " + value + " is read from, and would replace it");
   }

@@ -2,8 +2,10 @@
 
 #include <algorithm>
 #include <cctype>
+#include <filesystem>
 #include <iostream>
 #include <iterator>
+#include <system_error>
 #include <utility>
 
 namespace dymsum::cli {
@@ -75,6 +77,11 @@ RegionFormat format_of_text(std::string_view text) {
 
 bool is_footprint(const std::string& operand) { return operand.starts_with("["); }
 
+std::string file_of_operand(const std::string& operand) {
+  std::error_code unknown;
+  return std::filesystem::exists(operand, unknown) ? operand : operand.substr(0, operand.rfind('#'));
+}
+
 std::string_view without_mark(std::string_view text) {
   constexpr std::string_view kByteOrderMark = "\xEF\xBB\xBF";
   return text.starts_with(kByteOrderMark) ? text.substr(kByteOrderMark.size()) : text;
@@ -106,7 +113,8 @@ Result<Region> make_region(RegionData data, const std::string& file, const Input
   }
   Result<Repaired> repaired = repair(std::move(data));
   if (!repaired) return in_file(repaired.error());
-  if (repaired->report.changed()) std::cerr << file << ": repaired: " << repaired->report.to_string() << "\n";
+  if (repaired->report.changed() && !options.quiet)
+    std::cerr << file << ": repaired: " << repaired->report.to_string() << "\n";
   return std::move(repaired).value().region;
 }
 

@@ -17,6 +17,7 @@ struct InputOptions {
   bool hull = false;    ///< solids: take the convex hull with dymsum::hulled and print its report on standard error
   bool thin = false;    ///< solids: points, segments and open surfaces are operands, too
   bool offers_thin = false;  ///< whether the verb has --thin
+  bool quiet = false;        ///< repairs are not printed: they were before
   std::string from;          ///< the format of standard input; empty: told from its first characters
 };
 
@@ -47,6 +48,9 @@ T require_of(const std::vector<Input>& inputs, Result<T> result);
 
 /// Whether an operand is itself a footprint, "[[x,y],...]", and names no file.
 bool is_footprint(const std::string& operand);
+
+/// FILE of FILE#NAME, unless there is a file of that very name.
+std::string file_of_operand(const std::string& operand);
 
 /// A text without the mark of its byte order.
 std::string_view without_mark(std::string_view text);

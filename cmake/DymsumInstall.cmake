@@ -10,6 +10,9 @@ install(DIRECTORY "${PROJECT_SOURCE_DIR}/include/dymsum" DESTINATION "${CMAKE_IN
 install(EXPORT dymsumTargets NAMESPACE dymsum:: DESTINATION "${DYMSUM_CMAKE_DIR}")
 if(DYMSUM_BUILD_CLI)
   install(TARGETS dymsum_cli RUNTIME DESTINATION "${CMAKE_INSTALL_BINDIR}")
+  # The viewer, where `./run web` has built it; the program finds it as ../share/dymsum/viewer.html.
+  install(FILES "${PROJECT_SOURCE_DIR}/web/viewer/dist/index.html" DESTINATION "${CMAKE_INSTALL_DATADIR}/dymsum"
+    RENAME viewer.html OPTIONAL)
 endif()
 if(DYMSUM_BUILD_OMPL)
   install(DIRECTORY "${PROJECT_SOURCE_DIR}/adapters/ompl/dymsum" DESTINATION "${CMAKE_INSTALL_INCLUDEDIR}"

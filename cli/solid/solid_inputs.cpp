@@ -37,12 +37,6 @@ std::optional<MeshFormat> solid_format_of(std::string_view text) {
   return std::nullopt;
 }
 
-std::optional<MeshFormat> format_of_input(const InputOptions& options) {
-  if (options.from.empty()) return solid_format_of(standard_input());
-  const Result<MeshFormat> named = mesh_format("." + options.from);
-  return named ? std::optional(*named) : std::nullopt;
-}
-
 /// Says how parts without volume are taken, and vertices without a face, where these are what is wrong.
 Error with_remedy(Error error, bool no_faces, const InputOptions& options) {
   const bool thin = error.code == ErrorCode::not_closed || error.code == ErrorCode::too_few_vertices;
@@ -60,14 +54,20 @@ void tell(const MeshRepairReport& report, const Mesh& mesh, const std::string& f
             << (mesh.empty() ? "; it holds no face with an area, and is taken as the empty solid" : "") << "\n";
 }
 
-Result<SolidInput> hull_of(const MeshData& data, const std::string& file) {
+Result<SolidInput> hull_of(const MeshData& data, const std::string& file, bool quiet) {
   Result<HulledMesh> hull = hulled(data);
   if (!hull) return hull.error();
-  std::cerr << shown_file(file) << ": convex hull: " << hull->report.to_string() << "\n";
+  if (!quiet) std::cerr << shown_file(file) << ": convex hull: " << hull->report.to_string() << "\n";
   return SolidInput{file, hull->mesh, hull->report};
 }
 
 }  // namespace
+
+std::optional<MeshFormat> mesh_format_of_input(const InputOptions& options) {
+  if (options.from.empty()) return solid_format_of(standard_input());
+  const Result<MeshFormat> named = mesh_format("." + options.from);
+  return named ? std::optional(*named) : std::nullopt;
+}
 
 void refuse_selection(const std::string& file) {
   const std::size_t mark = file.rfind('#');
@@ -85,13 +85,13 @@ void refuse_unknown_extension(const std::string& file) {
 
 bool names_solid(const std::string& file, const InputOptions& options) {
   refuse_selection(file);
-  return file == "-" ? format_of_input(options).has_value() : mesh_format(file).ok();
+  return file == "-" ? mesh_format_of_input(options).has_value() : mesh_format(file).ok();
 }
 
 Result<MeshData> read_mesh_data(const std::string& file, const InputOptions& options) {
   refuse_selection(file);
   if (file != "-") return read_mesh(file);
-  const std::optional<MeshFormat> format = format_of_input(options);
+  const std::optional<MeshFormat> format = mesh_format_of_input(options);
   if (!format) throw Stop(kUsage, "--from names the format of the solid on standard input: off, obj, stl or ply");
   return parse_mesh(standard_input(), *format, "standard input");
 }
@@ -102,7 +102,7 @@ Result<SolidInput> make_solid(MeshData data, const std::string& file, const Inpu
     return error;
   };
   if (options.hull) {
-    Result<SolidInput> hull = hull_of(data, file);
+    Result<SolidInput> hull = hull_of(data, file, options.quiet);
     if (!hull) return in_file(hull.error());
     return hull;
   }
@@ -114,7 +114,7 @@ Result<SolidInput> make_solid(MeshData data, const std::string& file, const Inpu
   }
   Result<RepairedMesh> repaired = repair(std::move(data));
   if (!repaired) return in_file(repaired.error());
-  tell(repaired->report, repaired->mesh, shown_file(file));
+  if (!options.quiet) tell(repaired->report, repaired->mesh, shown_file(file));
   return SolidInput{file, std::move(repaired).value().mesh};
 }
 

@@ -26,6 +26,9 @@ void refuse_unknown_extension(const std::string& file);
 /// else by its first characters.
 bool names_solid(const std::string& file, const InputOptions& options);
 
+/// The format of the solid on standard input, by --from, else by its first characters; nothing where it is none.
+std::optional<MeshFormat> mesh_format_of_input(const InputOptions& options);
+
 /// The lists of a file, or of standard input.
 Result<MeshData> read_mesh_data(const std::string& file, const InputOptions& options);
 /// Validates what was read from a file, or repairs it or takes its hull where asked.

@@ -14,6 +14,7 @@
 #include "report.h"
 #include "solid/solid_operands.h"
 #include "verbs/commands.h"
+#include "viewer/viewer_pages.h"
 
 namespace dymsum::cli {
 namespace {
@@ -166,7 +167,8 @@ void add_cspace(CLI::App& app, Action& action) {
   add_operands(verb, kRobot, kObstacle, command->operands);
   verb.add_option("-o", command->files,
                   "Write .glb (the boundary as a closed mesh), .svg (a film strip of exact slices), .json (patches "
-                  "with their exact angles) or .obstacle (for --obstacle of clearance and path); repeatable")
+                  "with their exact angles) or .obstacle (for --obstacle of clearance and path) or .html (the viewer); "
+                  "repeatable")
       ->type_name("FILE")
       ->allow_extra_args(false);
   within(verb.add_option("--tolerance", command->tolerance, "Largest error of the mesh, as a share of its extent"),
@@ -181,7 +183,12 @@ void add_cspace(CLI::App& app, Action& action) {
   add_report_options(verb, command->report, "Compute N times and report the median and minimum time");
   add_input_options(verb, command->input);
   verb.footer("Example: dymsum cspace peg.wkt slot.wkt -o obstacle.glb -o slices.svg --json");
-  verb.callback([command, &action] { action = [command] { return run_cspace(*command); }; });
+  verb.callback([command, &action] {
+    action = [command] {
+      return run_with_pages({command->parser, "obstacle", "", false}, command->operands, command->input, command->files,
+                            [command] { return run_cspace(*command); });
+    };
+  });
 }
 
 }  // namespace dymsum::cli

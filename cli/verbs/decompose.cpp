@@ -16,6 +16,7 @@
 #include "timing.h"
 #include "verbs/commands.h"
 #include "verbs/features_command.h"
+#include "viewer/viewer_pages.h"
 
 namespace dymsum::cli {
 namespace {
@@ -132,14 +133,19 @@ void add_decompose(CLI::App& app, Action& action) {
   CLI::App& verb = *app.add_subcommand("decompose", "Cuts a region into nearly convex pieces at its lasting pockets");
   command->parser = &verb;
   add_shared_options(verb, *command, "Cut at what lasts at least this long, in diameters, and is at least this deep");
-  verb.add_option(
-          "-o", command->output.files,
-          "Pieces .wkt, a polygon per line, rounded; .json, exact; or a picture .svg; may be given several times")
+  verb.add_option("-o", command->output.files,
+                  "Pieces .wkt, a polygon per line, rounded; .json, exact; a picture .svg; or .html, the viewer; may "
+                  "be given several times")
       ->type_name("FILE");
   verb.add_flag("--round-repair", command->output.round_repair,
                 "Where rounding makes a piece of -o FILE.wkt no polygon, merge what collides instead of refusing");
   verb.footer("Example: dymsum decompose beetle.poly --repair --tau 1/10 -o pieces.wkt -o pieces.svg");
-  verb.callback([command, &action] { action = [command] { return run_decompose(*command); }; });
+  verb.callback([command, &action] {
+    action = [command] {
+      return run_with_pages({command->parser, "discs", "", false}, {command->operand}, command->input,
+                            command->output.files, [command] { return run_decompose(*command); });
+    };
+  });
 }
 
 }  // namespace dymsum::cli

@@ -16,6 +16,7 @@
 #include "solid/solid_operands.h"
 #include "timing.h"
 #include "verbs/commands.h"
+#include "viewer/viewer_pages.h"
 
 namespace dymsum::cli {
 namespace {
@@ -186,6 +187,8 @@ ExitCode run(const DepthCommand& command) {
     require_solid("depth --track", command.operands, command.input);
     return run_track(command.operands, command.track, command.report, command.input);
   }
+  if (!command.track.files.empty())
+    throw Stop(kUsage, "-o without --track writes .html, the viewer, not " + command.track.files.front());
   return are_solid(command.operands, command.input) ? run_solids(command) : run_regions(command);
 }
 
@@ -236,19 +239,25 @@ void add_depth(CLI::App& app, Action& action) {
       ->type_name("N")
       ->needs(track)
       ->capture_default_str();
-  verb.add_option("-o", command->track.files,
-                  "With --track: write the rows; repeatable; .csv, .json, .svg or .html (a plot, jumps marked); - is "
-                  "standard output, as .csv")
+  verb.add_option(
+          "-o", command->track.files,
+          "Write .html (the viewer); with --track the rows: .csv, .json, .svg or .html (a plot, jumps marked), - is "
+          "standard output, as .csv; repeatable")
       ->type_name("FILE")
-      ->allow_extra_args(false)
-      ->needs(track);
+      ->allow_extra_args(false);
   add_angle_options(verb, command->angle, "by this angle,");
   add_report_options(verb, command->report, "Compute N times and report the median and minimum time");
   add_solid_input_options(verb, command->input);
   verb.footer(
       "Exit code 4 when their interiors do not meet, 5 when the time was over.\nExample: dymsum depth cup.off "
       "spoon.off --move 0.5,0,0 --json\n         dymsum depth cup.off spoon.off --track motion.csv -o trace.svg");
-  verb.callback([command, &action] { action = [command] { return run(*command); }; });
+  verb.callback([command, &action] {
+    action = [command]() -> ExitCode {
+      if (!command->track.motion.empty()) return run(*command);
+      return run_with_pages({command->parser, "sum", "solids"}, command->operands, command->input, command->track.files,
+                            [command] { return run(*command); });
+    };
+  });
 }
 
 }  // namespace dymsum::cli

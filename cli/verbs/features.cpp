@@ -20,6 +20,7 @@
 #include "timing.h"
 #include "verbs/commands.h"
 #include "verbs/features_command.h"
+#include "viewer/viewer_pages.h"
 
 namespace dymsum::cli {
 namespace {
@@ -145,14 +146,21 @@ ExitCode run_features(const FeaturesCommand& command) {
 void add_features(CLI::App& app, Action& action) {
   auto command = std::make_shared<FeaturesCommand>();
   CLI::App& verb = *app.add_subcommand("features", "What a growing disc sees: bridges, pockets and how long they last");
+  command->parser = &verb;
   add_shared_options(verb, *command, "Keep what lasts at least this long, in diameters");
   verb.add_option("--alpha", command->alpha, "Also the bridges of the disc of this diameter")->type_name("A");
   verb.add_flag("--exact", command->exact, "With --json: births and deaths as formulas of roots, too");
   verb.add_option("-o", command->output.files,
-                  "A picture .svg, or .html, a page with a slider over alpha, to --alpha if given; repeatable")
+                  "A picture .svg, or .html, the viewer (where it is not built, a page with a slider over alpha, to "
+                  "--alpha if given); repeatable")
       ->type_name("FILE");
   verb.footer("Example: dymsum features beetle.poly --repair --alpha 1/5 --tau 1/10 -o beetle.svg --json");
-  verb.callback([command, &action] { action = [command] { return run_features(*command); }; });
+  verb.callback([command, &action] {
+    action = [command] {
+      return run_with_pages({command->parser, "discs", "", true}, {command->operand}, command->input,
+                            command->output.files, [command] { return run_features(*command); });
+    };
+  });
 }
 
 }  // namespace dymsum::cli

@@ -10,6 +10,7 @@
 #include "solid/solid_motion.h"
 #include "solid/solid_turns.h"
 #include "verbs/commands.h"
+#include "viewer/viewer_pages.h"
 
 namespace dymsum::cli {
 namespace {
@@ -113,7 +114,7 @@ void add_rotate(CLI::App& app, Action& action) {
   add_threads_option(verb, command->planar.threads);
   verb.add_option(
           "-o", command->planar.files,
-          "Write .html (a page that plays, or with a slider); planar also .svg (a "
+          "Write .html (the viewer; where it is not built, a page that plays); planar also .svg (a "
           "film strip) and anim.svg (an animation), solid a frame as .off .obj .stl .ply .glb .json; repeatable")
       ->type_name("FILE")
       ->allow_extra_args(false);
@@ -124,7 +125,12 @@ void add_rotate(CLI::App& app, Action& action) {
       "Examples: dymsum rotate rod.off box.off --steps 500 --axis 1,2,3 -o turn.html\n"
       "          dymsum rotate gear.off housing.off --events --range 0deg:30deg --axis 0,0,1\n"
       "          dymsum rotate star.wkt plate.wkt --steps 500 --threads 2");
-  verb.callback([command, &action] { action = [command] { return run(*command); }; });
+  verb.callback([command, &action] {
+    action = [command] {
+      return run_with_pages({command->parser, "sum", "solids", true}, command->planar.operands, command->planar.input,
+                            command->planar.files, [command] { return run(*command); });
+    };
+  });
 }
 
 }  // namespace dymsum::cli

@@ -12,6 +12,7 @@
 #include "solid/solid_operands.h"
 #include "verbs/commands.h"
 #include "verbs/scale_command.h"
+#include "viewer/viewer_pages.h"
 
 namespace dymsum::cli {
 namespace {
@@ -213,9 +214,9 @@ void add_options(CLI::App& verb, ScaleCommand& command) {
       ->check(CLI::IsMember({"closed", "open", "regular"}))
       ->capture_default_str();
   verb.add_option("-o", command.files,
-                  "Write .svg (a film strip), anim.svg (an animation) or .html (a page with a slider and ticks at "
-                  "events); with --copies .svg (obstacles, "
-                  "what they grow to, robot); of solids .html (a page that plays), and a frame as .off .obj .stl "
+                  "Write .svg (a film strip), anim.svg (an animation) or .html (the viewer; where it is not built, "
+                  "a page with a slider and ticks at events); with --copies .svg (obstacles, "
+                  "what they grow to, robot); of solids .html (likewise), and a frame as .off .obj .stl "
                   ".ply .glb .json; repeatable")
       ->type_name("FILE")
       ->allow_extra_args(false);
@@ -268,7 +269,12 @@ void add_scale(CLI::App& app, Action& action) {
       "          dymsum scale plate.wkt star.wkt --sweep 1:2:0.1% --threads 2\n"
       "          dymsum scale plate.wkt star.wkt --sweep 1:2:1% --ratio 2/3\n"
       "          dymsum scale block.off peg.off --range 1/2:2 --next topology");
-  verb.callback([command, &action] { action = [command] { return run_scale(*command); }; });
+  verb.callback([command, &action] {
+    action = [command] {
+      return run_with_pages({command->parser, command->copies.empty() ? "sum" : "", "solids", true}, command->operands,
+                            command->input, command->files, [command] { return run_scale(*command); });
+    };
+  });
 }
 
 }  // namespace dymsum::cli

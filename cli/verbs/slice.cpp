@@ -48,6 +48,8 @@ SumVerb slice_verb() {
       "Example: dymsum slice part.off tool.off --z 1.5 --reflect -o slice.svg";
   verb.planar_result = true;
   verb.reflects_second = true;
+  verb.page = "obstacle";
+  verb.solid_page = "solids";
   return verb;
 }
 
@@ -84,7 +86,9 @@ void add_slice(CLI::App& app, Action& action) {
   within(verb.add_option("--z", command->z, "Solids: the height, a number taken at face value"), -1e300, 1e300)
       ->type_name("Z");
   verb.add_flag("--reflect", command->reflect, "Solids: of P + -Q instead of P + Q");
-  verb.callback([command, &action] { action = [command] { return run_slice(*command); }; });
+  verb.callback([command, &action] {
+    action = with_viewer(slice_verb(), command->sum, [command] { return run_slice(*command); });
+  });
 }
 
 }  // namespace dymsum::cli

@@ -34,6 +34,7 @@ struct SumVerb {
   bool planar_result = false;              ///< of solids, too
   bool is_sum = false;                     ///< of solids: takes parts without volume, and keeps convex faces whole
   bool several = false;                    ///< takes more than two solids
+  std::string page, solid_page;            ///< of the viewer that shows regions, and solids; empty: none
   std::optional<Orientation> orientation;  ///< of the operand that is turned, for the report
   /// The operands as pictures show them and as the convolution is counted; empty: as they are read.
   std::function<std::array<Region, 2>(const Region&, const Region&)> shown;
@@ -55,6 +56,9 @@ struct SumCommand {
 CLI::App& declare_sum_verb(CLI::App& app, const SumVerb& verb, SumCommand& command);
 /// Adds the verb, which needs no further options.
 void add_sum_verb(CLI::App& app, const SumVerb& verb, Action& action);
+
+/// The action with -o FILE.html as the viewer.
+Action with_viewer(const SumVerb& verb, SumCommand& command, const Action& action);
 
 /// Reads, computes, writes the outputs and reports.
 ExitCode run_sum(const SumVerb& verb, const SumCommand& command);

@@ -31,8 +31,8 @@ Workplace::~Workplace() { fs::remove_all(folder_); }
 
 Outcome Workplace::run(const std::string& command) const {
   const fs::path bin = fs::path(DYMSUM_CLI).parent_path();
-  write("../command.sh",
-        "export PATH='" + bin.string() + "':\"$PATH\"\ncd '" + (folder_ / "work").string() + "'\n" + command + "\n");
+  write("../command.sh", "export DYMSUM_VIEWER= PATH='" + bin.string() + "':\"$PATH\"\ncd '" +
+                             (folder_ / "work").string() + "'\n" + command + "\n");
   const std::string base = folder_.string();
   const std::string line = "bash '" + base + "/command.sh' >'" + base + "/out' 2>'" + base + "/err'";
   const int status = std::system(line.c_str());

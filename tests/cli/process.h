@@ -11,7 +11,8 @@ struct Outcome {
   std::string out, err;
 };
 
-/// A fresh folder, removed at the end; commands run inside it with `dymsum` on the path.
+/// A fresh folder, removed at the end; commands run inside it with `dymsum` on the path, and
+/// without a viewer, whether one is built or not.
 class Workplace {
  public:
   Workplace();

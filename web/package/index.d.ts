@@ -1,0 +1,897 @@
+/**
+ * dymsum: exact Minkowski sums of polygons and of solids, kept exact while shapes move; and what people build from them.
+ *
+ * Names are those of the C++ library and of Python's package, with camelCase for functions and fields: their guides hold
+ * here too. `load` makes an instance of the WebAssembly module; it has two layers:
+ *
+ * 1. `run`: the command line, with files in memory; every verb, the same text as the native program.
+ * 2. live objects: `Region`, `Mesh`, sums, and sums that follow a motion.
+ *
+ * Geometry comes as typed arrays, which are copies and stay valid. Exact numbers are strings, "3/2". Errors are thrown as
+ * `DymsumError`. Objects with `dispose` hold memory of the module until it is called; all else is plain data. An object
+ * that is made of others keeps what it needs of them: these may be disposed of before it. Computations are synchronous:
+ * pages call them in a worker.
+ */
+
+export interface LoadOptions {
+  /** The bytes of dymsum.wasm (or dymsum-simd.wasm, with `simd: true`), for pages that may not fetch: those opened from disk. */
+  wasmBinary?: ArrayBuffer | Uint8Array;
+  /** Which build; else the one with SIMD where the engine has it. */
+  simd?: boolean;
+  /** Where a file of the package is, by its name; else beside index.js. */
+  locateFile?: (name: string) => string;
+}
+
+export function load(options?: LoadOptions): Promise<Dymsum>;
+
+/** Whether the engine has WebAssembly's 128-bit SIMD. */
+export function hasSimd(): boolean;
+
+// ---------------------------------------------------------------------------------------------------------- errors
+
+/** Codes as in C++ (result.h): "cannot_open", "malformed", "self_crossing", "out_of_memory", ... */
+export type ErrorCode =
+  | 'cannot_open' | 'cannot_write' | 'unsupported_format' | 'malformed' | 'truncated'
+  | 'not_finite' | 'too_few_vertices' | 'repeated_vertex' | 'no_area' | 'wrong_orientation' | 'self_crossing' | 'rings_cross'
+  | 'hole_outside' | 'parts_overlap'
+  | 'bad_index' | 'not_planar' | 'not_closed' | 'not_manifold' | 'faces_cross' | 'not_convex'
+  | 'unsupported_operand' | 'rounding_changed_topology' | 'bad_scale' | 'bad_rotation' | 'out_of_range' | 'cancelled'
+  | 'out_of_memory'
+  /** a broken contract: an argument that the function's description rules out */
+  | 'invalid_argument'
+  /** a defect of the library */
+  | 'defect';
+
+/** Where and what: fields are there only where they apply. Indices count from 0, lines from 1. Ring 0 of a part is its outer ring. */
+export interface Evidence {
+  file?: string;
+  line?: number;
+  part?: number;
+  ring?: number;
+  vertex?: number;
+  otherPart?: number;
+  otherRing?: number;
+  otherVertex?: number;
+  face?: number;
+  otherFace?: number;
+  x?: number;
+  y?: number;
+  z?: number;
+}
+
+/** What went wrong as plain data, for `postMessage` and where an error is a result. */
+export interface ErrorData {
+  code: ErrorCode;
+  /** one sentence, without the evidence */
+  reason: string;
+  /** with file, line, ring, vertex and position: what the command line prints */
+  message: string;
+  evidence: Evidence;
+}
+
+export class DymsumError extends Error implements ErrorData {
+  constructor(data: ErrorData);
+  code: ErrorCode;
+  reason: string;
+  evidence: Evidence;
+  /** Plain data that `postMessage` can send; `new DymsumError(data)` makes the error of it again. */
+  toData(): ErrorData;
+}
+
+// ---------------------------------------------------------------------------------------------------- command line
+
+export interface RunOptions {
+  /** Files that the command can read, by their paths: "a.poly", "data/b.wkt". */
+  files?: Record<string, string | Uint8Array | ArrayBuffer>;
+  stdin?: string | Uint8Array;
+  /** What goes to standard error, as it is written: progress among it, with `--progress`. */
+  onStderr?: (text: string) => void;
+}
+
+export interface RunResult {
+  /** 0 done; 1 wrong usage; 2 bad input; 3 a defect; 4 the answer is "no" */
+  exit: number;
+  stdout: string;
+  stderr: string;
+  /** standard output byte by byte: a .glb written to "-" is no text */
+  stdoutBytes: Uint8Array;
+  /** The files that the command wrote or changed. */
+  files: Record<string, Uint8Array>;
+}
+
+// ------------------------------------------------------------------------------------------------------------ numbers
+
+/** A number at face value, or what a text says exactly: "3/2", "1.01", "1e-3". */
+export type ExactInput = number | string | bigint;
+/** An exact number as text, "3/2"; integers too: "2/1". */
+export type ExactText = string;
+export interface ExactPoint { x: ExactText; y: ExactText; }
+export interface ExactPoint3 { x: ExactText; y: ExactText; z: ExactText; }
+export interface Point { x: number; y: number; }
+export interface Point3 { x: number; y: number; z: number; }
+
+/** Radians (the exact orientation within 2^-50 of them), or exactly the one whose half angle has this tangent; "inf" is half a turn. */
+export type Angle = number | { tanHalf: ExactInput };
+
+/** The stage's name and its finished share in [0, 1]. Return false to stop: the error is `cancelled`. */
+export type Progress = (stage: string, fraction: number) => boolean | void;
+
+/** Stands for "none" in arrays of indices: 2^32 - 1. */
+export const NONE: 0xffffffff;
+
+export interface Disposable { dispose(): void; }
+
+// ------------------------------------------------------------------------------------------------------------ regions
+
+/** x, y after x, y; or a list of pairs. */
+export type Coordinates = Float64Array | number[] | ReadonlyArray<readonly [number, number]>;
+/** The plain lists a region is made from. Outer rings run counter-clockwise, holes clockwise; the first vertex is not repeated. */
+export interface RegionData {
+  parts: { outer: Coordinates; holes?: Coordinates[] }[];
+  polylines?: Coordinates[];
+  points?: Coordinates;
+}
+export type RegionFormat = 'poly' | 'wkt' | 'geojson' | 'svg' | 'json';
+
+/**
+ * A region's rings as flat arrays. Vertex k is at vertices[2 k], vertices[2 k + 1]; ring r has the vertices from
+ * ringStarts[r] to ringStarts[r + 1], part i the rings from partStarts[i] to partStarts[i + 1], the outer one first; then
+ * polylines, likewise; then points. These are the indices that provenance names; edge k starts at vertex k.
+ */
+export interface RegionShape {
+  vertices: Float64Array;
+  ringStarts: Uint32Array;
+  partStarts: Uint32Array;
+  polylineStarts: Uint32Array;
+  /** the first of the points: all vertices from here on */
+  firstPoint: number;
+}
+
+export interface NamedRegion { name: string; region: Region; }
+export interface Repaired { region: Region; changed: boolean; report: string; }
+
+export interface Region extends Disposable {
+  readonly empty: boolean;
+  readonly vertexCount: number;
+  readonly holeCount: number;
+  shape(): RegionShape;
+  area(): number;
+  /** 17 digits, also beyond the range of doubles */
+  areaText(): string;
+  /** min x, min y, max x, max y */
+  bounds(): [number, number, number, number];
+  radiusOfGyration(): number;
+  negated(): Region;
+  translated(dx: number, dy: number): Region;
+  scaled(sx: number, sy: number): Region;
+  /** The region with one vertex somewhere else, validated: errors name where rings cross. */
+  withVertex(index: number, x: number, y: number): Region;
+  canonical(): Region;
+  equals(other: Region): boolean;
+  format(format: RegionFormat): string;
+}
+
+export interface RegionClass {
+  /** The file's only shape, or the one after "#" in `name`. The format is that of the name's extension: .poly, .wkt, .geojson, .svg, .json, .dxf; .yaml and .map name their picture, which is not there. */
+  read(name: string, bytes: string | Uint8Array | ArrayBuffer, options?: { repair?: boolean }): Region;
+  /** All shapes of a file. */
+  readAll(name: string, bytes: string | Uint8Array | ArrayBuffer, options?: { repair?: boolean }): NamedRegion[];
+  /** What a file says, not validated: to draw it where it is refused. */
+  readData(name: string, bytes: string | Uint8Array | ArrayBuffer): { name: string; shape: RegionShape }[];
+  /** One part: the outer ring, then its holes. */
+  fromRings(rings: Coordinates[]): Region;
+  fromData(data: RegionData): Region;
+  repair(data: RegionData): Repaired;
+  empty(): Region;
+}
+
+// ------------------------------------------------------------------------------------------------------- planar sums
+
+export type Semantics = 'closed' | 'open' | 'regular';
+export type Engine = 'fast' | 'brute' | 'winding';
+
+export interface SumOptions {
+  engine?: Engine;
+  semantics?: Semantics;
+  /** keep the stages for `PlanarSum.trace` */
+  trace?: boolean;
+  progress?: Progress;
+}
+
+/** A segment of the convolution: an edge of one operand added to a vertex of the other. */
+export interface Contact { kind: 'edge_of_p' | 'edge_of_q'; p: number; q: number; }
+
+/**
+ * All that a sum consists of. `vertices` has those of the rings (as in RegionShape), then those of the pieces and tight
+ * features, which name theirs by index. Edge k of a ring runs from vertex k to the ring's next one.
+ */
+export interface SumShape {
+  /** within `atError` of the exact positions */
+  vertices: Float64Array;
+  ringStarts: Uint32Array;
+  partStarts: Uint32Array;
+  /** pieces of the set without area: two vertices each; one each */
+  segments: Uint32Array;
+  points: Uint32Array;
+  /** touching without overlap is allowed only exactly here: two vertices each; one each */
+  tightSegments: Uint32Array;
+  tightPoints: Uint32Array;
+  /**
+   * Provenance. Of vertex k six numbers from 6 k on: the segment that arrives and the one that leaves, each as kind (0: an edge
+   * of P + a vertex of Q, 1: a vertex of P + an edge of Q), index in P, index in Q. The edge that starts at vertex k is the one
+   * that leaves.
+   */
+  contacts: Uint32Array;
+  /** Of vertex k the vertices of P and Q that it is the sum of, from 2 k on; NONE, NONE where two edges cross. */
+  corners: Uint32Array;
+  atError: number;
+}
+
+export interface SumStats {
+  tierBits: number;
+  reducedSegments: number;
+  liveSegments: number;
+  cellEntries: number;
+  pairTests: number;
+  crossings: number;
+  degenerateNodes: number;
+  loops: number;
+  collisionTests: number;
+  filteredSigns: number;
+  exactSigns: number;
+  maskGrid: number;
+  peakBytes: number;
+  stages: { name: string; ms: number }[];
+}
+
+/** The stages as data: positions are rounded. */
+export interface PlanarTrace {
+  /** x, y, x, y of each */
+  convolution: Float64Array;
+  /** of each: 1 for an edge of P + a vertex of Q */
+  convolutionEdgeOfP: Uint8Array;
+  /** low x, low y, high x, high y of each */
+  maskedCells: Float64Array;
+  crossings: Float64Array;
+  keptLoops: { vertices: Float64Array; starts: Uint32Array };
+  droppedLoops: { vertices: Float64Array; starts: Uint32Array };
+  tightPoints: Float64Array;
+  tightSegments: Float64Array;
+}
+
+export interface PlanarSum extends Disposable {
+  shape(): SumShape;
+  readonly vertexCount: number;
+  readonly holeCount: number;
+  readonly partCount: number;
+  stats(): SumStats;
+  trace(): PlanarTrace | null;
+  area(): number;
+  areaText(): string;
+  /** null where the fraction would have more than so many bits (2^20 unless told) */
+  areaExact(bits?: number): ExactText | null;
+  /** The exact position of a vertex of `shape().vertices`. */
+  exact(vertex: number): ExactPoint;
+  /** The set rounded to doubles; `repair` merges what collides. */
+  rounded(options?: { repair?: boolean }): Region;
+  equals(other: PlanarSum): boolean;
+  /** with tight features, as the command line writes it */
+  format(format: RegionFormat): string;
+  /** Rings with rounded and exact coordinates, and provenance. */
+  toJson(): string;
+}
+
+export interface ConvolutionSizes { full: number; kinetic: number; reduced: number; }
+
+// ------------------------------------------------------------------------------------------- planar sums that move
+
+export interface MovingOptions {
+  moving?: 'p' | 'q';
+  /** P (+) -Q; provenance refers to Q */
+  reflectQ?: boolean;
+  semantics?: Semantics;
+  mode?: 'automatic' | 'window' | 'rebuild';
+  window?: number;
+  keptWindowBytes?: number;
+  progress?: Progress;
+}
+
+export interface FrameWork {
+  rebuilt: boolean;
+  newWindow: boolean;
+  degenerate: boolean;
+  pieces: number;
+  candidates: number;
+  piecesRepaired: number;
+  listsChanged: number;
+  crossingsChanged: number;
+  loopsTraced: number;
+  loopsKept: number;
+  witnessed: number;
+  witnessesLost: number;
+  collisionTests: number;
+  exactSigns: number;
+  windowLow: number;
+  windowHigh: number;
+  ms: number;
+  peakBytes: number;
+}
+
+export interface RingChange {
+  kind: 'appeared' | 'disappeared' | 'reshaped' | 'moved';
+  ring: number;
+  verticesAppeared: number;
+  verticesDisappeared: number;
+}
+export interface FrameChanges { rings: RingChange[]; tightPoints: number; tightSegments: number; topology: boolean; }
+
+/** What follows a motion. `set` moves, and changes nothing where it throws. */
+interface MovingPlanarSum extends Disposable {
+  /** The geometry of the sum now: what a frame draws. */
+  shape(): SumShape;
+  /** The sum now, as an object that later moves leave as it is. */
+  sum(): PlanarSum;
+  /** identities of the rings, part by part, outer ring first */
+  ringIds(): Float64Array;
+  work(): FrameWork;
+}
+
+export interface ScaleEvent {
+  s: ExactText;
+  approx: number;
+  kind: 'vertex_on_segment' | 'three_segments';
+  visible: boolean;
+  topology: boolean;
+}
+
+export interface ScalingSum extends MovingPlanarSum {
+  /** To a scale; or to diag(s, sy). */
+  set(s: ExactInput, sy?: ExactInput): FrameChanges;
+  scale(): { approx: number; exact: ExactText };
+  events(from: ExactInput, to: ExactInput, progress?: Progress): ScaleEvent[];
+  nextEvent(after: ExactInput, limit: ExactInput, change?: 'visible' | 'topology', progress?: Progress): ScaleEvent | null;
+  /** sixteen hexadecimal digits */
+  combinatorialHash(): string;
+}
+
+export interface RotatingSum extends MovingPlanarSum {
+  set(angle: Angle): FrameChanges;
+  orientation(): { radians: number; tanHalf: ExactText };
+}
+
+// -------------------------------------------------------------------------------------------- scales that fit, depth
+
+export interface ScaleContact {
+  kind: 'vertex_on_edge' | 'edge_on_vertex' | 'vertex_on_vertex';
+  part: number;
+  obstacle: number;
+  leg: number;
+  along: ExactText;
+  at: ExactPoint;
+}
+export interface ScaleInterval { low: ExactText | null; high: ExactText | null; atLow: ScaleContact[]; atHigh: ScaleContact[]; }
+export interface ScaleRange { free: ScaleInterval[]; trap: ExactText | null; critical: number; tested: number; }
+
+export interface PlanarWay { move: ExactPoint; approx: Point; direction: Point; contacts: Contact[]; }
+export interface PlanarDistance {
+  meeting: 'overlapping' | 'touching' | 'apart';
+  squared: ExactText;
+  distance: number;
+  ways: PlanarWay[];
+}
+/** Penetration depth and distance of two regions, of which Q is moved. */
+export interface PlanarDepth extends Disposable { at(x?: number, y?: number): PlanarDistance; }
+
+// -------------------------------------------------------------------------------------- the obstacle in (x, y, theta)
+
+export interface Configuration { x: number; y: number; theta: number; }
+export interface EventAngle { theta: number; low: number; high: number; exactTanHalf: ExactText | null; }
+export interface ObstacleEvent { kind: 'alignment' | 'vertex_on_segment' | 'three_segments' | 'tight'; angle: number; at: Point; }
+/** Free at one angle only: a point, where `from` equals `to`, or a segment. */
+export interface ObstacleTight { angle: number; from: Point; to: Point; error: number; }
+/** A piece of ruled surface; `begin` and `end` are indices of angles, NONE, NONE: at every angle. In contacts `p` is the obstacle, `q` the robot. */
+export interface Patch {
+  contact: Contact; left: Contact; right: Contact;
+  leftCorner: boolean; rightCorner: boolean;
+  begin: number; end: number; shell: number; rotating: boolean;
+}
+export interface Shell { outer: boolean; patches: number; euler: number; freeComponent: number; }
+export interface ObstacleWork {
+  windows: number; segments: number; surfaces: number; potentialEvents: number; visibleEvents: number;
+  alignments: number; vertexEvents: number; tripleEvents: number; tightEvents: number;
+  localUpdates: number; slices: number; exactSigns: number; collisionTests: number; ms: number;
+}
+
+/** The boundary as triangles; vertices are x, y, theta. */
+export interface ObstacleMeshShape {
+  vertices: Float64Array;
+  triangles: Uint32Array;
+  /** of each triangle: its patch; whether it lies in the plane of an event angle */
+  patches: Uint32Array;
+  closing: Uint8Array;
+  extent: number;
+  tolerance: number;
+  watertight: boolean;
+}
+
+export interface Clearance {
+  /** negative inside the obstacle: the depth */
+  distance: number;
+  error: number;
+  patch: number | null;
+  nearest: Configuration;
+  /** of that patch: what touches; p is the obstacle, q the robot */
+  contact: Contact | null;
+}
+export interface FreeAngles { begin: number; end: number; beginError: number; endError: number; beginPatch: number | null; endPatch: number | null; }
+
+export interface Waypoint extends Configuration {
+  move: 'start' | 'translation' | 'counter_clockwise' | 'clockwise';
+  exact: { x: ExactText; y: ExactText; tanHalf: ExactText };
+}
+export interface FreeComponent { index: number; unbounded: boolean; allAngles: boolean; from: number; to: number; shells: number[]; }
+export interface NoPath {
+  kind: 'start_not_free' | 'goal_not_free' | 'separated' | 'undecided';
+  text: string;
+  contact: Contact | null;
+  start: FreeComponent[];
+  goal: FreeComponent[];
+  limit: { outOfTime: boolean; seconds: number; passage: { from: number; to: number; reached: Point; beyond: Point } | null } | null;
+  unexaminedAngles: number;
+}
+export interface Plan {
+  path: Waypoint[];
+  reason: NoPath | null;
+  work: { levels: number; slices: number; rotations: number; refinements: number; ms: number };
+}
+export interface PlanOptions { touching?: 'allowed' | 'forbidden'; timeLimitSeconds?: number; progress?: Progress; }
+
+export interface CspaceObstacle extends Disposable {
+  angles(): EventAngle[];
+  events(): ObstacleEvent[];
+  tight(): ObstacleTight[];
+  patches(): Patch[];
+  shells(): Shell[];
+  work(): ObstacleWork;
+  mayHaveTightCurves(): boolean;
+  /** O (+) -R(theta), exactly; provenance: P is the obstacle, Q the robot. */
+  slice(angle: Angle, semantics?: Semantics): PlanarSum;
+  /** The boundary at an angle between events as loops of patches, from what is there: x, y of every patch's start. Faster than `slice`, in doubles. */
+  outline(angle: Angle): { vertices: Float64Array; starts: Uint32Array; patches: Uint32Array } | null;
+  contains(x: number, y: number, angle: Angle): boolean;
+  /** Where the patch starts and ends at an angle. */
+  patchEnds(patch: number, theta: number): [Point, Point];
+  mesh(options?: { tolerance?: number; progress?: Progress }): ObstacleMeshShape;
+  queries(): ObstacleQueries;
+  plan(start: Configuration, goal: Configuration, options?: PlanOptions): Plan;
+  /** a .glb of the mesh, as `dymsum cspace -o` */
+  glb(options?: { tolerance?: number }): Uint8Array;
+  /** the text of an .obstacle file */
+  format(): string;
+}
+
+export interface ObstacleQueries extends Disposable {
+  contains(at: Configuration): boolean;
+  freeAngles(x: number, y: number): FreeAngles[];
+  /** `weight`, a length per radian: Infinity counts translations alone; else the robot's radius of gyration. */
+  clearance(at: Configuration, options?: { weight?: number; touching?: 'allowed' | 'forbidden' }): Clearance;
+  gyrationRadius(): number;
+}
+
+export interface PathCheck {
+  outcome: 'free' | 'blocked' | 'undecided';
+  piece: number;
+  low: number;
+  high: number;
+  at: Configuration;
+  contact: Contact | null;
+}
+
+// ------------------------------------------------------------------------------------------------------------- solids
+
+export type MeshFormat = 'off' | 'obj' | 'stl' | 'ply' | 'glb';
+export interface MeshData {
+  /** x, y, z after x, y, z */
+  vertices: Float64Array | number[];
+  /** triangles, three indices each; or lists of any length */
+  faces: Uint32Array | number[][];
+}
+/** For drawing: triangles of the mesh's own vertices, and the face that each is a part of. */
+export interface MeshShape {
+  vertices: Float64Array;
+  triangles: Uint32Array;
+  triangleFaces: Uint32Array;
+  /** face k has the corners from faceStarts[k] to faceStarts[k + 1] */
+  faceStarts: Uint32Array;
+  faceVertices: Uint32Array;
+}
+export interface RepairedMesh { mesh: Mesh; changed: boolean; report: string; }
+
+export interface Mesh extends Disposable {
+  readonly empty: boolean;
+  readonly vertexCount: number;
+  readonly faceCount: number;
+  readonly shellCount: number;
+  shape(): MeshShape;
+  volume(): number;
+  surfaceArea(): number;
+  /** min x, y, z, max x, y, z */
+  bounds(): [number, number, number, number, number, number];
+  /** null for a convex solid, else why it is none */
+  convexityError(): ErrorData | null;
+  negated(): Mesh;
+  translated(dx: number, dy: number, dz: number): Mesh;
+  scaled(sx: number, sy: number, sz: number): Mesh;
+  convexHull(): Mesh;
+  equals(other: Mesh): boolean;
+  format(format: MeshFormat): Uint8Array;
+}
+export interface MeshClass {
+  /** The format is that of the name's extension: .off, .obj, .stl, .ply. */
+  read(name: string, bytes: string | Uint8Array | ArrayBuffer, options?: { repair?: boolean; hull?: boolean; thinParts?: boolean }): Mesh;
+  /** What a file says, not validated: to draw it where it is refused. */
+  readData(name: string, bytes: string | Uint8Array | ArrayBuffer): { vertices: Float64Array; faceStarts: Uint32Array; faceVertices: Uint32Array };
+  fromData(data: MeshData, options?: { thinParts?: boolean }): Mesh;
+  repair(data: MeshData): RepairedMesh;
+  convexHull(points: Float64Array | number[]): Mesh;
+}
+
+export interface SolidFeature { kind: 'vertex' | 'edge' | 'face'; a: number; b: number; }
+export interface SolidContact { p: SolidFeature; q: SolidFeature; }
+
+export interface SpatialOptions {
+  engine?: 'fast' | 'brute';
+  semantics?: Semantics;
+  tight?: boolean;
+  /** bytes; 0: no limit */
+  memory?: number;
+  progress?: Progress;
+}
+/**
+ * A sum of solids, for drawing. `triangles` index `vertices`, which are those of the sum (`exact` takes their indices).
+ * Features are three numbers: kind (0 vertex, 1 edge, 2 face), a, b; see SolidFeature.
+ */
+export interface SpatialShape {
+  vertices: Float64Array;
+  triangles: Uint32Array;
+  /** of each triangle: its face */
+  triangleFaces: Uint32Array;
+  /** of each face from 6 k on: the feature of P, the feature of Q that touch there */
+  faceContacts: Uint32Array;
+  faceShells: Uint32Array;
+  /** two vertices each: to draw the outlines of faces */
+  edges: Uint32Array;
+  tightTriangles: Uint32Array;
+  tightSegments: Uint32Array;
+  tightPoints: Uint32Array;
+  atError: number;
+}
+export interface SpatialStats {
+  bits: number; faceVertex: number; edgeEdge: number; innerFacets: number; boxPairs: number; contacts: number;
+  points: number; cells: number; patches: number; collisionTests: number; tightTests: number; exactSigns: number;
+  heldBytes: number; stages: { name: string; ms: number }[];
+}
+export interface SpatialSum extends Disposable {
+  readonly shellCount: number;
+  readonly faceCount: number;
+  readonly vertexCount: number;
+  shape(): SpatialShape;
+  stats(): SpatialStats;
+  volume(): number;
+  area(): number;
+  /** null where the fraction would have more than so many bits (2^20 unless told) */
+  volumeExact(bits?: number): ExactText | null;
+  exact(vertex: number): ExactPoint3;
+  /** What touches at a tight face, segment or point. */
+  tightContacts(): { faces: SolidContact[][]; segments: SolidContact[][]; points: SolidContact[][] };
+  /** The regular part as an operand of further sums. */
+  asMesh(): Mesh;
+  equals(other: SpatialSum): boolean;
+  /** rounded once; error rounding_changed_topology where that would spoil it, but not of a glb, which is a picture */
+  format(format: MeshFormat): Uint8Array;
+}
+
+/** How P or Q stands: x -> rotation (diag(scale) x). Rounded to exact rational rotations, see `Rotation`. */
+export interface SolidPose {
+  rotation?: Rotation;
+  scale?: ExactInput | readonly [ExactInput, ExactInput, ExactInput];
+}
+/** About an axis, counter-clockwise seen from its tip; or a quaternion w, x, y, z of any length (exact for integers up to 2^30). */
+export type Rotation = { axis: readonly [number, number, number]; angle: number } | { quaternion: readonly [number, number, number, number] };
+
+export interface MovingSolidOptions { semantics?: Semantics; tight?: boolean; mode?: 'automatic' | 'window' | 'rebuild'; progress?: Progress; }
+export interface SolidFrameWork {
+  rebuilt: boolean; normalsChecked: number; pairsChecked: number; facets: number; facetsAdded: number; facetsRemoved: number;
+  innerKept: number; innerTested: number; contacts: number; exactSigns: number; ms: number;
+}
+export interface SolidFrameChanges {
+  appeared: SolidContact[]; disappeared: SolidContact[]; changed: SolidContact[];
+  shells: number; tightFaces: number; tightSegments: number; tightPoints: number;
+}
+/** A sum of solids of any shape that follows the poses of both. */
+export interface MovingSolidSum extends Disposable {
+  set(p: SolidPose, q?: SolidPose): SolidFrameWork;
+  shape(): SpatialShape;
+  /** Of each face of `shape()`: 0 as before, 1 appeared, 2 changed by the last `set`. */
+  faceChanges(): Uint8Array;
+  sum(): SpatialSum;
+  work(): SolidFrameWork;
+  changes(): SolidFrameChanges;
+}
+
+/** The sum of two convex solids that turn and scale. */
+export interface ConvexSum extends Disposable {
+  set(p: SolidPose, q?: SolidPose): MotionWork;
+  work(): MotionWork;
+  /** For renderers: indices of vertices and facets stay as long as they are there. */
+  buffers(): ConvexBuffers;
+  volume(): number;
+  volumeExact(): ExactText;
+  support(direction: Point3): { p: number; q: number; at: Point3 };
+  /** how deep a point (the origin unless told) lies in the sum */
+  depth(point?: Point3): ConvexDepth;
+  facetCount(): { all: number; changed: number };
+  /** rounded: valid convex mesh */
+  mesh(): Mesh;
+  /** the exact position of a vertex of `buffers()` */
+  exact(vertex: number): ExactPoint3;
+}
+export interface MotionWork {
+  vertexChecks: number; vertexErrors: number; crossingChecks: number; arcChecks: number; arcsChanged: number;
+  steps: number; facetsAdded: number; facetsRemoved: number; exactSigns: number;
+}
+export interface ConvexBuffers {
+  /** x, y, z of every vertex, single precision */
+  positions: Float32Array;
+  /** 0, 0, 0 where an index is free */
+  triangles: Uint32Array;
+  /** of each triangle: the facet */
+  triangleFacets: Uint32Array;
+  /** of each facet from 6 k on: the features of P and of Q */
+  facetContacts: Uint32Array;
+  /** of each facet: 0 as before, 1 appeared, 2 changed by the last motion */
+  facetChanges: Uint8Array;
+  vertexCount: number;
+  facetCount: number;
+}
+export interface ConvexDepth { inside: boolean; depth: number; depthSquared: ExactText; direction: Point3; p: SolidFeature; q: SolidFeature; }
+
+export interface SolidWay { move: ExactPoint3; approx: Point3; direction: Point3; contacts: SolidContact[]; }
+export interface SolidDistance {
+  meeting: 'overlapping' | 'touching' | 'apart';
+  squared: ExactText;
+  distance: number;
+  ways: SolidWay[];
+  complete: boolean;
+  atLeast: number;
+}
+/** Penetration depth and distance of two solids of any shape, of which Q is moved. */
+export interface SolidDepth extends Disposable {
+  at(x?: number, y?: number, z?: number, timeLimitSeconds?: number): SolidDistance;
+  readonly facetCount: number;
+}
+
+export interface SolidScaleEvent {
+  s: ExactText; approx: number;
+  kind: 'vertex_on_facet' | 'edge_on_edge' | 'four_facets' | 'coplanar_facets';
+  topology: boolean;
+}
+export interface ScalingSolidSum extends Disposable {
+  at(s: ExactInput, progress?: Progress): SpatialSum;
+  events(from: ExactInput, to: ExactInput, progress?: Progress): SolidScaleEvent[];
+  nextEvent(after: ExactInput, limit: ExactInput, change?: 'visible' | 'topology', progress?: Progress): SolidScaleEvent | null;
+}
+
+export interface SolidTurnEvent {
+  radians: number;
+  exactT: ExactText | null;
+  polynomial: string[];
+  contacts: { kind: string; at: Point3; features: SolidContact[] }[];
+  visible: boolean;
+  topology: boolean;
+}
+export interface TurningSolidSum extends Disposable {
+  at(radians: number, progress?: Progress): SpatialSum;
+  /** from `from` counter-clockwise to `to`, in radians */
+  events(from: number, to: number, progress?: Progress): SolidTurnEvent[];
+}
+
+export interface SolidSlice extends Disposable {
+  readonly section: PlanarSum;
+  /** parts of the section in which the solids only touch, as rings */
+  touching(): { vertices: Float64Array; ringStarts: Uint32Array; partStarts: Uint32Array };
+}
+
+// ------------------------------------------------------------------------------------------ growing discs and features
+
+export type DiscSide = 'outside' | 'inside';
+/** A radius, or exactly the one of an event of that side. */
+export type DiscRadius = ExactInput | { event: number };
+export interface DiscEvent { radius: number; nodes: number; }
+/** A segment or an arc, from (x, y) to where the next one of the ring begins. */
+export interface DiscPiece {
+  of: 'edge' | 'vertex' | 'disc';
+  /** the edge or vertex of the region, where it is one */
+  index: number;
+  x: number;
+  y: number;
+  /** of an arc: centre, direction of its start seen from there, and the angle covered, positive counter-clockwise */
+  arc: { cx: number; cy: number; fromAngle: number; sweep: number } | null;
+  corner: 'none' | 'vertex' | 'centre' | 'contact' | 'crossing';
+}
+export interface DiscShape {
+  parts: { outer: DiscPiece[]; holes: DiscPiece[][] }[];
+  /** x, y, x, y of each */
+  segments: Float64Array;
+  points: Float64Array;
+  tightSegments: Float64Array;
+  tightPoints: Float64Array;
+  radius: number;
+  radiusExact: string;
+  atError: number;
+}
+export interface Measured { value: number; error: number; }
+export interface DiscSet extends Disposable {
+  shape(): DiscShape;
+  area(): Measured;
+  perimeter(): Measured;
+  bounds(): [number, number, number, number];
+  /** segments in place of arcs */
+  toRegion(error: number, bound?: 'inside' | 'outside' | 'nearest'): { region: Region; error: number; chords: number };
+  /** with true arcs */
+  svg(over: Region): string;
+  toJson(): string;
+}
+/** All discs of a region at once. */
+export interface GrowingDisc extends Disposable {
+  events(side: DiscSide, progress?: Progress): DiscEvent[];
+  sumAt(radius: DiscRadius, semantics?: Semantics): DiscSet;
+  erodedAt(radius: DiscRadius, semantics?: Semantics): DiscSet;
+  openedAt(radius: DiscRadius, semantics?: Semantics): DiscSet;
+  closedAt(radius: DiscRadius, semantics?: Semantics): DiscSet;
+}
+
+export interface FeatureOptions {
+  concavity?: 'straight_line' | 'shortest_path' | 'hybrid1' | 'hybrid2';
+  hybridTolerance?: number;
+  progress?: Progress;
+}
+/** A bar of the barcode. alpha is the diameter of the disc; `deathAlpha` is Infinity for what never dies. */
+export interface FeatureBar {
+  born: 'corner' | 'neck';
+  died: 'merged' | 'filled' | 'never';
+  birth: number;
+  death: number | null;
+  birthAlpha: number;
+  deathAlpha: number;
+  parent: number | null;
+  vertex: number | null;
+  minimum: number | null;
+  concavity: number;
+  inHole: boolean;
+  loop: number;
+}
+export interface BridgeContact { atVertex: boolean; index: number; x: number; y: number; }
+export interface AlphaBridge {
+  from: BridgeContact; to: BridgeContact; centre: Point; gap: boolean; length: number; bar: number;
+  minimum: number | null; concavity: number; pocketSize: number;
+}
+export interface Cut {
+  vertex: number; end: 'vertex' | 'edge' | 'cut'; index: number;
+  from: Point; to: Point; exactFrom: ExactPoint; exactTo: ExactPoint; bar: number; partner: boolean;
+  /** x, y, x, y of each stretch that separates pieces */
+  runs: Float64Array;
+}
+export interface Decomposition {
+  cuts: Cut[];
+  /** rounded: rings as in RegionShape, each piece a part */
+  pieces: { vertices: Float64Array; ringStarts: Uint32Array; partStarts: Uint32Array };
+  /** of each piece */
+  areas: number[];
+}
+export interface DecomposeOptions { persistence?: ExactInput; alphaFrom?: ExactInput; alphaTo?: ExactInput; progress?: Progress; }
+export interface ShapeFeatures extends Disposable {
+  bars(): FeatureBar[];
+  readonly eventCount: number;
+  eventAlpha(event: number): number;
+  eventText(event: number): string;
+  bridges(alpha: ExactInput): AlphaBridge[];
+  lasting(life: ExactInput, from?: ExactInput, to?: ExactInput): Uint32Array;
+  significant(significance: ExactInput, from?: ExactInput, to?: ExactInput): Uint32Array;
+  decompose(options?: DecomposeOptions): Decomposition;
+}
+
+// --------------------------------------------------------------------------------------------------------- the module
+
+export interface Dymsum {
+  readonly version: string;
+  readonly simd: boolean;
+
+  /** `dymsum` with these arguments (the verb first), on files in memory. Each call starts anew. */
+  run(args: string[], options?: RunOptions): Promise<RunResult>;
+
+  readonly Region: RegionClass;
+  readonly Mesh: MeshClass;
+
+  /** P (+) Q of regions, or of solids. */
+  minkowskiSum(p: Region, q: Region, options?: SumOptions): PlanarSum;
+  minkowskiSum(p: Mesh, q: Mesh, options?: SpatialOptions): SpatialSum;
+  /** A (+) -B: where B's reference point may stand so that B meets A. With `semantics: 'open'` exact fits are its tight features. */
+  nfp(a: Region, b: Region, options?: SumOptions): PlanarSum;
+  /** { x : x + Q inside P }; positions without freedom are `segments` and `points`. */
+  erode(p: Region, q: Region, options?: SumOptions): PlanarSum;
+  unionOf(regions: Region[], options?: SumOptions): PlanarSum;
+  /** R(theta) P (+) Q */
+  rotatedSum(p: Region, q: Region, angle: Angle, options?: SumOptions): PlanarSum;
+  contains(p: Region, q: Region, z: Point, semantics?: Semantics): boolean;
+  contains(p: Mesh, q: Mesh, z: Point3, semantics?: Semantics): boolean;
+  convolutionSizes(p: Region, q: Region): ConvolutionSizes;
+  scaleRange(part: Region, path: Coordinates, obstacles: Region, progress?: Progress): ScaleRange;
+  /** at one position; anywhere without it */
+  fitRange(part: Region, container: Region, at?: Point | null, progress?: Progress): ScaleRange;
+  sliceOfSum(p: Mesh, q: Mesh, z: number, options?: SpatialOptions): SolidSlice;
+
+  readonly ScalingSum: { create(p: Region, q: Region, options?: MovingOptions): ScalingSum };
+  readonly RotatingSum: { create(p: Region, q: Region, options?: MovingOptions): RotatingSum };
+  readonly PlanarDepth: { create(p: Region, q: Region): PlanarDepth };
+  readonly CspaceObstacle: {
+    create(robot: Region, obstacle: Region, options?: { progress?: Progress }): CspaceObstacle;
+    /** of an .obstacle file */
+    read(name: string, text: string | Uint8Array | ArrayBuffer): CspaceObstacle;
+  };
+  cspaceSlice(robot: Region, obstacle: Region, angle: Angle, options?: SumOptions): PlanarSum;
+  /** from each pose to the next, x, y and theta linear in time */
+  checkPath(robot: Region, obstacle: Region, poses: Configuration[], options?: { touching?: 'allowed' | 'forbidden'; progress?: Progress }): PathCheck;
+
+  readonly MovingSolidSum: { create(p: Mesh, q: Mesh, options?: MovingSolidOptions): MovingSolidSum };
+  readonly ConvexSum: { create(p: Mesh, q: Mesh): ConvexSum };
+  readonly SolidDepth: { create(p: Mesh, q: Mesh, options?: { progress?: Progress }): SolidDepth };
+  readonly ScalingSolidSum: {
+    create(p: Mesh, q: Mesh, options?: { moving?: 'p' | 'q'; semantics?: Semantics; tight?: boolean }): ScalingSolidSum;
+  };
+  readonly TurningSolidSum: {
+    create(p: Mesh, q: Mesh, axis: readonly [number, number, number], options?: { moving?: 'p' | 'q'; changes?: boolean; window?: number; tight?: boolean }): TurningSolidSum;
+  };
+
+  readonly GrowingDisc: { create(region: Region): GrowingDisc };
+  readonly ShapeFeatures: { create(region: Region, options?: FeatureOptions): ShapeFeatures };
+
+  /** Regions to start with, as in C++ (shapes.h). */
+  readonly shapes: {
+    rectangle(x0: number, y0: number, x1: number, y1: number): Region;
+    disc(vertices: number, radius: number): Region;
+    gear(teeth: number, inner: number, outer: number): Region;
+    grate(bars: number, pitch: number, bar: number, length: number): Region;
+    comb(teeth: number, pitch: number, tooth: number, length: number): Region;
+    star(points: number, inner: number, outer: number): Region;
+    noisyStar(vertices: number, noise: number, seed: number): Region;
+    spiral(turns: number, verticesPerTurn: number, pitch: number, width: number): Region;
+    letterU(width: number, height: number, thickness: number): Region;
+    letterL(width: number, height: number, thickness: number): Region;
+    pockets(holes: number, size: number): Region;
+    randomPolygon(vertices: number, holes: number, seed: number): Region;
+  };
+  /** Solids to start with (solids.h). */
+  readonly solids: {
+    box(x0: number, y0: number, z0: number, x1: number, y1: number, z1: number): Mesh;
+    prism(base: Coordinates, height: number): Mesh;
+    tessellatedCube(size: number, k: number): Mesh;
+    cone(sides: number, radius: number, height: number): Mesh;
+    cylinder(sides: number, radius: number, height: number): Mesh;
+    dipyramid(sides: number, radius: number, height: number): Mesh;
+    pyramid(sides: number, radius: number, height: number): Mesh;
+    geodesicSphere(frequency: number, radius: number): Mesh;
+    ellipsoid(slices: number, stacks: number, rx: number, ry: number, rz: number): Mesh;
+    triakisIcosahedron(radius: number): Mesh;
+    truncatedIcosidodecahedron(radius: number): Mesh;
+    rod(slices: number, stacks: number, radius: number, length: number): Mesh;
+  };
+
+  /** SVG pictures, as the command line draws them. */
+  drawRegion(region: Region): string;
+  drawSum(p: Region, q: Region, sum: PlanarSum): string;
+  drawTrace(p: Region, q: Region, sum: PlanarSum): string;
+
+  /** Bytes of the module's memory now: it grows and never shrinks. */
+  memoryBytes(): number;
+}

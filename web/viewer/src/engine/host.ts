@@ -1,0 +1,55 @@
+// What the worker keeps between requests: the module, and the objects that were made for the last few operands.
+import type { Disposable, Dymsum, Mesh, Progress, Region } from 'dymsum';
+import { bytesOf, isMade, keyOf, type Shape } from './shape';
+
+const kMostKept = 12;
+
+export class Host {
+  private kept = new Map<string, Disposable>();
+  private inUse = new Set<string>();
+
+  constructor(
+    readonly dymsum: Dymsum,
+    /** For options: passes progress of the request at hand on. */
+    readonly progress: Progress,
+  ) {}
+
+  /** The object of this key, made if it is not there. It lives at least until the request is answered. */
+  keep<T extends Disposable>(key: string, make: () => T): T {
+    const there = this.kept.get(key);
+    const value = (there as T | undefined) ?? make();
+    this.kept.delete(key); // the last in the map is the last that was used
+    this.kept.set(key, value);
+    this.inUse.add(key);
+    return value;
+  }
+
+  /** Disposes of what has not been used for longest. */
+  requestDone(): void {
+    for (const [key, value] of this.kept) {
+      if (this.kept.size <= kMostKept) break;
+      if (this.inUse.has(key)) continue;
+      this.kept.delete(key);
+      value.dispose();
+    }
+    this.inUse.clear();
+  }
+
+  region(shape: Shape): Region {
+    return this.keep(`region ${keyOf(shape)}`, () =>
+      isMade(shape) ? this.make<Region>(this.dymsum.shapes, shape) : this.dymsum.Region.read(shape.name, bytesOf(shape)),
+    );
+  }
+
+  mesh(shape: Shape): Mesh {
+    return this.keep(`mesh ${keyOf(shape)}`, () =>
+      isMade(shape) ? this.make<Mesh>(this.dymsum.solids, shape) : this.dymsum.Mesh.read(shape.name, bytesOf(shape)),
+    );
+  }
+
+  private make<T>(generators: object, shape: { make: string; args: number[] }): T {
+    const generator = Object.entries(generators).find(([name]) => name === shape.make)?.[1] as ((...args: number[]) => T) | undefined;
+    if (!generator) throw new Error(`There is no generator "${shape.make}".`);
+    return generator(...shape.args);
+  }
+}

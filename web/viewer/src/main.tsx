@@ -1,0 +1,68 @@
+import { render } from 'preact';
+import { Engine } from './engine/client';
+import { embeddedModule } from './engine/embedded_module';
+import EngineWorker from './engine/worker?worker&inline';
+import { pages } from './pages';
+import { followAddress, followDocument } from './shell/address';
+import { App } from './shell/app';
+import { embeddedData, filesOf, type EmbeddedDocument, type ProgramData } from './shell/embedded';
+import { History, type Document } from './shell/history';
+import { followServer } from './shell/live';
+import { checkedDocument, firstDocument, openedDocument, withFiles } from './shell/opening';
+import { dataFromHash, fromHash } from './shell/permalink';
+import './shell/theme.css';
+import './shell/layout.css';
+import './shell/controls.css';
+
+/** The document with the files that a server has now. */
+function withInputs(document: Document, data: ProgramData): Document {
+  const files = filesOf(data);
+  return files.length > 0 ? withFiles(pages, document, files) : document;
+}
+
+/** What the address says, else what stands in the page, else the first example. Of a live page files are the server's. */
+async function start(): Promise<Document> {
+  const linked = await fromHash(location.hash);
+  if (linked) {
+    const document = checkedDocument(pages, linked);
+    return server ? withInputs(document, server) : document;
+  }
+  const data = (await dataFromHash(location.hash)) ?? embeddedData();
+  return data ? openedDocument(pages, data) : firstDocument(pages[0]);
+}
+
+/** What the server behind this page told it, where there is one. */
+function serverData(): ProgramData | undefined {
+  try {
+    const data = embeddedData();
+    return data?.live ? data : undefined;
+  } catch {
+    return undefined; // start() says what is wrong
+  }
+}
+const server = serverData();
+
+let firstError: unknown;
+const history = new History(
+  await start().catch((error: unknown) => {
+    firstError = error;
+    return firstDocument(pages[0]);
+  }),
+);
+const engine = new Engine(() => new EngineWorker(), embeddedModule);
+let reportLater: (error: unknown) => void = (error) => console.error(error);
+
+function open(embedded: EmbeddedDocument): void {
+  try {
+    history.open(openedDocument(pages, embedded));
+  } catch (error) {
+    reportLater(error);
+  }
+}
+render(<App pages={pages} engine={engine} history={history} firstError={firstError} onReport={(report) => (reportLater = report)} />, document.getElementById('app')!);
+followDocument(history);
+followAddress((linked) => open(linked as EmbeddedDocument), (error) => reportLater(error));
+if (server)
+  followServer(server, (data) => history.amend(withInputs(history.document, data)), (error) => reportLater(error));
+// Other scripts of the page open documents by this event.
+addEventListener('dymsum-open', (event) => open((event as CustomEvent<EmbeddedDocument>).detail));

@@ -1,0 +1,8 @@
+// The pages, in the order of the tabs.
+import type { Pages } from '../shell/opening';
+import { asAnyPage } from '../shell/page';
+import { discsPage } from './discs/page';
+import { nestingPage } from './nesting/page';
+import { sumPage } from './sum/page';
+
+export const pages: Pages = [asAnyPage(sumPage), asAnyPage(discsPage), asAnyPage(nestingPage)];

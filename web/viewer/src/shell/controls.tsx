@@ -1,0 +1,138 @@
+// The controls that panels are made of. Each is a native input with a label, so keyboard and screen readers have it.
+import type { ComponentChildren } from 'preact';
+import { useId } from 'preact/hooks';
+import { PlayButton } from './play_button';
+
+export function Section({ title, children }: { title: string; children: ComponentChildren }) {
+  return (
+    <section class="section" aria-label={title}>
+      <h2>{title}</h2>
+      {children}
+    </section>
+  );
+}
+
+export interface Tick {
+  at: number;
+  /** stands out */
+  strong: boolean;
+  label: string;
+}
+
+interface SliderProps {
+  label: string;
+  value: number;
+  min: number;
+  max: number;
+  step: number | 'any';
+  /** what is shown of the value */
+  text?: string;
+  ticks?: readonly Tick[];
+  onInput: (value: number) => void;
+  /** the thumb was let go */
+  onDone: (value: number) => void;
+  /** with a button that moves it to and fro */
+  plays?: boolean;
+}
+
+export function Slider(props: SliderProps) {
+  const { label, value, min, max, step, text, ticks, onInput, onDone, plays } = props, id = useId();
+  const read = (event: Event): number => (event.currentTarget as HTMLInputElement).valueAsNumber;
+  return (
+    <div class="field">
+      <div class="label">
+        <label for={id}>{label}</label>
+        <output for={id}>{text ?? String(value)}</output>
+      </div>
+      {plays && <PlayButton {...props} />}
+      {ticks && <Ticks ticks={ticks} min={min} max={max} />}
+      <input
+        id={id} type="range" min={min} max={max} step={step} value={value} aria-valuetext={text}
+        onInput={(e) => onInput(read(e))} onChange={(e) => onDone(read(e))}
+      />
+    </div>
+  );
+}
+
+function Ticks({ ticks, min, max }: { ticks: readonly Tick[]; min: number; max: number }) {
+  const inside = ticks.filter((t) => t.at >= min && t.at <= max);
+  return (
+    <div class="ticks" aria-hidden="true">
+      {inside.map((t) => (
+        <i key={t.label} class={t.strong ? 'strong' : ''} title={t.label} style={{ left: `${(100 * (t.at - min)) / (max - min)}%` }} />
+      ))}
+    </div>
+  );
+}
+
+interface ChoiceProps<T extends string> {
+  label: string;
+  options: readonly (readonly [T, string])[];
+  value: T;
+  onChange: (value: T) => void;
+}
+
+export function Choice<T extends string>({ label, options, value, onChange }: ChoiceProps<T>) {
+  const name = useId();
+  return (
+    <div class="choice" role="radiogroup" aria-label={label}>
+      {options.map(([key, text]) => (
+        <label key={key}>
+          <input type="radio" name={name} value={key} checked={key === value} onChange={() => onChange(key)} />
+          {text}
+        </label>
+      ))}
+    </div>
+  );
+}
+
+interface ToggleProps {
+  label: string;
+  value: boolean;
+  onChange: (value: boolean) => void;
+  /** how what it shows is drawn */
+  swatch?: ComponentChildren;
+}
+
+export function Toggle({ label, value, onChange, swatch }: ToggleProps) {
+  return (
+    <label class="toggle">
+      <input type="checkbox" checked={value} onChange={(e) => onChange(e.currentTarget.checked)} />
+      {swatch}
+      {label}
+    </label>
+  );
+}
+
+/** Names and values; nothing for values that are not known yet. */
+export function Readouts({ rows }: { rows: readonly (readonly [string, string | number | undefined])[] }) {
+  return (
+    <dl class="readouts">
+      {rows.map(([name, value]) => [<dt key={name}>{name}</dt>, <dd key={`${name} value`}>{value ?? '–'}</dd>])}
+    </dl>
+  );
+}
+
+interface NumberFieldProps {
+  label: string;
+  value: string;
+  /** of texts that it refuses it says why */
+  check: (text: string) => string | undefined;
+  onCommit: (text: string) => void;
+}
+
+/** A number as text, "3/2" or "1.01": exact. */
+export function NumberField({ label, value, check, onCommit }: NumberFieldProps) {
+  const commit = (input: HTMLInputElement): void => {
+    const wrong = check(input.value.trim());
+    input.setCustomValidity(wrong ?? '');
+    if (wrong) input.reportValidity();
+    else if (input.value.trim() !== value) onCommit(input.value.trim());
+  };
+  return (
+    <label class="field">
+      <span class="label">{label}</span>
+      <input type="text" class="mono" value={value} spellcheck={false} onChange={(e) => commit(e.currentTarget)} />
+    </label>
+  );
+}

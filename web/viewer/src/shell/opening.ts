@@ -1,0 +1,48 @@
+// Which document a permalink, an embedded document or files make.
+import { filesOf, type EmbeddedDocument } from './embedded';
+import type { Document } from './history';
+import type { AnyPage, InputFile } from './page';
+
+export type Pages = readonly [AnyPage, ...AnyPage[]];
+
+export function pageOf(pages: Pages, id: string): AnyPage {
+  const page = pages.find((p) => p.id === id);
+  if (!page) throw new Error(`There is no page "${id}". There are: ${pages.map((p) => p.id).join(', ')}.`);
+  return page;
+}
+
+export function firstDocument(page: AnyPage): Document {
+  return { page: page.id, state: page.examples[0].state };
+}
+
+/** A document that came from outside, checked. */
+export function checkedDocument(pages: Pages, document: Document): Document {
+  const page = pageOf(pages, document.page);
+  return document.state === undefined ? firstDocument(page) : { page: page.id, state: page.parse(document.state) };
+}
+
+/** The page that is shown takes the files if it can, else the first other one that can. Throws what the page that is shown says. */
+export function withFiles(pages: Pages, now: Document, files: readonly InputFile[]): Document {
+  const shown = pageOf(pages, now.page);
+  try {
+    return { page: shown.id, state: shown.take(files, now.state) };
+  } catch (refusal) {
+    for (const page of pages) {
+      if (page === shown) continue;
+      try {
+        return { page: page.id, state: page.take(files, page.examples[0].state) };
+      } catch {
+        continue;
+      }
+    }
+    throw refusal;
+  }
+}
+
+export function openedDocument(pages: Pages, embedded: EmbeddedDocument): Document {
+  const document = checkedDocument(pages, { page: embedded.page ?? pages[0].id, state: embedded.state });
+  const files = filesOf(embedded);
+  const opened = files.length > 0 ? withFiles(pages, document, files) : document;
+  const command = embedded.parameters && pageOf(pages, opened.page).command;
+  return command ? { page: opened.page, state: command(embedded.parameters!, opened.state) } : opened;
+}

@@ -1,0 +1,50 @@
+// The document as the hash of the address: #/page/state, the state as compressed JSON in the alphabet of addresses. Others
+// write #data=, the data that a program would put into the page, packed in the same way.
+import { programData, type ProgramData } from './embedded';
+import type { Document } from './history';
+
+async function through(bytes: Uint8Array, stream: GenericTransformStream): Promise<Uint8Array> {
+  const out = new Blob([bytes as BlobPart]).stream().pipeThrough(stream as ReadableWritablePair<Uint8Array, Uint8Array>);
+  return new Uint8Array(await new Response(out).arrayBuffer());
+}
+
+function toAddress(bytes: Uint8Array): string {
+  let text = '';
+  for (let i = 0; i < bytes.length; i += 8192) text += String.fromCharCode(...bytes.subarray(i, i + 8192));
+  return btoa(text).replaceAll('+', '-').replaceAll('/', '_').replaceAll('=', '');
+}
+
+function fromAddress(text: string): Uint8Array {
+  return Uint8Array.from(atob(text.replaceAll('-', '+').replaceAll('_', '/')), (c) => c.charCodeAt(0));
+}
+
+async function unpacked(packed: string): Promise<string> {
+  return new TextDecoder().decode(await through(fromAddress(packed), new DecompressionStream('deflate-raw')));
+}
+
+export async function toHash(document: Document): Promise<string> {
+  const json = new TextEncoder().encode(JSON.stringify(document.state));
+  return `#/${document.page}/${toAddress(await through(json, new CompressionStream('deflate-raw')))}`;
+}
+
+/** Nothing for an address without state; `#/page` gives a document without one. Throws where the state is damaged. */
+export async function fromHash(hash: string): Promise<Document | undefined> {
+  const [, page, packed] = /^#\/([a-z]+)(?:\/([\w-]+))?$/.exec(hash) ?? [];
+  if (!page) return undefined;
+  if (!packed) return { page, state: undefined };
+  try {
+    return { page, state: JSON.parse(await unpacked(packed)) as unknown };
+  } catch {
+    throw new Error('The address is damaged: what follows the name of the page is no state of it. Was it copied whole?');
+  }
+}
+
+/** Nothing for an address without data. Throws where it is damaged. */
+export async function dataFromHash(hash: string): Promise<ProgramData | undefined> {
+  const packed = /^#data=([\w-]+)$/.exec(hash)?.[1];
+  if (!packed) return undefined;
+  const text = await unpacked(packed).catch(() => {
+    throw new Error('The address is damaged: what follows #data= cannot be unpacked. Was it copied whole?');
+  });
+  return programData(text);
+}
