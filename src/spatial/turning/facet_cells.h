@@ -16,7 +16,7 @@ namespace dymsum::spatial {
 struct WindowSlant {
   SlantCondition of;  ///< the first condition with these features
   int sign = 0;       ///< of its number before its first root in the window; 0 where that is zero at all angles
-  std::vector<exact::AlgebraicRoot> roots;
+  std::vector<FormRoot> roots;
 };
 
 /// All slants that are open for some facet, each once, in the order of facets.
@@ -31,7 +31,7 @@ class WindowSlants {
  private:
   using Key = std::array<std::uint32_t, 4>;
   static Key key(const SlantCondition& c);
-  void find_signs(const TurnRangeOfT& range, const std::vector<exact::Polynomial>& forms);
+  void find_signs(const TurnRangeOfT& range, const RootOrder& angles, const std::vector<exact::Polynomial>& forms);
 
   std::vector<WindowSlant> all_;
   std::map<Key, std::size_t> index_;
@@ -41,14 +41,14 @@ class WindowSlants {
 using TurnCells = std::uint64_t;
 
 struct FacetCells {
-  /// Rational angles at which so many slants vanish that they crowd, ascending.
-  std::vector<exact::AlgebraicRoot> crowded;
+  /// Rational angles at which so many slants vanish that they crowd, ascending, as indices.
+  std::vector<std::uint32_t> crowded;
   /// Per facet: at least the cells in which it exists at some angle. Of facets that exist at crowded angles alone none.
   std::vector<TurnCells> of;
 
   FacetCells() = default;
-  FacetCells(const std::vector<WindowFacet>& facets, const WindowSlants& slants);
-  bool is_crowded(const exact::AlgebraicRoot& root) const;
+  FacetCells(const std::vector<WindowFacet>& facets, const WindowSlants& slants, const RootOrder& angles);
+  bool is_crowded(std::uint32_t angle) const;
 };
 
 }  // namespace dymsum::spatial

@@ -49,6 +49,7 @@ class Finder {
       add_crossing(meeting);
       return true;
     });
+    result_.angles = std::move(roots_.angles());
     return std::move(result_);
   }
 
@@ -61,23 +62,23 @@ class Finder {
 
   /// What a form is made of, up to what stays the same at all angles: planes by their numbers.
   using Key = std::array<std::uint32_t, 5>;
-  void add(const AlgebraicRoot& root, const Meeting& meeting) { result_.meetings.push_back({root, meeting}); }
+  void add(const FormRoot& root, const Meeting& meeting) { result_.meetings.push_back({root.angle, meeting}); }
 
-  /// Roots of a form within the window; none where it vanishes at all angles.
+  /// At all roots of a form.
   template <class F>
   void add_roots(const Key& key, const Meeting& meeting, F form) {
     const auto [at, fresh] = known_.try_emplace(key);
     if (fresh) at->second = form();
-    for (const AlgebraicRoot& root : at->second) add(root, meeting);
+    for (const FormRoot& root : at->second) add(root, meeting);
   }
 
   void slants() {
     const WindowSlants slants(pair_, w_.facets, jets_frame_, w_.range, roots_, again_);
-    result_.cells = FacetCells(w_.facets, slants);
+    result_.cells = FacetCells(w_.facets, slants, roots_.angles());
     for (const WindowSlant& slant : slants.all()) {
       Meeting meeting;
       meeting.kind = Meeting::Kind::normal_on_arc, meeting.slant = slant.of;
-      for (const AlgebraicRoot& root : slant.roots) add(root, meeting);
+      for (const FormRoot& root : slant.roots) add(root, meeting);
     }
   }
 
@@ -173,8 +174,8 @@ class Finder {
           roots_.of(exact_.height(exact_plane(0), exact_plane(1), exact_plane(2), exact_plane(3)).terms()));
     });
   }
-  std::vector<AlgebraicRoot> uncrowded(std::vector<AlgebraicRoot> roots) const {
-    std::erase_if(roots, [&](const AlgebraicRoot& root) { return result_.cells.is_crowded(root); });
+  std::vector<FormRoot> uncrowded(std::vector<FormRoot> roots) const {
+    std::erase_if(roots, [&](const FormRoot& root) { return result_.cells.is_crowded(root.angle); });
     return roots;
   }
 
@@ -187,7 +188,7 @@ class Finder {
   TurnSigns<PolynomialFrame> exact_;
   WindowRoots roots_;
   WindowMeetings result_;
-  std::map<Key, std::vector<AlgebraicRoot>> known_;
+  std::map<Key, std::vector<FormRoot>> known_;
   std::vector<std::optional<exact::BigInteger>> level_;  // per edge, of those in a plane across the axis
   std::vector<std::uint8_t> upright_;                    // per edge, of those along the axis
   std::size_t since_ = 0;

@@ -19,7 +19,7 @@ struct Meeting {
 };
 
 struct RootMeeting {
-  exact::AlgebraicRoot root;
+  std::uint32_t angle = 0;  ///< its index
   Meeting meeting;
 };
 
@@ -40,7 +40,8 @@ struct SolidTurnWindow {
 };
 
 struct WindowMeetings {
-  std::vector<RootMeeting> meetings;  ///< in any order of roots
+  RootOrder angles;
+  std::vector<RootMeeting> meetings;  ///< in any order of angles
   FacetCells cells;
 };
 

@@ -39,7 +39,7 @@ class TurnWalk {
   };
   std::vector<Angle> angles_in(const TurnRangeOfT& range, const Wanted& wanted);
   std::vector<SolidTurnContact> contacts_at(const SolidTurnWindow& window, const exact::AlgebraicRoot& root,
-                                            std::span<const RootMeeting> meetings, bool crowded);
+                                            std::span<const Meeting> meetings, bool crowded);
   /// A place's t in a chart; nothing for infinity.
   std::optional<exact::BigRational> seen_in(int chart, const ChartPlace& place) const;
   std::optional<SolidTurnEvent> event_at(const TurnRangeOfT& range, std::vector<Angle>& angles, std::size_t i);

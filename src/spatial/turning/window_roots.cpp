@@ -23,14 +23,38 @@ Polynomial WindowRoots::polynomial(exact::Terms form) const {
   return exact::primitive_part(Polynomial(std::move(c)));
 }
 
-std::vector<AlgebraicRoot> WindowRoots::of(const Polynomial& p) {
+const std::vector<FormRoot>& WindowRoots::of(const Polynomial& p) {
   ++work_.candidates;
-  if (p.degree() < 1) return {};
-  std::vector<AlgebraicRoot> all = exact::roots_in(p, low_, high_, counts_);
-  std::erase_if(all, [&](const AlgebraicRoot& root) {
-    return exact::compare(root, range_.low) <= 0 || exact::compare(root, range_.high) > 0;
-  });
-  return all;
+  std::vector<exact::BigInteger> key;
+  for (int k = 0; k <= p.degree(); ++k) key.push_back(p[k].value());
+  if (!key.empty() && key.back().sign() < 0)
+    for (exact::BigInteger& c : key) c = -c;
+  const auto [at, fresh] = known_.try_emplace(std::move(key));
+  if (fresh) at->second = find(p);
+  return at->second;
+}
+
+std::vector<FormRoot> WindowRoots::find(const Polynomial& p) {
+  std::vector<FormRoot> found;
+  if (p.degree() < 1) return found;
+  for (const AlgebraicRoot& root : exact::roots_in(p, low_, high_, counts_))
+    if (exact::compare(root, range_.low) > 0 && exact::compare(root, range_.high) <= 0)
+      found.push_back({angles_.add(root), root.changes_sign()});
+  return found;
+}
+
+std::uint32_t RootOrder::add(const AlgebraicRoot& root) {
+  std::size_t low = 0, high = ascending_.size();
+  while (low < high) {
+    const std::size_t middle = (low + high) / 2;
+    const int order = exact::compare(root, roots_[ascending_[middle]]);
+    if (order == 0) return ascending_[middle];
+    (order < 0 ? high : low) = order < 0 ? middle : middle + 1;
+  }
+  const auto index = static_cast<std::uint32_t>(roots_.size());
+  roots_.push_back(root);
+  ascending_.insert(ascending_.begin() + static_cast<std::ptrdiff_t>(low), index);
+  return index;
 }
 
 }  // namespace dymsum::spatial
