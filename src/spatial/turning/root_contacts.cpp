@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "spatial/sum/feature_pairs.h"
+#include "spatial/turning/crossing_search.h"
 
 namespace dymsum::spatial {
 
@@ -18,6 +19,19 @@ double angle_of(const TurningPair& pair, int chart, const AlgebraicRoot& root) {
 /// Half the angles between the root's bounds, at least what doubles leave open.
 double spread_of(const TurningPair& pair, int chart, const AlgebraicRoot& root) {
   return std::max(pair.circle.radians(chart, root.high()) - pair.circle.radians(chart, root.low()), 0.0) + 0x1p-45;
+}
+
+/// Values at t = n / d are integers of so many bits more than coordinates, which have room for that.
+std::optional<exact::BigRational> short_rational(const TurningPair& pair, const AlgebraicRoot& root) {
+  constexpr unsigned kMostBits = 140;
+  std::optional<exact::BigRational> t = exact::rational_value(root);
+  if (!t) return t;
+  const auto bits = [](const exact::BigInteger& v) { return v.is_zero() ? 1 : static_cast<unsigned>(msb(abs(v))) + 1; };
+  const unsigned square = bits(exact::BigInteger(pair.circle.square()));
+  const unsigned most = static_cast<unsigned>(std::max(pair.pair.p_places.bits, pair.pair.q_places.bits)) + 4 +
+                        2 * (square + std::max(bits(numerator(*t)), bits(denominator(*t))));
+  if (most > kMostBits) t.reset();
+  return t;
 }
 
 SolidFeature edge_feature(std::uint32_t a, std::uint32_t b) {
@@ -46,10 +60,12 @@ RootContacts::RootContacts(const TurningPair& pair, const PairOfBalls& balls, co
       w_(window),
       work_(work),
       point_(root),
+      t_(short_rational(pair, root)),
       radians_(angle_of(pair, window.range.chart, root)),
       reach_(spread_of(pair, window.range.chart, root)),
       jets_frame_(pair, radians_, reach_),
-      exact_frame_(pair, window.range.chart, &point_),
+      exact_frame_(t_ ? PolynomialFrame(pair, window.range.chart, *t_)
+                      : PolynomialFrame(pair, window.range.chart, &point_)),
       jets_(jets_frame_),
       exact_(exact_frame_),
       turned_(balls.balls),
@@ -97,7 +113,11 @@ template <class F>
 bool RootContacts::in_facet(std::uint32_t facet, F place, int w) const {
   const WindowFacet& f = w_.facets[facet];
   for (int k = 0; k < f.facet.corners; ++k)
-    if (w * sign([&](const auto& s) { return s.inside(s.normal(f.plane), f.border(k), place(s)); }) < 0) return false;
+    if (w * sign([&](const auto& s) {
+          return s.inside(s.inward(s.normal(f.plane), f.border(k)), f.facet.corner[k], place(s));
+        }) <
+        0)
+      return false;
   return true;
 }
 template <class F>
@@ -107,7 +127,7 @@ bool RootContacts::on_edge(const SumEdge& e, F place, int w) const {
   return true;
 }
 
-std::optional<SolidTurnContact> RootContacts::contact(const Meeting& meeting) {
+std::optional<SolidTurnContact> RootContacts::contact(const Meeting& meeting, bool known) {
   switch (meeting.kind) {
     case Meeting::Kind::normal_on_arc:
       return normal_on_arc(meeting);
@@ -116,11 +136,20 @@ std::optional<SolidTurnContact> RootContacts::contact(const Meeting& meeting) {
     case Meeting::Kind::edge_on_edge:
       return edge_on_edge(meeting);
     case Meeting::Kind::edge_and_facets:
-      return edge_and_facets(meeting);
+      return edge_and_facets(meeting, known);
     case Meeting::Kind::four_facets:
       break;
   }
-  return four_facets(meeting);
+  return four_facets(meeting, known);
+}
+
+void RootContacts::crossings(const std::function<bool(SolidTurnContact)>& take, const std::function<void()>& again) {
+  std::vector<TurnCells> here;
+  for (std::uint32_t f = 0; f < w_.facets.size(); ++f) here.push_back(exists(f) ? 1 : 0);
+  CrossingSearch(w_, jets_frame_, std::move(here), again).run([&](const Meeting& meeting) {
+    std::optional<SolidTurnContact> found = contact(meeting, false);
+    return !found || take(*std::move(found));
+  });
 }
 
 /// Where facets with this condition hold all others: the face plus the edge.
@@ -161,9 +190,10 @@ std::optional<SolidTurnContact> RootContacts::normal_on_arc(const Meeting& meeti
 
 std::optional<SolidTurnContact> RootContacts::vertex_on_facet(const Meeting& meeting) {
   const auto place = [&](const auto& s) { return s.at(meeting.vertex); };
-  if (!exists(meeting.facets[0]) || !exists_at(meeting.vertex) || !in_facet(meeting.facets[0], place, 1))
-    return std::nullopt;
-  return free_contact(meeting, place(jets_), [&](SumSpace&) {
+  if (!exists(meeting.facets[0]) || !exists_at(meeting.vertex)) return std::nullopt;
+  const NearPlace at = near(place(jets_));
+  if (surely_covered(at) || !in_facet(meeting.facets[0], place, 1)) return std::nullopt;
+  return free_contact(meeting, at, [&](SumSpace&) {
     return PointSource{PointSource::Kind::sum, meeting.vertex.p, meeting.vertex.q, 0};
   });
 }
@@ -172,10 +202,12 @@ std::optional<SolidTurnContact> RootContacts::edge_on_edge(const Meeting& meetin
   const SumEdge &a = meeting.a, &b = meeting.b;
   const auto place = [&](const auto& s) { return s.at(a, b); };
   if (!exists_at(a) || !exists_at(b)) return std::nullopt;
+  const NearPlace at = near(place(jets_));
+  if (surely_covered(at)) return std::nullopt;
   const int w = sign([&](const auto& s) { return place(s).w; });
   // Parallel: they meet where one of them ends, on facets of the other.
   if (w == 0 || !on_edge(a, place, w) || !on_edge(b, place, w)) return std::nullopt;
-  return free_contact(meeting, place(jets_), [&](SumSpace& space) {
+  return free_contact(meeting, at, [&](SumSpace& space) {
     const auto way = [](const SumEdge& e) {
       return e.from.q == e.to.q ? Way{Way::Of::p, e.from.p, e.to.p} : Way{Way::Of::q, e.from.q, e.to.q};
     };
@@ -186,37 +218,48 @@ std::optional<SolidTurnContact> RootContacts::edge_on_edge(const Meeting& meetin
   });
 }
 
-std::optional<SolidTurnContact> RootContacts::edge_and_facets(const Meeting& meeting) {
+std::optional<SolidTurnContact> RootContacts::edge_and_facets(const Meeting& meeting, bool known) {
   const SumEdge& e = meeting.a;
   std::array<std::uint32_t, 2> f{meeting.facets[0], meeting.facets[1]};
   if (!exists_at(e) || !exists(f[0]) || !exists(f[1])) return std::nullopt;
   for (int k = 0; k < 2; ++k, std::swap(f[0], f[1])) {
-    const PlaneSource& plane = w_.facets[f[0]].plane;
-    const auto place = [&](const auto& s) { return s.at(e, plane); };
+    const PlaneSource &plane = w_.facets[f[0]].plane, &other = w_.facets[f[1]].plane;
+    const auto place = [&](const auto& s) { return s.at(e, s.plane(plane)); };
+    const NearPlace at = near(place(jets_));
+    if (surely_covered(at)) return std::nullopt;
     const int w = sign([&](const auto& s) { return place(s).w; });
     if (w == 0) continue;
+    if (!known && sign([&](const auto& s) { return s.order(e, s.plane(plane), s.plane(other)); }) != 0)
+      return std::nullopt;
     if (!on_edge(e, place, w) || !in_facet(f[0], place, w) || !in_facet(f[1], place, w)) return std::nullopt;
-    return free_contact(meeting, place(jets_), [&](SumSpace& space) {
+    return free_contact(meeting, at, [&](SumSpace& space) {
       return PointSource{PointSource::Kind::edge, space.add_edges({&e, 1}), space.add_planes({&plane, 1}), 0};
     });
   }
   return std::nullopt;  // in both planes: it ends in the facets, or crosses borders of theirs
 }
 
-std::optional<SolidTurnContact> RootContacts::four_facets(const Meeting& meeting) {
+std::optional<SolidTurnContact> RootContacts::four_facets(const Meeting& meeting, bool known) {
   const auto& f = meeting.facets;
   for (const std::uint32_t facet : f)
     if (!exists(facet)) return std::nullopt;
-  static constexpr int kThree[4][3] = {{0, 1, 2}, {0, 1, 3}, {0, 2, 3}, {1, 2, 3}};
+  static constexpr int kThree[4][4] = {{0, 1, 2, 3}, {0, 1, 3, 2}, {0, 2, 3, 1}, {1, 2, 3, 0}};
   for (const auto& three : kThree) {
     const PlaneSource planes[3] = {w_.facets[f[three[0]]].plane, w_.facets[f[three[1]]].plane,
                                    w_.facets[f[three[2]]].plane};
-    const auto place = [&](const auto& s) { return s.at(planes[0], planes[1], planes[2]); };
+    const PlaneSource& fourth = w_.facets[f[three[3]]].plane;
+    const auto place = [&](const auto& s) { return s.at(s.plane(planes[0]), s.plane(planes[1]), s.plane(planes[2])); };
+    const NearPlace at = near(place(jets_));
+    if (surely_covered(at)) return std::nullopt;
     const int w = sign([&](const auto& s) { return place(s).w; });
     if (w == 0) continue;
+    if (!known && sign([&](const auto& s) {
+                    return s.height(s.plane(planes[0]), s.plane(planes[1]), s.plane(planes[2]), s.plane(fourth));
+                  }) != 0)
+      return std::nullopt;
     for (const std::uint32_t facet : f)
       if (!in_facet(facet, place, w)) return std::nullopt;
-    return free_contact(meeting, place(jets_), [&](SumSpace& space) {
+    return free_contact(meeting, at, [&](SumSpace& space) {
       const PlaneId first = space.add_planes(planes);
       return PointSource{PointSource::Kind::planes, first, first + 1, first + 2};
     });
@@ -224,53 +267,74 @@ std::optional<SolidTurnContact> RootContacts::four_facets(const Meeting& meeting
   return std::nullopt;  // all along a line, that ends in borders
 }
 
-template <class F>
-std::optional<SolidTurnContact> RootContacts::free_contact(const Meeting& meeting, const Jets::Place& place, F source) {
-  ++work_.roots;
+RootContacts::NearPlace RootContacts::near(const Jets::Place& place) const {
   const JetFrame::Vector origin = jets_frame_.place(0, place.origin.p) + jets_frame_.place(1, place.origin.q);
-  Vec3 at{origin.x.value, origin.y.value, origin.z.value};
+  NearPlace near{{origin.x.value, origin.y.value, origin.z.value}, 0, false};
   const double w = std::abs(place.w.value), w_low = w - place.w.reach();
-  if (w_low > 0) {
-    at = at + (1 / place.w.value) * Vec3{place.x.x.value, place.x.y.value, place.x.z.value};
-    double radius = std::max({origin.x.reach(), origin.y.reach(), origin.z.reach()});
-    for (const Jet* x : {&place.x.x, &place.x.y, &place.x.z})
-      radius = std::max(radius, origin.x.reach() + (x->reach() + std::abs(x->value) * place.w.reach() / w) / w_low);
-    if (in_balls({at}, 2 * radius) || surely_overlaps(at, 2 * radius)) {
-      ++work_.covered;
-      return std::nullopt;
-    }
+  if (w_low <= 0) return near;
+  near.sure = true;
+  near.at = near.at + (1 / place.w.value) * Vec3{place.x.x.value, place.x.y.value, place.x.z.value};
+  for (const Jet* x : {&origin.x, &origin.y, &origin.z}) near.radius = std::max(near.radius, x->reach());
+  for (const Jet* x : {&place.x.x, &place.x.y, &place.x.z})
+    near.radius =
+        std::max(near.radius, origin.x.reach() + (x->reach() + std::abs(x->value) * place.w.reach() / w) / w_low);
+  near.radius *= 2;
+  return near;
+}
+
+bool RootContacts::surely_covered(const NearPlace& place) {
+  if (!place.sure) return false;
+  if (!in_balls({place.at}, place.radius) && !surely_overlaps(place.at, place.radius)) return false;
+  ++work_.covered;
+  return true;
+}
+
+bool RootContacts::is_covered(const NearPlace& near, const PointSource& place) {
+  for (const TestedPlace& tested : tested_) {
+    const Vec3 d = near.at - tested.near.at;
+    const double room = near.radius + tested.near.radius + 0x1p-40;  // and what doubles of size 4 are rounded by
+    if (std::max({std::abs(d.x), std::abs(d.y), std::abs(d.z)}) > room) continue;
+    if (space_->same_point(place, tested.place)) return tested.covered;
   }
-  const auto before = covered_.find(meeting.place);
-  if (before != covered_.end() && before->second) return std::nullopt;
   ++work_.exact_tests;
+  tested_.push_back({near, place, collision_->overlaps({place})});
+  return tested_.back().covered;
+}
+
+template <class F>
+std::optional<SolidTurnContact> RootContacts::free_contact(const Meeting& meeting, NearPlace near, F source) {
+  ++work_.roots;
   space();
-  const PointSource position = source(*space_);
-  if (w_low <= 0) {
-    const Vec3 near = space_->approximate(position).at;  // in multiples of the grid, over the weight
-    at = (1 / exact::to_double(RootValue(pair_.circle.weight(w_.range.chart), &point_))) * near;
-    at = std::ldexp(pair_.unit, pair_.pair.p_places.exponent) * at;
+  const PointSource place = source(*space_);
+  if (!near.sure) {
+    const Approx rounded = space_->approximate(place);  // in multiples of the grid, weighted
+    const double unit = std::ldexp(pair_.unit, pair_.pair.p_places.exponent),
+                 weight = exact::to_double(exact_frame_.weight());
+    near.at = unit * ((1 / weight) * rounded.at), near.radius = unit * (rounded.radius / weight);
   }
-  const bool covered = before == covered_.end() && collision_->overlaps({position});
-  covered_.emplace(meeting.place, covered);
-  if (covered) return std::nullopt;
+  if (is_covered(near, place)) return std::nullopt;
   SolidTurnContact contact;
   contact.kind = meeting.kind;
-  at = (1 / pair_.unit) * at;
+  contact.features = features(meeting);
+  const Vec3 at = (1 / pair_.unit) * near.at;
   contact.at = {at.x, at.y, at.z};
+  return contact;
+}
+
+std::vector<SolidContact> RootContacts::features(const Meeting& meeting) const {
   switch (meeting.kind) {
     case Meeting::Kind::vertex_on_facet:
-      contact.features = {features_of(meeting.vertex), features(meeting.facets[0])};
-      break;
+      return {features_of(meeting.vertex), features(meeting.facets[0])};
     case Meeting::Kind::edge_on_edge:
-      contact.features = {features_of(meeting.a), features_of(meeting.b)};
-      break;
+      return {features_of(meeting.a), features_of(meeting.b)};
     case Meeting::Kind::edge_and_facets:
-      contact.features = {features_of(meeting.a), features(meeting.facets[0]), features(meeting.facets[1])};
-      break;
+      return {features_of(meeting.a), features(meeting.facets[0]), features(meeting.facets[1])};
     default:
-      for (const std::uint32_t f : meeting.facets) contact.features.push_back(features(f));
+      break;
   }
-  return contact;
+  std::vector<SolidContact> all;
+  for (const std::uint32_t f : meeting.facets) all.push_back(features(f));
+  return all;
 }
 
 bool RootContacts::in_balls(const std::vector<Vec3>& places, double radius) {
@@ -302,7 +366,7 @@ const SumSpace& RootContacts::space() {
     for (std::uint32_t v = 0; v < pair_.operand(op).vertices.size(); ++v)
       places[op].push_back(exact_frame_.placed(op, pair_.grid(op).place<exact::Big>(v), true));
   // A turned coordinate is at most twice a coordinate, times the weight.
-  const double weight = exact::to_double(RootValue(pair_.circle.weight(w_.range.chart), &point_));
+  const double weight = exact::to_double(exact_frame_.weight());
   bits = std::max(pair_.pair.p_places.bits, pair_.pair.q_places.bits) + 1 + std::ilogb(weight) + 1;
   space_ = make_root_space(std::move(places[0]), std::move(places[1]), bits);
   collision_.emplace(*space_, pair_.pair.p, pair_.pair.q);

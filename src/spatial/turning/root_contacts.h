@@ -1,7 +1,6 @@
 // What happens at one exact angle: which of the features that may meet there do, and whether the place is covered.
 #pragma once
 
-#include <map>
 #include <memory>
 #include <optional>
 
@@ -27,7 +26,10 @@ class RootContacts {
   /// What a meeting tells of the sum's boundary: nothing where a feature does not exist at this angle, where they do
   /// not meet as far as they reach, or where the position lies in the open sum. Exact, but of normal_on_arc: these are
   /// left out only where balls prove the face plus the edge to lie in the open sum.
-  std::optional<SolidTurnContact> contact(const Meeting& meeting);
+  std::optional<SolidTurnContact> contact(const Meeting& meeting) { return contact(meeting, true); }
+  /// Calls take(contact) for all edge_and_facets and four_facets of this angle, until it says false. `again` as
+  /// CrossingSearch. For crowded angles: most facets of a window do not exist there, or do not meet.
+  void crossings(const std::function<bool(SolidTurnContact)>& take, const std::function<void()>& again);
   double radians() const { return radians_; }
 
  private:
@@ -45,15 +47,28 @@ class RootContacts {
   bool on_edge(const SumEdge& e, F place, int w) const;
   bool slant_holds(const SlantCondition& c) const;
 
+  /// Where not `known` it is asked as well whether the form of the meeting vanishes here.
+  std::optional<SolidTurnContact> contact(const Meeting& meeting, bool known);
   std::optional<SolidTurnContact> normal_on_arc(const Meeting& meeting);
   std::optional<SolidTurnContact> vertex_on_facet(const Meeting& meeting);
   std::optional<SolidTurnContact> edge_on_edge(const Meeting& meeting);
-  std::optional<SolidTurnContact> edge_and_facets(const Meeting& meeting);
-  std::optional<SolidTurnContact> four_facets(const Meeting& meeting);
+  std::optional<SolidTurnContact> edge_and_facets(const Meeting& meeting, bool known);
+  std::optional<SolidTurnContact> four_facets(const Meeting& meeting, bool known);
 
-  /// At a place of jets, and as the space of the angle names it.
+  /// A place in doubles; not `sure` where they do not tell.
+  struct NearPlace {
+    Vec3 at;
+    double radius = 0;
+    bool sure = false;
+  };
+  NearPlace near(const Jets::Place& place) const;
+  bool surely_covered(const NearPlace& place);
+  /// Of a meeting at a place, and as the space of the angle names it.
   template <class F>
-  std::optional<SolidTurnContact> free_contact(const Meeting& meeting, const Jets::Place& place, F source);
+  std::optional<SolidTurnContact> free_contact(const Meeting& meeting, NearPlace place, F source);
+  /// Whether a place lies in the open sum, exactly. Many meetings share one: each is tested once.
+  bool is_covered(const NearPlace& near, const PointSource& place);
+  std::vector<SolidContact> features(const Meeting& meeting) const;
   bool in_balls(const std::vector<Vec3>& places, double radius);
   bool surely_overlaps(Vec3 at, double radius);
   const SumSpace& space();
@@ -64,6 +79,7 @@ class RootContacts {
   const SolidTurnWindow& w_;
   TurningSolidWork& work_;
   exact::RootPoint point_;
+  std::optional<exact::BigRational> t_;  // where it is rational, and short
   double radians_ = 0, reach_ = 0;
   JetFrame jets_frame_;
   PolynomialFrame exact_frame_;
@@ -73,7 +89,12 @@ class RootContacts {
   std::optional<SureOverlap> overlap_;
   std::unique_ptr<SumSpace> space_;
   std::optional<Collision> collision_;
-  std::map<std::uint32_t, bool> covered_;   // by Meeting::place
+  struct TestedPlace {
+    NearPlace near;
+    PointSource place;
+    bool covered = false;
+  };
+  std::vector<TestedPlace> tested_;
   mutable std::vector<std::int8_t> known_;  // per facet: exists, 0 not asked
 };
 

@@ -4,17 +4,9 @@
 #include <functional>
 #include <vector>
 
-#include "dymsum/turning_solid_sum.h"
-#include "exact/algebraic_root.h"
-#include "spatial/turning/window_facets.h"
+#include "spatial/turning/facet_cells.h"
 
 namespace dymsum::spatial {
-
-/// A window of angles: t in (low, high] of a chart.
-struct TurnRangeOfT {
-  int chart = 0;
-  exact::BigRational low, high;
-};
 
 /// Features of a window that come together; indices are those of its facets.
 struct Meeting {
@@ -24,11 +16,10 @@ struct Meeting {
   SumPoint vertex;                        ///< vertex_on_facet
   SumEdge a, b;                           ///< edge_on_edge; a of edge_and_facets
   std::array<std::uint32_t, 4> facets{};  ///< 1 of vertex_on_facet, 2 of edge_and_facets, 4 of four_facets
-  std::uint32_t place = 0;                ///< equal for meetings that are at one position at every angle
 };
 
 struct RootMeeting {
-  exact::AlgebraicRoot root;
+  std::uint32_t angle = 0;  ///< its index
   Meeting meeting;
 };
 
@@ -48,9 +39,16 @@ struct SolidTurnWindow {
   const std::vector<std::uint32_t>& around(const SumEdge& e) const;
 };
 
+struct WindowMeetings {
+  RootOrder angles;
+  std::vector<RootMeeting> meetings;  ///< in any order of angles
+  FacetCells cells;
+};
+
 /// Everything that may change how the facets of a window lie among each other, at every angle where its polynomial
-/// vanishes: a superset, in any order. `again` is called now and then and may throw.
-std::vector<RootMeeting> meetings_in(const TurningPair& pair, const SolidTurnWindow& window, TurningSolidWork& work,
-                                     const std::function<void()>& again);
+/// vanishes: a superset. At crowded angles edge_and_facets and four_facets are left out: a CrossingSearch there has
+/// them. `again` is called now and then and may throw.
+WindowMeetings meetings_in(const TurningPair& pair, const SolidTurnWindow& window, TurningSolidWork& work,
+                           const std::function<void()>& again);
 
 }  // namespace dymsum::spatial

@@ -61,11 +61,32 @@ JetFrame::Vector JetFrame::normal(int op, std::uint32_t a, std::uint32_t b, std:
   return placed(op, cross(u, v), size(u) * size(v) * 0x1p-49);
 }
 
+Box JetFrame::box(SumPoint v) const {
+  const Vector at = place(0, v.p) + place(1, v.q);
+  Box box;
+  box.add(Vec3{at.x.low(), at.y.low(), at.z.low()}), box.add(Vec3{at.x.high(), at.y.high(), at.z.high()});
+  return box;
+}
+
+/// Of degree at most 2; at n / d times d^2.
+RootValue PolynomialFrame::value(exact::Terms terms) const {
+  if (!t_ || terms.empty()) return RootValue(std::move(terms), at_);
+  const exact::BigInteger n = numerator(*t_), d = denominator(*t_);
+  exact::BigInteger value = terms[0] * d * d;
+  if (terms.size() > 1) value += terms[1] * n * d;
+  if (terms.size() > 2) value += terms[2] * n * n;
+  return RootValue(Big(std::move(value)));
+}
+
 PolynomialFrame::Vector PolynomialFrame::placed(int op, const Vector3<Big>& v, bool weighted) const {
-  if (op == pair_.turning) return pair_.circle.turned(chart_, v, at_);
+  const auto valued = [&](const RootValue& c) { return value(c.terms()); };
+  if (op == pair_.turning) {
+    const Vector turned = pair_.circle.turned(chart_, v, at_);
+    return t_ ? Vector{valued(turned.x), valued(turned.y), valued(turned.z)} : turned;
+  }
   const auto fixed = [&](const Big& c) {
     if (sign(c) == 0) return RootValue(exact::Terms{}, at_);
-    return weighted ? RootValue(exact::product_of(pair_.circle.weight(chart_), {c.value()}), at_)
+    return weighted ? value(exact::product_of(pair_.circle.weight(chart_), {c.value()}))
                     : RootValue(exact::Terms{c.value()}, at_);
   };
   return {fixed(v.x), fixed(v.y), fixed(v.z)};

@@ -2,9 +2,12 @@
 // one formula each, for jets (what a window excludes) and for polynomials in t (what is exact).
 #pragma once
 
+#include <optional>
+
 #include "exact/vector3.h"
 #include "spatial/convolution/sum_space.h"
 #include "spatial/frames/posed_pair.h"
+#include "spatial/mesh/box_tree.h"
 #include "spatial/turning/axis_turn.h"
 #include "spatial/turning/turn_jet.h"
 
@@ -36,6 +39,8 @@ class JetFrame {
     return placed(op, pair_.places[op][to] - pair_.places[op][from]);
   }
   Vector place(int op, std::uint32_t v) const { return placed(op, pair_.places[op][v]); }
+  /// In which a sum lies at all angles.
+  Box box(SumPoint v) const;
   /// The normal of a triangle of an operand.
   Vector normal(int op, std::uint32_t a, std::uint32_t b, std::uint32_t c) const;
   /// The way a of P times the way b of Q.
@@ -51,24 +56,31 @@ class JetFrame {
   double half_;
 };
 
-/// The same as polynomials in t, each vector times a positive factor: one for all ways, any for normals.
+/// The same as polynomials in t, each vector times a positive factor: one for all ways, any for normals. At a rational
+/// t as their values there, which are integers.
 class PolynomialFrame {
  public:
   using Number = exact::RootValue;
   using Vector = exact::Vector3<exact::RootValue>;
   PolynomialFrame(const TurningPair& pair, int chart, const exact::RootPoint* at = nullptr)
       : pair_(pair), chart_(chart), at_(at) {}
+  PolynomialFrame(const TurningPair& pair, int chart, exact::BigRational t) : pair_(pair), chart_(chart), t_(t) {}
   Vector way(int op, std::uint32_t from, std::uint32_t to) const { return placed(op, pair_.way(op, from, to), true); }
+  Vector place(int op, std::uint32_t v) const { return placed(op, pair_.grid(op).place<exact::Big>(v), true); }
   Vector normal(int op, std::uint32_t a, std::uint32_t b, std::uint32_t c) const;
   Vector across(std::uint32_t a0, std::uint32_t a1, std::uint32_t b0, std::uint32_t b1) const {
     return cross(placed(0, pair_.way(0, a0, a1), false), placed(1, pair_.way(1, b0, b1), false));
   }
   Vector placed(int op, const exact::Vector3<exact::Big>& v, bool weighted) const;
+  /// The factor of all ways, and of vectors placed with it.
+  Number weight() const { return value(pair_.circle.weight(chart_)); }
 
  private:
+  Number value(exact::Terms terms) const;
   const TurningPair& pair_;
   int chart_;
-  const exact::RootPoint* at_;
+  const exact::RootPoint* at_ = nullptr;
+  std::optional<exact::BigRational> t_;
 };
 
 /// Degrees in t are those left when factors 1 + |axis|^2 t^2 are divided out: docs/design/turning-solids.md, "Degrees".
@@ -83,7 +95,14 @@ class TurnSigns {
   Vector along(const SumEdge& e) const {
     return e.from.q == e.to.q ? f_.way(0, e.from.p, e.to.p) : f_.way(1, e.from.q, e.to.q);
   }
+  Vector place(SumPoint v) const { return f_.place(0, v.p) + f_.place(1, v.q); }
   Vector between(SumPoint a, SumPoint b) const { return f_.way(0, a.p, b.p) + f_.way(1, a.q, b.q); }
+  /// A plane's normal, times any positive number, and a sum in it.
+  struct SidedPlane {
+    Vector normal;
+    SumPoint at;
+  };
+  SidedPlane plane(const PlaneSource& f) const { return {normal(f), f.at}; }
   Vector normal(const PlaneSource& f) const {
     const bool same = f.u.of == f.v.of;
     const int op = f.u.of == Way::Of::p ? 0 : 1;
@@ -93,24 +112,24 @@ class TurnSigns {
 
   /// Of a triangle's normal times a way. Degree 2.
   Number slant(int op, const Triangle& t, Way d) const { return dot(f_.normal(op, t[0], t[1], t[2]), way(d)); }
-  /// Of a sum over a facet's plane. Degree 2.
-  Number side(const PlaneSource& f, SumPoint v) const { return dot(normal(f), between(f.at, v)); }
+  /// Of a sum over a plane. Degree 2.
+  Number side(const SidedPlane& f, SumPoint v) const { return dot(f.normal, between(f.at, v)); }
   /// How two edges of sums pass: det(a, b, from a to b). Degree 2.
   Number twist(const SumEdge& a, const SumEdge& b) const {
     return dot(cross(along(a), along(b)), between(a.from, b.from));
   }
-  Number rise(const PlaneSource& f, const SumEdge& e) const { return dot(normal(f), along(e)); }
+  Number rise(const SidedPlane& f, const SumEdge& e) const { return dot(f.normal, along(e)); }
   /// Where edge e meets f and g: g's parameter along e less f's, times both rises. Degree at most 4.
-  Number order(const SumEdge& e, const PlaneSource& f, const PlaneSource& g) const {
+  Number order(const SumEdge& e, const SidedPlane& f, const SidedPlane& g) const {
     return side(f, e.from) * rise(g, e) - side(g, e.from) * rise(f, e);
   }
   /// det of three normals. Degree at most 4.
-  Number spread(const PlaneSource& f, const PlaneSource& g, const PlaneSource& h) const {
-    return dot(normal(f), cross(normal(g), normal(h)));
+  Number spread(const SidedPlane& f, const SidedPlane& g, const SidedPlane& h) const {
+    return dot(f.normal, cross(g.normal, h.normal));
   }
   /// The height of the common point of f, g and h over k, times spread(f, g, h). Degree at most 6.
-  Number height(const PlaneSource& f, const PlaneSource& g, const PlaneSource& h, const PlaneSource& k) const {
-    const Vector a = normal(f), b = normal(g), c = normal(h), d = normal(k);
+  Number height(const SidedPlane& f, const SidedPlane& g, const SidedPlane& h, const SidedPlane& k) const {
+    const Vector &a = f.normal, &b = g.normal, &c = h.normal, &d = k.normal;
     const Vector ca = cross(c, a), ab = cross(a, b);
     const Number db = dot(b, between(f.at, g.at)), dc = dot(c, between(f.at, h.at)), dd = dot(d, between(f.at, k.at));
     return db * dot(d, ca) + dc * dot(d, ab) - dd * dot(b, ca);
@@ -130,21 +149,22 @@ class TurnSigns {
     const Vector d = along(a), e = along(b), n = cross(e, cross(d, e));
     return {a.from, scaled(dot(n, between(a.from, b.from)), d), dot(n, d)};
   }
-  Place at(const SumEdge& e, const PlaneSource& f) const {
-    const Vector n = normal(f), d = along(e);
+  Place at(const SumEdge& e, const SidedPlane& f) const {
+    const Vector& n = f.normal;
+    const Vector d = along(e);
     return {e.from, scaled(dot(n, between(e.from, f.at)), d), dot(n, d)};
   }
-  Place at(const PlaneSource& f, const PlaneSource& g, const PlaneSource& h) const {
-    const Vector a = normal(f), b = normal(g), c = normal(h);
+  Place at(const SidedPlane& f, const SidedPlane& g, const SidedPlane& h) const {
+    const Vector &a = f.normal, &b = g.normal, &c = h.normal;
     const Vector ca = cross(c, a);
     return {f.at, scaled(dot(b, between(f.at, g.at)), ca) + scaled(dot(c, between(f.at, h.at)), cross(a, b)),
             dot(b, ca)};
   }
-  /// On which side of border e, in a plane of this normal, a place lies: positive inside, for borders
-  /// counter-clockwise.
-  Number inside(const Vector& n, const SumEdge& e, const Place& at) const {
-    const Vector m = cross(n, along(e));
-    return dot(m, at.x) - at.w * dot(m, between(at.origin, e.from));
+  /// The way into a facet across a border, in a plane of this normal; borders are counter-clockwise.
+  Vector inward(const Vector& n, const SumEdge& border) const { return cross(n, along(border)); }
+  /// On which side of a border that begins at `from` a place lies: positive inside.
+  Number inside(const Vector& inward, SumPoint from, const Place& at) const {
+    return dot(inward, at.x) - at.w * dot(inward, between(at.origin, from));
   }
   /// How far beyond an end of edge e, from the other end, a place on its line lies.
   Number beyond(const SumEdge& e, SumPoint end, const Place& at) const {

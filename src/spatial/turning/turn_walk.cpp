@@ -136,23 +136,34 @@ bool TurnWalk::Wanted::holds(const AlgebraicRoot& root) const {
 
 std::vector<TurnWalk::Angle> TurnWalk::angles_in(const TurnRangeOfT& range, const Wanted& wanted) {
   const SolidTurnWindow window(pair_, maps_, range);
-  std::vector<RootMeeting> meetings = meetings_in(pair_, window, work_, [this] { ask(); });
-  std::stable_sort(meetings.begin(), meetings.end(),
-                   [](const RootMeeting& a, const RootMeeting& b) { return exact::compare(a.root, b.root) < 0; });
+  const WindowMeetings found = meetings_in(pair_, window, work_, [this] { ask(); });
+  std::vector<std::vector<Meeting>> at(found.angles.size());
+  for (const RootMeeting& m : found.meetings) at[m.angle].push_back(m.meeting);
   std::vector<Angle> angles;
-  for (std::size_t i = 0, j; i < meetings.size(); i = j) {
-    Angle angle{meetings[i].root, wanted.holds(meetings[i].root), {}};
-    for (j = i + 1; j < meetings.size() && exact::compare(meetings[i].root, meetings[j].root) == 0;) ++j;
-    if (angle.wanted) {
-      RootContacts contacts(pair_, balls_, window, angle.root, work_);
-      for (std::size_t k = i; k < j && angle.contacts.size() < kMostContacts; ++k, ask())
-        if (std::optional<SolidTurnContact> c = contacts.contact(meetings[k].meeting); c && !lists(angle.contacts, *c))
-          angle.contacts.push_back(*std::move(c));
-      if (angle.contacts.empty()) continue;
-    }
-    angles.push_back(std::move(angle));
+  for (const std::uint32_t a : found.angles.ascending()) {
+    if (at[a].empty()) continue;
+    Angle angle{found.angles[a], wanted.holds(found.angles[a]), {}};
+    if (angle.wanted) angle.contacts = contacts_at(window, angle.root, at[a], found.cells.is_crowded(a));
+    if (!angle.wanted || !angle.contacts.empty()) angles.push_back(std::move(angle));
   }
   return angles;
+}
+
+std::vector<SolidTurnContact> TurnWalk::contacts_at(const SolidTurnWindow& window, const AlgebraicRoot& root,
+                                                    std::span<const Meeting> meetings, bool crowded) {
+  RootContacts all(pair_, balls_, window, root, work_);
+  std::vector<SolidTurnContact> contacts;
+  const auto take = [&](SolidTurnContact contact) {
+    if (!lists(contacts, contact)) contacts.push_back(std::move(contact));
+    return contacts.size() < kMostContacts;
+  };
+  for (const Meeting& m : meetings) {
+    if (std::optional<SolidTurnContact> contact = all.contact(m); contact && !take(*std::move(contact)))
+      return contacts;
+    ask();
+  }
+  if (crowded) all.crossings(take, [this] { ask(); });
+  return contacts;
 }
 
 SolidTurnEvent TurnWalk::event_of(int chart, Angle& angle) const {

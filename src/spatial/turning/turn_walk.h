@@ -2,6 +2,8 @@
 // boundary, in order, and what changes there.
 #pragma once
 
+#include <span>
+
 #include "spatial/turning/root_contacts.h"
 #include "spatial/turning/turn_structure.h"
 
@@ -36,6 +38,8 @@ class TurnWalk {
     bool holds(const exact::AlgebraicRoot& root) const;
   };
   std::vector<Angle> angles_in(const TurnRangeOfT& range, const Wanted& wanted);
+  std::vector<SolidTurnContact> contacts_at(const SolidTurnWindow& window, const exact::AlgebraicRoot& root,
+                                            std::span<const Meeting> meetings, bool crowded);
   /// A place's t in a chart; nothing for infinity.
   std::optional<exact::BigRational> seen_in(int chart, const ChartPlace& place) const;
   std::optional<SolidTurnEvent> event_at(const TurnRangeOfT& range, std::vector<Angle>& angles, std::size_t i);

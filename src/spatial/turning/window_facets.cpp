@@ -18,10 +18,7 @@ Vec3 surely_unit(Vec3 u, Vec3 v) {
 
 Box box_of(const WindowFacet& f, const JetFrame& frame) {
   Box box;
-  for (int k = 0; k < f.facet.corners; ++k) {
-    const JetFrame::Vector at = frame.place(0, f.facet.corner[k].p) + frame.place(1, f.facet.corner[k].q);
-    box.add(Vec3{at.x.low(), at.y.low(), at.z.low()}), box.add(Vec3{at.x.high(), at.y.high(), at.z.high()});
-  }
+  for (int k = 0; k < f.facet.corners; ++k) box.add(frame.box(f.facet.corner[k]));
   return box;
 }
 

@@ -41,10 +41,10 @@ TEST(TurnCandidates, PolynomialsHaveTheDegreesOfTheDesignPage) {
           const SlantCondition& c = f.unsure[0];
           note(0, signs.slant(c.op, pair.operand(c.op).triangles[c.triangle], c.way));
         }
-        note(1, signs.side(f.plane, g.facet.corner[0]));
+        note(1, signs.side(signs.plane(f.plane), g.facet.corner[0]));
         note(2, signs.twist(f.border(0), g.border(1)));
-        note(3, signs.order(f.border(1), g.plane, h.plane));
-        note(4, signs.height(f.plane, g.plane, h.plane, i.plane));
+        note(3, signs.order(f.border(1), signs.plane(g.plane), signs.plane(h.plane)));
+        note(4, signs.height(signs.plane(f.plane), signs.plane(g.plane), signs.plane(h.plane), signs.plane(i.plane)));
       }
       EXPECT_EQ(most, (std::array<std::size_t, 5>{2, 2, 2, 4, 6}));
     }
@@ -112,7 +112,7 @@ TEST(TurnCandidates, HaveAllThatSamplesShow) {
     const exact::BigRational low(round - 2, 16), high = low + exact::BigRational(1, 24);
     const SolidTurnWindow window(pair, maps, {0, low, high});
     TurningSolidWork work;
-    const std::vector<RootMeeting> found = meetings_in(pair, window, work, [] {});
+    const WindowMeetings found = meetings_in(pair, window, work, [] {});
     std::vector<double> t;
     std::vector<Sample> samples;
     for (int k = 1; k < 24; ++k) {
@@ -122,8 +122,9 @@ TEST(TurnCandidates, HaveAllThatSamplesShow) {
     for (std::size_t s = 0; s + 1 < samples.size(); ++s) {
       const Sample &a = samples[s], &b = samples[s + 1];
       const auto has = [&](auto match) {
-        return std::any_of(found.begin(), found.end(), [&](const RootMeeting& m) {
-          return m.root.high() > t[s] && m.root.low() < t[s + 1] && match(m.meeting);
+        return std::any_of(found.meetings.begin(), found.meetings.end(), [&](const RootMeeting& m) {
+          const exact::AlgebraicRoot& root = found.angles[m.angle];
+          return root.high() > t[s] && root.low() < t[s + 1] && match(m.meeting);
         });
       };
       const auto n = static_cast<std::uint32_t>(window.facets.size());

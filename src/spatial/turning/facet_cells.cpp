@@ -1,0 +1,103 @@
+#include "spatial/turning/facet_cells.h"
+
+#include <algorithm>
+
+namespace dymsum::spatial {
+
+using exact::AlgebraicRoot;
+
+namespace {
+
+/// Fewer slants at one angle are not worth a search of its own.
+constexpr std::size_t kCrowd = 32;
+constexpr std::size_t kMostCrowded = 63;
+
+bool is_turned_over(const SlantCondition& a, const SlantCondition& b) { return a.way.from != b.way.from; }
+
+std::vector<std::uint32_t> crowded_angles(const WindowSlants& slants, const RootOrder& angles) {
+  std::vector<std::size_t> count(angles.size());
+  for (const WindowSlant& s : slants.all())
+    for (const FormRoot& root : s.roots) ++count[root.angle];
+  std::vector<std::uint32_t> crowded;
+  for (const std::uint32_t a : angles.ascending())
+    if (count[a] >= kCrowd && crowded.size() < kMostCrowded && exact::rational_value(angles[a])) crowded.push_back(a);
+  return crowded;
+}
+
+/// The cells in which sense times the slant is negative or zero at some angle.
+TurnCells cells_of(const WindowSlant& slant, int sense, const std::vector<std::uint32_t>& ends,
+                   const RootOrder& angles) {
+  const TurnCells all = ~TurnCells{0} >> (kMostCrowded - ends.size());
+  const auto from = [&](std::size_t cell) { return cell > kMostCrowded ? 0 : all >> cell << cell; };
+  if (slant.sign == 0) return all;
+  TurnCells cells = 0;
+  std::size_t first = 0;  // the cell in which the slant has the sign
+  int sign = sense * slant.sign;
+  for (const FormRoot& root : slant.roots) {
+    const auto at = std::lower_bound(ends.begin(), ends.end(), root.angle,
+                                     [&](std::uint32_t a, std::uint32_t b) { return angles.is_before(a, b); });
+    const auto cell = static_cast<std::size_t>(at - ends.begin());
+    const bool at_end = at != ends.end() && *at == root.angle;
+    if (sign < 0) cells |= from(first) & ~from(cell + 1);
+    if (!at_end) cells |= TurnCells{1} << cell;
+    first = at_end ? cell + 1 : cell;
+    if (root.changes_sign) sign = -sign;
+  }
+  return sign < 0 ? cells | from(first) : cells;
+}
+
+}  // namespace
+
+WindowSlants::Key WindowSlants::key(const SlantCondition& c) {
+  return {static_cast<std::uint32_t>(c.op), c.triangle, std::min(c.way.from, c.way.to), std::max(c.way.from, c.way.to)};
+}
+
+WindowSlants::WindowSlants(const TurningPair& pair, const std::vector<WindowFacet>& facets, const JetFrame& jets,
+                           const TurnRangeOfT& range, WindowRoots& roots, const std::function<void()>& again) {
+  const PolynomialFrame frame(pair, range.chart);
+  const TurnSigns<PolynomialFrame> exact(frame);
+  const TurnSigns<JetFrame> near(jets);
+  std::vector<exact::Polynomial> forms;
+  for (const WindowFacet& f : facets)
+    for (const SlantCondition& c : f.unsure) {
+      if (!index_.emplace(key(c), all_.size()).second) continue;
+      if (all_.size() % 256 == 0) again();
+      const Triangle& t = pair.operand(c.op).triangles[c.triangle];
+      WindowSlant slant{c, near.slant(c.op, t, c.way).sign(), {}};
+      forms.emplace_back();
+      if (slant.sign == 0) {
+        forms.back() = roots.polynomial(exact.slant(c.op, t, c.way).terms());
+        slant.roots = roots.of(forms.back());
+      }
+      all_.push_back(std::move(slant));
+    }
+  find_signs(range, roots.angles(), forms);
+}
+
+/// At one angle before all of their roots.
+void WindowSlants::find_signs(const TurnRangeOfT& range, const RootOrder& angles,
+                              const std::vector<exact::Polynomial>& forms) {
+  const AlgebraicRoot first =
+      angles.size() > 0 ? angles[angles.ascending().front()] : AlgebraicRoot::rational(range.high);
+  const exact::BigRational before = exact::between(AlgebraicRoot::rational(range.low), first);
+  for (std::size_t k = 0; k < all_.size(); ++k)
+    if (!forms[k].is_zero()) all_[k].sign = forms[k].sign_at(before);
+}
+
+FacetCells::FacetCells(const std::vector<WindowFacet>& facets, const WindowSlants& slants, const RootOrder& angles)
+    : crowded(crowded_angles(slants, angles)) {
+  for (const WindowFacet& f : facets) {
+    TurnCells cells = ~TurnCells{0} >> (kMostCrowded - crowded.size());
+    for (const SlantCondition& c : f.unsure) {
+      const WindowSlant& slant = slants.of(c);
+      cells &= cells_of(slant, is_turned_over(c, slant.of) ? -c.sense : c.sense, crowded, angles);
+    }
+    of.push_back(cells);
+  }
+}
+
+bool FacetCells::is_crowded(std::uint32_t angle) const {
+  return std::find(crowded.begin(), crowded.end(), angle) != crowded.end();
+}
+
+}  // namespace dymsum::spatial

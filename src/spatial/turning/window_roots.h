@@ -1,0 +1,63 @@
+// Roots of the forms of a window of angles, exactly.
+#pragma once
+
+#include <map>
+#include <vector>
+
+#include "dymsum/turning_solid_sum.h"
+#include "exact/algebraic_root.h"
+#include "spatial/turning/turn_forms.h"
+
+namespace dymsum::spatial {
+
+/// A window of angles: t in (low, high] of a chart.
+struct TurnRangeOfT {
+  int chart = 0;
+  exact::BigRational low, high;
+};
+
+/// Distinct numbers, each with the index of its first root, in order.
+class RootOrder {
+ public:
+  /// The index of a root; a new one where no equal one is there.
+  std::uint32_t add(const exact::AlgebraicRoot& root);
+  const exact::AlgebraicRoot& operator[](std::uint32_t index) const { return roots_[index]; }
+  const std::vector<std::uint32_t>& ascending() const { return ascending_; }
+  std::size_t size() const { return roots_.size(); }
+  bool is_before(std::uint32_t a, std::uint32_t b) const { return a != b && exact::compare(roots_[a], roots_[b]) < 0; }
+
+ private:
+  std::vector<exact::AlgebraicRoot> roots_;
+  std::vector<std::uint32_t> ascending_;
+};
+
+/// A root of a form: the index of its angle in a window.
+struct FormRoot {
+  std::uint32_t angle = 0;
+  bool changes_sign = true;
+};
+
+class WindowRoots {
+ public:
+  WindowRoots(const TurnCircle& circle, const TurnRangeOfT& range, TurningSolidWork& work);
+
+  /// A form of turned vectors as a primitive polynomial in t: a positive multiple of it, factors 1 + |axis|^2 t^2 left
+  /// out.
+  exact::Polynomial polynomial(exact::Terms form) const;
+  /// Its distinct roots in the window, ascending; none where it vanishes at all angles. Many forms have one polynomial.
+  const std::vector<FormRoot>& of(const exact::Polynomial& p);
+  const std::vector<FormRoot>& of(exact::Terms form) { return of(polynomial(std::move(form))); }
+  RootOrder& angles() { return angles_; }
+
+ private:
+  std::vector<FormRoot> find(const exact::Polynomial& p);
+  const TurnCircle& circle_;
+  const TurnRangeOfT& range_;
+  TurningSolidWork& work_;
+  double low_ = 0, high_ = 0;  // just around the window
+  RootOrder angles_;
+  std::map<std::vector<exact::BigInteger>, std::vector<FormRoot>> known_;  // by coefficients, the last one positive
+  exact::FilterCounts counts_;
+};
+
+}  // namespace dymsum::spatial
