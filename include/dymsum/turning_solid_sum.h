@@ -88,9 +88,9 @@ struct TurningSolidOptions {
 struct TurningSolidWork {
   std::uint64_t windows = 0, facets = 0;  ///< facets: of the convolution, at some angle of a window, added up
   std::uint64_t candidates = 0;           ///< whose polynomials were made
-  std::uint64_t roots = 0;                ///< at which the features do meet
+  std::uint64_t roots = 0;                ///< where features that exist there meet, or doubles do not tell
   std::uint64_t covered = 0;              ///< of these, at positions that doubles prove to lie in the open sum
-  std::uint64_t exact_tests = 0;          ///< of these, positions tested exactly, at the algebraic angle
+  std::uint64_t exact_tests = 0;          ///< distinct ones of the rest, tested exactly, at the algebraic angle
   std::uint64_t events = 0, sums = 0;
   double ms = 0;
 };

@@ -285,7 +285,7 @@ RootContacts::NearPlace RootContacts::near(const Jets::Place& place) const {
 bool RootContacts::surely_covered(const NearPlace& place) {
   if (!place.sure) return false;
   if (!in_balls({place.at}, place.radius) && !surely_overlaps(place.at, place.radius)) return false;
-  ++work_.covered;
+  ++work_.roots, ++work_.covered;
   return true;
 }
 
