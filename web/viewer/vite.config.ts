@@ -10,7 +10,7 @@ export default defineConfig({
   base: './',
   resolve: { alias: { dymsum: inPackage('index.js') } },
   plugins: [embedModule(inPackage('dymsum-simd.wasm'), true), viteSingleFile({ removeViteModuleLoader: true })],
-  worker: { format: 'es' },
+  worker: { format: 'iife' },
   build: { target: 'es2022', chunkSizeWarningLimit: 4096, reportCompressedSize: false },
   test: { include: ['src/**/*.test.ts'] },
 });

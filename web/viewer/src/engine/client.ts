@@ -51,7 +51,7 @@ export class Engine {
     if (this.worker) return;
     this.worker = this.makeWorker();
     this.worker.onmessage = (event: MessageEvent<Reply>) => this.take(event.data);
-    this.worker.onerror = (event) => this.take({ kind: 'broken', message: event.message });
+    this.worker.onerror = (event) => this.take({ kind: 'broken', message: event.message || 'its worker could not start' });
     this.worker.postMessage(this.module());
   }
 

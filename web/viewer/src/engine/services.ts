@@ -1,9 +1,13 @@
 // All that can be asked of the worker. A page adds its services here, under its own name.
 import type { Host } from './host';
+import { operandServices } from '../operands/service';
+import { nestingServices } from '../pages/nesting/service';
 import { sumServices } from '../pages/sum/service';
 
 export const services = {
+  ...operandServices,
   ...sumServices,
+  ...nestingServices,
 };
 
 export type Services = typeof services;

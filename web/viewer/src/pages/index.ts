@@ -1,6 +1,7 @@
 // The pages, in the order of the tabs.
 import type { Pages } from '../shell/opening';
 import { asAnyPage } from '../shell/page';
+import { nestingPage } from './nesting/page';
 import { sumPage } from './sum/page';
 
-export const pages: Pages = [asAnyPage(sumPage)];
+export const pages: Pages = [asAnyPage(sumPage), asAnyPage(nestingPage)];

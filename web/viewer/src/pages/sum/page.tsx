@@ -1,36 +1,25 @@
-import type { Page, PageProps } from '../../shell/page';
-import { parseShape, shapeOfFile, type Shape } from '../../engine/shape';
-import { useAnswer } from '../../engine/use_answer';
-import { Panel, Stage } from '../../shell/parts';
-
-interface SumState {
-  p: Shape;
-  q: Shape;
-}
-
-const kSummary = 'P ⊕ Q: all sums of a point of P and a point of Q.';
-
-function View({ state, shell }: PageProps<SumState>) {
-  const frame = useAnswer(shell.engine, 'sumFrame', { p: state.p, q: state.q });
-  return (
-    <>
-      <Stage>
-        <canvas aria-label="The sum" />
-      </Stage>
-      <Panel summary={kSummary}>{frame.value?.shape.vertices.length}</Panel>
-    </>
-  );
-}
+import { made } from '../../operands/catalogue';
+import { planarShapes } from '../../operands/planar_files';
+import type { Page } from '../../shell/page';
+import { parseSumState, sumState, type SumState } from './state';
+import { kSummary, View } from './view';
 
 export const sumPage: Page<SumState> = {
   id: 'sum',
   title: 'Sum',
   summary: kSummary,
-  examples: [{ name: 'gear and star', state: { p: { name: 'gear', make: 'gear', args: [12, 3, 4] }, q: { name: 'star', make: 'star', args: [5, 0.5, 1] } } }],
-  parse: (value) => {
-    const { p, q } = value as Record<string, unknown>;
-    return { p: parseShape(p), q: parseShape(q) };
+  examples: [
+    { name: 'Gear and star', state: sumState(made('gear'), made('star')) },
+    { name: 'Grate and disc', state: sumState(made('grate'), { name: 'disc', make: 'disc', args: [32, 0.35] }, { moving: 'q' }) },
+    { name: 'A bar that fits exactly: comb', state: sumState({ name: 'comb', make: 'comb', args: [6, 2, 1, 5] }, { name: 'square', make: 'rectangle', args: [-0.5, -0.5, 0.5, 0.5] }, { moving: 'q' }) },
+    { name: 'Spiral and L', state: sumState(made('spiral'), { name: 'L', make: 'letterL', args: [1, 1.5, 0.25] }, { moving: 'q', motion: 'turn' }) },
+    { name: 'U and U', state: sumState(made('U'), { name: 'U', make: 'letterU', args: [1, 2, 0.5] }, { moving: 'q' }) },
+    { name: 'Random polygons', state: sumState(made('random'), { name: 'noisy star', make: 'noisyStar', args: [30, 0.6, 7] }, { moving: 'q' }) },
+  ],
+  parse: parseSumState,
+  take: (files, state) => {
+    const [p, q] = planarShapes(files, 2);
+    return { ...state, p: p!, ...(q ? { q } : {}) };
   },
-  take: (files, state) => ({ ...state, p: shapeOfFile(files[0]!) }),
   View,
 };

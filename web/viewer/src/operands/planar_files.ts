@@ -1,0 +1,13 @@
+// Which files planar pages take.
+import { shapeOfFile, type FileShape } from '../engine/shape';
+import type { InputFile } from '../shell/page';
+
+const kPlanar = /\.(poly|wkt|geojson|svg|json|dxf)$/i;
+
+/** Throws an Error that names the first file that holds no region, or says that there are too many. */
+export function planarShapes(files: readonly InputFile[], most: number): FileShape[] {
+  const other = files.find((f) => !kPlanar.test(f.name));
+  if (other) throw new Error(`"${other.name}" holds no region: this page takes .poly, .wkt, .geojson, .svg, .dxf and .json.`);
+  if (files.length > most) throw new Error(`${files.length} files are too many: this page takes ${most === 1 ? 'one' : `up to ${most}`}.`);
+  return files.map(shapeOfFile);
+}

@@ -1,0 +1,42 @@
+// An operand as it is drawn, also where it is refused.
+import { DymsumError, type RegionShape } from 'dymsum';
+import type { Host } from '../engine/host';
+import type { ErrorData } from '../engine/protocol';
+import { bytesOf, isMade, type Shape } from '../engine/shape';
+
+export interface OperandAnswer {
+  /** of a file that is refused: what it says, as far as it can be read */
+  shape: RegionShape | undefined;
+  /** why no sum can be made of it */
+  error: ErrorData | undefined;
+}
+
+function unchecked(host: Host, shape: Shape): RegionShape | undefined {
+  if (isMade(shape)) return undefined;
+  try {
+    return host.dymsum.Region.readData(shape.name, bytesOf(shape))[0]?.shape;
+  } catch {
+    return undefined; // a file that is no such file has nothing to draw; the first error says why
+  }
+}
+
+export const operandServices = {
+  operand: (host: Host, { shape }: { shape: Shape }): OperandAnswer => {
+    try {
+      return { shape: host.region(shape).shape(), error: undefined };
+    } catch (error) {
+      if (!(error instanceof DymsumError)) throw error;
+      return { shape: unchecked(host, shape), error: error.toData() };
+    }
+  },
+  /** The shapes of a file, as texts of their own. */
+  shapesOfFile: (host: Host, { shape, repair }: { shape: Shape; repair: boolean }): { name: string; text: string }[] => {
+    if (isMade(shape)) throw new Error('A shape that was made has no file.');
+    const all = host.dymsum.Region.readAll(shape.name, bytesOf(shape), { repair });
+    return all.map(({ name, region }) => {
+      const text = region.format('wkt');
+      region.dispose();
+      return { name, text };
+    });
+  },
+};

@@ -1,0 +1,25 @@
+import { useEffect, useMemo } from 'preact/hooks';
+import { EngineError } from '../engine/client';
+import type { Shape } from '../engine/shape';
+import { useAnswer } from '../engine/use_answer';
+import type { Shell } from '../shell/page';
+import { Outline } from './outline';
+
+export interface Operand {
+  outline: Outline | undefined;
+  error: EngineError | undefined;
+  /** a valid operand of the shape that was asked about */
+  ready: boolean;
+}
+
+/** The operand for drawing; errors are shown with their place. */
+export function useOperand(shell: Shell, shape: Shape): Operand {
+  const asked = useAnswer(shell.engine, 'operand', { shape });
+  const answer = asked.value;
+  const outline = useMemo(() => (answer?.shape ? new Outline(answer.shape) : undefined), [answer]);
+  const error = useMemo(() => (answer?.error ? new EngineError(answer.error) : undefined), [answer]);
+  useEffect(() => {
+    if (error ?? asked.error) shell.report(error ?? asked.error);
+  }, [shell, error, asked.error]);
+  return { outline, error, ready: asked.of?.shape === shape && !error };
+}

@@ -1,0 +1,36 @@
+// What the page of nesting shows.
+import { parseShape, type Shape } from '../../engine/shape';
+import { parseRational } from '../../numbers/rational';
+import type { Camera } from '../../view2d/camera';
+import { parseCamera } from '../sum/state';
+
+/** Where B's reference point stands. All but `free` are exact fits, named by the no-fit polygon, not by coordinates. */
+export type Placement =
+  | { kind: 'free'; x: number; y: number }
+  | { kind: 'vertex'; index: number }
+  /** `along`: an exact share of the edge from one vertex to the next */
+  | { kind: 'edge'; index: number; next: number; along: string }
+  /** the nearest position at which A and B touch */
+  | { kind: 'nearest'; x: number; y: number };
+
+export interface NestingState {
+  a: Shape;
+  b: Shape;
+  at: Placement;
+  camera?: Camera;
+}
+
+function parsePlacement(value: unknown): Placement {
+  const { kind, x, y, index, next, along } = (value ?? {}) as Record<string, unknown>;
+  const isIndex = (n: unknown): n is number => Number.isInteger(n) && (n as number) >= 0;
+  if (kind === 'vertex' && isIndex(index)) return { kind, index };
+  if (kind === 'edge' && isIndex(index) && isIndex(next) && typeof along === 'string' && parseRational(along)) return { kind, index, next, along };
+  if ((kind === 'free' || kind === 'nearest') && Number.isFinite(x) && Number.isFinite(y)) return { kind, x: x as number, y: y as number };
+  throw new Error('The document holds no place for B.');
+}
+
+/** Throws an Error for what is no state of this page. */
+export function parseNestingState(value: unknown): NestingState {
+  const v = (value ?? {}) as Record<string, unknown>;
+  return { a: parseShape(v.a), b: parseShape(v.b), at: parsePlacement(v.at), ...parseCamera(v.camera) };
+}

@@ -1,0 +1,114 @@
+import { useEffect, useMemo } from 'preact/hooks';
+import { useAnswer } from '../../engine/use_answer';
+import { short } from '../../numbers/display';
+import { OperandCard } from '../../operands/operand_card';
+import { useOperand, type Operand } from '../../operands/use_operand';
+import { Readouts, Section } from '../../shell/controls';
+import { ExactText } from '../../shell/exact_text';
+import type { PageProps, Shell } from '../../shell/page';
+import { Panel, Stage } from '../../shell/parts';
+import { appliedToBox, inverted, placed as placing } from '../../view2d/affine';
+import { unionOf, type Point } from '../../view2d/camera';
+import { isInside } from '../../view2d/edge_grid';
+import type { Grip } from '../../view2d/gestures';
+import { PlaneView } from '../../view2d/plane_view';
+import { SumPicture } from '../../view2d/sum_shape';
+import { originText } from '../sum/provenance';
+import { paintNesting } from './picture';
+import type { Placed } from './service';
+import { placementNear } from './snapping';
+import type { NestingState, Placement } from './state';
+
+export const kSummary = 'The no-fit polygon: where B’s reference point may stand so that A and B meet. Drag B; it snaps to exact fits.';
+
+function meetingText({ meeting, distance }: Placed): string {
+  if (meeting === 'touching') return 'A and B touch, exactly.';
+  return meeting === 'apart' ? `A and B are apart by ${short(distance)}.` : `A and B overlap: ${short(distance)} deep.`;
+}
+
+function useNesting(shell: Shell, state: NestingState) {
+  const a = useOperand(shell, state.a), b = useOperand(shell, state.b), ready = a.ready && b.ready;
+  const nfp = useAnswer(shell.engine, 'nfp', ready ? { a: state.a, b: state.b } : undefined);
+  const place = useAnswer(shell.engine, 'placed', ready ? { a: state.a, b: state.b, at: state.at } : undefined);
+  const picture = useMemo(() => nfp.value && new SumPicture(nfp.value.shape), [nfp.value]);
+  const error = nfp.error ?? place.error;
+  useEffect(() => {
+    if (error) shell.report(error);
+  }, [shell, error]);
+  return { a, b, nfp: picture, placed: place.value, placedAt: place.of?.at, error };
+}
+
+function wrongPlaces(a: Operand, b: Operand): Point[] {
+  return [a.error, b.error].flatMap((e) => (e?.evidence.x !== undefined && e.evidence.y !== undefined ? [{ x: e.evidence.x, y: e.evidence.y }] : []));
+}
+
+function PlaceSection({ state, change, shell, placed, nfp }: PageProps<NestingState> & { placed: Placed | undefined; nfp: SumPicture | undefined }) {
+  const { at } = state, free = at.kind === 'free' && placed?.meeting !== 'touching';
+  const contact = nfp && (at.kind === 'vertex' || at.kind === 'edge') ? originText(nfp.shape, at, ['A', 'B']) : undefined;
+  return (
+    <Section title="B stands">
+      <p role="status" style={{ margin: '0 0 6px', fontWeight: 600 }}>{placed ? meetingText(placed) : '…'}</p>
+      {contact && <p style={{ margin: '0 0 6px' }}>Contact: {contact.replaceAll(' + ', ' and ')}</p>}
+      {placed && <ExactText label="the exact position" text={`(${placed.x}, ${placed.y})`} shell={shell} />}
+      {placed && placed.meeting !== 'touching' && <Readouts rows={[['distance squared, exactly', placed.squared.length > 40 ? short(placed.distance ** 2) : placed.squared]]} />}
+      <div class="row">
+        <button disabled={!free} onClick={() => at.kind === 'free' && change({ ...state, at: { ...at, kind: 'nearest' } })}>
+          To the nearest fit
+        </button>
+      </div>
+    </Section>
+  );
+}
+
+const kFiles = { svg: 'Picture (SVG)', wkt: 'No-fit polygon, rounded (WKT)', json: 'No-fit polygon, exact (JSON)' } as const;
+
+function useDownloads({ engine, setDownloads }: Shell, { a, b }: NestingState, isThere: boolean): void {
+  useEffect(() => {
+    const formats = isThere ? (Object.keys(kFiles) as (keyof typeof kFiles)[]) : [];
+    setDownloads(formats.map((format) => ({ label: kFiles[format], fileName: `nfp.${format}`, make: () => engine.ask('nfpFile', { a, b, format }) })));
+  }, [engine, setDownloads, a, b, isThere]);
+}
+
+export function View(props: PageProps<NestingState>) {
+  const { state, change, shell } = props, data = useNesting(shell, state), { a, b, nfp, placed } = data;
+  useDownloads(shell, state, nfp !== undefined);
+  const byB = placing(1, 0, placed?.approx.x ?? 0, placed?.approx.y ?? 0);
+  const failed = a.error ?? b.error;
+  const ready = failed ?? (nfp && placed);
+  const home = useMemo(
+    () => (ready ? unionOf([a.outline?.box, appliedToBox(byB, b.outline?.box), failed ? undefined : nfp?.box]) : undefined),
+    [!ready, a.outline, b.outline], // eslint-disable-line react-hooks/exhaustive-deps -- the picture does not follow drags
+  );
+  const put = (at: Placement, how: 'live' | 'done'): void => change({ ...state, at }, how);
+  const grip = (at: Point, reach: number): Grip | undefined => {
+    const own = inverted(byB, at), start = placed?.approx;
+    if (!b.outline || !start || (!isInside(b.outline.rings, own) && !b.outline.grid.nearest(own, reach))) return undefined;
+    const to = (from: Point, now: Point): Placement => placementNear(nfp, { x: start.x + now.x - from.x, y: start.y + now.y - from.y }, reach * 1.25);
+    return { drag: (from, now) => put(to(from, now), 'live'), drop: (from, now) => put(now ? to(from, now) : state.at, 'done') };
+  };
+  // B is drawn where the engine says it stands, so contacts are of that placement, too.
+  const scene = { a: a.outline, b: b.outline, nfp: failed ? undefined : nfp, at: data.placedAt ?? state.at, placed: failed ? undefined : placed, wrong: wrongPlaces(a, b) };
+  return (
+    <>
+      <Stage>
+        <PlaneView
+          label={`The no-fit polygon of ${state.b.name} around ${state.a.name}. ${placed ? meetingText(placed) : ''}`} home={home} homeKey={`${state.a.name} ${state.b.name}`}
+          camera={state.camera} onCamera={(camera) => change({ ...state, camera }, 'aside')} grip={grip} paint={(painter) => paintNesting(painter, scene)}
+        />
+        <div class="status">{placed && meetingText(placed)}</div>
+      </Stage>
+      <Panel summary={kSummary}>
+        <Section title="Shapes">
+          <OperandCard role="A" tint="p" shape={state.a} operand={a} onShape={(shape) => change({ ...state, a: shape, at: { kind: 'free', x: 0, y: 0 } })} />
+          <OperandCard role="B" tint="q" shape={state.b} operand={b} onShape={(shape) => change({ ...state, b: shape, at: { kind: 'free', x: 0, y: 0 } })} />
+        </Section>
+        <PlaceSection {...props} placed={placed} nfp={nfp} />
+        <Section title="No-fit polygon">
+          <Readouts
+            rows={[['parts', nfp?.counts.parts], ['holes', nfp?.counts.holes], ['vertices', nfp?.counts.vertices], ['exact fits: points, segments', nfp && `${nfp.counts.tightPoints}, ${nfp.counts.tightSegments}`]]}
+          />
+        </Section>
+      </Panel>
+    </>
+  );
+}
