@@ -2,11 +2,13 @@
 import type { Host } from './host';
 import { operandServices } from '../operands/service';
 import { nestingServices } from '../pages/nesting/service';
+import { obstacleServices } from '../pages/obstacle/service';
 import { sumServices } from '../pages/sum/service';
 
 export const services = {
   ...operandServices,
   ...sumServices,
+  ...obstacleServices,
   ...nestingServices,
 };
 

@@ -2,6 +2,7 @@
 import type { Pages } from '../shell/opening';
 import { asAnyPage } from '../shell/page';
 import { nestingPage } from './nesting/page';
+import { obstaclePage } from './obstacle/page';
 import { sumPage } from './sum/page';
 
-export const pages: Pages = [asAnyPage(sumPage), asAnyPage(nestingPage)];
+export const pages: Pages = [asAnyPage(sumPage), asAnyPage(obstaclePage), asAnyPage(nestingPage)];

@@ -1,6 +1,6 @@
 // A picture of space: surfaces, a camera that is turned by hand, and an overlay. It is drawn when something changes, and
 // only then; `dispose` gives the memory of the graphics card back.
-import { Color, DirectionalLight, HemisphereLight, PerspectiveCamera, Raycaster, Scene, Vector2, Vector3, WebGLRenderer } from 'three';
+import { Color, DirectionalLight, HemisphereLight, PerspectiveCamera, Plane, Raycaster, Scene, Vector2, Vector3, WebGLRenderer } from 'three';
 import { OrbitControls } from 'three/examples/jsm/controls/OrbitControls.js';
 import { turnByKey } from './keys';
 import { drawOverlay, type Overlay } from './overlay';
@@ -9,6 +9,8 @@ import type { Surface } from './surface';
 export interface Hit {
   surface: Surface;
   triangle: number;
+  /** from the camera */
+  distance: number;
   /** of the pointer, from the upper left corner of the picture */
   x: number;
   y: number;
@@ -17,6 +19,14 @@ export interface ViewEvents {
   /** what lies under the pointer, nothing where it leaves */
   onHover?: (hit: Hit | undefined) => void;
   onPick?: (hit: Hit | undefined) => void;
+  /** what is dragged instead of the camera; nothing for what does not move */
+  grip?: (hit: Hit) => Grip | undefined;
+}
+/** Something that is dragged, always as far from the reader as where it was gripped. */
+export interface Grip {
+  /** how far from where it was, in the coordinates of the picture */
+  drag: (x: number, y: number, z: number) => void;
+  drop: () => void;
 }
 
 const kFrom = new Vector3(2.3, -3.4, 2.5); // seen from the front, the right and above
@@ -38,6 +48,7 @@ export class SpaceView {
   private stale = false;
   private pointer: { x: number; y: number } | undefined;
   private pressed: { x: number; y: number } | undefined;
+  private held: { grip: Grip; from: Vector3; plane: Plane } | undefined;
 
   /** Throws where the browser draws nothing in space. */
   constructor(
@@ -56,10 +67,10 @@ export class SpaceView {
     lamp.position.set(-1, 1.6, 1.2);
     this.camera.add(lamp, lamp.target); // shines from behind the reader's left shoulder
     lamp.target.position.set(0, 0, -1);
+    this.listen(canvas); // before the controls: what is gripped is not theirs
     this.controls = new OrbitControls(this.camera, canvas);
     Object.assign(this.controls, { minDistance: 0.5, maxDistance: 30 });
     this.controls.addEventListener('change', () => this.request());
-    this.listen(canvas);
     this.fit();
     this.sizes.observe(container);
     this.resize();
@@ -151,8 +162,13 @@ export class SpaceView {
   private listen(canvas: HTMLCanvasElement): void {
     const { signal } = this.leaving;
     const at = (e: PointerEvent): { x: number; y: number } => ({ x: e.offsetX, y: e.offsetY });
-    canvas.addEventListener('pointerdown', (e) => (this.pressed = at(e)), { signal });
+    canvas.addEventListener('pointerdown', (e) => {
+      this.pressed = at(e);
+      if (e.isPrimary && e.button === 0) this.take(this.pressed);
+      if (this.held) canvas.setPointerCapture(e.pointerId);
+    }, { signal });
     canvas.addEventListener('pointermove', (e) => {
+      if (this.held) return this.drag(at(e));
       this.pointer = e.buttons === 0 ? at(e) : undefined;
       if (this.pointer && this.events.onHover) this.frame ||= requestAnimationFrame(this.draw);
     }, { signal });
@@ -160,7 +176,14 @@ export class SpaceView {
       this.pointer = undefined;
       this.events.onHover?.(undefined);
     }, { signal });
+    const letGo = (): void => {
+      this.held?.grip.drop();
+      this.held = undefined;
+      this.controls.enabled = true;
+    };
+    canvas.addEventListener('pointercancel', letGo, { signal });
     canvas.addEventListener('pointerup', (e) => {
+      letGo();
       const from = this.pressed, to = at(e);
       if (from && Math.hypot(to.x - from.x, to.y - from.y) <= kClickPixels) this.events.onPick?.(this.hitAt(to.x, to.y));
     }, { signal });
@@ -173,15 +196,35 @@ export class SpaceView {
     }, { signal });
   }
 
+  private take(at: { x: number; y: number }): void {
+    const hit = this.events.grip && this.hitAt(at.x, at.y), grip = hit && this.events.grip?.(hit);
+    if (!grip) return;
+    const from = this.ray.ray.at(hit.distance, new Vector3());
+    const plane = new Plane().setFromNormalAndCoplanarPoint(this.camera.getWorldDirection(new Vector3()), from);
+    this.held = { grip, from, plane };
+    this.controls.enabled = false;
+  }
+
+  private drag({ x, y }: { x: number; y: number }): void {
+    const { grip, from, plane } = this.held!;
+    this.aim(x, y);
+    const to = this.ray.ray.intersectPlane(plane, new Vector3());
+    if (to) grip.drag(to.x - from.x, to.y - from.y, to.z - from.z);
+  }
+
   private hover(): void {
     if (this.pointer && this.events.onHover) this.events.onHover(this.hitAt(this.pointer.x, this.pointer.y));
     this.pointer = undefined;
   }
 
-  private hitAt(x: number, y: number): Hit | undefined {
+  private aim(x: number, y: number): void {
     const { clientWidth: width, clientHeight: height } = this.container;
     this.ray.setFromCamera(new Vector2((2 * x) / width - 1, 1 - (2 * y) / height), this.camera);
-    let nearest: (Hit & { distance: number }) | undefined;
+  }
+
+  private hitAt(x: number, y: number): Hit | undefined {
+    this.aim(x, y);
+    let nearest: Hit | undefined;
     for (const surface of this.surfaces) {
       const hit = surface.pick(this.ray);
       if (hit && (!nearest || hit.distance < nearest.distance)) nearest = { surface, x, y, ...hit };
