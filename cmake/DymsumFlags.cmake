@@ -21,6 +21,9 @@ function(dymsum_set_flags target)
   # and -Wmaybe-uninitialized about the union inside Boost's cpp_int.
   if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
     target_compile_options(${target} PRIVATE -Wno-restrict -Wno-maybe-uninitialized)
+  else()
+    # & of comparisons is meant where nothing may branch.
+    target_compile_options(${target} PRIVATE -Wno-bitwise-instead-of-logical)
   endif()
   if(DYMSUM_WARNINGS_AS_ERRORS)
     target_compile_options(${target} PRIVATE -Werror)

@@ -127,7 +127,8 @@ class SpatialSum {
 
   struct Rounded {
     MeshData mesh;
-    std::vector<std::uint32_t> face;  ///< of every triangle: the face that it is a part of
+    std::vector<std::uint32_t> face;    ///< of every triangle: the face that it is a part of
+    std::vector<std::uint32_t> vertex;  ///< of every vertex: which one of the sum it is
   };
   /// The boundary as triangles, every vertex rounded to the nearest doubles: closed and oriented, each edge as often
   /// one way as the other. Tight features are no part of it. Error rounding_changed_topology with the position where

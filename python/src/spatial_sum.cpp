@@ -145,7 +145,8 @@ void bind_spatial_sum_class(nb::module_& m) {
   bind_spatial_numbers(sum);
   Record<SpatialSum::Rounded>(sum, "Rounded", "Triangles of a sum, rounded.")
       .field("mesh", &SpatialSum::Rounded::mesh)
-      .field("face", &SpatialSum::Rounded::face, "of every triangle the face that it is a part of");
+      .field("face", &SpatialSum::Rounded::face, "of every triangle the face that it is a part of")
+      .field("vertex", &SpatialSum::Rounded::vertex, "of every vertex which one of the sum it is");
   sum.def(
          "__eq__", [](const SpatialSum& a, const SpatialSum& b) { return without_gil([&] { return a == b; }); },
          nb::is_operator())

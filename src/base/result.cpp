@@ -1,6 +1,6 @@
 #include "dymsum/result.h"
 
-#include <charconv>
+#include "base/double_text.h"
 
 namespace dymsum {
 
@@ -8,8 +8,8 @@ namespace {
 
 std::string to_text(double v) {
   char buffer[32];
-  const auto end = std::to_chars(buffer, buffer + sizeof buffer, v).ptr;
-  return std::string(buffer, end);
+  const char* const end = base::shortest_text(buffer, buffer + sizeof buffer, v);
+  return std::string(static_cast<const char*>(buffer), end);
 }
 
 void append(std::string& text, std::string_view label, std::optional<std::int64_t> value) {

@@ -5,6 +5,8 @@
 #include <cmath>
 #include <limits>
 
+#include "base/bit_cast.h"
+
 namespace dymsum::exact {
 
 namespace {
@@ -13,7 +15,7 @@ constexpr int kNoExponent = std::numeric_limits<int>::max();
 
 /// The exponent of the last bit of v, which is not zero.
 inline int last_bit(double v) {
-  const auto bits = std::bit_cast<std::uint64_t>(v);
+  const auto bits = base::bit_cast<std::uint64_t>(v);
   const int field = static_cast<int>(bits >> 52) & 0x7ff;
   constexpr std::uint64_t kHidden = std::uint64_t{1} << 52;
   const std::uint64_t m = field != 0 ? bits | kHidden : bits;  // sign and exponent lie above the last bit
@@ -51,7 +53,7 @@ int difference_exponent(double a, double b) {
 Dyadic to_dyadic(double v) {
   assert(std::isfinite(v));
   if (v == 0) return {};
-  const auto bits = std::bit_cast<std::uint64_t>(v);
+  const auto bits = base::bit_cast<std::uint64_t>(v);
   const int field = static_cast<int>(bits >> 52) & 0x7ff;
   std::uint64_t m = bits & ((std::uint64_t{1} << 52) - 1);
   if (field != 0) m |= std::uint64_t{1} << 52;

@@ -15,6 +15,7 @@
 #include <cstdint>
 #include <type_traits>
 
+#include "base/bit_cast.h"
 #include "exact/limbs.h"
 
 namespace dymsum::exact {
@@ -197,7 +198,7 @@ constexpr Int<B + K> shift_left(const Int<B>& a) {
 }
 
 /// 2^e for -1022 <= e <= 1023.
-constexpr double power_of_two(int e) { return std::bit_cast<double>(static_cast<std::uint64_t>(e + 1023) << 52); }
+constexpr double power_of_two(int e) { return base::bit_cast<double>(static_cast<std::uint64_t>(e + 1023) << 52); }
 
 /// The double nearest to a non-negative integer: its 64 leading bits with a sticky lowest bit are rounded once,
 /// correctly, and scaling by a power of two is exact or overflows to infinity.

@@ -8,6 +8,8 @@
 #include <string_view>
 #include <type_traits>
 
+#include "base/bit_cast.h"
+
 namespace dymsum::io {
 
 template <class T>
@@ -24,13 +26,13 @@ T from_bytes(std::string_view bytes, std::size_t offset, std::endian order) {
     const auto byte = static_cast<unsigned char>(bytes[offset + from]);
     bits = static_cast<BitsOf<T>>((static_cast<std::uint64_t>(bits) << 8) | byte);
   }
-  return std::bit_cast<T>(bits);
+  return base::bit_cast<T>(bits);
 }
 
 /// Appends the bytes of a number, the lowest first.
 template <class T>
 void append_bytes(std::string& out, T value) {
-  auto bits = static_cast<std::uint64_t>(std::bit_cast<BitsOf<T>>(value));
+  auto bits = static_cast<std::uint64_t>(base::bit_cast<BitsOf<T>>(value));
   for (std::size_t i = 0; i < sizeof(T); ++i, bits >>= 8) out += static_cast<char>(bits & 0xff);
 }
 

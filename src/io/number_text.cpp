@@ -6,6 +6,7 @@
 #include <limits>
 #include <system_error>
 
+#include "base/double_text.h"
 #include "io/source.h"
 
 namespace dymsum::io {
@@ -46,7 +47,7 @@ ScannedNumber scan_number(std::string_view text) {
   const std::size_t plus = text.size() > 1 && text[0] == '+' && (is_digit(text[1]) || text[1] == '.') ? 1 : 0;
   const char* const first = text.data() + plus;
   ScannedNumber number;
-  const auto [end, error] = std::from_chars(first, text.data() + text.size(), number.value);
+  const auto [end, error] = base::read_double(first, text.data() + text.size(), number.value);
   if (error == std::errc::invalid_argument) return {};
   number.length = static_cast<std::size_t>(end - text.data());
   if (error == std::errc::result_out_of_range) {
@@ -69,8 +70,8 @@ ScannedCount scan_count(std::string_view text) {
 void append_number(std::string& out, double value) {
   std::array<char, 32> digits;  // the longest shortest double has 24 characters
   const double plain = value == 0 ? 0.0 : value;
-  const auto end = std::to_chars(digits.data(), digits.data() + digits.size(), plain).ptr;
-  out.append(digits.data(), end);
+  const char* const end = base::shortest_text(digits.data(), digits.data() + digits.size(), plain);
+  out.append(digits.data(), static_cast<std::size_t>(end - digits.data()));
 }
 
 void append_rounded(std::string& out, double value, int decimals) {
@@ -79,7 +80,7 @@ void append_rounded(std::string& out, double value, int decimals) {
     return;
   }
   std::array<char, 48> digits;
-  auto end = std::to_chars(digits.data(), digits.data() + digits.size(), value, std::chars_format::fixed, decimals).ptr;
+  const char* end = base::fixed_text(digits.data(), digits.data() + digits.size(), value, decimals);
   if (decimals > 0) {
     while (end[-1] == '0') --end;
     if (end[-1] == '.') --end;

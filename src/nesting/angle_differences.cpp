@@ -23,7 +23,7 @@ std::optional<std::int64_t> common_parts(const std::set<Rational>& from, const s
   for (const std::set<Rational>* angles : {&from, &to}) {
     for (const Rational& angle : *angles) {
       parts = lcm(parts, BigInteger(denominator(exact::exact_value(angle))));
-      if (parts >> kPartsBits != 0) return std::nullopt;
+      if ((parts >> kPartsBits) != 0) return std::nullopt;
     }
   }
   return static_cast<std::int64_t>(parts);

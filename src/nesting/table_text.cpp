@@ -85,7 +85,7 @@ const TableAnswer& answer_of(const TableResult& result, const TableRow& row) {
 /// Writes rows one by one; by hand, because there may be millions.
 class RowWriter {
  public:
-  RowWriter(const NfpTable::State& table, bool inline_geometry) : table_(table), inline_(inline_geometry) {
+  RowWriter(const NfpTable::State& table, bool inline_geometry) : inline_(inline_geometry) {
     for (const TableItem& item : table.input.items) items_.push_back(quoted(item.name));
     for (const TableBin& bin : table.input.bins) bins_.push_back(quoted(bin.name));
     for (const TableAngle& angle : table.angles)
@@ -139,7 +139,6 @@ class RowWriter {
     else out += R"(,"offset":)" + std::to_string(offset_) + R"(,"bytes":)" + std::to_string(answer.wkb.size());
   }
 
-  const NfpTable::State& table_;
   bool inline_;
   std::vector<std::string> items_, bins_, angles_;
   std::uint64_t offset_ = 0;

@@ -69,9 +69,14 @@ bool is_there(const fs::path& path) {
 /// The files of the project by which a name in a document is checked.
 const std::vector<fs::path>& sources() {
   static const std::vector<fs::path> kSources = [] {
-    std::vector<fs::path> found = {kRoot / "run", kRoot / "CMakeLists.txt", kRoot / "CMakePresets.json",
-                                   kRoot / "pyproject.toml", kRoot / "docs/guide/report.schema.json"};
-    for (const char* top : {"include", "src", "cli", "adapters", "examples", "python", "tests", "bench", "cmake"})
+    std::vector<fs::path> found = {kRoot / "run",
+                                   kRoot / "CMakeLists.txt",
+                                   kRoot / "CMakePresets.json",
+                                   kRoot / "pyproject.toml",
+                                   kRoot / "docs/guide/report.schema.json",
+                                   kRoot / "web/package/index.d.ts"};
+    for (const char* top : {"include", "src", "cli", "adapters", "examples", "python", "tests", "bench", "cmake",
+                            "web/wasm", "web/package/tests"})
       for (const auto& entry : fs::recursive_directory_iterator(kRoot / top))
         if (entry.is_regular_file()) found.push_back(entry.path());
     return found;

@@ -80,13 +80,14 @@ const std::vector<std::string> kOtherRooms = {"include/dymsum",
                                               "examples",
                                               "adapters/ompl/dymsum",
                                               "adapters/ompl/dymsum/ompl",
-                                              "python/src"};
+                                              "python/src",
+                                              "web/wasm"};
 
 /// Headers from outside the standard library by the first folder of the rooms that may include them. What the operating
 /// system has for files and terminals is in `base` and `cli`: elsewhere another system finds nothing to replace.
 const std::map<std::string, std::vector<std::string>> kForeign = {
     {"base",
-     {"tbb/", "oneapi/", "emmintrin.h", "fcntl.h", "pthread.h", "sys/file.h", "sys/stat.h",
+     {"tbb/", "oneapi/", "fast_float/", "fmt/", "emmintrin.h", "fcntl.h", "pthread.h", "sys/file.h", "sys/stat.h",
       "unistd.h"}},  // the compiler's own: vector registers, where it has them
     {"exact", {"boost/multiprecision/"}},
     {"planar", {"emmintrin.h"}},
@@ -98,6 +99,7 @@ const std::map<std::string, std::vector<std::string>> kForeign = {
     {"adapters", {"ompl/"}},
     {"examples", {"ompl/"}},
     {"python", {"cxxabi.h", "nanobind/"}},
+    {"web", {"emscripten/"}},
 };
 
 /// The folder of a path if it is one of these rooms, or "".
@@ -180,7 +182,7 @@ const std::vector<std::string>& other_rooms() { return kOtherRooms; }
 
 Reading read_tree(const fs::path& root) {
   std::vector<std::string> files;
-  for (const char* top : {"include", "src", "cli", "adapters", "examples", "python"}) {
+  for (const char* top : {"include", "src", "cli", "adapters", "examples", "python", "web/wasm"}) {
     if (!fs::exists(root / top)) continue;
     for (const auto& entry : fs::recursive_directory_iterator(root / top)) {
       const std::string extension = entry.path().extension().string();

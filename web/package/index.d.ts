@@ -808,7 +808,7 @@ export interface Dymsum {
   readonly simd: boolean;
 
   /** `dymsum` with these arguments (the verb first), on files in memory. Each call starts anew. */
-  run(args: string[], options?: RunOptions): RunResult;
+  run(args: string[], options?: RunOptions): Promise<RunResult>;
 
   readonly Region: RegionClass;
   readonly Mesh: MeshClass;

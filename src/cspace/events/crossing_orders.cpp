@@ -21,9 +21,7 @@ void CrossingOrders::find(std::uint32_t i, std::vector<LineCrossing>& list) cons
     for (double high = list[first].high; last < list.size() && list[last].low <= high; ++last)
       high = std::max(high, list[last].high);
     if (last - first >= kMany)
-      find(w_.segments[i],
-           {list.begin() + static_cast<std::ptrdiff_t>(first), list.begin() + static_cast<std::ptrdiff_t>(last)},
-           orders);
+      find(w_.segments[i], std::span(list).subspan(first, last - first), orders);
     first = last;
   }
 }

@@ -76,7 +76,8 @@ Result<RotationCheck> check_rotation(const Region& robot, const Region& obstacle
   }
   const std::vector<PivotEvent> events = pivot.events();
   const std::vector<PivotGap> gaps = pivot.gaps(events);
-  check.always = gaps.empty() ? !pivot.overlaps({}) : std::ranges::none_of(gaps, &PivotGap::overlap);
+  check.always = gaps.empty() ? !pivot.overlaps({})
+                              : std::none_of(gaps.begin(), gaps.end(), [](const PivotGap& gap) { return gap.overlap; });
   if (!check.always) check.free_angles = intervals(events, gaps);
   return check;
 }

@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "base/bit_cast.h"
 #include "io/bytes.h"
 
 namespace dymsum::io {
@@ -23,7 +24,7 @@ void append_kind(std::string& out, std::uint32_t kind) {
 
 /// Positions are nearly all of a geometry: eight bytes at once.
 void put_coordinate(char* to, double value) {
-  const auto bits = std::bit_cast<std::uint64_t>(value + 0.0);
+  const auto bits = base::bit_cast<std::uint64_t>(value + 0.0);
   for (unsigned i = 0; i < 8; ++i) to[i] = static_cast<char>((bits >> (8 * i)) & 0xff);
 }
 

@@ -4,6 +4,7 @@
 #include <bit>
 #include <cstdint>
 
+#include "base/bit_cast.h"
 #include "planar/arrangement/chain.h"
 #include "planar/arrangement/soup.h"
 
@@ -39,7 +40,7 @@ class SameSegments {
  private:
   // Its high bits count: doubles that hold small integers end in zeros.
   static std::uint64_t hash(const SoupBox& b) {
-    const auto bits = [](double v) { return std::bit_cast<std::uint64_t>(v); };
+    const auto bits = [](double v) { return base::bit_cast<std::uint64_t>(v); };
     return bits(b.ax) * 0x9e3779b97f4a7c15 + bits(b.ay) * 0xc2b2ae3d27d4eb4f + bits(b.bx) * 0x165667b19e3779f9 +
            bits(b.by) * 0x27d4eb2f165667c5;
   }

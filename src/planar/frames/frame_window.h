@@ -6,7 +6,8 @@
 #include <cstdint>
 #include <functional>
 #include <memory>
-#include <stop_token>
+
+#include "base/stop.h"
 
 namespace dymsum::planar {
 
@@ -29,6 +30,6 @@ class FrameWindow {
 };
 
 /// Makes a window, on any thread, from what never changes. Nothing where that would cost too much, or is stopped.
-using MakeWindow = std::function<std::unique_ptr<FrameWindow>(const std::stop_token&)>;
+using MakeWindow = std::function<std::unique_ptr<FrameWindow>(const base::StopToken&)>;
 
 }  // namespace dymsum::planar

@@ -15,10 +15,10 @@ struct WindowAhead::Worker {
   void run();
 
   std::mutex mutex;
-  std::condition_variable wake;             // to the thread: there is something to do, and back: it is done
-  MakeWindow make;                          // what is under way; the thread reads it without the mutex
-  std::unique_ptr<FrameWindow> window;      // what came of it, once ready
-  std::stop_source stop{std::nostopstate};  // of the work that goes on
+  std::condition_variable wake;         // to the thread: there is something to do, and back: it is done
+  MakeWindow make;                      // what is under way; the thread reads it without the mutex
+  std::unique_ptr<FrameWindow> window;  // what came of it, once ready
+  base::StopSource stop;                // of the work that goes on
   bool works = false, rests = false, ends = false;
   std::atomic<bool> ready = false;
   std::thread thread;
@@ -27,16 +27,16 @@ struct WindowAhead::Worker {
 namespace {
 
 // Where memory has run out the work goes on to its end.
-std::stop_source new_stop() {
+base::StopSource new_stop() {
   try {
-    return std::stop_source();
+    return base::StopSource::create();
   } catch (const std::bad_alloc&) {
-    return std::stop_source(std::nostopstate);
+    return base::StopSource();
   }
 }
 
 // Where memory has run out there is no window, as where one would cost too much.
-std::unique_ptr<FrameWindow> made(const MakeWindow& make, const std::stop_token& stop) {
+std::unique_ptr<FrameWindow> made(const MakeWindow& make, const base::StopToken& stop) {
   try {
     return make(stop);
   } catch (const std::bad_alloc&) {
@@ -55,7 +55,7 @@ void WindowAhead::Worker::run() {
     stop = new_stop();
     works = true;
     lock.unlock();
-    std::unique_ptr<FrameWindow> next = made(make, stop.get_token());
+    std::unique_ptr<FrameWindow> next = made(make, stop.token());
     lock.lock();
     works = false;
     if (next != nullptr || !stop.stop_requested()) {

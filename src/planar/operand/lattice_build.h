@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <optional>
 
+#include "base/bit_cast.h"
 #include "exact/grid.h"
 #include "planar/operand/lattice.h"
 
@@ -20,7 +21,7 @@ int unit_for(double extent, int exponent, int bits);
 /// 2^k.
 inline double power_of_two(int k) {
   if (k < -1022 || k > 1023) return std::ldexp(1.0, k);
-  return std::bit_cast<double>(static_cast<std::uint64_t>(k + 1023) << 52);
+  return base::bit_cast<double>(static_cast<std::uint64_t>(k + 1023) << 52);
 }
 
 /// The smallest k with n <= 2^k, for n > 0.

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <cstdint>
 
+#include "base/bit_cast.h"
 #include "planar/operand/lattice_build.h"
 
 namespace dymsum::planar {
@@ -26,7 +27,7 @@ Corners corners_of(std::span<const Point> points) {
 
 // The smallest k with extent + 1 ulp <= 2^k: one unit in the last place covers the rounding of the differences.
 int top_of(double extent) {
-  const int field = static_cast<int>(std::bit_cast<std::uint64_t>(extent) >> 52);
+  const int field = static_cast<int>(base::bit_cast<std::uint64_t>(extent) >> 52);
   if (field != 0 && field < 0x7ff) return field - 1022;  // the next double is at most the next power of two
   constexpr int kLow = -1100;                            // below all grids
   return kLow + exact::bits_needed(std::nextafter(extent, INFINITY), kLow);

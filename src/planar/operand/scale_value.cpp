@@ -3,11 +3,11 @@
 #include <algorithm>
 #include <bit>
 #include <cctype>
-#include <charconv>
 #include <cmath>
 #include <optional>
 #include <string>
 
+#include "base/double_text.h"
 #include "exact/rational_text.h"
 
 namespace dymsum {
@@ -23,7 +23,7 @@ Error bad(std::string message) { return {ErrorCode::bad_scale, std::move(message
 /// The fewest digits that say this double.
 std::string shortest_text(double value) {
   char text[32];
-  return std::string(text, std::to_chars(text, text + sizeof text, value).ptr);
+  return std::string(text, base::shortest_text(text, text + sizeof text, value));
 }
 
 Result<BigRational> within_limits(BigRational v, const std::string& what, const std::string& text) {

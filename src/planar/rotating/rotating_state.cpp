@@ -85,7 +85,7 @@ MakeWindow RotatingSum::State::maker(double low, double high) {
   const std::size_t most_pairs =
       chooses() ? static_cast<std::size_t>(kMostOfPairs * slice_cost_ / kCostOfPair) : ~std::size_t{0};
   return [operands = operands_, grids = grids_, cells, middle, half, mask = segments_ >= kMaskFrom,
-          most_pairs](const std::stop_token& stop) -> std::unique_ptr<FrameWindow> {
+          most_pairs](const base::StopToken& stop) -> std::unique_ptr<FrameWindow> {
     std::unique_ptr<TurnGrid>& grid = (*grids)[cells];
     if (!grid) grid = std::make_unique<TurnGrid>(operands->forms, cells);
     RotatingWindow next(*grid, operands->catalog, middle, half, mask, most_pairs, stop);

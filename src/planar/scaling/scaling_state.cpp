@@ -38,7 +38,7 @@ MakeWindow ScalingSum::State::maker(double low, double high, double entry) {
   const std::uint64_t pairs = most > 0 ? pairs_of_window(std::max(most, kCheapWindow), all) : UINT64_MAX;
   const bool ahead = makes_ahead();
   return [plan = builder_->plan(low, high, entry, pairs), entry,
-          ahead](const std::stop_token& stop) -> std::unique_ptr<FrameWindow> {
+          ahead](const base::StopToken& stop) -> std::unique_ptr<FrameWindow> {
     WindowPlan stoppable = plan;
     stoppable.settings.stop = stop;
     std::unique_ptr<WindowFrames> frames = window_frames(stoppable);

@@ -9,10 +9,10 @@
 
 #include <array>
 #include <cstdint>
-#include <stop_token>
 #include <vector>
 
 #include "base/scratch.h"
+#include "base/stop.h"
 #include "base/two_lanes.h"
 #include "planar/frames/candidate_index.h"
 #include "planar/frames/operand_pair.h"
@@ -103,7 +103,7 @@ struct WindowSettings {
   bool covers = true;  ///< leave out crossings and nodes that two edges prove covered while they exist
   std::uint64_t most_pairs = UINT64_MAX;  ///< the window is abandoned when more boxes of pieces meet
   CoverMemory* memory = nullptr;          ///< of windows of the same convolution
-  std::stop_token stop;                   ///< the window is abandoned when that is asked for
+  base::StopToken stop;                   ///< the window is abandoned when that is asked for
   double shrink = 1;  ///< tests: sweep masks and pairs over this share of the window only; less than 1 is wrong
 };
 

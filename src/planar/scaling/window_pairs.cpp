@@ -72,7 +72,7 @@ class PairTests {
         search_(search),
         always_on_(window),
         touches_(window, always_on_) {}
-  bool run(const Array<PieceEnds>& ends, std::uint64_t most_pairs, const std::stop_token& stop);
+  bool run(const Array<PieceEnds>& ends, std::uint64_t most_pairs, const base::StopToken& stop);
   const std::vector<WalkPair>& touch_pairs() const { return touches_.pairs(); }
 
  private:
@@ -91,7 +91,7 @@ class PairTests {
 };
 
 // Pieces meet in what their boxes share; where all of that is dead nothing matters.
-bool PairTests::run(const Array<PieceEnds>& ends, std::uint64_t most_pairs, const std::stop_token& stop) {
+bool PairTests::run(const Array<PieceEnds>& ends, std::uint64_t most_pairs, const base::StopToken& stop) {
   Scratch* const memory = ends.get_allocator().scratch();
   PiecePairs close(memory);
   const PieceBoxes boxes(window_, ends, mask_.grid(), memory);
@@ -236,7 +236,7 @@ void PairTests::solve(Candidate& c) const {
 
 std::optional<std::vector<WalkPair>> find_candidates(Window& window, const WindowFrame& swept, const SweptMask& mask,
                                                      const Array<PieceEnds>& ends, std::uint64_t most_pairs,
-                                                     const std::stop_token& stop, const CoverSearch& search) {
+                                                     const base::StopToken& stop, const CoverSearch& search) {
   PairTests tests(window, swept, mask, search);
   if (!tests.run(ends, most_pairs, stop)) return std::nullopt;
   return tests.touch_pairs();

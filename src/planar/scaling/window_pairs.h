@@ -5,8 +5,7 @@
 #include <optional>
 #include <vector>
 
-#include <stop_token>
-
+#include "base/stop.h"
 #include "planar/scaling/window_pieces.h"
 
 namespace dymsum::planar {
@@ -25,6 +24,6 @@ struct CoverSearch {
 /// that two edges prove covered while they exist.
 std::optional<std::vector<WalkPair>> find_candidates(Window& window, const WindowFrame& swept, const SweptMask& mask,
                                                      const Array<PieceEnds>& ends, std::uint64_t most_pairs,
-                                                     const std::stop_token& stop, const CoverSearch& search);
+                                                     const base::StopToken& stop, const CoverSearch& search);
 
 }  // namespace dymsum::planar

@@ -22,7 +22,7 @@ int BoxPairs::strips() const {
       std::clamp<long>(kBoxQuanta / (kHeights * mean), 1, static_cast<long>(std::min(kMost, boxes_.size() / kBoxes))));
 }
 
-Array<BoxPairs::Pair> BoxPairs::find(std::size_t most, const std::stop_token& stop) {
+Array<BoxPairs::Pair> BoxPairs::find(std::size_t most, const base::StopToken& stop) {
   const int n = strips(), height = kBoxQuanta / n + 1;
   std::vector<Array<std::uint64_t>> of(static_cast<std::size_t>(n), Array<std::uint64_t>(memory_));
   for (std::uint32_t i = 0; i < boxes_.size(); ++i)

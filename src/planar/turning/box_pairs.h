@@ -5,11 +5,11 @@
 #include <algorithm>
 #include <array>
 #include <cstdint>
-#include <stop_token>
 #include <vector>
 
 #include "base/box_lanes.h"
 #include "base/scratch.h"
+#include "base/stop.h"
 
 namespace dymsum::planar {
 
@@ -28,7 +28,7 @@ class BoxPairs {
 
   /// Every two boxes that meet, once, and some that nearly do; only some of them if there are more than `most`, or if
   /// it is asked to stop. O(n log n + pairs of a strip that meet in x / 8).
-  Array<Pair> find(std::size_t most = ~std::size_t{0}, const std::stop_token& stop = {});
+  Array<Pair> find(std::size_t most = ~std::size_t{0}, const base::StopToken& stop = {});
 
  private:
   struct Box {

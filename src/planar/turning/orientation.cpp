@@ -100,7 +100,7 @@ Result<Orientation> Orientation::nearest(double radians, double error) {
 
 double reduced_radians(const Rational& radians) {
   const BigRational value = exact::exact_value(radians);
-  if (abs(numerator(value)) >> 1024 >= denominator(value))
+  if ((abs(numerator(value)) >> 1024) >= denominator(value))
     throw std::invalid_argument("reduced_radians: an angle of 2^1024 or more");
   return planar::reduced_angle(value);
 }

@@ -17,7 +17,7 @@ constexpr double kCutFrom = 2.5;          // cells at least so many times as wid
 
 struct RotatingWindow::Making {
   std::size_t most_pairs;
-  const std::stop_token& stop;
+  const base::StopToken& stop;
   Scratch memory{};
   Array<Point> moved{&memory};  ///< how far a place with each turning vertex moves from the middle
   Array<TurnSegment> segments{&memory};
@@ -29,7 +29,7 @@ struct RotatingWindow::Making {
 };
 
 RotatingWindow::RotatingWindow(const TurnGrid& grid, const TurnCatalog& catalog, double mid, double h, bool mask,
-                               std::size_t most_pairs, const std::stop_token& stop)
+                               std::size_t most_pairs, const base::StopToken& stop)
     : middle(mid),
       half(h * exact::kOutwards + kAngleSlack),
       heading(Heading::of(mid)),

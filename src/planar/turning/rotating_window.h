@@ -4,10 +4,10 @@
 
 #include <array>
 #include <cstdint>
-#include <stop_token>
 #include <vector>
 
 #include "base/scratch.h"
+#include "base/stop.h"
 #include "planar/frames/candidate_index.h"
 #include "planar/turning/turn_catalog.h"
 #include "planar/turning/turn_grid.h"
@@ -48,7 +48,7 @@ class RotatingWindow : public CandidateIndex {
   /// of more than `most_pairs` pairs of pieces meet, and when it is asked to stop. Requires `half` below a radian:
   /// bounds of turning_bounds.h count on that, and spans on less than a quarter turn (TurnCatalog::span).
   RotatingWindow(const TurnGrid& grid, const TurnCatalog& catalog, double middle, double half, bool mask,
-                 std::size_t most_pairs = ~std::size_t{0}, const std::stop_token& stop = {});
+                 std::size_t most_pairs = ~std::size_t{0}, const base::StopToken& stop = {});
 
   bool complete = true;  ///< not given up
 

@@ -23,8 +23,7 @@ std::vector<std::uint32_t> discs_of(const ArcSet& arcs, const std::vector<std::u
 class ArcGroup {
  public:
   ArcGroup(const DiscPlaces& places, ArcSet& arcs, const std::vector<std::uint32_t>& members)
-      : places_(places),
-        arcs_(arcs),
+      : arcs_(arcs),
         members_(members),
         discs_(places, arcs, discs_of(arcs, members), places.complex().sites[arcs.arcs[members.front()].start].a),
         near_(discs_.size()) {}
@@ -196,7 +195,6 @@ class ArcGroup {
     return near.front();
   }
 
-  const DiscPlaces& places_;
   ArcSet& arcs_;
   const std::vector<std::uint32_t>& members_;                   ///< arcs
   GroupDiscs discs_;                                            ///< of the arcs

@@ -1,10 +1,10 @@
 // Where two solids touch in single points: no edge of one is parallel to a face of the other there.
 #pragma once
 
-#include <atomic>
 #include <cstdint>
 #include <vector>
 
+#include "base/shared_byte.h"
 #include "spatial/arrangement/facet_table.h"
 #include "spatial/convolution/direction.h"
 
@@ -18,9 +18,8 @@ class Answers {
   /// find() has to be the same whenever it is called.
   template <class F>
   bool get(std::size_t k, F find) {
-    const std::atomic_ref<std::uint8_t> known(known_[k]);
-    std::uint8_t answer = known.load(std::memory_order_relaxed);
-    if (answer == 0) known.store(answer = find() ? 2 : 1, std::memory_order_relaxed);
+    std::uint8_t answer = base::shared_byte(known_[k]);
+    if (answer == 0) base::set_shared_byte(known_[k], answer = find() ? 2 : 1);
     return answer == 2;
   }
 

@@ -1,9 +1,9 @@
 #include "spatial/convolution/inner_cells.h"
 
 #include <algorithm>
-#include <atomic>
 #include <cmath>
 
+#include "base/shared_byte.h"
 #include "spatial/convolution/direction.h"
 
 namespace dymsum::spatial {
@@ -126,8 +126,7 @@ void InnerCells::mark(Lattice& lattice, Vec3 a, Vec3 b, Vec3 c) const {
       to{index(high.x, 0), index(high.y, 1), index(high.z, 2)};
   for (int x = from[0]; x <= to[0]; ++x)
     for (int y = from[1]; y <= to[1]; ++y)
-      for (int z = from[2]; z <= to[2]; ++z)
-        std::atomic_ref(lattice.state[lattice.at(x, y, z)]).store(3, std::memory_order_relaxed);
+      for (int z = from[2]; z <= to[2]; ++z) base::set_shared_byte(lattice.state[lattice.at(x, y, z)], 3);
 }
 
 /// Decides for the connected part of boxes away from the surface that one of them belongs to.

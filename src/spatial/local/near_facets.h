@@ -32,7 +32,6 @@ class NearFacets {
 
   const SolidPair& pair_;
   std::array<Side, 2> sides_;
-  bool started_ = false;
   std::uint64_t pairs_ = 0;
 };
 

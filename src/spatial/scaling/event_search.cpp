@@ -4,6 +4,7 @@
 #include <bit>
 #include <cmath>
 
+#include "base/bit_cast.h"
 #include "spatial/scaling/lasting_crossing.h"
 
 namespace dymsum::spatial {
@@ -143,7 +144,7 @@ void EventSearch::add(ExactMeeting at) {
   MeetingEvent event{std::move(at), {}};
   event.near = near(event.at);
   if (!is_in_window(event.near)) return;
-  const auto bits = [](double v) { return std::bit_cast<std::int64_t>(v); };
+  const auto bits = [](double v) { return base::bit_cast<std::int64_t>(v); };
   const Cell key{bits(event.near.x.x), bits(event.near.x.y), bits(event.near.x.z), bits(event.near.s)};
   if (covered_at_.contains(key)) return;
   const auto [first, last] = found_at_.equal_range(key);

@@ -59,7 +59,7 @@ Result<bool> contains(const Mesh& p, const Mesh& q, const Point3& z, Semantics s
   const RationalPoint3 at{*x, *y, *height};
   const Result<std::vector<bool>> inside = contains_each(p, q, std::span(&at, 1), semantics);
   if (!inside) return inside.error();
-  return (*inside)[0];
+  return static_cast<bool>(inside->front());
 }
 
 }  // namespace dymsum

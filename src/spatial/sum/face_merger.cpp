@@ -1,11 +1,11 @@
 #include "spatial/sum/face_merger.h"
 
 #include <algorithm>
-#include <atomic>
 #include <iterator>
 #include <numeric>
 
 #include "base/free_memory.h"
+#include "base/shared_byte.h"
 
 namespace dymsum::spatial {
 
@@ -159,9 +159,8 @@ class Merger {
     watch_.run_stretches(borders_.size(), 1024, [&](std::size_t, std::size_t begin, std::size_t end) {
       for (std::size_t k = begin; k < end; ++k) {
         for (const PointId at : {borders_[k].a, borders_[k].b}) {
-          const std::atomic_ref<std::uint8_t> corner(corner_[at]);
-          if (corner.load(std::memory_order_relaxed) == 0 && !on_line(borders_[first[at]], borders_[k], at))
-            corner.store(1, std::memory_order_relaxed);
+          if (base::shared_byte(corner_[at]) == 0 && !on_line(borders_[first[at]], borders_[k], at))
+            base::set_shared_byte(corner_[at], 1);
         }
       }
     });

@@ -116,6 +116,7 @@ SpatialSum::Rounded SpatialSum::drawn() const {
       if (name[v] == kNone) {
         name[v] = static_cast<std::uint32_t>(result.mesh.vertices.size());
         result.mesh.vertices.push_back(positions_->rounded(v));
+        result.vertex.push_back(v);
       }
       face.push_back(name[v]);
     }

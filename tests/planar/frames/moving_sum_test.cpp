@@ -63,7 +63,7 @@ class Still final : public MovingSum {
   }
   MakeWindow maker(double low, double high) {
     return [making = making_, low, high,
-            nothing = too_expensive](const std::stop_token& stop) -> std::unique_ptr<FrameWindow> {
+            nothing = too_expensive](const base::StopToken& stop) -> std::unique_ptr<FrameWindow> {
       if (nothing) return nullptr;
       ++making->begun;
       while (making->never_ready && !stop.stop_requested()) std::this_thread::yield();

@@ -1,0 +1,102 @@
+// The command line, with files in memory. Every call has an instance of the module to itself: nothing is left of the one
+// before, and what it held is given back.
+import { Failure } from './errors.js';
+
+const folder = '/files';
+
+function bytesOf(content) {
+  if (typeof content === 'string') return new TextEncoder().encode(content);
+  return content instanceof ArrayBuffer ? new Uint8Array(content) : content;
+}
+
+/** Bytes that come one by one. */
+class Collected {
+  bytes = new Uint8Array(1 << 12);
+  length = 0;
+
+  add(byte) {
+    if (this.length === this.bytes.length) {
+      const longer = new Uint8Array(2 * this.length);
+      longer.set(this.bytes);
+      this.bytes = longer;
+    }
+    this.bytes[this.length++] = byte;
+  }
+
+  all() {
+    return this.bytes.slice(0, this.length);
+  }
+}
+
+const absolute = (path) => (path.startsWith('/') ? path : `${folder}/${path}`);
+
+function writeFiles(FS, files) {
+  FS.mkdirTree(folder);
+  FS.chdir(folder);
+  for (const [path, content] of Object.entries(files)) {
+    const at = absolute(path);
+    FS.mkdirTree(at.slice(0, at.lastIndexOf('/')) || '/');
+    FS.writeFile(at, bytesOf(content));
+  }
+}
+
+const systems = new Set(['/dev', '/proc', '/home', '/tmp']);
+
+/** Paths of all files below a folder, by what their caller calls them. */
+function* filesBelow(FS, at) {
+  for (const name of FS.readdir(at)) {
+    if (name === '.' || name === '..') continue;
+    const path = at === '/' ? `/${name}` : `${at}/${name}`;
+    if (systems.has(path)) continue;
+    if (FS.isDir(FS.lstat(path).mode)) yield* filesBelow(FS, path);
+    else if (FS.isFile(FS.lstat(path).mode)) yield path;
+  }
+}
+
+const same = (a, b) => a.length === b.length && a.every((byte, k) => byte === b[k]);
+
+function changedFiles(FS, files) {
+  const before = new Map(Object.entries(files).map(([path, content]) => [absolute(path), bytesOf(content)]));
+  const changed = {};
+  for (const path of filesBelow(FS, '/')) {
+    const bytes = FS.readFile(path);
+    const old = before.get(path);
+    if (old && same(old, bytes)) continue;
+    changed[path.startsWith(`${folder}/`) ? path.slice(folder.length + 1) : path] = bytes;
+  }
+  return changed;
+}
+
+/** Standard error as text, which its reader gets line by line or at a carriage return. */
+function lineTeller(tell) {
+  let line = [];
+  return (byte) => {
+    line.push(byte);
+    if (byte !== 10 && byte !== 13) return;
+    tell(new TextDecoder().decode(new Uint8Array(line)));
+    line = [];
+  };
+}
+
+export async function run(start, args, { files = {}, stdin = '', onStderr } = {}) {
+  const input = bytesOf(stdin);
+  const stdout = new Collected();
+  const stderr = new Collected();
+  const tell = onStderr ? lineTeller(onStderr) : () => {};
+  let read = 0;
+  const instance = await start({
+    Failure,
+    thisProgram: 'dymsum',
+    stdin: () => (read < input.length ? input[read++] : null),
+    stdout: (byte) => stdout.add(byte & 255),
+    stderr: (byte) => {
+      stderr.add(byte & 255);
+      tell(byte & 255);
+    },
+  });
+  writeFiles(instance.FS, files);
+  const exit = instance.callMain([...args]);
+  const stdoutBytes = stdout.all();
+  const text = (bytes) => new TextDecoder().decode(bytes);
+  return { exit, stdout: text(stdoutBytes), stderr: text(stderr.all()), stdoutBytes, files: changedFiles(instance.FS, files) };
+}

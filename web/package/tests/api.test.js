@@ -1,0 +1,379 @@
+// Every class and function of the live objects, against what is known exactly and against the command line.
+import assert from 'node:assert/strict';
+import { readFileSync } from 'node:fs';
+import { test } from 'node:test';
+
+import { DymsumError, load, NONE } from '../index.js';
+
+const dymsum = await load();
+const { Region, Mesh, shapes, solids } = dymsum;
+const slot = () => shapes.letterU(4, 4, 1);
+const peg = () => shapes.rectangle(0, 0, 2, 1);
+
+/** The code of what is thrown, and its evidence. */
+function thrown(action) {
+  try {
+    action();
+  } catch (error) {
+    assert.ok(error instanceof DymsumError, `${error}`);
+    return error;
+  }
+  return assert.fail('nothing was thrown');
+}
+
+async function reported(args, files) {
+  return JSON.parse((await dymsum.run([...args, '--json'], { files })).stdout);
+}
+
+test('a region is read, asked and written', () => {
+  const region = Region.read('a.wkt', 'POLYGON ((0 0, 4 0, 0 3, 0 0))');
+  assert.equal(region.vertexCount, 3);
+  assert.equal(region.empty, false);
+  assert.equal(region.area(), 6);
+  assert.equal(region.areaText(), '6');
+  assert.deepEqual(region.bounds(), [0, 0, 4, 3]);
+  assert.deepEqual([...region.shape().vertices], [0, 0, 4, 0, 0, 3]);
+  assert.deepEqual([...region.shape().ringStarts], [0, 3]);
+  for (const format of ['wkt', 'poly', 'geojson', 'json', 'svg'])
+    assert.ok(Region.read(`b.${format}`, region.format(format)).equals(region), format);
+  assert.ok(Region.fromRings([[[0, 0], [4, 0], [0, 3]]]).equals(region));
+  assert.ok(Region.fromRings([new Float64Array([0, 0, 4, 0, 0, 3])]).equals(region));
+  assert.ok(region.negated().negated().equals(region));
+  assert.equal(region.scaled(2, 2).area(), 24);
+  assert.deepEqual(region.translated(1, -1).bounds(), [1, -1, 5, 2]);
+  assert.match(dymsum.drawRegion(region), /^<svg/);
+});
+
+test('bytes, shapes of a file by name, and regions with everything', () => {
+  const bytes = new TextEncoder().encode('POLYGON ((0 0, 4 0, 0 3, 0 0))');
+  assert.equal(Region.read('a.wkt', bytes).area(), 6);
+  const json = { type: 'FeatureCollection', features: ['x', 'y'].map((name, k) => ({
+    type: 'Feature', properties: { name }, geometry: { type: 'Polygon', coordinates: [[[k, 0], [k + 1, 0], [k, 1], [k, 0]]] } })) };
+  const all = Region.readAll('two.geojson', JSON.stringify(json));
+  assert.deepEqual(all.map(({ name }) => name), ['x', 'y']);
+  assert.deepEqual(Region.read('two.geojson#y', JSON.stringify(json)).bounds(), [1, 0, 2, 1]);
+  const mixed = Region.fromData({ parts: [{ outer: [0, 0, 1, 0, 0, 1] }], polylines: [[5, 5, 6, 6, 7, 5]], points: [9, 9] }).shape();
+  assert.deepEqual([...mixed.polylineStarts], [3, 6]);
+  assert.equal(mixed.firstPoint, 6);
+});
+
+test('errors have code, place and text, and travel as plain data', () => {
+  const crossing = thrown(() => Region.fromRings([[0, 0, 1, 1, 1, 0, 0, 1]]));
+  assert.equal(crossing.code, 'self_crossing');
+  assert.deepEqual(crossing.evidence, { part: 0, ring: 0, vertex: 0, otherPart: 0, otherRing: 0, otherVertex: 2, x: 0.5, y: 0.5 });
+  assert.deepEqual(new DymsumError(structuredClone(crossing.toData())).toData(), crossing.toData());
+  const number = thrown(() => Region.read('dir/bad.wkt', 'POLYGON ((0 0,\n 1 x, 0 1, 0 0))'));
+  assert.deepEqual([number.code, number.evidence.file, number.evidence.line], ['malformed', 'dir/bad.wkt', 2]);
+  assert.equal(thrown(() => Region.read('a.xyz', '')).code, 'unsupported_format');
+  assert.equal(thrown(() => slot().format('dwg')).code, 'malformed');
+  assert.equal(thrown(() => dymsum.minkowskiSum(slot(), 5)).code, 'invalid_argument');
+  const gone = slot();
+  gone.dispose();
+  gone.dispose();
+  assert.equal(thrown(() => gone.area()).code, 'invalid_argument');
+});
+
+test('a vertex that is pulled changes the region or tells where rings cross', () => {
+  const square = shapes.rectangle(0, 0, 2, 2);
+  assert.equal(square.withVertex(2, 3, 3).area(), 6);
+  assert.equal(thrown(() => square.withVertex(0, 3, 1.5)).code, 'self_crossing');
+  assert.equal(thrown(() => square.withVertex(4, 0, 0)).code, 'bad_index');
+});
+
+test('repair mends and reports', () => {
+  const { region, changed, report } = Region.repair({ parts: [{ outer: [0, 0, 0, 3, 4, 0] }] });
+  assert.deepEqual([region.area(), changed], [6, true]);
+  assert.match(report, /reversed|turned|orient/i);
+  assert.equal(Region.read('a.wkt', 'POLYGON ((0 0, 0 3, 4 0, 0 0))', { repair: true }).area(), 6);
+});
+
+test('a sum has its shape, its provenance and exact values', async () => {
+  const p = slot();
+  const q = peg();
+  const sum = dymsum.nfp(p, q);
+  const json = await reported(['nfp', 'slot.wkt', 'peg.wkt'], { 'slot.wkt': p.format('wkt'), 'peg.wkt': q.format('wkt') });
+  assert.equal(sum.areaExact(), json.area_exact);
+  assert.equal(sum.area(), json.area);
+  assert.equal(sum.vertexCount, json.vertices);
+  const shape = sum.shape();
+  assert.equal(shape.tightSegments.length, 2 * json.tight.segments);
+  assert.equal(shape.contacts.length, 3 * shape.vertices.length);
+  assert.equal(shape.corners.length, shape.vertices.length);
+  const [from, to] = shape.tightSegments;
+  assert.deepEqual([sum.exact(from), sum.exact(to)], [{ x: '1/1', y: '1/1' }, { x: '1/1', y: '4/1' }]);
+  assert.equal(thrown(() => sum.exact(10 ** 6)).code, 'bad_index');
+  assert.ok(sum.equals(dymsum.nfp(p, q, { engine: 'winding' })));
+  assert.equal(dymsum.nfp(p, q, { semantics: 'regular' }).shape().tightSegments.length, 0);
+  assert.match(sum.format('wkt'), /^GEOMETRYCOLLECTION/);
+  assert.equal(JSON.parse(sum.toJson()).parts?.length ?? 1, 1);
+  assert.match(dymsum.drawSum(p, q, sum), /^<svg/);
+});
+
+test('corners of a sum are sums of vertices', () => {
+  const p = shapes.gear(7, 1, 2);
+  const q = shapes.star(5, 0.5, 1.5);
+  const sum = dymsum.minkowskiSum(p, q, { trace: true });
+  const { vertices, corners, atError } = sum.shape();
+  const [a, b] = [p.shape().vertices, q.shape().vertices];
+  let seen = 0;
+  for (let k = 0; 2 * k < vertices.length; ++k) {
+    const [i, j] = corners.subarray(2 * k, 2 * k + 2);
+    if (i === NONE) continue;
+    ++seen;
+    for (const c of [0, 1]) assert.ok(Math.abs(a[2 * i + c] + b[2 * j + c] - vertices[2 * k + c]) <= atError + 1e-15);
+  }
+  assert.ok(seen > 10);
+  const trace = sum.trace();
+  assert.equal(trace.convolution.length, 4 * trace.convolutionEdgeOfP.length);
+  assert.ok(sum.stats().reducedSegments > 0);
+  assert.equal(dymsum.minkowskiSum(p, q).trace(), null);
+  assert.match(dymsum.drawTrace(p, q, sum), /^<svg/);
+  assert.ok(sum.rounded().area() > 0);
+});
+
+test('inner fits, unions, turned sums, membership, sizes', () => {
+  assert.equal(dymsum.erode(shapes.rectangle(0, 0, 2, 2), shapes.rectangle(0, 0, 2, 2)).shape().points.length, 1);
+  assert.equal(dymsum.unionOf([shapes.rectangle(0, 0, 2, 2), shapes.rectangle(1, 1, 3, 3)]).areaExact(), '7/1');
+  const turned = dymsum.rotatedSum(shapes.rectangle(-1, -1, 1, 1), Region.fromData({ parts: [], points: [0, 0] }), { tanHalf: '1/2' });
+  assert.equal(turned.areaExact(), '4/1');
+  assert.equal(dymsum.contains(slot(), peg().negated(), { x: 1, y: 2 }), true);
+  assert.equal(dymsum.contains(slot(), peg().negated(), { x: 1, y: 2 }, 'open'), false);
+  const sizes = dymsum.convolutionSizes(slot(), peg());
+  assert.ok(sizes.full >= sizes.kinetic && sizes.kinetic >= sizes.reduced);
+  assert.equal(dymsum.nfp(Region.empty(), peg()).partCount, 0);
+});
+
+test('a scaling sum equals the sum of the scaled operand in every frame, and has its events', async () => {
+  const p = shapes.star(6, 1, 2);
+  const q = slot();
+  const moving = dymsum.ScalingSum.create(p, q);
+  for (const s of [1, 1.01, 1.02, 2, 0.5, '3/2']) {
+    const changes = moving.set(s);
+    assert.ok(Array.isArray(changes.rings));
+    const factor = typeof s === 'string' ? 1.5 : s;
+    if ([2, 0.5].includes(factor)) assert.ok(moving.sum().equals(dymsum.minkowskiSum(p.scaled(factor, factor), q)));
+    assert.equal(moving.scale().approx, factor);
+    assert.equal(moving.shape().ringStarts.length - 1, moving.ringIds().length);
+  }
+  assert.deepEqual(moving.scale(), { approx: 1.5, exact: '3/2' });
+  const events = dymsum.ScalingSum.create(peg(), slot(), { reflectQ: true }).events(0.5, 3);
+  assert.ok(events.some(({ visible }) => visible));
+  assert.deepEqual(events.map(({ approx }) => approx), events.map(({ approx }) => approx).sort((a, b) => a - b));
+  const next = moving.nextEvent(1, 3);
+  assert.ok(next === null || next.approx > 1);
+  assert.match(moving.combinatorialHash(), /^[0-9a-f]{16}$/);
+  assert.equal(thrown(() => moving.set(0)).code, 'bad_scale');
+  assert.equal(thrown(() => moving.set('nonsense')).code, 'malformed');
+  assert.deepEqual(moving.scale().exact, '3/2');
+  assert.equal(typeof moving.work().pieces, 'number');
+});
+
+test('a turning sum equals the turned sum', () => {
+  const p = shapes.star(5, 1, 2);
+  const q = slot();
+  const moving = dymsum.RotatingSum.create(p, q);
+  for (const angle of [0.1, 0.11, { tanHalf: '1/3' }, Math.PI]) {
+    moving.set(angle);
+    assert.ok(moving.sum().equals(dymsum.rotatedSum(p, q, angle)));
+  }
+  assert.equal(moving.orientation().tanHalf, 'inf');
+});
+
+test('progress tells stages and can stop', () => {
+  const stages = new Set();
+  const p = shapes.spiral(5, 60, 1, 0.3);
+  const q = shapes.gear(40, 1, 1.2);
+  dymsum.minkowskiSum(p, q, { progress: (stage) => { stages.add(stage); } });
+  assert.ok(stages.size > 0);
+  assert.equal(thrown(() => dymsum.minkowskiSum(p, q, { progress: () => false })).code, 'cancelled');
+  assert.throws(() => dymsum.minkowskiSum(p, q, { progress: () => { throw new RangeError('mine'); } }), /mine/);
+  assert.ok(dymsum.minkowskiSum(p, q).area() > 0);
+});
+
+test('depths and ranges of scales', () => {
+  const depth = dymsum.PlanarDepth.create(shapes.rectangle(0, 0, 4, 4), shapes.rectangle(0, 0, 2, 2));
+  const inside = depth.at(1.5, 0);
+  assert.deepEqual([inside.meeting, inside.squared, inside.distance], ['overlapping', '4/1', 2]);
+  assert.equal(depth.at(10, 0).meeting, 'apart');
+  assert.deepEqual(inside.ways[0].approx, { x: 0, y: -2 });
+  const range = dymsum.scaleRange(peg(), [[9, 9]], slot());
+  assert.equal(range.free.length, 1);
+  const fit = dymsum.fitRange(shapes.rectangle(0, 0, 2, 1), shapes.rectangle(0, 0, 4, 4));
+  assert.equal(fit.free[0].high, '2/1');
+  assert.ok(fit.free[0].atHigh.length > 0);
+});
+
+test('an obstacle: slices, mesh, clearance, paths and why there is none', () => {
+  const robot = shapes.rectangle(-1, -0.25, 1, 0.25);
+  const wall = shapes.rectangle(0, 0, 4, 4);
+  const obstacle = dymsum.CspaceObstacle.create(robot, wall);
+  assert.ok(obstacle.angles().length > 0);
+  assert.ok(obstacle.patches().length > 0);
+  assert.equal(obstacle.shells().length, 1);
+  assert.ok(obstacle.events().every(({ angle }) => angle < obstacle.angles().length));
+  assert.ok(obstacle.slice({ tanHalf: '1/3' }).equals(dymsum.cspaceSlice(robot, wall, { tanHalf: '1/3' })));
+  assert.equal(obstacle.contains(2, 2, 0), true);
+  const outline = obstacle.outline(0.3);
+  assert.equal(outline.starts.at(-1), outline.patches.length);
+  const [first] = obstacle.patchEnds(outline.patches[0], 0.3);
+  assert.ok(Math.hypot(first.x - outline.vertices[0], first.y - outline.vertices[1]) < 1e-9);
+  const mesh = obstacle.mesh({ tolerance: 0.01 });
+  assert.ok(mesh.watertight);
+  assert.equal(mesh.triangles.length, 3 * mesh.patches.length);
+  assert.equal(String.fromCharCode(...obstacle.glb({ tolerance: 0.01 }).subarray(0, 4)), 'glTF');
+  const queries = obstacle.queries();
+  const clearance = queries.clearance({ x: 4.5, y: 2, theta: Math.PI / 2 }, { weight: Infinity });
+  assert.equal(clearance.distance, 0.25);
+  assert.ok(queries.clearance({ x: 2, y: 2, theta: 0 }).distance < 0);
+  assert.equal(queries.contains({ x: 2, y: 2, theta: 0 }), true);
+  assert.ok(queries.freeAngles(4.5, 2).length > 0);
+  assert.ok(queries.gyrationRadius() > 0);
+  const way = obstacle.plan({ x: -3, y: 2, theta: 0 }, { x: 8, y: 2, theta: 1 });
+  assert.equal(way.reason, null);
+  assert.equal(way.path[0].move, 'start');
+  assert.equal(way.path.at(-1).x, 8);
+  const box = Region.fromRings([[-9, -9, 9, -9, 9, 9, -9, 9], [-5, -5, -5, 5, 5, 5, 5, -5]]);
+  const none = dymsum.CspaceObstacle.create(robot, box).plan({ x: 0, y: 0, theta: 0 }, { x: 20, y: 0, theta: 0 });
+  assert.equal(none.reason.kind, 'separated');
+  assert.equal(none.path.length, 0);
+  const again = dymsum.CspaceObstacle.read('o.obstacle', obstacle.format());
+  assert.equal(again.patches().length, obstacle.patches().length);
+  const check = dymsum.checkPath(robot, wall, [{ x: -3, y: 2, theta: 0 }, { x: 8, y: 2, theta: 0 }]);
+  assert.equal(check.outcome, 'blocked');
+  assert.ok(check.contact);
+  assert.ok(obstacle.work().patches !== 0 && obstacle.mayHaveTightCurves() === false && obstacle.tight().length === 0);
+});
+
+test('an obstacle stays for its queries when it is disposed of', () => {
+  const obstacle = dymsum.CspaceObstacle.create(peg(), slot());
+  const queries = obstacle.queries();
+  obstacle.dispose();
+  assert.equal(queries.contains({ x: 100, y: 0, theta: 0 }), false);
+});
+
+test('a mesh is read, asked and written', () => {
+  const box = solids.box(0, 0, 0, 1, 2, 3);
+  assert.deepEqual([box.volume(), box.surfaceArea(), box.shellCount, box.faceCount], [6, 22, 1, 6]);
+  assert.deepEqual(box.bounds(), [0, 0, 0, 1, 2, 3]);
+  assert.equal(box.convexityError(), null);
+  const shape = box.shape();
+  assert.equal(shape.triangles.length, 36);
+  assert.equal(shape.faceStarts.at(-1), 24);
+  for (const format of ['off', 'obj', 'stl', 'ply'])
+    assert.equal(Mesh.read(`b.${format}`, box.format(format)).volume(), 6, format);
+  assert.equal(String.fromCharCode(...box.format('glb').subarray(0, 4)), 'glTF');
+  const { vertices, triangles } = shape;
+  assert.ok(Mesh.fromData({ vertices, faces: triangles }).equals(box));
+  assert.equal(Mesh.convexHull([0, 0, 0, 1, 0, 0, 0, 1, 0, 0, 0, 1]).volume(), 1 / 6);
+  assert.equal(box.translated(1, 0, 0).scaled(2, 1, 1).negated().volume(), 12);
+  const open = thrown(() => Mesh.fromData({ vertices: [0, 0, 0, 1, 0, 0, 0, 1, 0], faces: [[0, 1, 2]] }));
+  assert.equal(open.code, 'not_closed');
+  assert.equal(Mesh.fromData({ vertices: [0, 0, 0, 1, 0, 0, 0, 1, 0], faces: [[0, 1, 2]] }, { thinParts: true }).faceCount, 1);
+  assert.equal(Mesh.readData('x.off', box.format('off')).faceVertices.length, 24);
+  assert.equal(Mesh.repair({ vertices, faces: triangles }).changed, false);
+  const ell = solids.prism([0, 0, 2, 0, 2, 1, 1, 1, 1, 2, 0, 2], 1);
+  assert.equal(ell.convexityError().code, 'not_convex');
+  assert.equal(ell.convexHull().convexityError(), null);
+});
+
+test('sums of solids: shape, provenance, exact values, slices', () => {
+  const ell = solids.prism([0, 0, 2, 0, 2, 1, 1, 1, 1, 2, 0, 2], 1);
+  const box = solids.box(0, 0, 0, 1, 1, 1);
+  const sum = dymsum.minkowskiSum(ell, box);
+  assert.equal(sum.volumeExact(), '16/1');
+  assert.equal(sum.volume(), 16);
+  const shape = sum.shape();
+  assert.equal(shape.faceContacts.length, 6 * sum.faceCount);
+  assert.equal(shape.triangleFaces.length * 3, shape.triangles.length);
+  assert.ok(shape.triangles.every((v) => v < sum.vertexCount));
+  const exact = sum.exact(shape.triangles[0]);
+  assert.equal(exact.x, `${shape.vertices[3 * shape.triangles[0]]}/1`);
+  assert.ok(sum.asMesh().volume() === 16);
+  assert.equal(Mesh.read('s.off', sum.format('off')).volume(), 16);
+  assert.ok(sum.equals(dymsum.minkowskiSum(ell, box, { engine: 'brute' })));
+  assert.equal(dymsum.contains(ell, box, { x: 0.5, y: 0.5, z: 0.5 }), true);
+  const slice = dymsum.sliceOfSum(ell, box, 1);
+  assert.equal(slice.section.areaExact(), '8/1');
+  assert.equal(slice.touching().partStarts[0], 0);
+  assert.ok(sum.stats().faceVertex > 0 && sum.tightContacts().faces.length === 0);
+  assert.ok(sum.area() > 0);
+});
+
+test('solids that move: any shape, convex, scaling, turning', () => {
+  const ell = solids.prism([0, 0, 2, 0, 2, 1, 1, 1, 1, 2, 0, 2], 1);
+  const box = solids.box(-1, -1, -1, 1, 1, 1);
+  const moving = dymsum.MovingSolidSum.create(ell, box);
+  moving.set({ rotation: { axis: [0, 0, 1], angle: 0.1 } });
+  moving.set({ rotation: { quaternion: [1, 0, 0, 1] }, scale: [1, 1, '3/2'] });
+  assert.equal(moving.faceChanges().length, moving.sum().faceCount);
+  assert.equal(moving.shape().faceContacts.length, 6 * moving.sum().faceCount);
+  assert.ok(Array.isArray(moving.changes().appeared));
+  assert.equal(moving.sum().volumeExact(), '56/1');
+  const convex = dymsum.ConvexSum.create(box, solids.geodesicSphere(2, 1));
+  convex.set({ rotation: { axis: [1, 2, 3], angle: 0.3 } });
+  const buffers = convex.buffers();
+  assert.equal(buffers.triangleFacets.length * 3, buffers.triangles.length);
+  assert.ok(buffers.facetCount === convex.facetCount().all);
+  assert.equal(typeof convex.exact(buffers.triangles[0]).x, 'string');
+  assert.ok(convex.depth().inside && convex.support({ x: 1, y: 0, z: 0 }).at.x > 0);
+  assert.ok(Math.abs(convex.mesh().volume() - convex.volume()) < 1e-6);
+  const scaling = dymsum.ScalingSolidSum.create(ell, box);
+  assert.equal(scaling.at(1).volumeExact(), dymsum.minkowskiSum(ell, box).volumeExact());
+  assert.ok(scaling.events('1/4', 1).length > 0);
+  const turning = dymsum.TurningSolidSum.create(ell, box, [0, 0, 1], { changes: false });
+  assert.equal(turning.at(0).volumeExact(), dymsum.minkowskiSum(ell, box).volumeExact());
+  assert.ok(turning.events(0.1, 1.7).length > 0);
+});
+
+test('depths of solids', () => {
+  const depth = dymsum.SolidDepth.create(solids.box(0, 0, 0, 4, 4, 4), solids.box(0, 0, 0, 2, 2, 2));
+  const found = depth.at(1.5, 1, 1);
+  assert.deepEqual([found.meeting, found.squared], ['overlapping', '25/4']);
+  assert.ok(depth.facetCount > 0);
+});
+
+test('growing discs, bars and pieces', () => {
+  const disc = dymsum.GrowingDisc.create(slot());
+  assert.deepEqual(disc.events('outside').map(({ radius }) => radius), [1]);
+  const grown = disc.sumAt({ event: 0 }, 'open');
+  assert.equal(grown.shape().tightSegments.length, 4);
+  assert.ok(Math.abs(grown.area().value - 34.712389) < 1e-6);
+  assert.ok(grown.toRegion(0.01).region.area() < grown.area().value);
+  assert.match(grown.svg(slot()), /^<svg/);
+  assert.equal(disc.erodedAt('1/2').shape().parts.length + disc.erodedAt('1/2').shape().segments.length > 0, true);
+  const arcs = disc.closedAt(1).shape().parts[0].outer.filter(({ arc }) => arc !== null);
+  assert.ok(disc.openedAt('1/4').perimeter().value > 0 && Array.isArray(arcs));
+  const features = dymsum.ShapeFeatures.create(shapes.comb(5, 2, 1, 3));
+  assert.equal(features.bars().length, 8);
+  assert.deepEqual([...features.lasting(2, 0, 5)], [0, 1, 4, 5]);
+  assert.deepEqual([...features.significant(4)], []);
+  assert.ok(features.bridges(0.5).length > 0);
+  assert.equal(typeof features.eventText(0), 'string');
+  assert.ok(features.eventAlpha(features.eventCount - 1) >= features.eventAlpha(0));
+  const made = features.decompose({ persistence: 2 });
+  assert.equal(made.cuts.length, 4);
+  assert.equal(made.areas[0], 5);
+  assert.equal(made.pieces.partStarts.length - 1, made.areas.length);
+});
+
+test('memory is given back', () => {
+  const p = shapes.gear(20, 1, 2);
+  const q = shapes.star(9, 0.5, 1);
+  const once = () => dymsum.minkowskiSum(p, q).dispose();
+  for (let k = 0; k < 200; ++k) once();
+  const before = dymsum.memoryBytes();
+  for (let k = 0; k < 2000; ++k) once();
+  assert.equal(dymsum.memoryBytes(), before);
+});
+
+test('what needs more memory than there is throws, and the module goes on', () => {
+  const torn = thrown(() => dymsum.minkowskiSum(solids.geodesicSphere(12, 1), solids.prism([0, 0, 2, 0, 2, 1, 1, 1, 1, 2, 0, 2], 1), { memory: 1000 }));
+  assert.equal(torn.code, 'out_of_memory');
+  assert.equal(dymsum.minkowskiSum(peg(), peg()).areaExact(), '8/1');
+});
+
+test('every name of index.d.ts is there', () => {
+  const types = readFileSync(new URL('../index.d.ts', import.meta.url), 'utf8');
+  const body = types.slice(types.indexOf('export interface Dymsum {'));
+  for (const [, name] of body.matchAll(/^ {2}(?:readonly )?(\w+)[(:]/gm)) assert.ok(name in dymsum, name);
+});

@@ -1,0 +1,40 @@
+#include "file.h"
+
+#include <filesystem>
+#include <fstream>
+#include <system_error>
+
+#include "bind.h"
+
+namespace dymsum::web {
+namespace {
+
+/// Nothing leads out of the current folder, which is empty but for such files.
+std::string relative(const std::string& name) {
+  std::string path = std::filesystem::path("/" + name).lexically_normal().string();
+  path.erase(0, path.find_first_not_of('/'));
+  return path;
+}
+
+}  // namespace
+
+FileInMemory::FileInMemory(const std::string& name, const std::string& bytes) : path_(relative(name)), file_(path_) {
+  // "#" may also be in the name of a file itself: what is behind the last one and no extension names a shape.
+  const std::size_t mark = file_.rfind('#');
+  if (mark != std::string::npos && file_.find('.', mark) == std::string::npos) file_.erase(mark);
+  std::error_code ignored;
+  std::filesystem::create_directories(std::filesystem::path(file_).parent_path(), ignored);
+  std::ofstream out(file_, std::ios::binary);
+  out.write(bytes.data(), static_cast<std::streamsize>(bytes.size()));
+  out.flush();
+  if (!out)
+    throw Thrown{
+        {ErrorCode::cannot_open, "no file can have this name", {name, {}, {}, {}, {}, {}, {}, {}, {}, {}, {}, {}, {}}}};
+}
+
+FileInMemory::~FileInMemory() {
+  std::error_code ignored;
+  std::filesystem::remove(file_, ignored);
+}
+
+}  // namespace dymsum::web

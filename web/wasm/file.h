@@ -1,0 +1,24 @@
+// Bytes that JavaScript gives, where the library reads files.
+#pragma once
+
+#include <string>
+
+namespace dymsum::web {
+
+/// A file of the module's file system, as long as this lives. The name may have folders in front and, for one shape of
+/// several, "#NAME" behind.
+class FileInMemory {
+ public:
+  FileInMemory(const std::string& name, const std::string& bytes);
+  FileInMemory(const FileInMemory&) = delete;
+  FileInMemory& operator=(const FileInMemory&) = delete;
+  ~FileInMemory();
+
+  /// For the library's readers.
+  const std::string& path() const { return path_; }
+
+ private:
+  std::string path_, file_;
+};
+
+}  // namespace dymsum::web

@@ -1,0 +1,198 @@
+// MovingSolidSum and ConvexSum.
+#include <algorithm>
+#include <map>
+
+#include "arrays.h"
+#include "dymsum/convex_solid.h"
+#include "dymsum/convex_sum.h"
+#include "dymsum/moving_solid_sum.h"
+#include "options.h"
+#include "solid_feature.h"
+#include "spatial_shape.h"
+
+namespace dymsum::web {
+namespace {
+
+std::shared_ptr<MovingSolidSum> moving(const Mesh& p, const Mesh& q, const val& options) {
+  MovingSolidOptions how;
+  how.semantics = semantics_in(member(options, "semantics"));
+  how.tight = member_or(options, "tight", true);
+  how.mode = mode_in(member(options, "mode"));
+  how.progress = progress_in(member(options, "progress"));
+  return shared(got(MovingSolidSum::create(p, q, how)));
+}
+
+val work_data(const SolidFrameWork& work) {
+  val v = val::object();
+  v.set("rebuilt", work.rebuilt);
+  const auto set = [&](const char* name, auto value) { v.set(name, static_cast<double>(value)); };
+  set("normalsChecked", work.normals_checked);
+  set("pairsChecked", work.pairs_checked);
+  set("facets", work.facets);
+  set("facetsAdded", work.facets_added);
+  set("facetsRemoved", work.facets_removed);
+  set("innerKept", work.inner_kept);
+  set("innerTested", work.inner_tested);
+  set("contacts", work.contacts);
+  set("exactSigns", work.exact_signs);
+  set("ms", work.ms);
+  return v;
+}
+
+val move_solid(MovingSolidSum& sum, const val& p, const val& q) {
+  return work_data(got(sum.set(pose_in(p), pose_in(q))));
+}
+val shape_of(const MovingSolidSum& sum) { return spatial_shape(sum.sum()); }
+std::shared_ptr<SpatialSum> sum_of(const MovingSolidSum& sum) { return shared(sum.sum()); }
+val work_of(const MovingSolidSum& sum) { return work_data(sum.work()); }
+
+val changes_of(const MovingSolidSum& sum) {
+  const SolidFrameChanges changes = sum.changes();
+  val v = val::object();
+  v.set("appeared", list_of(changes.appeared, solid_contact));
+  v.set("disappeared", list_of(changes.disappeared, solid_contact));
+  v.set("changed", list_of(changes.changed, solid_contact));
+  v.set("shells", static_cast<double>(changes.shells));
+  v.set("tightFaces", static_cast<double>(changes.tight_faces));
+  v.set("tightSegments", static_cast<double>(changes.tight_segments));
+  v.set("tightPoints", static_cast<double>(changes.tight_points));
+  return v;
+}
+
+constexpr std::uint8_t kAppeared = 1, kChanged = 2;
+
+val face_changes(const MovingSolidSum& sum) {
+  const SolidFrameChanges changes = sum.changes();
+  const auto among = [](const std::vector<SolidContact>& sorted, const SpatialFace& face) {
+    return std::binary_search(sorted.begin(), sorted.end(), SolidContact{face.p, face.q});
+  };
+  std::vector<std::uint8_t> marks;
+  for (const SpatialFace& face : sum.sum().faces)
+    marks.push_back(among(changes.appeared, face) ? kAppeared : among(changes.changed, face) ? kChanged : 0);
+  return array_of(marks);
+}
+
+val motion_data(const MotionWork& work) {
+  val v = val::object();
+  const auto set = [&](const char* name, auto value) { v.set(name, static_cast<double>(value)); };
+  set("vertexChecks", work.vertex_checks);
+  set("vertexErrors", work.vertex_errors);
+  set("crossingChecks", work.crossing_checks);
+  set("arcChecks", work.arc_checks);
+  set("arcsChanged", work.arcs_changed);
+  set("steps", work.steps);
+  set("facetsAdded", work.facets_added);
+  set("facetsRemoved", work.facets_removed);
+  set("exactSigns", work.exact_signs);
+  return v;
+}
+
+/// A sum with the buffers that follow it.
+struct HeldConvexSum {
+  explicit HeldConvexSum(ConvexSum made) : sum(std::move(made)) {}
+  ConvexSum sum;
+  SolidBuffers buffers;
+};
+
+std::shared_ptr<HeldConvexSum> convex(const Mesh& p, const Mesh& q) {
+  return std::make_shared<HeldConvexSum>(got(ConvexSum::create(p, q)));
+}
+val move_convex(HeldConvexSum& held, const val& p, const val& q) {
+  return motion_data(held.sum.set(pose_in(p), pose_in(q)));
+}
+val motion_of(const HeldConvexSum& held) { return motion_data(held.sum.work()); }
+
+val buffers_of(HeldConvexSum& held) {
+  const ConvexSolid& solid = held.sum.solid();
+  solid.write(held.buffers);
+  std::vector<std::uint32_t> triangle_facets(held.buffers.triangles.size() / 3, ConvexSolid::kFree), contacts;
+  std::vector<std::uint8_t> marks(solid.facets.size(), 0);
+  for (std::uint32_t k = 0; k < solid.facets.size(); ++k) {
+    const ConvexSolid::Facet& facet = solid.facets[k];
+    add(contacts, facet.p);
+    add(contacts, facet.q);
+    for (std::uint32_t t = 0; t + 2 < facet.count; ++t) triangle_facets[facet.first_triangle + t] = k;
+  }
+  for (const FacetChange& change : solid.changes.facets) {
+    if (change.kind == FacetChange::Kind::disappeared || change.facet >= marks.size()) continue;
+    marks[change.facet] = change.kind == FacetChange::Kind::appeared ? kAppeared : kChanged;
+  }
+  val v = val::object();
+  v.set("positions", array_of(held.buffers.positions));
+  v.set("triangles", array_of(held.buffers.triangles));
+  v.set("triangleFacets", array_of(triangle_facets));
+  v.set("facetContacts", array_of(contacts));
+  v.set("facetChanges", array_of(marks));
+  v.set("vertexCount", static_cast<double>(solid.vertex_count));
+  v.set("facetCount", static_cast<double>(solid.facet_count));
+  return v;
+}
+
+double volume_of(const HeldConvexSum& held) { return held.sum.volume(); }
+std::string volume_exact_of(const HeldConvexSum& held) { return held.sum.volume_exact().to_string(); }
+val support_of(const HeldConvexSum& held, const val& direction) {
+  const ConvexSum::Support support = held.sum.support(point3_in(direction));
+  val v = val::object();
+  v.set("p", support.vertex.p);
+  v.set("q", support.vertex.q);
+  v.set("at", point(support.at));
+  return v;
+}
+val depth_of(const HeldConvexSum& held, const val& at) {
+  const ConvexDepth depth = held.sum.depth(is_none(at) ? Point3{} : point3_in(at));
+  val v = val::object();
+  v.set("inside", depth.inside);
+  v.set("depth", depth.depth);
+  v.set("depthSquared", depth.depth_squared.to_string());
+  v.set("direction", point(depth.direction));
+  v.set("p", solid_feature(depth.p));
+  v.set("q", solid_feature(depth.q));
+  return v;
+}
+val facet_count_of(const HeldConvexSum& held) {
+  const ConvexSum::FacetCount count = held.sum.facet_count();
+  val v = val::object();
+  v.set("all", static_cast<double>(count.all));
+  v.set("changed", static_cast<double>(count.changed));
+  return v;
+}
+std::shared_ptr<Mesh> mesh_of(const HeldConvexSum& held) { return shared(got(held.sum.sum().rounded_mesh())); }
+
+/// The canonical sum has the same vertices, named by the same pairs and sorted by them.
+val exact_of(HeldConvexSum& held, double vertex) {
+  const ConvexSolid& solid = held.sum.solid();
+  if (!(vertex >= 0 && vertex < static_cast<double>(solid.vertices.size())))
+    throw Thrown{{ErrorCode::bad_index, "the sum has no such vertex", {}}};
+  const SolidSum sum = held.sum.sum();
+  const SolidSum::Vertex wanted = solid.vertices[static_cast<std::size_t>(vertex)];
+  const auto found = std::lower_bound(sum.vertices.begin(), sum.vertices.end(), wanted);
+  if (found == sum.vertices.end() || *found != wanted)
+    throw Thrown{{ErrorCode::bad_index, "no vertex has this index now", {}}};
+  return exact_point(sum.exact(static_cast<std::size_t>(found - sum.vertices.begin())));
+}
+
+EMSCRIPTEN_BINDINGS(moving_solids) {
+  handle<MovingSolidSum>("MovingSolidSum")
+      .class_function("create", guarded<&moving>)
+      .function("set", guarded<&move_solid>)
+      .function("shape", guarded<&shape_of>)
+      .function("faceChanges", guarded<&face_changes>)
+      .function("sum", guarded<&sum_of>)
+      .function("work", guarded<&work_of>)
+      .function("changes", guarded<&changes_of>);
+  handle<HeldConvexSum>("ConvexSum")
+      .class_function("create", guarded<&convex>)
+      .function("set", guarded<&move_convex>)
+      .function("work", guarded<&motion_of>)
+      .function("buffers", guarded<&buffers_of>)
+      .function("volume", guarded<&volume_of>)
+      .function("volumeExact", guarded<&volume_exact_of>)
+      .function("support", guarded<&support_of>)
+      .function("depth", guarded<&depth_of>)
+      .function("facetCount", guarded<&facet_count_of>)
+      .function("mesh", guarded<&mesh_of>)
+      .function("exact", guarded<&exact_of>);
+}
+
+}  // namespace
+}  // namespace dymsum::web

@@ -1,0 +1,223 @@
+// CspaceObstacle: what it consists of, its slices and its mesh.
+#include "obstacle.h"
+
+#include "arrays.h"
+#include "dymsum/mesh_io.h"
+#include "dymsum/obstacle_file.h"
+#include "dymsum/obstacle_mesh.h"
+#include "options.h"
+#include "planar_shape.h"
+
+namespace dymsum::web {
+namespace {
+
+std::shared_ptr<CspaceObstacle> created(const Region& robot, const Region& obstacle, const val& options) {
+  ObstacleOptions how;
+  how.progress = progress_in(member(options, "progress"));
+  return shared(got(CspaceObstacle::create(robot, obstacle, how)));
+}
+std::shared_ptr<CspaceObstacle> read(const std::string& name, const std::string& text) {
+  return shared(got(parse_obstacle(text, name)));
+}
+
+val angles_of(const CspaceObstacle& obstacle) {
+  return list_of(obstacle.angles(), [](const EventAngle& angle) {
+    val v = val::object();
+    v.set("theta", angle.theta);
+    v.set("low", angle.low);
+    v.set("high", angle.high);
+    v.set("exactTanHalf", angle.exact ? val(tan_half_text(*angle.exact)) : val::null());
+    return v;
+  });
+}
+
+std::string event_name(ObstacleEvent::Kind kind) {
+  switch (kind) {
+    case ObstacleEvent::Kind::alignment:
+      return "alignment";
+    case ObstacleEvent::Kind::vertex_on_segment:
+      return "vertex_on_segment";
+    case ObstacleEvent::Kind::three_segments:
+      return "three_segments";
+    case ObstacleEvent::Kind::tight:
+      return "tight";
+  }
+  throw std::logic_error("an event of no kind");
+}
+
+val events_of(const CspaceObstacle& obstacle) {
+  return list_of(obstacle.events(), [](const ObstacleEvent& event) {
+    val v = val::object();
+    v.set("kind", event_name(event.kind));
+    v.set("angle", event.angle);
+    v.set("at", point(event.at));
+    return v;
+  });
+}
+
+val tight_of(const CspaceObstacle& obstacle) {
+  return list_of(obstacle.tight(), [](const TightFeature& tight) {
+    val v = val::object();
+    v.set("angle", tight.angle);
+    v.set("from", point(tight.from));
+    v.set("to", point(tight.to));
+    v.set("error", tight.error);
+    return v;
+  });
+}
+
+val patches_of(const CspaceObstacle& obstacle) {
+  return list_of(obstacle.patches(), [](const Patch& patch) {
+    val v = val::object();
+    v.set("contact", contact(patch.contact));
+    v.set("left", contact(patch.left));
+    v.set("right", contact(patch.right));
+    v.set("leftCorner", patch.left_corner);
+    v.set("rightCorner", patch.right_corner);
+    v.set("begin", patch.begin);
+    v.set("end", patch.end);
+    v.set("shell", patch.shell);
+    v.set("rotating", patch.rotating());
+    return v;
+  });
+}
+
+val shells_of(const CspaceObstacle& obstacle) {
+  return list_of(obstacle.shells(), [](const Shell& shell) {
+    val v = val::object();
+    v.set("outer", shell.outer);
+    v.set("patches", shell.patches);
+    v.set("euler", static_cast<double>(shell.euler));
+    v.set("freeComponent", shell.free_component);
+    return v;
+  });
+}
+
+val work_of(const CspaceObstacle& obstacle) {
+  const ObstacleWork& work = obstacle.work();
+  val v = val::object();
+  const auto set = [&](const char* name, auto value) { v.set(name, static_cast<double>(value)); };
+  set("windows", work.windows);
+  set("segments", work.segments);
+  set("surfaces", work.surfaces);
+  set("potentialEvents", work.potential_events);
+  set("visibleEvents", work.visible_events);
+  set("alignments", work.alignments);
+  set("vertexEvents", work.vertex_events);
+  set("tripleEvents", work.triple_events);
+  set("tightEvents", work.tight_events);
+  set("localUpdates", work.local_updates);
+  set("slices", work.slices);
+  set("exactSigns", work.exact_signs);
+  set("collisionTests", work.collision_tests);
+  set("ms", work.ms);
+  return v;
+}
+
+std::shared_ptr<PlanarSum> slice_of(const CspaceObstacle& obstacle, const val& angle, const val& semantics) {
+  return shared(got(obstacle.slice(orientation_in(angle), semantics_in(semantics))));
+}
+
+/// Loops of patches by where each of them starts; null at an event angle.
+val outline_of(const CspaceObstacle& obstacle, const val& angle) {
+  const Orientation theta = orientation_in(angle);
+  const auto slab = obstacle.slab_of(theta);
+  if (!slab) return val::null();
+  std::vector<double> vertices;
+  std::vector<std::uint32_t> starts{0}, patches;
+  for (const std::vector<std::uint32_t>& loop : obstacle.loops(*slab)) {
+    for (const std::uint32_t patch : loop) {
+      add(vertices, obstacle.ends(obstacle.patches()[patch], theta.radians())[0]);
+      patches.push_back(patch);
+    }
+    starts.push_back(static_cast<std::uint32_t>(patches.size()));
+  }
+  val v = val::object();
+  v.set("vertices", array_of(vertices));
+  v.set("starts", array_of(starts));
+  v.set("patches", array_of(patches));
+  return v;
+}
+
+bool contains_of(const CspaceObstacle& obstacle, double x, double y, const val& angle) {
+  return obstacle.contains(x, y, orientation_in(angle));
+}
+bool may_have_tight_curves(const CspaceObstacle& obstacle) { return obstacle.may_have_tight_curves(); }
+
+val patch_ends(const CspaceObstacle& obstacle, std::uint32_t patch, double theta) {
+  if (patch >= obstacle.patches().size()) throw Thrown{{ErrorCode::bad_index, "the obstacle has no such patch", {}}};
+  return list_of(obstacle.ends(obstacle.patches()[patch], theta), [](Point at) { return point(at); });
+}
+
+ObstacleMesh made_mesh(const CspaceObstacle& obstacle, const val& options) {
+  ObstacleMeshOptions how;
+  how.tolerance = member_or(options, "tolerance", how.tolerance);
+  how.progress = progress_in(member(options, "progress"));
+  return got(obstacle_mesh(obstacle, how));
+}
+
+val mesh_of(const CspaceObstacle& obstacle, const val& options) {
+  const ObstacleMesh mesh = made_mesh(obstacle, options);
+  std::vector<double> vertices;
+  std::vector<std::uint32_t> triangles, patches;
+  std::vector<std::uint8_t> closing;
+  for (const Configuration& at : mesh.vertices) vertices.insert(vertices.end(), {at.x, at.y, at.theta});
+  for (const ObstacleTriangle& triangle : mesh.triangles) {
+    triangles.insert(triangles.end(), triangle.vertices.begin(), triangle.vertices.end());
+    patches.push_back(triangle.patch);
+    closing.push_back(triangle.closing ? 1 : 0);
+  }
+  val v = val::object();
+  v.set("vertices", array_of(vertices));
+  v.set("triangles", array_of(triangles));
+  v.set("patches", array_of(patches));
+  v.set("closing", array_of(closing));
+  v.set("extent", mesh.extent);
+  v.set("tolerance", mesh.tolerance);
+  v.set("watertight", closure(mesh).watertight());
+  return v;
+}
+
+val glb_of(const CspaceObstacle& obstacle, const val& options) {
+  return bytes_of(format_mesh(capped_mesh_data(made_mesh(obstacle, options)), MeshFormat::glb));
+}
+std::string formatted(const CspaceObstacle& obstacle) { return format_obstacle(obstacle); }
+
+EMSCRIPTEN_BINDINGS(obstacle) {
+  handle<CspaceObstacle>("CspaceObstacle")
+      .class_function("create", guarded<&created>)
+      .class_function("read", guarded<&read>)
+      .function("angles", guarded<&angles_of>)
+      .function("events", guarded<&events_of>)
+      .function("tight", guarded<&tight_of>)
+      .function("patches", guarded<&patches_of>)
+      .function("shells", guarded<&shells_of>)
+      .function("work", guarded<&work_of>)
+      .function("mayHaveTightCurves", guarded<&may_have_tight_curves>)
+      .function("slice", guarded<&slice_of>)
+      .function("outline", guarded<&outline_of>)
+      .function("contains", guarded<&contains_of>)
+      .function("patchEnds", guarded<&patch_ends>)
+      .function("mesh", guarded<&mesh_of>)
+      .function("glb", guarded<&glb_of>)
+      .function("format", guarded<&formatted>);
+}
+
+}  // namespace
+
+val configuration(const Configuration& at) {
+  val v = point(Point{at.x, at.y});
+  v.set("theta", at.theta);
+  return v;
+}
+
+Configuration configuration_in(const val& v) {
+  return {v["x"].as<double>(), v["y"].as<double>(), v["theta"].as<double>()};
+}
+
+Touching touching_in(const val& v) {
+  static constexpr Named<Touching> kNames[] = {{"allowed", Touching::allowed}, {"forbidden", Touching::forbidden}};
+  return enumerator(v, kNames, Touching::allowed);
+}
+
+}  // namespace dymsum::web

@@ -1,0 +1,65 @@
+// Options and exact numbers as JavaScript gives them.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <string_view>
+#include <utility>
+
+#include "bind.h"
+#include "dymsum/frames.h"
+#include "dymsum/orientation.h"
+#include "dymsum/planar_sum.h"
+#include "dymsum/progress.h"
+#include "dymsum/rational.h"
+#include "dymsum/rotation.h"
+#include "dymsum/scale.h"
+#include "dymsum/spatial_sum.h"
+
+namespace dymsum::web {
+
+inline bool is_none(const val& v) { return v.isUndefined() || v.isNull(); }
+/// The member, or undefined of nothing.
+inline val member(const val& options, const char* name) { return is_none(options) ? val::undefined() : options[name]; }
+template <class T>
+T member_or(const val& options, const char* name, T otherwise) {
+  const val v = member(options, name);
+  return is_none(v) ? otherwise : v.as<T>();
+}
+
+template <class E>
+using Named = std::pair<const char*, E>;
+/// The enumerator of a name; malformed for others.
+template <class E, std::size_t n>
+E enumerator(const val& v, const Named<E> (&names)[n], E otherwise) {
+  if (is_none(v)) return otherwise;
+  const auto text = v.as<std::string>();
+  for (const auto& [name, value] : names)
+    if (text == name) return value;
+  std::string all;
+  for (const auto& entry : names) all += std::string(all.empty() ? "" : ", ") + entry.first;
+  throw Thrown{{ErrorCode::malformed, "\"" + text + "\" is none of " + all, {}}};
+}
+
+Progress progress_in(const val& callback);
+Semantics semantics_in(const val& v);
+SumOptions sum_options(const val& v);
+SpatialOptions spatial_options(const val& v);
+MovingOptions moving_options(const val& v);
+FrameMode mode_in(const val& v);
+MovingOperand operand_in(const val& v, MovingOperand otherwise);
+
+/// A number at face value, or the text of one.
+Rational rational_in(const val& v);
+std::optional<Rational> optional_rational(const val& v);
+Scale scale_in(const val& v);
+/// Radians, or {tanHalf}.
+Orientation orientation_in(const val& v);
+Rotation rotation_in(const val& v);
+SolidPose pose_in(const val& v);
+
+std::string tan_half_text(const Orientation& theta);
+val exact_point(const RationalPoint& at);
+val exact_point(const RationalPoint3& at);
+
+}  // namespace dymsum::web

@@ -1,0 +1,66 @@
+// Generators of regions and solids, and what concerns the module as a whole.
+#include "dymsum/shapes.h"
+
+#include <emscripten/heap.h>
+
+#include "arrays.h"
+#include "dymsum/solids.h"
+#include "dymsum/version.h"
+
+namespace dymsum::web {
+namespace {
+
+using emscripten::function;
+
+/// `make` of numbers, as a handle.
+template <auto make>
+struct Made;
+template <class R, class... A, R (*make)(A...)>
+struct Made<make> {
+  static std::shared_ptr<R> call(A... numbers) { return shared(make(numbers...)); }
+};
+template <auto make>
+constexpr auto made = guarded<&Made<make>::call>;
+
+std::shared_ptr<Region> noisy_star(int vertices, double noise, double seed) {
+  return shared(shapes::noisy_star(vertices, noise, static_cast<std::uint64_t>(seed)));
+}
+std::shared_ptr<Region> random_polygon(int vertices, int holes, double seed) {
+  return shared(shapes::random_polygon(vertices, holes, static_cast<std::uint64_t>(seed)));
+}
+std::shared_ptr<Mesh> prism(const val& base, double height) { return shared(solids::prism(points_in(base), height)); }
+
+double memory_bytes() { return static_cast<double>(emscripten_get_heap_size()); }
+std::string version() { return DYMSUM_VERSION; }
+
+EMSCRIPTEN_BINDINGS(shapes) {
+  function("rectangle", made<&shapes::rectangle>);
+  function("disc", made<&shapes::disc>);
+  function("gear", made<&shapes::gear>);
+  function("grate", made<&shapes::grate>);
+  function("comb", made<&shapes::comb>);
+  function("star", made<&shapes::star>);
+  function("noisyStar", guarded<&noisy_star>);
+  function("spiral", made<&shapes::spiral>);
+  function("letterU", made<&shapes::letter_u>);
+  function("letterL", made<&shapes::letter_l>);
+  function("pockets", made<&shapes::pockets>);
+  function("randomPolygon", guarded<&random_polygon>);
+  function("box", made<&solids::box>);
+  function("prism", guarded<&prism>);
+  function("tessellatedCube", made<&solids::tessellated_cube>);
+  function("cone", made<&solids::cone>);
+  function("cylinder", made<&solids::cylinder>);
+  function("dipyramid", made<&solids::dipyramid>);
+  function("pyramid", made<&solids::pyramid>);
+  function("geodesicSphere", made<&solids::geodesic_sphere>);
+  function("ellipsoid", made<&solids::ellipsoid>);
+  function("triakisIcosahedron", made<&solids::triakis_icosahedron>);
+  function("truncatedIcosidodecahedron", made<&solids::truncated_icosidodecahedron>);
+  function("rod", made<&solids::rod>);
+  function("memoryBytes", &memory_bytes);
+  function("version", &version);
+}
+
+}  // namespace
+}  // namespace dymsum::web

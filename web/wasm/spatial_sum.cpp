@@ -1,0 +1,259 @@
+// SpatialSum, slices, and sums of solids as events.
+#include "dymsum/spatial_sum.h"
+
+#include <array>
+
+#include "arrays.h"
+#include "dymsum/scaling_solid_sum.h"
+#include "dymsum/solid_slice.h"
+#include "dymsum/turning_solid_sum.h"
+#include "mesh.h"
+#include "options.h"
+#include "planar_shape.h"
+#include "solid_feature.h"
+#include "spatial_shape.h"
+
+namespace dymsum::web {
+namespace {
+
+using emscripten::function;
+using SharedSum = std::shared_ptr<SpatialSum>;
+
+val shape_of(const SpatialSum& sum) { return spatial_shape(sum); }
+
+val stats_of(const SpatialSum& sum) {
+  const SpatialStats& s = sum.stats;
+  val v = val::object();
+  const auto set = [&](const char* name, auto value) { v.set(name, static_cast<double>(value)); };
+  set("bits", s.bits);
+  set("faceVertex", s.face_vertex);
+  set("edgeEdge", s.edge_edge);
+  set("innerFacets", s.inner_facets);
+  set("boxPairs", s.box_pairs);
+  set("contacts", s.contacts);
+  set("points", s.points);
+  set("cells", s.cells);
+  set("patches", s.patches);
+  set("collisionTests", s.collision_tests);
+  set("tightTests", s.tight_tests);
+  set("exactSigns", s.exact_signs);
+  set("heldBytes", s.held_bytes);
+  v.set("stages", list_of(s.stages, [](const SpatialStats::Stage& stage) {
+          val one = val::object();
+          one.set("name", std::string(stage.name));
+          one.set("ms", stage.ms);
+          return one;
+        }));
+  return v;
+}
+
+double volume_of(const SpatialSum& sum) { return sum.volume(); }
+double area_of(const SpatialSum& sum) { return sum.area(); }
+val volume_exact_of(const SpatialSum& sum, const val& bits) {
+  const double most = is_none(bits) ? 0x1p20 : bits.as<double>();
+  const auto volume = sum.volume_exact_within(static_cast<std::size_t>(most));
+  return volume ? val(volume->to_string()) : val::null();
+}
+val exact_of(const SpatialSum& sum, double vertex) {
+  if (!(vertex >= 0 && vertex < static_cast<double>(sum.vertices.size())))
+    throw Thrown{{ErrorCode::bad_index, "the sum has no such vertex", {}}};
+  return exact_point(sum.exact(static_cast<std::size_t>(vertex)));
+}
+val tight_contacts_of(const SpatialSum& sum) {
+  const auto lists = [](const auto& all) {
+    return list_of(all, [](const auto& contacts) { return list_of(contacts, solid_contact); });
+  };
+  val v = val::object();
+  v.set("faces", lists(sum.tight_face_contacts));
+  v.set("segments", lists(sum.tight_segment_contacts));
+  v.set("points", lists(sum.tight_point_contacts));
+  return v;
+}
+std::shared_ptr<Mesh> mesh_of(const SpatialSum& sum) { return shared(got(as_mesh(sum))); }
+bool equal(const SpatialSum& a, const SpatialSum& b) { return a == b; }
+val formatted(const SpatialSum& sum, const std::string& name) {
+  const MeshFormat format = mesh_format_in(name);
+  const MeshData data = format == MeshFormat::glb ? sum.drawn().mesh : got(sum.rounded()).mesh;
+  return bytes_of(format_mesh(data, format));
+}
+
+double vertex_count(const SpatialSum& sum) { return static_cast<double>(sum.vertices.size()); }
+double face_count(const SpatialSum& sum) { return static_cast<double>(sum.faces.size()); }
+double shell_count(const SpatialSum& sum) { return static_cast<double>(sum.shells); }
+
+SharedSum sum_of_meshes(const Mesh& p, const Mesh& q, const val& options) {
+  return shared(got(minkowski_sum(p, q, spatial_options(options))));
+}
+bool mesh_contains(const Mesh& p, const Mesh& q, const val& z, const val& semantics) {
+  return got(contains(p, q, point3_in(z), semantics_in(semantics)));
+}
+
+std::shared_ptr<SolidSlice> slice_at(const Mesh& p, const Mesh& q, double z, const val& options) {
+  return shared(got(slice_of_sum(p, q, z, spatial_options(options))));
+}
+std::shared_ptr<PlanarSum> section_of(const SolidSlice& slice) { return shared(slice.section); }
+val touching_of(const SolidSlice& slice) { return part_rings(slice.touching); }
+
+std::string kind_name(SolidScaleEvent::Kind kind) {
+  switch (kind) {
+    case SolidScaleEvent::Kind::vertex_on_facet:
+      return "vertex_on_facet";
+    case SolidScaleEvent::Kind::edge_on_edge:
+      return "edge_on_edge";
+    case SolidScaleEvent::Kind::four_facets:
+      return "four_facets";
+    case SolidScaleEvent::Kind::coplanar_facets:
+      return "coplanar_facets";
+  }
+  throw std::logic_error("an event of no kind");
+}
+val event_data(const SolidScaleEvent& event) {
+  val v = val::object();
+  v.set("s", event.s.to_string());
+  v.set("approx", event.approx);
+  v.set("kind", kind_name(event.kind));
+  v.set("topology", event.topology);
+  return v;
+}
+std::shared_ptr<ScalingSolidSum> scaling(const Mesh& p, const Mesh& q, const val& options) {
+  ScalingSolidOptions how;
+  how.moving = operand_in(member(options, "moving"), how.moving);
+  how.semantics = semantics_in(member(options, "semantics"));
+  how.tight = member_or(options, "tight", true);
+  return shared(got(ScalingSolidSum::create(p, q, how)));
+}
+SharedSum scaled_to(const ScalingSolidSum& sum, const val& s, const val& progress) {
+  return shared(got(sum.at(scale_in(s), progress_in(progress))));
+}
+val scale_events(const ScalingSolidSum& sum, const val& from, const val& to, const val& progress) {
+  return list_of(got(sum.events(scale_in(from), scale_in(to), progress_in(progress))), event_data);
+}
+val next_scale_event(const ScalingSolidSum& sum, const val& after, const val& limit, const val& change,
+                     const val& progress) {
+  static constexpr Named<EventChange> kNames[] = {{"visible", EventChange::visible},
+                                                  {"topology", EventChange::topology}};
+  const auto event = got(sum.next_event(scale_in(after), scale_in(limit),
+                                        enumerator(change, kNames, EventChange::visible), progress_in(progress)));
+  return event ? event_data(*event) : val::null();
+}
+
+std::string kind_name(SolidTurnContact::Kind kind) {
+  switch (kind) {
+    case SolidTurnContact::Kind::normal_on_arc:
+      return "normal_on_arc";
+    case SolidTurnContact::Kind::vertex_on_facet:
+      return "vertex_on_facet";
+    case SolidTurnContact::Kind::edge_on_edge:
+      return "edge_on_edge";
+    case SolidTurnContact::Kind::edge_and_facets:
+      return "edge_and_facets";
+    case SolidTurnContact::Kind::four_facets:
+      return "four_facets";
+  }
+  throw std::logic_error("a contact of no kind");
+}
+val turn_contact_data(const SolidTurnContact& contact) {
+  val v = val::object();
+  v.set("kind", kind_name(contact.kind));
+  v.set("at", point(contact.at));
+  v.set("features", list_of(contact.features, solid_contact));
+  return v;
+}
+val turn_event_data(const SolidTurnEvent& event) {
+  val v = val::object();
+  v.set("radians", event.radians);
+  v.set("exactT", !event.exact                  ? val::null()
+                  : event.exact->is_half_turn() ? val(std::string("inf"))
+                                                : val(event.exact->t().to_string()));
+  v.set("polynomial", list_of(event.polynomial, [](const std::string& c) { return c; }));
+  v.set("contacts", list_of(event.contacts, turn_contact_data));
+  v.set("visible", event.visible);
+  v.set("topology", event.topology);
+  return v;
+}
+std::shared_ptr<TurningSolidSum> turning(const Mesh& p, const Mesh& q, const val& axis, const val& options) {
+  TurningSolidOptions how;
+  how.moving = operand_in(member(options, "moving"), how.moving);
+  how.changes = member_or(options, "changes", true);
+  how.window = member_or(options, "window", 0.0);
+  how.tight = member_or(options, "tight", true);
+  TurnAxis direction{};
+  for (std::size_t k = 0; k < 3; ++k) direction[k] = axis[k].as<std::int32_t>();
+  return shared(got(TurningSolidSum::create(p, q, direction, how)));
+}
+AxisTurn turn_in(const TurningSolidSum& sum, double radians) { return got(AxisTurn::nearest(sum.axis(), radians)); }
+SharedSum turned_to(const TurningSolidSum& sum, double radians, const val& progress) {
+  return shared(got(sum.at(turn_in(sum, radians), progress_in(progress))));
+}
+val turn_events(const TurningSolidSum& sum, double from, double to, const val& progress) {
+  return list_of(got(sum.events(turn_in(sum, from), turn_in(sum, to), progress_in(progress))), turn_event_data);
+}
+
+EMSCRIPTEN_BINDINGS(spatial_sum) {
+  handle<SpatialSum>("SpatialSum")
+      .property("shellCount", &shell_count)
+      .property("faceCount", &face_count)
+      .property("vertexCount", &vertex_count)
+      .function("shape", guarded<&shape_of>)
+      .function("stats", guarded<&stats_of>)
+      .function("volume", guarded<&volume_of>)
+      .function("area", guarded<&area_of>)
+      .function("volumeExact", guarded<&volume_exact_of>)
+      .function("exact", guarded<&exact_of>)
+      .function("tightContacts", guarded<&tight_contacts_of>)
+      .function("asMesh", guarded<&mesh_of>)
+      .function("equals", guarded<&equal>)
+      .function("format", guarded<&formatted>);
+  handle<SolidSlice>("SolidSlice")
+      .function("takeSection", guarded<&section_of>)
+      .function("touching", guarded<&touching_of>);
+  handle<ScalingSolidSum>("ScalingSolidSum")
+      .class_function("create", guarded<&scaling>)
+      .function("at", guarded<&scaled_to>)
+      .function("events", guarded<&scale_events>)
+      .function("nextEvent", guarded<&next_scale_event>);
+  handle<TurningSolidSum>("TurningSolidSum")
+      .class_function("create", guarded<&turning>)
+      .function("at", guarded<&turned_to>)
+      .function("events", guarded<&turn_events>);
+  function("sumOfMeshes", guarded<&sum_of_meshes>);
+  function("meshContains", guarded<&mesh_contains>);
+  function("sliceOfSum", guarded<&slice_at>);
+}
+
+}  // namespace
+
+val spatial_shape(const SpatialSum& sum) {
+  using Indices = std::vector<std::uint32_t>;
+  const auto pairs = [](const auto& arrays) {
+    Indices all;
+    for (const auto& one : arrays) all.insert(all.end(), one.begin(), one.end());
+    return array_of(all);
+  };
+  std::vector<double> vertices;
+  for (const Point3& at : sum.vertices) add(vertices, at);
+  const SpatialSum::Rounded drawn = sum.drawn();
+  Indices triangles, contacts, shells, edges;
+  for (const Face& triangle : drawn.mesh.faces)
+    for (const std::uint32_t corner : triangle) triangles.push_back(drawn.vertex[corner]);
+  for (const SpatialFace& face : sum.faces) {
+    add(contacts, face.p);
+    add(contacts, face.q);
+    shells.push_back(face.shell);
+  }
+  for (const SpatialEdge& edge : sum.edges) edges.insert(edges.end(), {edge.from, edge.to});
+  val v = val::object();
+  v.set("vertices", array_of(vertices));
+  v.set("triangles", array_of(triangles));
+  v.set("triangleFaces", array_of(drawn.face));
+  v.set("faceContacts", array_of(contacts));
+  v.set("faceShells", array_of(shells));
+  v.set("edges", array_of(edges));
+  v.set("tightTriangles", pairs(sum.tight_triangles()));
+  v.set("tightSegments", pairs(sum.tight_segments));
+  v.set("tightPoints", array_of(sum.tight_points));
+  v.set("atError", sum.at_error);
+  return v;
+}
+
+}  // namespace dymsum::web
