@@ -7,6 +7,11 @@ import type { Plugin } from 'vite';
 export function embedModule(file: string, simd: boolean): Plugin {
   return {
     name: 'embed-module',
+    /** The package's own addresses of the module would be taken for assets, and put into the page once more. */
+    transform(code, id) {
+      if (!id.endsWith('/package/module.js')) return undefined;
+      return { code: code.replaceAll(/new URL\('[^']*\.wasm', import\.meta\.url\)/g, 'undefined'), map: null };
+    },
     transformIndexHtml() {
       if (!existsSync(file)) throw new Error(`${file} is not there: ./run web builds it.`);
       const children = gzipSync(readFileSync(file), { level: 9 }).toString('base64');

@@ -4,13 +4,14 @@ import { viteSingleFile } from 'vite-plugin-singlefile';
 import { embedModule } from './embed_module';
 
 const inPackage = (file: string): string => fileURLToPath(new URL(`../package/${file}`, import.meta.url));
+const embedded = embedModule(inPackage('dist/dymsum-simd.wasm'), true);
 
 // One HTML file that works from disk: scripts, styles, the worker and the module are in it, and nothing is fetched.
 export default defineConfig({
   base: './',
   resolve: { alias: { dymsum: inPackage('index.js') } },
-  plugins: [embedModule(inPackage('dymsum-simd.wasm'), true), viteSingleFile({ removeViteModuleLoader: true })],
-  worker: { format: 'iife' },
+  plugins: [embedded, viteSingleFile({ removeViteModuleLoader: true })],
+  worker: { format: 'iife', plugins: () => [embedded] },
   build: { target: 'es2022', chunkSizeWarningLimit: 4096, reportCompressedSize: false },
   test: { include: ['src/**/*.test.ts'] },
 });

@@ -1,6 +1,7 @@
 // All that can be asked of the worker. A page adds its services here, under its own name.
 import type { Host } from './host';
 import { operandServices } from '../operands/service';
+import { discServices } from '../pages/discs/service';
 import { nestingServices } from '../pages/nesting/service';
 import { obstacleServices } from '../pages/obstacle/service';
 import { sumServices } from '../pages/sum/service';
@@ -9,6 +10,7 @@ export const services = {
   ...operandServices,
   ...sumServices,
   ...obstacleServices,
+  ...discServices,
   ...nestingServices,
 };
 

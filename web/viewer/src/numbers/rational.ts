@@ -57,7 +57,7 @@ export function toText({ n, d }: Rational): string {
 /** A double near it, for drawing. */
 export function toNumber({ n, d }: Rational): number {
   const size = (x: bigint): number => x.toString(2).length;
-  const excess = Math.max(0, Math.max(size(n), size(d)) - 900);
-  if (excess === 0) return Number(n) / Number(d);
-  return Number(n >> BigInt(excess)) / Number(d >> BigInt(excess));
+  const shift = size(d) - size(n) + 64, half = Math.trunc(shift / 2); // the quotient has some 64 bits
+  const quotient = shift >= 0 ? (n << BigInt(shift)) / d : n / (d << BigInt(-shift));
+  return Number(quotient) * 2 ** -half * 2 ** (half - shift); // in two steps: each power is a double
 }

@@ -1,8 +1,9 @@
 // One operand in the panel: its name, how it is drawn, and what can be put in its place.
-import type { Shape } from '../engine/shape';
-import { shapeOfFile } from '../engine/shape';
+import { isMade, shapeOfFile, type Shape } from '../engine/shape';
+import type { Shell } from '../shell/page';
 import { chooseFiles } from '../shell/files';
 import { kCatalogue } from './catalogue';
+import { RepairRow } from './repair_row';
 import type { Operand } from './use_operand';
 
 interface OperandCardProps {
@@ -12,15 +13,17 @@ interface OperandCardProps {
   shape: Shape;
   operand: Operand;
   onShape: (shape: Shape) => void;
+  shell: Shell;
 }
 
-export function OperandCard({ role, tint, shape, operand, onShape }: OperandCardProps) {
+export function OperandCard({ role, tint, shape, operand, onShape, shell }: OperandCardProps) {
   const known = kCatalogue.find((s) => s.name === shape.name);
   const choose = (name: string): void => {
     const chosen = kCatalogue.find((s) => s.name === name);
     if (chosen) onShape(chosen);
   };
   return (
+    <>
     <div class="row">
       <svg class="swatch" viewBox="0 0 14 14" aria-hidden="true">
         <rect x="1" y="1" width="12" height="12" rx="2" fill={`var(--${tint}-fill)`} stroke={`var(--${tint})`} stroke-width="2" />
@@ -37,5 +40,7 @@ export function OperandCard({ role, tint, shape, operand, onShape }: OperandCard
         Open…
       </button>
     </div>
+    {operand.error && !isMade(shape) && <RepairRow role={role} shape={shape} shell={shell} onShape={onShape} />}
+    </>
   );
 }

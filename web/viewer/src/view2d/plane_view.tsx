@@ -17,6 +17,8 @@ interface PlaneViewProps extends Partial<Pick<Target, 'grip' | 'hover' | 'click'
   /** the reader has looked elsewhere */
   onCamera?: (camera: Camera) => void;
   cursor?: string;
+  /** what is computed and drawn now: tests and other scripts read off the canvas how often it has changed */
+  shows?: unknown;
   paint: (painter: Painter) => void;
 }
 
@@ -31,7 +33,8 @@ class Picture {
   props!: PlaneViewProps;
   private scheduled = 0;
   private settling = 0;
-  private frames = 0;
+  private shown: unknown;
+  private changes = 0;
 
   /** Paints once before the screen shows the next picture. */
   again(): void {
@@ -77,7 +80,15 @@ class Picture {
     const painter = new Painter(ctx, this.camera, this.size);
     paintBackdrop(painter);
     this.props.paint(painter);
-    this.canvas!.dataset.frame = String(++this.frames);
+    this.tell(this.camera);
+  }
+
+  private tell({ x, y, zoom }: Camera): void {
+    const data = this.canvas!.dataset;
+    data.camera = `${x} ${y} ${zoom}`;
+    if (this.props.shows === undefined || this.props.shows === this.shown) return;
+    this.shown = this.props.shows;
+    data.shown = String(++this.changes);
   }
 }
 

@@ -93,14 +93,14 @@ export function View(props: PageProps<NestingState>) {
       <Stage>
         <PlaneView
           label={`The no-fit polygon of ${state.b.name} around ${state.a.name}. ${placed ? meetingText(placed) : ''}`} home={home} homeKey={`${state.a.name} ${state.b.name}`}
-          camera={state.camera} onCamera={(camera) => change({ ...state, camera }, 'aside')} grip={grip} paint={(painter) => paintNesting(painter, scene)}
+          camera={state.camera} onCamera={(camera) => change({ ...state, camera }, 'aside')} grip={grip} shows={ready && placed} paint={(painter) => paintNesting(painter, scene)}
         />
         <div class="status">{placed && meetingText(placed)}</div>
       </Stage>
       <Panel summary={kSummary}>
         <Section title="Shapes">
-          <OperandCard role="A" tint="p" shape={state.a} operand={a} onShape={(shape) => change({ ...state, a: shape, at: { kind: 'free', x: 0, y: 0 } })} />
-          <OperandCard role="B" tint="q" shape={state.b} operand={b} onShape={(shape) => change({ ...state, b: shape, at: { kind: 'free', x: 0, y: 0 } })} />
+          <OperandCard shell={shell} role="A" tint="p" shape={state.a} operand={a} onShape={(shape) => change({ ...state, a: shape, at: { kind: 'free', x: 0, y: 0 } })} />
+          <OperandCard shell={shell} role="B" tint="q" shape={state.b} operand={b} onShape={(shape) => change({ ...state, b: shape, at: { kind: 'free', x: 0, y: 0 } })} />
         </Section>
         <PlaceSection {...props} placed={placed} nfp={nfp} />
         <Section title="No-fit polygon">

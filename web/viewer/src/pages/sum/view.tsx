@@ -86,14 +86,14 @@ export function View({ state, change, shell }: PageProps<SumState>) {
           home={home} homeKey={`${withoutEdits(state.p.name)} ${withoutEdits(state.q.name)}`} camera={state.camera}
           onCamera={(camera) => change({ ...state, camera }, 'aside')} cursor={pointing.hovered ? 'pointer' : 'grab'}
           grip={(at, reach) => gripOf(context, at, reach)} hover={(at, reach) => pointing.hover(at && nearest(at, reach))}
-          click={(at, reach) => pointing.pick(nearest(at, reach))} paint={(painter) => paintSum(painter, scene)}
+          click={(at, reach) => pointing.pick(nearest(at, reach))} shows={scene.sum} paint={(painter) => paintSum(painter, scene)}
         />
         <div class="status">{pointing.hovered && sum ? originText(sum.shape, pointing.hovered) : ''}</div>
       </Stage>
       <Panel summary={kSummary}>
         <Section title="Shapes">
-          <OperandCard role="P" tint="p" shape={state.p} operand={data.p} onShape={(p) => change({ ...state, p })} />
-          <OperandCard role="Q" tint="q" shape={state.q} operand={data.q} onShape={(q) => change({ ...state, q })} />
+          <OperandCard shell={shell} role="P" tint="p" shape={state.p} operand={data.p} onShape={(p) => change({ ...state, p })} />
+          <OperandCard shell={shell} role="Q" tint="q" shape={state.q} operand={data.q} onShape={(q) => change({ ...state, q })} />
           <Choice label="What dragging a shape does" options={kTools} value={tool} onChange={setTool} />
         </Section>
         <MotionSection state={state} change={change} shell={shell} args={data.args} />

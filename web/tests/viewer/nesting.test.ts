@@ -1,0 +1,68 @@
+// The page of nesting: B snaps to exact fits, and what A and B are to each other is said exactly.
+import type { Browser, Page } from 'playwright-core';
+import { afterAll, beforeAll, describe, expect, it } from 'vitest';
+import { close, launch, open, readout, shareLink } from './viewer';
+
+let browser: Browser;
+beforeAll(async () => void (browser = await launch()));
+afterAll(() => browser.close());
+
+const opened = async () => {
+  const it = await open(browser, { hash: '#/nesting' });
+  await expect.poll(() => said(it.page), { timeout: 60_000 }).toMatch(/A and B/);
+  return it;
+};
+const said = (page: Page): Promise<string> => page.locator('p[role=status]').innerText();
+const place = (page: Page): Promise<string> => page.getByRole('button', { name: 'Copy the exact position' }).innerText();
+
+async function example(page: Page, name: string): Promise<void> {
+  await page.getByRole('button', { name: 'Examples' }).click();
+  await page.getByRole('button', { name }).click();
+  await expect.poll(() => readout(page, 'vertices')).toMatch(/\d/);
+}
+
+describe('the page of nesting', () => {
+  it('tells apart, overlapping and touching', async () => {
+    const it = await opened(), { page } = it;
+    await example(page, 'A slot that fits exactly');
+    await expect.poll(() => said(page)).toBe('A and B are apart by 1.');
+    await page.getByRole('button', { name: 'To the nearest fit' }).click();
+    await expect.poll(() => said(page)).toBe('A and B touch, exactly.');
+    expect(await page.getByRole('button', { name: 'To the nearest fit' }).isDisabled()).toBe(true);
+    await page.keyboard.press('Control+z');
+    await expect.poll(() => said(page)).toBe('A and B are apart by 1.');
+    await close(it);
+  });
+  it('knows the slot that B fits into without room', async () => {
+    const it = await opened(), { page } = it;
+    await example(page, 'A slot that fits exactly');
+    expect(await readout(page, 'exact fits: points, segments')).not.toBe('0, 0');
+    await close(it);
+  });
+  it('snaps B to the boundary while it is dragged', async () => {
+    const it = await opened(), { page } = it, canvas = page.locator('canvas.plane');
+    await example(page, 'A slot that fits exactly');
+    await expect.poll(() => said(page)).toMatch(/apart/);
+    const box = (await canvas.boundingBox())!;
+    const [cx, cy, unit] = (await canvas.getAttribute('data-camera'))!.split(' ').map(Number) as [number, number, number];
+    const at = (x: number, y: number): [number, number] => [box.x + box.width / 2 + (x - cx) * unit, box.y + box.height / 2 - (y - cy) * unit];
+    const drag = async (from: [number, number], to: [number, number]): Promise<void> => {
+      await page.mouse.move(...at(...from));
+      await page.mouse.down();
+      await page.mouse.move(...at(...to), { steps: 10 });
+      await page.mouse.up();
+    };
+    await drag([6, 4], [5 + 2 / unit, 4]); // within two pixels of touching the side of A
+    await expect.poll(() => said(page)).toBe('A and B touch, exactly.');
+    expect(await place(page)).toMatch(/^\(4, /);
+    await expect.poll(() => page.getByText('Contact:').innerText()).toMatch(/of A/);
+    await drag([5, 4], [3, 4]);
+    await expect.poll(() => said(page)).toMatch(/overlap/);
+    const hash = await shareLink(page), where = await place(page);
+    const second = await open(browser, { hash });
+    await expect.poll(() => said(second.page), { timeout: 60_000 }).toMatch(/overlap/);
+    expect(await place(second.page)).toBe(where);
+    await close(second);
+    await close(it);
+  });
+});
