@@ -4,12 +4,14 @@ import { operandServices } from '../operands/service';
 import { discServices } from '../pages/discs/service';
 import { nestingServices } from '../pages/nesting/service';
 import { obstacleServices } from '../pages/obstacle/service';
+import { solidServices } from '../pages/solids/service';
 import { sumServices } from '../pages/sum/service';
 
 export const services = {
   ...operandServices,
   ...sumServices,
   ...obstacleServices,
+  ...solidServices,
   ...discServices,
   ...nestingServices,
 };

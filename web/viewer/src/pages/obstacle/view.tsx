@@ -135,8 +135,8 @@ export function View({ state, change, shell }: PageProps<ObstacleState>) {
       </Stage>
       <Panel summary={kSummary}>
         <Section title="Shapes">
-          <OperandCard role="Robot" tint="q" shape={state.robot} operand={robot} onShape={(shape) => change({ ...state, robot: shape })} />
-          <OperandCard role="Obstacle" tint="p" shape={state.obstacle} operand={data.obstacle} onShape={(shape) => change({ ...state, obstacle: shape })} />
+          <OperandCard shell={shell} role="Robot" tint="q" shape={state.robot} operand={robot} onShape={(shape) => change({ ...state, robot: shape })} />
+          <OperandCard shell={shell} role="Obstacle" tint="p" shape={state.obstacle} operand={data.obstacle} onShape={(shape) => change({ ...state, obstacle: shape })} />
         </Section>
         <PoseSection state={state} change={change} scene={data.scene} pose={pose} move={(to, how) => move('at', to, how)} />
         <Facts data={data} state={state} onPath={onPath === true} />
