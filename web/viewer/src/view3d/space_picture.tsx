@@ -60,7 +60,7 @@ export function SpacePicture(props: SpacePictureProps) {
   const names = colours.join();
   useEffect(() => {
     if (!made) return;
-    made.surface.setLook({ colours: names.split(',').map(colour), edge: colour('--text'), inside: colour('--cut'), opacity });
+    made.surface.setLook({ colours: names.split(',').map(colour), edge: colour('--text'), inside: colour('--inside-face'), opacity });
     made.view.setGround(colour('--ground'));
   }, [made, names, opacity, theme]);
   useEffect(() => {

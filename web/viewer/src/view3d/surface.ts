@@ -30,7 +30,7 @@ export class Surface {
   private edgeGeometry = new BufferGeometry();
   private readonly materials: MeshLambertMaterial[];
   private readonly edgeMaterial = new LineBasicMaterial();
-  private readonly insideMaterial = new MeshBasicMaterial({ side: BackSide });
+  private readonly insideMaterial = new MeshBasicMaterial({ side: BackSide, polygonOffset: true, polygonOffsetFactor: -1, polygonOffsetUnits: -8 }); // hides outlines inside
   private readonly outside;
   private readonly inside;
   private readonly edges;
@@ -74,7 +74,7 @@ export class Surface {
       material.needsUpdate = true;
     });
     this.edgeMaterial.color.set(look.edge);
-    Object.assign(this.edgeMaterial, { transparent: true, opacity: 0.55 });
+    Object.assign(this.edgeMaterial, { transparent: true, opacity: 0.4 });
     this.insideMaterial.color.set(look.inside);
     this.showInside();
   }

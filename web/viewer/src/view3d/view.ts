@@ -60,10 +60,10 @@ export class SpaceView {
     const canvas = this.renderer.domElement;
     Object.assign(this.overlayCanvas.style, { position: 'absolute', inset: '0', pointerEvents: 'none', width: '100%', height: '100%' });
     Object.assign(canvas.style, { position: 'absolute', inset: '0', width: '100%', height: '100%' });
-    container.append(canvas, this.overlayCanvas);
+    container.prepend(canvas, this.overlayCanvas); // below what the page lays over the picture
     this.camera.up.set(0, 0, 1);
-    this.scene.add(this.camera, new HemisphereLight(0xffffff, 0x667788, 1.9));
-    const lamp = new DirectionalLight(0xffffff, 1.7);
+    this.scene.add(this.camera, new HemisphereLight(0xffffff, 0x8899aa, 2.3));
+    const lamp = new DirectionalLight(0xffffff, 1.3);
     lamp.position.set(-1, 1.6, 1.2);
     this.camera.add(lamp, lamp.target); // shines from behind the reader's left shoulder
     lamp.target.position.set(0, 0, -1);
@@ -103,7 +103,7 @@ export class SpaceView {
   /** The camera as at first. */
   fit(): void {
     const { width, height } = this.container.getBoundingClientRect();
-    const narrow = width > 0 && height > width ? height / width : 1;
+    const narrow = width > 0 && height > width ? (height / width) ** 0.75 : 1;
     this.controls.target.set(0, 0, 0);
     this.camera.position.copy(kFrom).multiplyScalar(narrow);
     this.controls.update();

@@ -14,7 +14,7 @@ export const obstaclePage: Page<ObstacleState> = {
   take: (files, state) => {
     const shapes = planarShapes(files, 2);
     const [robot, obstacle] = shapes.length === 2 ? shapes : [state.robot, shapes[0]!];
-    return { ...state, robot: robot, obstacle: obstacle, path: false };
+    return { ...state, robot: robot, obstacle: obstacle, path: false, unplaced: true };
   },
   View,
 };

@@ -8,7 +8,7 @@ import type { PathMotion } from './motion';
 import type { ObstacleScene } from './service';
 
 /** Of the kinds of patches: an edge of the obstacle, an edge of the robot. */
-export const kPatchColours = ['--p', '--q'] as const;
+export const kPatchColours = ['--p-face', '--q-face'] as const;
 
 export interface SpaceShape {
   placement: Placement;

@@ -25,6 +25,8 @@ export interface ObstacleState {
   cut: boolean;
   /** the obstacle is half transparent */
   through: boolean;
+  /** the poses are for other shapes: the robot is to be put beside the obstacle */
+  unplaced?: true;
 }
 
 export function obstacleState(robot: Shape, obstacle: Shape, start: Pose, goal: Pose, changes: Partial<ObstacleState> = {}): ObstacleState {

@@ -18,7 +18,7 @@ import { configuration, type ObstacleFile } from './service';
 import { kPatchColours, spaceOverlay } from './space';
 import type { ObstacleState, Pose, Which } from './state';
 import { planePath, useObstacle, type ObstacleData } from './use_obstacle';
-import { gripOf, paintWorkspace, placing, poseOf, type WorkspaceScene } from './workspace';
+import { gripOf, paintWorkspace, placing, poseOf, posesBeside, type WorkspaceScene } from './workspace';
 import './obstacle.css';
 
 export const kSummary = 'A robot that moves and turns, and the obstacle that this makes in (x, y, θ), exactly. Drag the robot, its handle, its start and its goal.';
@@ -90,6 +90,13 @@ export function View({ state, change, shell }: PageProps<ObstacleState>) {
     setShare(undefined);
   }, [data.motion]);
   useDownloads(shell, state, pose.tanHalf, data);
+  useEffect(() => {
+    const box = data.obstacle.outline?.box;
+    if (!state.unplaced || !robot.ready || !data.obstacle.ready || !robot.outline || !box) return;
+    const placed = { ...state, ...posesBeside(robot.outline, box) };
+    delete placed.unplaced;
+    change({ ...placed, at: placed.start }, 'aside');
+  }, [state, change, robot, data.obstacle]);
   const move = useCallback((which: Which, to: Pose, how?: 'live' | 'done') => {
     if (which === 'at') setShare(undefined);
     change({ ...state, [which]: to }, how);

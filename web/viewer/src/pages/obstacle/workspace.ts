@@ -4,7 +4,7 @@ import type { Outline } from '../../operands/outline';
 import { tanHalfOf, snapped } from '../../numbers/snap';
 import { colour } from '../../shell/theme';
 import { applied, inverted, placed, type Affine } from '../../view2d/affine';
-import type { Point } from '../../view2d/camera';
+import type { Box, Point } from '../../view2d/camera';
 import { isInside } from '../../view2d/edge_grid';
 import type { Grip } from '../../view2d/gestures';
 import type { Painter } from '../../view2d/painter';
@@ -120,6 +120,12 @@ function movingGrip(which: Which, was: Pose, seen: number, move: Move): Grip {
   const to = (from: Point, p: Point, how: 'live' | 'done'): void =>
     move(which, { ...was, x: snapped(was.x + p.x - from.x, fine), y: snapped(was.y + p.y - from.y, fine) }, how);
   return { drag: (from, p) => to(from, p, 'live'), drop: (from, p) => (p ? to(from, p, 'done') : move(which, was, 'done')) };
+}
+
+/** The robot left of the obstacle, and right of it. */
+export function posesBeside(robot: Outline, { x0, y0, x1, y1 }: Box): { start: Pose; goal: Pose } {
+  const away = 1.25 * handleRadius(robot), y = snapped((y0 + y1) / 2, away / 16);
+  return { start: { x: snapped(x0 - away, away / 16), y, tanHalf: '0' }, goal: { x: snapped(x1 + away, away / 16), y, tanHalf: '0' } };
 }
 
 /** An exact pose near one on a path. */

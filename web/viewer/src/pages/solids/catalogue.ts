@@ -32,11 +32,11 @@ interface Example {
   state: SolidsState;
 }
 export const kExamples: readonly [Example, ...Example[]] = [
-  { name: 'Ellipsoid and cube', state: solidsState(made('ellipsoid'), made('cube'), { angle: 20 }) },
-  { name: 'Torus and star', state: solidsState(made('torus'), made('star'), { angle: 30, scale: '1/2' }) },
+  { name: 'Ellipsoid and cube', state: solidsState(made('ellipsoid'), made('cube'), { angle: 20, at: [2.5, -1.5, 0] }) },
+  { name: 'Torus and star', state: solidsState(made('torus'), made('star'), { angle: 30, scale: '1/2', at: [3, -1, 0] }) },
   { name: 'How deep a rod is in a torus', state: solidsState(made('torus'), made('rod'), { sum: 'hits', at: [1.5, 0.5, 0.25], angle: 40, scale: '1/2' }) },
   { name: 'How deep a cube is in a ball', state: solidsState(made('ball'), made('cube'), { sum: 'hits', at: [1.25, 0, 0.5], angle: 15, scale: '1/2' }) },
   { name: 'A bar that fits exactly into a channel', state: solidsState(made('channel'), made('bar'), { sum: 'hits', through: true, at: [0, 3, 0] }) },
-  { name: 'Fine torus and small ball', state: solidsState(made('fine torus'), made('small ball')) },
-  { name: 'Wheel and angle, sliced', state: solidsState(made('wheel'), made('angle'), { scale: '1/2', slice: 0.25, angle: 25, axis: 'x' }) },
+  { name: 'Fine torus and small ball', state: solidsState(made('fine torus'), made('small ball'), { at: [2.75, -1, 0.5] }) },
+  { name: 'Wheel and angle, sliced', state: solidsState(made('wheel'), made('angle'), { scale: '1/2', slice: 0.25, angle: 25, axis: 'x', at: [2, -1, 0] }) },
 ];

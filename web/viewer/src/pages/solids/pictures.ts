@@ -10,8 +10,8 @@ import type { SolidDepthAnswer, SolidFrame, SolidOperand } from './service';
 import type { Triple } from './state';
 
 /** Of the kinds of triangles in the picture of the sum, see kKinds. */
-export const kFaceColours = ['--p', '--q', '--sum', '--mark'] as const;
-export const kOperandColours = ['--p', '--q'] as const;
+export const kFaceColours = ['--p-face', '--q-face', '--sum-face', '--mark-face'] as const;
+export const kOperandColours = ['--p-face', '--q-face'] as const;
 
 /** P, and Q where it stands, as one surface of two kinds. */
 export function operandsSurface(p: SolidOperand, q: SolidOperand, placedQ: Float64Array, placement: Placement): SurfaceShape {
@@ -93,7 +93,7 @@ export function sumOverlay(frame: SolidFrame, placement: Placement, { slice, fac
   const { vertices } = frame, tight = colour('--tight'), lines: OverlayLine[] = [];
   const each = (indices: Uint32Array, size: number): Float32Array[] =>
     Array.from({ length: indices.length / size }, (_, k) => loopOf(vertices, indices.subarray(size * k, size * (k + 1)), placement));
-  lines.push({ loops: each(frame.tightTriangles, 3), closed: true, colour: tight, width: 1, fill: tight.concat('66') });
+  lines.push({ loops: each(frame.tightTriangles, 3), closed: true, colour: 'transparent', width: 1, fill: tight.concat('80') });
   lines.push({ loops: each(frame.tightSegments, 2), closed: false, colour: tight, width: 4 });
   if (slice !== null)
     lines.push({ loops: sectionLoops(vertices, frame.triangles, slice).map((loop) => placement.all(loop)), closed: true, colour: colour('--text'), width: 2 });

@@ -81,10 +81,18 @@ function movingOf(host: Host, args: SumArgs): MovingSolidSum {
   );
 }
 
+/** Whether there was a frame of this sum before: of the first one, nothing has changed. */
+function hadFrame(host: Host, args: SumArgs): boolean {
+  const mark = host.keep(`frames of ${keyOfSum(args)}`, () => ({ had: false, dispose: () => undefined })), { had } = mark;
+  mark.had = true;
+  return had;
+}
+
 function convexFrame(host: Host, args: SumArgs, start: number): SolidFrame {
   const sum = convexOf(host, args, 'frame');
   sum.set({}, poseOf(args));
-  const buffers = sum.buffers(), { triangleFacets, facetContacts, facetChanges } = buffers;
+  const buffers = sum.buffers(), { triangleFacets, facetContacts } = buffers;
+  const facetChanges = hadFrame(host, args) ? buffers.facetChanges : buffers.facetChanges.fill(0);
   const used = (t: number): boolean => buffers.triangles[3 * t] !== buffers.triangles[3 * t + 1];
   const kept = Uint32Array.from([...triangleFacets.keys()].filter(used));
   const triangles = new Uint32Array(3 * kept.length), faceOf = new Uint32Array(kept.length);
@@ -103,7 +111,7 @@ function convexFrame(host: Host, args: SumArgs, start: number): SolidFrame {
 function anyFrame(host: Host, args: SumArgs, start: number): SolidFrame {
   const moving = movingOf(host, args);
   moving.set({}, poseOf(args));
-  const shape = moving.shape(), changes = moving.faceChanges();
+  const shape = moving.shape(), marks = moving.faceChanges(), changes = hadFrame(host, args) ? marks : marks.fill(0);
   return {
     vertices: shape.vertices, triangles: shape.triangles, faceOf: shape.triangleFaces, contacts: shape.faceContacts,
     ...kindsOfFaces(shape.triangleFaces, shape.faceContacts, changes), edges: shape.edges, tightTriangles: shape.tightTriangles,
