@@ -4,6 +4,7 @@
 
 #ifndef __cpp_lib_to_chars
 #include <fast_float/fast_float.h>
+#define FMT_HEADER_ONLY
 #include <fmt/compile.h>
 
 #include <algorithm>

@@ -12,6 +12,7 @@ export default tseslint.config(
     rules: {
       'react-hooks/rules-of-hooks': 'error',
       'react-hooks/exhaustive-deps': 'error',
+      '@typescript-eslint/no-unused-vars': ['error', { argsIgnorePattern: '^_' }],
       'max-lines': ['error', 300],
       '@typescript-eslint/no-non-null-assertion': 'off', // of typed arrays and lists whose lengths are known
       '@typescript-eslint/restrict-template-expressions': ['error', { allowNumber: true }],

@@ -3,7 +3,7 @@ import type { Disposable, Dymsum, Mesh, Progress, Region } from 'dymsum';
 import { bytesOf, isMade, keyOf, type Shape } from './shape';
 import { moreSolids } from './solid_shapes';
 
-const kMostKept = 24;
+const kMostKept = 12;
 
 export class Host {
   private kept = new Map<string, Disposable>();

@@ -8,6 +8,8 @@ import { solidServices } from '../pages/solids/service';
 import { sumServices } from '../pages/sum/service';
 
 export const services = {
+  /** bytes that the module holds */
+  memory: (host: Host, _: Record<never, never>): number => host.dymsum.memoryBytes(),
   ...operandServices,
   ...sumServices,
   ...obstacleServices,

@@ -40,6 +40,7 @@ export function OperandCard({ role, tint, shape, operand, onShape, shell }: Oper
         Open…
       </button>
     </div>
+    {operand.error && <p class="refused">{operand.error.message}</p>}
     {operand.error && !isMade(shape) && <RepairRow role={role} shape={shape} shell={shell} onShape={onShape} />}
     </>
   );

@@ -39,12 +39,18 @@ function useHistory(history: History): History['document'] {
   return history.document;
 }
 
-function useCommands(props: AppProps, take: (files: InputFile[]) => void, show: (what: 'help' | 'examples') => void): Commands {
+function useCommands(props: AppProps, take: (files: InputFile[]) => void, show: (what: 'help' | 'examples') => void, setError: (error: unknown) => void): Commands {
   const { pages, engine, history } = props;
   return useMemo(
     () => ({
-      undo: () => history.undo(),
-      redo: () => history.redo(),
+      undo: () => {
+        setError(undefined);
+        history.undo();
+      },
+      redo: () => {
+        setError(undefined);
+        history.redo();
+      },
       open: () => chooseFiles(take),
       examples: () => show('examples'),
       help: () => show('help'),
@@ -57,7 +63,7 @@ function useCommands(props: AppProps, take: (files: InputFile[]) => void, show: 
         if (page && page.id !== history.document.page) history.change(firstDocument(page));
       },
     }),
-    [pages, engine, history, take, show],
+    [pages, engine, history, take, show, setError],
   );
 }
 
@@ -81,7 +87,7 @@ export function App(props: AppProps) {
       setError(e);
     }
   }, [pages, history]);
-  const commands = useCommands(props, take, setOpen);
+  const commands = useCommands(props, take, setOpen, setError);
   useKeyboard(commands);
   const dropping = useDroppedFiles(take);
   const shell = useMemo<Shell>(() => ({ engine, report, announce, setDownloads }), [engine, report, announce]);
@@ -117,7 +123,7 @@ export function App(props: AppProps) {
         </div>
         <div class="unseen" aria-live="polite">{said}</div>
       </main>
-      {open === 'help' && <Help version={engine.status.version} onClose={() => setOpen(undefined)} />}
+      {open === 'help' && <Help engine={engine} onClose={() => setOpen(undefined)} />}
     </>
   );
 }

@@ -1,6 +1,7 @@
 // The controls that panels are made of. Each is a native input with a label, so keyboard and screen readers have it.
 import type { ComponentChildren } from 'preact';
 import { useId } from 'preact/hooks';
+import { PlayButton } from './play_button';
 
 export function Section({ title, children }: { title: string; children: ComponentChildren }) {
   return (
@@ -29,11 +30,13 @@ interface SliderProps {
   ticks?: readonly Tick[];
   onInput: (value: number) => void;
   /** the thumb was let go */
-  onDone?: (value: number) => void;
+  onDone: (value: number) => void;
+  /** with a button that moves it to and fro */
+  plays?: boolean;
 }
 
-export function Slider({ label, value, min, max, step, text, ticks, onInput, onDone }: SliderProps) {
-  const id = useId();
+export function Slider(props: SliderProps) {
+  const { label, value, min, max, step, text, ticks, onInput, onDone, plays } = props, id = useId();
   const read = (event: Event): number => (event.currentTarget as HTMLInputElement).valueAsNumber;
   return (
     <div class="field">
@@ -41,10 +44,11 @@ export function Slider({ label, value, min, max, step, text, ticks, onInput, onD
         <label for={id}>{label}</label>
         <output for={id}>{text ?? String(value)}</output>
       </div>
+      {plays && <PlayButton {...props} />}
       {ticks && <Ticks ticks={ticks} min={min} max={max} />}
       <input
         id={id} type="range" min={min} max={max} step={step} value={value} aria-valuetext={text}
-        onInput={(e) => onInput(read(e))} onChange={(e) => onDone?.(read(e))}
+        onInput={(e) => onInput(read(e))} onChange={(e) => onDone(read(e))}
       />
     </div>
   );

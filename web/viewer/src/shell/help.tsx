@@ -1,7 +1,12 @@
 import { useEffect, useRef } from 'preact/hooks';
+import type { Engine } from '../engine/client';
+import { useAnswer } from '../engine/use_answer';
 import { kKeys } from './keyboard';
 
-export function Help({ version, onClose }: { version: string; onClose: () => void }) {
+const kNothing = {};
+
+export function Help({ engine, onClose }: { engine: Engine; onClose: () => void }) {
+  const memory = useAnswer(engine, 'memory', kNothing).value, { version, simd } = engine.status;
   const dialog = useRef<HTMLDialogElement>(null);
   useEffect(() => dialog.current?.showModal(), []);
   return (
@@ -20,7 +25,10 @@ export function Help({ version, onClose }: { version: string; onClose: () => voi
         </tbody>
       </table>
       <p>Drop a file on the page to open it. The address keeps all that is shown: copy it to share the picture.</p>
-      <p style={{ color: 'var(--quiet)' }}>dymsum {version}: exact Minkowski sums that stay exact while shapes move. Nothing leaves this page.</p>
+      <p style={{ color: 'var(--quiet)' }}>
+        dymsum {version}: exact Minkowski sums that stay exact while shapes move. Nothing leaves this page.{' '}
+        {memory !== undefined && `The engine${simd ? ', with vector instructions,' : ''} holds ${Math.round(memory / 1e6)} MB.`}
+      </p>
       <form method="dialog">
         <button class="primary">Close</button>
       </form>

@@ -21,6 +21,7 @@ export const kKeys: readonly (readonly [string, string])[] = [
   ['Esc', 'stop what is being computed'],
   ['?', 'this list'],
   ['arrows, + −, 0', 'in the picture: move, zoom, fit'],
+  ['Alt arrows', 'in the picture: move the shape'],
   ['Tab, then Space', 'every control'],
 ];
 

@@ -17,6 +17,8 @@ export interface Target {
   grip: (at: Point, reach: number) => Grip | undefined;
   hover: (at: Point | undefined, reach: number) => void;
   click: (at: Point, reach: number) => void;
+  /** what is dragged most moves by so much, by keys */
+  nudge: (by: Point) => void;
 }
 
 const kReachPixels = { mouse: 8, touch: 20, pen: 12 } as Record<string, number>;
@@ -112,6 +114,7 @@ export class Gestures {
   }
 
   private key(e: KeyboardEvent): void {
+    if (e.altKey) return this.nudge(e);
     const { camera, setCamera, size, fit } = this.target, step = e.shiftKey ? 120 : 30;
     const middle = { x: size().width / 2, y: size().height / 2 };
     const does = {
@@ -124,8 +127,16 @@ export class Gestures {
       '-': () => setCamera(zoomed(camera(), size(), middle, 1 / 1.2)),
       '0': fit,
     }[e.key];
-    if (!does || e.ctrlKey || e.metaKey || e.altKey) return;
+    if (!does || e.ctrlKey || e.metaKey) return;
     e.preventDefault();
     does();
+  }
+
+  private nudge(e: KeyboardEvent): void {
+    const step = (e.shiftKey ? 40 : 8) / this.target.camera().zoom;
+    const by = { ArrowLeft: { x: -step, y: 0 }, ArrowRight: { x: step, y: 0 }, ArrowUp: { x: 0, y: step }, ArrowDown: { x: 0, y: -step } }[e.key];
+    if (!by) return;
+    e.preventDefault();
+    this.target.nudge(by);
   }
 }

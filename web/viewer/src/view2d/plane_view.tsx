@@ -6,7 +6,7 @@ import { fitted, type Box, type Camera, type Size } from './camera';
 import { Gestures, type Target } from './gestures';
 import { Painter } from './painter';
 
-interface PlaneViewProps extends Partial<Pick<Target, 'grip' | 'hover' | 'click'>> {
+interface PlaneViewProps extends Partial<Pick<Target, 'grip' | 'hover' | 'click' | 'nudge'>> {
   /** what is to be seen, for those who do not see it */
   label: string;
   /** what fits into the picture at first, whenever `homeKey` changes, and when the reader asks for it */
@@ -108,6 +108,7 @@ export function PlaneView(props: PlaneViewProps) {
       grip: (at, reach) => picture.props.grip?.(at, reach),
       hover: (at, reach) => picture.props.hover?.(at, reach),
       click: (at, reach) => picture.props.click?.(at, reach),
+      nudge: (by) => picture.props.nudge?.(by),
     });
     const observer = new ResizeObserver(() => picture.resize());
     observer.observe(canvas.current!);

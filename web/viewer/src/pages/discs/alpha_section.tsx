@@ -53,7 +53,7 @@ export function AlphaSection(props: AlphaProps) {
   return (
     <Section title="Disc">
       <Choice label="What the disc makes" options={kOperations} value={state.operation} onChange={(operation) => change({ ...state, operation, event: null })} />
-      <Slider label="Diameter α" value={alpha} min={0} max={reach} step={step} text={short(alpha)} ticks={ticksOf(events)} onInput={(v) => to(v, 'live')} onDone={(v) => to(v, 'done')} />
+      <Slider label="Diameter α" value={alpha} min={0} max={reach} step={step} text={short(alpha)} ticks={ticksOf(events)} onInput={(v) => to(v, 'live')} onDone={(v) => to(v, 'done')} plays />
       <EventButtons {...props} />
       <NumberField label="Exactly" value={state.event === null ? state.alpha : `event ${state.event + 1}`} check={check} onCommit={(text) => change({ ...state, event: null, alpha: text })} />
     </Section>

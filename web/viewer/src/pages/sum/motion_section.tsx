@@ -53,7 +53,7 @@ function ScaleControls(props: MotionProps) {
     <>
       <Slider
         label={`Scale of ${name}`} value={scaleOf(state)} min={kScaleRange[0]} max={kScaleRange[1]} step={0.001} text={scaleOf(state).toFixed(3)}
-        ticks={events.ticks ?? []} onInput={(v) => to(v, 'live')} onDone={(v) => to(v, 'done')}
+        ticks={events.ticks ?? []} onInput={(v) => to(v, 'live')} onDone={(v) => to(v, 'done')} plays
       />
       <EventButtons {...props} events={events} />
       <NumberField label="Exactly" value={state.scale} check={checkScale} onCommit={(scale) => change({ ...state, scale })} />
@@ -68,7 +68,7 @@ function TurnControls({ state, change }: MotionProps) {
     <>
       <Slider
         label={`Turn of ${name}`} value={angle} min={-Math.PI} max={Math.PI} step={0.002} text={degrees(angle)}
-        onInput={(v) => to(v, 'live')} onDone={(v) => to(v, 'done')}
+        onInput={(v) => to(v, 'live')} onDone={(v) => to(v, 'done')} plays
       />
       <NumberField label="Tangent of half the angle, exactly" value={state.tanHalf} check={checkTanHalf} onCommit={(tanHalf) => change({ ...state, tanHalf })} />
     </>

@@ -26,13 +26,14 @@ export interface Event {
 }
 
 const kAreaBits = 1 << 15;
+const kWindowBytes = 16 << 20; // of each of the sums that are kept
 
 const isStill = (a: SumArgs): boolean => (a.motion === 'scale' ? Number(a.scale) === 1 : Number(a.tanHalf) === 0);
 const operandsKey = (a: SumArgs): string => `${a.moving} ${keyOf(a.p)} + ${keyOf(a.q)}`;
 
 function scaling(host: Host, a: SumArgs): ScalingSum {
   return host.keep(`scaling ${operandsKey(a)}`, () =>
-    host.dymsum.ScalingSum.create(host.region(a.p), host.region(a.q), { moving: a.moving, progress: host.progress }),
+    host.dymsum.ScalingSum.create(host.region(a.p), host.region(a.q), { moving: a.moving, keptWindowBytes: kWindowBytes, progress: host.progress }),
   );
 }
 
@@ -47,7 +48,7 @@ function withFrame<T>(host: Host, a: SumArgs, visit: (frame: { shape(): SumShape
     return visit(sum);
   }
   const sum = host.keep(`turning ${operandsKey(a)}`, () =>
-    host.dymsum.RotatingSum.create(host.region(a.p), host.region(a.q), { moving: a.moving, progress: host.progress }),
+    host.dymsum.RotatingSum.create(host.region(a.p), host.region(a.q), { moving: a.moving, keptWindowBytes: kWindowBytes, progress: host.progress }),
   );
   sum.set({ tanHalf: a.tanHalf });
   return visit(sum);
