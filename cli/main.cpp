@@ -5,7 +5,10 @@
 #include <csignal>
 #include <exception>
 #include <iostream>
+#include <memory>
 #include <new>
+#include <string>
+#include <vector>
 
 #include "arguments.h"
 #include "dymsum/version.h"
@@ -123,8 +126,26 @@ Stop wrong_usage(const CLI::App& app, const CLI::ParseError& error, int argc, ch
   return {kUsage, what + "\nUsage: " + usage + " [options]; " + "dymsum " + verb + " --help says more"};
 }
 
+/// Help that is the same in every run: CLI11 lists the options that exclude each other by where they are in memory.
+class HelpText : public CLI::Formatter {
+ public:
+  std::string make_option_opts(const CLI::Option* option) const override {
+    const std::string text = CLI::Formatter::make_option_opts(option);
+    const std::string label = " " + get_label("Excludes") + ":";
+    const std::size_t at = text.find(label);
+    if (at == std::string::npos) return text;
+    std::vector<std::string> names;
+    for (const CLI::Option* other : option->get_excludes()) names.push_back(other->get_name());
+    std::sort(names.begin(), names.end());
+    std::string sorted = text.substr(0, at) + label;
+    for (const std::string& name : names) sorted += " " + name;
+    return sorted;
+  }
+};
+
 ExitCode run(int argc, char** argv) {
   CLI::App app("dymsum: exact Minkowski sums of planar regions and of solids, and of both in motion", "dymsum");
+  app.formatter(std::make_shared<HelpText>());
   app.require_subcommand(1);
   app.set_version_flag("--version", DYMSUM_VERSION);
   app.footer(kFooter);

@@ -1,5 +1,6 @@
 #include "numbers.h"
 
+#include <algorithm>
 #include <cctype>
 #include <cmath>
 #include <cstdlib>
@@ -17,6 +18,12 @@ std::optional<double> finite_number(const std::string& text) {
   const double value = std::strtod(text.c_str(), &end);
   if (end != text.c_str() + text.size() || !std::isfinite(value)) return std::nullopt;
   return value;
+}
+
+double length_of(double x, double y, double z) {
+  const double most = std::max({std::abs(x), std::abs(y), std::abs(z)});
+  if (!(most > 0)) return 0;
+  return most * std::sqrt((x / most) * (x / most) + (y / most) * (y / most) + (z / most) * (z / most));
 }
 
 std::vector<std::string> split(const std::string& text, char separator) {

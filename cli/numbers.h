@@ -14,6 +14,10 @@ namespace dymsum::cli {
 /// doubles.
 std::optional<double> finite_number(const std::string& text);
 
+/// The length of a vector in space, with the same roundings everywhere: standard libraries differ in std::hypot of
+/// three.
+double length_of(double x, double y, double z);
+
 /// The text between separators; one more piece than separators.
 std::vector<std::string> split(const std::string& text, char separator);
 

@@ -9,7 +9,7 @@ if(DYMSUM_SIMD)
 endif()
 
 # Loops in parallel are left out: their parts follow each other.
-set(DYMSUM_OTHER_LOOPS parallel.cpp)
+set(DYMSUM_LEFT_OUT parallel.cpp)
 
 # Packages that are headers alone, by links: the whole of /usr/include would stand before the headers of emscripten's own
 # C library.

@@ -9,6 +9,7 @@
 #include <numeric>
 #include <sstream>
 
+#include "numbers.h"
 #include "pictures/page.h"
 #include "solid/solid_outputs.h"
 
@@ -107,7 +108,7 @@ std::string solid_page(const std::vector<SolidPicture>& frames, const std::vecto
   nlohmann::json list = nlohmann::json::array();
   for (const SolidPicture& frame : frames) {
     for (const Point3& at : frame.sum.at) {
-      const double far = std::hypot(at.x - middle.x, at.y - middle.y, at.z - middle.z);
+      const double far = length_of(at.x - middle.x, at.y - middle.y, at.z - middle.z);
       if (!std::isfinite(far)) throw Stop(kBadInput, "this cannot be drawn: a vertex is past the range of doubles");
       reach = std::max(reach, far);
     }

@@ -49,7 +49,7 @@ std::vector<TrackPose> read_motion(const std::string& file) {
 
 double radius_of(const Mesh& mesh) {
   double most = 0;
-  for (const Point3& v : mesh.vertices()) most = std::max(most, std::hypot(v.x, v.y, v.z));
+  for (const Point3& v : mesh.vertices()) most = std::max(most, length_of(v.x, v.y, v.z));
   return most;
 }
 
@@ -62,7 +62,7 @@ bool exact_jumps(const DepthRow& last, const DepthRow& row, double radius) {
     const double d = r.contact.euclidean_depth;
     return Point3{r.at.x + d * n.x, r.at.y + d * n.y, r.at.z + d * n.z};
   };
-  const auto gap = [](const Point3& a, const Point3& b) { return std::hypot(a.x - b.x, a.y - b.y, a.z - b.z); };
+  const auto gap = [](const Point3& a, const Point3& b) { return length_of(a.x - b.x, a.y - b.y, a.z - b.z); };
   const double turned = (row.turned * last.turned.inverse()).angle();
   if (gap(last.contact.euclidean_normal, row.contact.euclidean_normal) > 0.25 &&
       row.contact.euclidean_depth < gap(last.at, row.at))

@@ -48,7 +48,7 @@ Decimal shortest_decimal(double magnitude) {
   Decimal decimal;
   decimal.digits.assign(static_cast<const char*>(text), point);
   if (point != e) decimal.digits.append(point + 1, e);
-  if (e != end) decimal.exponent = std::atoi(e + 1);
+  if (e != end) std::from_chars(e + (e[1] == '+' ? 2 : 1), end, decimal.exponent);
   if (point != e) decimal.exponent -= static_cast<int>(e - point) - 1;
   decimal.digits.erase(0, std::min(decimal.digits.find_first_not_of('0'), decimal.digits.size() - 1));
   while (decimal.digits.size() > 1 && decimal.digits.back() == '0') {

@@ -7,6 +7,7 @@
 #include <numbers>
 #include <stdexcept>
 
+#include "base/hypot3.h"
 #include "depth/boundary_distance.h"
 #include "depth/continuous_tracker.h"
 #include "exact/big.h"
@@ -32,7 +33,7 @@ double extent(const Mesh& mesh) {
 
 double diagonal(const Mesh& mesh) {
   const std::array<double, 6> b = bounds(mesh);
-  return std::hypot(b[3] - b[0], b[4] - b[1], b[5] - b[2]);
+  return base::hypot3(b[3] - b[0], b[4] - b[1], b[5] - b[2]);
 }
 
 std::optional<Error> options_error(const ContinuousDepthOptions& o) {

@@ -671,6 +671,9 @@ export interface SolidDepth extends Disposable {
   readonly facetCount: number;
 }
 
+/** The shortest way out of two solids of any shape, of which Q turns about its origin and moves. */
+export interface TurnedDepth extends Disposable { at(q: Point3, turned?: Rotation): ConvexDepth; }
+
 export interface SolidScaleEvent {
   s: ExactText; approx: number;
   kind: 'vertex_on_facet' | 'edge_on_edge' | 'four_facets' | 'coplanar_facets';
@@ -846,6 +849,7 @@ export interface Dymsum {
   readonly MovingSolidSum: { create(p: Mesh, q: Mesh, options?: MovingSolidOptions): MovingSolidSum };
   readonly ConvexSum: { create(p: Mesh, q: Mesh): ConvexSum };
   readonly SolidDepth: { create(p: Mesh, q: Mesh, options?: { progress?: Progress }): SolidDepth };
+  readonly TurnedDepth: { create(p: Mesh, q: Mesh, options?: { progress?: Progress }): TurnedDepth };
   readonly ScalingSolidSum: {
     create(p: Mesh, q: Mesh, options?: { moving?: 'p' | 'q'; semantics?: Semantics; tight?: boolean }): ScalingSolidSum;
   };

@@ -3,7 +3,7 @@ import { throwing } from './errors.js';
 
 const classes = [
   'Region', 'PlanarSum', 'ScalingSum', 'RotatingSum', 'PlanarDepth', 'CspaceObstacle', 'ObstacleQueries', 'Mesh', 'SpatialSum',
-  'SolidSlice', 'ScalingSolidSum', 'TurningSolidSum', 'MovingSolidSum', 'ConvexSum', 'SolidDepth', 'DiscSet', 'GrowingDisc',
+  'SolidSlice', 'ScalingSolidSum', 'TurningSolidSum', 'MovingSolidSum', 'ConvexSum', 'SolidDepth', 'TurnedDepth', 'DiscSet', 'GrowingDisc',
   'ShapeFeatures',
 ];
 const functions = [

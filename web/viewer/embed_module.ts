@@ -19,3 +19,19 @@ export function embedModule(file: string, simd: boolean): Plugin {
     },
   };
 }
+
+/** Runs the page's script where the body begins, before the module's megabytes are read: scripts of type module wait for them. */
+export function runEarly(): Plugin {
+  return {
+    name: 'run-early',
+    enforce: 'post',
+    generateBundle(_, bundle) {
+      const page = bundle['index.html'];
+      if (page?.type !== 'asset') throw new Error('There is no page to put the script into.');
+      const [whole, script] = /<script type="module"[^>]*>([^]*?)<\/script>/.exec(String(page.source)) ?? [];
+      if (!whole || script === undefined) throw new Error('The page has no script in it.');
+      const early = `<div id="app"></div><script>(async()=>{${script}})()</script>`;
+      page.source = String(page.source).replace(whole, '').replace('<div id="app"></div>', () => early);
+    },
+  };
+}

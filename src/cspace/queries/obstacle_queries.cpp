@@ -6,6 +6,7 @@
 #include <numbers>
 #include <stdexcept>
 
+#include "base/hypot3.h"
 #include "base/parallel.h"
 #include "cspace/queries/clearance_search.h"
 #include "cspace/queries/containment_index.h"
@@ -29,7 +30,7 @@ double turning_radius(const Region& robot) {
     for (std::size_t k = 0; k + 1 < line.size(); ++k) {
       const Point a = line[k], b = line[k + 1];
       const double length = std::hypot(b.x - a.x, b.y - a.y);
-      add(length, std::hypot((a.x + b.x) / 2, (a.y + b.y) / 2, length / std::sqrt(12)));
+      add(length, base::hypot3((a.x + b.x) / 2, (a.y + b.y) / 2, length / std::sqrt(12)));
     }
   if (robot.polylines().empty())
     for (const Point& p : robot.points()) add(1, std::hypot(p.x, p.y));

@@ -3,6 +3,7 @@
 #include <cmath>
 #include <optional>
 
+#include "base/hypot3.h"
 #include "dymsum/solid_erosion.h"
 #include "exact/orient3.h"
 #include "spatial/erode/erosion.h"
@@ -60,7 +61,7 @@ Result<Step> rounded_vertices(const SpatialSum& sum, BetweenSteps between) {
       return error_at(ErrorCode::rounding_changed_topology,
                       "a vertex between the two operations has no doubles for coordinates", step.set.vertices[v]);
     // Gaps below the least double vanish.
-    step.moved = std::max(step.moved, std::hypot(by[0], by[1], by[2]) * (1 + 0x1p-50) + 0x1p-1072);
+    step.moved = std::max(step.moved, base::hypot3(by[0], by[1], by[2]) * (1 + 0x1p-50) + 0x1p-1072);
   }
   return step;
 }

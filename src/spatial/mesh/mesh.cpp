@@ -5,6 +5,7 @@
 #include <cmath>
 #include <limits>
 
+#include "base/hypot3.h"
 #include "dymsum/volume_text.h"
 #include "exact/big.h"
 #include "exact/decimal_text.h"
@@ -46,7 +47,7 @@ double doubled_area(const std::vector<Point3>& vertices, const Face& face, int e
     sum = {sum.x + (a.y * b.z - a.z * b.y), sum.y + (a.z * b.x - a.x * b.z), sum.z + (a.x * b.y - a.y * b.x)};
     a = b;
   }
-  return std::hypot(sum.x, sum.y, sum.z);
+  return base::hypot3(sum.x, sum.y, sum.z);
 }
 
 spatial::ScaledNumber surface_of(const Mesh& mesh) {

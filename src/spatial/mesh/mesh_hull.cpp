@@ -10,6 +10,7 @@
 #include <type_traits>
 #include <utility>
 
+#include "base/hypot3.h"
 #include "dymsum/mesh.h"
 #include "exact/vector3.h"
 #include "spatial/mesh/grid_places.h"
@@ -206,7 +207,7 @@ Result<HulledMesh> translated_hull(const Mesh& mesh, double dx, double dy, doubl
   for (const Point3& v : mesh.vertices()) {
     double x = 0, y = 0, z = 0;
     moved.push_back({plus(v.x, dx, x), plus(v.y, dy, y), plus(v.z, dz, z)});
-    report.deviation = std::max(report.deviation, std::hypot(x, y, z));
+    report.deviation = std::max(report.deviation, base::hypot3(x, y, z));
   }
   Result<Mesh> hull = convex_hull(moved);
   if (!hull) return hull.error();

@@ -44,7 +44,29 @@ function listedCommands() {
   return commands;
 }
 
+/** Doubles of all sizes: random bits, powers of two and of ten, and neighbours of both. */
+function doubles() {
+  const view = new DataView(new ArrayBuffer(8));
+  const ofBits = (bits) => (view.setBigUint64(0, BigInt.asUintN(64, bits)), view.getFloat64(0));
+  const bitsOf = (value) => (view.setFloat64(0, value), view.getBigUint64(0));
+  const numbers = [];
+  let random = 88172645463325252n;
+  for (let k = 0; k < 4000; ++k) {
+    for (const shift of [13n, -7n, 17n]) random = BigInt.asUintN(64, random ^ (shift > 0n ? random << shift : random >> -shift));
+    numbers.push(ofBits(random), Number(BigInt.asIntN(64, random)) / 2 ** (k % 70));
+  }
+  for (let k = -1074; k < 1024; k += 3) numbers.push(2 ** k, ofBits(bitsOf(2 ** k) - 1n));
+  for (let k = -307; k < 308; ++k) numbers.push(Number(`1e${k}`), ofBits(bitsOf(Number(`1e${k}`)) + 1n), Number(`123456789e${k - 8}`));
+  return numbers.filter(Number.isFinite);
+}
+
+/** Numbers as text, read and written. */
+function numberCommand() {
+  const points = doubles().map((value) => `(${value} ${-value})`);
+  return { name: 'dymsum convert numbers.wkt numbers.poly', args: ['convert', 'numbers.wkt', 'numbers.poly'], files: { 'numbers.wkt': `MULTIPOINT (${points.join(', ')})\n` } };
+}
+
 export function allCommands(verbs) {
   const helps = verbs.map((verb) => ({ name: `dymsum ${verb} --help`, args: [verb, '--help'], files: {} }));
-  return [...listedCommands(), ...helps, ...corpusCommands()];
+  return [...listedCommands(), numberCommand(), ...helps, ...corpusCommands()];
 }

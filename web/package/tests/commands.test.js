@@ -1,5 +1,6 @@
 // The module's command line and the native program give the same text, exit code and files, byte by byte, but for how long
-// things took: numbers in front of "ms" or "s", and values of keys that end in "ms". DYMSUM_NATIVE names the program.
+// things took (lines of progress, which come after two seconds, numbers in front of "ms" or "s", values of keys that end in "ms") and how much memory (of keys that end in
+// "bytes": pointers have half the size). DYMSUM_NATIVE names the program.
 import assert from 'node:assert/strict';
 import { spawnSync } from 'node:child_process';
 import { mkdirSync, mkdtempSync, readdirSync, readFileSync, rmSync, statSync, writeFileSync } from 'node:fs';
@@ -40,11 +41,13 @@ function runNative(args, files) {
   }
 }
 
-/** Times, in text and in JSON. */
+/** Without times and sizes of memory, in text and in JSON. */
 function masked(bytes) {
   return Buffer.from(bytes)
     .toString('latin1')
-    .replace(/("(?:[a-z_]*ms|time_ms)": )(-?[0-9.e+-]+|\{[^}]*\}|\[[^\]]*\])/g, '$1T')
+    .replace(/("(?:[a-z_]*ms|time_ms)": )(-?[0-9.e+-]+|\{(?:[^{}]|\{[^}]*\})*\}|\[[^\]]*\])/g, '$1T')
+    .replace(/("[a-z_]*bytes": )[0-9]+/g, '$1N')
+    .replace(/dymsum: at work for [^\n]*\n/g, '')
     .replace(/[0-9.e+-]+ (ms|s|us)\b/g, 'T $1');
 }
 

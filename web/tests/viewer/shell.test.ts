@@ -67,7 +67,7 @@ describe('the shell', () => {
     const it = await open(browser), { page } = it;
     await settled(page);
     await dropFiles(page, { 'bow.wkt': 'POLYGON ((0 0, 4 4, 4 0, 0 3, 0 0))' });
-    await expect.poll(() => page.getByRole('alert').innerText()).toMatch(/self crossing: .*bow\.wkt/);
+    await expect.poll(() => page.getByRole('alert').innerText()).toMatch(/^self crossing: .*ring crosses itself/);
     const error = await page.evaluate(() => getComputedStyle(document.documentElement).getPropertyValue('--error'));
     const [r, g, b] = [1, 3, 5].map((k) => parseInt(error.slice(k, k + 2), 16));
     const marked = (): Promise<number> =>
@@ -108,9 +108,9 @@ describe('the shell', () => {
     await page.keyboard.press('t');
     expect(await page.evaluate(() => document.documentElement.dataset.theme)).toBe('dark');
     await page.keyboard.press('?');
-    expect(await page.getByRole('dialog').isVisible()).toBe(true);
+    await expect.poll(() => page.getByRole('dialog').isVisible()).toBe(true);
     await page.keyboard.press('Escape');
-    expect(await page.getByRole('dialog').count()).toBe(0);
+    await expect.poll(() => page.getByRole('dialog').count()).toBe(0);
     const tabs = await page.locator('.tabs a').count();
     for (let k = 1; k <= tabs; ++k) {
       await page.keyboard.press(String(k));

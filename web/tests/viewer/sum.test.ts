@@ -32,7 +32,7 @@ describe('the page of sums', () => {
     await page.keyboard.press('Enter');
     await expect.poll(() => readout(page, 'area')).toBe('11.1111');
     expect(await page.getByRole('button', { name: 'Copy the exact area' }).innerText()).toBe('100/9');
-    await page.getByLabel('Scale of P').focus();
+    await page.getByRole('slider', { name: 'Scale of P' }).focus();
     await page.keyboard.press('ArrowRight');
     expect(await page.getByLabel('Exactly').inputValue()).toBe('2.334');
     await page.getByLabel('Exactly').fill('-1');
@@ -115,7 +115,7 @@ describe('the page of sums', () => {
     const it = await opened(), { page } = it, canvas = page.locator('canvas.plane');
     for (const stage of ['convolution', 'cells proved to be covered', 'crossings', 'loops that were dropped', 'P', 'Q', 'sum']) {
       const before = await canvas.screenshot();
-      await page.getByLabel(stage, { exact: true }).click();
+      await page.getByRole('checkbox', { name: stage, exact: true }).click();
       if (stage === 'cells proved to be covered' || stage === 'loops that were dropped') continue; // a small sum may have none
       await expect.poll(async () => before.equals(await canvas.screenshot()), { timeout: 10_000 }).toBe(false);
     }

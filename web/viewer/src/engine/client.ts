@@ -35,6 +35,8 @@ const kCancelled: ErrorData = { code: 'cancelled', reason: 'Cancelled.', message
 
 export class Engine {
   private worker: Worker | undefined;
+  /** the worker has been given its module */
+  private given: Promise<void> = Promise.resolve();
   private open = new Map<number, Open>();
   private lastId = 0;
   private listeners = new Set<() => void>();
@@ -43,16 +45,17 @@ export class Engine {
   /** `makeWorker` and `module` are asked for whenever a worker starts. */
   constructor(
     private makeWorker: () => Worker,
-    private module: () => Start,
+    private module: () => Promise<Start>,
   ) {}
 
   /** Starts the worker; the first request does, too. */
   start(): void {
     if (this.worker) return;
-    this.worker = this.makeWorker();
-    this.worker.onmessage = (event: MessageEvent<Reply>) => this.take(event.data);
-    this.worker.onerror = (event) => this.take({ kind: 'broken', message: event.message || 'its worker could not start' });
-    this.worker.postMessage(this.module());
+    const worker = this.makeWorker();
+    this.worker = worker;
+    worker.onmessage = (event: MessageEvent<Reply>) => this.take(event.data);
+    worker.onerror = (event) => this.take({ kind: 'broken', message: event.message || 'its worker could not start' });
+    this.given = this.module().then((module) => worker.postMessage(module));
   }
 
   get status(): EngineStatus {
@@ -69,7 +72,8 @@ export class Engine {
     const id = ++this.lastId;
     return new Promise<Answer<K>>((resolve, reject) => {
       this.open.set(id, { resolve, reject, since: performance.now() });
-      this.worker!.postMessage({ id, service, args } satisfies Request);
+      const worker = this.worker!;
+      void this.given.then(() => worker.postMessage({ id, service, args } satisfies Request));
       this.update({});
     });
   }

@@ -1,6 +1,7 @@
 // What the worker keeps between requests: the module, and the objects that were made for the last few operands.
 import type { Disposable, Dymsum, Mesh, Progress, Region } from 'dymsum';
 import { bytesOf, isMade, keyOf, type Shape } from './shape';
+import { moreSolids } from './solid_shapes';
 
 const kMostKept = 12;
 
@@ -43,7 +44,7 @@ export class Host {
 
   mesh(shape: Shape): Mesh {
     return this.keep(`mesh ${keyOf(shape)}`, () =>
-      isMade(shape) ? this.make<Mesh>(this.dymsum.solids, shape) : this.dymsum.Mesh.read(shape.name, bytesOf(shape)),
+      isMade(shape) ? this.make<Mesh>({ ...this.dymsum.solids, ...moreSolids(this.dymsum) }, shape) : this.dymsum.Mesh.read(shape.name, bytesOf(shape)),
     );
   }
 

@@ -3,6 +3,8 @@ import type { Host } from './host';
 import { operandServices } from '../operands/service';
 import { discServices } from '../pages/discs/service';
 import { nestingServices } from '../pages/nesting/service';
+import { obstacleServices } from '../pages/obstacle/service';
+import { solidServices } from '../pages/solids/service';
 import { sumServices } from '../pages/sum/service';
 
 export const services = {
@@ -10,6 +12,8 @@ export const services = {
   memory: (host: Host, _: Record<never, never>): number => host.dymsum.memoryBytes(),
   ...operandServices,
   ...sumServices,
+  ...obstacleServices,
+  ...solidServices,
   ...discServices,
   ...nestingServices,
 };

@@ -4,7 +4,8 @@ export type Generator =
   | 'rectangle' | 'disc' | 'gear' | 'grate' | 'comb' | 'star' | 'noisyStar' | 'spiral' | 'letterU' | 'letterL' | 'pockets' | 'randomPolygon';
 export type SolidGenerator =
   | 'box' | 'tessellatedCube' | 'cone' | 'cylinder' | 'dipyramid' | 'pyramid' | 'geodesicSphere' | 'ellipsoid' | 'triakisIcosahedron'
-  | 'truncatedIcosidodecahedron' | 'rod';
+  | 'truncatedIcosidodecahedron' | 'rod'
+  | 'torus' | 'wheel' | 'starPrism' | 'channel' | 'angle';
 
 /** The text of a file, its name with the extension that tells the format; binary files in base64. */
 export interface FileShape {

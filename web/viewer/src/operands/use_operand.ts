@@ -8,6 +8,8 @@ import { Outline } from './outline';
 export interface Operand {
   outline: Outline | undefined;
   error: EngineError | undefined;
+  /** what `outline` and `error` are of */
+  of: Shape | undefined;
   /** a valid operand of the shape that was asked about */
   ready: boolean;
 }
@@ -21,5 +23,5 @@ export function useOperand(shell: Shell, shape: Shape): Operand {
   useEffect(() => {
     if (error ?? asked.error) shell.report(error ?? asked.error);
   }, [shell, error, asked.error]);
-  return { outline, error, ready: asked.of?.shape === shape && !error };
+  return { outline, error, of: asked.of?.shape, ready: asked.of?.shape === shape && !error };
 }

@@ -6,7 +6,7 @@ interface BarcodeProps {
   /** with their indices, the longest first */
   bars: readonly (readonly [number, FeatureBar])[];
   alpha: number;
-  /** the bars that last this long are cut at */
+  /** bars of at least this significance are cut at */
   persistence: number | undefined;
   chosen: number | null;
   onChoose: (bar: number) => void;
@@ -16,6 +16,11 @@ const kWidth = 306, kRow = 7, kHead = 4;
 
 export function lifeOf(bar: FeatureBar): number {
   return bar.deathAlpha - bar.birthAlpha;
+}
+
+/** What cuts go by: the lesser of how long a pocket lasts and how deep it is; of gaps their life. */
+export function significanceOf(bar: FeatureBar): number {
+  return bar.minimum === null ? lifeOf(bar) : Math.min(lifeOf(bar), bar.concavity);
 }
 
 /** The diameters that a barcode of these bars shows. */
@@ -37,7 +42,7 @@ export function Barcode({ bars, alpha, persistence, chosen, onChoose }: BarcodeP
     <svg class="barcode" viewBox={`0 0 ${kWidth} ${height}`} tabIndex={0} role="listbox" aria-label="Bars, the longest first" onKeyDown={onKey}>
       <line x1={x(alpha)} x2={x(alpha)} y1="0" y2={height} stroke="var(--sum)" stroke-width="1.5" />
       {bars.map(([index, bar], row) => {
-        const y = kHead + row * kRow + kRow / 2, kept = persistence !== undefined && lifeOf(bar) >= persistence;
+        const y = kHead + row * kRow + kRow / 2, kept = persistence !== undefined && significanceOf(bar) >= persistence;
         const name = `${bar.born} at ${short(bar.birthAlpha)}, ${bar.died} at ${short(bar.deathAlpha)}`;
         return (
           <g key={index} role="option" aria-selected={index === chosen} aria-label={name} onClick={() => onChoose(index)}>

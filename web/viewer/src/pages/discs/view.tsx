@@ -8,7 +8,7 @@ import { Panel, Stage } from '../../shell/parts';
 import type { Point } from '../../view2d/camera';
 import { PlaneView } from '../../view2d/plane_view';
 import { AlphaSection, alphaOf } from './alpha_section';
-import { Barcode, reachOf } from './barcode';
+import { Barcode, reachOf, significanceOf } from './barcode';
 import { paintDiscs, type DiscScene } from './picture';
 import { discState, type DiscState } from './state';
 import { useDiscs, type DiscData } from './use_discs';
@@ -34,7 +34,7 @@ function sceneOf({ bar }: DiscState, data: DiscData): DiscScene {
 }
 
 function BarsSection({ state, change, shell, data }: PageProps<DiscState> & { data: DiscData }) {
-  const { bars, barCount, texts, cuts } = data, reach = reachOf(bars), persistence = Number(state.persistence);
+  const { bars, barCount, texts, cuts } = data, reach = reachOf(bars), persistence = Number(state.persistence), most = Math.max(0, ...bars.map(([, b]) => significanceOf(b)).filter(Number.isFinite)) * 1.05 || reach;
   const chosen = bars.find(([k]) => k === state.bar)?.[1];
   const to = (value: number, how: 'live' | 'done'): void => change({ ...state, cuts: true, persistence: String(value) }, how);
   return (
@@ -48,7 +48,7 @@ function BarsSection({ state, change, shell, data }: PageProps<DiscState> & { da
         </>
       )}
       <Toggle label="cuts" value={state.cuts} onChange={(on) => change({ ...state, cuts: on })} />
-      <Slider label="at bars that last at least τ" value={persistence} min={0} max={reach} step={10 ** Math.floor(Math.log10(reach / 500))} text={short(persistence)} onInput={(v) => to(v, 'live')} onDone={(v) => to(v, 'done')} />
+      <Slider label="at pockets that last and are deep, at least τ" value={persistence} min={0} max={most} step={10 ** Math.floor(Math.log10(most / 500))} text={short(persistence)} onInput={(v) => to(v, 'live')} onDone={(v) => to(v, 'done')} />
       {state.cuts && cuts && <Readouts rows={[['cuts', cuts.cuts.length], ['pieces', cuts.areas.length]]} />}
     </Section>
   );
@@ -69,7 +69,7 @@ export function View(props: PageProps<DiscState>) {
     <>
       <Stage>
         <PlaneView
-          label={`${state.shape.name} and a disc of diameter ${short(alphaOf(state))}`} home={home} homeKey={state.shape.name} camera={state.camera}
+          label={`${state.shape.name} and a disc of diameter ${short(alphaOf(state))}`} home={home} homeKey={operand.of?.name ?? ''} camera={state.camera}
           onCamera={(camera) => change({ ...state, camera }, 'aside')} shows={answer} paint={(painter) => paintDiscs(painter, scene, set?.radius ?? alphaOf(state) / 2)}
         />
       </Stage>

@@ -35,7 +35,9 @@ function useNesting(shell: Shell, state: NestingState) {
   useEffect(() => {
     if (error) shell.report(error);
   }, [shell, error]);
-  return { a, b, nfp: picture, placed: place.value, placedAt: place.of?.at, error };
+  return { a, b, nfp: picture, placed: place.value, placedAt: place.of?.at, error,
+    /** the shapes that all of it is of */
+    of: nfp.of && place.of?.a === nfp.of.a && place.of.b === nfp.of.b ? nfp.of : undefined };
 }
 
 function wrongPlaces(a: Operand, b: Operand): Point[] {
@@ -74,10 +76,10 @@ export function View(props: PageProps<NestingState>) {
   useDownloads(shell, state, nfp !== undefined);
   const byB = placing(1, 0, placed?.approx.x ?? 0, placed?.approx.y ?? 0);
   const failed = a.error ?? b.error;
-  const ready = failed ?? (nfp && placed);
+  const homeKey = failed ? `${a.of?.name} ${b.of?.name}` : data.of ? `${data.of.a.name} ${data.of.b.name}` : '';
   const home = useMemo(
-    () => (ready ? unionOf([a.outline?.box, appliedToBox(byB, b.outline?.box), failed ? undefined : nfp?.box]) : undefined),
-    [!ready, a.outline, b.outline], // eslint-disable-line react-hooks/exhaustive-deps -- the picture does not follow drags
+    () => (homeKey ? unionOf([a.outline?.box, appliedToBox(byB, b.outline?.box), failed ? undefined : nfp?.box]) : undefined),
+    [homeKey], // eslint-disable-line react-hooks/exhaustive-deps -- of the picture as it is then
   );
   const put = (at: Placement, how: 'live' | 'done'): void => change({ ...state, at }, how);
   const grip = (at: Point, reach: number): Grip | undefined => {
@@ -95,8 +97,8 @@ export function View(props: PageProps<NestingState>) {
     <>
       <Stage>
         <PlaneView
-          label={`The no-fit polygon of ${state.b.name} around ${state.a.name}. ${placed ? meetingText(placed) : ''}`} home={home} homeKey={`${state.a.name} ${state.b.name}`}
-          camera={state.camera} onCamera={(camera) => change({ ...state, camera }, 'aside')} grip={grip} nudge={nudge} shows={ready && placed} paint={(painter) => paintNesting(painter, scene)}
+          label={`The no-fit polygon of ${state.b.name} around ${state.a.name}. ${placed ? meetingText(placed) : ''}`} home={home} homeKey={homeKey}
+          camera={state.camera} onCamera={(camera) => change({ ...state, camera }, 'aside')} grip={grip} nudge={nudge} shows={nfp && placed} paint={(painter) => paintNesting(painter, scene)}
         />
         <div class="status">{placed && meetingText(placed)}</div>
       </Stage>

@@ -1,5 +1,6 @@
 import { useEffect, useMemo, useState } from 'preact/hooks';
 import { EngineError } from '../../engine/client';
+import type { Shape } from '../../engine/shape';
 import { OperandCard } from '../../operands/operand_card';
 import { Choice, Section } from '../../shell/controls';
 import type { Download, PageProps, Shell } from '../../shell/page';
@@ -60,13 +61,19 @@ function sceneOf(state: SumState, data: SumData, pull: Pull | undefined, { chose
   };
 }
 
-function homeOf(scene: SumScene, data: SumData): Box | undefined {
-  if (!data.sum && !data.p.error && !data.q.error) return undefined;
-  return unionOf([appliedToBox(scene.byP, scene.p?.box), appliedToBox(scene.byQ, scene.q?.box), appliedToBox(scene.bySum, scene.sum?.box)]);
-}
-
 /** The same for a shape of which a vertex was pulled. */
-const withoutEdits = (name: string): string => name.replace(/\*?(\.\w+)?$/, '');
+const withoutEdits = (shape: Shape | undefined): string => shape?.name.replace(/\*?(\.\w+)?$/, '') ?? '';
+
+/** What fits into the picture, and a name of it that changes when it is to be fitted again: with the shapes, but not while they are dragged. */
+function useHome(scene: SumScene, { sum, of, p, q }: SumData): { home: Box | undefined; homeKey: string } {
+  const failed = p.error ?? q.error, isKnown = failed ? p.of && q.of : sum && of;
+  const homeKey = isKnown ? `${withoutEdits(failed ? p.of : of?.p)} ${withoutEdits(failed ? q.of : of?.q)}` : '';
+  const home = useMemo(
+    () => (homeKey ? unionOf([appliedToBox(scene.byP, scene.p?.box), appliedToBox(scene.byQ, scene.q?.box), appliedToBox(scene.bySum, scene.sum?.box)]) : undefined),
+    [homeKey], // eslint-disable-line react-hooks/exhaustive-deps -- of the scene as it is then
+  );
+  return { home, homeKey };
+}
 
 export function View({ state, change, shell }: PageProps<SumState>) {
   const [tool, setTool] = useState<Tool>('move');
@@ -75,7 +82,6 @@ export function View({ state, change, shell }: PageProps<SumState>) {
   const pointing = usePointing(shell, state, data.args, sum);
   useDownloads(shell, data.args, sum !== undefined);
   const scene = sceneOf(state, data, pull, pointing);
-  const home = useMemo(() => homeOf(scene, data), [sum === undefined, data.p.outline, data.q.outline]); // eslint-disable-line react-hooks/exhaustive-deps -- the picture does not follow drags
   const nearest = (at: Point, reach: number) => sum?.nearest(inverted(scene.bySum, at), reach);
   const context = { shell, state, change, outlines: { p: data.p.outline, q: data.q.outline }, tool, setPull };
   return (
@@ -83,7 +89,7 @@ export function View({ state, change, shell }: PageProps<SumState>) {
       <Stage>
         <PlaneView
           label={`The sum of ${state.p.name} and ${state.q.name}: ${sum ? `${sum.counts.vertices} vertices, ${sum.counts.holes} holes` : 'not known yet'}`}
-          home={home} homeKey={`${withoutEdits(state.p.name)} ${withoutEdits(state.q.name)}`} camera={state.camera}
+          {...useHome(scene, data)} camera={state.camera}
           onCamera={(camera) => change({ ...state, camera }, 'aside')} cursor={pointing.hovered ? 'pointer' : 'grab'}
           nudge={(by) => change(draggedState('move', state, state.moving, { x: 0, y: 0 }, by, Math.hypot(by.x, by.y) / 4))}
           grip={(at, reach) => gripOf(context, at, reach)} hover={(at, reach) => pointing.hover(at && nearest(at, reach))}

@@ -1,0 +1,20 @@
+import { planarShapes } from '../../operands/planar_files';
+import type { Page } from '../../shell/page';
+import { kExamples } from './examples';
+import { parseObstacleState, type ObstacleState } from './state';
+import { kSummary, View } from './view';
+
+export const obstaclePage: Page<ObstacleState> = {
+  id: 'obstacle',
+  title: 'Robot',
+  summary: kSummary,
+  examples: kExamples,
+  parse: parseObstacleState,
+  /** One file is the obstacle, two are the robot and the obstacle. */
+  take: (files, state) => {
+    const shapes = planarShapes(files, 2);
+    const [robot, obstacle] = shapes.length === 2 ? shapes : [state.robot, shapes[0]!];
+    return { ...state, robot: robot, obstacle: obstacle, path: false, unplaced: true };
+  },
+  View,
+};

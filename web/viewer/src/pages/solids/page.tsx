@@ -1,0 +1,24 @@
+import { shapeOfFile } from '../../engine/shape';
+import type { Page } from '../../shell/page';
+import { kExamples } from './catalogue';
+import { parseSolidsState, type SolidsState } from './state';
+import { kSummary, View } from './view';
+
+const kSolidFile = /\.(off|obj|stl|ply)$/i;
+
+export const solidsPage: Page<SolidsState> = {
+  id: 'solids',
+  title: 'Solids',
+  summary: kSummary,
+  examples: kExamples,
+  parse: parseSolidsState,
+  /** One file is P, two are P and Q. */
+  take: (files, state) => {
+    const other = files.find((f) => !kSolidFile.test(f.name));
+    if (other) throw new Error(`"${other.name}" holds no solid: this page takes .off, .obj, .stl and .ply.`);
+    if (files.length > 2) throw new Error(`${files.length} files are too many: this page takes up to 2.`);
+    const [p, q] = files.map(shapeOfFile);
+    return { ...state, p: p!, ...(q ? { q } : {}) };
+  },
+  View,
+};
