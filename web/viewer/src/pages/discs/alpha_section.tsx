@@ -37,7 +37,7 @@ function EventButtons({ state, change, events }: AlphaProps) {
     <div class="row">
       <button disabled={!events || before < 0} onClick={() => go(before)}>‹ Event</button>
       <button disabled={!events || next >= count} onClick={() => go(next)}>Next event ›</button>
-      <span style={{ color: 'var(--quiet)' }}>{events ? (state.event === null ? `${count} events` : `${state.event + 1} of ${count}, exactly`) : '…'}</span>
+      <span style={{ color: 'var(--quiet)' }}>{events ? (state.event === null ? `${count} ${count === 1 ? 'event' : 'events'}` : `${state.event + 1} of ${count}, exactly`) : '…'}</span>
     </div>
   );
 }

@@ -13,7 +13,7 @@ export const discsPage: Page<DiscState> = {
     { name: 'Gear, cut', state: discState(made('gear'), { alpha: '0.4', cuts: true, persistence: '0.5' }) },
     { name: 'Plate with pockets, shrunk', state: discState(made('pockets'), { operation: 'eroded', alpha: '0.25' }) },
     { name: 'Noisy star', state: discState(made('noisy star'), { alpha: '0.1', cuts: true, persistence: '0.2' }) },
-    { name: 'Random polygon, cut', state: discState(made('random'), { alpha: '0.5', cuts: true, persistence: '1' }) },
+    { name: 'Random polygon, cut', state: discState(made('random'), { alpha: '0.2', cuts: true, persistence: '0.15' }) },
     { name: 'Spiral', state: discState(made('spiral'), { alpha: '1' }) },
   ],
   parse: parseDiscState,

@@ -39,7 +39,7 @@ function EventButtons({ state, change, shell, events }: MotionProps & { events: 
       </button>
       <button onClick={() => void next().catch(shell.report)}>Next event ›</button>
       <button onClick={events.find} disabled={events.ticks !== undefined}>
-        {events.ticks ? `${events.ticks.length} events` : 'Find all'}
+        {events.ticks ? `${events.ticks.length} ${events.ticks.length === 1 ? 'event' : 'events'}` : 'Find all'}
       </button>
     </div>
   );

@@ -29,7 +29,8 @@ export function PickedSection({ picked, shell }: { picked: Picked | undefined; s
 }
 
 export function ResultSection({ data, shell }: { data: SumData; shell: Shell }) {
-  const counts = data.sum?.counts, area = data.area;
+  const refused = data.p.error ?? data.q.error;
+  const counts = refused ? undefined : data.sum?.counts, area = refused ? undefined : data.area;
   return (
     <Section title="Sum">
       <Readouts
@@ -38,8 +39,8 @@ export function ResultSection({ data, shell }: { data: SumData; shell: Shell }) 
           ['holes', counts?.holes],
           ['vertices', counts?.vertices],
           ['tight points, segments', counts && `${counts.tightPoints}, ${counts.tightSegments}`],
-          ['computed in', data.ms === undefined ? undefined : `${data.ms.toFixed(1)} ms`],
-          ['area', area ? short(Number(area.decimal)) : '…'],
+          ['computed in', refused || data.ms === undefined ? undefined : `${data.ms.toFixed(1)} ms`],
+          ['area', area ? short(Number(area.decimal)) : refused ? undefined : '…'],
         ]}
       />
       {area?.exact && <ExactText label="the exact area" text={area.exact} shell={shell} />}

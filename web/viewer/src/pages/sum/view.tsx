@@ -80,7 +80,7 @@ export function View({ state, change, shell }: PageProps<SumState>) {
   const [pull, setPull] = useState<Pull | undefined>();
   const data = useSum(shell, state, pull), { sum } = data;
   const pointing = usePointing(shell, state, data.args, sum);
-  useDownloads(shell, data.args, sum !== undefined);
+  useDownloads(shell, data.args, sum !== undefined && !data.p.error && !data.q.error);
   const scene = sceneOf(state, data, pull, pointing);
   const nearest = (at: Point, reach: number) => sum?.nearest(inverted(scene.bySum, at), reach);
   const context = { shell, state, change, outlines: { p: data.p.outline, q: data.q.outline }, tool, setPull };
