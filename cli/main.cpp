@@ -57,9 +57,7 @@ void add_verbs(CLI::App& app, Action& action) {
   add_info(app, action);
   add_convert(app, action);
   add_hull(app, action);
-#ifdef DYMSUM_VIEW
   add_view(app, action);
-#endif
 }
 
 std::vector<std::string> verb_names(const CLI::App& app) {

@@ -33,6 +33,6 @@ void add_decompose(CLI::App& app, Action& action);
 void add_info(CLI::App& app, Action& action);
 void add_convert(CLI::App& app, Action& action);
 void add_hull(CLI::App& app, Action& action);
-void add_view(CLI::App& app, Action& action);  ///< where there is a server
+void add_view(CLI::App& app, Action& action);
 
 }  // namespace dymsum::cli

@@ -1,24 +1,18 @@
 // dymsum view FILES
 #include <CLI/CLI.hpp>
-#include <chrono>
-#include <csignal>
-#include <cstdlib>
-#include <ctime>
 #include <iostream>
 #include <memory>
 
 #include "options.h"
 #include "solid/solid_operands.h"
 #include "verbs/commands.h"
-#include "viewer/loopback_server.h"
+#include "viewer/serving.h"
 #include "viewer/viewer_data.h"
 #include "viewer/viewer_file.h"
 #include "viewer/watched_inputs.h"
 
 namespace dymsum::cli {
 namespace {
-
-constexpr long kLookNanoseconds = 250'000'000;
 
 struct ViewCommand {
   const CLI::App* parser = nullptr;
@@ -66,22 +60,6 @@ void check_inputs(const ViewCommand& command, const std::string& page) {
   }
 }
 
-/// The next of these signals, or 0 where none comes for a quarter of a second.
-int next_signal(const sigset_t& signals) {
-  const timespec patience{0, kLookNanoseconds};
-  const int signal = sigtimedwait(&signals, nullptr, &patience);
-  return signal < 0 ? 0 : signal;
-}
-
-void open_browser(const std::string& address) {
-  if (std::system("command -v xdg-open >/dev/null 2>&1") != 0) {
-    std::cerr << "dymsum: there is no xdg-open here: open the address in a browser\n";
-    return;
-  }
-  const int started = std::system(("xdg-open " + address + " >/dev/null 2>&1 </dev/null &").c_str());
-  if (started != 0) std::cerr << "dymsum: xdg-open cannot be started: open the address in a browser\n";
-}
-
 /// Tells which files changed, and what is wrong with them now.
 void tell_changes(const ViewCommand& command, const std::string& page, const std::vector<std::size_t>& changed) {
   for (const std::size_t i : changed) std::cerr << command.files[i] << " has changed\n";
@@ -97,31 +75,9 @@ ExitCode run_view(const ViewCommand& command) {
   refuse_unused_format(command.files, command.input);
   check_inputs(command, page);
   WatchedInputs watched(command.files, command.input);
-  ViewerData data{page, watched.inputs(), viewer_parameters(*command.parser), true, 0};
-  LoopbackServer server(static_cast<int>(command.port));
-  const auto show = [&] {
-    const std::string text = viewer_json(data);
-    server.show(viewer_with(viewer, text), text, data.revision);
-  };
-  show();
-  std::cout << server.address() << std::endl;
-  std::cerr << "dymsum: at this address until Ctrl-C\n";
-  if (!command.no_open) open_browser(server.address());
-
-  // Blocked in all threads of the server, so that they come here.
-  sigset_t signals;
-  sigemptyset(&signals);
-  for (const int signal : {SIGINT, SIGTERM, SIGHUP}) sigaddset(&signals, signal);
-  sigprocmask(SIG_BLOCK, &signals, nullptr);
-  server.start();
-  while (next_signal(signals) == 0) {
-    const std::vector<std::size_t> changed = watched.take_changes();
-    if (changed.empty()) continue;
-    data.inputs = watched.inputs();
-    ++data.revision;
-    show();
-    tell_changes(command, page, changed);
-  }
+  serve(viewer, {page, watched.inputs(), viewer_parameters(*command.parser), true, 0}, watched,
+        {static_cast<int>(command.port), !command.no_open,
+         [&](const std::vector<std::size_t>& changed) { tell_changes(command, page, changed); }});
   return kDone;
 }
 

@@ -27,8 +27,8 @@ struct ViewerData {
   std::size_t revision = 0;
 };
 
-/// The input that an operand names: the bytes of FILE, of "-" or of a footprint. What is not a whole file as it stands is
-/// given as the same regions in .wkt, or the same solid in .off: one shape of several, maps, and what is repaired or
+/// The input that an operand names: the bytes of FILE, of "-" or of a footprint. What is not a whole file as it stands
+/// is given as the same regions in .wkt, or the same solid in .off: one shape of several, maps, and what is repaired or
 /// taken as its hull, unless it cannot be. Stops with bad input where the file cannot be read.
 ViewerInput viewer_input(const std::string& operand, const InputOptions& options);
 

@@ -28,7 +28,7 @@ function runNative(args, files) {
       mkdirSync(dirname(join(folder, path)), { recursive: true });
       writeFileSync(join(folder, path), text);
     }
-    const { status, stdout, stderr } = spawnSync(native, args, { cwd: folder, input: '', maxBuffer: 1 << 28 });
+    const { status, stdout, stderr } = spawnSync(native, args, { cwd: folder, input: '', maxBuffer: 1 << 28, env: { ...process.env, DYMSUM_VIEWER: '' } });
     const written = {};
     for (const path of filesBelow(folder)) {
       const name = relative(folder, path);
