@@ -217,7 +217,8 @@ TEST_F(View, ManyStreamsLeaveTheOthersAnswered) {
       const auto answer = client.Get("/events", {}, seen, [](const char*, std::size_t) { return true; });
       return answer ? answer->status : 0;
     }));
-    while (answered <= i && streams.back().wait_for(std::chrono::milliseconds(5)) != std::future_status::ready) continue;
+    while (answered <= i && streams.back().wait_for(std::chrono::milliseconds(5)) != std::future_status::ready)
+      continue;
   }
   EXPECT_EQ(data(served)["revision"], 0);
   EXPECT_EQ(served.end(SIGINT), 0);
