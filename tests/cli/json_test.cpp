@@ -144,6 +144,7 @@ TEST_F(JsonReports, FollowTheSchema) {
     std::istringstream words(line.starts_with("The verbs are ") ? line.substr(14) : "");
     for (std::string verb; words >> verb;) known.insert(verb);
   }
+  known.erase("view");  // serves until it is stopped, and reports nothing
   for (const Case& c : kCases) {
     if (c.name != "failure" && !known.contains(c.command.substr(0, c.command.find(' ')))) continue;
     const Outcome outcome = work.run("dymsum " + c.command + " --json");

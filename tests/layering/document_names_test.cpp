@@ -138,7 +138,7 @@ TEST(Documents, PagesThatCommentsNameAreThere) {
   std::size_t named = 0;
   for (const fs::path& source : sources()) {
     const std::string file = fs::relative(source, kRoot).generic_string();
-    if (file.starts_with("tests/") || file.starts_with("bench/")) continue;
+    if (file.find("tests/") != std::string::npos || file.starts_with("bench/")) continue;
     for (const std::string& page : all_matches(text_of(source), kPage)) {
       ++named;
       const bool whole = page.find('/') != std::string::npos;

@@ -1,6 +1,6 @@
 // TurnedDepth: the shortest way out of overlap of two solids of any shape, of which Q turns and moves.
-#include "dymsum/continuous_depth.h"
 #include "arrays.h"
+#include "dymsum/continuous_depth.h"
 #include "options.h"
 #include "solid_feature.h"
 
@@ -15,8 +15,7 @@ std::shared_ptr<ContinuousDepth> turned_depth(const Mesh& p, const Mesh& q, cons
 }
 
 val depth_at(ContinuousDepth& depth, const val& at, const val& turned) {
-  const ContinuousContact contact =
-      got(depth.query(point3_in(at), is_none(turned) ? Rotation{} : rotation_in(turned)));
+  const ContinuousContact contact = got(depth.query(point3_in(at), is_none(turned) ? Rotation{} : rotation_in(turned)));
   val v = val::object();
   v.set("inside", contact.meeting == Meeting::overlapping);
   v.set("depth", contact.euclidean_depth);

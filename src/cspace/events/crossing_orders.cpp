@@ -20,8 +20,7 @@ void CrossingOrders::find(std::uint32_t i, std::vector<LineCrossing>& list) cons
     std::size_t last = first + 1;
     for (double high = list[first].high; last < list.size() && list[last].low <= high; ++last)
       high = std::max(high, list[last].high);
-    if (last - first >= kMany)
-      find(w_.segments[i], std::span(list).subspan(first, last - first), orders);
+    if (last - first >= kMany) find(w_.segments[i], std::span(list).subspan(first, last - first), orders);
     first = last;
   }
 }
