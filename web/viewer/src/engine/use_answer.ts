@@ -1,5 +1,5 @@
 // The answer to the newest question of a component. While one is computed only the newest of the others waits.
-import { useEffect, useRef, useState } from 'preact/hooks';
+import { useLayoutEffect, useRef, useState } from 'preact/hooks';
 import type { Engine } from './client';
 import type { Answer, Args, ServiceName } from './services';
 
@@ -61,10 +61,10 @@ class Asker<K extends ServiceName> {
 export function useAnswer<K extends ServiceName>(engine: Engine, service: K, args: Args<K> | undefined): Asked<K> {
   const [asked, show] = useState<Asked<K>>({ value: undefined, of: undefined, error: undefined });
   const asker = useRef<Asker<K>>();
-  useEffect(() => {
+  useLayoutEffect(() => { // at once: other effects wait for the next frame
     asker.current = new Asker(engine, service, show);
     return () => asker.current?.leave();
   }, [engine, service]);
-  useEffect(() => asker.current!.ask(args));
+  useLayoutEffect(() => asker.current!.ask(args));
   return asked;
 }

@@ -1,5 +1,5 @@
 // A picture of the plane that can be moved, zoomed and touched.
-import { useEffect, useMemo, useRef } from 'preact/hooks';
+import { useEffect, useLayoutEffect, useMemo, useRef } from 'preact/hooks';
 import { useTheme } from '../shell/theme';
 import { paintBackdrop } from './backdrop';
 import { fitted, type Box, type Camera, type Size } from './camera';
@@ -17,7 +17,7 @@ interface PlaneViewProps extends Partial<Pick<Target, 'grip' | 'hover' | 'click'
   /** the reader has looked elsewhere */
   onCamera?: (camera: Camera) => void;
   cursor?: string;
-  /** what is computed and drawn now: tests and other scripts read off the canvas how often it has changed */
+  /** what is computed and drawn now: tests read off the canvas how often it has changed */
   shows?: unknown;
   paint: (painter: Painter) => void;
 }
@@ -35,6 +35,7 @@ class Picture {
   private settling = 0;
   private shown: unknown;
   private changes = 0;
+  private frames = 0;
 
   /** Paints once before the screen shows the next picture. */
   again(): void {
@@ -85,6 +86,7 @@ class Picture {
 
   private tell({ x, y, zoom }: Camera): void {
     const data = this.canvas!.dataset;
+    data.frame = String(++this.frames);
     data.camera = `${x} ${y} ${zoom}`;
     if (this.props.shows === undefined || this.props.shows === this.shown) return;
     this.shown = this.props.shows;
@@ -114,6 +116,6 @@ export function PlaneView(props: PlaneViewProps) {
     observer.observe(canvas.current!);
     return () => observer.disconnect();
   }, [picture]);
-  useEffect(() => picture.again(), [picture, props.paint, props.home, props.homeKey, theme]);
+  useLayoutEffect(() => picture.again(), [picture, props.paint, props.home, props.homeKey, theme]);
   return <canvas ref={canvas} class="plane" tabIndex={0} role="img" aria-label={props.label} style={{ cursor: props.cursor ?? 'grab' }} />;
 }
