@@ -67,7 +67,7 @@ function Playing(props: PathProps & { motion: PathMotion }) {
         <button class="primary" onClick={toggle}>{playing ? 'Pause' : 'Play'}</button>
         <span class="quiet">{motion.waypoints.length - 1} moves, every one checked exactly</span>
       </div>
-      <Slider label="Along the path" value={share ?? 0} min={0} max={1} step={0.001} text={`${Math.round(100 * (share ?? 0))} %`} onInput={scrub} />
+      <Slider label="Along the path" value={share ?? 0} min={0} max={1} step={0.001} text={`${Math.round(100 * (share ?? 0))} %`} onInput={scrub} onDone={scrub} />
       <p class="quiet">{moveText(motion, share ?? 0)}</p>
     </>
   );
