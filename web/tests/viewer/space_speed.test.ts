@@ -43,8 +43,10 @@ async function timesOf(page: Page, shown: string, frames: number, move: 'drag' |
           slider!.value = String(move.from + move.by * k);
           slider!.dispatchEvent(new Event('input', { bubbles: true }));
         }
-        do await new Promise((done) => requestAnimationFrame(done));
-        while (picture.dataset[shown] === painted);
+        do {
+          await new Promise((done) => requestAnimationFrame(done));
+          if (performance.now() - last > 10_000) throw new Error(`frame ${k} was not drawn within ten seconds`);
+        } while (picture.dataset[shown] === painted);
         painted = picture.dataset[shown];
         const now = performance.now();
         times.push(now - last);
