@@ -8,5 +8,5 @@ export default defineConfig({
   root: fileURLToPath(new URL('..', import.meta.url)),
   resolve: { alias: Object.fromEntries(['vitest', 'playwright-core', 'pixelmatch', 'pngjs'].map(installed)) },
   cacheDir: fileURLToPath(new URL('node_modules/.vite', import.meta.url)),
-  test: { include: ['tests/viewer/**/*.test.ts'], fileParallelism: false, testTimeout: 120_000, hookTimeout: 60_000, reporters: ['verbose'] },
+  test: { include: ['tests/viewer/**/*.test.ts'], fileParallelism: false, testTimeout: 120_000, hookTimeout: 60_000, reporters: ['verbose'], expect: { poll: { timeout: 20_000 } } },
 });

@@ -12,6 +12,8 @@ const kShots = new URL('shots/', import.meta.url);
 
 const kCases: Record<string, OpenOptions> = {
   sum: {}, 'sum-dark': { dark: true }, 'sum-phone': { width: 390, height: 780, touch: true },
+  obstacle: { hash: '#/obstacle' }, 'obstacle-phone-dark': { hash: '#/obstacle', width: 390, height: 780, dark: true, touch: true },
+  solids: { hash: '#/solids' }, 'solids-dark': { hash: '#/solids', dark: true },
   discs: { hash: '#/discs' }, nesting: { hash: '#/nesting' }, 'nesting-phone-dark': { hash: '#/nesting', width: 390, height: 780, dark: true, touch: true },
 };
 
@@ -22,7 +24,8 @@ afterAll(() => browser.close());
 describe('pictures', () => {
   it.each(Object.entries(kCases))('%s', async (name, options) => {
     const it = await open(browser, { ...options, reducedMotion: true });
-    await expect.poll(() => it.page.locator('canvas.plane').getAttribute('data-shown'), { timeout: 60_000 }).not.toBeNull();
+    const drawn = it.page.locator('canvas.plane[data-shown], .space[data-triangles]:not([data-triangles="0"])');
+    await expect.poll(() => drawn.count(), { timeout: 60_000 }).toBeGreaterThan(0);
     await it.page.waitForTimeout(1500); // what settles: area, barcode
     const shot = PNG.sync.read(await it.page.locator('.stage').screenshot()), file = new URL(`${name}.png`, kShots);
     if (process.env.UPDATE_SHOTS || !existsSync(file)) {

@@ -32,6 +32,18 @@ export interface Grip {
 const kFrom = new Vector3(2.3, -3.4, 2.5); // seen from the front, the right and above
 const kClickPixels = 4;
 
+let byProcessor: boolean | undefined;
+
+/** No graphics card, or none that the browser uses. Asked once. */
+function isDrawnByProcessor(): boolean {
+  if (byProcessor === undefined) {
+    const probe = document.createElement('canvas').getContext('webgl2', { failIfMajorPerformanceCaveat: true });
+    byProcessor = probe === null;
+    probe?.getExtension('WEBGL_lose_context')?.loseContext();
+  }
+  return byProcessor;
+}
+
 export class SpaceView {
   readonly scene = new Scene();
   readonly camera = new PerspectiveCamera(32, 1, 0.05, 100);
@@ -55,7 +67,7 @@ export class SpaceView {
     private readonly container: HTMLElement,
     private readonly events: ViewEvents = {},
   ) {
-    this.renderer = new WebGLRenderer({ antialias: true });
+    this.renderer = new WebGLRenderer({ antialias: !isDrawnByProcessor() }); // else every picture takes several times as long
     this.renderer.localClippingEnabled = true;
     const canvas = this.renderer.domElement;
     Object.assign(this.overlayCanvas.style, { position: 'absolute', inset: '0', pointerEvents: 'none', width: '100%', height: '100%' });

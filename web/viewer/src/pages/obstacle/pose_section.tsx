@@ -1,4 +1,5 @@
 // Where the robot stands, and at which angle the obstacle is cut.
+import { useMemo } from 'preact/hooks';
 import { degrees } from '../../numbers/display';
 import { tanHalfOf } from '../../numbers/snap';
 import { NumberField, Section, Slider, Toggle, type Tick } from '../../shell/controls';
@@ -58,11 +59,12 @@ function EventButtons({ pose, scene, move }: PoseProps) {
 
 export function PoseSection(props: PoseProps) {
   const { state, change, scene, pose, move } = props, theta = radiansOf(pose.tanHalf);
+  const ticks = useMemo(() => (scene ? ticksOf(scene) : []), [scene]);
   const turn = (to: number, how: 'live' | 'done'): void => move({ ...pose, tanHalf: tanHalfOf(to) }, how);
   return (
     <Section title="Robot and slice">
       <Slider
-        label="θ" value={theta} min={-Math.PI} max={Math.PI} step={0.002} text={degrees(theta)} ticks={scene ? ticksOf(scene) : []}
+        label="θ" value={theta} min={-Math.PI} max={Math.PI} step={0.002} text={degrees(theta)} ticks={ticks}
         onInput={(v) => turn(v, 'live')} onDone={(v) => turn(v, 'done')}
       />
       <EventButtons {...props} />
