@@ -9,8 +9,7 @@ export { DymsumError, hasSimd };
 export const NONE = 0xffffffff;
 
 export async function load(options = {}) {
-  const simd = options.simd ?? hasSimd();
-  const start = await startWith(simd, options);
+  const { simd, start } = await startWith(options);
   const instance = await start({ Failure });
   return { simd, run: (args, how) => run(start, args, how), ...live(instance) };
 }

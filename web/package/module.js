@@ -28,10 +28,22 @@ function urlOf(simd, locateFile) {
   return simd ? new URL('./dist/dymsum-simd.wasm', import.meta.url) : new URL('./dist/dymsum.wasm', import.meta.url);
 }
 
-/** What starts instances of the module, each with a memory of its own. */
-export async function startWith(simd, { wasmBinary, locateFile }) {
-  const module = await WebAssembly.compile(wasmBinary ?? (await bytesAt(urlOf(simd, locateFile))));
-  return (settings) =>
+/** The bytes of a build, and which it is: without a wish the one for this engine, or the plain one in a package that has no other. */
+async function buildFor({ wasmBinary, simd = hasSimd(), locateFile }, wished) {
+  if (wasmBinary) return { bytes: wasmBinary, simd };
+  try {
+    return { bytes: await bytesAt(urlOf(simd, locateFile)), simd };
+  } catch (error) {
+    if (wished || !simd) throw error;
+    return { bytes: await bytesAt(urlOf(false, locateFile)), simd: false };
+  }
+}
+
+/** Which build was taken, and what starts instances of it, each with a memory of its own. */
+export async function startWith(options) {
+  const { bytes, simd } = await buildFor(options, options.simd !== undefined);
+  const module = await WebAssembly.compile(bytes);
+  const start = (settings) =>
     new Promise((done, failed) => {
       const instantiateWasm = (imports, receive) => {
         WebAssembly.instantiate(module, imports).then((instance) => receive(instance, module), failed);
@@ -39,4 +51,5 @@ export async function startWith(simd, { wasmBinary, locateFile }) {
       };
       createDymsum({ ...settings, instantiateWasm }).then(done, failed);
     });
+  return { simd, start };
 }
