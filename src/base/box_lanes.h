@@ -11,6 +11,8 @@
 
 #ifdef __SSE2__
 #include <emmintrin.h>
+#elif defined(__wasm_simd128__)
+#include <wasm_simd128.h>
 #endif
 
 namespace dymsum::planar {
@@ -31,9 +33,13 @@ inline Lanes load_lanes(const std::int16_t* from) {
 }
 
 /// One bit for each lane that is zero; lane_of gives the lane of the lowest one.
-#ifdef __SSE2__
+#if defined(__SSE2__) || defined(__wasm_simd128__)
 inline std::uint32_t zero_lanes(const Lanes& lanes) {
+#ifdef __SSE2__
   return ~static_cast<std::uint32_t>(_mm_movemask_epi8(reinterpret_cast<__m128i>(lanes))) & 0x5555;
+#else
+  return ~static_cast<std::uint32_t>(wasm_i8x16_bitmask(reinterpret_cast<v128_t>(lanes))) & 0x5555;
+#endif
 }
 inline std::uint32_t lane_of(std::uint32_t bits) { return static_cast<std::uint32_t>(std::countr_zero(bits)) / 2; }
 #else

@@ -23,9 +23,23 @@ inline DoublePair exact_sum(double a, double b) {
   const double s = a + b, t = s - a;
   return {s, (a - (s - t)) + (b - t)};
 }
+#ifdef __EMSCRIPTEN__
+/// a b - p for p = a * b by halves of 26 bits (Veltkamp, Dekker 1971): WebAssembly has no fma, and its C library's
+/// takes fifty times as long. Where halves may overflow, or rests underflow, that one is taken.
+inline double rest_of_product(double a, double b, double p) {
+  constexpr double kSplit = 0x1p27 + 1, kHuge = 0x1p990, kTiny = 0x1p-900;
+  if (a == 0 || b == 0) return 0;
+  if (!(std::fabs(a) < kHuge && std::fabs(b) < kHuge && std::fabs(p) > kTiny)) return std::fma(a, b, -p);
+  const double ta = kSplit * a, tb = kSplit * b;
+  const double a1 = ta - (ta - a), a2 = a - a1, b1 = tb - (tb - b), b2 = b - b1;
+  return ((a1 * b1 - p) + a1 * b2 + a2 * b1) + a2 * b2;
+}
+#else
+inline double rest_of_product(double a, double b, double p) { return std::fma(a, b, -p); }
+#endif
 inline DoublePair exact_product(double a, double b) {
   const double p = a * b;
-  return {p, std::fma(a, b, -p)};
+  return {p, rest_of_product(a, b, p)};
 }
 inline DoublePair operator-(DoublePair a) { return {-a.high, -a.low}; }
 inline DoublePair operator+(DoublePair a, DoublePair b) {

@@ -1,6 +1,8 @@
-// sin, cos, tan, atan, atan2, asin, acos and hypot in place of those of emscripten's C library, which are often one
-// unit in the last place off: text would differ in its last digit from that of native builds, whose C library rounds
-// nearly always correctly. Here they are computed with twice as many digits and rounded once.
+// sin, cos, tan, atan, atan2, asin, acos and hypot in place of those of emscripten's C library (elementary_names.cpp),
+// which are often one unit in the last place off: text would differ in its last digit from that of native builds, whose
+// C library rounds nearly always correctly. Here they are computed with a few more digits and rounded once.
+#include "base/elementary.h"
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -9,29 +11,48 @@
 
 #include "base/double_pair.h"
 
-/// The C library's own: x less a multiple of a quarter turn, in two doubles, and that multiple.
-extern "C" int __rem_pio2(double x, double* rest);
-
-namespace dymsum::base {
+namespace dymsum::base::elementary {
 namespace {
 
 // Half of pi as three doubles without common digits: those below are the next 160 bits.
 constexpr double kHalfPi = 0x1.921fb54442d18p+0, kHalfPi2 = 0x1.1a62633145c07p-54, kHalfPi3 = -0x1.f1976b7ed8fbcp-110;
 
+// What sine, tangent and their inverses of smaller ones add is below a fifth of the last place.
+constexpr double kTiny = 0x1p-27;
+
 struct SinCos {
   DoublePair sin, cos;
 };
 
-// Taylor's series of |r| <= pi / 4, up to r^27 / 27!: what is left out is below 2^-100 of the sum.
-SinCos series(DoublePair r) {
+// Taylor's coefficients of sin(r) / r and cos(r) as polynomials of r^2, from that of r^2 on. With r^2 < 0.617 the terms
+// that doubles hold are below 2^-27 of the sum, and so are off by less than 2^-79 of it; what is left out is below
+// 2^-82.
+constexpr std::array<DoublePair, 4> kSin{{{-0x1.5555555555555p-3, -0x1.5555555555555p-57},
+                                          {0x1.1111111111111p-7, 0x1.1111111111111p-63},
+                                          {-0x1.a01a01a01a01ap-13, -0x1.a01a01a01a01ap-73},
+                                          {0x1.71de3a556c734p-19, -0x1.c154f8ddc6c00p-73}}};
+constexpr std::array<double, 6> kSinEnd{-0x1.ae64567f544e4p-26, 0x1.6124613a86d09p-33,  -0x1.ae7f3e733b81fp-41,
+                                        0x1.952c77030ad4ap-49,  -0x1.2f49b46814157p-57, 0x1.71b8ef6dcf572p-66};
+constexpr std::array<DoublePair, 4> kCos{{{-0x1.0000000000000p-1, 0},
+                                          {0x1.5555555555555p-5, 0x1.5555555555555p-59},
+                                          {-0x1.6c16c16c16c17p-10, 0x1.f49f49f49f49fp-65},
+                                          {0x1.a01a01a01a01ap-16, 0x1.a01a01a01a01ap-76}}};
+constexpr std::array<double, 6> kCosEnd{-0x1.27e4fb7789f5cp-22, 0x1.1eed8eff8d898p-29,  -0x1.93974a8c07c9dp-37,
+                                        0x1.ae7f3e733b81fp-45,  -0x1.6827863b97d97p-53, 0x1.e542ba4020225p-62};
+
+/// 1 + square (first[0] + square (first[1] + ...)), the last ones in doubles.
+DoublePair series(DoublePair square, const std::array<DoublePair, 4>& first, const std::array<double, 6>& end) {
+  double tail = 0;
+  for (auto c = end.rbegin(); c != end.rend(); ++c) tail = tail * square.high + *c;
+  DoublePair sum{tail, 0};
+  for (auto c = first.rbegin(); c != first.rend(); ++c) sum = *c + sum * square;
+  return DoublePair{1, 0} + sum * square;
+}
+
+/// Of |r| <= pi / 4.
+SinCos near_zero(DoublePair r) {
   const DoublePair square = r * r;
-  DoublePair sin{1, 0}, cos{1, 0};
-  for (int n = 26; n >= 2; n -= 2) {
-    const double d = n;
-    sin = DoublePair{1, 0} - sin * square / DoublePair{d * (d + 1), 0};
-    cos = DoublePair{1, 0} - cos * square / DoublePair{d * (d - 1), 0};
-  }
-  return {sin * r, cos};
+  return {series(square, kSin, kSinEnd) * r, series(square, kCos, kCosEnd)};
 }
 
 // An angle in quarter turns and the rest.
@@ -47,13 +68,13 @@ Quarters quarters(double x) {
             near - exact_product(k, kHalfPi2) - DoublePair{k * kHalfPi3, 0}};
   }
   std::array<double, 2> rest{};
-  const int k = __rem_pio2(x, rest.data());
+  const int k = quarters_of_far(x, rest.data());
   return {k & 3, exact_sum(rest[0], rest[1])};
 }
 
 SinCos sin_cos(double x) {
   const Quarters angle = quarters(x);
-  const SinCos of_r = series(angle.rest);
+  const SinCos of_r = near_zero(angle.rest);
   switch (angle.count) {
     case 0:
       return of_r;
@@ -91,39 +112,34 @@ double angle_of(double y, double x) {
 DoublePair cosine_of_sine(double v) { return square_root(exact_sum(1, -v) * exact_sum(1, v)); }
 
 }  // namespace
-}  // namespace dymsum::base
-
-extern "C" {
 
 double sin(double x) {
   if (!std::isfinite(x)) return x - x;
-  return std::fabs(x) < 0x1p-27 ? x - x * x * x / 6 : dymsum::base::sin_cos(x).sin.high;
+  return std::fabs(x) < kTiny ? x : sin_cos(x).sin.high;
 }
 double cos(double x) {
   if (!std::isfinite(x)) return x - x;
-  return dymsum::base::sin_cos(x).cos.high;
+  return sin_cos(x).cos.high;
 }
 double tan(double x) {
   if (!std::isfinite(x)) return x - x;
-  if (std::fabs(x) < 0x1p-27) return x + x * x * x / 3;
-  const auto s = dymsum::base::sin_cos(x);
+  if (std::fabs(x) < kTiny) return x;
+  const auto s = sin_cos(x);
   return (s.sin / s.cos).high;
 }
-double atan2(double y, double x) { return dymsum::base::angle_of(y, x); }
-double atan(double x) { return dymsum::base::angle_of(x, 1); }
+double atan2(double y, double x) { return angle_of(y, x); }
+double atan(double x) { return angle_of(x, 1); }
 double asin(double x) {
   if (!(std::fabs(x) <= 1)) return std::numeric_limits<double>::quiet_NaN();
-  if (std::fabs(x) == 1) return std::copysign(dymsum::base::kHalfPi, x);
-  if (std::fabs(x) < 0x1p-27) return x + x * x * x / 6;
-  return dymsum::base::refined(static_cast<double>(std::asin(static_cast<float>(x))), {x, 0},
-                               dymsum::base::cosine_of_sine(x));
+  if (std::fabs(x) == 1) return std::copysign(kHalfPi, x);
+  if (std::fabs(x) < kTiny) return x;
+  return refined(static_cast<double>(std::asin(static_cast<float>(x))), {x, 0}, cosine_of_sine(x));
 }
 double acos(double x) {
   if (!(std::fabs(x) <= 1)) return std::numeric_limits<double>::quiet_NaN();
   if (x == 1) return 0;
-  if (x == -1) return 2 * dymsum::base::kHalfPi;
-  return dymsum::base::refined(static_cast<double>(std::acos(static_cast<float>(x))), dymsum::base::cosine_of_sine(x),
-                               {x, 0});
+  if (x == -1) return 2 * kHalfPi;
+  return refined(static_cast<double>(std::acos(static_cast<float>(x))), cosine_of_sine(x), {x, 0});
 }
 double hypot(double x, double y) {
   if (std::isinf(x) || std::isinf(y)) return std::numeric_limits<double>::infinity();
@@ -131,6 +147,6 @@ double hypot(double x, double y) {
   if (most == 0 || std::isnan(x) || std::isnan(y)) return std::fabs(x) + std::fabs(y);
   const int size = std::ilogb(most);
   const double sx = std::scalbn(x, -size), sy = std::scalbn(y, -size);
-  return std::scalbn(square_root(dymsum::base::exact_product(sx, sx) + dymsum::base::exact_product(sy, sy)).high, size);
+  return std::scalbn(square_root(exact_product(sx, sx) + exact_product(sy, sy)).high, size);
 }
-}
+}  // namespace dymsum::base::elementary

@@ -6,6 +6,8 @@
 
 #ifdef __SSE2__
 #include <emmintrin.h>
+#elif defined(__wasm_simd128__)
+#include <wasm_simd128.h>
 #endif
 
 namespace dymsum::planar {
@@ -25,6 +27,8 @@ inline Two magnitude(Two a) { return most(a, -a); }
 inline bool any(TwoTold told) {
 #ifdef __SSE2__
   return _mm_movemask_pd(reinterpret_cast<__m128d>(told)) != 0;
+#elif defined(__wasm_simd128__)
+  return wasm_v128_any_true(reinterpret_cast<v128_t>(told));
 #else
   return (told[0] | told[1]) != 0;
 #endif
@@ -34,6 +38,8 @@ inline bool any(TwoTold told) {
 inline bool every(TwoTold told) {
 #ifdef __SSE2__
   return _mm_movemask_pd(reinterpret_cast<__m128d>(told)) == 3;
+#elif defined(__wasm_simd128__)
+  return wasm_i64x2_all_true(reinterpret_cast<v128_t>(told));
 #else
   return (told[0] & told[1]) != 0;
 #endif

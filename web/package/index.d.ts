@@ -4,8 +4,9 @@
  * Names are those of the C++ library and of Python's package, with camelCase for functions and fields: their guides hold
  * here too. `load` makes an instance of the WebAssembly module; it has two layers:
  *
- * 1. `run`: the command line, with files in memory; every verb, the same text as the native program.
- * 2. live objects: `Region`, `Mesh`, sums, and sums that follow a motion.
+ * 1. live objects: `Region`, `Mesh`, sums, and sums that follow a motion. The entry "dymsum/live" has these alone.
+ * 2. `run`: the command line, with files in memory; every verb, the same text as the native program. Its own module is
+ *    loaded when it is first called.
  *
  * Geometry comes as typed arrays, which are copies and stay valid. Exact numbers are strings, "3/2". Errors are thrown as
  * `DymsumError`. Objects with `dispose` hold memory of the module until it is called; all else is plain data. An object
@@ -16,6 +17,8 @@
 export interface LoadOptions {
   /** The bytes of dymsum.wasm (or dymsum-simd.wasm, with `simd: true`), for pages that may not fetch: those opened from disk. */
   wasmBinary?: ArrayBuffer | Uint8Array;
+  /** Likewise those of dymsum-command.wasm or dymsum-command-simd.wasm, for `run`. */
+  commandBinary?: ArrayBuffer | Uint8Array;
   /** Which build; else the one with SIMD where the engine has it. */
   simd?: boolean;
   /** Where a file of the package is, by its name; else beside index.js. */
@@ -806,12 +809,14 @@ export interface ShapeFeatures extends Disposable {
 
 // --------------------------------------------------------------------------------------------------------- the module
 
-export interface Dymsum {
-  readonly version: string;
-  readonly simd: boolean;
-
+export interface Dymsum extends Live {
   /** `dymsum` with these arguments (the verb first), on files in memory. Each call starts anew. */
   run(args: string[], options?: RunOptions): Promise<RunResult>;
+}
+
+export interface Live {
+  readonly version: string;
+  readonly simd: boolean;
 
   readonly Region: RegionClass;
   readonly Mesh: MeshClass;

@@ -1,5 +1,4 @@
-// Where the module's bytes come from, and instances of it.
-import createDymsum from './dist/dymsum.js';
+// Where the bytes of the two modules come from, and instances of them.
 
 // (module (func (result v128) i32.const 0 i8x16.splat i8x16.popcnt))
 const simdProbe = [
@@ -22,34 +21,34 @@ async function bytesAt(url) {
   return response.arrayBuffer();
 }
 
-function urlOf(simd, locateFile) {
-  if (locateFile) return new URL(locateFile(simd ? 'dymsum-simd.wasm' : 'dymsum.wasm'), import.meta.url);
-  // Bundlers look for these words.
-  return simd ? new URL('./dist/dymsum-simd.wasm', import.meta.url) : new URL('./dist/dymsum.wasm', import.meta.url);
-}
+/** The address of a file of the package. */
+export const at = ({ locateFile }, file, inPackage) => (locateFile ? new URL(locateFile(file), import.meta.url) : inPackage);
 
 /** The bytes of a build, and which it is: without a wish the one for this engine, or the plain one in a package that has no other. */
-async function buildFor({ wasmBinary, simd = hasSimd(), locateFile }, wished) {
-  if (wasmBinary) return { bytes: wasmBinary, simd };
+async function buildAt(urls, wish) {
+  const simd = wish ?? hasSimd();
   try {
-    return { bytes: await bytesAt(urlOf(simd, locateFile)), simd };
+    return { bytes: await bytesAt(simd ? urls.simd : urls.plain), simd };
   } catch (error) {
-    if (wished || !simd) throw error;
-    return { bytes: await bytesAt(urlOf(false, locateFile)), simd: false };
+    if (wish !== undefined || !simd) throw error;
+    return { bytes: await bytesAt(urls.plain), simd: false };
   }
 }
 
-/** Which build was taken, and what starts instances of it, each with a memory of its own. */
-export async function startWith(options) {
-  const { bytes, simd } = await buildFor(options, options.simd !== undefined);
-  const module = await WebAssembly.compile(bytes);
+/**
+ * Which build of a module was taken, and what starts instances of it, each with a memory of its own. `create` is the module's
+ * JavaScript; `given` its bytes, for a caller that has them, else they are at `urls`.
+ */
+export async function startWith(create, { urls, given, simd }) {
+  const build = given ? { bytes: given, simd: simd ?? hasSimd() } : await buildAt(urls, simd);
+  const module = await WebAssembly.compile(build.bytes);
   const start = (settings) =>
     new Promise((done, failed) => {
       const instantiateWasm = (imports, receive) => {
         WebAssembly.instantiate(module, imports).then((instance) => receive(instance, module), failed);
         return {};
       };
-      createDymsum({ ...settings, instantiateWasm }).then(done, failed);
+      create({ ...settings, instantiateWasm }).then(done, failed);
     });
-  return { simd, start };
+  return { simd: build.simd, start };
 }

@@ -1,6 +1,6 @@
-// The command line, with files in memory. Every call has an instance of the module to itself: nothing is left of the one
-// before, and what it held is given back.
-import { Failure } from './errors.js';
+// The command line, with files in memory. Its module is loaded when it is first called. Every call has an instance to
+// itself: nothing is left of the one before, and what it held is given back.
+import { at, startWith } from './module.js';
 
 const folder = '/files';
 
@@ -78,14 +78,13 @@ function lineTeller(tell) {
   };
 }
 
-export async function run(start, args, { files = {}, stdin = '', onStderr } = {}) {
+async function run(start, args, { files = {}, stdin = '', onStderr } = {}) {
   const input = bytesOf(stdin);
   const stdout = new Collected();
   const stderr = new Collected();
   const tell = onStderr ? lineTeller(onStderr) : () => {};
   let read = 0;
   const instance = await start({
-    Failure,
     thisProgram: 'dymsum',
     stdin: () => (read < input.length ? input[read++] : null),
     stdout: (byte) => stdout.add(byte & 255),
@@ -99,4 +98,29 @@ export async function run(start, args, { files = {}, stdin = '', onStderr } = {}
   const stdoutBytes = stdout.all();
   const text = (bytes) => new TextDecoder().decode(bytes);
   return { exit, stdout: text(stdoutBytes), stderr: text(stderr.all()), stdoutBytes, files: changedFiles(instance.FS, files) };
+}
+
+/** Loads the module and its JavaScript, once; after a failure the next call tries again. */
+function loader(options) {
+  let loaded;
+  const load = async () => {
+    const { default: create } = await import('./dist/dymsum-command.js');
+    const urls = {
+      plain: at(options, 'dymsum-command.wasm', new URL('./dist/dymsum-command.wasm', import.meta.url)),
+      simd: at(options, 'dymsum-command-simd.wasm', new URL('./dist/dymsum-command-simd.wasm', import.meta.url)),
+    };
+    return (await startWith(create, { urls, given: options.commandBinary, simd: options.simd })).start;
+  };
+  return () => {
+    loaded ??= load().catch((error) => {
+      loaded = undefined;
+      throw error;
+    });
+    return loaded;
+  };
+}
+
+export function commandLine(options) {
+  const start = loader(options);
+  return async (args, how) => run(await start(), args, how);
 }

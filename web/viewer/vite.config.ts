@@ -1,7 +1,7 @@
 import { fileURLToPath } from 'node:url';
 import { defineConfig } from 'vitest/config';
 import { viteSingleFile } from 'vite-plugin-singlefile';
-import { embedModule, runEarly } from './embed_module';
+import { embedModule, packScript } from './embed_module';
 
 const inPackage = (file: string): string => fileURLToPath(new URL(`../package/${file}`, import.meta.url));
 const embedded = embedModule(inPackage('dist/dymsum-simd.wasm'), true);
@@ -9,8 +9,8 @@ const embedded = embedModule(inPackage('dist/dymsum-simd.wasm'), true);
 // One HTML file that works from disk: scripts, styles, the worker and the module are in it, and nothing is fetched.
 export default defineConfig({
   base: './',
-  resolve: { alias: { dymsum: inPackage('index.js') } },
-  plugins: [embedded, viteSingleFile({ removeViteModuleLoader: true }), runEarly()],
+  resolve: { alias: { dymsum: inPackage('live.js') } },
+  plugins: [embedded, viteSingleFile({ removeViteModuleLoader: true }), packScript()],
   worker: { format: 'iife', plugins: () => [embedded] },
   build: { target: 'es2022', chunkSizeWarningLimit: 4096, reportCompressedSize: false },
   test: { include: ['src/**/*.test.ts'] },

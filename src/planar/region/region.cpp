@@ -5,6 +5,8 @@
 #include <cmath>
 #include <limits>
 
+#include "base/double_pair.h"
+
 namespace dymsum {
 
 namespace {
@@ -39,9 +41,9 @@ class ExactSum {
 
   // The product exactly: its rounding error is a double.
   void add_product(double a, double b) {
-    const double product = a * b;
-    add(product);
-    add(std::fma(a, b, -product));
+    const base::DoublePair product = base::exact_product(a, b);
+    add(product.high);
+    add(product.low);
   }
 
   double rounded() const {

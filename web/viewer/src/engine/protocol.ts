@@ -13,7 +13,7 @@ export interface Request {
   service: string;
   args: unknown;
 }
-/** Sent once, before any request: the module as it stands in the page, gzip in base64. */
+/** Sent once, before any request: the module as it stands in the page, xz in base64. */
 export interface Start {
   wasm: string;
   simd: boolean;

@@ -1,5 +1,6 @@
 // The worker: one module, one request at a time.
 import { DymsumError, load } from 'dymsum';
+import { XzReadableStream } from 'xz-decompress';
 import { Host } from './host';
 import type { ErrorData, Reply, Request, Start } from './protocol';
 import { services, type Service } from './services';
@@ -35,11 +36,10 @@ function errorData(error: unknown): ErrorData {
   return { code: 'defect', reason: message, message, evidence: {} };
 }
 
-async function unpacked(gzipInBase64: string): Promise<ArrayBuffer> {
-  const text = atob(gzipInBase64), packed = new Uint8Array(text.length);
+async function unpacked(xzInBase64: string): Promise<ArrayBuffer> {
+  const text = atob(xzInBase64), packed = new Uint8Array(text.length);
   for (let k = 0; k < text.length; ++k) packed[k] = text.charCodeAt(k); // megabytes: no call for each
-  const stream = new Blob([packed]).stream().pipeThrough(new DecompressionStream('gzip'));
-  return await new Response(stream).arrayBuffer();
+  return await new Response(new XzReadableStream(new Blob([packed]).stream())).arrayBuffer();
 }
 
 async function start({ wasm, simd }: Start): Promise<void> {

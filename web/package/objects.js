@@ -1,0 +1,85 @@
+// The live objects: classes and functions of web/wasm with their errors thrown, under the names of index.d.ts.
+import { throwing } from './errors.js';
+
+const classes = [
+  'Region', 'PlanarSum', 'ScalingSum', 'RotatingSum', 'PlanarDepth', 'CspaceObstacle', 'ObstacleQueries', 'Mesh', 'SpatialSum',
+  'SolidSlice', 'ScalingSolidSum', 'TurningSolidSum', 'MovingSolidSum', 'ConvexSum', 'SolidDepth', 'TurnedDepth', 'DiscSet', 'GrowingDisc',
+  'ShapeFeatures',
+];
+const functions = [
+  'nfp', 'erode', 'unionOf', 'rotatedSum', 'convolutionSizes', 'scaleRange', 'fitRange', 'sliceOfSum', 'cspaceSlice', 'checkPath',
+  'drawRegion', 'drawSum', 'drawTrace', 'sumOfRegions', 'sumOfMeshes', 'regionContains', 'meshContains', 'plan',
+];
+const shapes = [
+  'rectangle', 'disc', 'gear', 'grate', 'comb', 'star', 'noisyStar', 'spiral', 'letterU', 'letterL', 'pockets', 'randomPolygon',
+];
+const solids = [
+  'box', 'prism', 'tessellatedCube', 'cone', 'cylinder', 'dipyramid', 'pyramid', 'geodesicSphere', 'ellipsoid',
+  'triakisIcosahedron', 'truncatedIcosidodecahedron', 'rod',
+];
+
+function bound(object) {
+  for (const name of Object.getOwnPropertyNames(object)) {
+    const value = Object.getOwnPropertyDescriptor(object, name).value;
+    if (typeof value === 'function' && value.argCount !== undefined) object[name] = throwing(value);
+  }
+}
+
+/** dispose() may be called more than once; copies of a handle are not made. */
+function disposable(handles) {
+  handles.dispose = function () {
+    if (!this.isDeleted()) this.delete();
+  };
+  if (Symbol.dispose) handles[Symbol.dispose] = handles.dispose;
+}
+
+function bindClasses(instance) {
+  const made = {};
+  for (const name of classes) {
+    made[name] = instance[name];
+    bound(made[name]);
+    bound(made[name].prototype);
+    disposable(made[name].prototype);
+  }
+  return made;
+}
+
+const among = (instance, names) => Object.fromEntries(names.map((name) => [name, throwing(instance[name])]));
+
+/** What is one object here and two in the module. */
+function joined(made, calls) {
+  const { Mesh, CspaceObstacle, ObstacleQueries, SolidSlice } = made;
+  Mesh.convexHull = Mesh.hullOf;
+  CspaceObstacle.prototype.queries = function () {
+    return ObstacleQueries.of(this);
+  };
+  CspaceObstacle.prototype.plan = function (start, goal, options) {
+    return calls.plan(this, start, goal, options);
+  };
+  Object.defineProperty(SolidSlice.prototype, 'section', {
+    get() {
+      this.sectionHandle ??= this.takeSection();
+      return this.sectionHandle;
+    },
+  });
+  const solid = (p) => p instanceof Mesh;
+  return {
+    minkowskiSum: (p, q, options) => (solid(p) ? calls.sumOfMeshes : calls.sumOfRegions)(p, q, options),
+    contains: (p, q, z, semantics) => (solid(p) ? calls.meshContains : calls.regionContains)(p, q, z, semantics),
+  };
+}
+
+export function objectsOf(instance) {
+  const made = bindClasses(instance);
+  const { sumOfRegions, sumOfMeshes, regionContains, meshContains, plan, ...calls } = among(instance, functions);
+  const both = joined(made, { sumOfRegions, sumOfMeshes, regionContains, meshContains, plan });
+  return {
+    version: instance.version(),
+    memoryBytes: () => instance.memoryBytes(),
+    ...made,
+    ...calls,
+    ...both,
+    shapes: among(instance, shapes),
+    solids: among(instance, solids),
+  };
+}
