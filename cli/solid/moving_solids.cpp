@@ -1,6 +1,5 @@
 #include "solid/moving_solids.h"
 
-#include <algorithm>
 #include <iostream>
 #include <optional>
 #include <sstream>

@@ -1,6 +1,5 @@
 #include "solid/solid_motion.h"
 
-#include <algorithm>
 #include <iostream>
 #include <optional>
 #include <sstream>

@@ -1,5 +1,6 @@
 // dymsum disc P --radius R
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <cmath>
 #include <functional>
 #include <iostream>

@@ -7,6 +7,7 @@
 #include <chrono>
 #include <csignal>
 #include <string>
+#include <thread>
 #include <vector>
 
 #include "cli_fixture.h"
@@ -80,6 +81,18 @@ TEST_F(SlowClients, StreamsThatAreNotReadEndWithTheServer) {
   const std::vector<RawClient> streams = who_never_read(served, 40, "/events"), pages = who_never_read(served, 60, "/");
   expect_answers(served);
   expect_end(served);
+}
+
+// However it goes on: a byte ten times a second would keep a thread for ever.
+TEST_F(SlowClients, ARequestHasItsTime) {
+  Served served(work, {"slot.wkt"});
+  const RawClient slow(served.port());
+  const auto start = Clock::now();
+  slow.send("GET / HTTP/1.1\r\nHost: ");
+  while (slow.send("x") && Clock::now() - start < std::chrono::seconds(30))
+    std::this_thread::sleep_for(std::chrono::milliseconds(100));
+  EXPECT_GT(Clock::now() - start, std::chrono::seconds(8)) << "nobody else wanted its place";
+  EXPECT_LT(Clock::now() - start, std::chrono::seconds(13));
 }
 
 // A page that is read slowly, but read, arrives as a whole.
