@@ -90,6 +90,12 @@ void check_verb(const CLI::App& app, const std::string& verb) {
   throw Stop(kUsage, "unknown verb '" + verb + "'" + did_you_mean(verb, names) + "\nThe verbs are" + all);
 }
 
+/// Whether a verb has neither outputs nor a page of its own making, as view has.
+bool writes_nothing(const CLI::App& verb) {
+  return verb.get_option_no_throw("-o") == nullptr && verb.get_option_no_throw("OUT") == nullptr &&
+         verb.get_name() != "view";
+}
+
 /// The first option that the verb does not have, with what may be meant.
 std::string unknown_option(const CLI::App& verb, int argc, char** argv) {
   std::vector<std::string> names;
@@ -101,6 +107,8 @@ std::string unknown_option(const CLI::App& verb, int argc, char** argv) {
     if (std::string(argv[i]).starts_with("-#"))
       return std::string(argv[i]) + ": a shape is selected from a file, as FILE#NAME, not from standard input";
     const std::string option = option_in(argv[i]);
+    if (option == "-o" && writes_nothing(verb))
+      return verb.get_name() + " has no option -o: it prints its answer, and writes neither files nor pages";
     if (option.empty() || std::find(names.begin(), names.end(), option) != names.end()) continue;
     const std::string meant = option.starts_with("--") ? did_you_mean(option, names) : "";
     return verb.get_name() + " has no option " + option + meant;

@@ -21,7 +21,7 @@ std::string tenths(double v) {
   return text.data();
 }
 
-/// A rectangle of the page that shows numbers from `low` to `high` over the rows.
+/// A rectangle of the plot that shows numbers from `low` to `high` over the rows.
 struct TracePanel {
   double top, height, low, high;
   std::size_t rows;
@@ -183,24 +183,6 @@ std::string depth_svg(const std::vector<DepthRow>& rows, const std::string& titl
   draw_directions(out, rows, 560, true);
   out << "<text x='" << kLeft << "' y='735'>row 0</text><text x='" << kLeft + kWidth
       << "' y='735' text-anchor='end'>row " << (rows.empty() ? 0 : rows.size() - 1) << "</text>\n</svg>\n";
-  return out.str();
-}
-
-std::string depth_page(const std::vector<DepthRow>& rows, const std::string& title) {
-  std::ostringstream out;
-  out << "<!DOCTYPE html>\n<html lang='en'><head><meta charset='utf-8'><title>" << escaped(title)
-      << "</title>\n<style>body{font-family:sans-serif;margin:2em}td,th{padding:2px 12px;text-align:left}</style>"
-      << "</head><body>\n"
-      << depth_svg(rows, title)
-      << "<h2>Jumps</h2>\n<table><tr><th>row</th><th>place of Q</th><th>why</th><th>depth</th><th>exact</th></tr>\n";
-  for (std::size_t k = 0; k < rows.size(); ++k) {
-    if (!jumps(rows[k])) continue;
-    const DepthRow& row = rows[k];
-    out << "<tr><td>" << k << "</td><td>" << row.at.x << ", " << row.at.y << ", " << row.at.z << "</td><td>"
-        << discontinuity_name(row.contact.discontinuity) << "</td><td>" << row.contact.depth << "</td><td>"
-        << row.contact.euclidean_depth << "</td></tr>\n";
-  }
-  out << "</table>\n</body></html>\n";
   return out.str();
 }
 

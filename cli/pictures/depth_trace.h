@@ -27,7 +27,5 @@ std::string depth_csv(const std::vector<DepthRow>& rows);
 /// Both depths over the rows, and both directions by their coordinates; jumps of the continuous depth as red lines,
 /// those of the exact one as grey ones. `title` is a line of text.
 std::string depth_svg(const std::vector<DepthRow>& rows, const std::string& title);
-/// The plot with a table of the jumps, as one page.
-std::string depth_page(const std::vector<DepthRow>& rows, const std::string& title);
 
 }  // namespace dymsum::cli

@@ -50,23 +50,17 @@ std::size_t picture_step(std::size_t frames, const std::vector<std::string>& fil
   return files.empty() ? 0 : (frames + kMostPictures - 1) / kMostPictures;
 }
 
-bool is_page(const std::string& file) { return file.ends_with(".html"); }
-
 void check_frame_pictures(const std::vector<std::string>& files) {
   for (const std::string& file : files)
-    if (!file.ends_with(".svg") && !is_page(file))
-      throw Stop(kUsage, "-o writes .svg (film strip), anim.svg (animation) or .html (page with a slider): " + file);
+    if (!file.ends_with(".svg"))
+      throw Stop(kUsage, "-o writes .svg (film strip), anim.svg (animation) or .html (the viewer): " + file);
 }
 
-void write_frame_pictures(const std::vector<std::string>& files, const std::vector<PicturedFrame>& frames,
-                          const std::vector<PicturedTick>& ticks, const std::string& title) {
+void write_frame_pictures(const std::vector<std::string>& files, const std::vector<PicturedFrame>& frames) {
   constexpr std::size_t kColumns = 8;
   std::vector<std::string> texts;
-  for (const std::string& file : files) {
-    texts.push_back(is_page(file)                ? scrub_page(frames, ticks, title)
-                    : file.ends_with("anim.svg") ? animation(frames)
-                                                 : film_strip(frames, kColumns));
-  }
+  for (const std::string& file : files)
+    texts.push_back(file.ends_with("anim.svg") ? animation(frames) : film_strip(frames, kColumns));
   throw_if_interrupted();
   for (std::size_t i = 0; i < texts.size(); ++i) write_text(files[i], texts[i]);
 }

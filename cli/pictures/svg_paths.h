@@ -50,7 +50,7 @@ Drawn drawn(const PlanarSum& sum, Point moved = {});
 /// A region, scaled about the origin, then moved.
 Drawn drawn(const Region& region, double scale = 1, Point moved = {});
 
-/// The colour of tight features in every picture and page.
+/// The colour of tight features in every picture.
 inline constexpr const char* kTightColour = "#d81e3a";
 /// Tight segments and isolated and tight points, in units of which `factor` make a unit of the picture; empty where
 /// there are none.
@@ -58,7 +58,7 @@ std::string tight_features(const Drawn& set, Point origin, double factor);
 
 /// A coordinate with seven digits.
 std::string number(double v);
-/// Text for SVG and HTML.
+/// Text for SVG.
 std::string escaped(const std::string& text);
 
 }  // namespace dymsum::cli

@@ -154,7 +154,7 @@ std::string slice_strip(const CspaceObstacle& obstacle, std::size_t slices, cons
     const PlanarSum slice = require(obstacle.slice(theta));
     const std::string tangent = theta.is_half_turn() ? "inf" : shown(theta.tan_half());
     const std::string degrees = digits(theta.radians() / kPi * 180) + "°";
-    frames.push_back({theta.radians(), degrees + ", tan θ/2 = " + tangent, drawn(slice)});
+    frames.push_back({degrees + ", tan θ/2 = " + tangent, drawn(slice)});
   }
   return film_strip(frames, kColumns);
 }

@@ -104,7 +104,7 @@ ExitCode run_planar_local(const PlanarLocal& local) {
     pose.rotation = require_option(Orientation::nearest(read_angle(local.angle).radians()), "--angle");
   for (const std::string& file : local.files)
     if (const std::string name = format_name(file, local.to); !name.ends_with(".json") && !name.ends_with(".svg"))
-      throw Stop(kUsage, "-o writes a part of a planar sum as .json or .svg: " + file);
+      throw Stop(kUsage, "-o writes a part of a planar sum as .json, .svg or .html: " + file);
   std::ostream& out = report_stream(local.files, local.report.json);
   const std::vector<Input> inputs = read_inputs(local.operands, local.input);
   const InterruptGuard guard;

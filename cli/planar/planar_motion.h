@@ -22,7 +22,6 @@ template <class Place>
 struct PlanarFrame {
   Place place;
   FrameName name;
-  double at = 0;        ///< where pictures have it in the motion
   std::string caption;  ///< of its picture
 };
 
@@ -77,8 +76,7 @@ PlanarMotion<Sum> run_planar_motion(const std::vector<PlanarFrame<Place>>& frame
       motion.work.add(work);
       if (report.json)
         motion.frames.push_back(frame_json(frames[i].name, size_json(motion.sum->sum(), report.exact), work.ms));
-      if (every > 0 && i % every == 0)
-        motion.pictures.push_back({frames[i].at, frames[i].caption, drawn(motion.sum->sum())});
+      if (every > 0 && i % every == 0) motion.pictures.push_back({frames[i].caption, drawn(motion.sum->sum())});
     }
   }
   return motion;

@@ -13,7 +13,7 @@ std::vector<PlanarFrame<Orientation>> frames_of(const PlanarTurn& turn) {
   std::vector<PlanarFrame<Orientation>> frames;
   for (const Angle& angle : turn.angles) {
     const Orientation theta = require_option(Orientation::nearest(angle.radians(), turn.error), "--error");
-    frames.push_back({theta, frame_name(angle.label(), theta), angle.value(), angle.label()});
+    frames.push_back({theta, frame_name(angle.label(), theta), angle.label()});
   }
   return frames;
 }
@@ -48,7 +48,7 @@ ExitCode run_planar_turn(const PlanarTurn& turn) {
       frames, turn.report.repeat, [&] { return rotating_sum(turn, inputs, FrameMode::rebuild); }, turn_to);
   bar.reset();
   throw_if_interrupted();
-  write_frame_pictures(turn.files, motion.pictures, {}, inputs[0].file + " turns, " + inputs[1].file + " stays");
+  write_frame_pictures(turn.files, motion.pictures);
   MotionReport report = planar_motion_report("rotate", inputs, turn.report.repeat, frames, std::move(motion));
   report.static_ms = static_ms;
   report.asked = {{"semantics", turn.semantics}, {"angle_error", turn.error}};

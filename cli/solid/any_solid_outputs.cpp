@@ -85,13 +85,19 @@ Json exact_sum_json(const SpatialSum& sum, Json json) {
 
 namespace {
 
+/// 0 to 3: a face of P, a face of Q, two edges, several facets of different kinds.
+std::size_t face_colour(const SpatialFace& face) {
+  const std::string kind = face_kind(face);
+  return kind == "face_vertex" ? 0 : kind == "vertex_face" ? 1 : kind == "edge_edge" ? 2 : 3;
+}
+
 std::vector<FaceColour> colours_of(const SpatialSum& sum, const SpatialSum::Rounded& rounded) {
   std::vector<FaceColour> colours{{{0.91f, 0.64f, 0.24f}, {}},
                                   {{0.36f, 0.73f, 0.55f}, {}},
                                   {{0.55f, 0.73f, 0.90f}, {}},
                                   {{0.70f, 0.72f, 0.75f}, {}}};
   for (std::uint32_t t = 0; t < rounded.face.size(); ++t)
-    colours[static_cast<std::size_t>(face_colour(sum.faces[rounded.face[t]]))].faces.push_back(t);
+    colours[face_colour(sum.faces[rounded.face[t]])].faces.push_back(t);
   return colours;
 }
 
@@ -156,21 +162,19 @@ Json any_solid_sum_json(const SpatialSum& sum, bool exact) {
           {"convolution", {{"fv", sum.stats.face_vertex}, {"ee", sum.stats.edge_edge}}}};
 }
 
-int face_colour(const SpatialFace& face) {
-  const std::string kind = face_kind(face);
-  return kind == "face_vertex" ? 0 : kind == "vertex_face" ? 1 : kind == "edge_edge" ? 2 : 3;
+std::string rounded_sum_text(const SpatialSum& sum, MeshFormat format, const std::string& file) {
+  const Result<SpatialSum::Rounded> rounded = sum.rounded();
+  if (!rounded) stop_for(rounded.error(), file);
+  const Result<Mesh> mesh = Mesh::create(rounded->mesh);
+  if (!mesh) stop_for(mesh.error(), file);  // a set that no mesh is: no file of one would be read back
+  return mesh_text(*mesh, format, file, colours_of(sum, *rounded));
 }
 
 std::string any_solid_output(const SpatialSum& sum, const std::string& file, const SolidOutput& how) {
   const std::string name = format_name(file, how.to);
   if (name.ends_with(".json")) return exact_sum_json(sum, any_solid_sum_json(sum, false)).dump(1) + "\n";
   const MeshFormat format = require(mesh_format(name));
-  if (format == MeshFormat::glb) return picture_of(sum, file, is_stage_mesh(name));
-  const Result<SpatialSum::Rounded> rounded = sum.rounded();
-  if (!rounded) stop_for(rounded.error(), file);
-  const Result<Mesh> mesh = Mesh::create(rounded->mesh);
-  if (!mesh) stop_for(mesh.error(), file);  // a set that no mesh is: no file of one would be read back
-  return mesh_text(*mesh, format, file, colours_of(sum, *rounded));
+  return format == MeshFormat::glb ? picture_of(sum, file, is_stage_mesh(name)) : rounded_sum_text(sum, format, file);
 }
 
 Error in_solid_operand(Error error, const std::vector<SolidInput>& inputs) {

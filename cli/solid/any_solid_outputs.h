@@ -14,8 +14,8 @@ namespace dymsum::cli {
 /// Stages need a sum with its trace.
 std::string any_solid_output(const SpatialSum& sum, const std::string& file, const SolidOutput& how);
 
-/// 0 to 3: a face of P, a face of Q, two edges, several facets of different kinds.
-int face_colour(const SpatialFace& face);
+/// The mesh that any_solid_output writes, in a format of meshes; `file` is what errors name.
+std::string rounded_sum_text(const SpatialSum& sum, MeshFormat format, const std::string& file);
 
 /// Whether a file's name asks for the picture of the stages ("stages.glb", "x.stages.glb"): the convolution, cut along
 /// red lines, beside the result.

@@ -54,6 +54,24 @@ Error told(Error error, const SolidRun& run) {
   return in_solid_operand(std::move(error), run.inputs);
 }
 
+bool is_no(const SolidRun& run, const SpatialSum& sum) {
+  return run.empty_is_no && sum.faces.empty() && !is_tight(sum);
+}
+
+/// What the pages are to show: the result as it is written to .off; empty where there are none, or the answer is no.
+std::string shown_text(const SolidRun& run, const SpatialSum& sum) {
+  if (!run.pages.any() || is_no(run, sum)) return "";
+  if (sum.faces.empty()) run.pages.stop_with_nothing_to_show();
+  return rounded_sum_text(sum, MeshFormat::off, run.pages.file());
+}
+
+void write_pages(const SolidRun& run, std::string text) {
+  if (!run.pages.any()) return;
+  if (!text.empty())
+    return run.pages.write({run.verb + " of " + shape_name(run.inputs[0].file) + ".off", std::move(text)});
+  std::cerr << run.pages.file() << ": nothing is left to show, and no page is written\n";
+}
+
 }  // namespace
 
 ExitCode run_any_solid(const SolidRun& run, const std::function<Result<SolidOutcome>(const SpatialOptions&)>& compute) {
@@ -78,7 +96,9 @@ ExitCode run_any_solid(const SolidRun& run, const std::function<Result<SolidOutc
   check_stage_memory(sum, options.memory);
   std::vector<std::string> texts;
   for (const std::string& file : run.files) texts.push_back(any_solid_output(sum, file, run.how));
+  std::string shown = shown_text(run, sum);
   for (std::size_t i = 0; i < texts.size(); ++i) write_text(run.files[i], texts[i]);
+  write_pages(run, std::move(shown));
   std::ostream& out = report_stream(run.files, run.report.json);
   if (run.report.json) {
     Json stages = Json::object();
@@ -92,7 +112,7 @@ ExitCode run_any_solid(const SolidRun& run, const std::function<Result<SolidOutc
   } else {
     print_text(out, run, outcome, timing);
   }
-  return run.empty_is_no && sum.faces.empty() && !is_tight(sum) ? kNo : kDone;
+  return is_no(run, sum) ? kNo : kDone;
 }
 
 }  // namespace dymsum::cli

@@ -6,6 +6,7 @@
 
 #include "options.h"
 #include "solid/any_solid_outputs.h"
+#include "viewer/viewer_pages.h"
 
 namespace dymsum::cli {
 
@@ -19,6 +20,7 @@ struct SolidRun {
   bool empty_is_no = false;  ///< an empty result ends with kNo
   std::string semantics = "closed";
   double memory_mb = 0;  ///< 0: no limit
+  ResultPages pages = {};
 };
 
 /// What it computes: the solid, and what the verb reports besides.

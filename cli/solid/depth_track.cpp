@@ -126,7 +126,6 @@ std::string track_output(const std::string& file, const std::vector<DepthRow>& r
                          const std::string& title) {
   const std::string name = format_name(file, "csv");
   if (name.ends_with(".svg")) return depth_svg(rows, title);
-  if (name.ends_with(".html")) return depth_page(rows, title);
   return name.ends_with(".json") ? json.dump(1) + "\n" : depth_csv(rows);
 }
 
@@ -152,8 +151,8 @@ ExitCode run_track(const std::vector<std::string>& operands, const TrackOptions&
                    const InputOptions& input) {
   for (const std::string& file : track.files) {
     const std::string name = format_name(file, "csv");
-    if (!name.ends_with(".csv") && !name.ends_with(".svg") && !name.ends_with(".json") && !name.ends_with(".html"))
-      throw Stop(kUsage, "-o writes depth along a motion as .csv, .svg, .json or .html: " + file);
+    if (!name.ends_with(".csv") && !name.ends_with(".svg") && !name.ends_with(".json"))
+      throw Stop(kUsage, "-o writes depth along a motion as .csv, .svg or .json: " + file);
   }
   std::ostream& out = report_stream(track.files, report.json);
   const std::vector<SolidInput> inputs = read_solids(operands, input);

@@ -1,6 +1,5 @@
 #include "solid/moving_solids.h"
 
-#include <algorithm>
 #include <iostream>
 #include <optional>
 #include <sstream>
@@ -8,8 +7,6 @@
 
 #include "dymsum/moving_solid_sum.h"
 #include "outputs.h"
-#include "pictures/frame_pictures.h"
-#include "pictures/moving_solid_page.h"
 #include "progress_bar.h"
 #include "solid/any_solid_outputs.h"
 #include "solid/solid_outputs.h"
@@ -18,24 +15,14 @@
 namespace dymsum::cli {
 namespace {
 
-/// Pages show every frame, of a long or large motion evenly chosen ones.
-constexpr std::size_t kMostMovingPictures = 240, kMostPicturedFaces = 60000;
-
 void check_files(const std::vector<std::string>& files) {
   for (const std::string& file : files) {
-    if (is_page(file)) continue;
     if (is_stage_mesh(file)) throw Stop(kUsage, file + ": stages are drawn by sum");
-    check_solid_outputs({file}, {}, ".html, and a frame as ");
+    check_solid_outputs({file}, {}, ".html (the viewer), and a frame as ");
   }
 }
 
 std::uint64_t checked(const SolidFrameWork& work) { return work.normals_checked + work.pairs_checked; }
-
-struct MovingPictures {
-  std::size_t every = 1;
-  SolidFrameChanges since;
-  std::vector<MovingSolidPicture> frames;
-};
 
 /// All rounds: the times of every frame; of the last round its frames, its work, and the sum that is shown.
 struct MovingRounds {
@@ -43,7 +30,6 @@ struct MovingRounds {
   Json frames = Json::array();
   std::uint64_t changed = 0, checked = 0, faces = 0, rebuilt = 0;
   SpatialSum shown;
-  MovingPictures pictures;
 };
 
 MovingSolidSum moving_sum(const SolidMotion& motion, const MovingSolidOptions& options) {
@@ -53,27 +39,8 @@ MovingSolidSum moving_sum(const SolidMotion& motion, const MovingSolidOptions& o
   return *std::move(sum);
 }
 
-/// Every so-manieth frame, with the faces that came or went since the one before it, and the shells and tight features
-/// that did since the last one that is pictured.
-void add_picture(const SolidMotion& motion, std::size_t i, const SpatialSum& sum, const SolidFrameChanges& changes,
-                 MovingPictures& pictures) {
-  if (i == 0) {
-    const std::size_t most =
-        std::clamp<std::size_t>(kMostPicturedFaces / (sum.faces.size() + 1), 1, kMostMovingPictures);
-    pictures.every = (motion.frames.size() + most - 1) / most;
-  }
-  SolidFrameChanges& since = pictures.since;
-  since.appeared = changes.appeared, since.changed = changes.changed;
-  since.shells += changes.shells, since.tight_faces += changes.tight_faces;
-  since.tight_segments += changes.tight_segments, since.tight_points += changes.tight_points;
-  if (i % pictures.every != 0) return;
-  if (i == 0) since = {};  // a motion begins at its first frame
-  pictures.frames.push_back({motion.frames[i].name.pose, sum, std::exchange(since, {})});
-}
-
 MovingRounds run_rounds(const SolidMotion& motion, const ReportOptions& report, const Progress& progress) {
   MovingRounds rounds;
-  const bool pictures = std::any_of(motion.files.begin(), motion.files.end(), is_page);
   for (std::size_t round = 0; round < report.repeat; ++round) {
     MovingSolidSum sum = moving_sum(motion, {});
     for (std::size_t i = 0; i < motion.frames.size(); ++i) {
@@ -86,7 +53,6 @@ MovingRounds run_rounds(const SolidMotion& motion, const ReportOptions& report, 
       rounds.changed += changed, rounds.checked += checked(work), rounds.rebuilt += work.rebuilt;
       rounds.faces = sum.sum().faces.size();
       if (i == motion.shown.value_or(motion.frames.size() - 1)) rounds.shown = sum.sum();
-      if (pictures) add_picture(motion, i, sum.sum(), changes, rounds.pictures);
       if (!report.json) continue;
       Json sizes = any_solid_sum_json(sum.sum(), false);
       sizes.update({{"changed", changed}, {"checked", checked(work)}});
@@ -142,11 +108,7 @@ ExitCode run_moving_solids(const SolidMotion& motion, const ReportOptions& repor
   bar.reset();
   throw_if_interrupted();
   std::vector<std::string> texts;
-  const std::string title = motion.verb + " of " + motion.inputs[0].file + " and " + motion.inputs[1].file;
-  for (const std::string& file : motion.files)
-    texts.push_back(is_page(file)
-                        ? moving_solid_page(rounds.pictures.frames, event_ticks(motion, rounds.pictures.every), title)
-                        : any_solid_output(rounds.shown, file, {}));
+  for (const std::string& file : motion.files) texts.push_back(any_solid_output(rounds.shown, file, {}));
   for (std::size_t i = 0; i < texts.size(); ++i) write_text(motion.files[i], texts[i]);
   MotionReport made = report_of(motion, report.repeat, std::move(rounds));
   print_solid_motion(out, motion, made, report.json);

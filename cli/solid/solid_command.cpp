@@ -1,6 +1,7 @@
 #include "solid/solid_command.h"
 
 #include <CLI/CLI.hpp>
+#include <utility>
 
 #include "options.h"
 #include "outputs.h"
@@ -12,7 +13,7 @@ void add_solid_options(CLI::App& verb, SolidCommand& command) {
   command.parser = &verb;
   verb.add_option("-o", command.files,
                   "Write the result; repeatable; by extension .off .obj .stl .ply (rounded), .glb (picture), .json "
-                  "(exact, with provenance); - is standard output")
+                  "(exact, with provenance), .html (the viewer with the result); - is standard output")
       ->type_name("FILE")
       ->allow_extra_args(false);
   verb.add_option("--to", command.to, "Format of -o -")
@@ -30,12 +31,15 @@ void add_solid_options(CLI::App& verb, SolidCommand& command) {
 SolidRun read_solid_run(const std::string& verb, const SolidCommand& command) {
   if (!writes_to_stdout(command.files)) refuse_options(*command.parser, {"--to"}, "is the format of -o -");
   report_stream(command.files, command.report.json);
+  std::vector<std::string> files = command.files;
+  ResultPages pages(*command.parser, files);
   const SolidOutput how{command.to, false, false};
-  check_solid_outputs(command.files, how);
+  check_solid_outputs(files, how, ".html (the viewer), ");
   require_solid(verb, command.operands, command.input);
-  SolidRun run{verb, command.engine, read_solids(command.operands, command.input), command.report, command.files, how,
-               true};
+  SolidRun run{
+      verb, command.engine, read_solids(command.operands, command.input), command.report, std::move(files), how, true};
   run.memory_mb = command.memory_mb;
+  run.pages = std::move(pages);
   return run;
 }
 

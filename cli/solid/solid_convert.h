@@ -6,9 +6,14 @@
 #include "exit_code.h"
 #include "inputs.h"
 
+namespace CLI {
+class App;
+}
+
 namespace dymsum::cli {
 
 struct SolidConvert {
+  const CLI::App* parser = nullptr;  ///< which options were given
   std::string verb;
   std::string in, out;
   std::string to;  ///< the format of the output -

@@ -59,7 +59,7 @@ ExitCode run_solid_info(const SolidInfo& command) {
   for (const std::string& file : command.pictures) {
     const Result<MeshFormat> format = mesh_format(file);
     if (!format || *format != MeshFormat::glb)
-      throw Stop(kUsage, "info draws solids as .glb pictures only, not " + file);
+      throw Stop(kUsage, "info draws solids as .glb pictures or .html only, not " + file);
   }
   const auto [solid, timing] = timed(
       1, [&] { return make_solid(require(read_mesh_data(command.file, command.input)), command.file, command.input); });

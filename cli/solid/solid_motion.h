@@ -10,7 +10,6 @@
 #include "dymsum/scaling_solid_sum.h"
 #include "exit_code.h"
 #include "motion_report.h"
-#include "pictures/page.h"
 #include "solid/solid_operands.h"
 #include "verbs/scale_command.h"
 
@@ -19,14 +18,12 @@ namespace dymsum::cli {
 struct SolidFrame {
   SolidPose p, q;
   FrameName name;
-  double at = 0;  ///< the uniform scale or the angle in radians, where the motion has events
 };
 
-/// Something that happens between frames, as a report and a page tell it.
+/// Something that happens between frames, as a report tells it.
 struct MotionEvent {
-  double at = 0;  ///< as SolidFrame::at
-  std::string label, line;
-  bool topology = false;
+  double at = 0;  ///< the uniform scale or the angle in radians
+  std::string line;
   Json json;
 };
 
@@ -35,7 +32,7 @@ struct SolidMotion {
   std::string verb;
   std::vector<SolidInput> inputs;
   std::vector<SolidFrame> frames;
-  std::vector<std::string> files;  ///< may end in .html (a page that plays), or be a mesh of a frame
+  std::vector<std::string> files;  ///< meshes of a frame
   Json asked;                      ///< as MotionReport has it
   std::string note;
   std::optional<std::size_t> shown;  ///< the frame that meshes are of; else the last one
@@ -43,13 +40,11 @@ struct SolidMotion {
   std::vector<MotionEvent> events = {};
 };
 
-/// Makes the frames, writes pictures and reports. Stops where `shown` is no frame.
+/// Makes the frames, writes meshes and reports. Stops where `shown` is no frame.
 ExitCode run_solid_motion(const SolidMotion& motion, const ReportOptions& report);
 
 /// The report, with the events where there are some.
 void print_solid_motion(std::ostream& out, const SolidMotion& motion, MotionReport& report, bool as_json);
-/// Ticks of its events among every so-manieth frame; none for those that no two neighbours have between them.
-std::vector<SliderTick> event_ticks(const SolidMotion& motion, std::size_t every);
 
 /// Turned about an axis: of the name of the frame, theta is the exact rotation's angle, in (-pi, pi].
 SolidFrame turned_frame(const Rotation& rotation, const Point3& axis, const std::string& pose);

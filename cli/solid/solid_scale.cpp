@@ -3,7 +3,6 @@
 
 #include "dymsum/scaling_solid_sum.h"
 #include "outputs.h"
-#include "pictures/frame_pictures.h"
 #include "progress_bar.h"
 #include "solid/any_solid_outputs.h"
 #include "solid/solid_motion.h"
@@ -18,8 +17,7 @@ MotionEvent motion_event(const SolidScaleEvent& e) {
                      {"kind", kKinds[static_cast<std::size_t>(e.kind)]},
                      {"visible", true},
                      {"topology", e.topology}};
-  return {e.approx, "s = " + shown(e.s).substr(0, 60), "event " + shown(e.s) + (e.topology ? "  topology changes" : ""),
-          e.topology, json};
+  return {e.approx, "event " + shown(e.s) + (e.topology ? "  topology changes" : ""), json};
 }
 
 /// Those between the least and the largest uniform scale of the frames, or the first that is asked for.
@@ -61,8 +59,7 @@ std::vector<Scale> scales_in(const std::string& text) {
 ExitCode run_solid_scale(const ScaleCommand& command, const std::vector<Scale>& sweep) {
   refuse_options(*command.parser, {"--copies", "--ratio", "--mode", "--semantics", "--exact"},
                  "is for planar operands");
-  if (!command.events && std::none_of(command.files.begin(), command.files.end(), is_page))
-    refuse_options(*command.parser, {"--threads"}, "is for planar operands, and for events");
+  if (!command.events) refuse_options(*command.parser, {"--threads"}, "is for planar operands, and for events");
   if (sweep.empty() == command.at.empty()) throw Stop(kUsage, "give one of --sweep and --at");
   SolidMotion motion{"scale", read_solids(command.operands, command.input), {}, command.files, {}, "", command.frame};
   std::vector<Scale> uniform;
@@ -71,7 +68,6 @@ ExitCode run_solid_scale(const ScaleCommand& command, const std::vector<Scale>& 
     SolidFrame frame;
     (command.scaled == "p" ? frame.p : frame.q).scale = {s.front(), s[s.size() / 2], s.back()};
     frame.name = frame_name(s);
-    frame.at = s[0].approx();
     motion.frames.push_back(frame);
   };
   for (const Scale& s : sweep) add({s});
@@ -81,12 +77,9 @@ ExitCode run_solid_scale(const ScaleCommand& command, const std::vector<Scale>& 
   const bool is_uniform = uniform.size() == motion.frames.size();
   if (command.events && !is_uniform) throw Stop(kUsage, "--events wants the same scale along all axes");
   motion.has_events = command.events;
-  const bool page = std::any_of(command.files.begin(), command.files.end(), is_page);
-  const bool thin = motion.inputs[0].mesh.has_thin_parts() || motion.inputs[1].mesh.has_thin_parts();
-  if (command.events || (page && is_uniform && !thin)) {
+  if (command.events)
     for (const SolidScaleEvent& event : events_of(motion, command, uniform))
       motion.events.push_back(motion_event(event));
-  }
   const ExitCode code = run_solid_motion(motion, command.report);
   return code == kDone && !command.next.empty() && motion.events.empty() ? kNo : code;
 }

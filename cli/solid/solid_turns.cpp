@@ -125,7 +125,7 @@ MotionEvent motion_event(const SolidTurnEvent& event, double turn) {
   double at = event.radians;
   if (turn >= 0 && at < 0) at += whole;
   if (turn < 0 && at > 0) at -= whole;
-  return {at, number(at * 180 / std::numbers::pi) + " degrees", event_line(event), event.topology, event_json(event)};
+  return {at, event_line(event), event_json(event)};
 }
 
 }  // namespace

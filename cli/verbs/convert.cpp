@@ -10,6 +10,7 @@
 #include "solid/solid_inputs.h"
 #include "verbs/commands.h"
 #include "verbs/sum_command.h"
+#include "viewer/viewer_pages.h"
 
 namespace dymsum::cli {
 namespace {
@@ -22,22 +23,19 @@ struct ConvertCommand {
   OutputOptions output;
 };
 
-ExitCode run(const ConvertCommand& command) {
-  report_stream({command.out}, command.json);
-  refuse_unused_format({command.in}, command.input);
-  refuse_unknown_extension(command.in);
-  if (command.out != "-") refuse_options(*command.parser, {"--to"}, "is the format of the output -");
-  if (names_solid(command.in, command.input)) {
-    const std::string to = command.parser->count("--to") > 0 ? command.output.to : "off";
-    return run_solid_convert(
-        {"convert", command.in, command.out, to, command.json, command.canonical, command.triangulate, command.input});
-  }
+ExitCode run_regions(const ConvertCommand& command) {
   refuse_options(*command.parser, {"--triangulate"}, "is for solids");
-  const RegionFormat format = output_format(command.out, command.output);
+  OutputOptions output = command.output;
+  output.files = {command.out};
+  const ResultPages pages(*command.parser, output.files);
+  check_outputs(output);
   auto [input, timing] = timed(1, [&] { return read_input(command.in, command.input); });
   if (command.canonical) input.region = input.region.canonical();
+  if (pages.any() && input.region.empty()) pages.stop_with_nothing_to_show();
   const InterruptGuard guard;
-  write_text(command.out, format_region(input.region, format));
+  for (const std::string& file : output.files)
+    write_text(file, format_region(input.region, output_format(file, output)));
+  if (pages.any()) pages.write({shape_name(command.in) + ".wkt", format_region(input.region, RegionFormat::wkt)});
   if (!command.json) return kDone;
   Json report = report_head("convert", inputs_json({input}), tier_of(input.region), timing);
   report.update({{"output", command.out},
@@ -46,6 +44,17 @@ ExitCode run(const ConvertCommand& command) {
                  {"vertices", input.region.vertex_count()}});
   print_report(report);
   return kDone;
+}
+
+ExitCode run(const ConvertCommand& command) {
+  report_stream({command.out}, command.json);
+  refuse_unused_format({command.in}, command.input);
+  refuse_unknown_extension(command.in);
+  if (command.out != "-") refuse_options(*command.parser, {"--to"}, "is the format of the output -");
+  if (!names_solid(command.in, command.input)) return run_regions(command);
+  const std::string to = command.parser->count("--to") > 0 ? command.output.to : "off";
+  return run_solid_convert({command.parser, "convert", command.in, command.out, to, command.json, command.canonical,
+                            command.triangulate, command.input});
 }
 
 }  // namespace
@@ -58,7 +67,8 @@ void add_convert(CLI::App& app, Action& action) {
   verb->add_option("IN", command->in, "File, FILE#NAME for one shape of several, or - for standard input")->required();
   verb->add_option(
           "OUT", command->out,
-          "File .poly .wkt .geojson .svg .json .dxf, of solids .off .obj .stl .ply .glb, or - for standard output")
+          "File .poly .wkt .geojson .svg .json .dxf, of solids .off .obj .stl .ply .glb, .html (the viewer), or - for "
+          "standard output")
       ->required();
   verb->add_option("--to", command->output.to, "Format of the output -; of solids off if not given")
       ->check(CLI::IsMember({"poly", "wkt", "geojson", "svg", "json", "dxf", "off", "obj", "stl", "ply", "glb"}))

@@ -185,7 +185,7 @@ void add_cspace(CLI::App& app, Action& action) {
   verb.footer("Example: dymsum cspace peg.wkt slot.wkt -o obstacle.glb -o slices.svg --json");
   verb.callback([command, &action] {
     action = [command] {
-      return run_with_pages({command->parser, "obstacle", "", false}, command->operands, command->input, command->files,
+      return run_with_pages({command->parser, "obstacle", ""}, command->operands, command->input, command->files,
                             [command] { return run_cspace(*command); });
     };
   });

@@ -142,8 +142,8 @@ void add_decompose(CLI::App& app, Action& action) {
   verb.footer("Example: dymsum decompose beetle.poly --repair --tau 1/10 -o pieces.wkt -o pieces.svg");
   verb.callback([command, &action] {
     action = [command] {
-      return run_with_pages({command->parser, "discs", "", false}, {command->operand}, command->input,
-                            command->output.files, [command] { return run_decompose(*command); });
+      return run_with_pages({command->parser, "discs", ""}, {command->operand}, command->input, command->output.files,
+                            [command] { return run_decompose(*command); });
     };
   });
 }

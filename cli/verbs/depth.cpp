@@ -241,7 +241,7 @@ void add_depth(CLI::App& app, Action& action) {
       ->capture_default_str();
   verb.add_option(
           "-o", command->track.files,
-          "Write .html (the viewer); with --track the rows: .csv, .json, .svg or .html (a plot, jumps marked), - is "
+          "Write .html (the viewer); with --track instead the rows: .csv, .json or .svg (a plot, jumps marked), - is "
           "standard output, as .csv; repeatable")
       ->type_name("FILE")
       ->allow_extra_args(false);

@@ -1,6 +1,8 @@
 // dymsum disc P --radius R
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <cmath>
+#include <functional>
 #include <iostream>
 #include <map>
 #include <memory>
@@ -14,11 +16,11 @@
 #include "inputs.h"
 #include "options.h"
 #include "outputs.h"
-#include "pictures/disc_frames.h"
 #include "progress_bar.h"
 #include "report.h"
 #include "timing.h"
 #include "verbs/commands.h"
+#include "viewer/viewer_pages.h"
 
 namespace dymsum::cli {
 namespace {
@@ -27,7 +29,6 @@ struct DiscCommand {
   const CLI::App* parser = nullptr;
   std::string p, radius, set = "sum", semantics = "closed", bound = "inside";
   std::optional<double> error;
-  std::size_t frames = 120;
   bool events = false;
   ReportOptions report;
   InputOptions input;
@@ -49,22 +50,19 @@ DiscRadius read_radius(const std::string& text) {
 }
 
 bool writes_polygons(const std::string& file, const OutputOptions& options) {
-  if (is_page(file)) return false;
   const RegionFormat format = output_format(file, options);
   return format != RegionFormat::json && format != RegionFormat::svg;
 }
 
 void check(const DiscCommand& command) {
-  OutputOptions others = command.output;
-  std::erase_if(others.files, is_page);
-  check_outputs(others);
+  check_outputs(command.output);
   if (!writes_to_stdout(command.output.files)) refuse_options(*command.parser, {"--to"}, "is the format of -o -");
   const auto& files = command.output.files;
-  if (std::none_of(files.begin(), files.end(), is_page))
-    refuse_options(*command.parser, {"--frames"}, "is for -o FILE.html");
   if (std::none_of(files.begin(), files.end(), [&](const auto& f) { return writes_polygons(f, command.output); }))
     refuse_options(*command.parser, {"--error", "--bound"}, "is of polygons: -o FILE.wkt, .poly, .geojson or .dxf");
 }
+
+using DiscMaker = std::function<Result<DiscSet>(const DiscRadius&)>;
 
 DiscMaker maker(const GrowingDisc& disc, const DiscCommand& command, const Progress& progress) {
   const Semantics semantics = kDiscSemantics.at(command.semantics);
@@ -100,14 +98,10 @@ std::pair<Measure, Measure> any_area(const DiscSet& set) {
 
 double default_error(const DiscSet& set) { return set.radius > 0 ? set.radius / 1000 : 1; }
 
-void write_outputs(const DiscCommand& command, const Region& p, const DiscSet& set, const DiscFrames& frames) {
+void write_outputs(const DiscCommand& command, const Region& p, const DiscSet& set) {
   std::optional<DiscPolygons> polygons;
   std::vector<std::string> texts;
   for (const std::string& file : command.output.files) {
-    if (is_page(file)) {
-      texts.push_back(disc_page(frames));
-      continue;
-    }
     const RegionFormat format = output_format(file, command.output);
     if (format == RegionFormat::json) {
       texts.push_back(disc_set_to_json(set));
@@ -192,17 +186,8 @@ ExitCode run_disc(const DiscCommand& command) {
     return make_set();
   });
   const std::vector<DiscEvent> events = require(disc.events(side_of(command.set)));
-  DiscFrames frames;
-  const auto& files = command.output.files;
-  if (std::any_of(files.begin(), files.end(), is_page)) {
-    frames.title = inputs[0].file + ", " + command.set + " with a growing disc";
-    frames.set = command.set;
-    frames.region = inputs[0].region;
-    frames.events = events;
-    append_frames(frames, maker(disc, command, {}), set.radius, command.frames, bar->callback());
-  }
   bar.reset();
-  write_outputs(command, inputs[0].region, set, frames);
+  write_outputs(command, inputs[0].region, set);
   if (command.report.json) print_report(disc_json(command, inputs, set, first, again, events));
   else print_disc(out, command, set, again, events);
   const bool empty = set.parts.empty() && set.segments.empty() && set.points.empty() && set.tight_segments.empty() &&
@@ -213,8 +198,8 @@ ExitCode run_disc(const DiscCommand& command) {
 void add_disc_outputs(CLI::App& verb, DiscCommand& command) {
   verb.add_option(
           "-o", command.output.files,
-          "Write the result; repeatable; by extension .json (exact, pieces by name), .svg (true arcs), .html (a "
-          "page with a slider from 0 to R), .poly .wkt .geojson .dxf (polygons); - is standard output")
+          "Write the result; repeatable; by extension .json (exact, pieces by name), .svg (true arcs), .poly .wkt "
+          ".geojson .dxf (polygons), .html (the viewer); - is standard output")
       ->type_name("FILE")
       ->allow_extra_args(false);
   verb.add_option("--to", command.output.to, "Format of -o -")
@@ -225,9 +210,6 @@ void add_disc_outputs(CLI::App& verb, DiscCommand& command) {
   verb.add_option("--bound", command.bound,
                   "Of polygons: inside the set, outside around it, or nearest, with vertices on its boundary")
       ->check(CLI::IsMember({"inside", "outside", "nearest"}))
-      ->capture_default_str();
-  whole_within(verb.add_option("--frames", command.frames, "Of a page: how many radii, evenly; with events between"), 2,
-               240)
       ->capture_default_str();
 }
 
@@ -260,7 +242,12 @@ void add_disc(CLI::App& app, Action& action) {
   verb.footer(
       "Ends with 4 where no disc fits (erosion, opening).\n"
       "Example: dymsum disc part.wkt --radius 3/2 --set opening -o opened.svg -o opened.json");
-  verb.callback([command, &action] { action = [command] { return run_disc(*command); }; });
+  verb.callback([command, &action] {
+    action = [command] {
+      return run_with_pages({command->parser, "discs", ""}, {command->p}, command->input, command->output.files,
+                            [command] { return run_disc(*command); });
+    };
+  });
 }
 
 }  // namespace dymsum::cli

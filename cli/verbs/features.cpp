@@ -11,8 +11,6 @@
 #include "inputs.h"
 #include "options.h"
 #include "outputs.h"
-#include "pictures/features_page.h"
-#include "pictures/frame_pictures.h"
 #include "pictures/shape_pictures.h"
 #include "planar/tier.h"
 #include "progress_bar.h"
@@ -83,11 +81,11 @@ void print_bars(const ShapeFeatures& features, const std::vector<std::uint32_t>&
 
 void check_pictures(const FeaturesCommand& command) {
   for (const std::string& file : command.output.files)
-    if (!file.ends_with(".svg") && !is_page(file)) throw Stop(kUsage, "-o writes .svg and .html: " + file);
+    if (!file.ends_with(".svg")) throw Stop(kUsage, "-o writes .svg and .html: " + file);
 }
 
 void write_pictures(const FeaturesCommand& command, const ShapeFeatures& features, const std::vector<AlphaBridge>& at,
-                    const std::vector<std::uint32_t>& kept, const Progress& progress) {
+                    const std::vector<std::uint32_t>& kept) {
   if (command.output.files.empty()) return;
   Region sum;
   double alpha = 0;
@@ -97,12 +95,8 @@ void write_pictures(const FeaturesCommand& command, const ShapeFeatures& feature
     const DiscSet set = require(GrowingDisc(features.region()).sum_at(r));
     if (alpha > 0) sum = require(to_region(set, alpha / 2000)).region;
   }
-  std::vector<std::string> texts;
-  for (const std::string& file : command.output.files)
-    texts.push_back(
-        is_page(file) ? features_page(features, alpha, kept, command.operand + ": bridges, pockets and bars", progress)
-                      : features_picture(features, sum, at, alpha, kept));
-  for (std::size_t i = 0; i < texts.size(); ++i) write_text(command.output.files[i], texts[i]);
+  const std::string picture = features_picture(features, sum, at, alpha, kept);
+  for (const std::string& file : command.output.files) write_text(file, picture);
 }
 
 ExitCode run_features(const FeaturesCommand& command) {
@@ -124,7 +118,7 @@ ExitCode run_features(const FeaturesCommand& command) {
   const std::vector<std::uint32_t> kept = features.lasting(selection.life, selection.from, selection.to);
   std::vector<AlphaBridge> bridges;
   if (alpha) bridges = require_of(inputs, features.bridges(*alpha));
-  write_pictures(command, features, bridges, kept, bar->callback());
+  write_pictures(command, features, bridges, kept);
   bar.reset();
   if (!command.report.json) {
     print_bars(features, kept, alpha ? &bridges : nullptr);
@@ -150,15 +144,12 @@ void add_features(CLI::App& app, Action& action) {
   add_shared_options(verb, *command, "Keep what lasts at least this long, in diameters");
   verb.add_option("--alpha", command->alpha, "Also the bridges of the disc of this diameter")->type_name("A");
   verb.add_flag("--exact", command->exact, "With --json: births and deaths as formulas of roots, too");
-  verb.add_option("-o", command->output.files,
-                  "A picture .svg, or .html, the viewer (where it is not built, a page with a slider over alpha, to "
-                  "--alpha if given); repeatable")
-      ->type_name("FILE");
+  verb.add_option("-o", command->output.files, "A picture .svg, or .html, the viewer; repeatable")->type_name("FILE");
   verb.footer("Example: dymsum features beetle.poly --repair --alpha 1/5 --tau 1/10 -o beetle.svg --json");
   verb.callback([command, &action] {
     action = [command] {
-      return run_with_pages({command->parser, "discs", "", true}, {command->operand}, command->input,
-                            command->output.files, [command] { return run_features(*command); });
+      return run_with_pages({command->parser, "discs", ""}, {command->operand}, command->input, command->output.files,
+                            [command] { return run_features(*command); });
     };
   });
 }

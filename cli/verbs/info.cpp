@@ -11,6 +11,7 @@
 #include "solid/solid_inputs.h"
 #include "verbs/commands.h"
 #include "verbs/sum_command.h"
+#include "viewer/viewer_pages.h"
 
 namespace dymsum::cli {
 namespace {
@@ -20,6 +21,7 @@ struct InfoCommand {
   bool json = false;
   InputOptions input;
   OutputOptions output;
+  bool draws = false;  ///< a picture or a page, which show one shape
 };
 
 /// One shape of the file: its region when it is valid.
@@ -94,15 +96,14 @@ std::vector<Shape> read_and_validate(const InfoCommand& command) {
 void check_pictures(const InfoCommand& command) {
   for (const std::string& file : command.output.files)
     if (output_format(file, command.output) != RegionFormat::svg)
-      throw Stop(kUsage, "info draws regions as .svg pictures only, not " + file);
+      throw Stop(kUsage, "info draws regions as .svg pictures or .html only, not " + file);
 }
 
-/// The pictures of the file's first valid shape.
+/// The pictures of the file's one shape, where it is valid.
 void draw(const InfoCommand& command, const std::vector<Shape>& shapes) {
-  for (const std::string& file : command.output.files) {
-    if (shapes.size() != 1) throw Stop(kUsage, "select one shape to draw: " + command.file + "#NAME");
+  if (command.draws && shapes.size() != 1) throw Stop(kUsage, "select one shape to draw: " + command.file + "#NAME");
+  for (const std::string& file : command.output.files)
     if (shapes.front().region) write_text(file, draw_region(*shapes.front().region));
-  }
 }
 
 ExitCode run(const InfoCommand& command) {
@@ -135,15 +136,23 @@ ExitCode run(const InfoCommand& command) {
 void add_info(CLI::App& app, Action& action) {
   auto command = std::make_shared<InfoCommand>();
   command->output.to = "svg";
-  CLI::App* verb = app.add_subcommand("info", "What a file holds: counts, bounds, area or volume, validity, tier");
+  CLI::App* const verb =
+      app.add_subcommand("info", "What a file holds: counts, bounds, area or volume, validity, tier");
   verb->add_option("F", command->file, "File, FILE#NAME for one shape of several, or - for standard input")->required();
-  verb->add_option("-o", command->output.files, "Draw the region (.svg) or the solid (.glb)")
+  verb->add_option("-o", command->output.files,
+                   "Draw the region (.svg) or the solid (.glb), or show it in the viewer (.html); repeatable")
       ->type_name("FILE")
       ->allow_extra_args(false);
   verb->add_flag("--json", command->json, "Print one JSON object");
   add_solid_input_options(*verb, command->input);
   verb->footer("Example: dymsum info neuron.poly --json");
-  verb->callback([command, &action] { action = [command] { return run(*command); }; });
+  verb->callback([command, verb, &action] {
+    action = [command, verb] {
+      command->draws = !command->output.files.empty();
+      return run_with_pages({verb, "sum", "solids"}, {command->file}, command->input, command->output.files,
+                            [command] { return run(*command); });
+    };
+  });
 }
 
 }  // namespace dymsum::cli

@@ -15,6 +15,7 @@
 #include "solid/solid_operands.h"
 #include "timing.h"
 #include "verbs/commands.h"
+#include "viewer/viewer_pages.h"
 
 namespace dymsum::cli {
 namespace {
@@ -121,7 +122,7 @@ ExitCode run_solid_parts(const LocalCommand& command) {
   if (!writes_to_stdout(command.files)) refuse_options(*command.parser, {"--to"}, "is the format of -o -");
   for (const std::string& file : command.files)
     if (const std::string name = format_name(file, command.to); !name.ends_with(".json") && !name.ends_with(".glb"))
-      throw Stop(kUsage, "-o writes a part of a sum as .json or .glb: " + file);
+      throw Stop(kUsage, "-o writes a part of a sum as .json, .glb or .html: " + file);
   std::ostream& out = report_stream(command.files, command.report.json);
   const std::vector<SolidInput> inputs = read_solids(command.operands, command.input);
   LocalOptions options;
@@ -183,9 +184,8 @@ void add_local_sum(CLI::App& app, Action& action) {
       ->type_name("X,Y,Z");
   add_angle_options(verb, command->angle, "Turn P first; with --axis, a solid, by this angle,");
   verb.add_option("-o", command->files,
-                  "Write the part; repeatable; .json (exact, with provenance), or a picture: .svg of regions, .glb of "
-                  "solids; - is "
-                  "standard output")
+                  "Write the part; repeatable; .json (exact, with provenance), a picture: .svg of regions, .glb of "
+                  "solids, or .html (the viewer); - is standard output")
       ->type_name("FILE")
       ->allow_extra_args(false);
   verb.add_option("--to", command->to, "Format of -o -")
@@ -202,7 +202,10 @@ void add_local_sum(CLI::App& app, Action& action) {
   verb.callback([command, &action] {
     if (command->box.empty() && command->ball.empty() && command->disc.empty())
       throw Stop(kUsage, "local-sum wants --box, or --ball of solids, or --disc of regions");
-    action = [command] { return run(*command); };
+    action = [command] {
+      return run_with_pages({command->parser, "sum", "solids"}, command->operands, command->input, command->files,
+                            [command] { return run(*command); });
+    };
   });
 }
 

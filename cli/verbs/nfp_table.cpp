@@ -18,6 +18,7 @@
 #include "report.h"
 #include "timing.h"
 #include "verbs/commands.h"
+#include "viewer/viewer_pages.h"
 
 namespace dymsum::cli {
 namespace {
@@ -57,7 +58,8 @@ bool writes_manifest(const std::string& file) { return file.ends_with(".json"); 
 void check_table_outputs(const TableCommand& command) {
   for (const std::string& file : command.outputs)
     if (!writes_rows(file) && !writes_geometry(file) && !writes_manifest(file))
-      throw Stop(kUsage, "-o " + file + ": a table is written as .jsonl (rows), .wkb (geometry) and .json (manifest)");
+      throw Stop(kUsage, "-o " + file + ": a table is written as .jsonl (rows), .wkb (geometry) and .json (manifest)" +
+                             (is_page(file) ? "; the viewer shows no table: nfp shows a pair of items" : ""));
   const CLI::App& parser = *command.parser;
   if (!command.cache.empty()) refuse_options(parser, {"--repeat"}, "would measure how fast --cache is read");
   if (command.cache.empty()) refuse_options(parser, {"--shard", "--merge"}, "wants --cache, the folder of all shards");

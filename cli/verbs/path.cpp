@@ -21,6 +21,7 @@
 #include "timing.h"
 #include "verbs/check_path.h"
 #include "verbs/commands.h"
+#include "viewer/viewer_pages.h"
 
 namespace dymsum::cli {
 namespace {
@@ -219,10 +220,10 @@ ExitCode run_plan(const PathCommand& command, ObstacleSource source, const Grown
 
 void check_options(const PathCommand& command) {
   for (const std::string& file : command.files) {
-    if (!file.ends_with(".json") && !file.ends_with(".svg"))
-      throw Stop(kUsage, "-o wants a .json or a .svg file, not " + file);
-    if (file.ends_with(".svg") && command.to.size() > 1)
-      throw Stop(kUsage, "a .svg file shows one path: give one --to");
+    if (!file.ends_with(".json") && !file.ends_with(".svg") && !is_page(file))
+      throw Stop(kUsage, "-o wants a .json, a .svg or a .html file, not " + file);
+    if (!file.ends_with(".json") && command.to.size() > 1)
+      throw Stop(kUsage, "a .svg or .html file shows one path: give one --to");
   }
   const bool ends = !command.from.empty() || !command.to.empty();
   if (!command.given.empty() && ends) throw Stop(kUsage, "--from and --to do not apply to --check-path");
@@ -239,11 +240,33 @@ void check_options(const PathCommand& command) {
     throw Stop(kUsage, "--margin wants ROBOT and OBSTACLE: the obstacle of a file is that of the robot as it is");
 }
 
-ExitCode run_path(const PathCommand& command) {
+/// Robot and obstacle as a page takes them. Those of a file of an obstacle are regions that nothing else holds, and a
+/// robot with a margin is handed over as it is planned for: the page then finds the same path.
+std::vector<ViewerInput> shown_inputs(const PathCommand& command, const ObstacleSource& source, const Region& robot) {
+  const auto made = [](const std::string& name, const Region& region) {
+    return ViewerInput{name + ".wkt", format_region(region, RegionFormat::wkt)};
+  };
+  if (!command.source.file.empty()) {
+    const std::string name = shape_name(command.source.file);
+    return {made(name + " robot", robot), made(name + " obstacle", source.inputs[1].region)};
+  }
+  std::vector<ViewerInput> inputs;
+  for (const std::string& operand : command.source.operands)
+    inputs.push_back(viewer_input(operand, command.source.input));
+  if (command.margin > 0) inputs[0] = made(shape_name(command.source.operands[0]) + " with margin", robot);
+  return inputs;
+}
+
+ExitCode run_path(PathCommand& command) {
   check_options(command);
   ObstacleSource source = read_source(command.source);
   const GrownRegion robot = require_of({source.inputs[0]}, grown(source.inputs[0].region, command.margin));
-  return command.given.empty() ? run_plan(command, std::move(source), robot) : run_check(command, source.inputs, robot);
+  return run_with_pages(
+      *command.parser, "obstacle", [&] { return shown_inputs(command, source, robot.region); }, command.files,
+      [&] {
+        return command.given.empty() ? run_plan(command, std::move(source), robot)
+                                     : run_check(command, source.inputs, robot);
+      });
 }
 
 }  // namespace
@@ -274,7 +297,7 @@ void add_path(CLI::App& app, Action& action) {
   verb.add_flag("--strict", command->strict, "Touching the obstacle is forbidden");
   const char* const limit = "Seconds after which the search stops without a decision, 60 unless told";
   within(verb.add_option("--time-limit", command->time_limit, limit), 0)->type_name("SECONDS");
-  verb.add_option("-o", command->files, "Write the path as .json, or as a picture .svg; repeatable")
+  verb.add_option("-o", command->files, "Write the path as .json, as a picture .svg, or .html (the viewer); repeatable")
       ->type_name("FILE")
       ->allow_extra_args(false);
   add_report_options(verb, command->report, "Compute N times and report the median and minimum time");

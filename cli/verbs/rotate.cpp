@@ -1,7 +1,6 @@
 // dymsum rotate P Q --steps N
 #include <CLI/CLI.hpp>
 #include <memory>
-#include <numbers>
 #include <optional>
 #include <sstream>
 
@@ -55,11 +54,9 @@ ExitCode run_solids(const RotateCommand& command) {
   const Point3 axis = parse_point(command.axis.value_or("0,0,1"), "--axis");
   const std::vector<SolidInput> inputs = read_solids(command.planar.operands, command.planar.input);
   SolidMotion motion{"rotate", inputs, {}, command.planar.files, {}, "", command.frame};
-  for (const Angle& angle : frame_angles(command)) {  // every angle by itself: nothing adds up
+  for (const Angle& angle : frame_angles(command))  // every angle by itself: nothing adds up
     motion.frames.push_back(
         turned_frame(require_option(Rotation::about(axis, angle.radians()), "--axis"), axis, angle.label()));
-    motion.frames.back().at = angle.value() * (angle.degrees ? std::numbers::pi / 180 : 1);
-  }
   motion.has_events = command.events;
   if (command.events) motion.events = turn_events(inputs, command.axis.value_or("0,0,1"), whole_angle(command));
   motion.asked = {{"axis", {axis.x, axis.y, axis.z}}, {"angle_error", Rotation::kAngularError}};
@@ -93,7 +90,7 @@ void add_rotate(CLI::App& app, Action& action) {
       "Steps of the turn: a frame at the beginning of each, and one at the end unless it is the first again";
   whole_within(verb.add_option("--steps", command->steps, steps), 1, 1000000)->type_name("N");
   verb.add_flag("--events", command->events,
-                "Of solids: list the exact angles at which the sum changes; with --steps also as ticks of a page");
+                "Of solids: list the exact angles at which the sum changes; with --steps those of its turn");
   verb.add_option("--range", command->range,
                   "Of events: from an angle counter-clockwise to another one [a whole turn from 0]")
       ->type_name("FROM:TO");
@@ -112,10 +109,10 @@ void add_rotate(CLI::App& app, Action& action) {
   verb.add_option("--semantics", command->semantics, "Planar: closed, open or regular [closed]")
       ->check(CLI::IsMember({"closed", "open", "regular"}));
   add_threads_option(verb, command->planar.threads);
-  verb.add_option(
-          "-o", command->planar.files,
-          "Write .html (the viewer; where it is not built, a page that plays); planar also .svg (a "
-          "film strip) and anim.svg (an animation), solid a frame as .off .obj .stl .ply .glb .json; repeatable")
+  verb.add_option("-o", command->planar.files,
+                  "Write .html (the viewer); planar also .svg (a film strip) and anim.svg (an animation), solid a "
+                  "frame as .off "
+                  ".obj .stl .ply .glb .json; repeatable")
       ->type_name("FILE")
       ->allow_extra_args(false);
   add_report_options(verb, command->planar.report, "Turn N times and report the median and minimum frame");
@@ -127,7 +124,7 @@ void add_rotate(CLI::App& app, Action& action) {
       "          dymsum rotate star.wkt plate.wkt --steps 500 --threads 2");
   verb.callback([command, &action] {
     action = [command] {
-      return run_with_pages({command->parser, "sum", "solids", true}, command->planar.operands, command->planar.input,
+      return run_with_pages({command->parser, "sum", "solids"}, command->planar.operands, command->planar.input,
                             command->planar.files, [command] { return run(*command); });
     };
   });

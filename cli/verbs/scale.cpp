@@ -83,23 +83,15 @@ std::vector<PlanarFrame<AxisScales>> frames_at(const std::vector<AxisScales>& sc
   };
   std::vector<PlanarFrame<AxisScales>> frames;
   for (const AxisScales& s : scales)
-    frames.push_back({s, s.uniform() ? frame_name({s.x}) : frame_name({s.x, s.y}), s.x.approx(),
+    frames.push_back({s, s.uniform() ? frame_name({s.x}) : frame_name({s.x, s.y}),
                       "s = " + caption(s.x) + (s.uniform() ? "" : ":" + caption(s.y))});
   return frames;
 }
 
-std::vector<PicturedTick> ticks_of(const std::vector<ScaleEvent>& events) {
-  std::vector<PicturedTick> ticks;
-  for (const ScaleEvent& e : events)
-    if (e.visible) ticks.push_back({e.approx, "s = " + shown(e.s).substr(0, 60), e.topology});
-  return ticks;
-}
-
-/// Those of uniform scales: there are none for the ticks of other motions.
+/// Those that were asked for, or none. Requires, where they were: uniform scales.
 std::vector<ScaleEvent> events_of(const ScalingSum& sum, const ScaleCommand& command,
                                   const std::vector<AxisScales>& scales, const Progress& progress) {
-  if (!command.events && std::none_of(command.files.begin(), command.files.end(), is_page)) return {};
-  if (!std::all_of(scales.begin(), scales.end(), [](const AxisScales& s) { return s.uniform(); })) return {};
+  if (!command.events) return {};
   const auto [low, high] =
       std::minmax_element(scales.begin(), scales.end(),
                           [](const AxisScales& a, const AxisScales& b) { return a.x.approx() < b.x.approx(); });
@@ -145,8 +137,7 @@ ExitCode run_planar_scale(const ScaleCommand& command) {
         if (!(s.uniform() && s.x == sum.scale())) set_scales(sum, s);
       });
   bar.reset();
-  write_frame_pictures(command.files, motion.pictures, ticks_of(events),
-                       inputs[0].file + " and " + inputs[1].file + ", " + command.scaled + " scales");
+  write_frame_pictures(command.files, motion.pictures);
   MotionReport report = planar_motion_report("scale", inputs, command.report.repeat, frames, std::move(motion));
   report.static_ms = static_ms;
   report.asked = {{"semantics", command.semantics}, {"scaled", command.scaled}, {"robot", command.robot}};
@@ -214,10 +205,9 @@ void add_options(CLI::App& verb, ScaleCommand& command) {
       ->check(CLI::IsMember({"closed", "open", "regular"}))
       ->capture_default_str();
   verb.add_option("-o", command.files,
-                  "Write .svg (a film strip), anim.svg (an animation) or .html (the viewer; where it is not built, "
-                  "a page with a slider and ticks at events); with --copies .svg (obstacles, "
-                  "what they grow to, robot); of solids .html (likewise), and a frame as .off .obj .stl "
-                  ".ply .glb .json; repeatable")
+                  "Write .svg (a film strip), anim.svg (an animation) or .html (the viewer); with --copies .svg alone "
+                  "(obstacles, what they grow to, robot); of solids .html, and a frame as .off .obj .stl .ply .glb "
+                  ".json; repeatable")
       ->type_name("FILE")
       ->allow_extra_args(false);
   whole_within(verb.add_option("--frame", command.frame, "Of solids: the frame that meshes are of, from 0 [the last]"),
@@ -270,9 +260,10 @@ void add_scale(CLI::App& app, Action& action) {
       "          dymsum scale plate.wkt star.wkt --sweep 1:2:1% --ratio 2/3\n"
       "          dymsum scale block.off peg.off --range 1/2:2 --next topology");
   verb.callback([command, &action] {
-    action = [command] {
-      return run_with_pages({command->parser, command->copies.empty() ? "sum" : "", "solids", true}, command->operands,
-                            command->input, command->files, [command] { return run_scale(*command); });
+    action = [command]() -> ExitCode {
+      if (!command->copies.empty()) return run_scale(*command);
+      return run_with_pages({command->parser, "sum", "solids"}, command->operands, command->input, command->files,
+                            [command] { return run_scale(*command); });
     };
   });
 }

@@ -43,14 +43,14 @@ bool is_empty(const PlanarSum& sum) {
          sum.tight_points.empty();
 }
 
-void add_output_options(CLI::App& verb, SumCommand& command, bool planar_result, bool has_page) {
+void add_output_options(CLI::App& verb, SumCommand& command, bool planar_result) {
   const std::string
       planar = "by extension .poly .wkt .geojson .dxf (rounded), .json (exact, with provenance), .svg (picture)",
       stages = planar_result ? ", of planar operands stages.svg (the stages)" : ", stages.svg (the stages)",
       solid = planar_result ? "" : "; of solids .off .obj .stl .ply (rounded), .json, .glb, stages.glb";
-  verb.add_option("-o", command.output.files,
-                  "Write the result; repeatable; " + planar + stages + solid +
-                      (has_page ? ", .html (the viewer)" : "") + "; - is standard output")
+  verb.add_option(
+          "-o", command.output.files,
+          "Write the result; repeatable; " + planar + stages + solid + ", .html (the viewer); - is standard output")
       ->type_name("FILE")
       ->allow_extra_args(false);
   std::vector<std::string> formats{"poly", "wkt", "geojson", "svg", "json", "dxf"};
@@ -64,8 +64,8 @@ void add_output_options(CLI::App& verb, SumCommand& command, bool planar_result,
                     " rounding would change the topology, merge what collides instead of refusing");
 }
 
-void add_sum_options(CLI::App& verb, SumCommand& command, bool planar_result, bool has_page) {
-  add_output_options(verb, command, planar_result, has_page);
+void add_sum_options(CLI::App& verb, SumCommand& command, bool planar_result) {
+  add_output_options(verb, command, planar_result);
   verb.add_option("--engine", command.engine,
                   planar_result ? "Planar operands: how the boundary is found; all give the same result"
                                 : "How the boundary is found; all give the same set; of solids fast or brute")
@@ -87,7 +87,7 @@ CLI::App& declare_sum_verb(CLI::App& app, const SumVerb& verb, SumCommand& comma
   add_operands(parser, verb.first, verb.second, command.operands);
   if (verb.several)
     parser.add_option("MORE", command.more, "More solids: the sum of all, exact throughout")->type_name("");
-  add_sum_options(parser, command, verb.planar_result, !verb.page.empty());
+  add_sum_options(parser, command, verb.planar_result);
   add_solid_input_options(parser, command.input, OperandKind::either,
                           verb.is_sum ? Hulls::of_results_too : Hulls::of_operands);
   add_memory_option(parser, command.memory_mb, OperandKind::either);
@@ -109,7 +109,6 @@ void add_sum_verb(CLI::App& app, const SumVerb& verb, Action& action) {
 }
 
 Action with_viewer(const SumVerb& verb, SumCommand& command, const Action& action) {
-  if (verb.page.empty()) return action;
   const ViewerPage page{command.parser, verb.page, verb.solid_page};
   return [page, &command, action] {
     std::vector<std::string> operands = command.operands;

@@ -34,7 +34,7 @@ struct SumVerb {
   bool planar_result = false;              ///< of solids, too
   bool is_sum = false;                     ///< of solids: takes parts without volume, and keeps convex faces whole
   bool several = false;                    ///< takes more than two solids
-  std::string page, solid_page;            ///< of the viewer that shows regions, and solids; empty: none
+  std::string page, solid_page;            ///< of the viewer that shows regions, and solids
   std::optional<Orientation> orientation;  ///< of the operand that is turned, for the report
   /// The operands as pictures show them and as the convolution is counted; empty: as they are read.
   std::function<std::array<Region, 2>(const Region&, const Region&)> shown;

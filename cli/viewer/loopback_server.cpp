@@ -15,14 +15,15 @@
 
 #include "exit_code.h"
 #include "numbers.h"
+#include "viewer/connection_watch.h"
 
 namespace dymsum::cli {
 namespace {
 
 constexpr const char* kHost = "127.0.0.1";
-/// A stream of events keeps a thread; the others answer.
-constexpr std::size_t kThreads = 32;
 constexpr int kMostStreams = 24;
+/// Every connection that waits, for a request or to be read, keeps a thread; some are left to whoever comes next.
+constexpr std::size_t kThreads = ConnectionWatch::kMost + kMostStreams + 8;
 /// How long a stream waits before it looks whether its reader is still there.
 constexpr std::chrono::milliseconds kPatience(500);
 
@@ -66,11 +67,13 @@ class LoopbackServer::State {
   explicit State(int port) {
     server_.new_task_queue = [] { return new httplib::ThreadPool(kThreads); };
     // A port that another program listens on is taken: httplib's own choice would share it.
-    server_.set_socket_options([](socket_t socket) {
+    server_.set_socket_options([this](socket_t socket) {
       const int yes = 1;
+      listener_ = socket;
       ::setsockopt(socket, SOL_SOCKET, SO_REUSEADDR, &yes, sizeof yes);
     });
-    server_.set_tcp_nodelay(true).set_keep_alive_timeout(1).set_read_timeout(2).set_payload_max_length(0);
+    server_.set_tcp_nodelay(true).set_keep_alive_timeout(1).set_read_timeout(2).set_write_timeout(2);
+    server_.set_payload_max_length(0).set_keep_alive_max_count(1);  // a connection is one request: it has its time
     server_.set_default_headers(kHeaders);
     server_.set_pre_routing_handler([this](const auto& request, auto& response) { return judge(request, response); });
     server_.Get("/", [this](const auto&, auto& response) {
@@ -85,6 +88,9 @@ class LoopbackServer::State {
     errno = 0;
     port_ = port == 0 ? server_.bind_to_any_port(kHost) : server_.bind_to_port(kHost, port) ? port : -1;
     if (port_ < 0) cannot_listen(port);
+    ::listen(listener_,
+             SOMAXCONN);  // httplib lets five wait to be taken: a newcomer behind them would wait for a second
+    watch_.emplace(port_);
   }
 
   ~State() {
@@ -93,6 +99,7 @@ class LoopbackServer::State {
       ending_ = true;
     }
     changed_.notify_all();
+    watch_->cut_all();
     server_.stop();
     if (thread_.joinable()) thread_.join();
   }
@@ -111,6 +118,7 @@ class LoopbackServer::State {
 
   void start() {
     thread_ = std::thread([this] { server_.listen_after_bind(); });
+    watch_->start();
     while (!server_.is_running()) std::this_thread::yield();  // before that, stop() would stop nothing
   }
 
@@ -155,9 +163,14 @@ class LoopbackServer::State {
     const std::string last = request.has_header("Last-Event-ID") ? request.get_header_value("Last-Event-ID")
                                                                  : request.get_param_value("revision");
     auto known = std::make_shared<std::optional<std::size_t>>(revision_in(last));
+    const int peer = request.remote_port;
+    watch_->keep(peer);
     response.set_chunked_content_provider(
         "text/event-stream", [this, known](std::size_t, httplib::DataSink& sink) { return tell(*known, sink); },
-        [this](bool) { --streams_; });
+        [this, peer](bool) {
+          watch_->release(peer);
+          --streams_;
+        });
   }
 
   /// One event, or a comment where there is none for a while; false once the reader has gone.
@@ -178,9 +191,10 @@ class LoopbackServer::State {
     return sink.is_writable() && sink.write(text.data(), text.size());
   }
 
+  std::optional<ConnectionWatch> watch_;
   httplib::Server server_;
   std::thread thread_;
-  int port_ = -1;
+  int port_ = -1, listener_ = -1;
   mutable std::mutex mutex_;
   std::condition_variable changed_;
   std::atomic<int> streams_ = 0;

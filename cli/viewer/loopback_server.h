@@ -8,7 +8,8 @@
 namespace dymsum::cli {
 
 /// Listens on 127.0.0.1 from its making to its end, and answers for /, /data.json and /events alone, to requests that
-/// name the loopback as their host. No request names a file: what is served are texts.
+/// name the loopback as their host. No request names a file: what is served are texts. Clients that send slowly or do
+/// not read keep no other one waiting, and the end takes less than a second whatever they do.
 class LoopbackServer {
  public:
   /// Port 0: a free one. Stops with bad input where it cannot listen on the port.

@@ -20,9 +20,14 @@ namespace fs = std::filesystem;
 
 /// About outputs, reports and this program's own work, or done to the inputs already: nothing of it changes what is
 /// shown.
-constexpr std::array<std::string_view, 15> kNotShown{"o",      "to",      "json", "repeat", "exact",
-                                                     "memory", "threads", "from", "help",   "round-repair",
-                                                     "port",   "no-open", "page", "repair", "hull"};
+constexpr std::array<std::string_view, 15> kNotShown{"o",       "json", "repeat", "exact",    "memory",
+                                                     "threads", "help", "port",   "page",     "no-open",
+                                                     "repair",  "hull", "margin", "obstacle", "round-repair"};
+
+/// Formats of standard input and output, but of a path its ends.
+bool is_format(const std::string& option, const CLI::App& verb) {
+  return (option == "from" || option == "to") && verb.get_name() != "path";
+}
 
 std::string bytes_of(const std::string& file) {
   std::ifstream in(file, std::ios::binary);
@@ -76,24 +81,24 @@ bool is_made(const std::string& operand, const InputOptions& options) {
   return options.repair || options.hull || is_map(operand) || file_of_operand(operand) != operand;
 }
 
-std::string name_of(const std::string& operand) {
+ViewerInput made_input(const std::string& operand, InputOptions options) {
+  options.quiet = true;
+  if (names_solid(operand, options))
+    return {shape_name(operand) + ".off", format_mesh(read_solid(operand, options).mesh, MeshFormat::off)};
+  std::string text;
+  for (NamedShape& shape : read_all(operand, options))
+    text += format_region(require(make_region(std::move(shape.data), operand, options)), RegionFormat::wkt);
+  return {shape_name(operand) + ".wkt", text};
+}
+
+}  // namespace
+
+std::string shape_name(const std::string& operand) {
   if (operand == "-") return "input";
   if (is_footprint(operand)) return "footprint";
   const std::string file = file_of_operand(operand), stem = fs::path(file).stem().string();
   return file == operand ? stem : stem + " " + operand.substr(file.size() + 1);
 }
-
-ViewerInput made_input(const std::string& operand, InputOptions options) {
-  options.quiet = true;
-  if (names_solid(operand, options))
-    return {name_of(operand) + ".off", format_mesh(read_solid(operand, options).mesh, MeshFormat::off)};
-  std::string text;
-  for (NamedShape& shape : read_all(operand, options))
-    text += format_region(require(make_region(std::move(shape.data), operand, options)), RegionFormat::wkt);
-  return {name_of(operand) + ".wkt", text};
-}
-
-}  // namespace
 
 ViewerInput viewer_input(const std::string& operand, const InputOptions& options) {
   if (is_made(operand, options)) {
@@ -102,8 +107,8 @@ ViewerInput viewer_input(const std::string& operand, const InputOptions& options
     } catch (const Stop&) {  // the page shows where the file is bad
     }
   }
-  if (operand == "-") return {name_of(operand) + extension_of_input(options), standard_input()};
-  if (is_footprint(operand)) return {name_of(operand) + ".json", operand};
+  if (operand == "-") return {shape_name(operand) + extension_of_input(options), standard_input()};
+  if (is_footprint(operand)) return {shape_name(operand) + ".json", operand};
   const std::string file = file_of_operand(operand);
   return {fs::path(file).filename().string(), bytes_of(file)};
 }
@@ -112,7 +117,7 @@ Json viewer_parameters(const CLI::App& verb) {
   Json parameters{{"verb", verb.get_name()}};
   for (const CLI::Option* option : verb.get_options()) {
     const std::string name = option->get_single_name();
-    if (option->count() == 0 || option->get_positional() ||
+    if (option->count() == 0 || option->get_positional() || is_format(name, verb) ||
         std::find(kNotShown.begin(), kNotShown.end(), name) != kNotShown.end())
       continue;
     const std::vector<std::string>& given = option->results();

@@ -27,6 +27,9 @@ struct ViewerData {
   std::size_t revision = 0;
 };
 
+/// What the page calls an operand, without the extension of a format: "gear" of gear.poly, "two 8" of two.json#8.
+std::string shape_name(const std::string& operand);
+
 /// The input that an operand names: the bytes of FILE, of "-" or of a footprint. What is not a whole file as it stands
 /// is given as the same regions in .wkt, or the same solid in .off: one shape of several, maps, and what is repaired or
 /// taken as its hull, unless it cannot be. Stops with bad input where the file cannot be read.

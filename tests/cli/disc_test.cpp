@@ -1,4 +1,4 @@
-// dymsum disc: pages and polygons.
+// dymsum disc: polygons, and radii that are none.
 #include <gtest/gtest.h>
 
 #include "cli_fixture.h"
@@ -7,21 +7,6 @@ namespace dymsum::cli_test {
 namespace {
 
 class DiscCli : public CliTest {};
-
-TEST_F(DiscCli, APageShowsTheRegionNamesTheSetAndStopsAtEvents) {
-  work.write("u.wkt", "POLYGON ((0 0,4 0,4 4,3 4,3 1,1 1,1 4,0 4,0 0))");
-  ASSERT_EQ(work.run("dymsum disc u.wkt --radius 1.5 --semantics open --frames 4 -o page.html").code, 0);
-  // Radii 0, 1/2, event 0 at 1 in place of the frame there, 3/2.
-  EXPECT_EQ(count("page.html", "\"label\":\"radius "), 5u) << "four frames and a tick";
-  EXPECT_EQ(count("page.html", "\"label\":\"radius 1, event:0\""), 1u);
-  EXPECT_EQ(count("page.html", "the sum</span>"), 1u);
-  EXPECT_EQ(count("page.html", "dashed: the region</span>"), 1u);
-  EXPECT_EQ(count("page.html", "stroke-dasharray"), 1u);
-  EXPECT_EQ(count("page.html", "several at once</span>"), 1u);
-  EXPECT_EQ(count("page.html", "\"tight\":\"\""), 3u) << "only at the event there is a tight segment";
-  work.run("dymsum disc u.wkt --radius 0.25 --set erosion --frames 2 -o page.html");
-  EXPECT_EQ(count("page.html", "the erosion</span>"), 1u);
-}
 
 TEST_F(DiscCli, PolygonsNearestToASetAreThereWhereItFallsApart) {
   // The erosion at its neck: two arcs that touch in a cusp.

@@ -80,7 +80,7 @@ TEST_F(LongWork, LargeConvexSolidsEndAtOnce) {
   work.write("ball.off", format_mesh(solids::geodesic_sphere(40, 1).data(), MeshFormat::off));
   for (const char* const run :
        {"1 dymsum sum ball.off ball.off -o sum.off", "2.5 dymsum sum ball.off ball.off -o sum.off",
-        "1 dymsum rotate ball.off ball.off --steps 9 -o turn.html"}) {
+        "1 dymsum rotate ball.off ball.off --steps 9 -o turn.off"}) {
     const auto start = std::chrono::steady_clock::now();
     const Outcome outcome =
         work.run(std::string("timeout --foreground --preserve-status -s INT -k 9 ") + run + " --repeat 1000");
@@ -89,7 +89,7 @@ TEST_F(LongWork, LargeConvexSolidsEndAtOnce) {
     EXPECT_LT(took.count(), std::stod(run) + 1) << run;
   }
   EXPECT_FALSE(work.exists("sum.off"));
-  EXPECT_FALSE(work.exists("turn.html"));
+  EXPECT_FALSE(work.exists("turn.off"));
 }
 
 TEST_F(LongWork, ManyQuestionsEndWithOneErrorObject) {

@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "cli_fixture.h"
+#include "served.h"
 
 namespace dymsum::cli_test {
 namespace {
@@ -80,9 +81,10 @@ class OptionTable : public testing::TestWithParam<Section> {
                                             {"places.txt", "3,3\n"},
                                             {"moves.txt", "0.25,0,0\n9,9,9\n"},
                                             {"heights.txt", "1/3,9,9\n"},
-                                            {"slot.obstacle", obstacle()}})
+                                            {"slot.obstacle", obstacle()},
+                                            {"viewer.html", kViewer}})
       work.write(file, text);
-    const Outcome outcome = work.run(command + " < peg.wkt");
+    const Outcome outcome = work.run("DYMSUM_VIEWER=viewer.html " + command + " < peg.wkt");
     std::string seen = outcome.out + outcome.err;
     for (const char* file : {"out.wkt", "out.svg", "out.off", "out.json", "out.html", "out.glb", "out.poly",
                              "out.obstacle", "out.jsonl", "out.wkb", "more.svg", "more.json"})

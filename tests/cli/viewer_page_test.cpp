@@ -14,6 +14,7 @@ class ViewerPage : public CliTest {
     work.write("slot.wkt", kSlot);
     work.write("peg.wkt", kPeg);
     work.write("bow.wkt", kBow);
+    work.write("small.wkt", "POLYGON ((0 0, 0.5 0, 0.5 0.25, 0 0.25, 0 0))\n");
     work.write("twice.wkt", "POLYGON ((0 0, 0 0, 2 0, 2 1, 0 0))\n");
     work.write("cube.off", kCube);
     work.write("wedge.off", kTetrahedron);
@@ -30,6 +31,7 @@ class ViewerPage : public CliTest {
 struct Told {
   std::string page;
   Json parameters;
+  std::size_t inputs = 2;
 };
 
 TEST_F(ViewerPage, EveryVerbTellsItsPageInputsAndOptions) {
@@ -47,8 +49,20 @@ TEST_F(ViewerPage, EveryVerbTellsItsPageInputsAndOptions) {
       {"slice cube.off wedge.off --z 0.5 --reflect", {"solids", {{"z", "0.5"}, {"reflect", true}}}},
       {"depth cube.off wedge.off --move 0.5,0,0", {"solids", {{"move", "0.5,0,0"}}}},
       {"depth peg.wkt slot.wkt", {"sum", Json::object()}},
-      {"features slot.wkt --alpha 1/2 --tau 1/10", {"discs", {{"alpha", "1/2"}, {"tau", "1/10"}}}},
-      {"decompose slot.wkt --tau 1/10", {"discs", {{"tau", "1/10"}}}}};
+      {"erode slot.wkt small.wkt --semantics open", {"sum", {{"semantics", "open"}}}},
+      {"erode cube.off wedge.off", {"solids", Json::object()}},
+      {"scale peg.wkt slot.wkt --range 1:2", {"sum", {{"range", "1:2"}}}},
+      {"rotate cube.off wedge.off --steps 2 --events --frame 1",
+       {"solids", {{"steps", "2"}, {"events", true}, {"frame", "1"}}}},
+      {"local-sum peg.wkt slot.wkt --disc 0,3,1", {"sum", {{"disc", "0,3,1"}}}},
+      {"local-sum cube.off wedge.off --ball 0,0,0,1", {"solids", {{"ball", "0,0,0,1"}}}},
+      {"path peg.wkt slot.wkt --from 1,6,0 --to 3,8,90deg --strict",
+       {"obstacle", {{"from", "1,6,0"}, {"to", "3,8,90deg"}, {"strict", true}}}},
+      {"features slot.wkt --alpha 1/2 --tau 1/10", {"discs", {{"alpha", "1/2"}, {"tau", "1/10"}}, 1}},
+      {"decompose slot.wkt --tau 1/10", {"discs", {{"tau", "1/10"}}, 1}},
+      {"disc slot.wkt --radius 3/2 --set closing", {"discs", {{"radius", "3/2"}, {"set", "closing"}}, 1}},
+      {"info peg.wkt", {"sum", Json::object(), 1}},
+      {"info cube.off", {"solids", Json::object(), 1}}};
   for (const auto& [command, expected] : commands) {
     const Json data = told("dymsum " + command);
     Json parameters = expected.parameters;
@@ -64,7 +78,7 @@ TEST_F(ViewerPage, EveryVerbTellsItsPageInputsAndOptions) {
       words >> operand;
       EXPECT_EQ(input, Json({{"name", operand}, {"text", work.read(operand)}})) << command;
     }
-    EXPECT_GE(data["inputs"].size(), verb == "features" || verb == "decompose" ? 1U : 2U) << command;
+    EXPECT_EQ(data["inputs"].size(), expected.inputs) << command;
   }
 }
 
@@ -78,6 +92,69 @@ TEST_F(ViewerPage, OtherOutputsAreWrittenBesides) {
 TEST_F(ViewerPage, AnAnswerOfNoIsShown) {
   work.write("far.wkt", "POLYGON ((9 9, 10 9, 10 10, 9 9))\n");
   EXPECT_EQ(told("dymsum depth peg.wkt far.wkt", 4)["page"], "sum");
+  EXPECT_EQ(told("dymsum erode peg.wkt slot.wkt", 4)["page"], "sum");
+  EXPECT_EQ(told("dymsum disc slot.wkt --set erosion --radius 9", 4)["page"], "discs");
+  EXPECT_EQ(told("dymsum path peg.wkt slot.wkt --from 1,2,0 --to 3,8,0 --strict", 4)["page"], "obstacle");
+}
+
+// What a verb makes is shown as it is written to a file: .off of solids, .wkt of regions.
+TEST_F(ViewerPage, VerbsOfOneShapeShowTheirResult) {
+  const std::map<std::string, std::string> results = {{"offset cube.off --by 0.5 -o", "offset of cube.off"},
+                                                      {"opening cube.off wedge.off -o", "opening of cube.off"},
+                                                      {"closing cube.off wedge.off -o", "closing of cube.off"},
+                                                      {"hull points.off", "hull of points.off"},
+                                                      {"convert cube.off", "cube.off"},
+                                                      {"convert cube.off --triangulate", "cube.off"},
+                                                      {"convert twice.wkt --repair --canonical", "twice.wkt"}};
+  work.write("points.off", "OFF\n5 0 0\n0 0 0\n4 0 0\n0 4 0\n0 0 4\n1 1 1\n");
+  for (const auto& [command, name] : results) {
+    const std::string file = name.ends_with(".off") ? "made.off" : "made.wkt";
+    ASSERT_EQ(run("dymsum " + command + " " + file).code, 0) << command;
+    ASSERT_EQ(run("dymsum " + command + " x.html").code, 0) << command;
+    const Json data = data_of(work.read("x.html"));
+    EXPECT_EQ(data["page"], name.ends_with(".off") ? "solids" : "sum") << command;
+    EXPECT_EQ(data["inputs"], Json::array({{{"name", name}, {"text", work.read(file)}}})) << command;
+    EXPECT_EQ(data["parameters"]["verb"], command.substr(0, command.find(' '))) << command;
+  }
+}
+
+TEST_F(ViewerPage, NothingIsShownOfNothing) {
+  const Outcome opening = run("dymsum opening wedge.off cube.off -o x.html");
+  EXPECT_EQ(opening.code, 4);
+  EXPECT_EQ(opening.err, "x.html: nothing is left to show, and no page is written\n");
+  EXPECT_EQ(run("dymsum offset cube.off --by -2 -o x.html -o left.json").code, 4);
+  EXPECT_TRUE(work.exists("left.json"));
+  work.write("empty.wkt", "POLYGON EMPTY\n");
+  const Outcome empty = run("dymsum convert empty.wkt x.html");
+  EXPECT_EQ(empty.code, 2);
+  EXPECT_EQ(empty.err, "x.html: this has no area or volume that the viewer could show\n");
+  EXPECT_FALSE(work.exists("x.html"));
+}
+
+// The page plans with what the command planned with, and finds the same path.
+TEST_F(ViewerPage, APathIsShownOfTheRobotAndObstacleThatWereComputedWith) {
+  ASSERT_EQ(run("dymsum cspace peg.wkt slot.wkt -o room.obstacle").code, 0);
+  const Json read = told("dymsum path --obstacle room.obstacle --from 1,6,0 --to 3,8,0");
+  EXPECT_EQ(read["parameters"], Json({{"verb", "path"}, {"from", "1,6,0"}, {"to", "3,8,0"}}));
+  EXPECT_EQ(
+      read["inputs"],
+      Json::array({{{"name", "room robot.wkt"}, {"text", "POLYGON ((0 0,2 0,2 1,0 1,0 0))\n"}},
+                   {{"name", "room obstacle.wkt"}, {"text", "POLYGON ((0 0,4 0,4 4,3 4,3 1,1 1,1 4,0 4,0 0))\n"}}}));
+  const Json kept = told("dymsum path peg.wkt slot.wkt --from 1,6,0 --to 3,8,0 --margin 0.25");
+  EXPECT_EQ(kept["parameters"], read["parameters"]);
+  EXPECT_EQ(kept["inputs"][0]["name"], "peg with margin.wkt");
+  EXPECT_EQ(kept["inputs"][1]["text"], kSlot);
+  work.write("grown.wkt", kept["inputs"][0]["text"].get<std::string>());
+  EXPECT_NEAR(json("dymsum info grown.wkt --json")["shapes"][0]["bounds"][0].get<double>(), -0.25, 1e-9);
+}
+
+// It is bad input that is reported, by info too, whose answer it is.
+TEST_F(ViewerPage, AFileThatIsNotValidOrHoldsSeveralShapesIsNotShown) {
+  EXPECT_TRUE(told("dymsum info bow.wkt", 2).is_null());
+  work.write("two.json", R"({"items":[{"id":7,"shape":{"type":"simple_polygon","data":[[0,0],[3,0],[3,1]]}},
+                                      {"id":8,"shape":{"type":"simple_polygon","data":[[0,0],[1,0],[0,1]]}}]})");
+  EXPECT_TRUE(told("dymsum info two.json", 1).is_null());
+  EXPECT_EQ(told("dymsum info two.json#8")["inputs"][0]["name"], "two 8.wkt");
 }
 
 TEST_F(ViewerPage, AFailedCommandWritesNone) {
@@ -127,19 +204,18 @@ TEST_F(ViewerPage, AMapIsGivenAsARegion) {
   EXPECT_EQ(work.run("dymsum convert room.yaml room2.wkt && cmp room.wkt room2.wkt").code, 0);
 }
 
-TEST_F(ViewerPage, WithoutAViewerOwnPagesAreWrittenOrTheCommandSaysWhatIsMissing) {
-  for (const char* own :
-       {"scale peg.wkt slot.wkt --sweep 1:2:1", "rotate cube.off wedge.off --steps 2", "features slot.wkt"}) {
-    EXPECT_EQ(work.run("rm -f x.html; dymsum " + std::string(own) + " -o x.html").code, 0) << own;
-    EXPECT_EQ(work.read("x.html").find("dymsum-data"), std::string::npos) << own;
-  }
-  for (const char* none :
-       {"sum peg.wkt slot.wkt", "cspace peg.wkt slot.wkt", "depth peg.wkt slot.wkt", "decompose slot.wkt"}) {
-    const Outcome outcome = work.run("rm -f x.html; dymsum " + std::string(none) + " -o x.html");
-    EXPECT_EQ(outcome.code, 2) << none;
-    EXPECT_NE(outcome.err.find("`./run web` builds it"), std::string::npos) << none << outcome.err;
-    EXPECT_EQ(outcome.out, "") << none;
-    EXPECT_FALSE(work.exists("x.html")) << none;
+TEST_F(ViewerPage, WithoutAViewerTheCommandSaysWhatIsMissingAndWritesNothing) {
+  for (const char* command :
+       {"sum peg.wkt slot.wkt -o", "scale peg.wkt slot.wkt --sweep 1:2:1 -o", "rotate cube.off wedge.off --steps 2 -o",
+        "cspace peg.wkt slot.wkt -o", "depth peg.wkt slot.wkt -o", "features slot.wkt -o", "decompose slot.wkt -o",
+        "disc slot.wkt --radius 1 -o", "path peg.wkt slot.wkt --from 1,6,0 --to 3,8,0 -o", "info cube.off -o",
+        "offset cube.off --by 1 -o left.off -o", "opening cube.off wedge.off -o left.off -o", "convert peg.wkt",
+        "convert cube.off", "hull cube.off", "local-sum peg.wkt slot.wkt --box 0,0,1,1 -o left.json -o"}) {
+    const Outcome outcome = work.run("dymsum " + std::string(command) + " x.html");
+    EXPECT_EQ(outcome.code, 2) << command;
+    EXPECT_NE(outcome.err.find("`./run web` builds it"), std::string::npos) << command << outcome.err;
+    EXPECT_EQ(outcome.out, "") << command;
+    for (const char* file : {"x.html", "left.off", "left.json"}) EXPECT_FALSE(work.exists(file)) << command;
   }
 }
 
@@ -150,8 +226,14 @@ TEST_F(ViewerPage, WhatTheViewerDoesNotShowIsRefused) {
   };
   work.write("copies.txt", "1 0 0\n3/2 9 0\n");
   wrong("sum cube.off cube.off cube.off", "the viewer shows no sum of more than two operands");
-  wrong("erode slot.wkt peg.wkt", "x.html");
-  wrong("scale slot.wkt peg.wkt --copies copies.txt", "the viewer shows no scale of regions");
+  wrong("scale slot.wkt peg.wkt --copies copies.txt", "-o with --copies writes .svg");
+  wrong("path peg.wkt slot.wkt --from 1,6,0 --to 3,8,0 --to 1,9,0", "shows one path: give one --to");
+  wrong("path peg.wkt slot.wkt --check-path poses.txt", "-o does not apply to --check-path");
+  wrong("depth cube.off cube.off --track poses.txt", "-o writes depth along a motion as .csv, .svg or .json: x.html");
+  wrong("nfp-table parts.json", "the viewer shows no table: nfp shows a pair of items");
+  for (const std::string answers : {"scale-range peg.wkt slot.wkt --path 9,9", "contains peg.wkt slot.wkt --at 1,1",
+                                    "clearance peg.wkt slot.wkt --at 1,9,0", "angles peg.wkt slot.wkt --at 1,9"})
+    wrong(answers, "has no option -o: it prints its answer, and writes neither files nor pages");
   refused("DYMSUM_VIEWER=viewer.html dymsum depth cube.off cube.off -o rows.csv", "-o without --track writes .html");
 }
 
