@@ -385,6 +385,37 @@ export interface PlanarDistance {
 /** Penetration depth and distance of two regions, of which Q is moved. */
 export interface PlanarDepth extends Disposable { at(x?: number, y?: number): PlanarDistance; }
 
+// ---------------------------------------------------------------------------------------------------- near a place
+
+/** How what is near the place is found; all give the same part. */
+export type LocalEngine = 'updated' | 'hierarchy' | 'brute';
+export interface PlanarPose { rotation?: Angle; scale?: ExactInput | readonly [ExactInput, ExactInput]; }
+/** A box, or a disc: which selects edges, and whose bounding box cuts them. */
+export type PlanarPlace = { low: Point; high: Point } | { middle: Point; radius: number };
+export interface PlanarLocalSum extends Disposable { in(place: PlanarPlace, p?: PlanarPose, q?: PlanarPose): PlanarLocalPart; }
+/** What the place cuts out of the boundary of P (+) Q. */
+export interface PlanarLocalPart extends Disposable {
+  readonly where: 'crossed' | 'inside' | 'outside';
+  box(): { low: Point; high: Point };
+  /** edges and tight segments as pairs of vertices, the sum on the left of an edge */
+  shape(): { vertices: Float64Array; edges: Uint32Array; edgeContacts: Contact[]; tightSegments: Uint32Array; tightPoints: Uint32Array };
+  exact(vertex: number): ExactPoint;
+  equals(other: PlanarLocalPart): boolean;
+  svg(): string;
+}
+export type SolidPlace = { low: Point3; high: Point3 } | { middle: Point3; radius: number };
+export interface LocalSum extends Disposable {
+  /** `boundary` is open where the box cuts it: volume, rounded and mesh are of no use. */
+  in(place: SolidPlace, p?: SolidPose, q?: SolidPose): { where: 'crossed' | 'inside' | 'outside'; box: { low: Point3; high: Point3 }; boundary: SpatialSum };
+}
+
+/** Whether points lie in a sum, for many points. */
+export interface SumLocator extends Disposable {
+  contains(at: { x: ExactInput; y: ExactInput }): boolean;
+  /** 1: inside */
+  containsEach(points: Coordinates, progress?: Progress): Uint8Array;
+}
+
 // -------------------------------------------------------------------------------------- the obstacle in (x, y, theta)
 
 export interface Configuration { x: number; y: number; theta: number; }
@@ -541,6 +572,15 @@ export interface MeshClass {
 
 export interface SolidFeature { kind: 'vertex' | 'edge' | 'face'; a: number; b: number; }
 export interface SolidContact { p: SolidFeature; q: SolidFeature; }
+
+export interface SolidScaleContact { part: SolidFeature; obstacle: SolidFeature; leg: number; along: ExactText; at: ExactPoint3; }
+export interface SolidScaleInterval { low: ExactText | null; high: ExactText | null; atLow: SolidScaleContact[]; atHigh: SolidScaleContact[]; }
+export interface SolidScaleRange { free: SolidScaleInterval[]; trap: ExactText | null; critical: number; tested: number; }
+
+/** `moved`: no vertex between the two operations was moved by more; 0: exact. */
+export interface SolidOpening { solid: SpatialSum; moved: number; }
+/** The exact offset by `low` lies in the solid, and the solid in that by `high`. */
+export interface SolidOffset { solid: SpatialSum; low: number; high: number; ballFacets: number; }
 
 export interface SpatialOptions {
   engine?: 'fast' | 'brute';
@@ -828,6 +868,12 @@ export interface Live {
   nfp(a: Region, b: Region, options?: SumOptions): PlanarSum;
   /** { x : x + Q inside P }; positions without freedom are `segments` and `points`. */
   erode(p: Region, q: Region, options?: SumOptions): PlanarSum;
+  erode(p: Mesh, q: Mesh, options?: SpatialOptions): SpatialSum;
+  /** (A (-) B) (+) B and (A (+) B) (-) B; `between: 'rounded'` where positions between the two are no doubles */
+  opening(a: Mesh, b: Mesh, options?: SpatialOptions & { between?: 'exact' | 'rounded' }): SolidOpening;
+  closing(a: Mesh, b: Mesh, options?: SpatialOptions & { between?: 'exact' | 'rounded' }): SolidOpening;
+  /** grown, or for a negative distance shrunk, by a ball of plane facets with this tolerance */
+  offset(mesh: Mesh, distance: number, tolerance: number, options?: SpatialOptions & { bound?: 'inside' | 'outside' }): SolidOffset;
   unionOf(regions: Region[], options?: SumOptions): PlanarSum;
   /** R(theta) P (+) Q */
   rotatedSum(p: Region, q: Region, angle: Angle, options?: SumOptions): PlanarSum;
@@ -837,6 +883,9 @@ export interface Live {
   scaleRange(part: Region, path: Coordinates, obstacles: Region, progress?: Progress): ScaleRange;
   /** at one position; anywhere without it */
   fitRange(part: Region, container: Region, at?: Point | null, progress?: Progress): ScaleRange;
+  /** of solids; `path` has three numbers for each waypoint */
+  scaleRange(part: Mesh, path: Float64Array | number[] | ReadonlyArray<readonly [number, number, number]>, obstacles: Mesh, progress?: Progress): SolidScaleRange;
+  fitRange(part: Mesh, container: Mesh, at?: Point3 | null, progress?: Progress): SolidScaleRange;
   sliceOfSum(p: Mesh, q: Mesh, z: number, options?: SpatialOptions): SolidSlice;
 
   readonly ScalingSum: { create(p: Region, q: Region, options?: MovingOptions): ScalingSum };
@@ -850,6 +899,10 @@ export interface Live {
   cspaceSlice(robot: Region, obstacle: Region, angle: Angle, options?: SumOptions): PlanarSum;
   /** from each pose to the next, x, y and theta linear in time */
   checkPath(robot: Region, obstacle: Region, poses: Configuration[], options?: { touching?: 'allowed' | 'forbidden'; progress?: Progress }): PathCheck;
+
+  readonly SumLocator: { of(sum: PlanarSum, semantics?: Semantics): SumLocator };
+  readonly PlanarLocalSum: { create(p: Region, q: Region, options?: { engine?: LocalEngine; progress?: Progress }): PlanarLocalSum };
+  readonly LocalSum: { create(p: Mesh, q: Mesh, options?: { engine?: LocalEngine; tight?: boolean; progress?: Progress }): LocalSum };
 
   readonly MovingSolidSum: { create(p: Mesh, q: Mesh, options?: MovingSolidOptions): MovingSolidSum };
   readonly ConvexSum: { create(p: Mesh, q: Mesh): ConvexSum };

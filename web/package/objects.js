@@ -4,11 +4,12 @@ import { throwing } from './errors.js';
 const classes = [
   'Region', 'PlanarSum', 'ScalingSum', 'RotatingSum', 'PlanarDepth', 'CspaceObstacle', 'ObstacleQueries', 'Mesh', 'SpatialSum',
   'SolidSlice', 'ScalingSolidSum', 'TurningSolidSum', 'MovingSolidSum', 'ConvexSum', 'SolidDepth', 'TurnedDepth', 'DiscSet', 'GrowingDisc',
-  'ShapeFeatures',
+  'ShapeFeatures', 'SumLocator', 'LocalSum', 'PlanarLocalSum', 'PlanarLocalPart',
 ];
 const functions = [
   'nfp', 'erode', 'unionOf', 'rotatedSum', 'convolutionSizes', 'scaleRange', 'fitRange', 'sliceOfSum', 'cspaceSlice', 'checkPath',
   'drawRegion', 'drawSum', 'drawTrace', 'sumOfRegions', 'sumOfMeshes', 'regionContains', 'meshContains', 'plan',
+  'erodeMeshes', 'opening', 'closing', 'offset', 'scaleRangeOfMeshes', 'fitRangeOfMeshes',
 ];
 const shapes = [
   'rectangle', 'disc', 'gear', 'grate', 'comb', 'star', 'noisyStar', 'spiral', 'letterU', 'letterL', 'pockets', 'randomPolygon',
@@ -62,17 +63,21 @@ function joined(made, calls) {
       return this.sectionHandle;
     },
   });
-  const solid = (p) => p instanceof Mesh;
+  /** One name for regions and for solids. */
+  const either = (ofRegions, ofMeshes) => (p, ...rest) => (p instanceof Mesh ? ofMeshes : ofRegions)(p, ...rest);
   return {
-    minkowskiSum: (p, q, options) => (solid(p) ? calls.sumOfMeshes : calls.sumOfRegions)(p, q, options),
-    contains: (p, q, z, semantics) => (solid(p) ? calls.meshContains : calls.regionContains)(p, q, z, semantics),
+    minkowskiSum: either(calls.sumOfRegions, calls.sumOfMeshes),
+    contains: either(calls.regionContains, calls.meshContains),
+    erode: either(calls.erode, calls.erodeMeshes),
+    scaleRange: either(calls.scaleRange, calls.scaleRangeOfMeshes),
+    fitRange: either(calls.fitRange, calls.fitRangeOfMeshes),
   };
 }
 
 export function objectsOf(instance) {
   const made = bindClasses(instance);
-  const { sumOfRegions, sumOfMeshes, regionContains, meshContains, plan, ...calls } = among(instance, functions);
-  const both = joined(made, { sumOfRegions, sumOfMeshes, regionContains, meshContains, plan });
+  const all = among(instance, functions), both = joined(made, all);
+  const { sumOfRegions, sumOfMeshes, regionContains, meshContains, erodeMeshes, scaleRangeOfMeshes, fitRangeOfMeshes, plan, ...calls } = all;
   return {
     version: instance.version(),
     memoryBytes: () => instance.memoryBytes(),

@@ -2,6 +2,7 @@
 #include "arrays.h"
 #include "dymsum/penetration_depth.h"
 #include "dymsum/scale_range.h"
+#include "dymsum/solid_scale_range.h"
 #include "options.h"
 #include "planar_shape.h"
 #include "solid_feature.h"
@@ -89,14 +90,26 @@ val contact_data(const ScaleContact& contact) {
 
 val text_or_null(const std::optional<Rational>& number) { return number ? val(number->to_string()) : val::null(); }
 
-val range_data(const ScaleRange& range) {
+val contact_data(const SolidScaleContact& contact) {
   val v = val::object();
-  v.set("free", list_of(range.free, [](const ScaleInterval& interval) {
+  v.set("part", solid_feature(contact.part));
+  v.set("obstacle", solid_feature(contact.obstacle));
+  v.set("leg", contact.leg);
+  v.set("along", contact.along.to_string());
+  v.set("at", exact_point(contact.at));
+  return v;
+}
+
+template <class Range>
+val range_data(const Range& range) {
+  val v = val::object();
+  v.set("free", list_of(range.free, [](const auto& interval) {
           val one = val::object();
           one.set("low", text_or_null(interval.low));
           one.set("high", text_or_null(interval.high));
-          one.set("atLow", list_of(interval.at_low, contact_data));
-          one.set("atHigh", list_of(interval.at_high, contact_data));
+          const auto data = [](const auto& contact) { return contact_data(contact); };
+          one.set("atLow", list_of(interval.at_low, data));
+          one.set("atHigh", list_of(interval.at_high, data));
           return one;
         }));
   v.set("trap", text_or_null(range.trap()));
@@ -113,6 +126,21 @@ val scales_that_fit(const Region& part, const Region& container, const val& at, 
                                     : fit_range(part, container, point_in(at), progress_in(progress))));
 }
 
+std::vector<Point3> places_in(const val& coordinates) {
+  const std::vector<double> numbers = numbers_in(coordinates);
+  if (numbers.size() % 3 != 0) throw Thrown{{ErrorCode::malformed, "a place in space has three coordinates", {}}};
+  std::vector<Point3> places;
+  for (std::size_t k = 0; k < numbers.size(); k += 3) places.push_back({numbers[k], numbers[k + 1], numbers[k + 2]});
+  return places;
+}
+val solid_scales_along(const Mesh& part, const val& path, const Mesh& obstacles, const val& progress) {
+  return range_data(got(solid_scale_range(part, places_in(path), obstacles, progress_in(progress))));
+}
+val solid_scales_that_fit(const Mesh& part, const Mesh& container, const val& at, const val& progress) {
+  return range_data(got(is_none(at) ? solid_fit_range(part, container, progress_in(progress))
+                                    : solid_fit_range(part, container, point3_in(at), progress_in(progress))));
+}
+
 EMSCRIPTEN_BINDINGS(depths_and_ranges) {
   handle<PlanarDepth>("PlanarDepth")
       .class_function("create", guarded<&planar_depth>)
@@ -123,6 +151,8 @@ EMSCRIPTEN_BINDINGS(depths_and_ranges) {
       .property("facetCount", &facet_count);
   function("scaleRange", guarded<&scales_along>);
   function("fitRange", guarded<&scales_that_fit>);
+  function("scaleRangeOfMeshes", guarded<&solid_scales_along>);
+  function("fitRangeOfMeshes", guarded<&solid_scales_that_fit>);
 }
 
 }  // namespace

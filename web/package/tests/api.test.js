@@ -379,3 +379,42 @@ test('every name of index.d.ts is there', () => {
   const body = types.slice(types.indexOf('export interface Dymsum {'));
   for (const [, name] of body.matchAll(/^ {2}(?:readonly )?(\w+)[(:]/gm)) assert.ok(name in dymsum, name);
 });
+
+test('inner fits, openings, closings and offsets of solids', () => {
+  const block = solids.box(0, 0, 0, 4, 4, 4), rod = solids.box(-1, -1, -1, 1, 1, 1);
+  assert.equal(dymsum.erode(block, rod).volumeExact(), '8/1');
+  const flat = dymsum.erode(solids.box(0, 0, 0, 4, 4, 2), rod);
+  assert.equal(flat.volumeExact(), '0/1');
+  assert.equal(flat.shape().tightTriangles.length, 6, 'a plate of positions without room to move');
+  const { solid, moved } = dymsum.opening(block, rod);
+  assert.deepEqual([solid.volumeExact(), moved], ['64/1', 0]);
+  assert.equal(dymsum.closing(block, rod).solid.volumeExact(), '64/1');
+  const grown = dymsum.offset(block, 1, 0.125, { bound: 'outside' }), exact = 64 + 6 * 16 + 12 * Math.PI + (4 / 3) * Math.PI;
+  assert.ok(grown.low >= 1 && grown.high <= 1.125 && grown.solid.volume() >= exact, `${grown.low} ${grown.high}`);
+  assert.equal(thrown(() => dymsum.offset(block, 0, 0.125)).code, 'out_of_range');
+});
+
+test('sums near a place are the whole sums, cut', () => {
+  const near = dymsum.PlanarLocalSum.create(slot(), peg().negated());
+  const part = near.in({ low: { x: 0.5, y: 0 }, high: { x: 1.5, y: 3 } }), { tightSegments, vertices } = part.shape();
+  assert.equal(part.where, 'crossed');
+  assert.deepEqual([...tightSegments].map((v) => [...vertices.subarray(2 * v, 2 * v + 2)]), [[1, 1], [1, 3]]);
+  assert.deepEqual(part.exact(tightSegments[0]), { x: '1/1', y: '1/1' });
+  assert.ok(part.equals(dymsum.PlanarLocalSum.create(slot(), peg().negated(), { engine: 'brute' }).in(part.box())));
+  assert.equal(near.in({ middle: { x: 20, y: 0 }, radius: 1 }).where, 'outside');
+  const space = dymsum.LocalSum.create(solids.box(0, 0, 0, 4, 4, 4), solids.box(0, 0, 0, 1, 1, 1));
+  const corner = space.in({ low: { x: 4, y: 4, z: 4 }, high: { x: 6, y: 6, z: 6 } });
+  assert.equal(corner.where, 'crossed');
+  assert.equal(corner.boundary.faceCount, 6, 'three sides of the sum, and three of the box where the sum touches it');
+  assert.equal(space.in({ middle: { x: 2, y: 2, z: 2 }, radius: 1 }).where, 'inside');
+});
+
+test('many points in a sum, and scales of solids', () => {
+  const locator = dymsum.SumLocator.of(dymsum.minkowskiSum(slot(), peg()));
+  assert.deepEqual([...locator.containsEach([[0, 0], [6, 5], [6.5, 5], [-0.5, 0]])], [1, 1, 0, 0]);
+  assert.equal(locator.contains({ x: '1/3', y: '1/7' }), true);
+  const range = dymsum.fitRange(solids.box(-1, -1, -1, 1, 1, 1), solids.box(-3, -3, -2, 3, 3, 2));
+  assert.deepEqual(range.free.map(({ low, high }) => [low, high]), [[null, '2/1']]);
+  const path = dymsum.scaleRange(solids.box(-1, -1, -1, 1, 1, 1), [[-9, 0, 0], [9, 0, 0]], solids.box(-1, 2, -5, 1, 4, 5));
+  assert.deepEqual(path.free.map(({ low, high }) => [low, high]), [[null, '2/1']]);
+});
