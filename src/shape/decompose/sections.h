@@ -17,7 +17,7 @@ struct Spot {
 };
 
 /// Of an edge or of a cut inside the region, between neighbouring points.
-struct Section {
+struct WallSection {
   std::uint32_t from, to;  ///< points, in the direction of the wall
   std::uint32_t wall;      ///< edges, then cuts
 };
@@ -26,7 +26,7 @@ struct Sections {
   std::vector<Spot> spots;  ///< the vertices of the region first
   std::vector<Wall> walls;  ///< edges, then cuts
   std::uint32_t edges = 0;
-  std::vector<Section> all;
+  std::vector<WallSection> all;
 };
 Sections make_sections(const RingTable& table, const std::vector<PlacedCut>& cuts);
 
