@@ -31,7 +31,7 @@ std::vector<Alignment> alignments(const TurningForms& forms, const TurnCatalog& 
       if (theta <= end + 2 * kAngleSlack) all.push_back({theta, e, f});
       if (theta >= end - 2 * kAngleSlack) all.push_back({theta - kTurn, e, f});
     }
-  std::sort(all.begin(), all.end(), [](const Alignment& a, const Alignment& b) { return a.theta < b.theta; });
+  std::stable_sort(all.begin(), all.end(), [](const Alignment& a, const Alignment& b) { return a.theta < b.theta; });
   return all;
 }
 

@@ -37,7 +37,7 @@ void CrossingOrders::find(const WalkSegment& a, std::span<LineCrossing> run, std
     const double t = forms_.side(b, TurningForms::start(a)).at(w_.heading) / cross;
     places.push_back({&c, t, (forms_.side_error(b) + std::abs(t) * rounding) / size * kWider, cross > 0 ? 1 : -1});
   }
-  std::sort(places.begin(), places.end(), [](const Place& x, const Place& y) { return x.at < y.at; });
+  std::stable_sort(places.begin(), places.end(), [](const Place& x, const Place& y) { return x.at < y.at; });
   sort_unclear(a, places);
   for (std::size_t k = 0; k < places.size(); ++k)
     places[k].crossing->order = k > 0 && keep_order(a, places[k - 1], places[k]) ? orders : ++orders;

@@ -42,8 +42,9 @@ class Collector {
     number_headings();
     sketch_meetings();
     for (std::uint32_t a = 0; a < w_.segments.size(); ++a) triples_of(a);
-    std::sort(out_.events.begin(), out_.events.end(),
-              [](const TurnEvent& a, const TurnEvent& b) { return a.low < b.low; });
+    // Stable: results are the same whatever the library's sort does with events at one angle.
+    std::stable_sort(out_.events.begin(), out_.events.end(),
+                     [](const TurnEvent& a, const TurnEvent& b) { return a.low < b.low; });
     return std::move(out_);
   }
 
@@ -100,7 +101,9 @@ class Collector {
       }
     }
     for (auto& list : crossings_)
-      std::sort(list.begin(), list.end(), [](const LineCrossing& a, const LineCrossing& b) { return a.low < b.low; });
+      std::sort(list.begin(), list.end(), [](const LineCrossing& a, const LineCrossing& b) {
+        return a.low != b.low ? a.low < b.low : a.other < b.other;
+      });
   }
 
   // Of two segments with the same direction: the stretch that they share once they are on one line is longer than
@@ -229,7 +232,8 @@ class Collector {
       std::vector<std::uint32_t> order(forms_.size(side));
       std::iota(order.begin(), order.end(), 0);
       std::sort(order.begin(), order.end(), [&](std::uint32_t e, std::uint32_t f) {
-        return catalog_.edge_angle(side, e) < catalog_.edge_angle(side, f);
+        const double at = catalog_.edge_angle(side, e), other = catalog_.edge_angle(side, f);
+        return at != other ? at < other : e < f;
       });
       number[side].resize(order.size());
       for (std::size_t k = 0; k < order.size(); ++k) {

@@ -29,8 +29,8 @@ class Cap {
   std::vector<Ring3> rings() {
     std::vector<Ring3> outer, holes;
     for (Ring3& walk : walks()) (area(walk) < 0 ? holes : outer).push_back(std::move(walk));
-    std::sort(holes.begin(), holes.end(),
-              [&](const Ring3& a, const Ring3& b) { return rightmost(a).x > rightmost(b).x; });
+    std::stable_sort(holes.begin(), holes.end(),
+                     [&](const Ring3& a, const Ring3& b) { return rightmost(a).x > rightmost(b).x; });
     for (Ring3& hole : holes) join(outer, std::move(hole));
     return outer;
   }

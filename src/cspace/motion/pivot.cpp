@@ -224,8 +224,8 @@ std::vector<PivotEvent> Pivot::on_way(const Orientation& from, const Orientation
   std::erase_if(way, [&](const PivotEvent& e) {
     return compare(e.angle, begin) != 0 && compare(e.angle, end) != 0 && !earlier(begin, e.angle, end);
   });
-  std::sort(way.begin(), way.end(),
-            [&](const PivotEvent& a, const PivotEvent& b) { return earlier(begin, a.angle, b.angle); });
+  std::stable_sort(way.begin(), way.end(),
+                   [&](const PivotEvent& a, const PivotEvent& b) { return earlier(begin, a.angle, b.angle); });
   if (!ahead) std::reverse(way.begin(), way.end());
   return way;
 }

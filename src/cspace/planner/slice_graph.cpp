@@ -82,8 +82,8 @@ void SliceGraph::add_lines() {
   const std::vector<SlicePoint>& spots = map_.spots();
   std::vector<std::uint32_t> order(map_.edges().size());
   for (std::size_t k = 0; k < order.size(); ++k) order[k] = map_.edges()[k].from;
-  std::sort(order.begin(), order.end(),
-            [&](std::uint32_t a, std::uint32_t b) { return compare_x(spots[a], spots[b]) < 0; });
+  std::stable_sort(order.begin(), order.end(),
+                   [&](std::uint32_t a, std::uint32_t b) { return compare_x(spots[a], spots[b]) < 0; });
   rank_.assign(spots.size(), SliceMap::kNone);
   lines_.push_back({-frame_, 0, exact::exact_value(-frame_), nullptr});
   for (std::size_t k = 0; k < order.size(); ++k) {
@@ -157,8 +157,8 @@ void SliceGraph::add_column(std::uint32_t column) {
     const auto [a, b] = std::minmax(rank_[map_.edges()[e].from], rank_[map_.edges()[e].to]);
     if (a <= column && b > column) active.push_back(e);
   }
-  std::sort(active.begin(), active.end(),
-            [&](std::uint32_t e, std::uint32_t f) { return compare_heights(e, f, middle, SliceMap::kNone) < 0; });
+  std::stable_sort(active.begin(), active.end(),
+                   [&](std::uint32_t e, std::uint32_t f) { return compare_heights(e, f, middle, SliceMap::kNone) < 0; });
   for (std::size_t k = 0; k <= active.size(); k += 2)
     add_trapezoid(column, k == 0 ? kBottom : active[k - 1], k == active.size() ? kTop : active[k], middle);
 }

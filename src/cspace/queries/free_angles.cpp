@@ -120,7 +120,7 @@ std::vector<FreeAngles> free_angles(const CspaceObstacle& obstacle, const PatchF
     if (m.free_behind) out.push_back(between(m, next, k + 1 == left.size()));
     else if (!free_before) out.push_back({m.angle, m.angle, m.error, m.error, m.patch, m.patch});
   }
-  std::sort(out.begin(), out.end(), [](const FreeAngles& a, const FreeAngles& b) { return a.begin < b.begin; });
+  std::stable_sort(out.begin(), out.end(), [](const FreeAngles& a, const FreeAngles& b) { return a.begin < b.begin; });
   return out;
 }
 
