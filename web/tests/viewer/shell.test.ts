@@ -123,7 +123,7 @@ describe('the shell', () => {
     for (const tab of await page.locator('.tabs a').all()) {
       await tab.click();
       const nameless = await page.evaluate(() =>
-        [...document.querySelectorAll<HTMLElement>('button, select, input, canvas, svg[tabindex]')]
+        [...document.querySelectorAll<HTMLElement>('button, select, input, canvas.plane, .space, svg[tabindex]')]
           .filter((e) => !(e.ariaLabel ?? e.textContent?.trim()) && !((e as HTMLInputElement).labels?.length))
           .map((e) => e.outerHTML),
       );
@@ -163,7 +163,7 @@ describe('the shell', () => {
   it('takes a document from outside', async () => {
     const it = await open(browser), { page } = it;
     await settled(page);
-    await page.evaluate((text) => dispatchEvent(new CustomEvent('dymsum-open', { detail: { page: 'sum', files: [{ name: 'a.wkt', text }, { name: 'b.wkt', text }] } })), kSquare);
+    await page.evaluate((text) => dispatchEvent(new CustomEvent('dymsum-open', { detail: { page: 'sum', inputs: [{ name: 'a.wkt', text }, { name: 'b.wkt', text }] } })), kSquare);
     await expect.poll(() => readout(page, 'area')).toBe('36');
     await close(it);
   });

@@ -9,9 +9,11 @@ const again = (value: unknown): unknown => JSON.parse(JSON.stringify(value));
 
 describe('states out of documents', () => {
   it('of sums', () => {
-    const state = sumState(p, q, { moving: 'q', motion: 'turn', tanHalf: 'inf', scale: '3/2', atP: [1, -2], layers: ['sum', 'crossings'], camera: { x: 1, y: 2, zoom: 3 } });
+    const state = sumState(p, q, { moving: 'q', motion: 'turn', tanHalf: 'inf', scale: '3/2:1', shown: 'hits', semantics: 'open', range: [1, 8], look: [0, 1, 2, 3], atP: [1, -2], layers: ['sum', 'crossings'], camera: { x: 1, y: 2, zoom: 3 } });
     expect(parseSumState(again(state))).toEqual(state);
     expect(parseSumState({ p, q, scale: 'x', layers: ['nonsense'], atP: [1, null] })).toEqual(sumState(p, q, { layers: [] }));
+    expect(parseSumState(again({ ...state, q: null }))).toEqual({ ...state, q: null });
+    expect(parseSumState({ p, q, shown: 'fit', motion: 'turn', tanHalf: '1' })).toMatchObject({ motion: 'scale', tanHalf: '0' });
     expect(() => parseSumState({ p })).toThrow('no shape');
     expect(() => parseSumState(null)).toThrow('no shape');
   });

@@ -46,11 +46,11 @@ function wrongPlaces(a: Operand, b: Operand): Point[] {
 
 function PlaceSection({ state, change, shell, placed, nfp }: PageProps<NestingState> & { placed: Placed | undefined; nfp: SumPicture | undefined }) {
   const { at } = state, free = at.kind === 'free' && placed?.meeting !== 'touching';
-  const contact = nfp && (at.kind === 'vertex' || at.kind === 'edge') ? originText(nfp.shape, at, ['A', 'B']) : undefined;
+  const contact = nfp && (at.kind === 'vertex' || at.kind === 'edge') ? originText(nfp.shape, at, { names: ['A', 'B'], between: 'and' }) : undefined;
   return (
     <Section title="B stands">
       <p role="status" style={{ margin: '0 0 6px', fontWeight: 600 }}>{placed ? meetingText(placed) : '…'}</p>
-      {contact && <p style={{ margin: '0 0 6px' }}>Contact: {contact.replaceAll(' + ', ' and ')}</p>}
+      {contact && <p style={{ margin: '0 0 6px' }}>Contact: {contact}</p>}
       {placed && <ExactText label="the exact position" text={`(${placed.x}, ${placed.y})`} shell={shell} />}
       {placed && placed.meeting !== 'touching' && <Readouts rows={[['distance squared, exactly', placed.squared.length > 40 ? short(placed.distance ** 2) : placed.squared]]} />}
       <div class="row">

@@ -4,7 +4,7 @@ import { degrees } from '../../numbers/display';
 import { tanHalfOf } from '../../numbers/snap';
 import { NumberField, Section, Slider, Toggle, type Tick } from '../../shell/controls';
 import type { Change } from '../../shell/page';
-import { radiansOf } from '../sum/placing';
+import { radiansOf } from '../angle';
 import { isTanHalf, type ObstacleState, type Pose } from './state';
 import type { ObstacleScene } from './service';
 

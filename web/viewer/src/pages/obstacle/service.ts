@@ -2,7 +2,7 @@
 import type { Clearance, Contact, CspaceObstacle, Plan, PlanOptions, SumShape } from 'dymsum';
 import type { Host } from '../../engine/host';
 import { keyOf, type Shape } from '../../engine/shape';
-import { radiansOf } from '../sum/placing';
+import { radiansOf } from '../angle';
 import type { Pose } from './state';
 
 export interface Operands {

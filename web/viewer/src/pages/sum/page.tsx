@@ -2,10 +2,10 @@ import { made } from '../../operands/catalogue';
 import { planarShapes } from '../../operands/planar_files';
 import type { Page } from '../../shell/page';
 import { asAsked } from './command';
-import { parseSumState, sumState, type SumState } from './state';
+import { parseSumState, sumState, type SumPageState } from './state';
 import { kSummary, View } from './view';
 
-export const sumPage: Page<SumState> = {
+export const sumPage: Page<SumPageState> = {
   id: 'sum',
   title: 'Sum',
   summary: kSummary,
@@ -18,6 +18,7 @@ export const sumPage: Page<SumState> = {
     { name: 'Random polygons', state: sumState(made('random'), { name: 'noisy star', make: 'noisyStar', args: [30, 0.6, 7] }, { moving: 'q' }) },
   ],
   parse: parseSumState,
+  /** One file is P, two are P and Q. */
   take: (files, state) => {
     const [p, q] = planarShapes(files, 2);
     return { ...state, p: p!, ...(q ? { q } : {}) };
