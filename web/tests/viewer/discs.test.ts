@@ -1,5 +1,5 @@
 // The page of growing discs: every control does what it says.
-import type { Browser } from 'playwright-core';
+import type { Browser, Page } from 'playwright-core';
 import { afterAll, beforeAll, describe, expect, it } from 'vitest';
 import { close, launch, open, readout, readoutOtherThan, settled } from './viewer';
 
@@ -12,6 +12,7 @@ const opened = async () => {
   await settled(it.page);
   return it;
 };
+const made = (page: Page, what: string): Promise<void> => page.getByRole('radiogroup', { name: 'What the disc makes' }).getByText(what, { exact: true }).click();
 
 describe('the page of growing discs', () => {
   it('grows, shrinks, opens and closes a square', async () => {
@@ -20,11 +21,11 @@ describe('the page of growing discs', () => {
     await page.getByLabel('Exactly').fill('1/2');
     await page.keyboard.press('Enter');
     await expect.poll(async () => Number(await readout(page, 'area'))).toBeCloseTo(1 + 4 * 0.25 + Math.PI / 16, 4);
-    await page.getByText('Shrunk').click();
+    await made(page, 'Shrunk');
     await expect.poll(() => readout(page, 'area')).toBe('0.25');
-    await page.getByText('Opened').click();
+    await made(page, 'Opened');
     await expect.poll(async () => Number(await readout(page, 'area'))).toBeCloseTo(0.25 + 0.5 + Math.PI / 16, 4);
-    await page.getByText('Closed').click();
+    await made(page, 'Closed');
     await expect.poll(() => readout(page, 'area')).toBe('1');
     await close(it);
   });

@@ -128,6 +128,7 @@ describe('the page of a robot that turns', () => {
   it('takes files and permalinks, and refuses what is wrong with its place', async () => {
     const it = await opened(), { page } = it;
     await dropFiles(page, { 'peg.wkt': 'POLYGON((-1 -1, 1 -1, 1 1, -1 1, -1 -1))', 'slot.wkt': 'POLYGON((4 0, 8 0, 8 4, 4 4, 4 0))' });
+    await expect.poll(() => page.getByLabel('x', { exact: true }).inputValue()).not.toBe('0'); // beside the obstacle
     await set(page, 'x', '3');
     await set(page, 'y', '2');
     await expect.poll(() => readout(page, 'The robot')).toBe('touches');

@@ -84,6 +84,7 @@ export async function drag(page: Page, from: [number, number], to: [number, numb
 
 /** A hash that opens a state; made by the page's own code for permalinks is what `shareLink` gives. */
 export async function shareLink(page: Page): Promise<string> {
+  await page.evaluate(() => history.replaceState(null, '', location.pathname)); // what stands there may be older
   await page.getByRole('button', { name: 'Copy a link to what is shown' }).click();
   await expect.poll(() => page.evaluate(() => location.hash)).toMatch(/^#\/\w+\/./);
   return await page.evaluate(() => location.hash);

@@ -13,14 +13,16 @@ interface OperandCardProps {
   operand: Operand;
   onShape: (shape: Shape) => void;
   onNone?: () => void;
+  /** beside the catalogue */
+  choices?: readonly Shape[];
   shell: Shell;
 }
 
-export function OperandCard({ shape, operand, shell, ...row }: OperandCardProps) {
+export function OperandCard({ shape, operand, choices = [], shell, ...row }: OperandCardProps) {
   const { outline, error } = operand;
   return (
     <>
-      <ShapeRow {...row} label={`Shape of ${row.role}`} catalogue={kCatalogue} shape={shape} size={outline && outline.shape.vertices.length / 2} />
+      <ShapeRow {...row} label={`Shape of ${row.role}`} catalogue={[...choices, ...kCatalogue]} shape={shape} size={outline && outline.shape.vertices.length / 2} />
       {error && <p class="refused">{error.message}</p>}
       {error && !isMade(shape) && <RepairRow role={row.role} shape={shape} shell={shell} onShape={row.onShape} />}
     </>

@@ -1,5 +1,5 @@
 // One operand in a panel: its role and colour, its name among those to choose from, a file in its place, or none.
-import { shapeOfFile, type MadeShape, type Shape } from '../engine/shape';
+import { shapeOfFile, type Shape } from '../engine/shape';
 import { chooseFiles } from '../shell/files';
 
 interface ShapeRowProps {
@@ -8,7 +8,7 @@ interface ShapeRowProps {
   tint: string;
   /** of the list of shapes, for those who do not see it */
   label: string;
-  catalogue: readonly MadeShape[];
+  catalogue: readonly Shape[];
   shape: Shape | null;
   /** how many vertices or faces it has */
   size?: number | undefined;

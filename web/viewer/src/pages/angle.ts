@@ -27,6 +27,11 @@ export function isAngle(text: string): boolean {
   return text === 'inf' || parseRational(text) !== undefined || Number.isFinite(writtenRadians(text));
 }
 
+/** Why a text is no angle; nothing where it is one. */
+export function checkAngle(text: string): string | undefined {
+  return isAngle(text) ? undefined : 'The tangent of half the angle is a number such as 1/3, or inf; or an angle such as 30deg or 0.8rad.';
+}
+
 /** For drawing. 0 for a text that is no angle. */
 export function radiansOf(text: string): number {
   const exact = parseRational(text);

@@ -21,7 +21,7 @@ describe('states out of documents', () => {
     expect(parseDiscState({ shape: q, alpha: '-1', operation: 'opened', event: 3 })).toMatchObject({ shape: q, alpha: '1/2', operation: 'opened', event: 3 });
   });
   it('of nesting', () => {
-    const state = { a: p, b: q, at: { kind: 'edge', index: 3, next: 4, along: '1/2' } };
+    const state = { a: p, b: q, parts: [p], semantics: 'closed', at: { kind: 'edge', index: 3, next: 4, along: '1/2' } };
     expect(parseNestingState(again(state))).toEqual(state);
     expect(() => parseNestingState({ a: p, b: q, at: { kind: 'edge', index: -1 } })).toThrow('no place');
   });

@@ -1,6 +1,7 @@
 import { made } from '../../operands/catalogue';
 import { planarShapes } from '../../operands/planar_files';
 import type { Page } from '../../shell/page';
+import { asAsked } from './command';
 import { discState, parseDiscState, type DiscState } from './state';
 import { kSummary, View } from './view';
 
@@ -18,5 +19,6 @@ export const discsPage: Page<DiscState> = {
   ],
   parse: parseDiscState,
   take: (files, { operation }) => discState(planarShapes(files, 1)[0]!, { operation }),
+  command: asAsked,
   View,
 };

@@ -2,10 +2,12 @@ import { made } from '../../operands/catalogue';
 import { planarShapes } from '../../operands/planar_files';
 import type { Shape } from '../../engine/shape';
 import type { Page } from '../../shell/page';
+import { parseSemantics, textOf } from '../options';
 import { parseNestingState, type NestingState } from './state';
 import { kSummary, View } from './view';
 
-const start = (a: Shape, b: Shape, x: number, y: number): NestingState => ({ a, b, at: { kind: 'free', x, y } });
+const start = (a: Shape, b: Shape, x: number, y: number): NestingState => ({ a, b, parts: [], semantics: 'open', at: { kind: 'free', x, y } });
+const kMostParts = 1000;
 const tooth: Shape = { name: 'tooth', make: 'rectangle', args: [0, 0, 1, 3] };
 
 export const nestingPage: Page<NestingState> = {
@@ -20,9 +22,13 @@ export const nestingPage: Page<NestingState> = {
     { name: 'Star and noisy star', state: start(made('star'), made('noisy star'), 2.5, 0) },
   ],
   parse: parseNestingState,
+  /** One file is A, two are A and B; of more each may be either. */
   take: (files, state) => {
-    const [a, b] = planarShapes(files, 2);
-    return { ...state, a: a!, ...(b ? { b } : {}), at: { kind: 'free', x: 0, y: 0 } };
+    const shapes = planarShapes(files, kMostParts), parts = shapes.length > 2 ? shapes : [];
+    const again = (shape: Shape): Shape | undefined => parts.find((part) => part.name === shape.name);
+    const a = again(state.a) ?? shapes[0]!, b = again(state.b) ?? shapes[1] ?? state.b;
+    return { ...state, a, b, parts, at: { kind: 'free', x: 0, y: 0 } };
   },
+  command: (parameters, state) => (parameters.verb === 'nfp' ? { ...state, semantics: parseSemantics(textOf(parameters, 'semantics'), 'closed') } : state),
   View,
 };

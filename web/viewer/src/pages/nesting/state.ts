@@ -1,7 +1,9 @@
 // What the page of nesting shows.
+import type { Semantics } from 'dymsum';
 import { parseShape, type Shape } from '../../engine/shape';
 import { parseRational } from '../../numbers/rational';
 import type { Camera } from '../../view2d/camera';
+import { parseSemantics } from '../options';
 import { parseCamera } from '../sum/state';
 
 /** Where B's reference point stands. All but `free` are exact fits, named by the no-fit polygon, not by coordinates. */
@@ -16,6 +18,9 @@ export type Placement =
 export interface NestingState {
   a: Shape;
   b: Shape;
+  /** all that A and B may be, where more than two files were taken */
+  parts: Shape[];
+  semantics: Semantics;
   at: Placement;
   camera?: Camera;
 }
@@ -32,5 +37,6 @@ function parsePlacement(value: unknown): Placement {
 /** Throws an Error for what is no state of this page. */
 export function parseNestingState(value: unknown): NestingState {
   const v = (value ?? {}) as Record<string, unknown>;
-  return { a: parseShape(v.a), b: parseShape(v.b), at: parsePlacement(v.at), ...parseCamera(v.camera) };
+  const parts = Array.isArray(v.parts) ? v.parts.map(parseShape) : [];
+  return { a: parseShape(v.a), b: parseShape(v.b), parts, semantics: parseSemantics(v.semantics, 'open'), at: parsePlacement(v.at), ...parseCamera(v.camera) };
 }

@@ -3,7 +3,7 @@ import { useAnswer } from '../../engine/use_answer';
 import { short } from '../../numbers/display';
 import { OperandCard } from '../../operands/operand_card';
 import { useOperand, type Operand } from '../../operands/use_operand';
-import { Readouts, Section } from '../../shell/controls';
+import { Choice, Readouts, Section } from '../../shell/controls';
 import { ExactText } from '../../shell/exact_text';
 import type { PageProps, Shell } from '../../shell/page';
 import { Panel, Stage } from '../../shell/parts';
@@ -13,6 +13,7 @@ import { isInside } from '../../view2d/edge_grid';
 import type { Grip } from '../../view2d/gestures';
 import { PlaneView } from '../../view2d/plane_view';
 import { SumPicture } from '../../view2d/sum_shape';
+import { kSemantics } from '../options';
 import { originText } from '../sum/provenance';
 import { paintNesting } from './picture';
 import type { Placed } from './service';
@@ -28,8 +29,9 @@ function meetingText({ meeting, distance }: Placed): string {
 
 function useNesting(shell: Shell, state: NestingState) {
   const a = useOperand(shell, state.a), b = useOperand(shell, state.b), ready = a.ready && b.ready;
-  const nfp = useAnswer(shell.engine, 'nfp', ready ? { a: state.a, b: state.b } : undefined);
-  const place = useAnswer(shell.engine, 'placed', ready ? { a: state.a, b: state.b, at: state.at } : undefined);
+  const pair = { a: state.a, b: state.b, semantics: state.semantics };
+  const nfp = useAnswer(shell.engine, 'nfp', ready ? pair : undefined);
+  const place = useAnswer(shell.engine, 'placed', ready ? { ...pair, at: state.at } : undefined);
   const picture = useMemo(() => nfp.value && new SumPicture(nfp.value.shape), [nfp.value]);
   const error = nfp.error ?? place.error;
   useEffect(() => {
@@ -62,13 +64,18 @@ function PlaceSection({ state, change, shell, placed, nfp }: PageProps<NestingSt
   );
 }
 
+/** Where B stands, by itself: the vertices of another no-fit polygon are others. */
+function freeAt(placed: Placed | undefined): Placement {
+  return { kind: 'free', x: placed?.approx.x ?? 0, y: placed?.approx.y ?? 0 };
+}
+
 const kFiles = { svg: 'Picture (SVG)', wkt: 'No-fit polygon, rounded (WKT)', json: 'No-fit polygon, exact (JSON)' } as const;
 
-function useDownloads({ engine, setDownloads }: Shell, { a, b }: NestingState, isThere: boolean): void {
+function useDownloads({ engine, setDownloads }: Shell, { a, b, semantics }: NestingState, isThere: boolean): void {
   useEffect(() => {
     const formats = isThere ? (Object.keys(kFiles) as (keyof typeof kFiles)[]) : [];
-    setDownloads(formats.map((format) => ({ label: kFiles[format], fileName: `nfp.${format}`, make: () => engine.ask('nfpFile', { a, b, format }) })));
-  }, [engine, setDownloads, a, b, isThere]);
+    setDownloads(formats.map((format) => ({ label: kFiles[format], fileName: `nfp.${format}`, make: () => engine.ask('nfpFile', { a, b, semantics, format }) })));
+  }, [engine, setDownloads, a, b, semantics, isThere]);
 }
 
 export function View(props: PageProps<NestingState>) {
@@ -104,11 +111,12 @@ export function View(props: PageProps<NestingState>) {
       </Stage>
       <Panel summary={kSummary}>
         <Section title="Shapes">
-          <OperandCard shell={shell} role="A" tint="p" shape={state.a} operand={a} onShape={(shape) => change({ ...state, a: shape, at: { kind: 'free', x: 0, y: 0 } })} />
-          <OperandCard shell={shell} role="B" tint="q" shape={state.b} operand={b} onShape={(shape) => change({ ...state, b: shape, at: { kind: 'free', x: 0, y: 0 } })} />
+          <OperandCard shell={shell} role="A" tint="p" shape={state.a} operand={a} choices={state.parts} onShape={(shape) => change({ ...state, a: shape, at: { kind: 'free', x: 0, y: 0 } })} />
+          <OperandCard shell={shell} role="B" tint="q" shape={state.b} operand={b} choices={state.parts} onShape={(shape) => change({ ...state, b: shape, at: { kind: 'free', x: 0, y: 0 } })} />
         </Section>
         <PlaceSection {...props} placed={placed} nfp={nfp} />
         <Section title="No-fit polygon">
+          <Choice label="What touching counts" options={kSemantics} value={state.semantics} onChange={(semantics) => change({ ...state, semantics, at: freeAt(placed) })} />
           <Readouts
             rows={[['parts', nfp?.counts.parts], ['holes', nfp?.counts.holes], ['vertices', nfp?.counts.vertices], ['exact fits: points, segments', nfp && `${nfp.counts.tightPoints}, ${nfp.counts.tightSegments}`]]}
           />

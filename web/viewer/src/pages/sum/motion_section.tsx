@@ -3,7 +3,7 @@ import { degrees } from '../../numbers/display';
 import { tanHalfOf } from '../../numbers/snap';
 import { Choice, NumberField, Section, Slider } from '../../shell/controls';
 import type { Change, Shell } from '../../shell/page';
-import { isAngle, radiansOf } from '../angle';
+import { checkAngle, radiansOf } from '../angle';
 import { checkScale, firstFactor, isUniform } from '../scale';
 import { isStill, type SumArgs } from './service';
 import type { SumState } from './state';
@@ -15,10 +15,6 @@ interface MotionProps {
   change: Change<SumState>;
   shell: Shell;
   args: SumArgs;
-}
-
-export function checkAngle(text: string): string | undefined {
-  return isAngle(text) ? undefined : 'The tangent of half the angle is a number such as 1/3, or inf; or an angle such as 30deg or 0.8rad.';
 }
 
 function EventButtons({ state, change, shell, events }: MotionProps & { events: Events }) {
