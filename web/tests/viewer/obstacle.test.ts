@@ -1,7 +1,7 @@
 // The page of a robot that turns: every control does what it says, and the two pictures follow each other.
 import type { Browser, Page } from 'playwright-core';
 import { afterAll, beforeAll, describe, expect, it } from 'vitest';
-import { close, dropFiles, launch, open, readout, shareLink, type OpenOptions } from './viewer';
+import { close, download, dropFiles, example, launch, open, readout, set, shareLink, type OpenOptions } from './viewer';
 
 let browser: Browser;
 beforeAll(async () => void (browser = await launch()));
@@ -11,14 +11,6 @@ const opened = async (options: OpenOptions = {}) => {
   const it = await open(browser, { hash: '#/obstacle', ...options });
   await expect.poll(() => readout(it.page, 'The robot'), { timeout: 60_000 }).toMatch(/clearance|depth|touches/);
   return it;
-};
-const example = async (page: Page, name: string): Promise<void> => {
-  await page.getByRole('button', { name: 'Examples' }).click();
-  await page.getByRole('button', { name, exact: true }).click();
-};
-const set = async (page: Page, label: string, value: string): Promise<void> => {
-  await page.getByLabel(label, { exact: true }).fill(value);
-  await page.keyboard.press('Enter');
 };
 const space = (page: Page) => page.locator('.space');
 const frames = async (page: Page, what: 'frames' | 'overlays'): Promise<number> => Number(await space(page).getAttribute(`data-${what}`));
@@ -145,10 +137,7 @@ describe('the page of a robot that turns', () => {
     const it = await opened(), { page } = it;
     await expect.poll(() => page.getByLabel('Along the path').count(), { timeout: 30_000 }).toBe(1);
     for (const [label, name] of [['Obstacle (GLB)', 'obstacle.glb'], ['Obstacle, exact (.obstacle)', 'obstacle.obstacle'], ['Slice (WKT)', 'obstacle.wkt'], ['Path (JSON)', 'path.json']] as const) {
-      await page.getByRole('button', { name: 'Download' }).click();
-      const saving = page.waitForEvent('download');
-      await page.getByRole('button', { name: label, exact: true }).click();
-      expect((await saving).suggestedFilename()).toBe(name);
+      expect((await download(page, label)).name).toBe(name);
     }
     await close(it);
   });

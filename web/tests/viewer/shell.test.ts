@@ -1,20 +1,13 @@
 // What is the same on all pages.
-import { readFileSync } from 'node:fs';
-import type { Browser, Page } from 'playwright-core';
+import type { Browser } from 'playwright-core';
 import { afterAll, beforeAll, describe, expect, it } from 'vitest';
-import { close, dropFiles, launch, open, readout, settled, shareLink } from './viewer';
+import { close, download, dropFiles, launch, open, readout, settled, shareLink } from './viewer';
 
 let browser: Browser;
 beforeAll(async () => void (browser = await launch()));
 afterAll(() => browser.close());
 
 const kSquare = 'POLYGON ((0 0, 3 0, 3 3, 0 3, 0 0))';
-
-async function download(page: Page, label: string): Promise<string> {
-  await page.getByRole('button', { name: 'Download' }).click();
-  const [file] = await Promise.all([page.waitForEvent('download'), page.getByRole('button', { name: label }).click()]);
-  return readFileSync(await file.path(), 'utf8');
-}
 
 describe('the shell', () => {
   it('undoes and redoes, by buttons and keys', async () => {
@@ -91,9 +84,9 @@ describe('the shell', () => {
   it('saves files', async () => {
     const it = await open(browser), { page } = it;
     await settled(page);
-    expect(await download(page, 'Picture (SVG)')).toContain('<svg');
-    expect(await download(page, 'Sum, rounded (WKT)')).toMatch(/POLYGON/);
-    const json = JSON.parse(await download(page, 'Sum, exact (JSON)')) as object;
+    expect((await download(page, 'Picture (SVG)')).bytes.toString()).toContain('<svg');
+    expect((await download(page, 'Sum, rounded (WKT)')).bytes.toString()).toMatch(/POLYGON/);
+    const json = JSON.parse((await download(page, 'Sum, exact (JSON)')).bytes.toString()) as object;
     expect(Object.keys(json).length).toBeGreaterThan(0);
     await close(it);
   });

@@ -1,8 +1,7 @@
 // The page of solids: every control does what it says, with exact values.
-import { readFileSync } from 'node:fs';
 import type { Browser, Page } from 'playwright-core';
 import { afterAll, beforeAll, describe, expect, it } from 'vitest';
-import { close, dropFiles, launch, open, readout, readoutOtherThan, shareLink, type OpenOptions } from './viewer';
+import { close, download, dropFiles, launch, open, readout, readoutOtherThan, set, shareLink, type OpenOptions } from './viewer';
 
 let browser: Browser;
 beforeAll(async () => void (browser = await launch()));
@@ -21,10 +20,6 @@ const cubes = async () => {
   await it.page.getByLabel('Turn', { exact: true }).fill('0');
   await expect.poll(() => readout(it.page, 'Volume')).toBe('64');
   return it;
-};
-const set = async (page: Page, label: string, value: string): Promise<void> => {
-  await page.getByLabel(label, { exact: true }).fill(value);
-  await page.keyboard.press('Enter');
 };
 const pictures = (page: Page) => page.locator('.space');
 
@@ -128,14 +123,11 @@ describe('the page of solids', () => {
   });
   it('saves GLB, STL, OFF and JSON', async () => {
     const it = await cubes(), { page } = it;
-    for (const format of ['glb', 'stl', 'off', 'json']) {
-      await page.getByRole('button', { name: 'Download' }).click();
-      const saving = page.waitForEvent('download');
-      await page.getByRole('button', { name: new RegExp(format, 'i') }).last().click();
-      const saved = await saving;
-      expect(saved.suggestedFilename()).toBe(`sum.${format}`);
-      if (format === 'off') expect(readFileSync(await saved.path(), 'utf8')).toMatch(/^OFF/);
-      if (format === 'json') expect((JSON.parse(readFileSync(await saved.path(), 'utf8')) as { vertices: string[] }).vertices.length).toBe(8);
+    for (const [label, format] of [['Sum (GLB)', 'glb'], ['Sum (STL)', 'stl'], ['Sum (OFF)', 'off'], ['Sum, exact (JSON)', 'json']] as const) {
+      const { name, bytes } = await download(page, label);
+      expect(name).toBe(`sum.${format}`);
+      if (format === 'off') expect(bytes.toString()).toMatch(/^OFF/);
+      if (format === 'json') expect((JSON.parse(bytes.toString()) as { vertices: string[] }).vertices.length).toBe(8);
     }
     await close(it);
   });
