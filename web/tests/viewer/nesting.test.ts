@@ -64,4 +64,15 @@ describe('the page of nesting', () => {
     await close(second);
     await close(it);
   });
+  it('moves B by keys', async () => {
+    const it = await opened(), { page } = it;
+    await opensExample(page, 'A slot that fits exactly');
+    await expect.poll(() => place(page)).toBe('(5, 3)');
+    await page.locator('canvas.plane').focus();
+    await page.keyboard.press('Alt+ArrowUp');
+    await expect.poll(() => place(page)).not.toBe('(5, 3)');
+    await page.keyboard.press('Control+z');
+    await expect.poll(() => place(page)).toBe('(5, 3)');
+    await close(it);
+  });
 });

@@ -152,4 +152,19 @@ describe('the page of a robot that turns', () => {
     expect(seen.size).toBeLessThanOrEqual(5); // 1.6 seconds of 12 steps in 6
     await close(it);
   });
+  it('starts where the robot is, at an angle that keys turn', async () => {
+    const it = await opened(), { page } = it, theta = page.getByLabel('θ', { exact: true });
+    await theta.focus();
+    await page.keyboard.press('ArrowRight');
+    await expect.poll(() => page.getByLabel('tan θ/2').inputValue()).toMatch(/^\d+\/1024$/);
+    await set(page, 'tan θ/2', '90deg');
+    expect(await theta.getAttribute('aria-valuetext')).toBe('90°');
+    await set(page, 'x', '-4');
+    await page.getByRole('button', { name: 'Start here' }).click();
+    await page.getByRole('button', { name: 'Goal here' }).click();
+    await expect.poll(() => page.locator('.panel').innerText()).toMatch(/already there|0 moves/);
+    await page.getByLabel('Shape of Robot').selectOption('L');
+    await expect.poll(() => readout(page, 'The robot'), { timeout: 30_000 }).toMatch(/clearance|depth|touches/);
+    await close(it);
+  });
 });

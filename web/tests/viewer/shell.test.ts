@@ -111,6 +111,16 @@ describe('the shell', () => {
     }
     await close(it);
   });
+  it('opens files by its button, and the list of keys', async () => {
+    const it = await open(browser), { page } = it;
+    await settled(page);
+    const [chooser] = await Promise.all([page.waitForEvent('filechooser'), page.getByRole('button', { name: 'Open files' }).click()]);
+    await chooser.setFiles(['a.wkt', 'b.wkt'].map((name) => ({ name, mimeType: 'text/plain', buffer: Buffer.from(kSquare) })));
+    await expect.poll(() => readout(page, 'area')).toBe('36');
+    await page.getByRole('button', { name: 'Keys' }).click();
+    await expect.poll(() => page.getByRole('dialog').isVisible()).toBe(true);
+    await close(it);
+  });
   it('has a name for every control', async () => {
     const it = await open(browser), { page } = it;
     for (const tab of await page.locator('.tabs a').all()) {

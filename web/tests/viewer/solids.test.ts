@@ -1,7 +1,7 @@
 // The page of solids: every control does what it says, with exact values.
 import type { Browser, Page } from 'playwright-core';
 import { afterAll, beforeAll, describe, expect, it } from 'vitest';
-import { close, download, dropFiles, launch, open, readout, readoutOtherThan, set, shareLink, type OpenOptions } from './viewer';
+import { choose, close, download, dropFiles, launch, open, readout, readoutOtherThan, set, shareLink, type OpenOptions } from './viewer';
 
 let browser: Browser;
 beforeAll(async () => void (browser = await launch()));
@@ -139,6 +139,24 @@ describe('the page of solids', () => {
     await page.touchscreen.tap(b.x + b.width / 2, b.y + b.height / 2);
     await expect.poll(() => page.locator('h2').allInnerTexts()).toContain('CHOSEN FACE');
     expect(Number(await right!.getAttribute('data-frames'))).toBeGreaterThanOrEqual(frames);
+    await close(it);
+  });
+  it('turns and scales P or Q, and keeps what is typed', async () => {
+    const it = await cubes(), { page } = it, box = (await pictures(page).last().boundingBox())!;
+    await page.getByLabel('Solid Q').selectOption('bar'); // 2 by 1 by 1
+    await expect.poll(() => readout(page, 'Volume')).toBe('36');
+    await page.getByRole('slider', { name: 'Scale' }).focus();
+    await page.keyboard.press('End');
+    await expect.poll(() => readout(page, 'Volume')).toBe('96'); // 6 by 4 by 4
+    await choose(page, 'Which moves', 'P turns and is scaled');
+    await expect.poll(() => readout(page, 'Volume')).toBe('150'); // 6 by 5 by 5
+    await choose(page, 'What touching counts', 'Regular');
+    await expect.poll(() => readout(page, 'Tight')).toBe('nothing');
+    const field = page.getByLabel('x of Q', { exact: true });
+    await field.fill('3');
+    await page.mouse.move(box.x + box.width / 2, box.y + box.height / 2); // names a face: the page is drawn again
+    await expect.poll(() => pictures(page).last().locator('.status').innerText()).toMatch(/of P/);
+    expect(await field.inputValue()).toBe('3');
     await close(it);
   });
 });
