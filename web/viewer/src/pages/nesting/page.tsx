@@ -1,5 +1,5 @@
 import { made } from '../../operands/catalogue';
-import { planarShapes } from '../../operands/planar_files';
+import { areAgain, planarShapes } from '../../operands/planar_files';
 import type { Shape } from '../../engine/shape';
 import type { Page } from '../../shell/page';
 import { parseSemantics, textOf } from '../options';
@@ -27,7 +27,9 @@ export const nestingPage: Page<NestingState> = {
     const shapes = planarShapes(files, kMostParts), parts = shapes.length > 2 ? shapes : [];
     const again = (shape: Shape): Shape | undefined => parts.find((part) => part.name === shape.name);
     const a = again(state.a) ?? shapes[0]!, b = again(state.b) ?? shapes[1] ?? state.b;
-    return { ...state, a, b, parts, at: { kind: 'free', x: 0, y: 0 } };
+    // Places on a no-fit polygon are named by its vertices: those of another one are others.
+    const stays = areAgain(shapes, state.parts.length > 0 ? state.parts : [state.a, state.b]) && (state.at.kind === 'free' || state.at.kind === 'nearest');
+    return { ...state, a, b, parts, at: stays ? state.at : { kind: 'free', x: 0, y: 0 } };
   },
   command: (parameters, state) => (parameters.verb === 'nfp' ? { ...state, semantics: parseSemantics(textOf(parameters, 'semantics'), 'closed') } : state),
   View,

@@ -1,4 +1,4 @@
-import { planarShapes } from '../../operands/planar_files';
+import { areAgain, planarShapes } from '../../operands/planar_files';
 import type { Page } from '../../shell/page';
 import { asAsked } from './command';
 import { kExamples } from './examples';
@@ -15,6 +15,7 @@ export const obstaclePage: Page<ObstacleState> = {
   take: (files, state) => {
     const shapes = planarShapes(files, 2);
     const [robot, obstacle] = shapes.length === 2 ? shapes : [state.robot, shapes[0]!];
+    if (areAgain(shapes, [state.robot, state.obstacle])) return { ...state, robot, obstacle };
     return { ...state, robot, obstacle, at: kOrigin, path: false, unplaced: true };
   },
   command: asAsked,
