@@ -142,6 +142,15 @@ describe('commands of regions', () => {
     await expect.poll(() => readout(page, 'exact fits: points, segments')).toBe('1, 0');
     await close(it);
   });
+  it('view of a file that holds many parts', async () => {
+    const square = (name: string, side: number): object => ({ type: 'Feature', properties: { name }, geometry: { type: 'Polygon', coordinates: [[[0, 0], [side, 0], [side, side], [0, side], [0, 0]]] } });
+    const it = await asked('nesting', 'view', { 'parts.geojson': JSON.stringify({ type: 'FeatureCollection', features: [square('one', 1), square('two', 2), square('three', 3)] }) }), { page } = it;
+    await expect.poll(() => page.getByLabel('Shape of A').inputValue()).toBe('one.wkt');
+    await page.getByLabel('Shape of B').selectOption('three.wkt');
+    await expect.poll(() => readout(page, 'vertices')).toBe('4');
+    expect(await page.getByRole('alert').count()).toBe(0);
+    await close(it);
+  });
   it('view of many parts: each may be A or B', async () => {
     const it = await asked('nesting', 'view', { ...kRegions, 'slot.wkt': kSlot }), { page } = it;
     await expect.poll(() => readout(page, 'vertices')).toMatch(/\d/);
@@ -214,6 +223,10 @@ describe('commands of solids', () => {
   it('thin parts count where they are asked for', async () => {
     const it = await asked('solids', 'sum', { ...kSolids, 'q.off': 'OFF\n2 1 0\n0 0 0\n1 1 1\n2 0 1\n' }, { thin: true }), { page } = it;
     await expect.poll(() => readout(page, 'Volume'), { timeout: 30_000 }).toBe('17'); // swept along a segment: 6 + 2 + 3 + 6
+    await page.getByLabel('Parts of files without volume count, too').click();
+    await expect.poll(() => page.getByRole('alert').count()).toBe(1);
+    await page.keyboard.press('Control+z');
+    await expect.poll(() => readout(page, 'Volume')).toBe('17');
     await close(it);
   });
   it('hull: one solid alone, to which another may be added', async () => {

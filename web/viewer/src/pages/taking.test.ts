@@ -30,7 +30,8 @@ describe('files of the same names, saved anew', () => {
     expect(taken.parts.map((p) => p.name)).toEqual(['a.wkt', 'b.wkt', 'c.wkt']);
     const state = { ...taken, b: taken.parts[2]!, at: { kind: 'free', x: 3, y: 4 } as const };
     expect(nestingPage.take(files, state)).toEqual(state);
-    expect(nestingPage.take([file('d.wkt')], state)).toMatchObject({ a: { name: 'd.wkt' }, b: { name: 'c.wkt' }, parts: [], at: { x: 0, y: 0 } });
+    expect(nestingPage.take([file('d.wkt')], state)).toEqual({ ...state, unopened: { name: 'd.wkt', text: 'POINT (1 2)' } });
+    expect(nestingPage.take([file('d.wkt'), file('e.wkt')], state)).toMatchObject({ a: { name: 'd.wkt' }, b: { name: 'e.wkt' }, parts: [], at: { x: 0, y: 0 } });
   });
   it('leave the motion of sums, and one shape alone', () => {
     const sum = { ...sumPage.examples[0].state, scale: '2' }, solids = { ...solidsPage.examples[0].state, q: null };

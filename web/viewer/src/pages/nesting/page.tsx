@@ -3,7 +3,7 @@ import { areAgain, planarShapes } from '../../operands/planar_files';
 import type { Shape } from '../../engine/shape';
 import type { Page } from '../../shell/page';
 import { parseSemantics, textOf } from '../options';
-import { parseNestingState, type NestingState } from './state';
+import { kFree, parseNestingState, withParts, type NestingState } from './state';
 import { kSummary, View } from './view';
 
 const start = (a: Shape, b: Shape, x: number, y: number): NestingState => ({ a, b, parts: [], semantics: 'open', at: { kind: 'free', x, y } });
@@ -22,14 +22,13 @@ export const nestingPage: Page<NestingState> = {
     { name: 'Star and noisy star', state: start(made('star'), made('noisy star'), 2.5, 0) },
   ],
   parse: parseNestingState,
-  /** One file is A, two are A and B; of more each may be either. */
+  /** One file is A, or holds all parts; two are A and B; of more each may be either. */
   take: (files, state) => {
-    const shapes = planarShapes(files, kMostParts), parts = shapes.length > 2 ? shapes : [];
-    const again = (shape: Shape): Shape | undefined => parts.find((part) => part.name === shape.name);
-    const a = again(state.a) ?? shapes[0]!, b = again(state.b) ?? shapes[1] ?? state.b;
+    const shapes = planarShapes(files, kMostParts);
+    if (shapes.length === 1) return { ...state, unopened: shapes[0]! };
     // Places on a no-fit polygon are named by its vertices: those of another one are others.
     const stays = areAgain(shapes, state.parts.length > 0 ? state.parts : [state.a, state.b]) && (state.at.kind === 'free' || state.at.kind === 'nearest');
-    return { ...state, a, b, parts, at: stays ? state.at : { kind: 'free', x: 0, y: 0 } };
+    return withParts(state, shapes, stays ? state.at : kFree);
   },
   command: (parameters, state) => (parameters.verb === 'nfp' ? { ...state, semantics: parseSemantics(textOf(parameters, 'semantics'), 'closed') } : state),
   View,

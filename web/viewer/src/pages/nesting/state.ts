@@ -1,6 +1,6 @@
 // What the page of nesting shows.
 import type { Semantics } from 'dymsum';
-import { parseShape, type Shape } from '../../engine/shape';
+import { parseShape, type FileShape, type Shape } from '../../engine/shape';
 import { parseRational } from '../../numbers/rational';
 import type { Camera } from '../../view2d/camera';
 import { parseSemantics } from '../options';
@@ -15,12 +15,16 @@ export type Placement =
   /** the nearest position at which A and B touch */
   | { kind: 'nearest'; x: number; y: number };
 
+export const kFree: Placement = { kind: 'free', x: 0, y: 0 };
+
 export interface NestingState {
   a: Shape;
   b: Shape;
   /** all that A and B may be, where more than two files were taken */
   parts: Shape[];
   semantics: Semantics;
+  /** a file that was taken and not looked into: it is A, or holds all parts */
+  unopened?: FileShape;
   at: Placement;
   camera?: Camera;
 }
@@ -39,4 +43,10 @@ export function parseNestingState(value: unknown): NestingState {
   const v = (value ?? {}) as Record<string, unknown>;
   const parts = Array.isArray(v.parts) ? v.parts.map(parseShape) : [];
   return { a: parseShape(v.a), b: parseShape(v.b), parts, semantics: parseSemantics(v.semantics, 'open'), at: parsePlacement(v.at), ...parseCamera(v.camera) };
+}
+
+/** With these as parts, of which those of the same names as before stay A and B. */
+export function withParts({ unopened: _, ...state }: NestingState, shapes: readonly Shape[], at: Placement): NestingState {
+  const again = (shape: Shape): Shape | undefined => shapes.find((part) => part.name === shape.name);
+  return { ...state, a: again(state.a) ?? shapes[0]!, b: again(state.b) ?? shapes[1] ?? state.b, parts: shapes.length > 2 ? [...shapes] : [], at };
 }

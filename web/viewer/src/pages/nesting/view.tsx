@@ -18,7 +18,8 @@ import { originText } from '../sum/provenance';
 import { paintNesting } from './picture';
 import type { Placed } from './service';
 import { placementNear } from './snapping';
-import type { NestingState, Placement } from './state';
+import { kFree, type NestingState, type Placement } from './state';
+import { useOpened } from './use_opened';
 
 export const kSummary = 'The no-fit polygon: where B’s reference point may stand so that A and B meet. Drag B; it snaps to exact fits.';
 
@@ -80,6 +81,7 @@ function useDownloads({ engine, setDownloads }: Shell, { a, b, semantics }: Nest
 
 export function View(props: PageProps<NestingState>) {
   const { state, change, shell } = props, data = useNesting(shell, state), { a, b, nfp, placed } = data;
+  useOpened(props);
   useDownloads(shell, state, nfp !== undefined);
   const byB = placing(1, 0, placed?.approx.x ?? 0, placed?.approx.y ?? 0);
   const failed = a.error ?? b.error;
@@ -111,8 +113,8 @@ export function View(props: PageProps<NestingState>) {
       </Stage>
       <Panel summary={kSummary}>
         <Section title="Shapes">
-          <OperandCard shell={shell} role="A" tint="p" shape={state.a} operand={a} choices={state.parts} onShape={(shape) => change({ ...state, a: shape, at: { kind: 'free', x: 0, y: 0 } })} />
-          <OperandCard shell={shell} role="B" tint="q" shape={state.b} operand={b} choices={state.parts} onShape={(shape) => change({ ...state, b: shape, at: { kind: 'free', x: 0, y: 0 } })} />
+          <OperandCard shell={shell} role="A" tint="p" shape={state.a} operand={a} choices={state.parts} onShape={(shape) => change({ ...state, a: shape, at: kFree })} />
+          <OperandCard shell={shell} role="B" tint="q" shape={state.b} operand={b} choices={state.parts} onShape={(shape) => change({ ...state, b: shape, at: kFree })} />
         </Section>
         <PlaceSection {...props} placed={placed} nfp={nfp} />
         <Section title="No-fit polygon">

@@ -50,6 +50,7 @@ export function AloneView({ state, change, shell }: AloneProps) {
         <Section title="Solids">
           <ShapeRow role="P" tint="p" label="Solid P" catalogue={kSolids} shape={shape} size={solid && solid.faceStarts.length - 1} onShape={(p) => change({ ...state, p })} />
           <ShapeRow role="Q" tint="q" label="Solid Q" catalogue={kSolids} shape={null} onShape={(q) => change({ ...state, q })} />
+          <Toggle label="Parts of files without volume count, too" value={thin} onChange={(to) => change({ ...state, thin: to })} />
         </Section>
         <Section title="Solid">
           <Readouts rows={[['Vertices, faces', known && `${known.vertices}, ${known.faces}`], ['Shells', known?.shells], ['Volume', known && short(known.volume)], ['Surface', known && short(known.area)]]} />

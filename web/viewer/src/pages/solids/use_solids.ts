@@ -25,7 +25,7 @@ export interface SolidsData {
 }
 
 export function useSolid(shell: Shell, shape: Shape, thin: boolean): SolidOperand | undefined {
-  const asked = useAnswer(shell.engine, 'solidOperand', { shape, thin }), answer = asked.of?.shape === shape ? asked.value : undefined;
+  const asked = useAnswer(shell.engine, 'solidOperand', { shape, thin }), answer = asked.of?.shape === shape && asked.of.thin === thin ? asked.value : undefined;
   const refusal = useMemo(() => (answer?.error ? new EngineError(answer.error) : undefined), [answer]);
   const error = refusal ?? asked.error;
   useEffect(() => {

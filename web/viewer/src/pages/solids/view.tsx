@@ -1,7 +1,7 @@
 import { useEffect, useMemo, useState } from 'preact/hooks';
 import { snapped } from '../../numbers/snap';
 import { ShapeRow } from '../../operands/shape_row';
-import { Section } from '../../shell/controls';
+import { Section, Toggle } from '../../shell/controls';
 import type { Download, PageProps, Shell } from '../../shell/page';
 import { Panel, Stage } from '../../shell/parts';
 import { useTheme } from '../../shell/theme';
@@ -103,6 +103,7 @@ function PairView({ state, change, shell }: PageProps<SolidsState> & { change: P
             role="Q" tint="q" label="Solid Q" catalogue={kSolids} shape={state.q} size={q && q.faceStarts.length - 1}
             onShape={(shape) => change({ ...state, q: shape })} onNone={() => change({ ...state, q: null })}
           />
+          <Toggle label="Parts of files without volume count, too" value={state.thin} onChange={(thin) => change({ ...state, thin })} />
         </Section>
         <SetSection state={state} change={change} />
         <MotionSection state={state} change={change} />
