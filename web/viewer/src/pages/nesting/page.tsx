@@ -3,7 +3,7 @@ import { areAgain, planarShapes } from '../../operands/planar_files';
 import type { Shape } from '../../engine/shape';
 import type { Page } from '../../shell/page';
 import { parseSemantics, textOf } from '../options';
-import { kFree, parseNestingState, withParts, type NestingState } from './state';
+import { kFree, parseNestingState, placeBesideAnother, withParts, type NestingState } from './state';
 import { kSummary, View } from './view';
 
 const start = (a: Shape, b: Shape, x: number, y: number): NestingState => ({ a, b, parts: [], semantics: 'open', at: { kind: 'free', x, y } });
@@ -26,9 +26,8 @@ export const nestingPage: Page<NestingState> = {
   take: (files, state) => {
     const shapes = planarShapes(files, kMostParts);
     if (shapes.length === 1) return { ...state, unopened: shapes[0]! };
-    // Places on a no-fit polygon are named by its vertices: those of another one are others.
-    const stays = areAgain(shapes, state.parts.length > 0 ? state.parts : [state.a, state.b]) && (state.at.kind === 'free' || state.at.kind === 'nearest');
-    return withParts(state, shapes, stays ? state.at : kFree);
+    const stays = areAgain(shapes, state.parts.length > 0 ? state.parts : [state.a, state.b]);
+    return withParts(state, shapes, stays ? placeBesideAnother(state.at) : kFree);
   },
   command: (parameters, state) => (parameters.verb === 'nfp' ? { ...state, semantics: parseSemantics(textOf(parameters, 'semantics'), 'closed') } : state),
   View,

@@ -45,6 +45,11 @@ export function parseNestingState(value: unknown): NestingState {
   return { a: parseShape(v.a), b: parseShape(v.b), parts, semantics: parseSemantics(v.semantics, 'open'), at: parsePlacement(v.at), ...parseCamera(v.camera) };
 }
 
+/** Places on a no-fit polygon are named by its vertices: those of another one are others. */
+export function placeBesideAnother(at: Placement): Placement {
+  return at.kind === 'free' || at.kind === 'nearest' ? at : kFree;
+}
+
 /** With these as parts, of which those of the same names as before stay A and B. */
 export function withParts({ unopened: _, ...state }: NestingState, shapes: readonly Shape[], at: Placement): NestingState {
   const again = (shape: Shape): Shape | undefined => shapes.find((part) => part.name === shape.name);

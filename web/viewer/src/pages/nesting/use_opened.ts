@@ -1,7 +1,7 @@
 // Looks into a file that was taken: it is one shape, or holds many.
 import { useEffect } from 'preact/hooks';
 import type { PageProps } from '../../shell/page';
-import { kFree, withParts, type NestingState } from './state';
+import { kFree, placeBesideAnother, withParts, type NestingState } from './state';
 
 export function useOpened({ state, change, shell }: PageProps<NestingState>): void {
   const { unopened } = state;
@@ -10,7 +10,7 @@ export function useOpened({ state, change, shell }: PageProps<NestingState>): vo
     let isWanted = true;
     const take = (shapes: { name: string; text: string }[]): void => {
       if (!isWanted) return;
-      const opened = { ...state, a: unopened, at: state.a.name === unopened.name ? state.at : kFree };
+      const opened = { ...state, a: unopened, at: state.a.name === unopened.name ? placeBesideAnother(state.at) : kFree };
       delete opened.unopened;
       const parts = shapes.map(({ name, text }, k) => ({ name: `${name || `part ${k}`}.wkt`, text }));
       change(parts.length > 1 ? withParts(state, parts, kFree) : opened, 'aside');
