@@ -13,6 +13,7 @@ describe.skipIf(!existsSync('/usr/bin/firefox-esr'))('Firefox', () => {
     await page.getByText('Scale', { exact: true }).first().click();
     await drag(page, [60, 60], [120, 120]);
     await expect.poll(() => readout(page, 'area')).not.toBe('4');
+    await settled(page);
     const hash = await shareLink(page), area = await readout(page, 'area');
     const second = await open(browser, { hash });
     await settled(second.page);

@@ -1,7 +1,7 @@
 // The page of nesting: B snaps to exact fits, and what A and B are to each other is said exactly.
 import type { Browser, Page } from 'playwright-core';
 import { afterAll, beforeAll, describe, expect, it } from 'vitest';
-import { close, launch, open, readout, shareLink } from './viewer';
+import { close, example, launch, open, readout, shareLink } from './viewer';
 
 let browser: Browser;
 beforeAll(async () => void (browser = await launch()));
@@ -15,16 +15,15 @@ const opened = async () => {
 const said = (page: Page): Promise<string> => page.locator('p[role=status]').innerText();
 const place = (page: Page): Promise<string> => page.getByRole('button', { name: 'Copy the exact position' }).innerText();
 
-async function example(page: Page, name: string): Promise<void> {
-  await page.getByRole('button', { name: 'Examples' }).click();
-  await page.getByRole('button', { name }).click();
+const opensExample = async (page: Page, name: string): Promise<void> => {
+  await example(page, name);
   await expect.poll(() => readout(page, 'vertices')).toMatch(/\d/);
-}
+};
 
 describe('the page of nesting', () => {
   it('tells apart, overlapping and touching', async () => {
     const it = await opened(), { page } = it;
-    await example(page, 'A slot that fits exactly');
+    await opensExample(page, 'A slot that fits exactly');
     await expect.poll(() => said(page)).toBe('A and B are apart by 1.');
     await page.getByRole('button', { name: 'To the nearest fit' }).click();
     await expect.poll(() => said(page)).toBe('A and B touch, exactly.');
@@ -35,13 +34,13 @@ describe('the page of nesting', () => {
   });
   it('knows the slot that B fits into without room', async () => {
     const it = await opened(), { page } = it;
-    await example(page, 'A slot that fits exactly');
+    await opensExample(page, 'A slot that fits exactly');
     expect(await readout(page, 'exact fits: points, segments')).not.toBe('0, 0');
     await close(it);
   });
   it('snaps B to the boundary while it is dragged', async () => {
     const it = await opened(), { page } = it, canvas = page.locator('canvas.plane');
-    await example(page, 'A slot that fits exactly');
+    await opensExample(page, 'A slot that fits exactly');
     await expect.poll(() => said(page)).toMatch(/apart/);
     const box = (await canvas.boundingBox())!;
     const [cx, cy, unit] = (await canvas.getAttribute('data-camera'))!.split(' ').map(Number) as [number, number, number];
@@ -63,6 +62,17 @@ describe('the page of nesting', () => {
     await expect.poll(() => said(second.page), { timeout: 60_000 }).toMatch(/overlap/);
     expect(await place(second.page)).toBe(where);
     await close(second);
+    await close(it);
+  });
+  it('moves B by keys', async () => {
+    const it = await opened(), { page } = it;
+    await opensExample(page, 'A slot that fits exactly');
+    await expect.poll(() => place(page)).toBe('(5, 3)');
+    await page.locator('canvas.plane').focus();
+    await page.keyboard.press('Alt+ArrowUp');
+    await expect.poll(() => place(page)).not.toBe('(5, 3)');
+    await page.keyboard.press('Control+z');
+    await expect.poll(() => place(page)).toBe('(5, 3)');
     await close(it);
   });
 });

@@ -1,7 +1,7 @@
 // The page of a robot that turns: every control does what it says, and the two pictures follow each other.
 import type { Browser, Page } from 'playwright-core';
 import { afterAll, beforeAll, describe, expect, it } from 'vitest';
-import { close, dropFiles, launch, open, readout, shareLink, type OpenOptions } from './viewer';
+import { close, download, dropFiles, example, launch, open, readout, set, shareLink, type OpenOptions } from './viewer';
 
 let browser: Browser;
 beforeAll(async () => void (browser = await launch()));
@@ -11,14 +11,6 @@ const opened = async (options: OpenOptions = {}) => {
   const it = await open(browser, { hash: '#/obstacle', ...options });
   await expect.poll(() => readout(it.page, 'The robot'), { timeout: 60_000 }).toMatch(/clearance|depth|touches/);
   return it;
-};
-const example = async (page: Page, name: string): Promise<void> => {
-  await page.getByRole('button', { name: 'Examples' }).click();
-  await page.getByRole('button', { name, exact: true }).click();
-};
-const set = async (page: Page, label: string, value: string): Promise<void> => {
-  await page.getByLabel(label, { exact: true }).fill(value);
-  await page.keyboard.press('Enter');
 };
 const space = (page: Page) => page.locator('.space');
 const frames = async (page: Page, what: 'frames' | 'overlays'): Promise<number> => Number(await space(page).getAttribute(`data-${what}`));
@@ -128,6 +120,7 @@ describe('the page of a robot that turns', () => {
   it('takes files and permalinks, and refuses what is wrong with its place', async () => {
     const it = await opened(), { page } = it;
     await dropFiles(page, { 'peg.wkt': 'POLYGON((-1 -1, 1 -1, 1 1, -1 1, -1 -1))', 'slot.wkt': 'POLYGON((4 0, 8 0, 8 4, 4 4, 4 0))' });
+    await expect.poll(() => page.getByLabel('x', { exact: true }).inputValue()).not.toBe('0'); // beside the obstacle
     await set(page, 'x', '3');
     await set(page, 'y', '2');
     await expect.poll(() => readout(page, 'The robot')).toBe('touches');
@@ -144,10 +137,7 @@ describe('the page of a robot that turns', () => {
     const it = await opened(), { page } = it;
     await expect.poll(() => page.getByLabel('Along the path').count(), { timeout: 30_000 }).toBe(1);
     for (const [label, name] of [['Obstacle (GLB)', 'obstacle.glb'], ['Obstacle, exact (.obstacle)', 'obstacle.obstacle'], ['Slice (WKT)', 'obstacle.wkt'], ['Path (JSON)', 'path.json']] as const) {
-      await page.getByRole('button', { name: 'Download' }).click();
-      const saving = page.waitForEvent('download');
-      await page.getByRole('button', { name: label, exact: true }).click();
-      expect((await saving).suggestedFilename()).toBe(name);
+      expect((await download(page, label)).name).toBe(name);
     }
     await close(it);
   });
@@ -160,6 +150,21 @@ describe('the page of a robot that turns', () => {
       await page.waitForTimeout(80);
     }
     expect(seen.size).toBeLessThanOrEqual(5); // 1.6 seconds of 12 steps in 6
+    await close(it);
+  });
+  it('starts where the robot is, at an angle that keys turn', async () => {
+    const it = await opened(), { page } = it, theta = page.getByLabel('θ', { exact: true });
+    await theta.focus();
+    await page.keyboard.press('ArrowRight');
+    await expect.poll(() => page.getByLabel('tan θ/2').inputValue()).toMatch(/^\d+\/1024$/);
+    await set(page, 'tan θ/2', '90deg');
+    expect(await theta.getAttribute('aria-valuetext')).toBe('90°');
+    await set(page, 'x', '-4');
+    await page.getByRole('button', { name: 'Start here' }).click();
+    await page.getByRole('button', { name: 'Goal here' }).click();
+    await expect.poll(() => page.locator('.panel').innerText()).toMatch(/already there|0 moves/);
+    await page.getByLabel('Shape of Robot').selectOption('L');
+    await expect.poll(() => readout(page, 'The robot'), { timeout: 30_000 }).toMatch(/clearance|depth|touches/);
     await close(it);
   });
 });

@@ -1,20 +1,13 @@
 // What is the same on all pages.
-import { readFileSync } from 'node:fs';
-import type { Browser, Page } from 'playwright-core';
+import type { Browser } from 'playwright-core';
 import { afterAll, beforeAll, describe, expect, it } from 'vitest';
-import { close, dropFiles, launch, open, readout, settled, shareLink } from './viewer';
+import { close, download, dropFiles, launch, open, readout, settled, shareLink } from './viewer';
 
 let browser: Browser;
 beforeAll(async () => void (browser = await launch()));
 afterAll(() => browser.close());
 
 const kSquare = 'POLYGON ((0 0, 3 0, 3 3, 0 3, 0 0))';
-
-async function download(page: Page, label: string): Promise<string> {
-  await page.getByRole('button', { name: 'Download' }).click();
-  const [file] = await Promise.all([page.waitForEvent('download'), page.getByRole('button', { name: label }).click()]);
-  return readFileSync(await file.path(), 'utf8');
-}
 
 describe('the shell', () => {
   it('undoes and redoes, by buttons and keys', async () => {
@@ -91,9 +84,9 @@ describe('the shell', () => {
   it('saves files', async () => {
     const it = await open(browser), { page } = it;
     await settled(page);
-    expect(await download(page, 'Picture (SVG)')).toContain('<svg');
-    expect(await download(page, 'Sum, rounded (WKT)')).toMatch(/POLYGON/);
-    const json = JSON.parse(await download(page, 'Sum, exact (JSON)')) as object;
+    expect((await download(page, 'Picture (SVG)')).bytes.toString()).toContain('<svg');
+    expect((await download(page, 'Sum, rounded (WKT)')).bytes.toString()).toMatch(/POLYGON/);
+    const json = JSON.parse((await download(page, 'Sum, exact (JSON)')).bytes.toString()) as object;
     expect(Object.keys(json).length).toBeGreaterThan(0);
     await close(it);
   });
@@ -118,12 +111,22 @@ describe('the shell', () => {
     }
     await close(it);
   });
+  it('opens files by its button, and the list of keys', async () => {
+    const it = await open(browser), { page } = it;
+    await settled(page);
+    const [chooser] = await Promise.all([page.waitForEvent('filechooser'), page.getByRole('button', { name: 'Open files' }).click()]);
+    await chooser.setFiles(['a.wkt', 'b.wkt'].map((name) => ({ name, mimeType: 'text/plain', buffer: Buffer.from(kSquare) })));
+    await expect.poll(() => readout(page, 'area')).toBe('36');
+    await page.getByRole('button', { name: 'Keys' }).click();
+    await expect.poll(() => page.getByRole('dialog').isVisible()).toBe(true);
+    await close(it);
+  });
   it('has a name for every control', async () => {
     const it = await open(browser), { page } = it;
     for (const tab of await page.locator('.tabs a').all()) {
       await tab.click();
       const nameless = await page.evaluate(() =>
-        [...document.querySelectorAll<HTMLElement>('button, select, input, canvas, svg[tabindex]')]
+        [...document.querySelectorAll<HTMLElement>('button, select, input, canvas.plane, .space, svg[tabindex]')]
           .filter((e) => !(e.ariaLabel ?? e.textContent?.trim()) && !((e as HTMLInputElement).labels?.length))
           .map((e) => e.outerHTML),
       );
@@ -163,7 +166,7 @@ describe('the shell', () => {
   it('takes a document from outside', async () => {
     const it = await open(browser), { page } = it;
     await settled(page);
-    await page.evaluate((text) => dispatchEvent(new CustomEvent('dymsum-open', { detail: { page: 'sum', files: [{ name: 'a.wkt', text }, { name: 'b.wkt', text }] } })), kSquare);
+    await page.evaluate((text) => dispatchEvent(new CustomEvent('dymsum-open', { detail: { page: 'sum', inputs: [{ name: 'a.wkt', text }, { name: 'b.wkt', text }] } })), kSquare);
     await expect.poll(() => readout(page, 'area')).toBe('36');
     await close(it);
   });

@@ -1,8 +1,7 @@
 // The page of solids: every control does what it says, with exact values.
-import { readFileSync } from 'node:fs';
 import type { Browser, Page } from 'playwright-core';
 import { afterAll, beforeAll, describe, expect, it } from 'vitest';
-import { close, dropFiles, launch, open, readout, readoutOtherThan, shareLink, type OpenOptions } from './viewer';
+import { choose, close, download, dropFiles, launch, open, readout, readoutOtherThan, set, shareLink, type OpenOptions } from './viewer';
 
 let browser: Browser;
 beforeAll(async () => void (browser = await launch()));
@@ -21,10 +20,6 @@ const cubes = async () => {
   await it.page.getByLabel('Turn', { exact: true }).fill('0');
   await expect.poll(() => readout(it.page, 'Volume')).toBe('64');
   return it;
-};
-const set = async (page: Page, label: string, value: string): Promise<void> => {
-  await page.getByLabel(label, { exact: true }).fill(value);
-  await page.keyboard.press('Enter');
 };
 const pictures = (page: Page) => page.locator('.space');
 
@@ -128,14 +123,11 @@ describe('the page of solids', () => {
   });
   it('saves GLB, STL, OFF and JSON', async () => {
     const it = await cubes(), { page } = it;
-    for (const format of ['glb', 'stl', 'off', 'json']) {
-      await page.getByRole('button', { name: 'Download' }).click();
-      const saving = page.waitForEvent('download');
-      await page.getByRole('button', { name: new RegExp(format, 'i') }).last().click();
-      const saved = await saving;
-      expect(saved.suggestedFilename()).toBe(`sum.${format}`);
-      if (format === 'off') expect(readFileSync(await saved.path(), 'utf8')).toMatch(/^OFF/);
-      if (format === 'json') expect((JSON.parse(readFileSync(await saved.path(), 'utf8')) as { vertices: string[] }).vertices.length).toBe(8);
+    for (const [label, format] of [['Sum (GLB)', 'glb'], ['Sum (STL)', 'stl'], ['Sum (OFF)', 'off'], ['Sum, exact (JSON)', 'json']] as const) {
+      const { name, bytes } = await download(page, label);
+      expect(name).toBe(`sum.${format}`);
+      if (format === 'off') expect(bytes.toString()).toMatch(/^OFF/);
+      if (format === 'json') expect((JSON.parse(bytes.toString()) as { vertices: string[] }).vertices.length).toBe(8);
     }
     await close(it);
   });
@@ -147,6 +139,24 @@ describe('the page of solids', () => {
     await page.touchscreen.tap(b.x + b.width / 2, b.y + b.height / 2);
     await expect.poll(() => page.locator('h2').allInnerTexts()).toContain('CHOSEN FACE');
     expect(Number(await right!.getAttribute('data-frames'))).toBeGreaterThanOrEqual(frames);
+    await close(it);
+  });
+  it('turns and scales P or Q, and keeps what is typed', async () => {
+    const it = await cubes(), { page } = it, box = (await pictures(page).last().boundingBox())!;
+    await page.getByLabel('Solid Q').selectOption('bar'); // 2 by 1 by 1
+    await expect.poll(() => readout(page, 'Volume')).toBe('36');
+    await page.getByRole('slider', { name: 'Scale' }).focus();
+    await page.keyboard.press('End');
+    await expect.poll(() => readout(page, 'Volume')).toBe('96'); // 6 by 4 by 4
+    await choose(page, 'Which moves', 'P turns and is scaled');
+    await expect.poll(() => readout(page, 'Volume')).toBe('150'); // 6 by 5 by 5
+    await choose(page, 'What touching counts', 'Regular');
+    await expect.poll(() => readout(page, 'Tight')).toBe('nothing');
+    const field = page.getByLabel('x of Q', { exact: true });
+    await field.fill('3');
+    await page.mouse.move(box.x + box.width / 2, box.y + box.height / 2); // names a face: the page is drawn again
+    await expect.poll(() => pictures(page).last().locator('.status').innerText()).toMatch(/of P/);
+    expect(await field.inputValue()).toBe('3');
     await close(it);
   });
 });

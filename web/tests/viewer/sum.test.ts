@@ -1,7 +1,7 @@
 // The page of sums: every control does what it says.
 import type { Browser } from 'playwright-core';
 import { afterAll, beforeAll, describe, expect, it } from 'vitest';
-import { close, drag, launch, open, readout, readoutOtherThan, settled, type OpenOptions } from './viewer';
+import { choose, close, drag, dropFiles, launch, open, readout, readoutOtherThan, set, settled, type OpenOptions } from './viewer';
 
 let browser: Browser;
 beforeAll(async () => void (browser = await launch()));
@@ -119,6 +119,73 @@ describe('the page of sums', () => {
       if (stage === 'cells proved to be covered' || stage === 'loops that were dropped') continue; // a small sum may have none
       await expect.poll(async () => before.equals(await canvas.screenshot()), { timeout: 10_000 }).toBe(false);
     }
+    await close(it);
+  });
+  it('plays, and stops where it is pressed again', async () => {
+    const it = await opened(), { page } = it;
+    await page.getByRole('button', { name: 'Play: Scale of P' }).click();
+    await expect.poll(() => page.getByLabel('Exactly').inputValue()).not.toBe('1');
+    await page.getByRole('button', { name: 'Stop: Scale of P' }).click();
+    const at = await page.getByLabel('Exactly').inputValue();
+    await page.waitForTimeout(300);
+    expect(await page.getByLabel('Exactly').inputValue()).toBe(at);
+    await page.keyboard.press('Control+z'); // all of it is one step
+    await expect.poll(() => page.getByLabel('Exactly').inputValue()).toBe('1');
+    await close(it);
+  });
+  it('goes back to an event, and says where there are no more', async () => {
+    const it = await opened(), { page } = it;
+    await page.getByLabel('Shape of P').selectOption('square');
+    await page.getByLabel('Shape of Q').selectOption('pockets');
+    await choose(page, 'Which moves', 'P');
+    await page.getByRole('button', { name: 'Find all' }).click();
+    await expect.poll(() => page.getByRole('button', { name: /^\d+ events?$/ }).count()).toBe(1);
+    await set(page, 'Exactly', '3.99');
+    await page.getByRole('button', { name: 'Next event ›' }).click();
+    await expect.poll(() => page.locator('.notice').allInnerTexts()).toContain('Nothing changes up to scale 4.');
+    await page.getByRole('button', { name: '‹ Event' }).click();
+    await expect.poll(() => page.getByLabel('Exactly').inputValue()).not.toBe('3.99');
+    await close(it);
+  });
+  it('keeps what is typed while other things change', async () => {
+    const it = await opened(), { page } = it, canvas = (await page.locator('canvas.plane').boundingBox())!, field = page.getByLabel('Exactly');
+    await field.fill('7/3');
+    for (let k = 0; k < 10; ++k) await page.mouse.move(canvas.x + (canvas.width * k) / 10, canvas.y + canvas.height / 2); // hovers over edges: the page is drawn again
+    expect(await field.inputValue()).toBe('7/3');
+    await field.press('Enter');
+    await expect.poll(() => page.getByRole('slider', { name: 'Scale of P' }).getAttribute('aria-valuetext')).toBe('2.333');
+    await close(it);
+  });
+  it('shows where Q hits P and where it fits into it, scaled by a drag', async () => {
+    const it = await opened(), { page } = it;
+    await page.getByLabel('Shape of P').selectOption('square');
+    await page.getByLabel('Shape of Q').selectOption('square');
+    await choose(page, 'What is computed', 'Fit in P');
+    await expect.poll(() => readout(page, 'area')).toBe('0'); // one place
+    await expect.poll(() => readout(page, 'tight points, segments')).toBe('1, 0');
+    await set(page, 'Exactly', '2');
+    await expect.poll(() => readout(page, 'area')).toBe('1');
+    await page.getByRole('slider', { name: 'Scale of P' }).focus();
+    await page.keyboard.press('ArrowRight');
+    await expect.poll(() => page.getByLabel('Exactly').inputValue()).toBe('2.00390625');
+    await expect.poll(() => page.getByRole('button', { name: 'Copy the exact area' }).innerText()).toBe('66049/65536');
+    await choose(page, 'What is computed', 'P ⊕ −Q');
+    await choose(page, 'How it moves', 'Turn');
+    await set(page, 'Tangent of half the angle, exactly', '1/2');
+    await expect.poll(() => page.getByRole('button', { name: 'Copy the exact area' }).innerText()).toBe('24/5');
+    await close(it);
+  });
+  it('mends a file that is refused, or takes one of several shapes', async () => {
+    const it = await opened(), { page } = it;
+    await page.getByLabel('Shape of Q').selectOption('square');
+    await dropFiles(page, { 'twice.wkt': 'POLYGON ((0 0, 3 0, 3 0, 3 3, 0 3, 0 0))' });
+    await page.getByRole('button', { name: 'Repair P' }).click();
+    await expect.poll(() => readout(page, 'area')).toBe('16');
+    expect(await page.getByRole('button', { name: 'Repair P' }).count()).toBe(0);
+    await dropFiles(page, { 'two.geojson': '{"type":"FeatureCollection","features":[{"type":"Feature","properties":{"name":"one"},"geometry":{"type":"Polygon","coordinates":[[[0,0],[1,0],[1,1],[0,1],[0,0]]]}},{"type":"Feature","properties":{"name":"two"},"geometry":{"type":"Polygon","coordinates":[[[0,0],[2,0],[2,2],[0,2],[0,0]]]}}]}' });
+    await page.getByRole('button', { name: 'Repair P' }).click();
+    await page.getByLabel('Shapes of the file of P').selectOption({ index: 2 });
+    await expect.poll(() => readout(page, 'area')).toBe('9');
     await close(it);
   });
 });

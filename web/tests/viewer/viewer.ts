@@ -1,7 +1,8 @@
 // The built page in Debian's browsers. Every page that is opened here is watched: it may ask for nothing but itself, and
 // write no error.
-import { existsSync } from 'node:fs';
+import { existsSync, readFileSync } from 'node:fs';
 import { fileURLToPath } from 'node:url';
+import { deflateRawSync } from 'node:zlib';
 import { chromium, firefox, type Browser, type Page } from 'playwright-core';
 import { expect } from 'vitest';
 
@@ -84,9 +85,39 @@ export async function drag(page: Page, from: [number, number], to: [number, numb
 
 /** A hash that opens a state; made by the page's own code for permalinks is what `shareLink` gives. */
 export async function shareLink(page: Page): Promise<string> {
+  await page.evaluate(() => history.replaceState(null, '', location.pathname)); // what stands there may be older
   await page.getByRole('button', { name: 'Copy a link to what is shown' }).click();
   await expect.poll(() => page.evaluate(() => location.hash)).toMatch(/^#\/\w+\/./);
   return await page.evaluate(() => location.hash);
+}
+
+/** The hash that opens what a command hands over: its page, inputs and options. */
+export function commandHash(page: string, verb: string, inputs: Record<string, string>, options: Record<string, unknown> = {}): string {
+  const data = { format: 1, page, inputs: Object.entries(inputs).map(([name, text]) => ({ name, text })), parameters: { verb, ...options } };
+  return `#data=${deflateRawSync(JSON.stringify(data)).toString('base64url')}`;
+}
+
+/** Types into a field, and leaves it by Enter. */
+export async function set(page: Page, label: string, value: string): Promise<void> {
+  await page.getByLabel(label, { exact: true }).fill(value);
+  await page.keyboard.press('Enter');
+}
+
+/** Chooses one of a group of which one is chosen. */
+export async function choose(page: Page, group: string, text: string): Promise<void> {
+  await page.getByRole('radiogroup', { name: group }).getByText(text, { exact: true }).click();
+}
+
+export async function example(page: Page, name: string): Promise<void> {
+  await page.getByRole('button', { name: 'Examples' }).click();
+  await page.getByRole('button', { name, exact: true }).click();
+}
+
+/** What an entry of the download menu saves: its name and its bytes. */
+export async function download(page: Page, label: string): Promise<{ name: string; bytes: Buffer }> {
+  await page.getByRole('button', { name: 'Download' }).click();
+  const [file] = await Promise.all([page.waitForEvent('download'), page.getByRole('button', { name: label, exact: true }).click()]);
+  return { name: file.suggestedFilename(), bytes: readFileSync(await file.path()) };
 }
 
 /** Drops files on the page. */

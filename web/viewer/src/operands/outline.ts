@@ -2,7 +2,7 @@
 import type { RegionShape } from 'dymsum';
 import { boxOf, type Box, type Point } from '../view2d/camera';
 import { EdgeGrid } from '../view2d/edge_grid';
-import type { Affine } from '../view2d/affine';
+import { applied, type Affine } from '../view2d/affine';
 import type { LineStyle, Painter, Rings } from '../view2d/painter';
 
 export class Outline {
@@ -47,5 +47,6 @@ export class Outline {
     painter.region(this.rings, fill, style, by);
     painter.trace(this.polylines, by, false);
     painter.line(style);
+    for (let k = this.shape.firstPoint; 2 * k < this.shape.vertices.length; ++k) painter.dot(by ? applied(by, this.vertex(k)) : this.vertex(k), 3, style.colour);
   }
 }

@@ -1,5 +1,5 @@
 // Which files planar pages take.
-import { shapeOfFile, type FileShape } from '../engine/shape';
+import { shapeOfFile, type FileShape, type Shape } from '../engine/shape';
 import type { InputFile } from '../shell/page';
 
 const kPlanar = /\.(poly|wkt|geojson|svg|json|dxf)$/i;
@@ -10,4 +10,9 @@ export function planarShapes(files: readonly InputFile[], most: number): FileSha
   if (other) throw new Error(`"${other.name}" holds no region: this page takes .poly, .wkt, .geojson, .svg, .dxf and .json.`);
   if (files.length > most) throw new Error(`${files.length} files are too many: this page takes ${most === 1 ? 'one' : `up to ${most}`}.`);
   return files.map(shapeOfFile);
+}
+
+/** Whether files are new versions of what is shown, as a server hands over what was saved: all else then stays as it is. */
+export function areAgain(files: readonly FileShape[], shown: readonly Shape[]): boolean {
+  return files.length === shown.length && files.every((file, k) => file.name === shown[k]!.name);
 }

@@ -1,6 +1,6 @@
 // The controls that panels are made of. Each is a native input with a label, so keyboard and screen readers have it.
 import type { ComponentChildren } from 'preact';
-import { useId } from 'preact/hooks';
+import { useEffect, useId, useRef, useState } from 'preact/hooks';
 import { PlayButton } from './play_button';
 
 export function Section({ title, children }: { title: string; children: ComponentChildren }) {
@@ -121,18 +121,33 @@ interface NumberFieldProps {
   onCommit: (text: string) => void;
 }
 
-/** A number as text, "3/2" or "1.01": exact. */
+/** A number as text, "3/2" or "1.01": exact. What is being typed stays, whatever else changes on the page meanwhile. */
 export function NumberField({ label, value, check, onCommit }: NumberFieldProps) {
-  const commit = (input: HTMLInputElement): void => {
-    const wrong = check(input.value.trim());
-    input.setCustomValidity(wrong ?? '');
-    if (wrong) input.reportValidity();
-    else if (input.value.trim() !== value) onCommit(input.value.trim());
+  const [typed, setTyped] = useState<string | undefined>();
+  const input = useRef<HTMLInputElement>(null);
+  const say = (wrong = ''): void => input.current?.setCustomValidity(wrong);
+  useEffect(() => {
+    setTyped(undefined);
+    say();
+  }, [value]);
+  const commit = (text: string): void => {
+    const wrong = check(text);
+    say(wrong);
+    if (wrong) return void input.current?.reportValidity();
+    setTyped(undefined);
+    if (text !== value) onCommit(text);
+  };
+  const type = (text: string): void => {
+    setTyped(text);
+    say();
   };
   return (
     <label class="field">
       <span class="label">{label}</span>
-      <input type="text" class="mono" value={value} spellcheck={false} onChange={(e) => commit(e.currentTarget)} />
+      <input
+        ref={input} type="text" class="mono" value={typed ?? value} spellcheck={false}
+        onInput={(e) => type(e.currentTarget.value)} onChange={(e) => commit(e.currentTarget.value.trim())}
+      />
     </label>
   );
 }

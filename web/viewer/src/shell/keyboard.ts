@@ -25,8 +25,9 @@ export const kKeys: readonly (readonly [string, string])[] = [
   ['Tab, then Space', 'every control'],
 ];
 
-function isTyping(target: EventTarget | null): boolean {
-  return target instanceof HTMLElement && target.matches('input[type=text], textarea, select');
+/** Texts have keys of their own; lists only letters. */
+function isTyping({ target, ctrlKey, metaKey }: KeyboardEvent): boolean {
+  return target instanceof HTMLElement && target.matches(ctrlKey || metaKey ? 'input[type=text], textarea' : 'input[type=text], textarea, select');
 }
 
 function commandOf(e: KeyboardEvent, c: Commands): (() => void) | undefined {
@@ -43,7 +44,7 @@ function commandOf(e: KeyboardEvent, c: Commands): (() => void) | undefined {
 export function useKeyboard(commands: Commands): void {
   useEffect(() => {
     const onKey = (e: KeyboardEvent): void => {
-      if (e.defaultPrevented || isTyping(e.target) || document.querySelector('dialog[open]')) return;
+      if (e.defaultPrevented || isTyping(e) || document.querySelector('dialog[open]')) return;
       const command = commandOf(e, commands);
       if (!command) return;
       e.preventDefault();

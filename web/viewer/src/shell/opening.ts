@@ -42,7 +42,7 @@ export function withFiles(pages: Pages, now: Document, files: readonly InputFile
 export function openedDocument(pages: Pages, embedded: EmbeddedDocument): Document {
   const document = checkedDocument(pages, { page: embedded.page ?? pages[0].id, state: embedded.state });
   const files = filesOf(embedded);
-  const opened = files.length > 0 ? withFiles(pages, document, files) : document;
-  const command = embedded.parameters && pageOf(pages, opened.page).command;
-  return command ? { page: opened.page, state: command(embedded.parameters!, opened.state) } : opened;
+  if (files.length === 0) return document;
+  const { page, state } = withFiles(pages, document, files), { command } = pageOf(pages, page);
+  return command && embedded.state === undefined ? { page, state: command(embedded.parameters ?? {}, state, files.length) } : { page, state };
 }

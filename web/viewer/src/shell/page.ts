@@ -56,8 +56,11 @@ export interface Page<S> {
   parse: (value: unknown) => S;
   /** The state with these files taken up. Throws an Error that says what this page can take. */
   take: (files: readonly InputFile[], state: S) => S;
-  /** The state with the inputs of a command as its options ask for it; without this, as it is. */
-  command?: (parameters: Parameters, state: S) => S;
+  /**
+   * The state as the options of a command ask for it, whose inputs it has taken: so many; no parameters where there are only
+   * inputs. Without this, as it is.
+   */
+  command?: (parameters: Parameters, state: S, inputs: number) => S;
   /** Renders a <Stage> and a <Panel>. */
   View: ComponentType<PageProps<S>>;
 }

@@ -15,12 +15,14 @@ const kSeconds = 12; // from one end to the other
 
 export function PlayButton(props: PlayProps) {
   const [playing, setPlaying] = useState(false);
-  const now = useRef(props);
+  const now = useRef(props), goesOn = useRef(false); // effects end late: a frame may come after the press
   now.current = props;
   useEffect(() => {
+    goesOn.current = playing;
     if (!playing) return undefined;
     let frame = 0, last = performance.now(), up = true;
     const next = (time: number): void => {
+      if (!goesOn.current) return;
       const { value, min, max, onInput } = now.current, way = ((max - min) * Math.min(time - last, 100)) / 1000 / kSeconds;
       if (up ? value + way > max : value - way < min) up = !up;
       onInput(value + (up ? way : -way));
@@ -32,6 +34,7 @@ export function PlayButton(props: PlayProps) {
   }, [playing]);
   if (motionIsReduced()) return null;
   const press = (): void => {
+    goesOn.current = false;
     if (playing) props.onDone(props.value);
     setPlaying(!playing);
   };

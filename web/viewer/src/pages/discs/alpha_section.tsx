@@ -3,7 +3,8 @@ import { short } from '../../numbers/display';
 import { fromDouble, multiply, parseRational, rational, toNumber, toText } from '../../numbers/rational';
 import { Choice, NumberField, Section, Slider, type Tick } from '../../shell/controls';
 import type { Change } from '../../shell/page';
-import { kOperations, type DiscState } from './state';
+import { kSemantics } from '../options';
+import { isLength, kOperations, naturalSemantics, type DiscState } from './state';
 
 interface AlphaProps {
   state: DiscState;
@@ -18,6 +19,11 @@ export function alphaOf(state: Pick<DiscState, 'alpha'>): number {
   return toNumber(parseRational(state.alpha) ?? rational(0n));
 }
 
+/** The diameter of a radius. */
+export function alphaText(radius: number): string {
+  return toText(multiply(fromDouble(radius), rational(2n)));
+}
+
 function ticksOf(events: Float64Array | undefined): Tick[] {
   const step = Math.ceil((events?.length ?? 0) / kMostTicks), ticks: Tick[] = [];
   events?.forEach((radius, k) => {
@@ -30,9 +36,7 @@ function EventButtons({ state, change, events }: AlphaProps) {
   const radius = alphaOf(state) / 2, count = events?.length ?? 0;
   const after = state.event === null ? (events ?? []).findIndex((r) => r > radius) : state.event + 1;
   const next = after < 0 ? count : after, before = state.event === null ? next - 1 : state.event - 1;
-  const go = (event: number): void => {
-    change({ ...state, event, alpha: toText(multiply(fromDouble(events![event]!), rational(2n))) });
-  };
+  const go = (event: number): void => change({ ...state, event, alpha: alphaText(events![event]!) });
   return (
     <div class="row">
       <button disabled={!events || before < 0} onClick={() => go(before)}>‹ Event</button>
@@ -46,13 +50,11 @@ export function AlphaSection(props: AlphaProps) {
   const { state, change, events, reach } = props, alpha = alphaOf(state);
   const step = 10 ** Math.floor(Math.log10(reach / 500));
   const to = (value: number, how: 'live' | 'done'): void => change({ ...state, event: null, alpha: short(Math.round(value / step) * step) }, how);
-  const check = (text: string): string | undefined => {
-    const r = parseRational(text);
-    return r && r.n >= 0n ? undefined : 'A diameter is a number that is not negative, such as 0.5 or 1/3.';
-  };
+  const check = (text: string): string | undefined => (isLength(text) ? undefined : 'A diameter is a number that is not negative, such as 0.5 or 1/3.');
   return (
     <Section title="Disc">
-      <Choice label="What the disc makes" options={kOperations} value={state.operation} onChange={(operation) => change({ ...state, operation, event: null })} />
+      <Choice label="What the disc makes" options={kOperations} value={state.operation} onChange={(operation) => change({ ...state, operation, semantics: naturalSemantics(operation), event: null })} />
+      <Choice label="What touching counts" options={kSemantics} value={state.semantics} onChange={(semantics) => change({ ...state, semantics })} />
       <Slider label="Diameter α" value={alpha} min={0} max={reach} step={step} text={short(alpha)} ticks={ticksOf(events)} onInput={(v) => to(v, 'live')} onDone={(v) => to(v, 'done')} plays />
       <EventButtons {...props} />
       <NumberField label="Exactly" value={state.event === null ? state.alpha : `event ${state.event + 1}`} check={check} onCommit={(text) => change({ ...state, event: null, alpha: text })} />

@@ -1,26 +1,35 @@
 // Bars from birth to death, the longest first. One is chosen with the pointer or the arrow keys.
 import type { FeatureBar } from 'dymsum';
 import { short } from '../../numbers/display';
+import { parseRational, toNumber } from '../../numbers/rational';
 
 interface BarcodeProps {
   /** with their indices, the longest first */
   bars: readonly (readonly [number, FeatureBar])[];
   alpha: number;
-  /** bars of at least this significance are cut at */
-  persistence: number | undefined;
+  /** whether a bar stands out */
+  isKept: (bar: FeatureBar) => boolean;
   chosen: number | null;
   onChoose: (bar: number) => void;
 }
 
 const kWidth = 306, kRow = 7, kHead = 4;
 
-export function lifeOf(bar: FeatureBar): number {
-  return bar.deathAlpha - bar.birthAlpha;
+/** The diameters between which life counts, as texts; no end where `to` is empty. */
+export interface Within {
+  from: string;
+  to: string;
+}
+
+export function lifeOf(bar: FeatureBar, { from, to }: Within): number {
+  const number = (text: string, otherwise: number): number => (text === '' ? otherwise : toNumber(parseRational(text)!));
+  return Math.max(0, Math.min(bar.deathAlpha, number(to, Infinity)) - Math.max(bar.birthAlpha, number(from, 0)));
 }
 
 /** What cuts go by: the lesser of how long a pocket lasts and how deep it is; of gaps their life. */
-export function significanceOf(bar: FeatureBar): number {
-  return bar.minimum === null ? lifeOf(bar) : Math.min(lifeOf(bar), bar.concavity);
+export function significanceOf(bar: FeatureBar, within: Within): number {
+  const life = lifeOf(bar, within);
+  return bar.minimum === null ? life : Math.min(life, bar.concavity);
 }
 
 /** The diameters that a barcode of these bars shows. */
@@ -29,7 +38,7 @@ export function reachOf(bars: readonly (readonly [number, FeatureBar])[]): numbe
   return Math.max(0, ...ends) * 1.08 || 1;
 }
 
-export function Barcode({ bars, alpha, persistence, chosen, onChoose }: BarcodeProps) {
+export function Barcode({ bars, alpha, isKept, chosen, onChoose }: BarcodeProps) {
   const reach = reachOf(bars), x = (a: number): number => (Math.min(a, reach) / reach) * kWidth, height = kHead + bars.length * kRow + 4;
   const onKey = (e: KeyboardEvent): void => {
     const step = { ArrowDown: 1, ArrowUp: -1 }[e.key];
@@ -39,10 +48,10 @@ export function Barcode({ bars, alpha, persistence, chosen, onChoose }: BarcodeP
     e.preventDefault();
   };
   return (
-    <svg class="barcode" viewBox={`0 0 ${kWidth} ${height}`} tabIndex={0} role="listbox" aria-label="Bars, the longest first" onKeyDown={onKey}>
+    <svg class="barcode" viewBox={`0 0 ${kWidth} ${height}`} tabindex={0} role="listbox" aria-label="Bars, the longest first" onKeyDown={onKey}>
       <line x1={x(alpha)} x2={x(alpha)} y1="0" y2={height} stroke="var(--sum)" stroke-width="1.5" />
       {bars.map(([index, bar], row) => {
-        const y = kHead + row * kRow + kRow / 2, kept = persistence !== undefined && significanceOf(bar) >= persistence;
+        const y = kHead + row * kRow + kRow / 2, kept = isKept(bar);
         const name = `${bar.born} at ${short(bar.birthAlpha)}, ${bar.died} at ${short(bar.deathAlpha)}`;
         return (
           <g key={index} role="option" aria-selected={index === chosen} aria-label={name} onClick={() => onChoose(index)}>

@@ -1,6 +1,8 @@
 import { made } from '../../operands/catalogue';
-import { planarShapes } from '../../operands/planar_files';
+import type { FileShape } from '../../engine/shape';
+import { areAgain, planarShapes } from '../../operands/planar_files';
 import type { Page } from '../../shell/page';
+import { asAsked } from './command';
 import { discState, parseDiscState, type DiscState } from './state';
 import { kSummary, View } from './view';
 
@@ -17,6 +19,10 @@ export const discsPage: Page<DiscState> = {
     { name: 'Spiral', state: discState(made('spiral'), { alpha: '1' }) },
   ],
   parse: parseDiscState,
-  take: (files, { operation }) => discState(planarShapes(files, 1)[0]!, { operation }),
+  take: (files, state) => {
+    const [shape] = planarShapes(files, 1) as [FileShape], { operation } = state;
+    return areAgain([shape], [state.shape]) ? { ...state, shape } : discState(shape, { operation });
+  },
+  command: asAsked,
   View,
 };

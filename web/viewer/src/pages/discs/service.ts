@@ -1,15 +1,23 @@
 // What a growing disc makes and sees of a region.
-import type { AlphaBridge, Decomposition, DiscSet, DiscShape, FeatureBar, GrowingDisc, Measured, ShapeFeatures } from 'dymsum';
+import type { AlphaBridge, Decomposition, DiscSet, DiscShape, FeatureBar, GrowingDisc, Measured, Semantics, ShapeFeatures } from 'dymsum';
 import type { Host } from '../../engine/host';
 import { keyOf, type Shape } from '../../engine/shape';
 import { multiply, parseRational, rational, toText } from '../../numbers/rational';
-import type { Operation } from './state';
+import { using } from '../../operands/using';
+import type { Concavity, Operation } from './state';
 
 export interface DiscArgs {
   shape: Shape;
   operation: Operation;
+  semantics: Semantics;
   alpha: string;
   event: number | null;
+}
+/** What bars are found, and how deep their pockets are. */
+export interface FeatureArgs {
+  shape: Shape;
+  concavity: Concavity;
+  hybridTolerance: number;
 }
 export interface DiscAnswer {
   set: DiscShape;
@@ -20,20 +28,14 @@ export interface DiscAnswer {
 function growing(host: Host, shape: Shape): GrowingDisc {
   return host.keep(`disc ${keyOf(shape)}`, () => host.dymsum.GrowingDisc.create(host.region(shape)));
 }
-function features(host: Host, shape: Shape): ShapeFeatures {
-  return host.keep(`features ${keyOf(shape)}`, () => host.dymsum.ShapeFeatures.create(host.region(shape), { progress: host.progress }));
+function features(host: Host, { shape, ...options }: FeatureArgs): ShapeFeatures {
+  return host.keep(`features ${options.concavity} ${options.hybridTolerance} ${keyOf(shape)}`, () => host.dymsum.ShapeFeatures.create(host.region(shape), { ...options, progress: host.progress }));
 }
 const sideOf = (operation: Operation) => (operation === 'sum' || operation === 'closed' ? 'outside' : 'inside');
 
-function withSet<T>(host: Host, { shape, operation, alpha, event }: DiscArgs, visit: (set: DiscSet) => T): T {
+function withSet<T>(host: Host, { shape, operation, semantics, alpha, event }: DiscArgs, visit: (set: DiscSet) => T): T {
   const disc = growing(host, shape), radius = event === null ? toText(multiply(parseRational(alpha)!, rational(1n, 2n))) : { event };
-  const semantics = operation === 'sum' ? 'open' : 'closed';
-  const set = disc[`${operation}At`](radius, semantics);
-  try {
-    return visit(set);
-  } finally {
-    set.dispose();
-  }
+  return using(disc[`${operation}At`](radius, semantics), visit);
 }
 
 export const discServices = {
@@ -45,18 +47,16 @@ export const discServices = {
     withSet(host, args, (set) => {
       if (format === 'svg') return set.svg(host.region(args.shape));
       if (format === 'json') return set.toJson();
-      const [x0, y0, x1, y1] = set.bounds(), { region } = set.toRegion(Math.max(x1 - x0, y1 - y0) * 1e-4, 'nearest');
-      const text = region.format('wkt');
-      region.dispose();
-      return text;
+      const [x0, y0, x1, y1] = set.bounds();
+      return using(set.toRegion(Math.max(x1 - x0, y1 - y0) * 1e-4, 'nearest').region, (region) => region.format('wkt'));
     }),
-  bars: (host: Host, { shape }: { shape: Shape }): FeatureBar[] => features(host, shape).bars(),
+  bars: (host: Host, of: FeatureArgs): FeatureBar[] => features(host, of).bars(),
   /** The diameters at which a bar begins and ends, as formulas. */
-  barTexts: (host: Host, { shape, birth, death }: { shape: Shape; birth: number; death: number | null }): { birth: string; death: string } => {
-    const all = features(host, shape);
+  barTexts: (host: Host, { birth, death, ...of }: FeatureArgs & { birth: number; death: number | null }): { birth: string; death: string } => {
+    const all = features(host, of);
     return { birth: all.eventText(birth), death: death === null ? 'never' : all.eventText(death) };
   },
-  bridges: (host: Host, { shape, alpha }: { shape: Shape; alpha: string }): AlphaBridge[] => features(host, shape).bridges(alpha),
-  cuts: (host: Host, { shape, persistence }: { shape: Shape; persistence: string }): Decomposition =>
-    features(host, shape).decompose({ persistence, progress: host.progress }),
+  bridges: (host: Host, { alpha, ...of }: FeatureArgs & { alpha: string }): AlphaBridge[] => features(host, of).bridges(alpha),
+  cuts: (host: Host, { persistence, alphaFrom, alphaTo, ...of }: FeatureArgs & { persistence: string; alphaFrom: string; alphaTo: string }): Decomposition =>
+    features(host, of).decompose({ persistence, alphaFrom, ...(alphaTo === '' ? {} : { alphaTo }), progress: host.progress }),
 };

@@ -1,15 +1,22 @@
 // What the page of growing discs shows.
+import type { FeatureOptions, Semantics } from 'dymsum';
 import { parseShape, type Shape } from '../../engine/shape';
 import { parseRational } from '../../numbers/rational';
 import type { Camera } from '../../view2d/camera';
+import { parseSemantics } from '../options';
 import { parseCamera } from '../sum/state';
 
 export const kOperations = [['sum', 'Grown'], ['closed', 'Closed'], ['eroded', 'Shrunk'], ['opened', 'Opened']] as const;
 export type Operation = (typeof kOperations)[number][0];
 
+/** How deep the deepest vertex of a pocket lies. */
+export const kConcavities = [['straight_line', 'Line'], ['shortest_path', 'Path'], ['hybrid1', 'Hybrid 1'], ['hybrid2', 'Hybrid 2']] as const satisfies readonly (readonly [FeatureOptions['concavity'], string])[];
+export type Concavity = (typeof kConcavities)[number][0];
+
 export interface DiscState {
   shape: Shape;
   operation: Operation;
+  semantics: Semantics;
   /** the diameter, an exact number as text */
   alpha: string;
   /** with this the diameter is exactly the one of an event, and `alpha` near it */
@@ -18,32 +25,52 @@ export interface DiscState {
   bar: number | null;
   bridges: boolean;
   cuts: boolean;
-  /** bars that last at least so long are cut at */
+  /** bars that last at least so long, and whose pockets are as deep, are cut at */
   persistence: string;
+  /** only what bars live from this diameter on counts, up to the other; no end where that is empty */
+  alphaFrom: string;
+  alphaTo: string;
+  concavity: Concavity;
+  /** of hybrid2: pockets no deeper are measured by shortest paths */
+  hybridTolerance: number;
   camera?: Camera;
 }
 
+/** Exact fits: of what grows they are told, of the others they are a part. */
+export function naturalSemantics(operation: Operation): Semantics {
+  return operation === 'sum' ? 'open' : 'closed';
+}
+
 export function discState(shape: Shape, changes: Partial<DiscState> = {}): DiscState {
-  return { shape, operation: 'sum', alpha: '1/2', event: null, bar: null, bridges: true, cuts: false, persistence: '1', ...changes };
+  const semantics = naturalSemantics(changes.operation ?? 'sum'), features = { persistence: '1', alphaFrom: '0', alphaTo: '', concavity: 'straight_line', hybridTolerance: 0 } as const;
+  return { shape, operation: 'sum', semantics, alpha: '1/2', event: null, bar: null, bridges: true, cuts: false, ...features, ...changes };
+}
+
+/** Whether a text is an exact number that is not negative. */
+export function isLength(text: string): boolean {
+  const r = parseRational(text);
+  return r !== undefined && r.n >= 0n;
 }
 
 /** Throws an Error for what is no state of this page. What is left out is as in a new one. */
 export function parseDiscState(value: unknown): DiscState {
-  const v = (value ?? {}) as Partial<Record<keyof DiscState, unknown>>, start = discState(parseShape(v.shape));
-  const number = (text: unknown, otherwise: string): string => {
-    const r = typeof text === 'string' ? parseRational(text) : undefined;
-    return r && r.n >= 0n ? (text as string) : otherwise;
-  };
+  const v = (value ?? {}) as Partial<Record<keyof DiscState, unknown>>;
+  const start = discState(parseShape(v.shape), { operation: kOperations.find(([name]) => name === v.operation)?.[0] ?? 'sum' });
+  const length = (text: unknown, otherwise: string): string => (typeof text === 'string' && isLength(text) ? text : otherwise);
   const index = (n: unknown): number | null => (Number.isInteger(n) ? (n as number) : null);
   return {
     ...start,
-    operation: kOperations.find(([name]) => name === v.operation)?.[0] ?? 'sum',
-    alpha: number(v.alpha, start.alpha),
+    semantics: parseSemantics(v.semantics, start.semantics),
+    alpha: length(v.alpha, start.alpha),
     event: index(v.event),
     bar: index(v.bar),
     bridges: v.bridges !== false,
     cuts: v.cuts === true,
-    persistence: number(v.persistence, start.persistence),
+    persistence: length(v.persistence, start.persistence),
+    alphaFrom: length(v.alphaFrom, '0'),
+    alphaTo: length(v.alphaTo, ''),
+    concavity: kConcavities.find(([name]) => name === v.concavity)?.[0] ?? 'straight_line',
+    hybridTolerance: Number.isFinite(v.hybridTolerance) ? Math.max(0, v.hybridTolerance as number) : 0,
     ...parseCamera(v.camera),
   };
 }

@@ -26,19 +26,22 @@ export interface DiscData {
 }
 
 export function useDiscs(shell: Shell, state: DiscState): DiscData {
-  const { engine } = shell, { shape, operation, alpha, event } = state;
+  const { engine } = shell, { shape, operation, semantics, alpha, event, concavity, hybridTolerance, alphaFrom, alphaTo } = state, of = { shape, concavity, hybridTolerance };
   const operand = useOperand(shell, shape), ready = operand.ready, outside = operation === 'sum' || operation === 'closed';
-  const set = useAnswer(engine, 'discSet', ready ? { shape, operation, alpha, event } : undefined);
+  const set = useAnswer(engine, 'discSet', ready ? { shape, operation, semantics, alpha, event } : undefined);
   const events = useAnswer(engine, 'discEvents', ready ? { shape, operation } : undefined);
-  const bars = useAnswer(engine, 'bars', ready ? { shape } : undefined);
-  const bridges = useAnswer(engine, 'bridges', ready && state.bridges && outside ? { shape, alpha } : undefined);
+  const bars = useAnswer(engine, 'bars', ready ? of : undefined);
+  const bridges = useAnswer(engine, 'bridges', ready && state.bridges && outside ? { ...of, alpha } : undefined);
   const persistence = useSettled(state.persistence, 60);
-  const cuts = useAnswer(engine, 'cuts', ready && state.cuts && persistence ? { shape, persistence } : undefined);
-  const all = bars.of?.shape === shape ? bars.value : undefined, chosen = state.bar === null ? undefined : all?.[state.bar];
-  const texts = useAnswer(engine, 'barTexts', chosen && { shape, birth: chosen.birth, death: chosen.death });
+  const cuts = useAnswer(engine, 'cuts', ready && state.cuts && persistence ? { ...of, persistence, alphaFrom, alphaTo } : undefined);
+  const all = bars.of?.shape === shape && bars.of.concavity === concavity ? bars.value : undefined, chosen = state.bar === null ? undefined : all?.[state.bar];
+  const texts = useAnswer(engine, 'barTexts', chosen && { ...of, birth: chosen.birth, death: chosen.death });
   const longest = useMemo(
-    () => (all ?? []).map((bar, k) => [k, bar] as const).sort(([, a], [, b]) => lifeOf(b) - lifeOf(a) || a.birthAlpha - b.birthAlpha).slice(0, kMostBars),
-    [all],
+    () => {
+      const within = { from: alphaFrom, to: alphaTo }, life = (bar: FeatureBar): number => lifeOf(bar, within);
+      return (all ?? []).map((bar, k) => [k, bar] as const).sort(([, a], [, b]) => life(b) - life(a) || a.birthAlpha - b.birthAlpha).slice(0, kMostBars);
+    },
+    [all, alphaFrom, alphaTo],
   );
   const error = set.error ?? events.error ?? bars.error ?? bridges.error ?? cuts.error;
   useEffect(() => {

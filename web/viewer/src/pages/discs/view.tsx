@@ -1,14 +1,15 @@
 import { useEffect, useMemo } from 'preact/hooks';
 import { short } from '../../numbers/display';
 import { OperandCard } from '../../operands/operand_card';
-import { Readouts, Section, Slider, Toggle } from '../../shell/controls';
+import { Readouts, Section, Toggle } from '../../shell/controls';
 import { ExactText } from '../../shell/exact_text';
 import type { PageProps, Shell } from '../../shell/page';
 import { Panel, Stage } from '../../shell/parts';
 import type { Point } from '../../view2d/camera';
 import { PlaneView } from '../../view2d/plane_view';
-import { AlphaSection, alphaOf } from './alpha_section';
-import { Barcode, reachOf, significanceOf } from './barcode';
+import { AlphaSection, alphaOf, alphaText } from './alpha_section';
+import { reachOf } from './barcode';
+import { BarsSection } from './bars_section';
 import { paintDiscs, type DiscScene } from './picture';
 import { discState, type DiscState } from './state';
 import { useDiscs, type DiscData } from './use_discs';
@@ -17,13 +18,13 @@ export const kSummary = 'A disc grows around a shape. It sees pockets and gaps, 
 
 const kFiles = { svg: 'Picture (SVG)', json: 'Set with true arcs (JSON)', wkt: 'Polygons (WKT)' } as const;
 
-function useDownloads({ engine, setDownloads }: Shell, { shape, operation, alpha, event }: DiscState, isThere: boolean): void {
+function useDownloads({ engine, setDownloads }: Shell, { shape, operation, semantics, alpha, event }: DiscState, isThere: boolean): void {
   useEffect(() => {
     const formats = isThere ? (Object.keys(kFiles) as (keyof typeof kFiles)[]) : [];
     setDownloads(formats.map((format) => ({
-      label: kFiles[format], fileName: `disc.${format}`, make: () => engine.ask('discFile', { shape, operation, alpha, event, format }),
+      label: kFiles[format], fileName: `disc.${format}`, make: () => engine.ask('discFile', { shape, operation, semantics, alpha, event, format }),
     })));
-  }, [engine, setDownloads, shape, operation, alpha, event, isThere]);
+  }, [engine, setDownloads, shape, operation, semantics, alpha, event, isThere]);
 }
 
 function sceneOf({ bar }: DiscState, data: DiscData): DiscScene {
@@ -31,27 +32,6 @@ function sceneOf({ bar }: DiscState, data: DiscData): DiscScene {
   const wrong: Point[] = x !== undefined && y !== undefined ? [{ x, y }] : [];
   const marked = [chosen?.vertex, chosen?.minimum].filter((k): k is number => typeof k === 'number');
   return { outline, set: error ? undefined : data.answer?.set, bridges: data.bridges, cuts: data.cuts, marked, wrong };
-}
-
-function BarsSection({ state, change, shell, data }: PageProps<DiscState> & { data: DiscData }) {
-  const { bars, barCount, texts, cuts } = data, reach = reachOf(bars), persistence = Number(state.persistence), most = Math.max(0, ...bars.map(([, b]) => significanceOf(b)).filter(Number.isFinite)) * 1.05 || reach;
-  const chosen = bars.find(([k]) => k === state.bar)?.[1];
-  const to = (value: number, how: 'live' | 'done'): void => change({ ...state, cuts: true, persistence: String(value) }, how);
-  return (
-    <Section title={`Barcode: ${bars.length < barCount ? `the longest ${bars.length} of ` : ''}${barCount} bars`}>
-      <Barcode bars={bars} alpha={alphaOf(state)} persistence={state.cuts ? persistence : undefined} chosen={state.bar} onChoose={(bar) => change({ ...state, bar })} />
-      {chosen && texts && (
-        <>
-          <p style={{ margin: '6px 0' }}>{`Born ${chosen.born === 'corner' ? `at the corner of vertex ${chosen.vertex}` : 'in a neck'}, ${chosen.died === 'never' ? 'never dies' : `${chosen.died} at ${short(chosen.deathAlpha)}`}.`}</p>
-          <ExactText label="the exact birth" text={`birth: ${texts.birth}`} shell={shell} />
-          <ExactText label="the exact death" text={`death: ${texts.death}`} shell={shell} />
-        </>
-      )}
-      <Toggle label="cuts" value={state.cuts} onChange={(on) => change({ ...state, cuts: on })} />
-      <Slider label="at pockets that last and are deep, at least τ" value={persistence} min={0} max={most} step={10 ** Math.floor(Math.log10(most / 500))} text={short(persistence)} onInput={(v) => to(v, 'live')} onDone={(v) => to(v, 'done')} />
-      {state.cuts && cuts && <Readouts rows={[['cuts', cuts.cuts.length], ['pieces', cuts.areas.length]]} />}
-    </Section>
-  );
 }
 
 export function View(props: PageProps<DiscState>) {
@@ -65,6 +45,10 @@ export function View(props: PageProps<DiscState>) {
     return { x0: box.x0 - margin, y0: box.y0 - margin, x1: box.x1 + margin, y1: box.y1 + margin };
   }, [box]);
   const { set } = answer ?? {};
+  useEffect(() => {
+    const radius = state.event === null ? undefined : data.events?.[state.event], alpha = radius === undefined ? state.alpha : alphaText(radius);
+    if (alpha !== state.alpha) change({ ...state, alpha }, 'aside'); // a command names an event and knows no diameter
+  }, [state, data.events, change]);
   return (
     <>
       <Stage>

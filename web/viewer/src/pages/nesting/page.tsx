@@ -1,11 +1,13 @@
 import { made } from '../../operands/catalogue';
-import { planarShapes } from '../../operands/planar_files';
+import { areAgain, planarShapes } from '../../operands/planar_files';
 import type { Shape } from '../../engine/shape';
 import type { Page } from '../../shell/page';
-import { parseNestingState, type NestingState } from './state';
+import { parseSemantics, textOf } from '../options';
+import { kFree, parseNestingState, placeBesideAnother, withParts, type NestingState } from './state';
 import { kSummary, View } from './view';
 
-const start = (a: Shape, b: Shape, x: number, y: number): NestingState => ({ a, b, at: { kind: 'free', x, y } });
+const start = (a: Shape, b: Shape, x: number, y: number): NestingState => ({ a, b, parts: [], semantics: 'open', at: { kind: 'free', x, y } });
+const kMostParts = 1000;
 const tooth: Shape = { name: 'tooth', make: 'rectangle', args: [0, 0, 1, 3] };
 
 export const nestingPage: Page<NestingState> = {
@@ -20,9 +22,13 @@ export const nestingPage: Page<NestingState> = {
     { name: 'Star and noisy star', state: start(made('star'), made('noisy star'), 2.5, 0) },
   ],
   parse: parseNestingState,
+  /** One file is A, or holds all parts; two are A and B; of more each may be either. */
   take: (files, state) => {
-    const [a, b] = planarShapes(files, 2);
-    return { ...state, a: a!, ...(b ? { b } : {}), at: { kind: 'free', x: 0, y: 0 } };
+    const shapes = planarShapes(files, kMostParts);
+    if (shapes.length === 1) return { ...state, unopened: shapes[0]! };
+    const stays = areAgain(shapes, state.parts.length > 0 ? state.parts : [state.a, state.b]);
+    return withParts(state, shapes, stays ? placeBesideAnother(state.at) : kFree);
   },
+  command: (parameters, state) => (parameters.verb === 'nfp' ? { ...state, semantics: parseSemantics(textOf(parameters, 'semantics'), 'closed') } : state),
   View,
 };

@@ -5,6 +5,7 @@ import { applied, kStill, placed, type Affine } from '../../view2d/affine';
 import type { Point } from '../../view2d/camera';
 import type { Painter } from '../../view2d/painter';
 import type { SumPicture } from '../../view2d/sum_shape';
+import { paintMove } from '../move_arrow';
 import { features } from '../sum/provenance';
 import type { Placed } from './service';
 import type { Placement } from './state';
@@ -30,20 +31,6 @@ function paintContacts(painter: Painter, { a, b, nfp, at }: NestingScene, byB: A
   for (const k of from.edgesQ) edge(b, k, byB);
   for (const k of from.verticesP) painter.dot(a.vertex(k), 4.5, mark, ground);
   for (const k of from.verticesQ) painter.dot(applied(byB, b.vertex(k)), 4.5, mark, ground);
-}
-
-function paintMove(painter: Painter, from: Point, move: Point): void {
-  const tip = painter.at({ x: from.x + move.x, y: from.y + move.y }), start = painter.at(from), ctx = painter.canvas;
-  const length = Math.hypot(tip.x - start.x, tip.y - start.y);
-  if (length < 3) return;
-  const style = { colour: colour('--mark'), width: 2 };
-  painter.segments([from.x, from.y, from.x + move.x, from.y + move.y], style);
-  const ux = (tip.x - start.x) / length, uy = (tip.y - start.y) / length;
-  ctx.beginPath();
-  ctx.moveTo(tip.x - 8 * ux + 4 * uy, tip.y - 8 * uy - 4 * ux);
-  ctx.lineTo(tip.x, tip.y);
-  ctx.lineTo(tip.x - 8 * ux - 4 * uy, tip.y - 8 * uy + 4 * ux);
-  painter.line(style);
 }
 
 export function paintNesting(painter: Painter, scene: NestingScene): void {

@@ -1,5 +1,5 @@
 // The no-fit polygon of B around A, and what A and B are to each other at a place.
-import type { PlanarSum, SumShape } from 'dymsum';
+import type { PlanarSum, Semantics, SumShape } from 'dymsum';
 import type { Host } from '../../engine/host';
 import { keyOf, type Shape } from '../../engine/shape';
 import { add, fromDouble, multiply, parseRational, subtract, toNumber, toText, type Rational } from '../../numbers/rational';
@@ -8,6 +8,7 @@ import type { Placement } from './state';
 export interface Pair {
   a: Shape;
   b: Shape;
+  semantics: Semantics;
 }
 export interface Placed {
   x: string;
@@ -21,9 +22,9 @@ export interface Placed {
   move: { x: number; y: number } | undefined;
 }
 
-function nfp(host: Host, { a, b }: Pair): PlanarSum {
-  return host.keep(`nfp ${keyOf(a)} - ${keyOf(b)}`, () =>
-    host.dymsum.nfp(host.region(a), host.region(b), { semantics: 'open', progress: host.progress }),
+function nfp(host: Host, { a, b, semantics }: Pair): PlanarSum {
+  return host.keep(`nfp ${semantics} ${keyOf(a)} - ${keyOf(b)}`, () =>
+    host.dymsum.nfp(host.region(a), host.region(b), { semantics, progress: host.progress }),
   );
 }
 

@@ -3,7 +3,7 @@ import { useAnswer } from '../../engine/use_answer';
 import { short } from '../../numbers/display';
 import { OperandCard } from '../../operands/operand_card';
 import { useOperand, type Operand } from '../../operands/use_operand';
-import { Readouts, Section } from '../../shell/controls';
+import { Choice, Readouts, Section } from '../../shell/controls';
 import { ExactText } from '../../shell/exact_text';
 import type { PageProps, Shell } from '../../shell/page';
 import { Panel, Stage } from '../../shell/parts';
@@ -13,11 +13,13 @@ import { isInside } from '../../view2d/edge_grid';
 import type { Grip } from '../../view2d/gestures';
 import { PlaneView } from '../../view2d/plane_view';
 import { SumPicture } from '../../view2d/sum_shape';
+import { kSemantics } from '../options';
 import { originText } from '../sum/provenance';
 import { paintNesting } from './picture';
 import type { Placed } from './service';
 import { placementNear } from './snapping';
-import type { NestingState, Placement } from './state';
+import { kFree, type NestingState, type Placement } from './state';
+import { useOpened } from './use_opened';
 
 export const kSummary = 'The no-fit polygon: where B’s reference point may stand so that A and B meet. Drag B; it snaps to exact fits.';
 
@@ -28,8 +30,9 @@ function meetingText({ meeting, distance }: Placed): string {
 
 function useNesting(shell: Shell, state: NestingState) {
   const a = useOperand(shell, state.a), b = useOperand(shell, state.b), ready = a.ready && b.ready;
-  const nfp = useAnswer(shell.engine, 'nfp', ready ? { a: state.a, b: state.b } : undefined);
-  const place = useAnswer(shell.engine, 'placed', ready ? { a: state.a, b: state.b, at: state.at } : undefined);
+  const pair = { a: state.a, b: state.b, semantics: state.semantics };
+  const nfp = useAnswer(shell.engine, 'nfp', ready ? pair : undefined);
+  const place = useAnswer(shell.engine, 'placed', ready ? { ...pair, at: state.at } : undefined);
   const picture = useMemo(() => nfp.value && new SumPicture(nfp.value.shape), [nfp.value]);
   const error = nfp.error ?? place.error;
   useEffect(() => {
@@ -46,11 +49,11 @@ function wrongPlaces(a: Operand, b: Operand): Point[] {
 
 function PlaceSection({ state, change, shell, placed, nfp }: PageProps<NestingState> & { placed: Placed | undefined; nfp: SumPicture | undefined }) {
   const { at } = state, free = at.kind === 'free' && placed?.meeting !== 'touching';
-  const contact = nfp && (at.kind === 'vertex' || at.kind === 'edge') ? originText(nfp.shape, at, ['A', 'B']) : undefined;
+  const contact = nfp && (at.kind === 'vertex' || at.kind === 'edge') ? originText(nfp.shape, at, { names: ['A', 'B'], between: 'and' }) : undefined;
   return (
     <Section title="B stands">
       <p role="status" style={{ margin: '0 0 6px', fontWeight: 600 }}>{placed ? meetingText(placed) : '…'}</p>
-      {contact && <p style={{ margin: '0 0 6px' }}>Contact: {contact.replaceAll(' + ', ' and ')}</p>}
+      {contact && <p style={{ margin: '0 0 6px' }}>Contact: {contact}</p>}
       {placed && <ExactText label="the exact position" text={`(${placed.x}, ${placed.y})`} shell={shell} />}
       {placed && placed.meeting !== 'touching' && <Readouts rows={[['distance squared, exactly', placed.squared.length > 40 ? short(placed.distance ** 2) : placed.squared]]} />}
       <div class="row">
@@ -62,17 +65,23 @@ function PlaceSection({ state, change, shell, placed, nfp }: PageProps<NestingSt
   );
 }
 
+/** Where B stands, by itself: the vertices of another no-fit polygon are others. */
+function freeAt(placed: Placed | undefined): Placement {
+  return { kind: 'free', x: placed?.approx.x ?? 0, y: placed?.approx.y ?? 0 };
+}
+
 const kFiles = { svg: 'Picture (SVG)', wkt: 'No-fit polygon, rounded (WKT)', json: 'No-fit polygon, exact (JSON)' } as const;
 
-function useDownloads({ engine, setDownloads }: Shell, { a, b }: NestingState, isThere: boolean): void {
+function useDownloads({ engine, setDownloads }: Shell, { a, b, semantics }: NestingState, isThere: boolean): void {
   useEffect(() => {
     const formats = isThere ? (Object.keys(kFiles) as (keyof typeof kFiles)[]) : [];
-    setDownloads(formats.map((format) => ({ label: kFiles[format], fileName: `nfp.${format}`, make: () => engine.ask('nfpFile', { a, b, format }) })));
-  }, [engine, setDownloads, a, b, isThere]);
+    setDownloads(formats.map((format) => ({ label: kFiles[format], fileName: `nfp.${format}`, make: () => engine.ask('nfpFile', { a, b, semantics, format }) })));
+  }, [engine, setDownloads, a, b, semantics, isThere]);
 }
 
 export function View(props: PageProps<NestingState>) {
   const { state, change, shell } = props, data = useNesting(shell, state), { a, b, nfp, placed } = data;
+  useOpened(props);
   useDownloads(shell, state, nfp !== undefined);
   const byB = placing(1, 0, placed?.approx.x ?? 0, placed?.approx.y ?? 0);
   const failed = a.error ?? b.error;
@@ -104,11 +113,12 @@ export function View(props: PageProps<NestingState>) {
       </Stage>
       <Panel summary={kSummary}>
         <Section title="Shapes">
-          <OperandCard shell={shell} role="A" tint="p" shape={state.a} operand={a} onShape={(shape) => change({ ...state, a: shape, at: { kind: 'free', x: 0, y: 0 } })} />
-          <OperandCard shell={shell} role="B" tint="q" shape={state.b} operand={b} onShape={(shape) => change({ ...state, b: shape, at: { kind: 'free', x: 0, y: 0 } })} />
+          <OperandCard shell={shell} role="A" tint="p" shape={state.a} operand={a} choices={state.parts} onShape={(shape) => change({ ...state, a: shape, at: kFree })} />
+          <OperandCard shell={shell} role="B" tint="q" shape={state.b} operand={b} choices={state.parts} onShape={(shape) => change({ ...state, b: shape, at: kFree })} />
         </Section>
         <PlaceSection {...props} placed={placed} nfp={nfp} />
         <Section title="No-fit polygon">
+          <Choice label="What touching counts" options={kSemantics} value={state.semantics} onChange={(semantics) => change({ ...state, semantics, at: freeAt(placed) })} />
           <Readouts
             rows={[['parts', nfp?.counts.parts], ['holes', nfp?.counts.holes], ['vertices', nfp?.counts.vertices], ['exact fits: points, segments', nfp && `${nfp.counts.tightPoints}, ${nfp.counts.tightSegments}`]]}
           />

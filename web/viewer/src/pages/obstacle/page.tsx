@@ -1,7 +1,8 @@
-import { planarShapes } from '../../operands/planar_files';
+import { areAgain, planarShapes } from '../../operands/planar_files';
 import type { Page } from '../../shell/page';
+import { asAsked } from './command';
 import { kExamples } from './examples';
-import { parseObstacleState, type ObstacleState } from './state';
+import { kOrigin, parseObstacleState, type ObstacleState } from './state';
 import { kSummary, View } from './view';
 
 export const obstaclePage: Page<ObstacleState> = {
@@ -14,7 +15,9 @@ export const obstaclePage: Page<ObstacleState> = {
   take: (files, state) => {
     const shapes = planarShapes(files, 2);
     const [robot, obstacle] = shapes.length === 2 ? shapes : [state.robot, shapes[0]!];
-    return { ...state, robot: robot, obstacle: obstacle, path: false, unplaced: true };
+    if (areAgain(shapes, [state.robot, state.obstacle])) return { ...state, robot, obstacle };
+    return { ...state, robot, obstacle, at: kOrigin, path: false, unplaced: true };
   },
+  command: asAsked,
   View,
 };

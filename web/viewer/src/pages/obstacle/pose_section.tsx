@@ -4,8 +4,8 @@ import { degrees } from '../../numbers/display';
 import { tanHalfOf } from '../../numbers/snap';
 import { NumberField, Section, Slider, Toggle, type Tick } from '../../shell/controls';
 import type { Change } from '../../shell/page';
-import { radiansOf } from '../sum/placing';
-import { isTanHalf, type ObstacleState, type Pose } from './state';
+import { checkAngle, radiansOf } from '../angle';
+import type { ObstacleState, Pose } from './state';
 import type { ObstacleScene } from './service';
 
 interface PoseProps {
@@ -38,10 +38,6 @@ function nearTanHalf(theta: number): string {
 function checkNumber(text: string): string | undefined {
   return text !== '' && Number.isFinite(Number(text)) ? undefined : 'A number such as 1.25.';
 }
-function checkTanHalf(text: string): string | undefined {
-  return isTanHalf(text) ? undefined : 'The tangent of half the angle is a number such as 1/3, or inf.';
-}
-
 function EventButtons({ pose, scene, move }: PoseProps) {
   const now = radiansOf(pose.tanHalf), angles = scene?.angles ?? [], apart = 1e-9;
   const before = angles.filter((a) => a.theta < now - apart).at(-1), after = angles.find((a) => a.theta > now + apart);
@@ -71,7 +67,7 @@ export function PoseSection(props: PoseProps) {
       <div class="fields">
         <NumberField label="x" value={String(pose.x)} check={checkNumber} onCommit={(x) => move({ ...pose, x: Number(x) })} />
         <NumberField label="y" value={String(pose.y)} check={checkNumber} onCommit={(y) => move({ ...pose, y: Number(y) })} />
-        <NumberField label="tan θ/2" value={pose.tanHalf} check={checkTanHalf} onCommit={(tanHalf) => move({ ...pose, tanHalf })} />
+        <NumberField label="tan θ/2" value={pose.tanHalf} check={checkAngle} onCommit={(tanHalf) => move({ ...pose, tanHalf })} />
       </div>
       <Toggle label="Cut the obstacle at θ" value={state.cut} onChange={(cut) => change({ ...state, cut })} />
       <Toggle label="See through it" value={state.through} onChange={(through) => change({ ...state, through })} />

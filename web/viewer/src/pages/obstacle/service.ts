@@ -2,7 +2,8 @@
 import type { Clearance, Contact, CspaceObstacle, Plan, PlanOptions, SumShape } from 'dymsum';
 import type { Host } from '../../engine/host';
 import { keyOf, type Shape } from '../../engine/shape';
-import { radiansOf } from '../sum/placing';
+import { using } from '../../operands/using';
+import { angleOf, radiansOf } from '../angle';
 import type { Pose } from './state';
 
 export interface Operands {
@@ -66,17 +67,14 @@ function sceneOf(host: Host, of: Operands): ObstacleScene {
 }
 
 function sliceOf(host: Host, of: Operands, tanHalf: string, strict: boolean): SumShape {
-  const sum = obstacleOf(host, of).slice({ tanHalf }, strict ? 'closed' : 'open');
-  const shape = sum.shape();
-  sum.dispose();
-  return shape;
+  return using(obstacleOf(host, of).slice(angleOf(tanHalf), strict ? 'closed' : 'open'), (sum) => sum.shape());
 }
 
 function placeOf(host: Host, of: Operands, pose: Pose, strict: boolean): PlaceAnswer {
   const obstacle = obstacleOf(host, of), queries = host.keep(`queries ${keyOfBoth(of)}`, () => obstacle.queries());
   const clearance = queries.clearance(configuration(pose), { touching: strict ? 'forbidden' : 'allowed' });
   return {
-    overlaps: obstacle.contains(pose.x, pose.y, { tanHalf: pose.tanHalf }), clearance,
+    overlaps: obstacle.contains(pose.x, pose.y, angleOf(pose.tanHalf)), clearance,
     freeAngles: queries.freeAngles(pose.x, pose.y).map(({ begin, end }) => ({ begin, end })),
   };
 }
@@ -92,12 +90,7 @@ function fileOf(host: Host, of: Operands, tanHalf: string): Record<Exclude<Obsta
   return {
     glb: () => obstacle.glb(),
     obstacle: () => obstacle.format(),
-    wkt: () => {
-      const slice = obstacle.slice({ tanHalf });
-      const text = slice.format('wkt');
-      slice.dispose();
-      return text;
-    },
+    wkt: () => using(obstacle.slice(angleOf(tanHalf)), (slice) => slice.format('wkt')),
   };
 }
 

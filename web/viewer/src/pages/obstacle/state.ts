@@ -1,8 +1,8 @@
 // What the page of the turning robot shows.
 import { parseShape, type Shape } from '../../engine/shape';
-import { parseRational } from '../../numbers/rational';
+import { isAngle } from '../angle';
 
-/** Where the robot's reference point stands, and the exact tangent of half its angle, or "inf". */
+/** Where the robot's reference point stands, and its angle, see angle.ts. */
 export interface Pose {
   x: number;
   y: number;
@@ -33,17 +33,13 @@ export function obstacleState(robot: Shape, obstacle: Shape, start: Pose, goal: 
   return { robot, obstacle, start, goal, at: start, strict: false, path: false, cut: false, through: true, ...changes };
 }
 
-export function isTanHalf(text: string): boolean {
-  return text === 'inf' || parseRational(text) !== undefined;
-}
-
 function parsePose(value: unknown, otherwise: Pose): Pose {
   const { x, y, tanHalf } = (value ?? {}) as Partial<Record<keyof Pose, unknown>>;
-  const isPose = Number.isFinite(x) && Number.isFinite(y) && typeof tanHalf === 'string' && isTanHalf(tanHalf);
+  const isPose = Number.isFinite(x) && Number.isFinite(y) && typeof tanHalf === 'string' && isAngle(tanHalf);
   return isPose ? { x: x as number, y: y as number, tanHalf } : otherwise;
 }
 
-const kOrigin: Pose = { x: 0, y: 0, tanHalf: '0' };
+export const kOrigin: Pose = { x: 0, y: 0, tanHalf: '0' };
 
 /** Throws an Error for what is no state of this page. What is left out is as in a new one. */
 export function parseObstacleState(value: unknown): ObstacleState {

@@ -5,7 +5,7 @@ import { useAnswer } from '../../engine/use_answer';
 import { useOperand, type Operand } from '../../operands/use_operand';
 import { useSettled } from '../../shell/use_settled';
 import type { Shell } from '../../shell/page';
-import { radiansOf } from '../sum/placing';
+import { radiansOf } from '../angle';
 import { PathMotion } from './motion';
 import type { ObstacleScene, PlaceAnswer } from './service';
 import { spaceShape, type SpacePlace, type SpaceShape } from './space';

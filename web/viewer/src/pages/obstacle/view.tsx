@@ -95,7 +95,7 @@ export function View({ state, change, shell }: PageProps<ObstacleState>) {
     if (!state.unplaced || !robot.ready || !data.obstacle.ready || !robot.outline || !box) return;
     const placed = { ...state, ...posesBeside(robot.outline, box) };
     delete placed.unplaced;
-    change({ ...placed, at: placed.start }, 'aside');
+    change({ ...placed, at: { ...placed.start, tanHalf: state.at.tanHalf } }, 'aside'); // at the angle that was asked for
   }, [state, change, robot, data.obstacle]);
   const move = useCallback((which: Which, to: Pose, how?: 'live' | 'done') => {
     if (which === 'at') setShare(undefined);
@@ -115,7 +115,7 @@ export function View({ state, change, shell }: PageProps<ObstacleState>) {
     const [kind, p, q] = scene.contacts.subarray(3 * scene.patchOf[hit.triangle]!);
     setHovered(contactText({ kind: kind === 0 ? 'edge_of_p' : 'edge_of_q', p: p!, q: q! }));
   };
-  const home = useMemo(() => homeOf(data, state), [robot.outline, data.obstacle.outline]); // eslint-disable-line react-hooks/exhaustive-deps -- the picture does not follow drags
+  const home = useMemo(() => homeOf(data, state), [robot.outline, data.obstacle.outline, state.unplaced]); // eslint-disable-line react-hooks/exhaustive-deps -- the picture does not follow drags
   const cut = state.cut && space ? space.placement.height(now.theta) + 1e-6 : undefined;
   return (
     <>
@@ -124,7 +124,7 @@ export function View({ state, change, shell }: PageProps<ObstacleState>) {
           <div>
             <PlaneView
               label={`Robot ${state.robot.name} among ${state.obstacle.name}: ${clearance ? clearanceText(clearance, place.overlaps) : 'not known yet'}`}
-              home={home} homeKey={`${state.robot.name} ${state.obstacle.name}`} paint={(painter) => paintWorkspace(painter, workspace)}
+              home={home} homeKey={`${state.robot.name} ${state.obstacle.name} ${state.unplaced === true}`} paint={(painter) => paintWorkspace(painter, workspace)}
               grip={(at, reach) => robot.outline && gripOf(robot.outline, { ...state, at: pose }, at, reach, move)}
             />
             <div class="status">{clearance && clearanceText(clearance, workspace.overlaps)}</div>

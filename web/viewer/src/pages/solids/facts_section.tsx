@@ -54,11 +54,12 @@ export function DepthSection({ state, data, shell }: FactsProps) {
     <Section title="Depth of Q in P">
       <Readouts
         rows={[
-          ['Q', depth && (depth.inside ? `overlaps P, depth ${short(depth.depth)}` : 'does not overlap P')],
+          ['Q', depth === null ? 'not known exactly' : depth && (depth.inside ? `overlaps P, depth ${short(depth.depth)}` : 'does not overlap P')],
           ['Way out', depth?.inside ? way : undefined],
           ['Touches then', depth?.inside ? contactText(depth) : undefined],
         ]}
       />
+      {depth === null && <p class="quiet">Scaled so, the coordinates are no doubles. Binary fractions such as 3/4 need the fewest digits.</p>}
       {depth?.inside && <p class="quiet">The square of the depth, exactly:</p>}
       {depth?.inside && <ExactText label="the square of the depth" text={depth.squared} shell={shell} />}
     </Section>
@@ -88,9 +89,9 @@ export function SliceSection({ state, change, data, shell }: FactsProps) {
             label="z" value={slice} min={Math.floor(low / step) * step} max={Math.ceil(high / step) * step} step={step} text={short(slice)}
             onInput={(z) => change({ ...state, slice: z }, 'live')} onDone={(z) => change({ ...state, slice: z })}
           />
-          <Readouts rows={[['Area of the section', section && short(section.area)]]} />
+          <Readouts rows={[['Area of the section', section ? short(section.area) : undefined]]} />
           {section?.exact && <ExactText label="the exact area" text={section.exact} shell={shell} />}
-          {state.angle !== 0 && <p class="quiet">The exact section is there while Q is not turned.</p>}
+          {(state.angle !== 0 || section === null) && <p class="quiet">The exact section is there while nothing is turned and scaled coordinates are doubles.</p>}
         </>
       )}
     </Section>

@@ -1,11 +1,12 @@
-// How Q turns, is scaled and moved.
+// Which solid moves, and how it turns, is scaled and stands.
 import { useEffect, useMemo, useState } from 'preact/hooks';
-import { parseRational, toNumber } from '../../numbers/rational';
 import { Choice, NumberField, Section, Slider } from '../../shell/controls';
 import type { Change } from '../../shell/page';
 import { motionIsReduced } from '../../shell/theme';
 import { Player } from '../../view3d/player';
-import { isScale, type SolidsState, type Triple } from './state';
+import { kSemantics, numbersOf } from '../options';
+import { checkScale, firstFactor, withFirstFactor } from '../scale';
+import { axisOf, kAxes, kSets, type SolidsState, type Triple } from './state';
 
 interface MotionProps {
   state: SolidsState;
@@ -14,10 +15,11 @@ interface MotionProps {
 
 const kSecondsPerTurn = 12;
 const kStillsPerTurn = 24;
+const kScaleRange = [0.125, 2] as const;
 const kSumNames = [['sum', 'P ⊕ Q'], ['hits', 'P ⊕ −Q: where Q hits P']] as const;
 const kAxisNames = [['x', 'x'], ['y', 'y'], ['z', 'z'], ['skew', '1, 2, 3']] as const;
 
-/** Turns Q once about its axis, from where it is. */
+/** Turns what moves once about its axis, from where it is. */
 function useTurn({ state, change }: MotionProps): { playing: boolean; toggle: () => void } {
   const [playing, setPlaying] = useState(false);
   const newest = useMemo(() => ({ state, change, from: 0 }), []); // eslint-disable-line react-hooks/exhaustive-deps -- brought up to date below
@@ -41,11 +43,24 @@ function useTurn({ state, change }: MotionProps): { playing: boolean; toggle: ()
   return { playing, toggle };
 }
 
-function checkScale(text: string): string | undefined {
-  return isScale(text) ? undefined : 'A scale is a positive number such as 1.25 or 5/4.';
-}
 function checkNumber(text: string): string | undefined {
   return text !== '' && Number.isFinite(Number(text)) ? undefined : 'A number such as 1.25.';
+}
+function axisIn(text: string): Triple | undefined {
+  return axisOf(numbersOf(text, 3));
+}
+
+function AxisRow({ state, change }: MotionProps) {
+  const known = kAxisNames.find(([name]) => kAxes[name].join() === state.axis.join())?.[0];
+  return (
+    <>
+      <Choice label="Axis" options={kAxisNames} value={known ?? ('' as keyof typeof kAxes)} onChange={(name) => change({ ...state, axis: kAxes[name] })} />
+      <NumberField
+        label="Axis of the turn" value={state.axis.join(', ')} check={(text) => (axisIn(text) ? undefined : 'An axis is three numbers such as 1, 2, 3, not all of them 0.')}
+        onCommit={(text) => change({ ...state, axis: axisIn(text)! })}
+      />
+    </>
+  );
 }
 
 function Place({ state, change }: MotionProps) {
@@ -59,27 +74,52 @@ function Place({ state, change }: MotionProps) {
   );
 }
 
+function ScaleControls({ state, change }: MotionProps) {
+  const [low, high] = state.range ?? kScaleRange, to = (value: number, how: 'live' | 'done'): void => change({ ...state, scale: withFirstFactor(state.scale, String(value)) }, how);
+  return (
+    <>
+      <Slider
+        label="Scale" value={firstFactor(state.scale)} min={Math.min(low, kScaleRange[0])} max={Math.max(high, kScaleRange[1])} step={1 / 64} text={state.scale}
+        onInput={(v) => to(v, 'live')} onDone={(v) => to(v, 'done')}
+      />
+      <NumberField label="Scale, exactly" value={state.scale} check={(text) => checkScale(text, 3)} onCommit={(text) => change({ ...state, scale: text })} />
+    </>
+  );
+}
+
+export function SetSection({ state, change }: MotionProps) {
+  const showAll = (): void => {
+    const everywhere = { ...state };
+    delete everywhere.look;
+    change(everywhere);
+  };
+  return (
+    <Section title="What is computed">
+      <Choice label="What is computed" options={kSumNames} value={state.sum} onChange={(sum) => change({ ...state, ...kSets[sum] })} />
+      <Choice label="What touching counts" options={kSemantics} value={state.semantics} onChange={(semantics) => change({ ...state, semantics })} />
+      {state.look && (
+        <div class="row">
+          <button onClick={showAll}>Show all, not only the part</button>
+        </div>
+      )}
+    </Section>
+  );
+}
+
 export function MotionSection(props: MotionProps) {
   const { state, change } = props, { playing, toggle } = useTurn(props);
-  const scale = toNumber(parseRational(state.scale)!);
-  const scaleTo = (value: number, how: 'live' | 'done'): void => change({ ...state, scale: String(value) }, how);
   return (
-    <Section title="Motion of Q">
-      <Choice label="What is computed" options={kSumNames} value={state.sum} onChange={(sum) => change({ ...state, sum })} />
+    <Section title="Motion">
+      <Choice label="Which moves" options={[['p', 'P turns and is scaled'], ['q', 'Q does']]} value={state.moving} onChange={(moving) => change({ ...state, moving })} />
       <Slider
         label="Turn" value={state.angle} min={-180} max={180} step={0.5} text={`${state.angle}°`}
         onInput={(angle) => change({ ...state, angle }, 'live')} onDone={(angle) => change({ ...state, angle })}
       />
       <div class="row">
         <button onClick={toggle}>{playing ? 'Pause' : 'Turn round'}</button>
-        <span>about</span>
-        <Choice label="Axis" options={kAxisNames} value={state.axis} onChange={(axis) => change({ ...state, axis })} />
       </div>
-      <Slider
-        label="Scale" value={scale} min={0.125} max={2} step={1 / 64} text={state.scale}
-        onInput={(v) => scaleTo(v, 'live')} onDone={(v) => scaleTo(v, 'done')}
-      />
-      <NumberField label="Scale, exactly" value={state.scale} check={checkScale} onCommit={(text) => change({ ...state, scale: text })} />
+      <AxisRow {...props} />
+      <ScaleControls {...props} />
       <Place {...props} />
     </Section>
   );

@@ -1,12 +1,13 @@
 import { shapeOfFile } from '../../engine/shape';
 import type { Page } from '../../shell/page';
 import { kExamples } from './catalogue';
-import { parseSolidsState, type SolidsState } from './state';
+import { asAsked } from './command';
+import { parseSolidsState, type SolidsPageState } from './state';
 import { kSummary, View } from './view';
 
 const kSolidFile = /\.(off|obj|stl|ply)$/i;
 
-export const solidsPage: Page<SolidsState> = {
+export const solidsPage: Page<SolidsPageState> = {
   id: 'solids',
   title: 'Solids',
   summary: kSummary,
@@ -20,5 +21,6 @@ export const solidsPage: Page<SolidsState> = {
     const [p, q] = files.map(shapeOfFile);
     return { ...state, p: p!, ...(q ? { q } : {}) };
   },
+  command: asAsked,
   View,
 };

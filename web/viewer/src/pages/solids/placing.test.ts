@@ -1,19 +1,25 @@
 import { expect, test } from 'vitest';
-import { placedQ, placementOf } from './placing';
+import { placed, placementOf } from './placing';
 import type { SolidOperand } from './service';
 import { solidsState } from './state';
 
 const cube = { name: 'cube', make: 'box', args: [-1, -1, -1, 1, 1, 1] } as const;
 const state = solidsState({ ...cube, args: [...cube.args] }, { ...cube, args: [...cube.args] });
 
-test('Q is scaled, turned about its origin, then moved', () => {
-  const placed = placedQ({ ...state, axis: 'z', angle: 90, scale: '3/2', at: [10, 0, 0] }, Float64Array.of(2, 0, 1));
-  [10, 3, 1.5].forEach((x, k) => expect(placed[k]).toBeCloseTo(x, 12));
+test('what moves is scaled and turned about its origin, and Q is where it stands', () => {
+  const motion = { ...state, axis: [0, 0, 1], angle: 90, scale: '3/2', at: [10, 0, 0] } as const, vertex = Float64Array.of(2, 0, 1);
+  const q = placed(motion, 'q', vertex), p = placed({ ...motion, moving: 'p' }, 'p', vertex);
+  [10, 3, 1.5].forEach((x, k) => expect(q[k]).toBeCloseTo(x, 12));
+  [0, 3, 1.5].forEach((x, k) => expect(p[k]).toBeCloseTo(x, 12));
+  expect([...placed(motion, 'p', vertex)]).toEqual([2, 0, 1]);
+  expect([...placed({ ...motion, moving: 'p' }, 'q', vertex)]).toEqual([12, 0, 1]);
 });
 
+test('each axis has its factor', () => expect([...placed({ ...state, scale: '2:3:1/2' }, 'q', Float64Array.of(1, 1, 1))]).toEqual([2, 3, 0.5]));
+
 test('a whole turn about a skew axis changes nothing', () => {
-  const placed = placedQ({ ...state, axis: 'skew', angle: 360 }, Float64Array.of(1, -2, 3));
-  [1, -2, 3].forEach((x, k) => expect(placed[k]).toBeCloseTo(x, 12));
+  const q = placed({ ...state, axis: [1, 2, 3], angle: 360 }, 'q', Float64Array.of(1, -2, 3));
+  [1, -2, 3].forEach((x, k) => expect(q[k]).toBeCloseTo(x, 12));
 });
 
 test('the pictures have room for Q beside P on every side', () => {

@@ -1,21 +1,29 @@
 // How P, Q and their sum stand in the two pictures. Both have the same scale, and it does not follow what moves.
 import type { SolidFeature } from 'dymsum';
-import { parseRational, toNumber } from '../../numbers/rational';
+import { toNumber } from '../../numbers/rational';
 import { boxOf, Placement, type Box } from '../../view3d/placement';
+import { factorsOf } from '../scale';
 import type { SolidOperand } from './service';
-import { kAxes, type SolidsState, type Triple } from './state';
+import type { SolidsState, Triple } from './state';
 
-/** Turned about the axis, scaled and moved: for drawing only. */
-export function placedQ({ axis, angle, scale, at }: SolidsState, vertices: Float64Array): Float64Array {
-  const factor = toNumber(parseRational(scale)!), [ux, uy, uz] = unit(kAxes[axis]);
+type Placed = Pick<SolidsState, 'moving' | 'axis' | 'angle' | 'scale' | 'at'>;
+
+/** Scaled, turned about the axis and moved, as far as that is the operand's: for drawing only. */
+export function placed(state: Placed, which: 'p' | 'q', vertices: Float64Array): Float64Array {
+  const own = state.moving === which ? moved(state, vertices) : vertices;
+  return which === 'q' ? own.map((x, k) => x + state.at[k % 3]!) : own;
+}
+
+function moved({ axis, angle, scale }: Placed, vertices: Float64Array): Float64Array {
+  const [sx, sy, sz] = factorsOf(scale, 3)!.map(toNumber) as unknown as Triple, [ux, uy, uz] = unit(axis);
   const radians = (angle * Math.PI) / 180, c = Math.cos(radians), s = Math.sin(radians);
   const out = new Float64Array(vertices.length);
   for (let k = 0; k < vertices.length; k += 3) {
-    const x = factor * vertices[k]!, y = factor * vertices[k + 1]!, z = factor * vertices[k + 2]!;
+    const x = sx * vertices[k]!, y = sy * vertices[k + 1]!, z = sz * vertices[k + 2]!;
     const along = (1 - c) * (ux * x + uy * y + uz * z); // Rodrigues' formula
-    out[k] = c * x + s * (uy * z - uz * y) + along * ux + at[0];
-    out[k + 1] = c * y + s * (uz * x - ux * z) + along * uy + at[1];
-    out[k + 2] = c * z + s * (ux * y - uy * x) + along * uz + at[2];
+    out[k] = c * x + s * (uy * z - uz * y) + along * ux;
+    out[k + 1] = c * y + s * (uz * x - ux * z) + along * uy;
+    out[k + 2] = c * z + s * (ux * y - uy * x) + along * uz;
   }
   return out;
 }
@@ -29,6 +37,13 @@ function unit([x, y, z]: Triple): Triple {
 export function placementOf(p: SolidOperand, q: SolidOperand): Placement {
   const box = boxOf(p.vertices), reach = furthest(q.vertices);
   return Placement.of(box.map((x, k) => (k < 3 ? x - reach : x + reach)) as unknown as Box);
+}
+
+const kRoom = 0.6; // of its size, on every side
+
+/** A part that is looked at, with room around it. */
+export function placementOfPart(box: Box): Placement {
+  return Placement.of(box.map((x, k) => x + (k < 3 ? -kRoom : kRoom) * (box[(k % 3) + 3]! - box[k % 3]!)) as unknown as Box);
 }
 
 function furthest(vertices: Float64Array): number {

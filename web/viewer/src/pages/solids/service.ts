@@ -1,11 +1,15 @@
-// Sums of solids of which Q turns and is scaled.
-import { DymsumError, type ConvexSum, type Mesh, type MeshFormat, type MovingSolidSum, type Rotation, type SolidFeature, type SolidPose } from 'dymsum';
+// Sums of solids of which one turns and is scaled.
+import { DymsumError, type ConvexDepth, type ConvexSum, type Mesh, type MeshFormat, type MovingSolidSum, type Rotation, type SolidFeature, type SolidPose } from 'dymsum';
 import type { Host } from '../../engine/host';
 import type { ErrorData } from '../../engine/protocol';
 import { bytesOf, isMade, keyOf, type Shape } from '../../engine/shape';
-import { parseRational, toNumber } from '../../numbers/rational';
+import { toNumber, toText } from '../../numbers/rational';
+import { scalesExactly } from '../../operands/exact_scaling';
+import { using } from '../../operands/using';
+import { radiansOf } from '../angle';
+import { factorsOf } from '../scale';
 import { boundaryEdges, kindsOfFaces } from './faces';
-import { kAxes, type SolidsState } from './state';
+import type { SolidsState } from './state';
 
 export interface SolidOperand {
   vertices: Float64Array;
@@ -15,7 +19,7 @@ export interface SolidOperand {
   /** why no sum can be made of it */
   error: ErrorData | undefined;
 }
-export type SumArgs = Pick<SolidsState, 'p' | 'q' | 'sum' | 'axis' | 'angle' | 'scale'>;
+export type SumArgs = Pick<SolidsState, 'p' | 'q' | 'thin' | 'sum' | 'semantics' | 'moving' | 'axis' | 'angle' | 'scale'>;
 export interface SolidFrame {
   vertices: Float64Array;
   triangles: Uint32Array;
@@ -50,35 +54,61 @@ export interface SolidDepthAnswer {
   q: SolidFeature;
 }
 
+export interface SolidSection {
+  area: number;
+  /** null where it is long */
+  exact: string | null;
+}
+export interface AloneNumbers {
+  vertices: number;
+  faces: number;
+  shells: number;
+  volume: number;
+  area: number;
+}
+
 const kExactBits = 4096;
 
-function poseOf({ axis, angle, scale }: SumArgs): SolidPose {
-  return { rotation: rotationOf(axis, angle), scale };
+/** The poses of P and of Q. */
+function posesOf({ moving, axis, angle, scale }: SumArgs): [SolidPose, SolidPose] {
+  const pose: SolidPose = { rotation: rotationOf(axis, angle), scale: factorsOf(scale, 3)!.map(toText) as [string, string, string] };
+  return moving === 'p' ? [pose, {}] : [{}, pose];
 }
 function rotationOf(axis: SumArgs['axis'], degrees: number): Rotation {
-  return { axis: kAxes[axis], angle: (degrees * Math.PI) / 180 };
+  return { axis, angle: radiansOf(`${degrees}deg`) };
 }
 
+/** With parts without volume, where they are asked for. */
+function meshOf(host: Host, shape: Shape, thin: boolean): Mesh {
+  if (!thin || isMade(shape)) return host.mesh(shape);
+  return host.keep(`thin mesh ${keyOf(shape)}`, () => host.dymsum.Mesh.read(shape.name, bytesOf(shape), { thinParts: true }));
+}
+function first(host: Host, { p, thin }: SumArgs): Mesh {
+  return meshOf(host, p, thin);
+}
 /** Q, or −Q. */
-function second(host: Host, { q, sum }: Pick<SumArgs, 'q' | 'sum'>): Mesh {
-  return sum === 'sum' ? host.mesh(q) : host.keep(`negated ${keyOf(q)}`, () => host.mesh(q).negated());
+function second(host: Host, { q, sum, thin }: SumArgs): Mesh {
+  return sum === 'sum' ? meshOf(host, q, thin) : host.keep(`negated ${thin} ${keyOf(q)}`, () => meshOf(host, q, thin).negated());
 }
-function isConvex(host: Host, ...solids: Shape[]): boolean {
+function isConvex(host: Host, { p, q, thin }: SumArgs): boolean {
   const known = (shape: Shape): { convex: boolean; dispose: () => void } =>
-    host.keep(`convexity ${keyOf(shape)}`, () => ({ convex: host.mesh(shape).convexityError() === null, dispose: () => undefined }));
-  return solids.every((shape) => known(shape).convex);
+    host.keep(`convexity ${thin} ${keyOf(shape)}`, () => ({ convex: meshOf(host, shape, thin).convexityError() === null, dispose: () => undefined }));
+  return known(p).convex && known(q).convex;
 }
-function keyOfSum({ p, q, sum }: SumArgs): string {
-  return `${sum} ${keyOf(p)} ${keyOf(q)}`;
+function keyOfSum({ p, q, sum, thin, semantics }: SumArgs): string {
+  return `${sum} ${semantics} ${thin} ${keyOf(p)} ${keyOf(q)}`;
 }
+/** As P and Q stand. */
 function convexOf(host: Host, args: SumArgs, purpose: string): ConvexSum {
-  return host.keep(`convex ${purpose} ${keyOfSum(args)}`, () => host.dymsum.ConvexSum.create(host.mesh(args.p), second(host, args)));
+  const sum = host.keep(`convex ${purpose} ${keyOfSum(args)}`, () => host.dymsum.ConvexSum.create(first(host, args), second(host, args)));
+  sum.set(...posesOf(args));
+  return sum;
 }
 function movingOf(host: Host, args: SumArgs): MovingSolidSum {
-  const semantics = args.sum === 'sum' ? 'closed' : 'open';
-  return host.keep(`moving ${keyOfSum(args)}`, () =>
-    host.dymsum.MovingSolidSum.create(host.mesh(args.p), second(host, args), { semantics, tight: true, progress: host.progress }),
-  );
+  const options = { semantics: args.semantics, tight: true, progress: host.progress };
+  const moving = host.keep(`moving ${keyOfSum(args)}`, () => host.dymsum.MovingSolidSum.create(first(host, args), second(host, args), options));
+  moving.set(...posesOf(args));
+  return moving;
 }
 
 /** Whether there was a frame of this sum before: of the first one, nothing has changed. */
@@ -89,9 +119,7 @@ function hadFrame(host: Host, args: SumArgs): boolean {
 }
 
 function convexFrame(host: Host, args: SumArgs, start: number): SolidFrame {
-  const sum = convexOf(host, args, 'frame');
-  sum.set({}, poseOf(args));
-  const buffers = sum.buffers(), { triangleFacets, facetContacts } = buffers;
+  const buffers = convexOf(host, args, 'frame').buffers(), { triangleFacets, facetContacts } = buffers;
   const facetChanges = hadFrame(host, args) ? buffers.facetChanges : buffers.facetChanges.fill(0);
   const used = (t: number): boolean => buffers.triangles[3 * t] !== buffers.triangles[3 * t + 1];
   const kept = Uint32Array.from([...triangleFacets.keys()].filter(used));
@@ -109,9 +137,7 @@ function convexFrame(host: Host, args: SumArgs, start: number): SolidFrame {
 }
 
 function anyFrame(host: Host, args: SumArgs, start: number): SolidFrame {
-  const moving = movingOf(host, args);
-  moving.set({}, poseOf(args));
-  const shape = moving.shape(), marks = moving.faceChanges(), changes = hadFrame(host, args) ? marks : marks.fill(0);
+  const moving = movingOf(host, args), shape = moving.shape(), marks = moving.faceChanges(), changes = hadFrame(host, args) ? marks : marks.fill(0);
   return {
     vertices: shape.vertices, triangles: shape.triangles, faceOf: shape.triangleFaces, contacts: shape.faceContacts,
     ...kindsOfFaces(shape.triangleFaces, shape.faceContacts, changes), edges: shape.edges, tightTriangles: shape.tightTriangles,
@@ -127,70 +153,68 @@ function countChanged(faces: Iterable<number>, changes: Uint8Array): number {
 }
 
 function numbersOf(host: Host, args: SumArgs): SolidNumbers {
-  if (isConvex(host, args.p, args.q)) {
-    const sum = convexOf(host, args, 'numbers');
-    sum.set({}, poseOf(args));
-    return { volume: sum.volume(), volumeExact: sum.volumeExact(), shells: 1 };
-  }
-  return withSum(host, args, (sum) => ({ volume: sum.volume(), volumeExact: sum.volumeExact(kExactBits), shells: sum.shellCount }));
+  if (!isConvex(host, args)) return withSum(host, args, (sum) => ({ volume: sum.volume(), volumeExact: sum.volumeExact(kExactBits), shells: sum.shellCount }));
+  const sum = convexOf(host, args, 'numbers');
+  return { volume: sum.volume(), volumeExact: sum.volumeExact(), shells: 1 };
 }
 
 function withSum<T>(host: Host, args: SumArgs, ask: (sum: ReturnType<MovingSolidSum['sum']>) => T): T {
-  const moving = movingOf(host, args);
-  moving.set({}, poseOf(args));
-  const sum = moving.sum();
-  try {
-    return ask(sum);
-  } finally {
-    sum.dispose();
-  }
+  return using(movingOf(host, args).sum(), ask);
 }
 
 /** Exact positions of vertices of the frame. */
 function exactOf(host: Host, args: SumArgs, vertices: readonly number[]): string[] {
   const text = ({ x, y, z }: { x: string; y: string; z: string }): string => `${x}, ${y}, ${z}`;
-  if (!isConvex(host, args.p, args.q)) return withSum(host, args, (sum) => vertices.map((v) => text(sum.exact(v))));
+  if (!isConvex(host, args)) return withSum(host, args, (sum) => vertices.map((v) => text(sum.exact(v))));
   const sum = convexOf(host, args, 'frame'); // the one whose vertices have the frame's indices
-  sum.set({}, poseOf(args));
   return vertices.map((v) => text(sum.exact(v)));
 }
 
-function depthOf(host: Host, args: SumArgs, [x, y, z]: readonly [number, number, number]): SolidDepthAnswer {
-  const at = { x, y, z }, hits = { ...args, sum: 'hits' as const };
-  const answer = isConvex(host, args.p, args.q) ? convexDepth(host, hits, at) : anyDepth(host, hits, at);
+/** A solid scaled without rounding; nothing where its coordinates would not be doubles. `visit` must not keep it. */
+function withScaled<T>(solid: Mesh, scale: string, visit: (scaled: Mesh) => T): T | undefined {
+  const factors = factorsOf(scale, 3)!;
+  if (factors.every((f) => f.n === f.d)) return visit(solid);
+  if (!scalesExactly(solid.shape().vertices, factors)) return undefined;
+  return using(solid.scaled(...(factors.map(toNumber) as [number, number, number])), visit);
+}
+
+function depthOf(host: Host, args: SumArgs, at: readonly [number, number, number]): SolidDepthAnswer | null {
+  const answer = isConvex(host, args) ? convexOf(host, args, 'depth').depth({ x: at[0], y: at[1], z: at[2] }) : anyDepth(host, args, at);
+  if (!answer) return null;
   const { inside, depth, depthSquared, direction, p, q } = answer;
   return { inside, depth, squared: depthSquared, direction: [direction.x, direction.y, direction.z], p, q };
 }
-function convexDepth(host: Host, args: SumArgs, at: { x: number; y: number; z: number }) {
-  const sum = convexOf(host, args, 'depth');
-  sum.set({}, poseOf(args));
-  return sum.depth(at);
-}
-function anyDepth(host: Host, args: SumArgs, at: { x: number; y: number; z: number }) {
-  const factor = toNumber(parseRational(args.scale)!);
-  const depth = host.keep(`depth ${args.scale} ${keyOfSum(args)}`, () => {
-    const scaled = host.mesh(args.q).scaled(factor, factor, factor);
-    const made = host.dymsum.TurnedDepth.create(host.mesh(args.p), scaled);
-    scaled.dispose();
-    return made;
-  });
-  return depth.at(at, rotationOf(args.axis, args.angle));
+
+/** The engine turns the second solid. Where P turns it is the second one, Q stays, and P leaves the other way. */
+function anyDepth(host: Host, { p, q, thin, moving, axis, angle, scale }: SumArgs, [x, y, z]: readonly [number, number, number]): ConvexDepth | undefined {
+  const [stays, turns] = (moving === 'q' ? [p, q] : [q, p]).map((shape) => meshOf(host, shape, thin)) as [Mesh, Mesh];
+  const key = `depth ${moving} ${scale} ${thin} ${keyOf(p)} ${keyOf(q)}`;
+  const made = withScaled(turns, scale, (scaled) => host.keep(key, () => host.dymsum.TurnedDepth.create(stays, scaled)));
+  if (moving === 'q') return made?.at({ x, y, z }, rotationOf(axis, angle));
+  const found = made?.at({ x: -x, y: -y, z: -z }, rotationOf(axis, angle)), back = found?.direction;
+  return found && back && { ...found, direction: { x: -back.x, y: -back.y, z: -back.z }, p: found.q, q: found.p };
 }
 
-/** The exact area of the section, while Q is not turned: then all coordinates are doubles. */
-function sectionOf(host: Host, args: SumArgs, z: number): { area: number; exact: string | null } {
-  const factor = toNumber(parseRational(args.scale)!), scaled = second(host, args).scaled(factor, factor, factor);
-  const slice = host.dymsum.sliceOfSum(host.mesh(args.p), scaled, z, { progress: host.progress });
-  const answer = { area: slice.section.area(), exact: slice.section.areaExact(kExactBits) };
-  slice.section.dispose();
-  slice.dispose();
-  scaled.dispose();
-  return answer;
+/** The exact area of the section, while nothing turns and all coordinates are doubles. */
+function sectionOf(host: Host, args: SumArgs, z: number): SolidSection | null {
+  const p = first(host, args), q = second(host, args);
+  const cut = (p: Mesh, q: Mesh): SolidSection =>
+    using(host.dymsum.sliceOfSum(p, q, z, { semantics: args.semantics, progress: host.progress }), (slice) =>
+      using(slice.section, (section) => ({ area: section.area(), exact: section.areaExact(kExactBits) })),
+    );
+  const found = args.moving === 'p' ? withScaled(p, args.scale, (scaled) => cut(scaled, q)) : withScaled(q, args.scale, (scaled) => cut(p, scaled));
+  return found ?? null;
 }
 
-function operandOf(host: Host, shape: Shape): SolidOperand {
+/** A solid by itself. */
+function aloneOf(host: Host, { shape, thin }: { shape: Shape; thin: boolean }): AloneNumbers {
+  const mesh = meshOf(host, shape, thin);
+  return { vertices: mesh.vertexCount, faces: mesh.faceCount, shells: mesh.shellCount, volume: mesh.volume(), area: mesh.surfaceArea() };
+}
+
+function operandOf(host: Host, shape: Shape, thin: boolean): SolidOperand {
   try {
-    return { ...host.mesh(shape).shape(), error: undefined };
+    return { ...meshOf(host, shape, thin).shape(), error: undefined };
   } catch (error) {
     if (!(error instanceof DymsumError) || isMade(shape)) throw error;
     const refused = { vertices: new Float64Array(), faceStarts: new Uint32Array([0]), faceVertices: new Uint32Array(), ...unchecked(host, shape) };
@@ -207,12 +231,8 @@ function unchecked(host: Host, shape: Parameters<typeof bytesOf>[0]): object {
 
 function fileOf(host: Host, args: SumArgs, format: MeshFormat | 'json'): Uint8Array | string {
   if (format === 'json') return jsonOf(host, args);
-  if (!isConvex(host, args.p, args.q)) return withSum(host, args, (sum) => sum.format(format));
-  const sum = convexOf(host, args, 'numbers');
-  sum.set({}, poseOf(args));
-  const mesh = sum.mesh(), bytes = mesh.format(format);
-  mesh.dispose();
-  return bytes;
+  if (!isConvex(host, args)) return withSum(host, args, (sum) => sum.format(format));
+  return using(convexOf(host, args, 'numbers').mesh(), (mesh) => mesh.format(format));
 }
 
 /** Exact vertices, faces as triangles with what touches there. */
@@ -228,15 +248,17 @@ function jsonOf(host: Host, args: SumArgs): string {
 
 function frameOf(host: Host, args: SumArgs): SolidFrame {
   const start = performance.now();
-  return isConvex(host, args.p, args.q) ? convexFrame(host, args, start) : anyFrame(host, args, start);
+  return isConvex(host, args) ? convexFrame(host, args, start) : anyFrame(host, args, start);
 }
 
 export const solidServices = {
-  solidOperand: (host: Host, { shape }: { shape: Shape }): SolidOperand => operandOf(host, shape),
+  solidOperand: (host: Host, { shape, thin }: { shape: Shape; thin: boolean }): SolidOperand => operandOf(host, shape, thin),
+  solidAlone: aloneOf,
+  solidAloneFile: (host: Host, { shape, thin, format }: { shape: Shape; thin: boolean; format: MeshFormat }): Uint8Array => meshOf(host, shape, thin).format(format),
   solidFrame: (host: Host, args: SumArgs): SolidFrame => frameOf(host, args),
   solidNumbers: (host: Host, { args }: { args: SumArgs }): SolidNumbers => numbersOf(host, args),
-  solidDepth: (host: Host, { at, ...args }: SumArgs & { at: readonly [number, number, number] }): SolidDepthAnswer => depthOf(host, args, at),
-  solidSection: (host: Host, { args, z }: { args: SumArgs; z: number }) => sectionOf(host, args, z),
+  solidDepth: (host: Host, { at, ...args }: SumArgs & { at: readonly [number, number, number] }): SolidDepthAnswer | null => depthOf(host, args, at),
+  solidSection: (host: Host, { args, z }: { args: SumArgs; z: number }): SolidSection | null => sectionOf(host, args, z),
   solidExact: (host: Host, { args, vertices }: { args: SumArgs; vertices: number[] }): string[] => exactOf(host, args, vertices),
   solidFile: (host: Host, { args, format }: { args: SumArgs; format: MeshFormat | 'json' }): Uint8Array | string => fileOf(host, args, format),
 };

@@ -1,55 +1,83 @@
 // What the page of solids shows.
+import type { Semantics } from 'dymsum';
 import { parseShape, type Shape } from '../../engine/shape';
-import { parseRational } from '../../numbers/rational';
+import { parseSemantics } from '../options';
+import { factorsOf } from '../scale';
+import { parseRange } from '../sum/state';
 
 export type Triple = readonly [number, number, number];
 export const kAxes = { x: [1, 0, 0], y: [0, 1, 0], z: [0, 0, 1], skew: [1, 2, 3] } as const satisfies Record<string, Triple>;
-export type Axis = keyof typeof kAxes;
 
 export interface SolidsState {
   p: Shape;
   q: Shape;
+  /** parts without volume in files count as operands, too */
+  thin: boolean;
   /** the sum P ⊕ Q; or P ⊕ −Q, the places of Q at which it hits P */
   sum: 'sum' | 'hits';
-  /** Q turns about this axis through its origin, in degrees, */
-  axis: Axis;
+  semantics: Semantics;
+  /** the one that turns and is scaled */
+  moving: 'p' | 'q';
+  /** about this axis through its origin, in degrees, */
+  axis: Triple;
   angle: number;
-  /** is scaled, exactly, */
+  /** by these factors, exactly, see scale.ts */
   scale: string;
-  /** and stands here */
+  /** the scales that the slider covers */
+  range?: readonly [number, number];
+  /** where Q stands */
   at: Triple;
   /** the height at which the sum is cut */
   slice: number | null;
+  /** the part of the sum that is looked at: low x, y, z, high x, y, z */
+  look?: readonly [number, number, number, number, number, number];
   changes: boolean;
   through: boolean;
 }
+/** One solid alone is shown as it is. */
+export type AloneState = Omit<SolidsState, 'q'> & { q: null };
+export type SolidsPageState = SolidsState | AloneState;
+
+export function isPair(state: SolidsPageState): state is SolidsState {
+  return state.q !== null;
+}
 
 export function solidsState(p: Shape, q: Shape, changes: Partial<SolidsState> = {}): SolidsState {
-  return { p, q, sum: 'sum', axis: 'skew', angle: 0, scale: '1', at: [0, 0, 0], slice: null, changes: true, through: false, ...changes };
+  const start = { p, q, thin: false, moving: 'q', axis: kAxes.skew, angle: 0, scale: '1', at: [0, 0, 0], slice: null, changes: true, through: false } as const;
+  return { ...start, ...kSets.sum, ...changes };
 }
 
-export function isScale(text: string): boolean {
-  const scale = parseRational(text);
-  return scale !== undefined && scale.n > 0n;
+/** Each set with what touching counts in it: Q hits P only where they overlap, unless something else is asked for. */
+export const kSets = { sum: { sum: 'sum', semantics: 'closed' }, hits: { sum: 'hits', semantics: 'open' } } as const satisfies Record<string, Pick<SolidsState, 'sum' | 'semantics'>>;
+
+export function areNumbers(value: unknown, count: number): value is number[] {
+  return Array.isArray(value) && value.length === count && value.every((x) => Number.isFinite(x));
 }
 
-function isTriple(value: unknown): value is Triple {
-  return Array.isArray(value) && value.length === 3 && value.every((x) => Number.isFinite(x));
+/** Nothing for numbers that are no axis. */
+export function axisOf(value: unknown): Triple | undefined {
+  return areNumbers(value, 3) && value.some((x) => x !== 0) ? (value as unknown as Triple) : undefined;
 }
 
 /** Throws an Error for what is no state of this page. What is left out is as in a new one. */
-export function parseSolidsState(value: unknown): SolidsState {
+export function parseSolidsState(value: unknown): SolidsPageState {
   const v = (value ?? {}) as Partial<Record<keyof SolidsState, unknown>>;
-  const start = solidsState(parseShape(v.p), parseShape(v.q));
-  return {
+  const p = parseShape(v.p), start = solidsState(p, v.q === null ? p : parseShape(v.q), kSets[v.sum === 'hits' ? 'hits' : 'sum']);
+  const named = typeof v.axis === 'string' && v.axis in kAxes ? kAxes[v.axis as keyof typeof kAxes] : undefined; // as older pages wrote it
+  const state: SolidsState = {
     ...start,
-    sum: v.sum === 'hits' ? 'hits' : 'sum',
-    axis: typeof v.axis === 'string' && v.axis in kAxes ? (v.axis as Axis) : start.axis,
+    thin: v.thin === true,
+    semantics: parseSemantics(v.semantics, start.semantics),
+    moving: v.moving === 'p' ? 'p' : 'q',
+    axis: named ?? axisOf(v.axis) ?? start.axis,
     angle: Number.isFinite(v.angle) ? (v.angle as number) : 0,
-    scale: typeof v.scale === 'string' && isScale(v.scale) ? v.scale : '1',
-    at: isTriple(v.at) ? v.at : start.at,
+    scale: typeof v.scale === 'string' && factorsOf(v.scale, 3) ? v.scale : '1',
+    ...parseRange(v.range),
+    at: areNumbers(v.at, 3) ? (v.at as unknown as Triple) : start.at,
     slice: Number.isFinite(v.slice) ? (v.slice as number) : null,
+    ...(areNumbers(v.look, 6) ? { look: v.look as unknown as NonNullable<SolidsState['look']> } : {}),
     changes: v.changes !== false,
     through: v.through === true,
   };
+  return v.q === null ? { ...state, q: null } : state;
 }

@@ -7,8 +7,8 @@ import type { Shell } from '../../shell/page';
 import { useSettled } from '../../shell/use_settled';
 import type { Placement } from '../../view3d/placement';
 import { placementOf } from './placing';
-import type { SolidDepthAnswer, SolidFrame, SolidNumbers, SolidOperand, SumArgs } from './service';
-import { isScale, type SolidsState } from './state';
+import type { SolidDepthAnswer, SolidFrame, SolidNumbers, SolidOperand, SolidSection, SumArgs } from './service';
+import type { SolidsState } from './state';
 
 export interface SolidsData {
   p: SolidOperand | undefined;
@@ -19,12 +19,13 @@ export interface SolidsData {
   /** what `frame` is of */
   of: SumArgs | undefined;
   numbers: SolidNumbers | undefined;
-  depth: SolidDepthAnswer | undefined;
-  section: { area: number; exact: string | null } | undefined;
+  /** null where it cannot be exact */
+  depth: SolidDepthAnswer | null | undefined;
+  section: SolidSection | null | undefined;
 }
 
-function useSolid(shell: Shell, shape: Shape): SolidOperand | undefined {
-  const asked = useAnswer(shell.engine, 'solidOperand', { shape }), answer = asked.of?.shape === shape ? asked.value : undefined;
+export function useSolid(shell: Shell, shape: Shape, thin: boolean): SolidOperand | undefined {
+  const asked = useAnswer(shell.engine, 'solidOperand', { shape, thin }), answer = asked.of?.shape === shape && asked.of.thin === thin ? asked.value : undefined;
   const refusal = useMemo(() => (answer?.error ? new EngineError(answer.error) : undefined), [answer]);
   const error = refusal ?? asked.error;
   useEffect(() => {
@@ -34,10 +35,13 @@ function useSolid(shell: Shell, shape: Shape): SolidOperand | undefined {
 }
 
 export function useSolids(shell: Shell, state: SolidsState): SolidsData {
-  const { p, q, sum, axis, angle, scale, at, slice } = state, { engine } = shell;
-  const first = useSolid(shell, p), second = useSolid(shell, q);
-  const ready = first !== undefined && second !== undefined && !first.error && !second.error && isScale(scale);
-  const args = useMemo<SumArgs>(() => ({ p, q, sum, axis, angle, scale }), [p, q, sum, axis, angle, scale]);
+  const { p, q, thin, sum, semantics, moving, axis, angle, scale, at, slice } = state, { engine } = shell;
+  const first = useSolid(shell, p, thin), second = useSolid(shell, q, thin);
+  const ready = first !== undefined && second !== undefined && !first.error && !second.error;
+  const args = useMemo<SumArgs>(
+    () => ({ p, q, thin, sum, semantics, moving, axis, angle, scale }),
+    [p, q, thin, sum, semantics, moving, axis, angle, scale],
+  );
   const frame = useAnswer(engine, 'solidFrame', ready ? args : undefined);
   const settled = useSettled(args), known = ready && settled && frame.of === settled;
   const numbers = useAnswer(engine, 'solidNumbers', known ? { args: settled } : undefined);

@@ -1,25 +1,25 @@
 import { useEffect, useMemo, useState } from 'preact/hooks';
-import { shapeOfFile, type Shape } from '../../engine/shape';
 import { snapped } from '../../numbers/snap';
-import { Section } from '../../shell/controls';
-import { chooseFiles } from '../../shell/files';
+import { ShapeRow } from '../../operands/shape_row';
+import { Section, Toggle } from '../../shell/controls';
 import type { Download, PageProps, Shell } from '../../shell/page';
 import { Panel, Stage } from '../../shell/parts';
 import { useTheme } from '../../shell/theme';
 import { SpacePicture } from '../../view3d/space_picture';
 import type { Grip, Hit } from '../../view3d/view';
+import { AloneView } from './alone_view';
 import { kSolids } from './catalogue';
 import { contactOf, contactText, kindText } from './faces';
 import { DepthSection, FaceSection, SliceSection, SumSection } from './facts_section';
-import { MotionSection } from './motion_section';
-import { kFaceColours, kOperandColours, operandsOverlay, operandsSurface, sumOverlay, sumSurface } from './pictures';
-import { placedQ } from './placing';
+import { MotionSection, SetSection } from './motion_section';
+import { kFaceColours, kOperandColours, operandsOverlay, operandsSurface, sumOverlay, sumSurface, type StandingSolid } from './pictures';
+import { placed, placementOfPart } from './placing';
 import type { SolidOperand } from './service';
-import type { SolidsState, Triple } from './state';
+import { isPair, type SolidsPageState, type SolidsState, type Triple } from './state';
 import { useSolids, type SolidsData } from './use_solids';
 import '../obstacle/obstacle.css';
 
-export const kSummary = 'Solids of any shape and their sum, exactly, while Q turns and is scaled. Drag Q; hover over the sum to see which features made a face.';
+export const kSummary = 'Solids of any shape and their sum, exactly, while one of them turns and is scaled. Drag Q; hover over the sum to see which features made a face.';
 
 const kFiles = { glb: 'Sum (GLB)', stl: 'Sum (STL)', off: 'Sum (OFF)', json: 'Sum, exact (JSON)' } as const;
 
@@ -33,27 +33,13 @@ function useDownloads({ engine, setDownloads }: Shell, { args, frame }: SolidsDa
   }, [engine, setDownloads, args, isThere]);
 }
 
-function SolidCard({ role, tint, shape, operand, onShape }: { role: string; tint: string; shape: Shape; operand: SolidOperand | undefined; onShape: (shape: Shape) => void }) {
-  const known = kSolids.some((s) => s.name === shape.name);
-  const choose = (name: string): void => {
-    const chosen = kSolids.find((s) => s.name === name);
-    if (chosen) onShape(chosen);
-  };
-  return (
-    <div class="row">
-      <span style={{ color: `var(--${tint})` }} aria-hidden="true">■</span>
-      <strong>{role}</strong>
-      <select aria-label={`Solid ${role}`} value={known ? shape.name : ''} onChange={(e) => choose(e.currentTarget.value)} style={{ flex: 1, minWidth: 0 }}>
-        {!known && <option value="">{shape.name}</option>}
-        {kSolids.map(({ name }) => <option key={name}>{name}</option>)}
-      </select>
-      <span class="quiet">{operand && operand.faceStarts.length - 1}</span>
-      <button aria-label={`Open a file as ${role}`} onClick={() => chooseFiles((files) => onShape(shapeOfFile(files[0]!)))}>Open…</button>
-    </div>
-  );
+function useStanding(state: SolidsState, which: 'p' | 'q', solid: SolidOperand | undefined): StandingSolid | undefined {
+  const { moving, axis, angle, scale, at } = state, moves = moving === which || which === 'q';
+  const stands = useMemo(() => ({ moving, axis, angle, scale, at }), moves ? [moving, axis, angle, scale, at] : [moving]); // eslint-disable-line react-hooks/exhaustive-deps -- what stays does not follow what moves
+  return useMemo(() => solid && { solid, vertices: placed(stands, which, solid.vertices) }, [stands, which, solid]);
 }
 
-export function View({ state, change, shell }: PageProps<SolidsState>) {
+function PairView({ state, change, shell }: PageProps<SolidsState> & { change: PageProps<SolidsPageState>['change'] }) {
   const data = useSolids(shell, state), { p, q, placement, frame, depth } = data, theme = useTheme();
   const [hovered, setHovered] = useState<number | undefined>(), [chosen, setChosen] = useState<number | undefined>();
   useEffect(() => {
@@ -61,19 +47,19 @@ export function View({ state, change, shell }: PageProps<SolidsState>) {
     setChosen(undefined);
   }, [frame]);
   useDownloads(shell, data);
-  const { axis, angle, scale, at } = state, atX = at[0], atY = at[1], atZ = at[2];
-  const moved = useMemo(() => q && placedQ({ ...state, axis, angle, scale, at }, q.vertices), [q, axis, angle, scale, atX, atY, atZ]); // eslint-disable-line react-hooks/exhaustive-deps -- all that it reads of the state
-  const operands = useMemo(() => (p && q && moved && placement ? operandsSurface(p, q, moved, placement) : undefined), [p, q, moved, placement]);
-  const sum = useMemo(() => (frame && placement ? sumSurface(frame, placement, state.changes) : undefined), [frame, placement, state.changes]);
+  const { at, look } = state, standingP = useStanding(state, 'p', p), standingQ = useStanding(state, 'q', q);
+  const operands = useMemo(() => (standingP && standingQ && placement ? operandsSurface(standingP, standingQ, placement) : undefined), [standingP, standingQ, placement]);
+  const view = useMemo(() => (look ? placementOfPart(look) : placement), [look, placement]);
+  const sum = useMemo(() => (frame && view ? sumSurface(frame, view, state.changes) : undefined), [frame, view, state.changes]);
   const face = hovered ?? chosen;
   const marked = useMemo(() => (frame && face !== undefined ? { frame, face } : undefined), [frame, face]);
   const left = useMemo(
-    () => (p && q && moved && placement ? operandsOverlay(p, q, moved, placement, marked, depth, at) : {}),
-    [p, q, moved, placement, marked, depth, at, theme], // eslint-disable-line react-hooks/exhaustive-deps -- colours are the theme's
+    () => (standingP && standingQ && placement ? operandsOverlay(standingP, standingQ, placement, marked, depth, at) : {}),
+    [standingP, standingQ, placement, marked, depth, at, theme], // eslint-disable-line react-hooks/exhaustive-deps -- colours are the theme's
   );
   const right = useMemo(
-    () => (frame && placement ? sumOverlay(frame, placement, { slice: state.slice, face, depth, at: state.sum === 'hits' ? at : undefined }) : {}),
-    [frame, placement, state.slice, face, depth, at, state.sum, theme], // eslint-disable-line react-hooks/exhaustive-deps -- colours are the theme's
+    () => (frame && view ? sumOverlay(frame, view, { slice: state.slice, face, depth, look, at: state.sum === 'hits' ? at : undefined }) : {}),
+    [frame, view, state.slice, face, depth, look, at, state.sum, theme], // eslint-disable-line react-hooks/exhaustive-deps -- colours are the theme's
   );
   const faceAt = (hit: Hit | undefined): number | undefined => hit && frame?.faceOf[hit.triangle];
   const grip = (hit: Hit): Grip | undefined => {
@@ -101,7 +87,7 @@ export function View({ state, change, shell }: PageProps<SolidsState>) {
           <div>
             <SpacePicture
               label={`The sum: ${frame ? `${frame.vertexCount} vertices, ${frame.faceCount} faces` : 'not known yet'}`} shape={sum} colours={kFaceColours}
-              opacity={state.through ? 0.5 : 1} cut={state.slice !== null && placement ? placement.height(state.slice) : undefined} overlay={right}
+              opacity={state.through ? 0.5 : 1} cut={state.slice !== null && view ? view.height(state.slice) : undefined} overlay={right}
               onHover={(hit) => setHovered(faceAt(hit))} onPick={(hit) => setChosen(faceAt(hit))}
             >
               <span class="caption">{state.sum === 'sum' ? 'P ⊕ Q' : 'P ⊕ −Q: where Q hits P'}</span>
@@ -112,9 +98,14 @@ export function View({ state, change, shell }: PageProps<SolidsState>) {
       </Stage>
       <Panel summary={kSummary}>
         <Section title="Solids">
-          <SolidCard role="P" tint="p" shape={state.p} operand={p} onShape={(shape) => change({ ...state, p: shape })} />
-          <SolidCard role="Q" tint="q" shape={state.q} operand={q} onShape={(shape) => change({ ...state, q: shape })} />
+          <ShapeRow role="P" tint="p" label="Solid P" catalogue={kSolids} shape={state.p} size={p && p.faceStarts.length - 1} onShape={(shape) => change({ ...state, p: shape })} />
+          <ShapeRow
+            role="Q" tint="q" label="Solid Q" catalogue={kSolids} shape={state.q} size={q && q.faceStarts.length - 1}
+            onShape={(shape) => change({ ...state, q: shape })} onNone={() => change({ ...state, q: null })}
+          />
+          <Toggle label="Parts of files without volume count, too" value={state.thin} onChange={(thin) => change({ ...state, thin })} />
         </Section>
+        <SetSection state={state} change={change} />
         <MotionSection state={state} change={change} />
         <DepthSection {...facts} />
         <SumSection {...facts} />
@@ -123,4 +114,8 @@ export function View({ state, change, shell }: PageProps<SolidsState>) {
       </Panel>
     </>
   );
+}
+
+export function View({ state, ...props }: PageProps<SolidsPageState>) {
+  return isPair(state) ? <PairView {...props} state={state} /> : <AloneView {...props} state={state} />;
 }

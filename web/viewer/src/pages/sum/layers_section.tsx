@@ -2,7 +2,9 @@
 import type { JSX } from 'preact';
 import { Section, Toggle } from '../../shell/controls';
 import type { Change } from '../../shell/page';
-import type { Layer, SumState } from './state';
+import type { Layer, Shown, SumState } from './state';
+
+const kSetLabels: Record<Shown, string> = { sum: 'sum', hits: 'places that hit', fit: 'places inside' };
 
 function sample(content: JSX.Element) {
   return (
@@ -29,7 +31,7 @@ export function LayersSection({ state, change }: { state: SumState; change: Chan
   return (
     <Section title="Show">
       {kSamples.map(([layer, text, drawing]) => (
-        <Toggle key={layer} label={text} value={state.layers.includes(layer)} swatch={sample(drawing)} onChange={(on) => set(layer, on)} />
+        <Toggle key={layer} label={layer === 'sum' ? kSetLabels[state.shown] : text} value={state.layers.includes(layer)} swatch={sample(drawing)} onChange={(on) => set(layer, on)} />
       ))}
     </Section>
   );

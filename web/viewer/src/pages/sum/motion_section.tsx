@@ -1,13 +1,13 @@
 // The controls of the operand that is scaled or turned.
 import { degrees } from '../../numbers/display';
-import { parseRational, toNumber } from '../../numbers/rational';
 import { tanHalfOf } from '../../numbers/snap';
 import { Choice, NumberField, Section, Slider } from '../../shell/controls';
 import type { Change, Shell } from '../../shell/page';
-import { radiansOf, scaleOf } from './placing';
-import type { SumArgs } from './service';
+import { checkAngle, radiansOf } from '../angle';
+import { checkScale, firstFactor, isUniform } from '../scale';
+import { isStill, type SumArgs } from './service';
 import type { SumState } from './state';
-import { kScaleRange } from './tools';
+import { scaleRange, scaleStep, withScale } from './tools';
 import { useEvents, type Events } from './use_events';
 
 interface MotionProps {
@@ -17,20 +17,12 @@ interface MotionProps {
   args: SumArgs;
 }
 
-function checkScale(text: string): string | undefined {
-  const s = parseRational(text);
-  return s && s.n > 0n ? undefined : 'A scale is a positive number such as 1.25 or 5/4.';
-}
-function checkTanHalf(text: string): string | undefined {
-  return text === 'inf' || parseRational(text) ? undefined : 'The tangent of half the angle is a number such as 1/3, or inf.';
-}
-
 function EventButtons({ state, change, shell, events }: MotionProps & { events: Events }) {
-  const at = scaleOf(state), before = events.ticks?.filter((t) => t.at < at && t.label !== state.scale).at(-1);
+  const at = firstFactor(state.scale), before = events.ticks?.filter((t) => t.at < at && t.label !== state.scale).at(-1);
   const next = async (): Promise<void> => {
     const event = await events.next();
     if (event) change({ ...state, scale: event.s });
-    else shell.announce(`Nothing changes up to scale ${kScaleRange[1]}.`);
+    else shell.announce(`Nothing changes up to scale ${scaleRange(state)[1]}.`);
   };
   return (
     <div class="row">
@@ -46,45 +38,51 @@ function EventButtons({ state, change, shell, events }: MotionProps & { events: 
 }
 
 function ScaleControls(props: MotionProps) {
-  const { state, change } = props, name = state.moving.toUpperCase();
-  const events = useEvents(props.shell, props.args);
-  const to = (value: number, how: 'live' | 'done'): void => change({ ...state, scale: String(Math.round(value * 1000) / 1000) }, how);
+  const { state, change } = props, name = state.moving.toUpperCase(), at = firstFactor(state.scale), [min, max] = scaleRange(state);
+  const events = useEvents(props.shell, state, props.args), hasEvents = state.shown !== 'fit' && isUniform(state.scale);
+  const to = (value: number, how: 'live' | 'done'): void => change(withScale(state, value), how);
   return (
     <>
       <Slider
-        label={`Scale of ${name}`} value={scaleOf(state)} min={kScaleRange[0]} max={kScaleRange[1]} step={0.001} text={scaleOf(state).toFixed(3)}
-        ticks={events.ticks ?? []} onInput={(v) => to(v, 'live')} onDone={(v) => to(v, 'done')} plays
+        label={`Scale of ${name}`} value={at} min={min} max={max} step={scaleStep(state)} text={at.toFixed(3)}
+        ticks={hasEvents ? (events.ticks ?? []) : []} onInput={(v) => to(v, 'live')} onDone={(v) => to(v, 'done')} plays
       />
-      <EventButtons {...props} events={events} />
-      <NumberField label="Exactly" value={state.scale} check={checkScale} onCommit={(scale) => change({ ...state, scale })} />
+      {hasEvents && <EventButtons {...props} events={events} />}
+      <NumberField label="Exactly" value={state.scale} check={(text) => checkScale(text, 2)} onCommit={(scale) => change({ ...state, scale })} />
     </>
   );
 }
 
 function TurnControls({ state, change }: MotionProps) {
-  const angle = radiansOf(state.tanHalf), name = state.moving.toUpperCase();
+  const angle = radiansOf(state.tanHalf), name = state.moving.toUpperCase(), [min, max] = state.range ?? [-Math.PI, Math.PI];
   const to = (radians: number, how: 'live' | 'done'): void => change({ ...state, tanHalf: tanHalfOf(radians) }, how);
   return (
     <>
       <Slider
-        label={`Turn of ${name}`} value={angle} min={-Math.PI} max={Math.PI} step={0.002} text={degrees(angle)}
+        label={`Turn of ${name}`} value={angle} min={min} max={max} step={0.002} text={degrees(angle)}
         onInput={(v) => to(v, 'live')} onDone={(v) => to(v, 'done')} plays
       />
-      <NumberField label="Tangent of half the angle, exactly" value={state.tanHalf} check={checkTanHalf} onCommit={(tanHalf) => change({ ...state, tanHalf })} />
+      <NumberField label="Tangent of half the angle, exactly" value={state.tanHalf} check={checkAngle} onCommit={(tanHalf) => change({ ...state, tanHalf })} />
     </>
   );
+}
+
+/** With another motion the slider covers what it covers by itself. */
+function withMotion({ range: _, ...state }: SumState, motion: SumState['motion']): SumState {
+  return { ...state, motion };
 }
 
 export function MotionSection(props: MotionProps) {
   const { state, change } = props;
   const reset: SumState = { ...state, scale: '1', tanHalf: '0', atP: [0, 0], atQ: [0, 0] };
-  const moved = toNumber(parseRational(state.scale) ?? { n: 1n, d: 1n }) !== 1 || state.tanHalf !== '0' || [...state.atP, ...state.atQ].some((x) => x !== 0);
+  const moved = !isStill({ ...state, motion: 'scale' }) || !isStill({ ...state, motion: 'turn' }) || [...state.atP, ...state.atQ].some((x) => x !== 0);
+  const motions = state.shown === 'fit' ? ([['scale', 'Scale']] as const) : ([['scale', 'Scale'], ['turn', 'Turn']] as const);
   return (
     <Section title="Motion">
       <div class="row">
         <Choice label="Which moves" options={[['p', 'P'], ['q', 'Q']]} value={state.moving} onChange={(moving) => change({ ...state, moving })} />
         <div style={{ flex: 1 }}>
-          <Choice label="How it moves" options={[['scale', 'Scale'], ['turn', 'Turn']]} value={state.motion} onChange={(motion) => change({ ...state, motion })} />
+          <Choice label="How it moves" options={motions} value={state.motion} onChange={(motion) => change(withMotion(state, motion))} />
         </div>
         <button disabled={!moved} onClick={() => change(reset)}>
           Reset

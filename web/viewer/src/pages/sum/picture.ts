@@ -7,8 +7,9 @@ import type { Point } from '../../view2d/camera';
 import type { Nearest } from '../../view2d/edge_grid';
 import type { Painter } from '../../view2d/painter';
 import type { SumPicture } from '../../view2d/sum_shape';
+import { paintMove } from '../move_arrow';
 import { features } from './provenance';
-import type { Layer } from './state';
+import type { Layer, SumState } from './state';
 
 export interface SumScene {
   layers: readonly Layer[];
@@ -21,6 +22,10 @@ export interface SumScene {
   trace: PlanarTrace | undefined;
   /** of the sum, pointed at or picked */
   marked: readonly Nearest[];
+  /** the shortest move of Q that makes it touch P */
+  way: { from: Point; by: Point } | undefined;
+  /** the part that is looked at */
+  look: SumState['look'];
   /** an operand's vertex that is pulled, where it is now */
   pulled: Point | undefined;
   /** places that errors name */
@@ -86,6 +91,11 @@ function paintMarked(painter: Painter, scene: SumScene, place: Nearest): void {
   if (scene.layers.includes('q')) paintFeatures(painter, q, scene.byQ, from.edgesQ, from.verticesQ);
 }
 
+function paintLook(painter: Painter, [x0, y0, x1, y1]: NonNullable<SumState['look']>): void {
+  painter.trace({ vertices: Float64Array.of(x0, y0, x1, y0, x1, y1, x0, y1), starts: Uint32Array.of(0, 4) });
+  painter.line({ colour: colour('--mark'), width: 1.5, dash: [6, 4] });
+}
+
 export function paintSum(painter: Painter, scene: SumScene): void {
   const { layers, sum, bySum } = scene;
   if (sum && layers.includes('sum')) sum.paint(painter, bySum);
@@ -93,6 +103,8 @@ export function paintSum(painter: Painter, scene: SumScene): void {
   if (layers.includes('p')) paintOperand(painter, scene.p, 'p', scene.byP);
   if (layers.includes('q')) paintOperand(painter, scene.q, 'q', scene.byQ);
   if (sum && layers.includes('tight')) sum.paintTight(painter, bySum);
+  if (scene.look) paintLook(painter, scene.look);
+  if (scene.way) paintMove(painter, scene.way.from, scene.way.by);
   for (const place of scene.marked) paintMarked(painter, scene, place);
   if (scene.pulled) painter.dot(scene.pulled, 5.5, colour('--mark'), colour('--ground'));
   for (const place of scene.wrong) painter.wrong(place, colour('--error'));

@@ -25,15 +25,23 @@ export function corner(shape: SumShape, vertex: number): { p: number; q: number 
   return p === kNone ? undefined : { p, q };
 }
 
-export function pairText({ edgeOfP, p, q }: Pair, names: readonly [string, string] = ['P', 'Q']): string {
-  return edgeOfP ? `edge ${p} of ${names[0]} + vertex ${q} of ${names[1]}` : `vertex ${p} of ${names[0]} + edge ${q} of ${names[1]}`;
+/** What the operands are called, and what stands between the features: they are added, subtracted, or touch. */
+export interface Wording {
+  names: readonly [string, string];
+  between: '+' | '−' | 'and';
+}
+const kSum: Wording = { names: ['P', 'Q'], between: '+' };
+
+export function pairText({ edgeOfP, p, q }: Pair, { names, between }: Wording = kSum): string {
+  const [first, second] = edgeOfP ? ['edge', 'vertex'] : ['vertex', 'edge'];
+  return `${first} ${p} of ${names[0]} ${between} ${second} ${q} of ${names[1]}`;
 }
 
-export function originText(shape: SumShape, { kind, index }: Pick<Nearest, 'kind' | 'index'>, names: readonly [string, string] = ['P', 'Q']): string {
-  if (kind === 'edge') return pairText(leaving(shape, index), names);
+export function originText(shape: SumShape, { kind, index }: Pick<Nearest, 'kind' | 'index'>, wording: Wording = kSum): string {
+  if (kind === 'edge') return pairText(leaving(shape, index), wording);
   const pair = corner(shape, index);
-  if (pair) return `vertex ${pair.p} of ${names[0]} + vertex ${pair.q} of ${names[1]}`;
-  return `crossing of ${pairText(arriving(shape, index), names)} and ${pairText(leaving(shape, index), names)}`;
+  if (pair) return `vertex ${pair.p} of ${wording.names[0]} ${wording.between} vertex ${pair.q} of ${wording.names[1]}`;
+  return `crossing of ${pairText(arriving(shape, index), wording)} and ${pairText(leaving(shape, index), wording)}`;
 }
 
 /** The features of the operands that a place comes from: edges by their first vertices. */

@@ -1,9 +1,21 @@
 // What is known of the sum, and of the place that was picked.
+import type { PlanarDistance } from 'dymsum';
 import { short } from '../../numbers/display';
 import { Readouts, Section } from '../../shell/controls';
 import { ExactText } from '../../shell/exact_text';
 import type { Shell } from '../../shell/page';
+import type { Wording } from './provenance';
+import type { SumArgs } from './service';
+import type { Shown } from './state';
 import type { SumData } from './use_sum';
+
+/** What is shown is the set of ... */
+export const kSetNames: Record<Shown, string> = { sum: 'Sum', hits: 'Places of Q that hit P', fit: 'Places of Q inside P' };
+
+/** Places of Q are vertices of P less vertices of Q. */
+export function wordingOf({ shown }: Pick<SumArgs, 'shown'>): Wording {
+  return { names: ['P', 'Q'], between: shown === 'sum' ? '+' : '−' };
+}
 
 /** A place of the sum, with its exact position. */
 export interface Picked {
@@ -32,7 +44,7 @@ export function ResultSection({ data, shell }: { data: SumData; shell: Shell }) 
   const refused = data.p.error ?? data.q.error;
   const counts = refused ? undefined : data.sum?.counts, area = refused ? undefined : data.area;
   return (
-    <Section title="Sum">
+    <Section title={kSetNames[data.args.shown]}>
       <Readouts
         rows={[
           ['parts', counts?.parts],
@@ -44,6 +56,20 @@ export function ResultSection({ data, shell }: { data: SumData; shell: Shell }) 
         ]}
       />
       {area?.exact && <ExactText label="the exact area" text={area.exact} shell={shell} />}
+    </Section>
+  );
+}
+
+const kMeetings = { overlapping: 'overlaps P, depth ', touching: 'touches P', apart: 'is apart from P by ' } as const;
+
+/** How Q stands to P where it is: the shortest way out, or to it. */
+export function DepthSection({ depth, shell }: { depth: PlanarDistance | undefined; shell: Shell }) {
+  if (!depth) return null;
+  const { meeting, distance, squared, ways } = depth, [way] = ways;
+  return (
+    <Section title="Q where it stands">
+      <Readouts rows={[['Q', kMeetings[meeting] + (meeting === 'touching' ? '' : short(distance))], ['shortest move', way && meeting !== 'touching' ? `${short(way.approx.x)}, ${short(way.approx.y)}` : undefined]]} />
+      {meeting !== 'touching' && <ExactText label="the square of the distance" text={squared} shell={shell} />}
     </Section>
   );
 }

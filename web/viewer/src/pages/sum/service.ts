@@ -1,10 +1,15 @@
-// Sums of two regions of which one is scaled or turned.
-import type { PlanarSum, PlanarTrace, Region, ScalingSum, SumShape } from 'dymsum';
+// Sums of two regions, places at which one hits the other, and inner fits, while one of them is scaled or turned.
+import type { PlanarDistance, PlanarSum, PlanarTrace, Region, RotatingSum, ScalingSum, SumOptions, SumShape } from 'dymsum';
 import type { Host } from '../../engine/host';
 import { keyOf, type Shape } from '../../engine/shape';
+import { toNumber, toText } from '../../numbers/rational';
+import { using } from '../../operands/using';
+import { scalesExactly } from '../../operands/exact_scaling';
+import { angleOf, radiansOf } from '../angle';
+import { factorsOf } from '../scale';
 import type { SumState, Which } from './state';
 
-export interface SumArgs extends Pick<SumState, 'p' | 'q' | 'moving' | 'motion' | 'scale' | 'tanHalf'> {
+export interface SumArgs extends Pick<SumState, 'p' | 'q' | 'shown' | 'semantics' | 'moving' | 'motion' | 'scale' | 'tanHalf'> {
   /** a vertex that is somewhere else for now */
   pull?: { which: Which; vertex: number; x: number; y: number } | undefined;
 }
@@ -28,113 +33,94 @@ export interface Event {
 const kAreaBits = 1 << 15;
 const kWindowBytes = 16 << 20; // of each of the sums that are kept
 
-const isStill = (a: SumArgs): boolean => (a.motion === 'scale' ? Number(a.scale) === 1 : Number(a.tanHalf) === 0);
-const operandsKey = (a: SumArgs): string => `${a.moving} ${keyOf(a.p)} + ${keyOf(a.q)}`;
+const scaleTexts = (a: SumArgs): [string, string] => factorsOf(a.scale, 2)!.map(toText) as [string, string];
 
-function scaling(host: Host, a: SumArgs): ScalingSum {
-  return host.keep(`scaling ${operandsKey(a)}`, () =>
-    host.dymsum.ScalingSum.create(host.region(a.p), host.region(a.q), { moving: a.moving, keptWindowBytes: kWindowBytes, progress: host.progress }),
-  );
+export function isStill(a: Pick<SumArgs, 'motion' | 'scale' | 'tanHalf'>): boolean {
+  return a.motion === 'scale' ? factorsOf(a.scale, 2)!.every((f) => f.n === f.d) : radiansOf(a.tanHalf) === 0;
+}
+
+type Frame = PlanarSum | ScalingSum | RotatingSum;
+
+function stillFrame({ dymsum }: Host, { shown }: SumArgs, p: Region, q: Region, options: SumOptions): PlanarSum {
+  if (shown === 'fit') return dymsum.erode(p, q, options);
+  return shown === 'hits' ? dymsum.nfp(p, q, options) : dymsum.minkowskiSum(p, q, options);
+}
+
+function frameOf(host: Host, a: SumArgs, p: Region, q: Region, mode: 'automatic' | 'rebuild'): Frame {
+  const { dymsum } = host;
+  if (a.shown === 'fit' || isStill(a)) return stillFrame(host, a, p, q, { semantics: a.semantics, progress: host.progress });
+  const moving = { semantics: a.semantics, moving: a.moving, reflectQ: a.shown === 'hits', keptWindowBytes: kWindowBytes, mode, progress: host.progress };
+  return a.motion === 'scale' ? dymsum.ScalingSum.create(p, q, moving) : dymsum.RotatingSum.create(p, q, moving);
+}
+
+function moved<F extends Frame>(frame: F, a: SumArgs): F {
+  if ('orientation' in frame) frame.set(angleOf(a.tanHalf));
+  else if ('set' in frame) frame.set(...scaleTexts(a));
+  return frame;
+}
+
+function keyOfFrame(a: SumArgs): string {
+  return `${a.shown} ${a.semantics} ${isStill(a) ? 'still' : `${a.motion} ${a.moving}`} ${keyOf(a.p)} + ${keyOf(a.q)}`;
 }
 
 /** What has the shape of the sum now. `visit` must not keep it. */
-function withFrame<T>(host: Host, a: SumArgs, visit: (frame: { shape(): SumShape; sum?: () => PlanarSum }) => T): T {
-  if (a.pull) return withPulled(host, a, a.pull, visit);
-  if (isStill(a))
-    return visit(host.keep(`sum ${keyOf(a.p)} + ${keyOf(a.q)}`, () => host.dymsum.minkowskiSum(host.region(a.p), host.region(a.q), { progress: host.progress })));
-  if (a.motion === 'scale') {
-    const sum = scaling(host, a);
-    sum.set(a.scale);
-    return visit(sum);
-  }
-  const sum = host.keep(`turning ${operandsKey(a)}`, () =>
-    host.dymsum.RotatingSum.create(host.region(a.p), host.region(a.q), { moving: a.moving, keptWindowBytes: kWindowBytes, progress: host.progress }),
-  );
-  sum.set({ tanHalf: a.tanHalf });
-  return visit(sum);
+function withFrame<T>(host: Host, a: SumArgs, visit: (frame: Frame) => T): T {
+  if (!a.pull && (a.shown !== 'fit' || isStill(a)))
+    return visit(moved(host.keep(keyOfFrame(a), () => frameOf(host, a, host.region(a.p), host.region(a.q), 'automatic')), a));
+  // Of regions that exist for one frame only nothing is kept.
+  return withOperand(host, a, 'p', (p) => withOperand(host, a, 'q', (q) => using(frameOf(host, a, p, q, 'rebuild'), (frame) => visit(moved(frame, a)))));
 }
 
-/** Sums of a region that exists for one frame only: nothing of it is kept. */
-function withPulled<T>(host: Host, a: SumArgs, pull: NonNullable<SumArgs['pull']>, visit: (frame: { shape(): SumShape }) => T): T {
-  const { dymsum } = host, pulled = host.region(a[pull.which]).withVertex(pull.vertex, pull.x, pull.y);
-  const p = pull.which === 'p' ? pulled : host.region(a.p), q = pull.which === 'q' ? pulled : host.region(a.q);
-  try {
-    const sum = isStill(a)
-      ? dymsum.minkowskiSum(p, q)
-      : a.motion === 'scale'
-        ? dymsum.ScalingSum.create(p, q, { moving: a.moving, mode: 'rebuild' })
-        : dymsum.RotatingSum.create(p, q, { moving: a.moving, mode: 'rebuild' });
-    try {
-      if ('set' in sum) (sum.set as (to: unknown) => unknown)(a.motion === 'scale' ? a.scale : { tanHalf: a.tanHalf });
-      return visit(sum);
-    } finally {
-      sum.dispose();
-    }
-  } finally {
-    pulled.dispose();
-  }
+/** An operand with the vertex that is pulled; for the inner fit, as it is scaled. */
+function withOperand<T>(host: Host, a: SumArgs, which: Which, visit: (region: Region) => T): T {
+  const scaled = (region: Region): T =>
+    a.shown === 'fit' && !isStill(a) && a.moving === which ? using(exactlyScaled(region, a), visit) : visit(region);
+  const { pull } = a, region = host.region(a[which]);
+  return pull?.which === which ? using(region.withVertex(pull.vertex, pull.x, pull.y), scaled) : scaled(region);
+}
+
+/** Throws an Error where a coordinate would have to be rounded. */
+function exactlyScaled(region: Region, a: SumArgs): Region {
+  const factors = factorsOf(a.scale, 2)!;
+  if (!scalesExactly(region.shape().vertices, factors))
+    throw new Error(`Scaled by ${a.scale}, the coordinates of ${a.moving.toUpperCase()} are no doubles, and the inner fit would not be exact. Binary fractions such as 3/4 need the fewest digits.`);
+  return region.scaled(...(factors.map(toNumber) as [number, number]));
 }
 
 /** The sum now as an object that can be asked for more. `visit` must not keep it. */
 function withSum<T>(host: Host, a: SumArgs, visit: (sum: PlanarSum) => T): T {
-  return withFrame(host, { ...a, pull: undefined }, (frame) => {
-    if (!frame.sum) return visit(frame as PlanarSum);
-    const sum = frame.sum();
-    try {
-      return visit(sum);
-    } finally {
-      sum.dispose();
-    }
-  });
+  return withFrame(host, { ...a, pull: undefined }, (frame) => ('sum' in frame ? using(frame.sum(), visit) : visit(frame)));
 }
 
 /** An operand as it stands now, rounded: to be drawn with the sum. `visit` must not keep it. */
 function withPlaced<T>(host: Host, a: SumArgs, which: Which, visit: (region: Region) => T): T {
   const region = host.region(a[which]);
   if (isStill(a) || a.moving !== which) return visit(region);
-  const made = a.motion === 'scale' ? region.scaled(evaluated(a.scale), evaluated(a.scale)) : turned(host, region, a.tanHalf);
-  try {
-    return visit(made);
-  } finally {
-    made.dispose();
-  }
+  const [sx, sy] = factorsOf(a.scale, 2)!.map(toNumber) as [number, number];
+  return using(a.motion === 'scale' ? region.scaled(sx, sy) : turned(host, region, a.tanHalf), visit);
 }
 
-function evaluated(text: string): number {
-  const [n, d = '1'] = text.split('/');
-  return Number(n) / Number(d);
-}
-
-function turned(host: Host, region: Region, tanHalf: string): Region {
-  const origin = host.dymsum.Region.fromData({ parts: [], points: [[0, 0]] });
-  const sum = host.dymsum.rotatedSum(region, origin, { tanHalf });
-  try {
-    return sum.rounded();
-  } finally {
-    sum.dispose();
-    origin.dispose();
-  }
+function turned({ dymsum }: Host, region: Region, tanHalf: string): Region {
+  return using(dymsum.Region.fromData({ parts: [], points: [[0, 0]] }), (origin) => using(dymsum.rotatedSum(region, origin, angleOf(tanHalf)), (sum) => sum.rounded()));
 }
 
 function trace(host: Host, a: SumArgs): PlanarTrace | null {
-  return withPlaced(host, a, 'p', (p) =>
-    withPlaced(host, a, 'q', (q) => {
-      const sum = host.dymsum.minkowskiSum(p, q, { trace: true, progress: host.progress });
-      try {
-        return sum.trace();
-      } finally {
-        sum.dispose();
-      }
-    }),
-  );
+  const options = { semantics: a.semantics, trace: true, progress: host.progress };
+  return withPlaced(host, a, 'p', (p) => withPlaced(host, a, 'q', (q) => using(stillFrame(host, a, p, q, options), (sum) => sum.trace())));
 }
 
-function file(host: Host, a: SumArgs, format: 'svg' | 'json' | 'wkt' | 'geojson' | 'poly'): string {
+export type SumFormat = 'svg' | 'json' | 'wkt' | 'geojson' | 'poly';
+
+function file(host: Host, a: SumArgs, format: SumFormat): string {
   return withSum(host, a, (sum) => {
     if (format === 'json') return sum.toJson();
     if (format !== 'svg') return sum.format(format);
     return withPlaced(host, a, 'p', (p) => withPlaced(host, a, 'q', (q) => host.dymsum.drawSum(p, q, sum)));
   });
+}
+
+function scaling(host: Host, a: SumArgs): ScalingSum {
+  return withFrame(host, { ...a, motion: 'scale', ...(isStill(a) ? { scale: '2' } : {}) }, (frame) => frame as ScalingSum);
 }
 
 export const sumServices = {
@@ -145,16 +131,13 @@ export const sumServices = {
   sumArea: (host: Host, a: SumArgs): SumArea => withSum(host, a, (sum) => ({ decimal: sum.areaText(), exact: sum.areaExact(kAreaBits) })),
   sumExact: (host: Host, { vertices, ...a }: SumArgs & { vertices: number[] }) => withSum(host, a, (sum) => vertices.map((v) => sum.exact(v))),
   sumTrace: trace,
-  sumFile: (host: Host, { format, ...a }: SumArgs & { format: 'svg' | 'json' | 'wkt' | 'geojson' | 'poly' }) => file(host, a, format),
+  sumFile: (host: Host, { format, ...a }: SumArgs & { format: SumFormat }) => file(host, a, format),
+  /** How deep Q is in P, or how far from it, where both have their own size and angle. */
+  sumDepth: (host: Host, { p, q, x, y }: Pick<SumArgs, 'p' | 'q'> & { x: number; y: number }): PlanarDistance =>
+    host.keep(`depth ${keyOf(p)} ${keyOf(q)}`, () => host.dymsum.PlanarDepth.create(host.region(p), host.region(q))).at(x, y),
   /** The text of an operand with a vertex moved. */
-  pulledText: (host: Host, { shape, vertex, x, y }: { shape: Shape; vertex: number; x: number; y: number }): string => {
-    const pulled = host.region(shape).withVertex(vertex, x, y);
-    try {
-      return pulled.format('wkt');
-    } finally {
-      pulled.dispose();
-    }
-  },
+  pulledText: (host: Host, { shape, vertex, x, y }: { shape: Shape; vertex: number; x: number; y: number }): string =>
+    using(host.region(shape).withVertex(vertex, x, y), (pulled) => pulled.format('wkt')),
   scaleEvents: (host: Host, { from, to, ...a }: SumArgs & { from: string; to: string }): Event[] => scaling(host, a).events(from, to, host.progress),
   nextScaleEvent: (host: Host, { after, limit, ...a }: SumArgs & { after: string; limit: string }): Event | null =>
     scaling(host, a).nextEvent(after, limit, 'visible', host.progress),

@@ -1,35 +1,60 @@
 // What the page of sums shows.
+import type { Semantics } from 'dymsum';
 import { parseShape, type Shape } from '../../engine/shape';
-import { parseRational } from '../../numbers/rational';
 import type { Camera } from '../../view2d/camera';
+import { isAngle } from '../angle';
+import { parseSemantics } from '../options';
+import { factorsOf } from '../scale';
 
 export type Which = 'p' | 'q';
 export const kLayers = ['p', 'q', 'sum', 'tight', 'convolution', 'cells', 'crossings', 'dropped'] as const;
 export type Layer = (typeof kLayers)[number];
 
+/** The sum; P ⊕ −Q, the places of Q at which it hits P; the places at which Q fits into P. */
+export const kShown = [['sum', 'P ⊕ Q'], ['hits', 'P ⊕ −Q'], ['fit', 'Fit in P']] as const;
+export type Shown = (typeof kShown)[number][0];
+
 export interface SumState {
   p: Shape;
   q: Shape;
+  shown: Shown;
+  semantics: Semantics;
   /** the one that is scaled or turned, about the origin of its coordinates */
   moving: Which;
   motion: 'scale' | 'turn';
-  /** exact numbers as text; only that of `motion` counts */
+  /** see scale.ts; only that of `motion` counts */
   scale: string;
-  /** the tangent of half the angle, or "inf" */
+  /** see angle.ts */
   tanHalf: string;
+  /** what the slider covers: scales or radians */
+  range?: readonly [number, number];
   /** where the origins of P and Q stand */
   atP: [number, number];
   atQ: [number, number];
   layers: Layer[];
+  /** the part that is looked at: low x, low y, high x, high y */
+  look?: readonly [number, number, number, number];
   camera?: Camera;
+}
+/** One shape alone is shown as it is. */
+export type AloneState = Omit<SumState, 'q'> & { q: null };
+export type SumPageState = SumState | AloneState;
+
+export function isPair(state: SumPageState): state is SumState {
+  return state.q !== null;
 }
 
 export function sumState(p: Shape, q: Shape, changes: Partial<SumState> = {}): SumState {
-  return { p, q, moving: 'p', motion: 'scale', scale: '1', tanHalf: '0', atP: [0, 0], atQ: [0, 0], layers: ['p', 'q', 'sum', 'tight'], ...changes };
+  return { p, q, shown: 'sum', semantics: 'closed', moving: 'p', motion: 'scale', scale: '1', tanHalf: '0', atP: [0, 0], atQ: [0, 0], layers: ['p', 'q', 'sum', 'tight'], ...changes };
 }
 
-function isPair(value: unknown): value is [number, number] {
-  return Array.isArray(value) && value.length === 2 && value.every((x) => Number.isFinite(x));
+/** The inner fit is computed of operands whose coordinates are doubles: what turns has others. */
+export function withShown(state: SumState, shown: Shown): SumState {
+  return shown === 'fit' ? { ...state, shown, motion: 'scale', tanHalf: '0' } : { ...state, shown };
+}
+
+function areNumbers(value: unknown, count: number): value is number[] {
+  return Array.isArray(value) && value.length === count && value.every((x) => Number.isFinite(x));
 }
 
 export function parseCamera(value: unknown): { camera?: Camera } {
@@ -37,21 +62,31 @@ export function parseCamera(value: unknown): { camera?: Camera } {
   return [x, y, zoom].every((n) => Number.isFinite(n)) && zoom! > 0 ? { camera: { x: x!, y: y!, zoom: zoom! } } : {};
 }
 
+export function parseRange(value: unknown): { range?: readonly [number, number] } {
+  return areNumbers(value, 2) ? { range: [value[0]!, value[1]!] } : {};
+}
+
+function parsePair(value: unknown): [number, number] {
+  return areNumbers(value, 2) ? [value[0]!, value[1]!] : [0, 0];
+}
+
 /** Throws an Error for what is no state of this page. What is left out is as in a new one. */
-export function parseSumState(value: unknown): SumState {
+export function parseSumState(value: unknown): SumPageState {
   const v = (value ?? {}) as Partial<Record<keyof SumState, unknown>>;
-  const start = sumState(parseShape(v.p), parseShape(v.q));
-  const number = (text: unknown, otherwise: string): string =>
-    typeof text === 'string' && (text === 'inf' || parseRational(text)) ? text : otherwise;
-  return {
+  const p = parseShape(v.p), start = sumState(p, v.q === null ? p : parseShape(v.q));
+  const state = withShown({
     ...start,
+    semantics: parseSemantics(v.semantics, 'closed'),
     moving: v.moving === 'q' ? 'q' : 'p',
     motion: v.motion === 'turn' ? 'turn' : 'scale',
-    scale: number(v.scale, '1'),
-    tanHalf: number(v.tanHalf, '0'),
-    atP: isPair(v.atP) ? v.atP : start.atP,
-    atQ: isPair(v.atQ) ? v.atQ : start.atQ,
+    scale: typeof v.scale === 'string' && factorsOf(v.scale, 2) ? v.scale : '1',
+    tanHalf: typeof v.tanHalf === 'string' && isAngle(v.tanHalf) ? v.tanHalf : '0',
+    ...parseRange(v.range),
+    atP: parsePair(v.atP),
+    atQ: parsePair(v.atQ),
     layers: Array.isArray(v.layers) ? kLayers.filter((l) => (v.layers as unknown[]).includes(l)) : start.layers,
+    ...(areNumbers(v.look, 4) ? { look: v.look as unknown as NonNullable<SumState['look']> } : {}),
     ...parseCamera(v.camera),
-  };
+  }, kShown.find(([name]) => name === v.shown)?.[0] ?? 'sum');
+  return v.q === null ? { ...state, q: null } : state;
 }

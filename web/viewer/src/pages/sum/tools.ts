@@ -1,14 +1,33 @@
 // What dragging P or Q does: each tool makes the state of a pointer's way.
 import { snapped, tanHalfOf } from '../../numbers/snap';
-import { short } from '../../numbers/display';
 import type { Point } from '../../view2d/camera';
-import { radiansOf, scaleOf } from './placing';
+import { radiansOf } from '../angle';
+import { firstFactor, withFirstFactor } from '../scale';
 import type { SumState, Which } from './state';
 
 export const kTools = [['move', 'Move'], ['scale', 'Scale'], ['turn', 'Turn'], ['pull', 'Pull a vertex']] as const;
 export type Tool = (typeof kTools)[number][0];
 
-export const kScaleRange = [0.05, 4] as const;
+/** The inner fit does not turn. */
+export function toolsOf({ shown }: Pick<SumState, 'shown'>): readonly (readonly [Tool, string])[] {
+  return shown === 'fit' ? kTools.filter(([tool]) => tool !== 'turn') : kTools;
+}
+
+const kScaleRange = [0.05, 4] as const;
+
+export function scaleRange({ range, motion }: Pick<SumState, 'range' | 'motion'>): readonly [number, number] {
+  return motion === 'scale' && range ? [Math.min(kScaleRange[0], range[0]), Math.max(kScaleRange[1], range[1])] : kScaleRange;
+}
+
+/** Scales of sliders and drags are of few digits; of the inner fit binary ones, so that nothing is rounded. */
+export function scaleStep({ shown }: Pick<SumState, 'shown'>): number {
+  return shown === 'fit' ? 1 / 256 : 1 / 1000;
+}
+
+export function withScale(state: SumState, value: number): SumState {
+  const step = scaleStep(state), steps = Math.max(1, Math.round(value / step));
+  return { ...state, motion: 'scale', scale: withFirstFactor(state.scale, String(state.shown === 'fit' ? steps * step : steps / 1000)) };
+}
 
 /** `seen`: what can just be told apart. */
 function movedState(state: SumState, which: Which, from: Point, to: Point, seen: number): SumState {
@@ -18,11 +37,11 @@ function movedState(state: SumState, which: Which, from: Point, to: Point, seen:
 }
 
 function scaledState(state: SumState, which: Which, from: Point, to: Point): SumState {
-  const [x, y] = which === 'p' ? state.atP : state.atQ;
-  const before = state.motion === 'scale' && state.moving === which ? scaleOf(state) : 1;
+  const [x, y] = which === 'p' ? state.atP : state.atQ, [low, high] = scaleRange(state);
+  const goesOn = state.motion === 'scale' && state.moving === which;
   const factor = Math.hypot(to.x - x, to.y - y) / (Math.hypot(from.x - x, from.y - y) || 1);
-  const scale = Math.min(Math.max(before * factor, kScaleRange[0]), kScaleRange[1]);
-  return { ...state, moving: which, motion: 'scale', scale: short(Math.round(scale * 1000) / 1000) };
+  const value = Math.min(Math.max((goesOn ? firstFactor(state.scale) : 1) * factor, low), high);
+  return withScale({ ...state, moving: which, ...(goesOn ? {} : { scale: '1' }) }, value);
 }
 
 function turnedState(state: SumState, which: Which, from: Point, to: Point): SumState {

@@ -3,7 +3,8 @@ import { useState } from 'preact/hooks';
 import type { Tick } from '../../shell/controls';
 import type { Shell } from '../../shell/page';
 import type { Event, SumArgs } from './service';
-import { kScaleRange } from './tools';
+import { scaleRange } from './tools';
+import type { SumState } from './state';
 
 export interface Events {
   ticks: readonly Tick[] | undefined;
@@ -13,16 +14,16 @@ export interface Events {
 }
 
 function sameOperands(a: SumArgs, b: SumArgs): boolean {
-  return a.p === b.p && a.q === b.q && a.moving === b.moving;
+  return a.p === b.p && a.q === b.q && a.moving === b.moving && a.shown === b.shown && a.semantics === b.semantics;
 }
 
 function tickOf({ s, approx, topology }: Event): Tick {
   return { at: approx, strong: topology, label: s };
 }
 
-export function useEvents(shell: Shell, args: SumArgs): Events {
+export function useEvents(shell: Shell, state: SumState, args: SumArgs): Events {
   const [found, setFound] = useState<{ args: SumArgs; ticks: Tick[] } | undefined>();
-  const [from, to] = [String(kScaleRange[0]), String(kScaleRange[1])];
+  const [from, to] = scaleRange(state).map(String) as [string, string];
   const find = async (): Promise<void> => {
     const all = await shell.engine.ask('scaleEvents', { ...args, from, to });
     setFound({ args, ticks: all.filter((e) => e.visible).map(tickOf) });

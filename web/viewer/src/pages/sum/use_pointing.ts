@@ -5,8 +5,9 @@ import type { Shell } from '../../shell/page';
 import { copy } from '../../shell/save';
 import type { Nearest } from '../../view2d/edge_grid';
 import type { SumPicture } from '../../view2d/sum_shape';
+import { sumMoves } from './placing';
 import { originText } from './provenance';
-import { positionText, type Picked } from './result_section';
+import { positionText, wordingOf, type Picked } from './result_section';
 import type { SumArgs } from './service';
 import type { SumState } from './state';
 
@@ -29,8 +30,8 @@ export interface Pointing {
 async function exactPlace({ engine }: Shell, args: SumArgs, state: SumState, { place, sum }: Pointed): Promise<Picked> {
   const vertices = place.kind === 'vertex' ? [place.index] : [place.index, place.next];
   const exact = await engine.ask('sumExact', { ...args, vertices });
-  const moved = (text: string, k: 0 | 1): string => toText(add(parseRational(text)!, add(fromDouble(state.atP[k]), fromDouble(state.atQ[k]))));
-  return { origin: originText(sum.shape, place), positions: exact.map(({ x, y }) => ({ x: moved(x, 0), y: moved(y, 1) })) };
+  const moved = (text: string, k: 0 | 1): string => toText(sumMoves(state).reduce((at, by) => add(at, fromDouble(by[k])), parseRational(text)!));
+  return { origin: originText(sum.shape, place, wordingOf(state)), positions: exact.map(({ x, y }) => ({ x: moved(x, 0), y: moved(y, 1) })) };
 }
 
 function usePlace(sum: SumPicture | undefined): [Nearest | undefined, (place: Nearest | undefined) => void] {

@@ -1,13 +1,14 @@
 // All that the page of sums asks of the engine.
+import type { PlanarDistance, PlanarTrace } from 'dymsum';
 import { useEffect, useMemo } from 'preact/hooks';
 import { useAnswer } from '../../engine/use_answer';
+import { add, fromDouble, toNumber, type Rational } from '../../numbers/rational';
 import { useOperand, type Operand } from '../../operands/use_operand';
 import type { Shell } from '../../shell/page';
 import { useSettled } from '../../shell/use_settled';
 import { SumPicture } from '../../view2d/sum_shape';
-import type { SumArgs, SumArea } from './service';
+import { isStill, type SumArea, type SumArgs } from './service';
 import type { SumState } from './state';
-import type { PlanarTrace } from 'dymsum';
 
 export type Pull = NonNullable<SumArgs['pull']>;
 
@@ -23,16 +24,26 @@ export interface SumData {
   error: unknown;
   area: SumArea | undefined;
   trace: PlanarTrace | undefined;
+  /** of Q where it stands, where that is asked for */
+  depth: PlanarDistance | undefined;
 }
 
 const kStages = ['convolution', 'cells', 'crossings', 'dropped'] as const;
 
+/** Where Q stands as P sees it; nothing where no doubles say that. */
+function placeOfQ({ atP, atQ }: SumState): { x: number; y: number } | undefined {
+  const between = (k: 0 | 1): Rational => add(fromDouble(atQ[k]), fromDouble(-atP[k]));
+  const [x, y] = [between(0), between(1)].map((r) => ({ r, double: toNumber(r) }));
+  const isDouble = ({ r, double }: { r: Rational; double: number }): boolean => fromDouble(double).n === r.n && fromDouble(double).d === r.d;
+  return isDouble(x!) && isDouble(y!) ? { x: x!.double, y: y!.double } : undefined;
+}
+
 export function useSum(shell: Shell, state: SumState, pull: Pull | undefined): SumData {
-  const { engine } = shell, { moving, motion, scale, tanHalf } = state;
+  const { engine } = shell, { shown, semantics, moving, motion, scale, tanHalf } = state;
   const p = useOperand(shell, state.p), q = useOperand(shell, state.q);
   const args = useMemo<SumArgs>(
-    () => ({ p: state.p, q: state.q, moving, motion, scale, tanHalf, pull }),
-    [state.p, state.q, moving, motion, scale, tanHalf, pull],
+    () => ({ p: state.p, q: state.q, shown, semantics, moving, motion, scale, tanHalf, pull }),
+    [state.p, state.q, shown, semantics, moving, motion, scale, tanHalf, pull],
   );
   const ready = p.ready && q.ready;
   const frame = useAnswer(engine, 'sumFrame', ready ? args : undefined);
@@ -40,8 +51,10 @@ export function useSum(shell: Shell, state: SumState, pull: Pull | undefined): S
   const area = useAnswer(engine, 'sumArea', settled);
   const staged = kStages.some((layer) => state.layers.includes(layer));
   const trace = useAnswer(engine, 'sumTrace', staged ? settled : undefined);
+  const place = shown === 'hits' && ready && isStill(args) ? placeOfQ(state) : undefined;
+  const depth = useAnswer(engine, 'sumDepth', place && { p: state.p, q: state.q, ...place });
   const sum = useMemo(() => frame.value && new SumPicture(frame.value.shape), [frame.value]);
-  const error = frame.error ?? area.error ?? trace.error;
+  const error = frame.error ?? area.error ?? trace.error ?? depth.error;
   useEffect(() => {
     if (error) shell.report(error);
   }, [shell, error]);
@@ -49,5 +62,6 @@ export function useSum(shell: Shell, state: SumState, pull: Pull | undefined): S
     p, q, args, sum, of: frame.of, ms: frame.value?.ms, error,
     area: area.of === settled ? area.value : undefined,
     trace: staged && trace.of === settled ? (trace.value ?? undefined) : undefined,
+    depth: place && depth.of?.p === state.p && depth.of.q === state.q ? depth.value : undefined,
   };
 }

@@ -8,31 +8,38 @@ import { Panel, Stage } from '../../shell/parts';
 import { applied, appliedToBox, inverted, type Affine } from '../../view2d/affine';
 import { unionOf, type Box, type Point } from '../../view2d/camera';
 import { PlaneView } from '../../view2d/plane_view';
+import { kSemantics } from '../options';
+import { AloneView } from './alone_view';
 import { gripOf } from './dragging';
 import { LayersSection } from './layers_section';
 import { MotionSection } from './motion_section';
 import { paintSum, type SumScene } from './picture';
 import { placing, sumPlacing } from './placing';
 import { originText } from './provenance';
-import { PickedSection, ResultSection } from './result_section';
-import type { SumArgs } from './service';
-import type { SumState } from './state';
-import { draggedState, kTools, type Tool } from './tools';
+import { DepthSection, kSetNames, PickedSection, ResultSection, wordingOf } from './result_section';
+import type { SumArgs, SumFormat } from './service';
+import { isPair, kShown, withShown, type Shown, type SumPageState, type SumState } from './state';
+import { draggedState, toolsOf, type Tool } from './tools';
 import { usePointing, type Pointing } from './use_pointing';
 import { useSum, type Pull, type SumData } from './use_sum';
 
 export const kSummary = 'P ⊕ Q: every point of P added to every point of Q, exactly. Drag a shape; hover over the sum to see which pair made it.';
+const kSummaries: Record<Shown, string> = {
+  sum: kSummary,
+  hits: 'P ⊕ −Q: the places of Q at which it hits P, exactly. Drag Q; hover over the boundary to see what touches there.',
+  fit: '{ x : x + Q ⊂ P }: the places of Q at which it lies inside P, exactly. Drag Q; hover over the boundary to see what touches there.',
+};
 
-const kFiles = {
-  svg: 'Picture (SVG)', wkt: 'Sum, rounded (WKT)', json: 'Sum, exact (JSON)', geojson: 'Sum, rounded (GeoJSON)', poly: 'Sum, rounded (.poly)',
-} as const;
+const kFiles = { wkt: 'rounded (WKT)', json: 'exact (JSON)', geojson: 'rounded (GeoJSON)', poly: 'rounded (.poly)' } as const satisfies Partial<Record<SumFormat, string>>;
 
 function useDownloads({ engine, setDownloads }: Shell, args: SumArgs, isThere: boolean): void {
   useEffect(() => {
-    const download = (format: keyof typeof kFiles): Download => ({
-      label: kFiles[format], fileName: `sum.${format}`, make: () => engine.ask('sumFile', { ...args, format }),
+    const name = args.shown === 'fit' ? 'Inner fit' : 'Sum';
+    const download = (format: SumFormat, label: string): Download => ({
+      label, fileName: `${name.toLowerCase().replace(' ', '_')}.${format}`, make: () => engine.ask('sumFile', { ...args, format }),
     });
-    setDownloads(isThere ? (Object.keys(kFiles) as (keyof typeof kFiles)[]).map(download) : []);
+    const files = Object.entries(kFiles).map(([format, text]) => download(format as SumFormat, `${name}, ${text}`));
+    setDownloads(isThere ? [download('svg', 'Picture (SVG)'), ...files] : []);
   }, [engine, setDownloads, args, isThere]);
 }
 
@@ -49,12 +56,13 @@ function wrongPlaces(data: SumData, byP: Affine, byQ: Affine): Point[] {
 /** Operands are drawn as they were when the sum that is shown was computed. */
 function sceneOf(state: SumState, data: SumData, pull: Pull | undefined, { chosen, hovered }: Pointing): SumScene {
   const { moving, motion, scale, tanHalf } = data.of ?? state, shown = { ...state, moving, motion, scale, tanHalf };
-  const byP = placing(shown, 'p'), byQ = placing(shown, 'q'), p = data.p.outline, q = data.q.outline;
+  const byP = placing(shown, 'p'), byQ = placing(shown, 'q'), p = data.p.outline, q = data.q.outline, [way] = data.depth?.ways ?? [];
   return {
-    layers: state.layers, byP, byQ, bySum: sumPlacing(state), trace: data.trace,
+    layers: state.layers, byP, byQ, bySum: sumPlacing(state), trace: data.trace, look: state.look,
     p: pull?.which === 'p' ? p?.withVertex(pull.vertex, pull) : p,
     q: pull?.which === 'q' ? q?.withVertex(pull.vertex, pull) : q,
     sum: data.p.error ?? data.q.error ? undefined : data.sum,
+    way: way && { from: { x: state.atQ[0], y: state.atQ[1] }, by: way.approx },
     marked: [chosen, hovered].filter((place) => place !== undefined),
     pulled: pull && applied(pull.which === 'p' ? byP : byQ, pull),
     wrong: wrongPlaces(data, byP, byQ),
@@ -65,49 +73,75 @@ function sceneOf(state: SumState, data: SumData, pull: Pull | undefined, { chose
 const withoutEdits = (shape: Shape | undefined): string => shape?.name.replace(/\*?(\.\w+)?$/, '') ?? '';
 
 /** What fits into the picture, and a name of it that changes when it is to be fitted again: with the shapes, but not while they are dragged. */
-function useHome(scene: SumScene, { sum, of, p, q }: SumData): { home: Box | undefined; homeKey: string } {
+function useHome({ look }: SumState, scene: SumScene, { sum, of, p, q }: SumData): { home: Box | undefined; homeKey: string } {
   const failed = p.error ?? q.error, isKnown = failed ? p.of && q.of : sum && of;
-  const homeKey = isKnown ? `${withoutEdits(failed ? p.of : of?.p)} ${withoutEdits(failed ? q.of : of?.q)}` : '';
-  const home = useMemo(
-    () => (homeKey ? unionOf([appliedToBox(scene.byP, scene.p?.box), appliedToBox(scene.byQ, scene.q?.box), appliedToBox(scene.bySum, scene.sum?.box)]) : undefined),
-    [homeKey], // eslint-disable-line react-hooks/exhaustive-deps -- of the scene as it is then
-  );
+  const homeKey = isKnown ? `${withoutEdits(failed ? p.of : of?.p)} ${withoutEdits(failed ? q.of : of?.q)} ${of?.shown} ${look?.join() ?? ''}` : '';
+  const home = useMemo(() => {
+    if (look) return { x0: look[0], y0: look[1], x1: look[2], y1: look[3] };
+    return homeKey ? unionOf([appliedToBox(scene.byP, scene.p?.box), appliedToBox(scene.byQ, scene.q?.box), appliedToBox(scene.bySum, scene.sum?.box)]) : undefined;
+  }, [homeKey]); // eslint-disable-line react-hooks/exhaustive-deps -- of the scene as it is then
   return { home, homeKey };
 }
 
-export function View({ state, change, shell }: PageProps<SumState>) {
+function SetSection({ state, change }: Pick<PageProps<SumState>, 'state' | 'change'>) {
+  const showAll = (): void => {
+    const everywhere = { ...state };
+    delete everywhere.look;
+    delete everywhere.camera;
+    change(everywhere);
+  };
+  return (
+    <Section title="What is computed">
+      <Choice label="What is computed" options={kShown} value={state.shown} onChange={(shown) => change(withShown(state, shown))} />
+      <Choice label="What touching counts" options={kSemantics} value={state.semantics} onChange={(semantics) => change({ ...state, semantics })} />
+      {state.look && (
+        <div class="row">
+          <button onClick={showAll}>Show all, not only the part</button>
+        </div>
+      )}
+    </Section>
+  );
+}
+
+function PairView({ state, change, shell }: PageProps<SumState> & { change: PageProps<SumPageState>['change'] }) {
   const [tool, setTool] = useState<Tool>('move');
   const [pull, setPull] = useState<Pull | undefined>();
   const data = useSum(shell, state, pull), { sum } = data;
   const pointing = usePointing(shell, state, data.args, sum);
   useDownloads(shell, data.args, sum !== undefined && !data.p.error && !data.q.error);
-  const scene = sceneOf(state, data, pull, pointing);
+  const scene = sceneOf(state, data, pull, pointing), tools = toolsOf(state);
   const nearest = (at: Point, reach: number) => sum?.nearest(inverted(scene.bySum, at), reach);
-  const context = { shell, state, change, outlines: { p: data.p.outline, q: data.q.outline }, tool, setPull };
+  const context = { shell, state, change, outlines: { p: data.p.outline, q: data.q.outline }, tool: tools.some(([t]) => t === tool) ? tool : 'move', setPull };
   return (
     <>
       <Stage>
         <PlaneView
-          label={`The sum of ${state.p.name} and ${state.q.name}: ${sum ? `${sum.counts.vertices} vertices, ${sum.counts.holes} holes` : 'not known yet'}`}
-          {...useHome(scene, data)} camera={state.camera}
+          label={`${kSetNames[state.shown]}, of ${state.p.name} and ${state.q.name}: ${sum ? `${sum.counts.vertices} vertices, ${sum.counts.holes} holes` : 'not known yet'}`}
+          {...useHome(state, scene, data)} camera={state.look ? undefined : state.camera}
           onCamera={(camera) => change({ ...state, camera }, 'aside')} cursor={pointing.hovered ? 'pointer' : 'grab'}
           nudge={(by) => change(draggedState('move', state, state.moving, { x: 0, y: 0 }, by, Math.hypot(by.x, by.y) / 4))}
           grip={(at, reach) => gripOf(context, at, reach)} hover={(at, reach) => pointing.hover(at && nearest(at, reach))}
           click={(at, reach) => pointing.pick(nearest(at, reach))} shows={scene.sum} paint={(painter) => paintSum(painter, scene)}
         />
-        <div class="status">{pointing.hovered && sum ? originText(sum.shape, pointing.hovered) : ''}</div>
+        <div class="status">{pointing.hovered && sum ? originText(sum.shape, pointing.hovered, wordingOf(state)) : ''}</div>
       </Stage>
-      <Panel summary={kSummary}>
+      <Panel summary={kSummaries[state.shown]}>
         <Section title="Shapes">
           <OperandCard shell={shell} role="P" tint="p" shape={state.p} operand={data.p} onShape={(p) => change({ ...state, p })} />
-          <OperandCard shell={shell} role="Q" tint="q" shape={state.q} operand={data.q} onShape={(q) => change({ ...state, q })} />
-          <Choice label="What dragging a shape does" options={kTools} value={tool} onChange={setTool} />
+          <OperandCard shell={shell} role="Q" tint="q" shape={state.q} operand={data.q} onShape={(q) => change({ ...state, q })} onNone={() => change({ ...state, q: null })} />
+          <Choice label="What dragging a shape does" options={tools} value={context.tool} onChange={setTool} />
         </Section>
+        <SetSection state={state} change={change} />
         <MotionSection state={state} change={change} shell={shell} args={data.args} />
+        <DepthSection depth={data.depth} shell={shell} />
         <ResultSection data={data} shell={shell} />
         <PickedSection picked={pointing.picked} shell={shell} />
         <LayersSection state={state} change={change} />
       </Panel>
     </>
   );
+}
+
+export function View({ state, ...props }: PageProps<SumPageState>) {
+  return isPair(state) ? <PairView {...props} state={state} /> : <AloneView {...props} state={state} />;
 }

@@ -1,0 +1,33 @@
+// Scales as documents, fields and commands have them: "3/2"; or a factor for each axis, "2:1", of solids "2:1:1/2".
+import { multiply, parseRational, rational, toNumber, toText, type Rational } from '../numbers/rational';
+
+/** One factor for each axis; nothing for what is no scale. */
+export function factorsOf(text: string, axes: 2 | 3): Rational[] | undefined {
+  const factors = text.split(':').map((t) => parseRational(t.trim()));
+  if (!factors.every((f) => f !== undefined && f.n > 0n)) return undefined;
+  if (factors.length === 1) return Array<Rational>(axes).fill(factors[0]!);
+  return factors.length === axes ? (factors as Rational[]) : undefined;
+}
+
+export function checkScale(text: string, axes: 2 | 3): string | undefined {
+  const each = axes === 2 ? '2:1' : '2:1:1/2';
+  return factorsOf(text, axes) ? undefined : `A scale is a positive number such as 1.25 or 5/4, or one for each axis: ${each}.`;
+}
+
+export function isUniform(text: string): boolean {
+  const [first, ...others] = text.split(':').map((t) => parseRational(t.trim()));
+  return others.every((f) => f?.n === first?.n && f?.d === first?.d);
+}
+
+/** The factor of x, for sliders and drawing. */
+export function firstFactor(text: string): number {
+  const [first] = factorsOf(text, text.split(':').length === 3 ? 3 : 2) ?? [];
+  return first ? toNumber(first) : 1;
+}
+
+/** x is scaled by `first` now, and the other axes keep their shares of it. */
+export function withFirstFactor(text: string, first: string): string {
+  const to = parseRational(first), [was, ...others] = text.split(':').map((t) => parseRational(t.trim()));
+  if (!to || !was || others.length === 0) return first;
+  return [first, ...others.map((f) => toText(multiply(to, multiply(f!, rational(was.d, was.n)))))].join(':');
+}
