@@ -1,6 +1,3 @@
-// sin, cos, tan, atan, atan2, asin, acos and hypot in place of those of emscripten's C library (elementary_names.cpp),
-// which are often one unit in the last place off: text would differ in its last digit from that of native builds, whose
-// C library rounds nearly always correctly. Here they are computed with a few more digits and rounded once.
 #include "base/elementary.h"
 
 #include <algorithm>
@@ -8,8 +5,6 @@
 #include <cmath>
 #include <cstdint>
 #include <limits>
-
-#include "base/double_pair.h"
 
 namespace dymsum::base::elementary {
 namespace {
@@ -55,27 +50,17 @@ SinCos near_zero(DoublePair r) {
   return {series(square, kSin, kSinEnd) * r, series(square, kCos, kCosEnd)};
 }
 
-// An angle in quarter turns and the rest.
-struct Quarters {
-  int count = 0;  // modulo 4
-  DoublePair rest;
-};
-Quarters quarters(double x) {
-  if (std::fabs(x) < 0x1p30) {
-    const double k = std::nearbyint(x / kHalfPi);  // 31 bits
-    const DoublePair near = DoublePair{x, 0} - exact_product(k, kHalfPi);
-    return {static_cast<int>(static_cast<std::int64_t>(k) & 3),
-            near - exact_product(k, kHalfPi2) - DoublePair{k * kHalfPi3, 0}};
-  }
-  std::array<double, 2> rest{};
-  const int k = quarters_of_far(x, rest.data());
-  return {k & 3, exact_sum(rest[0], rest[1])};
+// Requires |x| < 2^30.
+Angle angle(double x) {
+  const double k = std::nearbyint(x / kHalfPi);  // 31 bits
+  const DoublePair near = DoublePair{x, 0} - exact_product(k, kHalfPi);
+  return {static_cast<int>(static_cast<std::int64_t>(k) & 3),
+          near - exact_product(k, kHalfPi2) - DoublePair{k * kHalfPi3, 0}};
 }
 
-SinCos sin_cos(double x) {
-  const Quarters angle = quarters(x);
+SinCos sin_cos(const Angle& angle) {
   const SinCos of_r = near_zero(angle.rest);
-  switch (angle.count) {
+  switch (angle.quarters) {
     case 0:
       return of_r;
     case 1:
@@ -89,7 +74,7 @@ SinCos sin_cos(double x) {
 
 // The angle whose sine and cosine have the ratio y : x, from one that is off by about 2^-22.
 double refined(double angle, DoublePair y, DoublePair x) {
-  const SinCos s = sin_cos(angle);
+  const SinCos s = sin_cos(elementary::angle(angle));
   const DoublePair tan = (y * s.cos - x * s.sin) / (x * s.cos + y * s.sin);
   const double t = tan.high, t3 = t * t * t;
   const DoublePair sum = DoublePair{angle, 0} + tan + DoublePair{-t3 / 3 + t3 * t * t / 5, 0};
@@ -113,19 +98,21 @@ DoublePair cosine_of_sine(double v) { return square_root(exact_sum(1, -v) * exac
 
 }  // namespace
 
+double sin(const Angle& angle) { return sin_cos(angle).sin.high; }
+double cos(const Angle& angle) { return sin_cos(angle).cos.high; }
+double tan(const Angle& angle) {
+  const SinCos s = sin_cos(angle);
+  return (s.sin / s.cos).high;
+}
+
 double sin(double x) {
   if (!std::isfinite(x)) return x - x;
-  return std::fabs(x) < kTiny ? x : sin_cos(x).sin.high;
+  return std::fabs(x) < kTiny ? x : sin(angle(x));
 }
-double cos(double x) {
-  if (!std::isfinite(x)) return x - x;
-  return sin_cos(x).cos.high;
-}
+double cos(double x) { return std::isfinite(x) ? cos(angle(x)) : x - x; }
 double tan(double x) {
   if (!std::isfinite(x)) return x - x;
-  if (std::fabs(x) < kTiny) return x;
-  const auto s = sin_cos(x);
-  return (s.sin / s.cos).high;
+  return std::fabs(x) < kTiny ? x : tan(angle(x));
 }
 double atan2(double y, double x) { return angle_of(y, x); }
 double atan(double x) { return angle_of(x, 1); }

@@ -9,18 +9,7 @@
 #include <random>
 #include <vector>
 
-#include "base/elementary.cpp"  // native builds of the library leave it out
-
 namespace dymsum::base::elementary {
-
-int quarters_of_far(double x, double* rest) {  // in place of the C library's of WebAssembly
-  using Long = boost::multiprecision::number<boost::multiprecision::cpp_bin_float<1300>>;
-  const Long quarter = boost::multiprecision::atan(Long(1)) * 2, count = floor(Long(x) / quarter + Long(0.5));
-  const Long left = Long(x) - count * quarter;
-  rest[0] = left.convert_to<double>();
-  rest[1] = Long(left - rest[0]).convert_to<double>();
-  return fmod(fmod(count, Long(4)) + 4, Long(4)).convert_to<int>();
-}
 
 namespace {
 
@@ -87,11 +76,7 @@ TEST(Elementary, ResultsOfTwoNumbersAreTheNearestDoubles) {
   }
 }
 
-TEST(Elementary, FarAnglesAndSpecialValues) {
-  for (const double x : {0x1p30, 1e15, 1e22, 0x1.7p300}) {
-    EXPECT_DOUBLE_EQ(sin(x), std::sin(x));
-    EXPECT_DOUBLE_EQ(cos(x), std::cos(x));
-  }
+TEST(Elementary, SpecialValues) {
   const double infinity = std::numeric_limits<double>::infinity();
   EXPECT_TRUE(std::isnan(sin(infinity)) && std::isnan(cos(-infinity)) && std::isnan(tan(infinity)));
   EXPECT_TRUE(std::isnan(asin(1.5)) && std::isnan(acos(-1.5)));

@@ -144,7 +144,8 @@ std::vector<PlacesAtAngle::PartEnds> PlacesAtAngle::not_reached(const std::vecto
   const WalkSegment first = graph_[line[0]].segment;
   std::vector<std::array<Fraction, 2>> limits;
   for (const std::uint32_t n : line) limits.push_back(limit_along(first, n));
-  std::stable_sort(limits.begin(), limits.end(), [&](const auto& a, const auto& b) { return signs_.compare(a[0], b[0]) < 0; });
+  std::stable_sort(limits.begin(), limits.end(),
+                   [&](const auto& a, const auto& b) { return signs_.compare(a[0], b[0]) < 0; });
   Fraction at = signs_.along(first, y.place), end = signs_.along(first, z.place);
   const bool turned = signs_.compare(end, at) < 0;
   if (turned) std::swap(at, end);

@@ -157,8 +157,9 @@ void SliceGraph::add_column(std::uint32_t column) {
     const auto [a, b] = std::minmax(rank_[map_.edges()[e].from], rank_[map_.edges()[e].to]);
     if (a <= column && b > column) active.push_back(e);
   }
-  std::stable_sort(active.begin(), active.end(),
-                   [&](std::uint32_t e, std::uint32_t f) { return compare_heights(e, f, middle, SliceMap::kNone) < 0; });
+  std::stable_sort(active.begin(), active.end(), [&](std::uint32_t e, std::uint32_t f) {
+    return compare_heights(e, f, middle, SliceMap::kNone) < 0;
+  });
   for (std::size_t k = 0; k <= active.size(); k += 2)
     add_trapezoid(column, k == 0 ? kBottom : active[k - 1], k == active.size() ? kTop : active[k], middle);
 }

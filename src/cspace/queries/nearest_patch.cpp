@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 #include <numbers>
+#include <utility>
 #include <vector>
 
 namespace dymsum::cspace {
@@ -26,8 +27,12 @@ struct Task {
   enum class Kind : std::uint32_t { node, stretch, part };
   double square = 0;  // lower bound
   Kind kind = Kind::node;
-  std::uint32_t index = 0;                                                             // of a node, a stretch or a part
-  friend bool operator<(const Task& a, const Task& b) { return a.square > b.square; }  // least first on a heap
+  std::uint32_t index = 0;  // of a node, a stretch or a part
+  /// Least first on a heap; of equals always the same one, so that of places equally near the same one is found
+  /// everywhere.
+  friend bool operator<(const Task& a, const Task& b) {
+    return a.square != b.square ? a.square > b.square : std::pair(a.kind, a.index) > std::pair(b.kind, b.index);
+  }
 };
 
 // x of a stretch between low and high, best looked at on both sides of `split`.

@@ -83,7 +83,11 @@ class Builder {
     n.theta[k] = middle(box[2]), n.theta_half[k] = half(box[2]);
     n.first[k] = g.first;
     n.count[k] = g.last - g.first;
-    if (n.count[k] <= kLeaf) return;
+    if (n.count[k] <= kLeaf) {
+      // How nth_element leaves them differs from library to library.
+      std::sort(order.begin() + g.first, order.begin() + g.last);
+      return;
+    }
     n.count[k] = 0;
     const std::uint32_t child = n.first[k] = static_cast<std::uint32_t>(nodes_.size());
     nodes_.emplace_back();

@@ -3,6 +3,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "base/elementary.h"
 #include "exact/rounding_bound.h"
 #include "planar/turning/turn.h"
 
@@ -26,7 +27,7 @@ int section(const ExactAngle& a) { return a.chart == 0 ? 1 : sign_of(a.t) > 0 ? 
 constexpr double kTurned = exact::rounding_bound(12, 16), kArc = exact::rounding_bound(2, 4);
 
 double angle_at(double t, int section) {
-  const double theta = 2 * std::atan(t);
+  const double theta = 2 * base::elementary::atan(t);
   return section == 1 ? theta : section == 0 ? theta - std::numbers::pi : theta + std::numbers::pi;
 }
 

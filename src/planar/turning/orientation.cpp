@@ -4,6 +4,7 @@
 #include <numbers>
 #include <stdexcept>
 
+#include "base/elementary.h"
 #include "exact/rational_text.h"
 #include "exact/rounding_bound.h"
 #include "planar/turning/angle_reduction.h"
@@ -16,8 +17,8 @@ using exact::BigInteger;
 using exact::BigRational;
 
 double angle_of(const BigInteger& n, const BigInteger& d) {
-  if (abs(n) <= abs(d)) return 2 * std::atan(exact::round_to_double(BigRational(n) / d));
-  const double rest = 2 * std::atan(exact::round_to_double(BigRational(d) / n));
+  if (abs(n) <= abs(d)) return 2 * base::elementary::atan(exact::round_to_double(BigRational(n) / d));
+  const double rest = 2 * base::elementary::atan(exact::round_to_double(BigRational(d) / n));
   return n.sign() * d.sign() < 0 ? -std::numbers::pi - rest : std::numbers::pi - rest;
 }
 

@@ -26,9 +26,18 @@ export interface EngineStatus {
 }
 
 interface Open {
+  request: Request;
   resolve: (value: never) => void;
   reject: (error: EngineError) => void;
   since: number;
+}
+
+/** The shapes that a request is about. */
+function shapesIn(args: unknown, found = new Set<unknown>()): Set<unknown> {
+  if (typeof args !== 'object' || args === null || ArrayBuffer.isView(args)) return found;
+  if ('name' in args && ('text' in args || 'make' in args)) return found.add(args);
+  for (const part of Object.values(args)) shapesIn(part, found);
+  return found;
 }
 
 const kCancelled: ErrorData = { code: 'cancelled', reason: 'Cancelled.', message: 'Cancelled.', evidence: {} };
@@ -69,22 +78,36 @@ export class Engine {
   /** Rejects with an EngineError: the library's error, or `cancelled`. */
   ask<K extends ServiceName>(service: K, args: Args<K>): Promise<Answer<K>> {
     this.start();
-    const id = ++this.lastId;
+    const request: Request = { id: ++this.lastId, service, args };
     return new Promise<Answer<K>>((resolve, reject) => {
-      this.open.set(id, { resolve, reject, since: performance.now() });
-      const worker = this.worker!;
-      void this.given.then(() => worker.postMessage({ id, service, args } satisfies Request));
+      this.open.set(request.id, { request, resolve, reject, since: performance.now() });
+      this.send(request);
       this.update({});
     });
   }
 
-  /** Ends all open requests, and what the worker kept. */
+  /**
+   * Ends the request that is computed, and those about the same shapes, which would begin the same work again. Others are asked
+   * of the next worker: nobody would ask them again.
+   */
   cancel(): void {
     this.worker?.terminate();
     this.worker = undefined;
-    this.rejectAll(kCancelled);
-    this.update({ state: 'starting' });
+    const oldest = this.open.values().next().value, shapes = [...shapesIn(oldest?.request.args)];
+    const ended = [...this.open.values()].filter(({ request }) => {
+      const about = shapesIn(request.args);
+      return request === oldest?.request || (shapes.length > 0 && shapes.every((shape) => about.has(shape)));
+    });
+    for (const { request } of ended) this.open.delete(request.id);
+    this.update({ state: 'starting', stage: '', fraction: undefined });
     this.start();
+    for (const { request } of this.open.values()) this.send(request);
+    for (const { reject } of ended) reject(new EngineError(kCancelled));
+  }
+
+  private send(request: Request): void {
+    const worker = this.worker!;
+    void this.given.then(() => worker.postMessage(request));
   }
 
   private take(reply: Reply): void {

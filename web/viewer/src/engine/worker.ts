@@ -1,5 +1,5 @@
 // The worker: one module, one request at a time.
-import { DymsumError, load } from 'dymsum';
+import { DymsumError, hasSimd, load } from 'dymsum';
 import { XzReadableStream } from 'xz-decompress';
 import { Host } from './host';
 import type { ErrorData, Reply, Request, Start } from './protocol';
@@ -44,6 +44,7 @@ async function unpacked(xzInBase64: string): Promise<ArrayBuffer> {
 
 async function start({ wasm, simd }: Start): Promise<void> {
   try {
+    if (simd && !hasSimd()) throw new Error('this browser has no vector instructions of WebAssembly, as all have since 2023.');
     const dymsum = await load({ wasmBinary: await unpacked(wasm), simd });
     host = new Host(dymsum, progress);
     reply({ kind: 'ready', version: dymsum.version, simd: dymsum.simd });
