@@ -28,8 +28,9 @@ async function timesOf(page: Page, shown: string, frames: number, move: 'drag' |
       const box = canvas?.getBoundingClientRect();
       const field = (label: string): HTMLInputElement => [...document.querySelectorAll('label')].find((l) => l.textContent.startsWith(label))!.querySelector('input')!;
       const start = box && [box.x + box.width / 2 + (Number(field('x').value) - cx) * zoom, box.y + box.height / 2 - (Number(field('y').value) - cy) * zoom];
+      // Beyond what still counts as a click from the first move on.
       const pointer = (type: string, k: number): boolean | undefined => canvas?.dispatchEvent(new PointerEvent(type, {
-        bubbles: true, pointerId: 1, pointerType: 'mouse', isPrimary: true, buttons: type === 'pointerup' ? 0 : 1, clientX: start![0]! + k / 4, clientY: start![1]! + (k % 9),
+        bubbles: true, pointerId: 1, pointerType: 'mouse', isPrimary: true, buttons: type === 'pointerup' ? 0 : 1, clientX: start![0]! + (k > 0 ? 8 : 0) + k / 4, clientY: start![1]! + (k % 9),
       }));
       if (move === 'drag') {
         canvas!.setPointerCapture = () => undefined; // of pointers that are there

@@ -48,6 +48,7 @@ async function timesOf(page: Page, moving: Moving, frames: number): Promise<numb
       for (let k = 1; times.length < frames; ++k) {
         move(k);
         await new Promise((done) => requestAnimationFrame(done));
+        await new Promise((done) => setTimeout(done)); // input comes between frames, not while one is made
       }
       observer.disconnect();
       if (moving === 'drag') point('pointerup', 10);
