@@ -1,6 +1,6 @@
 // Puts the WebAssembly module and the page's script into the page, packed as text: pages from disk may not fetch.
 import { execFileSync } from 'node:child_process';
-import { existsSync } from 'node:fs';
+import { existsSync, readFileSync } from 'node:fs';
 import { gzipSync } from 'node:zlib';
 import type { Plugin } from 'vite';
 
@@ -23,6 +23,14 @@ export function embedModule(file: string, simd: boolean): Plugin {
       if (!existsSync(file)) throw new Error(`${file} is not there: ./run web builds it.`);
       return [{ tag: 'script', attrs: { type: 'text/plain', id: 'dymsum-wasm', 'data-simd': String(simd) }, children: packedByXz(file), injectTo: 'body' }];
     },
+  };
+}
+
+/** Whose work is in the page, and under which licences, as a comment behind all that is shown. */
+export function tellNotices(file: string): Plugin {
+  return {
+    name: 'tell-notices',
+    transformIndexHtml: (page) => page.replace('</html>', () => `<!--\n${readFileSync(file, 'utf8')}-->\n</html>`),
   };
 }
 
