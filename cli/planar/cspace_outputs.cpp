@@ -32,20 +32,6 @@ Json patch_json(const CspaceObstacle& obstacle, const Patch& p) {
           {"theta1", angle_json(obstacle, p.end)}, {"shell", p.shell}};
 }
 
-const char* kind_name(ObstacleEvent::Kind kind) {
-  switch (kind) {
-    case ObstacleEvent::Kind::alignment:
-      return "alignment";
-    case ObstacleEvent::Kind::vertex_on_segment:
-      return "vertex_on_segment";
-    case ObstacleEvent::Kind::three_segments:
-      return "three_segments";
-    case ObstacleEvent::Kind::tight:
-      break;
-  }
-  return "tight";
-}
-
 /// 0 for what can be left to infinity, others for cavities, so that neighbours differ.
 constexpr std::size_t kShades = 5;
 std::size_t shade_of(const CspaceObstacle& obstacle, std::uint32_t shell) {
@@ -111,7 +97,7 @@ Json obstacle_json(const CspaceObstacle& obstacle) {
   for (const Patch& p : obstacle.patches()) patches.push_back(patch_json(obstacle, p));
   for (std::uint32_t k = 0; k < obstacle.angles().size(); ++k) angles.push_back(angle_json(obstacle, k));
   for (const ObstacleEvent& e : obstacle.events())
-    events.push_back({{"kind", kind_name(e.kind)}, {"angle", e.angle}, {"at", {e.at.x, e.at.y}}});
+    events.push_back({{"kind", name(e.kind)}, {"angle", e.angle}, {"at", {e.at.x, e.at.y}}});
   for (const FreeCell& c : obstacle.free_cells())
     cells.push_back({{"theta0", angle_json(obstacle, c.begin)},
                      {"theta1", angle_json(obstacle, c.end)},

@@ -125,18 +125,6 @@ GivenPath path_of_json(const std::string& file, const Json& json) {
   return poses;
 }
 
-const char* name_of(MotionCheck::Outcome outcome) {
-  switch (outcome) {
-    case MotionCheck::Outcome::free:
-      return "free";
-    case MotionCheck::Outcome::blocked:
-      return "blocked";
-    case MotionCheck::Outcome::undecided:
-      return "undecided";
-  }
-  return "";
-}
-
 const char* kind_of(const PathCheck& check) { return !check.turns ? "translation" : check.moves ? "both" : "rotation"; }
 
 }  // namespace
@@ -176,7 +164,7 @@ Json check_json(const PathCheck& check, const GivenPath& path) {
                {"share", {check.low, check.high}},
                {"at", {check.at.x, check.at.y, check.at.theta}},
                {"contact", contact_json(check.contact)}};
-  return {{"outcome", name_of(check.outcome)}, {"poses", size_of(path)}, {"pieces", check.pieces}, {"first", blocked}};
+  return {{"outcome", name(check.outcome)}, {"poses", size_of(path)}, {"pieces", check.pieces}, {"first", blocked}};
 }
 
 std::string check_text(const PathCheck& check) {
@@ -186,7 +174,7 @@ std::string check_text(const PathCheck& check) {
     return text.str();
   }
   text.precision(10);
-  text << name_of(check.outcome) << ": piece " << check.piece << ", a "
+  text << name(check.outcome) << ": piece " << check.piece << ", a "
        << (check.moves && check.turns ? "translation that turns" : kind_of(check)) << ", at (" << check.at.x << ", "
        << check.at.y << "), theta = " << check.at.theta << ", " << 100 * check.low << " % of it";
   if (check.contact) text << ": " << contact_text(*check.contact);

@@ -37,41 +37,13 @@ struct PathCommand {
   ObstacleInput source;
 };
 
-const char* name_of(Waypoint::Move move) {
-  switch (move) {
-    case Waypoint::Move::start:
-      return "start";
-    case Waypoint::Move::translation:
-      return "translation";
-    case Waypoint::Move::counter_clockwise:
-      return "counter_clockwise";
-    case Waypoint::Move::clockwise:
-      return "clockwise";
-  }
-  return "";
-}
-
-const char* name_of(NoPath::Kind kind) {
-  switch (kind) {
-    case NoPath::Kind::start_not_free:
-      return "start_not_free";
-    case NoPath::Kind::goal_not_free:
-      return "goal_not_free";
-    case NoPath::Kind::separated:
-      return "separated";
-    case NoPath::Kind::undecided:
-      return "undecided";
-  }
-  return "";
-}
-
 Json waypoint_json(const Waypoint& w) {
   return {{"x", w.approx.x},
           {"y", w.approx.y},
           {"theta", w.approx.theta},
           {"tan_half", w.theta.is_half_turn() ? "inf" : w.theta.tan_half().to_string()},
           {"exact", {w.at.x.to_string(), w.at.y.to_string()}},
-          {"move", name_of(w.move)}};
+          {"move", name(w.move)}};
 }
 
 Json component_json(const FreeComponent& c) {
@@ -94,7 +66,7 @@ Json reason_json(const NoPath& reason) {
   Json start = Json::array(), goal = Json::array();
   for (const FreeComponent& c : reason.start) start.push_back(component_json(c));
   for (const FreeComponent& c : reason.goal) goal.push_back(component_json(c));
-  return {{"kind", name_of(reason.kind)},
+  return {{"kind", name(reason.kind)},
           {"text", reason.text},
           {"contact", contact_json(reason.contact)},
           {"start", start},
@@ -158,7 +130,7 @@ void print_margin(const GrownRegion& robot, bool kept) {
 void print_text(const Plan& plan, const GrownRegion& robot) {
   if (!plan.found()) std::cout << plan.reason->text << "\n";
   for (const Waypoint& w : plan.path)
-    std::cout << name_of(w.move) << " (" << w.approx.x << ", " << w.approx.y << "), theta = " << w.approx.theta << "\n";
+    std::cout << name(w.move) << " (" << w.approx.x << ", " << w.approx.y << "), theta = " << w.approx.theta << "\n";
   print_margin(robot, plan.found());
 }
 

@@ -31,24 +31,10 @@ val angles_of(const CspaceObstacle& obstacle) {
   });
 }
 
-std::string event_name(ObstacleEvent::Kind kind) {
-  switch (kind) {
-    case ObstacleEvent::Kind::alignment:
-      return "alignment";
-    case ObstacleEvent::Kind::vertex_on_segment:
-      return "vertex_on_segment";
-    case ObstacleEvent::Kind::three_segments:
-      return "three_segments";
-    case ObstacleEvent::Kind::tight:
-      return "tight";
-  }
-  throw std::logic_error("an event of no kind");
-}
-
 val events_of(const CspaceObstacle& obstacle) {
   return list_of(obstacle.events(), [](const ObstacleEvent& event) {
     val v = val::object();
-    v.set("kind", event_name(event.kind));
+    v.set("kind", std::string(name(event.kind)));
     v.set("angle", event.angle);
     v.set("at", point(event.at));
     return v;

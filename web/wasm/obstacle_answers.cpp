@@ -54,23 +54,9 @@ val clearance_of(const HeldQueries& held, const val& at, const val& options) {
 }
 double gyration_of(const HeldQueries& held) { return held.queries.gyration_radius(); }
 
-std::string move_name(Waypoint::Move move) {
-  switch (move) {
-    case Waypoint::Move::start:
-      return "start";
-    case Waypoint::Move::translation:
-      return "translation";
-    case Waypoint::Move::counter_clockwise:
-      return "counter_clockwise";
-    case Waypoint::Move::clockwise:
-      return "clockwise";
-  }
-  throw std::logic_error("a move of no kind");
-}
-
 val waypoint_data(const Waypoint& waypoint) {
   val v = configuration(waypoint.approx);
-  v.set("move", move_name(waypoint.move));
+  v.set("move", std::string(name(waypoint.move)));
   val exact = exact_point(waypoint.at);
   exact.set("tanHalf", tan_half_text(waypoint.theta));
   v.set("exact", exact);
@@ -103,23 +89,9 @@ val limit_data(const SearchLimit& limit) {
   return v;
 }
 
-std::string reason_name(NoPath::Kind kind) {
-  switch (kind) {
-    case NoPath::Kind::start_not_free:
-      return "start_not_free";
-    case NoPath::Kind::goal_not_free:
-      return "goal_not_free";
-    case NoPath::Kind::separated:
-      return "separated";
-    case NoPath::Kind::undecided:
-      return "undecided";
-  }
-  throw std::logic_error("a reason of no kind");
-}
-
 val reason_data(const NoPath& reason) {
   val v = val::object();
-  v.set("kind", reason_name(reason.kind));
+  v.set("kind", std::string(name(reason.kind)));
   v.set("text", reason.text);
   v.set("contact", contact_or_null(reason.contact));
   v.set("start", list_of(reason.start, component_data));
@@ -147,12 +119,6 @@ val plan_of(const CspaceObstacle& obstacle, const val& start, const val& goal, c
   return v;
 }
 
-std::string outcome_name(MotionCheck::Outcome outcome) {
-  return outcome == MotionCheck::Outcome::free      ? "free"
-         : outcome == MotionCheck::Outcome::blocked ? "blocked"
-                                                    : "undecided";
-}
-
 val checked_path(const Region& robot, const Region& obstacle, const val& poses, const val& options) {
   std::vector<Configuration> path;
   const auto n = poses["length"].as<unsigned>();
@@ -160,7 +126,7 @@ val checked_path(const Region& robot, const Region& obstacle, const val& poses, 
   const PathCheck check = got(check_path(robot, obstacle, path, touching_in(member(options, "touching")), {},
                                          progress_in(member(options, "progress"))));
   val v = val::object();
-  v.set("outcome", outcome_name(check.outcome));
+  v.set("outcome", std::string(name(check.outcome)));
   v.set("piece", static_cast<double>(check.piece));
   v.set("low", check.low);
   v.set("high", check.high);
