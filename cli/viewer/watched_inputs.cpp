@@ -17,13 +17,16 @@ WatchedInputs::WatchedInputs(std::vector<std::string> operands, const InputOptio
 }
 
 WatchedInputs::Stamp WatchedInputs::stamp_of(const std::string& operand) const {
-  if (operand == "-" || is_footprint(operand)) return {{}, 0, true};
+  if (operand == "-" || is_footprint(operand)) return {};
   const std::string file = file_of_operand(operand);
   std::error_code unknown;
   Stamp stamp;
+  // What is no file, as the end of a pipe, is read once: there it may take for ever.
+  if (!fs::is_regular_file(file, unknown)) return {};
   stamp.time = fs::last_write_time(file, unknown);
   stamp.size = fs::file_size(file, unknown);
-  if (unknown) return stamp;
+  if (unknown) return {};
+  stamp.is_file = true;
   stamp.settled = fs::file_time_type::clock::now() - stamp.time > std::chrono::seconds(1);
   return stamp;
 }
@@ -32,7 +35,7 @@ std::vector<std::size_t> WatchedInputs::take_changes() {
   std::vector<std::size_t> changed;
   for (std::size_t i = 0; i < operands_.size(); ++i) {
     const Stamp now = stamp_of(operands_[i]);  // before the file is read: what is written later has a later one
-    if (stamps_[i].settled && now.time == stamps_[i].time && now.size == stamps_[i].size) continue;
+    if (!now.is_file || (stamps_[i].settled && now.time == stamps_[i].time && now.size == stamps_[i].size)) continue;
     try {
       ViewerInput input = viewer_input(operands_[i], options_);
       stamps_[i] = now;

@@ -11,7 +11,7 @@
 
 namespace dymsum::cli {
 
-/// Standard input and footprints never change.
+/// Standard input, footprints and what is no regular file never change.
 class WatchedInputs {
  public:
   /// Reads all of them; stops with bad input as viewer_input does.
@@ -30,6 +30,7 @@ class WatchedInputs {
     std::filesystem::file_time_type time;
     std::uintmax_t size = 0;
     bool settled = false;
+    bool is_file = false;
   };
   Stamp stamp_of(const std::string& operand) const;
 

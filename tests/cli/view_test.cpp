@@ -192,6 +192,17 @@ TEST_F(View, AFileThatIsGoneForAWhileChangesNothing) {
   EXPECT_EQ(data(served)["inputs"][0]["text"], kSquare);
 }
 
+TEST_F(View, AFileThatBecomesAPipeOrADeviceChangesNothing) {
+  Served served(work, {"peg.wkt", "slot.wkt"});
+  EXPECT_EQ(work.run("rm peg.wkt slot.wkt; mkfifo peg.wkt; ln -s /dev/zero slot.wkt; sleep 0.8").code, 0);
+  EXPECT_EQ(data(served)["revision"], 0);
+  EXPECT_EQ(data(served)["inputs"][0]["text"], kPeg);
+  work.write("new.wkt", kSquare);
+  EXPECT_EQ(work.run("mv new.wkt peg.wkt").code, 0);
+  EXPECT_NE(events_until(served, "change", "/events?revision=0").find("\"revision\": 1"), std::string::npos);
+  EXPECT_EQ(data(served)["inputs"][0]["text"], kSquare);
+}
+
 TEST_F(View, SignalsEndItWhileStreamsAreOpen) {
   for (const int signal : {SIGINT, SIGTERM, SIGHUP}) {
     Served served(work, {"slot.wkt"});

@@ -80,8 +80,8 @@ const std::vector<std::string> kOtherRooms = {
 /// system has for files and terminals is in `base` and `cli`: elsewhere another system finds nothing to replace.
 const std::map<std::string, std::vector<std::string>> kForeign = {
     {"base",
-     {"tbb/", "oneapi/", "fast_float/", "fmt/", "emmintrin.h", "fcntl.h", "pthread.h", "sys/file.h", "sys/stat.h",
-      "unistd.h"}},  // the compiler's own: vector registers, where it has them
+     {"tbb/", "oneapi/", "fast_float/", "fmt/", "emmintrin.h", "wasm_simd128.h", "fcntl.h", "pthread.h", "sys/file.h",
+      "sys/stat.h", "unistd.h"}},  // the compiler's own: vector registers, where it has them
     {"exact", {"boost/multiprecision/"}},
     {"planar", {"emmintrin.h"}},
     {"spatial", {"emmintrin.h"}},
