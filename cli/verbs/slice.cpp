@@ -87,7 +87,13 @@ void add_slice(CLI::App& app, Action& action) {
       ->type_name("Z");
   verb.add_flag("--reflect", command->reflect, "Solids: of P + -Q instead of P + Q");
   verb.callback([command, &action] {
-    action = with_viewer(slice_verb(), command->sum, [command] { return run_slice(*command); });
+    action = [command] {
+      SumVerb shown = slice_verb();
+      // The tangent that was taken for its simplicity; others the page finds by itself.
+      if (command->error && !are_solid(command->sum.operands, command->sum.input))
+        shown.orientation = asked_orientation(*command);
+      return with_viewer(shown, command->sum, [command] { return run_slice(*command); })();
+    };
   });
 }
 

@@ -109,7 +109,14 @@ void add_sum_verb(CLI::App& app, const SumVerb& verb, Action& action) {
 }
 
 Action with_viewer(const SumVerb& verb, SumCommand& command, const Action& action) {
-  const ViewerPage page{command.parser, verb.page, verb.solid_page};
+  ViewerPage page{command.parser, verb.page, verb.solid_page, Json::object()};
+  if (verb.orientation) {
+    const Orientation& theta = *verb.orientation;
+    page.instead = {{"tan-half", theta.is_half_turn() ? "inf" : theta.tan_half().to_string()},
+                    {"angle", nullptr},
+                    {"degrees", nullptr},
+                    {"error", nullptr}};
+  }
   return [page, &command, action] {
     std::vector<std::string> operands = command.operands;
     operands.insert(operands.end(), command.more.begin(), command.more.end());

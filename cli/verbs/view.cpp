@@ -1,7 +1,10 @@
 // dymsum view FILES
 #include <CLI/CLI.hpp>
+#include <algorithm>
+#include <filesystem>
 #include <iostream>
 #include <memory>
+#include <system_error>
 
 #include "options.h"
 #include "solid/solid_operands.h"
@@ -63,6 +66,12 @@ void check_inputs(const ViewCommand& command, const std::string& page) {
 /// Tells which files changed, and what is wrong with them now.
 void tell_changes(const ViewCommand& command, const std::string& page, const std::vector<std::size_t>& changed) {
   for (const std::size_t i : changed) std::cerr << command.files[i] << " has changed\n";
+  // What another file has become meanwhile, as the end of a pipe, may take for ever to read.
+  const auto is_there = [](const std::string& file) {
+    std::error_code unknown;
+    return file == "-" || is_footprint(file) || std::filesystem::is_regular_file(file_of_operand(file), unknown);
+  };
+  if (!std::all_of(command.files.begin(), command.files.end(), is_there)) return;
   try {
     check_inputs(command, page);
   } catch (const Stop& stop) {

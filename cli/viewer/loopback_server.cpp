@@ -137,9 +137,8 @@ class LoopbackServer::State {
   /// Only requests that were meant for this server: a page of another site can reach the loopback, by a name of its own
   /// that leads here, but not under the name of the loopback.
   Judgement judge(const httplib::Request& request, httplib::Response& response) const {
-    const std::string host = request.get_header_value("Host"), port = ":" + std::to_string(port_);
-    if (request.get_header_value_count("Host") != 1 || (host != kHost + port && host != "localhost" + port)) {
-      refuse(response, 403, "This server answers only as " + (kHost + port) + ".");
+    if (request.get_header_value_count("Host") != 1 || !is_mine(request.get_header_value("Host"))) {
+      refuse(response, 403, "This server answers only as " + std::string(kHost) + ":" + std::to_string(port_) + ".");
       return Judgement::Handled;
     }
     if (request.method != "GET" && request.method != "HEAD") {
@@ -148,6 +147,13 @@ class LoopbackServer::State {
       return Judgement::Handled;
     }
     return Judgement::Unhandled;
+  }
+
+  /// Of the port that http stands for, browsers leave the number out.
+  bool is_mine(const std::string& host) const {
+    const std::string port = ":" + std::to_string(port_);
+    const auto named = [&](const std::string& name) { return host == name + port || (port_ == 80 && host == name); };
+    return named(kHost) || named("localhost");
   }
 
   Text shown(Text State::*text) const {

@@ -53,6 +53,7 @@ ExitCode run_with_pages(const ViewerPage& page, const std::vector<std::string>& 
   data.page = page_of(page, operands, input);
   for (const std::string& operand : operands) data.inputs.push_back(viewer_input(operand, input));
   data.parameters = viewer_parameters(*page.verb);
+  data.parameters.merge_patch(page.instead);
   return run_and_write(viewer_with(viewer, viewer_json(data)), files, action);
 }
 

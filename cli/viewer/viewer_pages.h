@@ -22,7 +22,8 @@ bool is_page(const std::string& file);
 /// What the viewer shows of a command.
 struct ViewerPage {
   const CLI::App* verb = nullptr;
-  std::string planar, solid;  ///< the page for operands of either kind; empty: there is none
+  std::string planar, solid;      ///< the page for operands of either kind; empty: there is none
+  Json instead = Json::object();  ///< parameters that go before the options as they were given; null leaves one out
 };
 
 /// Runs an action that writes `files`, and takes those that end in .html out of them first: when it has ended, and the

@@ -40,10 +40,12 @@ std::vector<BoundaryPiece> boundary_pieces(const PlanarSum& sum) {
   return pieces;
 }
 
+// Along the edge in units of its length: squares of short ones underflow, those of long ones overflow.
 double rough_distance(Point a, Point b, Point z) {
-  const double dx = b.x - a.x, dy = b.y - a.y, size = dx * dx + dy * dy;
-  double t = size > 0 ? ((z.x - a.x) * dx + (z.y - a.y) * dy) / size : 0;
-  t = std::clamp(t, 0.0, 1.0);
+  const double dx = b.x - a.x, dy = b.y - a.y, size = std::max(std::abs(dx), std::abs(dy));
+  if (!(size > 0)) return std::hypot(a.x - z.x, a.y - z.y);
+  const double u = dx / size, w = dy / size;
+  const double t = std::clamp(((z.x - a.x) * u + (z.y - a.y) * w) / (u * u + w * w) / size, 0.0, 1.0);
   return std::hypot(a.x + t * dx - z.x, a.y + t * dy - z.y);
 }
 
@@ -105,7 +107,8 @@ PlanarDistance PlanarDepth::at(Point q_moved_by) const {
     rough.push_back(rough_distance(piece.from->at, piece.to->at, z));
     bound = std::min(bound, rough.back());
   }
-  const double off = 4 * sum_->at_error + reach * 0x1p-24;
+  constexpr double kSubnormal = 0x1p-1070;  // what is that small has few digits
+  const double off = 4 * sum_->at_error + reach * 0x1p-24 + kSubnormal;
   const PlaneVector from{exact::exact_value(z.x), exact::exact_value(z.y)};
   struct Nearest {
     PlaneVector move;

@@ -46,6 +46,7 @@ TEST_F(ViewerPage, EveryVerbTellsItsPageInputsAndOptions) {
       {"rotate cube.off wedge.off --steps 2 --axis 1,2,3", {"solids", {{"steps", "2"}, {"axis", "1,2,3"}}}},
       {"cspace peg.wkt slot.wkt", {"obstacle", Json::object()}},
       {"slice peg.wkt slot.wkt --tan-half 1/3", {"obstacle", {{"tan-half", "1/3"}}}},
+      {"slice peg.wkt slot.wkt --degrees 30 --error 0.01", {"obstacle", {{"tan-half", "3/11"}}}},
       {"slice cube.off wedge.off --z 0.5 --reflect", {"solids", {{"z", "0.5"}, {"reflect", true}}}},
       {"depth cube.off wedge.off --move 0.5,0,0", {"solids", {{"move", "0.5,0,0"}}}},
       {"depth peg.wkt slot.wkt", {"sum", Json::object()}},

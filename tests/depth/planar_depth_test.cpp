@@ -59,6 +59,25 @@ TEST(PlanarDepth, the_way_out_separates_and_no_shorter_one_does) {
   EXPECT_GT(overlapping, 10);
 }
 
+// Squares of lengths below 2^-537 underflow, above 2^512 they overflow: both once chose edges that are not the nearest.
+TEST(PlanarDepth, shapes_of_any_size_have_the_same_depth_but_for_their_size) {
+  for (const int k : {-1070, -1000, -830, -700, -545, -540, -537, -500, 0, 500, 510, 900, 990}) {
+    const double s = std::ldexp(1.0, k);
+    const auto scaled = [&](Ring ring) {
+      for (Point& at : ring) at = {s * at.x, s * at.y};
+      return region({{ring, {}}});
+    };
+    const Region slot = scaled({{0, 0}, {4, 0}, {4, 4}, {3, 4}, {3, 1}, {1, 1}, {1, 4}, {0, 4}});
+    const Region peg = scaled({{0, 0}, {2, 0}, {2, 1}, {0, 1}});
+    const PlanarDistance d = PlanarDepth::create(slot, peg).value().at({0, 0});
+    const Rational unit = Rational::of(s).value();
+    EXPECT_EQ(d.squared, unit * unit) << "2^" << k;
+    EXPECT_EQ(d.distance, s) << "2^" << k;
+    ASSERT_EQ(d.ways.size(), 1U) << "2^" << k;
+    EXPECT_EQ(d.ways[0].direction, (Point{0, -1}));
+  }
+}
+
 TEST(PlanarDepth, what_has_no_area_is_refused) {
   EXPECT_EQ(PlanarDepth::create(square(1), Region()).error().code, ErrorCode::no_area);
   const Region wire = Region::create({{}, {{{0, 0}, {1, 1}}}, {}}).value();

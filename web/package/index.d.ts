@@ -87,7 +87,7 @@ export interface RunOptions {
   /** Files that the command can read, by their paths: "a.poly", "data/b.wkt". */
   files?: Record<string, string | Uint8Array | ArrayBuffer>;
   stdin?: string | Uint8Array;
-  /** What goes to standard error, as it is written: progress among it, with `--progress`. */
+  /** What goes to standard error, as it is written: progress among it, with `--progress`. What it throws is lost. */
   onStderr?: (text: string) => void;
 }
 
@@ -98,7 +98,7 @@ export interface RunResult {
   stderr: string;
   /** standard output byte by byte: a .glb written to "-" is no text */
   stdoutBytes: Uint8Array;
-  /** The files that the command wrote or changed. */
+  /** The files that the command made, and those whose content it changed. */
   files: Record<string, Uint8Array>;
 }
 

@@ -13,7 +13,8 @@ const inNode = typeof process === 'object' && Boolean(process.versions?.node) &&
 
 async function bytesAt(url) {
   if (inNode && url.protocol === 'file:') {
-    const { readFile } = await import(/* @vite-ignore */ 'node:fs/promises');
+    const files = 'node:fs/promises'; // bundlers for browsers, which have no such module, look for literals
+    const { readFile } = await import(/* @vite-ignore */ files);
     return readFile(url);
   }
   const response = await fetch(url);
@@ -40,15 +41,15 @@ async function buildAt(urls, wish) {
  * JavaScript; `given` its bytes, for a caller that has them, else they are at `urls`.
  */
 export async function startWith(create, { urls, given, simd }) {
-  const build = given ? { bytes: given, simd: simd ?? hasSimd() } : await buildAt(urls, simd);
+  const build = given ? { bytes: given, simd: simd ?? false } : await buildAt(urls, simd);
   const module = await WebAssembly.compile(build.bytes);
   const start = (settings) =>
     new Promise((done, failed) => {
       const instantiateWasm = (imports, receive) => {
-        WebAssembly.instantiate(module, imports).then((instance) => receive(instance, module), failed);
+        WebAssembly.instantiate(module, imports).then((instance) => receive(instance, module)).catch(failed);
         return {};
       };
       create({ ...settings, instantiateWasm }).then(done, failed);
     });
-  return { simd: build.simd, start };
+  return { simd: Boolean(build.simd), start };
 }

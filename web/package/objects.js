@@ -1,5 +1,5 @@
 // The live objects: classes and functions of web/wasm with their errors thrown, under the names of index.d.ts.
-import { throwing } from './errors.js';
+import { DymsumError, throwing, throwingGetter, whenIdle } from './errors.js';
 
 const classes = [
   'Region', 'PlanarSum', 'ScalingSum', 'RotatingSum', 'PlanarDepth', 'CspaceObstacle', 'ObstacleQueries', 'Mesh', 'SpatialSum',
@@ -20,16 +20,19 @@ const solids = [
 ];
 
 function bound(object) {
-  for (const name of Object.getOwnPropertyNames(object)) {
-    const value = Object.getOwnPropertyDescriptor(object, name).value;
+  for (const [name, property] of Object.entries(Object.getOwnPropertyDescriptors(object))) {
+    const { value, get, configurable } = property;
     if (typeof value === 'function' && value.argCount !== undefined) object[name] = throwing(value);
+    else if (get && configurable) Object.defineProperty(object, name, { ...property, get: throwingGetter(get) });
   }
 }
 
-/** dispose() may be called more than once; copies of a handle are not made. */
+/** dispose() may be called more than once, also while the object is at work; copies of a handle are not made. */
 function disposable(handles) {
   handles.dispose = function () {
-    if (!this.isDeleted()) this.delete();
+    whenIdle(() => {
+      if (!this.isDeleted()) this.delete();
+    });
   };
   if (Symbol.dispose) handles[Symbol.dispose] = handles.dispose;
 }
@@ -65,7 +68,15 @@ function joined(made, calls) {
   });
   /** One name for regions and for solids. */
   const either = (ofRegions, ofMeshes) => (p, ...rest) => (p instanceof Mesh ? ofMeshes : ofRegions)(p, ...rest);
+  /** An element that is no region would be found in the midst of the work, and what was copied till then be lost. */
+  const unionOf = (regions, options) => {
+    const all = Array.from(regions ?? []);
+    if (all.every((region) => region instanceof made.Region)) return calls.unionOf(all, options);
+    const reason = 'unionOf takes a list of regions';
+    throw new DymsumError({ code: 'invalid_argument', reason, message: reason, evidence: {} });
+  };
   return {
+    unionOf,
     minkowskiSum: either(calls.sumOfRegions, calls.sumOfMeshes),
     contains: either(calls.regionContains, calls.meshContains),
     erode: either(calls.erode, calls.erodeMeshes),

@@ -1,12 +1,13 @@
 // The command line, with files in memory. Its module is loaded when it is first called. Every call has an instance to
 // itself: nothing is left of the one before, and what it held is given back.
+import { DymsumError } from './errors.js';
 import { at, startWith } from './module.js';
 
 const folder = '/files';
 
 function bytesOf(content) {
   if (typeof content === 'string') return new TextEncoder().encode(content);
-  return content instanceof ArrayBuffer ? new Uint8Array(content) : content;
+  return ArrayBuffer.isView(content) ? content : new Uint8Array(content); // a buffer, of this realm or another one
 }
 
 /** Bytes that come one by one. */
@@ -28,19 +29,35 @@ class Collected {
   }
 }
 
-const absolute = (path) => (path.startsWith('/') ? path : `${folder}/${path}`);
+/** As the file system names it: without "." and "..", below the folder that commands run in where it is relative. */
+function absolute(path) {
+  const parts = [];
+  for (const part of `${path.startsWith('/') ? '' : folder}/${path}`.split('/')) {
+    if (part === '..') parts.pop();
+    else if (part !== '' && part !== '.') parts.push(part);
+  }
+  return `/${parts.join('/')}`;
+}
+
+function refused(reason) {
+  return new DymsumError({ code: 'invalid_argument', reason, message: reason, evidence: {} });
+}
 
 function writeFiles(FS, files) {
   FS.mkdirTree(folder);
   FS.chdir(folder);
   for (const [path, content] of Object.entries(files)) {
     const at = absolute(path);
-    FS.mkdirTree(at.slice(0, at.lastIndexOf('/')) || '/');
-    FS.writeFile(at, bytesOf(content));
+    try {
+      FS.mkdirTree(at.slice(0, at.lastIndexOf('/')) || '/');
+      FS.writeFile(at, bytesOf(content));
+    } catch {
+      throw refused(`no file can have the name "${path}"`);
+    }
   }
 }
 
-const systems = new Set(['/dev', '/proc', '/home', '/tmp']);
+const systems = new Set(['/dev', '/proc']);
 
 /** Paths of all files below a folder, by what their caller calls them. */
 function* filesBelow(FS, at) {
@@ -79,6 +96,7 @@ function lineTeller(tell) {
 }
 
 async function run(start, args, { files = {}, stdin = '', onStderr } = {}) {
+  if (args.some((arg) => arg.includes('\0'))) throw refused('an argument of a command has no character of code 0');
   const input = bytesOf(stdin);
   const stdout = new Collected();
   const stderr = new Collected();

@@ -1,12 +1,20 @@
 #include "arrays.h"
 
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+
+#include "options.h"
+
 namespace dymsum::web {
 namespace {
 
 template <class T>
 std::vector<T> plain_numbers(const val& array) {
   if (array.isUndefined() || array.isNull()) return {};
-  const auto n = array["length"].as<std::size_t>();
+  const double length = array["length"].as<double>();
+  if (!(length >= 0 && length <= 0x1p28)) throw Thrown{{ErrorCode::malformed, "this is no list of numbers", {}}};
+  const auto n = static_cast<std::size_t>(length);
   const bool nested = n > 0 && array[0].typeOf().as<std::string>() == "object";
   return emscripten::convertJSArrayToNumberVector<T>(nested ? array.call<val>("flat") : array);
 }
@@ -14,7 +22,28 @@ std::vector<T> plain_numbers(const val& array) {
 }  // namespace
 
 std::vector<double> numbers_in(const val& array) { return plain_numbers<double>(array); }
-std::vector<std::uint32_t> indices_in(const val& array) { return plain_numbers<std::uint32_t>(array); }
+
+std::uint32_t index_in(double number) {
+  if (!(number >= 0 && number < 0x1p32 - 1 && number == std::floor(number)))
+    throw Thrown{{ErrorCode::bad_index, "an index is an integer from 0 on", {}}};
+  return static_cast<std::uint32_t>(number);
+}
+std::vector<std::uint32_t> indices_in(const val& array) {
+  std::vector<std::uint32_t> indices;
+  for (const double number : plain_numbers<double>(array)) indices.push_back(index_in(number));
+  return indices;
+}
+
+void check_finite(std::initializer_list<double> coordinates) {
+  for (const double x : coordinates)
+    if (!std::isfinite(x)) throw Thrown{{ErrorCode::not_finite, "a place has finite numbers as coordinates", {}}};
+}
+
+std::size_t bits_in(const val& bits) {
+  const double most = is_none(bits) ? 0x1p20 : bits.as<double>();
+  if (!(most >= 0)) throw std::invalid_argument("a number of bits is not negative");
+  return static_cast<std::size_t>(std::min(most, 0x1p31));
+}
 
 Ring points_in(const val& coordinates) {
   const std::vector<double> numbers = numbers_in(coordinates);
@@ -38,7 +67,15 @@ val point(const Point3& at) {
   return v;
 }
 
-Point point_in(const val& at) { return {at["x"].as<double>(), at["y"].as<double>()}; }
-Point3 point3_in(const val& at) { return {at["x"].as<double>(), at["y"].as<double>(), at["z"].as<double>()}; }
+Point point_in(const val& at) {
+  const Point place{at["x"].as<double>(), at["y"].as<double>()};
+  check_finite({place.x, place.y});
+  return place;
+}
+Point3 point3_in(const val& at) {
+  const Point3 place{at["x"].as<double>(), at["y"].as<double>(), at["z"].as<double>()};
+  check_finite({place.x, place.y, place.z});
+  return place;
+}
 
 }  // namespace dymsum::web

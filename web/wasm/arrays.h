@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <initializer_list>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -32,7 +33,14 @@ val list_of(const Range& range, Make made) {
 
 /// Float64Array, array of numbers or array of arrays of numbers.
 std::vector<double> numbers_in(const val& array);
+/// An index or a count as JavaScript gives it, where embind would wrap what is too large and cut what is no integer.
+/// Error bad_index.
+std::uint32_t index_in(double number);
 std::vector<std::uint32_t> indices_in(const val& array);
+/// A place of finite coordinates. Error not_finite.
+void check_finite(std::initializer_list<double> coordinates);
+/// The number of bits that an exact answer may have; a mebibit where nothing is told.
+std::size_t bits_in(const val& bits);
 /// Two numbers each. Error malformed where there is half of one.
 Ring points_in(const val& coordinates);
 

@@ -3,7 +3,20 @@
 
 #include <string>
 
+#include "bind.h"
+
 namespace dymsum::web {
+
+/// What `action` gives; its errors name the file, also those about the shape that it holds.
+template <class Action>
+auto in_file(const std::string& name, Action action) {
+  try {
+    return action();
+  } catch (Thrown& thrown) {
+    if (thrown.error.evidence.file.empty()) thrown.error.evidence.file = name;
+    throw;
+  }
+}
 
 /// A file of the module's file system, as long as this lives. The name may have folders in front and, for one shape of
 /// several, "#NAME" behind.

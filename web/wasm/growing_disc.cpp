@@ -13,7 +13,7 @@ DiscSide side_in(const val& v) {
 }
 
 DiscRadius radius_in(const val& v) {
-  if (v.typeOf().as<std::string>() == "object") return DiscRadius::at_event(v["event"].as<std::uint32_t>());
+  if (v.typeOf().as<std::string>() == "object") return DiscRadius::at_event(index_in(v["event"].as<double>()));
   return {rational_in(v)};
 }
 

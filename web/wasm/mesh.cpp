@@ -4,6 +4,7 @@
 #include <span>
 
 #include "arrays.h"
+#include "file.h"
 #include "options.h"
 
 namespace dymsum::web {
@@ -50,7 +51,7 @@ Mesh valid(MeshData data, const val& options) {
 }
 
 SharedMesh read(const std::string& name, const std::string& bytes, const val& options) {
-  return shared(valid(parsed(name, bytes), options));
+  return in_file(name, [&] { return shared(valid(parsed(name, bytes), options)); });
 }
 SharedMesh from_data(const val& data, const val& options) { return shared(valid(data_in(data), options)); }
 

@@ -126,11 +126,14 @@ val outline_of(const CspaceObstacle& obstacle, const val& angle) {
 }
 
 bool contains_of(const CspaceObstacle& obstacle, double x, double y, const val& angle) {
+  check_finite({x, y});
   return obstacle.contains(x, y, orientation_in(angle));
 }
 bool may_have_tight_curves(const CspaceObstacle& obstacle) { return obstacle.may_have_tight_curves(); }
 
-val patch_ends(const CspaceObstacle& obstacle, std::uint32_t patch, double theta) {
+val patch_ends(const CspaceObstacle& obstacle, double index, double theta) {
+  const std::uint32_t patch = index_in(index);
+  check_finite({theta});
   if (patch >= obstacle.patches().size()) throw Thrown{{ErrorCode::bad_index, "the obstacle has no such patch", {}}};
   return list_of(obstacle.ends(obstacle.patches()[patch], theta), [](Point at) { return point(at); });
 }
@@ -198,7 +201,9 @@ val configuration(const Configuration& at) {
 }
 
 Configuration configuration_in(const val& v) {
-  return {v["x"].as<double>(), v["y"].as<double>(), v["theta"].as<double>()};
+  const Configuration at{v["x"].as<double>(), v["y"].as<double>(), v["theta"].as<double>()};
+  check_finite({at.x, at.y, at.theta});
+  return at;
 }
 
 Touching touching_in(const val& v) {

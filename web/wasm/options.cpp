@@ -1,5 +1,8 @@
 #include "options.h"
 
+#include <algorithm>
+#include <stdexcept>
+
 #include <array>
 
 namespace dymsum::web {
@@ -47,7 +50,9 @@ SpatialOptions spatial_options(const val& v) {
   options.semantics = semantics_in(member(v, "semantics"));
   options.tight = member_or(v, "tight", true);
   options.threads = 1;
-  options.memory = static_cast<std::uint64_t>(member_or(v, "memory", 0.0));
+  const double memory = member_or(v, "memory", 0.0);
+  if (!(memory >= 0)) throw std::invalid_argument("a limit of memory is not negative");
+  options.memory = static_cast<std::uint64_t>(std::min(memory, 0x1p60));
   options.progress = progress_in(member(v, "progress"));
   return options;
 }

@@ -85,8 +85,7 @@ val trace_of(const PlanarSum& sum) {
 }
 
 val area_exact_of(const PlanarSum& sum, const val& bits) {
-  const double most = is_none(bits) ? 0x1p20 : bits.as<double>();
-  const auto area = sum.area_exact_within(static_cast<std::size_t>(most));
+  const auto area = sum.area_exact_within(bits_in(bits));
   return area ? val(area->to_string()) : val::null();
 }
 
@@ -97,9 +96,7 @@ std::shared_ptr<Region> rounded_of(const PlanarSum& sum, const val& options) {
 val shape_of(const PlanarSum& sum) { return sum_shape(sum); }
 double area_of(const PlanarSum& sum) { return sum.area(); }
 std::string area_text_of(const PlanarSum& sum) { return area_text(sum); }
-val exact_of(const PlanarSum& sum, double vertex) {
-  return exact_point(sum.exact(vertex_at(sum, static_cast<std::size_t>(vertex))));
-}
+val exact_of(const PlanarSum& sum, double vertex) { return exact_point(sum.exact(vertex_at(sum, index_in(vertex)))); }
 bool equal(const PlanarSum& a, const PlanarSum& b) { return a == b; }
 std::string formatted(const PlanarSum& sum, const std::string& format) {
   return format_sum(sum, got(sum.rounded_with_repair()).region, region_format_in(format));

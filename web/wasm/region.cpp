@@ -41,7 +41,8 @@ Region region_of(RegionData data, bool mend) {
 
 SharedRegion read(const std::string& name, const std::string& bytes, const val& options) {
   const FileInMemory file(name, bytes);
-  return shared(region_of(got(read_region_data(file.path())), member_or(options, "repair", false)));
+  return in_file(
+      name, [&] { return shared(region_of(got(read_region_data(file.path())), member_or(options, "repair", false))); });
 }
 
 std::vector<NamedShape> shapes_in(const std::string& name, const std::string& bytes) {
@@ -59,7 +60,7 @@ val named(const std::string& name, const char* field, const val& value) {
 val read_all(const std::string& name, const std::string& bytes, const val& options) {
   const bool mend = member_or(options, "repair", false);
   return list_of(shapes_in(name, bytes), [&](const NamedShape& shape) {
-    return named(shape.name, "region", val(shared(region_of(shape.data, mend))));
+    return named(shape.name, "region", in_file(name, [&] { return val(shared(region_of(shape.data, mend))); }));
   });
 }
 

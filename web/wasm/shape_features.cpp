@@ -65,8 +65,8 @@ val bridge_data(const AlphaBridge& bridge) {
 }
 
 val bars_of(const ShapeFeatures& features) { return list_of(features.bars(), bar_data); }
-double alpha_of(const ShapeFeatures& features, std::uint32_t event) { return features.event_alpha(event); }
-std::string text_of(const ShapeFeatures& features, std::uint32_t event) { return features.event_text(event); }
+double alpha_of(const ShapeFeatures& features, double event) { return features.event_alpha(index_in(event)); }
+std::string text_of(const ShapeFeatures& features, double event) { return features.event_text(index_in(event)); }
 val bridges_of(const ShapeFeatures& features, const val& alpha) {
   return list_of(got(features.bridges(rational_in(alpha))), bridge_data);
 }

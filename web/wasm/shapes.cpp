@@ -3,6 +3,10 @@
 
 #include <emscripten/heap.h>
 
+#include <cmath>
+#include <stdexcept>
+#include <type_traits>
+
 #include "arrays.h"
 #include "dymsum/solids.h"
 #include "dymsum/version.h"
@@ -12,21 +16,37 @@ namespace {
 
 using emscripten::function;
 
+/// A number as a generator takes it: counts are integers, which embind would wrap where they are too large.
+template <class T>
+T number_in(double number) {
+  if constexpr (std::is_floating_point_v<T>) {
+    return number;
+  } else {
+    if (!(std::abs(number) <= 0x1p28 && number == std::floor(number)))
+      throw std::invalid_argument("a count is an integer of at most 2^28");
+    return static_cast<T>(number);
+  }
+}
+
+template <class>
+using AsDouble = double;
+
 /// `make` of numbers, as a handle.
 template <auto make>
 struct Made;
 template <class R, class... A, R (*make)(A...)>
 struct Made<make> {
-  static std::shared_ptr<R> call(A... numbers) { return shared(make(numbers...)); }
+  static std::shared_ptr<R> call(AsDouble<A>... numbers) { return shared(make(number_in<A>(numbers)...)); }
 };
 template <auto make>
 constexpr auto made = guarded<&Made<make>::call>;
 
-std::shared_ptr<Region> noisy_star(int vertices, double noise, double seed) {
-  return shared(shapes::noisy_star(vertices, noise, static_cast<std::uint64_t>(seed)));
+std::shared_ptr<Region> noisy_star(double vertices, double noise, double seed) {
+  return shared(shapes::noisy_star(number_in<int>(vertices), noise, static_cast<std::uint64_t>(seed)));
 }
-std::shared_ptr<Region> random_polygon(int vertices, int holes, double seed) {
-  return shared(shapes::random_polygon(vertices, holes, static_cast<std::uint64_t>(seed)));
+std::shared_ptr<Region> random_polygon(double vertices, double holes, double seed) {
+  return shared(
+      shapes::random_polygon(number_in<int>(vertices), number_in<int>(holes), static_cast<std::uint64_t>(seed)));
 }
 std::shared_ptr<Mesh> prism(const val& base, double height) { return shared(solids::prism(points_in(base), height)); }
 

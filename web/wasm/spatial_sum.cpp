@@ -50,8 +50,7 @@ val stats_of(const SpatialSum& sum) {
 double volume_of(const SpatialSum& sum) { return sum.volume(); }
 double area_of(const SpatialSum& sum) { return sum.area(); }
 val volume_exact_of(const SpatialSum& sum, const val& bits) {
-  const double most = is_none(bits) ? 0x1p20 : bits.as<double>();
-  const auto volume = sum.volume_exact_within(static_cast<std::size_t>(most));
+  const auto volume = sum.volume_exact_within(bits_in(bits));
   return volume ? val(volume->to_string()) : val::null();
 }
 val exact_of(const SpatialSum& sum, double vertex) {

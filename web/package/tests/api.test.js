@@ -2,6 +2,7 @@
 import assert from 'node:assert/strict';
 import { readFileSync } from 'node:fs';
 import { test } from 'node:test';
+import { runInNewContext } from 'node:vm';
 
 import { DymsumError, load, NONE } from '../index.js';
 
@@ -417,4 +418,46 @@ test('many points in a sum, and scales of solids', () => {
   assert.deepEqual(range.free.map(({ low, high }) => [low, high]), [[null, '2/1']]);
   const path = dymsum.scaleRange(solids.box(-1, -1, -1, 1, 1, 1), [[-9, 0, 0], [9, 0, 0]], solids.box(-1, 2, -5, 1, 4, 5));
   assert.deepEqual(path.free.map(({ low, high }) => [low, high]), [[null, '2/1']]);
+});
+
+test('what is disposed of while it is at work lives until that ends', () => {
+  const block = solids.box(0, 0, 0, 9, 9, 9), cone = solids.cone(12, 1, 2);
+  const dispose = () => void (block.dispose(), cone.dispose(), dymsum.shapes.gear(50, 1, 2));
+  assert.equal(dymsum.erode(block, cone, { progress: dispose }).volumeExact(), '343/1');
+  assert.equal(thrown(() => dymsum.erode(block, cone)).code, 'invalid_argument');
+  assert.equal(thrown(() => block.faceCount).code, 'invalid_argument', 'a property of what is disposed of');
+});
+
+test('indices and counts are integers, places are finite', () => {
+  const sum = dymsum.nfp(slot(), peg()), corners = [[0, 0, 0], [1, 0, 0], [0, 1, 0], [0, 0, 1]].flat();
+  for (const index of [-1, NaN, Infinity, 2 ** 32, 2 ** 32 + 1, 0.5, undefined, 'abc'])
+    assert.equal(thrown(() => sum.exact(index)).code, 'bad_index', `${index}`);
+  for (const index of [NaN, 2 ** 32, 1.5, 'zero'])
+    assert.equal(thrown(() => Mesh.fromData({ vertices: corners, faces: [[index, 2, 1], [0, 1, 3], [0, 3, 2], [1, 2, 3]] })).code, 'bad_index', `${index}`);
+  for (const count of [2 ** 30 + 1, 2 ** 32 + 5, 5.5, NaN]) assert.equal(thrown(() => shapes.gear(count, 1, 2)).code, 'invalid_argument', `${count}`);
+  for (const at of [{ x: NaN, y: 0 }, { x: 0 }, { x: 0, y: Infinity }]) assert.equal(thrown(() => dymsum.contains(slot(), peg(), at)).code, 'not_finite');
+  assert.equal(thrown(() => dymsum.contains(Mesh.fromData({ vertices: corners, faces: [[0, 2, 1], [0, 1, 3], [0, 3, 2], [1, 2, 3]] }), solids.box(0, 0, 0, 1, 1, 1), { x: 0, y: 0 })).code, 'not_finite');
+  assert.equal(dymsum.minkowskiSum(slot(), peg()).areaExact(Infinity), '26/1');
+});
+
+test('huge, foreign and wrong inputs', async () => {
+  assert.equal(thrown(() => Region.read('a.wkt', { byteLength: 2 ** 31 })).code, 'out_of_memory');
+  assert.equal(thrown(() => dymsum.unionOf([slot(), null])).code, 'invalid_argument');
+  assert.equal(thrown(() => Region.read('bow.wkt', 'POLYGON ((0 0, 1 1, 1 0, 0 1, 0 0))')).evidence.file, 'bow.wkt');
+  const bytes = runInNewContext(`Uint8Array.from([...'POLYGON((0 0,1 0,0 1,0 0))'].map((c) => c.charCodeAt(0)))`);
+  for (const foreign of [bytes, bytes.buffer]) assert.equal(Region.read('a.wkt', foreign).area(), 0.5);
+  const { exit, stdout } = await dymsum.run(['convert', '-', '-', '--from', 'wkt', '--to', 'poly'], { stdin: bytes.buffer });
+  assert.equal(exit, 0);
+  assert.match(stdout, /3 out/);
+  await assert.rejects(load({ wasmBinary: new Uint8Array([0, 97, 115, 109, 1, 0, 0, 0]) }));
+});
+
+test('files of a command have any name that a file can have', async () => {
+  const text = 'POLYGON((0 0,1 0,0 1,0 0))';
+  assert.deepEqual((await dymsum.run(['info', 'b.wkt'], { files: { './a/../b.wkt': text } })).files, {});
+  const made = await dymsum.run(['convert', 'b.wkt', '/tmp/c.wkt'], { files: { 'b.wkt': text } });
+  assert.deepEqual(Object.keys(made.files), ['/tmp/c.wkt']);
+  for (const name of ['', '.', 'a/'])
+    await assert.rejects(dymsum.run(['info', 'b.wkt'], { files: { [name]: text } }), { name: 'DymsumError', code: 'invalid_argument' });
+  await assert.rejects(dymsum.run(['info', 'b.wkt\0x'], { files: { 'b.wkt': text } }), { code: 'invalid_argument' });
 });
