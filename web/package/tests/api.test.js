@@ -437,7 +437,7 @@ test('indices and counts are integers, places are finite', () => {
   for (const count of [2 ** 30 + 1, 2 ** 32 + 5, 5.5, NaN]) assert.equal(thrown(() => shapes.gear(count, 1, 2)).code, 'invalid_argument', `${count}`);
   for (const at of [{ x: NaN, y: 0 }, { x: 0 }, { x: 0, y: Infinity }]) assert.equal(thrown(() => dymsum.contains(slot(), peg(), at)).code, 'not_finite');
   assert.equal(thrown(() => dymsum.contains(Mesh.fromData({ vertices: corners, faces: [[0, 2, 1], [0, 1, 3], [0, 3, 2], [1, 2, 3]] }), solids.box(0, 0, 0, 1, 1, 1), { x: 0, y: 0 })).code, 'not_finite');
-  assert.equal(dymsum.minkowskiSum(slot(), peg()).areaExact(Infinity), '26/1');
+  assert.equal(dymsum.minkowskiSum(slot(), peg()).areaExact(Infinity), '30/1');
 });
 
 test('huge, foreign and wrong inputs', async () => {
@@ -457,7 +457,7 @@ test('files of a command have any name that a file can have', async () => {
   assert.deepEqual((await dymsum.run(['info', 'b.wkt'], { files: { './a/../b.wkt': text } })).files, {});
   const made = await dymsum.run(['convert', 'b.wkt', '/tmp/c.wkt'], { files: { 'b.wkt': text } });
   assert.deepEqual(Object.keys(made.files), ['/tmp/c.wkt']);
-  for (const name of ['', '.', 'a/'])
-    await assert.rejects(dymsum.run(['info', 'b.wkt'], { files: { [name]: text } }), { name: 'DymsumError', code: 'invalid_argument' });
+  for (const name of ['', '.', 'b.wkt/x'])
+    await assert.rejects(dymsum.run(['info', 'b.wkt'], { files: { 'b.wkt': text, [name]: text } }), { name: 'DymsumError', code: 'invalid_argument' });
   await assert.rejects(dymsum.run(['info', 'b.wkt\0x'], { files: { 'b.wkt': text } }), { code: 'invalid_argument' });
 });
