@@ -60,7 +60,7 @@ function useCommands(props: AppProps, take: (files: InputFile[]) => void, show: 
       },
       page: (index) => {
         const page = pages[index];
-        if (page && page.id !== history.document.page) history.change(firstDocument(page));
+        if (page && page.id !== history.document.page) history.change(history.lastOf(page.id) ?? firstDocument(page));
       },
     }),
     [pages, engine, history, take, show, setError],
@@ -77,6 +77,7 @@ export function App(props: AppProps) {
   const report = useCallback((e: unknown) => {
     if (e instanceof EngineError && e.code === 'cancelled') announce('Cancelled.');
     else setError(e);
+    return () => setError((now: unknown) => (now === e ? undefined : now)); // another notice stays
   }, [announce]);
   useEffect(() => onReport(report), [onReport, report]);
   const take = useCallback((files: InputFile[]) => {

@@ -24,8 +24,11 @@ export interface Download {
 /** What the shell offers to a page. Stays the same object as long as the page is shown. */
 export interface Shell {
   engine: Engine;
-  /** Shows an error, with its evidence, until the state changes or the reader closes it. */
-  report: (error: unknown) => void;
+  /**
+   * Shows an error, with its evidence, until the state changes, the reader closes it, or what is given is called: see useReport for
+   * errors of what is computed.
+   */
+  report: (error: unknown) => () => void;
   /** Tells something in passing, also to screen readers: "copied". */
   announce: (text: string) => void;
   /** What the download menu lists. */
