@@ -1,4 +1,5 @@
 // Which document a permalink, an embedded document or files make.
+import { shapeOfFile } from '../engine/shape';
 import { filesOf, type EmbeddedDocument } from './embedded';
 import type { Document } from './history';
 import type { AnyPage, InputFile } from './page';
@@ -45,4 +46,21 @@ export function openedDocument(pages: Pages, embedded: EmbeddedDocument): Docume
   if (files.length === 0) return document;
   const { page, state } = withFiles(pages, document, files), { command } = pageOf(pages, page);
   return command && embedded.state === undefined ? { page, state: command(embedded.parameters ?? {}, state, files.length) } : { page, state };
+}
+
+/** Makes of a document the one with files of these names as they are now; the same object where it has none that changed. */
+export function withNewFiles(files: readonly InputFile[]): (document: Document) => Document {
+  const now = new Map(files.map((file) => [file.name, shapeOfFile(file)]));
+  const renewed = (value: unknown): unknown => {
+    if (typeof value !== 'object' || value === null) return value;
+    const { name, text } = value as Record<string, unknown>, file = typeof name === 'string' && typeof text === 'string' ? now.get(name) : undefined;
+    if (file) return file.text === text ? value : file;
+    const parts = Object.entries(value).map(([key, part]) => [key, part, renewed(part)] as const);
+    if (parts.every(([, before, after]) => before === after)) return value;
+    return Array.isArray(value) ? parts.map(([, , after]) => after) : Object.fromEntries(parts.map(([key, , after]) => [key, after]));
+  };
+  return (document) => {
+    const state = renewed(document.state);
+    return state === document.state ? document : { ...document, state };
+  };
 }
