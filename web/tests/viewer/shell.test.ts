@@ -180,20 +180,6 @@ describe('the shell', () => {
     await expect.poll(() => readout(page, 'area')).toBe('36');
     await close(it);
   });
-  it('shows each page as it was left', async () => {
-    const it = await open(browser), { page } = it;
-    await settled(page);
-    await dropFiles(page, { 'a.wkt': kSquare, 'b.wkt': kSquare });
-    await expect.poll(() => readout(page, 'area')).toBe('36');
-    await page.locator('.tabs a', { hasText: 'Growing discs' }).click();
-    await page.getByLabel('Shape of P').selectOption('star');
-    await page.locator('.tabs a', { hasText: 'Sum' }).click();
-    expect(await page.getByLabel('Shape of P').locator('option:checked').innerText()).toBe('a.wkt');
-    await expect.poll(() => readout(page, 'area').catch(() => '')).toBe('36');
-    await page.locator('.tabs a', { hasText: 'Growing discs' }).click();
-    expect(await page.getByLabel('Shape of P').inputValue()).toBe('star');
-    await close(it);
-  });
   it('takes a notice back when what is computed is right again', async () => {
     const it = await open(browser), { page } = it, alerts = page.getByRole('alert');
     await settled(page);
@@ -213,10 +199,10 @@ describe('the shell', () => {
 });
 
 /** A page with a server behind it, as `dymsum view` is one: it tells of files that were saved. */
-async function live(inputs: Record<string, string>) {
+async function live(inputs: Record<string, string>, shown = 'sum') {
   const html = readFileSync(new URL('../../viewer/dist/index.html', import.meta.url), 'utf8');
   let revision = 1, tell: () => void = () => undefined;
-  const data = (): string => JSON.stringify({ format: 1, page: 'sum', live: true, revision, inputs: Object.entries(inputs).map(([name, text]) => ({ name, text })), parameters: { verb: 'view' } });
+  const data = (): string => JSON.stringify({ format: 1, page: shown, live: true, revision, inputs: Object.entries(inputs).map(([name, text]) => ({ name, text })), parameters: { verb: 'view' } });
   const server = createServer((request, response) => {
     if (request.url!.startsWith('/events')) {
       response.writeHead(200, { 'content-type': 'text/event-stream' }).write(': there\n\n');
@@ -273,6 +259,15 @@ describe('a live page', () => {
     await expect.poll(() => readout(page, 'area')).toBe('100');
     await page.getByRole('button', { name: 'Redo' }).click();
     await expect.poll(() => readout(page, 'area')).toBe('361');
+    await end();
+  });
+  it('of no page shows the list of examples', async () => {
+    const { page, end } = await live({}, 'home');
+    await expect.poll(() => page.locator('.menu li').count()).toBeGreaterThan(3);
+    await page.keyboard.press('ArrowDown');
+    await page.keyboard.press('Enter');
+    await expect.poll(() => page.getByLabel('Shape of P').inputValue()).toBe('grate');
+    expect(await page.locator('.menu li').count()).toBe(0);
     await end();
   });
   it('shows its files where the link is damaged', async () => {

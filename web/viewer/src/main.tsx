@@ -31,8 +31,10 @@ async function documentOfAddress(): Promise<Document | undefined> {
   return data && openedDocument(pages, data);
 }
 
+let isGallery = false;
 function documentOfPage(): Document | undefined {
   const data = embeddedData();
+  isGallery = data?.gallery === true;
   return data && openedDocument(pages, data);
 }
 
@@ -78,7 +80,7 @@ function renew(data: ProgramData): void {
   reportLater(undefined);
   history.renew(present, withNewFiles(filesOf(data)));
 }
-render(<App pages={pages} engine={engine} history={history} firstError={firstError} onReport={(report) => (reportLater = report)} />, document.getElementById('app')!);
+render(<App pages={pages} showExamples={isGallery} engine={engine} history={history} firstError={firstError} onReport={(report) => (reportLater = report)} />, document.getElementById('app')!);
 followDocument(history);
 followAddress((linked) => open(linked as EmbeddedDocument), (error) => reportLater(error));
 if (server)

@@ -22,6 +22,23 @@ export function checkedDocument(pages: Pages, document: Document): Document {
   return document.state === undefined ? firstDocument(page) : { page: page.id, state: page.parse(document.state) };
 }
 
+/** Where each file has a page, but none that takes all of them. */
+function togetherError(pages: Pages, files: readonly InputFile[]): Error | undefined {
+  const takers = files.map((file) => pages.filter((page) => takes(page, [file])));
+  if (takers.some((of) => of.length === 0) || pages.some((page) => takers.every((of) => of.includes(page)))) return undefined;
+  const texts = files.map(({ name }, k) => `"${name}" is for ${takers[k]!.map((page) => page.title).join(', ')}`);
+  return new Error(`No page takes these files together: ${texts.join('; ')}. Open them one after the other.`);
+}
+
+function takes(page: AnyPage, files: readonly InputFile[]): boolean {
+  try {
+    page.take(files, page.examples[0].state);
+    return true;
+  } catch {
+    return false;
+  }
+}
+
 /** The page that is shown takes the files if it can, else the first other one that can. Throws what the page that is shown says. */
 export function withFiles(pages: Pages, now: Document, files: readonly InputFile[]): Document {
   const shown = pageOf(pages, now.page);
@@ -36,7 +53,7 @@ export function withFiles(pages: Pages, now: Document, files: readonly InputFile
         continue;
       }
     }
-    throw refusal;
+    throw togetherError(pages, files) ?? refusal;
   }
 }
 

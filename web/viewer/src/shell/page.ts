@@ -31,6 +31,8 @@ export interface Shell {
   report: (error: unknown) => () => void;
   /** Tells something in passing, also to screen readers: "copied". */
   announce: (text: string) => void;
+  /** Goes to another page with these files. Throws what that page says. */
+  openOn: (page: string, files: readonly InputFile[]) => void;
   /** What the download menu lists. */
   setDownloads: (downloads: readonly Download[]) => void;
 }

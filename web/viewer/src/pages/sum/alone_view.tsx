@@ -14,6 +14,7 @@ import { Panel, Stage } from '../../shell/parts';
 import { useReport } from '../../shell/use_report';
 import { colour } from '../../shell/theme';
 import { PlaneView } from '../../view2d/plane_view';
+import { NestingOffer } from '../nesting/offer';
 import type { AloneState, SumPageState } from './state';
 
 interface AloneProps {
@@ -53,6 +54,7 @@ export function AloneView({ state, change, shell }: AloneProps) {
       <Panel summary={summary}>
         <Section title="Shapes">
           <OperandCard shell={shell} role="P" tint="p" shape={state.p} operand={operand} onShape={(p) => change({ ...state, p })} />
+          <NestingOffer shape={state.p} error={error} shell={shell} />
           <ShapeRow role="Q" tint="q" label="Shape of Q" catalogue={kCatalogue} shape={null} onShape={(q) => change({ ...state, q })} />
         </Section>
         <Section title="Shape">
