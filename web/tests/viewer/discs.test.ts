@@ -92,6 +92,9 @@ describe('the page of growing discs', () => {
     await set(page, 'up to α', '1/2');
     await set(page, 'up to α', 'x');
     expect(await page.getByLabel('up to α').evaluate((e: HTMLInputElement) => e.validationMessage)).toMatch(/not negative/);
+    expect([await page.getByLabel('up to α').inputValue(), await page.locator('.refused').count()]).toEqual(['x', 1]);
+    await set(page, 'up to α', '1/2');
+    expect(await page.locator('.refused').count()).toBe(0);
     for (const way of ['Path', 'Hybrid 1', 'Hybrid 2']) {
       await choose(page, 'How deep pockets are', way);
       await expect.poll(() => bars.count()).toBeGreaterThan(3);

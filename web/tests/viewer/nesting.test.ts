@@ -32,6 +32,20 @@ describe('the page of nesting', () => {
     await expect.poll(() => said(page)).toBe('A and B are apart by 1.');
     await close(it);
   });
+  it('tells distances exactly where squares are no doubles', async () => {
+    const square = (power: string): string => `POLYGON ((${[[0, 0], [1, 0], [1, 1], [0, 1], [0, 0]].map(([x, y]) => `${x}${power} ${y}${power}`).join(', ')}))`;
+    const it = await opened(), { page } = it;
+    for (const [power, squared, area] of [['e250', '2e+500', '4e+500'], ['e100', '2e+200', '4e+200'], ['e-250', '2e-500', '4e-500']] as const) {
+      const shape = (name: string): object => ({ name: `${name}${power}.wkt`, text: square(power) }), at = { kind: 'free', x: Number(`2${power}`), y: Number(`2${power}`) };
+      const open = async (detail: object): Promise<void> => await page.evaluate((data) => void dispatchEvent(new CustomEvent('dymsum-open', { detail: data })), detail);
+      await open({ page: 'nesting', state: { a: shape('a'), b: shape('b'), at } });
+      await expect.poll(() => readout(page, 'distance squared').catch(() => '')).toBe(squared);
+      expect(await page.getByRole('button', { name: 'Copy the square of the distance' }).innerText()).toMatch(/^\d{30,}.*\((203|5\d\d) characters\)$/);
+      await open({ page: 'sum', state: { p: shape('a'), q: shape('b') } });
+      await expect.poll(() => readout(page, 'area').catch(() => '')).toBe(area);
+    }
+    await close(it);
+  });
   it('knows the slot that B fits into without room', async () => {
     const it = await opened(), { page } = it;
     await opensExample(page, 'A slot that fits exactly');

@@ -41,6 +41,29 @@ describe('the page of a robot that turns', () => {
     expect(await page.getByLabel('tan θ/2').evaluate((e: HTMLInputElement) => e.validationMessage)).toMatch(/tangent of half the angle/);
     await close(it);
   });
+  it('keeps what it refuses marked, with the reason, until it is mended or taken back', async () => {
+    const it = await opened(), { page } = it, x = page.getByLabel('x', { exact: true }), before = await x.inputValue();
+    const marks = async (): Promise<unknown[]> => [await x.inputValue(), await x.getAttribute('aria-invalid'), await page.locator('.refused').count()];
+    await set(page, 'x', '1/3');
+    await page.locator('canvas.plane').focus();
+    await page.waitForTimeout(300);
+    expect(await marks()).toEqual(['1/3', 'true', 1]);
+    expect(await page.locator('.refused').innerText()).toMatch(/decimal number/);
+    await x.fill('1');
+    expect(await marks()).toEqual(['1', 'false', 0]);
+    await x.fill('1/3'); // the same text again is refused again
+    await x.blur();
+    expect(await marks()).toEqual(['1/3', 'true', 1]);
+    await x.focus();
+    await page.keyboard.press('Escape');
+    expect(await marks()).toEqual([before, 'false', 0]);
+    await set(page, 'y', '1e400');
+    expect(await page.locator('.refused').innerText()).toMatch(/too large/);
+    await set(page, 'y', '.5');
+    await expect.poll(() => page.getByLabel('y', { exact: true }).inputValue()).toBe('0.5');
+    expect(await page.locator('.refused').count()).toBe(0);
+    await close(it);
+  });
   it('moves and turns the robot by hand, start and goal too, and undoes it', async () => {
     const it = await opened(), { page } = it, before = await readout(page, 'The robot');
     const canvas = (await page.locator('canvas.plane').boundingBox())!;

@@ -1,7 +1,7 @@
 // What every page has: downloads of every format, undo, links, bad files marked where they are bad, keys, phones, the dark.
 import type { Browser, CDPSession, Page } from 'playwright-core';
 import { afterAll, beforeAll, describe, expect, it } from 'vitest';
-import { close, download, dropFiles, example, launch, open, readout, set, shareLink, type OpenOptions } from './viewer';
+import { close, download, dropFiles, example, launch, open, readout, set, settled, shareLink, type OpenOptions } from './viewer';
 
 let browser: Browser;
 beforeAll(async () => void (browser = await launch()));
@@ -178,6 +178,41 @@ describe('a finger', () => {
     const frames = Number(await space.getAttribute('data-frames')), x = box.x + box.width / 2, y = box.y + box.height / 2;
     await swipe(await page.context().newCDPSession(page), [x, y], [x + 80, y]);
     await expect.poll(async () => Number(await space.getAttribute('data-frames'))).toBeGreaterThan(frames);
+    await close(it);
+  });
+});
+
+describe('all pages', () => {
+  const kSquare = 'POLYGON ((0 0, 3 0, 3 3, 0 3, 0 0))';
+  it('says which page takes which of files that none takes together', async () => {
+    const it = await open(browser), { page } = it;
+    await settled(page);
+    await dropFiles(page, { 'a.wkt': kSquare, 'b.off': 'OFF\n0 0 0\n' });
+    await expect.poll(() => page.getByRole('alert').innerText()).toMatch(/No page takes these files together: "a\.wkt" is for Sum, .*"b\.off" is for Solids/);
+    await close(it);
+  });
+  it('has one row of buttons on the narrowest phones', async () => {
+    for (const width of [320, 360, 390]) {
+      const it = await open(browser, { width, height: 640, touch: true }), { page } = it;
+      const rows = await page.locator('.header > :not(.tabs)').evaluateAll((all) => all.map((e) => e.getBoundingClientRect()).filter((b) => b.width > 0).map((b) => Math.round(b.top + b.height / 2)));
+      expect(rows.length).toBeGreaterThan(6);
+      expect(Math.max(...rows) - Math.min(...rows)).toBeLessThan(8);
+      expect(await page.evaluate(() => document.documentElement.scrollWidth)).toBeLessThanOrEqual(width);
+      await close(it);
+    }
+  });
+  it('shows each page as it was left', async () => {
+    const it = await open(browser), { page } = it;
+    await settled(page);
+    await dropFiles(page, { 'a.wkt': kSquare, 'b.wkt': kSquare });
+    await expect.poll(() => readout(page, 'area')).toBe('36');
+    await page.locator('.tabs a', { hasText: 'Growing discs' }).click();
+    await page.getByLabel('Shape of P').selectOption('star');
+    await page.locator('.tabs a', { hasText: 'Sum' }).click();
+    expect(await page.getByLabel('Shape of P').locator('option:checked').innerText()).toBe('a.wkt');
+    await expect.poll(() => readout(page, 'area').catch(() => '')).toBe('36');
+    await page.locator('.tabs a', { hasText: 'Growing discs' }).click();
+    expect(await page.getByLabel('Shape of P').inputValue()).toBe('star');
     await close(it);
   });
 });

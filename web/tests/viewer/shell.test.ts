@@ -1,4 +1,7 @@
 // What is the same on all pages.
+import { readFileSync } from 'node:fs';
+import { createServer } from 'node:http';
+import type { AddressInfo } from 'node:net';
 import type { Browser } from 'playwright-core';
 import { afterAll, beforeAll, describe, expect, it } from 'vitest';
 import { close, download, dropFiles, launch, open, readout, settled, shareLink } from './viewer';
@@ -47,7 +50,14 @@ describe('the shell', () => {
     const it = await open(browser, { hash: '#/sum/AAAA' });
     await expect.poll(() => it.page.getByRole('alert').innerText()).toContain('damaged');
     await settled(it.page);
+    await it.page.getByLabel('Shape of P').selectOption('comb');
+    const good = await shareLink(it.page);
     await close(it);
+    for (const after of ['%%%%', '==', '?x=1', '#/sum']) {
+      const damaged = await open(browser, { hash: good + after });
+      await expect.poll(() => damaged.page.getByRole('alert').innerText()).toContain('damaged');
+      await close(damaged);
+    }
   });
   it('opens files that are dropped', async () => {
     const it = await open(browser), { page } = it;
@@ -169,5 +179,103 @@ describe('the shell', () => {
     await page.evaluate((text) => dispatchEvent(new CustomEvent('dymsum-open', { detail: { page: 'sum', inputs: [{ name: 'a.wkt', text }, { name: 'b.wkt', text }] } })), kSquare);
     await expect.poll(() => readout(page, 'area')).toBe('36');
     await close(it);
+  });
+  it('takes a notice back when what is computed is right again', async () => {
+    const it = await open(browser), { page } = it, alerts = page.getByRole('alert');
+    await settled(page);
+    await page.getByRole('radiogroup', { name: 'What is computed' }).getByText('Fit in P').click();
+    await settled(page);
+    await page.getByLabel('Exactly').fill('1/3');
+    await page.keyboard.press('Enter');
+    await expect.poll(() => alerts.count()).toBe(1);
+    await page.waitForTimeout(600); // the area has been asked for, and is refused, too
+    await page.getByLabel('Exactly').fill('3/2');
+    await page.keyboard.press('Enter');
+    await settled(page);
+    await page.waitForTimeout(600);
+    expect(await alerts.count()).toBe(0);
+    await close(it);
+  });
+});
+
+/** A page with a server behind it, as `dymsum view` is one: it tells of files that were saved. */
+async function live(inputs: Record<string, string>, shown = 'sum') {
+  const html = readFileSync(new URL('../../viewer/dist/index.html', import.meta.url), 'utf8');
+  let revision = 1, tell: () => void = () => undefined;
+  const data = (): string => JSON.stringify({ format: 1, page: shown, live: true, revision, inputs: Object.entries(inputs).map(([name, text]) => ({ name, text })), parameters: { verb: 'view' } });
+  const server = createServer((request, response) => {
+    if (request.url!.startsWith('/events')) {
+      response.writeHead(200, { 'content-type': 'text/event-stream' }).write(': there\n\n');
+      tell = () => void response.write(`id: ${revision}\nevent: change\ndata: ${revision}\n\n`);
+    } else if (request.url === '/data.json') response.end(data());
+    else response.setHeader('content-type', 'text/html').end(html.replace(/(<script[^>]*id="dymsum-data"[^>]*>)[^<]*/, (_, tag: string) => tag + data()));
+  });
+  await new Promise<void>((done) => server.listen(0, '127.0.0.1', done));
+  const page = await (await browser.newContext({ viewport: { width: 1280, height: 800 } })).newPage(), address = `http://127.0.0.1:${(server.address() as AddressInfo).port}/`;
+  await page.goto(address);
+  return {
+    page, address,
+    save: (name: string, text: string): void => {
+      inputs[name] = text;
+      ++revision;
+      tell();
+    },
+    end: async (): Promise<void> => {
+      await page.context().close();
+      server.closeAllConnections();
+      server.close();
+    },
+  };
+}
+
+describe('a live page', () => {
+  const square = (side: number): string => kSquare.replaceAll('3', String(side));
+  it('takes the notice of a file back once it is mended', async () => {
+    const { page, save, end } = await live({ 'a.wkt': square(3), 'b.wkt': square(1) });
+    await expect.poll(() => readout(page, 'area').catch(() => '')).toBe('16');
+    save('a.wkt', 'POLYGON ((0 0, 4 4, 4 0, 0 3, 0 0))');
+    await expect.poll(() => page.getByRole('alert').innerText().catch(() => '')).toMatch(/^self crossing/);
+    save('b.wkt', square(2)); // still wrong
+    await page.waitForTimeout(500);
+    expect(await page.getByRole('alert').count()).toBe(1);
+    save('a.wkt', square(4));
+    await expect.poll(() => readout(page, 'area')).toBe('36');
+    expect(await page.getByRole('alert').count()).toBe(0);
+    await end();
+  });
+  it('goes back and forth among files as they are now', async () => {
+    const { page, save, end } = await live({ 'a.wkt': square(3), 'b.wkt': square(1) });
+    await expect.poll(() => readout(page, 'area').catch(() => '')).toBe('16');
+    await page.getByLabel('Shape of Q').selectOption('square');
+    await page.getByLabel('Exactly').fill('2');
+    await page.keyboard.press('Enter');
+    await expect.poll(() => readout(page, 'area')).toBe('49');
+    await page.getByRole('button', { name: 'Undo' }).click();
+    await page.getByRole('button', { name: 'Undo' }).click();
+    save('a.wkt', square(9));
+    await expect.poll(() => readout(page, 'area')).toBe('100');
+    await page.getByRole('button', { name: 'Redo' }).click();
+    await expect.poll(() => page.getByLabel('Shape of Q').inputValue()).toBe('square');
+    await expect.poll(() => readout(page, 'area')).toBe('100');
+    await page.getByRole('button', { name: 'Redo' }).click();
+    await expect.poll(() => readout(page, 'area')).toBe('361');
+    await end();
+  });
+  it('of no page shows the list of examples', async () => {
+    const { page, end } = await live({}, 'home');
+    await expect.poll(() => page.locator('.menu li').count()).toBeGreaterThan(3);
+    await page.keyboard.press('ArrowDown');
+    await page.keyboard.press('Enter');
+    await expect.poll(() => page.getByLabel('Shape of P').inputValue()).toBe('grate');
+    expect(await page.locator('.menu li').count()).toBe(0);
+    await end();
+  });
+  it('shows its files where the link is damaged', async () => {
+    const { page, address, end } = await live({ 'a.wkt': square(3), 'b.wkt': square(1) });
+    await page.goto('about:blank');
+    await page.goto(`${address}#/sum/AAAA`);
+    await expect.poll(() => page.getByRole('alert').innerText().catch(() => '')).toContain('damaged');
+    await expect.poll(() => readout(page, 'area').catch(() => '')).toBe('16');
+    await end();
   });
 });

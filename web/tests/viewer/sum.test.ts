@@ -38,6 +38,14 @@ describe('the page of sums', () => {
     await page.getByLabel('Exactly').fill('-1');
     await page.keyboard.press('Enter');
     expect(await page.getByLabel('Exactly').evaluate((e: HTMLInputElement) => e.validationMessage)).toContain('positive');
+    await page.getByLabel('Exactly').fill('1e400');
+    await page.keyboard.press('Enter');
+    await page.locator('canvas.plane').focus();
+    expect([await page.getByLabel('Exactly').inputValue(), await page.getByLabel('Exactly').getAttribute('aria-invalid')]).toEqual(['1e400', 'true']);
+    expect(await page.locator('.refused').innerText()).toMatch(/too large/);
+    expect(await page.getByRole('slider', { name: 'Scale of P' }).getAttribute('aria-valuetext')).toBe('2.334');
+    await page.getByRole('button', { name: 'Undo' }).click(); // another value is in force
+    expect([await page.getByLabel('Exactly').inputValue(), await page.locator('.refused').count()]).toEqual(['7/3', 0]);
     await close(it);
   });
   it('jumps from event to event', async () => {
@@ -186,6 +194,38 @@ describe('the page of sums', () => {
     await page.getByRole('button', { name: 'Repair P' }).click();
     await page.getByLabel('Shapes of the file of P').selectOption({ index: 2 });
     await expect.poll(() => readout(page, 'area')).toBe('9');
+    await close(it);
+  });
+  it('leads from a file of several shapes to the page that takes them all', async () => {
+    const it = await opened(), { page } = it;
+    await dropFiles(page, { 'parts.wkt': 'POLYGON ((0 0, 1 0, 1 1, 0 1, 0 0))\nPOLYGON ((0 0, 2 0, 2 2, 0 2, 0 0))' });
+    await page.getByRole('button', { name: 'Nest the shapes of parts.wkt' }).click();
+    await expect.poll(() => page.getByLabel('Shape of B').locator('option:checked').innerText()).toMatch(/\.wkt$/);
+    await expect.poll(() => readout(page, 'vertices')).toBe('4');
+    expect(await page.getByRole('alert').count()).toBe(0);
+    await close(it);
+  });
+  it('forgets what was picked when it moves away', async () => {
+    const it = await opened(), { page } = it, canvas = page.locator('canvas.plane');
+    const marked = (): Promise<number> => canvas.evaluate((element: HTMLCanvasElement) => {
+      const text = getComputedStyle(document.documentElement).getPropertyValue('--mark'), rgb = [1, 3, 5].map((k) => parseInt(text.slice(k, k + 2), 16));
+      const { data } = element.getContext('2d')!.getImageData(0, 0, element.width, element.height);
+      let count = 0;
+      for (let k = 0; k < data.length; k += 4) if (rgb.every((c, i) => Math.abs(data[k + i]! - c) < 6)) ++count;
+      return count;
+    });
+    await page.getByLabel('Shape of P').selectOption('square');
+    await page.getByLabel('Shape of Q').selectOption('square');
+    await expect.poll(() => readout(page, 'area')).toBe('4');
+    const box = (await canvas.boundingBox())!, half = (Math.min(box.width, box.height) - 112) / 2;
+    await canvas.click({ position: { x: box.width / 2 + half, y: box.height / 2 - half } });
+    await expect.poll(() => page.getByRole('button', { name: 'Copy the exact position' }).count()).toBe(1);
+    await page.mouse.move(1, 1);
+    await expect.poll(marked).toBeGreaterThan(20);
+    await canvas.focus();
+    await page.keyboard.press('Alt+ArrowRight');
+    await expect.poll(() => page.getByRole('button', { name: 'Copy the exact position' }).count()).toBe(0);
+    await expect.poll(marked).toBe(0);
     await close(it);
   });
 });

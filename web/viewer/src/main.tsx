@@ -8,7 +8,7 @@ import { App } from './shell/app';
 import { embeddedData, filesOf, type EmbeddedDocument, type ProgramData } from './shell/embedded';
 import { History, type Document } from './shell/history';
 import { followServer } from './shell/live';
-import { checkedDocument, firstDocument, openedDocument, withFiles } from './shell/opening';
+import { checkedDocument, firstDocument, openedDocument, withFiles, withNewFiles } from './shell/opening';
 import { dataFromHash, fromHash } from './shell/permalink';
 import './shell/theme.css';
 import './shell/layout.css';
@@ -20,15 +20,35 @@ function withInputs(document: Document, data: ProgramData): Document {
   return files.length > 0 ? withFiles(pages, document, files) : document;
 }
 
-/** What the address says, else what stands in the page, else the first example. Of a live page files are the server's. */
-async function start(): Promise<Document> {
+/** Nothing for an address that says nothing. Of a live page files are the server's. */
+async function documentOfAddress(): Promise<Document | undefined> {
   const linked = await fromHash(location.hash);
   if (linked) {
     const document = checkedDocument(pages, linked);
     return server ? withInputs(document, server) : document;
   }
-  const data = (await dataFromHash(location.hash)) ?? embeddedData();
-  return data ? openedDocument(pages, data) : firstDocument(pages[0]);
+  const data = await dataFromHash(location.hash);
+  return data && openedDocument(pages, data);
+}
+
+let isGallery = false;
+function documentOfPage(): Document | undefined {
+  const data = embeddedData();
+  isGallery = data?.gallery === true;
+  return data && openedDocument(pages, data);
+}
+
+/** What the address says, else what stands in the page, also where the address is damaged, else the first example. */
+async function start(report: (error: unknown) => void): Promise<Document> {
+  for (const make of [documentOfAddress, documentOfPage]) {
+    try {
+      const document = await make();
+      if (document) return document;
+    } catch (error) {
+      report(error);
+    }
+  }
+  return firstDocument(pages[0]);
 }
 
 /** What the server behind this page told it, where there is one. */
@@ -37,18 +57,13 @@ function serverData(): ProgramData | undefined {
     const data = embeddedData();
     return data?.live ? data : undefined;
   } catch {
-    return undefined; // start() says what is wrong
+    return undefined; // documentOfPage() says what is wrong
   }
 }
 const server = serverData();
 
 let firstError: unknown;
-const history = new History(
-  await start().catch((error: unknown) => {
-    firstError = error;
-    return firstDocument(pages[0]);
-  }),
-);
+const history = new History(await start((error) => (firstError ??= error)));
 const engine = new Engine(() => new EngineWorker(), embeddedModule);
 let reportLater: (error: unknown) => void = (error) => console.error(error);
 
@@ -59,10 +74,16 @@ function open(embedded: EmbeddedDocument): void {
     reportLater(error);
   }
 }
-render(<App pages={pages} engine={engine} history={history} firstError={firstError} onReport={(report) => (reportLater = report)} />, document.getElementById('app')!);
+/** What was wrong with a file may be right now: what is still wrong is told again. */
+function renew(data: ProgramData): void {
+  const present = withInputs(history.document, data);
+  reportLater(undefined);
+  history.renew(present, withNewFiles(filesOf(data)));
+}
+render(<App pages={pages} showExamples={isGallery} engine={engine} history={history} firstError={firstError} onReport={(report) => (reportLater = report)} />, document.getElementById('app')!);
 followDocument(history);
 followAddress((linked) => open(linked as EmbeddedDocument), (error) => reportLater(error));
 if (server)
-  followServer(server, (data) => history.amend(withInputs(history.document, data)), (error) => reportLater(error));
+  followServer(server, renew, (error) => reportLater(error));
 // Other scripts of the page open documents by this event.
 addEventListener('dymsum-open', (event) => open((event as CustomEvent<EmbeddedDocument>).detail));

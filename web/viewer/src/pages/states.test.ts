@@ -1,8 +1,9 @@
 // Every page reads its own states back, and refuses what is none.
 import { describe, expect, it } from 'vitest';
-import { parseDiscState } from './discs/state';
+import { checkLength, parseDiscState } from './discs/state';
 import { parseNestingState } from './nesting/state';
-import { parseSumState, sumState } from './sum/state';
+import { checkCoordinate, parseObstacleState } from './obstacle/state';
+import { checkSumScale, parseSumState, sumState } from './sum/state';
 
 const p = { name: 'a.wkt', text: 'POINT (1 2)' }, q = { name: 'gear', make: 'gear' as const, args: [5, 1, 2] };
 const again = (value: unknown): unknown => JSON.parse(JSON.stringify(value));
@@ -24,5 +25,25 @@ describe('states out of documents', () => {
     const state = { a: p, b: q, parts: [p], semantics: 'closed', at: { kind: 'edge', index: 3, next: 4, along: '1/2' } };
     expect(parseNestingState(again(state))).toEqual(state);
     expect(() => parseNestingState({ a: p, b: q, at: { kind: 'edge', index: -1 } })).toThrow('no place');
+  });
+});
+
+describe('numbers that no finite double comes near', () => {
+  it('are left out of sums', () => {
+    for (const scale of ['1e400', '1e-400', '2:1e309', '1'.padEnd(400, '0')]) expect(parseSumState({ p, q, scale })).toEqual(sumState(p, q));
+    expect(checkSumScale('1e400')).toMatch(/too large/);
+    expect(checkSumScale('1:1e-400')).toMatch(/too near to 0/);
+    expect([checkSumScale('1e300'), checkSumScale('.5'), checkSumScale('5.:1/3')]).toEqual([undefined, undefined, undefined]);
+  });
+  it('are left out of discs', () => {
+    expect(parseDiscState({ shape: q, alpha: '1e400', persistence: '1e309', alphaFrom: '1e-400', alphaTo: '1e999' })).toEqual(parseDiscState({ shape: q }));
+    expect([checkLength('1e400'), checkLength('-1'), checkLength('.5')]).toEqual([expect.stringMatching(/too large/), expect.stringMatching(/not negative/), undefined]);
+  });
+  it('are no coordinates of a robot, nor shares of an edge', () => {
+    const text = JSON.stringify({ robot: p, obstacle: q, at: { x: 'X', y: 1, tanHalf: '0' } }).replace('"X"', '1e400');
+    expect(parseObstacleState(JSON.parse(text)).at).toEqual({ x: 0, y: 0, tanHalf: '0' });
+    expect([checkCoordinate('1/3'), checkCoordinate('1e400'), checkCoordinate('0x10'), checkCoordinate(''), checkCoordinate('-.5')])
+      .toEqual([expect.stringMatching(/no fraction/), expect.stringMatching(/too large/), expect.stringMatching(/decimal/), expect.stringMatching(/decimal/), undefined]);
+    for (const along of ['1e400', '-1/2', '3/2']) expect(() => parseNestingState({ a: p, b: q, at: { kind: 'edge', index: 0, next: 1, along } })).toThrow('no place');
   });
 });

@@ -46,4 +46,12 @@ describe('other files', () => {
     expect(() => solidsPage.take([file('a.wkt')], solidsPage.examples[0].state)).toThrow('"a.wkt" holds no solid');
     expect(() => discsPage.take([file('a.wkt'), file('b.wkt')], discsPage.examples[0].state)).toThrow('too many');
   });
+  it('of several pages are told apart', async () => {
+    const { pages } = await import('./index'), { firstDocument, withFiles } = await import('../shell/opening');
+    const sum = firstDocument(pages[0]);
+    expect(() => withFiles(pages, sum, [file('a.wkt'), file('b.off')])).toThrow('No page takes these files together: "a.wkt" is for Sum, Robot, Growing discs, Nesting; "b.off" is for Solids. Open them one after the other.');
+    expect(() => withFiles(pages, sum, [file('a.wkt'), file('b.png')])).toThrow('"b.png" holds no region');
+    expect(() => withFiles(pages, sum, ['a.off', 'b.off', 'c.off'].map((name) => file(name)))).toThrow('"a.off" holds no region');
+    expect(withFiles(pages, sum, [file('b.off')]).page).toBe('solids');
+  });
 });

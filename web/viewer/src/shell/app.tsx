@@ -17,6 +17,8 @@ interface AppProps {
   pages: Pages;
   engine: Engine;
   history: History;
+  /** the reader has to choose what to look at */
+  showExamples: boolean;
   /** what went wrong before there was an app */
   firstError: unknown;
   /** is given how the shell shows errors that come from outside of it */
@@ -60,7 +62,7 @@ function useCommands(props: AppProps, take: (files: InputFile[]) => void, show: 
       },
       page: (index) => {
         const page = pages[index];
-        if (page && page.id !== history.document.page) history.change(firstDocument(page));
+        if (page && page.id !== history.document.page) history.change(history.lastOf(page.id) ?? firstDocument(page));
       },
     }),
     [pages, engine, history, take, show, setError],
@@ -72,11 +74,12 @@ export function App(props: AppProps) {
   const document = useHistory(history);
   const [error, setError] = useState<unknown>(props.firstError);
   const [said, announce] = useAnnouncement();
-  const [open, setOpen] = useState<'help' | 'examples' | undefined>();
+  const [open, setOpen] = useState<'help' | 'examples' | undefined>(props.showExamples ? 'examples' : undefined);
   const [downloads, setDownloads] = useState<readonly Download[]>([]);
   const report = useCallback((e: unknown) => {
     if (e instanceof EngineError && e.code === 'cancelled') announce('Cancelled.');
     else setError(e);
+    return () => setError((now: unknown) => (now === e ? undefined : now)); // another notice stays
   }, [announce]);
   useEffect(() => onReport(report), [onReport, report]);
   const take = useCallback((files: InputFile[]) => {
@@ -90,7 +93,14 @@ export function App(props: AppProps) {
   const commands = useCommands(props, take, setOpen, setError);
   useKeyboard(commands);
   const dropping = useDroppedFiles(take);
-  const shell = useMemo<Shell>(() => ({ engine, report, announce, setDownloads }), [engine, report, announce]);
+  const shell = useMemo<Shell>(() => {
+    const openOn = (id: string, files: readonly InputFile[]): void => {
+      const other = pageOf(pages, id), { state } = history.lastOf(id) ?? firstDocument(other);
+      setError(undefined);
+      history.change({ page: id, state: other.take(files, state) });
+    };
+    return { engine, report, announce, setDownloads, openOn };
+  }, [pages, engine, history, report, announce]);
   const page = pageOf(pages, document.page);
   useEffect(() => setDownloads([]), [page]);
 

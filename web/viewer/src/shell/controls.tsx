@@ -121,33 +121,48 @@ interface NumberFieldProps {
   onCommit: (text: string) => void;
 }
 
-/** A number as text, "3/2" or "1.01": exact. What is being typed stays, whatever else changes on the page meanwhile. */
+/**
+ * A number as text, "3/2" or "1.01": exact. What is being typed stays, whatever else changes on the page meanwhile. A text that is
+ * refused stays, too, marked and with the reason below it, until it is mended, taken back by Escape, or another value is in force.
+ */
 export function NumberField({ label, value, check, onCommit }: NumberFieldProps) {
   const [typed, setTyped] = useState<string | undefined>();
-  const input = useRef<HTMLInputElement>(null);
-  const say = (wrong = ''): void => input.current?.setCustomValidity(wrong);
-  useEffect(() => {
+  const [refusal, setRefusal] = useState<string | undefined>();
+  const input = useRef<HTMLInputElement>(null), isOpen = useRef(false), id = useId(); // open: typed, and neither taken nor refused yet
+  const say = (wrong: string | undefined): void => {
+    input.current?.setCustomValidity(wrong ?? '');
+    setRefusal(wrong);
+  };
+  const drop = (): void => {
+    isOpen.current = false;
     setTyped(undefined);
-    say();
-  }, [value]);
-  const commit = (text: string): void => {
-    const wrong = check(text);
+    say(undefined);
+  };
+  useEffect(drop, [value]);
+  const commit = (): void => {
+    if (!isOpen.current) return;
+    isOpen.current = false;
+    const text = input.current!.value.trim(), wrong = text === value ? undefined : check(text);
     say(wrong);
-    if (wrong) return void input.current?.reportValidity();
+    if (wrong !== undefined) return;
     setTyped(undefined);
     if (text !== value) onCommit(text);
   };
   const type = (text: string): void => {
+    isOpen.current = true;
     setTyped(text);
-    say();
+    if (refusal !== undefined) say(text.trim() === value ? undefined : check(text.trim()));
   };
   return (
-    <label class="field">
-      <span class="label">{label}</span>
-      <input
-        ref={input} type="text" class="mono" value={typed ?? value} spellcheck={false}
-        onInput={(e) => type(e.currentTarget.value)} onChange={(e) => commit(e.currentTarget.value.trim())}
-      />
-    </label>
+    <div class="number">
+      <label class="field">
+        <span class="label">{label}</span>
+        <input
+          ref={input} type="text" class="mono" value={typed ?? value} spellcheck={false} aria-invalid={refusal !== undefined} aria-describedby={refusal !== undefined ? id : undefined}
+          onInput={(e) => type(e.currentTarget.value)} onChange={commit} onBlur={commit} onKeyDown={(e) => e.key === 'Escape' && drop()}
+        />
+      </label>
+      {refusal !== undefined && <p class="refused" id={id} aria-live="polite">{refusal}</p>}
+    </div>
   );
 }

@@ -9,7 +9,11 @@ describe('data of the program', () => {
     expect(programData(' \n')).toBeUndefined();
   });
   it('is read as it is', () => expect(programData(JSON.stringify(kData))).toEqual(kData));
-  it('of the gallery names no page', () => expect(programData(JSON.stringify({ ...kData, page: 'home' }))).not.toHaveProperty('page'));
+  it('of the gallery names no page', () => {
+    const data = programData(JSON.stringify({ ...kData, page: 'home' }));
+    expect(data).not.toHaveProperty('page');
+    expect(data).toHaveProperty('gallery', true);
+  });
   it('of another format is refused', () => {
     expect(() => programData(JSON.stringify({ ...kData, format: 2 }))).toThrow('has format 2');
     expect(() => programData('{}')).toThrow('has format undefined');

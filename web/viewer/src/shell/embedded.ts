@@ -15,6 +15,8 @@ export interface EmbeddedDocument {
 export interface ProgramData extends EmbeddedDocument {
   format: number;
   live?: boolean;
+  /** of no page: the reader is to choose what to look at; the program calls it page "home" */
+  gallery?: true;
   revision?: number;
 }
 
@@ -25,7 +27,8 @@ export function programData(text: string): ProgramData | undefined {
   if (text.trim() === '') return undefined;
   const { page, ...data } = JSON.parse(text) as ProgramData;
   if (data.format !== kFormat) throw new Error(`This viewer reads data of format ${kFormat}, and what it was given has format ${String(data.format)}.`);
-  return page === undefined || page === 'home' ? data : { ...data, page };
+  if (page === 'home') return { ...data, gallery: true };
+  return page === undefined ? data : { ...data, page };
 }
 
 export function embeddedData(): ProgramData | undefined {

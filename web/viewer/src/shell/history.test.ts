@@ -50,4 +50,30 @@ describe('History', () => {
     history.change(at(2));
     expect(told).toBe(1);
   });
+  it('keeps how each page was left', () => {
+    const history = new History({ page: 'sum', state: 0 });
+    history.change({ page: 'discs', state: 1 });
+    history.change({ page: 'discs', state: 2 });
+    history.amend({ page: 'discs', state: 3 });
+    expect(['sum', 'discs', 'solids'].map((page) => history.lastOf(page)?.state)).toEqual([0, 3, undefined]);
+    history.undo();
+    history.undo();
+    expect(history.lastOf('discs')).toEqual({ page: 'discs', state: 1 });
+  });
+  it('renews what was and what will be, too', () => {
+    const history = new History(at(0)), seen = (): unknown => history.document.state;
+    for (const n of [1, 2]) history.change(at(n));
+    history.change({ page: 'discs', state: 3 });
+    history.undo();
+    history.undo();
+    history.renew(at(10), ({ page, state }) => ({ page, state: (state as number) + 100 }));
+    expect([seen(), history.lastOf('discs')?.state]).toEqual([10, 103]);
+    history.undo();
+    expect(seen()).toBe(100);
+    history.redo();
+    history.redo();
+    expect(seen()).toBe(102);
+    history.redo();
+    expect([seen(), history.canRedo]).toEqual([103, false]);
+  });
 });

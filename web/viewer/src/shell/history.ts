@@ -11,6 +11,8 @@ const kMostSteps = 100;
 export class History {
   private past: Document[] = [];
   private future: Document[] = [];
+  /** how each page was left */
+  private left = new Map<string, Document>();
   private inDrag = false;
   private listeners = new Set<() => void>();
 
@@ -18,6 +20,10 @@ export class History {
 
   get document(): Document {
     return this.present;
+  }
+  /** What a page showed last; nothing where it was not shown yet. */
+  lastOf(page: string): Document | undefined {
+    return this.left.get(page);
   }
   get canUndo(): boolean {
     return this.past.length > 0;
@@ -48,6 +54,14 @@ export class History {
     this.show(next);
   }
 
+  /** What changed outside of the document, such as a file that was saved: in what is shown, and in all that the reader can go back to. */
+  renew(present: Document, other: (before: Document) => Document): void {
+    this.past = this.past.map(other);
+    this.future = this.future.map(other);
+    for (const [page, document] of this.left) this.left.set(page, other(document));
+    this.show(present);
+  }
+
   /** All changes from the first live one to the next that is done are one step. */
   change(next: Document, how: 'live' | 'done' = 'done'): void {
     if (!this.inDrag) {
@@ -75,7 +89,9 @@ export class History {
   }
 
   private show(next: Document): void {
+    this.left.set(this.present.page, this.present);
     this.present = next;
+    this.left.set(next.page, next);
     for (const listener of this.listeners) listener();
   }
 }

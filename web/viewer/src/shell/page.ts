@@ -24,10 +24,15 @@ export interface Download {
 /** What the shell offers to a page. Stays the same object as long as the page is shown. */
 export interface Shell {
   engine: Engine;
-  /** Shows an error, with its evidence, until the state changes or the reader closes it. */
-  report: (error: unknown) => void;
+  /**
+   * Shows an error, with its evidence, until the state changes, the reader closes it, or what is given is called: see useReport for
+   * errors of what is computed.
+   */
+  report: (error: unknown) => () => void;
   /** Tells something in passing, also to screen readers: "copied". */
   announce: (text: string) => void;
+  /** Goes to another page with these files. Throws what that page says. */
+  openOn: (page: string, files: readonly InputFile[]) => void;
   /** What the download menu lists. */
   setDownloads: (downloads: readonly Download[]) => void;
 }

@@ -1,5 +1,5 @@
 import { describe, expect, it } from 'vitest';
-import { fromHash, toHash } from './permalink';
+import { dataFromHash, fromHash, toHash } from './permalink';
 
 describe('permalinks', () => {
   it('come back as they went', async () => {
@@ -13,6 +13,15 @@ describe('permalinks', () => {
     expect(await fromHash('#/discs')).toEqual({ page: 'discs', state: undefined });
     expect(await fromHash('')).toBeUndefined();
     expect(await fromHash('#section')).toBeUndefined();
+  });
+  it('that something was added to say so', async () => {
+    const hash = await toHash({ page: 'sum', state: { a: [1, 2, 3] } });
+    for (const after of ['%%%%', '==', '?x=1', '#/sum', '/', ' ']) await expect(fromHash(hash + after)).rejects.toThrow('damaged');
+    await expect(fromHash('#/sum?x=1')).rejects.toThrow('damaged');
+    await expect(dataFromHash('#data=%%')).rejects.toThrow('damaged');
+    await expect(dataFromHash('#data=')).rejects.toThrow('damaged');
+    expect([await fromHash('#/'), await fromHash('#data=AA'), await dataFromHash('#/sum')]).toEqual([undefined, undefined, undefined]);
+    expect(await fromHash('#/sum/')).toEqual({ page: 'sum', state: undefined });
   });
   it('that are damaged say so', async () => {
     const hash = await toHash({ page: 'sum', state: { a: [1, 2, 3] } });

@@ -15,6 +15,7 @@ function toAddress(bytes: Uint8Array): string {
 }
 
 function fromAddress(text: string): Uint8Array {
+  if (!/^[\w-]+$/.test(text)) throw new Error('not the alphabet of addresses');
   return Uint8Array.from(atob(text.replaceAll('-', '+').replaceAll('_', '/')), (c) => c.charCodeAt(0));
 }
 
@@ -27,10 +28,11 @@ export async function toHash(document: Document): Promise<string> {
   return `#/${document.page}/${toAddress(await through(json, new CompressionStream('deflate-raw')))}`;
 }
 
-/** Nothing for an address without state; `#/page` gives a document without one. Throws where the state is damaged. */
+/** Nothing for an address of something else; `#/page` gives a document without state. Throws where the address is damaged. */
 export async function fromHash(hash: string): Promise<Document | undefined> {
-  const [, page, packed] = /^#\/([a-z]+)(?:\/([\w-]+))?$/.exec(hash) ?? [];
-  if (!page) return undefined;
+  if (!hash.startsWith('#/') || hash === '#/') return undefined;
+  const [, page, packed] = /^#\/([a-z]+)(?:\/([\w-]*))?$/.exec(hash) ?? [];
+  if (!page) throw new Error('The address is damaged: it has something that no link to this viewer has. Was it copied whole, and nothing else with it?');
   if (!packed) return { page, state: undefined };
   try {
     return { page, state: JSON.parse(await unpacked(packed)) as unknown };
@@ -41,9 +43,8 @@ export async function fromHash(hash: string): Promise<Document | undefined> {
 
 /** Nothing for an address without data. Throws where it is damaged. */
 export async function dataFromHash(hash: string): Promise<ProgramData | undefined> {
-  const packed = /^#data=([\w-]+)$/.exec(hash)?.[1];
-  if (!packed) return undefined;
-  const text = await unpacked(packed).catch(() => {
+  if (!hash.startsWith('#data=')) return undefined;
+  const text = await unpacked(hash.slice('#data='.length)).catch(() => {
     throw new Error('The address is damaged: what follows #data= cannot be unpacked. Was it copied whole?');
   });
   return programData(text);

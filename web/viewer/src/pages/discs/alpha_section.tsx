@@ -4,7 +4,7 @@ import { fromDouble, multiply, parseRational, rational, toNumber, toText } from 
 import { Choice, NumberField, Section, Slider, type Tick } from '../../shell/controls';
 import type { Change } from '../../shell/page';
 import { kSemantics } from '../options';
-import { isLength, kOperations, naturalSemantics, type DiscState } from './state';
+import { checkLength, kOperations, naturalSemantics, type DiscState } from './state';
 
 interface AlphaProps {
   state: DiscState;
@@ -50,14 +50,13 @@ export function AlphaSection(props: AlphaProps) {
   const { state, change, events, reach } = props, alpha = alphaOf(state);
   const step = 10 ** Math.floor(Math.log10(reach / 500));
   const to = (value: number, how: 'live' | 'done'): void => change({ ...state, event: null, alpha: short(Math.round(value / step) * step) }, how);
-  const check = (text: string): string | undefined => (isLength(text) ? undefined : 'A diameter is a number that is not negative, such as 0.5 or 1/3.');
   return (
     <Section title="Disc">
       <Choice label="What the disc makes" options={kOperations} value={state.operation} onChange={(operation) => change({ ...state, operation, semantics: naturalSemantics(operation), event: null })} />
       <Choice label="What touching counts" options={kSemantics} value={state.semantics} onChange={(semantics) => change({ ...state, semantics })} />
       <Slider label="Diameter α" value={alpha} min={0} max={reach} step={step} text={short(alpha)} ticks={ticksOf(events)} onInput={(v) => to(v, 'live')} onDone={(v) => to(v, 'done')} plays />
       <EventButtons {...props} />
-      <NumberField label="Exactly" value={state.event === null ? state.alpha : `event ${state.event + 1}`} check={check} onCommit={(text) => change({ ...state, event: null, alpha: text })} />
+      <NumberField label="Exactly" value={state.event === null ? state.alpha : `event ${state.event + 1}`} check={checkLength} onCommit={(text) => change({ ...state, event: null, alpha: text })} />
     </Section>
   );
 }

@@ -5,7 +5,7 @@ import { ExactText } from '../../shell/exact_text';
 import type { PageProps } from '../../shell/page';
 import { alphaOf } from './alpha_section';
 import { Barcode, lifeOf, reachOf, significanceOf } from './barcode';
-import { isLength, kConcavities, type DiscState } from './state';
+import { checkLength, kConcavities, type DiscState } from './state';
 import type { DiscData } from './use_discs';
 
 type BarsProps = PageProps<DiscState> & { data: DiscData };
@@ -23,10 +23,6 @@ function ChosenBar({ state, data, shell }: BarsProps) {
   );
 }
 
-function checkLength(text: string): string | undefined {
-  return isLength(text) ? undefined : 'A diameter is a number that is not negative, such as 0.5 or 1/3.';
-}
-
 /** Which lives count, and how deep pockets are. */
 function Counting({ state, change }: BarsProps) {
   const { concavity } = state, tolerance = String(state.hybridTolerance);
@@ -34,7 +30,7 @@ function Counting({ state, change }: BarsProps) {
     <>
       <Choice label="How deep pockets are" options={kConcavities} value={concavity} onChange={(to) => change({ ...state, concavity: to, bar: null })} />
       {concavity === 'hybrid2' && (
-        <NumberField label="pockets no deeper by shortest paths" value={tolerance} check={checkLength} onCommit={(text) => change({ ...state, hybridTolerance: Number(text) })} />
+        <NumberField label="pockets no deeper by shortest paths" value={tolerance} check={checkLength} onCommit={(text) => change({ ...state, hybridTolerance: alphaOf({ alpha: text }) })} />
       )}
       <div class="fields">
         <NumberField label="lives from α" value={state.alphaFrom} check={checkLength} onCommit={(alphaFrom) => change({ ...state, alphaFrom })} />

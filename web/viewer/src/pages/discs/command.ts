@@ -1,5 +1,5 @@
 // The page of growing discs as a command asks for it.
-import { multiply, parseRational, rational, toText } from '../../numbers/rational';
+import { multiply, parseRational, rational, toNumber, toText } from '../../numbers/rational';
 import type { Parameters } from '../../shell/embedded';
 import { parseSemantics, textOf } from '../options';
 import { discState, isLength, type Concavity, type DiscState, type Operation } from './state';
@@ -15,7 +15,7 @@ function lengthOf(parameters: Parameters, name: string, otherwise: string): stri
 /** What `features` and `decompose` have in common. `--tau` is also called persistence. */
 function featuresOf(parameters: Parameters): Partial<DiscState> {
   const tau = lengthOf(parameters, 'persistence', lengthOf(parameters, 'tau', '0')), alpha = lengthOf(parameters, 'alpha', '0');
-  const concavity = kConcavities[textOf(parameters, 'concavity') ?? 'straight'] ?? 'straight_line', hybridTolerance = Number(lengthOf(parameters, 'hybrid-tolerance', '0'));
+  const concavity = kConcavities[textOf(parameters, 'concavity') ?? 'straight'] ?? 'straight_line', hybridTolerance = toNumber(parseRational(lengthOf(parameters, 'hybrid-tolerance', '0'))!);
   return { persistence: tau, alpha, alphaFrom: lengthOf(parameters, 'alpha-from', '0'), alphaTo: lengthOf(parameters, 'alpha-to', ''), concavity, hybridTolerance };
 }
 

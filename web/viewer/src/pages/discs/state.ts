@@ -1,7 +1,7 @@
 // What the page of growing discs shows.
 import type { FeatureOptions, Semantics } from 'dymsum';
 import { parseShape, type Shape } from '../../engine/shape';
-import { parseRational } from '../../numbers/rational';
+import { checkSize, parseRational } from '../../numbers/rational';
 import type { Camera } from '../../view2d/camera';
 import { parseSemantics } from '../options';
 import { parseCamera } from '../sum/state';
@@ -46,10 +46,14 @@ export function discState(shape: Shape, changes: Partial<DiscState> = {}): DiscS
   return { shape, operation: 'sum', semantics, alpha: '1/2', event: null, bar: null, bridges: true, cuts: false, ...features, ...changes };
 }
 
-/** Whether a text is an exact number that is not negative. */
-export function isLength(text: string): boolean {
+/** Why a text is no exact length that can be drawn; nothing where it is one. */
+export function checkLength(text: string): string | undefined {
   const r = parseRational(text);
-  return r !== undefined && r.n >= 0n;
+  return r && r.n >= 0n ? checkSize(r) : 'A diameter is a number that is not negative, such as 0.5 or 1/3.';
+}
+
+export function isLength(text: string): boolean {
+  return checkLength(text) === undefined;
 }
 
 /** Throws an Error for what is no state of this page. What is left out is as in a new one. */

@@ -1,9 +1,10 @@
 // All that the page of growing discs asks of the engine.
 import type { AlphaBridge, Decomposition, FeatureBar } from 'dymsum';
-import { useEffect, useMemo } from 'preact/hooks';
+import { useMemo } from 'preact/hooks';
 import { useAnswer } from '../../engine/use_answer';
 import { useOperand, type Operand } from '../../operands/use_operand';
 import type { Shell } from '../../shell/page';
+import { useReport } from '../../shell/use_report';
 import { useSettled } from '../../shell/use_settled';
 import { lifeOf } from './barcode';
 import type { DiscAnswer } from './service';
@@ -44,9 +45,7 @@ export function useDiscs(shell: Shell, state: DiscState): DiscData {
     [all, alphaFrom, alphaTo],
   );
   const error = set.error ?? events.error ?? bars.error ?? bridges.error ?? cuts.error;
-  useEffect(() => {
-    if (error) shell.report(error);
-  }, [shell, error]);
+  useReport(shell, error);
   return {
     operand, answer: set.value, bars: longest, barCount: all?.length ?? 0,
     events: events.of?.shape === shape && events.of.operation === operation ? events.value : undefined,

@@ -7,6 +7,7 @@ import type { PageProps, Shell } from '../../shell/page';
 import { Panel, Stage } from '../../shell/parts';
 import type { Point } from '../../view2d/camera';
 import { PlaneView } from '../../view2d/plane_view';
+import { NestingOffer } from '../nesting/offer';
 import { AlphaSection, alphaOf, alphaText } from './alpha_section';
 import { reachOf } from './barcode';
 import { BarsSection } from './bars_section';
@@ -60,6 +61,7 @@ export function View(props: PageProps<DiscState>) {
       <Panel summary={kSummary}>
         <Section title="Shape">
           <OperandCard shell={shell} role="P" tint="p" shape={state.shape} operand={operand} onShape={(shape) => change(discState(shape, { operation: state.operation }))} />
+          <NestingOffer shape={state.shape} error={operand.error} shell={shell} />
         </Section>
         <AlphaSection state={state} change={change} events={data.events} reach={reach} />
         <BarsSection {...props} data={data} />

@@ -29,11 +29,16 @@ export interface NestingState {
   camera?: Camera;
 }
 
+function isShare(text: string): boolean {
+  const r = parseRational(text);
+  return r !== undefined && r.n >= 0n && r.n <= r.d;
+}
+
 function parsePlacement(value: unknown): Placement {
   const { kind, x, y, index, next, along } = (value ?? {}) as Record<string, unknown>;
   const isIndex = (n: unknown): n is number => Number.isInteger(n) && (n as number) >= 0;
   if (kind === 'vertex' && isIndex(index)) return { kind, index };
-  if (kind === 'edge' && isIndex(index) && isIndex(next) && typeof along === 'string' && parseRational(along)) return { kind, index, next, along };
+  if (kind === 'edge' && isIndex(index) && isIndex(next) && typeof along === 'string' && isShare(along)) return { kind, index, next, along };
   if ((kind === 'free' || kind === 'nearest') && Number.isFinite(x) && Number.isFinite(y)) return { kind, x: x as number, y: y as number };
   throw new Error('The document holds no place for B.');
 }

@@ -1,12 +1,13 @@
 import { useEffect, useMemo } from 'preact/hooks';
 import { useAnswer } from '../../engine/use_answer';
-import { short } from '../../numbers/display';
+import { short, shortText } from '../../numbers/display';
 import { OperandCard } from '../../operands/operand_card';
 import { useOperand, type Operand } from '../../operands/use_operand';
 import { Choice, Readouts, Section } from '../../shell/controls';
 import { ExactText } from '../../shell/exact_text';
 import type { PageProps, Shell } from '../../shell/page';
 import { Panel, Stage } from '../../shell/parts';
+import { useReport } from '../../shell/use_report';
 import { appliedToBox, inverted, placed as placing } from '../../view2d/affine';
 import { unionOf, type Point } from '../../view2d/camera';
 import { isInside } from '../../view2d/edge_grid';
@@ -35,9 +36,7 @@ function useNesting(shell: Shell, state: NestingState) {
   const place = useAnswer(shell.engine, 'placed', ready ? { ...pair, at: state.at } : undefined);
   const picture = useMemo(() => nfp.value && new SumPicture(nfp.value.shape), [nfp.value]);
   const error = nfp.error ?? place.error;
-  useEffect(() => {
-    if (error) shell.report(error);
-  }, [shell, error]);
+  useReport(shell, error);
   return { a, b, nfp: picture, placed: place.value, placedAt: place.of?.at, error,
     /** the shapes that all of it is of */
     of: nfp.of && place.of?.a === nfp.of.a && place.of.b === nfp.of.b ? nfp.of : undefined };
@@ -55,7 +54,12 @@ function PlaceSection({ state, change, shell, placed, nfp }: PageProps<NestingSt
       <p role="status" style={{ margin: '0 0 6px', fontWeight: 600 }}>{placed ? meetingText(placed) : '…'}</p>
       {contact && <p style={{ margin: '0 0 6px' }}>Contact: {contact}</p>}
       {placed && <ExactText label="the exact position" text={`(${placed.x}, ${placed.y})`} shell={shell} />}
-      {placed && placed.meeting !== 'touching' && <Readouts rows={[['distance squared, exactly', placed.squared.length > 40 ? short(placed.distance ** 2) : placed.squared]]} />}
+      {placed && placed.meeting !== 'touching' && (
+        <>
+          <Readouts rows={[['distance squared', shortText(placed.squared)]]} />
+          <ExactText label="the square of the distance" text={placed.squared} shell={shell} />
+        </>
+      )}
       <div class="row">
         <button disabled={!free} onClick={() => at.kind === 'free' && change({ ...state, at: { ...at, kind: 'nearest' } })}>
           To the nearest fit

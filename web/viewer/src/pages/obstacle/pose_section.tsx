@@ -5,7 +5,7 @@ import { tanHalfOf } from '../../numbers/snap';
 import { NumberField, Section, Slider, Toggle, type Tick } from '../../shell/controls';
 import type { Change } from '../../shell/page';
 import { checkAngle, radiansOf } from '../angle';
-import type { ObstacleState, Pose } from './state';
+import { checkCoordinate, type ObstacleState, type Pose } from './state';
 import type { ObstacleScene } from './service';
 
 interface PoseProps {
@@ -35,9 +35,6 @@ function nearTanHalf(theta: number): string {
   return Number.isSafeInteger(n) ? `${n}/${fine}` : tanHalfOf(theta);
 }
 
-function checkNumber(text: string): string | undefined {
-  return text !== '' && Number.isFinite(Number(text)) ? undefined : 'A number such as 1.25.';
-}
 function EventButtons({ pose, scene, move }: PoseProps) {
   const now = radiansOf(pose.tanHalf), angles = scene?.angles ?? [], apart = 1e-9;
   const before = angles.filter((a) => a.theta < now - apart).at(-1), after = angles.find((a) => a.theta > now + apart);
@@ -65,8 +62,8 @@ export function PoseSection(props: PoseProps) {
       />
       <EventButtons {...props} />
       <div class="fields">
-        <NumberField label="x" value={String(pose.x)} check={checkNumber} onCommit={(x) => move({ ...pose, x: Number(x) })} />
-        <NumberField label="y" value={String(pose.y)} check={checkNumber} onCommit={(y) => move({ ...pose, y: Number(y) })} />
+        <NumberField label="x" value={String(pose.x)} check={checkCoordinate} onCommit={(x) => move({ ...pose, x: Number(x) })} />
+        <NumberField label="y" value={String(pose.y)} check={checkCoordinate} onCommit={(y) => move({ ...pose, y: Number(y) })} />
         <NumberField label="tan θ/2" value={pose.tanHalf} check={checkAngle} onCommit={(tanHalf) => move({ ...pose, tanHalf })} />
       </div>
       <Toggle label="Cut the obstacle at θ" value={state.cut} onChange={(cut) => change({ ...state, cut })} />

@@ -1,5 +1,6 @@
 // What the page of the turning robot shows.
 import { parseShape, type Shape } from '../../engine/shape';
+import { checkSize, parseRational } from '../../numbers/rational';
 import { isAngle } from '../angle';
 
 /** Where the robot's reference point stands, and its angle, see angle.ts. */
@@ -31,6 +32,12 @@ export interface ObstacleState {
 
 export function obstacleState(robot: Shape, obstacle: Shape, start: Pose, goal: Pose, changes: Partial<ObstacleState> = {}): ObstacleState {
   return { robot, obstacle, start, goal, at: start, strict: false, path: false, cut: false, through: true, ...changes };
+}
+
+/** Why a text is no coordinate of a pose, which is a double; nothing where it is one. */
+export function checkCoordinate(text: string): string | undefined {
+  const exact = text.includes('/') ? undefined : parseRational(text);
+  return exact ? checkSize(exact) : 'A coordinate is a decimal number such as 1.25, no fraction.';
 }
 
 function parsePose(value: unknown, otherwise: Pose): Pose {

@@ -1,9 +1,10 @@
 // What the page knows of the state it shows: answers of the engine, for drawing.
 import type { Configuration, Plan } from 'dymsum';
-import { useEffect, useMemo, useRef } from 'preact/hooks';
+import { useMemo, useRef } from 'preact/hooks';
 import { useAnswer } from '../../engine/use_answer';
 import { useOperand, type Operand } from '../../operands/use_operand';
 import { useSettled } from '../../shell/use_settled';
+import { useReport } from '../../shell/use_report';
 import type { Shell } from '../../shell/page';
 import { radiansOf } from '../angle';
 import { PathMotion } from './motion';
@@ -23,14 +24,6 @@ export interface ObstacleData {
   motion: PathMotion | undefined;
   /** a plan is being made */
   planning: boolean;
-}
-
-/** Errors are shown, each once. */
-function useReports(shell: Shell, errors: readonly unknown[]): void {
-  const first = errors.find((e) => e !== undefined);
-  useEffect(() => {
-    if (first !== undefined) shell.report(first);
-  }, [shell, first]);
 }
 
 /** The same object as long as it says the same: what is compared by identity then stays. */
@@ -54,7 +47,7 @@ export function useObstacle(shell: Shell, state: ObstacleState, now: Pose): Obst
   const settled = useSettled(ends);
   const plan = useAnswer(engine, 'obstaclePlan', known && state.path ? settled : undefined);
   const isPlan = state.path && plan.of === ends;
-  useReports(shell, [scene.error, slice.error, place.error, plan.error]);
+  useReport(shell, scene.error ?? slice.error ?? place.error ?? plan.error);
   const sceneNow = known ? scene.value : undefined;
   const space = useMemo(() => sceneNow && spaceShape(sceneNow), [sceneNow]);
   const path = isPlan ? plan.value : undefined;

@@ -11,6 +11,7 @@ import { unionOf, type Box } from '../../view2d/camera';
 import { PlaneView } from '../../view2d/plane_view';
 import { SpacePicture } from '../../view3d/space_picture';
 import type { Hit } from '../../view3d/view';
+import { NestingOffer } from '../nesting/offer';
 import { clearanceText, contactText, freeAnglesText } from './names';
 import { PathSection } from './path_section';
 import { PoseSection } from './pose_section';
@@ -144,6 +145,7 @@ export function View({ state, change, shell }: PageProps<ObstacleState>) {
         <Section title="Shapes">
           <OperandCard shell={shell} role="Robot" tint="q" shape={state.robot} operand={robot} onShape={(shape) => change({ ...state, robot: shape })} />
           <OperandCard shell={shell} role="Obstacle" tint="p" shape={state.obstacle} operand={data.obstacle} onShape={(shape) => change({ ...state, obstacle: shape })} />
+          <NestingOffer shape={state.obstacle} error={data.obstacle.error} shell={shell} />
         </Section>
         <PoseSection state={state} change={change} scene={data.scene} pose={pose} move={(to, how) => move('at', to, how)} />
         <Facts data={data} state={state} onPath={onPath === true} />

@@ -2,7 +2,7 @@
 import type { RegionFormat } from 'dymsum';
 import { useEffect } from 'preact/hooks';
 import { useAnswer } from '../../engine/use_answer';
-import { short } from '../../numbers/display';
+import { shortText } from '../../numbers/display';
 import { kCatalogue } from '../../operands/catalogue';
 import { OperandCard } from '../../operands/operand_card';
 import { ShapeRow } from '../../operands/shape_row';
@@ -11,8 +11,10 @@ import { Readouts, Section } from '../../shell/controls';
 import { ExactText } from '../../shell/exact_text';
 import type { Change, Shell } from '../../shell/page';
 import { Panel, Stage } from '../../shell/parts';
+import { useReport } from '../../shell/use_report';
 import { colour } from '../../shell/theme';
 import { PlaneView } from '../../view2d/plane_view';
+import { NestingOffer } from '../nesting/offer';
 import type { AloneState, SumPageState } from './state';
 
 interface AloneProps {
@@ -33,9 +35,7 @@ function useDownloads({ engine, setDownloads }: Shell, { p }: AloneState, isTher
 export function AloneView({ state, change, shell }: AloneProps) {
   const operand = useOperand(shell, state.p), { outline, error } = operand;
   const numbers = useAnswer(shell.engine, 'regionNumbers', operand.ready ? { shape: state.p } : undefined);
-  useEffect(() => {
-    if (numbers.error) shell.report(numbers.error);
-  }, [shell, numbers.error]);
+  useReport(shell, numbers.error);
   useDownloads(shell, state, operand.ready);
   const known = numbers.of?.shape === state.p && !error ? numbers.value : undefined, { x, y } = error?.evidence ?? {};
   const summary = `${state.p.name} by itself.`;
@@ -54,10 +54,11 @@ export function AloneView({ state, change, shell }: AloneProps) {
       <Panel summary={summary}>
         <Section title="Shapes">
           <OperandCard shell={shell} role="P" tint="p" shape={state.p} operand={operand} onShape={(p) => change({ ...state, p })} />
+          <NestingOffer shape={state.p} error={error} shell={shell} />
           <ShapeRow role="Q" tint="q" label="Shape of Q" catalogue={kCatalogue} shape={null} onShape={(q) => change({ ...state, q })} />
         </Section>
         <Section title="Shape">
-          <Readouts rows={[['parts', known?.parts], ['holes', known?.holes], ['vertices', known?.vertices], ['area', known && short(Number(known.area))]]} />
+          <Readouts rows={[['parts', known?.parts], ['holes', known?.holes], ['vertices', known?.vertices], ['area', known && shortText(known.area)]]} />
           {known?.exact && <ExactText label="the exact area" text={known.exact} shell={shell} />}
         </Section>
       </Panel>

@@ -1,7 +1,7 @@
 // The page of sums as a command asks for it.
 import type { Parameters } from '../../shell/embedded';
 import { angleOption, numbersOf, parseSemantics, scalesOf, textOf } from '../options';
-import { withShown, type SumPageState, type SumState } from './state';
+import { checkSumScale, withShown, type SumPageState, type SumState } from './state';
 
 type Look = NonNullable<SumState['look']>;
 
@@ -19,11 +19,17 @@ function turnOf(parameters: Parameters): { range?: readonly [number, number] } {
   return Math.abs(way) < Math.PI ? { range: [Math.min(0, way), Math.max(0, way)] } : {};
 }
 
+/** Scales that can be drawn. */
+function drawnScales(parameters: Parameters): Partial<SumState> {
+  const asked = scalesOf(parameters);
+  return checkSumScale(asked.scale) === undefined && (asked.range ?? []).every(Number.isFinite) ? asked : { scale: '1' };
+}
+
 function ofVerb(parameters: Parameters, state: SumState): SumState {
   const moving = parameters.scaled === 'q' ? 'q' : 'p';
   switch (parameters.verb) {
     case 'scale':
-      return withShown({ ...state, moving, motion: 'scale', ...scalesOf(parameters) }, parameters.robot ? 'hits' : 'sum');
+      return withShown({ ...state, moving, motion: 'scale', ...drawnScales(parameters) }, parameters.robot ? 'hits' : 'sum');
     case 'rotate':
       return { ...state, moving: 'p', motion: 'turn', ...turnOf(parameters) };
     case 'erode':

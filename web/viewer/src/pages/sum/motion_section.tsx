@@ -4,9 +4,9 @@ import { tanHalfOf } from '../../numbers/snap';
 import { Choice, NumberField, Section, Slider } from '../../shell/controls';
 import type { Change, Shell } from '../../shell/page';
 import { checkAngle, radiansOf } from '../angle';
-import { checkScale, firstFactor, isUniform } from '../scale';
+import { firstFactor, isUniform } from '../scale';
 import { isStill, type SumArgs } from './service';
-import type { SumState } from './state';
+import { checkSumScale, type SumState } from './state';
 import { scaleRange, scaleStep, withScale } from './tools';
 import { useEvents, type Events } from './use_events';
 
@@ -48,7 +48,7 @@ function ScaleControls(props: MotionProps) {
         ticks={hasEvents ? (events.ticks ?? []) : []} onInput={(v) => to(v, 'live')} onDone={(v) => to(v, 'done')} plays
       />
       {hasEvents && <EventButtons {...props} events={events} />}
-      <NumberField label="Exactly" value={state.scale} check={(text) => checkScale(text, 2)} onCommit={(scale) => change({ ...state, scale })} />
+      <NumberField label="Exactly" value={state.scale} check={checkSumScale} onCommit={(scale) => change({ ...state, scale })} />
     </>
   );
 }

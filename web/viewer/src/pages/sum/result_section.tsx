@@ -1,6 +1,6 @@
 // What is known of the sum, and of the place that was picked.
 import type { PlanarDistance } from 'dymsum';
-import { short } from '../../numbers/display';
+import { short, shortText } from '../../numbers/display';
 import { Readouts, Section } from '../../shell/controls';
 import { ExactText } from '../../shell/exact_text';
 import type { Shell } from '../../shell/page';
@@ -52,7 +52,7 @@ export function ResultSection({ data, shell }: { data: SumData; shell: Shell }) 
           ['vertices', counts?.vertices],
           ['tight points, segments', counts && `${counts.tightPoints}, ${counts.tightSegments}`],
           ['computed in', refused || data.ms === undefined ? undefined : `${data.ms.toFixed(1)} ms`],
-          ['area', area ? short(Number(area.decimal)) : refused ? undefined : '…'],
+          ['area', area ? shortText(area.decimal) : refused ? undefined : '…'],
         ]}
       />
       {area?.exact && <ExactText label="the exact area" text={area.exact} shell={shell} />}

@@ -1,10 +1,11 @@
 // What the page of sums shows.
 import type { Semantics } from 'dymsum';
 import { parseShape, type Shape } from '../../engine/shape';
+import { checkSize } from '../../numbers/rational';
 import type { Camera } from '../../view2d/camera';
 import { isAngle } from '../angle';
 import { parseSemantics } from '../options';
-import { factorsOf } from '../scale';
+import { checkScale, factorsOf } from '../scale';
 
 export type Which = 'p' | 'q';
 export const kLayers = ['p', 'q', 'sum', 'tight', 'convolution', 'cells', 'crossings', 'dropped'] as const;
@@ -70,6 +71,11 @@ function parsePair(value: unknown): [number, number] {
   return areNumbers(value, 2) ? [value[0]!, value[1]!] : [0, 0];
 }
 
+/** Why a text is no scale that can be drawn; nothing where it is one. */
+export function checkSumScale(text: string): string | undefined {
+  return checkScale(text, 2) ?? factorsOf(text, 2)?.map(checkSize).find((wrong) => wrong !== undefined);
+}
+
 /** Throws an Error for what is no state of this page. What is left out is as in a new one. */
 export function parseSumState(value: unknown): SumPageState {
   const v = (value ?? {}) as Partial<Record<keyof SumState, unknown>>;
@@ -79,7 +85,7 @@ export function parseSumState(value: unknown): SumPageState {
     semantics: parseSemantics(v.semantics, 'closed'),
     moving: v.moving === 'q' ? 'q' : 'p',
     motion: v.motion === 'turn' ? 'turn' : 'scale',
-    scale: typeof v.scale === 'string' && factorsOf(v.scale, 2) ? v.scale : '1',
+    scale: typeof v.scale === 'string' && checkSumScale(v.scale) === undefined ? v.scale : '1',
     tanHalf: typeof v.tanHalf === 'string' && isAngle(v.tanHalf) ? v.tanHalf : '0',
     ...parseRange(v.range),
     atP: parsePair(v.atP),

@@ -1,5 +1,5 @@
 // What the pointer is at, and what was picked with it.
-import { useEffect, useState } from 'preact/hooks';
+import { useEffect, useRef, useState } from 'preact/hooks';
 import { add, fromDouble, parseRational, toText } from '../../numbers/rational';
 import type { Shell } from '../../shell/page';
 import { copy } from '../../shell/save';
@@ -47,12 +47,21 @@ export function usePointing(shell: Shell, state: SumState, args: SumArgs, sum: S
   const [hovered, hover] = usePlace(sum);
   const [chosen, choose] = usePlace(sum);
   const [picked, setPicked] = useState<Picked | undefined>();
-  useEffect(() => setPicked(undefined), [sum, state.atP, state.atQ]);
+  const newest = useRef(0);
+  const forget = (): void => {
+    ++newest.current;
+    setPicked(undefined);
+  };
+  useEffect(() => {
+    forget();
+    choose(undefined);
+  }, [sum, state.atP, state.atQ]); // eslint-disable-line react-hooks/exhaustive-deps -- only where the sum is another, or elsewhere
   const pickNow = async (place: Nearest | undefined): Promise<void> => {
     choose(place);
-    setPicked(undefined);
+    forget();
     if (!place || !sum) return;
-    const exact = await exactPlace(shell, args, state, { place, sum });
+    const pick = newest.current, exact = await exactPlace(shell, args, state, { place, sum });
+    if (pick !== newest.current) return; // moved meanwhile
     setPicked(exact);
     await copy(exact.positions.map(positionText).join(' '));
     shell.announce('The exact position is copied.');

@@ -1,10 +1,11 @@
 // All that the page of sums asks of the engine.
 import type { PlanarDistance, PlanarTrace } from 'dymsum';
-import { useEffect, useMemo } from 'preact/hooks';
+import { useMemo } from 'preact/hooks';
 import { useAnswer } from '../../engine/use_answer';
 import { add, fromDouble, toNumber, type Rational } from '../../numbers/rational';
 import { useOperand, type Operand } from '../../operands/use_operand';
 import type { Shell } from '../../shell/page';
+import { useReport } from '../../shell/use_report';
 import { useSettled } from '../../shell/use_settled';
 import { SumPicture } from '../../view2d/sum_shape';
 import { isStill, type SumArea, type SumArgs } from './service';
@@ -55,9 +56,7 @@ export function useSum(shell: Shell, state: SumState, pull: Pull | undefined): S
   const depth = useAnswer(engine, 'sumDepth', place && { p: state.p, q: state.q, ...place });
   const sum = useMemo(() => frame.value && new SumPicture(frame.value.shape), [frame.value]);
   const error = frame.error ?? area.error ?? trace.error ?? depth.error;
-  useEffect(() => {
-    if (error) shell.report(error);
-  }, [shell, error]);
+  useReport(shell, error);
   return {
     p, q, args, sum, of: frame.of, ms: frame.value?.ms, error,
     area: area.of === settled ? area.value : undefined,

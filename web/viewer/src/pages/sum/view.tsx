@@ -8,6 +8,7 @@ import { Panel, Stage } from '../../shell/parts';
 import { applied, appliedToBox, inverted, type Affine } from '../../view2d/affine';
 import { unionOf, type Box, type Point } from '../../view2d/camera';
 import { PlaneView } from '../../view2d/plane_view';
+import { NestingOffer } from '../nesting/offer';
 import { kSemantics } from '../options';
 import { AloneView } from './alone_view';
 import { gripOf } from './dragging';
@@ -128,7 +129,9 @@ function PairView({ state, change, shell }: PageProps<SumState> & { change: Page
       <Panel summary={kSummaries[state.shown]}>
         <Section title="Shapes">
           <OperandCard shell={shell} role="P" tint="p" shape={state.p} operand={data.p} onShape={(p) => change({ ...state, p })} />
+          <NestingOffer shape={state.p} error={data.p.error} shell={shell} />
           <OperandCard shell={shell} role="Q" tint="q" shape={state.q} operand={data.q} onShape={(q) => change({ ...state, q })} onNone={() => change({ ...state, q: null })} />
+          <NestingOffer shape={state.q} error={data.q.error} shell={shell} />
           <Choice label="What dragging a shape does" options={tools} value={context.tool} onChange={setTool} />
         </Section>
         <SetSection state={state} change={change} />
