@@ -4,7 +4,8 @@ import { short } from '../../numbers/display';
 import { Readouts, Section, Slider, Toggle } from '../../shell/controls';
 import { ExactText } from '../../shell/exact_text';
 import type { Change, Shell } from '../../shell/page';
-import { contactOf, contactText, kindText } from './faces';
+import type { SolidDepthAnswer } from './depth';
+import { contactOf, contactText, kindText, touchingText } from './faces';
 import { kFaceColours } from './pictures';
 import type { SolidFrame } from './service';
 import type { SolidsState } from './state';
@@ -49,21 +50,26 @@ export function SumSection({ state, change, data, shell }: FactsProps) {
 
 export function DepthSection({ state, data, shell }: FactsProps) {
   if (state.sum !== 'hits') return null;
-  const { depth } = data, way = depth?.direction.map(short).join(', ');
+  const { depth } = data, known = depth && !('unknown' in depth) ? depth : undefined, inside = known?.inside ? known : undefined;
   return (
     <Section title="Depth of Q in P">
       <Readouts
         rows={[
-          ['Q', depth === null ? 'not known exactly' : depth && (depth.inside ? `overlaps P, depth ${short(depth.depth)}` : 'does not overlap P')],
-          ['Way out', depth?.inside ? way : undefined],
-          ['Touches then', depth?.inside ? contactText(depth) : undefined],
+          ['Q', depth && !known ? 'not known exactly' : known && meetingText(known)],
+          ['Way out', inside && `${inside.direction.map(short).join(', ')}${(inside.ways ?? 1) > 1 ? `: one of ${inside.ways}` : ''}`],
+          ['Touches then', inside && touchingText(inside.contacts)],
         ]}
       />
-      {depth === null && <p class="quiet">Scaled so, the coordinates are no doubles. Binary fractions such as 3/4 need the fewest digits.</p>}
-      {depth?.inside && <p class="quiet">The square of the depth, exactly:</p>}
-      {depth?.inside && <ExactText label="the square of the depth" text={depth.squared} shell={shell} />}
+      {depth && 'unknown' in depth && <p class="quiet">{depth.unknown}</p>}
+      {inside && <p class="quiet">The square of the depth, exactly:</p>}
+      {inside && <ExactText label="the square of the depth" text={inside.squared} shell={shell} />}
     </Section>
   );
+}
+
+function meetingText({ inside, depth, within }: SolidDepthAnswer): string {
+  if (inside) return `overlaps P, depth ${short(depth)}`;
+  return within === 0 ? 'does not overlap P' : `does not overlap P, to within ${Number(within.toPrecision(1))}`;
 }
 
 /** Low and high z of the frame. */
