@@ -242,6 +242,34 @@ describe('commands of solids', () => {
     expect(await chosen(page, 'What is computed')).toMatch(/^P ⊕ −Q/);
     await close(it);
   });
+  it('nfp: where Q hits P', async () => {
+    const it = await asked('solids', 'nfp', { ...kChannel, 'bar.off': box(0, 0, 0, 2, 0.5, 0.25) }), { page } = it;
+    await expect.poll(() => volume(page)).toBe('351/4'); // 87.75
+    expect([await chosen(page, 'What is computed'), await readout(page, 'Tight')]).toEqual(['P ⊕ −Q: where Q hits P', 'faces']);
+    await close(it);
+  });
+  it('erode: where Q fits in P, while nothing turns', async () => {
+    const it = await asked('solids', 'erode', { ...kChannel, 'bar.off': box(0, 0, 0, 2, 0.5, 0.25) }), { page } = it;
+    await expect.poll(() => volume(page)).toBe('11/4');
+    expect([await chosen(page, 'What is computed'), await readout(page, 'Q'), await readout(page, 'Tight')]).toEqual(['Fit in P', 'fits in P', 'nothing']);
+    expect(await page.getByLabel('Turn', { exact: true }).count()).toBe(0);
+    await set(page, 'Scale, exactly', '2'); // 4 by 1 by 1/2: the floor of the channel
+    await expect.poll(() => readout(page, 'Q')).toBe('fits in P without room to move');
+    expect(await readout(page, 'Tight')).toBe('segments');
+    await expect.poll(() => readout(page, 'Volume')).toBe('0');
+    await choose(page, 'What touching counts', 'Regular');
+    await expect.poll(() => readout(page, 'Q')).toBe('fits nowhere in P with room to move');
+    await choose(page, 'What touching counts', 'Closed');
+    await set(page, 'Scale, exactly', '3');
+    await expect.poll(() => readout(page, 'Q')).toBe('fits nowhere in P');
+    await page.getByLabel('Cut the sum at a height').click();
+    await set(page, 'Scale, exactly', '1/3');
+    await expect.poll(() => page.getByRole('alert').innerText()).toMatch(/no doubles/);
+    expect(await readout(page, 'Q')).toBe('–');
+    await choose(page, 'What is computed', 'P ⊕ Q');
+    await expect.poll(() => page.getByLabel('Turn', { exact: true }).count()).toBe(1);
+    await close(it);
+  });
   it('local-sum: looks at a part', async () => {
     const it = await asked('solids', 'local-sum', kSolids, { ball: '3.5,2.5,1.5,0.5' }), { page } = it;
     await expect.poll(() => volume(page)).toBe('24/1');

@@ -40,6 +40,10 @@ function ofVerb(parameters: Parameters): Partial<SolidsState> {
       return { ...turned(parameters), ...kSets.hits, at: (numbersOf(textOf(parameters, 'move'), 3) as Triple | undefined) ?? [0, 0, 0], through: true };
     case 'slice':
       return { slice: Number(textOf(parameters, 'z') ?? 0), sum: parameters.reflect ? 'hits' : 'sum' };
+    case 'nfp':
+      return { sum: 'hits' };
+    case 'erode':
+      return { sum: 'fit' };
     case 'local-sum':
       return { ...turned(parameters), ...lookOf(parameters) };
     default:

@@ -22,11 +22,12 @@ const kLegend = ['a face of P, a vertex of Q (fv)', 'a vertex of P, a face of Q 
 
 export function SumSection({ state, change, data, shell }: FactsProps) {
   const { frame, numbers } = data;
-  const tight = frame && [frame.tightTriangles.length > 0 && 'faces', frame.tightSegments.length > 0 && 'segments', frame.tightPoints.length > 0 && 'points'].filter(Boolean).join(', ');
+  const isFit = state.sum === 'fit', tight = frame && [frame.tightTriangles.length > 0 && 'faces', frame.tightSegments.length > 0 && 'segments', frame.tightPoints.length > 0 && 'points'].filter(Boolean).join(', ');
   return (
-    <Section title="Sum">
+    <Section title={isFit ? 'Inner fit' : 'Sum'}>
       <Readouts
         rows={[
+          ...(isFit ? [['Q', frame && fitText(frame, tight !== '', state)] as const] : []),
           ['Vertices, faces', frame && `${frame.vertexCount}, ${frame.faceCount}`],
           ['Changed', frame && `${frame.changed} faces`],
           ['Tight', frame && (tight === '' ? 'nothing' : tight)],
@@ -46,6 +47,12 @@ export function SumSection({ state, change, data, shell }: FactsProps) {
       <Toggle label="See through" value={state.through} onChange={(through) => change({ ...state, through })} />
     </Section>
   );
+}
+
+function fitText({ triangles }: SolidFrame, isTight: boolean, { semantics }: SolidsState): string {
+  if (triangles.length > 0) return 'fits in P';
+  if (isTight) return 'fits in P without room to move';
+  return semantics === 'regular' ? 'fits nowhere in P with room to move' : 'fits nowhere in P';
 }
 
 export function DepthSection({ state, data, shell }: FactsProps) {
@@ -79,7 +86,7 @@ function heights({ vertices }: SolidFrame): [number, number] {
     low = Math.min(low, vertices[k]!);
     high = Math.max(high, vertices[k]!);
   }
-  return [low, high];
+  return low < high ? [low, high] : [-1, 1];
 }
 
 export function SliceSection({ state, change, data, shell }: FactsProps) {
@@ -97,7 +104,8 @@ export function SliceSection({ state, change, data, shell }: FactsProps) {
           />
           <Readouts rows={[['Area of the section', section ? short(section.area) : undefined]]} />
           {section?.exact && <ExactText label="the exact area" text={section.exact} shell={shell} />}
-          {(state.angle !== 0 || section === null) && <p class="quiet">The exact section is there while nothing is turned and scaled coordinates are doubles.</p>}
+          {state.sum === 'fit' && <p class="quiet">The exact section is that of sums only.</p>}
+          {state.sum !== 'fit' && (state.angle !== 0 || section === null) && <p class="quiet">The exact section is there while nothing is turned and scaled coordinates are doubles.</p>}
         </>
       )}
     </Section>

@@ -6,7 +6,7 @@ import { bytesOf, isMade, type Shape } from '../../engine/shape';
 import { using } from '../../operands/using';
 import { depthOf, type Place, type SolidDepthAnswer, type Unknown } from './depth';
 import { boundaryEdges, kindsOfFaces } from './faces';
-import { convexOf, first, isConvex, keyOfSum, meshOf, posesOf, second, withScaled, type SumArgs } from './standing';
+import { convexOf, first, fitOf, hasConvexSum, keyOfSum, meshOf, posesOf, second, withScaled, type SumArgs } from './standing';
 
 export interface SolidOperand {
   vertices: Float64Array;
@@ -98,6 +98,15 @@ function anyFrame(host: Host, args: SumArgs, start: number): SolidFrame {
   };
 }
 
+function fitFrame(host: Host, args: SumArgs, start: number): SolidFrame {
+  const shape = fitOf(host, args).shape(), { triangleFaces: faceOf, faceContacts: contacts } = shape, changes = new Uint8Array(contacts.length / 6);
+  return {
+    vertices: shape.vertices, triangles: shape.triangles, faceOf, contacts, ...kindsOfFaces(faceOf, contacts, changes), edges: shape.edges,
+    tightTriangles: shape.tightTriangles, tightSegments: shape.tightSegments, tightPoints: shape.tightPoints, convex: false,
+    vertexCount: shape.vertices.length / 3, faceCount: changes.length, changed: 0, ms: performance.now() - start,
+  };
+}
+
 function countChanged(faces: Iterable<number>, changes: Uint8Array): number {
   let count = 0;
   for (const face of faces) if (changes[face] !== 0) ++count;
@@ -105,25 +114,26 @@ function countChanged(faces: Iterable<number>, changes: Uint8Array): number {
 }
 
 function numbersOf(host: Host, args: SumArgs): SolidNumbers {
-  if (!isConvex(host, args)) return withSum(host, args, (sum) => ({ volume: sum.volume(), volumeExact: sum.volumeExact(kExactBits), shells: sum.shellCount }));
+  if (!hasConvexSum(host, args)) return withSum(host, args, (sum) => ({ volume: sum.volume(), volumeExact: sum.volumeExact(kExactBits), shells: sum.shellCount }));
   const sum = convexOf(host, args, 'numbers');
   return { volume: sum.volume(), volumeExact: sum.volumeExact(), shells: 1 };
 }
 
 function withSum<T>(host: Host, args: SumArgs, ask: (sum: ReturnType<MovingSolidSum['sum']>) => T): T {
-  return using(movingOf(host, args).sum(), ask);
+  return args.sum === 'fit' ? ask(fitOf(host, args)) : using(movingOf(host, args).sum(), ask);
 }
 
 /** Exact positions of vertices of the frame. */
 function exactOf(host: Host, args: SumArgs, vertices: readonly number[]): string[] {
   const text = ({ x, y, z }: { x: string; y: string; z: string }): string => `${x}, ${y}, ${z}`;
-  if (!isConvex(host, args)) return withSum(host, args, (sum) => vertices.map((v) => text(sum.exact(v))));
+  if (!hasConvexSum(host, args)) return withSum(host, args, (sum) => vertices.map((v) => text(sum.exact(v))));
   const sum = convexOf(host, args, 'frame'); // the one whose vertices have the frame's indices
   return vertices.map((v) => text(sum.exact(v)));
 }
 
 /** The exact area of the section, while nothing turns and all coordinates are doubles. */
 function sectionOf(host: Host, args: SumArgs, z: number): SolidSection | null {
+  if (args.sum === 'fit') return null;
   const p = first(host, args), q = second(host, args);
   const cut = (p: Mesh, q: Mesh): SolidSection =>
     using(host.dymsum.sliceOfSum(p, q, z, { semantics: args.semantics, progress: host.progress }), (slice) =>
@@ -158,7 +168,7 @@ function unchecked(host: Host, shape: Parameters<typeof bytesOf>[0]): object {
 
 function fileOf(host: Host, args: SumArgs, format: MeshFormat | 'json'): Uint8Array | string {
   if (format === 'json') return jsonOf(host, args);
-  if (!isConvex(host, args)) return withSum(host, args, (sum) => sum.format(format));
+  if (!hasConvexSum(host, args)) return withSum(host, args, (sum) => sum.format(format));
   return using(convexOf(host, args, 'numbers').mesh(), (mesh) => mesh.format(format));
 }
 
@@ -175,7 +185,8 @@ function jsonOf(host: Host, args: SumArgs): string {
 
 function frameOf(host: Host, args: SumArgs): SolidFrame {
   const start = performance.now();
-  return isConvex(host, args) ? convexFrame(host, args, start) : anyFrame(host, args, start);
+  if (args.sum === 'fit') return fitFrame(host, args, start);
+  return hasConvexSum(host, args) ? convexFrame(host, args, start) : anyFrame(host, args, start);
 }
 
 export const solidServices = {

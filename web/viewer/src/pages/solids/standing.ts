@@ -1,5 +1,5 @@
 // P and Q in the engine: as files say, reflected, turned and scaled.
-import type { ConvexSum, Mesh, Rotation, SolidPose } from 'dymsum';
+import type { ConvexSum, Mesh, Rotation, SolidPose, SpatialSum } from 'dymsum';
 import type { Host } from '../../engine/host';
 import { bytesOf, isMade, keyOf, type Shape } from '../../engine/shape';
 import { toNumber, toText } from '../../numbers/rational';
@@ -32,6 +32,10 @@ export function first(host: Host, { p, thin }: SumArgs): Mesh {
 export function second(host: Host, { q, sum, thin }: SumArgs): Mesh {
   return sum === 'sum' ? meshOf(host, q, thin) : host.keep(`negated ${thin} ${keyOf(q)}`, () => meshOf(host, q, thin).negated());
 }
+/** Whether there is a sum of two convex solids to be shown. */
+export function hasConvexSum(host: Host, args: SumArgs): boolean {
+  return args.sum !== 'fit' && isConvex(host, args);
+}
 export function isConvex(host: Host, { p, q, thin }: SumArgs): boolean {
   const known = (shape: Shape): { convex: boolean; dispose: () => void } =>
     host.keep(`convexity ${thin} ${keyOf(shape)}`, () => ({ convex: meshOf(host, shape, thin).convexityError() === null, dispose: () => undefined }));
@@ -52,4 +56,16 @@ export function withScaled<T>(solid: Mesh, scale: string, visit: (scaled: Mesh) 
   if (factors.every((f) => f.n === f.d)) return visit(solid);
   if (!scalesExactly(solid.shape().vertices, factors)) return undefined;
   return using(solid.scaled(...(factors.map(toNumber) as [number, number, number])), visit);
+}
+
+/** The places at which Q fits into P. Throws an Error where a coordinate would have to be rounded. */
+export function fitOf(host: Host, args: SumArgs): SpatialSum {
+  const { p, q, thin, semantics, moving, angle, scale } = args, isP = moving === 'p', what = moving.toUpperCase();
+  if (angle % 360 !== 0) throw new Error(`The coordinates of ${what} are no doubles while it is turned, and the inner fit would not be exact.`);
+  const still = meshOf(host, isP ? q : p, thin);
+  const erode = (scaled: Mesh): SpatialSum =>
+    host.keep(`fit ${moving} ${scale} ${keyOfSum(args)}`, () => host.dymsum.erode(isP ? scaled : still, isP ? still : scaled, { semantics, tight: true, progress: host.progress }));
+  const fit = withScaled(meshOf(host, isP ? p : q, thin), scale, erode);
+  if (!fit) throw new Error(`Scaled by ${scale}, the coordinates of ${what} are no doubles, and the inner fit would not be exact. Binary fractions such as 3/4 need the fewest digits.`);
+  return fit;
 }

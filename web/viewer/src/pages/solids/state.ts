@@ -13,8 +13,8 @@ export interface SolidsState {
   q: Shape;
   /** parts without volume in files count as operands, too */
   thin: boolean;
-  /** the sum P ⊕ Q; or P ⊕ −Q, the places of Q at which it hits P */
-  sum: 'sum' | 'hits';
+  /** the sum P ⊕ Q; P ⊕ −Q, the places of Q at which it hits P; or the places at which Q fits into P */
+  sum: 'sum' | 'hits' | 'fit';
   semantics: Semantics;
   /** the one that turns and is scaled */
   moving: 'p' | 'q';
@@ -48,7 +48,14 @@ export function solidsState(p: Shape, q: Shape, changes: Partial<SolidsState> = 
 }
 
 /** Each set with what touching counts in it: Q hits P only where they overlap, unless something else is asked for. */
-export const kSets = { sum: { sum: 'sum', semantics: 'closed' }, hits: { sum: 'hits', semantics: 'open' } } as const satisfies Record<string, Pick<SolidsState, 'sum' | 'semantics'>>;
+export const kSets = {
+  sum: { sum: 'sum', semantics: 'closed' }, hits: { sum: 'hits', semantics: 'open' }, fit: { sum: 'fit', semantics: 'closed' },
+} as const satisfies Record<SolidsState['sum'], Pick<SolidsState, 'sum' | 'semantics'>>;
+
+/** The inner fit is computed of solids whose coordinates are doubles: what turns has others. */
+export function withSet(state: SolidsState, sum: SolidsState['sum']): SolidsState {
+  return { ...state, ...kSets[sum], ...(sum === 'fit' ? { angle: 0 } : {}) };
+}
 
 export function areNumbers(value: unknown, count: number): value is number[] {
   return Array.isArray(value) && value.length === count && value.every((x) => Number.isFinite(x));
@@ -62,7 +69,7 @@ export function axisOf(value: unknown): Triple | undefined {
 /** Throws an Error for what is no state of this page. What is left out is as in a new one. */
 export function parseSolidsState(value: unknown): SolidsPageState {
   const v = (value ?? {}) as Partial<Record<keyof SolidsState, unknown>>;
-  const p = parseShape(v.p), start = solidsState(p, v.q === null ? p : parseShape(v.q), kSets[v.sum === 'hits' ? 'hits' : 'sum']);
+  const set = v.sum === 'hits' || v.sum === 'fit' ? v.sum : 'sum', p = parseShape(v.p), start = solidsState(p, v.q === null ? p : parseShape(v.q), kSets[set]);
   const named = typeof v.axis === 'string' && v.axis in kAxes ? kAxes[v.axis as keyof typeof kAxes] : undefined; // as older pages wrote it
   const state: SolidsState = {
     ...start,
@@ -70,7 +77,7 @@ export function parseSolidsState(value: unknown): SolidsPageState {
     semantics: parseSemantics(v.semantics, start.semantics),
     moving: v.moving === 'p' ? 'p' : 'q',
     axis: named ?? axisOf(v.axis) ?? start.axis,
-    angle: Number.isFinite(v.angle) ? (v.angle as number) : 0,
+    angle: set !== 'fit' && Number.isFinite(v.angle) ? (v.angle as number) : 0,
     scale: typeof v.scale === 'string' && factorsOf(v.scale, 3) ? v.scale : '1',
     ...parseRange(v.range),
     at: areNumbers(v.at, 3) ? (v.at as unknown as Triple) : start.at,

@@ -57,7 +57,7 @@ export function useSolids(shell: Shell, state: SolidsState): SolidsData {
   return {
     p: first, q: second, args, of,
     placement: useMemo(() => first && second && placementOf(first, second), [first, second]),
-    frame: isCurrent ? frame.value : undefined,
+    frame: isCurrent && !frame.error ? frame.value : undefined,
     numbers: numbers.of?.args === args ? numbers.value : undefined,
     depth: sum === 'hits' && !depth.error && depth.of?.p === p && depth.of.q === q ? depth.value : undefined,
     section: section.of?.args === args && section.of.z === slice ? section.value : undefined,
