@@ -34,6 +34,11 @@ describe('the page of solids', () => {
     expect(asked({ verb: 'nfp' })).toMatchObject({ sum: 'hits', semantics: 'closed' });
     expect(asked({ verb: 'erode' })).toMatchObject({ sum: 'fit', semantics: 'closed', angle: 0, scale: '1' });
   });
+  it('leaves out what cannot be drawn', () => {
+    expect(asked({ verb: 'scale', at: '1e400' })).toMatchObject({ scale: '1' });
+    expect(asked({ verb: 'depth', move: '1e308,0,0', axis: '1e300,0,0', degrees: '1e200' })).toMatchObject({ at: [0, 0, 0], axis: [0, 0, 1] });
+    expect(asked({ verb: 'slice', z: 'x' })).toMatchObject({ slice: null });
+  });
   it('shows one solid alone', () => expect(asAsked({ verb: 'hull' }, kState, 1)).toMatchObject({ p: kState.p, q: null }));
 });
 
@@ -43,6 +48,11 @@ describe('states of solids', () => {
     const state = solidsState(kState.p, kState.q, { axis: [3, -1, 0.5], moving: 'p', scale: '2:1:1/2', range: [1, 8], look: [0, 0, 0, 1, 1, 1], thin: true, semantics: 'regular' });
     expect(parseSolidsState(again(state))).toEqual(state);
     expect(parseSolidsState(again({ ...state, q: null }))).toEqual({ ...state, q: null });
+  });
+  it('hold only what can be drawn', () => {
+    const { p, q } = kState, wild = { scale: '1:2:1e400', at: [0, 1e308, 0], axis: [1e200, 0, 0], angle: 1e300, slice: 1e308, range: [1, 1e300], look: [0, 0, 0, 1, 1, 1e-300] };
+    expect(parseSolidsState({ p, q, ...wild })).toEqual(solidsState(p, q));
+    expect(parseSolidsState({ p, q, scale: '1e15', at: [0, -1e100, 1e-100] })).toMatchObject({ scale: '1e15', at: [0, -1e100, 1e-100] });
   });
   it('of inner fits do not turn', () => {
     const { p, q } = kState, fit = withSet(solidsState(p, q, { angle: 20, scale: '3/2', semantics: 'open' }), 'fit');

@@ -86,7 +86,7 @@ function heights({ vertices }: SolidFrame): [number, number] {
     low = Math.min(low, vertices[k]!);
     high = Math.max(high, vertices[k]!);
   }
-  return low < high ? [low, high] : [-1, 1];
+  return low < high && Number.isFinite(high - low) ? [low, high] : [-1, 1];
 }
 
 export function SliceSection({ state, change, data, shell }: FactsProps) {

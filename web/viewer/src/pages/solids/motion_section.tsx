@@ -5,8 +5,8 @@ import type { Change } from '../../shell/page';
 import { motionIsReduced } from '../../shell/theme';
 import { Player } from '../../view3d/player';
 import { kSemantics, numbersOf } from '../options';
-import { checkScale, firstFactor, withFirstFactor } from '../scale';
-import { axisOf, kAxes, withSet, type SolidsState, type Triple } from './state';
+import { checkScale, firstFactor, kSizes, withFirstFactor } from '../scale';
+import { axisOf, isPlace, kAxes, withSet, type SolidsState, type Triple } from './state';
 
 interface MotionProps {
   state: SolidsState;
@@ -44,7 +44,7 @@ function useTurn({ state, change }: MotionProps): { playing: boolean; toggle: ()
 }
 
 function checkNumber(text: string): string | undefined {
-  return text !== '' && Number.isFinite(Number(text)) ? undefined : 'A number such as 1.25.';
+  return text !== '' && isPlace(Number(text)) ? undefined : `A number such as 1.25: 0, or in size from ${kSizes}.`;
 }
 function axisIn(text: string): Triple | undefined {
   return axisOf(numbersOf(text, 3));
@@ -56,7 +56,7 @@ function AxisRow({ state, change }: MotionProps) {
     <>
       <Choice label="Axis" options={kAxisNames} value={known ?? ('' as keyof typeof kAxes)} onChange={(name) => change({ ...state, axis: kAxes[name] })} />
       <NumberField
-        label="Axis of the turn" value={state.axis.join(', ')} check={(text) => (axisIn(text) ? undefined : 'An axis is three numbers such as 1, 2, 3, not all of them 0.')}
+        label="Axis of the turn" value={state.axis.join(', ')} check={(text) => (axisIn(text) ? undefined : 'An axis is three numbers such as 1, 2, 3, not all of them 0, and none very large or small.')}
         onCommit={(text) => change({ ...state, axis: axisIn(text)! })}
       />
     </>

@@ -2,8 +2,7 @@
 import type { Semantics } from 'dymsum';
 import { parseShape, type Shape } from '../../engine/shape';
 import { parseSemantics } from '../options';
-import { factorsOf } from '../scale';
-import { parseRange } from '../sum/state';
+import { factorsOf, isSize } from '../scale';
 
 export type Triple = readonly [number, number, number];
 export const kAxes = { x: [1, 0, 0], y: [0, 1, 0], z: [0, 0, 1], skew: [1, 2, 3] } as const satisfies Record<string, Triple>;
@@ -57,13 +56,18 @@ export function withSet(state: SolidsState, sum: SolidsState['sum']): SolidsStat
   return { ...state, ...kSets[sum], ...(sum === 'fit' ? { angle: 0 } : {}) };
 }
 
-export function areNumbers(value: unknown, count: number): value is number[] {
-  return Array.isArray(value) && value.length === count && value.every((x) => Number.isFinite(x));
+/** A place on an axis: larger and smaller ones would overflow where they are drawn. */
+export function isPlace(value: unknown): value is number {
+  return typeof value === 'number' && (value === 0 || isSize(value));
 }
+function arePlaces(value: unknown, count: number): value is number[] {
+  return Array.isArray(value) && value.length === count && value.every(isPlace);
+}
+const kMostDegrees = 1e6;
 
 /** Nothing for numbers that are no axis. */
 export function axisOf(value: unknown): Triple | undefined {
-  return areNumbers(value, 3) && value.some((x) => x !== 0) ? (value as unknown as Triple) : undefined;
+  return arePlaces(value, 3) && value.some((x) => x !== 0) ? (value as unknown as Triple) : undefined;
 }
 
 /** Throws an Error for what is no state of this page. What is left out is as in a new one. */
@@ -77,12 +81,12 @@ export function parseSolidsState(value: unknown): SolidsPageState {
     semantics: parseSemantics(v.semantics, start.semantics),
     moving: v.moving === 'p' ? 'p' : 'q',
     axis: named ?? axisOf(v.axis) ?? start.axis,
-    angle: set !== 'fit' && Number.isFinite(v.angle) ? (v.angle as number) : 0,
+    angle: set !== 'fit' && typeof v.angle === 'number' && Math.abs(v.angle) <= kMostDegrees ? v.angle : 0,
     scale: typeof v.scale === 'string' && factorsOf(v.scale, 3) ? v.scale : '1',
-    ...parseRange(v.range),
-    at: areNumbers(v.at, 3) ? (v.at as unknown as Triple) : start.at,
-    slice: Number.isFinite(v.slice) ? (v.slice as number) : null,
-    ...(areNumbers(v.look, 6) ? { look: v.look as unknown as NonNullable<SolidsState['look']> } : {}),
+    ...(arePlaces(v.range, 2) ? { range: [v.range[0]!, v.range[1]!] as const } : {}),
+    at: arePlaces(v.at, 3) ? (v.at as unknown as Triple) : start.at,
+    slice: isPlace(v.slice) ? v.slice : null,
+    ...(arePlaces(v.look, 6) ? { look: v.look as unknown as NonNullable<SolidsState['look']> } : {}),
     changes: v.changes !== false,
     through: v.through === true,
   };
