@@ -19,6 +19,14 @@ function box(x0: number, y0: number, z0: number, x1: number, y1: number, z1: num
 }
 const kSolids = { 'p.off': box(0, 0, 0, 3, 2, 1), 'q.off': box(-0.5, -0.5, -0.5, 0.5, 0.5, 0.5) };
 
+/** Over a polygon that runs counter-clockwise, from z = 0. */
+function prism(base: readonly (readonly [number, number])[], height: number): string {
+  const n = base.length, around = base.map((_, k) => k), vertices = [0, height].flatMap((z) => base.map(([x, y]) => `${x} ${y} ${z}`));
+  const faces = [[...around].reverse(), around.map((k) => k + n), ...around.map((k) => [k, (k + 1) % n, ((k + 1) % n) + n, k + n])];
+  return ['OFF', `${2 * n} ${n + 2} 0`, ...vertices, ...faces.map((f) => `${f.length} ${f.join(' ')}`), ''].join('\n');
+}
+const kChannel = { 'channel.off': prism([[0, 0], [4, 0], [4, 4], [3, 4], [3, 1], [1, 1], [1, 4], [0, 4]], 3) };
+
 async function asked(page: string, verb: string, inputs: Record<string, string>, options?: Record<string, unknown>) {
   return await open(browser, { hash: commandHash(page, verb, inputs, options) });
 }
@@ -207,10 +215,59 @@ describe('commands of solids', () => {
     await expect.poll(() => readout(page, 'Q')).toBe('not known exactly');
     await close(it);
   });
+  it('depth: what touches after the way out, also in a passage that Q fits exactly', async () => {
+    const it = await asked('solids', 'depth', { ...kChannel, 'plug.off': box(0, 0, 0, 2, 1, 1) }, { move: '0.75,1.5,0.5' }), { page } = it;
+    await expect.poll(() => readout(page, 'Touches then')).toBe('face 5 of P, vertex 1 of Q; face 7 of P, vertex 0 of Q'); // as the program says
+    expect(await readout(page, 'Q')).toBe('overlaps P, depth 0.25');
+    for (const [axis, value] of [['x', '2.5'], ['y', '3.5']] as const) await set(page, `${axis} of Q`, value);
+    await expect.poll(() => readout(page, 'Touches then')).toBe('edge 3–11 of P, edge 0–1 of Q');
+    await page.getByLabel('Turn', { exact: true }).fill('0.5'); // the engine of turns names nothing for certain
+    await expect.poll(() => readout(page, 'Touches then')).toMatch(/not named/);
+    await close(it);
+  });
+  it('depth of what is very large', async () => {
+    const it = await asked('solids', 'slice', { ...kChannel, 'bar.off': box(0, 0, 0, 2, 0.5, 0.25) }, { z: '1', reflect: true }), { page } = it;
+    for (const scale of ['1000', '1e15', '1e16']) {
+      await set(page, 'Scale, exactly', scale);
+      await expect.poll(() => readout(page, 'Way out')).toBe('0, 0, 1');
+      expect(await readout(page, 'Q')).toBe('overlaps P, depth 3');
+    }
+    await page.getByLabel('Turn', { exact: true }).fill('0.5');
+    await expect.poll(() => readout(page, 'Q')).toBe('not known exactly');
+    await close(it);
+  });
   it('slice: at a height, Q reflected', async () => {
     const it = await asked('solids', 'slice', kSolids, { z: '0.75', reflect: true }), { page } = it;
     await expect.poll(() => exact(page, 'the exact area')).toBe('12/1');
     expect(await chosen(page, 'What is computed')).toMatch(/^P ⊕ −Q/);
+    await close(it);
+  });
+  it('nfp: where Q hits P', async () => {
+    const it = await asked('solids', 'nfp', { ...kChannel, 'bar.off': box(0, 0, 0, 2, 0.5, 0.25) }), { page } = it;
+    await expect.poll(() => volume(page)).toBe('351/4'); // 87.75
+    expect([await chosen(page, 'What is computed'), await readout(page, 'Tight')]).toEqual(['P ⊕ −Q: where Q hits P', 'faces']);
+    await close(it);
+  });
+  it('erode: where Q fits in P, while nothing turns', async () => {
+    const it = await asked('solids', 'erode', { ...kChannel, 'bar.off': box(0, 0, 0, 2, 0.5, 0.25) }), { page } = it;
+    await expect.poll(() => volume(page)).toBe('11/4');
+    expect([await chosen(page, 'What is computed'), await readout(page, 'Q'), await readout(page, 'Tight')]).toEqual(['Fit in P', 'fits in P', 'nothing']);
+    expect(await page.getByLabel('Turn', { exact: true }).count()).toBe(0);
+    await set(page, 'Scale, exactly', '2'); // 4 by 1 by 1/2: the floor of the channel
+    await expect.poll(() => readout(page, 'Q')).toBe('fits in P without room to move');
+    expect(await readout(page, 'Tight')).toBe('segments');
+    await expect.poll(() => readout(page, 'Volume')).toBe('0');
+    await choose(page, 'What touching counts', 'Regular');
+    await expect.poll(() => readout(page, 'Q')).toBe('fits nowhere in P with room to move');
+    await choose(page, 'What touching counts', 'Closed');
+    await set(page, 'Scale, exactly', '3');
+    await expect.poll(() => readout(page, 'Q')).toBe('fits nowhere in P');
+    await page.getByLabel('Cut the sum at a height').click();
+    await set(page, 'Scale, exactly', '1/3');
+    await expect.poll(() => page.getByRole('alert').innerText()).toMatch(/no doubles/);
+    expect(await readout(page, 'Q')).toBe('–');
+    await choose(page, 'What is computed', 'P ⊕ Q');
+    await expect.poll(() => page.getByLabel('Turn', { exact: true }).count()).toBe(1);
     await close(it);
   });
   it('local-sum: looks at a part', async () => {

@@ -141,6 +141,20 @@ describe('the page of solids', () => {
     expect(Number(await right!.getAttribute('data-frames'))).toBeGreaterThanOrEqual(frames);
     await close(it);
   });
+  it('refuses numbers that nothing can be computed with', async () => {
+    const it = await cubes(), { page } = it, refusal = (label: string) => page.getByLabel(label, { exact: true }).evaluate((e: HTMLInputElement) => e.validationMessage);
+    for (const scale of ['1e400', '1:2:1e400', '1e-400']) {
+      await set(page, 'Scale, exactly', scale);
+      expect(await refusal('Scale, exactly')).toMatch(/1e-150 to 1e\+150/);
+    }
+    await set(page, 'x of Q', '1e308');
+    expect(await refusal('x of Q')).toMatch(/1e-150 to 1e\+150/);
+    for (const scale of ['1e18', '1e150', '1e-150', '1/2']) await set(page, 'Scale, exactly', scale); // beyond 2^64 there is no sum, and no wrong picture
+    await expect.poll(() => readout(page, 'Volume')).toBe('27');
+    await set(page, 'x of Q', '-1e150');
+    await expect.poll(() => readout(page, 'Volume')).toBe('27');
+    await close(it);
+  });
   it('turns and scales P or Q, and keeps what is typed', async () => {
     const it = await cubes(), { page } = it, box = (await pictures(page).last().boundingBox())!;
     await page.getByLabel('Solid Q').selectOption('bar'); // 2 by 1 by 1

@@ -13,6 +13,13 @@ test('a factor for all axes or for each', () => {
   expect(checkScale('2:1', 3)).toMatch(/one for each axis/);
 });
 
+test('what doubles cannot compute with is no scale', () => {
+  expect([factors('1e400', 3), factors('1:2:1e400', 3), factors('1e-400', 2), factors('1e151', 2), factors('1/1' + '0'.repeat(400), 3)]).toEqual(Array(5).fill(undefined));
+  expect([factors('1e15', 3)?.length, factors('1e-150', 2)?.length, factors('1e150', 2)?.length]).toEqual([3, 2, 2]);
+  expect(checkScale('1:2:1e400', 3)).toMatch(/from 1e-150 to 1e\+150/);
+  expect(withFirstFactor('1:1e150', '2')).toBe('1:1e150');
+});
+
 test('equal factors are one scale', () => {
   expect(['2', '2:2', '2:4/2:2.0', '2:1'].map(isUniform)).toEqual([true, true, true, false]);
 });

@@ -26,3 +26,16 @@ test('far from the origin single precision keeps what doubles tell apart', () =>
   const placed = Placement.of(boxOf(vertices)).all(vertices);
   expect(placed[7]).toBeGreaterThan(placed[4]!);
 });
+
+test('a ball in sight has the whole box', () => {
+  const placement = Placement.inSight([-1, -2, -3, 1, 2, 3]);
+  expect(Math.hypot(...placement.at(1, 2, 3))).toBeCloseTo(1.2, 12);
+});
+
+test('graphics cards get numbers, whatever the data are', () => {
+  const vertices = new Float64Array([1e308, -1e308, NaN, Infinity, -Infinity, 1e-320, 0, 1, 2]);
+  for (const box of [[-1e308, -1e308, -1e308, 1e308, 1e308, 1e308], [0, 0, 0, 1e-320, 1e-320, 1e-320], [-Infinity, 0, 0, Infinity, 1, 1], [0, 0, 0, 1, 1, 1]] as const)
+    for (const placement of [Placement.of(box), Placement.inSight(box), Placement.withHeightOfItsOwn(box)]) {
+      expect([...placement.all(vertices), ...placement.at(Infinity, NaN, 1e308), placement.height(1e308)].every(Number.isFinite)).toBe(true);
+    }
+});

@@ -37,7 +37,7 @@ export function AloneView({ state, change, shell }: AloneProps) {
     if (numbers.error) shell.report(numbers.error);
   }, [shell, numbers.error]);
   useDownloads(shell, state, ready);
-  const placement = useMemo(() => solid && Placement.of(boxOf(solid.vertices)), [solid]);
+  const placement = useMemo(() => solid && Placement.inSight(boxOf(solid.vertices)), [solid]);
   const surface = useMemo(() => (solid && placement ? aloneSurface(solid, placement) : undefined), [solid, placement]);
   const overlay = useMemo(() => (solid && placement ? aloneOverlay(solid, placement) : {}), [solid, placement, theme]); // eslint-disable-line react-hooks/exhaustive-deps -- colours are the theme's
   const known = ready && numbers.of?.shape === shape && numbers.of.thin === thin ? numbers.value : undefined, summary = `${shape.name} by itself.`;

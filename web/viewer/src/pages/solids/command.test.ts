@@ -1,7 +1,7 @@
 import { describe, expect, it } from 'vitest';
 import type { Parameters } from '../../shell/embedded';
 import { asAsked } from './command';
-import { parseSolidsState, solidsState } from './state';
+import { parseSolidsState, solidsState, withSet } from './state';
 
 const kState = solidsState({ name: 'p.off', text: '' }, { name: 'q.off', text: '' }, { angle: 20, at: [1, 2, 3], slice: 4 });
 const asked = (parameters: Parameters) => asAsked(parameters, kState, 2);
@@ -29,6 +29,16 @@ describe('the page of solids', () => {
     expect(asked({ verb: 'local-sum', ball: '2,0,1,0.5' })).toMatchObject({ look: [1.5, -0.5, 0.5, 2.5, 0.5, 1.5] });
     expect(asked({ verb: 'local-sum', box: '0,0,0,1,2,3' })).toMatchObject({ look: [0, 0, 0, 1, 2, 3] });
   });
+  it('shows where Q hits, and where it fits', () => {
+    expect(asked({ verb: 'nfp', semantics: 'open' })).toMatchObject({ sum: 'hits', semantics: 'open', angle: 0 });
+    expect(asked({ verb: 'nfp' })).toMatchObject({ sum: 'hits', semantics: 'closed' });
+    expect(asked({ verb: 'erode' })).toMatchObject({ sum: 'fit', semantics: 'closed', angle: 0, scale: '1' });
+  });
+  it('leaves out what cannot be drawn', () => {
+    expect(asked({ verb: 'scale', at: '1e400' })).toMatchObject({ scale: '1' });
+    expect(asked({ verb: 'depth', move: '1e308,0,0', axis: '1e300,0,0', degrees: '1e200' })).toMatchObject({ at: [0, 0, 0], axis: [0, 0, 1] });
+    expect(asked({ verb: 'slice', z: 'x' })).toMatchObject({ slice: null });
+  });
   it('shows one solid alone', () => expect(asAsked({ verb: 'hull' }, kState, 1)).toMatchObject({ p: kState.p, q: null }));
 });
 
@@ -38,6 +48,17 @@ describe('states of solids', () => {
     const state = solidsState(kState.p, kState.q, { axis: [3, -1, 0.5], moving: 'p', scale: '2:1:1/2', range: [1, 8], look: [0, 0, 0, 1, 1, 1], thin: true, semantics: 'regular' });
     expect(parseSolidsState(again(state))).toEqual(state);
     expect(parseSolidsState(again({ ...state, q: null }))).toEqual({ ...state, q: null });
+  });
+  it('hold only what can be drawn', () => {
+    const { p, q } = kState, wild = { scale: '1:2:1e400', at: [0, 1e308, 0], axis: [1e200, 0, 0], angle: 1e300, slice: 1e308, range: [1, 1e300], look: [0, 0, 0, 1, 1, 1e-300] };
+    expect(parseSolidsState({ p, q, ...wild })).toEqual(solidsState(p, q));
+    expect(parseSolidsState({ p, q, scale: '1e15', at: [0, -1e100, 1e-100] })).toMatchObject({ scale: '1e15', at: [0, -1e100, 1e-100] });
+  });
+  it('of inner fits do not turn', () => {
+    const { p, q } = kState, fit = withSet(solidsState(p, q, { angle: 20, scale: '3/2', semantics: 'open' }), 'fit');
+    expect(fit).toMatchObject({ sum: 'fit', angle: 0, scale: '3/2', semantics: 'closed' });
+    expect(parseSolidsState(again(fit))).toEqual(fit);
+    expect(parseSolidsState(again({ ...fit, angle: 30 }))).toEqual(fit);
   });
   it('of older pages name their axis, and hits are open', () => {
     const { p, q } = kState;

@@ -2,7 +2,7 @@
 import type { Parameters } from '../../shell/embedded';
 import { radiansOf } from '../angle';
 import { angleOption, angleText, numbersOf, parseSemantics, scalesOf, textOf } from '../options';
-import { axisOf, kAxes, kSets, type SolidsPageState, type SolidsState, type Triple } from './state';
+import { axisOf, kAxes, kSets, parseSolidsState, type SolidsPageState, type SolidsState, type Triple } from './state';
 
 type Look = NonNullable<SolidsState['look']>;
 
@@ -40,6 +40,10 @@ function ofVerb(parameters: Parameters): Partial<SolidsState> {
       return { ...turned(parameters), ...kSets.hits, at: (numbersOf(textOf(parameters, 'move'), 3) as Triple | undefined) ?? [0, 0, 0], through: true };
     case 'slice':
       return { slice: Number(textOf(parameters, 'z') ?? 0), sum: parameters.reflect ? 'hits' : 'sum' };
+    case 'nfp':
+      return { sum: 'hits' };
+    case 'erode':
+      return { sum: 'fit' };
     case 'local-sum':
       return { ...turned(parameters), ...lookOf(parameters) };
     default:
@@ -47,12 +51,12 @@ function ofVerb(parameters: Parameters): Partial<SolidsState> {
   }
 }
 
-/** Solids stand as their files say, and the program's own defaults hold where an option was not given. */
+/** What a command may say and a page cannot show is as in a new page. Solids stand as their files say, and the program's own defaults hold where an option was not given. */
 export function asAsked(parameters: Parameters, state: SolidsPageState, inputs: number): SolidsPageState {
   const rest = { ...state };
   delete rest.range;
   delete rest.look;
   const start = { ...rest, ...kSets.sum, thin: parameters.thin === true, moving: 'q', axis: kAxes.z, angle: 0, scale: '1', at: [0, 0, 0], slice: null } as const;
   if (inputs === 1 || start.q === null) return { ...start, q: null };
-  return { ...start, semantics: parseSemantics(textOf(parameters, 'semantics'), 'closed'), ...ofVerb(parameters), q: start.q };
+  return parseSolidsState({ ...start, semantics: parseSemantics(textOf(parameters, 'semantics'), 'closed'), ...ofVerb(parameters), q: start.q });
 }

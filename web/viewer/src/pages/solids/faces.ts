@@ -28,6 +28,15 @@ export function contactText({ p, q }: { p: SolidFeature; q: SolidFeature }): str
   return `${featureText(p)} of P, ${featureText(q)} of Q`;
 }
 
+const kMostContacts = 4;
+
+/** All that touches at once, as far as it is known. */
+export function touchingText(contacts: readonly { p: SolidFeature; q: SolidFeature }[] | undefined): string {
+  if (!contacts || contacts.length === 0) return 'not named while one of them is turned';
+  const more = contacts.length - kMostContacts;
+  return contacts.slice(0, kMostContacts).map(contactText).join('; ') + (more > 0 ? `; ${more} more` : '');
+}
+
 /** "fv" or "ee", as the convolution has them; two parallel faces count as fv. */
 export function kindText({ p, q }: { p: SolidFeature; q: SolidFeature }): string {
   const isVertex = (f: SolidFeature): boolean => f.kind === kFeatures[kVertex];

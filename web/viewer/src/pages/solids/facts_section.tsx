@@ -4,7 +4,8 @@ import { short } from '../../numbers/display';
 import { Readouts, Section, Slider, Toggle } from '../../shell/controls';
 import { ExactText } from '../../shell/exact_text';
 import type { Change, Shell } from '../../shell/page';
-import { contactOf, contactText, kindText } from './faces';
+import type { SolidDepthAnswer } from './depth';
+import { contactOf, contactText, kindText, touchingText } from './faces';
 import { kFaceColours } from './pictures';
 import type { SolidFrame } from './service';
 import type { SolidsState } from './state';
@@ -21,11 +22,12 @@ const kLegend = ['a face of P, a vertex of Q (fv)', 'a vertex of P, a face of Q 
 
 export function SumSection({ state, change, data, shell }: FactsProps) {
   const { frame, numbers } = data;
-  const tight = frame && [frame.tightTriangles.length > 0 && 'faces', frame.tightSegments.length > 0 && 'segments', frame.tightPoints.length > 0 && 'points'].filter(Boolean).join(', ');
+  const isFit = state.sum === 'fit', tight = frame && [frame.tightTriangles.length > 0 && 'faces', frame.tightSegments.length > 0 && 'segments', frame.tightPoints.length > 0 && 'points'].filter(Boolean).join(', ');
   return (
-    <Section title="Sum">
+    <Section title={isFit ? 'Inner fit' : 'Sum'}>
       <Readouts
         rows={[
+          ...(isFit ? [['Q', frame && fitText(frame, tight !== '', state)] as const] : []),
           ['Vertices, faces', frame && `${frame.vertexCount}, ${frame.faceCount}`],
           ['Changed', frame && `${frame.changed} faces`],
           ['Tight', frame && (tight === '' ? 'nothing' : tight)],
@@ -47,23 +49,34 @@ export function SumSection({ state, change, data, shell }: FactsProps) {
   );
 }
 
+function fitText({ triangles }: SolidFrame, isTight: boolean, { semantics }: SolidsState): string {
+  if (triangles.length > 0) return 'fits in P';
+  if (isTight) return 'fits in P without room to move';
+  return semantics === 'regular' ? 'fits nowhere in P with room to move' : 'fits nowhere in P';
+}
+
 export function DepthSection({ state, data, shell }: FactsProps) {
   if (state.sum !== 'hits') return null;
-  const { depth } = data, way = depth?.direction.map(short).join(', ');
+  const { depth } = data, known = depth && !('unknown' in depth) ? depth : undefined, inside = known?.inside ? known : undefined;
   return (
     <Section title="Depth of Q in P">
       <Readouts
         rows={[
-          ['Q', depth === null ? 'not known exactly' : depth && (depth.inside ? `overlaps P, depth ${short(depth.depth)}` : 'does not overlap P')],
-          ['Way out', depth?.inside ? way : undefined],
-          ['Touches then', depth?.inside ? contactText(depth) : undefined],
+          ['Q', depth && !known ? 'not known exactly' : known && meetingText(known)],
+          ['Way out', inside && `${inside.direction.map(short).join(', ')}${(inside.ways ?? 1) > 1 ? `: one of ${inside.ways}` : ''}`],
+          ['Touches then', inside && touchingText(inside.contacts)],
         ]}
       />
-      {depth === null && <p class="quiet">Scaled so, the coordinates are no doubles. Binary fractions such as 3/4 need the fewest digits.</p>}
-      {depth?.inside && <p class="quiet">The square of the depth, exactly:</p>}
-      {depth?.inside && <ExactText label="the square of the depth" text={depth.squared} shell={shell} />}
+      {depth && 'unknown' in depth && <p class="quiet">{depth.unknown}</p>}
+      {inside && <p class="quiet">The square of the depth, exactly:</p>}
+      {inside && <ExactText label="the square of the depth" text={inside.squared} shell={shell} />}
     </Section>
   );
+}
+
+function meetingText({ inside, depth, within }: SolidDepthAnswer): string {
+  if (inside) return `overlaps P, depth ${short(depth)}`;
+  return within === 0 ? 'does not overlap P' : `does not overlap P, to within ${Number(within.toPrecision(1))}`;
 }
 
 /** Low and high z of the frame. */
@@ -73,7 +86,7 @@ function heights({ vertices }: SolidFrame): [number, number] {
     low = Math.min(low, vertices[k]!);
     high = Math.max(high, vertices[k]!);
   }
-  return [low, high];
+  return low < high && Number.isFinite(high - low) ? [low, high] : [-1, 1];
 }
 
 export function SliceSection({ state, change, data, shell }: FactsProps) {
@@ -91,7 +104,8 @@ export function SliceSection({ state, change, data, shell }: FactsProps) {
           />
           <Readouts rows={[['Area of the section', section ? short(section.area) : undefined]]} />
           {section?.exact && <ExactText label="the exact area" text={section.exact} shell={shell} />}
-          {(state.angle !== 0 || section === null) && <p class="quiet">The exact section is there while nothing is turned and scaled coordinates are doubles.</p>}
+          {state.sum === 'fit' && <p class="quiet">The exact section is that of sums only.</p>}
+          {state.sum !== 'fit' && (state.angle !== 0 || section === null) && <p class="quiet">The exact section is there while nothing is turned and scaled coordinates are doubles.</p>}
         </>
       )}
     </Section>

@@ -5,8 +5,8 @@ import type { Change } from '../../shell/page';
 import { motionIsReduced } from '../../shell/theme';
 import { Player } from '../../view3d/player';
 import { kSemantics, numbersOf } from '../options';
-import { checkScale, firstFactor, withFirstFactor } from '../scale';
-import { axisOf, kAxes, kSets, type SolidsState, type Triple } from './state';
+import { checkScale, firstFactor, kSizes, withFirstFactor } from '../scale';
+import { axisOf, isPlace, kAxes, withSet, type SolidsState, type Triple } from './state';
 
 interface MotionProps {
   state: SolidsState;
@@ -16,7 +16,7 @@ interface MotionProps {
 const kSecondsPerTurn = 12;
 const kStillsPerTurn = 24;
 const kScaleRange = [0.125, 2] as const;
-const kSumNames = [['sum', 'P ⊕ Q'], ['hits', 'P ⊕ −Q: where Q hits P']] as const;
+const kSumNames = [['sum', 'P ⊕ Q'], ['hits', 'P ⊕ −Q: where Q hits P'], ['fit', 'Fit in P']] as const;
 const kAxisNames = [['x', 'x'], ['y', 'y'], ['z', 'z'], ['skew', '1, 2, 3']] as const;
 
 /** Turns what moves once about its axis, from where it is. */
@@ -44,7 +44,7 @@ function useTurn({ state, change }: MotionProps): { playing: boolean; toggle: ()
 }
 
 function checkNumber(text: string): string | undefined {
-  return text !== '' && Number.isFinite(Number(text)) ? undefined : 'A number such as 1.25.';
+  return text !== '' && isPlace(Number(text)) ? undefined : `A number such as 1.25: 0, or in size from ${kSizes}.`;
 }
 function axisIn(text: string): Triple | undefined {
   return axisOf(numbersOf(text, 3));
@@ -56,7 +56,7 @@ function AxisRow({ state, change }: MotionProps) {
     <>
       <Choice label="Axis" options={kAxisNames} value={known ?? ('' as keyof typeof kAxes)} onChange={(name) => change({ ...state, axis: kAxes[name] })} />
       <NumberField
-        label="Axis of the turn" value={state.axis.join(', ')} check={(text) => (axisIn(text) ? undefined : 'An axis is three numbers such as 1, 2, 3, not all of them 0.')}
+        label="Axis of the turn" value={state.axis.join(', ')} check={(text) => (axisIn(text) ? undefined : 'An axis is three numbers such as 1, 2, 3, not all of them 0, and none very large or small.')}
         onCommit={(text) => change({ ...state, axis: axisIn(text)! })}
       />
     </>
@@ -95,7 +95,7 @@ export function SetSection({ state, change }: MotionProps) {
   };
   return (
     <Section title="What is computed">
-      <Choice label="What is computed" options={kSumNames} value={state.sum} onChange={(sum) => change({ ...state, ...kSets[sum] })} />
+      <Choice label="What is computed" options={kSumNames} value={state.sum} onChange={(sum) => change(withSet(state, sum))} />
       <Choice label="What touching counts" options={kSemantics} value={state.semantics} onChange={(semantics) => change({ ...state, semantics })} />
       {state.look && (
         <div class="row">
@@ -106,11 +106,10 @@ export function SetSection({ state, change }: MotionProps) {
   );
 }
 
-export function MotionSection(props: MotionProps) {
+function TurnControls(props: MotionProps) {
   const { state, change } = props, { playing, toggle } = useTurn(props);
   return (
-    <Section title="Motion">
-      <Choice label="Which moves" options={[['p', 'P turns and is scaled'], ['q', 'Q does']]} value={state.moving} onChange={(moving) => change({ ...state, moving })} />
+    <>
       <Slider
         label="Turn" value={state.angle} min={-180} max={180} step={0.5} text={`${state.angle}°`}
         onInput={(angle) => change({ ...state, angle }, 'live')} onDone={(angle) => change({ ...state, angle })}
@@ -119,6 +118,16 @@ export function MotionSection(props: MotionProps) {
         <button onClick={toggle}>{playing ? 'Pause' : 'Turn round'}</button>
       </div>
       <AxisRow {...props} />
+    </>
+  );
+}
+
+export function MotionSection(props: MotionProps) {
+  const { state, change } = props, isFit = state.sum === 'fit', does = isFit ? 'is scaled' : 'turns and is scaled';
+  return (
+    <Section title="Motion">
+      <Choice label="Which moves" options={[['p', `P ${does}`], ['q', 'Q does']]} value={state.moving} onChange={(moving) => change({ ...state, moving })} />
+      {isFit ? <p class="quiet">The inner fit is exact only of solids that are not turned: they stand as their files say.</p> : <TurnControls {...props} />}
       <ScaleControls {...props} />
       <Place {...props} />
     </Section>

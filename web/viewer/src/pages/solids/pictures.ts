@@ -4,9 +4,10 @@ import type { Overlay, OverlayLine } from '../../view3d/overlay';
 import type { Placement } from '../../view3d/placement';
 import { sectionLoops } from '../../view3d/section';
 import type { SurfaceShape } from '../../view3d/surface';
+import type { SolidDepthAnswer, Unknown } from './depth';
 import { contactOf } from './faces';
 import { featureVertices } from './placing';
-import type { SolidDepthAnswer, SolidFrame, SolidOperand } from './service';
+import type { SolidFrame, SolidOperand } from './service';
 import type { SolidsState, Triple } from './state';
 
 /** Of the kinds of triangles in the picture of the sum, see kKinds. */
@@ -59,14 +60,14 @@ function loopOf(vertices: Float64Array, of: Iterable<number>, placement: Placeme
   return placement.all(Float64Array.from([...of].flatMap((v) => [...at(vertices, v)])));
 }
 
-function arrowsOf(depth: SolidDepthAnswer | null | undefined, from: Triple, placement: Placement): Overlay['arrows'] {
-  if (!depth?.inside) return [];
+function arrowsOf(depth: SolidDepthAnswer | Unknown | undefined, from: Triple, placement: Placement): Overlay['arrows'] {
+  if (!depth || 'unknown' in depth || !depth.inside) return [];
   const to = from.map((x, k) => x + depth.depth * depth.direction[k]!) as unknown as Triple;
   return [{ from: placement.at(...from), to: placement.at(...to), colour: colour('--mark') }];
 }
 
 /** The features of P and Q that make a face of the sum, and the shortest way out for Q. */
-export function operandsOverlay(p: StandingSolid, q: StandingSolid, placement: Placement, marked: { frame: SolidFrame; face: number } | undefined, depth: SolidDepthAnswer | null | undefined, atQ: Triple): Overlay {
+export function operandsOverlay(p: StandingSolid, q: StandingSolid, placement: Placement, marked: { frame: SolidFrame; face: number } | undefined, depth: SolidDepthAnswer | Unknown | undefined, atQ: Triple): Overlay {
   const lines: OverlayLine[] = [], dots: NonNullable<Overlay['dots']>[number][] = [];
   const mark = (feature: ReturnType<typeof contactOf>['p'], { solid, vertices }: StandingSolid): void => {
     const of = featureVertices(feature, solid);
@@ -107,7 +108,7 @@ function faceLoops({ faceStarts, faceVertices }: SolidOperand, vertices: Float64
 export interface SumMarks {
   slice: number | null;
   face: number | undefined;
-  depth: SolidDepthAnswer | null | undefined;
+  depth: SolidDepthAnswer | Unknown | undefined;
   /** the part that is looked at */
   look: SolidsState['look'];
   /** where Q stands, in the picture of hits */

@@ -1,15 +1,12 @@
 // Sums of solids of which one turns and is scaled.
-import { DymsumError, type ConvexDepth, type ConvexSum, type Mesh, type MeshFormat, type MovingSolidSum, type Rotation, type SolidFeature, type SolidPose } from 'dymsum';
+import { DymsumError, type Mesh, type MeshFormat, type MovingSolidSum } from 'dymsum';
 import type { Host } from '../../engine/host';
 import type { ErrorData } from '../../engine/protocol';
-import { bytesOf, isMade, keyOf, type Shape } from '../../engine/shape';
-import { toNumber, toText } from '../../numbers/rational';
-import { scalesExactly } from '../../operands/exact_scaling';
+import { bytesOf, isMade, type Shape } from '../../engine/shape';
 import { using } from '../../operands/using';
-import { radiansOf } from '../angle';
-import { factorsOf } from '../scale';
+import { depthOf, type Place, type SolidDepthAnswer, type Unknown } from './depth';
 import { boundaryEdges, kindsOfFaces } from './faces';
-import type { SolidsState } from './state';
+import { convexOf, first, fitOf, hasConvexSum, keyOfSum, meshOf, posesOf, second, withScaled, type SumArgs } from './standing';
 
 export interface SolidOperand {
   vertices: Float64Array;
@@ -19,7 +16,6 @@ export interface SolidOperand {
   /** why no sum can be made of it */
   error: ErrorData | undefined;
 }
-export type SumArgs = Pick<SolidsState, 'p' | 'q' | 'thin' | 'sum' | 'semantics' | 'moving' | 'axis' | 'angle' | 'scale'>;
 export interface SolidFrame {
   vertices: Float64Array;
   triangles: Uint32Array;
@@ -45,15 +41,6 @@ export interface SolidNumbers {
   volumeExact: string | null;
   shells: number;
 }
-export interface SolidDepthAnswer {
-  inside: boolean;
-  depth: number;
-  squared: string;
-  direction: readonly [number, number, number];
-  p: SolidFeature;
-  q: SolidFeature;
-}
-
 export interface SolidSection {
   area: number;
   /** null where it is long */
@@ -69,41 +56,6 @@ export interface AloneNumbers {
 
 const kExactBits = 4096;
 
-/** The poses of P and of Q. */
-function posesOf({ moving, axis, angle, scale }: SumArgs): [SolidPose, SolidPose] {
-  const pose: SolidPose = { rotation: rotationOf(axis, angle), scale: factorsOf(scale, 3)!.map(toText) as [string, string, string] };
-  return moving === 'p' ? [pose, {}] : [{}, pose];
-}
-function rotationOf(axis: SumArgs['axis'], degrees: number): Rotation {
-  return { axis, angle: radiansOf(`${degrees}deg`) };
-}
-
-/** With parts without volume, where they are asked for. */
-function meshOf(host: Host, shape: Shape, thin: boolean): Mesh {
-  if (!thin || isMade(shape)) return host.mesh(shape);
-  return host.keep(`thin mesh ${keyOf(shape)}`, () => host.dymsum.Mesh.read(shape.name, bytesOf(shape), { thinParts: true }));
-}
-function first(host: Host, { p, thin }: SumArgs): Mesh {
-  return meshOf(host, p, thin);
-}
-/** Q, or −Q. */
-function second(host: Host, { q, sum, thin }: SumArgs): Mesh {
-  return sum === 'sum' ? meshOf(host, q, thin) : host.keep(`negated ${thin} ${keyOf(q)}`, () => meshOf(host, q, thin).negated());
-}
-function isConvex(host: Host, { p, q, thin }: SumArgs): boolean {
-  const known = (shape: Shape): { convex: boolean; dispose: () => void } =>
-    host.keep(`convexity ${thin} ${keyOf(shape)}`, () => ({ convex: meshOf(host, shape, thin).convexityError() === null, dispose: () => undefined }));
-  return known(p).convex && known(q).convex;
-}
-function keyOfSum({ p, q, sum, thin, semantics }: SumArgs): string {
-  return `${sum} ${semantics} ${thin} ${keyOf(p)} ${keyOf(q)}`;
-}
-/** As P and Q stand. */
-function convexOf(host: Host, args: SumArgs, purpose: string): ConvexSum {
-  const sum = host.keep(`convex ${purpose} ${keyOfSum(args)}`, () => host.dymsum.ConvexSum.create(first(host, args), second(host, args)));
-  sum.set(...posesOf(args));
-  return sum;
-}
 function movingOf(host: Host, args: SumArgs): MovingSolidSum {
   const options = { semantics: args.semantics, tight: true, progress: host.progress };
   const moving = host.keep(`moving ${keyOfSum(args)}`, () => host.dymsum.MovingSolidSum.create(first(host, args), second(host, args), options));
@@ -146,6 +98,15 @@ function anyFrame(host: Host, args: SumArgs, start: number): SolidFrame {
   };
 }
 
+function fitFrame(host: Host, args: SumArgs, start: number): SolidFrame {
+  const shape = fitOf(host, args).shape(), { triangleFaces: faceOf, faceContacts: contacts } = shape, changes = new Uint8Array(contacts.length / 6);
+  return {
+    vertices: shape.vertices, triangles: shape.triangles, faceOf, contacts, ...kindsOfFaces(faceOf, contacts, changes), edges: shape.edges,
+    tightTriangles: shape.tightTriangles, tightSegments: shape.tightSegments, tightPoints: shape.tightPoints, convex: false,
+    vertexCount: shape.vertices.length / 3, faceCount: changes.length, changed: 0, ms: performance.now() - start,
+  };
+}
+
 function countChanged(faces: Iterable<number>, changes: Uint8Array): number {
   let count = 0;
   for (const face of faces) if (changes[face] !== 0) ++count;
@@ -153,50 +114,26 @@ function countChanged(faces: Iterable<number>, changes: Uint8Array): number {
 }
 
 function numbersOf(host: Host, args: SumArgs): SolidNumbers {
-  if (!isConvex(host, args)) return withSum(host, args, (sum) => ({ volume: sum.volume(), volumeExact: sum.volumeExact(kExactBits), shells: sum.shellCount }));
+  if (!hasConvexSum(host, args)) return withSum(host, args, (sum) => ({ volume: sum.volume(), volumeExact: sum.volumeExact(kExactBits), shells: sum.shellCount }));
   const sum = convexOf(host, args, 'numbers');
   return { volume: sum.volume(), volumeExact: sum.volumeExact(), shells: 1 };
 }
 
 function withSum<T>(host: Host, args: SumArgs, ask: (sum: ReturnType<MovingSolidSum['sum']>) => T): T {
-  return using(movingOf(host, args).sum(), ask);
+  return args.sum === 'fit' ? ask(fitOf(host, args)) : using(movingOf(host, args).sum(), ask);
 }
 
 /** Exact positions of vertices of the frame. */
 function exactOf(host: Host, args: SumArgs, vertices: readonly number[]): string[] {
   const text = ({ x, y, z }: { x: string; y: string; z: string }): string => `${x}, ${y}, ${z}`;
-  if (!isConvex(host, args)) return withSum(host, args, (sum) => vertices.map((v) => text(sum.exact(v))));
+  if (!hasConvexSum(host, args)) return withSum(host, args, (sum) => vertices.map((v) => text(sum.exact(v))));
   const sum = convexOf(host, args, 'frame'); // the one whose vertices have the frame's indices
   return vertices.map((v) => text(sum.exact(v)));
 }
 
-/** A solid scaled without rounding; nothing where its coordinates would not be doubles. `visit` must not keep it. */
-function withScaled<T>(solid: Mesh, scale: string, visit: (scaled: Mesh) => T): T | undefined {
-  const factors = factorsOf(scale, 3)!;
-  if (factors.every((f) => f.n === f.d)) return visit(solid);
-  if (!scalesExactly(solid.shape().vertices, factors)) return undefined;
-  return using(solid.scaled(...(factors.map(toNumber) as [number, number, number])), visit);
-}
-
-function depthOf(host: Host, args: SumArgs, at: readonly [number, number, number]): SolidDepthAnswer | null {
-  const answer = isConvex(host, args) ? convexOf(host, args, 'depth').depth({ x: at[0], y: at[1], z: at[2] }) : anyDepth(host, args, at);
-  if (!answer) return null;
-  const { inside, depth, depthSquared, direction, p, q } = answer;
-  return { inside, depth, squared: depthSquared, direction: [direction.x, direction.y, direction.z], p, q };
-}
-
-/** The engine turns the second solid. Where P turns it is the second one, Q stays, and P leaves the other way. */
-function anyDepth(host: Host, { p, q, thin, moving, axis, angle, scale }: SumArgs, [x, y, z]: readonly [number, number, number]): ConvexDepth | undefined {
-  const [stays, turns] = (moving === 'q' ? [p, q] : [q, p]).map((shape) => meshOf(host, shape, thin)) as [Mesh, Mesh];
-  const key = `depth ${moving} ${scale} ${thin} ${keyOf(p)} ${keyOf(q)}`;
-  const made = withScaled(turns, scale, (scaled) => host.keep(key, () => host.dymsum.TurnedDepth.create(stays, scaled)));
-  if (moving === 'q') return made?.at({ x, y, z }, rotationOf(axis, angle));
-  const found = made?.at({ x: -x, y: -y, z: -z }, rotationOf(axis, angle)), back = found?.direction;
-  return found && back && { ...found, direction: { x: -back.x, y: -back.y, z: -back.z }, p: found.q, q: found.p };
-}
-
 /** The exact area of the section, while nothing turns and all coordinates are doubles. */
 function sectionOf(host: Host, args: SumArgs, z: number): SolidSection | null {
+  if (args.sum === 'fit') return null;
   const p = first(host, args), q = second(host, args);
   const cut = (p: Mesh, q: Mesh): SolidSection =>
     using(host.dymsum.sliceOfSum(p, q, z, { semantics: args.semantics, progress: host.progress }), (slice) =>
@@ -231,7 +168,7 @@ function unchecked(host: Host, shape: Parameters<typeof bytesOf>[0]): object {
 
 function fileOf(host: Host, args: SumArgs, format: MeshFormat | 'json'): Uint8Array | string {
   if (format === 'json') return jsonOf(host, args);
-  if (!isConvex(host, args)) return withSum(host, args, (sum) => sum.format(format));
+  if (!hasConvexSum(host, args)) return withSum(host, args, (sum) => sum.format(format));
   return using(convexOf(host, args, 'numbers').mesh(), (mesh) => mesh.format(format));
 }
 
@@ -248,7 +185,8 @@ function jsonOf(host: Host, args: SumArgs): string {
 
 function frameOf(host: Host, args: SumArgs): SolidFrame {
   const start = performance.now();
-  return isConvex(host, args) ? convexFrame(host, args, start) : anyFrame(host, args, start);
+  if (args.sum === 'fit') return fitFrame(host, args, start);
+  return hasConvexSum(host, args) ? convexFrame(host, args, start) : anyFrame(host, args, start);
 }
 
 export const solidServices = {
@@ -257,7 +195,7 @@ export const solidServices = {
   solidAloneFile: (host: Host, { shape, thin, format }: { shape: Shape; thin: boolean; format: MeshFormat }): Uint8Array => meshOf(host, shape, thin).format(format),
   solidFrame: (host: Host, args: SumArgs): SolidFrame => frameOf(host, args),
   solidNumbers: (host: Host, { args }: { args: SumArgs }): SolidNumbers => numbersOf(host, args),
-  solidDepth: (host: Host, { at, ...args }: SumArgs & { at: readonly [number, number, number] }): SolidDepthAnswer | null => depthOf(host, args, at),
+  solidDepth: (host: Host, { at, ...args }: SumArgs & { at: Place }): SolidDepthAnswer | Unknown => depthOf(host, args, at),
   solidSection: (host: Host, { args, z }: { args: SumArgs; z: number }): SolidSection | null => sectionOf(host, args, z),
   solidExact: (host: Host, { args, vertices }: { args: SumArgs; vertices: number[] }): string[] => exactOf(host, args, vertices),
   solidFile: (host: Host, { args, format }: { args: SumArgs; format: MeshFormat | 'json' }): Uint8Array | string => fileOf(host, args, format),

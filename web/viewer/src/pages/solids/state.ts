@@ -2,8 +2,7 @@
 import type { Semantics } from 'dymsum';
 import { parseShape, type Shape } from '../../engine/shape';
 import { parseSemantics } from '../options';
-import { factorsOf } from '../scale';
-import { parseRange } from '../sum/state';
+import { factorsOf, isSize } from '../scale';
 
 export type Triple = readonly [number, number, number];
 export const kAxes = { x: [1, 0, 0], y: [0, 1, 0], z: [0, 0, 1], skew: [1, 2, 3] } as const satisfies Record<string, Triple>;
@@ -13,8 +12,8 @@ export interface SolidsState {
   q: Shape;
   /** parts without volume in files count as operands, too */
   thin: boolean;
-  /** the sum P ⊕ Q; or P ⊕ −Q, the places of Q at which it hits P */
-  sum: 'sum' | 'hits';
+  /** the sum P ⊕ Q; P ⊕ −Q, the places of Q at which it hits P; or the places at which Q fits into P */
+  sum: 'sum' | 'hits' | 'fit';
   semantics: Semantics;
   /** the one that turns and is scaled */
   moving: 'p' | 'q';
@@ -48,21 +47,33 @@ export function solidsState(p: Shape, q: Shape, changes: Partial<SolidsState> = 
 }
 
 /** Each set with what touching counts in it: Q hits P only where they overlap, unless something else is asked for. */
-export const kSets = { sum: { sum: 'sum', semantics: 'closed' }, hits: { sum: 'hits', semantics: 'open' } } as const satisfies Record<string, Pick<SolidsState, 'sum' | 'semantics'>>;
+export const kSets = {
+  sum: { sum: 'sum', semantics: 'closed' }, hits: { sum: 'hits', semantics: 'open' }, fit: { sum: 'fit', semantics: 'closed' },
+} as const satisfies Record<SolidsState['sum'], Pick<SolidsState, 'sum' | 'semantics'>>;
 
-export function areNumbers(value: unknown, count: number): value is number[] {
-  return Array.isArray(value) && value.length === count && value.every((x) => Number.isFinite(x));
+/** The inner fit is computed of solids whose coordinates are doubles: what turns has others. */
+export function withSet(state: SolidsState, sum: SolidsState['sum']): SolidsState {
+  return { ...state, ...kSets[sum], ...(sum === 'fit' ? { angle: 0 } : {}) };
 }
+
+/** A place on an axis: larger and smaller ones would overflow where they are drawn. */
+export function isPlace(value: unknown): value is number {
+  return typeof value === 'number' && (value === 0 || isSize(value));
+}
+function arePlaces(value: unknown, count: number): value is number[] {
+  return Array.isArray(value) && value.length === count && value.every(isPlace);
+}
+const kMostDegrees = 1e6;
 
 /** Nothing for numbers that are no axis. */
 export function axisOf(value: unknown): Triple | undefined {
-  return areNumbers(value, 3) && value.some((x) => x !== 0) ? (value as unknown as Triple) : undefined;
+  return arePlaces(value, 3) && value.some((x) => x !== 0) ? (value as unknown as Triple) : undefined;
 }
 
 /** Throws an Error for what is no state of this page. What is left out is as in a new one. */
 export function parseSolidsState(value: unknown): SolidsPageState {
   const v = (value ?? {}) as Partial<Record<keyof SolidsState, unknown>>;
-  const p = parseShape(v.p), start = solidsState(p, v.q === null ? p : parseShape(v.q), kSets[v.sum === 'hits' ? 'hits' : 'sum']);
+  const set = v.sum === 'hits' || v.sum === 'fit' ? v.sum : 'sum', p = parseShape(v.p), start = solidsState(p, v.q === null ? p : parseShape(v.q), kSets[set]);
   const named = typeof v.axis === 'string' && v.axis in kAxes ? kAxes[v.axis as keyof typeof kAxes] : undefined; // as older pages wrote it
   const state: SolidsState = {
     ...start,
@@ -70,12 +81,12 @@ export function parseSolidsState(value: unknown): SolidsPageState {
     semantics: parseSemantics(v.semantics, start.semantics),
     moving: v.moving === 'p' ? 'p' : 'q',
     axis: named ?? axisOf(v.axis) ?? start.axis,
-    angle: Number.isFinite(v.angle) ? (v.angle as number) : 0,
+    angle: set !== 'fit' && typeof v.angle === 'number' && Math.abs(v.angle) <= kMostDegrees ? v.angle : 0,
     scale: typeof v.scale === 'string' && factorsOf(v.scale, 3) ? v.scale : '1',
-    ...parseRange(v.range),
-    at: areNumbers(v.at, 3) ? (v.at as unknown as Triple) : start.at,
-    slice: Number.isFinite(v.slice) ? (v.slice as number) : null,
-    ...(areNumbers(v.look, 6) ? { look: v.look as unknown as NonNullable<SolidsState['look']> } : {}),
+    ...(arePlaces(v.range, 2) ? { range: [v.range[0]!, v.range[1]!] as const } : {}),
+    at: arePlaces(v.at, 3) ? (v.at as unknown as Triple) : start.at,
+    slice: isPlace(v.slice) ? v.slice : null,
+    ...(arePlaces(v.look, 6) ? { look: v.look as unknown as NonNullable<SolidsState['look']> } : {}),
     changes: v.changes !== false,
     through: v.through === true,
   };

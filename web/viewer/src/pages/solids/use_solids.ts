@@ -7,7 +7,9 @@ import type { Shell } from '../../shell/page';
 import { useSettled } from '../../shell/use_settled';
 import type { Placement } from '../../view3d/placement';
 import { placementOf } from './placing';
-import type { SolidDepthAnswer, SolidFrame, SolidNumbers, SolidOperand, SolidSection, SumArgs } from './service';
+import type { SolidDepthAnswer, Unknown } from './depth';
+import type { SolidFrame, SolidNumbers, SolidOperand, SolidSection } from './service';
+import type { SumArgs } from './standing';
 import type { SolidsState } from './state';
 
 export interface SolidsData {
@@ -19,8 +21,7 @@ export interface SolidsData {
   /** what `frame` is of */
   of: SumArgs | undefined;
   numbers: SolidNumbers | undefined;
-  /** null where it cannot be exact */
-  depth: SolidDepthAnswer | null | undefined;
+  depth: SolidDepthAnswer | Unknown | undefined;
   section: SolidSection | null | undefined;
 }
 
@@ -56,9 +57,9 @@ export function useSolids(shell: Shell, state: SolidsState): SolidsData {
   return {
     p: first, q: second, args, of,
     placement: useMemo(() => first && second && placementOf(first, second), [first, second]),
-    frame: isCurrent ? frame.value : undefined,
+    frame: isCurrent && !frame.error ? frame.value : undefined,
     numbers: numbers.of?.args === args ? numbers.value : undefined,
-    depth: sum === 'hits' && depth.of?.p === p && depth.of.q === q ? depth.value : undefined,
+    depth: sum === 'hits' && !depth.error && depth.of?.p === p && depth.of.q === q ? depth.value : undefined,
     section: section.of?.args === args && section.of.z === slice ? section.value : undefined,
   };
 }

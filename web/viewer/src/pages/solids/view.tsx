@@ -21,13 +21,14 @@ import '../obstacle/obstacle.css';
 
 export const kSummary = 'Solids of any shape and their sum, exactly, while one of them turns and is scaled. Drag Q; hover over the sum to see which features made a face.';
 
-const kFiles = { glb: 'Sum (GLB)', stl: 'Sum (STL)', off: 'Sum (OFF)', json: 'Sum, exact (JSON)' } as const;
+const kFiles = { glb: ' (GLB)', stl: ' (STL)', off: ' (OFF)', json: ', exact (JSON)' } as const;
+const kCaptions = { sum: 'P ⊕ Q', hits: 'P ⊕ −Q: where Q hits P', fit: 'Where Q fits in P' } as const;
 
 function useDownloads({ engine, setDownloads }: Shell, { args, frame }: SolidsData): void {
-  const isThere = frame !== undefined;
+  const isThere = frame !== undefined && frame.vertexCount > 0;
   useEffect(() => {
     const download = (format: keyof typeof kFiles): Download => ({
-      label: kFiles[format], fileName: `sum.${format}`, make: () => engine.ask('solidFile', { args, format }),
+      label: `${args.sum === 'fit' ? 'Fit' : 'Sum'}${kFiles[format]}`, fileName: `${args.sum === 'fit' ? 'fit' : 'sum'}.${format}`, make: () => engine.ask('solidFile', { args, format }),
     });
     setDownloads(isThere ? (Object.keys(kFiles) as (keyof typeof kFiles)[]).map(download) : []);
   }, [engine, setDownloads, args, isThere]);
@@ -58,7 +59,7 @@ function PairView({ state, change, shell }: PageProps<SolidsState> & { change: P
     [standingP, standingQ, placement, marked, depth, at, theme], // eslint-disable-line react-hooks/exhaustive-deps -- colours are the theme's
   );
   const right = useMemo(
-    () => (frame && view ? sumOverlay(frame, view, { slice: state.slice, face, depth, look, at: state.sum === 'hits' ? at : undefined }) : {}),
+    () => (frame && view ? sumOverlay(frame, view, { slice: state.slice, face, depth, look, at: state.sum === 'sum' ? undefined : at }) : {}),
     [frame, view, state.slice, face, depth, look, at, state.sum, theme], // eslint-disable-line react-hooks/exhaustive-deps -- colours are the theme's
   );
   const faceAt = (hit: Hit | undefined): number | undefined => hit && frame?.faceOf[hit.triangle];
@@ -80,17 +81,17 @@ function PairView({ state, change, shell }: PageProps<SolidsState> & { change: P
       <Stage>
         <div class="pair">
           <div>
-            <SpacePicture label={`${state.p.name} and ${state.q.name} where they stand`} shape={operands} colours={kOperandColours} opacity={state.sum === 'hits' ? 0.6 : 1} overlay={left} grip={grip}>
+            <SpacePicture label={`${state.p.name} and ${state.q.name} where they stand`} shape={operands} colours={kOperandColours} opacity={state.sum === 'sum' ? 1 : 0.6} overlay={left} grip={grip}>
               <span class="caption">P and Q</span>
             </SpacePicture>
           </div>
           <div>
             <SpacePicture
-              label={`The sum: ${frame ? `${frame.vertexCount} vertices, ${frame.faceCount} faces` : 'not known yet'}`} shape={sum} colours={kFaceColours}
+              label={`${state.sum === 'fit' ? 'The inner fit' : 'The sum'}: ${frame ? `${frame.vertexCount} vertices, ${frame.faceCount} faces` : 'not known yet'}`} shape={sum} colours={kFaceColours}
               opacity={state.through ? 0.5 : 1} cut={state.slice !== null && view ? view.height(state.slice) : undefined} overlay={right}
               onHover={(hit) => setHovered(faceAt(hit))} onPick={(hit) => setChosen(faceAt(hit))}
             >
-              <span class="caption">{state.sum === 'sum' ? 'P ⊕ Q' : 'P ⊕ −Q: where Q hits P'}</span>
+              <span class="caption">{kCaptions[state.sum]}</span>
               <div class="status">{named && `${kindText(named)}: ${contactText(named)}`}</div>
             </SpacePicture>
           </div>
