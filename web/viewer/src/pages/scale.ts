@@ -9,6 +9,12 @@ export function isSize(x: number): boolean {
   return Math.abs(x) >= kSmallest && Math.abs(x) <= kLargest;
 }
 
+/** A positive number, or one for each axis, of which one is too large or too small. */
+export function isOversized(text: string): boolean {
+  const factors = text.split(':').map((t) => parseRational(t.trim()));
+  return factors.every((f) => f !== undefined && f.n > 0n) && !factors.every((f) => f && isSize(toNumber(f)));
+}
+
 /** One factor for each axis; nothing for what is no scale, or too large or small for one. */
 export function factorsOf(text: string, axes: 2 | 3): Rational[] | undefined {
   const factors = text.split(':').map((t) => parseRational(t.trim()));

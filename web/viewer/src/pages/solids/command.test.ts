@@ -34,9 +34,9 @@ describe('the page of solids', () => {
     expect(asked({ verb: 'nfp' })).toMatchObject({ sum: 'hits', semantics: 'closed' });
     expect(asked({ verb: 'erode' })).toMatchObject({ sum: 'fit', semantics: 'closed', angle: 0, scale: '1' });
   });
-  it('leaves out what cannot be drawn', () => {
-    expect(asked({ verb: 'scale', at: '1e400' })).toMatchObject({ scale: '1' });
-    expect(asked({ verb: 'depth', move: '1e308,0,0', axis: '1e300,0,0', degrees: '1e200' })).toMatchObject({ at: [0, 0, 0], axis: [0, 0, 1] });
+  it('refuses what cannot be drawn', () => {
+    expect(() => asked({ verb: 'scale', at: '1e400' })).toThrow('cannot compute with');
+    expect(() => asked({ verb: 'depth', move: '1e308,0,0' })).toThrow('cannot compute with 1e+308');
     expect(asked({ verb: 'slice', z: 'x' })).toMatchObject({ slice: null });
   });
   it('shows one solid alone', () => expect(asAsked({ verb: 'hull' }, kState, 1)).toMatchObject({ p: kState.p, q: null }));
@@ -50,8 +50,10 @@ describe('states of solids', () => {
     expect(parseSolidsState(again({ ...state, q: null }))).toEqual({ ...state, q: null });
   });
   it('hold only what can be drawn', () => {
-    const { p, q } = kState, wild = { scale: '1:2:1e400', at: [0, 1e308, 0], axis: [1e200, 0, 0], angle: 1e300, slice: 1e308, range: [1, 1e300], look: [0, 0, 0, 1, 1, 1e-300] };
-    expect(parseSolidsState({ p, q, ...wild })).toEqual(solidsState(p, q));
+    const { p, q } = kState;
+    for (const wild of [{ scale: '1:2:1e400' }, { at: [0, 1e308, 0] }, { at: [0, Infinity, 0] }, { axis: [1e200, 0, 0] }, { slice: 1e308 }, { range: [1, 1e300] }, { look: [0, 0, 0, 1, 1, 1e-300] }])
+      expect(() => parseSolidsState({ p, q, ...wild })).toThrow('cannot compute with');
+    expect(parseSolidsState({ p, q, scale: 'x', at: [0, null, 0], angle: 1e300, slice: NaN })).toEqual(solidsState(p, q));
     expect(parseSolidsState({ p, q, scale: '1e15', at: [0, -1e100, 1e-100] })).toMatchObject({ scale: '1e15', at: [0, -1e100, 1e-100] });
   });
   it('of inner fits do not turn', () => {

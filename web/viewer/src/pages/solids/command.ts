@@ -51,7 +51,7 @@ function ofVerb(parameters: Parameters): Partial<SolidsState> {
   }
 }
 
-/** What a command may say and a page cannot show is as in a new page. Solids stand as their files say, and the program's own defaults hold where an option was not given. */
+/** Throws an Error for numbers that the page cannot show. Solids stand as their files say, and the program's own defaults hold where an option was not given. */
 export function asAsked(parameters: Parameters, state: SolidsPageState, inputs: number): SolidsPageState {
   const rest = { ...state };
   delete rest.range;

@@ -2,7 +2,7 @@
 import type { Semantics } from 'dymsum';
 import { parseShape, type Shape } from '../../engine/shape';
 import { parseSemantics } from '../options';
-import { factorsOf, isSize } from '../scale';
+import { factorsOf, isOversized, isSize, kSizes } from '../scale';
 
 export type Triple = readonly [number, number, number];
 export const kAxes = { x: [1, 0, 0], y: [0, 1, 0], z: [0, 0, 1], skew: [1, 2, 3] } as const satisfies Record<string, Triple>;
@@ -65,6 +65,13 @@ function arePlaces(value: unknown, count: number): value is number[] {
 }
 const kMostDegrees = 1e6;
 
+/** Throws an Error for numbers that are some, but too large or too small: nothing else is to be shown in their place. */
+function refuseOversized({ at, axis, look, range, slice, scale }: Partial<Record<keyof SolidsState, unknown>>): void {
+  const oversized = [at, axis, look, range, slice].flat().find((x) => typeof x === 'number' && !Number.isNaN(x) && !isPlace(x));
+  const refused = oversized ?? (typeof scale === 'string' && isOversized(scale) ? scale : undefined);
+  if (refused !== undefined) throw new Error(`This page cannot compute with ${refused}: it takes numbers from ${kSizes} in size.`);
+}
+
 /** Nothing for numbers that are no axis. */
 export function axisOf(value: unknown): Triple | undefined {
   return arePlaces(value, 3) && value.some((x) => x !== 0) ? (value as unknown as Triple) : undefined;
@@ -73,6 +80,7 @@ export function axisOf(value: unknown): Triple | undefined {
 /** Throws an Error for what is no state of this page. What is left out is as in a new one. */
 export function parseSolidsState(value: unknown): SolidsPageState {
   const v = (value ?? {}) as Partial<Record<keyof SolidsState, unknown>>;
+  refuseOversized(v);
   const set = v.sum === 'hits' || v.sum === 'fit' ? v.sum : 'sum', p = parseShape(v.p), start = solidsState(p, v.q === null ? p : parseShape(v.q), kSets[set]);
   const named = typeof v.axis === 'string' && v.axis in kAxes ? kAxes[v.axis as keyof typeof kAxes] : undefined; // as older pages wrote it
   const state: SolidsState = {
