@@ -714,7 +714,11 @@ export interface SolidDepth extends Disposable {
   readonly facetCount: number;
 }
 
-/** The shortest way out of two solids of any shape, of which Q turns about its origin and moves. */
+/**
+ * The shortest way out of two solids of any shape, of which Q turns about its origin and moves. The nearest place is found in
+ * doubles: an overlap below 2^-46 of the sizes counts as touching and is not `inside`, and of a tight place vertices 0 are named;
+ * without a turn SolidDepth is exact.
+ */
 export interface TurnedDepth extends Disposable { at(q: Point3, turned?: Rotation): ConvexDepth; }
 
 export interface SolidScaleEvent {

@@ -31,9 +31,8 @@ describe('states out of documents', () => {
 describe('numbers that no finite double comes near', () => {
   it('are left out of sums', () => {
     for (const scale of ['1e400', '1e-400', '2:1e309', '1'.padEnd(400, '0')]) expect(parseSumState({ p, q, scale })).toEqual(sumState(p, q));
-    expect(checkSumScale('1e400')).toMatch(/too large/);
-    expect(checkSumScale('1:1e-400')).toMatch(/too near to 0/);
-    expect([checkSumScale('1e300'), checkSumScale('.5'), checkSumScale('5.:1/3')]).toEqual([undefined, undefined, undefined]);
+    for (const scale of ['1e400', '1:1e-400', '1e300']) expect(checkSumScale(scale)).toMatch(/from 1e-150 to 1e\+150/);
+    expect([checkSumScale('1e149'), checkSumScale('.5'), checkSumScale('5.:1/3')]).toEqual([undefined, undefined, undefined]);
   });
   it('are left out of discs', () => {
     expect(parseDiscState({ shape: q, alpha: '1e400', persistence: '1e309', alphaFrom: '1e-400', alphaTo: '1e999' })).toEqual(parseDiscState({ shape: q }));

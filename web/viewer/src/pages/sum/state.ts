@@ -1,11 +1,10 @@
 // What the page of sums shows.
 import type { Semantics } from 'dymsum';
 import { parseShape, type Shape } from '../../engine/shape';
-import { checkSize } from '../../numbers/rational';
 import type { Camera } from '../../view2d/camera';
 import { isAngle } from '../angle';
 import { parseSemantics } from '../options';
-import { checkScale, factorsOf } from '../scale';
+import { checkScale } from '../scale';
 
 export type Which = 'p' | 'q';
 export const kLayers = ['p', 'q', 'sum', 'tight', 'convolution', 'cells', 'crossings', 'dropped'] as const;
@@ -73,7 +72,7 @@ function parsePair(value: unknown): [number, number] {
 
 /** Why a text is no scale that can be drawn; nothing where it is one. */
 export function checkSumScale(text: string): string | undefined {
-  return checkScale(text, 2) ?? factorsOf(text, 2)?.map(checkSize).find((wrong) => wrong !== undefined);
+  return checkScale(text, 2);
 }
 
 /** Throws an Error for what is no state of this page. What is left out is as in a new one. */
