@@ -1,7 +1,7 @@
 // Long work tells how far it is, can be stopped, and leaves a page that goes on.
 import type { Browser, Page } from 'playwright-core';
 import { afterAll, beforeAll, describe, expect, it } from 'vitest';
-import { close, launch, open, readout } from './viewer';
+import { close, dropFiles, launch, open, readout } from './viewer';
 
 let browser: Browser;
 beforeAll(async () => void (browser = await launch()));
@@ -10,12 +10,20 @@ afterAll(() => browser.close());
 const bar = (page: Page) => page.getByRole('progressbar', { name: 'Progress' });
 const share = async (page: Page): Promise<number> => Number((await bar(page).getAttribute('aria-valuenow', { timeout: 500 }).catch(() => null)) ?? NaN);
 
+/** A polygon of many long spikes, as text. */
+function spikes(vertices: number, shift: number): string {
+  const at = (k: number): string => {
+    const angle = (2 * Math.PI * k) / vertices, radius = 1 + ((k * 7919 + shift) % 101) / 50;
+    return `${(radius * Math.cos(angle)).toFixed(6)} ${(radius * Math.sin(angle)).toFixed(6)}`;
+  };
+  return `POLYGON ((${[...Array(vertices).keys(), 0].map(at).join(', ')}))`;
+}
+
 /** A robot and an obstacle whose obstacle in (x, y, theta) takes long. */
 async function atWork(): Promise<Awaited<ReturnType<typeof open>>> {
   const it = await open(browser, { hash: '#/obstacle' }), { page } = it;
   await expect.poll(() => readout(page, 'The robot'), { timeout: 60_000 }).toMatch(/clearance|depth|touches/);
-  await page.getByLabel('Shape of Obstacle').selectOption('random');
-  await page.getByLabel('Shape of Robot').selectOption('noisy star');
+  await dropFiles(page, { 'robot.wkt': spikes(220, 3), 'obstacle.wkt': spikes(260, 40) });
   await expect.poll(() => share(page), { timeout: 60_000 }).toBeGreaterThan(0);
   return it;
 }
