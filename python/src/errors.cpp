@@ -53,7 +53,7 @@ void bind_codes(nb::module_& m) {
     const auto code = static_cast<ErrorCode>(k);
     codes.value(std::string(name(code)).c_str(), code);
   }
-  m.def("name", &name, "code"_a, "The name of a code as it is written in code.");
+  m.def("name", nb::overload_cast<ErrorCode>(&name), "code"_a, "The name of a code as it is written in code.");
 }
 
 }  // namespace

@@ -14,7 +14,7 @@ from pathlib import Path
 BLOCK = re.compile(r"^```console\n(.*?)^```\n", re.MULTILINE | re.DOTALL)
 DATA = re.compile(r'<script id="dymsum-data" type="application/json">(.+?)</script>', re.DOTALL)
 WRONG_USAGE, ANSWER_IS_NO = 1, 4
-VERBS = {"sum", "nfp", "erode", "scale", "rotate", "cspace", "slice", "path", "disc", "depth", "features", "decompose", "local-sum", "offset", "opening", "closing"}
+VERBS = {"sum", "nfp", "scale", "rotate", "cspace", "slice", "features", "decompose"}
 
 
 @cache
