@@ -2,8 +2,9 @@
 
 namespace dymsum::spatial {
 
-LoneContacts::Side::Side(const SumSpace& space, const SolidOperand& operand, const std::vector<Vec3>& vertices)
-    : solid(operand), at(vertices), radius(space.sum_radius()), tame(operand.vertices.size()) {
+LoneContacts::Side::Side(const SumSpace& space, Way::Of name, const SolidOperand& operand,
+                         const std::vector<Vec3>& vertices)
+    : of(name), solid(operand), at(vertices), radius(space.sum_radius()), tame(operand.vertices.size()) {
   normals.reserve(solid.triangles.size());
   for (const Triangle& t : solid.triangles) normals.push_back(normal_direction(at[t[0]], at[t[1]], at[t[2]], radius));
 }
@@ -20,7 +21,7 @@ template <class F>
 bool LoneContacts::Side::all_edges(std::uint32_t vertex, F f) const {
   for (std::uint32_t c = solid.corner_begin[vertex]; c < solid.corner_begin[vertex + 1]; ++c) {
     const std::uint32_t corner = solid.corners[c];
-    if (!f(edge(vertex, solid.triangles[corner / 3][(corner + 1) % 3]))) return false;
+    if (!f(line(vertex, solid.triangles[corner / 3][(corner + 1) % 3]))) return false;
   }
   return true;
 }
@@ -41,10 +42,20 @@ bool LoneContacts::Side::has_free_way(std::uint32_t vertex) {
 }
 
 LoneContacts::LoneContacts(const SumSpace& space, const FacetTable& table, const SolidOperand& p, const SolidOperand& q)
-    : space_(space), table_(table), p_(space, p, space.p()), q_(space, q, space.q()), edge_(space.edges().size()) {}
+    : space_(space),
+      table_(table),
+      p_(space, Way::Of::p, p, space.p()),
+      q_(space, Way::Of::q, q, space.q()),
+      edge_(space.edges().size()) {}
+
+bool LoneContacts::parallel(const Side& faces, std::uint32_t triangle, const Line& line) const {
+  if (filtered_sign(faces.normals[triangle], line.near) != 0) return false;
+  const Triangle& t = faces.solid.triangles[triangle];
+  return space_.exact_det({faces.of, t[0], t[1]}, {faces.of, t[0], t[2]}, line.way) == 0;
+}
 
 bool LoneContacts::lone(const Side& edges, std::uint32_t from, std::uint32_t to, const Side& vertices,
-                        std::uint32_t v) {
+                        std::uint32_t v) const {
   int faces = 0;
   Vec3 way;
   const bool across = edges.all_triangles(from, [&](std::uint32_t t) {
@@ -53,7 +64,7 @@ bool LoneContacts::lone(const Side& edges, std::uint32_t from, std::uint32_t to,
     ++faces;
     const double size = length(edges.normals[t].v);
     if (size > 0) way = way - (1 / size) * edges.normals[t].v;
-    return vertices.all_edges(v, [&](const Direction& d) { return filtered_sign(edges.normals[t], d) != 0; });
+    return vertices.all_edges(v, [&](const Line& d) { return !parallel(edges, t, d); });
   });
   if (!across || faces != 2) return false;
   // Inward through both faces: a way apart.
@@ -64,14 +75,14 @@ bool LoneContacts::lone(const Side& edges, std::uint32_t from, std::uint32_t to,
     return !there || filtered_sign(edges.normals[t], inward) < 0;
   });
   if (!free) return false;
-  const Direction along = edges.edge(from, to);
-  return vertices.all_triangles(v, [&](std::uint32_t t) { return filtered_sign(vertices.normals[t], along) != 0; });
+  const Line along = edges.line(from, to);
+  return vertices.all_triangles(v, [&](std::uint32_t t) { return !parallel(vertices, t, along); });
 }
 
 /// No face at a vertex of one operand is parallel to an edge at a vertex of the other.
-bool LoneContacts::lone(const Side& faces, std::uint32_t vertex, const Side& edges, std::uint32_t v) {
-  return edges.all_edges(v, [&](const Direction& d) {
-    return faces.all_triangles(vertex, [&](std::uint32_t t) { return filtered_sign(faces.normals[t], d) != 0; });
+bool LoneContacts::lone(const Side& faces, std::uint32_t vertex, const Side& edges, std::uint32_t v) const {
+  return edges.all_edges(v, [&](const Line& d) {
+    return faces.all_triangles(vertex, [&](std::uint32_t t) { return !parallel(faces, t, d); });
   });
 }
 
@@ -89,22 +100,22 @@ bool LoneContacts::corner(SumPoint s) {
 
 bool LoneContacts::facet(std::uint32_t id) {
   const SumFacet& f = table_.facets[id].facet;
-  const auto face_vertex = [](const Side& faces, std::uint32_t t, const Side& vertices, std::uint32_t v) {
-    return vertices.all_edges(v, [&](const Direction& d) { return filtered_sign(faces.normals[t], d) != 0; });
+  const auto face_vertex = [&](const Side& faces, std::uint32_t t, const Side& vertices, std::uint32_t v) {
+    return vertices.all_edges(v, [&](const Line& d) { return !parallel(faces, t, d); });
   };
   if (f.kind == SumFacet::Kind::face_vertex) return face_vertex(p_, f.p, q_, f.q);
   if (f.kind == SumFacet::Kind::vertex_face) return face_vertex(q_, f.q, p_, f.p);
   const Wedge &e = p_.solid.wedges[f.p], &g = q_.solid.wedges[f.q];
-  const Direction along_e = p_.edge(e.from, e.to), along_g = q_.edge(g.from, g.to);
-  return filtered_sign(p_.normals[e.left], along_g) != 0 && filtered_sign(p_.normals[e.right], along_g) != 0 &&
-         filtered_sign(q_.normals[g.left], along_e) != 0 && filtered_sign(q_.normals[g.right], along_e) != 0;
+  const Line along_e = p_.line(e.from, e.to), along_g = q_.line(g.from, g.to);
+  return !parallel(p_, e.left, along_g) && !parallel(p_, e.right, along_g) && !parallel(q_, g.left, along_e) &&
+         !parallel(q_, g.right, along_e);
 }
 
 bool LoneContacts::crosses(EdgeId id, PlaneId plane) const {
   const SumEdge& e = space_.edges()[id];
   const Direction along = edge_direction(space_.approx(e.from), space_.approx(e.to), space_.sum_radius());
   // The plane's normal is relatively within 2^-51, its largest component at least a half.
-  return filtered_sign({space_.plane(plane).n, 0x1p-49}, along) != 0;
+  return filtered_sign({space_.plane(plane).n, 0x1p-49}, along) != 0 || space_.exact_rise(plane, e) != 0;
 }
 
 }  // namespace dymsum::spatial

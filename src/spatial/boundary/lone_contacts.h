@@ -27,9 +27,10 @@ class Answers {
   std::vector<std::uint8_t> known_;  // 0 not known yet, 1 no, 2 yes
 };
 
-/// Answers by doubles with a bound, so a "no" may also mean that they do not tell. "Yes" is a proof. Terms and use:
-/// docs/design/solid-sum.md, "Tight features". Threads may ask at once: answers are remembered, and all of them find
-/// the same.
+/// Whether a face is parallel to an edge is decided exactly: nearly parallel ones, of which turned solids are full, are
+/// not. Directions that lead apart are looked for in doubles with a bound, so a "no" may also mean that none was found.
+/// "Yes" is a proof. Terms and use: docs/design/solid-sum.md, "Tight features". Threads may ask at once: answers are
+/// remembered, and all of them find the same.
 class LoneContacts {
  public:
   LoneContacts(const SumSpace& space, const FacetTable& table, const SolidOperand& p, const SolidOperand& q);
@@ -45,23 +46,32 @@ class LoneContacts {
   bool crosses(EdgeId edge, PlaneId plane) const;
 
  private:
+  /// An edge of an operand as a direction, by name and in doubles.
+  struct Line {
+    Way way;
+    Direction near;
+  };
   struct Side {
+    Way::Of of;
     const SolidOperand& solid;
     const std::vector<Vec3>& at;
     double radius;
     std::vector<Direction> normals;
     Answers tame;  // per vertex
 
-    Side(const SumSpace& space, const SolidOperand& operand, const std::vector<Vec3>& vertices);
-    Direction edge(std::uint32_t from, std::uint32_t to) const { return edge_direction(at[from], at[to], radius); }
+    Side(const SumSpace& space, Way::Of of, const SolidOperand& operand, const std::vector<Vec3>& vertices);
+    Line line(std::uint32_t from, std::uint32_t to) const {
+      return {{of, from, to}, edge_direction(at[from], at[to], radius)};
+    }
     template <class F>
     bool all_triangles(std::uint32_t vertex, F f) const;
     template <class F>
     bool all_edges(std::uint32_t vertex, F f) const;
     bool has_free_way(std::uint32_t vertex);
   };
-  static bool lone(const Side& edges, std::uint32_t from, std::uint32_t to, const Side& vertices, std::uint32_t v);
-  static bool lone(const Side& faces, std::uint32_t vertex, const Side& edges, std::uint32_t v);
+  bool parallel(const Side& faces, std::uint32_t triangle, const Line& line) const;
+  bool lone(const Side& edges, std::uint32_t from, std::uint32_t to, const Side& vertices, std::uint32_t v) const;
+  bool lone(const Side& faces, std::uint32_t vertex, const Side& edges, std::uint32_t v) const;
 
   const SumSpace& space_;
   const FacetTable& table_;
