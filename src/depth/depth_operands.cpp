@@ -34,10 +34,10 @@ void set_scaled_places(DepthOperands& o) {
       most = {std::max(most.x, std::abs(v.x)), std::max(most.y, std::abs(v.y)), std::max(most.z, std::abs(v.z))};
     const double sizes[3] = {most.x, most.y, most.z};
     for (int axis = 0; axis < 3; ++axis)
-      if (sizes[axis] > 0) top = std::max(top, space.line(axis).exponent + std::ilogb(sizes[axis]) + 1);
+      if (sizes[axis] > 0) top = std::max(top, space.line(axis).unit + std::ilogb(sizes[axis]) + 1);
   }
   o.scale = top + 1;
-  const auto factor = [&](int axis) { return std::ldexp(1.0, space.line(axis).exponent - o.scale); };
+  const auto factor = [&](int axis) { return std::ldexp(1.0, space.line(axis).unit - o.scale); };
   const Vec3 f{factor(0), factor(1), factor(2)};
   for (const Vec3& v : space.p()) o.p_at.push_back({f.x * v.x, f.y * v.y, f.z * v.z});
   for (const Vec3& v : space.q()) o.q_at.push_back({f.x * v.x, f.y * v.y, f.z * v.z});

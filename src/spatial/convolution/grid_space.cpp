@@ -1,6 +1,7 @@
 #include "spatial/convolution/grid_space.h"
 
 #include <algorithm>
+#include <climits>
 #include <cmath>
 #include <stdexcept>
 
@@ -67,19 +68,50 @@ template <class C>
 GridSpace<C>::GridSpace(std::vector<Point> p, std::vector<Point> q, int bits, const Line (&lines)[3])
     : p_int_(std::move(p)), q_int_(std::move(q)), bits_(bits) {
   std::copy(std::begin(lines), std::end(lines), lines_);
-  const auto fill = [](const std::vector<Point>& from, std::vector<Vec3>& to,
-                       std::vector<std::array<exact::Residue, 3>>& residues) {
+  balance_axes();
+  const auto fill = [&](const std::vector<Point>& from, std::vector<Vec3>& to,
+                        std::vector<std::array<exact::Residue, 3>>& residues) {
     for (const Point& v : from) {
-      to.push_back(doubles(v));
+      to.push_back(near(doubles(v)));
       residues.push_back({exact::residue(v.x), exact::residue(v.y), exact::residue(v.z)});
     }
   };
   fill(p_int_, p_, p_residue_);
   fill(q_int_, q_, q_residue_);
-  span_ = std::ldexp(1.0, bits + 1);
+  const auto largest = [](const std::vector<Vec3>& at) {
+    double most = 0;
+    for (const Vec3& v : at) most = std::max({most, std::abs(v.x), std::abs(v.y), std::abs(v.z)});
+    return most;
+  };
+  // The next power of two: rounding at 2^-53 of it does not matter.
+  span_ = std::exp2(std::ceil(std::log2(std::max(largest(p_) + largest(q_), 1.0))) + 1);
   // Up to 51 bits, both coordinates and their sum are doubles. Else each is within 2^-52 of its size, and so is the
   // sum.
   sum_radius_ = bits <= 51 ? 0 : span_ * 0x1p-51;
+}
+
+/// Steps along an axis with fewer bits are longer, so that doubles along all axes are of about one size. All steps are
+/// whole: coordinates of few bits stay integers.
+template <class C>
+void GridSpace<C>::balance_axes() {
+  for (Line& line : lines_) line.unit = line.exponent;
+  if (lines_[0].exponent == lines_[1].exponent && lines_[1].exponent == lines_[2].exponent) return;
+  double most[3] = {};
+  for (const std::vector<Point>* points : {&p_int_, &q_int_}) {
+    for (const Point& v : *points) {
+      const Vec3 at = doubles(v);
+      most[0] = std::max(most[0], std::abs(at.x)), most[1] = std::max(most[1], std::abs(at.y)),
+      most[2] = std::max(most[2], std::abs(at.z));
+    }
+  }
+  const int top = std::ilogb(std::max({most[0], most[1], most[2], 1.0}));
+  int shift[3];
+  for (int axis = 0; axis < 3; ++axis) {
+    shift[axis] = most[axis] > 0 ? top - std::ilogb(most[axis]) : 0;
+    lines_[axis].unit -= shift[axis];
+  }
+  step_ = {std::ldexp(1.0, shift[0]), std::ldexp(1.0, shift[1]), std::ldexp(1.0, shift[2])};
+  for (int axis = 0; axis < 3; ++axis) normal_shift_[axis] = shift[(axis + 1) % 3] + shift[(axis + 2) % 3];
 }
 
 template <class C>
@@ -153,10 +185,10 @@ void GridSpace<C>::set_plane(PlaneId id, const PlaneSource& source) {
   n_[id] = n;
   plane_residues_[id] = residue_of(source);
   Plane plane{doubles(n), 0, 0, 0};
-  int exponent = 0;
-  std::frexp(std::max({std::abs(plane.n.x), std::abs(plane.n.y), std::abs(plane.n.z)}), &exponent);
-  const auto scaled = [&](double v) { return std::ldexp(v, -exponent); };
-  plane.n = {scaled(plane.n.x), scaled(plane.n.y), scaled(plane.n.z)};
+  const auto top = [&](double v, int axis) { return v == 0 ? INT_MIN : std::ilogb(v) + 1 + normal_shift_[axis]; };
+  const int exponent = std::max({top(plane.n.x, 0), top(plane.n.y, 1), top(plane.n.z, 2)});
+  const auto scaled = [&](double v, int axis) { return std::ldexp(v, normal_shift_[axis] - exponent); };
+  plane.n = {scaled(plane.n.x, 0), scaled(plane.n.y, 1), scaled(plane.n.z, 2)};
   plane.d = dot(plane.n, approx(source.at));
   plane.norm1 = (std::abs(plane.n.x) + std::abs(plane.n.y) + std::abs(plane.n.z)) * (1 + 0x1p-50);
   // Conversions of normals err by 2^-52 of each term, those of sums by 2^-51, products and sums by 2^-53: of the
@@ -329,7 +361,7 @@ Approx GridSpace<C>::exact_approximation(const PointSource& point) const {
       if (std::isfinite(num) && std::isfinite(den)) return num / den;
       return exact::round_to_double(exact::ratio(exact::to_big(x), exact::to_big(h.w)));
     };
-    const Vec3 at{quotient(h.x.x), quotient(h.x.y), quotient(h.x.z)};
+    const Vec3 at = near({quotient(h.x.x), quotient(h.x.y), quotient(h.x.z)});
     const double size = std::max({std::abs(at.x), std::abs(at.y), std::abs(at.z)});
     return Approx{at, size * 0x1p-50};
   });
@@ -355,6 +387,7 @@ std::array<exact::BigInteger, 4> GridSpace<C>::homogeneous(const PointSource& po
 template <class C>
 std::optional<PointSource> GridSpace<C>::add_place(const std::array<exact::BigRational, 3>& world) {
   std::array<exact::BigRational, 3> at;
+  const double step[3] = {step_.x, step_.y, step_.z};
   exact::BigInteger w = 1;
   for (std::size_t axis = 0; axis < 3; ++axis) {
     const Line& line = lines_[axis];
@@ -362,15 +395,16 @@ std::optional<PointSource> GridSpace<C>::add_place(const std::array<exact::BigRa
     at[axis] = world[axis] - exact::exact_value(line.p_offset) - exact::exact_value(line.q_offset);
     if (line.exponent >= 0) at[axis] /= power;
     else at[axis] *= power;
-    if (abs(at[axis]) > exact::exact_value(span_)) return std::nullopt;
+    if (abs(at[axis]) * exact::exact_value(step[axis]) > exact::exact_value(span_)) return std::nullopt;
     w = lcm(w, denominator(at[axis]));
   }
   const auto over_w = [&](std::size_t axis) {
     return Big(exact::BigInteger(numerator(at[axis]) * (w / denominator(at[axis]))));
   };
-  const Vec3 near{exact::round_to_double(at[0]), exact::round_to_double(at[1]), exact::round_to_double(at[2])};
-  const bool is_near =
-      exact::exact_value(near.x) == at[0] && exact::exact_value(near.y) == at[1] && exact::exact_value(near.z) == at[2];
+  const Vec3 rounded{exact::round_to_double(at[0]), exact::round_to_double(at[1]), exact::round_to_double(at[2])};
+  const bool is_near = exact::exact_value(rounded.x) == at[0] && exact::exact_value(rounded.y) == at[1] &&
+                       exact::exact_value(rounded.z) == at[2];
+  const Vec3 near = this->near(rounded);
   // Rounded to the nearest, or to a multiple of 2^-1074.
   const double size = std::max({std::abs(near.x), std::abs(near.y), std::abs(near.z)});
   places_.push_back({{{over_w(0), over_w(1), over_w(2)}, Big(w)}, {near, is_near ? 0 : size * 0x1p-50 + 0x1p-1000}});

@@ -64,6 +64,10 @@ class GridSpace final : public SumSpace {
   template <class F>
   auto with_point(const PointSource& point, F f) const;
 
+  /// The doubles of a position, of a normal.
+  Vec3 near(Vec3 on_grid) const { return {on_grid.x * step_.x, on_grid.y * step_.y, on_grid.z * step_.z}; }
+  void balance_axes();
+
   std::vector<Point> p_int_, q_int_;
   std::vector<exact::Vector3<Normal>> n_;
   struct Place {
@@ -72,6 +76,8 @@ class GridSpace final : public SumSpace {
   };
   std::vector<Place> places_;
   int bits_;
+  Vec3 step_{1, 1, 1};        // of the grid along each axis in the space's doubles: powers of two
+  int normal_shift_[3] = {};  // of normals' components: powers of two of the other axes' steps together
 };
 
 }  // namespace dymsum::spatial

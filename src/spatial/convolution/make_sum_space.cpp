@@ -93,15 +93,16 @@ int bits_of(const std::vector<Vector3<exact::i128>>& points) {
   return bits;
 }
 
-template <class C>
-std::vector<Vector3<C>> narrowed_points(const std::vector<Vector3<exact::i128>>& points) {
-  const auto narrow = [](exact::i128 v) {
-    if constexpr (std::is_same_v<C, Big>) return exact::to_big(v);
+template <class C, class Word>
+std::vector<Vector3<C>> narrowed_points(const std::vector<Vector3<Word>>& points) {
+  const auto narrow = [](const Word& v) {
+    if constexpr (std::is_same_v<Word, Big>) return exact::narrowed<C>(v);
+    else if constexpr (std::is_same_v<C, Big>) return exact::to_big(v);
     else return C::from_raw(exact::raw_cast<C::kBits>(v));
   };
   std::vector<Vector3<C>> result;
   result.reserve(points.size());
-  for (const Vector3<exact::i128>& v : points) result.push_back({narrow(v.x), narrow(v.y), narrow(v.z)});
+  for (const Vector3<Word>& v : points) result.push_back({narrow(v.x), narrow(v.y), narrow(v.z)});
   return result;
 }
 
@@ -137,12 +138,13 @@ std::unique_ptr<SumSpace> make_sum_space(const MappedPlaces& p, const MappedPlac
       return std::make_unique<GridSpace<C>>(narrowed_points<C>(*a), narrowed_points<C>(*b), bits, lines);
     });
   }
-  std::vector<Vector3<Big>> big_p = mapped_of_any_size(p), big_q = mapped_of_any_size(q);
-  int bits = 125;  // or more: there is no narrower space for them
+  const std::vector<Vector3<Big>> big_p = mapped_of_any_size(p), big_q = mapped_of_any_size(q);
+  int bits = 0;
   for (const std::vector<Vector3<Big>>* points : {&big_p, &big_q})
     for (const Vector3<Big>& v : *points) bits = std::max(bits, bit_length(v));
-  if (bits > 250) throw std::invalid_argument("coordinates of more than 250 bits on their common grid");
-  return std::make_unique<GridSpace<Big>>(std::move(big_p), std::move(big_q), bits, lines);
+  return with_width(bits, [&]<class C>(C) -> std::unique_ptr<SumSpace> {
+    return std::make_unique<GridSpace<C>>(narrowed_points<C>(big_p), narrowed_points<C>(big_q), bits, lines);
+  });
 }
 
 std::unique_ptr<SumSpace> make_root_space(std::vector<Vector3<exact::RootValue>> p,

@@ -3,6 +3,10 @@
 // sign of an integer expression whose width is proved by its type. Beside each plane and point stand doubles with a
 // bound of their error: they answer most questions.
 //
+// Every axis has a grid of its own, and doubles that are as large as those along the other axes: a single 6e-17 among
+// the coordinates along one makes its grid 2^54 times as fine as the others', and doubles in units of the grids would
+// then say nothing about the coarser axes. Signs do not change when an axis is scaled.
+//
 // Widths for coordinates |X| <= 2^B of either operand on the common grid:
 //   sum p + q, edge            B + 1        normal u x v               2B + 3
 //   offset n . (p + q)        3B + 6        side of a sum              3B + 7
@@ -57,8 +61,8 @@ struct PlaneSource {
   bool reversed = false;
 };
 
-/// A plane n . x = d in doubles, scaled by a power of two so that the largest component of n is in [1/2, 1). For every
-/// x with coordinates within the space, n . x - d is within `slack` of the exact value (scaled alike).
+/// A plane n . x = d in the space's doubles, scaled by a power of two so that the largest component of n is in [1/2,
+/// 1). For every x with coordinates within the space, n . x - d is within `slack` of the exact value (scaled alike).
 struct Plane {
   Vec3 n;
   double d = 0, slack = 0;
@@ -92,14 +96,14 @@ class SumSpace {
  public:
   virtual ~SumSpace() = default;
 
-  /// All coordinates of sums are within [-span, span].
+  /// All coordinates of sums, in the space's doubles, are within [-span, span].
   double span() const { return span_; }
   const std::vector<Plane>& planes() const { return planes_; }
   const Plane& plane(PlaneId id) const { return planes_[id]; }
   const std::vector<SumEdge>& edges() const { return edges_; }
   Vec3 approx(SumPoint s) const { return p_[s.p] + q_[s.q]; }
   double sum_radius() const { return sum_radius_; }
-  /// Coordinates of the operands on the grid, within sum_radius() together.
+  /// Coordinates of the operands in the space's doubles, within sum_radius() together.
   const std::vector<Vec3>& p() const { return p_; }
   const std::vector<Vec3>& q() const { return q_; }
 
@@ -165,10 +169,12 @@ class SumSpace {
   /// The same value for all `cuts` that meet a plane in one line; 0 for what may meet it in any line.
   void line_hashes(PlaneId plane, std::span<const PlaneId> cuts, std::vector<exact::Residue>& hashes) const;
 
-  /// The grid along an axis: a coordinate X of P stands for X 2^exponent + p_offset.
+  /// The grid along an axis: a coordinate X of P stands for X 2^exponent + p_offset. The space's doubles are multiples
+  /// of 2^unit instead, where `unit` is at most `exponent`.
   struct Line {
     int exponent = 0;
     double p_offset = 0, q_offset = 0;
+    int unit = 0;
   };
   Line line(int axis) const { return lines_[axis]; }
   /// The coordinate of a point as the operands' own numbers would have it.

@@ -14,7 +14,7 @@ void InnerFacets::move(const PosedSpace& at, const PosePair& poses) {
   space_ = at.space.get();
   kept_ = tested_ = 0, last_ = kUnknown;
   margin_ = 8 * space_->sum_radius() + space_->span() * 0x1p-40;
-  const double unit = std::ldexp(exact::round_to_double(exact::BigRational(at.scale)), -space_->line(0).exponent);
+  const double unit = std::ldexp(exact::round_to_double(exact::BigRational(at.scale)), -space_->line(0).unit);
   for (int op = 0; op < 2; ++op) {
     const SolidPose& pose = op == 0 ? poses.p : poses.q;
     const Mat3 turn = matrix_of(relative_rotation(Rotation(), pose.rotation));

@@ -73,12 +73,12 @@ class Collector {
   SumVertex vertex(PointId at) {
     if (vertex_of_[at] == SumVertex::kNone) vertex_of_[at] = source_->add(plane_.points->source(at));
     const Approx& approx = plane_.points->approx(at);
-    const double on_grid[2] = {approx.at.x, approx.at.y};
+    const double near[2] = {approx.at.x, approx.at.y};
     double world[2];
     for (int axis = 0; axis < 2; ++axis) {
       const SumSpace::Line line = space_->line(axis);
-      const double unit = std::ldexp(1.0, line.exponent), offset = line.p_offset + line.q_offset;
-      world[axis] = on_grid[axis] * unit + offset;
+      const double unit = std::ldexp(1.0, line.unit), offset = line.p_offset + line.q_offset;
+      world[axis] = near[axis] * unit + offset;
       const double size = (space_->span() + approx.radius) * unit + std::abs(offset);
       error_ = std::max(error_, approx.radius * unit + size * 0x1p-51);
     }

@@ -118,7 +118,7 @@ class Assembler {
     double world[3], offset[3];
     for (int axis = 0; axis < 3; ++axis) {
       const SumSpace::Line line = space_.line(axis);
-      world[axis] = std::ldexp(1.0, line.exponent), offset[axis] = line.p_offset + line.q_offset;
+      world[axis] = std::ldexp(1.0, line.unit), offset[axis] = line.p_offset + line.q_offset;
     }
     for (std::uint32_t k = 0; k < used.size(); ++k) {
       name_[used[k]] = k;

@@ -7,13 +7,13 @@ namespace dymsum::spatial {
 
 namespace {
 
-/// Positions on the grid in the operands' own coordinates, rounded.
+/// A space's doubles in the operands' own coordinates, rounded.
 class World {
  public:
   explicit World(const SumSpace& space) {
     for (int axis = 0; axis < 3; ++axis) {
       const SumSpace::Line line = space.line(axis);
-      unit_[axis] = std::ldexp(1.0, line.exponent), offset_[axis] = line.p_offset + line.q_offset;
+      unit_[axis] = std::ldexp(1.0, line.unit), offset_[axis] = line.p_offset + line.q_offset;
     }
   }
   Point3 operator()(Vec3 v) const {
