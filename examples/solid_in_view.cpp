@@ -4,8 +4,8 @@
 
 int main() {
   using namespace dymsum;
-  ConvexSum sum =
-      ConvexSum::create(solids::rod(18, 9, 0.5, 3), solids::box(-1, -1, -1, 1, 1, 1)).value();  // P turns, Q stays
+  ConvexSum sum = ConvexSum::create(solids::rod(18, 9, 0.5, 3, solids::kDemoSnap), solids::box(-1, -1, -1, 1, 1, 1))
+                      .value();  // P turns, Q stays
   const Rotation step = Rotation::about({1, 2, 3}, 0.05).value();
   SolidBuffers buffers;  // positions and triangles, to be drawn as they are
   for (int k = 0; k < 4; ++k) {

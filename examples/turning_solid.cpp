@@ -4,7 +4,7 @@
 
 int main() {
   using namespace dymsum;
-  const Mesh rod = solids::rod(18, 9, 0.5, 3), box = solids::box(-1, -1, -1, 1, 1, 1);
+  const Mesh rod = solids::rod(18, 9, 0.5, 3, solids::kDemoSnap), box = solids::box(-1, -1, -1, 1, 1, 1);
   ConvexSum difference = ConvexSum::create(rod, negated(box)).value();  // holds the translations at which they overlap
   const Rotation step = Rotation::about({1, 2, 3}, 0.05).value();
   for (int k = 0; k < 3; ++k) {

@@ -7,7 +7,7 @@
 
 int main() {
   using namespace dymsum;
-  const Mesh table = solids::box(-2, -2, -1, 2, 2, 0), tool = solids::cone(24, 1, 2);
+  const Mesh table = solids::box(-2, -2, -1, 2, 2, 0), tool = solids::cone(24, 1, 2, solids::kDemoSnap);
 
   ContinuousDepthOptions options;
   options.smoothing_length = 1;

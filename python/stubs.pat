@@ -7,3 +7,6 @@
 \.__eq__$:
     def __eq__(self, other: object, /) -> bool: ...
 
+
+# For other packages alone: functions of regions do not take what is rounded.
+\.(DiscSet|PlanarSum)\.__geo_interface__$:

@@ -174,7 +174,7 @@ void cubes_table(Report& report, std::vector<Dot>& update, std::vector<Dot>& bru
       "they stand.\n");
   heading(report);
   for (int k = 1; k <= 10; ++k) {
-    const solids::NamedMesh cube{"cube", solids::tessellated_cube(10, k)};
+    const solids::NamedMesh cube{"cube", solids::tessellated_cube(10, k, solids::kDemoSnap)};
     MotionProtocol protocol;
     protocol.brute_moves = 2;
     protocol.expert = true;

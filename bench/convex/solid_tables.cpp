@@ -29,10 +29,11 @@ Models round_models() {
     return m.name != "cone" && m.name != "cylinder" && m.name != "DD" && m.name != "ellipse" && m.name != "v-rod";
   });
   models.push_back({"box", triangles(solids::box(-1, -2, -1, 1, 2, 1))});
-  models.push_back({"prism 12", triangles(solids::prism(shapes::disc(12, 2).parts().front().outer, 3))});
-  models.push_back({"gear 24", triangles(solids::prism(gear_hull(24), 3))});
-  models.push_back({"cylinder 250", solids::cylinder(250, 2, 3)});
-  models.push_back({"cylinder 1000", solids::cylinder(1000, 2, 3)});
+  models.push_back(
+      {"prism 12", triangles(solids::prism(shapes::disc(12, 2).parts().front().outer, 3, solids::kDemoSnap))});
+  models.push_back({"gear 24", triangles(solids::prism(gear_hull(24), 3, solids::kDemoSnap))});
+  models.push_back({"cylinder 250", solids::cylinder(250, 2, 3, solids::kDemoSnap)});
+  models.push_back({"cylinder 1000", solids::cylinder(1000, 2, 3, solids::kDemoSnap)});
   return models;
 }
 
@@ -103,7 +104,7 @@ void growth_table(Report& report, const WantedPair& wanted) {
                   "static + solid us", "compared, different"});
   double facets_before = 0, us_before = 0;
   for (const int frequency : {6, 12, 24, 50}) {
-    const solids::NamedMesh sphere{"sphere", solids::geodesic_sphere(frequency, 1)};
+    const solids::NamedMesh sphere{"sphere", solids::geodesic_sphere(frequency, 1, solids::kDemoSnap)};
     if (!wanted(sphere, sphere)) continue;
     MotionProtocol protocol;
     protocol.moves = 10;

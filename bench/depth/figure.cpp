@@ -78,11 +78,11 @@ MeshData scaled_data(MeshData m, double x, double y, double z) {
 
 std::vector<FigurePair> figure_pairs() {
   const Ring channel = shapes::letter_u(4, 4, 1).parts()[0].outer;
-  return {
-      {"cone + crossing bars", solids::cone(40, 2, 3).data(), grate(2)},
-      {"ellipsoid + channel", scaled_data(blob(1, 0.1, 12, 12, 4), 0.5, 0.5, 1.5), solids::prism(channel, 3).data()},
-      {"blob + torus", blob(1, 0.3, 14, 14, 1), torus(1.5, 0.3, 24, 10)},
-      {"torus + torus", torus(1, 0.3, 24, 10), turned(torus(1, 0.3, 24, 10), 0.7, 0.3, 0.2)}};
+  return {{"cone + crossing bars", solids::cone(40, 2, 3, solids::kDemoSnap).data(), grate(2)},
+          {"ellipsoid + channel", scaled_data(blob(1, 0.1, 12, 12, 4), 0.5, 0.5, 1.5),
+           solids::prism(channel, 3, solids::kDemoSnap).data()},
+          {"blob + torus", blob(1, 0.3, 14, 14, 1), torus(1.5, 0.3, 24, 10)},
+          {"torus + torus", torus(1, 0.3, 24, 10), turned(torus(1, 0.3, 24, 10), 0.7, 0.3, 0.2)}};
 }
 
 void draw_pair(std::ostringstream& out, const FigurePair& pair, double left) {

@@ -107,15 +107,16 @@ void mesh_rows(Report& report) {
                   "Bullet contacts", "deepest"});
   for (const int k : {1, 2, 4, 8})
     mesh_row("cubes of 2 that overlap by 0.5, " + std::to_string(12 * k * k) + " triangles", -0.5,
-             solids::tessellated_cube(2, k), solids::tessellated_cube(2, k), {1.5, 0, 0}, report);
-  mesh_row("the same, moved aside by 1/8 and 1/4", -0.5, solids::tessellated_cube(2, 1), solids::tessellated_cube(2, 1),
-           {1.5, 0.125, 0.25}, report);
-  mesh_row("a cube of 0.4 inside one of 2", -1.2, solids::tessellated_cube(2, 1), solids::tessellated_cube(0.4, 1), {},
-           report);
+             solids::tessellated_cube(2, k, solids::kDemoSnap), solids::tessellated_cube(2, k, solids::kDemoSnap),
+             {1.5, 0, 0}, report);
+  mesh_row("the same, moved aside by 1/8 and 1/4", -0.5, solids::tessellated_cube(2, 1, solids::kDemoSnap),
+           solids::tessellated_cube(2, 1, solids::kDemoSnap), {1.5, 0.125, 0.25}, report);
+  mesh_row("a cube of 0.4 inside one of 2", -1.2, solids::tessellated_cube(2, 1, solids::kDemoSnap),
+           solids::tessellated_cube(0.4, 1, solids::kDemoSnap), {}, report);
   const Mesh pipe = Mesh::create(tunnel()).value();
-  mesh_row("a cube of 1 in a tunnel of 2, 0.25 into its wall", -0.25, pipe, solids::tessellated_cube(1, 1),
-           {0, 0.75, 0}, report);
-  mesh_row("a cube of 1 in a tunnel of 2", 0.5, pipe, solids::tessellated_cube(1, 1), {}, report);
+  mesh_row("a cube of 1 in a tunnel of 2, 0.25 into its wall", -0.25, pipe,
+           solids::tessellated_cube(1, 1, solids::kDemoSnap), {0, 0.75, 0}, report);
+  mesh_row("a cube of 1 in a tunnel of 2", 0.5, pipe, solids::tessellated_cube(1, 1, solids::kDemoSnap), {}, report);
 }
 
 }  // namespace dymsum::bench

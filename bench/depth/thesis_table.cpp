@@ -126,7 +126,7 @@ struct ThesisPair {
 std::vector<ThesisPair> thesis_pairs() {
   const MeshData ring = torus(1, 0.4, 40, 25);
   return {{"cone 78 + axes 60",
-           solids::cone(40, 1, 2).data(),
+           solids::cone(40, 1, 2, solids::kDemoSnap).data(),
            stretched(axes(5), 0.25, 0.25, 0.25),
            {58.91, 16.10, 24.23, 10.33}},
           {"spoon 1,352 + cup 1,000",

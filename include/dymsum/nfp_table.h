@@ -142,6 +142,7 @@ struct TableWork {
 struct TableResult {
   std::vector<std::optional<TableAnswer>> answers;  ///< nothing where another shard has it, or nobody
   TableWork work;
+  std::uint64_t table = 0;  ///< a hash of the rows and shapes of the table that these answers belong to
 };
 
 /// The answers of a table. Answers that are done or refused are kept; those of tasks that ran out of time are computed
@@ -153,7 +154,7 @@ Result<TableResult> compute_table(const NfpTable& table, const TableOptions& opt
 
 /// Rows as JSON lines, one object each (docs/guide/nesting.md). With `inline_geometry` each holds its geometry in
 /// hexadecimal digits as `wkb`, else where it is in table_geometry(): `offset` and `bytes`. Requires: an answer to
-/// every row (else std::invalid_argument).
+/// every row, of this very table or of one with the same rows and shapes (else std::invalid_argument).
 std::string table_rows(const NfpTable& table, const TableResult& result, bool inline_geometry);
 /// The geometry of all rows, one after the other. Requires the same.
 std::string table_geometry(const NfpTable& table, const TableResult& result);

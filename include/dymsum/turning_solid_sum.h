@@ -123,7 +123,8 @@ class TurningSolidSum {
   /// The same of events that change shells, tunnels or tight features.
   Result<std::optional<SolidTurnEvent>> next_topology_change(const AxisTurn& a, const AxisTurn& limit,
                                                              const Progress& progress = {}) const;
-  /// A hash of the structure of a sum at a turn; constant between consecutive events.
+  /// A hash of the structure of a sum at a turn; constant between consecutive events. Requires: a sum that at() of the
+  /// same operands returned; throws std::invalid_argument for one that names features which these have not.
   std::uint64_t combinatorial_hash(const SpatialSum& sum) const;
 
   const TurningSolidWork& work() const;

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import json
 import math
-from collections.abc import Mapping, Sequence
+from collections.abc import Mapping, Sequence, Set
 from typing import TYPE_CHECKING, Any, Protocol, Union
 
 import numpy
@@ -53,28 +53,53 @@ MeshLike = Union[_core.Mesh, _core.MeshData, HasFaces, HasGeometry, tuple[Any, A
 """What a Mesh is made from: see Mesh."""
 
 
+def _plain(value: Any) -> Any:
+    """A list of what another class iterates over, the array of what makes one; all else as it is. What such an object
+    raises is raised, and what it says of its length is not believed."""
+    kind = type(value)
+    if kind in _PLAIN or isinstance(value, _NO_LISTS) or hasattr(value, "shape"):
+        return value
+    if hasattr(kind, "__array__"):
+        return numpy.asarray(value)
+    return [item for item in value] if hasattr(kind, "__iter__") and hasattr(kind, "__len__") else value
+
+
+_PLAIN = {list, tuple, float, int, numpy.ndarray}
+_NO_LISTS = (str, bytes, bytearray, memoryview, Mapping, Set, list, tuple, numpy.generic)
+
+
+def _plain_rows(value: Any) -> Any:
+    """The same of a list and of its items."""
+    value = _plain(value)
+    if isinstance(value, (list, tuple)) and not _PLAIN.issuperset(map(type, value)):
+        return [_plain(item) for item in value]
+    return value
+
+
 def _depth(value: Any) -> int:
     """How deep sequences are nested up to the first number; an array of shape (n, 2) has depth 2."""
+    value = _plain(value)
     shape = getattr(value, "shape", None)
     if shape is not None and getattr(value, "dtype", None) != object:
         return len(shape)
     if isinstance(value, numpy.ndarray):  # of objects: numbers, or rings of several lengths
         return value.ndim + (_depth(value.flat[0]) if value.size > 0 else 0)
-    if not isinstance(value, Sequence) or isinstance(value, str):
+    if not isinstance(value, (list, tuple)):
         return 0
     # Rings and parts may be empty: the first that is not tells.
     if len(value) == 0:
         return 1
-    return 1 + _depth(next((item for item in value if not isinstance(item, Sequence) or len(item) > 0), value[0]))
+    return 1 + _depth(next((item for item in value if not isinstance(item, (list, tuple)) or len(item) > 0), value[0]))
 
 
 def _is_vertices_and_faces(value: Any) -> bool:
     if not isinstance(value, (tuple, list)) or len(value) != 2:
         return False
-    if getattr(value[0], "shape", None) == (0, 3):
+    vertices = _plain(value[0])
+    if getattr(vertices, "shape", None) == (0, 3):
         return True
     try:
-        return len(value[0]) > 0 and len(value[0][0]) == 3 and _depth(value[0]) == 2
+        return len(vertices) > 0 and len(_plain(vertices[0])) == 3 and _depth(vertices) == 2
     except (TypeError, KeyError, IndexError):
         return False
 
@@ -83,8 +108,14 @@ def _is_scene(value: Any) -> bool:
     return hasattr(value, "geometry") and hasattr(value, "graph") and hasattr(value, "dump")
 
 
+#: Their geometry as other packages take it is rounded.
+_ROUNDED = (_core.PlanarSum, _core.DiscSet)
+
+
 def kind(value: Any) -> str:
     """ "region" or "mesh" where one can be made of the value, else ""."""
+    if isinstance(value, _ROUNDED):  # by its own functions alone, which say so
+        return ""
     if isinstance(value, (str, Mapping, _core.Region, _core.RegionData)) or hasattr(value, "__geo_interface__"):
         return "region"
     if _is_scene(value) or (hasattr(value, "vertices") and hasattr(value, "faces")):
@@ -102,33 +133,31 @@ def _is_masked(value: Any) -> bool:
     )
 
 
-_NO_NUMBERS = (str, bytes, complex, numpy.complexfloating, numpy.datetime64, numpy.timedelta64)
+#: What numpy makes of numbers and what has a float, but is none.
+NO_NUMBERS = (str, bytes, complex, numpy.complexfloating, numpy.datetime64, numpy.timedelta64)
 
 
 def _same_double(item: Any) -> float:
     """The number as a double, which it has to be exactly."""
-    if isinstance(item, _NO_NUMBERS):
+    if isinstance(item, NO_NUMBERS):
         raise TypeError(f"no number: {item!r}")
+    return _core._double(item)
+
+
+def _in_row(row: int, item: Any) -> float:
     try:
-        number = float(item)
-    except OverflowError:
-        number = math.inf
-    # numpy compares its integers with floats after rounding them.
-    if (item.item() if isinstance(item, numpy.integer) else item) == number or number != number:
-        return number
-    raise _core_error(f"no double holds the coordinate {item!s:.60}")
-
-
-def _core_error(message: str) -> Exception:
-    from ._errors import Error  # it needs the compiled part, which imports this module late
-
-    return Error(_core.ErrorCode.unsupported_operand, message)
+        return _same_double(item)
+    except Exception as error:
+        if type(error).__name__ == "Error" and getattr(error, "item", 0) is None:
+            error.item = row  # type: ignore[attr-defined]
+        raise
 
 
 def doubles(value: Any) -> numpy.typing.NDArray[numpy.float64]:
     """The numbers of a value as a contiguous array of doubles. None is rounded: an error where one would have to be."""
     if _is_masked(value):
         raise TypeError("a masked array: fill or compress it first")
+    value = _plain_rows(value)
     array = numpy.asarray(value)
     if array.dtype.kind not in "biufO":
         raise TypeError(f"no numbers but {array.dtype}")
@@ -141,7 +170,9 @@ def doubles(value: Any) -> numpy.typing.NDArray[numpy.float64]:
         return numpy.ascontiguousarray(array, dtype=numpy.float64)
     if array.dtype.kind in "iu" and (array.size == 0 or (array.max() <= 2**53 and array.min() >= -(2**53))):
         return numpy.ascontiguousarray(array, dtype=numpy.float64)
-    return numpy.array([_same_double(item) for item in array.astype(object).ravel()], float).reshape(array.shape)
+    width = array.shape[-1] if array.ndim > 1 else 1
+    numbers = [_in_row(k // width, item) for k, item in enumerate(array.astype(object).ravel())]
+    return numpy.array(numbers, float).reshape(array.shape)
 
 
 def _rows(ring: Any, columns: int = 2) -> numpy.typing.NDArray[numpy.float64]:
@@ -154,6 +185,7 @@ def _rows(ring: Any, columns: int = 2) -> numpy.typing.NDArray[numpy.float64]:
 
 
 def _part(rings: Any) -> _core.Part:
+    rings = _plain(rings)
     if not hasattr(rings, "__len__") or isinstance(rings, (str, bytes)):
         raise TypeError(f"a part is a list of rings, not {type(rings).__name__}")
     if len(rings) == 0:
@@ -213,6 +245,7 @@ def region_data(value: Any) -> _core.RegionData:
         value = value.__geo_interface__
     if isinstance(value, Mapping):
         return _one_shape(json.dumps(_geojson(value)), _core.RegionFormat.geojson, "mapping")
+    value = _plain(value)
     depth = _depth(value)
     if depth == 2:
         return _core.RegionData([_part([value])])

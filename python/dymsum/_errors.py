@@ -47,10 +47,12 @@ class Error(Exception):
         self.code = code
         self.message = message
         self.evidence = evidence
+        #: The index of what failed in the list that a batch was given.
+        self.item: Optional[int] = None
 
     def to_string(self) -> str:
-        """The sentence with its evidence: file, line, part, ring, vertex and position."""
-        return _core._error_text(self)
+        """The sentence with its evidence: item of a batch, file, line, part, ring, vertex and position."""
+        return ("" if self.item is None else f"item {self.item}: ") + _core._error_text(self)
 
     __str__ = to_string
 

@@ -29,17 +29,17 @@ nb::object called(nb::handle function, nb::handle object) {
 
 }  // namespace
 
-bool is_like(nb::handle object, std::string_view kind, Interruption& thrown) noexcept {
-  try {
-    return nb::cast<std::string_view>(called(converter("kind"), object)) == kind;
-  } catch (...) {
-    return thrown.keep();
-  }
+bool is_like(nb::handle object, std::string_view kind) {
+  return nb::cast<std::string_view>(called(converter("kind"), object)) == kind;
 }
 
 nb::object converted(nb::handle object, const char* maker) { return called(converter(maker), object); }
 
 nb::object contiguous(nb::handle object) { return called(g_doubles.get(), object); }
+
+bool tells_of_numbers(const nb::python_error& error) {
+  return error.matches(PyExc_TypeError) || error.matches(PyExc_ValueError) || is_error(error.value());
+}
 
 bool is_masked(nb::handle object) { return nb::isinstance(object, g_masked.get()); }
 
@@ -47,7 +47,7 @@ bool is_masked(nb::handle object) { return nb::isinstance(object, g_masked.get()
 
 namespace nanobind::detail {
 
-bool type_caster<dymsum::python::ScaleArgument>::from_python(handle src, uint32_t, cleanup_list*) noexcept {
+bool type_caster<dymsum::python::ScaleArgument>::from_python(handle src, uint32_t, cleanup_list*) {
   if (isinstance<dymsum::Scale>(src)) {
     value.given = *inst_ptr<dymsum::Scale>(src);
     return true;
@@ -57,9 +57,7 @@ bool type_caster<dymsum::python::ScaleArgument>::from_python(handle src, uint32_
     return true;
   }
   dymsum::Result<dymsum::Rational> number = dymsum::Rational();
-  dymsum::python::Interruption thrown;
-  if (!dymsum::python::read_rational(src, number, thrown)) return false;
-  value.thrown = thrown.release();
+  if (!dymsum::python::read_rational(src, number)) return false;
   value.given = number ? dymsum::Scale::of(*number) : number.error();
   return true;
 }

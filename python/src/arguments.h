@@ -5,10 +5,11 @@
 #include <nanobind/nanobind.h>
 #include <nanobind/ndarray.h>
 
+#include <array>
 #include <cstddef>
-#include <exception>
 #include <optional>
 #include <span>
+#include <string>
 #include <string_view>
 #include <type_traits>
 #include <utility>
@@ -18,15 +19,13 @@
 #include "dymsum/region.h"
 #include "dymsum/scale.h"
 #include "errors.h"
-#include "interruption.h"
 #include "lists.h"
 #include "values.h"
 
 namespace dymsum::python {
 
-/// Whether dymsum._convert makes a value of this kind, "region" or "mesh", of an object; true as well where something
-/// is thrown.
-bool is_like(nb::handle object, std::string_view kind, Interruption& thrown) noexcept;
+/// Whether dymsum._convert makes a value of this kind, "region" or "mesh", of an object.
+bool is_like(nb::handle object, std::string_view kind);
 /// What its function `maker` makes of the object; raises what is wrong with that.
 nb::object converted(nb::handle object, const char* maker);
 
@@ -42,7 +41,7 @@ using MeshArgument = Argument<Mesh>;
 using RegionDataArgument = Argument<RegionData>;
 using MeshDataArgument = Argument<MeshData>;
 
-/// A sequence of these, or of pairs of them. Casters of containers must not throw, those of arguments may.
+/// A sequence of these, or of pairs of them: read first, converted when the function is called.
 template <class T>
 struct Many {
   std::vector<Argument<T>> items;
@@ -54,12 +53,8 @@ struct RegionPairs {
 /// A Scale, or a number that is taken exactly.
 struct ScaleArgument {
   Result<Scale> given = Scale();
-  std::exception_ptr thrown = nullptr;
   /// Raises what is wrong with the number.
-  Scale value() const {
-    if (thrown != nullptr) std::rethrow_exception(thrown);
-    return take(Result<Scale>(given));
-  }
+  Scale value() const { return take(Result<Scale>(given)); }
 };
 
 /// An array of shape (n, K) of doubles in rows, kept alive: the caller's own where it is one, without a copy.
@@ -71,9 +66,6 @@ struct Rows {
   const double* row(std::size_t n) const { return data + n * K; }
 };
 
-template <std::size_t K>
-inline constexpr bool kThrowsWhenAsked<Rows<K>> = true;
-
 /// Positions in a plane, or in space: doubles in rows, or where not all of them are doubles exact numbers.
 template <std::size_t K>
 struct Positions {
@@ -83,13 +75,17 @@ struct Positions {
   std::vector<std::size_t> not_finite;
 };
 
-/// One position that may have a coordinate that is not finite: none then.
-struct ExactPlace {
-  std::optional<RationalPoint> at;
+/// One position: exactly, but where a coordinate is not finite; and as doubles, where these hold it.
+template <std::size_t K>
+struct Place {
+  std::optional<std::conditional_t<K == 2, RationalPoint, RationalPoint3>> exact;
+  std::optional<std::conditional_t<K == 2, Point, Point3>> doubles;
 };
 
 /// A contiguous array of the doubles that the object holds; raises where one would have to be rounded.
 nb::object contiguous(nb::handle object);
+/// Whether an exception says that numbers are no doubles: of Error, TypeError or ValueError.
+bool tells_of_numbers(const nb::python_error& error);
 /// Whether it is an array of numpy that hides some of its items.
 bool is_masked(nb::handle object);
 
@@ -145,18 +141,14 @@ struct argument_caster {
   static constexpr bool kData = std::is_same_v<T, dymsum::RegionData> || std::is_same_v<T, dymsum::MeshData>;
   static constexpr const char* kKind = kPlanar ? "region" : "mesh";
   static constexpr const char* kMaker = kPlanar ? kData ? "region_data" : "region" : kData ? "mesh_data" : "mesh";
-  bool from_python(handle src, uint32_t flags, cleanup_list*) noexcept {
+  bool from_python(handle src, uint32_t flags, cleanup_list*) {
     ready_ = isinstance<T>(src);
-    if (!ready_ && !((flags & cast_flags::convert) && dymsum::python::is_like(src, kKind, thrown))) return false;
+    if (!ready_ && !((flags & cast_flags::convert) && dymsum::python::is_like(src, kKind))) return false;
     object_ = borrow(src);
     return true;
   }
-  /// Converts here and not above, so that what is wrong with the object is raised, and no TypeError.
-  explicit operator Value() {
-    thrown.raise();
-    return {ready_ ? object_ : dymsum::python::converted(object_, kMaker)};
-  }
-  dymsum::python::Interruption thrown;
+  /// Converts here and not above: which overload is meant does not depend on whether the object is valid.
+  explicit operator Value() { return {ready_ ? object_ : dymsum::python::converted(object_, kMaker)}; }
 
  private:
   object object_;
@@ -192,25 +184,21 @@ struct type_caster<dymsum::python::Many<T>> {
   }
   static constexpr auto Name =
       const_name("collections.abc.Sequence[") + make_caster<dymsum::python::Argument<T>>::Name + const_name("]");
-  bool from_python(handle src, uint32_t flags, cleanup_list* list) noexcept {
+  bool from_python(handle src, uint32_t flags, cleanup_list* list) {
     items_.clear();
-    return dymsum::python::each_item(src, thrown_, [&](handle item) {
-      items_.emplace_back();
-      const bool is_one = items_.back().from_python(item, flags, list);
-      thrown_ = std::move(items_.back().thrown);
-      return is_one;
-    });
+    return dymsum::python::each_item(src,
+                                     [&](handle item) { return items_.emplace_back().from_python(item, flags, list); });
   }
   explicit operator Value() {
-    thrown_.raise();
     Value all;
-    for (Item& item : items_) all.items.push_back(item.operator dymsum::python::Argument<T>());
+    for (std::size_t i = 0; i < items_.size(); ++i) {
+      all.items.push_back(dymsum::python::of_item(i, [&] { return items_[i].operator dymsum::python::Argument<T>(); }));
+    }
     return all;
   }
 
  private:
   std::vector<Item> items_;
-  dymsum::python::Interruption thrown_;
 };
 
 template <>
@@ -224,38 +212,36 @@ struct type_caster<dymsum::python::RegionPairs> {
     return true;
   }
   static constexpr auto Name = const_name("collections.abc.Sequence[tuple[dymsum.RegionLike, dymsum.RegionLike]]");
-  bool from_python(handle src, uint32_t flags, cleanup_list* list) noexcept {
+  bool from_python(handle src, uint32_t flags, cleanup_list* list) {
     items_.clear();
-    const auto read = [&](handle item) {
-      items_.emplace_back();
-      const bool is_one = items_.back().from_python(item, flags, list);
-      thrown_ = std::move(items_.back().thrown);
-      return is_one;
-    };
-    return dymsum::python::each_item(src, thrown_, [&](handle pair) {
+    const auto read = [&](handle item) { return items_.emplace_back().from_python(item, flags, list); };
+    return dymsum::python::each_item(src, [&](handle pair) {
       const std::size_t before = items_.size();
-      return dymsum::python::each_item(pair, thrown_, read) && (thrown_.kept() || items_.size() == before + 2);
+      if (dymsum::python::each_item(pair, read) && items_.size() == before + 2) return true;
+      if (!(flags & cast_flags::convert)) return false;
+      throw type_error(("item " + std::to_string(before / 2) + " is no pair of regions").c_str());
     });
   }
   explicit operator Value() {
-    thrown_.raise();
     Value all;
     for (std::size_t i = 0; i < items_.size(); i += 2) {
-      all.items.emplace_back(items_[i].operator dymsum::python::RegionArgument(),
-                             items_[i + 1].operator dymsum::python::RegionArgument());
+      const auto taken = [&](std::size_t k) {
+        return dymsum::python::of_item(i / 2, [&] { return items_[k].operator dymsum::python::RegionArgument(); });
+      };
+      dymsum::python::RegionArgument first = taken(i);
+      all.items.emplace_back(std::move(first), taken(i + 1));
     }
     return all;
   }
 
  private:
   std::vector<Item> items_;
-  dymsum::python::Interruption thrown_;
 };
 
 template <>
 struct type_caster<dymsum::python::ScaleArgument> {
   NB_TYPE_CASTER(dymsum::python::ScaleArgument, const_name("Scale | fractions.Fraction | float"))
-  bool from_python(handle src, uint32_t flags, cleanup_list* list) noexcept;
+  bool from_python(handle src, uint32_t flags, cleanup_list* list);
 };
 
 template <class T>
@@ -266,22 +252,16 @@ struct type_caster<dymsum::python::Array<T>> {
 };
 
 template <std::size_t K>
-struct type_caster<dymsum::python::Rows<K>> : asked_caster<dymsum::python::Rows<K>> {
+struct type_caster<dymsum::python::Rows<K>> : list_reader<dymsum::python::Rows<K>> {
   static constexpr auto Name = const_name("numpy.typing.ArrayLike");
   using Array = ndarray<const double, shape<-1, static_cast<ssize_t>(K)>, c_contig, device::cpu>;
-  bool from_python(handle src, uint32_t flags, cleanup_list*) noexcept {
-    try {
-      if (!dymsum::python::is_masked(src) && take(src)) return true;
-      if (!(flags & cast_flags::convert)) return false;
-      const object array = dymsum::python::contiguous(src);
-      if (len(array) == 0) {  // of an empty list numpy tells no columns
-        this->value_ = {array, nullptr, 0};
-        return true;
-      }
-      return take(array);
-    } catch (...) {
-      return this->thrown_.keep();
-    }
+  bool from_python(handle src, uint32_t flags, cleanup_list*) {
+    if (!dymsum::python::is_masked(src) && take(src)) return true;
+    if (!(flags & cast_flags::convert)) return false;
+    const object array = dymsum::python::contiguous(src);
+    if (len(array) != 0) return take(array);
+    this->value_ = {array, nullptr, 0};  // of an empty list numpy tells no columns
+    return true;
   }
 
  private:
@@ -294,42 +274,62 @@ struct type_caster<dymsum::python::Rows<K>> : asked_caster<dymsum::python::Rows<
 };
 
 template <std::size_t K>
-struct type_caster<dymsum::python::Positions<K>> : asked_caster<dymsum::python::Positions<K>> {
+struct type_caster<dymsum::python::Positions<K>> : list_reader<dymsum::python::Positions<K>> {
   static constexpr auto Name = const_name("numpy.typing.ArrayLike");
-  bool from_python(handle src, uint32_t flags, cleanup_list* list) noexcept {
-    const auto keep_rows = [&](dymsum::python::Rows<K>&& rows) { this->value_.doubles = std::move(rows); };
-    if (this->template read<dymsum::python::Rows<K>>(src, flags, list, keep_rows)) return true;
-    if (!(flags & cast_flags::convert) || dymsum::python::is_masked(src)) return false;
-    return dymsum::python::each_item(src, this->thrown_, [&](handle item) { return add(item); });
+  bool from_python(handle src, uint32_t flags, cleanup_list* list) {
+    type_caster<dymsum::python::Rows<K>> rows;
+    if (!(flags & cast_flags::convert)) return rows.from_python(src, flags, list) && keep(rows);
+    try {
+      if (rows.from_python(src, flags, list)) return keep(rows);
+    } catch (const python_error& error) {
+      if (!dymsum::python::tells_of_numbers(error)) throw;
+      if (dymsum::python::is_masked(src) || !read_exactly(src)) throw;
+      return true;
+    }
+    return false;
   }
 
  private:
-  bool add(handle item) noexcept {
-    type_caster<typename dymsum::python::Positions<K>::Exact> one;
+  bool keep(type_caster<dymsum::python::Rows<K>>& rows) {
+    this->value_.doubles = rows.operator dymsum::python::Rows<K>();
+    return true;
+  }
+  bool read_exactly(handle src) {
+    return dymsum::python::each_item(src, [&](handle item) { return add(item); });
+  }
+  bool add(handle item) {
+    using Exact = typename dymsum::python::Positions<K>::Exact;
+    type_caster<Exact> one;
     if (!one.from_python(item, 0, nullptr)) return false;
-    if (one.is_finite()) {
-      try {
-        this->value_.exact.push_back(one.operator typename dymsum::python::Positions<K>::Exact());
-      } catch (...) {
-        return this->thrown_.keep();
-      }
-      return true;
-    }
-    this->value_.not_finite.push_back(this->value_.exact.size());
-    this->value_.exact.emplace_back();
+    if (!one.is_finite()) this->value_.not_finite.push_back(this->value_.exact.size());
+    this->value_.exact.push_back(one.is_finite() ? one.operator Exact() : Exact());
     return true;
   }
 };
 
-template <>
-struct type_caster<dymsum::python::ExactPlace> : rational_caster<dymsum::python::ExactPlace, 2> {
+template <std::size_t K>
+struct type_caster<dymsum::python::Place<K>> : rational_caster<dymsum::python::Place<K>, K> {
   static constexpr auto Name = type_caster<dymsum::RationalPoint>::Name;
-  bool from_python(handle src, uint32_t, cleanup_list*) noexcept {
-    return dymsum::python::read_rationals(src, numbers_, thrown_);
-  }
-  explicit operator Value() {
-    if (!is_finite()) return {};
-    return {dymsum::RationalPoint{take<0>(), take<1>()}};
+  using Place = dymsum::python::Place<K>;
+  bool from_python(handle src, uint32_t, cleanup_list*) { return dymsum::python::read_rationals(src, this->numbers_); }
+  explicit operator Place() {
+    if (!this->is_finite()) return {};
+    std::array<double, K> near;
+    bool held = true;
+    for (std::size_t k = 0; k < K; ++k) {
+      near[k] = this->numbers_[k] ? this->numbers_[k]->to_double() : 0;
+      const dymsum::Result<dymsum::Rational> back = dymsum::Rational::of(near[k]);
+      held = held && this->numbers_[k] && back && *back == *this->numbers_[k];
+    }
+    Place place;
+    if constexpr (K == 2) {
+      if (held) place.doubles = {near[0], near[1]};
+      place.exact = {this->template take<0>(), this->template take<1>()};
+    } else {
+      if (held) place.doubles = {near[0], near[1], near[2]};
+      place.exact = {this->template take<0>(), this->template take<1>(), this->template take<2>()};
+    }
+    return place;
   }
 };
 

@@ -3,6 +3,8 @@
 
 #include <nanobind/nanobind.h>
 
+#include "lists.h"
+
 namespace dymsum::python {
 
 namespace nb = nanobind;

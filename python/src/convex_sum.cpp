@@ -144,7 +144,7 @@ std::vector<Rotation> rotations_of(const Rows<4>& quaternions) {
   std::vector<Rotation> all;
   for (std::size_t i = 0; i < quaternions.size; ++i) {
     const double* q = quaternions.row(i);
-    all.push_back(take(Rotation::nearest(q[0], q[1], q[2], q[3])));
+    all.push_back(of_item(i, [&] { return take(Rotation::nearest(q[0], q[1], q[2], q[3])); }));
   }
   return all;
 }

@@ -63,6 +63,15 @@ nb::object error_object(const Error& error) {
       .attr("Error")(error.code, error.message, evidence_object(error.evidence));
 }
 
+void name_item(const nb::python_error& raised, std::size_t item) {
+  const nb::handle error = raised.value();
+  if (is_error(error) && error.attr("item").is_none()) nb::setattr(error, "item", nb::int_(item));
+}
+
+bool is_error(nb::handle object) {
+  return nb::isinstance(object, nb::module_::import_("dymsum._errors").attr("Error"));
+}
+
 Error error_of(nb::handle object) {
   return {nb::cast<ErrorCode>(object.attr("code")), nb::cast<std::string>(object.attr("message")),
           evidence_of(object.attr("evidence"))};
@@ -76,6 +85,7 @@ void bind_errors(nb::module_& m) {
       std::rethrow_exception(thrown);
     } catch (const ErrorRaised& raised) {
       const nb::object error = error_object(raised.error);
+      if (raised.item) error.attr("item") = *raised.item;
       PyErr_SetObject(reinterpret_cast<PyObject*>(Py_TYPE(error.ptr())), error.ptr());
     }
   });

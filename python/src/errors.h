@@ -4,21 +4,27 @@
 #include <nanobind/nanobind.h>
 
 #include <exception>
+#include <optional>
 #include <utility>
 
 #include "dymsum/result.h"
-#include "interruption.h"
+#include "scalar.h"
 
 namespace dymsum::python {
 
 namespace nb = nanobind;
 
-/// Carries an Error through C++ to where nanobind turns exceptions into Python's.
+/// Carries an Error through C++ to where nanobind turns exceptions into Python's. `item` is the index of what failed in
+/// a list that a call was given.
 struct ErrorRaised : std::exception {
   explicit ErrorRaised(Error what) : error(std::move(what)) {}
   const char* what() const noexcept override { return "dymsum::Error"; }
   Error error;
+  std::optional<std::size_t> item;
 };
+
+/// Sets `item` of a dymsum.Error that has none.
+void name_item(const nb::python_error& raised, std::size_t item);
 
 /// The value of a result, or its error as an exception.
 template <class T>
@@ -30,8 +36,24 @@ inline void take(Result<void>&& result) {
   if (!result.ok()) throw ErrorRaised(result.error());
 }
 
+/// make(); an Error that it raises, in C++ or in Python, names the item. With the GIL.
+template <class Make>
+auto of_item(std::size_t item, Make&& make) {
+  try {
+    return make();
+  } catch (ErrorRaised& raised) {
+    if (!raised.item) raised.item = item;
+    throw;
+  } catch (nb::python_error& raised) {
+    name_item(raised, item);
+    throw;
+  }
+}
+
 /// An instance of dymsum.Error, not raised.
 nb::object error_object(const Error& error);
+/// Whether the object is an instance of dymsum.Error.
+bool is_error(nb::handle object);
 /// The Error of an instance of dymsum.Error. Requires the GIL.
 Error error_of(nb::handle object);
 
@@ -44,15 +66,10 @@ namespace nanobind::detail {
 template <>
 struct type_caster<dymsum::Error> {
   NB_TYPE_CASTER(dymsum::Error, const_name("dymsum.Error"))
-  bool from_python(handle src, uint32_t, cleanup_list*) noexcept {
-    dymsum::python::Interruption thrown;
-    try {
-      value = dymsum::python::error_of(src);
-      return true;
-    } catch (...) {
-      thrown.keep();
-      return false;
-    }
+  bool from_python(handle src, uint32_t, cleanup_list*) {
+    if (!dymsum::python::is_error(src)) return false;
+    value = dymsum::python::error_of(src);
+    return true;
   }
   static handle from_cpp(const dymsum::Error& error, rv_policy, cleanup_list*) noexcept {
     try {

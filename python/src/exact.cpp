@@ -62,6 +62,11 @@ std::string orientation_text(const Orientation& theta) {
   return theta.is_half_turn() ? "inf" : theta.tan_half().to_string();
 }
 
+Orientation of_degrees(const Rational& degrees, std::optional<double> error) {
+  const double radians = reduced_degrees(degrees);
+  return take(error ? Orientation::nearest(radians, *error) : Orientation::nearest(radians));
+}
+
 void bind_orientation(nb::module_& m) {
   nb::class_<Orientation> orientation(
       m, "Orientation", R"doc(An exact rotation of the plane by theta about the origin, given by t = tan(theta / 2).
@@ -92,6 +97,17 @@ True
       .def_static(
           "nearest", [](double radians, double error) { return take(Orientation::nearest(radians, error)); },
           "radians"_a, "error"_a, "Within `error` radians of the angle, the simplest one within 0.99 of that.")
+      .def_static("of_degrees", &of_degrees, "degrees"_a, "error"_a = nb::none(),
+                  R"doc(nearest of an angle in degrees; multiples of 90 are met exactly, however large.
+
+>>> from dymsum import Orientation
+>>> Orientation.of_degrees(450) == Orientation.of(1, 1), Orientation.of_degrees(450).degrees()
+(True, 90.0)
+>>> Orientation.of_degrees(60, 0.01).tan_half()
+Fraction(4, 7)
+)doc")
+      .def(
+          "degrees", [](const Orientation& self) { return in_degrees(self.radians()); }, "In (-180, 180].")
       .def("is_half_turn", &Orientation::is_half_turn)
       .def("tan_half", &Orientation::tan_half, "Raises ValueError for half a turn.")
       .def("radians", &Orientation::radians, "In (-pi, pi], within 2^-50.")
@@ -138,6 +154,15 @@ Rotation.of(1, 0, 0, 1)
           "about", [](Point3 axis, double radians) { return take(Rotation::about(axis, radians)); }, "axis"_a,
           "radians"_a, "About an axis through the origin, counter-clockwise seen from its tip, within 2^-28.")
       .def_static(
+          "about_degrees",
+          [](Point3 axis, const Rational& degrees) { return take(Rotation::about(axis, reduced_degrees(degrees))); },
+          "axis"_a, "degrees"_a, R"doc(The same of an angle in degrees.
+
+>>> from dymsum import Rotation
+>>> Rotation.about_degrees((0, 0, 1), 90)
+Rotation.of(1, 0, 0, 1)
+)doc")
+      .def_static(
           "nearest", [](double w, double x, double y, double z) { return take(Rotation::nearest(w, x, y, z)); }, "w"_a,
           "x"_a, "y"_a, "z"_a, "The rotation of a quaternion of doubles, within 2^-28.")
       .def(
@@ -147,6 +172,8 @@ Rotation.of(1, 0, 0, 1)
       .def("matrix", &Rotation::matrix, "Row by row; to be divided by norm().")
       .def("norm", &Rotation::norm)
       .def("angle", &Rotation::angle, "In [0, pi].")
+      .def(
+          "degrees", [](const Rotation& self) { return in_degrees(self.angle()); }, "The angle in [0, 180].")
       .def(
           "__eq__", [](const Rotation& a, const Rotation& b) { return a == b; }, nb::is_operator())
       .def("__repr__",
@@ -183,6 +210,8 @@ void bind_pose(nb::module_& m, const char* name, const char* doc) {
 }  // namespace
 
 void bind_exact(nb::module_& m) {
+  m.def(
+      "_double", [](double number) { return number; }, "number"_a, "The double that a number is, for dymsum._convert.");
   bind_scale(m);
   bind_orientation(m);
   bind_rotation(m);

@@ -12,12 +12,8 @@ namespace dymsum::python {
 /// A DiscRadius, or a number that is taken exactly.
 struct RadiusArgument {
   Result<DiscRadius> given = DiscRadius(Rational());
-  std::exception_ptr thrown = nullptr;
   /// Raises what is wrong with the number.
-  DiscRadius value() const {
-    if (thrown != nullptr) std::rethrow_exception(thrown);
-    return take(Result<DiscRadius>(given));
-  }
+  DiscRadius value() const { return take(Result<DiscRadius>(given)); }
 };
 
 }  // namespace dymsum::python
@@ -27,15 +23,13 @@ namespace nanobind::detail {
 template <>
 struct type_caster<dymsum::python::RadiusArgument> {
   NB_TYPE_CASTER(dymsum::python::RadiusArgument, const_name("DiscRadius | fractions.Fraction | float"))
-  bool from_python(handle src, uint32_t, cleanup_list*) noexcept {
+  bool from_python(handle src, uint32_t, cleanup_list*) {
     if (isinstance<dymsum::DiscRadius>(src)) {
       value.given = *inst_ptr<dymsum::DiscRadius>(src);
       return true;
     }
     dymsum::Result<dymsum::Rational> number = dymsum::Rational();
-    dymsum::python::Interruption thrown;
-    if (!dymsum::python::read_rational(src, number, thrown)) return false;
-    value.thrown = thrown.release();
+    if (!dymsum::python::read_rational(src, number)) return false;
     value.given = number ? dymsum::Result<dymsum::DiscRadius>(*number) : number.error();
     return true;
   }
@@ -155,9 +149,15 @@ DiscPolygons polygons_of(const DiscSetOf& set, double error, DiscBound bound) {
   return take(without_gil([&] { return to_region(set, error, bound); }));
 }
 
+/// How near to_shapely comes where nothing is said.
+double fine_error(const DiscSetOf& set) { return set.radius > 0 ? set.radius / 1000 : 1; }
+
 nb::object shapely_of(const DiscSetOf& set, std::optional<double> error, DiscBound bound) {
-  const double fine = set.radius > 0 ? set.radius / 1000 : 1;
-  return nb::cast(polygons_of(set, error.value_or(fine), bound).region).attr("to_shapely")();
+  return nb::cast(polygons_of(set, error.value_or(fine_error(set)), bound).region).attr("to_shapely")();
+}
+
+nb::object geo_interface_of(const DiscSetOf& set) {
+  return nb::cast(polygons_of(set, fine_error(set), DiscBound::inside).region).attr("__geo_interface__");
 }
 
 std::string short_text(const DiscSetOf& set) {
@@ -208,7 +208,19 @@ Which pieces there are and how they follow each other is exact; positions are do
           "to_json", [](const DiscSetOf& self) { return disc_set_to_json(self); }, "As disc_set_to_json.")
       .def("to_shapely", &shapely_of, "error"_a = nb::none(), "bound"_a = DiscBound::inside,
            "to_region as a shapely geometry (needs shapely 2); without `error` within a 1000th of the radius.")
+      .def(
+          "area", [](const DiscSetOf& self) { return area(self).value; },
+          "A double: see the function area for its error.")
+      .def(
+          "bounds", [](const DiscSetOf& self) { return bounds(self); }, "As the function of this name.")
+      .def_prop_ro(
+          "__geo_interface__", [](const DiscSetOf& self) { return geo_interface_of(self); },
+          "to_region as to_shapely does, as GeoJSON.")
       .def("_repr_svg_", [](const DiscSetOf& self) { return draw_disc_set(self.region, self); });
+  set.def(
+      "__eq__", [](const DiscSetOf& a, const DiscSetOf& b) { return disc_set_to_json(a) == disc_set_to_json(b); },
+      nb::is_operator(), "The same pieces, in the same order, at the same positions.");
+  set.attr("__hash__") = nb::none();
   // Not piece by piece, as records are.
   set.attr("__repr__") = nb::cpp_function(&short_text, nb::is_method());
 }

@@ -36,11 +36,15 @@ std::uint32_t index_of(nb::handle item, std::size_t face) {
 
 std::vector<Face> faces_of_lists(nb::handle faces) {
   std::vector<Face> all;
-  for (nb::handle face : nb::list(faces)) {
-    if (PyUnicode_Check(face.ptr())) throw nb::type_error("a face is a sequence of indices, and no text");
-    Face& to = all.emplace_back();
-    for (nb::handle item : nb::list(face)) to.push_back(index_of(item, all.size() - 1));
-  }
+  const auto add = [&](nb::handle item) {
+    all.back().push_back(index_of(item, all.size() - 1));
+    return true;
+  };
+  const auto read = [&](nb::handle face) {
+    all.emplace_back();
+    return each_item(face, add);
+  };
+  if (!each_item(faces, read)) throw nb::type_error("faces are sequences of indices, and no text");
   return all;
 }
 
@@ -119,6 +123,12 @@ void bind_mesh_reading(nb::class_<Mesh>& mesh) {
           "Lists of vertex indices, counter-clockwise from outside.")
       .def_prop_ro("triangles", &triangles_of, "The faces as triangles, shape (m, 3).")
       .def("empty", &Mesh::empty)
+      .def(
+          "volume", [](const Mesh& self) { return volume(self); }, "As the function of this name.")
+      .def(
+          "area", [](const Mesh& self) { return surface_area(self); }, "Of the surface, as surface_area.")
+      .def(
+          "bounds", [](const Mesh& self) { return bounds(self); }, "As the function of this name.")
       .def("shell_count", &Mesh::shell_count)
       .def("thin_faces", &Mesh::thin_faces)
       .def("has_thin_parts", &Mesh::has_thin_parts)
@@ -218,7 +228,12 @@ void bind_hulls(nb::module_& m) {
         return take(without_gil([&] { return convex_hull({first, points.size}); }));
       },
       "points"_a,
-      "The exact hull of points, shape (n, 3). Raises Error: not_finite; no_area when all lie in one plane.");
+      R"doc(The exact hull of points, shape (n, 3). Raises Error: not_finite; no_area when all lie in one plane.
+
+>>> from dymsum import convex_hull
+>>> convex_hull([(0, 0, 0), (1, 0, 0), (0, 1, 0), (0, 0, 1), (0.1, 0.1, 0.1)])
+<Mesh: 4 vertices, 4 faces, 1 shells>
+)doc");
   m.def(
       "hulled", [](const MeshDataArgument& data) { return take(hulled(*data)); }, "data"_a,
       "The exact hull of a solid that is convex but for rounding, and how far it was from it.");
@@ -240,7 +255,12 @@ void bind_mesh_functions(nb::module_& m) {
       .value("doubles", Precision::doubles)
       .value("singles", Precision::singles);
   m.def(
-      "volume", [](const MeshArgument& mesh) { return volume(*mesh); }, "mesh"_a, "The exact volume, rounded once.");
+      "volume", [](const MeshArgument& mesh) { return volume(*mesh); }, "mesh"_a, R"doc(The exact volume, rounded once.
+
+>>> from dymsum import solids, volume
+>>> volume(solids.box(0, 0, 0, 1, 2, 3))
+6.0
+)doc");
   m.def(
       "surface_area", [](const MeshArgument& mesh) { return surface_area(*mesh); }, "mesh"_a);
   m.def(

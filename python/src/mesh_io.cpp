@@ -7,6 +7,7 @@
 
 #include "arguments.h"
 #include "bind.h"
+#include "paths.h"
 #include "record.h"
 
 namespace dymsum::python {
@@ -47,7 +48,7 @@ void bind_mesh_readers(nb::module_& m) {
       .value("ply", MeshFormat::ply)
       .value("glb", MeshFormat::glb);
   m.def(
-      "mesh_format", [](const std::string& path) { return take(mesh_format(path)); }, "path"_a);
+      "mesh_format", [](const PathArgument& path) { return take(mesh_format(path.text)); }, "path"_a);
   m.def(
       "parse_mesh",
       [](const nb::bytes& bytes, MeshFormat format, const std::string& file) {
@@ -55,7 +56,7 @@ void bind_mesh_readers(nb::module_& m) {
       },
       "bytes"_a, "format"_a, "file"_a = "", "A whole file's bytes. Raises Error with line, or byte of binary formats.");
   m.def(
-      "read_mesh", [](const std::string& path) { return take(read_mesh(path)); }, "path"_a,
+      "read_mesh", [](const PathArgument& path) { return take(read_mesh(path.text)); }, "path"_a,
       "MeshData of a file, not yet validated: for Mesh.create or repair.");
   m.def("precision_of", &precision_of, "format"_a);
 }
@@ -101,8 +102,9 @@ void bind_mesh_writers(nb::module_& m) {
       },
       "mesh"_a, "None where a .glb file shows the mesh, else an Error.");
   m.def(
-      "write_mesh", [](const MeshArgument& mesh, const std::string& path) { return take(write_mesh(*mesh, path)); },
-      "mesh"_a, "path"_a,
+      "write_mesh",
+      [](const MeshArgument& mesh, const PathArgument& path) { return take(write_mesh(*mesh, path.text)); }, "mesh"_a,
+      "path"_a,
       "Replaces a file as a whole and returns its size. Raises Error: cannot_write, rounding_changed_topology.");
 }
 

@@ -71,20 +71,6 @@ void bind_checks(nb::module_& m) {
 Fraction(2, 3)
 )doc");
   m.def(
-      "check_translation",
-      [](const RegionArgument& robot, const RegionArgument& obstacle, Point from, Point to, const Orientation& theta,
-         Touching touch) {
-        return take(without_gil([&] { return check_translation(*robot, *obstacle, from, to, theta, touch); }));
-      },
-      "robot"_a, "obstacle"_a, "from_"_a, "to"_a, "theta"_a, "touch"_a = Touching::allowed);
-  m.def(
-      "check_rotation",
-      [](const RegionArgument& robot, const RegionArgument& obstacle, Point at, const Orientation& from,
-         const Orientation& to, TurnDirection turn, Touching touch) {
-        return take(without_gil([&] { return check_rotation(*robot, *obstacle, at, from, to, turn, touch); }));
-      },
-      "robot"_a, "obstacle"_a, "at"_a, "from_"_a, "to"_a, "turn"_a, "touch"_a = Touching::allowed);
-  m.def(
       "check_rotation",
       [](const RegionArgument& robot, const RegionArgument& obstacle, const RationalPoint& at, const Orientation& from,
          const Orientation& to, TurnDirection turn, Touching touch) {

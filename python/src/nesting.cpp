@@ -5,6 +5,7 @@
 #include "bind.h"
 #include "calls.h"
 #include "dymsum/orientation_sum.h"
+#include "paths.h"
 #include "record.h"
 #include "remember.h"
 
@@ -33,7 +34,8 @@ void bind_instance_records(nb::module_& m) {
 
 void bind_instance_readers(nb::module_& m) {
   m.def(
-      "read_nesting_instance", [](const std::string& path) { return take(read_nesting_instance(path)); }, "path"_a,
+      "read_nesting_instance", [](const PathArgument& path) { return take(read_nesting_instance(path.text)); },
+      "path"_a,
       "The JSON of the nesting literature. Raises Error: cannot_open; malformed, truncated, not_finite with file and "
       "line.");
   m.def(

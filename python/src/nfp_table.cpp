@@ -4,6 +4,7 @@
 #include "arguments.h"
 #include "bind.h"
 #include "calls.h"
+#include "paths.h"
 #include "record.h"
 
 namespace dymsum::python {
@@ -137,9 +138,9 @@ void bind_table_options(nb::module_& m) {
   options.def(
       "__init__",
       [](TableOptions* self, int threads, std::uint32_t shard, std::uint32_t shards, double pair_seconds,
-         double all_seconds, std::string store, bool compute, Progress progress) {
+         double all_seconds, PathArgument store, bool compute, Progress progress) {
         new (self) TableOptions{
-            threads, shard, shards, pair_seconds, all_seconds, std::move(store), compute, std::move(progress)};
+            threads, shard, shards, pair_seconds, all_seconds, std::move(store.text), compute, std::move(progress)};
       },
       "threads"_a = 0, "shard"_a = 1, "shards"_a = 1, "pair_seconds"_a = TableOptions().pair_seconds,
       "all_seconds"_a = TableOptions().all_seconds, "store"_a = "", "compute"_a = true, "progress"_a = nb::none());
@@ -148,7 +149,7 @@ void bind_table_options(nb::module_& m) {
       .option("shards", &TableOptions::shards)
       .option("pair_seconds", &TableOptions::pair_seconds, "A limit for a task.")
       .option("all_seconds", &TableOptions::all_seconds, "A limit for all tasks.")
-      .option("store", &TableOptions::store, "A folder that answers are taken from and added to; \"\": none.")
+      .path("store", &TableOptions::store, "A folder that answers are taken from and added to; \"\": none.")
       .option("compute", &TableOptions::compute, "Else only what the store has is taken.")
       .option("progress", &TableOptions::progress);
   Record<RefusedFile>(m, "RefusedFile", "A file of the store of which not everything could be believed.")
@@ -162,7 +163,8 @@ void bind_table_options(nb::module_& m) {
       .field("refused_files", &TableWork::refused_files);
   Record<TableResult>(m, "TableResult", "Answers of a table, and what was done for them.")
       .field("answers", &TableResult::answers, "None where another shard has it, or nobody. A new list: O(answers).")
-      .field("work", &TableResult::work);
+      .field("work", &TableResult::work)
+      .field("table", &TableResult::table, "A hash of the rows and shapes of the table that the answers belong to.");
 }
 
 /// work() without the GIL, as text or as bytes.
@@ -188,7 +190,7 @@ void bind_table_texts(nb::module_& m) {
       },
       "table"_a, "result"_a, "inline_geometry"_a,
       "Rows as JSON lines, with their geometry in hexadecimal digits or with its place in table_geometry. Raises "
-      "ValueError where an answer is missing.");
+      "ValueError where an answer is missing, and for answers of another table.");
   m.def(
       "table_geometry",
       [](const NfpTable& table, const TableResult& result) {

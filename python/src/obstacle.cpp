@@ -8,6 +8,7 @@
 #include "calls.h"
 #include "dymsum/cspace_obstacle.h"
 #include "dymsum/obstacle_file.h"
+#include "paths.h"
 #include "record.h"
 #include "remember.h"
 
@@ -145,14 +146,20 @@ void bind_obstacle(nb::module_& m) {
         return remembered(std::move(sum), "cspace_slice", robot.object, obstacle.object, theta, kept(options));
       },
       "robot"_a, "obstacle"_a, "theta"_a, "options"_a = SumOptions(),
-      "O (+) -R(theta), exactly, without the obstacle of all angles.");
+      R"doc(O (+) -R(theta), exactly, without the obstacle of all angles.
+
+>>> from dymsum import Orientation, cspace_slice, shapes
+>>> rod, wall = shapes.rectangle(0, 0, 2, 1), shapes.rectangle(0, 0, 4, 4)
+>>> cspace_slice(rod, wall, Orientation.of_degrees(90)).bounds()
+[0.0, -2.0, 5.0, 4.0]
+)doc");
   m.def("format_obstacle", &format_obstacle, "obstacle"_a, "The obstacle as text; nothing is rounded.");
   m.def(
       "parse_obstacle",
       [](const std::string& text, const std::string& name) { return take(parse_obstacle(text, name)); }, "text"_a,
       "name_for_errors"_a = "text", "The obstacle of such a text. Raises Error: truncated, malformed.");
   m.def(
-      "read_obstacle", [](const std::string& path) { return take(read_obstacle(path)); }, "path"_a);
+      "read_obstacle", [](const PathArgument& path) { return take(read_obstacle(path.text)); }, "path"_a);
 }
 
 }  // namespace dymsum::python

@@ -9,6 +9,7 @@
 #include "calls.h"
 #include "dymsum/area_text.h"
 #include "dymsum/region_io.h"
+#include "extent.h"
 #include "record.h"
 #include "remember.h"
 
@@ -149,6 +150,24 @@ bool has_vertex(const PlanarSum& sum, const SumVertex& vertex) {
          holds(sum.tight_segments, vertex);
 }
 
+/// add(vertex) for every vertex of the set; tight features lie in its parts.
+template <class Add>
+void each_vertex(const PlanarSum& sum, Add&& add) {
+  for (const SumPart& part : sum.parts) std::for_each(part.outer.vertices.begin(), part.outer.vertices.end(), add);
+  for (const SumSegment& segment : sum.segments) add(segment.from), add(segment.to);
+  std::for_each(sum.points.begin(), sum.points.end(), add);
+}
+
+std::array<double, 4> bounds_of(const PlanarSum& sum) {
+  return extent_of<2>(sum.at_error, [&](auto&& add) {
+    each_vertex(sum, [&](const SumVertex& v) {
+      add({v.at.x, v.at.y}, [&](std::size_t k) { return (k == 0 ? sum.exact(v).x : sum.exact(v).y).to_double(); });
+    });
+  });
+}
+
+nb::object geometry_of(const PlanarSum& sum) { return nb::cast(take(sum.rounded())).attr("__geo_interface__"); }
+
 void bind_planar_numbers(nb::class_<PlanarSum>& sum) {
   sum.def("hole_count", &PlanarSum::hole_count)
       .def("vertex_count", &PlanarSum::vertex_count, "Of all rings.")
@@ -165,15 +184,29 @@ void bind_planar_numbers(nb::class_<PlanarSum>& sum) {
           "area", [](const PlanarSum& self) { return without_gil([&] { return self.area(); }); },
           "The nearest double to the exact area.")
       .def(
+          "bounds", [](const PlanarSum& self) { return without_gil([&] { return bounds_of(self); }); },
+          "[min x, min y, max x, max y], each the nearest double to the exact one; zeros for the empty set.")
+      .def(
           "exact",
           [](const PlanarSum& self, const SumVertex& vertex) {
             if (!has_vertex(self, vertex)) throw nb::value_error("a vertex of another sum");
             return self.exact(vertex);
           },
-          "vertex"_a, "The exact position of a vertex of this sum. Raises ValueError for one of another sum.")
+          "vertex"_a, R"doc(The exact position of a vertex of this sum. Raises ValueError for one of another sum.
+
+>>> from dymsum import union_of
+>>> sum = union_of([[(0, 0), (3, 0), (3, 1)], [(0, 1), (1, 0), (3, 1)]])
+>>> [sum.exact(v).x for v in sum.parts[0].outer.vertices if sum.exact(v).x.denominator > 1]
+[Fraction(3, 4)]
+)doc")
       .def(
           "rounded", [](const PlanarSum& self) { return take(without_gil([&] { return self.rounded(); })); },
-          "The set rounded to doubles. Raises Error: rounding_changed_topology, with the position.")
+          R"doc(The set rounded to doubles, as a Region. Raises Error: rounding_changed_topology, with the position.
+
+>>> from dymsum import nfp, shapes
+>>> nfp(shapes.rectangle(0, 0, 3, 2), shapes.rectangle(0, 0, 1, 1)).rounded().wkt
+'POLYGON ((-1 -1,3 -1,3 2,-1 2,-1 -1))'
+)doc")
       .def(
           "rounded_with_repair",
           [](const PlanarSum& self) { return take(without_gil([&] { return self.rounded_with_repair(); })); },
@@ -212,6 +245,7 @@ Fraction(30, 1)
       .def(
           "to_shapely", [](const PlanarSum& self) { return nb::cast(take(self.rounded())).attr("to_shapely")(); },
           "rounded() as a shapely geometry (needs shapely 2).")
+      .def_prop_ro("__geo_interface__", &geometry_of, "rounded() as a GeoJSON geometry.")
       .def("_repr_svg_", [](const PlanarSum& self) { return draw_section(self); });
   sum.attr("__hash__") = nb::none();
   bind_planar_numbers(sum);

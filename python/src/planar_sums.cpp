@@ -42,7 +42,13 @@ Fraction(17, 2)
         return of_two<nfp>("nfp", a, b, options);
       },
       "a"_a, "b"_a, "options"_a = SumOptions(),
-      "The no-fit polygon A (+) -B: positions of B's reference point at which B meets A.");
+      R"doc(The no-fit polygon A (+) -B: positions of B's reference point at which B meets A.
+
+>>> from dymsum import nfp, shapes
+>>> sum = nfp(shapes.rectangle(0, 0, 3, 2), shapes.rectangle(0, 0, 1, 1))
+>>> sum.bounds(), sum.area()
+([-1.0, -1.0, 3.0, 2.0], 12.0)
+)doc");
   m.def(
       "erode",
       [](const RegionArgument& p, const RegionArgument& q, const SumOptions& options) {
@@ -69,7 +75,12 @@ unsupported_operand when P has polylines or points, or Q is empty; cancelled.
         PlanarSum sum = run_with(options, [&](const SumOptions& own) { return union_of(all, own); });
         return remembered(std::move(sum), "union_of", given, kept(options));
       },
-      "regions"_a, "options"_a = SumOptions(), "The union of regions.");
+      "regions"_a, "options"_a = SumOptions(), R"doc(The union of regions.
+
+>>> from dymsum import shapes, union_of
+>>> union_of([shapes.rectangle(0, 0, 2, 2), shapes.rectangle(1, 1, 3, 3)]).area_exact()
+Fraction(7, 1)
+)doc");
   m.def(
       "rotated_sum",
       [](const RegionArgument& p, const RegionArgument& q, const Orientation& theta, const SumOptions& options) {
@@ -77,7 +88,13 @@ unsupported_operand when P has polylines or points, or Q is empty; cancelled.
         return remembered(std::move(sum), "rotated_sum", p.object, q.object, theta, kept(options));
       },
       "p"_a, "q"_a, "theta"_a, "options"_a = SumOptions(),
-      "R(theta) P (+) Q, P turned about the origin, never rounded.");
+      R"doc(R(theta) P (+) Q, P turned about the origin, never rounded.
+
+>>> from dymsum import Orientation, rotated_sum, shapes
+>>> square = shapes.rectangle(0, 0, 1, 1)
+>>> rotated_sum(square, square, Orientation.parse("1/2")).area_exact()
+Fraction(24, 5)
+)doc");
   m.def(
       "convolution_sizes", [](const RegionArgument& p, const RegionArgument& q) { return convolution_sizes(*p, *q); },
       "p"_a, "q"_a);
@@ -103,21 +120,22 @@ Array<bool> inside_of(const Positions<2>& positions, const Progress& progress, a
 void bind_planar_contains(nb::module_& m) {
   m.def(
       "contains",
-      [](const RegionArgument& p, const RegionArgument& q, Point z, Semantics semantics) {
-        return contains(*p, *q, z, semantics);
+      [](const RegionArgument& p, const RegionArgument& q, const Place<2>& z, Semantics semantics) {
+        if (z.doubles) return contains(*p, *q, *z.doubles, semantics);
+        return z.exact && run({}, [&](const Progress& watched) {
+                            return contains_each(*p, *q, std::span(&*z.exact, 1), semantics, 1, watched);
+                          })[0] != 0;
       },
       "p"_a, "q"_a, "z"_a, "semantics"_a = Semantics::closed,
-      "True when z lies in P (+) Q: P and z - Q meet (closed), or overlap (open). Exact. Nothing that is not finite "
-      "does.");
-  m.def(
-      "contains",
-      [](const RegionArgument& p, const RegionArgument& q, const ExactPlace& z, Semantics semantics) {
-        return z.at && run({}, [&](const Progress& watched) {
-                         return contains_each(*p, *q, std::span(&*z.at, 1), semantics, 1, watched);
-                       })[0] != 0;
-      },
-      "p"_a, "q"_a, "z"_a, "semantics"_a = Semantics::closed,
-      "The same for exact numbers. Where doubles do not hold them the sum is computed: see SumLocator for more.");
+      R"doc(True when z lies in P (+) Q: P and z - Q meet (closed), or overlap (open). Exact; nothing that is not finite
+does. Where doubles do not hold z the sum is computed: see SumLocator for more than a few.
+
+>>> from fractions import Fraction
+>>> from dymsum import contains, shapes
+>>> square = shapes.rectangle(0, 0, 1, 1)
+>>> contains(square, square, (2, Fraction(1, 3))), contains(square, square, (2.5, 1))
+(True, False)
+)doc");
   m.def(
       "contains_each",
       [](const RegionArgument& p, const RegionArgument& q, const Positions<2>& positions, Semantics semantics,
@@ -162,11 +180,12 @@ array([ True,  True, False])
           "Of a sum made with these semantics: closed, its parts, segments and points; regular, its parts; open, the "
           "interior of its parts without tight features.")
       .def(
-          "contains", [](const SumLocator& self, Point z) { return self.contains(z); }, "z"_a,
-          "True when z lies in the set. Exact. Nothing that is not finite does.")
-      .def(
-          "contains", [](const SumLocator& self, const ExactPlace& z) { return z.at && self.contains_rational(*z.at); },
-          "z"_a, "The same for exact numbers.")
+          "contains",
+          [](const SumLocator& self, const Place<2>& z) {
+            if (z.doubles) return self.contains(*z.doubles);
+            return z.exact && self.contains_rational(*z.exact);
+          },
+          "z"_a, "True when z lies in the set. Exact. Nothing that is not finite does.")
       .def("contains_rational", &SumLocator::contains_rational, "z"_a, "Raises Error: not_finite.")
       .def(
           "contains_each",
@@ -209,7 +228,9 @@ nb::list nfp_each(const RegionPairs& pairs, const SumOptions& options, int threa
       continue;
     }
     const auto& [a, b] = pairs.items[i];
-    all.append(remembered(take(std::move(*sums[i])), "nfp", a.object, b.object, options_kept).object);
+    all.append(
+        remembered(of_item(i, [&] { return take(std::move(*sums[i])); }), "nfp", a.object, b.object, options_kept)
+            .object);
   }
   return all;
 }

@@ -79,7 +79,14 @@ void bind_single(nb::class_<ObstacleQueries>& type) {
           [](const ObstacleQueries& self, double x, double y) {
             return without_gil([&] { return self.free_angles(x, y); });
           },
-          "x"_a, "y"_a, "All angles at which the robot can stand at (x, y), touching allowed. Raises ValueError.")
+          "x"_a, "y"_a, R"doc(All angles at which the robot can stand at (x, y), touching allowed. Raises ValueError.
+
+>>> from dymsum import CspaceObstacle, ObstacleQueries, shapes
+>>> rod, wall = shapes.rectangle(-1, -0.25, 1, 0.25), shapes.rectangle(0, 0, 4, 4)
+>>> queries = ObstacleQueries(CspaceObstacle(rod, wall))
+>>> len(queries.free_angles(4.5, 2)), len(queries.free_angles(2, 2))
+(2, 0)
+)doc")
       .def(
           "clearance",
           [](const ObstacleQueries& self, const Configuration& from, std::optional<double> weight, Touching touching) {
@@ -98,7 +105,7 @@ void bind_single(nb::class_<ObstacleQueries>& type) {
 }
 
 void bind_batches(nb::class_<ObstacleQueries>& type) {
-  type.def("contains_each", &contains_each, "at"_a, "threads"_a = 0,
+  type.def("contains_each", &contains_each, "poses"_a, "threads"_a = 0,
            "contains for configurations (x, y, theta), shape (n, 3), in parallel without the GIL (threads 0: all "
            "cores): n truth "
            "values.")
@@ -107,10 +114,10 @@ void bind_batches(nb::class_<ObstacleQueries>& type) {
           [](const ObstacleQueries& self, const Rows<3>& at, int threads) {
             return Array<bool>{~contains_each(self, at, threads).object};
           },
-          "at"_a, "threads"_a = 0, "The opposite: where the robot may stand.")
-      .def("clearance_each", &clearance_each, "from_"_a, "weight"_a = nb::none(), "touching"_a = Touching::allowed,
+          "poses"_a, "threads"_a = 0, "The opposite: where the robot may stand.")
+      .def("clearance_each", &clearance_each, "poses"_a, "weight"_a = nb::none(), "touching"_a = Touching::allowed,
            "threads"_a = 0, "progress"_a = nb::none(),
-           nb::sig("def clearance_each(self, from_: numpy.typing.ArrayLike, weight: float | None = None, touching: "
+           nb::sig("def clearance_each(self, poses: numpy.typing.ArrayLike, weight: float | None = None, touching: "
                    "Touching = ..., "
                    "threads: int = 0, progress: collections.abc.Callable[[str, float], bool | None] | None = None) -> "
                    "dymsum.Clearances"),

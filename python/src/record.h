@@ -19,6 +19,7 @@
 #include "arguments.h"
 #include "calls.h"
 #include "dymsum/progress.h"
+#include "paths.h"
 #include "values.h"
 
 namespace dymsum::python {
@@ -112,6 +113,17 @@ class Record : public nb::class_<T> {
     fields_->push_back({name, [member](void* self, nb::handle value) {
                           const auto given = nb::cast<nb::bytes>(value);
                           static_cast<T*>(self)->*member = std::string(given.c_str(), given.size());
+                        }});
+    return *this;
+  }
+
+  /// A member that is the path of a file or a folder, to be read and set.
+  Record& path(const char* name, std::string T::*member, const char* doc = "") {
+    const auto set = [member](T& self, const PathArgument& path) { self.*member = path.text; };
+    this->def_prop_rw(
+        name, [member](const T& self) { return self.*member; }, set, doc);
+    fields_->push_back({name, [member](void* self, nb::handle value) {
+                          static_cast<T*>(self)->*member = nb::cast<PathArgument>(value).text;
                         }});
     return *this;
   }

@@ -149,6 +149,10 @@ dymsum.Error: part 0, ring 0, vertex 0: a ring crosses itself or runs along itse
       .def_prop_ro("touching_points", &Region::touching_points,
                    "Points at which rings touch themselves or each other, sorted; usually none.")
       .def("empty", &Region::empty)
+      .def(
+          "area", [](const Region& self) { return area(self); }, "As the function of this name.")
+      .def(
+          "bounds", [](const Region& self) { return bounds(self); }, "As the function of this name.")
       .def("vertex_count", &Region::vertex_count)
       .def("hole_count", &Region::hole_count)
       .def("canonical", &Region::canonical, "The same set written in the one canonical way.")
@@ -212,7 +216,12 @@ reports what it changed. Crossings are not repaired: they raise Error. Takes Reg
 void bind_region_functions(nb::module_& m) {
   m.def(
       "area", [](const RegionArgument& region) { return area(*region); }, "region"_a,
-      "The area, rounded once; see area_text beyond the range of doubles.");
+      R"doc(The area, rounded once; see area_text beyond the range of doubles.
+
+>>> from dymsum import area
+>>> area([[(0, 0), (4, 0), (4, 4), (0, 4)], [(1, 1), (1, 2), (2, 2), (2, 1)]])
+15.0
+)doc");
   m.def(
       "area_text", [](const RegionArgument& region) { return area_text(*region); }, "region"_a,
       "The exact area to 17 digits, at any size.");
@@ -221,17 +230,38 @@ void bind_region_functions(nb::module_& m) {
       "The root of the mean square distance from the origin: the natural length per radian.");
   m.def(
       "bounds", [](const RegionArgument& region) { return bounds(*region); }, "region"_a,
-      "[min x, min y, max x, max y]; zeros for the empty region.");
+      R"doc([min x, min y, max x, max y]; zeros for the empty region.
+
+>>> from dymsum import bounds
+>>> bounds([(0, 0), (4, 0), (0, 3)])
+[0.0, 0.0, 4.0, 3.0]
+)doc");
   m.def(
-      "negated", [](const RegionArgument& region) { return negated(*region); }, "region"_a, "-region. Exact.");
+      "negated", [](const RegionArgument& region) { return negated(*region); }, "region"_a,
+      R"doc(-region. Exact.
+
+>>> from dymsum import bounds, negated
+>>> bounds(negated([(0, 0), (4, 0), (0, 3)]))
+[-4.0, -3.0, 0.0, 0.0]
+)doc");
   m.def(
       "translated",
       [](const RegionArgument& region, double dx, double dy) { return take(translated(*region, dx, dy)); }, "region"_a,
-      "dx"_a, "dy"_a, "region + (dx, dy), each coordinate rounded once.");
+      "dx"_a, "dy"_a, R"doc(region + (dx, dy), each coordinate rounded once.
+
+>>> from dymsum import translated
+>>> translated([(0, 0), (4, 0), (0, 3)], 1, -2).wkt
+'POLYGON ((1 -2,5 -2,1 1,1 -2))'
+)doc");
   m.def(
       "scaled", [](const RegionArgument& region, double sx, double sy) { return take(scaled(*region, sx, sy)); },
       "region"_a, "sx"_a, "sy"_a,
-      "diag(sx, sy) region, each coordinate rounded once. Raises Error: unsupported_operand.");
+      R"doc(diag(sx, sy) region, each coordinate rounded once. Raises Error: unsupported_operand.
+
+>>> from dymsum import scaled
+>>> scaled([(0, 0), (4, 0), (0, 3)], 0.5, 2).bounds()
+[0.0, 0.0, 2.0, 6.0]
+)doc");
   Record<GrownRegion>(m, "GrownRegion", "A region with a margin around it.")
       .field("region", &GrownRegion::region)
       .field("margin", &GrownRegion::margin, "every point within this distance of the given region lies inside")
@@ -242,9 +272,14 @@ void bind_region_functions(nb::module_& m) {
         return take(without_gil([&] { return grown(*region, margin, sides); }));
       },
       "region"_a, "margin"_a, "sides"_a = 16,
-      "The sum with a regular polygon around the disc of radius `margin`, rounded outwards. Raises Error: "
-      "out_of_range, "
-      "rounding_changed_topology.");
+      R"doc(The sum with a regular polygon around the disc of radius `margin`, rounded outwards. Raises Error: out_of_range,
+rounding_changed_topology.
+
+>>> from dymsum import area, grown, shapes
+>>> wide = grown(shapes.rectangle(0, 0, 1, 1), 0.5)
+>>> wide.margin <= 0.5 <= wide.at_most, 3.78 < area(wide.region) < 3.85
+(True, True)
+)doc");
 }
 
 }  // namespace

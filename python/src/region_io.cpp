@@ -3,6 +3,7 @@
 
 #include "arguments.h"
 #include "bind.h"
+#include "paths.h"
 #include "record.h"
 
 namespace dymsum::python {
@@ -22,14 +23,16 @@ void bind_region_readers(nb::module_& m) {
       .field("name", &NamedShape::name)
       .field("data", &NamedShape::data, "RegionData, not yet validated");
   m.def(
-      "region_format", [](const std::string& path) { return take(region_format(path)); }, "path"_a,
+      "region_format", [](const PathArgument& path) { return take(region_format(path.text)); }, "path"_a,
       "The format that a path's extension names. Raises Error: unsupported_format.");
-  m.def("names_region", &names_region, "path"_a);
+  m.def(
+      "names_region", [](const PathArgument& path) { return names_region(path.text); }, "path"_a,
+      "Whether the path's extension is that of a format of regions.");
   m.def(
       "begins_like_dxf", [](const std::string& text) { return begins_like_dxf(text); }, "text"_a,
       "Whether a text begins as .dxf files do; other formats never do.");
   m.def(
-      "read_shapes", [](const std::string& path) { return take(read_shapes(path)); }, "path"_a,
+      "read_shapes", [](const PathArgument& path) { return take(read_shapes(path.text)); }, "path"_a,
       "All shapes of a file (.poly, .wkt, .geojson, .svg, .dxf, nesting .json), or the one of \"f.json#name\". Raises "
       "Error with file and line.");
   m.def(
@@ -37,23 +40,37 @@ void bind_region_readers(nb::module_& m) {
       [](const std::string& text, RegionFormat format, const std::string& name) {
         return take(parse_shapes(text, format, name));
       },
-      "text"_a, "format"_a, "name_for_errors"_a = "text");
+      "text"_a, "format"_a, "name_for_errors"_a = "text",
+      R"doc(The shapes of a text. Raises Error with `name_for_errors` and line.
+
+>>> from dymsum import Region, RegionFormat, parse_shapes
+>>> shapes = parse_shapes("POLYGON((0 0, 4 0, 0 3, 0 0))\nPOLYGON((0 0, 1 0, 0 1, 0 0))", RegionFormat.wkt)
+>>> [Region(shape.data).area() for shape in shapes]
+[6.0, 0.5]
+)doc");
   m.def(
-      "read_region_data", [](const std::string& path) { return take(read_region_data(path)); }, "path"_a,
+      "read_region_data", [](const PathArgument& path) { return take(read_region_data(path.text)); }, "path"_a,
       "The file's only or selected shape, not yet validated. Raises Error: malformed where there are several.");
 }
 
 void bind_region_writers(nb::module_& m) {
   m.def(
       "format_region", [](const RegionArgument& region, RegionFormat format) { return format_region(*region, format); },
-      "region"_a, "format"_a, "The region as text; coordinates read back as the same doubles.");
+      "region"_a, "format"_a, R"doc(The region as text; coordinates read back as the same doubles.
+
+>>> from dymsum import RegionFormat, format_region
+>>> format_region([(0, 0), (0.1, 0), (0, 3)], RegionFormat.wkt)
+'POLYGON ((0 0,0.1 0,0 3,0 0))\n'
+)doc");
   m.def(
-      "write_file", [](const std::string& path, const std::string& text) { take(write_file(path, text)); }, "path"_a,
-      "text"_a, "Replaces a file as a whole. Raises Error: cannot_write.");
+      "write_file", [](const PathArgument& path, const std::string& text) { take(write_file(path.text, text)); },
+      "path"_a, "text"_a, "Replaces a file as a whole. Raises Error: cannot_write.");
   m.def(
-      "check_writable", [](const std::string& path) { take(check_writable(path)); }, "path"_a,
+      "check_writable", [](const PathArgument& path) { take(check_writable(path.text)); }, "path"_a,
       "Raises the Error cannot_write that write_file would, as far as can be told without writing.");
-  m.def("written_path", &written_path, "path"_a);
+  m.def(
+      "written_path", [](const PathArgument& path) { return written_path(path.text); }, "path"_a,
+      "The file that writing to the path replaces: links are followed.");
   m.def(
       "draw_region", [](const RegionArgument& region) { return draw_region(*region); }, "region"_a,
       "A picture as SVG text.");

@@ -48,8 +48,14 @@ void bind_scale_range(nb::module_& m) {
         return run(progress, [&](Progress own) { return scale_range(*part, path, *obstacles, own); });
       },
       "part"_a, "path"_a, "obstacles"_a, "progress"_a = nb::none(),
-      "The scales s for which s `part`, moved along the path, never overlaps the obstacles. Raises Error: "
-      "unsupported_operand, not_finite, cancelled.");
+      R"doc(The scales s for which s `part`, moved along the path, never overlaps the obstacles. Raises Error:
+unsupported_operand, not_finite, cancelled.
+
+>>> from dymsum import scale_range, shapes
+>>> free = scale_range(shapes.rectangle(-1, -1, 1, 1), [(-9, 0), (9, 0)], shapes.rectangle(0, 3, 1, 4)).free
+>>> [(interval.low, interval.high) for interval in free]
+[(None, Fraction(3, 1))]
+)doc");
   m.def(
       "fit_range",
       [](const RegionArgument& part, const RegionArgument& container, Point at, const Progress& progress) {

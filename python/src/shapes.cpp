@@ -33,22 +33,48 @@ void bind_shapes(nb::module_& m) {
 
 void bind_solids(nb::module_& m) {
   nb::module_ s = m.def_submodule("_solids", "Generators of solid test and demo shapes.");
-  s.def("box", &solids::box, "x0"_a, "y0"_a, "z0"_a, "x1"_a, "y1"_a, "z1"_a, "6 quadrangles.");
-  s.def("prism", &solids::prism, "base"_a, "height"_a, "Over a simple counter-clockwise ring, from z = 0.");
-  s.def("tessellated_cube", &solids::tessellated_cube, "size"_a, "k"_a);
-  s.def("cone", &solids::cone, "sides"_a, "radius"_a, "height"_a);
-  s.def("cylinder", &solids::cylinder, "sides"_a, "radius"_a, "height"_a);
-  s.def("dipyramid", &solids::dipyramid, "sides"_a, "radius"_a, "height"_a);
-  s.def("pyramid", &solids::pyramid, "sides"_a, "radius"_a, "height"_a);
-  s.def("geodesic_sphere", &solids::geodesic_sphere, "frequency"_a, "radius"_a);
-  s.def("ellipsoid", &solids::ellipsoid, "slices"_a, "stacks"_a, "rx"_a, "ry"_a, "rz"_a);
-  s.def("triakis_icosahedron", &solids::triakis_icosahedron, "radius"_a);
-  s.def("truncated_icosidodecahedron", &solids::truncated_icosidodecahedron, "radius"_a);
-  s.def("rod", &solids::rod, "slices"_a, "stacks"_a, "radius"_a, "length"_a, "A capsule.");
+  s.attr("kDemoSnap") = solids::kDemoSnap;
+  s.def("box", &solids::box, "x0"_a, "y0"_a, "z0"_a, "x1"_a, "y1"_a, "z1"_a, "snap"_a = 0.0,
+        R"doc(6 quadrangles, with these very coordinates. Of this and all solids here `snap`, a power of two, rounds
+coordinates to its nearest multiples.
+
+>>> from dymsum import solids
+>>> solids.box(0, 0, 0, 0.1, 1, 2).vertices[7].tolist()
+[0.1, 1.0, 2.0]
+>>> solids.box(0, 0, 0, 0.1, 1, 2, snap=1/8).vertices[7].tolist()
+[0.125, 1.0, 2.0]
+)doc");
+  s.def("prism", &solids::prism, "base"_a, "height"_a, "snap"_a = 0.0,
+        R"doc(Over a simple counter-clockwise ring, from z = 0.
+
+>>> from dymsum import solids, volume
+>>> volume(solids.prism([(0, 0), (3, 0), (3, 1), (1, 1), (1, 3), (0, 3)], 2))
+10.0
+)doc");
+  s.def("tessellated_cube", &solids::tessellated_cube, "size"_a, "k"_a, "snap"_a = 0.0,
+        "A cube about the origin, every face split into k x k squares of two triangles.");
+  s.def("cone", &solids::cone, "sides"_a, "radius"_a, "height"_a, "snap"_a = 0.0, "2 sides - 2 triangles.");
+  s.def("cylinder", &solids::cylinder, "sides"_a, "radius"_a, "height"_a, "snap"_a = 0.0, "4 sides - 4 triangles.");
+  s.def("dipyramid", &solids::dipyramid, "sides"_a, "radius"_a, "height"_a, "snap"_a = 0.0, "2 sides triangles.");
+  s.def("pyramid", &solids::pyramid, "sides"_a, "radius"_a, "height"_a, "snap"_a = 0.0, "2 sides - 2 triangles.");
+  s.def("geodesic_sphere", &solids::geodesic_sphere, "frequency"_a, "radius"_a, "snap"_a = 0.0,
+        R"doc(An icosahedron with every face split into frequency^2 triangles.
+
+>>> from dymsum import solids
+>>> solids.geodesic_sphere(2, 1)
+<Mesh: 42 vertices, 80 faces, 1 shells>
+)doc");
+  s.def("ellipsoid", &solids::ellipsoid, "slices"_a, "stacks"_a, "rx"_a, "ry"_a, "rz"_a, "snap"_a = 0.0,
+        "2 slices (stacks - 1) triangles.");
+  s.def("triakis_icosahedron", &solids::triakis_icosahedron, "radius"_a, "snap"_a = 0.0, "60 triangles.");
+  s.def("truncated_icosidodecahedron", &solids::truncated_icosidodecahedron, "radius"_a, "snap"_a = 0.0,
+        "236 triangles.");
+  s.def("rod", &solids::rod, "slices"_a, "stacks"_a, "radius"_a, "length"_a, "snap"_a = 0.0,
+        "A capsule of 2 slices (stacks - 1) triangles; stacks are odd.");
   Record<solids::NamedMesh>(s, "NamedMesh", "A named mesh.")
       .field("name", &solids::NamedMesh::name)
       .field("mesh", &solids::NamedMesh::mesh);
-  s.def("thesis_models", &solids::thesis_models);
+  s.def("thesis_models", &solids::thesis_models, "Their coordinates are multiples of kDemoSnap.");
 }
 
 }  // namespace dymsum::python

@@ -4,6 +4,7 @@
 #include "calls.h"
 #include "dymsum/convex_sum.h"
 #include "dymsum/volume_text.h"
+#include "extent.h"
 #include "record.h"
 #include "remember.h"
 
@@ -29,6 +30,15 @@ void bind_solid_parts(nb::module_& m) {
       .value("brute", ConvexEngine::brute);
 }
 
+std::array<double, 6> bounds_of(const SolidSum& sum) {
+  return extent_of<3>(0, [&](auto&& add) {
+    for (const Point3& at : sum.at) {
+      const std::array<double, 3> x{at.x, at.y, at.z};
+      add(x, [&](std::size_t k) { return x[k]; });
+    }
+  });
+}
+
 void bind_solid_numbers(nb::class_<SolidSum>& sum) {
   sum.def(
          "exact",
@@ -49,6 +59,8 @@ void bind_solid_numbers(nb::class_<SolidSum>& sum) {
       .def("edge_count", &SolidSum::edge_count)
       .def("volume", &SolidSum::volume, "Nearest to the exact one.")
       .def("volume_exact", &SolidSum::volume_exact)
+      .def("bounds", &bounds_of,
+           "[min x, min y, min z, max x, max y, max z], each the nearest double to the exact one.")
       .def("area", &SolidSum::area, "With a relative error below 1e-14.");
 }
 

@@ -5,6 +5,7 @@
 #include "bind.h"
 #include "calls.h"
 #include "dymsum/volume_text.h"
+#include "extent.h"
 #include "record.h"
 #include "remember.h"
 
@@ -102,6 +103,18 @@ void bind_fields(nb::class_<SpatialSum>& sum) {
       .def_ro("trace", &SpatialSum::trace);
 }
 
+std::array<double, 6> bounds_of(const SpatialSum& sum) {
+  return extent_of<3>(sum.at_error, [&](auto&& add) {
+    for (std::size_t v = 0; v < sum.vertices.size(); ++v) {
+      const Point3& at = sum.vertices[v];
+      add({at.x, at.y, at.z}, [&](std::size_t k) {
+        const RationalPoint3 exact = sum.exact(v);
+        return (k == 0 ? exact.x : k == 1 ? exact.y : exact.z).to_double();
+      });
+    }
+  });
+}
+
 void bind_spatial_numbers(nb::class_<SpatialSum>& sum) {
   sum.def("tight_triangles", &SpatialSum::tight_triangles)
       .def(
@@ -114,6 +127,9 @@ void bind_spatial_numbers(nb::class_<SpatialSum>& sum) {
       .def(
           "volume", [](const SpatialSum& self) { return without_gil([&] { return self.volume(); }); },
           "The nearest double to the exact volume.")
+      .def(
+          "bounds", [](const SpatialSum& self) { return without_gil([&] { return bounds_of(self); }); },
+          "[min x, min y, min z, max x, max y, max z], each the nearest double to the exact one; zeros for nothing.")
       .def("area", [](const SpatialSum& self) { return without_gil([&] { return self.area(); }); })
       .def(
           "volume_exact", [](const SpatialSum& self) { return without_gil([&] { return self.volume_exact(); }); },

@@ -67,16 +67,12 @@ std::vector<RationalPoint3> exact_of(const Positions<3>& positions) {
 void bind_spatial_contains(nb::module_& m) {
   m.def(
       "contains",
-      [](const MeshArgument& p, const MeshArgument& q, const Point3& z, Semantics semantics) {
-        return take(without_gil([&] { return contains(*p, *q, z, semantics); }));
+      [](const MeshArgument& p, const MeshArgument& q, const Place<3>& z, Semantics semantics) {
+        if (z.doubles) return take(without_gil([&] { return contains(*p, *q, *z.doubles, semantics); }));
+        if (!z.exact) take(Rational::of(std::nan("")));
+        return bool(take(without_gil([&] { return contains_each(*p, *q, std::span(&*z.exact, 1), semantics); }))[0]);
       },
-      "p"_a, "q"_a, "z"_a, "semantics"_a = Semantics::closed);
-  m.def(
-      "contains",
-      [](const MeshArgument& p, const MeshArgument& q, const RationalPoint3& z, Semantics semantics) {
-        return bool(take(without_gil([&] { return contains_each(*p, *q, std::span(&z, 1), semantics); }))[0]);
-      },
-      "p"_a, "q"_a, "z"_a, "semantics"_a = Semantics::closed, "The same for an exact position.");
+      "p"_a, "q"_a, "z"_a, "semantics"_a = Semantics::closed, "The same of solids. Raises Error: not_finite.");
   m.def(
       "contains_each",
       [](const MeshArgument& p, const MeshArgument& q, const Positions<3>& positions, Semantics semantics,
@@ -112,7 +108,13 @@ void bind_opening(nb::module_& m) {
         return run_with(options, [&](const SpatialOptions& own) { return opening(*a, *b, own, between); });
       },
       "a"_a, "b"_a, "options"_a = SpatialOptions(), "between"_a = BetweenSteps::exact,
-      "(A (-) B) (+) B: the union of all x + B inside A. Raises Error: rounding_changed_topology.");
+      R"doc((A (-) B) (+) B: the union of all x + B inside A. Raises Error: rounding_changed_topology.
+
+>>> from dymsum import opening, solids
+>>> ell = solids.prism([(0, 0), (3, 0), (3, 1), (1, 1), (1, 3), (0, 3)], 1)
+>>> opening(ell, solids.box(0, 0, 0, 2, 1, 1)).solid.volume()
+3.0
+)doc");
   m.def(
       "closing",
       [](const MeshArgument& a, const MeshArgument& b, const SpatialOptions& options, BetweenSteps between) {
@@ -169,7 +171,14 @@ void bind_slice(nb::module_& m) {
       [](const MeshArgument& p, const MeshArgument& q, double z, const SpatialOptions& options) {
         return run_with(options, [&](const SpatialOptions& own) { return slice_of_sum(*p, *q, z, own); });
       },
-      "p"_a, "q"_a, "z"_a, "options"_a = SpatialOptions(), "One height of a sum of solids. Raises Error: not_finite.");
+      "p"_a, "q"_a, "z"_a, "options"_a = SpatialOptions(),
+      R"doc(One height of a sum of solids. Raises Error: not_finite.
+
+>>> from dymsum import area, slice_of_sum, solids
+>>> box = solids.box(0, 0, 0, 1, 2, 3)
+>>> slice_of_sum(box, box, 1).section.bounds()
+[0.0, 0.0, 2.0, 4.0]
+)doc");
 }
 
 }  // namespace

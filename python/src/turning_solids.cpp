@@ -2,6 +2,7 @@
 #include "arguments.h"
 #include "bind.h"
 #include "calls.h"
+#include "dymsum/orientation.h"
 #include "dymsum/turning_solid_sum.h"
 #include "held.h"
 #include "record.h"
@@ -49,9 +50,18 @@ Fraction(1, 1)
       .def_static(
           "nearest", [](const TurnAxis& axis, double radians) { return take(AxisTurn::nearest(axis, radians)); },
           "axis"_a, "radians"_a, "Within 2^-40 of the angle. Raises Error: bad_rotation.")
+      .def_static(
+          "nearest_degrees",
+          [](const TurnAxis& axis, const Rational& degrees) {
+            return take(AxisTurn::nearest(axis, reduced_degrees(degrees)));
+          },
+          "axis"_a, "degrees"_a, "The same of an angle in degrees.")
       .def("is_half_turn", &AxisTurn::is_half_turn)
       .def("t", &AxisTurn::t, "0 for half a turn.")
       .def("radians", &AxisTurn::radians, "axis"_a, "In (-pi, pi].")
+      .def(
+          "degrees", [](const AxisTurn& self, const TurnAxis& axis) { return in_degrees(self.radians(axis)); },
+          "axis"_a, "In (-180, 180].")
       .def(
           "__eq__", [](const AxisTurn& a, const AxisTurn& b) { return a == b; }, nb::is_operator())
       .def("__repr__",

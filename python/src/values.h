@@ -14,30 +14,20 @@
 #include "dymsum/rational.h"
 #include "dymsum/region.h"
 #include "errors.h"
-#include "interruption.h"
 #include "lists.h"
 
 namespace dymsum::python {
 
-/// Reads `to.size()` doubles from a sequence of so many numbers. An integer has to be a double. False, without an
-/// exception set, for anything else.
-bool read_doubles(nb::handle from, std::span<double> to) noexcept;
-/// Reads exact numbers: int, float, Fraction, Decimal, numpy's. False, without an exception, for anything else. NaN and
-/// infinities are the error not_finite.
-bool read_rational(nb::handle from, Result<Rational>& to, Interruption& thrown) noexcept;
-bool read_rationals(nb::handle from, std::span<Result<Rational>> to, Interruption& thrown) noexcept;
+/// Reads `to.size()` numbers from a sequence of so many, as read_double and read_rational do. False for anything else.
+bool read_doubles(nb::handle from, std::span<double> to);
+bool read_rationals(nb::handle from, std::span<Result<Rational>> to);
+
+inline double in_degrees(double radians) { return radians * 57.295779513082320877; }
 
 /// New references; null with an exception set.
 PyObject* new_fraction(const Rational& value) noexcept;
 PyObject* new_named(const char* type, std::span<const double> values) noexcept;
 PyObject* new_named(const char* type, std::span<const Rational> values) noexcept;
-
-template <>
-inline constexpr bool kThrowsWhenAsked<Rational> = true;
-template <>
-inline constexpr bool kThrowsWhenAsked<RationalPoint> = true;
-template <>
-inline constexpr bool kThrowsWhenAsked<RationalPoint3> = true;
 
 }  // namespace dymsum::python
 
@@ -63,11 +53,9 @@ struct rational_caster {
  protected:
   template <std::size_t N>
   dymsum::Rational take() {
-    thrown_.raise();
     return dymsum::python::take(std::move(numbers_[N]));
   }
   std::array<dymsum::Result<dymsum::Rational>, K> numbers_ = filled(std::make_index_sequence<K>());
-  dymsum::python::Interruption thrown_;
 
  private:
   template <std::size_t... N>
@@ -79,9 +67,7 @@ struct rational_caster {
 template <>
 struct type_caster<dymsum::Rational> : rational_caster<dymsum::Rational, 1> {
   static constexpr auto Name = io_name("fractions.Fraction | float", "fractions.Fraction");
-  bool from_python(handle src, uint32_t, cleanup_list*) noexcept {
-    return dymsum::python::read_rational(src, numbers_[0], thrown_);
-  }
+  bool from_python(handle src, uint32_t, cleanup_list*) { return dymsum::python::read_rational(src, numbers_[0]); }
   explicit operator Value() { return take<0>(); }
   static handle from_cpp(const dymsum::Rational& number, rv_policy, cleanup_list*) noexcept {
     return dymsum::python::new_fraction(number);
@@ -93,7 +79,7 @@ struct type_caster<dymsum::Rational> : rational_caster<dymsum::Rational, 1> {
   template <>                                                                                          \
   struct type_caster<dymsum::TYPE> {                                                                   \
     NB_TYPE_CASTER(dymsum::TYPE, io_name("numpy.typing.ArrayLike", "dymsum." #TYPE))                   \
-    bool from_python(handle src, uint32_t, cleanup_list*) noexcept {                                   \
+    bool from_python(handle src, uint32_t, cleanup_list*) {                                            \
       double v[COUNT];                                                                                 \
       if (!dymsum::python::read_doubles(src, v)) return false;                                         \
       value = {v[0], v[1] __VA_ARGS__};                                                                \
@@ -114,9 +100,7 @@ DYMSUM_NAMED_DOUBLES(Configuration, 3, DYMSUM_COMMA v[2])
 template <>
 struct type_caster<dymsum::RationalPoint> : rational_caster<dymsum::RationalPoint, 2> {
   static constexpr auto Name = io_name("collections.abc.Sequence[fractions.Fraction | float]", "dymsum.RationalPoint");
-  bool from_python(handle src, uint32_t, cleanup_list*) noexcept {
-    return dymsum::python::read_rationals(src, numbers_, thrown_);
-  }
+  bool from_python(handle src, uint32_t, cleanup_list*) { return dymsum::python::read_rationals(src, numbers_); }
   explicit operator Value() { return {take<0>(), take<1>()}; }
   static handle from_cpp(const dymsum::RationalPoint& p, rv_policy, cleanup_list*) noexcept {
     const dymsum::Rational values[] = {p.x, p.y};
@@ -127,9 +111,7 @@ struct type_caster<dymsum::RationalPoint> : rational_caster<dymsum::RationalPoin
 template <>
 struct type_caster<dymsum::RationalPoint3> : rational_caster<dymsum::RationalPoint3, 3> {
   static constexpr auto Name = io_name("collections.abc.Sequence[fractions.Fraction | float]", "dymsum.RationalPoint3");
-  bool from_python(handle src, uint32_t, cleanup_list*) noexcept {
-    return dymsum::python::read_rationals(src, numbers_, thrown_);
-  }
+  bool from_python(handle src, uint32_t, cleanup_list*) { return dymsum::python::read_rationals(src, numbers_); }
   explicit operator Value() { return {take<0>(), take<1>(), take<2>()}; }
   static handle from_cpp(const dymsum::RationalPoint3& p, rv_policy, cleanup_list*) noexcept {
     const dymsum::Rational values[] = {p.x, p.y, p.z};

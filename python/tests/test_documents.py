@@ -44,8 +44,19 @@ def run(text: str, name: str) -> None:
     assert runner.failures == 0, "".join(said)
 
 
+#: What is called most.
+COMMON = """minkowski_sum nfp nfp_each erode union_of rotated_sum contains contains_each SumLocator PlanarSum PlanarSum.exact
+PlanarSum.rounded Region area bounds negated translated scaled repair grown parse_shapes format_region ScalingSum RotatingSum
+ConvexPolygonSum Scale Orientation Orientation.of_degrees Rotation Rotation.about_degrees AxisTurn scale_range CspaceObstacle
+cspace_slice ObstacleQueries ObstacleQueries.free_angles check_translation plan Mesh volume convex_hull convex_sum ConvexSum
+SpatialSum opening slice_of_sum MovingSolidSum posed_sums ScalingSolidSum TurningSolidSum SolidDepth PlanarDepth
+penetration_depth depth_batch ContinuousDepth NfpTable parse_nesting_instance GrowingDisc ShapeFeatures decompose""".split()
+
+
 def test_there_are_examples() -> None:
-    assert len(EXAMPLES) >= 25
+    names = {name.removeprefix("dymsum.") for name, _ in EXAMPLES}
+    assert len(COMMON) >= 50
+    assert [name for name in COMMON if name not in names] == []
 
 
 @pytest.mark.parametrize(("name", "text"), EXAMPLES, ids=[name for name, _ in EXAMPLES])

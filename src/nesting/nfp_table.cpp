@@ -140,6 +140,7 @@ Result<TableResult> compute_table(const NfpTable& table, const TableOptions& opt
   const NfpTable::State& state = table.state();
   TableResult result;
   result.answers.resize(state.answers);
+  result.table = state.mark;
   Result<nesting::TableStore> opened = nesting::TableStore::open({options.store, options.shard, options.shards},
                                                                  options.compute, state.keys, result.answers);
   if (!opened) return opened.error();

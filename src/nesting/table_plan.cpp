@@ -1,6 +1,7 @@
 #include "nesting/table_plan.h"
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
 #include <map>
 #include <set>
@@ -42,6 +43,7 @@ class Planner {
     if (!list_rows()) return Error{ErrorCode::out_of_range, "the table has more than 2^32 - 2 rows", {}};
     turn_by_quarters();
     list_answers();
+    mark_rows();
     return std::nullopt;
   }
 
@@ -171,6 +173,33 @@ class Planner {
     state_.answers = state_.keys.size();
     for (TableRow& row : state_.rows)
       if (row.kind == TableRow::Kind::strip_fit) row.answer = static_cast<std::uint32_t>(state_.answers++);
+  }
+
+  void mark(std::uint64_t value) {  // splitmix64's steps
+    std::uint64_t z = state_.mark ^ (value + 0x9e3779b97f4a7c15);
+    z = (z ^ (z >> 30)) * 0xbf58476d1ce4e5b9;
+    z = (z ^ (z >> 27)) * 0x94d049bb133111eb;
+    state_.mark = z ^ (z >> 31);
+  }
+  void mark(const base::Digest& digest) {
+    for (std::size_t k = 0; k < digest.size(); k += 8) {
+      std::uint64_t word = 0;
+      for (std::size_t b = 0; b < 8; ++b) word = word << 8 | digest[k + b];
+      mark(word);
+    }
+  }
+
+  /// Rows by their kinds and answers, answers by their keys; strips by the items that lie in them and how.
+  void mark_rows() {
+    for (const base::Digest& digest : state_.keys) mark(digest);
+    for (const base::Digest& digest : state_.item_digests) mark(digest);
+    mark(std::bit_cast<std::uint64_t>(state_.input.strip_height.value_or(0)));
+    for (const TableAngle& angle : state_.angles)
+      mark(base::sha256(angle.orientation.is_half_turn() ? "inf" : angle.orientation.tan_half().to_string()));
+    for (const TableRow& row : state_.rows) {
+      mark(static_cast<std::uint64_t>(row.kind) << 32 | row.answer);
+      mark(std::uint64_t{row.moving} << 32 | row.angle);
+    }
   }
 
   NfpTable::State& state_;

@@ -38,6 +38,7 @@ struct NfpTable::State {
   std::vector<nesting::Key> keys;  ///< by answer; strip fits have none, their answers come last
   std::vector<nesting::Task> tasks;
   std::size_t answers = 0;
+  std::uint64_t mark = 0;  ///< see TableResult::table
 };
 
 }  // namespace dymsum

@@ -76,6 +76,11 @@ std::string number_text(double value) {
 
 std::string tangent_of(const Orientation& o) { return o.is_half_turn() ? "inf" : o.tan_half().to_string(); }
 
+void require_same(const NfpTable& table, const TableResult& result) {
+  if (result.table != table.state().mark || result.answers.size() != table.answer_count())
+    throw std::invalid_argument("the answers are those of another table");
+}
+
 const TableAnswer& answer_of(const TableResult& result, const TableRow& row) {
   const std::optional<TableAnswer>& answer = result.answers.at(row.answer);
   if (!answer) throw std::invalid_argument("a row of the table has no answer: not all shards are there");
@@ -165,6 +170,7 @@ Json counts_json(const NfpTable::State& table, const TableResult& result) {
 }  // namespace nesting
 
 std::string table_rows(const NfpTable& table, const TableResult& result, bool inline_geometry) {
+  nesting::require_same(table, result);
   nesting::RowWriter writer(table.state(), inline_geometry);
   std::string out;
   for (const TableRow& row : table.rows()) writer.write(out, row, nesting::answer_of(result, row));
@@ -172,6 +178,7 @@ std::string table_rows(const NfpTable& table, const TableResult& result, bool in
 }
 
 std::string table_geometry(const NfpTable& table, const TableResult& result) {
+  nesting::require_same(table, result);
   std::string out;
   for (const TableRow& row : table.rows()) out += nesting::answer_of(result, row).wkb;
   return out;
@@ -180,6 +187,7 @@ std::string table_geometry(const NfpTable& table, const TableResult& result) {
 std::string table_manifest(const NfpTable& table, const TableResult& result, std::string_view rows,
                            std::string_view geometry) {
   using nesting::Json;
+  nesting::require_same(table, result);
   const NfpTable::State& state = table.state();
   Json items = Json::array(), bins = Json::array(), angles = Json::array();
   for (std::size_t i = 0; i < state.input.items.size(); ++i)

@@ -77,7 +77,7 @@ TEST_F(LongWork, QuestionsAndScaleRangesEndAtOnce) {
 
 // Stages that never ask whether to go on, of a solid with thousands of faces.
 TEST_F(LongWork, LargeConvexSolidsEndAtOnce) {
-  work.write("ball.off", format_mesh(solids::geodesic_sphere(40, 1).data(), MeshFormat::off));
+  work.write("ball.off", format_mesh(solids::geodesic_sphere(40, 1, solids::kDemoSnap).data(), MeshFormat::off));
   for (const char* const run :
        {"1 dymsum sum ball.off ball.off -o sum.off", "2.5 dymsum sum ball.off ball.off -o sum.off",
         "1 dymsum rotate ball.off ball.off --steps 9 -o turn.off"}) {
@@ -93,7 +93,7 @@ TEST_F(LongWork, LargeConvexSolidsEndAtOnce) {
 }
 
 TEST_F(LongWork, ManyQuestionsEndWithOneErrorObject) {
-  work.write("ball.off", format_mesh(solids::geodesic_sphere(3, 1).data(), MeshFormat::off));
+  work.write("ball.off", format_mesh(solids::geodesic_sphere(3, 1, solids::kDemoSnap).data(), MeshFormat::off));
   std::string places;
   for (int k = 0; k < 20000; ++k) places += std::to_string(0.0001 * k) + ",0.5,0.25\n";
   work.write("places.txt", places);

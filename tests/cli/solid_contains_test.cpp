@@ -117,7 +117,7 @@ TEST_F(SolidContains, WhatALongSumWillTakeIsToldBeforeAndHasALimit) {
 }
 
 TEST_F(SolidContains, TheLimitIsForConvexSolidsAndStagesToo) {
-  work.write("ball.off", format_mesh(solids::geodesic_sphere(20, 1).data(), MeshFormat::off));
+  work.write("ball.off", format_mesh(solids::geodesic_sphere(20, 1, solids::kDemoSnap).data(), MeshFormat::off));
   work.write("few.off", combs(12));
   for (const char* const sum : {"sum ball.off ball.off", "sum ball.off ball.off ball.off", "nfp ball.off ball.off",
                                 "sum ball.off ball.off --engine brute"}) {

@@ -14,7 +14,7 @@ class SolidCli : public CliTest {
  protected:
   SolidCli() {
     work.write("box.off", format_mesh(solids::box(0, 0, 0, 1, 2, 3), MeshFormat::off));
-    work.write("cube.obj", format_mesh(solids::tessellated_cube(2, 3), MeshFormat::obj));
+    work.write("cube.obj", format_mesh(solids::tessellated_cube(2, 3, solids::kDemoSnap), MeshFormat::obj));
   }
 };
 
@@ -92,7 +92,7 @@ TEST_F(SolidCli, ConvertChainsThroughEveryFormat) {
   const auto mesh = [&](const std::string& file, MeshFormat format) {
     return *Mesh::create(*parse_mesh(work.read(file), format, file));
   };
-  EXPECT_EQ(mesh("b.ply", MeshFormat::ply).data(), solids::tessellated_cube(2, 3).data());
+  EXPECT_EQ(mesh("b.ply", MeshFormat::ply).data(), solids::tessellated_cube(2, 3, solids::kDemoSnap).data());
   EXPECT_EQ(mesh("d.obj", MeshFormat::obj).faces().size(), 108u);
   EXPECT_EQ(work.read("e.glb").substr(0, 4), "glTF");
   const Json report = json("dymsum convert cube.obj canonical.off --canonical --json");

@@ -84,7 +84,8 @@ TEST(ContinuousNormals, do_not_depend_on_how_the_surface_is_cut_nor_on_where_the
   // On planes, edges and corners, too.
   const depth::ContinuousSurface plain = depth::continuous_surface(solids::box(-1, -1, -1, 1, 1, 1), 1);
   for (const int k : {1, 2, 4, 8}) {
-    const depth::ContinuousSurface fine = depth::continuous_surface(solids::tessellated_cube(2, k), 1);
+    const depth::ContinuousSurface fine =
+        depth::continuous_surface(solids::tessellated_cube(2, k, solids::kDemoSnap), 1);
     for (const Vec3& x : {Vec3{1, 1, 1}, {1, 0, 0}, {0.5, 0.5, 1}, {0.25, -0.5, 0.3}, {1, 1, 0.125}, {0, 0, 0.75}})
       for (const double l : {0.5, 1.0, 1.7}) {
         const Vec3 a = depth::smoothed_normal(plain, l, x).value, b = depth::smoothed_normal(fine, l, x).value;
@@ -218,7 +219,8 @@ TEST(ContinuousDepth, gradient_is_the_slope_of_depth) {
 }
 
 TEST(ContinuousDepth, torque_is_the_slope_of_exact_depth_in_a_turn) {
-  const Mesh p = mesh_of(ell()), q = turned(solids::tessellated_cube(2, 1), Rotation::about({1, 2, 3}, 0.5).value());
+  const Mesh p = mesh_of(ell()),
+             q = turned(solids::tessellated_cube(2, 1, solids::kDemoSnap), Rotation::about({1, 2, 3}, 0.5).value());
   ContinuousDepth pair = tracker_of(p, q, 0);
   for (const Point3& at : {Point3{10.25, 2, 5}, {2, 10.5, 5}, {3, 2, -0.75}}) {
     const ContinuousContact c = pair.query(at).value();
@@ -282,7 +284,8 @@ TEST(ContinuousDepth, where_smoothed_ways_are_too_long_the_shortest_is_followed)
 }
 
 TEST(ContinuousDepth, what_jumps_is_told_and_nothing_else_jumps) {
-  const Mesh p = mesh_of(box(1)), q = turned(solids::tessellated_cube(1, 1), Rotation::about({3, 1, 2}, 0.7).value());
+  const Mesh p = mesh_of(box(1)),
+             q = turned(solids::tessellated_cube(1, 1, solids::kDemoSnap), Rotation::about({3, 1, 2}, 0.7).value());
   for (const double l : {0.1, 0.3, 1.0, 3.0}) {
     ContinuousDepth pair = tracker_of(p, q, l);
     const Trace trace = along(pair, {-2, 0.125, -0.25}, {2, 0.5, 0.25}, 4000);
@@ -296,14 +299,14 @@ TEST(ContinuousDepth, what_jumps_is_told_and_nothing_else_jumps) {
 
 TEST(ContinuousDepth, cup_and_ball_and_coaxial_cylinders) {
   // A cup: a tunnel closed at one end.
-  const Mesh cup = mesh_of(tunnel()), ball = solids::geodesic_sphere(2, 0.875);
+  const Mesh cup = mesh_of(tunnel()), ball = solids::geodesic_sphere(2, 0.875, solids::kDemoSnap);
   ContinuousDepth pair = tracker_of(cup, ball, 0.5);
   EXPECT_EQ(pair.query({}).value().meeting, Meeting::apart);  // inside the hole, not in the wall
   const ContinuousContact pressed = pair.query({0, 0.25, 0}).value();
   EXPECT_EQ(pressed.meeting, Meeting::overlapping);
   EXPECT_LT(gap(pressed.normal, {0, -1, 0}), 0.05);
   EXPECT_NEAR(pressed.euclidean_depth, 0.125, 1e-6);
-  const Mesh rod = solids::cylinder(24, 1, 4), ring = solids::cylinder(24, 2, 1);
+  const Mesh rod = solids::cylinder(24, 1, 4, solids::kDemoSnap), ring = solids::cylinder(24, 2, 1, solids::kDemoSnap);
   ContinuousDepth coaxial = tracker_of(ring, rod, 1);
   SolidDepth exact = SolidDepth::create(ring, rod).value();
   const ContinuousContact c = coaxial.query({}).value();

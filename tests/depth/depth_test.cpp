@@ -73,7 +73,7 @@ TEST(ConvexDepth, deep_in_a_sum_with_all_facets_equally_far) {
   // Ties in hundreds: the centre of a sum of a cube with itself, and of a sphere with its reflection.
   ConvexSum cubes = *ConvexSum::create(cube(1), cube(1));
   EXPECT_EQ(cubes.depth().depth_squared.to_string(), "4/1");
-  const Mesh ball = solids::geodesic_sphere(2, 1);
+  const Mesh ball = solids::geodesic_sphere(2, 1, solids::kDemoSnap);
   ConvexSum balls = *ConvexSum::create(ball, negated(ball));
   EXPECT_EQ(exact::exact_value(balls.depth().depth_squared), least_signed_square(balls.sum(), {}));
 }
@@ -94,7 +94,7 @@ TEST(ConvexDepth, of_solids_of_any_size) {
   // Hundreds of nearly equal distances. From 2^-511 on their squares are no ordinary doubles any more, at 2^200 the
   // grid's unit is above one.
   std::mt19937_64 random(33);
-  const Mesh ball = solids::geodesic_sphere(2, 1);
+  const Mesh ball = solids::geodesic_sphere(2, 1, solids::kDemoSnap);
   for (int k = 0; k < 20; ++k) {
     const SolidPose pose{random_rotation(random), {}};
     std::uniform_int_distribution<int> offset(-64, 64);
@@ -210,8 +210,9 @@ TEST(ConvexDepth, points_that_are_no_places_are_refused) {
 // Where directions coincide it is a face and a face, or a face and an edge.
 TEST(ConvexDepth, names_the_features_of_the_facet) {
   std::mt19937_64 random(33);
-  const Mesh box = cube(1), ball = random_round_polytope(random, 30), fine = solids::tessellated_cube(2, 1),
-             cylinder = solids::cylinder(6, 1, 2);
+  const Mesh box = cube(1), ball = random_round_polytope(random, 30),
+             fine = solids::tessellated_cube(2, 1, solids::kDemoSnap),
+             cylinder = solids::cylinder(6, 1, 2, solids::kDemoSnap);
   std::set<std::pair<SolidFeature::Kind, SolidFeature::Kind>> kinds;
   for (const auto& [p, q] : std::vector<std::pair<Mesh, Mesh>>{
            {box, box}, {fine, box}, {box, fine}, {cylinder, box}, {box, cylinder}, {fine, ball}, {cylinder, cylinder}})

@@ -75,10 +75,10 @@ TEST(SolidDepth, touching_and_apart) {
 }
 
 TEST(SolidDepth, is_the_same_however_finely_the_surface_is_cut) {
-  const Mesh fine = solids::tessellated_cube(2, 1);
+  const Mesh fine = solids::tessellated_cube(2, 1, solids::kDemoSnap);
   std::optional<SolidDistance> first;
   for (const int k : {1, 2, 4, 8}) {
-    SolidDepth pair = depth_of(solids::tessellated_cube(2, k), fine);
+    SolidDepth pair = depth_of(solids::tessellated_cube(2, k, solids::kDemoSnap), fine);
     const SolidDistance d = pair.at({1.25, 0.375, 0.125});
     if (!first) first = d;
     EXPECT_EQ(d.squared.to_string(), first->squared.to_string()) << k;
@@ -133,14 +133,14 @@ Mesh link(bool upright) {
 TEST(SolidDepth, interlocked_links_and_a_ball_in_a_cup) {
   for (const Point3 at : {Point3{0, 0, 0}, {0.5, 3, 0}, {1, 2, 3}, {3, 3, 3}, {0, 3, 0.25}})
     agreed(link(false), link(true), at);
-  const Mesh cup = solid(cavity()), ball = solids::geodesic_sphere(1, 0.75);
+  const Mesh cup = solid(cavity()), ball = solids::geodesic_sphere(1, 0.75, solids::kDemoSnap);
   SolidDepth search = depth_of(cup, ball), boundary = depth_of(cup, ball, DepthEngine::boundary);
   for (const Point3 at : {Point3{0, 0, 0}, {0.25, 0.125, 0}, {1, 0.5, 0.25}, {3, 0, 0}, {6, 6, 6}})
     agreed(search, boundary, at);
 }
 
 TEST(SolidDepth, coaxial_cylinders_leave_by_the_end_or_the_side) {
-  const Mesh thick = solids::cylinder(8, 2, 4), thin = solids::cylinder(8, 1, 1);
+  const Mesh thick = solids::cylinder(8, 2, 4, solids::kDemoSnap), thin = solids::cylinder(8, 1, 1, solids::kDemoSnap);
   const SolidDistance d = agreed(thick, thin, {0, 0, 2.75});
   EXPECT_EQ(d.meeting, Meeting::overlapping);
   agreed(thick, thick);

@@ -19,7 +19,7 @@ using Json = nlohmann::json;
 TEST(WriteMesh, EveryModelComesBackFromEveryFormat) {
   auto models = solids::thesis_models();
   models.push_back({"box", solids::box(-1, -2, -3, 1, 2, 3)});
-  models.push_back({"canonical", solids::truncated_icosidodecahedron(1).canonical()});
+  models.push_back({"canonical", solids::truncated_icosidodecahedron(1, solids::kDemoSnap).canonical()});
   models.push_back({"empty", Mesh()});
   for (const solids::NamedMesh& model : models) {
     for (const MeshFormat format : {MeshFormat::off, MeshFormat::obj, MeshFormat::ply}) {

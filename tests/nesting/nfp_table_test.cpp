@@ -7,6 +7,7 @@
 #include <map>
 #include <numbers>
 #include <set>
+#include <stdexcept>
 
 #include "dymsum/cspace_obstacle.h"
 #include "dymsum/orientation_sum.h"
@@ -175,6 +176,24 @@ TEST(NfpTable, same_bytes_with_any_number_of_threads) {
   const std::vector<std::string> one = texts_of(table, compute_table(table, {.threads = 1}).value());
   EXPECT_EQ(texts_of(table, compute_table(table, {.threads = 2}).value()), one);
   EXPECT_NE(one[0].find(R"("kind":"nfp","fixed":"square","moving":"frame")"), std::string::npos);
+}
+
+TEST(NfpTable, answers_of_another_table_are_refused) {
+  const NfpTable table = NfpTable::create(small_input()).value();
+  const TableResult result = compute_table(table).value();
+  std::vector<TableInput> others(4, small_input());
+  std::swap(others[0].items[0].shape, others[0].items[1].shape);  // as many rows and answers
+  others[1].strip_height = 4;
+  others[2].items[1].degrees = others[2].items[3].degrees = degrees_of({0, 31});
+  others[3].items.pop_back();
+  for (const TableInput& input : others) {
+    const NfpTable other = NfpTable::create(input).value();
+    EXPECT_THROW(table_rows(other, result, true), std::invalid_argument);
+    EXPECT_THROW(table_geometry(other, result), std::invalid_argument);
+    EXPECT_THROW(table_manifest(other, result, "", ""), std::invalid_argument);
+  }
+  const NfpTable same = NfpTable::create(small_input()).value();
+  EXPECT_EQ(texts_of(same, result), texts_of(table, result));
 }
 
 TEST(NfpTable, strips_are_fitted_exactly) {

@@ -937,20 +937,23 @@ export interface Live {
     pockets(holes: number, size: number): Region;
     randomPolygon(vertices: number, holes: number, seed: number): Region;
   };
-  /** Solids to start with (solids.h). */
+  /**
+   * Solids to start with (solids.h). Coordinates that are given are those of the mesh; with `snap`, a power of two, all are
+   * rounded to its nearest multiples.
+   */
   readonly solids: {
-    box(x0: number, y0: number, z0: number, x1: number, y1: number, z1: number): Mesh;
-    prism(base: Coordinates, height: number): Mesh;
-    tessellatedCube(size: number, k: number): Mesh;
-    cone(sides: number, radius: number, height: number): Mesh;
-    cylinder(sides: number, radius: number, height: number): Mesh;
-    dipyramid(sides: number, radius: number, height: number): Mesh;
-    pyramid(sides: number, radius: number, height: number): Mesh;
-    geodesicSphere(frequency: number, radius: number): Mesh;
-    ellipsoid(slices: number, stacks: number, rx: number, ry: number, rz: number): Mesh;
-    triakisIcosahedron(radius: number): Mesh;
-    truncatedIcosidodecahedron(radius: number): Mesh;
-    rod(slices: number, stacks: number, radius: number, length: number): Mesh;
+    box(x0: number, y0: number, z0: number, x1: number, y1: number, z1: number, snap?: number): Mesh;
+    prism(base: Coordinates, height: number, snap?: number): Mesh;
+    tessellatedCube(size: number, k: number, snap?: number): Mesh;
+    cone(sides: number, radius: number, height: number, snap?: number): Mesh;
+    cylinder(sides: number, radius: number, height: number, snap?: number): Mesh;
+    dipyramid(sides: number, radius: number, height: number, snap?: number): Mesh;
+    pyramid(sides: number, radius: number, height: number, snap?: number): Mesh;
+    geodesicSphere(frequency: number, radius: number, snap?: number): Mesh;
+    ellipsoid(slices: number, stacks: number, rx: number, ry: number, rz: number, snap?: number): Mesh;
+    triakisIcosahedron(radius: number, snap?: number): Mesh;
+    truncatedIcosidodecahedron(radius: number, snap?: number): Mesh;
+    rod(slices: number, stacks: number, radius: number, length: number, snap?: number): Mesh;
   };
 
   /** SVG pictures, as the command line draws them. */

@@ -50,6 +50,13 @@ function bindClasses(instance) {
 
 const among = (instance, names) => Object.fromEntries(names.map((name) => [name, throwing(instance[name])]));
 
+/** Generators of solids: their last argument, `snap`, may be left out. */
+function solidsOf(instance) {
+  const made = among(instance, solids);
+  const padded = (name) => (...given) => made[name](...given, ...(given.length === instance[name].argCount - 1 ? [0] : []));
+  return Object.fromEntries(solids.map((name) => [name, padded(name)]));
+}
+
 /** What is one object here and two in the module. */
 function joined(made, calls) {
   const { Mesh, CspaceObstacle, ObstacleQueries, SolidSlice } = made;
@@ -96,6 +103,6 @@ export function objectsOf(instance) {
     ...calls,
     ...both,
     shapes: among(instance, shapes),
-    solids: among(instance, solids),
+    solids: solidsOf(instance),
   };
 }

@@ -48,7 +48,9 @@ std::shared_ptr<Region> random_polygon(double vertices, double holes, double see
   return shared(
       shapes::random_polygon(number_in<int>(vertices), number_in<int>(holes), static_cast<std::uint64_t>(seed)));
 }
-std::shared_ptr<Mesh> prism(const val& base, double height) { return shared(solids::prism(points_in(base), height)); }
+std::shared_ptr<Mesh> prism(const val& base, double height, double snap) {
+  return shared(solids::prism(points_in(base), height, snap));
+}
 
 double memory_bytes() { return static_cast<double>(emscripten_get_heap_size()); }
 std::string version() { return DYMSUM_VERSION; }

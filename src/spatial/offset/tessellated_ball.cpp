@@ -68,7 +68,7 @@ Result<TessellatedBall> tessellated_ball(double radius, double tolerance, Offset
   // Coordinates are rounded to multiples of a 32nd of the tolerance: no point moves by more than 0.87 of that.
   const double unit = std::ldexp(1.0, std::ilogb(std::min(tolerance, radius)) - 5);
   for (int frequency = 1; frequency <= kFinest; ++frequency) {
-    const Mesh sphere = solids::geodesic_sphere(frequency, 1);
+    const Mesh sphere = solids::geodesic_sphere(frequency, 1, solids::kDemoSnap);
     // Its own vertices are multiples of 2^-20, off by less than 2^-19.
     const double face = nearest_face(sphere) - 0x1p-18;
     const double size = bound == OffsetBound::inside ? (radius - 2 * unit) / (1 + 0x1p-18) : (radius + 2 * unit) / face;

@@ -9,14 +9,11 @@
 #include <utility>
 
 #include "planar/shapes/shapes_source.h"
+#include "spatial/solids/snap.h"
 
 namespace dymsum::solids {
 
 namespace {
-
-constexpr int kGridBits = 20;
-
-double on_grid(double x) { return shapes::on_grid(x, kGridBits); }
 
 void require(bool condition, std::string_view solid) {
   if (!condition) throw std::invalid_argument(std::string(solid) + ": these arguments give no valid solid");
@@ -28,10 +25,11 @@ Mesh made(std::string_view solid, MeshData data) {
   return std::move(mesh).value();
 }
 
-/// The hull of the points rounded to the grid, with its faces split into triangles. Requires that every one of the
+/// The hull of the points, snapped, with its faces split into triangles. Requires that every one of the
 /// `count` different points is a corner of it: then there are 2 count - 4 triangles.
-Mesh hull_of(std::string_view solid, std::vector<Point3> points, std::size_t count) {
-  for (Point3& p : points) p = {on_grid(p.x), on_grid(p.y), on_grid(p.z)};
+Mesh hull_of(std::string_view solid, std::vector<Point3> points, std::size_t count, double snap) {
+  const Snap to(solid, snap);
+  for (Point3& p : points) p = {to(p.x), to(p.y), to(p.z)};
   const Result<Mesh> hull = convex_hull(points);
   if (!hull) throw std::invalid_argument(std::string(solid) + ": " + hull.error().to_string());
   require(hull->vertices().size() == count, solid);
@@ -87,23 +85,25 @@ std::vector<std::array<std::size_t, 3>> icosahedron_faces(const std::vector<Poin
 
 }  // namespace
 
-Mesh box(double x0, double y0, double z0, double x1, double y1, double z1) {
+Mesh box(double x0, double y0, double z0, double x1, double y1, double z1, double snap) {
+  const Snap to("box", snap);
   MeshData data;
   for (const double z : {z0, z1}) {
     for (const double y : {y0, y1}) {
-      for (const double x : {x0, x1}) data.vertices.push_back({on_grid(x), on_grid(y), on_grid(z)});
+      for (const double x : {x0, x1}) data.vertices.push_back({to(x), to(y), to(z)});
     }
   }
   data.faces = {{0, 2, 3, 1}, {4, 5, 7, 6}, {0, 1, 5, 4}, {2, 6, 7, 3}, {0, 4, 6, 2}, {1, 3, 7, 5}};
   return made("box", std::move(data));
 }
 
-Mesh prism(const Ring& base, double height) {
+Mesh prism(const Ring& base, double height, double snap) {
   require(height > 0, "prism");
+  const Snap to("prism", snap);
   MeshData data;
   const auto n = static_cast<std::uint32_t>(base.size());
   for (const double z : {0.0, height})
-    for (const Point& p : base) data.vertices.push_back({on_grid(p.x), on_grid(p.y), on_grid(z)});
+    for (const Point& p : base) data.vertices.push_back({to(p.x), to(p.y), to(z)});
   Face bottom, top;
   for (std::uint32_t k = 0; k < n; ++k) {
     bottom.push_back(n - 1 - k);
@@ -115,31 +115,31 @@ Mesh prism(const Ring& base, double height) {
   return made("prism", std::move(data));
 }
 
-Mesh cone(int sides, double radius, double height) {
+Mesh cone(int sides, double radius, double height, double snap) {
   require(sides >= 3 && radius > 0 && height > 0, "cone");
   std::vector<Point3> points{{0, 0, height}};
   add_ring(points, sides, radius, radius, 0);
-  return hull_of("cone", std::move(points), size(sides) + 1);
+  return hull_of("cone", std::move(points), size(sides) + 1, snap);
 }
 
-Mesh pyramid(int sides, double radius, double height) { return cone(sides, radius, height); }
+Mesh pyramid(int sides, double radius, double height, double snap) { return cone(sides, radius, height, snap); }
 
-Mesh cylinder(int sides, double radius, double height) {
+Mesh cylinder(int sides, double radius, double height, double snap) {
   require(sides >= 3 && radius > 0 && height > 0, "cylinder");
   std::vector<Point3> points;
   add_ring(points, sides, radius, radius, 0);
   add_ring(points, sides, radius, radius, height);
-  return hull_of("cylinder", std::move(points), 2 * size(sides));
+  return hull_of("cylinder", std::move(points), 2 * size(sides), snap);
 }
 
-Mesh dipyramid(int sides, double radius, double height) {
+Mesh dipyramid(int sides, double radius, double height, double snap) {
   require(sides >= 3 && radius > 0 && height > 0, "dipyramid");
   std::vector<Point3> points{{0, 0, -height}, {0, 0, height}};
   add_ring(points, sides, radius, radius, 0);
-  return hull_of("dipyramid", std::move(points), size(sides) + 2);
+  return hull_of("dipyramid", std::move(points), size(sides) + 2, snap);
 }
 
-Mesh geodesic_sphere(int frequency, double radius) {
+Mesh geodesic_sphere(int frequency, double radius, double snap) {
   require(frequency >= 1 && radius > 0, "geodesic_sphere");
   const std::vector<Point3> corners = icosahedron();
   const double n = frequency;
@@ -154,20 +154,20 @@ Mesh geodesic_sphere(int frequency, double radius) {
       }
     }
   }
-  return hull_of("geodesic_sphere", std::move(points), 10 * size(frequency) * size(frequency) + 2);
+  return hull_of("geodesic_sphere", std::move(points), 10 * size(frequency) * size(frequency) + 2, snap);
 }
 
-Mesh ellipsoid(int slices, int stacks, double rx, double ry, double rz) {
+Mesh ellipsoid(int slices, int stacks, double rx, double ry, double rz, double snap) {
   require(slices >= 3 && stacks >= 2 && rx > 0 && ry > 0 && rz > 0, "ellipsoid");
   std::vector<Point3> points{{0, 0, -rz}, {0, 0, rz}};
   for (int k = 1; k < stacks; ++k) {
     const Point p = shapes::circle_point(k, 2 * stacks);  // from pole to pole
     add_ring(points, slices, rx * p.y, ry * p.y, rz * p.x);
   }
-  return hull_of("ellipsoid", std::move(points), size(slices) * size(stacks - 1) + 2);
+  return hull_of("ellipsoid", std::move(points), size(slices) * size(stacks - 1) + 2, snap);
 }
 
-Mesh rod(int slices, int stacks, double radius, double length) {
+Mesh rod(int slices, int stacks, double radius, double length, double snap) {
   require(slices >= 3 && stacks >= 3 && stacks % 2 == 1 && radius > 0 && length > 0, "rod");
   const double half = length / 2;
   std::vector<Point3> points{{0, 0, -half - radius}, {0, 0, half + radius}};
@@ -177,10 +177,10 @@ Mesh rod(int slices, int stacks, double radius, double length) {
     add_ring(points, slices, radius * p.y, radius * p.y, half + radius * p.x);
     add_ring(points, slices, radius * p.y, radius * p.y, -half - radius * p.x);
   }
-  return hull_of("rod", std::move(points), size(slices) * size(stacks - 1) + 2);
+  return hull_of("rod", std::move(points), size(slices) * size(stacks - 1) + 2, snap);
 }
 
-Mesh triakis_icosahedron(double radius) {
+Mesh triakis_icosahedron(double radius, double snap) {
   require(radius > 0, "triakis_icosahedron");
   std::vector<Point3> corners = icosahedron();
   // With edges of length 2 the short edges are (15 - sqrt 5) / 11; an apex stands above a face's middle, which is at
@@ -194,10 +194,10 @@ Mesh triakis_icosahedron(double radius) {
     points.push_back(times(scale * distance / length(middle), middle));
   }
   for (const Point3& p : corners) points.push_back(times(scale, p));
-  return hull_of("triakis_icosahedron", std::move(points), 32);
+  return hull_of("triakis_icosahedron", std::move(points), 32, snap);
 }
 
-Mesh truncated_icosidodecahedron(double radius) {
+Mesh truncated_icosidodecahedron(double radius, double snap) {
   require(radius > 0, "truncated_icosidodecahedron");
   const double g = golden_ratio(), h = g - 1;  // h = 1 / g
   // all signs and even permutations of these: 120 points
@@ -213,23 +213,23 @@ Mesh truncated_icosidodecahedron(double radius) {
       points.push_back({z, x, y});
     }
   }
-  return hull_of("truncated_icosidodecahedron", std::move(points), 120);
+  return hull_of("truncated_icosidodecahedron", std::move(points), 120, snap);
 }
 
 std::vector<NamedMesh> thesis_models() {
-  return {{"cone", cone(40, 1, 2)},
-          {"cube", tessellated_cube(2, 1)},
-          {"cylinder", cylinder(36, 1, 2)},
-          {"DD", dipyramid(16, 1, 1.5)},
-          {"ellipse", ellipsoid(32, 16, 1, 0.75, 0.5)},
-          {"GS1", geodesic_sphere(2, 1)},
-          {"GS2", geodesic_sphere(3, 1)},
-          {"GS3", geodesic_sphere(4, 1)},
-          {"GS4", geodesic_sphere(5, 1)},
-          {"HP", pyramid(6, 1, 1.5)},
-          {"T", triakis_icosahedron(1)},
-          {"TI", truncated_icosidodecahedron(1)},
-          {"v-rod", rod(27, 7, 0.25, 2)}};
+  return {{"cone", cone(40, 1, 2, kDemoSnap)},
+          {"cube", tessellated_cube(2, 1, kDemoSnap)},
+          {"cylinder", cylinder(36, 1, 2, kDemoSnap)},
+          {"DD", dipyramid(16, 1, 1.5, kDemoSnap)},
+          {"ellipse", ellipsoid(32, 16, 1, 0.75, 0.5, kDemoSnap)},
+          {"GS1", geodesic_sphere(2, 1, kDemoSnap)},
+          {"GS2", geodesic_sphere(3, 1, kDemoSnap)},
+          {"GS3", geodesic_sphere(4, 1, kDemoSnap)},
+          {"GS4", geodesic_sphere(5, 1, kDemoSnap)},
+          {"HP", pyramid(6, 1, 1.5, kDemoSnap)},
+          {"T", triakis_icosahedron(1, kDemoSnap)},
+          {"TI", truncated_icosidodecahedron(1, kDemoSnap)},
+          {"v-rod", rod(27, 7, 0.25, 2, kDemoSnap)}};
 }
 
 }  // namespace dymsum::solids

@@ -1,12 +1,14 @@
 // The cube whose faces are split into a grid.
+#include <cmath>
 #include <cstdint>
 #include <map>
 #include <stdexcept>
 #include <tuple>
 #include <utility>
 
+#include "dymsum/rational.h"
 #include "dymsum/solids.h"
-#include "planar/shapes/shapes_source.h"
+#include "spatial/solids/snap.h"
 
 namespace dymsum::solids {
 
@@ -15,7 +17,8 @@ namespace {
 /// The lattice points of a cube's surface, numbered as they are asked for.
 class CubeLattice {
  public:
-  CubeLattice(double size, int k) : size_(size), k_(k) {}
+  CubeLattice(double size, int k, double snap)
+      : size_(Rational::of(size).value()), k_(k), snap_("tessellated_cube", snap) {}
 
   std::uint32_t vertex(int x, int y, int z) {
     const auto [at, added] = numbers_.try_emplace({x, y, z}, static_cast<std::uint32_t>(vertices_.size()));
@@ -25,10 +28,14 @@ class CubeLattice {
   std::vector<Point3> vertices() && { return std::move(vertices_); }
 
  private:
-  double coordinate(int i) const { return shapes::on_grid(size_ * i / k_ - size_ / 2, 20); }
+  /// size (i / k - 1 / 2), rounded once.
+  double coordinate(int i) const {
+    return snap_((size_ * Rational::of(2 * std::int64_t{i} - k_, 2 * std::int64_t{k_}).value()).to_double());
+  }
 
-  double size_;
+  Rational size_;
   int k_;
+  Snap snap_;
   std::map<std::tuple<int, int, int>, std::uint32_t> numbers_;
   std::vector<Point3> vertices_;
 };
@@ -48,9 +55,10 @@ void add_square(std::vector<Face>& faces, CubeLattice& lattice, int axis, int le
 
 }  // namespace
 
-Mesh tessellated_cube(double size, int k) {
-  if (!(size > 0) || k < 1) throw std::invalid_argument("tessellated_cube: these arguments give no valid solid");
-  CubeLattice lattice(size, k);
+Mesh tessellated_cube(double size, int k, double snap) {
+  if (!(size > 0) || !std::isfinite(size) || k < 1)
+    throw std::invalid_argument("tessellated_cube: these arguments give no valid solid");
+  CubeLattice lattice(size, k, snap);
   MeshData data;
   for (int axis = 0; axis < 3; ++axis) {
     for (const bool outwards : {false, true}) {

@@ -1,6 +1,8 @@
 #include "dymsum/turning_solid_sum.h"
 
+#include <algorithm>
 #include <numeric>
+#include <stdexcept>
 
 #include "base/stopwatch.h"
 #include "spatial/moving/posed_sum.h"
@@ -58,6 +60,12 @@ namespace {
 /// What numbers at roots may need: doubles hold products of seven coordinates.
 constexpr int kMostBits = 140;
 
+bool has(const spatial::SolidOperand& operand, const SolidFeature& f) {
+  if (f.kind == SolidFeature::Kind::face)
+    return std::find(operand.face.begin(), operand.face.end(), f.a) != operand.face.end();
+  return std::max(f.a, f.b) < operand.vertices.size();
+}
+
 std::optional<Error> refusal(const Mesh& p, const Mesh& q, const TurnAxis& axis, const TurningSolidOptions& options) {
   if (axis == TurnAxis{}) return Error{ErrorCode::bad_rotation, "the axis is zero", {}};
   for (const std::int32_t a : axis)
@@ -103,6 +111,9 @@ Result<SpatialSum> TurningSolidSum::at(const AxisTurn& turn, const Progress& pro
 }
 
 std::uint64_t TurningSolidSum::combinatorial_hash(const SpatialSum& sum) const {
+  for (const SpatialFace& f : sum.faces)
+    if (!has(state_->pair.operand(0), f.p) || !has(state_->pair.operand(1), f.q))
+      throw std::invalid_argument("combinatorial_hash: a sum of other operands, which names features these have not");
   return spatial::structure_hash(state_->pair, sum);
 }
 

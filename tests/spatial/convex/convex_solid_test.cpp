@@ -37,7 +37,7 @@ std::vector<SolidPair> solid_pairs(std::mt19937_64& random) {
           {cylinder, other},     {cylinder, cone},
           {cone, other},         {frustum, cylinder},
           {box, cylinder},       {box, box},
-          {spindle(40), small},  {solids::tessellated_cube(2, 3), box},
+          {spindle(40), small},  {solids::tessellated_cube(2, 3, solids::kDemoSnap), box},
           {ball, cylinder}};
 }
 

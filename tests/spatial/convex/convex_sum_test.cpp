@@ -99,8 +99,9 @@ TEST(ConvexSum, support_adds_up_and_is_the_furthest_vertex) {
 // Extreme vertices of both operands may add up to a place in the middle of an edge or a facet.
 TEST(ConvexSum, support_is_a_vertex_of_the_sum_whatever_the_direction) {
   std::mt19937_64 random(16);
-  const std::vector<Mesh> solids{cube(1), solids::rod(4, 3, 0.5, 2), solids::cylinder(6, 1, 1),
-                                 solids::tessellated_cube(2, 2), random_grid_polytope(random, 12, 3)};
+  const std::vector<Mesh> solids{
+      cube(1), solids::rod(4, 3, 0.5, 2, solids::kDemoSnap), solids::cylinder(6, 1, 1, solids::kDemoSnap),
+      solids::tessellated_cube(2, 2, solids::kDemoSnap), random_grid_polytope(random, 12, 3)};
   for (const Mesh& p : solids)
     for (const Mesh& q : {negated(p), p, solids::box(0, 0, 0, 1, 2, 3)})
       for (const Rotation& turn : {Rotation(), *Rotation::of(1, 1, 0, 0), *Rotation::of(3, 1, 0, 2)}) {
@@ -182,22 +183,24 @@ TEST(ConvexSum, volumes_keep_their_promise_far_away_and_of_thin_solids) {
   const Mesh far = free_box({0x1p50, 0x1p50, 0x1p50}, {0x1p50 + 1, 0x1p50 + 1, 0x1p50 + 1});
   expect_near(far, cube(1), "unit cube at 2^50");
   expect_near(far, negated(far), "twice");
-  expect_near(*translated(solids::ellipsoid(24, 21, 0.5, 0.75, 1), 0x1p30, 0, -0x1p30), solids::cone(40, 1, 2),
-              "ellipsoid at 2^30");
+  expect_near(*translated(solids::ellipsoid(24, 21, 0.5, 0.75, 1, solids::kDemoSnap), 0x1p30, 0, -0x1p30),
+              solids::cone(40, 1, 2, solids::kDemoSnap), "ellipsoid at 2^30");
   for (const double thin : {0x1p-20, 0x1p-40, 0x1p-70}) {
-    const Mesh plate = *scaled(solids::geodesic_sphere(3, 1), 1, 1, thin), needle = *scaled(cube(1), 1, thin, thin);
+    const Mesh plate = *scaled(solids::geodesic_sphere(3, 1, solids::kDemoSnap), 1, 1, thin),
+               needle = *scaled(cube(1), 1, thin, thin);
     expect_near(plate, plate, "plates");
     expect_near(plate, needle, "plate and needle");
     expect_near(needle, needle, "needles");
   }
   for (const double unit : {0x1p-300, 0x1p300})
-    expect_near(*scaled(cube(1), unit, unit, unit), *scaled(solids::cone(9, 1, 1), unit, unit, unit), "sizes");
+    expect_near(*scaled(cube(1), unit, unit, unit), *scaled(solids::cone(9, 1, 1, solids::kDemoSnap), unit, unit, unit),
+                "sizes");
 }
 
 TEST(ConvexSum, measures_far_away_are_those_at_the_origin) {
   const Mesh far = free_box({0x1p50, 0x1p50, 0x1p50}, {0x1p50 + 1, 0x1p50 + 1, 0x1p50 + 1});
-  const SolidSum sum = *convex_sum(far, solids::dipyramid(4, 0.25, 0.5)),
-                 near = *convex_sum(solids::box(0, 0, 0, 1, 1, 1), solids::dipyramid(4, 0.25, 0.5));
+  const SolidSum sum = *convex_sum(far, solids::dipyramid(4, 0.25, 0.5, solids::kDemoSnap)),
+                 near = *convex_sum(solids::box(0, 0, 0, 1, 1, 1), solids::dipyramid(4, 0.25, 0.5, solids::kDemoSnap));
   EXPECT_EQ(sum.volume(), near.volume());
   EXPECT_EQ(sum.area(), near.area()) << "from exact positions, although rounded ones collapse";
   const Mesh tiny = *scaled(cube(1), 0x1p-500, 0x1p-500, 0x1p-500);
@@ -208,10 +211,11 @@ TEST(ConvexSum, facets_are_counted_as_they_are) {
   const auto count = [](const Mesh& p, const Mesh& q) { return ConvexSum::create(p, q)->facet_count().all; };
   EXPECT_EQ(count(cube(1), cube(1)), 6u) << "30 in general position";
   EXPECT_EQ(count(cube(1), solids::box(0, 0, 0, 1, 2, 3)), 6u);
-  EXPECT_EQ(count(solids::tessellated_cube(2, 3), cube(1)), 6u);
-  EXPECT_EQ(count(solids::cylinder(12, 1, 1), solids::cylinder(12, 1, 3)), 14u);
-  EXPECT_EQ(count(solids::cylinder(12, 1, 1), solids::cone(9, 2, 1)),
-            convex_sum(solids::cylinder(12, 1, 1), solids::cone(9, 2, 1))->facets.size());
+  EXPECT_EQ(count(solids::tessellated_cube(2, 3, solids::kDemoSnap), cube(1)), 6u);
+  EXPECT_EQ(count(solids::cylinder(12, 1, 1, solids::kDemoSnap), solids::cylinder(12, 1, 3, solids::kDemoSnap)), 14u);
+  EXPECT_EQ(count(solids::cylinder(12, 1, 1, solids::kDemoSnap), solids::cone(9, 2, 1, solids::kDemoSnap)),
+            convex_sum(solids::cylinder(12, 1, 1, solids::kDemoSnap), solids::cone(9, 2, 1, solids::kDemoSnap))
+                ->facets.size());
   for (const solids::NamedMesh& m : solids::thesis_models())
     EXPECT_EQ(count(m.mesh, m.mesh), m.mesh.canonical().faces().size()) << m.name;
   std::mt19937_64 random(17);

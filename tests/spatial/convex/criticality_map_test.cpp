@@ -121,7 +121,7 @@ TEST(CriticalityMap, cubes_about_an_axis_of_theirs_have_the_quarter_turns) {
 
 /// Face normals of prisms about their axis stay on the arcs of parallel edges, and enter and leave them.
 TEST(CriticalityMap, prisms_about_their_axis) {
-  const Mesh p = solids::cylinder(5, 1, 2), q = solids::cylinder(7, 2, 1);
+  const Mesh p = solids::cylinder(5, 1, 2, solids::kDemoSnap), q = solids::cylinder(7, 2, 1, solids::kDemoSnap);
   const CriticalityMap map = *CriticalityMap::create(p, q, {0, 0, 1});
   std::mt19937_64 random(54);
   expect_static_sums(p, q, map, random, 60, 200);

@@ -98,7 +98,7 @@ TEST(ConvexHull, KnownSolids) {
 }
 
 TEST(ConvexHull, AThousandPointsOnASphereAndTenThousandInABox) {
-  const Mesh sphere = solids::geodesic_sphere(10, 1);
+  const Mesh sphere = solids::geodesic_sphere(10, 1, solids::kDemoSnap);
   EXPECT_EQ(convex_hull(sphere.vertices())->data(), sphere.canonical().data());
   EXPECT_EQ(sphere.vertices().size(), 1002u);
   const auto points = random_points(5, 10000, [](auto& random) { return static_cast<double>(random() % 1000); });

@@ -21,7 +21,7 @@ TEST(Convexity, GeneratedSolidsAreConvexInEveryForm) {
     EXPECT_EQ(convexity_error(model.mesh.canonical()), std::nullopt) << model.name;
     EXPECT_EQ(convexity_error(negated(model.mesh)), std::nullopt) << model.name;
   }
-  EXPECT_EQ(convexity_error(solids::tessellated_cube(1, 7)), std::nullopt);
+  EXPECT_EQ(convexity_error(solids::tessellated_cube(1, 7, solids::kDemoSnap)), std::nullopt);
 }
 
 TEST(Convexity, FlatFacesMayBeConcave) {
@@ -44,7 +44,7 @@ TEST(Convexity, FlatFacesMayBeConcave) {
 }
 
 TEST(Convexity, ADentOfOneUnitInTheLastPlaceIsFound) {
-  const Mesh plain = solids::tessellated_cube(2, 2);
+  const Mesh plain = solids::tessellated_cube(2, 2, solids::kDemoSnap);
   for (std::size_t v = 0; v < plain.vertices().size(); ++v) {
     const Point3 p = plain.vertices()[v];
     if (p.z != 1 || p.x != 0 || p.y != 0) continue;
@@ -110,7 +110,7 @@ TEST(Convexity, AgreesWithTheHullForRandomDents) {
   int convex = 0, dented = 0;
   for (std::uint64_t seed = 1; seed <= 300; ++seed) {
     std::mt19937_64 random(seed);
-    MeshData data = solids::geodesic_sphere(1 + static_cast<int>(seed % 3), 1).data();
+    MeshData data = solids::geodesic_sphere(1 + static_cast<int>(seed % 3), 1, solids::kDemoSnap).data();
     const double size = std::ldexp(1.0, -static_cast<int>(random() % 6) - 1);
     Point3& p = data.vertices[random() % data.vertices.size()];
     for (double* c : {&p.x, &p.y, &p.z}) *c *= 1 - size * static_cast<double>(random() % 5) / 4;

@@ -17,7 +17,7 @@ Mesh mesh_of(MeshData data) {
 
 TEST(MeshCanonical, ATessellatedCubeIsTheCube) {
   for (const int k : {1, 2, 5}) {
-    const Mesh tessellated = solids::tessellated_cube(2, k);
+    const Mesh tessellated = solids::tessellated_cube(2, k, solids::kDemoSnap);
     EXPECT_EQ(tessellated.canonical().data(), solids::box(-1, -1, -1, 1, 1, 1).canonical().data());
     EXPECT_TRUE(tessellated == solids::box(-1, -1, -1, 1, 1, 1));
     EXPECT_FALSE(tessellated == solids::box(-1, -1, -1, 1, 1, 2));

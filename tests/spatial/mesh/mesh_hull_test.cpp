@@ -96,7 +96,7 @@ TEST(MeshHull, what_no_face_uses_is_left_out_and_bad_data_is_told) {
 }
 
 TEST(MeshHull, a_moved_solid_stays_convex_and_says_how_far_it_is_off) {
-  const Mesh ball = solids::geodesic_sphere(2, 1);
+  const Mesh ball = solids::geodesic_sphere(2, 1, solids::kDemoSnap);
   const HulledMesh exact = *translated_hull(ball, 3, -5, 0.5);
   EXPECT_EQ(exact.report.deviation, 0);
   EXPECT_EQ(exact.mesh, *translated(ball, 3, -5, 0.5));
@@ -164,7 +164,8 @@ TEST(RoundedSum, is_a_valid_convex_mesh_within_its_deviation_or_refused) {
   }
   const Mesh far = free_box({0x1p50, 0, 0}, {0x1p50 + 1, 1, 1});
   const Result<Mesh> collapsed =
-      convex_sum(far, *scaled(solids::dipyramid(4, 1, 1), 0x1p-30, 0x1p-30, 0x1p-30))->rounded_mesh();
+      convex_sum(far, *scaled(solids::dipyramid(4, 1, 1, solids::kDemoSnap), 0x1p-30, 0x1p-30, 0x1p-30))
+          ->rounded_mesh();
   ASSERT_FALSE(collapsed);
   EXPECT_EQ(collapsed.error().code, ErrorCode::rounding_changed_topology);
   EXPECT_TRUE(collapsed.error().evidence.vertex && collapsed.error().evidence.x);

@@ -87,7 +87,7 @@ TEST(MeshRepair, TurnsFacesAndShells) {
   EXPECT_EQ(shell.mesh.data(), joined(cube(), cube(2, {3, 0, 0})));
   for (std::uint64_t seed = 1; seed <= 100; ++seed) {
     std::mt19937_64 random(seed);
-    const Mesh sphere = solids::geodesic_sphere(3, 1);
+    const Mesh sphere = solids::geodesic_sphere(3, 1, solids::kDemoSnap);
     MeshData mixed = sphere.data();
     for (Face& face : mixed.faces) {
       if (random() % 3 == 0) std::reverse(face.begin() + 1, face.end());

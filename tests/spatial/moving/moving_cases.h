@@ -37,7 +37,7 @@ inline MeshData torus(double large, double small, int nu, int nv) {
 /// A sphere with dents: 20 frequency^2 triangles, many of their edges reflex.
 inline MeshData bumpy(int frequency, std::uint64_t seed) {
   std::mt19937_64 random(seed);
-  MeshData mesh = solids::geodesic_sphere(frequency, 1).data();
+  MeshData mesh = solids::geodesic_sphere(frequency, 1, solids::kDemoSnap).data();
   for (Point3& v : mesh.vertices) {
     const double by = 4 + static_cast<double>(random() % 256) / 128;
     const auto on_grid = [&](double c) { return std::ldexp(std::nearbyint(std::ldexp(by * c, 12)), -12); };

@@ -155,7 +155,7 @@ TEST(MovingSolidSum, IsTheSumOfTurnedMeshes) {
 }
 
 TEST(MovingSolidSum, ConvexOperandsHaveTheSumsOfTheGeneralStages) {
-  const Mesh p = solids::dipyramid(7, 2, 3), q = solids::box(0, 0, 0, 2, 1, 1);
+  const Mesh p = solids::dipyramid(7, 2, 3, solids::kDemoSnap), q = solids::box(0, 0, 0, 2, 1, 1);
   MovingSolidSum moving = MovingSolidSum::create(p, q).value();
   ConvexSum convex = ConvexSum::create(p, q).value();
   Moves moves(8);
@@ -172,7 +172,9 @@ TEST(MovingSolidSum, ConvexOperandsHaveTheSumsOfTheGeneralStages) {
 /// Upright prisms that turn about the upright axis: the planar sum that turns, over both heights.
 TEST(MovingSolidSum, PrismsHaveTheSumsOfPlanarFrames) {
   const Region base_p = shapes::letter_l(3, 2, 1), base_q = shapes::letter_l(2, 5, 1);
-  const auto upright = [](const Region& base, double height) { return solids::prism(base.parts()[0].outer, height); };
+  const auto upright = [](const Region& base, double height) {
+    return solids::prism(base.parts()[0].outer, height, solids::kDemoSnap);
+  };
   MovingSolidSum solid = MovingSolidSum::create(upright(base_p, 2), upright(base_q, 3)).value();
   RotatingSum planar = RotatingSum::create(base_p, base_q).value();
   for (int k = 0; k < 12; ++k) {

@@ -158,7 +158,7 @@ TEST(ScalingSolidSum, MassesInFewPlanesAreDecidedOnce) {
   teeth.push_back({9, 0}), teeth.push_back({2, 0});
   // Counter-clockwise, and the other comb with its teeth along another axis.
   std::reverse(teeth.begin(), teeth.end());
-  const Mesh p = solids::prism(teeth, 1);
+  const Mesh p = solids::prism(teeth, 1, solids::kDemoSnap);
   MeshData upright = p.data();
   for (Point3& v : upright.vertices) v = {v.y, v.z, v.x};
   const Mesh q = moving_cases::mesh_of(upright);
@@ -201,7 +201,8 @@ TEST(ScalingSolidSum, PrismsHaveTheEventsOfTheirBases) {
   for (const ScaleEvent& e : ScalingSum::create(p, q, moving)->events(scale("1/2"), scale("3")).value())
     if (e.visible) planar.push_back(e.s);
   std::vector<Rational> spatial;
-  const Mesh solid_p = solids::prism(star, 5), solid_q = solids::prism(ell_ring, 1);
+  const Mesh solid_p = solids::prism(star, 5, solids::kDemoSnap),
+             solid_q = solids::prism(ell_ring, 1, solids::kDemoSnap);
   for (const SolidScaleEvent& e : ScalingSolidSum::create(solid_p, solid_q)->events(scale("1/2"), scale("3")).value())
     spatial.push_back(e.s);
   EXPECT_FALSE(planar.empty());

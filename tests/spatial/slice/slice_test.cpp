@@ -119,7 +119,7 @@ TEST(SolidSlice, of_tori_is_the_section_of_their_sum) {
 }
 
 TEST(SolidSlice, of_convex_and_other_solids) {
-  const Mesh ball = solids::geodesic_sphere(2, 1), prism = mesh(ell());
+  const Mesh ball = solids::geodesic_sphere(2, 1, solids::kDemoSnap), prism = mesh(ell());
   expect_section(prism, ball, minkowski_sum(prism, ball).value(), 4.125, "ell");
   expect_section(prism, ball, minkowski_sum(prism, ball).value(), 10.25, "ell, above");
   expect_section(ball, ball, minkowski_sum(ball, ball).value(), 0.3, "balls");
@@ -189,7 +189,7 @@ TEST(SolidSlice, along_faces_edges_and_points_of_the_sum) {
   const Mesh roof = Mesh::create({{{0, 0, 0}, {4, 0, 0}, {4, 2, 0}, {0, 2, 0}, {0, 1, 1}, {4, 1, 1}},
                                   {{3, 2, 1, 0}, {0, 1, 5, 4}, {2, 3, 4, 5}, {1, 2, 5}, {3, 0, 4}}})
                         .value();
-  const Mesh needle = solids::dipyramid(4, 0.5, 2);
+  const Mesh needle = solids::dipyramid(4, 0.5, 2, solids::kDemoSnap);
   const SolidSlice ridge = slice_of_sum(roof, needle, 1 + bounds(needle)[5]).value();
   EXPECT_TRUE(ridge.section.parts.empty());
   EXPECT_EQ(ridge.section.segments.size(), 1u);

@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
 #include <cmath>
 #include <map>
 #include <stdexcept>
@@ -13,15 +14,15 @@
 namespace dymsum::spatial_test {
 namespace {
 
-/// Triangles only, as many as said, valid, convex, on the grid of 2^-20, a sphere's Euler number.
-void expect_solid(const Mesh& mesh, std::size_t triangles, const std::string& what) {
+/// Triangles only, as many as said, valid, convex, a sphere's Euler number; where it is snapped, on that grid.
+void expect_solid(const Mesh& mesh, std::size_t triangles, const std::string& what, double snap = 0) {
   EXPECT_EQ(mesh.faces().size(), triangles) << what;
   EXPECT_EQ(mesh.triangle_count(), triangles) << what;
   EXPECT_EQ(mesh.vertices().size() + mesh.faces().size(), mesh.edge_count() + 2) << what;
   EXPECT_TRUE(Mesh::create(mesh.data()).ok()) << what;
   EXPECT_EQ(convexity_error(mesh), std::nullopt) << what;
   for (const Point3& p : mesh.vertices()) {
-    for (const double c : {p.x, p.y, p.z}) EXPECT_EQ(std::ldexp(c, 20), std::round(std::ldexp(c, 20))) << what;
+    for (const double c : {p.x, p.y, p.z}) EXPECT_TRUE(snap == 0 || c / snap == std::round(c / snap)) << what;
   }
 }
 
@@ -32,33 +33,59 @@ TEST(Solids, ThesisModelsHaveTheirFacetCounts) {
   const auto models = solids::thesis_models();
   EXPECT_EQ(models.size(), known.size());
   for (const solids::NamedMesh& model : models) {
-    expect_solid(model.mesh, known.at(std::string(model.name)), std::string(model.name));
+    expect_solid(model.mesh, known.at(std::string(model.name)), std::string(model.name), solids::kDemoSnap);
   }
 }
 
-TEST(Solids, EveryGeneratorAtManySizes) {
+/// All of them with this snap.
+void expect_all_generators(double snap) {
   for (const int n : {3, 4, 5, 7, 8, 12, 31, 64, 100}) {
     const auto s = static_cast<std::size_t>(n);
     for (const double size : {0.125, 1.0, 3.7, 1000.0}) {
-      expect_solid(solids::cone(n, size, size), 2 * s - 2, "cone");
-      expect_solid(solids::pyramid(n, size, 2 * size), 2 * s - 2, "pyramid");
-      expect_solid(solids::cylinder(n, size, 2 * size), 4 * s - 4, "cylinder");
-      expect_solid(solids::dipyramid(n, size, 2 * size), 2 * s, "dipyramid");
+      expect_solid(solids::cone(n, size, size, snap), 2 * s - 2, "cone", snap);
+      expect_solid(solids::pyramid(n, size, 2 * size, snap), 2 * s - 2, "pyramid", snap);
+      expect_solid(solids::cylinder(n, size, 2 * size, snap), 4 * s - 4, "cylinder", snap);
+      expect_solid(solids::dipyramid(n, size, 2 * size, snap), 2 * s, "dipyramid", snap);
     }
   }
   for (const std::size_t f : {1, 2, 3, 6, 9}) {
-    expect_solid(solids::geodesic_sphere(static_cast<int>(f), 2.5), 20 * f * f, "geodesic_sphere");
-    expect_solid(solids::tessellated_cube(1.3, static_cast<int>(f)), 12 * f * f, "tessellated_cube");
+    expect_solid(solids::geodesic_sphere(static_cast<int>(f), 2.5, snap), 20 * f * f, "geodesic_sphere", snap);
+    expect_solid(solids::tessellated_cube(1.3, static_cast<int>(f), snap), 12 * f * f, "tessellated_cube", snap);
   }
   for (const int slices : {3, 8, 21}) {
     for (const int stacks : {3, 5, 9}) {
       const auto count = 2 * static_cast<std::size_t>(slices * (stacks - 1));
-      expect_solid(solids::ellipsoid(slices, stacks, 1, 2, 3), count, "ellipsoid");
-      expect_solid(solids::rod(slices, stacks, 0.5, 3), count, "rod");
+      expect_solid(solids::ellipsoid(slices, stacks, 1, 2, 3, snap), count, "ellipsoid", snap);
+      expect_solid(solids::rod(slices, stacks, 0.5, 3, snap), count, "rod", snap);
     }
   }
-  expect_solid(solids::triakis_icosahedron(7), 60, "triakis_icosahedron");
-  expect_solid(solids::truncated_icosidodecahedron(7), 236, "truncated_icosidodecahedron");
+  expect_solid(solids::triakis_icosahedron(7, snap), 60, "triakis_icosahedron", snap);
+  expect_solid(solids::truncated_icosidodecahedron(7, snap), 236, "truncated_icosidodecahedron", snap);
+}
+
+TEST(Solids, EveryGeneratorAtManySizes) {
+  expect_all_generators(0);
+  expect_all_generators(solids::kDemoSnap);
+}
+
+TEST(Solids, CoordinatesThatAreGivenAreTheCoordinatesOfTheMesh) {
+  const std::array<double, 6> given{0.1, -1.0 / 3, 1e-300, 0.7, 1e17, 2e-300};
+  EXPECT_EQ(bounds(solids::box(0.1, -1.0 / 3, 1e-300, 0.7, 1e17, 2e-300)), given);
+  EXPECT_EQ(bounds(solids::prism({{0, 0}, {0.1, 0}, {0, 0.2}}, 0.3)), (std::array<double, 6>{0, 0, 0, 0.1, 0.2, 0.3}));
+  EXPECT_EQ(bounds(solids::tessellated_cube(0.1, 3)), (std::array<double, 6>{-0.05, -0.05, -0.05, 0.05, 0.05, 0.05}));
+  EXPECT_EQ(bounds(solids::cone(8, 0.1, 0.7)), (std::array<double, 6>{-0.1, -0.1, 0, 0.1, 0.1, 0.7}));
+  EXPECT_EQ(bounds(solids::cylinder(8, 0.1, 0.7))[5], 0.7);
+  EXPECT_EQ(bounds(solids::dipyramid(100, 0x1p-18, 0x1p-700)),
+            (std::array<double, 6>{-0x1p-18, -0x1p-18, -0x1p-700, 0x1p-18, 0x1p-18, 0x1p-700}));
+  EXPECT_EQ(bounds(solids::ellipsoid(8, 4, 0.1, 0.2, 0.3)), (std::array<double, 6>{-0.1, -0.2, -0.3, 0.1, 0.2, 0.3}));
+}
+
+TEST(Solids, SnapsToTheNearestMultipleOnRequestAlone) {
+  EXPECT_EQ(bounds(solids::box(0, 0, 0, 0.1, 1, 1, 0.125))[3], 0.125);
+  EXPECT_EQ(bounds(solids::box(0, 0, 0, 0.1, 1, 1, solids::kDemoSnap))[3], 104858 * solids::kDemoSnap);
+  EXPECT_THROW(solids::box(0, 0, 0, 1, 1, 1, 0.1), std::invalid_argument);
+  EXPECT_THROW(solids::cone(8, 1, 1, -0.5), std::invalid_argument);
+  EXPECT_THROW(solids::tessellated_cube(1, 1, std::nan("")), std::invalid_argument);
 }
 
 TEST(Solids, VolumesAndBounds) {
@@ -107,7 +134,7 @@ TEST(Solids, BadArgumentsThrow) {
   EXPECT_THROW(solids::prism({}, 1), std::invalid_argument);
   EXPECT_THROW(solids::tessellated_cube(1, 0), std::invalid_argument);
   EXPECT_THROW(solids::geodesic_sphere(0, 1), std::invalid_argument);
-  EXPECT_THROW(solids::dipyramid(100, 0x1p-18, 1), std::invalid_argument);  // finer than the grid
+  EXPECT_THROW(solids::dipyramid(100, 0x1p-18, 1, 0x1p-20), std::invalid_argument);  // finer than the grid
 }
 
 }  // namespace

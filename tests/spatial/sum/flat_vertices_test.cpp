@@ -43,7 +43,7 @@ MeshData grate(int bars) {
 }
 
 TEST(FlatVertices, are_left_out_and_the_solid_stays) {
-  EXPECT_EQ(solid_operand(solids::tessellated_cube(4, 2).data()).triangles.size(), 12u);
+  EXPECT_EQ(solid_operand(solids::tessellated_cube(4, 2, solids::kDemoSnap).data()).triangles.size(), 12u);
   const SolidOperand coarse = solid_operand(grate(3));
   const SolidOperand whole_grate = solid_operand(grate(3), {}, FlatFeatures::kept);
   EXPECT_LT(3 * coarse.triangles.size(), 2 * whole_grate.triangles.size());
@@ -72,7 +72,7 @@ TEST(FlatVertices, make_no_difference_to_sums_and_few_facets) {
   EXPECT_FALSE(fast.tight_faces.empty());
   EXPECT_LT(fast.stats.face_vertex, all.stats.face_vertex);
   EXPECT_LT(2 * fast.stats.cells, all.stats.cells) << "triangles of one face are not cut apart";
-  const MeshData cube = moved(solids::tessellated_cube(1, 4).data(), 0.25, 0, 0);
+  const MeshData cube = moved(solids::tessellated_cube(1, 4, solids::kDemoSnap).data(), 0.25, 0, 0);
   EXPECT_TRUE(spatial::sum_of_solids(data, cube, {}).value() == spatial::sum_of_solids(cube, data, brute).value());
 }
 

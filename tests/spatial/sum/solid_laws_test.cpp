@@ -153,7 +153,7 @@ TEST(SolidLaws, the_sum_of_several_is_exact) {
 TEST(SolidLaws, sums_that_touch_themselves_are_operands) {
   // Over a slab hang a wedge, with its edge down, and a tip: an octahedron makes them touch its top inside.
   const MeshData slab = solids::box(-9, -9, -1, 9, 9, 0).data();
-  const Mesh octahedron = solids::dipyramid(4, 1, 1);
+  const Mesh octahedron = solids::dipyramid(4, 1, 1, solids::kDemoSnap);
   double height = 0;
   for (const Point3& v : octahedron.vertices()) height = std::max(height, v.z);
   const double low = 2 * height;
@@ -303,7 +303,7 @@ TEST(SolidLaws, sums_with_parts_without_volume_are_the_union_of_those_with_each_
   int inside = 0, outside = 0;
   for (int k = 0; k < fuzz_pairs(40); ++k) {
     std::mt19937_64 random(static_cast<std::uint64_t>(600 + k));
-    const Mesh solid = k % 2 == 0 ? solids::cone(5, 2, 3) : solids::box(0, 0, 0, 1, 2, 3);
+    const Mesh solid = k % 2 == 0 ? solids::cone(5, 2, 3, solids::kDemoSnap) : solids::box(0, 0, 0, 1, 2, 3);
     const Mesh parts = random_parts(random);
     const SpatialSum s = sum(solid, parts);
     EXPECT_TRUE(s == sum(parts, solid)) << "seed " << 600 + k;

@@ -85,7 +85,7 @@ TEST(SpatialEngine, facets_deep_inside_are_dropped_and_nothing_else_changes) {
 }
 
 TEST(SpatialEngine, facets_that_only_meet_at_corners_and_edges_have_no_contacts) {
-  const Mesh p = solids::geodesic_sphere(3, 1), q = solids::dipyramid(7, 2, 3);
+  const Mesh p = solids::geodesic_sphere(3, 1, solids::kDemoSnap), q = solids::dipyramid(7, 2, 3, solids::kDemoSnap);
   for (const SpatialEngine engine : {SpatialEngine::fast, SpatialEngine::brute}) {
     const SpatialSum convex = sum(p.data(), q.data(), engine);
     EXPECT_GT(convex.stats.box_pairs, 1000u);
@@ -246,7 +246,7 @@ TEST(SpatialEngine, more_memory_than_allowed_is_an_error_before_it_is_taken) {
 }
 
 TEST(SpatialEngine, convex_solids_keep_to_the_budget_too) {
-  const Mesh p = solids::cylinder(300, 1, 1);
+  const Mesh p = solids::cylinder(300, 1, 1, solids::kDemoSnap);
   MeshData turned = p.data();
   for (Point3& v : turned.vertices) v = {v.z, v.x, v.y};
   const Mesh q = Mesh::create(std::move(turned)).value();
@@ -260,7 +260,7 @@ TEST(SpatialEngine, convex_solids_keep_to_the_budget_too) {
     EXPECT_NE(sum.error().message.find("the sum of convex solids takes"), std::string::npos);
   }
   // About one axis the sum is small, however many pairs of edges there are.
-  EXPECT_TRUE(minkowski_sum(p, solids::cylinder(299, 2, 1), options).ok());
+  EXPECT_TRUE(minkowski_sum(p, solids::cylinder(299, 2, 1, solids::kDemoSnap), options).ok());
   EXPECT_FALSE(convex_sum_within(p, q, 300'000));
   const SolidSum first = convex_sum_within(p, p, 0)->sum();
   EXPECT_FALSE(convex_sum_within(first, q, 300'000));

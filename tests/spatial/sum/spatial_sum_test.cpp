@@ -32,9 +32,12 @@ TEST(SpatialSum, of_two_cubes_is_a_cube) {
 }
 
 TEST(SpatialSum, of_convex_solids_is_the_same_the_short_way) {
-  const std::vector<Mesh> convex{
-      solids::box(-1, -1, -1, 1, 1, 1), solids::tessellated_cube(2, 2), solids::cone(7, 1, 2),
-      solids::dipyramid(6, 1, 1.5),     solids::geodesic_sphere(2, 1),  solids::truncated_icosidodecahedron(1)};
+  const std::vector<Mesh> convex{solids::box(-1, -1, -1, 1, 1, 1),
+                                 solids::tessellated_cube(2, 2, solids::kDemoSnap),
+                                 solids::cone(7, 1, 2, solids::kDemoSnap),
+                                 solids::dipyramid(6, 1, 1.5, solids::kDemoSnap),
+                                 solids::geodesic_sphere(2, 1, solids::kDemoSnap),
+                                 solids::truncated_icosidodecahedron(1, solids::kDemoSnap)};
   SpatialOptions brute;
   brute.engine = SpatialEngine::brute;
   for (std::size_t i = 0; i < convex.size(); ++i)

@@ -58,7 +58,7 @@ MeshData tilted() {
 }
 
 TEST(SumMeasures, are_the_nearest_doubles) {
-  const MeshData ball = solids::geodesic_sphere(2, 1).data();
+  const MeshData ball = solids::geodesic_sphere(2, 1, solids::kDemoSnap).data();
   for (const MeshData& p : {ell(), tunnel(), cavity(), tilted()}) {
     for (const MeshData& q : {box(0.25), ball}) {
       const SpatialSum sum = sum_of_solids(p, q, {}).value();
@@ -70,7 +70,7 @@ TEST(SumMeasures, are_the_nearest_doubles) {
 }
 
 TEST(SumMeasures, of_crossing_faces_have_denominators_of_their_own) {
-  const SpatialSum sum = sum_of_solids(tilted(), solids::geodesic_sphere(2, 1).data(), {}).value();
+  const SpatialSum sum = sum_of_solids(tilted(), solids::geodesic_sphere(2, 1, solids::kDemoSnap).data(), {}).value();
   EXPECT_GT(sum.volume_exact().denominator().size(), 60u);
   EXPECT_FALSE(sum.volume_exact_within(100).has_value());
 }
@@ -106,7 +106,7 @@ MeshData shuffled(const MeshData& mesh, unsigned seed) {
 }
 
 TEST(SpatialSumValue, does_not_depend_on_the_order_of_lists_or_operands) {
-  const MeshData ball = solids::geodesic_sphere(2, 1).data();
+  const MeshData ball = solids::geodesic_sphere(2, 1, solids::kDemoSnap).data();
   for (const MeshData& p : {ell(), tunnel(), cavity(), tilted()}) {
     for (const MeshData& q : {box(1), ball}) {
       const SpatialSum sum = sum_of_solids(p, q, {}).value();

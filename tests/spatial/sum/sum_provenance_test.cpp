@@ -110,8 +110,9 @@ TEST(SumProvenance, names_features_whose_sum_is_there) {
   expect(tunnel(), box(1), "tunnel and peg");
   expect(tunnel(), box(0.95), "tunnel and thin peg");
   expect(cavity(), box(1), "cavity and key");
-  expect(ell(), solids::geodesic_sphere(2, 1).data(), "ell and ball");
-  const Mesh ball = solids::geodesic_sphere(2, 1), cube = solids::tessellated_cube(2, 2);
+  expect(ell(), solids::geodesic_sphere(2, 1, solids::kDemoSnap).data(), "ell and ball");
+  const Mesh ball = solids::geodesic_sphere(2, 1, solids::kDemoSnap),
+             cube = solids::tessellated_cube(2, 2, solids::kDemoSnap);
   expect_provenance(ball.data(), cube.data(), minkowski_sum(ball, cube).value(), "convex");
   for (int k = 0; k < 6; ++k) {
     std::mt19937_64 random(static_cast<std::uint64_t>(40 + k));

@@ -73,7 +73,8 @@ TEST(ThinOperands, convex_ones_give_the_hull_of_all_sums) {
   const std::vector<Mesh> parts{thin({{{0, 0, 0}, {1, 2, 3}}, {{0, 1}}}), thin({{{0, 0, 0}, {2, 0, 0}}, {{0, 1}}}),
                                 thin({{{0, 0, 0}, {2, 0, 0}, {2, 2, 0}, {0, 2, 0}}, {{0, 1, 2, 3}}}),
                                 thin({{{0, 0, 0}, {1, 0, 3}, {-1, 2, 1}}, {{0, 1, 2}}})};
-  for (const Mesh& solid : {solids::box(0, 0, 0, 1, 2, 3), solids::cone(7, 1, 2), solids::geodesic_sphere(1, 1)}) {
+  for (const Mesh& solid : {solids::box(0, 0, 0, 1, 2, 3), solids::cone(7, 1, 2, solids::kDemoSnap),
+                            solids::geodesic_sphere(1, 1, solids::kDemoSnap)}) {
     for (const Mesh& part : parts) {
       std::vector<Point3> sums;
       for (const Point3& a : solid.vertices())

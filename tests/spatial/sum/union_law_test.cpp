@@ -103,7 +103,7 @@ TEST(UnionLaw, of_solids_that_touch_in_a_slanted_face) {
   const Mesh a = part({{0, 0}, {1, 0}, {2, 3}, {0, 3}}, {{0, 0}, {2, 0}, {3, 3}, {0, 3}});
   const Mesh b = part({{1, 0}, {4, 0}, {4, 3}, {2, 3}}, {{2, 0}, {4, 0}, {4, 3}, {3, 3}});
   EXPECT_EQ(volume(a) + volume(b), volume(box));
-  for (const MeshData& q : {ell(), tunnel(), solids::dipyramid(5, 1, 2).data()})
+  for (const MeshData& q : {ell(), tunnel(), solids::dipyramid(5, 1, 2, solids::kDemoSnap).data()})
     EXPECT_GT(expect_union(box, a, b, Mesh::create(q).value(), {}, "a cut box"), 0u);
 }
 

@@ -7,9 +7,11 @@
 #include <iostream>
 #include <numbers>
 #include <set>
+#include <stdexcept>
 
 #include "dymsum/orientation_sum.h"
 #include "dymsum/shapes.h"
+#include "dymsum/solids.h"
 #include "spatial/moving/moving_cases.h"
 #include "spatial/turning/turn_structure.h"
 
@@ -138,7 +140,8 @@ TEST(TurningSolidSum, ATightFitAtOneAngleIsAChangeOfTopology) {
 /// and go at the same angles.
 TEST(TurningSolidSum, PrismsChangeWhereThePlanarSumDoes) {
   const Region star = shapes::star(5, 1.25, 3), ell = shapes::letter_l(3, 2, 1);
-  const Mesh p = solids::prism(star.parts()[0].outer, 2), q = solids::prism(ell.parts()[0].outer, 3);
+  const Mesh p = solids::prism(star.parts()[0].outer, 2, solids::kDemoSnap),
+             q = solids::prism(ell.parts()[0].outer, 3, solids::kDemoSnap);
   const TurnAxis axis{0, 0, 1};
   const TurningSolidSum sum = TurningSolidSum::create(p, q, axis).value();
   const double from = 0.05, to = 0.45;
@@ -186,6 +189,16 @@ TEST(TurningSolidSum, BoxesAboutASharedAxisChangeAtQuarterTurnsAlone) {
   EXPECT_EQ(*events[2].exact, AxisTurn::of(1));
   EXPECT_EQ(*events[3].exact, AxisTurn::half_turn());
   for (const SolidTurnEvent& e : events) EXPECT_TRUE(e.visible);
+}
+
+TEST(TurningSolidSum, AHashOfASumOfOtherOperandsIsRefused) {
+  const Mesh box = solids::box(0, 0, 0, 1, 1, 1), ball = solids::geodesic_sphere(2, 1, solids::kDemoSnap);
+  const TurningSolidSum boxes = TurningSolidSum::create(box, box, {0, 0, 1}).value();
+  for (const auto& [p, q] : {std::pair{ball, ball}, {ball, box}, {box, ball}}) {
+    const TurningSolidSum others = TurningSolidSum::create(p, q, {0, 0, 1}).value();
+    EXPECT_THROW(boxes.combinatorial_hash(others.at(AxisTurn::of(1)).value()), std::invalid_argument);
+  }
+  EXPECT_NO_THROW(boxes.combinatorial_hash(boxes.at(AxisTurn::of(1)).value()));
 }
 
 }  // namespace

@@ -277,6 +277,15 @@ test('a mesh is read, asked and written', () => {
   assert.equal(ell.convexHull().convexityError(), null);
 });
 
+test('solids have the coordinates that are given, and snap where that is asked for', () => {
+  const box = solids.box(0, 0, 0, 0.1, 1, 1), snapped = solids.box(0, 0, 0, 0.1, 1, 1, 0.125);
+  assert.equal(box.bounds()[3], 0.1);
+  assert.equal(snapped.bounds()[3], 0.125);
+  assert.equal(thrown(() => solids.box(0, 0, 0, 1, 1, 1, 0.3)).code, 'invalid_argument');
+  assert.ok(thrown(() => solids.cone(12, 1)));
+  for (const mesh of [box, snapped]) mesh.dispose();
+});
+
 test('sums of solids: shape, provenance, exact values, slices', () => {
   const ell = solids.prism([0, 0, 2, 0, 2, 1, 1, 1, 1, 2, 0, 2], 1);
   const box = solids.box(0, 0, 0, 1, 1, 1);
@@ -310,7 +319,7 @@ test('solids that move: any shape, convex, scaling, turning', () => {
   assert.equal(moving.shape().faceContacts.length, 6 * moving.sum().faceCount);
   assert.ok(Array.isArray(moving.changes().appeared));
   assert.equal(moving.sum().volumeExact(), '105/2');
-  const convex = dymsum.ConvexSum.create(box, solids.geodesicSphere(2, 1));
+  const convex = dymsum.ConvexSum.create(box, solids.geodesicSphere(2, 1, 2 ** -20));
   convex.set({ rotation: { axis: [1, 2, 3], angle: 0.3 } });
   const buffers = convex.buffers();
   assert.equal(buffers.triangleFacets.length * 3, buffers.triangles.length);
@@ -370,7 +379,7 @@ test('memory is given back', () => {
 });
 
 test('what needs more memory than there is throws, and the module goes on', () => {
-  const torn = thrown(() => dymsum.minkowskiSum(solids.geodesicSphere(12, 1), solids.prism([0, 0, 2, 0, 2, 1, 1, 1, 1, 2, 0, 2], 1), { memory: 1000 }));
+  const torn = thrown(() => dymsum.minkowskiSum(solids.geodesicSphere(12, 1, 2 ** -20), solids.prism([0, 0, 2, 0, 2, 1, 1, 1, 1, 2, 0, 2], 1), { memory: 1000 }));
   assert.equal(torn.code, 'out_of_memory');
   assert.equal(dymsum.minkowskiSum(peg(), peg()).areaExact(), '8/1');
 });
@@ -421,7 +430,7 @@ test('many points in a sum, and scales of solids', () => {
 });
 
 test('what is disposed of while it is at work lives until that ends', () => {
-  const block = solids.box(0, 0, 0, 9, 9, 9), cone = solids.cone(12, 1, 2);
+  const block = solids.box(0, 0, 0, 9, 9, 9), cone = solids.cone(12, 1, 2, 2 ** -20);
   const dispose = () => void (block.dispose(), cone.dispose(), dymsum.shapes.gear(50, 1, 2));
   assert.equal(dymsum.erode(block, cone, { progress: dispose }).volumeExact(), '343/1');
   assert.equal(thrown(() => dymsum.erode(block, cone)).code, 'invalid_argument');

@@ -18,16 +18,21 @@ function torus(large: number, small: number, nu: number, nv: number): MeshData {
 
 type Generators = Record<string, (...args: number[]) => Mesh>;
 
+/** The library's generators, snapped to the grid of all solids here. */
+const snapped = (solids: Dymsum['solids']): Generators =>
+  Object.fromEntries(Object.entries(solids as unknown as Generators).map(([name, make]) => [name, (...args: number[]) => make(...args, 1 / kGrid)]));
+
 export function moreSolids({ Mesh: meshes, shapes, solids }: Dymsum): Generators {
   /** A prism over a region without holes, moved so that the middle of its box is the origin. */
   const over = (region: Region, height: number): Mesh => {
-    const standing = solids.prism(region.shape().vertices, height), [x0, y0, , x1, y1] = standing.bounds();
+    const standing = solids.prism(region.shape().vertices, height, 1 / kGrid), [x0, y0, , x1, y1] = standing.bounds();
     const mesh = standing.translated(-(x0 + x1) / 2, -(y0 + y1) / 2, -height / 2);
     region.dispose();
     standing.dispose();
     return mesh;
   };
   return {
+    ...snapped(solids),
     torus: (large, small, nu, nv) => meshes.fromData(torus(large, small, nu, nv)),
     wheel: (teeth, inner, outer, height) => over(shapes.gear(teeth, inner, outer), height),
     starPrism: (points, inner, outer, height) => over(shapes.star(points, inner, outer), height),

@@ -1,0 +1,34 @@
+"""How objects show themselves that are no plain values: by what they were made of."""
+
+from __future__ import annotations
+
+from typing import Any
+
+from . import _core
+
+_OPERANDS = (_core.Region, _core.Mesh, _core.PlanarSum, _core.SolidSum, _core.SpatialSum, _core.CspaceObstacle)
+
+
+def _short(value: Any) -> str:
+    """<ScalingSum of <Region: ...> and <Region: ...>>."""
+    name = type(value).__name__
+    try:
+        made_of = [repr(part) for part in value.__reduce__()[1] if isinstance(part, _OPERANDS)]
+    except (TypeError, RuntimeError, AttributeError):  # it cannot be pickled, or another thread moves it
+        return f"<{name}>"
+    return f"<{name} of {' and '.join(made_of)}>" if made_of else f"<{name}>"
+
+
+def _obstacle(value: Any) -> str:
+    return f"<CspaceObstacle: {len(value.patches())} patches>"
+
+
+def _region_data(value: Any) -> str:
+    return f"<RegionData: {len(value.parts)} parts, {len(value.polylines)} polylines, {len(value.points)} points>"
+
+
+for _kind in list(vars(_core).values()):
+    if isinstance(_kind, type) and getattr(_kind, "__repr__") is getattr(object, "__repr__"):
+        setattr(_kind, "__repr__", _short)
+setattr(_core.CspaceObstacle, "__repr__", _obstacle)
+setattr(_core.RegionData, "__repr__", _region_data)

@@ -1,0 +1,45 @@
+"""Penetration depth and distance."""
+
+from ._core import (
+    ContinuousContact as ContinuousContact,
+    ContinuousDepth as ContinuousDepth,
+    ContinuousDepthOptions as ContinuousDepthOptions,
+    DepthBatchOptions as DepthBatchOptions,
+    DepthEngine as DepthEngine,
+    DepthOptions as DepthOptions,
+    DepthPatch as DepthPatch,
+    DepthQuestion as DepthQuestion,
+    Discontinuity as Discontinuity,
+    Meeting as Meeting,
+    PlanarDepth as PlanarDepth,
+    PlanarDistance as PlanarDistance,
+    PlanarWay as PlanarWay,
+    SolidDepth as SolidDepth,
+    SolidDistance as SolidDistance,
+    SolidWay as SolidWay,
+    depth_batch as depth_batch,
+    depth_batch_arrays as depth_batch_arrays,
+)
+from ._values import DepthRows as DepthRows
+
+__all__ = [
+    "ContinuousContact",
+    "ContinuousDepth",
+    "ContinuousDepthOptions",
+    "DepthBatchOptions",
+    "DepthEngine",
+    "DepthOptions",
+    "DepthPatch",
+    "DepthQuestion",
+    "DepthRows",
+    "Discontinuity",
+    "Meeting",
+    "PlanarDepth",
+    "PlanarDistance",
+    "PlanarWay",
+    "SolidDepth",
+    "SolidDistance",
+    "SolidWay",
+    "depth_batch",
+    "depth_batch_arrays",
+]
