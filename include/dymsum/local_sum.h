@@ -82,7 +82,7 @@ class LocalSum {
 
   /// P (+) Q at these poses, cut to the box. Requires low < high along every axis (else Error out_of_range;
   /// not_finite). A translation moves the sum along, and is left to the caller. Errors too: unsupported_operand where
-  /// poses and box need more than 250 bits; cancelled. Exact: equal to the whole sum cut. Cost: what changed of the
+  /// poses and box need more than 8,192 bits; cancelled. Exact: equal to the whole sum cut. Cost: what changed of the
   /// convolution (hierarchy: pairs of features whose bounding spheres reach the box); then the stages of a sum for the
   /// facets that come near the box.
   Result<LocalPart> in(const ClipBox& box, const SolidPose& p = {}, const SolidPose& q = {});

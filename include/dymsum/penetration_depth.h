@@ -71,7 +71,7 @@ struct DepthOptions {
 class SolidDepth {
  public:
   /// Cost: the facets of the reduced convolution of P and -Q (boundary: their exact sum). Errors: no_area for an empty
-  /// operand; unsupported_operand for thin parts, and for coordinates that need more than 250 bits on their common
+  /// operand; unsupported_operand for thin parts, and for coordinates that need more than 8,192 bits on their common
   /// grid; cancelled.
   static Result<SolidDepth> create(const Mesh& p, const Mesh& q, const DepthOptions& options = {});
 

@@ -51,7 +51,7 @@ struct SolidEventWork {
 /// Source: Behar 2016, section 6.3, where four facets in a point are missing (docs/design/scaling-solids.md).
 class ScalingSolidSum {
  public:
-  /// Errors: unsupported_operand for thin parts, and coordinates of more than 250 bits; out_of_range for threads below
+  /// Errors: unsupported_operand for thin parts, and coordinates of more than 8,192 bits; out_of_range for threads below
   /// 0.
   static Result<ScalingSolidSum> create(const Mesh& p, const Mesh& q, const ScalingSolidOptions& options = {});
   ScalingSolidSum(ScalingSolidSum&&) noexcept;
@@ -61,7 +61,7 @@ class ScalingSolidSum {
   std::size_t facet_count() const;  ///< of the reduced convolution
 
   /// The exact sum at a scale, that of an event included: minkowski_sum of the scaled operands. Errors:
-  /// unsupported_operand where coordinates need more than 250 bits; cancelled. Cost: the stages of a sum behind its
+  /// unsupported_operand where coordinates need more than 8,192 bits; cancelled. Cost: the stages of a sum behind its
   /// convolution.
   Result<SpatialSum> at(const Scale& s, const Progress& progress = {}) const;
 

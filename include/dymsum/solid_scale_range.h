@@ -40,7 +40,7 @@ struct SolidScaleRange {
 
 /// The scales s for which s `part` (about the origin of its coordinates), moved along the path, never overlaps the
 /// obstacles; touching is allowed. `path` is a polyline of translations with at least one waypoint. Exact. Errors:
-/// unsupported_operand for a path without waypoints, empty operands, thin parts and coordinates of more than 250 bits;
+/// unsupported_operand for a path without waypoints, empty operands, thin parts and coordinates of more than 8,192 bits;
 /// not_finite; cancelled. Cost: for L waypoints and N facets O(L N) exact values, and O(L N) signs for every one of
 /// them. Source: Behar 2016, 6.6.1.
 Result<SolidScaleRange> solid_scale_range(const Mesh& part, const std::vector<Point3>& path, const Mesh& obstacles,
@@ -67,7 +67,7 @@ struct SolidCopySum {
 };
 /// The obstacles s_i P + z_i of an environment summed with Q: for each copy the sum s_i P (+) Q, in the order given.
 /// The convolution is the same at all scales and made once; copies of equal scale share a sum. Errors:
-/// unsupported_operand for thin parts and coordinates of more than 250 bits; cancelled.
+/// unsupported_operand for thin parts and coordinates of more than 8,192 bits; cancelled.
 Result<std::vector<SolidCopySum>> scaled_solid_copies(const Mesh& master, const Mesh& q,
                                                       const std::vector<ScaledSolidCopy>& copies,
                                                       const Progress& progress = {});

@@ -179,7 +179,7 @@ Result<SpatialSum> minkowski_sum(std::span<const Mesh> operands, const SpatialOp
 /// meet the other one's interior). By that definition, not by the sum's boundary. Nothing that is not finite does.
 /// Exact. O((m + n) log(m + n)) beyond the pairs of triangles with overlapping boxes. Errors: unsupported_operand where
 /// both have thin parts (open: only where they can cross, as for minkowski_sum; closed: never), and for operands whose
-/// coordinates need more than 250 bits on their common grid.
+/// coordinates need more than 8,192 bits on their common grid.
 Result<bool> contains(const Mesh& p, const Mesh& q, const Point3& z, Semantics semantics = Semantics::closed);
 /// The same for many positions, which may be any fractions. Exact. The operands are prepared once. Errors too:
 /// cancelled, which progress is asked for before each position.

@@ -109,7 +109,7 @@ class TurningSolidSum {
   ~TurningSolidSum();
 
   const TurnAxis& axis() const;  ///< primitive
-  /// The exact sum at a turn. Errors: unsupported_operand where coordinates need more than 250 bits; cancelled.
+  /// The exact sum at a turn. Errors: unsupported_operand where coordinates need more than 8,192 bits; cancelled.
   Result<SpatialSum> at(const AxisTurn& turn, const Progress& progress = {}) const;
 
   /// The events from `a` counter-clockwise to `b`, both included, in order. Equal turns: those of that angle alone.

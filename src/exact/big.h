@@ -69,13 +69,22 @@ C narrowed(const Big& v) {
   if constexpr (std::is_same_v<C, Big>) {
     return v;
   } else {
-    static_assert(C::kBits <= 126);
     const BigInteger magnitude = boost::multiprecision::abs(v.value());
-    const BigInteger word = (BigInteger(1) << 64) - 1;
-    const u128 low = static_cast<std::uint64_t>(magnitude & word),
-               high = static_cast<std::uint64_t>((magnitude >> 64) & word);
-    const i128 raw = static_cast<i128>((high << 64) | low);
-    return C::from_raw(raw_cast<C::kBits>(v.value().sign() < 0 ? -raw : raw));
+    if constexpr (C::kBits > 126) {
+      typename C::Raw raw;
+      BigInteger rest = magnitude;
+      for (std::uint64_t& limb : raw.w) {
+        limb = static_cast<std::uint64_t>(rest & ~std::uint64_t{0});
+        rest >>= 64;
+      }
+      return C::from_raw(v.value().sign() < 0 ? limbs_sub(typename C::Raw{}, raw) : raw);
+    } else {
+      const BigInteger word = (BigInteger(1) << 64) - 1;
+      const u128 low = static_cast<std::uint64_t>(magnitude & word),
+                 high = static_cast<std::uint64_t>((magnitude >> 64) & word);
+      const i128 raw = static_cast<i128>((high << 64) | low);
+      return C::from_raw(raw_cast<C::kBits>(v.value().sign() < 0 ? -raw : raw));
+    }
   }
 }
 

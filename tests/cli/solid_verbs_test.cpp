@@ -84,9 +84,9 @@ TEST_F(SolidVerbs, SliceIsPlanar) {
   EXPECT_EQ(json("dymsum slice wedge.off wedge.off --z 0.5 --json")["area_exact"], "9/8");
   EXPECT_EQ(json("dymsum slice wedge.off wedge.off --z 0.5 --reflect --json")["area_exact"],
             json("dymsum slice wedge.off wedge.off --z -0.5 --reflect --json")["area_exact"]);
-  const Json fine = json("dymsum slice tunnel.off cube.off --z 1e-80 --json", 2)["error"];
-  EXPECT_EQ(fine["code"], "unsupported_operand") << "more than 250 bits";
-  EXPECT_EQ(fine["evidence"]["z"], 1e-80);
+  EXPECT_EQ(json("dymsum slice tunnel.off cube.off --z 1e-80 --json")["area_exact"],
+            json("dymsum slice tunnel.off cube.off --z 0.25 --json")["area_exact"])
+      << "heights of 270 bits";
   for (const char* z : {"nan", "inf", "-inf", "1e301", "1e999", "1/2", "0x1p-2x", ""})
     refused(std::string("dymsum slice tunnel.off cube.off --z '") + z + "'", "--z");
   refused("dymsum slice tunnel.off cube.off", "--z");

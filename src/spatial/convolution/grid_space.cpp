@@ -6,6 +6,7 @@
 #include <stdexcept>
 
 #include "base/parallel.h"
+#include "exact/binary_parts.h"
 #include "spatial/mesh/grid_points.h"
 #include "spatial/mesh/rounded_vector.h"
 
@@ -13,6 +14,7 @@ namespace dymsum::exact {
 
 /// One residue for all: equal values have to have equal ones, and roots have none in general.
 inline Residue residue(const RootValue&) { return 0; }
+inline BinaryParts binary_parts(const RootValue& v) { return binary_parts(to_double(v)); }
 
 }  // namespace dymsum::exact
 
@@ -25,17 +27,11 @@ using exact::cross;
 using exact::dot;
 using exact::Int;
 using exact::sign;
-using exact::to_double;
 using exact::Vector3;
 
 template <class C>
 C component(const Vector3<C>& v, int axis) {
   return axis == 0 ? v.x : axis == 1 ? v.y : v.z;
-}
-
-template <class C>
-Vec3 doubles(const Vector3<C>& v) {
-  return {to_double(v.x), to_double(v.y), to_double(v.z)};
 }
 
 template <class C>
@@ -60,7 +56,7 @@ constexpr bool widths_hold() {
   return E::kBits == B + 1 && N::kBits == 2 * B + 3 && D::kBits == 3 * B + 6 && X3::kBits == 7 * B + 15 &&
          W3::kBits == 6 * B + 12 && Side3::kBits <= 9 * B + 21;
 }
-static_assert(widths_hold<26>() && widths_hold<61>() && widths_hold<72>() && widths_hold<124>());
+static_assert(widths_hold<26>() && widths_hold<61>() && widths_hold<72>() && widths_hold<124>() && widths_hold<250>());
 
 }  // namespace
 
@@ -72,7 +68,7 @@ GridSpace<C>::GridSpace(std::vector<Point> p, std::vector<Point> q, int bits, co
   const auto fill = [&](const std::vector<Point>& from, std::vector<Vec3>& to,
                         std::vector<std::array<exact::Residue, 3>>& residues) {
     for (const Point& v : from) {
-      to.push_back(near(doubles(v)));
+      to.push_back(near(v));
       residues.push_back({exact::residue(v.x), exact::residue(v.y), exact::residue(v.z)});
     }
   };
@@ -90,28 +86,38 @@ GridSpace<C>::GridSpace(std::vector<Point> p, std::vector<Point> q, int bits, co
   sum_radius_ = bits <= 51 ? 0 : span_ * 0x1p-51;
 }
 
-/// Steps along an axis with fewer bits are longer, so that doubles along all axes are of about one size. All steps are
-/// whole: coordinates of few bits stay integers.
+/// Steps along an axis with fewer bits are longer, so that doubles along all axes are of about one size. They are whole
+/// where doubles hold the largest ones, so that coordinates of few bits stay integers.
 template <class C>
 void GridSpace<C>::balance_axes() {
+  constexpr int kMostDigits = 250;  // products of three coordinates, and volumes of doubles, stay far from overflow
+  constexpr int kNone = INT_MIN;
   for (Line& line : lines_) line.unit = line.exponent;
-  if (lines_[0].exponent == lines_[1].exponent && lines_[1].exponent == lines_[2].exponent) return;
-  double most[3] = {};
+  const bool one_grid = lines_[0].exponent == lines_[1].exponent && lines_[1].exponent == lines_[2].exponent;
+  if (one_grid && bits_ <= kMostDigits) return;
+  int top[3] = {kNone, kNone, kNone};
   for (const std::vector<Point>* points : {&p_int_, &q_int_}) {
     for (const Point& v : *points) {
-      const Vec3 at = doubles(v);
-      most[0] = std::max(most[0], std::abs(at.x)), most[1] = std::max(most[1], std::abs(at.y)),
-      most[2] = std::max(most[2], std::abs(at.z));
+      for (int axis = 0; axis < 3; ++axis) {
+        const exact::BinaryParts c = exact::binary_parts(component(v, axis));
+        if (!c.is_zero()) top[axis] = std::max(top[axis], c.exponent);
+      }
     }
   }
-  const int top = std::ilogb(std::max({most[0], most[1], most[2], 1.0}));
-  int shift[3];
+  const int most = std::max({top[0], top[1], top[2]});
   for (int axis = 0; axis < 3; ++axis) {
-    shift[axis] = most[axis] > 0 ? top - std::ilogb(most[axis]) : 0;
-    lines_[axis].unit -= shift[axis];
+    if (most == kNone || top[axis] == kNone) continue;
+    shift_[axis] = std::min(most, kMostDigits) - (one_grid ? most : top[axis]);
+    lines_[axis].unit -= shift_[axis];
   }
-  step_ = {std::ldexp(1.0, shift[0]), std::ldexp(1.0, shift[1]), std::ldexp(1.0, shift[2])};
-  for (int axis = 0; axis < 3; ++axis) normal_shift_[axis] = shift[(axis + 1) % 3] + shift[(axis + 2) % 3];
+  for (int axis = 0; axis < 3; ++axis) normal_shift_[axis] = shift_[(axis + 1) % 3] + shift_[(axis + 2) % 3];
+}
+
+template <class C>
+template <class X>
+Vec3 GridSpace<C>::near(const Vector3<X>& v) const {
+  return {exact::binary_parts(v.x).scaled(shift_[0]), exact::binary_parts(v.y).scaled(shift_[1]),
+          exact::binary_parts(v.z).scaled(shift_[2])};
 }
 
 template <class C>
@@ -184,11 +190,12 @@ void GridSpace<C>::set_plane(PlaneId id, const PlaneSource& source) {
   const auto n = normal(source);
   n_[id] = n;
   plane_residues_[id] = residue_of(source);
-  Plane plane{doubles(n), 0, 0, 0};
-  const auto top = [&](double v, int axis) { return v == 0 ? INT_MIN : std::ilogb(v) + 1 + normal_shift_[axis]; };
-  const int exponent = std::max({top(plane.n.x, 0), top(plane.n.y, 1), top(plane.n.z, 2)});
-  const auto scaled = [&](double v, int axis) { return std::ldexp(v, normal_shift_[axis] - exponent); };
-  plane.n = {scaled(plane.n.x, 0), scaled(plane.n.y, 1), scaled(plane.n.z, 2)};
+  const exact::BinaryParts parts[3] = {exact::binary_parts(n.x), exact::binary_parts(n.y), exact::binary_parts(n.z)};
+  int top = INT_MIN;
+  for (int axis = 0; axis < 3; ++axis)
+    if (!parts[axis].is_zero()) top = std::max(top, parts[axis].exponent + normal_shift_[axis]);
+  const auto scaled = [&](int axis) { return parts[axis].scaled(normal_shift_[axis] - top); };
+  Plane plane{{scaled(0), scaled(1), scaled(2)}, 0, 0, 0};
   plane.d = dot(plane.n, approx(source.at));
   plane.norm1 = (std::abs(plane.n.x) + std::abs(plane.n.y) + std::abs(plane.n.z)) * (1 + 0x1p-50);
   // Conversions of normals err by 2^-52 of each term, those of sums by 2^-51, products and sums by 2^-53: of the
@@ -355,13 +362,13 @@ Approx GridSpace<C>::exact_approximation(const PointSource& point) const {
   if (point.kind == PointSource::Kind::place) return places_[point.a].approx;
   exact_signs_.fetch_add(1, std::memory_order_relaxed);
   return with_point(point, [&](const auto& h) {
-    // Both within 2^-52, the quotient rounded once more. Weights beyond doubles are scaled away by BigRational.
-    const auto quotient = [&](const auto& x) {
-      const double num = to_double(x), den = to_double(h.w);
-      if (std::isfinite(num) && std::isfinite(den)) return num / den;
-      return exact::round_to_double(exact::ratio(exact::to_big(x), exact::to_big(h.w)));
+    // Both within 2^-51, the quotient rounded once more.
+    const exact::BinaryParts den = exact::binary_parts(h.w);
+    const auto quotient = [&](const auto& x, int axis) {
+      const exact::BinaryParts num = exact::binary_parts(x);
+      return std::ldexp(num.mantissa / den.mantissa, num.exponent - den.exponent + shift_[axis]);
     };
-    const Vec3 at = near({quotient(h.x.x), quotient(h.x.y), quotient(h.x.z)});
+    const Vec3 at{quotient(h.x.x, 0), quotient(h.x.y, 1), quotient(h.x.z, 2)};
     const double size = std::max({std::abs(at.x), std::abs(at.y), std::abs(at.z)});
     return Approx{at, size * 0x1p-50};
   });
@@ -386,8 +393,7 @@ std::array<exact::BigInteger, 4> GridSpace<C>::homogeneous(const PointSource& po
 
 template <class C>
 std::optional<PointSource> GridSpace<C>::add_place(const std::array<exact::BigRational, 3>& world) {
-  std::array<exact::BigRational, 3> at;
-  const double step[3] = {step_.x, step_.y, step_.z};
+  std::array<exact::BigRational, 3> at, near;
   exact::BigInteger w = 1;
   for (std::size_t axis = 0; axis < 3; ++axis) {
     const Line& line = lines_[axis];
@@ -395,19 +401,24 @@ std::optional<PointSource> GridSpace<C>::add_place(const std::array<exact::BigRa
     at[axis] = world[axis] - exact::exact_value(line.p_offset) - exact::exact_value(line.q_offset);
     if (line.exponent >= 0) at[axis] /= power;
     else at[axis] *= power;
-    if (abs(at[axis]) * exact::exact_value(step[axis]) > exact::exact_value(span_)) return std::nullopt;
+    near[axis] = at[axis];
+    const exact::BigInteger step = exact::BigInteger(1) << std::abs(shift_[axis]);
+    if (shift_[axis] >= 0) near[axis] *= step;
+    else near[axis] /= step;
+    if (abs(near[axis]) > exact::exact_value(span_)) return std::nullopt;
     w = lcm(w, denominator(at[axis]));
   }
   const auto over_w = [&](std::size_t axis) {
     return Big(exact::BigInteger(numerator(at[axis]) * (w / denominator(at[axis]))));
   };
-  const Vec3 rounded{exact::round_to_double(at[0]), exact::round_to_double(at[1]), exact::round_to_double(at[2])};
-  const bool is_near = exact::exact_value(rounded.x) == at[0] && exact::exact_value(rounded.y) == at[1] &&
-                       exact::exact_value(rounded.z) == at[2];
-  const Vec3 near = this->near(rounded);
+  const double x = exact::round_to_double(near[0]), y = exact::round_to_double(near[1]),
+               z = exact::round_to_double(near[2]);
+  const bool is_near =
+      exact::exact_value(x) == near[0] && exact::exact_value(y) == near[1] && exact::exact_value(z) == near[2];
   // Rounded to the nearest, or to a multiple of 2^-1074.
-  const double size = std::max({std::abs(near.x), std::abs(near.y), std::abs(near.z)});
-  places_.push_back({{{over_w(0), over_w(1), over_w(2)}, Big(w)}, {near, is_near ? 0 : size * 0x1p-50 + 0x1p-1000}});
+  const double size = std::max({std::abs(x), std::abs(y), std::abs(z)});
+  places_.push_back(
+      {{{over_w(0), over_w(1), over_w(2)}, Big(w)}, {{x, y, z}, is_near ? 0 : size * 0x1p-50 + 0x1p-1000}});
   return PointSource{PointSource::Kind::place, static_cast<std::uint32_t>(places_.size() - 1), 0, 0};
 }
 
@@ -433,6 +444,7 @@ template class GridSpace<Int<26>>;
 template class GridSpace<Int<61>>;
 template class GridSpace<Int<72>>;
 template class GridSpace<Int<124>>;
+template class GridSpace<Int<250>>;
 template class GridSpace<Big>;
 template class GridSpace<exact::RootValue>;
 

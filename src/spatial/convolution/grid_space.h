@@ -64,8 +64,9 @@ class GridSpace final : public SumSpace {
   template <class F>
   auto with_point(const PointSource& point, F f) const;
 
-  /// The doubles of a position, of a normal.
-  Vec3 near(Vec3 on_grid) const { return {on_grid.x * step_.x, on_grid.y * step_.y, on_grid.z * step_.z}; }
+  /// The space's doubles of a position on the grid.
+  template <class X>
+  Vec3 near(const exact::Vector3<X>& on_grid) const;
   void balance_axes();
 
   std::vector<Point> p_int_, q_int_;
@@ -76,8 +77,8 @@ class GridSpace final : public SumSpace {
   };
   std::vector<Place> places_;
   int bits_;
-  Vec3 step_{1, 1, 1};        // of the grid along each axis in the space's doubles: powers of two
-  int normal_shift_[3] = {};  // of normals' components: powers of two of the other axes' steps together
+  int shift_[3] = {};         // a step of the grid along each axis is 2^shift of the space's doubles
+  int normal_shift_[3] = {};  // the same of components of normals: those of the other axes together
 };
 
 }  // namespace dymsum::spatial

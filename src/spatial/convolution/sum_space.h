@@ -34,6 +34,9 @@ namespace dymsum::spatial {
 using PlaneId = std::uint32_t;
 using PointId = std::uint32_t;
 using EdgeId = std::uint32_t;
+
+/// Of coordinates on their common grid. Doubles of any sizes have 2,099.
+inline constexpr int kMostGridBits = 8192;
 inline constexpr std::uint32_t kNoId = 0xffffffff;
 
 /// Vertex p of P plus vertex q of Q.
@@ -207,7 +210,7 @@ class SumSpace {
 };
 
 /// The space of the sums of two lists of points, on their common grid (for every axis by itself). Requires finite
-/// coordinates, and at most 250 bits.
+/// coordinates, and at most kMostGridBits bits: those of any doubles, and of doubles under exact poses.
 std::unique_ptr<SumSpace> make_sum_space(const std::vector<Point3>& p, const std::vector<Point3>& q);
 
 /// Places of a grid under a linear map: x -> matrix x, row by row; and further ones behind them, which are not mapped.
@@ -216,7 +219,7 @@ struct MappedPlaces {
   std::array<exact::BigInteger, 9> matrix;
   std::vector<exact::Vector3<exact::Big>> further = {};
 };
-/// The space of the sums of mapped places, in units of 2^exponent. Requires at most 250 bits.
+/// The space of the sums of mapped places, in units of 2^exponent. Requires at most kMostGridBits bits.
 std::unique_ptr<SumSpace> make_sum_space(const MappedPlaces& p, const MappedPlaces& q, int exponent);
 
 /// The space of sums of places that are values at one root of a polynomial, for collision tests there: signs are exact,

@@ -39,7 +39,7 @@ struct AxisLevel {
   double at = 0;
 };
 /// Behind P's vertices the space has a place for every level, whose sum with Q's first vertex lies at that height.
-/// Throws std::invalid_argument where coordinates need more than 250 bits.
+/// Throws std::invalid_argument where coordinates need more than 8,192 bits.
 PosedSpace posed_space(const SolidPair& pair, const PosePair& poses, std::span<const AxisLevel> levels = {});
 /// The same at any rational linear maps.
 PosedSpace posed_space(const SolidPair& pair, ExactPose p, ExactPose q, std::span<const AxisLevel> levels = {});

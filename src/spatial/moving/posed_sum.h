@@ -26,7 +26,7 @@ auto guarded(F make) -> Result<decltype(make())> {
   } catch (const Cancelled&) {
     return Error{ErrorCode::cancelled, "the computation was cancelled", {}};
   } catch (const std::invalid_argument&) {
-    return Error{ErrorCode::unsupported_operand, "at these poses coordinates need more than 250 bits", {}};
+    return Error{ErrorCode::unsupported_operand, "at these poses coordinates need more than 8,192 bits", {}};
   } catch (const std::bad_alloc&) {
     return Error{ErrorCode::out_of_memory, "the sum needs more memory than there is", {}};
   }

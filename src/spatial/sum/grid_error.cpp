@@ -57,8 +57,9 @@ std::optional<Error> grid_error(const std::vector<Point3>& p, const std::vector<
   const GridNeed need = grid_need(p, q);
   if (need.bits <= kMostGridBits) return std::nullopt;
   Error error{ErrorCode::unsupported_operand,
-              "coordinates of more than 250 bits on the operands' common grid: " + std::to_string(need.bits) +
-                  " along " + need.axis + ", where this vertex has the smallest digit and others are far away",
+              "coordinates of more than " + std::to_string(kMostGridBits) +
+                  " bits on the operands' common grid: " + std::to_string(need.bits) + " along " + need.axis +
+                  ", where this vertex has the smallest digit and others are far away",
               {}};
   error.evidence.vertex = static_cast<std::int64_t>(need.vertex);
   error.evidence.x = need.at.x, error.evidence.y = need.at.y, error.evidence.z = need.at.z;

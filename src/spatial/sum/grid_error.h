@@ -7,10 +7,9 @@
 
 #include "dymsum/mesh.h"
 #include "dymsum/result.h"
+#include "spatial/convolution/sum_space.h"
 
 namespace dymsum::spatial {
-
-inline constexpr int kMostGridBits = 250;  // of make_sum_space
 
 /// What a space of sums needs: bits on the axis that needs most, and the vertex of either list that has the smallest
 /// unit there.
@@ -24,7 +23,7 @@ struct GridNeed {
 GridNeed grid_need(const std::vector<Point3>& p, const std::vector<Point3>& q);
 
 /// unsupported_operand, with the vertex whose coordinate has the smallest unit on the axis that needs most bits;
-/// nothing where 250 bits do. Requires: both have vertices.
+/// nothing where kMostGridBits do. Requires: both have vertices.
 std::optional<Error> grid_error(const std::vector<Point3>& p, const std::vector<Point3>& q);
 
 }  // namespace dymsum::spatial

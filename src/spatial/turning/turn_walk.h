@@ -21,7 +21,7 @@ class TurnWalk {
 
   /// Calls take(event) until it says false. The events from a to b, both included unless `behind` (then those at a are
   /// not), in order. A whole turn from a back to it where `whole`. Throws Cancelled, and std::invalid_argument where
-  /// sums need more than 250 bits.
+  /// sums need more than 8,192 bits.
   void run(const ChartPlace& a, const ChartPlace& b, bool behind, bool whole,
            const std::function<bool(SolidTurnEvent&)>& take);
 
