@@ -256,7 +256,7 @@ TEST(LocalSum, errors) {
   EXPECT_EQ(sum.in(ClipBox{{0, 0, 0}, {1, HUGE_VAL, 1}}).error().code, ErrorCode::not_finite);
   EXPECT_EQ(sum.in(ClipBall{{0, 0, 0}, 0}).error().code, ErrorCode::out_of_range);
   EXPECT_EQ(sum.in(ClipBall{{0, NAN, 0}, 1}).error().code, ErrorCode::not_finite);
-  EXPECT_EQ(sum.in(ClipBox{{0, 0, 0}, {0x1p-900, 0x1p-900, 1}}).error().code, ErrorCode::unsupported_operand);
+  EXPECT_TRUE(sum.in(ClipBox{{0, 0, 0}, {0x1p-900, 0x1p-900, 1}}).ok()) << "heights of 900 bits";
   EXPECT_EQ(sum.in(ClipBox{{0, 0, 0}, {3, 3, 3}})->boundary.faces.size(), 3U) << "and goes on";
   LocalOptions options;
   options.threads = -1;

@@ -312,11 +312,11 @@ MeshData with(MeshData p, const MeshData& apart, Point3 at) {
 }
 
 // One tiny part, far away along one axis after the other, makes the common grid so fine that coordinates have 26, 61,
-// 124 or more bits along the two others.
+// 124, 250 or more bits along the two others.
 TEST(SpatialEngine, coordinates_of_any_width_give_the_same) {
   std::mt19937_64 random(31);
   std::set<int> widths;
-  for (const int power : {-10, -45, -90, -110, -200})
+  for (const int power : {-10, -45, -90, -110, -200, -700})
     for (int pair = 0; pair < fuzz_pairs(6); ++pair) {
       const Mesh p = valid_polyhedron(random), q = valid_polyhedron(random);
       MeshData tiny = small_corner(std::ldexp(1, power));
@@ -326,7 +326,11 @@ TEST(SpatialEngine, coordinates_of_any_width_give_the_same) {
       const MeshData far = with({}, tiny, at);
       const SpatialSum alone = sum(p.data(), q.data()), apart = sum(far, q.data()),
                        both = sum(with(p.data(), tiny, at), q.data());
-      widths.insert(both.stats.bits <= 26 ? 26 : both.stats.bits <= 61 ? 61 : both.stats.bits <= 124 ? 124 : 250);
+      widths.insert(both.stats.bits <= 26    ? 26
+                    : both.stats.bits <= 61  ? 61
+                    : both.stats.bits <= 124 ? 124
+                    : both.stats.bits <= 250 ? 250
+                                             : 8192);
       const std::string where = "2^" + std::to_string(power) + ", pair " + std::to_string(pair);
       EXPECT_EQ(both.faces.size(), alone.faces.size() + apart.faces.size()) << where;
       EXPECT_EQ(both.vertices.size(), alone.vertices.size() + apart.vertices.size()) << where;
@@ -335,7 +339,7 @@ TEST(SpatialEngine, coordinates_of_any_width_give_the_same) {
       EXPECT_EQ(both.tight_points.size(), alone.tight_points.size()) << where;
       EXPECT_EQ(both.volume_exact(), alone.volume_exact() + apart.volume_exact()) << where;
     }
-  EXPECT_EQ(widths, (std::set<int>{26, 61, 124, 250}));
+  EXPECT_EQ(widths, (std::set<int>{26, 61, 124, 250, 8192}));
 }
 
 }  // namespace
