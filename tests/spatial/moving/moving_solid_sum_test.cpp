@@ -286,7 +286,8 @@ TEST(MovingSolidSum, RefusesWhatItCannotHold) {
   const SpatialSum before = moving.sum();
   SolidPose fine;
   for (std::size_t axis = 0; axis < 3; ++axis)  // of 12,000 bits over their common denominator
-    fine.scale[axis] = *Scale::parse("1/1" + std::string(1200, '0') + std::array{"1", "3", "7"}[axis]);
+    fine.scale[axis] =
+        *Scale::parse("1" + std::string(1200, '0') + "2/1" + std::string(1200, '0') + std::array{"1", "3", "7"}[axis]);
   EXPECT_EQ(moving.set(fine).error().code, ErrorCode::unsupported_operand);
   EXPECT_TRUE(moving.sum() == before);
   EXPECT_TRUE(moving.p_pose() == SolidPose{});
