@@ -59,7 +59,8 @@ class Mesh {
   /// edge that no other face has, then its neighbours that are left with such an edge, and so on: an open surface as a
   /// whole, not a solid to which a fin is attached. What is left has to be the boundary of a solid. Thin faces may lie
   /// anywhere, cross and overlap each other and the solid; it does not matter which way they run. A surface that is
-  /// closed bounds a solid.
+  /// closed bounds a solid. Faces that part the inside of the solid are thin, too: membranes, at whose edges there are
+  /// more faces than bound.
   /// Errors: as create. A solid from which one triangle is missing is an open surface here: that is why create refuses
   /// it.
   static Result<Mesh> with_thin_parts(MeshData data);
@@ -103,11 +104,19 @@ struct MeshRepairReport {
   std::size_t duplicate_vertices = 0;  ///< vertices at the same position merged
   std::size_t unused_vertices = 0;     ///< vertices without a face dropped
   std::size_t degenerate_faces = 0;    ///< faces without area dropped
-  std::size_t split_faces = 0;         ///< faces that are not plane, or have a vertex twice, split into triangles
-  std::size_t reversed_shells = 0;     ///< shells turned inside out made right
-  std::size_t reversed_faces = 0;      ///< single faces turned over to agree with their neighbours
+  std::size_t needles = 0;             ///< triangles dropped that are nearly a line, and lay on their neighbours
+  std::size_t split_edges = 0;         ///< edges of faces split at vertices of their neighbours
+  /// How far the furthest such vertex was from its edge; 0 where all lay on theirs exactly.
+  double largest_gap = 0;
+  std::size_t split_faces = 0;      ///< faces that are not plane, or have a vertex twice, split into triangles
+  std::size_t reversed_shells = 0;  ///< shells turned inside out made right
+  std::size_t cavities = 0;         ///< shells that ran the same way as the one around them, and bound cavities now
+  std::size_t reversed_faces = 0;   ///< single faces turned over to agree with their neighbours
+  std::size_t membranes = 0;        ///< faces with the solid on both sides dropped
   bool changed() const {
-    return duplicate_vertices + unused_vertices + degenerate_faces + split_faces + reversed_shells + reversed_faces > 0;
+    return duplicate_vertices + unused_vertices + degenerate_faces + needles + split_edges + split_faces +
+               reversed_shells + reversed_faces + membranes >
+           0;
   }
   std::string to_string() const;
 };
@@ -117,11 +126,22 @@ struct RepairedMesh {
   MeshRepairReport report;
 };
 
-/// The named repair: merges vertices at exactly the same position, drops unused vertices and faces without area, splits
-/// faces that are not plane or that have a vertex twice (a bridge to a hole), orients faces and shells, and reports
-/// what it changed. Open edges and edges with an odd number of faces are not repaired: they come back as the errors of
+/// The named repair: merges vertices at exactly the same position, drops unused vertices and faces without area, closes
+/// T-junctions, splits faces that are not plane or that have a vertex twice (a bridge to a hole), orients faces and
+/// shells, and reports what it changed.
+///
+/// A T-junction is an edge with one face along which vertices of other faces lie: it is split at them. They lie on it
+/// exactly, or else the open edges between them lead from one end of it to the other, no further from it than 2^-13 of
+/// its length, as rounding leaves them. Where faces cross, triangles as narrow as that are dropped, and their longest
+/// edges split. A shell that runs the same way as the one around it bounds a cavity afterwards (`cavities`).
+///
+/// Other open edges and edges with an odd number of faces are not repaired: they come back as the errors of
 /// Mesh::create, with the indices of `data`.
 Result<RepairedMesh> repair(MeshData data);
+
+/// The same for Mesh::with_thin_parts: points, segments and open surfaces stay, which way they run too. Errors: as
+/// with_thin_parts.
+Result<RepairedMesh> repair_with_thin_parts(MeshData data);
 
 /// The convex hull of points, exactly, in canonical form. Errors: not_finite; no_area when all points lie in one plane.
 /// O(n^2) at worst, about O(n log n) for points in random order.

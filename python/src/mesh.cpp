@@ -194,9 +194,14 @@ void bind_mesh_repair(nb::module_& m) {
       .field("duplicate_vertices", &MeshRepairReport::duplicate_vertices)
       .field("unused_vertices", &MeshRepairReport::unused_vertices)
       .field("degenerate_faces", &MeshRepairReport::degenerate_faces)
+      .field("needles", &MeshRepairReport::needles)
+      .field("split_edges", &MeshRepairReport::split_edges)
+      .field("largest_gap", &MeshRepairReport::largest_gap, "how far a vertex was from the edge that was split at it")
       .field("split_faces", &MeshRepairReport::split_faces)
       .field("reversed_shells", &MeshRepairReport::reversed_shells)
+      .field("cavities", &MeshRepairReport::cavities)
       .field("reversed_faces", &MeshRepairReport::reversed_faces)
+      .field("membranes", &MeshRepairReport::membranes)
       .def("changed", &MeshRepairReport::changed)
       .def("to_string", &MeshRepairReport::to_string);
   Record<RepairedMesh>(m, "RepairedMesh", "A repaired mesh and what was changed.")
@@ -204,8 +209,11 @@ void bind_mesh_repair(nb::module_& m) {
       .field("report", &RepairedMesh::report);
   m.def(
       "repair", [](const MeshDataArgument& data) { return take(repair(*data)); }, "data"_a,
-      "The named repair: merges vertices, drops unused ones and faces without area, splits faces that are not plane, "
-      "orients.");
+      "The named repair: merges vertices, drops unused ones and faces without area, splits edges at vertices of their "
+      "neighbours and faces that are not plane, orients.");
+  m.def(
+      "repair_with_thin_parts", [](const MeshDataArgument& data) { return take(repair_with_thin_parts(*data)); },
+      "data"_a, "The same for Mesh.with_thin_parts: points, segments and open surfaces stay.");
   m.def(
       "convexity_error", [](const MeshArgument& mesh) { return convexity_error(*mesh); }, "mesh"_a,
       "None for a convex solid, else the Error not_convex with the reflex edge.");

@@ -70,7 +70,62 @@ class AroundEdge {
   Side reference_;
 };
 
+/// Of sides around an edge those that lie inside, where only one of neighbours in one direction can bound: the first
+/// one where the inside begins, the last one where it ends. `left_out` of the half-edges; false where no two bound.
+bool leave_out_inner(const std::vector<Side>& sorted, std::vector<bool>& left_out) {
+  const std::size_t n = sorted.size();
+  const auto forward = [&](const Side& side) { return side.forward; };
+  if (std::all_of(sorted.begin(), sorted.end(), forward) || std::none_of(sorted.begin(), sorted.end(), forward))
+    return false;
+  for (std::size_t k = 0; k < n; ++k) {
+    const Side &side = sorted[k], &back = sorted[(k + n - 1) % n], &ahead = sorted[(k + 1) % n];
+    left_out[side.half_edge] = (side.forward ? ahead : back).forward == side.forward;
+  }
+  return true;
+}
+
+/// The faces that edges of two sides join, as a whole.
+std::vector<std::uint32_t> patches_of(const HalfEdges& edges, const std::vector<EdgeSide>& sides) {
+  HalfEdges joined = edges;
+  for_each_edge(sides, [&](const EdgeSide* first, const EdgeSide* last) {
+    if (last - first != 2) return;
+    joined.twin[first[0].half_edge] = first[1].half_edge;
+    joined.twin[first[1].half_edge] = first[0].half_edge;
+  });
+  return find_shells(joined).of_face;
+}
+
 }  // namespace
+
+std::vector<bool> membranes(const MeshData& data) {
+  const HalfEdges edges = half_edges_without_twins(data.faces);
+  const std::vector<EdgeSide> sides = edge_sides(edges);
+  std::vector<bool> left_out(edges.size()), at_crowd(edges.size());
+  bool odd = false, sound = true;
+  for_each_edge(sides, [&](const EdgeSide* first, const EdgeSide* last) {
+    sound &= last - first > 1;
+    if (last - first <= 2) return;
+    odd |= (last - first) % 2 == 1;
+    AroundEdge around(data, edges, static_cast<std::uint32_t>(first->ends >> 32),
+                      static_cast<std::uint32_t>(first->ends));
+    const std::vector<Side> sorted = around.sorted(first, last);
+    for (const Side& side : sorted) at_crowd[side.half_edge] = true;
+    for (std::size_t k = 0; k < sorted.size(); ++k)
+      sound &= !around.on_each_other(sorted[k], sorted[(k + 1) % sorted.size()]);
+    sound &= leave_out_inner(sorted, left_out);
+  });
+  if (!odd || !sound) return {};
+  const std::vector<std::uint32_t> patch = patches_of(edges, sides);
+  std::vector<bool> inner(data.faces.size()), outer(data.faces.size());  // of patches
+  for (std::uint32_t h = 0; h < edges.size(); ++h)
+    if (at_crowd[h]) (left_out[h] ? inner : outer)[patch[edges.face[h]]] = true;
+  std::vector<bool> found(data.faces.size());
+  for (std::size_t f = 0; f < found.size(); ++f) {
+    found[f] = inner[patch[f]];
+    if (inner[patch[f]] && outer[patch[f]]) return {};
+  }
+  return found;
+}
 
 std::optional<SideClash> join_around(HalfEdges& edges, const std::vector<EdgeSide>& sides, const MeshData& data) {
   join_twins(edges, sides);

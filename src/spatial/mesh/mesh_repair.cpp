@@ -1,5 +1,6 @@
 // The named repair of meshes.
 #include <algorithm>
+#include <cstdio>
 #include <numeric>
 #include <optional>
 #include <string>
@@ -9,10 +10,11 @@
 #include "dymsum/mesh.h"
 #include "exact/orient3.h"
 #include "spatial/mesh/edge_order.h"
+#include "spatial/mesh/edge_splits.h"
+#include "spatial/mesh/mesh_orient.h"
 #include "spatial/mesh/mesh_validate.h"
-#include "spatial/mesh/shell_nesting.h"
-#include "spatial/mesh/six_volume.h"
 #include "spatial/mesh/surface_crossings.h"
+#include "spatial/mesh/thin_faces.h"
 #include "spatial/mesh/triangulate.h"
 
 namespace dymsum {
@@ -21,19 +23,26 @@ namespace spatial {
 
 namespace {
 
+struct RepairOptions {
+  bool thin_parts = false;    ///< points, segments and open surfaces stay
+  bool drop_needles = false;  ///< triangles that are nearly a line go
+};
+
 class MeshRepair {
  public:
-  explicit MeshRepair(MeshData data) : data_(std::move(data)) {}
+  MeshRepair(MeshData data, const RepairOptions& options) : data_(std::move(data)), options_(options) {}
 
   Result<RepairedMesh> run() {
     if (auto error = check_finite(data_.vertices)) return *std::move(error);
     if (auto error = check_indices(data_)) return *std::move(error);
     merge_vertices();
     drop_degenerate_faces();
+    if (options_.drop_needles) drop_needles();
+    split_edges();
     split_faces();
-    drop_unused_vertices();
     orient();
-    Result<Mesh> mesh = Mesh::create(std::move(data_));
+    drop_unused_vertices();
+    Result<Mesh> mesh = options_.thin_parts ? Mesh::with_thin_parts(std::move(data_)) : Mesh::create(std::move(data_));
     if (!mesh) return in_the_input(mesh.error());
     return RepairedMesh{std::move(mesh).value(), report_};
   }
@@ -70,9 +79,10 @@ class MeshRepair {
     std::vector<Face> kept;
     for (std::size_t f = 0; f < data_.faces.size(); ++f) {
       Face face = std::move(data_.faces[f]);
+      const bool thin = options_.thin_parts && (face.size() == 1 || face.size() == 2);
       face.erase(std::unique(face.begin(), face.end()), face.end());
       while (face.size() > 1 && face.front() == face.back()) face.pop_back();
-      if (!has_area(face)) {
+      if (!thin && !has_area(face)) {
         ++report_.degenerate_faces;
         continue;
       }
@@ -80,6 +90,32 @@ class MeshRepair {
       face_origin_.push_back(static_cast<std::int64_t>(f));
     }
     data_.faces = std::move(kept);
+  }
+
+  template <class Drop>
+  std::size_t drop_faces(Drop drop) {
+    std::size_t kept = 0;
+    const std::size_t all = data_.faces.size();
+    for (std::size_t f = 0; f < all; ++f) {
+      if (drop(f)) continue;
+      if (kept != f) data_.faces[kept] = std::move(data_.faces[f]);
+      face_origin_[kept++] = face_origin_[f];
+    }
+    data_.faces.resize(kept);
+    face_origin_.resize(kept);
+    return all - kept;
+  }
+
+  void drop_needles() {
+    const std::vector<bool> thin = options_.thin_parts ? thin_faces(data_.faces) : std::vector<bool>{};
+    report_.needles = drop_faces(
+        [&](std::size_t f) { return (thin.empty() || !thin[f]) && is_needle(data_.vertices, data_.faces[f]); });
+  }
+
+  void split_edges() {
+    const EdgeSplits splits = split_open_edges(data_.vertices, data_.faces);
+    report_.split_edges = splits.count;
+    report_.largest_gap = splits.largest_gap;
   }
 
   bool is_plane(const Face& face) const {
@@ -117,6 +153,48 @@ class MeshRepair {
     face_origin_ = std::move(origins);
   }
 
+  /// What bounds a solid is oriented; it does not matter which way parts without volume run. What parts the inside of
+  /// the solid bounds nothing, and is dropped where parts without volume are not kept.
+  void orient() {
+    std::vector<bool> thin = options_.thin_parts ? thin_faces(data_.faces) : std::vector<bool>{};
+    thin.resize(data_.faces.size());
+    for_the_others(thin, [&](MeshData& solid, const std::vector<std::size_t>& origin) {
+      report_.reversed_faces = turn_faces(solid);
+      const std::vector<bool> inner = inner_faces(solid);
+      for (std::size_t k = 0; k < inner.size(); ++k)
+        if (inner[k]) thin[origin[k]] = true;
+    });
+    for_the_others(thin, [&](MeshData& solid, const std::vector<std::size_t>&) {
+      const TurnedShells turned = turn_shells(solid);
+      report_.reversed_shells = turned.count;
+      report_.cavities = turned.cavities;
+    });
+    if (!options_.thin_parts) report_.membranes = drop_faces([&](std::size_t f) { return bool{thin[f]}; });
+  }
+
+  /// Membranes; none where faces cross, as what begins inside may end outside then.
+  static std::vector<bool> inner_faces(const MeshData& solid) {
+    std::vector<bool> inner = all_faces_valid(solid) ? membranes(solid) : std::vector<bool>{};
+    if (inner.empty()) return inner;
+    const Triangles triangles = triangulated(solid);
+    if (find_meeting(solid, triangles, boxes_of(solid.vertices, triangles.triangles))) inner.clear();
+    return inner;
+  }
+
+  /// f(the faces that are not `left_out`, their indices).
+  template <class F>
+  void for_the_others(const std::vector<bool>& left_out, F f) {
+    MeshData others{data_.vertices, {}};
+    std::vector<std::size_t> origin;
+    for (std::size_t k = 0; k < left_out.size(); ++k) {
+      if (left_out[k]) continue;
+      others.faces.push_back(std::move(data_.faces[k]));
+      origin.push_back(k);
+    }
+    f(others, origin);
+    for (std::size_t k = 0; k < origin.size(); ++k) data_.faces[origin[k]] = std::move(others.faces[k]);
+  }
+
   void drop_unused_vertices() {
     std::vector<bool> used(data_.vertices.size());
     for (const Face& face : data_.faces) {
@@ -139,97 +217,6 @@ class MeshRepair {
     }
   }
 
-  /// Turns single faces over until all agree with their neighbours, as few as that takes, then whole shells that are
-  /// inside out. Only across edges of two faces; what contradicts itself is left to Mesh::create.
-  void orient() {
-    const std::vector<bool> turned = disagreeing_faces();
-    for (std::size_t f = 0; f < turned.size(); ++f) {
-      if (!turned[f]) continue;
-      turn_over(data_.faces[f]);
-      ++report_.reversed_faces;
-    }
-    HalfEdges edges = half_edges_without_twins(data_.faces);
-    if (!is_closed(edges)) return;
-    const Shells shells = find_shells(edges);
-    std::vector<int> signs = shell_signs(data_, shells);
-    const std::vector<std::uint32_t> depths = depths_of(shells);
-    for (std::size_t s = 0; s < signs.size(); ++s) {
-      if (depths[s] % 2 == 1) signs[s] = -signs[s];  // around a cavity
-    }
-    report_.reversed_shells += static_cast<std::size_t>(std::count(signs.begin(), signs.end(), -1));
-    for (std::size_t f = 0; f < data_.faces.size(); ++f) {
-      if (signs[shells.of_face[f]] < 0) turn_over(data_.faces[f]);
-    }
-  }
-
-  /// Joins all edges; false where the surface is not closed, or not valid for other reasons.
-  bool is_closed(HalfEdges& edges) const {
-    const std::vector<EdgeSide> sides = edge_sides(edges);
-    bool even = true, several = false;
-    for_each_edge(sides, [&](const EdgeSide* first, const EdgeSide* last) {
-      const auto along = std::count_if(
-          first, last, [&](const EdgeSide& s) { return edges.origin[s.half_edge] == edges.origin[first->half_edge]; });
-      even &= 2 * along == last - first;
-      several |= last - first > 2;
-    });
-    return even && (!several || all_faces_valid()) && !join_around(edges, sides, data_);
-  }
-  bool all_faces_valid() const {
-    return std::all_of(data_.faces.begin(), data_.faces.end(),
-                       [&](const Face& face) { return !has_vertex_twice(face) && !face_error(data_.vertices, face); });
-  }
-
-  /// None where a face is not valid by itself, so that Mesh::create refuses it.
-  std::vector<std::uint32_t> depths_of(const Shells& shells) const {
-    if (shells.count < 2 || !all_faces_valid()) return std::vector<std::uint32_t>(shells.count);
-    const Triangles triangles = triangulated(data_);
-    return shell_depths(data_, shells, triangles, boxes_of(data_.vertices, triangles.triangles));
-  }
-
-  static void turn_over(Face& face) { std::reverse(face.begin() + 1, face.end()); }
-
-  /// A face and the one across an edge; `agree` when they run through it in opposite directions.
-  struct Neighbour {
-    std::uint32_t face;
-    bool agree;
-  };
-
-  std::vector<std::vector<Neighbour>> neighbours() const {
-    std::vector<std::vector<Neighbour>> found(data_.faces.size());
-    const HalfEdges edges = half_edges_without_twins(data_.faces);
-    const std::vector<EdgeSide> sides = edge_sides(edges);
-    for_each_edge(sides, [&](const EdgeSide* first, const EdgeSide* last) {
-      if (last - first != 2) return;
-      const std::uint32_t g = first[0].half_edge, h = first[1].half_edge;
-      const bool agree = edges.origin[g] != edges.origin[h];
-      found[edges.face[g]].push_back({edges.face[h], agree});
-      found[edges.face[h]].push_back({edges.face[g], agree});
-    });
-    return found;
-  }
-
-  std::vector<bool> disagreeing_faces() const {
-    const std::vector<std::vector<Neighbour>> beside = neighbours();
-    std::vector<bool> turned(beside.size()), reached(beside.size());
-    for (std::uint32_t start = 0; start < beside.size(); ++start) {
-      if (reached[start]) continue;
-      reached[start] = true;
-      std::vector<std::uint32_t> shell{start};
-      for (std::size_t i = 0; i < shell.size(); ++i) {
-        for (const Neighbour& n : beside[shell[i]]) {
-          if (reached[n.face]) continue;
-          reached[n.face] = true;
-          turned[n.face] = turned[shell[i]] == n.agree;
-          shell.push_back(n.face);
-        }
-      }
-      const auto count = std::count_if(shell.begin(), shell.end(), [&](std::uint32_t f) { return turned[f]; });
-      if (2 * static_cast<std::size_t>(count) <= shell.size()) continue;
-      for (const std::uint32_t f : shell) turned[f] = !turned[f];
-    }
-    return turned;
-  }
-
   /// The error with the numbers of faces and vertices that they had at first.
   Error in_the_input(Error error) const {
     Evidence& e = error.evidence;
@@ -243,16 +230,34 @@ class MeshRepair {
   }
 
   MeshData data_;
+  RepairOptions options_;
   MeshRepairReport report_;
   std::vector<bool> is_duplicate_;
   std::vector<std::int64_t> face_origin_, vertex_origin_;
 };
 
+/// Triangles that are nearly a line are dropped only where they are in the way.
+Result<RepairedMesh> repaired(MeshData data, RepairOptions options) {
+  Result<RepairedMesh> made = MeshRepair(data, options).run();
+  if (made || made.error().code != ErrorCode::faces_cross) return made;
+  const auto needle = [&](const Face& face) { return is_needle(data.vertices, face); };
+  if (std::none_of(data.faces.begin(), data.faces.end(), needle)) return made;
+  options.drop_needles = true;
+  Result<RepairedMesh> without = MeshRepair(std::move(data), options).run();
+  return without ? without : made;
+}
+
 }  // namespace
 
 }  // namespace spatial
 
-Result<RepairedMesh> repair(MeshData data) { return spatial::MeshRepair(std::move(data)).run(); }
+Result<RepairedMesh> repair(MeshData data) { return spatial::repaired(std::move(data), {}); }
+
+Result<RepairedMesh> repair_with_thin_parts(MeshData data) {
+  spatial::RepairOptions options;
+  options.thin_parts = true;
+  return spatial::repaired(std::move(data), options);
+}
 
 std::string MeshRepairReport::to_string() const {
   std::string text;
@@ -262,9 +267,19 @@ std::string MeshRepairReport::to_string() const {
   say(duplicate_vertices, "duplicate vertex merged", "duplicate vertices merged");
   say(unused_vertices, "unused vertex dropped", "unused vertices dropped");
   say(degenerate_faces, "face without area dropped", "faces without area dropped");
+  say(needles, "needle that lay on its neighbours dropped", "needles that lay on their neighbours dropped");
+  say(split_edges, "edge split at vertices of its neighbours", "edges split at vertices of their neighbours");
+  if (largest_gap > 0) {
+    char gap[32];
+    std::snprintf(gap, sizeof gap, "%.3g", largest_gap);
+    text += std::string(" (the furthest ") + gap + " off)";
+  }
   say(split_faces, "face split into triangles", "faces split into triangles");
   say(reversed_faces, "face turned over", "faces turned over");
   say(reversed_shells, "shell turned right", "shells turned right");
+  say(cavities, "shell that ran the same way as the one around it made a cavity",
+      "shells that ran the same way as those around them made cavities");
+  say(membranes, "face inside the solid dropped", "faces inside the solid dropped");
   return text.empty() ? "nothing to repair" : text;
 }
 

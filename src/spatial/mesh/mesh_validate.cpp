@@ -249,6 +249,19 @@ class MeshCheck {
   std::vector<int> signs_;  // of the shells' volumes
 };
 
+/// The faces that are not thin.
+struct SolidFaces {
+  SolidFaces(const MeshData& all, const std::vector<bool>& thin) : data{all.vertices, {}} {
+    for (std::size_t f = 0; f < all.faces.size(); ++f) {
+      if (!thin.empty() && thin[f]) continue;
+      data.faces.push_back(all.faces[f]);
+      origin.push_back(static_cast<std::int64_t>(f));
+    }
+  }
+  MeshData data;
+  std::vector<std::int64_t> origin;
+};
+
 }  // namespace
 
 MeshValidation validate(const MeshData& data) {
@@ -261,18 +274,18 @@ MeshValidation validate(const MeshData& data) {
 MeshValidation validate_with_thin_parts(const MeshData& data, std::vector<bool>& thin) {
   if (auto error = MeshCheck(data, 1).check_lists()) return {std::move(error), 0};
   thin = thin_faces(data.faces);
-  MeshData solid{data.vertices, {}};
-  std::vector<std::int64_t> origin;
-  for (std::size_t f = 0; f < data.faces.size(); ++f) {
-    if (!thin.empty() && thin[f]) continue;
-    solid.faces.push_back(data.faces[f]);
-    origin.push_back(static_cast<std::int64_t>(f));
+  SolidFaces solid(data, thin);
+  if (const std::vector<bool> inner = membranes(solid.data); !inner.empty()) {
+    thin.resize(data.faces.size());
+    for (std::size_t f = 0; f < inner.size(); ++f)
+      if (inner[f]) thin[static_cast<std::size_t>(solid.origin[f])] = true;
+    solid = SolidFaces(data, thin);
   }
-  MeshCheck check(solid, 3);
+  MeshCheck check(solid.data, 3);
   std::optional<Error> error = check.check_surface();
   if (!error) return {std::nullopt, check.shell_count()};
   for (auto* face : {&error->evidence.face, &error->evidence.other_face})
-    if (*face) *face = origin[static_cast<std::size_t>(**face)];
+    if (*face) *face = solid.origin[static_cast<std::size_t>(**face)];
   return {std::move(error), 0};
 }
 

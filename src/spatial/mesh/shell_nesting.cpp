@@ -90,10 +90,10 @@ std::vector<RayStart> ray_starts(const MeshData& data, const Shells& shells, con
 
 }  // namespace
 
-std::vector<std::uint32_t> shell_depths(const MeshData& data, const Shells& shells, const Triangles& triangles,
-                                        const BoxTree& boxes) {
-  std::vector<std::uint32_t> depths(shells.count);
-  if (shells.count < 2) return depths;
+std::vector<std::vector<std::uint32_t>> shells_around(const MeshData& data, const Shells& shells,
+                                                      const Triangles& triangles, const BoxTree& boxes) {
+  std::vector<std::vector<std::uint32_t>> around(shells.count);
+  if (shells.count < 2) return around;
   std::optional<PassageOfMiddles> middles;
   const std::vector<RayStart> starts = ray_starts(data, shells, triangles);
   for (std::uint32_t shell = 0; shell < shells.count; ++shell) {
@@ -116,8 +116,17 @@ std::vector<std::uint32_t> shell_depths(const MeshData& data, const Shells& shel
                                                data.vertices[*start.vertex])
                                      : middles->passage(v, triangles.triangles[start.triangle]);
     });
-    for (const auto& [other, turns] : winding) depths[shell] += turns != 0;
+    for (const auto& [other, turns] : winding)
+      if (turns != 0) around[shell].push_back(other);
   }
+  return around;
+}
+
+std::vector<std::uint32_t> shell_depths(const MeshData& data, const Shells& shells, const Triangles& triangles,
+                                        const BoxTree& boxes) {
+  std::vector<std::uint32_t> depths;
+  for (const std::vector<std::uint32_t>& others : shells_around(data, shells, triangles, boxes))
+    depths.push_back(static_cast<std::uint32_t>(others.size()));
   return depths;
 }
 

@@ -11,9 +11,12 @@
 
 namespace dymsum::spatial {
 
-/// The depths of all shells. Requires faces that share nothing but common vertices and edges (surface_crossings.h).
-/// Exact: signs of orientations of three and four vertices. O(log n) and the triangles in the way of one ray for every
-/// shell.
+/// The other shells around every one, in ascending order. Requires faces that share nothing but common vertices and
+/// edges (surface_crossings.h). Exact: signs of orientations of three and four vertices. O(log n) and the triangles in
+/// the way of one ray for every shell.
+std::vector<std::vector<std::uint32_t>> shells_around(const MeshData& data, const Shells& shells,
+                                                      const Triangles& triangles, const BoxTree& boxes);
+/// How many these are. Requires and cost as above.
 std::vector<std::uint32_t> shell_depths(const MeshData& data, const Shells& shells, const Triangles& triangles,
                                         const BoxTree& boxes);
 

@@ -1,7 +1,10 @@
 // The named repair: what it mends, what it reports, what it leaves.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
+#include <random>
+#include <string>
 
 #include "dymsum/solids.h"
 #include "spatial/mesh/mesh_cases.h"
@@ -118,6 +121,184 @@ TEST(MeshRepair, ErrorsKeepTheNumbersOfTheInput) {
   data = cube();
   data.vertices[3].y = std::nan("");
   EXPECT_EQ(name(repair(data).error().code), "not_finite");
+}
+
+/// A cube whose bottom edge from 0 to 1 has a vertex, 8, that its front does not know.
+MeshData t_junction(Point3 at = {0.5, 0, 0}) {
+  MeshData data = cube();
+  data.vertices.push_back(at);
+  data.faces[0] = {0, 2, 3, 1, 8};
+  return data;
+}
+
+TEST(MeshRepair, SplitsTheNeighbourAtATJunction) {
+  EXPECT_EQ(name(Mesh::create(t_junction()).error().code), "not_closed");
+  const RepairedMesh bare = repaired(t_junction());
+  EXPECT_EQ(bare.report.split_edges, 1u);
+  EXPECT_EQ(bare.report.largest_gap, 0);
+  EXPECT_EQ(bare.report.to_string(), "1 edge split at vertices of its neighbours");
+  EXPECT_EQ(bare.mesh, *Mesh::create(cube()));
+  // A triangle without area that closes it.
+  MeshData needle = t_junction();
+  needle.faces.push_back({0, 8, 1});
+  const RepairedMesh closed = repaired(needle);
+  EXPECT_EQ(closed.report.degenerate_faces, 1u);
+  EXPECT_EQ(closed.report.split_edges, 1u);
+  EXPECT_EQ(closed.mesh, *Mesh::create(cube()));
+  // Both sides of an edge have vertices that the other one does not know.
+  MeshData both = t_junction();
+  both.vertices.push_back({0.25, 0, 0});
+  both.faces[2] = {0, 9, 1, 5, 4};
+  EXPECT_EQ(repaired(both).report.split_edges, 2u);
+  EXPECT_EQ(repaired(both).mesh, *Mesh::create(cube()));
+}
+
+TEST(MeshRepair, SplitsTheNeighbourAtAVertexThatIsNearlyOnItsEdge) {
+  const RepairedMesh up = repaired(t_junction({0.5, 0x1p-60, 0})), down = repaired(t_junction({0.5, -0x1p-60, 0}));
+  EXPECT_EQ(up.report.split_edges, 1u);
+  EXPECT_EQ(up.report.largest_gap, 0x1p-60);
+  EXPECT_EQ(down.report.largest_gap, 0x1p-60);
+  EXPECT_NEAR(volume(up.mesh), 1, 1e-15);
+  // 2^-13 of the edge and no more.
+  EXPECT_EQ(repaired(t_junction({0.5, 0x1p-13, 0})).report.largest_gap, 0x1p-13);
+  EXPECT_EQ(name(repair(t_junction({0.5, 0x1p-13 + 0x1p-60, 0})).error().code), "not_closed");
+  // A triangle that closes it and lies on the bottom is in the way; one inside of it is a valid face, and stays.
+  MeshData needle = t_junction({0.5, -0x1p-60, 0});
+  needle.faces.push_back({0, 8, 1});
+  EXPECT_EQ(name(Mesh::create(needle).error().code), "faces_cross");
+  const RepairedMesh without = repaired(needle);
+  EXPECT_EQ(without.report.needles, 1u);
+  EXPECT_EQ(without.report.split_edges, 1u);
+  needle = t_junction({0.5, 0x1p-60, 0});
+  needle.faces.push_back({0, 8, 1});
+  EXPECT_FALSE(repaired(needle).report.changed());
+}
+
+TEST(MeshRepair, TellsOfCavitiesThatItMakes) {
+  const MeshData nested = joined(cube(3), cube(1, {1, 1, 1}));
+  const RepairedMesh outward = repaired(nested), inward = repaired(turned_inside_out(nested));
+  for (const RepairedMesh& one : {outward, inward}) {
+    EXPECT_EQ(one.report.cavities, 1u);
+    EXPECT_EQ(one.report.reversed_shells, 1u);
+    EXPECT_EQ(volume(one.mesh), 26);
+    EXPECT_NE(one.report.to_string().find("1 shell that ran the same way as the one around it made a cavity"),
+              std::string::npos);
+  }
+  // One that was a cavity is none that was made, whichever way both ran; nor is a body in it.
+  const MeshData hollow = joined(cube(3), turned_inside_out(cube(1, {1, 1, 1})));
+  EXPECT_EQ(repaired(hollow).report.cavities, 0u);
+  EXPECT_EQ(repaired(turned_inside_out(hollow)).report.cavities, 0u);
+  EXPECT_EQ(repaired(turned_inside_out(hollow)).report.reversed_shells, 2u);
+  EXPECT_EQ(
+      repaired(joined(joined(cube(9), turned_inside_out(cube(7, {1, 1, 1}))), cube(1, {2, 2, 2}))).report.cavities, 0u);
+}
+
+/// A box of 2 by 1 by 1 that a wall at x = 1, the last face, parts.
+MeshData parted_box() {
+  return {{{0, 0, 0},
+           {2, 0, 0},
+           {0, 1, 0},
+           {2, 1, 0},
+           {0, 0, 1},
+           {2, 0, 1},
+           {0, 1, 1},
+           {2, 1, 1},
+           {1, 0, 0},
+           {1, 1, 0},
+           {1, 0, 1},
+           {1, 1, 1}},
+          {{0, 2, 9, 8},
+           {8, 9, 3, 1},
+           {4, 10, 11, 6},
+           {10, 5, 7, 11},
+           {0, 8, 10, 4},
+           {8, 1, 5, 10},
+           {2, 6, 11, 9},
+           {9, 11, 7, 3},
+           {0, 4, 6, 2},
+           {1, 3, 7, 5},
+           {8, 10, 11, 9}}};
+}
+
+TEST(MeshRepair, DropsWhatPartsTheInside) {
+  MeshData data = parted_box();
+  EXPECT_EQ(name(Mesh::create(data).error().code), "not_manifold");
+  for (int way = 0; way < 2; ++way) {
+    const RepairedMesh one = repaired(data);
+    EXPECT_EQ(one.report.membranes, 1u);
+    EXPECT_EQ(one.mesh, *Mesh::create(solids::box(0, 0, 0, 2, 1, 1).data()));
+    const Mesh thin = Mesh::with_thin_parts(data).value();
+    EXPECT_EQ(volume(thin), 2);
+    EXPECT_TRUE(thin.thin_faces().back());
+    EXPECT_EQ(std::count(thin.thin_faces().begin(), thin.thin_faces().end(), true), 1);
+    std::reverse(data.faces.back().begin() + 1, data.faces.back().end());
+  }
+  // Of two triangles, with a vertex of its own.
+  data.vertices.push_back({1, 0.5, 0.5});
+  data.faces.back() = {8, 10, 12};
+  data.faces.insert(data.faces.end(), {{10, 11, 12}, {11, 9, 12}, {9, 8, 12}});
+  EXPECT_EQ(repaired(data).report.membranes, 4u);
+  EXPECT_EQ(repaired(data).report.unused_vertices, 1u);
+  // With a hole in it, it is an open surface.
+  data.faces.pop_back();
+  EXPECT_EQ(name(repair(data).error().code), "not_manifold");
+  EXPECT_EQ(volume(Mesh::with_thin_parts(data).value()), 2);
+}
+
+TEST(MeshRepair, KeepsPartsWithoutVolumeWhereAsked) {
+  MeshData data = soup_of(cube());
+  std::reverse(data.faces[3].begin() + 1, data.faces[3].end());
+  const auto first = static_cast<std::uint32_t>(data.vertices.size());
+  for (const Point3& p : {Point3{5, 0, 0}, {6, 0, 0}, {5, 1, 0}, {6, 0, 0}, {5, 1, 0}, {6, 1, 1}, {9, 9, 9}, {9, 9, 9}})
+    data.vertices.push_back(p);
+  data.faces.insert(data.faces.end(), {{first, first + 1, first + 2},
+                                       {first + 3, first + 4, first + 5},
+                                       {first + 6},
+                                       {first + 7, first},
+                                       {first, first},
+                                       {first, first, first + 1}});
+  EXPECT_EQ(name(Mesh::with_thin_parts(data).error().code), "repeated_vertex");
+  const RepairedMesh one = repair_with_thin_parts(data).value();
+  EXPECT_EQ(one.report.reversed_faces, 1u);
+  EXPECT_EQ(one.report.degenerate_faces, 1u);
+  EXPECT_EQ(one.mesh.shell_count(), 1u);
+  EXPECT_EQ(volume(one.mesh), 1);
+  EXPECT_EQ(one.mesh.faces().size(), 11u);
+  EXPECT_TRUE(repair_with_thin_parts(one.mesh.data()).value().report.to_string() == "nothing to repair");
+  // The surface of a box without its lid runs as it ran.
+  MeshData open = cube();
+  open.faces.pop_back();
+  std::reverse(open.faces[1].begin() + 1, open.faces[1].end());
+  EXPECT_EQ(repair_with_thin_parts(open)->mesh.data(), open);
+  EXPECT_EQ(repair_with_thin_parts(t_junction())->mesh, *Mesh::create(cube()));
+}
+
+TEST(MeshRepair, SplitsManyEdgesOfTurnedSolidsThatWereRounded) {
+  for (std::uint64_t seed = 1; seed <= 60; ++seed) {
+    std::mt19937_64 random(seed);
+    const auto angle = [&] { return std::uniform_real_distribution<>(-3, 3)(random); };
+    const Mesh sphere = solids::geodesic_sphere(2, 1);
+    MeshData data = triangulated(sphere).mesh.data();
+    const std::size_t f = random() % data.faces.size();
+    const Face old = data.faces[f];  // its neighbours do not know the vertices on its edge
+    const Point3 u = data.vertices[old[0]], v = data.vertices[old[1]];
+    const auto n = static_cast<std::uint32_t>(data.vertices.size());
+    for (const double t : {0.25, 0.5})
+      data.vertices.push_back({u.x + t * (v.x - u.x), u.y + t * (v.y - u.y), u.z + t * (v.z - u.z)});
+    data.faces[f] = {old[0], n, old[2]};
+    data.faces.insert(data.faces.end(), {{n, n + 1, old[2]}, {n + 1, old[1], old[2]}});
+    const double a = angle(), b = angle();
+    for (Point3& p : data.vertices) {
+      p = {p.x * std::cos(a) - p.y * std::sin(a), p.x * std::sin(a) + p.y * std::cos(a), p.z};
+      p = {p.x, p.y * std::cos(b) - p.z * std::sin(b), p.y * std::sin(b) + p.z * std::cos(b)};
+      if (seed % 3 == 1) p = {double(float(p.x)), double(float(p.y)), double(float(p.z))};
+      if (seed % 3 == 2) p = {std::round(p.x * 1e6) / 1e6, std::round(p.y * 1e6) / 1e6, std::round(p.z * 1e6) / 1e6};
+    }
+    EXPECT_EQ(name(Mesh::create(data).error().code), "not_closed") << seed;
+    const RepairedMesh one = repaired(data);
+    EXPECT_EQ(one.report.split_edges, 1u) << seed;
+    EXPECT_NEAR(volume(one.mesh), volume(sphere), 1e-5) << seed;
+  }
 }
 
 TEST(MeshRepair, MoebiusStripsAndOneSidedSurfacesAreRefused) {
