@@ -13,7 +13,8 @@ namespace dymsum {
 struct PathCheck {
   /// undecided: a piece that moves and turns at once comes closer to a touch than the resolution tells
   MotionCheck::Outcome outcome = MotionCheck::Outcome::free;
-  /// Of the first piece that is not free: the index of its end, 0 for a path of one pose.
+  /// The index of the first piece that is not free, which leads from the pose of that index to the next one; of a free
+  /// path that of the last one.
   std::size_t piece = 0;
   bool moves = false, turns = false;  ///< that piece translates; it rotates
   /// The shares of the piece between which the first contact lies, in doubles; equal up to rounding where exact.

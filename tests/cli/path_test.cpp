@@ -124,7 +124,7 @@ TEST_F(PathCli, ChecksAPathThatIsGiven) {
   const Outcome wall = work.run(check + "poses.txt");
   EXPECT_EQ(wall.code, 4);
   EXPECT_EQ(wall.out,
-            "blocked: piece 3, a translation, at (-3, 4), theta = 1.570796327, 88.88888889 % of it: edge 5 "
+            "blocked: piece 2, a translation, at (-3, 4), theta = 1.570796327, 88.88888889 % of it: edge 5 "
             "of the obstacle and vertex 1 of the robot\n");
   work.write("poses.json", "[[-5,0,0],[-4,1,1]]");
   EXPECT_EQ(json(check + "poses.json --json")["checked"]["pieces"], 1);

@@ -17,8 +17,8 @@ Configuration between(const Configuration& a, const Configuration& b, double sha
   return {std::lerp(a.x, b.x, share), std::lerp(a.y, b.y, share), std::lerp(a.theta, b.theta, share)};
 }
 
-Error malformed(std::size_t piece, const std::string& what) {
-  return {ErrorCode::malformed, "piece " + std::to_string(piece) + " of the path " + what, {}};
+Error malformed(std::size_t index, const std::string& what) {
+  return {ErrorCode::malformed, "waypoint " + std::to_string(index) + " of the path " + what, {}};
 }
 
 PathCheck of_translation(const TranslationCheck& check, const Configuration& a, const Configuration& b) {
@@ -130,8 +130,8 @@ Result<PathCheck> first_not_free(std::span<const Pose> path, const Progress& pro
     Result<PathCheck> piece = check(path[k == 0 ? 0 : k - 1], path[k], k);
     if (!piece) return piece;
     last = *piece;
-    last.piece = k;
-    last.pieces = k == 0 ? 1 : k;
+    last.piece = k == 0 ? 0 : k - 1;
+    last.pieces = last.piece + 1;
     if (last.outcome != Outcome::free) break;
   }
   return last;

@@ -114,7 +114,7 @@ TEST(PathCheck, names_the_first_piece_that_is_blocked) {
                                        {2, 9, 9}};
   const PathCheck wall = check_path(robot, obstacle, way).value();
   EXPECT_EQ(wall.outcome, MotionCheck::Outcome::blocked);
-  EXPECT_EQ(wall.piece, 6u);
+  EXPECT_EQ(wall.piece, 5u);  // from the pose of index 5 to the next one
   EXPECT_EQ(wall.pieces, 6u);
   EXPECT_TRUE(wall.moves && !wall.turns);
   EXPECT_EQ(wall.low, 0.25);  // from 0.5 to 0.875 of the way to 2
