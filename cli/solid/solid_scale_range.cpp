@@ -2,9 +2,11 @@
 
 #include <iostream>
 #include <optional>
+#include <span>
 #include <sstream>
 
 #include "dymsum/solid_scale_range.h"
+#include "exact_number.h"
 #include "json_report.h"
 #include "numbers.h"
 #include "progress_bar.h"
@@ -15,6 +17,21 @@
 
 namespace dymsum::cli {
 namespace {
+
+std::vector<RationalPoint3> waypoints_in(const std::string& text) {
+  std::vector<RationalPoint3> path;
+  std::istringstream words(text);
+  for (std::string word; words >> word;) {
+    const std::vector<std::string> pieces = split(word, ',');
+    std::vector<Rational> at;
+    for (const std::string& piece : pieces)
+      if (const std::optional<Rational> v = exact_number(piece)) at.push_back(*v);
+    if (pieces.size() != 3 || at.size() != 3)
+      throw Stop(kUsage, "--path wants x,y,z, each a number or a fraction 1/3, not '" + word + "'");
+    path.push_back({at[0], at[1], at[2]});
+  }
+  return path;
+}
 
 std::vector<Point3> places_in(const std::string& text, const std::string& option) {
   std::vector<Point3> places;
@@ -93,7 +110,8 @@ void print_range_text(const SolidScaleRange& range, bool on_path) {
 }  // namespace
 
 ExitCode run_solid_scale_range(const RangeCommand& command) {
-  const std::vector<Point3> path = places_in(command.path, "--path"), place = places_in(command.place, "--place");
+  const std::vector<RationalPoint3> path = waypoints_in(command.path);
+  const std::vector<Point3> place = places_in(command.place, "--place");
   if (!command.inside && path.empty()) throw Stop(kUsage, "--path wants a waypoint: \"x,y,z x,y,z ...\"");
   if (place.size() > 1) throw Stop(kUsage, "--place wants one translation, x,y,z");
   const std::vector<SolidInput> inputs = read_solids(command.operands, command.input);
@@ -101,7 +119,7 @@ ExitCode run_solid_scale_range(const RangeCommand& command) {
   std::optional<ProgressBar> bar(std::in_place);
   const Progress progress = bar->callback();
   const auto compute = [&] {
-    Result<SolidScaleRange> range = !command.inside ? solid_scale_range(part, path, other, progress)
+    Result<SolidScaleRange> range = !command.inside ? solid_scale_range(part, std::span(path), other, progress)
                                     : place.empty() ? solid_fit_range(part, other, progress)
                                                     : solid_fit_range(part, other, place[0], progress);
     if (!range) stop_with(in_solid_operand(range.error(), inputs));

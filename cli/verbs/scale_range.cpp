@@ -6,8 +6,10 @@
 #include <iostream>
 #include <memory>
 #include <optional>
+#include <span>
 #include <sstream>
 
+#include "exact_number.h"
 #include "exit_code.h"
 #include "inputs.h"
 #include "numbers.h"
@@ -23,6 +25,17 @@
 namespace dymsum::cli {
 namespace {
 
+/// A waypoint, whose coordinates may be fractions.
+RationalPoint read_waypoint(const std::string& text) {
+  const std::vector<std::string> words = split(text, ',');
+  const std::optional<Rational> x = exact_number(words[0]),
+                                y = words.size() == 2 ? exact_number(words[1]) : std::nullopt;
+  if (!x || !y) throw Stop(kUsage, "--path wants x,y, each a number or a fraction 1/3, not '" + text + "'");
+  return {*x, *y};
+}
+
+RationalPoint exactly(const Point& p) { return {Rational::of(p.x).value(), Rational::of(p.y).value()}; }
+
 Point read_place(const std::string& text, const std::string& option) {
   const std::optional<Point> p = finite_point(text);
   if (!p) throw Stop(kUsage, option + " wants x,y, not '" + text + "'");
@@ -30,16 +43,20 @@ Point read_place(const std::string& text, const std::string& option) {
 }
 
 /// "x,y x,y ..." or a file with one polyline.
-std::vector<Point> read_path(const std::string& text) {
+std::vector<RationalPoint> read_path(const std::string& text) {
+  std::vector<RationalPoint> path;
   if (text.find(',') != std::string::npos && !std::filesystem::exists(text)) {
-    std::vector<Point> points;
     std::istringstream words(text);
-    for (std::string word; words >> word;) points.push_back(read_place(word, "--path"));
-    return points;
+    for (std::string word; words >> word;) path.push_back(read_waypoint(word));
+    return path;
   }
   const RegionData data = require(read_region_data(text));
-  if (data.polylines.size() == 1 && data.parts.empty() && data.points.empty()) return data.polylines[0];
-  if (data.points.size() == 1 && data.parts.empty() && data.polylines.empty()) return data.points;
+  const bool line = data.polylines.size() == 1 && data.parts.empty() && data.points.empty(),
+             point = data.points.size() == 1 && data.parts.empty() && data.polylines.empty();
+  if (line || point) {
+    for (const Point& p : line ? data.polylines[0] : data.points) path.push_back(exactly(p));
+    return path;
+  }
   throw Stop(kBadInput, text + ": a path is one polyline or one point");
 }
 
@@ -103,18 +120,19 @@ ExitCode run_range(const RangeCommand& command) {
   if (command.inside == !command.path.empty()) throw Stop(kUsage, "give either --path or --inside");
   if (!command.inside && !command.place.empty()) throw Stop(kUsage, "--place belongs to --inside");
   if (are_solid(command.operands, command.input)) return run_solid_scale_range(command);
-  std::vector<Point> path;
+  std::vector<RationalPoint> path;
   if (!command.path.empty()) path = read_path(command.path);
-  if (!command.place.empty()) path = {read_place(command.place, "--place")};
+  std::optional<Point> place;
+  if (!command.place.empty()) place = read_place(command.place, "--place");
   const std::vector<Input> inputs = read_inputs(command.operands, command.input);
   const Region &part = inputs[0].region, &other = inputs[1].region;
   // No interrupt guard: an interrupt ends the run at once, as it writes no file.
   std::optional<ProgressBar> bar(std::in_place);
   const Progress progress = bar->callback();
   const auto compute = [&] {
-    if (!command.inside) return require_of(inputs, scale_range(part, path, other, progress));
-    return require_of(inputs,
-                      path.empty() ? fit_range(part, other, progress) : fit_range(part, other, path[0], progress));
+    if (!command.inside)
+      return require_of(inputs, scale_range(part, std::span<const RationalPoint>(path), other, progress));
+    return require_of(inputs, place ? fit_range(part, other, *place, progress) : fit_range(part, other, progress));
   };
   const auto [range, timing] = timed(command.report.repeat, compute);
   bar.reset();
@@ -134,8 +152,8 @@ void add_scale_range(CLI::App& app, Action& action) {
   add_operands(verb, {"PART", "the shape that scales"}, {"OTHER", "obstacles, or with --inside the container"},
                command->operands);
   verb.add_option("--path", command->path,
-                  "The translations of the part: \"x,y x,y ...\", of solids \"x,y,z x,y,z ...\", or a planar file with "
-                  "one polyline")
+                  "The translations of the part: \"x,y x,y ...\", of solids \"x,y,z x,y,z ...\", each a number or a "
+                  "fraction 1/3, or a planar file with one polyline")
       ->type_name("PATH");
   verb.add_flag("--inside", command->inside, "OTHER is a container, anywhere inside which the part may lie");
   verb.add_option("--place", command->place, "With --inside: only at this translation")->type_name("x,y[,z]");

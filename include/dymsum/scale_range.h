@@ -4,9 +4,11 @@
 
 #include <cstdint>
 #include <optional>
+#include <span>
 #include <vector>
 
 #include "dymsum/planar_sum.h"
+#include "dymsum/rational.h"
 #include "dymsum/scale.h"
 
 namespace dymsum {
@@ -53,6 +55,10 @@ struct ScaleRange {
 /// not_finite; cancelled. Cost: O(L N) exact values and, per value, O(L N) filtered signs, for L waypoints and N
 /// convolution segments. Source: Behar 2016, 6.6.1.
 Result<ScaleRange> scale_range(const Region& part, const std::vector<Point>& path, const Region& obstacles,
+                               const Progress& progress = {});
+/// The same along a path of fractions. Errors also: unsupported_operand where a waypoint, or a coordinate of the
+/// obstacles, times the common denominator of the path is no double.
+Result<ScaleRange> scale_range(const Region& part, std::span<const RationalPoint> path, const Region& obstacles,
                                const Progress& progress = {});
 
 /// The scales at which s `part`, placed at `at`, lies inside the container. Errors here and below: as above,

@@ -4,6 +4,7 @@
 
 #include <cstdint>
 #include <optional>
+#include <span>
 #include <vector>
 
 #include "dymsum/scale.h"
@@ -44,6 +45,9 @@ struct SolidScaleRange {
 /// not_finite; cancelled. Cost: for L waypoints and N facets O(L N) exact values, and O(L N) signs for every one of
 /// them. Source: Behar 2016, 6.6.1.
 Result<SolidScaleRange> solid_scale_range(const Mesh& part, const std::vector<Point3>& path, const Mesh& obstacles,
+                                          const Progress& progress = {});
+/// The same along a path of fractions.
+Result<SolidScaleRange> solid_scale_range(const Mesh& part, std::span<const RationalPoint3> path, const Mesh& obstacles,
                                           const Progress& progress = {});
 
 /// The scales at which s `part`, placed at `at`, lies inside the container. Errors as above.

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
+#include <string>
 
 #include "base/poll.h"
 #include "fit/fit_contacts.h"
@@ -20,6 +21,46 @@ using namespace planar;
 using exact::BigRational;
 
 namespace {
+
+exact::BigInteger odd_part(exact::BigInteger v) {
+  while (v > 0 && (v & 1) == 0) v >>= 1;
+  return v;
+}
+
+/// The double that a number is; nothing where it is none.
+std::optional<double> double_of(const BigRational& v) {
+  const double nearest = exact::round_to_double(v);
+  if (!std::isfinite(nearest) || exact::exact_value(nearest) != v) return std::nullopt;
+  return nearest;
+}
+
+Error no_double(const char* what, const exact::BigInteger& times) {
+  return {ErrorCode::unsupported_operand,
+          std::string(what) + " times " + times.str() + ", the common denominator of the path, is no double",
+          {}};
+}
+
+/// The region so many times as large; nothing where a coordinate is no double then.
+std::optional<Region> times(const Region& region, const BigRational& factor) {
+  RegionData data = region.data();
+  bool all = true;
+  const auto grow = [&](Ring& ring) {
+    for (Point& p : ring)
+      for (double* c : {&p.x, &p.y}) {
+        const std::optional<double> v = double_of(exact::exact_value(*c) * factor);
+        all &= v.has_value();
+        *c = v.value_or(0);
+      }
+  };
+  for (Part& part : data.parts) {
+    grow(part.outer);
+    for (Ring& hole : part.holes) grow(hole);
+  }
+  for (Polyline& line : data.polylines) grow(line);
+  grow(data.points);
+  if (!all) return std::nullopt;
+  return Region::create(std::move(data)).value();
+}
 
 Error unsupported(const char* text) { return {ErrorCode::unsupported_operand, text, {}}; }
 
@@ -204,6 +245,36 @@ Result<ScaleRange> scale_range(const Region& part, const std::vector<Point>& pat
   for (const Point& p : path)
     if (way.empty() || !(way.back() == p)) way.push_back(p);
   return range_of(part, way, separate_touching(obstacles.data(), obstacles.touching_points()), std::nullopt, progress);
+}
+
+Result<ScaleRange> scale_range(const Region& part, std::span<const RationalPoint> path, const Region& obstacles,
+                               const Progress& progress) {
+  exact::BigInteger common = 1;
+  for (const RationalPoint& at : path)
+    for (const Rational* c : {&at.x, &at.y}) common = lcm(common, odd_part(exact::denominator_of(*c)));
+  // All is that many times as large: the part, too, at scales that are.
+  const BigRational factor(common);
+  std::vector<Point> way;
+  for (const RationalPoint& at : path) {
+    const std::optional<double> x = double_of(exact::exact_value(at.x) * factor),
+                                y = double_of(exact::exact_value(at.y) * factor);
+    if (!x || !y) return no_double("a waypoint", common);
+    way.push_back({*x, *y});
+  }
+  if (common == 1) return scale_range(part, way, obstacles, progress);
+  const std::optional<Region> larger = times(obstacles, factor);
+  if (!larger) return no_double("a coordinate of the obstacles", common);
+  Result<ScaleRange> made = scale_range(part, way, *larger, progress);
+  if (!made) return made;
+  ScaleRange range = std::move(made).value();
+  const Rational divisor = exact::to_rational(factor);
+  for (ScaleInterval& i : range.free) {
+    for (std::optional<Rational>* end : {&i.low, &i.high})
+      if (*end) *end = **end / divisor;
+    for (std::vector<ScaleContact>* contacts : {&i.at_low, &i.at_high})
+      for (ScaleContact& c : *contacts) c.at = {c.at.x / divisor, c.at.y / divisor};
+  }
+  return range;
 }
 
 Result<ScaleRange> fit_range(const Region& part, const Region& container, Point at, const Progress& progress) {

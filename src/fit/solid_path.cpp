@@ -32,10 +32,10 @@ MovingPlane level_plane(const BigRational& s) {
 
 }  // namespace
 
-SolidPath::SolidPath(const MovingFacets& all, const ScaledOverlap& overlap, const std::vector<Point3>& path)
+SolidPath::SolidPath(const MovingFacets& all, const ScaledOverlap& overlap, const std::vector<RationalPoint3>& path)
     : all_(all), overlap_(overlap), unit_(std::ldexp(1.0, all.pair().p_places.exponent)) {
   const BigRational unit = exact::exact_value(unit_);
-  for (const Point3& p : path)
+  for (const RationalPoint3& p : path)
     way_.push_back({exact::exact_value(p.x) / unit, exact::exact_value(p.y) / unit, exact::exact_value(p.z) / unit});
   for (std::size_t k = 0; k + 1 < way_.size(); ++k) {
     std::array<BigRational, 3> along;

@@ -14,7 +14,7 @@ class SolidPath {
  public:
   /// P: obstacles; Q: the reflected part, which scales. Requires at least one waypoint, no two of them equal in
   /// succession; the facets have to live as long.
-  SolidPath(const MovingFacets& all, const ScaledOverlap& overlap, const std::vector<Point3>& path);
+  SolidPath(const MovingFacets& all, const ScaledOverlap& overlap, const std::vector<RationalPoint3>& path);
 
   using Critical = std::map<exact::BigRational, std::vector<SolidScaleContact>>;
   /// Scales at which a facet comes to a waypoint or a border of one to a leg, with what touches. `ask` may throw.

@@ -28,7 +28,11 @@ std::optional<Error> check_solids(const Mesh& part, const Mesh& other) {
 
 bool is_finite_point(const Point3& p) { return std::isfinite(p.x) && std::isfinite(p.y) && std::isfinite(p.z); }
 
-Result<SolidScaleRange> range_of_path(const Mesh& part, const std::vector<Point3>& path, const Mesh& obstacles,
+RationalPoint3 exactly(const Point3& p) {
+  return {Rational::of(p.x).value(), Rational::of(p.y).value(), Rational::of(p.z).value()};
+}
+
+Result<SolidScaleRange> range_of_path(const Mesh& part, const std::vector<RationalPoint3>& path, const Mesh& obstacles,
                                       const std::optional<BigRational>& limit, const Progress& progress) {
   Result<Result<SolidScaleRange>> made = guarded([&]() -> Result<SolidScaleRange> {
     const SolidPair pair = solid_pair(obstacles, negated(part));
@@ -162,15 +166,24 @@ std::optional<Rational> SolidScaleRange::trap() const {
 Result<SolidScaleRange> solid_scale_range(const Mesh& part, const std::vector<Point3>& path, const Mesh& obstacles,
                                           const Progress& progress) {
   if (path.empty()) return refused_solid("a path needs at least one waypoint");
-  std::vector<Point3> way;
+  std::vector<RationalPoint3> way;
   for (std::size_t k = 0; k < path.size(); ++k) {
     if (!is_finite_point(path[k])) {
       Error error{ErrorCode::not_finite, "a waypoint of the path is not finite", {}};
       error.evidence.vertex = static_cast<std::int64_t>(k);
       return error;
     }
-    if (way.empty() || !(way.back() == path[k])) way.push_back(path[k]);
+    way.push_back(exactly(path[k]));
   }
+  return solid_scale_range(part, std::span<const RationalPoint3>(way), obstacles, progress);
+}
+
+Result<SolidScaleRange> solid_scale_range(const Mesh& part, std::span<const RationalPoint3> path, const Mesh& obstacles,
+                                          const Progress& progress) {
+  if (path.empty()) return refused_solid("a path needs at least one waypoint");
+  std::vector<RationalPoint3> way;
+  for (const RationalPoint3& at : path)
+    if (way.empty() || !(way.back() == at)) way.push_back(at);
   if (std::optional<Error> error = check_solids(part, obstacles)) return *std::move(error);
   return range_of_path(part, way, obstacles, std::nullopt, progress);
 }
@@ -182,7 +195,7 @@ Result<SolidScaleRange> solid_fit_range(const Mesh& part, const Mesh& container,
   const BigRational limit = box_limit_of(part, container);
   const Result<Mesh> frame = frame_of(part, container, limit, at);
   if (!frame) return frame.error();
-  return range_of_path(part, {at}, *frame, limit, progress);
+  return range_of_path(part, {exactly(at)}, *frame, limit, progress);
 }
 
 Result<SolidScaleRange> solid_fit_range(const Mesh& part, const Mesh& container, const Progress& progress) {
