@@ -1,8 +1,9 @@
 // Exact real numbers made of integers and doubles by + - * / and square roots.
 //
-// A sign is asked of intervals of doubles first, which every number carries, then of the algebra of square roots of
-// rationals where that is cheap (exact/root_field), then of intervals of growing precision. These end at a bound below
-// which no nonzero expression of this form lies:
+// A sign is asked of intervals of doubles first, which every number carries, then of intervals of 128, 256 and 512
+// bits, then, as it may be zero, of the algebra of square roots of rationals where that is cheap (exact/root_field),
+// then of intervals of growing precision again. These end at a bound below which no nonzero expression of this form
+// lies:
 //
 // Theorem (after Burnikel, Fleischer, Mehlhorn, Schirra 2000 and, with quotients, Burnikel, Funke, Mehlhorn, Schirra,
 // Schmitt 2001). Let E be an expression of integers with k distinct roots among its subexpressions, and

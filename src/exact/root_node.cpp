@@ -87,30 +87,40 @@ std::optional<Ball> RootParts::value(unsigned precision) const {
 
 namespace {
 
-/// From the first precision up; that the number is not zero, or the theorem, ends it.
-int sign_by_precision(const RootNode& node) {
+std::optional<int> sign_at(const RootParts& parts, unsigned precision) {
+  const std::optional<Ball> value = parts.value(precision);
+  return value ? value->sign() : std::nullopt;
+}
+
+NodeAnswer beyond_doubles(const RootNode& node) {
+  using By = NodeAnswer::By;
   const RootParts parts(node);
-  std::optional<bool> zero;
-  std::int64_t least = std::numeric_limits<std::int64_t>::min();
-  for (unsigned precision = kFirstPrecision; precision <= kLastPrecision; precision *= 2) {
+  unsigned precision = kFirstPrecision;
+  for (; precision <= kLastBeforeAlgebra; precision *= 2)
+    if (const std::optional<int> sign = sign_at(parts, precision)) return {*sign, By::precision};
+  const std::optional<bool> zero = is_zero_by_algebra(parts);
+  if (zero && *zero) return {0, By::algebra};
+  const std::int64_t least =
+      zero ? std::numeric_limits<std::int64_t>::min() : -static_cast<std::int64_t>(parts.separation_bits());
+  for (; precision <= kLastPrecision; precision *= 2) {
     const std::optional<Ball> value = parts.value(precision);
-    if (const std::optional<int> sign = value ? value->sign() : std::nullopt) return *sign;
-    if (precision == kFirstPrecision) {
-      zero = is_zero_by_algebra(parts);
-      if (zero && *zero) return 0;
-      if (!zero) least = -static_cast<std::int64_t>(parts.separation_bits());
-    }
-    if (value && value->top() <= least) return 0;
+    if (const std::optional<int> sign = value ? value->sign() : std::nullopt) return {*sign, By::precision_at_last};
+    if (value && value->top() <= least) return {0, By::bound};
   }
   throw std::length_error("RootExpression: a sign needs too many bits");
 }
 
 }  // namespace
 
+NodeAnswer answer_of_node(const RootNode& node) {
+  if (node.is_rational()) return {node.num.sign(), NodeAnswer::By::doubles};
+  if (const std::optional<int> sign = sign_of(node.interval)) return {*sign, NodeAnswer::By::doubles};
+  return beyond_doubles(node);
+}
+
 SignAnswer sign_of_node(const RootNode& node) {
-  if (node.is_rational()) return {node.num.sign(), Rung::filter};
-  if (const std::optional<int> sign = sign_of(node.interval)) return {*sign, Rung::filter};
-  return {sign_by_precision(node), Rung::big};
+  const NodeAnswer answer = answer_of_node(node);
+  return {answer.sign, answer.by == NodeAnswer::By::doubles ? Rung::filter : Rung::big};
 }
 
 }  // namespace dymsum::exact

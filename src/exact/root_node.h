@@ -17,6 +17,9 @@ namespace dymsum::exact {
 
 /// The precision of the first look beyond doubles.
 inline constexpr unsigned kFirstPrecision = 128;
+/// The precision of the last look before algebra is asked: balls of so many bits take tens of microseconds, algebra
+/// up to 20 ms. Numbers that are not zero and need more are rare.
+inline constexpr unsigned kLastBeforeAlgebra = 512;
 
 /// Immutable; shared by the expressions that it occurs in.
 struct RootNode {
@@ -33,7 +36,21 @@ struct RootNode {
 
 /// True only if they are equal: one node, or the same rational.
 bool has_same_value(const RootNode& a, const RootNode& b);
+
+/// A sign, and who told it: one after the other is asked.
+struct NodeAnswer {
+  enum class By : std::uint8_t {
+    doubles,            ///< the node's interval, or its rational
+    precision,          ///< balls of 128, 256 or 512 bits
+    algebra,            ///< it is zero
+    precision_at_last,  ///< balls of more bits; algebra has said that it is not zero, or nothing
+    bound,              ///< it is less than what is not zero
+  };
+  int sign = 0;
+  By by = By::doubles;
+};
 /// Exact.
+NodeAnswer answer_of_node(const RootNode& node);
 SignAnswer sign_of_node(const RootNode& node);
 
 /// The distinct parts of an expression, operands before what is made of them.

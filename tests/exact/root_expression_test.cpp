@@ -6,6 +6,7 @@
 
 #include <cmath>
 #include <limits>
+#include <map>
 #include <random>
 #include <stdexcept>
 #include <vector>
@@ -133,6 +134,24 @@ TEST(RootExpression, where_algebra_gives_up_the_bound_decides) {
   EXPECT_FALSE(is_zero_by_algebra(RootParts(d.node())).has_value());
   EXPECT_EQ(sign_of(d), 0);
   EXPECT_EQ(sign_of(d + two_to(-700)), 1);
+}
+
+TEST(RootExpression, nearly_zero_is_told_by_precision_and_algebra_is_asked_about_zeros_alone) {
+  // sqrt(a +- 2 sqrt(b)) with squares that differ by 2^-bits, as radii of discs between edges that are nearly in line.
+  const auto nested = [](std::int64_t a, std::int64_t b) { return sqrt(Root(a) + Root(2) * root(b)); };
+  const Root zero = nested(5, 6) + nested(9, 14) - root(2) - root(3) - root(2) - root(7);
+  using By = NodeAnswer::By;
+  const auto answer_of = [](const Root& e) { return answer_of_node(e.node()); };
+  std::map<By, int> told;
+  for (int bits = 70; bits < 900; bits += 10) {
+    const NodeAnswer answer = answer_of(zero + two_to(-bits));
+    EXPECT_EQ(answer.sign, 1);
+    ++told[answer.by];
+  }
+  EXPECT_EQ(told, (std::map<By, int>{{By::precision, 44}, {By::precision_at_last, 39}}));
+  EXPECT_EQ(answer_of(zero).sign, 0);
+  EXPECT_EQ(answer_of(zero).by, By::algebra);
+  EXPECT_EQ(answer_of(nested(5, 6) - root(2)).by, By::doubles);
 }
 
 TEST(RootExpression, nearly_zero_is_not_zero) {
