@@ -51,6 +51,8 @@ struct FeatureBar {
   std::optional<std::uint32_t> vertex;      ///< of the region: where a corner is born
   std::optional<std::uint32_t> minimum;     ///< vertex of the region: the pocket minimum; none of gaps
   double concavity = 0;    ///< of the minimum where the bar dies; by the straight line the double nearest to it
+  /// How much the bar counts: see ShapeFeatures::significant. The nearest double; infinity for gaps that never end.
+  double significance = 0;
   bool in_hole = false;    ///< its disc touches the ring of a hole
   std::uint32_t loop = 0;  ///< boundary ring of its minimum: outer ring, then holes, part by part
   friend bool operator==(const FeatureBar&, const FeatureBar&) = default;

@@ -72,6 +72,10 @@ class Lives {
   Number death(const FeatureBar& bar) const {
     return death_key(bar) == kNoIndex ? *to_ : exact_radius(state_.complex, state_.first_node[*bar.death]);
   }
+  Number since(const Since& since) const {
+    Number own = half_of(state_.complex, since);
+    return compare(own, from_) < 0 ? from_ : own;
+  }
   /// Negative for a bar outside of the range. Requires: not endless.
   Number life(const FeatureBar& bar) const { return death(bar) - birth(bar); }
 
@@ -82,12 +86,12 @@ class Lives {
   std::uint32_t below_ = 0, above_ = 0;
 };
 
-/// Bars by their lives, or by the lesser of life and concavity. Keeps a reference.
+/// Bars by their lives, or by what they are worth. Keeps a reference.
 class Ranking {
  public:
   Ranking(const ShapeFeatures::State& state, const Rational& from, const std::optional<Rational>& to, bool bounded)
-      : state_(state), lives_(state, from, to) {
-    for (const FeatureBar& bar : state.bars) worth_.push_back(worth_of(bar, bounded && bar.minimum));
+      : state_(state), lives_(state, from, to), bounded_(bounded) {
+    for (std::uint32_t i = 0; i < state.bars.size(); ++i) worth_.push_back(worth_of(i));
   }
 
   std::vector<std::uint32_t> at_least(const Rational& least) const {
@@ -108,14 +112,16 @@ class Ranking {
     Lives::Number half;
   };
 
-  Worth worth_of(const FeatureBar& bar, bool bounded) const {
+  Worth worth_of(std::uint32_t i) const {
+    const FeatureBar& bar = state_.bars[i];
+    const TrackWorth& own = state_.tracks.bars[i].worth;
     Worth worth;
     if (!lives_.endless(bar)) {
-      worth = {Worth::By::life, true, lives_.life(bar)};
+      worth = {Worth::By::life, true, bounded_ ? lives_.death(bar) - lives_.since(own.since) : lives_.life(bar)};
       worth.in_range = exact::sign_of(worth.half) >= 0;
     }
-    if (!bounded) return worth;
-    const Lives::Number depth = Lives::Number(bar.concavity) / Lives::Number(2);
+    if (!bounded_ || !own.depth) return worth;
+    const Lives::Number depth = Lives::Number(*own.depth) / Lives::Number(2);
     if (worth.by == Worth::By::nothing || compare(depth, worth.half) < 0)
       worth = {Worth::By::concavity, worth.in_range, depth};
     return worth;
@@ -124,8 +130,11 @@ class Ranking {
   bool surely_equal(std::uint32_t i, std::uint32_t j) const {
     if (worth_[i].by != worth_[j].by) return false;
     const FeatureBar &a = state_.bars[i], &b = state_.bars[j];
-    if (worth_[i].by == Worth::By::concavity) return a.concavity == b.concavity;
-    return lives_.birth_key(a) == lives_.birth_key(b) && lives_.death_key(a) == lives_.death_key(b);
+    const TrackWorth &x = state_.tracks.bars[i].worth, &y = state_.tracks.bars[j].worth;
+    if (worth_[i].by == Worth::By::concavity) return x.depth == y.depth;
+    if (lives_.death_key(a) != lives_.death_key(b)) return false;
+    if (!bounded_) return lives_.birth_key(a) == lives_.birth_key(b);
+    return x.since.depth == y.since.depth && state_.complex.nodes[x.since.node].rank == state_.complex.nodes[y.since.node].rank;
   }
   bool before(std::uint32_t i, std::uint32_t j) const {
     const FeatureBar &a = state_.bars[i], &b = state_.bars[j];
@@ -138,6 +147,7 @@ class Ranking {
 
   const ShapeFeatures::State& state_;
   Lives lives_;
+  bool bounded_;
   std::vector<Worth> worth_;
 };
 
@@ -178,6 +188,19 @@ AlphaBridge public_bridge(const ShapeFeatures::State& state, std::uint32_t edge,
   return result;
 }
 
+/// What bars are worth over all diameters, the nearest doubles.
+void add_significance(ShapeFeatures::State& state) {
+  for (std::size_t i = 0; i < state.bars.size(); ++i) {
+    FeatureBar& bar = state.bars[i];
+    const Bar& track = state.tracks.bars[i];
+    bar.significance = track.worth.depth.value_or(INFINITY);
+    if (!bar.death) continue;
+    const exact::RootExpression life =
+        exact::RootExpression(2) * (exact_radius(state.complex, state.first_node[*bar.death]) - half_of(state.complex, track.worth.since));
+    if (!track.worth.depth || compare(life, exact::RootExpression(*track.worth.depth)) < 0) bar.significance = nearest_double(life);
+  }
+}
+
 /// What tracks ask of pockets, with the bridges at the ends of edges.
 PocketOracle oracle_of(const ShapeFeatures::State& state, const planar::Poll& poll) {
   const auto minimum = [&state](std::uint32_t edge) {
@@ -194,6 +217,10 @@ PocketOracle oracle_of(const ShapeFeatures::State& state, const planar::Poll& po
   oracle.holds = [&state](std::uint32_t edge, std::uint32_t vertex) {
     const PocketSide side = pocket_side(state.complex, state.loops, edge);
     return side.chain && holds(state.loops, *side.chain, vertex);
+  };
+  oracle.at = [&state](std::uint32_t edge) {
+    const PocketSide side = pocket_side(state.complex, state.loops, edge);
+    return !side.chain ? PocketAt::gap : side.ahead ? PocketAt::ahead : PocketAt::behind;
   };
   oracle.contacts = [&state](std::uint32_t edge) { return contact_ranks(state.complex, state.loops, edge); };
   return oracle;
@@ -225,6 +252,7 @@ Result<ShapeFeatures> ShapeFeatures::create(const Region& region, const FeatureO
   for (std::uint32_t n = 0; n < state->complex.nodes.size(); ++n)
     if (state->complex.nodes[n].rank == state->first_node.size()) state->first_node.push_back(n);
   for (const Bar& bar : state->tracks.bars) state->bars.push_back(public_bar(*state, bar));
+  add_significance(*state);
   return ShapeFeatures(std::move(state));
 }
 

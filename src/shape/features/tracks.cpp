@@ -2,58 +2,44 @@
 
 #include <algorithm>
 #include <numeric>
+#include <optional>
 #include <stdexcept>
 #include <tuple>
 
 namespace dymsum::shape {
 namespace {
 
-/// Node -> first node of its junction. Flat edges lie on a line, so their chains are short and simple.
-std::vector<std::uint32_t> contracted(const Complex& complex) {
-  std::vector<std::uint32_t> root(complex.nodes.size());
-  std::iota(root.begin(), root.end(), 0u);
-  const auto find = [&](std::uint32_t n) {
-    while (root[n] != n) n = root[n] = root[root[n]];
-    return n;
-  };
-  for (const Edge& e : complex.edges) {
-    if (!e.flat) continue;
-    const std::uint32_t a = find(e.low), b = find(e.high);
-    root[std::max(a, b)] = std::min(a, b);
-  }
-  for (std::uint32_t n = 0; n < root.size(); ++n) root[n] = find(n);
-  return root;
-}
-
 class Sweep {
  public:
   Sweep(const Complex& complex, const PocketOracle& pockets) : complex_(complex), pockets_(pockets) {
+    deepest_.resize(complex.edges.size());
+    pockets_.deepest = [this, asked = pockets.deepest](std::uint32_t e) {
+      if (!deepest_[e]) deepest_[e] = asked(e);
+      return *deepest_[e];
+    };
     tracks_.junctions = junctions_of(complex);
     tracks_.bar_of.assign(complex.edges.size(), kNoIndex);
-    elder_.assign(complex.edges.size(), kNoIndex);
+    for (const Junction& j : tracks_.junctions)
+      if (!j.in.empty() && j.out.size() > 1) throw std::logic_error("a track of the complex splits");
+    since_ = since_of(complex, tracks_.junctions, pockets_);
   }
 
   Tracks run() {
-    ascend();
     for (std::uint32_t e = 0; e < complex_.edges.size(); ++e)
       if (!complex_.edges[e].flat && complex_.edges[e].high == kNoIndex)
         start(e, kNoIndex, Bar::Death::never, kNoIndex);
     for (std::size_t j = tracks_.junctions.size(); j-- > 0;) descend(std::uint32_t(j));
+    count_from_necks();
     order();
     return std::move(tracks_);
   }
 
  private:
-  std::uint32_t rank_of(const Junction& j) const { return complex_.nodes[j.nodes.front()].rank; }
+  std::uint32_t rank_of(const Junction& j) const { return complex_.nodes[j.node()].rank; }
 
-  /// elder_: edge -> rank of the oldest birth below it.
-  void ascend() {
-    for (const Junction& j : tracks_.junctions) {
-      if (!j.in.empty() && j.out.size() > 1) throw std::logic_error("a track of the complex splits");
-      std::uint32_t oldest = rank_of(j);
-      for (const std::uint32_t e : j.in) oldest = std::min(oldest, elder_[e]);
-      for (const std::uint32_t e : j.out) elder_[e] = oldest;
-    }
+  TrackWorth worth_of(std::uint32_t edge) const {
+    if (pockets_.at(edge) != PocketAt::behind) return {since_[edge], std::nullopt};
+    return {since_[edge], pockets_.deepest(edge).concavity};
   }
 
   /// A bar that ends at junction `end` on edge `last`.
@@ -66,6 +52,8 @@ class Sweep {
     const PocketMinimumAt minimum = pockets_.deepest(last);
     bar.minimum = minimum.vertex;
     bar.concavity = minimum.concavity;
+    bar.worth = {since_[last], std::nullopt};
+    if (pockets_.at(last) != PocketAt::gap) bar.worth.depth = minimum.concavity;
     tracks_.bar_of[last] = std::uint32_t(tracks_.bars.size());
     tracks_.bars.push_back(bar);
   }
@@ -80,40 +68,79 @@ class Sweep {
       }
       return;
     }
-    if (j.out.empty()) {
-      for (const std::uint32_t e : j.in) start(e, index, Bar::Death::filled, kNoIndex);
-      return;
+    std::uint32_t on = kNoIndex, bar = kNoIndex;
+    if (!j.out.empty()) {
+      bar = tracks_.bar_of[j.out.front()];
+      on = continuing(j, bar);
+      tracks_.bar_of[on] = bar;
     }
-    const std::uint32_t bar = tracks_.bar_of[j.out.front()], on = continuing(j, bar);
-    tracks_.bar_of[on] = bar;
     for (const std::uint32_t e : j.in)
-      if (e != on) start(e, index, Bar::Death::merged, bar);
+      if (e != on) start(e, index, bar == kNoIndex ? Bar::Death::filled : Bar::Death::merged, bar);
+    share_worth(j, on);
   }
 
+  /// The edge whose track goes on as the bar above.
   std::uint32_t continuing(const Junction& j, std::uint32_t index) {
     if (j.in.size() == 1) return j.in.front();
     Bar& bar = tracks_.bars[index];
-    const std::uint32_t oldest = elder_[j.out.front()];
-    std::vector<std::uint32_t> old;
     for (const std::uint32_t e : j.in)
-      if (elder_[e] == oldest) old.push_back(e);
-    std::sort(old.begin(), old.end(), [this](std::uint32_t a, std::uint32_t b) {
-      const auto name_a = name(a), name_b = name(b);
-      return name_a != name_b ? name_a < name_b : a < b;
-    });
-    for (const std::uint32_t e : old)
       if (bar.minimum != kNoIndex && pockets_.holds(e, bar.minimum)) return e;
-    // The minimum belongs to a younger bar, or there is none: from here on it is that of the older one's own pocket.
-    std::uint32_t best = old.front();
-    PocketMinimumAt deepest = pockets_.deepest(best);
-    for (const std::uint32_t e : old) {
-      const PocketMinimumAt other = pockets_.deepest(e);
-      if (other.concavity > deepest.concavity) best = e, deepest = other;
+    std::vector<std::uint32_t> able = j.in;
+    const auto is_pocket = [this](std::uint32_t e) { return pockets_.at(e) != PocketAt::gap; };
+    if (!std::all_of(able.begin(), able.end(), is_pocket)) std::erase_if(able, is_pocket);
+    const std::uint32_t best = worthiest(j, able);
+    // All are pockets, and none has the minimum: the bar is named after what is left to it.
+    if (const PocketMinimumAt own = pockets_.deepest(best); own.vertex != kNoIndex) {
+      bar.minimum = own.vertex;
+      bar.concavity = own.concavity;
     }
-    if (deepest.vertex == kNoIndex) return best;
-    bar.minimum = deepest.vertex;
-    bar.concavity = deepest.concavity;
     return best;
+  }
+
+  /// What counts most at a junction; among equals the one with the least name.
+  std::uint32_t worthiest(const Junction& j, const std::vector<std::uint32_t>& edges) const {
+    std::uint32_t best = edges.front();
+    for (const std::uint32_t e : edges) {
+      if (e == best) continue;
+      const int sign = compare_at(complex_, j.node(), worth_of(e), worth_of(best));
+      if (sign > 0 || (sign == 0 && std::make_pair(name(e), e) < std::make_pair(name(best), best))) best = e;
+    }
+    return best;
+  }
+
+  /// Of the pockets that enter a junction, what counts most goes on with its outlet: a bar that ends there although it
+  /// counts most is worth what the one is that goes on in its place. At a full pocket it goes on down to the neck, and
+  /// the bar is worth no more than what ends with the neck.
+  void share_worth(const Junction& j, std::uint32_t on) {
+    std::vector<std::uint32_t> inlets = inlets_of(j, pockets_);
+    std::uint32_t outlet = kNoIndex;
+    for (const std::uint32_t e : j.in)
+      if (pockets_.at(e) == PocketAt::ahead) outlet = e;
+    if (outlet == kNoIndex && (j.out.empty() || pockets_.at(j.out.front()) == PocketAt::gap)) return;
+    if (inlets.empty()) return;
+    std::uint32_t best = worthiest(j, inlets);
+    const auto ends = [&](std::uint32_t e) {
+      return complex_.edges[e].high != kNoIndex && e != on &&
+             std::find(j.in.begin(), j.in.end(), e) != j.in.end();
+    };
+    std::uint32_t stays = on;  // the inlet that goes on
+    if (outlet != kNoIndex) stays = j.out.empty() ? kNoIndex : j.out.front();
+    if (!ends(best) || best == stays) return;
+    Bar& bar = tracks_.bars[tracks_.bar_of[best]];
+    if (stays != kNoIndex) bar.worth = worth_of(stays);
+    else bar.until_neck_of = tracks_.bar_of[outlet];
+  }
+
+  /// A bar that ends where its pocket lies ahead counts from its birth.
+  void count_from_necks() {
+    const auto birth_of = [&](const Bar& bar) { return Since{tracks_.junctions[bar.birth].node(), 0}; };
+    for (Bar& bar : tracks_.bars)
+      if (pockets_.at(bar.last) == PocketAt::ahead) bar.worth.since = birth_of(bar);
+    for (Bar& bar : tracks_.bars) {
+      if (bar.until_neck_of == kNoIndex) continue;
+      const Since neck = birth_of(tracks_.bars[bar.until_neck_of]);
+      if (compare(complex_, bar.worth.since, neck) < 0) bar.worth.since = neck;
+    }
   }
 
   /// Of an edge, for ties: an edge begins where its bar is born.
@@ -149,32 +176,13 @@ class Sweep {
   }
 
   const Complex& complex_;
-  const PocketOracle& pockets_;
+  PocketOracle pockets_;  ///< remembers what is deepest
+  std::vector<std::optional<PocketMinimumAt>> deepest_;
   Tracks tracks_;
-  std::vector<std::uint32_t> elder_;
+  std::vector<Since> since_;
 };
 
 }  // namespace
-
-std::vector<Junction> junctions_of(const Complex& complex) {
-  const std::vector<std::uint32_t> root = contracted(complex);
-  std::vector<std::uint32_t> place(root.size(), kNoIndex);
-  std::vector<Junction> junctions;
-  for (std::uint32_t n = 0; n < root.size(); ++n) {
-    if (root[n] == n) {
-      place[n] = std::uint32_t(junctions.size());
-      junctions.emplace_back();
-    }
-    junctions[place[root[n]]].nodes.push_back(n);
-  }
-  for (std::uint32_t e = 0; e < complex.edges.size(); ++e) {
-    const Edge& edge = complex.edges[e];
-    if (edge.flat) continue;
-    junctions[place[root[edge.low]]].out.push_back(e);
-    if (edge.high != kNoIndex) junctions[place[root[edge.high]]].in.push_back(e);
-  }
-  return junctions;
-}
 
 Tracks tracks_of(const Complex& complex, const PocketOracle& pockets) { return Sweep(complex, pockets).run(); }
 

@@ -2,23 +2,13 @@
 // See docs/design/shape-features.md.
 #pragma once
 
-#include <array>
 #include <cstdint>
-#include <functional>
 #include <vector>
 
-#include "shape/complex/complex.h"
+#include "shape/features/junctions.h"
+#include "shape/features/since.h"
 
 namespace dymsum::shape {
-
-/// A place where tracks begin, meet or end: a node, or nodes that flat edges connect, which lie at one radius.
-struct Junction {
-  std::vector<std::uint32_t> nodes;    ///< ascending
-  std::vector<std::uint32_t> in, out;  ///< edges that ascend to it and from it, ascending
-};
-
-/// All junctions in order of radius, and among equal ones of their first nodes. O(edges).
-std::vector<Junction> junctions_of(const Complex& complex);
 
 /// The life of a corner of the sum.
 struct Bar {
@@ -35,20 +25,8 @@ struct Bar {
   std::uint32_t parent = kNoIndex;
   std::uint32_t minimum = kNoIndex;  ///< what `deepest` told of its last edge, or where that belongs to a younger bar,
   double concavity = 0;              ///< of the edge on which it met that
-};
-
-/// A loop vertex, or kNoIndex where a bridge has no pocket.
-struct PocketMinimumAt {
-  std::uint32_t vertex = kNoIndex;
-  double concavity = 0;
-};
-
-/// What tracks ask about the bridges at the upper ends of edges.
-struct PocketOracle {
-  std::function<PocketMinimumAt(std::uint32_t edge)> deepest;
-  std::function<bool(std::uint32_t edge, std::uint32_t vertex)> holds;  ///< whether the pocket has the vertex inside
-  /// What its discs touch, by ranks that tell nothing of indices.
-  std::function<std::array<std::uint32_t, 4>(std::uint32_t edge)> contacts;
+  TrackWorth worth;                  ///< at its death
+  std::uint32_t until_neck_of = kNoIndex;
 };
 
 struct Tracks {
@@ -57,11 +35,11 @@ struct Tracks {
   std::vector<std::uint32_t> bar_of;  ///< edge -> bar; kNoIndex for flat edges
 };
 
-/// Elder rule: where tracks meet, the one that was born first goes on. Of equally old ones it is the one whose pocket
-/// holds the pocket minimum of the bar where the bar dies, hence the deeper one as seen from there; where none holds
-/// it, the one with the larger concavity, then the one whose edge begins at the smaller radius, then the one of the
-/// lesser contacts. Bars are ordered by their births, then the contacts of their first edges. Indices decide last of
-/// all. O(edges) and one question per bar. Throws std::logic_error where a track would split, which no complex has.
+/// Where tracks meet, the bar above goes on with the one whose pocket holds its minimum; where none does, with a gap if
+/// there is one, else with what counts most there, then by the lesser contacts. Bars are ordered by their births, then
+/// the contacts of their first edges. Indices decide last of all. What bars are worth does not depend on that: see
+/// docs/design/shape-features.md. O(edges) questions. Throws std::logic_error where a track would split, which no
+/// complex has.
 Tracks tracks_of(const Complex& complex, const PocketOracle& pockets);
 
 }  // namespace dymsum::shape

@@ -266,16 +266,16 @@ TEST(ShapeFeatures, ShortestPathsInPocketsOfAllKinds) {
   EXPECT_GT(made, 300);
 }
 
-/// The elder rule by definition: the oldest birth below an edge, over all ways down.
+/// The oldest birth below an edge, over all ways down.
 std::uint32_t oldest_below(const shape::Complex& complex, const std::vector<shape::Junction>& junctions,
                            const std::map<std::uint32_t, std::size_t>& below, std::uint32_t edge) {
   const shape::Junction& j = junctions[below.at(edge)];
-  std::uint32_t oldest = complex.nodes[j.nodes.front()].rank;
+  std::uint32_t oldest = complex.nodes[j.node()].rank;
   for (const std::uint32_t e : j.in) oldest = std::min(oldest, oldest_below(complex, junctions, below, e));
   return oldest;
 }
 
-TEST(Tracks, TheOldestBirthBelowGoesOn) {
+TEST(Tracks, WithoutPocketsTheyCountFromTheOldestBirthBelow) {
   for (const Region& region : shapes()) {
     const shape::Complex complex = shape::make_complex(region, shape::Side::outside, shape::Engine::brute).value();
     const std::vector<shape::Junction> junctions = shape::junctions_of(complex);
@@ -284,11 +284,12 @@ TEST(Tracks, TheOldestBirthBelowGoesOn) {
       for (const std::uint32_t e : junctions[j].out) below[e] = j;
     const shape::PocketOracle none{[](std::uint32_t) { return shape::PocketMinimumAt{}; },
                                    [](std::uint32_t, std::uint32_t) { return false; },
+                                   [](std::uint32_t) { return shape::PocketAt::gap; },
                                    [](std::uint32_t) { return std::array<std::uint32_t, 4>{}; }};
-    const shape::Tracks tracks = shape::tracks_of(complex, none);
+    const std::vector<shape::Since> since = shape::since_of(complex, junctions, none);
     for (const auto& [e, j] : below) {
-      const std::uint32_t birth = junctions[tracks.bars[tracks.bar_of[e]].birth].nodes.front();
-      EXPECT_EQ(complex.nodes[birth].rank, oldest_below(complex, junctions, below, e));
+      EXPECT_EQ(since[e].depth, 0);
+      EXPECT_EQ(complex.nodes[since[e].node].rank, oldest_below(complex, junctions, below, e));
     }
   }
 }
