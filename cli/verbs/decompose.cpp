@@ -132,14 +132,15 @@ void add_decompose(CLI::App& app, Action& action) {
   auto command = std::make_shared<FeaturesCommand>();
   CLI::App& verb = *app.add_subcommand("decompose", "Cuts a region into nearly convex pieces at its lasting pockets");
   command->parser = &verb;
-  add_shared_options(verb, *command, "Cut at what lasts at least this long, in diameters, and is at least this deep");
+  add_shared_options(verb, *command,
+                     "Cut at what is at least this significant: lasts so long, in diameters, and is so deep");
   verb.add_option("-o", command->output.files,
                   "Pieces .wkt, a polygon per line, rounded; .json, exact; a picture .svg; or .html, the viewer; may "
                   "be given several times")
       ->type_name("FILE");
   verb.add_flag("--round-repair", command->output.round_repair,
                 "Where rounding makes a piece of -o FILE.wkt no polygon, merge what collides instead of refusing");
-  verb.footer("Example: dymsum decompose beetle.poly --repair --tau 1/10 -o pieces.wkt -o pieces.svg");
+  verb.footer("Example: dymsum decompose beetle.poly --repair --tau 10 -o pieces.wkt -o pieces.svg");
   verb.callback([command, &action] {
     action = [command] {
       return run_with_pages({command->parser, "discs", ""}, {command->operand}, command->input, command->output.files,

@@ -43,6 +43,8 @@ Json bar_json(const ShapeFeatures& features, std::uint32_t index, bool exact) {
             {"vertex", optional_json(bar.vertex)},
             {"minimum", optional_json(bar.minimum)},
             {"concavity", bar.concavity},
+            {"counts_from", bar.counts_from},
+            {"significance", std::isinf(bar.significance) ? Json(nullptr) : Json(bar.significance)},
             {"in_hole", bar.in_hole}};
   if (!exact) return json;
   json["birth_exact"] = features.event_text(bar.birth);
@@ -145,7 +147,7 @@ void add_features(CLI::App& app, Action& action) {
   verb.add_option("--alpha", command->alpha, "Also the bridges of the disc of this diameter")->type_name("A");
   verb.add_flag("--exact", command->exact, "With --json: births and deaths as formulas of roots, too");
   verb.add_option("-o", command->output.files, "A picture .svg, or .html, the viewer; repeatable")->type_name("FILE");
-  verb.footer("Example: dymsum features beetle.poly --repair --alpha 1/5 --tau 1/10 -o beetle.svg --json");
+  verb.footer("Example: dymsum features beetle.poly --repair --alpha 20 --tau 10 -o beetle.svg --json");
   verb.callback([command, &action] {
     action = [command] {
       return run_with_pages({command->parser, "discs", ""}, {command->operand}, command->input, command->output.files,

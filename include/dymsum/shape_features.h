@@ -38,7 +38,7 @@ struct FeatureBar {
     neck,    ///< one of two, between places opposite each other
   };
   enum class Death : std::uint8_t {
-    merged,  ///< into an older bar, `parent`
+    merged,  ///< into another bar, `parent`
     filled,  ///< the pocket or hole is full
     never,   ///< it goes on to an edge of the convex hull
   };
@@ -51,6 +51,7 @@ struct FeatureBar {
   std::optional<std::uint32_t> vertex;      ///< of the region: where a corner is born
   std::optional<std::uint32_t> minimum;     ///< vertex of the region: the pocket minimum; none of gaps
   double concavity = 0;    ///< of the minimum where the bar dies; by the straight line the double nearest to it
+  double counts_from = 0;  ///< the diameter from which significant() counts its life, rounded
   /// How much the bar counts: see ShapeFeatures::significant. The nearest double; infinity for gaps that never end.
   double significance = 0;
   bool in_hole = false;    ///< its disc touches the ring of a hole
@@ -88,8 +89,8 @@ class ShapeFeatures {
   const Region& region() const;
   /// Those of create() without the progress.
   const FeatureOptions& options() const;
-  /// In the order of their births; of equal ones in an order that rigid motions and reflections keep. Which of two bars
-  /// goes on where they are equally old and deep is decided by the region's geometry, too.
+  /// In the order of their births; of equal ones in an order that rigid motions and reflections keep. Where bars
+  /// meet, the one goes on whose pocket holds the minimum; ties are decided by the region's geometry, too.
   const std::vector<FeatureBar>& bars() const;
   std::uint32_t event_count() const;
   /// The diameter, the nearest double. Requires: event < event_count() (else std::invalid_argument).
@@ -107,15 +108,20 @@ class ShapeFeatures {
   std::vector<std::uint32_t> lasting(const Rational& life, const Rational& from = {},
                                      const std::optional<Rational>& to = std::nullopt) const;
 
-  /// As lasting(), with every life bounded by the bar's concavity, in length and in order: a pocket is as significant
-  /// as the lesser of how long it lasts and how deep it is, so that a shallow notch is not kept however wide it is.
-  /// Gaps count with their lives. Decided exactly for the concavity that the bar has.
+  /// As lasting(), but by significance, in length and in order: a pocket is as significant as the lesser of how deep it
+  /// is where the bar dies and of how long it lasts there, counted from `counts_from`; so a shallow notch is not kept
+  /// however wide it is, and a dent takes nothing from a deep pocket that it meets. A life counts from the oldest that
+  /// the bar has met, but at every meeting a pocket of depth c is at most 4 c old. Of two pockets that meet one goes
+  /// on; the other counts as much as the less significant of both. A neck that opens again counts as much as it is
+  /// narrower than what is full behind it. Gaps count with their lives. Decided exactly for depths as doubles. Noise
+  /// moves significances as little as itself, to a factor that docs/design/shape-features.md states.
   std::vector<std::uint32_t> significant(const Rational& significance, const Rational& from = {},
                                          const std::optional<Rational>& to = std::nullopt) const;
 
   struct State;
 
  private:
+  friend struct ShapeFeaturesAccess;  // the library's own look at what is held
   explicit ShapeFeatures(std::shared_ptr<const State> state) : state_(std::move(state)) {}
   std::shared_ptr<const State> state_;
 };

@@ -37,7 +37,7 @@ void bind_feature_bar(nb::module_& m) {
       .value("corner", FeatureBar::Birth::corner, "at diameter 0, at a reflex vertex of the region")
       .value("neck", FeatureBar::Birth::neck, "one of two, between places opposite each other");
   nb::enum_<FeatureBar::Death>(bar, "Death", "Why a bar ends.")
-      .value("merged", FeatureBar::Death::merged, "into an older bar, `parent`")
+      .value("merged", FeatureBar::Death::merged, "into another bar, `parent`")
       .value("filled", FeatureBar::Death::filled, "the pocket or hole is full")
       .value("never", FeatureBar::Death::never, "it goes on to an edge of the convex hull");
   bar.field("born", &FeatureBar::born)
@@ -50,6 +50,9 @@ void bind_feature_bar(nb::module_& m) {
       .field("vertex", &FeatureBar::vertex, "of the region: where a corner is born")
       .field("minimum", &FeatureBar::minimum, "vertex of the region: the pocket minimum; None of gaps")
       .field("concavity", &FeatureBar::concavity, "of the minimum where the bar dies, rounded")
+      .field("counts_from", &FeatureBar::counts_from, "diameter from which significant() counts its life, rounded")
+      .field("significance", &FeatureBar::significance,
+             "how much it counts: see significant(); infinity for gaps without end")
       .field("in_hole", &FeatureBar::in_hole, "its disc touches the ring of a hole")
       .field("loop", &FeatureBar::loop, "boundary ring of its minimum: outer ring, then holes, part by part");
 }
@@ -128,8 +131,10 @@ void bind_feature_questions(nb::class_<ShapeFeatures>& type) {
             return without_gil([&] { return self.significant(significance, from, to); });
           },
           "significance"_a, "from_"_a = 0, "to"_a = nb::none(),
-          "As lasting(), with every life bounded by the bar's concavity, in length and in order: a pocket is as "
-          "significant as the lesser of how long it lasts and how deep it is. Gaps count with their lives.");
+          "As lasting(), but by significance: the lesser of how deep a pocket is and how long it lasts, counted from "
+          "the "
+          "bar's `counts_from`, so that a dent takes nothing from a deep pocket that it meets. Gaps count with their "
+          "lives.");
 }
 
 void bind_shape_features_class(nb::module_& m) {

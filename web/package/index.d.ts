@@ -818,6 +818,10 @@ export interface FeatureBar {
   vertex: number | null;
   minimum: number | null;
   concavity: number;
+  /** The diameter from which significant() counts its life, rounded. */
+  countsFrom: number;
+  /** How much it counts; infinity for gaps that never end. */
+  significance: number;
   inHole: boolean;
   loop: number;
 }

@@ -38,6 +38,8 @@ val bar_data(const FeatureBar& bar) {
   v.set("vertex", index_or_null(bar.vertex));
   v.set("minimum", index_or_null(bar.minimum));
   v.set("concavity", bar.concavity);
+  v.set("countsFrom", bar.counts_from);
+  v.set("significance", bar.significance);
   v.set("inHole", bar.in_hole);
   v.set("loop", bar.loop);
   return v;

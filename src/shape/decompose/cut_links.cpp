@@ -61,7 +61,8 @@ class LinkGraph {
 
 }  // namespace
 
-CutLinks::CutLinks(const RingTable& table) : table_(table), blocks_(table.ring_count()) {}
+CutLinks::CutLinks(const RingTable& table)
+    : table_(table), ranked_(table.ranked_rings()), blocks_(table.ring_count()) {}
 
 std::uint32_t CutLinks::node_of(const End& end) {
   if (!end.on_cut) return end.index;
@@ -119,12 +120,13 @@ std::optional<CutLinks::Loose> CutLinks::first_loose() {
     if (!table_.is_hole[r]) outer[class_of(r)] = true;
   std::uint32_t chosen = kNone;
   Loose loose;
-  for (std::uint32_t r = 0; r < table_.ring_count(); ++r) {
+  for (const std::uint32_t r : ranked_) {
     const std::uint32_t own = class_of(r);
     if (chosen == kNone && bridges[own] == 1 && !outer[own]) chosen = own;
     if (own == chosen) loose.rings.push_back(r);
   }
   if (chosen == kNone) return std::nullopt;
+  std::sort(loose.rings.begin(), loose.rings.end());
   loose.cut = cut[chosen];
   return loose;
 }

@@ -36,7 +36,7 @@ class CutLinks {
     std::vector<std::uint32_t> rings;
     std::uint32_t cut;
   };
-  /// The one with the first ring, or nothing where every cut separates. O(cuts of the round + rings).
+  /// The one with the ring of the least rank, or nothing where every cut separates. O(cuts of the round + rings).
   std::optional<Loose> first_loose();
 
   /// Requires: there is nothing loose.
@@ -50,6 +50,7 @@ class CutLinks {
   std::vector<Link> links();
 
   const RingTable& table_;
+  std::vector<std::uint32_t> ranked_;        ///< rings, for ties
   UnionFind blocks_;                         ///< of rings
   std::vector<std::uint32_t> ring_of_;       ///< cut -> ring that it begins at
   std::vector<std::vector<Stop>> stops_;     ///< per cut of the round, in their order

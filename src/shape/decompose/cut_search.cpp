@@ -21,16 +21,6 @@ struct Candidate {
   Nearest end;
 };
 
-/// Of ends equally far: on the boundary before cuts, then by index.
-bool ends_before(const Wall& a, const Wall& b) {
-  if (a.kind != b.kind) return a.kind == Cut::End::edge;
-  return a.index < b.index;
-}
-
-/// What tells bars that count exactly as much.
-using Worth = std::tuple<std::uint32_t, std::optional<std::uint32_t>, double>;
-Worth worth_of(const FeatureBar& bar) { return {bar.birth, bar.death, bar.concavity}; }
-
 std::vector<Wall> walls_of(const RingTable& table) {
   std::vector<Wall> walls;
   for (std::uint32_t v = 0; v < table.at.size(); ++v)
@@ -38,7 +28,7 @@ std::vector<Wall> walls_of(const RingTable& table) {
   return walls;
 }
 
-/// Vertices of the convex hull without those in its edges, by index.
+/// Vertices of the convex hull without those in its edges, by rank.
 std::vector<std::uint32_t> hull_vertices(const RingTable& table, const std::vector<std::uint32_t>& rings) {
   std::vector<std::uint32_t> all, hull;
   for (const std::uint32_t r : rings)
@@ -57,20 +47,27 @@ std::vector<std::uint32_t> hull_vertices(const RingTable& table, const std::vect
     hull.pop_back();
     if (pass == 0) std::reverse(all.begin(), all.end());
   }
-  std::sort(hull.begin(), hull.end());
+  std::sort(hull.begin(), hull.end(), [&](std::uint32_t a, std::uint32_t b) { return table.rank[a] < table.rank[b]; });
   return hull;
 }
 
 class CutSearch {
  public:
-  CutSearch(const RingTable& table, const std::vector<FeatureBar>& bars, const std::vector<std::uint32_t>& order)
-      : table_(table), bars_(bars), order_(order), walls_(walls_of(table)), links_(table), touching_(table.at.size()) {
+  CutSearch(const RingTable& table, const std::vector<FeatureBar>& bars, const std::vector<BarWorth>& worth,
+            const std::vector<std::uint32_t>& order)
+      : table_(table),
+        bars_(bars),
+        worth_(worth),
+        order_(order),
+        walls_(walls_of(table)),
+        links_(table),
+        touching_(table.at.size()) {
     for (const bool hole : table.is_hole) stands_.push_back(!hole);
     std::vector<bool> seen(stands_);
     for (const std::uint32_t b : order)
       if (bars[b].minimum && !seen[table.ring[*bars[b].minimum]]) {
         seen[table.ring[*bars[b].minimum]] = true;
-        first_of_[worth_of(bars[b])].push_back(table.ring[*bars[b].minimum]);
+        first_of_[worth[b]].push_back(table.ring[*bars[b].minimum]);
       }
   }
 
@@ -79,9 +76,9 @@ class CutSearch {
     for (std::size_t k = 0; k < order_.size(); ++k) {
       poll.at_test(k, order_.size());
       const FeatureBar& bar = bars_[order_[k]];
-      if (k == 0 || worth_of(bar) != worth_of(bars_[order_[k - 1]])) {
+      if (k == 0 || worth_[order_[k]] != worth_[order_[k - 1]]) {
         add_partners(poll, double(k) / double(order_.size()));
-        if (const auto found = first_of_.find(worth_of(bar)); found != first_of_.end())
+        if (const auto found = first_of_.find(worth_[order_[k]]); found != first_of_.end())
           for (const std::uint32_t ring : found->second) stands_[ring] = true;
       }
       if (!bar.minimum || done[*bar.minimum]) continue;
@@ -112,6 +109,21 @@ class CutSearch {
     return wall.kind == Cut::End::cut || (stands_[wall.ring] && wall.index != v && table_.next[wall.index] != v);
   }
 
+  /// For ends equally far: first those at a vertex whose own notch the cut resolves, too, then others on the boundary,
+  /// by the ranks of what they lie on, then those on cuts.
+  using Tie = std::tuple<int, std::uint32_t, std::uint32_t>;
+  Tie tie_of(const Candidate& candidate) const {
+    const Wall& wall = walls_[candidate.wall];
+    if (wall.kind == Cut::End::cut) return {2, wall.index, 0};
+    std::uint32_t a = wall.index, b = table_.next[wall.index];
+    if (candidate.end.t == Rational(0)) b = a;
+    if (candidate.end.t == Rational(1)) a = b;
+    const bool resolves =
+        a == b && table_.is_reflex(a) && notch_at(a).admits(table_.at[candidate.vertex]) && !resolved(a, notch_at(a));
+    const auto [low, high] = std::minmax(table_.rank[a], table_.rank[b]);
+    return {resolves ? 0 : 1, low, high};
+  }
+
   /// The nearest place of what stands in the cone at v. Nothing where the notch is resolved.
   std::optional<Candidate> nearest_end(std::uint32_t v) const {
     const Notch notch = notch_at(v);
@@ -130,9 +142,10 @@ class CutSearch {
       if (least > most) continue;
       std::optional<Nearest> found = notch.nearest(walls_[w]);
       if (!found) continue;
-      if (!best || found->square < best->end.square ||
-          (found->square == best->end.square && ends_before(walls_[w], walls_[best->wall])))
-        best = Candidate{v, w, *std::move(found)};
+      Candidate candidate{v, w, *std::move(found)};
+      if (!best || candidate.end.square < best->end.square ||
+          (candidate.end.square == best->end.square && tie_of(candidate) < tie_of(*best)))
+        best = std::move(candidate);
     }
     return best;
   }
@@ -199,20 +212,22 @@ class CutSearch {
 
   const RingTable& table_;
   const std::vector<FeatureBar>& bars_;
+  const std::vector<BarWorth>& worth_;
   const std::vector<std::uint32_t>& order_;
   WallSet walls_;
   CutLinks links_;
-  std::vector<bool> stands_;                              ///< per ring: cuts end there, and do not pass over it
-  std::map<Worth, std::vector<std::uint32_t>> first_of_;  ///< holes by the most significant of their bars
-  std::vector<std::vector<std::uint32_t>> touching_;      ///< vertex -> cuts
+  std::vector<bool> stands_;                                 ///< per ring: cuts end there, and do not pass over it
+  std::map<BarWorth, std::vector<std::uint32_t>> first_of_;  ///< holes by the most significant of their bars
+  std::vector<std::vector<std::uint32_t>> touching_;         ///< vertex -> cuts
   std::vector<PlacedCut> cuts_;
 };
 
 }  // namespace
 
 std::vector<PlacedCut> find_cuts(const RingTable& table, const std::vector<FeatureBar>& bars,
-                                 const std::vector<std::uint32_t>& order, const planar::Poll& poll) {
-  return CutSearch(table, bars, order).run(poll);
+                                 const std::vector<BarWorth>& worth, const std::vector<std::uint32_t>& order,
+                                 const planar::Poll& poll) {
+  return CutSearch(table, bars, worth, order).run(poll);
 }
 
 }  // namespace dymsum::shape

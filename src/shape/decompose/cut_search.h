@@ -2,6 +2,8 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
+#include <tuple>
 #include <vector>
 
 #include "base/poll.h"
@@ -25,10 +27,14 @@ struct PlacedCut {
   std::vector<Passage> over;  ///< in order
 };
 
+/// What tells bars that count exactly as much.
+using BarWorth = std::tuple<std::uint32_t, double, double, std::optional<std::uint32_t>>;
+
 /// The cuts for the minima of these bars, in their order, with the partners of those that would not separate anything.
 /// O(log n) steps in doubles and a few exact ones per bar in practice. Stops as the progress callback asks.
 std::vector<PlacedCut> find_cuts(const RingTable& table, const std::vector<FeatureBar>& bars,
-                                 const std::vector<std::uint32_t>& order, const planar::Poll& poll);
+                                 const std::vector<BarWorth>& worth, const std::vector<std::uint32_t>& order,
+                                 const planar::Poll& poll);
 
 /// The connected components of the region without the cuts, each with simple rings. O(m log m) steps for m vertices and
 /// cuts, and for every hole that no cut touches a walk round the pieces in whose boxes it lies.

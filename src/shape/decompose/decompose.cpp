@@ -5,6 +5,7 @@
 
 #include "base/poll.h"
 #include "shape/decompose/cut_search.h"
+#include "shape/features/feature_state.h"
 
 namespace dymsum {
 namespace {
@@ -14,6 +15,28 @@ std::optional<Point> what_is_not_cut(const Region& region) {
   if (!region.points().empty()) return region.points().front();
   if (!region.touching_points().empty()) return region.touching_points().front();
   return std::nullopt;
+}
+
+std::vector<shape::BarWorth> worth_of_bars(const ShapeFeatures::State& state) {
+  std::vector<shape::BarWorth> worth;
+  for (std::size_t i = 0; i < state.bars.size(); ++i) {
+    const shape::TrackWorth& own = state.tracks.bars[i].worth;
+    worth.emplace_back(state.complex.nodes[own.since.node].rank, own.since.depth, own.depth.value_or(-1),
+                       state.bars[i].death);
+  }
+  return worth;
+}
+
+/// Region vertex -> rank; none for vertices in an edge.
+std::vector<std::optional<std::uint32_t>> vertex_ranks(const Region& region, const shape::BoundaryLoops& loops) {
+  std::size_t count = 0;
+  for (const Part& part : region.parts()) {
+    count += part.outer.size();
+    for (const Ring& hole : part.holes) count += hole.size();
+  }
+  std::vector<std::optional<std::uint32_t>> rank(count);
+  for (std::size_t v = 0; v < loops.vertices.size(); ++v) rank[loops.vertices[v].vertex] = loops.rank[v];
+  return rank;
 }
 
 }  // namespace
@@ -38,8 +61,9 @@ Result<Decomposition> decompose(const ShapeFeatures& features, const DecomposeOp
     const std::vector<std::uint32_t> order =
         features.significant(options.persistence, options.alpha_from, options.alpha_to);
     poll.stage("cuts");
-    const shape::RingTable table = shape::ring_table(region);
-    std::vector<shape::PlacedCut> cuts = shape::find_cuts(table, features.bars(), order, poll);
+    const ShapeFeatures::State& state = ShapeFeaturesAccess::state(features);
+    const shape::RingTable table = shape::ring_table(region, vertex_ranks(region, state.loops));
+    std::vector<shape::PlacedCut> cuts = shape::find_cuts(table, features.bars(), worth_of_bars(state), order, poll);
     poll.stage("pieces");
     Decomposition result{{}, shape::pieces_between(table, cuts, poll)};
     for (shape::PlacedCut& cut : cuts) result.cuts.push_back(std::move(cut.cut));

@@ -1,7 +1,11 @@
 #include "shape/features/canonical_order.h"
 
 #include <algorithm>
+#include <array>
 #include <numeric>
+#include <optional>
+#include <tuple>
+#include <utility>
 
 #include "exact/grid.h"
 
@@ -24,28 +28,38 @@ std::vector<std::uint32_t> ranks_of(const std::vector<Key>& keys) {
   return rank;
 }
 
+/// Vertices by their differences from the mean of all, multiplied by their number.
+struct FromMean {
+  std::vector<BigInteger> x, y;
+};
+
+FromMean from_mean_of(const BoundaryLoops& loops, int grid_exponent) {
+  const auto coordinate = [&](double v) { return exact::grid_coordinate<exact::Big>(v, grid_exponent).value(); };
+  FromMean all;
+  BigInteger sum_x, sum_y;
+  for (const LoopVertex& v : loops.vertices) {
+    all.x.push_back(coordinate(v.at.x));
+    all.y.push_back(coordinate(v.at.y));
+    sum_x += all.x.back();
+    sum_y += all.y.back();
+  }
+  const BigInteger n(loops.vertices.size());
+  for (BigInteger& x : all.x) x = n * x - sum_x;
+  for (BigInteger& y : all.y) y = n * y - sum_y;
+  return all;
+}
+
 struct Lengths {
   std::vector<std::uint32_t> from_mean, to_next;  ///< ranks of the squares
 };
 
-Lengths lengths_of(const BoundaryLoops& loops, int grid_exponent) {
-  const auto coordinate = [&](double v) { return exact::grid_coordinate<exact::Big>(v, grid_exponent).value(); };
-  std::vector<BigInteger> x, y;
-  BigInteger sum_x, sum_y;
-  for (const LoopVertex& v : loops.vertices) {
-    x.push_back(coordinate(v.at.x));
-    y.push_back(coordinate(v.at.y));
-    sum_x += x.back();
-    sum_y += y.back();
-  }
-  const BigInteger n(loops.vertices.size());
+Lengths lengths_of(const BoundaryLoops& loops, const FromMean& at) {
+  const auto square = [](const BigInteger& x, const BigInteger& y) { return BigInteger(x * x + y * y); };
   std::vector<BigInteger> from_mean, to_next;
-  for (std::uint32_t v = 0; v < x.size(); ++v) {
-    const BigInteger dx = n * x[v] - sum_x, dy = n * y[v] - sum_y;
-    from_mean.push_back(dx * dx + dy * dy);
+  for (std::uint32_t v = 0; v < at.x.size(); ++v) {
     const std::uint32_t w = loops.next(v);
-    const BigInteger ex = x[w] - x[v], ey = y[w] - y[v];
-    to_next.push_back(ex * ex + ey * ey);
+    from_mean.push_back(square(at.x[v], at.y[v]));
+    to_next.push_back(square(BigInteger(at.x[w] - at.x[v]), BigInteger(at.y[w] - at.y[v])));
   }
   return {ranks_of(from_mean), ranks_of(to_next)};
 }
@@ -102,11 +116,74 @@ class Stretches {
   std::vector<std::uint32_t> ranks_;
 };
 
+/// Coordinates with the mean for origin and a vertex on the first axis, mirrored or not.
+class Frame {
+ public:
+  Frame(const BoundaryLoops& loops, const FromMean& at, const std::vector<std::uint32_t>& ranks, std::uint32_t axis,
+        bool mirrored)
+      : order_(ranks.size()), place_(ranks.size()) {
+    for (std::uint32_t v = 0; v < ranks.size(); ++v) {
+      along_.push_back(at.x[axis] * at.x[v] + at.y[axis] * at.y[v]);
+      across_.push_back(at.x[axis] * at.y[v] - at.y[axis] * at.x[v]);
+      if (mirrored) across_.back() = -across_.back();
+    }
+    std::iota(order_.begin(), order_.end(), 0U);
+    std::sort(order_.begin(), order_.end(), [&](std::uint32_t a, std::uint32_t b) {
+      if (ranks[a] != ranks[b]) return ranks[a] < ranks[b];
+      return std::tie(along_[a], across_[a], a) < std::tie(along_[b], across_[b], b);
+    });
+    for (std::uint32_t k = 0; k < order_.size(); ++k) place_[order_[k]] = k;
+    for (const std::uint32_t v : order_) {
+      neighbours_.push_back({place_[loops.next(v)], place_[loops.previous(v)]});
+      if (mirrored) std::swap(neighbours_.back()[0], neighbours_.back()[1]);
+    }
+  }
+
+  /// By what is seen in it: equal frames are images of each other under a symmetry of the region.
+  bool operator<(const Frame& other) const {
+    for (std::size_t k = 0; k < order_.size(); ++k) {
+      const std::uint32_t v = order_[k], w = other.order_[k];
+      if (along_[v] != other.along_[w]) return along_[v] < other.along_[w];
+      if (across_[v] != other.across_[w]) return across_[v] < other.across_[w];
+    }
+    return neighbours_ < other.neighbours_;
+  }
+  std::vector<std::uint32_t> places() && { return std::move(place_); }
+
+ private:
+  std::vector<BigInteger> along_, across_;
+  std::vector<std::uint32_t> order_, place_;
+  std::vector<Pair> neighbours_;
+};
+
+/// Ranks without ties: those that are equal by their places in the least of the frames whose axis goes through a vertex
+/// of a rank that few have.
+std::vector<std::uint32_t> told_apart(const BoundaryLoops& loops, const FromMean& at,
+                                      const std::vector<std::uint32_t>& ranks) {
+  std::vector<std::uint32_t> count(ranks.size(), 0);
+  for (const std::uint32_t rank : ranks) ++count[rank];
+  std::uint32_t fewest = kNoIndex;
+  for (std::uint32_t v = 0; v < ranks.size(); ++v)
+    if ((at.x[v] != 0 || at.y[v] != 0) &&
+        (fewest == kNoIndex || std::make_pair(count[ranks[v]], ranks[v]) < std::make_pair(count[fewest], fewest)))
+      fewest = ranks[v];
+  std::optional<Frame> least;
+  for (std::uint32_t v = 0; v < ranks.size() && fewest != kNoIndex; ++v) {
+    if (ranks[v] != fewest) continue;
+    for (const bool mirrored : {false, true}) {
+      Frame frame(loops, at, ranks, v, mirrored);
+      if (!least || frame < *least) least = std::move(frame);
+    }
+  }
+  return least ? std::move(*least).places() : ranks;
+}
+
 }  // namespace
 
 std::vector<std::uint32_t> canonical_ranks(const BoundaryLoops& loops, const Walks& walks) {
   if (loops.vertices.empty()) return {};
-  const Lengths lengths = lengths_of(loops, walks.grid_exponent);
+  const FromMean at = from_mean_of(loops, walks.grid_exponent);
+  const Lengths lengths = lengths_of(loops, at);
   std::uint64_t longest = 0;
   for (const BoundaryLoop& loop : loops.loops) longest = std::max<std::uint64_t>(longest, loop.last - loop.first);
   Stretches stretches(loops, lengths);
@@ -115,7 +192,9 @@ std::vector<std::uint32_t> canonical_ranks(const BoundaryLoops& loops, const Wal
   const std::vector<std::uint32_t> around = stretches.of_vertices();
   std::vector<Pair> keys(around.size());
   for (std::size_t v = 0; v < keys.size(); ++v) keys[v] = {lengths.from_mean[v], around[v]};
-  return ranks_of(keys);
+  const std::vector<std::uint32_t> ranks = ranks_of(keys);
+  const bool distinct = *std::max_element(ranks.begin(), ranks.end()) + 1 == ranks.size();
+  return distinct ? ranks : told_apart(loops, at, ranks);
 }
 
 ContactRanks contact_ranks(const Complex& complex, const BoundaryLoops& loops, std::uint32_t edge) {

@@ -11,9 +11,13 @@
 
 namespace dymsum::shape {
 
-/// Loop vertex -> rank: by the distance from the mean of all loop vertices, then by what follows along the loop in
-/// either direction, distances and lengths of edges. Equal ranks are mostly images of each other under a symmetry of
-/// the region; they are so unless whole loops are congruent and equally far from the mean. Exact. O(n log^2 n).
+/// Loop vertex -> rank, by the distance from the mean of all loop vertices, then by what follows along the loop in
+/// either direction, distances and lengths of edges. Where that leaves ties all are looked at in one frame: its origin
+/// is the mean, its first axis goes through a vertex, it is mirrored or not; the frame in which the region looks least
+/// is chosen. Frames that look the same are images of each other under a symmetry of the region, so that whatever is
+/// decided by these ranks is decided, up to a congruence, by geometry alone. Only vertices at one place have indices
+/// for a tie. Exact. O(n log^2 n), with symmetries n log n for each vertex of the rarest kind: rational coordinates
+/// have at most eight symmetries.
 std::vector<std::uint32_t> canonical_ranks(const BoundaryLoops& loops, const Walks& walks);
 
 /// The ranks of what the discs on an edge of a complex touch: two for each site, the lesser one first.

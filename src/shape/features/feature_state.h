@@ -24,4 +24,8 @@ struct ShapeFeatures::State {
   std::vector<FeatureBar> bars;
 };
 
+struct ShapeFeaturesAccess {
+  static const ShapeFeatures::State& state(const ShapeFeatures& features) { return *features.state_; }
+};
+
 }  // namespace dymsum

@@ -134,7 +134,8 @@ class Ranking {
     if (worth_[i].by == Worth::By::concavity) return x.depth == y.depth;
     if (lives_.death_key(a) != lives_.death_key(b)) return false;
     if (!bounded_) return lives_.birth_key(a) == lives_.birth_key(b);
-    return x.since.depth == y.since.depth && state_.complex.nodes[x.since.node].rank == state_.complex.nodes[y.since.node].rank;
+    return x.since.depth == y.since.depth &&
+           state_.complex.nodes[x.since.node].rank == state_.complex.nodes[y.since.node].rank;
   }
   bool before(std::uint32_t i, std::uint32_t j) const {
     const FeatureBar &a = state_.bars[i], &b = state_.bars[j];
@@ -193,11 +194,15 @@ void add_significance(ShapeFeatures::State& state) {
   for (std::size_t i = 0; i < state.bars.size(); ++i) {
     FeatureBar& bar = state.bars[i];
     const Bar& track = state.tracks.bars[i];
+    const Since& since = track.worth.since;
+    bar.counts_from = 2 * state.complex.nodes[since.node].radius - kAgePerDepth * since.depth;
     bar.significance = track.worth.depth.value_or(INFINITY);
     if (!bar.death) continue;
     const exact::RootExpression life =
-        exact::RootExpression(2) * (exact_radius(state.complex, state.first_node[*bar.death]) - half_of(state.complex, track.worth.since));
-    if (!track.worth.depth || compare(life, exact::RootExpression(*track.worth.depth)) < 0) bar.significance = nearest_double(life);
+        exact::RootExpression(2) *
+        (exact_radius(state.complex, state.first_node[*bar.death]) - half_of(state.complex, track.worth.since));
+    if (!track.worth.depth || compare(life, exact::RootExpression(*track.worth.depth)) < 0)
+      bar.significance = nearest_double(life);
   }
 }
 

@@ -17,7 +17,7 @@ template <>
 Interval radius_as(const Complex& complex, std::uint32_t node) {
   const double r = complex.nodes[node].radius;  // the nearest double
   return complex.nodes[node].kind == Node::Kind::corner ? Interval(0)
-                                                         : Interval(std::nextafter(r, -1), std::nextafter(r, INFINITY));
+                                                        : Interval(std::nextafter(r, -1), std::nextafter(r, INFINITY));
 }
 template <>
 RootExpression radius_as(const Complex& complex, std::uint32_t node) {
@@ -52,9 +52,8 @@ bool alike(const Complex& complex, const Since& a, const Since& b) {
 
 bool counts_by_depth(const Complex& complex, std::uint32_t node, const TrackWorth& worth) {
   if (!worth.depth) return false;
-  return difference_sign(
-             [&](auto n) { return half_worth<decltype(n)>(complex, node, worth, true); },
-             [&](auto n) { return half_worth<decltype(n)>(complex, node, worth, false); }) < 0;
+  return difference_sign([&](auto n) { return half_worth<decltype(n)>(complex, node, worth, true); },
+                         [&](auto n) { return half_worth<decltype(n)>(complex, node, worth, false); }) < 0;
 }
 
 /// Goes through the edges, inlets before what they lead to.

@@ -120,8 +120,7 @@ class Sweep {
     if (inlets.empty()) return;
     std::uint32_t best = worthiest(j, inlets);
     const auto ends = [&](std::uint32_t e) {
-      return complex_.edges[e].high != kNoIndex && e != on &&
-             std::find(j.in.begin(), j.in.end(), e) != j.in.end();
+      return complex_.edges[e].high != kNoIndex && e != on && std::find(j.in.begin(), j.in.end(), e) != j.in.end();
     };
     std::uint32_t stays = on;  // the inlet that goes on
     if (outlet != kNoIndex) stays = j.out.empty() ? kNoIndex : j.out.front();

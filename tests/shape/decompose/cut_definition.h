@@ -91,7 +91,7 @@ class Definition {
   };
 
   static bool same_worth(const FeatureBar& a, const FeatureBar& b) {
-    return a.birth == b.birth && a.death == b.death && a.concavity == b.concavity;
+    return a.birth == b.birth && a.death == b.death && a.concavity == b.concavity && a.significance == b.significance;
   }
 
   void add(const Ring& ring, bool hole) {

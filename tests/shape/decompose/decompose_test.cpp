@@ -175,8 +175,8 @@ TEST(Decompose, NoiseMovesTheCutsOfARealShapeAsLittleAsItself) {
     return cut(repair(data).value().region, 3).cuts;
   };
   const std::vector<Cut> clean = cuts("mammoth.poly"), noisy = cuts("mammoth_noise.poly");
-  ASSERT_EQ(clean.size(), 4u);
-  ASSERT_EQ(noisy.size(), 4u);
+  ASSERT_EQ(clean.size(), 6u);
+  ASSERT_EQ(noisy.size(), 6u);
   const auto far = [](const RationalPoint& a, const RationalPoint& b) {
     return std::hypot((a.x - b.x).to_double(), (a.y - b.y).to_double());
   };
@@ -305,6 +305,114 @@ TEST(Decompose, MotionsMoveTheCuts) {
         EXPECT_EQ(cut_texts(cut(turned, tau).cuts, same), cut_texts(cuts, motions[k])) << seed << " motion " << k;
       }
     }
+  }
+}
+
+TEST(Decompose, ADentBeforeANeckTakesNothingFromThePocketBehindIt) {
+  const Ring dented{{-20, 0},   {20, 0},  {20, 20},    {15, 20}, {1.42, 8.359999}, {1, 8},
+                    {1.3, 7.5}, {0, 6.5}, {-1.3, 7.5}, {-1, 8},  {-15, 20},        {-20, 20}};
+  Ring plain = dented;
+  plain.erase(plain.begin() + 4);
+  for (const Ring& ring : {dented, plain}) {
+    const std::vector<Cut> cuts = cut(Region::create({{{ring, {}}}, {}, {}}).value(), 3).cuts;
+    ASSERT_EQ(cuts.size(), 1u);
+    EXPECT_EQ(cuts[0].from.y.to_double(), 6.5);
+  }
+}
+
+/// What congruent rings have in common: squares of edges and scalar products of neighbours, from the least start on,
+/// in the lesser direction.
+std::vector<std::string> ring_shape(const RationalRing& ring) {
+  std::vector<std::string> least;
+  for (const bool back : {false, true}) {
+    std::vector<std::string> seen;
+    const std::size_t n = ring.size();
+    const auto at = [&](std::size_t k) { return ring[back ? n - 1 - k % n : k % n]; };
+    for (std::size_t i = 0; i < n; ++i) {
+      const RationalPoint a = at(i), b = at(i + 1), c = at(i + 2);
+      const Rational dx = b.x - a.x, dy = b.y - a.y, ex = c.x - b.x, ey = c.y - b.y;
+      seen.push_back((dx * dx + dy * dy).to_string() + " " + (dx * ex + dy * ey).to_string());
+    }
+    for (std::size_t i = 0; i < n; ++i) {
+      std::rotate(seen.begin(), seen.begin() + 1, seen.end());
+      if (least.empty() || seen < least) least = seen;
+    }
+  }
+  return least;
+}
+
+std::vector<std::vector<std::vector<std::string>>> piece_shapes(const RegionData& data, const Rational& tau) {
+  std::vector<std::vector<std::vector<std::string>>> shapes;
+  for (const Piece& piece : cut(Region::create(data).value(), tau).pieces) {
+    shapes.push_back({ring_shape(piece.outer)});
+    for (const RationalRing& hole : piece.holes) shapes.back().push_back(ring_shape(hole));
+    std::sort(shapes.back().begin() + 1, shapes.back().end());
+  }
+  std::sort(shapes.begin(), shapes.end());
+  return shapes;
+}
+
+/// Rings begun `start` vertices later; of odd copies parts and holes in the other order; turned by quarter turns,
+/// mirrored.
+RegionData seen_otherwise(RegionData data, std::size_t start, int quarters, bool mirrored) {
+  const auto change = [&](Ring& ring) {
+    std::rotate(ring.begin(), ring.begin() + std::ptrdiff_t(start % ring.size()), ring.end());
+    for (Point& p : ring) {
+      if (mirrored) p.x = -p.x;
+      for (int k = 0; k < quarters; ++k) p = {-p.y, p.x};
+    }
+    if (mirrored) std::reverse(ring.begin(), ring.end());
+  };
+  for (Part& part : data.parts) {
+    change(part.outer);
+    for (Ring& hole : part.holes) change(hole);
+    if (start % 2 == 1) std::reverse(part.holes.begin(), part.holes.end());
+  }
+  if (start % 2 == 1) std::reverse(data.parts.begin(), data.parts.end());
+  return data;
+}
+
+void expect_seen_the_same(const RegionData& data, const Rational& tau, std::size_t starts) {
+  const auto expected = piece_shapes(data, tau);
+  for (std::size_t start = 0; start < starts; ++start)
+    for (int quarters = 0; quarters < 4; ++quarters)
+      for (const bool mirrored : {false, true})
+        ASSERT_EQ(piece_shapes(seen_otherwise(data, start, quarters, mirrored), tau), expected)
+            << "start " << start << ", " << quarters << " quarter turns" << (mirrored ? ", mirrored" : "");
+}
+
+TEST(Decompose, PiecesDoNotDependOnWhereRingsBeginOrHowTheyAreTurned) {
+  const Ring ring{{0, 0}, {1, 0}, {1, 1}, {3, 1}, {3, 0}, {4, 0}, {4, 2}, {1, 2}, {1, 3}, {4, 3}, {4, 4}, {0, 4}};
+  const RegionData issue{{{ring, {}}}, {}, {}};
+  for (const char* tau : {"0", "1/2", "1"}) expect_seen_the_same(issue, Rational::parse(tau).value(), ring.size());
+  EXPECT_EQ(piece_shapes(issue, Rational::parse("1/2").value()).size(), 3u);
+  const Ring plus{{1, 0}, {2, 0}, {2, 1}, {3, 1}, {3, 2}, {2, 2}, {2, 3}, {1, 3}, {1, 2}, {0, 2}, {0, 1}, {1, 1}};
+  expect_seen_the_same({{{plus, {}}}, {}, {}}, 0, plus.size());
+  expect_seen_the_same(comb(3).data(), 0, 5);
+  expect_seen_the_same(plate_with_holes().data(), 0, 4);
+  expect_seen_the_same({{{{{0, 0}, {8, 0}, {8, 8}, {0, 8}},
+                          {{{1, 1}, {1, 3}, {3, 3}, {3, 1}},
+                           {{5, 1}, {5, 3}, {7, 3}, {7, 1}},
+                           {{1, 5}, {1, 7}, {3, 7}, {3, 5}},
+                           {{5, 5}, {5, 7}, {7, 7}, {7, 5}}}}},
+                        {},
+                        {}},
+                       0, 4);
+}
+
+TEST(Decompose, PiecesOfAnyDoublesDoNotDependOnWhereRingsBegin) {
+  for (unsigned seed = 0; seed < 6; ++seed) {
+    SCOPED_TRACE("seed " + std::to_string(seed));
+    const Ring ring = small_polygon(seed).parts()[0].outer;
+    Ring turned, decimal, single, noisy;
+    std::mt19937 random(seed);
+    for (const Point& p : ring) {
+      turned.push_back({p.x * std::cos(0.3) - p.y * std::sin(0.3), p.x * std::sin(0.3) + p.y * std::cos(0.3)});
+      decimal.push_back({p.x * 0.1, p.y * 0.1});
+      single.push_back({double(float(p.x * 0.1)), double(float(p.y * 0.1))});
+      noisy.push_back({p.x + 1e-9 * double(random() % 1000), p.y + 1e-9 * double(random() % 1000)});
+    }
+    for (const Ring& copy : {ring, turned, decimal, single, noisy}) expect_seen_the_same({{{copy, {}}}, {}, {}}, 0, 3);
   }
 }
 

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <filesystem>
 #include <map>
 #include <random>
 #include <set>
@@ -12,6 +13,7 @@
 #include <tuple>
 #include <vector>
 
+#include "dymsum/region_io.h"
 #include "dymsum/shapes.h"
 #include "oracles/tiny_regions.h"
 #include "oracles/verdict.h"
@@ -292,6 +294,83 @@ TEST(Tracks, WithoutPocketsTheyCountFromTheOldestBirthBelow) {
       EXPECT_EQ(complex.nodes[since[e].node].rank, oldest_below(complex, junctions, below, e));
     }
   }
+}
+
+/// Significances, the largest first.
+std::vector<double> significances(const RegionData& data) {
+  const ShapeFeatures features = features_of(Region::create(data).value());
+  std::vector<double> all;
+  for (const FeatureBar& bar : features.bars()) all.push_back(bar.significance);
+  std::sort(all.rbegin(), all.rend());
+  return all;
+}
+
+/// Every edge in `parts`, every vertex moved by at most eps.
+Ring noisy(const Ring& ring, double eps, int parts, std::mt19937& random) {
+  std::uniform_real_distribution<double> share(-0.7 * eps, 0.7 * eps);
+  Ring moved;
+  for (std::size_t i = 0; i < ring.size(); ++i) {
+    const Point a = ring[i], b = ring[(i + 1) % ring.size()];
+    for (int k = 0; k < parts; ++k) {
+      const double t = double(k) / parts;
+      moved.push_back({a.x + t * (b.x - a.x) + share(random), a.y + t * (b.y - a.y) + share(random)});
+    }
+  }
+  return moved;
+}
+
+TEST(ShapeFeatures, NoiseMovesSignificancesByAtMostTwiceItself) {
+  const std::vector<Ring> rings{
+      // A pocket behind a neck, with a dent in the wall before it, and without.
+      {{-20, 0},
+       {20, 0},
+       {20, 20},
+       {15, 20},
+       {1.42, 8.359999},
+       {1, 8},
+       {1.3, 7.5},
+       {0, 6.5},
+       {-1.3, 7.5},
+       {-1, 8},
+       {-15, 20},
+       {-20, 20}},
+      {{-20, 0}, {20, 0}, {20, 20}, {15, 20}, {1, 8}, {1.3, 7.5}, {0, 6.5}, {-1.3, 7.5}, {-1, 8}, {-15, 20}, {-20, 20}},
+      // Corridors: noise makes necks, and full places between them.
+      {{-20, 0}, {20, 0}, {20, 20}, {1, 20}, {1, 2}, {-1, 2}, {-1, 20}, {-20, 20}},
+      {{-20, 0},
+       {20, 0},
+       {20, 20},
+       {8, 20},
+       {1, 14},
+       {1, 2},
+       {-1, 2},
+       {-1, 14},
+       {-6, 17},
+       {-9, 12},
+       {-12, 20},
+       {-20, 20}}};
+  std::mt19937 random(3);
+  for (std::size_t r = 0; r < rings.size(); ++r)
+    for (const double eps : {1e-2, 1e-3, 1e-5, 1e-7})
+      for (const int parts : {1, 3}) {
+        const std::vector<double> clean = significances({{{rings[r], {}}}, {}, {}});
+        std::vector<double> moved = significances({{{noisy(rings[r], eps, parts, random), {}}}, {}, {}});
+        if (moved.size() < clean.size()) moved.resize(clean.size(), 0);
+        for (std::size_t i = 0; i < moved.size(); ++i)
+          EXPECT_LE(std::abs(moved[i] - (i < clean.size() ? clean[i] : 0)), 2 * eps)
+              << "ring " << r << ", noise " << eps << ", " << parts << " parts, bar " << i;
+      }
+}
+
+TEST(ShapeFeatures, NoiseMovesSignificancesOfARealShapeAsLittleAsItself) {
+  const std::filesystem::path folder = std::filesystem::path(DYMSUM_SOURCE_DIR) / "../shared/data/planar";
+  if (!std::filesystem::exists(folder / "mammoth_noise.poly")) GTEST_SKIP() << "no such data";
+  const auto of = [&](const char* name) {
+    const RegionData data = read_region_data((folder / name).string()).value();
+    return significances(repair(data).value().region.data());
+  };
+  const std::vector<double> clean = of("mammoth.poly"), moved = of("mammoth_noise.poly");
+  for (std::size_t i = 0; i < 100; ++i) EXPECT_NEAR(clean[i], moved[i], 4 * 4e-4) << "bar " << i;
 }
 
 TEST(ShapeFeatures, SelectionByLifeIsExact) {

@@ -26,10 +26,9 @@ export function lifeOf(bar: FeatureBar, { from, to }: Within): number {
   return Math.max(0, Math.min(bar.deathAlpha, number(to, Infinity)) - Math.max(bar.birthAlpha, number(from, 0)));
 }
 
-/** What cuts go by: the lesser of how long a pocket lasts and how deep it is; of gaps their life. */
+/** What cuts go by: the lesser of how deep a pocket is and how long it lasts, counted from where it was deep; of gaps their life. */
 export function significanceOf(bar: FeatureBar, within: Within): number {
-  const life = lifeOf(bar, within);
-  return bar.minimum === null ? life : Math.min(life, bar.concavity);
+  return Math.min(bar.significance, lifeOf({ ...bar, birthAlpha: bar.countsFrom }, within));
 }
 
 /** The diameters that a barcode of these bars shows. */
