@@ -2,6 +2,7 @@
 // choose between Region::create (refuse) and repair (mend and report).
 #pragma once
 
+#include <cstdint>
 #include <iosfwd>
 #include <string>
 #include <string_view>
@@ -27,6 +28,10 @@ bool begins_like_dxf(std::string_view text);
 /// Whether read_shapes reads files of that name, by the extension, perhaps in front of a "#": those formats and maps.
 bool names_region(const std::string& path);
 
+/// What becomes of third coordinates and measures (Z and M) in files that hold them: they are errors, or left out, so
+/// that what lies above one another coincides.
+enum class ThirdCoordinates : std::uint8_t { refused, dropped };
+
 /// One named shape of a file. Most files hold one; nesting instances and GeoJSON collections may hold several.
 struct NamedShape {
   std::string name;
@@ -36,12 +41,14 @@ struct NamedShape {
 /// All shapes of a file, or the one of "f.json#name"; "-" is standard input. Maps (.yaml, .map) are one shape, see
 /// docs/guide/files.md. Errors: cannot_open, unsupported_format, malformed, truncated, not_finite, each with file and
 /// line.
-Result<std::vector<NamedShape>> read_shapes(const std::string& path);
+Result<std::vector<NamedShape>> read_shapes(const std::string& path,
+                                            ThirdCoordinates third = ThirdCoordinates::refused);
 Result<std::vector<NamedShape>> parse_shapes(std::string_view text, RegionFormat format,
-                                             std::string_view name_for_errors);
+                                             std::string_view name_for_errors,
+                                             ThirdCoordinates third = ThirdCoordinates::refused);
 
 /// The file's only or selected shape. Error malformed when the file holds several and none is selected.
-Result<RegionData> read_region_data(const std::string& path);
+Result<RegionData> read_region_data(const std::string& path, ThirdCoordinates third = ThirdCoordinates::refused);
 
 /// The region in a format, coordinates with the fewest digits that read back to the same doubles.
 std::string format_region(const Region& region, RegionFormat format);

@@ -19,6 +19,9 @@ void bind_region_readers(nb::module_& m) {
       .value("svg", RegionFormat::svg)
       .value("json", RegionFormat::json)
       .value("dxf", RegionFormat::dxf);
+  nb::enum_<ThirdCoordinates>(m, "ThirdCoordinates", "What becomes of third coordinates and measures in files.")
+      .value("refused", ThirdCoordinates::refused)
+      .value("dropped", ThirdCoordinates::dropped);
   Record<NamedShape>(m, "NamedShape", "One named shape of a file.")
       .field("name", &NamedShape::name)
       .field("data", &NamedShape::data, "RegionData, not yet validated");
@@ -32,15 +35,17 @@ void bind_region_readers(nb::module_& m) {
       "begins_like_dxf", [](const std::string& text) { return begins_like_dxf(text); }, "text"_a,
       "Whether a text begins as .dxf files do; other formats never do.");
   m.def(
-      "read_shapes", [](const PathArgument& path) { return take(read_shapes(path.text)); }, "path"_a,
+      "read_shapes",
+      [](const PathArgument& path, ThirdCoordinates third) { return take(read_shapes(path.text, third)); }, "path"_a,
+      "third"_a = ThirdCoordinates::refused,
       "All shapes of a file (.poly, .wkt, .geojson, .svg, .dxf, nesting .json), or the one of \"f.json#name\". Raises "
       "Error with file and line.");
   m.def(
       "parse_shapes",
-      [](const std::string& text, RegionFormat format, const std::string& name) {
-        return take(parse_shapes(text, format, name));
+      [](const std::string& text, RegionFormat format, const std::string& name, ThirdCoordinates third) {
+        return take(parse_shapes(text, format, name, third));
       },
-      "text"_a, "format"_a, "name_for_errors"_a = "text",
+      "text"_a, "format"_a, "name_for_errors"_a = "text", "third"_a = ThirdCoordinates::refused,
       R"doc(The shapes of a text. Raises Error with `name_for_errors` and line.
 
 >>> from dymsum import Region, RegionFormat, parse_shapes
@@ -49,7 +54,9 @@ void bind_region_readers(nb::module_& m) {
 [6.0, 0.5]
 )doc");
   m.def(
-      "read_region_data", [](const PathArgument& path) { return take(read_region_data(path.text)); }, "path"_a,
+      "read_region_data",
+      [](const PathArgument& path, ThirdCoordinates third) { return take(read_region_data(path.text, third)); },
+      "path"_a, "third"_a = ThirdCoordinates::refused,
       "The file's only or selected shape, not yet validated. Raises Error: malformed where there are several.");
 }
 

@@ -17,7 +17,8 @@ struct ReadFailure {
 
 struct Source {
   std::string_view text;
-  std::string_view file;  ///< for the evidence
+  std::string_view file;     ///< for the evidence
+  bool drops_third = false;  ///< third coordinates and measures are left out, not refused
 
   /// The line of a byte, from 1; past the last character that is not blank, the line of that character.
   std::int64_t line(std::size_t offset) const;

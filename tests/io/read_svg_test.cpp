@@ -43,13 +43,62 @@ TEST(ReadSvg, open_subpaths_polylines_and_lines_are_polylines) {
 }
 
 TEST(ReadSvg, subpaths_nest_even_odd_whatever_their_orientation) {
-  const RegionData data =
-      read("<path d='M2 2L2 8L8 8L8 2Z M0 0L0 10L10 10L10 0Z M4 4L6 4L6 6L4 6Z M20 0L21 0L20 1Z M1 1L1.5 1L1 1.5Z'/>");
+  const RegionData data = read(
+      "<path fill-rule='evenodd' d='M2 2L2 8L8 8L8 2Z M0 0L0 10L10 10L10 0Z M4 4L6 4L6 6L4 6Z M20 0L21 0L20 1Z M1 "
+      "1L1.5 1L1 1.5Z'/>");
   const std::vector<Part> expected = {
       {{{0, 0}, {10, 0}, {10, 10}, {0, 10}}, {{{2, 2}, {2, 8}, {8, 8}, {8, 2}}, {{1, 1}, {1, 1.5}, {1.5, 1}}}},
       {{{4, 4}, {6, 4}, {6, 6}, {4, 6}}, {}},
       {{{20, 0}, {21, 0}, {20, 1}}, {}}};
   EXPECT_EQ(data.parts, expected);
+}
+
+TEST(ReadSvg, subpaths_enclose_what_their_fill_rule_fills) {
+  const std::string same = " d='M0 0H9V9H0Z M2 2H4V4H2Z M6 2V4H8V2Z'/>";  // filled like the outer ring; a hole
+  const Ring outer{{0, 0}, {9, 0}, {9, 9}, {0, 9}}, left{{2, 2}, {2, 4}, {4, 4}, {4, 2}},
+      right{{6, 2}, {6, 4}, {8, 4}, {8, 2}};
+  const std::vector<Part> nonzero{{outer, {right}}}, even_odd{{outer, {left, right}}};
+  EXPECT_EQ(read("<path" + same).parts, nonzero);
+  EXPECT_EQ(read("<path fill-rule='nonzero'" + same).parts, nonzero);
+  EXPECT_EQ(read("<g fill-rule='evenodd'><path fill-rule='nonzero'" + same + "</g>").parts, nonzero);
+  EXPECT_EQ(read("<path fill-rule='evenodd'" + same).parts, even_odd);
+  EXPECT_EQ(read("<g style='fill-rule:evenodd'><g fill-rule='inherit'><path" + same + "</g></g>").parts, even_odd);
+  EXPECT_EQ(read("<path fill-rule='nonzero' style='fill-rule:evenodd'" + same).parts, even_odd);
+  EXPECT_EQ(read("<g fill='none'><path" + same + "</g>").parts, even_odd) << "an outline";
+  // All of it mirrored.
+  EXPECT_EQ(read("<path transform='scale(-1 1)'" + same).parts[0].holes.size(), 1u);
+  // A style sheet may say otherwise, where that makes a difference.
+  refused_svg("<style>.a{fill-rule: evenodd}</style><path" + same, ErrorCode::malformed, 2, "depends on a style sheet");
+  refused_svg("<defs><style>.a{fill : none}</style></defs><path" + same, ErrorCode::malformed, 2,
+              "depends on a style sheet");
+  EXPECT_EQ(read("<style>.a{fill-rule:evenodd}</style><path d='M0 0H9V9H0Z M6 2V4H8V2Z'/>").parts, nonzero);
+  // Rings that cross are not left out, so that validation finds them.
+  EXPECT_EQ(read("<path d='M0 0H4V4H0Z M1 1H5V3H1Z'/>").parts.size() +
+                read("<path d='M0 0H4V4H0Z M1 1H5V3H1Z'/>").parts[0].holes.size(),
+            2u);
+}
+
+TEST(ReadSvg, what_shows_a_part_only_is_refused) {
+  const std::string rectangle = "<rect width='1' height='1'/>";
+  refused_svg("<g clip-path='url(#c)'>" + rectangle + "</g>", ErrorCode::malformed, 2, "clip-path shows a part only");
+  refused_svg("<rect width='1' height='1' style='mask: url(#m)'/>", ErrorCode::malformed, 2, "mask shows a part only");
+  refused_svg("<defs><style>.a{clip-path:url(#c)}</style></defs>" + rectangle, ErrorCode::malformed, 2, "style sheet");
+  refused_svg("<style>.a { mask : url(#c) }</style>" + rectangle, ErrorCode::malformed, 2, "style sheet");
+  refused_svg("<style>.a{opacity:0.0}</style>" + rectangle, ErrorCode::malformed, 2, "style sheet");
+  const Ring square{{0, 0}, {1, 0}, {1, 1}, {0, 1}};
+  EXPECT_EQ(ring_of("<style>.mask{opacity:0.5;clip-rule:evenodd}</style><g clip-path='none' mask='none'>" + rectangle +
+                    "</g>"),
+            square);
+}
+
+TEST(ReadSvg, what_is_transparent_is_not_read) {
+  const std::string seen = "<rect width='1' height='1' opacity='.5'/>", unseen = "<rect x='5' width='2' height='2'/>";
+  const Ring square{{0, 0}, {1, 0}, {1, 1}, {0, 1}};
+  for (const std::string zero :
+       {"opacity='0'", "opacity='0.0'", "style='opacity: 0%'", "opacity='-1'", "opacity='1' style='opacity:0'"})
+    EXPECT_EQ(ring_of(seen + "<g " + zero + "><g>" + unseen + "</g></g>"), square) << zero;
+  for (const std::string more : {"opacity='1'", "opacity='nan'", "opacity=''", "opacity='0x'", "fill-opacity='0'"})
+    EXPECT_EQ(read(seen + "<g " + more + ">" + unseen + "</g>").parts.size(), 2u) << more;
 }
 
 TEST(ReadSvg, shapes_of_different_elements_do_not_nest) {

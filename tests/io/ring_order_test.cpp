@@ -1,8 +1,13 @@
 #include "io/region/ring_order.h"
 
-#include <cstddef>
-
 #include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <random>
+#include <vector>
 
 namespace dymsum::io {
 namespace {
@@ -33,6 +38,52 @@ TEST(RingOrder, a_ring_that_touches_itself_at_its_leftmost_vertex) {
   const Ring ring = {{0, 0}, {3, -3}, {3, -1}, {0, 0}, {3, 1}, {3, 3}};
   EXPECT_EQ(ring_sign(ring), 1);
   EXPECT_EQ(ring_sign(Ring(ring.rbegin(), ring.rend())), -1);
+}
+
+/// How often rings wind around a point that lies on none of them.
+int winding(const std::vector<Ring>& rings, Point p) {
+  int turns = 0;
+  for (const Ring& ring : rings) {
+    for (std::size_t k = 0; k < ring.size(); ++k) {
+      const Point a = ring[k], b = ring[(k + 1) % ring.size()];
+      if ((a.y > p.y) != (b.y > p.y) && (b.x - a.x) * (p.y - a.y) / (b.y - a.y) + a.x > p.x)
+        turns += b.y > a.y ? 1 : -1;
+    }
+  }
+  return turns;
+}
+
+TEST(RingOrder, nonzero_keeps_what_bounds_places_that_are_wound_around) {
+  std::size_t left_out = 0;
+  for (std::uint32_t seed = 0; seed < 500; ++seed) {
+    std::mt19937 random(seed);
+    // Squares on a quad-tree: inside, beside and around one another.
+    std::vector<Ring> rings;
+    for (int k = 0; k < 12; ++k) {
+      const double size = 1 << (random() % 5), x = std::floor(random() % 32 / size) * size,
+                   y = std::floor(random() % 32 / size) * size, gap = 0.2 / size;
+      Ring ring = square(x + gap, y + gap, size - 2 * gap);
+      if (std::count(rings.begin(), rings.end(), ring) +
+              std::count(rings.begin(), rings.end(), Ring(ring.rbegin(), ring.rend())) >
+          0)
+        continue;
+      if (random() % 2 == 0) std::reverse(ring.begin(), ring.end());
+      rings.push_back(ring);
+    }
+    std::vector<Part> parts;
+    ASSERT_TRUE(nest_rings(rings, parts, FillRule::nonzero));
+    ASSERT_TRUE(Region::create({parts, {}, {}})) << seed;
+    std::vector<Ring> kept;
+    for (const Part& part : parts) {
+      kept.push_back(part.outer);
+      kept.insert(kept.end(), part.holes.begin(), part.holes.end());
+    }
+    left_out += rings.size() - kept.size();
+    for (double x = 0.25; x < 32; x += 0.5)
+      for (double y = 0.25; y < 32; y += 0.5)
+        ASSERT_EQ(winding(kept, {x, y}), winding(rings, {x, y}) != 0) << seed << ": " << x << " " << y;
+  }
+  EXPECT_GT(left_out, 100u);
 }
 
 TEST(RingOrder, rings_inside_one_another_alternate_between_parts_and_holes) {

@@ -35,6 +35,12 @@ class OffReader {
     if (!word.empty() && is_digit(word[0]) && scan_count(word).length == word.size()) return;  // it may be missing
     const std::size_t start = words_.offset();
     std::string_view prefix = words_.take("'OFF'");
+    // The first count may follow at once, as in OFF8 12 18.
+    const std::size_t letters = prefix.find_last_not_of("0123456789") + 1;
+    if (letters < prefix.size() && letters >= 3 && same_word(prefix.substr(letters - 3, 3), "OFF")) {
+      words_.go_to(start + letters);
+      prefix = prefix.substr(0, letters);
+    }
     if (prefix.size() < 3 || !same_word(prefix.substr(prefix.size() - 3), "OFF"))
       words_.fail_at(start, ErrorCode::malformed, "expected 'OFF' instead of " + in_quotes(word));
     prefix.remove_suffix(3);

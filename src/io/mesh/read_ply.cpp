@@ -216,6 +216,10 @@ void check_elements(const PlyHeader& header, const Words& words) {
     if (element.name == "vertex" && !(scalar("x") && scalar("y") && scalar("z"))) {
       words.fail_at(words.offset() - 1, ErrorCode::malformed, "the element vertex does not have one x, y and z each");
     }
+    if (element.name == "tristrips" && element.count > 0) {
+      words.fail_at(words.offset() - 1, ErrorCode::malformed,
+                    "the element tristrips holds strips of triangles, which cannot be read: write them as faces");
+    }
     if (element.name == "face" && !has(is_corner_list)) {
       words.fail_at(words.offset() - 1, ErrorCode::malformed, "the element face does not have one list vertex_indices");
     }

@@ -26,7 +26,7 @@ JsonValue require_member(const Source& source, const JsonValue& object, std::str
 /// The text of a string. Failure malformed for other kinds.
 const std::string& require_text(const Source& source, const JsonValue& value, std::string_view what);
 
-/// [x, y]. Failure malformed for anything else.
+/// [x, y], and [x, y, z] where third coordinates are dropped. Failure malformed for anything else.
 Point require_position(const Source& source, const JsonValue& value);
 
 /// [[x, y], ...].
@@ -39,6 +39,9 @@ void visit_array(const Source& source, const JsonValue& value, const std::string
     source.fail_on_line(ErrorCode::malformed, "expected an array of " + what, value.line());
   value.each(visit);
 }
+
+/// [], as an inner ring that is none is written.
+bool is_empty_array(const JsonValue& value);
 
 /// A text or a whole number as a name.
 std::optional<std::string> name_of(const JsonValue& value);

@@ -67,6 +67,7 @@ class DxfReader {
     const bool vertices = entity.kind != "LWPOLYLINE";
     for (const DxfGroup& group : entity) {
       const bool third = (vertices && (group.code == 30 || group.code == 31)) || group.code == 38;
+      if (third && source_.drops_third) continue;
       if ((third || group.code == 210 || group.code == 220) && dxf_number(source_, group) != 0)
         source_.fail(ErrorCode::malformed, "only what lies in the plane z = 0 can be read", group.offset);
       if (group.code == 230 && !(dxf_number(source_, group) > 0))

@@ -62,6 +62,7 @@ class GeoJsonReader {
     Part part;
     bool first = true;
     visit_array(source_, value, "rings", [&](const JsonValue& ring) {
+      if (!first && is_empty_array(ring)) return;  // no hole
       (first ? part.outer : part.holes.emplace_back()) = read_ring(ring);
       first = false;
     });

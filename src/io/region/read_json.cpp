@@ -24,6 +24,15 @@ const std::string& require_text(const Source& source, const JsonValue& value, st
 }
 
 Point require_position(const Source& source, const JsonValue& value) {
+  if (value.kind() == JsonKind::array && source.drops_third) {
+    std::vector<double> numbers;
+    bool only_numbers = true;
+    value.each([&](const JsonValue& v) {
+      only_numbers &= v.kind() == JsonKind::number;
+      if (v.kind() == JsonKind::number && numbers.size() < 4) numbers.push_back(v.number());
+    });
+    if (only_numbers && numbers.size() > 2) return {numbers[0], numbers[1]};
+  }
   if (value.kind() != JsonKind::pair) {
     source.fail_on_line(ErrorCode::malformed, "expected a position of two numbers, [x, y]; others are not planar",
                         value.line());
@@ -35,6 +44,12 @@ std::vector<Point> require_positions(const Source& source, const JsonValue& valu
   std::vector<Point> points;
   visit_array(source, value, "positions", [&](const JsonValue& p) { points.push_back(require_position(source, p)); });
   return points;
+}
+
+bool is_empty_array(const JsonValue& value) {
+  bool any = false;
+  value.each([&](const JsonValue&) { any = true; });
+  return value.kind() == JsonKind::array && !any;
 }
 
 std::optional<std::string> name_of(const JsonValue& value) {

@@ -37,8 +37,9 @@ class ShapeReader {
   Part read_polygon(const JsonValue& value) const {
     Part part{require_positions(source_, require_member(source_, value, "outer")), {}};
     if (const auto inner = value.find("inner"); inner && inner->kind() != JsonKind::null) {
-      visit_array(source_, *inner, "holes",
-                  [&](const JsonValue& hole) { part.holes.push_back(require_positions(source_, hole)); });
+      visit_array(source_, *inner, "holes", [&](const JsonValue& hole) {
+        if (!is_empty_array(hole)) part.holes.push_back(require_positions(source_, hole));
+      });
     }
     return part;
   }

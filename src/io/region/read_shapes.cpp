@@ -126,10 +126,11 @@ Result<RegionFormat> region_format(std::string_view path) {
 }
 
 Result<std::vector<NamedShape>> parse_shapes(std::string_view text, RegionFormat format,
-                                             std::string_view name_for_errors) {
+                                             std::string_view name_for_errors, ThirdCoordinates third) {
   const io::PlainText plain(text);
   try {
-    std::vector<NamedShape> shapes = read_format({plain.view(), name_for_errors}, format);
+    std::vector<NamedShape> shapes =
+        read_format({plain.view(), name_for_errors, third == ThirdCoordinates::dropped}, format);
     name_shapes(shapes, name_for_errors);
     return shapes;
   } catch (io::ReadFailure& failure) {
@@ -142,7 +143,7 @@ bool names_region(const std::string& path) {
   return io::names_map(file) || format_of_extension(file);
 }
 
-Result<std::vector<NamedShape>> read_shapes(const std::string& path) {
+Result<std::vector<NamedShape>> read_shapes(const std::string& path, ThirdCoordinates third) {
   const Selection selection = split_selection(path);
   if (io::names_map(selection.file)) return read_map(selection);
   const std::optional<RegionFormat> known = format_of_extension(selection.file);
@@ -153,15 +154,15 @@ Result<std::vector<NamedShape>> read_shapes(const std::string& path) {
   if (!text) return text.error();
   const Result<RegionFormat> format = known ? Result<RegionFormat>(*known) : format_of_text(*text, selection.file);
   if (!format) return format.error();
-  Result<std::vector<NamedShape>> shapes = parse_shapes(*text, *format, selection.file);
+  Result<std::vector<NamedShape>> shapes = parse_shapes(*text, *format, selection.file, third);
   if (!shapes || !selection.shape) return shapes;
   Result<NamedShape> shape = select(std::move(shapes).value(), *selection.shape, selection.file);
   if (!shape) return shape.error();
   return std::vector<NamedShape>{std::move(shape).value()};
 }
 
-Result<RegionData> read_region_data(const std::string& path) {
-  Result<std::vector<NamedShape>> read = read_shapes(path);
+Result<RegionData> read_region_data(const std::string& path, ThirdCoordinates third) {
+  Result<std::vector<NamedShape>> read = read_shapes(path, third);
   if (!read) return read.error();
   std::vector<NamedShape> shapes = std::move(read).value();
   if (shapes.size() == 1) return std::move(shapes[0].data);

@@ -1,6 +1,7 @@
 // SVG: path, polygon, polyline, rect and line elements, all together one shape, coordinates as they stand in the file
 // (SVG's y axis points down; nothing is flipped); of the outermost element no viewBox is applied, and nothing is
 // clipped. What is not drawn is not read. Our own files carry data-dymsum attributes and read back exactly.
+#include <algorithm>
 #include <cctype>
 #include <cmath>
 #include <cstddef>
@@ -10,6 +11,7 @@
 
 #include <pugixml.hpp>
 
+#include "io/number_text.h"
 #include "io/region/readers.h"
 #include "io/region/ring_order.h"
 #include "io/region/svg_path.h"
@@ -39,7 +41,11 @@ class SvgReader {
     const std::string_view mark = root.attribute(kMark).value();
     if (mark == "trace") fail(root, "this is a picture of a computation's stages, not of one region");
     marked_ = !mark.empty();
-    walk(root);
+    if (!marked_) {
+      read_sheets(root);
+      refuse_cutting(root);
+    }
+    if (marked_ || !is_transparent(root)) walk(root);
     return std::move(data_);
   }
 
@@ -86,8 +92,7 @@ class SvgReader {
   bool visit(const pugi::xml_node& node) {
     if (node.type() != pugi::node_element) return false;
     const std::string_view name = local_name(node);
-    if (name == "style") refuse_hiding(node);
-    if (!marked_ && property(node, "display") == "none") return false;
+    if (!marked_ && (property(node, "display") == "none" || is_transparent(node))) return false;
     if (!marked_) refuse_placing(node);
     if (!marked_ && name == "svg" && draws_nothing(node)) return false;
     if (name == "g" || name == "svg" || name == "a" || name == "switch") return true;
@@ -141,7 +146,28 @@ class SvgReader {
         data_.polylines.push_back(std::move(path.vertices));
       }
     }
-    if (!nest_rings(std::move(rings), data_.parts)) fail(node, "too many rings around one another in one path");
+    const FillRule rule = fill_rule(node);
+    if (rings.size() > 1 && sheet_fills_) refuse_unknown_rule(node, rings);
+    if (!nest_rings(std::move(rings), data_.parts, rule)) fail_crowded(node);
+  }
+
+  [[noreturn]] void fail_crowded(const pugi::xml_node& node) const {
+    fail(node, "too many rings around one another in one path");
+  }
+
+  /// A style sheet may say how a path is filled: it is read only where that makes no difference.
+  void refuse_unknown_rule(const pugi::xml_node& node, const std::vector<Ring>& rings) const {
+    std::vector<Part> even_odd, nonzero;
+    if (!nest_rings(rings, even_odd, FillRule::even_odd) || !nest_rings(rings, nonzero, FillRule::nonzero))
+      fail_crowded(node);
+    if (even_odd != nonzero)
+      fail(node, "how this path is filled depends on a style sheet, and style sheets cannot be read");
+  }
+
+  /// Of what is filled, SVG's own default too; what is not filled is an outline, and its rings nest.
+  static FillRule fill_rule(const pugi::xml_node& node) {
+    if (inherited(node, "fill") == "none") return FillRule::even_odd;
+    return inherited(node, "fill-rule") == "evenodd" ? FillRule::even_odd : FillRule::nonzero;
   }
 
   void take_ring(const pugi::xml_node& node, std::vector<Point> vertices) {
@@ -206,13 +232,27 @@ class SvgReader {
     return svg_property(node.attribute("style").value(), name, node.attribute(std::string(name).c_str()).value());
   }
 
-  /// Visibility is inherited: the innermost element that sets it decides.
-  bool is_hidden(pugi::xml_node node) const {
+  /// The innermost element that sets a property decides; empty where none does.
+  static std::string_view inherited(pugi::xml_node node, std::string_view name) {
     for (; node.type() == pugi::node_element; node = node.parent()) {
-      const std::string_view visibility = property(node, "visibility");
-      if (!visibility.empty() && visibility != "inherit") return visibility == "hidden" || visibility == "collapse";
+      const std::string_view value = property(node, name);
+      if (!value.empty() && value != "inherit") return value;
     }
-    return false;
+    return "";
+  }
+
+  static bool is_hidden(const pugi::xml_node& node) {
+    const std::string_view visibility = inherited(node, "visibility");
+    return visibility == "hidden" || visibility == "collapse";
+  }
+
+  /// Nothing of it is seen, nor of what is in it.
+  static bool is_transparent(const pugi::xml_node& node) { return is_zero(property(node, "opacity")); }
+  /// A share, which may be in percent, that is not above zero.
+  static bool is_zero(std::string_view share) {
+    const ScannedNumber number = scan_number(share);
+    return number.length > 0 && number.value <= 0 &&
+           share.substr(number.length).find_first_not_of("% \t\r\n") == std::string_view::npos;
   }
 
   /// Styles may place and shape elements as attributes do, and are not read for that.
@@ -225,6 +265,15 @@ class SvgReader {
         fail(node, std::string("a style sets ") + name + ", which is read from attributes only");
     }
     if (node.attribute("transform-origin")) fail(node, "transform-origin cannot be read");
+    refuse_cutting(node);
+  }
+
+  /// What shows a part of an element only.
+  void refuse_cutting(const pugi::xml_node& node) const {
+    for (const char* name : {"clip-path", "mask", "mask-image"}) {
+      const std::string_view cut = property(node, name);
+      if (!cut.empty() && cut != "none") fail(node, std::string(name) + " shows a part only, and cannot be read");
+    }
   }
 
   /// An svg element inside another one without width or height.
@@ -233,13 +282,52 @@ class SvgReader {
     return is_zero("width") || is_zero("height");
   }
 
-  void refuse_hiding(const pugi::xml_node& node) const {
+  /// Of the whole file: they stand in `defs`, too.
+  void read_sheets(const pugi::xml_node& root) {
+    root.find_node([this](const pugi::xml_node& node) {
+      if (local_name(node) != "style") return false;
+      refuse_hiding(node);
+      sheet_fills_ |= fills(sheet_of(node));
+      return false;
+    });
+  }
+
+  static std::string sheet_of(const pugi::xml_node& node) {
     std::string sheet = node.child_value();
     for (char& c : sheet) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+    return sheet;
+  }
+  static bool fills(const std::string& sheet) {
+    const std::vector<std::string> fill = values_in(sheet, "fill");
+    return !values_in(sheet, "fill-rule").empty() ||
+           std::any_of(fill.begin(), fill.end(), [](const std::string& value) { return value.starts_with("none"); });
+  }
+
+  void refuse_hiding(const pugi::xml_node& node) const {
+    const std::string sheet = sheet_of(node);
     for (const char* name : {"display", "visibility", "transform", "translate", "rotate", "scale"}) {
-      if (sheet.find(name) != std::string::npos)
-        fail(node, std::string("a style sheet that sets ") + name + ", and style sheets cannot be read");
+      if (sheet.find(name) != std::string::npos) refuse_sheet(node, name);
     }
+    for (const char* name : {"clip-path", "mask", "mask-image"})
+      if (!values_in(sheet, name).empty()) refuse_sheet(node, name);
+    for (const std::string& value : values_in(sheet, "opacity"))
+      if (is_zero(value)) refuse_sheet(node, "opacity");
+  }
+  [[noreturn]] void refuse_sheet(const pugi::xml_node& node, const char* name) const {
+    fail(node, std::string("a style sheet that sets ") + name + ", and style sheets cannot be read");
+  }
+
+  /// What a style sheet says of a property, wherever it does.
+  static std::vector<std::string> values_in(const std::string& sheet, const std::string& name) {
+    std::vector<std::string> values;
+    for (std::size_t at = sheet.find(name); at != std::string::npos; at = sheet.find(name, at + 1)) {
+      const std::size_t colon = sheet.find_first_not_of(" \t\r\n", at + name.size());
+      if (colon == std::string::npos || sheet[colon] != ':') continue;
+      if (at > 0 && (is_letter(sheet[at - 1]) || sheet[at - 1] == '-')) continue;
+      const std::size_t begin = sheet.find_first_not_of(" \t\r\n", colon + 1);
+      if (begin != std::string::npos) values.push_back(sheet.substr(begin, sheet.find_first_of(";}", begin) - begin));
+    }
+    return values;
   }
 
   static SvgText text_of(const pugi::xml_node& node, const char* name) {
@@ -249,6 +337,7 @@ class SvgReader {
   const Source& source_;
   pugi::xml_document document_;
   bool marked_ = false;
+  bool sheet_fills_ = false;  ///< a style sheet says how something is filled
   std::vector<SvgTransform> transforms_;
   SvgTransform current_;
   RegionData data_;

@@ -25,6 +25,7 @@ class WktReader {
       shapes.emplace_back();
       data_ = &shapes.back().data;
       read_geometry(0);
+      take(';');  // as between statements
     }
     if (shapes.empty()) source_.fail(ErrorCode::truncated, "the file ends before the first geometry", at_);
     return shapes;
@@ -81,18 +82,24 @@ class WktReader {
   void read_list_or_empty(Item item) {
     skip();
     const std::size_t start = at_;
-    const std::string word = read_word();
-    if (word == "EMPTY") return;
-    refuse_third(word, start);
-    at_ = start;
-    read_list(item);
+    std::string word = read_word();
+    if (announces_third(word, start)) {
+      const std::size_t behind = at_;
+      word = read_word();
+      if (word != "EMPTY") at_ = behind;
+    } else if (word != "EMPTY") {
+      at_ = start;
+    }
+    if (word != "EMPTY") read_list(item);
   }
 
-  /// The words that announce more than two coordinates.
-  void refuse_third(std::string_view word, std::size_t start) const {
-    if (word == "Z" || word == "M" || word == "ZM")
+  /// Whether a word announces more than two coordinates, where these are not refused.
+  bool announces_third(std::string_view word, std::size_t start) const {
+    const bool announces = word == "Z" || word == "M" || word == "ZM";
+    if (announces && !source_.drops_third)
       source_.fail(ErrorCode::malformed,
                    "coordinates with " + std::string(word) + " are not planar: only x and y can be read", start);
+    return announces;
   }
 
   double read_coordinate() {
@@ -113,8 +120,13 @@ class WktReader {
   Point read_point() {
     const double x = read_coordinate();
     const double y = read_coordinate();
+    const auto ends = [&] { return at_ >= text_.size() || text_[at_] == ',' || text_[at_] == ')'; };
     skip();
-    if (at_ >= text_.size() || text_[at_] == ',' || text_[at_] == ')') return {x, y};
+    for (int more = 0; source_.drops_third && more < 2 && !ends(); ++more) {
+      read_coordinate();
+      skip();
+    }
+    if (ends()) return {x, y};
     if (scan_number(text_.substr(at_)).length > 0)
       source_.fail(ErrorCode::malformed,
                    "a third coordinate, " + in_quotes(rest_of_word()) +
@@ -139,10 +151,20 @@ class WktReader {
     return ring;
   }
 
+  /// The word EMPTY, which is taken then.
+  bool take_empty() {
+    skip();
+    const std::size_t start = at_;
+    if (read_word() == "EMPTY") return true;
+    at_ = start;
+    return false;
+  }
+
   void read_polygon() {
     Part part;
     bool first = true;
     read_list_or_empty([&] {
+      if (!first && take_empty()) return;  // no hole
       (first ? part.outer : part.holes.emplace_back()) = read_ring();
       first = false;
     });
@@ -157,19 +179,30 @@ class WktReader {
     if (!points.empty()) data_->polylines.push_back(std::move(points));
   }
 
+  bool next_is(char c) {
+    skip();
+    return at_ < text_.size() && text_[at_] == c;
+  }
+  Point read_bracketed_point() {
+    require('(');
+    const Point point = read_point();
+    require(')');
+    return point;
+  }
+
   void read_single_point() {
-    if (take('(')) {
-      data_->points.push_back(read_point());
-      require(')');
+    if (next_is('(')) {
+      data_->points.push_back(read_bracketed_point());
       return;
     }
-    skip();
     const std::size_t start = at_;
-    const std::string word = read_word();
-    if (word == "EMPTY") return;
-    refuse_third(word, start);
+    if (announces_third(read_word(), start)) {
+      if (take_empty()) return;
+      data_->points.push_back(read_bracketed_point());
+      return;
+    }
     at_ = start;
-    fail_expecting("'(' or EMPTY");
+    if (!take_empty()) fail_expecting("'(' or EMPTY");
   }
 
   static bool is_kind(std::string_view word) {
@@ -183,10 +216,11 @@ class WktReader {
     const std::size_t start = at_;
     if (depth > kMostNested)
       source_.fail(ErrorCode::malformed, "collections nested deeper than " + std::to_string(kMostNested), start);
-    const std::string kind = read_word();
+    std::string kind = read_word();
     // POLYGONZ is POLYGON Z.
     for (const std::string_view third : {"ZM", "Z", "M"})
-      if (kind.ends_with(third) && is_kind(kind.substr(0, kind.size() - third.size()))) refuse_third(third, start);
+      if (kind.ends_with(third) && is_kind(kind.substr(0, kind.size() - third.size())) && announces_third(third, start))
+        kind.resize(kind.size() - third.size());
     if (kind == "POINT") {
       read_single_point();
     } else if (kind == "LINESTRING") {

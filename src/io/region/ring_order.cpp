@@ -54,16 +54,25 @@ class RingNester {
     return true;
   }
 
-  std::vector<Part> parts() && {
+  /// Whether nonzero leaves out rings, or makes others parts and holes.
+  bool winds_otherwise() {
+    find_winding();
+    for (std::size_t i = 0; i < rings_.size(); ++i)
+      if (winding_[i].bounds != Bounds::nothing ? (winding_[i].bounds == Bounds::hole) != is_hole(i) : true)
+        return true;
+    return false;
+  }
+
+  std::vector<Part> parts(FillRule rule) const {
     std::vector<Part> parts;
     std::vector<std::size_t> part_of(rings_.size());
     for (std::size_t i = 0; i < rings_.size(); ++i) {
-      if (is_hole(i)) continue;
+      if (bounds(i, rule) != Bounds::part) continue;
       part_of[i] = parts.size();
-      parts.push_back({std::move(rings_[i]), {}});
+      parts.push_back({rings_[i], {}});
     }
     for (std::size_t i = 0; i < rings_.size(); ++i) {
-      if (is_hole(i)) parts[part_of[places_[i].innermost]].holes.push_back(std::move(rings_[i]));
+      if (bounds(i, rule) == Bounds::hole) parts[part_of[part_around(i, rule)]].holes.push_back(rings_[i]);
     }
     for (Part& part : parts) orient_rings(part);
     return parts;
@@ -77,6 +86,44 @@ class RingNester {
     std::vector<std::uint32_t> around;  ///< the rings around this one
     std::uint32_t innermost = 0;        ///< of them, where there are any
   };
+
+  enum class Bounds { part, hole, nothing };
+  struct Winding {
+    int sign = 0;
+    Bounds bounds = Bounds::part;
+  };
+
+  /// What rings bound where places are filled around which they wind. A ring without a sign bounds as even-odd has it.
+  void find_winding() {
+    winding_.resize(rings_.size());
+    for (std::size_t i = 0; i < rings_.size(); ++i) winding_[i].sign = ring_sign(rings_[i]);
+    for (std::size_t i = 0; i < rings_.size(); ++i) {
+      int outside = 0;
+      for (const std::uint32_t j : places_[i].around) outside += winding_[j].sign;
+      const bool filled_outside = outside != 0, filled_inside = outside + winding_[i].sign != 0;
+      winding_[i].bounds = winding_[i].sign == 0             ? even_odd(i)
+                           : filled_outside == filled_inside ? Bounds::nothing
+                           : filled_inside                   ? Bounds::part
+                                                             : Bounds::hole;
+    }
+  }
+
+  Bounds even_odd(std::size_t i) const { return is_hole(i) ? Bounds::hole : Bounds::part; }
+  Bounds bounds(std::size_t i, FillRule rule) const {
+    return rule == FillRule::even_odd ? even_odd(i) : winding_[i].bounds;
+  }
+  /// The innermost part around a hole. There is one, unless rings cross.
+  std::size_t part_around(std::size_t i, FillRule rule) const {
+    std::size_t best = places_[i].innermost;
+    if (rule == FillRule::even_odd) return best;
+    bool any = false;
+    for (const std::uint32_t j : places_[i].around) {
+      if (bounds(j, rule) != Bounds::part || (any && depth(j) < depth(best))) continue;
+      best = j;
+      any = true;
+    }
+    return best;
+  }
 
   void measure(std::size_t i) {
     Place& place = places_[i];
@@ -147,6 +194,7 @@ class RingNester {
 
   std::vector<Ring> rings_;
   std::vector<Place> places_;
+  std::vector<Winding> winding_;
   std::uint64_t steps_ = 0;
 };
 
@@ -180,11 +228,14 @@ void orient_rings(Part& part) {
   for (Ring& hole : part.holes) orient(hole, -1);
 }
 
-bool nest_rings(std::vector<Ring> rings, std::vector<Part>& parts) {
+bool nest_rings(std::vector<Ring> rings, std::vector<Part>& parts, FillRule rule) {
   std::erase_if(rings, [](const Ring& ring) { return ring.empty(); });
   RingNester nester(std::move(rings));
   if (!nester.nest()) return false;
-  std::vector<Part> nested = std::move(nester).parts();
+  std::vector<Part> nested = nester.parts(FillRule::even_odd);
+  // Of rings that cross none is left out, so that validation finds them.
+  if (rule == FillRule::nonzero && nester.winds_otherwise() && Region::create({nested, {}, {}}))
+    nested = nester.parts(FillRule::nonzero);
   parts.insert(parts.end(), std::make_move_iterator(nested.begin()), std::make_move_iterator(nested.end()));
   return true;
 }

@@ -15,11 +15,16 @@ int ring_sign(const Ring& ring);
 /// Outer ring counter-clockwise, holes clockwise; the first vertex stays first. Rings of sign 0 stay as they are.
 void orient_rings(Part& part);
 
-/// Even-odd nesting of rings that do not cross: a ring inside an even number of others starts a part, one inside an odd
-/// number is a hole of the innermost ring around it. Exact. Rings are oriented; parts come in the order of their outer
-/// rings. Returns false, with `parts` unchanged, when that would take more than about 10^9 steps (thousands of large
-/// rings, or tens of thousands of small ones, around one another). Rings that cross are put somewhere: validation finds
-/// them.
-bool nest_rings(std::vector<Ring> rings, std::vector<Part>& parts);
+/// What counts as inside of rings that lie around one another: places inside an odd number of them, or those around
+/// which they wind at all.
+enum class FillRule { even_odd, nonzero };
+
+/// Nesting of rings that do not cross. Even-odd: a ring inside an even number of others starts a part, one inside an
+/// odd number is a hole of the innermost ring around it. Nonzero: the same of those rings that bound what is filled;
+/// others are left out, and where rings cross none is. Exact. Rings are oriented; parts come in the order of their
+/// outer rings. Returns false, with `parts` unchanged, when that would take more than about 10^9 steps (thousands of
+/// large rings, or tens of thousands of small ones, around one another). Rings that cross are put somewhere: validation
+/// finds them.
+bool nest_rings(std::vector<Ring> rings, std::vector<Part>& parts, FillRule rule = FillRule::even_odd);
 
 }  // namespace dymsum::io
