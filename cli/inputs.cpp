@@ -1,5 +1,7 @@
 #include "inputs.h"
 
+#include "planar/open_ends.h"
+
 #include <algorithm>
 #include <cctype>
 #include <filesystem>
@@ -92,24 +94,47 @@ const std::string& standard_input() {
   return text;
 }
 
+namespace {
+
+/// What `read` makes of files, with third coordinates as the options say; where it is these that are refused, the
+/// option that leaves them out is named.
+template <class Read>
+auto read_planar(const InputOptions& options, Read read) {
+  auto result = read(options.drop_z ? ThirdCoordinates::dropped : ThirdCoordinates::refused);
+  if (result) return std::move(result).value();
+  Error error = result.error();
+  if (!options.drop_z && error.code == ErrorCode::malformed && read(ThirdCoordinates::dropped))
+    error.message += " (--drop-z leaves third coordinates out)";
+  stop_with(error);
+}
+
+}  // namespace
+
 std::vector<NamedShape> read_all(const std::string& file, const InputOptions& options) {
   if (options.hull) throw Stop(kUsage, "--hull is for solids");
   if (is_footprint(file)) return require(parse_shapes(file, RegionFormat::json, "footprint"));
-  if (file != "-") return require(read_shapes(file));
+  if (file != "-") return read_planar(options, [&](ThirdCoordinates third) { return read_shapes(file, third); });
   const std::string& text = standard_input();
   const RegionFormat format = options.from.empty() ? format_of_text(text) : format_named(options.from);
-  return require(parse_shapes(text, format, "standard input"));
+  return read_planar(options,
+                     [&](ThirdCoordinates third) { return parse_shapes(text, format, "standard input", third); });
 }
+
+std::string remedy(const std::string& changes) { return " (--repair mends it: " + changes + ")"; }
 
 Result<Region> make_region(RegionData data, const std::string& file, const InputOptions& options) {
   const auto in_file = [&](Error error) {
     if (error.evidence.file.empty()) error.evidence.file = shown_file(file);
     return error;
   };
+  if (!options.quiet) tell_open_ends(data, file);
   if (!options.repair) {
-    Result<Region> region = Region::create(std::move(data));
-    if (!region) return in_file(region.error());
-    return region;
+    Result<Region> region = Region::create(data);
+    if (region) return region;
+    Error error = region.error();
+    if (const Result<Repaired> mended = repair(std::move(data)); mended && options.offers_repair)
+      error.message += remedy(mended->report.to_string());
+    return in_file(std::move(error));
   }
   Result<Repaired> repaired = repair(std::move(data));
   if (!repaired) return in_file(repaired.error());
@@ -121,7 +146,9 @@ Result<Region> make_region(RegionData data, const std::string& file, const Input
 Input read_input(const std::string& file, const InputOptions& options) {
   if (options.hull) throw Stop(kUsage, "--hull is for solids");
   if (file != "-" && !is_footprint(file))
-    return {file, require(make_region(require(read_region_data(file)), file, options))};
+    return {file, require(make_region(
+                      read_planar(options, [&](ThirdCoordinates third) { return read_region_data(file, third); }), file,
+                      options))};
   std::vector<NamedShape> shapes = read_all(file, options);
   if (shapes.size() != 1) {
     throw Stop(kBadInput, "standard input: holds " + std::to_string(shapes.size()) +

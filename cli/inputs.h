@@ -16,9 +16,11 @@ struct InputOptions {
   bool repair = false;  ///< mend with dymsum::repair and print its report on standard error
   bool hull = false;    ///< solids: take the convex hull with dymsum::hulled and print its report on standard error
   bool thin = false;    ///< solids: points, segments and open surfaces are operands, too
-  bool offers_thin = false;  ///< whether the verb has --thin
-  bool quiet = false;        ///< repairs are not printed: they were before
-  std::string from;          ///< the format of standard input; empty: told from its first characters
+  bool offers_thin = false;    ///< whether the verb has --thin
+  bool offers_repair = false;  ///< whether it has --repair
+  bool drop_z = false;         ///< planar files: third coordinates are left out
+  bool quiet = false;          ///< repairs are not printed: they were before
+  std::string from;            ///< the format of standard input; empty: told from its first characters
 };
 
 struct Input {
@@ -68,6 +70,9 @@ void refuse_unused_format(const std::vector<std::string>& files, const InputOpti
 
 /// Validates, or repairs where asked, one shape of a file.
 Result<Region> make_region(RegionData data, const std::string& file, const InputOptions& options);
+
+/// How an error of an operand ends that the option mends, with what it changes: " (--repair mends it: ...)".
+std::string remedy(const std::string& changes);
 
 /// The format whose name is given ("poly", "wkt", "geojson", "svg", "json", "dxf").
 RegionFormat format_named(const std::string& name);

@@ -104,12 +104,17 @@ void add_report_options(CLI::App& verb, ReportOptions& options, const std::strin
 void add_repair_option(CLI::App& verb, InputOptions& options, OperandKind kind) {
   const std::string planar = "merge duplicate and collinear vertices, fix orientation",
                     solid =
-                        "merge duplicate vertices, drop unused ones and faces without area, split faces that are "
-                        "not plane, turn over faces and shells",
+                        "merge duplicate vertices, drop unused ones, faces without area and faces inside, split edges "
+                        "at vertices of neighbours on them and faces that are not plane, turn over faces and shells",
                     what = kind == OperandKind::planar  ? planar
                            : kind == OperandKind::solid ? solid
                                                         : planar + "; of solids: " + solid;
+  options.offers_repair = true;
   verb.add_flag("--repair", options.repair, "Mend operands, and say on standard error what changed: " + what);
+  if (kind == OperandKind::solid) return;
+  verb.add_flag("--drop-z", options.drop_z,
+                std::string(kind == OperandKind::planar ? "Leave" : "Planar: leave") +
+                    " out third coordinates and measures (Z, M) that files hold, instead of refusing them");
 }
 
 void add_exact_option(CLI::App& verb, ReportOptions& options, OperandKind kind) {
@@ -157,7 +162,6 @@ void add_thin_option(CLI::App& verb, InputOptions& options) {
           "--thin", options.thin,
           "Solids: take points, segments and open surfaces in the files as parts without volume; of a solid with a "
           "gap only its surface is left")
-      ->excludes("--repair")
       ->excludes("--hull");
 }
 

@@ -22,6 +22,8 @@ std::string first_word(std::string_view text) {
   constexpr std::size_t kLongest = 16;  // of those that are looked for, and more
   text = text.substr(0, kLongest);
   std::string word(text.substr(0, text.find_first_of(" \t\r\n\f\v")));
+  if (word.find_first_not_of("0123456789") == 0)
+    word.erase(word.find_last_not_of("0123456789") + 1);  // as in OFF8 12 18
   for (char& c : word) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
   return word;
 }
@@ -37,13 +39,26 @@ std::optional<MeshFormat> solid_format_of(std::string_view text) {
   return std::nullopt;
 }
 
-/// Says how parts without volume are taken, and vertices without a face, where these are what is wrong.
-Error with_remedy(Error error, bool no_faces, const InputOptions& options) {
-  const bool thin = error.code == ErrorCode::not_closed || error.code == ErrorCode::too_few_vertices;
-  if (thin && options.offers_thin && !options.thin) error.message += " (--thin takes parts without volume)";
-  if (error.code != ErrorCode::bad_index || error.evidence.face) return error;
-  if (no_faces) error.message = "the file holds vertices and no faces (--hull takes the convex hull of points)";
-  else error.message += " (--repair drops such vertices)";
+Result<RepairedMesh> repaired(MeshData data, const InputOptions& options) {
+  return options.thin ? repair_with_thin_parts(std::move(data)) : repair(std::move(data));
+}
+
+/// Says which option takes the solid: which repairs it, or takes its parts without volume, or its hull.
+Error with_remedy(Error error, const MeshData& data, const InputOptions& options) {
+  if (error.code == ErrorCode::bad_index && !error.evidence.face && data.faces.empty()) {
+    error.message = "the file holds vertices and no faces (--hull takes the convex hull of points)";
+    return error;
+  }
+  const Result<RepairedMesh> mended = repaired(data, options);
+  if (mended && options.offers_repair) {
+    error.message += remedy(mended->report.to_string());
+    return error;
+  }
+  const bool thin = error.code == ErrorCode::not_closed || error.code == ErrorCode::too_few_vertices ||
+                    error.code == ErrorCode::not_manifold;
+  if (!thin || !options.offers_thin || options.thin) return error;
+  if (Mesh::with_thin_parts(data)) error.message += " (--thin takes parts without volume)";
+  else if (repair_with_thin_parts(data)) error.message += " (--thin with --repair takes parts without volume)";
   return error;
 }
 
@@ -90,6 +105,7 @@ bool names_solid(const std::string& file, const InputOptions& options) {
 
 Result<MeshData> read_mesh_data(const std::string& file, const InputOptions& options) {
   refuse_selection(file);
+  if (options.drop_z) throw Stop(kUsage, "--drop-z is for planar operands");
   if (file != "-") return read_mesh(file);
   const std::optional<MeshFormat> format = mesh_format_of_input(options);
   if (!format) throw Stop(kUsage, "--from names the format of the solid on standard input: off, obj, stl or ply");
@@ -107,15 +123,14 @@ Result<SolidInput> make_solid(MeshData data, const std::string& file, const Inpu
     return hull;
   }
   if (!options.repair) {
-    const bool no_faces = data.faces.empty();
-    Result<Mesh> mesh = options.thin ? Mesh::with_thin_parts(std::move(data)) : Mesh::create(std::move(data));
-    if (!mesh) return in_file(with_remedy(mesh.error(), no_faces, options));
+    Result<Mesh> mesh = options.thin ? Mesh::with_thin_parts(data) : Mesh::create(data);
+    if (!mesh) return in_file(with_remedy(mesh.error(), data, options));
     return SolidInput{file, std::move(mesh).value()};
   }
-  Result<RepairedMesh> repaired = repair(std::move(data));
-  if (!repaired) return in_file(repaired.error());
-  if (!options.quiet) tell(repaired->report, repaired->mesh, shown_file(file));
-  return SolidInput{file, std::move(repaired).value().mesh};
+  Result<RepairedMesh> mended = repaired(std::move(data), options);
+  if (!mended) return in_file(mended.error());
+  if (!options.quiet) tell(mended->report, mended->mesh, shown_file(file));
+  return SolidInput{file, std::move(mended).value().mesh};
 }
 
 SolidInput read_solid(const std::string& file, const InputOptions& options) {

@@ -6,6 +6,7 @@
 
 #include "exit_code.h"
 #include "numbers.h"
+#include "solid/nearly_convex.h"
 
 namespace dymsum::cli {
 
@@ -33,7 +34,10 @@ void require_solid(const std::string& verb, const std::vector<std::string>& file
 std::vector<SolidInput> read_solids(const std::vector<std::string>& files, const InputOptions& options) {
   refuse_unused_format(files, options);
   std::vector<SolidInput> inputs;
-  for (const std::string& file : files) inputs.push_back(read_solid(file, options));
+  for (const std::string& file : files) {
+    inputs.push_back(read_solid(file, options));
+    if (!options.hull && !options.quiet) tell_nearly_convex(inputs.back());
+  }
   return inputs;
 }
 
