@@ -190,7 +190,13 @@ def _part(rings: Any) -> _core.Part:
         raise TypeError(f"a part is a list of rings, not {type(rings).__name__}")
     if len(rings) == 0:
         return _core.Part(numpy.empty((0, 2)))
-    return _core.Part(_rows(rings[0]), [_rows(hole) for hole in rings[1:]])
+    return _core.Part(_ring(rings[0]), [_ring(hole) for hole in rings[1:]])
+
+
+def _ring(points: Any) -> numpy.typing.NDArray[numpy.float64]:
+    """Of a list of points that ends where it began, as most have rings, the last one is left out."""
+    rows = _rows(points)
+    return rows[:-1] if len(rows) > 1 and (rows[0] == rows[-1]).all() else rows
 
 
 def _one_shape(text: str, form: _core.RegionFormat, name: str) -> _core.RegionData:

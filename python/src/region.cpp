@@ -119,7 +119,7 @@ void bind_region_class(nb::module_& m) {
 
 Coordinates are doubles taken at face value. A region is made from
 
-* an array or a sequence of points, shape (n, 2): one ring, counter-clockwise;
+* an array or a sequence of points, shape (n, 2): one ring, counter-clockwise; the first point may be repeated as last;
 * a sequence of rings: the outer one, then holes, clockwise;
 * a sequence of such sequences: several parts;
 * WKT text; a shapely geometry; a GeoJSON mapping or anything with `__geo_interface__`, whose rings may run either way;

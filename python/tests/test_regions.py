@@ -94,6 +94,12 @@ def test_arrays_are_views_that_keep_their_region() -> None:
     assert hole.tolist() == [list(map(float, p)) for p in HOLE]
 
 
+def test_rings_may_end_where_they_began() -> None:
+    closed = [[*SQUARE, SQUARE[0]], [*HOLE, HOLE[0]]]
+    assert Region(closed) == Region([SQUARE, HOLE])
+    assert Region(numpy.array(closed[0], float)).vertex_count() == len(SQUARE)
+
+
 @pytest.mark.parametrize(
     ("source", "code", "evidence"),
     [

@@ -71,11 +71,18 @@ val read_data(const std::string& name, const std::string& bytes) {
 
 SharedRegion from_data(const val& data) { return shared(got(Region::create(data_in(data)))); }
 
+/// A list of points that may end where it began.
+Ring ring_in(const val& points) {
+  Ring ring = points_in(points);
+  if (ring.size() > 1 && ring.front() == ring.back()) ring.pop_back();
+  return ring;
+}
+
 SharedRegion from_rings(const val& rings) {
   RegionData data;
   Part& part = data.parts.emplace_back();
   const auto n = rings["length"].as<unsigned>();
-  for (unsigned k = 0; k < n; ++k) (k == 0 ? part.outer : part.holes.emplace_back()) = points_in(rings[k]);
+  for (unsigned k = 0; k < n; ++k) (k == 0 ? part.outer : part.holes.emplace_back()) = ring_in(rings[k]);
   return shared(got(Region::create(std::move(data))));
 }
 

@@ -39,6 +39,7 @@ test('a region is read, asked and written', () => {
     assert.ok(Region.read(`b.${format}`, region.format(format)).equals(region), format);
   assert.ok(Region.fromRings([[[0, 0], [4, 0], [0, 3]]]).equals(region));
   assert.ok(Region.fromRings([new Float64Array([0, 0, 4, 0, 0, 3])]).equals(region));
+  assert.ok(Region.fromRings([[[0, 0], [4, 0], [0, 3], [0, 0]]]).equals(region), 'a ring that ends where it began');
   assert.ok(region.negated().negated().equals(region));
   assert.equal(region.scaled(2, 2).area(), 24);
   assert.deepEqual(region.translated(1, -1).bounds(), [1, -1, 5, 2]);
