@@ -25,9 +25,10 @@ std::vector<Point> open_ends(const RegionData& data) {
   return ends;
 }
 
-double extent(const std::vector<Point>& ends) {
+double extent(const RegionData& data, Point from) {
   double size = 0;
-  for (const Point& p : ends) size = std::max({size, std::abs(p.x - ends.front().x), std::abs(p.y - ends.front().y)});
+  for (const Polyline& line : data.polylines)
+    for (const Point& p : line) size = std::max({size, std::abs(p.x - from.x), std::abs(p.y - from.y)});
   return size;
 }
 
@@ -36,7 +37,7 @@ double extent(const std::vector<Point>& ends) {
 void tell_open_ends(const RegionData& data, const std::string& file) {
   if (!data.parts.empty()) return;
   const std::vector<Point> ends = open_ends(data);
-  const double most = ends.empty() ? 0 : kNear * extent(ends);
+  const double most = ends.empty() ? 0 : kNear * extent(data, ends.front());
   constexpr std::size_t kNeighbours = 8;  // of an end in the order of x that are looked at: it is a hint
   std::size_t near = 0;
   double widest = 0;

@@ -54,8 +54,10 @@ Error with_remedy(Error error, const MeshData& data, const InputOptions& options
     error.message += remedy(mended->report.to_string());
     return error;
   }
-  const bool thin = error.code == ErrorCode::not_closed || error.code == ErrorCode::too_few_vertices ||
-                    error.code == ErrorCode::not_manifold;
+  // What is left when all else is mended.
+  const ErrorCode code = mended ? error.code : mended.error().code;
+  const bool thin =
+      code == ErrorCode::not_closed || code == ErrorCode::not_manifold || error.code == ErrorCode::too_few_vertices;
   if (!thin || !options.offers_thin || options.thin) return error;
   if (Mesh::with_thin_parts(data)) error.message += " (--thin takes parts without volume)";
   else if (repair_with_thin_parts(data)) error.message += " (--thin with --repair takes parts without volume)";

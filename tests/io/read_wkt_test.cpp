@@ -94,5 +94,31 @@ TEST(ReadWkt, third_coordinates_are_refused_as_such) {
     refused_wkt(text, ErrorCode::malformed, 1, "a third coordinate");
 }
 
+TEST(ReadWkt, third_coordinates_are_left_out_on_request) {
+  const auto flat = [](const char* text) {
+    return parse_shapes(text, RegionFormat::wkt, "text", ThirdCoordinates::dropped).value().at(0).data;
+  };
+  EXPECT_EQ(flat("POLYGON Z ((0 0 1, 1 0 2, 0 1 3, 0 0 4), EMPTY)"), read_one("POLYGON ((0 0, 1 0, 0 1, 0 0))", kWkt));
+  EXPECT_EQ(flat("POLYGONZM((0 0 1 9,1 0 2 9,0 1 3 9,0 0 4 9))"), flat("POLYGON ((0 0, 1 0, 0 1, 0 0))"));
+  EXPECT_EQ(flat("MULTIPOINT M ((1 2 3), EMPTY, (3 4 5))"), flat("MULTIPOINT (1 2, 3 4)"));
+  EXPECT_EQ(flat("GEOMETRYCOLLECTION Z (POINT Z (1 2 3), LINESTRING Z EMPTY, POINT ZM EMPTY, LINESTRING (0 0 1, 1 1))"),
+            flat("GEOMETRYCOLLECTION (POINT (1 2), LINESTRING (0 0, 1 1))"));
+  for (const char* text :
+       {"POINT Z", "POINT Z Z (1 2 3)", "POINT (1 2 3 4 5)", "POINT (1 2 x)", "POINT Z (1 2 3", "POINT ZEMPTY"})
+    EXPECT_FALSE(parse_shapes(text, RegionFormat::wkt, "text", ThirdCoordinates::dropped)) << text;
+}
+
+TEST(ReadWkt, geometries_may_end_with_a_semicolon) {
+  EXPECT_EQ(parse_shapes("POINT (1 2);\nPOINT (3 4) ;\n", RegionFormat::wkt, "text")->size(), 2u);
+  for (const char* text : {";", "POINT (1 2);;", "POINT (1 2;)"})
+    EXPECT_FALSE(parse_shapes(text, RegionFormat::wkt, "text")) << text;
+}
+
+TEST(ReadWkt, holes_may_be_empty) {
+  EXPECT_EQ(read_one("POLYGON ((0 0, 9 0, 0 9, 0 0), EMPTY, (1 1, 2 1, 1 2, 1 1), empty)", kWkt),
+            read_one("POLYGON ((0 0, 9 0, 0 9, 0 0), (1 1, 2 1, 1 2, 1 1))", kWkt));
+  refused_wkt("POLYGON (EMPTY, (1 1, 2 1, 1 2, 1 1))", ErrorCode::malformed, 1, "'('");
+}
+
 }  // namespace
 }  // namespace dymsum::io_test
