@@ -43,7 +43,10 @@ Vector<exact::RootExpression> DiscPlaces::exact_centre_from(const CornerDisc& di
 }
 
 Point DiscPlaces::normal(const Site& site) const {
-  const double dx = site.b.x - site.a.x, dy = site.b.y - site.a.y, length = std::hypot(dx, dy);
+  double dx = site.b.x - site.a.x, dy = site.b.y - site.a.y;
+  if (constexpr double kFewDigits = 0x1p-1000; std::abs(dx) < kFewDigits && std::abs(dy) < kFewDigits)
+    dx = std::scalbn(dx, 1000), dy = std::scalbn(dy, 1000);  // what is below normal doubles has no length in doubles
+  const double length = std::hypot(dx, dy);
   return {dy / length, -dx / length};
 }
 

@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <optional>
 #include <utility>
 
 #include "dymsum/growing_disc.h"
@@ -15,7 +16,9 @@ constexpr double kMostChords = 1e7;
 /// Replaces arcs by polygons that leave them by at most `error`.
 class ArcPolygons {
  public:
-  ArcPolygons(double radius, double error, DiscBound bound) : radius_(radius), bound_(bound) {
+  /// Vertices as near to each other as `together` in both coordinates are one.
+  ArcPolygons(double radius, double error, double together, DiscBound bound)
+      : radius_(radius), together_(together), bound_(bound) {
     // Half of the angle of a chord whose middle is `error` off, of a tangent whose end is.
     chord_half_ = error >= radius ? std::numbers::pi / 2 : std::acos(1 - error / radius);
     tangent_half_ = std::acos(radius / (radius + error));
@@ -27,7 +30,7 @@ class ArcPolygons {
       if (piece.from.kind != DiscCorner::Kind::none) add(made, piece.from.at);
       if (piece.of != DiscPiece::Of::edge) arc(made, piece);
     }
-    while (made.size() > 1 && made.front() == made.back()) made.pop_back();
+    while (made.size() > 1 && are_together(made.front(), made.back())) made.pop_back();
     return made;
   }
 
@@ -44,8 +47,11 @@ class ArcPolygons {
     return std::min(chord(piece) ? chord_half_ : tangent_half_, std::numbers::pi / 3);
   }
 
-  static void add(Ring& ring, Point p) {
-    if (ring.empty() || !(ring.back() == p)) ring.push_back(p);
+  bool are_together(Point a, Point b) const {
+    return std::abs(a.x - b.x) <= together_ && std::abs(a.y - b.y) <= together_;
+  }
+  void add(Ring& ring, Point p) {
+    if (ring.empty() || !are_together(ring.back(), p)) ring.push_back(p);
   }
 
   void arc(Ring& ring, const DiscPiece& piece) {
@@ -59,7 +65,7 @@ class ArcPolygons {
     }
   }
 
-  double radius_, chord_half_ = 0, tangent_half_ = 0;
+  double radius_, together_, chord_half_ = 0, tangent_half_ = 0;
   DiscBound bound_;
   std::size_t chords_ = 0;
 };
@@ -73,26 +79,17 @@ Error changed(Error error) {
 
 Error bad_error(const std::string& what) { return {ErrorCode::out_of_range, what, {}}; }
 
-}  // namespace
-
-Result<DiscPolygons> to_region(const DiscSet& set, double error, DiscBound bound) {
-  // A vertex is a position, or one at an angle from a centre that is: a few roundings more.
-  const double rounded = set.radius > 0 ? 4 * set.at_error : 0;
-  if (!(error > 0) || !std::isfinite(error)) return bad_error("the error of polygons is a positive number");
-  if (error < 2 * rounded)
-    return bad_error("the error of polygons is below what doubles keep of positions so far from the origin");
-  ArcPolygons polygons(set.radius, error - rounded, bound);
-  double chords = 0;
-  RegionData data;
-  const auto count = [&](const DiscRing& ring) {
-    for (const DiscPiece& piece : ring.pieces)
-      if (piece.of != DiscPiece::Of::edge) chords += polygons.chords(piece);
-  };
+template <class Use>
+void for_each_piece(const DiscSet& set, const Use& use) {
+  const auto see = [&](const DiscRing& ring) { std::for_each(ring.pieces.begin(), ring.pieces.end(), use); };
   for (const DiscPart& part : set.parts) {
-    count(part.outer);
-    for (const DiscRing& hole : part.holes) count(hole);
+    see(part.outer);
+    for (const DiscRing& hole : part.holes) see(hole);
   }
-  if (chords > kMostChords) return bad_error("polygons of so small an error have more than ten million vertices");
+}
+
+Result<DiscPolygons> made_with(const DiscSet& set, ArcPolygons polygons, double error, double rounded) {
+  RegionData data;
   for (const DiscPart& part : set.parts) {
     Part& made = data.parts.emplace_back();
     made.outer = polygons.ring(part.outer);
@@ -101,8 +98,34 @@ Result<DiscPolygons> to_region(const DiscSet& set, double error, DiscBound bound
   for (const DiscSegment& segment : set.segments) data.polylines.push_back({segment.from.at, segment.to.at});
   for (const DiscCorner& point : set.points) data.points.push_back(point.at);
   auto region = Region::create(std::move(data));
-  if (!region) return changed(region.error());
+  if (!region) return region.error();
   return DiscPolygons{*std::move(region), polygons.made() == 0 ? rounded : error, rounded, polygons.made()};
+}
+
+}  // namespace
+
+Result<DiscPolygons> to_region(const DiscSet& set, double error, DiscBound bound) {
+  // A vertex is a position, or one at an angle from a centre that is: a few roundings more. Or it is another one's, as
+  // far away as a position may be off, in each coordinate.
+  const double off = set.radius > 0 ? set.at_error : 0, rounded = 4 * off;
+  if (!(error > 0) || !std::isfinite(error)) return bad_error("the error of polygons is a positive number");
+  if (error < 2 * rounded)
+    return bad_error("the error of polygons is below what doubles keep of positions so far from the origin");
+  double chords = 0;
+  const ArcPolygons counting(set.radius, error - rounded, 0, bound);
+  for_each_piece(set, [&](const DiscPiece& piece) {
+    if (piece.of != DiscPiece::Of::edge) chords += counting.chords(piece);
+  });
+  if (chords > kMostChords) return bad_error("polygons of so small an error have more than ten million vertices");
+  // Positions that rounding exchanges make rings that cross. They are some units in the last place apart, or as far as
+  // positions may be off at most; where nothing crosses, all are kept.
+  std::optional<Error> first;
+  for (const double together : {0.0, off / 256, off}) {
+    Result<DiscPolygons> made = made_with(set, {set.radius, error - rounded, together, bound}, error, rounded);
+    if (made) return made;
+    if (!first) first = made.error();
+  }
+  return changed(*std::move(first));
 }
 
 }  // namespace dymsum

@@ -1,6 +1,5 @@
 #include "shape/disc/disc_set.h"
 
-#include <algorithm>
 #include <cmath>
 #include <map>
 #include <numbers>
@@ -10,19 +9,6 @@
 namespace dymsum::shape {
 
 namespace {
-
-constexpr double kHalfTurn = std::numbers::pi;
-
-double heading_at(const DiscPiece& piece, bool at_end) {
-  if (piece.of == DiscPiece::Of::edge) return piece.heading;
-  return piece.from_angle + (at_end ? piece.sweep : 0) + std::copysign(kHalfTurn / 2, piece.sweep);
-}
-
-/// In a half-open turn whose middle is where corners can turn to: one that turns right back is not mistaken.
-double corner_turn(double angle, Corners corners) {
-  const double middle = corners == Corners::clockwise ? -kHalfTurn / 2 : kHalfTurn / 2;
-  return middle + std::remainder(angle - middle, 2 * kHalfTurn);
-}
 
 DiscRing ring_of(const Ring& vertices, std::uint32_t first) {
   DiscRing ring;
@@ -57,29 +43,18 @@ DiscRing reversed(std::vector<DiscPiece> pieces) {
     DiscPiece piece = pieces[i];
     piece.from = corners[(i + 1) % corners.size()];
     piece.from_angle += piece.sweep;
-    piece.sweep = -piece.sweep;
-    if (piece.of == DiscPiece::Of::edge) piece.heading += piece.heading > 0 ? -kHalfTurn : kHalfTurn;
+    piece.sweep = 0 - piece.sweep;  // no -0
+    if (piece.of == DiscPiece::Of::edge) piece.heading += piece.heading > 0 ? -std::numbers::pi : std::numbers::pi;
     ring.pieces.push_back(piece);
   }
   return ring;
 }
 
-bool is_outer(const DiscRing& ring, Corners corners) {
-  double turn = 0;
-  for (std::size_t i = 0; i < ring.pieces.size(); ++i) {
-    const DiscPiece &piece = ring.pieces[i], &next = ring.pieces[(i + 1) % ring.pieces.size()];
-    turn += piece.sweep;
-    if (piece.from.kind == DiscCorner::Kind::none) break;
-    turn += corner_turn(heading_at(next, false) - heading_at(piece, true), corners);
-  }
-  return turn > 0;
-}
-
-std::vector<DiscPart> parts_of(std::vector<OwnedRing> rings, Corners corners) {
+std::vector<DiscPart> parts_of(std::vector<OwnedRing> rings) {
   std::map<std::uint32_t, std::size_t> part_of;
   std::vector<DiscPart> parts;
   for (OwnedRing& ring : rings) {
-    if (!is_outer(ring.ring, corners)) continue;
+    if (!ring.outer) continue;
     if (!part_of.try_emplace(ring.owner, parts.size()).second)
       throw std::logic_error("a part of a disc's sum has two outer rings");
     parts.push_back({std::move(ring.ring), {}});

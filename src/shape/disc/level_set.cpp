@@ -12,11 +12,11 @@ namespace dymsum::shape {
 
 namespace {
 
-std::vector<DiscPiece> moved_pieces(const DiscPlaces& places, const BoundaryOrder& order, const LevelRings& rings,
-                                    const std::vector<std::uint32_t>& ring) {
+Pieces moved_pieces(const DiscPlaces& places, const BoundaryOrder& order, const LevelRings& rings,
+                    const std::vector<std::uint32_t>& ring) {
   Pieces pieces;
   for (const std::uint32_t run : ring) append_moved(places, order, rings.runs[run], pieces);
-  return std::move(pieces.list);
+  return pieces;
 }
 
 /// Components of the region that a sum joins: across edges of the complex below the radius, and along its rings.
@@ -51,11 +51,12 @@ DiscSet sum_set(const DiscPlaces& places, const BoundaryOrder& order, Semantics 
   std::vector<OwnedRing> made;
   for (const auto& ring : rings.rings) {
     const std::uint32_t loop = rings.runs[ring.front()].loop;
-    made.push_back(
-        {{moved_pieces(places, order, rings, ring)}, joined.root(complex.sites[order.first_site[loop]].component)});
+    Pieces pieces = moved_pieces(places, order, rings, ring);
+    const bool outer = runs_counter_clockwise(places, pieces.headings, Bend::counter_clockwise);
+    made.push_back({{std::move(pieces.list)}, joined.root(complex.sites[order.first_site[loop]].component), outer});
   }
   DiscSet set;
-  set.parts = parts_of(std::move(made), Corners::clockwise);
+  set.parts = parts_of(std::move(made));
   if (semantics == Semantics::open) {
     TightFeatures tight = tight_features(places);
     set.tight_segments = std::move(tight.segments);
@@ -76,11 +77,12 @@ DiscSet eroded_set(const DiscPlaces& places, const BoundaryOrder& order, Semanti
   for (const auto& ring : rings.rings) {
     const Run& run = rings.runs[ring.front()];
     const std::uint32_t item = run.whole() ? order.first_item[run.loop] : run.from;
-    made.push_back(
-        {reversed(moved_pieces(places, order, rings, ring)), joined.root(complex.edges[order.items[item].edge].high)});
+    Pieces pieces = moved_pieces(places, order, rings, ring);
+    const bool outer = !runs_counter_clockwise(places, pieces.headings, Bend::counter_clockwise);
+    made.push_back({reversed(std::move(pieces.list)), joined.root(complex.edges[order.items[item].edge].high), outer});
   }
   DiscSet set;
-  set.parts = parts_of(std::move(made), Corners::counter_clockwise);
+  set.parts = parts_of(std::move(made));
   if (semantics != Semantics::regular) {
     TightFeatures tight = tight_features(places);
     set.tight_segments = tight.segments;

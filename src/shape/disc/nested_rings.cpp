@@ -96,7 +96,7 @@ std::vector<DiscPart> nested(const DiscPlaces& places, std::vector<PlacedRing> r
   std::vector<PlacedRing*> holes;
   std::map<std::uint32_t, std::size_t> part_of;
   for (PlacedRing& ring : rings) {
-    if (!is_outer(ring.ring, Corners::counter_clockwise)) {
+    if (!ring.outer) {
       holes.push_back(&ring);
       continue;
     }

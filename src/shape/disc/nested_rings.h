@@ -10,6 +10,7 @@ namespace dymsum::shape {
 /// A ring with the set on its left, and what is known of the part that it bounds.
 struct PlacedRing {
   DiscRing ring;
+  bool outer = false;
   std::vector<std::uint32_t> sites;    ///< piece -> the site that the corner at its start lies on, if that is a contact
   std::optional<std::uint32_t> owner;  ///< rings with the same one bound one part
   std::optional<Point> anchor;         ///< a vertex of the region in that part

@@ -17,6 +17,7 @@ namespace {
 /// One boundary ring between the discs, on the right, and what they do not reach.
 struct DiscBoundary {
   std::vector<DiscPiece> pieces;
+  Headings headings;
   std::vector<std::uint32_t> sites;     ///< piece -> the site where it begins, if at a contact
   std::vector<std::uint32_t> touching;  ///< sites that its runs begin on and its arcs touch
   std::uint32_t edge = kNoIndex;        ///< of the complex, beyond the level; none about a convex region
@@ -99,6 +100,7 @@ class DiscBoundaries {
     DiscBoundary ring;
     ring.sites.assign(pieces.list.size(), kNoIndex);
     ring.pieces = std::move(pieces.list);
+    ring.headings = std::move(pieces.headings);
     ring.touching = {order_.first_site[loop]};
     if (has_edge) ring.edge = order_.items[item].edge;
     return ring;
@@ -123,6 +125,7 @@ class DiscBoundaries {
     // Of a run only the first piece can begin at a contact, on the first site.
     ring.sites.resize(ring.sites.size() + pieces.list.size(), ring.touching.back());
     ring.pieces.insert(ring.pieces.end(), pieces.list.begin(), pieces.list.end());
+    ring.headings.insert(ring.headings.end(), pieces.headings.begin(), pieces.headings.end());
   }
 
   void append_fragment(std::uint32_t f, DiscBoundary& ring) {
@@ -131,6 +134,9 @@ class DiscBoundaries {
     const CornerArc& arc = arcs_.arcs[fragment.arc];
     if (ring.edge == kNoIndex) ring.edge = arcs_.disc_edge[arc.disc];
     ring.pieces.push_back(arc_piece(fragment));
+    ring.headings.push_back(
+        {heading_at(arc, arc.start, fragment.begin, fragment.touches_at_begin ? How::touched : How::left),
+         heading_at(arc, arc.stop, fragment.end, fragment.touches_at_end ? How::touched : How::entered)});
     ring.sites.push_back(arc.start);
     if (fragment.begin == kNoIndex) ring.touching.push_back(arc.start);
     if (fragment.end == kNoIndex) ring.touching.push_back(arc.stop);
@@ -167,6 +173,15 @@ class DiscBoundaries {
     return arcs_.arc_across[next.edge][next.up ? 0 : 1];
   }
 
+  enum class How : std::uint8_t { entered, left, touched };
+  /// At an end of a fragment: of its arc, at a contact, or where another disc is met.
+  Heading heading_at(const CornerArc& arc, std::uint32_t site, std::uint32_t other, How how) const {
+    const CornerDisc& disc = arcs_.discs[arc.disc];
+    if (other == kNoIndex) return heading_at_contact(places_, disc, site);
+    return {how == How::touched ? Heading::Of::touch : Heading::Of::crossing, kNoIndex, disc, arcs_.discs[other],
+            how == How::entered};
+  }
+
   DiscPiece arc_piece(const ArcFragment& fragment) const {
     const Complex& complex = places_.complex();
     const CornerArc& arc = arcs_.arcs[fragment.arc];
@@ -193,7 +208,7 @@ class DiscBoundaries {
       piece.from.at = {piece.centre.x + from.x, piece.centre.y + from.y};
     }
     piece.from_angle = std::atan2(from.y, from.x);
-    piece.sweep = -turn_between(std::atan2(to.y, to.x), piece.from_angle, std::numbers::pi);
+    piece.sweep = 0 - turn_between(std::atan2(to.y, to.x), piece.from_angle, std::numbers::pi);
     return piece;
   }
 
@@ -247,10 +262,12 @@ DiscSet opened_set(const DiscPlaces& places, const BoundaryOrder& order, Semanti
   DiscBoundaries boundaries(places, order, cut, Connected::discs);
   UnionFind joined = connected_discs(places, cut, boundaries.arcs());
   std::vector<OwnedRing> made;
-  for (DiscBoundary& ring : boundaries.make())
-    made.push_back({reversed(std::move(ring.pieces)), joined.root(complex.edges[ring.edge].high)});
+  for (DiscBoundary& ring : boundaries.make()) {
+    const bool outer = !runs_counter_clockwise(places, ring.headings, Bend::clockwise);
+    made.push_back({reversed(std::move(ring.pieces)), joined.root(complex.edges[ring.edge].high), outer});
+  }
   DiscSet set;
-  set.parts = parts_of(std::move(made), Corners::clockwise);
+  set.parts = parts_of(std::move(made));
   finish(places, set);
   return set;
 }
@@ -264,6 +281,7 @@ DiscSet closed_set(const DiscPlaces& places, const BoundaryOrder& order, Semanti
   std::vector<PlacedRing> placed;
   for (DiscBoundary& ring : rings) {
     PlacedRing& made = placed.emplace_back();
+    made.outer = runs_counter_clockwise(places, ring.headings, Bend::clockwise);
     made.ring = {std::move(ring.pieces)};
     made.sites = std::move(ring.sites);
     if (ring.touching.empty()) continue;

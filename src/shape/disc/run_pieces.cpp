@@ -2,6 +2,7 @@
 
 #include <cmath>
 #include <numbers>
+#include <utility>
 
 namespace dymsum::shape {
 
@@ -65,11 +66,14 @@ DiscCorner joint_corner(const DiscPlaces& places, const Site& vertex, const Site
   return vertex_corner(vertex.index, {vertex.a.x + r * n.x, vertex.a.y + r * n.y});
 }
 
-const Site& neighbour(const DiscPlaces& places, const BoundaryOrder& order, std::uint32_t site, int step) {
+std::uint32_t index_of_neighbour(const DiscPlaces& places, const BoundaryOrder& order, std::uint32_t site, int step) {
   const std::uint32_t loop = places.complex().sites[site].loop;
   const std::uint32_t first = order.first_site[loop], last = order.first_site[loop + 1];
-  if (step > 0) return places.complex().sites[site + 1 == last ? first : site + 1];
-  return places.complex().sites[site == first ? last - 1 : site - 1];
+  if (step > 0) return site + 1 == last ? first : site + 1;
+  return site == first ? last - 1 : site - 1;
+}
+const Site& neighbour(const DiscPlaces& places, const BoundaryOrder& order, std::uint32_t site, int step) {
+  return places.complex().sites[index_of_neighbour(places, order, site, step)];
 }
 
 DiscCorner joint_with(const DiscPlaces& places, const BoundaryOrder& order, std::uint32_t site, int step) {
@@ -86,6 +90,11 @@ DiscPiece moved_edge(const Site& site, DiscCorner from) {
   return piece;
 }
 
+void append_edge(std::uint32_t site, DiscPiece piece, Pieces& pieces) {
+  pieces.list.push_back(std::move(piece));
+  pieces.headings.push_back({Heading{Heading::Of::edge, site}, Heading{Heading::Of::edge, site}});
+}
+
 /// From the vertex to a corner of its arc.
 Point arm(const DiscPlaces& places, const BoundaryOrder& order, std::uint32_t site, const DiscCorner& corner,
           int step) {
@@ -100,6 +109,13 @@ Point arm(const DiscPlaces& places, const BoundaryOrder& order, std::uint32_t si
     return places.centre_from(corner.disc, v);
   }
   return places.normal(neighbour(places, order, site, step));
+}
+
+/// Of an arc about a vertex, at a corner of it: that of the edge on the side of `step`, or about the vertex.
+Heading heading_at_corner(const DiscPlaces& places, const BoundaryOrder& order, std::uint32_t site,
+                          const DiscCorner& corner, int step) {
+  if (corner.kind == DiscCorner::Kind::centre) return {Heading::Of::vertex, site, corner.disc};
+  return {Heading::Of::edge, index_of_neighbour(places, order, site, step)};
 }
 
 DiscPiece arc_about_vertex(const DiscPlaces& places, const BoundaryOrder& order, std::uint32_t index,
@@ -138,7 +154,13 @@ bool empty_at_end(const DiscPlaces& places, const BoundaryOrder& order, std::uin
 double turn_between(double from_angle, double to_angle, double most) {
   double turn = std::fmod(to_angle - from_angle, 2 * kPi);
   if (turn < 0) turn += 2 * kPi;
+  if (turn == 0) return 0;  // not -0
   return most < 2 * kPi && turn > most + kPi / 4 ? 0 : turn;
+}
+
+Heading heading_at_contact(const DiscPlaces& places, const CornerDisc& disc, std::uint32_t site) {
+  if (places.complex().sites[site].kind == Site::Kind::edge) return {Heading::Of::edge, site};
+  return {Heading::Of::vertex, site, disc};
 }
 
 DiscCorner contact_corner(const DiscPlaces& places, const CornerDisc& disc, std::uint32_t site) {
@@ -161,8 +183,14 @@ void append_moved(const DiscPlaces& places, const BoundaryOrder& order, const Ru
     DiscCorner to;
     if (ends) to = centre_corner(places, order.items[run.to].edge, {});
     else if (!circle) to = joint_with(places, order, index, 1);
-    pieces.list.push_back(site.kind == Site::Kind::edge ? moved_edge(site, from)
-                                                        : arc_about_vertex(places, order, index, from, to));
+    if (site.kind == Site::Kind::edge) {
+      append_edge(index, moved_edge(site, from), pieces);
+    } else {
+      pieces.list.push_back(arc_about_vertex(places, order, index, from, to));
+      if (!circle)
+        pieces.headings.push_back(
+            {heading_at_corner(places, order, index, from, -1), heading_at_corner(places, order, index, to, 1)});
+    }
     from = to;
   });
   pieces.end = from;
@@ -179,9 +207,10 @@ void append_in_place(const DiscPlaces& places, const BoundaryOrder& order, const
                                : kNoIndex,
                            at);
     };
-    pieces.list.push_back(
-        moved_edge(site, begins ? contact_corner(places, places.disc_on(order.items[run.from].edge), index)
-                                : end_of_edge(-1, site.a)));
+    append_edge(index,
+                moved_edge(site, begins ? contact_corner(places, places.disc_on(order.items[run.from].edge), index)
+                                        : end_of_edge(-1, site.a)),
+                pieces);
     pieces.end =
         ends ? contact_corner(places, places.disc_on(order.items[run.to].edge), index) : end_of_edge(1, site.b);
   });

@@ -1,14 +1,15 @@
 // The pieces of boundary that a run of places makes at a level.
 #pragma once
 
-#include "shape/disc/disc_places.h"
+#include "shape/disc/headings.h"
 #include "shape/disc/level_rings.h"
 
 namespace dymsum::shape {
 
-/// Pieces in the order of the walk, and where the last one ends.
+/// Pieces in the order of the walk with their directions, and where the last one ends.
 struct Pieces {
   std::vector<DiscPiece> list;
+  Headings headings;
   DiscCorner end;
 };
 
@@ -18,6 +19,9 @@ void append_moved(const DiscPlaces& places, const BoundaryOrder& order, const Ru
 /// The places themselves: parts of edges between where the discs at both ends of the run touch. Pieces without length
 /// are left out, and so is a run that is a vertex alone. Requires radius > 0.
 void append_in_place(const DiscPlaces& places, const BoundaryOrder& order, const Run& run, Pieces& pieces);
+
+/// The direction of a boundary where a disc touches a site: along an edge, or square to what leads from a vertex.
+Heading heading_at_contact(const DiscPlaces& places, const CornerDisc& disc, std::uint32_t site);
 
 /// The corner where a disc touches a site.
 DiscCorner contact_corner(const DiscPlaces& places, const CornerDisc& disc, std::uint32_t site);
