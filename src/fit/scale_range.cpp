@@ -8,6 +8,7 @@
 #include "base/poll.h"
 #include "fit/fit_contacts.h"
 #include "fit/free_intervals.h"
+#include "fit/part_unit.h"
 #include "fit/path_free.h"
 #include "planar/operand/prepared_region.h"
 #include "planar/region/complement.h"
@@ -110,15 +111,23 @@ BigRational box_limit(const Region& part, const Region& container) {
 
 Point upper(Point a, Point b) { return {std::max(a.x, b.x), std::max(a.y, b.y)}; }
 
+/// A box about the origin of at least that reach. Error out_of_range where it is beyond what frames may be.
+Result<Region> box_of_reach(double reach) {
+  constexpr double kLeast = 0x1p-900,
+                   kMost = 0x1p994;  // of a point, which reaches nowhere; a frame is some times as wide
+  if (!(reach <= kMost))
+    return Error{ErrorCode::out_of_range, "scaled as large as the container, the part reaches beyond 2^994", {}};
+  const double half = std::ldexp(1.0, std::ilogb(std::max(reach, kLeast)) + 2);
+  return Region::create({{{{{-half, -half}, {half, -half}, {half, half}, {-half, half}}, {}}}, {}, {}});
+}
+
 /// A box around every scaled part that could lie in the container: what the complement's frame has to be wide for.
-Region frame_tool(const Region& part, const BigRational& limit) {
+Result<Region> frame_tool(const Region& part, const BigRational& limit) {
   const auto box = bounds(part);
   const double s = std::nextafter(exact::round_to_double(limit), INFINITY);
   double reach = 0;
   for (const double v : box) reach = std::max(reach, std::abs(v) * s);
-  constexpr double kLeast = 0x1p-900;  // of a point, which reaches nowhere
-  reach = std::ldexp(1.0, std::ilogb(std::max(reach, kLeast)) + 2);
-  return Region::create({{{{{-reach, -reach}, {reach, -reach}, {reach, reach}, {-reach, reach}}, {}}}, {}, {}}).value();
+  return box_of_reach(reach);
 }
 
 /// A scale below `limit` at which the part's bounding box, taken a little larger than it is, has room: it is convex, so
@@ -146,7 +155,9 @@ Result<BigRational> certain_fit(const Region& part, const Region& container, con
 class AnyPlacement {
  public:
   static Result<AnyPlacement> create(const Region& part, const Region& container, const BigRational& limit) {
-    EngineRegion frame = complement_of(container, frame_tool(part, limit));
+    const Result<Region> tool = frame_tool(part, limit);
+    if (!tool) return tool.error();
+    EngineRegion frame = complement_of(container, *tool);
     // Positions are found by the frame's own numbers, which are unique; contacts are told by those of the container.
     ObstacleNumbers numbers{std::move(frame.vertex_numbers), std::move(frame.edge_numbers)};
     frame.vertex_numbers.clear();
@@ -216,6 +227,121 @@ Result<PathFree::Critical> critical_of(AnyPlacement& placement, const BigRationa
   return Error{ErrorCode::cancelled, "stopped on request", {}};
 }
 
+Result<ScaleRange> range_along(const Region& part, const std::vector<Point>& path, const Region& obstacles,
+                               const Progress& progress) {
+  if (path.empty()) return unsupported("a path needs at least one waypoint");
+  for (std::size_t i = 0; i < path.size(); ++i)
+    if (!std::isfinite(path[i].x) || !std::isfinite(path[i].y)) {
+      Error error{ErrorCode::not_finite, "a waypoint of the path is not finite", {}};
+      error.evidence.vertex = static_cast<std::int64_t>(i);
+      return error;
+    }
+  if (std::optional<Error> error = check(part, obstacles)) return *std::move(error);
+  // Repeated waypoints are one.
+  std::vector<Point> way;
+  for (const Point& p : path)
+    if (way.empty() || !(way.back() == p)) way.push_back(p);
+  return range_of(part, way, separate_touching(obstacles.data(), obstacles.touching_points()), std::nullopt, progress);
+}
+
+Result<ScaleRange> range_at(const Region& part, const Region& container, Point at, const Progress& progress) {
+  if (!std::isfinite(at.x) || !std::isfinite(at.y))
+    return Error{ErrorCode::not_finite, "the placement is not finite", {}};
+  if (std::optional<Error> error = check(part, container)) return *std::move(error);
+  if (std::optional<Error> error = too_large_to_frame(container, part)) return *std::move(error);
+  const BigRational limit = box_limit(part, container);
+  // Inside the frame also at the placement.
+  const Result<Region> tool = frame_tool(part, limit);
+  if (!tool) return tool.error();
+  const auto b = bounds(*tool);
+  const Point far = upper({std::abs(at.x), std::abs(at.y)}, {b[2], b[3]});
+  const Result<Region> wide = box_of_reach(far.x + far.y);
+  if (!wide) return wide.error();
+  return range_of(part, {at}, complement_of(container, *wide), limit, progress);
+}
+
+Result<ScaleRange> range_anywhere(const Region& part, const Region& container, const Progress& progress) {
+  if (std::optional<Error> error = check(part, container)) return *std::move(error);
+  if (std::optional<Error> error = too_large_to_frame(container, part)) return *std::move(error);
+  const BigRational limit = box_limit(part, container);
+  Result<AnyPlacement> made = AnyPlacement::create(part, container, limit);
+  if (!made) return made.error();
+  AnyPlacement placement = std::move(made).value();
+  const Result<BigRational> low = certain_fit(part, container, limit, progress);
+  if (!low) return low.error();
+  const Result<PathFree::Critical> critical = critical_of(placement, *low, limit, progress);
+  if (!critical) return critical.error();
+  std::optional<Error> failed;
+  const auto fits_at = [&](const BigRational& s) {
+    if (!failed) failed = placement.move_to(s);
+    return !failed && placement.fits();
+  };
+  ScaleRange range;
+  if (std::optional<Error> error = free_intervals(*critical, limit, progress, range,
+                                                  [&](const BigRational& s) { return s <= *low || fits_at(s); }))
+    return *std::move(error);
+  const auto name = [&](const std::optional<Rational>& end, std::vector<ScaleContact>& contacts) {
+    if (!end || !fits_at(exact::exact_value(*end))) return;
+    contacts = placement.contacts(exact::exact_value(*end));
+  };
+  for (ScaleInterval& i : range.free) {
+    name(i.low, i.at_low);
+    name(i.high, i.at_high);
+  }
+  if (failed) return *std::move(failed);
+  return range;
+}
+
+double extent(const Region& region) {
+  const auto box = bounds(region);
+  return std::max(box[2] - box[0], box[3] - box[1]);
+}
+
+/// How far a region reaches from the origin, or points do.
+double reach_of(const Region& region) {
+  double reach = 0;
+  for (const double v : bounds(region)) reach = std::max(reach, std::abs(v));
+  return reach;
+}
+double reach_of(const std::vector<Point>& points) {
+  double reach = 0;
+  for (const Point& p : points) reach = std::max({reach, std::abs(p.x), std::abs(p.y)});
+  return reach;
+}
+
+/// The part in its unit; nothing where that is its own, or has coordinates that are no doubles.
+std::optional<Region> part_in_unit(const Region& part, int k) {
+  if (k == 0) return std::nullopt;
+  RegionData data = part.data();
+  bool fits = true;
+  const auto change = [&](Ring& ring) {
+    for (Point& p : ring)
+      for (double* v : {&p.x, &p.y}) {
+        const std::optional<double> made = in_unit(*v, k);
+        fits = fits && made.has_value();
+        *v = made.value_or(0);
+      }
+  };
+  for (Part& piece : data.parts) {
+    change(piece.outer);
+    for (Ring& hole : piece.holes) change(hole);
+  }
+  if (!fits) return std::nullopt;
+  const Result<Region> made = Region::create(std::move(data));
+  return made ? std::optional(*made) : std::nullopt;
+}
+
+/// Asks with the part in its unit.
+template <class Ask>
+Result<ScaleRange> asked_in_unit(const Region& part, double part_size, double other_size, const Ask& ask) {
+  const int k = part_unit(part_size, other_size);
+  const std::optional<Region> changed = part_in_unit(part, k);
+  if (!changed) return ask(part);
+  Result<ScaleRange> range = ask(*changed);
+  if (!range) return range.error();
+  return in_input_units(*std::move(range), k);
+}
+
 }  // namespace
 
 bool ScaleRange::contains(const Scale& s) const {
@@ -232,19 +358,8 @@ std::optional<Rational> ScaleRange::trap() const {
 
 Result<ScaleRange> scale_range(const Region& part, const std::vector<Point>& path, const Region& obstacles,
                                const Progress& progress) {
-  if (path.empty()) return unsupported("a path needs at least one waypoint");
-  for (std::size_t i = 0; i < path.size(); ++i)
-    if (!std::isfinite(path[i].x) || !std::isfinite(path[i].y)) {
-      Error error{ErrorCode::not_finite, "a waypoint of the path is not finite", {}};
-      error.evidence.vertex = static_cast<std::int64_t>(i);
-      return error;
-    }
-  if (std::optional<Error> error = check(part, obstacles)) return *std::move(error);
-  // Repeated waypoints are one.
-  std::vector<Point> way;
-  for (const Point& p : path)
-    if (way.empty() || !(way.back() == p)) way.push_back(p);
-  return range_of(part, way, separate_touching(obstacles.data(), obstacles.touching_points()), std::nullopt, progress);
+  return asked_in_unit(part, reach_of(part), std::max(reach_of(path), reach_of(obstacles)),
+                       [&](const Region& p) { return range_along(p, path, obstacles, progress); });
 }
 
 Result<ScaleRange> scale_range(const Region& part, std::span<const RationalPoint> path, const Region& obstacles,
@@ -278,51 +393,13 @@ Result<ScaleRange> scale_range(const Region& part, std::span<const RationalPoint
 }
 
 Result<ScaleRange> fit_range(const Region& part, const Region& container, Point at, const Progress& progress) {
-  if (!std::isfinite(at.x) || !std::isfinite(at.y))
-    return Error{ErrorCode::not_finite, "the placement is not finite", {}};
-  if (std::optional<Error> error = check(part, container)) return *std::move(error);
-  if (std::optional<Error> error = too_large_to_frame(container, part)) return *std::move(error);
-  const BigRational limit = box_limit(part, container);
-  // Inside the frame also at the placement.
-  const Region tool = frame_tool(part, limit);
-  const auto b = bounds(tool);
-  const Point far = upper({std::abs(at.x), std::abs(at.y)}, {b[2], b[3]});
-  const double reach = std::ldexp(1.0, std::ilogb(far.x + far.y) + 1);
-  const Region wide =
-      Region::create({{{{{-reach, -reach}, {reach, -reach}, {reach, reach}, {-reach, reach}}, {}}}, {}, {}}).value();
-  return range_of(part, {at}, complement_of(container, wide), limit, progress);
+  return asked_in_unit(part, reach_of(part), extent(container),
+                       [&](const Region& p) { return range_at(p, container, at, progress); });
 }
 
 Result<ScaleRange> fit_range(const Region& part, const Region& container, const Progress& progress) {
-  if (std::optional<Error> error = check(part, container)) return *std::move(error);
-  if (std::optional<Error> error = too_large_to_frame(container, part)) return *std::move(error);
-  const BigRational limit = box_limit(part, container);
-  Result<AnyPlacement> made = AnyPlacement::create(part, container, limit);
-  if (!made) return made.error();
-  AnyPlacement placement = std::move(made).value();
-  const Result<BigRational> low = certain_fit(part, container, limit, progress);
-  if (!low) return low.error();
-  const Result<PathFree::Critical> critical = critical_of(placement, *low, limit, progress);
-  if (!critical) return critical.error();
-  std::optional<Error> failed;
-  const auto fits_at = [&](const BigRational& s) {
-    if (!failed) failed = placement.move_to(s);
-    return !failed && placement.fits();
-  };
-  ScaleRange range;
-  if (std::optional<Error> error = free_intervals(*critical, limit, progress, range,
-                                                  [&](const BigRational& s) { return s <= *low || fits_at(s); }))
-    return *std::move(error);
-  const auto name = [&](const std::optional<Rational>& end, std::vector<ScaleContact>& contacts) {
-    if (!end || !fits_at(exact::exact_value(*end))) return;
-    contacts = placement.contacts(exact::exact_value(*end));
-  };
-  for (ScaleInterval& i : range.free) {
-    name(i.low, i.at_low);
-    name(i.high, i.at_high);
-  }
-  if (failed) return *std::move(failed);
-  return range;
+  return asked_in_unit(part, extent(part), extent(container),
+                       [&](const Region& p) { return range_anywhere(p, container, progress); });
 }
 
 }  // namespace dymsum

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "spatial/boundary/collision.h"
+#include "spatial/scaling/computed_scale.h"
 #include "spatial/sum/feature_pairs.h"
 
 namespace dymsum::spatial {
@@ -145,7 +146,7 @@ bool SolidPath::overlaps(const std::array<BigRational, 3>& x, const BigRational&
   const double near_s = exact::round_to_double(s), far = std::abs(near_x.x) + std::abs(near_x.y) + std::abs(near_x.z);
   const ScaledOverlap::Answer answer = overlap_.at(near_x, near_s, far * 0x1p-51, near_s * 0x1p-51);
   if (answer != ScaledOverlap::Answer::unsure) return answer == ScaledOverlap::Answer::overlap;
-  const PosedSpace posed = posed_space(all_.pair(), all_.poses(Scale::of(exact::to_rational(s)).value()));
+  const PosedSpace posed = posed_space(all_.pair(), all_.poses(computed_scale(s)));
   const BigRational scale = BigRational(posed.scale) * exact::exact_value(unit_);
   const std::optional<PointSource> at = posed.space->add_place({x[0] * scale, x[1] * scale, x[2] * scale});
   if (!at) return false;

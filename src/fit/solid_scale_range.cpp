@@ -5,9 +5,11 @@
 
 #include "dymsum/scaling_solid_sum.h"
 #include "fit/free_intervals.h"
+#include "fit/part_unit.h"
 #include "fit/solid_path.h"
 #include "spatial/erode/frame.h"
 #include "spatial/moving/posed_sum.h"
+#include "spatial/scaling/computed_scale.h"
 
 namespace dymsum {
 
@@ -34,23 +36,25 @@ RationalPoint3 exactly(const Point3& p) {
 
 Result<SolidScaleRange> range_of_path(const Mesh& part, const std::vector<RationalPoint3>& path, const Mesh& obstacles,
                                       const std::optional<BigRational>& limit, const Progress& progress) {
-  Result<Result<SolidScaleRange>> made = guarded([&]() -> Result<SolidScaleRange> {
-    const SolidPair pair = solid_pair(obstacles, negated(part));
-    SpatialOptions stages;
-    stages.threads = 1, stages.progress = progress;
-    SpatialStats stats;
-    StageWatch watch(stages, stats);
-    watch.begin("convolution");
-    const MovingFacets facets(pair, 1, watch);
-    const ScaledOverlap overlap(facets);
-    const SolidPath walk(facets, overlap, path);
-    watch.begin("contacts");
-    const SolidPath::Critical critical = walk.critical([&](double share) { watch.ask(share); });
-    SolidScaleRange range;
-    if (std::optional<Error> error =
-            free_intervals(critical, limit, progress, range, [&](const BigRational& s) { return walk.free(s); }))
-      return *std::move(error);
-    return range;
+  Result<Result<SolidScaleRange>> made = within_scales([&] {
+    return guarded([&]() -> Result<SolidScaleRange> {
+      const SolidPair pair = solid_pair(obstacles, negated(part));
+      SpatialOptions stages;
+      stages.threads = 1, stages.progress = progress;
+      SpatialStats stats;
+      StageWatch watch(stages, stats);
+      watch.begin("convolution");
+      const MovingFacets facets(pair, 1, watch);
+      const ScaledOverlap overlap(facets);
+      const SolidPath walk(facets, overlap, path);
+      watch.begin("contacts");
+      const SolidPath::Critical critical = walk.critical([&](double share) { watch.ask(share); });
+      SolidScaleRange range;
+      if (std::optional<Error> error =
+              free_intervals(critical, limit, progress, range, [&](const BigRational& s) { return walk.free(s); }))
+        return *std::move(error);
+      return range;
+    });
   });
   if (!made) return made.error();
   return *std::move(made);
@@ -77,14 +81,15 @@ Result<Mesh> frame_of(const Mesh& part, const Mesh& container, const BigRational
   for (const Point3& v : part.vertices()) reach = std::max({reach, std::abs(v.x), std::abs(v.y), std::abs(v.z)});
   reach = reach * exact::round_to_double(limit) * 1.01 + std::abs(at.x) + std::abs(at.y) + std::abs(at.z);
   for (const Point3& v : container.vertices()) reach = std::max({reach, std::abs(v.x), std::abs(v.y), std::abs(v.z)});
+  constexpr double kMost = 0x1p1000;
+  if (!(reach <= kMost))
+    return Error{ErrorCode::out_of_range, "the frame of the container would reach beyond 2^1000", {}};
   reach = std::ldexp(1.0, std::ilogb(reach) + 2);
   Result<MeshData> framed =
       framed_complement(container.data(), {{{-reach, -reach, -reach}, {reach, reach, reach}}, {}});
   if (!framed) return framed.error();
   return Mesh::create(*std::move(framed));
 }
-
-Scale scale_at(const BigRational& s) { return Scale::of(exact::to_rational(s)).value(); }
 
 /// Anywhere inside a container: what the sum of its framed complement and the reflected part leaves free.
 class SolidRoom {
@@ -93,7 +98,9 @@ class SolidRoom {
 
   /// Free placements are the shells of the sum behind that of the frame, and its tight features.
   std::optional<Error> look(const BigRational& s) {
-    Result<SpatialSum> at = sum_.at(scale_at(s), progress_);
+    const Result<Scale> scale = Scale::of(exact::to_rational(s));
+    if (!scale) return scale.error();
+    Result<SpatialSum> at = sum_.at(*scale, progress_);
     if (!at) return at.error();
     fits = at->shells > 1 || !at->tight_faces.empty() || !at->tight_segments.empty() || !at->tight_points.empty();
     contacts.clear();
@@ -149,6 +156,93 @@ Result<BigRational> certain_room(const Mesh& part, const Mesh& frame, BigRationa
   return refused_solid("the container is too thin for its size");
 }
 
+Result<SolidScaleRange> range_along(const Mesh& part, std::span<const RationalPoint3> path, const Mesh& obstacles,
+                                    const Progress& progress) {
+  if (path.empty()) return refused_solid("a path needs at least one waypoint");
+  std::vector<RationalPoint3> way;
+  for (const RationalPoint3& at : path)
+    if (way.empty() || !(way.back() == at)) way.push_back(at);
+  if (std::optional<Error> error = check_solids(part, obstacles)) return *std::move(error);
+  return range_of_path(part, way, obstacles, std::nullopt, progress);
+}
+
+Result<SolidScaleRange> range_at(const Mesh& part, const Mesh& container, const Point3& at, const Progress& progress) {
+  if (!is_finite_point(at)) return Error{ErrorCode::not_finite, "the placement is not finite", {}};
+  if (std::optional<Error> error = check_solids(part, container)) return *std::move(error);
+  const BigRational limit = box_limit_of(part, container);
+  const Result<Mesh> frame = frame_of(part, container, limit, at);
+  if (!frame) return frame.error();
+  return range_of_path(part, {exactly(at)}, *frame, limit, progress);
+}
+
+Result<SolidScaleRange> range_anywhere(const Mesh& part, const Mesh& container, const Progress& progress) {
+  if (std::optional<Error> error = check_solids(part, container)) return *std::move(error);
+  const BigRational limit = box_limit_of(part, container);
+  const Result<Mesh> frame = frame_of(part, container, limit, {});
+  if (!frame) return frame.error();
+  const Result<BigRational> low = certain_room(part, *frame, limit, progress);
+  if (!low) return low.error();
+  Result<SolidRoom> made = room_for(part, *frame, progress);
+  if (!made) return made.error();
+  SolidRoom room = *std::move(made);
+  const Result<std::vector<SolidScaleEvent>> events =
+      within_scales([&] { return room.sum().events(computed_scale(*low), computed_scale(limit), progress); });
+  if (!events) return events.error();
+  std::map<BigRational, std::vector<SolidScaleContact>> critical;
+  for (const SolidScaleEvent& e : *events)
+    if (e.topology) critical[exact::exact_value(e.s)];
+  std::optional<Error> failed;
+  const auto fits = [&](const BigRational& s) {
+    if (s <= *low) return true;
+    if (!failed) failed = room.look(s);
+    return !failed && room.fits;
+  };
+  SolidScaleRange range;
+  if (std::optional<Error> error = free_intervals(critical, limit, progress, range, fits)) return *std::move(error);
+  for (SolidScaleInterval& i : range.free) {
+    if (i.low && !failed && fits(exact::exact_value(*i.low))) i.at_low = room.contacts;
+    if (i.high && !failed && fits(exact::exact_value(*i.high))) i.at_high = room.contacts;
+  }
+  if (failed) return *std::move(failed);
+  return range;
+}
+
+double reach_of(const std::vector<Point3>& points) {
+  double reach = 0;
+  for (const Point3& p : points) reach = std::max({reach, std::abs(p.x), std::abs(p.y), std::abs(p.z)});
+  return reach;
+}
+
+double extent(const Mesh& mesh) {
+  const auto box = bounds(mesh);
+  return std::max({box[3] - box[0], box[4] - box[1], box[5] - box[2]});
+}
+
+/// The part in its unit; nothing where that is its own, or has coordinates that are no doubles.
+std::optional<Mesh> part_in_unit(const Mesh& part, int k) {
+  if (k == 0) return std::nullopt;
+  MeshData data = part.data();
+  for (Point3& p : data.vertices)
+    for (double* v : {&p.x, &p.y, &p.z}) {
+      const std::optional<double> made = in_unit(*v, k);
+      if (!made) return std::nullopt;
+      *v = *made;
+    }
+  const Result<Mesh> made = Mesh::create(std::move(data));
+  return made ? std::optional(*made) : std::nullopt;
+}
+
+/// Asks with the part in its unit.
+template <class Ask>
+Result<SolidScaleRange> asked_in_unit(const Mesh& part, double part_size, double other_size, const Ask& ask) {
+  const int k = part_unit(part_size, other_size);
+  const std::optional<Mesh> changed = part_in_unit(part, k);
+  if (!changed) return ask(part);
+  Result<SolidScaleRange> range = ask(*changed);
+  if (!range) return range.error();
+  return in_input_units(*std::move(range), k);
+}
+
 }  // namespace
 
 bool SolidScaleRange::contains(const Scale& s) const {
@@ -180,53 +274,22 @@ Result<SolidScaleRange> solid_scale_range(const Mesh& part, const std::vector<Po
 
 Result<SolidScaleRange> solid_scale_range(const Mesh& part, std::span<const RationalPoint3> path, const Mesh& obstacles,
                                           const Progress& progress) {
-  if (path.empty()) return refused_solid("a path needs at least one waypoint");
-  std::vector<RationalPoint3> way;
+  double far = reach_of(obstacles.vertices());
   for (const RationalPoint3& at : path)
-    if (way.empty() || !(way.back() == at)) way.push_back(at);
-  if (std::optional<Error> error = check_solids(part, obstacles)) return *std::move(error);
-  return range_of_path(part, way, obstacles, std::nullopt, progress);
+    for (const Rational* c : {&at.x, &at.y, &at.z}) far = std::max(far, std::abs(c->to_double()));
+  return asked_in_unit(part, reach_of(part.vertices()), far,
+                       [&](const Mesh& p) { return range_along(p, path, obstacles, progress); });
 }
 
 Result<SolidScaleRange> solid_fit_range(const Mesh& part, const Mesh& container, const Point3& at,
                                         const Progress& progress) {
-  if (!is_finite_point(at)) return Error{ErrorCode::not_finite, "the placement is not finite", {}};
-  if (std::optional<Error> error = check_solids(part, container)) return *std::move(error);
-  const BigRational limit = box_limit_of(part, container);
-  const Result<Mesh> frame = frame_of(part, container, limit, at);
-  if (!frame) return frame.error();
-  return range_of_path(part, {exactly(at)}, *frame, limit, progress);
+  return asked_in_unit(part, reach_of(part.vertices()), extent(container),
+                       [&](const Mesh& p) { return range_at(p, container, at, progress); });
 }
 
 Result<SolidScaleRange> solid_fit_range(const Mesh& part, const Mesh& container, const Progress& progress) {
-  if (std::optional<Error> error = check_solids(part, container)) return *std::move(error);
-  const BigRational limit = box_limit_of(part, container);
-  const Result<Mesh> frame = frame_of(part, container, limit, {});
-  if (!frame) return frame.error();
-  const Result<BigRational> low = certain_room(part, *frame, limit, progress);
-  if (!low) return low.error();
-  Result<SolidRoom> made = room_for(part, *frame, progress);
-  if (!made) return made.error();
-  SolidRoom room = *std::move(made);
-  const Result<std::vector<SolidScaleEvent>> events = room.sum().events(scale_at(*low), scale_at(limit), progress);
-  if (!events) return events.error();
-  std::map<BigRational, std::vector<SolidScaleContact>> critical;
-  for (const SolidScaleEvent& e : *events)
-    if (e.topology) critical[exact::exact_value(e.s)];
-  std::optional<Error> failed;
-  const auto fits = [&](const BigRational& s) {
-    if (s <= *low) return true;
-    if (!failed) failed = room.look(s);
-    return !failed && room.fits;
-  };
-  SolidScaleRange range;
-  if (std::optional<Error> error = free_intervals(critical, limit, progress, range, fits)) return *std::move(error);
-  for (SolidScaleInterval& i : range.free) {
-    if (i.low && !failed && fits(exact::exact_value(*i.low))) i.at_low = room.contacts;
-    if (i.high && !failed && fits(exact::exact_value(*i.high))) i.at_high = room.contacts;
-  }
-  if (failed) return *std::move(failed);
-  return range;
+  return asked_in_unit(part, extent(part), extent(container),
+                       [&](const Mesh& p) { return range_anywhere(p, container, progress); });
 }
 
 }  // namespace dymsum

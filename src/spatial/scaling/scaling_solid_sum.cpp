@@ -6,6 +6,7 @@
 
 #include "planar/operand/scale_value.h"
 #include "spatial/moving/posed_sum.h"
+#include "spatial/scaling/computed_scale.h"
 #include "spatial/scaling/scale_values.h"
 #include "spatial/scaling/sum_shape.h"
 
@@ -22,8 +23,6 @@ std::optional<Error> refused(const Mesh& p, const Mesh& q, const ScalingSolidOpt
     return Error{ErrorCode::unsupported_operand, "an operand of a scaling sum of solids has parts without volume", {}};
   return std::nullopt;
 }
-
-Scale scale_of(const BigRational& s) { return Scale::of(exact::to_rational(s)).value(); }
 
 bool has_to_be_compared(const ScaleOfInterest& v) { return v.unknown_topology || (v.unknown && !v.changes); }
 
@@ -83,7 +82,7 @@ ScalingSolidSum::State::Shapes ScalingSolidSum::State::shapes_at(const std::vect
   std::vector<SumShape> found(scales.size());
   watch.run(scales.size(), [&](std::size_t k) {
     found[k] = shape(
-        scale_of(scales[k]),
+        computed_scale(scales[k]),
         [&](std::string_view, double) {
           watch.ask_within_part(static_cast<double>(k) / static_cast<double>(scales.size()));
           return true;
@@ -169,10 +168,12 @@ Result<std::vector<SolidScaleEvent>> ScalingSolidSum::events(const Scale& a, con
   const BigRational from = exact::exact_value(a.exact()), to = exact::exact_value(b.exact());
   if (from > to) return Error{ErrorCode::bad_scale, "the range of scales begins after its end", {}};
   SolidEventWork counted;
-  return guarded([&] {
-    std::vector<SolidScaleEvent> events = state_->events(from, to, progress, counted);
-    if (work != nullptr) *work = counted;
-    return events;
+  return within_scales([&] {
+    return guarded([&] {
+      std::vector<SolidScaleEvent> events = state_->events(from, to, progress, counted);
+      if (work != nullptr) *work = counted;
+      return events;
+    });
   });
 }
 
@@ -180,14 +181,15 @@ Result<std::optional<SolidScaleEvent>> ScalingSolidSum::next_event(const Scale& 
                                                                    EventChange change, const Progress& progress) const {
   const BigRational from = exact::exact_value(s.exact()), to = exact::exact_value(limit.exact());
   if (from > to) return Error{ErrorCode::bad_scale, "the range of scales begins after its end", {}};
-  return guarded([&]() -> std::optional<SolidScaleEvent> {
+  const auto first_event = [&]() -> std::optional<SolidScaleEvent> {
     SolidEventWork work;
     const std::vector<BigRational> ends = state_->steps(from, to);
     for (std::size_t k = 0; k + 1 < ends.size(); ++k)
       for (const SolidScaleEvent& event : state_->events(ends[k], ends[k + 1], progress, work))
         if (exact::exact_value(event.s) > from && (change == EventChange::visible || event.topology)) return event;
     return std::nullopt;
-  });
+  };
+  return within_scales([&] { return guarded(first_event); });
 }
 
 Result<std::uint64_t> ScalingSolidSum::combinatorial_hash(const Scale& s, const Progress& progress) const {
