@@ -1,10 +1,12 @@
 // Sums as operands of further sums. Where vertices of a sum are fractions, it is an operand in units of their common
 // denominator: sums commute with scaling.
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <optional>
 #include <string>
 #include <utility>
+#include <vector>
 
 #include "dymsum/spatial_sum.h"
 #include "spatial/sum/face_triangles.h"
@@ -112,14 +114,53 @@ Result<SpatialSum> sum_of_terms(const Term& a, const Term& b, const SpatialOptio
   return made;
 }
 
+/// A point or a segment.
+bool is_straight(const Mesh& mesh) { return mesh.faces().size() == 1 && mesh.faces()[0].size() <= 2; }
+
+/// The sum of two of them: a point, a segment or a parallelogram. Nothing for other operands, and where no doubles hold
+/// it.
+std::optional<Term> sum_of_straight_terms(const Term& a, const Term& b) {
+  if (!is_straight(a.mesh) || !is_straight(b.mesh)) return std::nullopt;
+  const BigInteger scale = lcm(a.scale, b.scale);
+  const std::optional<Mesh> p = in_units(a, scale), q = in_units(b, scale);
+  if (!p || !q) return std::nullopt;
+  const auto exactly = [](const Point3& v) -> spatial::ExactPosition {
+    return {exact::exact_value(v.x), exact::exact_value(v.y), exact::exact_value(v.z)};
+  };
+  const spatial::ExactPosition a0 = exactly(p->vertices().front()), a1 = exactly(p->vertices().back()),
+                               b0 = exactly(q->vertices().front()), b1 = exactly(q->vertices().back());
+  std::array<BigRational, 3> u, v;
+  for (std::size_t k = 0; k < 3; ++k) u[k] = a1[k] - a0[k], v[k] = b1[k] - b0[k];
+  const bool parallel = u[0] * v[1] == u[1] * v[0] && u[1] * v[2] == u[2] * v[1] && u[2] * v[0] == u[0] * v[2];
+  const bool opposite = u[0] * v[0] + u[1] * v[1] + u[2] * v[2] < 0;
+  std::vector<std::array<const spatial::ExactPosition*, 2>> corners{{&a0, &b0}, {&a1, &b0}, {&a1, &b1}, {&a0, &b1}};
+  if (parallel) corners = {{&a0, opposite ? &b1 : &b0}, {&a1, opposite ? &b0 : &b1}};
+  MeshData data{{}, {{}}};
+  for (const auto& [i, j] : corners) {
+    const std::optional<Point3> at = as_point({(*i)[0] + (*j)[0], (*i)[1] + (*j)[1], (*i)[2] + (*j)[2]}, kWhole);
+    if (!at) return std::nullopt;
+    if (!data.vertices.empty() && data.vertices.back() == *at) continue;  // of two points
+    data.faces[0].push_back(static_cast<std::uint32_t>(data.vertices.size()));
+    data.vertices.push_back(*at);
+  }
+  Result<Mesh> mesh = Mesh::with_thin_parts(std::move(data));
+  return mesh ? std::optional(Term{*std::move(mesh), scale}) : std::nullopt;
+}
+
+Result<Term> sum_of_two(const Term& a, const Term& b, const SpatialOptions& options) {
+  if (std::optional<Term> flat = sum_of_straight_terms(a, b)) return *std::move(flat);
+  const Result<SpatialSum> sum = sum_of_terms(a, b, options);
+  if (!sum) return sum.error();
+  return as_term(*sum, kLargestScale);
+}
+
 /// Adds the first two operands whose sum is one again; the error of the first two where no sum is.
 std::optional<Error> add_two(std::vector<Term>& terms, const SpatialOptions& options) {
   std::optional<Error> first;
   for (std::size_t j = 1; j < terms.size(); ++j) {
     for (std::size_t i = 0; i < j; ++i) {
-      const Result<SpatialSum> sum = sum_of_terms(terms[i], terms[j], options);
-      if (!sum && sum.error().code != ErrorCode::unsupported_operand) return sum.error();
-      Result<Term> term = sum ? as_term(*sum, kLargestScale) : sum.error();
+      Result<Term> term = sum_of_two(terms[i], terms[j], options);
+      if (!term && term.error().code != ErrorCode::unsupported_operand) return term.error();
       if (!term) {
         if (!first) first = term.error();
         continue;
