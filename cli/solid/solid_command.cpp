@@ -22,6 +22,11 @@ void add_solid_options(CLI::App& verb, SolidCommand& command) {
   verb.add_option("--engine", command.engine, "How the boundary is found; both give the same result")
       ->check(CLI::IsMember({"fast", "brute"}))
       ->capture_default_str();
+  verb.add_option(
+          "--semantics", command.semantics,
+          "closed; open: touching is allowed, and where it is tight is listed; regular: the closure of the interior")
+      ->check(CLI::IsMember({"closed", "open", "regular"}))
+      ->capture_default_str();
   add_report_options(verb, command.report, "Compute N times and report the median and minimum time");
   add_exact_option(verb, command.report, OperandKind::solid);
   add_memory_option(verb, command.memory_mb, OperandKind::solid);
@@ -38,6 +43,7 @@ SolidRun read_solid_run(const std::string& verb, const SolidCommand& command) {
   require_solid(verb, command.operands, command.input);
   SolidRun run{
       verb, command.engine, read_solids(command.operands, command.input), command.report, std::move(files), how, true};
+  run.semantics = command.semantics;
   run.memory_mb = command.memory_mb;
   run.pages = std::move(pages);
   return run;

@@ -15,13 +15,13 @@ namespace dymsum::cli {
 struct SolidCommand {
   const CLI::App* parser = nullptr;
   std::vector<std::string> operands, files;
-  std::string to = "off", engine = "fast";
+  std::string to = "off", engine = "fast", semantics = "closed";
   double memory_mb = 0;  ///< 0: no limit
   ReportOptions report;
   InputOptions input;
 };
 
-/// Declares -o, --to, --engine, --json, --repeat, --exact, --memory, --repair, --hull and --from.
+/// Declares -o, --to, --engine, --semantics, --json, --repeat, --exact, --memory, --repair, --hull and --from.
 void add_solid_options(CLI::App& verb, SolidCommand& command);
 
 /// Checks outputs and reads the operands.

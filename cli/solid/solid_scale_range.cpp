@@ -116,6 +116,7 @@ ExitCode run_solid_scale_range(const RangeCommand& command) {
   if (place.size() > 1) throw Stop(kUsage, "--place wants one translation, x,y,z");
   const std::vector<SolidInput> inputs = read_solids(command.operands, command.input);
   const Mesh &part = inputs[0].mesh, &other = inputs[1].mesh;
+  const InterruptGuard guard;
   std::optional<ProgressBar> bar(std::in_place);
   const Progress progress = bar->callback();
   const auto compute = [&] {

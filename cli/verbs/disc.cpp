@@ -27,7 +27,8 @@ namespace {
 
 struct DiscCommand {
   const CLI::App* parser = nullptr;
-  std::string p, radius, set = "sum", semantics = "closed", bound = "inside";
+  std::string p, radius, set = "sum", semantics = "closed";
+  std::optional<std::string> bound;
   std::optional<double> error;
   bool events = false;
   ReportOptions report;
@@ -96,10 +97,39 @@ std::pair<Measure, Measure> any_area(const DiscSet& set) {
   return {std::move(text.value), std::move(text.error)};
 }
 
-double default_error(const DiscSet& set) { return set.radius > 0 ? set.radius / 1000 : 1; }
+/// Polygons that stand for the set, and how they lie to it.
+struct MadePolygons {
+  DiscPolygons polygons;
+  std::string bound;
+  bool instead = false;  ///< of those inside, which are no valid region
+};
 
-void write_outputs(const DiscCommand& command, const Region& p, const DiscSet& set) {
-  std::optional<DiscPolygons> polygons;
+/// A 1000th of the radius, or the least that to_region takes where positions are coarser than that.
+double default_error(const DiscSet& set) { return set.radius > 0 ? std::max(set.radius / 1000, 8 * set.at_error) : 1; }
+
+/// Inside the set where nothing is said; else nearest to it, where those inside cross each other.
+MadePolygons made_polygons(const DiscCommand& command, const DiscSet& set) {
+  const double error = command.error.value_or(default_error(set));
+  const std::string bound = command.bound.value_or("inside");
+  Result<DiscPolygons> made = to_region(set, error, kDiscBounds.at(bound));
+  if (made) return {*std::move(made), bound};
+  const auto crossed = [](const Result<DiscPolygons>& polygons) {
+    return !polygons && polygons.error().code == ErrorCode::rounding_changed_topology;
+  };
+  if (crossed(made) && !command.bound) {
+    Result<DiscPolygons> nearest = to_region(set, error, DiscBound::nearest);
+    if (nearest) return {*std::move(nearest), "nearest", true};
+  }
+  Error refused = made.error();
+  if (crossed(made))
+    refused.message += std::string("; ") + (bound == "nearest" || !command.bound ? "" : "--bound nearest or ") +
+                       "a smaller --error may do, and -o FILE.json or FILE.svg keeps the arcs";
+  if (refused.code == ErrorCode::out_of_range) refused.message = "--error: " + refused.message;
+  stop_with(refused);
+}
+
+std::optional<MadePolygons> write_outputs(const DiscCommand& command, const Region& p, const DiscSet& set) {
+  std::optional<MadePolygons> polygons;
   std::vector<std::string> texts;
   for (const std::string& file : command.output.files) {
     const RegionFormat format = output_format(file, command.output);
@@ -108,13 +138,18 @@ void write_outputs(const DiscCommand& command, const Region& p, const DiscSet& s
     } else if (format == RegionFormat::svg) {
       texts.push_back(draw_disc_set(p, set));
     } else {
-      if (!polygons)
-        polygons = require(to_region(set, command.error.value_or(default_error(set)), kDiscBounds.at(command.bound)));
-      texts.push_back(format_region(polygons->region, format));
+      if (!polygons) polygons = made_polygons(command, set);
+      texts.push_back(format_region(polygons->polygons.region, format));
     }
   }
   throw_if_interrupted();
   for (std::size_t i = 0; i < texts.size(); ++i) write_text(command.output.files[i], texts[i]);
+  return polygons;
+}
+
+Json polygons_json(const std::optional<MadePolygons>& made) {
+  if (!made) return nullptr;
+  return {{"bound", made->bound}, {"error", made->polygons.error}, {"chords", made->polygons.chords}};
 }
 
 Json events_json(const std::vector<DiscEvent>& events) {
@@ -124,7 +159,7 @@ Json events_json(const std::vector<DiscEvent>& events) {
 }
 
 Json disc_json(const DiscCommand& command, const std::vector<Input>& inputs, const DiscSet& set, const Timing& first,
-               const Timing& again, const std::vector<DiscEvent>& events) {
+               const Timing& again, const std::vector<DiscEvent>& events, const std::optional<MadePolygons>& polygons) {
   Json json = report_head("disc", inputs_json(inputs), 0, again, {{"complex", first.median_ms}});
   json["set"] = command.set;
   json["semantics"] = command.semantics;
@@ -144,16 +179,26 @@ Json disc_json(const DiscCommand& command, const std::vector<Input>& inputs, con
   json["tight"] = {{"points", set.tight_points.size()}, {"segments", set.tight_segments.size()}};
   json["event_count"] = events.size();
   json["events"] = command.events ? events_json(events) : Json(nullptr);
+  json["polygons"] = polygons_json(polygons);
   return json;
 }
 
+/// With its error where that is more than a billionth of it.
+std::string area_shown(const DiscSet& set) {
+  const auto [value, error] = any_area(set);
+  const Measured rough = area(set);
+  constexpr double kNegligible = 1e-9;
+  if (set.parts.empty() || rough.error <= kNegligible * rough.value) return shown(value);
+  return shown(value) + " within " + shown(error);
+}
+
 void print_disc(std::ostream& out, const DiscCommand& command, const DiscSet& set, const Timing& timing,
-                const std::vector<DiscEvent>& events) {
+                const std::vector<DiscEvent>& events, const std::optional<MadePolygons>& polygons) {
   std::ostringstream text;
   text.precision(17);
   text << command.set << " with a disc of radius " << set.radius << ": " << counted(set.parts.size(), "part") << ", "
        << counted(set.hole_count(), "hole") << ", " << counted(set.piece_count(), "piece") << ", area "
-       << shown(any_area(set).first) << "\n";
+       << area_shown(set) << "\n";
   if (!set.tight_points.empty() || !set.tight_segments.empty())
     text << "tight: " << counted(set.tight_points.size(), "point") << ", "
          << counted(set.tight_segments.size(), "segment") << "\n";
@@ -161,6 +206,9 @@ void print_disc(std::ostream& out, const DiscCommand& command, const DiscSet& se
     for (std::size_t i = 0; i < events.size(); ++i)
       text << "event:" << i << " " << events[i].radius << (events[i].nodes > 1 ? "  " : "")
            << (events[i].nodes > 1 ? counted(events[i].nodes, "node") : "") << "\n";
+  if (polygons && (polygons->instead || (!command.error && polygons->polygons.error > set.radius / 1000)))
+    text << "polygons: " << polygons->bound << ", within " << polygons->polygons.error
+         << (polygons->instead ? "; those inside the set cross each other (--bound, --error)\n" : " (--error)\n");
   out << text.str();
   print_times(out, timing);
 }
@@ -187,9 +235,9 @@ ExitCode run_disc(const DiscCommand& command) {
   });
   const std::vector<DiscEvent> events = require(disc.events(side_of(command.set)));
   bar.reset();
-  write_outputs(command, inputs[0].region, set);
-  if (command.report.json) print_report(disc_json(command, inputs, set, first, again, events));
-  else print_disc(out, command, set, again, events);
+  const std::optional<MadePolygons> polygons = write_outputs(command, inputs[0].region, set);
+  if (command.report.json) print_report(disc_json(command, inputs, set, first, again, events, polygons));
+  else print_disc(out, command, set, again, events, polygons);
   const bool empty = set.parts.empty() && set.segments.empty() && set.points.empty() && set.tight_segments.empty() &&
                      set.tight_points.empty();
   return empty && side_of(command.set) == DiscSide::inside ? kNo : kDone;
@@ -207,10 +255,11 @@ void add_disc_outputs(CLI::App& verb, DiscCommand& command) {
       ->capture_default_str();
   within(verb.add_option("--error", command.error, "Of polygons: how far they may be from the arcs; a 1000th of R"), 0)
       ->type_name("E");
-  verb.add_option("--bound", command.bound,
-                  "Of polygons: inside the set, outside around it, or nearest, with vertices on its boundary")
-      ->check(CLI::IsMember({"inside", "outside", "nearest"}))
-      ->capture_default_str();
+  verb.add_option(
+          "--bound", command.bound,
+          "Of polygons: inside the set (what is made if not given; nearest where that is no valid region), outside "
+          "around it, or nearest, with vertices on its boundary")
+      ->check(CLI::IsMember({"inside", "outside", "nearest"}));
 }
 
 }  // namespace

@@ -126,7 +126,7 @@ ExitCode run_range(const RangeCommand& command) {
   if (!command.place.empty()) place = read_place(command.place, "--place");
   const std::vector<Input> inputs = read_inputs(command.operands, command.input);
   const Region &part = inputs[0].region, &other = inputs[1].region;
-  // No interrupt guard: an interrupt ends the run at once, as it writes no file.
+  const InterruptGuard guard;
   std::optional<ProgressBar> bar(std::in_place);
   const Progress progress = bar->callback();
   const auto compute = [&] {

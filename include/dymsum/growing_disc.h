@@ -142,9 +142,10 @@ std::array<double, 4> bounds(const DiscSet& set);
 
 /// Segments in place of arcs. `inside`: before its vertices are rounded, the polygon lies in the set; `outside`: the
 /// set in the polygon; `nearest`: its vertices lie on the boundary, each rounded to the nearest doubles, and chords on
-/// either side of it. Errors: out_of_range where `error` is not a positive number or below what doubles can keep;
-/// rounding_changed_topology where the polygons cross because of `error` or of rounding (a smaller one may do; where
-/// two arcs touch each other in a cusp, only `nearest` does).
+/// either side of it. Vertices within at_error of each other are one where rounding makes them cross. Errors:
+/// out_of_range where `error` is not a positive number or below what doubles can keep; rounding_changed_topology where
+/// the polygons cross because of `error` or of rounding (a smaller one may do; where two arcs touch each other in a
+/// cusp, only `nearest` does).
 Result<DiscPolygons> to_region(const DiscSet& set, double error, DiscBound bound = DiscBound::inside);
 
 /// The set as JSON text: every ring with its pieces by name; as a picture over the region it comes from, with true

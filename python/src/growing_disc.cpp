@@ -1,6 +1,8 @@
 // Sums of a region with exact discs: sets whose boundaries are segments and true arcs.
 #include "dymsum/growing_disc.h"
 
+#include <algorithm>
+
 #include "arguments.h"
 #include "bind.h"
 #include "calls.h"
@@ -150,7 +152,7 @@ DiscPolygons polygons_of(const DiscSetOf& set, double error, DiscBound bound) {
 }
 
 /// How near to_shapely comes where nothing is said.
-double fine_error(const DiscSetOf& set) { return set.radius > 0 ? set.radius / 1000 : 1; }
+double fine_error(const DiscSetOf& set) { return set.radius > 0 ? std::max(set.radius / 1000, 8 * set.at_error) : 1; }
 
 nb::object shapely_of(const DiscSetOf& set, std::optional<double> error, DiscBound bound) {
   return nb::cast(polygons_of(set, error.value_or(fine_error(set)), bound).region).attr("to_shapely")();

@@ -12,11 +12,44 @@ TEST_F(DiscCli, PolygonsNearestToASetAreThereWhereItFallsApart) {
   // The erosion at its neck: two arcs that touch in a cusp.
   work.write("neck.wkt", "POLYGON ((0 0,3 2,6 0,6 6,3 4,0 6,0 0))");
   const std::string disc = "dymsum disc neck.wkt --set erosion --semantics regular --radius 1 -o -";
-  EXPECT_EQ(work.run(disc + " --to wkt").code, 2);
+  const auto inside = work.run(disc + " --to wkt --bound inside");
+  EXPECT_EQ(inside.code, 2);
+  EXPECT_NE(inside.err.find("--bound nearest or a smaller --error"), std::string::npos) << inside.err;
   const auto nearest = work.run(disc + " --to wkt --bound nearest");
   EXPECT_EQ(nearest.code, 0);
   EXPECT_EQ(nearest.out.rfind("MULTIPOLYGON", 0), 0u);
   EXPECT_NE(work.run(disc + " --to wkt --bound middle").code, 0);
+  // Where no bound is asked for those are made, and said.
+  const auto any = work.run(disc + " --to wkt");
+  EXPECT_EQ(any.code, 0) << any.err;
+  EXPECT_EQ(any.out, nearest.out);
+  EXPECT_NE(any.err.find("polygons: nearest, within 0.001; those inside"), std::string::npos) << any.err;
+  const auto told = work.run("dymsum disc neck.wkt --set erosion --semantics regular --radius 1 -o neck2.wkt --json");
+  EXPECT_NE(told.out.find("\"bound\": \"nearest\""), std::string::npos) << told.out;
+}
+
+TEST_F(DiscCli, PolygonsOfAVertexAtAThirdOfAnEdge) {
+  work.write("third.wkt", "POLYGON((0 0,0.3333333333333333 0.1,1 0.3,0 1,0 0))");
+  for (const char* set : {"sum", "erosion", "opening", "closing"}) {
+    const auto made =
+        work.run(std::string("dymsum disc third.wkt --radius 0.1 -o third2.wkt --bound inside --set ") + set);
+    EXPECT_EQ(made.code, 0) << set << made.err;
+  }
+}
+
+TEST_F(DiscCli, ErrorsOfPolygonsAreNoFinerThanDoubles) {
+  work.write("far.wkt", "POLYGON((1e9 0,1000000001 0,1e9 1,1e9 0))");
+  const auto made = work.run("dymsum disc far.wkt --radius 0.01 -o far2.wkt");
+  EXPECT_EQ(made.code, 0) << made.err;
+  EXPECT_NE(made.out.find("polygons: inside, within 0.00363"), std::string::npos) << made.out;
+  EXPECT_NE(made.out.find(" within "), std::string::npos) << "the area has its error: " << made.out;
+}
+
+TEST_F(DiscCli, AreasAreShownWithErrorsThatAreNotNegligible) {
+  work.write("square.wkt", "POLYGON((0 0,2 0,2 2,0 2,0 0))");
+  EXPECT_EQ(work.run("dymsum disc square.wkt --radius 1").out.find(" within "), std::string::npos);
+  const auto thin = work.run("dymsum disc square.wkt --radius 0.99999999999 --set erosion");
+  EXPECT_NE(thin.out.find(" within "), std::string::npos) << thin.out;
 }
 
 TEST_F(DiscCli, RadiiThatAreNoRadiiAreUsageAndThoseOutOfRangeAreData) {

@@ -50,6 +50,20 @@ TEST_F(LongWork, LargeSumsAreInterruptedInEveryStage) {
   }
 }
 
+// `timeout` in front of a shell would say 130 for a process that the signal killed, too: only one that ends by itself
+// says that it was interrupted.
+TEST_F(LongWork, ScaleRangesEndWithTheirOwnExitCode) {
+  work.write("big.wkt", format_region(shapes::noisy_star(2000, 0.9, 5), RegionFormat::wkt));
+  work.write("ball.off", format_mesh(solids::geodesic_sphere(6, 1).data(), MeshFormat::off));
+  for (const char* const question : {"big.wkt big.wkt --path '-9,0 9,0'", "ball.off ball.off --path '-9,0,0 9,0,0'"}) {
+    const Outcome outcome =
+        work.run(std::string("timeout --foreground --preserve-status -s INT -k 9 0.4 dymsum scale-range ") + question +
+                 " --repeat 100000");
+    EXPECT_EQ(outcome.code, 130) << question;
+    EXPECT_EQ(outcome.err, "dymsum: interrupted\n") << question;
+  }
+}
+
 // These write no file: the signal ends them wherever they are.
 TEST_F(LongWork, QuestionsAndScaleRangesEndAtOnce) {
   work.write("big.wkt", format_region(shapes::noisy_star(2000, 0.9, 5), RegionFormat::wkt));
