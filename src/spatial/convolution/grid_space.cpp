@@ -231,24 +231,100 @@ auto GridSpace<C>::with_point(const PointSource& point, F f) const {
   return f(Homogeneous<decltype(da * bc.x + db * ca.x + dc * ab.x), decltype(dot(a, bc))>{{x, y, z}, w});
 }
 
+namespace {
+
+/// A coordinate times 2^shift with thirty digits. Requires |v 2^shift| <= 1.
+template <class C>
+exact::FineInterval fine_coordinate(const C& v, int shift) {
+  using exact::FineInterval;
+  const exact::BinaryParts high = exact::binary_parts(v);
+  if (high.is_zero()) return {};
+  // Below this, and for what is left behind two doubles, an interval about 0 holds it.
+  static constexpr int kLeast = -900;
+  const auto about_zero = [](int exponent) {
+    const double r = std::ldexp(1.0, std::max(exponent, kLeast));
+    return FineInterval(exact::Interval(-r, r));
+  };
+  if (high.exponent + shift < kLeast + 110) return about_zero(high.exponent + shift + 1);
+  Big rest = exact::to_big(v);
+  const auto take = [&](const exact::BinaryParts& part) {
+    const Big mantissa = Big::from_int64(static_cast<std::int64_t>(std::ldexp(part.mantissa, 53)));
+    const int power = part.exponent - 53;
+    // Fewer digits than a double has: the last ones of the mantissa are zeros.
+    rest = rest - (power >= 0 ? Big(exact::BigInteger(mantissa.value() << power))
+                              : Big(exact::BigInteger(mantissa.value() / (exact::BigInteger(1) << -power))));
+  };
+  take(high);
+  const exact::BinaryParts low = exact::binary_parts(rest);
+  if (low.is_zero()) return FineInterval(high.scaled(shift));
+  take(low);
+  const FineInterval both = FineInterval::difference(-low.scaled(shift), high.scaled(shift));
+  const exact::BinaryParts left = exact::binary_parts(rest);
+  return left.is_zero() ? both : both + about_zero(left.exponent + shift);
+}
+
+/// Integers of up to 72 bits cost no more than doubles of double length.
+template <class C>
+constexpr bool has_fine() {
+  if constexpr (std::is_same_v<C, Big>) return true;
+  else if constexpr (std::is_same_v<C, exact::RootValue>) return false;
+  else return C::kBits > 72;
+}
+
+}  // namespace
+
+template <class C>
+const FineSpace* GridSpace<C>::fine() const {
+  if constexpr (has_fine<C>()) {
+    std::call_once(fine_once_, [&] {
+      const int top = std::ilogb(span_) + 1;
+      const auto of = [&](const std::vector<Point>& points) {
+        std::vector<FineSpace::Vector> result;
+        result.reserve(points.size());
+        for (const Point& v : points)
+          result.push_back({fine_coordinate(v.x, shift_[0] - top), fine_coordinate(v.y, shift_[1] - top),
+                            fine_coordinate(v.z, shift_[2] - top)});
+        return result;
+      };
+      fine_ = std::make_unique<FineSpace>(of(p_int_), of(q_int_), plane_sources_, edges_);
+    });
+  }
+  return fine_.get();
+}
+
+template <class C>
+template <class Ask, class Exactly>
+int GridSpace<C>::by_rungs(Ask ask, Exactly exactly) const {
+  if constexpr (has_fine<C>()) {
+    if (const std::optional<int> s = ask(*fine())) {
+      fine_signs_.fetch_add(1, std::memory_order_relaxed);
+      return *s;
+    }
+  }
+  exact_signs_.fetch_add(1, std::memory_order_relaxed);
+  return exactly();
+}
+
 template <class C>
 int GridSpace<C>::exact_side(PlaneId plane, SumPoint point) const {
-  exact_signs_.fetch_add(1, std::memory_order_relaxed);
-  return sign(dot(n_[plane], sum(point) - sum(plane_sources_[plane].at)));
+  return by_rungs([&](const FineSpace& fine) { return fine.side(plane_sources_[plane], point); },
+                  [&] { return sign(dot(n_[plane], sum(point) - sum(plane_sources_[plane].at))); });
 }
 
 template <class C>
 int GridSpace<C>::exact_side(PlaneId plane, const PointSource& point) const {
-  exact_signs_.fetch_add(1, std::memory_order_relaxed);
-  const Offset d = offset(plane);
-  return with_point(point, [&](const auto& h) { return sign(dot(n_[plane], h.x) - d * h.w) * sign(h.w); });
+  return by_rungs([&](const FineSpace& fine) { return fine.side(plane_sources_[plane], point); },
+                  [&] {
+                    const Offset d = offset(plane);
+                    return with_point(point,
+                                      [&](const auto& h) { return sign(dot(n_[plane], h.x) - d * h.w) * sign(h.w); });
+                  });
 }
 
 template <class C>
 int GridSpace<C>::exact_twist(const SumEdge& a, const SumEdge& b) const {
-  exact_signs_.fetch_add(1, std::memory_order_relaxed);
-  const auto gap = sum(b.from) - sum(a.from);
-  return sign(dot(cross(along(a), along(b)), gap));
+  return by_rungs([&](const FineSpace& fine) { return fine.twist(a, b); },
+                  [&] { return sign(dot(cross(along(a), along(b)), sum(b.from) - sum(a.from))); });
 }
 
 template <class C>
@@ -258,8 +334,8 @@ int GridSpace<C>::exact_rise(PlaneId plane, const SumEdge& edge) const {
 
 template <class C>
 int GridSpace<C>::exact_det(PlaneId a, PlaneId b, PlaneId c) const {
-  exact_signs_.fetch_add(1, std::memory_order_relaxed);
-  return sign(dot(n_[a], cross(n_[b], n_[c])));
+  return by_rungs([&](const FineSpace& fine) { return fine.det(a, b, c); },
+                  [&] { return sign(dot(n_[a], cross(n_[b], n_[c]))); });
 }
 
 template <class C>
@@ -303,12 +379,14 @@ bool GridSpace<C>::same_point(const PointSource& a, const PointSource& b) const 
 
 template <class C>
 int GridSpace<C>::exact_order(const PointSource& a, const PointSource& b, int axis) const {
-  exact_signs_.fetch_add(1, std::memory_order_relaxed);
-  return with_point(a, [&](const auto& x) {
-    return with_point(b, [&](const auto& y) {
-      return sign(component(y.x, axis) * x.w - component(x.x, axis) * y.w) * sign(x.w) * sign(y.w);
-    });
-  });
+  return by_rungs([&](const FineSpace& fine) { return fine.order(a, b, axis); },
+                  [&] {
+                    return with_point(a, [&](const auto& x) {
+                      return with_point(b, [&](const auto& y) {
+                        return sign(component(y.x, axis) * x.w - component(x.x, axis) * y.w) * sign(x.w) * sign(y.w);
+                      });
+                    });
+                  });
 }
 
 template <class C>
@@ -333,6 +411,13 @@ int GridSpace<C>::exact_turn(Way r, Way u, Way v, Way w, Way x) const {
 
 template <class C>
 int GridSpace<C>::exact_side(const PlaneSource& plane, const Flag& flag) const {
+  // A step does not change a sign that is not zero.
+  if constexpr (has_fine<C>()) {
+    if (const std::optional<int> s = fine()->side(plane, flag.at); s && *s != 0) {
+      fine_signs_.fetch_add(1, std::memory_order_relaxed);
+      return *s;
+    }
+  }
   exact_signs_.fetch_add(1, std::memory_order_relaxed);
   const auto m = normal(plane);
   const Offset d = dot(m, sum(plane.at));

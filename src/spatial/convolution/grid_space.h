@@ -1,9 +1,13 @@
 // SumSpace in exact integers of one width: C is Int<B>, or Big.
 #pragma once
 
+#include <memory>
+#include <mutex>
+#include <optional>
 #include <utility>
 
 #include "exact/vector3.h"
+#include "spatial/convolution/fine_space.h"
 #include "spatial/convolution/sum_space.h"
 
 namespace dymsum::spatial {
@@ -68,6 +72,11 @@ class GridSpace final : public SumSpace {
   template <class X>
   Vec3 near(const exact::Vector3<X>& on_grid) const;
   void balance_axes();
+  /// Made when doubles have left a sign open for the first time; null where integers cost no more.
+  const FineSpace* fine() const;
+  /// ask(fine space), counted where it answers; else exactly(), counted as exact.
+  template <class Ask, class Exactly>
+  int by_rungs(Ask ask, Exactly exactly) const;
 
   std::vector<Point> p_int_, q_int_;
   std::vector<exact::Vector3<Normal>> n_;
@@ -76,6 +85,8 @@ class GridSpace final : public SumSpace {
     Approx approx;
   };
   std::vector<Place> places_;
+  mutable std::once_flag fine_once_;
+  mutable std::unique_ptr<FineSpace> fine_;
   int bits_;
   int shift_[3] = {};         // a step of the grid along each axis is 2^shift of the space's doubles
   int normal_shift_[3] = {};  // the same of components of normals: those of the other axes together

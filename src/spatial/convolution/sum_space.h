@@ -189,6 +189,8 @@ class SumSpace {
   virtual std::array<exact::BigInteger, 4> homogeneous(const PointSource& point) const = 0;
   /// Adds a place by the operands' own numbers, of any size; nothing where no sum is: beyond `span` along an axis.
   virtual std::optional<PointSource> add_place(const std::array<exact::BigRational, 3>& world) = 0;
+  /// Signs that doubles left open: found in doubles of double length, in integers.
+  std::uint64_t fine_signs() const { return fine_signs_; }
   std::uint64_t exact_signs() const { return exact_signs_; }
 
  protected:
@@ -206,7 +208,7 @@ class SumSpace {
   std::vector<SumEdge> edges_;
   Line lines_[3];
   double span_ = 0, sum_radius_ = 0;
-  mutable std::atomic<std::uint64_t> exact_signs_{0};
+  mutable std::atomic<std::uint64_t> exact_signs_{0}, fine_signs_{0};
 };
 
 /// The space of the sums of two lists of points, on their common grid (for every axis by itself). Requires finite
