@@ -242,7 +242,7 @@ TEST(SpatialEngine, more_memory_than_allowed_is_an_error_before_it_is_taken) {
   options.memory = 0;
   const std::uint64_t predicted_bytes = predict_cost(g, g).bytes;
   const std::uint64_t held_bytes = minkowski_sum(g, g, options).value().stats.held_bytes;
-  EXPECT_LT(held_bytes, 2 * predicted_bytes) << "a seventh was predicted before";
+  EXPECT_LT(held_bytes, 2 * predicted_bytes);
   EXPECT_LT(predicted_bytes, held_bytes);
   options.memory = (predicted_bytes + held_bytes) / 2;
   const Error actual = minkowski_sum(g, g, options).error();
