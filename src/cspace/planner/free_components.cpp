@@ -22,12 +22,15 @@ JoinedComponents::JoinedComponents(const CspaceObstacle& obstacle) : classes_(co
 
 SearchStop JoinedComponents::join_touching(const CspaceObstacle& obstacle, PathLevels& levels,
                                            const SearchLimits& limits) {
+  constexpr int kAtATime = 64;  // slices after the last look at the clock: few are made in any case
+  int looked = 0;
   const std::vector<FreeCell>& cells = obstacle.free_cells();
   for (const auto& [a, b] : ObstacleInternals::of(obstacle).touching_cells)
     classes_.join(cells[a].component, cells[b].component);
   for (std::size_t k = 0; k < levels.size(); ++k) {
     if (levels.slab(k)) continue;
-    if (const SearchStop stop = limits.ask(); stop != SearchStop::none) return stop;
+    const SearchStop stop = limits.ask();
+    if (stop == SearchStop::cancelled || (stop == SearchStop::out_of_time && ++looked % kAtATime == 0)) return stop;
     levels.let_go();
     const SliceGraph& graph = levels.graph(k);
     if (graph.groups() >= graph.faces() + levels.map(k).cracks().size()) continue;

@@ -41,6 +41,7 @@ class Planner {
 
   // The direct ways; then their components are compared, and the search.
   Result<Plan> run() {
+    if (options_.progress && !options_.progress("search", 0)) return cancelled();
     if (std::optional<Plan> at_once = direct()) return *std::move(at_once);
     levels_.add_all();
     levels_.add(start_.theta);
