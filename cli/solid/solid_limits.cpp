@@ -30,7 +30,7 @@ void announce_cost(const Mesh& p, const Mesh& q) {
   if (cost.face_vertex + cost.edge_edge < kManyFacets) return;
   std::cerr << "expected: about " << std::llround(cost.face_vertex) << " face + vertex and "
             << std::llround(cost.edge_edge) << " edge + edge facets, " << (cost.bytes + 999999) / 1000000
-            << " MB of memory, several times that where many faces are parallel\n";
+            << " MB of memory\n";
 }
 
 }  // namespace dymsum::cli

@@ -84,11 +84,21 @@ struct Plan {
 
 struct PlanOptions {
   Touching touching = Touching::allowed;
-  /// Of the search: `undecided` after that. The steps between two looks at the clock, a slice or a way in one, are
-  /// finished; infinity is allowed.
+  /// `undecided` after that. The steps between two looks at the clock, a slice or a way in one, are finished; infinity
+  /// is allowed.
   double time_limit_seconds = 60;
+  /// About how many bytes of slices are kept for when they are looked at again; the others are computed again. Not less
+  /// than the few that one step looks at.
+  std::uint64_t slice_bytes = std::uint64_t{1} << 28;
   Progress progress;
 };
+
+/// The answer where slices at the two angles tell it, without the obstacle of all angles: start or goal is not free, or
+/// translations before or after one rotation in place, at the start or at the goal, lead from one to the other. Nothing
+/// where they do not tell. `plan` answers the same there. Errors: as plan and CspaceObstacle::create. Cost: at most two
+/// slices, a graph of each, and O(NM) filtered signs.
+Result<std::optional<Plan>> direct_plan(const Region& robot, const Region& obstacle, const Configuration& start,
+                                        const Configuration& goal, const PlanOptions& options = {});
 
 /// A path from start to goal, or why there is none. x and y are taken at face value, theta as Orientation::nearest.
 /// Touching forbidden: complete, given the time. Two configurations are joined exactly if FreeCell::component is the

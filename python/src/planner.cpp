@@ -62,12 +62,14 @@ void bind_plan_options(nb::module_& m) {
   Record<PlanOptions> options(m, "PlanOptions", "Options of plan.");
   options.def(
       "__init__",
-      [](PlanOptions* self, Touching touching, double seconds, Progress progress) {
-        new (self) PlanOptions{touching, seconds, std::move(progress)};
+      [](PlanOptions* self, Touching touching, double seconds, std::uint64_t slice_bytes, Progress progress) {
+        new (self) PlanOptions{touching, seconds, slice_bytes, std::move(progress)};
       },
-      "touching"_a = Touching::allowed, "time_limit_seconds"_a = 60.0, "progress"_a = nb::none());
+      "touching"_a = Touching::allowed, "time_limit_seconds"_a = 60.0, "slice_bytes"_a = PlanOptions{}.slice_bytes,
+      "progress"_a = nb::none());
   options.option("touching", &PlanOptions::touching)
       .option("time_limit_seconds", &PlanOptions::time_limit_seconds)
+      .option("slice_bytes", &PlanOptions::slice_bytes)
       .option("progress", &PlanOptions::progress);
 }
 
@@ -107,6 +109,25 @@ bad_rotation, not_finite, out_of_range, unsupported_operand, cancelled.
 True
 >>> plan(obstacle, (1.5, 3, 1.5707963267948966), (12, 3, 0)).reason.kind.name
 'separated'
+)doc");
+}
+
+void bind_direct_plan(nb::module_& m) {
+  m.def(
+      "direct_plan",
+      [](const Region& robot, const Region& obstacle, const Configuration& start, const Configuration& goal,
+         const PlanOptions& options) {
+        return run_with(options,
+                        [&](const PlanOptions& own) { return direct_plan(robot, obstacle, start, goal, own); });
+      },
+      "robot"_a, "obstacle"_a, "start"_a, "goal"_a, "options"_a = PlanOptions(),
+      R"doc(The plan where slices at the two angles tell it, without the obstacle of all angles: start or goal is not free,
+or translations before or after one rotation in place lead from one to the other; None where they do not tell. Raises
+Error as plan and CspaceObstacle do.
+
+>>> from dymsum import direct_plan, shapes
+>>> direct_plan(shapes.rectangle(-1.5, -0.25, 1.5, 0.25), shapes.grate(4, 2, 1, 6), (-4, 3, 0), (-4, 3, 1)).found()
+True
 )doc");
 }
 
@@ -151,6 +172,7 @@ void bind_planner(nb::module_& m) {
   bind_no_path(m);
   bind_plan_options(m);
   bind_plan(m);
+  bind_direct_plan(m);
   bind_check(m);
 }
 

@@ -27,13 +27,14 @@ constexpr double kKnownRoot = 0x1p-30;
 class Collector {
  public:
   Collector(const TurnWindow& window, const TurningForms& forms, const TurnCatalog& catalog,
-            const OverlapFilter* filter, const QuarterEnds& ends)
+            const OverlapFilter* filter, const QuarterEnds& ends, const std::function<void()>& again)
       : w_(window),
         forms_(forms),
         catalog_(catalog),
         filter_(filter),
         ends_(window, ends),
-        orders_(window, forms, ends_) {}
+        orders_(window, forms, ends_),
+        again_(again) {}
 
   TurnEvents run(const std::vector<Alignment>& all) {
     add_alignments(all);
@@ -41,7 +42,10 @@ class Collector {
     find_vertices();
     number_headings();
     sketch_meetings();
-    for (std::uint32_t a = 0; a < w_.segments.size(); ++a) triples_of(a);
+    for (std::uint32_t a = 0; a < w_.segments.size(); ++a) {
+      again_();
+      triples_of(a);
+    }
     // Stable: results are the same whatever the library's sort does with events at one angle.
     std::stable_sort(out_.events.begin(), out_.events.end(),
                      [](const TurnEvent& a, const TurnEvent& b) { return a.low < b.low; });
@@ -171,7 +175,10 @@ class Collector {
         }
     std::sort(seen.begin(), seen.end());
     seen.erase(std::unique(seen.begin(), seen.end()), seen.end());
-    for (const auto& [i, p, q] : seen) vertex_on(i, {p, q});
+    for (const auto& [i, p, q] : seen) {
+      again_();
+      vertex_on(i, {p, q});
+    }
   }
 
   void vertex_on(std::uint32_t i, Pair v) {
@@ -376,6 +383,7 @@ class Collector {
   const OverlapFilter* filter_;
   WindowEnds ends_;
   CrossingOrders orders_;
+  const std::function<void()>& again_;
   std::vector<std::vector<LineCrossing>> crossings_;
   std::vector<std::uint32_t> heading_of_;   // of segments
   std::vector<std::bitset<512>> sketches_;  // of the meetings of segments with later ones
@@ -385,8 +393,9 @@ class Collector {
 }  // namespace
 
 TurnEvents events_in(const TurnWindow& window, const TurningForms& forms, const TurnCatalog& catalog,
-                     const std::vector<Alignment>& all, const OverlapFilter* filter, const QuarterEnds& ends) {
-  return Collector(window, forms, catalog, filter, ends).run(all);
+                     const std::vector<Alignment>& all, const OverlapFilter* filter, const QuarterEnds& ends,
+                     const std::function<void()>& again) {
+  return Collector(window, forms, catalog, filter, ends, again).run(all);
 }
 
 }  // namespace dymsum::planar

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <optional>
 #include <vector>
 
@@ -52,8 +53,10 @@ class QuarterTurn;
 struct QuarterEnds {
   const QuarterTurn *low = nullptr, *high = nullptr;
 };
-/// With a filter, without those at places that are certainly covered. Always without those at crowded ends.
+/// With a filter, without those at places that are certainly covered. Always without those at crowded ends. `again` is
+/// called now and then: it throws to stop.
 TurnEvents events_in(const TurnWindow& window, const TurningForms& forms, const TurnCatalog& catalog,
-                     const std::vector<Alignment>& all, const OverlapFilter* filter, const QuarterEnds& ends);
+                     const std::vector<Alignment>& all, const OverlapFilter* filter, const QuarterEnds& ends,
+                     const std::function<void()>& again);
 
 }  // namespace dymsum::planar

@@ -109,6 +109,12 @@ SliceMap::SliceMap(PlanarSum slice) : slice_(std::move(slice)) {
   for (const SumVertex& v : slice_.points) wires_.push_back(add(v, v));
 }
 
+std::size_t SliceMap::bytes() const {
+  // The vertex of the sum with what is known of its lattice, and two fractions of some ten words.
+  constexpr std::size_t kSpot = sizeof(SlicePoint) + sizeof(SumVertex) + 512;
+  return sizeof(*this) + spots_.size() * kSpot + edges_.size() * sizeof(Edge);
+}
+
 std::array<std::uint32_t, 2> SliceMap::add(const SumVertex& from, const SumVertex& to) {
   const auto first = static_cast<std::uint32_t>(spots_.size());
   spots_.emplace_back(slice_, from);

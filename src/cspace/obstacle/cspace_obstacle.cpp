@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "base/stopwatch.h"
+#include "cspace/boundary/patch_slabs.h"
 #include "cspace/events/walk_numbers.h"
 #include "cspace/events/walked_rings.h"
 #include "cspace/obstacle/convex_obstacle.h"
@@ -89,17 +90,6 @@ std::optional<Error> refused_wires(const Region& robot, const Region& obstacle) 
 }
 
 auto key_of(const Contact& c) { return std::tuple{c.kind, c.p, c.q}; }
-
-// Slabs counted from `begin` on.
-std::uint32_t steps(std::uint32_t begin, std::uint32_t slab, std::size_t slabs) {
-  return static_cast<std::uint32_t>(slab >= begin ? slab - begin : slab + slabs - begin);
-}
-
-bool alive(const Patch& p, std::uint32_t slab, std::size_t slabs) {
-  if (p.begin == Patch::kNone) return true;
-  const std::uint32_t length = steps(p.begin, p.end, slabs);
-  return length == 0 || steps(p.begin, slab, slabs) < length;
-}
 
 // A contact at an angle: its start, and the vector to its end.
 struct PlacedContact {
@@ -221,7 +211,7 @@ std::vector<std::vector<std::uint32_t>> CspaceObstacle::loops(std::uint32_t slab
   const std::vector<Patch>& patches = state_->patches;
   std::map<std::pair<Key, Key>, std::uint32_t> by_contacts;  // (before, own) -> patch
   for (std::uint32_t k = 0; k < patches.size(); ++k)
-    if (alive(patches[k], slab, state_->angles.size()))
+    if (is_in_slab(patches[k], slab, state_->angles.size()))
       by_contacts[{key_of(patches[k].left), key_of(patches[k].contact)}] = k;
   std::vector<std::uint32_t> indices;
   for (const auto& [contacts, k] : by_contacts) indices.push_back(k);
@@ -244,7 +234,7 @@ std::uint32_t CspaceObstacle::free_cell(std::uint32_t slab, std::uint32_t patch)
   const auto& cells = state_->patch_cells.at(patch);
   const Patch& p = state_->patches[patch];
   const std::size_t slabs = state_->angles.size();
-  const auto offset = [&](std::uint32_t k) { return p.begin == Patch::kNone ? k : steps(p.begin, k, slabs); };
+  const auto offset = [&](std::uint32_t k) { return p.begin == Patch::kNone ? k : slabs_between(p.begin, k, slabs); };
   std::uint32_t cell = cells.front().second;
   for (const auto& [from, index] : cells)
     if (offset(from) <= offset(slab)) cell = index;

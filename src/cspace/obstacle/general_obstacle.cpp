@@ -1,9 +1,13 @@
 #include "cspace/obstacle/general_obstacle.h"
 
 #include <algorithm>
+#include <atomic>
+#include <functional>
 #include <memory>
+#include <thread>
 
 #include "base/parallel.h"
+#include "base/poll.h"
 #include "cspace/events/walk_numbers.h"
 #include "cspace/obstacle/obstacle_export.h"
 #include "cspace/obstacle/obstacle_sweep.h"
@@ -20,18 +24,36 @@ void count(const PreparedWindow& p, ObstacleWork& work) {
   work.potential_events += p.found.events.size();
 }
 
-// Ranges are prepared side by side, some at a time, and passed one after the other. False where that was cancelled.
-bool pass_turn(const TurnWindows& windows, ObstacleSweep& sweep, const Progress& progress) {
+/// Asks whether to go on, on the thread that made it, and stops on the others too.
+class TurnPoll {
+ public:
+  explicit TurnPoll(const Progress& progress) : progress_(progress) {}
+  void at(double share) { share_ = share; }
+  void operator()() {
+    if (std::this_thread::get_id() == caller_ && progress_ && !progress_("angles", share_)) stop_ = true;
+    if (stop_.load(std::memory_order_relaxed)) throw Cancelled{};
+  }
+
+ private:
+  const Progress& progress_;
+  const std::thread::id caller_ = std::this_thread::get_id();
+  double share_ = 0;
+  std::atomic<bool> stop_{false};
+};
+
+// Ranges are prepared side by side, some at a time, and passed one after the other. Throws Cancelled.
+void pass_turn(const TurnWindows& windows, ObstacleSweep& sweep, TurnPoll& poll, const std::function<void()>& again) {
   constexpr int kAtATime = 16;
   std::vector<std::vector<PreparedWindow>> some(kAtATime);
   bool started = false, halved = false;
   for (int first = 0; first < windows.count(); first += kAtATime) {
-    if (progress && !progress("angles", static_cast<double>(first) / windows.count())) return false;
+    poll.at(static_cast<double>(first) / windows.count());
+    again();
     const int last = std::min(windows.count(), first + kAtATime);
     base::parallel_parts(static_cast<std::size_t>(last - first), 0, [&](std::size_t k) {
       const bool at_once = halved && k > 0;
       some[k] = windows.prepare(first + static_cast<int>(k),
-                                at_once ? TurnWindows::Halved::always : TurnWindows::Halved::where_crowded);
+                                at_once ? TurnWindows::Halved::always : TurnWindows::Halved::where_crowded, again);
     });
     // Where all of some ranges had to be halved the next ones will have to be as well; their first one is asked.
     halved = std::all_of(some.begin(), some.begin() + (last - first),
@@ -45,7 +67,6 @@ bool pass_turn(const TurnWindows& windows, ObstacleSweep& sweep, const Progress&
       }
     if (last == windows.count()) sweep.close(*some[static_cast<std::size_t>(last - first - 1)].back().filter);
   }
-  return true;
 }
 
 std::uint64_t surfaces(const TurningForms& forms, const TurnCatalog& catalog) {
@@ -65,9 +86,14 @@ Result<bool> general_obstacle(planar::ObstacleState& state, const ObstacleOption
   const TurnCatalog catalog(forms);
   if (static_cast<double>(forms.size(0)) * forms.size(1) > 0x1p27)
     return Error{ErrorCode::unsupported_operand, "more than 2^27 pairs of vertices", {}};
-  ObstacleSweep sweep(forms, catalog, base, options.reference);
-  if (!pass_turn(TurnWindows(forms, catalog, options.reference), sweep, options.progress))
+  TurnPoll poll(options.progress);
+  const std::function<void()> again = [&] { poll(); };
+  ObstacleSweep sweep(forms, catalog, base, options.reference, again);
+  try {
+    pass_turn(TurnWindows(forms, catalog, options.reference), sweep, poll, again);
+  } catch (const Cancelled&) {
     return Error{ErrorCode::cancelled, "stopped on request", {}};
+  }
   const SweptBoundary& found = sweep.found();
   export_obstacle(found, forms, state);
   state.always_concurrent = found.always_concurrent;

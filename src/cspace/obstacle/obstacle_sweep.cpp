@@ -15,9 +15,11 @@ namespace dymsum::planar {
 using exact::AlgebraicRoot;
 
 ObstacleSweep::ObstacleSweep(const TurningForms& forms, const TurnCatalog& catalog,
-                             std::shared_ptr<const OperandPair> base, bool reference)
+                             std::shared_ptr<const OperandPair> base, bool reference,
+                             const std::function<void()>& again)
     : forms_(forms),
       catalog_(catalog),
+      again_(again),
       reader_(forms, std::move(base)),
       reference_(reference),
       swept_(SegmentIndex(forms.size(0), forms.size(1))),
@@ -46,8 +48,10 @@ void ObstacleSweep::pass(const TurnRange& range, TurnEvents found, const Overlap
     runs.back().push_back(&event);
     high = std::max(high, event.high);
   }
-  for (std::size_t r = 0; r < runs.size(); ++r)
+  for (std::size_t r = 0; r < runs.size(); ++r) {
+    again_();
     pass_run(runs[r], r + 1 < runs.size() ? &runs[r + 1] : nullptr, range, filter);
+  }
   if (at_end == nullptr) return;
   TurnEvent event;
   event.e = at_end->pair.e;
@@ -103,6 +107,7 @@ void ObstacleSweep::pass_run(Group& run, Group* following, const TurnRange& rang
     while (last != run.end() && compare(**first, **last, range) == 0) ++last;
     const Group group(first, last);
     first = last;
+    again_();
     // That waits for the next window.
     if (at_end_of(range, *group[0])) {
       for (TurnEvent* event : group) pending_.push_back(*event);

@@ -18,9 +18,10 @@ namespace dymsum::planar {
 
 class ObstacleSweep {
  public:
-  /// `reference`: a whole slice at every event, and every angle is listed.
+  /// `reference`: a whole slice at every event, and every angle is listed. `again` is called now and then: it throws to
+  /// stop.
   ObstacleSweep(const TurningForms& forms, const TurnCatalog& catalog, std::shared_ptr<const OperandPair> base,
-                bool reference);
+                bool reference, const std::function<void()>& again);
 
   /// The boundary behind the beginning of the first window, before its first event.
   void start(const TurnRange& range, TurnEvents& found, const OverlapFilter& filter);
@@ -62,6 +63,7 @@ class ObstacleSweep {
 
   const TurningForms& forms_;
   const TurnCatalog& catalog_;
+  const std::function<void()>& again_;
   SliceReader reader_;
   bool reference_;
   SweptBoundary swept_;

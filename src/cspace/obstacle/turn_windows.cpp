@@ -61,22 +61,24 @@ TurnRange TurnWindows::range_of(int k) const {
   return {chart, end(i), end(i + 1)};
 }
 
-std::vector<PreparedWindow> TurnWindows::prepare(int k, Halved halved) const {
+std::vector<PreparedWindow> TurnWindows::prepare(int k, Halved halved, const std::function<void()>& again) const {
   std::vector<PreparedWindow> parts;
-  add(range_of(k), 0, halved, parts);
+  add(range_of(k), 0, halved, again, parts);
   return parts;
 }
 
 // Triples grow with the square of the pairs: where segments meet more than some others each, a range is halved.
 // Beside a quarter turn at which much is aligned they do for certain. Fewer than twelve others are mostly real
 // crossings, of which half a range has as many.
-void TurnWindows::add(const TurnRange& range, int depth, Halved halved, std::vector<PreparedWindow>& parts) const {
+void TurnWindows::add(const TurnRange& range, int depth, Halved halved, const std::function<void()>& again,
+                      std::vector<PreparedWindow>& parts) const {
   constexpr std::size_t kMost = 12;
+  again();
   const double middle = std::nearbyint(0.5 * (range.t_low + range.t_high) * 0x1p24) * 0x1p-24;
   const bool divides = depth < 3 && middle > range.t_low && middle < range.t_high;
   const auto halve = [&] {
-    add({range.chart, range.t_low, middle}, depth + 1, Halved::where_crowded, parts);
-    add({range.chart, middle, range.t_high}, depth + 1, Halved::where_crowded, parts);
+    add({range.chart, range.t_low, middle}, depth + 1, Halved::where_crowded, again, parts);
+    add({range.chart, middle, range.t_high}, depth + 1, Halved::where_crowded, again, parts);
   };
   if (divides && (halved == Halved::always || beside_crowd(range))) return halve();
   PreparedWindow p;
@@ -90,7 +92,7 @@ void TurnWindows::add(const TurnRange& range, int depth, Halved halved, std::vec
     p.at_end = crowded_->at(range.chart, range.t_high);
     if (p.at_end != nullptr) ends.high = &p.at_end->turn;
   }
-  p.found = events_in(*p.window, forms_, catalog_, all_, reference_ ? nullptr : p.filter.get(), ends);
+  p.found = events_in(*p.window, forms_, catalog_, all_, reference_ ? nullptr : p.filter.get(), ends, again);
   parts.push_back(std::move(p));
 }
 

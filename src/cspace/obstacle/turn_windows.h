@@ -1,6 +1,7 @@
 // The full turn in ranges of angles, each with its window and the events that may happen in it.
 #pragma once
 
+#include <functional>
 #include <memory>
 #include <optional>
 #include <vector>
@@ -27,11 +28,13 @@ class TurnWindows {
   int count() const { return 2 * per_half_turn_; }
   TurnRange range_of(int k) const;
   enum class Halved : std::uint8_t { where_crowded, always };
-  /// One window or, where the range is halved, several.
-  std::vector<PreparedWindow> prepare(int k, Halved halved) const;
+  /// One window or, where the range is halved, several. `again` is called now and then: it throws to stop.
+  std::vector<PreparedWindow> prepare(
+      int k, Halved halved, const std::function<void()>& again = [] {}) const;
 
  private:
-  void add(const TurnRange& range, int depth, Halved halved, std::vector<PreparedWindow>& parts) const;
+  void add(const TurnRange& range, int depth, Halved halved, const std::function<void()>& again,
+           std::vector<PreparedWindow>& parts) const;
   bool beside_crowd(const TurnRange& range) const;
 
   const TurningForms& forms_;

@@ -20,12 +20,18 @@ std::uint32_t component_count(const CspaceObstacle& obstacle) {
 
 JoinedComponents::JoinedComponents(const CspaceObstacle& obstacle) : classes_(component_count(obstacle)) {}
 
-void JoinedComponents::join_touching(const CspaceObstacle& obstacle, PathLevels& levels) {
+SearchStop JoinedComponents::join_touching(const CspaceObstacle& obstacle, PathLevels& levels,
+                                           const SearchLimits& limits) {
+  constexpr int kAtATime = 64;  // slices after the last look at the clock: few are made in any case
+  int looked = 0;
   const std::vector<FreeCell>& cells = obstacle.free_cells();
   for (const auto& [a, b] : ObstacleInternals::of(obstacle).touching_cells)
     classes_.join(cells[a].component, cells[b].component);
   for (std::size_t k = 0; k < levels.size(); ++k) {
     if (levels.slab(k)) continue;
+    const SearchStop stop = limits.ask();
+    if (stop == SearchStop::cancelled || (stop == SearchStop::out_of_time && ++looked % kAtATime == 0)) return stop;
+    levels.let_go();
     const SliceGraph& graph = levels.graph(k);
     if (graph.groups() >= graph.faces() + levels.map(k).cracks().size()) continue;
     for (std::uint32_t g = 0; g < graph.groups(); ++g) {
@@ -34,6 +40,7 @@ void JoinedComponents::join_touching(const CspaceObstacle& obstacle, PathLevels&
         if (c != SliceMap::kNone && together[0] != SliceMap::kNone) classes_.join(together[0], c);
     }
   }
+  return SearchStop::none;
 }
 
 FreeComponent described(const CspaceObstacle& obstacle, std::uint32_t component) {

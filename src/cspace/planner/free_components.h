@@ -5,6 +5,7 @@
 
 #include "cspace/boundary/partition.h"
 #include "cspace/planner/path_levels.h"
+#include "cspace/planner/search_limits.h"
 
 namespace dymsum::planar {
 
@@ -14,8 +15,8 @@ class JoinedComponents {
   explicit JoinedComponents(const CspaceObstacle& obstacle);
   std::uint32_t root(std::uint32_t component) const { return classes_.find(component); }
   /// Joins what touches in a slice at a rational event angle, and before and behind an angle at which a passage is
-  /// shut.
-  void join_touching(const CspaceObstacle& obstacle, PathLevels& levels);
+  /// shut. What it was stopped by, if it was.
+  SearchStop join_touching(const CspaceObstacle& obstacle, PathLevels& levels, const SearchLimits& limits);
 
  private:
   Partition classes_;

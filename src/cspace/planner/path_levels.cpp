@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "cspace/boundary/obstacle_state.h"
+#include "cspace/boundary/patch_slabs.h"
 #include "exact/rounding_bound.h"
 
 namespace dymsum::planar {
@@ -15,13 +16,22 @@ std::unique_ptr<SliceMap> map_at(const CspaceObstacle& obstacle, const Orientati
 
 }  // namespace
 
-PathLevels::PathLevels(const CspaceObstacle& obstacle, Touching touching, double frame)
-    : obstacle_(obstacle), touching_(touching), frame_(frame), pivot_(obstacle.robot(), obstacle.obstacle()) {}
+PathLevels::PathLevels(const CspaceObstacle& obstacle, const PlanOptions& options, double frame)
+    : obstacle_(obstacle),
+      touching_(options.touching),
+      most_bytes_(options.slice_bytes),
+      frame_(frame),
+      pivot_(obstacle.robot(), obstacle.obstacle()) {
+  for (std::uint32_t k = 0; k < obstacle.patches().size(); ++k)
+    patches_[key_of(obstacle.patches()[k].contact)].push_back(k);
+}
 
 const SliceMap& PathLevels::map(std::size_t k) {
   PathLevel& level = *levels_[k];
+  level.looked_at = ++looks_;
   if (!level.map) {
     level.map = map_at(obstacle_, level.theta);
+    bytes_ += level.map->bytes();
     ++slices_;
   }
   return *level.map;
@@ -29,8 +39,26 @@ const SliceMap& PathLevels::map(std::size_t k) {
 
 const SliceGraph& PathLevels::graph(std::size_t k) {
   PathLevel& level = *levels_[k];
-  if (!level.graph) level.graph = std::make_unique<SliceGraph>(map(k), touching_ == Touching::allowed, frame_);
+  level.looked_at = ++looks_;
+  if (!level.graph) {
+    level.graph = std::make_unique<SliceGraph>(map(k), touching_ == Touching::allowed, frame_);
+    bytes_ += level.graph->bytes();
+  }
   return *level.graph;
+}
+
+// Half of them, so that it is done seldom.
+void PathLevels::let_go() {
+  if (bytes_ <= most_bytes_) return;
+  std::vector<PathLevel*> kept;
+  for (const std::unique_ptr<PathLevel>& level : levels_)
+    if (level->map) kept.push_back(level.get());
+  std::sort(kept.begin(), kept.end(), [](const auto* a, const auto* b) { return a->looked_at < b->looked_at; });
+  for (auto level = kept.begin(); level != kept.end() && bytes_ > most_bytes_ / 2; ++level) {
+    bytes_ -= (*level)->map->bytes() + ((*level)->graph ? (*level)->graph->bytes() : 0);
+    (*level)->graph.reset();
+    (*level)->map.reset();
+  }
 }
 
 // Of the difference of two angles in (-pi, pi], absolutely: their doubles, and a rounding of at most 2 pi. No input
@@ -93,16 +121,15 @@ std::vector<Orientation> PathLevels::between(std::size_t k) const {
 
 // The free cell on the right of an edge of a slice at an orientation of that slab.
 std::uint32_t PathLevels::cell_in_slab(std::uint32_t slab, const SliceMap& map, std::uint32_t edge) {
-  const auto [at, fresh] = patches_.try_emplace(slab);
-  if (fresh)
-    for (const auto& loop : obstacle_.loops(slab)) at->second.insert(at->second.end(), loop.begin(), loop.end());
   const SliceMap::Edge& e = map.edges()[edge];
+  const auto at = patches_.find(key_of(e.contact));
+  if (at == patches_.end()) return kUnknown;
   // A contact may be there twice, with different ones before it; where contacts coincide a slice may name another of
   // them.
   std::vector<std::uint32_t> near;
   for (const std::uint32_t p : at->second) {
     const Patch& patch = obstacle_.patches()[p];
-    if (patch.contact != e.contact) continue;
+    if (!is_in_slab(patch, slab, obstacle_.angles().size())) continue;
     near.push_back(obstacle_.free_cell(slab, p));
     if (patch.left == e.before) return near.back();
   }
@@ -154,10 +181,10 @@ std::vector<std::uint32_t> PathLevels::cells_beside(std::size_t k, std::uint32_t
 }
 
 const std::vector<std::uint32_t>& PathLevels::cells(std::size_t k, std::uint32_t group) {
-  const SliceGraph& at = graph(k);
   std::vector<std::optional<std::vector<std::uint32_t>>>& known = levels_[k]->cells;
+  if (!known.empty() && known[group]) return *known[group];
+  const SliceGraph& at = graph(k);
   known.resize(at.groups());
-  if (known[group]) return *known[group];
   std::vector<std::uint32_t> all;
   std::vector<bool> seen(at.faces(), false);
   for (std::uint32_t n = 0; n < at.trapezoids().size(); ++n) {

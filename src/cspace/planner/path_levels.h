@@ -1,9 +1,10 @@
 // The orientations at which a planner looks at slices, in their order round the circle, and the components they meet.
 #pragma once
 
+#include <array>
+#include <map>
 #include <memory>
 #include <optional>
-#include <unordered_map>
 #include <vector>
 
 #include "cspace/motion/pivot.h"
@@ -22,14 +23,15 @@ struct PathLevel {
   ExactAngle angle;
   std::uint32_t id = 0;  // in the order in which they were added
   std::optional<std::uint32_t> slab;
-  std::unique_ptr<SliceMap> map;  // made when first looked at
+  std::unique_ptr<SliceMap> map;  // made when it is looked at
   std::unique_ptr<SliceGraph> graph;
+  std::uint64_t looked_at = 0;
   std::vector<std::optional<std::vector<std::uint32_t>>> cells;  // by group
 };
 
 class PathLevels {
  public:
-  PathLevels(const CspaceObstacle& obstacle, Touching touching, double frame);
+  PathLevels(const CspaceObstacle& obstacle, const PlanOptions& options, double frame);
 
   std::size_t size() const { return levels_.size(); }
   const Orientation& theta(std::size_t k) const { return levels_[k]->theta; }
@@ -37,8 +39,12 @@ class PathLevels {
   /// What stays the same while indices change.
   const PathLevel* level(std::size_t k) const { return levels_[k].get(); }
   std::size_t index_of(const PathLevel* level) const;
+  /// Until let_go().
   const SliceMap& map(std::size_t k);
   const SliceGraph& graph(std::size_t k);
+  /// Where slices take more than PlanOptions::slice_bytes: those that were not looked at for longest go, and are made
+  /// again when they are wanted.
+  void let_go();
   std::uint64_t slices() const { return slices_; }
 
   /// The index of the level at this orientation, which is made if there is none. Indices behind it change.
@@ -62,6 +68,9 @@ class PathLevels {
   std::uint32_t slab_behind(std::size_t k) const;
 
  private:
+  static std::array<std::uint32_t, 3> key_of(const Contact& c) {
+    return {static_cast<std::uint32_t>(c.kind), c.p, c.q};
+  }
   std::uint32_t cell_in_slab(std::uint32_t slab, const SliceMap& map, std::uint32_t edge);
   std::vector<std::uint32_t> cells_of(std::uint32_t slab, const SliceMap& map, const SliceGraph& graph,
                                       std::uint32_t face);
@@ -69,9 +78,11 @@ class PathLevels {
 
   const CspaceObstacle& obstacle_;
   Touching touching_;
+  std::uint64_t most_bytes_;
   double frame_;
   std::vector<std::unique_ptr<PathLevel>> levels_;
-  std::unordered_map<std::uint32_t, std::vector<std::uint32_t>> patches_;  // by slab
+  std::map<std::array<std::uint32_t, 3>, std::vector<std::uint32_t>> patches_;  // by contact
+  std::uint64_t bytes_ = 0, looks_ = 0;
   Pivot pivot_;
   std::uint64_t slices_ = 0;
 };

@@ -20,6 +20,7 @@ PathPoints::PathPoints(const CspaceObstacle& obstacle, PathLevels& levels, Touch
 
 void PathPoints::translate(Points& path, const Position& to) {
   const PathPoint from = path.back();
+  levels_.let_go();
   const std::vector<Position> way = levels_.graph(levels_.add(from.theta)).way(from.at, to);
   for (std::size_t k = 1; k < way.size(); ++k)
     if (!same_place(path.back().at, way[k])) path.push_back({Move::translation, way[k], from.theta});
@@ -34,6 +35,7 @@ void PathPoints::rotate(Points& path, const Orientation& to, TurnDirection direc
 }
 
 bool PathPoints::glides(const Orientation& theta, const Position& from, const Position& to) {
+  levels_.let_go();
   return levels_.map(levels_.add(theta)).passage(SlicePoint(from), SlicePoint(to), touching_ == Touching::allowed).free;
 }
 

@@ -19,6 +19,9 @@ class PathPoints {
   PathPoints(const CspaceObstacle& obstacle, PathLevels& levels, Touching touching);
 
   std::vector<PathPoint> points(const PathEnd& start, const std::vector<PathStep>& steps, const PathEnd& goal);
+  /// Whether a straight translation is free, and which rotation in place is.
+  bool glides(const Orientation& theta, const Position& from, const Position& to);
+  std::optional<TurnDirection> turns(const Position& at, const Orientation& from, const Orientation& to);
 
  private:
   using Points = std::vector<PathPoint>;
@@ -26,8 +29,6 @@ class PathPoints {
   void rotate(Points& path, const Orientation& to, TurnDirection direction);
   /// The moves that bring `from` to `to` in one or two pieces, if such are free: at most `most` of them.
   Points direct(const PathPoint& from, const PathPoint& to, std::size_t most);
-  bool glides(const Orientation& theta, const Position& from, const Position& to);
-  std::optional<TurnDirection> turns(const Position& at, const Orientation& from, const Orientation& to);
   Points shortened(const Points& path);
   bool stays_free(const Points& path, std::size_t first, std::size_t last, const Position& to);
   Points tightened(Points path);

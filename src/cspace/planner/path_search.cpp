@@ -64,12 +64,14 @@ std::optional<PathSearch::Outcome> PathSearch::expand_all(const SearchLimits& li
       last_ = here.visit;
       return Outcome::found;
     }
-    if (limits.progress && !limits.progress("search", 0)) return Outcome::cancelled;
-    if (std::chrono::steady_clock::now() > limits.deadline) {
+    const SearchStop stop = limits.ask();
+    if (stop == SearchStop::cancelled) return Outcome::cancelled;
+    if (stop == SearchStop::out_of_time) {
       const std::size_t n = levels_.size(), k = levels_.index_of(v.level);
       touched_.insert(touched_.end(), {v.level, levels_.level((k + n - 1) % n)});
       return Outcome::out_of_time;
     }
+    levels_.let_go();
     expand(here.visit, here.direction);
   }
   return std::nullopt;
@@ -173,8 +175,10 @@ std::optional<PathSearch::Stuck> PathSearch::stuck_at(const PathLevel* low) {
 void PathSearch::queue_stuck() {
   std::sort(touched_.begin(), touched_.end(), [](const auto* a, const auto* b) { return a->id < b->id; });
   touched_.erase(std::unique(touched_.begin(), touched_.end()), touched_.end());
-  for (const PathLevel* low : touched_)
+  for (const PathLevel* low : touched_) {
+    levels_.let_go();
     if (const std::optional<Stuck> gap = stuck_at(low)) stuck_.push(*gap);
+  }
   touched_.clear();
 }
 

@@ -2,7 +2,6 @@
 // Where a passage is too narrow for the levels there are, more are put between, there alone.
 #pragma once
 
-#include <chrono>
 #include <optional>
 #include <queue>
 #include <tuple>
@@ -10,6 +9,7 @@
 #include <vector>
 
 #include "cspace/planner/path_links.h"
+#include "cspace/planner/search_limits.h"
 
 namespace dymsum::planar {
 
@@ -23,11 +23,6 @@ struct PathStep {
 struct PathEnd {
   Position at;
   Orientation theta;
-};
-
-struct SearchLimits {
-  std::chrono::steady_clock::time_point deadline;
-  Progress progress;
 };
 
 /// Two neighbouring levels, a place that was reached at one of them, and one at the other that was not.

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "cspace/events/walked_rings.h"
+#include "cspace/obstacle/obstacle_start.h"
 #include "cspace/planner/free_components.h"
 #include "cspace/planner/path_points.h"
 #include "cspace/planner/path_search.h"
@@ -24,18 +25,32 @@ class Planner {
         options_(options),
         start_(std::move(start)),
         goal_(std::move(goal)),
-        levels_(obstacle, options.touching, frame),
+        levels_(obstacle, options, frame),
+        points_(obstacle, levels_, options.touching),
         joined_(obstacle),
         deadline_(deadline) {}
 
-  // Locate both, compare their components, search.
+  // What needs nothing of the obstacle but slices at both ends: they are not free, or one rotation in place between
+  // translations will do.
+  std::optional<Plan> direct() {
+    if (!is_free(start_, NoPath::Kind::start_not_free) || !is_free(goal_, NoPath::Kind::goal_not_free))
+      return finished();
+    if (walks_at_once() || turns_at_once()) return finished();
+    return std::nullopt;
+  }
+
+  // The direct ways; then their components are compared, and the search.
   Result<Plan> run() {
-    if (!is_free(start_, NoPath::Kind::start_not_free) || !is_free(goal_, NoPath::Kind::goal_not_free)) return plan_;
-    if (walks_at_once()) return plan_;
+    if (options_.progress && !options_.progress("search", 0)) return cancelled();
+    if (std::optional<Plan> at_once = direct()) return *std::move(at_once);
     levels_.add_all();
     levels_.add(start_.theta);
     levels_.add(goal_.theta);
-    if (options_.touching == Touching::allowed) joined_.join_touching(obstacle_, levels_);
+    if (options_.touching == Touching::allowed) {
+      const auto stopped = joined_.join_touching(obstacle_, levels_, {deadline_, options_.progress});
+      if (stopped == SearchStop::cancelled) return cancelled();
+      if (stopped == SearchStop::out_of_time) return out_of_time();
+    }
     const std::vector<std::uint32_t> from = around(start_), to = around(goal_);
     if (!connected(from, to)) {
       refuse(NoPath::Kind::separated, from, to);
@@ -59,13 +74,35 @@ class Planner {
     return false;
   }
 
+  // Whether translations at an orientation lead from the start's position to the goal's.
+  bool walks(const Orientation& theta) {
+    const SliceGraph& graph = levels_.graph(levels_.add(theta));
+    const std::uint32_t group = graph.group_at(SlicePoint(start_.at));
+    return group != kUnknown && group == graph.group_at(SlicePoint(goal_.at));
+  }
+
   // By translations alone.
   bool walks_at_once() {
-    if (!(start_.theta == goal_.theta)) return false;
-    const SliceGraph& graph = levels_.graph(levels_.add(start_.theta));
-    if (graph.group_at(SlicePoint(start_.at)) != graph.group_at(SlicePoint(goal_.at))) return false;
+    if (!(start_.theta == goal_.theta) || !walks(start_.theta)) return false;
     write_path({});
     return true;
+  }
+
+  // At the goal, after a way in the start's slice, or at the start; straight ways first.
+  bool turns_at_once() {
+    if (start_.theta == goal_.theta) return false;
+    for (const bool straight : {true, false})
+      for (const bool at_goal : {true, false}) {
+        const Position& at = at_goal ? goal_.at : start_.at;
+        const Orientation& theta = at_goal ? start_.theta : goal_.theta;
+        if (straight ? !points_.glides(theta, start_.at, goal_.at) : !walks(theta)) continue;
+        ++plan_.work.rotations;
+        const std::optional<TurnDirection> d = points_.turns(at, start_.theta, goal_.theta);
+        if (!d) continue;
+        write_path({{at, goal_.theta, *d}});
+        return true;
+      }
+    return false;
   }
 
   // The components whose closure holds an end: those around it in its slice and, where it touches, those next to it in
@@ -113,11 +150,11 @@ class Planner {
     PathLinks links(obstacle_, levels_, joined_);
     PathSearch search(obstacle_, levels_, links, options_.touching);
     const PathSearch::Outcome outcome = search.run(start_, goal_, {deadline_, options_.progress});
-    plan_.work.rotations = search.rotations();
+    plan_.work.rotations += search.rotations();
     plan_.work.refinements = search.refinements();
     switch (outcome) {
       case PathSearch::Outcome::cancelled:
-        return Error{ErrorCode::cancelled, "cancelled by the progress callback", {}};
+        return cancelled();
       case PathSearch::Outcome::found:
         write_path(search.steps());
         break;
@@ -126,6 +163,16 @@ class Planner {
         refuse(NoPath::Kind::undecided, from, to);
         add_limit(outcome == PathSearch::Outcome::out_of_time, search.barrier());
     }
+    return finished();
+  }
+
+  static Error cancelled() { return {ErrorCode::cancelled, "cancelled by the progress callback", {}}; }
+
+  Plan out_of_time() {
+    NoPath& reason = plan_.reason.emplace();
+    reason.kind = NoPath::Kind::undecided;
+    reason.text = "undecided, it was not yet found out whether start and goal are joined";
+    add_limit(true, std::nullopt);
     return finished();
   }
 
@@ -158,7 +205,7 @@ class Planner {
   }
 
   void write_path(const std::vector<PathStep>& steps) {
-    for (const PathPoint& p : PathPoints(obstacle_, levels_, options_.touching).points(start_, steps, goal_)) {
+    for (const PathPoint& p : points_.points(start_, steps, goal_)) {
       const Point near = SlicePoint(p.at).at();
       plan_.path.push_back({p.move,
                             {exact::to_rational(p.at.x), exact::to_rational(p.at.y)},
@@ -177,6 +224,7 @@ class Planner {
   const PlanOptions& options_;
   PathEnd start_, goal_;
   PathLevels levels_;
+  PathPoints points_;
   JoinedComponents joined_;
   Clock::time_point deadline_;
   Plan plan_;
@@ -191,10 +239,10 @@ Result<PathEnd> end_of(const Configuration& c) {
   return PathEnd{{exact::exact_value(c.x), exact::exact_value(c.y)}, *theta};
 }
 
-}  // namespace
-
-Result<Plan> plan(const CspaceObstacle& obstacle, const Configuration& start, const Configuration& goal,
-                  const PlanOptions& options) {
+// Calls f(planner) for two configurations, and adds the time that it took.
+template <class F>
+auto planned(const CspaceObstacle& obstacle, const Configuration& start, const Configuration& goal,
+             const PlanOptions& options, F f) -> Result<decltype(f(std::declval<Planner&>()))> {
   const auto began = Clock::now();
   if (!(options.time_limit_seconds >= 0))
     return Error{ErrorCode::out_of_range, "the time limit is no number of seconds", {}};
@@ -208,11 +256,38 @@ Result<Plan> plan(const CspaceObstacle& obstacle, const Configuration& start, co
   double span = pose.reach();
   for (const Point& p : pose.obstacle().vertices) span = std::max({span, std::abs(p.x), std::abs(p.y)});
   for (const Configuration& c : {start, goal}) span = std::max({span, std::abs(c.x), std::abs(c.y)});
-  Result<Plan> answer =
-      Planner(obstacle, std::move(from).value(), std::move(to).value(), options, 4 * span, deadline).run();
+  Planner planner(obstacle, std::move(from).value(), std::move(to).value(), options, 4 * span, deadline);
+  return f(planner);
+}
+
+double ms_since(Clock::time_point began) {
+  return std::chrono::duration<double, std::milli>(Clock::now() - began).count();
+}
+
+}  // namespace
+
+Result<Plan> plan(const CspaceObstacle& obstacle, const Configuration& start, const Configuration& goal,
+                  const PlanOptions& options) {
+  const auto began = Clock::now();
+  Result<Result<Plan>> answer = planned(obstacle, start, goal, options, [](Planner& planner) { return planner.run(); });
   if (!answer) return answer.error();
-  Plan plan = std::move(answer).value();
-  plan.work.ms = std::chrono::duration<double, std::milli>(Clock::now() - began).count();
+  if (!*answer) return answer->error();
+  Plan plan = std::move(answer).value().value();
+  plan.work.ms = ms_since(began);
+  return plan;
+}
+
+Result<std::optional<Plan>> direct_plan(const Region& robot, const Region& obstacle, const Configuration& start,
+                                        const Configuration& goal, const PlanOptions& options) {
+  const auto began = Clock::now();
+  Result<std::unique_ptr<ObstacleState>> state = start_obstacle(robot, obstacle);
+  if (!state) return state.error();
+  const CspaceObstacle slices = ObstacleState::finish(std::move(state).value());
+  Result<std::optional<Plan>> answer =
+      planned(slices, start, goal, options, [](Planner& planner) { return planner.direct(); });
+  if (!answer) return answer.error();
+  std::optional<Plan> plan = std::move(answer).value();
+  if (plan) plan->work.ms = ms_since(began);
   return plan;
 }
 

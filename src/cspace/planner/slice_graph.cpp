@@ -58,13 +58,16 @@ std::uint32_t name_pieces(const Links& links, std::vector<std::uint32_t>& names)
 SliceGraph::SliceGraph(const SliceMap& map, bool touching, double frame)
     : map_(map), touching_(touching), frame_(frame) {
   add_lines();
-  for (std::uint32_t k = 0; k + 1 < lines_.size(); ++k) add_column(k);
-  column_begin_.push_back(static_cast<std::uint32_t>(trapezoids_.size()));
-  links_.resize(trapezoids_.size());
-  for (std::uint32_t k = 1; k + 1 < lines_.size(); ++k) join_columns(k);
+  sweep_lines();
   name_faces();
   if (touching_) join_touching();
   groups_ = name_pieces(links_, group_);
+}
+
+std::size_t SliceGraph::bytes() const {
+  // A trapezoid has some three links, and perhaps a line; its centre and the line may be long fractions.
+  constexpr std::size_t kTrapezoid = sizeof(Trapezoid) + 4 * sizeof(Link) + sizeof(Line) + 256;
+  return sizeof(*this) + trapezoids_.size() * kTrapezoid + 8 * map_.edges().size();
 }
 
 const SlicePoint& SliceGraph::left(std::uint32_t edge) const {
@@ -135,33 +138,78 @@ BigRational SliceGraph::middle_of(std::uint32_t low, std::uint32_t high, const L
   return BigRational((exact_height(low, line.exact()) + exact_height(high, line.exact())) / 2);
 }
 
-void SliceGraph::add_trapezoid(std::uint32_t column, std::uint32_t low, std::uint32_t high, const Line& middle) {
-  Trapezoid t{column, low, high, {middle.x, middle_of(low, high, middle)}, {}, 0, 0};
-  t.near = SlicePoint(t.centre).at();
-  t.size = (height(high, middle)[0] - height(low, middle)[0]) * (lines_[column + 1].at - lines_[column].at);
-  trapezoids_.push_back(std::move(t));
-}
-
-void SliceGraph::add_column(std::uint32_t column) {
-  column_begin_.push_back(static_cast<std::uint32_t>(trapezoids_.size()));
-  const Line &from = lines_[column], &to = lines_[column + 1];
+// Between two lines; as a double where one lies certainly between them.
+SliceGraph::Line SliceGraph::middle_between(const Line& from, const Line& to) {
   Line middle{0.5 * (from.at + to.at), 0, {}, nullptr};
   if (to.at - from.at > 16 * (from.error + to.error) && from.at < middle.at && middle.at < to.at) {
     middle.x = exact::exact_value(middle.at);
-  } else {
-    middle = {middle.at, 2 * (from.error + to.error) + std::abs(middle.at) * kMiddle,
-              BigRational((from.exact() + to.exact()) / 2), nullptr};
+    return middle;
   }
-  std::vector<std::uint32_t> active;
+  middle.error = 2 * (from.error + to.error) + std::abs(middle.at) * kMiddle;
+  middle.x = BigRational((from.exact() + to.exact()) / 2);
+  return middle;
+}
+
+// A trapezoid ends where an edge above or below it does, or where something begins inside.
+void SliceGraph::end_at(Trapezoid& t, std::uint32_t line) const {
+  t.to = line;
+  const Line middle = middle_between(lines_[t.from], lines_[line]);
+  t.centre = {middle.x, middle_of(t.low, t.high, middle)};
+  t.near = SlicePoint(t.centre).at();
+  t.size = (height(t.high, middle)[0] - height(t.low, middle)[0]) * (lines_[line].at - lines_[t.from].at);
+}
+
+// The edges over a column from below: those that end at its first line leave, and those that begin there come in.
+// Edges do not cross, so that the others keep their order.
+void SliceGraph::step_into(std::uint32_t column, const std::vector<std::uint32_t>& begin,
+                           std::vector<std::uint32_t>& over) const {
+  std::erase_if(over, [&](std::uint32_t e) {
+    return rank_[map_.edges()[e].from] == column || rank_[map_.edges()[e].to] == column;
+  });
+  if (begin.empty()) return;
+  const Line middle = middle_between(lines_[column], lines_[column + 1]);
+  for (const std::uint32_t e : begin) {
+    const auto at = std::partition_point(
+        over.begin(), over.end(), [&](std::uint32_t f) { return compare_heights(f, e, middle, SliceMap::kNone) <= 0; });
+    over.insert(at, e);
+  }
+}
+
+void SliceGraph::sweep_lines() {
+  std::vector<std::vector<std::uint32_t>> begin(lines_.size());  // edges, by their left lines
   for (std::uint32_t e = 0; e < map_.edges().size(); ++e) {
     const auto [a, b] = std::minmax(rank_[map_.edges()[e].from], rank_[map_.edges()[e].to]);
-    if (a <= column && b > column) active.push_back(e);
+    if (a != b) begin[a].push_back(e);
   }
-  std::stable_sort(active.begin(), active.end(), [&](std::uint32_t e, std::uint32_t f) {
-    return compare_heights(e, f, middle, SliceMap::kNone) < 0;
-  });
-  for (std::size_t k = 0; k <= active.size(); k += 2)
-    add_trapezoid(column, k == 0 ? kBottom : active[k - 1], k == active.size() ? kTop : active[k], middle);
+  std::vector<std::uint32_t> over, open, next, ended, begun;  // edges; trapezoids from below
+  std::vector<std::uint32_t> above(map_.edges().size() + 1,
+                                   SliceMap::kNone);  // the open one above an edge, or the frame
+  const auto place = [&](std::uint32_t low) { return low == kBottom ? map_.edges().size() : low; };
+  for (std::uint32_t column = 0; column < lines_.size(); ++column) {
+    const bool last = column + 1 == lines_.size();
+    if (!last) step_into(column, begin[column], over);
+    next.clear(), ended.clear(), begun.clear();
+    for (std::size_t k = 0; !last && k <= over.size(); k += 2) {
+      const std::uint32_t low = k == 0 ? kBottom : over[k - 1], high = k == over.size() ? kTop : over[k];
+      std::uint32_t& known = above[place(low)];
+      if (known == SliceMap::kNone || trapezoids_[known].high != high) {
+        begun.push_back(static_cast<std::uint32_t>(trapezoids_.size()));
+        next.push_back(begun.back());
+        trapezoids_.push_back({column, column, low, high, {}, {}, 0, 0});
+        continue;
+      }
+      next.push_back(known);
+      known = SliceMap::kNone;
+    }
+    for (const std::uint32_t t : open)
+      if (above[place(trapezoids_[t].low)] == t) ended.push_back(t);
+    for (const std::uint32_t t : ended)
+      end_at(trapezoids_[t], column), above[place(trapezoids_[t].low)] = SliceMap::kNone;
+    for (const std::uint32_t t : next) above[place(trapezoids_[t].low)] = t;
+    links_.resize(trapezoids_.size());
+    join_sides(column, ended, begun);
+    open.swap(next);
+  }
 }
 
 void SliceGraph::link(std::uint32_t a, std::uint32_t b, Link how) {
@@ -176,16 +224,19 @@ Position SliceGraph::via(const Link& l) const {
   return {lines_[l.line].exact(), middle_of(l.low, l.high, lines_[l.line])};
 }
 
-// Trapezoids on both sides of a line whose sides have more than a point in common.
-void SliceGraph::join_columns(std::uint32_t line) {
+// Trapezoids on both sides of a line whose sides have more than a point in common; both from below.
+void SliceGraph::join_sides(std::uint32_t line, const std::vector<std::uint32_t>& ended,
+                            const std::vector<std::uint32_t>& begun) {
   const Line& l = lines_[line];
-  for (std::uint32_t i = column_begin_[line - 1]; i < column_begin_[line]; ++i)
-    for (std::uint32_t j = column_begin_[line]; j < column_begin_[line + 1]; ++j) {
-      const Trapezoid &t = trapezoids_[i], &u = trapezoids_[j];
-      const std::uint32_t low = compare_heights(t.low, u.low, l, line) < 0 ? u.low : t.low;
-      const std::uint32_t high = compare_heights(t.high, u.high, l, line) < 0 ? t.high : u.high;
-      if (compare_heights(low, high, l, line) < 0) link(i, j, {0, line, low, high, nullptr});
-    }
+  for (std::size_t i = 0, j = 0; i < ended.size() && j < begun.size();) {
+    const Trapezoid &t = trapezoids_[ended[i]], &u = trapezoids_[begun[j]];
+    const std::uint32_t low = compare_heights(t.low, u.low, l, line) < 0 ? u.low : t.low;
+    const int higher = compare_heights(t.high, u.high, l, line);
+    const std::uint32_t high = higher < 0 ? t.high : u.high;
+    if (compare_heights(low, high, l, line) < 0) link(ended[i], begun[j], {0, line, low, high, nullptr});
+    if (higher <= 0) ++i;
+    if (higher >= 0) ++j;
+  }
 }
 
 void SliceGraph::name_faces() {
@@ -232,8 +283,8 @@ std::vector<std::uint32_t> SliceGraph::nodes_at(const SlicePoint& p) const {
 // The same for a place on that line, or left of it and right of the one before.
 std::vector<std::uint32_t> SliceGraph::nodes_at(const SlicePoint& p, std::uint32_t line, bool on_line) const {
   std::vector<std::uint32_t> nodes;
-  for (std::uint32_t k = column_begin_[line - 1]; k < column_begin_[line + on_line]; ++k)
-    if (holds(trapezoids_[k], p)) nodes.push_back(k);
+  for (std::uint32_t k = 0; k < trapezoids_.size() && trapezoids_[k].from < line + on_line; ++k)
+    if (trapezoids_[k].to >= line && holds(trapezoids_[k], p)) nodes.push_back(k);
   if (!touching_) return nodes;
   for (std::uint32_t k = 0; k < map_.cracks().size(); ++k) {
     const SlicePoint &a = map_.spots()[map_.cracks()[k][0]], &b = map_.spots()[map_.cracks()[k][1]];

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 
+#include "planar/arrangement/crossing_cover.h"
 #include "planar/mask/segment_clip.h"
 
 namespace dymsum::planar {
@@ -180,6 +181,7 @@ std::optional<Refined> refine(const Operand& p, const Operand& q, InteriorMask& 
   // Below these counts finding out costs more than the crossings. Rasters of fine cells cost more than covered
   // translates.
   constexpr std::size_t kFew = 16384, kPairsEach = 64, kFewWithMany = 2048, kPairsEachWithMany = 8, kTranslates = 64;
+  constexpr double kCrossingsEach = 16;
   constexpr std::uint32_t kCrowd = 8;
   const bool always = when == Refine::always;
   const bool many = std::min(p.boxes.size(), q.boxes.size()) * kTranslates <= soup.size();
@@ -195,8 +197,14 @@ std::optional<Refined> refine(const Operand& p, const Operand& q, InteriorMask& 
   std::optional<Refined> refined =
       Refined{fine ? FineCells(p, q, mask) : FineCells(mask), LivePieces(soup.memory), fine};
   const bool pays = fine && refine_crowded(refined->cells, visits, always ? 1 : kCrowd, poll);
-  if (!always && !pays && 2 * visits.pairs > pairs) return std::nullopt;
+  const bool gains = always || pays || 2 * visits.pairs <= pairs;
+  const bool asks = soup.size() >= kFew && visits.pairs >= kPairsEach * soup.size();
+  if (!gains && !asks) return std::nullopt;
   refined->live = live_pieces(soup, spans, refined->cells, poll);
+  const bool areas = !has_component_without_area(p) && !has_component_without_area(q);
+  const bool crowded = asks && areas && crossings_each(soup, refined->live, poll) >= kCrossingsEach;
+  if (!gains && !crowded) return std::nullopt;
+  if ((always && areas) || crowded) refined->live = uncrossed_pieces(soup, refined->live, reach, poll);
   drop_covered(soup, live, refined->live);
   return refined;
 }

@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "base/free_memory.h"
+#include "spatial/arrangement/counted_growth.h"
 #include "spatial/arrangement/near_pairs.h"
 
 namespace dymsum::spatial {
@@ -247,6 +248,7 @@ std::vector<PlaneCut> plane_cuts(const SumSpace& space, const FacetTable& table,
 }
 
 Contacts find_contacts(const SumSpace& space, const FacetTable& table, StageWatch& watch, const Box* within) {
+  watch.hold(table.facets.size() * (sizeof(Box) + sizeof(Corners)));
   std::vector<Box> boxes(table.facets.size());
   std::vector<Corners> corners(table.facets.size());
   watch.run_stretches(boxes.size(), 1024, [&](std::size_t, std::size_t first, std::size_t last) {
@@ -258,7 +260,7 @@ Contacts find_contacts(const SumSpace& space, const FacetTable& table, StageWatc
   });
   constexpr std::size_t kPart = 256;
   const std::size_t count = table.facets.size();
-  const NearPairs near = near_pairs(boxes, watch);
+  NearPairs near = near_pairs(boxes, watch);
   base::free_memory(boxes);
   std::vector<Contacts> parts((count + kPart - 1) / kPart);
   watch.run(parts.size(), [&](std::size_t part) {
@@ -268,18 +270,22 @@ Contacts find_contacts(const SumSpace& space, const FacetTable& table, StageWatc
       some.counts.box_pairs += near.of(k).size();
       for (const std::uint32_t g : near.of(k)) {
         if (table.facets[f].plane == table.facets[g].plane) {
-          some.coplanar.push_back({f, g});
+          add_counted(some.coplanar, {f, g}, watch);
         } else if (!share_edge(table.facets[f], table.facets[g]) &&
                    !only_share_corner(space, table, {table.facets[f], corners[f]}, {table.facets[g], corners[g]})) {
           const std::optional<Contact> c = contact(space, table, f, corners[f], g, corners[g]);
-          if (c && !cuts_nothing(table, *c)) some.contacts.push_back(*c);
+          if (c && !cuts_nothing(table, *c)) add_counted(some.contacts, *c, watch, kBytesPerContact);
         }
       }
     }
+    give_back((some.contacts.capacity() - some.contacts.size()) * kBytesPerContact +
+                  (some.coplanar.capacity() - some.coplanar.size()) * sizeof(some.coplanar[0]),
+              watch);
     some.contacts.shrink_to_fit(), some.coplanar.shrink_to_fit();
-    watch.hold(some.contacts.size() * kBytesPerContact + some.coplanar.size() * sizeof(some.coplanar[0]));
   });
   Contacts result;
+  near = {};
+  base::free_memory(corners);
   std::size_t contacts = 0, coplanar = 0;
   for (const Contacts& some : parts) contacts += some.contacts.size(), coplanar += some.coplanar.size();
   result.contacts.reserve(contacts), result.coplanar.reserve(coplanar);

@@ -6,6 +6,8 @@
 #include <limits>
 #include <numeric>
 
+#include "spatial/arrangement/counted_growth.h"
+
 namespace dymsum::spatial {
 
 namespace {
@@ -154,8 +156,11 @@ class LeafTree {
 
 using Pairs = std::vector<std::array<std::uint32_t, 2>>;
 
+/// In a tree of boxes, with leaves, nodes and entries.
+constexpr std::size_t kBytesPerBox = 128;
+
 /// The pairs of a leaf's boxes among themselves and with those of later leaves.
-void add_pairs(const LeafTree& tree, std::uint32_t l, std::span<const Box> boxes, Pairs& pairs) {
+void add_pairs(const LeafTree& tree, std::uint32_t l, std::span<const Box> boxes, Pairs& pairs, StageWatch& watch) {
   const Leaf& leaf = tree.leaves()[l];
   FloatBox all;
   for (std::size_t k = 0; k < leaf.size; ++k) all.add(leaf.box(k));
@@ -165,7 +170,8 @@ void add_pairs(const LeafTree& tree, std::uint32_t l, std::span<const Box> boxes
       const std::uint32_t f = leaf.index[k];
       other.for_each(leaf.box(k), [&](std::size_t i) {
         const std::uint32_t g = other.index[i];
-        if ((m != l || k < i) && overlap(boxes[f], boxes[g])) pairs.push_back({std::min(f, g), std::max(f, g)});
+        if ((m != l || k < i) && overlap(boxes[f], boxes[g]))
+          add_counted(pairs, {std::min(f, g), std::max(f, g)}, watch);
       });
     }
   });
@@ -174,21 +180,30 @@ void add_pairs(const LeafTree& tree, std::uint32_t l, std::span<const Box> boxes
 }  // namespace
 
 NearPairs near_pairs(std::span<const Box> boxes, StageWatch& watch) {
+  watch.hold(boxes.size() * kBytesPerBox);
   const LeafTree tree(boxes);
   constexpr std::size_t kPart = 32;
   std::vector<Pairs> parts((tree.leaves().size() + kPart - 1) / kPart);
   watch.run_stretches(tree.leaves().size(), kPart, [&](std::size_t part, std::size_t first, std::size_t last) {
-    for (std::size_t l = first; l < last; ++l) add_pairs(tree, static_cast<std::uint32_t>(l), boxes, parts[part]);
+    for (std::size_t l = first; l < last; ++l) {
+      // A leaf may meet very many others.
+      if (l % 4 == 3) watch.ask_within_part(static_cast<double>(l) / static_cast<double>(tree.leaves().size()));
+      add_pairs(tree, static_cast<std::uint32_t>(l), boxes, parts[part], watch);
+    }
   });
   NearPairs near;
   near.begin.assign(boxes.size() + 1, 0);
   for (const Pairs& pairs : parts)
     for (const auto& [f, g] : pairs) ++near.begin[f + 1];
   std::partial_sum(near.begin.begin(), near.begin.end(), near.begin.begin());
+  watch.hold(2 * near.begin.size() * sizeof(near.begin[0]) + near.begin.back() * sizeof(near.others[0]));
   near.others.resize(near.begin.back());
   std::vector<std::size_t> place(near.begin.begin(), near.begin.end() - 1);
-  for (const Pairs& pairs : parts)
+  for (Pairs& pairs : parts) {
     for (const auto& [f, g] : pairs) near.others[place[f]++] = g;
+    free_counted(pairs, watch);
+  }
+  give_back(boxes.size() * kBytesPerBox, watch);
   watch.run_stretches(boxes.size(), 1024, [&](std::size_t, std::size_t first, std::size_t last) {
     const auto at = [&](std::size_t f) { return near.others.begin() + static_cast<std::ptrdiff_t>(near.begin[f]); };
     for (std::size_t f = first; f < last; ++f) std::sort(at(f), at(f + 1));

@@ -4,6 +4,7 @@
 #include <numbers>
 
 #include "spatial/convolution/predicted_cost.h"
+#include "spatial/convolution/sampled_pairs.h"
 #include "spatial/mesh/vec3.h"
 
 namespace dymsum::spatial {
@@ -53,7 +54,8 @@ SpatialCost predicted_cost(const SolidOperand& p, const SolidOperand& q) {
   cost.face_vertex = cover(p) * n + cover(q) * m;
   cost.full_face_vertex = p.triangles.size() * q.vertices.size() + q.triangles.size() * p.vertices.size();
   cost.full_edge_edge = p.wedges.size() * q.wedges.size();
-  cost.bytes = static_cast<std::uint64_t>(kBytesPerFacet * (cost.edge_edge + cost.face_vertex));
+  const double facets = cost.edge_edge + cost.face_vertex, more = sampled_pairs(p, q) - kPairsPerFacet * facets;
+  cost.bytes = static_cast<std::uint64_t>(kBytesPerFacet * facets + kBytesPerPair * std::max(0.0, more));
   return cost;
 }
 

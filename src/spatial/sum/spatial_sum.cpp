@@ -72,9 +72,9 @@ Result<SpatialSum> spatial::sum_of_operands(const SolidOperand& a, const SolidOp
                                             const SpatialOptions& options) {
   SpatialSum sum;
   if (a.vertices.empty() || b.vertices.empty()) return sum;
-  const SpatialCost cost = predicted_cost(a, b);
-  if (options.memory != 0 && cost.bytes > options.memory)
-    return base::budget_error("the sum is predicted to take", cost.bytes, options.memory);
+  if (options.memory != 0)
+    if (const std::uint64_t bytes = predicted_cost(a, b).bytes; bytes > options.memory)
+      return base::budget_error("the sum is predicted to take", bytes, options.memory);
   StageWatch watch(options, sum.stats);
   try {
     spatial::SolidBoundary boundary = spatial::solid_boundary(a, b, options, sum.stats, watch);
@@ -90,9 +90,10 @@ Result<SpatialSum> spatial::sum_of_operands(const SolidOperand& a, const SolidOp
   } catch (const spatial::OverBudget& e) {
     return base::budget_error("the sum takes at least", e.bytes, options.memory);
   } catch (const std::bad_alloc&) {
-    return Error{ErrorCode::out_of_memory,
-                 "the sum needs more memory than there is; predicted were " + base::memory_text(cost.bytes),
-                 {}};
+    return Error{
+        ErrorCode::out_of_memory,
+        "the sum needs more memory than there is; predicted were " + base::memory_text(predicted_cost(a, b).bytes),
+        {}};
   } catch (const std::invalid_argument&) {
     if (std::optional<Error> error = grid_error(a.vertices, b.vertices)) return *std::move(error);
     throw;

@@ -402,5 +402,60 @@ TEST(Planner, random_scenes_agree_with_a_flood_fill) {
   EXPECT_TRUE(first || count || oracles::kSanitized || (found > 0 && none > 0 && reached_by_flood > 0));
 }
 
+// Posts, tilted as rounded coordinates tilt them: `kind` 0 in steps of 2^-10, 1 in three decimals, 2 in single
+// precision.
+Region posts(int n, int kind) {
+  std::mt19937_64 random(5);
+  std::vector<Part> parts;
+  const auto rounded = [&](double v) {
+    return kind == 0 ? std::round(v * 1024) / 1024 : kind == 1 ? std::round(v * 1000) / 1000 : static_cast<float>(v);
+  };
+  for (int k = 0; k < n * n; ++k) {
+    const double turn = static_cast<double>(random() >> 11) * 0x1p-53;
+    Ring ring;
+    for (int i = 0; i < 4; ++i) {
+      const double at = turn + i * std::numbers::pi / 2;
+      ring.push_back({rounded(3 * (k % n) + 0.4 * std::cos(at)), rounded(3 * (k / n) + 0.4 * std::sin(at))});
+    }
+    parts.push_back({ring, {}});
+  }
+  return region(std::move(parts));
+}
+
+// Took thousands of slices, all of them kept, and the obstacle of all angles before.
+TEST(Planner, a_free_turn_beside_many_posts_looks_at_slices_at_its_ends_alone) {
+  const Region rod = region({{box(-1, -0.125, 1, 0.125), {}}});
+  for (int kind = 0; kind < 3; ++kind) {
+    const Region obstacle = posts(6, kind);
+    for (const Configuration goal : {Configuration{-3, -3, 1}, {-3, 18, 0}, {-3, 18, 1}}) {
+      const auto direct = direct_plan(rod, obstacle, {-3, -3, 0}, goal);
+      ASSERT_TRUE(direct.ok() && *direct && (*direct)->found()) << kind;
+      EXPECT_LE((*direct)->work.slices, 2u);
+      EXPECT_LE((*direct)->path.size(), 3u);
+    }
+    const auto blocked = direct_plan(rod, obstacle, {-3, -3, 0}, {0, 0, 1});
+    ASSERT_TRUE(blocked.ok() && *blocked);
+    EXPECT_EQ((*blocked)->reason->kind, NoPath::Kind::goal_not_free);
+  }
+  const auto not_direct =
+      direct_plan(rod, two_rooms(-0.2, 0.2), {-4, 0, std::numbers::pi / 2}, {4, 0, std::numbers::pi / 2});
+  EXPECT_TRUE(not_direct.ok() && (!*not_direct || (*not_direct)->found()));
+}
+
+TEST(Planner, slices_that_were_let_go_of_are_made_again) {
+  const CspaceObstacle c = obstacle_of(region({{box(-1, -0.25, 1, 0.25), {}}}), posts(3, 0));
+  PlanOptions few;
+  few.slice_bytes = 1;
+  const Configuration start{1.5, 1.5, 0}, goal{4.5, 4.5, 2.5};
+  const Plan all = plan(c, start, goal).value(), again = plan(c, start, goal, few).value();
+  ASSERT_TRUE(all.found());
+  ASSERT_EQ(again.path.size(), all.path.size());
+  for (std::size_t k = 0; k < all.path.size(); ++k) {
+    EXPECT_EQ(again.path[k].theta, all.path[k].theta);
+    EXPECT_EQ(again.path[k].approx, all.path[k].approx);
+  }
+  EXPECT_GE(again.work.slices, all.work.slices);
+}
+
 }  // namespace
 }  // namespace dymsum

@@ -64,5 +64,25 @@ TEST(NearPairs, OfEqualBoxesAndPoints) {
   expect_all_pairs(std::vector<Box>(40, Box{{0, 0, 0}, {0, 0, 0}}));
 }
 
+// Eight million pairs of 64 MB, of which none counted.
+TEST(NearPairs, CountBeforeTheyAreHeld) {
+  std::vector<Box> same(4000);
+  for (Box& b : same) b.add(Vec3{1, 2, 3});
+  for (const int threads : {1, 2}) {
+    SpatialOptions options;
+    options.threads = threads;
+    options.memory = 3'000'000;
+    SpatialStats stats;
+    StageWatch watch(options, stats);
+    try {
+      near_pairs(same, watch);
+      FAIL() << "more than the budget is held";
+    } catch (const OverBudget& e) {
+      EXPECT_GT(e.bytes, options.memory);
+      EXPECT_LT(e.bytes, 2 * options.memory);
+    }
+  }
+}
+
 }  // namespace
 }  // namespace dymsum::spatial

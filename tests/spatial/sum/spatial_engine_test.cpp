@@ -232,14 +232,19 @@ TEST(SpatialEngine, more_memory_than_allowed_is_an_error_before_it_is_taken) {
   options.memory = 100'000'000;
   const std::uint64_t held = minkowski_sum(p, q, options).value().stats.held_bytes;
   EXPECT_GT(held, 100'000u);
-  // Enough for what is predicted, not for contacts of facets in masses.
+  // Enough for what is predicted, not for all that is counted.
   oracles::Voxels grate;
   for (int x = 0; x < 7; ++x)
     for (int y = 0; y < 7; ++y)
       for (int z = 0; z < 2; ++z)
         if ((z == 0 ? x : y) % 2 == 0) grate.insert({x, y, z});
   const Mesh g = Mesh::create(oracles::voxel_mesh(grate)).value();
-  options.memory = predict_cost(g, g).bytes + 1'000'000;
+  options.memory = 0;
+  const std::uint64_t predicted_bytes = predict_cost(g, g).bytes;
+  const std::uint64_t held_bytes = minkowski_sum(g, g, options).value().stats.held_bytes;
+  EXPECT_LT(held_bytes, 2 * predicted_bytes);
+  EXPECT_LT(predicted_bytes, held_bytes);
+  options.memory = (predicted_bytes + held_bytes) / 2;
   const Error actual = minkowski_sum(g, g, options).error();
   EXPECT_EQ(actual.code, ErrorCode::out_of_memory);
   EXPECT_NE(actual.message.find("at least"), std::string::npos) << actual.message;

@@ -1,0 +1,36 @@
+// Arrays that grow faster than the operands: what they take counts with a StageWatch before it is there.
+#pragma once
+
+#include <algorithm>
+#include <cstddef>
+#include <vector>
+
+#include "spatial/convolution/stage_watch.h"
+
+namespace dymsum::spatial {
+
+/// Gives back what was held. StageWatch counts modulo 2^64, so that this is the complement.
+inline void give_back(std::size_t bytes, StageWatch& watch) { watch.hold(0 - static_cast<std::uint64_t>(bytes)); }
+
+/// Adds a value; `bytes` for each come with the array, those of its own included. While it grows the old array is there
+/// besides. Throws OverBudget.
+template <class T>
+void add_counted(std::vector<T>& array, const T& value, StageWatch& watch, std::size_t bytes = sizeof(T)) {
+  if (array.size() == array.capacity()) {
+    const std::size_t before = array.capacity(), room = std::max<std::size_t>(16, 2 * before);
+    watch.hold(room * bytes);
+    array.reserve(room);
+    give_back(before * bytes, watch);
+  }
+  array.push_back(value);
+}
+
+/// Frees an array that grew by add_counted().
+template <class T>
+void free_counted(std::vector<T>& array, StageWatch& watch, std::size_t bytes = sizeof(T)) {
+  const std::size_t room = array.capacity();
+  std::vector<T>().swap(array);
+  give_back(room * bytes, watch);
+}
+
+}  // namespace dymsum::spatial
