@@ -19,7 +19,10 @@ async function bytesAt(url) {
   }
   const response = await fetch(url);
   if (!response.ok) throw new Error(`${url}: ${response.status} ${response.statusText}`);
-  return response.arrayBuffer();
+  const bytes = await response.arrayBuffer();
+  if (new Uint8Array(bytes)[0] !== 0)
+    throw new Error(`${url} holds no WebAssembly. Vite's development server needs optimizeDeps: { exclude: ['dymsum'] } to find it.`);
+  return bytes;
 }
 
 /** The address of a file of the package. */

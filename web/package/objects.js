@@ -1,5 +1,6 @@
 // The live objects: classes and functions of web/wasm with their errors thrown, under the names of index.d.ts.
-import { DymsumError, throwing, throwingGetter, whenIdle } from './errors.js';
+import { throwing, throwingGetter, whenIdle } from './calls.js';
+import { refusal } from './errors.js';
 
 const classes = [
   'Region', 'PlanarSum', 'ScalingSum', 'RotatingSum', 'PlanarDepth', 'CspaceObstacle', 'ObstacleQueries', 'Mesh', 'SpatialSum',
@@ -19,11 +20,11 @@ const solids = [
   'triakisIcosahedron', 'truncatedIcosidodecahedron', 'rod',
 ];
 
-function bound(object) {
+function bound(object, of) {
   for (const [name, property] of Object.entries(Object.getOwnPropertyDescriptors(object))) {
     const { value, get, configurable } = property;
-    if (typeof value === 'function' && value.argCount !== undefined) object[name] = throwing(value);
-    else if (get && configurable) Object.defineProperty(object, name, { ...property, get: throwingGetter(get) });
+    if (typeof value === 'function' && value.argCount !== undefined) object[name] = throwing(value, `${of}.${name}`);
+    else if (get && configurable) Object.defineProperty(object, name, { ...property, get: throwingGetter(get, `${of}.${name}`) });
   }
 }
 
@@ -41,14 +42,14 @@ function bindClasses(instance) {
   const made = {};
   for (const name of classes) {
     made[name] = instance[name];
-    bound(made[name]);
-    bound(made[name].prototype);
+    bound(made[name], name);
+    bound(made[name].prototype, name);
     disposable(made[name].prototype);
   }
   return made;
 }
 
-const among = (instance, names) => Object.fromEntries(names.map((name) => [name, throwing(instance[name])]));
+const among = (instance, names) => Object.fromEntries(names.map((name) => [name, throwing(instance[name], name)]));
 
 /** Generators of solids: their last argument, `snap`, may be left out. */
 function solidsOf(instance) {
@@ -77,10 +78,9 @@ function joined(made, calls) {
   const either = (ofRegions, ofMeshes) => (p, ...rest) => (p instanceof Mesh ? ofMeshes : ofRegions)(p, ...rest);
   /** An element that is no region would be found in the midst of the work, and what was copied till then be lost. */
   const unionOf = (regions, options) => {
-    const all = Array.from(regions ?? []);
-    if (all.every((region) => region instanceof made.Region)) return calls.unionOf(all, options);
-    const reason = 'unionOf takes a list of regions';
-    throw new DymsumError({ code: 'invalid_argument', reason, message: reason, evidence: {} });
+    const all = typeof regions?.[Symbol.iterator] === 'function' ? Array.from(regions) : [undefined];
+    if (!all.every((region) => region instanceof made.Region)) throw refusal('unionOf takes a list of regions');
+    return calls.unionOf(all, options);
   };
   return {
     unionOf,

@@ -1,6 +1,7 @@
 // The command line, with files in memory. Its module is loaded when it is first called. Every call has an instance to
 // itself: nothing is left of the one before, and what it held is given back.
-import { DymsumError } from './errors.js';
+import { checkOptions } from './arguments.js';
+import { refusal } from './errors.js';
 import { at, startWith } from './module.js';
 
 const folder = '/files';
@@ -39,10 +40,6 @@ function absolute(path) {
   return `/${parts.join('/')}`;
 }
 
-function refused(reason) {
-  return new DymsumError({ code: 'invalid_argument', reason, message: reason, evidence: {} });
-}
-
 function writeFiles(FS, files) {
   FS.mkdirTree(folder);
   FS.chdir(folder);
@@ -52,7 +49,7 @@ function writeFiles(FS, files) {
       FS.mkdirTree(at.slice(0, at.lastIndexOf('/')) || '/');
       FS.writeFile(at, bytesOf(content));
     } catch {
-      throw refused(`no file can have the name "${path}"`);
+      throw refusal(`no file can have the name "${path}"`);
     }
   }
 }
@@ -95,8 +92,19 @@ function lineTeller(tell) {
   };
 }
 
-async function run(start, args, { files = {}, stdin = '', onStderr } = {}) {
-  if (args.some((arg) => arg.includes('\0'))) throw refused('an argument of a command has no character of code 0');
+const isContent = (content) => typeof content === 'string' || ArrayBuffer.isView(content) || content?.byteLength !== undefined;
+
+function check(args, how) {
+  if (!Array.isArray(args) || args.some((arg) => typeof arg !== 'string')) throw refusal('run takes the words of a command as a list of texts');
+  if (args.some((arg) => arg.includes('\0'))) throw refusal('an argument of a command has no character of code 0');
+  checkOptions('run', how, ['files', 'stdin', 'onStderr']);
+  const { files = {}, stdin = '' } = how;
+  if (typeof files !== 'object' || files === null) throw refusal('run: files is an object of contents by path');
+  for (const [path, content] of [...Object.entries(files), ['standard input', stdin]])
+    if (!isContent(content)) throw refusal(`run: ${path} is neither a text nor bytes`);
+}
+
+async function run(start, args, { files = {}, stdin = '', onStderr }) {
   const input = bytesOf(stdin);
   const stdout = new Collected();
   const stderr = new Collected();
@@ -140,5 +148,8 @@ function loader(options) {
 
 export function commandLine(options) {
   const start = loader(options);
-  return async (args, how) => run(await start(), args, how);
+  return async (args, how) => {
+    check(args, how ?? {});
+    return run(await start(), args, how ?? {});
+  };
 }

@@ -1,11 +1,11 @@
-// The programs of the guide run, and print what stands below them.
+// The programs of the guide and of the README run, and print what stands below them.
 import assert from 'node:assert/strict';
 import { spawnSync } from 'node:child_process';
 import { readFileSync } from 'node:fs';
 import { test } from 'node:test';
 import { fileURLToPath } from 'node:url';
 
-const guide = readFileSync(new URL('../../../docs/guide/web.md', import.meta.url), 'utf8');
+const guide = ['../../../docs/guide/web.md', '../README.md'].map((page) => readFileSync(new URL(page, import.meta.url), 'utf8')).join('\n');
 const cwd = fileURLToPath(new URL('..', import.meta.url));
 
 for (const [, program, , output] of guide.matchAll(/```js\n([^]*?)```\n(\n```text\n([^]*?)```)?/g)) {
