@@ -52,6 +52,19 @@ test('the search finds pages from disk', async () => {
   assert.deepEqual(wrong, []);
 });
 
+test('the search finds the licence, also as a license, and what there is for Windows', async () => {
+  const { page, go } = await opened('desktop');
+  for (const [word, where] of [['license', /packaging|index/], ['licence', /packaging|index/], ['windows', /packaging/]]) {
+    await go('docs/guide/sums.html');
+    await page.click('.md-search__input');
+    await page.keyboard.type(word);
+    const found = page.locator('.md-search-result__link');
+    await found.first().waitFor();
+    const links = await found.evaluateAll((all) => all.slice(0, 4).map((link) => link.getAttribute('href')));
+    assert.ok(links.some((link) => where.test(link)), `${word}: ${links}`);
+  }
+});
+
 test('it is dark where the reader is in the dark', async () => {
   const { page, go } = await opened('desktop', 'dark');
   await go('index.html');
