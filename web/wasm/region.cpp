@@ -59,8 +59,11 @@ val named(const std::string& name, const char* field, const val& value) {
 
 val read_all(const std::string& name, const std::string& bytes, const val& options) {
   const bool mend = member_or(options, "repair", false);
-  return list_of(shapes_in(name, bytes), [&](const NamedShape& shape) {
-    return named(shape.name, "region", in_file(name, [&] { return val(shared(region_of(shape.data, mend))); }));
+  const std::vector<NamedShape> shapes = shapes_in(name, bytes);
+  return list_of(shapes, [&](const NamedShape& shape) {
+    const std::string own = shape.name.empty() ? std::to_string(&shape - shapes.data()) : shape.name;
+    const std::string which = shapes.size() > 1 ? name + "#" + own : name;
+    return named(shape.name, "region", in_file(which, [&] { return val(shared(region_of(shape.data, mend))); }));
   });
 }
 

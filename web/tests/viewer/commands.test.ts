@@ -245,7 +245,7 @@ describe('commands of solids', () => {
   it('nfp: where Q hits P', async () => {
     const it = await asked('solids', 'nfp', { ...kChannel, 'bar.off': box(0, 0, 0, 2, 0.5, 0.25) }), { page } = it;
     await expect.poll(() => volume(page)).toBe('351/4'); // 87.75
-    expect([await chosen(page, 'What is computed'), await readout(page, 'Tight')]).toEqual(['P ⊕ −Q: where Q hits P', 'faces']);
+    expect([await chosen(page, 'What is computed'), await readout(page, 'Tight')]).toEqual(['P ⊕ −Q', 'faces']);
     await close(it);
   });
   it('erode: where Q fits in P, while nothing turns', async () => {

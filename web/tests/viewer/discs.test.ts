@@ -23,9 +23,9 @@ describe('the page of growing discs', () => {
     await expect.poll(async () => Number(await readout(page, 'area'))).toBeCloseTo(1 + 4 * 0.25 + Math.PI / 16, 4);
     await made(page, 'Shrunk');
     await expect.poll(() => readout(page, 'area')).toBe('0.25');
-    await made(page, 'Opened');
+    await made(page, 'Tips cut');
     await expect.poll(async () => Number(await readout(page, 'area'))).toBeCloseTo(0.25 + 0.5 + Math.PI / 16, 4);
-    await made(page, 'Closed');
+    await made(page, 'Gaps filled');
     await expect.poll(() => readout(page, 'area')).toBe('1');
     await close(it);
   });

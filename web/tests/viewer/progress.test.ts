@@ -1,7 +1,7 @@
 // Long work tells how far it is, can be stopped, and leaves a page that goes on.
 import type { Browser, Page } from 'playwright-core';
 import { afterAll, beforeAll, describe, expect, it } from 'vitest';
-import { close, dropFiles, launch, open, readout } from './viewer';
+import { close, dropFiles, launch, open, readout, spikes } from './viewer';
 
 let browser: Browser;
 beforeAll(async () => void (browser = await launch()));
@@ -9,15 +9,6 @@ afterAll(() => browser.close());
 
 const bar = (page: Page) => page.getByRole('progressbar', { name: 'Progress' });
 const share = async (page: Page): Promise<number> => Number((await bar(page).getAttribute('aria-valuenow', { timeout: 500 }).catch(() => null)) ?? NaN);
-
-/** A polygon of many long spikes, as text. */
-function spikes(vertices: number, shift: number): string {
-  const at = (k: number): string => {
-    const angle = (2 * Math.PI * k) / vertices, radius = 1 + ((k * 7919 + shift) % 101) / 50;
-    return `${(radius * Math.cos(angle)).toFixed(6)} ${(radius * Math.sin(angle)).toFixed(6)}`;
-  };
-  return `POLYGON ((${[...Array(vertices).keys(), 0].map(at).join(', ')}))`;
-}
 
 /** A robot and an obstacle whose obstacle in (x, y, theta) takes long. */
 async function atWork(): Promise<Awaited<ReturnType<typeof open>>> {

@@ -60,7 +60,7 @@ describe('the page of solids', () => {
   });
   it('tells the depth exactly, of convex solids and of others', async () => {
     const it = await cubes(), { page } = it, squared = page.getByRole('button', { name: 'Copy the square of the depth' });
-    await page.getByText('where Q hits P').first().click();
+    await choose(page, 'What is computed', 'P ⊕ −Q');
     await set(page, 'x of Q', '1.5');
     await set(page, 'y of Q', '0');
     await set(page, 'z of Q', '0');

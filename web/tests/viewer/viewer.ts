@@ -6,7 +6,7 @@ import { deflateRawSync } from 'node:zlib';
 import { chromium, firefox, type Browser, type Page } from 'playwright-core';
 import { expect } from 'vitest';
 
-const kPage = new URL('../../viewer/dist/index.html', import.meta.url).href;
+export const kPage = new URL('../../viewer/dist/index.html', import.meta.url).href;
 const kDesk = { width: 1280, height: 800 };
 
 export interface Opened {
@@ -129,4 +129,13 @@ export async function dropFiles(page: Page, files: Record<string, string>): Prom
   }, files);
   await page.dispatchEvent('main', 'dragover', { dataTransfer: transfer });
   await page.dispatchEvent('main', 'drop', { dataTransfer: transfer });
+}
+
+/** A polygon of many long spikes, as text. */
+export function spikes(vertices: number, shift: number): string {
+  const at = (k: number): string => {
+    const angle = (2 * Math.PI * k) / vertices, radius = 1 + ((k * 7919 + shift) % 101) / 50;
+    return `${(radius * Math.cos(angle)).toFixed(6)} ${(radius * Math.sin(angle)).toFixed(6)}`;
+  };
+  return `POLYGON ((${[...Array(vertices).keys(), 0].map(at).join(', ')}))`;
 }

@@ -1,6 +1,7 @@
 // The page's end of the worker. One request is computed at a time; `cancel` ends the worker and starts another.
 import type { ErrorData, Reply, Request, Start } from './protocol';
 import type { Answer, Args, ServiceName } from './services';
+import { shapesIn } from './shape';
 
 /** What the engine, or the shell on its behalf, says went wrong. */
 export class EngineError extends Error {
@@ -32,14 +33,6 @@ interface Open {
   since: number;
 }
 
-/** The shapes that a request is about. */
-function shapesIn(args: unknown, found = new Set<unknown>()): Set<unknown> {
-  if (typeof args !== 'object' || args === null || ArrayBuffer.isView(args)) return found;
-  if ('name' in args && ('text' in args || 'make' in args)) return found.add(args);
-  for (const part of Object.values(args)) shapesIn(part, found);
-  return found;
-}
-
 const kCancelled: ErrorData = { code: 'cancelled', reason: 'Cancelled.', message: 'Cancelled.', evidence: {} };
 
 export class Engine {
@@ -63,7 +56,7 @@ export class Engine {
     const worker = this.makeWorker();
     this.worker = worker;
     worker.onmessage = (event: MessageEvent<Reply>) => this.take(event.data);
-    worker.onerror = (event) => this.take({ kind: 'broken', message: event.message || 'its worker could not start' });
+    worker.onerror = (event) => this.take({ kind: 'broken', code: 'defect', message: event.message || 'its worker could not start' });
     this.given = this.module().then((module) => worker.postMessage(module));
   }
 
@@ -113,7 +106,7 @@ export class Engine {
   private take(reply: Reply): void {
     if (reply.kind === 'ready') return this.update({ state: 'idle', version: reply.version, simd: reply.simd });
     if (reply.kind === 'broken') {
-      this.rejectAll({ code: 'defect', reason: reply.message, message: `The engine stopped: ${reply.message}`, evidence: {} });
+      this.rejectAll({ code: reply.code, reason: reply.message, message: `The engine stopped: ${reply.message}`, evidence: {} });
       return this.update({ state: 'broken', stage: reply.message });
     }
     if (reply.kind === 'progress') return this.update({ stage: reply.stage, fraction: reply.fraction });

@@ -2,7 +2,8 @@
 import type { ErrorCode, Evidence } from 'dymsum';
 
 export interface ErrorData {
-  code: ErrorCode;
+  /** the library's, or a limit of the pages or of the browser */
+  code: ErrorCode | 'limit';
   reason: string;
   message: string;
   evidence: Evidence;
@@ -23,4 +24,4 @@ export type Reply =
   | { kind: 'error'; id: number; error: ErrorData }
   | { kind: 'progress'; id: number; stage: string; fraction: number }
   | { kind: 'ready'; version: string; simd: boolean }
-  | { kind: 'broken'; message: string };
+  | { kind: 'broken'; code: ErrorData['code']; message: string };

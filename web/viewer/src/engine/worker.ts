@@ -2,6 +2,7 @@
 import { DymsumError, hasSimd, load } from 'dymsum';
 import { XzReadableStream } from 'xz-decompress';
 import { Host } from './host';
+import { Limit } from './limit';
 import type { ErrorData, Reply, Request, Start } from './protocol';
 import { services, type Service } from './services';
 
@@ -33,7 +34,7 @@ function buffersIn(value: unknown, found = new Set<ArrayBuffer>()): Set<ArrayBuf
 function errorData(error: unknown): ErrorData {
   if (error instanceof DymsumError) return error.toData();
   const message = error instanceof Error ? error.message : String(error);
-  return { code: 'defect', reason: message, message, evidence: {} };
+  return { code: error instanceof Limit ? 'limit' : 'defect', reason: message, message, evidence: {} };
 }
 
 async function unpacked(xzInBase64: string): Promise<ArrayBuffer> {
@@ -44,12 +45,13 @@ async function unpacked(xzInBase64: string): Promise<ArrayBuffer> {
 
 async function start({ wasm, simd }: Start): Promise<void> {
   try {
-    if (simd && !hasSimd()) throw new Error('this browser has no vector instructions of WebAssembly, as all have since 2023.');
+    if (simd && !hasSimd()) throw new Limit('this browser has no vector instructions of WebAssembly, as all have since 2023.');
     const dymsum = await load({ wasmBinary: await unpacked(wasm), simd });
     host = new Host(dymsum, progress);
     reply({ kind: 'ready', version: dymsum.version, simd: dymsum.simd });
   } catch (error) {
-    reply({ kind: 'broken', message: String(error) });
+    const { code, message } = errorData(error);
+    reply({ kind: 'broken', code, message });
   }
 }
 

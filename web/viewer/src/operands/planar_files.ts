@@ -1,6 +1,7 @@
 // Which files planar pages take.
 import { shapeOfFile, type FileShape, type Shape } from '../engine/shape';
 import type { InputFile } from '../shell/page';
+import { checkContents } from './content';
 
 const kPlanar = /\.(poly|wkt|geojson|svg|json|dxf)$/i;
 
@@ -9,6 +10,7 @@ export function planarShapes(files: readonly InputFile[], most: number): FileSha
   const other = files.find((f) => !kPlanar.test(f.name));
   if (other) throw new Error(`"${other.name}" holds no region: this page takes .poly, .wkt, .geojson, .svg, .dxf and .json.`);
   if (files.length > most) throw new Error(`${files.length} files are too many: this page takes ${most === 1 ? 'one' : `up to ${most}`}.`);
+  checkContents(files);
   return files.map(shapeOfFile);
 }
 

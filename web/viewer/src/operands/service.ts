@@ -37,7 +37,8 @@ export const operandServices = {
       return { shape: host.region(shape).shape(), error: undefined };
     } catch (error) {
       if (!(error instanceof DymsumError)) throw error;
-      return { shape: unchecked(host, shape), error: error.toData() };
+      const isRead = error.evidence.line === undefined; // else it is no such file, and has nothing to draw
+      return { shape: isRead ? unchecked(host, shape) : undefined, error: error.toData() };
     }
   },
   /** The shapes of a file, as texts of their own. */

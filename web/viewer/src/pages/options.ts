@@ -2,6 +2,7 @@
 import type { Semantics } from 'dymsum';
 import { parseRational, toText, multiply, toNumber } from '../numbers/rational';
 import type { Parameters } from '../shell/embedded';
+import type { Option } from '../shell/controls';
 import { isAngle } from './angle';
 
 /** The option's text, of a repeated one the first. */
@@ -16,7 +17,11 @@ export function numbersOf(text: string | undefined, count: number): number[] | u
   return numbers.length === count && words[0] !== '' && numbers.every(Number.isFinite) ? numbers : undefined;
 }
 
-export const kSemantics = [['closed', 'Closed'], ['open', 'Open'], ['regular', 'Regular']] as const satisfies readonly (readonly [Semantics, string])[];
+export const kSemantics = [
+  ['closed', 'Closed', 'Closed sets: where shapes only touch counts as well.'],
+  ['open', 'Open', 'Open sets: where shapes only touch does not count, and is shown as tight points and segments.'],
+  ['regular', 'Regular', 'Only what has an inside: tight points, segments and faces are left out.'],
+] as const satisfies readonly Option<Semantics>[];
 
 export function parseSemantics(value: unknown, otherwise: Semantics): Semantics {
   return kSemantics.find(([name]) => name === value)?.[0] ?? otherwise;

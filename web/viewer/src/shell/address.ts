@@ -1,29 +1,62 @@
-// Keeps the address a permalink of the document, and opens the permalinks that the reader goes to.
+// Keeps the address a permalink of the document, and opens what the reader goes to: a page or a shape that is left is one step back
+// of the browser.
+import { shapesIn } from '../engine/shape';
 import type { Document, History } from './history';
-import { fromHash, toHash } from './permalink';
+import { fitsAddress, fromHash, mayFitAddress, toHash } from './permalink';
 
 const kSettleMs = 250;
 
-export function followDocument(history: History): void {
-  let timer = 0;
+/** What stands in an entry of the browser's history: the document, for it may be too large for the address. */
+interface Entry {
+  document: Document;
+}
+
+export function entryOf(state: unknown): Document | undefined {
+  return (state as Partial<Entry> | null)?.document;
+}
+
+/** Changes with the page and with the names of its shapes. */
+export function stepOf({ page, state }: Document): string {
+  return [page, ...[...shapesIn(state)].map(({ name }) => name)].join('\n');
+}
+
+async function addressOf(document: Document): Promise<string> {
+  const hash = mayFitAddress(document) ? await toHash(document) : undefined;
+  return hash !== undefined && fitsAddress(hash) ? hash : `#/${document.page}`;
+}
+
+function put(how: 'pushState' | 'replaceState', document: Document, address: string): void {
+  try {
+    window.history[how]({ document } satisfies Entry, '', address);
+  } catch {
+    window.history[how](null, '', address); // larger than what the browser keeps in an entry
+  }
+}
+
+/** `open` shows a document of an entry that the reader goes to. */
+export function followHistory(history: History, open: (document: Document) => void, report: (error: unknown) => void): void {
+  let step = stepOf(history.document), timer = 0;
   const write = async (): Promise<void> => {
-    const document = history.document;
-    const hash = await toHash(document);
-    if (document === history.document) window.history.replaceState(null, '', hash);
+    const document = history.document, address = await addressOf(document);
+    if (document !== history.document) return;
+    const isNew = stepOf(document) !== step;
+    step = stepOf(document);
+    put(isNew ? 'pushState' : 'replaceState', document, address);
   };
+  const go = (document: Document): void => {
+    step = stepOf(document);
+    open(document);
+  };
+  put('replaceState', history.document, location.href);
   history.subscribe(() => {
     clearTimeout(timer);
     timer = window.setTimeout(() => {
       if (!history.dragging) void write();
     }, kSettleMs);
   });
-}
-
-/** Addresses written by `followDocument` fire no such event. */
-export function followAddress(open: (document: Document) => void, report: (error: unknown) => void): void {
-  addEventListener('hashchange', () => {
-    fromHash(location.hash).then((document) => {
-      if (document) open(document);
-    }, report);
+  addEventListener('popstate', (event) => {
+    const document = entryOf(event.state);
+    if (document) return go(document);
+    fromHash(location.hash).then((linked) => linked && go(linked), report);
   });
 }

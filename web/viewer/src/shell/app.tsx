@@ -9,7 +9,7 @@ import { useKeyboard, type Commands } from './keyboard';
 import { ErrorNotice, ProgressNotice } from './notices';
 import { firstDocument, pageOf, withFiles, type Pages } from './opening';
 import type { Download, InputFile, Shell } from './page';
-import { toHash } from './permalink';
+import { fitsAddress, mayFitAddress, toHash } from './permalink';
 import { copy, save } from './save';
 import { switchTheme } from './theme';
 
@@ -22,7 +22,7 @@ interface AppProps {
   /** what went wrong before there was an app */
   firstError: unknown;
   /** is given how the shell shows errors that come from outside of it */
-  onReport: (report: (error: unknown) => void) => void;
+  onReport: (report: Shell['report']) => void;
 }
 
 /** What was told in passing, for a while. */
@@ -105,7 +105,9 @@ export function App(props: AppProps) {
   useEffect(() => setDownloads([]), [page]);
 
   const share = async (): Promise<void> => {
-    window.history.replaceState(null, '', await toHash(history.document));
+    const hash = mayFitAddress(history.document) ? await toHash(history.document) : undefined;
+    if (hash === undefined || !fitsAddress(hash)) return void report(new Error('The shapes are too large for a link: it would have more than a million letters, which not all browsers open. Send the files instead.'));
+    window.history.replaceState(window.history.state, '', hash);
     await copy(location.href);
     announce('The link is copied.');
   };

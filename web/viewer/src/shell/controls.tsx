@@ -65,9 +65,12 @@ function Ticks({ ticks, min, max }: { ticks: readonly Tick[]; min: number; max: 
   );
 }
 
+/** What is chosen, its name, and a sentence that says what it is. */
+export type Option<T extends string> = readonly [T, string, string];
+
 interface ChoiceProps<T extends string> {
   label: string;
-  options: readonly (readonly [T, string])[];
+  options: readonly Option<T>[];
   value: T;
   onChange: (value: T) => void;
 }
@@ -76,8 +79,8 @@ export function Choice<T extends string>({ label, options, value, onChange }: Ch
   const name = useId();
   return (
     <div class="choice" role="radiogroup" aria-label={label}>
-      {options.map(([key, text]) => (
-        <label key={key}>
+      {options.map(([key, text, hint]) => (
+        <label key={key} title={hint}>
           <input type="radio" name={name} value={key} checked={key === value} onChange={() => onChange(key)} />
           {text}
         </label>
@@ -88,15 +91,17 @@ export function Choice<T extends string>({ label, options, value, onChange }: Ch
 
 interface ToggleProps {
   label: string;
+  /** a sentence that says what it does */
+  hint: string;
   value: boolean;
   onChange: (value: boolean) => void;
   /** how what it shows is drawn */
   swatch?: ComponentChildren;
 }
 
-export function Toggle({ label, value, onChange, swatch }: ToggleProps) {
+export function Toggle({ label, hint, value, onChange, swatch }: ToggleProps) {
   return (
-    <label class="toggle">
+    <label class="toggle" title={hint}>
       <input type="checkbox" checked={value} onChange={(e) => onChange(e.currentTarget.checked)} />
       {swatch}
       {label}

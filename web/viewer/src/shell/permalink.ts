@@ -1,6 +1,7 @@
 // The document as the hash of the address: #/page/state, the state as compressed JSON in the alphabet of addresses. Others
 // write #data=, the data that a program would put into the page, packed in the same way.
 import { programData, type ProgramData } from './embedded';
+import { shapesIn } from '../engine/shape';
 import type { Document } from './history';
 
 async function through(bytes: Uint8Array, stream: GenericTransformStream): Promise<Uint8Array> {
@@ -21,6 +22,22 @@ function fromAddress(text: string): Uint8Array {
 
 async function unpacked(packed: string): Promise<string> {
   return new TextDecoder().decode(await through(fromAddress(packed), new DecompressionStream('deflate-raw')));
+}
+
+const kMostLetters = 1_000_000; // Firefox opens no longer address, Chromium none of twice as many
+
+const kLargeText = 16 * kMostLetters; // numbers as text pack to a third and more: no more than this is tried
+
+/** Whether a document may fit into an address; for the others nothing needs to be packed. */
+export function mayFitAddress({ state }: Document): boolean {
+  let letters = 0;
+  for (const shape of shapesIn(state)) letters += 'text' in shape ? shape.text.length : 0;
+  return letters <= kLargeText;
+}
+
+/** Whether browsers open an address that ends with this. */
+export function fitsAddress(hash: string): boolean {
+  return hash.length <= kMostLetters;
 }
 
 export async function toHash(document: Document): Promise<string> {

@@ -17,6 +17,8 @@ interface PlaneViewProps extends Partial<Pick<Target, 'grip' | 'hover' | 'click'
   /** the reader has looked elsewhere */
   onCamera?: (camera: Camera) => void;
   cursor?: string;
+  /** what is drawn is that of an older question: it is greyed where that lasts */
+  stale?: boolean;
   /** what is computed and drawn now: tests read off the canvas how often it has changed */
   shows?: unknown;
   paint: (painter: Painter) => void;
@@ -70,7 +72,7 @@ class Picture {
   private paint(): void {
     const ctx = this.canvas?.getContext('2d', { alpha: false });
     if (!ctx) return;
-    if (this.fittedTo !== this.props.homeKey && this.props.home) {
+    if (this.fittedTo !== this.props.homeKey && this.props.home && this.size.width > 0) { // without a size nothing can be fitted
       if (this.fittedTo !== undefined || !this.camera) this.fit();
       this.fittedTo = this.props.homeKey;
     }
@@ -117,5 +119,5 @@ export function PlaneView(props: PlaneViewProps) {
     return () => observer.disconnect();
   }, [picture]);
   useLayoutEffect(() => picture.again(), [picture, props.paint, props.home, props.homeKey, theme]);
-  return <canvas ref={canvas} class="plane" tabIndex={0} role="img" aria-label={props.label} style={{ cursor: props.cursor ?? 'grab' }} />;
+  return <canvas ref={canvas} class={props.stale ? 'plane stale' : 'plane'} tabIndex={0} role="img" aria-label={props.label} style={{ cursor: props.cursor ?? 'grab' }} />;
 }

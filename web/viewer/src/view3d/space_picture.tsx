@@ -11,6 +11,8 @@ interface SpacePictureProps {
   /** what is to be seen, for those who do not see it */
   label: string;
   shape: SurfaceShape | undefined;
+  /** the surface is that of an older question: it is greyed where that lasts */
+  stale?: boolean;
   /** custom properties of the theme, one for each kind of triangle */
   colours: readonly string[];
   opacity: number;
@@ -53,7 +55,7 @@ export function SpacePicture(props: SpacePictureProps) {
     }
   }, [kinds]);
   useEffect(() => {
-    if (!made || !shape) return;
+    if (!made) return;
     made.surface.setShape(shape);
     made.view.request();
   }, [made, shape]);
@@ -70,7 +72,7 @@ export function SpacePicture(props: SpacePictureProps) {
   }, [made, cut]);
   useEffect(() => made?.view.setOverlay(overlay), [made, overlay]);
   return (
-    <div ref={container} class="space" tabIndex={0} role="img" aria-label={props.label}>
+    <div ref={container} class={props.stale ? 'space stale' : 'space'} tabIndex={0} role="img" aria-label={props.label}>
       {refusal && <p class="refusal">{refusal}</p>}
       {props.children}
     </div>

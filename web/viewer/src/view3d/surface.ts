@@ -49,7 +49,10 @@ export class Surface {
     this.group.add(this.outside, this.inside, this.edges);
   }
 
-  setShape(shape: SurfaceShape): void {
+  /** Nothing is drawn of none. */
+  setShape(shape: SurfaceShape | undefined): void {
+    this.group.visible = shape !== undefined;
+    if (!shape) return;
     const sorted = sortByKind(shape.triangles, shape.kinds, this.materials.length);
     const edges = shape.edges ?? new Uint32Array();
     const position = this.geometry.getAttribute('position') as BufferAttribute | undefined;
@@ -94,6 +97,7 @@ export class Surface {
 
   /** The triangle that a ray meets first, of those that are not cut away, as it was numbered in `setShape`. */
   pick(ray: Raycaster): { triangle: number; distance: number } | undefined {
+    if (!this.group.visible) return undefined;
     const hits: Intersection[] = [];
     this.outside.raycast(ray, hits);
     hits.sort((a, b) => a.distance - b.distance);

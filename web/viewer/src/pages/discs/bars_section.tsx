@@ -3,6 +3,7 @@ import { short } from '../../numbers/display';
 import { Choice, NumberField, Readouts, Section, Slider, Toggle } from '../../shell/controls';
 import { ExactText } from '../../shell/exact_text';
 import type { PageProps } from '../../shell/page';
+import { Results } from '../../shell/results';
 import { alphaOf } from './alpha_section';
 import { Barcode, lifeOf, reachOf, significanceOf } from './barcode';
 import { checkLength, kConcavities, type DiscState } from './state';
@@ -47,12 +48,17 @@ export function BarsSection(props: BarsProps) {
   const to = (value: number, how: 'live' | 'done'): void => change({ ...state, cuts: true, persistence: String(value) }, how);
   return (
     <Section title={`Barcode: ${bars.length < barCount ? `the longest ${bars.length} of ` : ''}${barCount} bars`}>
+      <Results {...data.barsStanding}>{null}</Results>
       <Barcode
         bars={bars} alpha={alphaOf(state)} chosen={state.bar} onChoose={(bar) => change({ ...state, bar })}
         isKept={(bar) => (state.cuts ? significanceOf(bar, within) : lifeOf(bar, within)) >= persistence}
       />
       <ChosenBar {...props} />
-      <Toggle label="cuts" value={state.cuts} onChange={(on) => change({ ...state, cuts: on })} />
+      <Toggle
+        label="discs that touch twice, and their bridges" hint="Discs of this diameter that touch the shape on two sides, and the lines between where they touch."
+        value={state.bridges} onChange={(bridges) => change({ ...state, bridges })}
+      />
+      <Toggle label="cuts" hint="Cuts the shape at the pockets whose bars are long enough, and tints the pieces." value={state.cuts} onChange={(on) => change({ ...state, cuts: on })} />
       <Slider
         label="at pockets that last and are deep, at least τ" value={persistence} min={0} max={most} step={10 ** Math.floor(Math.log10(most / 500))} text={short(persistence)}
         onInput={(v) => to(v, 'live')} onDone={(v) => to(v, 'done')}

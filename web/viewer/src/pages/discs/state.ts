@@ -1,16 +1,27 @@
 // What the page of growing discs shows.
 import type { FeatureOptions, Semantics } from 'dymsum';
 import { parseShape, type Shape } from '../../engine/shape';
+import type { Option } from '../../shell/controls';
 import { checkSize, parseRational } from '../../numbers/rational';
 import type { Camera } from '../../view2d/camera';
 import { parseSemantics } from '../options';
 import { parseCamera } from '../sum/state';
 
-export const kOperations = [['sum', 'Grown'], ['closed', 'Closed'], ['eroded', 'Shrunk'], ['opened', 'Opened']] as const;
+export const kOperations = [
+  ['sum', 'Grown', 'The sum with the disc: all that the disc covers while its centre stays in the shape.'],
+  ['closed', 'Gaps filled', 'Grown, then shrunk (a closing): what discs outside of the shape do not reach.'],
+  ['eroded', 'Shrunk', 'Where the centre of a disc can stand that stays in the shape (an erosion).'],
+  ['opened', 'Tips cut', 'Shrunk, then grown (an opening): what discs inside of the shape cover.'],
+] as const;
 export type Operation = (typeof kOperations)[number][0];
 
 /** How deep the deepest vertex of a pocket lies. */
-export const kConcavities = [['straight_line', 'Line'], ['shortest_path', 'Path'], ['hybrid1', 'Hybrid 1'], ['hybrid2', 'Hybrid 2']] as const satisfies readonly (readonly [FeatureOptions['concavity'], string])[];
+export const kConcavities = [
+  ['straight_line', 'Line', 'A pocket is as deep as its deepest vertex is far from the straight line over its mouth.'],
+  ['shortest_path', 'Path', 'A pocket is as deep as the way from its deepest vertex out to its mouth is long.'],
+  ['hybrid1', 'Hybrid 1', 'By the path where an edge of the pocket runs backwards along its mouth, else by the line.'],
+  ['hybrid2', 'Hybrid 2', 'By the line where that is more than a limit, else by the path.'],
+] as const satisfies readonly Option<NonNullable<FeatureOptions['concavity']>>[];
 export type Concavity = (typeof kConcavities)[number][0];
 
 export interface DiscState {

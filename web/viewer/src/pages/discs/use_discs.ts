@@ -1,7 +1,7 @@
 // All that the page of growing discs asks of the engine.
 import type { AlphaBridge, Decomposition, FeatureBar } from 'dymsum';
 import { useMemo } from 'preact/hooks';
-import { useAnswer } from '../../engine/use_answer';
+import { together, useAnswer, type Standing } from '../../engine/use_answer';
 import { useOperand, type Operand } from '../../operands/use_operand';
 import type { Shell } from '../../shell/page';
 import { useReport } from '../../shell/use_report';
@@ -24,6 +24,10 @@ export interface DiscData {
   bridges: AlphaBridge[];
   cuts: Decomposition | undefined;
   texts: { birth: string; death: string } | undefined;
+  /** of the set */
+  standing: Standing;
+  /** of bars, bridges and cuts */
+  barsStanding: Standing;
 }
 
 export function useDiscs(shell: Shell, state: DiscState): DiscData {
@@ -47,7 +51,7 @@ export function useDiscs(shell: Shell, state: DiscState): DiscData {
   const error = set.error ?? events.error ?? bars.error ?? bridges.error ?? cuts.error;
   useReport(shell, error);
   return {
-    operand, answer: set.value, bars: longest, barCount: all?.length ?? 0,
+    operand, standing: set, barsStanding: together(bars, bridges, cuts), answer: ready && set.of?.shape === shape ? set.value : undefined, bars: longest, barCount: all?.length ?? 0,
     events: events.of?.shape === shape && events.of.operation === operation ? events.value : undefined,
     bridges: state.bridges && outside && bridges.of?.shape === shape ? (bridges.value ?? kNoBridges) : kNoBridges,
     cuts: state.cuts && cuts.of?.shape === shape ? cuts.value : undefined,

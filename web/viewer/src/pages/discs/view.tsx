@@ -1,10 +1,11 @@
 import { useEffect, useMemo } from 'preact/hooks';
 import { short } from '../../numbers/display';
 import { OperandCard } from '../../operands/operand_card';
-import { Readouts, Section, Toggle } from '../../shell/controls';
+import { Readouts, Section } from '../../shell/controls';
 import { ExactText } from '../../shell/exact_text';
 import type { PageProps, Shell } from '../../shell/page';
 import { Panel, Stage } from '../../shell/parts';
+import { Results } from '../../shell/results';
 import type { Point } from '../../view2d/camera';
 import { PlaneView } from '../../view2d/plane_view';
 import { NestingOffer } from '../nesting/offer';
@@ -32,7 +33,7 @@ function sceneOf({ bar }: DiscState, data: DiscData): DiscScene {
   const chosen = data.bars.find(([k]) => k === bar)?.[1], { error, outline } = data.operand, { x, y } = error?.evidence ?? {};
   const wrong: Point[] = x !== undefined && y !== undefined ? [{ x, y }] : [];
   const marked = [chosen?.vertex, chosen?.minimum].filter((k): k is number => typeof k === 'number');
-  return { outline, set: error ? undefined : data.answer?.set, bridges: data.bridges, cuts: data.cuts, marked, wrong };
+  return { outline, set: data.answer?.set, bridges: data.bridges, cuts: data.cuts, marked, wrong };
 }
 
 export function View(props: PageProps<DiscState>) {
@@ -55,7 +56,7 @@ export function View(props: PageProps<DiscState>) {
       <Stage>
         <PlaneView
           label={`${state.shape.name} and a disc of diameter ${short(alphaOf(state))}`} home={home} homeKey={operand.of?.name ?? ''} camera={state.camera}
-          onCamera={(camera) => change({ ...state, camera }, 'aside')} shows={answer} paint={(painter) => paintDiscs(painter, scene, set?.radius ?? alphaOf(state) / 2)}
+          onCamera={(camera) => change({ ...state, camera }, 'aside')} shows={answer} stale={data.standing.waiting} paint={(painter) => paintDiscs(painter, scene, set?.radius ?? alphaOf(state) / 2)}
         />
       </Stage>
       <Panel summary={kSummary}>
@@ -64,20 +65,21 @@ export function View(props: PageProps<DiscState>) {
           <NestingOffer shape={state.shape} error={operand.error} shell={shell} />
         </Section>
         <AlphaSection state={state} change={change} events={data.events} reach={reach} />
-        <BarsSection {...props} data={data} />
         <Section title="Set">
-          <Readouts
-            rows={[
-              ['parts', set?.parts.length],
-              ['holes', set?.parts.reduce((n, p) => n + p.holes.length, 0)],
-              ['tight points, segments', set && `${set.tightPoints.length / 2}, ${set.tightSegments.length / 4}`],
-              ['area', answer && short(answer.area.value)],
-              ['perimeter', answer && short(answer.perimeter.value)],
-            ]}
-          />
-          {set && <ExactText label="the exact radius" text={`radius ${set.radiusExact}`} shell={shell} />}
-          <Toggle label="discs that touch twice, and their bridges" value={state.bridges} onChange={(bridges) => change({ ...state, bridges })} />
+          <Results {...data.standing} refused={operand.error !== undefined}>
+            <Readouts
+              rows={[
+                ['parts', set?.parts.length],
+                ['holes', set?.parts.reduce((n, p) => n + p.holes.length, 0)],
+                ['tight points, segments', set && `${set.tightPoints.length / 2}, ${set.tightSegments.length / 4}`],
+                ['area', answer && short(answer.area.value)],
+                ['perimeter', answer && short(answer.perimeter.value)],
+              ]}
+            />
+            {set && <ExactText label="the exact radius" text={`radius ${set.radiusExact}`} shell={shell} />}
+          </Results>
         </Section>
+        <BarsSection {...props} data={data} />
       </Panel>
     </>
   );

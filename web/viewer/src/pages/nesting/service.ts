@@ -1,6 +1,7 @@
 // The no-fit polygon of B around A, and what A and B are to each other at a place.
 import type { PlanarSum, Semantics, SumShape } from 'dymsum';
 import type { Host } from '../../engine/host';
+import { Limit } from '../../engine/limit';
 import { keyOf, type Shape } from '../../engine/shape';
 import { add, fromDouble, multiply, parseRational, subtract, toNumber, toText, type Rational } from '../../numbers/rational';
 import type { Placement } from './state';
@@ -32,7 +33,7 @@ type ExactPlace = [Rational, Rational];
 const exact = ({ x, y }: { x: string; y: string }): ExactPlace => [parseRational(x)!, parseRational(y)!];
 
 function checked(sum: PlanarSum, vertex: number): ExactPlace {
-  if (vertex >= sum.shape().vertices.length / 2) throw new Error('The place of B is one of another no-fit polygon.');
+  if (vertex >= sum.shape().vertices.length / 2) throw new Limit('The place of B is one of another no-fit polygon.');
   return exact(sum.exact(vertex));
 }
 

@@ -4,6 +4,7 @@ import { useEffect, useMemo } from 'preact/hooks';
 import { degrees, short } from '../../numbers/display';
 import { Section, Slider, Toggle } from '../../shell/controls';
 import type { Change } from '../../shell/page';
+import { Results } from '../../shell/results';
 import { motionIsReduced } from '../../shell/theme';
 import { Player } from '../../view3d/player';
 import type { PathMotion } from './motion';
@@ -95,9 +96,9 @@ export function PathSection(props: PathProps) {
           {state.path ? 'Clear the path' : 'Find a path'}
         </button>
       </div>
-      <Toggle label="Touching is forbidden" value={state.strict} onChange={(strict) => change({ ...state, strict })} />
+      <Toggle label="Touching is forbidden" hint="Where the robot touches the obstacle counts as inside of it; paths keep clear." value={state.strict} onChange={(strict) => change({ ...state, strict })} />
+      {state.path && <Results {...data.planStanding}>{plan && <Reason plan={plan} />}</Results>}
       {data.planning && <p class="quiet">Looking for a path …</p>}
-      {plan && <Reason plan={plan} />}
       {motion && <Playing {...props} motion={motion} />}
     </Section>
   );

@@ -66,8 +66,8 @@ export function PoseSection(props: PoseProps) {
         <NumberField label="y" value={String(pose.y)} check={checkCoordinate} onCommit={(y) => move({ ...pose, y: Number(y) })} />
         <NumberField label="tan θ/2" value={pose.tanHalf} check={checkAngle} onCommit={(tanHalf) => move({ ...pose, tanHalf })} />
       </div>
-      <Toggle label="Cut the obstacle at θ" value={state.cut} onChange={(cut) => change({ ...state, cut })} />
-      <Toggle label="See through it" value={state.through} onChange={(through) => change({ ...state, through })} />
+      <Toggle label="Cut the obstacle at θ" hint="Leaves out what lies above the angle of the robot, so that the slice is seen." value={state.cut} onChange={(cut) => change({ ...state, cut })} />
+      <Toggle label="See through it" hint="Draws the obstacle half transparent." value={state.through} onChange={(through) => change({ ...state, through })} />
     </Section>
   );
 }

@@ -1,7 +1,7 @@
 // What the page knows of the state it shows: answers of the engine, for drawing.
 import type { Configuration, Plan } from 'dymsum';
 import { useMemo, useRef } from 'preact/hooks';
-import { useAnswer } from '../../engine/use_answer';
+import { together, useAnswer, type Standing } from '../../engine/use_answer';
 import { useOperand, type Operand } from '../../operands/use_operand';
 import { useSettled } from '../../shell/use_settled';
 import { useReport } from '../../shell/use_report';
@@ -24,6 +24,10 @@ export interface ObstacleData {
   motion: PathMotion | undefined;
   /** a plan is being made */
   planning: boolean;
+  /** of the obstacle and what it is to the robot where it stands */
+  standing: Standing;
+  /** of the path */
+  planStanding: Standing;
 }
 
 /** The same object as long as it says the same: what is compared by identity then stays. */
@@ -55,6 +59,7 @@ export function useObstacle(shell: Shell, state: ObstacleState, now: Pose): Obst
     robot: robotOperand, obstacle: obstacleOperand, scene: sceneNow, space,
     slice: useMemo(() => (known && slice.value && slice.of ? { shape: slice.value, theta: radiansOf(slice.of.tanHalf) } : undefined), [known, slice.value, slice.of]),
     place: known && place.of?.robot === robot ? place.value : undefined,
+    standing: together(scene, slice, place), planStanding: plan,
     plan: path, planning: state.path && known && !isPlan && plan.error === undefined,
     motion: useMemo(() => (path && path.path.length > 0 ? new PathMotion(path.path, turnWeight(robotOperand)) : undefined), [path]), // eslint-disable-line react-hooks/exhaustive-deps -- of the robot that the path is for
   };

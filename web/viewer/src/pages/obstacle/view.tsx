@@ -5,6 +5,7 @@ import { short } from '../../numbers/display';
 import { Readouts, Section } from '../../shell/controls';
 import type { Download, PageProps, Shell } from '../../shell/page';
 import { Panel, Stage } from '../../shell/parts';
+import { Results } from '../../shell/results';
 import { useTheme } from '../../shell/theme';
 import { appliedToBox } from '../../view2d/affine';
 import { unionOf, type Box } from '../../view2d/camera';
@@ -55,17 +56,19 @@ function Facts({ data, state, onPath }: { data: ObstacleData; state: ObstacleSta
   const stands = found && (onPath ? `on the path, clearance ${short(Math.max(0, found.distance))}` : clearanceText(found, place.overlaps));
   return (
     <Section title="Clearance">
-      <Readouts
-        rows={[
-          ['The robot', stands],
-          ['Nearest contact', found?.contact ? contactText(found.contact) : undefined],
-          ['Free angles here', place && freeAnglesText(place.freeAngles)],
-          ['Patches, shells', scene && `${scene.patches}, ${scene.shells}`],
-          ['Free space', scene && `${scene.components} ${scene.components === 1 ? 'component' : 'components'}`],
-          ['Events', scene && `${scene.events} at ${scene.angles.length} angles`],
-          ['Computed in', scene && `${short(Math.round(10 * scene.ms) / 10)} ms`],
-        ]}
-      />
+      <Results {...data.standing} refused={(data.robot.error ?? data.obstacle.error) !== undefined}>
+        <Readouts
+          rows={[
+            ['The robot', stands],
+            ['Nearest contact', found?.contact ? contactText(found.contact) : undefined],
+            ['Free angles here', place && freeAnglesText(place.freeAngles)],
+            ['Patches, shells', scene && `${scene.patches}, ${scene.shells}`],
+            ['Free space', scene && `${scene.components} ${scene.components === 1 ? 'component' : 'components'}`],
+            ['Events', scene && `${scene.events} at ${scene.angles.length} angles`],
+            ['Computed in', scene && `${short(Math.round(10 * scene.ms) / 10)} ms`],
+          ]}
+        />
+      </Results>
       <div class="legend">
         <span style={{ color: `var(${kPatchColours[0]})` }}>■</span> an edge of the obstacle on a vertex of the robot
         <br />
@@ -125,15 +128,15 @@ export function View({ state, change, shell }: PageProps<ObstacleState>) {
           <div>
             <PlaneView
               label={`Robot ${state.robot.name} among ${state.obstacle.name}: ${clearance ? clearanceText(clearance, place.overlaps) : 'not known yet'}`}
-              home={home} homeKey={`${state.robot.name} ${state.obstacle.name} ${state.unplaced === true}`} paint={(painter) => paintWorkspace(painter, workspace)}
+              home={home} homeKey={`${robot.of?.name} ${data.obstacle.of?.name} ${state.unplaced === true}`} paint={(painter) => paintWorkspace(painter, workspace)}
               grip={(at, reach) => robot.outline && gripOf(robot.outline, { ...state, at: pose }, at, reach, move)}
             />
-            <div class="status">{clearance && clearanceText(clearance, workspace.overlaps)}</div>
+            <div class={data.standing.waiting ? 'status stale' : 'status'}>{clearance && clearanceText(clearance, workspace.overlaps)}</div>
           </div>
           <div>
             <SpacePicture
               label={`The obstacle in x, y and θ: ${data.scene ? `${data.scene.patches} patches` : 'not known yet'}`}
-              shape={space?.surface} colours={kPatchColours} opacity={state.through ? 0.42 : 1} cut={cut} overlay={overlay} onHover={hover}
+              shape={space?.surface} colours={kPatchColours} opacity={state.through ? 0.42 : 1} cut={cut} overlay={overlay} onHover={hover} stale={data.standing.waiting}
             >
               <span class="caption">x, y; θ upwards</span>
               <div class="status">{hovered}</div>

@@ -7,12 +7,14 @@ import { ShapeRow } from '../../operands/shape_row';
 import { Readouts, Section, Toggle } from '../../shell/controls';
 import type { Change, Shell } from '../../shell/page';
 import { Panel, Stage } from '../../shell/parts';
+import { Results } from '../../shell/results';
+import { useReport } from '../../shell/use_report';
 import { useTheme } from '../../shell/theme';
 import { boxOf, Placement } from '../../view3d/placement';
 import { SpacePicture } from '../../view3d/space_picture';
 import { kSolids } from './catalogue';
 import { aloneOverlay, aloneSurface, kOperandColours } from './pictures';
-import type { AloneState, SolidsPageState } from './state';
+import { kThinHint, type AloneState, type SolidsPageState } from './state';
 import { useSolid } from './use_solids';
 
 interface AloneProps {
@@ -33,9 +35,7 @@ function useDownloads({ engine, setDownloads }: Shell, { p: shape, thin }: Alone
 export function AloneView({ state, change, shell }: AloneProps) {
   const { p: shape, thin } = state, solid = useSolid(shell, shape, thin), ready = solid !== undefined && !solid.error, theme = useTheme();
   const numbers = useAnswer(shell.engine, 'solidAlone', ready ? { shape, thin } : undefined);
-  useEffect(() => {
-    if (numbers.error) shell.report(numbers.error);
-  }, [shell, numbers.error]);
+  useReport(shell, numbers.error);
   useDownloads(shell, state, ready);
   const placement = useMemo(() => solid && Placement.inSight(boxOf(solid.vertices)), [solid]);
   const surface = useMemo(() => (solid && placement ? aloneSurface(solid, placement) : undefined), [solid, placement]);
@@ -50,11 +50,13 @@ export function AloneView({ state, change, shell }: AloneProps) {
         <Section title="Solids">
           <ShapeRow role="P" tint="p" label="Solid P" catalogue={kSolids} shape={shape} size={solid && solid.faceStarts.length - 1} onShape={(p) => change({ ...state, p })} />
           <ShapeRow role="Q" tint="q" label="Solid Q" catalogue={kSolids} shape={null} onShape={(q) => change({ ...state, q })} />
-          <Toggle label="Parts of files without volume count, too" value={thin} onChange={(to) => change({ ...state, thin: to })} />
+          <Toggle label="Parts of files without volume count, too" hint={kThinHint} value={thin} onChange={(to) => change({ ...state, thin: to })} />
         </Section>
         <Section title="Solid">
-          <Readouts rows={[['Vertices, faces', known && `${known.vertices}, ${known.faces}`], ['Shells', known?.shells], ['Volume', known && short(known.volume)], ['Surface', known && short(known.area)]]} />
-          <Toggle label="See through" value={state.through} onChange={(through) => change({ ...state, through })} />
+          <Results {...numbers} refused={solid?.error !== undefined}>
+            <Readouts rows={[['Vertices, faces', known && `${known.vertices}, ${known.faces}`], ['Shells', known?.shells], ['Volume', known && short(known.volume)], ['Surface', known && short(known.area)]]} />
+          </Results>
+          <Toggle label="See through" hint="Draws the solid half transparent." value={state.through} onChange={(through) => change({ ...state, through })} />
         </Section>
       </Panel>
     </>

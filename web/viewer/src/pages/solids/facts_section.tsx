@@ -4,6 +4,7 @@ import { short } from '../../numbers/display';
 import { Readouts, Section, Slider, Toggle } from '../../shell/controls';
 import { ExactText } from '../../shell/exact_text';
 import type { Change, Shell } from '../../shell/page';
+import { Results } from '../../shell/results';
 import type { SolidDepthAnswer } from './depth';
 import { contactOf, contactText, kindText, touchingText } from './faces';
 import { kFaceColours } from './pictures';
@@ -20,22 +21,32 @@ interface FactsProps {
 
 const kLegend = ['a face of P, a vertex of Q (fv)', 'a vertex of P, a face of Q (fv)', 'an edge of each (ee)', 'changed since the last frame'] as const;
 
-export function SumSection({ state, change, data, shell }: FactsProps) {
+export function SumSection({ state, data, shell }: FactsProps) {
   const { frame, numbers } = data;
   const isFit = state.sum === 'fit', tight = frame && [frame.tightTriangles.length > 0 && 'faces', frame.tightSegments.length > 0 && 'segments', frame.tightPoints.length > 0 && 'points'].filter(Boolean).join(', ');
   return (
     <Section title={isFit ? 'Inner fit' : 'Sum'}>
-      <Readouts
-        rows={[
-          ...(isFit ? [['Q', frame && fitText(frame, tight !== '', state)] as const] : []),
-          ['Vertices, faces', frame && `${frame.vertexCount}, ${frame.faceCount}`],
-          ['Changed', frame && `${frame.changed} faces`],
-          ['Tight', frame && (tight === '' ? 'nothing' : tight)],
-          ['Volume', numbers && short(numbers.volume)],
-          ['Updated in', frame && `${short(Math.round(10 * frame.ms) / 10)} ms${frame.convex ? ', convex' : ''}`],
-        ]}
-      />
-      {numbers?.volumeExact && <ExactText label="the exact volume" text={numbers.volumeExact} shell={shell} />}
+      <Results {...data.standing} refused={data.refused}>
+        <Readouts
+          rows={[
+            ...(isFit ? [['Q', frame && fitText(frame, tight !== '', state)] as const] : []),
+            ['Vertices, faces', frame && `${frame.vertexCount}, ${frame.faceCount}`],
+            ['Changed', frame && `${frame.changed} faces`],
+            ['Tight', frame && (tight === '' ? 'nothing' : tight)],
+            ['Volume', numbers && short(numbers.volume)],
+            ['Updated in', frame && `${short(Math.round(10 * frame.ms) / 10)} ms${frame.convex ? ', convex' : ''}`],
+          ]}
+        />
+        {numbers?.volumeExact && <ExactText label="the exact volume" text={numbers.volumeExact} shell={shell} />}
+      </Results>
+    </Section>
+  );
+}
+
+/** What the colours say, and how the sum is drawn. */
+export function LookSection({ state, change }: Pick<FactsProps, 'state' | 'change'>) {
+  return (
+    <Section title="Show">
       <div class="legend">
         {kLegend.map((text, k) => (
           <div key={text}>
@@ -43,8 +54,8 @@ export function SumSection({ state, change, data, shell }: FactsProps) {
           </div>
         ))}
       </div>
-      <Toggle label="Colour what changes" value={state.changes} onChange={(changes) => change({ ...state, changes })} />
-      <Toggle label="See through" value={state.through} onChange={(through) => change({ ...state, through })} />
+      <Toggle label="Colour what changes" hint="Marks the faces that are new, or others, since the frame before." value={state.changes} onChange={(changes) => change({ ...state, changes })} />
+      <Toggle label="See through" hint="Draws the sum half transparent." value={state.through} onChange={(through) => change({ ...state, through })} />
     </Section>
   );
 }
@@ -60,16 +71,18 @@ export function DepthSection({ state, data, shell }: FactsProps) {
   const { depth } = data, known = depth && !('unknown' in depth) ? depth : undefined, inside = known?.inside ? known : undefined;
   return (
     <Section title="Depth of Q in P">
-      <Readouts
-        rows={[
-          ['Q', depth && !known ? 'not known exactly' : known && meetingText(known)],
-          ['Way out', inside && `${inside.direction.map(short).join(', ')}${(inside.ways ?? 1) > 1 ? `: one of ${inside.ways}` : ''}`],
-          ['Touches then', inside && touchingText(inside.contacts)],
-        ]}
-      />
-      {depth && 'unknown' in depth && <p class="quiet">{depth.unknown}</p>}
-      {inside && <p class="quiet">The square of the depth, exactly:</p>}
-      {inside && <ExactText label="the square of the depth" text={inside.squared} shell={shell} />}
+      <Results {...data.depthStanding} refused={data.refused}>
+        <Readouts
+          rows={[
+            ['Q', depth && !known ? 'not known exactly' : known && meetingText(known)],
+            ['Way out', inside && `${inside.direction.map(short).join(', ')}${(inside.ways ?? 1) > 1 ? `: one of ${inside.ways}` : ''}`],
+            ['Touches then', inside && touchingText(inside.contacts)],
+          ]}
+        />
+        {depth && 'unknown' in depth && <p class="quiet">{depth.unknown}</p>}
+        {inside && <p class="quiet">The square of the depth, exactly:</p>}
+        {inside && <ExactText label="the square of the depth" text={inside.squared} shell={shell} />}
+      </Results>
     </Section>
   );
 }
@@ -95,7 +108,7 @@ export function SliceSection({ state, change, data, shell }: FactsProps) {
   const middle = Math.round((low + high) / 2 / step) * step;
   return (
     <Section title="Slice">
-      <Toggle label="Cut the sum at a height" value={slice !== null} onChange={(on) => change({ ...state, slice: on ? middle : null })} />
+      <Toggle label="Cut the sum at a height" hint="Leaves out what lies above z, and shows the section there." value={slice !== null} onChange={(on) => change({ ...state, slice: on ? middle : null })} />
       {slice !== null && (
         <>
           <Slider

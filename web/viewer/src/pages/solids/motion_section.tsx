@@ -16,8 +16,12 @@ interface MotionProps {
 const kSecondsPerTurn = 12;
 const kStillsPerTurn = 24;
 const kScaleRange = [0.125, 2] as const;
-const kSumNames = [['sum', 'P ⊕ Q'], ['hits', 'P ⊕ −Q: where Q hits P'], ['fit', 'Fit in P']] as const;
-const kAxisNames = [['x', 'x'], ['y', 'y'], ['z', 'z'], ['skew', '1, 2, 3']] as const;
+const kSumNames = [
+  ['sum', 'P ⊕ Q', 'The sum: every point of P added to every point of Q.'],
+  ['hits', 'P ⊕ −Q', 'The places of Q at which it hits P.'],
+  ['fit', 'Fit in P', 'The places of Q at which all of it lies inside P: the inner fit.'],
+] as const;
+const kAxisNames = [['x', 'x', 'It turns about the x axis.'], ['y', 'y', 'It turns about the y axis.'], ['z', 'z', 'It turns about the z axis.'], ['skew', '1, 2, 3', 'It turns about the direction (1, 2, 3).']] as const;
 
 /** Turns what moves once about its axis, from where it is. */
 function useTurn({ state, change }: MotionProps): { playing: boolean; toggle: () => void } {
@@ -126,7 +130,7 @@ export function MotionSection(props: MotionProps) {
   const { state, change } = props, isFit = state.sum === 'fit', does = isFit ? 'is scaled' : 'turns and is scaled';
   return (
     <Section title="Motion">
-      <Choice label="Which moves" options={[['p', `P ${does}`], ['q', 'Q does']]} value={state.moving} onChange={(moving) => change({ ...state, moving })} />
+      <Choice label="Which moves" options={[['p', `P ${does}`, `P ${does}, and Q stays as it is.`], ['q', 'Q does', `Q ${does}, and P stays as it is.`]]} value={state.moving} onChange={(moving) => change({ ...state, moving })} />
       {isFit ? <p class="quiet">The inner fit is exact only of solids that are not turned: they stand as their files say.</p> : <TurnControls {...props} />}
       <ScaleControls {...props} />
       <Place {...props} />

@@ -154,7 +154,7 @@ function operandOf(host: Host, shape: Shape, thin: boolean): SolidOperand {
     return { ...meshOf(host, shape, thin).shape(), error: undefined };
   } catch (error) {
     if (!(error instanceof DymsumError) || isMade(shape)) throw error;
-    const refused = { vertices: new Float64Array(), faceStarts: new Uint32Array([0]), faceVertices: new Uint32Array(), ...unchecked(host, shape) };
+    const refused = { vertices: new Float64Array(), faceStarts: new Uint32Array([0]), faceVertices: new Uint32Array(), ...(error.evidence.line === undefined ? unchecked(host, shape) : {}) };
     return { ...refused, triangles: new Uint32Array(), error: error.toData() };
   }
 }

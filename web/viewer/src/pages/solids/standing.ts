@@ -1,6 +1,7 @@
 // P and Q in the engine: as files say, reflected, turned and scaled.
 import type { ConvexSum, Mesh, Rotation, SolidPose, SpatialSum } from 'dymsum';
 import type { Host } from '../../engine/host';
+import { Limit } from '../../engine/limit';
 import { bytesOf, isMade, keyOf, type Shape } from '../../engine/shape';
 import { toNumber, toText } from '../../numbers/rational';
 import { scalesExactly } from '../../operands/exact_scaling';
@@ -61,11 +62,11 @@ export function withScaled<T>(solid: Mesh, scale: string, visit: (scaled: Mesh) 
 /** The places at which Q fits into P. Throws an Error where a coordinate would have to be rounded. */
 export function fitOf(host: Host, args: SumArgs): SpatialSum {
   const { p, q, thin, semantics, moving, angle, scale } = args, isP = moving === 'p', what = moving.toUpperCase();
-  if (angle % 360 !== 0) throw new Error(`The coordinates of ${what} are no doubles while it is turned, and the inner fit would not be exact.`);
+  if (angle % 360 !== 0) throw new Limit(`The coordinates of ${what} are no doubles while it is turned, and the inner fit would not be exact.`);
   const still = meshOf(host, isP ? q : p, thin);
   const erode = (scaled: Mesh): SpatialSum =>
     host.keep(`fit ${moving} ${scale} ${keyOfSum(args)}`, () => host.dymsum.erode(isP ? scaled : still, isP ? still : scaled, { semantics, tight: true, progress: host.progress }));
   const fit = withScaled(meshOf(host, isP ? p : q, thin), scale, erode);
-  if (!fit) throw new Error(`Scaled by ${scale}, the coordinates of ${what} are no doubles, and the inner fit would not be exact. Binary fractions such as 3/4 need the fewest digits.`);
+  if (!fit) throw new Limit(`Scaled by ${scale}, the coordinates of ${what} are no doubles, and the inner fit would not be exact. Binary fractions such as 3/4 need the fewest digits.`);
   return fit;
 }

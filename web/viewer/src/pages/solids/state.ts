@@ -7,6 +7,9 @@ import { factorsOf, isOversized, isSize, kSizes } from '../scale';
 export type Triple = readonly [number, number, number];
 export const kAxes = { x: [1, 0, 0], y: [0, 1, 0], z: [0, 0, 1], skew: [1, 2, 3] } as const satisfies Record<string, Triple>;
 
+/** Of the choice whether they do. */
+export const kThinHint = 'Open surfaces, segments and points in files take part in the sum; else a file with one is refused.';
+
 export interface SolidsState {
   p: Shape;
   q: Shape;

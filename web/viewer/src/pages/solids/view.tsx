@@ -10,12 +10,12 @@ import type { Grip, Hit } from '../../view3d/view';
 import { AloneView } from './alone_view';
 import { kSolids } from './catalogue';
 import { contactOf, contactText, kindText } from './faces';
-import { DepthSection, FaceSection, SliceSection, SumSection } from './facts_section';
+import { DepthSection, FaceSection, LookSection, SliceSection, SumSection } from './facts_section';
 import { MotionSection, SetSection } from './motion_section';
 import { kFaceColours, kOperandColours, operandsOverlay, operandsSurface, sumOverlay, sumSurface, type StandingSolid } from './pictures';
 import { placed, placementOfPart } from './placing';
 import type { SolidOperand } from './service';
-import { isPair, type SolidsPageState, type SolidsState, type Triple } from './state';
+import { isPair, kThinHint, type SolidsPageState, type SolidsState, type Triple } from './state';
 import { useSolids, type SolidsData } from './use_solids';
 import '../obstacle/obstacle.css';
 
@@ -88,7 +88,7 @@ function PairView({ state, change, shell }: PageProps<SolidsState> & { change: P
           <div>
             <SpacePicture
               label={`${state.sum === 'fit' ? 'The inner fit' : 'The sum'}: ${frame ? `${frame.vertexCount} vertices, ${frame.faceCount} faces` : 'not known yet'}`} shape={sum} colours={kFaceColours}
-              opacity={state.through ? 0.5 : 1} cut={state.slice !== null && view ? view.height(state.slice) : undefined} overlay={right}
+              opacity={state.through ? 0.5 : 1} cut={state.slice !== null && view ? view.height(state.slice) : undefined} overlay={right} stale={data.standing.waiting}
               onHover={(hit) => setHovered(faceAt(hit))} onPick={(hit) => setChosen(faceAt(hit))}
             >
               <span class="caption">{kCaptions[state.sum]}</span>
@@ -104,14 +104,15 @@ function PairView({ state, change, shell }: PageProps<SolidsState> & { change: P
             role="Q" tint="q" label="Solid Q" catalogue={kSolids} shape={state.q} size={q && q.faceStarts.length - 1}
             onShape={(shape) => change({ ...state, q: shape })} onNone={() => change({ ...state, q: null })}
           />
-          <Toggle label="Parts of files without volume count, too" value={state.thin} onChange={(thin) => change({ ...state, thin })} />
+          <Toggle label="Parts of files without volume count, too" hint={kThinHint} value={state.thin} onChange={(thin) => change({ ...state, thin })} />
         </Section>
         <SetSection state={state} change={change} />
-        <MotionSection state={state} change={change} />
         <DepthSection {...facts} />
         <SumSection {...facts} />
+        <MotionSection state={state} change={change} />
         <SliceSection {...facts} />
         <FaceSection {...facts} face={chosen} />
+        <LookSection state={state} change={change} />
       </Panel>
     </>
   );

@@ -11,6 +11,7 @@ import { Readouts, Section } from '../../shell/controls';
 import { ExactText } from '../../shell/exact_text';
 import type { Change, Shell } from '../../shell/page';
 import { Panel, Stage } from '../../shell/parts';
+import { Results } from '../../shell/results';
 import { useReport } from '../../shell/use_report';
 import { colour } from '../../shell/theme';
 import { PlaneView } from '../../view2d/plane_view';
@@ -58,8 +59,10 @@ export function AloneView({ state, change, shell }: AloneProps) {
           <ShapeRow role="Q" tint="q" label="Shape of Q" catalogue={kCatalogue} shape={null} onShape={(q) => change({ ...state, q })} />
         </Section>
         <Section title="Shape">
-          <Readouts rows={[['parts', known?.parts], ['holes', known?.holes], ['vertices', known?.vertices], ['area', known && shortText(known.area)]]} />
-          {known?.exact && <ExactText label="the exact area" text={known.exact} shell={shell} />}
+          <Results {...numbers} refused={error !== undefined}>
+            <Readouts rows={[['parts', known?.parts], ['holes', known?.holes], ['vertices', known?.vertices], ['area', known && shortText(known.area)]]} />
+            {known?.exact && <ExactText label="the exact area" text={known.exact} shell={shell} />}
+          </Results>
         </Section>
       </Panel>
     </>

@@ -1,7 +1,7 @@
 // The controls of the operand that is scaled or turned.
 import { degrees } from '../../numbers/display';
 import { tanHalfOf } from '../../numbers/snap';
-import { Choice, NumberField, Section, Slider } from '../../shell/controls';
+import { Choice, NumberField, Section, Slider, type Option } from '../../shell/controls';
 import type { Change, Shell } from '../../shell/page';
 import { checkAngle, radiansOf } from '../angle';
 import { firstFactor, isUniform } from '../scale';
@@ -9,6 +9,9 @@ import { isStill, type SumArgs } from './service';
 import { checkSumScale, type SumState } from './state';
 import { scaleRange, scaleStep, withScale } from './tools';
 import { useEvents, type Events } from './use_events';
+
+const kMovers = [['p', 'P', 'P is scaled or turned, about the origin of its coordinates.'], ['q', 'Q', 'Q is scaled or turned, about the origin of its coordinates.']] as const;
+const kMotions: readonly Option<SumState['motion']>[] = [['scale', 'Scale', 'It is scaled by an exact number.'], ['turn', 'Turn', 'It is turned by an exact angle.']];
 
 interface MotionProps {
   state: SumState;
@@ -76,11 +79,11 @@ export function MotionSection(props: MotionProps) {
   const { state, change } = props;
   const reset: SumState = { ...state, scale: '1', tanHalf: '0', atP: [0, 0], atQ: [0, 0] };
   const moved = !isStill({ ...state, motion: 'scale' }) || !isStill({ ...state, motion: 'turn' }) || [...state.atP, ...state.atQ].some((x) => x !== 0);
-  const motions = state.shown === 'fit' ? ([['scale', 'Scale']] as const) : ([['scale', 'Scale'], ['turn', 'Turn']] as const);
+  const motions = state.shown === 'fit' ? kMotions.slice(0, 1) : kMotions;
   return (
     <Section title="Motion">
       <div class="row">
-        <Choice label="Which moves" options={[['p', 'P'], ['q', 'Q']]} value={state.moving} onChange={(moving) => change({ ...state, moving })} />
+        <Choice label="Which moves" options={kMovers} value={state.moving} onChange={(moving) => change({ ...state, moving })} />
         <div style={{ flex: 1 }}>
           <Choice label="How it moves" options={motions} value={state.motion} onChange={(motion) => change(withMotion(state, motion))} />
         </div>

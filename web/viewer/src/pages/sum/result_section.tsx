@@ -4,6 +4,7 @@ import { short, shortText } from '../../numbers/display';
 import { Readouts, Section } from '../../shell/controls';
 import { ExactText } from '../../shell/exact_text';
 import type { Shell } from '../../shell/page';
+import { Results } from '../../shell/results';
 import type { Wording } from './provenance';
 import type { SumArgs } from './service';
 import type { Shown } from './state';
@@ -41,21 +42,23 @@ export function PickedSection({ picked, shell }: { picked: Picked | undefined; s
 }
 
 export function ResultSection({ data, shell }: { data: SumData; shell: Shell }) {
-  const refused = data.p.error ?? data.q.error;
+  const refused = data.p.error ?? data.q.error, { error } = data.standing;
   const counts = refused ? undefined : data.sum?.counts, area = refused ? undefined : data.area;
   return (
     <Section title={kSetNames[data.args.shown]}>
-      <Readouts
-        rows={[
-          ['parts', counts?.parts],
-          ['holes', counts?.holes],
-          ['vertices', counts?.vertices],
-          ['tight points, segments', counts && `${counts.tightPoints}, ${counts.tightSegments}`],
-          ['computed in', refused || data.ms === undefined ? undefined : `${data.ms.toFixed(1)} ms`],
-          ['area', area ? shortText(area.decimal) : refused ? undefined : '…'],
-        ]}
-      />
-      {area?.exact && <ExactText label="the exact area" text={area.exact} shell={shell} />}
+      <Results {...data.standing} refused={refused !== undefined}>
+        <Readouts
+          rows={[
+            ['parts', counts?.parts],
+            ['holes', counts?.holes],
+            ['vertices', counts?.vertices],
+            ['tight points, segments', counts && `${counts.tightPoints}, ${counts.tightSegments}`],
+            ['computed in', refused || data.ms === undefined ? undefined : `${data.ms.toFixed(1)} ms`],
+            ['area', area ? shortText(area.decimal) : refused ?? error ? undefined : '…'],
+          ]}
+        />
+        {area?.exact && <ExactText label="the exact area" text={area.exact} shell={shell} />}
+      </Results>
     </Section>
   );
 }

@@ -1,6 +1,7 @@
 // Sums of two regions, places at which one hits the other, and inner fits, while one of them is scaled or turned.
 import type { PlanarDistance, PlanarSum, PlanarTrace, Region, RotatingSum, ScalingSum, SumOptions, SumShape } from 'dymsum';
 import type { Host } from '../../engine/host';
+import { Limit } from '../../engine/limit';
 import { keyOf, type Shape } from '../../engine/shape';
 import { toNumber, toText } from '../../numbers/rational';
 import { using } from '../../operands/using';
@@ -79,11 +80,11 @@ function withOperand<T>(host: Host, a: SumArgs, which: Which, visit: (region: Re
   return pull?.which === which ? using(region.withVertex(pull.vertex, pull.x, pull.y), scaled) : scaled(region);
 }
 
-/** Throws an Error where a coordinate would have to be rounded. */
+/** Throws a Limit where a coordinate would have to be rounded. */
 function exactlyScaled(region: Region, a: SumArgs): Region {
   const factors = factorsOf(a.scale, 2)!;
   if (!scalesExactly(region.shape().vertices, factors))
-    throw new Error(`Scaled by ${a.scale}, the coordinates of ${a.moving.toUpperCase()} are no doubles, and the inner fit would not be exact. Binary fractions such as 3/4 need the fewest digits.`);
+    throw new Limit(`Scaled by ${a.scale}, the coordinates of ${a.moving.toUpperCase()} are no doubles, and the inner fit would not be exact. Binary fractions such as 3/4 need the fewest digits.`);
   return region.scaled(...(factors.map(toNumber) as [number, number]));
 }
 

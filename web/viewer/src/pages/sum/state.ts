@@ -11,7 +11,11 @@ export const kLayers = ['p', 'q', 'sum', 'tight', 'convolution', 'cells', 'cross
 export type Layer = (typeof kLayers)[number];
 
 /** The sum; P ⊕ −Q, the places of Q at which it hits P; the places at which Q fits into P. */
-export const kShown = [['sum', 'P ⊕ Q'], ['hits', 'P ⊕ −Q'], ['fit', 'Fit in P']] as const;
+export const kShown = [
+  ['sum', 'P ⊕ Q', 'The sum: every point of P added to every point of Q.'],
+  ['hits', 'P ⊕ −Q', 'The places of Q at which it hits P: the no-fit polygon.'],
+  ['fit', 'Fit in P', 'The places of Q at which all of it lies inside P: the inner fit.'],
+] as const;
 export type Shown = (typeof kShown)[number][0];
 
 export interface SumState {

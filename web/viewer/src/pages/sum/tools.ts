@@ -1,15 +1,21 @@
 // What dragging P or Q does: each tool makes the state of a pointer's way.
 import { snapped, tanHalfOf } from '../../numbers/snap';
+import type { Option } from '../../shell/controls';
 import type { Point } from '../../view2d/camera';
 import { radiansOf } from '../angle';
 import { firstFactor, withFirstFactor } from '../scale';
 import type { SumState, Which } from './state';
 
-export const kTools = [['move', 'Move'], ['scale', 'Scale'], ['turn', 'Turn'], ['pull', 'Pull a vertex']] as const;
+export const kTools = [
+  ['move', 'Move', 'Dragging P or Q moves it.'],
+  ['scale', 'Scale', 'Dragging P or Q scales it.'],
+  ['turn', 'Turn', 'Dragging P or Q turns it.'],
+  ['pull', 'Pull a vertex', 'Dragging a vertex of P or Q moves that vertex alone.'],
+] as const;
 export type Tool = (typeof kTools)[number][0];
 
 /** The inner fit does not turn. */
-export function toolsOf({ shown }: Pick<SumState, 'shown'>): readonly (readonly [Tool, string])[] {
+export function toolsOf({ shown }: Pick<SumState, 'shown'>): readonly Option<Tool>[] {
   return shown === 'fit' ? kTools.filter(([tool]) => tool !== 'turn') : kTools;
 }
 

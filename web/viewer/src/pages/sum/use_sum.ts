@@ -1,7 +1,7 @@
 // All that the page of sums asks of the engine.
 import type { PlanarDistance, PlanarTrace } from 'dymsum';
 import { useMemo } from 'preact/hooks';
-import { useAnswer } from '../../engine/use_answer';
+import { together, useAnswer, type Standing } from '../../engine/use_answer';
 import { add, fromDouble, toNumber, type Rational } from '../../numbers/rational';
 import { useOperand, type Operand } from '../../operands/use_operand';
 import type { Shell } from '../../shell/page';
@@ -23,6 +23,8 @@ export interface SumData {
   of: SumArgs | undefined;
   ms: number | undefined;
   error: unknown;
+  /** of the sum and its area */
+  standing: Standing;
   area: SumArea | undefined;
   trace: PlanarTrace | undefined;
   /** of Q where it stands, where that is asked for */
@@ -58,7 +60,7 @@ export function useSum(shell: Shell, state: SumState, pull: Pull | undefined): S
   const error = frame.error ?? area.error ?? trace.error ?? depth.error;
   useReport(shell, error);
   return {
-    p, q, args, sum, of: frame.of, ms: frame.value?.ms, error,
+    p, q, args, sum, of: frame.of, ms: frame.value?.ms, error, standing: { ...together(frame, area), waiting: frame.waiting },
     area: area.of === settled ? area.value : undefined,
     trace: staged && trace.of === settled ? (trace.value ?? undefined) : undefined,
     depth: place && depth.of?.p === state.p && depth.of.q === state.q ? depth.value : undefined,

@@ -122,7 +122,7 @@ function PairView({ state, change, shell }: PageProps<SumState> & { change: Page
           onCamera={(camera) => change({ ...state, camera }, 'aside')} cursor={pointing.hovered ? 'pointer' : 'grab'}
           nudge={(by) => change(draggedState('move', state, state.moving, { x: 0, y: 0 }, by, Math.hypot(by.x, by.y) / 4))}
           grip={(at, reach) => gripOf(context, at, reach)} hover={(at, reach) => pointing.hover(at && nearest(at, reach))}
-          click={(at, reach) => pointing.pick(nearest(at, reach))} shows={scene.sum} paint={(painter) => paintSum(painter, scene)}
+          click={(at, reach) => pointing.pick(nearest(at, reach))} shows={scene.sum} stale={data.standing.waiting} paint={(painter) => paintSum(painter, scene)}
         />
         <div class="status">{pointing.hovered && sum ? originText(sum.shape, pointing.hovered, wordingOf(state)) : ''}</div>
       </Stage>
@@ -135,9 +135,9 @@ function PairView({ state, change, shell }: PageProps<SumState> & { change: Page
           <Choice label="What dragging a shape does" options={tools} value={context.tool} onChange={setTool} />
         </Section>
         <SetSection state={state} change={change} />
+        <ResultSection data={data} shell={shell} />
         <MotionSection state={state} change={change} shell={shell} args={data.args} />
         <DepthSection depth={data.depth} shell={shell} />
-        <ResultSection data={data} shell={shell} />
         <PickedSection picked={pointing.picked} shell={shell} />
         <LayersSection state={state} change={change} />
       </Panel>
