@@ -25,6 +25,16 @@ void refused(const std::string& text, std::string_view words, std::int64_t line 
   expect_refusal(parse_nesting_instance(text, kRefusedFile), text, code, line, words);
 }
 
+TEST(NestingInstance, rings_that_are_closed_are_those_that_are_not) {
+  const auto shape = [](const std::string& type, const std::string& data) {
+    const std::string text = R"({"items":[{"shape":{"type":")" + type + R"(","data":)" + data + "}}]}";
+    return Region::create(parse_nesting_instance(text, "test").value().items.at(0).shape).value();
+  };
+  EXPECT_EQ(shape("simple_polygon", "[[0,0],[4,0],[0,4],[0,0]]"), shape("simple_polygon", "[[0,0],[4,0],[0,4]]"));
+  EXPECT_EQ(shape("polygon", R"({"outer":[[0,0],[4,0],[0,4],[0,0]],"inner":[[[1,1],[1,2],[2,1],[1,1]]]})"),
+            shape("polygon", R"({"outer":[[0,0],[4,0],[0,4]],"inner":[[[1,1],[1,2],[2,1]]]})"));
+}
+
 TEST(NestingInstance, holds_everything) {
   const NestingInstance read =
       parse_nesting_instance(

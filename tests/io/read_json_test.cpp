@@ -62,7 +62,7 @@ TEST(ReadGeoJson, refuses_what_does_not_follow_the_format) {
                ErrorCode::malformed, 2, "expected a Feature");
 }
 
-TEST(ReadNesting, items_are_shapes_named_by_id_and_kept_as_they_are) {
+TEST(ReadNesting, items_are_shapes_named_by_id_and_kept_as_they_are_but_for_closing_vertices) {
   const auto shapes = read_all(
       R"({"name":"n","items":[
       {"id":3,"demand":1,"shape":{"type":"simple_polygon","data":[[0,0],[0,3],[3,3],[3,3],[0,0]]}},
@@ -75,7 +75,7 @@ TEST(ReadNesting, items_are_shapes_named_by_id_and_kept_as_they_are) {
       kJson);
   ASSERT_EQ(shapes.size(), 5u);
   EXPECT_EQ(shapes[0].name, "3");
-  EXPECT_EQ(shapes[0].data.parts, (std::vector<Part>{{{{0, 0}, {0, 3}, {3, 3}, {3, 3}, {0, 0}}, {}}}));
+  EXPECT_EQ(shapes[0].data.parts, (std::vector<Part>{{{{0, 0}, {0, 3}, {3, 3}, {3, 3}}, {}}}));
   EXPECT_EQ(shapes[1].name, "frame");
   EXPECT_EQ(shapes[1].data.parts, (std::vector<Part>{{{{0, 0}, {4, 0}, {4, 4}, {0, 4}}, {{{1, 1}, {2, 1}, {1, 2}}}}}));
   EXPECT_EQ(shapes[2].name, "2");
@@ -90,7 +90,7 @@ TEST(ReadNesting, duplicate_vertices_and_clockwise_rings_are_left_to_repair) {
   EXPECT_FALSE(Region::create(data).ok());
   const auto repaired = repair(data);
   ASSERT_TRUE(repaired.ok());
-  EXPECT_EQ(repaired->report.duplicate_vertices, 2u);
+  EXPECT_EQ(repaired->report.duplicate_vertices, 1u);
   EXPECT_EQ(repaired->report.reversed_rings, 1u);
 }
 

@@ -17,7 +17,7 @@ class ShapeReader {
     const std::string& type = require_text(source_, require_member(source_, shape, "type"), "'type'");
     RegionData data;
     if (type == "simple_polygon") {
-      data.parts.push_back({require_positions(source_, require_member(source_, shape, "data")), {}});
+      data.parts.push_back({read_ring(require_member(source_, shape, "data")), {}});
     } else if (type == "polygon") {
       const auto inner = shape.find("data");
       data.parts.push_back(read_polygon(inner ? *inner : shape));
@@ -34,11 +34,18 @@ class ShapeReader {
   }
 
  private:
+  /// Real files name the first vertex once more at the end.
+  Ring read_ring(const JsonValue& value) const {
+    Ring ring = require_positions(source_, value);
+    if (ring.size() > 3 && ring.front() == ring.back()) ring.pop_back();
+    return ring;
+  }
+
   Part read_polygon(const JsonValue& value) const {
-    Part part{require_positions(source_, require_member(source_, value, "outer")), {}};
+    Part part{read_ring(require_member(source_, value, "outer")), {}};
     if (const auto inner = value.find("inner"); inner && inner->kind() != JsonKind::null) {
       visit_array(source_, *inner, "holes", [&](const JsonValue& hole) {
-        if (!is_empty_array(hole)) part.holes.push_back(require_positions(source_, hole));
+        if (!is_empty_array(hole)) part.holes.push_back(read_ring(hole));
       });
     }
     return part;
