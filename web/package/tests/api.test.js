@@ -75,6 +75,13 @@ test('errors have code, place and text, and travel as plain data', () => {
   assert.equal(thrown(() => gone.area()).code, 'invalid_argument');
 });
 
+test('of a file of several shapes an error names the one that is refused', () => {
+  const two = 'POLYGON ((0 0, 1 0, 0 1, 0 0))\nPOLYGON ((0 0, 1 0, 1 0, 0 1, 0 0))';
+  const { code, evidence } = thrown(() => Region.readAll('two.wkt', two));
+  assert.deepEqual([code, evidence.file], ['repeated_vertex', 'two.wkt#1']);
+  assert.equal(Region.readAll('two.wkt', two, { repair: true }).length, 2);
+});
+
 test('a vertex that is pulled changes the region or tells where rings cross', () => {
   const square = shapes.rectangle(0, 0, 2, 2);
   assert.equal(square.withVertex(2, 3, 3).area(), 6);

@@ -14,7 +14,8 @@ const kSettled = 600; // addresses are written once changes have settled
 function large(vertices: number): string {
   const at = (k: number): string => {
     const angle = (2 * Math.PI * k) / vertices;
-    return `${Math.cos(angle) * (2 + Math.sin(k * k))} ${Math.sin(angle) * (2 + Math.sin(k * k))}`;
+    const radius = 2 + 1e-6 * Math.sin(k * k);
+    return `${Math.cos(angle) * radius} ${Math.sin(angle) * radius}`;
   };
   return `POLYGON ((${[...Array(vertices).keys(), 0].map(at).join(', ')}))`;
 }

@@ -27,9 +27,9 @@ async function addressOf(document: Document): Promise<string> {
 
 function put(how: 'pushState' | 'replaceState', document: Document, address: string): void {
   try {
-    window.history[how]({ document } satisfies Entry, '', address);
+    window.history[how](mayFitAddress(document) ? ({ document } satisfies Entry) : null, '', address);
   } catch {
-    window.history[how](null, '', address); // larger than what the browser keeps in an entry
+    window.history[how](null, '', address); // still larger than what the browser keeps in an entry
   }
 }
 
