@@ -12,10 +12,25 @@ namespace {
 Json xyz(const Point3& v) { return {v.x, v.y, v.z}; }
 Json xy(const Point& v) { return {v.x, v.y}; }
 
-Json contact_pair(const SolidContact& c) { return {{"p", feature_json(c.p)}, {"q", feature_json(c.q)}}; }
-Json contact_pair(const Contact& c) {
-  const bool edge_of_p = c.kind == Contact::Kind::edge_of_p;
-  return {{"p", {{edge_of_p ? "edge" : "vertex", c.p}}}, {"q", {{edge_of_p ? "vertex" : "edge", c.q}}}};
+Json named_feature(const SolidFeature& f) { return feature_json(f); }
+Json named_feature(const PlanarFeature& f) {
+  return {{f.kind == PlanarFeature::Kind::vertex ? "vertex" : "edge", f.index}};
+}
+void add_position(const RationalPoint3& at, Json& json) {
+  json["at"] = {at.x.to_double(), at.y.to_double(), at.z.to_double()};
+  json["at_exact"] = {at.x.to_string(), at.y.to_string(), at.z.to_string()};
+}
+void add_position(const RationalPoint& at, Json& json) {
+  json["at"] = {at.x.to_double(), at.y.to_double()};
+  json["at_exact"] = {at.x.to_string(), at.y.to_string()};
+}
+
+template <class Touch>
+Json contact_json(const Touch& c) {
+  Json json = {{"p", named_feature(c.p)}, {"q", named_feature(c.q)}, {"dimension", c.dimension}};
+  add_position(c.at, json);
+  json["patch"] = c.patch;
+  return json;
 }
 
 Json way_json(const SolidWay& way) {
@@ -42,13 +57,14 @@ Json distance_json(const Distance& d) {
   for (const auto& way : d.ways) {
     Json one = way_json(way);
     Json contacts = Json::array();
-    for (const auto& contact : way.contacts) contacts.push_back(contact_pair(contact));
+    for (const auto& contact : way.contacts) contacts.push_back(contact_json(contact));
     one["contacts"] = std::move(contacts);
     ways.push_back(std::move(one));
   }
   if (!ways.empty()) {
     json["direction"] = ways[0]["direction"];
-    if (!ways[0]["contacts"].empty()) json.update(ways[0]["contacts"][0]);
+    if (const Json& contacts = ways[0]["contacts"]; !contacts.empty())
+      json["p"] = contacts[0]["p"], json["q"] = contacts[0]["q"];
   }
   json["ways"] = std::move(ways);
   return json;
@@ -65,6 +81,21 @@ std::string numbers_text(const Json& v) {
   return out.str();
 }
 
+/// The pairs of the greatest dimension; the others are on their rims, or small beside them.
+std::string contacts_text(const Json& contacts, const std::string& p, const std::string& q) {
+  std::ostringstream out;
+  const char* before = ": ";
+  std::size_t named = 0;
+  for (const Json& contact : contacts) {
+    if (contact["dimension"] != contacts[0]["dimension"]) break;
+    out << before << feature_text(contact["p"]) << " of " << p << " and " << feature_text(contact["q"]) << " of " << q;
+    before = ", ", ++named;
+  }
+  out << " touch then";
+  if (named < contacts.size()) out << ", and " << contacts.size() - named << " of smaller dimension";
+  return out.str();
+}
+
 template <class Distance>
 std::string distance_text(const Distance& d, const std::string& p, const std::string& q) {
   std::ostringstream out;
@@ -75,13 +106,7 @@ std::string distance_text(const Distance& d, const std::string& p, const std::st
   const Json json = distance_json(d);
   for (const Json& way : json["ways"]) {
     out << "  along (" << numbers_text(way["direction"]) << ")";
-    const char* before = ": ";
-    for (const Json& contact : way["contacts"]) {
-      out << before << feature_text(contact["p"]) << " of " << p << " and " << feature_text(contact["q"]) << " of "
-          << q;
-      before = ", ";
-    }
-    out << " touch then\n";
+    out << contacts_text(way["contacts"], p, q) << "\n";
   }
   out << "  " << (inside ? "depth" : "distance") << " squared is exactly " << shown(d.squared) << "\n";
   return out.str();

@@ -248,6 +248,7 @@ void add_depth(CLI::App& app, Action& action) {
   add_angle_options(verb, command->angle, "by this angle,");
   add_report_options(verb, command->report, "Compute N times and report the median and minimum time");
   add_solid_input_options(verb, command->input);
+  add_thin_option(verb, command->input);
   verb.footer(
       "Exit code 4 when their interiors do not meet, 5 when the time was over.\nExample: dymsum depth cup.off "
       "spoon.off --move 0.5,0,0 --json\n         dymsum depth cup.off spoon.off --track motion.csv -o trace.svg");

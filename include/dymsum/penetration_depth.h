@@ -22,17 +22,30 @@ namespace dymsum {
 namespace depth {
 struct DepthOperands;
 class DepthProbe;
+class TouchingPairs;
 }  // namespace depth
 
 /// How two sets lie: their interiors meet; they touch and no more; they have no point in common.
 enum class Meeting : std::uint8_t { overlapping, touching, apart };
 
+/// A feature of P and one of Q that touch: a vertex, an edge without its ends, a face without its edges, which have
+/// positions in common. Every position that touches belongs to one pair alone.
+struct SolidTouch {
+  SolidFeature p, q;  ///< by the meshes' indices; of a face its own one, also where others lie in its plane
+  int dimension = 0;  ///< of what they have in common: a point (0), a segment (1), a part of a plane (2)
+  RationalPoint3 at;  ///< one of these positions, exact, Q being moved; inside, the middle of a segment
+  /// The connected piece of all that touches, from 0 on. Its corners are among its pairs of dimension 0.
+  std::uint32_t patch = 0;
+  friend bool operator==(const SolidTouch&, const SolidTouch&) = default;
+};
+
 /// A shortest move of Q: one that separates overlapping solids, or brings those apart in touch.
 struct SolidWay {
   RationalPoint3 move;  ///< exact
   Point3 direction;     ///< of length 1, to within some units in the last place; zero where `move` is
-  std::vector<SolidContact>
-      contacts;  ///< features of P and Q that touch once Q is moved, sorted; by the meshes' indices
+  /// All pairs of features that touch once Q is moved: the greatest dimension first, then by p, q and position. A pair
+  /// is listed once for every connected piece of what it has in common.
+  std::vector<SolidTouch> contacts;
 };
 
 struct SolidDistance {
@@ -64,15 +77,17 @@ struct DepthOptions {
   DepthEngine engine = DepthEngine::search;
   int threads = 0;  ///< of the preparation, 0: as many as there are cores
   Progress progress;
+  bool contacts = true;  ///< false: SolidWay::contacts stay empty, which saves more than half of a question's time
 };
 
-/// Two solids in fixed orientations, of which Q moves by translations: prepared once, asked often. Thread-compatible;
-/// copies share what is prepared.
+/// Two solids in fixed orientations, of which Q moves by translations: prepared once, asked often. One of them may be
+/// or have thin parts (Mesh::with_thin_parts): points, segments and open surfaces overlap a solid where they meet its
+/// interior. Thread-compatible; copies share what is prepared.
 class SolidDepth {
  public:
   /// Cost: the facets of the reduced convolution of P and -Q (boundary: their exact sum). Errors: no_area for an empty
-  /// operand; unsupported_operand for thin parts, and for coordinates that need more than 8,192 bits on their common
-  /// grid; cancelled.
+  /// operand; unsupported_operand for thin parts of both, and for coordinates that need more than 8,192 bits on their
+  /// common grid; cancelled.
   static Result<SolidDepth> create(const Mesh& p, const Mesh& q, const DepthOptions& options = {});
 
   SolidDepth(const SolidDepth& other);
@@ -119,11 +134,28 @@ struct DepthQuestion {
 Result<std::vector<Result<SolidDistance>>> depth_batch(std::span<const DepthQuestion> questions,
                                                        const DepthBatchOptions& options = {});
 
+/// A vertex of a region, or the edge that starts there, without its ends.
+struct PlanarFeature {
+  enum class Kind : std::uint8_t { vertex, edge };
+  Kind kind = Kind::vertex;
+  std::uint32_t index = 0;
+  friend auto operator<=>(const PlanarFeature&, const PlanarFeature&) = default;
+};
+
+/// The same in the plane: features that have a point (dimension 0) or a segment (1) in common.
+struct PlanarTouch {
+  PlanarFeature p, q;
+  int dimension = 0;
+  RationalPoint at;
+  std::uint32_t patch = 0;
+  friend bool operator==(const PlanarTouch&, const PlanarTouch&) = default;
+};
+
 /// A shortest move of planar Q.
 struct PlanarWay {
-  RationalPoint move;             ///< exact
-  Point direction;                ///< of length 1, rounded; zero where `move` is
-  std::vector<Contact> contacts;  ///< an edge and a vertex that touch then, sorted; by the regions' indices
+  RationalPoint move;                 ///< exact
+  Point direction;                    ///< of length 1, rounded; zero where `move` is
+  std::vector<PlanarTouch> contacts;  ///< all pairs that touch then, as those of SolidWay
 };
 
 struct PlanarDistance {
@@ -144,6 +176,7 @@ class PlanarDepth {
 
  private:
   std::shared_ptr<const PlanarSum> sum_;
+  std::shared_ptr<const depth::TouchingPairs> touching_;
   Region p_, q_;
 };
 

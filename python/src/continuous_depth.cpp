@@ -92,7 +92,7 @@ void bind_contact(nb::module_& m) {
       .field("euclidean_normal", &ContinuousContact::euclidean_normal)
       .field("witness_p", &ContinuousContact::witness_p, "what touches after the move, on P")
       .field("witness_q", &ContinuousContact::witness_q, "the same point of Q, where it is now")
-      .field("contact", &ContinuousContact::contact, "the features of the sum's face")
+      .field("contact", &ContinuousContact::contact, "features that hold the witnesses")
       .field("branch", &ContinuousContact::branch, "the same as long as nothing jumps; from 1")
       .field("discontinuity", &ContinuousContact::discontinuity)
       .field("smoothed", &ContinuousContact::smoothed, "false: the shortest way out is given instead")
@@ -104,7 +104,7 @@ void bind_contact(nb::module_& m) {
 }
 
 void bind_patch(nb::module_& m) {
-  nb::class_<Patch>(m, "DepthPatch", "A piece of a sum's boundary: answers near its place in microseconds.")
+  nb::class_<Patch>(m, "DepthPatch", "A piece of a sum's boundary: answers near its place without another local sum.")
       .def(
           "covers",
           [](Patch& self, const Point3& moved) {

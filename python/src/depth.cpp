@@ -48,10 +48,18 @@ void bind_solid_distance(nb::module_& m) {
       .value("overlapping", Meeting::overlapping, "their interiors meet")
       .value("touching", Meeting::touching, "they touch and no more")
       .value("apart", Meeting::apart, "they have no point in common");
+  Record<SolidTouch>(m, "SolidTouch", "A feature of P and one of Q that touch: their relative interiors meet.")
+      .field("p", &SolidTouch::p, "by the mesh's indices")
+      .field("q", &SolidTouch::q)
+      .field("dimension", &SolidTouch::dimension,
+             "of what they have in common: 0 a point, 1 a segment, 2 a part of a plane")
+      .field("at", &SolidTouch::at, "one of these positions, exact, Q being moved")
+      .field("patch", &SolidTouch::patch, "the connected piece of all that touches, from 0 on");
   Record<SolidWay>(m, "SolidWay", "A shortest move of Q: it separates overlapping solids, or brings others in touch.")
       .field("move", &SolidWay::move, "exact")
       .field("direction", &SolidWay::direction, "of length 1, rounded; zero where `move` is")
-      .field("contacts", &SolidWay::contacts, "features of P and Q that touch once Q is moved");
+      .field("contacts", &SolidWay::contacts,
+             "all pairs of features that touch once Q is moved, the greatest dimension first");
   Record<SolidDistance> distance(m, "SolidDistance", "The depth of what overlaps, else the gap.");
   Record<SolidDistance::Work>(distance, "Work", "What an answer took.")
       .field("facets", &SolidDistance::Work::facets, "of the convolution that were looked at")
@@ -75,13 +83,14 @@ void bind_depth_options(nb::module_& m) {
   Record<DepthOptions> options(m, "DepthOptions", "Options of SolidDepth.");
   options.def(
       "__init__",
-      [](DepthOptions* self, DepthEngine engine, int threads, Progress progress) {
-        new (self) DepthOptions{engine, threads, std::move(progress)};
+      [](DepthOptions* self, DepthEngine engine, int threads, Progress progress, bool contacts) {
+        new (self) DepthOptions{engine, threads, std::move(progress), contacts};
       },
-      "engine"_a = DepthEngine::search, "threads"_a = 0, "progress"_a = nb::none());
+      "engine"_a = DepthEngine::search, "threads"_a = 0, "progress"_a = nb::none(), "contacts"_a = true);
   options.option("engine", &DepthOptions::engine)
       .option("threads", &DepthOptions::threads, "of the preparation, 0: as many as there are cores")
-      .option("progress", &DepthOptions::progress);
+      .option("progress", &DepthOptions::progress)
+      .option("contacts", &DepthOptions::contacts, "false: contacts stay empty, which saves time");
   Record<DepthBatchOptions> batch(m, "DepthBatchOptions", "Options of depth_batch.");
   batch.def(
       "__init__",
@@ -116,7 +125,8 @@ Fraction(2, 1)
             new (self) Depth(p, q, options);
           },
           "p"_a, "q"_a, "options"_a = DepthOptions(),
-          "Raises Error: no_area for an empty operand; unsupported_operand for thin parts and coordinates that need "
+          "Raises Error: no_area for an empty operand; unsupported_operand for thin parts of both and coordinates that "
+          "need "
           "more "
           "than 250 bits on their common grid; out_of_range; cancelled.")
       .def_static(
@@ -261,10 +271,21 @@ DepthOfRegions of_regions(const RegionArgument& p, const RegionArgument& q) {
 }
 
 void bind_planar_depth(nb::module_& m) {
+  Record<PlanarFeature> feature(m, "PlanarFeature", "A vertex of a region, or the edge that starts there.");
+  nb::enum_<PlanarFeature::Kind>(feature, "Kind", "What a feature is.")
+      .value("vertex", PlanarFeature::Kind::vertex)
+      .value("edge", PlanarFeature::Kind::edge);
+  feature.field("kind", &PlanarFeature::kind).field("index", &PlanarFeature::index);
+  Record<PlanarTouch>(m, "PlanarTouch", "A feature of P and one of Q that touch: their relative interiors meet.")
+      .field("p", &PlanarTouch::p, "by the region's indices")
+      .field("q", &PlanarTouch::q)
+      .field("dimension", &PlanarTouch::dimension, "of what they have in common: 0 a point, 1 a segment")
+      .field("at", &PlanarTouch::at, "one of these points, exact, Q being moved")
+      .field("patch", &PlanarTouch::patch, "the connected piece of all that touches, from 0 on");
   Record<PlanarWay>(m, "PlanarWay", "A shortest move of planar Q.")
       .field("move", &PlanarWay::move, "exact")
       .field("direction", &PlanarWay::direction, "of length 1, rounded; zero where `move` is")
-      .field("contacts", &PlanarWay::contacts, "an edge and a vertex that touch then");
+      .field("contacts", &PlanarWay::contacts, "all pairs of features that touch then, the greatest dimension first");
   Record<PlanarDistance>(m, "PlanarDistance", "The depth of regions that overlap, else the gap.")
       .field("meeting", &PlanarDistance::meeting)
       .field("squared", &PlanarDistance::squared, "the exact square of `distance`")

@@ -105,6 +105,8 @@ def test_planar_regions() -> None:
     found = depth.at((1.25, 2))
     assert (found.meeting, found.squared) == (Meeting.overlapping, Fraction(1, 16))
     assert found.ways[0].move == (Fraction(-1, 4), 0) and found.ways[0].contacts
+    touch = found.ways[0].contacts[0]
+    assert touch.dimension == 1 and touch.p.kind == touch.q.kind == dymsum.PlanarFeature.Kind.edge
     assert pickle.loads(pickle.dumps(depth)).at((1.25, 2)).squared == Fraction(1, 16)
     with pytest.raises(ValueError):
         depth.at((numpy.nan, 0))
@@ -118,3 +120,18 @@ def test_pickled_and_copied() -> None:
     assert pickle.loads(pickle.dumps(found)) == found
     for again in (pickle.loads(pickle.dumps(pair)), copy.copy(pair)):
         assert again.at((0.5, 0.5, 0.25)) == found and again.options.threads == 1
+
+
+def test_contacts_are_all_pairs_that_touch() -> None:
+    small = dymsum.solids.box(0, 0, 0, 0.25, 0.25, 0.25)
+    large = dymsum.solids.box(0, 0, 0, 5, 5, 5)
+    contacts = dymsum.SolidDepth(large, small).at((2, 2, 4.9375)).ways[0].contacts
+    assert [c.dimension for c in contacts] == [2] + 4 * [1] + 4 * [0]
+    assert all(isinstance(c, dymsum.SolidTouch) and c.at.z == 5 and c.patch == 0 for c in contacts)
+    assert contacts[0].p.kind == contacts[0].q.kind == dymsum.SolidFeature.Kind.face
+
+
+def test_a_point_in_a_solid() -> None:
+    point = dymsum.Mesh.with_thin_parts(dymsum.MeshData([(0, 0, 0)], [(0,)]))
+    found = dymsum.SolidDepth(BOX, point).at((0.75, 0, 0))
+    assert found.squared == Fraction(1, 16) and len(found.ways) == 1

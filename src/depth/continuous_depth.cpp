@@ -10,6 +10,7 @@
 #include "base/hypot3.h"
 #include "depth/boundary_distance.h"
 #include "depth/continuous_tracker.h"
+#include "depth/posed_overlap.h"
 #include "exact/big.h"
 
 namespace dymsum {
@@ -100,7 +101,11 @@ SpatialSum near_part(const SpatialSum& sum, const ContinuousSurface& s, Vec3 fro
 class ContinuousDepth::State {
  public:
   State(const Mesh& p, const Mesh& q, LocalSum local, const ContinuousDepthOptions& options)
-      : local_(std::move(local)), radius_q_(std::sqrt(3.0) * extent(q) / 2), extent_(extent(p) + 2 * radius_q_) {
+      : p_(p),
+        q_(q),
+        local_(std::move(local)),
+        radius_q_(std::sqrt(3.0) * extent(q) / 2),
+        extent_(extent(p) + 2 * radius_q_) {
     smoothing_ = options.smoothing_length.value_or(0.25 * std::min(diagonal(p), diagonal(q)));
     margin_ = options.margin > 0 ? options.margin : smoothing_ > 0 ? smoothing_ : extent_ / 16;
     ContinuousTracker::Limits limits;
@@ -108,8 +113,10 @@ class ContinuousDepth::State {
     limits.smoothing = smoothing_ * limits.scale, limits.inflation = options.inflation;
     limits.halvings = halvings_ = options.halvings;
     tracker_ = ContinuousTracker(limits);
-    solids_.p = std::make_shared<const ContinuousSurface>(depth::continuous_surface(p, limits.scale));
-    solids_.q = std::make_shared<const ContinuousSurface>(depth::continuous_surface(q, limits.scale));
+    solids_.p = std::make_shared<const depth::WitnessSolid>(
+        depth::witness_solid(depth::continuous_surface(p, limits.scale), solids_.turn, 1));
+    q_surface_ = depth::continuous_surface(q, limits.scale);
+    solids_.size = extent_ * limits.scale;
   }
 
   bool takes_smoothing() const {
@@ -128,13 +135,14 @@ class ContinuousDepth::State {
     return result;
   }
 
-  Rational exact_square() const {
+  /// Doubles tell which faces may be nearest; on which side of them the place lies is asked exactly.
+  Rational exact_square() {
     require_answer();
-    if (!near_.inside) return 0;
-    const double reach = near_.nearest.distance * (1 + 0x1p-30) + 4 * tracker_.error();
-    const SpatialSum part =
-        near_part(*tracker_.place()->boundary, tracker_.place()->surface, tracker_.scaled(at_), reach);
+    const ContinuousPlace& place = *tracker_.place();
     const depth::RationalVector from{exact::exact_value(at_.x), exact::exact_value(at_.y), exact::exact_value(at_.z)};
+    if (place.surface.faces.empty() || !overlaps(from)) return 0;
+    const double reach = near_.nearest.distance * (1 + 0x1p-30) + 4 * tracker_.error();
+    const SpatialSum part = near_part(*place.boundary, place.surface, tracker_.scaled(at_), reach);
     const depth::RationalVector v = depth::nearest_on_boundary(part, from).front();
     return exact::to_rational(v[0] * v[0] + v[1] * v[1] + v[2] * v[2]);
   }
@@ -148,6 +156,13 @@ class ContinuousDepth::State {
  private:
   void require_answer() const {
     if (!answered_) throw std::logic_error("ContinuousDepth: there is no answer yet");
+  }
+
+  bool overlaps(const depth::RationalVector& at) {
+    if (!pair_) pair_ = std::make_unique<const spatial::SolidPair>(spatial::solid_pair(p_, negated(q_)));
+    if (!overlap_ || !(overlap_turned_ == turned_))
+      overlap_ = std::make_unique<depth::PosedOverlap>(*pair_, turned_), overlap_turned_ = turned_;
+    return overlap_->holds(at);
   }
 
   /// From the last pose to this one, by halves where that is not sure to follow.
@@ -197,6 +212,14 @@ class ContinuousDepth::State {
     }
   }
 
+  const depth::WitnessSolids& solids_turned(const Rotation& turned) {
+    if (!solids_.q || !(turned == solids_turned_)) {
+      solids_.turn = matrix_of(turned), solids_turned_ = turned;
+      solids_.q = std::make_shared<const depth::WitnessSolid>(depth::witness_solid(q_surface_, solids_.turn, -1));
+    }
+    return solids_;
+  }
+
   /// Where no point of Q can meet P.
   std::optional<Error> far_away(const Point3& at, const Rotation& turned) {
     auto place = std::make_shared<ContinuousPlace>();
@@ -226,7 +249,7 @@ class ContinuousDepth::State {
     const double scale = tracker_.limits().scale;
     auto place = std::make_shared<ContinuousPlace>();
     place->surface = depth::continuous_surface(part->boundary, scale);
-    place->solids = solids_, place->solids.turn = matrix_of(turned);
+    place->solids = solids_turned(turned);
     place->middle = tracker_.scaled(at);
     const double furthest = std::max({std::abs(at.x), std::abs(at.y), std::abs(at.z)});
     place->size = (furthest + extent_) * scale;
@@ -239,8 +262,11 @@ class ContinuousDepth::State {
     return std::nullopt;
   }
 
+  Mesh p_, q_;
   LocalSum local_;
-  depth::WitnessSolids solids_;
+  depth::WitnessSolids solids_;  // Q at the last orientation that a local sum was made for
+  Rotation solids_turned_;
+  ContinuousSurface q_surface_;
   double radius_q_, extent_, smoothing_ = 0, margin_ = 0;
   int halvings_ = 0;
   ContinuousTracker tracker_;
@@ -248,6 +274,10 @@ class ContinuousDepth::State {
   Rotation turned_;
   Point3 at_, last_;
   bool answered_ = false;
+  // Made when the exact square is asked for.
+  std::unique_ptr<const spatial::SolidPair> pair_;
+  std::unique_ptr<depth::PosedOverlap> overlap_;
+  Rotation overlap_turned_;
 };
 
 Result<ContinuousDepth> ContinuousDepth::create(const Mesh& p, const Mesh& q, const ContinuousDepthOptions& options) {

@@ -16,6 +16,7 @@ constexpr int kMostSteps = 200;        // of one walk: across edges, and Newton'
 constexpr double kLongestStep = 0.25;  // of a walk, in smoothing lengths
 constexpr double kLeastVolume = 1e-4;  // of the three derivatives, of length about 1, where a branch is taken to end
 constexpr std::size_t kMostStarts = 64;
+constexpr double kRateSlack = 1.25;
 
 /// d(x - h n) = u (e1 - h dn e1) + v (e2 - h dn e2) - n dh: the three columns and what solves it.
 struct Tangents {
@@ -135,11 +136,23 @@ bool goes_on(const NormalFoot& last, const NormalFoot& next, double moved, doubl
   return turn <= kMostTurn && length(next.x - last.x) <= 2 * rate * moved + 1e-9 * l;
 }
 
+namespace {
+
+/// Along a branch n turns by the integral of its rate. A turn that is larger than what the rates at both ends say may
+/// be a jump over two folds.
+bool turns_as_its_rate(const NormalFoot& last, const NormalFoot& next, double moved) {
+  const double turn = length(next.n - last.n);
+  return turn <= kSmallTurn || turn <= 0.5 * kRateSlack * (last.turn_rate + next.turn_rate) * moved;
+}
+
+}  // namespace
+
 WalkEnd follow(const ContinuousSurface& s, double l, Vec3 last, Vec3 from, int halvings, NormalFoot& foot,
                WalkWork& work) {
   NormalFoot next = foot;
   const WalkEnd end = walk_to(s, l, from, next, work);
-  if (end == WalkEnd::arrived && goes_on(foot, next, length(from - last), l)) {
+  const double moved = length(from - last);
+  if (end == WalkEnd::arrived && goes_on(foot, next, moved, l) && turns_as_its_rate(foot, next, moved)) {
     foot = next;
     return WalkEnd::arrived;
   }

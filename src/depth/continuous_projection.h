@@ -7,6 +7,8 @@ namespace dymsum::depth {
 
 /// Of a direction in a step that is believed, in radians.
 inline constexpr double kMostTurn = 0.25;
+/// A turn that is believed without a look at its rate.
+inline constexpr double kSmallTurn = 0x1p-5;
 
 /// A way out along the smoothed normal n at x, a position of a face; h >= 0 but for rounding.
 struct NormalFoot {

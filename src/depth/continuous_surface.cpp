@@ -193,6 +193,13 @@ bool comes_within(const ContinuousSurface& s, Vec3 from, double reach) {
   return best.face != kNoEdge;
 }
 
+bool face_comes_within(const ContinuousSurface& s, std::uint32_t face, Vec3 from, double reach) {
+  SurfacePoint best;
+  best.distance = reach;
+  offer_face(s.at, s.faces[face], s.edges, from, face, best);
+  return best.face != kNoEdge;
+}
+
 SurfacePoint nearest_face(const ContinuousSurface& s, Vec3 from) {
   SurfacePoint best;
   best.distance = kInfinite;

@@ -55,6 +55,9 @@ ContinuousSurface continuous_surface(const Mesh& mesh, double scale);
 /// Whether some face comes within `reach` of a position. O(n).
 bool comes_within(const ContinuousSurface& surface, Vec3 from, double reach);
 
+/// The same of one face.
+bool face_comes_within(const ContinuousSurface& surface, std::uint32_t face, Vec3 from, double reach);
+
 /// The nearest position, tight features included, and whether `from` is inside: beyond the faces that are nearest. By
 /// the best aligned of the faces at the nearest position, as at an edge not all tell. O(n).
 struct SurfaceDistance {

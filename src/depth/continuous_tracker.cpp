@@ -135,7 +135,10 @@ void ContinuousTracker::report(Vec3 from, const SurfaceDistance& near, Continuou
   result.turn_rate = foot.turn_rate * limits_.scale;
   result.error = (error() + foot.residual) / limits_.scale;
   if (foot.face != kNoEdge) result.contact = place_->surface.faces[foot.face].contact;
-  const Vec3 w = touching_position(place_->solids, result.contact, foot.x).value_or(foot.x), wq = w - foot.h * foot.n;
+  Vec3 w = foot.x;
+  if (const std::optional<Witness> witness = touching_position(place_->solids, result.contact, foot.x))
+    w = witness->at, result.contact = witness->contact;
+  const Vec3 wq = w - foot.h * foot.n;
   result.witness_p = unscaled(w), result.witness_q = unscaled(wq);
   const Vec3 torque = cross(wq - from, foot.gradient);
   result.torque = unscaled(torque);

@@ -71,8 +71,8 @@ FacetTree tree_of(const DepthOperands& o) {
 
 std::optional<Error> operand_error(const Mesh& p, const Mesh& q) {
   if (p.empty() || q.empty()) return Error{ErrorCode::no_area, "an operand is empty: it has no depth", {}};
-  if (p.has_thin_parts() || q.has_thin_parts())
-    return Error{ErrorCode::unsupported_operand, "an operand has parts without volume: depth is of solids", {}};
+  if (p.has_thin_parts() && q.has_thin_parts())
+    return Error{ErrorCode::unsupported_operand, "both operands have parts without volume: depth wants one solid", {}};
   return std::nullopt;
 }
 
@@ -109,7 +109,8 @@ Result<std::shared_ptr<const DepthOperands>> depth_operands(const Mesh& p, const
   o->engine = options.engine;
   o->convex = !convexity_error(p) && !convexity_error(q);
   const Mesh reflected = negated(q);
-  o->p = spatial::solid_operand(p.data()), o->q = spatial::solid_operand(reflected.data());
+  o->p = spatial::solid_operand(p.data(), p.thin_faces());
+  o->q = spatial::solid_operand(reflected.data(), reflected.thin_faces());
   try {
     o->space = spatial::make_sum_space(o->p.vertices, o->q.vertices);
     o->exponent = common_exponent(o->p.vertices, o->q.vertices);
@@ -122,6 +123,7 @@ Result<std::shared_ptr<const DepthOperands>> depth_operands(const Mesh& p, const
   set_scaled_places(*o);
   set_normals(*o);
   o->tree = tree_of(*o);
+  if (options.contacts) o->touching = std::make_unique<const TouchingPairs>(touch_side(p), touch_side(q));
   if (options.engine == DepthEngine::boundary) {
     SpatialOptions sum_options;
     sum_options.threads = options.threads, sum_options.progress = options.progress;

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "depth/facet_tree.h"
+#include "depth/touching_pairs.h"
 #include "dymsum/penetration_depth.h"
 #include "spatial/convolution/inner_cells.h"
 #include "spatial/convolution/reduced_facets.h"
@@ -30,7 +31,8 @@ struct DepthOperands {
   std::vector<spatial::Vec3> p_at, q_at;
   std::vector<spatial::Vec3> normals;  ///< of facets, of length 1, each component off by less than 2^-36
   FacetTree tree;
-  std::optional<SpatialSum> sum;  ///< of the engine that searches its boundary
+  std::unique_ptr<const TouchingPairs> touching;  ///< Q as it is; none where contacts are not asked for
+  std::optional<SpatialSum> sum;                  ///< of the engine that searches its boundary
 
   spatial::Vec3 corner(spatial::SumPoint s) const { return p_at[s.p] + q_at[s.q]; }
   /// A position in the operands' units, scaled; each coordinate rounded once, infinite where it is far away.

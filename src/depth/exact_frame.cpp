@@ -13,19 +13,11 @@ using spatial::SumPoint;
 
 namespace {
 
-Big in_units(double v, int exponent) {
-  const exact::Dyadic d = exact::to_dyadic(v);
-  if (d.mantissa == 0) return Big::from_int64(0);
-  return Big(BigInteger(BigInteger(d.mantissa) << static_cast<unsigned>(d.exponent - exponent)));
-}
-
 int lowest_exponent(const Point3& v, int least) {
   for (const double c : {v.x, v.y, v.z})
     if (c != 0) least = std::min(least, exact::to_dyadic(c).exponent);
   return least;
 }
-
-BigVector times(const Big& s, const BigVector& v) { return {s * v.x, s * v.y, s * v.z}; }
 
 bool is_zero(const BigVector& v) { return exact::leading_sign(v) == 0; }
 
@@ -41,6 +33,14 @@ ExactPosition nearest_of_segment(const BigVector& a, const BigVector& b) {
 }
 
 }  // namespace
+
+Big in_units(double v, int exponent) {
+  const exact::Dyadic d = exact::to_dyadic(v);
+  if (d.mantissa == 0) return Big::from_int64(0);
+  return Big(BigInteger(BigInteger(d.mantissa) << static_cast<unsigned>(d.exponent - exponent)));
+}
+
+BigVector times(const Big& s, const BigVector& v) { return {s * v.x, s * v.y, s * v.z}; }
 
 int common_exponent(const std::vector<Point3>& p, const std::vector<Point3>& q) {
   constexpr int kNone = std::numeric_limits<int>::max();

@@ -73,6 +73,10 @@ class ExactFrame {
 int compare_lengths(const ExactPosition& a, const ExactPosition& b);
 bool same_position(const ExactPosition& a, const ExactPosition& b);
 
+/// A double as a multiple of 2^exponent, which divides it.
+Big in_units(double v, int exponent);
+BigVector times(const Big& s, const BigVector& v);
+
 /// The largest power of two that divides all coordinates of the solids; 0 where all are zero.
 int common_exponent(const std::vector<Point3>& p, const std::vector<Point3>& q);
 

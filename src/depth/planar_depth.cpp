@@ -4,8 +4,8 @@
 #include <cmath>
 #include <limits>
 #include <stdexcept>
-#include <tuple>
 
+#include "depth/touching_pairs.h"
 #include "dymsum/penetration_depth.h"
 #include "exact/big.h"
 #include "exact/square_root.h"
@@ -16,11 +16,10 @@ namespace {
 using exact::BigRational;
 using PlaneVector = std::array<BigRational, 2>;
 
-/// A segment of the boundary, or a point of it, and what touches along it.
+/// A segment of the boundary, or a point of it.
 struct BoundaryPiece {
   const SumVertex* from;
   const SumVertex* to;
-  std::array<Contact, 2> contacts;
 };
 
 std::vector<BoundaryPiece> boundary_pieces(const PlanarSum& sum) {
@@ -28,15 +27,15 @@ std::vector<BoundaryPiece> boundary_pieces(const PlanarSum& sum) {
   const auto add_ring = [&](const SumRing& ring) {
     for (std::size_t k = 0; k < ring.vertices.size(); ++k) {
       const SumVertex &a = ring.vertices[k], &b = ring.vertices[(k + 1) % ring.vertices.size()];
-      pieces.push_back({&a, &b, {a.out, b.in}});
+      pieces.push_back({&a, &b});
     }
   };
   for (const SumPart& part : sum.parts) {
     add_ring(part.outer);
     for (const SumRing& hole : part.holes) add_ring(hole);
   }
-  for (const SumSegment& s : sum.tight_segments) pieces.push_back({&s.from, &s.to, {s.from.out, s.to.in}});
-  for (const SumVertex& v : sum.tight_points) pieces.push_back({&v, &v, {v.in, v.out}});
+  for (const SumSegment& s : sum.tight_segments) pieces.push_back({&s.from, &s.to});
+  for (const SumVertex& v : sum.tight_points) pieces.push_back({&v, &v});
   return pieces;
 }
 
@@ -71,7 +70,16 @@ Point unit_of(const PlaneVector& v) {
   return {u / size, w / size};
 }
 
-bool earlier(const Contact& a, const Contact& b) { return std::tie(a.kind, a.p, a.q) < std::tie(b.kind, b.p, b.q); }
+PlanarFeature planar_feature(const SolidFeature& f) {
+  return {f.kind == SolidFeature::Kind::vertex ? PlanarFeature::Kind::vertex : PlanarFeature::Kind::edge, f.a};
+}
+
+std::vector<PlanarTouch> planar_touches(const depth::TouchingPairs& pairs, const PlaneVector& x) {
+  std::vector<PlanarTouch> all;
+  for (const SolidTouch& t : pairs.at({x[0], x[1], BigRational(0)}))
+    all.push_back({planar_feature(t.p), planar_feature(t.q), t.dimension, {t.at.x, t.at.y}, t.patch});
+  return all;
+}
 
 std::optional<Error> planar_operand_error(const Region& region) {
   if (!region.polylines().empty() || !region.points().empty())
@@ -88,10 +96,11 @@ Result<PlanarDepth> PlanarDepth::create(const Region& p, const Region& q) {
     if (std::optional<Error> error = planar_operand_error(*region)) return *std::move(error);
   Result<PlanarSum> sum = nfp(p, q);
   if (!sum) return sum.error();
-  PlanarDepth depth;
-  depth.sum_ = std::make_shared<const PlanarSum>(*std::move(sum));
-  depth.p_ = p, depth.q_ = negated(q);
-  return depth;
+  PlanarDepth made;
+  made.sum_ = std::make_shared<const PlanarSum>(*std::move(sum));
+  made.touching_ = std::make_shared<const depth::TouchingPairs>(depth::touch_side(p), depth::touch_side(q));
+  made.p_ = p, made.q_ = negated(q);
+  return made;
 }
 
 PlanarDistance PlanarDepth::at(Point q_moved_by) const {
@@ -110,11 +119,7 @@ PlanarDistance PlanarDepth::at(Point q_moved_by) const {
   constexpr double kSubnormal = 0x1p-1070;  // what is that small has few digits
   const double off = 4 * sum_->at_error + reach * 0x1p-24 + kSubnormal;
   const PlaneVector from{exact::exact_value(z.x), exact::exact_value(z.y)};
-  struct Nearest {
-    PlaneVector move;
-    std::vector<Contact> contacts;
-  };
-  std::vector<Nearest> nearest;
+  std::vector<PlaneVector> nearest;
   BigRational least;
   for (std::size_t k = 0; k < pieces.size(); ++k) {
     if (rough[k] > bound + 2 * off) continue;  // not so for what is no number
@@ -122,23 +127,20 @@ PlanarDistance PlanarDepth::at(Point q_moved_by) const {
     const BigRational square = x[0] * x[0] + x[1] * x[1];
     if (!nearest.empty() && square > least) continue;
     if (nearest.empty() || square < least) nearest.clear(), least = square;
-    auto same = std::find_if(nearest.begin(), nearest.end(), [&](const Nearest& n) { return n.move == x; });
-    if (same == nearest.end()) same = nearest.insert(nearest.end(), {x, {}});
-    same->contacts.insert(same->contacts.end(), pieces[k].contacts.begin(), pieces[k].contacts.end());
+    nearest.push_back(x);
   }
-  std::sort(nearest.begin(), nearest.end(), [](const Nearest& a, const Nearest& b) { return a.move < b.move; });
+  std::sort(nearest.begin(), nearest.end());
+  nearest.erase(std::unique(nearest.begin(), nearest.end()), nearest.end());
   PlanarDistance result;
   result.meeting = contains(p_, q_, z, Semantics::open) ? Meeting::overlapping
                    : least == 0                         ? Meeting::touching
                                                         : Meeting::apart;
   result.squared = exact::to_rational(least);
   result.distance = exact::root_to_double(least);
-  for (Nearest& n : nearest) {
-    std::sort(n.contacts.begin(), n.contacts.end(), earlier);
-    n.contacts.erase(std::unique(n.contacts.begin(), n.contacts.end()), n.contacts.end());
-    result.ways.push_back(
-        {{exact::to_rational(n.move[0]), exact::to_rational(n.move[1])}, unit_of(n.move), std::move(n.contacts)});
-  }
+  for (const PlaneVector& move : nearest)
+    result.ways.push_back({{exact::to_rational(move[0]), exact::to_rational(move[1])},
+                           unit_of(move),
+                           planar_touches(*touching_, {from[0] + move[0], from[1] + move[1]})});
   return result;
 }
 

@@ -10,7 +10,6 @@
 #include "dymsum/penetration_depth.h"
 #include "exact/square_root.h"
 #include "spatial/mesh/rounded_vector.h"
-#include "spatial/sum/feature_pairs.h"
 
 namespace dymsum {
 namespace {
@@ -48,28 +47,7 @@ Point3 unit_direction(const RationalVector& v) {
   return {u.x, u.y, u.z};
 }
 
-/// What touches where the reference point of Q is at a position: the features of all facets that hold it.
-std::vector<SolidContact> contacts_at(const FacetView& view, const RationalVector& move, const Point3& from) {
-  const DepthOperands& o = view.o;
-  RationalVector at = exact_vector(from);
-  for (std::size_t k = 0; k < 3; ++k) at[k] += move[k];
-  spatial::Box box;
-  box.add(o.scaled(at));
-  box.grow(2 * view.slack);
-  std::vector<SolidContact> contacts;
-  const ExactFrame frame(o.p.vertices, o.q.vertices, o.exponent, from);
-  const depth::ExactPosition x = frame.position(move);
-  o.tree.for_each(box, [&](std::uint32_t f) {
-    const Vec3 gap = o.corner(o.facets[f].corner[0]) - box.middle();
-    if (std::abs(spatial::dot(o.normals[f], gap)) > 2 * view.slack || !frame.holds(o.facets[f], x)) return;
-    contacts.push_back(spatial::features_of(o.facets[f], o.p, o.q));
-  });
-  std::sort(contacts.begin(), contacts.end());
-  contacts.erase(std::unique(contacts.begin(), contacts.end()), contacts.end());
-  return contacts;
-}
-
-SolidDistance distance_with(const FacetView& view, std::vector<RationalVector> moves, const Point3& from,
+SolidDistance distance_with(const DepthOperands& o, std::vector<RationalVector> moves, const RationalVector& from,
                             bool overlapping) {
   SolidDistance result;
   std::sort(moves.begin(), moves.end());
@@ -83,7 +61,7 @@ SolidDistance distance_with(const FacetView& view, std::vector<RationalVector> m
     SolidWay& way = result.ways.emplace_back();
     way.move = {exact::to_rational(move[0]), exact::to_rational(move[1]), exact::to_rational(move[2])};
     way.direction = unit_direction(move);
-    way.contacts = contacts_at(view, move, from);
+    if (o.touching) way.contacts = o.touching->at({from[0] + move[0], from[1] + move[1], from[2] + move[2]});
   }
   return result;
 }
@@ -124,7 +102,7 @@ SolidDistance SolidDepth::at(Point3 q_moved_by, double time_limit) {
   view.balls = probe_->balls();
   const bool overlapping = probe_->surely_overlaps(view.from, view.slack) || probe_->overlaps(from);
   if (o.engine == DepthEngine::boundary)
-    return distance_with(view, depth::nearest_on_boundary(*o.sum, from), q_moved_by, overlapping);
+    return distance_with(o, depth::nearest_on_boundary(*o.sum, from), from, overlapping);
   const ExactFrame frame(o.p.vertices, o.q.vertices, o.exponent, q_moved_by);
   // Of convex solids the nearest facet is the answer on both sides of it.
   const bool covers = overlapping && !o.convex;
@@ -139,7 +117,7 @@ SolidDistance SolidDepth::at(Point3 q_moved_by, double time_limit) {
   }
   std::vector<RationalVector> moves;
   for (const depth::ExactPosition& x : found.all) moves.push_back(frame.relative(x));
-  SolidDistance result = distance_with(view, std::move(moves), q_moved_by, overlapping);
+  SolidDistance result = distance_with(o, std::move(moves), from, overlapping);
   result.work = found.work;
   return result;
 }

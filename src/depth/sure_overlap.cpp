@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "depth/sure_sign.h"
+
 namespace dymsum::depth {
 
 using spatial::Box;
@@ -24,17 +26,6 @@ BoxTree triangle_tree(const std::vector<Vec3>& at, const std::vector<Triangle>& 
     boxes.push_back(box);
   }
   return BoxTree(std::move(boxes));
-}
-
-double largest(Vec3 v) { return std::max({std::abs(v.x), std::abs(v.y), std::abs(v.z)}); }
-
-/// Six volumes of tetrahedra with these edges, and the sign where it is sure for edges whose components are off by
-/// `off` at most.
-int sure_sign(Vec3 a, Vec3 b, Vec3 c, double off) {
-  const double A = largest(a) + off, B = largest(b) + off, C = largest(c) + off;
-  const double v = spatial::dot(spatial::cross(a, b), c);
-  const double error = 6 * off * (A * B + B * C + C * A) + 0x1p-48 * A * B * C;
-  return v > error ? 1 : v < -error ? -1 : 0;
 }
 
 /// How far along a ray a triangle lies, about; 8 where it misses.

@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <limits>
@@ -331,6 +332,36 @@ TEST(ContinuousDepth, turns_too_long_for_one_step_are_cut) {
   EXPECT_EQ(c.discontinuity, Discontinuity::none);
   EXPECT_EQ(c.branch, 1U);
   EXPECT_GT(c.work.local_sums, 1U);
+}
+
+/// The features that are named hold the witnesses.
+void expect_features_at_witnesses(const Mesh& p, const Mesh& q, const ContinuousContact& c, const Point3& at) {
+  const auto holds = [](const Mesh& mesh, const SolidFeature& f, Vec3 w) {
+    const auto vertex = [&](std::uint32_t v) { return vec(mesh.vertices()[v]); };
+    if (f.kind == SolidFeature::Kind::vertex) return spatial::length(vertex(f.a) - w) < 1e-9;
+    if (f.kind == SolidFeature::Kind::face)
+      return depth::face_comes_within(depth::continuous_surface(mesh, 1), f.a, w, 1e-9);
+    const Vec3 d = vertex(f.b) - vertex(f.a), to = w - vertex(f.a);
+    const double s = std::clamp(spatial::dot(d, to) / spatial::dot(d, d), 0.0, 1.0);
+    return spatial::length(to - s * d) < 1e-9;
+  };
+  EXPECT_TRUE(holds(p, c.contact.p, vec(c.witness_p)));
+  EXPECT_TRUE(holds(q, c.contact.q, vec(c.witness_q) - vec(at)));
+}
+
+TEST(ContinuousDepth, names_the_features_at_the_witnesses_where_many_faces_lie_in_one_plane) {
+  std::mt19937_64 random(9);
+  std::uniform_real_distribution<double> place(-1, 1);
+  const Mesh p = solids::tessellated_cube(8, 4), tip = solids::cone(5, 0.5, 1), cube = solids::tessellated_cube(2, 2);
+  for (const Mesh* q : {&tip, &cube})
+    for (const double l : {0.0, 1.0}) {
+      ContinuousDepth pair = tracker_of(p, *q, l);
+      for (int k = 0; k < 40; ++k) {
+        const Point3 at{4 * place(random), 4 * place(random), 4 + 0.75 * place(random)};
+        const ContinuousContact c = pair.query(at).value();
+        if (c.meeting == Meeting::overlapping) expect_features_at_witnesses(p, *q, c, at);
+      }
+    }
 }
 
 TEST(ContinuousDepth, a_patch_answers_as_the_solids_do) {

@@ -1,11 +1,16 @@
 // Depth and distance of planar regions.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
+#include <map>
 #include <random>
 
 #include "dymsum/penetration_depth.h"
+#include "oracles/random.h"
+#include "oracles/sanitized.h"
+#include "oracles/tiny_regions.h"
 
 namespace dymsum::test {
 namespace {
@@ -84,6 +89,114 @@ TEST(PlanarDepth, what_has_no_area_is_refused) {
   EXPECT_EQ(PlanarDepth::create(wire, square(1)).error().code, ErrorCode::unsupported_operand);
   EXPECT_THROW(PlanarDepth::create(square(1), square(1)).value().at({std::numeric_limits<double>::infinity(), 0}),
                std::invalid_argument);
+}
+
+using PlanarPair = std::pair<PlanarFeature, PlanarFeature>;
+
+/// Every vertex and edge of P against every one of Q moved, in rationals.
+std::map<PlanarPair, int> touching_features(const Region& p, const Region& q, const RationalPoint& moved) {
+  using Kind = PlanarFeature::Kind;
+  struct Feature {
+    PlanarFeature name;
+    RationalPoint a, b;
+  };
+  const auto features = [](const Region& region, const RationalPoint& by) {
+    std::vector<Feature> all;
+    std::uint32_t index = 0;
+    const auto at = [&](const Point& v) {
+      return RationalPoint{Rational::of(v.x).value() + by.x, Rational::of(v.y).value() + by.y};
+    };
+    const auto add = [&](const Ring& ring) {
+      for (std::size_t k = 0; k < ring.size(); ++k, ++index) {
+        all.push_back({{Kind::vertex, index}, at(ring[k]), at(ring[k])});
+        all.push_back({{Kind::edge, index}, at(ring[k]), at(ring[(k + 1) % ring.size()])});
+      }
+    };
+    for (const Part& part : region.parts()) {
+      add(part.outer);
+      for (const Ring& hole : part.holes) add(hole);
+    }
+    return all;
+  };
+  const auto minus = [](const RationalPoint& a, const RationalPoint& b) { return RationalPoint{a.x - b.x, a.y - b.y}; };
+  const auto cross = [](const RationalPoint& a, const RationalPoint& b) { return a.x * b.y - a.y * b.x; };
+  const auto dot = [](const RationalPoint& a, const RationalPoint& b) { return a.x * b.x + a.y * b.y; };
+  const auto dimension = [&](const Feature& f, const Feature& g) {
+    const RationalPoint d = minus(f.b, f.a), e = minus(g.b, g.a), to = minus(g.a, f.a);
+    if (f.name.kind == Kind::vertex && g.name.kind == Kind::vertex) return f.a == g.a ? 0 : -1;
+    if (f.name.kind == Kind::vertex || g.name.kind == Kind::vertex) {
+      const RationalPoint& along = f.name.kind == Kind::vertex ? e : d;
+      const RationalPoint x = f.name.kind == Kind::vertex ? minus(f.a, g.a) : to;
+      const Rational s = dot(along, x);
+      return cross(along, x).sign() == 0 && s.sign() > 0 && s < dot(along, along) ? 0 : -1;
+    }
+    if (cross(d, e).sign() == 0) {
+      const Rational s = dot(d, to), t = dot(d, minus(g.b, f.a));
+      return cross(d, to).sign() == 0 && std::min(s, t) < dot(d, d) && std::max(s, t).sign() > 0 ? 1 : -1;
+    }
+    const Rational s = cross(to, e) / cross(d, e), t = cross(to, d) / cross(d, e);
+    return s.sign() > 0 && s < Rational(1) && t.sign() > 0 && t < Rational(1) ? 0 : -1;
+  };
+  std::map<PlanarPair, int> all;
+  const std::vector<Feature> of_q = features(q, moved);
+  for (const Feature& f : features(p, {}))
+    for (const Feature& g : of_q)
+      if (const int d = dimension(f, g); d >= 0) all[{f.name, g.name}] = d;
+  return all;
+}
+
+TEST(PlanarDepth, contacts_are_all_pairs_of_features_that_touch) {
+  oracles::Random random(17);
+  std::mt19937_64 places(18);
+  int flush = 0;
+  const int rounds = oracles::rounds(120);
+  for (int round = 0; round < rounds; ++round) {
+    // On the grid, in decimals, in single precision, turned, and off by noise.
+    const double c = std::cos(0.5), s = std::sin(0.5);
+    const auto mapped = [&](RegionData data) {
+      if (round % 5 == 1) data = oracles::mapped(data, 0.1, 0, 0, 0.1);
+      if (round % 5 == 3) data = oracles::mapped(data, c, -s, s, c);
+      const auto change = [&](Point& v) {
+        if (round % 5 == 2) v = {static_cast<float>(0.1 * v.x), static_cast<float>(0.1 * v.y)};
+        if (round % 5 == 4)
+          v.x += 1e-9 * static_cast<double>(places() % 7), v.y += 1e-9 * static_cast<double>(places() % 5);
+      };
+      for (Part& part : data.parts) {
+        std::for_each(part.outer.begin(), part.outer.end(), change);
+        for (Ring& hole : part.holes) std::for_each(hole.begin(), hole.end(), change);
+      }
+      return Region::create(std::move(data));
+    };
+    const Result<Region> p = mapped(oracles::random_parts(random, 6)), q = mapped(oracles::random_parts(random, 4));
+    if (!p || !q) continue;
+    const Result<PlanarDepth> depth = PlanarDepth::create(*p, *q);
+    if (!depth) continue;
+    const double unit = round % 5 == 1 || round % 5 == 2 ? 0.05 : 0.5;
+    const auto along = [&] { return unit * (static_cast<double>(places() % 25) - 12); };
+    const Point at{along(), along()};
+    const PlanarDistance d = depth->at(at);
+    for (const PlanarWay& way : d.ways) {
+      const RationalPoint moved{way.move.x + Rational::of(at.x).value(), way.move.y + Rational::of(at.y).value()};
+      std::map<PlanarPair, int> found;
+      for (const PlanarTouch& t : way.contacts) found[{t.p, t.q}] = t.dimension, flush += t.dimension;
+      EXPECT_EQ(found, touching_features(*p, *q, moved)) << "round " << round;
+      EXPECT_EQ(found.size(), way.contacts.size());
+      EXPECT_FALSE(found.empty());
+    }
+    if (HasFailure()) FAIL() << "round " << round;
+  }
+  EXPECT_GT(flush, rounds / 12);
+}
+
+TEST(PlanarDepth, flush_squares_touch_in_edge_and_edge) {
+  const PlanarDistance d = PlanarDepth::create(square(1), square(1)).value().at({1.5, 0});
+  const std::vector<PlanarTouch>& all = d.ways.at(0).contacts;
+  ASSERT_EQ(all.size(), 3U);  // and their corners
+  EXPECT_EQ(all[0].dimension, 1);
+  EXPECT_EQ(all[0].p, (PlanarFeature{PlanarFeature::Kind::edge, 1}));
+  EXPECT_EQ(all[0].q, (PlanarFeature{PlanarFeature::Kind::edge, 3}));
+  EXPECT_EQ(all[0].at, (RationalPoint{Rational(1), Rational(0)}));
+  EXPECT_EQ(all[2].patch, 0U);
 }
 
 }  // namespace

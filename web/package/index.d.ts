@@ -375,7 +375,15 @@ export interface ScaleContact {
 export interface ScaleInterval { low: ExactText | null; high: ExactText | null; atLow: ScaleContact[]; atHigh: ScaleContact[]; }
 export interface ScaleRange { free: ScaleInterval[]; trap: ExactText | null; critical: number; tested: number; }
 
-export interface PlanarWay { move: ExactPoint; approx: Point; direction: Point; contacts: Contact[]; }
+/** `vertex` index of a region, or the `edge` that starts there. */
+export interface PlanarFeature { kind: 'vertex' | 'edge'; index: number; }
+/**
+ * Features that touch: their relative interiors have a point (`dimension` 0) or a segment (1) in common, of which `at` is a
+ * position. `patch`: the connected piece of all that touches.
+ */
+export interface PlanarTouch { p: PlanarFeature; q: PlanarFeature; dimension: 0 | 1; at: ExactPoint; approx: Point; patch: number; }
+/** `contacts`: all pairs that touch once Q is moved, the greatest dimension first. */
+export interface PlanarWay { move: ExactPoint; approx: Point; direction: Point; contacts: PlanarTouch[]; }
 export interface PlanarDistance {
   meeting: 'overlapping' | 'touching' | 'apart';
   squared: ExactText;
@@ -699,7 +707,10 @@ export interface ConvexBuffers {
 }
 export interface ConvexDepth { inside: boolean; depth: number; depthSquared: ExactText; direction: Point3; p: SolidFeature; q: SolidFeature; }
 
-export interface SolidWay { move: ExactPoint3; approx: Point3; direction: Point3; contacts: SolidContact[]; }
+/** As PlanarTouch; of a face and a face that lie in one plane the `dimension` is 2. */
+export interface SolidTouch { p: SolidFeature; q: SolidFeature; dimension: 0 | 1 | 2; at: ExactPoint3; approx: Point3; patch: number; }
+/** `contacts`: all pairs that touch once Q is moved, the greatest dimension first. */
+export interface SolidWay { move: ExactPoint3; approx: Point3; direction: Point3; contacts: SolidTouch[]; }
 export interface SolidDistance {
   meeting: 'overlapping' | 'touching' | 'apart';
   squared: ExactText;
@@ -716,8 +727,8 @@ export interface SolidDepth extends Disposable {
 
 /**
  * The shortest way out of two solids of any shape, of which Q turns about its origin and moves. The nearest place is found in
- * doubles: an overlap below 2^-46 of the sizes counts as touching and is not `inside`, and of a tight place vertices 0 are named;
- * without a turn SolidDepth is exact.
+ * doubles: an overlap below 2^-46 of the sizes counts as touching and is not `inside`, though `depthSquared` is exact; `p` and
+ * `q` touch there within that error. Without a turn SolidDepth is exact, and names all that touches.
  */
 export interface TurnedDepth extends Disposable { at(q: Point3, turned?: Rotation): ConvexDepth; }
 
@@ -914,7 +925,8 @@ export interface Live {
 
   readonly MovingSolidSum: { create(p: Mesh, q: Mesh, options?: MovingSolidOptions): MovingSolidSum };
   readonly ConvexSum: { create(p: Mesh, q: Mesh): ConvexSum };
-  readonly SolidDepth: { create(p: Mesh, q: Mesh, options?: { progress?: Progress }): SolidDepth };
+  /** `contacts: false`: ways have none, which saves time */
+  readonly SolidDepth: { create(p: Mesh, q: Mesh, options?: { contacts?: boolean; progress?: Progress }): SolidDepth };
   readonly TurnedDepth: { create(p: Mesh, q: Mesh, options?: { progress?: Progress }): TurnedDepth };
   readonly ScalingSolidSum: {
     create(p: Mesh, q: Mesh, options?: { moving?: 'p' | 'q'; semantics?: Semantics; tight?: boolean }): ScalingSolidSum;

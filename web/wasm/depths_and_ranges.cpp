@@ -38,13 +38,33 @@ val way_data(const Way& way, Contacts contact_data) {
   return v;
 }
 
+val feature_data(const SolidFeature& feature) { return solid_feature(feature); }
+val feature_data(const PlanarFeature& feature) {
+  val v = val::object();
+  v.set("kind", std::string(feature.kind == PlanarFeature::Kind::vertex ? "vertex" : "edge"));
+  v.set("index", feature.index);
+  return v;
+}
+
+template <class Touch>
+val touch_data(const Touch& touch) {
+  val v = val::object();
+  v.set("p", feature_data(touch.p));
+  v.set("q", feature_data(touch.q));
+  v.set("dimension", touch.dimension);
+  v.set("at", exact_point(touch.at));
+  v.set("approx", point(approx(touch.at)));
+  v.set("patch", touch.patch);
+  return v;
+}
+
 std::shared_ptr<PlanarDepth> planar_depth(const Region& p, const Region& q) {
   return shared(got(PlanarDepth::create(p, q)));
 }
 val planar_at(const PlanarDepth& depth, const val& x, const val& y) {
   const PlanarDistance distance = depth.at({is_none(x) ? 0 : x.as<double>(), is_none(y) ? 0 : y.as<double>()});
   val v = distance_data(distance);
-  v.set("ways", list_of(distance.ways, [](const PlanarWay& way) { return way_data(way, contact); }));
+  v.set("ways", list_of(distance.ways, [](const PlanarWay& way) { return way_data(way, touch_data<PlanarTouch>); }));
   return v;
 }
 
@@ -52,13 +72,14 @@ std::shared_ptr<SolidDepth> solid_depth(const Mesh& p, const Mesh& q, const val&
   DepthOptions how;
   how.threads = 1;
   how.progress = progress_in(member(options, "progress"));
+  if (const val contacts = member(options, "contacts"); !is_none(contacts)) how.contacts = contacts.as<bool>();
   return shared(got(SolidDepth::create(p, q, how)));
 }
 val solid_at(SolidDepth& depth, const val& x, const val& y, const val& z, const val& limit) {
   const auto number = [](const val& v) { return is_none(v) ? 0 : v.as<double>(); };
   const SolidDistance distance = depth.at({number(x), number(y), number(z)}, number(limit));
   val v = distance_data(distance);
-  v.set("ways", list_of(distance.ways, [](const SolidWay& way) { return way_data(way, solid_contact); }));
+  v.set("ways", list_of(distance.ways, [](const SolidWay& way) { return way_data(way, touch_data<SolidTouch>); }));
   v.set("complete", distance.complete);
   v.set("atLeast", distance.at_least);
   return v;
