@@ -36,7 +36,7 @@ export const optionsOf = {
   'PlanarLocalSum.create': [2, ['engine', 'progress']],
   'LocalSum.create': [2, ['engine', 'tight', 'progress']],
   'MovingSolidSum.create': [2, ['semantics', 'tight', 'mode', 'progress']],
-  'SolidDepth.create': [2, ['progress']],
+  'SolidDepth.create': [2, ['contacts', 'progress']],
   'TurnedDepth.create': [2, ['progress']],
   'ScalingSolidSum.create': [2, ['moving', 'semantics', 'tight']],
   'TurningSolidSum.create': [3, ['moving', 'changes', 'window', 'tight']],
