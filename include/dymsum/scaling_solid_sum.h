@@ -14,8 +14,8 @@
 
 namespace dymsum {
 
-/// An exact scale at which the combinatorial structure of a sum of solids differs from that before or after it: its
-/// faces by their planes, which of them meet along which edges and in which vertices, its shells, its tight features.
+/// An exact scale at which the sum's structure differs before, at or after: faces by their planes as the motion moves
+/// them, how these meet in edges and vertices, shells, tight features. As `visible` of SolidTurnEvent: one definition.
 struct SolidScaleEvent {
   enum class Kind : std::uint8_t {
     vertex_on_facet,  ///< a corner of a facet comes onto another facet, or onto an edge or a corner of one
@@ -26,7 +26,7 @@ struct SolidScaleEvent {
   Rational s;
   double approx = 0;
   Kind kind = Kind::vertex_on_facet;  ///< of several at one scale the last of these
-  bool topology = false;  ///< shells, the genus of one, or the counts of tight features differ before, at or after it
+  bool topology = false;              ///< so do the number of shells, the genus of one, or counts of tight features
   friend bool operator==(const SolidScaleEvent&, const SolidScaleEvent&) = default;
 };
 

@@ -67,10 +67,10 @@ struct SolidTurnEvent {
   double t_low = 0, t_high = 0;
   bool opposite = false;
   std::vector<SolidTurnContact> contacts;  ///< the first 16, where masses meet
-  /// Faces, how they meet, or tight features differ before, behind or (where t is rational) at the angle. Known where
-  /// changes were asked for.
+  /// The sum's structure differs before, at or after: as of SolidScaleEvent, one definition. Where t is not rational
+  /// there is no sum at the angle: before and after alone are compared. Known where changes were asked for.
   bool visible = false;
-  bool topology = false;  ///< so do counts of shells, tunnels or tight features
+  bool topology = false;  ///< so do the number of shells, the genus of one, or counts of tight features
 };
 
 struct TurningSolidOptions {
@@ -120,7 +120,7 @@ class TurningSolidSum {
   /// The first visible event behind `a` and not beyond `limit`, which is reached counter-clockwise.
   Result<std::optional<SolidTurnEvent>> next_event(const AxisTurn& a, const AxisTurn& limit,
                                                    const Progress& progress = {}) const;
-  /// The same of events that change shells, tunnels or tight features.
+  /// The same of events that change shells, the genus of one, or counts of tight features.
   Result<std::optional<SolidTurnEvent>> next_topology_change(const AxisTurn& a, const AxisTurn& limit,
                                                              const Progress& progress = {}) const;
   /// A hash of the structure of a sum at a turn; constant between consecutive events. Requires: a sum that at() of the

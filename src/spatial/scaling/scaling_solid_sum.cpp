@@ -6,9 +6,10 @@
 
 #include "planar/operand/scale_value.h"
 #include "spatial/moving/posed_sum.h"
+#include "spatial/moving/sum_shape.h"
 #include "spatial/scaling/computed_scale.h"
 #include "spatial/scaling/scale_values.h"
-#include "spatial/scaling/sum_shape.h"
+#include "spatial/scaling/scaled_planes.h"
 
 namespace dymsum {
 
@@ -44,7 +45,7 @@ class ScalingSolidSum::State {
     const int moving = options_.moving == MovingOperand::p ? 0 : 1;
     facets_.emplace(pair_, moving, watch);
     overlap_.emplace(*facets_);
-    shapes_.emplace(p_, q_, moving);
+    planes_.emplace(p_, q_, moving);
   }
 
   std::size_t facet_count() const { return facets_ ? facets_->facets().size() : 0; }
@@ -57,7 +58,8 @@ class ScalingSolidSum::State {
   }
   SpatialSum at(const Scale& s, const Progress& progress) const { return at(s, progress, options_.threads); }
   SumShape shape(const Scale& s, const Progress& progress, int threads) const {
-    return facets_ ? shapes_->of(at(s, progress, threads)) : SumShape{};
+    if (!facets_) return {};
+    return shape_of(at(s, progress, threads), [&](const SolidContact& c) { return planes_->name(c); });
   }
 
   std::vector<SolidScaleEvent> events(const BigRational& a, const BigRational& b, const Progress& progress,
@@ -74,7 +76,7 @@ class ScalingSolidSum::State {
   SpatialOptions stages_;
   std::optional<MovingFacets> facets_;
   std::optional<ScaledOverlap> overlap_;
-  std::optional<SumShapes> shapes_;
+  std::optional<ScaledPlanes> planes_;
 };
 
 ScalingSolidSum::State::Shapes ScalingSolidSum::State::shapes_at(const std::vector<BigRational>& scales,
@@ -124,13 +126,13 @@ std::vector<SolidScaleEvent> ScalingSolidSum::State::events(const BigRational& a
   for (std::size_t k = 0; k < values.size(); ++k) {
     const ScaleOfInterest& v = values[k];
     if (!is_asked(v)) continue;
-    bool changes = v.changes, topology = false;
+    ShapeChange change{v.changes, false};
     if (has_to_be_compared(v)) {
-      const SumShape &before = shapes.at(between[k]), &here = shapes.at(v.s), &after = shapes.at(between[k + 1]);
-      changes = changes || !(before == here) || !(here == after);
-      topology = !(before.topology == here.topology) || !(here.topology == after.topology);
+      change = change_of(shapes.at(between[k]), shapes.at(v.s), shapes.at(between[k + 1]));
+      change.visible = change.visible || v.changes;
     }
-    if (changes) events.push_back({exact::to_rational(v.s), exact::round_to_double(v.s), v.kind, topology});
+    if (change.visible)
+      events.push_back({exact::to_rational(v.s), exact::round_to_double(v.s), v.kind, change.topology});
   }
   watch.begin("");
   return events;

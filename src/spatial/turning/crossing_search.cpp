@@ -73,13 +73,27 @@ void CrossingSearch::pass(std::uint32_t edge, std::vector<std::uint32_t>& met) {
 
 bool CrossingSearch::may_pass(const SumEdge& e, std::uint32_t facet) const {
   const WindowFacet& f = w_.facets[facet];
-  if (f.has_corner(e.from) || f.has_corner(e.to)) return false;  // passes the plane there, if it is not in it
+  const bool from_corner = f.has_corner(e.from), to_corner = f.has_corner(e.to);
+  if (from_corner && to_corner) return false;  // in its plane at all angles
   const Jets::SidedPlane& plane = near_[facet].plane;
+  const int rise = jets_.rise(plane, e).sign();
+  if (from_corner || to_corner)
+    return rise == 0 && may_turn_into(facet, from_corner ? e.from : e.to, from_corner ? e.to : e.from);
   const int from = jets_.side(plane, e.from).sign(), to = jets_.side(plane, e.to).sign();
   if (from * to > 0) return false;
-  const int rise = jets_.rise(plane, e).sign();
   for (int k = 0; k < f.facet.corners && rise != 0; ++k)
     if (jets_.twist(e, f.border(k)).sign() * rise > 0) return false;
+  return true;
+}
+
+/// Whether the way from a corner of a facet to a point may lead into its plane between the borders at that corner.
+bool CrossingSearch::may_turn_into(std::uint32_t facet, SumPoint corner, SumPoint to) const {
+  const WindowFacet& f = w_.facets[facet];
+  for (int k = 0; k < f.facet.corners; ++k) {
+    const SumEdge border = f.border(k);
+    if (border.from != corner && border.to != corner) continue;
+    if (jets_.inside(near_[facet].inward[k], corner, jets_.at(to)).sign() < 0) return false;
+  }
   return true;
 }
 
@@ -90,7 +104,7 @@ bool CrossingSearch::pairs_along(std::uint32_t edge, const std::vector<std::uint
     for (std::size_t l = k + 1; l < met.size(); ++l) {
       const std::uint32_t f = met[k], g = met[l];
       poll();
-      if ((cells & cells_[f] & cells_[g]) == 0) continue;
+      if ((cells & cells_[f] & cells_[g]) == 0 || (has_end(f, e) && has_end(g, e))) continue;
       if (w_.plane_of[f] == w_.plane_of[g] || !overlap(near_[f].box, near_[g].box)) continue;
       if (jets_.order(e, near_[f].plane, near_[g].plane).sign() != 0) continue;
       Meeting meeting;
@@ -101,25 +115,43 @@ bool CrossingSearch::pairs_along(std::uint32_t edge, const std::vector<std::uint
 }
 
 /// Two facets cross along a segment whose ends are on borders, so that neighbours are all that cross somewhere, but for
-/// those that share a corner.
+/// those that share a corner, or a border about which they fold.
 void CrossingSearch::join_neighbours() {
   for (const std::vector<std::uint32_t>& around : w_.facets_at_vertex)
     for (const std::uint32_t f : around)
       for (const std::uint32_t g : around)
-        if (f != g && (cells_[f] & cells_[g]) != 0 && !share_border(f, g)) neighbours_[f].push_back(g);
+        if (f != g && (cells_[f] & cells_[g]) != 0 && crossing(f, g)) neighbours_[f].push_back(g);
   for (std::vector<std::uint32_t>& list : neighbours_) {
     std::sort(list.begin(), list.end());
     list.erase(std::unique(list.begin(), list.end()), list.end());
   }
 }
 
-bool CrossingSearch::share_border(std::uint32_t f, std::uint32_t g) const {
+bool CrossingSearch::has_end(std::uint32_t facet, const SumEdge& e) const {
+  return w_.facets[facet].has_corner(e.from) || w_.facets[facet].has_corner(e.to);
+}
+
+/// Of two facets in different planes: whether they share a border, or two other corners, and meet nowhere else. They do
+/// where they fold onto each other, at an angle at which their planes are one.
+bool CrossingSearch::meet_in_border(std::uint32_t f, std::uint32_t g) const {
+  const WindowFacet &a = w_.facets[f], &b = w_.facets[g];
   int shared = 0;
-  for (int k = 0; k < w_.facets[f].facet.corners; ++k) shared += w_.facets[g].has_corner(w_.facets[f].facet.corner[k]);
-  return shared >= 2;
+  for (int k = 0; k < a.facet.corners; ++k) shared += b.has_corner(a.facet.corner[k]);
+  if (shared < 2) return false;
+  for (int k = 0; k < a.facet.corners; ++k)
+    if (jets_.side(near_[g].plane, a.facet.corner[k]).sign() != 0) return true;
+  for (int k = 0; k < a.facet.corners; ++k) {
+    const SumEdge e = a.border(k);
+    for (int l = 0; l < b.facet.corners; ++l) {
+      const SumEdge other = b.border(l);
+      if ((e == other || e == SumEdge{other.to, other.from}) && dot(near_[f].inward[k], near_[g].inward[l]).sign() < 0)
+        return true;
+    }
+  }
+  return false;
 }
 bool CrossingSearch::crossing(std::uint32_t f, std::uint32_t g) const {
-  return w_.plane_of[f] != w_.plane_of[g] && overlap(near_[f].box, near_[g].box) && !share_border(f, g);
+  return w_.plane_of[f] != w_.plane_of[g] && overlap(near_[f].box, near_[g].box) && !meet_in_border(f, g);
 }
 
 bool CrossingSearch::surely_outside(std::uint32_t facet, const Jets::Place& at) const {

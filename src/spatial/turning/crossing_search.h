@@ -35,9 +35,11 @@ class CrossingSearch {
   TurnCells cells_around(std::uint32_t edge) const;
   void pass(std::uint32_t edge, std::vector<std::uint32_t>& met);
   bool may_pass(const SumEdge& e, std::uint32_t facet) const;
+  bool may_turn_into(std::uint32_t facet, SumPoint corner, SumPoint to) const;
   bool pairs_along(std::uint32_t edge, const std::vector<std::uint32_t>& met);
   void join_neighbours();
-  bool share_border(std::uint32_t f, std::uint32_t g) const;
+  bool has_end(std::uint32_t facet, const SumEdge& e) const;
+  bool meet_in_border(std::uint32_t f, std::uint32_t g) const;
   bool crossing(std::uint32_t f, std::uint32_t g) const;
   bool surely_outside(std::uint32_t facet, const Jets::Place& at) const;
   bool fours_of(std::uint32_t f, std::uint32_t g);

@@ -183,23 +183,19 @@ void TurnWalk::look(const TurnRangeOfT& range, const std::vector<Angle>& angles,
   const auto place = [&](const AlgebraicRoot& a, const AlgebraicRoot& b) {
     return ChartPlace{range.chart, exact::between(a, b)};
   };
-  if (!before_) before_ = snapshot(place(i == 0 ? AlgebraicRoot::rational(range.low) : angles[i - 1].root, root));
-  const TurnSnapshot after =
-      snapshot(place(root, i + 1 < angles.size() ? angles[i + 1].root : AlgebraicRoot::rational(range.high)));
-  event.topology = !(before_->topology == after.topology);
-  event.visible = event.topology || before_->hash != after.hash;
-  if (event.exact) {
-    const TurnSnapshot here = snapshot(pair_.circle.place(*event.exact));
-    event.topology = event.topology || !(here.topology == before_->topology);
-    event.visible = event.visible || event.topology;
-  }
-  before_ = after;
+  if (!before_) before_ = shape(place(i == 0 ? AlgebraicRoot::rational(range.low) : angles[i - 1].root, root));
+  std::optional<SumShape> at;
+  if (event.exact) at = shape(pair_.circle.place(*event.exact));
+  SumShape after = shape(place(root, i + 1 < angles.size() ? angles[i + 1].root : AlgebraicRoot::rational(range.high)));
+  const ShapeChange change = change_of(*before_, at, after);
+  event.visible = change.visible, event.topology = change.topology;
+  before_ = std::move(after);
 }
 
-TurnSnapshot TurnWalk::snapshot(const ChartPlace& at) {
+SumShape TurnWalk::shape(const ChartPlace& at) {
   ++work_.sums;
-  const SpatialSum sum = turned_sum(pair_, at, stages_);
-  return {structure_hash(pair_, sum), topology_of(sum)};
+  const TurnedPlanes planes(pair_);
+  return shape_of(turned_sum(pair_, at, stages_), [&](const SolidContact& c) { return planes.name(c); });
 }
 
 }  // namespace dymsum::spatial

@@ -4,15 +4,11 @@
 
 #include <span>
 
+#include "spatial/moving/sum_shape.h"
 #include "spatial/turning/root_contacts.h"
-#include "spatial/turning/turn_structure.h"
+#include "spatial/turning/turned_planes.h"
 
 namespace dymsum::spatial {
-
-struct TurnSnapshot {
-  std::uint64_t hash = 0;
-  SolidTopology topology;
-};
 
 class TurnWalk {
  public:
@@ -45,7 +41,7 @@ class TurnWalk {
   std::optional<SolidTurnEvent> event_at(const TurnRangeOfT& range, std::vector<Angle>& angles, std::size_t i);
   SolidTurnEvent event_of(int chart, Angle& angle) const;
   void look(const TurnRangeOfT& range, const std::vector<Angle>& angles, std::size_t i, SolidTurnEvent& event);
-  TurnSnapshot snapshot(const ChartPlace& at);
+  SumShape shape(const ChartPlace& at);
   void ask();
 
   const TurningPair& pair_;
@@ -56,7 +52,7 @@ class TurnWalk {
   const Progress& progress_;
   SpatialOptions stages_;
   double step_ = 0, share_ = 0;
-  std::optional<TurnSnapshot> before_;
+  std::optional<SumShape> before_;
 };
 
 /// The exact sum at a place of the circle.

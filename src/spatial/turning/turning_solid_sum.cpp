@@ -111,10 +111,14 @@ Result<SpatialSum> TurningSolidSum::at(const AxisTurn& turn, const Progress& pro
 }
 
 std::uint64_t TurningSolidSum::combinatorial_hash(const SpatialSum& sum) const {
-  for (const SpatialFace& f : sum.faces)
-    if (!has(state_->pair.operand(0), f.p) || !has(state_->pair.operand(1), f.q))
+  const auto check = [&](const SolidContact& c) {
+    if (!has(state_->pair.operand(0), c.p) || !has(state_->pair.operand(1), c.q))
       throw std::invalid_argument("combinatorial_hash: a sum of other operands, which names features these have not");
-  return spatial::structure_hash(state_->pair, sum);
+  };
+  for (const SpatialFace& f : sum.faces) check({f.p, f.q});
+  for (const auto& contacts : sum.tight_face_contacts) check(contacts[0]);
+  const spatial::TurnedPlanes planes(state_->pair);
+  return spatial::shape_of(sum, [&](const SolidContact& c) { return planes.name(c); }).hash;
 }
 
 Result<std::vector<SolidTurnEvent>> TurningSolidSum::events(const AxisTurn& a, const AxisTurn& b,

@@ -15,8 +15,9 @@
 #include "exact/big.h"
 #include "spatial/convex/setting.h"
 #include "spatial/moving/moving_cases.h"
+#include "spatial/moving/sum_shape.h"
 #include "spatial/scaling/pair_intervals.h"
-#include "spatial/scaling/sum_shape.h"
+#include "spatial/scaling/scaled_planes.h"
 
 namespace dymsum {
 namespace {
@@ -33,7 +34,8 @@ SpatialSum fresh(const Mesh& p, const Mesh& q, const Rational& s) {
   return posed_sum(p, q, {}, of_q).value();
 }
 SumShape shape_at(const Mesh& p, const Mesh& q, const Rational& s) {
-  return spatial::SumShapes(p, q, 1).of(fresh(p, q, s));
+  const spatial::ScaledPlanes planes(p, q, 1);
+  return spatial::shape_of(fresh(p, q, s), [&](const SolidContact& c) { return planes.name(c); });
 }
 
 /// What a list of events promises, asked of sums from scratch.

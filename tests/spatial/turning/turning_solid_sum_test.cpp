@@ -13,7 +13,7 @@
 #include "dymsum/shapes.h"
 #include "dymsum/solids.h"
 #include "spatial/moving/moving_cases.h"
-#include "spatial/turning/turn_structure.h"
+#include "spatial/moving/shell_euler.h"
 
 namespace dymsum {
 namespace {
@@ -24,13 +24,13 @@ AxisTurn turn_at(const TurnAxis& axis, double radians) { return AxisTurn::neares
 
 struct Seen {
   std::uint64_t hash = 0;
-  spatial::SolidTopology topology;
+  std::vector<std::int64_t> euler;  // of shells
   friend bool operator==(const Seen&, const Seen&) = default;
 };
 Seen seen(const TurningSolidSum& sum, const AxisTurn& turn) {
   const Result<SpatialSum> at = sum.at(turn);
   EXPECT_TRUE(at.ok()) << at.error().to_string();
-  return {sum.combinatorial_hash(*at), spatial::topology_of(*at)};
+  return {sum.combinatorial_hash(*at), spatial::shell_euler_numbers(*at)};
 }
 
 /// Between two samples with different structures lies a visible event, between neighbours with the same ones none (or
