@@ -40,7 +40,7 @@ class EventsOfPair {
     for (std::size_t k = 0; k <= events.size(); ++k) {
       const double begin = k == 0 ? low_ : behind(events[k - 1].radians),
                    end = k == events.size() ? high_ : behind(events[k].radians);
-      const std::optional<Seen> first = end - begin < 1e-8 ? std::nullopt : gap(begin, end);
+      const std::optional<Seen> first = end - begin < 1e-8 ? std::optional<Seen>() : gap(begin, end);
       if (k > 0 && before && first) check_visible(events[k - 1], *before, *first);
       before = first;
     }
@@ -107,11 +107,11 @@ void check_pair(const Pair& pair, const std::string& name, Counts& counts) {
   EventsOfPair(pair, std::move(sum), name, counts).check(*events);
 }
 
-/// DYMSUM_FUZZ_PAIRS / 40 pairs from DYMSUM_FUZZ_SEED on. Of the first 60 four have angles at which an edge turns into
-/// the plane of a facet that it shares a corner with, or facets fold onto each other.
+/// DYMSUM_FUZZ_PAIRS / 40 pairs from DYMSUM_FUZZ_SEED on. Of the first 41 two have angles at which an edge turns into
+/// the plane of a facet that it shares a corner with, and one a structure at an angle alone.
 TEST(TurningEvents, NoneIsMissingOfRandomPairs) {
   const std::uint64_t first = oracles::setting("DYMSUM_FUZZ_SEED", 0),
-                      count = oracles::setting("DYMSUM_FUZZ_PAIRS", 2400) / 40;
+                      count = oracles::setting("DYMSUM_FUZZ_PAIRS", 1640) / 40;
   Counts counts;
   for (std::uint64_t seed = first; seed < first + count; ++seed)
     check_pair(turning_pairs::Maker(seed).pair(), "DYMSUM_FUZZ_SEED=" + std::to_string(seed), counts);

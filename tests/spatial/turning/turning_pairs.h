@@ -30,7 +30,7 @@ class Maker {
 
   /// Its range of angles is a part of a turn: some begin or end where everything is parallel.
   Pair pair() {
-    Pair pair{solid(), solid()};
+    Pair pair{solid(), solid(), {}, {}, {}, {}};
     if (below(8) == 0) pair.q = pair.p;
     if (below(8) == 0) pair.q = reflected(pair.p);
     static constexpr TurnAxis kAxes[] = {{0, 0, 1}, {0, 0, 1}, {1, 0, 0}, {1, 1, 0}, {1, 2, 3}, {2, -1, 2}, {1, 1, 1}};
