@@ -21,7 +21,7 @@ describe('every page', () => {
       await expect.poll(() => page.locator('.choice, .toggle').count()).toBeGreaterThan(0);
       const [bare, names] = await page.evaluate(() => {
         const choices = [...document.querySelectorAll<HTMLElement>('.choice label, label.toggle')];
-        return [choices.filter((e) => !/\.$/.test(e.title)).map((e) => e.textContent), [...document.querySelectorAll('.choice')].map((e) => [...e.children].map((label) => label.textContent!.trim()))] as const;
+        return [choices.filter((e) => !/\.$/.test(e.title)).map((e) => e.textContent), [...document.querySelectorAll('.choice')].map((e) => [...e.children].map((label) => label.textContent.trim()))] as const;
       });
       expect([name, bare]).toEqual([name, []]);
       const alike = (a: string, b: string): boolean => a.length > 2 && b.length > 2 && a !== b && (a.startsWith(b) || b.startsWith(a));
