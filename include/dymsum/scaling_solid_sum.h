@@ -51,7 +51,7 @@ struct SolidEventWork {
 /// Source: Behar 2016, section 6.3, where four facets in a point are missing (docs/design/scaling-solids.md).
 class ScalingSolidSum {
  public:
-  /// Errors: unsupported_operand for thin parts, and coordinates of more than 8,192 bits; out_of_range for threads below
+  /// Errors: unsupported_operand for thin parts, and for more than 8,192 bits; out_of_range for threads below
   /// 0.
   static Result<ScalingSolidSum> create(const Mesh& p, const Mesh& q, const ScalingSolidOptions& options = {});
   ScalingSolidSum(ScalingSolidSum&&) noexcept;

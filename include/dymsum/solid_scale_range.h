@@ -41,7 +41,7 @@ struct SolidScaleRange {
 
 /// The scales s for which s `part` (about the origin of its coordinates), moved along the path, never overlaps the
 /// obstacles; touching is allowed. `path` is a polyline of translations with at least one waypoint. Exact. Errors:
-/// unsupported_operand for a path without waypoints, empty operands, thin parts and coordinates of more than 8,192 bits;
+/// unsupported_operand for a path without waypoints, empty operands, thin parts and more than 8,192 bits;
 /// not_finite; cancelled. Cost: for L waypoints and N facets O(L N) exact values, and O(L N) signs for every one of
 /// them. Source: Behar 2016, 6.6.1.
 Result<SolidScaleRange> solid_scale_range(const Mesh& part, const std::vector<Point3>& path, const Mesh& obstacles,

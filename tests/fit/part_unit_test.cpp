@@ -39,8 +39,12 @@ void expect_same(const Result<Range>& made, const Range& one, int k) {
   for (std::size_t i = 0; i < one.free.size(); ++i) {
     EXPECT_EQ(made->free[i].low.has_value(), one.free[i].low.has_value()) << k;
     EXPECT_EQ(made->free[i].high.has_value(), one.free[i].high.has_value()) << k;
-    if (one.free[i].low) EXPECT_EQ(*made->free[i].low * by, *one.free[i].low) << k;
-    if (one.free[i].high) EXPECT_EQ(*made->free[i].high * by, *one.free[i].high) << k;
+    if (one.free[i].low) {
+      EXPECT_EQ(*made->free[i].low * by, *one.free[i].low) << k;
+    }
+    if (one.free[i].high) {
+      EXPECT_EQ(*made->free[i].high * by, *one.free[i].high) << k;
+    }
     EXPECT_EQ(made->free[i].at_low, one.free[i].at_low) << k;
     EXPECT_EQ(made->free[i].at_high, one.free[i].at_high) << k;
   }

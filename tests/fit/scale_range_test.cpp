@@ -328,7 +328,7 @@ TEST(ScaleRange, inputs_without_an_answer_give_errors) {
   RegionData line;
   line.polylines.push_back({{0, 0}, {1, 0}});
   const Region thin = Region::create(line).value();
-  EXPECT_EQ(scale_range(square, {}, square).error().code, ErrorCode::unsupported_operand);
+  EXPECT_EQ(scale_range(square, std::vector<Point>{}, square).error().code, ErrorCode::unsupported_operand);
   EXPECT_EQ(scale_range(thin, {{0, 0}}, square).error().code, ErrorCode::unsupported_operand);
   EXPECT_EQ(scale_range(square, {{0, 0}}, Region()).error().code, ErrorCode::unsupported_operand);
   EXPECT_EQ(scale_range(Region(), {{0, 0}}, square).error().message, "the part is empty");

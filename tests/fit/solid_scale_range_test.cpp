@@ -103,7 +103,7 @@ TEST(SolidFitRange, BoxesFitIntoBoxes) {
 }
 
 TEST(SolidScaleRange, RefusesWhatItDoesNotTake) {
-  EXPECT_EQ(solid_scale_range(cube(1), {}, block()).error().code, ErrorCode::unsupported_operand);
+  EXPECT_EQ(solid_scale_range(cube(1), std::vector<Point3>{}, block()).error().code, ErrorCode::unsupported_operand);
   EXPECT_EQ(solid_scale_range(Mesh(), {{0, 0, 0}}, block()).error().code, ErrorCode::unsupported_operand);
   EXPECT_EQ(solid_scale_range(cube(1), {{0, 0, NAN}}, block()).error().code, ErrorCode::not_finite);
   EXPECT_EQ(

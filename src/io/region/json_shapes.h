@@ -14,7 +14,7 @@ namespace dymsum::io {
 /// rings oriented, because files follow neither order reliably.
 std::vector<NamedShape> read_geojson(const Source& source, const JsonValue& root);
 
-/// A nesting instance: a shape per entry of `items`, named by its id. Closing vertices are dropped; all else stays as it is.
+/// A nesting instance: a shape per entry of `items`, named by its id. Closing vertices are dropped; all else stays.
 std::vector<NamedShape> read_nesting(const Source& source, const JsonValue& root);
 
 /// An item or a bin of such an instance: its `shape`, named by its `id`; a name that is no text is empty.
