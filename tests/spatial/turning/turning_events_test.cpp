@@ -15,32 +15,32 @@ namespace {
 using turning_pairs::Pair;
 
 /// What can be told of a sum without the code of events; its hash is compared beside it.
-struct SeenSum {
+struct SumCounts {
   std::uint64_t hash = 0;
   std::size_t vertices = 0, edges = 0, faces = 0, shells = 0, tight = 0;
-  friend bool operator==(const SeenSum&, const SeenSum&) = default;
+  friend bool operator==(const SumCounts&, const SumCounts&) = default;
 };
-std::ostream& operator<<(std::ostream& out, const SeenSum& s) {
+std::ostream& operator<<(std::ostream& out, const SumCounts& s) {
   return out << s.vertices << " vertices, " << s.edges << " edges, " << s.faces << " faces, " << s.shells << " shells";
 }
 
-struct Counts {
+struct Tally {
   std::size_t pairs = 0, refused = 0, events = 0, visible = 0, gaps = 0, sums = 0;
 };
 
 class EventsOfPair {
  public:
-  EventsOfPair(const Pair& pair, TurningSolidSum sum, std::string name, Counts& counts)
+  EventsOfPair(const Pair& pair, TurningSolidSum sum, std::string name, Tally& counts)
       : axis_(pair.axis), sum_(std::move(sum)), name_(std::move(name)), counts_(counts) {
     low_ = pair.from.radians(axis_), high_ = behind(pair.to.radians(axis_));
   }
 
   void check(const std::vector<SolidTurnEvent>& events) {
-    std::optional<SeenSum> before;
+    std::optional<SumCounts> before;
     for (std::size_t k = 0; k <= events.size(); ++k) {
       const double begin = k == 0 ? low_ : behind(events[k - 1].radians),
                    end = k == events.size() ? high_ : behind(events[k].radians);
-      const std::optional<SeenSum> first = end - begin < 1e-8 ? std::optional<SeenSum>() : gap(begin, end);
+      const std::optional<SumCounts> first = end - begin < 1e-8 ? std::optional<SumCounts>() : gap(begin, end);
       if (k > 0 && before && first) check_visible(events[k - 1], *before, *first);
       before = first;
     }
@@ -50,7 +50,7 @@ class EventsOfPair {
  private:
   /// Angles from the first one on; that at which the range begins may be an event's.
   double behind(double angle) const { return angle < low_ - 1e-9 ? angle + 2 * std::numbers::pi : angle; }
-  SeenSum at(const AxisTurn& turn) {
+  SumCounts at(const AxisTurn& turn) {
     const Result<SpatialSum> sum = sum_.at(turn);
     if (!sum.ok()) return {};
     ++counts_.sums;
@@ -61,22 +61,22 @@ class EventsOfPair {
             sum->shells,
             sum->tight_faces.size() + sum->tight_segments.size() + sum->tight_points.size()};
   }
-  SeenSum at(double angle) { return at(AxisTurn::nearest(axis_, angle).value()); }
+  SumCounts at(double angle) { return at(AxisTurn::nearest(axis_, angle).value()); }
 
   /// Just behind one event, before the next one and at angles between them nothing differs.
-  SeenSum gap(double begin, double end) {
+  SumCounts gap(double begin, double end) {
     ++counts_.gaps;
     const double width = end - begin, beside = std::min(width / 3, 1e-7);
-    const SeenSum first = at(begin + beside);
+    const SumCounts first = at(begin + beside);
     const int between = std::clamp(static_cast<int>(width / 0.004), 1, 6);
     for (int k = 0; k <= between; ++k) {
       const double angle = k == between ? end - beside : begin + width * (k + 0.5) / between;
-      const SeenSum here = at(angle);
+      const SumCounts here = at(angle);
       EXPECT_EQ(here, first) << name_ << ": between " << begin << " and " << angle << ", where no event is";
     }
     return first;
   }
-  void check_visible(const SolidTurnEvent& event, const SeenSum& before, const SeenSum& after) {
+  void check_visible(const SolidTurnEvent& event, const SumCounts& before, const SumCounts& after) {
     bool differs = !(before == after);
     if (event.exact) differs = differs || !(at(*event.exact) == after);
     EXPECT_EQ(event.visible, differs) << name_ << ": at " << event.radians << ", " << before << ", then " << after;
@@ -89,11 +89,11 @@ class EventsOfPair {
   const TurnAxis axis_;
   TurningSolidSum sum_;
   std::string name_;
-  Counts& counts_;
+  Tally& counts_;
   double low_ = 0, high_ = 0;
 };
 
-void check_pair(const Pair& pair, const std::string& name, Counts& counts) {
+void check_pair(const Pair& pair, const std::string& name, Tally& counts) {
   TurningSolidOptions options;
   options.moving = pair.moving;
   TurningSolidSum sum = TurningSolidSum::create(pair.p, pair.q, pair.axis, options).value();
@@ -112,7 +112,7 @@ void check_pair(const Pair& pair, const std::string& name, Counts& counts) {
 TEST(TurningEvents, NoneIsMissingOfRandomPairs) {
   const std::uint64_t first = oracles::setting("DYMSUM_FUZZ_SEED", 0),
                       count = oracles::setting("DYMSUM_FUZZ_PAIRS", 1640) / 40;
-  Counts counts;
+  Tally counts;
   for (std::uint64_t seed = first; seed < first + count; ++seed)
     check_pair(turning_pairs::Maker(seed).pair(), "DYMSUM_FUZZ_SEED=" + std::to_string(seed), counts);
   std::cout << counts.pairs << " pairs, " << counts.refused << " refused, " << counts.events << " events, "
