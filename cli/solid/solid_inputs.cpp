@@ -50,7 +50,7 @@ Error with_remedy(Error error, const MeshData& data, const InputOptions& options
     return error;
   }
   const Result<RepairedMesh> mended = repaired(data, options);
-  if (mended && options.offers_repair) {
+  if (mended && !mended->mesh.empty() && options.offers_repair) {
     error.message += remedy(mended->report.to_string());
     return error;
   }

@@ -168,7 +168,8 @@ ExitCode run_solids(const DepthCommand& command) {
 }
 
 ExitCode run_regions(const DepthCommand& command) {
-  refuse_options(*command.parser, {"--axis", "--along", "--at-file", "--time", "--threads", "--hull"}, "is for solids");
+  refuse_options(*command.parser, {"--axis", "--along", "--at-file", "--time", "--threads", "--hull", "--thin"},
+                 "is for solids");
   const std::vector<double> moved = option_numbers(command.moved, "--move", 2);
   const std::vector<Input> inputs = read_inputs(command.operands, command.input);
   const InterruptGuard guard;

@@ -338,6 +338,8 @@ Result<ScaleRange> asked_in_unit(const Region& part, double part_size, double ot
   const std::optional<Region> changed = part_in_unit(part, k);
   if (!changed) return ask(part);
   Result<ScaleRange> range = ask(*changed);
+  if (!range && range.error().code == ErrorCode::unsupported_operand)
+    range = ask(part);  // names the operand's own place
   if (!range) return range.error();
   return in_input_units(*std::move(range), k);
 }

@@ -239,6 +239,8 @@ Result<SolidScaleRange> asked_in_unit(const Mesh& part, double part_size, double
   const std::optional<Mesh> changed = part_in_unit(part, k);
   if (!changed) return ask(part);
   Result<SolidScaleRange> range = ask(*changed);
+  if (!range && range.error().code == ErrorCode::unsupported_operand)
+    range = ask(part);  // names the operand's own place
   if (!range) return range.error();
   return in_input_units(*std::move(range), k);
 }

@@ -221,8 +221,9 @@ TEST(SolidDepth, hostile_input_is_refused_or_answered) {
   const Mesh cube = solid(box(1));
   EXPECT_EQ(SolidDepth::create(cube, Mesh()).error().code, ErrorCode::no_area);
   MeshData sheet{{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}, {{0, 1, 2}}};
-  EXPECT_EQ(SolidDepth::create(cube, Mesh::with_thin_parts(sheet).value()).error().code,
-            ErrorCode::unsupported_operand);
+  const Mesh thin = Mesh::with_thin_parts(sheet).value();
+  EXPECT_TRUE(SolidDepth::create(cube, thin).ok());
+  EXPECT_EQ(SolidDepth::create(thin, thin).error().code, ErrorCode::unsupported_operand);
   const double inf = std::numeric_limits<double>::infinity();
   SolidDepth pair = depth_of(cube, cube);
   EXPECT_THROW(pair.at({inf, 0, 0}), std::invalid_argument);
