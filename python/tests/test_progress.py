@@ -114,6 +114,7 @@ CALLS: list[tuple[str, Callable[[Progress], Any]]] = [
     ("obstacle_mesh", lambda f: dymsum.obstacle_mesh(OBSTACLE, dymsum.ObstacleMeshOptions(progress=f))),
     ("ObstacleQueries.clearance_each", lambda f: QUERIES.clearance_each(PLACES, progress=f)),
     ("plan", lambda f: dymsum.plan(OBSTACLE, (-8, 0, 0), (8, 0, 1), dymsum.PlanOptions(progress=f))),
+    ("direct_plan", lambda f: dymsum.direct_plan(ROD, WALL, (-8, 0, 0), (-8, 0, 1), dymsum.PlanOptions(progress=f))),
     ("check_path", lambda f: dymsum.check_path(ROD, WALL, POSES, progress=f)),
     ("check_path", lambda f: dymsum.check_path(ROD, WALL, PATH, progress=f)),
     ("pose_batch", lambda f: dymsum.pose_batch(BALL, BOX, [dymsum.Rotation()] * 40, dymsum.BatchOptions(progress=f))),

@@ -32,17 +32,19 @@ class Planner {
 
   // What needs nothing of the obstacle but slices at both ends: they are not free, or one rotation in place between
   // translations will do.
-  std::optional<Plan> direct() {
+  Result<std::optional<Plan>> direct() {
+    if (options_.progress && !options_.progress("search", 0)) return cancelled();
     if (!is_free(start_, NoPath::Kind::start_not_free) || !is_free(goal_, NoPath::Kind::goal_not_free))
-      return finished();
-    if (walks_at_once() || turns_at_once()) return finished();
-    return std::nullopt;
+      return std::optional(finished());
+    if (walks_at_once() || turns_at_once()) return std::optional(finished());
+    return std::optional<Plan>();
   }
 
   // The direct ways; then their components are compared, and the search.
   Result<Plan> run() {
-    if (options_.progress && !options_.progress("search", 0)) return cancelled();
-    if (std::optional<Plan> at_once = direct()) return *std::move(at_once);
+    Result<std::optional<Plan>> at_once = direct();
+    if (!at_once) return at_once.error();
+    if (*at_once) return **std::move(at_once);
     levels_.add_all();
     levels_.add(start_.theta);
     levels_.add(goal_.theta);
@@ -283,10 +285,11 @@ Result<std::optional<Plan>> direct_plan(const Region& robot, const Region& obsta
   Result<std::unique_ptr<ObstacleState>> state = start_obstacle(robot, obstacle);
   if (!state) return state.error();
   const CspaceObstacle slices = ObstacleState::finish(std::move(state).value());
-  Result<std::optional<Plan>> answer =
+  Result<Result<std::optional<Plan>>> answer =
       planned(slices, start, goal, options, [](Planner& planner) { return planner.direct(); });
   if (!answer) return answer.error();
-  std::optional<Plan> plan = std::move(answer).value();
+  if (!*answer) return answer->error();
+  std::optional<Plan> plan = std::move(answer).value().value();
   if (plan) plan->work.ms = ms_since(began);
   return plan;
 }
