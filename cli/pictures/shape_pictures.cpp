@@ -112,14 +112,14 @@ std::string features_picture(const ShapeFeatures& features, const Region& sum, c
 }
 
 std::string decomposition_picture(const Region& region, const Decomposition& decomposition) {
-  constexpr std::array<const char*, 8> kColours{"#9ecae1", "#fdd49e", "#c7e9c0", "#dadaeb",
-                                                "#fcc5c0", "#d9d9a3", "#b2e2e2", "#e5c9a8"};
+  constexpr std::array<const char*, 6> kColours{"#9ecae1", "#fdd49e", "#c7e9c0", "#dadaeb", "#fcc5c0", "#d9d9a3"};
   const Drawn shape = drawn(region);
   const Canvas canvas(shape.box);
   std::ostringstream svg;
   canvas.open(svg, canvas.width(), canvas.height());
-  std::size_t colour = 0;
-  for (const Piece& piece : decomposition.pieces) {
+  const std::vector<std::uint32_t> colours = piece_colours(decomposition);
+  for (std::size_t i = 0; i < colours.size(); ++i) {
+    const Piece& piece = decomposition.pieces[i];
     Drawn set;
     const auto add = [&](const RationalRing& ring) {
       Chain chain{{}, true};
@@ -128,7 +128,7 @@ std::string decomposition_picture(const Region& region, const Decomposition& dec
     };
     add(piece.outer);
     for (const RationalRing& hole : piece.holes) add(hole);
-    canvas.path(svg, set, std::string("fill=\"") + kColours[colour++ % kColours.size()] + "\" stroke=\"none\"", 1);
+    canvas.path(svg, set, std::string("fill=\"") + kColours.at(colours[i]) + "\" stroke=\"none\"", 1);
   }
   canvas.path(svg, shape, "fill=\"none\" stroke=\"#333333\"", 1);
   for (const Cut& cut : decomposition.cuts) {

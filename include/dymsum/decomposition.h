@@ -75,6 +75,11 @@ struct Decomposition {
 /// whose rings touch; out_of_range for a negative persistence and alpha_to < alpha_from; cancelled.
 Result<Decomposition> decompose(const ShapeFeatures& features, const DecomposeOptions& options = {});
 
+/// A number for each piece from 0 on, for pictures: pieces with an edge in common have different ones. Those of
+/// decompose() get at most six numbers, and have an edge in common wherever more than points of their boundaries meet.
+/// O(n log n) for n edges of pieces.
+std::vector<std::uint32_t> piece_colours(const Decomposition& decomposition);
+
 /// Twice the exact area of a piece's ring, positive counter-clockwise.
 Rational twice_area(const RationalRing& ring);
 

@@ -9,7 +9,7 @@ from . import _core
 
 _WIDTH, _MARGIN = 480.0, 10.0
 _MOST_BARS = 120
-_PIECES = ("#9ecae1", "#fdd49e", "#c7e9c0", "#dadaeb", "#fcc5c0", "#d9d9a3", "#b2e2e2", "#e5c9a8")
+_PIECES = ("#9ecae1", "#fdd49e", "#c7e9c0", "#dadaeb", "#fcc5c0", "#d9d9a3")
 _CUT = "#d81e3a"
 
 
@@ -50,10 +50,9 @@ def pieces_svg(made: _core.Decomposition) -> str:
         return f"{x:.2f} {y:.2f}"
 
     body = []
-    for index, piece in enumerate(made.pieces):
+    for colour, piece in zip(_core.piece_colours(made), made.pieces, strict=True):
         path = "".join("M" + "L".join(map(place, ring)) + "Z" for ring in (piece.outer, *piece.holes))
-        colour = _PIECES[index % len(_PIECES)]
-        body.append(f'<path d="{path}" fill="{colour}" fill-rule="evenodd" stroke="#333" stroke-width="0.7"/>')
+        body.append(f'<path d="{path}" fill="{_PIECES[colour]}" fill-rule="evenodd" stroke="#333" stroke-width="0.7"/>')
     for cut in made.cuts:
         path = "".join("M" + "L".join(map(place, run)) for run in cut.runs)
         body.append(f'<path d="{path}" stroke="{_CUT}" stroke-width="1.6"/>')

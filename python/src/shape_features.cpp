@@ -260,6 +260,12 @@ out_of_range for a negative persistence and alpha_to < alpha_from; cancelled.
 [Fraction(3, 1), Fraction(2, 1)]
 )doc");
   m.def(
+      "piece_colours",
+      [](const Decomposition& decomposition) { return without_gil([&] { return piece_colours(decomposition); }); },
+      "decomposition"_a,
+      "A number for each piece from 0 on, for pictures: pieces with an edge in common have different ones. Those of "
+      "decompose get at most six numbers.");
+  m.def(
       "twice_area", [](const RationalRing& ring) { return twice_area(ring); }, "ring"_a,
       "Twice the exact area of a ring of points, positive counter-clockwise.");
   m.def(

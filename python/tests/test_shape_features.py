@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import math
 import pickle
+import re
 from fractions import Fraction
 from typing import Any
 
@@ -93,6 +94,21 @@ def test_cuts() -> None:
     again = pickle.loads(pickle.dumps(fine))
     assert again.cuts == fine.cuts and again.pieces == fine.pieces and again._repr_svg_() == fine._repr_svg_()
     assert fine._repr_svg_().count("<path") == len(fine.pieces) + len(fine.cuts)
+
+
+@pytest.mark.parametrize("region", [shapes.comb(12, 2, 1, 3), ROUGH, shapes.pockets(4, 1), shapes.star(17, 1, 2)])
+def test_neighbouring_pieces_are_drawn_in_different_colours(region: dymsum.Region) -> None:
+    made = decompose(ShapeFeatures(region))
+    colours = dymsum.piece_colours(made)
+    drawn = re.findall('fill="(#[0-9a-f]+)" fill-rule', made._repr_svg_())
+    assert len(drawn) == len(colours) == len(made.pieces) and len(set(drawn)) == max(colours) + 1 <= 6
+    assert len(set(zip(colours, drawn, strict=True))) == max(colours) + 1, "a number is a colour"
+    edges: dict[tuple[object, object], int] = {}
+    for index, piece in enumerate(made.pieces):
+        for ring in (piece.outer, *piece.holes):
+            edges.update({(ring[k - 1], ring[k]): index for k in range(len(ring))})
+    neighbours = [(index, edges[b, a]) for (a, b), index in edges.items() if (b, a) in edges]
+    assert len(neighbours) >= 2 * len(made.cuts) and all(drawn[i] != drawn[j] for i, j in neighbours)
 
 
 def test_options_can_be_changed() -> None:

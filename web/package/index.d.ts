@@ -798,7 +798,7 @@ export interface DiscSet extends Disposable {
   perimeter(): Measured;
   bounds(): [number, number, number, number];
   /** segments in place of arcs */
-  toRegion(error: number, bound?: 'inside' | 'outside' | 'nearest'): { region: Region; error: number; chords: number };
+  toRegion(error: number, bound?: 'inside' | 'outside' | 'nearest'): { region: Region; error: number; chords: number; collapsed: number };
   /** with true arcs */
   svg(over: Region): string;
   toJson(): string;
@@ -851,6 +851,8 @@ export interface Decomposition {
   cuts: Cut[];
   /** rounded: rings as in RegionShape, each piece a part */
   pieces: { vertices: Float64Array; ringStarts: Uint32Array; partStarts: Uint32Array };
+  /** of each piece a number from 0 to 5, different for neighbours */
+  colours: number[];
   /** of each piece */
   areas: number[];
 }

@@ -128,6 +128,7 @@ val decomposed(const ShapeFeatures& features, const val& options) {
   val v = val::object();
   v.set("cuts", list_of(made.cuts, cut_data));
   v.set("pieces", region_shape(pieces));
+  v.set("colours", list_of(piece_colours(made), [](std::uint32_t colour) { return colour; }));
   v.set("areas", list_of(areas, [](double area) { return area; }));
   return v;
 }

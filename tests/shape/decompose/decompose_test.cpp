@@ -240,6 +240,51 @@ TEST(Decompose, EveryPointOfATinyGridLiesInOnePiece) {
   }
 }
 
+/// Whether two segments of a line have more than a point in common.
+bool run_along(const RationalPoint& a, const RationalPoint& b, const RationalPoint& c, const RationalPoint& d) {
+  if (turn(a, b, c).sign() != 0 || turn(a, b, d).sign() != 0) return false;
+  const auto along = [&](const RationalPoint& p) { return (p.x - a.x) * (b.x - a.x) + (p.y - a.y) * (b.y - a.y); };
+  return std::max(along(a), std::min(along(c), along(d))) < std::min(along(b), std::max(along(c), along(d)));
+}
+
+bool neighbours(const Piece& one, const Piece& other) {
+  const auto sides = [](const Piece& piece) {
+    std::vector<RationalSegment> made;
+    std::vector<RationalRing> rings = piece.holes;
+    rings.push_back(piece.outer);
+    for (const RationalRing& r : rings)
+      for (std::size_t i = 0; i < r.size(); ++i) made.push_back({r[i], r[(i + 1) % r.size()]});
+    return made;
+  };
+  for (const RationalSegment& s : sides(one))
+    for (const RationalSegment& t : sides(other))
+      if (run_along(s[0], s[1], t[0], t[1])) return true;
+  return false;
+}
+
+TEST(Decompose, NeighbouringPiecesHaveDifferentColours) {
+  std::vector<Region> regions = shapes();
+  regions.push_back(comb(20));
+  for (unsigned seed = 0; seed < 40; ++seed) regions.push_back(small_polygon(seed));
+  std::size_t pairs = 0;
+  for (const Region& region : regions)
+    for (const int tau : {0, 1, 50}) {
+      const Decomposition made = cut(region, tau);
+      const std::vector<std::uint32_t> colours = piece_colours(made);
+      ASSERT_EQ(colours.size(), made.pieces.size());
+      for (std::size_t i = 0; i < colours.size(); ++i) {
+        EXPECT_LT(colours[i], 6u);
+        for (std::size_t j = 0; j < i; ++j)
+          if (neighbours(made.pieces[i], made.pieces[j])) {
+            ++pairs;
+            EXPECT_NE(colours[i], colours[j]) << "pieces " << j << " and " << i << ", tau " << tau;
+          }
+      }
+    }
+  EXPECT_GT(pairs, 200u);
+  EXPECT_TRUE(piece_colours({}).empty());
+}
+
 bool are_doubles(const Decomposition& made) {
   const auto plain = [](const Rational& v) { return Rational::of(v.to_double()).value() == v; };
   return std::all_of(made.cuts.begin(), made.cuts.end(), [&](const Cut& c) { return plain(c.to.x) && plain(c.to.y); });

@@ -373,6 +373,7 @@ test('growing discs, bars and pieces', () => {
   const made = features.decompose({ persistence: 2 });
   assert.equal(made.cuts.length, 4);
   assert.equal(made.areas[0], 5);
+  assert.deepEqual([...made.colours].sort(), [0, 0, 0, 0, 1], 'four teeth, and what holds them');
   assert.equal(made.pieces.partStarts.length - 1, made.areas.length);
 });
 

@@ -48,12 +48,12 @@ function paintSet(painter: Painter, set: DiscShape): void {
   for (let k = 0; k < set.tightPoints.length; k += 2) painter.diamond({ x: set.tightPoints[k]!, y: set.tightPoints[k + 1]! }, 6.5, tight, ground);
 }
 
-const kPieceTints = ['#e69f0055', '#56b4e955', '#009e7355', '#f0e44255', '#0072b255', '#d55e0055', '#cc79a755'];
+const kPieceTints = ['#e69f0055', '#56b4e955', '#009e7355', '#f0e44255', '#cc79a755', '#0072b255'];
 
-function paintCuts(painter: Painter, { pieces, cuts }: Decomposition): void {
+function paintCuts(painter: Painter, { pieces, colours, cuts }: Decomposition): void {
   for (let i = 0; i + 1 < pieces.partStarts.length; ++i) {
     const starts = pieces.ringStarts.subarray(pieces.partStarts[i], pieces.partStarts[i + 1]! + 1);
-    painter.fill({ vertices: pieces.vertices, starts }, kPieceTints[i % kPieceTints.length]!);
+    painter.fill({ vertices: pieces.vertices, starts }, kPieceTints[colours[i]!]!);
   }
   for (const { runs } of cuts) painter.segments(runs, { colour: colour('--cut'), width: 2.5, dash: [7, 4] });
 }
