@@ -107,7 +107,7 @@ struct MadePolygons {
 /// A 1000th of the radius, or the least that to_region takes where positions are coarser than that.
 double default_error(const DiscSet& set) { return set.radius > 0 ? std::max(set.radius / 1000, 8 * set.at_error) : 1; }
 
-/// Inside the set where nothing is said; else nearest to it, where those inside cross each other.
+/// Inside the set where nothing is said; nearest to it where those inside cross each other.
 MadePolygons made_polygons(const DiscCommand& command, const DiscSet& set) {
   const double error = command.error.value_or(default_error(set));
   const std::string bound = command.bound.value_or("inside");
@@ -116,9 +116,11 @@ MadePolygons made_polygons(const DiscCommand& command, const DiscSet& set) {
   const auto crossed = [](const Result<DiscPolygons>& polygons) {
     return !polygons && polygons.error().code == ErrorCode::rounding_changed_topology;
   };
-  if (crossed(made) && !command.bound) {
-    Result<DiscPolygons> nearest = to_region(set, error, DiscBound::nearest);
+  // Nearest to it, and where parts of the boundary are closer than the error, within less than that.
+  for (double within = error; crossed(made) && !command.bound; within /= 16) {
+    Result<DiscPolygons> nearest = to_region(set, within, DiscBound::nearest);
     if (nearest) return {*std::move(nearest), "nearest", true};
+    if (!crossed(nearest)) break;
   }
   Error refused = made.error();
   if (crossed(made))
@@ -149,7 +151,10 @@ std::optional<MadePolygons> write_outputs(const DiscCommand& command, const Regi
 
 Json polygons_json(const std::optional<MadePolygons>& made) {
   if (!made) return nullptr;
-  return {{"bound", made->bound}, {"error", made->polygons.error}, {"chords", made->polygons.chords}};
+  return {{"bound", made->bound},
+          {"error", made->polygons.error},
+          {"chords", made->polygons.chords},
+          {"collapsed", made->polygons.collapsed}};
 }
 
 Json events_json(const std::vector<DiscEvent>& events) {
@@ -206,6 +211,9 @@ void print_disc(std::ostream& out, const DiscCommand& command, const DiscSet& se
     for (std::size_t i = 0; i < events.size(); ++i)
       text << "event:" << i << " " << events[i].radius << (events[i].nodes > 1 ? "  " : "")
            << (events[i].nodes > 1 ? counted(events[i].nodes, "node") : "") << "\n";
+  if (polygons && polygons->polygons.collapsed > 0)
+    text << "polygons: " << counted(polygons->polygons.collapsed, "part or hole", "parts or holes")
+         << " no wider than positions are known: points, lines, or left out (-o FILE.json keeps the arcs)\n";
   if (polygons && (polygons->instead || (!command.error && polygons->polygons.error > set.radius / 1000)))
     text << "polygons: " << polygons->bound << ", within " << polygons->polygons.error
          << (polygons->instead ? "; those inside the set cross each other (--bound, --error)\n" : " (--error)\n");

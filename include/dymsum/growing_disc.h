@@ -106,6 +106,9 @@ struct DiscPolygons {
   double error = 0;        ///< no boundary point of either is further than this from the other's boundary
   double rounded = 0;      ///< how far rounding to doubles moved a vertex at most: a part of `error`
   std::size_t chords = 0;  ///< segments that stand for arcs
+  /// `nearest`: parts no wider than positions are known, whose rings are points or closed polylines of `region`, and
+  /// holes as small, which are left out. The error says nothing of such a hole.
+  std::size_t collapsed = 0;
 };
 
 /// A set whose boundary is made of segments and arcs. Which pieces there are and how they follow each other is exact;
@@ -145,7 +148,7 @@ std::array<double, 4> bounds(const DiscSet& set);
 /// either side of it. Vertices within at_error of each other are one where rounding makes them cross. Errors:
 /// out_of_range where `error` is not a positive number or below what doubles can keep; rounding_changed_topology where
 /// the polygons cross because of `error` or of rounding (a smaller one may do; where two arcs touch each other in a
-/// cusp, only `nearest` does).
+/// cusp, and of parts no wider than rounding, only `nearest` does).
 Result<DiscPolygons> to_region(const DiscSet& set, double error, DiscBound bound = DiscBound::inside);
 
 /// The set as JSON text: every ring with its pieces by name; as a picture over the region it comes from, with true
@@ -177,15 +180,16 @@ class GrowingDisc {
   Result<DiscSet> sum_at(const DiscRadius& r, Semantics semantics = Semantics::closed,
                          const Progress& progress = {}) const;
   /// { x : x + D inside P }. Positions without room to move are `segments` and `points`, and tight; regular drops them,
-  /// open only lists them as tight. Error unsupported_operand for polylines and points.
+  /// open only lists them as tight. Polylines and points hold no disc.
   Result<DiscSet> eroded_at(const DiscRadius& r, Semantics semantics = Semantics::closed,
                             const Progress& progress = {}) const;
   /// All discs of radius r inside P. closed and open: with those that fit exactly; regular: the closure of what the
-  /// others cover. Error unsupported_operand for polylines and points.
+  /// others cover. Polylines and points hold no disc.
   Result<DiscSet> opened_at(const DiscRadius& r, Semantics semantics = Semantics::closed,
                             const Progress& progress = {}) const;
   /// P with all that no disc of radius r outside of P reaches. closed and regular: discs without room to move do not
-  /// reach; open: they do. Error unsupported_operand for polylines and points.
+  /// reach; open: they do. Polylines and points stay as thin as they are, as `segments` and `points`, where discs reach
+  /// them from both sides, or from all.
   Result<DiscSet> closed_at(const DiscRadius& r, Semantics semantics = Semantics::closed,
                             const Progress& progress = {}) const;
 

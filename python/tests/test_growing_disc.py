@@ -128,8 +128,7 @@ def test_a_disc_is_shared_by_threads() -> None:
         (lambda: GrowingDisc(SLOT).sum_at(math.nan), ErrorCode.not_finite),
         (lambda: DiscRadius(math.inf), ErrorCode.not_finite),
         (lambda: GrowingDisc(SLOT).closed_at(DiscRadius.at_event(1)), ErrorCode.out_of_range),
-        (lambda: GrowingDisc("LINESTRING(0 0, 1 0)").eroded_at(1), ErrorCode.unsupported_operand),
-        (lambda: GrowingDisc("POINT(1 1)").opened_at(1), ErrorCode.unsupported_operand),
+        (lambda: GrowingDisc("MULTILINESTRING((0 0, 1 1), (0 1, 1 0))").closed_at(1), ErrorCode.unsupported_operand),
         (lambda: GrowingDisc([(0, 0), (1, 1), (1, 0), (0, 1)]), ErrorCode.self_crossing),
         (lambda: dymsum.to_region(GrowingDisc(SLOT).sum_at(1), 0), ErrorCode.out_of_range),
         (lambda: dymsum.to_region(GrowingDisc(SLOT).sum_at(1), 1e-30), ErrorCode.out_of_range),
@@ -140,6 +139,15 @@ def test_errors(work: Any, code: ErrorCode) -> None:
     with pytest.raises(dymsum.Error) as raised:
         work()
     assert raised.value.code == code
+
+
+def test_the_closing_of_a_line_keeps_it() -> None:
+    closed = GrowingDisc("LINESTRING(3 0, 0 0, 0 3)").closed_at(1)
+    assert len(closed.parts) == 1 and len(closed.segments) == 2
+    assert dymsum.to_region(closed, 0.01, DiscBound.nearest).region.polylines
+    assert GrowingDisc("LINESTRING(3 0, 0 0, 0 3)").opened_at(1).parts == []
+    tiny = dymsum.to_region(GrowingDisc(shapes.rectangle(0, 0, 2, 2)).eroded_at(1 - 2**-53), 0.1, DiscBound.nearest)
+    assert tiny.collapsed == 1 and list(tiny.region.points) == [(1, 1)]
 
 
 @pytest.mark.parametrize("radius", [None, "1", 1j, (1,)])

@@ -107,6 +107,7 @@ val polygons(const DiscSet& set, double error, const val& bound) {
   val v = val::object();
   v.set("error", made.error);
   v.set("chords", static_cast<double>(made.chords));
+  v.set("collapsed", static_cast<double>(made.collapsed));
   v.set("region", shared(std::move(made.region)));
   return v;
 }

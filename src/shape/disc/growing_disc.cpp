@@ -58,12 +58,6 @@ namespace {
 
 using Make = DiscSet (*)(const shape::DiscPlaces&, const shape::BoundaryOrder&, Semantics);
 
-std::optional<Error> needs_area(const Region& region, const char* what) {
-  if (region.polylines().empty() && region.points().empty()) return std::nullopt;
-  return Error{
-      ErrorCode::unsupported_operand, std::string(what) + " is defined for regions without polylines and points", {}};
-}
-
 template <class OneSide>
 Result<DiscSet> set_at(const Result<const OneSide*>& side, const Region& region, const DiscRadius& r,
                        Semantics semantics, const Progress& progress, Make make) {
@@ -98,17 +92,14 @@ Result<DiscSet> GrowingDisc::sum_at(const DiscRadius& r, Semantics semantics, co
 }
 
 Result<DiscSet> GrowingDisc::eroded_at(const DiscRadius& r, Semantics semantics, const Progress& progress) const {
-  if (auto error = needs_area(region(), "erosion")) return *error;
   return set_at(state_->side(Side::inside, progress), region(), r, semantics, progress, shape::eroded_set);
 }
 
 Result<DiscSet> GrowingDisc::opened_at(const DiscRadius& r, Semantics semantics, const Progress& progress) const {
-  if (auto error = needs_area(region(), "opening")) return *error;
   return set_at(state_->side(Side::inside, progress), region(), r, semantics, progress, shape::opened_set);
 }
 
 Result<DiscSet> GrowingDisc::closed_at(const DiscRadius& r, Semantics semantics, const Progress& progress) const {
-  if (auto error = needs_area(region(), "closing")) return *error;
   return set_at(state_->side(Side::outside, progress), region(), r, semantics, progress, shape::closed_set);
 }
 

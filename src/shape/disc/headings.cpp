@@ -90,7 +90,8 @@ class PassCount {
       if (start.of == Heading::Of::edge && start == end) continue;  // straight on
       before = is_behind(end);
       add(at_start, before, bend_);
-      if (at_start == before && is_isolated(start) && is_long_way(start, end)) ++count_;
+      if (bend_ == Bend::counter_clockwise && at_start == before && is_isolated(start) && is_long_way(start, end))
+        ++count_;
     }
     return count_;
   }

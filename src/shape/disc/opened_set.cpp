@@ -9,19 +9,11 @@
 #include "shape/disc/level_set.h"
 #include "shape/disc/nested_rings.h"
 #include "shape/disc/run_pieces.h"
+#include "shape/disc/thin_pieces.h"
 
 namespace dymsum::shape {
 
 namespace {
-
-/// One boundary ring between the discs, on the right, and what they do not reach.
-struct DiscBoundary {
-  std::vector<DiscPiece> pieces;
-  Headings headings;
-  std::vector<std::uint32_t> sites;     ///< piece -> the site where it begins, if at a contact
-  std::vector<std::uint32_t> touching;  ///< sites that its runs begin on and its arcs touch
-  std::uint32_t edge = kNoIndex;        ///< of the complex, beyond the level; none about a convex region
-};
 
 class DiscBoundaries {
  public:
@@ -277,6 +269,12 @@ DiscSet closed_set(const DiscPlaces& places, const BoundaryOrder& order, Semanti
   const std::uint32_t cut = semantics == Semantics::open ? places.level().below : places.level().up_to;
   DiscBoundaries boundaries(places, order, cut, Connected::region);
   std::vector<DiscBoundary> rings = boundaries.make();
+  DiscSet set;
+  if (has_thin_walks(complex)) {
+    ThinPieces thin = without_thin_pieces(places, rings);
+    set.segments = std::move(thin.segments), set.points = std::move(thin.points);
+    rings = std::move(thin.rings);
+  }
   UnionFind joined = joined_pieces(places, cut, boundaries.arcs(), rings);
   std::vector<PlacedRing> placed;
   for (DiscBoundary& ring : rings) {
@@ -289,7 +287,6 @@ DiscSet closed_set(const DiscPlaces& places, const BoundaryOrder& order, Semanti
     made.owner = joined.root(site.component);
     made.anchor = site.a;
   }
-  DiscSet set;
   set.parts = nested(places, std::move(placed));
   finish(places, set);
   return set;

@@ -8,6 +8,9 @@
 
 #include "dymsum/region_io.h"
 #include "dymsum/shapes.h"
+#include "oracles/random.h"
+#include "oracles/sanitized.h"
+#include "oracles/tiny_regions.h"
 #include "shape/disc/disc_oracle.h"
 
 namespace dymsum {
@@ -305,14 +308,98 @@ TEST(DiscLaws, PicturesHaveTrueArcs) {
   EXPECT_EQ(arcs, 4u) << svg;
 }
 
+TEST(DiscLaws, ThinShapesHaveClosingsThatKeepThemAndNothingIsOpened) {
+  const auto closed = [](const char* wkt, const Rational& r) { return *GrowingDisc(region_of(wkt)).closed_at(r); };
+  const DiscSet straight = closed("LINESTRING(0 0,4 3)", 1);
+  EXPECT_TRUE(straight.parts.empty());
+  ASSERT_EQ(straight.segments.size(), 1u);
+  EXPECT_EQ(straight.segments[0].from.at, (Point{0, 0}));
+  EXPECT_EQ(straight.segments[0].to.at, (Point{4, 3}));
+  EXPECT_EQ(closed("POINT(5 6)", 1).points.size(), 1u);
+  // A right angle is rounded: the corner beyond the arc of a quarter disc, and what is left of both legs.
+  const DiscSet bent = closed("LINESTRING(3 0,0 0,0 3)", 1);
+  ASSERT_EQ(bent.parts.size(), 1u);
+  EXPECT_EQ(bent.parts[0].outer.pieces.size(), 3u);
+  EXPECT_NEAR(area(bent).value, 1 - std::numbers::pi / 4, 1e-9);
+  ASSERT_EQ(bent.segments.size(), 2u);
+  for (const DiscSegment& s : bent.segments)
+    EXPECT_NEAR(std::hypot(s.to.at.x - s.from.at.x, s.to.at.y - s.from.at.y), 2, 1e-9);
+  // Discs pass between two points, however near; parallel lines are joined by a band with hollow ends.
+  EXPECT_EQ(closed("MULTIPOINT((0 0),(1 0))", 1).points.size(), 2u);
+  const DiscSet band = closed("MULTILINESTRING((0 0,9 0),(0 1,9 1))", 2);
+  ASSERT_EQ(band.parts.size(), 1u);
+  EXPECT_TRUE(band.segments.empty());
+  // An opening is of what has area.
+  const GrowingDisc mixed(
+      region_of("GEOMETRYCOLLECTION(POLYGON((0 0,4 0,4 4,0 4,0 0)),LINESTRING(6 0,9 0),POINT(7 7))"));
+  EXPECT_EQ(mixed.opened_at(Rational(1))->parts.size(), 1u);
+  EXPECT_TRUE(mixed.opened_at(Rational(1))->segments.empty());
+  EXPECT_TRUE(GrowingDisc(region_of("LINESTRING(0 0,1 1)")).eroded_at(Rational(1))->parts.empty());
+}
+
+/// The corners of the convex hull, counter-clockwise.
+Ring hull_of(std::vector<Point> points) {
+  const auto before = [](Point a, Point b) { return a.x != b.x ? a.x < b.x : a.y < b.y; };
+  std::sort(points.begin(), points.end(), before);
+  Ring hull;
+  for (int side = 0; side < 2; ++side) {
+    const std::size_t start = hull.size();
+    for (const Point& p : points) {
+      while (hull.size() >= start + 2) {
+        const Point &a = hull[hull.size() - 2], &b = hull.back();
+        if ((b.x - a.x) * (p.y - a.y) > (b.y - a.y) * (p.x - a.x)) break;
+        hull.pop_back();
+      }
+      hull.push_back(p);
+    }
+    hull.pop_back();
+    std::reverse(points.begin(), points.end());
+  }
+  return hull;
+}
+
+TEST(DiscLaws, NoErosionOfAConvexShapeIsTooSmallForPolygons) {
+  oracles::Random random(77);
+  std::size_t collapsed = 0, sets = 0;
+  for (int round = 0; round < oracles::rounds(60); ++round) {
+    std::vector<Point> points;
+    for (int k = 0; k < 3 + round % 4; ++k) points.push_back({double(random.below(9)), double(random.below(9))});
+    Ring ring = hull_of(points);
+    // On the grid, in decimals, turned, and far from the origin.
+    const double c = std::cos(0.5), s = std::sin(0.5);
+    for (Point& p : ring) {
+      if (round % 4 == 1) p = {0.1 * p.x, 0.1 * p.y};
+      if (round % 4 == 2) p = {c * p.x - s * p.y, s * p.x + c * p.y};
+      if (round % 4 == 3) p = {p.x + 1e6, p.y - 1e6 / 3};
+    }
+    const Result<Region> region = Region::create({{{ring, {}}}, {}, {}});
+    if (!region) continue;
+    const GrowingDisc disc(*region);
+    const std::vector<DiscEvent> events = *disc.events(DiscSide::inside);
+    for (std::uint32_t k = 0; k < events.size(); ++k)
+      for (const double share : {0.0, 0x1p-53, 1e-15, 1e-14, 1e-12, -1e-15}) {
+        const DiscRadius r = share == 0 ? DiscRadius::at_event(k) : *Rational::of(events[k].radius * (1 - share));
+        const DiscSet set = *disc.eroded_at(r);
+        const double error = std::max(set.radius / 1000, 8 * set.at_error);
+        const Result<DiscPolygons> made = to_region(set, error, DiscBound::nearest);
+        ASSERT_TRUE(made) << made.error().to_string() << " round " << round << ", event " << k << ", " << share;
+        EXPECT_EQ(made->region.parts().size() + made->collapsed, set.parts.size());
+        // What is left stays where it was.
+        const std::array<double, 4> box = bounds(made->region), wanted = bounds(set);
+        for (std::size_t i = 0; i < 4 && !made->region.empty(); ++i) EXPECT_NEAR(box[i], wanted[i], made->error);
+        collapsed += made->collapsed, ++sets;
+      }
+  }
+  EXPECT_GT(sets, 200u);
+  EXPECT_GT(collapsed, 20u);
+}
+
 TEST(DiscErrors, AreToldWithWhatIsWrong) {
   const GrowingDisc disc(shapes::letter_l(5, 4, 1));
   EXPECT_EQ(disc.sum_at(Rational(-1)).error().code, ErrorCode::out_of_range);
   EXPECT_EQ(disc.sum_at(DiscRadius::at_event(1000)).error().code, ErrorCode::out_of_range);
-  const GrowingDisc lines(region_of("LINESTRING(0 0,1 1)"));
-  EXPECT_EQ(lines.eroded_at(Rational(1)).error().code, ErrorCode::unsupported_operand);
-  EXPECT_EQ(lines.opened_at(Rational(1)).error().code, ErrorCode::unsupported_operand);
-  EXPECT_EQ(lines.closed_at(Rational(1)).error().code, ErrorCode::unsupported_operand);
+  const GrowingDisc crossing(region_of("MULTILINESTRING((0 0,1 1),(0 1,1 0))"));
+  EXPECT_EQ(crossing.closed_at(Rational(1)).error().code, ErrorCode::unsupported_operand);
   const DiscSet set = *disc.sum_at(Rational(1));
   for (const double error : {0.0, -1.0, std::numeric_limits<double>::quiet_NaN(), 1e-30})
     EXPECT_EQ(to_region(set, error).error().code, ErrorCode::out_of_range);

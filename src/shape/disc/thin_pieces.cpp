@@ -1,0 +1,246 @@
+#include "shape/disc/thin_pieces.h"
+
+#include <algorithm>
+#include <functional>
+#include <map>
+#include <numeric>
+#include <tuple>
+#include <utility>
+
+#include "shape/disc/disc_formulas.h"
+
+namespace dymsum::shape {
+
+namespace {
+
+using exact::Interval;
+using exact::RootExpression;
+
+/// The site on the other side of every edge of a polyline; kNoIndex for what has area beside it.
+std::vector<std::uint32_t> other_sides(const Complex& complex) {
+  using Ends = std::tuple<double, double, double, double>;
+  std::map<Ends, std::uint32_t> edges;
+  const auto is_edge = [&](std::uint32_t s) { return complex.sites[s].kind == Site::Kind::edge; };
+  for (std::uint32_t s = 0; s < complex.sites.size(); ++s)
+    if (const Site& site = complex.sites[s]; is_edge(s)) edges[{site.a.x, site.a.y, site.b.x, site.b.y}] = s;
+  std::vector<std::uint32_t> other(complex.sites.size(), kNoIndex);
+  for (std::uint32_t s = 0; s < complex.sites.size(); ++s) {
+    const Site& site = complex.sites[s];
+    const auto found = is_edge(s) ? edges.find({site.b.x, site.b.y, site.a.x, site.a.y}) : edges.end();
+    if (found != edges.end()) other[s] = found->second;
+  }
+  return other;
+}
+
+struct Corner {
+  DiscCorner corner;
+  std::uint32_t site = kNoIndex;  ///< where a contact lies
+};
+
+/// A corner on a segment, and how far along it lies, times the segment's length.
+struct Stop {
+  Corner at;
+  Interval near;
+  std::function<RootExpression()> exact;
+};
+
+int compare(const Stop& a, const Stop& b) {
+  if (const auto sign = sign_of(a.near - b.near)) return *sign;
+  return exact::sign_of(a.exact() - b.exact());
+}
+
+/// A piece of a ring in a graph of all of them.
+struct HalfPiece {
+  DiscPiece piece;
+  std::array<Heading, 2> headings;
+  Corner from, to;
+  std::uint32_t next = kNoIndex, previous = kNoIndex;
+  bool gone = false;
+};
+
+class ThinPieceFinder {
+ public:
+  ThinPieceFinder(const DiscPlaces& places, const std::vector<DiscBoundary>& rings)
+      : places_(places), other_(other_sides(places.complex())) {
+    for (const DiscBoundary& ring : rings) add(ring);
+  }
+
+  ThinPieces run() {
+    std::map<std::uint32_t, std::vector<std::uint32_t>> on_site;
+    for (std::uint32_t h = 0; h < halves_.size(); ++h)
+      if (const std::uint32_t s = edge_site(h); s != kNoIndex && other_[s] != kNoIndex) on_site[s].push_back(h);
+    for (const auto& [site, halves] : on_site) {
+      if (other_[site] < site) continue;
+      const auto back = on_site.find(other_[site]);
+      if (back != on_site.end()) take_apart(complex().sites[site], {halves, back->second});
+    }
+    collect();
+    return std::move(made_);
+  }
+
+ private:
+  const Complex& complex() const { return places_.complex(); }
+
+  void add(const DiscBoundary& ring) {
+    if (ring.pieces.empty()) {
+      const Site& site = complex().sites[ring.touching.front()];
+      DiscCorner corner;
+      corner.kind = DiscCorner::Kind::vertex;
+      corner.vertex = site.index;
+      corner.at = site.a;
+      made_.points.push_back(corner);
+      return;
+    }
+    const auto first = static_cast<std::uint32_t>(halves_.size()),
+               count = static_cast<std::uint32_t>(ring.pieces.size());
+    for (std::uint32_t k = 0; k < count; ++k) {
+      const std::uint32_t next = (k + 1) % count;
+      halves_.push_back({ring.pieces[k],
+                         ring.headings[k],
+                         {ring.pieces[k].from, ring.sites[k]},
+                         {ring.pieces[next].from, ring.sites[next]},
+                         first + next,
+                         first + (k + count - 1) % count});
+    }
+  }
+
+  /// Of a piece along an edge.
+  std::uint32_t edge_site(std::uint32_t h) const {
+    return halves_[h].piece.of == DiscPiece::Of::edge ? halves_[h].headings[0].site : kNoIndex;
+  }
+
+  Stop stop_at(const Corner& place, const Site& along) const {
+    const auto& [corner, site] = place;
+    Stop stop{place, {}, {}};
+    const bool at_vertex = corner.kind == DiscCorner::Kind::vertex;
+    if (at_vertex || complex().sites[site].kind == Site::Kind::vertex) {
+      const Point at = at_vertex ? corner.at : complex().sites[site].a;
+      stop.near = dot(between<Interval>(along.a, at), between<Interval>(along.a, along.b));
+      stop.exact = [&along, at] {
+        return dot(between<RootExpression>(along.a, at), between<RootExpression>(along.a, along.b));
+      };
+      return stop;
+    }
+    // The foot of the disc's centre.
+    const double off = places_.at_error();
+    const Point c = places_.centre(corner.disc);
+    const Vector<Interval> near{Interval(c.x - off, c.x + off) - Interval(along.a.x),
+                                Interval(c.y - off, c.y + off) - Interval(along.a.y)};
+    stop.near = dot(near, between<Interval>(along.a, along.b));
+    stop.exact = [this, &along, disc = corner.disc] {
+      return dot(places_.exact_centre_from(disc, along.a), between<RootExpression>(along.a, along.b));
+    };
+    return stop;
+  }
+
+  /// The pieces on both sides of one segment, cut where what is thin begins and ends, and without that.
+  void take_apart(const Site& along, const std::array<std::vector<std::uint32_t>, 2>& sides) {
+    std::vector<Stop> stops;
+    for (const std::vector<std::uint32_t>& halves : sides)
+      for (const std::uint32_t h : halves)
+        stops.push_back(stop_at(halves_[h].from, along)), stops.push_back(stop_at(halves_[h].to, along));
+    std::vector<std::size_t> order(stops.size()), number(stops.size());
+    std::iota(order.begin(), order.end(), std::size_t{0});
+    std::stable_sort(order.begin(), order.end(),
+                     [&](std::size_t a, std::size_t b) { return compare(stops[a], stops[b]) < 0; });
+    std::vector<std::size_t> places;  // the first stop at each, ascending
+    for (const std::size_t k : order) {
+      if (places.empty() || compare(stops[places.back()], stops[k]) != 0) places.push_back(k);
+      number[k] = places.size() - 1;
+    }
+    // Gap k lies between places k and k + 1.
+    std::vector<std::array<std::uint32_t, 2>> pieces(places.size(), {kNoIndex, kNoIndex});
+    const auto is_thin = [&](std::size_t gap) { return pieces[gap][0] != kNoIndex && pieces[gap][1] != kNoIndex; };
+    const auto for_each_span = [&](const auto& use) {
+      std::size_t stop = 0;
+      for (std::size_t side = 0; side < 2; ++side)
+        for (const std::uint32_t h : sides[side]) {
+          const auto [from, to] = std::minmax(number[stop], number[stop + 1]);
+          use(side, h, from, to);
+          stop += 2;
+        }
+    };
+    for_each_span([&](std::size_t side, std::uint32_t h, std::size_t from, std::size_t to) {
+      for (std::size_t gap = from; gap < to; ++gap) pieces[gap][side] = h;
+    });
+    for_each_span([&](std::size_t side, std::uint32_t h, std::size_t from, std::size_t to) {
+      for (std::size_t n = 0; n < to - from; ++n) {
+        const std::size_t gap = side == 0 ? from + n : to - 1 - n;
+        pieces[gap][side] = h;
+        if (n + 1 == to - from) return;
+        if (is_thin(gap) || is_thin(side == 0 ? gap + 1 : gap - 1))
+          h = cut(h, stops[places[side == 0 ? gap + 1 : gap]].at);
+      }
+    });
+    for (std::size_t gap = 0; gap + 1 < places.size(); ++gap) {
+      if (!is_thin(gap)) continue;
+      const DiscCorner &from = stops[places[gap]].at.corner, &to = stops[places[gap + 1]].at.corner;
+      if (gap > 0 && is_thin(gap - 1)) made_.segments.back().to = to;
+      else made_.segments.push_back({from, to});
+      remove(pieces[gap][0], pieces[gap][1]);
+    }
+  }
+
+  /// Cuts a piece in two; returns the second.
+  std::uint32_t cut(std::uint32_t h, const Corner& place) {
+    const auto second = static_cast<std::uint32_t>(halves_.size());
+    HalfPiece rest = halves_[h];
+    rest.from = halves_[h].to = place;
+    rest.piece.from = place.corner;
+    rest.previous = h;
+    halves_[rest.next].previous = second;
+    halves_[h].next = second;
+    halves_.push_back(std::move(rest));
+    return second;
+  }
+
+  void remove(std::uint32_t h, std::uint32_t g) {
+    const HalfPiece there = halves_[h], back = halves_[g];
+    halves_[h].gone = halves_[g].gone = true;
+    if (there.previous != g) join(there.previous, back.next);
+    if (back.previous != h) join(back.previous, there.next);
+  }
+  void join(std::uint32_t first, std::uint32_t second) {
+    halves_[first].next = second;
+    halves_[second].previous = first;
+  }
+
+  void collect() {
+    std::vector<std::uint8_t> done(halves_.size(), 0);
+    for (std::uint32_t start = 0; start < halves_.size(); ++start) {
+      if (done[start] || halves_[start].gone) continue;
+      DiscBoundary& ring = made_.rings.emplace_back();
+      for (std::uint32_t h = start; !done[h]; h = halves_[h].next) {
+        done[h] = 1;
+        ring.pieces.push_back(std::move(halves_[h].piece));
+        ring.headings.push_back(halves_[h].headings);
+        ring.sites.push_back(halves_[h].from.site);
+      }
+    }
+  }
+
+  const DiscPlaces& places_;
+  std::vector<std::uint32_t> other_;
+  std::vector<HalfPiece> halves_;
+  ThinPieces made_;
+};
+
+}  // namespace
+
+bool has_thin_walks(const Complex& complex) {
+  const std::vector<std::uint32_t> other = other_sides(complex);
+  if (std::any_of(other.begin(), other.end(), [](std::uint32_t s) { return s != kNoIndex; })) return true;
+  for (std::size_t s = 0; s < complex.sites.size(); ++s) {
+    const auto shares_loop = [&](std::size_t t) {
+      return t < complex.sites.size() && complex.sites[t].loop == complex.sites[s].loop;
+    };
+    if (!shares_loop(s + 1) && !shares_loop(s - 1)) return true;
+  }
+  return false;
+}
+
+ThinPieces without_thin_pieces(const DiscPlaces& places, const std::vector<DiscBoundary>& rings) {
+  return ThinPieceFinder(places, rings).run();
+}
+
+}  // namespace dymsum::shape
