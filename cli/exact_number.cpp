@@ -1,10 +1,20 @@
 #include "exact_number.h"
 
 #include <ostream>
+#include <utility>
 
+#include "line_file.h"
 #include "numbers.h"
 
 namespace dymsum::cli {
+namespace {
+
+bool is_a_double(const Rational& v) {
+  const Result<Rational> nearest = Rational::of(v.to_double());
+  return nearest && *nearest == v;
+}
+
+}  // namespace
 
 std::optional<Rational> exact_number(const std::string& text) {
   if (text.find('/') == std::string::npos) {
@@ -15,9 +25,33 @@ std::optional<Rational> exact_number(const std::string& text) {
   return fraction ? std::optional(*fraction) : std::nullopt;
 }
 
+std::optional<std::vector<Rational>> exact_numbers(const std::string& text, std::size_t count) {
+  std::vector<Rational> numbers;
+  for (const std::string& word : words_of(text)) {
+    const std::optional<Rational> number = exact_number(word);
+    if (!number) return std::nullopt;
+    numbers.push_back(*number);
+  }
+  return numbers.size() == count ? std::optional(std::move(numbers)) : std::nullopt;
+}
+
+std::optional<RationalPoint> exact_place(const std::string& text) {
+  const auto v = exact_numbers(text, 2);
+  return v ? std::optional(RationalPoint{(*v)[0], (*v)[1]}) : std::nullopt;
+}
+
+std::optional<RationalPoint3> exact_place_in_space(const std::string& text) {
+  const auto v = exact_numbers(text, 3);
+  return v ? std::optional(RationalPoint3{(*v)[0], (*v)[1], (*v)[2]}) : std::nullopt;
+}
+
+bool is_of_doubles(const RationalPoint& place) { return is_a_double(place.x) && is_a_double(place.y); }
+bool is_of_doubles(const RationalPoint3& place) {
+  return is_a_double(place.x) && is_a_double(place.y) && is_a_double(place.z);
+}
+
 void print_exact(std::ostream& out, const Rational& value) {
-  const double nearest = value.to_double();
-  if (const Result<Rational> back = Rational::of(nearest); back && *back == value) out << nearest;
+  if (is_a_double(value)) out << value.to_double();
   else out << value.to_string();
 }
 

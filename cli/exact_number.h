@@ -1,9 +1,11 @@
 // Coordinates that may be fractions.
 #pragma once
 
+#include <cstddef>
 #include <iosfwd>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "dymsum/rational.h"
 
@@ -11,6 +13,16 @@ namespace dymsum::cli {
 
 /// A decimal number is the double that it is in files, a fraction 1/3 what it says; nothing for other text.
 std::optional<Rational> exact_number(const std::string& text);
+
+/// So many of these, between commas or else between blanks: x,y or x,y,z; nothing for other text.
+std::optional<std::vector<Rational>> exact_numbers(const std::string& text, std::size_t count);
+/// Two and three of them.
+std::optional<RationalPoint> exact_place(const std::string& text);
+std::optional<RationalPoint3> exact_place_in_space(const std::string& text);
+
+/// Whether doubles hold it.
+bool is_of_doubles(const RationalPoint& place);
+bool is_of_doubles(const RationalPoint3& place);
 
 /// As it was asked: a double, or the fraction that no double is.
 void print_exact(std::ostream& out, const Rational& value);

@@ -46,14 +46,6 @@ std::vector<double> numbers_of(const std::string& text, std::size_t count, const
   return numbers;
 }
 
-std::optional<Point> finite_point(const std::string& text) {
-  const std::vector<std::string> words = split(text, ',');
-  if (words.size() != 2) return std::nullopt;
-  const std::optional<double> x = finite_number(words[0]), y = finite_number(words[1]);
-  if (!x || !y) return std::nullopt;
-  return Point{*x, *y};
-}
-
 double Angle::radians() const {
   if (degrees) return reduced_degrees(exact);
   const double nearest = exact.to_double();

@@ -24,9 +24,6 @@ std::vector<std::string> split(const std::string& text, char separator);
 /// So many numbers with commas between, all finite; wrong usage that says `what` else.
 std::vector<double> numbers_of(const std::string& text, std::size_t count, const std::string& what);
 
-/// "x,y", both finite.
-std::optional<Point> finite_point(const std::string& text);
-
 /// An angle as it was given: every angle of the command line is a number of radians, taken as the double it is, or of
 /// degrees with `deg` behind it, taken exactly as written.
 struct Angle {

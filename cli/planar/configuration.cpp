@@ -25,12 +25,20 @@ Configuration read_configuration(const std::string& text, const char* option) {
   return {q->x, q->y, q->theta->radians()};
 }
 
-std::vector<Configuration> read_configurations(const std::string& file) {
-  std::vector<Configuration> all;
-  for_each_query(file, [&](const QueryLine& q, const Refuse& refuse) {
+PlacedRobot read_placed_robot(const std::string& text, const char* option) {
+  const std::optional<QueryLine> q = query_in(text, Fractions::taken);
+  if (const std::string fault = fault_of(q); !fault.empty())
+    throw Stop(kUsage, std::string(option) + " " + fault + ", not '" + text + "'");
+  return {q->at(), q->theta->radians()};
+}
+
+std::vector<PlacedRobot> read_placed_robots(const std::string& file) {
+  std::vector<PlacedRobot> all;
+  const auto take = [&](const QueryLine& q, const Refuse& refuse) {
     if (const std::string fault = fault_of(q); !fault.empty()) refuse("a line " + fault);
-    all.push_back({q.x, q.y, q.theta->radians()});
-  });
+    all.push_back({q.at(), q.theta->radians()});
+  };
+  for_each_query(file, take, Fractions::taken);
   return all;
 }
 

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "dymsum/cspace_obstacle.h"
+#include "dymsum/rational.h"
 
 namespace dymsum::cli {
 
@@ -12,7 +13,14 @@ namespace dymsum::cli {
 /// `option` names it in the message.
 Configuration read_configuration(const std::string& text, const char* option);
 
+/// The same where x and y may be fractions.
+struct PlacedRobot {
+  RationalPoint at;
+  double theta = 0;
+};
+PlacedRobot read_placed_robot(const std::string& text, const char* option);
+
 /// One on every line of FILE, or "-", as for_each_query reads them. Stops with bad input that names file and line.
-std::vector<Configuration> read_configurations(const std::string& file);
+std::vector<PlacedRobot> read_placed_robots(const std::string& file);
 
 }  // namespace dymsum::cli

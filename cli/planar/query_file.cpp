@@ -12,13 +12,13 @@ std::optional<QueryLine> query_in(const std::string& text, Fractions fractions) 
   if (words.size() < 2 || words.size() > 3) return std::nullopt;
   const std::optional<Angle> theta = words.size() == 3 ? angle_in(words[2]) : std::nullopt;
   if (words.size() == 3 && !theta) return std::nullopt;
-  if (words[0].find('/') == std::string::npos && words[1].find('/') == std::string::npos) {
-    const std::optional<double> x = finite_number(words[0]), y = finite_number(words[1]);
-    return x && y ? std::optional(QueryLine{*x, *y, theta, std::nullopt}) : std::nullopt;
-  }
   const std::optional<Rational> x = exact_number(words[0]), y = exact_number(words[1]);
-  if (fractions == Fractions::refused || !x || !y) return std::nullopt;
-  return QueryLine{x->to_double(), y->to_double(), theta, RationalPoint{*x, *y}};
+  if (!x || !y) return std::nullopt;
+  const RationalPoint at{*x, *y};
+  if (fractions == Fractions::refused && !is_of_doubles(at)) return std::nullopt;
+  QueryLine line{x->to_double(), y->to_double(), theta, std::nullopt};
+  if (text.find('/') != std::string::npos) line.exact = at;
+  return line;
 }
 
 void for_each_query(const std::string& file, const std::function<void(const QueryLine&, const Refuse&)>& take,

@@ -16,8 +16,11 @@ struct QueryLine {
   double x = 0, y = 0;
   std::optional<Angle> theta;
   std::optional<RationalPoint> exact;  ///< where x or y is a fraction; x and y are nearest to it
+
+  RationalPoint at() const { return exact ? *exact : RationalPoint{Rational::of(x).value(), Rational::of(y).value()}; }
 };
 
+/// Refused are those that no double is.
 enum class Fractions : std::uint8_t { refused, taken };
 
 /// Numbers between commas, or else between blanks; nothing for other text.

@@ -16,24 +16,16 @@ namespace {
 
 constexpr const char* kWanted = "a place of solids is x,y,z, each a number or a fraction 1/3";
 
-std::optional<RationalPoint3> place_in(const std::string& text) {
-  const std::vector<std::string> words = words_of(text);
-  if (words.size() != 3) return std::nullopt;
-  const auto x = exact_number(words[0]), y = exact_number(words[1]), z = exact_number(words[2]);
-  if (!x || !y || !z) return std::nullopt;
-  return RationalPoint3{*x, *y, *z};
-}
-
 std::vector<RationalPoint3> read_places(const SolidContains& command) {
   std::vector<RationalPoint3> places;
   for (const std::string& text : command.at) {
-    const std::optional<RationalPoint3> place = place_in(text);
+    const std::optional<RationalPoint3> place = exact_place_in_space(text);
     if (!place) throw Stop(kUsage, "--at '" + text + "': " + kWanted);
     places.push_back(*place);
   }
   if (!command.at_file.empty()) {
     const bool any = for_each_line(file_text(command.at_file), [&](const std::string& text, std::int64_t line) {
-      const std::optional<RationalPoint3> place = place_in(text);
+      const std::optional<RationalPoint3> place = exact_place_in_space(text);
       if (!place) refuse_line({ErrorCode::malformed, kWanted, {}}, command.at_file, line);
       places.push_back(*place);
     });

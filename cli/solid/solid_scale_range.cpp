@@ -18,34 +18,13 @@
 namespace dymsum::cli {
 namespace {
 
-std::vector<RationalPoint3> waypoints_in(const std::string& text) {
-  std::vector<RationalPoint3> path;
+std::vector<RationalPoint3> places_in(const std::string& text, const std::string& option) {
+  std::vector<RationalPoint3> places;
   std::istringstream words(text);
   for (std::string word; words >> word;) {
-    const std::vector<std::string> pieces = split(word, ',');
-    std::vector<Rational> at;
-    for (const std::string& piece : pieces)
-      if (const std::optional<Rational> v = exact_number(piece)) at.push_back(*v);
-    if (pieces.size() != 3 || at.size() != 3)
-      throw Stop(kUsage, "--path wants x,y,z, each a number or a fraction 1/3, not '" + word + "'");
-    path.push_back({at[0], at[1], at[2]});
-  }
-  return path;
-}
-
-std::vector<Point3> places_in(const std::string& text, const std::string& option) {
-  std::vector<Point3> places;
-  std::istringstream words(text);
-  for (std::string word; words >> word;) {
-    const std::vector<std::string> pieces = split(word, ',');
-    if (pieces.size() != 3) throw Stop(kUsage, option + " wants x,y,z, not '" + word + "'");
-    double at[3];
-    for (std::size_t k = 0; k < 3; ++k) {
-      const std::optional<double> v = finite_number(pieces[k]);
-      if (!v) throw Stop(kUsage, option + " wants x,y,z, not '" + word + "'");
-      at[k] = *v;
-    }
-    places.push_back({at[0], at[1], at[2]});
+    const std::optional<RationalPoint3> at = exact_place_in_space(word);
+    if (!at) throw Stop(kUsage, option + " wants x,y,z, each a number or a fraction 1/3, not '" + word + "'");
+    places.push_back(*at);
   }
   return places;
 }
@@ -110,8 +89,8 @@ void print_range_text(const SolidScaleRange& range, bool on_path) {
 }  // namespace
 
 ExitCode run_solid_scale_range(const RangeCommand& command) {
-  const std::vector<RationalPoint3> path = waypoints_in(command.path);
-  const std::vector<Point3> place = places_in(command.place, "--place");
+  const std::vector<RationalPoint3> path = places_in(command.path, "--path");
+  const std::vector<RationalPoint3> place = places_in(command.place, "--place");
   if (!command.inside && path.empty()) throw Stop(kUsage, "--path wants a waypoint: \"x,y,z x,y,z ...\"");
   if (place.size() > 1) throw Stop(kUsage, "--place wants one translation, x,y,z");
   const std::vector<SolidInput> inputs = read_solids(command.operands, command.input);

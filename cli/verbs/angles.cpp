@@ -7,11 +7,13 @@
 #include <optional>
 
 #include "dymsum/obstacle_queries.h"
+#include "exact_number.h"
 #include "exit_code.h"
 #include "options.h"
 #include "planar/contact.h"
 #include "planar/obstacle_input.h"
 #include "planar/query_file.h"
+#include "planar/whole_places.h"
 #include "progress_bar.h"
 #include "report.h"
 #include "timing.h"
@@ -28,22 +30,23 @@ struct AnglesCommand {
 };
 
 struct AnglesAnswer {
-  Point at;
+  RationalPoint at;
   std::vector<FreeAngles> free;
 };
 
-std::vector<Point> read_places(const AnglesCommand& command) {
-  std::vector<Point> places;
+std::vector<RationalPoint> read_places(const AnglesCommand& command) {
+  std::vector<RationalPoint> places;
   for (const std::string& text : command.at) {
-    const std::optional<Point> at = finite_point(text);
-    if (!at) throw Stop(kUsage, "--at wants a place x,y, not '" + text + "'");
+    const std::optional<RationalPoint> at = exact_place(text);
+    if (!at) throw Stop(kUsage, "--at wants a place x,y, each a number or a fraction 1/3, not '" + text + "'");
     places.push_back(*at);
   }
   if (!command.at_file.empty()) {
-    for_each_query(command.at_file, [&](const QueryLine& line, const Refuse& refuse) {
+    const auto take = [&](const QueryLine& line, const Refuse& refuse) {
       if (line.theta) refuse("expected a place x,y: all angles are asked for");
-      places.push_back({line.x, line.y});
-    });
+      places.push_back(line.at());
+    };
+    for_each_query(command.at_file, take, Fractions::taken);
   }
   if (places.empty()) throw Stop(kUsage, "angles wants --at x,y or --at-file FILE");
   return places;
@@ -72,13 +75,17 @@ Json angles_json(const CspaceObstacle& obstacle, const std::vector<AnglesAnswer>
   for (const AnglesAnswer& answer : answers) {
     Json free = Json::array();
     for (const FreeAngles& f : answer.free) free.push_back(free_json(obstacle, f));
-    list.push_back({{"at", {answer.at.x, answer.at.y}}, {"free_angles", free}});
+    Json one = {{"at", {answer.at.x.to_double(), answer.at.y.to_double()}}, {"free_angles", free}};
+    if (!is_of_doubles(answer.at)) one["exact"] = {answer.at.x.to_string(), answer.at.y.to_string()};
+    list.push_back(std::move(one));
   }
   return list;
 }
 
 void print_answer(const CspaceObstacle& obstacle, const AnglesAnswer& answer) {
-  std::cout << "(" << answer.at.x << ", " << answer.at.y << "):";
+  print_exact(std::cout << "(", answer.at.x);
+  print_exact(std::cout << ", ", answer.at.y);
+  std::cout << "):";
   if (answer.free.empty()) std::cout << " no angle";
   std::cout << "\n";
   const auto end_text = [&](std::uint32_t patch) {
@@ -94,16 +101,19 @@ void print_answer(const CspaceObstacle& obstacle, const AnglesAnswer& answer) {
 
 ExitCode run_angles(const AnglesCommand& command) {
   check_obstacle_input("angles", command.source);
-  const std::vector<Point> places = read_places(command);
+  const std::vector<RationalPoint> places = read_places(command);
+  const Rational times = times_for(places);
   const InterruptGuard guard;
   ObstacleSource source = read_source(command.source);
+  enlarge(source, times);
   const CspaceObstacle obstacle = obstacle_of(source);
   const ObstacleQueries queries(obstacle);
   const auto [answers, timing] = timed(command.report.repeat, [&] {
     std::vector<AnglesAnswer> all;
-    for (const Point at : places) {
+    for (const RationalPoint& at : places) {
       throw_if_interrupted();
-      all.push_back({at, queries.free_angles(at.x, at.y)});
+      const Point larger = enlarged(at, times);
+      all.push_back({at, queries.free_angles(larger.x, larger.y)});
     }
     return all;
   });
@@ -127,7 +137,8 @@ void add_angles(CLI::App& app, Action& action) {
   CLI::App& verb = *app.add_subcommand(
       "angles", "At which angles a shape that turns can stand at a place without overlapping one that stays");
   add_obstacle_input(verb, command->source);
-  verb.add_option("--at", command->at, "Where the reference point of the robot is; repeatable")
+  verb.add_option("--at", command->at,
+                  "Where the reference point of the robot is, numbers or fractions 1/3; repeatable")
       ->type_name("x,y")
       ->allow_extra_args(false);
   verb.add_option("--at-file", command->at_file, "A file of such, x,y on a line; - for standard input")

@@ -2,10 +2,13 @@
 #include <CLI/CLI.hpp>
 #include <iostream>
 #include <memory>
+#include <optional>
+#include <span>
 #include <sstream>
 
 #include "dymsum/convex_sum.h"
 #include "dymsum/penetration_depth.h"
+#include "exact_number.h"
 #include "line_file.h"
 #include "options.h"
 #include "planar/tier.h"
@@ -33,33 +36,19 @@ struct DepthCommand {
   InputOptions input;
 };
 
-/// x,y or x,y,z of an option or a line; nothing for other text.
-std::optional<std::vector<double>> numbers_in(const std::string& text, std::size_t count) {
-  std::vector<double> numbers;
-  for (const std::string& word : words_of(text)) {
-    const std::optional<double> number = finite_number(word);
-    if (!number) return std::nullopt;
-    numbers.push_back(*number);
-  }
-  if (numbers.size() != count) return std::nullopt;
-  return numbers;
+RationalPoint3 vector_of_option(const std::string& text, const std::string& option) {
+  const std::optional<RationalPoint3> v = text.empty() ? RationalPoint3{} : exact_place_in_space(text);
+  if (!v) throw Stop(kUsage, option + " wants 3 numbers or fractions x,y,z, not '" + text + "'");
+  return *v;
 }
 
-std::vector<double> option_numbers(const std::string& text, const std::string& option, std::size_t count) {
-  if (text.empty()) return std::vector<double>(count, 0.0);
-  const std::optional<std::vector<double>> numbers = numbers_in(text, count);
-  if (!numbers)
-    throw Stop(kUsage, option + " wants " + std::to_string(count) + " numbers x,y" + (count == 3 ? ",z" : "") +
-                           ", not '" + text + "'");
-  return *numbers;
-}
-
-std::vector<Point3> read_moves(const std::string& file) {
-  std::vector<Point3> moves;
+std::vector<RationalPoint3> read_moves(const std::string& file) {
+  std::vector<RationalPoint3> moves;
   const bool any = for_each_line(file_text(file), [&](const std::string& text, std::int64_t line) {
-    const std::optional<std::vector<double>> v = numbers_in(text, 3);
-    if (!v) refuse_line({ErrorCode::malformed, "a translation is x,y,z", {}}, file, line);
-    moves.push_back({(*v)[0], (*v)[1], (*v)[2]});
+    const std::optional<RationalPoint3> v = exact_place_in_space(text);
+    if (!v)
+      refuse_line({ErrorCode::malformed, "a translation is x,y,z, each a number or a fraction 1/3", {}}, file, line);
+    moves.push_back(*v);
   });
   if (!any) refuse_line({ErrorCode::malformed, "the file holds no translations", {}}, file, std::nullopt);
   return moves;
@@ -79,16 +68,17 @@ void print_depth(const DepthCommand& command, Json inputs, int tier, const Timin
 
 /// Convex solids may turn.
 ExitCode run_turned(const DepthCommand& command) {
-  const std::vector<double> moved = option_numbers(command.moved, "--move", 3);
+  const RationalPoint3 given = vector_of_option(command.moved, "--move");
+  const Point3 moved{given.x.to_double(), given.y.to_double(), given.z.to_double()};
+  if (!is_of_doubles(given)) throw Stop(kUsage, "--move with --axis wants numbers x,y,z, not '" + command.moved + "'");
   SolidPose pose;
   pose.rotation = require_option(
       Rotation::about(parse_point(command.axis, "--axis"), read_angle(command.angle).radians()), "--axis");
   const std::vector<SolidInput> inputs = read_convex_solids(command.operands, command.input);
   const InterruptGuard guard;
   const Mesh &p = inputs[0].mesh, &q = inputs[1].mesh;
-  const auto [depth, timing] = timed(command.report.repeat, [&] {
-    return require(penetration_depth(p, q, pose, {}, {moved[0], moved[1], moved[2]}));
-  });
+  const auto [depth, timing] =
+      timed(command.report.repeat, [&] { return require(penetration_depth(p, q, pose, {}, moved)); });
   const Json found = depth_json(depth);
   std::ostringstream text;
   if (depth.inside)
@@ -117,22 +107,28 @@ SolidDepth depth_of(const std::vector<SolidInput>& inputs) {
 }
 
 ExitCode run_rows(const DepthCommand& command, const std::vector<SolidInput>& inputs) {
-  const std::vector<Point3> moves = read_moves(command.at_file);
+  const std::vector<RationalPoint3> moves = read_moves(command.at_file);
   const InterruptGuard guard;
   DepthBatchOptions options;
   options.threads = static_cast<int>(command.threads), options.time_limit = command.time_limit;
   std::optional<ProgressBar> bar(std::in_place);
   options.progress = bar->callback();
-  const auto [rows, timing] =
-      timed(command.report.repeat, [&] { return require(depth_batch(depth_of(inputs), moves, options)); });
+  const auto [rows, timing] = timed(command.report.repeat, [&] {
+    return require(depth_batch(depth_of(inputs), std::span<const RationalPoint3>(moves), options));
+  });
   bar.reset();
   Json list = Json::array();
   std::ostringstream text;
   for (std::size_t k = 0; k < rows.size(); ++k) {
-    Json row = {{"at", {moves[k].x, moves[k].y, moves[k].z}}};
+    const RationalPoint3& at = moves[k];
+    Json row = {{"at", {at.x.to_double(), at.y.to_double(), at.z.to_double()}}};
+    if (!is_of_doubles(at)) row["exact"] = {at.x.to_string(), at.y.to_string(), at.z.to_string()};
     row.update(depth_json(rows[k]));
     list.push_back(std::move(row));
-    text << "(" << moves[k].x << ", " << moves[k].y << ", " << moves[k].z << "): ";
+    print_exact(text << "(", at.x);
+    print_exact(text << ", ", at.y);
+    print_exact(text << ", ", at.z);
+    text << "): ";
     text << (rows[k].complete ? depth_text(rows[k], inputs[0].file, inputs[1].file) : bounds_text(rows[k]));
   }
   print_depth(command, solid_inputs_json(inputs), tier_of(inputs[0].mesh, inputs[1].mesh), timing,
@@ -142,10 +138,9 @@ ExitCode run_rows(const DepthCommand& command, const std::vector<SolidInput>& in
 
 ExitCode run_solids(const DepthCommand& command) {
   if (!command.axis.empty()) return run_turned(command);
-  const std::vector<double> v = option_numbers(command.moved, "--move", 3),
-                            w = option_numbers(command.along, "--along", 3);
-  const Point3 moved{v[0], v[1], v[2]}, along{w[0], w[1], w[2]};
-  if (!command.along.empty() && along == Point3{}) throw Stop(kUsage, "--along wants a direction, not 0,0,0");
+  const RationalPoint3 moved = vector_of_option(command.moved, "--move"),
+                       along = vector_of_option(command.along, "--along");
+  if (!command.along.empty() && along == RationalPoint3{}) throw Stop(kUsage, "--along wants a direction, not 0,0,0");
   const std::vector<SolidInput> inputs = read_solids(command.operands, command.input);
   if (!command.at_file.empty()) return run_rows(command, inputs);
   const InterruptGuard guard;
@@ -170,13 +165,13 @@ ExitCode run_solids(const DepthCommand& command) {
 ExitCode run_regions(const DepthCommand& command) {
   refuse_options(*command.parser, {"--axis", "--along", "--at-file", "--time", "--threads", "--hull", "--thin"},
                  "is for solids");
-  const std::vector<double> moved = option_numbers(command.moved, "--move", 2);
+  const std::optional<RationalPoint> moved = command.moved.empty() ? RationalPoint{} : exact_place(command.moved);
+  if (!moved) throw Stop(kUsage, "--move wants 2 numbers or fractions x,y, not '" + command.moved + "'");
   const std::vector<Input> inputs = read_inputs(command.operands, command.input);
   const InterruptGuard guard;
   const Region &p = inputs[0].region, &q = inputs[1].region;
-  const auto [distance, timing] = timed(command.report.repeat, [&] {
-    return require_of(inputs, PlanarDepth::create(p, q)).at({moved[0], moved[1]});
-  });
+  const auto [distance, timing] =
+      timed(command.report.repeat, [&] { return require_of(inputs, PlanarDepth::create(p, q)).at(*moved); });
   print_depth(command, inputs_json(inputs), tier_of(p, q), timing, depth_json(distance),
               depth_text(distance, inputs[0].file, inputs[1].file));
   return distance.meeting == Meeting::overlapping ? kDone : kNo;
@@ -203,7 +198,8 @@ void add_depth(CLI::App& app, Action& action) {
       "separate them; how far apart they are where they do not overlap");
   command->parser = &verb;
   add_operands(verb, {"P", "A solid or a region"}, {"Q", "Another one, which may move"}, command->operands);
-  CLI::Option* move = verb.add_option("--move", command->moved, "Move Q by this translation first");
+  CLI::Option* move =
+      verb.add_option("--move", command->moved, "Move Q by this translation first, numbers or fractions 1/3");
   move->type_name("X,Y[,Z]");
   CLI::Option* along = verb.add_option("--along", command->along,
                                        "Of solids: also how far Q has to go in this direction, in multiples of it");

@@ -25,29 +25,21 @@
 namespace dymsum::cli {
 namespace {
 
-/// A waypoint, whose coordinates may be fractions.
-RationalPoint read_waypoint(const std::string& text) {
-  const std::vector<std::string> words = split(text, ',');
-  const std::optional<Rational> x = exact_number(words[0]),
-                                y = words.size() == 2 ? exact_number(words[1]) : std::nullopt;
-  if (!x || !y) throw Stop(kUsage, "--path wants x,y, each a number or a fraction 1/3, not '" + text + "'");
-  return {*x, *y};
+/// A waypoint or a place, whose coordinates may be fractions.
+RationalPoint read_place(const std::string& text, const std::string& option) {
+  const std::optional<RationalPoint> at = exact_place(text);
+  if (!at) throw Stop(kUsage, option + " wants x,y, each a number or a fraction 1/3, not '" + text + "'");
+  return *at;
 }
 
 RationalPoint exactly(const Point& p) { return {Rational::of(p.x).value(), Rational::of(p.y).value()}; }
-
-Point read_place(const std::string& text, const std::string& option) {
-  const std::optional<Point> p = finite_point(text);
-  if (!p) throw Stop(kUsage, option + " wants x,y, not '" + text + "'");
-  return *p;
-}
 
 /// "x,y x,y ..." or a file with one polyline.
 std::vector<RationalPoint> read_path(const std::string& text) {
   std::vector<RationalPoint> path;
   if (text.find(',') != std::string::npos && !std::filesystem::exists(text)) {
     std::istringstream words(text);
-    for (std::string word; words >> word;) path.push_back(read_waypoint(word));
+    for (std::string word; words >> word;) path.push_back(read_place(word, "--path"));
     return path;
   }
   const RegionData data = require(read_region_data(text));
@@ -122,7 +114,7 @@ ExitCode run_range(const RangeCommand& command) {
   if (are_solid(command.operands, command.input)) return run_solid_scale_range(command);
   std::vector<RationalPoint> path;
   if (!command.path.empty()) path = read_path(command.path);
-  std::optional<Point> place;
+  std::optional<RationalPoint> place;
   if (!command.place.empty()) place = read_place(command.place, "--place");
   const std::vector<Input> inputs = read_inputs(command.operands, command.input);
   const Region &part = inputs[0].region, &other = inputs[1].region;
@@ -156,7 +148,8 @@ void add_scale_range(CLI::App& app, Action& action) {
                   "fraction 1/3, or a planar file with one polyline")
       ->type_name("PATH");
   verb.add_flag("--inside", command->inside, "OTHER is a container, anywhere inside which the part may lie");
-  verb.add_option("--place", command->place, "With --inside: only at this translation")->type_name("x,y[,z]");
+  verb.add_option("--place", command->place, "With --inside: only at this translation, numbers or fractions 1/3")
+      ->type_name("x,y[,z]");
   add_report_options(verb, command->report, "Compute N times and report the median and minimum time");
   add_solid_input_options(verb, command->input, OperandKind::either);
   verb.footer(

@@ -50,7 +50,9 @@ struct ContinuousContact {
   Point3 normal, euclidean_normal;   ///< of length 1; zero where they do not overlap
   /// What touches after the move: on P, and on Q where it is now; witness_p - witness_q = depth * normal.
   Point3 witness_p, witness_q;
-  SolidContact contact;      ///< features that hold them: those of the sum's face, if these touch there
+  /// One pair of features that hold them: those of the sum's face, if these touch there. Where more touch, as of flush
+  /// faces, the others are not named: SolidDepth names all, at one orientation.
+  SolidContact contact;
   std::uint64_t branch = 0;  ///< the same from answer to answer as long as nothing jumps; from 1
   Discontinuity discontinuity = Discontinuity::none;
   bool smoothed = false;  ///< false: there is no smoothed way out within `inflation`, and the shortest one is given

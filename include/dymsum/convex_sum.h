@@ -118,7 +118,8 @@ struct ConvexDepth {
   Rational depth_squared;  ///< exact
   Point3
       direction;  ///< unit outward normal of that facet, with an error below 2^-50: move the point by depth * direction
-  SolidFeature p, q;  ///< the facet, as SolidFacet has it; of facets equally near any
+  /// One pair that touches once the point is moved: the facet, as SolidFacet has it; of facets equally near any.
+  SolidFeature p, q;
 };
 
 struct ConvexSolid;

@@ -3,6 +3,7 @@
 // that turn and scale have ConvexSum::depth.
 #pragma once
 
+#include <concepts>
 #include <cstdint>
 #include <memory>
 #include <optional>
@@ -100,9 +101,14 @@ class SolidDepth {
   /// limit in seconds is looked at between facets; 0 is none. Requires a finite translation and a limit of at least 0
   /// (else std::invalid_argument). Cost: O(log n) a facet that is nearer than the answer, and what crosses it there.
   SolidDistance at(Point3 q_moved_by = {}, double time_limit = 0);
+  /// The same where the translation is given in fractions.
+  template <std::same_as<RationalPoint3> Move>
+  SolidDistance at(const Move& q_moved_by, double time_limit = 0);
   /// The smallest s >= 0 so that Q, moved also by s times `direction`, does not overlap P. Requires finite vectors, the
   /// direction not zero (else std::invalid_argument). Exact. O(n).
   Rational along(Point3 q_moved_by, Point3 direction);
+  template <std::same_as<RationalPoint3> Move>
+  Rational along(const Move& q_moved_by, const Move& direction);
 
   std::size_t facet_count() const;  ///< of the convolution, without those deep inside the sum
 
@@ -122,6 +128,8 @@ struct DepthBatchOptions {
 /// `vertex`; out_of_range for threads or a limit below 0; cancelled.
 Result<std::vector<SolidDistance>> depth_batch(const SolidDepth& pair, std::span<const Point3> moves,
                                                const DepthBatchOptions& options = {});
+Result<std::vector<SolidDistance>> depth_batch(const SolidDepth& pair, std::span<const RationalPoint3> moves,
+                                               const DepthBatchOptions& options = {});
 
 /// Two solids and how Q is moved.
 struct DepthQuestion {
@@ -134,7 +142,8 @@ struct DepthQuestion {
 Result<std::vector<Result<SolidDistance>>> depth_batch(std::span<const DepthQuestion> questions,
                                                        const DepthBatchOptions& options = {});
 
-/// A vertex of a region, or the edge that starts there, without its ends.
+/// A vertex of a region, or the edge that starts there, without its ends: those of the rings, then of the polylines,
+/// then the points.
 struct PlanarFeature {
   enum class Kind : std::uint8_t { vertex, edge };
   Kind kind = Kind::vertex;
@@ -166,18 +175,22 @@ struct PlanarDistance {
 };
 
 /// The same of two planar regions, with holes: the distance of a point to the boundary and the tight features of their
-/// exact sum P (+) -Q, which is built once. Thread-safe.
+/// exact sum P (+) -Q, which is built once. One of them may be or have polylines and points: these overlap what has
+/// area where they meet its interior. Thread-safe.
 class PlanarDepth {
  public:
-  /// Errors: no_area where an operand is empty or has no area; those of minkowski_sum.
+  /// Errors: no_area where an operand is empty; unsupported_operand where both have polylines or points; those of
+  /// minkowski_sum.
   static Result<PlanarDepth> create(const Region& p, const Region& q);
   /// Requires a finite translation (else std::invalid_argument). Exact. O(n) for n edges of the sum.
   PlanarDistance at(Point q_moved_by = {}) const;
+  /// The same where the translation is given in fractions.
+  template <std::same_as<RationalPoint> Move>
+  PlanarDistance at(const Move& q_moved_by) const;
 
  private:
   std::shared_ptr<const PlanarSum> sum_;
   std::shared_ptr<const depth::TouchingPairs> touching_;
-  Region p_, q_;
 };
 
 }  // namespace dymsum

@@ -2,6 +2,7 @@
 // it.
 #pragma once
 
+#include <concepts>
 #include <cstdint>
 #include <optional>
 #include <span>
@@ -64,6 +65,11 @@ Result<ScaleRange> scale_range(const Region& part, std::span<const RationalPoint
 /// The scales at which s `part`, placed at `at`, lies inside the container. Errors here and below: as above,
 /// coordinates beyond 2^996.
 Result<ScaleRange> fit_range(const Region& part, const Region& container, Point at, const Progress& progress = {});
+/// The same at a place in fractions. Errors also: unsupported_operand where a coordinate of the place, or of the
+/// container, times the common denominator of the place is no double.
+template <std::same_as<RationalPoint> Place>
+Result<ScaleRange> fit_range(const Region& part, const Region& container, const Place& at,
+                             const Progress& progress = {});
 
 /// The scales at which s `part` lies inside the container at some translation: erode(container, s part) is not empty.
 /// At an end of an interval the translations left are points and segments; its contacts are those at each of these

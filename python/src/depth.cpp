@@ -7,10 +7,20 @@
 #include "held.h"
 #include "record.h"
 
+#include <span>
+#include <stdexcept>
+
 namespace dymsum::python {
 namespace {
 
 using namespace nb::literals;
+
+/// The position, exactly; ValueError where it is not finite.
+template <std::size_t K>
+const auto& finite(const Place<K>& place) {
+  if (!place.exact) throw std::invalid_argument("the position is not finite");
+  return *place.exact;
+}
 
 /// A SolidDepth and what it is made of again.
 struct Depth {
@@ -22,11 +32,13 @@ struct Depth {
   static SolidDepth create(const Mesh& p, const Mesh& q, const DepthOptions& o) {
     return run_with(o, [&](const DepthOptions& own) { return SolidDepth::create(p, q, own); });
   }
-  SolidDistance at(const Point3& moved, double time_limit) {
-    return held.alone([&](SolidDepth& depth) { return without_gil([&] { return depth.at(moved, time_limit); }); });
+  SolidDistance at(const Place<3>& moved, double time_limit) {
+    const auto& at = finite(moved);
+    return held.alone([&](SolidDepth& depth) { return without_gil([&] { return depth.at(at, time_limit); }); });
   }
-  Rational along(const Point3& moved, const Point3& direction) {
-    return held.alone([&](SolidDepth& depth) { return without_gil([&] { return depth.along(moved, direction); }); });
+  Rational along(const Place<3>& moved, const Place<3>& direction) {
+    const auto &at = finite(moved), &along = finite(direction);
+    return held.alone([&](SolidDepth& depth) { return without_gil([&] { return depth.along(at, along); }); });
   }
   SolidDepth copy() {
     return held.alone([](SolidDepth& depth) { return SolidDepth(depth); });
@@ -165,10 +177,22 @@ std::vector<Point3> moves_of(const Rows<3>& rows) {
   return moves;
 }
 
-std::vector<SolidDistance> rows_of(Depth& pair, const Rows<3>& moves, const DepthBatchOptions& options) {
+Error infinite_move(std::size_t k) {
+  Error error{ErrorCode::not_finite, "a translation is not finite", {}};
+  error.evidence.vertex = static_cast<std::int64_t>(k);
+  return error;
+}
+
+std::vector<SolidDistance> rows_of(Depth& pair, const Positions<3>& moves, const DepthBatchOptions& options) {
   const SolidDepth own = pair.copy();
-  const std::vector<Point3> all = moves_of(moves);
-  return run_with(options, [&](const DepthBatchOptions& watched) { return depth_batch(own, all, watched); });
+  if (moves.exact.empty()) {
+    const std::vector<Point3> all = moves_of(moves.doubles);
+    return run_with(options, [&](const DepthBatchOptions& watched) { return depth_batch(own, all, watched); });
+  }
+  if (!moves.not_finite.empty()) take(Result<void>(infinite_move(moves.not_finite.front())));
+  return run_with(options, [&](const DepthBatchOptions& watched) {
+    return depth_batch(own, std::span<const RationalPoint3>(moves.exact), watched);
+  });
 }
 
 nb::list answers(const std::vector<Question>& questions, const DepthBatchOptions& options, bool return_errors) {
@@ -182,7 +206,7 @@ nb::list answers(const std::vector<Question>& questions, const DepthBatchOptions
 }
 
 /// The first rows' answers as arrays.
-nb::object row_arrays(Depth& pair, const Rows<3>& moves, const DepthBatchOptions& options) {
+nb::object row_arrays(Depth& pair, const Positions<3>& moves, const DepthBatchOptions& options) {
   const std::vector<SolidDistance> rows = rows_of(pair, moves, options);
   std::vector<std::uint8_t> meeting, complete;
   std::vector<double> distance, at_least, direction;
@@ -309,8 +333,9 @@ Fraction(1, 16)
       .def_static("create", &of_regions, "p"_a, "q"_a)
       .def(
           "at",
-          [](const DepthOfRegions& self, const Point& moved) {
-            return without_gil([&] { return self.depth.at(moved); });
+          [](const DepthOfRegions& self, const Place<2>& moved) {
+            const RationalPoint& at = finite(moved);
+            return without_gil([&] { return self.depth.at(at); });
           },
           "q_moved_by"_a = nb::make_tuple(0.0, 0.0),
           "Depth or gap with all shortest moves, exactly. Raises ValueError for what is not finite.")

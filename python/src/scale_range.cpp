@@ -58,8 +58,9 @@ unsupported_operand, not_finite, cancelled.
 )doc");
   m.def(
       "fit_range",
-      [](const RegionArgument& part, const RegionArgument& container, Point at, const Progress& progress) {
-        return run(progress, [&](Progress own) { return fit_range(*part, *container, at, own); });
+      [](const RegionArgument& part, const RegionArgument& container, const Place<2>& at, const Progress& progress) {
+        if (!at.exact) return take(Result<ScaleRange>(Error{ErrorCode::not_finite, "the placement is not finite", {}}));
+        return run(progress, [&](Progress own) { return fit_range(*part, *container, *at.exact, own); });
       },
       "part"_a, "container"_a, "at"_a, "progress"_a = nb::none(),
       "The scales at which s `part`, placed at `at`, lies inside the container.");

@@ -98,6 +98,23 @@ def test_along_a_direction() -> None:
     assert dymsum.SolidDepth(BOX, BOX).along((1.5, 0, 0), (0, 0, 2)) == 1
 
 
+def test_translations_may_be_fractions() -> None:
+    third = Fraction(1, 3)
+    pair = dymsum.SolidDepth(BOX, BOX)
+    found = pair.at((4 * third, 0, 0))
+    assert found.squared == Fraction(4, 9) and found.ways[0].move == (Fraction(2, 3), 0, 0)
+    assert pair.along((third, 0, 0), (third, 0, 0)) == 5
+    assert dymsum.depth_batch(pair, [(4 * third, 0, 0)]) == [found]
+    assert dymsum.depth_batch_arrays(pair, [(4 * third, 0, 0)]).ways.tolist() == [1]
+    square = shapes.rectangle(0, 0, 1, 1)
+    assert dymsum.PlanarDepth(square, square).at((third, 0)).squared == (1 - third) ** 2
+    assert dymsum.PlanarDepth(square, "POINT(0 0)").at((third, Fraction(1, 2))).distance == float(third)
+    room = shapes.rectangle(0, 0, 2, 2)
+    assert dymsum.fit_range(square, room, (third, third)).free[0].high == 2 - third
+    with pytest.raises(ValueError):
+        pair.at((third, numpy.nan, 0))
+
+
 def test_planar_regions() -> None:
     slot, peg = shapes.letter_u(4, 4, 1), shapes.rectangle(0, 0, 2, 1)
     depth = dymsum.PlanarDepth(slot, peg)

@@ -58,13 +58,9 @@ Result<SolidDistance> distance_of(const DepthQuestion& question, double time_lim
   return SolidDepth(*std::move(pair)).at(move, time_limit);
 }
 
-}  // namespace
-
-Result<std::vector<SolidDistance>> depth_batch(const SolidDepth& pair, std::span<const Point3> moves,
-                                               const DepthBatchOptions& options) {
-  if (std::optional<Error> error = batch_error(options)) return *std::move(error);
-  for (std::size_t k = 0; k < moves.size(); ++k)
-    if (!is_finite_move(moves[k])) return infinite_move(k);
+template <class Move>
+Result<std::vector<SolidDistance>> all_rows(const SolidDepth& pair, std::span<const Move> moves,
+                                            const DepthBatchOptions& options) {
   const std::size_t workers = worker_count(moves.size(), options);
   std::vector<SolidDepth> pairs(workers, pair);
   std::vector<SolidDistance> rows(moves.size());
@@ -73,6 +69,22 @@ Result<std::vector<SolidDistance>> depth_batch(const SolidDepth& pair, std::span
   });
   if (!done) return batch_cancelled();
   return rows;
+}
+
+}  // namespace
+
+Result<std::vector<SolidDistance>> depth_batch(const SolidDepth& pair, std::span<const Point3> moves,
+                                               const DepthBatchOptions& options) {
+  if (std::optional<Error> error = batch_error(options)) return *std::move(error);
+  for (std::size_t k = 0; k < moves.size(); ++k)
+    if (!is_finite_move(moves[k])) return infinite_move(k);
+  return all_rows(pair, moves, options);
+}
+
+Result<std::vector<SolidDistance>> depth_batch(const SolidDepth& pair, std::span<const RationalPoint3> moves,
+                                               const DepthBatchOptions& options) {
+  if (std::optional<Error> error = batch_error(options)) return *std::move(error);
+  return all_rows(pair, moves, options);
 }
 
 Result<std::vector<Result<SolidDistance>>> depth_batch(std::span<const DepthQuestion> questions,

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <limits>
+#include <utility>
 
 namespace dymsum::depth {
 
@@ -50,11 +51,22 @@ int common_exponent(const std::vector<Point3>& p, const std::vector<Point3>& q) 
   return least == kNone ? 0 : least;
 }
 
-ExactFrame::ExactFrame(const std::vector<Point3>& p, const std::vector<Point3>& q, int exponent, const Point3& origin)
-    : p_(p), q_(q), exponent_(lowest_exponent(origin, exponent)), origin_(vertex(origin)), at_(origin) {}
+ExactFrame::ExactFrame(const std::vector<Point3>& p, const std::vector<Point3>& q, int exponent,
+                       std::array<BigRational, 3> origin)
+    : p_(p), q_(q), at_(std::move(origin)), exponent_(exponent) {
+  for (const BigRational& c : at_) {
+    if (c == 0) continue;
+    const BigInteger below = denominator(c);
+    const auto halvings = static_cast<int>(lsb(below));
+    parts_ = lcm(parts_, BigInteger(below >> static_cast<unsigned>(halvings)));
+    exponent_ = std::min(exponent_, static_cast<int>(lsb(abs(numerator(c)))) - halvings);
+  }
+  origin_ = position(at_).x;
+}
 
 BigVector ExactFrame::vertex(const Point3& v) const {
-  return {in_units(v.x, exponent_), in_units(v.y, exponent_), in_units(v.z, exponent_)};
+  const BigVector whole{in_units(v.x, exponent_), in_units(v.y, exponent_), in_units(v.z, exponent_)};
+  return parts_ == 1 ? whole : times(Big(parts_), whole);
 }
 
 BigVector ExactFrame::corner(SumPoint s) const { return vertex(p_[s.p]) + vertex(q_[s.q]) - origin_; }
@@ -118,7 +130,7 @@ bool ExactFrame::within_borders(const SumFacet& facet, const ExactPlane& plane, 
 
 BigRational ExactFrame::in_operand_units(const BigRational& v) const {
   const BigInteger power = BigInteger(1) << static_cast<unsigned>(std::abs(exponent_));
-  return exponent_ < 0 ? BigRational(v / power) : BigRational(v * power);
+  return exponent_ < 0 ? BigRational(v / BigInteger(power * parts_)) : BigRational(v * power / parts_);
 }
 
 std::array<BigRational, 3> ExactFrame::relative(const ExactPosition& x) const {
@@ -131,22 +143,17 @@ ExactPosition ExactFrame::position(const std::array<BigRational, 3>& relative) c
   std::array<BigRational, 3> v = relative;
   BigInteger all = 1;
   for (BigRational& c : v) {
-    if (exponent_ < 0) c *= power;
-    else c /= power;
+    if (exponent_ < 0) c *= BigInteger(power * parts_);
+    else c = BigRational(c * parts_ / power);
     all = lcm(all, denominator(c));
   }
   const auto whole = [&](const BigRational& c) { return Big(BigInteger(numerator(c) * (all / denominator(c)))); };
   return {{whole(v[0]), whole(v[1]), whole(v[2])}, Big(all)};
 }
 
-std::array<BigRational, 3> ExactFrame::origin() const {
-  return {exact::exact_value(at_.x), exact::exact_value(at_.y), exact::exact_value(at_.z)};
-}
-
 std::array<BigRational, 3> ExactFrame::absolute(const ExactPosition& x) const {
   std::array<BigRational, 3> at = relative(x);
-  const std::array<BigRational, 3> from = origin();
-  for (std::size_t k = 0; k < 3; ++k) at[k] += from[k];
+  for (std::size_t k = 0; k < 3; ++k) at[k] += at_[k];
   return at;
 }
 

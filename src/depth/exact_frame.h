@@ -2,6 +2,7 @@
 // that place on planes and lines.
 #pragma once
 
+#include <array>
 #include <optional>
 #include <vector>
 
@@ -22,16 +23,18 @@ struct ExactPlane {
   Big d;
 };
 
-/// x / w, w > 0, in units of 2^exponent.
+/// x / w, w > 0, in the units of a frame.
 struct ExactPosition {
   BigVector x;
   Big w;
 };
 
-/// Positions are relative to `origin`, in units of one power of two that divides all coordinates.
+/// Positions are relative to `origin`, in units of a power of two that divides all coordinates, over the least number
+/// that makes the origin's whole.
 class ExactFrame {
  public:
-  ExactFrame(const std::vector<Point3>& p, const std::vector<Point3>& q, int exponent, const Point3& origin);
+  ExactFrame(const std::vector<Point3>& p, const std::vector<Point3>& q, int exponent,
+             std::array<BigRational, 3> origin);
 
   BigVector corner(spatial::SumPoint s) const;
   ExactPlane plane(const spatial::SumFacet& facet) const;
@@ -52,7 +55,7 @@ class ExactFrame {
   /// Where it is seen from the origin, in the operands' own units.
   std::array<BigRational, 3> relative(const ExactPosition& x) const;
   std::array<BigRational, 3> absolute(const ExactPosition& x) const;
-  std::array<BigRational, 3> origin() const;
+  const std::array<BigRational, 3>& origin() const { return at_; }
   /// The position that is seen there.
   ExactPosition position(const std::array<BigRational, 3>& relative) const;
   /// A length.
@@ -64,9 +67,10 @@ class ExactFrame {
   bool within_borders(const spatial::SumFacet& facet, const ExactPlane& plane, const ExactPosition& x) const;
 
   const std::vector<Point3>&p_, &q_;
+  std::array<BigRational, 3> at_;
+  exact::BigInteger parts_ = 1;  ///< of the power of two that make it the unit; odd
   int exponent_;
   BigVector origin_;
-  Point3 at_;
 };
 
 /// Of the squares of two distances from the origin: -1, 0, 1.

@@ -20,6 +20,7 @@ using PlaneVector = std::array<BigRational, 2>;
 struct BoundaryPiece {
   const SumVertex* from;
   const SumVertex* to;
+  bool tight = false;  ///< no edge of a ring
 };
 
 std::vector<BoundaryPiece> boundary_pieces(const PlanarSum& sum) {
@@ -34,8 +35,8 @@ std::vector<BoundaryPiece> boundary_pieces(const PlanarSum& sum) {
     add_ring(part.outer);
     for (const SumRing& hole : part.holes) add_ring(hole);
   }
-  for (const SumSegment& s : sum.tight_segments) pieces.push_back({&s.from, &s.to});
-  for (const SumVertex& v : sum.tight_points) pieces.push_back({&v, &v});
+  for (const SumSegment& s : sum.tight_segments) pieces.push_back({&s.from, &s.to, true});
+  for (const SumVertex& v : sum.tight_points) pieces.push_back({&v, &v, true});
   return pieces;
 }
 
@@ -48,18 +49,38 @@ double rough_distance(Point a, Point b, Point z) {
   return std::hypot(a.x + t * dx - z.x, a.y + t * dy - z.y);
 }
 
+/// As seen from z.
+PlaneVector seen_from(const PlaneVector& z, const PlanarSum& sum, const SumVertex& v) {
+  const RationalPoint x = sum.exact(v);
+  return {exact::exact_value(x.x) - z[0], exact::exact_value(x.y) - z[1]};
+}
+
 PlaneVector nearest_of_piece(const PlanarSum& sum, const BoundaryPiece& piece, const PlaneVector& z) {
-  const auto seen = [&](const SumVertex& v) {
-    const RationalPoint x = sum.exact(v);
-    return PlaneVector{exact::exact_value(x.x) - z[0], exact::exact_value(x.y) - z[1]};
-  };
-  const PlaneVector a = seen(*piece.from);
+  const PlaneVector a = seen_from(z, sum, *piece.from);
   if (piece.from == piece.to) return a;
-  const PlaneVector b = seen(*piece.to), d{b[0] - a[0], b[1] - a[1]};
+  const PlaneVector b = seen_from(z, sum, *piece.to), d{b[0] - a[0], b[1] - a[1]};
   const BigRational t = -(a[0] * d[0] + a[1] * d[1]) / (d[0] * d[0] + d[1] * d[1]);
   if (t <= 0) return a;
   if (t >= 1) return b;
   return {a[0] + t * d[0], a[1] + t * d[1]};
+}
+
+/// Whether the ray from z towards +x crosses the edges of rings an odd number of times. Requires: z is on none of them.
+/// Positions in doubles are off by less than `off`.
+bool in_rings(const PlanarSum& sum, const std::vector<BoundaryPiece>& pieces, const PlaneVector& z, Point near,
+              double off) {
+  bool odd = false;
+  for (const BoundaryPiece& piece : pieces) {
+    const Point a = piece.from->at, b = piece.to->at;
+    if (piece.tight || std::max(a.x, b.x) < near.x - off || std::min(a.y, b.y) > near.y + off ||
+        std::max(a.y, b.y) < near.y - off)
+      continue;
+    const PlaneVector u = seen_from(z, sum, *piece.from), v = seen_from(z, sum, *piece.to);
+    const bool rises = v[1] > 0;
+    if ((u[1] > 0) == rises) continue;
+    if ((u[0] * v[1] - u[1] * v[0] > 0) == rises) odd = !odd;
+  }
+  return odd;
 }
 
 Point unit_of(const PlaneVector& v) {
@@ -81,32 +102,36 @@ std::vector<PlanarTouch> planar_touches(const depth::TouchingPairs& pairs, const
   return all;
 }
 
-std::optional<Error> planar_operand_error(const Region& region) {
-  if (!region.polylines().empty() || !region.points().empty())
+std::optional<Error> operand_error(const Region& p, const Region& q) {
+  if (p.empty() || q.empty()) return Error{ErrorCode::no_area, "an operand is empty: it has no depth", {}};
+  const auto has_thin_parts = [](const Region& r) { return !r.polylines().empty() || !r.points().empty(); };
+  if (has_thin_parts(p) && has_thin_parts(q))
     return Error{
-        ErrorCode::unsupported_operand, "an operand has parts without area: depth is of regions with area", {}};
-  if (region.empty()) return Error{ErrorCode::no_area, "an operand is empty: it has no depth", {}};
+        ErrorCode::unsupported_operand, "both operands have parts without area: depth wants one with area", {}};
   return std::nullopt;
 }
 
 }  // namespace
 
 Result<PlanarDepth> PlanarDepth::create(const Region& p, const Region& q) {
-  for (const Region* region : {&p, &q})
-    if (std::optional<Error> error = planar_operand_error(*region)) return *std::move(error);
+  if (std::optional<Error> error = operand_error(p, q)) return *std::move(error);
   Result<PlanarSum> sum = nfp(p, q);
   if (!sum) return sum.error();
   PlanarDepth made;
   made.sum_ = std::make_shared<const PlanarSum>(*std::move(sum));
   made.touching_ = std::make_shared<const depth::TouchingPairs>(depth::touch_side(p), depth::touch_side(q));
-  made.p_ = p, made.q_ = negated(q);
   return made;
 }
 
 PlanarDistance PlanarDepth::at(Point q_moved_by) const {
-  const Point z = q_moved_by;
-  if (!std::isfinite(z.x) || !std::isfinite(z.y))
+  if (!std::isfinite(q_moved_by.x) || !std::isfinite(q_moved_by.y))
     throw std::invalid_argument("PlanarDepth::at: the translation is not finite");
+  return at(RationalPoint{*Rational::of(q_moved_by.x), *Rational::of(q_moved_by.y)});
+}
+
+template <std::same_as<RationalPoint> Move>
+PlanarDistance PlanarDepth::at(const Move& q_moved_by) const {
+  const Point z{q_moved_by.x.to_double(), q_moved_by.y.to_double()};
   const std::vector<BoundaryPiece> pieces = boundary_pieces(*sum_);
   // Doubles leave few pieces: positions are off by at_error, and what is computed of them by some units more.
   double reach = std::abs(z.x) + std::abs(z.y), bound = std::numeric_limits<double>::infinity();
@@ -118,7 +143,7 @@ PlanarDistance PlanarDepth::at(Point q_moved_by) const {
   }
   constexpr double kSubnormal = 0x1p-1070;  // what is that small has few digits
   const double off = 4 * sum_->at_error + reach * 0x1p-24 + kSubnormal;
-  const PlaneVector from{exact::exact_value(z.x), exact::exact_value(z.y)};
+  const PlaneVector from{exact::exact_value(q_moved_by.x), exact::exact_value(q_moved_by.y)};
   std::vector<PlaneVector> nearest;
   BigRational least;
   for (std::size_t k = 0; k < pieces.size(); ++k) {
@@ -132,9 +157,11 @@ PlanarDistance PlanarDepth::at(Point q_moved_by) const {
   std::sort(nearest.begin(), nearest.end());
   nearest.erase(std::unique(nearest.begin(), nearest.end()), nearest.end());
   PlanarDistance result;
-  result.meeting = contains(p_, q_, z, Semantics::open) ? Meeting::overlapping
-                   : least == 0                         ? Meeting::touching
-                                                        : Meeting::apart;
+  // Of an operand with area and one of any kind the closed sum is the closure of the open one, which its rings and
+  // tight features bound: what is on none of these lies inside the open sum, or off the closed one.
+  result.meeting = least == 0                                  ? Meeting::touching
+                   : in_rings(*sum_, pieces, from, z, 2 * off) ? Meeting::overlapping
+                                                               : Meeting::apart;
   result.squared = exact::to_rational(least);
   result.distance = exact::root_to_double(least);
   for (const PlaneVector& move : nearest)
@@ -143,5 +170,6 @@ PlanarDistance PlanarDepth::at(Point q_moved_by) const {
                            planar_touches(*touching_, {from[0] + move[0], from[1] + move[1]})});
   return result;
 }
+template PlanarDistance PlanarDepth::at(const RationalPoint&) const;
 
 }  // namespace dymsum

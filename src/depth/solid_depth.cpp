@@ -22,14 +22,16 @@ using depth::RationalVector;
 using exact::BigRational;
 using spatial::Vec3;
 
-RationalVector exact_vector(const Point3& v) {
+RationalVector exact_vector(const RationalPoint3& v) {
   return {exact::exact_value(v.x), exact::exact_value(v.y), exact::exact_value(v.z)};
 }
+/// Requires finite coordinates.
+RationalPoint3 fractions_of(const Point3& v) { return {*Rational::of(v.x), *Rational::of(v.y), *Rational::of(v.z)}; }
 
 bool is_finite_vector(const Point3& v) { return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z); }
 
-FacetView view_from(const DepthOperands& o, const Point3& at) {
-  const Vec3 from = o.scaled(exact_vector(at));
+FacetView view_from(const DepthOperands& o, const RationalVector& at) {
+  const Vec3 from = o.scaled(at);
   const double size = std::max({std::abs(from.x), std::abs(from.y), std::abs(from.z), 1.0});
   return {o, from, size * 0x1p-32};
 }
@@ -95,15 +97,20 @@ std::size_t SolidDepth::facet_count() const { return operands_->facets.size(); }
 
 SolidDistance SolidDepth::at(Point3 q_moved_by, double time_limit) {
   if (!is_finite_vector(q_moved_by)) throw std::invalid_argument("SolidDepth::at: the translation is not finite");
+  return at(fractions_of(q_moved_by), time_limit);
+}
+
+template <std::same_as<RationalPoint3> Move>
+SolidDistance SolidDepth::at(const Move& q_moved_by, double time_limit) {
   if (!(time_limit >= 0)) throw std::invalid_argument("SolidDepth::at: the time limit is below 0");
   const DepthOperands& o = *operands_;
   const RationalVector from = exact_vector(q_moved_by);
-  FacetView view = view_from(o, q_moved_by);
+  FacetView view = view_from(o, from);
   view.balls = probe_->balls();
   const bool overlapping = probe_->surely_overlaps(view.from, view.slack) || probe_->overlaps(from);
   if (o.engine == DepthEngine::boundary)
     return distance_with(o, depth::nearest_on_boundary(*o.sum, from), from, overlapping);
-  const ExactFrame frame(o.p.vertices, o.q.vertices, o.exponent, q_moved_by);
+  const ExactFrame frame(o.p.vertices, o.q.vertices, o.exponent, from);
   // Of convex solids the nearest facet is the answer on both sides of it.
   const bool covers = overlapping && !o.convex;
   const depth::NearestPositions found = nearest_positions(view, frame, *probe_, covers, time_limit);
@@ -122,14 +129,23 @@ SolidDistance SolidDepth::at(Point3 q_moved_by, double time_limit) {
   return result;
 }
 
+template SolidDistance SolidDepth::at(const RationalPoint3&, double);
+
 Rational SolidDepth::along(Point3 q_moved_by, Point3 direction) {
-  if (!is_finite_vector(q_moved_by) || !is_finite_vector(direction) || direction == Point3{})
-    throw std::invalid_argument("SolidDepth::along: wants finite vectors, and a direction");
+  if (!is_finite_vector(q_moved_by) || !is_finite_vector(direction))
+    throw std::invalid_argument("SolidDepth::along: wants finite vectors");
+  return along(fractions_of(q_moved_by), fractions_of(direction));
+}
+
+template <std::same_as<RationalPoint3> Move>
+Rational SolidDepth::along(const Move& q_moved_by, const Move& direction) {
+  if (direction == RationalPoint3{}) throw std::invalid_argument("SolidDepth::along: wants a direction");
   const DepthOperands& o = *operands_;
   const RationalVector from = exact_vector(q_moved_by);
   if (!probe_->overlaps(from)) return 0;
-  const ExactFrame frame(o.p.vertices, o.q.vertices, o.exponent, q_moved_by);
-  return exact::to_rational(depth::exit_along(view_from(o, q_moved_by), frame, *probe_, exact_vector(direction), from));
+  const ExactFrame frame(o.p.vertices, o.q.vertices, o.exponent, from);
+  return exact::to_rational(depth::exit_along(view_from(o, from), frame, *probe_, exact_vector(direction), from));
 }
+template Rational SolidDepth::along(const RationalPoint3&, const RationalPoint3&);
 
 }  // namespace dymsum

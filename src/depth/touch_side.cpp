@@ -22,11 +22,13 @@ Simplex simplex_of(const Face& face) {
   return s;
 }
 
-void add_ring(const Ring& ring, TouchSide& side) {
+/// The edges from every vertex to the next one; from the last one too, where they close.
+void add_chain(const std::vector<Point>& chain, bool closes, TouchSide& side) {
   const auto first = static_cast<std::uint32_t>(side.at.size());
-  const auto count = static_cast<std::uint32_t>(ring.size());
+  const auto count = static_cast<std::uint32_t>(chain.size());
   for (std::uint32_t k = 0; k < count; ++k) {
-    side.at.push_back({ring[k].x, ring[k].y, 0});
+    side.at.push_back({chain[k].x, chain[k].y, 0});
+    if (!closes && k + 1 == count) continue;
     const SolidFeature edge{Kind::edge, first + k, 0};
     const Segment ends = segment(first + k, first + (k + 1) % count);
     side.simplices.push_back({ends[0], ends[1], kNoVertex});
@@ -94,8 +96,15 @@ TouchSide touch_side(const Mesh& mesh) {
 TouchSide touch_side(const Region& region) {
   TouchSide side;
   for (const Part& part : region.parts()) {
-    add_ring(part.outer, side);
-    for (const Ring& hole : part.holes) add_ring(hole, side);
+    add_chain(part.outer, true, side);
+    for (const Ring& hole : part.holes) add_chain(hole, true, side);
+  }
+  for (const Polyline& line : region.polylines()) add_chain(line, false, side);
+  for (const Point& point : region.points()) {
+    const auto v = static_cast<std::uint32_t>(side.at.size());
+    side.at.push_back({point.x, point.y, 0});
+    side.simplices.push_back({v, kNoVertex, kNoVertex});
+    side.inside.push_back({Kind::vertex, v, 0});
   }
   return side;
 }

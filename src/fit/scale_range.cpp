@@ -37,7 +37,8 @@ std::optional<double> double_of(const BigRational& v) {
 
 Error no_double(const char* what, const exact::BigInteger& times) {
   return {ErrorCode::unsupported_operand,
-          std::string(what) + " times " + times.str() + ", the common denominator of the path, is no double",
+          std::string(what) + " times " + times.str() +
+              ", the common denominator of what is given in fractions, is no double",
           {}};
 }
 
@@ -364,24 +365,28 @@ Result<ScaleRange> scale_range(const Region& part, const std::vector<Point>& pat
                        [&](const Region& p) { return range_along(p, path, obstacles, progress); });
 }
 
-Result<ScaleRange> scale_range(const Region& part, std::span<const RationalPoint> path, const Region& obstacles,
-                               const Progress& progress) {
+namespace {
+
+/// Asks at places and a region that are all so many times as large that the places are doubles: so is the part, at
+/// scales that are. `named`: what a place and the region are.
+template <class Ask>
+Result<ScaleRange> asked_in_whole_numbers(std::span<const RationalPoint> places, const Region& region,
+                                          const std::array<const char*, 2>& named, const Ask& ask) {
   exact::BigInteger common = 1;
-  for (const RationalPoint& at : path)
+  for (const RationalPoint& at : places)
     for (const Rational* c : {&at.x, &at.y}) common = lcm(common, odd_part(exact::denominator_of(*c)));
-  // All is that many times as large: the part, too, at scales that are.
   const BigRational factor(common);
   std::vector<Point> way;
-  for (const RationalPoint& at : path) {
+  for (const RationalPoint& at : places) {
     const std::optional<double> x = double_of(exact::exact_value(at.x) * factor),
                                 y = double_of(exact::exact_value(at.y) * factor);
-    if (!x || !y) return no_double("a waypoint", common);
+    if (!x || !y) return no_double(named[0], common);
     way.push_back({*x, *y});
   }
-  if (common == 1) return scale_range(part, way, obstacles, progress);
-  const std::optional<Region> larger = times(obstacles, factor);
-  if (!larger) return no_double("a coordinate of the obstacles", common);
-  Result<ScaleRange> made = scale_range(part, way, *larger, progress);
+  if (common == 1) return ask(way, region);
+  const std::optional<Region> larger = times(region, factor);
+  if (!larger) return no_double(named[1], common);
+  Result<ScaleRange> made = ask(way, *larger);
   if (!made) return made;
   ScaleRange range = std::move(made).value();
   const Rational divisor = exact::to_rational(factor);
@@ -393,6 +398,24 @@ Result<ScaleRange> scale_range(const Region& part, std::span<const RationalPoint
   }
   return range;
 }
+
+}  // namespace
+
+Result<ScaleRange> scale_range(const Region& part, std::span<const RationalPoint> path, const Region& obstacles,
+                               const Progress& progress) {
+  return asked_in_whole_numbers(
+      path, obstacles, {"a waypoint", "a coordinate of the obstacles"},
+      [&](const std::vector<Point>& way, const Region& larger) { return scale_range(part, way, larger, progress); });
+}
+
+template <std::same_as<RationalPoint> Place>
+Result<ScaleRange> fit_range(const Region& part, const Region& container, const Place& at, const Progress& progress) {
+  return asked_in_whole_numbers(std::span(&at, 1), container, {"the place", "a coordinate of the container"},
+                                [&](const std::vector<Point>& places, const Region& larger) {
+                                  return fit_range(part, larger, places.front(), progress);
+                                });
+}
+template Result<ScaleRange> fit_range(const Region&, const Region&, const RationalPoint&, const Progress&);
 
 Result<ScaleRange> fit_range(const Region& part, const Region& container, Point at, const Progress& progress) {
   return asked_in_unit(part, reach_of(part), extent(container),

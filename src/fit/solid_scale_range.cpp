@@ -166,13 +166,13 @@ Result<SolidScaleRange> range_along(const Mesh& part, std::span<const RationalPo
   return range_of_path(part, way, obstacles, std::nullopt, progress);
 }
 
-Result<SolidScaleRange> range_at(const Mesh& part, const Mesh& container, const Point3& at, const Progress& progress) {
-  if (!is_finite_point(at)) return Error{ErrorCode::not_finite, "the placement is not finite", {}};
+Result<SolidScaleRange> range_at(const Mesh& part, const Mesh& container, const RationalPoint3& at,
+                                 const Progress& progress) {
   if (std::optional<Error> error = check_solids(part, container)) return *std::move(error);
   const BigRational limit = box_limit_of(part, container);
-  const Result<Mesh> frame = frame_of(part, container, limit, at);
+  const Result<Mesh> frame = frame_of(part, container, limit, {at.x.to_double(), at.y.to_double(), at.z.to_double()});
   if (!frame) return frame.error();
-  return range_of_path(part, {exactly(at)}, *frame, limit, progress);
+  return range_of_path(part, {at}, *frame, limit, progress);
 }
 
 Result<SolidScaleRange> range_anywhere(const Mesh& part, const Mesh& container, const Progress& progress) {
@@ -285,9 +285,17 @@ Result<SolidScaleRange> solid_scale_range(const Mesh& part, std::span<const Rati
 
 Result<SolidScaleRange> solid_fit_range(const Mesh& part, const Mesh& container, const Point3& at,
                                         const Progress& progress) {
+  if (!is_finite_point(at)) return Error{ErrorCode::not_finite, "the placement is not finite", {}};
+  return solid_fit_range(part, container, exactly(at), progress);
+}
+
+template <std::same_as<RationalPoint3> Place>
+Result<SolidScaleRange> solid_fit_range(const Mesh& part, const Mesh& container, const Place& at,
+                                        const Progress& progress) {
   return asked_in_unit(part, reach_of(part.vertices()), extent(container),
                        [&](const Mesh& p) { return range_at(p, container, at, progress); });
 }
+template Result<SolidScaleRange> solid_fit_range(const Mesh&, const Mesh&, const RationalPoint3&, const Progress&);
 
 Result<SolidScaleRange> solid_fit_range(const Mesh& part, const Mesh& container, const Progress& progress) {
   return asked_in_unit(part, extent(part), extent(container),

@@ -6,8 +6,11 @@
 #include <limits>
 #include <map>
 #include <random>
+#include <span>
 
 #include "dymsum/penetration_depth.h"
+#include "dymsum/region_io.h"
+#include "dymsum/sum_locator.h"
 #include "oracles/random.h"
 #include "oracles/sanitized.h"
 #include "oracles/tiny_regions.h"
@@ -86,7 +89,8 @@ TEST(PlanarDepth, shapes_of_any_size_have_the_same_depth_but_for_their_size) {
 TEST(PlanarDepth, what_has_no_area_is_refused) {
   EXPECT_EQ(PlanarDepth::create(square(1), Region()).error().code, ErrorCode::no_area);
   const Region wire = Region::create({{}, {{{0, 0}, {1, 1}}}, {}}).value();
-  EXPECT_EQ(PlanarDepth::create(wire, square(1)).error().code, ErrorCode::unsupported_operand);
+  EXPECT_EQ(PlanarDepth::create(wire, wire).error().code, ErrorCode::unsupported_operand);
+  EXPECT_EQ(PlanarDepth::create(wire, Region()).error().code, ErrorCode::no_area);
   EXPECT_THROW(PlanarDepth::create(square(1), square(1)).value().at({std::numeric_limits<double>::infinity(), 0}),
                std::invalid_argument);
 }
@@ -106,16 +110,18 @@ std::map<PlanarPair, int> touching_features(const Region& p, const Region& q, co
     const auto at = [&](const Point& v) {
       return RationalPoint{Rational::of(v.x).value() + by.x, Rational::of(v.y).value() + by.y};
     };
-    const auto add = [&](const Ring& ring) {
-      for (std::size_t k = 0; k < ring.size(); ++k, ++index) {
-        all.push_back({{Kind::vertex, index}, at(ring[k]), at(ring[k])});
-        all.push_back({{Kind::edge, index}, at(ring[k]), at(ring[(k + 1) % ring.size()])});
+    const auto add = [&](const std::vector<Point>& chain, std::size_t edges) {
+      for (std::size_t k = 0; k < chain.size(); ++k, ++index) {
+        all.push_back({{Kind::vertex, index}, at(chain[k]), at(chain[k])});
+        if (k < edges) all.push_back({{Kind::edge, index}, at(chain[k]), at(chain[(k + 1) % chain.size()])});
       }
     };
     for (const Part& part : region.parts()) {
-      add(part.outer);
-      for (const Ring& hole : part.holes) add(hole);
+      add(part.outer, part.outer.size());
+      for (const Ring& hole : part.holes) add(hole, hole.size());
     }
+    for (const Polyline& line : region.polylines()) add(line, line.size() - 1);
+    add(region.points(), 0);
     return all;
   };
   const auto minus = [](const RationalPoint& a, const RationalPoint& b) { return RationalPoint{a.x - b.x, a.y - b.y}; };
@@ -186,6 +192,88 @@ TEST(PlanarDepth, contacts_are_all_pairs_of_features_that_touch) {
     if (HasFailure()) FAIL() << "round " << round;
   }
   EXPECT_GT(flush, rounds / 12);
+}
+
+Region thin(std::vector<Polyline> lines, std::vector<Point> points) {
+  return Region::create({{}, std::move(lines), std::move(points)}).value();
+}
+
+TEST(PlanarDepth, points_and_polylines_overlap_what_has_area_in_its_interior) {
+  const Region point = thin({}, {{0, 0}});
+  const PlanarDepth inside = PlanarDepth::create(frame(), point).value();
+  EXPECT_EQ(inside.at({0, 0}).meeting, Meeting::apart) << "in the hole";
+  EXPECT_EQ(inside.at({1, 0.5}).meeting, Meeting::touching);
+  EXPECT_EQ(inside.at({1.25, 0}).meeting, Meeting::overlapping);
+  EXPECT_EQ(inside.at({1.25, 0}).distance, 0.25);
+  // A segment as long as the hole is wide touches both sides, and sinks into one of them.
+  const PlanarDepth across = PlanarDepth::create(frame(), thin({{{-1, 0}, {1, 0}}}, {})).value();
+  EXPECT_EQ(across.at({0, 0}).meeting, Meeting::touching);
+  const PlanarDistance sunk = across.at({0.25, 0});
+  EXPECT_EQ(sunk.meeting, Meeting::overlapping);
+  EXPECT_EQ(sunk.squared.to_string(), "1/16");
+  ASSERT_EQ(sunk.ways.size(), 1U);
+  EXPECT_EQ(sunk.ways[0].contacts.size(), 2U) << "both ends on the sides of the hole";
+  // Either operand may be the thin one, and it may have area besides.
+  EXPECT_EQ(PlanarDepth::create(point, frame()).value().at({-1.25, 0}).distance, 0.25);
+  const Region mixed = Region::create({{{{{-9, -9}, {-8, -9}, {-8, -8}}, {}}}, {{{-1, 0}, {1, 0}}}, {{7, 7}}}).value();
+  const PlanarDistance d = PlanarDepth::create(frame(), mixed).value().at({0.25, 0});
+  EXPECT_EQ(d.squared.to_string(), "1/16");
+  EXPECT_EQ(d.ways[0].contacts[0].q, (PlanarFeature{PlanarFeature::Kind::vertex, 3}));
+}
+
+TEST(PlanarDepth, thin_parts_separate_and_nothing_shorter_does) {
+  std::mt19937 random(23);
+  oracles::Random shapes_of(29);
+  int overlapping = 0, asked = 0;
+  const int rounds = oracles::rounds(60);
+  for (int round = 0; round < rounds; ++round) {
+    const auto coordinate = [&] { return static_cast<double>(random() % 13) - 6; };
+    Polyline line;
+    for (int k = 0; k < 2 + round % 3; ++k) line.push_back({coordinate(), coordinate()});
+    RegionData data;
+    if (round % 4 != 0) data.polylines = {line};
+    if (round % 4 == 0 || round % 3 == 0) data.points = {{coordinate(), coordinate()}};
+    double c = 1, s = 0, unit = 0.5;
+    if (round % 5 == 1) c = 0.1, unit = 0.05;
+    if (round % 5 == 2) c = std::cos(0.5), s = std::sin(0.5);
+    const Result<Region> wire = Region::create(oracles::mapped(data, c, -s, s, c)),
+                         solid = Region::create(oracles::mapped(oracles::random_parts(shapes_of, 6), c, -s, s, c));
+    if (!wire || !solid || solid->parts().empty() || wire->empty()) continue;
+    const bool swapped = round % 2 == 1;
+    const Region &p = swapped ? *wire : *solid, &q = swapped ? *solid : *wire;
+    SCOPED_TRACE(format_region(p, RegionFormat::wkt) + format_region(q, RegionFormat::wkt));
+    const Result<PlanarDepth> depth = PlanarDepth::create(p, q);
+    ASSERT_TRUE(depth) << depth.error().to_string();
+    const Region back = negated(q);
+    for (int k = 0; k < 12; ++k) {
+      const Point at{unit * coordinate(), unit * coordinate()};
+      const PlanarDistance d = depth->at(at);
+      ++asked;
+      EXPECT_EQ(d.meeting == Meeting::overlapping, contains(p, back, at, Semantics::open)) << round;
+      EXPECT_EQ(d.meeting != Meeting::apart, contains(p, back, at, Semantics::closed)) << round;
+      overlapping += d.meeting == Meeting::overlapping;
+      for (const PlanarWay& way : d.ways) {
+        const RationalPoint moved{way.move.x + Rational::of(at.x).value(), way.move.y + Rational::of(at.y).value()};
+        const std::vector<RationalPoint> places{moved};
+        EXPECT_EQ(contains_each(p, back, std::span<const RationalPoint>(places), Semantics::open).value()[0], 0)
+            << round;
+        EXPECT_EQ(contains_each(p, back, std::span<const RationalPoint>(places), Semantics::closed).value()[0], 1)
+            << round;
+        std::map<PlanarPair, int> found;
+        for (const PlanarTouch& t : way.contacts) found[{t.p, t.q}] = t.dimension;
+        EXPECT_EQ(found, touching_features(p, q, moved)) << round;
+      }
+      constexpr double kRounded = 1e-9;  // nearer places are no doubles
+      for (int a = 0; a < 16 && d.distance > kRounded; ++a) {
+        const double r = 0.999 * d.distance;
+        const Point to{at.x + r * std::cos(a * 0.4), at.y + r * std::sin(a * 0.4)};
+        EXPECT_EQ(contains(p, back, to, Semantics::open), d.meeting == Meeting::overlapping)
+            << at.x << ", " << at.y << ": " << d.distance << " " << a;
+      }
+    }
+    if (HasFailure()) FAIL() << "round " << round;
+  }
+  EXPECT_GT(overlapping, asked / 20);
 }
 
 TEST(PlanarDepth, flush_squares_touch_in_edge_and_edge) {
