@@ -40,12 +40,12 @@ std::size_t shade_of(const CspaceObstacle& obstacle, std::uint32_t shell) {
 
 /// Yellow for fixed contacts and blue for rotating ones, as in the figures of docs/results; grey for the caps.
 std::vector<FaceColour> colours_of(const CspaceObstacle& obstacle, const ObstacleMesh& mesh, std::size_t faces) {
-  constexpr std::array<std::array<float, 3>, 2> kHues{
-      {{250 / 255.f, 205 / 255.f, 120 / 255.f}, {40 / 255.f, 115 / 255.f, 185 / 255.f}}};
-  constexpr std::array<float, kShades> kLight{0, 0.45f, -0.35f, 0.65f, -0.55f};  // towards white, or black
+  constexpr std::array<std::array<double, 3>, 2> kHues{
+      {{250 / 255.0, 205 / 255.0, 120 / 255.0}, {40 / 255.0, 115 / 255.0, 185 / 255.0}}};
+  constexpr std::array<double, kShades> kLight{0, 0.45, -0.35, 0.65, -0.55};  // towards white, or black
   std::vector<FaceColour> colours;
   for (const auto& hue : kHues) {
-    for (const float light : kLight) {
+    for (const double light : kLight) {
       FaceColour colour;
       for (std::size_t i = 0; i < 3; ++i)
         colour.rgb[i] = light < 0 ? hue[i] * (1 + light) : hue[i] + (1 - hue[i]) * light;
@@ -56,7 +56,7 @@ std::vector<FaceColour> colours_of(const CspaceObstacle& obstacle, const Obstacl
     const Patch& patch = obstacle.patches()[mesh.triangles[k].patch];
     colours[(patch.rotating() ? kShades : 0) + shade_of(obstacle, patch.shell)].faces.push_back(k);
   }
-  colours.push_back({{0.78f, 0.78f, 0.78f}, {}});
+  colours.push_back({{0.78, 0.78, 0.78}, {}});
   for (auto k = static_cast<std::uint32_t>(mesh.triangles.size()); k < faces; ++k) colours.back().faces.push_back(k);
   return colours;
 }

@@ -92,10 +92,8 @@ std::size_t face_colour(const SpatialFace& face) {
 }
 
 std::vector<FaceColour> colours_of(const SpatialSum& sum, const SpatialSum::Rounded& rounded) {
-  std::vector<FaceColour> colours{{{0.91f, 0.64f, 0.24f}, {}},
-                                  {{0.36f, 0.73f, 0.55f}, {}},
-                                  {{0.55f, 0.73f, 0.90f}, {}},
-                                  {{0.70f, 0.72f, 0.75f}, {}}};
+  std::vector<FaceColour> colours{
+      {{0.91, 0.64, 0.24}, {}}, {{0.36, 0.73, 0.55}, {}}, {{0.55, 0.73, 0.90}, {}}, {{0.70, 0.72, 0.75}, {}}};
   for (std::uint32_t t = 0; t < rounded.face.size(); ++t)
     colours[face_colour(sum.faces[rounded.face[t]])].faces.push_back(t);
   return colours;

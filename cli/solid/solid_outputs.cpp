@@ -162,11 +162,11 @@ std::string mesh_text(const Mesh& mesh, MeshFormat format, const std::string& fi
 }
 
 std::vector<FaceColour> facet_colours(const SolidSum& sum, const Mesh& mesh, Precision precision) {
-  std::vector<FaceColour> colours{{{0.91f, 0.64f, 0.24f}, {}},
-                                  {{0.36f, 0.73f, 0.55f}, {}},
-                                  {{0.55f, 0.73f, 0.90f}, {}},
-                                  {{0.70f, 0.72f, 0.75f}, {}},
-                                  {{0.85f, 0.12f, 0.20f}, {}}};
+  std::vector<FaceColour> colours{{{0.91, 0.64, 0.24}, {}},
+                                  {{0.36, 0.73, 0.55}, {}},
+                                  {{0.55, 0.73, 0.90}, {}},
+                                  {{0.70, 0.72, 0.75}, {}},
+                                  {{0.85, 0.12, 0.20}, {}}};
   const FacetsAt facets(sum, precision);
   for (std::uint32_t i = 0; i < mesh.faces().size(); ++i) {
     const std::optional<std::uint32_t> f = facets.with(mesh, mesh.faces()[i]);

@@ -62,7 +62,8 @@ class CriticalityMap {
   /// Memory held, operands included (without what lies behind arbitrary precision).
   std::size_t bytes() const;
 
-  /// A rotation about the axis, within 2^-28 |axis| of an angle, |axis| the length of the primitive axis.
+  /// A rotation about the axis, within 2^-28 |axis| of an angle, |axis| the length of the primitive axis. Requires: a
+  /// finite angle (else std::invalid_argument).
   Rotation near(double radians) const;
   /// A rotation strictly inside interval i; nothing when Rotation cannot express one.
   std::optional<Rotation> inside(std::size_t i) const;

@@ -35,7 +35,7 @@ Result<MeshData> read_mesh(const std::string& path);
 /// One coloured group of a picture's faces, red, green and blue from 0 to 1 as screens show them (sRGB); `faces` are
 /// indices of faces of the mesh.
 struct FaceColour {
-  std::array<float, 3> rgb{0.6f, 0.75f, 0.9f};
+  std::array<double, 3> rgb{0.6, 0.75, 0.9};
   std::vector<std::uint32_t> faces;
 };
 /// The bytes of a file. Text formats write coordinates that read back as the same doubles; stl and glb round to single

@@ -169,6 +169,13 @@ def test_fields_say_what_they_refuse() -> None:
             make()
 
 
+def test_colours_are_the_numbers_that_were_given() -> None:
+    colour = dymsum.FaceColour((0.1, F(1, 4), 1), [0])
+    assert colour.rgb == [0.1, 0.25, 1] and dymsum.FaceColour().rgb == [0.6, 0.75, 0.9]
+    with pytest.raises(dymsum.Error):
+        dymsum.FaceColour((F(1, 10), 0, 0), [0])
+
+
 OPTIONS = (
     "SumOptions MovingOptions SpatialOptions PlanOptions ObstacleOptions BatchOptions ObstacleMeshOptions "
     "TableOptions MovingSolidOptions"

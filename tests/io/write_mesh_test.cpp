@@ -41,7 +41,7 @@ TEST(WriteMesh, TextKeepsEveryBitOfACoordinate) {
 
 TEST(WriteMesh, ColoursDoNotDisturbReaders) {
   const Mesh box = solids::box(0, 0, 0, 1, 1, 1);
-  const std::vector<FaceColour> colours = {{{1, 0, 0.5f}, {0, 3}}, {{-1, 7, 0}, {5, 999}}};
+  const std::vector<FaceColour> colours = {{{1, 0, 0.5}, {0, 3}}, {{-1, 7, 0}, {5, 999}}};
   const std::string off = format_mesh(box, MeshFormat::off, colours), ply = format_mesh(box, MeshFormat::ply, colours);
   EXPECT_EQ(read_mesh_text(off, MeshFormat::off), box.data());
   EXPECT_EQ(read_mesh_text(ply, MeshFormat::ply), box.data());
@@ -126,8 +126,7 @@ TEST(WriteMesh, GlbHoldsEveryTriangleInItsColourOnSharedVertices) {
   const Json& all = glb.json["accessors"][primitive["attributes"]["POSITION"].get<std::size_t>()];
   EXPECT_EQ(all["min"], Json::array({-1, -2, -3}));
   EXPECT_EQ(all["max"], Json::array({1, 2, 3}));
-  const Glb half =
-      opened(format_glb(box.data(), {std::vector<FaceColour>{{{0.5f, 0.5f, 0.5f}, {0, 1, 2, 3, 4, 5}}}, {}}));
+  const Glb half = opened(format_glb(box.data(), {std::vector<FaceColour>{{{0.5, 0.5, 0.5}, {0, 1, 2, 3, 4, 5}}}, {}}));
   EXPECT_NEAR(numbers<float>(half, half.json["meshes"][0]["primitives"][0]["attributes"]["COLOR_0"], 3)[0], 0.214, 1e-3)
       << "half of what a screen is told is a fifth of the light";
 }

@@ -39,6 +39,8 @@ std::vector<TurnMark> FreeTurn::marks(const Orientation& from, const Orientation
 
 bool FreeTurn::is_free_at(const ExactAngle& angle) {
   if (!forms_) {
+    // Robot and obstacle touch at this angle: the place is no further than both reach, 2^402 at most, of 2^1000 that a
+    // pair takes; and a pair of any spread is never too wide.
     base_ = pair_of_regions(obstacle_.obstacle(), obstacle_.robot(),
                             {.moved = 1,
                              .reflect_q = true,

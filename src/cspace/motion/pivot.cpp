@@ -66,6 +66,8 @@ bool Pivot::overlaps(const Orientation& theta) {
   if (quick != Pose::Overlap::unsure) return quick == Pose::Overlap::yes;
   SumOptions options;
   options.semantics = Semantics::open;
+  // Operands of an obstacle have a slice at every angle: coordinates are at most 2^400, of 2^1000 that sums take,
+  // slices take lattices of any spread, and nothing stops this one. Where memory ends, there is no answer to return.
   const SliceMap map(std::move(cspace_slice(robot_, obstacle_, theta, options)).value());
   return map.where(SlicePoint(at_)) == SliceMap::Where::inside;
 }

@@ -19,6 +19,8 @@ NearestPlace nearest_edge(const PlanarSum& slice, Point from) {
 
 }  // namespace
 
+// An obstacle has a slice at every angle (see Pivot::overlaps), and its place is a pair of finite doubles: none of the
+// values below can be an error but where memory ends.
 // A way of no length along which touching is forbidden is barred by overlaps and by contacts; an edge it touches is
 // named.
 SliceDistance::SliceDistance(const CspaceObstacle& obstacle, const Orientation& theta, Point from)

@@ -31,6 +31,6 @@ float to_float(double value);
 /// Per face the number of the last colour that names it, or colours.size().
 std::vector<std::size_t> colour_of_faces(const MeshData& data, std::span<const FaceColour> colours);
 /// A colour's part as 0..255.
-int colour_byte(float part);
+int colour_byte(double part);
 
 }  // namespace dymsum::io

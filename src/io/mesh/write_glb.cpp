@@ -26,15 +26,15 @@ using Triple = std::array<float, 3>;
 constexpr int kFloat = 5126, kUnsigned = 5125, kVertices = 34962, kIndices = 34963;
 constexpr std::uint32_t kMagic = 0x46546C67, kVersion = 2, kJsonChunk = 0x4E4F534A, kBinaryChunk = 0x004E4942;
 
-constexpr std::array<float, 3> kMarkColour{0.85f, 0.12f, 0.20f};
+constexpr std::array<double, 3> kMarkColour{0.85, 0.12, 0.20};
 
 Triple rounded(const Point3& p) { return {to_float(p.x), to_float(p.y), to_float(p.z)}; }
 
 /// glTF's colours are amounts of light, and ours what a screen is told.
-Triple light_of(const std::array<float, 3>& rgb) {
+Triple light_of(const std::array<double, 3>& rgb) {
   Triple light{};
   for (std::size_t i = 0; i < 3; ++i) {
-    const double c = static_cast<double>(std::clamp(rgb[i], 0.0f, 1.0f));
+    const double c = std::clamp(rgb[i], 0.0, 1.0);
     light[i] = static_cast<float>(c <= 0.04045 ? c / 12.92 : std::pow((c + 0.055) / 1.055, 2.4));
   }
   return light;

@@ -57,7 +57,7 @@ std::vector<std::size_t> colour_of_faces(const MeshData& data, std::span<const F
   return colour_of;
 }
 
-int colour_byte(float part) { return static_cast<int>(std::lround(255 * std::clamp(part, 0.0f, 1.0f))); }
+int colour_byte(double part) { return static_cast<int>(std::lround(255 * std::clamp(part, 0.0, 1.0))); }
 
 std::string write_off(const MeshData& data, std::span<const FaceColour> colours) {
   std::size_t corners = 0;

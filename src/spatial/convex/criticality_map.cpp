@@ -205,12 +205,15 @@ std::size_t CriticalityMap::bytes() const {
 }
 
 Rotation CriticalityMap::near(double radians) const {
+  if (!std::isfinite(radians)) throw std::invalid_argument("CriticalityMap::near: the angle is not finite");
   const auto& d = state_->forms.axis();
   const double most = static_cast<double>(std::max({std::abs(d[0]), std::abs(d[1]), std::abs(d[2])}));
   // (u : v) as long as fits; rounding v moves the quaternion by |axis| / 2.
   const double u = std::cos(radians / 2), v = std::sin(radians / 2) / state_->forms.axis_length();
   const double scale = 0x1p30 / std::max(std::abs(u), most * std::abs(v));
   const auto w = static_cast<std::int64_t>(std::trunc(scale * u)), k = static_cast<std::int64_t>(std::trunc(scale * v));
+  // The larger of |w| and most |k| is within 2^15 of 2^30, so that not all are 0; neither is above it, as they are
+  // integers and scale u and most scale v no more than 2^30 (1 + 2^-50).
   return *Rotation::of(w, k * d[0], k * d[1], k * d[2]);
 }
 

@@ -4,6 +4,7 @@
 
 #include <cmath>
 #include <set>
+#include <stdexcept>
 #include <tuple>
 
 #include "spatial/convex/convex_cases.h"
@@ -225,6 +226,7 @@ TEST(CriticalityMap, rotations_near_an_angle) {
       const double along = (double(x) * d[0] + double(y) * d[1] + double(z) * d[2]) / length;
       EXPECT_LE(std::abs(std::remainder(2 * std::atan2(along, double(w)) - wanted, 2 * kPi)), 0x1p-28 * length);
     }
+    for (const double none : {std::nan(""), HUGE_VAL, -HUGE_VAL}) EXPECT_THROW(map.near(none), std::invalid_argument);
   }
 }
 
