@@ -32,7 +32,7 @@ class PoseBatch {
       }
     } catch (...) {
       const std::lock_guard lock(mutex_);
-      if (!failure_) failure_ = std::current_exception();
+      fail();
     }
   }
   /// Throws what ended the batch.
@@ -43,7 +43,8 @@ class PoseBatch {
   /// Between the stages of a sum: the caller is asked by one thread at a time, with the share of all poses.
   bool go_on() {
     const std::lock_guard lock(mutex_);
-    return !failure_ && asked();
+    if (!failure_ && !asked()) failure_ = std::make_exception_ptr(spatial::Cancelled{});
+    return !failure_;
   }
 
  private:
@@ -53,9 +54,18 @@ class PoseBatch {
   void tell(std::uint32_t k, const SpatialSum& sum) {
     const std::lock_guard lock(mutex_);
     if (failure_) throw spatial::Cancelled{};
-    visit_(k, sum);
-    ++done_;
-    if (!asked()) throw spatial::Cancelled{};
+    try {
+      visit_(k, sum);
+      ++done_;
+      if (!asked()) throw spatial::Cancelled{};
+    } catch (...) {
+      fail();  // still under the lock: no other thread visits after a failure
+      throw;
+    }
+  }
+  /// Keeps the failure that is being caught, if it is the first. The lock is held.
+  void fail() {
+    if (!failure_) failure_ = std::current_exception();
   }
 
   const std::vector<PosePair>& poses_;
