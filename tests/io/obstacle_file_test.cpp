@@ -140,7 +140,11 @@ TEST(ObstacleFile, an_index_that_names_nothing_is_refused) {
 }
 
 TEST(ObstacleFile, other_texts_and_versions_are_refused) {
-  EXPECT_EQ(parse_obstacle("", "f").error().code, ErrorCode::truncated);
+  for (const char* blank : {"", "\n\n \t\r\n"})
+    EXPECT_EQ(parse_obstacle(blank, "f").error().code, ErrorCode::truncated);
+  EXPECT_EQ(parse_obstacle("\n\n{\"format\"\n\n", "f").error().code, ErrorCode::truncated);
+  EXPECT_EQ(parse_obstacle("\n\n{\"format\" 7}\n\n", "f").error().evidence.line, 3);
+  EXPECT_TRUE(parse_obstacle("\n " + format_obstacle(peg_in_slot()) + "\n\n", "f").ok());
   for (const char* text : {"[]", "7", "{}", "null", R"({"format":"dymsum obstacle","version":2,"content":{}})",
                            R"({"format":"dymsum obstacle","version":1,"checksum":"","content":{}})",
                            R"({"format":"something","version":1})", "POLYGON ((0 0, 1 0, 1 1))"}) {

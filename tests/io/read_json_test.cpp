@@ -124,6 +124,15 @@ TEST(ReadJson, broken_text_is_refused_at_its_line) {
   refused_json("{\"items\":[\n[1,2", ErrorCode::truncated, 2, "ends too early");
 }
 
+TEST(ReadJson, blanks_around_the_text_count_lines_alone) {
+  refused_json("\n \t\r\n", ErrorCode::truncated, 1, "ends too early");
+  refused_json("\n\n{\"items\":\n7}\n\n", ErrorCode::malformed, 4, "array of items");
+  refused_json("\n\n{'items':[]}\n", ErrorCode::malformed, 3, "no JSON value at ''items''");
+  refused_json(" \n{\"items\":[]}\nmore\n", ErrorCode::malformed, 3, "no JSON value at 'more'");
+  refused_json("\n{\"items\":[\n[1,2\n\n", ErrorCode::truncated, 3, "ends too early");
+  EXPECT_EQ(read_one("\n {\"type\":\"Point\",\"coordinates\":[1,2]}\n\n", kJson).points, (std::vector<Point>{{1, 2}}));
+}
+
 TEST(ReadJson, numbers_must_be_finite) {
   const std::string head = "{\"type\":\"Point\",\n\"coordinates\":[0,\n";
   for (const char* bad : {"1e999", "-1e999", "NaN", "-Infinity", "Infinity", "nan", "inf"}) {

@@ -57,6 +57,7 @@ TEST(ReadWkt, a_sole_shape_is_named_after_its_file) {
 
 TEST(ReadWkt, refuses_what_does_not_follow_the_format) {
   refused_wkt("POINT (1 2)\nCIRCLE (1 2)\n", ErrorCode::malformed, 2, "instead of 'CIRCLE'");
+  refused_wkt("POLYGON" + std::string(200, 'A'), ErrorCode::malformed, 1, "instead of 'POLYGONAAAAAAAAAAAAAAAAA...'");
   refused_wkt("POLYGON Z ((0 0 1, 1 0 1, 0 1 1, 0 0 1))", ErrorCode::malformed, 1, "not planar");
   refused_wkt("POLYGON ((0 0,\n1 0 7,\n0 1, 0 0))", ErrorCode::malformed, 2, "a third coordinate");
   refused_wkt("POLYGON ((0 0,\n1 0x,\n0 1, 0 0))", ErrorCode::malformed, 2, "'0x'");

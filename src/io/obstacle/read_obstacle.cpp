@@ -224,15 +224,19 @@ Result<CspaceObstacle> obstacle_of(const Json& content) {
 Result<CspaceObstacle> parse_obstacle(std::string_view text, std::string_view name_for_errors) {
   Error error{ErrorCode::malformed, "", {}};
   error.evidence.file = name_for_errors;
+  // Blanks around the object are no token, which the parser would keep, and write out in its error.
+  constexpr std::string_view kBlanks = " \t\r\n";
+  const std::size_t begin = std::min(text.find_first_not_of(kBlanks), text.size());
+  const std::size_t end = std::max(text.find_last_not_of(kBlanks) + 1, begin);
   try {
-    Result<CspaceObstacle> read = obstacle_of(content_of(text));
+    Result<CspaceObstacle> read = obstacle_of(content_of(text.substr(begin, end - begin)));
     if (read) return read;
     error = read.error();
     if (error.evidence.file.empty()) error.evidence.file = name_for_errors;
   } catch (const Json::parse_error& e) {
     // nlohmann says "while parsing" and where; a text that ends too early fails at its end.
-    const std::size_t at = std::min<std::size_t>(e.byte, text.size());
-    error.code = e.byte > text.size() ? ErrorCode::truncated : ErrorCode::malformed;
+    const std::size_t at = std::min<std::size_t>(begin + e.byte, end);
+    error.code = begin + e.byte > end ? ErrorCode::truncated : ErrorCode::malformed;
     error.message = error.code == ErrorCode::truncated ? "the file of an obstacle ends too early"
                                                        : "this is no file of an obstacle";
     error.evidence.line = io::Source{text, name_for_errors}.line(at);

@@ -1,5 +1,6 @@
 #include "io/region/json_tape.h"
 
+#include <algorithm>
 #include <iterator>
 #include <utility>
 
@@ -43,12 +44,15 @@ class CountingIterator {
   Progress* progress_;
 };
 
+constexpr const char* kEndsEarly = "the JSON text ends too early";
+
 /// Receives the parser's events and writes the tape. Throws through the parser, which holds no resources but its own.
 class TapeWriter : public nlohmann::json_sax<nlohmann::json> {
  public:
-  TapeWriter(const Source& source, const Progress& progress, std::vector<JsonToken>& tokens,
-             std::vector<std::string>& texts)
-      : source_(source), progress_(progress), tokens_(tokens), texts_(texts) {}
+  /// What is parsed are the bytes of the source from `begin` to `end`.
+  TapeWriter(const Source& source, std::size_t begin, std::size_t end, const Progress& progress,
+             std::vector<JsonToken>& tokens, std::vector<std::string>& texts)
+      : source_(source), begin_(begin), end_(end), progress_(progress), tokens_(tokens), texts_(texts) {}
 
   bool null() override { return add({JsonKind::null, progress_.line, 0, {}}); }
   bool boolean(bool) override { return add({JsonKind::boolean, progress_.line, 0, {}}); }
@@ -76,15 +80,17 @@ class TapeWriter : public nlohmann::json_sax<nlohmann::json> {
   /// `position` characters have been read, the last one by the token that does not fit.
   bool parse_error(std::size_t position, const std::string&, const nlohmann::detail::exception& error) override {
     const std::string_view text = source_.text;
-    const std::size_t end = position < text.size() ? position : text.size();
+    const std::size_t read = begin_ + position, end = read < end_ ? read : end_;
     std::size_t start = end > 0 ? end - 1 : 0;
     while (start > 0 && !is_delimiter(text[start]) && !is_delimiter(text[start - 1])) --start;
-    const std::string_view word = text.substr(start, text.substr(start).find_first_of(kDelimiters, 1));
+    constexpr std::size_t kMostShown = 64;  // more than messages quote
+    const std::string_view rest = text.substr(start, kMostShown),
+                           word = rest.substr(0, rest.find_first_of(kDelimiters, 1));
     constexpr int kNumberOverflow = 406;
     if (error.id == kNumberOverflow || spells_no_finite_number(word)) {
       source_.fail(ErrorCode::not_finite, "the number " + in_quotes(word) + " is not a finite double", start);
     }
-    if (position > text.size()) source_.fail(ErrorCode::truncated, "the JSON text ends too early", text.size());
+    if (read > end_) source_.fail(ErrorCode::truncated, kEndsEarly, text.size());
     source_.fail(ErrorCode::malformed, "no JSON value at " + in_quotes(word), start);
   }
 
@@ -131,6 +137,7 @@ class TapeWriter : public nlohmann::json_sax<nlohmann::json> {
   }
 
   const Source& source_;
+  std::size_t begin_, end_;
   const Progress& progress_;
   std::vector<JsonToken>& tokens_;
   std::vector<std::string>& texts_;
@@ -140,10 +147,16 @@ class TapeWriter : public nlohmann::json_sax<nlohmann::json> {
 }  // namespace
 
 JsonTape::JsonTape(const Source& source) {
-  Progress progress;
-  TapeWriter writer(source, progress, tokens_, texts_);
+  // Blanks around the value are no token, which the parser would keep, and write out in its error.
+  constexpr std::string_view kBlanks = " \t\r\n";
+  const std::size_t begin = source.text.find_first_not_of(kBlanks);
+  if (begin == std::string_view::npos) source.fail(ErrorCode::truncated, kEndsEarly, source.text.size());
+  const std::size_t end = source.text.find_last_not_of(kBlanks) + 1;
   const char* const text = source.text.data();
-  nlohmann::json::sax_parse(CountingIterator(text, &progress), CountingIterator(text + source.text.size(), &progress),
+  Progress progress;
+  progress.line += static_cast<std::uint32_t>(std::count(text, text + begin, '\n'));
+  TapeWriter writer(source, begin, end, progress, tokens_, texts_);
+  nlohmann::json::sax_parse(CountingIterator(text + begin, &progress), CountingIterator(text + end, &progress),
                             &writer);
 }
 

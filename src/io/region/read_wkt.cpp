@@ -33,15 +33,18 @@ class WktReader {
 
  private:
   static constexpr int kMostNested = 32;
+  static constexpr std::size_t kLongestWord = 64;
 
   void skip() {
     while (at_ < text_.size() && is_blank(text_[at_])) ++at_;
   }
 
+  /// For messages, which quote less of it.
   std::string_view rest_of_word() const {
-    std::size_t end = at_;
-    while (end < text_.size() && !is_blank(text_[end]) && text_[end] != ',' && text_[end] != ')') ++end;
-    return text_.substr(at_, end - at_);
+    const std::string_view rest = text_.substr(at_, kLongestWord);
+    std::size_t end = 0;
+    while (end < rest.size() && !is_blank(rest[end]) && rest[end] != ',' && rest[end] != ')') ++end;
+    return rest.substr(0, end);
   }
 
   [[noreturn]] void fail_expecting(const std::string& what) const {
@@ -49,10 +52,11 @@ class WktReader {
     source_.fail(ErrorCode::malformed, "expected " + what + " instead of " + in_quotes(rest_of_word()), at_);
   }
 
+  /// No further than a word that means something may reach.
   std::string read_word() {
     skip();
     std::string word;
-    while (at_ < text_.size() && is_letter(text_[at_])) word += upper(text_[at_++]);
+    while (at_ < text_.size() && is_letter(text_[at_]) && word.size() < kLongestWord) word += upper(text_[at_++]);
     return word;
   }
 
