@@ -60,13 +60,14 @@ describe('the browser', () => {
   it('refuses much of what is no file of shapes soon', async () => {
     const it = await open(browser), { page } = it;
     await settled(page);
-    for (const [name, kind] of [['junk.wkt', 'letters'], ['junk.json', 'bytes'], ['junk.stl', 'bytes']] as const) {
+    for (const [name, kind] of [['junk.wkt', 'letters'], ['junk.wkt', 'POLYGON ((0 0, '], ['junk.json', 'bytes'], ['junk.json', '[['], ['junk.stl', 'bytes']] as const) {
       const took = await page.evaluate(async ([file, of]) => {
         const bytes = new Uint8Array(60_000_000);
         for (let k = 0, x = 1; k < bytes.length; ++k) {
           x = (x * 48271) % 2147483647;
-          bytes[k] = of === 'letters' ? 97 + (x % 26) : x & 255;
+          bytes[k] = of === 'bytes' ? x & 255 : 97 + (x % 26);
         }
+        if (of !== 'bytes' && of !== 'letters') bytes.set(new TextEncoder().encode(of)); // what such a file begins with
         const data = new DataTransfer();
         data.items.add(new File([bytes], file));
         const start = performance.now();

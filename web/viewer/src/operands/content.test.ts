@@ -11,6 +11,14 @@ it('tells large files that are none of their kind by their first bytes, and leav
   expect(contentError(file('a.wkt', 'x\0y'))).toMatch(/"a\.wkt" is no text/);
   expect(contentError(file('a.wkt', 'x\0y', 100))).toBeUndefined();
   expect(contentError(file('a.wkt', 'POLYGON'))).toBeUndefined();
+  for (const [name, right, wrong] of [
+    ['a.wkt', '\ufeff \n multipolygon z ((', 'abcdef'], ['a.json', '\n [[0, 0]', '"items"'], ['a.geojson', '{"type"', '<svg'], ['a.svg', '<?xml', '{'],
+    ['a.poly', '# a comment', 'POLYGON'], ['a.poly', '2\n4 out', '-2'], ['a.off', '#\nOFF', 'solid'], ['a.off', 'STCNOFF 8 6 0', 'abcdefghOFF'], ['a.off', '8 6 12', '{'],
+  ] as const) {
+    expect(contentError(file(name, right))).toBeUndefined();
+    expect(contentError(file(name, wrong))).toMatch(/does not begin as files of this kind do/);
+    expect(contentError(file(name, wrong, 100))).toBeUndefined();
+  }
   expect(contentError(file('a.dxf', 'AutoCAD Binary DXF\r\n\x1a\0'))).toBeUndefined();
   expect(contentError(file('a.ply', 'plx'))).toMatch(/no \.ply file/);
   expect(contentError(file('a.ply', 'ply\n'))).toBeUndefined();

@@ -19,6 +19,7 @@ import { PoseSection } from './pose_section';
 import { configuration, type ObstacleFile } from './service';
 import { kPatchColours, spaceOverlay } from './space';
 import type { ObstacleState, Pose, Which } from './state';
+import { pathText } from './path_file';
 import { planePath, useObstacle, type ObstacleData } from './use_obstacle';
 import { gripOf, paintWorkspace, placing, poseOf, posesBeside, type WorkspaceScene } from './workspace';
 import './obstacle.css';
@@ -31,7 +32,7 @@ function useDownloads({ engine, setDownloads }: Shell, state: ObstacleState, tan
     const file = (label: string, extension: Exclude<ObstacleFile, 'path'>): Download => ({
       label, fileName: `obstacle.${extension}`, make: () => engine.ask('obstacleFile', { robot, obstacle, tanHalf, file: extension }),
     });
-    const path: Download = { label: 'Path (JSON)', fileName: 'path.json', make: () => Promise.resolve(JSON.stringify({ waypoints: plan?.path }, null, 1)) };
+    const path: Download = { label: 'Path (JSON)', fileName: 'path.json', make: () => Promise.resolve(pathText(plan?.path ?? [])) };
     const found = plan && plan.path.length > 0 ? [path] : [];
     setDownloads(scene ? [file('Obstacle (GLB)', 'glb'), file('Obstacle, exact (.obstacle)', 'obstacle'), file('Slice (WKT)', 'wkt'), ...found] : []);
   }, [engine, setDownloads, robot, obstacle, tanHalf, plan, scene]);
