@@ -212,8 +212,8 @@ void print_disc(std::ostream& out, const DiscCommand& command, const DiscSet& se
       text << "event:" << i << " " << events[i].radius << (events[i].nodes > 1 ? "  " : "")
            << (events[i].nodes > 1 ? counted(events[i].nodes, "node") : "") << "\n";
   if (polygons && polygons->polygons.collapsed > 0)
-    text << "polygons: " << counted(polygons->polygons.collapsed, "part or hole", "parts or holes")
-         << " no wider than positions are known: points, lines, or left out (-o FILE.json keeps the arcs)\n";
+    text << "polygons: " << counted(polygons->polygons.collapsed, "place", "places")
+         << " no wider than positions are known: points, lines, or closed (-o FILE.json keeps the arcs)\n";
   if (polygons && (polygons->instead || (!command.error && polygons->polygons.error > set.radius / 1000)))
     text << "polygons: " << polygons->bound << ", within " << polygons->polygons.error
          << (polygons->instead ? "; those inside the set cross each other (--bound, --error)\n" : " (--error)\n");

@@ -106,8 +106,9 @@ struct DiscPolygons {
   double error = 0;        ///< no boundary point of either is further than this from the other's boundary
   double rounded = 0;      ///< how far rounding to doubles moved a vertex at most: a part of `error`
   std::size_t chords = 0;  ///< segments that stand for arcs
-  /// `nearest`: parts no wider than positions are known, whose rings are points or closed polylines of `region`, and
-  /// holes as small, which are left out. The error says nothing of such a hole.
+  /// `nearest`: stretches of the boundary along which two sides are nearer to each other than positions are known, and
+  /// rings as small: what of the set is as thin as that is in the points and polylines of `region`, what is beside it
+  /// is closed, which the error says nothing of.
   std::size_t collapsed = 0;
 };
 

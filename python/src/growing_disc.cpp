@@ -177,8 +177,8 @@ void bind_disc_set(nb::module_& m) {
       .field("rounded", &DiscPolygons::rounded, "how far rounding moved a vertex at most: a part of `error`")
       .field("chords", &DiscPolygons::chords, "segments that stand for arcs")
       .field("collapsed", &DiscPolygons::collapsed,
-             "nearest: parts no wider than positions are known, which are points or closed polylines, and holes as "
-             "small, which are left out");
+             "nearest: where two sides of the boundary are nearer to each other than positions are known: points and "
+             "polylines of the region, or closed");
   Record<MeasuredText>(m, "MeasuredText", "A number and how far it may be from the exact one, as decimal numbers.")
       .field("value", &MeasuredText::value)
       .field("error", &MeasuredText::error);

@@ -146,7 +146,8 @@ def test_the_closing_of_a_line_keeps_it() -> None:
     assert len(closed.parts) == 1 and len(closed.segments) == 2
     assert dymsum.to_region(closed, 0.01, DiscBound.nearest).region.polylines
     assert GrowingDisc("LINESTRING(3 0, 0 0, 0 3)").opened_at(1).parts == []
-    tiny = dymsum.to_region(GrowingDisc(shapes.rectangle(0, 0, 2, 2)).eroded_at(1 - 2**-53), 0.1, DiscBound.nearest)
+    left = GrowingDisc(shapes.rectangle(0, 0, 2, 2)).eroded_at(1 - Fraction(1, 10**16))
+    tiny = dymsum.to_region(left, 0.1, DiscBound.nearest)
     assert tiny.collapsed == 1 and list(tiny.region.points) == [(1, 1)]
 
 

@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "dymsum/growing_disc.h"
+#include "shape/disc/merged_polygons.h"
 
 namespace dymsum {
 
@@ -88,63 +89,7 @@ void for_each_piece(const DiscSet& set, const Use& use) {
   }
 }
 
-double length_of(const Ring& ring) {
-  double length = 0;
-  for (std::size_t i = 0; i < ring.size(); ++i) {
-    const Point a = ring[i], b = ring[(i + 1) % ring.size()];
-    length += std::hypot(b.x - a.x, b.y - a.y);
-  }
-  return length;
-}
-/// From a vertex of it: differences keep the digits of what is small and far from the origin.
-double area_of(const Ring& ring) {
-  double twice = 0;
-  for (std::size_t i = 1; i + 1 < ring.size(); ++i)
-    twice +=
-        (ring[i].x - ring[0].x) * (ring[i + 1].y - ring[0].y) - (ring[i + 1].x - ring[0].x) * (ring[i].y - ring[0].y);
-  return twice / 2;
-}
-
-bool is_valid(Part part) { return Region::create({{std::move(part)}, {}, {}}).ok(); }
-
-/// Polygons of parts that are no wider than `off`, as lines: their rings go there and back. Holes as small are left
-/// out. Returns how many of both.
-std::size_t collapse(RegionData& data, double off) {
-  std::size_t collapsed = 0;
-  std::vector<Part> parts;
-  for (Part& part : data.parts) {
-    if (is_valid(part)) {
-      parts.push_back(std::move(part));
-      continue;
-    }
-    collapsed += std::erase_if(part.holes, [&](Ring hole) {
-      const bool small = std::abs(area_of(hole)) <= 2 * off * length_of(hole);
-      std::reverse(hole.begin(), hole.end());
-      return small && !is_valid({std::move(hole), {}});
-    });
-    double inside = area_of(part.outer), around = length_of(part.outer);
-    for (const Ring& hole : part.holes) inside += area_of(hole), around += length_of(hole);
-    if (is_valid(part) || std::abs(inside) > 2 * off * around) {
-      parts.push_back(std::move(part));
-      continue;
-    }
-    ++collapsed;
-    part.holes.push_back(std::move(part.outer));
-    for (Ring& ring : part.holes) {
-      if (ring.size() == 1) {
-        data.points.push_back(ring[0]);
-        continue;
-      }
-      if (ring.size() > 2) ring.push_back(ring[0]);
-      data.polylines.push_back(std::move(ring));
-    }
-  }
-  data.parts = std::move(parts);
-  return collapsed;
-}
-
-Result<DiscPolygons> made_with(const DiscSet& set, ArcPolygons polygons, double error, double rounded,
-                               std::optional<double> collapse_within = std::nullopt) {
+RegionData polygons_of(const DiscSet& set, ArcPolygons& polygons) {
   RegionData data;
   for (const DiscPart& part : set.parts) {
     Part& made = data.parts.emplace_back();
@@ -153,10 +98,7 @@ Result<DiscPolygons> made_with(const DiscSet& set, ArcPolygons polygons, double 
   }
   for (const DiscSegment& segment : set.segments) data.polylines.push_back({segment.from.at, segment.to.at});
   for (const DiscCorner& point : set.points) data.points.push_back(point.at);
-  const std::size_t collapsed = collapse_within ? collapse(data, *collapse_within) : 0;
-  auto region = Region::create(std::move(data));
-  if (!region) return region.error();
-  return DiscPolygons{*std::move(region), polygons.made() == 0 ? rounded : error, rounded, polygons.made(), collapsed};
+  return data;
 }
 
 }  // namespace
@@ -178,13 +120,19 @@ Result<DiscPolygons> to_region(const DiscSet& set, double error, DiscBound bound
   // positions may be off at most; where nothing crosses, all are kept.
   std::optional<Error> first;
   for (const double together : {0.0, off / 256, off}) {
-    Result<DiscPolygons> made = made_with(set, {set.radius, error - rounded, together, bound}, error, rounded);
-    if (made) return made;
-    if (!first) first = made.error();
+    ArcPolygons polygons(set.radius, error - rounded, together, bound);
+    Result<Region> region = Region::create(polygons_of(set, polygons));
+    if (region)
+      return DiscPolygons{*std::move(region), polygons.made() == 0 ? rounded : error, rounded, polygons.made(), 0};
+    if (!first) first = region.error();
   }
   if (bound == DiscBound::nearest && off > 0) {
-    Result<DiscPolygons> made = made_with(set, {set.radius, error - rounded, off, bound}, error, rounded, off);
-    if (made) return made;
+    ArcPolygons polygons(set.radius, error - rounded, 0, bound);
+    shape::MergedPolygons merged = shape::merged_polygons(polygons_of(set, polygons), rounded);
+    Result<Region> region = Region::create(std::move(merged.data));
+    if (region)
+      return DiscPolygons{*std::move(region), error + merged.moved, rounded + merged.moved, polygons.made(),
+                          merged.merged};
   }
   return changed(*std::move(first));
 }
