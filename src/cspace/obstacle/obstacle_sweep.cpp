@@ -40,7 +40,8 @@ void ObstacleSweep::pass(const TurnRange& range, TurnEvents found, const Overlap
   always_ = std::move(found.always_concurrent);
   swept_.always_concurrent |= !always_.empty();
   pass_pending([&] { return sample(range, nullptr, first_event(range, events)); }, filter);
-  // Runs of events whose intervals overlap.
+  // Runs of events whose intervals overlap. Where events were compared above, exact roots have made intervals narrower.
+  std::stable_sort(events.begin(), events.end(), [](const TurnEvent& a, const TurnEvent& b) { return a.low < b.low; });
   std::vector<Group> runs;
   double high = -INFINITY;
   for (TurnEvent& event : events) {

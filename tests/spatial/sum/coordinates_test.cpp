@@ -4,7 +4,7 @@
 
 #include "dymsum/spatial_sum.h"
 #include "oracles/sanitized.h"
-#include "spatial/sum/coordinate_kinds.h"
+#include "oracles/coordinate_kinds.h"
 #include "spatial/sum/random_solids.h"
 
 namespace dymsum {

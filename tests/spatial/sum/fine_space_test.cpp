@@ -3,7 +3,7 @@
 
 #include "spatial/convolution/reduced_facets.h"
 #include "spatial/convolution/sum_space.h"
-#include "spatial/sum/coordinate_kinds.h"
+#include "oracles/coordinate_kinds.h"
 #include "spatial/sum/random_solids.h"
 
 namespace dymsum {

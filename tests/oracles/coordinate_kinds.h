@@ -8,6 +8,7 @@
 #include <string>
 
 #include "dymsum/mesh.h"
+#include "dymsum/region.h"
 
 namespace dymsum {
 
@@ -51,6 +52,29 @@ inline Point3 of_kind(Point3 p, CoordinateKind kind, std::mt19937_64& random) {
 inline MeshData of_kind(MeshData mesh, CoordinateKind kind, std::mt19937_64& random) {
   for (Point3& p : mesh.vertices) p = of_kind(p, kind, random);
   return mesh;
+}
+
+/// Of the plane, as the plane z = 0 of the above, but turned about z alone.
+inline Point of_kind(Point p, CoordinateKind kind, std::mt19937_64& random) {
+  if (kind == CoordinateKind::turned || kind == CoordinateKind::turned_far) {
+    const double c = std::cos(std::acos(-1.0) / 6), s = std::sin(std::acos(-1.0) / 6);
+    const double far = kind == CoordinateKind::turned ? 0 : 1e5 / 3;
+    return {c * p.x - s * p.y + far, s * p.x + c * p.y + far};
+  }
+  const Point3 at = of_kind(Point3{p.x, p.y, 0}, kind, random);
+  return {at.x, at.y};
+}
+inline RegionData of_kind(RegionData region, CoordinateKind kind, std::mt19937_64& random) {
+  const auto each = [&](std::vector<Point>& list) {
+    for (Point& p : list) p = of_kind(p, kind, random);
+  };
+  for (Part& part : region.parts) {
+    each(part.outer);
+    for (Ring& hole : part.holes) each(hole);
+  }
+  for (Polyline& line : region.polylines) each(line);
+  each(region.points);
+  return region;
 }
 
 }  // namespace dymsum
