@@ -7,6 +7,7 @@
 
 #include "base/parallel.h"
 #include "exact/binary_parts.h"
+#include "spatial/mesh/fine_coordinate.h"
 #include "spatial/mesh/grid_points.h"
 #include "spatial/mesh/rounded_vector.h"
 
@@ -56,6 +57,24 @@ constexpr bool widths_hold() {
   return E::kBits == B + 1 && N::kBits == 2 * B + 3 && D::kBits == 3 * B + 6 && X3::kBits == 7 * B + 15 &&
          W3::kBits == 6 * B + 12 && Side3::kBits <= 9 * B + 21;
 }
+/// Points from the first one on, over the largest integer that divides all their coordinates; none where that is 1. At
+/// a scale of a thousand digits, or under a matrix over a common denominator, an operand's coordinates are multiples of
+/// one long factor, which its directions, and normals and determinants of these, then do without.
+std::vector<Vector3<Big>> shortened(const std::vector<Vector3<Big>>& points) {
+  using exact::BigInteger;
+  BigInteger factor = 0;
+  std::vector<Vector3<Big>> result;
+  for (const Vector3<Big>& v : points) {
+    const Vector3<Big>& d = result.emplace_back(v - points[0]);
+    for (const Big& c : {d.x, d.y, d.z})
+      if (factor != 1) factor = gcd(factor, c.value());
+  }
+  if (factor <= 1) return {};
+  const auto over = [&](const Big& c) { return Big(BigInteger(c.value() / factor)); };
+  for (Vector3<Big>& v : result) v = {over(v.x), over(v.y), over(v.z)};
+  return result;
+}
+
 static_assert(widths_hold<26>() && widths_hold<61>() && widths_hold<72>() && widths_hold<124>() && widths_hold<250>());
 
 }  // namespace
@@ -72,6 +91,7 @@ GridSpace<C>::GridSpace(std::vector<Point> p, std::vector<Point> q, int bits, co
       residues.push_back({exact::residue(v.x), exact::residue(v.y), exact::residue(v.z)});
     }
   };
+  if constexpr (std::is_same_v<C, Big>) p_short_ = shortened(p_int_), q_short_ = shortened(q_int_);
   fill(p_int_, p_, p_residue_);
   fill(q_int_, q_, q_residue_);
   const auto largest = [](const std::vector<Vec3>& at) {
@@ -122,8 +142,12 @@ Vec3 GridSpace<C>::near(const Vector3<X>& v) const {
 
 template <class C>
 Vector3<typename GridSpace<C>::Edge> GridSpace<C>::way(Way w) const {
-  if (w.of == Way::Of::p) return p_int_[w.to] - p_int_[w.from];
-  if (w.of == Way::Of::q) return q_int_[w.to] - q_int_[w.from];
+  const auto between = [&](const std::vector<Point>& points, const std::vector<Point>& shorter) {
+    const std::vector<Point>& of = shorter.empty() ? points : shorter;
+    return of[w.to] - of[w.from];
+  };
+  if (w.of == Way::Of::p) return between(p_int_, p_short_);
+  if (w.of == Way::Of::q) return between(q_int_, q_short_);
   return {small<Edge>(w.from == 0), small<Edge>(w.from == 1), small<Edge>(w.from == 2)};
 }
 
@@ -144,31 +168,6 @@ Vector3<typename GridSpace<C>::Normal> GridSpace<C>::normal(const PlaneSource& s
     return source.reversed ? exact::Vector3<Normal>{Normal(-n.x), Normal(-n.y), Normal(-n.z)} : n;
   }
   return source.reversed ? cross(way(source.v), way(source.u)) : cross(way(source.u), way(source.v));
-}
-
-/// All of a plane is whole numbers made from coordinates: so are its residues, from theirs.
-template <class C>
-SumSpace::PlaneResidue GridSpace<C>::residue_of(const PlaneSource& source) const {
-  using exact::minus;
-  using exact::plus;
-  using exact::Residue;
-  using exact::times;
-  using Residues = std::array<Residue, 3>;
-  const auto way = [&](const Way& w) {
-    if (w.of == Way::Of::axis) return Residues{w.from == 0, w.from == 1, w.from == 2};
-    const std::vector<Residues>& at = w.of == Way::Of::p ? p_residue_ : q_residue_;
-    Residues d;
-    for (std::size_t i = 0; i < 3; ++i) d[i] = minus(at[w.to][i], at[w.from][i]);
-    return d;
-  };
-  const Residues u = way(source.reversed ? source.v : source.u), v = way(source.reversed ? source.u : source.v);
-  PlaneResidue plane{{}, 0};
-  for (std::size_t i = 0; i < 3; ++i) {
-    const std::size_t j = (i + 1) % 3, k = (i + 2) % 3;
-    plane.n[i] = minus(times(u[j], v[k]), times(u[k], v[j]));
-    plane.d = plus(plane.d, times(plane.n[i], plus(p_residue_[source.at.p][i], q_residue_[source.at.q][i])));
-  }
-  return plane;
 }
 
 template <class C>
@@ -233,36 +232,6 @@ auto GridSpace<C>::with_point(const PointSource& point, F f) const {
 
 namespace {
 
-/// A coordinate times 2^shift with thirty digits. Requires |v 2^shift| <= 1.
-template <class C>
-exact::FineInterval fine_coordinate(const C& v, int shift) {
-  using exact::FineInterval;
-  const exact::BinaryParts high = exact::binary_parts(v);
-  if (high.is_zero()) return {};
-  // Below this, and for what is left behind two doubles, an interval about 0 holds it.
-  static constexpr int kLeast = -900;
-  const auto about_zero = [](int exponent) {
-    const double r = std::ldexp(1.0, std::max(exponent, kLeast));
-    return FineInterval(exact::Interval(-r, r));
-  };
-  if (high.exponent + shift < kLeast + 110) return about_zero(high.exponent + shift + 1);
-  Big rest = exact::to_big(v);
-  const auto take = [&](const exact::BinaryParts& part) {
-    const Big mantissa = Big::from_int64(static_cast<std::int64_t>(std::ldexp(part.mantissa, 53)));
-    const int power = part.exponent - 53;
-    // Fewer digits than a double has: the last ones of the mantissa are zeros.
-    rest = rest - (power >= 0 ? Big(exact::BigInteger(mantissa.value() << power))
-                              : Big(exact::BigInteger(mantissa.value() / (exact::BigInteger(1) << -power))));
-  };
-  take(high);
-  const exact::BinaryParts low = exact::binary_parts(rest);
-  if (low.is_zero()) return FineInterval(high.scaled(shift));
-  take(low);
-  const FineInterval both = FineInterval::difference(-low.scaled(shift), high.scaled(shift));
-  const exact::BinaryParts left = exact::binary_parts(rest);
-  return left.is_zero() ? both : both + about_zero(left.exponent + shift);
-}
-
 /// Integers of up to 72 bits cost no more than doubles of double length.
 template <class C>
 constexpr bool has_fine() {
@@ -282,8 +251,9 @@ const FineSpace* GridSpace<C>::fine() const {
         std::vector<FineSpace::Vector> result;
         result.reserve(points.size());
         for (const Point& v : points)
-          result.push_back({fine_coordinate(v.x, shift_[0] - top), fine_coordinate(v.y, shift_[1] - top),
-                            fine_coordinate(v.z, shift_[2] - top)});
+          result.push_back({fine_coordinate(exact::to_big(v.x), shift_[0] - top),
+                            fine_coordinate(exact::to_big(v.y), shift_[1] - top),
+                            fine_coordinate(exact::to_big(v.z), shift_[2] - top)});
         return result;
       };
       fine_ = std::make_unique<FineSpace>(of(p_int_), of(q_int_), plane_sources_, edges_);
@@ -505,23 +475,6 @@ std::optional<PointSource> GridSpace<C>::add_place(const std::array<exact::BigRa
   places_.push_back(
       {{{over_w(0), over_w(1), over_w(2)}, Big(w)}, {{x, y, z}, is_near ? 0 : size * 0x1p-50 + 0x1p-1000}});
   return PointSource{PointSource::Kind::place, static_cast<std::uint32_t>(places_.size() - 1), 0, 0};
-}
-
-template <class C>
-exact::Residue GridSpace<C>::hash_of_zero_weight(const PointSource& point) const {
-  // The weight is a multiple of the prime. In lowest terms numerators and denominators tell.
-  exact::Residue hash = 0;
-  for (int axis = 0; axis < 3; ++axis) {
-    const exact::BigRational v = exact_coordinate(point, axis);
-    const exact::Residue den = exact::residue(Big(boost::multiprecision::denominator(v)));
-    const exact::Residue num = exact::residue(Big(boost::multiprecision::numerator(v)));
-    // A point whose own denominator the prime divides has this hash in every form; others get the common one.
-    if (den == 0) return 0;
-    constexpr exact::Residue kFactor[3] = {1, 0x1234567890abcdefULL % exact::kResiduePrime,
-                                           0x0fedcba987654321ULL % exact::kResiduePrime};
-    hash = exact::plus(hash, exact::times(kFactor[axis], exact::times(num, exact::inverse(den))));
-  }
-  return hash;
 }
 
 // Every width of coordinates that make_sum_space and make_root_space choose from.

@@ -52,16 +52,13 @@ class GridSpace final : public SumSpace {
   std::array<exact::BigInteger, 4> homogeneous(const PointSource& point) const override;
   std::optional<PointSource> add_place(const std::array<exact::BigRational, 3>& world) override;
 
- protected:
-  exact::Residue hash_of_zero_weight(const PointSource& point) const override;
-
  private:
   exact::Vector3<Edge> sum(SumPoint s) const { return p_int_[s.p] + q_int_[s.q]; }
+  /// Up to a positive factor, the same for all directions of an operand: signs do not depend on it.
   exact::Vector3<Edge> way(Way w) const;
   exact::Vector3<Edge> along(const SumEdge& e) const;
   exact::Vector3<Normal> normal(const PlaneSource& source) const;
   void set_plane(PlaneId id, const PlaneSource& source);
-  PlaneResidue residue_of(const PlaneSource& source) const;
   /// n . x of all points x of a plane: made where it is asked for, as doubles answer most questions.
   Offset offset(PlaneId plane) const { return exact::dot(n_[plane], sum(plane_sources_[plane].at)); }
   /// f(Homogeneous) with the point in the narrowest form of its kind.
@@ -79,6 +76,9 @@ class GridSpace final : public SumSpace {
   int by_rungs(Ask ask, Exactly exactly) const;
 
   std::vector<Point> p_int_, q_int_;
+  /// Of either operand the same, over the largest integer that divides all differences, where that is kept: for
+  /// integers of any size.
+  std::vector<Point> p_short_, q_short_;
   std::vector<exact::Vector3<Normal>> n_;
   struct Place {
     Homogeneous<exact::Big, exact::Big> at;  // w > 0

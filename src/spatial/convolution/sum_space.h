@@ -198,7 +198,7 @@ class SumSpace {
   struct PlaneResidue {
     exact::Residue n[3], d;
   };
-  virtual exact::Residue hash_of_zero_weight(const PointSource& point) const = 0;
+  PlaneResidue residue_of(const PlaneSource& source) const;
 
   std::vector<Vec3> p_, q_;
   std::vector<std::array<exact::Residue, 3>> p_residue_, q_residue_;
@@ -209,6 +209,9 @@ class SumSpace {
   Line lines_[3];
   double span_ = 0, sum_radius_ = 0;
   mutable std::atomic<std::uint64_t> exact_signs_{0}, fine_signs_{0};
+
+ private:
+  exact::Residue hash_of_zero_weight(const PointSource& point) const;
 };
 
 /// The space of the sums of two lists of points, on their common grid (for every axis by itself). Requires finite
