@@ -164,14 +164,14 @@ std::optional<Vec3> place_in_front(const MovingFacets& all, const EventSearch& s
 JudgedPoint judge(const MovingFacets& all, const EventSearch& search, const ScaledOverlap& overlap,
                   const MeetingEvent& event) {
   const Gathering there(all, search, event);
-  JudgedPoint result{Verdict::unknown, there.kind()};
-  const std::optional<Vec3> in = common_way_in(all, there.facets);
-  if (!in) return result;
-  const std::optional<Vec3> y = place_in_front(all, search, there.facets, *in, event.near);
-  if (!y) return result;
+  JudgedPoint result{Verdict::unknown, there.kind(), {}, there.is_general(all)};
   const NearMeeting& at = event.near;
-  if (overlap.at(*y, at.s, 2 * at.radius, at.s_radius) == ScaledOverlap::Answer::apart)
-    result.verdict = there.is_general(all) ? Verdict::changes : Verdict::quiet;
+  if (const std::optional<Vec3> in = common_way_in(all, there.facets))
+    if (const std::optional<Vec3> y = place_in_front(all, search, there.facets, *in, at))
+      if (overlap.at(*y, at.s, 2 * at.radius, at.s_radius) == ScaledOverlap::Answer::apart)
+        result.verdict = result.is_general ? Verdict::changes : Verdict::quiet;
+  if (result.verdict == Verdict::unknown)
+    for (const FacetThere& f : there.facets) result.facets.push_back(f.facet);
   return result;
 }
 

@@ -11,12 +11,15 @@ struct JudgedPoint {
     changes,  ///< the boundary changes, and its topology does not
     quiet,    ///< the topology does not change; sums have to be compared for the rest
     unknown,  ///< sums have to be compared
+    covered,  ///< nothing changes: the point lies in the open sum
   };
   Verdict verdict = Verdict::unknown;
   SolidScaleEvent::Kind kind = SolidScaleEvent::Kind::vertex_on_facet;
+  std::vector<std::uint32_t> facets;  ///< through the point, where the verdict is unknown
+  bool is_general = false;            ///< their position is
 };
 
-/// Statement and proof: docs/design/scaling-solids.md, "What the facets tell".
+/// By doubles. Statement and proof: docs/design/scaling-solids.md, "What the facets tell".
 JudgedPoint judge(const MovingFacets& all, const EventSearch& search, const ScaledOverlap& overlap,
                   const MeetingEvent& event);
 

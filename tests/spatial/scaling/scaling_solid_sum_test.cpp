@@ -18,6 +18,7 @@
 #include "spatial/moving/sum_shape.h"
 #include "spatial/scaling/pair_intervals.h"
 #include "spatial/scaling/scaled_planes.h"
+#include "spatial/sum/coordinate_kinds.h"
 
 namespace dymsum {
 namespace {
@@ -170,6 +171,20 @@ TEST(ScalingSolidSum, MassesInFewPlanesAreDecidedOnce) {
   EXPECT_FALSE(events.empty());
   check_events("combs", p, q, scale("1/2"), scale("9/8"), events);
   EXPECT_LT(work.candidates, 100000u);
+}
+
+/// Turned in doubles, plane faces are planes 1e-16 apart, and no place in front of what meets there is apart from all
+/// else in doubles: the facets there tell nearly all the same.
+TEST(ScalingSolidSum, EventsOfTurnedTorusesTakeFewSums) {
+  std::mt19937_64 random(4);
+  const Mesh p = moving_cases::mesh_of(of_kind(moving_cases::torus(2, 0.75, 8, 5), CoordinateKind::turned, random)),
+             q = moving_cases::mesh_of(of_kind(moving_cases::torus(1, 0.375, 6, 4), CoordinateKind::turned, random));
+  const ScalingSolidSum sum = ScalingSolidSum::create(p, q).value();
+  SolidEventWork work;
+  const std::vector<SolidScaleEvent> events = sum.events(scale("1"), scale("17/16"), {}, &work).value();
+  EXPECT_FALSE(events.empty());
+  EXPECT_LT(work.sums, 10u + work.values / 4) << work.values << " scales, " << events.size() << " events";
+  check_events("turned tori", p, q, scale("1"), scale("17/16"), events);
 }
 
 TEST(ScalingSolidSum, BoxesCoincideAtQuarterScales) {
