@@ -3,25 +3,22 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <optional>
 #include <stdexcept>
 
-#include "exact/big.h"
 #include "spatial/mesh/sweep_triangles.h"
 #include "spatial/mesh/vec3.h"
-#include "spatial/sum/sum_source.h"
+#include "spatial/sum/vertex_signs.h"
 
 namespace dymsum::spatial {
 
 namespace {
 
-using exact::BigRational;
 using Ring = std::vector<std::uint32_t>;
 
 /// Signs of turns of a sum's vertices, seen along an axis: doubles, and exact positions where these leave it open.
 class Turns final : public PlaneOrder {
  public:
-  explicit Turns(const SpatialSum& sum) : sum_(sum), exact_(sum.vertices.size()) {}
+  explicit Turns(const SpatialSum& sum) : sum_(sum), signs_(sum) {}
 
   void look_along(int axis, int sign) { axis_ = axis, sign_ = sign; }
 
@@ -39,7 +36,7 @@ class Turns final : public PlaneOrder {
         4 * sum_.at_error * (sizes + 4 * sum_.at_error) + 0x1p-50 * (std::abs(ux * vy) + std::abs(uy * vx)) + 0x1p-1000;
     if (value > error) return sign_;
     if (value < -error) return -sign_;
-    return sign_ * exact_turn(a, b, c);
+    return sign_ * signs_.turn(a, b, c, static_cast<std::size_t>(axis_));
   }
 
  private:
@@ -47,18 +44,9 @@ class Turns final : public PlaneOrder {
     const Point3& p = sum_.vertices[v];
     return axis_ == 0 ? std::array{p.y, p.z} : axis_ == 1 ? std::array{p.z, p.x} : std::array{p.x, p.y};
   }
-  const std::array<BigRational, 3>& exact(std::uint32_t v) {
-    if (!exact_[v]) exact_[v] = SpatialSumInternals::positions(sum_).at(v);
-    return *exact_[v];
-  }
-  int exact_turn(std::uint32_t a, std::uint32_t b, std::uint32_t c) {
-    const auto i = static_cast<std::size_t>((axis_ + 1) % 3), j = static_cast<std::size_t>((axis_ + 2) % 3);
-    const auto &p = exact(a), &q = exact(b), &r = exact(c);
-    return BigRational((q[i] - p[i]) * (r[j] - p[j]) - (q[j] - p[j]) * (r[i] - p[i])).sign();
-  }
 
   const SpatialSum& sum_;
-  std::vector<std::optional<std::array<BigRational, 3>>> exact_;
+  VertexSigns signs_;
   int axis_ = 2, sign_ = 1;
 };
 

@@ -6,16 +6,14 @@
 #include <optional>
 
 #include "spatial/mesh/box_tree.h"
-#include "spatial/sum/sum_source.h"
+#include "spatial/sum/vertex_signs.h"
 
 namespace dymsum::spatial {
 namespace {
 
-using exact::BigRational;
-
 class TouchingVertices {
  public:
-  explicit TouchingVertices(const SpatialSum& sum) : sum_(sum), exact_(sum.vertices.size()) {}
+  explicit TouchingVertices(const SpatialSum& sum) : sum_(sum), signs_(sum) {}
 
   Triangles run(const Triangles& all) {
     std::map<std::uint32_t, std::vector<std::uint32_t>> touched = find(all.triangles);
@@ -74,35 +72,18 @@ class TouchingVertices {
     return true;
   }
 
-  const ExactPosition& exact(std::uint32_t v) {
-    if (!exact_[v]) exact_[v] = SpatialSumInternals::positions(sum_).at(v);
-    return *exact_[v];
-  }
-  /// Of the component of (b - a) x (c - a) along an axis.
-  int turn(std::uint32_t a, std::uint32_t b, std::uint32_t c, std::size_t axis) {
-    const std::size_t i = (axis + 1) % 3, j = (axis + 2) % 3;
-    const ExactPosition &p = exact(a), &q = exact(b), &r = exact(c);
-    return BigRational((q[i] - p[i]) * (r[j] - p[j]) - (q[j] - p[j]) * (r[i] - p[i])).sign();
-  }
-  bool in_plane(const Triangle& t, std::uint32_t v) {
-    const ExactPosition &o = exact(t[0]), &a = exact(t[1]), &b = exact(t[2]), &p = exact(v);
-    BigRational det;
-    for (std::size_t k = 0; k < 3; ++k) {
-      const std::size_t i = (k + 1) % 3, j = (k + 2) % 3;
-      det += (p[k] - o[k]) * ((a[i] - o[i]) * (b[j] - o[j]) - (a[j] - o[j]) * (b[i] - o[i]));
-    }
-    return det.sign() == 0;
-  }
   /// Inside the closed triangle, in whose plane the vertex is seen along an axis across it.
-  bool contains(const Triangle& t, std::uint32_t v) { return in_plane(t, v) && sides(t, v).has_value(); }
+  bool contains(const Triangle& t, std::uint32_t v) {
+    return signs_.side(t[0], t[1], t[2], v) == 0 && sides(t, v).has_value();
+  }
   /// On which sides of the borders from corner k to k + 1 the vertex lies: 1 inside, 0 on them; none outside.
   std::optional<std::array<int, 3>> sides(const Triangle& t, std::uint32_t v) {
     for (std::size_t axis = 0; axis < 3; ++axis) {
-      const int facing = turn(t[0], t[1], t[2], axis);
+      const int facing = signs_.turn(t[0], t[1], t[2], axis);
       if (facing == 0) continue;
       std::array<int, 3> result{};
       for (std::size_t k = 0; k < 3; ++k) {
-        result[k] = facing * turn(t[k], t[(k + 1) % 3], v, axis);
+        result[k] = facing * signs_.turn(t[k], t[(k + 1) % 3], v, axis);
         if (result[k] < 0) return std::nullopt;
       }
       return result;
@@ -126,7 +107,7 @@ class TouchingVertices {
   }
 
   const SpatialSum& sum_;
-  std::vector<std::optional<ExactPosition>> exact_;
+  VertexSigns signs_;
 };
 
 }  // namespace
