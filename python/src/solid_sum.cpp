@@ -61,7 +61,7 @@ void bind_solid_numbers(nb::class_<SolidSum>& sum) {
       .def("volume_exact", &SolidSum::volume_exact)
       .def("bounds", &bounds_of,
            "[min x, min y, min z, max x, max y, max z], each the nearest double to the exact one.")
-      .def("area", &SolidSum::area, "With a relative error below 1e-14.");
+      .def("area", &SolidSum::area, "The nearest double to that of the exact facets.");
 }
 
 void bind_solid_sum_class(nb::module_& m) {

@@ -9,9 +9,7 @@
 #include "spatial/convex/exact_places.h"
 #include "spatial/convex/nearest_places.h"
 #include "spatial/convex/place_sum.h"
-#include "spatial/mesh/compensated_sum.h"
-#include "spatial/mesh/rounded_vector.h"
-#include "spatial/mesh/scaled_number.h"
+#include "spatial/mesh/length_sum.h"
 
 namespace dymsum {
 namespace {
@@ -61,28 +59,21 @@ BigRational volume_of(const SolidSum& sum) {
   return BigRational(six) * places.unit() * places.unit() * places.unit() / 6;
 }
 
-spatial::ScaledNumber surface_of(const SolidSum& sum) {
-  if (sum.vertices.empty()) return {};
+spatial::LengthSum surface_of(const SolidSum& sum) {
+  spatial::LengthSum surface;
+  if (sum.vertices.empty()) return surface;
   const ExactPlaces places(spatial::ConvexSumInternals::operands(sum), sum.p_pose, sum.q_pose);
   const std::vector<BigVector> at = numerators(sum, places);
-  std::vector<exact::Vector3<Big>> twice;
-  int top = 0;
   for (const SolidFacet& f : sum.facets) {
-    exact::Vector3<Big>& total = twice.emplace_back();
+    exact::Vector3<Big>& twice = surface.vectors.emplace_back();
     const auto from_first = [&](std::size_t i) {
       return big_vector(at[f.vertices[i]]) - big_vector(at[f.vertices[0]]);
     };
     for (std::size_t i = 1; i + 1 < f.vertices.size(); ++i)
-      total = total + exact::cross(from_first(i), from_first(i + 1));
-    top = std::max(top, spatial::bit_length(total));
+      twice = twice + exact::cross(from_first(i), from_first(i + 1));
   }
-  spatial::CompensatedSum surface;
-  for (const exact::Vector3<Big>& n : twice) surface.add(length(spatial::rounded(n, -top)));
-  // Of the positions' unit, a power of two over an integer, the square.
-  const BigInteger num = numerator(places.unit()), den = denominator(places.unit());
-  const int num_bits = static_cast<int>(msb(num)), den_bits = static_cast<int>(msb(den));
-  const double unit = spatial::rounded(Big(num), -num_bits) / spatial::rounded(Big(den), -den_bits);
-  return {surface.value() / 2 * unit * unit, top + 2 * (num_bits - den_bits)};
+  surface.unit = places.unit() * places.unit() / 2;
+  return surface;
 }
 
 }  // namespace

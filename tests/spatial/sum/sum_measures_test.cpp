@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numeric>
+#include <random>
 
 #include "dymsum/spatial_sum.h"
 #include "dymsum/volume_text.h"
@@ -66,6 +67,26 @@ TEST(SumMeasures, are_the_nearest_doubles) {
       EXPECT_EQ(sum.volume_exact_within(1u << 30), sum.volume_exact());
       expect_nearest_area(sum);
     }
+  }
+}
+
+// 6 + 2 sqrt 3 in doubles of one rounding each came out one unit too small.
+TEST(SumMeasures, of_convex_solids_are_the_nearest_doubles) {
+  const Mesh corner =
+      Mesh::create({{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}}, {{0, 2, 1}, {0, 1, 3}, {1, 2, 3}, {0, 3, 2}}})
+          .value();
+  EXPECT_EQ(convex_sum(corner, corner)->area(), 9.464101615137755);
+  EXPECT_EQ(surface_text(*convex_sum(corner, corner)), "9.4641016151377546e+00");
+  std::mt19937_64 random(12);
+  for (int pair = 0; pair < 20; ++pair) {
+    const auto cloud = [&] {
+      std::vector<Point3> points;
+      for (int k = 0; k < 12; ++k)
+        points.push_back({std::ldexp(random(), -64), std::ldexp(random(), -64), std::ldexp(random(), -64)});
+      return convex_hull(points).value();
+    };
+    const Mesh p = cloud(), q = cloud();
+    EXPECT_EQ(convex_sum(p, q)->area(), sum_of_solids(p.data(), q.data(), {})->area());
   }
 }
 
