@@ -13,12 +13,12 @@
 #include "dymsum/scaling_sum.h"
 #include "dymsum/shapes.h"
 #include "exact/big.h"
+#include "oracles/coordinate_kinds.h"
 #include "spatial/convex/setting.h"
 #include "spatial/moving/moving_cases.h"
 #include "spatial/moving/sum_shape.h"
 #include "spatial/scaling/pair_intervals.h"
 #include "spatial/scaling/scaled_planes.h"
-#include "spatial/sum/coordinate_kinds.h"
 
 namespace dymsum {
 namespace {

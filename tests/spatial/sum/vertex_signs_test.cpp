@@ -4,7 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "dymsum/spatial_sum.h"
-#include "spatial/sum/coordinate_kinds.h"
+#include "oracles/coordinate_kinds.h"
 #include "spatial/sum/random_solids.h"
 
 namespace dymsum {
