@@ -6,6 +6,8 @@
 #include <optional>
 #include <string>
 
+#include "leaving.h"
+
 namespace dymsum::python {
 namespace {
 
@@ -81,6 +83,7 @@ void bind_errors(nb::module_& m) {
   bind_codes(m);
   m.def("_error_text", [](nb::handle error) { return error_of(error).to_string(); });
   nb::register_exception_translator([](const std::exception_ptr& thrown, void*) {
+    sleep_where_stopped(thrown);
     try {
       std::rethrow_exception(thrown);
     } catch (const ErrorRaised& raised) {

@@ -112,6 +112,10 @@ PyObject* call_python(PyObject* callable, PyObject* const* arguments, std::size_
 #endif
 }
 
+void sleep_where_stopped(const std::exception_ptr& thrown) {
+  if (!thrown) sleep_for_ever();
+}
+
 WithoutGil::WithoutGil() : state_(PyEval_SaveThread()) {}
 
 WithoutGil::~WithoutGil() {

@@ -5,6 +5,7 @@
 #include <nanobind/nanobind.h>
 
 #include <cstddef>
+#include <exception>
 
 namespace dymsum::python {
 
@@ -24,6 +25,11 @@ class Inside {
 /// What the callable returns, null with an exception set. Where Python stops the thread in the middle, as the
 /// interpreter has ended, the thread sleeps instead: nothing behind it may run any more.
 PyObject* call_python(PyObject* callable, PyObject* const* arguments, std::size_t count);
+
+/// What a translator of exceptions gets where Python stops a thread in the middle of anything else that a call asks of
+/// it: no exception at all. As nanobind has caught what cannot be caught, and goes on without the GIL, the thread
+/// sleeps.
+void sleep_where_stopped(const std::exception_ptr& thrown);
 
 /// Lets go of the GIL, from inside, and takes it again; where the interpreter ends, it sleeps instead.
 class WithoutGil {

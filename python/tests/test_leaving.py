@@ -22,6 +22,7 @@ WORK = {
     "solids": "dymsum.minkowski_sum(*solid)",
     "endless progress": "dymsum.minkowski_sum(*large, dymsum.SumOptions(progress=lambda stage, share: endless()))",
     "endless conversion": "dymsum.Region(Endless())",
+    "endless number": "dymsum.translated(large[0], Number(), 0)",
 }
 
 
@@ -38,6 +39,10 @@ def endless():
 class Endless:
     @property
     def __geo_interface__(self):
+        endless()
+class Number:
+    @property
+    def numerator(self):
         endless()
 def work():
     while True:
