@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <memory>
 #include <optional>
+#include <vector>
 
 #include "dymsum/local_sum.h"
 #include "dymsum/penetration_depth.h"
@@ -51,7 +52,7 @@ struct ContinuousContact {
   /// What touches after the move: on P, and on Q where it is now; witness_p - witness_q = depth * normal.
   Point3 witness_p, witness_q;
   /// One pair of features that hold them: those of the sum's face, if these touch there. Where more touch, as of flush
-  /// faces, the others are not named: SolidDepth names all, at one orientation.
+  /// faces, euclidean_ways() names all of the shortest way.
   SolidContact contact;
   std::uint64_t branch = 0;  ///< the same from answer to answer as long as nothing jumps; from 1
   Discontinuity discontinuity = Discontinuity::none;
@@ -117,6 +118,9 @@ class ContinuousDepth {
   /// collision test tells, also where `meeting` is within its error. Requires a query without error before (else
   /// std::logic_error). Cost: the first one at an orientation prepares the solids, O(n log n).
   Rational euclidean_squared() const;
+  /// All shortest moves of Q at the last pose, exactly, each with all pairs of features that touch once it is made, as
+  /// SolidDepth tells them; none where they do not overlap. Requires and costs as above, and the pairs' simplices.
+  std::vector<SolidWay> euclidean_ways() const;
   /// What is known of the boundary at the last pose, and where its answer was. Requires as above.
   DepthPatch patch() const;
   /// Forgets the last answer: the next one is a first one.

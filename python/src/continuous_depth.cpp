@@ -38,6 +38,9 @@ struct Continuous {
   Rational squared() {
     return held.alone([](ContinuousDepth& depth) { return without_gil([&] { return depth.euclidean_squared(); }); });
   }
+  std::vector<SolidWay> ways() {
+    return held.alone([](ContinuousDepth& depth) { return without_gil([&] { return depth.euclidean_ways(); }); });
+  }
   Patch* patch() {
     return held.alone([](ContinuousDepth& depth) { return new Patch(depth.patch()); });
   }
@@ -156,6 +159,9 @@ One thread at a time; work is done without the GIL.
            "Q turned about its origin, then moved. Raises Error: not_finite; unsupported_operand; cancelled.")
       .def("euclidean_squared", &Continuous::squared,
            "The square of the shortest way out at the last pose, exactly; 0 where they do not overlap.")
+      .def("euclidean_ways", &Continuous::ways,
+           "All shortest moves of Q at the last pose, exactly, with all pairs of features that touch then; none where "
+           "they do not overlap.")
       .def("patch", &Continuous::patch, nb::rv_policy::take_ownership,
            "What is known of the boundary at the last pose.")
       .def(

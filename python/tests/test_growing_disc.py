@@ -148,7 +148,7 @@ def test_the_closing_of_a_line_keeps_it() -> None:
     assert GrowingDisc("LINESTRING(3 0, 0 0, 0 3)").opened_at(1).parts == []
     left = GrowingDisc(shapes.rectangle(0, 0, 2, 2)).eroded_at(1 - Fraction(1, 10**16))
     tiny = dymsum.to_region(left, 0.1, DiscBound.nearest)
-    assert tiny.collapsed == 1 and list(tiny.region.points) == [(1, 1)]
+    assert tiny.collapsed == 1 and tiny.region.points.tolist() == [[1, 1]]
 
 
 @pytest.mark.parametrize("radius", [None, "1", 1j, (1,)])

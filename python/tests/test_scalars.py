@@ -270,13 +270,11 @@ def test_there_are_options() -> None:
 @pytest.mark.parametrize("x", NO_DOUBLES)
 def test_fields_positions_and_arrays(x: Any) -> None:
     """What no signature tells: positions, fields of records, poses, the numbers of lists."""
-    queries, box = OBJECTS["ObstacleQueries"], OBJECTS["SolidDepth"]
+    queries = OBJECTS["ObstacleQueries"]
     for ask in (
         lambda: dymsum.ScaledCopy(1, (x, 0)),
         lambda: queries.contains((x, 0, 0)),
         lambda: queries.free_each([(0, 0, x)]),
-        lambda: box.at((0, 0, x)),
-        lambda: dymsum.depth_batch_arrays(box, [(0, 0, 0), (0, 0, x)]),
         lambda: dymsum.pose_batch_arrays(MESH, MESH, [(1, 0, 0, x)]),
         lambda: dymsum.Rotation.about((0, 0, x), 1),
         lambda: dymsum.plan(OBJECTS["CspaceObstacle"], (x, 9, 0), (9, 9, 0)),

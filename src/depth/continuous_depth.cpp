@@ -11,6 +11,7 @@
 #include "depth/boundary_distance.h"
 #include "depth/continuous_tracker.h"
 #include "depth/posed_overlap.h"
+#include "depth/touching_pairs.h"
 #include "exact/big.h"
 
 namespace dymsum {
@@ -135,16 +136,23 @@ class ContinuousDepth::State {
     return result;
   }
 
-  /// Doubles tell which faces may be nearest; on which side of them the place lies is asked exactly.
   Rational exact_square() {
-    require_answer();
-    const ContinuousPlace& place = *tracker_.place();
-    const depth::RationalVector from{exact::exact_value(at_.x), exact::exact_value(at_.y), exact::exact_value(at_.z)};
-    if (place.surface.faces.empty() || !overlaps(from)) return 0;
-    const double reach = near_.nearest.distance * (1 + 0x1p-30) + 4 * tracker_.error();
-    const SpatialSum part = near_part(*place.boundary, place.surface, tracker_.scaled(at_), reach);
-    const depth::RationalVector v = depth::nearest_on_boundary(part, from).front();
+    const std::vector<depth::RationalVector> moves = exact_moves();
+    if (moves.empty()) return 0;
+    const depth::RationalVector& v = moves.front();
     return exact::to_rational(v[0] * v[0] + v[1] * v[1] + v[2] * v[2]);
+  }
+
+  std::vector<SolidWay> exact_ways() {
+    std::vector<depth::RationalVector> moves = exact_moves();
+    if (moves.empty()) return {};
+    if (!touching_ || !(touching_turned_ == turned_)) {
+      depth::TouchSide side = depth::touch_side(q_);
+      side.turn(turned_);
+      touching_ = std::make_unique<const depth::TouchingPairs>(depth::touch_side(p_), std::move(side));
+      touching_turned_ = turned_;
+    }
+    return depth::ways_of(std::move(moves), place_of(at_), touching_.get());
   }
 
   const ContinuousTracker& tracker() const {
@@ -154,6 +162,22 @@ class ContinuousDepth::State {
   void forget() { tracker_.drop(Discontinuity::entered), answered_ = false; }
 
  private:
+  static depth::RationalVector place_of(const Point3& at) {
+    return {exact::exact_value(at.x), exact::exact_value(at.y), exact::exact_value(at.z)};
+  }
+
+  /// All shortest ones; none where they do not overlap. Doubles tell which faces may be nearest; on which side of them
+  /// the place lies is asked exactly.
+  std::vector<depth::RationalVector> exact_moves() {
+    require_answer();
+    const ContinuousPlace& place = *tracker_.place();
+    const depth::RationalVector from = place_of(at_);
+    if (place.surface.faces.empty() || !overlaps(from)) return {};
+    const double reach = near_.nearest.distance * (1 + 0x1p-30) + 4 * tracker_.error();
+    const SpatialSum part = near_part(*place.boundary, place.surface, tracker_.scaled(at_), reach);
+    return depth::nearest_on_boundary(part, from);
+  }
+
   void require_answer() const {
     if (!answered_) throw std::logic_error("ContinuousDepth: there is no answer yet");
   }
@@ -278,6 +302,9 @@ class ContinuousDepth::State {
   std::unique_ptr<const spatial::SolidPair> pair_;
   std::unique_ptr<depth::PosedOverlap> overlap_;
   Rotation overlap_turned_;
+  // Made when the ways are asked for.
+  std::unique_ptr<const depth::TouchingPairs> touching_;
+  Rotation touching_turned_;
 };
 
 Result<ContinuousDepth> ContinuousDepth::create(const Mesh& p, const Mesh& q, const ContinuousDepthOptions& options) {
@@ -308,6 +335,7 @@ Result<ContinuousContact> ContinuousDepth::query(Point3 q_moved_by, const Rotati
 }
 
 Rational ContinuousDepth::euclidean_squared() const { return state_->exact_square(); }
+std::vector<SolidWay> ContinuousDepth::euclidean_ways() const { return state_->exact_ways(); }
 DepthPatch ContinuousDepth::patch() const { return DepthPatch(state_->tracker()); }
 void ContinuousDepth::forget() { state_->forget(); }
 double ContinuousDepth::smoothing_length() const { return state_->smoothing(); }

@@ -9,7 +9,6 @@
 #include "depth/ray_exit.h"
 #include "dymsum/penetration_depth.h"
 #include "exact/square_root.h"
-#include "spatial/mesh/rounded_vector.h"
 
 namespace dymsum {
 namespace {
@@ -36,35 +35,16 @@ FacetView view_from(const DepthOperands& o, const RationalVector& at) {
   return {o, from, size * 0x1p-32};
 }
 
-/// Numbers that are not all zero, by one common factor: rounded only then.
-Point3 unit_direction(const RationalVector& v) {
-  exact::BigInteger all = 1;
-  for (const BigRational& c : v) all = lcm(all, denominator(c));
-  const auto whole = [&](std::size_t k) {
-    return exact::Big(exact::BigInteger(numerator(v[k]) * (all / denominator(v[k]))));
-  };
-  const exact::Vector3<exact::Big> n{whole(0), whole(1), whole(2)};
-  if (exact::leading_sign(n) == 0) return {};
-  const Vec3 u = spatial::unit(n);
-  return {u.x, u.y, u.z};
-}
-
 SolidDistance distance_with(const DepthOperands& o, std::vector<RationalVector> moves, const RationalVector& from,
                             bool overlapping) {
   SolidDistance result;
-  std::sort(moves.begin(), moves.end());
   const RationalVector& v = moves.front();
   const BigRational square = v[0] * v[0] + v[1] * v[1] + v[2] * v[2];
   result.meeting = overlapping ? Meeting::overlapping : square == 0 ? Meeting::touching : Meeting::apart;
   result.squared = exact::to_rational(square);
   result.distance = exact::root_to_double(square);
   result.at_least = result.distance;
-  for (const RationalVector& move : moves) {
-    SolidWay& way = result.ways.emplace_back();
-    way.move = {exact::to_rational(move[0]), exact::to_rational(move[1]), exact::to_rational(move[2])};
-    way.direction = unit_direction(move);
-    if (o.touching) way.contacts = o.touching->at({from[0] + move[0], from[1] + move[1], from[2] + move[2]});
-  }
+  result.ways = depth::ways_of(std::move(moves), from, o.touching.get());
   return result;
 }
 

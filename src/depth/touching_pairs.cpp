@@ -15,6 +15,7 @@
 #include "base/union_find.h"
 #include "depth/exact_frame.h"
 #include "depth/sure_sign.h"
+#include "spatial/mesh/rounded_vector.h"
 
 namespace dymsum::depth {
 
@@ -391,5 +392,33 @@ TouchingPairs::TouchingPairs(TouchSide p, TouchSide q) : p_(std::move(p)), q_(st
 }
 
 std::vector<SolidTouch> TouchingPairs::at(const RationalVector& x) const { return TouchSearch(*this, x).run(); }
+
+namespace {
+
+/// Numbers that are not all zero, by one common factor: rounded only then.
+Point3 unit_direction(const RationalVector& v) {
+  BigInteger all = 1;
+  for (const BigRational& c : v) all = lcm(all, denominator(c));
+  const auto whole = [&](std::size_t k) { return Big(BigInteger(numerator(v[k]) * (all / denominator(v[k])))); };
+  const BigVector n{whole(0), whole(1), whole(2)};
+  if (exact::leading_sign(n) == 0) return {};
+  const Vec3 u = spatial::unit(n);
+  return {u.x, u.y, u.z};
+}
+
+}  // namespace
+
+std::vector<SolidWay> ways_of(std::vector<RationalVector> moves, const RationalVector& from,
+                              const TouchingPairs* touching) {
+  std::sort(moves.begin(), moves.end());
+  std::vector<SolidWay> ways;
+  for (const RationalVector& move : moves) {
+    SolidWay& way = ways.emplace_back();
+    way.move = {exact::to_rational(move[0]), exact::to_rational(move[1]), exact::to_rational(move[2])};
+    way.direction = unit_direction(move);
+    if (touching) way.contacts = touching->at({from[0] + move[0], from[1] + move[1], from[2] + move[2]});
+  }
+  return ways;
+}
 
 }  // namespace dymsum::depth

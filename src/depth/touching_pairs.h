@@ -8,6 +8,13 @@
 
 namespace dymsum::depth {
 
+class TouchingPairs;
+
+/// The moves, sorted, with their directions and with what touches where Q, moved by `from`, has made them; without
+/// contacts where there are no pairs to ask.
+std::vector<SolidWay> ways_of(std::vector<RationalVector> moves, const RationalVector& from,
+                              const TouchingPairs* touching);
+
 /// Operands ready to be asked; the Q of one orientation. Thread-safe.
 class TouchingPairs {
  public:

@@ -2,7 +2,11 @@
 // The independent answers are contains (collision of interiors) and SolidDepth's search.
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <cmath>
 #include <random>
+#include <span>
+#include <tuple>
 
 #include "dymsum/continuous_depth.h"
 #include "spatial/sum/random_solids.h"
@@ -40,9 +44,32 @@ Point3 on_some_face(const SpatialSum& sum, double scale, std::mt19937_64& random
   return {at.x / (count * scale), at.y / (count * scale), at.z / (count * scale)};
 }
 
-TEST(ContinuousDepth, the_exact_square_is_that_of_solids_at_rounded_points_of_faces) {
+RationalPoint3 times(const RationalPoint3& v, const Rational& by) { return {v.x * by, v.y * by, v.z * by}; }
+
+/// The ways of solids as they are, and of the same `by` times as large.
+void expect_ways(const std::vector<SolidWay>& ways, const Rational& by, const SolidDistance& large) {
+  if (large.meeting != Meeting::overlapping) {
+    EXPECT_TRUE(ways.empty());
+    return;
+  }
+  ASSERT_EQ(ways.size(), large.ways.size());
+  for (std::size_t k = 0; k < ways.size(); ++k) {
+    EXPECT_EQ(times(ways[k].move, by), large.ways[k].move);
+    const Point3 &u = ways[k].direction, &v = large.ways[k].direction;  // rounded each
+    EXPECT_LE(std::max({std::abs(u.x - v.x), std::abs(u.y - v.y), std::abs(u.z - v.z)}), 0x1p-50);
+    ASSERT_EQ(ways[k].contacts.size(), large.ways[k].contacts.size());
+    for (std::size_t c = 0; c < ways[k].contacts.size(); ++c) {
+      const SolidTouch &a = ways[k].contacts[c], &b = large.ways[k].contacts[c];
+      EXPECT_EQ(std::tie(a.p, a.q, a.dimension, a.patch), std::tie(b.p, b.q, b.dimension, b.patch));
+      EXPECT_EQ(times(a.at, by), b.at);
+    }
+  }
+}
+
+TEST(ContinuousDepth, the_exact_square_and_ways_are_those_of_solids_at_rounded_points_of_faces) {
   std::mt19937_64 random(31);
   int positive = 0, zero = 0;
+  std::size_t contacts = 0;
   for (int pair = 0; pair < 12; ++pair) {
     const Mesh p = random_solids::valid_polyhedron(random), q = random_solids::valid_polyhedron(random);
     const Rotation turned = pair % 2 == 0 ? Rotation{} : Rotation::of(3, 1 + pair % 3, 0, 1).value();
@@ -65,13 +92,16 @@ TEST(ContinuousDepth, the_exact_square_is_that_of_solids_at_rounded_points_of_fa
       const Rational squared = depth.euclidean_squared();
       EXPECT_EQ(squared.sign() > 0, inside) << pair << " " << k << ": " << squared.to_string();
       (inside ? positive : zero) += 1;
-      if (turned.norm() != 1) continue;
-      const SolidDistance d = exact.at(at);
-      EXPECT_EQ(squared, d.meeting == Meeting::overlapping ? d.squared : Rational(0)) << pair << " " << k;
+      const SolidDistance d = exact.at(large);
+      const Rational by = Rational::of(norm).value();
+      EXPECT_EQ(squared * by * by, d.meeting == Meeting::overlapping ? d.squared : Rational(0)) << pair << " " << k;
+      expect_ways(depth.euclidean_ways(), by, d);
+      contacts += d.ways.front().contacts.size();
     }
   }
   EXPECT_GT(positive, 50);
   EXPECT_GT(zero, 50);
+  EXPECT_GT(contacts, 500u);
 }
 
 }  // namespace
