@@ -8,7 +8,7 @@ namespace dymsum::planar {
 
 std::vector<std::uint32_t> BoundaryGraph::alive() const {
   std::vector<std::uint32_t> all;
-  for (std::uint32_t n = 0; n < nodes_.size(); ++n)
+  for (const std::uint32_t n : lately_alive_)
     if (nodes_[n].alive) all.push_back(n);
   return all;
 }
@@ -33,6 +33,7 @@ std::uint32_t BoundaryGraph::add_node(const WalkSegment& s, std::uint32_t cell) 
   if (node.next_on_segment != kNobody) nodes_[node.next_on_segment].prev_on_segment = n;
   first_on_[node.id] = n;
   nodes_.push_back(std::move(node));
+  lately_alive_.push_back(n);
   shells_.add();
   return n;
 }
@@ -43,6 +44,10 @@ void BoundaryGraph::end_node(std::uint32_t n) {
   ended_.push_back(n);
   node.alive = false;
   node.end = now_;
+  if (++lately_ended_ * 2 > lately_alive_.size()) {
+    std::erase_if(lately_alive_, [&](std::uint32_t m) { return !nodes_[m].alive; });
+    lately_ended_ = 0;
+  }
   if (node.prev_on_segment != kNobody) nodes_[node.prev_on_segment].next_on_segment = node.next_on_segment;
   else first_on_[node.id] = node.next_on_segment;
   if (node.next_on_segment != kNobody) nodes_[node.next_on_segment].prev_on_segment = node.prev_on_segment;

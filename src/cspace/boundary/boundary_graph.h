@@ -87,6 +87,7 @@ class BoundaryGraph {
   /// Of the list of nodes of a segment that are alive, along next_on_segment.
   std::uint32_t first_on(std::uint32_t segment) const { return first_on_[segment]; }
   std::uint32_t first_on(const WalkSegment& s) const { return first_on_[segments_.of(s)]; }
+  /// Increasing. O(those).
   std::vector<std::uint32_t> alive() const;
   SubEdge sub_edge(std::uint32_t n) const {
     return {nodes_[n].segment, segments_.segment(nodes_[n].left), segments_.segment(nodes_[n].right)};
@@ -143,6 +144,8 @@ class BoundaryGraph {
 
   SegmentIndex segments_;
   std::vector<Node> nodes_;
+  std::vector<std::uint32_t> lately_alive_;  // increasing: all that are alive, and fewer others
+  std::size_t lately_ended_ = 0;             // of these
   std::vector<std::uint32_t> first_on_;
   std::vector<Cell> cells_;
   std::vector<CellLink> cell_links_;

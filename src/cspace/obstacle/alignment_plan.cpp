@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <optional>
 
+#include "cspace/events/event_signs.h"
 #include "cspace/obstacle/event_plan.h"
 
 namespace dymsum::planar {
@@ -21,10 +22,11 @@ struct AlignedRun {
 
 class AlignmentEdit {
  public:
-  AlignmentEdit(const TurnEvent& event, const SweepScene& scene)
+  AlignmentEdit(TurnEvent& event, const TurnRange& range, const SweepScene& scene)
       : forms_(scene.forms),
         catalog_(scene.catalog),
         graph_(scene.graph),
+        signs_(event, scene.forms, scene.catalog, range),
         heading_(Heading::of(event.theta())),
         turn_(turn_of(event)),
         length_e_(length(1, event.e)),
@@ -35,10 +37,10 @@ class AlignmentEdit {
     middle_ = {f1, e};
   }
 
-  /// Nothing where doubles do not tell.
+  /// Nothing where more coincides.
   std::optional<BoundaryEdit> edit() const {
     std::vector<AlignedRun> runs;
-    if (!add_runs(runs)) return std::nullopt;
+    add_runs(runs);
     join_over_vertex(runs);
     BoundaryEdit edit;
     for (const AlignedRun& run : runs) {
@@ -57,18 +59,15 @@ class AlignmentEdit {
     return std::hypot(d.x, d.y);
   }
 
-  bool add_runs(std::vector<AlignedRun>& runs) const {
+  void add_runs(std::vector<AlignedRun>& runs) const {
     for (const bool second : {false, true})
       for (std::uint32_t n = graph_.first_on(before_[second]); n != kNobody; n = graph_[n].next_on_segment) {
         const Node& node = graph_[n];
         const double length = second ? length_f_ : length_e_, base = second ? length_e_ : 0;
         const Located from = place_on(forms_, node.segment, graph_[node.prev].segment, true, heading_, turn_),
                       to = place_on(forms_, node.segment, graph_[node.next].segment, false, heading_, turn_);
-        const AlignedRun run{n, n, base + length * from.t, base + length * to.t, length * (from.error + to.error)};
-        if (!(run.from <= run.to + run.error)) return false;
-        runs.push_back(run);
+        runs.push_back({n, n, base + length * from.t, base + length * to.t, length * (from.error + to.error)});
       }
-    return true;
   }
 
   // A run over the vertex between the two is one.
@@ -86,25 +85,34 @@ class AlignmentEdit {
   }
 
   // What was visible along the line stays so; the segments change, at the new middle vertex. A chain may end or start
-  // there: where that vertex is reflex, the boundary turns at it. None where doubles do not tell.
+  // there: where that vertex is reflex, the boundary turns at it. None where a run ends at that vertex otherwise.
   std::vector<WalkSegment> segments_behind(const AlignedRun& run) const {
     const bool from_middle = forms_.end(graph_[graph_[run.first].prev].segment) == middle_;
     const bool to_middle = TurningForms::start(graph_[graph_[run.last].next].segment) == middle_;
-    const double near = kInLine * (length_e_ + length_f_) + run.error;
-    if ((!from_middle && !(std::abs(run.from - length_f_) > near)) ||
-        (!to_middle && !(std::abs(run.to - length_f_) > near)))
-      return {};
+    const int from = from_middle ? 1 : beside_middle(run, false), to = to_middle ? -1 : beside_middle(run, true);
+    if (from == 0 || to == 0) return {};
     std::vector<WalkSegment> segments;
-    if (!from_middle && run.from < length_f_) segments.push_back(behind_[0]);
-    if (!to_middle && run.to > length_f_) segments.push_back(behind_[1]);
+    if (from < 0) segments.push_back(behind_[0]);
+    if (to > 0) segments.push_back(behind_[1]);
     for (const WalkSegment& s : segments)
       if (!catalog_.may_exist(s)) return {};
     return segments;
   }
 
+  // Whether an end of a run comes behind the new middle vertex (1), before it (-1), or is there.
+  int beside_middle(const AlignedRun& run, bool at_end) const {
+    const double d = (at_end ? run.to : run.from) - length_f_;
+    if (std::abs(d) > kInLine * (length_e_ + length_f_) + run.error) return d > 0 ? 1 : -1;
+    const SignsAt& signs = signs_.exact();
+    const std::optional<Fraction> end =
+        end_along(signs, before_[0], graph_.sub_edge(at_end ? run.last : run.first), at_end);
+    return end ? signs.compare(*end, signs.along(before_[0], ExactPlace{{false, middle_, {}, {}}, {}})) : 0;
+  }
+
   const TurningForms& forms_;
   const TurnCatalog& catalog_;
   const BoundaryGraph& graph_;
+  EventSigns signs_;
   Heading heading_;
   double turn_;  // what its angle errs by
   double length_e_, length_f_;
@@ -117,8 +125,7 @@ class AlignmentEdit {
 EventPlan plan_alignment(TurnEvent& event, const TurnRange& range, const SweepScene& scene) {
   const WalkSegment first{1, event.e, event.f}, second{0, event.f, scene.forms.operand(1).next[event.e]};
   if (scene.graph.first_on(first) == kNobody && scene.graph.first_on(second) == kNobody) return {};
-  exact_root(event, scene.forms, range);
-  std::optional<BoundaryEdit> edit = AlignmentEdit(event, scene).edit();
+  std::optional<BoundaryEdit> edit = AlignmentEdit(event, range, scene).edit();
   if (!edit) return {EventPlan::Verdict::unsure, {}, {}, {}};
   const Point at = place_of(event, scene.forms, Heading::of(event.theta())).at;
   return {EventPlan::Verdict::change, ObstacleEvent::Kind::alignment, at, std::move(*edit)};

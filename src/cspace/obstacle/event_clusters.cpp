@@ -43,34 +43,39 @@ Spot spot_of(const TurnEvent& event, const TurningForms& forms, Heading h) {
   return spot;
 }
 
+bool may_exist_near(const TurnCatalog& catalog, const WalkSegment& s, const TurnEvent& event) {
+  if (!catalog.may_exist(s)) return false;
+  const TurnCatalog::Span span = catalog.span(s, event.theta());
+  const double slack = kAngleSlack + (event.high - event.low);
+  return span.from <= slack && span.to >= -slack;
+}
+
 }  // namespace
 
-EventSegments segments_of(const TurnEvent& event, const SweepScene& scene) {
+std::vector<std::uint32_t> segments_of(const TurnEvent& event, const SweepScene& scene) {
   const TurningForms& forms = scene.forms;
-  const SegmentIndex& index = scene.graph.segments();
-  EventSegments found;
-  const auto add = [&](const WalkSegment& s) { found.all.push_back(index.of(s)); };
+  std::vector<std::uint32_t> found;
+  const auto add = [&](const WalkSegment& s) { found.push_back(scene.graph.segments().of(s)); };
+  const auto add_at = [&](Pair v) {
+    for (std::uint32_t side = 0; side < 2; ++side) {
+      const std::uint32_t own = side == 0 ? v.p : v.q, other = side == 0 ? v.q : v.p;
+      for (const WalkSegment& s : {WalkSegment{side, own, other}, {side, forms.operand(side).prev[own], other}})
+        if (may_exist_near(scene.catalog, s, event)) add(s);
+    }
+  };
   switch (event.kind) {
     case TurnEvent::Kind::three_segments:
       for (const WalkSegment& s : {event.a, event.b, event.c}) add(s);
       break;
     case TurnEvent::Kind::vertex_on_segment:
       add(event.a);
-      for (std::uint32_t side = 0; side < 2; ++side) {
-        const std::uint32_t own = side == 0 ? event.v.p : event.v.q, other = side == 0 ? event.v.q : event.v.p;
-        add({side, own, other});
-        add({side, forms.operand(side).prev[own], other});
-      }
-      found.unsure = scene.catalog.joint(event.v, event.theta()).unsure;
+      add_at(event.v);
       break;
     case TurnEvent::Kind::overlap:
-      for (const WalkSegment& s : {event.a, event.b}) add(s);
       for (const WalkSegment& s : {event.a, event.b}) {
-        const TurnCatalog::Joint start = scene.catalog.joint(TurningForms::start(s), event.theta()),
-                                 end = scene.catalog.joint(forms.end(s), event.theta());
-        found.unsure |= start.unsure || end.unsure;
-        if (start.has_in) add(start.in);
-        if (end.has_out) add(end.out);
+        add(s);
+        add_at(TurningForms::start(s));
+        add_at(forms.end(s));
       }
       break;
     case TurnEvent::Kind::alignment: {
@@ -88,15 +93,12 @@ std::vector<EventGroup> clusters(const EventGroup& group, const SweepScene& scen
   if (group.size() == 1) return {group};
   std::vector<Spot> spots;
   std::vector<std::pair<std::uint32_t, std::uint32_t>> segments;  // id, event
-  bool unsure = false;
   for (std::uint32_t k = 0; k < group.size(); ++k) {
     spots.push_back(spot_of(*group[k], scene.forms, Heading::of(group[k]->theta())));
-    const EventSegments of = segments_of(*group[k], scene);
-    for (const std::uint32_t s : of.all) segments.emplace_back(s, k);
-    unsure |= of.unsure;
+    for (const std::uint32_t s : segments_of(*group[k], scene)) segments.emplace_back(s, k);
   }
-  if (unsure) return {group};
   std::sort(segments.begin(), segments.end());
+  segments.erase(std::unique(segments.begin(), segments.end()), segments.end());
   Partition together(group.size());
   for (std::size_t i = 0; i < segments.size(); ++i)
     for (std::size_t j = i + 1; j < segments.size() && segments[j].first == segments[i].first; ++j)

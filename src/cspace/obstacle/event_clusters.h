@@ -12,14 +12,10 @@ namespace dymsum::planar {
 /// Events at one angle, or some of them.
 using EventGroup = std::vector<TurnEvent*>;
 
-/// Segments that take part in an event, by index; `unsure` where doubles do not tell all of them.
-struct EventSegments {
-  std::vector<std::uint32_t> all;
-  bool unsure = false;
-};
-EventSegments segments_of(const TurnEvent& event, const SweepScene& scene);
+/// Segments that take part in an event, by index, and perhaps some that only nearly do.
+std::vector<std::uint32_t> segments_of(const TurnEvent& event, const SweepScene& scene);
 
-/// Parts that share no segment, or only at places that are apart. One part where doubles do not tell.
+/// Parts that share no segment, or only at places that are apart.
 std::vector<EventGroup> clusters(const EventGroup& group, const SweepScene& scene);
 
 }  // namespace dymsum::planar

@@ -1,5 +1,6 @@
-// What a single event changes, read off the few segments that meet there in doubles, and planned as an edit. Where
-// doubles are unsure about any sign the plan says so: it is never a guess.
+// What a single event changes, read off the few segments that meet there, and planned as an edit: in doubles, and in
+// exact signs at the event's angle where doubles are unsure. Where more coincides the plan says so: it is never a
+// guess.
 #pragma once
 
 #include "cspace/events/event_place.h"
@@ -14,7 +15,7 @@ inline constexpr double kPlaceError = exact::rounding_bound(16 + 19 + 2, 128);
 /// The same at an angle that errs by `turn`: nothing turns about a centre farther than half a span.
 constexpr double place_error(double turn) { return kPlaceError + turn; }
 
-/// Events whose angles err by more are not planned in doubles.
+/// The angles of planned events err by at most this much: wider ones are narrowed first.
 inline constexpr double kPlannedTurn = 0x1p-39;
 /// Directions that are nearer to parallel, relatively, have no sign that holds at the event's angle too: a cross
 /// product changes by less than 2 for every radian.
@@ -32,7 +33,7 @@ inline double turn_of(const TurnEvent& event) { return (event.high - event.low) 
 struct EventPlan {
   enum class Verdict : std::uint8_t {
     nothing,   ///< nothing changes
-    unsure,    ///< doubles do not tell, or more coincides
+    unsure,    ///< more coincides
     doubtful,  ///< nothing changes behind the event, but the place may be free at its angle
     change,    ///< the edit, less its births that are not free
   };
@@ -48,11 +49,11 @@ EventPlan plan_alignment(TurnEvent& event, const TurnRange& range, const SweepSc
 
 /// Where two segments with one direction pass over each other: along the stretch that they share the boundary changes
 /// from one to the other, and at the ends of that stretch it turns into the next or the previous segment of a chain.
-EventPlan plan_overlap(const TurnEvent& event, const SweepScene& scene);
+EventPlan plan_overlap(TurnEvent& event, const TurnRange& range, const SweepScene& scene);
 
 /// Three segments, or a vertex and a segment, that meet where nothing else does: a small arrangement behind the event,
 /// and paths in it from the visible sub-edges that come in to those that go out.
-EventPlan plan_meeting(const TurnEvent& event, const SweepScene& scene, const OverlapFilter& filter);
+EventPlan plan_meeting(TurnEvent& event, const TurnRange& range, const SweepScene& scene, const OverlapFilter& filter);
 
 /// That of the event's kind.
 EventPlan plan_event(TurnEvent& event, const TurnRange& range, const SweepScene& scene, const OverlapFilter& filter);

@@ -1,6 +1,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "cspace/events/event_angles.h"
+#include "cspace/events/event_signs.h"
 #include "cspace/obstacle/event_plan.h"
 #include "cspace/obstacle/local_arrangement.h"
 
@@ -11,30 +13,24 @@ int sign_of(double v, double error) { return v > error ? 1 : v < -error ? -1 : 0
 
 enum class Fill : std::uint8_t {
   nothing,  ///< the segments do not meet there
-  unsure,   ///< doubles do not tell, or more coincides
+  unsure,   ///< more coincides
   done,
 };
 
-// Strictly between the ends of a segment, or not on it, or too near to an end.
-Fill within(Located t) {
-  if (t.t < -t.error || t.t > 1 + t.error) return Fill::nothing;
-  return t.t > t.error && t.t < 1 - t.error ? Fill::done : Fill::unsure;
-}
-
-/// The arrangement behind an event, from doubles at the event.
+/// The arrangement behind an event, from doubles at the event and, where these do not tell, from exact signs.
 class Meeting {
  public:
-  Meeting(const TurnEvent& event, const SweepScene& scene)
+  Meeting(TurnEvent& event, const TurnRange& range, const SweepScene& scene)
       : event_(event),
         forms_(scene.forms),
-        catalog_(scene.catalog),
         graph_(scene.graph),
+        signs_(event, scene.forms, scene.catalog, range),
         heading_(Heading::of(event.theta())),
         turn_(turn_of(event)) {}
 
   Fill fill() { return event_.kind == TurnEvent::Kind::three_segments ? fill_triple() : fill_vertex(); }
   /// The visible sub-edges that come to the place: those bounded by another segment of it, and those that pass. False
-  /// where doubles do not tell. Requires Fill::done.
+  /// where more coincides. Requires Fill::done.
   bool find_nodes();
   const LocalArrangement& local() const { return local_; }
   Point at() const { return at_; }
@@ -43,6 +39,7 @@ class Meeting {
   Fill fill_triple();
   Fill order_along();
   void find_place();
+  Fill within(const WalkSegment& s, Located t) const;
   Fill fill_vertex();
   void add_chain(int in, int out, int side);
   bool find_signs();
@@ -57,11 +54,12 @@ class Meeting {
 
   const TurnEvent& event_;
   const TurningForms& forms_;
-  const TurnCatalog& catalog_;
   const BoundaryGraph& graph_;
+  EventSigns signs_;
   Heading heading_;
   double turn_;  // what its angle errs by
   LocalArrangement local_;
+  ExactPlace place_;
   Point at_;
   double at_error_ = 0;
 };
@@ -70,7 +68,8 @@ bool Meeting::find_signs() {
   for (int i = 0; i < local_.size; ++i)
     for (int j = i + 1; j < local_.size; ++j) {
       const WalkSegment &s = local_.members[i].segment, &t = local_.members[j].segment;
-      const int sign = sign_of(forms_.cross(s, t).at(heading_), kParallel * forms_.length1(s) * forms_.length1(t));
+      int sign = sign_of(forms_.cross(s, t).at(heading_), kParallel * forms_.length1(s) * forms_.length1(t));
+      if (sign == 0) sign = signs_.exact().cross(s, t);
       if (sign == 0) return false;
       local_.cross[i][j] = sign;
       local_.cross[j][i] = -sign;
@@ -83,32 +82,43 @@ Fill Meeting::fill_triple() {
   const std::array<WalkSegment, 3> s{event_.a, event_.b, event_.c};
   for (int k = 0; k < 3; ++k) {
     local_.members[k].segment = s[k];
-    const TurnCatalog::Existence exists = catalog_.exists(s[k], event_.theta());
+    const TurnCatalog::Existence exists = signs_.exists(s[k]);
     if (exists != TurnCatalog::Existence::yes)
       return exists == TurnCatalog::Existence::no ? Fill::nothing : Fill::unsure;
   }
   if (!find_signs() || !event_.root->changes_sign()) return Fill::unsure;
+  find_place();
   for (int k = 0; k < 3; ++k) {
     const Located t = place_on(forms_, s[k], s[(k + 1) % 3], false, heading_, turn_),
                   u = place_on(forms_, s[k], s[(k + 2) % 3], false, heading_, turn_);
-    if (const Fill inside = within(t.error < u.error ? t : u); inside != Fill::done) return inside;
+    if (const Fill inside = within(s[k], t.error < u.error ? t : u); inside != Fill::done) return inside;
   }
   return order_along();
+}
+
+// The place lies strictly between the ends of a segment, or not on it, or is an end. `t`: where it is in doubles.
+Fill Meeting::within(const WalkSegment& s, Located t) const {
+  if (t.t < -t.error || t.t > 1 + t.error) return Fill::nothing;
+  if (t.t > t.error && t.t < 1 - t.error) return Fill::done;
+  const SignsAt& signs = signs_.exact();
+  const Fraction at = signs.along(s, place_);
+  const int from = signs.sign(at), to = signs.compare(signs.length(s), at);
+  if (from < 0 || to < 0) return Fill::nothing;
+  return from > 0 && to > 0 ? Fill::done : Fill::unsure;
 }
 
 // Behind the event the crossings with b and c on a are in the order sign(G) sign(a x b) sign(a x c), G being the
 // concurrency.
 Fill Meeting::order_along() {
   const TrigForm2 g = forms_.concurrency(event_.a, event_.b, event_.c);
-  const int after = sign_of(g.slope(heading_), kSlopes * forms_.concurrency_error(event_.a, event_.b, event_.c));
-  if (after == 0) return Fill::unsure;
+  int after = sign_of(g.slope(heading_), kSlopes * forms_.concurrency_error(event_.a, event_.b, event_.c));
+  if (after == 0) after = signs_.behind(forms_.exact_concurrency(event_.a, event_.b, event_.c, signs_.exact().chart()));
   for (int k = 0; k < 3; ++k) {
     const int i = (k + 1) % 3, j = (k + 2) % 3;
     const bool i_last = after * local_.cross[k][i] * local_.cross[k][j] > 0;
     local_.members[k].add({i_last ? j : i, false});
     local_.members[k].add({i_last ? i : j, false});
   }
-  find_place();
   return Fill::done;
 }
 
@@ -122,19 +132,21 @@ void Meeting::find_place() {
     const double error = t.error * forms_.length1(s) + place_error(turn_) * forms_.span();
     if (!(error < at_error_)) continue;
     at_error_ = error;
+    place_ = {{true, {}, s, local_.members[(k + 1) % 3].segment}, {}};
     at_ = {from.x + t.t * d.x, from.y + t.t * d.y};
   }
 }
 
 // The vertex goes to one side of a; the segments that end and start there cross a or not.
 Fill Meeting::fill_vertex() {
-  const TurnCatalog::Joint joint = catalog_.joint(event_.v, event_.theta());
-  const TurnCatalog::Existence exists = catalog_.exists(event_.a, event_.theta());
+  const TurnCatalog::Joint joint = signs_.joint(event_.v);
+  const TurnCatalog::Existence exists = signs_.exists(event_.a);
   if (exists == TurnCatalog::Existence::no) return Fill::nothing;
   if (joint.unsure || exists == TurnCatalog::Existence::unsure) return Fill::unsure;
+  place_ = {{false, event_.v, {}, {}}, {}};
   at_ = forms_.place(event_.v, heading_);
   at_error_ = place_error(turn_) * forms_.span();
-  const Fill inside = within({along(event_.a), 4 * at_error_ / forms_.length1(event_.a)});
+  const Fill inside = within(event_.a, {along(event_.a), 4 * at_error_ / forms_.length1(event_.a)});
   if (inside != Fill::done) return inside;
   const auto add = [&](const WalkSegment& s) {
     local_.members[local_.size].segment = s;
@@ -145,8 +157,8 @@ Fill Meeting::fill_vertex() {
   if (in >= 0) local_.members[in].closes = true;
   if (out >= 0) local_.members[out].opens = true;
   if (!find_signs() || !event_.root->changes_sign()) return Fill::unsure;
-  const int side = sign_of(forms_.side(event_.a, event_.v).slope(heading_), kSlopes * forms_.side_error(event_.a));
-  if (side == 0) return Fill::unsure;
+  int side = sign_of(forms_.side(event_.a, event_.v).slope(heading_), kSlopes * forms_.side_error(event_.a));
+  if (side == 0) side = signs_.behind(forms_.exact_side(event_.a, event_.v, signs_.exact().chart()));
   add_chain(in, out, side);
   return Fill::done;
 }
@@ -212,13 +224,20 @@ bool Meeting::find_nodes(LocalArrangement::Member& member) {
   return !(member.opens && member.in != kNobody) && !(member.closes && member.out != kNobody);
 }
 
-// Whether the place lies between the ends of a sub-edge.
+// Whether the place lies between the ends of a sub-edge; nothing where it is one of them.
 std::optional<bool> Meeting::passes(const WalkSegment& s, const BoundaryGraph::Node& node) const {
   const double t = along(s), error = 4 * at_error_ / forms_.length1(s);
   const Located u = place_on(forms_, s, graph_[node.prev].segment, true, heading_, turn_),
                 v = place_on(forms_, s, graph_[node.next].segment, false, heading_, turn_);
-  if (!(std::abs(t - u.t) > error + u.error && std::abs(t - v.t) > error + v.error)) return std::nullopt;
-  return t > u.t && t < v.t;
+  if (std::abs(t - u.t) > error + u.error && std::abs(t - v.t) > error + v.error) return t > u.t && t < v.t;
+  const SignsAt& signs = signs_.exact();
+  const SubEdge edge{s, graph_[node.prev].segment, graph_[node.next].segment};
+  const std::optional<Fraction> from = end_along(signs, s, edge, false), to = end_along(signs, s, edge, true);
+  if (!from || !to) return std::nullopt;
+  const Fraction at = signs.along(s, place_);
+  const int behind_start = signs.compare(at, *from), before_end = signs.compare(*to, at);
+  if (behind_start == 0 || before_end == 0) return std::nullopt;
+  return behind_start > 0 && before_end > 0;
 }
 
 // What goes on along the same node changes nothing.
@@ -245,7 +264,7 @@ BoundaryEdit edit_of(const LocalArrangement& local, const LocalArrangement::Rout
 
 }  // namespace
 
-EventPlan plan_meeting(const TurnEvent& event, const SweepScene& scene, const OverlapFilter& filter) {
+EventPlan plan_meeting(TurnEvent& event, const TurnRange& range, const SweepScene& scene, const OverlapFilter& filter) {
   EventPlan plan;
   plan.kind = event.kind == TurnEvent::Kind::three_segments ? ObstacleEvent::Kind::three_segments
                                                             : ObstacleEvent::Kind::vertex_on_segment;
@@ -253,8 +272,8 @@ EventPlan plan_meeting(const TurnEvent& event, const SweepScene& scene, const Ov
     plan.verdict = verdict;
     return plan;
   };
-  Meeting meeting(event, scene);
-  const Fill filled = turn_of(event) <= kPlannedTurn ? meeting.fill() : Fill::unsure;
+  Meeting meeting(event, range, scene);
+  const Fill filled = meeting.fill();
   if (filled == Fill::nothing) return plan;
   // Not generic: of no interest where everything is covered.
   if (filled == Fill::unsure)
@@ -274,13 +293,14 @@ EventPlan plan_meeting(const TurnEvent& event, const SweepScene& scene, const Ov
 }
 
 EventPlan plan_event(TurnEvent& event, const TurnRange& range, const SweepScene& scene, const OverlapFilter& filter) {
+  if (event.root && turn_of(event) > kPlannedTurn) narrow_angles(event, range);
   switch (event.kind) {
     case TurnEvent::Kind::alignment:
       return plan_alignment(event, range, scene);
     case TurnEvent::Kind::overlap:
-      return plan_overlap(event, scene);
+      return plan_overlap(event, range, scene);
     default:
-      return plan_meeting(event, scene, filter);
+      return plan_meeting(event, range, scene, filter);
   }
 }
 

@@ -174,7 +174,7 @@ void ObstacleSweep::change(const Group& group, const TurnRange& range, const Beh
 bool ObstacleSweep::matters(const Group& run, const OverlapFilter& filter) const {
   if (reference_) return true;
   for (const TurnEvent* event : run) {
-    for (const std::uint32_t s : segments_of(*event, scene()).all)
+    for (const std::uint32_t s : segments_of(*event, scene()))
       if (swept_.graph.first_on(s) != kNobody) return true;
     const bool point =
         event->kind == TurnEvent::Kind::vertex_on_segment || event->kind == TurnEvent::Kind::three_segments;

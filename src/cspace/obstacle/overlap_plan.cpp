@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <optional>
 
+#include "cspace/events/event_signs.h"
 #include "cspace/obstacle/event_plan.h"
 
 namespace dymsum::planar {
@@ -15,15 +16,16 @@ struct Stretch {
 
 class OverlapEdit {
  public:
-  /// `slope`: of the side of b's start from a.
-  OverlapEdit(const TurnEvent& event, const SweepScene& scene, double slope)
+  /// `side`: of b's start from a, behind the event.
+  OverlapEdit(const TurnEvent& event, const SweepScene& scene, const EventSigns& signs, int side)
       : forms_(scene.forms),
         graph_(scene.graph),
+        signs_(signs),
         heading_(Heading::of(event.theta())),
         a_(event.a),
         b_(event.b),
-        outer_(slope < 0 ? event.b : event.a),
-        inner_(slope < 0 ? event.a : event.b),
+        outer_(side < 0 ? event.b : event.a),
+        inner_(side < 0 ? event.a : event.b),
         direction_(forms_.direction(a_, heading_)),
         length_(std::hypot(direction_.x, direction_.y)),
         turn_(turn_of(event)),
@@ -32,12 +34,12 @@ class OverlapEdit {
         end_(forms_.end(outer_)),
         low_(along(start_)),
         high_(along(end_)),
-        before_(scene.catalog.joint(start_, event.theta())),
-        behind_(scene.catalog.joint(end_, event.theta())) {}
+        before_(signs.joint(start_)),
+        behind_(signs.joint(end_)) {}
 
   Point at() const { return forms_.place(start_, heading_); }
 
-  /// Nothing where doubles do not tell.
+  /// Nothing where more coincides.
   std::optional<BoundaryEdit> edit() const {
     if (before_.unsure || behind_.unsure) return std::nullopt;
     BoundaryEdit edit;
@@ -97,32 +99,40 @@ class OverlapEdit {
 
   // Behind the event the boundary runs along the outer segment where that reaches and along the inner one elsewhere.
   // From the inner to the outer one leads the segment before the outer one in its chain, back leads the one behind it.
-  // None where doubles do not tell.
+  // None where a stretch ends otherwise at an end of the outer one.
   std::vector<WalkSegment> segments_behind(const Stretch& s) const {
     const bool from_start = forms_.end(graph_[graph_[s.nodes.front()].prev].segment) == start_;
     const bool to_end = TurningForms::start(graph_[graph_[s.nodes.back()].next].segment) == end_;
-    const double near = unsure_ + s.error;
-    for (const double v : {low_, high_})
-      if ((!(from_start && v == low_) && !(std::abs(s.from - v) > near)) ||
-          (!(to_end && v == high_) && !(std::abs(s.to - v) > near)))
-        return {};
+    // Its ends: 1 behind an end of the outer segment, -1 before it.
+    const int from_low = from_start ? 1 : beside(s, false, start_, low_), from_high = beside(s, false, end_, high_),
+              to_low = beside(s, true, start_, low_), to_high = to_end ? -1 : beside(s, true, end_, high_);
+    if (from_low == 0 || from_high == 0 || to_low == 0 || to_high == 0) return {};
     std::vector<WalkSegment> segments;
-    if (!from_start && s.from < low_) {
+    if (from_low < 0) {
       segments.push_back(inner_);
-      if (s.to > low_) {
+      if (to_low > 0) {
         if (!before_.has_in) return {};
         segments.push_back(before_.in);
       }
     }
-    if ((from_start || s.from < high_) && (to_end || s.to > low_)) segments.push_back(outer_);
-    if (!to_end && s.to > high_) {
-      if (from_start || s.from < high_) {
+    if ((from_start || from_high < 0) && (to_end || to_low > 0)) segments.push_back(outer_);
+    if (to_high > 0) {
+      if (from_start || from_high < 0) {
         if (!behind_.has_out) return {};
         segments.push_back(behind_.out);
       }
       segments.push_back(inner_);
     }
     return segments;
+  }
+
+  int beside(const Stretch& s, bool at_end, Pair v, double v_along) const {
+    const double d = (at_end ? s.to : s.from) - v_along;
+    if (std::abs(d) > unsure_ + s.error) return d > 0 ? 1 : -1;
+    const SignsAt& signs = signs_.exact();
+    const std::optional<Fraction> end =
+        end_along(signs, a_, graph_.sub_edge(at_end ? s.nodes.back() : s.nodes.front()), at_end);
+    return end ? signs.compare(*end, signs.along(a_, ExactPlace{{false, v, {}, {}}, {}})) : 0;
   }
 
   bool is_same(const Stretch& s, const std::vector<WalkSegment>& segments) const {
@@ -133,6 +143,7 @@ class OverlapEdit {
 
   const TurningForms& forms_;
   const BoundaryGraph& graph_;
+  const EventSigns& signs_;
   Heading heading_;
   const WalkSegment &a_, &b_, &outer_, &inner_;
   Point direction_;  // of a
@@ -146,18 +157,18 @@ class OverlapEdit {
 
 }  // namespace
 
-EventPlan plan_overlap(const TurnEvent& event, const SweepScene& scene) {
+EventPlan plan_overlap(TurnEvent& event, const TurnRange& range, const SweepScene& scene) {
   if (scene.graph.first_on(event.a) == kNobody && scene.graph.first_on(event.b) == kNobody) return {};
-  const double theta = event.theta();
+  const EventSigns signs(event, scene.forms, scene.catalog, range);
   const EventPlan unsure{EventPlan::Verdict::unsure, {}, {}, {}};
-  const auto exists = [&](const WalkSegment& s) {
-    return scene.catalog.exists(s, theta) == TurnCatalog::Existence::yes;
-  };
-  if (turn_of(event) > kPlannedTurn || !event.root->changes_sign() || !exists(event.a) || !exists(event.b))
-    return unsure;
-  const double slope = scene.forms.side(event.a, TurningForms::start(event.b)).slope(Heading::of(theta));
-  if (std::abs(slope) <= kSlopes * scene.forms.side_error(event.a)) return unsure;
-  const OverlapEdit overlap(event, scene, slope);
+  const auto exists = [&](const WalkSegment& s) { return signs.exists(s) == TurnCatalog::Existence::yes; };
+  if (!event.root->changes_sign() || !exists(event.a) || !exists(event.b)) return unsure;
+  const Pair start = TurningForms::start(event.b);
+  const double slope = scene.forms.side(event.a, start).slope(Heading::of(event.theta()));
+  const int side = std::abs(slope) > kSlopes * scene.forms.side_error(event.a)
+                       ? (slope > 0 ? 1 : -1)
+                       : signs.behind(scene.forms.exact_side(event.a, start, range.chart));
+  const OverlapEdit overlap(event, scene, signs, side);
   std::optional<BoundaryEdit> edit = overlap.edit();
   if (!edit) return unsure;
   if (edit->empty()) return {};

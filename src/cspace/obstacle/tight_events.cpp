@@ -60,7 +60,7 @@ std::vector<TightCandidate> positions_of(const EventGroup& events, const SweepSc
       case TurnEvent::Kind::alignment:
         break;
       case TurnEvent::Kind::vertex_on_segment:
-        add({false, event->v, {}, {}}, segments_of(*event, scene).all);
+        add({false, event->v, {}, {}}, segments_of(*event, scene));
         break;
       case TurnEvent::Kind::overlap:
         for (const WalkSegment* s : {&event->a, &event->b})
@@ -68,7 +68,7 @@ std::vector<TightCandidate> positions_of(const EventGroup& events, const SweepSc
             add({false, v, {}, {}}, through_end(*event, v, scene));
         break;
       case TurnEvent::Kind::three_segments:
-        if (const auto crossing = crossing_of(*event, signs)) add(*crossing, segments_of(*event, scene).all);
+        if (const auto crossing = crossing_of(*event, signs)) add(*crossing, segments_of(*event, scene));
         break;
     }
   return PlacesAtAngle(scene, signs).each_once(std::move(all));

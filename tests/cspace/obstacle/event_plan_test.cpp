@@ -169,7 +169,7 @@ void expect_plans(const Moment& m, Compared& compared) {
     EXPECT_EQ(plans[k].edit.empty(), verdict != Verdict::change);
     if (verdict != Verdict::change) continue;
     // Nothing but the event's own segments.
-    const Ids own = segments_of(*m.events[k], scene).all;
+    const Ids own = segments_of(*m.events[k], scene);
     const auto is_own = [&](std::uint32_t s) { return std::find(own.begin(), own.end(), s) != own.end(); };
     const EditIds ids = ids_of(plans[k].edit, graph.segments());
     for (const Ids& run : ids.runs) EXPECT_TRUE(std::all_of(run.begin() + 2, run.end(), is_own));
@@ -322,7 +322,7 @@ TEST(EventPlan, three_segments_bear_and_close_a_hole) {
     if (plan.verdict != Verdict::change) return;
     EXPECT_EQ(plan.kind, ObstacleEvent::Kind::three_segments);
     EXPECT_TRUE(plan.edit.runs.empty());
-    Ids own = segments_of(event, {turning.forms, turning.catalog, graph}).all, named;
+    Ids own = segments_of(event, {turning.forms, turning.catalog, graph}), named;
     if (plan.edit.gone.empty()) {
       ASSERT_EQ(plan.edit.births.size(), 1U);
       for (const WalkSegment& s : plan.edit.births[0]) named.push_back(graph.segments().of(s));

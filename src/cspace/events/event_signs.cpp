@@ -1,0 +1,47 @@
+#include "cspace/events/event_signs.h"
+
+namespace dymsum::planar {
+
+using Existence = TurnCatalog::Existence;
+
+// In doubles by what they and the event's angle err by. Else the edge's direction lies strictly between those of the
+// edges at a convex vertex exactly if it is on the left of the first one and the second one is on its left: the cone is
+// at most a half turn.
+Existence EventSigns::exists(const WalkSegment& s) const {
+  if (!catalog_.may_exist(s)) return Existence::no;
+  const std::uint32_t op = 1 - s.side;
+  const TurnCatalog::Span span = catalog_.span(s, event_.theta());
+  const double slack = kAngleSlack + (event_.high - event_.low);
+  if (span.from > slack || span.to < -slack) return Existence::no;
+  if (forms_.is_point(op, s.vertex) || (span.from < -slack && span.to > slack)) return Existence::yes;
+  const int from = exact().cross({op, forms_.operand(op).prev[s.vertex], 0}, s),
+            to = exact().cross(s, {op, s.vertex, 0});
+  if (from < 0 || to < 0) return Existence::no;
+  return from > 0 && to > 0 ? Existence::yes : Existence::unsure;
+}
+
+TurnCatalog::Joint EventSigns::joint(Pair v) const {
+  TurnCatalog::Joint joint;
+  const auto set = [&](const WalkSegment& s, bool& has, WalkSegment& to) {
+    const Existence e = exists(s);
+    if (e == Existence::no) return;
+    joint.unsure |= e == Existence::unsure || has;
+    has = true;
+    to = s;
+  };
+  for (std::uint32_t side = 0; side < 2; ++side) {
+    const std::uint32_t own = side == 0 ? v.p : v.q, other = side == 0 ? v.q : v.p;
+    set({side, forms_.operand(side).prev[own], other}, joint.has_in, joint.in);
+    set({side, own, other}, joint.has_out, joint.out);
+  }
+  return joint;
+}
+
+// By its first derivative that is not zero: what polynomials are multiplied by to be integers is positive.
+int EventSigns::behind(const exact::Polynomial& p) const {
+  int sign = 0;
+  for (exact::Polynomial d = p.derivative(); sign == 0 && !d.is_zero(); d = d.derivative()) sign = exact().sign(d);
+  return sign;
+}
+
+}  // namespace dymsum::planar

@@ -1,0 +1,73 @@
+// Shapes as people have them: turned by an angle in doubles, so that what would coincide on a grid is 10^-16 apart.
+#include <map>
+
+#include "cspace/obstacle/obstacle_slices.h"
+#include "dymsum/shapes.h"
+
+namespace dymsum {
+namespace {
+
+using namespace testing_obstacles;
+
+Region turned(const Region& region, double degrees) {
+  const double theta = degrees * std::numbers::pi / 180, c = std::cos(theta), s = std::sin(theta);
+  return *Region::create(mapped(region, [&](Point p) { return Point{c * p.x - s * p.y, s * p.x + c * p.y}; }));
+}
+
+/// A bar with teeth as wide as their gaps.
+Region toothed(int teeth) {
+  Ring ring{{0, 0}, {2.0 * teeth - 1, 0}};
+  for (int k = teeth - 1; k >= 0; --k) {
+    ring.push_back({2.0 * k + 1, 3});
+    ring.push_back({2.0 * k, 3});
+    if (k == 0) break;
+    ring.push_back({2.0 * k, 1});
+    ring.push_back({2.0 * k - 1, 1});
+  }
+  return polygon(ring);
+}
+
+Region squares(int rows) {
+  RegionData data;
+  for (int i = 0; i < rows; ++i)
+    for (int j = 0; j < rows; ++j) data.parts.push_back({box(4 * i, 4 * j, 4 * i + 1, 4 * j + 1), {}});
+  return *Region::create(data);
+}
+
+std::map<std::pair<bool, std::int64_t>, int> kinds_of_shells(const CspaceObstacle& c) {
+  std::map<std::pair<bool, std::int64_t>, int> all;
+  for (const Shell& s : c.shells()) ++all[{s.outer, s.euler}];
+  return all;
+}
+
+void expect_the_obstacle_by_slices(const CspaceObstacle& c) {
+  ObstacleOptions options;
+  options.reference = true;
+  const CspaceObstacle slow = CspaceObstacle::create(c.robot(), c.obstacle(), options).value();
+  EXPECT_EQ(kinds_of_shells(c), kinds_of_shells(slow));
+  EXPECT_EQ(free_components(c), free_components(slow));
+  EXPECT_EQ(c.tight().size(), slow.tight().size());
+  for (std::uint32_t slab = 0; slab < slabs(slow); ++slab)
+    if (const std::optional<std::uint32_t> same = c.slab_of(slow.inside(slab))) {
+      ASSERT_EQ(of_slab(slow, slab), of_slab(c, *same)) << "slab " << slab;
+    }
+}
+
+TEST(CspaceTurned, squares_take_no_slices_where_their_sides_are_nearly_aligned) {
+  for (const double degrees : {30.0, 17.3}) {
+    const CspaceObstacle c = CspaceObstacle::create(polygon(box(0, 0, 3, 0.5)), turned(squares(2), degrees)).value();
+    EXPECT_LE(c.work().slices, 8U);  // 32 where doubles alone settled an event
+    EXPECT_GT(c.work().local_updates, 50U);
+    expect_the_obstacle_by_slices(c);
+  }
+}
+
+TEST(CspaceTurned, combs_are_the_obstacle_by_slices) {
+  for (const double degrees : {0.0, 30.0}) {
+    const CspaceObstacle c = CspaceObstacle::create(turned(toothed(2), degrees), turned(toothed(3), degrees)).value();
+    expect_the_obstacle_by_slices(c);
+  }
+}
+
+}  // namespace
+}  // namespace dymsum
