@@ -4,9 +4,21 @@ namespace dymsum::planar {
 
 using Existence = TurnCatalog::Existence;
 
-// In doubles by what they and the event's angle err by. Else the edge's direction lies strictly between those of the
-// edges at a convex vertex exactly if it is on the left of the first one and the second one is on its left: the cone is
-// at most a half turn.
+// The edge's direction lies strictly between those of the edges at a convex vertex exactly if it is on the left of the
+// first one and the second one is on its left: the cone is at most a half turn.
+std::array<int, 2> existence_signs(const SignsAt& signs, const WalkSegment& s) {
+  const std::uint32_t op = 1 - s.side, before = signs.forms().operand(op).prev[s.vertex];
+  return {signs.cross({op, before, 0}, s), signs.cross(s, {op, s.vertex, 0})};
+}
+
+bool exists_at(const SignsAt& signs, const TurnCatalog& catalog, const WalkSegment& s) {
+  if (!catalog.may_exist(s)) return false;
+  if (signs.forms().is_point(1 - s.side, s.vertex)) return true;
+  const auto [from, to] = existence_signs(signs, s);
+  return from >= 0 && to >= 0;
+}
+
+// In doubles by what they and the event's angle err by, else exactly.
 Existence EventSigns::exists(const WalkSegment& s) const {
   if (!catalog_.may_exist(s)) return Existence::no;
   const std::uint32_t op = 1 - s.side;
@@ -14,8 +26,7 @@ Existence EventSigns::exists(const WalkSegment& s) const {
   const double slack = kAngleSlack + (event_.high - event_.low);
   if (span.from > slack || span.to < -slack) return Existence::no;
   if (forms_.is_point(op, s.vertex) || (span.from < -slack && span.to > slack)) return Existence::yes;
-  const int from = exact().cross({op, forms_.operand(op).prev[s.vertex], 0}, s),
-            to = exact().cross(s, {op, s.vertex, 0});
+  const auto [from, to] = existence_signs(exact(), s);
   if (from < 0 || to < 0) return Existence::no;
   return from > 0 && to > 0 ? Existence::yes : Existence::unsure;
 }

@@ -1,6 +1,7 @@
 // Exact signs at the angle of one event, where doubles leave something open.
 #pragma once
 
+#include <array>
 #include <optional>
 
 #include "cspace/events/exact_place.h"
@@ -8,6 +9,12 @@
 #include "planar/turning/turn_catalog.h"
 
 namespace dymsum::planar {
+
+/// Signs at the sides of the directions between which a segment exists: 1 inside, 0 where it begins or ends, -1 beyond.
+/// It exists between both; at an angle, ends included, where neither is -1. Requires an edge at the vertex.
+std::array<int, 2> existence_signs(const SignsAt& signs, const WalkSegment& s);
+/// Whether a segment exists at the angle, or just begins or ends there.
+bool exists_at(const SignsAt& signs, const TurnCatalog& catalog, const WalkSegment& s);
 
 class EventSigns {
  public:

@@ -10,8 +10,8 @@ namespace {
 /// Angles of events err by less, or their places are not computed.
 constexpr double kAngle = 0x1p-30;
 /// Places of lines at a smaller sine are not used. They err by less than kCrossing / sine, times the span.
-constexpr double kLeastSine = 0x1p-10, kCrossing = 0x1p-40;
-static_assert(kTurnedSide + kTurnedCross + kTurnedPlace <= kCrossing && kCrossing / kLeastSine <= kAngle);
+constexpr double kPlacedLeast = 0x1p-10, kCrossing = 0x1p-40;
+static_assert(kTurnedSide + kTurnedCross + kTurnedPlace <= kCrossing && kCrossing / kPlacedLeast <= kAngle);
 
 /// A disc that certainly holds the place of an event, or the stretch along which it changes the boundary; infinite for
 /// alignments and where doubles do not tell.
@@ -39,7 +39,7 @@ Spot spot_of(const TurnEvent& event, const TurningForms& forms, Heading h) {
   if (event.kind == TurnEvent::Kind::overlap) return around_common_stretch(event, forms, h);
   if (event.kind != TurnEvent::Kind::three_segments) return spot;
   const EventPlace place = place_of(event, forms, h);
-  if (place.sine > kLeastSine) spot = {place.at, 8 * kAngle * forms.span() / place.sine};
+  if (place.sine > kPlacedLeast) spot = {place.at, 8 * kAngle * forms.span() / place.sine};
   return spot;
 }
 

@@ -38,7 +38,7 @@ class Meeting {
  private:
   Fill fill_triple();
   Fill order_along();
-  void find_place();
+  bool find_place();
   Fill within(const WalkSegment& s, Located t) const;
   Fill fill_vertex();
   void add_chain(int in, int out, int side);
@@ -87,7 +87,7 @@ Fill Meeting::fill_triple() {
       return exists == TurnCatalog::Existence::no ? Fill::nothing : Fill::unsure;
   }
   if (!find_signs() || !event_.root->changes_sign()) return Fill::unsure;
-  find_place();
+  if (!find_place()) return Fill::nothing;
   for (int k = 0; k < 3; ++k) {
     const Located t = place_on(forms_, s[k], s[(k + 1) % 3], false, heading_, turn_),
                   u = place_on(forms_, s[k], s[(k + 2) % 3], false, heading_, turn_);
@@ -122,8 +122,9 @@ Fill Meeting::order_along() {
   return Fill::done;
 }
 
-// The crossing of the two that are least parallel.
-void Meeting::find_place() {
+// The crossing of the two that are least parallel; from exact signs where doubles do not know it well. False where that
+// is clearly off a segment.
+bool Meeting::find_place() {
   at_error_ = INFINITY;
   for (int k = 0; k < 3; ++k) {
     const WalkSegment& s = local_.members[k].segment;
@@ -135,6 +136,13 @@ void Meeting::find_place() {
     place_ = {{true, {}, s, local_.members[(k + 1) % 3].segment}, {}};
     at_ = {from.x + t.t * d.x, from.y + t.t * d.y};
   }
+  const double known = SignsAt::kCrossingNear * forms_.span();
+  if (at_error_ <= known) return true;
+  if (at_error_ == INFINITY) place_ = {{true, {}, local_.members[0].segment, local_.members[1].segment}, {}};
+  const std::optional<Point> at = signs_.exact().near(place_);
+  at_ = at.value_or(at_);
+  at_error_ = known;
+  return at.has_value();
 }
 
 // The vertex goes to one side of a; the segments that end and start there cross a or not.

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "cspace/boundary/free_place.h"
+#include "cspace/events/event_signs.h"
 #include "cspace/obstacle/tight_curves.h"
 
 namespace dymsum::planar {
@@ -47,28 +48,34 @@ std::optional<ExactPlace::Simple> crossing_of(const TurnEvent& event, const Sign
   return ExactPlace::Simple{true, {}, a, b};
 }
 
-// Of events, those that are not certainly covered, each once.
+// Of events, those that are not certainly covered, each once. Events are a superset: where a segment does not exist at
+// the angle, or does not reach the place, that may be anywhere, in free space too.
 std::vector<TightCandidate> positions_of(const EventGroup& events, const SweepScene& scene, const SignsAt& signs,
                                          const OverlapFilter& filter) {
   std::vector<TightCandidate> all;
-  const auto add = [&](const ExactPlace::Simple& place, std::vector<std::uint32_t> through) {
+  const auto add = [&](const ExactPlace::Simple& place, const std::vector<WalkSegment>& on,
+                       std::vector<std::uint32_t> through) {
     const ExactPlace at{place, {}};
     const std::optional<Point> near = signs.near(at);
-    if (near && !filter.inside(*near, signs.heading())) all.push_back({at, *near, std::move(through), false});
+    if (!near || filter.inside(*near, signs.heading())) return;
+    for (const WalkSegment& s : on)
+      if (!exists_at(signs, scene.catalog, s) || !signs.within(s, at, *near)) return;
+    all.push_back({at, *near, std::move(through), false});
   };
   for (const TurnEvent* event : events) switch (event->kind) {
       case TurnEvent::Kind::alignment:
         break;
       case TurnEvent::Kind::vertex_on_segment:
-        add({false, event->v, {}, {}}, segments_of(*event, scene));
+        add({false, event->v, {}, {}}, {event->a}, segments_of(*event, scene));
         break;
       case TurnEvent::Kind::overlap:
         for (const WalkSegment* s : {&event->a, &event->b})
           for (const Pair v : {TurningForms::start(*s), scene.forms.end(*s)})
-            add({false, v, {}, {}}, through_end(*event, v, scene));
+            add({false, v, {}, {}}, {event->a, event->b}, through_end(*event, v, scene));
         break;
       case TurnEvent::Kind::three_segments:
-        if (const auto crossing = crossing_of(*event, signs)) add(*crossing, segments_of(*event, scene));
+        if (const auto crossing = crossing_of(*event, signs))
+          add(*crossing, {event->a, event->b, event->c}, segments_of(*event, scene));
         break;
     }
   return PlacesAtAngle(scene, signs).each_once(std::move(all));
