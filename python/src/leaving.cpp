@@ -5,8 +5,6 @@
 #include <atomic>
 #include <chrono>
 #include <condition_variable>
-#include <cstdio>
-#include <cstdlib>
 #include <mutex>
 #include <thread>
 
@@ -49,14 +47,6 @@ void count(int by) {
   sleep_for_ever();
 }
 
-#ifdef __GLIBC__
-/// Static objects stay as they are.
-void end_at_once(int status, void*) {
-  std::fflush(nullptr);
-  std::_Exit(status);
-}
-#endif
-
 void leave() {
   Leaving& s = state();
   const int own = t_depth;
@@ -67,14 +57,8 @@ void leave() {
     std::unique_lock held(s.mutex);
     s.fewer.wait_for(held, kLongest, [&] { return s.inside <= own; });
   }
-  if (nb::cast<int>(nb::module_::import_("threading").attr("active_count")()) <= 1) return;
   // What other threads hold when they are stopped is never given back.
-  nb::set_leak_warnings(false);
-#ifdef __GLIBC__
-  // A call that sleeps has threads of its own that go on with its parts, and one that is long goes on itself: what they
-  // use must not be destroyed. Of what is asked to run at the end of the process the last runs first.
-  on_exit(&end_at_once, nullptr);
-#endif
+  if (nb::cast<int>(nb::module_::import_("threading").attr("active_count")()) > 1) nb::set_leak_warnings(false);
 }
 
 /// No thread but this one is in a child that was forked.
