@@ -9,6 +9,7 @@
 
 #include "dymsum/penetration_depth.h"
 #include "dymsum/solids.h"
+#include "oracles/coordinate_kinds.h"
 #include "spatial/convex/convex_cases.h"
 #include "spatial/sum/random_solids.h"
 #include "spatial/sum/solid_cases.h"
@@ -118,6 +119,24 @@ TEST(SolidDepth, of_random_solids_is_that_of_all_faces_of_the_sum) {
   }
   EXPECT_GT(overlapping, pairs);
   EXPECT_GT(ties, 0);
+}
+
+TEST(SolidDepth, of_coordinates_of_every_kind_is_that_of_all_faces_of_the_sum) {
+  std::mt19937_64 random(7311);
+  std::uniform_int_distribution<int> quarter(-12, 12);
+  for (const CoordinateKind kind : kCoordinateKinds) {
+    int compared = 0;
+    for (int k = 0; k < 4; ++k) {
+      const Result<Mesh> p = Mesh::create(of_kind(random_solids::tiny_polyhedron(random), kind, random)),
+                         q = Mesh::create(of_kind(random_solids::tiny_polyhedron(random), kind, random));
+      if (!p.ok() || !q.ok()) continue;
+      SolidDepth search = depth_of(*p, *q), boundary = depth_of(*p, *q, DepthEngine::boundary);
+      for (int i = 0; i < 6; ++i, ++compared)
+        agreed(search, boundary, of_kind(Point3{0.5 * quarter(random), 0.5 * quarter(random), 0}, kind, random));
+      if (HasFailure()) FAIL() << name_of(kind) << ", pair " << k;
+    }
+    EXPECT_GT(compared, 0) << name_of(kind);
+  }
 }
 
 /// A plate with a hole: two of them are links of a chain.

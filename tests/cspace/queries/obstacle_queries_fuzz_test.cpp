@@ -7,6 +7,7 @@
 
 #include "dymsum/obstacle_queries.h"
 #include "dymsum/shapes.h"
+#include "oracles/coordinate_kinds.h"
 #include "oracles/decimal_parts.h"
 #include "oracles/sanitized.h"
 
@@ -116,6 +117,25 @@ TEST(ObstacleQueriesFuzz, random_pairs_on_grids) {
   }
   EXPECT_GT(pairs, tries - 20);
   EXPECT_GT(exact, oracles::kSanitized ? 100u : 1000u);
+}
+
+TEST(ObstacleQueriesFuzz, coordinates_of_every_kind) {
+  Random random(7315);
+  for (const CoordinateKind kind : kCoordinateKinds) {
+    int pairs = 0;
+    const int tries = oracles::kSanitized ? 3 : 10;
+    for (int i = 0; i < tries && !HasFailure(); ++i) {
+      const Result<Region> robot = Region::create(of_kind(random_shape(random, 3).data(), kind, random)),
+                           around = Region::create(of_kind(random_shape(random, 5).data(), kind, random));
+      if (!robot.ok() || !around.ok()) continue;
+      const Result<CspaceObstacle> made = CspaceObstacle::create(*robot, *around);
+      if (!made) continue;
+      ++pairs;
+      SCOPED_TRACE(testing::Message() << name_of(kind) << ", pair " << i);
+      ask(*made, kind == CoordinateKind::turned_far ? 1e5 : 8, 1, random);
+    }
+    EXPECT_GT(pairs, tries / 2) << name_of(kind);
+  }
 }
 
 TEST(ObstacleQueriesFuzz, several_parts_at_decimal_distances) {

@@ -9,6 +9,7 @@
 #include <cstdio>
 #include <set>
 #include <type_traits>
+#include "oracles/coordinate_kinds.h"
 
 #include "dymsum/orientation_sum.h"
 #include "dymsum/shapes.h"
@@ -149,6 +150,31 @@ TEST(PlanarLocalSum, is_the_whole_sum_cut_in_random_boxes_and_discs_on_tiny_grid
   EXPECT_GT(inside, places / 100);
   EXPECT_GT(tight, places / 200);
   EXPECT_GT(points, 0U);
+}
+
+TEST(PlanarLocalSum, of_coordinates_of_every_kind) {
+  Random random(7314);
+  std::mt19937_64 noise(7314);
+  for (const CoordinateKind kind : kCoordinateKinds) {
+    int compared = 0;
+    for (int k = 0; k < 30; ++k) {
+      const oracles::Pair pair = oracles::random_pair(random, 3 + random.below(4));
+      RegionData pd = of_kind(pair.p, kind, noise), qd = of_kind(pair.q, kind, noise);
+      pd.polylines.clear(), pd.points.clear(), qd.polylines.clear(), qd.points.clear();
+      const Result<Region> p = Region::create(pd), q = Region::create(qd);
+      if (!p.ok() || !q.ok() || pd.parts.empty() || qd.parts.empty()) continue;
+      const PlanarSum whole = minkowski_sum(*p, *q, open_sums()).value();
+      Engines engines(*p, *q);
+      for (int i = 0; i < 6; ++i, ++compared) {
+        const PlanarBox box = random_box(random, whole);
+        const PlanarLocalPart part = engines.in(box, {}, {}, i == 0);
+        ASSERT_TRUE(clipped_sum::shape_of(part) == clipped_sum::cut(whole, box))
+            << name_of(kind) << ", pair " << k << " in " << text(box);
+      }
+      ASSERT_FALSE(HasFailure()) << name_of(kind) << ", pair " << k;
+    }
+    EXPECT_GT(compared, 20) << name_of(kind);
+  }
 }
 
 TEST(PlanarLocalSum, follows_quarter_turns_and_scales_exactly) {

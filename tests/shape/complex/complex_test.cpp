@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <map>
 #include <tuple>
+#include "oracles/coordinate_kinds.h"
 
 #include "dymsum/shapes.h"
 #include "oracles/tiny_regions.h"
@@ -83,6 +84,25 @@ TEST(Complex, TinyRegionsHaveTheComplexOfTheDefinition) {
     const int grid = 4 + static_cast<int>(seed % 5);
     expect_sound(Region::create(oracles::random_parts(random, grid)).value(),
                  "DYMSUM_FIRST_SEED=" + std::to_string(seed));
+  }
+}
+
+TEST(Complex, CoordinatesOfEveryKindHaveTheComplexOfTheDefinition) {
+  std::mt19937_64 noise(7316);
+  for (const CoordinateKind kind : kCoordinateKinds) {
+    int valid = 0;
+    for (std::uint64_t seed = 0; seed < 12 && !HasFailure(); ++seed) {
+      oracles::Random random(7316 + seed);
+      const Result<Region> region =
+          Region::create(of_kind(oracles::random_parts(random, 4 + static_cast<int>(seed % 4)), kind, noise));
+      if (!region.ok()) continue;
+      ++valid;
+      expect_sound(*region, name_of(kind) + ", seed " + std::to_string(seed));
+    }
+    for (const Region& shape : {comb(4, 2, 1, 3), pockets(4, 1), grate(4, 2, 1, 3)})
+      if (const Result<Region> region = Region::create(of_kind(shape.data(), kind, noise)))
+        expect_sound(*region, name_of(kind));
+    EXPECT_GT(valid, 6) << name_of(kind);
   }
 }
 

@@ -168,7 +168,7 @@ void check_form(const DiscSet& set) {
   const double slack = 16 * set.at_error + 1e-12;
   for_each_ring(set, [&](const DiscRing& ring, bool outer) {
     ASSERT_FALSE(ring.pieces.empty());
-    double twice = 0;
+    double twice = 0, length = 0;
     for (std::size_t i = 0; i < ring.pieces.size(); ++i) {
       const DiscPiece &piece = ring.pieces[i], &next = ring.pieces[(i + 1) % ring.pieces.size()];
       const Point a = piece.from.at, b = next.from.at;
@@ -187,8 +187,12 @@ void check_form(const DiscSet& set) {
     for (std::size_t i = 0; i < points.size(); ++i) {
       const Point a = points[i], b = points[(i + 1) % points.size()];
       twice += (a.x - points[0].x) * (b.y - points[0].y) - (a.y - points[0].y) * (b.x - points[0].x);
+      length += std::hypot(b.x - a.x, b.y - a.y);
     }
-    EXPECT_EQ(twice > 0, outer);
+    // Of slivers as thin as what positions are rounded by the doubles say nothing.
+    if (std::abs(twice) > slack * length) {
+      EXPECT_EQ(twice > 0, outer);
+    }
   });
 }
 

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <random>
+#include "oracles/coordinate_kinds.h"
 
 #include "dymsum/moving_solid_sum.h"
 #include "spatial/convex/setting.h"
@@ -139,6 +140,27 @@ TEST(LocalSum, of_random_solids_of_tiny_grids) {
       sums.agreed(box, whole, {}, i == 0);
       ASSERT_FALSE(HasFailure()) << "pair " << k << " in " << text(box);
     }
+  }
+}
+
+TEST(LocalSum, of_coordinates_of_every_kind) {
+  std::mt19937_64 random(7313);
+  for (const CoordinateKind kind : kCoordinateKinds) {
+    int compared = 0;
+    for (int k = 0; k < 4; ++k) {
+      const Result<Mesh> p = Mesh::create(of_kind(random_solids::tiny_polyhedron(random), kind, random)),
+                         q = Mesh::create(of_kind(random_solids::tiny_polyhedron(random), kind, random));
+      if (!p.ok() || !q.ok()) continue;
+      const SpatialSum whole = minkowski_sum(*p, *q).value();
+      LocalSums sums(*p, *q);
+      Boxes places(whole, static_cast<std::uint64_t>(k));
+      for (int i = 0; i < 4; ++i, ++compared) {
+        const ClipBox box = places.next();
+        sums.agreed(box, whole, {}, i == 0);
+        ASSERT_FALSE(HasFailure()) << name_of(kind) << ", pair " << k << " in " << text(box);
+      }
+    }
+    EXPECT_GT(compared, 0) << name_of(kind);
   }
 }
 

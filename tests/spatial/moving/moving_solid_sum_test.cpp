@@ -7,6 +7,7 @@
 #include "dymsum/rotating_sum.h"
 #include "dymsum/shapes.h"
 #include "exact/big.h"
+#include "oracles/coordinate_kinds.h"
 #include "spatial/convex/setting.h"
 #include "spatial/moving/moving_cases.h"
 #include "spatial/sum/sum_of_solids.h"
@@ -52,6 +53,30 @@ TEST(MovingSolidSum, IsAFreshSumAfterMovesOfAllKinds) {
     }
   }
   EXPECT_GT(updated, asked / 4);
+}
+
+TEST(MovingSolidSum, OfCoordinatesOfEveryKindIsAFreshSum) {
+  std::mt19937_64 random(7312);
+  const auto pairs = moving_cases::small_pairs();
+  std::size_t updated = 0;
+  for (const CoordinateKind kind : kCoordinateKinds)
+    for (const std::size_t chosen : {1U, 4U, 6U, 9U}) {
+      const auto& [name, one, other] = pairs[chosen];
+      const Result<Mesh> p = Mesh::create(of_kind(triangulated(one).mesh.data(), kind, random)),
+                         q = Mesh::create(of_kind(triangulated(other).mesh.data(), kind, random));
+      if (!p.ok() || !q.ok()) continue;
+      MovingSolidSum moving = MovingSolidSum::create(*p, *q).value();
+      Moves moves(7);
+      PosePair poses;
+      for (int k = 0; k < 4; ++k) {
+        poses = moves.next(poses);
+        const Result<SolidFrameWork> work = moving.set(poses.p, poses.q);
+        ASSERT_TRUE(work.ok()) << work.error().to_string();
+        ASSERT_TRUE(moving.sum() == fresh(*p, *q, poses)) << name_of(kind) << ", " << name << ", move " << k;
+        updated += !work->rebuilt;
+      }
+    }
+  EXPECT_GT(updated, 10u);
 }
 
 TEST(PosedSums, AreFreshSumsOnceEachWhateverTheThreads) {
