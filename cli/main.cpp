@@ -171,6 +171,15 @@ ExitCode run(int argc, char** argv) {
   return action();
 }
 
+/// `dymsum help [VERB]` is `dymsum [VERB] --help`.
+std::vector<char*> as_option_help(std::vector<char*> words) {
+  static std::string help = "--help";
+  if (words.size() > 3 || words.size() < 2 || std::string(words[1]) != "help") return words;
+  words.erase(words.begin() + 1);
+  words.push_back(help.data());
+  return words;
+}
+
 /// Tells on standard error why the command ended, and with --json as an object on standard output.
 ExitCode tell(const Stop& stop, int argc, char** argv) {
   if (wants_json(argc, argv)) print_report(failure_json(verb_of(argc, argv), stop));
@@ -181,7 +190,11 @@ ExitCode tell(const Stop& stop, int argc, char** argv) {
 
 }  // namespace
 
-int main(int argc, char** argv) {
+int main(int count, char** given) {
+  std::vector<char*> words = as_option_help({given, given + count});
+  const int argc = static_cast<int>(words.size());
+  words.push_back(nullptr);
+  char** argv = words.data();
   std::signal(SIGXFSZ, SIG_IGN);  // a limit on sizes of files is an error of writing
   try {
     const ExitCode code = run(argc, argv);
