@@ -1,5 +1,6 @@
-// Generators of planar test and demo shapes. All return valid regions; same arguments, same coordinates everywhere
-// (only +, -, *, / and tables of rational points on the circle are used, no library sine).
+// Planar test and demo shapes: valid regions, of the same coordinates everywhere. disc (up to 2,000 vertices), gear,
+// star, spiral and pockets round these to a grid of about 2^-24 of their size; the others have the numbers that they
+// are given.
 #pragma once
 
 #include <cstdint>
