@@ -174,13 +174,16 @@ export interface Region extends Disposable {
   format(format: RegionFormat): string;
 }
 
+/** What becomes of third coordinates and measures (Z and M): errors unless told, or left out, so that what lies above one another coincides. */
+export type ThirdCoordinates = 'refused' | 'dropped';
+
 export interface RegionClass {
   /** The file's only shape, or the one after "#" in `name`. The format is that of the name's extension: .poly, .wkt, .geojson, .svg, .json, .dxf; .yaml and .map name their picture, which is not there. */
-  read(name: string, bytes: string | Uint8Array | ArrayBuffer, options?: { repair?: boolean }): Region;
+  read(name: string, bytes: string | Uint8Array | ArrayBuffer, options?: { repair?: boolean; thirdCoordinates?: ThirdCoordinates }): Region;
   /** All shapes of a file. */
-  readAll(name: string, bytes: string | Uint8Array | ArrayBuffer, options?: { repair?: boolean }): NamedRegion[];
+  readAll(name: string, bytes: string | Uint8Array | ArrayBuffer, options?: { repair?: boolean; thirdCoordinates?: ThirdCoordinates }): NamedRegion[];
   /** What a file says, not validated: to draw it where it is refused. */
-  readData(name: string, bytes: string | Uint8Array | ArrayBuffer): { name: string; shape: RegionShape }[];
+  readData(name: string, bytes: string | Uint8Array | ArrayBuffer, options?: { thirdCoordinates?: ThirdCoordinates }): { name: string; shape: RegionShape }[];
   /** One part: the outer ring, then its holes. */
   fromRings(rings: Coordinates[]): Region;
   fromData(data: RegionData): Region;
@@ -569,12 +572,13 @@ export interface Mesh extends Disposable {
   format(format: MeshFormat): Uint8Array;
 }
 export interface MeshClass {
-  /** The format is that of the name's extension: .off, .obj, .stl, .ply. */
+  /** The format is that of the name's extension: .off, .obj, .stl, .ply. `repair` is before `hull`; with `thinParts` parts without volume stay. */
   read(name: string, bytes: string | Uint8Array | ArrayBuffer, options?: { repair?: boolean; hull?: boolean; thinParts?: boolean }): Mesh;
   /** What a file says, not validated: to draw it where it is refused. */
   readData(name: string, bytes: string | Uint8Array | ArrayBuffer): { vertices: Float64Array; faceStarts: Uint32Array; faceVertices: Uint32Array };
   fromData(data: MeshData, options?: { thinParts?: boolean }): Mesh;
-  repair(data: MeshData): RepairedMesh;
+  /** `thinParts`: points, segments and open surfaces stay. */
+  repair(data: MeshData, options?: { thinParts?: boolean }): RepairedMesh;
   convexHull(points: Float64Array | number[]): Mesh;
 }
 
@@ -918,6 +922,11 @@ export interface Live {
     read(name: string, text: string | Uint8Array | ArrayBuffer): CspaceObstacle;
   };
   cspaceSlice(robot: Region, obstacle: Region, angle: Angle, options?: SumOptions): PlanarSum;
+  /**
+   * The plan where slices at the two angles tell it, without the obstacle of all angles: start or goal is not free, or translations
+   * before or after one rotation in place lead from one to the other; null where they do not tell.
+   */
+  directPlan(robot: Region, obstacle: Region, start: Configuration, goal: Configuration, options?: PlanOptions): Plan | null;
   /** from each pose to the next, x, y and theta linear in time */
   checkPath(robot: Region, obstacle: Region, poses: Configuration[], options?: { touching?: 'allowed' | 'forbidden'; progress?: Progress }): PathCheck;
 

@@ -9,7 +9,7 @@ const classes = [
 ];
 const functions = [
   'nfp', 'erode', 'unionOf', 'rotatedSum', 'convolutionSizes', 'scaleRange', 'fitRange', 'sliceOfSum', 'cspaceSlice', 'checkPath',
-  'drawRegion', 'drawSum', 'drawTrace', 'sumOfRegions', 'sumOfMeshes', 'regionContains', 'meshContains', 'plan',
+  'drawRegion', 'drawSum', 'drawTrace', 'sumOfRegions', 'sumOfMeshes', 'regionContains', 'meshContains', 'plan', 'directPlan',
   'erodeMeshes', 'opening', 'closing', 'offset', 'scaleRangeOfMeshes', 'fitRangeOfMeshes',
 ];
 const shapes = [

@@ -43,11 +43,15 @@ MeshData parsed(const std::string& name, const std::string& bytes) {
   return got(parse_mesh(bytes, got(mesh_format(name)), name));
 }
 
+RepairedMesh mended(MeshData data, bool thin) {
+  return got(thin ? repair_with_thin_parts(std::move(data)) : repair(std::move(data)));
+}
+
 Mesh valid(MeshData data, const val& options) {
-  if (member_or(options, "repair", false)) return got(repair(std::move(data))).mesh;
+  const bool thin = member_or(options, "thinParts", false);
+  if (member_or(options, "repair", false)) return mended(std::move(data), thin).mesh;
   if (member_or(options, "hull", false)) return got(hulled(data)).mesh;
-  return got(member_or(options, "thinParts", false) ? Mesh::with_thin_parts(std::move(data))
-                                                    : Mesh::create(std::move(data)));
+  return got(thin ? Mesh::with_thin_parts(std::move(data)) : Mesh::create(std::move(data)));
 }
 
 SharedMesh read(const std::string& name, const std::string& bytes, const val& options) {
@@ -80,8 +84,8 @@ val read_data(const std::string& name, const std::string& bytes) {
   return v;
 }
 
-val repaired(const val& data) {
-  RepairedMesh made = got(repair(data_in(data)));
+val repaired(const val& data, const val& options) {
+  RepairedMesh made = mended(data_in(data), member_or(options, "thinParts", false));
   val v = val::object();
   v.set("changed", made.report.changed());
   v.set("report", made.report.to_string());

@@ -101,12 +101,15 @@ val reason_data(const NoPath& reason) {
   return v;
 }
 
-val plan_of(const CspaceObstacle& obstacle, const val& start, const val& goal, const val& options) {
+PlanOptions plan_options(const val& options) {
   PlanOptions how;
   how.touching = touching_in(member(options, "touching"));
   how.time_limit_seconds = member_or(options, "timeLimitSeconds", how.time_limit_seconds);
   how.progress = progress_in(member(options, "progress"));
-  const Plan made = got(plan(obstacle, configuration_in(start), configuration_in(goal), how));
+  return how;
+}
+
+val plan_data(const Plan& made) {
   val v = val::object(), work = val::object();
   v.set("path", list_of(made.path, waypoint_data));
   v.set("reason", made.reason ? reason_data(*made.reason) : val::null());
@@ -117,6 +120,16 @@ val plan_of(const CspaceObstacle& obstacle, const val& start, const val& goal, c
   work.set("ms", made.work.ms);
   v.set("work", work);
   return v;
+}
+
+val plan_of(const CspaceObstacle& obstacle, const val& start, const val& goal, const val& options) {
+  return plan_data(got(plan(obstacle, configuration_in(start), configuration_in(goal), plan_options(options))));
+}
+
+val direct_plan_of(const Region& robot, const Region& obstacle, const val& start, const val& goal, const val& options) {
+  const std::optional<Plan> made =
+      got(direct_plan(robot, obstacle, configuration_in(start), configuration_in(goal), plan_options(options)));
+  return made ? plan_data(*made) : val::null();
 }
 
 val checked_path(const Region& robot, const Region& obstacle, const val& poses, const val& options) {
@@ -143,6 +156,7 @@ EMSCRIPTEN_BINDINGS(obstacle_answers) {
       .function("clearance", guarded<&clearance_of>)
       .function("gyrationRadius", guarded<&gyration_of>);
   function("plan", guarded<&plan_of>);
+  function("directPlan", guarded<&direct_plan_of>);
   function("checkPath", guarded<&checked_path>);
 }
 

@@ -39,15 +39,24 @@ Region region_of(RegionData data, bool mend) {
   return mend ? got(repair(std::move(data))).region : got(Region::create(std::move(data)));
 }
 
-SharedRegion read(const std::string& name, const std::string& bytes, const val& options) {
-  const FileInMemory file(name, bytes);
-  return in_file(
-      name, [&] { return shared(region_of(got(read_region_data(file.path())), member_or(options, "repair", false))); });
+ThirdCoordinates third_in(const val& options) {
+  static constexpr Named<ThirdCoordinates> kNames[] = {{"refused", ThirdCoordinates::refused},
+                                                       {"dropped", ThirdCoordinates::dropped}};
+  return enumerator(member(options, "thirdCoordinates"), kNames, ThirdCoordinates::refused);
 }
 
-std::vector<NamedShape> shapes_in(const std::string& name, const std::string& bytes) {
+SharedRegion read(const std::string& name, const std::string& bytes, const val& options) {
+  const ThirdCoordinates third = third_in(options);
   const FileInMemory file(name, bytes);
-  return got(read_shapes(file.path()));
+  return in_file(name, [&] {
+    return shared(region_of(got(read_region_data(file.path(), third)), member_or(options, "repair", false)));
+  });
+}
+
+std::vector<NamedShape> shapes_in(const std::string& name, const std::string& bytes, const val& options) {
+  const ThirdCoordinates third = third_in(options);
+  const FileInMemory file(name, bytes);
+  return got(read_shapes(file.path(), third));
 }
 
 val named(const std::string& name, const char* field, const val& value) {
@@ -59,7 +68,7 @@ val named(const std::string& name, const char* field, const val& value) {
 
 val read_all(const std::string& name, const std::string& bytes, const val& options) {
   const bool mend = member_or(options, "repair", false);
-  const std::vector<NamedShape> shapes = shapes_in(name, bytes);
+  const std::vector<NamedShape> shapes = shapes_in(name, bytes, options);
   return list_of(shapes, [&](const NamedShape& shape) {
     const std::string own = shape.name.empty() ? std::to_string(&shape - shapes.data()) : shape.name;
     const std::string which = shapes.size() > 1 ? name + "#" + own : name;
@@ -67,8 +76,8 @@ val read_all(const std::string& name, const std::string& bytes, const val& optio
   });
 }
 
-val read_data(const std::string& name, const std::string& bytes) {
-  return list_of(shapes_in(name, bytes),
+val read_data(const std::string& name, const std::string& bytes, const val& options) {
+  return list_of(shapes_in(name, bytes, options),
                  [&](const NamedShape& shape) { return named(shape.name, "shape", region_shape(shape.data)); });
 }
 

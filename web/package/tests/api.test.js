@@ -253,6 +253,41 @@ test('an obstacle: slices, mesh, clearance, paths and why there is none', () => 
   assert.ok(obstacle.work().patches !== 0 && obstacle.mayHaveTightCurves() === false && obstacle.tight().length === 0);
 });
 
+test('a plan without the obstacle, where slices at the two angles tell it', () => {
+  const bar = shapes.rectangle(-1.5, -0.25, 1.5, 0.25), grate = shapes.grate(4, 2, 1, 6), start = { x: -4, y: 3, theta: 0 };
+  const direct = dymsum.directPlan(bar, grate, start, { ...start, theta: 1 });
+  assert.equal(direct.reason, null);
+  assert.deepEqual(direct.path.map(({ move }) => move), ['start', 'counter_clockwise']);
+  assert.deepEqual(direct.path, dymsum.CspaceObstacle.create(bar, grate).plan(start, { ...start, theta: 1 }).path);
+  const inside = dymsum.directPlan(bar, grate, { x: 0.5, y: 3, theta: 0 }, start);
+  assert.deepEqual([inside.reason.kind, inside.path], ['start_not_free', []]);
+  const slotted = { x: 1.5, y: 3, theta: Math.PI / 2 };
+  assert.equal(dymsum.directPlan(bar, grate, slotted, { ...slotted, x: 12, theta: 0.3 }, { touching: 'forbidden' }), null);
+});
+
+test('third coordinates are refused, or left out where that is asked for', () => {
+  const text = 'POLYGON Z ((0 0 1, 4 0 1, 0 3 2, 0 0 1))', options = { thirdCoordinates: 'dropped' };
+  for (const read of [(...how) => Region.read('a.wkt', text, ...how), (...how) => Region.readAll('a.wkt', text, ...how), (...how) => Region.readData('a.wkt', text, ...how)]) {
+    assert.equal(thrown(() => read()).code, 'malformed');
+    assert.equal(thrown(() => read({ thirdCoordinates: 'refused' })).code, 'malformed');
+    read(options);
+  }
+  assert.equal(Region.read('a.wkt', text, options).area(), 6);
+  assert.equal(Region.readAll('a.geojson', '{"type":"Point","coordinates":[1,2,3]}', options).length, 1);
+  assert.deepEqual([...Region.readData('a.wkt', text, options)[0].shape.vertices], [0, 0, 4, 0, 0, 3]);
+  assert.equal(thrown(() => Region.read('a.wkt', text, { thirdCoordinates: 'kept' })).code, 'malformed');
+});
+
+test('parts without volume stay in a repair that is told so', () => {
+  // two triangles with an edge in common, whose ends are there twice
+  const data = { vertices: [0, 0, 0, 1, 0, 0, 0, 1, 0, 1, 0, 0, 1, 1, 0, 0, 1, 0], faces: [[0, 1, 2], [3, 4, 5]] };
+  assert.equal(thrown(() => Mesh.repair(data)).code, 'not_closed');
+  const { mesh, changed } = Mesh.repair(data, { thinParts: true });
+  assert.deepEqual([mesh.vertexCount, mesh.faceCount, mesh.volume(), changed], [4, 2, 0, true]);
+  const off = 'OFF\n6 2 0\n0 0 0\n1 0 0\n0 1 0\n1 0 0\n1 1 0\n0 1 0\n3 0 1 2\n3 3 4 5\n';
+  assert.equal(Mesh.read('a.off', off, { repair: true, thinParts: true }).vertexCount, 4);
+});
+
 test('an obstacle stays for its queries when it is disposed of', () => {
   const obstacle = dymsum.CspaceObstacle.create(peg(), slot());
   const queries = obstacle.queries();

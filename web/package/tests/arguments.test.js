@@ -21,7 +21,7 @@ function* calls() {
   const pose = { x: 9, y: 0, theta: 0 }, ring = [0, 0, 1, 0, 0, 1], tetrahedron = { vertices: [0, 0, 0, 1, 0, 0, 0, 1, 0, 0, 0, 1], faces: [[0, 2, 1], [0, 1, 3], [1, 2, 3], [0, 3, 2]] };
   yield [Region, 'read', ['a.wkt', 'POLYGON ((0 0, 1 0, 0 1, 0 0))', {}]];
   yield [Region, 'readAll', ['a.wkt', 'POLYGON ((0 0, 1 0, 0 1, 0 0))', {}]];
-  yield [Region, 'readData', ['a.wkt', 'POLYGON ((0 0, 1 0, 0 1, 0 0))']];
+  yield [Region, 'readData', ['a.wkt', 'POLYGON ((0 0, 1 0, 0 1, 0 0))', {}]];
   yield [Region, 'fromRings', [[ring]]];
   for (const name of ['fromData', 'repair']) yield [Region, name, [{ parts: [{ outer: ring }] }]];
   yield [square, 'translated', [1, 1]];
@@ -46,6 +46,7 @@ function* calls() {
   yield [dymsum, 'fitRange', [square, bar, { x: 0, y: 0 }, () => true]];
   yield [dymsum, 'sliceOfSum', [box, box, 0.5, {}]];
   yield [dymsum, 'cspaceSlice', [bar, square, 0.5, {}]];
+  yield [dymsum, 'directPlan', [bar, square, pose, { ...pose, x: 8 }, {}]];
   yield [dymsum, 'checkPath', [bar, square, [pose, { ...pose, x: 8 }], {}]];
   for (const name of ['drawSum', 'drawTrace']) yield [dymsum, name, [square, bar, sum]];
   yield [dymsum, 'drawRegion', [square]];
@@ -69,7 +70,7 @@ function* calls() {
   yield [obstacle.queries(), 'freeAngles', [0, 0]];
   yield [Mesh, 'read', ['a.off', box.format('off'), {}]];
   yield [Mesh, 'readData', ['a.off', box.format('off')]];
-  yield [Mesh, 'fromData', [tetrahedron, {}]];
+  for (const name of ['fromData', 'repair']) yield [Mesh, name, [tetrahedron, {}]];
   yield [box, 'translated', [1, 1, 1]];
   yield [box, 'scaled', [1, 1, 1]];
   yield [box, 'equals', [box]];

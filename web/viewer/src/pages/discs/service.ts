@@ -1,5 +1,5 @@
 // What a growing disc makes and sees of a region.
-import type { AlphaBridge, Decomposition, DiscSet, DiscShape, FeatureBar, GrowingDisc, Measured, Semantics, ShapeFeatures } from 'dymsum';
+import { DymsumError, type AlphaBridge, type Decomposition, type DiscSet, type DiscShape, type FeatureBar, type GrowingDisc, type Measured, type Region, type Semantics, type ShapeFeatures } from 'dymsum';
 import type { Host } from '../../engine/host';
 import { keyOf, type Shape } from '../../engine/shape';
 import { multiply, parseRational, rational, toText } from '../../numbers/rational';
@@ -38,6 +38,24 @@ function withSet<T>(host: Host, { shape, operation, semantics, alpha, event }: D
   return using(disc[`${operation}At`](radius, semantics), visit);
 }
 
+const isCrossed = (error: unknown): boolean => error instanceof DymsumError && error.code === 'rounding_changed_topology';
+
+/** The polygons of `dymsum disc -o`: within a 1000th of the radius and inside the set; where those cross each other, nearest to it, within less where need be. */
+function polygonsOf(set: DiscSet): Region {
+  const { radius, atError } = set.shape(), error = radius > 0 ? Math.max(radius / 1000, 8 * atError) : 1;
+  try {
+    return set.toRegion(error, 'inside').region;
+  } catch (refusal) {
+    if (!isCrossed(refusal)) throw refusal;
+    for (let within = error; ; within /= 16)
+      try {
+        return set.toRegion(within, 'nearest').region;
+      } catch (other) {
+        if (!isCrossed(other)) throw refusal;
+      }
+  }
+}
+
 export const discServices = {
   discSet: (host: Host, args: DiscArgs): DiscAnswer => withSet(host, args, (set) => ({ set: set.shape(), area: set.area(), perimeter: set.perimeter() })),
   /** Radii of all events, in order. */
@@ -46,9 +64,7 @@ export const discServices = {
   discFile: (host: Host, { format, ...args }: DiscArgs & { format: 'svg' | 'json' | 'wkt' }): string =>
     withSet(host, args, (set) => {
       if (format === 'svg') return set.svg(host.region(args.shape));
-      if (format === 'json') return set.toJson();
-      const [x0, y0, x1, y1] = set.bounds();
-      return using(set.toRegion(Math.max(x1 - x0, y1 - y0) * 1e-4, 'nearest').region, (region) => region.format('wkt'));
+      return format === 'json' ? set.toJson() : using(polygonsOf(set), (region) => region.format('wkt'));
     }),
   bars: (host: Host, of: FeatureArgs): FeatureBar[] => features(host, of).bars(),
   /** The diameters at which a bar begins and ends, as formulas. */
