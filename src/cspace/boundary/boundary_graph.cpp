@@ -152,7 +152,7 @@ void BoundaryGraph::apply(const SliceEdit& edit) {
         all.push_back(place.stays);
         continue;
       }
-      all.push_back(add_node(segments_.segment(place.segment), kNobody));
+      all.push_back(add_node(segments_.segment(place.segment), edit.loops_may_change ? kNobody : loop.cell));
       nodes_.back().left = place.left;
       nodes_.back().right = place.right;
     }
@@ -169,7 +169,10 @@ void BoundaryGraph::apply(const SliceEdit& edit) {
   std::size_t begin = 0;
   for (const SliceEdit::Loop& loop : edit.loops) {
     const std::size_t end = begin + loop.places.size();
-    for (std::size_t k = begin; k < end; ++k) link(all[k], all[k + 1 == end ? begin : k + 1]);
+    const auto at = [&](const SliceEdit::End& e) { return e.place == kNobody ? e.node : all[e.place]; };
+    for (std::size_t k = begin; k + 1 < end; ++k) link(all[k], all[k + 1]);
+    link(all[end - 1], loop.open ? at(loop.behind) : all[begin]);
+    if (loop.open) link(at(loop.before), all[begin]);
     if (first)
       give_cell({all.begin() + static_cast<std::ptrdiff_t>(begin), all.begin() + static_cast<std::ptrdiff_t>(end)},
                 new_cell(loop.outer));
@@ -179,7 +182,7 @@ void BoundaryGraph::apply(const SliceEdit& edit) {
     at_start_ = static_cast<std::uint32_t>(nodes_.size());
     return;
   }
-  share_out(all, lost, claims);
+  if (edit.loops_may_change) share_out(all, lost, claims);
   for (const auto& [n, place] : edit.touching) touching_cells_.emplace_back(nodes_[n].cell, nodes_[all[place]].cell);
 }
 

@@ -9,6 +9,7 @@
 // A node whose neighbours change ends, and another one begins with the same segment: nodes are patches of the obstacle.
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cstdint>
 #include <map>
@@ -38,22 +39,38 @@ struct BoundaryEdit {
   bool empty() const { return runs.empty() && gone.empty() && births.empty(); }
 };
 
-/// What changes where a whole slice is taken: the loops behind the angle, of nodes that stay and of new ones.
+/// What changes where a slice is taken: the loops behind the angle, of nodes that stay and of new ones. Of a slice that
+/// is cut to a box the pieces of loops in it: nodes outside stay.
 struct SliceEdit {
   struct Place {
     std::uint32_t segment = 0, left = 0, right = 0;
     std::uint32_t stays = kNobody;  ///< the node, or kNobody for a new one
   };
+  /// What a piece follows, or what follows it: a node outside, or a place by its index along all loops.
+  struct End {
+    std::uint32_t node = kNobody, place = kNobody;
+  };
   struct Loop {
     std::vector<Place> places;
     bool outer = false;
+    bool open = false;  ///< a piece, and then:
+    End before, behind;
+    std::uint32_t cell = kNobody;  ///< of new nodes, unless loops may change
   };
   std::vector<Loop> loops;
+  bool loops_may_change = true;      ///< loops may split, join, begin or vanish
   std::vector<std::uint32_t> ended;  ///< by their segments
   /// A node that ended and a place, by its index along all loops.
   using Pairs = std::vector<std::pair<std::uint32_t, std::uint32_t>>;
   Pairs continued;  ///< the place is what the node goes on as
   Pairs touching;   ///< walls of a passage that is shut at the angle, before and behind it
+  /// Whether it changes nothing.
+  bool empty() const {
+    const auto is_new = [](const Place& p) { return p.stays == kNobody; };
+    return ended.empty() && std::all_of(loops.begin(), loops.end(), [&](const Loop& loop) {
+             return std::none_of(loop.places.begin(), loop.places.end(), is_new);
+           });
+  }
 };
 
 class BoundaryGraph {

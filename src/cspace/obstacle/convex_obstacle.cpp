@@ -52,9 +52,9 @@ struct EdgeAlignment {
 // less than 8 each.
 constexpr double kKeyError = exact::rounding_bound(2 * (4 + 3) + 4 + 4 + 3, 32);
 
-class ConvexEngine {
+class ConvexMerge {
  public:
-  ConvexEngine(planar::ObstacleState& state, const ObstacleOptions& options)
+  ConvexMerge(planar::ObstacleState& state, const ObstacleOptions& options)
       : state_(state),
         options_(options),
         obstacle_(state.base->operands[0]),
@@ -247,7 +247,7 @@ bool is_convex_pair(const planar::ObstacleState& state) {
 }
 
 Result<bool> convex_obstacle(planar::ObstacleState& state, const ObstacleOptions& options) {
-  return ConvexEngine(state, options).run();
+  return ConvexMerge(state, options).run();
 }
 
 }  // namespace dymsum::planar

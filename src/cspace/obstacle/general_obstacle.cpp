@@ -89,6 +89,9 @@ Result<bool> general_obstacle(planar::ObstacleState& state, const ObstacleOption
   TurnPoll poll(options.progress);
   const std::function<void()> again = [&] { poll(); };
   ObstacleSweep sweep(forms, catalog, base, options.reference, again);
+  // It names contacts as regions do, and knows no pieces without area.
+  if (!touching && !options.reference)
+    if (Result<PlanarLocalSum> near = PlanarLocalSum::create(state.obstacle, state.robot)) sweep.use(*std::move(near));
   try {
     pass_turn(TurnWindows(forms, catalog, options.reference), sweep, poll, again);
   } catch (const Cancelled&) {

@@ -39,7 +39,7 @@ void ObstacleSweep::pass(const TurnRange& range, TurnEvents found, const Overlap
   std::vector<TurnEvent>& events = found.events;
   always_ = std::move(found.always_concurrent);
   swept_.always_concurrent |= !always_.empty();
-  pass_pending([&] { return sample(range, nullptr, first_event(range, events)); }, filter);
+  pass_pending([&](double) { return sample(range, nullptr, first_event(range, events)); }, filter);
   // Runs of events whose intervals overlap. Where events were compared above, exact roots have made intervals narrower.
   std::stable_sort(events.begin(), events.end(), [](const TurnEvent& a, const TurnEvent& b) { return a.low < b.low; });
   std::vector<Group> runs;
@@ -66,14 +66,21 @@ void ObstacleSweep::pass(const TurnRange& range, TurnEvents found, const Overlap
 
 void ObstacleSweep::close(const OverlapFilter& filter) {
   turned_ = true;
-  pass_pending([this] { return begin_; }, filter);
+  pass_pending([this](double) { return begin_; }, filter);
   if (!swept_.graph.close()) throw std::logic_error("ObstacleSweep: a full turn does not lead back to its start");
 }
 
 // In doubles where the angles are far enough apart.
-Orientation ObstacleSweep::sample(const TurnRange& range, TurnEvent* from, TurnEvent* to) const {
+Orientation ObstacleSweep::sample(const TurnRange& range, TurnEvent* from, TurnEvent* to, double within) const {
   const AlgebraicRoot low = from != nullptr ? exact_root(*from, forms_, range) : AlgebraicRoot::of(range.t_low);
-  const AlgebraicRoot high = to != nullptr ? exact_root(*to, forms_, range) : AlgebraicRoot::of(range.t_high);
+  AlgebraicRoot high = to != nullptr ? exact_root(*to, forms_, range) : AlgebraicRoot::of(range.t_high);
+  if (std::isfinite(within)) {
+    // The angle changes by at most twice as much as its tangent.
+    exact::RootBracket bracket = low.bracket();
+    bracket.refine_to(96);
+    const AlgebraicRoot most = AlgebraicRoot::rational(bracket.high().value() + exact::exact_value(within / 4));
+    if (exact::compare(most, high) < 0) high = most;
+  }
   return orientation_at(range.chart, exact::between(low, high));
 }
 
@@ -116,10 +123,10 @@ void ObstacleSweep::pass_run(Group& run, Group* following, const TurnRange& rang
       continue;
     }
     TurnEvent* next = last != run.end() ? *last : nullptr;
-    const auto behind = [&] {
+    const auto behind = [&](double within) {
       if (next == nullptr && following != nullptr)
         next = *std::min_element(following->begin(), following->end(), before);
-      return sample(range, group[0], next);
+      return sample(range, group[0], next, within);
     };
     pass_group(group, range, behind, filter);
   }
@@ -142,31 +149,72 @@ void ObstacleSweep::pass_group(const Group& group, const TurnRange& range, const
   doubtful_.clear();
   change(group, range, behind, filter);
   std::vector<AlwaysConcurrent> curves = turned_ ? begin_curves_ : std::vector<AlwaysConcurrent>{};
-  if (!turned_ && !always_.empty()) curves = tight_curves(scene(), always_, behind(), filter);
+  if (!turned_ && !always_.empty()) curves = tight_curves(scene(), always_, behind(INFINITY), filter);
   if (doubtful_.empty() && !other_curves(curves_, curves).empty()) doubtful_ = group;
   if (!doubtful_.empty()) examine(range, filter, curves);
   curves_ = std::move(curves);
   // Loops of one face keep to one component of free space: splits and joins hand it on, and a face that is born has one
   // loop unless more are born with it. Whole slices may leave a loop without a claim.
-  if (!reader_.base().connected && swept_.graph.loops_born() > (sliced_ ? 0U : 1U)) join_faces(behind());
+  if (!reader_.base().connected && swept_.graph.loops_born() > (sliced_ ? 0U : 1U)) join_faces(behind(INFINITY));
 }
 
 void ObstacleSweep::change(const Group& group, const TurnRange& range, const Behind& behind,
                            const OverlapFilter& filter) {
   if (reference_ || crowded_ != nullptr) return take_slice(group, range, behind);
+  // What one of several changes is not undone where another one takes a slice, as where opposite segments come to lie
+  // along each other with events at both ends: so all are planned before the first one is applied.
   Group alone;
-  for (const Group& cluster : clusters(group, scene())) {
-    if (cluster.size() == 1) alone.push_back(cluster[0]);
-    else if (matters(cluster, filter)) return take_slice(group, range, behind);
+  std::vector<Group> due;
+  for (Group& cluster : clusters(group, scene())) {
+    if (cluster.size() > 1 ? matters(cluster, filter)
+                           : plan_event(*cluster[0], range, scene(), filter).verdict == EventPlan::Verdict::unsure)
+      due.push_back(std::move(cluster));
+    else if (cluster.size() == 1) alone.push_back(cluster[0]);
   }
-  // What one of several changes is not undone where another one takes a whole slice, as where opposite segments come to
-  // lie along each other with events at both ends: so all are planned before the first one is applied.
-  if (alone.size() > 1)
-    for (TurnEvent* event : alone)
-      if (plan_event(*event, range, scene(), filter).verdict == EventPlan::Verdict::unsure)
-        return take_slice(group, range, behind);
+  if (!due.empty() && !take_near_slices(std::move(due), alone, group, range, behind))
+    return take_slice(group, range, behind);
   for (TurnEvent* event : alone)
     if (!settle(*event, range, behind, filter)) return take_slice(group, range, behind);
+}
+
+// Slices behind the angle that are cut to boxes around the parts that are due. All are made before the first one is
+// applied. False where a whole one has to be taken.
+bool ObstacleSweep::take_near_slices(std::vector<Group> due, Group& alone, const Group& group, const TurnRange& range,
+                                     const Behind& behind) {
+  const double unit = reader_.base().lattice->unit;
+  if (!near_slices_ || !pending_.empty() || position_error() > kCutNear * forms_.span() * unit) return false;
+  now_.set_exact({range.chart, exact_root(*group[0], forms_, range)}, group[0]->theta());
+  std::optional<std::vector<NearChange>> changes = boxes_of(std::move(due), alone, scene(), now_.signs());
+  if (!changes) return false;
+  double turn = kNearTurn;
+  for (const NearChange& change : *changes) turn = std::min(turn, change.turn);
+  const Orientation at = behind(turn);
+  const Heading h = Heading::of(at.radians());
+  const Point o = origin(h);
+  const auto in_forms = [&](Point p) { return Point{(p.x - o.x) / unit, (p.y - o.y) / unit}; };
+  for (NearChange& change : *changes) {
+    std::optional<std::vector<BoundaryChain>> chains =
+        near_slices_->in({position(h, change.box.low), position(h, change.box.high)}, at);
+    if (!chains) return false;
+    change.chains = std::move(*chains);
+    for (BoundaryChain& chain : change.chains) {
+      chain.from = in_forms(chain.from);
+      chain.to = in_forms(chain.to);
+    }
+    if (!edit_near(scene(), now_, h, change)) return false;
+  }
+  for (const NearChange& change : *changes) {
+    const std::optional<SliceEdit> edit = edit_near(scene(), now_, h, change);
+    if (!edit) return false;
+    doubtful_.insert(doubtful_.end(), change.events.begin(), change.events.end());
+    sliced_ = true;
+    if (edit->empty()) continue;
+    list_angle(range, *group[0]);
+    note_first(change.events);
+    ++swept_.work.local_updates;
+    swept_.graph.apply(*edit);
+  }
+  return true;
 }
 
 // Whether a segment of these events is visible, or a position of theirs is not certainly covered: else nothing can
@@ -192,7 +240,7 @@ bool ObstacleSweep::settle(TurnEvent& event, const TurnRange& range, const Behin
   if (plan.verdict != EventPlan::Verdict::change) return true;
   swept_.work.collision_tests += plan.edit.births.size();
   std::erase_if(plan.edit.births,
-                [&](const std::vector<WalkSegment>& loop) { return !reader_.is_free(loop, behind()); });
+                [&](const std::vector<WalkSegment>& loop) { return !reader_.is_free(loop, behind(INFINITY)); });
   if (plan.edit.empty()) return true;
   list_angle(range, event);
   note(Heading::of(event.theta()), plan.kind, plan.at);
@@ -203,16 +251,10 @@ bool ObstacleSweep::settle(TurnEvent& event, const TurnRange& range, const Behin
 
 // At a rational angle between this event and the next one.
 void ObstacleSweep::take_slice(const Group& group, const TurnRange& range, const Behind& behind) {
-  TurnEvent& event = *group[0];
   ++swept_.work.slices;
-  list_angle(range, event);
-  const Heading h = Heading::of(event.theta());
-  note(h,
-       event.kind == TurnEvent::Kind::alignment        ? ObstacleEvent::Kind::alignment
-       : event.kind == TurnEvent::Kind::three_segments ? ObstacleEvent::Kind::three_segments
-                                                       : ObstacleEvent::Kind::vertex_on_segment,
-       place_of(event, forms_, h).at);
-  swept_.graph.apply(edit_to(reader_.loops(behind())));
+  list_angle(range, *group[0]);
+  note_first(group);
+  swept_.graph.apply(edit_to(reader_.loops(behind(INFINITY))));
   doubtful_ = group;
   sliced_ = true;
 }
@@ -220,27 +262,12 @@ void ObstacleSweep::take_slice(const Group& group, const TurnRange& range, const
 // What goes on along the same line at the event's angle belongs together, unless a passage is shut there.
 SliceEdit ObstacleSweep::edit_to(const std::vector<SliceLoop>& loops) const {
   const BoundaryGraph& graph = swept_.graph;
-  std::vector<SubEdge> before, ended, fresh;
+  std::vector<SubEdge> before;
   for (const std::uint32_t n : graph.alive()) before.push_back(graph.sub_edge(n));
   const SharedLines lines(forms_, now_, std::move(before));
   SliceEdit edit =
       slice_difference(graph, loops, [&](std::uint32_t n) { return lines.shut(std::array{graph.sub_edge(n)}); });
-  for (const std::uint32_t n : edit.ended) ended.push_back(graph.sub_edge(n));
-  std::vector<std::uint32_t> place_of_fresh;
-  std::uint32_t index = 0;
-  for (const SliceEdit::Loop& loop : edit.loops)
-    for (const SliceEdit::Place& p : loop.places) {
-      if (p.stays == kNobody || graph[p.stays].begin == graph.angle()) {
-        const SegmentIndex& segments = graph.segments();
-        fresh.push_back({segments.segment(p.segment), segments.segment(p.left), segments.segment(p.right)});
-        place_of_fresh.push_back(index);
-      }
-      ++index;
-    }
-  for (const auto& [n, m] : lines.continued(ended, fresh)) {
-    const bool shut = lines.shut(std::array{ended[n], fresh[m]});
-    (shut ? edit.touching : edit.continued).emplace_back(edit.ended[n], place_of_fresh[m]);
-  }
+  match_along_lines(graph, lines, edit);
   return edit;
 }
 
@@ -303,27 +330,48 @@ void ObstacleSweep::note(Heading h, ObstacleEvent::Kind kind, Point at) {
   swept_.events.push_back({kind, swept_.graph.angle(), position(h, at)});
 }
 
+void ObstacleSweep::note_first(const Group& group) {
+  const TurnEvent& event = *group[0];
+  const Heading h = Heading::of(event.theta());
+  note(h,
+       event.kind == TurnEvent::Kind::alignment        ? ObstacleEvent::Kind::alignment
+       : event.kind == TurnEvent::Kind::three_segments ? ObstacleEvent::Kind::three_segments
+                                                       : ObstacleEvent::Kind::vertex_on_segment,
+       place_of(event, forms_, h).at);
+}
+
 // What turns places into positions rounds each of four terms, of which one is turned by a heading (16).
 TightFeature ObstacleSweep::tight_feature(const TightCandidate& from, const TightCandidate& to) const {
   const Lattice& l = *reader_.base().lattice;
   const Heading h = now_.signs().heading();
   TightFeature feature{swept_.graph.angle(), position(h, from.near), position(h, to.near), 0};
-  const double offsets = std::hypot(l.points[0]->offset.x, l.points[0]->offset.y) +
-                         std::hypot(l.points[1]->offset.x, l.points[1]->offset.y);
   const double share =
       from.place.first.crossing || to.place.first.crossing ? SignsAt::kCrossingNear : SignsAt::kCornerNear;
-  constexpr double kPosition = exact::rounding_bound(16 + 2 * 4, 64);
-  feature.error = (share + kPosition) * forms_.span() * l.unit + kPosition * offsets;
+  feature.error = share * forms_.span() * l.unit + position_error();
   return feature;
+}
+
+double ObstacleSweep::position_error() const {
+  const Lattice& l = *reader_.base().lattice;
+  const double offsets = std::hypot(l.points[0]->offset.x, l.points[0]->offset.y) +
+                         std::hypot(l.points[1]->offset.x, l.points[1]->offset.y);
+  constexpr double kPosition = exact::rounding_bound(16 + 2 * 4, 64);
+  return kPosition * (forms_.span() * l.unit + offsets);
 }
 
 // Of a point in the forms' doubles, which leave out the turned centre and the offsets.
 Point ObstacleSweep::position(Heading h, Point at) const {
+  const Point o = origin(h);
+  const double unit = reader_.base().lattice->unit;
+  return {at.x * unit + o.x, at.y * unit + o.y};
+}
+
+Point ObstacleSweep::origin(Heading h) const {
   const Point c = forms_.centre();
   const Lattice& l = *reader_.base().lattice;
   const Point turned{l.points[1]->offset.x + c.x * l.unit, l.points[1]->offset.y + c.y * l.unit};
-  return {at.x * l.unit + l.points[0]->offset.x + h.c * turned.x - h.s * turned.y,
-          at.y * l.unit + l.points[0]->offset.y + h.s * turned.x + h.c * turned.y};
+  return {l.points[0]->offset.x + h.c * turned.x - h.s * turned.y,
+          l.points[0]->offset.y + h.s * turned.x + h.c * turned.y};
 }
 
 }  // namespace dymsum::planar

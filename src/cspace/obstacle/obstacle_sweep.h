@@ -4,12 +4,14 @@
 // events into their exact order, and applies the plans.
 #pragma once
 
+#include <cmath>
 #include <functional>
 #include <memory>
 #include <optional>
 #include <vector>
 
 #include "cspace/obstacle/event_clusters.h"
+#include "cspace/obstacle/near_slice.h"
 #include "cspace/obstacle/slice_reader.h"
 #include "cspace/obstacle/swept_boundary.h"
 #include "cspace/obstacle/tight_places.h"
@@ -23,6 +25,8 @@ class ObstacleSweep {
   ObstacleSweep(const TurningForms& forms, const TurnCatalog& catalog, std::shared_ptr<const OperandPair> base,
                 bool reference, const std::function<void()>& again);
 
+  /// Slices near events, where the pair has them: in the place of whole ones.
+  void use(PlanarLocalSum sum) { near_slices_.emplace(std::move(sum), reader_); }
   /// The boundary behind the beginning of the first window, before its first event.
   void start(const TurnRange& range, TurnEvents& found, const OverlapFilter& filter);
   /// Passes the events of a window. `at_end`: its end, where that is a crowded quarter turn; then none of the events is
@@ -36,10 +40,11 @@ class ObstacleSweep {
   ObstacleWork& work() { return swept_.work; }
 
  private:
-  using Behind = std::function<Orientation()>;  // an orientation behind the group and before the next event
+  // An orientation behind the group and before the next event, by so many radians at most.
+  using Behind = std::function<Orientation(double)>;
   using Group = EventGroup;
   // Between two angles of a range; without events its ends.
-  Orientation sample(const TurnRange& range, TurnEvent* from, TurnEvent* to) const;
+  Orientation sample(const TurnRange& range, TurnEvent* from, TurnEvent* to, double within = INFINITY) const;
   TurnEvent* first_event(const TurnRange& range, std::vector<TurnEvent>& events) const;
   int compare(TurnEvent& a, TurnEvent& b, const TurnRange& range) const;
   bool at_end_of(const TurnRange& range, TurnEvent& event) const;
@@ -49,6 +54,8 @@ class ObstacleSweep {
   bool matters(const Group& run, const OverlapFilter& filter) const;
   void change(const Group& group, const TurnRange& range, const Behind& behind, const OverlapFilter& filter);
   bool settle(TurnEvent& event, const TurnRange& range, const Behind& behind, const OverlapFilter& filter);
+  bool take_near_slices(std::vector<Group> due, Group& alone, const Group& group, const TurnRange& range,
+                        const Behind& behind);
   void take_slice(const Group& group, const TurnRange& range, const Behind& behind);
   SliceEdit edit_to(const std::vector<SliceLoop>& loops) const;
   void join_faces(const Orientation& at);
@@ -59,6 +66,9 @@ class ObstacleSweep {
   void list_angle(const TurnRange& range, TurnEvent& event);
   void note(Heading h, ObstacleEvent::Kind kind, Point at);
   TightFeature tight_feature(const TightCandidate& from, const TightCandidate& to) const;
+  void note_first(const Group& group);
+  Point origin(Heading h) const;
+  double position_error() const;
   Point position(Heading h, Point at) const;
 
   const TurningForms& forms_;
@@ -69,6 +79,7 @@ class ObstacleSweep {
   SweptBoundary swept_;
   Orientation begin_;    // where the turn was begun
   bool turned_ = false;  // the last window is passed
+  std::optional<NearSlices> near_slices_;
 
   // At the angle of the group:
   AngleNow now_;

@@ -172,4 +172,24 @@ bool SharedLines::covered_exactly(std::span<const SubEdge> edges, const std::vec
   return signs.compare(*at, *end) >= 0;
 }
 
+void match_along_lines(const BoundaryGraph& graph, const SharedLines& lines, SliceEdit& edit) {
+  std::vector<SubEdge> ended, fresh;
+  for (const std::uint32_t n : edit.ended) ended.push_back(graph.sub_edge(n));
+  std::vector<std::uint32_t> place_of_fresh;
+  std::uint32_t index = 0;
+  for (const SliceEdit::Loop& loop : edit.loops)
+    for (const SliceEdit::Place& p : loop.places) {
+      if (p.stays == kNobody || (graph.angle() != kNobody && graph[p.stays].begin == graph.angle())) {
+        const SegmentIndex& segments = graph.segments();
+        fresh.push_back({segments.segment(p.segment), segments.segment(p.left), segments.segment(p.right)});
+        place_of_fresh.push_back(index);
+      }
+      ++index;
+    }
+  for (const auto& [n, m] : lines.continued(ended, fresh)) {
+    const bool shut = lines.shut(std::array{ended[n], fresh[m]});
+    (shut ? edit.touching : edit.continued).emplace_back(edit.ended[n], place_of_fresh[m]);
+  }
+}
+
 }  // namespace dymsum::planar

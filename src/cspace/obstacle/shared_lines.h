@@ -49,4 +49,7 @@ class SharedLines {
   ByOffset lines_before_;
 };
 
+/// Of a slice's edit: what ends and what begins, where they go on along one line, or touch in a passage that is shut.
+void match_along_lines(const BoundaryGraph& graph, const SharedLines& lines, SliceEdit& edit);
+
 }  // namespace dymsum::planar

@@ -19,6 +19,7 @@ class SliceReader {
   std::vector<SliceLoop> loops(const Orientation& at) const;
   PlanarSum slice(const Orientation& at, Semantics semantics) const;
   WalkSegment segment(const Contact& c) const;
+  std::uint32_t index(const Contact& c) const { return index_.of(segment(c)); }
   Pair corner(const SumVertex& v) const { return {walk_vertex_[0][v.corner_p], walk_vertex_[1][v.corner_q]}; }
 
   /// Sums of several parts: what lies in a hole, or outside of everything, has several loops.

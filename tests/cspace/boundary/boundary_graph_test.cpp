@@ -182,6 +182,50 @@ TEST(SliceDifference, ApplyingItIsTheSlice) {
   EXPECT_EQ(s.graph.alive().size(), 9U);
 }
 
+// Two pieces of a loop in a box whose ends are led on crosswise; what is outside stays.
+TEST(SliceEdit, PiecesOfLoopsAreLinkedToWhatIsOutside) {
+  Sweep s({{{1, 2, 3, 4, 5, 6}, true}});
+  const std::uint32_t one = s.on(1), four = s.on(4), two = s.on(2);
+  SliceEdit edit;
+  const auto add = [&](SliceEdit::Place from, SliceEdit::Place to, std::uint32_t outside) {
+    SliceEdit::Loop& piece = edit.loops.emplace_back();
+    piece.places = {from, to};
+    piece.open = true;
+    piece.before.node = piece.behind.node = outside;
+  };
+  add({2, 1, 6, kNobody}, {6, 2, 1, kNobody}, one);
+  add({5, 4, 3, kNobody}, {3, 5, 4, kNobody}, four);
+  edit.ended = {s.on(2), s.on(3), s.on(5), s.on(6)};
+  edit.continued = {{s.on(2), 0}, {s.on(6), 1}, {s.on(5), 2}, {s.on(3), 3}};
+  s.at_next_angle(edit);
+  EXPECT_EQ(s.loop(one), (Ids{1, 2, 6}));
+  EXPECT_EQ(s.loop(four), (Ids{4, 5, 3}));
+  EXPECT_EQ(s.on(1), one);
+  EXPECT_EQ(s.graph.shell_of(s.on(2)), s.graph.shell_of(two));
+  EXPECT_NE(s.graph[one].cell, s.graph[four].cell);
+  EXPECT_EQ(s.graph.cells()[0].end, 0U);
+  EXPECT_EQ(s.graph.components().find(s.graph[one].cell), s.graph.components().find(s.graph[four].cell));
+}
+
+// A piece that comes in where another one has left the box: the two are linked by their new nodes.
+TEST(SliceEdit, PiecesThatFollowEachOtherAreLinked) {
+  Sweep s({{{1, 2, 3, 4}, true}});
+  const std::uint32_t cell = s.graph[s.on(1)].cell;
+  SliceEdit edit;
+  edit.loops_may_change = false;
+  edit.loops.resize(2);
+  for (SliceEdit::Loop& piece : edit.loops) piece.open = true, piece.cell = cell;
+  edit.loops[0].places = {{1, 4, 5, kNobody}, {5, 1, 2, kNobody}, {2, 5, 3, kNobody}};
+  edit.loops[1].places = {{3, 2, 6, kNobody}, {6, 3, 4, kNobody}, {4, 6, 1, kNobody}};
+  edit.loops[0].before.place = 5, edit.loops[0].behind.place = 3;
+  edit.loops[1].before.place = 2, edit.loops[1].behind.place = 0;
+  edit.ended = {s.on(1), s.on(2), s.on(3), s.on(4)};
+  s.at_next_angle(edit);
+  EXPECT_EQ(s.loop(s.on(1)), (Ids{1, 5, 2, 3, 6, 4}));
+  EXPECT_EQ(s.graph.cells().size(), 1U);
+  EXPECT_EQ(s.graph[s.on(6)].cell, cell);
+}
+
 // Walls of a passage that is shut at the angle: what lies before and behind it touches there, and is not connected.
 TEST(SliceDifference, ShutPassagesPart) {
   Sweep s({{{1, 2, 3}, true}, {{8, 9, 10}, false}});

@@ -1,0 +1,322 @@
+#include "cspace/obstacle/near_slice.h"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+
+#include "cspace/obstacle/shared_lines.h"
+
+namespace dymsum::planar {
+namespace {
+
+/// Boxes are larger than what they are made for by this share of the span: what happens there is inside, at all angles
+/// within kNearTurn.
+constexpr double kBeside = 0x1p-18;
+/// Lines at a smaller one are taken as nearly parallel.
+constexpr double kLeastSine = 0x1p-20;
+static_assert(64 * kNearTurn < kBeside && 64 * kCutNear < kBeside);
+
+class Splice {
+ public:
+  Splice(const SweepScene& scene, const AngleNow& now, Heading h, const NearChange& change)
+      : forms_(scene.forms), graph_(scene.graph), now_(now), h_(h), box_(change.box), chains_(change.chains) {}
+
+  std::optional<SliceEdit> run(std::vector<std::uint32_t> segments) {
+    if (!find_stubs() || !walk_chains() || !find_loops(std::move(segments))) return std::nullopt;
+    return make_edit();
+  }
+
+ private:
+  // The node on a segment that passes a side of the box at a point: of those that end behind it the nearest one, or of
+  // those that begin before it. Outside the box nothing changes, so there is one.
+  std::optional<std::uint32_t> stub(std::uint32_t segment, Point at, bool comes_in) const {
+    const std::uint32_t first = graph_.first_on(segment);
+    const WalkSegment s = graph_.segments().segment(segment);
+    const Point from = forms_.place(TurningForms::start(s), h_), d = forms_.direction(s, h_);
+    const double length2 = d.x * d.x + d.y * d.y, here = (d.x * (at.x - from.x) + d.y * (at.y - from.y)) / length2,
+                 near = kCutNear * forms_.span() / std::sqrt(length2);
+    std::optional<std::uint32_t> best;
+    double best_at = 0;
+    for (std::uint32_t n = first; n != kNobody; n = graph_[n].next_on_segment) {
+      const Located end =
+          place_on(forms_, s, graph_.segments().segment(comes_in ? graph_[n].left : graph_[n].right), comes_in, h_);
+      const double beyond = comes_in ? here - end.t : end.t - here;
+      if (std::isinf(end.error) && n == first && graph_[n].next_on_segment == kNobody) return n;
+      if (!(std::abs(beyond) > end.error + near)) return std::nullopt;
+      if (beyond < 0 || (best && beyond > best_at)) continue;
+      best = n;
+      best_at = beyond;
+    }
+    return best;
+  }
+
+  bool find_stubs() {
+    for (const BoundaryChain& chain : chains_) {
+      ins_.push_back(kNobody);
+      outs_.push_back(kNobody);
+      if (chain.closed) continue;
+      const auto in = stub(chain.segments.front(), chain.from, true),
+                 out = stub(chain.segments.back(), chain.to, false);
+      if (!in || !out) return false;
+      ins_.back() = *in;
+      outs_.back() = *out;
+      if (!chain_of_out_.emplace(*out, outs_.size() - 1).second) return false;
+    }
+    return true;
+  }
+
+  // Along the boundary before the angle, from each node that comes in to the first one that leaves.
+  bool walk_chains() {
+    std::vector<std::uint8_t> left(chains_.size());
+    for (std::size_t c = 0; c < chains_.size(); ++c) {
+      if (chains_[c].closed) continue;
+      std::uint32_t n = ins_[c];
+      for (;; n = graph_[n].next) {
+        if (!inside_.emplace(n, true).second) return false;
+        old_.push_back(n);
+        if (chain_of_out_.contains(n)) break;
+      }
+      const std::size_t to = chain_of_out_.at(n);
+      if (left[to]) return false;
+      left[to] = 1;
+      pairs_change_ |= to != c;
+    }
+    return true;
+  }
+
+  // Loops that lie in the box as wholes: a loop that passes its sides is on the chains wherever it is inside.
+  bool find_loops(std::vector<std::uint32_t> segments) {
+    for (const BoundaryChain& chain : chains_)
+      if (chain.closed) segments.insert(segments.end(), chain.segments.begin(), chain.segments.end());
+    std::sort(segments.begin(), segments.end());
+    segments.erase(std::unique(segments.begin(), segments.end()), segments.end());
+    for (const std::uint32_t s : segments)
+      for (std::uint32_t first = graph_.first_on(s); first != kNobody; first = graph_[first].next_on_segment) {
+        if (inside_.contains(first)) continue;
+        const std::optional<bool> in = lies_inside(first);
+        if (!in) return false;
+        if (!*in) continue;
+        for (std::uint32_t n = first; inside_.emplace(n, true).second; n = graph_[n].next) {
+          old_.push_back(n);
+          loops_.push_back(n);
+        }
+      }
+    return true;
+  }
+
+  // Whether the loop of a node that is on no chain lies in the box, by one of its vertices that doubles know.
+  std::optional<bool> lies_inside(std::uint32_t first) const {
+    std::uint32_t n = first;
+    do {
+      const WalkSegment s = graph_[n].segment;
+      const Located end = place_on(forms_, s, graph_.segments().segment(graph_[n].right), false, h_);
+      const Point d = forms_.direction(s, h_), from = forms_.place(TurningForms::start(s), h_);
+      const double near = kCutNear * forms_.span();
+      if (end.error * std::hypot(d.x, d.y) < near) {
+        const Point p{from.x + end.t * d.x, from.y + end.t * d.y};
+        const double x = std::min(p.x - box_.low.x, box_.high.x - p.x),
+                     y = std::min(p.y - box_.low.y, box_.high.y - p.y), depth = std::min(x, y);
+        if (std::abs(depth) > 2 * near) return depth > 0;
+      }
+      n = graph_[n].next;
+    } while (n != first);
+    return std::nullopt;
+  }
+
+  std::optional<SliceEdit> make_edit() {
+    std::map<std::array<std::uint32_t, 3>, std::uint32_t> known;
+    std::vector<SubEdge> before;
+    for (const std::uint32_t n : old_) {
+      known[{graph_[n].id, graph_[n].left, graph_[n].right}] = n;
+      before.push_back(graph_.sub_edge(n));
+    }
+    const SharedLines lines(forms_, now_, std::move(before));
+    SliceEdit edit;
+    std::vector<std::uint32_t> first_place;
+    std::uint32_t index = 0;
+    bool cycles_change = false;
+    for (std::size_t c = 0; c < chains_.size(); ++c) {
+      const BoundaryChain& chain = chains_[c];
+      const std::size_t n = chain.segments.size();
+      SliceEdit::Loop& to = edit.loops.emplace_back();
+      to.open = !chain.closed;
+      if (to.open) to.cell = graph_[ins_[c]].cell;
+      first_place.push_back(index);
+      for (std::size_t k = 0; k < n; ++k, ++index) {
+        SliceEdit::Place place{chain.segments[k], chain.segments[(k + n - 1) % n], chain.segments[(k + 1) % n],
+                               kNobody};
+        if (to.open && k == 0) place.left = graph_[ins_[c]].left;
+        if (to.open && k + 1 == n) place.right = graph_[outs_[c]].right;
+        const auto it = known.find({place.segment, place.left, place.right});
+        if (it != known.end() && lines.shut(std::array{graph_.sub_edge(it->second)})) {
+          edit.touching.emplace_back(it->second, index);
+        } else if (it != known.end()) {
+          place.stays = it->second;
+          known.erase(it);
+        }
+        cycles_change |= chain.closed && place.stays == kNobody;
+        to.places.push_back(place);
+      }
+    }
+    first_place.push_back(index);
+    for (const auto& [key, n] : known) edit.ended.push_back(n);
+    for (std::size_t c = 0; c < chains_.size(); ++c) {
+      if (chains_[c].closed) continue;
+      SliceEdit::Loop& loop = edit.loops[c];
+      const std::uint32_t before = graph_[ins_[c]].prev, behind = graph_[outs_[c]].next;
+      loop.before.node = before;
+      loop.behind.node = behind;
+      if (const auto out = chain_of_out_.find(before); out != chain_of_out_.end())
+        loop.before.place = first_place[out->second + 1] - 1;
+      else if (inside_.contains(before)) return std::nullopt;
+      if (const auto in = std::find(ins_.begin(), ins_.end(), behind); in != ins_.end())
+        loop.behind.place = first_place[static_cast<std::size_t>(in - ins_.begin())];
+      else if (inside_.contains(behind)) return std::nullopt;
+    }
+    edit.loops_may_change =
+        pairs_change_ || cycles_change || std::any_of(loops_.begin(), loops_.end(), [&](std::uint32_t n) {
+          return std::find(edit.ended.begin(), edit.ended.end(), n) != edit.ended.end();
+        });
+    match_along_lines(graph_, lines, edit);
+    return edit;
+  }
+
+  const TurningForms& forms_;
+  const BoundaryGraph& graph_;
+  const AngleNow& now_;
+  Heading h_;
+  const FormsBox& box_;
+  const std::vector<BoundaryChain>& chains_;
+  std::vector<std::uint32_t> ins_, outs_;              // of chains: nodes
+  std::map<std::uint32_t, std::size_t> chain_of_out_;  // of nodes
+  std::map<std::uint32_t, bool> inside_;               // nodes of chains and loops before
+  std::vector<std::uint32_t> old_, loops_;
+  bool pairs_change_ = false;
+};
+
+}  // namespace
+
+std::optional<std::vector<BoundaryChain>> NearSlices::in(const PlanarBox& box, const Orientation& at) {
+  // The sum of O with -R(theta), which is R turned by half a turn more.
+  const Result<PlanarLocalPart> cut = sum_.in(box, {}, {Orientation::half_turn() * at, {}});
+  if (!cut) return std::nullopt;
+  const std::vector<PlanarLocalPart::Edge>& edges = cut->edges;
+  std::vector<std::uint32_t> in(cut->vertices.size(), kNobody), out(cut->vertices.size(), kNobody);
+  for (std::uint32_t e = 0; e < edges.size(); ++e) {
+    if (out[edges[e].from] != kNobody || in[edges[e].to] != kNobody) return std::nullopt;
+    out[edges[e].from] = e;
+    in[edges[e].to] = e;
+  }
+  std::vector<BoundaryChain> chains;
+  std::vector<std::uint8_t> seen(edges.size());
+  const auto follow = [&](std::uint32_t first) {
+    BoundaryChain& chain = chains.emplace_back();
+    chain.from = cut->vertices[edges[first].from];
+    for (std::uint32_t e = first; e != kNobody && !seen[e]; e = out[edges[e].to]) {
+      seen[e] = 1;
+      chain.segments.push_back(reader_.index(edges[e].contact));
+      chain.to = cut->vertices[edges[e].to];
+      chain.closed = out[edges[e].to] == first;
+    }
+  };
+  for (std::uint32_t e = 0; e < edges.size(); ++e)
+    if (in[edges[e].from] == kNobody) follow(e);
+  for (std::uint32_t e = 0; e < edges.size(); ++e)
+    if (!seen[e]) follow(e);
+  return chains;
+}
+
+namespace {
+
+// Around all that an event may change at its angle, but for rounding, and all that it changes within `turn` behind it.
+// The crossing of two lines moves by at most span (1 + 4 / sine) for every radian, while the sine keeps half of itself;
+// where they are nearly parallel it may be anywhere on what the segments share of their line. Nothing where no doubles
+// are known of its place.
+bool add_event(const TurnEvent& event, const SweepScene& scene, const SignsAt& signs, NearChange& to) {
+  const TurningForms& forms = scene.forms;
+  const Heading h = signs.heading();
+  const auto add = [&](Pair v) { to.box.add(forms.place(v, h)); };
+  const auto sine = [&](const WalkSegment& s, const WalkSegment& t) {
+    return std::abs(forms.cross(s, t).at(h)) / (forms.length1(s) * forms.length1(t));
+  };
+  if (event.kind == TurnEvent::Kind::vertex_on_segment) add(event.v);
+  if (event.kind == TurnEvent::Kind::alignment) {
+    const std::uint32_t e1 = forms.operand(1).next[event.e], f1 = forms.operand(0).next[event.f];
+    for (const Pair v : {Pair{event.f, event.e}, Pair{f1, event.e}, Pair{event.f, e1}, Pair{f1, e1}}) add(v);
+  }
+  if (event.kind == TurnEvent::Kind::three_segments)
+    for (const auto& [s, t] : {std::pair{&event.a, &event.b}, {&event.b, &event.c}, {&event.c, &event.a}}) {
+      if (sine(*s, *t) < kLeastSine) continue;
+      const std::optional<Point> at = signs.near(ExactPlace{{true, {}, *s, *t}, {}});
+      if (!at) return false;
+      to.box.add(*at);
+      break;
+    }
+  const std::vector<std::uint32_t> all = segments_of(event, scene);
+  for (std::size_t k = 0; k < all.size(); ++k)
+    for (std::size_t l = k + 1; l < all.size(); ++l) {
+      const WalkSegment s = scene.graph.segments().segment(all[k]), t = scene.graph.segments().segment(all[l]);
+      if (all[k] == all[l]) continue;
+      if (const double at = sine(s, t); at >= kLeastSine) {
+        to.turn = std::min(to.turn, kNearTurn * at);
+        continue;
+      }
+      const Point d = forms.direction(s, h);
+      std::array<Point, 4> ends{forms.place(TurningForms::start(s), h), forms.place(forms.end(s), h),
+                                forms.place(TurningForms::start(t), h), forms.place(forms.end(t), h)};
+      std::sort(ends.begin(), ends.end(),
+                [&](Point a, Point b) { return d.x * a.x + d.y * a.y < d.x * b.x + d.y * b.y; });
+      to.box.add(ends[1]);
+      to.box.add(ends[2]);
+    }
+  return true;
+}
+
+}  // namespace
+
+std::optional<std::vector<NearChange>> boxes_of(std::vector<EventGroup> due, EventGroup& alone, const SweepScene& scene,
+                                                const SignsAt& signs) {
+  const std::size_t first_alone = due.size();
+  for (TurnEvent* event : alone) due.push_back({event});
+  alone.clear();
+  std::vector<NearChange> all;
+  for (EventGroup& events : due) {
+    NearChange& change = all.emplace_back();
+    for (const TurnEvent* event : events)
+      if (!add_event(*event, scene, signs, change)) return std::nullopt;
+    change.box.grow(kBeside * scene.forms.span());
+    change.events = std::move(events);
+  }
+  std::vector<NearChange> apart;
+  std::vector<std::uint8_t> taken(all.size());
+  for (std::size_t first = 0; first < first_alone; ++first) {
+    if (taken[first]) continue;
+    taken[first] = 1;
+    NearChange change = std::move(all[first]);
+    for (bool grown = true; grown;) {
+      grown = false;
+      for (std::size_t k = 0; k < all.size(); ++k) {
+        if (taken[k] || !change.box.meets(all[k].box)) continue;
+        taken[k] = grown = true;
+        change.box.add(all[k].box);
+        change.turn = std::min(change.turn, all[k].turn);
+        change.events.insert(change.events.end(), all[k].events.begin(), all[k].events.end());
+      }
+    }
+    apart.push_back(std::move(change));
+  }
+  for (std::size_t k = first_alone; k < all.size(); ++k)
+    if (!taken[k]) alone.push_back(all[k].events[0]);
+  return apart;
+}
+
+std::optional<SliceEdit> edit_near(const SweepScene& scene, const AngleNow& now, Heading h, const NearChange& change) {
+  std::vector<std::uint32_t> segments;
+  for (const TurnEvent* event : change.events) {
+    const std::vector<std::uint32_t> of = segments_of(*event, scene);
+    segments.insert(segments.end(), of.begin(), of.end());
+  }
+  return Splice(scene, now, h, change).run(std::move(segments));
+}
+
+}  // namespace dymsum::planar
