@@ -125,6 +125,7 @@ class AlignmentEdit {
 EventPlan plan_alignment(TurnEvent& event, const TurnRange& range, const SweepScene& scene) {
   const WalkSegment first{1, event.e, event.f}, second{0, event.f, scene.forms.operand(1).next[event.e]};
   if (scene.graph.first_on(first) == kNobody && scene.graph.first_on(second) == kNobody) return {};
+  exact_root(event, scene.forms, range);
   std::optional<BoundaryEdit> edit = AlignmentEdit(event, range, scene).edit();
   if (!edit) return {EventPlan::Verdict::unsure, {}, {}, {}};
   const Point at = place_of(event, scene.forms, Heading::of(event.theta())).at;
