@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <stdexcept>
 #include <string>
 
@@ -11,7 +12,7 @@
 namespace dymsum::planar {
 namespace {
 
-constexpr std::uint32_t kNone = 0xffffffff;
+constexpr std::uint32_t kNone = kNobody;
 
 [[noreturn]] void not_a_boundary(const char* why) { throw std::logic_error(std::string("limit_of: ") + why); }
 
@@ -89,7 +90,8 @@ class Limit {
     for (std::uint32_t i = 0; i < n; ++i) {
       if (is_point_[i]) continue;
       std::uint32_t j = edges_[i].next;
-      while (is_point_[j]) j = edges_[j].next;
+      while (j != kNone && is_point_[j]) j = edges_[j].next;
+      if (j == kNone) continue;
       visits_[i] = {i, j};
       before_[j] = i;
     }
@@ -97,12 +99,15 @@ class Limit {
     std::vector<std::uint8_t> known = is_point_;  // of loops not yet counted
     for (std::uint32_t i = 0; i < n; ++i) {
       if (is_point_[i]) continue;
-      for (std::uint32_t j = edges_[i].next; is_point_[j]; j = edges_[j].next) known[j] = 0;
+      for (std::uint32_t j = edges_[i].next; j != kNone && is_point_[j]; j = edges_[j].next) known[j] = 0;
     }
     for (std::uint32_t i = 0; i < n; ++i) {
       if (!known[i]) continue;
       out_.halves[i] += 2;
-      for (std::uint32_t j = i; known[j]; j = edges_[j].next) known[j] = 0;
+      for (std::uint32_t j = i; j != kNone && known[j]; j = edges_[j].next) {
+        out_.more_is_needed |= edges_[j].next == kNone;
+        known[j] = 0;
+      }
     }
   }
 
@@ -133,7 +138,7 @@ class Limit {
   }
 
   void end_on_edge(std::uint32_t i, std::uint32_t j) {
-    if (j == visits_[i].out) return;
+    if (j == visits_[i].out || visits_[i].in == kNone) return;
     const WalkSegment& s = segment(j);
     const Point z = ends_[i][1];
     const double error = 2 * SignsAt::kNear * forms_.length1(s) * forms_.span(), at = signs_.along_near(s, z);
@@ -142,8 +147,12 @@ class Limit {
       return;
     const int from = order(i, j, false), to = order(i, j, true);
     if (from < 0 || to > 0) return;
-    if (from == 0) return place_.unite(i, before_[j]);
-    if (to == 0) return place_.unite(i, j);
+    if (from == 0 || to == 0) {
+      const std::uint32_t at = from == 0 ? before_[j] : j;
+      if (at == kNone || visits_[at].in == kNone) out_.more_is_needed = true;
+      else place_.unite(i, at);
+      return;
+    }
     const auto passing = static_cast<std::uint32_t>(visits_.size());
     visits_.push_back({j, j});
     place_.add();
@@ -268,28 +277,47 @@ class Limit {
 
 BoundaryLimit limit_of(const SignsAt& signs, const std::vector<LimitEdge>& edges) { return Limit(signs, edges).run(); }
 
-LimitsOfAngle limits_of_angle(const SignsAt& signs, const BoundaryGraph& graph) {
-  std::vector<std::uint32_t> next_before(graph.nodes().size(), kNobody), index(graph.nodes().size());
-  for (const auto& [n, next] : graph.relinked())
-    if (next_before[n] == kNobody) next_before[n] = next;
-  LimitsOfAngle found;
-  for (const bool behind : {false, true}) {
-    std::vector<std::uint32_t> nodes;
-    for (const std::uint32_t n : graph.alive())
-      if (behind || graph[n].begin != graph.angle()) nodes.push_back(n);
-    for (const std::uint32_t n : graph.ended())
-      if (!behind && graph[n].begin != graph.angle()) nodes.push_back(n);
-    for (std::uint32_t k = 0; k < nodes.size(); ++k) index[nodes[k]] = k;
-    std::vector<LimitEdge> edges;
-    for (const std::uint32_t n : nodes)
-      edges.push_back({graph.sub_edge(n), index[behind || next_before[n] == kNobody ? graph[n].next : next_before[n]]});
-    const BoundaryLimit limit = limit_of(signs, edges);
-    for (std::uint32_t k = 0; k < nodes.size(); ++k)
-      if (limit.halves[k] != 0) found.halves.emplace_back(nodes[k], limit.halves[k]);
-    for (const auto& [k, l] : limit.together) found.together.push_back({nodes[k], nodes[l]});
-    if (limit.touch) found.touch = limit.touch;
+namespace {
+
+// Of the nodes before the angle, or behind it; nothing where `near` leaves out what is needed.
+bool add_limit(const SignsAt& signs, const BoundaryGraph& graph, const std::vector<std::uint32_t>& near, bool behind,
+               LimitsOfAngle& found) {
+  std::map<std::uint32_t, std::uint32_t> next_before;
+  for (const auto& [n, next] : graph.relinked()) next_before.emplace(n, next);
+  std::vector<std::uint32_t> all = near;
+  if (near.empty()) {
+    all = graph.alive();
+    all.insert(all.end(), graph.ended().begin(), graph.ended().end());
+    std::sort(all.begin(), all.end());
   }
-  return found;
+  std::vector<std::uint32_t> nodes;
+  for (const std::uint32_t n : all)
+    if (behind ? graph[n].alive : graph[n].begin != graph.angle() && (graph[n].alive || graph[n].end == graph.angle()))
+      nodes.push_back(n);
+  std::vector<LimitEdge> edges;
+  for (const std::uint32_t n : nodes) {
+    const auto before = behind ? next_before.end() : next_before.find(n);
+    const std::uint32_t next = before == next_before.end() ? graph[n].next : before->second;
+    const auto at = std::lower_bound(nodes.begin(), nodes.end(), next);
+    const bool known = at != nodes.end() && *at == next;
+    edges.push_back({graph.sub_edge(n), known ? static_cast<std::uint32_t>(at - nodes.begin()) : kNone});
+  }
+  const BoundaryLimit limit = limit_of(signs, edges);
+  if (limit.more_is_needed) return false;
+  for (std::uint32_t k = 0; k < nodes.size(); ++k)
+    if (limit.halves[k] != 0) found.halves.emplace_back(nodes[k], limit.halves[k]);
+  for (const auto& [k, l] : limit.together) found.together.push_back({nodes[k], nodes[l]});
+  if (limit.touch) found.touch = limit.touch;
+  return true;
+}
+
+}  // namespace
+
+LimitsOfAngle limits_of_angle(const SignsAt& signs, const BoundaryGraph& graph,
+                              const std::vector<std::uint32_t>& near) {
+  LimitsOfAngle found;
+  if (add_limit(signs, graph, near, false, found) && add_limit(signs, graph, near, true, found)) return found;
+  return limits_of_angle(signs, graph);
 }
 
 }  // namespace dymsum::planar

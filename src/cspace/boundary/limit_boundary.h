@@ -12,7 +12,8 @@
 
 namespace dymsum::planar {
 
-/// A sub-edge of a loop with free space on its right, and the index of the one behind it.
+/// A sub-edge of a loop with free space on its right, and the index of the one behind it; kNobody where that is left
+/// out, as all is that comes to no place that is looked at.
 struct LimitEdge {
   SubEdge at;
   std::uint32_t next = 0;
@@ -26,6 +27,8 @@ struct BoundaryLimit {
   std::vector<std::array<std::uint32_t, 2>> together;
   /// A place where the limit passes more than once, in the forms' doubles.
   std::optional<Point> touch;
+  /// What was left out comes to a place after all: nothing above counts.
+  bool more_is_needed = false;
 };
 
 /// Exact. O(n log n) and the pairs of sub-edges whose boxes meet, in doubles; exact signs where doubles do not keep
@@ -33,12 +36,14 @@ struct BoundaryLimit {
 BoundaryLimit limit_of(const SignsAt& signs, const std::vector<LimitEdge>& edges);
 
 /// The limits from before and from behind at the graph's angle, by nodes: shares of surfaces, nodes of one surface, and
-/// a place where one of the two limits touches itself.
+/// a place where one of the two limits touches itself. `near`, unless it is empty: all nodes, increasing, that come to
+/// places at which the boundary changes or touches itself; else all nodes are looked at.
 struct LimitsOfAngle {
   std::vector<std::pair<std::uint32_t, int>> halves;
   std::vector<std::array<std::uint32_t, 2>> together;
   std::optional<Point> touch;
 };
-LimitsOfAngle limits_of_angle(const SignsAt& signs, const BoundaryGraph& graph);
+LimitsOfAngle limits_of_angle(const SignsAt& signs, const BoundaryGraph& graph,
+                              const std::vector<std::uint32_t>& near = {});
 
 }  // namespace dymsum::planar

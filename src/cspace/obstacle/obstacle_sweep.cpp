@@ -146,6 +146,8 @@ void ObstacleSweep::pass_group(const Group& group, const TurnRange& range, const
   swept_.graph.begin_angle();
   now_.begin(group[0]->theta(), crowded_ != nullptr ? &crowded_->turn : nullptr);
   sliced_ = false;
+  near_nodes_.clear();
+  first_node_ = static_cast<std::uint32_t>(swept_.graph.nodes().size());
   doubtful_.clear();
   change(group, range, behind, filter);
   std::vector<AlwaysConcurrent> curves = turned_ ? begin_curves_ : std::vector<AlwaysConcurrent>{};
@@ -190,7 +192,7 @@ bool ObstacleSweep::take_near_slices(std::vector<Group> due, Group& alone, const
   for (const NearChange& change : *changes) turn = std::min(turn, change.turn);
   const Orientation at = behind(turn);
   const Heading h = Heading::of(at.radians());
-  const Point o = origin(h);
+  const Point o = position(h, {});
   const auto in_forms = [&](Point p) { return Point{(p.x - o.x) / unit, (p.y - o.y) / unit}; };
   for (NearChange& change : *changes) {
     std::optional<std::vector<BoundaryChain>> chains =
@@ -208,6 +210,10 @@ bool ObstacleSweep::take_near_slices(std::vector<Group> due, Group& alone, const
     if (!edit) return false;
     doubtful_.insert(doubtful_.end(), change.events.begin(), change.events.end());
     sliced_ = true;
+    near_nodes_.insert(near_nodes_.end(), edit->ended.begin(), edit->ended.end());
+    for (const SliceEdit::Loop& loop : edit->loops)
+      for (const SliceEdit::Place& place : loop.places)
+        if (place.stays != kNobody) near_nodes_.push_back(place.stays);
     if (edit->empty()) continue;
     list_angle(range, *group[0]);
     note_first(change.events);
@@ -255,6 +261,7 @@ void ObstacleSweep::take_slice(const Group& group, const TurnRange& range, const
   list_angle(range, *group[0]);
   note_first(group);
   swept_.graph.apply(edit_to(reader_.loops(behind(INFINITY))));
+  near_nodes_.clear();
   doubtful_ = group;
   sliced_ = true;
 }
@@ -304,11 +311,31 @@ void ObstacleSweep::examine(const TurnRange& range, const OverlapFilter& filter,
 }
 
 std::optional<Point> ObstacleSweep::look_at_limits() {
-  const LimitsOfAngle limits = limits_of_angle(now_.signs(), swept_.graph);
+  const LimitsOfAngle limits = limits_of_angle(now_.signs(), swept_.graph, nodes_near());
   swept_.limit_halves.insert(swept_.limit_halves.end(), limits.halves.begin(), limits.halves.end());
   for (const auto& [n, m] : limits.together) swept_.graph.join_shells(n, m);
   swept_.limit_angles.push_back(swept_.graph.angle());
   return limits.touch;
+}
+
+// What is in the boxes of slices near events, and beside it all that single events change; none where a whole slice was
+// taken.
+std::vector<std::uint32_t> ObstacleSweep::nodes_near() const {
+  if (near_nodes_.empty()) return {};
+  const BoundaryGraph& graph = swept_.graph;
+  std::vector<std::uint32_t> all = near_nodes_;
+  all.insert(all.end(), graph.ended().begin(), graph.ended().end());
+  for (auto n = first_node_; n < graph.nodes().size(); ++n) all.push_back(n);
+  for (std::size_t k = all.size(); k-- > 0;)
+    for (const std::uint32_t n : {graph[all[k]].prev, graph[all[k]].next}) all.push_back(n);
+  for (const auto& [n, next] : graph.relinked()) {
+    all.push_back(n);
+    all.push_back(next);
+  }
+  std::sort(all.begin(), all.end());
+  all.erase(std::unique(all.begin(), all.end()), all.end());
+  std::erase(all, kNobody);
+  return all;
 }
 
 void ObstacleSweep::list_angle(const TurnRange& range, TurnEvent& event) {
@@ -361,17 +388,11 @@ double ObstacleSweep::position_error() const {
 
 // Of a point in the forms' doubles, which leave out the turned centre and the offsets.
 Point ObstacleSweep::position(Heading h, Point at) const {
-  const Point o = origin(h);
-  const double unit = reader_.base().lattice->unit;
-  return {at.x * unit + o.x, at.y * unit + o.y};
-}
-
-Point ObstacleSweep::origin(Heading h) const {
   const Point c = forms_.centre();
   const Lattice& l = *reader_.base().lattice;
   const Point turned{l.points[1]->offset.x + c.x * l.unit, l.points[1]->offset.y + c.y * l.unit};
-  return {l.points[0]->offset.x + h.c * turned.x - h.s * turned.y,
-          l.points[0]->offset.y + h.s * turned.x + h.c * turned.y};
+  return {at.x * l.unit + l.points[0]->offset.x + h.c * turned.x - h.s * turned.y,
+          at.y * l.unit + l.points[0]->offset.y + h.s * turned.x + h.c * turned.y};
 }
 
 }  // namespace dymsum::planar

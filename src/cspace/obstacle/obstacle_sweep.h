@@ -61,13 +61,13 @@ class ObstacleSweep {
   void join_faces(const Orientation& at);
   void examine(const TurnRange& range, const OverlapFilter& filter, const std::vector<AlwaysConcurrent>& curves_behind);
   std::optional<Point> look_at_limits();
+  std::vector<std::uint32_t> nodes_near() const;
   void unlist_angle(std::size_t tight_before);
   SweepScene scene() const { return {forms_, catalog_, swept_.graph}; }
   void list_angle(const TurnRange& range, TurnEvent& event);
   void note(Heading h, ObstacleEvent::Kind kind, Point at);
   TightFeature tight_feature(const TightCandidate& from, const TightCandidate& to) const;
   void note_first(const Group& group);
-  Point origin(Heading h) const;
   double position_error() const;
   Point position(Heading h, Point at) const;
 
@@ -84,7 +84,10 @@ class ObstacleSweep {
   // At the angle of the group:
   AngleNow now_;
   bool sliced_ = false;  // a whole slice told what changed
-  Group doubtful_;       // events that may be positions of tight contacts, or of nothing at all
+  // Unless a whole one did: nodes of before that are in the boxes of slices near events.
+  std::vector<std::uint32_t> near_nodes_;
+  std::uint32_t first_node_ = 0;  // of those that begin at the angle
+  Group doubtful_;                // events that may be positions of tight contacts, or of nothing at all
 
   // Of the window, and of these the tight ones behind the last group and behind the start; sorted.
   std::vector<AlwaysConcurrent> always_, curves_, begin_curves_;
