@@ -41,28 +41,23 @@ class EventWalk {
   /// Cancelled.
   template <class F>
   std::optional<Error> run(const BigRational& from, const BigRational& to, F&& f) {
-    // Neighbours just outside decide what lies before the first and behind the last.
+    // What lies just outside decides what comes before the first and behind the last.
     BigRational low = from * BigRational(1023, 1024);
     const BigRational end = to * BigRational(1025, 1024);
     low_ = std::log(exact::round_to_double(low));
     end_ = std::log(exact::round_to_double(end));
-    std::optional<BigRational> last;
+    BigRational last = low;
     std::optional<Snapshot> before;
     while (low < end) {
-      const BigRational high = std::min<BigRational>(BigRational(low * kRatio), end);
-      std::vector<EventValue> values = values_between(low, high);
-      for (std::size_t i = 0; i < values.size(); ++i) {
+      const BigRational high = std::min<BigRational>(window_end(low), end);
+      const std::vector<EventValue> values = values_between(low, high);
+      for (std::size_t i = 0; i < values.size() && values[i].s <= to; ++i) {
         const EventValue& e = values[i];
-        if (last && e.s == *last) continue;  // on the border of two windows
-        const BigRational previous = last ? *last : BigRational(low * BigRational(1023, 1024));
-        const bool wanted = e.s >= from && e.s <= to;
-        const bool next_wanted = e.s <= to;
-        if (wanted) {
-          const BigRational next = i + 1 < values.size() ? values[i + 1].s
-                                                         : (high < end ? next_after(high, end)
-                                                                       : BigRational(high * BigRational(1025, 1024)));
+        if (e.s == last) continue;  // on the border of two windows
+        if (e.s >= from) {
+          const BigRational next = i + 1 < values.size() ? values[i + 1].s : e.s < high ? high : next_after(high, end);
           if (!before) {
-            Result<Snapshot> at = look(simple_between(previous, e.s));
+            Result<Snapshot> at = look(simple_between(last, e.s));
             if (!at) return at.error();
             before = *at;
           }
@@ -79,15 +74,23 @@ class EventWalk {
           before = *after;
         }
         last = e.s;
-        if (!next_wanted) return std::nullopt;
       }
+      if (high > to) return std::nullopt;
       low = high;
     }
     return std::nullopt;
   }
 
  private:
-  static inline const BigRational kRatio{17, 16};
+  /// Windows are as wide as their masks prove much of the sum covered, and have short ends.
+  BigRational window_end(const BigRational& low) {
+    constexpr double kLeast = 0x1p-12, kMost = 1.0 / 16;
+    const double at = exact::round_to_double(low);
+    probe_.windows.convolution_for(at, at);
+    const double width = std::clamp(probe_.windows.widest(at), kLeast, kMost),
+                 unit = std::ldexp(1, std::ilogb(at) - 20);
+    return exact::exact_value(std::ceil(at * std::exp(width) / unit) * unit);
+  }
 
   /// Asks whether to go on, s being reached.
   void ask(double s) {
@@ -97,19 +100,20 @@ class EventWalk {
 
   std::vector<EventValue> values_between(const BigRational& low, const BigRational& high) {
     ask(exact::round_to_double(low));
-    const std::unique_ptr<Window> window = probe_.windows.between(low, high);
-    return events_of(*window, lines_.forms(), low, high, [this] { poll_(share_); });
+    const auto again = [this] { poll_(share_); };
+    const std::unique_ptr<Window> window = probe_.windows.between(low, high, true, again);
+    return events_of(*window, lines_.forms(), low, high, again);
   }
 
   BigRational next_after(const BigRational& low, const BigRational& end) {
     BigRational from = low;
     while (from < end) {
-      const BigRational to = std::min<BigRational>(BigRational(from * kRatio), end);
+      const BigRational to = std::min<BigRational>(window_end(from), end);
       for (const EventValue& e : values_between(from, to))
         if (e.s > low) return e.s;
       from = to;
     }
-    return BigRational(end * BigRational(1025, 1024));
+    return end;
   }
 
   Result<Snapshot> look(const BigRational& s) {

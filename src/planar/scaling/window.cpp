@@ -35,8 +35,8 @@ Window::Window(const OperandPair& base, const ReducedConvolution& convolution, c
   add_live(convolution, swept, mask, &memory);
   const Array<PieceEnds> ends = cut_pieces(*this, swept, mask, &memory);
   EdgeSearch search(*this);
-  const auto touch_pairs = find_candidates(*this, swept, mask, ends, settings.most_pairs, settings.stop,
-                                           {settings.covers ? &search : nullptr, settings.memory});
+  const auto touch_pairs =
+      find_candidates(*this, swept, mask, ends, settings, {settings.covers ? &search : nullptr, settings.memory});
   abandoned = !touch_pairs || settings.stop.stop_requested();
   if (abandoned) return;
   make_nodes(*this, *touch_pairs);

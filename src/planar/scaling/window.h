@@ -9,6 +9,7 @@
 
 #include <array>
 #include <cstdint>
+#include <functional>
 #include <vector>
 
 #include "base/scratch.h"
@@ -104,6 +105,7 @@ struct WindowSettings {
   std::uint64_t most_pairs = UINT64_MAX;  ///< the window is abandoned when more boxes of pieces meet
   CoverMemory* memory = nullptr;          ///< of windows of the same convolution
   base::StopToken stop;                   ///< the window is abandoned when that is asked for
+  std::function<void()> again;            ///< if there is one, called every so many pairs; it may throw
   double shrink = 1;  ///< tests: sweep masks and pairs over this share of the window only; less than 1 is wrong
 };
 

@@ -27,8 +27,10 @@ class WindowBuilder {
   explicit WindowBuilder(std::shared_ptr<const OperandPair> base, std::uint64_t family = 0)
       : base_(std::move(base)), family_(family) {}
 
-  /// A window for the events in [low, high]; without `covers` also of crossings inside the sum.
-  std::unique_ptr<Window> between(const exact::BigRational& low, const exact::BigRational& high, bool covers = false);
+  /// A window for the events in [low, high]; without `covers` also of crossings inside the sum. `again` is called now
+  /// and then and may throw.
+  std::unique_ptr<Window> between(const exact::BigRational& low, const exact::BigRational& high, bool covers = false,
+                                  const std::function<void()>& again = {});
   /// For frames in (low, high), near `at` at first; abandoned when more than `most_pairs` boxes meet. Plans of one
   /// convolution share a memory.
   WindowPlan plan(double low, double high, double at, std::uint64_t most_pairs);

@@ -72,13 +72,14 @@ class PairTests {
         search_(search),
         always_on_(window),
         touches_(window, always_on_) {}
-  bool run(const Array<PieceEnds>& ends, std::uint64_t most_pairs, const base::StopToken& stop);
+  bool run(const Array<PieceEnds>& ends, const WindowSettings& settings);
   const std::vector<WalkPair>& touch_pairs() const { return touches_.pairs(); }
 
  private:
   void test(std::uint32_t i, std::uint32_t j);
   bool dead_throughout(const Candidate& c) const;
   bool covered_throughout(const Candidate& c) const;
+  bool bracket_nearly_parallel(Candidate& c) const;
   void test_parallel(Candidate c);
   void solve(Candidate& c) const;
 
@@ -91,7 +92,12 @@ class PairTests {
 };
 
 // Pieces meet in what their boxes share; where all of that is dead nothing matters.
-bool PairTests::run(const Array<PieceEnds>& ends, std::uint64_t most_pairs, const base::StopToken& stop) {
+bool PairTests::run(const Array<PieceEnds>& ends, const WindowSettings& settings) {
+  const auto stopped = [&] { return window_.pair_tests > settings.most_pairs || settings.stop.stop_requested(); };
+  std::uint32_t rounds = 0;
+  const auto again = [&] {
+    if (settings.again && ++rounds % 64 == 0) settings.again();
+  };
   Scratch* const memory = ends.get_allocator().scratch();
   PiecePairs close(memory);
   const PieceBoxes boxes(window_, ends, mask_.grid(), memory);
@@ -107,16 +113,18 @@ bool PairTests::run(const Array<PieceEnds>& ends, std::uint64_t most_pairs, cons
   sweep_boxes(
       std::span<const BoxQuanta>(boxes.quanta), memory,
       [&](std::uint32_t, std::uint32_t) {
-        const bool go_on = window_.pair_tests <= most_pairs && !stop.stop_requested();
+        again();
+        const bool go_on = !stopped();
         return [go_on](std::uint32_t) { return go_on; };
       },
       [&](std::uint32_t i, std::span<const std::uint32_t> others) {
         for (const std::uint32_t j : others) meet(i, j);
       });
-  if (window_.pair_tests > most_pairs || stop.stop_requested()) return false;
+  if (stopped()) return false;
   share_lines(window_, always_on_, close);
   for (const auto& [i, j] : close) {
-    if (stop.stop_requested()) return false;
+    again();
+    if (settings.stop.stop_requested()) return false;
     test(i, j);
   }
   return true;
@@ -145,8 +153,8 @@ void PairTests::test(std::uint32_t i, std::uint32_t j) {
   if (sign == 0) return test_parallel(c);
   solve(c);
   if (!(c.error_a < kKnownShare && c.error_b < kKnownShare)) {
-    c.in_low = INFINITY;  // nearly parallel: exact signs decide at every scale
-    window_.candidates.push_back(c);
+    c.in_low = INFINITY;  // nearly parallel: exact signs decide wherever both lines are close
+    if (bracket_nearly_parallel(c)) window_.candidates.push_back(c);
     return;
   }
   std::array<bool, 2> at_a{}, at_b{};
@@ -194,6 +202,37 @@ bool PairTests::covered_throughout(const Candidate& c) const {
   return true;
 }
 
+// Segments that are nearly parallel cross only where the ends of each do not lie on one side of the other for certain.
+// Sides are linear in tau, so from either end of the window on they stay on one side until one of them may change its
+// own. False where they never cross.
+bool PairTests::bracket_nearly_parallel(Candidate& c) const {
+  const double tau0 = window_.frame().tau0, tau1 = window_.frame().tau1;
+  for (const auto& [i, j] : {std::pair{c.a, c.b}, std::pair{c.b, c.a}}) {
+    const LiveSegment &line = window_.segments[window_.pieces[i].segment],
+                      &other = window_.segments[window_.pieces[j].segment];
+    const double error = kWindowSide * window_.span() * (std::abs(line.dx) + std::abs(line.dy));
+    const Linear wx{other.x.a - line.x.a, other.x.b - line.x.b}, wy{other.y.a - line.y.a, other.y.b - line.y.b};
+    const Linear from{line.dx * wy.a - line.dy * wx.a, line.dx * wy.b - line.dy * wx.b};
+    const double along = line.dx * other.dy - line.dy * other.dx;
+    const Linear to = other.moving ? Linear{from.a, from.b + along} : Linear{from.a + along, from.b};
+    const auto beyond = [&](double tau) {
+      const double s = from.at(tau), e = to.at(tau);
+      return s > error && e > error ? 1 : s < -error && e < -error ? -1 : 0;
+    };
+    const int at_low = beyond(tau0), at_high = beyond(tau1);
+    if (at_low != 0 && at_low == at_high) return false;
+    double low = INFINITY, high = -INFINITY;
+    for (const Linear& side : {from, to}) {
+      const double root = -side.a / side.b, wide = root_error(root, side.b, error, tau1);
+      if (at_low * side.b < 0) low = std::min(low, root - wide);
+      if (at_high * side.b > 0) high = std::max(high, root + wide);
+    }
+    if (at_low != 0) c.out_low = std::max(c.out_low, low);
+    if (at_high != 0) c.out_high = std::min(c.out_high, high);
+  }
+  return c.out_low < c.out_high;
+}
+
 // Parallel pieces can touch where their lines coincide.
 void PairTests::test_parallel(Candidate c) {
   const LiveSegment &a = window_.segments[window_.pieces[c.a].segment],
@@ -235,10 +274,10 @@ void PairTests::solve(Candidate& c) const {
 }  // namespace
 
 std::optional<std::vector<WalkPair>> find_candidates(Window& window, const WindowFrame& swept, const SweptMask& mask,
-                                                     const Array<PieceEnds>& ends, std::uint64_t most_pairs,
-                                                     const base::StopToken& stop, const CoverSearch& search) {
+                                                     const Array<PieceEnds>& ends, const WindowSettings& settings,
+                                                     const CoverSearch& search) {
   PairTests tests(window, swept, mask, search);
-  if (!tests.run(ends, most_pairs, stop)) return std::nullopt;
+  if (!tests.run(ends, settings)) return std::nullopt;
   return tests.touch_pairs();
 }
 

@@ -5,7 +5,6 @@
 #include <optional>
 #include <vector>
 
-#include "base/stop.h"
 #include "planar/scaling/window_pieces.h"
 
 namespace dymsum::planar {
@@ -20,10 +19,10 @@ struct CoverSearch {
 };
 
 /// Fills in a window's candidates, and what touches at every scale. Returns for every touch its pair of vertices;
-/// nothing where more than `most_pairs` boxes of pieces meet, or where it is stopped. `search` leaves out crossings
-/// that two edges prove covered while they exist.
+/// nothing where more boxes of pieces meet than the settings allow, or where it is stopped. `search` leaves out
+/// crossings that two edges prove covered while they exist.
 std::optional<std::vector<WalkPair>> find_candidates(Window& window, const WindowFrame& swept, const SweptMask& mask,
-                                                     const Array<PieceEnds>& ends, std::uint64_t most_pairs,
-                                                     const base::StopToken& stop, const CoverSearch& search);
+                                                     const Array<PieceEnds>& ends, const WindowSettings& settings,
+                                                     const CoverSearch& search);
 
 }  // namespace dymsum::planar

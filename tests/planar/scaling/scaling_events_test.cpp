@@ -6,7 +6,13 @@
 #include "dymsum/shapes.h"
 #include "oracles/random.h"
 #include "oracles/tiny_regions.h"
+#include "planar/convolution/convolution.h"
+#include "planar/frames/region_pair.h"
+#include "planar/scaling/exact_forms.h"
+#include "planar/scaling/fill_lattice.h"
+#include "planar/scaling/parallel_shapes.h"
 #include "planar/scaling/scaling_same.h"
+#include "planar/scaling/scaling_state.h"
 
 namespace dymsum {
 namespace {
@@ -96,8 +102,122 @@ TEST(ScaleEvents, sums_at_and_beside_events_are_exact_and_nothing_visible_lies_b
     }
   }
   EXPECT_GT(visible, 20);
-  EXPECT_GT(invisible, 20);
+  EXPECT_GT(invisible, 0);  // what is provably inside is not listed
   EXPECT_GT(triples, 5);
+}
+
+/// Turned by 30 degrees in doubles: what was parallel is so to 1e-16.
+Region turned_30(const Region& region) {
+  constexpr double c = 0.8660254037844387, s = 0.49999999999999994;
+  RegionData data = region.data();
+  for (Part& part : data.parts) {
+    for (Point& v : part.outer) v = {c * v.x - s * v.y, s * v.x + c * v.y};
+    for (Ring& hole : part.holes)
+      for (Point& v : hole) v = {c * v.x - s * v.y, s * v.x + c * v.y};
+  }
+  return Region::create(std::move(data)).value();
+}
+
+/// Every scale in [low, high] at which an end of a segment of the convolution comes onto the line of another one, or
+/// along it to the other's end, or the lines of three meet in a point: of all pairs and threes, without any window.
+std::vector<exact::BigRational> coincidences(const Region& p, const Region& q, const exact::BigRational& low,
+                                             const exact::BigRational& high) {
+  const auto base = planar::pair_of_regions(p, q, planar::PairOptions{.moved = 0}).value();
+  const planar::UnfilledLattice never(*base->lattice);
+  const planar::ReducedConvolution convolution(never, base->operands[0], base->operands[1]);
+  std::vector<planar::Segment> all;
+  convolution.for_each([&](const planar::WalkSegment& w) {
+    all.push_back({base->operands[w.side].edge(w.edge), base->operands[1 - w.side].source[w.vertex]});
+  });
+  const planar::ExactForms forms(*base);
+  std::vector<exact::BigRational> scales;
+  const auto add = [&](const planar::ExactForm& form) {
+    if (const auto root = form.root(); root && *root >= low && *root <= high) scales.push_back(*root);
+  };
+  for (std::size_t i = 0; i < all.size(); ++i)
+    for (std::size_t j = 0; j < all.size(); ++j) {
+      for (const planar::Pair v : {planar::start_of(all[j]), planar::end_of(all[j])}) {
+        add(forms.side(all[i], v));
+        if (forms.side(all[i], v).always_zero()) add(forms.along(all[i], v));
+      }
+      for (std::size_t k = i + 1; i < j && k < j; ++k) add(forms.concurrent(all[i], all[k], all[j]));
+    }
+  std::sort(scales.begin(), scales.end());
+  scales.erase(std::unique(scales.begin(), scales.end()), scales.end());
+  return scales;
+}
+
+std::vector<std::size_t> counts_of(const PlanarSum& sum) {
+  return {sum.parts.size(), sum.hole_count(), sum.tight_points.size(), sum.tight_segments.size()};
+}
+
+TEST(ScaleEvents, every_scale_at_which_the_sum_changes_is_listed_and_no_other_one_is_visible) {
+  std::size_t visible = 0, tight = 0;
+  const exact::BigRational low(4, 5), high(5, 4);
+  for (unsigned round = 0; round < 12; ++round) {
+    std::mt19937 engine(round);
+    const bool combs = round % 2 == 1;
+    Region p = combs ? comb({0, 3}, 2 + round % 3, false) : on_integers(shapes::random_polygon(8, 0, round + 1), 30),
+           q = combs ? comb({0}, 1, round % 4 == 1) : on_integers(shapes::random_polygon(6, 0, round + 20), 20);
+    if (round >= 4) p = turned_30(p), q = turned_30(q);
+    MovingOptions fresh;
+    fresh.mode = FrameMode::rebuild;
+    ScalingSum sum = ScalingSum::create(p, q, fresh).value();
+    const auto at = [&](const exact::BigRational& s) {
+      EXPECT_TRUE(sum.set(scale_at(s)).ok());
+      return std::pair{sum.combinatorial_hash(), counts_of(sum.sum())};
+    };
+    std::vector<exact::BigRational> expected;
+    const exact::BigRational first(797, 1009), last(1277, 1013);
+    const std::vector<exact::BigRational> all = coincidences(p, q, first, last);
+    if (all.empty()) continue;
+    auto before = at(planar::simple_between(first, all[0]));
+    for (std::size_t i = 0; i < all.size(); ++i) {
+      const exact::BigRational next = i + 1 < all.size() ? all[i + 1] : exact::BigRational(all[i] + 1);
+      const auto here = at(all[i]), after = at(planar::simple_between(all[i], next));
+      const bool changes = before != after || here.second != before.second;
+      if (changes && all[i] >= low && all[i] <= high) expected.push_back(all[i]);
+      tight += here.second[2] + here.second[3] > 0;
+      before = after;
+    }
+    std::vector<exact::BigRational> found;
+    for (const ScaleEvent& e : ScalingSum::create(p, q).value().events(scale_at(low), scale_at(high)).value())
+      if (e.visible) found.push_back(value(e));
+    EXPECT_EQ(found, expected) << "round " << round;
+    visible += expected.size();
+  }
+  EXPECT_GT(visible, 20u);
+  EXPECT_GT(tight, 2u);
+}
+
+// One window and no event: what makes the window asks.
+TEST(ScaleEvents, progress_is_asked_while_a_window_is_made) {
+  const ScalingSum sum = ScalingSum::create(shapes::noisy_star(120, 0.8, 1), shapes::noisy_star(110, 0.8, 2)).value();
+  const Scale a = Scale::of(1).value(), b = Scale::of(1 + 0x1p-40).value();
+  std::size_t asked = 0;
+  const Progress count = [&](std::string_view, double) { return ++asked > 0; };
+  const std::size_t events = sum.events(a, b, count).value().size();
+  EXPECT_GT(asked, 20 + 2 * events);
+  for (std::size_t most = 1; most < asked; most += 1 + asked / 7) {
+    std::size_t left = most;
+    const Progress stop = [&](std::string_view, double) { return --left > 0; };
+    EXPECT_EQ(sum.events(a, b, stop).error().code, ErrorCode::cancelled) << most;
+    EXPECT_EQ(left, 0u);
+  }
+}
+
+// Their crossings were left to exact signs at every scale, and any two of them on one piece to exact roots.
+TEST(ScaleEvents, nearly_parallel_segments_are_candidates_only_where_their_lines_are_close) {
+  const Region p = turned_30(comb({0, 3, 6, 9}, 3, false)), q = turned_30(comb({0, 2, 5}, 2, false));
+  const auto base = planar::pair_of_regions(p, q, planar::PairOptions{.moved = 0}).value();
+  planar::ScalingState state(base, {});
+  const auto window = state.windows.between(exact::BigRational(1), exact::BigRational(9, 8));
+  std::size_t close = 0;
+  for (const planar::Candidate& c : window->candidates) {
+    if (c.error_a < 0x1p-8 && c.error_b < 0x1p-8) continue;
+    close += std::min(c.out_high, window->frame().tau1) - std::max(c.out_low, window->frame().tau0) < 1e-9;
+  }
+  EXPECT_GT(close, 20u);
 }
 
 TEST(ScaleEvents, ranges_and_operands_that_have_no_events_give_errors) {
@@ -153,7 +273,7 @@ TEST(ScaleEvents, a_plate_whose_holes_fill_one_after_the_other) {
   const Region tool = multiplied(q, 1, 1);
   ScalingSum sum = ScalingSum::create(p, tool).value();
   const std::vector<ScaleEvent> events = sum.events(scale_of(1, 4), scale_of(4, 1)).value();
-  ASSERT_GT(events.size(), 8u);
+  ASSERT_GE(events.size(), 4u);  // one hole after the other
   std::size_t most = 0, least = 99;
   for (const ScaleEvent& e : events) {
     ASSERT_TRUE(sum.set(Scale::of(e.s).value()).ok());
