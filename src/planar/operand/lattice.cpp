@@ -27,6 +27,13 @@ using exact::BigRational;
 // Widths for coordinates |X| <= 2^B: edge vectors B + 1 bits, pair sums B + 1, their differences B + 2, side and along
 // values 2B + 4, cut parameters N / D with 2B + 4 and 2B + 4, mediants one more, sides of places 4B + 11. Int computes
 // and proves them.
+/// Numbers whose coordinates are all made at once and kept: others are products of two words, made as they are asked
+/// for.
+template <class C>
+constexpr bool kKept = true;
+template <int B>
+constexpr bool kKept<exact::Int<B>> = (B > 125);
+
 template <class C>
 class LatticeOf final : public Lattice {
   struct Vec {
@@ -50,7 +57,7 @@ class LatticeOf final : public Lattice {
   /// `per_double`: the integers per unit of the doubles of the points where these are exact, else 0.
   LatticeOf(LatticeDoubles doubles, double per_double, std::optional<LatticeScale> scale)
       : Lattice(std::move(doubles)), exponent_(grid_exponent), per_double_(per_double), scale_(std::move(scale)) {
-    if constexpr (!std::is_same_v<C, Big>) {
+    if constexpr (!kKept<C>) {
       if (!scale_) return;
       const C other = exact::narrowed<C>(Big(scale_->den));
       for (std::uint32_t op = 0; op < 2; ++op)
@@ -227,7 +234,7 @@ class LatticeOf final : public Lattice {
                 C::from_int64(static_cast<std::int64_t>(o.y[i] * per_double_))};
       }
     }
-    if constexpr (!std::is_same_v<C, Big>) {
+    if constexpr (!kKept<C>) {
       if (const TurnedPoints* turned = points[op]->turned.get(); turned != nullptr)
         return {C::from_raw(static_cast<typename C::Raw>(turned->at[i][0])),
                 C::from_raw(static_cast<typename C::Raw>(turned->at[i][1]))};
@@ -250,7 +257,14 @@ class LatticeOf final : public Lattice {
   // A vertex of an operand that is not scaled.
   Vec integer(std::uint32_t op, std::uint32_t i) const {
     const Point &v = points[op]->input[i], &origin = points[op]->offset;
-    return {exact::grid_coordinate<C>(v.x, origin.x, exponent_), exact::grid_coordinate<C>(v.y, origin.y, exponent_)};
+    if constexpr (kKept<C>) {
+      const auto on_grid = [&](double a, double from) {
+        return exact::narrowed<C>(exact::grid_coordinate<Big>(a, from, exponent_));
+      };
+      return {on_grid(v.x, origin.x), on_grid(v.y, origin.y)};
+    } else {
+      return {exact::grid_coordinate<C>(v.x, origin.x, exponent_), exact::grid_coordinate<C>(v.y, origin.y, exponent_)};
+    }
   }
   const SharedIntegers& unscaled() const {
     // Asked for every coordinate: looking at a flag of this lattice's own costs less than call_once.
@@ -270,25 +284,27 @@ class LatticeOf final : public Lattice {
     const std::lock_guard lock(filling_);
     if (filled_.load(std::memory_order_relaxed)) return;
     for (std::uint32_t op = 0; op < 2; ++op) {
-      if constexpr (std::is_same_v<C, Big>) {
+      if constexpr (kKept<C>) {
+        const auto add = [&](const Big& x, const Big& y) {
+          integers_[op].push_back({exact::narrowed<C>(x), exact::narrowed<C>(y)});
+        };
         if (const TurnedPoints* turned = points[op]->turned.get(); turned != nullptr) {
           for (std::uint32_t i = 0; i < turned->size(); ++i)
-            integers_[op].push_back(turned->at.empty()
-                                        ? Vec{Big(turned->big[i][0]), Big(turned->big[i][1])}
-                                        : Vec{exact::to_big(turned->at[i][0]), exact::to_big(turned->at[i][1])});
+            if (turned->at.empty()) add(Big(turned->big[i][0]), Big(turned->big[i][1]));
+            else add(exact::to_big(turned->at[i][0]), exact::to_big(turned->at[i][1]));
+          continue;
+        }
+        if (scale_) {
+          const bool scaled = op == scale_->op;
+          const Big x(scaled ? scale_->x : scale_->den), y(scaled ? scale_->y : scale_->den);
+          const Point& origin = points[op]->offset;
+          for (const Point& v : points[op]->input)
+            add(exact::grid_coordinate<Big>(v.x, origin.x, exponent_) * x,
+                exact::grid_coordinate<Big>(v.y, origin.y, exponent_) * y);
           continue;
         }
       }
-      for (std::uint32_t i = 0; i < points[op]->input.size(); ++i) {
-        integers_[op].push_back(integer(op, i));
-        if constexpr (std::is_same_v<C, Big>) {
-          if (!scale_) continue;
-          Vec& w = integers_[op].back();
-          const bool scaled = op == scale_->op;
-          w.x = w.x * Big(scaled ? scale_->x : scale_->den);
-          w.y = w.y * Big(scaled ? scale_->y : scale_->den);
-        }
-      }
+      for (std::uint32_t i = 0; i < points[op]->input.size(); ++i) integers_[op].push_back(integer(op, i));
     }
     filled_.store(true, std::memory_order_release);
   }
@@ -378,7 +394,8 @@ Lattice::Position Lattice::position(Pair v) const { return reduced(homogeneous(v
 
 std::shared_ptr<const Lattice> build_lattice(LatticePoints points, std::optional<LatticeScale> scale,
                                              int min_tier_bits) {
-  const exact::Tier tier = exact::choose_tier(points.bits, min_tier_bits);
+  const int points_bits = points.bits;
+  const exact::Tier tier = exact::choose_tier(points_bits, min_tier_bits);
   const double per_double = integers_per_double(points, scale);
   LatticeDoubles doubles = lattice_doubles(points, scale);
   doubles.tier_bits = static_cast<int>(tier);
@@ -393,6 +410,10 @@ std::shared_ptr<const Lattice> build_lattice(LatticePoints points, std::optional
     case exact::Tier::arbitrary:
       break;
   }
+  // What scales and angles of events make of short coordinates: numbers of a fixed width, without an allocation each.
+  constexpr int kEvents = 381;
+  if (points_bits <= kEvents && min_tier_bits <= static_cast<int>(exact::Tier::b512))
+    return std::make_shared<LatticeOf<exact::Int<kEvents>>>(std::move(doubles), per_double, std::move(scale));
   return std::make_shared<LatticeOf<Big>>(std::move(doubles), per_double, std::move(scale));
 }
 

@@ -102,7 +102,13 @@ class EventWalk {
     ask(exact::round_to_double(low));
     const auto again = [this] { poll_(share_); };
     const std::unique_ptr<Window> window = probe_.windows.between(low, high, true, again);
-    return events_of(*window, lines_.forms(), low, high, again);
+    std::vector<EventValue> values = events_of(*window, lines_.forms(), low, high, again);
+    std::erase_if(values, [&](const EventValue& e) {
+      again();
+      ExactFrame frame(probe_.base, scale_value(e.s));
+      return is_covered(e, frame);
+    });
+    return values;
   }
 
   BigRational next_after(const BigRational& low, const BigRational& end) {

@@ -49,13 +49,12 @@ class Collector {
     // Nearest doubles tell all but nearly equal ones.
     const auto order = [](const Value& a, const Value& b) {
       if (a.near != b.near) return a.near < b.near ? -1 : 1;
-      const BigInteger gap =
-          numerator(a.event.s) * denominator(b.event.s) - numerator(b.event.s) * denominator(a.event.s);
+      const BigInteger gap = numerator(a.s) * denominator(b.s) - numerator(b.s) * denominator(a.s);
       return gap.sign();
     };
     std::sort(values_.begin(), values_.end(), [&](const Value& a, const Value& b) {
       const int o = order(a, b);
-      return o < 0 || (o == 0 && a.event.kind < b.event.kind);
+      return o < 0 || (o == 0 && a.kind < b.kind);
     });
     values_.erase(
         std::unique(values_.begin(), values_.end(), [&](const Value& a, const Value& b) { return order(a, b) == 0; }),
@@ -77,12 +76,23 @@ class Collector {
   }
 
   struct Value {
-    EventValue event;
+    BigRational s;
     double near;  // the nearest double
+    ScaleEvent::Kind kind;
+    Place at;
   };
-  void add(const ExactForm& form, ScaleEvent::Kind kind) {
-    const BigRational s = *form.root();
-    values_.push_back({{s, kind}, exact::round_to_double(s)});
+  // `place(tau)`: the position in the window, known up to `error`.
+  template <class At>
+  void add(const ExactForm& form, ScaleEvent::Kind kind, const Segment& on, const Cut& cut, At place, double error) {
+    Value v{*form.root(), 0, kind, {on, cut, {}, false, 0, 0, 0}};
+    v.near = exact::round_to_double(v.s);
+    const double tau = scale_moves_ ? v.near : exact::round_to_double(BigRational(1 / v.s)),
+                 grow = scale_moves_ ? 1 : v.near;
+    const auto [x, y] = place(tau);
+    v.at.x = grow * x;
+    v.at.y = grow * y;
+    v.at.error = grow * (error + kWindowPoint * window_.span()) * exact::kOutwards;
+    values_.push_back(std::move(v));
   }
 
   // Whether a form has its root in the range of scales, and as far as doubles tell at one of these tau: the quotient of
@@ -161,18 +171,21 @@ class Collector {
     const auto [ux, uy] = from(of[1]);
     if (ahead(wx, wy, at.low) < -error && ahead(wx, wy, at.high) < -error) return;
     if (ahead(ux, uy, at.low) > error && ahead(ux, uy, at.high) > error) return;
-    if (covered([&](double tau) { return std::pair{v.x.at(tau), v.y.at(tau)}; }, point_error_, at)) return;
+    const auto place = [&](double tau) { return std::pair{v.x.at(tau), v.y.at(tau)}; };
+    if (covered(place, point_error_, at)) return;
     const Segment exact = window_.exact(segment);
     const ExactForm side = forms_.side(exact, v.exact);
+    const auto add_vertex = [&](const ExactForm& form) {
+      add(form, ScaleEvent::Kind::vertex_on_segment, exact, {Cut::Kind::pair, v.exact, {}}, place, point_error_);
+    };
     if (side.always_zero()) {
       // A vertex that stays on the line reaches an end: then two vertices meet.
       const Segment back{{exact.edge.op, exact.edge.to, exact.edge.from}, exact.vertex};
       for (const Segment& along : {exact, back})
-        if (const ExactForm form = forms_.along(along, v.exact); has_root(form, at))
-          add(form, ScaleEvent::Kind::vertex_on_segment);
+        if (const ExactForm form = forms_.along(along, v.exact); has_root(form, at)) add_vertex(form);
       return;
     }
-    if (has_root(side, at) && on(exact, v.exact, side)) add(side, ScaleEvent::Kind::vertex_on_segment);
+    if (has_root(side, at) && on(exact, v.exact, side)) add_vertex(side);
   }
 
   // Two segments that are not parallel have a point in common where a form vanishes.
@@ -206,22 +219,22 @@ class Collector {
     if (at.empty()) return;
     const std::uint32_t s = window_.pieces[i].segment, a = window_.pieces[x.a == i ? x.b : x.a].segment,
                         b = window_.pieces[y.a == i ? y.b : y.a].segment;
-    if (a == b || covered_on(s, error(x) <= error(y) ? tx : ty, std::min(error(x), error(y)), at)) return;
-    const ExactForm form = forms_.concurrent(window_.exact(s), window_.exact(a), window_.exact(b));
-    if (has_root(form, at) && touch(s, a, form) && touch(s, b, form) && touch(a, b, form))
-      add(form, ScaleEvent::Kind::three_segments);
-  }
-
-  // The same as covered() of the place t on a segment.
-  bool covered_on(std::uint32_t segment, const Linear& t, double error, const Taus& at) {
-    if (!(error < INFINITY)) return false;
-    const LiveSegment& s = window_.segments[segment];
-    const double t_error = error + kShare * std::max(1.0, at.high);
+    if (a == b) return;
+    // Where the line that is known better crosses.
+    const bool first = error(x) <= error(y);
+    const Linear& t = first ? tx : ty;
+    const LiveSegment& on = window_.segments[s];
     const auto place = [&](double tau) {
       const double along = t.at(tau);
-      return std::pair{s.x.at(tau) + along * s.dx, s.y.at(tau) + along * s.dy};
+      return std::pair{on.x.at(tau) + along * on.dx, on.y.at(tau) + along * on.dy};
     };
-    return covered(place, t_error * std::max(std::abs(s.dx), std::abs(s.dy)) + point_error_, at);
+    const double t_error = std::min(error(x), error(y)) + kShare * std::max(1.0, at.high),
+                 place_error = t_error * std::max(std::abs(on.dx), std::abs(on.dy)) + point_error_;
+    if (std::isfinite(place_error) && covered(place, place_error, at)) return;
+    const ExactForm form = forms_.concurrent(window_.exact(s), window_.exact(a), window_.exact(b));
+    if (has_root(form, at) && touch(s, a, form) && touch(s, b, form) && touch(a, b, form))
+      add(form, ScaleEvent::Kind::three_segments, window_.exact(s),
+          {Cut::Kind::crossing, {}, window_.exact(first ? a : b)}, place, place_error);
   }
 
   const Window& window_;
@@ -236,7 +249,29 @@ class Collector {
   std::vector<Value> values_;
 };
 
+// Nearly parallel lines, of which the doubles know nothing: the exact position, rounded from that of a vertex.
+Place rounded(const Place& place, const Lattice& l) {
+  const auto difference = [&](const exact::BigRational& a, const exact::BigRational& b) {
+    return exact::round_to_double(BigRational(a - b)) / l.unit;
+  };
+  const Pair start = start_of(place.on);
+  const Lattice::Position at = l.position(place), from = l.position(start);
+  Place p = place;
+  p.x = l.points[0]->x[start.p] + l.points[1]->x[start.q] + difference(at.x, from.x);
+  p.y = l.points[0]->y[start.p] + l.points[1]->y[start.q] + difference(at.y, from.y);
+  p.error = kWindowSample * (l.span + std::abs(p.x) + std::abs(p.y));
+  return p;
+}
+
 }  // namespace
+
+bool is_covered(const EventValue& event, ExactFrame& frame) {
+  return std::all_of(event.at.begin(), event.at.end(), [&](const Place& place) {
+    if (std::isfinite(place.error)) return frame.collision().overlaps(place);
+    const Place near = rounded(place, frame.lattice());
+    return frame.collision().overlaps(near);
+  });
+}
 
 std::vector<EventValue> events_of(const Window& window, const ExactForms& forms, const BigRational& low,
                                   const BigRational& high, const std::function<void()>& again) {
