@@ -105,12 +105,14 @@ class LatticeOf final : public Lattice {
 
   // x = on.start + d N / D, so D (d_s x (x - s.start)) = D (d_s x (on.start - s.start)) + N (d_s x d_on).
   int side(const Segment& s, const Place& x) const override {
+    if (is_vertex(x)) return side(s, x.first.pair);
     const EdgeVec a = edge(s.edge), b = edge(x.on.edge);
     const Value at_start = side_value(s, start_of(x.on));
     const Value slope = widen(a.x * b.y - a.y * b.x);
     return sign_at(x, at_start, slope);
   }
   int along(const Segment& s, const Place& x) const override {
+    if (is_vertex(x)) return along(s, x.first.pair);
     const EdgeVec a = edge(s.edge), b = edge(x.on.edge);
     const Value at_start = along_value(s, start_of(x.on));
     const Value slope = widen(a.x * b.x + a.y * b.y);
@@ -119,6 +121,7 @@ class LatticeOf final : public Lattice {
 
   // D (v - start) - N d.
   int compare_coordinate(Pair v, const Place& x, int axis) const override {
+    if (is_vertex(x)) return compare_coordinate(v, x.first.pair, axis);
     const WideRatio t = ratio(x);
     const SumVec at = sum(v), from = sum(start_of(x.on));
     const EdgeVec d = edge(x.on.edge);
@@ -338,6 +341,8 @@ class LatticeOf final : public Lattice {
     return e.x * d.x + e.y * d.y;
   }
 
+  // Whether a place is a sum of two vertices, which tells everything without a parameter.
+  static bool is_vertex(const Place& x) { return !x.between && x.first.kind == Cut::Kind::pair; }
   // The parameter of a cut on `on`, 0 at its start and 1 at its end.
   Ratio parameter(const Segment& on, const Cut& cut) const {
     const EdgeVec d = edge(on.edge);

@@ -56,12 +56,16 @@ class Collector {
       const int o = order(a, b);
       return o < 0 || (o == 0 && a.kind < b.kind);
     });
-    values_.erase(
-        std::unique(values_.begin(), values_.end(), [&](const Value& a, const Value& b) { return order(a, b) == 0; }),
-        values_.end());
     std::vector<EventValue> events;
-    events.reserve(values_.size());
-    for (Value& v : values_) events.push_back(std::move(v.event));
+    const Value* last = nullptr;
+    for (Value& v : values_) {
+      if (last != nullptr && order(*last, v) == 0) {
+        events.back().at.push_back(v.at);
+        continue;
+      }
+      events.push_back({v.s, v.kind, {v.at}});
+      last = &v;
+    }
     return events;
   }
 

@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <tuple>
 
 #include "dymsum/shapes.h"
 #include "oracles/random.h"
@@ -188,6 +189,31 @@ TEST(ScaleEvents, every_scale_at_which_the_sum_changes_is_listed_and_no_other_on
   }
   EXPECT_GT(visible, 20u);
   EXPECT_GT(tight, 0u);
+}
+
+// What is listed is a statement about the sum: windows and their masks leave nothing of it out.
+TEST(ScaleEvents, the_events_of_a_range_are_those_of_its_parts) {
+  std::size_t all = 0, invisible = 0;
+  for (unsigned round = 0; round < 6; ++round) {
+    Region p = shapes::noisy_star(40, 0.7, round + 1), q = shapes::noisy_star(30, 0.7, round + 9);
+    if (round % 2 == 1) p = turned_30(comb({0, 3, 7, 11}, 3, false)), q = turned_30(comb({0, 4}, round, false));
+    const ScalingSum sum = ScalingSum::create(p, q).value();
+    const auto in = [&](long a, long b) {
+      std::vector<std::tuple<std::string, bool, bool>> list;
+      for (const ScaleEvent& e : sum.events(scale_of(a, 40), scale_of(b, 40)).value())
+        list.emplace_back(e.s.to_string(), e.visible, e.topology);
+      return list;
+    };
+    auto parts = in(36, 38);
+    for (const auto& [from, to] : {std::pair{38, 40}, std::pair{40, 45}})
+      for (auto& e : in(from, to))
+        if (parts.empty() || parts.back() != e) parts.push_back(e);
+    EXPECT_EQ(in(36, 45), parts) << "round " << round;
+    all += parts.size();
+    for (const auto& e : parts) invisible += !std::get<1>(e);
+  }
+  EXPECT_GT(all, 60u);
+  EXPECT_LT(4 * invisible, all);
 }
 
 // One window and no event: what makes the window asks.
