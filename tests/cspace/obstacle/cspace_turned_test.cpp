@@ -64,6 +64,15 @@ TEST(CspaceTurned, squares_take_no_slices_where_their_sides_are_nearly_aligned) 
   }
 }
 
+// Whole slices made the time grow with the square of how many there are.
+TEST(CspaceTurned, more_squares_take_more_updates_and_no_more_slices) {
+  for (const int rows : {3, 6}) {
+    const CspaceObstacle c = CspaceObstacle::create(polygon(box(0, 0, 3, 0.5)), turned(squares(rows), 30)).value();
+    EXPECT_LE(c.work().slices, 4U);
+    EXPECT_GT(c.work().local_updates, 20U * static_cast<unsigned>(rows * rows));
+  }
+}
+
 // Crossings with lines that bear no segment at the angle were taken for tight: 34 of them.
 TEST(CspaceTurned, combs_are_the_obstacle_by_slices) {
   for (const double degrees : {0.0, 30.0}) {
