@@ -37,11 +37,18 @@ class Splice {
                  near = kCutNear * forms_.span() / std::sqrt(length2);
     std::optional<std::uint32_t> best;
     double best_at = 0;
+    const auto share = [&](Pair v) {
+      const Point p = forms_.place(v, h_);
+      return (d.x * (p.x - from.x) + d.y * (p.y - from.y)) / length2;
+    };
     for (std::uint32_t n = first; n != kNobody; n = graph_[n].next_on_segment) {
-      const Located end =
-          place_on(forms_, s, graph_.segments().segment(comes_in ? graph_[n].left : graph_[n].right), comes_in, h_);
-      const double beyond = comes_in ? here - end.t : end.t - here;
+      const WalkSegment by = graph_.segments().segment(comes_in ? graph_[n].left : graph_[n].right);
+      Located end = place_on(forms_, s, by, comes_in, h_);
       if (std::isinf(end.error) && n == first && graph_[n].next_on_segment == kNobody) return n;
+      // It ends on its neighbour, wherever the lines of both cross.
+      const double u = share(TurningForms::start(by)), v = share(forms_.end(by));
+      if (!(end.error < std::abs(v - u) / 2)) end = {(u + v) / 2, std::abs(v - u) / 2};
+      const double beyond = comes_in ? here - end.t : end.t - here;
       if (!(std::abs(beyond) > end.error + near)) return std::nullopt;
       if (beyond < 0 || (best && beyond > best_at)) continue;
       best = n;
