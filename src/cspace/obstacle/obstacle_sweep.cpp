@@ -165,6 +165,10 @@ void ObstacleSweep::change(const Group& group, const TurnRange& range, const Beh
   if (reference_ || crowded_ != nullptr) return take_slice(group, range, behind);
   // What one of several changes is not undone where another one takes a slice, as where opposite segments come to lie
   // along each other with events at both ends: so all are planned before the first one is applied.
+  if (group.size() == 1) {
+    EventPlan plan = plan_event(*group[0], range, scene(), filter);
+    if (plan.verdict != EventPlan::Verdict::unsure) return settle(*group[0], std::move(plan), range, behind);
+  }
   Group alone;
   std::vector<Group> due;
   for (Group& cluster : clusters(group, scene())) {
@@ -175,8 +179,11 @@ void ObstacleSweep::change(const Group& group, const TurnRange& range, const Beh
   }
   if (!due.empty() && !take_near_slices(std::move(due), alone, group, range, behind))
     return take_slice(group, range, behind);
-  for (TurnEvent* event : alone)
-    if (!settle(*event, range, behind, filter)) return take_slice(group, range, behind);
+  for (TurnEvent* event : alone) {
+    EventPlan plan = plan_event(*event, range, scene(), filter);
+    if (plan.verdict == EventPlan::Verdict::unsure) return take_slice(group, range, behind);
+    settle(*event, std::move(plan), range, behind);
+  }
 }
 
 // Slices behind the angle that are cut to boxes around the parts that are due. All are made before the first one is
@@ -237,22 +244,18 @@ bool ObstacleSweep::matters(const Group& run, const OverlapFilter& filter) const
   return false;
 }
 
-// Applies what a single event changes. False where that is not certain.
-bool ObstacleSweep::settle(TurnEvent& event, const TurnRange& range, const Behind& behind,
-                           const OverlapFilter& filter) {
-  EventPlan plan = plan_event(event, range, scene(), filter);
-  if (plan.verdict == EventPlan::Verdict::unsure) return false;
+// Applies what a single event changes, unless that is unsure.
+void ObstacleSweep::settle(TurnEvent& event, EventPlan plan, const TurnRange& range, const Behind& behind) {
   if (plan.verdict == EventPlan::Verdict::doubtful) doubtful_.push_back(&event);
-  if (plan.verdict != EventPlan::Verdict::change) return true;
+  if (plan.verdict != EventPlan::Verdict::change) return;
   swept_.work.collision_tests += plan.edit.births.size();
   std::erase_if(plan.edit.births,
                 [&](const std::vector<WalkSegment>& loop) { return !reader_.is_free(loop, behind(INFINITY)); });
-  if (plan.edit.empty()) return true;
+  if (plan.edit.empty()) return;
   list_angle(range, event);
   note(Heading::of(event.theta()), plan.kind, plan.at);
   ++swept_.work.local_updates;
   swept_.graph.apply(plan.edit);
-  return true;
 }
 
 // At a rational angle between this event and the next one.

@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "cspace/obstacle/event_clusters.h"
+#include "cspace/obstacle/event_plan.h"
 #include "cspace/obstacle/near_slice.h"
 #include "cspace/obstacle/slice_reader.h"
 #include "cspace/obstacle/swept_boundary.h"
@@ -53,7 +54,7 @@ class ObstacleSweep {
   void pass_group(const Group& group, const TurnRange& range, const Behind& behind, const OverlapFilter& filter);
   bool matters(const Group& run, const OverlapFilter& filter) const;
   void change(const Group& group, const TurnRange& range, const Behind& behind, const OverlapFilter& filter);
-  bool settle(TurnEvent& event, const TurnRange& range, const Behind& behind, const OverlapFilter& filter);
+  void settle(TurnEvent& event, EventPlan plan, const TurnRange& range, const Behind& behind);
   bool take_near_slices(std::vector<Group> due, Group& alone, const Group& group, const TurnRange& range,
                         const Behind& behind);
   void take_slice(const Group& group, const TurnRange& range, const Behind& behind);
