@@ -191,7 +191,7 @@ TEST(PlanarDepth, contacts_are_all_pairs_of_features_that_touch) {
     }
     if (HasFailure()) FAIL() << "round " << round;
   }
-  EXPECT_GT(flush, rounds / 12);
+  EXPECT_GT(flush, rounds / 24);
 }
 
 Region thin(std::vector<Polyline> lines, std::vector<Point> points) {

@@ -112,7 +112,7 @@ TEST(ThinDepth, of_segments_and_open_surfaces_separates_and_nothing_shorter_does
     }
     if (HasFailure()) FAIL() << "round " << round;
   }
-  EXPECT_GT(overlapping, 10);
+  EXPECT_GT(overlapping, oracles::rounds(10));
 }
 
 TEST(ThinDepth, a_sheet_lies_flush_on_a_box_and_two_thin_operands_are_refused) {

@@ -24,7 +24,7 @@ TEST(CspaceCoordinates, of_every_kind_have_the_loops_of_slices) {
       const auto slabs_there = static_cast<std::uint32_t>(obstacle.angles().size());
       for (std::uint32_t slab = 0; slab < slabs_there; ++slab)
         ASSERT_EQ(obstacle.slab_of(obstacle.inside(slab)), slab) << "of " << slabs_there;
-      expect_slices(obstacle, random, static_cast<std::uint32_t>(8 * oracles::rounds(2)));
+      expect_slices(obstacle, random, static_cast<std::uint32_t>(oracles::rounds(16)));
       if (HasFatalFailure()) return;
     }
 }

@@ -38,7 +38,7 @@ TEST(FrameCoordinates, of_every_kind_scale_as_sums_anew) {
       windows.mode = FrameMode::window;
       anew.mode = FrameMode::rebuild;
       ScalingSum sum = ScalingSum::create(p, q, windows).value(), wanted = ScalingSum::create(p, q, anew).value();
-      for (int k = 0; k < 4 * oracles::rounds(3); ++k) {
+      for (int k = 0; k < oracles::rounds(12); ++k) {
         const double s = 0.9 + 0.017 * k;
         ASSERT_TRUE(sum.set(s).ok() && wanted.set(s).ok());
         ASSERT_TRUE(sum.sum() == wanted.sum()) << name_of(kind) << ", scale " << s;
@@ -58,7 +58,7 @@ TEST(FrameCoordinates, of_every_kind_turn_as_sums_anew) {
       windows.mode = FrameMode::window;
       anew.mode = FrameMode::rebuild;
       RotatingSum sum = RotatingSum::create(p, q, windows).value(), wanted = RotatingSum::create(p, q, anew).value();
-      for (int k = 0; k < 4 * oracles::rounds(3); ++k) {
+      for (int k = 0; k < oracles::rounds(12); ++k) {
         const Orientation theta = Orientation::nearest(0.02 * k).value();
         ASSERT_TRUE(sum.set(theta).ok() && wanted.set(theta).ok());
         ASSERT_TRUE(sum.sum() == wanted.sum()) << name_of(kind) << ", angle " << theta.radians();

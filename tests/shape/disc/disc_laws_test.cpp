@@ -390,8 +390,8 @@ TEST(DiscLaws, NoErosionOfAConvexShapeIsTooSmallForPolygons) {
         collapsed += made->collapsed, ++sets;
       }
   }
-  EXPECT_GT(sets, 200u);
-  EXPECT_GT(collapsed, 20u);
+  EXPECT_GT(sets, static_cast<std::size_t>(oracles::rounds(200)));
+  EXPECT_GT(collapsed, static_cast<std::size_t>(oracles::rounds(20)));
 }
 
 TEST(DiscLaws, PolygonsNearestToASetAreThereHoweverNarrowItIs) {

@@ -3,8 +3,8 @@
 #include <gtest/gtest.h>
 
 #include "dymsum/spatial_sum.h"
-#include "oracles/sanitized.h"
 #include "oracles/coordinate_kinds.h"
+#include "oracles/sanitized.h"
 #include "spatial/sum/random_solids.h"
 
 namespace dymsum {
@@ -38,7 +38,7 @@ TEST(SpatialCoordinates, of_every_kind_give_what_the_brute_engine_finds) {
   std::mt19937_64 random(3811);
   for (const CoordinateKind kind : kCoordinateKinds) {
     int compared = 0;
-    for (int pair = 0; pair < 4 * oracles::rounds(3); ++pair) {
+    for (int pair = 0; pair < oracles::rounds(12, 2); ++pair) {
       const Result<Mesh> p = Mesh::create(of_kind(random_solids::tiny_polyhedron(random), kind, random)),
                          q = Mesh::create(of_kind(random_solids::tiny_polyhedron(random), kind, random));
       if (!p.ok() || !q.ok()) continue;
