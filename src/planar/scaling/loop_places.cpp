@@ -46,7 +46,8 @@ LoopPlaces::Cutting LoopPlaces::end_cut(Step s, bool at_end) const {
 
 LoopPlaces::Step LoopPlaces::longest_of(const std::vector<LoopStep>& cycle, double tau) const {
   const Window& window = lists_.window();
-  Step longest;
+  // Doubles know nothing of lengths between nearly parallel lines: they may be less than nothing, or no numbers.
+  Step longest = step_of(cycle.front());
   double best = -1;
   for (const LoopStep& step : cycle) {
     const Step s = step_of(step);
