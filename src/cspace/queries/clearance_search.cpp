@@ -5,6 +5,7 @@
 #include <numbers>
 
 #include "cspace/queries/tight_distance.h"
+#include "exact/rounding_bound.h"
 
 namespace dymsum::cspace {
 namespace {
@@ -18,6 +19,8 @@ constexpr double kSubnormal = 0x1p-1073;  // two roundings of what is smaller th
 constexpr double kNearEvent = 4 * kAngleMargin;
 // Distances worse than this share are taken from the slice.
 constexpr double kExactEnough = 0x1p-32;
+// Distances worse than this share of themselves are compared with that at the question's own angle.
+constexpr double kCoarse = 0x1p-20;
 
 double signed_by(bool negative, double v) { return negative ? -v : v; }
 
@@ -127,6 +130,21 @@ ClearanceSearch::Answer ClearanceSearch::translation(const ClearanceQuestion& q)
   const bool exact_enough = found.error <= kExactEnough * (found.distance + forms_.size() * forms_.unit());
   if (!exact_enough || (!q.overlaps && found.distance <= found.error)) return by_slice(q);
   return {of(found, q.overlaps), found.bounds};
+}
+
+// What translations reach bounds the distance from above; that of the answer, less its error, from below.
+ClearanceSearch::Answer ClearanceSearch::no_farther_than_translation(const ClearanceQuestion& q, Answer answer) const {
+  Clearance& found = answer.clearance;
+  const double distance = std::abs(found.distance);
+  if (!std::isfinite(distance) || found.error <= kCoarse * distance) return answer;
+  const Answer still = translation(q);
+  answer.bounds += still.bounds;
+  const double reached = std::abs(still.clearance.distance);
+  if (!(reached + still.clearance.error < distance + found.error)) return answer;
+  const double least = distance - found.error;
+  found = still.clearance;
+  found.error = std::max(found.error, (reached - least) * exact::kOutwards);
+  return answer;
 }
 
 ClearanceSearch::Answer ClearanceSearch::by_slice(const ClearanceQuestion& q) const {

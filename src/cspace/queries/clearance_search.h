@@ -26,11 +26,15 @@ class ClearanceSearch {
     Clearance clearance;
     std::uint64_t bounds = 0;
   };
-  Answer run(const ClearanceQuestion& q) const { return std::isinf(q.weight) ? translation(q) : any(q); }
+  Answer run(const ClearanceQuestion& q) const {
+    return std::isinf(q.weight) ? translation(q) : no_farther_than_translation(q, any(q));
+  }
 
  private:
   Answer any(const ClearanceQuestion& q) const;
   Answer translation(const ClearanceQuestion& q) const;
+  /// Where doubles know little of what is near at other angles.
+  Answer no_farther_than_translation(const ClearanceQuestion& q, Answer answer) const;
   Answer by_slice(const ClearanceQuestion& q) const;
   Answer touching(const ClearanceQuestion& q, const NearestPatch& found, bool on_edge) const;
   /// Of any angle, or of the question's own; lengths in the coordinates of the obstacle, places absolute.

@@ -236,8 +236,8 @@ bool RotatingLoops::covered(const RotatingFrame& frame, Loop& loop, ExactOverlap
   }
   work.witnesses_lost += loop.witness.has_value();
   ++work.collision_tests;
-  // Beside the longest sub-edge.
-  const RotatingFrame::Step* longest = nullptr;
+  // Beside the longest sub-edge; of those between nearly parallel lines doubles may know no lengths.
+  const RotatingFrame::Step* longest = &frame.steps()[loop.first];
   double best = -1;
   for (std::uint32_t k = loop.first; k < loop.last; ++k) {
     const RotatingFrame::Step& s = frame.steps()[k];
