@@ -10,44 +10,31 @@
 #include "progress_bar.h"
 
 namespace dymsum::cli {
-namespace {
+const Region& RoundedSum::region() {
+  if (!region_) region_ = with_repair_ ? repaired() : snapped();
+  return *region_;
+}
 
-/// Rounds a sum once, and only when an output needs it.
-class Rounded {
- public:
-  Rounded(const PlanarSum& sum, bool with_repair) : sum_(sum), with_repair_(with_repair) {}
+void RoundedSum::warn_of_picture(const std::string& file) {
+  if (region_ && (!rounding_ || rounding_->nearest)) return;
+  Result<Region> region = sum_.rounded();
+  if (region) region_ = std::move(region).value();
+  else std::cerr << file << ": a picture that cannot be read as a region: " << region.error().to_string() << "\n";
+}
 
-  const Region& region() {
-    if (!region_) region_ = with_repair_ ? repaired() : checked();
-    return *region_;
-  }
-  /// Pictures are drawn whatever rounding does, but then they cannot be read as regions.
-  void warn_of_picture(const std::string& file) {
-    if (region_) return;
-    Result<Region> region = sum_.rounded();
-    if (region) region_ = std::move(region).value();
-    else std::cerr << file << ": a picture that cannot be read as a region: " << region.error().to_string() << "\n";
-  }
+Region RoundedSum::snapped() {
+  SnapRounded made = require(snap_rounded(sum_));
+  rounding_ = made.rounding;
+  if (!rounding_->nearest) std::cerr << "rounding: " << rounding_->to_string() << "\n";
+  return std::move(made.region);
+}
 
- private:
-  Region checked() const {
-    Result<Region> region = sum_.rounded();
-    if (region) return std::move(region).value();
-    throw Stop(kBadInput, region.error().to_string() + " (--round-repair merges what collides; .json keeps it exact)",
-               region.error());
-  }
-  Region repaired() const {
-    Repaired repaired = require(sum_.rounded_with_repair());
-    if (repaired.report.changed()) std::cerr << "rounding: " << repaired.report.to_string() << "\n";
-    return std::move(repaired.region);
-  }
-
-  const PlanarSum& sum_;
-  bool with_repair_;
-  std::optional<Region> region_;
-};
-
-}  // namespace
+Region RoundedSum::repaired() {
+  Result<Repaired> repaired = sum_.rounded_with_repair();
+  if (!repaired) return snapped();
+  if (repaired->report.changed()) std::cerr << "rounding: " << repaired->report.to_string() << "\n";
+  return std::move(repaired->region);
+}
 
 bool is_stage_picture(const std::string& file) { return file.ends_with("stages.svg"); }
 
@@ -86,8 +73,9 @@ void write_text(const std::string& file, const std::string& text) {
   require(write_file(file, text));
 }
 
-void write_sum(const Region& p, const Region& q, const PlanarSum& sum, const OutputOptions& options) {
-  Rounded rounded(sum, options.round_repair);
+std::optional<Rounding> write_sum(const Region& p, const Region& q, const PlanarSum& sum,
+                                  const OutputOptions& options) {
+  RoundedSum rounded(sum, options.round_repair);
   std::vector<std::string> texts;
   for (const std::string& file : options.files) {
     const RegionFormat format = output_format(file, options);
@@ -104,6 +92,7 @@ void write_sum(const Region& p, const Region& q, const PlanarSum& sum, const Out
   }
   throw_if_interrupted();
   for (std::size_t i = 0; i < texts.size(); ++i) write_text(options.files[i], texts[i]);
+  return rounded.rounding();
 }
 
 }  // namespace dymsum::cli

@@ -3,12 +3,14 @@
 
 #include <functional>
 #include <iosfwd>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "dymsum/planar_sum.h"
 #include "dymsum/region.h"
 #include "dymsum/region_io.h"
+#include "dymsum/snap_rounding.h"
 #include "inputs.h"
 
 namespace dymsum::cli {
@@ -16,7 +18,29 @@ namespace dymsum::cli {
 struct OutputOptions {
   std::vector<std::string> files;  ///< "-" is standard output
   std::string to = "wkt";          ///< the format of standard output
-  bool round_repair = false;       ///< where rounding collapses something: rounded_with_repair instead of an error
+  bool round_repair = false;       ///< where rounding collapses something: rounded_with_repair before snap_rounded
+};
+
+/// A sum in doubles, rounded once and only when an output needs it. Says on standard error where that takes more than
+/// the nearest doubles.
+class RoundedSum {
+ public:
+  RoundedSum(const PlanarSum& sum, bool with_repair) : sum_(sum), with_repair_(with_repair) {}
+
+  const Region& region();
+  /// Pictures are drawn whatever rounding does, but then they cannot be read as regions.
+  void warn_of_picture(const std::string& file);
+  /// What rounding did, where region() was asked for and is no repair.
+  const std::optional<Rounding>& rounding() const { return rounding_; }
+
+ private:
+  Region snapped();
+  Region repaired();  ///< what cannot be repaired is snapped
+
+  const PlanarSum& sum_;
+  bool with_repair_;
+  std::optional<Region> region_;
+  std::optional<Rounding> rounding_;
 };
 
 /// Whether a file's name asks for the picture of the stages ("stages.svg", "x.stages.svg").
@@ -33,8 +57,9 @@ void check_outputs(const OutputOptions& options);
 bool writes_rounded(const OutputOptions& options);
 
 /// Every output of a sum: the exact sum for .json, pictures for .svg, the rounded set otherwise. Nothing is written
-/// before everything is ready; every file is replaced as a whole.
-void write_sum(const Region& p, const Region& q, const PlanarSum& sum, const OutputOptions& options);
+/// before everything is ready; every file is replaced as a whole. Returns what rounding did where it was asked for and
+/// is no repair.
+std::optional<Rounding> write_sum(const Region& p, const Region& q, const PlanarSum& sum, const OutputOptions& options);
 
 void write_text(const std::string& file, const std::string& text);
 /// What tells the format of an output: the file's name, or --to for "-".

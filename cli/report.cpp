@@ -143,6 +143,18 @@ void print_times(std::ostream& out, const Timing& timing) {
   if (timing.repeats > 1) out << "  " << shown(timing) << "\n";
 }
 
+Json rounding_json(const Rounding& rounding) {
+  return {{"nearest", rounding.nearest},
+          {"merged_vertices", rounding.merged_vertices},
+          {"collapsed_edges", rounding.collapsed_edges},
+          {"bends", rounding.bends},
+          {"lines", rounding.lines},
+          {"points", rounding.points},
+          {"vanished_rings", rounding.vanished_rings},
+          {"moved", rounding.moved},
+          {"moved_ulps", rounding.moved_ulps}};
+}
+
 Json sum_json(const SumReport& report) {
   const PlanarSum& sum = *report.sum;
   Json json =
@@ -158,6 +170,7 @@ Json sum_json(const SumReport& report) {
                {"crossings", sum.stats.crossings},
                {"work", work_json(sum.stats)}});
   if (report.orientation) json["orientation"] = orientation_json(*report.orientation);
+  if (report.rounding) json["rounding"] = rounding_json(*report.rounding);
   return json;
 }
 

@@ -11,6 +11,7 @@
 #include "dymsum/mesh.h"
 #include "dymsum/orientation.h"
 #include "dymsum/planar_sum.h"
+#include "dymsum/snap_rounding.h"
 #include "dymsum/spatial_sum.h"
 #include "inputs.h"
 #include "json_report.h"
@@ -27,6 +28,7 @@ struct SumReport {
   std::string engine, semantics;
   std::optional<Orientation> orientation;  ///< where an operand is turned
   bool exact = false;                      ///< area_exact of any length
+  std::optional<Rounding> rounding;        ///< of what was written in doubles
 };
 
 /// outer, holes, vertices, area, area_exact and tight of a sum. area is a number, or text where it is outside the range
@@ -51,6 +53,8 @@ Json area_json(const Region& region);
 Json inputs_json(const std::vector<Input>& inputs);
 /// {"tan_half": "1/2", "theta": 0.927...}.
 Json orientation_json(const Orientation& orientation);
+/// {"nearest", "merged_vertices", ..., "moved", "moved_ulps"}.
+Json rounding_json(const Rounding& rounding);
 Json sum_json(const SumReport& report);
 void print_sum(std::ostream& out, const SumReport& report);
 

@@ -66,21 +66,12 @@ class SliceJson {
   const SolidSlice& slice_;
 };
 
-std::string output(const SolidSlice& slice, const std::string& file, const OutputOptions& options) {
+std::string output(const SolidSlice& slice, RoundedSum& rounded, const std::string& file,
+                   const OutputOptions& options) {
   const RegionFormat format = output_format(file, options);
   if (format == RegionFormat::json) return SliceJson(slice).run().dump(1) + "\n";
   if (format == RegionFormat::svg) return draw_section(slice.section, slice.touching);
-  if (options.round_repair) {
-    const Repaired repaired = require(slice.section.rounded_with_repair());
-    if (repaired.report.changed()) std::cerr << "rounding: " << repaired.report.to_string() << "\n";
-    return format_sum(slice.section, repaired.region, format);
-  }
-  const Result<Region> region = slice.section.rounded();
-  if (region) return format_sum(slice.section, *region, format);
-  Error error = region.error();
-  error.evidence.file = file;
-  error.message += " (--round-repair merges what collides; .json keeps it exactly, .svg draws it)";
-  stop_with(error);
+  return format_sum(slice.section, rounded.region(), format);
 }
 
 void print_text(std::ostream& out, const std::vector<SolidInput>& inputs, const SolidSlice& slice,
@@ -125,8 +116,9 @@ ExitCode run_solid_slice(const SumCommand& command, double z, bool reflected) {
     return *std::move(made);
   });
   bar.reset();
+  RoundedSum rounded(slice.section, command.output.round_repair);
   std::vector<std::string> texts;
-  for (const std::string& file : command.output.files) texts.push_back(output(slice, file, command.output));
+  for (const std::string& file : command.output.files) texts.push_back(output(slice, rounded, file, command.output));
   for (std::size_t i = 0; i < texts.size(); ++i) write_text(command.output.files[i], texts[i]);
   if (command.report.json) {
     Json json = report_head("slice", solid_inputs_json(inputs), solid_tier(slice.stats.bits), timing);
@@ -139,6 +131,7 @@ ExitCode run_solid_slice(const SumCommand& command, double z, bool reflected) {
                  {"crossed", slice.stats.crossed},
                  {"cells", slice.stats.cells},
                  {"collision_tests", slice.stats.collision_tests}});
+    if (rounded.rounding()) json["rounding"] = rounding_json(*rounded.rounding());
     print_report(json);
   } else {
     print_text(out, inputs, slice, timing);

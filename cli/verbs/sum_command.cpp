@@ -61,7 +61,7 @@ void add_output_options(CLI::App& verb, SumCommand& command, bool planar_result)
       ->capture_default_str();
   verb.add_flag("--round-repair", command.output.round_repair,
                 std::string(planar_result ? "Where" : "Planar: where") +
-                    " rounding would change the topology, merge what collides instead of refusing");
+                    " rounding would change the topology, merge what collides before edges are bent");
 }
 
 void add_sum_options(CLI::App& verb, SumCommand& command, bool planar_result) {
@@ -156,7 +156,7 @@ ExitCode run_sum(const SumVerb& verb, const SumCommand& command) {
   const std::array<Region, 2> operands = verb.shown ? verb.shown(p, q) : std::array{p, q};
   report.convolution = convolution_sizes(operands[0], verb.reflects_second ? negated(operands[1]) : operands[1]);
 
-  write_sum(operands[0], operands[1], sum, command.output);
+  report.rounding = write_sum(operands[0], operands[1], sum, command.output);
   if (command.report.json) {
     print_report(sum_json(report));
   } else {

@@ -38,6 +38,7 @@
 #include "dymsum/scaling_solid_sum.h"
 #include "dymsum/scaling_sum.h"
 #include "dymsum/shapes.h"
+#include "dymsum/snap_rounding.h"
 #include "dymsum/solid_erosion.h"
 #include "dymsum/solid_offset.h"
 #include "dymsum/solid_scale_range.h"

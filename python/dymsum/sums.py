@@ -11,7 +11,9 @@ from ._core import (
     PlanarLocalSum as PlanarLocalSum,
     PlanarSum as PlanarSum,
     PlanarTrace as PlanarTrace,
+    Rounding as Rounding,
     Semantics as Semantics,
+    SnapRounded as SnapRounded,
     SumLocator as SumLocator,
     SumOptions as SumOptions,
     SumPart as SumPart,
@@ -30,6 +32,7 @@ from ._core import (
     part_svg as part_svg,
     rotated_erode as rotated_erode,
     rotated_sum as rotated_sum,
+    snap_rounded as snap_rounded,
     union_of as union_of,
 )
 
@@ -44,7 +47,9 @@ __all__ = [
     "PlanarLocalSum",
     "PlanarSum",
     "PlanarTrace",
+    "Rounding",
     "Semantics",
+    "SnapRounded",
     "SumLocator",
     "SumOptions",
     "SumPart",
@@ -63,5 +68,6 @@ __all__ = [
     "part_svg",
     "rotated_erode",
     "rotated_sum",
+    "snap_rounded",
     "union_of",
 ]

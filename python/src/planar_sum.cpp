@@ -9,6 +9,7 @@
 #include "calls.h"
 #include "dymsum/area_text.h"
 #include "dymsum/region_io.h"
+#include "dymsum/snap_rounding.h"
 #include "extent.h"
 #include "record.h"
 #include "remember.h"
@@ -166,7 +167,9 @@ std::array<double, 4> bounds_of(const PlanarSum& sum) {
   });
 }
 
-nb::object geometry_of(const PlanarSum& sum) { return nb::cast(take(sum.rounded())).attr("__geo_interface__"); }
+nb::object geometry_of(const PlanarSum& sum) {
+  return nb::cast(take(snap_rounded(sum)).region).attr("__geo_interface__");
+}
 
 void bind_planar_numbers(nb::class_<PlanarSum>& sum) {
   sum.def("hole_count", &PlanarSum::hole_count)
@@ -213,6 +216,33 @@ void bind_planar_numbers(nb::class_<PlanarSum>& sum) {
           "The same; vertices that collide are merged, rings that collapse dropped, and the report says how many.");
 }
 
+void bind_snap_rounding(nb::module_& m) {
+  Record<Rounding>(m, "Rounding", "What became of an exact set in doubles.")
+      .field("nearest", &Rounding::nearest, "as PlanarSum.rounded: nothing happened but that")
+      .field("merged_vertices", &Rounding::merged_vertices, "positions that have the doubles of another one")
+      .field("collapsed_edges", &Rounding::collapsed_edges, "edges whose ends are one")
+      .field("bends", &Rounding::bends, "vertices where edges cross or touch in doubles that did not")
+      .field("lines", &Rounding::lines, "polylines for what is thinner than rounding")
+      .field("points", &Rounding::points, "points for what is smaller")
+      .field("vanished_rings", &Rounding::vanished_rings, "gaps that closed, and parts that lie within others now")
+      .field("moved", &Rounding::moved, "set and region are at most this far from each other")
+      .field("moved_ulps", &Rounding::moved_ulps, "the same in units in the last place of the largest coordinate")
+      .def("to_string", &Rounding::to_string);
+  Record<SnapRounded>(m, "SnapRounded", "A set in doubles and what rounding did.")
+      .field("region", &SnapRounded::region)
+      .field("rounding", &SnapRounded::rounding);
+  m.def(
+      "snap_rounded", [](const PlanarSum& sum) { return take(without_gil([&] { return snap_rounded(sum); })); },
+      "sum"_a,
+      R"doc(The set of a sum in doubles: rounded() where that has an answer, else by snap rounding, which bends edges and
+merges what collides, and reports how far that moved the set. Raises Error only past the double range.
+
+>>> from dymsum import nfp, shapes, snap_rounded
+>>> snap_rounded(nfp(shapes.rectangle(0, 0, 3, 2), shapes.rectangle(0, 0, 1, 1))).rounding.nearest
+True
+)doc");
+}
+
 void bind_planar_sum_class(nb::module_& m) {
   nb::class_<PlanarSum> sum(m, "PlanarSum", nb::dynamic_attr(),
                             R"doc(The exact sum of two regions. Equal sets compare equal.
@@ -243,9 +273,9 @@ Fraction(30, 1)
       .def(
           "to_json", [](const PlanarSum& self) { return sum_to_json(self); }, "As sum_to_json.")
       .def(
-          "to_shapely", [](const PlanarSum& self) { return nb::cast(take(self.rounded())).attr("to_shapely")(); },
-          "rounded() as a shapely geometry (needs shapely 2).")
-      .def_prop_ro("__geo_interface__", &geometry_of, "rounded() as a GeoJSON geometry.")
+          "to_shapely", [](const PlanarSum& self) { return nb::cast(take(snap_rounded(self)).region).attr("to_shapely")(); },
+          "The region of snap_rounded() as a shapely geometry (needs shapely 2).")
+      .def_prop_ro("__geo_interface__", &geometry_of, "The region of snap_rounded() as a GeoJSON geometry.")
       .def("_repr_svg_", [](const PlanarSum& self) { return draw_section(self); });
   sum.attr("__hash__") = nb::none();
   bind_planar_numbers(sum);
@@ -281,6 +311,7 @@ void bind_planar_sum(nb::module_& m) {
   bind_stats(m);
   bind_planar_trace(m);
   bind_planar_sum_class(m);
+  bind_snap_rounding(m);
   bind_writers(m);
 }
 

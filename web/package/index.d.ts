@@ -265,6 +265,13 @@ export interface PlanarTrace {
   tightSegments: Float64Array;
 }
 
+/** What became of an exact set in doubles: counts, and how far set and region are from each other at most. */
+export interface Rounding {
+  nearest: boolean;
+  mergedVertices: number; collapsedEdges: number; bends: number; lines: number; points: number; vanishedRings: number;
+  moved: number; movedUlps: number;
+}
+
 export interface PlanarSum extends Disposable {
   shape(): SumShape;
   readonly vertexCount: number;
@@ -280,6 +287,8 @@ export interface PlanarSum extends Disposable {
   exact(vertex: number): ExactPoint;
   /** The set rounded to doubles; `repair` merges what collides. */
   rounded(options?: { repair?: boolean }): Region;
+  /** rounded() where that has an answer, else by snap rounding: always a region, and what became of the set */
+  snapRounded(): { region: Region; rounding: Rounding };
   equals(other: PlanarSum): boolean;
   /** with tight features, as the command line writes it */
   format(format: RegionFormat): string;

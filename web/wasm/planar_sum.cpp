@@ -6,6 +6,7 @@
 #include "dymsum/cspace_obstacle.h"
 #include "dymsum/orientation_sum.h"
 #include "dymsum/region_io.h"
+#include "dymsum/snap_rounding.h"
 #include "options.h"
 #include "planar_shape.h"
 #include "region.h"
@@ -93,13 +94,33 @@ std::shared_ptr<Region> rounded_of(const PlanarSum& sum, const val& options) {
   return shared(member_or(options, "repair", false) ? got(sum.rounded_with_repair()).region : got(sum.rounded()));
 }
 
+val snap_rounded_of(const PlanarSum& sum) {
+  SnapRounded made = got(snap_rounded(sum));
+  const Rounding& r = made.rounding;
+  val rounding = val::object();
+  const auto set = [&](const char* name, auto value) { rounding.set(name, static_cast<double>(value)); };
+  rounding.set("nearest", r.nearest);
+  set("mergedVertices", r.merged_vertices);
+  set("collapsedEdges", r.collapsed_edges);
+  set("bends", r.bends);
+  set("lines", r.lines);
+  set("points", r.points);
+  set("vanishedRings", r.vanished_rings);
+  set("moved", r.moved);
+  set("movedUlps", r.moved_ulps);
+  val v = val::object();
+  v.set("region", shared(std::move(made.region)));
+  v.set("rounding", rounding);
+  return v;
+}
+
 val shape_of(const PlanarSum& sum) { return sum_shape(sum); }
 double area_of(const PlanarSum& sum) { return sum.area(); }
 std::string area_text_of(const PlanarSum& sum) { return area_text(sum); }
 val exact_of(const PlanarSum& sum, double vertex) { return exact_point(sum.exact(vertex_at(sum, index_in(vertex)))); }
 bool equal(const PlanarSum& a, const PlanarSum& b) { return a == b; }
 std::string formatted(const PlanarSum& sum, const std::string& format) {
-  return format_sum(sum, got(sum.rounded_with_repair()).region, region_format_in(format));
+  return format_sum(sum, got(snap_rounded(sum)).region, region_format_in(format));
 }
 std::string json_of(const PlanarSum& sum) { return sum_to_json(sum); }
 
@@ -155,6 +176,7 @@ EMSCRIPTEN_BINDINGS(planar_sum) {
       .function("areaExact", guarded<&area_exact_of>)
       .function("exact", guarded<&exact_of>)
       .function("rounded", guarded<&rounded_of>)
+      .function("snapRounded", guarded<&snap_rounded_of>)
       .function("equals", guarded<&equal>)
       .function("format", guarded<&formatted>)
       .function("toJson", guarded<&json_of>);

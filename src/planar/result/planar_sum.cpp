@@ -105,6 +105,8 @@ RationalPoint PlanarSum::exact(const SumVertex& vertex) const {
 
 Result<Region> PlanarSum::rounded() const { return planar::rounded(*this); }
 
+Result<SnapRounded> snap_rounded(const PlanarSum& sum) { return planar::snap_rounded(sum); }
+
 Result<Repaired> PlanarSum::rounded_with_repair() const { return planar::rounded_with_repair(*this); }
 
 bool operator==(const PlanarSum& a, const PlanarSum& b) {

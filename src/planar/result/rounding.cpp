@@ -3,10 +3,14 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <limits>
+#include <sstream>
+#include <stdexcept>
 #include <string>
 #include <utility>
 
 #include "exact/orient.h"
+#include "planar/region/snapped_rings.h"
 #include "planar/result/sum_skeleton.h"
 
 namespace dymsum::planar {
@@ -166,11 +170,8 @@ std::size_t merge_equal_points(std::vector<Point>& points) {
   return before - points.size();
 }
 
-}  // namespace
-
-Result<Region> rounded(const PlanarSum& sum) {
-  const SumSkeleton skeleton(sum);
-  if (auto error = check_finite_places(skeleton)) return *std::move(error);
+/// Requires finite places.
+Result<Region> nearest_region(const SumSkeleton& skeleton) {
   if (const auto pair = skeleton.first_collision())
     return changed(skeleton, "makes two vertices equal", pair->first, pair->second);
   const std::vector<VertexOnEdge> contacts = skeleton.contacts();
@@ -180,6 +181,60 @@ Result<Region> rounded(const PlanarSum& sum) {
   Result<Region> region = Region::create(region_data(skeleton, bent));
   if (!region) return spoiled(region.error(), bent.any);
   return region;
+}
+
+double ulp_of(double largest) { return std::nextafter(largest, std::numeric_limits<double>::infinity()) - largest; }
+
+/// The largest |x| and the largest |y|.
+Point largest_coordinates(const SumSkeleton& skeleton) {
+  Point largest;
+  for (const std::uint32_t v : skeleton.places) {
+    largest.x = std::max(largest.x, std::abs(skeleton.nearest[v].x));
+    largest.y = std::max(largest.y, std::abs(skeleton.nearest[v].y));
+  }
+  return largest;
+}
+
+/// Positions with the doubles of another one: `places` are sorted by these.
+std::size_t merged_places(const SumSkeleton& skeleton) {
+  std::size_t count = 0;
+  for (std::size_t i = 1; i < skeleton.places.size(); ++i)
+    count += skeleton.nearest[skeleton.places[i]] == skeleton.nearest[skeleton.places[i - 1]];
+  return count;
+}
+
+}  // namespace
+
+Result<Region> rounded(const PlanarSum& sum) {
+  const SumSkeleton skeleton(sum);
+  if (auto error = check_finite_places(skeleton)) return *std::move(error);
+  return nearest_region(skeleton);
+}
+
+Result<SnapRounded> snap_rounded(const PlanarSum& sum) {
+  const SumSkeleton skeleton(sum);
+  if (auto error = check_finite_places(skeleton)) return *std::move(error);
+  Rounding rounding;
+  const Point largest = largest_coordinates(skeleton);
+  double moved = std::hypot(ulp_of(largest.x) / 2, ulp_of(largest.y) / 2);
+  Result<Region> region = nearest_region(skeleton);
+  if (!region) {
+    SnappedRings snapped = snapped_rings(region_data(skeleton, bend_edges(skeleton, skeleton.contacts())));
+    rounding = {.nearest = false,
+                .merged_vertices = merged_places(skeleton),
+                .collapsed_edges = snapped.collapsed_edges,
+                .bends = snapped.bends,
+                .lines = snapped.lines,
+                .points = snapped.points,
+                .vanished_rings = snapped.vanished_rings};
+    moved += snapped.moved;
+    region = Region::create(std::move(snapped.data));
+    if (!region) throw std::logic_error("snapped rings are no region: " + region.error().to_string());
+  }
+  if (skeleton.places.empty()) moved = 0;
+  rounding.moved = moved * (1 + 0x1p-50);  // of a few roundings
+  rounding.moved_ulps = rounding.moved / ulp_of(std::max(largest.x, largest.y));
+  return SnapRounded{std::move(region).value(), rounding};
 }
 
 Result<Repaired> rounded_with_repair(const PlanarSum& sum) {
@@ -196,3 +251,25 @@ Result<Repaired> rounded_with_repair(const PlanarSum& sum) {
 }
 
 }  // namespace dymsum::planar
+
+namespace dymsum {
+
+std::string Rounding::to_string() const {
+  if (nearest) return "nearest doubles";
+  std::string text;
+  const auto add = [&text](std::size_t count, const char* one, const char* many) {
+    if (count > 0) text += std::to_string(count) + " " + (count == 1 ? one : many) + ", ";
+  };
+  add(merged_vertices, "vertex merged", "vertices merged");
+  add(collapsed_edges, "edge collapsed", "edges collapsed");
+  add(bends, "bend where edges meet", "bends where edges meet");
+  add(lines, "line for what is thinner than doubles", "lines for what is thinner than doubles");
+  add(points, "point for what is smaller", "points for what is smaller");
+  add(vanished_rings, "ring vanished", "rings vanished");
+  std::ostringstream bound;
+  bound.precision(2);
+  bound << moved << " (" << moved_ulps << " units in the last place of the largest coordinate)";
+  return text + "moved by at most " + bound.str();
+}
+
+}  // namespace dymsum

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "dymsum/planar_sum.h"
+#include "dymsum/snap_rounding.h"
 
 namespace dymsum::planar {
 
@@ -23,6 +24,11 @@ namespace dymsum::planar {
 /// Cost: O(n log n + m) for n vertices and m pairs of edge and vertex with overlapping x ranges, exact arithmetic on
 /// the pairs that doubles do not tell apart; O(s n) for s segments.
 Result<Region> rounded(const PlanarSum& sum);
+
+/// rounded() where it has an answer, and snapped_rings() of the nearest doubles otherwise. What moves: vertices by half
+/// a unit in the last place of the largest x and y, cuts of edges by the distance of a crossing from its nearest
+/// doubles, and so on for cuts of what was cut, along each edge added up.
+Result<SnapRounded> snap_rounded(const PlanarSum& sum);
 
 /// As rounded(), with nothing but validity promised of the result: vertices that collide are merged, rings that
 /// collapse are dropped, segments that collapse become points, all by dymsum::repair, which also drops vertices that

@@ -138,6 +138,8 @@ test('corners of a sum are sums of vertices', () => {
   assert.equal(dymsum.minkowskiSum(p, q).trace(), null);
   assert.match(dymsum.drawTrace(p, q, sum), /^<svg/);
   assert.ok(sum.rounded().area() > 0);
+  assert.equal(sum.snapRounded().rounding.nearest, true);
+  assert.ok(sum.snapRounded().region.area() > 0);
 });
 
 test('inner fits, unions, turned sums, membership, sizes', () => {
