@@ -16,7 +16,7 @@ const Region& RoundedSum::region() {
 }
 
 void RoundedSum::warn_of_picture(const std::string& file) {
-  if (region_ && (!rounding_ || rounding_->nearest)) return;
+  if (region_ && !rounding_) return;
   Result<Region> region = sum_.rounded();
   if (region) region_ = std::move(region).value();
   else std::cerr << file << ": a picture that cannot be read as a region: " << region.error().to_string() << "\n";
@@ -24,8 +24,10 @@ void RoundedSum::warn_of_picture(const std::string& file) {
 
 Region RoundedSum::snapped() {
   SnapRounded made = require(snap_rounded(sum_));
-  rounding_ = made.rounding;
-  if (!rounding_->nearest) std::cerr << "rounding: " << rounding_->to_string() << "\n";
+  if (!made.rounding.nearest) {
+    rounding_ = made.rounding;
+    std::cerr << "rounding: " << rounding_->to_string() << "\n";
+  }
   return std::move(made.region);
 }
 

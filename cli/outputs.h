@@ -30,7 +30,7 @@ class RoundedSum {
   const Region& region();
   /// Pictures are drawn whatever rounding does, but then they cannot be read as regions.
   void warn_of_picture(const std::string& file);
-  /// What rounding did, where region() was asked for and is no repair.
+  /// What rounding did, where region() was asked for and is neither the nearest doubles nor a repair.
   const std::optional<Rounding>& rounding() const { return rounding_; }
 
  private:

@@ -28,7 +28,7 @@ struct SumReport {
   std::string engine, semantics;
   std::optional<Orientation> orientation;  ///< where an operand is turned
   bool exact = false;                      ///< area_exact of any length
-  std::optional<Rounding> rounding;        ///< of what was written in doubles
+  std::optional<Rounding> rounding;        ///< of what was written where nearest doubles would not do
 };
 
 /// outer, holes, vertices, area, area_exact and tight of a sum. area is a number, or text where it is outside the range
