@@ -273,7 +273,8 @@ Fraction(30, 1)
       .def(
           "to_json", [](const PlanarSum& self) { return sum_to_json(self); }, "As sum_to_json.")
       .def(
-          "to_shapely", [](const PlanarSum& self) { return nb::cast(take(snap_rounded(self)).region).attr("to_shapely")(); },
+          "to_shapely",
+          [](const PlanarSum& self) { return nb::cast(take(snap_rounded(self)).region).attr("to_shapely")(); },
           "The region of snap_rounded() as a shapely geometry (needs shapely 2).")
       .def_prop_ro("__geo_interface__", &geometry_of, "The region of snap_rounded() as a GeoJSON geometry.")
       .def("_repr_svg_", [](const PlanarSum& self) { return draw_section(self); });
