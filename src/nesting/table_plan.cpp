@@ -1,13 +1,13 @@
 #include "nesting/table_plan.h"
 
 #include <algorithm>
-#include <bit>
 #include <cmath>
 #include <map>
 #include <set>
 #include <string>
 #include <utility>
 
+#include "base/bit_cast.h"
 #include "exact/big.h"
 #include "io/region/write_wkb.h"
 #include "nesting/angle_differences.h"
@@ -193,7 +193,7 @@ class Planner {
   void mark_rows() {
     for (const base::Digest& digest : state_.keys) mark(digest);
     for (const base::Digest& digest : state_.item_digests) mark(digest);
-    mark(std::bit_cast<std::uint64_t>(state_.input.strip_height.value_or(0)));
+    mark(base::bit_cast<std::uint64_t>(state_.input.strip_height.value_or(0)));
     for (const TableAngle& angle : state_.angles)
       mark(base::sha256(angle.orientation.is_half_turn() ? "inf" : angle.orientation.tan_half().to_string()));
     for (const TableRow& row : state_.rows) {
