@@ -69,9 +69,9 @@ class ScalingSum {
   /// Constant between consecutive visible events.
   std::uint64_t combinatorial_hash() const;
 
-  /// The events in [a, b] in order; a value with events of both kinds is listed once, as vertex_on_segment. Every visible
-  /// event is among them; those that lie in the open sum are not. Costs one exact frame per value. Does not move the
-  /// sum. Errors: bad_scale when a > b; cancelled.
+  /// The events in [a, b] in order; a value with events of both kinds is listed once, as vertex_on_segment. Every
+  /// visible event is among them; those that lie in the open sum are not. Costs one exact frame per value. Does not
+  /// move the sum. Errors: bad_scale when a > b; cancelled.
   Result<std::vector<ScaleEvent>> events(const Scale& a, const Scale& b, const Progress& progress = {}) const;
   /// The first event of the kind asked for after s and at most `limit`, if there is one.
   Result<std::optional<ScaleEvent>> next_event(const Scale& s, const Scale& limit,

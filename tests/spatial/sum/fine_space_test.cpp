@@ -1,9 +1,9 @@
 // Signs of a space of sums in doubles of double length: those that they find are the integers' own.
 #include <gtest/gtest.h>
 
+#include "oracles/coordinate_kinds.h"
 #include "spatial/convolution/reduced_facets.h"
 #include "spatial/convolution/sum_space.h"
-#include "oracles/coordinate_kinds.h"
 #include "spatial/sum/random_solids.h"
 
 namespace dymsum {
