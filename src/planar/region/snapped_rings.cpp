@@ -166,7 +166,7 @@ class Noding {
 class WindingSweep {
  public:
   explicit WindingSweep(const std::vector<Piece>& pieces)
-      : above(pieces.size()), below(pieces.size()), pieces_(pieces), line_(Order{&pieces}) {
+      : above(pieces.size()), below(pieces.size()), line_(Order{&pieces}) {
     std::map<Point, Event, Less> events;
     for (std::uint32_t i = 0; i < pieces.size(); ++i) {
       events[pieces[i].a].start.push_back(i);
@@ -202,7 +202,6 @@ class WindingSweep {
   };
   using Line = std::set<std::uint32_t, Order>;
 
-  const std::vector<Piece>& pieces_;
   Line line_;
 };
 
