@@ -651,8 +651,10 @@ export interface SpatialSum extends Disposable {
   /** The regular part as an operand of further sums. */
   asMesh(): Mesh;
   equals(other: SpatialSum): boolean;
-  /** rounded once; error rounding_changed_topology where that would spoil it, but not of a glb, which is a picture */
+  /** As `dymsum sum -o` writes it: rounded once; error rounding_changed_topology where that would spoil it, but not of a glb, which is a picture. */
   format(format: MeshFormat): Uint8Array;
+  /** As `dymsum sum -o sum.json`: exact vertices, edges, faces and what is tight, with provenance. */
+  toJson(): string;
 }
 
 /** How P or Q stands: x -> rotation (diag(scale) x). Rounded to exact rational rotations, see `Rotation`. */
@@ -699,6 +701,10 @@ export interface ConvexSum extends Disposable {
   mesh(): Mesh;
   /** the exact position of a vertex of `buffers()` */
   exact(vertex: number): ExactPoint3;
+  /** As `dymsum sum -o` of convex solids writes it; what the last `set` changed is red in a glb. */
+  format(format: MeshFormat): Uint8Array;
+  /** Likewise `-o sum.json`. */
+  toJson(): string;
 }
 export interface MotionWork {
   vertexChecks: number; vertexErrors: number; crossingChecks: number; arcChecks: number; arcsChanged: number;

@@ -6,9 +6,12 @@
 #include "dymsum/convex_solid.h"
 #include "dymsum/convex_sum.h"
 #include "dymsum/moving_solid_sum.h"
+#include "mesh.h"
 #include "options.h"
+#include "solid/solid_outputs.h"
 #include "solid_feature.h"
 #include "spatial_shape.h"
+#include "written.h"
 
 namespace dymsum::web {
 namespace {
@@ -157,6 +160,14 @@ val facet_count_of(const HeldConvexSum& held) {
   return v;
 }
 std::shared_ptr<Mesh> mesh_of(const HeldConvexSum& held) { return shared(got(held.sum.sum().rounded_mesh())); }
+std::string file_of(const HeldConvexSum& held, const std::string& extension) {
+  return as_written([&] { return cli::solid_output(held.sum.sum(), "sum." + extension); });
+}
+val formatted(const HeldConvexSum& held, const std::string& name) {
+  mesh_format_in(name);
+  return bytes_of(file_of(held, name));
+}
+std::string json_of(const HeldConvexSum& held) { return file_of(held, "json"); }
 
 /// The canonical sum has the same vertices, named by the same pairs and sorted by them.
 val exact_of(HeldConvexSum& held, double vertex) {
@@ -191,7 +202,9 @@ EMSCRIPTEN_BINDINGS(moving_solids) {
       .function("depth", guarded<&depth_of>)
       .function("facetCount", guarded<&facet_count_of>)
       .function("mesh", guarded<&mesh_of>)
-      .function("exact", guarded<&exact_of>);
+      .function("exact", guarded<&exact_of>)
+      .function("format", guarded<&formatted>)
+      .function("toJson", guarded<&json_of>);
 }
 
 }  // namespace

@@ -2,11 +2,12 @@
 #include "obstacle.h"
 
 #include "arrays.h"
-#include "dymsum/mesh_io.h"
 #include "dymsum/obstacle_file.h"
 #include "dymsum/obstacle_mesh.h"
 #include "options.h"
+#include "planar/cspace_outputs.h"
 #include "planar_shape.h"
+#include "written.h"
 
 namespace dymsum::web {
 namespace {
@@ -168,7 +169,8 @@ val mesh_of(const CspaceObstacle& obstacle, const val& options) {
 }
 
 val glb_of(const CspaceObstacle& obstacle, const val& options) {
-  return bytes_of(format_mesh(capped_mesh_data(made_mesh(obstacle, options)), MeshFormat::glb));
+  const ObstacleMesh mesh = made_mesh(obstacle, options);
+  return bytes_of(as_written([&] { return cli::obstacle_glb(obstacle, mesh, cli::Ends::capped); }));
 }
 std::string formatted(const CspaceObstacle& obstacle) { return format_obstacle(obstacle); }
 

@@ -10,8 +10,10 @@
 #include "mesh.h"
 #include "options.h"
 #include "planar_shape.h"
+#include "solid/any_solid_outputs.h"
 #include "solid_feature.h"
 #include "spatial_shape.h"
+#include "written.h"
 
 namespace dymsum::web {
 namespace {
@@ -70,11 +72,14 @@ val tight_contacts_of(const SpatialSum& sum) {
 }
 std::shared_ptr<Mesh> mesh_of(const SpatialSum& sum) { return shared(got(as_mesh(sum))); }
 bool equal(const SpatialSum& a, const SpatialSum& b) { return a == b; }
-val formatted(const SpatialSum& sum, const std::string& name) {
-  const MeshFormat format = mesh_format_in(name);
-  const MeshData data = format == MeshFormat::glb ? sum.drawn().mesh : got(sum.rounded()).mesh;
-  return bytes_of(format_mesh(data, format));
+std::string file_of(const SpatialSum& sum, const std::string& extension) {
+  return as_written([&] { return cli::any_solid_output(sum, "sum." + extension, {}); });
 }
+val formatted(const SpatialSum& sum, const std::string& name) {
+  mesh_format_in(name);
+  return bytes_of(file_of(sum, name));
+}
+std::string json_of(const SpatialSum& sum) { return file_of(sum, "json"); }
 
 double vertex_count(const SpatialSum& sum) { return static_cast<double>(sum.vertices.size()); }
 double face_count(const SpatialSum& sum) { return static_cast<double>(sum.faces.size()); }
@@ -202,7 +207,8 @@ EMSCRIPTEN_BINDINGS(spatial_sum) {
       .function("tightContacts", guarded<&tight_contacts_of>)
       .function("asMesh", guarded<&mesh_of>)
       .function("equals", guarded<&equal>)
-      .function("format", guarded<&formatted>);
+      .function("format", guarded<&formatted>)
+      .function("toJson", guarded<&json_of>);
   handle<SolidSlice>("SolidSlice")
       .function("takeSection", guarded<&section_of>)
       .function("touching", guarded<&touching_of>);

@@ -290,6 +290,24 @@ test('parts without volume stay in a repair that is told so', () => {
   assert.equal(Mesh.read('a.off', off, { repair: true, thinParts: true }).vertexCount, 4);
 });
 
+test('files of solids and obstacles are those that the command line writes', async () => {
+  const ell = solids.prism([0, 0, 2, 0, 2, 1, 1, 1, 1, 2, 0, 2], 1), box = solids.box(0, 0, 0, 1, 1, 0.1), files = { 'ell.off': ell.format('off'), 'box.off': box.format('off') };
+  const formats = ['off', 'obj', 'stl', 'ply', 'glb'], outputs = [...formats, 'json'].flatMap((format) => ['-o', `o.${format}`]);
+  const same = async (args, sum) => {
+    const { files: made } = await dymsum.run([...args, ...outputs], { files });
+    for (const format of formats) assert.deepEqual(Buffer.from(sum.format(format)), Buffer.from(made[`o.${format}`]), format);
+    assert.equal(sum.toJson(), new TextDecoder().decode(made['o.json']));
+  };
+  await same(['sum', 'ell.off', 'box.off'], dymsum.minkowskiSum(ell, box));
+  await same(['nfp', 'ell.off', 'ell.off', '--semantics', 'open'], dymsum.minkowskiSum(ell, ell.negated(), { semantics: 'open' }));
+  await same(['sum', 'box.off', 'box.off'], dymsum.ConvexSum.create(box, box));
+  assert.equal(thrown(() => dymsum.ConvexSum.create(box, box).format('dwg')).code, 'malformed');
+  const regions = { 'slot.wkt': slot().format('wkt'), 'peg.wkt': peg().format('wkt') }, obstacle = dymsum.CspaceObstacle.create(peg(), slot());
+  const { files: made } = await dymsum.run(['cspace', 'peg.wkt', 'slot.wkt', '-o', 'o.glb', '-o', 'o.obstacle'], { files: regions });
+  assert.deepEqual(Buffer.from(obstacle.glb()), Buffer.from(made['o.glb']));
+  assert.equal(obstacle.format(), new TextDecoder().decode(made['o.obstacle']));
+});
+
 test('an obstacle stays for its queries when it is disposed of', () => {
   const obstacle = dymsum.CspaceObstacle.create(peg(), slot());
   const queries = obstacle.queries();

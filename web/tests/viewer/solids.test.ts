@@ -127,7 +127,7 @@ describe('the page of solids', () => {
       const { name, bytes } = await download(page, label);
       expect(name).toBe(`sum.${format}`);
       if (format === 'off') expect(bytes.toString()).toMatch(/^OFF/);
-      if (format === 'json') expect((JSON.parse(bytes.toString()) as { vertices: string[] }).vertices.length).toBe(8);
+      if (format === 'json') expect((JSON.parse(bytes.toString()) as { vertex_list: object[] }).vertex_list.length).toBe(8);
     }
     await close(it);
   });

@@ -1,12 +1,12 @@
 // Sums of solids of which one turns and is scaled.
-import { DymsumError, type Mesh, type MeshFormat, type MovingSolidSum } from 'dymsum';
+import { DymsumError, type ConvexSum, type Mesh, type MeshFormat, type MovingSolidSum, type SpatialSum } from 'dymsum';
 import type { Host } from '../../engine/host';
 import type { ErrorData } from '../../engine/protocol';
 import { bytesOf, isMade, type Shape } from '../../engine/shape';
 import { using } from '../../operands/using';
 import { depthOf, type Place, type SolidDepthAnswer, type Unknown } from './depth';
 import { boundaryEdges, kindsOfFaces } from './faces';
-import { convexOf, first, fitOf, hasConvexSum, keyOfSum, meshOf, posesOf, second, withScaled, type SumArgs } from './standing';
+import { convexOf, first, fitOf, hasConvexSum, isConvex, keyOfSum, meshOf, posesOf, posesOnTheWay, second, withScaled, type SumArgs } from './standing';
 
 export interface SolidOperand {
   vertices: Float64Array;
@@ -166,21 +166,18 @@ function unchecked(host: Host, shape: Parameters<typeof bytesOf>[0]): object {
   }
 }
 
+/** The file that `dymsum sum`, `nfp` or `erode` writes, or of what is turned or scaled `rotate` or `scale`: by the same writer, of a sum that is come to in the same way. */
 function fileOf(host: Host, args: SumArgs, format: MeshFormat | 'json'): Uint8Array | string {
-  if (format === 'json') return jsonOf(host, args);
-  if (!hasConvexSum(host, args)) return withSum(host, args, (sum) => sum.format(format));
-  return using(convexOf(host, args, 'numbers').mesh(), (mesh) => mesh.format(format));
-}
-
-/** Exact vertices, faces as triangles with what touches there. */
-function jsonOf(host: Host, args: SumArgs): string {
-  const frame = frameOf(host, args), used = [...new Set(frame.triangles)].sort((a, b) => a - b);
-  const place = new Map(used.map((v, k) => [v, k]));
-  const exact = exactOf(host, args, used);
-  const triangles = Array.from(frame.faceOf, (face, t) => ({
-    vertices: [...frame.triangles.subarray(3 * t, 3 * t + 3)].map((v) => place.get(v)), face, contact: [...frame.contacts.subarray(6 * face, 6 * face + 6)],
-  }));
-  return JSON.stringify({ vertices: exact, triangles }, null, 1);
+  const { dymsum } = host, file = (sum: SpatialSum | ConvexSum): Uint8Array | string => (format === 'json' ? sum.toJson() : sum.format(format));
+  if (args.sum === 'fit') return file(fitOf(host, args));
+  const p = first(host, args), q = second(host, args), poses = posesOnTheWay(args), options = { semantics: args.semantics, tight: true, progress: host.progress };
+  const moved = <T extends ConvexSum | MovingSolidSum>(sum: T): T => {
+    for (const pose of poses) sum.set(...pose);
+    return sum;
+  };
+  if (isConvex(host, args)) return using(dymsum.ConvexSum.create(p, q), (sum) => file(moved(sum)));
+  if (poses.length === 0) return using(dymsum.minkowskiSum(p, q, options), file);
+  return using(dymsum.MovingSolidSum.create(p, q, options), (moving) => using(moved(moving).sum(), file));
 }
 
 function frameOf(host: Host, args: SumArgs): SolidFrame {

@@ -17,6 +17,12 @@ export function posesOf({ moving, axis, angle, scale }: SumArgs): [SolidPose, So
   const pose: SolidPose = { rotation: rotationOf(axis, angle), scale: factorsOf(scale, 3)!.map(toText) as [string, string, string] };
   return moving === 'p' ? [pose, {}] : [{}, pose];
 }
+/** The poses that a command goes through: none where nothing is moved, with a turn alone that of its beginning first, and the one that is shown. */
+export function posesOnTheWay(args: SumArgs): [SolidPose, SolidPose][] {
+  const isScaled = factorsOf(args.scale, 3)!.some((f) => f.n !== f.d), isTurned = args.angle !== 0;
+  if (!isScaled && !isTurned) return [];
+  return isScaled ? [posesOf(args)] : [posesOf({ ...args, angle: 0 }), posesOf(args)];
+}
 export function rotationOf(axis: SumArgs['axis'], degrees: number): Rotation {
   return { axis, angle: radiansOf(`${degrees}deg`) };
 }
