@@ -121,6 +121,9 @@ struct ObstacleWork {
 struct ObstacleOptions {
   bool reference = false;  ///< every slab by a whole static slice and every potential event kept: slow, for comparison
   Progress progress;
+  /// Bytes that may be held at a time by arrays which grow faster than the operands, those of the obstacle included;
+  /// each counts before it is made. Past it: out_of_memory. 0: no limit.
+  std::uint64_t memory = 0;
 };
 
 class CspaceObstacle {

@@ -38,6 +38,11 @@ struct MovingOptions {
   /// frames were rebuilt, and the rest of FrameWork, then depend on time. Other modes make no windows ahead. At least
   /// 0.
   int threads = 1;
+  /// Bytes that may be held at a time by arrays which grow faster than the operands, each of which counts before it is
+  /// made: those of windows, also of kept ones, and of frames from scratch, except the sum of the last frame. A window
+  /// that does not fit is not made: its frames are computed from scratch. Where these do not fit, and in lists of
+  /// events: Error out_of_memory. 0: no limit.
+  std::uint64_t memory = 0;
   ForcedTier forced_tier;
   Progress progress;  ///< asked before a window is built and between stages of a rebuild, see progress.h
 };

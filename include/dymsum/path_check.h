@@ -30,10 +30,22 @@ struct PathCheck {
 Result<PathCheck> check_path(const Region& robot, const Region& obstacle, std::span<const Waypoint> path,
                              Touching touch = Touching::allowed, const Progress& progress = {});
 
+/// A pose whose position doubles may not hold.
+struct ExactPose {
+  RationalPoint at;
+  double theta = 0;
+};
+
 /// From each pose to the next, x, y and theta linear in time: exactly where it is a translation, or a rotation in place
 /// the way theta says at face value (with Orientation::nearest at both ends), by check_motion where it is both.
 /// Errors: malformed for an empty path; cancelled, as above; as these checks.
 Result<PathCheck> check_path(const Region& robot, const Region& obstacle, std::span<const Configuration> poses,
+                             Touching touch = Touching::allowed, const MotionOptions& options = {},
+                             const Progress& progress = {});
+
+/// The same. A piece that moves and turns at once is examined in doubles: unsupported_operand, with the index in the
+/// sentence, where its positions are none.
+Result<PathCheck> check_path(const Region& robot, const Region& obstacle, std::span<const ExactPose> poses,
                              Touching touch = Touching::allowed, const MotionOptions& options = {},
                              const Progress& progress = {});
 

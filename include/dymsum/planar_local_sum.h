@@ -33,6 +33,9 @@ PlanarBox bounding_box(const PlanarDisc& disc);
 struct PlanarLocalOptions {
   LocalEngine engine = LocalEngine::updated;  ///< how the segments near the place are found; all give the same part
   Progress progress;
+  /// Bytes that may be held at a time by arrays which grow faster than the operands; each counts before it is made.
+  /// Past it: out_of_memory. 0: no limit.
+  std::uint64_t memory = 0;
 };
 
 /// What the box cuts out of the boundary of P (+) Q. Canonical: equal sets are equal values, whatever the engine.

@@ -45,6 +45,9 @@ struct SumOptions {
   Semantics semantics = Semantics::closed;
   Progress progress;   ///< see progress.h
   bool trace = false;  ///< record the stages in PlanarSum::trace
+  /// Bytes that arrays which grow faster than the operands may hold at a time, those of the result included; each
+  /// counts before it is made. 0: no limit.
+  std::uint64_t memory = 0;
   ForcedTier forced_tier;
 };
 
@@ -163,8 +166,10 @@ class PlanarSum {
 
 /// P (+) Q. Either may be empty (then the sum is), have several parts and holes, or be polylines and points.
 /// Exact: every decision is the sign of an integer expression. Errors: cancelled; unsupported_operand for coordinates
-/// beyond 2^1000. Cost: O(n log n + m log m + N + A + k log k) for N reduced segments, A grid cell entries and k live
-/// crossings. Source: Behar 2016, chapter 3, corrected (docs/design/planar-sum.md).
+/// beyond 2^1000; out_of_memory past SumOptions::memory and where the machine has no more. Cost: O(n log n + m log m +
+/// N
+/// + A + k log k) for N reduced segments, A grid cell entries and k live crossings. Source: Behar 2016, chapter 3,
+/// corrected (docs/design/planar-sum.md).
 Result<PlanarSum> minkowski_sum(const Region& p, const Region& q, const SumOptions& options = {});
 
 /// The no-fit polygon of B around A: A (+) -B, the positions of B's reference point at which B meets A. Provenance

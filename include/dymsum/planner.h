@@ -21,6 +21,12 @@ struct Waypoint {
   Configuration approx;
 };
 
+/// A configuration of numbers that doubles may not hold.
+struct ExactConfiguration {
+  RationalPoint at;
+  Orientation theta;
+};
+
 /// As reports write it: "start", "translation", "counter_clockwise", "clockwise".
 std::string_view name(Waypoint::Move move);
 
@@ -91,6 +97,9 @@ struct PlanOptions {
   /// than the few that one step looks at.
   std::uint64_t slice_bytes = std::uint64_t{1} << 28;
   Progress progress;
+  /// Bytes that the search may hold at a time in arrays which grow faster than the operands, the slices that are kept
+  /// included; each counts before it is made. Past it: out_of_memory. 0: no limit.
+  std::uint64_t memory = 0;
 };
 
 /// The answer where slices at the two angles tell it, without the obstacle of all angles: start or goal is not free, or
@@ -99,6 +108,8 @@ struct PlanOptions {
 /// slices, a graph of each, and O(NM) filtered signs.
 Result<std::optional<Plan>> direct_plan(const Region& robot, const Region& obstacle, const Configuration& start,
                                         const Configuration& goal, const PlanOptions& options = {});
+Result<std::optional<Plan>> direct_plan(const Region& robot, const Region& obstacle, const ExactConfiguration& start,
+                                        const ExactConfiguration& goal, const PlanOptions& options = {});
 
 /// A path from start to goal, or why there is none. x and y are taken at face value, theta as Orientation::nearest.
 /// Touching forbidden: complete, given the time. Two configurations are joined exactly if FreeCell::component is the
@@ -108,10 +119,13 @@ Result<std::optional<Plan>> direct_plan(const Region& robot, const Region& obsta
 /// irrational angle alone are not examined, and not counted on. A passage that can only be followed along a curve,
 /// touching all the way, may stay undecided. Every translation and rotation of a path is free by check_translation and
 /// check_rotation. Errors: bad_rotation and not_finite for configurations that are not finite; out_of_range for a time
-/// limit that is no number or negative; unsupported_operand for coordinates beyond 2^400; cancelled. Cost: a slice and
-/// a graph of it per event angle on the way, O(n (n + k)) each for n edges and k of them over one position, and O(NM)
-/// filtered signs per rotation tried, N and M being the sizes of robot and obstacle.
+/// limit that is no number or negative; unsupported_operand for coordinates beyond 2^400; out_of_memory past
+/// PlanOptions::memory; cancelled. Cost: a slice and a graph of it per event angle on the way, O(n (n + k)) each for n
+/// edges and k of them over one position, and O(NM) filtered signs per rotation tried, N and M being the sizes of robot
+/// and obstacle.
 Result<Plan> plan(const CspaceObstacle& obstacle, const Configuration& start, const Configuration& goal,
+                  const PlanOptions& options = {});
+Result<Plan> plan(const CspaceObstacle& obstacle, const ExactConfiguration& start, const ExactConfiguration& goal,
                   const PlanOptions& options = {});
 
 }  // namespace dymsum

@@ -5,6 +5,8 @@
 
 #include <algorithm>
 
+#include "base/memory_budget.h"
+
 namespace dymsum::base {
 
 void parallel_parts(std::size_t parts, int threads, const std::function<void(std::size_t)>& part) {
@@ -14,7 +16,13 @@ void parallel_parts(std::size_t parts, int threads, const std::function<void(std
   }
   // More threads than cores make TBB warn, and serve nobody.
   tbb::task_arena arena(threads <= 0 ? tbb::task_arena::automatic : std::min(threads, core_count()));
-  arena.execute([&] { tbb::parallel_for(std::size_t{0}, parts, [&](std::size_t i) { part(i); }); });
+  const std::shared_ptr<MemoryBudget> budget = current_budget();
+  arena.execute([&] {
+    tbb::parallel_for(std::size_t{0}, parts, [&](std::size_t i) {
+      const UseBudget use(budget);
+      part(i);
+    });
+  });
 }
 
 int core_count() { return std::max(1, tbb::this_task_arena::max_concurrency()); }

@@ -11,8 +11,13 @@ namespace dymsum {
 
 const std::size_t Scratch::kUsedAtFirst = kBuffer + 1;
 
-void* Scratch::take_block(std::size_t bytes) { return ::operator new(bytes); }
-void Scratch::give_block(void* pointer, std::size_t) { ::operator delete(pointer); }
+namespace {
+
+std::size_t size_of_block(std::size_t bytes) { return bytes; }
+void* block_of(std::size_t bytes) { return ::operator new(bytes); }
+void give_back(void* pointer, std::size_t) { ::operator delete(pointer); }
+
+}  // namespace
 
 #else
 namespace {
@@ -23,6 +28,11 @@ class Blocks {
   ~Blocks() {
     for (auto& list : lists_)
       for (void* block : list) ::operator delete(block);
+  }
+  /// What take() takes for so many bytes.
+  static std::size_t size(std::size_t bytes) {
+    const std::size_t c = size_class(bytes);
+    return c < kClasses ? class_size(c) : bytes;
   }
   void* take(std::size_t bytes) {
     const std::size_t c = size_class(bytes);
@@ -57,13 +67,30 @@ class Blocks {
 
 thread_local Blocks blocks;
 
+std::size_t size_of_block(std::size_t bytes) { return Blocks::size(bytes < 64 ? 64 : bytes); }
+void* block_of(std::size_t bytes) { return blocks.take(bytes < 64 ? 64 : bytes); }
+void give_back(void* pointer, std::size_t bytes) { blocks.give(pointer, bytes < 64 ? 64 : bytes); }
+
 }  // namespace
 
 const std::size_t Scratch::kUsedAtFirst = 0;
 
-void* Scratch::take_block(std::size_t bytes) { return blocks.take(bytes < 64 ? 64 : bytes); }
-void Scratch::give_block(void* pointer, std::size_t bytes) { blocks.give(pointer, bytes < 64 ? 64 : bytes); }
-
 #endif
+
+void* Scratch::take_block(std::size_t bytes) {
+  if (budget_ == nullptr) return block_of(bytes);
+  budget_->take(size_of_block(bytes));
+  try {
+    return block_of(bytes);
+  } catch (...) {
+    budget_->give(size_of_block(bytes));
+    throw;
+  }
+}
+
+void Scratch::give_block(void* pointer, std::size_t bytes) {
+  give_back(pointer, bytes);
+  if (budget_ != nullptr) budget_->give(size_of_block(bytes));
+}
 
 }  // namespace dymsum

@@ -7,12 +7,15 @@
 #include <new>
 #include <vector>
 
+#include "base/memory_budget.h"
+
 namespace dymsum {
 
-/// Not thread-safe; at most 16 MB of blocks outlive it, until the thread ends.
+/// Not thread-safe; at most 16 MB of blocks outlive it, until the thread ends. Its blocks count with the budget that is
+/// the current one when it is made (memory_budget.h).
 class Scratch {
  public:
-  Scratch() = default;
+  Scratch() : budget_(base::current_budget()) {}
   Scratch(const Scratch&) = delete;
   Scratch& operator=(const Scratch&) = delete;
 
@@ -44,8 +47,8 @@ class Scratch {
   static constexpr std::size_t kAlign = alignof(std::max_align_t);
   static constexpr std::size_t rounded(std::size_t bytes) { return (bytes + kAlign - 1) & ~(kAlign - 1); }
 
-  static void* take_block(std::size_t bytes);
-  static void give_block(void* pointer, std::size_t bytes);
+  void* take_block(std::size_t bytes);
+  void give_block(void* pointer, std::size_t bytes);
 
   // What of the buffer is used before the first array: nothing, or in a library built with the address sanitizer more
   // than all of it, so that every array is an allocation of its own and the sanitizer sees its ends. Not a constant of
@@ -55,6 +58,7 @@ class Scratch {
   alignas(kAlign) std::byte buffer_[kBuffer];
   std::size_t used_ = kUsedAtFirst;
   std::size_t held_ = 0, peak_ = 0;  // bytes handed out, now and at most
+  std::shared_ptr<base::MemoryBudget> budget_;
 };
 
 /// Arrays of a computation with a scratch, or without one on the heap. What is not given a value has none: resize()

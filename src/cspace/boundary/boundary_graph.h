@@ -16,6 +16,7 @@
 #include <utility>
 #include <vector>
 
+#include "base/memory_budget.h"
 #include "cspace/boundary/partition.h"
 #include "cspace/boundary/segment_index.h"
 #include "cspace/events/sub_edge.h"
@@ -99,7 +100,7 @@ class BoundaryGraph {
   explicit BoundaryGraph(SegmentIndex segments) : segments_(segments), first_on_(segments.count(), kNobody) {}
 
   const SegmentIndex& segments() const { return segments_; }
-  const std::vector<Node>& nodes() const { return nodes_; }
+  const base::CountedArray<Node>& nodes() const { return nodes_; }
   const Node& operator[](std::uint32_t n) const { return nodes_[n]; }
   /// Of the list of nodes of a segment that are alive, along next_on_segment.
   std::uint32_t first_on(std::uint32_t segment) const { return first_on_[segment]; }
@@ -160,7 +161,7 @@ class BoundaryGraph {
   void give_cell(const std::vector<std::uint32_t>& loop, std::uint32_t cell);
 
   SegmentIndex segments_;
-  std::vector<Node> nodes_;
+  base::CountedArray<Node> nodes_;
   std::vector<std::uint32_t> lately_alive_;  // increasing: all that are alive, and fewer others
   std::size_t lately_ended_ = 0;             // of these
   std::vector<std::uint32_t> first_on_;

@@ -7,6 +7,7 @@
 #include <optional>
 #include <vector>
 
+#include "base/memory_budget.h"
 #include "cspace/events/overlap_filter.h"
 #include "exact/algebraic_root.h"
 #include "planar/turning/turn_window.h"
@@ -44,7 +45,7 @@ std::vector<Alignment> alignments(const TurningForms& forms, const TurnCatalog& 
 using AlwaysConcurrent = std::array<WalkSegment, 3>;
 
 struct TurnEvents {
-  std::vector<TurnEvent> events;  ///< by increasing `low`
+  base::CountedArray<TurnEvent> events;  ///< by increasing `low`
   std::vector<AlwaysConcurrent> always_concurrent;
   std::uint64_t pairs = 0, triples = 0;
 };

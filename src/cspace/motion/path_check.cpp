@@ -69,7 +69,8 @@ Result<PathCheck> check_piece(const Region& robot, const Region& obstacle, const
 }
 
 // In place, as far as theta says: more than a turn is a whole turn.
-Result<PathCheck> check_turn(const Region& robot, const Region& obstacle, const Configuration& a,
+template <class At>
+Result<PathCheck> check_turn(const Region& robot, const Region& obstacle, const At& at, const Configuration& a,
                              const Configuration& b, Touching touch) {
   const double by = b.theta - a.theta;
   const auto turn = by < 0 ? TurnDirection::clockwise : TurnDirection::counter_clockwise;
@@ -79,8 +80,7 @@ Result<PathCheck> check_turn(const Region& robot, const Region& obstacle, const 
   std::vector<Orientation> way{*from, *to};
   if (std::abs(by) >= 2 * std::numbers::pi) way = {*from, *from * Orientation::half_turn(), *from};
   for (std::size_t k = 1; k < way.size(); ++k) {
-    const Result<RotationCheck> check =
-        check_rotation(robot, obstacle, Point{a.x, a.y}, way[k - 1], way[k], turn, touch);
+    const Result<RotationCheck> check = check_rotation(robot, obstacle, at, way[k - 1], way[k], turn, touch);
     if (!check) return check.error();
     if (!check->free || k + 1 == way.size()) return of_rotation(*check, a, by);
   }
@@ -98,7 +98,7 @@ Result<PathCheck> check_piece(const Region& robot, const Region& obstacle, const
     if (!check) return check.error();
     return of_translation(*check, a, b);
   }
-  if (a.x == b.x && a.y == b.y) return check_turn(robot, obstacle, a, b, touch);
+  if (a.x == b.x && a.y == b.y) return check_turn(robot, obstacle, Point{a.x, a.y}, a, b, touch);
   const Result<MotionCheck> check = check_motion(robot, obstacle, a, b, options, progress);
   if (!check) return check.error();
   PathCheck piece;
@@ -109,6 +109,32 @@ Result<PathCheck> check_piece(const Region& robot, const Region& obstacle, const
   piece.at = between(a, b, piece.low);
   piece.contact = check->contact;
   return piece;
+}
+
+Configuration nearest(const ExactPose& pose) { return {pose.at.x.to_double(), pose.at.y.to_double(), pose.theta}; }
+
+bool is_of_doubles(const ExactPose& pose) {
+  const Result<Rational> x = Rational::of(pose.at.x.to_double()), y = Rational::of(pose.at.y.to_double());
+  return x && y && *x == pose.at.x && *y == pose.at.y;
+}
+
+Result<PathCheck> check_piece(const Region& robot, const Region& obstacle, const ExactPose& a, const ExactPose& b,
+                              std::size_t k, Touching touch, const MotionOptions& options, const Progress& progress) {
+  const Configuration from = nearest(a), to = nearest(b);
+  if (is_of_doubles(a) && is_of_doubles(b)) return check_piece(robot, obstacle, from, to, touch, options, progress);
+  if (a.theta == b.theta) {
+    const Result<Orientation> theta = Orientation::nearest(a.theta);
+    if (!theta) return theta.error();
+    const Result<TranslationCheck> check = check_translation(robot, obstacle, a.at, b.at, *theta, touch);
+    if (!check) return check.error();
+    return of_translation(*check, from, to);
+  }
+  if (a.at == b.at) return check_turn(robot, obstacle, a.at, from, to, touch);
+  return Error{ErrorCode::unsupported_operand,
+               "pose " + std::to_string(k) +
+                   " of the path is reached by moving and turning at once, which is examined in doubles, and its "
+                   "position or the one before is none",
+               {}};
 }
 
 // Of the whole path, while a piece of it is examined.
@@ -152,6 +178,13 @@ Result<PathCheck> check_path(const Region& robot, const Region& obstacle, std::s
                              Touching touch, const MotionOptions& options, const Progress& progress) {
   return first_not_free(poses, progress, [&](const Configuration& a, const Configuration& b, std::size_t k) {
     return check_piece(robot, obstacle, a, b, touch, options, of_piece(progress, k, poses.size()));
+  });
+}
+
+Result<PathCheck> check_path(const Region& robot, const Region& obstacle, std::span<const ExactPose> poses,
+                             Touching touch, const MotionOptions& options, const Progress& progress) {
+  return first_not_free(poses, progress, [&](const ExactPose& a, const ExactPose& b, std::size_t k) {
+    return check_piece(robot, obstacle, a, b, k, touch, options, of_piece(progress, k, poses.size()));
   });
 }
 

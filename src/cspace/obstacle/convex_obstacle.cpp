@@ -5,6 +5,7 @@
 #include <numbers>
 #include <utility>
 
+#include "base/memory_budget.h"
 #include "exact/rounding_bound.h"
 #include "planar/turning/exact_angle.h"
 
@@ -63,6 +64,8 @@ class ConvexMerge {
         robot_edges_(directions(robot_, *state.base->lattice)) {}
 
   Result<bool> run() {
+    base::HeldMemory held;
+    held.add(kOfPair * n() * m());
     if (!going_on(0)) return Error{ErrorCode::cancelled, "the progress callback asked to stop", {}};
     align();
     if (!going_on(0.5)) return Error{ErrorCode::cancelled, "the progress callback asked to stop", {}};
@@ -75,6 +78,10 @@ class ConvexMerge {
   }
 
  private:
+  // Of a pair of edges: an alignment, which may be an event at an angle of its own, with the digits of its polynomial;
+  // and two contacts, each of which has up to three patches of one cell.
+  static constexpr std::uint64_t kOfPair = 2 * sizeof(EdgeAlignment) + sizeof(ObstacleEvent) + sizeof(EventAngle) +
+                                           sizeof(ExactAngle) + 256 + 6 * (2 * sizeof(Patch) + 48);
   std::uint32_t m() const { return static_cast<std::uint32_t>(obstacle_.size()); }
   std::uint32_t n() const { return static_cast<std::uint32_t>(robot_.size()); }
   bool going_on(double fraction) const { return !options_.progress || options_.progress("alignments", fraction); }

@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "base/stopwatch.h"
+#include "base/within_memory.h"
 #include "cspace/boundary/patch_slabs.h"
 #include "cspace/events/walk_numbers.h"
 #include "cspace/events/walked_rings.h"
@@ -156,8 +157,9 @@ Result<CspaceObstacle> CspaceObstacle::create(const Region& robot, const Region&
   const Stopwatch watch;
   auto state = start_obstacle(robot, obstacle);
   if (!state) return state.error();
-  const Result<bool> done =
-      is_convex_pair(**state) ? convex_obstacle(**state, options) : general_obstacle(**state, options);
+  const Result<bool> done = base::within_memory(options.memory, "the obstacle", [&] {
+    return is_convex_pair(**state) ? convex_obstacle(**state, options) : general_obstacle(**state, options);
+  });
   if (!done) return done.error();
   (*state)->work.ms = watch.ms();
   return CspaceObstacle(std::move(state).value());

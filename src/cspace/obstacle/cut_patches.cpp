@@ -45,7 +45,7 @@ class CutPatches {
   }
 
   void add_slab(std::uint32_t slab) {
-    const std::vector<BoundaryGraph::Node>& nodes = swept_.graph.nodes();
+    const auto& nodes = swept_.graph.nodes();
     std::map<std::pair<std::uint32_t, std::uint32_t>, std::uint32_t> by_ids;  // (before, own) -> node
     for (std::uint32_t n = 0; n < nodes.size(); ++n)
       if (alive(nodes[n], slab)) by_ids[{nodes[n].left, nodes[n].id}] = n;

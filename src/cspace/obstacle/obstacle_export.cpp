@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "base/memory_budget.h"
 #include "cspace/events/walk_numbers.h"
 #include "cspace/obstacle/cut_patches.h"
 #include "cspace/obstacle/obstacle_shells.h"
@@ -35,6 +36,8 @@ class Export {
         edge_ends_{EdgeEnds(state.obstacle, state.base->operands[0]), EdgeEnds(state.robot, state.base->operands[1])} {}
 
   void run() {
+    base::HeldMemory held;
+    held.add(graph_.nodes().size() * kOfNode);
     add_angles();
     if (state_.robot.touching_points().empty() && state_.obstacle.touching_points().empty()) add_patches();
     else add_cut_patches();
@@ -57,6 +60,10 @@ class Export {
   }
 
  private:
+  // What patches, cells and shells hold of a node of the graph: its patch, twice while the list of them grows, and
+  // three short lists.
+  static constexpr std::uint64_t kOfNode = 2 * sizeof(Patch) + 3 * (sizeof(std::vector<int>) + 32);
+
   void add_angles() {
     state_.angles.resize(swept_.angles.size());
     std::vector<const ExactAngle*> sorted(swept_.angles.size());
@@ -81,7 +88,7 @@ class Export {
   }
 
   void add_patches() {
-    const std::vector<BoundaryGraph::Node>& nodes = graph_.nodes();
+    const auto& nodes = graph_.nodes();
     patch_of_.assign(nodes.size(), kNobody);
     for (std::uint32_t n = 0; n < nodes.size(); ++n) {
       // A node that goes on behind the end of the turn belongs to the patch of the one it becomes.
@@ -137,7 +144,7 @@ class Export {
 
   // Cells at the end of the turn go on as those at its start.
   void add_cells() {
-    const std::vector<BoundaryGraph::Node>& nodes = graph_.nodes();
+    const auto& nodes = graph_.nodes();
     std::vector<std::uint32_t> same(graph_.cells().size());
     for (std::uint32_t c = 0; c < same.size(); ++c) same[c] = c;
     for (std::uint32_t n = 0; n < nodes.size(); ++n)

@@ -36,7 +36,7 @@ void ObstacleSweep::start(const TurnRange& range, TurnEvents& found, const Overl
 
 void ObstacleSweep::pass(const TurnRange& range, TurnEvents found, const OverlapFilter& filter,
                          const CrowdedQuarter* at_end) {
-  std::vector<TurnEvent>& events = found.events;
+  base::CountedArray<TurnEvent>& events = found.events;
   always_ = std::move(found.always_concurrent);
   swept_.always_concurrent |= !always_.empty();
   pass_pending([&](double) { return sample(range, nullptr, first_event(range, events)); }, filter);
@@ -89,7 +89,7 @@ int ObstacleSweep::compare(TurnEvent& a, TurnEvent& b, const TurnRange& range) c
 }
 
 // The intervals of events may overlap.
-TurnEvent* ObstacleSweep::first_event(const TurnRange& range, std::vector<TurnEvent>& events) const {
+TurnEvent* ObstacleSweep::first_event(const TurnRange& range, base::CountedArray<TurnEvent>& events) const {
   TurnEvent* first = nullptr;
   for (TurnEvent& event : events) {
     if (first != nullptr && event.low > first->high) break;

@@ -46,7 +46,7 @@ class ObstacleSweep {
   using Group = EventGroup;
   // Between two angles of a range; without events its ends.
   Orientation sample(const TurnRange& range, TurnEvent* from, TurnEvent* to, double within = INFINITY) const;
-  TurnEvent* first_event(const TurnRange& range, std::vector<TurnEvent>& events) const;
+  TurnEvent* first_event(const TurnRange& range, base::CountedArray<TurnEvent>& events) const;
   int compare(TurnEvent& a, TurnEvent& b, const TurnRange& range) const;
   bool at_end_of(const TurnRange& range, TurnEvent& event) const;
   void pass_run(Group& run, Group* following, const TurnRange& range, const OverlapFilter& filter);

@@ -19,7 +19,7 @@ std::unique_ptr<SliceMap> map_at(const CspaceObstacle& obstacle, const Orientati
 PathLevels::PathLevels(const CspaceObstacle& obstacle, const PlanOptions& options, double frame)
     : obstacle_(obstacle),
       touching_(options.touching),
-      most_bytes_(options.slice_bytes),
+      most_bytes_(options.memory == 0 ? options.slice_bytes : std::min(options.slice_bytes, options.memory / 4)),
       frame_(frame),
       pivot_(obstacle.robot(), obstacle.obstacle()) {
   for (std::uint32_t k = 0; k < obstacle.patches().size(); ++k)
@@ -31,7 +31,7 @@ const SliceMap& PathLevels::map(std::size_t k) {
   level.looked_at = ++looks_;
   if (!level.map) {
     level.map = map_at(obstacle_, level.theta);
-    bytes_ += level.map->bytes();
+    hold(level.map->bytes());
     ++slices_;
   }
   return *level.map;
@@ -42,9 +42,15 @@ const SliceGraph& PathLevels::graph(std::size_t k) {
   level.looked_at = ++looks_;
   if (!level.graph) {
     level.graph = std::make_unique<SliceGraph>(map(k), touching_ == Touching::allowed, frame_);
-    bytes_ += level.graph->bytes();
+    hold(level.graph->bytes());
   }
   return *level.graph;
+}
+
+// A slice is about as large as the arrays of its sum, which counted before they were made.
+void PathLevels::hold(std::uint64_t bytes) {
+  bytes_ += bytes;
+  held_.add(bytes);
 }
 
 // Half of them, so that it is done seldom.
@@ -55,7 +61,9 @@ void PathLevels::let_go() {
     if (level->map) kept.push_back(level.get());
   std::sort(kept.begin(), kept.end(), [](const auto* a, const auto* b) { return a->looked_at < b->looked_at; });
   for (auto level = kept.begin(); level != kept.end() && bytes_ > most_bytes_ / 2; ++level) {
-    bytes_ -= (*level)->map->bytes() + ((*level)->graph ? (*level)->graph->bytes() : 0);
+    const std::uint64_t bytes = (*level)->map->bytes() + ((*level)->graph ? (*level)->graph->bytes() : 0);
+    bytes_ -= bytes;
+    held_.give(bytes);
     (*level)->graph.reset();
     (*level)->map.reset();
   }

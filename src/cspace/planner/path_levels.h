@@ -7,6 +7,7 @@
 #include <optional>
 #include <vector>
 
+#include "base/memory_budget.h"
 #include "cspace/motion/pivot.h"
 #include "cspace/planner/slice_graph.h"
 #include "dymsum/planner.h"
@@ -71,6 +72,7 @@ class PathLevels {
   static std::array<std::uint32_t, 3> key_of(const Contact& c) {
     return {static_cast<std::uint32_t>(c.kind), c.p, c.q};
   }
+  void hold(std::uint64_t bytes);
   std::uint32_t cell_in_slab(std::uint32_t slab, const SliceMap& map, std::uint32_t edge);
   std::vector<std::uint32_t> cells_of(std::uint32_t slab, const SliceMap& map, const SliceGraph& graph,
                                       std::uint32_t face);
@@ -82,7 +84,8 @@ class PathLevels {
   double frame_;
   std::vector<std::unique_ptr<PathLevel>> levels_;
   std::map<std::array<std::uint32_t, 3>, std::vector<std::uint32_t>> patches_;  // by contact
-  std::uint64_t bytes_ = 0, looks_ = 0;
+  std::uint64_t bytes_ = 0, looks_ = 0;                                         // of slices: those held
+  base::HeldMemory held_;
   Pivot pivot_;
   std::uint64_t slices_ = 0;
 };

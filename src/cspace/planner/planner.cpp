@@ -4,6 +4,7 @@
 #include <chrono>
 #include <cmath>
 
+#include "base/within_memory.h"
 #include "cspace/events/walked_rings.h"
 #include "cspace/obstacle/obstacle_start.h"
 #include "cspace/planner/free_components.h"
@@ -232,18 +233,36 @@ class Planner {
   Plan plan_;
 };
 
-Result<PathEnd> end_of(const Configuration& c) {
-  if (!std::isfinite(c.x) || !std::isfinite(c.y)) return Error{ErrorCode::not_finite, "a coordinate is not finite", {}};
-  if (std::abs(c.x) > planar::kLargestCoordinate || std::abs(c.y) > planar::kLargestCoordinate)
-    return Error{ErrorCode::unsupported_operand, "a coordinate is larger than 2^400", {}};
+Result<ExactConfiguration> placement_of(const Configuration& c) {
+  const Result<Rational> x = Rational::of(c.x), y = Rational::of(c.y);
+  if (!x || !y) return Error{ErrorCode::not_finite, "a coordinate is not finite", {}};
   const Result<Orientation> theta = Orientation::nearest(c.theta);
   if (!theta) return theta.error();
-  return PathEnd{{exact::exact_value(c.x), exact::exact_value(c.y)}, *theta};
+  return ExactConfiguration{{*x, *y}, *theta};
 }
 
-// Calls f(planner) for two configurations, and adds the time that it took.
+struct Ends {
+  ExactConfiguration start, goal;
+};
+
+Result<Ends> ends_of(const Configuration& start, const Configuration& goal) {
+  const Result<ExactConfiguration> from = placement_of(start), to = placement_of(goal);
+  if (!from) return from.error();
+  if (!to) return to.error();
+  return Ends{*from, *to};
+}
+
+Result<PathEnd> end_of(const ExactConfiguration& at) {
+  const exact::BigRational x = exact::exact_value(at.at.x), y = exact::exact_value(at.at.y),
+                           most = exact::exact_value(planar::kLargestCoordinate);
+  if (abs(x) > most || abs(y) > most)
+    return Error{ErrorCode::unsupported_operand, "a coordinate is larger than 2^400", {}};
+  return PathEnd{{x, y}, at.theta};
+}
+
+// Calls f(planner) for two placements, and adds the time that it took.
 template <class F>
-auto planned(const CspaceObstacle& obstacle, const Configuration& start, const Configuration& goal,
+auto planned(const CspaceObstacle& obstacle, const ExactConfiguration& start, const ExactConfiguration& goal,
              const PlanOptions& options, F f) -> Result<decltype(f(std::declval<Planner&>()))> {
   const auto began = Clock::now();
   if (!(options.time_limit_seconds >= 0))
@@ -257,10 +276,13 @@ auto planned(const CspaceObstacle& obstacle, const Configuration& start, const C
   const Pose pose(obstacle.robot(), obstacle.obstacle());
   double span = pose.reach();
   for (const Point& p : pose.obstacle().vertices) span = std::max({span, std::abs(p.x), std::abs(p.y)});
-  for (const Configuration& c : {start, goal}) span = std::max({span, std::abs(c.x), std::abs(c.y)});
+  for (const ExactConfiguration& at : {start, goal})
+    span = std::max({span, std::abs(at.at.x.to_double()), std::abs(at.at.y.to_double())});
   Planner planner(obstacle, std::move(from).value(), std::move(to).value(), options, 4 * span, deadline);
   return f(planner);
 }
+
+constexpr const char* kSearch = "the search for a path";
 
 double ms_since(Clock::time_point began) {
   return std::chrono::duration<double, std::milli>(Clock::now() - began).count();
@@ -268,30 +290,51 @@ double ms_since(Clock::time_point began) {
 
 }  // namespace
 
-Result<Plan> plan(const CspaceObstacle& obstacle, const Configuration& start, const Configuration& goal,
+Result<Plan> plan(const CspaceObstacle& obstacle, const ExactConfiguration& start, const ExactConfiguration& goal,
                   const PlanOptions& options) {
   const auto began = Clock::now();
-  Result<Result<Plan>> answer = planned(obstacle, start, goal, options, [](Planner& planner) { return planner.run(); });
-  if (!answer) return answer.error();
-  if (!*answer) return answer->error();
-  Plan plan = std::move(answer).value().value();
+  Result<Plan> answer = base::within_memory(options.memory, kSearch, [&]() -> Result<Plan> {
+    Result<Result<Plan>> found =
+        planned(obstacle, start, goal, options, [](Planner& planner) { return planner.run(); });
+    if (!found) return found.error();
+    return std::move(found).value();
+  });
+  if (!answer) return answer;
+  Plan plan = std::move(answer).value();
   plan.work.ms = ms_since(began);
+  return plan;
+}
+
+Result<Plan> plan(const CspaceObstacle& obstacle, const Configuration& start, const Configuration& goal,
+                  const PlanOptions& options) {
+  const Result<Ends> ends = ends_of(start, goal);
+  if (!ends) return ends.error();
+  return plan(obstacle, ends->start, ends->goal, options);
+}
+
+Result<std::optional<Plan>> direct_plan(const Region& robot, const Region& obstacle, const ExactConfiguration& start,
+                                        const ExactConfiguration& goal, const PlanOptions& options) {
+  const auto began = Clock::now();
+  using Answer = Result<std::optional<Plan>>;
+  Answer answer = base::within_memory(options.memory, kSearch, [&]() -> Answer {
+    Result<std::unique_ptr<ObstacleState>> state = start_obstacle(robot, obstacle);
+    if (!state) return state.error();
+    const CspaceObstacle slices = ObstacleState::finish(std::move(state).value());
+    Result<Answer> found = planned(slices, start, goal, options, [](Planner& planner) { return planner.direct(); });
+    if (!found) return found.error();
+    return std::move(found).value();
+  });
+  if (!answer) return answer;
+  std::optional<Plan> plan = std::move(answer).value();
+  if (plan) plan->work.ms = ms_since(began);
   return plan;
 }
 
 Result<std::optional<Plan>> direct_plan(const Region& robot, const Region& obstacle, const Configuration& start,
                                         const Configuration& goal, const PlanOptions& options) {
-  const auto began = Clock::now();
-  Result<std::unique_ptr<ObstacleState>> state = start_obstacle(robot, obstacle);
-  if (!state) return state.error();
-  const CspaceObstacle slices = ObstacleState::finish(std::move(state).value());
-  Result<Result<std::optional<Plan>>> answer =
-      planned(slices, start, goal, options, [](Planner& planner) { return planner.direct(); });
-  if (!answer) return answer.error();
-  if (!*answer) return answer->error();
-  std::optional<Plan> plan = std::move(answer).value().value();
-  if (plan) plan->work.ms = ms_since(began);
-  return plan;
+  const Result<Ends> ends = ends_of(start, goal);
+  if (!ends) return ends.error();
+  return direct_plan(robot, obstacle, ends->start, ends->goal, options);
 }
 
 }  // namespace dymsum

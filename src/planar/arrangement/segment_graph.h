@@ -4,8 +4,8 @@
 
 #include <cstdint>
 #include <span>
-#include <vector>
 
+#include "base/memory_budget.h"
 #include "planar/arrangement/arrangement.h"
 #include "planar/arrangement/crossings.h"
 #include "planar/arrangement/soup.h"
@@ -38,9 +38,9 @@ class SegmentGraph {
     bool forward = true;
   };
 
-  const std::vector<Node>& nodes() const { return nodes_; }
-  const std::vector<SubEdge>& sub_edges() const { return sub_edges_; }
-  const std::vector<Edge>& edges() const { return edges_; }
+  const base::CountedArray<Node>& nodes() const { return nodes_; }
+  const base::CountedArray<SubEdge>& sub_edges() const { return sub_edges_; }
+  const base::CountedArray<Edge>& edges() const { return edges_; }
   /// The rays of a node, counter-clockwise; their directions differ.
   std::span<const Ray> rays(std::uint32_t node) const {
     return {rays_.data() + first_ray_[node], rays_.data() + first_ray_[node + 1]};
@@ -82,13 +82,13 @@ class SegmentGraph {
 
   const Soup& soup_;
   Meetings meetings_;
-  std::vector<std::uint32_t> first_event_;
-  std::vector<Event> events_;
-  std::vector<Node> nodes_;
-  std::vector<SubEdge> sub_edges_;
-  std::vector<Edge> edges_;
-  std::vector<std::uint32_t> first_ray_;
-  std::vector<Ray> rays_;
+  base::CountedArray<std::uint32_t> first_event_;
+  base::CountedArray<Event> events_;
+  base::CountedArray<Node> nodes_;
+  base::CountedArray<SubEdge> sub_edges_;
+  base::CountedArray<Edge> edges_;
+  base::CountedArray<std::uint32_t> first_ray_;
+  base::CountedArray<Ray> rays_;
   std::uint64_t exact_orders_ = 0;
 };
 

@@ -3,6 +3,7 @@
 
 #include <vector>
 
+#include "base/memory_budget.h"
 #include "planar/arrangement/segment_graph.h"
 #include "planar/arrangement/soup.h"
 
@@ -10,7 +11,8 @@ namespace dymsum::planar {
 
 /// Segments of which segment s counts signs[s] times. Together they must start as often as they end at every place.
 struct Tracing {
-  Tracing(const Lattice& lattice, const Operand& p, const Operand& q) : soup(lattice, p, q) {}
+  Tracing(const Lattice& lattice, const Operand& p, const Operand& q, Scratch* scratch = nullptr)
+      : soup(lattice, p, q, scratch) {}
 
   void add(const WalkSegment& w, int sign) {
     soup.add(w, soup.box(w));
@@ -18,7 +20,7 @@ struct Tracing {
   }
 
   Soup soup;
-  std::vector<int> signs;
+  base::CountedArray<int> signs;
 };
 
 /// Winding numbers left and right of an edge, seen from its low end.

@@ -4,16 +4,18 @@
 #include <cstdint>
 #include <vector>
 
+#include "base/memory_budget.h"
+
 namespace dymsum::planar {
 
 struct CandidateIndex {
-  std::vector<std::uint32_t> first_of, of;  ///< those of piece i are of[first_of[i] .. first_of[i + 1])
+  base::CountedArray<std::uint32_t> first_of, of;  ///< those of piece i are of[first_of[i] .. first_of[i + 1])
 
   /// Candidates have pieces `a` and `b`.
-  template <class Candidate>
-  void index(const std::vector<Candidate>& candidates, std::size_t pieces) {
+  template <class Candidates>
+  void index(const Candidates& candidates, std::size_t pieces) {
     first_of.assign(pieces + 1, 0);
-    for (const Candidate& c : candidates) {
+    for (const auto& c : candidates) {
       ++first_of[c.a + 1];
       ++first_of[c.b + 1];
     }

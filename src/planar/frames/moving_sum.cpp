@@ -1,13 +1,42 @@
 #include "planar/frames/moving_sum.h"
 
 #include <algorithm>
+#include <new>
+#include <utility>
 
 #include "base/stopwatch.h"
+#include "base/within_memory.h"
 #include "planar/sum/placed_sum.h"
 
 namespace dymsum::planar {
 
-Result<FrameChanges> MovingSum::move(const Move& move) {
+namespace {
+
+// A window for which memory does not suffice is none, as one that would cost too much.
+std::unique_ptr<FrameWindow> made(const MakeWindow& make) {
+  try {
+    return make({});
+  } catch (const std::bad_alloc&) {
+    return nullptr;
+  }
+}
+
+// Kept windows leave room for those that frames are in.
+MovingOptions within_limit(MovingOptions options) {
+  if (options.memory != 0) options.kept_window_bytes = std::min(options.kept_window_bytes, options.memory / 4);
+  return options;
+}
+
+}  // namespace
+
+MovingSum::MovingSum(MovingOptions given)
+    : options(within_limit(std::move(given))), budget_(base::budget_of(options.memory)) {}
+
+Result<FrameChanges> MovingSum::move(const Move& to) {
+  return base::within_memory(budget_, "the sum in motion", [&] { return frame_at(to); });
+}
+
+Result<FrameChanges> MovingSum::frame_at(const Move& move) {
   const Stopwatch watch;
   FrameWork next_work;
   const Result<bool> in_window = open_window(move, next_work);
@@ -41,7 +70,7 @@ Result<bool> MovingSum::open_window(const Move& move, FrameWork& next_work) {
     start_ahead(std::move(make), move.step);
     return false;
   }
-  std::unique_ptr<FrameWindow> next = make({});
+  std::unique_ptr<FrameWindow> next = made(make);
   next_work.new_window = next != nullptr;
   if (next_work.new_window) set_window(std::move(next), true);
   else controller_.abandoned(move.step);

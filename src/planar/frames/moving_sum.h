@@ -7,9 +7,11 @@
 #pragma once
 
 #include <cstdint>
+#include <memory>
 #include <optional>
 #include <vector>
 
+#include "base/memory_budget.h"
 #include "dymsum/frames.h"
 #include "planar/frames/controller.h"
 #include "planar/frames/frame_rings.h"
@@ -21,7 +23,7 @@ namespace dymsum::planar {
 
 class MovingSum {
  public:
-  explicit MovingSum(MovingOptions options) : options(std::move(options)) {}
+  explicit MovingSum(MovingOptions options);
   virtual ~MovingSum() = default;
 
   MovingOptions options;
@@ -32,6 +34,8 @@ class MovingSum {
   /// For tests: what is kept, and waits until the window that is under way is ready.
   const KeptWindows& kept_windows() const { return kept_; }
   void finish_window_ahead();
+  /// Of MovingOptions::memory; none where there is no limit.
+  const std::shared_ptr<base::MemoryBudget>& budget() const { return budget_; }
 
  protected:
   /// A move, as the controller sees it: lengths are logarithms of scales, or angles.
@@ -84,6 +88,7 @@ class MovingSum {
   virtual double cost_of(const FrameWork& work) = 0;
   virtual WindowCost cost_of_window() const = 0;
 
+  Result<FrameChanges> frame_at(const Move& move);
   Result<bool> open_window(const Move& move, FrameWork& work);
   bool enter_window(const Move& move);
   void set_window(std::unique_ptr<FrameWindow> next, bool keep);
@@ -95,6 +100,7 @@ class MovingSum {
   void charge(const FrameWork& work);
 
   std::vector<SumRing> spare_rings_;
+  const std::shared_ptr<base::MemoryBudget> budget_;
   std::unique_ptr<FrameWindow> window_;
   KeptWindows kept_;
   std::unique_ptr<FrameWindow> made_ahead_;

@@ -8,6 +8,8 @@
 #include <thread>
 #include <utility>
 
+#include "base/memory_budget.h"
+
 namespace dymsum::planar {
 
 /// The thread with what it shares, all under the mutex.
@@ -15,10 +17,11 @@ struct WindowAhead::Worker {
   void run();
 
   std::mutex mutex;
-  std::condition_variable wake;         // to the thread: there is something to do, and back: it is done
-  MakeWindow make;                      // what is under way; the thread reads it without the mutex
-  std::unique_ptr<FrameWindow> window;  // what came of it, once ready
-  base::StopSource stop;                // of the work that goes on
+  std::condition_variable wake;                // to the thread: there is something to do, and back: it is done
+  MakeWindow make;                             // what is under way; the thread reads it without the mutex
+  std::shared_ptr<base::MemoryBudget> budget;  // of who asked for it
+  std::unique_ptr<FrameWindow> window;         // what came of it, once ready
+  base::StopSource stop;                       // of the work that goes on
   bool works = false, rests = false, ends = false;
   std::atomic<bool> ready = false;
   std::thread thread;
@@ -36,7 +39,9 @@ base::StopSource new_stop() {
 }
 
 // Where memory has run out there is no window, as where one would cost too much.
-std::unique_ptr<FrameWindow> made(const MakeWindow& make, const base::StopToken& stop) {
+std::unique_ptr<FrameWindow> made(const MakeWindow& make, const std::shared_ptr<base::MemoryBudget>& budget,
+                                  const base::StopToken& stop) {
+  const base::UseBudget use(budget);
   try {
     return make(stop);
   } catch (const std::bad_alloc&) {
@@ -55,7 +60,7 @@ void WindowAhead::Worker::run() {
     stop = new_stop();
     works = true;
     lock.unlock();
-    std::unique_ptr<FrameWindow> next = made(make, stop.token());
+    std::unique_ptr<FrameWindow> next = made(make, budget, stop.token());
     lock.lock();
     works = false;
     if (next != nullptr || !stop.stop_requested()) {
@@ -87,6 +92,7 @@ void WindowAhead::start(MakeWindow make) {
   {
     const std::lock_guard lock(worker_->mutex);
     worker_->make = std::move(make);
+    worker_->budget = base::current_budget();
     worker_->ready = false;
   }
   worker_->wake.notify_all();

@@ -65,7 +65,7 @@ class LocalPatches {
   const LocalNodes& nodes_;
   const LocalQuestions& ask_;
   Linking linking_;
-  std::vector<LocalPiece> pieces_;
+  base::CountedArray<LocalPiece> pieces_;
   std::vector<std::vector<std::uint32_t>> at_;        // node -> pieces
   std::vector<std::vector<std::uint32_t>> segments_;  // node -> segments through it
   UnionFind links_;

@@ -23,7 +23,7 @@ int sure_cross(Point a, Point b) {
 
 }  // namespace
 
-LocalNodes::LocalNodes(const PosedRegions& posed, const LocalWalls& walls, std::vector<WalkSegment> segments)
+LocalNodes::LocalNodes(const PosedRegions& posed, const LocalWalls& walls, base::CountedArray<WalkSegment> segments)
     : posed_(posed), walls_(walls), segments_(std::move(segments)), along_(segments_.size()) {
   ends_.reserve(segments_.size());
   for (std::uint32_t s = 0; s < segments_.size(); ++s) {

@@ -5,6 +5,7 @@
 #include <optional>
 #include <vector>
 
+#include "base/memory_budget.h"
 #include "planar/local/local_walls.h"
 #include "planar/local/posed_regions.h"
 
@@ -21,7 +22,7 @@ struct LocalNode {
 class LocalNodes {
  public:
   /// `segments`: those that meet the larger box.
-  LocalNodes(const PosedRegions& posed, const LocalWalls& walls, std::vector<WalkSegment> segments);
+  LocalNodes(const PosedRegions& posed, const LocalWalls& walls, base::CountedArray<WalkSegment> segments);
 
   std::size_t segment_count() const { return segments_.size(); }
   const WalkSegment& segment(std::uint32_t s) const { return segments_[s]; }
@@ -60,11 +61,11 @@ class LocalNodes {
 
   const PosedRegions& posed_;
   const LocalWalls& walls_;
-  std::vector<WalkSegment> segments_;
-  std::vector<Ends> ends_;
-  std::vector<LocalNode> nodes_;
+  base::CountedArray<WalkSegment> segments_;
+  base::CountedArray<Ends> ends_;
+  base::CountedArray<LocalNode> nodes_;
   std::vector<std::vector<std::uint32_t>> along_;
-  mutable std::vector<std::optional<BigPlace>> exact_;
+  mutable base::CountedArray<std::optional<BigPlace>> exact_;
 };
 
 }  // namespace dymsum::planar

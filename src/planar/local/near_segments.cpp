@@ -32,12 +32,13 @@ NearSegments::NearSegments(const Operand& p, const Operand& q, const std::array<
       vertices_{FeatureDiscs(p, FeatureDiscs::Of::vertices, stretch[0]),
                 FeatureDiscs(q, FeatureDiscs::Of::vertices, stretch[1])} {}
 
-std::vector<WalkSegment> NearSegments::find(const PosedRegions& posed, const ScaledBox& box) {
+base::CountedArray<WalkSegment> NearSegments::find(const PosedRegions& posed, const ScaledBox& box) {
   rebuilt_ = true, pairs_ = 0;
   return search(posed, {box, kAngleOff});
 }
 
-std::vector<WalkSegment> NearSegments::update(const PosedRegions& posed, const PosePair& poses, const ScaledBox& box) {
+base::CountedArray<WalkSegment> NearSegments::update(const PosedRegions& posed, const PosePair& poses,
+                                                     const ScaledBox& box) {
   rebuilt_ = !still_holds(posed, poses, box), pairs_ = 0;
   if (rebuilt_) {
     const double a_call = kept_ ? kept_->moved / static_cast<double>(kept_->calls + 1) : 0;
@@ -50,7 +51,7 @@ std::vector<WalkSegment> NearSegments::update(const PosedRegions& posed, const P
   ++kept_->calls;
   pairs_ += kept_->segments.size();
   const Wanted wanted{box, kAngleOff};
-  std::vector<WalkSegment> near;
+  base::CountedArray<WalkSegment> near;
   for (const WalkSegment& s : kept_->segments)
     if (is_near(posed, s, wanted)) near.push_back(s);
   return near;
@@ -67,8 +68,8 @@ bool NearSegments::still_holds(const PosedRegions& posed, const PosePair& poses,
   return reach.x0 > held.x0 && reach.y0 > held.y0 && reach.x1 < held.x1 && reach.y1 < held.y1;
 }
 
-std::vector<WalkSegment> NearSegments::all(const PosedRegions& posed) const {
-  std::vector<WalkSegment> found;
+base::CountedArray<WalkSegment> NearSegments::all(const PosedRegions& posed) const {
+  base::CountedArray<WalkSegment> found;
   const Wanted everywhere{{-4, -4, 4, 4}, kAngleOff};
   for (std::uint32_t side = 0; side < 2; ++side)
     for (std::uint32_t e = 0; e < operands_[side]->size(); ++e)
@@ -78,14 +79,14 @@ std::vector<WalkSegment> NearSegments::all(const PosedRegions& posed) const {
   return found;
 }
 
-std::vector<WalkSegment> NearSegments::search(const PosedRegions& posed, const Wanted& wanted) {
-  std::vector<WalkSegment> found;
+base::CountedArray<WalkSegment> NearSegments::search(const PosedRegions& posed, const Wanted& wanted) {
+  base::CountedArray<WalkSegment> found;
   for (std::uint32_t side = 0; side < 2; ++side) search_side(posed, wanted, side, found);
   return found;
 }
 
 void NearSegments::search_side(const PosedRegions& posed, const Wanted& wanted, std::uint32_t side,
-                               std::vector<WalkSegment>& found) {
+                               base::CountedArray<WalkSegment>& found) {
   const FeatureDiscs &edges = edges_[side], &vertices = vertices_[1 - side];
   if (edges.empty() || vertices.empty()) return;
   const double turn = posed.angle(side) - posed.angle(1 - side);

@@ -5,6 +5,7 @@
 #include <optional>
 #include <vector>
 
+#include "base/memory_budget.h"
 #include "planar/local/feature_discs.h"
 #include "planar/local/posed_regions.h"
 
@@ -22,12 +23,12 @@ class NearSegments {
 
   /// A superset of the segments of the reduced convolution that meet the box: edges and convex vertices whose
   /// directions meet, or nearly, as doubles tell.
-  std::vector<WalkSegment> find(const PosedRegions& posed, const ScaledBox& box);
+  base::CountedArray<WalkSegment> find(const PosedRegions& posed, const ScaledBox& box);
   /// The same among the pairs that were near the last box, kept with a margin; these are found anew where operands and
   /// box have moved further than that since.
-  std::vector<WalkSegment> update(const PosedRegions& posed, const PosePair& poses, const ScaledBox& box);
+  base::CountedArray<WalkSegment> update(const PosedRegions& posed, const PosePair& poses, const ScaledBox& box);
   /// All of them, whatever the box.
-  std::vector<WalkSegment> all(const PosedRegions& posed) const;
+  base::CountedArray<WalkSegment> all(const PosedRegions& posed) const;
 
   bool rebuilt() const { return rebuilt_; }  ///< by the last call
   std::uint64_t pairs() const { return pairs_; }
@@ -37,9 +38,9 @@ class NearSegments {
     ScaledBox box;
     double turn = 0;  ///< directions may differ by so much
   };
-  std::vector<WalkSegment> search(const PosedRegions& posed, const Wanted& wanted);
+  base::CountedArray<WalkSegment> search(const PosedRegions& posed, const Wanted& wanted);
   void search_side(const PosedRegions& posed, const Wanted& wanted, std::uint32_t side,
-                   std::vector<WalkSegment>& found);
+                   base::CountedArray<WalkSegment>& found);
   bool is_near(const PosedRegions& posed, const WalkSegment& s, const Wanted& wanted) const;
   bool still_holds(const PosedRegions& posed, const PosePair& poses, const ScaledBox& box);
 
@@ -49,7 +50,7 @@ class NearSegments {
   std::uint64_t pairs_ = 0;
 
   struct Kept {
-    std::vector<WalkSegment> segments;
+    base::CountedArray<WalkSegment> segments;
     PosePair poses;
     ScaledBox box;  ///< with its margin
     double turn = 0;

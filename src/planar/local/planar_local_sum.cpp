@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "base/stopwatch.h"
+#include "base/within_memory.h"
 #include "planar/local/local_overlap.h"
 #include "planar/local/local_part.h"
 #include "planar/local/near_segments.h"
@@ -107,9 +108,11 @@ class PlanarLocalSum::State {
     for (const char* stage : {"segments", "arrangement", "boundary"})
       if (options_.progress && !options_.progress(stage, 0))
         return Error{ErrorCode::cancelled, "the computation was cancelled", {}};
-    make(box, disc, poses, part);
-    part.work.ms = watch.ms();
-    return part;
+    return base::within_memory(budget_, "the part of the sum", [&]() -> Result<PlanarLocalPart> {
+      make(box, disc, poses, part);
+      part.work.ms = watch.ms();
+      return std::move(part);
+    });
   }
 
  private:
@@ -143,10 +146,10 @@ class PlanarLocalSum::State {
   }
 
   /// In an order that does not depend on how they were found.
-  std::vector<WalkSegment> segments(const PosedRegions& posed, const PosePair& poses, const LocalWalls& walls,
-                                    PlanarLocalPart::Work& work) {
+  base::CountedArray<WalkSegment> segments(const PosedRegions& posed, const PosePair& poses, const LocalWalls& walls,
+                                           PlanarLocalPart::Work& work) {
     work.rebuilt = true;
-    std::vector<WalkSegment> found;
+    base::CountedArray<WalkSegment> found;
     if (options_.engine == LocalEngine::brute) {
       found = near_->all(posed);
       work.pairs = p_->size() * q_->size();
@@ -163,6 +166,7 @@ class PlanarLocalSum::State {
 
   std::shared_ptr<const Operand> p_, q_;
   PlanarLocalOptions options_;
+  const std::shared_ptr<base::MemoryBudget> budget_ = base::budget_of(options_.memory);
   std::optional<NearSegments> near_;
   std::array<Rational, 2> ratios_;
   LocalOverlap overlap_;

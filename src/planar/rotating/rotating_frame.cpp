@@ -17,7 +17,7 @@ void RotatingFrame::enter(const RotatingWindow& window) {
   window_ = &window;
   const std::size_t n = window.segments.size(), m = window.forms().size(1);
   placed_.resize(n);
-  for (std::vector<Busy>& of_side : busy_) of_side.clear();
+  for (auto& of_side : busy_) of_side.clear();
   for (std::uint32_t i = 0; i < n; ++i) {
     const TurnSegment& s = window.segments[i];
     if (window.first_of[s.first_piece] == window.first_of[s.last_piece]) continue;

@@ -8,6 +8,7 @@
 #include <optional>
 #include <vector>
 
+#include "base/memory_budget.h"
 #include "base/two_lanes.h"
 #include "planar/turning/rotating_window.h"
 
@@ -146,17 +147,18 @@ class RotatingFrame {
   Heading heading_;
   double delta_ = 0;
   std::vector<Point> turned_, turned_edge_;
-  std::vector<Way> ways_;                  // by piece
-  std::array<std::vector<Busy>, 2> busy_;  // segments with candidates, by side
-  std::vector<Placed> placed_;             // by segment, of busy ones; anything where it does not exist
+  base::CountedArray<Way> ways_;                  // by piece
+  std::array<base::CountedArray<Busy>, 2> busy_;  // segments with candidates, by side
+  base::CountedArray<Placed> placed_;             // by segment, of busy ones; anything where it does not exist
   std::vector<std::uint8_t> exists_;
-  std::vector<Meeting> meetings_;  // of candidates
-  std::vector<Near> near_;         // candidates that may cross: the first near_count_
+  base::CountedArray<Meeting> meetings_;  // of candidates
+  base::CountedArray<Near> near_;         // candidates that may cross: the first near_count_
   std::size_t near_count_ = 0;
   std::vector<Crossing> crossings_;
-  std::vector<std::uint32_t> count_;  // of entries, by piece; the places are those of the window's index of candidates
-  std::vector<Entry> entries_;        // along each piece
-  std::vector<Stretch> stretches_;    // by piece
+  base::CountedArray<std::uint32_t>
+      count_;                          // of entries, by piece; the places are those of the window's index of candidates
+  base::CountedArray<Entry> entries_;  // along each piece
+  base::CountedArray<Stretch> stretches_;  // by piece
   std::vector<std::uint32_t>
       next_;  // crossing -> the crossing at which one arrives, kNone, or kOnward: past the end of the piece
   std::vector<std::uint8_t> seen_, walked_;  // crossing; piece without crossings

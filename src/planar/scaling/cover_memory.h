@@ -8,6 +8,7 @@
 #include <utility>
 #include <vector>
 
+#include "base/memory_budget.h"
 #include "planar/scaling/edge_search.h"
 
 namespace dymsum::planar {
@@ -39,7 +40,7 @@ class CoverMemory {
     Covers() : array{CrossingEdges{kNone, kNone}, CrossingEdges{kNone, kNone}} {}
     Covers(const CrossingEdges& last, const CrossingEdges& before) : array{last, before} {}
   };
-  std::vector<Covers> of_;
+  base::CountedArray<Covers> of_;
 };
 
 }  // namespace dymsum::planar

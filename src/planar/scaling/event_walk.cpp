@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "base/poll.h"
+#include "base/within_memory.h"
 #include "planar/scaling/events.h"
 #include "planar/scaling/line_hashes.h"
 #include "planar/scaling/scaling_state.h"
@@ -142,6 +143,7 @@ MovingOptions probe_options(MovingOptions options) {
   options.window = 1.0 / 16;
   options.progress = {};
   options.kept_window_bytes = 0;  // scales ascend
+  options.memory = 0;             // within that of the sum that is asked
   return options;
 }
 
@@ -149,12 +151,14 @@ MovingOptions probe_options(MovingOptions options) {
 template <class F>
 std::optional<Error> walk(const ScalingState& state, const BigRational& low, const BigRational& high,
                           const Progress& progress, F&& f) {
-  ScalingState probe(state.base, probe_options(state.options));
-  try {
-    return EventWalk(probe, progress).run(low, high, f);
-  } catch (const Cancelled&) {
-    return Error{ErrorCode::cancelled, "stopped on request", {}};
-  }
+  return base::within_memory(state.budget(), "the search for events", [&]() -> std::optional<Error> {
+    ScalingState probe(state.base, probe_options(state.options));
+    try {
+      return EventWalk(probe, progress).run(low, high, f);
+    } catch (const Cancelled&) {
+      return Error{ErrorCode::cancelled, "stopped on request", {}};
+    }
+  });
 }
 
 std::optional<Error> not_regular(const OperandPair& base) {

@@ -88,6 +88,7 @@ class Collector {
   // `place(tau)`: the position in the window, known up to `error`.
   template <class At>
   void add(const ExactForm& form, ScaleEvent::Kind kind, const Segment& on, const Cut& cut, At place, double error) {
+    held_.add(kBesideValue);
     Value v{*form.root(), 0, kind, {on, cut, {}, false, 0, 0, 0}};
     v.near = exact::round_to_double(v.s);
     const double tau = scale_moves_ ? v.near : exact::round_to_double(BigRational(1 / v.s)),
@@ -250,7 +251,10 @@ class Collector {
   bool scale_moves_;  ///< tau is the scale, not one over it
   Taus all_;
   std::uint32_t since_ = 0;
-  std::vector<Value> values_;
+  // What a value has in memory beside itself: the digits of its scale, and its place in the list of the result.
+  static constexpr std::size_t kBesideValue = sizeof(EventValue) + 2 * sizeof(Place);
+  base::CountedArray<Value> values_;
+  base::HeldMemory held_;
 };
 
 // Nearly parallel lines, of which the doubles know nothing: the exact position, rounded from that of a vertex.

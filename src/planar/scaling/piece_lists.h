@@ -9,6 +9,7 @@
 #include <span>
 #include <vector>
 
+#include "base/memory_budget.h"
 #include "dymsum/frames.h"
 #include "planar/scaling/exact_frame.h"
 #include "planar/scaling/node_links.h"
@@ -136,9 +137,9 @@ class PieceLists {
   bool before_end(std::uint32_t piece, std::uint32_t entry, ExactFrame& frame, Certainty& certain) const;
 
   Window& window_;
-  std::vector<double> low_, high_;  ///< the list of a piece is certain strictly between
+  base::CountedArray<double> low_, high_;  ///< the list of a piece is certain strictly between
   static constexpr std::uint32_t kBlock = 8;
-  std::vector<std::array<double, 2>> blocks_;  ///< where the lists of kBlock pieces are certain
+  base::CountedArray<std::array<double, 2>> blocks_;  ///< where the lists of kBlock pieces are certain
   /// What walks ask of a piece.
   struct Hot {
     std::uint32_t base = 0, entries = 0;  ///< where its list and its entries start; how many entries
@@ -148,10 +149,10 @@ class PieceLists {
     std::int8_t next_turn = 0;
     std::uint8_t half = 0;
   };
-  std::vector<Hot> hot_;
-  std::vector<std::uint32_t> list_;
-  std::vector<Entry> entries_;
-  std::vector<Crossing> crossings_;  ///< per candidate
+  base::CountedArray<Hot> hot_;
+  base::CountedArray<std::uint32_t> list_;
+  base::CountedArray<Entry> entries_;
+  base::CountedArray<Crossing> crossings_;  ///< per candidate
   std::vector<std::uint32_t> touched_, looked_at_, changed_at_, changed_;
   std::vector<NewSubs> new_subs_;  ///< per piece, of the frame in which it changed last
   std::vector<Item> items_;

@@ -12,6 +12,7 @@
 #include <functional>
 #include <vector>
 
+#include "base/memory_budget.h"
 #include "base/scratch.h"
 #include "base/stop.h"
 #include "base/two_lanes.h"
@@ -118,9 +119,9 @@ class Window : public CandidateIndex {
   double span() const { return span_; }  ///< coordinates in the window are at most this
   bool covers(double tau) const { return tau > frame_.tau0 && tau < frame_.tau1; }
 
-  std::vector<LiveSegment> segments;
-  std::vector<Piece> pieces;
-  std::vector<Candidate> candidates;
+  base::CountedArray<LiveSegment> segments;
+  base::CountedArray<Piece> pieces;
+  base::CountedArray<Candidate> candidates;
   /// Segments that run back along each other from a common end at every scale.
   std::vector<std::array<std::uint32_t, 2>> folds;
   std::vector<PersistentTouch> touches;
@@ -129,7 +130,7 @@ class Window : public CandidateIndex {
   std::vector<PersistentNode::Ray> rays;
   std::vector<std::uint32_t> head_ray, tail_ray, node_of_ray;  ///< piece -> ray at its end or kNone; ray -> node
   std::vector<std::array<std::uint32_t, 2>> touching;          ///< segments that meet in such nodes
-  std::vector<std::uint32_t> live;                             ///< id in the convolution -> live segment or kNone
+  base::CountedArray<std::uint32_t> live;                      ///< id in the convolution -> live segment or kNone
 
   /// The sign of d_a x d_b of two segments.
   int cross(std::uint32_t a, std::uint32_t b) const;

@@ -3,6 +3,7 @@
 #include <optional>
 #include <utility>
 
+#include "base/memory_budget.h"
 #include "base/stage_clock.h"
 #include "planar/arrangement/arrangement.h"
 #include "planar/arrangement/find_meetings.h"
@@ -27,6 +28,7 @@ struct Run {
   Poll& poll;
   StageClock<SumStats> clock;
   Scratch scratch;
+  base::HeldMemory rings;
   const Lattice& lattice = *state.lattice;
   const Operand &p = *state.p, &q = *state.q;
   SumStats& stats = state.stats;
@@ -128,8 +130,9 @@ void add_boundary(Run& run, const Soup& soup, const Arrangement& arrangement, Co
   if (run.options.semantics != Semantics::regular && !run.parallelograms)
     find_tight_features(soup, arrangement, sorted.kept, collision, boundary, grid_error, &run.poll);
   run.clock.done("tight");
-  for (const BoundaryLoop& ring : simple_rings(soup, arrangement, std::move(sorted.kept)))
-    boundary.add(make_ring(soup, arrangement, ring, grid_error), ring.turning > 0);
+  const Array<BoundaryLoop> rings = simple_rings(soup, arrangement, std::move(sorted.kept));
+  for (const BoundaryLoop& ring : rings) run.rings.add(ring.steps.size() * sizeof(SumVertex));
+  for (const BoundaryLoop& ring : rings) boundary.add(make_ring(soup, arrangement, ring, grid_error), ring.turning > 0);
   boundary.at_error = input_error(run.lattice, grid_error);
 }
 

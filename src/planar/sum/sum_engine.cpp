@@ -6,6 +6,7 @@
 
 #include "base/poll.h"
 #include "base/stage_clock.h"
+#include "base/within_memory.h"
 #include "planar/boundary/boundary.h"
 #include "planar/sum/convex_boundary.h"
 #include "planar/sum/reduced.h"
@@ -38,28 +39,47 @@ void run_engine(const SumOptions& options, SumState& state, Refine refine, Poll&
   else run_reduced(options, state, refine, poll);
 }
 
-Error no_room(const SumState& state, std::string_view stage, std::string_view reason) {
-  const auto text = [](std::uint64_t n) { return std::to_string(n); };
-  std::string message = "the sum of " + text(state.p->size()) + " and " + text(state.q->size()) +
-                        " vertices is too large: " + std::string(reason);
-  if (!stage.empty()) message += " in the stage '" + std::string(stage) + "'";
-  if (state.stats.reduced_segments > 0) message += ", " + text(state.stats.reduced_segments) + " segments";
-  if (state.stats.live_segments > 0) message += ", " + text(state.stats.live_segments) + " of them to be intersected";
-  if (state.stats.crossings > 0) message += ", " + text(state.stats.crossings) + " crossings";
-  return {ErrorCode::unsupported_operand, message, {}};
+std::string text(std::uint64_t n) { return std::to_string(n); }
+
+std::string sum_of_sizes(const SumState& state) {
+  return "the sum of " + text(state.p->size()) + " and " + text(state.q->size()) + " vertices";
+}
+
+// Where an engine stood, and what it had found.
+std::string standing(const SumState& state, std::string_view stage) {
+  std::string where;
+  if (!stage.empty()) where += " in the stage '" + std::string(stage) + "'";
+  if (state.stats.reduced_segments > 0) where += ", " + text(state.stats.reduced_segments) + " segments";
+  if (state.stats.live_segments > 0) where += ", " + text(state.stats.live_segments) + " of them to be intersected";
+  if (state.stats.crossings > 0) where += ", " + text(state.stats.crossings) + " crossings";
+  return where;
+}
+
+Error no_room(ErrorCode code, const SumState& state, std::string_view stage, std::string_view reason) {
+  return {code, sum_of_sizes(state) + " is too large: " + std::string(reason) + standing(state, stage), {}};
+}
+
+Error over_limit(const SumState& state, std::string_view stage, const base::OverMemory& over) {
+  Error error = base::over_memory(sum_of_sizes(state), over);
+  error.message += ";" + standing(state, stage);
+  return error;
 }
 
 std::optional<Error> run(SumState& state, const SumOptions& options, Refine refine) {
   if (options.trace) state.trace = std::make_unique<PlanarTrace>();
   Poll poll(options.progress);
+  const base::UseBudget use(base::budget_of(options.memory));
   try {
     run_engine(options, state, refine, poll);
   } catch (const Cancelled&) {
     return Error{ErrorCode::cancelled, "stopped on request", {}};
+  } catch (const base::OverMemory& over) {
+    if (options.memory == 0) throw;  // the limit of a larger computation
+    return over_limit(state, poll.stage(), over);
   } catch (const std::bad_alloc&) {
-    return no_room(state, poll.stage(), "out of memory");
+    return no_room(ErrorCode::out_of_memory, state, poll.stage(), "out of memory");
   } catch (const std::length_error& more) {
-    return no_room(state, poll.stage(), more.what());
+    return no_room(ErrorCode::unsupported_operand, state, poll.stage(), more.what());
   }
   return std::nullopt;
 }

@@ -7,7 +7,8 @@
 namespace dymsum::planar {
 
 /// Operands (P as operand 0, Q as 1) on their lattice, then the boundary by the chosen engine. Errors: as
-/// minkowski_sum; unsupported_operand, with stage and counts, where memory or 32-bit indices do not suffice.
+/// minkowski_sum; with stage and counts, out_of_memory where memory does not suffice and unsupported_operand where
+/// 32-bit indices do not.
 Result<SumState> compute_boundary(std::shared_ptr<const Operand> p, std::shared_ptr<const Operand> q,
                                   const SumOptions& options, Refine refine = Refine::where_it_pays);
 

@@ -1,5 +1,6 @@
 #include "planar/sum/winding.h"
 
+#include "base/memory_budget.h"
 #include "base/stage_clock.h"
 #include "planar/arrangement/find_meetings.h"
 #include "planar/arrangement/segment_graph.h"
@@ -14,8 +15,16 @@
 namespace dymsum::planar {
 namespace {
 
-Tracing trace_convolution(SumState& state, bool parallelograms) {
-  Tracing tracing(*state.lattice, *state.p, *state.q);
+std::uint64_t kinetic_size(const SumState& state) {
+  std::uint64_t size = 0;
+  for_each_kinetic_turn(*state.lattice, *state.p, *state.q, [&](const KineticTurn& turn) { size += turn.count; });
+  return size;
+}
+
+Tracing trace_convolution(SumState& state, bool parallelograms, Scratch* scratch) {
+  base::HeldMemory listed;
+  listed.add(kinetic_size(state) * sizeof(KineticSegment));
+  Tracing tracing(*state.lattice, *state.p, *state.q, scratch);
   for (const KineticSegment& s : kinetic_convolution(*state.lattice, *state.p, *state.q)) tracing.add(s.walk, s.sign);
   state.stats.reduced_segments = tracing.soup.size();
   if (parallelograms)
@@ -59,7 +68,9 @@ void run_winding(const SumOptions& options, SumState& state, Poll& poll) {
   };
   const bool parallelograms = makes_parallelograms(options.semantics, *state.p, *state.q);
   poll.stage("convolution");
-  const Tracing tracing = trace_convolution(state, parallelograms);
+  Scratch scratch;
+  base::HeldMemory held;
+  const Tracing tracing = trace_convolution(state, parallelograms, &scratch);
   const Soup& soup = tracing.soup;
   done();
 
@@ -72,6 +83,8 @@ void run_winding(const SumOptions& options, SumState& state, Poll& poll) {
   done();
 
   poll.stage("windings");
+  // Beside its sides an edge may be one of a ring, with a vertex.
+  held.add(graph.edges().size() * (sizeof(Sides) + sizeof(BoundaryEdge) + sizeof(SumVertex)));
   const std::vector<Sides> sides = find_windings(tracing, graph);
   done();
 

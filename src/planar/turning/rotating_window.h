@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "base/memory_budget.h"
 #include "base/scratch.h"
 #include "base/stop.h"
 #include "planar/frames/candidate_index.h"
@@ -55,9 +56,9 @@ class RotatingWindow : public CandidateIndex {
   double middle = 0, half = 0;
   Heading heading;            ///< of the middle
   std::vector<Point> turned;  ///< vertices of the turning operand there, about its centre
-  std::vector<TurnSegment> segments;
-  std::vector<TurnPiece> pieces;
-  std::vector<TurnCandidate> candidates;
+  base::CountedArray<TurnSegment> segments;
+  base::CountedArray<TurnPiece> pieces;
+  base::CountedArray<TurnCandidate> candidates;
   std::vector<std::uint32_t> changing;  ///< segments that do not exist at every angle
   std::vector<std::uint32_t> rounds;    ///< whole pieces that may follow each other all round, without quiet ones
   std::vector<std::uint32_t> circles;   ///< quiet pieces whose followers lead back to them, one of each circle

@@ -25,8 +25,8 @@ class TurnWindow : public RotatingWindow {
     friend auto operator<=>(const SegmentPair&, const SegmentPair&) = default;
   };
   TurnRange range;
-  double low = 0, high = 0;        ///< angles, rounded outwards
-  std::vector<SegmentPair> pairs;  ///< sorted
+  double low = 0, high = 0;               ///< angles, rounded outwards
+  base::CountedArray<SegmentPair> pairs;  ///< sorted
 
   /// Whether two segments are a pair. Requires a < b. By the few pairs of a.
   bool meet(std::uint32_t a, std::uint32_t b) const;

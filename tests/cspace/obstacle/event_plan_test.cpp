@@ -11,6 +11,7 @@
 #include "cspace/obstacle/turn_windows.h"
 #include "dymsum/shapes.h"
 #include "oracles/random.h"
+#include "oracles/snapped_shapes.h"
 #include "planar/frames/region_pair.h"
 #include "planar/turning/turn.h"
 
@@ -82,7 +83,7 @@ template <class F>
 void for_each_moment(const Turning& turning, F&& f) {
   for (int k = 0; k < turning.windows.count(); ++k)
     for (PreparedWindow& p : turning.windows.prepare(k, TurnWindows::Halved::where_crowded)) {
-      std::vector<TurnEvent>& events = p.found.events;
+      auto& events = p.found.events;
       const auto root = [&](TurnEvent& e) -> const exact::AlgebraicRoot& {
         return exact_root(e, turning.forms, p.range);
       };
@@ -193,8 +194,8 @@ TEST(EventPlan, applied_it_is_the_slice_behind_the_event) {
       {knife, polygon({{0, 0}, {8, 0}, {8, 7}, {4, 7}, {4, 3}, {0, 5}})},
       {square, polygon({{0, 0}, {9, 0}, {9, 7}, {6, 7}, {6, 4}, {3, 4}, {3, 8}, {0, 8}})},
       {polygon({{0, 0}, {3, 0}, {3, 1}, {1, 1}, {1, 2}, {0, 2}}), shapes::grate(3, 2, 0.5, 5)},
-      {shapes::star(5, 0.5, 1), shapes::star(7, 0.4, 2)},
-      {shapes::star(4, 0.5, 1), shapes::star(4, 0.5, 1)},
+      {snapped::star(5, 0.5, 1), snapped::star(7, 0.4, 2)},
+      {snapped::star(4, 0.5, 1), snapped::star(4, 0.5, 1)},
       {square, polygon(box(-3, -3, 3, 3), {reversed(box(-1, -1, 1, 1))})},
       {square, polygon(box(-3, -3, 3, 3), {reversed(box(-1.25, -1.25, 1.25, 1.25))})},
       {shapes::rectangle(-1, -1, 1, 1), polygon(box(0, 0, 12, 12), {reversed({{3, 3}, {8, 4}, {4, 6.5}})})},
