@@ -34,15 +34,15 @@ int main(int argc, char** argv) {
   }
   const std::filesystem::path folder = argv[1];
   std::filesystem::create_directories(folder);
-  const Region star = shapes::star(5, 1.5, 3);
+  const Region star = shapes::star(5, 1.5, 3, shapes::demo_snap(3));
   const std::vector<shapes::Named> all = {
-      {"gear", shapes::gear(12, 8, 10)},
+      {"gear", shapes::gear(12, 8, 10, shapes::demo_snap(10))},
       {"star", star},
       {"plate", plate_for(star)},
-      {"disc", shapes::disc(16, 1)},
-      {"disc32", shapes::disc(32, 1)},
+      {"disc", shapes::disc(16, 1, shapes::demo_snap(1))},
+      {"disc32", shapes::disc(32, 1, shapes::demo_snap(1))},
       {"grate", shapes::grate(5, 4, 1, 12)},
-      {"spiral", shapes::spiral(3, 24, 4, 1)},
+      {"spiral", shapes::spiral(3, 24, 4, 1, shapes::demo_snap(17))},
       {"random", shapes::random_polygon(80, 3, 7)},
       {"slot", shapes::letter_u(4, 4, 1)},
       {"peg", shapes::rectangle(0, 0, 2, 1)},

@@ -29,8 +29,8 @@ Models round_models() {
     return m.name != "cone" && m.name != "cylinder" && m.name != "DD" && m.name != "ellipse" && m.name != "v-rod";
   });
   models.push_back({"box", triangles(solids::box(-1, -2, -1, 1, 2, 1))});
-  models.push_back(
-      {"prism 12", triangles(solids::prism(shapes::disc(12, 2).parts().front().outer, 3, solids::kDemoSnap))});
+  models.push_back({"prism 12", triangles(solids::prism(shapes::disc(12, 2, shapes::demo_snap(2)).parts().front().outer,
+                                                        3, solids::kDemoSnap))});
   models.push_back({"gear 24", triangles(solids::prism(gear_hull(24), 3, solids::kDemoSnap))});
   models.push_back({"cylinder 250", solids::cylinder(250, 2, 3, solids::kDemoSnap)});
   models.push_back({"cylinder 1000", solids::cylinder(1000, 2, 3, solids::kDemoSnap)});

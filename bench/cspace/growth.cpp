@@ -55,7 +55,7 @@ Region rectilinear(int n) {
 }
 
 Region comb(int n, double gap) { return shapes::comb((n + 2) / 4, 1 + gap, 1, 5); }
-Region spiky_star(int n) { return shapes::star(n / 2, 0.2, 1); }
+Region spiky_star(int n) { return shapes::star(n / 2, 0.2, 1, shapes::demo_snap(1)); }
 
 struct Family {
   const char* name;

@@ -41,7 +41,8 @@ TurningPair pair(std::string name, const Shape& robot, const Shape& obstacle, co
 }  // namespace
 
 std::vector<TurningPair> turning_pairs(const std::string& data) {
-  const Shape bar = stand_in("bar"), star = real(data, "star"), circle{shapes::disc(32, 4), "regular 32-gon"};
+  const Shape bar = stand_in("bar"), star = real(data, "star"),
+              circle{shapes::disc(32, 4, shapes::demo_snap(4)), "regular 32-gon"};
   const auto [upright, lying] = crossing_grates(4);
   std::vector<TurningPair> pairs;
   pairs.push_back(pair("bar/circle", bar, circle, {0.1, 256, 256, 1, 36, 36, 36, 36}));
@@ -62,9 +63,11 @@ std::vector<TurningPair> symmetric_pairs() {
   const auto with_itself = [&](const std::string& name, const Region& region) {
     pairs.push_back(pair(name + " with itself", {region, name}, {region, name}));
   };
-  for (const int n : {3, 4, 6, 8, 16, 32}) with_itself("regular " + std::to_string(n) + "-gon", shapes::disc(n, 1));
-  for (const int n : {4, 8, 22}) with_itself("star of " + std::to_string(n) + " points", shapes::star(n, 3.2, 6.9));
-  with_itself("gear of 8 teeth", shapes::gear(8, 3, 4));
+  for (const int n : {3, 4, 6, 8, 16, 32})
+    with_itself("regular " + std::to_string(n) + "-gon", shapes::disc(n, 1, shapes::demo_snap(1)));
+  for (const int n : {4, 8, 22})
+    with_itself("star of " + std::to_string(n) + " points", shapes::star(n, 3.2, 6.9, shapes::demo_snap(6.9)));
+  with_itself("gear of 8 teeth", shapes::gear(8, 3, 4, shapes::demo_snap(4)));
   with_itself("comb of 5 teeth", shapes::comb(5, 1, 0.25, 3));
   with_itself("grate of 4 holes", shapes::grate(5, 1, 0.25, 4));
   with_itself("G1", generated("G1"));

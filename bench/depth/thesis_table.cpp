@@ -213,7 +213,8 @@ void planar_local_sums(int frames, Report& report) {
     Region p, q;
   };
   const std::vector<Regions> pairs = {
-      {"gear 400 + gear 400", shapes::gear(100, 9, 10), shapes::gear(100, 4, 5)},
+      {"gear 400 + gear 400", shapes::gear(100, 9, 10, shapes::demo_snap(10)),
+       shapes::gear(100, 4, 5, shapes::demo_snap(5))},
       {"star 1000 + star 1000", shapes::noisy_star(1000, 0.4, 3), shapes::noisy_star(1000, 0.4, 4)},
       {"polygon 400 + L", shapes::random_polygon(400, 4, 5), shapes::letter_l(0.1, 0.1, 0.03)}};
   for (const Regions& pair : pairs) {

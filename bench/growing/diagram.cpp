@@ -73,7 +73,8 @@ BarcodeRow measure_barcode(const std::string& name, const Region& region, double
   const auto box = bounds(region);
   const double top = share * std::max(box[2] - box[0], box[3] - box[1]);
   for (int k = 0; k < samples; ++k) {
-    const Region round = shapes::disc(32, top * (k + 0.5) / samples);
+    const double radius = top * (k + 0.5) / samples;
+    const Region round = shapes::disc(32, radius, shapes::demo_snap(radius));
     row.sums_ms += median_ms(1, [&] { static_cast<void>(minkowski_sum(region, round).value()); });
   }
   row.sums_ms *= static_cast<double>(radii) / samples;

@@ -39,7 +39,7 @@ FrameRow measure_frames(const std::string& name, const Region& region, double sh
   for (std::size_t k = 1; k <= samples; ++k) {
     const Rational r = radius_at(top, k, samples);
     anew.push_back(timed_ms([&] { static_cast<void>(GrowingDisc(region).sum_at(r).value()); }));
-    const Region round = shapes::disc(32, r.to_double());
+    const Region round = shapes::disc(32, r.to_double(), shapes::demo_snap(r.to_double()));
     polygon.push_back(timed_ms([&] { static_cast<void>(minkowski_sum(region, round).value()); }));
   }
   row.frame_ms = quantile(kept, 0.5);

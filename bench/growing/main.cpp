@@ -46,7 +46,8 @@ std::vector<std::pair<std::string, Region>> regions(const Options& options) {
     all.emplace_back("star " + std::to_string(n), shapes::noisy_star(n, 0.3, 1));
     all.emplace_back("comb " + std::to_string(n), shapes::comb(n / 4, 2, 1, 3));
     all.emplace_back("grate " + std::to_string(n), shapes::grate(holes, 2, 1, 3));
-    all.emplace_back("spiral " + std::to_string(n), shapes::spiral(std::max(1, n / 200), 100, 1, 0.4));
+    all.emplace_back("spiral " + std::to_string(n),
+                     shapes::spiral(std::max(1, n / 200), 100, 1, 0.4, shapes::demo_snap(std::max(1, n / 200) + 1.4)));
   }
   std::erase_if(all, [&](const auto& named) { return named.first.find(options.only) == std::string::npos; });
   return all;

@@ -69,7 +69,8 @@ bool measure_growth(int largest, const std::string& dir, std::ostream& out) {
   for (const double jitter : {1e-5, 1e-4, 1e-3}) {
     std::ostringstream name;
     name << "circle 100000, jitter " << jitter << ", 64-gon";
-    print(table, name.str(), measure(shapes::noisy_star(100000, jitter, 7), shapes::disc(64, 0.1)), 0);
+    print(table, name.str(),
+          measure(shapes::noisy_star(100000, jitter, 7), shapes::disc(64, 0.1, shapes::demo_snap(0.1))), 0);
     out << "." << std::flush;
   }
   out << "\n" << table.str();

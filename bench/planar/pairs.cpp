@@ -104,9 +104,10 @@ void add_grates_and_pockets(Pairs& pairs) {
   pairs.list.push_back({"grate 20 + grate 20 turned", Group::holes, grate, turned(grate)});
   auto [p, q] = crossing_grates(5);
   pairs.list.push_back({"crossing grates 5 + 5", Group::holes, std::move(p), std::move(q)});
-  const Region pockets = shapes::pockets(20, 10);
+  const Region pockets = shapes::pockets(20, 10, shapes::demo_snap(10));
   pairs.list.push_back({"pockets 20 + square", Group::holes, pockets, shapes::rectangle(0, 0, 0.625, 0.625)});
-  pairs.list.push_back({"pockets 20 + disc 16", Group::holes, pockets, shapes::disc(16, 0.25)});
+  pairs.list.push_back(
+      {"pockets 20 + disc 16", Group::holes, pockets, shapes::disc(16, 0.25, shapes::demo_snap(0.25))});
 }
 
 void add_real(Pairs& pairs, const std::string& data) {
@@ -120,8 +121,9 @@ void add_real(Pairs& pairs, const std::string& data) {
   const auto add = [&](const char* label, const std::optional<Region>& p, const std::optional<Region>& q) {
     if (p && q) pairs.list.push_back({label, Group::real, *p, *q});
   };
-  add("neuron + disc 32", neuron, shapes::disc(32, 1));
-  add("neuron + small disc 32", neuron, shapes::disc(32, 1.0 / 64));  // no hole of the neuron is filled
+  add("neuron + disc 32", neuron, shapes::disc(32, 1, shapes::demo_snap(1)));
+  add("neuron + small disc 32", neuron,
+      shapes::disc(32, 1.0 / 64, shapes::demo_snap(1.0 / 64)));  // no hole of the neuron is filled
   add("monkey + bird", monkey, bird);
   add("bird + bird (real)", bird, bird);
   add("dog + bird (real)", dog, bird);

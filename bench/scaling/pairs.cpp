@@ -61,7 +61,7 @@ std::vector<ScalingPair> frame_pairs(const std::string& data) {
   if (!data.empty()) {
     const Region neuron = read(data, "neuron"), monkey = read(data, "monkey"), bird = read(data, "bird"),
                  dog = read(data, "dog");
-    add("neuron + disc 32", neuron, shapes::disc(32, 1), true);
+    add("neuron + disc 32", neuron, shapes::disc(32, 1, shapes::demo_snap(1)), true);
     add("monkey + bird", monkey, bird);
     add("dog + dog", dog, dog);
   }

@@ -10,6 +10,7 @@
 
 #include "dymsum/shapes.h"
 #include "oracles/random.h"
+#include "oracles/snapped_shapes.h"
 #include "planar/scaling/scaling_same.h"
 
 namespace dymsum {
@@ -347,7 +348,7 @@ TEST(ScaleRange, inputs_without_an_answer_give_errors) {
 
 // Whatever it asks first: all of the work may take long.
 TEST(ScaleRange, is_stopped_wherever_it_asks) {
-  const Region part = shapes::star(5, 0.5, 1), container = shapes::gear(8, 3, 4);
+  const Region part = snapped::star(5, 0.5, 1), container = snapped::gear(8, 3, 4);
   const auto of_path = [&](const Progress& progress) {
     return scale_range(part, {{0, 0}, {1, 0.5}}, container, progress);
   };

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "planar/shapes/shapes_source.h"
+#include "planar/shapes/snap.h"
 
 namespace dymsum::shapes {
 namespace {
@@ -21,27 +22,33 @@ Point on_circle(std::int64_t k, std::int64_t n, double radius) {
   return {radius * p.x, radius * p.y};
 }
 
+Ring snapped(std::string_view shape, Ring ring, double snap) {
+  const Snap to(shape, snap);
+  for (Point& p : ring) p = {to(p.x), to(p.y)};
+  return ring;
+}
+
 }  // namespace
+
+double demo_snap(double size) { return std::ldexp(1, -grid_bits(size)); }
 
 Region rectangle(double x0, double y0, double x1, double y1) { return made("rectangle", box(x0, y0, x1, y1)); }
 
-Region disc(int vertices, double radius) {
+Region disc(int vertices, double radius, double snap) {
   require(vertices >= 3 && radius > 0, "disc");
   Ring ring;
   for (int k = 0; k < vertices; ++k) ring.push_back(on_circle(k, vertices, radius));
-  // A grid of 2^-24 of the radius keeps the polygon convex up to about 2000 vertices (the corner's height over its
-  // neighbours' chord is 2 pi^2 / n^2 of the radius, 80 grid steps there); finer polygons keep all their bits.
-  return made("disc", vertices <= 2000 ? on_grid(std::move(ring), grid_bits(radius)) : std::move(ring));
+  return made("disc", snapped("disc", std::move(ring), snap));
 }
 
-Region gear(int teeth, double inner, double outer) {
+Region gear(int teeth, double inner, double outer, double snap) {
   require(teeth >= 3 && inner > 0 && outer > inner, "gear");
   Ring ring;
   for (int k = 0; k < 4 * teeth; ++k) {
     const bool top = k % 4 == 1 || k % 4 == 2;
     ring.push_back(on_circle(k, 4 * teeth, top ? outer : inner));
   }
-  return made("gear", on_grid(std::move(ring), grid_bits(outer)));
+  return made("gear", snapped("gear", std::move(ring), snap));
 }
 
 Region grate(int bars, double pitch, double bar, double length) {
@@ -66,14 +73,14 @@ Region comb(int teeth, double pitch, double tooth, double length) {
   return made("comb", std::move(ring));
 }
 
-Region star(int points, double inner, double outer) {
+Region star(int points, double inner, double outer, double snap) {
   require(points >= 2 && inner > 0 && outer > inner, "star");
   Ring ring;
   for (int k = 0; k < 2 * points; ++k) ring.push_back(on_circle(k, 2 * points, k % 2 == 0 ? outer : inner));
-  return made("star", on_grid(std::move(ring), grid_bits(outer)));
+  return made("star", snapped("star", std::move(ring), snap));
 }
 
-Region spiral(int turns, int vertices_per_turn, double pitch, double width) {
+Region spiral(int turns, int vertices_per_turn, double pitch, double width, double snap) {
   require(turns >= 1 && vertices_per_turn >= 5 && width > 0 && pitch > width, "spiral");
   Ring outer, inner;
   const int n = vertices_per_turn;
@@ -83,7 +90,7 @@ Region spiral(int turns, int vertices_per_turn, double pitch, double width) {
     inner.push_back(on_circle(k % n, n, radius));
   }
   outer.insert(outer.end(), inner.rbegin(), inner.rend());
-  return made("spiral", on_grid(std::move(outer), grid_bits(pitch * (turns + 1) + width)));
+  return made("spiral", snapped("spiral", std::move(outer), snap));
 }
 
 Region letter_u(double width, double height, double thickness) {
@@ -98,21 +105,21 @@ Region letter_l(double width, double height, double thickness) {
   return made("letter_l", {{0, 0}, {width, 0}, {width, t}, {t, t}, {t, height}, {0, height}});
 }
 
-Region pockets(int holes, double size) {
+Region pockets(int holes, double size, double snap) {
   require(holes >= 1 && size > 0, "pockets");
   // A plate of square cells as near to a square as the number allows; hole i fills (i + 1) / (holes + 1) of its cell.
   int columns = 1;
   while (columns * columns < holes) ++columns;
   const int rows = (holes + columns - 1) / columns;
   const double cell = size / columns;
-  const int bits = grid_bits(size);
+  const Snap to("pockets", snap);
   std::vector<Ring> squares;
   for (int i = 0; i < holes; ++i) {
-    const double half = on_grid(cell * (i + 1) / (2 * (holes + 1)), bits);
-    const double x = on_grid((i % columns + 0.5) * cell, bits), y = on_grid((i / columns + 0.5) * cell, bits);
+    const double half = to(cell * (i + 1) / (2 * (holes + 1)));
+    const double x = to((i % columns + 0.5) * cell), y = to((i / columns + 0.5) * cell);
     squares.push_back(reversed(box(x - half, y - half, x + half, y + half)));
   }
-  return made("pockets", box(0, 0, size, rows * cell), std::move(squares));
+  return made("pockets", box(0, 0, to(size), to(rows * cell)), std::move(squares));
 }
 
 }  // namespace dymsum::shapes

@@ -138,8 +138,8 @@ std::vector<Named> thesis_like_set() {
   set.push_back(plain("sewing", sewing()));
   set.push_back(
       plain("fence", {{0, 0}, {9, 0}, {9, 4}, {8, 6}, {6.5, 3.5}, {5.5, 6}, {4, 3.5}, {3, 6}, {1.5, 3.5}, {0.5, 6}}));
-  set.push_back(Named{"pentagon", disc(5, 4)});
-  set.push_back(Named{"star", star(22, 3.2, 6.9)});
+  set.push_back(Named{"pentagon", disc(5, 4, demo_snap(4))});
+  set.push_back(Named{"star", star(22, 3.2, 6.9, demo_snap(6.9))});
   set.push_back(Named{"U", letter_u(6, 7, 1.5)});
   return set;
 }

@@ -9,7 +9,7 @@
 #include <utility>
 
 #include "planar/shapes/shapes_source.h"
-#include "spatial/solids/snap.h"
+#include "planar/shapes/snap.h"
 
 namespace dymsum::solids {
 
@@ -28,7 +28,7 @@ Mesh made(std::string_view solid, MeshData data) {
 /// The hull of the points, snapped, with its faces split into triangles. Requires that every one of the
 /// `count` different points is a corner of it: then there are 2 count - 4 triangles.
 Mesh hull_of(std::string_view solid, std::vector<Point3> points, std::size_t count, double snap) {
-  const Snap to(solid, snap);
+  const shapes::Snap to(solid, snap);
   for (Point3& p : points) p = {to(p.x), to(p.y), to(p.z)};
   const Result<Mesh> hull = convex_hull(points);
   if (!hull) throw std::invalid_argument(std::string(solid) + ": " + hull.error().to_string());
@@ -86,7 +86,7 @@ std::vector<std::array<std::size_t, 3>> icosahedron_faces(const std::vector<Poin
 }  // namespace
 
 Mesh box(double x0, double y0, double z0, double x1, double y1, double z1, double snap) {
-  const Snap to("box", snap);
+  const shapes::Snap to("box", snap);
   MeshData data;
   for (const double z : {z0, z1}) {
     for (const double y : {y0, y1}) {
@@ -99,7 +99,7 @@ Mesh box(double x0, double y0, double z0, double x1, double y1, double z1, doubl
 
 Mesh prism(const Ring& base, double height, double snap) {
   require(height > 0, "prism");
-  const Snap to("prism", snap);
+  const shapes::Snap to("prism", snap);
   MeshData data;
   const auto n = static_cast<std::uint32_t>(base.size());
   for (const double z : {0.0, height})

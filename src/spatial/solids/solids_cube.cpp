@@ -8,7 +8,8 @@
 
 #include "dymsum/rational.h"
 #include "dymsum/solids.h"
-#include "spatial/solids/snap.h"
+
+#include "planar/shapes/snap.h"
 
 namespace dymsum::solids {
 
@@ -35,7 +36,7 @@ class CubeLattice {
 
   Rational size_;
   int k_;
-  Snap snap_;
+  shapes::Snap snap_;
   std::map<std::tuple<int, int, int>, std::uint32_t> numbers_;
   std::vector<Point3> vertices_;
 };

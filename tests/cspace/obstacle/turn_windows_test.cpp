@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "dymsum/shapes.h"
+#include "oracles/snapped_shapes.h"
 #include "planar/frames/region_pair.h"
 
 namespace dymsum::planar {
@@ -38,7 +39,7 @@ void expect_full_turn(const Region& robot, const Region& obstacle, TurnWindows::
 }
 
 TEST(TurnWindows, CoverTheTurn) {
-  const Region comb = shapes::comb(5, 3, 1, 5), star = shapes::star(6, 0.4, 1);
+  const Region comb = shapes::comb(5, 3, 1, 5), star = snapped::star(6, 0.4, 1);
   for (const auto halved : {TurnWindows::Halved::where_crowded, TurnWindows::Halved::always}) {
     expect_full_turn(comb, comb, halved);
     expect_full_turn(star, comb, halved);

@@ -1,5 +1,6 @@
 // The way of finding meetings that is chosen finds what all pairs show; and each way is chosen somewhere.
 #include "planar/arrangement/find_meetings.h"
+#include "oracles/snapped_shapes.h"
 
 #include <gtest/gtest.h>
 
@@ -41,7 +42,7 @@ bool finds_all(const Region& a, const Region& b) {
 }
 
 TEST(FindMeetings, few_segments_are_swept) {
-  EXPECT_FALSE(finds_all(shapes::star(5, 1, 3), shapes::letter_u(3, 4, 1)));
+  EXPECT_FALSE(finds_all(snapped::star(5, 1, 3), shapes::letter_u(3, 4, 1)));
   EXPECT_FALSE(finds_all(shapes::noisy_star(60, 0.5, 1), shapes::noisy_star(50, 0.5, 2)));
 }
 

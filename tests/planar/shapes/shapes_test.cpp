@@ -89,7 +89,8 @@ TEST(Shapes, same_arguments_give_the_same_bits) {
   EXPECT_EQ(got["star"], 0xf9947f985204528du);
   EXPECT_EQ(fingerprint(noisy_star(100, 0.5, 7)), 0x1c0dcbd9dee311b0u);
   EXPECT_EQ(fingerprint(random_polygon(60, 3, 7)), 0x3fea5fbc54ad6b8du);
-  EXPECT_EQ(fingerprint(spiral(3, 24, 2, 0.8)), 0x5e4eddfc1c1ed5f6u);
+  EXPECT_EQ(fingerprint(spiral(3, 24, 2, 0.8, demo_snap(8.8))), 0x5e4eddfc1c1ed5f6u);
+  EXPECT_EQ(fingerprint(spiral(3, 24, 2, 0.8)), 0xfde697f218c64da5u);
   EXPECT_NE(fingerprint(noisy_star(100, 0.5, 7)), fingerprint(noisy_star(100, 0.5, 8)));
 }
 
@@ -117,6 +118,21 @@ TEST(Shapes, discs_are_strictly_convex) {
     EXPECT_EQ(reflex_count(region.parts().at(0).outer), 0);
     EXPECT_EQ(region.canonical().vertex_count(), static_cast<std::size_t>(n)) << "collinear vertices";
   }
+}
+
+TEST(Shapes, round_shapes_are_on_a_grid_where_that_is_asked_for_and_only_there) {
+  EXPECT_EQ(demo_snap(4), 0x1p-21);
+  EXPECT_EQ(demo_snap(3.9), 0x1p-22);
+  const auto shapes = [](double snap) {
+    return std::vector<Region>{disc(7, 3.9, snap), gear(5, 3, 3.9, snap), star(5, 1.1, 3.9, snap),
+                               spiral(2, 9, 1.1, 0.7, snap), pockets(7, 3.9, snap)};
+  };
+  for (const Region& region : shapes(0x1p-22)) EXPECT_TRUE(lies_on_grid(region, 22));
+  for (const Region& region : shapes(0)) EXPECT_FALSE(lies_on_grid(region, 40));
+  for (const double snap : {0.3, -1.0, 0x1p-1001, 0x1p1001})
+    EXPECT_THROW(static_cast<void>(star(5, 1, 2, snap)), std::invalid_argument);
+  const Region round = disc(360, 1);
+  for (const Point& p : round.parts()[0].outer) EXPECT_NEAR(std::hypot(p.x, p.y), 1, 0x1p-51);
 }
 
 TEST(Shapes, counts_follow_the_arguments) {

@@ -20,6 +20,7 @@
 #include "oracles/check_sum.h"
 #include "oracles/exact_shape.h"
 #include "oracles/pair_text.h"
+#include "oracles/snapped_shapes.h"
 #include "oracles/tiny_regions.h"
 
 namespace dymsum {
@@ -158,7 +159,7 @@ TEST(Spread, places_are_told_apart) {
 
 // Enough for a mask, where there is one.
 TEST(Spread, operands_with_many_edges) {
-  const Region gear = scaled(shapes::gear(16, 1, 1.75), 500), star = scaled(shapes::star(16, 1, 2), -550);
+  const Region gear = scaled(snapped::gear(16, 1, 1.75), 500), star = scaled(snapped::star(16, 1, 2), -550);
   SumOptions options;
   options.engine = Engine::brute;
   const PlanarSum sum = minkowski_sum(gear, star).value();
@@ -213,7 +214,7 @@ TEST(Spread, sums_that_move_say_what_they_do_not_take) {
 
 // Up to there they equal sums at rest.
 TEST(Spread, sums_that_move_within_their_limit) {
-  const Region u = shapes::letter_u(4, 4, 1), star = shapes::star(5, 1, 2);
+  const Region u = shapes::letter_u(4, 4, 1), star = snapped::star(5, 1, 2);
   for (const auto& [e, f] : {std::pair{400, -330}, {-330, 400}, {960, 200}, {-1020, -250}, {-250, -1020}}) {
     const Region p = scaled(u, e), q = scaled(star, f);
     ScalingSum moving = ScalingSum::create(p, q).value();

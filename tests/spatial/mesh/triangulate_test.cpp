@@ -1,5 +1,6 @@
 // Triangulations use all vertices, have only triangles with area, and cover the face.
 #include "spatial/mesh/triangulate.h"
+#include "oracles/snapped_shapes.h"
 
 #include <gtest/gtest.h>
 
@@ -37,8 +38,8 @@ TEST(Triangulate, PrismsOverShapes) {
   expect_splits(cube());
   expect_splits(l_prism());
   expect_splits(square_ring(), false);
-  for (const Region& shape : {shapes::gear(9, 1, 2), shapes::star(7, 1, 3), shapes::spiral(2, 12, 2, 1),
-                              shapes::comb(5, 2, 1, 4), shapes::disc(40, 1)}) {
+  for (const Region& shape : {snapped::gear(9, 1, 2), snapped::star(7, 1, 3), snapped::spiral(2, 12, 2, 1),
+                              shapes::comb(5, 2, 1, 4), snapped::disc(40, 1)}) {
     expect_splits(prism(lifted(shape.parts()[0].outer), 1));
   }
 }

@@ -12,6 +12,7 @@
 #include "dymsum/orientation_sum.h"
 #include "dymsum/shapes.h"
 #include "dymsum/solids.h"
+#include "oracles/snapped_shapes.h"
 #include "spatial/moving/moving_cases.h"
 #include "spatial/moving/shell_euler.h"
 
@@ -139,7 +140,7 @@ TEST(TurningSolidSum, ATightFitAtOneAngleIsAChangeOfTopology) {
 /// Prisms about the axis along which they were extruded: the sum is the prism over the planar sum, whose vertices come
 /// and go at the same angles.
 TEST(TurningSolidSum, PrismsChangeWhereThePlanarSumDoes) {
-  const Region star = shapes::star(5, 1.25, 3), ell = shapes::letter_l(3, 2, 1);
+  const Region star = snapped::star(5, 1.25, 3), ell = shapes::letter_l(3, 2, 1);
   const Mesh p = solids::prism(star.parts()[0].outer, 2, solids::kDemoSnap),
              q = solids::prism(ell.parts()[0].outer, 3, solids::kDemoSnap);
   const TurnAxis axis{0, 0, 1};
