@@ -1,7 +1,6 @@
 #include "shape/features/geodesic.h"
 
 #include <algorithm>
-#include <cmath>
 #include <map>
 #include <stdexcept>
 #include <utility>
@@ -112,16 +111,9 @@ class Funnel {
 
   /// 0 for vertices on the edge.
   double distance(std::uint32_t v) const {
-    double length = 0;
-    while (parent_[v] != kNoIndex) {
-      const Point p = polygon_[v].at, q = polygon_[parent_[v]].at;
-      length += std::hypot(p.x - q.x, p.y - q.y);
-      v = parent_[v];
-    }
-    if (v < 2) return length;
-    const Point a = polygon_[0].at, b = polygon_[1].at, p = polygon_[v].at;
-    const double dx = b.x - a.x, dy = b.y - a.y;
-    return length + std::max(0.0, (dx * (p.y - a.y) - dy * (p.x - a.x)) / std::hypot(dx, dy));
+    std::vector<const Place*> way;
+    for (; v != kNoIndex; v = parent_[v]) way.push_back(&polygon_[v]);
+    return way_length(way, polygon_[0], polygon_[1]);
   }
 
  private:

@@ -15,7 +15,7 @@ std::vector<std::array<std::uint32_t, 3>> triangles_of(const std::vector<Place>&
 
 /// For every vertex of the chain the length of the shortest path from the bridge from - to that stays in the pocket,
 /// the polygon from, to, and the chain backwards; the pocket lies to the left of from -> to. Which way the paths go is
-/// decided exactly, their lengths are rounded.
+/// decided exactly; their lengths are the nearest doubles.
 std::vector<double> distances_from_bridge(const Place& from, const std::vector<Place>& chain, const Place& to);
 
 }  // namespace dymsum::shape

@@ -56,6 +56,20 @@ N distance(const Place& a, const Place& b, const Place& p) {
   return cross<N>(a, b, a, p) / sqrt(dot<N>(a, b, a, b));
 }
 
+template <class N>
+N length_of(const std::vector<const Place*>& way, const Place& a, const Place& b, bool leaves) {
+  N length = leaves ? distance<N>(a, b, *way.back()) : N(0);
+  for (std::size_t k = 1; k < way.size(); ++k)
+    length = length + sqrt(dot<N>(*way[k - 1], *way[k], *way[k - 1], *way[k]));
+  return length;
+}
+
+/// As far as pairs of doubles tell; normal doubles alone.
+std::optional<double> nearest_normal(const FineInterval& length) {
+  const std::optional<double> near = length.nearest();
+  return near && *near >= std::numeric_limits<double>::min() ? near : std::nullopt;
+}
+
 bool plain(const Place& a, const Place& b, const Place& c, const Place& d) {
   return !a.exact && !b.exact && !c.exact && !d.exact;
 }
@@ -78,9 +92,16 @@ int dot_sign(const Place& a, const Place& b, const Place& c, const Place& d) {
 
 double distance_left(const Place& a, const Place& b, const Place& p) {
   if (turn_sign(a, b, p) <= 0) return 0;
-  const std::optional<double> near = distance<FineInterval>(a, b, p).nearest();
-  if (near && *near >= std::numeric_limits<double>::min()) return *near;
+  if (const std::optional<double> near = nearest_normal(distance<FineInterval>(a, b, p))) return *near;
   return nearest_double(distance<RootExpression>(a, b, p));
+}
+
+// A sum of positive roots of rationals is rational only where each of them is, and RootExpression knows these: of other
+// sums some precision tells the nearest double.
+double way_length(const std::vector<const Place*>& way, const Place& a, const Place& b) {
+  const bool leaves = turn_sign(a, b, *way.back()) > 0;
+  if (const std::optional<double> near = nearest_normal(length_of<FineInterval>(way, a, b, leaves))) return *near;
+  return nearest_double(length_of<RootExpression>(way, a, b, leaves));
 }
 
 Centre centre_of(const Complex& complex, std::uint32_t node) {

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <memory>
+#include <vector>
 
 #include "exact/fine_interval.h"
 #include "shape/complex/complex.h"
@@ -27,6 +28,11 @@ inline int turn_sign(const Place& a, const Place& b, const Place& c) { return cr
 /// How far p lies to the left of the line a -> b: the double nearest to that distance, 0 to the right of it and where a
 /// and b are one point.
 double distance_left(const Place& a, const Place& b, const Place& p);
+
+/// The length of the straight pieces through these places, and of the way from the last one square to the line a -> b
+/// where it lies to the left of that: the double nearest to their sum. So it does not depend on the order in which
+/// pieces are added, nor on how the places are turned by quarter turns or mirrored. Requires: a place.
+double way_length(const std::vector<const Place*>& way, const Place& a, const Place& b);
 
 /// Where the disc about a centre touches a site. The fine centre is that of the exact one, or the whole plane.
 struct Centre {

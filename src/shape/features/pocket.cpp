@@ -49,7 +49,9 @@ Deepest geodesic_minimum(const BoundaryLoops& loops, const Bridge& bridge) {
   Deepest best;
   std::uint32_t v = bridge.pocket->first;
   for (const double distance : far) {
-    if (best.vertex == kNoIndex || distance > best.concavity) best = {v, distance};
+    const bool first = best.vertex == kNoIndex;
+    if (first || distance > best.concavity || (distance == best.concavity && loops.rank[v] < loops.rank[best.vertex]))
+      best = {v, distance};
     v = loops.next(v);
   }
   return best;

@@ -35,11 +35,12 @@ Bridge bridge_at(const Complex& complex, const BoundaryLoops& loops, std::uint32
 
 struct Deepest {
   std::uint32_t vertex = kNoIndex;  ///< of the loops
-  double concavity = 0;             ///< by the straight line: the double nearest to the exact distance
+  double concavity = 0;             ///< the double nearest to the exact distance or length
 };
 
 /// The pocket minimum by a measure. Requires a bridge with a pocket. What is deepest is decided exactly for the
-/// straight line; for shortest paths the lengths are compared in doubles, and only their turns are exact.
+/// straight line; for shortest paths the doubles nearest to the lengths are compared. Of equally deep vertices by a
+/// shortest path it is the one of the least canonical rank.
 Deepest pocket_minimum(const BoundaryLoops& loops, const ChainExtremes& extremes, const Bridge& bridge,
                        const FeatureOptions& options);
 

@@ -64,8 +64,8 @@ Rational twice_area(const Region& region) {
   return sum;
 }
 
-Decomposition cut(const Region& region, const Rational& tau) {
-  return decompose(ShapeFeatures::create(region).value(), {tau, 0, std::nullopt, {}}).value();
+Decomposition cut(const Region& region, const Rational& tau, const FeatureOptions& options = {}) {
+  return decompose(ShapeFeatures::create(region, options).value(), {tau, 0, std::nullopt, {}}).value();
 }
 
 Rational turn(const RationalPoint& a, const RationalPoint& b, const RationalPoint& c) {
@@ -386,9 +386,10 @@ std::vector<std::string> ring_shape(const RationalRing& ring) {
   return least;
 }
 
-std::vector<std::vector<std::vector<std::string>>> piece_shapes(const RegionData& data, const Rational& tau) {
+std::vector<std::vector<std::vector<std::string>>> piece_shapes(const RegionData& data, const Rational& tau,
+                                                                const FeatureOptions& options = {}) {
   std::vector<std::vector<std::vector<std::string>>> shapes;
-  for (const Piece& piece : cut(Region::create(data).value(), tau).pieces) {
+  for (const Piece& piece : cut(Region::create(data).value(), tau, options).pieces) {
     shapes.push_back({ring_shape(piece.outer)});
     for (const RationalRing& hole : piece.holes) shapes.back().push_back(ring_shape(hole));
     std::sort(shapes.back().begin() + 1, shapes.back().end());
@@ -417,12 +418,13 @@ RegionData seen_otherwise(RegionData data, std::size_t start, int quarters, bool
   return data;
 }
 
-void expect_seen_the_same(const RegionData& data, const Rational& tau, std::size_t starts) {
-  const auto expected = piece_shapes(data, tau);
+void expect_seen_the_same(const RegionData& data, const Rational& tau, std::size_t starts,
+                          const FeatureOptions& options = {}) {
+  const auto expected = piece_shapes(data, tau, options);
   for (std::size_t start = 0; start < starts; ++start)
     for (int quarters = 0; quarters < 4; ++quarters)
       for (const bool mirrored : {false, true})
-        ASSERT_EQ(piece_shapes(seen_otherwise(data, start, quarters, mirrored), tau), expected)
+        ASSERT_EQ(piece_shapes(seen_otherwise(data, start, quarters, mirrored), tau, options), expected)
             << "start " << start << ", " << quarters << " quarter turns" << (mirrored ? ", mirrored" : "");
 }
 
@@ -458,6 +460,56 @@ TEST(Decompose, PiecesOfAnyDoublesDoNotDependOnWhereRingsBegin) {
       noisy.push_back({p.x + 1e-9 * double(random() % 1000), p.y + 1e-9 * double(random() % 1000)});
     }
     for (const Ring& copy : {ring, turned, decimal, single, noisy}) expect_seen_the_same({{{copy, {}}}, {}, {}}, 0, 3);
+  }
+}
+
+/// Cells of a small grid, put together until nothing more fits: corridors with many corners, equally deep by many ways.
+Region random_cells(unsigned seed, int size) {
+  std::mt19937 random(seed);
+  for (;;) {
+    std::vector<Region> cells;
+    std::vector<bool> taken(std::size_t(size * size), false);
+    for (int k = 0; k < size * size * 3 / 5; ++k) {
+      const int x = int(random() % unsigned(size)), y = int(random() % unsigned(size));
+      if (taken[std::size_t(y * size + x)]) continue;
+      taken[std::size_t(y * size + x)] = true;
+      RegionData cell;
+      cell.parts.push_back({{{x + 0.0, y + 0.0}, {x + 1.0, y + 0.0}, {x + 1.0, y + 1.0}, {x + 0.0, y + 1.0}}, {}});
+      cells.push_back(Region::create(cell).value());
+    }
+    Region all = union_of(cells).value().rounded().value();
+    if (!all.touching_points().empty()) continue;
+    std::size_t most = 0;
+    for (std::size_t i = 0; i < all.parts().size(); ++i)
+      if (all.parts()[i].outer.size() > all.parts()[most].outer.size()) most = i;
+    return Region::create({{all.parts()[most]}, {}, {}}).value();
+  }
+}
+
+std::vector<FeatureOptions> other_depths() {
+  std::vector<FeatureOptions> all;
+  for (const Concavity concavity : {Concavity::shortest_path, Concavity::hybrid1, Concavity::hybrid2}) {
+    all.emplace_back();
+    all.back().concavity = concavity;
+    all.back().hybrid_tolerance = 2;
+  }
+  return all;
+}
+
+TEST(Decompose, PiecesByShortestPathsDoNotDependOnHowTheRegionIsTurned) {
+  for (const FeatureOptions& options : other_depths()) {
+    SCOPED_TRACE("concavity " + std::to_string(int(options.concavity)));
+    for (unsigned seed = 0; seed < 10; ++seed) {
+      SCOPED_TRACE("seed " + std::to_string(seed));
+      const RegionData cells = random_cells(seed, 5 + int(seed % 4)).data();
+      for (const char* tau : {"0", "1/2", "1"}) expect_seen_the_same(cells, Rational::parse(tau).value(), 2, options);
+      RegionData noisy = cells;
+      std::mt19937 random(seed);
+      for (Part& part : noisy.parts)
+        for (Point& p : part.outer) p = {0.1 * p.x + 1e-3 * double(random() % 2), 0.1 * p.y};
+      if (Region::create(noisy)) expect_seen_the_same(noisy, 0, 2, options);
+      expect_seen_the_same(random_star(seed, 24).data(), 50, 2, options);
+    }
   }
 }
 
