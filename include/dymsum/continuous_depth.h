@@ -18,7 +18,8 @@ class ContinuousTracker;
 
 struct ContinuousDepthOptions {
   /// Normals are averaged over the boundary of the sum within this distance. 0: not at all, which gives the exact
-  /// depth and its jumps. Default: a quarter of the smaller solid's diagonal.
+  /// depth and its jumps. Default: a quarter of the smaller solid's diagonal; beside parts without volume of the
+  /// solid's.
   std::optional<double> smoothing_length;
   /// A branch is left where its depth is more than this times the shortest way out; at least 1.
   double inflation = 2;
@@ -94,16 +95,16 @@ class DepthPatch {
   std::unique_ptr<depth::ContinuousTracker> tracker_;
 };
 
-/// Two solids, of which Q moves and turns. The boundary of P (+) -Q near the place is exact (LocalSum). A point x of it
-/// with h >= 0 and x - h n(x) = t, t being the translation, is a way out: n(x) is the direction of the integral of the
-/// boundary's normals within the smoothing length, weighted by (1 - r^2 / l^2)^2. It is found in doubles, and followed
-/// from one answer to the next. One thread at a time.
-/// Source: Lee, Behar, Lien, Kim 2016 and Behar 2016, section 7.3, with other normals
-/// (docs/design/continuous-depth.md).
+/// Two solids, of which Q moves and turns; one of them may have, or be, points, segments and open surfaces. The
+/// boundary of P (+) -Q near the place is exact (LocalSum; with parts without volume all of it, at every new
+/// orientation). A point x of it with h >= 0 and x - h n(x) = t, t being the translation, is a way out: n(x) is the
+/// direction of the integral of the boundary's normals within the smoothing length, weighted by (1 - r^2 / l^2)^2. It
+/// is found in doubles, and followed from one answer to the next. One thread at a time. Source: Lee, Behar, Lien, Kim
+/// 2016 and Behar 2016, section 7.3, with other normals (docs/design/continuous-depth.md).
 class ContinuousDepth {
  public:
-  /// Errors: no_area for an empty operand; unsupported_operand for thin parts; not_finite and out_of_range for options;
-  /// cancelled.
+  /// Errors: no_area for an empty operand; unsupported_operand where both have parts without volume; not_finite and
+  /// out_of_range for options; cancelled.
   static Result<ContinuousDepth> create(const Mesh& p, const Mesh& q, const ContinuousDepthOptions& options = {});
 
   ContinuousDepth(ContinuousDepth&&) noexcept;

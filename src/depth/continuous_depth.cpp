@@ -12,6 +12,7 @@
 #include "depth/continuous_tracker.h"
 #include "depth/posed_overlap.h"
 #include "depth/touching_pairs.h"
+#include "dymsum/moving_solid_sum.h"
 #include "exact/big.h"
 
 namespace dymsum {
@@ -97,17 +98,74 @@ SpatialSum near_part(const SpatialSum& sum, const ContinuousSurface& s, Vec3 fro
   return part;
 }
 
+/// A quarter of the smaller solid's diagonal: parts without volume may be as small as a point, and the sum with them is
+/// as large as the solid.
+double default_smoothing(const Mesh& p, const Mesh& q) {
+  if (p.has_thin_parts() || q.has_thin_parts()) return 0.25 * diagonal(p.has_thin_parts() ? q : p);
+  return 0.25 * std::min(diagonal(p), diagonal(q));
+}
+
+/// The boundary of P + -Q about a place, for Q turned: a local sum, or, where an operand has parts without volume, the
+/// whole one.
+class BoundaryMaker {
+ public:
+  static Result<BoundaryMaker> create(const Mesh& p, const Mesh& q, const ContinuousDepthOptions& options) {
+    if (p.has_thin_parts() && q.has_thin_parts())
+      return Error{
+          ErrorCode::unsupported_operand, "both operands have parts without volume: depth wants one solid", {}};
+    BoundaryMaker made;
+    if (p.has_thin_parts() || q.has_thin_parts()) {
+      MovingSolidOptions whole;
+      whole.tight = options.tight, whole.threads = options.threads, whole.progress = options.progress;
+      Result<MovingSolidSum> sum = MovingSolidSum::create(p, negated(q), whole);
+      if (!sum) return sum.error();
+      made.whole_ = *std::move(sum);
+      return made;
+    }
+    LocalOptions local;
+    local.tight = options.tight, local.threads = options.threads, local.progress = options.progress;
+    Result<LocalSum> sum = LocalSum::create(p, negated(q), local);
+    if (!sum) return sum.error();
+    made.local_ = *std::move(sum);
+    return made;
+  }
+
+  struct Made {
+    SpatialSum boundary;
+    bool whole = false;
+    bool all_inside = false;  ///< of a part without faces: it lies inside
+  };
+  Result<Made> about(const Point3& at, double reach, const Rotation& turned) {
+    SolidPose pose;
+    pose.rotation = turned;
+    if (whole_) {
+      const Result<SolidFrameWork> moved = whole_->set({}, pose);
+      if (!moved) return moved.error();
+      return Made{whole_->sum(), true, false};
+    }
+    Result<LocalPart> part = local_->in(box_about(at, reach), {}, pose);
+    if (!part) return part.error();
+    LocalPart made = *std::move(part);
+    // Without faces, but with tight features: these are inside.
+    return Made{std::move(made.boundary), false, made.where != LocalPart::Where::outside};
+  }
+
+ private:
+  std::optional<LocalSum> local_;
+  std::optional<MovingSolidSum> whole_;
+};
+
 }  // namespace
 
 class ContinuousDepth::State {
  public:
-  State(const Mesh& p, const Mesh& q, LocalSum local, const ContinuousDepthOptions& options)
+  State(const Mesh& p, const Mesh& q, BoundaryMaker maker, const ContinuousDepthOptions& options)
       : p_(p),
         q_(q),
-        local_(std::move(local)),
+        maker_(std::move(maker)),
         radius_q_(std::sqrt(3.0) * extent(q) / 2),
         extent_(extent(p) + 2 * radius_q_) {
-    smoothing_ = options.smoothing_length.value_or(0.25 * std::min(diagonal(p), diagonal(q)));
+    smoothing_ = options.smoothing_length.value_or(default_smoothing(p, q));
     margin_ = options.margin > 0 ? options.margin : smoothing_ > 0 ? smoothing_ : extent_ / 16;
     ContinuousTracker::Limits limits;
     limits.scale = std::ldexp(1.0, -std::ilogb(smoothing_ > 0 ? smoothing_ : extent_));
@@ -265,29 +323,27 @@ class ContinuousDepth::State {
   }
 
   std::optional<Error> cut(const Point3& at, const Rotation& turned, double reach, ContinuousContact& result) {
-    SolidPose pose;
-    pose.rotation = turned;
     ++result.work.local_sums;
-    Result<LocalPart> part = local_.in(box_about(at, reach), {}, pose);
+    Result<BoundaryMaker::Made> part = maker_.about(at, reach, turned);
     if (!part) return part.error();
+    BoundaryMaker::Made made = *std::move(part);
     const double scale = tracker_.limits().scale;
     auto place = std::make_shared<ContinuousPlace>();
-    place->surface = depth::continuous_surface(part->boundary, scale);
+    place->surface = depth::continuous_surface(made.boundary, scale);
     place->solids = solids_turned(turned);
     place->middle = tracker_.scaled(at);
     const double furthest = std::max({std::abs(at.x), std::abs(at.y), std::abs(at.z)});
     place->size = (furthest + extent_) * scale;
-    place->reach = reach >= furthest + extent_ ? std::numeric_limits<double>::infinity() : reach * scale;
-    // Without faces, but with tight features: these are inside.
-    place->all_inside = part->where == LocalPart::Where::inside || part->where == LocalPart::Where::crossed;
-    place->boundary = std::make_shared<const SpatialSum>(std::move(part->boundary));
+    place->reach = made.whole || reach >= furthest + extent_ ? std::numeric_limits<double>::infinity() : reach * scale;
+    place->all_inside = made.all_inside;
+    place->boundary = std::make_shared<const SpatialSum>(std::move(made.boundary));
     turned_ = turned;
     tracker_.move_to(std::move(place));
     return std::nullopt;
   }
 
   Mesh p_, q_;
-  LocalSum local_;
+  BoundaryMaker maker_;
   depth::WitnessSolids solids_;  // Q at the last orientation that a local sum was made for
   Rotation solids_turned_;
   ContinuousSurface q_surface_;
@@ -310,11 +366,9 @@ class ContinuousDepth::State {
 Result<ContinuousDepth> ContinuousDepth::create(const Mesh& p, const Mesh& q, const ContinuousDepthOptions& options) {
   if (std::optional<Error> error = options_error(options)) return *std::move(error);
   if (p.faces().empty() || q.faces().empty()) return Error{ErrorCode::no_area, "an operand is empty", {}};
-  LocalOptions local;
-  local.tight = options.tight, local.threads = options.threads, local.progress = options.progress;
-  Result<LocalSum> sum = LocalSum::create(p, negated(q), local);
-  if (!sum) return sum.error();
-  auto state = std::make_unique<State>(p, q, *std::move(sum), options);
+  Result<BoundaryMaker> maker = BoundaryMaker::create(p, q, options);
+  if (!maker) return maker.error();
+  auto state = std::make_unique<State>(p, q, *std::move(maker), options);
   if (!state->takes_smoothing())
     return Error{
         ErrorCode::out_of_range, "the smoothing length is not between 2^-30 and 64 times the solids' size", {}};

@@ -406,7 +406,7 @@ TEST(ContinuousDepth, refuses_what_it_cannot_answer) {
   EXPECT_EQ(refused(with([](auto& o) { o.halvings = 21; }), p, p), ErrorCode::out_of_range);
   EXPECT_EQ(refused(with([](auto& o) { o.threads = -1; }), p, p), ErrorCode::out_of_range);
   const Mesh sheet = Mesh::with_thin_parts({{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}, {{0, 1, 2}}}).value();
-  EXPECT_EQ(refused({}, p, sheet), ErrorCode::unsupported_operand);
+  EXPECT_EQ(refused({}, sheet, sheet), ErrorCode::unsupported_operand);
   EXPECT_EQ(refused(with([](auto& o) { o.progress = [](auto, double) { return false; }; }), p, p),
             ErrorCode::cancelled);
 }
