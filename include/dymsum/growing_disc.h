@@ -108,7 +108,8 @@ struct DiscPolygons {
   std::size_t chords = 0;  ///< segments that stand for arcs
   /// `nearest`: stretches of the boundary along which two sides are nearer to each other than positions are known, and
   /// rings as small: what of the set is as thin as that is in the points and polylines of `region`, what is beside it
-  /// is closed, which the error says nothing of.
+  /// is closed, which the error says nothing of. `inside`: more than 0 where what is no wider than twice the error may
+  /// be left out, which the error says nothing of: of a set that vanishes all may be.
   std::size_t collapsed = 0;
 };
 
@@ -146,10 +147,11 @@ std::array<double, 4> bounds(const DiscSet& set);
 
 /// Segments in place of arcs. `inside`: before its vertices are rounded, the polygon lies in the set; `outside`: the
 /// set in the polygon; `nearest`: its vertices lie on the boundary, each rounded to the nearest doubles, and chords on
-/// either side of it. Vertices within at_error of each other are one where rounding makes them cross. Errors:
-/// out_of_range where `error` is not a positive number or below what doubles can keep; rounding_changed_topology where
-/// the polygons cross because of `error` or of rounding (a smaller one may do; where two arcs touch each other in a
-/// cusp, and of parts no wider than rounding, only `nearest` does).
+/// either side of it. Vertices within at_error of each other are one where rounding makes them cross. Where the
+/// polygons on one side cross, as where two arcs touch each other in a cusp, and of parts no wider than rounding, they
+/// are made of the nearest ones by a margin: outside with a square all about them, inside where such a square fits into
+/// them. Errors: out_of_range where `error` is not a positive number or below what doubles can keep;
+/// rounding_changed_topology where `nearest` polygons cross because of `error` (a smaller one may do).
 Result<DiscPolygons> to_region(const DiscSet& set, double error, DiscBound bound = DiscBound::inside);
 
 /// The set as JSON text: every ring with its pieces by name; as a picture over the region it comes from, with true

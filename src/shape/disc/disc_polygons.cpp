@@ -6,6 +6,8 @@
 #include <utility>
 
 #include "dymsum/growing_disc.h"
+#include "dymsum/planar_sum.h"
+#include "dymsum/snap_rounding.h"
 #include "shape/disc/merged_polygons.h"
 
 namespace dymsum {
@@ -101,6 +103,41 @@ RegionData polygons_of(const DiscSet& set, ArcPolygons& polygons) {
   return data;
 }
 
+/// Polygons nearest to a set, as small an error as they need to be a region.
+Result<DiscPolygons> nearest_polygons(const DiscSet& set, double error) {
+  for (;; error /= 16) {
+    Result<DiscPolygons> made = to_region(set, error, DiscBound::nearest);
+    if (made || made.error().code != ErrorCode::rounding_changed_topology) return made;
+  }
+}
+
+Region with_area_alone(const Region& region) { return Region::create({region.parts(), {}, {}}).value(); }
+
+/// Polygons on one side of a set where chords and tangents are no region, by a margin from those nearest to it. What
+/// of one of the two is not in the other lies within the error of both boundaries, or of polylines and points of the
+/// polygons. So with a square of that size all about them they hold the set; and where such a square fits into them
+/// they lie in it.
+Result<DiscPolygons> by_margin(const DiscSet& set, double error, DiscBound bound) {
+  const Result<DiscPolygons> nearest = nearest_polygons(set, error);
+  if (!nearest) return nearest.error();
+  const double margin = nearest->error * (1 + 0x1p-40);
+  const Region square =
+      Region::create({{{{{-margin, -margin}, {margin, -margin}, {margin, margin}, {-margin, margin}}, {}}}, {}, {}})
+          .value();
+  const bool grows = bound == DiscBound::outside;
+  const Result<PlanarSum> sum =
+      grows ? minkowski_sum(nearest->region, square) : erode(with_area_alone(nearest->region), square);
+  if (!sum) return sum.error();
+  const Result<SnapRounded> made = snap_rounded(*sum);
+  if (!made) return made.error();
+  DiscPolygons polygons = *nearest;
+  polygons.region = made->region;
+  polygons.rounded += made->rounding.moved;
+  polygons.error += std::sqrt(2.0) * margin + made->rounding.moved;
+  if (!grows) polygons.collapsed = std::max<std::size_t>(1, polygons.collapsed);
+  return polygons;
+}
+
 }  // namespace
 
 Result<DiscPolygons> to_region(const DiscSet& set, double error, DiscBound bound) {
@@ -134,7 +171,9 @@ Result<DiscPolygons> to_region(const DiscSet& set, double error, DiscBound bound
       return DiscPolygons{*std::move(region), error + merged.moved, rounded + merged.moved, polygons.made(),
                           merged.merged};
   }
-  return changed(*std::move(first));
+  if (bound == DiscBound::nearest || off == 0) return changed(*std::move(first));
+  const Result<DiscPolygons> made = by_margin(set, std::max(error / 4, 2 * rounded), bound);
+  return made ? made : changed(*std::move(first));
 }
 
 }  // namespace dymsum

@@ -13,6 +13,7 @@
 #include "dymsum/shapes.h"
 #include "oracles/random.h"
 #include "oracles/sanitized.h"
+#include "oracles/snapped_shapes.h"
 #include "oracles/tiny_regions.h"
 #include "shape/disc/disc_centres.h"
 #include "shape/disc/disc_oracle.h"
@@ -308,8 +309,8 @@ TEST(DiscDefinition, HardCases) {
 
 TEST(DiscDefinition, StarsCombsAndChannelsAsWideAsTheDisc) {
   Asked asked;
-  std::vector<Region> regions{shapes::star(5, 2, 5),     shapes::star(4, 1, 3),     shapes::comb(4, 2, 1, 3),
-                              shapes::gear(6, 4, 5),     shapes::grate(3, 2, 1, 4), shapes::pockets(3, 1),
+  std::vector<Region> regions{snapped::star(5, 2, 5),    snapped::star(4, 1, 3),    shapes::comb(4, 2, 1, 3),
+                              snapped::gear(6, 4, 5),    shapes::grate(3, 2, 1, 4), snapped::pockets(3, 1),
                               shapes::letter_u(5, 4, 1), shapes::letter_l(4, 3, 1)};
   for (const Region& region : regions) {
     expect_all_sets(region, 7, asked, 8);

@@ -10,6 +10,7 @@
 #include "dymsum/shapes.h"
 #include "oracles/random.h"
 #include "oracles/sanitized.h"
+#include "oracles/snapped_shapes.h"
 #include "oracles/tiny_regions.h"
 #include "shape/disc/disc_oracle.h"
 
@@ -33,7 +34,7 @@ double length_of(const Region& region) { return perimeter(*GrowingDisc(region).s
 
 TEST(DiscLaws, SteinersFormulaHoldsForConvexRegions) {
   for (const Region& region :
-       {shapes::rectangle(0, 0, 3, 2), shapes::disc(7, 2), region_of("POLYGON((0 0,9 1,2 1,0 0))")})
+       {shapes::rectangle(0, 0, 3, 2), snapped::disc(7, 2), region_of("POLYGON((0 0,9 1,2 1,0 0))")})
     for (const char* r : {"1/1000", "1/3", "5", "1000"}) {
       const double radius = rational(r).to_double();
       const DiscSet set = *GrowingDisc(region).sum_at(rational(r));
@@ -124,12 +125,12 @@ TEST(DiscLaws, ASquareOpenedByItsIncircleIsThatCircle) {
 }
 
 TEST(DiscLaws, PolygonalDiscsBoundTheSumFromBothSides) {
-  for (const Region& region : {shapes::star(5, 2, 5), shapes::grate(3, 2, 1, 4), shapes::random_polygon(24, 1, 3)})
+  for (const Region& region : {snapped::star(5, 2, 5), shapes::grate(3, 2, 1, 4), shapes::random_polygon(24, 1, 3)})
     for (const double r : {0.1, 0.4, 1.3}) {
       const GrowingDisc disc(region);
       constexpr int kSides = 64;
-      const Region inner = shapes::disc(kSides, r * (1 - 1e-12)),
-                   outer = shapes::disc(kSides, r / std::cos(kTurn / kSides) * (1 + 1e-12));
+      const Region inner = snapped::disc(kSides, r * (1 - 1e-12)),
+                   outer = snapped::disc(kSides, r / std::cos(kTurn / kSides) * (1 + 1e-12));
       const DiscSet sum = *disc.sum_at(*Rational::of(r)), eroded = *disc.eroded_at(*Rational::of(r));
       const double a = area(sum).value, e = area(eroded).value;
       EXPECT_LT(minkowski_sum(region, inner)->area(), a);
@@ -140,7 +141,7 @@ TEST(DiscLaws, PolygonalDiscsBoundTheSumFromBothSides) {
 }
 
 TEST(DiscLaws, PolygonsOfASetKeepTheirSideAndTheirError) {
-  const Region region = shapes::star(7, 2, 5);
+  const Region region = snapped::star(7, 2, 5);
   const GrowingDisc disc(region);
   for (const auto& made : {disc.sum_at(rational("1/2")), disc.eroded_at(rational("1/2")),
                            disc.opened_at(rational("0.7")), disc.closed_at(rational("0.7"))}) {
@@ -286,7 +287,7 @@ std::string names(const DiscSet& set) {
 }
 
 TEST(DiscLaws, NamesDoNotChangeWithPlaceAndScale) {
-  const Region region = shapes::star(9, 2, 5);
+  const Region region = snapped::star(9, 2, 5);
   const Region scaled = *dymsum::scaled(region, 0x1p40, 0x1p40);
   for (const char* r : {"1/5", "1", "2"}) {
     const std::string here = names(*GrowingDisc(region).sum_at(rational(r)));
@@ -358,6 +359,31 @@ Ring hull_of(std::vector<Point> points) {
   return hull;
 }
 
+/// Polygons on either side are there, and their boxes lie as they say.
+void expect_between(const DiscSet& set, double error) {
+  const Result<DiscPolygons> in = to_region(set, error, DiscBound::inside),
+                             out = to_region(set, error, DiscBound::outside);
+  ASSERT_TRUE(in) << in.error().to_string();
+  ASSERT_TRUE(out) << out.error().to_string();
+  const std::array<double, 4> around = bounds(out->region), inner = bounds(in->region), wanted = bounds(set);
+  for (std::size_t i = 0; i < 4; ++i) {
+    const double sense = i < 2 ? -1 : 1;
+    EXPECT_GE(sense * around[i] + out->rounded + set.at_error, sense * wanted[i]) << i;
+    EXPECT_NEAR(around[i], wanted[i], out->error + set.at_error) << i;
+    if (!in->region.empty()) {
+      EXPECT_LE(sense * inner[i] - in->rounded - set.at_error, sense * wanted[i]) << i;
+    }
+  }
+  for (std::size_t i = 0; i < 4 && in->collapsed == 0 && !in->region.empty(); ++i) {
+    EXPECT_NEAR(inner[i], wanted[i], in->error + set.at_error) << i;
+  }
+  if (in->collapsed == 0) return;
+  // One within the other.
+  const Region origin = Region::create({{}, {}, {{0, 0}}}).value();
+  for (const Part& part : in->region.parts())
+    for (const Point& v : part.outer) EXPECT_TRUE(contains(out->region, origin, v)) << v.x << " " << v.y;
+}
+
 TEST(DiscLaws, NoErosionOfAConvexShapeIsTooSmallForPolygons) {
   oracles::Random random(77);
   std::size_t collapsed = 0, sets = 0;
@@ -387,6 +413,7 @@ TEST(DiscLaws, NoErosionOfAConvexShapeIsTooSmallForPolygons) {
         // What is left stays where it was.
         const std::array<double, 4> box = bounds(made->region), wanted = bounds(set);
         for (std::size_t i = 0; i < 4 && !made->region.empty(); ++i) EXPECT_NEAR(box[i], wanted[i], made->error);
+        expect_between(set, error);
         collapsed += made->collapsed, ++sets;
       }
   }
