@@ -69,9 +69,18 @@ Result<void> check_writable(const std::string& path);
 /// The file that write_file replaces: the path itself, or where symbolic links lead from it in the end.
 std::string written_path(const std::string& path);
 
+/// What a picture calls operands and result.
+struct SumNames {
+  std::string p = "P", q = "Q", sum = "P ⊕ Q";
+};
+
 /// Pictures (SVG text). `draw_sum` shows P, Q and the sum with tight features; `draw_trace` the stages side by side.
+/// The sum is drawn as `rounded`, and the picture is read as that region; without it that is the region of
+/// snap_rounded().
 std::string draw_region(const Region& region);
-std::string draw_sum(const Region& p, const Region& q, const PlanarSum& sum);
+std::string draw_sum(const Region& p, const Region& q, const PlanarSum& sum, const SumNames& names = {});
+std::string draw_sum(const Region& p, const Region& q, const PlanarSum& sum, const Region& rounded,
+                     const SumNames& names = {});
 /// A set alone, and parts of it in which solids only touch (SolidSlice::touching).
 std::string draw_section(const PlanarSum& sum, const std::vector<SumPart>& touching = {});
 std::string draw_trace(const Region& p, const Region& q, const PlanarSum& sum);

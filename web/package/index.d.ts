@@ -964,19 +964,19 @@ export interface Live {
   readonly GrowingDisc: { create(region: Region): GrowingDisc };
   readonly ShapeFeatures: { create(region: Region, options?: FeatureOptions): ShapeFeatures };
 
-  /** Regions to start with, as in C++ (shapes.h). */
+  /** Regions to start with, as in C++ (shapes.h); `snap`, a power of two, rounds coordinates to its nearest multiples. */
   readonly shapes: {
     rectangle(x0: number, y0: number, x1: number, y1: number): Region;
-    disc(vertices: number, radius: number): Region;
-    gear(teeth: number, inner: number, outer: number): Region;
+    disc(vertices: number, radius: number, snap?: number): Region;
+    gear(teeth: number, inner: number, outer: number, snap?: number): Region;
     grate(bars: number, pitch: number, bar: number, length: number): Region;
     comb(teeth: number, pitch: number, tooth: number, length: number): Region;
-    star(points: number, inner: number, outer: number): Region;
+    star(points: number, inner: number, outer: number, snap?: number): Region;
     noisyStar(vertices: number, noise: number, seed: number): Region;
-    spiral(turns: number, verticesPerTurn: number, pitch: number, width: number): Region;
+    spiral(turns: number, verticesPerTurn: number, pitch: number, width: number, snap?: number): Region;
     letterU(width: number, height: number, thickness: number): Region;
     letterL(width: number, height: number, thickness: number): Region;
-    pockets(holes: number, size: number): Region;
+    pockets(holes: number, size: number, snap?: number): Region;
     randomPolygon(vertices: number, holes: number, seed: number): Region;
   };
   /**
@@ -1000,7 +1000,7 @@ export interface Live {
 
   /** SVG pictures, as the command line draws them. */
   drawRegion(region: Region): string;
-  drawSum(p: Region, q: Region, sum: PlanarSum): string;
+  drawSum(p: Region, q: Region, sum: PlanarSum, names?: { p?: string; q?: string; sum?: string }): string;
   drawTrace(p: Region, q: Region, sum: PlanarSum): string;
 
   /** Bytes of the module's memory now: it grows and never shrinks. */

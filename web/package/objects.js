@@ -12,9 +12,8 @@ const functions = [
   'drawRegion', 'drawSum', 'drawTrace', 'sumOfRegions', 'sumOfMeshes', 'regionContains', 'meshContains', 'plan', 'directPlan',
   'erodeMeshes', 'opening', 'closing', 'offset', 'scaleRangeOfMeshes', 'fitRangeOfMeshes',
 ];
-const shapes = [
-  'rectangle', 'disc', 'gear', 'grate', 'comb', 'star', 'noisyStar', 'spiral', 'letterU', 'letterL', 'pockets', 'randomPolygon',
-];
+const shapes = ['rectangle', 'grate', 'comb', 'noisyStar', 'letterU', 'letterL', 'randomPolygon'];
+const roundShapes = ['disc', 'gear', 'star', 'spiral', 'pockets'];
 const solids = [
   'box', 'prism', 'tessellatedCube', 'cone', 'cylinder', 'dipyramid', 'pyramid', 'geodesicSphere', 'ellipsoid',
   'triakisIcosahedron', 'truncatedIcosidodecahedron', 'rod',
@@ -51,11 +50,11 @@ function bindClasses(instance) {
 
 const among = (instance, names) => Object.fromEntries(names.map((name) => [name, throwing(instance[name], name)]));
 
-/** Generators of solids: their last argument, `snap`, may be left out. */
-function solidsOf(instance) {
-  const made = among(instance, solids);
+/** Generators whose last argument, `snap`, may be left out. */
+function snapping(instance, names) {
+  const made = among(instance, names);
   const padded = (name) => (...given) => made[name](...given, ...(given.length === instance[name].argCount - 1 ? [0] : []));
-  return Object.fromEntries(solids.map((name) => [name, padded(name)]));
+  return Object.fromEntries(names.map((name) => [name, padded(name)]));
 }
 
 /** What is one object here and two in the module. */
@@ -84,6 +83,7 @@ function joined(made, calls) {
   };
   return {
     unionOf,
+    drawSum: (p, q, sum, names) => calls.drawSum(p, q, sum, names),
     minkowskiSum: either(calls.sumOfRegions, calls.sumOfMeshes),
     contains: either(calls.regionContains, calls.meshContains),
     erode: either(calls.erode, calls.erodeMeshes),
@@ -102,7 +102,7 @@ export function objectsOf(instance) {
     ...made,
     ...calls,
     ...both,
-    shapes: among(instance, shapes),
-    solids: solidsOf(instance),
+    shapes: { ...among(instance, shapes), ...snapping(instance, roundShapes) },
+    solids: snapping(instance, solids),
   };
 }

@@ -156,7 +156,12 @@ val sizes(const Region& p, const Region& q) {
   v.set("reduced", static_cast<double>(counts.reduced));
   return v;
 }
-std::string drawn_sum(const Region& p, const Region& q, const PlanarSum& sum) { return draw_sum(p, q, sum); }
+std::string drawn_sum(const Region& p, const Region& q, const PlanarSum& sum, const val& given) {
+  const SumNames usual;
+  return draw_sum(
+      p, q, sum,
+      SumNames{member_or(given, "p", usual.p), member_or(given, "q", usual.q), member_or(given, "sum", usual.sum)});
+}
 std::string drawn_trace(const Region& p, const Region& q, const PlanarSum& sum) { return draw_trace(p, q, sum); }
 
 double vertex_count(const PlanarSum& sum) { return static_cast<double>(sum.vertex_count()); }

@@ -11,7 +11,7 @@ namespace dymsum {
 std::string draw_section(const PlanarSum& sum, const std::vector<SumPart>& touching) {
   using namespace io;
   constexpr double kSide = 760, kMargin = 28, kLegend = 60;
-  const RegionData result = rounded_data(sum);
+  const RegionData result = readable_data(sum);
   PlanarSum only_touching = sum;
   only_touching.parts = touching;
   only_touching.segments.clear();

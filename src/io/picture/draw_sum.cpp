@@ -7,11 +7,12 @@
 #include "io/picture/picture.h"
 
 namespace dymsum {
+namespace {
 
-std::string draw_sum(const Region& p, const Region& q, const PlanarSum& sum) {
+std::string drawn(const Region& p, const Region& q, const PlanarSum& sum, const RegionData& result,
+                  const SumNames& names) {
   using namespace io;
   constexpr double kMargin = 28, kGap = 48, kTitle = 46, kLegend = 44, kWidth = 1240, kHeight = 860;
-  const RegionData result = rounded_data(sum);
   Extent box_p, box_q, box_sum;
   box_p.add(p.data());
   box_q.add(q.data());
@@ -34,29 +35,40 @@ std::string draw_sum(const Region& p, const Region& q, const PlanarSum& sum) {
   const double width = x_sum + std::max(scale * box_sum.width(), 300.0) + kMargin;
 
   Picture picture(width, inner + 2 * kMargin + kLegend, "sum");
-  picture.text(kMargin, kMargin + 16, 19, palette::kPEdge, "P", true);
+  picture.text(kMargin, kMargin + 16, 19, palette::kPEdge, names.p, true);
   picture.text(kMargin, kMargin + 34, 13, palette::kQuiet, describe(p.data()));
   const double bottom_p = kMargin + kTitle + height_p;
   draw_plain(picture, p.data(), place(box_p, scale, kMargin, bottom_p), palette::kP, palette::kPEdge);
 
   const double top_q = bottom_p + kGap / 2;
-  picture.text(kMargin, top_q + 16, 19, palette::kQEdge, "Q", true);
+  picture.text(kMargin, top_q + 16, 19, palette::kQEdge, names.q, true);
   picture.text(kMargin, top_q + 34, 13, palette::kQuiet, describe(q.data()));
   draw_plain(picture, q.data(), place(box_q, scale, kMargin, top_q + kTitle + height_q), palette::kQ, palette::kQEdge);
 
-  picture.text(x_sum, kMargin + 16, 19, palette::kSumEdge, "P ⊕ Q", true);
+  picture.text(x_sum, kMargin + 16, 19, palette::kSumEdge, names.sum, true);
   picture.text(x_sum, kMargin + 34, 13, palette::kQuiet, describe(result));
   const Placement placement = place(box_sum, scale, x_sum, kMargin + kTitle + height_sum);
   draw_marked(picture, result, placement, palette::kSum, palette::kSumEdge);
   draw_tight(picture, sum, placement);
 
   const double y_legend = inner + 2 * kMargin + 12;
-  picture.swatch(kMargin, y_legend, palette::kP, palette::kPEdge, "P");
-  picture.swatch(kMargin + 70, y_legend, palette::kQ, palette::kQEdge, "Q");
-  picture.swatch(kMargin + 140, y_legend, palette::kSum, palette::kSumEdge, "P ⊕ Q");
+  picture.swatch(kMargin, y_legend, palette::kP, palette::kPEdge, names.p);
+  picture.swatch(kMargin + 70, y_legend, palette::kQ, palette::kQEdge, names.q);
+  picture.swatch(kMargin + 140, y_legend, palette::kSum, palette::kSumEdge, names.sum);
   const std::string tight = describe_tight(sum);
   if (!tight.empty()) picture.swatch(kMargin + 250, y_legend, palette::kTight, palette::kTight, tight);
   return std::move(picture).finish();
+}
+
+}  // namespace
+
+std::string draw_sum(const Region& p, const Region& q, const PlanarSum& sum, const SumNames& names) {
+  return drawn(p, q, sum, io::readable_data(sum), names);
+}
+
+std::string draw_sum(const Region& p, const Region& q, const PlanarSum& sum, const Region& rounded,
+                     const SumNames& names) {
+  return drawn(p, q, sum, rounded.data(), names);
 }
 
 }  // namespace dymsum

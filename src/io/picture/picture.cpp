@@ -4,6 +4,7 @@
 #include <cmath>
 #include <utility>
 
+#include "dymsum/snap_rounding.h"
 #include "io/number_text.h"
 #include "planar/position/nearest_point.h"
 
@@ -260,6 +261,12 @@ RegionData rounded_data(const PlanarSum& sum) {
   for (const SumSegment& segment : sum.segments) data.polylines.push_back({nearest(segment.from), nearest(segment.to)});
   for (const SumVertex& point : sum.points) data.points.push_back(nearest(point));
   return data;
+}
+
+RegionData readable_data(const PlanarSum& sum) {
+  if (!exact_source(sum)) return {};
+  const Result<SnapRounded> snapped = snap_rounded(sum);
+  return snapped ? snapped->region.data() : rounded_data(sum);
 }
 
 void draw_tight(Picture& picture, const PlanarSum& sum, const Placement& placement) {

@@ -113,6 +113,8 @@ void draw_marked(Picture& picture, const RegionData& data, const Placement& plac
 
 /// A sum's rings as plain lists, every vertex the nearest double; its lower-dimensional pieces as polylines and points.
 RegionData rounded_data(const PlanarSum& sum);
+/// The same where that is a region; else the region of snap_rounded().
+RegionData readable_data(const PlanarSum& sum);
 
 /// Tight features, drawn to be seen: red lines and dots on a white rim.
 void draw_tight(Picture& picture, const PlanarSum& sum, const Placement& placement);

@@ -64,7 +64,7 @@ export const nestingServices = {
   },
   nfpFile: (host: Host, { format, ...pair }: Pair & { format: 'svg' | 'json' | 'wkt' }): string => {
     const sum = nfp(host, pair);
-    if (format === 'svg') return host.dymsum.drawSum(host.region(pair.a), host.region(pair.b), sum);
+    if (format === 'svg') return host.dymsum.drawSum(host.region(pair.a), host.region(pair.b), sum, { p: 'A', q: 'B', sum: 'A ⊕ −B' });
     return format === 'json' ? sum.toJson() : sum.format(format);
   },
 };

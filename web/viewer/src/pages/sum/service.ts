@@ -116,7 +116,8 @@ function file(host: Host, a: SumArgs, format: SumFormat): string {
   return withSum(host, a, (sum) => {
     if (format === 'json') return sum.toJson();
     if (format !== 'svg') return sum.format(format);
-    return withPlaced(host, a, 'p', (p) => withPlaced(host, a, 'q', (q) => host.dymsum.drawSum(p, q, sum)));
+    const names = { sum: a.shown === 'sum' ? 'P ⊕ Q' : a.shown === 'hits' ? 'P ⊕ −Q' : 'P ⊖ Q' };
+    return withPlaced(host, a, 'p', (p) => withPlaced(host, a, 'q', (q) => host.dymsum.drawSum(p, q, sum, names)));
   });
 }
 
