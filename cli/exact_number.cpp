@@ -25,6 +25,19 @@ std::optional<Rational> exact_number(const std::string& text) {
   return fraction ? std::optional(*fraction) : std::nullopt;
 }
 
+std::optional<double> double_number(const std::string& text) {
+  const std::optional<Rational> number = exact_number(text);
+  return number && is_a_double(*number) ? std::optional(number->to_double()) : std::nullopt;
+}
+
+std::string no_double_in(const std::string& text) {
+  for (const std::string& word : words_of(text)) {
+    const std::optional<Rational> number = exact_number(word);
+    if (number && !is_a_double(*number)) return "; " + word + " is no double";
+  }
+  return "";
+}
+
 std::optional<std::vector<Rational>> exact_numbers(const std::string& text, std::size_t count) {
   std::vector<Rational> numbers;
   for (const std::string& word : words_of(text)) {

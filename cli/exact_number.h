@@ -24,6 +24,12 @@ std::optional<RationalPoint3> exact_place_in_space(const std::string& text);
 bool is_of_doubles(const RationalPoint& place);
 bool is_of_doubles(const RationalPoint3& place);
 
+/// The double that a number is: the nearest one to a decimal number, and a fraction that one is, as 1/4. Nothing for
+/// other text, and for other fractions, as 1/3.
+std::optional<double> double_number(const std::string& text);
+/// "; 1/3 is no double" where a word between commas or blanks is a fraction that no double is; else nothing.
+std::string no_double_in(const std::string& text);
+
 /// As it was asked: a double, or the fraction that no double is.
 void print_exact(std::ostream& out, const Rational& value);
 

@@ -14,6 +14,7 @@
 #include "dymsum/version.h"
 #include "exit_code.h"
 #include "json_report.h"
+#include "memory_limit.h"
 #include "progress_bar.h"
 #include "suggestion.h"
 #include "verbs/commands.h"
@@ -180,8 +181,19 @@ std::vector<char*> as_option_help(std::vector<char*> words) {
   return words;
 }
 
+/// Where memory did not suffice: with the limit that was reached, if one was.
+Stop with_memory_limit(const Stop& stop) {
+  const std::string reached = memory_limit_reached(), message = stop.what();
+  if (reached.empty() || message.find("memory") == std::string::npos || message.find("limit") != std::string::npos)
+    return stop;
+  if (!stop.error()) return {stop.code(), message + ": " + reached};
+  return {stop.code(), message + ": " + reached, *stop.error()};
+}
+
 /// Tells on standard error why the command ended, and with --json as an object on standard output.
-ExitCode tell(const Stop& stop, int argc, char** argv) {
+ExitCode tell(const Stop& ended, int argc, char** argv) {
+  lift_memory_limit();
+  const Stop stop = with_memory_limit(ended);
   if (wants_json(argc, argv)) print_report(failure_json(verb_of(argc, argv), stop));
   std::cout.flush();
   std::cerr << (stop.code() == kBadInput ? "" : "dymsum: ") << stop.what() << "\n";
@@ -203,8 +215,10 @@ int main(int count, char** given) {
   } catch (const Stop& stop) {
     return tell(stop, argc, argv);
   } catch (const std::bad_alloc&) {
-    return tell(Stop(kBadInput, "out of memory in `dymsum " + verb_of(argc, argv) +
-                                    "`: the inputs, or what comes of them, are too large"),
+    const std::string what = "out of memory in `dymsum " + verb_of(argc, argv) + "`";
+    const bool limited = !memory_limit_reached().empty();
+    return tell(Stop(kBadInput, limited ? what : what + ": the inputs, or what comes of them, are too large",
+                     dymsum::Error{dymsum::ErrorCode::out_of_memory, what, {}}),
                 argc, argv);
   } catch (const std::exception& error) {
     return tell(Stop(kDefect, std::string("this is a defect of dymsum: ") + error.what()), argc, argv);

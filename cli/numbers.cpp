@@ -7,6 +7,7 @@
 #include <sstream>
 
 #include "dymsum/orientation.h"
+#include "exact_number.h"
 #include "exit_code.h"
 
 namespace dymsum::cli {
@@ -41,8 +42,9 @@ std::vector<double> numbers_of(const std::string& text, std::size_t count, const
   std::vector<double> numbers;
   const std::vector<std::string> words = split(text, ',');
   for (const std::string& word : words)
-    if (const std::optional<double> number = finite_number(word)) numbers.push_back(*number);
-  if (numbers.size() != count || words.size() != count) throw Stop(kUsage, what + ", not '" + text + "'");
+    if (const std::optional<double> number = double_number(word)) numbers.push_back(*number);
+  if (numbers.size() != count || words.size() != count)
+    throw Stop(kUsage, what + ", not '" + text + "'" + no_double_in(text));
   return numbers;
 }
 

@@ -21,7 +21,7 @@ double length_of(double x, double y, double z);
 /// The text between separators; one more piece than separators.
 std::vector<std::string> split(const std::string& text, char separator);
 
-/// So many numbers with commas between, all finite; wrong usage that says `what` else.
+/// So many doubles with commas between, also as fractions that doubles are; wrong usage that says `what` else.
 std::vector<double> numbers_of(const std::string& text, std::size_t count, const std::string& what);
 
 /// An angle as it was given: every angle of the command line is a number of radians, taken as the double it is, or of

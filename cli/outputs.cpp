@@ -15,13 +15,6 @@ const Region& RoundedSum::region() {
   return *region_;
 }
 
-void RoundedSum::warn_of_picture(const std::string& file) {
-  if (region_ && !rounding_) return;
-  Result<Region> region = sum_.rounded();
-  if (region) region_ = std::move(region).value();
-  else std::cerr << file << ": a picture that cannot be read as a region: " << region.error().to_string() << "\n";
-}
-
 Region RoundedSum::snapped() {
   SnapRounded made = require(snap_rounded(sum_));
   if (!made.rounding.nearest) {
@@ -75,7 +68,7 @@ void write_text(const std::string& file, const std::string& text) {
   require(write_file(file, text));
 }
 
-std::optional<Rounding> write_sum(const Region& p, const Region& q, const PlanarSum& sum,
+std::optional<Rounding> write_sum(const Region& p, const Region& q, const PlanarSum& sum, const SumNames& names,
                                   const OutputOptions& options) {
   RoundedSum rounded(sum, options.round_repair);
   std::vector<std::string> texts;
@@ -84,8 +77,7 @@ std::optional<Rounding> write_sum(const Region& p, const Region& q, const Planar
     if (is_stage_picture(file)) {
       texts.push_back(draw_trace(p, q, sum));
     } else if (format == RegionFormat::svg) {
-      texts.push_back(draw_sum(p, q, sum));
-      rounded.warn_of_picture(file);
+      texts.push_back(draw_sum(p, q, sum, rounded.region(), names));
     } else if (format == RegionFormat::json) {
       texts.push_back(sum_to_json(sum));
     } else {

@@ -28,8 +28,6 @@ class RoundedSum {
   RoundedSum(const PlanarSum& sum, bool with_repair) : sum_(sum), with_repair_(with_repair) {}
 
   const Region& region();
-  /// Pictures are drawn whatever rounding does, but then they cannot be read as regions.
-  void warn_of_picture(const std::string& file);
   /// What rounding did, where region() was asked for and is neither the nearest doubles nor a repair.
   const std::optional<Rounding>& rounding() const { return rounding_; }
 
@@ -56,10 +54,11 @@ void check_outputs(const OutputOptions& options);
 /// Whether an output holds the rounded result: not the exact one, and no picture.
 bool writes_rounded(const OutputOptions& options);
 
-/// Every output of a sum: the exact sum for .json, pictures for .svg, the rounded set otherwise. Nothing is written
-/// before everything is ready; every file is replaced as a whole. Returns what rounding did where it was asked for and
-/// is no repair.
-std::optional<Rounding> write_sum(const Region& p, const Region& q, const PlanarSum& sum, const OutputOptions& options);
+/// Every output of a sum: the exact sum for .json, the rounded set otherwise, in pictures beside its operands. Nothing
+/// is written before everything is ready; every file is replaced as a whole. Returns what rounding did where it was
+/// asked for and is no repair.
+std::optional<Rounding> write_sum(const Region& p, const Region& q, const PlanarSum& sum, const SumNames& names,
+                                  const OutputOptions& options);
 
 void write_text(const std::string& file, const std::string& text);
 /// What tells the format of an output: the file's name, or --to for "-".

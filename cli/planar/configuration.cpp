@@ -18,13 +18,6 @@ std::string fault_of(const std::optional<QueryLine>& q) {
 
 }  // namespace
 
-Configuration read_configuration(const std::string& text, const char* option) {
-  const std::optional<QueryLine> q = query_in(text);
-  if (const std::string fault = fault_of(q); !fault.empty())
-    throw Stop(kUsage, std::string(option) + " " + fault + ", not '" + text + "'");
-  return {q->x, q->y, q->theta->radians()};
-}
-
 PlacedRobot read_placed_robot(const std::string& text, const char* option) {
   const std::optional<QueryLine> q = query_in(text, Fractions::taken);
   if (const std::string fault = fault_of(q); !fault.empty())

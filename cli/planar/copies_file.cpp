@@ -3,8 +3,8 @@
 #include <optional>
 #include <sstream>
 
+#include "exact_number.h"
 #include "line_file.h"
-#include "numbers.h"
 
 namespace dymsum::cli {
 
@@ -15,9 +15,11 @@ std::vector<ScaledCopy> read_copies(const std::string& file) {
     std::istringstream words(text);
     std::string scale, x, y, more;
     const bool three = static_cast<bool>(words >> scale >> x >> y) && !(words >> more);
-    const std::optional<double> at_x = finite_number(x), at_y = finite_number(y);
+    const std::optional<double> at_x = double_number(x), at_y = double_number(y);
     if (!three || !at_x || !at_y)
-      refuse_line({ErrorCode::malformed, "a copy is a line with a scale and two coordinates", {}}, file, line);
+      refuse_line(
+          {ErrorCode::malformed, "a copy is a line with a scale and two coordinates" + no_double_in(x + " " + y), {}},
+          file, line);
     Result<Scale> s = Scale::parse(scale);
     if (!s) refuse_line(s.error(), file, line);
     copies.push_back({std::move(s).value(), {*at_x, *at_y}});

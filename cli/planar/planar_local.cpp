@@ -8,6 +8,7 @@
 #include "planar/tier.h"
 #include "progress_bar.h"
 #include "report.h"
+#include "solid/solid_limits.h"
 #include "timing.h"
 
 namespace dymsum::cli {
@@ -91,6 +92,7 @@ PlanarLocalPart compute(const PlanarLocal& local, const PlanarPlace& place, cons
                         const PlanarPose& pose, const Progress& progress) {
   PlanarLocalOptions options;
   options.engine = local.engine, options.progress = progress;
+  options.memory = memory_bytes(local.memory_mb);
   PlanarLocalSum sum = require_of(inputs, PlanarLocalSum::create(inputs[0].region, inputs[1].region, options));
   return require_of(inputs, place.disc ? sum.in(*place.disc, pose) : sum.in(place.box, pose));
 }

@@ -16,7 +16,8 @@ struct PlanarLocal {
   std::string to = "json";
   LocalEngine engine = LocalEngine::updated;
   std::string engine_name;
-  AngleOptions angle;  ///< that P turns by
+  AngleOptions angle;    ///< that P turns by
+  double memory_mb = 0;  ///< 0: no limit
   ReportOptions report;
   InputOptions input;
 };

@@ -5,6 +5,7 @@
 
 #include "dymsum/rotating_sum.h"
 #include "planar/planar_motion.h"
+#include "solid/solid_limits.h"
 
 namespace dymsum::cli {
 namespace {
@@ -24,6 +25,7 @@ RotatingSum rotating_sum(const PlanarTurn& turn, const std::vector<Input>& input
                       : turn.semantics == "regular" ? Semantics::regular
                                                     : Semantics::closed;
   options.mode = mode;
+  options.memory = memory_bytes(turn.memory_mb);
   options.threads = static_cast<int>(turn.threads);
   return require_of(inputs, RotatingSum::create(inputs[0].region, inputs[1].region, options));
 }

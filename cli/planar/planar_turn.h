@@ -15,6 +15,7 @@ struct PlanarTurn {
   double error = 1e-6;        ///< in radians: the simplest exact orientation within it is taken
   std::string semantics = "closed";
   std::size_t threads = 1;
+  double memory_mb = 0;  ///< 0: no limit
   ReportOptions report;
   InputOptions input;
 };

@@ -6,6 +6,7 @@
 #include <sstream>
 
 #include "dymsum/continuous_depth.h"
+#include "exact_number.h"
 #include "line_file.h"
 #include "numbers.h"
 #include "outputs.h"
@@ -28,9 +29,10 @@ TrackPose pose_in(const std::string& text, const std::string& file, std::int64_t
   std::vector<double> v;
   const std::vector<std::string> words = words_of(text);
   for (const std::string& word : words)
-    if (const std::optional<double> number = finite_number(word)) v.push_back(*number);
+    if (const std::optional<double> number = double_number(word)) v.push_back(*number);
   if (v.size() != words.size() || (v.size() != 3 && v.size() != 7))
-    refuse_line({ErrorCode::malformed, "a pose is x,y,z, or x,y,z and a quaternion w,x,y,z", {}}, file, line);
+    refuse_line({ErrorCode::malformed, "a pose is x,y,z, or x,y,z and a quaternion w,x,y,z" + no_double_in(text), {}},
+                file, line);
   TrackPose pose{{v[0], v[1], v[2]}, {}};
   if (v.size() == 3) return pose;
   const Result<Rotation> turned = Rotation::nearest(v[3], v[4], v[5], v[6]);

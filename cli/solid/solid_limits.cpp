@@ -16,8 +16,9 @@ constexpr double kManyFacets = 20000;
 }  // namespace
 
 void add_memory_option(CLI::App& verb, double& megabytes, OperandKind kind) {
-  const std::string of = kind == OperandKind::solid ? "Stop" : "Solids: stop",
-                    what = of + " with an error before more than MB megabytes are held beside operands and result";
+  const std::string what = "Stop with an error before more than MB megabytes are held" +
+                           std::string(kind == OperandKind::solid ? " beside operands and result"
+                                                                  : "; of solids beside operands and result");
   within(verb.add_option("--memory", megabytes, what), 1, 1e9)->type_name("MB");
 }
 

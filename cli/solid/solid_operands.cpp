@@ -55,11 +55,7 @@ std::vector<SolidInput> read_convex_solids(const std::vector<std::string>& files
 }
 
 Point3 parse_point(const std::string& text, const std::string& option) {
-  std::vector<double> c;
-  for (const std::string& word : split(text, ','))
-    if (const std::optional<double> number = finite_number(word)) c.push_back(*number);
-  if (c.size() != 3 || split(text, ',').size() != 3)
-    throw Stop(kUsage, option + " wants three numbers, X,Y,Z, not '" + text + "'");
+  const std::vector<double> c = numbers_of(text, 3, option + " wants three numbers, X,Y,Z");
   return {c[0], c[1], c[2]};
 }
 

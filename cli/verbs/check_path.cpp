@@ -2,8 +2,11 @@
 
 #include <algorithm>
 #include <numbers>
+#include <optional>
+#include <span>
 #include <sstream>
 
+#include "exact_number.h"
 #include "inputs.h"
 #include "line_file.h"
 #include "planar/contact.h"
@@ -16,14 +19,14 @@ namespace {
   refuse_line({ErrorCode::malformed, what, {}}, file, line);
 }
 
-std::vector<Configuration> poses_of_lines(const std::string& file, const std::string& text) {
-  std::vector<Configuration> poses;
+std::vector<ExactPose> poses_of_lines(const std::string& file, const std::string& text) {
+  std::vector<ExactPose> poses;
   for_each_line(text, [&](const std::string& one, std::int64_t line) {
-    const std::optional<QueryLine> pose = query_in(one);
+    const std::optional<QueryLine> pose = query_in(one, Fractions::taken);
     if (!pose || !pose->theta) refuse(file, "expected a pose x,y,theta", line);
     const Angle& theta = *pose->theta;
     // Whole turns count: from one pose to the next the robot turns by the difference.
-    poses.push_back({pose->x, pose->y, theta.degrees ? theta.value() / 180 * std::numbers::pi : theta.value()});
+    poses.push_back({pose->at(), theta.degrees ? theta.value() / 180 * std::numbers::pi : theta.value()});
   });
   return poses;
 }
@@ -103,14 +106,18 @@ Waypoint waypoint_in(const std::string& file, const WaypointEntries& entries) {
   return w;
 }
 
-Configuration pose_in(const std::string& file, const Json& json) {
-  std::vector<double> numbers;
-  if (json.is_array())
-    for (const Json& value : json)
-      if (value.is_number()) numbers.push_back(value);
-  if (json.size() != 3 || numbers.size() != 3)
-    refuse(file, "expected a pose [x, y, theta] of finite numbers instead of " + json.dump());
-  return {numbers[0], numbers[1], numbers[2]};
+/// A number, or a text that is one or a fraction.
+std::optional<Rational> coordinate_in(const Json& json) {
+  if (json.is_number()) return Rational::of(json.get<double>()).value();
+  return json.is_string() ? exact_number(json) : std::nullopt;
+}
+
+ExactPose pose_in(const std::string& file, const Json& json) {
+  if (json.is_array() && json.size() == 3 && json[2].is_number()) {
+    const std::optional<Rational> x = coordinate_in(json[0]), y = coordinate_in(json[1]);
+    if (x && y) return {{*x, *y}, json[2]};
+  }
+  refuse(file, "expected a pose [x, y, theta] of finite numbers instead of " + json.dump());
 }
 
 GivenPath path_of_json(const std::string& file, const Json& json) {
@@ -120,7 +127,7 @@ GivenPath path_of_json(const std::string& file, const Json& json) {
     for (const Json& w : json["waypoints"]) path.push_back(waypoint_in(file, {file, w, path.size()}));
     return path;
   }
-  std::vector<Configuration> poses;
+  std::vector<ExactPose> poses;
   for (const Json& pose : json) poses.push_back(pose_in(file, pose));
   return poses;
 }
@@ -148,7 +155,7 @@ std::size_t size_of(const GivenPath& path) {
 
 PathCheck checked(const Region& robot, const std::vector<Input>& inputs, const GivenPath& path, Touching touching,
                   const std::string& file) {
-  const auto run = [&](const auto& poses) { return check_path(robot, inputs[1].region, poses, touching); };
+  const auto run = [&](const auto& poses) { return check_path(robot, inputs[1].region, std::span(poses), touching); };
   Result<PathCheck> check = std::visit(run, path);
   if (check) return std::move(check).value();
   Error error = in_operand(check.error(), inputs);

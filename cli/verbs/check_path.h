@@ -12,9 +12,10 @@
 namespace dymsum::cli {
 
 /// Poses one after the other, or waypoints as `path` writes them, with their moves and exact coordinates.
-using GivenPath = std::variant<std::vector<Configuration>, std::vector<Waypoint>>;
+using GivenPath = std::variant<std::vector<ExactPose>, std::vector<Waypoint>>;
 
 /// Lines `x,y,theta` with # comments, theta in radians or as 90deg; JSON `[[x, y, theta], ...]`; or the JSON of `path`.
+/// x and y may be fractions, in JSON as texts.
 /// Stops with bad input, with the line where there is one.
 GivenPath read_path_file(const std::string& file);
 

@@ -7,11 +7,13 @@
 #include <set>
 
 #include "dymsum/obstacle_file.h"
+#include "memory_limit.h"
 #include "options.h"
 #include "outputs.h"
 #include "planar/cspace_outputs.h"
 #include "progress_bar.h"
 #include "report.h"
+#include "solid/solid_limits.h"
 #include "solid/solid_operands.h"
 #include "verbs/commands.h"
 #include "viewer/viewer_pages.h"
@@ -25,6 +27,7 @@ struct CspaceCommand {
   double tolerance = 1e-3;
   std::size_t slices = 12;
   bool open = false;
+  double memory_mb = 0;  ///< 0: no limit
   ReportOptions report;
   InputOptions input;
 };
@@ -136,11 +139,13 @@ std::vector<std::string> output_texts(const CspaceCommand& command, const Cspace
 
 ExitCode run_cspace(const CspaceCommand& command) {
   check(command);
+  limit_memory(command.memory_mb);
   const std::vector<Input> inputs = read_inputs(command.operands, command.input);
   const InterruptGuard guard;
   std::optional<ProgressBar> bar(std::in_place);
   ObstacleOptions options;
   options.progress = bar->callback();
+  options.memory = memory_bytes(command.memory_mb);
   const auto [obstacle, timing] = timed(command.report.repeat, [&] {
     return require_of(inputs, CspaceObstacle::create(inputs[0].region, inputs[1].region, options));
   });
@@ -180,6 +185,7 @@ void add_cspace(CLI::App& app, Action& action) {
   whole_within(verb.add_option("--slices", command->slices, "Slices of the film strip"), 1, 1000)
       ->type_name("N")
       ->capture_default_str();
+  add_memory_limit(verb, command->memory_mb);
   add_report_options(verb, command->report, "Compute N times and report the median and minimum time");
   add_input_options(verb, command->input);
   verb.footer("Example: dymsum cspace peg.wkt slot.wkt -o obstacle.glb -o slices.svg --json");

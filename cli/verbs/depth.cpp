@@ -70,7 +70,9 @@ void print_depth(const DepthCommand& command, Json inputs, int tier, const Timin
 ExitCode run_turned(const DepthCommand& command) {
   const RationalPoint3 given = vector_of_option(command.moved, "--move");
   const Point3 moved{given.x.to_double(), given.y.to_double(), given.z.to_double()};
-  if (!is_of_doubles(given)) throw Stop(kUsage, "--move with --axis wants numbers x,y,z, not '" + command.moved + "'");
+  if (!is_of_doubles(given))
+    throw Stop(kUsage, "--move with --axis wants three numbers, X,Y,Z, not '" + command.moved + "'" +
+                           no_double_in(command.moved));
   SolidPose pose;
   pose.rotation = require_option(
       Rotation::about(parse_point(command.axis, "--axis"), read_angle(command.angle).radians()), "--axis");

@@ -14,6 +14,7 @@
 
 #include "dymsum/growing_disc.h"
 #include "inputs.h"
+#include "memory_limit.h"
 #include "options.h"
 #include "outputs.h"
 #include "progress_bar.h"
@@ -31,6 +32,7 @@ struct DiscCommand {
   std::optional<std::string> bound;
   std::optional<double> error;
   bool events = false;
+  double memory_mb = 0;  ///< 0: no limit
   ReportOptions report;
   InputOptions input;
   OutputOptions output;
@@ -112,16 +114,17 @@ MadePolygons made_polygons(const DiscCommand& command, const DiscSet& set) {
   const double error = command.error.value_or(default_error(set));
   const std::string bound = command.bound.value_or("inside");
   Result<DiscPolygons> made = to_region(set, error, kDiscBounds.at(bound));
-  if (made) return {*std::move(made), bound};
+  if (made && (command.bound || made->collapsed == 0)) return {*std::move(made), bound};
   const auto crossed = [](const Result<DiscPolygons>& polygons) {
     return !polygons && polygons.error().code == ErrorCode::rounding_changed_topology;
   };
   // Nearest to it, and where parts of the boundary are closer than the error, within less than that.
-  for (double within = error; crossed(made) && !command.bound; within /= 16) {
+  for (double within = error; !command.bound && (made || crossed(made)); within /= 16) {
     Result<DiscPolygons> nearest = to_region(set, within, DiscBound::nearest);
     if (nearest) return {*std::move(nearest), "nearest", true};
     if (!crossed(nearest)) break;
   }
+  if (made) return {*std::move(made), bound};
   Error refused = made.error();
   if (crossed(made))
     refused.message += std::string("; ") + (bound == "nearest" || !command.bound ? "" : "--bound nearest or ") +
@@ -211,7 +214,10 @@ void print_disc(std::ostream& out, const DiscCommand& command, const DiscSet& se
     for (std::size_t i = 0; i < events.size(); ++i)
       text << "event:" << i << " " << events[i].radius << (events[i].nodes > 1 ? "  " : "")
            << (events[i].nodes > 1 ? counted(events[i].nodes, "node") : "") << "\n";
-  if (polygons && polygons->polygons.collapsed > 0)
+  if (polygons && polygons->polygons.collapsed > 0 && polygons->bound == "inside")
+    text << "polygons: what is no wider than " << 2 * polygons->polygons.error
+         << " may be left out (-o FILE.json keeps the arcs)\n";
+  else if (polygons && polygons->polygons.collapsed > 0)
     text << "polygons: " << counted(polygons->polygons.collapsed, "place", "places")
          << " no wider than positions are known: points, lines, or closed (-o FILE.json keeps the arcs)\n";
   if (polygons && (polygons->instead || (!command.error && polygons->polygons.error > set.radius / 1000)))
@@ -222,6 +228,7 @@ void print_disc(std::ostream& out, const DiscCommand& command, const DiscSet& se
 }
 
 ExitCode run_disc(const DiscCommand& command) {
+  limit_memory(command.memory_mb);
   std::ostream& out = report_stream(command.output.files, command.report.json);
   check(command);
   const DiscRadius radius = read_radius(command.radius);
@@ -293,6 +300,7 @@ void add_disc(CLI::App& app, Action& action) {
       ->check(CLI::IsMember({"closed", "open", "regular"}))
       ->capture_default_str();
   verb.add_flag("--events", command->events, "List the radii at which the boundary's pieces change");
+  add_memory_limit(verb, command->memory_mb);
   add_disc_outputs(verb, *command);
   add_report_options(verb, command->report, "Compute N times and report the median and minimum time of a radius");
   add_input_options(verb, command->input);

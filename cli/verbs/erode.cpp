@@ -22,6 +22,7 @@ void add_erode(CLI::App& app, Action& action) {
   verb.solid = [](const Mesh& a, const Mesh& b, const SpatialOptions& options) { return erode(a, b, options); };
   verb.reflects_second = true;
   verb.empty_is_no = true;
+  verb.names.sum = "P ⊖ Q";
   verb.page = "sum";
   verb.solid_page = "solids";
   add_sum_verb(app, verb, action);

@@ -7,6 +7,7 @@
 #include <optional>
 #include <sstream>
 
+#include "memory_limit.h"
 #include "options.h"
 #include "outputs.h"
 #include "planar/planar_local.h"
@@ -25,6 +26,7 @@ struct LocalCommand {
   std::vector<std::string> operands{"", ""}, files;
   std::string box, ball, disc, axis, to = "json", engine = "updated";
   AngleOptions angle;
+  double memory_mb = 0;  ///< 0: no limit
   ReportOptions report;
   InputOptions input;
 };
@@ -109,6 +111,7 @@ ExitCode run_regions(const LocalCommand& command) {
   PlanarLocal local;
   local.operands = command.operands, local.files = command.files;
   local.box = command.box, local.disc = command.disc, local.to = command.to;
+  local.memory_mb = command.memory_mb;
   local.engine = engine_of(command), local.engine_name = command.engine;
   local.angle = command.angle, local.report = command.report, local.input = command.input;
   if (!writes_to_stdout(command.files)) refuse_options(*command.parser, {"--to"}, "is the format of -o -");
@@ -159,6 +162,7 @@ ExitCode run_solid_parts(const LocalCommand& command) {
 }
 
 ExitCode run(const LocalCommand& command) {
+  limit_memory(command.memory_mb);
   return are_solid(command.operands, command.input) ? run_solid_parts(command) : run_regions(command);
 }
 
@@ -194,6 +198,7 @@ void add_local_sum(CLI::App& app, Action& action) {
   verb.add_option("--engine", command->engine, "How the facets near the place are found; all give the same part")
       ->check(CLI::IsMember({"updated", "hierarchy", "brute"}))
       ->capture_default_str();
+  add_memory_limit(verb, command->memory_mb);
   add_report_options(verb, command->report, "Compute N times and report the median and minimum time");
   add_solid_input_options(verb, command->input);
   verb.footer(

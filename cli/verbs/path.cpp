@@ -9,8 +9,10 @@
 
 #include "dymsum/grown_region.h"
 #include "dymsum/planner.h"
+#include "exact_number.h"
 #include "exit_code.h"
 #include "inputs.h"
+#include "memory_limit.h"
 #include "options.h"
 #include "outputs.h"
 #include "pictures/path_picture.h"
@@ -20,6 +22,7 @@
 #include "planar/tier.h"
 #include "progress_bar.h"
 #include "report.h"
+#include "solid/solid_limits.h"
 #include "timing.h"
 #include "verbs/check_path.h"
 #include "verbs/commands.h"
@@ -35,6 +38,7 @@ struct PathCommand {
   bool strict = false;
   double margin = 0;
   double time_limit = PlanOptions{}.time_limit_seconds;
+  double memory_mb = 0;  ///< 0: no limit
   ReportOptions report;
   ObstacleInput source;
 };
@@ -95,14 +99,16 @@ Json plan_json(const Plan& plan) {
 }
 
 // Of one goal its plan; of several a list of them.
-void add_plans(Json& json, const std::vector<Plan>& plans, const std::vector<Configuration>& goals) {
+void add_plans(Json& json, const std::vector<Plan>& plans, const std::vector<PlacedRobot>& goals) {
   if (plans.size() == 1) {
     json.update(plan_json(plans[0]));
     return;
   }
   Json list = Json::array();
   for (std::size_t k = 0; k < plans.size(); ++k) {
-    Json one = {{"to", {goals[k].x, goals[k].y, goals[k].theta}}};
+    const PlacedRobot& to = goals[k];
+    Json one = {{"to", {to.at.x.to_double(), to.at.y.to_double(), to.theta}}};
+    if (!is_of_doubles(to.at)) one["to_exact"] = {to.at.x.to_string(), to.at.y.to_string()};
     one.update(plan_json(plans[k]));
     list.push_back(std::move(one));
   }
@@ -154,6 +160,10 @@ ExitCode run_check(const PathCommand& command, const std::vector<Input>& inputs,
   return check.outcome == MotionCheck::Outcome::blocked ? kNo : kUndecided;
 }
 
+ExactConfiguration configuration_of(const PlacedRobot& robot) {
+  return {robot.at, require(Orientation::nearest(robot.theta))};
+}
+
 /// Plans past one obstacle: directly where that does, else in the obstacle of all angles, made when it is first needed.
 class Planning {
  public:
@@ -163,7 +173,7 @@ class Planning {
   }
 
   /// The time limit holds for making the obstacle and the search together.
-  Plan plan_to(const Configuration& from, const Configuration& to) {
+  Plan plan_to(const ExactConfiguration& from, const ExactConfiguration& to) {
     const Clock::time_point began = Clock::now();
     const auto direct = obstacle_ ? Result<std::optional<Plan>>(std::optional<Plan>())
                                   : direct_plan(robot_, source_.inputs[1].region, from, to, options_);
@@ -182,6 +192,7 @@ class Planning {
   bool make(Clock::time_point began) {
     bool late = false;
     ObstacleOptions options;
+    options.memory = options_.memory;
     options.progress = [&](std::string_view stage, double share) {
       late = late || seconds_since(began) > options_.time_limit_seconds;
       return !late && (!options_.progress || options_.progress(stage, share));
@@ -210,22 +221,23 @@ class Planning {
 };
 
 ExitCode run_plan(const PathCommand& command, ObstacleSource source, const GrownRegion& robot) {
-  const Configuration from = read_configuration(command.from, "--from");
-  std::vector<Configuration> goals;
-  for (const std::string& text : command.to) goals.push_back(read_configuration(text, "--to"));
+  const ExactConfiguration from = configuration_of(read_placed_robot(command.from, "--from"));
+  std::vector<PlacedRobot> goals;
+  for (const std::string& text : command.to) goals.push_back(read_placed_robot(text, "--to"));
   const InterruptGuard guard;
   std::optional<ProgressBar> bar(std::in_place);
   PlanOptions options;
   options.progress = bar->callback();
   options.time_limit_seconds = command.time_limit;
+  options.memory = memory_bytes(command.memory_mb);
   options.touching = command.strict ? Touching::forbidden : Touching::allowed;
   Planning planning(source, robot.region, options);
   std::vector<double> ms;  // without the obstacle
   const auto [plans, whole] = timed(command.report.repeat, [&] {
     std::vector<Plan> all;
     ms.push_back(0);
-    for (const Configuration& to : goals) {
-      all.push_back(planning.plan_to(from, to));
+    for (const PlacedRobot& to : goals) {
+      all.push_back(planning.plan_to(from, configuration_of(to)));
       ms.back() += all.back().work.ms;
     }
     return all;
@@ -293,6 +305,7 @@ std::vector<ViewerInput> shown_inputs(const PathCommand& command, const Obstacle
 
 ExitCode run_path(PathCommand& command) {
   check_options(command);
+  limit_memory(command.memory_mb);
   ObstacleSource source = read_source(command.source);
   const GrownRegion robot = require_of({source.inputs[0]}, grown(source.inputs[0].region, command.margin));
   return run_with_pages(
@@ -313,7 +326,8 @@ void add_path(CLI::App& app, Action& action) {
       "ends with 4 then, and with 5 if it is not decided within the time limit; or a path that is given, checked");
   command->parser = &verb;
   add_obstacle_input(verb, command->source);
-  verb.add_option("--from", command->from, "Where the robot starts, theta in radians or as 90deg")
+  verb.add_option("--from", command->from,
+                  "Where the robot starts: numbers or fractions 1/3, theta in radians or as 90deg")
       ->type_name("x,y,theta");
   verb.add_option("--to", command->to, "Where it is to go; repeatable: several goals of one obstacle")
       ->type_name("x,y,theta")
@@ -331,6 +345,7 @@ void add_path(CLI::App& app, Action& action) {
   verb.add_flag("--strict", command->strict, "Touching the obstacle is forbidden");
   const char* const limit = "Seconds after which it stops without a decision, 60 unless told";
   within(verb.add_option("--time-limit", command->time_limit, limit), 0)->type_name("SECONDS");
+  add_memory_limit(verb, command->memory_mb);
   verb.add_option("-o", command->files, "Write the path as .json, as a picture .svg, or .html (the viewer); repeatable")
       ->type_name("FILE")
       ->allow_extra_args(false);

@@ -4,6 +4,7 @@
 #include <optional>
 #include <sstream>
 
+#include "memory_limit.h"
 #include "options.h"
 #include "planar/planar_turn.h"
 #include "solid/solid_motion.h"
@@ -67,6 +68,7 @@ ExitCode run_solids(const RotateCommand& command) {
 }
 
 ExitCode run(const RotateCommand& command) {
+  limit_memory(command.planar.memory_mb);
   if (are_solid(command.planar.operands, command.planar.input)) return run_solids(command);
   refuse_options(*command.parser, {"--axis", "--frame", "--events", "--range", "--next", "--next-topology"},
                  "is for solid operands");
@@ -109,6 +111,7 @@ void add_rotate(CLI::App& app, Action& action) {
   verb.add_option("--semantics", command->semantics, "Planar: closed, open or regular [closed]")
       ->check(CLI::IsMember({"closed", "open", "regular"}));
   add_threads_option(verb, command->planar.threads);
+  add_memory_limit(verb, command->planar.memory_mb);
   verb.add_option("-o", command->planar.files,
                   "Write .html (the viewer); planar also .svg (a film strip) and anim.svg (an animation), solid a "
                   "frame as .off "

@@ -6,8 +6,10 @@
 #include <optional>
 
 #include "dymsum/scaling_sum.h"
+#include "memory_limit.h"
 #include "numbers.h"
 #include "planar/planar_motion.h"
+#include "solid/solid_limits.h"
 #include "solid/solid_motion.h"
 #include "solid/solid_operands.h"
 #include "verbs/commands.h"
@@ -169,6 +171,7 @@ void take_range(ScaleCommand& command) {
 }
 
 ExitCode run_scale(ScaleCommand command) {
+  limit_memory(command.memory_mb);
   take_range(command);
   if (are_solid(command.operands, command.input))
     return run_solid_scale(command, command.sweep.empty() ? std::vector<Scale>{} : sweep_scales(command.sweep));
@@ -201,6 +204,7 @@ void add_options(CLI::App& verb, ScaleCommand& command) {
       ->check(CLI::IsMember({"automatic", "window", "rebuild"}))
       ->capture_default_str();
   add_threads_option(verb, command.threads);
+  add_memory_limit(verb, command.memory_mb);
   verb.add_option("--semantics", command.semantics, "Planar: closed, open or regular")
       ->check(CLI::IsMember({"closed", "open", "regular"}))
       ->capture_default_str();
@@ -247,6 +251,7 @@ MovingOptions scaling_options(const ScaleCommand& command) {
   options.semantics = command.semantics == "open"      ? Semantics::open
                       : command.semantics == "regular" ? Semantics::regular
                                                        : Semantics::closed;
+  options.memory = memory_bytes(command.memory_mb);
   return options;
 }
 

@@ -18,7 +18,8 @@ struct ScaleCommand {
   std::string sweep, ratio, copies, scaled = "p", mode = "automatic", semantics = "closed";
   std::vector<std::string> at, files;
   std::size_t threads = 1;
-  bool robot = false;  ///< Q is a robot: sums with -Q
+  double memory_mb = 0;  ///< 0: no limit
+  bool robot = false;    ///< Q is a robot: sums with -Q
   bool events = false;
   std::string range, next;           ///< of scales whose events are asked for; only the first of a kind
   std::optional<std::size_t> frame;  ///< of solids: the one that is written

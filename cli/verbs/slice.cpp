@@ -48,6 +48,7 @@ SumVerb slice_verb() {
       "Example: dymsum slice part.off tool.off --z 1.5 --reflect -o slice.svg";
   verb.planar_result = true;
   verb.reflects_second = true;
+  verb.names = {"O", "R(θ)", "O ⊕ −R(θ)"};
   verb.page = "obstacle";
   verb.solid_page = "solids";
   return verb;
@@ -59,7 +60,7 @@ ExitCode run_slice(const SliceCommand& command) {
     if (!command.z) throw Stop(kUsage, "slice of solids wants the height --z");
     return run_solid_slice(command.sum, *command.z, command.reflect);
   }
-  refuse_options(*command.sum.parser, {"--z", "--reflect", "--hull", "--memory"}, "is for solids");
+  refuse_options(*command.sum.parser, {"--z", "--reflect", "--hull"}, "is for solids");
   SumVerb verb = slice_verb();
   const Orientation theta = asked_orientation(command);
   verb.orientation = theta;

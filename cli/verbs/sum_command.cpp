@@ -7,6 +7,7 @@
 #include <optional>
 #include <utility>
 
+#include "memory_limit.h"
 #include "progress_bar.h"
 #include "report.h"
 #include "solid/solid_limits.h"
@@ -26,6 +27,7 @@ SumOptions sum_options(const SumCommand& command) {
   SumOptions options;
   options.engine = kEngines.at(command.engine);
   options.semantics = kSemantics.at(command.semantics);
+  options.memory = memory_bytes(command.memory_mb);
   for (const std::string& file : command.output.files) options.trace |= is_stage_picture(file);
   return options;
 }
@@ -127,9 +129,10 @@ Action with_viewer(const SumVerb& verb, SumCommand& command, const Action& actio
 ExitCode run_sum(const SumVerb& verb, const SumCommand& command) {
   if (are_solid(command.operands, command.input)) return run_solid_sum(verb, command);
   if (!command.more.empty()) throw Stop(kUsage, "more than two operands have to be solids");
-  refuse_options(*command.parser, {"--triangulate", "--memory", "--thin"}, "is for solids");
+  refuse_options(*command.parser, {"--triangulate", "--thin"}, "is for solids");
   std::ostream& out = report_stream(command.output.files, command.report.json);
   check(command);
+  limit_memory(command.memory_mb);
   SumReport report;
   report.verb = verb.name;
   report.engine = command.engine;
@@ -156,7 +159,7 @@ ExitCode run_sum(const SumVerb& verb, const SumCommand& command) {
   const std::array<Region, 2> operands = verb.shown ? verb.shown(p, q) : std::array{p, q};
   report.convolution = convolution_sizes(operands[0], verb.reflects_second ? negated(operands[1]) : operands[1]);
 
-  report.rounding = write_sum(operands[0], operands[1], sum, command.output);
+  report.rounding = write_sum(operands[0], operands[1], sum, verb.names, command.output);
   if (command.report.json) {
     print_report(sum_json(report));
   } else {

@@ -36,6 +36,7 @@ struct SumVerb {
   bool several = false;                    ///< takes more than two solids
   std::string page, solid_page;            ///< of the viewer that shows regions, and solids
   std::optional<Orientation> orientation;  ///< of the operand that is turned, for the report
+  SumNames names;                          ///< in pictures
   /// The operands as pictures show them and as the convolution is counted; empty: as they are read.
   std::function<std::array<Region, 2>(const Region&, const Region&)> shown;
 };
@@ -45,7 +46,7 @@ struct SumCommand {
   const CLI::App* parser = nullptr;  ///< which options were given
   std::vector<std::string> operands{"", ""}, more;
   bool triangulate = false;
-  double memory_mb = 0;  ///< of solids; 0: no limit
+  double memory_mb = 0;  ///< 0: no limit
   std::string engine = "fast", semantics = "closed";
   ReportOptions report;
   InputOptions input;

@@ -12,9 +12,12 @@ TEST_F(DiscCli, PolygonsNearestToASetAreThereWhereItFallsApart) {
   // The erosion at its neck: two arcs that touch in a cusp.
   work.write("neck.wkt", "POLYGON ((0 0,3 2,6 0,6 6,3 4,0 6,0 0))");
   const std::string disc = "dymsum disc neck.wkt --set erosion --semantics regular --radius 1 -o -";
-  const auto inside = work.run(disc + " --to wkt --bound inside");
-  EXPECT_EQ(inside.code, 2);
-  EXPECT_NE(inside.err.find("--bound nearest or a smaller --error"), std::string::npos) << inside.err;
+  const auto inside = work.run(disc + " --to wkt --bound inside"),
+             outside = work.run(disc + " --to wkt --bound outside");
+  EXPECT_EQ(inside.code, 0) << inside.err;
+  EXPECT_NE(inside.err.find(" may be left out"), std::string::npos) << inside.err;
+  EXPECT_EQ(inside.out.rfind("MULTIPOLYGON", 0), 0u) << inside.out;
+  EXPECT_EQ(outside.code, 0) << outside.err;
   const auto nearest = work.run(disc + " --to wkt --bound nearest");
   EXPECT_EQ(nearest.code, 0);
   EXPECT_EQ(nearest.out.rfind("MULTIPOLYGON", 0), 0u);
@@ -26,6 +29,19 @@ TEST_F(DiscCli, PolygonsNearestToASetAreThereWhereItFallsApart) {
   EXPECT_NE(any.err.find("polygons: nearest, within 0.001; those inside"), std::string::npos) << any.err;
   const auto told = work.run("dymsum disc neck.wkt --set erosion --semantics regular --radius 1 -o neck2.wkt --json");
   EXPECT_NE(told.out.find("\"bound\": \"nearest\""), std::string::npos) << told.out;
+}
+
+TEST_F(DiscCli, PolygonsOnEitherSideOfASetThatVanishes) {
+  work.write("house.wkt", "POLYGON ((0 0,0.3 0,0.3 0.1,0.1 0.3,0 0.1,0 0))");
+  const Json events = json("dymsum disc house.wkt --set erosion --radius 0.01 --events --json")["events"];
+  const std::string last = "event:" + std::to_string(events.size() - 1);
+  for (const std::string& radius : {last, std::string("0.08")})
+    for (const char* bound : {"inside", "outside", "nearest"}) {
+      const auto made =
+          work.run("dymsum disc house.wkt --set erosion --radius " + radius + " -o vanishing.wkt --bound " + bound);
+      EXPECT_EQ(made.code, 0) << radius << " " << bound << ": " << made.err;
+      EXPECT_EQ(work.run("dymsum info vanishing.wkt").code, 0) << radius << " " << bound;
+    }
 }
 
 TEST_F(DiscCli, PolygonsOfAVertexAtAThirdOfAnEdge) {

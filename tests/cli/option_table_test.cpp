@@ -70,6 +70,8 @@ class OptionTable : public testing::TestWithParam<Section> {
     for (const auto& [file, text] :
          std::map<std::string, std::string>{{"peg.wkt", kPeg},
                                             {"slot.wkt", kSlot},
+                                            {"hook.wkt",  // its pocket turns round a corner
+                                             "POLYGON ((0 0, 6 0, 6 4, 2 4, 2 3, 5 3, 5 1, 1 1, 1 4, 0 4, 0 0))\n"},
                                             {"frame.wkt", "POLYGON ((0 0, 3 0, 3 2, 4 2, 4 4, 0 4, 0 0))\n"},
                                             {"small.wkt", "POLYGON ((0 0, 1 0, 1 2, 0 2, 0 0))\n"},
                                             {"turned.wkt", "POLYGON ((2 1, 0 1, 0 0, 2 0, 2 1))\n"},

@@ -89,7 +89,7 @@ const std::map<std::string, std::vector<std::string>> kForeign = {
     {"io", {"nlohmann/", "pugixml.hpp"}},
     {"nesting", {"nlohmann/"}},
     {"shape", {"boost/polygon/"}},
-    {"cli", {"CLI/", "httplib.h", "nlohmann/", "sys/socket.h", "unistd.h"}},
+    {"cli", {"CLI/", "httplib.h", "malloc.h", "nlohmann/", "sys/socket.h", "unistd.h"}},
     {"adapters", {"ompl/"}},
     {"examples", {"ompl/"}},
     {"python", {"cxxabi.h", "nanobind/"}},
