@@ -22,13 +22,13 @@ void bind_moving_options(nb::module_& m) {
   options.def(
       "__init__",
       [](MovingOptions* self, MovingOperand moving, bool reflect_q, Semantics semantics, FrameMode mode, double window,
-         std::uint64_t kept_window_bytes, int threads, Progress progress) {
-        new (self) MovingOptions{moving,  reflect_q, semantics,          mode, window, kept_window_bytes,
-                                 threads, {},        std::move(progress)};
+         std::uint64_t kept_window_bytes, int threads, Progress progress, std::uint64_t memory) {
+        new (self) MovingOptions{moving, reflect_q, semantics,          mode, window, kept_window_bytes, threads,
+                                 memory, {},        std::move(progress)};
       },
       "moving"_a = MovingOperand::p, "reflect_q"_a = false, "semantics"_a = Semantics::closed,
       "mode"_a = FrameMode::automatic, "window"_a = 0.0, "kept_window_bytes"_a = MovingOptions().kept_window_bytes,
-      "threads"_a = 1, "progress"_a = nb::none());
+      "threads"_a = 1, "progress"_a = nb::none(), "memory"_a = 0);
   options.option("moving", &MovingOptions::moving)
       .option("reflect_q", &MovingOptions::reflect_q, "P (+) -Q")
       .option("semantics", &MovingOptions::semantics)
@@ -36,7 +36,9 @@ void bind_moving_options(nb::module_& m) {
       .option("window", &MovingOptions::window, "how far windows reach ahead; 0: chosen")
       .option("kept_window_bytes", &MovingOptions::kept_window_bytes)
       .option("threads", &MovingOptions::threads)
-      .option("progress", &MovingOptions::progress);
+      .option("progress", &MovingOptions::progress)
+      .option("memory", &MovingOptions::memory,
+              "bytes that arrays which grow faster than the operands may hold; 0: no limit");
 }
 
 void bind_frame_work(nb::module_& m) {

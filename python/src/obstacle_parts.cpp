@@ -78,11 +78,14 @@ void bind_obstacle_work(nb::module_& m) {
   Record<ObstacleOptions> options(m, "ObstacleOptions", "Options of obstacles.");
   options.def(
       "__init__",
-      [](ObstacleOptions* self, bool reference, Progress progress) {
-        new (self) ObstacleOptions{reference, std::move(progress)};
+      [](ObstacleOptions* self, bool reference, Progress progress, std::uint64_t memory) {
+        new (self) ObstacleOptions{reference, std::move(progress), memory};
       },
-      "reference"_a = false, "progress"_a = nb::none());
-  options.option("reference", &ObstacleOptions::reference).option("progress", &ObstacleOptions::progress);
+      "reference"_a = false, "progress"_a = nb::none(), "memory"_a = 0);
+  options.option("reference", &ObstacleOptions::reference)
+      .option("progress", &ObstacleOptions::progress)
+      .option("memory", &ObstacleOptions::memory,
+              "bytes that arrays which grow faster than the operands may hold; 0: no limit");
 }
 
 }  // namespace

@@ -61,11 +61,14 @@ void bind_planar_places(nb::module_& m) {
   Record<PlanarLocalOptions> options(m, "PlanarLocalOptions", "Options of PlanarLocalSum.");
   options.def(
       "__init__",
-      [](PlanarLocalOptions* self, LocalEngine engine, Progress progress) {
-        new (self) PlanarLocalOptions{engine, std::move(progress)};
+      [](PlanarLocalOptions* self, LocalEngine engine, Progress progress, std::uint64_t memory) {
+        new (self) PlanarLocalOptions{engine, std::move(progress), memory};
       },
-      "engine"_a = LocalEngine::updated, "progress"_a = nb::none());
-  options.option("engine", &PlanarLocalOptions::engine).option("progress", &PlanarLocalOptions::progress);
+      "engine"_a = LocalEngine::updated, "progress"_a = nb::none(), "memory"_a = 0);
+  options.option("engine", &PlanarLocalOptions::engine)
+      .option("progress", &PlanarLocalOptions::progress)
+      .option("memory", &PlanarLocalOptions::memory,
+              "bytes that arrays which grow faster than the operands may hold; 0: no limit");
 }
 
 void bind_planar_part(nb::module_& m) {

@@ -32,14 +32,17 @@ void bind_sum_options(nb::module_& m) {
   Record<SumOptions> options(m, "SumOptions", "Options of planar sums.");
   options.def(
       "__init__",
-      [](SumOptions* self, Engine engine, Semantics semantics, Progress progress, bool trace) {
-        new (self) SumOptions{engine, semantics, std::move(progress), trace, {}};
+      [](SumOptions* self, Engine engine, Semantics semantics, Progress progress, bool trace, std::uint64_t memory) {
+        new (self) SumOptions{engine, semantics, std::move(progress), trace, memory, {}};
       },
-      "engine"_a = Engine::fast, "semantics"_a = Semantics::closed, "progress"_a = nb::none(), "trace"_a = false);
+      "engine"_a = Engine::fast, "semantics"_a = Semantics::closed, "progress"_a = nb::none(), "trace"_a = false,
+      "memory"_a = 0);
   options.option("engine", &SumOptions::engine)
       .option("semantics", &SumOptions::semantics)
       .option("progress", &SumOptions::progress, "called with the stage and its share in [0, 1]; False stops")
-      .option("trace", &SumOptions::trace, "record the stages in PlanarSum.trace");
+      .option("trace", &SumOptions::trace, "record the stages in PlanarSum.trace")
+      .option("memory", &SumOptions::memory,
+              "bytes that arrays which grow faster than the operands may hold; 0: no limit");
 }
 
 void bind_contact(nb::module_& m) {

@@ -62,15 +62,17 @@ void bind_plan_options(nb::module_& m) {
   Record<PlanOptions> options(m, "PlanOptions", "Options of plan.");
   options.def(
       "__init__",
-      [](PlanOptions* self, Touching touching, double seconds, std::uint64_t slice_bytes, Progress progress) {
-        new (self) PlanOptions{touching, seconds, slice_bytes, std::move(progress)};
+      [](PlanOptions* self, Touching touching, double seconds, std::uint64_t slice_bytes, Progress progress,
+         std::uint64_t memory) {
+        new (self) PlanOptions{touching, seconds, slice_bytes, std::move(progress), memory};
       },
       "touching"_a = Touching::allowed, "time_limit_seconds"_a = 60.0, "slice_bytes"_a = PlanOptions{}.slice_bytes,
-      "progress"_a = nb::none());
+      "progress"_a = nb::none(), "memory"_a = 0);
   options.option("touching", &PlanOptions::touching)
       .option("time_limit_seconds", &PlanOptions::time_limit_seconds)
       .option("slice_bytes", &PlanOptions::slice_bytes)
-      .option("progress", &PlanOptions::progress);
+      .option("progress", &PlanOptions::progress)
+      .option("memory", &PlanOptions::memory, "bytes that the search may hold; 0: no limit");
 }
 
 void bind_plan(nb::module_& m) {

@@ -13,17 +13,26 @@ using namespace nb::literals;
 void bind_shapes(nb::module_& m) {
   nb::module_ s = m.def_submodule("_shapes", "Generators of planar test and demo shapes.");
   s.def("rectangle", &shapes::rectangle, "x0"_a, "y0"_a, "x1"_a, "y1"_a);
-  s.def("disc", &shapes::disc, "vertices"_a, "radius"_a);
-  s.def("gear", &shapes::gear, "teeth"_a, "inner"_a, "outer"_a, "4 vertices a tooth.");
+  s.def("demo_snap", &shapes::demo_snap, "size"_a,
+        "A `snap` for shapes with coordinates up to this size: these have at most 24 bits.");
+  s.def(
+      "disc", &shapes::disc, "vertices"_a, "radius"_a, "snap"_a = 0.0,
+      R"doc(A convex polygon on a circle. Its points are doubles within a few units of the last place. Of this and all round
+shapes here `snap`, a power of two, rounds coordinates to its nearest multiples.
+
+>>> from dymsum import shapes
+>>> shapes.disc(8, 1, snap=1/8).parts[0].outer.tolist()[1]
+[0.75, 0.75])doc");
+  s.def("gear", &shapes::gear, "teeth"_a, "inner"_a, "outer"_a, "snap"_a = 0.0, "4 vertices a tooth.");
   s.def("grate", &shapes::grate, "bars"_a, "pitch"_a, "bar"_a, "length"_a,
         "A frame with `bars` - 1 rectangular holes.");
   s.def("comb", &shapes::comb, "teeth"_a, "pitch"_a, "tooth"_a, "length"_a);
-  s.def("star", &shapes::star, "points"_a, "inner"_a, "outer"_a);
+  s.def("star", &shapes::star, "points"_a, "inner"_a, "outer"_a, "snap"_a = 0.0);
   s.def("noisy_star", &shapes::noisy_star, "vertices"_a, "noise"_a, "seed"_a);
-  s.def("spiral", &shapes::spiral, "turns"_a, "vertices_per_turn"_a, "pitch"_a, "width"_a);
+  s.def("spiral", &shapes::spiral, "turns"_a, "vertices_per_turn"_a, "pitch"_a, "width"_a, "snap"_a = 0.0);
   s.def("letter_u", &shapes::letter_u, "width"_a, "height"_a, "thickness"_a);
   s.def("letter_l", &shapes::letter_l, "width"_a, "height"_a, "thickness"_a);
-  s.def("pockets", &shapes::pockets, "holes"_a, "size"_a, "A plate with square holes of growing size.");
+  s.def("pockets", &shapes::pockets, "holes"_a, "size"_a, "snap"_a = 0.0, "A plate with square holes of growing size.");
   s.def("random_polygon", &shapes::random_polygon, "vertices"_a, "holes"_a, "seed"_a);
   Record<shapes::Named>(s, "Named", "A named shape.")
       .field("name", &shapes::Named::name)

@@ -23,6 +23,31 @@ def test_engines_and_semantics() -> None:
     assert not peg.tight_segments
 
 
+def test_a_limit_of_memory_is_kept_or_said() -> None:
+    p, q = shapes.comb(30, 2, 1, 40), dymsum.rotated_sum(shapes.comb(24, 3, 1, 50), "POINT (0 0)", Orientation.of(1, 1))
+    turned = q.rounded()
+    free = dymsum.minkowski_sum(p, turned)
+    assert dymsum.minkowski_sum(p, turned, SumOptions(memory=10**9)) == free
+    for limited in (
+        lambda: dymsum.minkowski_sum(p, turned, SumOptions(memory=1000)),
+        lambda: dymsum.ScalingSum(p, turned, dymsum.MovingOptions(memory=1000)),
+        lambda: dymsum.CspaceObstacle(shapes.star(9, 1, 2), shapes.star(7, 2, 3), dymsum.ObstacleOptions(memory=1000)),
+    ):
+        with pytest.raises(dymsum.Error, match="the limit is 1000 bytes") as refused:
+            limited()
+        assert refused.value.code == ErrorCode.out_of_memory
+
+
+def test_round_shapes_are_nearest_doubles_unless_they_are_snapped() -> None:
+    x, y = shapes.disc(8, 1).parts[0].outer[1]
+    assert (x, y) == (2**-0.5, 2**-0.5) or abs(x - 2**-0.5) < 2**-52
+    snapped = shapes.gear(9, 3, 4, snap=shapes.demo_snap(4)).parts[0].outer
+    assert all((v * 2**21).is_integer() for v in numpy.asarray(snapped).ravel().tolist())
+    assert any(not (v * 2**21).is_integer() for v in numpy.asarray(shapes.gear(9, 3, 4).parts[0].outer).ravel().tolist())
+    with pytest.raises(ValueError):
+        shapes.star(5, 1, 2, snap=0.3)
+
+
 def test_fields_of_a_sum() -> None:
     sum = dymsum.minkowski_sum(shapes.disc(7, 1), shapes.disc(5, 2), SumOptions(trace=True))
     ring = sum.parts[0].outer
