@@ -15,7 +15,6 @@ namespace dymsum::cli {
 namespace {
 
 std::atomic<bool> counts{false};
-std::atomic<std::int64_t> held{0};  // since it counts; what was there before may be given back
 std::atomic<std::uint64_t> most{0}, refused{0};
 
 }  // namespace
@@ -37,6 +36,8 @@ CountedMemory counted_memory() { return {most, refused}; }
 
 #ifdef DYMSUM_COUNTS_NEW
 namespace {
+
+std::atomic<std::int64_t> held{0};  // since it counts; what was there before may be given back
 
 // Before it is made.
 void take(std::size_t bytes) {
