@@ -66,7 +66,7 @@ struct SolidTurnEvent {
   std::vector<std::string> polynomial;
   double t_low = 0, t_high = 0;
   bool opposite = false;
-  std::vector<SolidTurnContact> contacts;  ///< the first 16, where masses meet
+  std::vector<SolidTurnContact> contacts;  ///< by kinds, then by features; 16 of them where masses meet
   /// The sum's structure differs before, at or after: as of SolidScaleEvent, one definition. Where t is not rational
   /// there is no sum at the angle: before and after alone are compared. Known where changes were asked for.
   bool visible = false;

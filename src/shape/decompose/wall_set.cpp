@@ -24,7 +24,10 @@ void WallTree::build(const std::vector<Wall>& walls, std::uint32_t first, std::u
   };
   const std::uint32_t middle = first + (last - first) / 2;
   std::nth_element(of_.begin() + first, of_.begin() + middle, of_.begin() + last,
-                   [&](std::uint32_t a, std::uint32_t b) { return middle_of(a) < middle_of(b); });
+                   [&](std::uint32_t a, std::uint32_t b) {
+                     const auto x = middle_of(a), y = middle_of(b);
+                     return x != y ? x < y : a < b;
+                   });
   build(walls, first, middle);
   nodes_[self].right = std::uint32_t(nodes_.size());
   build(walls, middle, last);

@@ -65,6 +65,8 @@ std::uint32_t BoxTree::build(const Stretch& s) {
   const std::uint32_t half = split(s);
   Node& node = nodes_[s.node];
   if (half == s.last) {
+    // How nth_element leaves them differs from library to library.
+    std::sort(order_.begin() + s.first, order_.begin() + s.last);
     node.first = s.first, node.last = s.last;
     return s.node + 1;
   }

@@ -34,7 +34,8 @@ inline bool overlap(const Box& a, const Box& b) {
 class BoxTree {
  public:
   BoxTree() = default;
-  /// The same tree for any number of threads. O(n log n).
+  /// The same tree, and the same order of all that it finds, for any number of threads and with any standard library.
+  /// O(n log n).
   explicit BoxTree(std::vector<Box> boxes, int threads = 1);
 
   const Box& box(std::uint32_t i) const { return boxes_[i]; }

@@ -123,7 +123,9 @@ InnerBalls inner_balls(const SolidOperand& solid) {
     const std::size_t some = std::min<std::size_t>(InnerBalls::kNeighbours + 1, count);
     std::partial_sort(order.begin(), order.begin() + static_cast<std::ptrdiff_t>(some), order.end(),
                       [&](std::uint32_t a, std::uint32_t b) {
-                        return length(balls[a].middle - balls[i].middle) < length(balls[b].middle - balls[i].middle);
+                        const double x = length(balls[a].middle - balls[i].middle),
+                                     y = length(balls[b].middle - balls[i].middle);
+                        return x != y ? x < y : a < b;
                       });
     std::array<std::uint32_t, InnerBalls::kNeighbours>& near = result.neighbours.emplace_back();
     for (std::size_t k = 0; k < near.size(); ++k) near[k] = k + 1 < some ? order[k + 1] : i;

@@ -32,6 +32,10 @@ double window_of(const TurningPair& pair) {
   return std::clamp(0.06 * edges / static_cast<double>(count) / reach, 1e-4, 0.2);
 }
 
+bool is_before(const SolidTurnContact& a, const SolidTurnContact& b) {
+  return a.kind != b.kind ? a.kind < b.kind : a.features < b.features;
+}
+
 /// Triangles of one face have the same features.
 bool lists(const std::vector<SolidTurnContact>& all, const SolidTurnContact& contact) {
   return std::any_of(all.begin(), all.end(), [&](const SolidTurnContact& c) {
@@ -157,12 +161,15 @@ std::vector<SolidTurnContact> TurnWalk::contacts_at(const SolidTurnWindow& windo
     if (!lists(contacts, contact)) contacts.push_back(std::move(contact));
     return contacts.size() < kMostContacts;
   };
-  for (const Meeting& m : meetings) {
-    if (std::optional<SolidTurnContact> contact = all.contact(m); contact && !take(*std::move(contact)))
-      return contacts;
-    ask();
-  }
-  if (crowded) all.crossings(take, [this] { ask(); });
+  const auto add_all = [&] {
+    for (const Meeting& m : meetings) {
+      if (std::optional<SolidTurnContact> contact = all.contact(m); contact && !take(*std::move(contact))) return;
+      ask();
+    }
+    if (crowded) all.crossings(take, [this] { ask(); });
+  };
+  add_all();
+  std::sort(contacts.begin(), contacts.end(), is_before);
   return contacts;
 }
 

@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cstdio>
 #include <random>
 
@@ -33,6 +34,24 @@ TEST(BoxTree, finds_what_overlaps_in_the_same_order_for_any_number_of_threads) {
       std::sort(b.begin(), b.end());
       EXPECT_EQ(b, all);
     }
+  }
+}
+
+/// Trees of two leaves: in each the boxes come in the order of their indices, however nth_element left them.
+TEST(BoxTree, finds_what_overlaps_in_the_same_order_with_any_standard_library) {
+  constexpr std::uint32_t kSeed = 6;
+  std::printf("seed %u\n", kSeed);
+  std::mt19937 random(kSeed);
+  for (int trial = 0; trial < 100; ++trial) {
+    std::vector<Box> boxes(5 + random() % 4);
+    for (Box& box : boxes) box.add(Vec3{static_cast<double>(random() % 8), 0, 0});
+    const BoxTree tree(boxes);
+    std::vector<std::uint32_t> found;
+    tree.for_each(tree.bounds(), [&](std::uint32_t i) { found.push_back(i); });
+    ASSERT_EQ(found.size(), boxes.size());
+    const auto half = found.begin() + static_cast<std::ptrdiff_t>(boxes.size() / 2);
+    EXPECT_TRUE(std::is_sorted(found.begin(), half)) << "trial " << trial;
+    EXPECT_TRUE(std::is_sorted(half, found.end())) << "trial " << trial;
   }
 }
 

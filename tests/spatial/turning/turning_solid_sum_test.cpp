@@ -34,6 +34,16 @@ Seen seen(const TurningSolidSum& sum, const AxisTurn& turn) {
   return {sum.combinatorial_hash(*at), spatial::shell_euler_numbers(*at)};
 }
 
+/// By kinds, then by features, each once: not as the search found them.
+void check_order(const std::vector<SolidTurnEvent>& events, const std::string& name) {
+  for (const SolidTurnEvent& event : events)
+    for (std::size_t k = 1; k < event.contacts.size(); ++k) {
+      const SolidTurnContact &a = event.contacts[k - 1], &b = event.contacts[k];
+      EXPECT_TRUE(a.kind != b.kind ? a.kind < b.kind : a.features < b.features)
+          << name << ": contacts " << k - 1 << " and " << k << " at " << event.radians;
+    }
+}
+
 /// Between two samples with different structures lies a visible event, between neighbours with the same ones none (or
 /// two): looked at by samples alone, which know nothing of events. Returns how many events are visible.
 std::size_t check_by_samples(const TurningSolidSum& sum, double from, double to, int samples, const std::string& name) {
@@ -41,6 +51,7 @@ std::size_t check_by_samples(const TurningSolidSum& sum, double from, double to,
   const Result<std::vector<SolidTurnEvent>> events = sum.events(turn_at(axis, from), turn_at(axis, to));
   EXPECT_TRUE(events.ok()) << name << ": " << events.error().to_string();
   if (!events) return 0;
+  check_order(*events, name);
   const TurningSolidWork w = sum.work();
   std::size_t visible = 0, next = 0;
   double last = from + 1e-9;
