@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <sstream>
+#include <cstdio>
 #include <utility>
 
 #include "dymsum/mesh_io.h"
@@ -61,11 +61,10 @@ std::vector<FaceColour> colours_of(const CspaceObstacle& obstacle, const Obstacl
   return colours;
 }
 
+/// No stream: a page's module has this file as well, and streams would be a part of it.
 std::string digits(double v) {
-  std::ostringstream text;
-  text.precision(6);
-  text << v;
-  return text.str();
+  std::array<char, 32> text;
+  return {text.data(), static_cast<std::size_t>(std::snprintf(text.data(), text.size(), "%.6g", v))};
 }
 
 /// A Stop where single precision, in which a GLB file holds coordinates, does not tell the sides of the mesh apart.

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 #include <array>
-#include <iostream>
+#include <cstdio>
 #include <map>
 #include <optional>
 #include <utility>
@@ -134,10 +134,11 @@ Mesh rounded_mesh(const SolidSum& sum, Precision precision, const std::string& f
     const Result<HulledMesh> made = sum.rounded_hull(precision);
     if (!made) stop_for(made.error(), file, kExactFile);
     const HulledMesh& hulled = *made;
-    if (hull && hulled.mesh.vertices().size() != sum.vertices.size()) {
-      std::cerr << file << ": rounded, " << counted(sum.vertices.size(), "vertex", "vertices") << " became "
-                << hulled.mesh.vertices().size() << ", largest deviation " << hulled.report.deviation << "\n";
-    }
+    // No stream: a page's module has this file as well, and streams would be a part of it.
+    if (hull && hulled.mesh.vertices().size() != sum.vertices.size())
+      std::fprintf(stderr, "%s: rounded, %s became %zu, largest deviation %g\n", file.c_str(),
+                   counted(sum.vertices.size(), "vertex", "vertices").c_str(), hulled.mesh.vertices().size(),
+                   hulled.report.deviation);
     return hulled.mesh;
   }
   Result<Mesh> mesh = sum.rounded_mesh(precision);

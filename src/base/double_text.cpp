@@ -1,5 +1,6 @@
 #include "base/double_text.h"
 
+#include <cstdio>
 #include <version>
 
 #ifndef __cpp_lib_to_chars
@@ -9,14 +10,17 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 #include <cstring>
-#include <string>
 #include <string_view>
 #include <system_error>
 #endif
 
 namespace dymsum::base {
+
+std::string general_text(double value, int digits) {
+  char text[64];  // a sign, a point, an exponent of 5 characters, and the digits
+  return std::string(text, static_cast<std::size_t>(std::snprintf(text, sizeof text, "%.*g", digits, value)));
+}
 
 #ifdef __cpp_lib_to_chars
 

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <charconv>
+#include <string>
 
 namespace dymsum::base {
 
@@ -12,6 +13,9 @@ char* shortest_text(char* first, char* last, double value);
 
 /// As std::to_chars with std::chars_format::fixed. Requires room for it.
 char* fixed_text(char* first, char* last, double value, int decimals);
+
+/// As printf's %.*g and as streams of that precision, which are a tenth of a page's module where one is used.
+std::string general_text(double value, int digits);
 
 /// As std::from_chars.
 std::from_chars_result read_double(const char* first, const char* last, double& value);

@@ -2,6 +2,7 @@ import { fileURLToPath } from 'node:url';
 import { defineConfig } from 'vitest/config';
 import { viteSingleFile } from 'vite-plugin-singlefile';
 import { embedModule, packScript, tellNotices } from './embed_module';
+import { threeParts } from './three_parts';
 
 const inPackage = (file: string): string => fileURLToPath(new URL(`../package/${file}`, import.meta.url));
 const embedded = embedModule(inPackage('dist/dymsum-simd.wasm'), true);
@@ -10,7 +11,7 @@ const embedded = embedModule(inPackage('dist/dymsum-simd.wasm'), true);
 export default defineConfig({
   base: './',
   resolve: { alias: { dymsum: inPackage('live.js') } },
-  plugins: [embedded, viteSingleFile({ removeViteModuleLoader: true }), packScript(), tellNotices(inPackage('NOTICES'))],
+  plugins: [threeParts(), embedded, viteSingleFile({ removeViteModuleLoader: true }), packScript(), tellNotices(inPackage('NOTICES'))],
   worker: { format: 'iife', plugins: () => [embedded] },
   build: { target: 'es2022', chunkSizeWarningLimit: 4096, reportCompressedSize: false },
   test: { include: ['src/**/*.test.ts'] },

@@ -1,7 +1,7 @@
 #include "file.h"
 
+#include <cstdio>
 #include <filesystem>
-#include <fstream>
 #include <system_error>
 
 #include "bind.h"
@@ -16,6 +16,13 @@ std::string relative(const std::string& name) {
   return path;
 }
 
+bool is_written(const std::string& path, const std::string& bytes) {
+  std::FILE* const file = std::fopen(path.c_str(), "wb");
+  if (file == nullptr) return false;
+  const bool whole = std::fwrite(bytes.data(), 1, bytes.size(), file) == bytes.size();
+  return std::fclose(file) == 0 && whole;
+}
+
 }  // namespace
 
 FileInMemory::FileInMemory(const std::string& name, const std::string& bytes) : path_(relative(name)), file_(path_) {
@@ -24,10 +31,7 @@ FileInMemory::FileInMemory(const std::string& name, const std::string& bytes) : 
   if (mark != std::string::npos && file_.find('.', mark) == std::string::npos) file_.erase(mark);
   std::error_code ignored;
   std::filesystem::create_directories(std::filesystem::path(file_).parent_path(), ignored);
-  std::ofstream out(file_, std::ios::binary);
-  out.write(bytes.data(), static_cast<std::streamsize>(bytes.size()));
-  out.flush();
-  if (!out)
+  if (!is_written(file_, bytes))
     throw Thrown{
         {ErrorCode::cannot_open, "no file can have this name", {name, {}, {}, {}, {}, {}, {}, {}, {}, {}, {}, {}, {}}}};
 }

@@ -1,8 +1,6 @@
 // Region, and files of regions.
 #include <algorithm>
 #include <array>
-#include <filesystem>
-#include <fstream>
 
 #include "arrays.h"
 #include "dymsum/area_text.h"

@@ -2,13 +2,17 @@
 
 #include <algorithm>
 #include <numbers>
-#include <sstream>
 
+#include "base/double_text.h"
 #include "cspace/boundary/obstacle_state.h"
 
 namespace dymsum::planar {
 
 namespace {
+
+std::string degrees_text(double radians, int digits) {
+  return base::general_text(radians * 180 / std::numbers::pi, digits);
+}
 
 std::uint32_t component_count(const CspaceObstacle& obstacle) {
   std::uint32_t count = 0;
@@ -68,29 +72,28 @@ FreeComponent described(const CspaceObstacle& obstacle, std::uint32_t component)
 }
 
 std::string text_of(const FreeComponent& c) {
-  std::ostringstream text;
-  const auto degrees = [](double radians) { return radians * 180 / std::numbers::pi; };
-  text.precision(6);
-  text << "component " << c.index << (c.unbounded ? ", which reaches infinity" : ", which is enclosed");
-  if (!c.all_angles) text << " and has angles from " << degrees(c.from) << " to " << degrees(c.to) << " degrees only";
-  if (!c.shells.empty()) text << ", bounded by shell";
-  for (const std::uint32_t s : c.shells) text << ' ' << s;
-  return text.str();
+  std::string text =
+      "component " + std::to_string(c.index) + (c.unbounded ? ", which reaches infinity" : ", which is enclosed");
+  if (!c.all_angles)
+    text += " and has angles from " + degrees_text(c.from, 6) + " to " + degrees_text(c.to, 6) + " degrees only";
+  if (!c.shells.empty()) text += ", bounded by shell";
+  for (const std::uint32_t s : c.shells) text += ' ' + std::to_string(s);
+  return text;
 }
 
 std::string text_of(const SearchLimit& limit) {
-  std::ostringstream text;
-  const auto degrees = [](double radians) { return radians * 180 / std::numbers::pi; };
-  if (limit.out_of_time) text << "the time limit of " << limit.seconds << " s was reached";
-  else
-    text << "what joins them is passed along a curve alone, touching all the way, and not by translations and "
-            "rotations in place";
-  text.precision(10);
+  std::string text = limit.out_of_time
+                         ? "the time limit of " + base::general_text(limit.seconds, 6) + " s was reached"
+                         : "what joins them is passed along a curve alone, touching all the way, and not by "
+                           "translations and rotations in place";
+  const auto place = [](const Point& p) {
+    return "(" + base::general_text(p.x, 10) + ", " + base::general_text(p.y, 10) + ")";
+  };
   if (limit.passage)
-    text << ", at the passage between " << degrees(limit.passage->from) << " and " << degrees(limit.passage->to)
-         << " degrees from (" << limit.passage->reached.x << ", " << limit.passage->reached.y << ") to ("
-         << limit.passage->beyond.x << ", " << limit.passage->beyond.y << ")";
-  return text.str();
+    text += ", at the passage between " + degrees_text(limit.passage->from, 10) + " and " +
+            degrees_text(limit.passage->to, 10) + " degrees from " + place(limit.passage->reached) + " to " +
+            place(limit.passage->beyond);
+  return text;
 }
 
 }  // namespace dymsum::planar

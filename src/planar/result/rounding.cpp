@@ -4,11 +4,11 @@
 #include <cmath>
 #include <cstddef>
 #include <limits>
-#include <sstream>
 #include <stdexcept>
 #include <string>
 #include <utility>
 
+#include "base/double_text.h"
 #include "exact/orient.h"
 #include "planar/region/snapped_rings.h"
 #include "planar/result/sum_skeleton.h"
@@ -266,10 +266,8 @@ std::string Rounding::to_string() const {
   add(lines, "line for what is thinner than doubles", "lines for what is thinner than doubles");
   add(points, "point for what is smaller", "points for what is smaller");
   add(vanished_rings, "ring vanished", "rings vanished");
-  std::ostringstream bound;
-  bound.precision(2);
-  bound << moved << " (" << moved_ulps << " units in the last place of the largest coordinate)";
-  return text + "moved by at most " + bound.str();
+  return text + "moved by at most " + base::general_text(moved, 2) + " (" + base::general_text(moved_ulps, 2) +
+         " units in the last place of the largest coordinate)";
 }
 
 }  // namespace dymsum

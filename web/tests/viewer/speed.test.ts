@@ -64,6 +64,7 @@ describe('speed', () => {
     const size = gzipSync(readFileSync(kBuilt)).length, onDisk = statSync(kBuilt).size;
     console.log(`page: ${(onDisk / 1e6).toFixed(2)} MB on disk, ${(size / 1e6).toFixed(2)} MB compressed`);
     expect(size).toBeLessThan(1.5e6);
+    expect(onDisk).toBeLessThan(2e6);
   });
   it('paints from disk within a second', async () => {
     const times: number[] = [];

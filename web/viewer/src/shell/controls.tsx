@@ -1,6 +1,6 @@
 // The controls that panels are made of. Each is a native input with a label, so keyboard and screen readers have it.
 import type { ComponentChildren } from 'preact';
-import { useEffect, useId, useRef, useState } from 'preact/hooks';
+import { useId, useLayoutEffect, useRef, useState } from 'preact/hooks';
 import { PlayButton } from './play_button';
 
 export function Section({ title, children }: { title: string; children: ComponentChildren }) {
@@ -143,7 +143,10 @@ export function NumberField({ label, value, check, onCommit }: NumberFieldProps)
     setTyped(undefined);
     say(undefined);
   };
-  useEffect(drop, [value]);
+  // Before anything else can be typed: what came after the value stays.
+  useLayoutEffect(() => {
+    if (!isOpen.current) drop();
+  }, [value]); // eslint-disable-line react-hooks/exhaustive-deps -- drop is the same in all renders
   const commit = (): void => {
     if (!isOpen.current) return;
     isOpen.current = false;

@@ -1,0 +1,79 @@
+// std::sort in a fifth of its code in libc++, which is written out for every comparison: more than a tenth of a page's
+// module. As fast for elements in no order: pivots are medians of three, and few elements are inserted.
+#pragma once
+
+#include <__config>
+
+_LIBCPP_BEGIN_NAMESPACE_STD
+
+/// What std::sort calls for elements that lie one behind the other. Libc++ has it for any iterators; this one is more
+/// special, and has to be known before. A library that calls another function has its own sort, no other results.
+template <class Compare, class T>
+void __sort(T* first, T* last, Compare less);
+
+_LIBCPP_END_NAMESPACE_STD
+
+#include <algorithm>
+#include <cstdint>
+#include <utility>
+
+namespace dymsum::small {
+
+template <class Compare, class T>
+void insert(T* first, T* last, Compare less) {
+  for (T* i = first + 1; i < last; ++i) {
+    T held = std::move(*i);
+    T* to = i;
+    for (; to != first && less(held, to[-1]); --to) *to = std::move(to[-1]);
+    *to = std::move(held);
+  }
+}
+
+/// Puts the pivot where it belongs: none before it is greater, none behind it less. Requires 3 elements or more.
+template <class Compare, class T>
+T* split(T* first, T* last, std::uint32_t random, Compare less) {
+  using std::swap;
+  const auto size = static_cast<std::uint64_t>(last - first);
+  swap(first[1], first[random * size >> 32]);
+  swap(first[2], last[-1]);
+  insert<Compare>(first, first + 3, less);
+  T *const pivot = first + 1, *i = pivot, *j = last;
+  for (;;) {  // the first step stops i at the third element; what is swapped stops the others
+    do ++i;
+    while (less(*i, *pivot));
+    do --j;
+    while (less(*pivot, *j));
+    if (i >= j) break;
+    swap(*i, *j);
+  }
+  swap(*pivot, *j);
+  return j;
+}
+
+}  // namespace dymsum::small
+
+_LIBCPP_BEGIN_NAMESPACE_STD
+
+// One of three elements is drawn: no order of the elements is slow but one made against these numbers.
+template <class Compare, class T>
+void __sort(T* first, T* last, Compare less) {
+  constexpr std::ptrdiff_t kFew = 16;
+  T* ascending = first;  // as far as they do
+  while (last - ascending > 1 && !less(ascending[1], *ascending)) ++ascending;
+  if (last - ascending <= 1) return;
+  std::uint32_t random = 1;
+  while (last - first > kFew) {
+    random = random * 1664525 + 1013904223;
+    T* const middle = dymsum::small::split<Compare>(first, last, random, less);
+    if (middle - first < last - middle) {
+      std::__sort<Compare>(first, middle, less);
+      first = middle + 1;
+    } else {
+      std::__sort<Compare>(middle + 1, last, less);
+      last = middle;
+    }
+  }
+  dymsum::small::insert<Compare>(first, last, less);
+}
+
+_LIBCPP_END_NAMESPACE_STD
