@@ -286,6 +286,11 @@ Fraction(30, 1)
 }
 
 void bind_writers(nb::module_& m) {
+  Record<SumNames>(m, "SumNames", "What a picture calls operands and result.")
+      .constructible()
+      .field("p", &SumNames::p)
+      .field("q", &SumNames::q)
+      .field("sum", &SumNames::sum);
   m.def(
       "format_sum",
       [](const PlanarSum& sum, const RegionArgument& rounded, RegionFormat format) {
@@ -294,8 +299,10 @@ void bind_writers(nb::module_& m) {
       "sum"_a, "rounded"_a, "format"_a, "The sum with its tight features as text of a format.");
   m.def(
       "draw_sum",
-      [](const RegionArgument& p, const RegionArgument& q, const PlanarSum& sum) { return draw_sum(*p, *q, sum); },
-      "p"_a, "q"_a, "sum"_a, "P, Q and the sum with tight features, as SVG text.");
+      [](const RegionArgument& p, const RegionArgument& q, const PlanarSum& sum, const SumNames& names) {
+        return draw_sum(*p, *q, sum, names);
+      },
+      "p"_a, "q"_a, "sum"_a, "names"_a = SumNames(), "P, Q and the sum with tight features, as SVG text.");
   m.def("draw_section", &draw_section, "sum"_a, "touching"_a = std::vector<SumPart>(), "A set alone, as SVG text.");
   m.def(
       "draw_trace",

@@ -1,11 +1,49 @@
 // Paths, or why there is none; and checks of whole paths.
 #include "dymsum/planner.h"
 
+#include <array>
+#include <optional>
+#include <span>
+#include <utility>
+#include <vector>
+
 #include "arguments.h"
 #include "bind.h"
 #include "calls.h"
 #include "dymsum/path_check.h"
 #include "record.h"
+
+namespace dymsum::python {
+
+/// An ExactConfiguration, or (x, y, theta) with an exact position and an angle in radians.
+struct ConfigurationArgument {
+  std::array<Result<Rational>, 2> position = {Rational(), Rational()};
+  double radians = 0;
+  std::optional<ExactConfiguration> exact;
+  /// Raises what is wrong with the numbers.
+  ExactConfiguration value() const {
+    if (exact) return *exact;
+    RationalPoint at{take(Result<Rational>(position[0])), take(Result<Rational>(position[1]))};
+    return {std::move(at), take(Orientation::nearest(radians))};
+  }
+};
+
+}  // namespace dymsum::python
+
+namespace nanobind::detail {
+
+template <>
+struct type_caster<dymsum::python::ConfigurationArgument> {
+  NB_TYPE_CASTER(dymsum::python::ConfigurationArgument,
+                 const_name("dymsum.ExactConfiguration | collections.abc.Sequence[fractions.Fraction | float]"))
+  bool from_python(handle src, uint32_t, cleanup_list*) {
+    value = {};
+    if (isinstance<dymsum::ExactConfiguration>(src)) value.exact = *inst_ptr<dymsum::ExactConfiguration>(src);
+    return value.exact || dymsum::python::read_configuration(src, value.position, value.radians);
+  }
+};
+
+}  // namespace nanobind::detail
 
 namespace dymsum::python {
 namespace {
@@ -24,6 +62,24 @@ void bind_waypoint(nb::module_& m) {
       .field("at", &Waypoint::at, "exactly")
       .field("theta", &Waypoint::theta, "exactly")
       .field("approx", &Waypoint::approx);
+}
+
+void bind_exact_placements(nb::module_& m) {
+  Record<ExactConfiguration>(m, "ExactConfiguration",
+                             R"doc(A configuration of numbers that doubles may not hold: a position and an Orientation.
+
+>>> from fractions import Fraction
+>>> from dymsum import ExactConfiguration, Orientation
+>>> ExactConfiguration((Fraction(1, 3), 0), Orientation.of(1, 2)).at.x
+Fraction(1, 3)
+)doc")
+      .constructible()
+      .field("at", &ExactConfiguration::at)
+      .field("theta", &ExactConfiguration::theta);
+  Record<ExactPose>(m, "ExactPose", "A pose whose position doubles may not hold; theta is in radians.")
+      .constructible()
+      .field("at", &ExactPose::at)
+      .field("theta", &ExactPose::theta);
 }
 
 void bind_no_path(nb::module_& m) {
@@ -97,13 +153,14 @@ void bind_plan(nb::module_& m) {
           "The waypoints in doubles, shape (n, 3): x, y, theta.");
   m.def(
       "plan",
-      [](const CspaceObstacle& obstacle, const Configuration& start, const Configuration& goal,
+      [](const CspaceObstacle& obstacle, const ConfigurationArgument& start, const ConfigurationArgument& goal,
          const PlanOptions& options) {
-        return run_with(options, [&](const PlanOptions& own) { return plan(obstacle, start, goal, own); });
+        const ExactConfiguration from = start.value(), to = goal.value();
+        return run_with(options, [&](const PlanOptions& own) { return plan(obstacle, from, to, own); });
       },
       "obstacle"_a, "start"_a, "goal"_a, "options"_a = PlanOptions(),
-      R"doc(A path from start to goal, (x, y, theta) with theta in radians, or why there is none: a proof. Raises Error:
-bad_rotation, not_finite, out_of_range, unsupported_operand, cancelled.
+      R"doc(A path from start to goal, or why there is none: a proof. Both are (x, y, theta), x and y exactly and theta in
+radians, or an ExactConfiguration. Raises Error: bad_rotation, not_finite, out_of_range, unsupported_operand, cancelled.
 
 >>> from dymsum import CspaceObstacle, plan, shapes
 >>> obstacle = CspaceObstacle(shapes.rectangle(-1.5, -0.25, 1.5, 0.25), shapes.grate(4, 2, 1, 6))
@@ -117,10 +174,10 @@ True
 void bind_direct_plan(nb::module_& m) {
   m.def(
       "direct_plan",
-      [](const Region& robot, const Region& obstacle, const Configuration& start, const Configuration& goal,
-         const PlanOptions& options) {
-        return run_with(options,
-                        [&](const PlanOptions& own) { return direct_plan(robot, obstacle, start, goal, own); });
+      [](const Region& robot, const Region& obstacle, const ConfigurationArgument& start,
+         const ConfigurationArgument& goal, const PlanOptions& options) {
+        const ExactConfiguration from = start.value(), to = goal.value();
+        return run_with(options, [&](const PlanOptions& own) { return direct_plan(robot, obstacle, from, to, own); });
       },
       "robot"_a, "obstacle"_a, "start"_a, "goal"_a, "options"_a = PlanOptions(),
       R"doc(The plan where slices at the two angles tell it, without the obstacle of all angles: start or goal is not free,
@@ -156,6 +213,17 @@ void bind_check(nb::module_& m) {
       "Each piece by the move of its end, exactly. Raises Error: malformed, cancelled.");
   m.def(
       "check_path",
+      [](const RegionArgument& robot, const RegionArgument& obstacle, const std::vector<ExactPose>& poses,
+         Touching touch, const MotionOptions& options, const Progress& progress) {
+        return run(progress, [&](const Progress& watched) {
+          return check_path(*robot, *obstacle, std::span<const ExactPose>(poses), touch, options, watched);
+        });
+      },
+      "robot"_a, "obstacle"_a, "poses"_a, "touch"_a = Touching::allowed, "options"_a = MotionOptions(),
+      "progress"_a = nb::none(),
+      "The same of positions that doubles may not hold; a piece that moves and turns at once has doubles.");
+  m.def(
+      "check_path",
       [](const RegionArgument& robot, const RegionArgument& obstacle, const Rows<3>& poses, Touching touch,
          const MotionOptions& options, const Progress& progress) {
         const std::span<const Configuration> all(reinterpret_cast<const Configuration*>(poses.data), poses.size);
@@ -171,6 +239,7 @@ void bind_check(nb::module_& m) {
 
 void bind_planner(nb::module_& m) {
   bind_waypoint(m);
+  bind_exact_placements(m);
   bind_no_path(m);
   bind_plan_options(m);
   bind_plan(m);

@@ -53,6 +53,12 @@ bool read_rationals(nb::handle from, std::span<Result<Rational>> to) {
   return read_each(from, to.size(), [&](nb::handle item, std::size_t k) { return read_rational(item, to[k]); });
 }
 
+bool read_configuration(nb::handle from, std::span<Result<Rational>, 2> position, double& theta) {
+  return read_each(from, 3, [&](nb::handle item, std::size_t k) {
+    return k < 2 ? read_rational(item, position[k]) : read_double(item, theta);
+  });
+}
+
 PyObject* new_fraction(const Rational& value) noexcept {
   return or_exception([&] {
     return g_fraction.get()(signed_integer_of(value.numerator()), integer_of(value.denominator())).release().ptr();

@@ -21,6 +21,8 @@ namespace dymsum::python {
 /// Reads `to.size()` numbers from a sequence of so many, as read_double and read_rational do. False for anything else.
 bool read_doubles(nb::handle from, std::span<double> to);
 bool read_rationals(nb::handle from, std::span<Result<Rational>> to);
+/// (x, y, theta): the position as read_rational, the angle as read_double.
+bool read_configuration(nb::handle from, std::span<Result<Rational>, 2> position, double& theta);
 
 inline double in_degrees(double radians) { return radians * 57.295779513082320877; }
 

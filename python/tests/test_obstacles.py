@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import math
 import pickle
+from fractions import Fraction
 
 import numpy
 import pytest
@@ -111,6 +112,24 @@ def test_obstacles_are_pickled(obstacle: CspaceObstacle, queries: ObstacleQuerie
 def test_queries_keep_their_obstacle() -> None:
     queries = ObstacleQueries(CspaceObstacle(ROD, POSTS))
     assert queries.contains((0, 0, 0))
+
+
+def test_paths_begin_and_end_at_fractions_exactly() -> None:
+    obstacle = CspaceObstacle(shapes.rectangle(-1.5, -0.25, 1.5, 0.25), shapes.grate(4, 2, 1, 6))
+    third = Fraction(1, 3)
+    turned = dymsum.ExactConfiguration((12, third), dymsum.Orientation.of(1, 3))
+    found = dymsum.plan(obstacle, (-4, third, 0), turned)
+    assert found.path[0].at == (-4, third) and found.path[-1].at == (12, third)
+    assert found.path[-1].theta == turned.theta and repr(turned) == repr(pickle.loads(pickle.dumps(turned)))
+    robot, wall = shapes.rectangle(0, 0, 1, 1), shapes.rectangle(3, 0, 4, 1)
+    assert dymsum.direct_plan(robot, wall, (third, 0, 0), (0, 0, 1)).found()
+    at = [dymsum.ExactPose((third, 2), 0), dymsum.ExactPose((third, 2), 1.5)]
+    assert dymsum.check_path(robot, wall, at).outcome == dymsum.MotionCheck.Outcome.free
+    into = [dymsum.ExactPose((2 - third, 0), 0), dymsum.ExactPose((2 + third, 0), 0)]
+    check = dymsum.check_path(robot, wall, into)
+    assert check.outcome == dymsum.MotionCheck.Outcome.blocked and check.high == 0.5
+    with pytest.raises(dymsum.Error, match="infinite|finite"):
+        dymsum.plan(obstacle, (math.inf, 0, 0), (12, 3, 1))
 
 
 def test_a_path_and_its_check(obstacle: CspaceObstacle) -> None:

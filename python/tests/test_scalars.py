@@ -277,7 +277,7 @@ def test_fields_positions_and_arrays(x: Any) -> None:
         lambda: queries.free_each([(0, 0, x)]),
         lambda: dymsum.pose_batch_arrays(MESH, MESH, [(1, 0, 0, x)]),
         lambda: dymsum.Rotation.about((0, 0, x), 1),
-        lambda: dymsum.plan(OBJECTS["CspaceObstacle"], (x, 9, 0), (9, 9, 0)),
+        lambda: dymsum.plan(OBJECTS["CspaceObstacle"], (0, 9, x), (9, 9, 0)),
         lambda: solids.prism([(0, 0), (x, 0), (0, 1)], 1),
         lambda: dymsum.TableInput(strip_height=x),
         lambda: dymsum.TableOptions(pair_seconds=x),

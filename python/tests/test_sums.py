@@ -93,7 +93,8 @@ def test_a_progress_that_raises() -> None:
 
 
 def test_scaling_follows() -> None:
-    star, gear = shapes.star(5, 1, 2), shapes.gear(6, 2, 3)
+    snap = shapes.demo_snap(3)  # so that scales by these factors are not rounded
+    star, gear = shapes.star(5, 1, 2, snap), shapes.gear(6, 2, 3, snap)
     sum = dymsum.ScalingSum(star, gear)
     for s in (1.0, 1.25, 1.5, Fraction(7, 5)):
         sum.set(s)

@@ -73,9 +73,9 @@ const std::map<std::string, std::string> kUnheard = {{"planar/arrangement", "pla
 /// Those of the other trees. The folders of the command line include each other freely; the WebAssembly module has its
 /// writers.
 const std::vector<std::string> kOtherRooms = {
-    "include/dymsum", "cli",        "cli/verbs", "cli/planar",           "cli/solid",
-    "cli/pictures",   "cli/viewer", "examples",  "adapters/ompl/dymsum", "adapters/ompl/dymsum/ompl",
-    "python/src",     "web/wasm"};
+    "include/dymsum", "cli",        "cli/verbs",       "cli/planar",           "cli/solid",
+    "cli/pictures",   "cli/viewer", "examples",        "adapters/ompl/dymsum", "adapters/ompl/dymsum/ompl",
+    "python/src",     "web/wasm",   "web/wasm/library"};
 
 /// Headers from outside the standard library by the first folder of the rooms that may include them. What the operating
 /// system has for files and terminals is in `base` and `cli`: elsewhere another system finds nothing to replace.
