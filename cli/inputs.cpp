@@ -91,6 +91,8 @@ std::string_view without_mark(std::string_view text) {
 
 const std::string& standard_input() {
   static const std::string text{std::istreambuf_iterator<char>(std::cin), std::istreambuf_iterator<char>()};
+  if (text.starts_with("\x1f\x8b"))
+    throw Stop(kBadInput, "standard input is compressed; unpack it on the way (zcat), or name the file");
   return text;
 }
 

@@ -132,7 +132,7 @@ void add_exact_option(CLI::App& verb, ReportOptions& options, OperandKind kind) 
 void add_from_option(CLI::App& verb, InputOptions& options, OperandKind kind) {
   std::vector<std::string> formats;
   if (kind != OperandKind::solid) formats = {"poly", "wkt", "geojson", "svg", "json", "dxf"};
-  if (kind != OperandKind::planar) formats.insert(formats.end(), {"off", "obj", "stl", "ply"});
+  if (kind != OperandKind::planar) formats.insert(formats.end(), {"off", "obj", "stl", "ply", "glb", "3mf"});
   const std::string but = kind == OperandKind::planar ? "" : " (not of binary .stl)";
   verb.add_option("--from", options.from, "Format of standard input; otherwise told from its first characters" + but)
       ->check(CLI::IsMember(formats));

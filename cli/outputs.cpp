@@ -43,7 +43,10 @@ std::ostream& report_stream(const std::vector<std::string>& files, bool json) {
   return std::cerr;
 }
 
-std::string format_name(const std::string& file, const std::string& to) { return file == "-" ? "." + to : file; }
+std::string format_name(const std::string& file, const std::string& to) {
+  if (file == "-") return "." + to;
+  return file.ends_with(".gz") ? file.substr(0, file.size() - 3) : file;
+}
 
 RegionFormat output_format(const std::string& file, const OutputOptions& options) {
   const std::string name = format_name(file, options.to);

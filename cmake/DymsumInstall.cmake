@@ -7,6 +7,7 @@ install(TARGETS dymsum EXPORT dymsumTargets
   ARCHIVE DESTINATION "${CMAKE_INSTALL_LIBDIR}" LIBRARY DESTINATION "${CMAKE_INSTALL_LIBDIR}")
 install(DIRECTORY "${PROJECT_SOURCE_DIR}/include/dymsum" DESTINATION "${CMAKE_INSTALL_INCLUDEDIR}"
   FILES_MATCHING PATTERN "*.h")
+install(FILES "${PROJECT_SOURCE_DIR}/cmake/FindLibzip.cmake" DESTINATION "${DYMSUM_CMAKE_DIR}")
 install(EXPORT dymsumTargets NAMESPACE dymsum:: DESTINATION "${DYMSUM_CMAKE_DIR}")
 if(DYMSUM_BUILD_CLI)
   install(TARGETS dymsum_cli RUNTIME DESTINATION "${CMAKE_INSTALL_BINDIR}")
@@ -23,9 +24,9 @@ install(FILES "${PROJECT_SOURCE_DIR}/LICENSE" DESTINATION "${CMAKE_INSTALL_DOCDI
 # Programs that link the static library need what it uses as well.
 get_target_property(DYMSUM_TYPE dymsum TYPE)
 if(DYMSUM_TYPE STREQUAL "STATIC_LIBRARY")
-  set(DYMSUM_PC_REQUIRES "Requires: pugixml tbb")
+  set(DYMSUM_PC_REQUIRES "Requires: pugixml tbb libzip zlib")
 else()
-  set(DYMSUM_PC_REQUIRES "Requires.private: pugixml tbb")
+  set(DYMSUM_PC_REQUIRES "Requires.private: pugixml tbb libzip zlib")
 endif()
 # The prefix as seen from the file: an installation may be moved, and installed with another --prefix.
 file(RELATIVE_PATH DYMSUM_PC_PREFIX "${CMAKE_INSTALL_FULL_LIBDIR}/pkgconfig" "${CMAKE_INSTALL_PREFIX}")

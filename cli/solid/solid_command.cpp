@@ -11,13 +11,14 @@ namespace dymsum::cli {
 
 void add_solid_options(CLI::App& verb, SolidCommand& command) {
   command.parser = &verb;
-  verb.add_option("-o", command.files,
-                  "Write the result; repeatable; by extension .off .obj .stl .ply (rounded), .glb (picture), .json "
-                  "(exact, with provenance), .html (the viewer with the result); - is standard output")
+  verb.add_option(
+          "-o", command.files,
+          "Write the result; repeatable; by extension .off .obj .stl .ply .3mf (rounded), .glb (picture), .json "
+          "(exact, with provenance), .html (the viewer with the result); - is standard output")
       ->type_name("FILE")
       ->allow_extra_args(false);
   verb.add_option("--to", command.to, "Format of -o -")
-      ->check(CLI::IsMember({"off", "obj", "stl", "ply", "glb", "json"}))
+      ->check(CLI::IsMember({"off", "obj", "stl", "ply", "3mf", "glb", "json"}))
       ->capture_default_str();
   verb.add_option("--engine", command.engine, "How the boundary is found; both give the same result")
       ->check(CLI::IsMember({"fast", "brute"}))

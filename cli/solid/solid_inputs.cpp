@@ -28,9 +28,12 @@ std::string first_word(std::string_view text) {
   return word;
 }
 
-/// The format of a text that begins as only solids do: OFF or ply, solid (text .stl), or a statement of .obj.
+/// The format of a text that begins as only solids do: OFF or ply, solid (text .stl), or a statement of .obj; of bytes:
+/// glTF or the mark of a .zip.
 std::optional<MeshFormat> solid_format_of(std::string_view text) {
   constexpr std::array<std::string_view, 9> kObj{"v", "vn", "vt", "mtllib", "usemtl", "o", "g", "s", "f"};
+  if (text.starts_with("glTF")) return MeshFormat::glb;
+  if (text.starts_with("PK\x03\x04")) return MeshFormat::three_mf;
   const std::string word = first_word(without_mark(text));
   if (word.ends_with("off")) return MeshFormat::off;
   if (word == "ply") return MeshFormat::ply;
@@ -96,7 +99,7 @@ void refuse_unknown_extension(const std::string& file) {
   refuse_selection(file);
   if (file == "-" || is_footprint(file) || mesh_format(file) || names_region(file)) return;
   Error error = read_shapes(file).error();
-  if (error.code == ErrorCode::unsupported_format) error.message += ", .off, .obj, .stl, .ply";
+  if (error.code == ErrorCode::unsupported_format) error.message += ", .off, .obj, .stl, .ply, .glb, .3mf";
   stop_with(error);
 }
 
@@ -110,7 +113,8 @@ Result<MeshData> read_mesh_data(const std::string& file, const InputOptions& opt
   if (options.drop_z) throw Stop(kUsage, "--drop-z is for planar operands");
   if (file != "-") return read_mesh(file);
   const std::optional<MeshFormat> format = mesh_format_of_input(options);
-  if (!format) throw Stop(kUsage, "--from names the format of the solid on standard input: off, obj, stl or ply");
+  if (!format)
+    throw Stop(kUsage, "--from names the format of the solid on standard input: off, obj, stl, ply, glb or 3mf");
   return parse_mesh(standard_input(), *format, "standard input");
 }
 

@@ -22,8 +22,8 @@ struct SolidInput {
 void refuse_selection(const std::string& file);
 /// Stops with bad input where a file's extension is one of no input at all.
 void refuse_unknown_extension(const std::string& file);
-/// Whether a file's extension is one of a solid (.off .obj .stl .ply .glb), or standard input holds one: by --from,
-/// else by its first characters.
+/// Whether a file's extension is one of a solid (.off .obj .stl .ply .glb .3mf), or standard input holds one: by
+/// --from, else by its first characters.
 bool names_solid(const std::string& file, const InputOptions& options);
 
 /// The format of the solid on standard input, by --from, else by its first characters; nothing where it is none.

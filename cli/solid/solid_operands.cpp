@@ -28,7 +28,7 @@ void require_planar(const std::string& verb, const std::vector<std::string>& fil
 
 void require_solid(const std::string& verb, const std::vector<std::string>& files, const InputOptions& options) {
   if (!are_solid(files, options))
-    throw Stop(kUsage, verb + " is for solids: .off .obj .stl .ply, not " + shown_file(files[0]));
+    throw Stop(kUsage, verb + " is for solids: .off .obj .stl .ply .glb .3mf, not " + shown_file(files[0]));
 }
 
 std::vector<SolidInput> read_solids(const std::vector<std::string>& files, const InputOptions& options) {

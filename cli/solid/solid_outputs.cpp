@@ -73,7 +73,7 @@ void check_solid_outputs(const std::vector<std::string>& files, const SolidOutpu
     const std::string name = format_name(file, how.to);
     if (is_json(name) || mesh_format(name)) continue;
     throw Stop(kUsage, "-o writes of solids " + also +
-                           ".off .obj .stl .ply .glb or .json: " + (file == "-" ? "--to " + how.to : file));
+                           ".off .obj .stl .ply .3mf .glb or .json: " + (file == "-" ? "--to " + how.to : file));
   }
 }
 
@@ -86,7 +86,7 @@ MeshFormat mesh_output_format(const std::string& file, const std::string& to) {
   const std::string name = format_name(file, to);
   if (!region_format(name)) return require_format(mesh_format(name));
   throw Stop(kUsage, (file == "-" ? "--to " + to : file) +
-                         " is a format of planar regions; solids are written as .off .obj .stl .ply or .glb");
+                         " is a format of planar regions; solids are written as .off .obj .stl .ply .3mf or .glb");
 }
 
 std::string facet_kind(const SolidFacet& f) {

@@ -34,7 +34,7 @@ std::string solid_output(const SolidSum& sum, const std::string& file, const Sol
 /// What else may be written, for messages.
 inline constexpr const char* kExactFile = ".json keeps it exactly";
 inline constexpr const char* kOtherFiles = ".json keeps it exactly, .glb draws it";
-inline constexpr const char* kDoubles = ".off, .obj and .ply hold it";
+inline constexpr const char* kDoubles = ".off, .obj, .ply and .3mf hold it";
 /// Ends with the error that is about this output, and what else may be done.
 [[noreturn]] void stop_for(Error error, const std::string& file, const std::string& instead = kOtherFiles);
 

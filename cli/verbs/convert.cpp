@@ -65,13 +65,13 @@ void add_convert(CLI::App& app, Action& action) {
       app.add_subcommand("convert", "Read a region or a solid and write it in another format, coordinates unchanged");
   command->parser = verb;
   verb->add_option("IN", command->in, "File, FILE#NAME for one shape of several, or - for standard input")->required();
-  verb->add_option(
-          "OUT", command->out,
-          "File .poly .wkt .geojson .svg .json .dxf, of solids .off .obj .stl .ply .glb, .html (the viewer), or - for "
-          "standard output")
+  verb->add_option("OUT", command->out,
+                   "File .poly .wkt .geojson .svg .json .dxf, of solids .off .obj .stl .ply .glb .3mf, .html (the "
+                   "viewer), or - for "
+                   "standard output")
       ->required();
   verb->add_option("--to", command->output.to, "Format of the output -; of solids off if not given")
-      ->check(CLI::IsMember({"poly", "wkt", "geojson", "svg", "json", "dxf", "off", "obj", "stl", "ply", "glb"}))
+      ->check(CLI::IsMember({"poly", "wkt", "geojson", "svg", "json", "dxf", "off", "obj", "stl", "ply", "glb", "3mf"}))
       ->capture_default_str();
   verb->add_flag("--canonical", command->canonical, "Write the canonical form: equal sets become equal files");
   verb->add_flag("--triangulate", command->triangulate,

@@ -29,12 +29,14 @@ void add_hull(CLI::App& app, Action& action) {
       *app.add_subcommand("hull", "The exact convex hull of a mesh or of points, and how far the surface was from it");
   command->parser = &verb;
   verb.add_option("IN", command->in,
-                  "File .off .obj .stl .ply, or - for standard input; faces need not fit together, or be there at all")
+                  "File .off .obj .stl .ply .glb .3mf, or - for standard input; faces need not fit together, or be "
+                  "there at all")
       ->required();
-  verb.add_option("OUT", command->out, "File .off .obj .stl .ply .glb, .html (the viewer), or - for standard output")
+  verb.add_option("OUT", command->out,
+                  "File .off .obj .stl .ply .glb .3mf, .html (the viewer), or - for standard output")
       ->required();
   verb.add_option("--to", command->to, "Format of the output -")
-      ->check(CLI::IsMember({"off", "obj", "stl", "ply", "glb"}))
+      ->check(CLI::IsMember({"off", "obj", "stl", "ply", "glb", "3mf"}))
       ->capture_default_str();
   add_from_option(verb, command->input, OperandKind::solid);
   verb.add_flag("--triangulate", command->triangulate, "Split faces into triangles, for programs that take no others");

@@ -21,9 +21,10 @@ using Operation = Result<SolidOpening> (*)(const Mesh&, const Mesh&, const Spati
 
 ExitCode run(const std::string& verb, Operation operation, const OpeningCommand& command) {
   if (!are_solid(command.solid.operands, command.solid.input))
-    throw Stop(kUsage, verb + " is for solids: .off .obj .stl .ply, not " + shown_file(command.solid.operands[0]) +
-                           "; regions and polylines have the " + verb + " by a disc: dymsum disc " +
-                           shown_file(command.solid.operands[0]) + " --radius R --set " + verb);
+    throw Stop(kUsage, verb + " is for solids: .off .obj .stl .ply .glb .3mf, not " +
+                           shown_file(command.solid.operands[0]) + "; regions and polylines have the " + verb +
+                           " by a disc: dymsum disc " + shown_file(command.solid.operands[0]) + " --radius R --set " +
+                           verb);
   const SolidRun run = read_solid_run(verb, command.solid);
   const BetweenSteps between = command.round_between ? BetweenSteps::rounded : BetweenSteps::exact;
   return run_any_solid(run, [&](const SpatialOptions& options) -> Result<SolidOutcome> {

@@ -115,7 +115,7 @@ void add_rotate(CLI::App& app, Action& action) {
   verb.add_option("-o", command->planar.files,
                   "Write .html (the viewer); planar also .svg (a film strip) and anim.svg (an animation), solid a "
                   "frame as .off "
-                  ".obj .stl .ply .glb .json; repeatable")
+                  ".obj .stl .ply .3mf .glb .json; repeatable")
       ->type_name("FILE")
       ->allow_extra_args(false);
   add_report_options(verb, command->planar.report, "Turn N times and report the median and minimum frame");

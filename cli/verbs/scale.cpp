@@ -208,10 +208,11 @@ void add_options(CLI::App& verb, ScaleCommand& command) {
   verb.add_option("--semantics", command.semantics, "Planar: closed, open or regular")
       ->check(CLI::IsMember({"closed", "open", "regular"}))
       ->capture_default_str();
-  verb.add_option("-o", command.files,
-                  "Write .svg (a film strip), anim.svg (an animation) or .html (the viewer); with --copies .svg alone "
-                  "(obstacles, what they grow to, robot); of solids .html, and a frame as .off .obj .stl .ply .glb "
-                  ".json; repeatable")
+  verb.add_option(
+          "-o", command.files,
+          "Write .svg (a film strip), anim.svg (an animation) or .html (the viewer); with --copies .svg alone "
+          "(obstacles, what they grow to, robot); of solids .html, and a frame as .off .obj .stl .ply .3mf .glb "
+          ".json; repeatable")
       ->type_name("FILE")
       ->allow_extra_args(false);
   whole_within(verb.add_option("--frame", command.frame, "Of solids: the frame that meshes are of, from 0 [the last]"),

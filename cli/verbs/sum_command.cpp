@@ -49,14 +49,14 @@ void add_output_options(CLI::App& verb, SumCommand& command, bool planar_result)
   const std::string
       planar = "by extension .poly .wkt .geojson .dxf (rounded), .json (exact, with provenance), .svg (picture)",
       stages = planar_result ? ", of planar operands stages.svg (the stages)" : ", stages.svg (the stages)",
-      solid = planar_result ? "" : "; of solids .off .obj .stl .ply (rounded), .json, .glb, stages.glb";
+      solid = planar_result ? "" : "; of solids .off .obj .stl .ply .3mf (rounded), .json, .glb, stages.glb";
   verb.add_option(
           "-o", command.output.files,
           "Write the result; repeatable; " + planar + stages + solid + ", .html (the viewer); - is standard output")
       ->type_name("FILE")
       ->allow_extra_args(false);
   std::vector<std::string> formats{"poly", "wkt", "geojson", "svg", "json", "dxf"};
-  if (!planar_result) formats.insert(formats.end(), {"off", "obj", "stl", "ply", "glb"});
+  if (!planar_result) formats.insert(formats.end(), {"off", "obj", "stl", "ply", "glb", "3mf"});
   verb.add_option("--to", command.output.to,
                   planar_result ? "Format of -o -" : "Format of -o -; of solids off if not given")
       ->check(CLI::IsMember(formats))

@@ -61,7 +61,8 @@ std::string format_sum(const PlanarSum& sum, const Region& rounded, RegionFormat
 
 /// Writes text to a path ("-" is standard output) through a temporary file beside it, so that an existing file is
 /// replaced only by a complete one. Symbolic links stay and what they name is written, also where that is not there
-/// yet. Error cannot_write.
+/// yet. A path that ends in .gz is compressed. Errors: cannot_write; unsupported_format for .gz without zlib
+/// (WebAssembly).
 Result<void> write_file(const std::string& path, std::string_view text);
 /// Whether write_file can do it, as far as can be told without writing: error cannot_write for a directory, a folder
 /// that does not exist, a file that may not be changed.

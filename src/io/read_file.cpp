@@ -10,6 +10,8 @@
 #include <system_error>
 #include <utility>
 
+#include "io/archive.h"
+
 namespace dymsum::io {
 
 Error file_error(ErrorCode code, std::string message, std::string_view file) {
@@ -18,7 +20,14 @@ Error file_error(ErrorCode code, std::string message, std::string_view file) {
   return {code, std::move(message), std::move(evidence)};
 }
 
+bool ends_in_gz(std::string_view path) {
+  if (path.size() < 3) return false;
+  const std::string_view end = path.substr(path.size() - 3);
+  return end == ".gz" || end == ".GZ";
+}
+
 std::string extension(std::string_view path) {
+  if (ends_in_gz(path)) path.remove_suffix(3);
   const std::size_t dot = path.rfind('.');
   const std::size_t slash = path.rfind('/');
   if (dot == std::string_view::npos || (slash != std::string_view::npos && slash > dot)) return "";
@@ -45,7 +54,7 @@ Result<std::string> read_file(const std::string& path) {
   while ((count = std::fread(block.data(), 1, block.size(), file.get())) > 0) text.append(block.data(), count);
   if (std::ferror(file.get()))
     return file_error(ErrorCode::cannot_open, std::string("reading failed: ") + std::strerror(errno), path);
-  return text;
+  return is_gzip(text) ? unzipped_gz(text, path) : std::move(text);
 }
 
 }  // namespace dymsum::io

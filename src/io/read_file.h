@@ -8,13 +8,17 @@
 
 namespace dymsum::io {
 
-/// The bytes of a file, or of standard input for "-". Error cannot_open, also for directories.
+/// The bytes of a file, or of standard input for "-"; of a compressed one (.gz, whatever its name) what it holds.
+/// Errors: cannot_open, also for directories; as unzipped_gz.
 Result<std::string> read_file(const std::string& path);
 
 bool is_directory(const std::string& path);
 
-/// From the last dot of the path's last part on, in lower case: ".off"; empty where there is none.
+/// From the last dot of the path's last part on, in lower case: ".off", also of "x.off.gz"; empty where there is none.
 std::string extension(std::string_view path);
+
+/// Whether a file of this name is compressed.
+bool ends_in_gz(std::string_view path);
 
 /// An error that is about a file as a whole.
 Error file_error(ErrorCode code, std::string message, std::string_view file);

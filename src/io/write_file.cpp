@@ -9,6 +9,7 @@
 
 #include "base/output_file.h"
 #include "dymsum/region_io.h"
+#include "io/archive.h"
 #include "io/read_file.h"
 
 namespace dymsum {
@@ -66,7 +67,9 @@ Result<void> check_writable(const std::string& path) {
   return {};
 }
 
-Result<void> write_file(const std::string& path, std::string_view text) {
+namespace {
+
+Result<void> write_bytes(const std::string& path, std::string_view text) {
   if (path == "-") {
     const int error = base::write_to_standard_output(text);
     if (error) return cannot_write(path, "writing to standard output failed", error);
@@ -87,6 +90,15 @@ Result<void> write_file(const std::string& path, std::string_view text) {
     return cannot_write(path, "writing failed, an older file is untouched", error);
   if (const int error = draft.publish()) return cannot_write(path, "the finished file cannot take its name", error);
   return {};
+}
+
+}  // namespace
+
+Result<void> write_file(const std::string& path, std::string_view text) {
+  if (!io::ends_in_gz(path)) return write_bytes(path, text);
+  const Result<std::string> packed = io::gz_of(text);
+  if (!packed) return packed.error();
+  return write_bytes(path, *packed);
 }
 
 }  // namespace dymsum

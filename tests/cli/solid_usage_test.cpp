@@ -70,9 +70,9 @@ TEST_F(SolidUsage, ExtensionsThatNothingReadsAreBadInputThatNamesTheFile) {
                               "rotate part.step cube.off --steps 2", "scale part.step part.step --at 1",
                               "info part.step", "convert part.step out.off", "convert part.step out.doc"}) {
     says(command, 2, "part.step: the extension is none of .poly, .wkt");
-    says(command, 2, ".off, .obj, .stl, .ply");
+    says(command, 2, ".off, .obj, .stl, .ply, .glb, .3mf");
   }
-  says("hull part.step out.off", 2, "part.step: the extension is none of .off, .obj, .stl, .ply");
+  says("hull part.step out.off", 2, "part.step: the extension is none of .off, .obj, .stl, .ply, .glb, .3mf");
   work.run("mkdir folder");
   says("sum cube.off folder", 2, "folder: this is a directory");
 }
@@ -81,7 +81,7 @@ TEST_F(SolidUsage, OperandsOfTheWrongKindAreNamed) {
   says("sum cube.off square.wkt", 1, "cube.off is a solid and square.wkt is not");
   says("sum cube.off cube.off square.wkt", 1, "square.wkt is not");
   for (const char* verb : {"opening square.wkt square.wkt", "offset square.wkt --by 1"})
-    says(verb, 1, "is for solids: .off .obj .stl .ply, not square.wkt");
+    says(verb, 1, "is for solids: .off .obj .stl .ply .glb .3mf, not square.wkt");
   says("depth ell.off cube.off --axis 0,0,1 --degrees 9", 2,
        "only convex solids are taken; --hull takes the convex hull");
 }
@@ -130,7 +130,7 @@ TEST_F(SolidUsage, WhatRoundingSpoilsIsDrawnAndTheErrorTellsWhatElseHoldsIt) {
       "near.off",
       "OFF\n4 4 0\n1 1 1\n1.000000001 1 1\n1 1.000000001 1\n1 1 1.000000001\n3 0 2 1\n3 0 1 3\n3 0 3 2\n3 1 2 3\n");
   for (const char* command : {"convert near.off n.stl", "convert near.off n.glb", "info near.off -o n.glb"})
-    says(command, 2, "(.off, .obj and .ply hold it)");
+    says(command, 2, "(.off, .obj, .ply and .3mf hold it)");
 }
 
 TEST_F(SolidUsage, DanglingLinksAreOutputs) {
@@ -179,7 +179,7 @@ TEST_F(SolidUsage, HelpSaysWhatIsForWhichOperands) {
     EXPECT_NE(sum.find(option), std::string::npos) << sum;
   }
   EXPECT_EQ(slice.find(".ply (rounded)"), std::string::npos) << slice;
-  EXPECT_NE(sum.find("of solids .off .obj .stl .ply (rounded)"), std::string::npos) << sum;
+  EXPECT_NE(sum.find("of solids .off .obj .stl .ply .3mf (rounded)"), std::string::npos) << sum;
   EXPECT_TRUE(std::regex_search(slice, std::regex("--semantics[^\\n]*\\n *Planar operands: closed"))) << slice;
 }
 

@@ -15,7 +15,7 @@ namespace dymsum::io_test {
 inline constexpr MeshFormat kMeshFormats[] = {MeshFormat::off, MeshFormat::obj, MeshFormat::stl, MeshFormat::ply};
 
 inline std::string_view extension(MeshFormat format) {
-  constexpr std::string_view kNames[] = {".off", ".obj", ".stl", ".ply", ".glb"};
+  constexpr std::string_view kNames[] = {".off", ".obj", ".stl", ".ply", ".glb", ".3mf"};
   return kNames[static_cast<int>(format)];
 }
 

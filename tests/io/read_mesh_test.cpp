@@ -57,7 +57,7 @@ TEST(ReadMesh, PointsAndSegmentsAreFacesWithOneVertexAndWithTwo) {
     const Mesh mesh = Mesh::with_thin_parts(data).value();
     for (const MeshFormat format : {MeshFormat::off, MeshFormat::obj, MeshFormat::ply})
       EXPECT_EQ(read_mesh_text(format_mesh(mesh, format), format), data);
-    for (const MeshFormat format : {MeshFormat::stl, MeshFormat::glb}) {
+    for (const MeshFormat format : {MeshFormat::stl, MeshFormat::glb, MeshFormat::three_mf}) {
       const std::optional<Error> error = rounding_error(mesh, format);
       ASSERT_TRUE(error);
       EXPECT_EQ(error->code, ErrorCode::cannot_write);
@@ -251,7 +251,7 @@ TEST(ReadMesh, KeywordsHaveAnyCase) {
 
 TEST(ReadMesh, PathsAndFormats) {
   for (const MeshFormat format :
-       {MeshFormat::off, MeshFormat::obj, MeshFormat::stl, MeshFormat::ply, MeshFormat::glb}) {
+       {MeshFormat::off, MeshFormat::obj, MeshFormat::stl, MeshFormat::ply, MeshFormat::glb, MeshFormat::three_mf}) {
     EXPECT_EQ(mesh_format("a.b/c" + std::string(extension(format))).value(), format);
   }
   EXPECT_EQ(mesh_format("A.STL").value(), MeshFormat::stl);
@@ -259,7 +259,7 @@ TEST(ReadMesh, PathsAndFormats) {
   EXPECT_EQ(name(mesh_format("a.off/b").error().code), "unsupported_format");
   EXPECT_EQ(name(read_mesh("no/such/file.off").error().code), "cannot_open");
   EXPECT_EQ(name(read_mesh("a.wkt").error().code), "unsupported_format");
-  EXPECT_EQ(name(parse_mesh("glTF", MeshFormat::glb, "a.glb").error().code), "unsupported_format");
+  EXPECT_EQ(name(parse_mesh("glTF", MeshFormat::glb, "a.glb").error().code), "truncated");
   const Folder folder("mesh");
   std::filesystem::create_directory(folder / "x.off");
   EXPECT_EQ(name(read_mesh(folder / "x.off").error().code), "cannot_open");

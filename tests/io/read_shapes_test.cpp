@@ -31,7 +31,7 @@ TEST(RegionFormatOfPath, the_extension_decides) {
 }
 
 TEST(RegionFormatOfPath, other_extensions_are_unsupported) {
-  for (const char* path : {"a.off", "a", "", "-", "dir.poly/a", "a.json/b", "a.poly.gz", "a.txt#b"}) {
+  for (const char* path : {"a.off", "a", "", "-", "dir.poly/a", "a.json/b", "a.poly.xz", "a.txt#b"}) {
     const auto format = region_format(path);
     ASSERT_FALSE(format.ok()) << path;
     EXPECT_EQ(format.error().code, ErrorCode::unsupported_format) << path;

@@ -86,7 +86,7 @@ const std::map<std::string, std::vector<std::string>> kForeign = {
     {"exact", {"boost/multiprecision/"}},
     {"planar", {"emmintrin.h"}},
     {"spatial", {"emmintrin.h"}},
-    {"io", {"nlohmann/", "pugixml.hpp"}},
+    {"io", {"nlohmann/", "pugixml.hpp", "zip.h", "zlib.h"}},
     {"nesting", {"nlohmann/"}},
     {"shape", {"boost/polygon/"}},
     {"cli", {"CLI/", "httplib.h", "malloc.h", "nlohmann/", "sys/socket.h", "unistd.h"}},

@@ -22,10 +22,12 @@ MeshData read_format(const io::Source& source, MeshFormat format) {
       return io::read_stl(source);
     case MeshFormat::ply:
       return io::read_ply(source);
+    case MeshFormat::three_mf:
+      return io::read_3mf(source);
     case MeshFormat::glb:
       break;
   }
-  throw io::ReadFailure{io::file_error(ErrorCode::unsupported_format, ".glb files are written only", source.file)};
+  return io::read_glb(source);
 }
 
 }  // namespace
@@ -37,7 +39,9 @@ Result<MeshFormat> mesh_format(std::string_view path) {
   if (text == ".stl") return MeshFormat::stl;
   if (text == ".ply") return MeshFormat::ply;
   if (text == ".glb") return MeshFormat::glb;
-  return io::file_error(ErrorCode::unsupported_format, "the extension is none of .off, .obj, .stl, .ply, .glb", path);
+  if (text == ".3mf") return MeshFormat::three_mf;
+  return io::file_error(ErrorCode::unsupported_format, "the extension is none of .off, .obj, .stl, .ply, .glb, .3mf",
+                        path);
 }
 
 Result<MeshData> parse_mesh(std::string_view bytes, MeshFormat format, std::string_view file) {
@@ -51,8 +55,7 @@ Result<MeshData> parse_mesh(std::string_view bytes, MeshFormat format, std::stri
 Result<MeshData> read_mesh(const std::string& path) {
   const Result<MeshFormat> format = mesh_format(path);
   if (!format && io::is_directory(path)) return io::read_file(path).error();
-  if (!format)
-    return io::file_error(ErrorCode::unsupported_format, "the extension is none of .off, .obj, .stl, .ply", path);
+  if (!format) return format.error();
   const Result<std::string> bytes = io::read_file(path);
   if (!bytes) return bytes.error();
   return parse_mesh(*bytes, *format, path);
@@ -68,6 +71,8 @@ std::string format_mesh(const MeshData& mesh, MeshFormat format, std::span<const
       return io::write_stl(mesh);
     case MeshFormat::ply:
       return io::write_ply(mesh, colours);
+    case MeshFormat::three_mf:
+      return io::write_3mf(mesh);
     case MeshFormat::glb:
       break;
   }

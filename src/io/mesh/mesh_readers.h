@@ -16,6 +16,8 @@ MeshData read_off(const Source& source);
 MeshData read_obj(const Source& source);
 MeshData read_stl(const Source& source);
 MeshData read_ply(const Source& source);
+MeshData read_glb(const Source& source);
+MeshData read_3mf(const Source& source);
 
 /// Vertices at exactly the same place become the first of them, as a mesh without shared vertices needs.
 void merge_equal_vertices(MeshData& data);
@@ -24,6 +26,8 @@ std::string write_off(const MeshData& data, std::span<const FaceColour> colours)
 std::string write_obj(const MeshData& data);
 std::string write_stl(const MeshData& data);
 std::string write_ply(const MeshData& data, std::span<const FaceColour> colours);
+/// Empty without archives (io/archive.h).
+std::string write_3mf(const MeshData& data);
 std::string write_glb(const MeshData& data, const GlbLook& look);
 
 /// The nearest single-precision number; the largest finite one where the nearest is infinite.

@@ -5,6 +5,7 @@
 
 #include "dymsum/mesh_io.h"
 #include "exact/orient3.h"
+#include "io/archive.h"
 #include "io/mesh/mesh_readers.h"
 
 namespace dymsum {
@@ -25,8 +26,14 @@ Result<MeshData> in_singles(MeshData data) {
   return data;
 }
 
-Error changed(std::string what, Evidence evidence) {
-  return {ErrorCode::rounding_changed_topology, "in single precision, " + std::move(what), std::move(evidence)};
+Error changed(Precision precision, const std::string& what, Evidence evidence) {
+  const char* const where = precision == Precision::singles ? "in single precision, " : "split into triangles, ";
+  return {ErrorCode::rounding_changed_topology, where + what, std::move(evidence)};
+}
+
+/// Vertices at one position are one, as the reader of .stl has it.
+Result<Mesh> read_back(const Mesh& mesh, MeshData data) {
+  return mesh.has_thin_parts() ? Mesh::with_thin_parts(std::move(data)) : Mesh::create(std::move(data));
 }
 
 /// Whether its corners are on no line.
@@ -43,7 +50,10 @@ Precision precision_of(MeshFormat format) {
 }
 
 std::optional<Error> rounding_error(const Mesh& mesh, MeshFormat format) {
-  if (precision_of(format) == Precision::doubles) return std::nullopt;
+  const Precision precision = precision_of(format);
+  if (precision == Precision::doubles && format != MeshFormat::three_mf) return std::nullopt;
+  if (format == MeshFormat::three_mf && !io::has_archives())
+    return Error{ErrorCode::unsupported_format, "compressed files are written by the native program only", {}};
   for (std::size_t f = 0; f < mesh.faces().size(); ++f) {
     if (mesh.faces()[f].size() >= 3) continue;
     Error error{ErrorCode::cannot_write, "files of this format hold no points and no segments", {}};
@@ -51,15 +61,15 @@ std::optional<Error> rounding_error(const Mesh& mesh, MeshFormat format) {
     return error;
   }
   if (format == MeshFormat::glb) return picture_error(mesh.data());
-  const Result<MeshData> data = in_singles(triangulated(mesh).mesh.data());  // what a file would hold
+  MeshData triangles = triangulated(mesh).mesh.data();  // what a file would hold
+  Result<MeshData> data = precision == Precision::singles ? in_singles(std::move(triangles)) : std::move(triangles);
   if (!data) return data.error();
-  // As the reader does: vertices at one place are one, and what no longer is a solid is refused.
-  const Result<Mesh> back = mesh.has_thin_parts() ? Mesh::with_thin_parts(*data) : Mesh::create(*data);
+  const Result<Mesh> back = read_back(mesh, std::move(data).value());
   if (back) return std::nullopt;
   Evidence evidence = back.error().evidence;
   evidence.face.reset();  // of the triangles, not of the mesh's faces
   evidence.other_face.reset();
-  return changed(back.error().message, std::move(evidence));
+  return changed(precision, back.error().message, std::move(evidence));
 }
 
 std::optional<Error> picture_error(const MeshData& mesh) {
@@ -67,7 +77,7 @@ std::optional<Error> picture_error(const MeshData& mesh) {
   if (!data) return data.error();
   const auto shows = [&](const Face& face) { return has_area(face, data->vertices); };
   if (data->faces.empty() || std::any_of(data->faces.begin(), data->faces.end(), shows)) return std::nullopt;
-  return changed("no face has an area", {});
+  return changed(Precision::singles, "no face has an area", {});
 }
 
 }  // namespace dymsum
