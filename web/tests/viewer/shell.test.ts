@@ -220,6 +220,10 @@ async function live(inputs: Record<string, string>, shown = 'sum') {
       ++revision;
       tell();
     },
+    stop: (): void => {
+      server.close();
+      server.closeAllConnections();
+    },
     end: async (): Promise<void> => {
       await page.context().close();
       server.closeAllConnections();
@@ -276,6 +280,15 @@ describe('a live page', () => {
     await page.goto(`${address}#/sum/AAAA`);
     await expect.poll(() => page.getByRole('alert').innerText().catch(() => '')).toContain('damaged');
     await expect.poll(() => readout(page, 'area').catch(() => '')).toBe('16');
+    await end();
+  });
+  it('says when its server is gone', async () => {
+    const { page, stop, end } = await live({ 'a.wkt': square(3), 'b.wkt': square(1) });
+    await expect.poll(() => readout(page, 'area').catch(() => '')).toBe('16');
+    expect(await page.getByRole('alert').count()).toBe(0);
+    stop();
+    await expect.poll(() => page.getByRole('alert').innerText().catch(() => '')).toContain('The server of this page does not answer');
+    expect(await readout(page, 'area')).toBe('16');
     await end();
   });
 });

@@ -1,5 +1,6 @@
 // What the worker keeps between requests: the module, and the objects that were made for the last few operands.
 import type { Disposable, Dymsum, Mesh, Progress, Region } from 'dymsum';
+import { planeShapes } from './plane_shapes';
 import { bytesOf, isMade, keyOf, type Shape } from './shape';
 import { moreSolids } from './solid_shapes';
 
@@ -38,7 +39,7 @@ export class Host {
 
   region(shape: Shape): Region {
     return this.keep(`region ${keyOf(shape)}`, () =>
-      isMade(shape) ? this.make<Region>(this.dymsum.shapes, shape) : this.dymsum.Region.read(shape.name, bytesOf(shape)),
+      isMade(shape) ? this.make<Region>(planeShapes(this.dymsum), shape) : this.dymsum.Region.read(shape.name, bytesOf(shape)),
     );
   }
 
