@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstdio>
 #include <optional>
 #include <utility>
 
@@ -160,19 +161,50 @@ Json any_solid_sum_json(const SpatialSum& sum, bool exact) {
           {"convolution", {{"fv", sum.stats.face_vertex}, {"ee", sum.stats.edge_edge}}}};
 }
 
-std::string rounded_sum_text(const SpatialSum& sum, MeshFormat format, const std::string& file) {
-  const Result<SpatialSum::Rounded> rounded = sum.rounded();
-  if (!rounded) stop_for(rounded.error(), file);
-  const Result<Mesh> mesh = Mesh::create(rounded->mesh);
+namespace {
+
+Json mesh_rounding_json(const SpatialSum::Rounded& rounded) {
+  return {{"merged_vertices", rounded.merged_vertices},
+          {"collapsed_edges", rounded.collapsed_edges},
+          {"bends", rounded.bends},
+          {"lost_faces", rounded.lost_faces},
+          {"distance", rounded.distance}};
+}
+
+SpatialSum::Rounded require_rounded(const SpatialSum& sum, Precision precision, double round, const std::string& file) {
+  Result<SpatialSum::Rounded> rounded = sum.rounded(precision, round);
+  if (!rounded) stop_for(rounded.error(), file, std::string("--round allows more, ") + kOtherFiles);
+  return *std::move(rounded);
+}
+
+}  // namespace
+
+WrittenSolid rounded_sum_text(const SpatialSum& sum, MeshFormat format, const std::string& file, double round) {
+  // What is a mesh in doubles is rounded to single precision as a mesh.
+  SpatialSum::Rounded rounded = require_rounded(sum, Precision::doubles, round, file);
+  Result<Mesh> mesh = Mesh::create(rounded.mesh);
+  if (precision_of(format) == Precision::singles && (!rounded.nearest || !mesh || rounding_error(*mesh, format))) {
+    rounded = require_rounded(sum, Precision::singles, round, file);
+    mesh = Mesh::create(rounded.mesh);
+  }
   if (!mesh) stop_for(mesh.error(), file);  // a set that no mesh is: no file of one would be read back
-  return mesh_text(*mesh, format, file, colours_of(sum, *rounded));
+  WrittenSolid written{mesh_text(*mesh, format, file, colours_of(sum, rounded)), Json()};
+  if (rounded.nearest) return written;
+  std::fprintf(stderr, "%s: rounding: %s\n", file.c_str(), rounded.to_string().c_str());
+  written.rounding = mesh_rounding_json(rounded);
+  return written;
+}
+
+WrittenSolid written_solid(const SpatialSum& sum, const std::string& file, const SolidOutput& how) {
+  const std::string name = format_name(file, how.to);
+  if (name.ends_with(".json")) return {exact_sum_json(sum, any_solid_sum_json(sum, false)).dump(1) + "\n", Json()};
+  const MeshFormat format = require(mesh_format(name));
+  if (format == MeshFormat::glb) return {picture_of(sum, file, is_stage_mesh(name)), Json()};
+  return rounded_sum_text(sum, format, file, how.round);
 }
 
 std::string any_solid_output(const SpatialSum& sum, const std::string& file, const SolidOutput& how) {
-  const std::string name = format_name(file, how.to);
-  if (name.ends_with(".json")) return exact_sum_json(sum, any_solid_sum_json(sum, false)).dump(1) + "\n";
-  const MeshFormat format = require(mesh_format(name));
-  return format == MeshFormat::glb ? picture_of(sum, file, is_stage_mesh(name)) : rounded_sum_text(sum, format, file);
+  return written_solid(sum, file, how).text;
 }
 
 Error in_solid_operand(Error error, const std::vector<SolidInput>& inputs) {

@@ -62,7 +62,7 @@ bool is_no(const SolidRun& run, const SpatialSum& sum) {
 std::string shown_text(const SolidRun& run, const SpatialSum& sum) {
   if (!run.pages.any() || is_no(run, sum)) return "";
   if (sum.faces.empty()) run.pages.stop_with_nothing_to_show();
-  return rounded_sum_text(sum, MeshFormat::off, run.pages.file());
+  return rounded_sum_text(sum, MeshFormat::off, run.pages.file(), run.how.round).text;
 }
 
 void write_pages(const SolidRun& run, std::string text) {
@@ -95,7 +95,12 @@ ExitCode run_any_solid(const SolidRun& run, const std::function<Result<SolidOutc
   const SpatialSum& sum = outcome.solid;
   check_stage_memory(sum, options.memory);
   std::vector<std::string> texts;
-  for (const std::string& file : run.files) texts.push_back(any_solid_output(sum, file, run.how));
+  Json rounding;
+  for (const std::string& file : run.files) {
+    WrittenSolid written = written_solid(sum, file, run.how);
+    texts.push_back(std::move(written.text));
+    if (!written.rounding.is_null()) rounding = std::move(written.rounding);
+  }
   std::string shown = shown_text(run, sum);
   for (std::size_t i = 0; i < texts.size(); ++i) write_text(run.files[i], texts[i]);
   write_pages(run, std::move(shown));
@@ -108,6 +113,7 @@ ExitCode run_any_solid(const SolidRun& run, const std::function<Result<SolidOutc
     json["semantics"] = run.semantics;
     json.update(any_solid_sum_json(sum, run.report.exact));
     json.update(outcome.more);
+    if (!rounding.is_null()) json["rounding"] = std::move(rounding);
     print_report(json);
   } else {
     print_text(out, run, outcome, timing);

@@ -28,6 +28,7 @@ void add_solid_options(CLI::App& verb, SolidCommand& command) {
           "closed; open: touching is allowed, and where it is tight is listed; regular: the closure of the interior")
       ->check(CLI::IsMember({"closed", "open", "regular"}))
       ->capture_default_str();
+  add_round_option(verb, command.round, OperandKind::solid);
   add_report_options(verb, command.report, "Compute N times and report the median and minimum time");
   add_exact_option(verb, command.report, OperandKind::solid);
   add_memory_option(verb, command.memory_mb, OperandKind::solid);
@@ -39,7 +40,7 @@ SolidRun read_solid_run(const std::string& verb, const SolidCommand& command) {
   report_stream(command.files, command.report.json);
   std::vector<std::string> files = command.files;
   ResultPages pages(*command.parser, files);
-  const SolidOutput how{command.to, false, false};
+  const SolidOutput how{command.to, false, false, command.round};
   check_solid_outputs(files, how, ".html (the viewer), ");
   require_solid(verb, command.operands, command.input);
   SolidRun run{

@@ -17,11 +17,12 @@ struct SolidCommand {
   std::vector<std::string> operands, files;
   std::string to = "off", engine = "fast", semantics = "closed";
   double memory_mb = 0;  ///< 0: no limit
+  double round = 0;      ///< as SolidOutput
   ReportOptions report;
   InputOptions input;
 };
 
-/// Declares -o, --to, --engine, --semantics, --json, --repeat, --exact, --memory, --repair, --hull and --from.
+/// Declares -o, --to, --engine, --semantics, --round, --json, --repeat, --exact, --memory, --repair, --hull and --from.
 void add_solid_options(CLI::App& verb, SolidCommand& command);
 
 /// Checks outputs and reads the operands.

@@ -22,6 +22,13 @@ void add_memory_option(CLI::App& verb, double& megabytes, OperandKind kind) {
   within(verb.add_option("--memory", megabytes, what), 1, 1e9)->type_name("MB");
 }
 
+void add_round_option(CLI::App& verb, double& tolerance, OperandKind kind) {
+  const std::string what = std::string(kind == OperandKind::solid ? "Where" : "Solids: where") +
+                           " surfaces cross once their coordinates are rounded, merge what is nearer than this fraction "
+                           "of the largest coordinate; 2^-40 if not given, in single precision 2^-20";
+  within(verb.add_option("--round", tolerance, what), 0x1p-50, 0x1p-4)->type_name("TOLERANCE");
+}
+
 std::uint64_t memory_bytes(double megabytes) { return static_cast<std::uint64_t>(std::llround(megabytes * 1e6)); }
 
 void announce_cost(const Mesh& p, const Mesh& q) {

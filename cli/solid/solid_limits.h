@@ -12,6 +12,9 @@ class App;
 
 namespace dymsum::cli {
 
+/// Declares --round: SolidOutput::round.
+void add_round_option(CLI::App& verb, double& tolerance, OperandKind kind);
+
 /// --memory MB.
 void add_memory_option(CLI::App& verb, double& megabytes, OperandKind kind);
 std::uint64_t memory_bytes(double megabytes);

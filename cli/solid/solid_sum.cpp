@@ -72,7 +72,7 @@ ExitCode run_solid_sum(const SumVerb& verb, const SumCommand& command) {
   std::ostream& out = report_stream(command.output.files, command.report.json);
   if (!writes_to_stdout(command.output.files)) refuse_options(*command.parser, {"--to"}, "is the format of -o -");
   const SolidOutput how{command.parser->count("--to") > 0 ? command.output.to : "off", command.input.hull,
-                        command.triangulate};
+                        command.triangulate, command.round};
   check_solid_outputs(command.output.files, how);
   if (!writes_mesh(command.output.files, how))
     refuse_options(*command.parser, {"--triangulate"}, "belongs to -o FILE.off and other meshes");

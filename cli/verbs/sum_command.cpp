@@ -93,6 +93,7 @@ CLI::App& declare_sum_verb(CLI::App& app, const SumVerb& verb, SumCommand& comma
   add_solid_input_options(parser, command.input, OperandKind::either,
                           verb.is_sum ? Hulls::of_results_too : Hulls::of_operands);
   add_memory_option(parser, command.memory_mb, OperandKind::either);
+  if (!verb.planar_result) add_round_option(parser, command.round, OperandKind::either);
   if (verb.is_sum) {
     parser.add_flag("--triangulate", command.triangulate, "Solids: write triangles, for programs that take no others");
     add_thin_option(parser, command.input);
@@ -129,7 +130,7 @@ Action with_viewer(const SumVerb& verb, SumCommand& command, const Action& actio
 ExitCode run_sum(const SumVerb& verb, const SumCommand& command) {
   if (are_solid(command.operands, command.input)) return run_solid_sum(verb, command);
   if (!command.more.empty()) throw Stop(kUsage, "more than two operands have to be solids");
-  refuse_options(*command.parser, {"--triangulate", "--thin"}, "is for solids");
+  refuse_options(*command.parser, {"--triangulate", "--thin", "--round"}, "is for solids");
   std::ostream& out = report_stream(command.output.files, command.report.json);
   check(command);
   limit_memory(command.memory_mb);

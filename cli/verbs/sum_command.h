@@ -47,6 +47,7 @@ struct SumCommand {
   std::vector<std::string> operands{"", ""}, more;
   bool triangulate = false;
   double memory_mb = 0;  ///< 0: no limit
+  double round = 0;      ///< of solids: as SolidOutput
   std::string engine = "fast", semantics = "closed";
   ReportOptions report;
   InputOptions input;

@@ -8,6 +8,7 @@
 #include <memory>
 #include <optional>
 #include <span>
+#include <string>
 #include <string_view>
 #include <vector>
 
@@ -128,12 +129,25 @@ class SpatialSum {
   struct Rounded {
     MeshData mesh;
     std::vector<std::uint32_t> face;    ///< of every triangle: the face that it is a part of
-    std::vector<std::uint32_t> vertex;  ///< of every vertex: which one of the sum it is
+    std::vector<std::uint32_t> vertex;  ///< of every vertex: which one of the sum it is, or that it is next to
+    bool nearest = true;                ///< nothing happened but rounding to the nearest; the counts are 0
+    std::size_t merged_vertices = 0;    ///< vertices that became another one, not joined to it by an edge
+    std::size_t collapsed_edges = 0;    ///< edges whose ends became one
+    std::size_t bends = 0;              ///< edges and triangles that got a vertex that was near
+    std::size_t lost_faces = 0;         ///< faces of the sum of which no triangle is left
+    /// Where merging was needed: every point of the mesh is at most this far from the exact boundary, and every point
+    /// in one of the two solids but not in the other. Proved. 0 where `nearest`.
+    double distance = 0;
+    /// "2 vertices merged, 1 edge collapsed, ...; within 3e-16"; "nearest coordinates".
+    std::string to_string() const;
   };
-  /// The boundary as triangles, every vertex rounded to the nearest doubles: closed and oriented, each edge as often
-  /// one way as the other. Tight features are no part of it. Error rounding_changed_topology with the position where
-  /// two vertices round to one, a triangle to a line, or triangles cross or touch. O(n log n) beyond the triangles.
-  Result<Rounded> rounded() const;
+  /// The boundary as triangles: closed and oriented, and valid as a mesh. Every vertex is rounded to the nearest
+  /// doubles (or to single precision) where that is such a surface; else what is nearer than some units in the last
+  /// place is merged, where surfaces meet, and more up to `tolerance`, a fraction of the largest coordinate (0: 2^-40, in
+  /// single precision 2^-20). `distance` is at most four times the tolerance, beyond rounding. Tight features are no
+  /// part of it. Errors: rounding_changed_topology with the position where the tolerance does not do; cannot_write
+  /// past the range of single precision. O(n log n) beyond the triangles; a few times that where something is merged.
+  Result<Rounded> rounded(Precision precision = Precision::doubles, double tolerance = 0) const;
   /// The same for a picture: whatever rounding does, triangles may have become lines, and cross.
   Rounded drawn() const;
 

@@ -141,8 +141,13 @@ void bind_spatial_numbers(nb::class_<SpatialSum>& sum) {
           },
           "bits"_a)
       .def(
-          "rounded", [](const SpatialSum& self) { return take(without_gil([&] { return self.rounded(); })); },
-          "The boundary as triangles, every vertex rounded. Raises Error: rounding_changed_topology.")
+          "rounded",
+          [](const SpatialSum& self, Precision precision, double tolerance) {
+            return take(without_gil([&] { return self.rounded(precision, tolerance); }));
+          },
+          "precision"_a = Precision::doubles, "tolerance"_a = 0.0,
+          "The boundary as triangles, every vertex rounded, and merged where surfaces meet otherwise. Raises Error: "
+          "rounding_changed_topology, cannot_write.")
       .def(
           "drawn", [](const SpatialSum& self) { return without_gil([&] { return self.drawn(); }); },
           "The same for a picture, whatever rounding does.");
@@ -162,7 +167,13 @@ void bind_spatial_sum_class(nb::module_& m) {
   Record<SpatialSum::Rounded>(sum, "Rounded", "Triangles of a sum, rounded.")
       .field("mesh", &SpatialSum::Rounded::mesh)
       .field("face", &SpatialSum::Rounded::face, "of every triangle the face that it is a part of")
-      .field("vertex", &SpatialSum::Rounded::vertex, "of every vertex which one of the sum it is");
+      .field("vertex", &SpatialSum::Rounded::vertex, "of every vertex which one of the sum it is, or that it is next to")
+      .field("nearest", &SpatialSum::Rounded::nearest, "nothing happened but rounding to the nearest")
+      .field("merged_vertices", &SpatialSum::Rounded::merged_vertices)
+      .field("collapsed_edges", &SpatialSum::Rounded::collapsed_edges)
+      .field("bends", &SpatialSum::Rounded::bends, "edges and triangles that got a vertex that was near")
+      .field("lost_faces", &SpatialSum::Rounded::lost_faces, "faces of the sum of which no triangle is left")
+      .field("distance", &SpatialSum::Rounded::distance, "how far the mesh is from the exact boundary, at most");
   sum.def(
          "__eq__", [](const SpatialSum& a, const SpatialSum& b) { return without_gil([&] { return a == b; }); },
          nb::is_operator())

@@ -8,6 +8,7 @@
 #include "exact/orient3.h"
 #include "spatial/erode/erosion.h"
 #include "spatial/sum/face_triangles.h"
+#include "spatial/sum/rounded_surface.h"
 #include "spatial/sum/sum_of_solids.h"
 #include "spatial/sum/sum_source.h"
 #include "spatial/sum/touching_vertices.h"
@@ -94,8 +95,8 @@ Result<Step> next_operand(Result<SpatialSum> first, BetweenSteps between) {
   if (!made) return made;
   Step step = *std::move(made);
   spatial::Triangles all = spatial::triangulated(sum);
-  if (step.moved > 0) {  // the triangles of rounded(), which tells whether they cross then
-    if (const Result<SpatialSum::Rounded> checked = sum.rounded(); !checked) return checked.error();
+  if (step.moved > 0) {
+    if (std::optional<Error> error = spatial::rounding_error(sum.drawn().mesh)) return *std::move(error);
     all = spatial::split_at_touching_vertices(sum, std::move(all));
   }
   for (const spatial::Triangle& t : all.triangles) step.set.faces.push_back({t[0], t[1], t[2]});

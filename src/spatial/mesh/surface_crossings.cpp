@@ -94,6 +94,19 @@ class MeetingSearch {
     return first;
   }
 
+  std::vector<std::array<std::uint32_t, 2>> all(const BoxTree& boxes, const std::vector<bool>& asked) const {
+    std::vector<std::array<std::uint32_t, 2>> found;
+    for (std::uint32_t i = 0; i < triangles_.triangles.size(); ++i) {
+      if (!asked[i]) continue;
+      boxes.for_each(boxes.box(i), [&](std::uint32_t j) {
+        if (i == j || (asked[j] && j < i)) return;
+        if (meeting(i, j)) found.push_back({std::min(i, j), std::max(i, j)});
+      });
+    }
+    std::sort(found.begin(), found.end());
+    return found;
+  }
+
  private:
   // Which sides of a triangle are edges of its face; the others run through its inside.
   void mark_edges() {
@@ -185,6 +198,11 @@ BoxTree boxes_of(const std::vector<Point3>& vertices, const std::vector<Triangle
 
 std::optional<FaceMeeting> find_meeting(const MeshData& data, const Triangles& triangles, const BoxTree& boxes) {
   return MeetingSearch(data, triangles).run(boxes);
+}
+
+std::vector<std::array<std::uint32_t, 2>> find_meetings(const MeshData& data, const Triangles& triangles,
+                                                        const BoxTree& boxes, const std::vector<bool>& asked) {
+  return MeetingSearch(data, triangles).all(boxes, asked);
 }
 
 }  // namespace dymsum::spatial

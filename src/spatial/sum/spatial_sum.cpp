@@ -1,6 +1,7 @@
 #include "dymsum/spatial_sum.h"
 
 #include <algorithm>
+#include <cstdio>
 #include <new>
 #include <string>
 
@@ -11,6 +12,7 @@
 #include "spatial/sum/face_triangles.h"
 #include "spatial/sum/grid_error.h"
 #include "spatial/sum/rounded_surface.h"
+#include "spatial/sum/separated_surface.h"
 #include "spatial/sum/solid_faces.h"
 #include "spatial/sum/sum_of_solids.h"
 #include "spatial/sum/sum_source.h"
@@ -127,10 +129,24 @@ SpatialSum::Rounded SpatialSum::drawn() const {
   return result;
 }
 
-Result<SpatialSum::Rounded> SpatialSum::rounded() const {
+Result<SpatialSum::Rounded> SpatialSum::rounded(Precision precision, double tolerance) const {
   Rounded result = drawn();
-  if (std::optional<Error> error = spatial::rounding_error(result.mesh)) return *std::move(error);
-  return result;
+  const bool single = precision == Precision::singles;
+  if (!single && !spatial::rounding_error(result.mesh)) return result;
+  if (tolerance == 0) tolerance = single ? 0x1p-20 : 0x1p-40;
+  return spatial::separated_surface(result, precision, tolerance);
+}
+
+std::string SpatialSum::Rounded::to_string() const {
+  if (nearest) return "nearest coordinates";
+  const auto count = [](std::size_t n, const char* one, const char* many) {
+    return std::to_string(n) + (n == 1 ? one : many);
+  };
+  char within[32];
+  std::snprintf(within, sizeof within, "%.2g", distance);
+  return count(merged_vertices, " vertex merged, ", " vertices merged, ") +
+         count(collapsed_edges, " edge collapsed, ", " edges collapsed, ") + count(bends, " bend, ", " bends, ") +
+         count(lost_faces, " face lost", " faces lost") + "; within " + within;
 }
 
 bool operator==(const SpatialSum& a, const SpatialSum& b) {
