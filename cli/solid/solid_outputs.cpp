@@ -129,23 +129,25 @@ class FacetsAt {
   std::map<std::array<double, 3>, std::vector<std::uint32_t>> at_;
 };
 
+/// The hull of rounded vertices, of which some may no longer be corners.
+Mesh rounded_hull(const SolidSum& sum, Precision precision, const std::string& file, bool picture) {
+  const Result<HulledMesh> made = sum.rounded_hull(precision);
+  if (!made) stop_for(made.error(), file, kExactFile);
+  const HulledMesh& hulled = *made;
+  // No stream: a page's module has this file as well, and streams would be a part of it.
+  if (!picture && hulled.mesh.vertices().size() != sum.vertices.size())
+    std::fprintf(stderr, "%s: rounded, %s became %zu, largest deviation %g\n", file.c_str(),
+                 counted(sum.vertices.size(), "vertex", "vertices").c_str(), hulled.mesh.vertices().size(),
+                 hulled.report.deviation);
+  return hulled.mesh;
+}
+
 Mesh rounded_mesh(const SolidSum& sum, Precision precision, const std::string& file, bool hull, bool picture) {
-  if (hull || picture) {
-    const Result<HulledMesh> made = sum.rounded_hull(precision);
-    if (!made) stop_for(made.error(), file, kExactFile);
-    const HulledMesh& hulled = *made;
-    // No stream: a page's module has this file as well, and streams would be a part of it.
-    if (hull && hulled.mesh.vertices().size() != sum.vertices.size())
-      std::fprintf(stderr, "%s: rounded, %s became %zu, largest deviation %g\n", file.c_str(),
-                   counted(sum.vertices.size(), "vertex", "vertices").c_str(), hulled.mesh.vertices().size(),
-                   hulled.report.deviation);
-    return hulled.mesh;
-  }
+  if (hull || picture) return rounded_hull(sum, precision, file, !hull);
   Result<Mesh> mesh = sum.rounded_mesh(precision);
   if (mesh) return std::move(mesh).value();
-  const std::string hull_too = "--hull writes the convex hull of what is left; ";
-  stop_for(mesh.error(), file,
-           (mesh.error().code == ErrorCode::rounding_changed_topology ? hull_too : "") + kOtherFiles);
+  if (mesh.error().code == ErrorCode::rounding_changed_topology) return rounded_hull(sum, precision, file, false);
+  stop_for(mesh.error(), file);
 }
 
 }  // namespace

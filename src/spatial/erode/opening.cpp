@@ -96,7 +96,15 @@ Result<Step> next_operand(Result<SpatialSum> first, BetweenSteps between) {
   Step step = *std::move(made);
   spatial::Triangles all = spatial::triangulated(sum);
   if (step.moved > 0) {
-    if (std::optional<Error> error = spatial::rounding_error(sum.drawn().mesh)) return *std::move(error);
+    if (std::optional<Error> error = spatial::rounding_error(sum.drawn().mesh)) {
+      if (!sum.tight_faces.empty() || !sum.tight_segments.empty() || !sum.tight_points.empty())
+        return *std::move(error);
+      Result<SpatialSum::Rounded> merged = sum.rounded();
+      if (!merged) return merged.error();
+      step.moved = std::max(step.moved, merged->distance);
+      step.set = std::move(merged)->mesh;
+      return step;
+    }
     all = spatial::split_at_touching_vertices(sum, std::move(all));
   }
   for (const spatial::Triangle& t : all.triangles) step.set.faces.push_back({t[0], t[1], t[2]});

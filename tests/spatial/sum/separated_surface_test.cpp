@@ -1,0 +1,133 @@
+// Meshes of sums whose nearest doubles, or single precision, cross: valid, and as near to the exact set as is reported.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "dymsum/mesh_io.h"
+#include "dymsum/solid_erosion.h"
+#include "dymsum/solids.h"
+#include "dymsum/spatial_sum.h"
+#include "oracles/coordinate_kinds.h"
+#include "oracles/voxel_solids.h"
+#include "spatial/mesh/vec3.h"
+#include "spatial/sum/random_solids.h"
+
+namespace dymsum {
+namespace {
+
+using spatial::Vec3;
+
+Vec3 vector_of(const Point3& p) { return {p.x, p.y, p.z}; }
+
+double to_segment(Vec3 p, Vec3 a, Vec3 b) {
+  const double square = dot(b - a, b - a), t = square > 0 ? std::clamp(dot(p - a, b - a) / square, 0.0, 1.0) : 0;
+  return length(p - (a + t * (b - a)));
+}
+
+double to_triangle(Vec3 p, Vec3 a, Vec3 b, Vec3 c) {
+  const double sides = std::min({to_segment(p, a, b), to_segment(p, b, c), to_segment(p, c, a)});
+  const Vec3 n = cross(b - a, c - a);
+  const bool over = dot(cross(b - a, p - a), n) > 0 && dot(cross(c - b, p - b), n) > 0 && dot(cross(a - c, p - c), n) > 0;
+  return over ? std::min(sides, std::abs(dot(p - a, n)) / length(n)) : sides;
+}
+
+/// How far the middle of a triangle or a corner of `from` is from `to`, at most.
+double farthest(const MeshData& from, const MeshData& to) {
+  double most = 0;
+  const auto at = [](const MeshData& m, std::uint32_t v) { return vector_of(m.vertices[v]); };
+  for (const Face& f : from.faces) {
+    const Vec3 a = at(from, f[0]), b = at(from, f[1]), c = at(from, f[2]);
+    for (const Vec3 p : {a, b, c, (1.0 / 3) * (a + b + c)}) {
+      double least = INFINITY;
+      for (const Face& g : to.faces) least = std::min(least, to_triangle(p, at(to, g[0]), at(to, g[1]), at(to, g[2])));
+      most = std::max(most, least);
+    }
+  }
+  return most;
+}
+
+double largest(const MeshData& mesh) {
+  double most = 0;
+  for (const Point3& p : mesh.vertices) most = std::max({most, std::abs(p.x), std::abs(p.y), std::abs(p.z)});
+  return most;
+}
+
+/// Written, and what is said about it holds. Returns whether it took more than the nearest coordinates.
+bool expect_written(const SpatialSum& sum, Precision precision) {
+  const Result<SpatialSum::Rounded> rounded = sum.rounded(precision);
+  EXPECT_TRUE(rounded.ok()) << rounded.error().to_string();
+  if (!rounded) return false;
+  const Result<Mesh> mesh = Mesh::create(rounded->mesh);
+  EXPECT_TRUE(mesh.ok()) << mesh.error().to_string();
+  const MeshData drawn = sum.drawn().mesh;
+  const bool single = precision == Precision::singles;
+  const double size = largest(drawn), unit = size * (single ? 0x1p-23 : 0x1p-52);
+  EXPECT_LE(rounded->distance, 4 * size * (single ? 0x1p-20 : 0x1p-40) + unit);
+  EXPECT_LE(farthest(rounded->mesh, drawn), (rounded->nearest ? unit : rounded->distance) + 4 * size * 0x1p-52);
+  for (const Point3& p : rounded->mesh.vertices)
+    if (single) {
+      EXPECT_EQ(p, (Point3{double(float(p.x)), double(float(p.y)), double(float(p.z))}));
+    }
+  EXPECT_EQ(rounded->nearest,
+            rounded->merged_vertices + rounded->collapsed_edges + rounded->bends + rounded->lost_faces == 0);
+  if (mesh) {
+    const double within = (rounded->nearest ? unit : rounded->distance) * sum.area() + size * size * size * 0x1p-48;
+    EXPECT_NEAR(volume(*mesh), sum.volume(), 2 * within);
+    // Read back, and written again: the same bytes.
+    const std::string bytes = format_mesh(*mesh, MeshFormat::off);
+    EXPECT_EQ(format_mesh(Mesh::create(parse_mesh(bytes, MeshFormat::off).value()).value(), MeshFormat::off), bytes);
+  }
+  return !rounded->nearest;
+}
+
+TEST(SeparatedSurface, sums_and_erosions_in_all_kinds_of_coordinates) {
+  std::mt19937_64 random(41);
+  std::size_t merged = 0;
+  for (int k = 0; k < 8; ++k) {
+    for (const CoordinateKind kind : kCoordinateKinds) {
+      const Result<Mesh> p = Mesh::create(of_kind(random_solids::valid_polyhedron(random).data(), kind, random)),
+                         q = Mesh::create(of_kind(random_solids::valid_polyhedron(random).data(), kind, random));
+      if (!p || !q) continue;
+      SCOPED_TRACE(name_of(kind) + ", round " + std::to_string(k));
+      const Result<SpatialSum> sum = minkowski_sum(*p, *q);
+      ASSERT_TRUE(sum.ok());
+      const Result<SpatialSum> inner = erode(*p, solids::box(0, 0, 0, 0.125, 0.25, 0.125));
+      ASSERT_TRUE(inner.ok());
+      for (const Precision precision : {Precision::doubles, Precision::singles})
+        merged += expect_written(*sum, precision) + expect_written(*inner, precision);
+    }
+  }
+  EXPECT_GT(merged, 4u);
+}
+
+MeshData ell() { return oracles::voxel_mesh({{0, 0, 0}, {1, 0, 0}, {2, 0, 0}, {0, 1, 0}, {0, 2, 0}}); }
+
+TEST(SeparatedSurface, a_box_turned_by_30_degrees_and_shrunk_by_a_tenth) {
+  std::mt19937_64 random(1);
+  const Mesh ball = solids::geodesic_sphere(2, 0.1);
+  for (const CoordinateKind kind : {CoordinateKind::turned, CoordinateKind::turned_far}) {
+    for (const MeshData& part : {triangulated(solids::box(0, 0, 0, 3, 2, 1)).mesh.data(),
+                                 triangulated(Mesh::create(ell()).value()).mesh.data()}) {
+      const Mesh box = Mesh::create(of_kind(part, kind, random)).value();
+      for (const Precision precision : {Precision::doubles, Precision::singles}) {
+        expect_written(erode(box, ball).value(), precision);
+        expect_written(minkowski_sum(box, ball).value(), precision);
+      }
+    }
+  }
+}
+
+TEST(SeparatedSurface, what_is_not_allowed_is_refused_with_the_place) {
+  std::mt19937_64 random(1);
+  const Mesh p = Mesh::create(of_kind(triangulated(Mesh::create(ell()).value()).mesh.data(), CoordinateKind::turned, random)).value();
+  const SpatialSum sum = minkowski_sum(p, solids::geodesic_sphere(2, 0.5)).value();
+  ASSERT_FALSE(sum.rounded(Precision::singles).value().nearest);
+  const Result<SpatialSum::Rounded> refused = sum.rounded(Precision::singles, 0x1p-45);
+  ASSERT_FALSE(refused.ok());
+  EXPECT_EQ(refused.error().code, ErrorCode::rounding_changed_topology);
+  EXPECT_TRUE(refused.error().evidence.x.has_value());
+}
+
+}  // namespace
+}  // namespace dymsum
