@@ -10,8 +10,8 @@
 namespace dymsum::cli {
 
 /// .json the exact sum with provenance, else a closed mesh of triangles coloured by kind; a Stop where merging within
-/// `how.round` does not give one. .glb is a picture, with tight features in red, which is drawn whatever rounding does to parts of it.
-/// Stages need a sum with its trace.
+/// `how.round` does not give one. .glb is a picture, with tight features in red, which is drawn whatever rounding does
+/// to parts of it. Stages need a sum with its trace.
 std::string any_solid_output(const SpatialSum& sum, const std::string& file, const SolidOutput& how);
 
 /// The bytes of a file, and what rounding did where the nearest coordinates did not do; null otherwise.
@@ -22,8 +22,8 @@ struct WrittenSolid {
 /// The same with what rounding did.
 WrittenSolid written_solid(const SpatialSum& sum, const std::string& file, const SolidOutput& how);
 
-/// The mesh that any_solid_output writes, in a format of meshes; `file` is what errors name. Says on standard error what
-/// was merged.
+/// The mesh that any_solid_output writes, in a format of meshes; `file` is what errors name. Says on standard error
+/// what was merged.
 WrittenSolid rounded_sum_text(const SpatialSum& sum, MeshFormat format, const std::string& file, double round = 0);
 
 /// Whether a file's name asks for the picture of the stages ("stages.glb", "x.stages.glb"): the convolution, cut along

@@ -23,9 +23,10 @@ void add_memory_option(CLI::App& verb, double& megabytes, OperandKind kind) {
 }
 
 void add_round_option(CLI::App& verb, double& tolerance, OperandKind kind) {
-  const std::string what = std::string(kind == OperandKind::solid ? "Where" : "Solids: where") +
-                           " surfaces cross once their coordinates are rounded, merge what is nearer than this fraction "
-                           "of the largest coordinate; 2^-40 if not given, in single precision 2^-20";
+  const std::string what =
+      std::string(kind == OperandKind::solid ? "Where" : "Solids: where") +
+      " surfaces cross once their coordinates are rounded, merge what is nearer than this fraction "
+      "of the largest coordinate; 2^-40 if not given, in single precision 2^-20";
   within(verb.add_option("--round", tolerance, what), 0x1p-50, 0x1p-4)->type_name("TOLERANCE");
 }
 

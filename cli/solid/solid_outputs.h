@@ -17,7 +17,8 @@ struct SolidOutput {
   bool hull =
       false;  ///< where rounding changes the topology, take the hull of what is left and say so on standard error
   bool triangulate = false;
-  double round = 0;  ///< what may be merged where rounded surfaces meet, as a fraction of the largest coordinate; 0: the default
+  double round =
+      0;  ///< what may be merged where rounded surfaces meet, as a fraction of the largest coordinate; 0: the default
 };
 
 /// Usage errors for outputs that cannot be written, before any long work; `also` is what the verb writes besides, for

@@ -20,10 +20,9 @@ namespace fs = std::filesystem;
 
 /// About outputs, reports and this program's own work, or done to the inputs already: nothing of it changes what is
 /// shown.
-constexpr std::array<std::string_view, 16> kNotShown{"o",       "json", "repeat", "exact",    "memory",
-                                                     "threads", "help", "port",   "page",     "no-open",
-                                                     "repair",  "hull", "margin", "obstacle", "round-repair",
-                                                     "round"};
+constexpr std::array<std::string_view, 16> kNotShown{
+    "o",    "json",    "repeat", "exact", "memory", "threads",  "help",         "port",
+    "page", "no-open", "repair", "hull",  "margin", "obstacle", "round-repair", "round"};
 
 /// Formats of standard input and output, but of a path its ends.
 bool is_format(const std::string& option, const CLI::App& verb) {

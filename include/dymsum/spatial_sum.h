@@ -143,8 +143,8 @@ class SpatialSum {
   };
   /// The boundary as triangles: closed and oriented, and valid as a mesh. Every vertex is rounded to the nearest
   /// doubles (or to single precision) where that is such a surface; else what is nearer than some units in the last
-  /// place is merged, where surfaces meet, and more up to `tolerance`, a fraction of the largest coordinate (0: 2^-40, in
-  /// single precision 2^-20). `distance` is at most four times the tolerance, beyond rounding. Tight features are no
+  /// place is merged, where surfaces meet, and more up to `tolerance`, a fraction of the largest coordinate (0: 2^-40,
+  /// in single precision 2^-20). `distance` is at most four times the tolerance, beyond rounding. Tight features are no
   /// part of it. Errors: rounding_changed_topology with the position where the tolerance does not do; cannot_write
   /// past the range of single precision. O(n log n) beyond the triangles; a few times that where something is merged.
   Result<Rounded> rounded(Precision precision = Precision::doubles, double tolerance = 0) const;

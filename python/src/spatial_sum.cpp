@@ -167,7 +167,8 @@ void bind_spatial_sum_class(nb::module_& m) {
   Record<SpatialSum::Rounded>(sum, "Rounded", "Triangles of a sum, rounded.")
       .field("mesh", &SpatialSum::Rounded::mesh)
       .field("face", &SpatialSum::Rounded::face, "of every triangle the face that it is a part of")
-      .field("vertex", &SpatialSum::Rounded::vertex, "of every vertex which one of the sum it is, or that it is next to")
+      .field("vertex", &SpatialSum::Rounded::vertex,
+             "of every vertex which one of the sum it is, or that it is next to")
       .field("nearest", &SpatialSum::Rounded::nearest, "nothing happened but rounding to the nearest")
       .field("merged_vertices", &SpatialSum::Rounded::merged_vertices)
       .field("collapsed_edges", &SpatialSum::Rounded::collapsed_edges)

@@ -3,6 +3,7 @@
 #include <cmath>
 #include <utility>
 
+#include "base/in_single.h"
 #include "dymsum/mesh_io.h"
 #include "exact/orient3.h"
 #include "io/archive.h"
@@ -16,7 +17,7 @@ Result<MeshData> in_singles(MeshData data) {
   for (std::size_t v = 0; v < data.vertices.size(); ++v) {
     Point3& p = data.vertices[v];
     for (double* c : {&p.x, &p.y, &p.z}) {
-      *c = static_cast<double>(static_cast<float>(*c));
+      *c = base::in_single(*c);
       if (std::isfinite(*c)) continue;
       Error error{ErrorCode::cannot_write, "a coordinate is past the range of single precision", {}};
       error.evidence.vertex = static_cast<std::int64_t>(v);

@@ -9,6 +9,7 @@
 #include <utility>
 #include <vector>
 
+#include "base/in_single.h"
 #include "dymsum/convex_sum.h"
 #include "exact/big.h"
 
@@ -35,7 +36,7 @@ Result<std::vector<Point3>> rounded_places(const SolidSum& sum, Precision precis
   std::vector<Point3> at = sum.at;
   for (std::uint32_t v = 0; v < at.size(); ++v) {
     for (double* c : {&at[v].x, &at[v].y, &at[v].z}) {
-      if (precision == Precision::singles) *c = static_cast<double>(static_cast<float>(*c));
+      if (precision == Precision::singles) *c = base::in_single(*c);
       if (!std::isfinite(*c))
         return at_vertex(ErrorCode::not_finite, in_precision(precision) + "a coordinate is past the range", sum, v);
     }

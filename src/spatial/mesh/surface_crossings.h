@@ -28,8 +28,8 @@ BoxTree boxes_of(const std::vector<Point3>& vertices, const std::vector<Triangle
 /// overlapping boxes.
 std::optional<FaceMeeting> find_meeting(const MeshData& data, const Triangles& triangles, const BoxTree& boxes);
 
-/// All meetings of two triangles, one of which is `asked` for, the smaller index first, sorted. Of a surface whose faces are the
-/// triangles, under the same requirements, but edges may have any number of them.
+/// All meetings of two triangles, one of which is `asked` for, the smaller index first, sorted. Of a surface whose
+/// faces are the triangles, under the same requirements, but edges may have any number of them.
 std::vector<std::array<std::uint32_t, 2>> find_meetings(const MeshData& data, const Triangles& triangles,
                                                         const BoxTree& boxes, const std::vector<bool>& asked);
 

@@ -10,6 +10,7 @@
 #include <tuple>
 #include <utility>
 
+#include "base/in_single.h"
 #include "exact/orient3.h"
 #include "spatial/mesh/surface_crossings.h"
 #include "spatial/mesh/vec3.h"
@@ -24,13 +25,14 @@ constexpr int kRounds = 64;
 // A distance of two positions in doubles is off by a relative error of at most 2^-49: this is above it.
 constexpr double kAbove = 1 + 0x1p-40;
 
-/// What two parts of the surface have near each other: `a` and, where it is an edge, `b` against `c` and `d`, or the part.
+/// What two parts of the surface have near each other: `a` and, where it is an edge, `b` against `c` and `d`, or the
+/// part.
 struct Near {
   enum Kind : std::uint8_t { vertices, vertex_edge, edges, vertex_part, none } kind = none;
   double gap = 0;  ///< how far they are apart
   double by = 0;   ///< how far anything moves, at most
   std::uint32_t a = kNoVertex, b = kNoVertex, c = kNoVertex, d = kNoVertex;
-  Point3 at{};    ///< of a new vertex
+  Point3 at{};  ///< of a new vertex
 
   auto order() const { return std::tuple(kind, gap, a, b, c, d); }
   friend bool operator<(const Near& x, const Near& y) { return x.order() < y.order(); }
@@ -78,8 +80,8 @@ class Separation {
     return mesh;
   }
   Point3 rounded(Vec3 p) const {
-    const auto one = [&](double c) { return single_ ? static_cast<double>(static_cast<float>(c)) : c; };
-    return {one(p.x) + 0.0, one(p.y) + 0.0, one(p.z) + 0.0};
+    const auto one = [&](double c) { return (single_ ? base::in_single(c) : c) + 0.0; };
+    return {one(p.x), one(p.y), one(p.z)};
   }
   const Point3& point(std::uint32_t v) const { return edits_.vertices()[v]; }
   Vec3 at(std::uint32_t v) const { return as_vector(point(v)); }
@@ -115,9 +117,9 @@ class Separation {
   double tolerance_, size_, slack_, limit_;
   SurfaceEdits edits_;
   std::vector<std::uint32_t> from_;  // of every vertex one of the sum
-  std::size_t looked_at_ = 0;  // parts from here on are new
-  std::set<std::uint32_t> met_;  // of those before, which met another one
-  bool stuck_ = false;  // parts meet that have nothing near enough
+  std::size_t looked_at_ = 0;        // parts from here on are new
+  std::set<std::uint32_t> met_;      // of those before, which met another one
+  bool stuck_ = false;               // parts meet that have nothing near enough
   std::size_t merged_ = 0, collapsed_ = 0, bends_ = 0;
   Point3 place_{};
 };
@@ -295,7 +297,8 @@ SpatialSum::Rounded Separation::result() const {
   std::vector<const SurfacePart*> parts;
   for (const SurfacePart& part : edits_.parts())
     if (part.live) parts.push_back(&part);
-  std::stable_sort(parts.begin(), parts.end(), [](const SurfacePart* a, const SurfacePart* b) { return a->face < b->face; });
+  std::stable_sort(parts.begin(), parts.end(),
+                   [](const SurfacePart* a, const SurfacePart* b) { return a->face < b->face; });
   for (const SurfacePart* part : parts) {
     Face face;
     for (const std::uint32_t v : part->v) {
@@ -309,7 +312,8 @@ SpatialSum::Rounded Separation::result() const {
     made.mesh.faces.push_back(std::move(face));
     made.face.push_back(part->face);
   }
-  const std::set<std::uint32_t> before(drawn_.face.begin(), drawn_.face.end()), after(made.face.begin(), made.face.end());
+  const std::set<std::uint32_t> before(drawn_.face.begin(), drawn_.face.end()),
+      after(made.face.begin(), made.face.end());
   made.nearest = merged_ + collapsed_ + bends_ == 0;
   made.merged_vertices = merged_;
   made.collapsed_edges = collapsed_;

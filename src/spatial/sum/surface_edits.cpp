@@ -34,9 +34,7 @@ std::uint32_t SurfaceEdits::add_vertex(const Point3& at) {
   return static_cast<std::uint32_t>(at_.size() - 1);
 }
 
-void SurfaceEdits::kill(std::uint32_t part) {
-  parts_[part].live = false;
-}
+void SurfaceEdits::kill(std::uint32_t part) { parts_[part].live = false; }
 
 void SurfaceEdits::add(const Part& part) {
   moved_ = std::max(moved_, part.moved);

@@ -1,5 +1,5 @@
-// A closed surface of triangles that is edited: vertices merged, edges and triangles split. Every edit is the image of the
-// surface under a continuous map, so it stays closed and oriented; triangles that cancel each other disappear.
+// A closed surface of triangles that is edited: vertices merged, edges and triangles split. Every edit is the image of
+// the surface under a continuous map, so it stays closed and oriented; triangles that cancel each other disappear.
 #pragma once
 
 #include <array>
