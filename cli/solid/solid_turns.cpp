@@ -147,8 +147,8 @@ std::vector<MotionEvent> turn_events(const std::vector<SolidInput>& inputs, cons
   throw_if_interrupted();
   std::vector<MotionEvent> events;
   for (const SolidTurnEvent& event : require(found)) events.push_back(motion_event(event, way));
-  std::sort(events.begin(), events.end(),
-            [&](const MotionEvent& a, const MotionEvent& b) { return way < 0 ? b.at < a.at : a.at < b.at; });
+  std::stable_sort(events.begin(), events.end(),
+                   [&](const MotionEvent& a, const MotionEvent& b) { return way < 0 ? b.at < a.at : a.at < b.at; });
   return events;
 }
 

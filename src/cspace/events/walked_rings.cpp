@@ -29,7 +29,9 @@ std::vector<RingEdge> sorted_edges(const Region& r) {
   }
   for (const Polyline& line : r.polylines())
     for (std::size_t k = 0; k + 1 < line.size(); ++k) add(line[k], line[k + 1], true);
-  std::sort(edges.begin(), edges.end(), [](const RingEdge& a, const RingEdge& b) { return before(a.from, b.from); });
+  std::sort(edges.begin(), edges.end(), [](const RingEdge& a, const RingEdge& b) {
+    return a.from != b.from ? before(a.from, b.from) : before(a.to, b.to);
+  });
   return edges;
 }
 

@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <numeric>
 #include <string>
+#include <tuple>
 #include <utility>
 
 #include "io/number_text.h"
@@ -56,7 +57,8 @@ class PieceJoiner {
       if (within_reach) widest = std::max(widest, reach(end));
     }
     std::sort(ends.begin(), ends.end(), [this](std::size_t a, std::size_t b) {
-      return place(a).x != place(b).x ? place(a).x < place(b).x : place(a).y < place(b).y;
+      const Point p = place(a), q = place(b);
+      return std::tie(p.x, p.y, a) < std::tie(q.x, q.y, b);
     });
     std::uint64_t tests = 0;
     for (std::size_t i = 0; i < ends.size(); ++i) {

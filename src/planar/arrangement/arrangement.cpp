@@ -153,8 +153,9 @@ inline std::uint32_t Arrangement::sort_by_parameter(std::uint32_t s, std::span<s
   }
   to.buffer.resize(n);
   for (std::uint32_t i = 0; i < n; ++i) to.buffer[i] = {parameter(s, first[i]), first[i]};
-  std::sort(to.buffer.begin(), to.buffer.end(),
-            [](const EventTimes::Timed& a, const EventTimes::Timed& b) { return a.t < b.t; });
+  std::sort(to.buffer.begin(), to.buffer.end(), [](const EventTimes::Timed& a, const EventTimes::Timed& b) {
+    return a.t != b.t ? a.t < b.t : a.event < b.event;
+  });
   if (times.size() < n) times.resize(2 * n);
   for (std::uint32_t i = 0; i < n; ++i) {
     times[i] = to.buffer[i].t;
@@ -181,7 +182,13 @@ void Arrangement::sort_events(const Poll* poll) {
   if (events_.empty()) return;
   const auto sort_exactly = [this](std::uint32_t s, std::span<std::uint32_t> events) {
     const auto less = [&](std::uint32_t a, std::uint32_t b) { return compare_events(s, a, b) < 0; };
-    if (events.size() > kInsertion) return std::sort(events.begin(), events.end(), less);
+    // Events at one place stay in the order in which they come, which insertion keeps and std::sort has to be told.
+    const auto before = [&](std::uint32_t a, std::uint32_t b) {
+      if (const int order = compare_events(s, a, b); order != 0) return order < 0;
+      const double t = parameter(s, a), u = parameter(s, b);
+      return t != u ? t < u : a < b;
+    };
+    if (events.size() > kInsertion) return std::sort(events.begin(), events.end(), before);
     for (std::size_t i = 1; i < events.size(); ++i) {
       const std::uint32_t e = events[i];
       std::size_t j = i;

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 namespace dymsum::planar {
 namespace {
@@ -53,7 +54,9 @@ class Family {
   /// The ends of what covers the starts of translates, from the left.
   void cover_starts(Array<Translate>& list, Array<Span>& spans) {
     const auto key = [&](const Translate& t) { return t.along + b_.from_start * t.height; };
-    std::sort(list.begin(), list.end(), [&](const Translate& a, const Translate& b) { return key(a) < key(b); });
+    std::sort(list.begin(), list.end(), [&](const Translate& a, const Translate& b) {
+      return std::pair(key(a), a.segment) < std::pair(key(b), b.segment);
+    });
     scan(list, [&](const Translate& own, const Translate& over) {
       const double d = over.height - own.height;
       if (own.along < over.along + b_.from_start * d + reach_) return false;
@@ -64,7 +67,9 @@ class Family {
   }
   void cover_ends(Array<Translate>& list, Array<Span>& spans) {
     const auto key = [&](const Translate& t) { return t.along - b_.from_end * t.height; };
-    std::sort(list.begin(), list.end(), [&](const Translate& a, const Translate& b) { return key(a) > key(b); });
+    std::sort(list.begin(), list.end(), [&](const Translate& a, const Translate& b) {
+      return std::pair(key(b), a.segment) < std::pair(key(a), b.segment);
+    });
     scan(list, [&](const Translate& own, const Translate& over) {
       const double d = over.height - own.height;
       if (own.along > over.along - b_.from_end * d - reach_) return false;

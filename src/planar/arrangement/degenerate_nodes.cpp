@@ -83,8 +83,11 @@ struct Arrangement::NodeClasses {
 
 void Arrangement::find_degenerate_nodes(const Poll* poll) {
   NodeClasses nodes(soup_.memory);
-  for (const auto& [a, b] : meetings_.same)
-    nodes.classes.unite(nodes.element(NodeClasses::key(a)), nodes.element(NodeClasses::key(b)));
+  for (const auto& [a, b] : meetings_.same) {
+    // One after the other: compilers differ in which argument of a call comes first.
+    const std::uint32_t of_b = nodes.element(NodeClasses::key(b)), of_a = nodes.element(NodeClasses::key(a));
+    nodes.classes.unite(of_a, of_b);
+  }
   join_suspects(nodes, poll);
   const Array<std::uint64_t>& elements = nodes.index.keys();
   if (elements.empty()) return;
@@ -125,16 +128,16 @@ void Arrangement::join_suspects(NodeClasses& nodes, const Poll* poll) const {
   }
 }
 
-// Class by class: its spots, each once, and its pairs of vertices.
+// Class by class: its spots, each once, and its pairs of vertices, both by index: the first one names the node.
 void Arrangement::process_nodes(NodeClasses& nodes, const Poll* poll) {
   using Touched = NodeClasses::Touched;
   Array<Touched>& spots = nodes.spots;
   const Array<std::uint64_t>& elements = nodes.index.keys();
-  Array<std::pair<std::uint32_t, std::uint32_t>> pair_elements(soup_.memory);  // class, element
+  Array<std::pair<std::uint32_t, std::uint64_t>> pair_keys(soup_.memory);  // class, pair
   for (std::uint32_t e = 0; e < elements.size(); ++e)
-    if (elements[e] & NodeClasses::kPair) pair_elements.emplace_back(nodes.classes.root(e), e);
+    if (elements[e] & NodeClasses::kPair) pair_keys.emplace_back(nodes.classes.root(e), elements[e]);
   for (Touched& t : spots) t.element = nodes.classes.root(t.element);
-  std::sort(pair_elements.begin(), pair_elements.end());
+  std::sort(pair_keys.begin(), pair_keys.end());
   std::sort(spots.begin(), spots.end(), [](const Touched& a, const Touched& b) {
     return std::tie(a.element, a.spot.segment, a.spot.begin) < std::tie(b.element, b.spot.segment, b.spot.begin);
   });
@@ -142,16 +145,16 @@ void Arrangement::process_nodes(NodeClasses& nodes, const Poll* poll) {
   Array<WalkPair> pairs(soup_.memory);
   NodeBuffers buffers(soup_.memory);
   std::size_t i = 0, j = 0;
-  while (i < spots.size() || j < pair_elements.size()) {
-    if (poll != nullptr) poll->at(i + j, spots.size() + pair_elements.size());
-    const std::uint32_t root = std::min(i < spots.size() ? spots[i].element : kNone,
-                                        j < pair_elements.size() ? pair_elements[j].first : kNone);
+  while (i < spots.size() || j < pair_keys.size()) {
+    if (poll != nullptr) poll->at(i + j, spots.size() + pair_keys.size());
+    const std::uint32_t root =
+        std::min(i < spots.size() ? spots[i].element : kNone, j < pair_keys.size() ? pair_keys[j].first : kNone);
     node.clear();
     pairs.clear();
     for (; i < spots.size() && spots[i].element == root; ++i)
       if (node.empty() || !(node.back() == spots[i].spot)) node.push_back(spots[i].spot);
-    for (; j < pair_elements.size() && pair_elements[j].first == root; ++j)
-      pairs.push_back(NodeClasses::pair(elements[pair_elements[j].second]));
+    for (; j < pair_keys.size() && pair_keys[j].first == root; ++j)
+      pairs.push_back(NodeClasses::pair(pair_keys[j].second));
     process_node(node, pairs, buffers);
   }
 }

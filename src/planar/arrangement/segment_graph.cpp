@@ -90,7 +90,10 @@ void SegmentGraph::build_events() {
   for (const Touch& t : meetings_.touches) events_[at[t.segment]++] = {t.t, t.error, ref++};
   for (std::uint32_t s = 0; s < n; ++s)
     std::sort(events_.begin() + first_event_[s], events_.begin() + first_event_[s + 1],
-              [&](const Event& a, const Event& b) { return compare_events(s, a, b) < 0; });
+              [&](const Event& a, const Event& b) {
+                const int order = compare_events(s, a, b);
+                return order != 0 ? order < 0 : a.ref < b.ref;
+              });
 }
 
 // A node is a class of crossings and pairs of vertices: those at one place of one segment, and pairs known to be at one
@@ -105,12 +108,18 @@ void SegmentGraph::find_nodes() {
     return it->second;
   };
   const auto event_element = [&](const Event& e) { return is_touch(e) ? element(touched(e)) : e.ref; };
-  for (const auto& [a, b] : meetings_.same) classes.unite(element(a), element(b));
+  for (const auto& [a, b] : meetings_.same) {
+    // One after the other: compilers differ in which argument of a call comes first.
+    const std::uint32_t of_b = element(b), of_a = element(a);
+    classes.unite(of_a, of_b);
+  }
   const std::uint32_t n = static_cast<std::uint32_t>(soup_.size());
   for (std::uint32_t s = 0; s < n; ++s)
     for (std::uint32_t k = first_event_[s]; k + 1 < first_event_[s + 1]; ++k)
-      if (compare_events(s, events_[k], events_[k + 1]) == 0)
-        classes.unite(event_element(events_[k]), event_element(events_[k + 1]));
+      if (compare_events(s, events_[k], events_[k + 1]) == 0) {
+        const std::uint32_t after = event_element(events_[k + 1]), at = event_element(events_[k]);
+        classes.unite(at, after);
+      }
 
   std::unordered_map<std::uint32_t, std::uint32_t> number;  // class -> node
   const auto visit = [&](std::uint32_t s, std::uint32_t e, const Stop& stop) {

@@ -75,7 +75,8 @@ void LocalNodes::find_meetings() {
   std::vector<std::uint32_t> order(segments_.size());
   std::iota(order.begin(), order.end(), 0U);
   const auto low = [&](std::uint32_t s) { return std::min(ends_[s].a.x, ends_[s].b.x); };
-  std::sort(order.begin(), order.end(), [&](std::uint32_t s, std::uint32_t t) { return low(s) < low(t); });
+  std::sort(order.begin(), order.end(),
+            [&](std::uint32_t s, std::uint32_t t) { return low(s) != low(t) ? low(s) < low(t) : s < t; });
   for (std::size_t i = 0; i < order.size(); ++i) {
     const Ends& a = ends_[order[i]];
     const double right = std::max(a.a.x, a.b.x) + 2 * kEndOff;

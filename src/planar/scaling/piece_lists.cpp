@@ -62,7 +62,7 @@ void PieceLists::add_entries() {
       entries_.push_back({c.out_low, c.in_low, c.in_high, c.out_high, c.t, c.error, k | kTouchBit, false});
     }
     std::sort(entries_.begin() + static_cast<std::ptrdiff_t>(base), entries_.end(),
-              [&](const Entry& a, const Entry& b) { return key(a) < key(b); });
+              [&](const Entry& a, const Entry& b) { return key(a) != key(b) ? key(a) < key(b) : a.id < b.id; });
     const Piece& p = window_.pieces[i];
     Hot h;
     h.base = static_cast<std::uint32_t>(base);
@@ -218,7 +218,11 @@ std::uint32_t PieceLists::collect(std::uint32_t i, double tau, ExactFrame& frame
 
 void PieceLists::sort_items(std::uint32_t i, ExactFrame& frame) {
   const auto before = [&](const Item& a, const Item& b) { return compare(i, a, b, frame) < 0; };
-  if (items_.size() > 24) return std::sort(items_.begin(), items_.end(), before);
+  if (items_.size() > 24)
+    return std::sort(items_.begin(), items_.end(), [&](const Item& a, const Item& b) {
+      const int order = compare(i, a, b, frame);
+      return order != 0 ? order < 0 : a.entry < b.entry;
+    });
   for (std::size_t k = 1; k < items_.size(); ++k) {
     const Item e = items_[k];
     std::size_t j = k;

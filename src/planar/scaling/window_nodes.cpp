@@ -114,7 +114,8 @@ NodeMaker::NodeRays NodeMaker::take_touches() {
   const auto key = [&](std::uint32_t k) {
     return std::tuple{window_.touches[k].piece, touch_pairs_[k].p, touch_pairs_[k].q};
   };
-  std::sort(order.begin(), order.end(), [&](std::uint32_t a, std::uint32_t b) { return key(a) < key(b); });
+  std::sort(order.begin(), order.end(),
+            [&](std::uint32_t a, std::uint32_t b) { return key(a) != key(b) ? key(a) < key(b) : a < b; });
   order.erase(
       std::unique(order.begin(), order.end(), [&](std::uint32_t a, std::uint32_t b) { return key(a) == key(b); }),
       order.end());

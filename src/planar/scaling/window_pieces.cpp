@@ -62,7 +62,9 @@ class PieceCutter {
           cuts_.push_back({{low.middle(), high.middle()}});
       }
     });
-    std::sort(cuts_.begin(), cuts_.end(), [](const CutPlace& a, const CutPlace& b) { return a.t[0] < b.t[0]; });
+    std::sort(cuts_.begin(), cuts_.end(), [](const CutPlace& a, const CutPlace& b) {
+      return a.t[0] != b.t[0] ? a.t[0] < b.t[0] : a.t[1] < b.t[1];
+    });
     return cuts_;
   }
 

@@ -19,7 +19,8 @@ TurnCatalog::TurnCatalog(const TurningForms& forms) : forms_(forms) {
         if (loop.kind != LoopKind::hole) outer_edges_[op].push_back({angle_[op][i], i});
       }
     for (auto* list : {&edges_[op], &outer_edges_[op]})
-      std::sort(list->begin(), list->end(), [](const Edge& a, const Edge& b) { return a.angle < b.angle; });
+      std::sort(list->begin(), list->end(),
+                [](const Edge& a, const Edge& b) { return a.angle != b.angle ? a.angle < b.angle : a.edge < b.edge; });
     start_[op].index(edges_[op]);
     outer_start_[op].index(outer_edges_[op]);
     const auto ranks = [&](const std::vector<Edge>& list, std::vector<std::uint32_t>& rank) {

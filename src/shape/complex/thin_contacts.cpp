@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cstdint>
+#include <tuple>
 #include <vector>
 
 #include "dymsum/planar_sum.h"
@@ -90,7 +91,9 @@ std::optional<Error> thin_contact(const Region& region) {
   // By smallest x; those that reach the one at hand are looked at.
   std::vector<ChainSegment>& all = chains.segments;
   const auto low = [](const ChainSegment& s) { return std::min(s.a.x, s.b.x); };
-  std::sort(all.begin(), all.end(), [&](const ChainSegment& s, const ChainSegment& t) { return low(s) < low(t); });
+  std::sort(all.begin(), all.end(), [&](const ChainSegment& s, const ChainSegment& t) {
+    return std::tuple(low(s), s.chain, s.k) < std::tuple(low(t), t.chain, t.k);
+  });
   std::vector<const ChainSegment*> open;
   for (const ChainSegment& s : all) {
     std::erase_if(open, [&](const ChainSegment* o) { return std::max(o->a.x, o->b.x) < low(s); });

@@ -34,7 +34,7 @@ std::vector<std::uint32_t> hull_vertices(const RingTable& table, const std::vect
   for (const std::uint32_t r : rings)
     for (std::uint32_t v = table.first[r]; v < table.first[r + 1]; ++v) all.push_back(v);
   std::sort(all.begin(), all.end(), [&](std::uint32_t a, std::uint32_t b) {
-    return std::pair(table.at[a].x, table.at[a].y) < std::pair(table.at[b].x, table.at[b].y);
+    return std::tuple(table.at[a].x, table.at[a].y, a) < std::tuple(table.at[b].x, table.at[b].y, b);
   });
   for (const int pass : {0, 1}) {  // the lower chain, the upper one
     const std::size_t base = hull.size();

@@ -57,7 +57,9 @@ std::vector<Passage> passages(const RingTable& table, const WallSet& walls, cons
     if (std::optional<Passage> passage = at_vertex(table, edge, cut)) over.push_back(*std::move(passage));
     if (std::optional<Passage> passage = inside_edge(edge, cut)) over.push_back(*std::move(passage));
   });
-  std::sort(over.begin(), over.end(), [](const Passage& a, const Passage& b) { return a.on_cut < b.on_cut; });
+  std::sort(over.begin(), over.end(), [](const Passage& a, const Passage& b) {
+    return a.on_cut != b.on_cut ? a.on_cut < b.on_cut : a.index < b.index;
+  });
   return over;
 }
 

@@ -61,7 +61,9 @@ class SectionMaker {
       }
     }
     for (std::uint32_t e = 0; e < made_.edges; ++e) {
-      std::sort(places[e].begin(), places[e].end(), [](const Place& a, const Place& b) { return a.t < b.t; });
+      std::sort(places[e].begin(), places[e].end(), [](const Place& a, const Place& b) {
+        return a.t != b.t ? a.t < b.t : std::pair(a.cut, a.passage) < std::pair(b.cut, b.passage);
+      });
       std::uint32_t last = e;
       for (std::size_t i = 0; i < places[e].size(); ++i) {
         const Place& place = places[e][i];

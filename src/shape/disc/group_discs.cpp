@@ -57,8 +57,9 @@ bool GroupDiscs::touches(std::uint32_t j, const std::optional<Point>& vertex) co
 std::vector<std::uint32_t> GroupDiscs::sorted_by_x() const {
   std::vector<std::uint32_t> by_x(centres_.size());
   std::iota(by_x.begin(), by_x.end(), 0);
-  std::sort(by_x.begin(), by_x.end(),
-            [&](std::uint32_t i, std::uint32_t j) { return centres_[i].near.x.low() < centres_[j].near.x.low(); });
+  std::sort(by_x.begin(), by_x.end(), [&](std::uint32_t i, std::uint32_t j) {
+    return std::pair(centres_[i].near.x.low(), i) < std::pair(centres_[j].near.x.low(), j);
+  });
   return by_x;
 }
 

@@ -72,7 +72,7 @@ class FaceSplitter {
       n = n + cross(at(outer[k]) - at(outer[0]), at(outer[k + 1]) - at(outer[0]));
     const double size[3] = {std::abs(n.x), std::abs(n.y), std::abs(n.z)};
     std::array<int, 3> axes{0, 1, 2};
-    std::sort(axes.begin(), axes.end(), [&](int a, int b) { return size[a] > size[b]; });
+    std::sort(axes.begin(), axes.end(), [&](int a, int b) { return size[a] != size[b] ? size[a] > size[b] : a < b; });
     for (const int axis : axes) {
       turn_.look_along(axis, 1);
       const int s = turn_.turn(outer.back(), outer[0], outer[1]);

@@ -2,7 +2,11 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cstdio>
+#include <random>
 #include <set>
+#include <tuple>
+#include <utility>
 
 #include "dymsum/shapes.h"
 #include "planar/arrangement/find_meetings.h"
@@ -75,6 +79,36 @@ TEST(TightFeatures, a_hole_like_the_part_is_a_puncture) {
   EXPECT_TRUE(found.cracks.empty());
   ASSERT_EQ(found.punctures.size(), 1u);
   EXPECT_EQ(found.punctures[0].at, (Point{2, 2}));
+}
+
+/// All of a vertex that results say.
+auto names(const SumVertex& v) {
+  return std::tuple{v.in.kind, v.in.p, v.in.q, v.out.kind, v.out.p, v.out.q, v.corner_p, v.corner_q};
+}
+
+/// Four corners meet in the puncture: the pair of the least indices names it, in whatever order they are found.
+TEST(TightFeatures, a_puncture_has_one_name_in_whatever_order_meetings_are_found) {
+  constexpr std::uint32_t kSeed = 37;
+  std::printf("seed %u\n", kSeed);
+  std::mt19937 random(kSeed);
+  const Region plate = polygon({{0, 0}, {10, 0}, {10, 6}, {0, 6}}, {{{3, 2}, {3, 3}, {4, 3}, {4, 2}}});
+  Stages s(plate, shapes::rectangle(-0.5, -0.5, 0.5, 0.5));
+  const RawBoundary expected = s.tight();
+  ASSERT_EQ(expected.punctures.size(), 1u);
+  EXPECT_EQ(expected.punctures[0].corner_p, 4u);
+  for (int trial = 0; trial < 50; ++trial) {
+    Meetings meetings = all_meetings(s.soup, &s.chain, Poll(s.never));
+    std::shuffle(meetings.same.begin(), meetings.same.end(), random);
+    for (auto& [a, b] : meetings.same)
+      if (random() % 2 == 0) std::swap(a, b);
+    const Arrangement arrangement(s.soup, std::move(meetings), s.chain, Array<CoveredMark>());
+    const SortedLoops sorted = verify_loops(s.soup, arrangement, find_loops(s.soup, arrangement), s.collision, false);
+    RawBoundary found;
+    double error = 0;
+    find_tight_features(s.soup, arrangement, sorted.kept, s.collision, found, error);
+    ASSERT_EQ(found.punctures.size(), 1u) << "trial " << trial;
+    EXPECT_EQ(names(found.punctures[0]), names(expected.punctures[0])) << "trial " << trial;
+  }
 }
 
 TEST(TightFeatures, none_where_the_part_fits_loosely) {

@@ -1,6 +1,6 @@
 // The site that ./run site built, opened from its folder in Debian's Chromium.
 import assert from 'node:assert/strict';
-import { readdirSync, readFileSync } from 'node:fs';
+import { readdirSync } from 'node:fs';
 import { after, before, test } from 'node:test';
 import { fileURLToPath } from 'node:url';
 import { chromium } from 'playwright-core';
@@ -63,44 +63,6 @@ test('the search finds the licence, also as a license, and what there is for Win
     const links = await found.evaluateAll((all) => all.slice(0, 8).map((link) => link.getAttribute('href')));
     assert.ok(links.some((link) => where.test(link)), `${word}: ${links}`);
   }
-});
-
-/** The part of a frame's picture that has not the colour of its corner; a frame may have a picture of space. */
-const painted = (frame) => frame.locator('canvas').evaluateAll((all) => Math.max(0, ...all.map((element) => {
-  if (!element.width || !element.height) return 0;
-  const copy = Object.assign(document.createElement('canvas'), { width: element.width, height: element.height }), to = copy.getContext('2d');
-  to.drawImage(element, 0, 0);
-  const { data } = to.getImageData(0, 0, copy.width, copy.height);
-  let count = 0;
-  for (let k = 0; k < data.length; k += 4) if (data[k] !== data[0] || data[k + 1] !== data[1] || data[k + 2] !== data[2]) ++count;
-  return count / (copy.width * copy.height);
-})));
-
-test('every live figure of the documents is drawn where it is opened from the folder', async (t) => {
-  const { page, wrong, go } = await opened('desktop');
-  let figures = 0;
-  for (const name of kPages) {
-    if (!readFileSync(new URL(name, kSite), 'utf8').includes('<details class="live">')) continue;
-    await go(name);
-    const all = page.locator('details.live');
-    for (let k = 0; k < (await all.count()); ++k) {
-      const figure = all.nth(k), title = `${name}: ${await figure.locator('summary').innerText()}`;
-      await figure.locator('summary').click();
-      const frame = await (await figure.locator('iframe').elementHandle()).contentFrame();
-      let part = 0;
-      for (const end = Date.now() + 60_000; part < 0.02 && Date.now() < end; ) {
-        part = await painted(frame).catch(() => 0); // while the frame is opened
-        if (part < 0.02) await page.waitForTimeout(200);
-      }
-      t.diagnostic(`${title}: ${(100 * part).toFixed(1)} % of the picture`);
-      assert.ok(part >= 0.02, `${title} is blank`);
-      assert.equal(await frame.getByRole('alert').count(), 0, title);
-      await figure.locator('summary').click();
-      ++figures;
-    }
-  }
-  assert.ok(figures >= 8, `${figures} figures`);
-  assert.deepEqual(wrong, []);
 });
 
 test('it is dark where the reader is in the dark', async () => {
