@@ -174,7 +174,8 @@ void bind_spatial_sum_class(nb::module_& m) {
       .field("collapsed_edges", &SpatialSum::Rounded::collapsed_edges)
       .field("bends", &SpatialSum::Rounded::bends, "edges and triangles that got a vertex that was near")
       .field("lost_faces", &SpatialSum::Rounded::lost_faces, "faces of the sum of which no triangle is left")
-      .field("distance", &SpatialSum::Rounded::distance, "how far the mesh is from the exact boundary, at most");
+      .field("distance", &SpatialSum::Rounded::distance, "how far the mesh is from the exact boundary, at most")
+      .def("to_string", &SpatialSum::Rounded::to_string, "What was merged, and how far the surface moved.");
   sum.def(
          "__eq__", [](const SpatialSum& a, const SpatialSum& b) { return without_gil([&] { return a == b; }); },
          nb::is_operator())
