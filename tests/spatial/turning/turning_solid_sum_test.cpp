@@ -6,13 +6,17 @@
 #include <cmath>
 #include <iostream>
 #include <numbers>
+#include <random>
 #include <set>
 #include <stdexcept>
+#include <tuple>
 
 #include "dymsum/orientation_sum.h"
 #include "dymsum/shapes.h"
 #include "dymsum/solids.h"
+#include "oracles/coordinate_kinds.h"
 #include "oracles/snapped_shapes.h"
+#include "spatial/frames/beside_origin.h"
 #include "spatial/moving/moving_cases.h"
 #include "spatial/moving/shell_euler.h"
 
@@ -99,6 +103,56 @@ TEST(TurningSolidSum, MassesOfParallelFacesMeetAtZeroAlone) {
       EXPECT_LT(sum.work().candidates, 15000u) << name;
     }
   }
+}
+
+/// The same events, and the same work, as of the operands moved back, which tests/spatial/frames shows to be exact;
+/// places of contacts are where the operands are.
+TEST(TurningSolidSum, SolidsFarFromTheAxisCostNoMoreThanBesideIt) {
+  std::mt19937_64 random(21);
+  std::size_t all = 0;
+  for (const CoordinateKind kind : kCoordinateKinds)
+    for (const MovingOperand moving : {MovingOperand::p, MovingOperand::q}) {
+      const auto far = [&](MeshData data, Point3 by) {
+        data = of_kind(std::move(data), kind, random);
+        for (Point3& v : data.vertices) v = {v.x + by.x, v.y + by.y, v.z + by.z};
+        return mesh_of(data);
+      };
+      const Mesh p = far(moving_cases::bumpy(1, 3), {1e5 / 3, -1e4 / 7, 777}),
+                 q = far(moving_cases::bumpy(1, 8), {-1e3 / 7, 1e5 / 3, 0});
+      const Mesh near_p = spatial::beside_origin(p).value(), near_q = spatial::beside_origin(q).value();
+      const TurnAxis axis{1, 2, 3};
+      TurningSolidOptions options;
+      options.moving = moving;
+      const TurningSolidSum there = TurningSolidSum::create(p, q, axis, options).value(),
+                            here = TurningSolidSum::create(near_p, near_q, axis, options).value();
+      const AxisTurn from = turn_at(axis, 0.3), to = turn_at(axis, 0.34);
+      const std::vector<SolidTurnEvent> events = there.events(from, to).value(), same = here.events(from, to).value();
+      ASSERT_EQ(events.size(), same.size()) << name_of(kind);
+      all += events.size();
+      const TurningSolidWork &w = there.work(), &v = here.work();
+      EXPECT_EQ(std::tie(w.windows, w.facets, w.candidates, w.roots, w.covered, w.exact_tests, w.sums),
+                std::tie(v.windows, v.facets, v.candidates, v.roots, v.covered, v.exact_tests, v.sums))
+          << name_of(kind);
+      const Point3 of_p = spatial::way_from_origin(p), of_q = spatial::way_from_origin(q);
+      for (std::size_t k = 0; k < events.size(); ++k) {
+        const SolidTurnEvent &a = events[k], &b = same[k];
+        EXPECT_EQ(std::tie(a.radians, a.polynomial, a.t_low, a.t_high, a.opposite, a.visible, a.topology),
+                  std::tie(b.radians, b.polynomial, b.t_low, b.t_high, b.opposite, b.visible, b.topology));
+        ASSERT_EQ(a.contacts.size(), b.contacts.size());
+        // Rodrigues.
+        const double c = std::cos(a.radians), s = std::sin(a.radians), l = std::sqrt(14.0);
+        const spatial::Vec3 u{1 / l, 2 / l, 3 / l}, x{of_p.x, of_p.y, of_p.z}, y{of_q.x, of_q.y, of_q.z};
+        const spatial::Vec3 turning = moving == MovingOperand::p ? x : y, still = moving == MovingOperand::p ? y : x;
+        const spatial::Vec3 by = c * turning + s * cross(u, turning) + ((1 - c) * dot(u, turning)) * u + still;
+        for (std::size_t m = 0; m < a.contacts.size(); ++m) {
+          EXPECT_EQ(a.contacts[m].features, b.contacts[m].features);
+          EXPECT_NEAR(a.contacts[m].at.x - b.contacts[m].at.x, by.x, 1e-7);
+          EXPECT_NEAR(a.contacts[m].at.y - b.contacts[m].at.y, by.y, 1e-7);
+          EXPECT_NEAR(a.contacts[m].at.z - b.contacts[m].at.z, by.z, 1e-7);
+        }
+      }
+    }
+  EXPECT_GT(all, 40u);
 }
 
 /// The same at a quarter turn, and at half a turn, where the other chart is zero.
