@@ -113,10 +113,15 @@ struct MeshRepairReport {
   std::size_t cavities = 0;         ///< shells that ran the same way as the one around them, and bound cavities now
   std::size_t reversed_faces = 0;   ///< single faces turned over to agree with their neighbours
   std::size_t membranes = 0;        ///< faces with the solid on both sides dropped
+  /// Whether faces crossed, touched or lay on each other, and what they bound was united (repair_with_union).
+  bool united = false;
+  std::size_t united_crossings = 0;  ///< vertices of the result that are none of the surface's
+  /// Where rounding those made faces meet, and they were merged: no point moved further. 0: nothing but rounding.
+  double united_distance = 0;
   bool changed() const {
-    return duplicate_vertices + unused_vertices + degenerate_faces + needles + split_edges + split_faces +
-               reversed_shells + reversed_faces + membranes >
-           0;
+    return united || duplicate_vertices + unused_vertices + degenerate_faces + needles + split_edges + split_faces +
+                             reversed_shells + reversed_faces + membranes >
+                         0;
   }
   std::string to_string() const;
 };

@@ -202,6 +202,10 @@ void bind_mesh_repair(nb::module_& m) {
       .field("cavities", &MeshRepairReport::cavities)
       .field("reversed_faces", &MeshRepairReport::reversed_faces)
       .field("membranes", &MeshRepairReport::membranes)
+      .field("united", &MeshRepairReport::united, "whether faces crossed or touched, and what they bound was united")
+      .field("united_crossings", &MeshRepairReport::united_crossings)
+      .field("united_distance", &MeshRepairReport::united_distance,
+             "how far points moved where rounding needed merging")
       .def("changed", &MeshRepairReport::changed)
       .def("to_string", &MeshRepairReport::to_string);
   Record<RepairedMesh>(m, "RepairedMesh", "A repaired mesh and what was changed.")

@@ -12,6 +12,7 @@
 #include "spatial/mesh/edge_order.h"
 #include "spatial/mesh/edge_splits.h"
 #include "spatial/mesh/mesh_orient.h"
+#include "spatial/mesh/mesh_repair.h"
 #include "spatial/mesh/mesh_validate.h"
 #include "spatial/mesh/surface_crossings.h"
 #include "spatial/mesh/thin_faces.h"
@@ -33,13 +34,8 @@ class MeshRepair {
   MeshRepair(MeshData data, const RepairOptions& options) : data_(std::move(data)), options_(options) {}
 
   Result<RepairedMesh> run() {
-    if (auto error = check_finite(data_.vertices)) return *std::move(error);
-    if (auto error = check_indices(data_)) return *std::move(error);
-    merge_vertices();
-    drop_degenerate_faces();
-    if (options_.drop_needles) drop_needles();
-    split_edges();
-    split_faces();
+    if (auto error = check_lists()) return *std::move(error);
+    mend_faces();
     orient();
     drop_unused_vertices();
     Result<Mesh> mesh = options_.thin_parts ? Mesh::with_thin_parts(std::move(data_)) : Mesh::create(std::move(data_));
@@ -47,7 +43,28 @@ class MeshRepair {
     return RepairedMesh{std::move(mesh).value(), report_};
   }
 
+  Result<PreparedSurface> prepare() {
+    if (auto error = check_lists()) return *std::move(error);
+    mend_faces();
+    report_.reversed_faces = turn_faces(data_);
+    drop_unused_vertices();
+    return PreparedSurface{std::move(data_), report_};
+  }
+
  private:
+  std::optional<Error> check_lists() const {
+    if (auto error = check_finite(data_.vertices)) return error;
+    return check_indices(data_);
+  }
+
+  void mend_faces() {
+    merge_vertices();
+    drop_degenerate_faces();
+    if (options_.drop_needles) drop_needles();
+    split_edges();
+    split_faces();
+  }
+
   /// Every face names the first of the vertices at its places.
   void merge_vertices() {
     const std::vector<Point3>& points = data_.vertices;
@@ -249,6 +266,8 @@ Result<RepairedMesh> repaired(MeshData data, RepairOptions options) {
 
 }  // namespace
 
+Result<PreparedSurface> prepared_surface(MeshData data) { return MeshRepair(std::move(data), {}).prepare(); }
+
 }  // namespace spatial
 
 Result<RepairedMesh> repair(MeshData data) { return spatial::repaired(std::move(data), {}); }
@@ -280,6 +299,16 @@ std::string MeshRepairReport::to_string() const {
   say(cavities, "shell that ran the same way as the one around it made a cavity",
       "shells that ran the same way as those around them made cavities");
   say(membranes, "face inside the solid dropped", "faces inside the solid dropped");
+  if (united) {
+    text += std::string(text.empty() ? "" : ", ") + "what crossed or overlapped united (" +
+            std::to_string(united_crossings) + (united_crossings == 1 ? " new vertex" : " new vertices");
+    if (united_distance > 0) {
+      char within[48];
+      std::snprintf(within, sizeof within, ", merged within %.3g", united_distance);
+      text += within;
+    }
+    text += ")";
+  }
   return text.empty() ? "nothing to repair" : text;
 }
 

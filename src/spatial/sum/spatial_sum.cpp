@@ -9,6 +9,7 @@
 #include "base/parallel.h"
 #include "spatial/boundary/thin_crossings.h"
 #include "spatial/convolution/predicted_cost.h"
+#include "spatial/mesh/six_volume.h"
 #include "spatial/sum/face_triangles.h"
 #include "spatial/sum/grid_error.h"
 #include "spatial/sum/rounded_surface.h"
@@ -17,6 +18,7 @@
 #include "spatial/sum/sum_of_solids.h"
 #include "spatial/sum/sum_source.h"
 #include "spatial/sum/sum_trace.h"
+#include "spatial/sum/surface_topology.h"
 #include "spatial/sum/touching_vertices.h"
 
 namespace dymsum {
@@ -44,6 +46,12 @@ Error no_open_sum(const spatial::ThinCrossing& parts) {
               {}};
   error.evidence.face = parts.p, error.evidence.other_face = parts.q;
   return error;
+}
+
+/// Of two numbers of which these are the nearest doubles, rounded up.
+double largest_difference(double a, double b) {
+  const auto ulp = [](double v) { return std::nextafter(std::abs(v), HUGE_VAL) - std::abs(v); };
+  return std::nextafter(std::abs(a - b) + (ulp(a) + ulp(b)) / 2, HUGE_VAL);
 }
 
 }  // namespace
@@ -134,7 +142,12 @@ Result<SpatialSum::Rounded> SpatialSum::rounded(Precision precision, double tole
   const bool single = precision == Precision::singles;
   if (!single && !spatial::rounding_error(result.mesh)) return result;
   if (tolerance == 0) tolerance = single ? 0x1p-20 : 0x1p-40;
-  return spatial::separated_surface(result, precision, tolerance);
+  Result<Rounded> separated = spatial::separated_surface(result, precision, tolerance);
+  if (!separated || separated->nearest) return separated;
+  Rounded made = *std::move(separated);
+  made.volume_change = largest_difference(volume(), exact::round_to_double(spatial::exact_volume(made.mesh)));
+  made.topology_kept = spatial::topology_of(made.mesh) == spatial::topology_of(result.mesh);
+  return made;
 }
 
 std::string SpatialSum::Rounded::to_string() const {
@@ -144,9 +157,12 @@ std::string SpatialSum::Rounded::to_string() const {
   };
   char within[32];
   std::snprintf(within, sizeof within, "%.2g", distance);
+  char volume[48];
+  std::snprintf(volume, sizeof volume, ", volume within %.2g", volume_change);
   return count(merged_vertices, " vertex merged, ", " vertices merged, ") +
          count(collapsed_edges, " edge collapsed, ", " edges collapsed, ") + count(bends, " bend, ", " bends, ") +
-         count(lost_faces, " face lost", " faces lost") + "; within " + within;
+         count(lost_faces, " face lost", " faces lost") + "; within " + within + volume +
+         (topology_kept ? "" : "; the topology has changed");
 }
 
 bool operator==(const SpatialSum& a, const SpatialSum& b) {
