@@ -14,6 +14,7 @@
 #include "spatial/mesh/mesh_orient.h"
 #include "spatial/mesh/mesh_repair.h"
 #include "spatial/mesh/mesh_validate.h"
+#include "spatial/mesh/open_edges.h"
 #include "spatial/mesh/surface_crossings.h"
 #include "spatial/mesh/thin_faces.h"
 #include "spatial/mesh/triangulate.h"
@@ -62,6 +63,7 @@ class MeshRepair {
     drop_degenerate_faces();
     if (options_.drop_needles) drop_needles();
     split_edges();
+    if (!options_.thin_parts) close_open_edges();
     split_faces();
   }
 
@@ -94,6 +96,7 @@ class MeshRepair {
 
   void drop_degenerate_faces() {
     std::vector<Face> kept;
+    const std::vector<std::int64_t> before = std::exchange(face_origin_, {});
     for (std::size_t f = 0; f < data_.faces.size(); ++f) {
       Face face = std::move(data_.faces[f]);
       const bool thin = options_.thin_parts && (face.size() == 1 || face.size() == 2);
@@ -104,7 +107,7 @@ class MeshRepair {
         continue;
       }
       kept.push_back(std::move(face));
-      face_origin_.push_back(static_cast<std::int64_t>(f));
+      face_origin_.push_back(before.empty() ? static_cast<std::int64_t>(f) : before[f]);
     }
     data_.faces = std::move(kept);
   }
@@ -131,8 +134,22 @@ class MeshRepair {
 
   void split_edges() {
     const EdgeSplits splits = split_open_edges(data_.vertices, data_.faces);
-    report_.split_edges = splits.count;
-    report_.largest_gap = splits.largest_gap;
+    report_.split_edges += splits.count;
+    report_.largest_gap = std::max(report_.largest_gap, splits.largest_gap);
+  }
+
+  /// Cracks first: what is left open around these is a hole.
+  void close_open_edges() {
+    const ClosedCracks cracks = close_cracks(data_.vertices, data_.faces);
+    report_.cracks = cracks.merged;
+    report_.largest_crack = cracks.furthest;
+    if (cracks.merged > 0) {
+      drop_degenerate_faces();
+      split_edges();
+    }
+    const FilledHoles holes = fill_holes(data_.vertices, data_.faces);
+    report_.holes = holes.count;
+    for (const std::uint32_t f : holes.beside) face_origin_.push_back(face_origin_[f]);
   }
 
   bool is_plane(const Face& face) const {
@@ -293,6 +310,13 @@ std::string MeshRepairReport::to_string() const {
     std::snprintf(gap, sizeof gap, "%.3g", largest_gap);
     text += std::string(" (the furthest ") + gap + " off)";
   }
+  say(cracks, "vertex merged across a crack", "vertices merged across cracks");
+  if (cracks > 0) {
+    char wide[32];
+    std::snprintf(wide, sizeof wide, "%.3g", largest_crack);
+    text += std::string(" (at most ") + wide + " wide)";
+  }
+  say(holes, "small hole filled", "small holes filled");
   say(split_faces, "face split into triangles", "faces split into triangles");
   say(reversed_faces, "face turned over", "faces turned over");
   say(reversed_shells, "shell turned right", "shells turned right");

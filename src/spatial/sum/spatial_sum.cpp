@@ -9,16 +9,12 @@
 #include "base/parallel.h"
 #include "spatial/boundary/thin_crossings.h"
 #include "spatial/convolution/predicted_cost.h"
-#include "spatial/mesh/six_volume.h"
 #include "spatial/sum/face_triangles.h"
 #include "spatial/sum/grid_error.h"
-#include "spatial/sum/rounded_surface.h"
-#include "spatial/sum/separated_surface.h"
 #include "spatial/sum/solid_faces.h"
 #include "spatial/sum/sum_of_solids.h"
 #include "spatial/sum/sum_source.h"
 #include "spatial/sum/sum_trace.h"
-#include "spatial/sum/surface_topology.h"
 #include "spatial/sum/touching_vertices.h"
 
 namespace dymsum {
@@ -46,12 +42,6 @@ Error no_open_sum(const spatial::ThinCrossing& parts) {
               {}};
   error.evidence.face = parts.p, error.evidence.other_face = parts.q;
   return error;
-}
-
-/// Of two numbers of which these are the nearest doubles, rounded up.
-double largest_difference(double a, double b) {
-  const auto ulp = [](double v) { return std::nextafter(std::abs(v), HUGE_VAL) - std::abs(v); };
-  return std::nextafter(std::abs(a - b) + (ulp(a) + ulp(b)) / 2, HUGE_VAL);
 }
 
 }  // namespace
@@ -135,19 +125,6 @@ SpatialSum::Rounded SpatialSum::drawn() const {
   }
   result.face = std::move(all.face);
   return result;
-}
-
-Result<SpatialSum::Rounded> SpatialSum::rounded(Precision precision, double tolerance) const {
-  Rounded result = drawn();
-  const bool single = precision == Precision::singles;
-  if (!single && !spatial::rounding_error(result.mesh)) return result;
-  if (tolerance == 0) tolerance = single ? 0x1p-20 : 0x1p-40;
-  Result<Rounded> separated = spatial::separated_surface(result, precision, tolerance);
-  if (!separated || separated->nearest) return separated;
-  Rounded made = *std::move(separated);
-  made.volume_change = largest_difference(volume(), exact::round_to_double(spatial::exact_volume(made.mesh)));
-  made.topology_kept = spatial::topology_of(made.mesh) == spatial::topology_of(result.mesh);
-  return made;
 }
 
 std::string SpatialSum::Rounded::to_string() const {
