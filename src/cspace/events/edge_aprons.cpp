@@ -55,8 +55,8 @@ bool EdgeAprons::clear(std::uint32_t op, std::uint32_t edge) const {
         std::min(p.y, q.y) > wide)
       continue;
     const auto side = [&](double x, double y) { return (q.x - p.x) * (y - p.y) - (q.y - p.y) * (x - p.x); };
-    const auto [least, most] = std::minmax(
-        {side(-wide, -wide), side(length + wide, -wide), side(length + wide, wide), side(-wide, wide)});
+    const auto [least, most] =
+        std::minmax({side(-wide, -wide), side(length + wide, -wide), side(length + wide, wide), side(-wide, wide)});
     const double margin = 0.01 * wide * std::hypot(q.x - p.x, q.y - p.y);
     if (!(least > margin || most < -margin)) return false;
   }

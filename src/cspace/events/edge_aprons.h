@@ -1,5 +1,5 @@
-// What lies beside the edges of an operand: where a point that is a little to the left of an edge's line is certainly in
-// its interior.
+// What lies beside the edges of an operand: where a point that is a little to the left of an edge's line is certainly
+// in its interior.
 #pragma once
 
 #include <cstdint>
@@ -17,10 +17,10 @@ class EdgeAprons {
   }
 
   enum class Beside : std::uint8_t {
-    no,      ///< nothing is known of it
-    edge,    ///< in the interior, if left of the edge
-    prev,    ///< if left of the edge and of the one before it
-    next,    ///< of the one behind it
+    no,    ///< nothing is known of it
+    edge,  ///< in the interior, if left of the edge
+    prev,  ///< if left of the edge and of the one before it
+    next,  ///< of the one behind it
   };
   /// Of a point at `along` (a length along an edge from its start) and `left` of its line, both of which may err by a
   /// quarter of the depth. Sharp corners, edges that are not much longer than the depth or near to others, and pieces

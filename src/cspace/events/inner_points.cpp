@@ -29,8 +29,8 @@ InnerPoints::InnerPoints(const TurningForms& forms, const OverlapFilter& filter)
 
 bool InnerPoints::inside(std::uint32_t op, std::size_t k, Point at, Heading h, double margin) const {
   const Point p = points_[op][k];
-  const Point x = op == 0 ? Point{at.x - p.x, at.y - p.y}
-                          : Point{at.x - (h.c * p.x - h.s * p.y), at.y - (h.s * p.x + h.c * p.y)};
+  const Point x =
+      op == 0 ? Point{at.x - p.x, at.y - p.y} : Point{at.x - (h.c * p.x - h.s * p.y), at.y - (h.s * p.x + h.c * p.y)};
   const std::size_t components = forms_.operand(1 - op).components.size();
   for (std::uint32_t c = 0; c < components; ++c)
     if (forms_.operand(1 - op).components[c].dimension == 2 && filter_.holds(1 - op, c, x, h, margin)) return true;

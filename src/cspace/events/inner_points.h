@@ -16,8 +16,9 @@ class InnerPoints {
   /// One beside each edge where there is room.
   InnerPoints(const TurningForms& forms, const OverlapFilter& filter);
 
-  /// Asked about one heading and margin only. True only if the open sum of heading h holds `at` (of the forms' doubles) and all positions within `margin` of it,
-  /// at all angles at which the operand that turns moves by no more than the rest of `margin`.
+  /// Asked about one heading and margin only. True only if the open sum of heading h holds `at` (of the forms' doubles)
+  /// and all positions within `margin` of it, at all angles at which the operand that turns moves by no more than the
+  /// rest of `margin`.
   bool inside(Point at, Heading h, double margin);
 
  private:

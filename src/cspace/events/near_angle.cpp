@@ -141,8 +141,7 @@ void add_roots(const NearPolynomial& p, double low, double high, int depth, std:
     return;
   }
   const double middle = divide(low, high);
-  if (depth == 0 || roots.size() > kMostRoots || !(middle > low && middle < high))
-    return roots.push_back({low, high});
+  if (depth == 0 || roots.size() > kMostRoots || !(middle > low && middle < high)) return roots.push_back({low, high});
   add_roots(p, low, middle, depth - 1, roots);
   add_roots(p, middle, high, depth - 1, roots);
 }
@@ -338,8 +337,7 @@ ExactQuadratic NearAngle::exact_cross(std::uint32_t side, std::uint32_t edge, st
 
 PairForm NearAngle::cross(std::uint32_t side, std::uint32_t edge, std::uint32_t other_side, std::uint32_t other) const {
   const Vec &d = edge_[side][edge], &e = edge_[other_side][other];
-  const double l = length_[side][edge], m = length_[other_side][other],
-               floor = 0x1p-95 * l * m + 0x1p-102 * (l + m);
+  const double l = length_[side][edge], m = length_[other_side][other], floor = 0x1p-95 * l * m + 0x1p-102 * (l + m);
   const DoublePair zero;
   if (side == other_side) return {cross_of(d, e), zero, zero, floor};
   if (side == 1) return around(zero, cross_of(d, e), -dot_of(d, e), floor);

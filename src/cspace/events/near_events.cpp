@@ -65,8 +65,8 @@ class Finder {
   struct Partner {
     std::uint32_t other = 0;
     Kind kind = Kind::steep;
-    PairForm side;         ///< of a's start beside the other one
-    PairForm cross;        ///< a x other
+    PairForm side;                           ///< of a's start beside the other one
+    PairForm cross;                          ///< a x other
     ExactQuadratic exact_side, exact_cross;  ///< where the angle has them
     double at = 0, off = 0;  ///< where a steep one crosses a, in shares of it, and by how much that changes
   };
@@ -208,13 +208,14 @@ class Finder {
     const double least = least_cross(cross) / 2;
     p.at = side.c[0] / cross.c[0];
     double moves = 0;
-    for (const std::size_t k : {1U, 2U}) moves += std::abs(side.c[k] - p.at * cross.c[k]) * (k == 1 ? half_ : half_ * half_);
+    for (const std::size_t k : {1U, 2U})
+      moves += std::abs(side.c[k] - p.at * cross.c[k]) * (k == 1 ? half_ : half_ * half_);
     p.off = 2 * (moves + side.error[0]) / least + 0x1p-40 * (1 + std::abs(p.at));
     return p;
   }
 
-  // A position is covered in all of the window. One on a segment moves by a few times the span for every radian, and the
-  // other operand by less than the span; those of a run are nearer to each other.
+  // A position is covered in all of the window. One on a segment moves by a few times the span for every radian, and
+  // the other operand by less than the span; those of a run are nearer to each other.
   bool deep(std::uint32_t a, double share) {
     const WalkSegment& s = segment(a);
     const Point d = forms_.direction(s, w_.heading), at = forms_.place(TurningForms::start(s), w_.heading);
@@ -240,9 +241,10 @@ class Finder {
       const double u = x.at - x.off, v = y.at - y.off;
       return u != v ? u < v : x.other < y.other;
     });
-    const auto parallels = static_cast<std::size_t>(
-        std::partition_point(partners_.begin(), partners_.end(), [](const Partner& p) { return p.kind == Kind::steep; }) -
-        partners_.begin());
+    const auto parallels =
+        static_cast<std::size_t>(std::partition_point(partners_.begin(), partners_.end(),
+                                                      [](const Partner& p) { return p.kind == Kind::steep; }) -
+                                 partners_.begin());
     last_cover_ = 0;
     for (std::size_t first = 0; first < parallels;) {
       std::size_t last = first + 1;
@@ -341,7 +343,8 @@ class Finder {
     const bool first = std::abs(b.cross.c[0]) / length(b) >= std::abs(c.cross.c[0]) / length(c);
     const Line& by = first ? b : c;
     const double u = 0.5 * (root.low + root.high);
-    const NearPolynomial::Value cross = by.cross.within(root.low, root.high), side = by.side.within(root.low, root.high);
+    const NearPolynomial::Value cross = by.cross.within(root.low, root.high),
+                                side = by.side.within(root.low, root.high);
     // Where the two are nearly parallel the share may not be known.
     if (cross.sign() == 0 || !(side.error < kKnownShare * std::abs(cross.at)) ||
         !(cross.error < kKnownShare * std::abs(cross.at)))
@@ -409,7 +412,8 @@ class Finder {
     const WalkSegment& s = segment(a);
     for (const Partner& p : partners_)
       for (const Pair v : {TurningForms::start(segment(p.other)), forms_.end(segment(p.other))})
-        if (covered_[p.other] == 0 && s.vertex != (s.side == 0 ? v.q : v.p)) vertices_.push_back({v.p, v.q});  // others do not move against a
+        if (covered_[p.other] == 0 && s.vertex != (s.side == 0 ? v.q : v.p))
+          vertices_.push_back({v.p, v.q});  // others do not move against a
     std::sort(vertices_.begin(), vertices_.end());
     vertices_.erase(std::unique(vertices_.begin(), vertices_.end()), vertices_.end());
     for (const auto& [p, q] : vertices_) {

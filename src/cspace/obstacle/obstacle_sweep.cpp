@@ -14,13 +14,6 @@ namespace dymsum::planar {
 
 using exact::AlgebraicRoot;
 
-namespace {
-
-/// A whole slice costs as much as slices near so many events.
-constexpr std::size_t kMostNear = 12;
-
-}  // namespace
-
 ObstacleSweep::ObstacleSweep(const TurningForms& forms, const TurnCatalog& catalog,
                              std::shared_ptr<const OperandPair> base, bool reference,
                              const std::function<void()>& again)
@@ -184,7 +177,6 @@ void ObstacleSweep::change(const Group& group, const TurnRange& range, const Beh
       due.push_back(std::move(cluster));
     else if (cluster.size() == 1) alone.push_back(cluster[0]);
   }
-  if (due.size() > kMostNear) return take_slice(group, range, behind);
   if (!due.empty() && !take_near_slices(std::move(due), alone, group, range, behind))
     return take_slice(group, range, behind);
   for (TurnEvent* event : alone) {

@@ -32,7 +32,8 @@ class ObstacleSweep {
   void start(const TurnRange& range, TurnEvents& found, const OverlapFilter& filter);
   /// Passes the events of a window. `at_end`: its end, where that is a crowded quarter turn; then none of the events is
   /// there.
-  void pass(const TurnRange& range, TurnEvents found, const OverlapFilter& filter, const std::optional<CrowdedEnd>& at_end);
+  void pass(const TurnRange& range, TurnEvents found, const OverlapFilter& filter,
+            const std::optional<CrowdedEnd>& at_end);
   /// Joins the end of the turn to its start. Throws std::logic_error if they differ.
   void close(const OverlapFilter& filter);
 
