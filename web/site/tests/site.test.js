@@ -1,6 +1,6 @@
 // The site that ./run site built, opened from its folder in Debian's Chromium.
 import assert from 'node:assert/strict';
-import { readdirSync } from 'node:fs';
+import { readdirSync, readFileSync } from 'node:fs';
 import { after, before, test } from 'node:test';
 import { fileURLToPath } from 'node:url';
 import { chromium } from 'playwright-core';
@@ -8,6 +8,8 @@ import { chromium } from 'playwright-core';
 const kSite = new URL('../../../build/site/html/', import.meta.url);
 const kPages = readdirSync(fileURLToPath(kSite), { recursive: true }).filter((name) => name.endsWith('.html') && !/viewer|404/.test(name));
 const kSizes = { desktop: { width: 1280, height: 900 }, phone: { width: 360, height: 740 } };
+
+const kColoured = 5; // of 1000 pixels of a picture: more than the marks of a position without its shapes
 
 let browser;
 before(async () => (browser = await chromium.launch({ executablePath: '/usr/bin/chromium', args: ['--no-sandbox'] })));
@@ -63,6 +65,55 @@ test('the search finds the licence, also as a license, and what there is for Win
     const links = await found.evaluateAll((all) => all.slice(0, 8).map((link) => link.getAttribute('href')));
     assert.ok(links.some((link) => where.test(link)), `${word}: ${links}`);
   }
+});
+
+/** What the pictures of a frame show: of each, how many of a thousand pixels are coloured, which paper, grid and letters are not. */
+async function coloured(frame, counter) {
+  const parts = [];
+  for (const picture of await frame.locator('.stage').locator('canvas.plane, .space').all()) {
+    const png = (await picture.screenshot()).toString('base64'); // of the screen: the canvas of a picture of space keeps nothing
+    parts.push(await counter.evaluate(async (data) => {
+      const image = await createImageBitmap(await (await fetch(`data:image/png;base64,${data}`)).blob()), { width, height } = image;
+      const to = new OffscreenCanvas(width, height).getContext('2d');
+      to.drawImage(image, 0, 0);
+      const pixels = to.getImageData(0, 0, width, height).data;
+      let count = 0;
+      for (let k = 0; k < pixels.length; k += 4) if (Math.max(...pixels.subarray(k, k + 3)) - Math.min(...pixels.subarray(k, k + 3)) > 24) ++count;
+      return (1000 * count) / (width * height);
+    }, png));
+  }
+  return parts;
+}
+
+test('every live figure of the documents is drawn where it is opened from the folder', async (t) => {
+  const counter = await browser.newPage();
+  let figures = 0;
+  for (const size of Object.keys(kSizes)) {
+    const { page, wrong, go } = await opened(size);
+    for (const name of kPages) {
+      if (!readFileSync(new URL(name, kSite), 'utf8').includes('<details class="live">')) continue;
+      await go(name);
+      for (const figure of await page.locator('details.live').all()) {
+        const title = `${name}, ${size}: ${await figure.locator('summary').innerText()}`;
+        await figure.locator('summary').click();
+        const frame = await (await figure.locator('iframe').elementHandle()).contentFrame();
+        let parts = [];
+        const isBlank = () => parts.length === 0 || Math.min(...parts) < kColoured;
+        for (const end = Date.now() + 60_000; isBlank() && Date.now() < end; ) {
+          parts = await coloured(frame, counter).catch(() => []); // while the frame is opened
+          if (isBlank()) await page.waitForTimeout(200);
+        }
+        t.diagnostic(`${title}: ${parts.map((part) => part.toFixed(0)).join(', ')} of 1000 pixels`);
+        if (process.env.DYMSUM_FIGURES) await figure.locator('iframe').screenshot({ path: `${process.env.DYMSUM_FIGURES}/${size}-${figures}.png` });
+        assert.ok(!isBlank(), `${title} is blank`);
+        assert.equal(await frame.getByRole('alert').count(), 0, title);
+        await figure.locator('summary').click();
+        ++figures;
+      }
+    }
+    assert.deepEqual(wrong, []);
+  }
+  assert.ok(figures >= 16, `${figures} figures`);
 });
 
 test('it is dark where the reader is in the dark', async () => {
