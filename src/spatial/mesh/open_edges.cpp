@@ -14,7 +14,7 @@ namespace dymsum::spatial {
 
 namespace {
 
-constexpr double kCrack = 0x1p-20, kHole = 0.25;  // of the diagonal
+constexpr double kCrack = 0x1p-20, kHole = 0.5;  // of the diagonal
 constexpr std::size_t kMostEdges = 64;
 
 double apart(const Point3& a, const Point3& b) { return base::hypot3(a.x - b.x, a.y - b.y, a.z - b.z); }

@@ -24,7 +24,7 @@ struct FilledHoles {
   std::vector<std::uint32_t> beside;  ///< of every face that was added: one that was there, at the hole
 };
 
-/// Loops of open edges that meet no other one, of at most 64 edges, together no longer than a quarter of the surface's
+/// Loops of open edges that meet no other one, of at most 64 edges, together no longer than half of the surface's
 /// diagonal: each gets triangles, behind the other faces, which run as the faces around it do. O(n log n).
 FilledHoles fill_holes(const std::vector<Point3>& vertices, std::vector<Face>& faces);
 

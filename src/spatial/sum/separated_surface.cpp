@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdio>
 #include <map>
 #include <numeric>
 #include <optional>
@@ -291,11 +292,6 @@ bool Separation::resolve() {
   return true;
 }
 
-/// How many faces are there before and not after.
-std::size_t lost(const std::vector<std::uint32_t>& before, const std::vector<std::uint32_t>& after) {
-  return std::set(before.begin(), before.end()).size() - std::set(after.begin(), after.end()).size();
-}
-
 SpatialSum::Rounded Separation::result() const {
   SpatialSum::Rounded made;
   std::vector<std::uint32_t> name(edits_.vertices().size(), kNoVertex);
@@ -321,7 +317,7 @@ SpatialSum::Rounded Separation::result() const {
   made.merged_vertices = merged_;
   made.collapsed_edges = collapsed_;
   made.bends = bends_;
-  made.lost_faces = lost(drawn_.face, made.face);
+  made.lost_faces = lost_faces(drawn_.face, made.face);
   if (!made.nearest) made.distance = edits_.moved();
   return made;
 }
@@ -333,6 +329,10 @@ double largest_coordinate(const std::vector<Point3>& vertices) {
 }
 
 }  // namespace
+
+std::size_t lost_faces(const std::vector<std::uint32_t>& before, const std::vector<std::uint32_t>& after) {
+  return std::set(before.begin(), before.end()).size() - std::set(after.begin(), after.end()).size();
+}
 
 Result<SpatialSum::Rounded> separated_surface(
     const SpatialSum::Rounded& drawn, Precision precision, double tolerance,
@@ -353,7 +353,7 @@ Result<SpatialSum::Rounded> separated_surface(
       const Result<Mesh> checked = Mesh::create(made.mesh);
       if (checked) return made;
       if (std::optional<SpatialSum::Rounded> other = untangle(made); other && Mesh::create(other->mesh)) {
-        other->lost_faces = lost(drawn.face, other->face);
+        other->lost_faces = lost_faces(drawn.face, other->face);
         return *std::move(other);
       }
       error.message = "what is left is no solid: " + checked.error().message;
@@ -365,7 +365,9 @@ Result<SpatialSum::Rounded> separated_surface(
     }
     if (!(within < most)) break;
   }
-  error.message += ", with features merged that are nearer than " + std::to_string(tolerance) + " of the size";
+  char fraction[32];
+  std::snprintf(fraction, sizeof fraction, "%.3g", tolerance);
+  error.message += std::string(", with features merged that are nearer than ") + fraction + " of the size";
   return error;
 }
 

@@ -1,7 +1,10 @@
 // A surface whose nearest doubles cross, made one that does not by merging what is nearer than a tolerance.
 #pragma once
 
+#include <cstddef>
+#include <cstdint>
 #include <optional>
+#include <vector>
 
 #include "dymsum/mesh.h"
 #include "dymsum/result.h"
@@ -21,5 +24,8 @@ namespace dymsum::spatial {
 Result<SpatialSum::Rounded> separated_surface(
     const SpatialSum::Rounded& drawn, Precision precision, double tolerance,
     std::optional<SpatialSum::Rounded> (*untangle)(const SpatialSum::Rounded&));
+
+/// How many different faces are there before and not after.
+std::size_t lost_faces(const std::vector<std::uint32_t>& before, const std::vector<std::uint32_t>& after);
 
 }  // namespace dymsum::spatial
