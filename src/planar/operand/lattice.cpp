@@ -376,7 +376,8 @@ class LatticeOf final : public Lattice {
   // Whoever asks about a place asks about many segments, one after the other: each thread remembers the last place. By
   // the lattice's own number, as another one may have its address later.
   WideRatio ratio(const Place& x) const {
-    if constexpr (std::is_same_v<C, Big>) {
+    // Small numbers are made sooner than looked up.
+    if constexpr (std::is_same_v<C, Big> || std::is_same_v<C, exact::Int<29>>) {
       return made_ratio(x);
     } else {
       struct Last {
