@@ -367,17 +367,49 @@ class LatticeOf final : public Lattice {
     }
     return r;
   }
-  WideRatio ratio(const Place& x) const {
+  WideRatio made_ratio(const Place& x) const {
     const Ratio a = parameter(x.on, x.first);
     if (!x.between) return {Wide(a.n), Wide(a.d)};
     const Ratio b = parameter(x.on, x.second);
     return {a.n + b.n, a.d + b.d};
+  }
+  // Whoever asks about a place asks about many segments, one after the other: each thread remembers the last place. By
+  // the lattice's own number, as another one may have its address later.
+  WideRatio ratio(const Place& x) const {
+    // Small numbers are made sooner than looked up.
+    if constexpr (std::is_same_v<C, Big> || std::is_same_v<C, exact::Int<29>>) {
+      return made_ratio(x);
+    } else {
+      struct Last {
+        std::uint64_t lattice = 0;
+        Segment on;
+        Cut first, second;
+        bool between = false;
+        WideRatio ratio;
+      };
+      static thread_local Last last;
+      if (last.lattice != number_ || last.between != x.between || !same_segment(last.on, x.on) ||
+          !same_cut(last.first, x.first) || (x.between && !same_cut(last.second, x.second)))
+        last = {number_, x.on, x.first, x.second, x.between, made_ratio(x)};
+      return last.ratio;
+    }
+  }
+  static bool same_segment(const Segment& a, const Segment& b) {
+    return a.edge.op == b.edge.op && a.edge.from == b.edge.from && a.edge.to == b.edge.to && a.vertex == b.vertex;
+  }
+  static bool same_cut(const Cut& a, const Cut& b) {
+    return a.kind == b.kind && (a.kind == Cut::Kind::pair ? a.pair == b.pair : same_segment(a.by, b.by));
+  }
+  static std::uint64_t next_number() {
+    static std::atomic<std::uint64_t> last = 0;
+    return last.fetch_add(1, std::memory_order_relaxed) + 1;
   }
   int sign_at(const Place& x, const Value& at_start, const Value& slope) const {
     const WideRatio t = ratio(x);
     return exact::sign(t.d * at_start + t.n * slope);
   }
 
+  std::uint64_t number_ = next_number();
   int exponent_;
   double per_double_;
   std::optional<LatticeScale> scale_;
