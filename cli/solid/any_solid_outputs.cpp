@@ -168,7 +168,9 @@ Json mesh_rounding_json(const SpatialSum::Rounded& rounded) {
           {"collapsed_edges", rounded.collapsed_edges},
           {"bends", rounded.bends},
           {"lost_faces", rounded.lost_faces},
-          {"distance", rounded.distance}};
+          {"distance", rounded.distance},
+          {"volume_change", rounded.volume_change},
+          {"topology_kept", rounded.topology_kept}};
 }
 
 SpatialSum::Rounded require_rounded(const SpatialSum& sum, Precision precision, double round, const std::string& file) {

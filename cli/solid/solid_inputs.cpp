@@ -8,6 +8,7 @@
 #include <string_view>
 #include <utility>
 
+#include "dymsum/solid_union.h"
 #include "exit_code.h"
 
 namespace dymsum::cli {
@@ -43,7 +44,13 @@ std::optional<MeshFormat> solid_format_of(std::string_view text) {
 }
 
 Result<RepairedMesh> repaired(MeshData data, const InputOptions& options) {
-  return options.thin ? repair_with_thin_parts(std::move(data)) : repair(std::move(data));
+  return options.thin ? repair_with_thin_parts(std::move(data)) : repair_with_union(std::move(data));
+}
+
+/// What the option would do: of large surfaces that cross that takes too long for a hint.
+Result<RepairedMesh> repaired_for_a_hint(const MeshData& data, const InputOptions& options) {
+  constexpr std::size_t kMany = 20000;
+  return options.thin || data.faces.size() <= kMany ? repaired(data, options) : repair(data);
 }
 
 /// Says which option takes the solid: which repairs it, or takes its parts without volume, or its hull.
@@ -52,7 +59,7 @@ Error with_remedy(Error error, const MeshData& data, const InputOptions& options
     error.message = "the file holds vertices and no faces (--hull takes the convex hull of points)";
     return error;
   }
-  const Result<RepairedMesh> mended = repaired(data, options);
+  const Result<RepairedMesh> mended = repaired_for_a_hint(data, options);
   if (mended && !mended->mesh.empty() && options.offers_repair) {
     error.message += remedy(mended->report.to_string());
     return error;

@@ -43,6 +43,7 @@
 #include "dymsum/solid_offset.h"
 #include "dymsum/solid_scale_range.h"
 #include "dymsum/solid_slice.h"
+#include "dymsum/solid_union.h"
 #include "dymsum/solids.h"
 #include "dymsum/spatial_sum.h"
 #include "dymsum/spatial_trace.h"

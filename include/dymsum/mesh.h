@@ -108,15 +108,23 @@ struct MeshRepairReport {
   std::size_t split_edges = 0;         ///< edges of faces split at vertices of their neighbours
   /// How far the furthest such vertex was from its edge; 0 where all lay on theirs exactly.
   double largest_gap = 0;
+  std::size_t cracks = 0;           ///< vertices of open edges that became one that was next to them
+  double largest_crack = 0;         ///< the largest distance between the two
+  std::size_t holes = 0;            ///< small loops of open edges that got triangles
   std::size_t split_faces = 0;      ///< faces that are not plane, or have a vertex twice, split into triangles
   std::size_t reversed_shells = 0;  ///< shells turned inside out made right
   std::size_t cavities = 0;         ///< shells that ran the same way as the one around them, and bound cavities now
   std::size_t reversed_faces = 0;   ///< single faces turned over to agree with their neighbours
   std::size_t membranes = 0;        ///< faces with the solid on both sides dropped
+  /// Whether faces crossed, touched or lay on each other, and what they bound was united (repair_with_union).
+  bool united = false;
+  std::size_t united_crossings = 0;  ///< vertices of the result that are none of the surface's
+  /// Where rounding those made faces meet, and they were merged: no point moved further. 0: nothing but rounding.
+  double united_distance = 0;
   bool changed() const {
-    return duplicate_vertices + unused_vertices + degenerate_faces + needles + split_edges + split_faces +
-               reversed_shells + reversed_faces + membranes >
-           0;
+    return united || duplicate_vertices + unused_vertices + degenerate_faces + needles + split_edges + cracks + holes +
+                             split_faces + reversed_shells + reversed_faces + membranes >
+                         0;
   }
   std::string to_string() const;
 };
@@ -134,6 +142,10 @@ struct RepairedMesh {
 /// exactly, or else the open edges between them lead from one end of it to the other, no further from it than 2^-13 of
 /// its length, as rounding leaves them. Where faces cross, triangles as narrow as that are dropped, and their longest
 /// edges split. A shell that runs the same way as the one around it bounds a cavity afterwards (`cavities`).
+///
+/// A crack is open edges whose vertices should be those of others: vertices of open edges become one where they are
+/// nearer than 2^-20 of the surface's diagonal. A small hole is a loop of at most 64 open edges, all together no longer
+/// than a quarter of the diagonal: it is filled. Neither is done where parts without volume are kept.
 ///
 /// Other open edges and edges with an odd number of faces are not repaired: they come back as the errors of
 /// Mesh::create, with the indices of `data`.

@@ -138,6 +138,10 @@ class SpatialSum {
     /// Where merging was needed: every point of the mesh is at most this far from the exact boundary, and every point
     /// in one of the two solids but not in the other. Proved. 0 where `nearest`.
     double distance = 0;
+    /// Where merging was needed: the volumes of the mesh and of the exact solid differ by at most this.
+    double volume_change = 0;
+    /// Whether the surface has as many pieces as the exact one, and the same Euler characteristic.
+    bool topology_kept = true;
     /// "2 vertices merged, 1 edge collapsed, ...; within 3e-16"; "nearest coordinates".
     std::string to_string() const;
   };

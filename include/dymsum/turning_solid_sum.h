@@ -100,7 +100,8 @@ struct TurningSolidWork {
 class TurningSolidSum {
  public:
   /// Solids without thin parts. Errors: unsupported_operand for thin parts, nothing in them, or coordinates on their
-  /// common grid that need more than 140 bits together with four times those of |axis|; bad_rotation for an axis that
+  /// common grid, less how far an operand lies from the origin where that is its width or more, that need more
+  /// than 140 bits together with four times those of |axis|; bad_rotation for an axis that
   /// is zero or beyond 2^15; out_of_range for the options.
   static Result<TurningSolidSum> create(const Mesh& p, const Mesh& q, const TurnAxis& axis,
                                         const TurningSolidOptions& options = {});

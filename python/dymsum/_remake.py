@@ -73,6 +73,10 @@ sum_locator = SumLocator
 solid_sum = _core.minkowski_sum
 solid_sum_of = _core.minkowski_sum
 solid_erode = _core.erode
+united = _core.united
+intersection = _core.intersection
+difference = _core.difference
+symmetric_difference = _core.symmetric_difference
 convex_sum_of = _core.convex_sum
 
 

@@ -14,6 +14,7 @@ from ._core import (
     CriticalityMap as CriticalityMap,
     CriticalityStats as CriticalityStats,
     FacetChange as FacetChange,
+    Fill as Fill,
     IndexRange as IndexRange,
     LocalEngine as LocalEngine,
     LocalOptions as LocalOptions,
@@ -62,7 +63,9 @@ from ._core import (
     convex_sum as convex_sum,
     convex_sum_within as convex_sum_within,
     count_solid_pair_events as count_solid_pair_events,
+    difference as difference,
     erode as erode,
+    intersection as intersection,
     minkowski_sum as minkowski_sum,
     offset as offset,
     opening as opening,
@@ -73,7 +76,9 @@ from ._core import (
     posed_sums as posed_sums,
     predict_cost as predict_cost,
     slice_of_sum as slice_of_sum,
+    symmetric_difference as symmetric_difference,
     tessellated_ball as tessellated_ball,
+    united as united,
 )
 from ._values import PoseReports as PoseReports
 
@@ -91,6 +96,7 @@ __all__ = [
     "CriticalityMap",
     "CriticalityStats",
     "FacetChange",
+    "Fill",
     "IndexRange",
     "LocalEngine",
     "LocalOptions",
@@ -140,7 +146,9 @@ __all__ = [
     "convex_sum",
     "convex_sum_within",
     "count_solid_pair_events",
+    "difference",
     "erode",
+    "intersection",
     "minkowski_sum",
     "offset",
     "opening",
@@ -151,5 +159,7 @@ __all__ = [
     "posed_sums",
     "predict_cost",
     "slice_of_sum",
+    "symmetric_difference",
     "tessellated_ball",
+    "united",
 ]

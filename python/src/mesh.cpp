@@ -197,11 +197,18 @@ void bind_mesh_repair(nb::module_& m) {
       .field("needles", &MeshRepairReport::needles)
       .field("split_edges", &MeshRepairReport::split_edges)
       .field("largest_gap", &MeshRepairReport::largest_gap, "how far a vertex was from the edge that was split at it")
+      .field("cracks", &MeshRepairReport::cracks, "vertices of open edges that became one that was next to them")
+      .field("largest_crack", &MeshRepairReport::largest_crack)
+      .field("holes", &MeshRepairReport::holes, "small loops of open edges that got triangles")
       .field("split_faces", &MeshRepairReport::split_faces)
       .field("reversed_shells", &MeshRepairReport::reversed_shells)
       .field("cavities", &MeshRepairReport::cavities)
       .field("reversed_faces", &MeshRepairReport::reversed_faces)
       .field("membranes", &MeshRepairReport::membranes)
+      .field("united", &MeshRepairReport::united, "whether faces crossed or touched, and what they bound was united")
+      .field("united_crossings", &MeshRepairReport::united_crossings)
+      .field("united_distance", &MeshRepairReport::united_distance,
+             "how far points moved where rounding needed merging")
       .def("changed", &MeshRepairReport::changed)
       .def("to_string", &MeshRepairReport::to_string);
   Record<RepairedMesh>(m, "RepairedMesh", "A repaired mesh and what was changed.")

@@ -175,6 +175,8 @@ void bind_spatial_sum_class(nb::module_& m) {
       .field("bends", &SpatialSum::Rounded::bends, "edges and triangles that got a vertex that was near")
       .field("lost_faces", &SpatialSum::Rounded::lost_faces, "faces of the sum of which no triangle is left")
       .field("distance", &SpatialSum::Rounded::distance, "how far the mesh is from the exact boundary, at most")
+      .field("volume_change", &SpatialSum::Rounded::volume_change, "how far its volume is from the exact one, at most")
+      .field("topology_kept", &SpatialSum::Rounded::topology_kept)
       .def("to_string", &SpatialSum::Rounded::to_string, "What was merged, and how far the surface moved.");
   sum.def(
          "__eq__", [](const SpatialSum& a, const SpatialSum& b) { return without_gil([&] { return a == b; }); },

@@ -233,7 +233,7 @@ class ContinuousDepth::State {
     if (place.surface.faces.empty() || !overlaps(from)) return {};
     const double reach = near_.nearest.distance * (1 + 0x1p-30) + 4 * tracker_.error();
     const SpatialSum part = near_part(*place.boundary, place.surface, tracker_.scaled(at_), reach);
-    return depth::nearest_on_boundary(part, from);
+    return depth::nearest_by_doubles_first(part, from).all;
   }
 
   void require_answer() const {

@@ -26,14 +26,15 @@ class RootPoint {
   int sign_of(const Terms& p) const;
   /// Within 2^-52 of its size.
   double nearest(const Terms& p) const;
-
- private:
-  /// p at the middle of a bracket at most 2^-bits wide, times 2^(shift degree), and a bound of its error.
+  /// p here, times 2^scale, and a bound of the value's error.
   struct Enclosure {
     BigInteger value, error;
     unsigned long scale = 0;
   };
+  /// By a bracket at most 2^-bits wide.
   Enclosure enclose(const Terms& p, unsigned bits) const;
+
+ private:
   AlgebraicRoot root_;
   mutable RootBracket bracket_;
 };

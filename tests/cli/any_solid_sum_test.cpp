@@ -145,6 +145,16 @@ TEST_F(AnySolidSum, WhatItDoesNotTakeIsRefused) {
   const Json failure = json("dymsum sum tunnel.off crossing.off --json", 2);
   EXPECT_EQ(failure["error"]["code"], "faces_cross");
   EXPECT_TRUE(failure["error"]["evidence"].contains("other_face"));
+  const std::string remedy = "(--repair mends it: what crossed or overlapped united (6 new vertices))";
+  EXPECT_NE(work.run("dymsum info crossing.off").err.find(remedy), std::string::npos)
+      << work.run("dymsum info crossing.off").err;
+  const Outcome mended = work.run("dymsum convert crossing.off united.off --repair");
+  EXPECT_EQ(mended.err, "crossing.off: repaired: what crossed or overlapped united (6 new vertices)\n");
+  EXPECT_EQ(json("dymsum sum united.off cube.off --json"), json("dymsum sum united.off cube.off --json --repair"));
+  EXPECT_EQ(json("dymsum info united.off --json")["volume"], 15);
+  // The same with a body that shares half a face, and one that is turned inside out.
+  EXPECT_EQ(json("dymsum sum crossing.off cube.off --repair --json")["volume_exact"],
+            json("dymsum sum united.off cube.off --json")["volume_exact"]);
 }
 
 }  // namespace

@@ -45,6 +45,7 @@ const std::vector<std::string> kRooms = {
     "spatial/arrangement",
     "spatial/boundary",
     "spatial/sum",
+    "spatial/boolean",
     "spatial/frames",
     "spatial/moving",
     "spatial/scaling",

@@ -32,7 +32,8 @@ void CrossingOrders::find(const WalkSegment& a, std::span<LineCrossing> run, std
     const TrigForm d = forms_.cross(a, b);
     const double rounding = kTurnedCross * forms_.length1(a) * forms_.length1(b), cross = d.at(w_.heading),
                  size = std::abs(cross) - rounding;
-    const bool crosses = d.far_from_zero(w_.heading, w_.half, rounding) || ends_.exactly_at_end(d);
+    const bool crosses =
+        d.far_from_zero(w_.heading, w_.half, rounding) || ends_.exactly_at_end(d) || ends_.sign_beside(a, b) != 0;
     if (!crosses || !(size > 0)) continue;
     const double t = forms_.side(b, TurningForms::start(a)).at(w_.heading) / cross;
     places.push_back({&c, t, (forms_.side_error(b) + std::abs(t) * rounding) / size * kWider, cross > 0 ? 1 : -1});
@@ -62,7 +63,7 @@ int CrossingOrders::order_beside_end(const WalkSegment& a, const Place& x, const
     if (end != nullptr && end->exact_forms())
       if (const int sign = end->sign_beside(g, end == ends_.low() ? ends_.width() : -ends_.width()))
         return sign * x.turn * y.turn;
-  return 0;
+  return ends_.sign_beside(a, w_.segments[x.crossing->other], w_.segments[y.crossing->other]) * x.turn * y.turn;
 }
 
 // Doubles prove it for every part of the window.
@@ -85,6 +86,7 @@ bool CrossingOrders::keep_order(const WalkSegment& a, const Place& x, const Plac
   const double error = forms_.concurrency_error(a, b, c);
   if (g.far_from_zero(w_.heading, w_.half, error)) return true;
   if (ends_.at_end(g, error, [&](const QuarterTurn& end) { return end.concurrent(a, b, c); })) return true;
+  if (ends_.sign_beside(a, b, c) != 0) return true;
   const double first = g.at(Heading::of(w_.low)), last = g.at(Heading::of(w_.high));
   if (std::min(first, last) < -error && std::max(first, last) > error) return false;
   if (never_zero(g, error)) return true;

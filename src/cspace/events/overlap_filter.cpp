@@ -123,10 +123,9 @@ bool OverlapFilter::touches_only(Point at, Heading h, const std::vector<WalkSegm
 }
 
 // Whether a component certainly holds x in its interior; x relative to the component's own doubles.
-bool OverlapFilter::holds(std::uint32_t op, std::uint32_t component, Point x, Heading h) const {
+bool OverlapFilter::holds(std::uint32_t op, std::uint32_t component, Point x, Heading h, double near) const {
   const Operand& o = forms_.operand(op);
   const Component& c = o.components[component];
-  const double near = kMargin * forms_.span();
   const auto at = [&](std::uint32_t v) {
     const Point p = forms_.points(op)[v];
     return op == 0 ? p : Point{h.c * p.x - h.s * p.y, h.s * p.x + h.c * p.y};

@@ -28,6 +28,9 @@ class OverlapFilter {
   /// True only if the open obstacle does not hold `at`, where the given contacts hold: all edges but those of the
   /// contacts are clearly apart, and neither polygon holds a vertex of the other.
   bool touches_only(Point at, Heading h, const std::vector<WalkSegment>& contacts) const;
+  /// True only if a component of an operand holds x, of the operand's own doubles, in its interior, farther than `near`
+  /// from its boundary.
+  bool holds(std::uint32_t op, std::uint32_t component, Point x, Heading h, double near) const;
 
  private:
   struct Node {
@@ -44,7 +47,9 @@ class OverlapFilter {
   bool cross(std::uint32_t i, Point c, Point d) const;
   bool lately_cross(Point at, Heading h) const;
   bool edges_cross(const Node& fixed, const Node& turning, Point at, Heading h) const;
-  bool holds(std::uint32_t op, std::uint32_t component, Point x, Heading h) const;
+  bool holds(std::uint32_t op, std::uint32_t component, Point x, Heading h) const {
+    return holds(op, component, x, h, kMargin * forms_.span());
+  }
 
   const TurningForms& forms_;
   const TurnWindow& window_;

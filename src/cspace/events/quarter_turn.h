@@ -71,6 +71,12 @@ struct CrowdedQuarter {
   double per_edge = 0;  ///< how many are, per edge of the operands
 };
 
+/// The end of a window at which a whole slice is due, by one pair of edges of many that are aligned there.
+struct CrowdedEnd {
+  const QuarterTurn* turn = nullptr;  ///< null where coordinates are too large for it
+  Alignment pair;
+};
+
 class CrowdedQuarters {
  public:
   /// None where coordinates are too large for QuarterTurn.

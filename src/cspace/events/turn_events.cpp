@@ -7,6 +7,7 @@
 #include "cspace/events/crossing_orders.h"
 #include "cspace/events/event_angles.h"
 #include "cspace/events/event_place.h"
+#include "cspace/events/near_events.h"
 
 namespace dymsum::planar {
 
@@ -33,11 +34,16 @@ class Collector {
         catalog_(catalog),
         filter_(filter),
         ends_(window, ends),
+        near_(ends.around),
         orders_(window, forms, ends_),
         again_(again) {}
 
   TurnEvents run(const std::vector<Alignment>& all) {
     add_alignments(all);
+    if (near_ != nullptr) {
+      look_near();
+      return sorted();
+    }
     find_crossings();
     find_vertices();
     number_headings();
@@ -46,13 +52,48 @@ class Collector {
       again_();
       triples_of(a);
     }
-    // Stable: results are the same whatever the library's sort does with events at one angle.
+    return sorted();
+  }
+
+ private:
+  // Stable: results are the same whatever the library's sort does with events at one angle.
+  TurnEvents sorted() {
     std::stable_sort(out_.events.begin(), out_.events.end(),
                      [](const TurnEvent& a, const TurnEvent& b) { return a.low < b.low; });
     return std::move(out_);
   }
 
- private:
+  // Around an angle at which much is nearly aligned.
+  void look_near() {
+    for (const TurnWindow::SegmentPair& m : w_.pairs) {
+      if (forms_.parallel(w_.segments[m.a], w_.segments[m.b])) overlaps(w_.segments[m.a], w_.segments[m.b]);
+      else ++out_.pairs;
+    }
+    const NearEvents found = near_events(w_, forms_, *near_, *filter_, ends_.leaves_out_high(), again_);
+    out_.triples += found.looked_at;
+    for (const NearEvents::Vertex& v : found.vertices) {
+      again_();
+      if (!belongs_to_alignment(w_.segments[v.segment], v.at)) add_vertex(w_.segments[v.segment], v.at, &v.where);
+    }
+    for (const NearEvents::Triple& triple : found.triples) {
+      again_();
+      const auto [a, b, c] = triple.segments;
+      if (!same_direction(forms_, w_.segments[b], w_.segments[c]))
+        add_triple(w_.segments[a], w_.segments[b], w_.segments[c], &triple.where);
+    }
+  }
+  // Roots of a polynomial, of those that are near to some where these are known.
+  std::vector<AlgebraicRoot> roots(const exact::Polynomial& p, const std::vector<NearRoot>* where) const {
+    std::vector<AlgebraicRoot> all = ends_.roots(p);
+    if (where != nullptr)
+      std::erase_if(all, [&](const AlgebraicRoot& root) {
+        const auto [low, high] = near_->range({w_.range.chart, root.low(), root.high()});
+        return std::none_of(where->begin(), where->end(),
+                            [&](const NearRoot& near) { return near.low <= high && low <= near.high; });
+      });
+    return all;
+  }
+
   void add_alignments(const std::vector<Alignment>& all) {
     const double slack = 2 * kAngleSlack;
     auto at = std::lower_bound(all.begin(), all.end(), w_.low - slack,
@@ -72,7 +113,7 @@ class Collector {
     if (ends_.high() != nullptr && ends_.high()->aligned(event.e, event.f)) return false;
     const exact::Polynomial p = forms_.exact_alignment(event.e, event.f, w_.range.chart);
     if (forms_.alignment_chart(event.e, event.f) != w_.range.chart) return false;
-    return !roots_in(p, w_.range.t_low, w_.range.t_high).empty();
+    return !ends_.roots(p).empty();
   }
 
   // The parameter of b's line along a: N / D. Around its value t at the middle, (N - t D) / D is small.
@@ -125,7 +166,8 @@ class Collector {
     return may_exist(a, theta) && may_exist(b, theta) && share_stretch(a, b, theta);
   }
   bool beside_at_crowded_end(const TrigForm& f, const WalkSegment& s, Pair v) const {
-    return ends_.at_end(f, forms_.side_error(s), [&](const QuarterTurn& end) { return end.on_line(s, v); });
+    return ends_.at_end(f, forms_.side_error(s), [&](const QuarterTurn& end) { return end.on_line(s, v); }) ||
+           ends_.sign_beside(s, v) != 0;
   }
   void overlaps(const WalkSegment& a, const WalkSegment& b) {
     // One edge at both ends of another one: on one line only where the two edges are aligned.
@@ -204,9 +246,11 @@ class Collector {
       event.high = theta + off;
       near |= !(off >= 0 && off < kSteep) || !covered(event);
     }
-    if (!near) return;
+    if (near) add_vertex(a, v);
+  }
+  void add_vertex(const WalkSegment& a, Pair v, const std::vector<NearRoot>* where = nullptr) {
     const exact::Polynomial poly = forms_.exact_side(a, v, w_.range.chart);
-    for (AlgebraicRoot& root : ends_.roots(poly)) {
+    for (AlgebraicRoot& root : roots(poly, where)) {
       TurnEvent event = at(std::move(root), TurnEvent::Kind::vertex_on_segment);
       if (!on(a, v, event.theta()) || !may_exist(a, event.theta()) || belongs_to_overlap(a, v, event.theta())) continue;
       event.a = a;
@@ -327,13 +371,17 @@ class Collector {
     const double error = forms_.concurrency_error(a, b, c);
     if (g.far_from_zero(w_.heading, w_.half, error)) return;
     if (ends_.at_end(g, error, [&](const QuarterTurn& end) { return end.concurrent(a, b, c); })) return;
-    if (!may_matter(a, b, c, g, error)) return;
+    if (ends_.sign_beside(a, b, c) != 0) return;
+    if (may_matter(a, b, c, g, error)) add_triple(a, b, c);
+  }
+  void add_triple(const WalkSegment& a, const WalkSegment& b, const WalkSegment& c,
+                  const std::vector<NearRoot>* where = nullptr) {
     const exact::Polynomial poly = forms_.exact_concurrency(a, b, c, w_.range.chart);
     if (poly.is_zero()) {
       out_.always_concurrent.push_back({a, b, c});
       return;
     }
-    for (AlgebraicRoot& root : ends_.roots(poly)) {
+    for (AlgebraicRoot& root : roots(poly, where)) {
       TurnEvent event = at(std::move(root), TurnEvent::Kind::three_segments);
       if (!all_cross(a, b, c, event.theta(), (event.high - event.low) / 2)) continue;
       event.a = a;
@@ -382,6 +430,7 @@ class Collector {
   const TurnCatalog& catalog_;
   const OverlapFilter* filter_;
   WindowEnds ends_;
+  const NearAngle* near_;
   CrossingOrders orders_;
   const std::function<void()>& again_;
   std::vector<std::vector<LineCrossing>> crossings_;

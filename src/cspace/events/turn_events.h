@@ -49,10 +49,14 @@ struct TurnEvents {
   std::vector<AlwaysConcurrent> always_concurrent;
   std::uint64_t pairs = 0, triples = 0;
 };
-/// The crowded quarter turns among the ends of a window, or null.
+/// The crowded quarter turns among the ends of a window, and the angle at which much is aligned but for a rounding and
+/// that it is around, or beside; or null.
 class QuarterTurn;
+class NearAngle;
 struct QuarterEnds {
   const QuarterTurn *low = nullptr, *high = nullptr;
+  const NearAngle *around = nullptr, *beside = nullptr;
+  bool high_left_out = false;  ///< no event is made of the end either way
 };
 /// With a filter, without those at places that are certainly covered. Always without those at crowded ends. `again` is
 /// called now and then: it throws to stop.

@@ -35,7 +35,7 @@ void ObstacleSweep::start(const TurnRange& range, TurnEvents& found, const Overl
 }
 
 void ObstacleSweep::pass(const TurnRange& range, TurnEvents found, const OverlapFilter& filter,
-                         const CrowdedQuarter* at_end) {
+                         const std::optional<CrowdedEnd>& at_end) {
   base::CountedArray<TurnEvent>& events = found.events;
   always_ = std::move(found.always_concurrent);
   swept_.always_concurrent |= !always_.empty();
@@ -53,7 +53,7 @@ void ObstacleSweep::pass(const TurnRange& range, TurnEvents found, const Overlap
     again_();
     pass_run(runs[r], r + 1 < runs.size() ? &runs[r + 1] : nullptr, range, filter);
   }
-  if (at_end == nullptr) return;
+  if (!at_end) return;
   TurnEvent event;
   event.e = at_end->pair.e;
   event.f = at_end->pair.f;
@@ -138,13 +138,13 @@ void ObstacleSweep::pass_pending(const Behind& behind, const OverlapFilter& filt
   for (TurnEvent& event : pending_) group.push_back(&event);
   pass_group(group, pending_range_, behind, filter);
   pending_.clear();
-  crowded_ = nullptr;
+  crowded_.reset();
 }
 
 void ObstacleSweep::pass_group(const Group& group, const TurnRange& range, const Behind& behind,
                                const OverlapFilter& filter) {
   swept_.graph.begin_angle();
-  now_.begin(group[0]->theta(), crowded_ != nullptr ? &crowded_->turn : nullptr);
+  now_.begin(group[0]->theta(), crowded_ ? crowded_->turn : nullptr);
   sliced_ = false;
   near_nodes_.clear();
   first_node_ = static_cast<std::uint32_t>(swept_.graph.nodes().size());
@@ -162,7 +162,7 @@ void ObstacleSweep::pass_group(const Group& group, const TurnRange& range, const
 
 void ObstacleSweep::change(const Group& group, const TurnRange& range, const Behind& behind,
                            const OverlapFilter& filter) {
-  if (reference_ || crowded_ != nullptr) return take_slice(group, range, behind);
+  if (reference_ || crowded_) return take_slice(group, range, behind);
   // What one of several changes is not undone where another one takes a slice, as where opposite segments come to lie
   // along each other with events at both ends: so all are planned before the first one is applied.
   if (group.size() == 1) {

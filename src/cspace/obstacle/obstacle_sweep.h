@@ -32,7 +32,8 @@ class ObstacleSweep {
   void start(const TurnRange& range, TurnEvents& found, const OverlapFilter& filter);
   /// Passes the events of a window. `at_end`: its end, where that is a crowded quarter turn; then none of the events is
   /// there.
-  void pass(const TurnRange& range, TurnEvents found, const OverlapFilter& filter, const CrowdedQuarter* at_end);
+  void pass(const TurnRange& range, TurnEvents found, const OverlapFilter& filter,
+            const std::optional<CrowdedEnd>& at_end);
   /// Joins the end of the turn to its start. Throws std::logic_error if they differ.
   void close(const OverlapFilter& filter);
 
@@ -96,7 +97,7 @@ class ObstacleSweep {
   // At the very end of the last window. Of a crowded quarter turn one event stands for many, so that a whole slice is
   // due.
   std::vector<TurnEvent> pending_;
-  const CrowdedQuarter* crowded_ = nullptr;
+  std::optional<CrowdedEnd> crowded_;
   TurnRange pending_range_;
 };
 

@@ -6,6 +6,7 @@
 #include <optional>
 #include <vector>
 
+#include "cspace/events/near_angle.h"
 #include "cspace/events/quarter_turn.h"
 
 namespace dymsum::planar {
@@ -16,7 +17,7 @@ struct PreparedWindow {
   std::unique_ptr<TurnWindow> window;
   std::unique_ptr<OverlapFilter> filter;
   TurnEvents found;
-  const CrowdedQuarter* at_end = nullptr;  ///< where it ends with one
+  std::optional<CrowdedEnd> at_end;  ///< where it ends with a crowded quarter turn
 };
 
 /// Ranges of angles one after the other, with their windows and events. Several may be prepared at a time.
@@ -35,7 +36,19 @@ class TurnWindows {
  private:
   void add(const TurnRange& range, int depth, Halved halved, const std::function<void()>& again,
            std::vector<PreparedWindow>& parts) const;
+  void add_parts(const TurnRange& range, Halved halved, const std::function<void()>& again,
+                 std::vector<PreparedWindow>& parts) const;
   bool beside_crowd(const TurnRange& range) const;
+  /// An angle at which more edges are aligned than there are, but for a rounding.
+  struct NearCrowd {
+    NearAngle angle;
+    TurnRange range;  ///< around it
+    double per_edge = 0;
+    std::optional<Alignment> exactly;  ///< a pair of edges that is aligned at the angle itself, a quarter turn
+  };
+  void find_near_crowds();
+  const NearCrowd* around(const TurnRange& range) const;
+  const NearCrowd* beside(const TurnRange& range) const;
 
   const TurningForms& forms_;
   const TurnCatalog& catalog_;
@@ -44,6 +57,7 @@ class TurnWindows {
   int per_half_turn_;
   std::vector<Alignment> all_;
   std::optional<CrowdedQuarters> crowded_;
+  std::vector<NearCrowd> near_;
   std::optional<TurnGrid> grid_;
 };
 

@@ -11,6 +11,8 @@ namespace {
 constexpr double kEndOff = 2 * PosedRegions::kOff;
 /// Below this sine of the angle of two lines their crossing is rounded from integers.
 constexpr double kSteep = 0x1p-8;
+/// Of a difference of two ends in pairs of doubles.
+constexpr double kPairGap = 4 * PosedRegions::kPairOff;
 
 Point minus(Point a, Point b) { return {a.x - b.x, a.y - b.y}; }
 
@@ -19,6 +21,15 @@ int sure_cross(Point a, Point b) {
   const double value = a.x * b.y - a.y * b.x, off = 2 * kEndOff;
   const double error = 2 * off * (std::abs(a.x) + std::abs(a.y) + std::abs(b.x) + std::abs(b.y) + 2 * off);
   return value > error ? 1 : value < -error ? -1 : 0;
+}
+
+/// a x b for vectors whose components are at most 4 and off by kPairGap: how far it is off.
+double pair_cross_off(const PairPoint& a, const PairPoint& b) {
+  return 8 * kPairGap * (std::abs(a.x.high) + std::abs(a.y.high) + std::abs(b.x.high) + std::abs(b.y.high) + kPairGap);
+}
+int sure_cross(const PairPoint& a, const PairPoint& b) {
+  const double value = planar::cross(a, b).value(), off = pair_cross_off(a, b);
+  return value > off ? 1 : value < -off ? -1 : 0;
 }
 
 }  // namespace
@@ -37,9 +48,11 @@ LocalNodes::LocalNodes(const PosedRegions& posed, const LocalWalls& walls, base:
       nodes_.push_back({LocalNode::Kind::end, at.x, at.y, kEndOff, s, end});
     }
   }
+  pair_ends_.resize(segments_.size());
   find_meetings();
   for (std::uint32_t s = 0; s < segments_.size(); ++s) add_walls(s);
   exact_.resize(nodes_.size());
+  pair_places_.resize(nodes_.size());
   merge_same();
   for (std::uint32_t n = 0; n < nodes_.size(); ++n) place_in_boxes(nodes_[n], n);
   for (std::uint32_t s = 0; s < segments_.size(); ++s) sort_along(s);
@@ -49,6 +62,16 @@ BigPoint LocalNodes::exact_end(std::uint32_t s, int end) const {
   const WalkSegment& w = segments_[s];
   const std::uint32_t walk = end == 0 ? w.edge : posed_.operand(w.side).next[w.edge];
   return posed_.exact(w.side, walk) + posed_.exact(1 - w.side, w.vertex);
+}
+
+const LocalNodes::PairEnds& LocalNodes::pair_ends(std::uint32_t s) const {
+  std::optional<PairEnds>& kept = pair_ends_[s];
+  if (!kept) {
+    const WalkSegment& w = segments_[s];
+    const PairPoint& v = posed_.pair(1 - w.side, w.vertex);
+    kept = PairEnds{posed_.pair(w.side, w.edge) + v, posed_.pair(w.side, posed_.operand(w.side).next[w.edge]) + v};
+  }
+  return *kept;
 }
 
 int LocalNodes::direction(std::uint32_t s, int axis) const {
@@ -61,6 +84,8 @@ int LocalNodes::direction(std::uint32_t s, int axis) const {
 
 int LocalNodes::cross(std::uint32_t s, std::uint32_t t) const {
   if (const int sure = sure_cross(ends_[s].d(), ends_[t].d())) return sure;
+  const PairEnds &a = pair_ends(s), &b = pair_ends(t);
+  if (const int sure = sure_cross(a[1] - a[0], b[1] - b[0])) return sure;
   return sign(planar::cross(exact_direction(s), exact_direction(t)));
 }
 
@@ -68,6 +93,8 @@ int LocalNodes::cross(std::uint32_t s, std::uint32_t t) const {
 int LocalNodes::side(std::uint32_t s, std::uint32_t t, int end) const {
   const Point v = end == 0 ? ends_[t].a : ends_[t].b;
   if (const int sure = sure_cross(ends_[s].d(), minus(v, ends_[s].a))) return sure;
+  const PairEnds& a = pair_ends(s);
+  if (const int sure = sure_cross(a[1] - a[0], pair_ends(t)[static_cast<std::size_t>(end)] - a[0])) return sure;
   return sign(planar::cross(exact_direction(s), exact_end(t, end) - exact_end(s, 0)));
 }
 
@@ -184,6 +211,44 @@ const BigPlace& LocalNodes::exact(std::uint32_t n) const {
   return *exact_[n];
 }
 
+// Ends are off by 2 kPairOff, as sums. A share n / w of at most 1 is off by what n and w are, over w, and by roundings.
+LocalNodes::PairPlace LocalNodes::make_pair_place(const LocalNode& node) const {
+  const PairEnds& ends = pair_ends(node.a);
+  if (node.kind == LocalNode::Kind::end) return {ends[node.b], 2 * PosedRegions::kPairOff};
+  const PairPoint d = ends[1] - ends[0];
+  base::DoublePair n, w;
+  double off = 0;
+  if (node.kind == LocalNode::Kind::wall) {
+    const LocalWall& wall = walls_.all()[node.b];
+    n = posed_.pair(wall.axis == 0 ? wall.exact.x : wall.exact.y) - (wall.axis == 0 ? ends[0].x : ends[0].y);
+    w = wall.axis == 0 ? d.x : d.y;
+    off = 4 * kPairGap;
+  } else {
+    const PairEnds& others = pair_ends(node.b);
+    const PairPoint e = others[1] - others[0], gap = others[0] - ends[0];
+    n = planar::cross(gap, e);
+    w = planar::cross(d, e);
+    off = 2 * std::max(pair_cross_off(gap, e), pair_cross_off(d, e));
+  }
+  if (!(std::abs(w.high) > 4 * off)) return {ends[0], INFINITY};
+  const base::DoublePair share = n / w;
+  const double size = std::abs(d.x.high) + std::abs(d.y.high);
+  return {{ends[0].x + d.x * share, ends[0].y + d.y * share}, 4 * off / std::abs(w.high) * size + 4 * kPairGap};
+}
+
+const LocalNodes::PairPlace& LocalNodes::pair_place(std::uint32_t n) const {
+  std::optional<PairPlace>& kept = pair_places_[n];
+  if (!kept) kept = make_pair_place(nodes_[n]);
+  return *kept;
+}
+
+/// The sign of m less n along an axis, 0 where pairs of doubles do not tell.
+int LocalNodes::pair_order(std::uint32_t m, std::uint32_t n, int axis) const {
+  const PairPlace &a = pair_place(m), &b = pair_place(n);
+  const double gap = (axis == 0 ? a.at.x - b.at.x : a.at.y - b.at.y).value(), off = (a.off + b.off) * (1 + 0x1p-40);
+  return gap > off ? 1 : gap < -off ? -1 : 0;
+}
+
 /// Nodes that doubles do not tell apart are compared exactly; each takes the number of the first that is the same.
 void LocalNodes::merge_same() {
   std::vector<std::uint32_t> order(nodes_.size()), same(nodes_.size());
@@ -198,6 +263,7 @@ void LocalNodes::merge_same() {
       std::uint32_t &m = same[order[i]], &n = same[order[j]];
       const double off = a.off + b.off;
       if (m == n || b.x - a.x > off || std::abs(b.y - a.y) > off) continue;
+      if (pair_order(order[i], order[j], 0) != 0 || pair_order(order[i], order[j], 1) != 0) continue;
       if (!same_place(exact(order[i]), exact(order[j]))) continue;
       // All that are known to be the same have one number.
       const std::uint32_t less = std::min(m, n), more = std::max(m, n);
@@ -237,7 +303,9 @@ void LocalNodes::sort_along(std::uint32_t s) {
     const LocalNode &a = nodes_[m], &b = nodes_[n];
     const double gap = (by == 0 ? b.x - a.x : b.y - a.y) * ahead;
     if (std::abs(gap) > a.off + b.off) return gap > 0;
-    return m != n && compare(exact(m), exact(n), by) * ahead < 0;
+    if (m == n) return false;
+    const int known = pair_order(m, n, by);
+    return (known != 0 ? known : compare(exact(m), exact(n), by)) * ahead < 0;
   });
 }
 

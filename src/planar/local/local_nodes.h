@@ -1,6 +1,7 @@
 // Segments near a box, and all places at which they end, meet, or pass a wall: doubles with bounds, exact on demand.
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <optional>
 #include <vector>
@@ -58,6 +59,16 @@ class LocalNodes {
   BigPoint exact_end(std::uint32_t s, int end) const;
   BigPoint exact_direction(std::uint32_t s) const { return exact_end(s, 1) - exact_end(s, 0); }
   BigPlace make_exact(const LocalNode& node) const;
+  /// In pairs of doubles, each coordinate off by at most `off`.
+  struct PairPlace {
+    PairPoint at;
+    double off = 0;
+  };
+  using PairEnds = std::array<PairPoint, 2>;
+  const PairEnds& pair_ends(std::uint32_t s) const;
+  PairPlace make_pair_place(const LocalNode& node) const;
+  const PairPlace& pair_place(std::uint32_t n) const;
+  int pair_order(std::uint32_t m, std::uint32_t n, int axis) const;
 
   const PosedRegions& posed_;
   const LocalWalls& walls_;
@@ -66,6 +77,8 @@ class LocalNodes {
   base::CountedArray<LocalNode> nodes_;
   std::vector<std::vector<std::uint32_t>> along_;
   mutable base::CountedArray<std::optional<BigPlace>> exact_;
+  mutable base::CountedArray<std::optional<PairEnds>> pair_ends_;
+  mutable base::CountedArray<std::optional<PairPlace>> pair_places_;
 };
 
 }  // namespace dymsum::planar

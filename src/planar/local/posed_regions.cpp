@@ -92,7 +92,31 @@ PosedRegions::PosedRegions(const Operand& p, const Operand& q, const PosePair& p
     m.stretch = std::ldexp(std::max(stretch.x, stretch.y), -scale_);
     m.angle = poses[op].rotation.radians();
     exact_[op].resize(operands_[op]->size());
+    pairs_[op].resize(operands_[op]->size());
   }
+  top_ = static_cast<int>(msb(unit_.den)) + 1 + scale_ - unit_.exponent;
+}
+
+// Its 128 leading digits at least, as a sum of two doubles.
+base::DoublePair PosedRegions::pair(const Big& n) const {
+  const BigInteger& v = n.value();
+  if (v.is_zero()) return {};
+  const BigInteger size = abs(v);
+  const int cut = std::max(0, static_cast<int>(msb(size)) - 127);
+  const BigInteger head = size >> static_cast<unsigned>(cut);
+  const double high = exact::to_double(Big(head));
+  const BigInteger rest = head - numerator(exact::exact_value(high));
+  const int shift = cut - top_, sign = v.sign();
+  return {sign * std::ldexp(high, shift), sign * std::ldexp(exact::to_double(Big(rest)), shift)};
+}
+
+const PairPoint& PosedRegions::pair(std::uint32_t op, std::uint32_t walk) const {
+  std::optional<PairPoint>& kept = pairs_[op][walk];
+  if (!kept) {
+    const BigPoint& at = exact(op, walk);
+    kept = PairPoint{pair(at.x), pair(at.y)};
+  }
+  return *kept;
 }
 
 double PosedRegions::scaled(double coordinate) const {

@@ -5,6 +5,7 @@
 #include <optional>
 #include <vector>
 
+#include "base/double_pair.h"
 #include "dymsum/planar_local_sum.h"
 #include "exact/big.h"
 #include "planar/operand/operand.h"
@@ -19,6 +20,13 @@ struct BigPoint {
   friend BigPoint operator-(const BigPoint& a, const BigPoint& b) { return {a.x - b.x, a.y - b.y}; }
 };
 inline Big cross(const BigPoint& a, const BigPoint& b) { return a.x * b.y - a.y * b.x; }
+/// A point in pairs of doubles.
+struct PairPoint {
+  base::DoublePair x, y;
+  friend PairPoint operator+(const PairPoint& a, const PairPoint& b) { return {a.x + b.x, a.y + b.y}; }
+  friend PairPoint operator-(const PairPoint& a, const PairPoint& b) { return {a.x - b.x, a.y - b.y}; }
+};
+inline base::DoublePair cross(const PairPoint& a, const PairPoint& b) { return a.x * b.y - a.y * b.x; }
 inline Big dot(const BigPoint& a, const BigPoint& b) { return a.x * b.x + a.y * b.y; }
 
 /// (x, y) / w, w > 0.
@@ -67,6 +75,11 @@ class PosedRegions {
   const BigPoint& exact(std::uint32_t op, std::uint32_t walk) const;
   BigPoint exact(Point v) const { return {exact_number(v.x), exact_number(v.y)}; }
   Big exact_number(double v) const;
+  /// An integer as a fraction of what is more than any coordinate of a sum, in pairs of doubles: off by less than
+  /// kPairOff, and so are those of vertices and sums of two.
+  static constexpr double kPairOff = 0x1p-98;
+  base::DoublePair pair(const Big& n) const;
+  const PairPoint& pair(std::uint32_t op, std::uint32_t walk) const;
   const LocalUnit& unit() const { return unit_; }
   /// In scaled doubles, rounded.
   Point scaled(const BigPlace& place) const;
@@ -84,7 +97,9 @@ class PosedRegions {
   std::array<Map, 2> map_;
   LocalUnit unit_;
   int scale_ = 0;
+  int top_ = 0;  // all sums are below 2^top_ in units
   mutable std::array<std::vector<std::optional<BigPoint>>, 2> exact_;
+  mutable std::array<std::vector<std::optional<PairPoint>>, 2> pairs_;
 };
 
 /// Of the coordinates of an operand before it turns.

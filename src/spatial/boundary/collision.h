@@ -13,6 +13,7 @@
 namespace dymsum::spatial {
 
 struct Feature;
+struct FlagQuery;
 
 class Collision {
  public:
@@ -35,7 +36,7 @@ class Collision {
   const SolidOperand& q() const { return q_; }
 
  private:
-  struct Query;
+  using Query = FlagQuery;
   struct Touch;
   /// Signs of the heights of two triangles' corners, each over the other one's plane.
   struct Heights {

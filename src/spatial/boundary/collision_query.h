@@ -1,4 +1,4 @@
-// One position of Collision: sides of planes on which it lies, by doubles where they decide.
+// One position: sides of planes on which it lies, by doubles where they decide.
 #pragma once
 
 #include <cmath>
@@ -11,7 +11,7 @@ namespace dymsum::spatial {
 
 inline double sum_of_sizes(Vec3 v) { return std::abs(v.x) + std::abs(v.y) + std::abs(v.z); }
 
-struct Collision::Query {
+struct FlagQuery {
   const SumSpace& space;
   const Flag& flag;
   Approx at;
@@ -20,7 +20,7 @@ struct Collision::Query {
   /// so.
   double per_unit;
 
-  Query(const SumSpace& s, const Flag& x)
+  FlagQuery(const SumSpace& s, const Flag& x)
       : space(s),
         flag(x),
         at(s.approximate(x.at)),

@@ -32,40 +32,56 @@ FineSpace::Vector FineSpace::normal(const PlaneSource& source) const {
                          : cross(direction(source.u), direction(source.v));
 }
 
-FineSpace::Position FineSpace::position(const PointSource& point) const {
-  if (point.kind == PointSource::Kind::sum) return {sum({point.a, point.b}), Number(1)};
+SumPoint FineSpace::beside(const PointSource& point) const {
+  if (point.kind == PointSource::Kind::sum) return {point.a, point.b};
+  return point.kind == PointSource::Kind::edge ? edges_[point.a].from : planes_[point.a].at;
+}
+
+FineSpace::Position FineSpace::position(const PointSource& point, SumPoint origin) const {
+  const Vector o = between(origin, beside(point));
+  if (point.kind == PointSource::Kind::sum) return {o, Number(1)};
   if (point.kind == PointSource::Kind::edge) {
     const SumEdge& edge = edges_[point.a];
     const PlaneSource& plane = planes_[point.b];
-    const Vector from = sum(edge.from), d = along(edge), n = normal(plane);
-    const Number h = dot(n, from - sum(plane.at)), w = dot(n, d);
-    return {{from.x * w - d.x * h, from.y * w - d.y * h, from.z * w - d.z * h}, w};
+    const Vector d = along(edge), n = normal(plane);
+    const Number h = dot(n, between(plane.at, edge.from)), w = dot(n, d);
+    return {{o.x * w - d.x * h, o.y * w - d.y * h, o.z * w - d.z * h}, w};
   }
-  const PlaneSource* planes[3] = {&planes_[point.a], &planes_[point.b], &planes_[point.c]};
-  Vector n[3];
-  Number d[3];
-  for (int k = 0; k < 3; ++k) n[k] = normal(*planes[k]), d[k] = dot(n[k], sum(planes[k]->at));
-  const Vector bc = cross(n[1], n[2]), ca = cross(n[2], n[0]), ab = cross(n[0], n[1]);
-  return {{d[0] * bc.x + d[1] * ca.x + d[2] * ab.x, d[0] * bc.y + d[1] * ca.y + d[2] * ab.y,
-           d[0] * bc.z + d[1] * ca.z + d[2] * ab.z},
-          dot(n[0], bc)};
+  const PlaneSource &f = planes_[point.a], &g = planes_[point.b], &h = planes_[point.c];
+  const Vector a = normal(f), b = normal(g), c = normal(h), ca = cross(c, a), ab = cross(a, b);
+  const Number of_g = dot(b, between(f.at, g.at)), of_h = dot(c, between(f.at, h.at)), w = dot(b, ca);
+  return {
+      {o.x * w + of_g * ca.x + of_h * ab.x, o.y * w + of_g * ca.y + of_h * ab.y, o.z * w + of_g * ca.z + of_h * ab.z},
+      w};
 }
 
 std::optional<int> FineSpace::side(const PlaneSource& plane, SumPoint point) const {
-  return sign_of(dot(normal(plane), sum(point) - sum(plane.at)));
+  return sign_of(dot(normal(plane), between(plane.at, point)));
 }
 
+// Heights over the plane are taken before they are weighted: where planes are nearly one, both factors are small, and
+// each is known to some digits.
 std::optional<int> FineSpace::side(const PlaneSource& plane, const PointSource& point) const {
   if (point.kind == PointSource::Kind::sum) return side(plane, SumPoint{point.a, point.b});
   if (point.kind == PointSource::Kind::place) return std::nullopt;
-  const Position at = position(point);
-  const Vector o = sum(plane.at);
-  const Vector gap{at.x.x - o.x * at.w, at.x.y - o.y * at.w, at.x.z - o.z * at.w};
-  return sign_of_product(dot(normal(plane), gap), at.w);
+  const Vector n = normal(plane);
+  const Number height = dot(n, between(plane.at, beside(point)));
+  if (point.kind == PointSource::Kind::edge) {
+    const SumEdge& edge = edges_[point.a];
+    const PlaneSource& cut = planes_[point.b];
+    const Vector d = along(edge), m = normal(cut);
+    const Number w = dot(m, d);
+    return sign_of_product(height * w - dot(n, d) * dot(m, between(cut.at, edge.from)), w);
+  }
+  const PlaneSource &f = planes_[point.a], &g = planes_[point.b], &h = planes_[point.c];
+  const Vector a = normal(f), b = normal(g), c = normal(h), ca = cross(c, a), ab = cross(a, b);
+  const Number w = dot(b, ca);
+  return sign_of_product(
+      height * w + dot(b, between(f.at, g.at)) * dot(n, ca) + dot(c, between(f.at, h.at)) * dot(n, ab), w);
 }
 
 std::optional<int> FineSpace::twist(const SumEdge& a, const SumEdge& b) const {
-  return sign_of(dot(cross(along(a), along(b)), sum(b.from) - sum(a.from)));
+  return sign_of(dot(cross(along(a), along(b)), between(a.from, b.from)));
 }
 
 std::optional<int> FineSpace::det(PlaneId a, PlaneId b, PlaneId c) const {
@@ -74,7 +90,8 @@ std::optional<int> FineSpace::det(PlaneId a, PlaneId b, PlaneId c) const {
 
 std::optional<int> FineSpace::order(const PointSource& a, const PointSource& b, int axis) const {
   if (a.kind == PointSource::Kind::place || b.kind == PointSource::Kind::place) return std::nullopt;
-  const Position x = position(a), y = position(b);
+  const SumPoint origin = beside(a);
+  const Position x = position(a, origin), y = position(b, origin);
   const auto coordinate = [&](const Vector& v) { return axis == 0 ? v.x : axis == 1 ? v.y : v.z; };
   const std::optional<int> s = sign_of(coordinate(y.x) * x.w - coordinate(x.x) * y.w), t = sign_of_product(x.w, y.w);
   return s && t ? std::optional(*s * *t) : std::nullopt;

@@ -36,12 +36,14 @@ class FineSpace {
     Vector x;
     Number w;
   };
-  Vector sum(SumPoint s) const { return p_[s.p] + q_[s.q]; }
+  /// Differences are taken before sums: of neighbours they are short.
+  Vector between(SumPoint from, SumPoint to) const { return (p_[to.p] - p_[from.p]) + (q_[to.q] - q_[from.q]); }
   Vector direction(Way w) const;
   Vector along(const SumEdge& e) const;
   Vector normal(const PlaneSource& source) const;
-  /// Of kinds sum, edge and planes.
-  Position position(const PointSource& point) const;
+  /// Of kinds sum, edge and planes, from a sum on.
+  Position position(const PointSource& point, SumPoint origin) const;
+  SumPoint beside(const PointSource& point) const;
 
   std::vector<Vector> p_, q_;
   const std::vector<PlaneSource>& planes_;

@@ -235,8 +235,7 @@ namespace {
 /// Integers of up to 72 bits cost no more than doubles of double length.
 template <class C>
 constexpr bool has_fine() {
-  if constexpr (std::is_same_v<C, Big>) return true;
-  else if constexpr (std::is_same_v<C, exact::RootValue>) return false;
+  if constexpr (std::is_same_v<C, Big> || std::is_same_v<C, exact::RootValue>) return true;
   else return C::kBits > 72;
 }
 
@@ -250,10 +249,11 @@ const FineSpace* GridSpace<C>::fine() const {
       const auto of = [&](const std::vector<Point>& points) {
         std::vector<FineSpace::Vector> result;
         result.reserve(points.size());
-        for (const Point& v : points)
-          result.push_back({fine_coordinate(exact::to_big(v.x), shift_[0] - top),
-                            fine_coordinate(exact::to_big(v.y), shift_[1] - top),
-                            fine_coordinate(exact::to_big(v.z), shift_[2] - top)});
+        const auto coordinate = [&](const C& c, int axis) {
+          if constexpr (std::is_same_v<C, exact::RootValue>) return fine_coordinate(c, shift_[axis] - top);
+          else return fine_coordinate(exact::to_big(c), shift_[axis] - top);
+        };
+        for (const Point& v : points) result.push_back({coordinate(v.x, 0), coordinate(v.y, 1), coordinate(v.z, 2)});
         return result;
       };
       fine_ = std::make_unique<FineSpace>(of(p_int_), of(q_int_), plane_sources_, edges_);

@@ -7,18 +7,26 @@
 
 namespace dymsum::spatial {
 
+namespace {
+
+/// Below this an interval about 0 holds what is left.
+constexpr int kLeastExponent = -900;
+
+/// All of at most 2^exponent.
+exact::FineInterval up_to_power(int exponent) {
+  const double r = std::ldexp(1.0, std::max(exponent, kLeastExponent));
+  return exact::FineInterval(exact::Interval(-r, r));
+}
+
+}  // namespace
+
 exact::FineInterval fine_coordinate(const exact::Big& v, int shift) {
   using exact::Big;
   using exact::FineInterval;
   const exact::BinaryParts high = exact::binary_parts(v);
   if (high.is_zero()) return {};
-  // Below this, and for what is left behind two doubles, an interval about 0 holds it.
-  static constexpr int kLeast = -900;
-  const auto about_zero = [](int exponent) {
-    const double r = std::ldexp(1.0, std::max(exponent, kLeast));
-    return FineInterval(exact::Interval(-r, r));
-  };
-  if (high.exponent + shift < kLeast + 110) return about_zero(high.exponent + shift + 1);
+  // What is left behind two doubles is held by an interval about 0, too.
+  if (high.exponent + shift < kLeastExponent + 110) return up_to_power(high.exponent + shift + 1);
   Big rest = v;
   const auto take = [&](const exact::BinaryParts& part) {
     const Big mantissa = Big::from_int64(static_cast<std::int64_t>(std::ldexp(part.mantissa, 53)));
@@ -33,7 +41,16 @@ exact::FineInterval fine_coordinate(const exact::Big& v, int shift) {
   take(low);
   const FineInterval both = FineInterval::difference(-low.scaled(shift), high.scaled(shift));
   const exact::BinaryParts left = exact::binary_parts(rest);
-  return left.is_zero() ? both : both + about_zero(left.exponent + shift);
+  return left.is_zero() ? both : both + up_to_power(left.exponent + shift);
+}
+
+exact::FineInterval fine_coordinate(const exact::RootValue& v, int shift) {
+  if (v.terms().empty()) return {};
+  if (v.at() == nullptr || v.terms().size() == 1) return fine_coordinate(exact::Big(v.terms()[0]), shift);
+  const exact::RootPoint::Enclosure e = v.at()->enclose(v.terms(), 160);
+  shift -= static_cast<int>(e.scale);
+  const exact::FineInterval middle = fine_coordinate(exact::Big(e.value), shift);
+  return e.error.is_zero() ? middle : middle + up_to_power(static_cast<int>(msb(e.error)) + 1 + shift);
 }
 
 }  // namespace dymsum::spatial

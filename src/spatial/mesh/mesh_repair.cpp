@@ -12,7 +12,9 @@
 #include "spatial/mesh/edge_order.h"
 #include "spatial/mesh/edge_splits.h"
 #include "spatial/mesh/mesh_orient.h"
+#include "spatial/mesh/mesh_repair.h"
 #include "spatial/mesh/mesh_validate.h"
+#include "spatial/mesh/open_edges.h"
 #include "spatial/mesh/surface_crossings.h"
 #include "spatial/mesh/thin_faces.h"
 #include "spatial/mesh/triangulate.h"
@@ -33,13 +35,8 @@ class MeshRepair {
   MeshRepair(MeshData data, const RepairOptions& options) : data_(std::move(data)), options_(options) {}
 
   Result<RepairedMesh> run() {
-    if (auto error = check_finite(data_.vertices)) return *std::move(error);
-    if (auto error = check_indices(data_)) return *std::move(error);
-    merge_vertices();
-    drop_degenerate_faces();
-    if (options_.drop_needles) drop_needles();
-    split_edges();
-    split_faces();
+    if (auto error = check_lists()) return *std::move(error);
+    mend_faces();
     orient();
     drop_unused_vertices();
     Result<Mesh> mesh = options_.thin_parts ? Mesh::with_thin_parts(std::move(data_)) : Mesh::create(std::move(data_));
@@ -47,7 +44,29 @@ class MeshRepair {
     return RepairedMesh{std::move(mesh).value(), report_};
   }
 
+  Result<PreparedSurface> prepare() {
+    if (auto error = check_lists()) return *std::move(error);
+    mend_faces();
+    report_.reversed_faces = turn_faces(data_);
+    drop_unused_vertices();
+    return PreparedSurface{std::move(data_), report_};
+  }
+
  private:
+  std::optional<Error> check_lists() const {
+    if (auto error = check_finite(data_.vertices)) return error;
+    return check_indices(data_);
+  }
+
+  void mend_faces() {
+    merge_vertices();
+    drop_degenerate_faces();
+    if (options_.drop_needles) drop_needles();
+    split_edges();
+    if (!options_.thin_parts) close_open_edges();
+    split_faces();
+  }
+
   /// Every face names the first of the vertices at its places.
   void merge_vertices() {
     const std::vector<Point3>& points = data_.vertices;
@@ -77,6 +96,7 @@ class MeshRepair {
 
   void drop_degenerate_faces() {
     std::vector<Face> kept;
+    const std::vector<std::int64_t> before = std::exchange(face_origin_, {});
     for (std::size_t f = 0; f < data_.faces.size(); ++f) {
       Face face = std::move(data_.faces[f]);
       const bool thin = options_.thin_parts && (face.size() == 1 || face.size() == 2);
@@ -87,7 +107,7 @@ class MeshRepair {
         continue;
       }
       kept.push_back(std::move(face));
-      face_origin_.push_back(static_cast<std::int64_t>(f));
+      face_origin_.push_back(before.empty() ? static_cast<std::int64_t>(f) : before[f]);
     }
     data_.faces = std::move(kept);
   }
@@ -114,8 +134,22 @@ class MeshRepair {
 
   void split_edges() {
     const EdgeSplits splits = split_open_edges(data_.vertices, data_.faces);
-    report_.split_edges = splits.count;
-    report_.largest_gap = splits.largest_gap;
+    report_.split_edges += splits.count;
+    report_.largest_gap = std::max(report_.largest_gap, splits.largest_gap);
+  }
+
+  /// Cracks first: what is left open around these is a hole.
+  void close_open_edges() {
+    const ClosedCracks cracks = close_cracks(data_.vertices, data_.faces);
+    report_.cracks = cracks.merged;
+    report_.largest_crack = cracks.furthest;
+    if (cracks.merged > 0) {
+      drop_degenerate_faces();
+      split_edges();
+    }
+    const FilledHoles holes = fill_holes(data_.vertices, data_.faces);
+    report_.holes = holes.count;
+    for (const std::uint32_t f : holes.beside) face_origin_.push_back(face_origin_[f]);
   }
 
   bool is_plane(const Face& face) const {
@@ -249,6 +283,8 @@ Result<RepairedMesh> repaired(MeshData data, RepairOptions options) {
 
 }  // namespace
 
+Result<PreparedSurface> prepared_surface(MeshData data) { return MeshRepair(std::move(data), {}).prepare(); }
+
 }  // namespace spatial
 
 Result<RepairedMesh> repair(MeshData data) { return spatial::repaired(std::move(data), {}); }
@@ -274,12 +310,29 @@ std::string MeshRepairReport::to_string() const {
     std::snprintf(gap, sizeof gap, "%.3g", largest_gap);
     text += std::string(" (the furthest ") + gap + " off)";
   }
+  say(cracks, "vertex merged across a crack", "vertices merged across cracks");
+  if (cracks > 0) {
+    char wide[32];
+    std::snprintf(wide, sizeof wide, "%.3g", largest_crack);
+    text += std::string(" (at most ") + wide + " wide)";
+  }
+  say(holes, "small hole filled", "small holes filled");
   say(split_faces, "face split into triangles", "faces split into triangles");
   say(reversed_faces, "face turned over", "faces turned over");
   say(reversed_shells, "shell turned right", "shells turned right");
   say(cavities, "shell that ran the same way as the one around it made a cavity",
       "shells that ran the same way as those around them made cavities");
   say(membranes, "face inside the solid dropped", "faces inside the solid dropped");
+  if (united) {
+    text += std::string(text.empty() ? "" : ", ") + "what crossed or overlapped united (" +
+            std::to_string(united_crossings) + (united_crossings == 1 ? " new vertex" : " new vertices");
+    if (united_distance > 0) {
+      char within[48];
+      std::snprintf(within, sizeof within, ", merged within %.3g", united_distance);
+      text += within;
+    }
+    text += ")";
+  }
   return text.empty() ? "nothing to repair" : text;
 }
 

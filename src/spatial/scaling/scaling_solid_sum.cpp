@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "planar/operand/scale_value.h"
+#include "spatial/frames/beside_origin.h"
 #include "spatial/moving/posed_sum.h"
 #include "spatial/moving/sum_shape.h"
 #include "spatial/scaling/computed_scale.h"
@@ -35,56 +36,74 @@ constexpr double kBeside = 0x1p-12;
 class ScalingSolidSum::State {
  public:
   State(const Mesh& p, const Mesh& q, const ScalingSolidOptions& given)
-      : options_(given), p_(p), q_(q), pair_(solid_pair(p, q)) {
-    if (pair_.p.vertices.empty() || pair_.q.vertices.empty()) return;
+      : options_(given), given_(p, q, given.moving == MovingOperand::p ? 0 : 1) {
+    if (given_.pair.p.vertices.empty() || given_.pair.q.vertices.empty()) return;
     stages_ = stage_options({});
     stages_.semantics = options_.semantics, stages_.tight = options_.tight, stages_.threads = options_.threads;
     SpatialStats stats;
     StageWatch watch(stages_, stats);
     watch.begin("convolution");
-    const int moving = options_.moving == MovingOperand::p ? 0 : 1;
-    facets_.emplace(pair_, moving, watch);
+    const std::optional<Mesh> near_p = beside_origin(p), near_q = beside_origin(q);
+    if (near_p || near_q) near_.emplace(near_p.value_or(p), near_q.value_or(q), given_.moving);
+    facets_.emplace(near().pair, given_.moving, watch);
     overlap_.emplace(*facets_);
-    planes_.emplace(p_, q_, moving);
   }
 
   std::size_t facet_count() const { return facets_ ? facets_->facets().size() : 0; }
 
-  SpatialSum at(const Scale& s, const Progress& progress, int threads) const {
-    if (!facets_) return {};
-    SpatialOptions stages = stages_;
-    stages.progress = progress, stages.threads = threads;
-    return sum_of_facets(pair_, posed_space(pair_, facets_->poses(s)), facets_->convolution(), {}, stages);
+  SpatialSum at(const Scale& s, const Progress& progress) const {
+    return sum_of(given_, s, progress, options_.threads);
   }
-  SpatialSum at(const Scale& s, const Progress& progress) const { return at(s, progress, options_.threads); }
-  SumShape shape(const Scale& s, const Progress& progress, int threads) const {
-    if (!facets_) return {};
-    return shape_of(at(s, progress, threads), [&](const SolidContact& c) { return planes_->name(c); });
-  }
+  SumShape shape(const Scale& s, const Progress& progress) const { return shape_of_sum(given_, s, progress, 1); }
 
   std::vector<SolidScaleEvent> events(const BigRational& a, const BigRational& b, const Progress& progress,
                                       SolidEventWork& work) const;
   std::vector<BigRational> steps(const BigRational& from, const BigRational& to) const;
 
  private:
+  struct Operands {
+    Mesh p, q;
+    int moving;
+    SolidPair pair;
+    ScaledPlanes planes;
+
+    Operands(const Mesh& of_p, const Mesh& of_q, int which)
+        : p(of_p), q(of_q), moving(which), pair(solid_pair(p, q)), planes(p, q, moving) {}
+    Operands(const Operands&) = delete;  // planes refer to the meshes
+    Operands& operator=(const Operands&) = delete;
+  };
+  /// Of which events are those of the given ones: (P + c) + s (Q + d) is P + s Q moved by c + s d.
+  const Operands& near() const { return near_ ? *near_ : given_; }
+  /// The convolution is that of edge vectors and normals, and refers to vertices by indices.
+  SpatialSum sum_of(const Operands& operands, const Scale& s, const Progress& progress, int threads) const {
+    if (!facets_) return {};
+    SpatialOptions stages = stages_;
+    stages.progress = progress, stages.threads = threads;
+    return sum_of_facets(operands.pair, posed_space(operands.pair, facets_->poses(s)), facets_->convolution(), {},
+                         stages);
+  }
+  SumShape shape_of_sum(const Operands& operands, const Scale& s, const Progress& progress, int threads) const {
+    if (!facets_) return {};
+    return shape_of(sum_of(operands, s, progress, threads),
+                    [&](const SolidContact& c) { return operands.planes.name(c); });
+  }
   using Shapes = std::map<BigRational, SumShape>;
   Shapes shapes_at(const std::vector<BigRational>& scales, StageWatch& watch) const;
 
   ScalingSolidOptions options_;
-  Mesh p_, q_;
-  SolidPair pair_;
+  Operands given_;
+  std::optional<Operands> near_;
   SpatialOptions stages_;
-  std::optional<MovingFacets> facets_;
+  std::optional<MovingFacets> facets_;  // of the near ones
   std::optional<ScaledOverlap> overlap_;
-  std::optional<ScaledPlanes> planes_;
 };
 
 ScalingSolidSum::State::Shapes ScalingSolidSum::State::shapes_at(const std::vector<BigRational>& scales,
                                                                  StageWatch& watch) const {
   std::vector<SumShape> found(scales.size());
   watch.run(scales.size(), [&](std::size_t k) {
-    found[k] = shape(
-        computed_scale(scales[k]),
+    found[k] = shape_of_sum(
+        near(), computed_scale(scales[k]),
         [&](std::string_view, double) {
           watch.ask_within_part(static_cast<double>(k) / static_cast<double>(scales.size()));
           return true;
@@ -195,7 +214,7 @@ Result<std::optional<SolidScaleEvent>> ScalingSolidSum::next_event(const Scale& 
 }
 
 Result<std::uint64_t> ScalingSolidSum::combinatorial_hash(const Scale& s, const Progress& progress) const {
-  return guarded([&] { return state_->shape(s, progress, 1).hash; });
+  return guarded([&] { return state_->shape(s, progress).hash; });
 }
 
 }  // namespace dymsum

@@ -2,6 +2,7 @@
 #include <mutex>
 
 #include "dymsum/scaling_solid_sum.h"
+#include "spatial/frames/beside_origin.h"
 #include "spatial/moving/posed_sum.h"
 #include "spatial/scaling/pair_intervals.h"
 
@@ -47,7 +48,7 @@ Result<SolidPairEventCount> count_solid_pair_events(const Mesh& p, const Mesh& q
     return Error{ErrorCode::unsupported_operand, "an operand of a scaling sum of solids has parts without volume", {}};
   return guarded([&]() -> SolidPairEventCount {
     SolidPairEventCount all;
-    const SolidPair pair = solid_pair(p, q);
+    const SolidPair pair = solid_pair(beside_origin(p).value_or(p), beside_origin(q).value_or(q));
     if (pair.p.vertices.empty() || pair.q.vertices.empty()) return all;
     SpatialOptions stages;
     stages.threads = options.threads, stages.progress = progress;

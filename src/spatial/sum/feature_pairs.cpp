@@ -46,7 +46,6 @@ FeaturePairs::FeaturePairs(const SolidBoundary& boundary, const SolidOperand& p,
       arrangement_(*boundary.arrangement),
       p_(p),
       q_(q),
-      both_thin_(p.has_thin() && q.has_thin()),
       diagonal_{diagonals(p), diagonals(q)} {
   if (!boundary.tight.segments.empty() || !boundary.tight.points.empty())
     facets_ = BoxTree(facet_boxes(space_, boundary.table), watch.threads());
@@ -61,12 +60,13 @@ FeaturePairs::FeaturePairs(const SolidBoundary& boundary, const SolidOperand& p,
 }
 
 // The facets of a group tile or overlap, and which of them cover a place depends on nothing but the sum and its
-// convolution. Of thin parts in both operands either side of a facet may be free.
+// convolution. Of thin parts in both operands, and of surfaces that
+// cross, either side of a facet may be free.
 SolidContact FeaturePairs::of_face(const Place& place, int side) const {
   std::optional<SolidContact> least;
   for (const std::uint32_t f : place.group.facets) {
     const TableFacet& facet = boundary_.table.facets[f];
-    if (facet.side != side && !both_thin_) continue;
+    if (facet.side != side && !boundary_.either_side) continue;
     const SolidContact contact = features(facet.facet);
     if ((!least || contact < *least) && covers(facet, place)) least = contact;
   }

@@ -62,7 +62,6 @@ class FeaturePairs {
   };
   std::vector<std::uint32_t> first_end_;  // per vertex of P
   std::vector<EdgeEnd> ends_;
-  bool both_thin_;
   std::unordered_map<std::uint64_t, std::uint32_t> diagonal_[2];  // edges inside faces, and these faces
   BoxTree facets_;                                                // only where something is tight
 };

@@ -291,6 +291,11 @@ bool Separation::resolve() {
   return true;
 }
 
+/// How many faces are there before and not after.
+std::size_t lost(const std::vector<std::uint32_t>& before, const std::vector<std::uint32_t>& after) {
+  return std::set(before.begin(), before.end()).size() - std::set(after.begin(), after.end()).size();
+}
+
 SpatialSum::Rounded Separation::result() const {
   SpatialSum::Rounded made;
   std::vector<std::uint32_t> name(edits_.vertices().size(), kNoVertex);
@@ -312,13 +317,11 @@ SpatialSum::Rounded Separation::result() const {
     made.mesh.faces.push_back(std::move(face));
     made.face.push_back(part->face);
   }
-  const std::set<std::uint32_t> before(drawn_.face.begin(), drawn_.face.end()),
-      after(made.face.begin(), made.face.end());
   made.nearest = merged_ + collapsed_ + bends_ == 0;
   made.merged_vertices = merged_;
   made.collapsed_edges = collapsed_;
   made.bends = bends_;
-  made.lost_faces = before.size() - after.size();
+  made.lost_faces = lost(drawn_.face, made.face);
   if (!made.nearest) made.distance = edits_.moved();
   return made;
 }
@@ -331,7 +334,9 @@ double largest_coordinate(const std::vector<Point3>& vertices) {
 
 }  // namespace
 
-Result<SpatialSum::Rounded> separated_surface(const SpatialSum::Rounded& drawn, Precision precision, double tolerance) {
+Result<SpatialSum::Rounded> separated_surface(
+    const SpatialSum::Rounded& drawn, Precision precision, double tolerance,
+    std::optional<SpatialSum::Rounded> (*untangle)(const SpatialSum::Rounded&)) {
   const double size = largest_coordinate(drawn.mesh.vertices);
   const bool single = precision == Precision::singles;
   if (single && !std::isfinite(static_cast<float>(size)))
@@ -347,6 +352,10 @@ Result<SpatialSum::Rounded> separated_surface(const SpatialSum::Rounded& drawn, 
       SpatialSum::Rounded made = separation.result();
       const Result<Mesh> checked = Mesh::create(made.mesh);
       if (checked) return made;
+      if (std::optional<SpatialSum::Rounded> other = untangle(made); other && Mesh::create(other->mesh)) {
+        other->lost_faces = lost(drawn.face, other->face);
+        return *std::move(other);
+      }
       error.message = "what is left is no solid: " + checked.error().message;
       error.evidence.x = checked.error().evidence.x, error.evidence.y = checked.error().evidence.y,
       error.evidence.z = checked.error().evidence.z;

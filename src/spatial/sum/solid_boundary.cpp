@@ -118,7 +118,7 @@ SolidBoundary solid_boundary(std::unique_ptr<SumSpace> space, ReducedConvolution
   result.arrangement =
       std::make_unique<SolidArrangement>(arrange(*result.space, result.table, std::move(contacts), watch));
   const Collision collision(*result.space, p, q, &inner);
-  const bool both_thin = p.has_thin() && q.has_thin();
+  const bool both_thin = result.either_side = p.has_thin() && q.has_thin();
   const auto crossing = both_thin ? find_thin_crossing(*result.space, p, q) : std::nullopt;
   if (crossing && options.semantics == Semantics::open) throw NoOpenSum{*crossing};
   if (both_thin) look_at_both_sides(*result.arrangement, collision, watch);

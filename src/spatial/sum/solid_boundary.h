@@ -17,6 +17,7 @@ struct SolidBoundary {
   std::vector<bool> boundary;        ///< per cell
   std::vector<std::uint32_t> patch;  ///< per cell of the boundary: connected by wedges of the outside
   TightFeatures tight;
+  bool either_side = false;  ///< whether a cell of the boundary may have facets of either direction, or of one
 };
 
 /// Throws Cancelled and OverBudget.

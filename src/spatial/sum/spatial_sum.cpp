@@ -11,8 +11,6 @@
 #include "spatial/convolution/predicted_cost.h"
 #include "spatial/sum/face_triangles.h"
 #include "spatial/sum/grid_error.h"
-#include "spatial/sum/rounded_surface.h"
-#include "spatial/sum/separated_surface.h"
 #include "spatial/sum/solid_faces.h"
 #include "spatial/sum/sum_of_solids.h"
 #include "spatial/sum/sum_source.h"
@@ -129,14 +127,6 @@ SpatialSum::Rounded SpatialSum::drawn() const {
   return result;
 }
 
-Result<SpatialSum::Rounded> SpatialSum::rounded(Precision precision, double tolerance) const {
-  Rounded result = drawn();
-  const bool single = precision == Precision::singles;
-  if (!single && !spatial::rounding_error(result.mesh)) return result;
-  if (tolerance == 0) tolerance = single ? 0x1p-20 : 0x1p-40;
-  return spatial::separated_surface(result, precision, tolerance);
-}
-
 std::string SpatialSum::Rounded::to_string() const {
   if (nearest) return "nearest coordinates";
   const auto count = [](std::size_t n, const char* one, const char* many) {
@@ -144,9 +134,12 @@ std::string SpatialSum::Rounded::to_string() const {
   };
   char within[32];
   std::snprintf(within, sizeof within, "%.2g", distance);
+  char volume[48];
+  std::snprintf(volume, sizeof volume, ", volume within %.2g", volume_change);
   return count(merged_vertices, " vertex merged, ", " vertices merged, ") +
          count(collapsed_edges, " edge collapsed, ", " edges collapsed, ") + count(bends, " bend, ", " bends, ") +
-         count(lost_faces, " face lost", " faces lost") + "; within " + within;
+         count(lost_faces, " face lost", " faces lost") + "; within " + within + volume +
+         (topology_kept ? "" : "; the topology has changed");
 }
 
 bool operator==(const SpatialSum& a, const SpatialSum& b) {

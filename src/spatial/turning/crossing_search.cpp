@@ -15,9 +15,15 @@ void common(const std::vector<std::uint32_t>& a, const std::vector<std::uint32_t
 
 }  // namespace
 
-CrossingSearch::CrossingSearch(const SolidTurnWindow& window, const JetFrame& frame, std::vector<TurnCells> cells,
-                               const std::function<void()>& again)
-    : w_(window), again_(again), frame_(frame), jets_(frame), cells_(std::move(cells)), near_(window.facets.size()) {
+template <class Frame>
+CrossingSearch<Frame>::CrossingSearch(const SolidTurnWindow& window, const Frame& frame, const JetFrame& boxes_frame,
+                                      std::vector<TurnCells> cells, const std::function<void()>& again)
+    : w_(window),
+      again_(again),
+      boxes_(boxes_frame),
+      jets_(frame),
+      cells_(std::move(cells)),
+      near_(window.facets.size()) {
   std::vector<Box> boxes;
   for (std::uint32_t f = 0; f < w_.facets.size(); ++f) {
     if (cells_[f] == 0) continue;
@@ -26,14 +32,15 @@ CrossingSearch::CrossingSearch(const SolidTurnWindow& window, const JetFrame& fr
     near.plane = jets_.plane(facet.plane);
     for (int k = 0; k < facet.facet.corners; ++k) {
       near.inward[k] = jets_.inward(near.plane.normal, facet.border(k));
-      near.box.add(frame_.box(facet.facet.corner[k]));
+      near.box.add(boxes_.box(facet.facet.corner[k]));
     }
     live_.push_back(f), boxes.push_back(near.box);
   }
   tree_ = BoxTree(std::move(boxes));
 }
 
-void CrossingSearch::run(const std::function<bool(const Meeting&)>& take) {
+template <class Frame>
+void CrossingSearch<Frame>::run(const std::function<bool(const Meeting&)>& take) {
   take_ = &take;
   neighbours_.assign(w_.facets.size(), {});
   std::vector<std::uint32_t> met;
@@ -47,20 +54,22 @@ void CrossingSearch::run(const std::function<bool(const Meeting&)>& take) {
       if (g > f && crossing(f, g) && !fours_of(f, g)) return;
 }
 
-TurnCells CrossingSearch::cells_around(std::uint32_t edge) const {
+template <class Frame>
+TurnCells CrossingSearch<Frame>::cells_around(std::uint32_t edge) const {
   TurnCells cells = 0;
   for (const std::uint32_t f : w_.facets_at_edge[edge]) cells |= cells_[f];
   return cells;
 }
 
 /// The facets that an edge may pass through, which thereby are neighbours of those beside it.
-void CrossingSearch::pass(std::uint32_t edge, std::vector<std::uint32_t>& met) {
+template <class Frame>
+void CrossingSearch<Frame>::pass(std::uint32_t edge, std::vector<std::uint32_t>& met) {
   met.clear();
   const TurnCells cells = cells_around(edge);
   if (cells == 0) return;
   const SumEdge& e = w_.edges[edge];
-  Box box = frame_.box(e.from);
-  box.add(frame_.box(e.to));
+  Box box = boxes_.box(e.from);
+  box.add(boxes_.box(e.to));
   tree_.for_each(box, [&](std::uint32_t k) {
     poll();
     if ((cells & cells_[live_[k]]) != 0 && may_pass(e, live_[k])) met.push_back(live_[k]);
@@ -71,11 +80,12 @@ void CrossingSearch::pass(std::uint32_t edge, std::vector<std::uint32_t>& met) {
       if ((cells_[f] & cells_[g]) != 0) neighbours_[f].push_back(g), neighbours_[g].push_back(f);
 }
 
-bool CrossingSearch::may_pass(const SumEdge& e, std::uint32_t facet) const {
+template <class Frame>
+bool CrossingSearch<Frame>::may_pass(const SumEdge& e, std::uint32_t facet) const {
   const WindowFacet& f = w_.facets[facet];
   const bool from_corner = f.has_corner(e.from), to_corner = f.has_corner(e.to);
   if (from_corner && to_corner) return false;  // in its plane at all angles
-  const Jets::SidedPlane& plane = near_[facet].plane;
+  const SidedPlane& plane = near_[facet].plane;
   const int rise = jets_.rise(plane, e).sign();
   if (from_corner || to_corner)
     return rise == 0 && may_turn_into(facet, from_corner ? e.from : e.to, from_corner ? e.to : e.from);
@@ -87,7 +97,8 @@ bool CrossingSearch::may_pass(const SumEdge& e, std::uint32_t facet) const {
 }
 
 /// Whether the way from a corner of a facet to a point may lead into its plane between the borders at that corner.
-bool CrossingSearch::may_turn_into(std::uint32_t facet, SumPoint corner, SumPoint to) const {
+template <class Frame>
+bool CrossingSearch<Frame>::may_turn_into(std::uint32_t facet, SumPoint corner, SumPoint to) const {
   const WindowFacet& f = w_.facets[facet];
   for (int k = 0; k < f.facet.corners; ++k) {
     const SumEdge border = f.border(k);
@@ -97,7 +108,8 @@ bool CrossingSearch::may_turn_into(std::uint32_t facet, SumPoint corner, SumPoin
   return true;
 }
 
-bool CrossingSearch::pairs_along(std::uint32_t edge, const std::vector<std::uint32_t>& met) {
+template <class Frame>
+bool CrossingSearch<Frame>::pairs_along(std::uint32_t edge, const std::vector<std::uint32_t>& met) {
   const SumEdge& e = w_.edges[edge];
   const TurnCells cells = cells_around(edge);
   for (std::size_t k = 0; k < met.size(); ++k)
@@ -116,7 +128,8 @@ bool CrossingSearch::pairs_along(std::uint32_t edge, const std::vector<std::uint
 
 /// Two facets cross along a segment whose ends are on borders, so that neighbours are all that cross somewhere, but for
 /// those that share a corner, or a border about which they fold.
-void CrossingSearch::join_neighbours() {
+template <class Frame>
+void CrossingSearch<Frame>::join_neighbours() {
   for (const std::vector<std::uint32_t>& around : w_.facets_at_vertex)
     for (const std::uint32_t f : around)
       for (const std::uint32_t g : around)
@@ -127,13 +140,15 @@ void CrossingSearch::join_neighbours() {
   }
 }
 
-bool CrossingSearch::has_end(std::uint32_t facet, const SumEdge& e) const {
+template <class Frame>
+bool CrossingSearch<Frame>::has_end(std::uint32_t facet, const SumEdge& e) const {
   return w_.facets[facet].has_corner(e.from) || w_.facets[facet].has_corner(e.to);
 }
 
 /// Of two facets in different planes: whether they share a border, or two other corners, and meet nowhere else. They do
 /// where they fold onto each other, at an angle at which their planes are one.
-bool CrossingSearch::meet_in_border(std::uint32_t f, std::uint32_t g) const {
+template <class Frame>
+bool CrossingSearch<Frame>::meet_in_border(std::uint32_t f, std::uint32_t g) const {
   const WindowFacet &a = w_.facets[f], &b = w_.facets[g];
   int shared = 0;
   for (int k = 0; k < a.facet.corners; ++k) shared += b.has_corner(a.facet.corner[k]);
@@ -150,11 +165,13 @@ bool CrossingSearch::meet_in_border(std::uint32_t f, std::uint32_t g) const {
   }
   return false;
 }
-bool CrossingSearch::crossing(std::uint32_t f, std::uint32_t g) const {
+template <class Frame>
+bool CrossingSearch<Frame>::crossing(std::uint32_t f, std::uint32_t g) const {
   return w_.plane_of[f] != w_.plane_of[g] && overlap(near_[f].box, near_[g].box) && !meet_in_border(f, g);
 }
 
-bool CrossingSearch::surely_outside(std::uint32_t facet, const Jets::Place& at) const {
+template <class Frame>
+bool CrossingSearch<Frame>::surely_outside(std::uint32_t facet, const Place& at) const {
   const int w = at.w.sign();
   if (w == 0) return false;
   const WindowFacet& f = w_.facets[facet];
@@ -163,7 +180,8 @@ bool CrossingSearch::surely_outside(std::uint32_t facet, const Jets::Place& at) 
   return false;
 }
 
-bool CrossingSearch::fours_of(std::uint32_t f, std::uint32_t g) {
+template <class Frame>
+bool CrossingSearch<Frame>::fours_of(std::uint32_t f, std::uint32_t g) {
   std::vector<std::uint32_t> of_two, of_three;
   common(neighbours_[f], neighbours_[g], g, of_two);
   const TurnCells both = cells_[f] & cells_[g];
@@ -171,7 +189,7 @@ bool CrossingSearch::fours_of(std::uint32_t f, std::uint32_t g) {
     poll();
     const TurnCells all = both & cells_[h];
     if (all == 0 || !crossing(f, h) || !crossing(g, h)) continue;
-    const Jets::Place at = jets_.at(near_[f].plane, near_[g].plane, near_[h].plane);
+    const Place at = jets_.at(near_[f].plane, near_[g].plane, near_[h].plane);
     if (surely_outside(f, at) || surely_outside(g, at) || surely_outside(h, at)) continue;
     common(of_two, neighbours_[h], h, of_three);
     for (const std::uint32_t k : of_three) {
@@ -185,7 +203,8 @@ bool CrossingSearch::fours_of(std::uint32_t f, std::uint32_t g) {
   return true;
 }
 
-bool CrossingSearch::may_meet(const std::array<std::uint32_t, 4>& four, const Jets::Place& at) const {
+template <class Frame>
+bool CrossingSearch<Frame>::may_meet(const std::array<std::uint32_t, 4>& four, const Place& at) const {
   const auto [f, g, h, k] = four;
   for (int i = 0; i < w_.facets[f].facet.corners; ++i) {  // a common corner is no event
     const SumPoint v = w_.facets[f].facet.corner[i];
@@ -194,5 +213,8 @@ bool CrossingSearch::may_meet(const std::array<std::uint32_t, 4>& four, const Je
   return jets_.height(near_[f].plane, near_[g].plane, near_[h].plane, near_[k].plane).sign() == 0 &&
          !surely_outside(k, at);
 }
+
+template class CrossingSearch<JetFrame>;
+template class CrossingSearch<FineFrame>;
 
 }  // namespace dymsum::spatial

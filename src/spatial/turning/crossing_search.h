@@ -9,12 +9,13 @@
 
 namespace dymsum::spatial {
 
-/// In the angles of a frame: those of a window, or one.
+/// In the angles of a frame: those of a window, or one. Frame is JetFrame or FineFrame.
+template <class Frame>
 class CrossingSearch {
  public:
-  /// Only facets that exist in a common cell, by `cells`, are looked at together. `again` is called now and then and
-  /// may throw.
-  CrossingSearch(const SolidTurnWindow& window, const JetFrame& frame, std::vector<TurnCells> cells,
+  /// Only facets that exist in a common cell, by `cells`, are looked at together. Boxes are those of `boxes`, at the
+  /// same angles at least. `again` is called now and then and may throw.
+  CrossingSearch(const SolidTurnWindow& window, const Frame& frame, const JetFrame& boxes, std::vector<TurnCells> cells,
                  const std::function<void()>& again);
 
   /// Calls take(meeting) for all candidates: edges_and_facets in the order of edges and facets, then four_facets in
@@ -22,10 +23,12 @@ class CrossingSearch {
   void run(const std::function<bool(const Meeting&)>& take);
 
  private:
-  using Jets = TurnSigns<JetFrame>;
+  using Jets = TurnSigns<Frame>;
+  using SidedPlane = typename Jets::SidedPlane;
+  using Place = typename Jets::Place;
   struct NearFacet {
-    Jets::SidedPlane plane;
-    std::array<Jets::Vector, 4> inward;  ///< of borders
+    SidedPlane plane;
+    std::array<typename Jets::Vector, 4> inward;  ///< of borders
     Box box;
   };
 
@@ -41,14 +44,14 @@ class CrossingSearch {
   bool has_end(std::uint32_t facet, const SumEdge& e) const;
   bool meet_in_border(std::uint32_t f, std::uint32_t g) const;
   bool crossing(std::uint32_t f, std::uint32_t g) const;
-  bool surely_outside(std::uint32_t facet, const Jets::Place& at) const;
+  bool surely_outside(std::uint32_t facet, const Place& at) const;
   bool fours_of(std::uint32_t f, std::uint32_t g);
-  bool may_meet(const std::array<std::uint32_t, 4>& four, const Jets::Place& at) const;
+  bool may_meet(const std::array<std::uint32_t, 4>& four, const Place& at) const;
 
   const SolidTurnWindow& w_;
   const std::function<void()>& again_;
   const std::function<bool(const Meeting&)>* take_ = nullptr;
-  const JetFrame& frame_;
+  const JetFrame& boxes_;
   Jets jets_;
   std::vector<TurnCells> cells_;
   std::vector<NearFacet> near_;

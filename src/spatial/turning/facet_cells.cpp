@@ -52,18 +52,17 @@ WindowSlants::Key WindowSlants::key(const SlantCondition& c) {
   return {static_cast<std::uint32_t>(c.op), c.triangle, std::min(c.way.from, c.way.to), std::max(c.way.from, c.way.to)};
 }
 
-WindowSlants::WindowSlants(const TurningPair& pair, const std::vector<WindowFacet>& facets, const JetFrame& jets,
+WindowSlants::WindowSlants(const TurningPair& pair, const std::vector<WindowFacet>& facets, const SureSign& sure_sign,
                            const TurnRangeOfT& range, WindowRoots& roots, const std::function<void()>& again) {
   const PolynomialFrame frame(pair, range.chart);
   const TurnSigns<PolynomialFrame> exact(frame);
-  const TurnSigns<JetFrame> near(jets);
   std::vector<exact::Polynomial> forms;
   for (const WindowFacet& f : facets)
     for (const SlantCondition& c : f.unsure) {
       if (!index_.emplace(key(c), all_.size()).second) continue;
       if (all_.size() % 256 == 0) again();
       const Triangle& t = pair.operand(c.op).triangles[c.triangle];
-      WindowSlant slant{c, near.slant(c.op, t, c.way).sign(), {}};
+      WindowSlant slant{c, sure_sign(c), {}};
       forms.emplace_back();
       if (slant.sign == 0) {
         forms.back() = roots.polynomial(exact.slant(c.op, t, c.way).terms());
@@ -82,6 +81,68 @@ void WindowSlants::find_signs(const TurnRangeOfT& range, const RootOrder& angles
   const exact::BigRational before = exact::between(AlgebraicRoot::rational(range.low), first);
   for (std::size_t k = 0; k < all_.size(); ++k)
     if (!forms[k].is_zero()) all_[k].sign = forms[k].sign_at(before);
+}
+
+namespace {
+
+/// Slants that vanish at one angle, or at two so near to each other that a window is this many times as wide.
+struct SlantsAt {
+  std::uint32_t angle = 0;
+  std::size_t count = 0;
+};
+constexpr double kCrowdWidth = 0x1p-20, kRoomBesideCrowd = 0x1p10;
+/// In t times |axis|: windows in which boxes and places do not tell anything more.
+constexpr double kNarrow = 0x1p-20;
+constexpr std::size_t kSlantsOfPart = 16;
+
+std::vector<exact::BigRational> around_crowds(const std::vector<SlantsAt>& at, const RootOrder& angles,
+                                              const TurnRangeOfT& range) {
+  const double low = exact::round_to_double(range.low), high = exact::round_to_double(range.high),
+               near = (high - low) * kCrowdWidth;
+  std::vector<exact::BigRational> parts;
+  const auto add = [&](double t) {
+    exact::BigRational end = exact::exact_value(t);
+    if (end > range.low && end < range.high && (parts.empty() || end > parts.back())) parts.push_back(std::move(end));
+  };
+  for (std::size_t first = 0, next = 0; first < at.size(); first = next) {
+    std::size_t count = 0;
+    for (next = first; next < at.size(); ++next) {
+      if (next > first && angles[at[next].angle].low() - angles[at[next - 1].angle].high() > near) break;
+      count += at[next].count;
+    }
+    if (next - first < 2 || count < kCrowd) continue;
+    const double begin = angles[at[first].angle].low(), end = angles[at[next - 1].angle].high(),
+                 room = (end - begin) * kRoomBesideCrowd;
+    const double before = first == 0 ? low : angles[at[first - 1].angle].high(),
+                 after = next == at.size() ? high : angles[at[next].angle].low();
+    add(begin - std::min(room, (begin - before) / 2)), add(end + std::min(room, (after - end) / 2));
+  }
+  return parts;
+}
+
+}  // namespace
+
+std::vector<exact::BigRational> parts_of(const WindowSlants& slants, const RootOrder& angles,
+                                         const TurnRangeOfT& range) {
+  std::vector<std::size_t> count(angles.size());
+  for (const WindowSlant& s : slants.all())
+    for (const FormRoot& root : s.roots) ++count[root.angle];
+  std::vector<SlantsAt> at;
+  std::size_t all = 0;
+  for (const std::uint32_t a : angles.ascending())
+    if (count[a] > 0) at.push_back({a, count[a]}), all += count[a];
+  if (all < kCrowd || at.size() < 2) return {};
+  std::vector<exact::BigRational> parts = around_crowds(at, angles, range);
+  if (!parts.empty() || !(exact::round_to_double(range.high - range.low) < kNarrow)) return parts;
+  std::size_t here = 0;
+  for (std::size_t k = 0; k + 1 < at.size(); ++k) {
+    here += at[k].count;
+    if (here < kSlantsOfPart) continue;
+    exact::BigRational end = exact::between(angles[at[k].angle], angles[at[k + 1].angle]);
+    parts.push_back(std::move(end));
+    here = 0;
+  }
+  return parts;
 }
 
 FacetCells::FacetCells(const std::vector<WindowFacet>& facets, const WindowSlants& slants, const RootOrder& angles)

@@ -22,8 +22,10 @@ struct WindowSlant {
 /// All slants that are open for some facet, each once, in the order of facets.
 class WindowSlants {
  public:
+  /// The sign of a slant in the whole window, or 0 where that is not certain.
+  using SureSign = std::function<int(const SlantCondition&)>;
   /// `again` is called now and then and may throw.
-  WindowSlants(const TurningPair& pair, const std::vector<WindowFacet>& facets, const JetFrame& jets,
+  WindowSlants(const TurningPair& pair, const std::vector<WindowFacet>& facets, const SureSign& sure_sign,
                const TurnRangeOfT& range, WindowRoots& roots, const std::function<void()>& again);
   const std::vector<WindowSlant>& all() const { return all_; }
   const WindowSlant& of(const SlantCondition& c) const { return all_[index_.at(key(c))]; }
@@ -36,6 +38,12 @@ class WindowSlants {
   std::vector<WindowSlant> all_;
   std::map<Key, std::size_t> index_;
 };
+
+/// Where a window is to be divided, ascending, inside it; nothing where as a whole it does. Masses that are parallel
+/// but for rounding have hundreds of slants that vanish at angles some 1e-16 apart, and meet there and nowhere else:
+/// such a crowd has a window of its own, and that is divided into windows of few slants each.
+std::vector<exact::BigRational> parts_of(const WindowSlants& slants, const RootOrder& angles,
+                                         const TurnRangeOfT& range);
 
 /// Cells of a window divided at some angles: bit k is the open interval before the k-th of them.
 using TurnCells = std::uint64_t;

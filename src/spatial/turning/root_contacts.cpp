@@ -34,6 +34,14 @@ std::optional<exact::BigRational> short_rational(const TurningPair& pair, const 
   return t;
 }
 
+/// Of all t within some 2^-100 of the root's size.
+FineFrame fine_frame(const TurningPair& pair, int chart, const AlgebraicRoot& root) {
+  exact::RootBracket bracket = root.bracket();
+  const double size = std::max(std::abs(root.low()), std::abs(root.high()));
+  if (!bracket.is_point() && size > 0) bracket.refine_to(104L - std::max(std::ilogb(size), -400));
+  return {pair, chart, bracket.low().value(), bracket.high().value()};
+}
+
 SolidFeature edge_feature(std::uint32_t a, std::uint32_t b) {
   return {SolidFeature::Kind::edge, std::min(a, b), std::max(a, b)};
 }
@@ -64,9 +72,11 @@ RootContacts::RootContacts(const TurningPair& pair, const PairOfBalls& balls, co
       radians_(angle_of(pair, window.range.chart, root)),
       reach_(spread_of(pair, window.range.chart, root)),
       jets_frame_(pair, radians_, reach_),
+      fine_frame_(fine_frame(pair, window.range.chart, root)),
       exact_frame_(t_ ? PolynomialFrame(pair, window.range.chart, *t_)
                       : PolynomialFrame(pair, window.range.chart, &point_)),
       jets_(jets_frame_),
+      fine_(fine_frame_),
       exact_(exact_frame_),
       turned_(balls.balls),
       known_(window.facets.size(), 0) {
@@ -76,6 +86,7 @@ RootContacts::RootContacts(const TurningPair& pair, const PairOfBalls& balls, co
 template <class F>
 int RootContacts::sign(F form) const {
   if (const int s = form(jets_).sign(); s != 0) return s;
+  if (const int s = form(fine_).sign(); s != 0) return s;
   return exact::sign(form(exact_));
 }
 
@@ -146,7 +157,7 @@ std::optional<SolidTurnContact> RootContacts::contact(const Meeting& meeting, bo
 void RootContacts::crossings(const std::function<bool(SolidTurnContact)>& take, const std::function<void()>& again) {
   std::vector<TurnCells> here;
   for (std::uint32_t f = 0; f < w_.facets.size(); ++f) here.push_back(exists(f) ? 1 : 0);
-  CrossingSearch(w_, jets_frame_, std::move(here), again).run([&](const Meeting& meeting) {
+  CrossingSearch<JetFrame>(w_, jets_frame_, jets_frame_, std::move(here), again).run([&](const Meeting& meeting) {
     std::optional<SolidTurnContact> found = contact(meeting, false);
     return !found || take(*std::move(found));
   });

@@ -35,7 +35,7 @@ class RootContacts {
  private:
   using Jets = TurnSigns<JetFrame>;
   using Exact = TurnSigns<PolynomialFrame>;
-  /// The sign of form(TurnSigns) here: jets, else exact.
+  /// The sign of form(TurnSigns) here: jets, in doubles and in pairs of them, else exact.
   template <class F>
   int sign(F form) const;
   bool exists(std::uint32_t facet) const;
@@ -82,8 +82,10 @@ class RootContacts {
   std::optional<exact::BigRational> t_;  // where it is rational, and short
   double radians_ = 0, reach_ = 0;
   JetFrame jets_frame_;
+  FineFrame fine_frame_;
   PolynomialFrame exact_frame_;
   Jets jets_;
+  TurnSigns<FineFrame> fine_;
   Exact exact_;
   std::array<std::vector<InnerBalls::Ball>, 2> turned_;
   std::optional<SureOverlap> overlap_;

@@ -28,24 +28,32 @@ bool is_inner(const TurningPair& pair, const WindowFacet& f, int k) {
   return solid.wedges[solid.wedge_of[3 * t + static_cast<std::uint32_t>(k)]].bend == Wedge::Bend::flat;
 }
 
+/// In radians: windows of fewer are looked at in pairs of doubles.
+constexpr double kNarrowWindow = 0x1p-20;
+
+/// What does not happen in the window is told by signs in `Frame`.
+template <class Frame>
 class Finder {
  public:
-  Finder(const TurningPair& pair, const SolidTurnWindow& window, TurningSolidWork& work,
+  Finder(const TurningPair& pair, const SolidTurnWindow& window, const Frame& frame, TurningSolidWork& work,
          const std::function<void()>& again)
       : pair_(pair),
         w_(window),
         again_(again),
-        jets_frame_(pair, window.middle, window.half),
+        boxes_(pair, window.middle, window.half),
+        frame_(frame),
         exact_frame_(pair, window.range.chart),
-        jets_(jets_frame_),
+        jets_(frame_),
         exact_(exact_frame_),
-        roots_(pair.circle, window.range, work) {}
+        roots_(pair.circle, window.range, work),
+        exact_planes_(window.facets.size()) {}
 
   WindowMeetings run() {
     slants();
+    if (!result_.parts.empty()) return std::move(result_);
     vertices_on_facets();
     edges_on_edges();
-    CrossingSearch(w_, jets_frame_, result_.cells.of, again_).run([&](const Meeting& meeting) {
+    CrossingSearch<Frame>(w_, frame_, boxes_, result_.cells.of, again_).run([&](const Meeting& meeting) {
       add_crossing(meeting);
       return true;
     });
@@ -54,7 +62,10 @@ class Finder {
   }
 
  private:
-  using Jets = TurnSigns<JetFrame>;
+  using Jets = TurnSigns<Frame>;
+  using SidedPlane = typename Jets::SidedPlane;
+  using Place = typename Jets::Place;
+  using ExactPlane = TurnSigns<PolynomialFrame>::SidedPlane;
 
   void poll() {
     if (++since_ % 512 == 0) again_();
@@ -73,7 +84,14 @@ class Finder {
   }
 
   void slants() {
-    const WindowSlants slants(pair_, w_.facets, jets_frame_, w_.range, roots_, again_);
+    const WindowSlants slants(
+        pair_, w_.facets,
+        [&](const SlantCondition& c) {
+          return jets_.slant(c.op, pair_.operand(c.op).triangles[c.triangle], c.way).sign();
+        },
+        w_.range, roots_, again_);
+    result_.parts = parts_of(slants, roots_.angles(), w_.range);
+    if (!result_.parts.empty()) return;
     result_.cells = FacetCells(w_.facets, slants, roots_.angles());
     for (const WindowSlant& slant : slants.all()) {
       Meeting meeting;
@@ -82,24 +100,36 @@ class Finder {
     }
   }
 
+  /// False only where a facet exists at no angle of the window; at crowded ones it may exist without a cell.
+  bool may_exist(std::uint32_t facet) const { return !result_.cells.crowded.empty() || result_.cells.of[facet] != 0; }
+  bool any_may_exist(const std::vector<std::uint32_t>& facets) const {
+    return std::any_of(facets.begin(), facets.end(), [&](std::uint32_t f) { return may_exist(f); });
+  }
+
   void vertices_on_facets() {
     std::vector<Box> boxes;
-    for (const WindowFacet& f : w_.facets) boxes.push_back(f.box);
+    std::vector<std::uint32_t> live;
+    for (std::uint32_t f = 0; f < w_.facets.size(); ++f)
+      if (may_exist(f)) live.push_back(f), boxes.push_back(w_.facets[f].box);
     const BoxTree tree(std::move(boxes));
-    for (const SumPoint v : w_.vertices)
-      tree.for_each(jets_frame_.box(v), [&](std::uint32_t f) {
+    for (std::size_t k = 0; k < w_.vertices.size(); ++k) {
+      const SumPoint v = w_.vertices[k];
+      if (!any_may_exist(w_.facets_at_vertex[k])) continue;
+      tree.for_each(boxes_.box(v), [&](std::uint32_t j) {
+        const std::uint32_t f = live[j];
         const WindowFacet& facet = w_.facets[f];
         poll();
         if (facet.has_corner(v)) return;
-        const Jets::SidedPlane plane = jets_.plane(facet.plane);
+        const SidedPlane plane = jets_.plane(facet.plane);
         if (jets_.side(plane, v).sign() != 0 || surely_outside(facet, plane.normal, jets_.at(v))) return;
         Meeting meeting;
         meeting.kind = Meeting::Kind::vertex_on_facet, meeting.vertex = v, meeting.facets[0] = f;
         add_roots({1, v.p, v.q, w_.plane_of[f], 0}, meeting,
                   [&] { return roots_.of(exact_.side(exact_.plane(facet.plane), v).terms()); });
       });
+    }
   }
-  bool surely_outside(const WindowFacet& f, const Jets::Vector& normal, const Jets::Place& at) const {
+  bool surely_outside(const WindowFacet& f, const typename Jets::Vector& normal, const Place& at) const {
     const int w = at.w.sign();
     if (w == 0) return false;
     for (int k = 0; k < f.facet.corners; ++k)
@@ -129,21 +159,25 @@ class Finder {
   void edges_on_edges() {
     find_levels();
     std::vector<Box> boxes;
-    for (const SumEdge& e : w_.edges) {
-      Box box = jets_frame_.box(e.from);
-      box.add(jets_frame_.box(e.to));
-      boxes.push_back(box);
+    std::vector<std::uint32_t> live;
+    for (std::uint32_t i = 0; i < w_.edges.size(); ++i) {
+      if (!w_.bounds[i] || !any_may_exist(w_.facets_at_edge[i])) continue;
+      const SumEdge& e = w_.edges[i];
+      Box box = boxes_.box(e.from);
+      box.add(boxes_.box(e.to));
+      live.push_back(i), boxes.push_back(box);
     }
     const BoxTree tree(std::move(boxes));
-    for (std::uint32_t i = 0; i < w_.edges.size(); ++i) {
-      if (!w_.bounds[i]) continue;
+    for (std::uint32_t n = 0; n < live.size(); ++n) {
+      const std::uint32_t i = live[n];
       const SumEdge& a = w_.edges[i];
-      tree.for_each(tree.box(i), [&](std::uint32_t j) {
-        if (j <= i || !w_.bounds[j] || share_end(a, w_.edges[j]) || always_coplanar(i, j)) return;
+      tree.for_each(tree.box(n), [&](std::uint32_t m) {
+        const std::uint32_t j = live[m];
+        if (j <= i || share_end(a, w_.edges[j]) || always_coplanar(i, j)) return;
         poll();
         const SumEdge& b = w_.edges[j];
         if (jets_.twist(a, b).sign() != 0) return;
-        const Jets::Place at = jets_.at(a, b);
+        const Place at = jets_.at(a, b);
         if (surely_beyond(a, at) || surely_beyond(b, jets_.at(b, a))) return;
         Meeting meeting;
         meeting.kind = Meeting::Kind::edge_on_edge, meeting.a = a, meeting.b = b;
@@ -151,7 +185,7 @@ class Finder {
       });
     }
   }
-  bool surely_beyond(const SumEdge& e, const Jets::Place& at) const {
+  bool surely_beyond(const SumEdge& e, const Place& at) const {
     const int w = at.w.sign();
     return w != 0 && (jets_.beyond(e, e.from, at).sign() * w > 0 || jets_.beyond(e, e.to, at).sign() * w > 0);
   }
@@ -159,7 +193,11 @@ class Finder {
   /// An edge and two facets, or four facets. What they do at crowded angles is asked there.
   void add_crossing(const Meeting& m) {
     const auto plane = [&](int k) { return w_.plane_of[m.facets[k]]; };
-    const auto exact_plane = [&](int k) { return exact_.plane(w_.facets[m.facets[k]].plane); };
+    const auto exact_plane = [&](int k) -> const ExactPlane& {
+      std::optional<ExactPlane>& plane = exact_planes_[m.facets[k]];
+      if (!plane) plane = exact_.plane(w_.facets[m.facets[k]].plane);
+      return *plane;
+    };
     if (m.kind == Meeting::Kind::edge_and_facets) {
       const auto edge =
           static_cast<std::uint32_t>(std::lower_bound(w_.edges.begin(), w_.edges.end(), m.a) - w_.edges.begin());
@@ -182,11 +220,13 @@ class Finder {
   const TurningPair& pair_;
   const SolidTurnWindow& w_;
   const std::function<void()>& again_;
-  JetFrame jets_frame_;
+  JetFrame boxes_;
+  const Frame& frame_;
   PolynomialFrame exact_frame_;
   Jets jets_;
   TurnSigns<PolynomialFrame> exact_;
   WindowRoots roots_;
+  std::vector<std::optional<ExactPlane>> exact_planes_;  // of facets, where they were asked for
   WindowMeetings result_;
   std::map<Key, std::vector<FormRoot>> known_;
   std::vector<std::optional<exact::BigInteger>> level_;  // per edge, of those in a plane across the axis
@@ -259,7 +299,12 @@ const std::vector<std::uint32_t>& SolidTurnWindow::around(const SumEdge& e) cons
 WindowMeetings meetings_in(const TurningPair& pair, const SolidTurnWindow& window, TurningSolidWork& work,
                            const std::function<void()>& again) {
   ++work.windows, work.facets += window.facets.size();
-  return Finder(pair, window, work, again).run();
+  if (window.half < kNarrowWindow) {
+    const FineFrame fine(pair, window.range.chart, window.range.low, window.range.high);
+    return Finder<FineFrame>(pair, window, fine, work, again).run();
+  }
+  const JetFrame jets(pair, window.middle, window.half);
+  return Finder<JetFrame>(pair, window, jets, work, again).run();
 }
 
 }  // namespace dymsum::spatial

@@ -43,6 +43,8 @@ struct WindowMeetings {
   RootOrder angles;
   std::vector<RootMeeting> meetings;  ///< in any order of angles
   FacetCells cells;
+  /// Where the window is to be divided instead, ascending, inside it: then nothing else is told.
+  std::vector<exact::BigRational> parts;
 };
 
 /// Everything that may change how the facets of a window lie among each other, at every angle where its polynomial

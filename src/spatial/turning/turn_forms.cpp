@@ -68,6 +68,43 @@ Box JetFrame::box(SumPoint v) const {
   return box;
 }
 
+FineFrame::FineFrame(const TurningPair& pair, int chart, const exact::BigRational& low, const exact::BigRational& high)
+    : pair_(pair), chart_(chart) {
+  const exact::BigRational middle = (low + high) / 2;
+  const double first = exact::round_to_double(middle),
+               second = exact::round_to_double(middle - exact::exact_value(first));
+  const exact::BigRational at = exact::exact_value(first) + exact::exact_value(second);
+  const double half = exact::round_to_double(std::max<exact::BigRational>(high - at, at - low)) * (1 + 0x1p-50);
+  t_ = {{first, second}, half, 0};
+  const TurnAxis& axis = pair.circle.axis();
+  axis_ = {FineJet::of(axis[0]), FineJet::of(axis[1]), FineJet::of(axis[2])};
+  square_ = FineJet::of(static_cast<double>(pair.circle.square()));
+  weight_ = FineJet::of(1) + square_ * (t_ * t_);
+  if (chart == 1) weight_ = square_ * weight_;
+}
+
+FineFrame::Vector FineFrame::difference(Vec3 from, Vec3 to) {
+  const auto exactly = [](double a, double b) { return FineJet{base::exact_sum(b, -a), 0, 0}; };
+  return {exactly(from.x, to.x), exactly(from.y, to.y), exactly(from.z, to.z)};
+}
+
+// As TurnCircle::turned.
+FineFrame::Vector FineFrame::placed(int op, const Vector& v, bool weighted) const {
+  if (op != pair_.turning) return weighted ? Vector{weight_ * v.x, weight_ * v.y, weight_ * v.z} : v;
+  const Vector side = cross(axis_, v);
+  const FineJet along = dot(axis_, v), two = FineJet::of(2);
+  const auto row = [&](const FineJet& x, const FineJet& a, const FineJet& s) {
+    const FineJet last = two * (a * along) - square_ * x;
+    return chart_ == 0 ? x + t_ * (two * s + t_ * last) : last + square_ * (t_ * (square_ * (t_ * x) - two * s));
+  };
+  return {row(v.x, axis_.x, side.x), row(v.y, axis_.y, side.y), row(v.z, axis_.z, side.z)};
+}
+
+FineFrame::Vector FineFrame::normal(int op, std::uint32_t a, std::uint32_t b, std::uint32_t c) const {
+  const std::vector<Vec3>& at = pair_.places[op];
+  return placed(op, cross(difference(at[a], at[b]), difference(at[a], at[c])), false);
+}
+
 /// Of degree at most 2; at n / d times d^2.
 RootValue PolynomialFrame::value(exact::Terms terms) const {
   if (!t_ || terms.empty()) return RootValue(std::move(terms), at_);

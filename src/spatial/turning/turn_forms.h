@@ -56,6 +56,33 @@ class JetFrame {
   double half_;
 };
 
+/// The same of t in a window of a chart, in pairs of doubles: every vector times a positive factor, as of a
+/// PolynomialFrame.
+class FineFrame {
+ public:
+  using Number = FineJet;
+  using Vector = exact::Vector3<FineJet>;
+  /// All t from `low` to `high`, which are given.
+  FineFrame(const TurningPair& pair, int chart, const exact::BigRational& low, const exact::BigRational& high);
+  Vector way(int op, std::uint32_t from, std::uint32_t to) const {
+    return placed(op, difference(pair_.places[op][from], pair_.places[op][to]), true);
+  }
+  Vector place(int op, std::uint32_t v) const { return placed(op, difference({}, pair_.places[op][v]), true); }
+  Vector normal(int op, std::uint32_t a, std::uint32_t b, std::uint32_t c) const;
+  Vector across(std::uint32_t a0, std::uint32_t a1, std::uint32_t b0, std::uint32_t b1) const {
+    return cross(placed(0, difference(pair_.places[0][a0], pair_.places[0][a1]), false),
+                 placed(1, difference(pair_.places[1][b0], pair_.places[1][b1]), false));
+  }
+
+ private:
+  static Vector difference(Vec3 from, Vec3 to);
+  Vector placed(int op, const Vector& v, bool weighted) const;
+  const TurningPair& pair_;
+  int chart_;
+  FineJet t_, square_, weight_;
+  Vector axis_;
+};
+
 /// The same as polynomials in t, each vector times a positive factor: one for all ways, any for normals. At a rational
 /// t as their values there, which are integers.
 class PolynomialFrame {
@@ -182,6 +209,10 @@ class TurnSigns {
 template <>
 inline Jet TurnSigns<JetFrame>::one() {
   return {1, 0, 0};
+}
+template <>
+inline FineJet TurnSigns<FineFrame>::one() {
+  return FineJet::of(1);
 }
 template <>
 inline exact::RootValue TurnSigns<PolynomialFrame>::one() {

@@ -141,6 +141,7 @@ bool TurnWalk::Wanted::holds(const AlgebraicRoot& root) const {
 std::vector<TurnWalk::Angle> TurnWalk::angles_in(const TurnRangeOfT& range, const Wanted& wanted) {
   const SolidTurnWindow window(pair_, maps_, range);
   const WindowMeetings found = meetings_in(pair_, window, work_, [this] { ask(); });
+  if (!found.parts.empty()) return angles_in_parts(range, found.parts, wanted);
   std::vector<std::vector<Meeting>> at(found.angles.size());
   for (const RootMeeting& m : found.meetings) at[m.angle].push_back(m.meeting);
   std::vector<Angle> angles;
@@ -149,6 +150,26 @@ std::vector<TurnWalk::Angle> TurnWalk::angles_in(const TurnRangeOfT& range, cons
     Angle angle{found.angles[a], wanted.holds(found.angles[a]), {}};
     if (angle.wanted) angle.contacts = contacts_at(window, angle.root, at[a], found.cells.is_crowded(a));
     if (!angle.wanted || !angle.contacts.empty()) angles.push_back(std::move(angle));
+  }
+  return angles;
+}
+
+/// Of a part without wanted angles one angle is listed, no event's: the end of it that is nearer to wanted ones.
+std::vector<TurnWalk::Angle> TurnWalk::angles_in_parts(const TurnRangeOfT& range, std::vector<BigRational> ends,
+                                                       const Wanted& wanted) {
+  std::vector<Angle> angles;
+  ends.push_back(range.high);
+  TurnRangeOfT part{range.chart, range.low, range.low};
+  for (BigRational& end : ends) {
+    part.low = std::move(part.high), part.high = std::move(end);
+    const auto leave_out = [&](const BigRational& t) {
+      const AlgebraicRoot at = AlgebraicRoot::rational(t);
+      if (angles.empty() || exact::compare(angles.back().root, at) < 0) angles.push_back({at, false, {}});
+    };
+    if (wanted.low && part.high < *wanted.low) leave_out(part.high);
+    else if (wanted.high && part.low > *wanted.high) leave_out(part.low);
+    else
+      for (Angle& angle : angles_in(part, wanted)) angles.push_back(std::move(angle));
   }
   return angles;
 }

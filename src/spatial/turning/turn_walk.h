@@ -34,6 +34,8 @@ class TurnWalk {
     bool holds(const exact::AlgebraicRoot& root) const;
   };
   std::vector<Angle> angles_in(const TurnRangeOfT& range, const Wanted& wanted);
+  std::vector<Angle> angles_in_parts(const TurnRangeOfT& range, std::vector<exact::BigRational> ends,
+                                     const Wanted& wanted);
   std::vector<SolidTurnContact> contacts_at(const SolidTurnWindow& window, const exact::AlgebraicRoot& root,
                                             std::span<const Meeting> meetings, bool crowded);
   /// A place's t in a chart; nothing for infinity.

@@ -5,6 +5,7 @@
 #include <stdexcept>
 
 #include "base/stopwatch.h"
+#include "spatial/frames/beside_origin.h"
 #include "spatial/moving/posed_sum.h"
 #include "spatial/turning/turn_walk.h"
 
@@ -15,9 +16,16 @@ using spatial::ChartPlace;
 class TurningSolidSum::State {
  public:
   State(const Mesh& p, const Mesh& q, const TurnAxis& axis, const TurningSolidOptions& given)
-      : options(given), pair(p, q, axis, given.moving == MovingOperand::p ? 0 : 1), maps(pair), balls(pair) {
+      : options(given),
+        pair(p, q, axis, given.moving == MovingOperand::p ? 0 : 1),
+        moved(beside_origin_of(p, q)),
+        maps(near()),
+        balls(near()) {
     stages.tight = options.tight, stages.threads = options.threads;
   }
+
+  /// Of which events are those of the given pair: R(theta) (P + c) + Q + d is R(theta) P + Q moved by R(theta) c + d.
+  const spatial::TurningPair& near() const { return moved ? *moved : pair; }
 
   /// Runs a walk; errors as events().
   Result<bool> walk(const AxisTurn& a, const AxisTurn& b, bool behind, bool whole, const Progress& progress,
@@ -25,8 +33,11 @@ class TurningSolidSum::State {
     work = {};
     const Stopwatch watch;
     Result<bool> made = spatial::guarded([&] {
-      spatial::TurnWalk(pair, maps, balls, how, work, progress)
-          .run(pair.circle.place(a), pair.circle.place(b), behind, whole, take);
+      spatial::TurnWalk(near(), maps, balls, how, work, progress)
+          .run(pair.circle.place(a), pair.circle.place(b), behind, whole, [&](SolidTurnEvent& e) {
+            if (moved) move_back(e);
+            return take(e);
+          });
       return true;
     });
     work.ms = watch.ms();
@@ -47,10 +58,28 @@ class TurningSolidSum::State {
     return found;
   }
 
+  std::optional<spatial::TurningPair> beside_origin_of(const Mesh& p, const Mesh& q) const {
+    const std::optional<Mesh> near_p = spatial::beside_origin(p), near_q = spatial::beside_origin(q);
+    if (!near_p && !near_q) return std::nullopt;
+    return spatial::TurningPair(near_p.value_or(p), near_q.value_or(q), pair.circle.axis(), pair.turning);
+  }
+  /// Contacts to where they are of the given operands.
+  void move_back(SolidTurnEvent& event) const {
+    const spatial::JetFrame frame(pair, event.radians, 0);
+    const auto way = [&](int op) {  // of any vertex, which is moved as all are
+      const Point3 &from = near().operand(op).vertices[0], &to = pair.operand(op).vertices[0];
+      return spatial::Vec3{to.x - from.x, to.y - from.y, to.z - from.z};
+    };
+    const spatial::Vec3 by = frame.matrix() * way(pair.turning) + way(1 - pair.turning);
+    for (SolidTurnContact& contact : event.contacts)
+      contact.at = {contact.at.x + by.x, contact.at.y + by.y, contact.at.z + by.z};
+  }
+
   TurningSolidOptions options;
   SpatialOptions stages;
   spatial::TurningPair pair;
-  spatial::GaussMaps maps;
+  std::optional<spatial::TurningPair> moved;  ///< beside the origin, where an operand is far from it
+  spatial::GaussMaps maps;                    ///< of the near pair, as the balls are
   spatial::PairOfBalls balls;
   TurningSolidWork work;
 };
@@ -89,7 +118,7 @@ Result<TurningSolidSum> TurningSolidSum::create(const Mesh& p, const Mesh& q, co
       std::make_unique<State>(p, q, TurnAxis{axis[0] / divisor, axis[1] / divisor, axis[2] / divisor}, options);
   int square_bits = 0;
   while ((std::int64_t{1} << square_bits) < state->pair.circle.square()) ++square_bits;
-  if (std::max(state->pair.pair.p_places.bits, state->pair.pair.q_places.bits) + 2 * square_bits > kMostBits)
+  if (std::max(state->near().pair.p_places.bits, state->near().pair.q_places.bits) + 2 * square_bits > kMostBits)
     return Error{ErrorCode::unsupported_operand,
                  "coordinates on their common grid, with the square of the axis twice, need more than 140 bits",
                  {}};

@@ -1,8 +1,10 @@
 #include "spatial/turning/window_roots.h"
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 
+#include "exact/binary_parts.h"
 #include "exact/root_bracket.h"
 
 namespace dymsum::spatial {
@@ -32,6 +34,46 @@ const std::vector<FormRoot>& WindowRoots::of(const Polynomial& p) {
   const auto [at, fresh] = known_.try_emplace(std::move(key));
   if (fresh) at->second = find(p);
   return at->second;
+}
+
+/// By the value in the middle and a bound of all slopes. Coefficients are within 2^-51, products of powers and sums of
+/// at most a dozen of them within 2^-48 of the sum of their sizes.
+bool WindowRoots::has_none(const exact::Terms& form) const {
+  std::vector<exact::BinaryParts> parts;
+  int top = std::numeric_limits<int>::min();
+  for (const exact::BigInteger& c : form) {
+    parts.push_back(exact::binary_parts(exact::Big(c)));
+    if (!parts.back().is_zero()) top = std::max(top, parts.back().exponent);
+  }
+  const double middle = low_ + (high_ - low_) / 2, half = std::max(high_ - middle, middle - low_),
+               most = std::max(std::abs(low_), std::abs(high_));
+  double value = 0, size = 0, slope = 0;
+  for (std::size_t k = parts.size(); k-- > 0;) {
+    const double c = parts[k].is_zero() ? 0 : parts[k].scaled(-top);
+    value = value * middle + c;
+    size = size * most + std::abs(c);
+    if (k > 0) slope = slope * most + static_cast<double>(k) * std::abs(c);
+  }
+  return std::abs(value) > (half * slope) * (1 + 0x1p-40) + size * 0x1p-46 + 0x1p-900;
+}
+
+std::vector<FormRoot> WindowRoots::of(exact::Terms form) {
+  if (form.empty()) {
+    ++work_.candidates;
+    return {};
+  }
+  std::size_t zeros = 0;
+  while (form[zeros].is_zero()) ++zeros;
+  form.erase(form.begin(), form.begin() + static_cast<std::ptrdiff_t>(zeros));
+  std::vector<FormRoot> found;
+  if (has_none(form)) ++work_.candidates;
+  else found = of(polynomial(std::move(form)));
+  if (zeros == 0 || !(range_.low < 0 && range_.high >= 0)) return found;
+  if (!zero_) zero_ = angles_.add(AlgebraicRoot::of(0));
+  const auto at = std::find_if(found.begin(), found.end(),
+                               [&](const FormRoot& root) { return angles_.is_before(*zero_, root.angle); });
+  found.insert(at, {*zero_, zeros % 2 != 0});
+  return found;
 }
 
 std::vector<FormRoot> WindowRoots::find(const Polynomial& p) {

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <map>
+#include <optional>
 #include <vector>
 
 #include "dymsum/turning_solid_sum.h"
@@ -46,16 +47,20 @@ class WindowRoots {
   exact::Polynomial polynomial(exact::Terms form) const;
   /// Its distinct roots in the window, ascending; none where it vanishes at all angles. Many forms have one polynomial.
   const std::vector<FormRoot>& of(const exact::Polynomial& p);
-  const std::vector<FormRoot>& of(exact::Terms form) { return of(polynomial(std::move(form))); }
+  /// The same, without a polynomial where doubles tell that it has no root but 0. What coincides at rest has forms that
+  /// vanish there, many of them twice.
+  std::vector<FormRoot> of(exact::Terms form);
   RootOrder& angles() { return angles_; }
 
  private:
   std::vector<FormRoot> find(const exact::Polynomial& p);
+  bool has_none(const exact::Terms& form) const;
   const TurnCircle& circle_;
   const TurnRangeOfT& range_;
   TurningSolidWork& work_;
   double low_ = 0, high_ = 0;  // just around the window
   RootOrder angles_;
+  std::optional<std::uint32_t> zero_;                                      // the index of 0, where it is one
   std::map<std::vector<exact::BigInteger>, std::vector<FormRoot>> known_;  // by coefficients, the last one positive
   exact::FilterCounts counts_;
 };

@@ -85,6 +85,20 @@ TEST(CspaceTurned, combs_are_the_obstacle_by_slices) {
   }
 }
 
+// Of the triples of lines that coincide but for a rounding nearly all are covered, and none of these becomes an event:
+// 8,025 of 25,717 did. Whichever of the two was turned.
+TEST(CspaceTurned, lines_that_nearly_coincide_make_few_events) {
+  for (const double degrees : {0.0, 30.0}) {
+    const CspaceObstacle c = CspaceObstacle::create(turned(toothed(3), 30), turned(toothed(5), 30 + degrees)).value();
+    EXPECT_LE(c.work().potential_events, 1500U);
+    EXPECT_LE(c.work().candidate_triples, 25000U);
+    EXPECT_LE(c.work().slices, 6U);
+    EXPECT_GT(c.work().visible_events, 50U);
+    Random random(2);
+    expect_slices(c, random, 60);
+  }
+}
+
 // Between two questions whether to go on lies a small part of all work, whatever coincides: a time limit ends it in
 // time.
 TEST(CspaceTurned, making_it_asks_whether_to_go_on) {

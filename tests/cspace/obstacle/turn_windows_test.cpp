@@ -31,7 +31,7 @@ void expect_full_turn(const Region& robot, const Region& obstacle, TurnWindows::
         EXPECT_GE(event.high, p.range.theta(p.range.t_low));
         EXPECT_LE(event.low, p.range.theta(p.range.t_high));
       }
-      EXPECT_EQ(p.at_end != nullptr && p.range.t_high != 0 && p.range.t_high != 1, false);
+      EXPECT_EQ(p.at_end.has_value() && p.range.t_high != 0 && p.range.t_high != 1, false);
     }
   EXPECT_EQ(chart, 1);
   EXPECT_EQ(at, 1);

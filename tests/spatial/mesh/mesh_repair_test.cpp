@@ -309,5 +309,48 @@ TEST(MeshRepair, MoebiusStripsAndOneSidedSurfacesAreRefused) {
   EXPECT_EQ(name(repair(data).error().code), "wrong_orientation");
 }
 
+/// Every triangle with vertices of its own.
+MeshData apart(const MeshData& mesh) {
+  MeshData soup;
+  for (const Face& face : mesh.faces) {
+    Face own;
+    for (const std::uint32_t v : face) {
+      own.push_back(static_cast<std::uint32_t>(soup.vertices.size()));
+      soup.vertices.push_back(mesh.vertices[v]);
+    }
+    soup.faces.push_back(std::move(own));
+  }
+  return soup;
+}
+
+TEST(MeshRepair, vertices_across_a_crack_become_one) {
+  MeshData soup = apart(solids::geodesic_sphere(3, 1).data());
+  std::mt19937 random(3);
+  for (Point3& p : soup.vertices)
+    if (random() % 10 == 0) p.x += 1e-9, p.y -= 1e-9 * (random() % 3);
+  const RepairedMesh mended = repair(soup).value();
+  EXPECT_GT(mended.report.cracks, 3u);
+  EXPECT_GE(mended.report.largest_crack, 1e-9);
+  EXPECT_LE(mended.report.largest_crack, 4e-9);
+  EXPECT_EQ(mended.mesh.vertices().size(), solids::geodesic_sphere(3, 1).vertices().size());
+  EXPECT_NE(mended.report.to_string().find("merged across cracks (at most "), std::string::npos);
+  // Wider than 2^-20 of the diagonal it stays a crack.
+  soup.vertices[4].z += 1e-5;
+  EXPECT_EQ(repair(soup).error().code, ErrorCode::not_closed);
+}
+
+TEST(MeshRepair, a_small_hole_is_filled_and_a_large_one_is_not) {
+  MeshData ball = solids::geodesic_sphere(4, 1).data();
+  ball.faces.erase(ball.faces.begin() + 7);
+  const RepairedMesh mended = repair(ball).value();
+  EXPECT_EQ(mended.report.holes, 1u);
+  EXPECT_EQ(mended.mesh.faces().size(), ball.faces.size() + 1);
+  EXPECT_NE(mended.report.to_string().find("1 small hole filled"), std::string::npos);
+  MeshData box = solids::box(0, 0, 0, 1, 1, 1).data();
+  box.faces.pop_back();
+  EXPECT_EQ(repair(box).error().code, ErrorCode::not_closed);
+  EXPECT_TRUE(repair_with_thin_parts(box)->mesh.has_thin_parts()) << "an open surface stays one there";
+}
+
 }  // namespace
 }  // namespace dymsum::spatial_test

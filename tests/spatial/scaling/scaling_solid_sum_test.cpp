@@ -187,6 +187,59 @@ TEST(ScalingSolidSum, EventsOfTurnedTorusesTakeFewSums) {
   check_events("turned tori", p, q, scale("1"), scale("17/16"), events);
 }
 
+/// Coordinates that are long because a solid is far away, moved back exactly: nothing else decides the events, and no
+/// candidate, exact point or sum more is needed.
+TEST(ScalingSolidSum, SolidsFarFromTheOriginCostNoMoreThanBesideIt) {
+  std::mt19937_64 random(9);
+  std::size_t all = 0;
+  for (const CoordinateKind kind : kCoordinateKinds)
+    for (const MovingOperand moving : {MovingOperand::p, MovingOperand::q}) {
+      const auto far = [&](MeshData data, Point3 by) {
+        data = of_kind(std::move(data), kind, random);
+        for (Point3& v : data.vertices) v = {v.x + by.x, v.y + by.y, v.z + by.z};
+        return moving_cases::mesh_of(data);
+      };
+      // Along every axis the coordinate nearest to zero is subtracted, which has to be exact.
+      const auto back = [](const Mesh& mesh) {
+        MeshData data = mesh.data();
+        Point3 least = data.vertices[0];
+        const auto nearer = [](double a, double b) { return std::abs(b) < std::abs(a) ? b : a; };
+        for (const Point3& v : data.vertices)
+          least = {nearer(least.x, v.x), nearer(least.y, v.y), nearer(least.z, v.z)};
+        for (Point3& v : data.vertices) {
+          const Point3 to{v.x - least.x, v.y - least.y, v.z - least.z};
+          EXPECT_EQ(exact::exact_value(to.x), BigRational(exact::exact_value(v.x) - exact::exact_value(least.x)));
+          v = to;
+        }
+        return moving_cases::mesh_of(data);
+      };
+      const Mesh p = far(moving_cases::torus(2, 0.75, 8, 5), {1e5 / 3, -1e4 / 7, 777}),
+                 q = far(moving_cases::torus(1, 0.375, 6, 4), {-1e3 / 7, 1e6 / 3, -1e4});
+      ScalingSolidOptions options;
+      options.moving = moving;
+      SolidEventWork there, here;
+      const ScalingSolidSum sum = ScalingSolidSum::create(p, q, options).value();
+      const std::vector<SolidScaleEvent> events = sum.events(scale("1"), scale("17/16"), {}, &there).value();
+      EXPECT_EQ(
+          events,
+          ScalingSolidSum::create(back(p), back(q), options)->events(scale("1"), scale("17/16"), {}, &here).value())
+          << name_of(kind);
+      EXPECT_EQ(std::tie(there.candidates, there.exact, there.points, there.values, there.sums),
+                std::tie(here.candidates, here.exact, here.points, here.values, here.sums))
+          << name_of(kind);
+      all += events.size();
+      // Sums stay where the operands are.
+      SolidPose pose;
+      pose.scale = {scale("33/32"), scale("33/32"), scale("33/32")};
+      EXPECT_EQ(sum.at(scale("33/32")).value(),
+                moving == MovingOperand::q ? posed_sum(p, q, {}, pose).value() : posed_sum(p, q, pose, {}).value())
+          << name_of(kind);
+      if (kind == CoordinateKind::grid && moving == MovingOperand::q)
+        check_events("far", p, q, scale("1"), scale("17/16"), events);
+    }
+  EXPECT_GT(all, 8u);
+}
+
 TEST(ScalingSolidSum, BoxesCoincideAtQuarterScales) {
   // A peg of side 1 in a block with a square hole of side 1: at scale 1 it fits exactly, above 1 it does not enter.
   const Mesh block = moving_cases::mesh_of(tunnel()), peg = moving_cases::mesh_of(box(1));

@@ -6,13 +6,18 @@
 #include <cmath>
 #include <iostream>
 #include <numbers>
+#include <random>
 #include <set>
 #include <stdexcept>
+#include <tuple>
 
 #include "dymsum/orientation_sum.h"
 #include "dymsum/shapes.h"
 #include "dymsum/solids.h"
+#include "exact/big.h"
+#include "oracles/coordinate_kinds.h"
 #include "oracles/snapped_shapes.h"
+#include "spatial/frames/beside_origin.h"
 #include "spatial/moving/moving_cases.h"
 #include "spatial/moving/shell_euler.h"
 
@@ -99,6 +104,113 @@ TEST(TurningSolidSum, MassesOfParallelFacesMeetAtZeroAlone) {
       EXPECT_LT(sum.work().candidates, 15000u) << name;
     }
   }
+}
+
+/// Turned in doubles, what is parallel at zero on a grid is parallel at dozens of angles within 1e-15 of it, between
+/// which the sum has other structures. Samples between any two events show one of them, and those beside an event two.
+TEST(TurningSolidSum, MassesThatCoincideButForRoundingMeetOneAfterTheOther) {
+  std::mt19937_64 random(6);
+  const auto turned_prism = [&](const Ring& ring) {
+    MeshData data = of_kind(solids::prism(ring, 1).data(), CoordinateKind::turned, random);
+    std::vector<Face> triangles;  // four corners are in one plane but for rounding
+    for (const Face& f : data.faces)
+      for (std::size_t k = 2; k < f.size(); ++k) triangles.push_back({f[0], f[k - 1], f[k]});
+    data.faces = std::move(triangles);
+    return mesh_of(data);
+  };
+  const Mesh wedge = turned_prism({{0, 0}, {1, 0}, {0, 1}}), cube = turned_prism({{0, 0}, {1, 0}, {1, 1}, {0, 1}});
+  const TurnAxis axis{1, 2, 3};
+  const auto exactly = [](double t) { return exact::exact_value(t); };
+  for (const auto& [p, q] : {std::pair{wedge, wedge}, std::pair{cube, wedge}}) {
+    const TurningSolidSum sum = TurningSolidSum::create(p, q, axis).value();
+    const double first = -0x1p-8, last = 0x1p-8;
+    const std::vector<SolidTurnEvent> events =
+        sum.events(AxisTurn::of(exact::to_rational(exactly(first))), AxisTurn::of(exact::to_rational(exactly(last))))
+            .value();
+    check_order(events, "prisms");
+    const TurningSolidWork work = sum.work();
+    EXPECT_LT(work.candidates, 6000u);
+    ASSERT_GT(events.size(), 3u);
+    std::optional<Seen> before;
+    std::size_t narrow = 0;
+    for (std::size_t k = 0; k <= events.size(); ++k) {
+      const exact::BigRational low = exactly(k == 0 ? first : events[k - 1].t_high),
+                               high = exactly(k == events.size() ? last : events[k].t_low);
+      if (!(low < high)) {  // doubles do not tell the events apart
+        before.reset();
+        continue;
+      }
+      std::optional<Seen> here;
+      for (const int share : {1, 7, 15}) {
+        const exact::BigRational t = low + (high - low) * share / 16;
+        const Seen one = seen(sum, AxisTurn::of(exact::to_rational(t)));
+        if (here) {
+          EXPECT_TRUE(one == *here) << "between event " << k << " and the one before";
+        }
+        here = one;
+      }
+      narrow += abs(high) < exactly(1e-12) && abs(low) < exactly(1e-12);
+      if (k > 0 && before) {
+        const SolidTurnEvent& event = events[k - 1];
+        const bool differs = !(*before == *here) || (event.exact && !(seen(sum, *event.exact) == *here));
+        EXPECT_EQ(event.visible, differs) << k;
+      }
+      before = here;
+    }
+    EXPECT_GT(narrow, 1u);
+    std::cout << events.size() << " events, " << work.windows << " windows, " << work.candidates << " candidates, "
+              << work.exact_tests << " tested, " << work.sums << " sums" << std::endl;
+  }
+}
+
+/// The same events, and the same work, as of the operands moved back, which tests/spatial/frames shows to be exact;
+/// places of contacts are where the operands are.
+TEST(TurningSolidSum, SolidsFarFromTheAxisCostNoMoreThanBesideIt) {
+  std::mt19937_64 random(21);
+  std::size_t all = 0;
+  for (const CoordinateKind kind : kCoordinateKinds)
+    for (const MovingOperand moving : {MovingOperand::p, MovingOperand::q}) {
+      const auto far = [&](MeshData data, Point3 by) {
+        data = of_kind(std::move(data), kind, random);
+        for (Point3& v : data.vertices) v = {v.x + by.x, v.y + by.y, v.z + by.z};
+        return mesh_of(data);
+      };
+      const Mesh p = far(moving_cases::bumpy(1, 3), {1e5 / 3, -1e4 / 7, 777}),
+                 q = far(moving_cases::bumpy(1, 8), {-1e3 / 7, 1e5 / 3, 0});
+      const Mesh near_p = spatial::beside_origin(p).value(), near_q = spatial::beside_origin(q).value();
+      const TurnAxis axis{1, 2, 3};
+      TurningSolidOptions options;
+      options.moving = moving;
+      const TurningSolidSum there = TurningSolidSum::create(p, q, axis, options).value(),
+                            here = TurningSolidSum::create(near_p, near_q, axis, options).value();
+      const AxisTurn from = turn_at(axis, 0.3), to = turn_at(axis, 0.34);
+      const std::vector<SolidTurnEvent> events = there.events(from, to).value(), same = here.events(from, to).value();
+      ASSERT_EQ(events.size(), same.size()) << name_of(kind);
+      all += events.size();
+      const TurningSolidWork &w = there.work(), &v = here.work();
+      EXPECT_EQ(std::tie(w.windows, w.facets, w.candidates, w.roots, w.covered, w.exact_tests, w.sums),
+                std::tie(v.windows, v.facets, v.candidates, v.roots, v.covered, v.exact_tests, v.sums))
+          << name_of(kind);
+      const Point3 of_p = spatial::way_from_origin(p), of_q = spatial::way_from_origin(q);
+      for (std::size_t k = 0; k < events.size(); ++k) {
+        const SolidTurnEvent &a = events[k], &b = same[k];
+        EXPECT_EQ(std::tie(a.radians, a.polynomial, a.t_low, a.t_high, a.opposite, a.visible, a.topology),
+                  std::tie(b.radians, b.polynomial, b.t_low, b.t_high, b.opposite, b.visible, b.topology));
+        ASSERT_EQ(a.contacts.size(), b.contacts.size());
+        // Rodrigues.
+        const double c = std::cos(a.radians), s = std::sin(a.radians), l = std::sqrt(14.0);
+        const spatial::Vec3 u{1 / l, 2 / l, 3 / l}, x{of_p.x, of_p.y, of_p.z}, y{of_q.x, of_q.y, of_q.z};
+        const spatial::Vec3 turning = moving == MovingOperand::p ? x : y, still = moving == MovingOperand::p ? y : x;
+        const spatial::Vec3 by = c * turning + s * cross(u, turning) + ((1 - c) * dot(u, turning)) * u + still;
+        for (std::size_t m = 0; m < a.contacts.size(); ++m) {
+          EXPECT_EQ(a.contacts[m].features, b.contacts[m].features);
+          EXPECT_NEAR(a.contacts[m].at.x - b.contacts[m].at.x, by.x, 1e-7);
+          EXPECT_NEAR(a.contacts[m].at.y - b.contacts[m].at.y, by.y, 1e-7);
+          EXPECT_NEAR(a.contacts[m].at.z - b.contacts[m].at.z, by.z, 1e-7);
+        }
+      }
+    }
+  EXPECT_GT(all, 15u);
 }
 
 /// The same at a quarter turn, and at half a turn, where the other chart is zero.

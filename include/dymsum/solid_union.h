@@ -1,0 +1,50 @@
+// The solids that surfaces bound which cross, touch or lie on each other: by winding number, exactly. So the union of
+// solids that overlap, and the other Boolean operations.
+#pragma once
+
+#include <cstdint>
+#include <span>
+
+#include "dymsum/mesh.h"
+#include "dymsum/result.h"
+#include "dymsum/spatial_sum.h"
+
+namespace dymsum {
+
+/// Which positions lie inside of closed surfaces: by the winding number, that is how often surfaces go around them
+/// seen from outside, those that are turned inside out counted as -1.
+enum class Fill : std::uint8_t {
+  positive,  ///< 1 or more: the union of solids, cavities taken out
+  nonzero,   ///< any but 0: the same, also of solids that are turned inside out
+  even_odd,  ///< an odd number: what lies in two solids is outside
+};
+
+/// The closure of the interior of all positions inside, whatever the faces of `surface` cross, touch, or lie on. All
+/// faces together have to be closed surfaces, as sets: edges need not have equal vertices on their two sides, and
+/// vertices at one position are one. Faces that are not plane count as their triangles. Faces without area, and points
+/// and segments, are left out. The result is that of minkowski_sum with the origin: exact, canonical, without tight
+/// features; `p` of every face and contact are features of `surface`, with its indices, `q` is vertex 0. It is empty
+/// where nothing is inside. Of the options threads, memory and progress count.
+/// Errors: not_finite; bad_index; not_closed with a position on an edge around which the faces do not close; cancelled;
+/// out_of_memory; unsupported_operand for coordinates that need more than 8,192 bits on their common grid.
+/// O(n log n + k + t log t) for n faces, k of their pairs that meet and t points where three of them do.
+Result<SpatialSum> united(const MeshData& surface, Fill fill = Fill::positive, const SpatialOptions& options = {});
+
+/// The union of any number of solids. Parts without volume are left out. Faces name those of the operands, in their
+/// order, counted on from operand to operand, and vertices likewise. Errors and cost as above.
+Result<SpatialSum> united(std::span<const Mesh> solids, const SpatialOptions& options = {});
+/// What lies in both solids, in `a` alone, or in one of them alone; closed and regular, as a union.
+Result<SpatialSum> intersection(const Mesh& a, const Mesh& b, const SpatialOptions& options = {});
+Result<SpatialSum> difference(const Mesh& a, const Mesh& b, const SpatialOptions& options = {});
+Result<SpatialSum> symmetric_difference(const Mesh& a, const Mesh& b, const SpatialOptions& options = {});
+
+/// The named repair of surfaces that cross: what repair() mends, it mends. Where faces cross, touch or lie on each
+/// other after that, or bound nothing where they meet, the solid that they bound by `fill` is taken (united), with its
+/// vertices rounded as SpatialSum::rounded does. Vertices at one position are merged before, T-junctions closed, single
+/// faces turned over that do not agree with their neighbours, and with Fill::nonzero shells that are inside out and
+/// cross another one. Else shells stay as they run: one inside of another that runs the same way adds nothing, one that
+/// runs the other way is a cavity. Errors: that of repair() where the union has none or nothing is inside; cancelled;
+/// out_of_memory.
+Result<RepairedMesh> repair_with_union(MeshData data, Fill fill = Fill::nonzero, const SpatialOptions& options = {});
+
+}  // namespace dymsum

@@ -1,0 +1,84 @@
+// Solids by winding number: unions, other Boolean operations, repair of surfaces that cross.
+#include "dymsum/solid_union.h"
+
+#include "arguments.h"
+#include "bind.h"
+#include "calls.h"
+#include "record.h"
+#include "remember.h"
+
+namespace dymsum::python {
+namespace {
+
+using namespace nb::literals;
+
+void bind_fill(nb::module_& m) {
+  nb::enum_<Fill>(m, "Fill", "Which positions lie inside of closed surfaces, by how often these go around them.")
+      .value("positive", Fill::positive, "once or more: the union of solids, cavities taken out")
+      .value("nonzero", Fill::nonzero, "the same, also of solids that are turned inside out")
+      .value("even_odd", Fill::even_odd, "an odd number: what lies in two solids is outside");
+}
+
+void bind_unions(nb::module_& m) {
+  m.def(
+      "united",
+      [](const MeshDataArgument& surface, Fill fill, const SpatialOptions& options) {
+        SpatialSum solid = run_with(options, [&](const SpatialOptions& own) { return united(*surface, fill, own); });
+        return remembered(std::move(solid), "united", *surface, fill, options);
+      },
+      "surface"_a, "fill"_a = Fill::positive, "options"_a = SpatialOptions(),
+      R"(The solid that closed surfaces bound, whatever they cross, touch or lie on: exactly. Faces that are not plane
+count as their triangles. Raises Error: not_finite; bad_index; not_closed with a position; cancelled; out_of_memory.)");
+  m.def(
+      "united",
+      [](const Many<Mesh>& solids, const SpatialOptions& options) {
+        std::vector<Mesh> all;
+        nb::list kept;
+        for (const MeshArgument& one : solids.items) {
+          all.push_back(*one);
+          kept.append(one.object);
+        }
+        SpatialSum solid =
+            run_with(options, [&](const SpatialOptions& own) { return united(std::span<const Mesh>(all), own); });
+        return remembered(std::move(solid), "united", kept, options);
+      },
+      "solids"_a, "options"_a = SpatialOptions(), R"(The union of any number of solids, exactly.
+
+>>> from dymsum import solids, united
+>>> united([solids.box(0, 0, 0, 2, 2, 2), solids.box(1, 1, 1, 3, 3, 3)]).volume_exact()
+Fraction(15, 1)
+)");
+}
+
+using OfTwo = Result<SpatialSum> (*)(const Mesh&, const Mesh&, const SpatialOptions&);
+
+template <OfTwo operation>
+void bind_of_two(nb::module_& m, const char* name, const char* text) {
+  m.def(
+      name,
+      [name](const MeshArgument& a, const MeshArgument& b, const SpatialOptions& options) {
+        SpatialSum solid = run_with(options, [&](const SpatialOptions& own) { return operation(*a, *b, own); });
+        return remembered(std::move(solid), name, a.object, b.object, options);
+      },
+      "a"_a, "b"_a, "options"_a = SpatialOptions(), text);
+}
+
+}  // namespace
+
+void bind_solid_union(nb::module_& m) {
+  bind_fill(m);
+  bind_unions(m);
+  bind_of_two<intersection>(m, "intersection", "What lies in both solids, exactly: closed and regular.");
+  bind_of_two<difference>(m, "difference", "What lies in the first solid and not in the second, exactly.");
+  bind_of_two<symmetric_difference>(m, "symmetric_difference", "What lies in one of two solids, exactly.");
+  m.def(
+      "repair_with_union",
+      [](const MeshDataArgument& data, Fill fill, const SpatialOptions& options) {
+        return run_with(options, [&](const SpatialOptions& own) { return repair_with_union(*data, fill, own); });
+      },
+      "data"_a, "fill"_a = Fill::nonzero, "options"_a = SpatialOptions(),
+      "repair, and where faces cross, touch or lie on each other, the solid that they bound, rounded. Raises Error: "
+      "those of repair; cancelled; out_of_memory.");
+}
+
+}  // namespace dymsum::python

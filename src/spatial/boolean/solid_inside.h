@@ -1,0 +1,24 @@
+// From surfaces to the solid of all positions whose winding number is one of those asked for.
+#pragma once
+
+#include "dymsum/mesh.h"
+#include "dymsum/result.h"
+#include "dymsum/spatial_sum.h"
+
+namespace dymsum::spatial {
+
+/// Inside are winding numbers of at least `least`, or at most -`least` where `both` ways count; of these, odd ones
+/// where `odd` alone count.
+struct InsideRule {
+  int least = 1;
+  bool both = false, odd = false;
+
+  bool holds(int winding) const {
+    return (winding >= least || (both && winding <= -least)) && (!odd || winding % 2 != 0);
+  }
+};
+
+/// Statement, errors and cost: united in solid_union.h. Method: docs/design/solid-union.md.
+Result<SpatialSum> solid_inside(const MeshData& surface, InsideRule rule, const SpatialOptions& options);
+
+}  // namespace dymsum::spatial

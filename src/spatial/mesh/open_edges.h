@@ -1,0 +1,31 @@
+// Open edges, those with one face, closed where one answer is obvious: cracks between vertices that were meant to be
+// one, and small holes.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+#include "dymsum/mesh.h"
+
+namespace dymsum::spatial {
+
+struct ClosedCracks {
+  std::size_t merged = 0;  ///< vertices that became another one
+  double furthest = 0;     ///< the largest distance between the two
+};
+
+/// Vertices of open edges that are nearer than 2^-20 of the surface's diagonal to another one, and no neighbours of it
+/// in a face, become that: the first one in the order by x, y, z. O(n log n) where few are that near along x.
+ClosedCracks close_cracks(const std::vector<Point3>& vertices, std::vector<Face>& faces);
+
+struct FilledHoles {
+  std::size_t count = 0;
+  std::vector<std::uint32_t> beside;  ///< of every face that was added: one that was there, at the hole
+};
+
+/// Loops of open edges that meet no other one, of at most 64 edges, together no longer than a quarter of the surface's
+/// diagonal: each gets triangles, behind the other faces, which run as the faces around it do. O(n log n).
+FilledHoles fill_holes(const std::vector<Point3>& vertices, std::vector<Face>& faces);
+
+}  // namespace dymsum::spatial
