@@ -31,7 +31,7 @@ describe('nothing of before stands under what is asked now', () => {
   it('after a cancel of a long sum, which can be asked for again', async () => {
     const it = await open(browser), { page } = it;
     await settled(page);
-    await dropFiles(page, { 'p.wkt': spikes(700, 3), 'q.wkt': spikes(800, 40) });
+    await dropFiles(page, { 'p.wkt': spikes(1800, 3), 'q.wkt': spikes(2000, 40) });
     await page.getByRole('button', { name: 'Cancel' }).click({ timeout: 60_000 });
     await expect.poll(() => sumCounts(page)).toEqual(['–', '–', '–', '–']);
     expect(await page.getByText('Cancelled: this has not been computed.').count()).toBe(1);
@@ -44,7 +44,7 @@ describe('nothing of before stands under what is asked now', () => {
   it('while it is computed, where that takes long: it is greyed', async () => {
     const it = await open(browser), { page } = it;
     await settled(page);
-    await dropFiles(page, { 'p.wkt': spikes(700, 3), 'q.wkt': spikes(800, 40) });
+    await dropFiles(page, { 'p.wkt': spikes(1800, 3), 'q.wkt': spikes(2000, 40) });
     await expect.poll(() => page.getByRole('progressbar').count(), { timeout: 60_000 }).toBe(1);
     for (const shown of ['canvas.plane', 'section:has-text("computed in") [aria-busy]'])
       await expect.poll(() => page.locator(shown).evaluate((e) => Number(getComputedStyle(e).opacity))).toBeLessThan(0.5);

@@ -1,5 +1,5 @@
 import { describe, expect, it, vi } from 'vitest';
-import { followHistory, stepOf } from './address';
+import { followHistory, kSettleMs, stepOf } from './address';
 import { History, type Document } from './history';
 import { fitsAddress, fromHash, toHash } from './permalink';
 
@@ -31,8 +31,11 @@ function followed(first: Document): { history: History; browser: Browser; settle
   vi.stubGlobal('addEventListener', (type: string, listener: (event: { state: unknown }) => void) => type === 'popstate' && browser.listeners.push(listener));
   const history = new History(first);
   followHistory(history, (document) => history.open(document), (error) => expect.unreachable(String(error)));
-  /** Until the entry holds what is shown. */
-  const settle = (): Promise<void> => vi.waitFor(() => expect((browser.entries[browser.at]!.state as { document: Document }).document).toBe(history.document), 30_000);
+  /** Until the entry holds what is shown, and nothing is to be written any more. */
+  const settle = async (): Promise<void> => {
+    await new Promise((done) => setTimeout(done, 2 * kSettleMs));
+    await vi.waitFor(() => expect((browser.entries[browser.at]!.state as { document: Document }).document).toBe(history.document), 30_000);
+  };
   return { history, browser, settle };
 }
 
@@ -56,6 +59,21 @@ describe('the address', () => {
     expect(history.document).toEqual(sum('p', '3/2'));
     await settle();
     expect([browser.at, browser.entries.length]).toEqual([0, 2]);
+  });
+  it('goes back to a page as it was left, however soon', async () => {
+    const { history, browser, settle } = followed(sum('p'));
+    history.change(sum('r'));
+    history.change({ page: 'nesting', state: { a: shape('a') } });
+    await settle();
+    expect(browser.entries.length).toBe(3);
+    browser.back();
+    expect(history.document).toEqual(sum('r'));
+    await settle();
+    expect(await fromHash(browser.entries[1]!.address)).toEqual(sum('r'));
+    browser.back();
+    expect(history.document).toEqual(sum('p'));
+    await settle();
+    expect([browser.at, browser.entries.length]).toEqual([0, 3]);
   });
   it('names the page alone where the document is too large for browsers', async () => {
     const large = sum('p', '1', Array.from({ length: 100_000 }, (_, k) => Math.sin(k)).join(' '));

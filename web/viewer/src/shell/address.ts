@@ -4,7 +4,7 @@ import { shapesIn } from '../engine/shape';
 import type { Document, History } from './history';
 import { fitsAddress, fromHash, mayFitAddress, toHash } from './permalink';
 
-const kSettleMs = 250;
+export const kSettleMs = 250;
 
 /** What stands in an entry of the browser's history: the document, for it may be too large for the address. */
 interface Entry {
@@ -36,20 +36,29 @@ function put(how: 'pushState' | 'replaceState', document: Document, address: str
 /** `open` shows a document of an entry that the reader goes to. */
 export function followHistory(history: History, open: (document: Document) => void, report: (error: unknown) => void): void {
   let step = stepOf(history.document), timer = 0;
-  const write = async (): Promise<void> => {
-    const document = history.document, address = await addressOf(document);
-    if (document !== history.document) return;
+  /** what is shown and has no entry yet */
+  let waiting: Document | undefined;
+  const enter = (document: Document, address: string): void => {
     const isNew = stepOf(document) !== step;
     step = stepOf(document);
+    waiting = undefined;
     put(isNew ? 'pushState' : 'replaceState', document, address);
+  };
+  const write = async (): Promise<void> => {
+    const document = history.document, address = await addressOf(document);
+    if (document === history.document) enter(document, address);
   };
   const go = (document: Document): void => {
     step = stepOf(document);
+    waiting = undefined;
     open(document);
   };
   put('replaceState', history.document, location.href);
   history.subscribe(() => {
     clearTimeout(timer);
+    // A page that is left soon after a change: there is no time to pack an address, and the entry holds the document.
+    if (waiting && waiting.page !== history.document.page && mayFitAddress(waiting)) enter(waiting, `#/${waiting.page}`);
+    waiting = history.document;
     timer = window.setTimeout(() => {
       if (!history.dragging) void write();
     }, kSettleMs);
