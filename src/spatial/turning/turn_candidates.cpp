@@ -30,8 +30,6 @@ bool is_inner(const TurningPair& pair, const WindowFacet& f, int k) {
 
 /// In radians: windows of fewer are looked at in pairs of doubles.
 constexpr double kNarrowWindow = 0x1p-20;
-/// Edges with two facets, and fours of facets, of which a window with a crowd is looked at undivided.
-constexpr std::size_t kManyCrossings = 4096;
 
 /// What does not happen in the window is told by signs in `Frame`.
 template <class Frame>
@@ -52,11 +50,7 @@ class Finder {
 
   WindowMeetings run() {
     slants();
-    if (!result_.parts.empty() && has_many_crossings()) {
-      result_.meetings.clear();
-      return std::move(result_);
-    }
-    result_.parts.clear();
+    if (!result_.parts.empty()) return std::move(result_);
     vertices_on_facets();
     edges_on_edges();
     CrossingSearch<Frame>(w_, frame_, boxes_, result_.cells.of, again_).run([&](const Meeting& meeting) {
@@ -97,6 +91,7 @@ class Finder {
         },
         w_.range, roots_, again_);
     result_.parts = parts_of(slants, roots_.angles(), w_.range);
+    if (!result_.parts.empty()) return;
     result_.cells = FacetCells(w_.facets, slants, roots_.angles());
     for (const WindowSlant& slant : slants.all()) {
       Meeting meeting;
@@ -109,15 +104,6 @@ class Finder {
   bool may_exist(std::uint32_t facet) const { return !result_.cells.crowded.empty() || result_.cells.of[facet] != 0; }
   bool any_may_exist(const std::vector<std::uint32_t>& facets) const {
     return std::any_of(facets.begin(), facets.end(), [&](std::uint32_t f) { return may_exist(f); });
-  }
-
-  /// Only then parts cost less than the window as a whole.
-  bool has_many_crossings() const {
-    std::size_t count = 0;
-    CrossingSearch<Frame>(w_, frame_, boxes_, result_.cells.of, again_).run([&](const Meeting&) {
-      return ++count < kManyCrossings;
-    });
-    return count >= kManyCrossings;
   }
 
   void vertices_on_facets() {

@@ -43,8 +43,7 @@ struct WindowMeetings {
   RootOrder angles;
   std::vector<RootMeeting> meetings;  ///< in any order of angles
   FacetCells cells;
-  /// Where the window is to be divided instead, ascending, inside it, as it has thousands of crossings at angles that
-  /// crowd: then nothing else is told.
+  /// Where the window is to be divided instead, ascending, inside it: then nothing else is told.
   std::vector<exact::BigRational> parts;
 };
 
