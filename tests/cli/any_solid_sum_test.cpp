@@ -150,7 +150,6 @@ TEST_F(AnySolidSum, WhatItDoesNotTakeIsRefused) {
       << work.run("dymsum info crossing.off").err;
   const Outcome mended = work.run("dymsum convert crossing.off united.off --repair");
   EXPECT_EQ(mended.err, "crossing.off: repaired: what crossed or overlapped united (6 new vertices)\n");
-  EXPECT_EQ(json("dymsum sum united.off cube.off --json"), json("dymsum sum united.off cube.off --json --repair"));
   EXPECT_EQ(json("dymsum info united.off --json")["volume"], 15);
   // The same with a body that shares half a face, and one that is turned inside out.
   EXPECT_EQ(json("dymsum sum crossing.off cube.off --repair --json")["volume_exact"],

@@ -62,8 +62,9 @@ class MeshRepair {
     merge_vertices();
     drop_degenerate_faces();
     if (options_.drop_needles) drop_needles();
+    if (!options_.thin_parts) close_cracks_of_faces();
     split_edges();
-    if (!options_.thin_parts) close_open_edges();
+    if (!options_.thin_parts) fill_small_holes();
     split_faces();
   }
 
@@ -138,15 +139,15 @@ class MeshRepair {
     report_.largest_gap = std::max(report_.largest_gap, splits.largest_gap);
   }
 
-  /// Cracks first: what is left open around these is a hole.
-  void close_open_edges() {
+  /// Before edges are split: what lies along a crack may be near its other side's edges, too.
+  void close_cracks_of_faces() {
     const ClosedCracks cracks = close_cracks(data_.vertices, data_.faces);
     report_.cracks = cracks.merged;
     report_.largest_crack = cracks.furthest;
-    if (cracks.merged > 0) {
-      drop_degenerate_faces();
-      split_edges();
-    }
+    if (cracks.merged > 0) drop_degenerate_faces();
+  }
+
+  void fill_small_holes() {
     const FilledHoles holes = fill_holes(data_.vertices, data_.faces);
     report_.holes = holes.count;
     for (const std::uint32_t f : holes.beside) face_origin_.push_back(face_origin_[f]);

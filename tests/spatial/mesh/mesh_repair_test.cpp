@@ -8,6 +8,7 @@
 
 #include "dymsum/solids.h"
 #include "spatial/mesh/mesh_cases.h"
+#include "spatial/mesh/open_edges.h"
 
 namespace dymsum::spatial_test {
 namespace {
@@ -334,9 +335,13 @@ TEST(MeshRepair, vertices_across_a_crack_become_one) {
   EXPECT_LE(mended.report.largest_crack, 4e-9);
   EXPECT_EQ(mended.mesh.vertices().size(), solids::geodesic_sphere(3, 1).vertices().size());
   EXPECT_NE(mended.report.to_string().find("merged across cracks (at most "), std::string::npos);
-  // Wider than 2^-20 of the diagonal it stays a crack.
-  soup.vertices[4].z += 1e-5;
-  EXPECT_EQ(repair(soup).error().code, ErrorCode::not_closed);
+  // Wider than 2^-20 of the diagonal, some 1.3e-6 here, it stays a crack.
+  for (const double wide : {1e-7, 1.2e-6, 1.5e-6, 1e-5}) {
+    const std::vector<Point3> corners{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {1, 0, wide}, {0, 1, wide}, {1, 1, 0}};
+    std::vector<Face> faces{{0, 1, 2}, {3, 5, 4}};
+    EXPECT_EQ(spatial::close_cracks(corners, faces).merged, wide < 1.3e-6 ? 2u : 0u) << wide;
+    EXPECT_EQ(faces[1], (wide < 1.3e-6 ? Face{1, 5, 2} : Face{3, 5, 4}));
+  }
 }
 
 TEST(MeshRepair, a_small_hole_is_filled_and_a_large_one_is_not) {
