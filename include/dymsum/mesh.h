@@ -145,7 +145,7 @@ struct RepairedMesh {
 ///
 /// A crack is open edges whose vertices should be those of others: vertices of open edges become one where they are
 /// nearer than 2^-20 of the surface's diagonal. A small hole is a loop of at most 64 open edges, all together no longer
-/// than a quarter of the diagonal: it is filled. Neither is done where parts without volume are kept.
+/// than half of the diagonal: it is filled. Neither is done where parts without volume are kept.
 ///
 /// Other open edges and edges with an odd number of faces are not repaired: they come back as the errors of
 /// Mesh::create, with the indices of `data`.
