@@ -16,6 +16,9 @@ P, Q = shapes.random_polygon(40, 1, 4), shapes.gear(12, 0.3, 0.5)
 BOX, BALL = solids.box(0, 0, 0, 1, 1, 1), solids.geodesic_sphere(1, 2)
 #: A solid that is not convex, so that sums go the long way.
 ANGLE = solids.prism([(0, 0), (3, 0), (3, 1), (1, 1), (1, 3), (0, 3)], 1.0)
+CROSSING = dymsum.MeshData(
+    [*BOX.vertices, *ANGLE.vertices], [*BOX.faces, *([v + len(BOX.vertices) for v in face] for face in ANGLE.faces)]
+)
 DEPTH, QUESTIONS = dymsum.SolidDepth(ANGLE, BOX), [dymsum.DepthQuestion(ANGLE, BOX)] * 3
 ROD, WALL = shapes.rectangle(-1, -0.25, 1, 0.25), shapes.gear(8, 2, 3)
 OBSTACLE = dymsum.CspaceObstacle(ROD, WALL)
@@ -122,6 +125,12 @@ CALLS: list[tuple[str, Callable[[Progress], Any]]] = [
         "pose_batch_arrays",
         lambda f: dymsum.pose_batch_arrays(BALL, BOX, [(1, 0, 0, 0)] * 40, dymsum.BatchOptions(progress=f)),
     ),
+    ("united", lambda f: dymsum.united(ANGLE, options=solid(f))),
+    ("united", lambda f: dymsum.united([ANGLE, BOX], solid(f))),
+    ("intersection", lambda f: dymsum.intersection(ANGLE, BOX, solid(f))),
+    ("difference", lambda f: dymsum.difference(ANGLE, BOX, solid(f))),
+    ("symmetric_difference", lambda f: dymsum.symmetric_difference(ANGLE, BOX, solid(f))),
+    ("repair_with_union", lambda f: dymsum.repair_with_union(CROSSING, options=solid(f))),
     ("opening", lambda f: dymsum.opening(solids.box(0, 0, 0, 9, 9, 9), ANGLE, solid(f))),
     ("closing", lambda f: dymsum.closing(ANGLE, BOX, solid(f))),
     ("offset", lambda f: dymsum.offset(ANGLE, 0.5, 0.2, options=solid(f))),
