@@ -153,9 +153,12 @@ int FeaturePairs::side_of_border(const TableFacet& facet, int border, PointId at
   const Vec3 normal = static_cast<double>(facet.side) * space_.plane(facet.plane).n;
   const Vec3 from = space_.approx(a), d = space_.approx(b) - from;
   const Approx& p = arrangement_.points.approx(at);
-  const double v = dot(normal, cross(d, p.at - from));
+  const Vec3 w = p.at - from;
+  const double v = dot(normal, cross(d, w));
   const double size = std::abs(d.x) + std::abs(d.y) + std::abs(d.z) + 4 * space_.sum_radius();
-  const double error = size * (space_.span() * 0x1p-46 + 4 * p.radius + 16 * space_.sum_radius());
+  // Of a short border the ends' own errors count most: they are off by twice the radius.
+  const double error = size * (space_.span() * 0x1p-46 + 4 * p.radius + 16 * space_.sum_radius()) +
+                       8 * space_.sum_radius() * (std::abs(w.x) + std::abs(w.y) + std::abs(w.z));
   if (v > error) return 1;
   if (v < -error) return -1;
   return exact_side_of_border(facet, a, b, at);
