@@ -102,13 +102,9 @@ SolidBoundary boundary_inside(const SolidOperand& surface, const SolidOperand& p
   result.either_side = true;
   watch.begin("surface");
   result.space = make_sum_space(surface.vertices, point.vertices);
+  watch.hold(table_bytes(surface.triangles.size()));
   result.table = facet_table(*result.space, facets_of(surface), watch);
-  watch.begin("contacts");
-  Contacts contacts = find_contacts(*result.space, result.table, watch);
-  stats.box_pairs = contacts.counts.box_pairs, stats.contacts = contacts.counts.contacts;
-  watch.begin("arrangement");
-  result.arrangement =
-      std::make_unique<SolidArrangement>(arrange(*result.space, result.table, std::move(contacts), watch));
+  find_cells(result, stats, watch);
   if (const auto edge = open_edge(*result.arrangement))
     throw OpenAt{midpoint(*result.space, *result.arrangement, *edge)};
   watch.begin("winding numbers");

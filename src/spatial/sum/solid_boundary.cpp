@@ -41,9 +41,6 @@ void judge_cells(SolidBoundary& result, const Collision& collision, StageWatch& 
   });
 }
 
-/// In the table and on the way into it, its planes and edges, its borders as segments and their upright planes.
-constexpr std::size_t kBytesPerTableFacet = sizeof(TableFacet) + 900;
-
 /// Facets deep inside the open sum bound nothing, and without them off the facets there still are only cells of the
 /// open sum and cells of the outside.
 std::size_t drop_inner(ReducedConvolution& convolution, const InnerCells& inner, StageWatch& watch) {
@@ -79,6 +76,17 @@ void look_at_both_sides(SolidArrangement& arrangement, const Collision& collisio
 
 }  // namespace
 
+std::uint64_t table_bytes(std::size_t facets) { return facets * (sizeof(TableFacet) + 900); }
+
+void find_cells(SolidBoundary& boundary, SpatialStats& stats, StageWatch& watch) {
+  watch.begin("contacts");
+  Contacts contacts = find_contacts(*boundary.space, boundary.table, watch);
+  stats.box_pairs = contacts.counts.box_pairs, stats.contacts = contacts.counts.contacts;
+  watch.begin("arrangement");
+  boundary.arrangement =
+      std::make_unique<SolidArrangement>(arrange(*boundary.space, boundary.table, std::move(contacts), watch));
+}
+
 int inner_boxes_across(std::size_t facets) { return facets < 500 ? 0 : facets < 2000 ? 32 : facets < 20000 ? 62 : 126; }
 
 Flag flag_at(const SolidArrangement& arrangement, const PlaneGroup& group, const Cell& cell, int side) {
@@ -107,16 +115,11 @@ SolidBoundary solid_boundary(std::unique_ptr<SumSpace> space, ReducedConvolution
   const int across = fast && !hints.inner_dropped ? inner_boxes_across(convolution.facets.size()) : 0;
   const InnerCells inner(*result.space, p, q, across, watch);
   stats.inner_facets = drop_inner(convolution, inner, watch);
-  watch.hold(convolution.facets.size() * kBytesPerTableFacet);
+  watch.hold(table_bytes(convolution.facets.size()));
   result.table = facet_table(*result.space, convolution, watch);
   if (fast) find_inner_edges(*result.space, p, q, result.table);
   base::free_memory(convolution.facets, convolution.planes);
-  watch.begin("contacts");
-  Contacts contacts = find_contacts(*result.space, result.table, watch);
-  stats.box_pairs = contacts.counts.box_pairs, stats.contacts = contacts.counts.contacts;
-  watch.begin("arrangement");
-  result.arrangement =
-      std::make_unique<SolidArrangement>(arrange(*result.space, result.table, std::move(contacts), watch));
+  find_cells(result, stats, watch);
   const Collision collision(*result.space, p, q, &inner);
   const bool both_thin = result.either_side = p.has_thin() && q.has_thin();
   const auto crossing = both_thin ? find_thin_crossing(*result.space, p, q) : std::nullopt;

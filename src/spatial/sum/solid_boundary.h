@@ -32,6 +32,12 @@ struct ConvolutionHints {
 SolidBoundary solid_boundary(std::unique_ptr<SumSpace> space, ReducedConvolution convolution, const SolidOperand& p,
                              const SolidOperand& q, const ConvolutionHints& hints, const SpatialOptions& options,
                              SpatialStats& stats, StageWatch& watch);
+/// The cells of a boundary whose space and table of facets are there.
+void find_cells(SolidBoundary& boundary, SpatialStats& stats, StageWatch& watch);
+/// Bytes of facets in the table and on the way into it: their planes and edges, borders as segments with upright
+/// planes.
+std::uint64_t table_bytes(std::size_t facets);
+
 /// Across the sum, for so many facets: few boxes are many times faster than the facets that they save.
 int inner_boxes_across(std::size_t facets);
 

@@ -349,6 +349,7 @@ TEST(MeshRepair, a_small_hole_is_filled_and_a_large_one_is_not) {
   ball.faces.erase(ball.faces.begin() + 7);
   const RepairedMesh mended = repair(ball).value();
   EXPECT_EQ(mended.report.holes, 1u);
+  EXPECT_EQ(mended.report.reversed_faces, 0u) << "it runs as those around it do";
   EXPECT_EQ(mended.mesh.faces().size(), ball.faces.size() + 1);
   EXPECT_NE(mended.report.to_string().find("1 small hole filled"), std::string::npos);
   MeshData box = solids::box(0, 0, 0, 1, 1, 1).data();
