@@ -52,7 +52,11 @@ std::string milliseconds(double ms) {
 
 }  // namespace
 
-int solid_tier(int bits) { return bits <= 26 ? 26 : bits <= 54 ? 54 : bits <= 72 ? 72 : 0; }
+int solid_tier(int bits) {
+  for (const int width : {26, 61, 72, 124, 250})
+    if (bits <= width) return width;
+  return 0;
+}
 
 std::string tier_name(int bits) { return bits == 0 ? "arbitrary precision" : std::to_string(bits) + "-bit"; }
 

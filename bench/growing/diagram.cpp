@@ -38,8 +38,8 @@ DiagramRow measure_diagram(const std::string& name, const Region& region, int ru
     row.certified = row.certified && c.work.certified;
     if (threads != 1) return ms;
     row.nodes += c.nodes.size();
-    filtered += static_cast<double>(c.work.filtered);
-    exact += static_cast<double>(c.work.exact);
+    filtered += static_cast<double>(c.work.signs.filtered());
+    exact += static_cast<double>(c.work.signs.exact());
     return ms;
   };
   row.outside_ms = measure(Side::outside, 1);

@@ -9,6 +9,7 @@
 
 #include "dymsum/planar_sum.h"
 #include "inputs.h"
+#include "report.h"
 
 namespace dymsum::cli {
 namespace {
@@ -81,7 +82,7 @@ class SolidGrid {
     const bool power = std::frexp(largest_, &exponent) == 0.5;
     return std::max(1, exponent - (power ? 1 : 0) - unit_);
   }
-  int tier() const { return bits() <= 26 ? 26 : bits() <= 54 ? 54 : 0; }
+  int tier() const { return solid_tier(bits()); }
 
  private:
   int unit_ = std::numeric_limits<int>::max();

@@ -14,7 +14,7 @@ int tier_of(const Region& p, const Region& q);
 /// The smallest B >= 1 such that all coordinates of the mesh are at most 2^B of the largest power of two that divides
 /// all.
 int grid_bits(const Mesh& mesh);
-/// The tier of those bits: 26, 54, or 0 for arbitrary precision.
+/// The tier of those bits: 26, 61, 72, 124, 250, or 0 for arbitrary precision.
 int tier_of(const Mesh& mesh);
 /// Of two solids on one grid.
 int tier_of(const Mesh& p, const Mesh& q);

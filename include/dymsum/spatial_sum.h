@@ -78,8 +78,10 @@ struct SpatialStats {
   std::uint64_t inner_facets = 0;                ///< of these, dropped because they lie deep inside the open sum
   std::uint64_t box_pairs = 0, contacts = 0;     ///< pairs of facets with overlapping boxes; of these, meeting
   std::uint64_t points = 0, cells = 0, patches = 0;
-  std::uint64_t collision_tests = 0, tight_tests = 0, exact_signs = 0;
-  std::uint64_t held_bytes = 0;  ///< what SpatialOptions::memory is compared with, at the end
+  std::uint64_t collision_tests = 0, tight_tests = 0;
+  std::uint64_t double_pair_signs = 0;  ///< signs that doubles left open and pairs of doubles told
+  std::uint64_t exact_signs = 0;        ///< signs that neither told: by integers or larger numbers
+  std::uint64_t held_bytes = 0;         ///< what SpatialOptions::memory is compared with, at the end
   struct Stage {
     std::string_view name;
     double ms;

@@ -65,6 +65,7 @@ void bind_spatial_parts(nb::module_& m) {
       .field("patches", &SpatialStats::patches)
       .field("collision_tests", &SpatialStats::collision_tests)
       .field("tight_tests", &SpatialStats::tight_tests)
+      .field("double_pair_signs", &SpatialStats::double_pair_signs)
       .field("exact_signs", &SpatialStats::exact_signs)
       .field("held_bytes", &SpatialStats::held_bytes)
       .field("stages", &SpatialStats::stages);

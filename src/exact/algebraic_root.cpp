@@ -162,12 +162,12 @@ RootBracket AlgebraicRoot::bracket() const {
   return {f_, DyadicNumber::of(low_), DyadicNumber::of(high_)};
 }
 
-std::vector<AlgebraicRoot> roots_in(const Polynomial& p, double lo, double hi, FilterCounts& counts) {
+std::vector<AlgebraicRoot> roots_in(const Polynomial& p, double lo, double hi, RungCounts& counts) {
   if (!std::isfinite(lo) || !std::isfinite(hi)) throw std::domain_error("roots_in: the ends must be finite");
   std::vector<AlgebraicRoot> roots;
   if (p.is_zero() || lo >= hi) return roots;
   const auto add = [&](const Polynomial& f, const std::vector<DoubleBracket>& brackets) {
-    ++counts.filtered;
+    counts.count(Rung::doubles);
     roots.reserve(brackets.size() + 1);
     for (const DoubleBracket& b : brackets) {
       const bool zero = b.low < 0 && b.high > 0 && sign(f[0]) == 0;
@@ -190,7 +190,7 @@ std::vector<AlgebraicRoot> roots_in(const Polynomial& p, double lo, double hi, F
       return roots;
     }
   }
-  ++counts.exact;
+  counts.count(Rung::big);
   int multiplicity = 0;
   for (const Polynomial& f : square_free_factors(p)) {
     ++multiplicity;
@@ -201,19 +201,19 @@ std::vector<AlgebraicRoot> roots_in(const Polynomial& p, double lo, double hi, F
 }
 
 std::vector<AlgebraicRoot> roots_in(const Polynomial& p, double lo, double hi) {
-  FilterCounts counts;
+  RungCounts counts;
   return roots_in(p, lo, hi, counts);
 }
 
 SignAnswer compare_answer(const AlgebraicRoot& a, const AlgebraicRoot& b) {
-  if (const auto s = compare_bounds(a, b)) return {*s, Rung::filter};
+  if (const auto s = compare_bounds(a, b)) return {*s, Rung::doubles};
   RootBracket x = a.bracket(), y = b.bracket();
   return {exact_compare(x, y), Rung::big};
 }
 
 SignAnswer compare_answer(const AlgebraicRoot& a, double x) {
-  if (a.low() > x) return {1, Rung::filter};
-  if (a.high() < x) return {-1, Rung::filter};
+  if (a.low() > x) return {1, Rung::doubles};
+  if (a.high() < x) return {-1, Rung::doubles};
   return compare_answer(a, AlgebraicRoot::of(x));
 }
 
@@ -222,8 +222,8 @@ SignAnswer compare_answer(const AlgebraicRoot& a, const BigRational& x) {
 }
 
 SignAnswer sign_answer_at(const AlgebraicRoot& root, const Polynomial& p) {
-  if (p.degree() < 1) return {p.is_zero() ? 0 : sign(p[0]), Rung::filter};
-  if (const auto s = filtered_sign(p, root.low(), root.high())) return {*s, Rung::filter};
+  if (p.degree() < 1) return {p.is_zero() ? 0 : sign(p[0]), Rung::doubles};
+  if (const auto s = filtered_sign(p, root.low(), root.high())) return {*s, Rung::doubles};
   RootBracket bracket = root.bracket();
   if (bracket.is_point()) return {sign_at(p, bracket.low()), Rung::big};
   const Polynomial common = common_factor(root.polynomial(), p);

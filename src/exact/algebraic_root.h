@@ -40,7 +40,7 @@ class AlgebraicRoot {
   RootBracket bracket() const;
 
  private:
-  friend std::vector<AlgebraicRoot> roots_in(const Polynomial& p, double lo, double hi, FilterCounts& counts);
+  friend std::vector<AlgebraicRoot> roots_in(const Polynomial& p, double lo, double hi, RungCounts& counts);
   AlgebraicRoot(Polynomial f, double low, double high);
   AlgebraicRoot(const RootBracket& bracket, int multiplicity);
 
@@ -56,7 +56,7 @@ class AlgebraicRoot {
 /// from the ends, and |lo|, |hi| <= 2^64; by some dozens of evaluations per root. Ends that are roots are divided out
 /// first. Else square-free factors, Sturm's chain of each, and of
 /// the order of log2(1 / gap) exact signs, gap being the smallest distance of two roots.
-std::vector<AlgebraicRoot> roots_in(const Polynomial& p, double lo, double hi, FilterCounts& counts);
+std::vector<AlgebraicRoot> roots_in(const Polynomial& p, double lo, double hi, RungCounts& counts);
 std::vector<AlgebraicRoot> roots_in(const Polynomial& p, double lo, double hi);
 
 /// -1, 0, 1 for a < b, a = b, a > b. Doubles decide when the bounds are apart. Else a = b exactly when a common divisor
@@ -65,7 +65,7 @@ std::vector<AlgebraicRoot> roots_in(const Polynomial& p, double lo, double hi);
 /// polynomials, of degree n <= 12 with coefficients of B bits, more than 2^-(n (B + log2 n) + 1).
 SignAnswer compare_answer(const AlgebraicRoot& a, const AlgebraicRoot& b);
 inline int compare(const AlgebraicRoot& a, const AlgebraicRoot& b) { return compare_answer(a, b).sign; }
-inline int compare(const AlgebraicRoot& a, const AlgebraicRoot& b, FilterCounts& counts) {
+inline int compare(const AlgebraicRoot& a, const AlgebraicRoot& b, RungCounts& counts) {
   return counts.add(compare_answer(a, b));
 }
 inline bool operator==(const AlgebraicRoot& a, const AlgebraicRoot& b) { return compare(a, b) == 0; }
@@ -80,7 +80,7 @@ inline int compare(const AlgebraicRoot& a, const BigRational& x) { return compar
 /// the root's polynomial changes sign in its bracket; otherwise the bracket is refined until p has one sign on it.
 SignAnswer sign_answer_at(const AlgebraicRoot& root, const Polynomial& p);
 inline int sign_at(const AlgebraicRoot& root, const Polynomial& p) { return sign_answer_at(root, p).sign; }
-inline int sign_at(const AlgebraicRoot& root, const Polynomial& p, FilterCounts& counts) {
+inline int sign_at(const AlgebraicRoot& root, const Polynomial& p, RungCounts& counts) {
   return counts.add(sign_answer_at(root, p));
 }
 

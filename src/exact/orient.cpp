@@ -34,8 +34,8 @@ SignAnswer exact_answer(const Vectors& v) {
   const int exponent = common_exponent(all);
   const auto bits = [&](double from, double to) { return bits_needed(to, to, from, exponent); };
   const int widest = std::max({bits(v.a.x, v.b.x), bits(v.a.y, v.b.y), bits(v.c.x, v.d.x), bits(v.c.y, v.d.y)});
-  if (widest <= 61) return {grid_sign<form, Int<61>>(v, exponent), Rung::int61};
-  if (widest <= 125) return {grid_sign<form, Int<125>>(v, exponent), Rung::int125};
+  if (widest <= 61) return {grid_sign<form, Int<61>>(v, exponent), Rung::integers};
+  if (widest <= 125) return {grid_sign<form, Int<125>>(v, exponent), Rung::integers};
   return {grid_sign<form, Big>(v, exponent), Rung::big};
 }
 
@@ -45,7 +45,7 @@ SignAnswer answer(const Vectors& v) {
   const double l = form == Form::cross ? ux * wy : ux * wx;
   const double r = form == Form::cross ? -(uy * wx) : uy * wy;
   if (const int s = certain_sign(l, r); s != 0) [[likely]]
-    return {s, Rung::filter};
+    return {s, Rung::doubles};
   return exact_answer<form>(v);
 }
 

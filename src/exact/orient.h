@@ -4,31 +4,12 @@
 #pragma once
 
 #include <cmath>
-#include <cstdint>
 
 #include "dymsum/region.h"
 #include "exact/rounding_bound.h"
+#include "exact/rung.h"
 
 namespace dymsum::exact {
-
-/// Who answered: the filter, or exact integers with coordinates of at most 2^61, 2^125, or any size.
-enum class Rung { filter, int61, int125, big };
-
-struct SignAnswer {
-  int sign = 0;  ///< -1, 0, 1
-  Rung rung = Rung::filter;
-};
-
-/// A running tally of who answered.
-struct FilterCounts {
-  std::uint64_t filtered = 0, exact = 0;
-
-  int add(SignAnswer answer) {
-    ++(answer.rung == Rung::filter ? filtered : exact);
-    return answer.sign;
-  }
-  friend bool operator==(const FilterCounts&, const FilterCounts&) = default;
-};
 
 // The filter's bound, for s = u v +- w z with u, v, w, z differences of doubles, l = fl(fl(u) fl(v)),
 // r = fl(fl(w) fl(z)) and e = 2^-53. Differences err relatively by at most e (they never underflow), so
@@ -63,18 +44,18 @@ inline int cross_sign(Point a, Point b, Point c, Point d) {
   const int certain = certain_cross_sign(a, b, c, d);
   return certain != 0 ? certain : cross_answer(a, b, c, d).sign;
 }
-inline int cross_sign(Point a, Point b, Point c, Point d, FilterCounts& counts) {
+inline int cross_sign(Point a, Point b, Point c, Point d, RungCounts& counts) {
   return counts.add(cross_answer(a, b, c, d));
 }
 
 /// The sign of (b - a) . (d - c).
 inline int dot_sign(Point a, Point b, Point c, Point d) { return dot_answer(a, b, c, d).sign; }
-inline int dot_sign(Point a, Point b, Point c, Point d, FilterCounts& counts) {
+inline int dot_sign(Point a, Point b, Point c, Point d, RungCounts& counts) {
   return counts.add(dot_answer(a, b, c, d));
 }
 
 /// The sign of (b - a) x (c - a): > 0 when a, b, c turn counter-clockwise, 0 when they are collinear.
 inline int orient_sign(Point a, Point b, Point c) { return cross_sign(a, b, a, c); }
-inline int orient_sign(Point a, Point b, Point c, FilterCounts& counts) { return cross_sign(a, b, a, c, counts); }
+inline int orient_sign(Point a, Point b, Point c, RungCounts& counts) { return cross_sign(a, b, a, c, counts); }
 
 }  // namespace dymsum::exact

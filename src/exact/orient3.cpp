@@ -66,9 +66,9 @@ SignAnswer exact_answer(const Point3& a, const Point3& b, const Point3& c, const
     bits = std::max({bits, bits_needed(p->x, p->x, a.x, g.x), bits_needed(p->y, p->y, a.y, g.y),
                      bits_needed(p->z, p->z, a.z, g.z)});
   }
-  if (bits <= 41) return {grid_sign<Int<41>>(a, b, c, d, g), Rung::int61};
-  if (bits <= 83) return {grid_sign<Int<83>>(a, b, c, d, g), Rung::int125};
-  if (bits <= 126) return {grid_sign<Int<126>>(a, b, c, d, g), Rung::int125};
+  if (bits <= 41) return {grid_sign<Int<41>>(a, b, c, d, g), Rung::integers};
+  if (bits <= 83) return {grid_sign<Int<83>>(a, b, c, d, g), Rung::integers};
+  if (bits <= 126) return {grid_sign<Int<126>>(a, b, c, d, g), Rung::integers};
   return {grid_sign<Big>(a, b, c, d, g), Rung::big};
 }
 
@@ -83,7 +83,7 @@ SignAnswer orient3_answer(const Point3& a, const Point3& b, const Point3& c, con
                              (std::abs(zx) + std::abs(xz)) * std::abs(w.y) +
                              (std::abs(xy) + std::abs(yx)) * std::abs(w.z);
     if (std::abs(s) > kRelative * permanent + kLost) [[likely]]
-      return {s > 0 ? 1 : -1, Rung::filter};
+      return {s > 0 ? 1 : -1, Rung::doubles};
   }
   return exact_answer(a, b, c, d);
 }

@@ -18,14 +18,14 @@ constexpr auto determinant(const Vector& u, const Vector& v, const Vector& w) {
 }
 
 /// The sign of det(b - a, c - a, d - a): > 0 when d lies on the side of the plane abc from which a, b, c run
-/// counter-clockwise, 0 when the four points lie in one plane. Requires finite coordinates. The rungs: int61 for
-/// differences of at most 41 bits (one __int128), int125 for at most 126 bits, big beyond.
+/// counter-clockwise, 0 when the four points lie in one plane. Requires finite coordinates. Integers for differences of
+/// at most 126 bits, big numbers beyond.
 SignAnswer orient3_answer(const Point3& a, const Point3& b, const Point3& c, const Point3& d);
 
 inline int orient3_sign(const Point3& a, const Point3& b, const Point3& c, const Point3& d) {
   return orient3_answer(a, b, c, d).sign;
 }
-inline int orient3_sign(const Point3& a, const Point3& b, const Point3& c, const Point3& d, FilterCounts& counts) {
+inline int orient3_sign(const Point3& a, const Point3& b, const Point3& c, const Point3& d, RungCounts& counts) {
   return counts.add(orient3_answer(a, b, c, d));
 }
 

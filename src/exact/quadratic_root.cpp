@@ -163,7 +163,7 @@ int QuadraticRoot::exact_sign(const Quadratic& p) const {
 SignAnswer sign_answer_at(const QuadraticRoot& root, const Quadratic& p) {
   const auto [u, v] = root.approx_;
   const double a = p.approx()[0] * u * u, b = p.approx()[1] * u * v, c = p.approx()[2] * v * v;
-  if (const auto s = filtered(a + b + c, std::abs(a) + std::abs(b) + std::abs(c))) return {*s, Rung::filter};
+  if (const auto s = filtered(a + b + c, std::abs(a) + std::abs(b) + std::abs(c))) return {*s, Rung::doubles};
   return {root.exact_sign(p), Rung::big};
 }
 
@@ -179,7 +179,7 @@ SignAnswer compare_answer(const QuadraticRoot& a, const QuadraticRoot& b) {
   const auto [au, av] = a.approx();
   const auto [bu, bv] = b.approx();
   if (au > kUnderflowLoss && bu > kUnderflowLoss)
-    if (const auto s = filtered(av * bu - bv * au, std::abs(av * bu) + std::abs(bv * au))) return {*s, Rung::filter};
+    if (const auto s = filtered(av * bu - bv * au, std::abs(av * bu) + std::abs(bv * au))) return {*s, Rung::doubles};
   const bool infinite = b.is_infinite();
   if (a.is_infinite()) return {infinite ? 0 : 1, Rung::big};
   return {infinite ? -1 : exact_compare(a, b), Rung::big};
@@ -188,7 +188,7 @@ SignAnswer compare_answer(const QuadraticRoot& a, const QuadraticRoot& b) {
 SignAnswer compare_turns_answer(const QuadraticRoot& a, const QuadraticRoot& b) {
   bool exactly = false;
   const int x = turn_class(a, exactly), y = turn_class(b, exactly);
-  if (x != y) return {x < y ? -1 : 1, exactly ? Rung::big : Rung::filter};
+  if (x != y) return {x < y ? -1 : 1, exactly ? Rung::big : Rung::doubles};
   return compare_answer(a, b);
 }
 

@@ -83,21 +83,21 @@ std::vector<QuadraticRoot> roots_of(const Quadratic& q);
 /// 12 bits.
 SignAnswer sign_answer_at(const QuadraticRoot& root, const Quadratic& p);
 inline int sign_at(const QuadraticRoot& root, const Quadratic& p) { return sign_answer_at(root, p).sign; }
-inline int sign_at(const QuadraticRoot& root, const Quadratic& p, FilterCounts& counts) {
+inline int sign_at(const QuadraticRoot& root, const Quadratic& p, RungCounts& counts) {
   return counts.add(sign_answer_at(root, p));
 }
 
 /// -1, 0, 1 for a < b, a = b, a > b, infinity being larger than all numbers.
 SignAnswer compare_answer(const QuadraticRoot& a, const QuadraticRoot& b);
 inline int compare(const QuadraticRoot& a, const QuadraticRoot& b) { return compare_answer(a, b).sign; }
-inline int compare(const QuadraticRoot& a, const QuadraticRoot& b, FilterCounts& counts) {
+inline int compare(const QuadraticRoot& a, const QuadraticRoot& b, RungCounts& counts) {
   return counts.add(compare_answer(a, b));
 }
 
 /// The same for the angles theta = 2 atan(t) in [0, 2 pi): first t >= 0, then infinity, then t < 0.
 SignAnswer compare_turns_answer(const QuadraticRoot& a, const QuadraticRoot& b);
 inline int compare_turns(const QuadraticRoot& a, const QuadraticRoot& b) { return compare_turns_answer(a, b).sign; }
-inline int compare_turns(const QuadraticRoot& a, const QuadraticRoot& b, FilterCounts& counts) {
+inline int compare_turns(const QuadraticRoot& a, const QuadraticRoot& b, RungCounts& counts) {
   return counts.add(compare_turns_answer(a, b));
 }
 

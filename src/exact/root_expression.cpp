@@ -175,9 +175,9 @@ const Interval& RootExpression::interval() const { return node_->interval; }
 SignAnswer sign_answer(const RootExpression& a) { return sign_of_node(a.node()); }
 
 SignAnswer compare_answer(const RootExpression& a, const RootExpression& b) {
-  if (a.interval().low() > b.interval().high()) return {1, Rung::filter};
-  if (a.interval().high() < b.interval().low()) return {-1, Rung::filter};
-  if (&a.node() == &b.node()) return {0, Rung::filter};
+  if (a.interval().low() > b.interval().high()) return {1, Rung::doubles};
+  if (a.interval().high() < b.interval().low()) return {-1, Rung::doubles};
+  if (&a.node() == &b.node()) return {0, Rung::doubles};
   return {sign_of(a - b), Rung::big};
 }
 

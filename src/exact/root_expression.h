@@ -79,12 +79,12 @@ class RootExpression {
 /// of them nested. Where algebra gives up, a zero costs what the bound's bits do; throws std::length_error past 2^28.
 SignAnswer sign_answer(const RootExpression& a);
 inline int sign_of(const RootExpression& a) { return sign_answer(a).sign; }
-inline int sign_of(const RootExpression& a, FilterCounts& counts) { return counts.add(sign_answer(a)); }
+inline int sign_of(const RootExpression& a, RungCounts& counts) { return counts.add(sign_answer(a)); }
 
 /// -1, 0, 1 for a < b, a = b, a > b. Exact.
 SignAnswer compare_answer(const RootExpression& a, const RootExpression& b);
 inline int compare(const RootExpression& a, const RootExpression& b) { return compare_answer(a, b).sign; }
-inline int compare(const RootExpression& a, const RootExpression& b, FilterCounts& counts) {
+inline int compare(const RootExpression& a, const RootExpression& b, RungCounts& counts) {
   return counts.add(compare_answer(a, b));
 }
 

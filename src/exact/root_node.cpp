@@ -120,7 +120,7 @@ NodeAnswer answer_of_node(const RootNode& node) {
 
 SignAnswer sign_of_node(const RootNode& node) {
   const NodeAnswer answer = answer_of_node(node);
-  return {answer.sign, answer.by == NodeAnswer::By::doubles ? Rung::filter : Rung::big};
+  return {answer.sign, answer.by == NodeAnswer::By::doubles ? Rung::doubles : Rung::big};
 }
 
 }  // namespace dymsum::exact

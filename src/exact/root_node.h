@@ -11,7 +11,7 @@
 #include "exact/ball.h"
 #include "exact/big.h"
 #include "exact/interval.h"
-#include "exact/orient.h"
+#include "exact/rung.h"
 
 namespace dymsum::exact {
 

@@ -59,16 +59,16 @@ TEST(Orient3, SmallIntegersAreDecidedInOneWordWhereTheFilterIsSilent) {
   const Tally t = tally3(1, 20000, [](auto& random) { return static_cast<double>(random() % 9) - 4; });
   EXPECT_EQ(t.wrong, 0);
   EXPECT_GT(t.zeros, 5000);
-  EXPECT_GT(t.at(Rung::filter), 10000);
-  EXPECT_EQ(t.at(Rung::int61), t.zeros);
+  EXPECT_GT(t.at(Rung::doubles), 10000);
+  EXPECT_EQ(t.at(Rung::integers), t.zeros);
   EXPECT_EQ(t.at(Rung::big), 0);
 }
 
 TEST(Orient3, FreeDoublesAreMostlyFiltered) {
   const Tally t = tally3(2, 20000, [](auto& random) { return std::ldexp(static_cast<double>(random() >> 11), -53); });
   EXPECT_EQ(t.wrong, 0);
-  EXPECT_GT(t.at(Rung::filter), 13000);
-  EXPECT_GT(t.at(Rung::int125), 5000);  // the fourth point rounded from the plane of the others
+  EXPECT_GT(t.at(Rung::doubles), 13000);
+  EXPECT_GT(t.at(Rung::integers), 5000);  // the fourth point rounded from the plane of the others
 }
 
 TEST(Orient3, AnyExponentsFromTheSmallestToTheLargestDouble) {

@@ -63,15 +63,15 @@ TEST(Orient, TheFilterAnswersNearlyAllGenericCalls) {
   const RungTally t =
       tally(kOrientSeed, 5000, [](auto& random) { return static_cast<double>(random() >> 11) * 0x1p-53; });
   EXPECT_EQ(t.wrong, 0);
-  EXPECT_GT(t.at(Rung::filter), 14990);
+  EXPECT_GT(t.at(Rung::doubles), 14990);
 }
 
 TEST(Orient, TinyGridsNeedNoMoreThanTheNarrowExactRung) {
   const RungTally t = tally(kOrientSeed, 5000, [](auto& random) { return static_cast<double>(random() % 4); });
   EXPECT_EQ(t.wrong, 0);
   EXPECT_GT(t.zeros, 1000);
-  EXPECT_EQ(t.at(Rung::int61), t.zeros);  // the filter opens only on zeros here
-  EXPECT_EQ(t.at(Rung::int125) + t.at(Rung::big), 0);
+  EXPECT_EQ(t.at(Rung::integers), t.zeros);  // the filter opens only on zeros here
+  EXPECT_EQ(t.at(Rung::integers) + t.at(Rung::big), 0);
 }
 
 TEST(Orient, ArbitraryExponentsReachEveryRung) {
@@ -83,7 +83,7 @@ TEST(Orient, ArbitraryExponentsReachEveryRung) {
   });
   EXPECT_EQ(t.wrong, 0);
   EXPECT_GT(t.at(Rung::big), 1000);
-  EXPECT_GT(t.at(Rung::filter), 1000);
+  EXPECT_GT(t.at(Rung::doubles), 1000);
 }
 
 TEST(Orient, ExtremesOfTheRangeUnderflowAndOverflow) {
@@ -92,7 +92,7 @@ TEST(Orient, ExtremesOfTheRangeUnderflowAndOverflow) {
   const RungTally t = tally(kOrientSeed, 20000, [&](auto& random) { return values[random() % values.size()]; });
   EXPECT_EQ(t.wrong, 0);
   EXPECT_GT(t.zeros, 100);
-  for (const Rung rung : {Rung::filter, Rung::int61, Rung::big}) EXPECT_GT(t.at(rung), 100);
+  for (const Rung rung : {Rung::doubles, Rung::integers, Rung::big}) EXPECT_GT(t.at(rung), 100);
 }
 
 TEST(Orient, NearlyCollinearPointsOfEveryScale) {
@@ -110,17 +110,17 @@ TEST(Orient, NearlyCollinearPointsOfEveryScale) {
     t.all(a, b, c, a);
   }
   EXPECT_EQ(t.wrong, 0);
-  EXPECT_GT(t.at(Rung::int61), 500);
-  EXPECT_GT(t.at(Rung::int125), 10);
+  EXPECT_GT(t.at(Rung::integers), 500);
+  EXPECT_GT(t.at(Rung::integers), 10);
 }
 
 TEST(Orient, RungsChangeExactlyAtTheirWidths) {
   // o, (1, 1) and (r, r) on the unit grid: the extent r decides, one bit early or late would be seen
   const auto rung = [](double r) { return cross_answer({0, 0}, {1, 1}, {0, 0}, {r, r}).rung; };
-  EXPECT_EQ(rung(0x1p61), Rung::int61);
-  EXPECT_EQ(rung(std::nextafter(0x1p61, kGreatest)), Rung::int125);
-  EXPECT_EQ(rung(0x1p62), Rung::int125);
-  EXPECT_EQ(rung(0x1p125), Rung::int125);
+  EXPECT_EQ(rung(0x1p61), Rung::integers);
+  EXPECT_EQ(rung(std::nextafter(0x1p61, kGreatest)), Rung::integers);
+  EXPECT_EQ(rung(0x1p62), Rung::integers);
+  EXPECT_EQ(rung(0x1p125), Rung::integers);
   EXPECT_EQ(rung(std::nextafter(0x1p125, kGreatest)), Rung::big);
   EXPECT_EQ(rung(0x1p126), Rung::big);
   for (const double r : {0x1p61, 0x1p62, 0x1p125, 0x1p126}) {
@@ -147,20 +147,20 @@ TEST(Orient, RoundedDifferencesWhoseProductsUnderflowAreNotTrusted) {
 TEST(Orient, AFarOffsetCostsNoBits) {
   // the extent is 2^53 units at an offset of 2^90 units in one operand: the exact rung stays narrow
   const Point a{0x1p60, 0x1p60}, b{0x1p60 + 0x1p20, 0x1p60 + 0x1p20}, c{0x1p60 + 0x1p21, 0x1p60 + 0x1p21};
-  EXPECT_EQ(cross_answer(a, b, a, c).rung, Rung::int61);
+  EXPECT_EQ(cross_answer(a, b, a, c).rung, Rung::integers);
   EXPECT_EQ(cross_answer(a, b, a, c).sign, 0);
 }
 
 TEST(Orient, CountsTellWhoAnswered) {
-  FilterCounts counts;
+  RungCounts counts;
   EXPECT_EQ(orient_sign({0, 0}, {1, 0}, {0, 1}, counts), 1);
-  EXPECT_EQ(counts, (FilterCounts{1, 0}));
+  EXPECT_EQ(counts, (RungCounts{1, 0, 0, 0}));
   EXPECT_EQ(orient_sign({0, 0}, {1, 1}, {2, 2}, counts), 0);
-  EXPECT_EQ(counts, (FilterCounts{1, 1}));
+  EXPECT_EQ(counts, (RungCounts{1, 0, 1, 0}));
   EXPECT_EQ(dot_sign({0, 0}, {1, 0}, {0, 0}, {0, 1}, counts), 0);
   EXPECT_EQ(dot_sign({0, 0}, {1, 0}, {0, 0}, {-3, 1}, counts), -1);
   EXPECT_EQ(cross_sign({0, 0}, {1, 0}, {5, 5}, {6, 4}, counts), -1);
-  EXPECT_EQ(counts, (FilterCounts{3, 2}));
+  EXPECT_EQ(counts, (RungCounts{3, 0, 2, 0}));
 }
 
 TEST(Orient, SwapsChangeTheSignAndRotationsKeepIt) {

@@ -83,7 +83,7 @@ TEST(QuadraticRoot, small_coefficients_exhaustively) {
   for (const Quadratic& q : forms)
     for (const QuadraticWitness& w : witnesses(q)) roots.push_back(w);
   ASSERT_GT(roots.size(), 300u);
-  FilterCounts signs, orders;
+  RungCounts signs, orders;
   std::size_t equal = 0, zero = 0;
   for (const QuadraticWitness& w : roots) {
     for (const Quadratic& p : forms) {
@@ -98,8 +98,8 @@ TEST(QuadraticRoot, small_coefficients_exhaustively) {
       ASSERT_EQ(compare_turns(w.root, x.root), witness_turns(w, x));
     }
   }
-  EXPECT_GT(signs.filtered, 10 * signs.exact);
-  EXPECT_GE(signs.exact, zero);
+  EXPECT_GT(signs.filtered(), 10 * signs.exact());
+  EXPECT_GE(signs.exact(), zero);
   EXPECT_GT(zero, forms.size());
   EXPECT_GT(equal, 2 * roots.size()) << "multiples of one polynomial have equal roots";
 }
@@ -129,7 +129,7 @@ TEST(QuadraticRoot, approximations_and_reciprocals) {
 
 TEST(QuadraticRoot, large_and_neighbouring_coefficients) {
   std::mt19937_64 random = seeded(kQuadraticSeed + 1);
-  FilterCounts counts;
+  RungCounts counts;
   for (int i = 0; i < 1500; ++i) {
     const int bits = i % 2 ? 30 : 100;
     const mpz_class a = random_integer(random, bits), b = random_integer(random, bits),
@@ -145,8 +145,8 @@ TEST(QuadraticRoot, large_and_neighbouring_coefficients) {
         ASSERT_EQ(compare(w.root, x.root, counts), witness_compare(w, x, 300)) << i;
     }
   }
-  EXPECT_GT(counts.filtered, 100u);
-  EXPECT_GT(counts.exact, 1000u);
+  EXPECT_GT(counts.filtered(), 100u);
+  EXPECT_GT(counts.exact(), 1000u);
 }
 
 TEST(QuadraticRoot, double_roots_are_told_from_pairs) {

@@ -235,14 +235,14 @@ TEST(RootExpression, random_formulas_against_fixed_point) {
       for (const Both& y : pool) {
         const Root d = x.e - y.e;
         if (RootParts(d.node()).separation_bits() > 1200) continue;
-        FilterCounts counts;
+        RungCounts counts;
         const int sign = sign_of(d, counts);
         const BigInteger fixed = x.fixed - y.fixed;
         const bool tiny = boost::multiprecision::abs(fixed) < (BigInteger(1) << (kFixedBits - 1250));
         EXPECT_EQ(sign, tiny ? 0 : fixed.sign()) << to_text(d);
         EXPECT_EQ(compare(x.e, y.e), sign);
         zeros += sign == 0;
-        exact += counts.exact != 0;
+        exact += counts.exact() != 0;
       }
       // Its doubles.
       const Interval narrow = narrow_interval(x.e);
@@ -366,11 +366,11 @@ TEST(RootExpression, has_the_vocabulary_of_intervals) {
   const Interval i = radius_between<Interval>(7, 11, 0.5);
   const Root e = radius_between<Root>(7, 11, 0.5);
   EXPECT_TRUE(i.low() <= nearest_double(e) && nearest_double(e) <= i.high());
-  FilterCounts counts;
+  RungCounts counts;
   EXPECT_EQ(sign_of(e, counts), 1);
   EXPECT_EQ(sign_of(sqrt(e) * sqrt(e + Root(0)) - e, counts), 0);
   EXPECT_EQ(compare(e, e + two_to(-80), counts), -1);
-  EXPECT_EQ(counts, (FilterCounts{2, 1}));
+  EXPECT_EQ(counts, (RungCounts{2, 0, 0, 1}));
 }
 
 }  // namespace

@@ -21,6 +21,13 @@ inline std::string name_of(CoordinateKind kind) {
   constexpr std::array kNames{"grid", "decimals", "single precision", "noise", "turned", "turned far"};
   return kNames[static_cast<std::size_t>(kind)];
 }
+/// The same as part of a test's name.
+inline std::string test_name_of(CoordinateKind kind) {
+  std::string name = name_of(kind);
+  for (char& c : name)
+    if (c == ' ') c = '_';
+  return name;
+}
 
 /// By 30 degrees about z, then about x, in doubles.
 inline Point3 turned(Point3 p) {

@@ -632,7 +632,8 @@ export interface SpatialShape {
 }
 export interface SpatialStats {
   bits: number; faceVertex: number; edgeEdge: number; innerFacets: number; boxPairs: number; contacts: number;
-  points: number; cells: number; patches: number; collisionTests: number; tightTests: number; exactSigns: number;
+  points: number; cells: number; patches: number; collisionTests: number; tightTests: number; doublePairSigns: number;
+  exactSigns: number;
   heldBytes: number; stages: { name: string; ms: number }[];
 }
 export interface SpatialSum extends Disposable {

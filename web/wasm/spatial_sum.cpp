@@ -38,6 +38,7 @@ val stats_of(const SpatialSum& sum) {
   set("patches", s.patches);
   set("collisionTests", s.collision_tests);
   set("tightTests", s.tight_tests);
+  set("doublePairSigns", s.double_pair_signs);
   set("exactSigns", s.exact_signs);
   set("heldBytes", s.held_bytes);
   v.set("stages", list_of(s.stages, [](const SpatialStats::Stage& stage) {

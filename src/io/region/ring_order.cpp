@@ -159,7 +159,7 @@ class RingNester {
         continue;
       }
       const exact::SignAnswer answer = exact::cross_answer(a, b, a, p);
-      if (answer.rung != exact::Rung::filter) steps_ += answer.rung == exact::Rung::big ? 10'000 : 100;
+      if (answer.rung != exact::Rung::doubles) steps_ += answer.rung == exact::Rung::big ? 10'000 : 100;
       const int turn = answer.sign;
       if (turn == 0) return 0;
       // the edge crosses the ray to the right of p: half-open in y, p on the edge's left when it rises

@@ -9,7 +9,10 @@
 namespace dymsum::planar {
 
 Collision::Collision(const Lattice& lattice, const Operand& p, const Operand& q, bool use_tree)
-    : lattice_(lattice), operands_{&p, &q}, use_tree_(use_tree) {}
+    : lattice_(lattice),
+      operands_{&p, &q},
+      use_tree_(use_tree),
+      beyond_doubles_(lattice.tier_bits == 0 ? exact::Rung::big : exact::Rung::integers) {}
 
 bool Collision::overlaps(const Place& x) {
   displaced_ = false;
@@ -74,10 +77,10 @@ int Collision::side(std::uint32_t op, std::uint32_t edge, std::uint32_t vertex) 
   const double value = ex * (x_->y - sy) - ey * (x_->x - sx);
   const double bound = (std::abs(ex) + std::abs(ey)) * (x_->error + kSumSide * lattice_.span) + exact::kUnderflow;
   if (value > bound || value < -bound) {
-    ++counts_.filtered;
+    counts_.signs.count(exact::Rung::doubles);
     return value > 0 ? 1 : -1;
   }
-  ++counts_.exact;
+  counts_.signs.count(beyond_doubles_);
   if (integral_) {
     const std::int64_t dx = integer(ex), dy = integer(ey);
     const exact::i128 x = at_.x - exact::i128{integer(sx)} * at_.w, y = at_.y - exact::i128{integer(sy)} * at_.w;
@@ -303,7 +306,7 @@ int Collision::height(std::uint32_t holder, std::uint32_t a, std::uint32_t v) {
   const double value = o.y[a] + other.y[v] - x_->y;
   const double bound = x_->error + kSumHeight * lattice_.span;
   if (value > bound || value < -bound) return value > 0 ? 1 : -1;
-  ++counts_.exact;
+  counts_.signs.count(beyond_doubles_);
   int exact = 0;
   if (integral_) {
     const exact::i128 y = exact::i128{integer(o.y[a] + other.y[v])} * at_.w;

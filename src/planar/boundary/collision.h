@@ -7,13 +7,15 @@
 #include <optional>
 #include <vector>
 
+#include "exact/rung.h"
 #include "planar/operand/lattice.h"
 #include "planar/operand/operand.h"
 
 namespace dymsum::planar {
 
 struct CollisionCounts {
-  std::uint64_t tests = 0, edge_pairs = 0, filtered = 0, exact = 0, witnessed = 0;
+  std::uint64_t tests = 0, edge_pairs = 0, witnessed = 0;
+  exact::RungCounts signs;
 };
 
 class Collision {
@@ -77,6 +79,7 @@ class Collision {
   const Lattice& lattice_;
   std::array<const Operand*, 2> operands_;
   bool use_tree_;
+  exact::Rung beyond_doubles_;
   const Place* x_ = nullptr;
   bool integral_ = false;  ///< then the place is exactly this:
   Homogeneous at_{};

@@ -22,7 +22,7 @@ class ExactOverlap {
   /// The walk edges of P and Q whose crossing was the reason, if that was it.
   std::optional<std::array<std::uint32_t, 2>> crossing_edges() const { return collision_->crossing_edges(); }
   std::uint64_t tests() const { return collision_ ? collision_->counts().tests : 0; }
-  std::uint64_t exact_signs() const { return collision_ ? collision_->counts().exact : 0; }
+  std::uint64_t exact_signs() const { return collision_ ? collision_->counts().signs.exact() : 0; }
 
  private:
   std::shared_ptr<const OperandPair> base_;

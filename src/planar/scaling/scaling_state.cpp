@@ -107,7 +107,7 @@ std::optional<MovingSum::NextFrame> ScalingSum::State::window_frame(const Move& 
   if (frame.has_collision()) {
     const auto& counts = frame.collision().counts();
     next_work.collision_tests = std::max<std::uint64_t>(next_work.collision_tests, counts.tests);
-    next_work.exact_signs += counts.exact;
+    next_work.exact_signs += counts.signs.exact();
   }
   next_work.pieces = window.pieces.size();
   next_work.candidates = window.candidates.size();

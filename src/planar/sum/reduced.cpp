@@ -138,8 +138,8 @@ void add_boundary(Run& run, const Soup& soup, const Arrangement& arrangement, Co
 
 void count_work(Run& run, const Collision& collision, const KnownCover& cover) {
   run.stats.collision_tests = collision.counts().tests;
-  run.stats.filtered_signs += collision.counts().filtered;
-  run.stats.exact_signs += collision.counts().exact;
+  run.stats.filtered_signs += collision.counts().signs.filtered();
+  run.stats.exact_signs += collision.counts().signs.exact();
   run.stats.peak_bytes = run.scratch.peak_bytes() + (cover.mask != nullptr ? cover.mask->bytes() : 0) +
                          (cover.fine != nullptr ? cover.fine->bytes() : 0);
 }

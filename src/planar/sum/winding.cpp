@@ -54,8 +54,8 @@ void add_tight_features(const WindingBoundary& boundary, SumState& state, double
   Collision collision(*state.lattice, *state.p, *state.q, false);
   boundary.find_tight_features(collision, state.boundary, error);
   state.stats.collision_tests = collision.counts().tests;
-  state.stats.filtered_signs += collision.counts().filtered;
-  state.stats.exact_signs += collision.counts().exact;
+  state.stats.filtered_signs += collision.counts().signs.filtered();
+  state.stats.exact_signs += collision.counts().signs.exact();
 }
 
 }  // namespace

@@ -65,11 +65,11 @@ struct ExactComplex;  // exact/: the sites in integers and what every node is ma
 
 /// What it took to make a complex.
 struct Work {
-  std::uint64_t candidates = 0;           ///< pairs of sites, in both orders
-  std::uint64_t closing_rounds = 0;       ///< how often envelopes named pairs that were no candidates
-  std::uint64_t full_sites = 0;           ///< sites that took all others as candidates
-  bool certified = false;                 ///< of the fast engine: without all pairs
-  std::uint64_t filtered = 0, exact = 0;  ///< decisions by intervals, by exact numbers
+  std::uint64_t candidates = 0;      ///< pairs of sites, in both orders
+  std::uint64_t closing_rounds = 0;  ///< how often envelopes named pairs that were no candidates
+  std::uint64_t full_sites = 0;      ///< sites that took all others as candidates
+  bool certified = false;            ///< of the fast engine: without all pairs
+  exact::RungCounts signs;
 };
 
 /// Nodes and edges in a canonical order: the same whatever the engine and the number of threads.

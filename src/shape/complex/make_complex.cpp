@@ -29,8 +29,7 @@ std::optional<Cells> certified_cells(Order& order, Candidates candidates, int th
   work.candidates = rows.work.candidates;
   work.closing_rounds = rows.work.closing_rounds;
   work.full_sites = rows.work.full_sites;
-  work.filtered += rows.work.filtered;
-  work.exact += rows.work.exact;
+  work.signs += rows.work.signs;
   if (!closes) return std::nullopt;
   Cells cells = join_cells(order.walks(), rows.sections(), rows.rows());
   if (!match_cells(order, cells)) return std::nullopt;
@@ -94,8 +93,7 @@ Complex complex_of(Walks walks, int threads, std::optional<Candidates> guess, Si
   poll(0.8);
   Graph graph = assemble(order, *cells);
   poll(0.85);
-  work.filtered += order.counts.filtered;
-  work.exact += order.counts.exact;
+  work.signs += order.counts;
   return ranked(std::move(graph), std::move(exact), work);
 }
 

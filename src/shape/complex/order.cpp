@@ -10,11 +10,11 @@ int Order::compare(const Section& s, const Mark& a, const Mark& b) {
   const bool decided =
       a.near.high() < b.near.low() || a.near.low() > b.near.high() || (a.near.is_point() && b.near.is_point());
   if (decided) {
-    ++counts.filtered;
+    counts.count(exact::Rung::doubles);
     return a.near.low() < b.near.low() ? -1 : a.near.low() > b.near.low();
   }
   if (same_direction(s, a, b)) {
-    ++counts.exact;
+    counts.count(exact::Rung::big);
     return 0;
   }
   return sign_beyond([&](const auto& formulas) { return formulas.value(s, a) - formulas.value(s, b); });
@@ -30,14 +30,11 @@ QuadraticSigns Order::signs(const Section& s, std::uint32_t i, std::uint32_t j, 
   std::optional<Quadratic<Fine>> fine;
   std::optional<Quadratic<Exact>> exactly;
   const auto decide = [&](auto&& of) {
-    ++counts.filtered;
-    if (const std::optional<int> sign = sign_of(of(near))) return *sign;
+    if (const std::optional<int> sign = sign_of(of(near))) return counts.add({*sign, exact::Rung::doubles});
     if (!fine) fine = fine_.difference(s, i, j);
-    if (const std::optional<int> sign = sign_of(of(*fine))) return *sign;
-    --counts.filtered;
-    ++counts.exact;
+    if (const std::optional<int> sign = sign_of(of(*fine))) return counts.add({*sign, exact::Rung::double_pairs});
     if (!exactly) exactly = exact_.difference(s, i, j);
-    return exact::sign_of(of(*exactly));
+    return counts.add({exact::sign_of(of(*exactly)), exact::Rung::big});
   };
   QuadraticSigns signs;
   signs.a = decide([](const auto& f) { return f.a; });
@@ -60,10 +57,10 @@ bool Order::is_opposite(const Section& s, std::uint32_t j, int end) {
   };
   const Vec<Interval> near = direction(near_);
   if (!near.y.contains_zero() || near.x.low() > 0) {
-    ++counts.filtered;
+    counts.count(exact::Rung::doubles);
     return false;
   }
-  ++counts.exact;
+  counts.count(exact::Rung::big);
   const Vec<exact::BigInteger> v = direction(exact_);
   return v.y.is_zero() && v.x.sign() < 0;
 }

@@ -4,7 +4,7 @@
 #include <cstdint>
 #include <optional>
 
-#include "exact/orient.h"
+#include "exact/rung.h"
 #include "shape/complex/formulas.h"
 
 namespace dymsum::shape {
@@ -38,7 +38,7 @@ class Order {
   template <class Form>
   int sign(Form&& form) {
     if (const std::optional<int> sign = sign_of(form(near_))) {
-      ++counts.filtered;
+      counts.count(exact::Rung::doubles);
       return *sign;
     }
     return sign_beyond(form);
@@ -47,10 +47,10 @@ class Order {
   template <class Form>
   int sign_beyond(Form&& form) {
     if (const std::optional<int> sign = sign_of(form(fine_))) {
-      ++counts.filtered;
+      counts.count(exact::Rung::double_pairs);
       return *sign;
     }
-    ++counts.exact;
+    counts.count(exact::Rung::big);
     return exact::sign_of(form(exact_));
   }
 
@@ -63,8 +63,7 @@ class Order {
     return mark(s, {.kind = Mark::Kind::tangent, .root = static_cast<std::uint8_t>(end), .i = j});
   }
 
-  /// How often the intervals answered, and the exact numbers.
-  exact::FilterCounts counts;
+  exact::RungCounts counts;
 
  private:
   /// Whether both marks are directions of integer vectors, and the same one: without roots.

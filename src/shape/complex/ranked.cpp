@@ -59,7 +59,7 @@ class Ranking {
       const double scaled = std::ldexp(*radius, walks_.unit_exponent);
       if (scaled == 0 || std::abs(scaled) >= std::numeric_limits<double>::min()) return scaled;
     }
-    ++work_.exact;
+    work_.signs.count(exact::Rung::big);
     return exact::nearest_double(exactly(i) * exact::RootExpression(std::ldexp(1.0, walks_.grid_exponent)));
   }
 
@@ -102,7 +102,7 @@ class Ranking {
     if (near_[i].radius.is_point() && near_[j].radius.is_point()) return 0;
     if (const std::optional<int> sign = sign_of(finely(i) - finely(j))) return *sign;
     if (!key(i).empty() && key(i) == key(j)) return 0;
-    ++work_.exact;
+    work_.signs.count(exact::Rung::big);
     return exact::compare(exactly(i), exactly(j));
   }
   const FineInterval& finely(std::uint32_t i) {

@@ -54,8 +54,7 @@ bool SiteRows::close(Guess guess, const planar::Poll& poll) {
   }
   for (const std::vector<std::uint32_t>& list : candidates_) work.candidates += list.size();
   work.full_sites = static_cast<std::uint64_t>(std::count(full_.begin(), full_.end(), 1));
-  work.filtered += order_.counts.filtered;
-  work.exact += order_.counts.exact;
+  work.signs += order_.counts;
   return true;
 }
 
@@ -84,8 +83,7 @@ void SiteRows::make_some_rows(const std::uint32_t* first, const std::uint32_t* l
       }
     }
     const std::lock_guard<std::mutex> lock(mutex);
-    work.filtered += order.counts.filtered;
-    work.exact += order.counts.exact;
+    work.signs += order.counts;
   };
   base::parallel_parts((count + kSitesPerPart - 1) / kSitesPerPart, threads_, part);
 }

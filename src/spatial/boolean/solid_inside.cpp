@@ -130,7 +130,8 @@ SolidBoundary boundary_inside(const SolidOperand& surface, const SolidOperand& p
   stats.patches = links.patches;
   stats.collision_tests = windings.components;
   stats.held_bytes = watch.held();
-  stats.exact_signs = result.space->exact_signs();
+  stats.double_pair_signs = result.space->signs().at(exact::Rung::double_pairs);
+  stats.exact_signs = result.space->signs().exact();
   return result;
 }
 

@@ -153,7 +153,7 @@ std::vector<TurnEvent> in_order(const TurnForms& forms, std::vector<TurnEvent> e
   std::stable_sort(events.begin(), events.end(),
                    [](const TurnEvent& a, const TurnEvent& b) { return a.angle < b.angle; });
   std::vector<TurnEvent> distinct;
-  exact::FilterCounts orders;
+  exact::RungCounts orders;
   for (std::size_t begin = 0, end; begin < events.size(); begin = end) {
     end = begin + 1;
     while (end < events.size() && events[end].angle - events[end - 1].angle <= 2 * TurnForms::kAngleError) ++end;

@@ -232,6 +232,10 @@ auto GridSpace<C>::with_point(const PointSource& point, F f) const {
 
 namespace {
 
+template <class C>
+constexpr exact::Rung kExactRung =
+    std::is_same_v<C, Big> || std::is_same_v<C, exact::RootValue> ? exact::Rung::big : exact::Rung::integers;
+
 /// Integers of up to 72 bits cost no more than doubles of double length.
 template <class C>
 constexpr bool has_fine() {
@@ -267,11 +271,11 @@ template <class Ask, class Exactly>
 int GridSpace<C>::by_rungs(Ask ask, Exactly exactly) const {
   if constexpr (has_fine<C>()) {
     if (const std::optional<int> s = ask(*fine())) {
-      fine_signs_.fetch_add(1, std::memory_order_relaxed);
+      count(exact::Rung::double_pairs);
       return *s;
     }
   }
-  exact_signs_.fetch_add(1, std::memory_order_relaxed);
+  count(kExactRung<C>);
   return exactly();
 }
 
@@ -384,11 +388,11 @@ int GridSpace<C>::exact_side(const PlaneSource& plane, const Flag& flag) const {
   // A step does not change a sign that is not zero.
   if constexpr (has_fine<C>()) {
     if (const std::optional<int> s = fine()->side(plane, flag.at); s && *s != 0) {
-      fine_signs_.fetch_add(1, std::memory_order_relaxed);
+      count(exact::Rung::double_pairs);
       return *s;
     }
   }
-  exact_signs_.fetch_add(1, std::memory_order_relaxed);
+  count(kExactRung<C>);
   const auto m = normal(plane);
   const Offset d = dot(m, sum(plane.at));
   const auto height = [&](const auto& h) { return sign(dot(m, h.x) - d * h.w) * sign(h.w); };
@@ -415,7 +419,7 @@ int GridSpace<C>::exact_normal(const PlaneSource& plane, int axis) const {
 template <class C>
 Approx GridSpace<C>::exact_approximation(const PointSource& point) const {
   if (point.kind == PointSource::Kind::place) return places_[point.a].approx;
-  exact_signs_.fetch_add(1, std::memory_order_relaxed);
+  count(kExactRung<C>);
   return with_point(point, [&](const auto& h) {
     // Both within 2^-51, the quotient rounded once more.
     const exact::BinaryParts den = exact::binary_parts(h.w);

@@ -26,6 +26,7 @@
 #include "dymsum/mesh.h"
 #include "exact/residue.h"
 #include "exact/root_value.h"
+#include "exact/rung.h"
 #include "spatial/mesh/grid_places.h"
 #include "spatial/mesh/vec3.h"
 
@@ -189,9 +190,11 @@ class SumSpace {
   virtual std::array<exact::BigInteger, 4> homogeneous(const PointSource& point) const = 0;
   /// Adds a place by the operands' own numbers, of any size; nothing where no sum is: beyond `span` along an axis.
   virtual std::optional<PointSource> add_place(const std::array<exact::BigRational, 3>& world) = 0;
-  /// Signs that doubles left open: found in doubles of double length, in integers.
-  std::uint64_t fine_signs() const { return fine_signs_; }
-  std::uint64_t exact_signs() const { return exact_signs_; }
+  /// Signs that doubles left open; those that doubles told are not counted.
+  exact::RungCounts signs() const {
+    return {0, told_[0].load(std::memory_order_relaxed), told_[1].load(std::memory_order_relaxed),
+            told_[2].load(std::memory_order_relaxed)};
+  }
 
  protected:
   Vec3 approx(Way w) const;
@@ -208,9 +211,13 @@ class SumSpace {
   std::vector<SumEdge> edges_;
   Line lines_[3];
   double span_ = 0, sum_radius_ = 0;
-  mutable std::atomic<std::uint64_t> exact_signs_{0}, fine_signs_{0};
+
+  void count(exact::Rung rung) const {
+    told_[static_cast<std::size_t>(rung) - 1].fetch_add(1, std::memory_order_relaxed);
+  }
 
  private:
+  mutable std::array<std::atomic<std::uint64_t>, 3> told_{};  // double_pairs, integers, big
   exact::Residue hash_of_zero_weight(const PointSource& point) const;
 };
 

@@ -249,7 +249,7 @@ void Overlay::clear_crossings() {
 
 void Overlay::build(const RelativeMap& map) {
   restart();
-  const std::uint64_t exact_before = signs_.exact_signs();
+  const std::uint64_t exact_before = signs_.signs().exact();
   signs_.set(map);
   clear_crossings();
   // Neighbouring faces have extreme vertices near by.
@@ -262,7 +262,7 @@ void Overlay::build(const RelativeMap& map) {
   for (std::uint32_t e = 0; e < poly(0).edge_count(); ++e) walk(e);
   work_.arc_checks = poly(0).edge_count();
   finish_crossings();
-  work_.exact_signs = signs_.exact_signs() - exact_before;
+  work_.exact_signs = signs_.signs().exact() - exact_before;
 }
 
 bool operator==(const Overlay& a, const Overlay& b) {

@@ -29,7 +29,7 @@ std::int64_t crossing_half_edge(const Signs& signs, std::uint32_t p, std::uint32
 
 void Overlay::build_brute(const RelativeMap& map) {
   restart();
-  const std::uint64_t exact_before = signs_.exact_signs();
+  const std::uint64_t exact_before = signs_.signs().exact();
   signs_.set(map);
   clear_crossings();
   for (int op = 0; op < 2; ++op) {
@@ -70,7 +70,7 @@ void Overlay::build_brute(const RelativeMap& map) {
     }
   }
   finish_crossings();
-  work_.exact_signs = signs_.exact_signs() - exact_before;
+  work_.exact_signs = signs_.signs().exact() - exact_before;
 }
 
 }  // namespace dymsum::spatial

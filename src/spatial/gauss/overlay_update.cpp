@@ -30,7 +30,7 @@ void find_expired(const std::vector<double>& until, double clock, std::vector<st
 void Overlay::update(const RelativeMap& map, bool use_margins) {
   restart();
   if (use_margins && map == signs_.map()) return;
-  const std::uint64_t exact_before = signs_.exact_signs();
+  const std::uint64_t exact_before = signs_.signs().exact();
   const double angle = use_margins ? map.angle_from(signs_.map()) : 4;
   clock_ = (clock_ + angle) * exact::kUp;
   signs_.move(map);
@@ -43,7 +43,7 @@ void Overlay::update(const RelativeMap& map, bool use_margins) {
     work_.arc_checks = broken_.size();
     mend_broken();
   }
-  work_.exact_signs = signs_.exact_signs() - exact_before;
+  work_.exact_signs = signs_.signs().exact() - exact_before;
 }
 
 /// Arcs that broke, and what follows from them.

@@ -39,7 +39,7 @@ int Signs::true_sign(int op, std::uint32_t f, HalfEdge h) const {
   if (v > map_.error(op)) return 1;
   if (v < -map_.error(op)) return -1;
   if (plainly_zero(op, f, h)) return 0;
-  ++exact_signs_;
+  count_exact();
   return with_types([&](auto c, auto m) {
     using C = decltype(c);
     using M = decltype(m);
@@ -77,8 +77,7 @@ Signs::Form Signs::form(int op, std::uint32_t f, HalfEdge h) const {
 /// that a solid is scaled along or turned about. Doubles that stand for numbers of the two narrow kinds are zero only
 /// where those are.
 bool Signs::plainly_zero(const Form& x) const {
-  constexpr int kNarrow = 61, kNarrowMap = 126;
-  if (std::max({poly_[0]->bits, poly_[1]->bits}) > kNarrow || map_.bits() > kNarrowMap) return false;
+  if (!has_integers()) return false;
   return (x.zero[0] || x.with.x == 0) && (x.zero[1] || x.with.y == 0) && (x.zero[2] || x.with.z == 0);
 }
 bool Signs::plainly_zero(int op, std::uint32_t f, HalfEdge h) const { return plainly_zero(form(op, f, h)); }
@@ -105,7 +104,7 @@ int Signs::plain_tie(int op, std::uint32_t f, HalfEdge h) const {
 // x N) . e = w . (N x e). The vectors are perpendicular and not zero where the first term vanishes, so the second one
 // never does.
 int Signs::exact_sign(int op, std::uint32_t f, HalfEdge h) const {
-  ++exact_signs_;
+  count_exact();
   return with_types([&](auto c, auto m) {
     using C = decltype(c);
     using M = decltype(m);

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "exact/rounding_bound.h"
+#include "exact/rung.h"
 #include "spatial/gauss/polytope.h"
 #include "spatial/gauss/relative_map.h"
 
@@ -67,19 +68,24 @@ class Signs {
     return (std::abs(value) - map_.error(op)) * map_.per_norm(op) - kMarginError;
   }
 
-  std::uint64_t exact_signs() const { return exact_signs_; }
+  /// Signs that doubles left open; those that doubles told are not counted.
+  const exact::RungCounts& signs() const { return told_; }
   std::size_t bytes() const { return sizeof(*this) + (row_[0].capacity() + row_[1].capacity()) * sizeof(Vec3); }
 
   /// Calls f(coordinate, map entry) with values of the narrowest types that hold the operands and the map.
   template <class F>
   auto with_types(F&& f) const {
-    const int bits = poly_[0]->bits > poly_[1]->bits ? poly_[0]->bits : poly_[1]->bits;
+    const int bits = coordinate_bits();
     if (bits <= 26 && map_.bits() <= 62) return f(exact::Int<26>{}, exact::Int<62>{});
-    if (bits <= 61 && map_.bits() <= 126) return f(exact::Int<61>{}, exact::Int<126>{});
+    if (has_integers()) return f(exact::Int<61>{}, exact::Int<126>{});
     return f(exact::Big{}, exact::Big{});
   }
 
  private:
+  int coordinate_bits() const { return poly_[0]->bits > poly_[1]->bits ? poly_[0]->bits : poly_[1]->bits; }
+  /// All numbers of a sign are integers of proved width.
+  bool has_integers() const { return coordinate_bits() <= 61 && map_.bits() <= 126; }
+  void count_exact() const { told_.count(has_integers() ? exact::Rung::integers : exact::Rung::big); }
   double value_now(int op, std::uint32_t f, HalfEdge h) const {
     const double v = dot(row_now(op, f), poly_[1 - op]->direction[h / 2]);
     return (h & 1) ? -v : v;
@@ -95,7 +101,7 @@ class Signs {
   std::array<const Polytope*, 2> poly_;
   RelativeMap map_;
   std::array<std::vector<Vec3>, 2> row_;  // n^T M of every face
-  mutable std::uint64_t exact_signs_ = 0;
+  mutable exact::RungCounts told_;
 };
 
 }  // namespace dymsum::spatial

@@ -130,7 +130,8 @@ LocalBoundary local_boundary(PosedSpace& space, ReducedConvolution convolution, 
   stats.bits = result.space->bits();
   stats.points = result.arrangement->points.size(), stats.cells = result.arrangement->cell_count;
   stats.tight_tests = result.tight.tests;
-  stats.exact_signs = result.space->exact_signs();
+  stats.double_pair_signs = result.space->signs().at(exact::Rung::double_pairs);
+  stats.exact_signs = result.space->signs().exact();
   return local;
 }
 

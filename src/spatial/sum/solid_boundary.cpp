@@ -144,7 +144,8 @@ SolidBoundary solid_boundary(std::unique_ptr<SumSpace> space, ReducedConvolution
   stats.patches = links.patches;
   stats.tight_tests = result.tight.tests;
   stats.held_bytes = watch.held();
-  stats.exact_signs = result.space->exact_signs();
+  stats.double_pair_signs = result.space->signs().at(exact::Rung::double_pairs);
+  stats.exact_signs = result.space->signs().exact();
   return result;
 }
 

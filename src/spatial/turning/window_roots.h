@@ -62,7 +62,7 @@ class WindowRoots {
   RootOrder angles_;
   std::optional<std::uint32_t> zero_;                                      // the index of 0, where it is one
   std::map<std::vector<exact::BigInteger>, std::vector<FormRoot>> known_;  // by coefficients, the last one positive
-  exact::FilterCounts counts_;
+  exact::RungCounts counts_;
 };
 
 }  // namespace dymsum::spatial
