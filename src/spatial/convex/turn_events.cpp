@@ -167,7 +167,7 @@ std::vector<TurnEvent> in_order(const TurnForms& forms, std::vector<TurnEvent> e
       if (exact::compare_turns(cluster[k - 1].first, cluster[k].first, orders) != 0)
         distinct.push_back(events[cluster[k].second]);
   }
-  counts.exact_orders += orders.exact;
+  counts.exact_orders += orders.exact();
   return distinct;
 }
 
