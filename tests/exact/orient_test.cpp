@@ -111,15 +111,11 @@ TEST(Orient, NearlyCollinearPointsOfEveryScale) {
   }
   EXPECT_EQ(t.wrong, 0);
   EXPECT_GT(t.at(Rung::integers), 500);
-  EXPECT_GT(t.at(Rung::integers), 10);
 }
 
-TEST(Orient, RungsChangeExactlyAtTheirWidths) {
+TEST(Orient, IntegersEndExactlyAtTheirWidth) {
   // o, (1, 1) and (r, r) on the unit grid: the extent r decides, one bit early or late would be seen
   const auto rung = [](double r) { return cross_answer({0, 0}, {1, 1}, {0, 0}, {r, r}).rung; };
-  EXPECT_EQ(rung(0x1p61), Rung::integers);
-  EXPECT_EQ(rung(std::nextafter(0x1p61, kGreatest)), Rung::integers);
-  EXPECT_EQ(rung(0x1p62), Rung::integers);
   EXPECT_EQ(rung(0x1p125), Rung::integers);
   EXPECT_EQ(rung(std::nextafter(0x1p125, kGreatest)), Rung::big);
   EXPECT_EQ(rung(0x1p126), Rung::big);

@@ -87,9 +87,9 @@ class Collector {
     std::vector<AlgebraicRoot> all = ends_.roots(p);
     if (where != nullptr)
       std::erase_if(all, [&](const AlgebraicRoot& root) {
-        const auto [low, high] = near_->range({w_.range.chart, root.low(), root.high()});
+        const std::array<double, 2> range = near_->range({w_.range.chart, root.low(), root.high()});
         return std::none_of(where->begin(), where->end(),
-                            [&](const NearRoot& near) { return near.low <= high && low <= near.high; });
+                            [&](const NearRoot& near) { return near.low <= range[1] && range[0] <= near.high; });
       });
     return all;
   }
