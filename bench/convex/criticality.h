@@ -5,8 +5,8 @@
 #include <cstdint>
 #include <string>
 
-#include "dymsum/criticality_map.h"
 #include "dymsum/solids.h"
+#include "thesis/criticality_map.h"
 
 namespace dymsum::bench {
 

@@ -6,6 +6,7 @@
 #include "dymsum/region_io.h"
 #include "dymsum/shapes.h"
 #include "planar/crossing_grates.h"
+#include "thesis/thesis_shapes.h"
 
 namespace dymsum::bench {
 namespace {

@@ -14,6 +14,7 @@
 #include "solid/inputs.h"
 #include "spatial/moving/dynamic_convolution.h"
 #include "spread.h"
+#include "thesis/solid_pair_events.h"
 
 namespace dymsum::bench {
 namespace {

@@ -17,6 +17,7 @@
 #include "dymsum/shapes.h"
 #include "page.h"
 #include "planar/pairs.h"
+#include "thesis/thesis_shapes.h"
 #include "versus/cgal.h"
 
 namespace dymsum::bench {

@@ -8,6 +8,7 @@
 #include "scaling/copies.h"
 #include "scaling/measure.h"
 #include "scaling/scatter.h"
+#include "thesis/pair_events.h"
 
 namespace dymsum::bench {
 namespace {

@@ -6,7 +6,6 @@
 #include "dymsum/convex_polygon_sum.h"
 #include "dymsum/convex_solid.h"
 #include "dymsum/convex_sum.h"
-#include "dymsum/criticality_map.h"
 #include "dymsum/cspace_obstacle.h"
 #include "dymsum/frames.h"
 #include "dymsum/growing_disc.h"

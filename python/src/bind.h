@@ -43,7 +43,6 @@ void bind_depth(nb::module_& m);
 void bind_local_sum(nb::module_& m);
 void bind_continuous_depth(nb::module_& m);
 void bind_planar_local_sum(nb::module_& m);
-void bind_criticality(nb::module_& m);
 void bind_nesting(nb::module_& m);
 void bind_nfp_table(nb::module_& m);
 void bind_growing_disc(nb::module_& m);

@@ -202,20 +202,6 @@ void bind_rotating(nb::module_& m) {
       });
 }
 
-void bind_counts(nb::module_& m) {
-  Record<PairEventCount>(m, "PairEventCount", "The thesis's pair events over all scales.")
-      .field("segments", &PairEventCount::segments)
-      .field("pairs_that_meet", &PairEventCount::pairs_that_meet)
-      .field("events", &PairEventCount::events)
-      .field("exact_pairs", &PairEventCount::exact_pairs);
-  m.def(
-      "count_pair_events",
-      [](const RegionArgument& p, const RegionArgument& q, MovingOperand scaled, const Progress& progress) {
-        return run(progress, [&](Progress own) { return count_pair_events(*p, *q, scaled, own); });
-      },
-      "p"_a, "q"_a, "scaled"_a, "progress"_a = nb::none());
-}
-
 void bind_copies(nb::module_& m) {
   Record<ScaledCopy>(m, "ScaledCopy", "One copy of a master shape: scaled about its origin, then moved.")
       .constructible()
@@ -241,7 +227,6 @@ void bind_moving_sums(nb::module_& m) {
   bind_event(m);
   bind_scaling(m);
   bind_rotating(m);
-  bind_counts(m);
   bind_copies(m);
 }
 

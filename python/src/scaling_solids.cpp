@@ -145,22 +145,6 @@ void bind_sum(nb::module_& m) {
       });
 }
 
-void bind_solid_counts(nb::module_& m) {
-  Record<SolidPairEventCount>(m, "SolidPairEventCount", "The thesis's pair events of solids over all scales.")
-      .field("facets", &SolidPairEventCount::facets)
-      .field("pairs_that_meet", &SolidPairEventCount::pairs_that_meet)
-      .field("vertex_on_facet", &SolidPairEventCount::vertex_on_facet)
-      .field("edge_on_edge", &SolidPairEventCount::edge_on_edge)
-      .field("exact_pairs", &SolidPairEventCount::exact_pairs)
-      .def("events", &SolidPairEventCount::events);
-  m.def(
-      "count_solid_pair_events",
-      [](const MeshArgument& p, const MeshArgument& q, const ScalingSolidOptions& options, const Progress& progress) {
-        return run(progress, [&](Progress own) { return count_solid_pair_events(*p, *q, options, own); });
-      },
-      "p"_a, "q"_a, "options"_a = ScalingSolidOptions(), "progress"_a = nb::none());
-}
-
 void bind_solid_ranges(nb::module_& m) {
   Record<SolidScaleContact>(m, "SolidScaleContact", "A contact of part and obstacle at one exact scale.")
       .field("part", &SolidScaleContact::part)
@@ -231,7 +215,6 @@ void bind_solid_copies(nb::module_& m) {
 void bind_scaling_solids(nb::module_& m) {
   bind_event_types(m);
   bind_sum(m);
-  bind_solid_counts(m);
   bind_solid_ranges(m);
   bind_solid_copies(m);
 }

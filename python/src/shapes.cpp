@@ -34,10 +34,6 @@ shapes here `snap`, a power of two, rounds coordinates to its nearest multiples.
   s.def("letter_l", &shapes::letter_l, "width"_a, "height"_a, "thickness"_a);
   s.def("pockets", &shapes::pockets, "holes"_a, "size"_a, "snap"_a = 0.0, "A plate with square holes of growing size.");
   s.def("random_polygon", &shapes::random_polygon, "vertices"_a, "holes"_a, "seed"_a);
-  Record<shapes::Named>(s, "Named", "A named shape.")
-      .field("name", &shapes::Named::name)
-      .field("region", &shapes::Named::region);
-  s.def("thesis_like_set", &shapes::thesis_like_set);
 }
 
 void bind_solids(nb::module_& m) {

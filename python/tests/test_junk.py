@@ -71,7 +71,6 @@ def samples() -> list[Any]:
         dymsum.ScalingSum(unit, unit),
         dymsum.RotatingSum(unit, unit),
         dymsum.ConvexPolygonSum(unit, unit),
-        dymsum.CriticalityMap(box, box, (0, 0, 1)),
         dymsum.fit_range(unit, unit),
         dymsum.GrowingDisc(unit),
         dymsum.GrowingDisc(unit).sum_at(1),

@@ -69,7 +69,6 @@ def made() -> dict[str, Any]:
         dymsum.ConvexPolygonSum(REGION, REGION),
         dymsum.ConvexSum(MESH, MESH),
         dymsum.convex_sum(MESH, MESH),
-        dymsum.CriticalityMap(MESH, MESH, (0, 0, 1)),
         dymsum.MovingSolidSum(MESH, MESH),
         dymsum.ScalingSolidSum(MESH, MESH),
         dymsum.TurningSolidSum(MESH, MESH, (0, 0, 1)),

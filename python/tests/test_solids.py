@@ -170,14 +170,6 @@ def test_depth_of_convex_solids() -> None:
     assert raised.value.code == ErrorCode.not_convex
 
 
-def test_a_criticality_map() -> None:
-    map = dymsum.CriticalityMap(solids.dipyramid(5, 1, 2), BOX, (0, 1, 2))
-    assert len(map) == map.size() > 0 and 0 <= map.angle(0) <= 6.3
-    turn = map.near(1.0)
-    assert map.at(turn) == dymsum.convex_sum(solids.dipyramid(5, 1, 2), BOX, SolidPose(turn))
-    assert pickle.loads(pickle.dumps(map)).size() == map.size()
-
-
 @pytest.mark.parametrize("make", [
     lambda: dymsum.minkowski_sum(U_PRISM, BOX),
     lambda: dymsum.minkowski_sum([BOX, BOX]),

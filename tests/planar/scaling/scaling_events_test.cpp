@@ -279,15 +279,6 @@ TEST(ScaleEvents, progress_is_asked_at_every_event) {
   }
 }
 
-TEST(ScaleEvents, pair_events_of_two_triangles_are_counted) {
-  const Region p = Region::create({{{{{0, 0}, {4, 1}, {1, 3}}, {}}}, {}, {}}).value(),
-               q = Region::create({{{{{0, 0}, {3, 0}, {0, 2}}, {}}}, {}, {}}).value();
-  const PairEventCount convex = count_pair_events(p, q, MovingOperand::p).value();
-  // Convex operands: the convolution is the boundary, nothing ever crosses.
-  EXPECT_EQ(convex.events, 0u);
-  EXPECT_EQ(convex.segments, 6u);
-}
-
 /// Over a wide range holes become filled and open again, so that the convolution is made anew between windows.
 TEST(ScaleEvents, a_plate_whose_holes_fill_one_after_the_other) {
   RegionData plate;

@@ -1,10 +1,10 @@
-// The thesis's pair events of solids over all positive scales, counted by streaming through the pairs.
+#include "thesis/solid_pair_events.h"
+
 #include <mutex>
 
-#include "dymsum/scaling_solid_sum.h"
 #include "spatial/frames/beside_origin.h"
 #include "spatial/moving/posed_sum.h"
-#include "spatial/scaling/pair_intervals.h"
+#include "thesis/pair_intervals.h"
 
 namespace dymsum {
 

@@ -1,6 +1,6 @@
 // Roots of integer quadratics against 600-bit floating point, whose answers are certain for the coefficients that occur
 // here.
-#include "exact/quadratic_root.h"
+#include "thesis/quadratic_root.h"
 
 #include <gtest/gtest.h>
 

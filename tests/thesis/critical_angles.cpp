@@ -1,4 +1,4 @@
-#include "spatial/convex/turn_events.h"
+#include "thesis/critical_angles.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,9 +1,10 @@
 // Stand-ins for the polygons of Behar's figure 3.3: the originals' names, sizes and characters, drawn anew.
-#include "dymsum/shapes.h"
+#include "thesis/thesis_shapes.h"
 
 #include <cmath>
 #include <utility>
 
+#include "dymsum/shapes.h"
 #include "planar/shapes/shapes_source.h"
 
 namespace dymsum::shapes {

@@ -1,4 +1,4 @@
-#include "spatial/scaling/pair_intervals.h"
+#include "thesis/pair_intervals.h"
 
 #include <algorithm>
 

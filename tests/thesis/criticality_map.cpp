@@ -1,4 +1,4 @@
-#include "dymsum/criticality_map.h"
+#include "thesis/criticality_map.h"
 
 #include <algorithm>
 #include <cmath>
@@ -11,9 +11,9 @@
 #include "spatial/convex/exact_places.h"
 #include "spatial/convex/facet_corners.h"
 #include "spatial/convex/place_sum.h"
-#include "spatial/convex/structure_store.h"
-#include "spatial/convex/turn_events.h"
 #include "spatial/gauss/overlay.h"
+#include "thesis/critical_angles.h"
+#include "thesis/structure_store.h"
 
 namespace dymsum {
 

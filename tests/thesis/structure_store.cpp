@@ -1,4 +1,4 @@
-#include "spatial/convex/structure_store.h"
+#include "thesis/structure_store.h"
 
 #include <algorithm>
 #include <iterator>

@@ -1,13 +1,13 @@
-// The thesis's pair events over all positive scales, counted by streaming through the pairs.
+#include "thesis/pair_events.h"
+
 #include <algorithm>
 #include <cmath>
 
-#include "dymsum/scaling_sum.h"
 #include "planar/convolution/convolution.h"
 #include "planar/frames/region_pair.h"
-#include "planar/scaling/crossing_range.h"
 #include "planar/scaling/exact_forms.h"
 #include "planar/scaling/fill_lattice.h"
+#include "thesis/crossing_range.h"
 
 namespace dymsum {
 

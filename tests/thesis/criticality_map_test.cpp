@@ -1,6 +1,6 @@
 // The criticality map gives back the sum at every angle about its axis, and its angles are those at which the sum
 // changes, exactly.
-#include "dymsum/criticality_map.h"
+#include "thesis/criticality_map.h"
 
 #include <cmath>
 #include <set>

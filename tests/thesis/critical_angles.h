@@ -8,9 +8,9 @@
 #include <optional>
 #include <vector>
 
-#include "exact/quadratic_root.h"
 #include "exact/rounding_bound.h"
 #include "spatial/gauss/polytope.h"
+#include "thesis/quadratic_root.h"
 
 namespace dymsum::spatial {
 

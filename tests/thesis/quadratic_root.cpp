@@ -1,4 +1,4 @@
-#include "exact/quadratic_root.h"
+#include "thesis/quadratic_root.h"
 
 #include <algorithm>
 #include <cmath>
