@@ -204,42 +204,59 @@ void GridSpace<C>::set_plane(PlaneId id, const PlaneSource& source) {
   planes_[id] = plane;
 }
 
+namespace {
+
 template <class C>
-template <class F>
-auto GridSpace<C>::with_point(const PointSource& point, F f) const {
-  if (point.kind == PointSource::Kind::sum) {
-    using W = Int<1>;
-    return f(Homogeneous<Edge, W>{sum({point.a, point.b}), W::from_int64(1)});
-  }
-  if (point.kind == PointSource::Kind::edge) {
-    const SumEdge& edge = edges_[point.a];
-    const auto from = sum(edge.from);
-    const auto d = along(edge);
-    const auto& n = n_[point.b];
-    const auto h = dot(n, from) - offset(point.b);
-    const auto w = dot(n, d);
-    const auto x = from.x * w - d.x * h, y = from.y * w - d.y * h, z = from.z * w - d.z * h;
-    return f(Homogeneous<decltype(from.x * w - d.x * h), decltype(dot(n, d))>{{x, y, z}, w});
-  }
+constexpr bool kOneType = std::is_same_v<C, Big> || std::is_same_v<C, exact::RootValue>;
+
+}  // namespace
+
+template <class C>
+auto GridSpace<C>::of_edge(const PointSource& point) const {
+  const SumEdge& edge = edges_[point.a];
+  const auto from = sum(edge.from);
+  const auto d = along(edge);
+  const auto& n = n_[point.b];
+  const auto h = dot(n, from) - offset(point.b);
+  const auto w = dot(n, d);
+  const auto x = from.x * w - d.x * h, y = from.y * w - d.y * h, z = from.z * w - d.z * h;
+  return Homogeneous<decltype(from.x * w - d.x * h), decltype(dot(n, d))>{{x, y, z}, w};
+}
+
+template <class C>
+auto GridSpace<C>::of_planes(const PointSource& point) const {
   const auto &a = n_[point.a], &b = n_[point.b], &c = n_[point.c];
   const auto bc = cross(b, c), ca = cross(c, a), ab = cross(a, b);
   const auto da = offset(point.a), db = offset(point.b), dc = offset(point.c);
   const auto x = da * bc.x + db * ca.x + dc * ab.x, y = da * bc.y + db * ca.y + dc * ab.y,
              z = da * bc.z + db * ca.z + dc * ab.z;
   const auto w = dot(a, bc);
-  return f(Homogeneous<decltype(da * bc.x + db * ca.x + dc * ab.x), decltype(dot(a, bc))>{{x, y, z}, w});
+  return Homogeneous<decltype(da * bc.x + db * ca.x + dc * ab.x), decltype(dot(a, bc))>{{x, y, z}, w};
+}
+
+template <class C>
+template <class F>
+auto GridSpace<C>::with_point(const PointSource& point, F f) const {
+  using Kind = PointSource::Kind;
+  // Where all points have one type, f is compiled once.
+  using W = std::conditional_t<kOneType<C>, C, Int<1>>;
+  const auto of_sum = [&] { return Homogeneous<Edge, W>{sum({point.a, point.b}), W::from_int64(1)}; };
+  if constexpr (kOneType<C>) {
+    return f(point.kind == Kind::sum ? of_sum() : point.kind == Kind::edge ? of_edge(point) : of_planes(point));
+  } else {
+    return point.kind == Kind::sum ? f(of_sum()) : point.kind == Kind::edge ? f(of_edge(point)) : f(of_planes(point));
+  }
 }
 
 namespace {
 
 template <class C>
-constexpr exact::Rung kExactRung =
-    std::is_same_v<C, Big> || std::is_same_v<C, exact::RootValue> ? exact::Rung::big : exact::Rung::integers;
+constexpr exact::Rung kExactRung = kOneType<C> ? exact::Rung::big : exact::Rung::integers;
 
 /// Integers of up to 72 bits cost no more than doubles of double length.
 template <class C>
 constexpr bool has_fine() {
-  if constexpr (std::is_same_v<C, Big> || std::is_same_v<C, exact::RootValue>) return true;
+  if constexpr (kOneType<C>) return true;
   else return C::kBits > 72;
 }
 
@@ -484,8 +501,10 @@ std::optional<PointSource> GridSpace<C>::add_place(const std::array<exact::BigRa
 // Every width of coordinates that make_sum_space and make_root_space choose from.
 template class GridSpace<Int<26>>;
 template class GridSpace<Int<61>>;
+#ifndef __EMSCRIPTEN__  // kAllWidths
 template class GridSpace<Int<72>>;
 template class GridSpace<Int<124>>;
+#endif
 template class GridSpace<Int<250>>;
 template class GridSpace<Big>;
 template class GridSpace<exact::RootValue>;

@@ -12,6 +12,13 @@
 
 namespace dymsum::spatial {
 
+/// Where a module's size counts, coordinates of 72 and of 124 bits are numbers of 250.
+#ifdef __EMSCRIPTEN__
+inline constexpr bool kAllWidths = false;
+#else
+inline constexpr bool kAllWidths = true;
+#endif
+
 template <class C>
 class GridSpace final : public SumSpace {
  public:
@@ -61,6 +68,9 @@ class GridSpace final : public SumSpace {
   void set_plane(PlaneId id, const PlaneSource& source);
   /// n . x of all points x of a plane: made where it is asked for, as doubles answer most questions.
   Offset offset(PlaneId plane) const { return exact::dot(n_[plane], sum(plane_sources_[plane].at)); }
+  /// Of a point of kind edge, planes: Homogeneous of the widths that these have.
+  auto of_edge(const PointSource& point) const;
+  auto of_planes(const PointSource& point) const;
   /// f(Homogeneous) with the point in the narrowest form of its kind.
   template <class F>
   auto with_point(const PointSource& point, F f) const;

@@ -1,8 +1,11 @@
-// std::sort in a fifth of its code in libc++, which is written out for every comparison: more than a tenth of a page's
-// module. As fast for elements in no order: pivots are medians of three, and few elements are inserted.
+// std::sort and std::stable_sort in a fifth of their code in libc++, which is written out for every comparison: more
+// than a tenth of a page's module. As fast for elements in no order: pivots are medians of three, and few elements are
+// inserted.
 #pragma once
 
+#include <__iterator/wrap_iter.h>
 #include <__config>
+#include <cstddef>
 
 _LIBCPP_BEGIN_NAMESPACE_STD
 
@@ -10,12 +13,18 @@ _LIBCPP_BEGIN_NAMESPACE_STD
 /// special, and has to be known before. A library that calls another function has its own sort, no other results.
 template <class Compare, class T>
 void __sort(T* first, T* last, Compare less);
+/// The same of std::stable_sort, of elements of vectors, with a buffer that this one does not need.
+template <class Compare, class T>
+void __stable_sort(__wrap_iter<T*> first, __wrap_iter<T*> last, Compare less, std::ptrdiff_t size, T* buffer,
+                   std::ptrdiff_t buffer_size);
 
 _LIBCPP_END_NAMESPACE_STD
 
 #include <algorithm>
 #include <cstdint>
+#include <iterator>
 #include <utility>
+#include <vector>
 
 namespace dymsum::small {
 
@@ -50,6 +59,19 @@ T* split(T* first, T* last, std::uint32_t random, Compare less) {
   return j;
 }
 
+/// Equal elements keep their order.
+template <class Compare, class T>
+void sort_stably(T* first, T* last, Compare less) {
+  if (last - first <= 16) return insert<Compare>(first, last, less);
+  T* const middle = first + (last - first) / 2;
+  sort_stably<Compare>(first, middle, less);
+  sort_stably<Compare>(middle, last, less);
+  if (!less(*middle, middle[-1])) return;
+  std::vector<T> front(std::make_move_iterator(first), std::make_move_iterator(middle));
+  T *i = front.data(), *const end = i + front.size(), *j = middle;
+  for (T* to = first; i != end; ++to) *to = j != last && less(*j, *i) ? std::move(*j++) : std::move(*i++);
+}
+
 }  // namespace dymsum::small
 
 _LIBCPP_BEGIN_NAMESPACE_STD
@@ -74,6 +96,11 @@ void __sort(T* first, T* last, Compare less) {
     }
   }
   dymsum::small::insert<Compare>(first, last, less);
+}
+
+template <class Compare, class T>
+void __stable_sort(__wrap_iter<T*> first, __wrap_iter<T*> last, Compare less, std::ptrdiff_t, T*, std::ptrdiff_t) {
+  if (first != last) dymsum::small::sort_stably<Compare>(&*first, &*first + (last - first), less);
 }
 
 _LIBCPP_END_NAMESPACE_STD
