@@ -3,6 +3,9 @@
 
 #include <filesystem>
 #include <iostream>
+#include <string>
+#include <utility>
+#include <vector>
 
 namespace {
 
@@ -35,7 +38,7 @@ int main(int argc, char** argv) {
   const std::filesystem::path folder = argv[1];
   std::filesystem::create_directories(folder);
   const Region star = shapes::star(5, 1.5, 3, shapes::demo_snap(3));
-  const std::vector<shapes::Named> all = {
+  const std::vector<std::pair<std::string, Region>> all = {
       {"gear", shapes::gear(12, 8, 10, shapes::demo_snap(10))},
       {"star", star},
       {"plate", plate_for(star)},
@@ -50,9 +53,9 @@ int main(int argc, char** argv) {
       {"hook", lines({{{0, 0}, {2, 0}, {2, 1}}})},  // a bent wire
       {"rooms", lines({{{0, 0}, {8, 0}, {8, 6}, {0, 6}, {0, 0}}, {{4, 0}, {4, 2}}, {{4, 3.5}, {4, 6}}})},  // walls
   };
-  for (const shapes::Named& shape : all) {
-    const std::string file = (folder / shape.name).string() + ".wkt";
-    if (const Result<void> written = write_file(file, format_region(shape.region, RegionFormat::wkt)); !written) {
+  for (const auto& [name, region] : all) {
+    const std::string file = (folder / name).string() + ".wkt";
+    if (const Result<void> written = write_file(file, format_region(region, RegionFormat::wkt)); !written) {
       std::cerr << written.error().to_string() << "\n";
       return 2;
     }
