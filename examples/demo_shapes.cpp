@@ -3,9 +3,6 @@
 
 #include <filesystem>
 #include <iostream>
-#include <string>
-#include <utility>
-#include <vector>
 
 namespace {
 
