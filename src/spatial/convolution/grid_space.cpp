@@ -501,10 +501,10 @@ std::optional<PointSource> GridSpace<C>::add_place(const std::array<exact::BigRa
 // Every width of coordinates that make_sum_space and make_root_space choose from.
 template class GridSpace<Int<26>>;
 template class GridSpace<Int<61>>;
-#ifndef __EMSCRIPTEN__  // kAllWidths
+#ifndef __EMSCRIPTEN__  // kWidthOf72
 template class GridSpace<Int<72>>;
-template class GridSpace<Int<124>>;
 #endif
+template class GridSpace<Int<124>>;
 template class GridSpace<Int<250>>;
 template class GridSpace<Big>;
 template class GridSpace<exact::RootValue>;

@@ -12,11 +12,11 @@
 
 namespace dymsum::spatial {
 
-/// Where a module's size counts, coordinates of 72 and of 124 bits are numbers of 250.
+/// Where a module's size counts, coordinates of 72 bits are numbers of 124.
 #ifdef __EMSCRIPTEN__
-inline constexpr bool kAllWidths = false;
+inline constexpr bool kWidthOf72 = false;
 #else
-inline constexpr bool kAllWidths = true;
+inline constexpr bool kWidthOf72 = true;
 #endif
 
 template <class C>

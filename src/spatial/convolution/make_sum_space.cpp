@@ -112,10 +112,9 @@ template <class F>
 std::unique_ptr<SumSpace> with_width(int bits, F f) {
   if (bits <= 26) return f(Int<26>{});
   if (bits <= 61) return f(Int<61>{});  // doubles of about one size
-  if constexpr (kAllWidths) {
-    if (bits <= 72) return f(Int<72>{});    // heights of slices: all digits of a double, next to operands of few
-    if (bits <= 124) return f(Int<124>{});  // turned by quaternions; what rounding leaves of zeros, as in sin(pi)
-  }
+  if constexpr (kWidthOf72)
+    if (bits <= 72) return f(Int<72>{});  // heights of slices: all digits of a double, next to operands of few
+  if (bits <= 124) return f(Int<124>{});  // turned by quaternions; what rounding leaves of zeros, as in sin(pi)
   if (bits <= 250) return f(Int<250>{});  // turned by quaternions and of all digits, or with what rounding leaves
   if (bits <= kMostGridBits) return f(Big{});
   throw std::invalid_argument("coordinates of more than " + std::to_string(kMostGridBits) +
