@@ -85,7 +85,7 @@ TEST(TurnedMeshes, of_a_solid_with_itself) {
   std::mt19937_64 random(77);
   int compared = 0;
   for (int round = 0; round < 12; ++round) {
-    const Mesh solid = Mesh::create(random_solids::tiny_polyhedron(random)).value();
+    const Mesh solid = random_solids::valid_polyhedron(random);
     const Result<Mesh> turned = Mesh::create(Turn(random)(solid.data()));
     if (!turned) continue;
     const std::string what = "round " + std::to_string(round);
