@@ -168,7 +168,8 @@ do_verify() {
   unset DYMSUM_SANITIZE_ROOMS  # all of them, whole
   need "${core_packages[@]}" "${test_packages[@]}" "${verify_packages[@]}" || { failed=1; finish; return; }
   export DYMSUM_FUZZ_PAIRS=${DYMSUM_FUZZ_PAIRS:-200000} DYMSUM_FUZZ_MOVES=${DYMSUM_FUZZ_MOVES:-100000}
-  export DYMSUM_FUZZ_OBSTACLES=${DYMSUM_FUZZ_OBSTACLES:-20}
+  export DYMSUM_FUZZ_OBSTACLES=${DYMSUM_FUZZ_OBSTACLES:-20} DYMSUM_FUZZ_SIGNS=${DYMSUM_FUZZ_SIGNS:-1000000}
+  export DYMSUM_FUZZ_ROTATIONS=${DYMSUM_FUZZ_ROTATIONS:-20} DYMSUM_FUZZ_FACES=${DYMSUM_FUZZ_FACES:-1100}
   configure release && cmake -DDYMSUM_TEST_TIMEOUT=7200 -DDYMSUM_TEST_OMPL=ON -DDYMSUM_TEST_CGAL=ON "$release" >/dev/null ||
     { failed=1; finish; return; }
   local version
@@ -178,7 +179,7 @@ do_verify() {
   done
   say "all tests, with $DYMSUM_FUZZ_PAIRS fuzz pairs"
   check "$release" "all tests"
-  unset DYMSUM_FUZZ_PAIRS DYMSUM_FUZZ_MOVES DYMSUM_FUZZ_OBSTACLES
+  unset DYMSUM_FUZZ_PAIRS DYMSUM_FUZZ_MOVES DYMSUM_FUZZ_OBSTACLES DYMSUM_FUZZ_SIGNS DYMSUM_FUZZ_ROTATIONS DYMSUM_FUZZ_FACES
   say "the WebAssembly package, and the viewer in Chromium and Firefox"
   if need chromium firefox-esr && build_package && viewer_packages && npm run build --prefix web/viewer >&2; then
     check_node web/package
