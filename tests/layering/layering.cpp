@@ -94,7 +94,7 @@ const std::map<std::string, std::vector<std::string>> kForeign = {
     {"adapters", {"ompl/"}},
     {"examples", {"ompl/"}},
     {"python", {"cxxabi.h", "nanobind/"}},
-    {"web", {"emscripten/"}},
+    {"web", {"__iterator/", "emscripten/"}},  // libc++ itself, whose sorts are replaced
 };
 
 /// The folder of a path if it is one of these rooms, or "".
