@@ -51,11 +51,14 @@ TEST_F(SolidCli, TierFollowsTheGrid) {
   // the sides are 1, 1 and `size`: 2^-24 and 1 + 2^-52 are units of their own
   for (const Case& c : {Case{0x1p-24, 24, 26},
                         {0x1p-26, 26, 26},
-                        {0x1p-27, 27, 54},
-                        {1 + 0x1p-52, 53, 54},
-                        {0x1p-54, 54, 54},
-                        {0x1p-55, 55, 0},
-                        {1e-30, 147, 0},
+                        {0x1p-27, 27, 61},
+                        {1 + 0x1p-52, 53, 61},
+                        {0x1p-61, 61, 61},
+                        {0x1p-62, 62, 72},
+                        {0x1p-73, 73, 124},
+                        {1e-30, 147, 250},
+                        {0x1p-250, 250, 250},
+                        {0x1p-251, 251, 0},
                         {2, 1, 26}}) {
     const Mesh mesh = *scaled(solids::box(0, 0, 0, 1, 1, 1), 1, 1, c.size);
     work.write("x.off", format_mesh(mesh, MeshFormat::off));

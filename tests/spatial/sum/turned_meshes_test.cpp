@@ -57,7 +57,7 @@ void expect_what_brute_finds(const Mesh& p, const Mesh& q, const std::string& wh
 TEST(TurnedMeshes, published_ones_have_the_volume_that_the_brute_engine_finds) {
   if (!fs::exists(solid_folder())) GTEST_SKIP() << "no published meshes here";
   const std::uint64_t rotations = oracles::setting("DYMSUM_FUZZ_ROTATIONS", 1),
-                      most = oracles::setting("DYMSUM_FUZZ_FACES", 60);
+                      most = oracles::setting("DYMSUM_FUZZ_FACES", 400);
   const Mesh tetrahedron =
       Mesh::create({{{0, 0, 0}, {0.1, 0, 0}, {0, 0.2, 0}, {0, 0, 0.3}}, {{0, 2, 1}, {0, 1, 3}, {0, 3, 2}, {1, 2, 3}}})
           .value();
