@@ -3,7 +3,6 @@
 
 #include "dymsum/area_text.h"
 #include "dymsum/convex_memory.h"
-#include "dymsum/convex_polygon_sum.h"
 #include "dymsum/convex_solid.h"
 #include "dymsum/convex_sum.h"
 #include "dymsum/cspace_obstacle.h"
@@ -23,6 +22,7 @@
 #include "dymsum/orientation_sum.h"
 #include "dymsum/path_check.h"
 #include "dymsum/planar_local_sum.h"
+#include "dymsum/planar_pose.h"
 #include "dymsum/planar_sum.h"
 #include "dymsum/planner.h"
 #include "dymsum/progress.h"

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "dymsum/convex_polygon_sum.h"
+#include "dymsum/planar_pose.h"
 #include "dymsum/local_sum.h"
 #include "dymsum/planar_sum.h"
 #include "dymsum/progress.h"

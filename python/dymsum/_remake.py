@@ -7,7 +7,6 @@ from typing import Optional, Union
 from . import _core
 from ._core import (
     AxisTurn,
-    ConvexPolygonSum,
     ClipBall,
     ClipBox,
     ConvexSum,
@@ -102,13 +101,6 @@ def rotating(p: Region, q: Region, options: MovingOptions, theta: Orientation) -
 def rotating_sum(p: Region, q: Region, options: MovingOptions, theta: Orientation) -> PlanarSum:
     """The sum that a rotating sum had."""
     return rotating(p, q, options, theta).sum()
-
-
-def convex_polygons(p: Region, q: Region, p_pose: PlanarPose, q_pose: PlanarPose) -> ConvexPolygonSum:
-    """A sum of convex polygons at the poses it stood at."""
-    made = ConvexPolygonSum(p, q)
-    made.set(p_pose, q_pose)
-    return made
 
 
 def convex(p: Union[Mesh, SolidSum], q: Mesh, p_pose: SolidPose, q_pose: SolidPose) -> ConvexSum:

@@ -1,7 +1,6 @@
 """Exact scales and orientations, and planar sums that follow them."""
 
 from ._core import (
-    ConvexPolygonSum as ConvexPolygonSum,
     CopySum as CopySum,
     EventChange as EventChange,
     FrameChanges as FrameChanges,
@@ -11,8 +10,6 @@ from ._core import (
     MovingOptions as MovingOptions,
     Orientation as Orientation,
     PlanarPose as PlanarPose,
-    PolygonSum as PolygonSum,
-    PolygonWork as PolygonWork,
     RingChange as RingChange,
     RotatingSum as RotatingSum,
     Rotation as Rotation,
@@ -30,7 +27,6 @@ from ._core import (
 )
 
 __all__ = [
-    "ConvexPolygonSum",
     "CopySum",
     "EventChange",
     "FrameChanges",
@@ -40,8 +36,6 @@ __all__ = [
     "MovingOptions",
     "Orientation",
     "PlanarPose",
-    "PolygonSum",
-    "PolygonWork",
     "RingChange",
     "RotatingSum",
     "Rotation",

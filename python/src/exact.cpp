@@ -1,8 +1,8 @@
 // Exact scales, orientations of the plane and rotations of space, and poses made of them.
 #include "arguments.h"
 #include "bind.h"
-#include "dymsum/convex_polygon_sum.h"
 #include "dymsum/orientation.h"
+#include "dymsum/planar_pose.h"
 #include "dymsum/rotation.h"
 #include "record.h"
 

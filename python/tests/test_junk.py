@@ -70,7 +70,6 @@ def samples() -> list[Any]:
         convex.solid(),
         dymsum.ScalingSum(unit, unit),
         dymsum.RotatingSum(unit, unit),
-        dymsum.ConvexPolygonSum(unit, unit),
         dymsum.fit_range(unit, unit),
         dymsum.GrowingDisc(unit),
         dymsum.GrowingDisc(unit).sum_at(1),

@@ -66,7 +66,6 @@ def made() -> dict[str, Any]:
         continuous,
         dymsum.ScalingSum(REGION, REGION),
         dymsum.RotatingSum(REGION, REGION),
-        dymsum.ConvexPolygonSum(REGION, REGION),
         dymsum.ConvexSum(MESH, MESH),
         dymsum.convex_sum(MESH, MESH),
         dymsum.MovingSolidSum(MESH, MESH),

@@ -139,18 +139,6 @@ def test_copies_of_a_master() -> None:
     assert [c.sum.area_exact() for c in sums] == [4, 9] and sums[1].at == (9, 9)
 
 
-def test_convex_polygons() -> None:
-    sum = dymsum.ConvexPolygonSum(shapes.disc(12, 1), shapes.rectangle(0, 0, 1, 1))
-    sum.set(dymsum.PlanarPose(Orientation.of(1, 3), (2, Fraction(1, 2))))
-    assert sum.p_pose().scale[1] == Scale(Fraction(1, 2))
-    again = pickle.loads(pickle.dumps(sum))
-    assert again.sum() == sum.sum() == copy.copy(sum).sum()
-    assert sum.sum().rounded().shape == (len(sum.sum().vertices), 2)
-    with pytest.raises(dymsum.Error) as raised:
-        dymsum.ConvexPolygonSum(shapes.star(5, 1, 2), shapes.rectangle(0, 0, 1, 1))
-    assert raised.value.code == ErrorCode.not_convex and raised.value.vertex is not None
-
-
 def test_scale_ranges() -> None:
     part, plate = shapes.rectangle(-1, -1, 1, 1), shapes.pockets(3, 1)
     ranges = dymsum.fit_range(part, shapes.rectangle(0, 0, 3, 5))

@@ -28,7 +28,6 @@ const std::vector<std::string> kRooms = {
     "planar/scaling",
     "planar/turning",
     "planar/rotating",
-    "planar/convex",
     "planar/local",
     "cspace/events",
     "cspace/boundary",

@@ -1,5 +1,5 @@
-// Sums of convex polygons, kept exact while the operands rotate and scale: the planar case of ConvexSum, with the same
-// names.
+// Sums of convex polygons, kept exact while the operands rotate and scale: the planar case of ConvexSum, as the thesis
+// has it (5.2), with the same names.
 #pragma once
 
 #include <array>
@@ -8,21 +8,12 @@
 #include <memory>
 #include <vector>
 
-#include "dymsum/orientation.h"
+#include "dymsum/planar_pose.h"
 #include "dymsum/rational.h"
 #include "dymsum/region.h"
 #include "dymsum/result.h"
-#include "dymsum/scale.h"
 
 namespace dymsum {
-
-/// A rotation and scales of a polygon about the origin: x -> rotation (diag(scale) x). Exact and of any size; short
-/// rotations (Orientation::nearest with an error) make exact signs cheap.
-struct PlanarPose {
-  Orientation rotation;
-  std::array<Scale, 2> scale;
-  friend bool operator==(const PlanarPose&, const PlanarPose&) = default;
-};
 
 /// The exact sum of two convex polygons. Canonical: counter-clockwise, no vertex in the middle of an edge, from the
 /// smallest pair on.

@@ -1,6 +1,6 @@
 // Convex polygons that turn and scale: the planar engine's sum at every pose, moved or fresh, with the work that it
 // should take.
-#include "dymsum/convex_polygon_sum.h"
+#include "thesis/convex_polygon_sum.h"
 
 #include <gtest/gtest.h>
 

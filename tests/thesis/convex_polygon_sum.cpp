@@ -1,4 +1,4 @@
-#include "dymsum/convex_polygon_sum.h"
+#include "thesis/convex_polygon_sum.h"
 
 #include <algorithm>
 #include <cmath>
