@@ -79,7 +79,7 @@ OffGridCase events_case(const SolidPair& pair) {
 bool measure_kinds(const std::string& folder) {
   const std::vector<SolidPair> pairs = solid_pairs("");
   std::vector<OffGridCase> cases;
-  for (const char* name : {"torus 256 + torus 256", "grate 2 + grate 2", "gear 12 + gear 9"}) {
+  for (const char* name : {"torus 256 + torus 256", "block + thinner peg", "L + L"}) {
     cases.push_back(motion_case("turns", pair_named(pairs, name), turned_by));
     cases.push_back(motion_case("scales", pair_named(pairs, name), scaled_by));
   }
