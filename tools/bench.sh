@@ -29,6 +29,12 @@ do_bench() {
   [[ -d bench ]] || { say "there is no bench folder"; return 1; }
   need "${core_packages[@]}" "${test_packages[@]}" "${bench_packages[@]}"
   configure bench
+  if [[ $suite == off-the-grid ]]; then
+    for suite in planar scaling cspace growing nesting solid moving-solids convex depth python; do
+      do_bench "$suite" --off-grid "$@" || return
+    done
+    return
+  fi
   if [[ $suite == coordinates ]]; then
     build "$release" dymsum_cli
     DYMSUM=$PWD/$release/dymsum python3 bench/coordinates/coordinates.py "$@"

@@ -8,6 +8,7 @@
 
 #include "convex/criticality.h"
 #include "convex/depth.h"
+#include "convex/kinds.h"
 #include "convex/measure.h"
 #include "convex/motion_tables.h"
 #include "page.h"
@@ -18,7 +19,7 @@ namespace dymsum::bench {
 namespace {
 
 constexpr const char* kUsage =
-    "dymsum_bench_convex [--only TEXT] [--part NAME] [--results DIR]\n"
+    "dymsum_bench_convex [--off-grid] [--coordinates KIND] [--only TEXT] [--part NAME] [--results DIR]\n"
     "  --only TEXT    only pairs whose name (\"ellipse + GS3\") contains TEXT\n"
     "  --part NAME    only one of: rotation, axes, steps, cubes, growth, scaling, depth,\n"
     "                 nef, criticality\n"
@@ -27,6 +28,7 @@ constexpr const char* kUsage =
 
 struct Options {
   std::string only, part, results;
+  KindOptions coordinates;
   bool wants(const std::string& name) const { return part.empty() || part == name; }
 };
 
@@ -122,34 +124,34 @@ Options parse(int argc, char** argv) {
     if (const char* text = value("--only")) options.only = text;
     else if (const char* name = value("--part")) options.part = name;
     else if (const char* dir = value("--results")) options.results = dir;
-    else throw std::invalid_argument(kUsage);
+    else if (!options.coordinates.take(argc, argv, i)) throw std::invalid_argument(std::string(kUsage) + kKindUsage);
   }
   return options;
 }
 
-int run(int argc, char** argv) {
-  const Options options = parse(argc, argv);
-  const std::vector<solids::NamedMesh> models = solids::thesis_models();
+void run_kind(const Options& options, Kind kind) {
+  const Models models = with_coordinates(solids::thesis_models(), kind);
   Report report;
   report.line("# Convex solids in motion\n");
   report.line(
       "`./run bench convex --results docs/results` made this page. Times are means of processor time per move, one "
       "thread.");
+  if (kind) report.line("\nCoordinates: " + name(*kind) + "; every solid is the hull of its rounded vertices.");
   std::vector<Dot> step_dots, static_dots, update_dots, brute_dots;
   const WantedPair wanted = [&](const solids::NamedMesh& p, const solids::NamedMesh& q) {
     return selected(options, p, q);
   };
-  if (options.wants("rotation")) rotation_tables(report, models, wanted);
-  if (options.wants("axes")) shared_axis_table(report, wanted);
-  if (options.wants("steps")) step_table(report, models, wanted, step_dots, static_dots);
-  if (options.wants("cubes")) cubes_table(report, update_dots, brute_dots);
-  if (options.wants("growth")) growth_table(report, wanted);
+  if (options.wants("rotation")) rotation_tables(report, models, kind, wanted);
+  if (options.wants("axes")) shared_axis_table(report, kind, wanted);
+  if (options.wants("steps")) step_table(report, models, kind, wanted, step_dots, static_dots);
+  if (options.wants("cubes")) cubes_table(report, kind, update_dots, brute_dots);
+  if (options.wants("growth")) growth_table(report, kind, wanted);
   if (options.wants("scaling")) scaling_table(report, models, wanted);
   if (options.wants("depth")) depths(options, models, report);
   if (options.wants("nef")) nefs(options, models, report);
   if (options.wants("criticality")) criticality(options, models, report);
   const auto write = [&](const std::string& name, const std::string& text) {
-    write_result(options.results, name, text);
+    write_result(KindOptions::folder(options.results, kind), name, text);
   };
   write("convex.md", report.markdown.str());
   write("convex.csv", kMotionColumns + report.csv.str());
@@ -160,7 +162,14 @@ int run(int argc, char** argv) {
   if (!update_dots.empty())
     write("figure-5.6.svg", draw_scatter("Tessellated cubes: update (left), brute force (right)", "triangles",
                                          "microseconds", update_dots, "triangles", brute_dots));
-  return 0;
+}
+
+int run(int argc, char** argv) {
+  const Options options = parse(argc, argv);
+  if (!options.coordinates.off_grid)
+    for (const Kind& kind : options.coordinates.kinds) run_kind(options, kind);
+  const bool all = options.only.empty() && options.part.empty() && !options.coordinates.chosen();
+  return !(options.coordinates.off_grid || all) || measure_kinds(options.results) ? 0 : 3;
 }
 
 }  // namespace

@@ -8,6 +8,8 @@
 namespace dymsum::bench {
 namespace {
 
+bool on_grid(Kind kind) { return !kind || *kind == Coordinates::grid; }
+
 void heading(Report& report) {
   report.heading({"pair", "triangles", "facets", "update us", "faces, crossings checked, arcs mended", "changed",
                   "brute us", "/ update", "thesis", "brute merged us", "/ update", "expert's us", "/ update",
@@ -101,11 +103,16 @@ const char* const kMotionColumns =
     "update_solid_median_us,update_solid_p99_us,update_solid_worst_us,static_solid_us,static_solid_median_us,"
     "static_solid_p99_us,static_solid_worst_us,fresh_solid_us,hull_us,different\n";
 
+Models with_coordinates(Models models, Kind kind) {
+  for (solids::NamedMesh& m : models) m.mesh = hull_with_coordinates(m.mesh, kind).value();
+  return models;
+}
+
 const solids::NamedMesh& model(const Models& models, std::string_view name) {
   return *std::find_if(models.begin(), models.end(), [&](const solids::NamedMesh& m) { return m.name == name; });
 }
 
-void rotation_tables(Report& report, const Models& models, const WantedPair& wanted) {
+void rotation_tables(Report& report, const Models& models, Kind kind, const WantedPair& wanted) {
   report.line("\n## Rotation, 500 steps a turn (tables 5.1 and 5.2)\n");
   report.line(
       "100 moves about random axes: the combinatorics alone. `brute` is the thesis's method on the triangles as they "
@@ -122,7 +129,8 @@ void rotation_tables(Report& report, const Models& models, const WantedPair& wan
       if (!wanted(models[i], models[j])) continue;
       MotionProtocol protocol;
       protocol.hull_moves = models[i].mesh.vertices().size() * models[j].mesh.vertices().size() < 20000 ? 5 : 1;
-      protocol.solids = protocol.expert = true;
+      protocol.solids = true;
+      protocol.expert = on_grid(kind);
       const MotionRow& row = rows.emplace_back(measure_rotation(models[i], models[j], 500, protocol));
       const double thesis = thesis_rotation(row.p, row.q);
       line(report, row, "rotation", thesis);
@@ -145,7 +153,7 @@ void rotation_tables(Report& report, const Models& models, const WantedPair& wan
   promises(report, rows);
 }
 
-void step_table(Report& report, const Models& models, const WantedPair& wanted, std::vector<Dot>& update,
+void step_table(Report& report, const Models& models, Kind kind, const WantedPair& wanted, std::vector<Dot>& update,
                 std::vector<Dot>& from_scratch) {
   report.line("\n## Size of the step (figure 5.5)\n");
   heading(report);
@@ -153,7 +161,7 @@ void step_table(Report& report, const Models& models, const WantedPair& wanted, 
     if (!wanted(p, q)) return;
     MotionProtocol protocol;
     protocol.brute_moves = 1;
-    protocol.expert = true;
+    protocol.expert = on_grid(kind);
     MotionRow row = measure_rotation(p, q, steps, protocol);
     if (plot) update.push_back({static_cast<double>(steps), row.update_us});
     if (plot) from_scratch.push_back({static_cast<double>(steps), row.static_us});
@@ -167,17 +175,18 @@ void step_table(Report& report, const Models& models, const WantedPair& wanted, 
       if (p.name < q.name && p.mesh.triangle_count() + q.mesh.triangle_count() > 300) one(p, q, 5000, false);
 }
 
-void cubes_table(Report& report, std::vector<Dot>& update, std::vector<Dot>& brute) {
+void cubes_table(Report& report, Kind kind, std::vector<Dot>& update, std::vector<Dot>& brute) {
   report.line("\n## Tessellated cubes (figure 5.6)\n");
   report.line(
       "Up to 200 triangles lie in each plane: we merge them, so the work does not grow; the brute force takes them as "
       "they stand.\n");
   heading(report);
   for (int k = 1; k <= 10; ++k) {
-    const solids::NamedMesh cube{"cube", solids::tessellated_cube(10, k, solids::kDemoSnap)};
+    const solids::NamedMesh cube{
+        "cube", hull_with_coordinates(solids::tessellated_cube(10, k, solids::kDemoSnap), kind).value()};
     MotionProtocol protocol;
     protocol.brute_moves = 2;
-    protocol.expert = true;
+    protocol.expert = on_grid(kind);
     const MotionRow row = measure_rotation(cube, cube, 500, protocol);
     line(report, row, "cubes");
     update.push_back({12.0 * k * k, row.update_us});

@@ -39,7 +39,7 @@ Models round_models() {
 
 }  // namespace
 
-void shared_axis_table(Report& report, const WantedPair& wanted) {
+void shared_axis_table(Report& report, Kind kind, const WantedPair& wanted) {
   report.line("\n## Shared axes, 500 steps a turn\n");
   report.line(
       "P turns about z, the axis of both solids, from where they stand: a quarter of a turn and a little more, 130 "
@@ -48,7 +48,7 @@ void shared_axis_table(Report& report, const WantedPair& wanted) {
                   "static, a facet ns", "about random axes", "shared / random", "brute merged us",
                   "update + solid us, mean", "p99", "worst", "static + solid us", "/ update + solid", "CGAL hull us",
                   "/ update + solid", "compared, different"});
-  const Models models = round_models();
+  const Models models = with_coordinates(round_models(), kind);
   std::size_t slower = 0, expensive = 0, different = 0, rows = 0;
   for (const auto& [p, q] : {std::pair{"cylinder", "cylinder"},
                              {"cone", "cone"},
@@ -97,14 +97,15 @@ void shared_axis_table(Report& report, const WantedPair& wanted) {
   report.promise("solids equal those of the static walk", text(different) + " differ", different == 0);
 }
 
-void growth_table(Report& report, const WantedPair& wanted) {
+void growth_table(Report& report, Kind kind, const WantedPair& wanted) {
   report.line("\n## Growth, 500 steps a turn\n");
   report.line("Geodesic spheres of ever more triangles, each with itself, 10 moves about random axes.\n");
   report.heading({"triangles", "facets", "update us", "a facet ns", "update + solid us, mean", "a facet ns", "exponent",
                   "static + solid us", "compared, different"});
   double facets_before = 0, us_before = 0;
   for (const int frequency : {6, 12, 24, 50}) {
-    const solids::NamedMesh sphere{"sphere", solids::geodesic_sphere(frequency, 1, solids::kDemoSnap)};
+    const solids::NamedMesh sphere{
+        "sphere", hull_with_coordinates(solids::geodesic_sphere(frequency, 1, solids::kDemoSnap), kind).value()};
     if (!wanted(sphere, sphere)) continue;
     MotionProtocol protocol;
     protocol.moves = 10;

@@ -76,7 +76,7 @@ void print(std::ostream& table, const char* name, const Region& shape, double ms
 
 }  // namespace
 
-bool measure_obstacle_growth(const std::string& dir, std::ostream& out) {
+bool measure_obstacle_growth(Kind kind, const std::string& dir, std::ostream& out) {
   constexpr std::array<Family, 5> kFamilies{{{"integer-grid polygon", grid_polygon, 200},
                                              {"rectilinear polygon", rectilinear, 200},
                                              {"comb, gap 2", [](int n) { return comb(n, 2); }, 200},
@@ -87,15 +87,21 @@ bool measure_obstacle_growth(const std::string& dir, std::ostream& out) {
            "time of all threads together, of one run. "
            "The exponent\ncompares with the row before, by vertices. Teeth of combs are 1 wide; in a gap of width 1 "
            "they fit exactly.\nThe star of 200 vertices takes minutes and is left out.\n\n"
-           "    ./run bench cspace --growth --results docs/results\n\n"
-           "| polygon with itself | vertices | ms | exponent | patches | angles | windows | pairs | triples | "
+           "    ./run bench cspace --growth --results docs/results\n\n";
+  if (kind) table << "Coordinates: " << name(*kind) << "\n\n";
+  table << "| polygon with itself | vertices | ms | exponent | patches | angles | windows | pairs | triples | "
            "potential events | near the event | whole slices |\n"
            "|---|---|---|---|---|---|---|---|---|---|---|---|\n";
   for (const Family& family : kFamilies) {
     double before = 0, size_before = 0;
     for (const int n : {25, 50, 100, 200}) {
       if (n > family.largest) continue;
-      const Region shape = family.make(n);
+      const Result<Region> made = with_coordinates(family.make(n), kind);
+      if (!made) {
+        table << "| " << family.name << " | " << n << " | spoilt by rounding: " << made.error().to_string() << " |\n";
+        continue;
+      }
+      const Region& shape = *made;
       const double start = processor_ms();
       const CspaceObstacle obstacle = CspaceObstacle::create(shape, shape).value();
       const double ms = processor_ms() - start, size = static_cast<double>(shape.vertex_count());

@@ -5,8 +5,10 @@
 #include <iostream>
 #include <stdexcept>
 
+#include "coordinate_kinds.h"
 #include "cspace/figure.h"
 #include "cspace/growth.h"
+#include "cspace/kinds.h"
 #include "cspace/questions.h"
 #include "cspace/tables.h"
 #include "planar/pairs.h"
@@ -15,8 +17,8 @@ namespace dymsum::bench {
 namespace {
 
 constexpr const char* kUsage =
-    "dymsum_bench_cspace [--only TEXT] [--part NAME] [--data DIR] [--results DIR]\n"
-    "dymsum_bench_cspace --growth [--results DIR]\n"
+    "dymsum_bench_cspace [--off-grid] [--coordinates KIND] [--only TEXT] [--part NAME] [--data DIR] [--results DIR]\n"
+    "dymsum_bench_cspace --growth [--coordinates KIND] [--results DIR]\n"
     "  --growth       obstacles of ever larger polygons; with --results cspace-growth.md\n"
     "  --only TEXT    only pairs whose name contains TEXT\n"
     "  --part NAME    only one of: obstacles, slices, rotation, sizes, symmetric, questions, figure\n"
@@ -26,6 +28,7 @@ constexpr const char* kUsage =
 struct Options {
   std::string only, part, data, results;
   bool growth = false;
+  KindOptions coordinates;
   bool wants(const std::string& name) const { return part.empty() || part == name; }
   bool selects(const TurningPair& pair) const { return pair.name.find(only) != std::string::npos; }
 };
@@ -92,14 +95,15 @@ void sizes_table(Report& report, const Options& options, const std::vector<Turni
       sizes_line(report, pair.name, count_convolutions(pair.robot, pair.obstacle), pair.thesis);
 }
 
-std::vector<ObstacleRow> symmetric_table(Report& report, const Options& options) {
+std::vector<ObstacleRow> symmetric_table(Report& report, const Options& options,
+                                         const std::vector<TurningPair>& pairs) {
   report.line("\n## Symmetric and coincident inputs\n");
   report.line(
       "Many events at one angle and in one place: where the change near an event cannot be told from the "
       "segments that meet there, a whole slice behind the angle is computed.\n");
   symmetric_heading(report);
   std::vector<ObstacleRow> rows;
-  for (const TurningPair& pair : symmetric_pairs()) {
+  for (const TurningPair& pair : pairs) {
     if (!options.selects(pair)) continue;
     rows.push_back(measure_obstacle(pair, 7, 300));
     symmetric_line(report, rows.back());
@@ -137,13 +141,13 @@ std::vector<RotationRow> rotation_table(Report& report, const Options& options, 
   return rows;
 }
 
-void write_figures(const Options& options, const std::vector<TurningPair>& pairs) {
+void write_figures(const std::string& folder, const std::vector<TurningPair>& pairs) {
   for (const auto& [name, file] :
        {std::pair{"grate1/grate2", "figure-4.4.svg"}, {"crossing grates", "figure-4.4-grates.svg"}})
     for (const TurningPair& pair : pairs) {
       if (pair.name != name) continue;
       const CspaceObstacle obstacle = CspaceObstacle::create(pair.robot, pair.obstacle).value();
-      write_result(options.results, file, draw_obstacle(obstacle, pair.name + ": " + pair.shapes));
+      write_result(folder, file, draw_obstacle(obstacle, pair.name + ": " + pair.shapes));
     }
 }
 
@@ -159,12 +163,13 @@ Options parse(int argc, char** argv) {
     else if (const char* folder = value("--data")) options.data = folder;
     else if (const char* dir = value("--results")) options.results = dir;
     else if (std::strcmp(argv[i], "--growth") == 0) options.growth = true;
-    else throw std::invalid_argument(kUsage);
+    else if (!options.coordinates.take(argc, argv, i)) throw std::invalid_argument(std::string(kUsage) + kKindUsage);
   }
   return options;
 }
 
-void measure_all(Report& report, const Options& options, const std::vector<TurningPair>& pairs) {
+void measure_all(Report& report, const Options& options, const std::vector<TurningPair>& pairs,
+                 const std::vector<TurningPair>& symmetric) {
   std::vector<ObstacleRow> obstacles;
   std::vector<SlicesRow> slices;
   std::vector<RotationRow> rotations;
@@ -173,7 +178,7 @@ void measure_all(Report& report, const Options& options, const std::vector<Turni
   if (options.wants("rotation")) rotations = rotation_table(report, options, pairs);
   if (options.wants("sizes")) sizes_table(report, options, pairs);
   if (options.wants("symmetric"))
-    for (ObstacleRow& row : symmetric_table(report, options)) obstacles.push_back(std::move(row));
+    for (ObstacleRow& row : symmetric_table(report, options, symmetric)) obstacles.push_back(std::move(row));
   if (options.wants("questions")) questions(report, pairs);
   if (obstacles.empty() && rotations.empty()) return;
   report.line("\n## Promises\n");
@@ -182,26 +187,38 @@ void measure_all(Report& report, const Options& options, const std::vector<Turni
   losses(report, obstacles, slices);
 }
 
-int run(int argc, char** argv) {
-  const Options options = parse(argc, argv);
-  if (options.growth) {
-    if (!options.results.empty()) std::filesystem::create_directories(options.results);
-    return measure_obstacle_growth(options.results, std::cout) ? 0 : 1;
-  }
-  const std::vector<TurningPair> pairs = turning_pairs(options.data);
+void run_kind(const Options& options, Kind kind) {
+  std::vector<std::string> notes;
+  const std::vector<TurningPair> pairs = with_coordinates(turning_pairs(options.data), kind, notes),
+                                 symmetric = with_coordinates(symmetric_pairs(), kind, notes);
+  const std::string folder = KindOptions::folder(options.results, kind);
   Report report;
   opening(report, options.data);
-  measure_all(report, options, pairs);
-  if (options.results.empty()) return 0;
+  if (kind) report.line("\nCoordinates: " + name(*kind) + ".");
+  for (const std::string& note : notes) report.line("\n" + note);
+  measure_all(report, options, pairs, symmetric);
+  if (folder.empty()) return;
   if (options.wants("figure")) {
-    write_figures(options, pairs);
+    write_figures(folder, pairs);
     report.line(
         "\n## Figure 4.4\n\n![The obstacle of grate1/grate2](figure-4.4.svg)\n\n"
         "![The obstacle of the crossing grates](figure-4.4-grates.svg)");
   }
-  write_result(options.results, "cspace.md", report.markdown.str());
-  write_result(options.results, "cspace.csv", report.csv.str());
-  return 0;
+  write_result(folder, "cspace.md", report.markdown.str());
+  write_result(folder, "cspace.csv", report.csv.str());
+}
+
+int run(int argc, char** argv) {
+  const Options options = parse(argc, argv);
+  if (!options.coordinates.off_grid)
+    for (const Kind& kind : options.coordinates.kinds) {
+      const std::string folder = KindOptions::folder(options.results, kind);
+      if (options.growth && !folder.empty()) std::filesystem::create_directories(folder);
+      if (!options.growth) run_kind(options, kind);
+      else if (!measure_obstacle_growth(kind, folder, std::cout)) return 1;
+    }
+  const bool all = !options.growth && options.only.empty() && options.part.empty() && !options.coordinates.chosen();
+  return !(options.coordinates.off_grid || all) || measure_kinds(options.results) ? 0 : 3;
 }
 
 }  // namespace

@@ -78,4 +78,18 @@ std::vector<TurningPair> symmetric_pairs() {
   return pairs;
 }
 
+std::vector<TurningPair> with_coordinates(std::vector<TurningPair> pairs, Kind kind, std::vector<std::string>& notes) {
+  if (!kind) return pairs;
+  std::erase_if(pairs, [&](TurningPair& pair) {
+    Result<Region> robot = with_coordinates(pair.robot, kind), obstacle = with_coordinates(pair.obstacle, kind);
+    if (robot && obstacle) {
+      pair.robot = *std::move(robot), pair.obstacle = *std::move(obstacle);
+      return false;
+    }
+    notes.push_back(pair.name + ": left out: " + (robot ? obstacle : robot).error().to_string());
+    return true;
+  });
+  return pairs;
+}
+
 }  // namespace dymsum::bench

@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "coordinate_kinds.h"
 #include "dymsum/region.h"
 
 namespace dymsum::bench {
@@ -28,5 +29,8 @@ std::vector<TurningPair> turning_pairs(const std::string& data);
 
 /// Robots and obstacles whose contacts coincide at many angles at once.
 std::vector<TurningPair> symmetric_pairs();
+
+/// The same pairs in coordinates of a kind; what rounding spoils is left out, with a note.
+std::vector<TurningPair> with_coordinates(std::vector<TurningPair> pairs, Kind kind, std::vector<std::string>& notes);
 
 }  // namespace dymsum::bench

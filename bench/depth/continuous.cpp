@@ -12,6 +12,7 @@
 #include <random>
 #include <thread>
 
+#include "depth/kinds.h"
 #include "dymsum/continuous_depth.h"
 #include "dymsum/solids.h"
 #include "page.h"
@@ -100,7 +101,7 @@ std::vector<ContinuousPair> continuous_pairs() {
           {"ell + tunnel", ell(), tunnel(), 10}};
 }
 
-void continuity(long steps, Report& report) {
+void continuity(long steps, Kind kind, Report& report) {
   report.line("\n## Continuous depth\n");
   report.line(
       "Q walks at random in and about P, in steps of a thousandth of P's size, down to a tenth of it deep; so many "
@@ -113,7 +114,7 @@ void continuity(long steps, Report& report) {
   report.heading({"pair", "smoothing", "steps inside", "turn", "slope", "exact slope", "depth / exact: mean", "worst",
                   "folds", "too long", "lost", "not smoothed", "unexplained", "us: median", "p99", "worst",
                   "with a local sum: worst ms"});
-  const std::vector<ContinuousPair> pairs = continuous_pairs();
+  const std::vector<ContinuousPair> pairs = with_coordinates(continuous_pairs(), kind, report);
   const std::vector<double> lengths = {0.1, 0.3, 1};
   const long each = steps / static_cast<long>(pairs.size() * lengths.size());
   for (const ContinuousPair& pair : pairs)
@@ -226,7 +227,7 @@ ForceLoop ask_patches(const Hand& hand, double seconds, Shared& shared) {
 
 }  // namespace
 
-void two_rates(double seconds, Report& report) {
+void two_rates(double seconds, Kind kind, Report& report) {
   report.line("\n## Two rates\n");
   report.line(
       "One thread follows Q, which moves and turns, by local sums and publishes what it knows of the boundary; another "
@@ -236,7 +237,7 @@ void two_rates(double seconds, Report& report) {
       fixed(seconds, 0) + " seconds; `late` is how much after its millisecond the loop wakes up.\n");
   report.heading({"pair", "geometry ms: median", "p99", "worst", "force us: median", "p99", "worst", "late us: p99",
                   "worst", "largest turn", "jumps"});
-  for (const ContinuousPair& pair : continuous_pairs()) {
+  for (const ContinuousPair& pair : with_coordinates(continuous_pairs(), kind, report)) {
     const double size = pair.size;
     const Mesh p = Mesh::create(pair.p).value(), q = Mesh::create(pair.q).value();
     ContinuousDepthOptions options;

@@ -11,6 +11,7 @@
 
 #include "depth/continuous.h"
 #include "depth/gap_filling.h"
+#include "depth/kinds.h"
 #include "depth/other_systems.h"
 #include "depth/thesis_table.h"
 #include "dymsum/local_sum.h"
@@ -49,14 +50,14 @@ Point3 place_on_curve(double reach, int k, int steps) {
   return {r * std::cos(a), r * std::sin(a), 0.3 * r * std::sin(2 * a)};
 }
 
-void motions(int steps, Report& report) {
+void motions(int steps, Kind kind, Report& report) {
   report.line("\n## Along a motion\n");
   report.line(
       "Q follows a closed curve. `prepare` makes the facets of the convolution once; the first step and the others are "
       "told apart, as the later ones know what the last answers covered.\n");
   report.heading({"pair", "facets", "prepare ms", "overlapping", "first us", "median us", "p99 us", "worst us",
                   "facets a step", "positions", "exact tests"});
-  for (const MotionPair& pair : motion_pairs()) {
+  for (const MotionPair& pair : with_coordinates(motion_pairs(), kind, report)) {
     const Mesh p = Mesh::create(pair.p).value(), q = Mesh::create(pair.q).value();
     std::optional<SolidDepth> depth;
     const double prepare = us_of([&] { depth = SolidDepth::create(p, q).value(); });
@@ -84,17 +85,18 @@ void motions(int steps, Report& report) {
   }
 }
 
-void convex_pairs(Report& report) {
+void convex_pairs(Kind kind, Report& report) {
   report.line("\n## Convex pairs\n");
   report.line("Q somewhere inside P, 200 translations. Ours is exact; the others' errors are relative to P's width.\n");
   report.heading({"pair", "system", "us a query", "no answer", "wrong by more than 1e-6", "largest error"});
   const std::vector<solids::NamedMesh> models = solids::thesis_models();
-  const auto named = [&](std::string_view name) -> const Mesh& {
-    return std::find_if(models.begin(), models.end(), [&](const auto& m) { return m.name == name; })->mesh;
+  const auto named = [&](std::string_view name) {
+    const auto at = std::find_if(models.begin(), models.end(), [&](const auto& m) { return m.name == name; });
+    return hull_with_coordinates(at->mesh, kind).value();
   };
   const double identity[9] = {1, 0, 0, 0, 1, 0, 0, 0, 1};
   for (const auto& [a, b] : {std::pair{"cube", "T"}, {"T", "TI"}, {"GS1", "cylinder"}}) {
-    const Mesh &p = named(a), &q = named(b);
+    const Mesh p = named(a), q = named(b);
     double width = 0;
     for (const Point3& v : p.vertices())
       width = std::max({width, 2 * std::abs(v.x), 2 * std::abs(v.y), 2 * std::abs(v.z)});
@@ -130,8 +132,8 @@ void convex_pairs(Report& report) {
 }
 
 /// Translations anywhere about P, on all cores; a part of them again on one thread, which has to answer the same.
-void batch(std::size_t first_rows, Report& report) {
-  const std::vector<MotionPair> pairs = motion_pairs();
+void batch(std::size_t first_rows, Kind kind, Report& report) {
+  const std::vector<MotionPair> pairs = with_coordinates(motion_pairs(), kind, report);
   report.line("\n## A batch\n");
   report.line(
       "Translations of Q at random, without order, on all cores. `late`: rows that a limit of 20 ms each leaves with "
@@ -162,7 +164,7 @@ void batch(std::size_t first_rows, Report& report) {
 }
 
 /// Local sums while P turns, in balls about vertices of the sum, against the whole sum at the same poses.
-void local_sums(int frames, Report& report) {
+void local_sums(int frames, Kind kind, Report& report) {
   report.line("\n## Sums near a place\n");
   report.line(
       "P turns in steps of 1/500 turn; a ball about a vertex of the sum, its radius a 20th of the sum's size, another "
@@ -170,7 +172,7 @@ void local_sums(int frames, Report& report) {
       "the same pose, and with the engine that tests every cell, then cut. The last column compares all of them.\n");
   report.heading({"pair", "faces", "near", "updated median", "worst", "hierarchy median", "worst", "brute", "whole sum",
                   "gain on whole", "same"});
-  for (const MotionPair& pair : motion_pairs()) {
+  for (const MotionPair& pair : with_coordinates(motion_pairs(), kind, report)) {
     const Mesh p = Mesh::create(pair.p).value(), q = Mesh::create(pair.q).value();
     const SpatialSum sum = minkowski_sum(p, q).value();
     double size = 0;
@@ -209,7 +211,7 @@ void local_sums(int frames, Report& report) {
 }
 
 /// The thesis's update of local sums in place of ours, in a box that stays where it is while P turns.
-void gap_filling(int frames, Report& report) {
+void gap_filling(int frames, Kind kind, Report& report) {
   report.line("\n## The thesis's gap filling\n");
   report.line(
       "The same part in a box, kept by the thesis's method (7.2.3) and by ours, while P turns in steps of 1/500 turn "
@@ -219,7 +221,7 @@ void gap_filling(int frames, Report& report) {
       "still ends inside the box; the others look finished.\n");
   report.heading({"pair", "frames", "ended", "repaired", "queries", "gap filling median ms", "worst", "ours median ms",
                   "worst", "gain", "wrong", "open"});
-  for (const MotionPair& pair : motion_pairs()) {
+  for (const MotionPair& pair : with_coordinates(motion_pairs(), kind, report)) {
     const Mesh p = Mesh::create(pair.p).value(), q = Mesh::create(pair.q).value();
     const SpatialSum sum = minkowski_sum(p, q).value();
     double size = 0;
@@ -253,49 +255,77 @@ void gap_filling(int frames, Report& report) {
   }
 }
 
-int run(int argc, char** argv) {
+constexpr const char* kUsage =
+    "dymsum_bench_depth [--steps N] [--only PART] [--continuity N] [--long | --off-grid] [--coordinates KIND]\n"
+    "                   [--results DIR]\n"
+    "  With --coordinates without the part `meshes`: their depths are known of the coordinates they have.\n";
+
+struct Options {
   int steps = 1000;
   bool is_long = false;
   long walked = 0;
   std::string results, only;
+  KindOptions coordinates;
+};
+
+Options parse(int argc, char** argv) {
+  Options options;
   for (int k = 1; k < argc; ++k) {
-    if (k + 1 < argc && std::strcmp(argv[k], "--steps") == 0) steps = std::max(10, std::atoi(argv[++k]));
-    else if (k + 1 < argc && std::strcmp(argv[k], "--results") == 0) results = argv[++k];
-    else if (std::strcmp(argv[k], "--long") == 0) is_long = true;
-    else if (k + 1 < argc && std::strcmp(argv[k], "--continuity") == 0) walked = std::max(1200L, std::atol(argv[++k]));
-    else if (k + 1 < argc && std::strcmp(argv[k], "--only") == 0) only = argv[++k];
-    else
-      throw std::invalid_argument(
-          "dymsum_bench_depth [--steps N] [--only PART] [--continuity N] [--long] [--results DIR]");
+    const auto value = [&](const char* flag) -> const char* {
+      return std::strcmp(argv[k], flag) == 0 && k + 1 < argc ? argv[++k] : nullptr;
+    };
+    if (const char* steps = value("--steps")) options.steps = std::max(10, std::atoi(steps));
+    else if (const char* dir = value("--results")) options.results = dir;
+    else if (std::strcmp(argv[k], "--long") == 0) options.is_long = true;
+    else if (const char* walked = value("--continuity")) options.walked = std::max(1200L, std::atol(walked));
+    else if (const char* part = value("--only")) options.only = part;
+    else if (!options.coordinates.take(argc, argv, k)) throw std::invalid_argument(std::string(kUsage) + kKindUsage);
   }
+  return options;
+}
+
+void run_continuity(const Options& options, Kind kind) {
+  const std::string folder = KindOptions::folder(options.results, kind);
   Report report;
-  if (walked > 0) {
-    report.line("# Continuous depth");
-    report.line(
-        "\n`./run bench depth --continuity 1000000 --results docs/results` makes this page and figure-7.4.svg.");
-    continuity(walked, report);
-    two_rates(10, report);
-    write_result(results, "continuous-depth.md", report.markdown.str());
-    write_result(results, "figure-7.4.svg", results.empty() ? "" : figure_7_4());
-    return 0;
-  }
+  report.line("# Continuous depth");
+  report.line("\n`./run bench depth --continuity 1000000 --results docs/results` makes this page and figure-7.4.svg.");
+  if (kind) report.line("\nCoordinates: " + name(*kind) + ".");
+  continuity(options.walked, kind, report);
+  two_rates(10, kind, report);
+  write_result(folder, "continuous-depth.md", report.markdown.str());
+  if (!kind) write_result(folder, "figure-7.4.svg", folder.empty() ? "" : figure_7_4());
+}
+
+void run_kind(const Options& options, Kind kind) {
+  Report report;
   report.line("# Penetration depth");
   report.line(
       "\n`./run bench depth --long --results docs/results` makes this page; without --long the first batch has 1,000 "
       "rows, too.");
-  const std::vector<std::pair<const char*, std::function<void()>>> parts = {
-      {"motions", [&] { motions(steps, report); }},
-      {"batch", [&] { batch(is_long ? 100000 : 1000, report); }},
-      {"local-sums", [&] { local_sums(21, report); }},
-      {"thesis-table", [&] { thesis_table(21, report); }},
-      {"planar-local-sums", [&] { planar_local_sums(100, report); }},
-      {"gap-filling", [&] { gap_filling(100, report); }},
-      {"convex-pairs", [&] { convex_pairs(report); }},
+  if (kind) report.line("\nCoordinates: " + name(*kind) + ".");
+  const std::vector<std::pair<std::string, std::function<void()>>> parts = {
+      {"motions", [&] { motions(options.steps, kind, report); }},
+      {"batch", [&] { batch(options.is_long ? 100000 : 1000, kind, report); }},
+      {"local-sums", [&] { local_sums(21, kind, report); }},
+      {"thesis-table", [&] { thesis_table(21, kind, report); }},
+      {"planar-local-sums", [&] { planar_local_sums(100, kind, report); }},
+      {"gap-filling", [&] { gap_filling(100, kind, report); }},
+      {"convex-pairs", [&] { convex_pairs(kind, report); }},
       {"meshes", [&] { mesh_rows(report); }}};
   for (const auto& [name, make] : parts)
-    if (only.empty() || only == name) make();
-  write_result(results, "depth.md", report.markdown.str());
-  return 0;
+    if ((options.only.empty() || options.only == name) && !(kind && name == "meshes")) make();
+  write_result(KindOptions::folder(options.results, kind), "depth.md", report.markdown.str());
+}
+
+int run(int argc, char** argv) {
+  const Options options = parse(argc, argv);
+  const bool whole = options.walked == 0 && options.only.empty() && !options.coordinates.chosen();
+  if (!options.coordinates.off_grid)
+    for (const Kind& kind : options.coordinates.kinds) {
+      if (options.walked > 0) run_continuity(options, kind);
+      else run_kind(options, kind);
+    }
+  return !(options.coordinates.off_grid || whole) || measure_kinds(options.results) ? 0 : 3;
 }
 
 }  // namespace

@@ -9,6 +9,7 @@
 #include <string>
 #include <vector>
 
+#include "depth/kinds.h"
 #include "dymsum/local_sum.h"
 #include "dymsum/moving_solid_sum.h"
 #include "dymsum/orientation_sum.h"
@@ -178,7 +179,7 @@ LocalTimes local_times(const ThesisPair& pair, int frames) {
 
 }  // namespace
 
-void thesis_table(int frames, Report& report) {
+void thesis_table(int frames, Kind kind, Report& report) {
   report.line("\n## Table 7.1 of the thesis\n");
   report.line(
       "Stand-ins of equal size; P turns in steps of 1/500 turn; a ball of a fifth of the sum's radius, as in the "
@@ -187,7 +188,7 @@ void thesis_table(int frames, Report& report) {
       "every cell of the whole sum by itself: for the smallest pair only.\n");
   report.heading({"pair", "faces in the ball", "whole", "brute", "hierarchy", "updated", "whole / updated",
                   "thesis: whole / updated", "same"});
-  for (const ThesisPair& pair : thesis_pairs()) {
+  for (const ThesisPair& pair : with_coordinates(thesis_pairs(), kind, report)) {
     const LocalTimes t = local_times(pair, frames);
     const double whole = median_of(t.whole), updated = median_of(t.updated);
     const auto with = [&](double ours, int k) {
@@ -200,7 +201,7 @@ void thesis_table(int frames, Report& report) {
   }
 }
 
-void planar_local_sums(int frames, Report& report) {
+void planar_local_sums(int frames, Kind kind, Report& report) {
   report.line("\n## Regions near a place\n");
   report.line(
       "P turns in steps of 1/500 turn; discs of a 20th of the sum's size about a vertex of it. Medians in "
@@ -217,7 +218,13 @@ void planar_local_sums(int frames, Report& report) {
        shapes::gear(100, 4, 5, shapes::demo_snap(5))},
       {"star 1000 + star 1000", shapes::noisy_star(1000, 0.4, 3), shapes::noisy_star(1000, 0.4, 4)},
       {"polygon 400 + L", shapes::random_polygon(400, 4, 5), shapes::letter_l(0.1, 0.1, 0.03)}};
-  for (const Regions& pair : pairs) {
+  for (Regions pair : pairs) {
+    const Result<Region> made_p = with_coordinates(pair.p, kind), made_q = with_coordinates(pair.q, kind);
+    if (!made_p || !made_q) {
+      report.row({pair.name, "left out: " + (made_p ? made_q : made_p).error().to_string()});
+      continue;
+    }
+    pair.p = *made_p, pair.q = *made_q;
     const PlanarSum sum = minkowski_sum(pair.p, pair.q).value();
     const SumRing& ring = sum.parts.front().outer;
     double size = 0;

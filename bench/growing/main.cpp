@@ -6,10 +6,12 @@
 #include <stdexcept>
 #include <vector>
 
+#include "coordinate_kinds.h"
 #include "dymsum/region_io.h"
 #include "dymsum/shapes.h"
 #include "growing/diagram.h"
 #include "growing/frames.h"
+#include "growing/kinds.h"
 #include "page.h"
 #include "planar/pairs.h"
 
@@ -17,7 +19,7 @@ namespace dymsum::bench {
 namespace {
 
 constexpr const char* kUsage =
-    "dymsum_bench_growing [--only TEXT] [--long] [--data DIR] [--results DIR]\n"
+    "dymsum_bench_growing [--only TEXT] [--long | --off-grid] [--coordinates KIND] [--data DIR] [--results DIR]\n"
     "  --only TEXT    only regions whose name contains TEXT\n"
     "  --long         generated regions up to 100000 vertices\n"
     "  --data DIR     the folder with planar/beetle.poly and others (DYMSUM_DATA)\n"
@@ -26,6 +28,7 @@ constexpr const char* kUsage =
 struct Options {
   std::string only, data, results;
   bool extended = false;
+  KindOptions coordinates;
 };
 
 void add_real(std::vector<std::pair<std::string, Region>>& all, const std::string& data) {
@@ -38,7 +41,7 @@ void add_real(std::vector<std::pair<std::string, Region>>& all, const std::strin
   }
 }
 
-std::vector<std::pair<std::string, Region>> regions(const Options& options) {
+std::vector<std::pair<std::string, Region>> regions(const Options& options, Kind kind, Report& report) {
   std::vector<std::pair<std::string, Region>> all;
   add_real(all, options.data);
   for (int n = 100; n <= (options.extended ? 100000 : 10000); n *= 10) {
@@ -49,7 +52,13 @@ std::vector<std::pair<std::string, Region>> regions(const Options& options) {
     all.emplace_back("spiral " + std::to_string(n),
                      shapes::spiral(std::max(1, n / 200), 100, 1, 0.4, shapes::demo_snap(std::max(1, n / 200) + 1.4)));
   }
-  std::erase_if(all, [&](const auto& named) { return named.first.find(options.only) == std::string::npos; });
+  std::erase_if(all, [&](auto& named) {
+    if (named.first.find(options.only) == std::string::npos) return true;
+    const Result<Region> made = with_coordinates(named.second, kind);
+    if (!made) report.line(named.first + ": left out: " + made.error().to_string() + "\n");
+    else named.second = *made;
+    return !made;
+  });
   return all;
 }
 
@@ -64,13 +73,12 @@ Options parse(int argc, char** argv) {
     else if (std::strcmp(argv[i], "--long") == 0) options.extended = true;
     else if (const char* folder = value("--data")) options.data = folder;
     else if (const char* dir = value("--results")) options.results = dir;
-    else throw std::invalid_argument(kUsage);
+    else if (!options.coordinates.take(argc, argv, i)) throw std::invalid_argument(std::string(kUsage) + kKindUsage);
   }
   return options;
 }
 
-int run(int argc, char** argv) {
-  const Options options = parse(argc, argv);
+void run_kind(const Options& options, Kind kind) {
   Report report;
   report.csv << "region,measure,value\n";
   report.line("# Growing discs\n");
@@ -80,7 +88,8 @@ int run(int argc, char** argv) {
       "Against CGAL's segment Delaunay graph with exact predicates (its filtered traits, doubles as input, spatial "
       "order), which holds both sides of the boundary, decides no order of radii and constructs nothing. Ours: each "
       "side by itself, one thread unless it says otherwise, all discs sorted by radius exactly.\n");
-  const auto all = regions(options);
+  if (kind) report.line("Coordinates: " + name(*kind) + ".\n");
+  const auto all = regions(options, kind, report);
   const auto runs = [](const Region& region) { return region.vertex_count() > 2000 ? 1 : 3; };
   std::vector<DiagramRow> diagrams;
   for (const auto& [name, region] : all) diagrams.push_back(measure_diagram(name, region, runs(region), true));
@@ -100,9 +109,17 @@ int run(int argc, char** argv) {
   for (const auto& [name, region] : all)
     if (region.vertex_count() <= 2000) barcodes.push_back(measure_barcode(name, region, 0.25, 400, 8));
   report_barcodes(report, barcodes);
-  write_result(options.results, "growing.md", report.markdown.str());
-  write_result(options.results, "growing.csv", report.csv.str());
-  return 0;
+  const std::string folder = KindOptions::folder(options.results, kind);
+  write_result(folder, "growing.md", report.markdown.str());
+  write_result(folder, "growing.csv", report.csv.str());
+}
+
+int run(int argc, char** argv) {
+  const Options options = parse(argc, argv);
+  if (!options.coordinates.off_grid)
+    for (const Kind& kind : options.coordinates.kinds) run_kind(options, kind);
+  const bool all = options.only.empty() && !options.extended && !options.coordinates.chosen();
+  return !(options.coordinates.off_grid || all) || measure_kinds(options.results) ? 0 : 3;
 }
 
 }  // namespace

@@ -8,8 +8,10 @@
 #include <stdexcept>
 
 #include "base/stopwatch.h"
+#include "coordinate_kinds.h"
 #include "dymsum/moving_solid_sum.h"
 #include "dymsum/scaling_solid_sum.h"
+#include "moving_solids/kinds.h"
 #include "page.h"
 #include "solid/inputs.h"
 #include "spatial/moving/dynamic_convolution.h"
@@ -20,7 +22,7 @@ namespace dymsum::bench {
 namespace {
 
 constexpr const char* kUsage =
-    "dymsum_bench_moving_solids [--frames N] [--only TEXT] [--results DIR]\n"
+    "dymsum_bench_moving_solids [--frames N] [--off-grid] [--coordinates KIND] [--only TEXT] [--results DIR]\n"
     "  (default)      all motions\n"
     "  --frames N     of every motion (default 20)\n"
     "  --only TEXT    only pairs whose name contains TEXT\n"
@@ -33,6 +35,7 @@ struct Options {
   int frames = 20;
   bool events = false, scattered = false;
   std::string only, results;
+  KindOptions coordinates;
 };
 
 /// P's poses, one after the other.
@@ -169,21 +172,34 @@ Options parse(int argc, char** argv) {
     else if (word == "--events") options.events = true;
     else if (word == "--scattered") options.scattered = true;
     else if (word == "--results" && i + 1 < argc) options.results = argv[++i];
-    else throw std::invalid_argument(kUsage);
+    else if (!options.coordinates.take(argc, argv, i)) throw std::invalid_argument(std::string(kUsage) + kKindUsage);
   }
   if (options.frames < 1) throw std::invalid_argument(kUsage);
   return options;
 }
 
+/// Those of kPairs that are asked for, in coordinates of a kind.
+std::vector<SolidPair> wanted_pairs(const Options& options, const std::string& data, Kind kind, Report& report) {
+  std::vector<SolidPair> pairs = solid_pairs(data);
+  std::erase_if(pairs, [&](const SolidPair& pair) {
+    return std::find(kPairs.begin(), kPairs.end(), pair.name) == kPairs.end() ||
+           pair.name.find(options.only) == std::string::npos;
+  });
+  std::vector<std::string> notes;
+  pairs = with_coordinates(std::move(pairs), kind, notes);
+  if (kind) report.line("Coordinates: " + name(*kind) + ".\n");
+  for (const std::string& note : notes) report.line(note + "\n");
+  return pairs;
+}
+
 /// Events over [1, 1.1], their time, and that of a sum from scratch on both sides of every one.
-int run_events(const Options& options, const std::string& data) {
+int run_events(const Options& options, const std::string& data, Kind kind) {
   Report report;
+  const std::vector<SolidPair> pairs = wanted_pairs(options, data, kind, report);
   report.heading({"pair", "facets", "events", "topology", "candidates", "exact points", "sums compared", "ms",
                   "ms a sum", "from scratch around each, ms", "gain", "pair events", "ms"});
   const Scale low = *Scale::parse("1"), high = *Scale::parse("1.1");
-  for (const SolidPair& pair : solid_pairs(data)) {
-    if (std::find(kPairs.begin(), kPairs.end(), pair.name) == kPairs.end()) continue;
-    if (pair.name.find(options.only) == std::string::npos) continue;
+  for (const SolidPair& pair : pairs) {
     const Mesh p = Mesh::create(pair.p).value(), q = Mesh::create(pair.q).value();
     Stopwatch time;
     const ScalingSolidSum sum = ScalingSolidSum::create(p, q).value();
@@ -195,30 +211,29 @@ int run_events(const Options& options, const std::string& data) {
     time.lap();
     if (!sum.at(low).ok()) return 3;
     const double at = time.lap(), scratch = at * 2 * static_cast<double>(events.size());
-    const SolidPairEventCount pairs = count_solid_pair_events(p, q).value();
+    const SolidPairEventCount met = count_solid_pair_events(p, q).value();
     report.row({pair.name, std::to_string(sum.facet_count()), std::to_string(events.size()), std::to_string(topology),
                 std::to_string(work.candidates), std::to_string(work.points), std::to_string(work.sums), fixed(ms, 0),
-                fixed(at, 1), fixed(scratch, 0), ratio(scratch, ms, 1), std::to_string(pairs.events()),
+                fixed(at, 1), fixed(scratch, 0), ratio(scratch, ms, 1), std::to_string(met.events()),
                 fixed(time.lap(), 0)});
   }
-  write_result(options.results, "moving-solids-events.md", report.markdown.str());
+  write_result(KindOptions::folder(options.results, kind), "moving-solids-events.md", report.markdown.str());
   return 0;
 }
 
 /// Batches of random orientations, and a sum from scratch for each by itself.
-int run_scattered(const Options& options, const std::string& data) {
+int run_scattered(const Options& options, const std::string& data, Kind kind) {
   std::mt19937_64 random(1);
   const auto part = [&] { return static_cast<std::int64_t>(random() % 2001) - 1000; };
   std::vector<SolidPose> poses;
   for (int k = 0; k < options.frames; ++k)
     poses.push_back({Rotation::of(1 + part() / 2, part(), part(), part()).value(), {}});
   Report report;
+  const std::vector<SolidPair> pairs = wanted_pairs(options, data, kind, report);
   report.heading(
       {"pair", "poses", "one by one, ms a pose", "batch", "gain", "batch on two threads", "gain", "results"});
   bool same = true;
-  for (const SolidPair& pair : solid_pairs(data)) {
-    if (std::find(kPairs.begin(), kPairs.end(), pair.name) == kPairs.end()) continue;
-    if (pair.name.find(options.only) == std::string::npos) continue;
+  for (const SolidPair& pair : pairs) {
     const Mesh p = Mesh::create(pair.p).value(), q = Mesh::create(pair.q).value();
     std::vector<SpatialSum> sums;
     Stopwatch time;
@@ -239,16 +254,11 @@ int run_scattered(const Options& options, const std::string& data) {
     report.row({pair.name, std::to_string(poses.size()), fixed(alone, 1), fixed(one, 1), ratio(alone, one, 2),
                 fixed(two, 1), ratio(alone, two, 2), same ? "same" : "DIFFERENT"});
   }
-  write_result(options.results, "moving-solids-scattered.md", report.markdown.str());
+  write_result(KindOptions::folder(options.results, kind), "moving-solids-scattered.md", report.markdown.str());
   return same ? 0 : 3;
 }
 
-int run(int argc, char** argv) {
-  const Options options = parse(argc, argv);
-  const char* given = std::getenv("DYMSUM_DATA");
-  const std::string data = given != nullptr ? given : std::string(DYMSUM_SOURCE_DIR) + "/../shared/data";
-  if (options.events) return run_events(options, data);
-  if (options.scattered) return run_scattered(options, data);
+int run_motions(const Options& options, const std::string& data, Kind kind) {
   Report report;
   report.line("# Sums of solids in motion\n");
   report.line("`./run bench moving-solids --results docs/results` made this page.\n");
@@ -261,6 +271,7 @@ int run(int argc, char** argv) {
       "The "
       "last column compares every frame's facets and sum with those from scratch. `whole sum / update`: the sum from "
       "scratch over the update of its convolution. All frames are in moving-solids.csv.\n");
+  const std::vector<SolidPair> pairs = wanted_pairs(options, data, kind, report);
   report.heading({"pair", "motion", "facets", "changed", "normals looked at", "convolution ms", "from scratch", "gain",
                   "whole sum / update", "frame median ms", "mean", "p99", "worst", "from scratch", "gain of medians",
                   "of means", "frames from scratch", "inner", "results"});
@@ -268,9 +279,7 @@ int run(int argc, char** argv) {
   Gains coarse, fine;
   std::ostringstream csv;
   csv << "pair,motion,frames_ms,from_scratch_ms\n";
-  for (const SolidPair& pair : solid_pairs(data)) {
-    if (std::find(kPairs.begin(), kPairs.end(), pair.name) == kPairs.end()) continue;
-    if (pair.name.find(options.only) == std::string::npos) continue;
+  for (const SolidPair& pair : pairs) {
     const Mesh p = Mesh::create(pair.p).value(), q = Mesh::create(pair.q).value();
     for (const Motion& motion : kMotions) {
       const Row row = measure(p, q, motion, options.frames);
@@ -289,9 +298,25 @@ int run(int argc, char** argv) {
     fine.promise_least(report, "5,000 steps a turn: the mean frame at least 6 times", fine.mean, 6);
     report.promise("every frame is the sum from scratch", same ? "all" : "NOT all", same);
   }
-  write_result(options.results, "moving-solids.md", report.markdown.str());
-  write_result(options.results, "moving-solids.csv", csv.str());
+  const std::string folder = KindOptions::folder(options.results, kind);
+  write_result(folder, "moving-solids.md", report.markdown.str());
+  write_result(folder, "moving-solids.csv", csv.str());
   return same ? 0 : 3;
+}
+
+int run(int argc, char** argv) {
+  const Options options = parse(argc, argv);
+  const char* given = std::getenv("DYMSUM_DATA");
+  const std::string data = given != nullptr ? given : std::string(DYMSUM_SOURCE_DIR) + "/../shared/data";
+  int code = 0;
+  if (!options.coordinates.off_grid)
+    for (const Kind& kind : options.coordinates.kinds)
+      code = std::max(code, options.events      ? run_events(options, data, kind)
+                            : options.scattered ? run_scattered(options, data, kind)
+                                                : run_motions(options, data, kind));
+  const bool all = !options.events && !options.scattered && options.only.empty() && !options.coordinates.chosen();
+  if ((options.coordinates.off_grid || all) && !measure_kinds(options.results)) code = 3;
+  return code;
 }
 
 }  // namespace

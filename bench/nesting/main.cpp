@@ -11,20 +11,24 @@
 #include <utility>
 #include <vector>
 
+#include "coordinate_kinds.h"
 #include "dymsum/cspace_obstacle.h"
 #include "dymsum/nesting.h"
 #include "dymsum/nfp_table.h"
 #include "dymsum/shapes.h"
+#include "nesting/against_cgal.h"
+#include "nesting/kinds.h"
 #include "page.h"
 #include "planar/pairs.h"
 #include "thesis/thesis_shapes.h"
-#include "versus/cgal.h"
+#include "versus/rival.h"
 
 namespace dymsum::bench {
 namespace {
 
 constexpr const char* kUsage =
-    "dymsum_bench_nesting [--only TEXT] [--orientations N] [--data DIR] [--results DIR]\n"
+    "dymsum_bench_nesting [--off-grid] [--coordinates KIND] [--only TEXT] [--orientations N] [--data DIR]\n"
+    "                     [--results DIR]\n"
     "  --only TEXT       only instances whose name contains TEXT\n"
     "  --orientations N  equally spaced ones [8]\n"
     "  --data DIR        the folder with nesting/swim.json and others (DYMSUM_DATA)\n"
@@ -33,6 +37,7 @@ constexpr const char* kUsage =
 struct Options {
   std::string only, data, results;
   int orientations = 8;
+  KindOptions coordinates;
 };
 
 struct Instance {
@@ -137,36 +142,6 @@ class ExactSums {
   std::vector<std::optional<Region>> turned_;
 };
 
-struct Rivalry {
-  double cgal_ms = 0;
-  std::size_t rows = 0, equal = 0, witnessed = 0;
-};
-
-bool same_answer(const PlanarSum& sum, const Rational& area, const RivalAnswer& theirs) {
-  return theirs.finished && sum.parts.size() == theirs.outer && sum.hole_count() == theirs.holes &&
-         sum.vertex_count() == theirs.vertices &&
-         (theirs.area_exact.empty() ? std::abs(area.to_double() - theirs.area) <= 1e-12 * theirs.area
-                                    : area.to_string() == theirs.area_exact);
-}
-
-/// Every row by CGAL's reduced convolution, compared with our exact sum.
-Rivalry against_cgal(const NfpTable& table) {
-  Rivalry all;
-  for (const TableRow& row : table.rows()) {
-    const Region &fixed = table.input().items[row.fixed].shape, &moving = table.input().items[row.moving].shape;
-    const Orientation& theta = table.angles()[row.angle].orientation;
-    const CgalOperands operands(fixed.data(), moving.data(), theta);
-    const RivalAnswer theirs = operands.sum(CgalMethod::reduced_convolution, Repeats{});
-    const PlanarSum sum = cspace_slice(moving, fixed, theta).value();
-    ++all.rows;
-    all.cgal_ms += theirs.median_ms;
-    const Rational area = sum.area_exact();
-    if (same_answer(sum, area, theirs)) ++all.equal;
-    else all.witnessed += same_answer(sum, area, operands.sum_in_child(CgalMethod::vertical_decomposition, {}, 5));
-  }
-  return all;
-}
-
 void measure_instance(Report& report, const Instance& instance) {
   const NfpTable table = NfpTable::create(instance.input).value();
   const double one_cpu = table_ms(table, 1, true), one = table_ms(table, 1, false), two = table_ms(table, 2, false);
@@ -194,13 +169,22 @@ Options parse(int argc, char** argv) {
     else if (const char* count = value("--orientations")) options.orientations = std::max(1, std::atoi(count));
     else if (const char* folder = value("--data")) options.data = folder;
     else if (const char* dir = value("--results")) options.results = dir;
-    else throw std::invalid_argument(kUsage);
+    else if (!options.coordinates.take(argc, argv, i)) throw std::invalid_argument(std::string(kUsage) + kKindUsage);
   }
   return options;
 }
 
-int run(int argc, char** argv) {
-  const Options options = parse(argc, argv);
+/// An item that rounding spoils is left out.
+void set_coordinates(Instance& instance, Kind kind, Report& report) {
+  std::erase_if(instance.input.items, [&](TableItem& item) {
+    const Result<Region> made = with_coordinates(item.shape, kind);
+    if (made) item.shape = *made;
+    else report.row({instance.name, item.name + " left out: " + made.error().to_string()});
+    return !made;
+  });
+}
+
+void run_kind(const Options& options, Kind kind) {
   Report report;
   report.line("# Tables of no-fit polygons\n");
   report.line(
@@ -213,15 +197,27 @@ int run(int argc, char** argv) {
       "Sums: the exact sums of the tasks alone, not rounded either.\nCompared: parts, holes, vertices and area; where "
       "they differ, how "
       "often CGAL's vertical decomposition says what we say.\n");
+  if (kind) report.line("Coordinates: " + name(*kind) + ".\n");
   report.heading({"instance", "items", "rows", "tasks", "CGAL ms", "table ms", "CGAL / table", "sums ms", "CGAL / sums",
                   "two threads", "equal", "differ, witnessed"});
   report.csv << "instance,measure,value\n";
-  for (const Instance& instance : instances(options))
-    if (instance.name.find(options.only) != std::string::npos) measure_instance(report, instance);
-  if (options.results.empty()) return 0;
-  write_result(options.results, "nesting.md", report.markdown.str());
-  write_result(options.results, "nesting.csv", report.csv.str());
-  return 0;
+  std::vector<Instance> all = instances(options);
+  for (Instance& instance : all) {
+    if (instance.name.find(options.only) == std::string::npos) continue;
+    set_coordinates(instance, kind, report);
+    measure_instance(report, instance);
+  }
+  const std::string folder = KindOptions::folder(options.results, kind);
+  write_result(folder, "nesting.md", report.markdown.str());
+  write_result(folder, "nesting.csv", report.csv.str());
+}
+
+int run(int argc, char** argv) {
+  const Options options = parse(argc, argv);
+  if (!options.coordinates.off_grid)
+    for (const Kind& kind : options.coordinates.kinds) run_kind(options, kind);
+  const bool all = options.only.empty() && !options.coordinates.chosen();
+  return !(options.coordinates.off_grid || all) || measure_kinds(options.results) ? 0 : 3;
 }
 
 }  // namespace

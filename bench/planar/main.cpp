@@ -4,8 +4,10 @@
 #include <stdexcept>
 #include <string>
 
+#include "coordinate_kinds.h"
 #include "page.h"
 #include "planar/growth.h"
+#include "planar/kinds.h"
 #include "planar/report.h"
 
 namespace dymsum::bench {
@@ -14,10 +16,12 @@ namespace {
 struct Options {
   bool demo = false, ours = false, quick = false, growth = false;
   std::string results, only;
+  KindOptions coordinates;
 };
 
 constexpr const char* kUsage =
-    "dymsum_bench_planar [--demo | --ours | --growth] [--quick] [--only TEXT] [--results DIR]\n"
+    "dymsum_bench_planar [--demo | --ours | --growth | --off-grid] [--coordinates KIND] [--quick] [--only TEXT]\n"
+    "                    [--results DIR]\n"
     "  (default)      all pairs against CGAL's reduced convolution, its other methods where they finish, Clipper 6\n"
     "                 and Clipper2\n"
     "  --demo         a short table, under a minute\n"
@@ -39,7 +43,7 @@ Options parse(int argc, char** argv) {
     else if (word == "--quick") options.quick = true;
     else if (word == "--only" && i + 1 < argc) options.only = argv[++i];
     else if (word == "--results" && i + 1 < argc) options.results = argv[++i];
-    else throw std::invalid_argument(kUsage);
+    else if (!options.coordinates.take(argc, argv, i)) throw std::invalid_argument(std::string(kUsage) + kKindUsage);
   }
   return options;
 }
@@ -56,15 +60,12 @@ double others_limit_s(const Pair& pair, const Options& options) {
 
 bool is_table(Group group) { return group == Group::swim || group == Group::shirts; }
 
-int run(int argc, char** argv) {
-  const Options options = parse(argc, argv);
-  if (options.growth) {
-    if (measure_growth(8000, options.results, std::cout)) return 0;
-    std::cerr << "cannot write into " << options.results << "\n";
-    return 2;
-  }
-  const std::string data = data_folder();
+/// The pairs in coordinates of a kind; 3 where an answer is wrong, 2 where the pages cannot be written.
+int run_kind(const Options& options, Kind kind) {
+  const std::string data = data_folder(), folder = KindOptions::folder(options.results, kind);
   Pairs pairs = options.demo ? demo_pairs(data) : all_pairs(data);
+  set_coordinates(pairs, kind);
+  if (kind) std::cout << "\nCoordinates: " << name(*kind) << "\n";
   for (const std::string& note : pairs.notes) std::cout << note << "\n";
   std::cout << "Times: median (and least) processor time in milliseconds; inputs are built before the clock starts, "
                "but in \"fresh\": our regions "
@@ -96,13 +97,31 @@ int run(int argc, char** argv) {
       print_promises(std::cout, rows);
     }
   }
-  if (!options.results.empty() && !write_results(options.results, rows)) {
-    std::cerr << "cannot write into " << options.results << "\n";
+  if (!folder.empty() && !write_results(folder, rows)) {
+    std::cerr << "cannot write into " << folder << "\n";
     return 2;
   }
   const bool mismatch =
       std::any_of(rows.begin(), rows.end(), [](const Row& r) { return r.verdict == Verdict::mismatch; });
   return mismatch ? 3 : 0;
+}
+
+int run(int argc, char** argv) {
+  const Options options = parse(argc, argv);
+  int code = 0;
+  if (!options.coordinates.off_grid)
+    for (const Kind& kind : options.coordinates.kinds) {
+      if (!options.growth) {
+        code = std::max(code, run_kind(options, kind));
+      } else if (!measure_growth(8000, kind, KindOptions::folder(options.results, kind), std::cout)) {
+        std::cerr << "cannot write into " << options.results << "\n";
+        return 2;
+      }
+    }
+  const bool all = !options.demo && !options.ours && !options.growth && options.only.empty();
+  if (options.coordinates.off_grid || (all && !options.coordinates.chosen()))
+    code = std::max(code, measure_kinds(options.results) ? 0 : 3);
+  return code;
 }
 
 }  // namespace

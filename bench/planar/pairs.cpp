@@ -197,6 +197,21 @@ Pairs demo_pairs(const std::string& data) {
   return pairs;
 }
 
+void set_coordinates(Pairs& pairs, Kind kind) {
+  if (!kind) return;
+  std::vector<Pair> rounded;
+  for (Pair& pair : pairs.list) {
+    Result<Region> p = with_coordinates(pair.p, kind), q = with_coordinates(pair.q, kind);
+    if (p && q) {
+      rounded.push_back(std::move(pair));
+      rounded.back().p = *std::move(p), rounded.back().q = *std::move(q);
+    } else {
+      pairs.notes.push_back(pair.name + ": left out: " + name(*kind) + ": " + (p ? q : p).error().to_string());
+    }
+  }
+  pairs.list = std::move(rounded);
+}
+
 std::string data_folder() {
   if (const char* named = std::getenv("DYMSUM_DATA")) return std::filesystem::is_directory(named) ? named : "";
   const std::string beside = std::string(DYMSUM_SOURCE_DIR) + "/../shared/data";

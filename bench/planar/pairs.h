@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "coordinate_kinds.h"
 #include "dymsum/region.h"
 
 namespace dymsum::bench {
@@ -35,6 +36,8 @@ struct Pairs {
 /// Everything, or the few pairs of the demo. `data` is the folder with planar/ and nesting/, or empty.
 Pairs all_pairs(const std::string& data);
 Pairs demo_pairs(const std::string& data);
+/// The same pairs in coordinates of a kind. What rounding spoils is left out, with a note.
+void set_coordinates(Pairs& pairs, Kind kind);
 
 /// $DYMSUM_DATA, or ../shared/data beside the checkout, or nothing when neither is a folder.
 std::string data_folder();

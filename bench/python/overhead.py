@@ -1,11 +1,15 @@
 """What the way through Python costs: `./run bench python`. Times are medians of runs on this machine, now.
 
+`--coordinates KIND|all`: on shapes in such coordinates (off_grid.py). `--off-grid`: nothing but the table of kinds, which
+the default run ends with; with `--results FOLDER` it goes into off-the-grid.md.
+
 The overhead of a call is what a call costs whose C++ work is next to nothing (a count, a pose far away), and that of an
 item what an item of such a batch costs. Of other calls both are shown: the call, and the same as an item of a batch.
 """
 
 from __future__ import annotations
 
+import argparse
 import os
 import statistics
 import time
@@ -15,6 +19,7 @@ from pathlib import Path
 import numpy
 
 import dymsum
+import off_grid
 from dymsum import CspaceObstacle, ObstacleQueries, Orientation, Region, shapes
 
 
@@ -41,10 +46,10 @@ def line(what: str, value: float, unit: str, asked: str = "") -> None:
     print(f"  {what:<64} {value:>10.3f} {unit:<10} {asked}")
 
 
-def calls() -> None:
+def calls(kind: str | None) -> None:
     print("Calls")
-    square, other = shapes.rectangle(0, 0, 1, 1), shapes.rectangle(5, 5, 6, 6)
-    queries = ObstacleQueries(CspaceObstacle(shapes.rectangle(-1, -0.2, 1, 0.2), square))
+    square, other = (off_grid.of_kind(r, kind) for r in (shapes.rectangle(0, 0, 1, 1), shapes.rectangle(5, 5, 6, 6)))
+    queries = ObstacleQueries(CspaceObstacle(off_grid.of_kind(shapes.rectangle(-1, -0.2, 1, 0.2), kind), square))
     far = (1e3, 1e3, 0.5)
     for what, work in [
         ("region.vertex_count()", square.vertex_count),
@@ -61,7 +66,7 @@ def calls() -> None:
             "asked of the overhead: at most 2 us" if "far away" in what or "()" in what else "",
         )
     line("nfp of two squares, a whole sum", 1e6 * per_call(lambda: dymsum.nfp(square, other), 2000), "us")
-    ring = numpy.array(shapes.disc(100, 1).parts[0].outer)
+    ring = numpy.array(off_grid.of_kind(shapes.disc(100, 1), kind).parts[0].outer)
     line("Region of an array of 100 vertices", 1e6 * per_call(lambda: Region(ring), 2000), "us")
 
 
@@ -70,10 +75,10 @@ def random_poses(count: int, low: float, high: float) -> numpy.ndarray:
     return numpy.column_stack([random.uniform(low, high, (count, 2)), random.uniform(-3.14, 3.14, count)])
 
 
-def batches() -> None:
+def batches(kind: str | None) -> None:
     print(f"Items of batches ({os.cpu_count()} cores)")
-    rod = shapes.rectangle(-1.5, -0.25, 1.5, 0.25)
-    queries = ObstacleQueries(CspaceObstacle(rod, shapes.grate(4, 2, 1, 6)))
+    rod = off_grid.of_kind(shapes.rectangle(-1.5, -0.25, 1.5, 0.25), kind)
+    queries = ObstacleQueries(CspaceObstacle(rod, off_grid.of_kind(shapes.grate(4, 2, 1, 6), kind)))
     near, far = random_poses(1_000_000, -3, 10), random_poses(1_000_000, 1e3, 2e3)
     empty = seconds(lambda: queries.contains_each(far, threads=1)) / len(far)
     line("contains_each, far away, 1 thread: all that is not geometry", 1e6 * empty, "us/item", "asked: at most 0.3 us")
@@ -89,7 +94,7 @@ def batches() -> None:
     one = 1e6 * seconds(lambda: [queries.clearance(p) for p in some[:5000].tolist()], 3) / 5000
     line("clearance of single poses", one, "us/call")
     points = numpy.random.default_rng(2).uniform(-1, 3, (1_000_000, 2))
-    square = shapes.rectangle(0, 0, 1, 1)
+    square = off_grid.of_kind(shapes.rectangle(0, 0, 1, 1), kind)
     each = len(points) / seconds(lambda: dymsum.contains_each(square, square, points, threads=1), 3)
     line("contains_each in P (+) Q, 4 + 4 edges, 1 thread", each / 1e6, "1e6/s")
 
@@ -99,10 +104,14 @@ def turned(region: Region, quarters: int) -> Region:
     return dymsum.rotated_sum(region, "POINT(0 0)", theta).rounded()
 
 
-def table(path: Path) -> None:
+def table(path: Path, kind: str | None) -> None:
     parts = []
     for shape in dymsum.read_shapes(str(path)):
-        region = dymsum.repair(shape.data).region
+        try:
+            region = off_grid.of_kind(dymsum.repair(shape.data).region, kind)
+        except dymsum.Error as error:
+            print(f"  {shape.name} left out: {error}")
+            continue
         parts += [turned(region, k) for k in range(8)]
     pairs = [(a, b) for a in parts[::8] for b in parts]
     print(f"Table of {path.name}: {len(pairs)} no-fit polygons, 8 orientations")
@@ -161,12 +170,25 @@ def rivals(pairs: list[tuple[Region, Region]]) -> None:
 
 
 def main() -> None:
-    calls()
-    batches()
-    data = Path(__file__).parents[3] / "shared" / "data" / "nesting"
-    for name in ("swim.json", "shirts.json"):
-        if (data / name).exists():
-            table(data / name)
+    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser.add_argument("--coordinates", choices=(*off_grid.KINDS, "all"))
+    parser.add_argument("--off-grid", action="store_true")
+    parser.add_argument("--results", type=Path)
+    options = parser.parse_args()
+    kinds = off_grid.KINDS if options.coordinates == "all" else (options.coordinates,)
+    for kind in () if options.off_grid else kinds:
+        print(f"Coordinates: {kind}" if kind else "")
+        calls(kind)
+        batches(kind)
+        data = Path(__file__).parents[3] / "shared" / "data" / "nesting"
+        for name in ("swim.json", "shirts.json"):
+            if (data / name).exists():
+                table(data / name, kind)
+    if options.off_grid or options.coordinates is None:
+        if options.results:
+            off_grid.write_section(options.results)
+        else:
+            off_grid.section()
 
 
 if __name__ == "__main__":

@@ -2,24 +2,29 @@
 // whole sweeps as users wait for them, and frames one by one.
 #include <stdexcept>
 
+#include "coordinate_kinds.h"
 #include "page.h"
 #include "planar/pairs.h"
 #include "scaling/frame_tables.h"
+#include "scaling/kinds.h"
 #include "scaling/sweep_tables.h"
 
 namespace dymsum::bench {
 namespace {
 
 constexpr const char* kUsage =
-    "dymsum_bench_scaling [--quick] [--only TEXT] [--part NAME] [--results DIR]\n"
+    "dymsum_bench_scaling [--quick | --off-grid] [--coordinates KIND] [--only TEXT] [--part NAME] [--results DIR]\n"
     "  --quick        without CGAL and the all-pairs baseline\n"
     "  --only TEXT    only pairs whose name contains TEXT\n"
     "  --part NAME    only one of: sweeps, turning, steady, modes, random, copies, events, figures\n"
-    "  --results DIR  also write scaling.md, scaling.csv, sweeps.csv, figure-6.6.svg and figure-6.7.svg into DIR\n";
+    "  --results DIR  also write scaling.md, scaling.csv, sweeps.csv, figure-6.6.svg and figure-6.7.svg into DIR\n"
+    "With --coordinates sweeps, turning and events only: the others compare with systems that get scaled points in\n"
+    "doubles, which hold the products of snapped coordinates alone.\n";
 
 struct Options {
   bool quick = false;
   std::string only, part, results;
+  KindOptions coordinates;
   bool wants(const std::string& name) const { return part.empty() || part == name; }
 };
 
@@ -31,7 +36,8 @@ void opening(Report& report, const std::string& data) {
 }
 
 /// Whole sweeps; all of them, for sweeps.csv.
-std::vector<SweepRow> sweeps(Report& report, const Options& options, const std::string& data, const Wanted& wanted) {
+std::vector<SweepRow> sweeps(Report& report, const Options& options, const std::string& data, Kind kind,
+                             const Wanted& wanted) {
   if (!options.wants("sweeps") && !options.wants("turning")) return {};
   report.line(
       "\n## Whole sweeps\n\nEverything that a user waits for: the first frame makes the sum, others build windows or "
@@ -47,8 +53,8 @@ std::vector<SweepRow> sweeps(Report& report, const Options& options, const std::
       "of "
       "the clock.");
   std::vector<SweepRow> scaling, turning;
-  if (options.wants("sweeps")) scaling = scaling_sweeps(report, data, wanted);
-  if (options.wants("turning")) turning = turning_sweeps(report, data, wanted);
+  if (options.wants("sweeps")) scaling = scaling_sweeps(report, data, kind, wanted);
+  if (options.wants("turning")) turning = turning_sweeps(report, data, kind, wanted);
   report.line("\n### Promises\n");
   sweep_promises(report, scaling, turning);
   scaling.insert(scaling.end(), turning.begin(), turning.end());
@@ -63,30 +69,40 @@ Options parse(int argc, char** argv) {
     else if (word == "--only" && i + 1 < argc) options.only = argv[++i];
     else if (word == "--part" && i + 1 < argc) options.part = argv[++i];
     else if (word == "--results" && i + 1 < argc) options.results = argv[++i];
-    else throw std::invalid_argument(kUsage);
+    else if (!options.coordinates.take(argc, argv, i)) throw std::invalid_argument(std::string(kUsage) + kKindUsage);
   }
   return options;
 }
 
-int run(int argc, char** argv) {
-  const Options options = parse(argc, argv);
+void run_kind(const Options& options, Kind kind) {
   Report report;
-  const std::string data = data_folder();
-  const std::vector<ScalingPair> pairs = frame_pairs(data);
+  const std::string data = data_folder(), folder = KindOptions::folder(options.results, kind);
   const Wanted wanted = [&](const ScalingPair& pair) { return pair.name.find(options.only) != std::string::npos; };
   opening(report, data);
-  const std::vector<SweepRow> swept = sweeps(report, options, data, wanted);
-  if (options.wants("steady")) steady_table(report, pairs, wanted, !options.quick);
-  if (options.wants("modes")) modes_table(report, pairs, wanted);
-  if (options.wants("random")) table_6_1(report, wanted);
-  if (options.wants("copies")) copies_table(report, pairs, wanted, !options.quick);
+  std::vector<std::string> notes;
+  const std::vector<ScalingPair> pairs = with_coordinates(frame_pairs(data), kind, notes);
+  if (kind) report.line("\nCoordinates: " + name(*kind) + ".");
+  for (const std::string& note : notes) report.line("\n" + note);
+  const auto on_grid = [&](const char* part) { return !kind && options.wants(part); };
+  const std::vector<SweepRow> swept = sweeps(report, options, data, kind, wanted);
+  if (on_grid("steady")) steady_table(report, pairs, wanted, !options.quick);
+  if (on_grid("modes")) modes_table(report, pairs, wanted);
+  if (on_grid("random")) table_6_1(report, wanted);
+  if (on_grid("copies")) copies_table(report, pairs, wanted, !options.quick);
   if (options.wants("events")) pair_events_table(report, pairs, wanted);
-  if (options.results.empty()) return 0;
-  if (options.wants("figures")) figures(report, pairs, wanted, options.results);
-  if (options.wants("steady")) write_result(options.results, "scaling.csv", report.csv.str());
-  if (!swept.empty()) write_result(options.results, "sweeps.csv", sweep_csv(swept));
-  write_result(options.results, "scaling.md", report.markdown.str());
-  return 0;
+  if (folder.empty()) return;
+  if (on_grid("figures")) figures(report, pairs, wanted, folder);
+  if (on_grid("steady")) write_result(folder, "scaling.csv", report.csv.str());
+  if (!swept.empty()) write_result(folder, "sweeps.csv", sweep_csv(swept));
+  write_result(folder, "scaling.md", report.markdown.str());
+}
+
+int run(int argc, char** argv) {
+  const Options options = parse(argc, argv);
+  if (!options.coordinates.off_grid)
+    for (const Kind& kind : options.coordinates.kinds) run_kind(options, kind);
+  const bool all = options.only.empty() && options.part.empty() && !options.quick && !options.coordinates.chosen();
+  return !(options.coordinates.off_grid || all) || measure_kinds(options.results) ? 0 : 3;
 }
 
 }  // namespace

@@ -91,10 +91,10 @@ std::vector<ScalingPair> table_pairs() {
   return pairs;
 }
 
-std::vector<ScalingPair> sweep_pairs(const std::string& data, Coordinates coordinates) {
+std::vector<ScalingPair> sweep_pairs(const std::string& data, Snapping snapping) {
   std::vector<ScalingPair> pairs;
   const auto add = [&](std::string name, Region p, Region q) {
-    if (coordinates == Coordinates::snapped) std::tie(p, q) = snapped_pair(p, q);
+    if (snapping == Snapping::snapped) std::tie(p, q) = snapped_pair(p, q);
     pairs.push_back({std::move(name), std::move(p), std::move(q), false});
   };
   if (!data.empty())
@@ -110,6 +110,20 @@ std::vector<ScalingPair> sweep_pairs(const std::string& data, Coordinates coordi
         shapes::noisy_star(n, noise, 2));
   auto [p, q] = crossing_grates(5);
   add("crossing grates 5 + 5", std::move(p), std::move(q));
+  return pairs;
+}
+
+std::vector<ScalingPair> with_coordinates(std::vector<ScalingPair> pairs, Kind kind, std::vector<std::string>& notes) {
+  if (!kind) return pairs;
+  std::erase_if(pairs, [&](ScalingPair& pair) {
+    Result<Region> p = with_coordinates(pair.p, kind), q = with_coordinates(pair.q, kind);
+    if (p && q) {
+      pair.p = *std::move(p), pair.q = *std::move(q);
+      return false;
+    }
+    notes.push_back(pair.name + ": left out: " + (p ? q : p).error().to_string());
+    return true;
+  });
   return pairs;
 }
 

@@ -90,22 +90,36 @@ void line(Report& report, const SweepRow& r) {
               wait(two_waits.p99), wait(two_waits.worst), count(r.compared) + ", " + count(r.different)});
 }
 
-/// One table: raw and snapped coordinates of a pair below each other.
+/// The pairs with the names of their coordinates: raw and snapped ones below each other, or those of a kind.
+std::vector<std::pair<std::string, ScalingPair>> named_pairs(Report& report, const std::string& data, Kind kind) {
+  std::vector<std::pair<std::string, ScalingPair>> named;
+  std::vector<std::string> notes;
+  const std::vector<ScalingPair> raw = with_coordinates(sweep_pairs(data, Snapping::raw), kind, notes);
+  if (kind) {
+    for (const std::string& note : notes) report.line(note + "\n");
+    for (const ScalingPair& pair : raw) named.emplace_back(name(*kind), pair);
+    return named;
+  }
+  const std::vector<ScalingPair> snapped = sweep_pairs(data, Snapping::snapped);
+  for (std::size_t i = 0; i < raw.size(); ++i) {
+    named.emplace_back("raw", raw[i]);
+    named.emplace_back("snapped", snapped[i]);
+  }
+  return named;
+}
+
 template <class Places>
-void table(Report& report, const std::string& data, const Wanted& wanted, const std::string& steps,
-           const Places& places, std::vector<SweepRow>& rows) {
+void table(Report& report, const std::vector<std::pair<std::string, ScalingPair>>& pairs, const Wanted& wanted,
+           const std::string& steps, const Places& places, std::vector<SweepRow>& rows) {
   heading(report);
-  const std::vector<ScalingPair> raw = sweep_pairs(data, Coordinates::raw),
-                                 snapped = sweep_pairs(data, Coordinates::snapped);
-  for (std::size_t i = 0; i < raw.size(); ++i)
-    for (const auto& [coordinates, pair] : {std::pair{"raw", &raw[i]}, {"snapped", &snapped[i]}}) {
-      if (!wanted(*pair)) continue;
-      SweepPlan plan;
-      plan.coordinates = coordinates;
-      plan.steps = steps;
-      rows.push_back(measure_sweep(*pair, places, plan));
-      line(report, rows.back());
-    }
+  for (const auto& [coordinates, pair] : pairs) {
+    if (!wanted(pair)) continue;
+    SweepPlan plan;
+    plan.coordinates = coordinates;
+    plan.steps = steps;
+    rows.push_back(measure_sweep(pair, places, plan));
+    line(report, rows.back());
+  }
 }
 
 struct Promised {
@@ -140,21 +154,23 @@ void promise_means(Report& report, const std::vector<SweepRow>& rows, const Prom
 
 }  // namespace
 
-std::vector<SweepRow> scaling_sweeps(Report& report, const std::string& data, const Wanted& wanted) {
+std::vector<SweepRow> scaling_sweeps(Report& report, const std::string& data, Kind kind, const Wanted& wanted) {
   std::vector<SweepRow> rows;
+  const auto pairs = named_pairs(report, data, kind);
   for (const NamedScales& list : scale_lists()) {
     report.line("\n### s P (+) Q, `" + list.name + "`\n");
-    table(report, data, wanted, list.name, list.scales, rows);
+    table(report, pairs, wanted, list.name, list.scales, rows);
   }
   return rows;
 }
 
-std::vector<SweepRow> turning_sweeps(Report& report, const std::string& data, const Wanted& wanted) {
+std::vector<SweepRow> turning_sweeps(Report& report, const std::string& data, Kind kind, const Wanted& wanted) {
   std::vector<SweepRow> rows;
+  const auto pairs = named_pairs(report, data, kind);
   for (const int steps : {60, 500}) {
     const std::string name = std::to_string(steps) + " steps a turn";
     report.line("\n### R(theta) P (+) Q, " + name + "\n");
-    table(report, data, wanted, name, whole_turn(steps), rows);
+    table(report, pairs, wanted, name, whole_turn(steps), rows);
   }
   return rows;
 }

@@ -9,10 +9,11 @@
 
 namespace dymsum::bench {
 
-/// Scales in the steps that users type, on raw and snapped coordinates: there, back and scattered.
-std::vector<SweepRow> scaling_sweeps(Report& report, const std::string& data, const Wanted& wanted);
+/// Scales in the steps that users type, on raw and snapped coordinates, or on those of a kind: there, back and
+/// scattered.
+std::vector<SweepRow> scaling_sweeps(Report& report, const std::string& data, Kind kind, const Wanted& wanted);
 /// Whole turns of 60 and 500 steps.
-std::vector<SweepRow> turning_sweeps(Report& report, const std::string& data, const Wanted& wanted);
+std::vector<SweepRow> turning_sweeps(Report& report, const std::string& data, Kind kind, const Wanted& wanted);
 
 void sweep_promises(Report& report, const std::vector<SweepRow>& scaling, const std::vector<SweepRow>& turning);
 

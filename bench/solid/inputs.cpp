@@ -1,5 +1,6 @@
 #include "solid/inputs.h"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <filesystem>
@@ -16,8 +17,8 @@ namespace {
 constexpr double kTurn = 2 * std::numbers::pi;
 constexpr int kBits = 22;
 
-MeshData placed(MeshData mesh, Coordinates coordinates) {
-  if (coordinates == Coordinates::raw) return mesh;
+MeshData placed(MeshData mesh, Snapping snapping) {
+  if (snapping == Snapping::raw) return mesh;
   for (Point3& p : mesh.vertices)
     for (double Point3::*c : {&Point3::x, &Point3::y, &Point3::z})
       p.*c = std::ldexp(std::nearbyint(std::ldexp(p.*c, kBits)), -kBits);
@@ -101,15 +102,15 @@ MeshData cells(int nx, int ny, int nz, const std::function<bool(int, int, int)>&
   return mesh;
 }
 
-std::string named(const std::string& name, Coordinates c) { return (c == Coordinates::raw ? "raw " : "") + name; }
+std::string named(const std::string& name, Snapping c) { return (c == Snapping::raw ? "raw " : "") + name; }
 
-SolidPair tori(int nu, int nv, Coordinates c = Coordinates::snapped) {
+SolidPair tori(int nu, int nv, Snapping c = Snapping::snapped) {
   const std::string n = std::to_string(2 * nu * nv);
   return {named("torus " + n + " + torus " + n, c), "tori", torus(2, 0.6, nu, nv, c),
           turned(torus(1.3, 0.35, nu, nv, c), 0.7, 0.4, 0.3, c)};
 }
 
-SolidPair blobs(int stacks, int slices, Coordinates c = Coordinates::snapped) {
+SolidPair blobs(int stacks, int slices, Snapping c = Snapping::snapped) {
   const std::string n = std::to_string(2 * slices * (stacks - 1));
   return {named("blob " + n + " + blob " + n, c), "blobs",
           turned(blob(1, 0.12, stacks, slices, 1, c), 0.3, 0.5, 0.2, c),
@@ -144,7 +145,7 @@ void add_real_pairs(const std::string& data, std::vector<SolidPair>& pairs) {
 
 }  // namespace
 
-MeshData torus(double large, double small, int nu, int nv, Coordinates coordinates) {
+MeshData torus(double large, double small, int nu, int nv, Snapping snapping) {
   MeshData mesh;
   for (int i = 0; i < nu; ++i)
     for (int j = 0; j < nv; ++j) {
@@ -157,10 +158,10 @@ MeshData torus(double large, double small, int nu, int nv, Coordinates coordinat
       mesh.faces.push_back({id(i, j), id(i + 1, j), id(i + 1, j + 1)});
       mesh.faces.push_back({id(i, j), id(i + 1, j + 1), id(i, j + 1)});
     }
-  return placed(std::move(mesh), coordinates);
+  return placed(std::move(mesh), snapping);
 }
 
-MeshData blob(double radius, double bump, int stacks, int slices, std::uint32_t seed, Coordinates coordinates) {
+MeshData blob(double radius, double bump, int stacks, int slices, std::uint32_t seed, Snapping snapping) {
   struct Wave {
     double q[3], phase;
   };
@@ -194,17 +195,17 @@ MeshData blob(double radius, double bump, int stacks, int slices, std::uint32_t 
     }
     mesh.faces.push_back({bottom, id(stacks - 1, j + 1), id(stacks - 1, j)});
   }
-  return placed(std::move(mesh), coordinates);
+  return placed(std::move(mesh), snapping);
 }
 
-MeshData turned(const MeshData& mesh, double x, double y, double z, Coordinates coordinates) {
+MeshData turned(const MeshData& mesh, double x, double y, double z, Snapping snapping) {
   MeshData result = mesh;
   const auto turn = [](double& a, double& b, double angle) {
     const double c = std::cos(angle), s = std::sin(angle), old = a;
     a = c * old - s * b, b = s * old + c * b;
   };
   for (Point3& p : result.vertices) turn(p.y, p.z, x), turn(p.z, p.x, y), turn(p.x, p.y, z);
-  return placed(std::move(result), coordinates);
+  return placed(std::move(result), snapping);
 }
 
 MeshData grate(int bars) {
@@ -234,7 +235,7 @@ MeshData gear(int teeth, double radius) {
     mesh.faces.push_back({a, b, m + b, m + a});
   }
   mesh.faces.push_back(std::move(top)), mesh.faces.push_back(std::move(bottom));
-  return placed(std::move(mesh), Coordinates::snapped);
+  return placed(std::move(mesh), Snapping::snapped);
 }
 
 MeshData cube(double half) {
@@ -262,7 +263,7 @@ MeshData tunnel() {
 
 std::vector<SolidPair> solid_pairs(const std::string& data) {
   std::vector<SolidPair> pairs;
-  for (const Coordinates c : {Coordinates::snapped, Coordinates::raw}) {
+  for (const Snapping c : {Snapping::snapped, Snapping::raw}) {
     pairs.push_back(promised(tori(8, 6, c), 39, 36));
     pairs.push_back(promised(tori(16, 8, c), 130, 40));
     pairs.push_back(promised(tori(32, 16, c), 390, 100));
@@ -300,6 +301,32 @@ SolidPair growth_pair(bool of_blobs, int triangles) {
   const double side = std::sqrt(triangles / 1024.0);
   if (of_blobs) return blobs(static_cast<int>(std::lround(16 * side)) + 1, static_cast<int>(std::lround(32 * side)));
   return tori(static_cast<int>(std::lround(32 * side)), static_cast<int>(std::lround(16 * side)));
+}
+
+std::string set_coordinates(MeshData& p, MeshData& q, Kind kind) {
+  if (!kind) return "";
+  for (MeshData* const data : {&p, &q}) {
+    const Result<Mesh> valid = Mesh::create(*data);
+    if (!valid) return valid.error().to_string();
+    const Result<Mesh> made = with_coordinates(*valid, kind);
+    if (!made) return made.error().to_string();
+    *data = made->data();
+  }
+  return "";
+}
+
+std::vector<SolidPair> with_coordinates(std::vector<SolidPair> pairs, Kind kind, std::vector<std::string>& notes) {
+  std::erase_if(pairs, [&](SolidPair& pair) {
+    if (kind && pair.name.starts_with("raw ")) return true;
+    const std::string wrong = set_coordinates(pair.p, pair.q, kind);
+    if (!wrong.empty()) notes.push_back(pair.name + ": left out: " + wrong);
+    return !wrong.empty();
+  });
+  return pairs;
+}
+
+const SolidPair& pair_named(const std::vector<SolidPair>& pairs, std::string_view name) {
+  return *std::find_if(pairs.begin(), pairs.end(), [&](const SolidPair& pair) { return pair.name == name; });
 }
 
 }  // namespace dymsum::bench

@@ -5,7 +5,9 @@
 #include <iostream>
 #include <stdexcept>
 
+#include "coordinate_kinds.h"
 #include "page.h"
+#include "solid/kinds.h"
 #include "solid/measure.h"
 #include "spread.h"
 
@@ -13,7 +15,8 @@ namespace dymsum::bench {
 namespace {
 
 constexpr const char* kUsage =
-    "dymsum_bench_solid [--ours | --growth] [--minutes N] [--only TEXT] [--results DIR]\n"
+    "dymsum_bench_solid [--ours | --growth | --off-grid] [--coordinates KIND] [--minutes N] [--only TEXT]\n"
+    "                   [--results DIR]\n"
     "  (default)      all pairs, against CGAL's Nef polyhedra and Manifold\n"
     "  --ours         ours alone\n"
     "  --growth       ours alone on tori and blobs of 250 to 20,000 triangles each\n"
@@ -27,6 +30,7 @@ struct Options {
   bool ours = false, growth = false;
   double minutes = 1;
   std::string only, results;
+  KindOptions coordinates;
 };
 
 std::string number(double v) { return fixed(v, v < 10 ? 2 : v < 100 ? 1 : 0); }
@@ -151,17 +155,22 @@ constexpr const char* kColumns =
     "edge_edge,predicted_face_vertex,predicted_edge_edge,inner_facets,contacts,points,cells,faces,tight,volume,cgal_ms,"
     "cgal_volume,manifold_ms,manifold_volume,manifold_unguarded_volume\n";
 
-void growth(Report& report) {
+void growth(Kind kind, Report& report) {
   report.line("# Growth of sums of solids\n");
   report.line(
       "`./run bench solid --growth --results docs/results` made this page. One thread, best of the runs; memory "
       "is the process's peak, result included.\n");
+  if (kind) report.line("Coordinates: " + name(*kind) + ".\n");
   report.line("| operands | triangles each | ms | facets | contacts | MB | exponent of time | of memory |");
   report.line("|---|---|---|---|---|---|---|---|");
   for (const bool blobs : {false, true}) {
     double n0 = 0, ms0 = 0, bytes0 = 0;
     for (const int n : {250, 500, 1000, 2500, 5000, 10000, 20000}) {
-      const SolidPair pair = growth_pair(blobs, n);
+      std::vector<std::string> notes;
+      const std::vector<SolidPair> made = with_coordinates({growth_pair(blobs, n)}, kind, notes);
+      for (const std::string& note : notes) report.line("| " + note + " |");
+      if (made.empty()) continue;
+      const SolidPair& pair = made.front();
       const Ours o = measure_ours(pair, 300);
       if (!o.wrong.empty()) {
         report.line("| " + pair.name + " | " + o.wrong + " |");
@@ -190,7 +199,7 @@ Options parse(int argc, char** argv) {
     else if (word == "--minutes" && i + 1 < argc) options.minutes = std::stod(argv[++i]);
     else if (word == "--only" && i + 1 < argc) options.only = argv[++i];
     else if (word == "--results" && i + 1 < argc) options.results = argv[++i];
-    else throw std::invalid_argument(kUsage);
+    else if (!options.coordinates.take(argc, argv, i)) throw std::invalid_argument(std::string(kUsage) + kKindUsage);
   }
   return options;
 }
@@ -200,35 +209,45 @@ std::string environment(const char* name, const std::string& otherwise) {
   return value != nullptr ? value : otherwise;
 }
 
-int run(int argc, char** argv) {
-  const Options options = parse(argc, argv);
+void run_kind(const Options& options, Kind kind) {
   Report report;
   const auto write = [&](const std::string& name, const std::string& text) {
-    write_result(options.results, name, text);
+    write_result(KindOptions::folder(options.results, kind), name, text);
   };
   if (options.growth) {
-    growth(report);
+    growth(kind, report);
     write("solid-growth.md", report.markdown.str());
-    return 0;
+    return;
   }
   SolidProtocol protocol;
   protocol.limit_s = options.ours ? 0 : 60 * options.minutes;
   std::vector<SolidRow> rows;
+  std::vector<std::string> notes;
   report.csv << kColumns;
-  for (const SolidPair& pair :
-       solid_pairs(environment("DYMSUM_DATA", std::string(DYMSUM_SOURCE_DIR) + "/../shared/data"))) {
-    if (pair.name.find(options.only) == std::string::npos) continue;
+  std::vector<SolidPair> pairs =
+      solid_pairs(environment("DYMSUM_DATA", std::string(DYMSUM_SOURCE_DIR) + "/../shared/data"));
+  std::erase_if(pairs, [&](const SolidPair& pair) { return pair.name.find(options.only) == std::string::npos; });
+  for (const SolidPair& pair : with_coordinates(std::move(pairs), kind, notes)) {
     std::cerr << pair.name << "\n";
     rows.push_back(measure_pair(pair, protocol));
     add_csv(rows.back(), report);
   }
   report.line("# Sums of solids of any shape\n");
   report.line("`./run bench solid --results docs/results` made this page.");
+  if (kind) report.line("\nCoordinates: " + name(*kind) + ".");
+  for (const std::string& note : notes) report.line("\n" + note);
   table(rows, !options.ours, report);
   summary(rows, report);
   write("solid.md", report.markdown.str());
   write("solid.csv", report.csv.str());
-  return 0;
+}
+
+int run(int argc, char** argv) {
+  const Options options = parse(argc, argv);
+  if (!options.coordinates.off_grid)
+    for (const Kind& kind : options.coordinates.kinds) run_kind(options, kind);
+  const bool all = !options.growth && options.only.empty() && !options.coordinates.chosen();
+  return !(options.coordinates.off_grid || all) || measure_kinds(options.results) ? 0 : 3;
 }
 
 }  // namespace

@@ -72,7 +72,9 @@ RivalAnswer ask_cgal(const SolidPair& pair, double limit_s) {
       limit_s);
 }
 
-RivalAnswer ask_manifold(const SolidPair& pair, bool guard, const SolidProtocol& protocol) {
+}  // namespace
+
+RivalAnswer ask_manifold(const SolidPair& pair, bool guard, double limit_s) {
   RivalAnswer answer;
   if (!has_python()) {
     answer.why_not = "no manifold3d";
@@ -81,16 +83,14 @@ RivalAnswer ask_manifold(const SolidPair& pair, bool guard, const SolidProtocol&
   std::istringstream words(ask_python("manifold_sum.py",
                                       {{"p.off", format_mesh(triangles_of(pair.p), MeshFormat::off)},
                                        {"q.off", format_mesh(triangles_of(pair.q), MeshFormat::off)}},
-                                      guard ? "--guard" : "", protocol.limit_s));
+                                      guard ? "--guard" : "", limit_s));
   if (words >> answer.median_ms >> answer.area >> answer.outer) {
     answer.finished = true, answer.runs = 1, answer.min_ms = answer.median_ms;
   } else {
-    answer.why_not = "stopped after " + std::to_string(static_cast<int>(protocol.limit_s)) + " s";
+    answer.why_not = "stopped after " + std::to_string(static_cast<int>(limit_s)) + " s";
   }
   return answer;
 }
-
-}  // namespace
 
 Ours measure_ours(const SolidPair& pair, double budget_ms) {
   Ours ours;
@@ -150,8 +150,8 @@ SolidRow measure_pair(const SolidPair& pair, const SolidProtocol& protocol) {
   row.p_triangles = triangles_of(pair.p).faces.size(), row.q_triangles = triangles_of(pair.q).faces.size();
   if (protocol.limit_s > 0) {
     row.cgal = ask_cgal(pair, protocol.limit_s);
-    row.manifold = ask_manifold(pair, true, protocol);
-    row.unguarded = ask_manifold(pair, false, protocol);
+    row.manifold = ask_manifold(pair, true, protocol.limit_s);
+    row.unguarded = ask_manifold(pair, false, protocol.limit_s);
   }
   return row;
 }

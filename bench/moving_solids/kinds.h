@@ -1,0 +1,11 @@
+// What coordinates cost sums of solids in motion.
+#pragma once
+
+#include <string>
+
+namespace dymsum::bench {
+
+/// The table of kinds; false where an answer is wrong.
+bool measure_kinds(const std::string& folder);
+
+}  // namespace dymsum::bench
