@@ -83,8 +83,7 @@ class AtRoot {
       EXPECT_EQ(space_->exact_side(first + 3, at), height * spread);
     }
   }
-  std::uint64_t wide_signs() const { return space_->wide_signs(); }
-  std::uint64_t exact_signs() const { return space_->exact_signs(); }
+  exact::RungCounts signs() const { return space_->signs(); }
 
  private:
   const TurningPair& pair_;
@@ -124,7 +123,7 @@ TEST(RootSigns, FixedPointFindsThoseOfPolynomials) {
       ++roots;
       AtRoot at(pair, found[0], facets);
       for (int n = 0; n < 20; ++n) at.compare(random, counts);
-      wide_here += at.wide_signs(), exact += at.exact_signs();
+      wide_here += at.signs().at(exact::Rung::integers), exact += at.signs().at(exact::Rung::big);
     }
     std::cout << name_of(kind) << ": " << roots << " roots, " << counts.told << " of " << counts.asked << " told, "
               << counts.zeros << " zeros, " << wide_here << " of the space" << std::endl;
