@@ -8,7 +8,8 @@ using exact::dot;
 namespace {
 
 /// Of a product of two.
-std::optional<int> sign_of_product(const FineSpace::Number& a, const FineSpace::Number& b) {
+template <class N>
+std::optional<int> sign_of_product(const N& a, const N& b) {
   const std::optional<int> s = sign_of(a);
   if (!s) return s;
   const std::optional<int> t = sign_of(b);
@@ -17,27 +18,32 @@ std::optional<int> sign_of_product(const FineSpace::Number& a, const FineSpace::
 
 }  // namespace
 
-FineSpace::Vector FineSpace::direction(Way w) const {
+template <class N>
+typename IntervalSpace<N>::Vector IntervalSpace<N>::direction(Way w) const {
   if (w.of == Way::Of::p) return p_[w.to] - p_[w.from];
   if (w.of == Way::Of::q) return q_[w.to] - q_[w.from];
   return {Number(w.from == 0), Number(w.from == 1), Number(w.from == 2)};
 }
 
-FineSpace::Vector FineSpace::along(const SumEdge& e) const {
+template <class N>
+typename IntervalSpace<N>::Vector IntervalSpace<N>::along(const SumEdge& e) const {
   return e.from.q == e.to.q ? direction({Way::Of::p, e.from.p, e.to.p}) : direction({Way::Of::q, e.from.q, e.to.q});
 }
 
-FineSpace::Vector FineSpace::normal(const PlaneSource& source) const {
+template <class N>
+typename IntervalSpace<N>::Vector IntervalSpace<N>::normal(const PlaneSource& source) const {
   return source.reversed ? cross(direction(source.v), direction(source.u))
                          : cross(direction(source.u), direction(source.v));
 }
 
-SumPoint FineSpace::beside(const PointSource& point) const {
+template <class N>
+SumPoint IntervalSpace<N>::beside(const PointSource& point) const {
   if (point.kind == PointSource::Kind::sum) return {point.a, point.b};
   return point.kind == PointSource::Kind::edge ? edges_[point.a].from : planes_[point.a].at;
 }
 
-FineSpace::Position FineSpace::position(const PointSource& point, SumPoint origin) const {
+template <class N>
+typename IntervalSpace<N>::Position IntervalSpace<N>::position(const PointSource& point, SumPoint origin) const {
   const Vector o = between(origin, beside(point));
   if (point.kind == PointSource::Kind::sum) return {o, Number(1)};
   if (point.kind == PointSource::Kind::edge) {
@@ -55,13 +61,15 @@ FineSpace::Position FineSpace::position(const PointSource& point, SumPoint origi
       w};
 }
 
-std::optional<int> FineSpace::side(const PlaneSource& plane, SumPoint point) const {
+template <class N>
+std::optional<int> IntervalSpace<N>::side(const PlaneSource& plane, SumPoint point) const {
   return sign_of(dot(normal(plane), between(plane.at, point)));
 }
 
 // Heights over the plane are taken before they are weighted: where planes are nearly one, both factors are small, and
 // each is known to some digits.
-std::optional<int> FineSpace::side(const PlaneSource& plane, const PointSource& point) const {
+template <class N>
+std::optional<int> IntervalSpace<N>::side(const PlaneSource& plane, const PointSource& point) const {
   if (point.kind == PointSource::Kind::sum) return side(plane, SumPoint{point.a, point.b});
   if (point.kind == PointSource::Kind::place) return std::nullopt;
   const Vector n = normal(plane);
@@ -80,15 +88,18 @@ std::optional<int> FineSpace::side(const PlaneSource& plane, const PointSource& 
       height * w + dot(b, between(f.at, g.at)) * dot(n, ca) + dot(c, between(f.at, h.at)) * dot(n, ab), w);
 }
 
-std::optional<int> FineSpace::twist(const SumEdge& a, const SumEdge& b) const {
+template <class N>
+std::optional<int> IntervalSpace<N>::twist(const SumEdge& a, const SumEdge& b) const {
   return sign_of(dot(cross(along(a), along(b)), between(a.from, b.from)));
 }
 
-std::optional<int> FineSpace::det(PlaneId a, PlaneId b, PlaneId c) const {
+template <class N>
+std::optional<int> IntervalSpace<N>::det(PlaneId a, PlaneId b, PlaneId c) const {
   return sign_of(dot(normal(planes_[a]), cross(normal(planes_[b]), normal(planes_[c]))));
 }
 
-std::optional<int> FineSpace::order(const PointSource& a, const PointSource& b, int axis) const {
+template <class N>
+std::optional<int> IntervalSpace<N>::order(const PointSource& a, const PointSource& b, int axis) const {
   if (a.kind == PointSource::Kind::place || b.kind == PointSource::Kind::place) return std::nullopt;
   const SumPoint origin = beside(a);
   const Position x = position(a, origin), y = position(b, origin);
@@ -96,5 +107,8 @@ std::optional<int> FineSpace::order(const PointSource& a, const PointSource& b, 
   const std::optional<int> s = sign_of(coordinate(y.x) * x.w - coordinate(x.x) * y.w), t = sign_of_product(x.w, y.w);
   return s && t ? std::optional(*s * *t) : std::nullopt;
 }
+
+template class IntervalSpace<exact::FineInterval>;
+template class IntervalSpace<exact::WideInterval>;
 
 }  // namespace dymsum::spatial

@@ -1,6 +1,7 @@
-// The signs of a space of sums in doubles of double length: the rung between doubles and wide integers. Where a third
+// The signs of a space of sums in intervals of many digits: the rungs between doubles and exact numbers. Where a third
 // of all coordinates lie within 1e-16 of each other, as in turned solids, doubles leave thousands of signs open, and
-// some thirty digits leave next to none but the zeros.
+// some thirty digits leave next to none but the zeros. At algebraic angles these are 1e-34 apart, and seventy digits
+// do.
 #pragma once
 
 #include <optional>
@@ -8,20 +9,23 @@
 
 #include "exact/fine_interval.h"
 #include "exact/vector3.h"
+#include "exact/wide_interval.h"
 #include "spatial/convolution/sum_space.h"
 
 namespace dymsum::spatial {
 
 /// Every sign is the exact one, or nothing where it was not found; the cost is that of some hundred operations on
-/// doubles. Coordinates are the space's own doubles over a power of two, with thirty digits: |x| <= 1.
-class FineSpace {
+/// numbers. Coordinates are the space's own doubles over a power of two, with all digits that a number has: |x| <= 1.
+/// N is FineInterval or WideInterval.
+template <class N>
+class IntervalSpace {
  public:
-  using Number = exact::FineInterval;
+  using Number = N;
   using Vector = exact::Vector3<Number>;
 
   /// Keeps the references: planes and edges may be added.
-  FineSpace(std::vector<Vector> p, std::vector<Vector> q, const std::vector<PlaneSource>& planes,
-            const std::vector<SumEdge>& edges)
+  IntervalSpace(std::vector<Vector> p, std::vector<Vector> q, const std::vector<PlaneSource>& planes,
+                const std::vector<SumEdge>& edges)
       : p_(std::move(p)), q_(std::move(q)), planes_(planes), edges_(edges) {}
 
   std::optional<int> side(const PlaneSource& plane, SumPoint point) const;
@@ -49,5 +53,8 @@ class FineSpace {
   const std::vector<PlaneSource>& planes_;
   const std::vector<SumEdge>& edges_;
 };
+
+using FineSpace = IntervalSpace<exact::FineInterval>;
+using WideSpace = IntervalSpace<exact::WideInterval>;
 
 }  // namespace dymsum::spatial

@@ -284,27 +284,59 @@ const FineSpace* GridSpace<C>::fine() const {
 }
 
 template <class C>
-template <class Ask, class Exactly>
-int GridSpace<C>::by_rungs(Ask ask, Exactly exactly) const {
+const WideSpace* GridSpace<C>::wide() const {
+  if constexpr (std::is_same_v<C, exact::RootValue>) {
+    std::call_once(wide_once_, [&] {
+      const int top = std::ilogb(span_) + 1;
+      const auto of = [&](const std::vector<Point>& points) {
+        std::vector<WideSpace::Vector> result;
+        result.reserve(points.size());
+        for (const Point& v : points)
+          result.push_back({wide_coordinate(v.x, shift_[0] - top), wide_coordinate(v.y, shift_[1] - top),
+                            wide_coordinate(v.z, shift_[2] - top)});
+        return result;
+      };
+      wide_ = std::make_unique<WideSpace>(of(p_int_), of(q_int_), plane_sources_, edges_);
+    });
+  }
+  return wide_.get();
+}
+
+template <class C>
+template <class Ask>
+std::optional<int> GridSpace<C>::by_intervals(Ask ask) const {
   if constexpr (has_fine<C>()) {
     if (const std::optional<int> s = ask(*fine())) {
       count(exact::Rung::double_pairs);
-      return *s;
+      return s;
     }
   }
+  if constexpr (std::is_same_v<C, exact::RootValue>) {
+    if (const std::optional<int> s = ask(*wide())) {
+      count(exact::Rung::integers);
+      return s;
+    }
+  }
+  return std::nullopt;
+}
+
+template <class C>
+template <class Ask, class Exactly>
+int GridSpace<C>::by_rungs(Ask ask, Exactly exactly) const {
+  if (const std::optional<int> s = by_intervals(ask)) return *s;
   count(kExactRung<C>);
   return exactly();
 }
 
 template <class C>
 int GridSpace<C>::exact_side(PlaneId plane, SumPoint point) const {
-  return by_rungs([&](const FineSpace& fine) { return fine.side(plane_sources_[plane], point); },
+  return by_rungs([&](const auto& space) { return space.side(plane_sources_[plane], point); },
                   [&] { return sign(dot(n_[plane], sum(point) - sum(plane_sources_[plane].at))); });
 }
 
 template <class C>
 int GridSpace<C>::exact_side(PlaneId plane, const PointSource& point) const {
-  return by_rungs([&](const FineSpace& fine) { return fine.side(plane_sources_[plane], point); },
+  return by_rungs([&](const auto& space) { return space.side(plane_sources_[plane], point); },
                   [&] {
                     const Offset d = offset(plane);
                     return with_point(point,
@@ -314,7 +346,7 @@ int GridSpace<C>::exact_side(PlaneId plane, const PointSource& point) const {
 
 template <class C>
 int GridSpace<C>::exact_twist(const SumEdge& a, const SumEdge& b) const {
-  return by_rungs([&](const FineSpace& fine) { return fine.twist(a, b); },
+  return by_rungs([&](const auto& space) { return space.twist(a, b); },
                   [&] { return sign(dot(cross(along(a), along(b)), sum(b.from) - sum(a.from))); });
 }
 
@@ -325,7 +357,7 @@ int GridSpace<C>::exact_rise(PlaneId plane, const SumEdge& edge) const {
 
 template <class C>
 int GridSpace<C>::exact_det(PlaneId a, PlaneId b, PlaneId c) const {
-  return by_rungs([&](const FineSpace& fine) { return fine.det(a, b, c); },
+  return by_rungs([&](const auto& space) { return space.det(a, b, c); },
                   [&] { return sign(dot(n_[a], cross(n_[b], n_[c]))); });
 }
 
@@ -370,7 +402,7 @@ bool GridSpace<C>::same_point(const PointSource& a, const PointSource& b) const 
 
 template <class C>
 int GridSpace<C>::exact_order(const PointSource& a, const PointSource& b, int axis) const {
-  return by_rungs([&](const FineSpace& fine) { return fine.order(a, b, axis); },
+  return by_rungs([&](const auto& space) { return space.order(a, b, axis); },
                   [&] {
                     return with_point(a, [&](const auto& x) {
                       return with_point(b, [&](const auto& y) {
@@ -403,12 +435,11 @@ int GridSpace<C>::exact_turn(Way r, Way u, Way v, Way w, Way x) const {
 template <class C>
 int GridSpace<C>::exact_side(const PlaneSource& plane, const Flag& flag) const {
   // A step does not change a sign that is not zero.
-  if constexpr (has_fine<C>()) {
-    if (const std::optional<int> s = fine()->side(plane, flag.at); s && *s != 0) {
-      count(exact::Rung::double_pairs);
-      return *s;
-    }
-  }
+  if (const std::optional<int> s = by_intervals([&](const auto& space) -> std::optional<int> {
+        const std::optional<int> found = space.side(plane, flag.at);
+        return found && *found != 0 ? found : std::nullopt;
+      }))
+    return *s;
   count(kExactRung<C>);
   const auto m = normal(plane);
   const Offset d = dot(m, sum(plane.at));

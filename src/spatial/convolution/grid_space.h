@@ -81,7 +81,12 @@ class GridSpace final : public SumSpace {
   void balance_axes();
   /// Made when doubles have left a sign open for the first time; null where integers cost no more.
   const FineSpace* fine() const;
-  /// ask(fine space), counted where it answers; else exactly(), counted as exact.
+  /// The same of the next rung, for values at roots: multiplying polynomials costs a hundred times as much.
+  const WideSpace* wide() const;
+  /// ask(space), of those with intervals, counted where it answers.
+  template <class Ask>
+  std::optional<int> by_intervals(Ask ask) const;
+  /// ask(space) where that answers; else exactly(), counted as exact.
   template <class Ask, class Exactly>
   int by_rungs(Ask ask, Exactly exactly) const;
 
@@ -97,6 +102,8 @@ class GridSpace final : public SumSpace {
   std::vector<Place> places_;
   mutable std::once_flag fine_once_;
   mutable std::unique_ptr<FineSpace> fine_;
+  mutable std::once_flag wide_once_;
+  mutable std::unique_ptr<WideSpace> wide_;
   int bits_;
   int shift_[3] = {};         // a step of the grid along each axis is 2^shift of the space's doubles
   int normal_shift_[3] = {};  // the same of components of normals: those of the other axes together

@@ -190,7 +190,8 @@ class SumSpace {
   virtual std::array<exact::BigInteger, 4> homogeneous(const PointSource& point) const = 0;
   /// Adds a place by the operands' own numbers, of any size; nothing where no sum is: beyond `span` along an axis.
   virtual std::optional<PointSource> add_place(const std::array<exact::BigRational, 3>& world) = 0;
-  /// Signs that doubles left open; those that doubles told are not counted.
+  /// Signs that doubles left open; those that doubles told are not counted. Of values at roots `integers` are those of
+  /// fixed point.
   exact::RungCounts signs() const {
     return {0, told_[0].load(std::memory_order_relaxed), told_[1].load(std::memory_order_relaxed),
             told_[2].load(std::memory_order_relaxed)};

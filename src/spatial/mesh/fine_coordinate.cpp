@@ -53,4 +53,12 @@ exact::FineInterval fine_coordinate(const exact::RootValue& v, int shift) {
   return e.error.is_zero() ? middle : middle + up_to_power(static_cast<int>(msb(e.error)) + 1 + shift);
 }
 
+exact::WideInterval wide_coordinate(const exact::RootValue& v, int shift) {
+  if (v.terms().empty()) return {};
+  if (v.at() == nullptr || v.terms().size() == 1) return exact::WideInterval::around(v.terms()[0], 0, shift);
+  // Coefficients are hardly larger than the value, as roots are below 1 in a chart: the error is about the last place.
+  const exact::RootPoint::Enclosure e = v.at()->enclose(v.terms(), exact::WideInterval::kFractionBits + 8);
+  return exact::WideInterval::around(e.value, e.error, shift - static_cast<long>(e.scale));
+}
+
 }  // namespace dymsum::spatial

@@ -1,9 +1,10 @@
-// Integers of any size as intervals of thirty digits.
+// Integers of any size as intervals of thirty digits, or of seventy.
 #pragma once
 
 #include "exact/big.h"
 #include "exact/fine_interval.h"
 #include "exact/root_value.h"
+#include "exact/wide_interval.h"
 
 namespace dymsum::spatial {
 
@@ -11,5 +12,7 @@ namespace dymsum::spatial {
 exact::FineInterval fine_coordinate(const exact::Big& v, int shift);
 /// The same of a value at a root.
 exact::FineInterval fine_coordinate(const exact::RootValue& v, int shift);
+/// The same with all digits that a WideInterval has.
+exact::WideInterval wide_coordinate(const exact::RootValue& v, int shift);
 
 }  // namespace dymsum::spatial

@@ -120,6 +120,32 @@ std::vector<exact::BigRational> around_crowds(const std::vector<SlantsAt>& at, c
   return parts;
 }
 
+/// A rational angle at which so many slants vanish that it is searched on its own, as that at which an operand lies as
+/// it does in itself, has a window of its own between the others: next to nothing else happens there.
+std::vector<exact::BigRational> around_crowded_angles(const std::vector<SlantsAt>& at, const RootOrder& angles,
+                                                      const TurnRangeOfT& range) {
+  std::vector<exact::BigRational> parts;
+  for (std::size_t k = 0; k < at.size(); ++k) {
+    if (at[k].count < kCrowd) continue;
+    const std::optional<exact::BigRational> t = exact::rational_value(angles[at[k].angle]);
+    if (!t) continue;
+    const exact::BigRational before = k == 0 ? range.low : exact::exact_value(angles[at[k - 1].angle].high()),
+                             after =
+                                 k + 1 == at.size() ? range.high : exact::exact_value(angles[at[k + 1].angle].low());
+    if (before >= *t || after <= *t) continue;
+    const double room =
+        exact::round_to_double(std::min<exact::BigRational>(*t - before, after - *t)) / kRoomBesideCrowd;
+    const auto beside = [&](const exact::BigRational& end) {
+      const AlgebraicRoot at_end = AlgebraicRoot::rational(end), at_t = AlgebraicRoot::rational(*t);
+      return end < *t ? exact::between(at_end, at_t) : exact::between(at_t, at_end);
+    };
+    const exact::BigRational by = exact::exact_value(room);
+    for (const exact::BigRational& end : {beside(*t - by), beside(*t + by)})
+      if (parts.empty() || end > parts.back()) parts.push_back(end);
+  }
+  return parts;
+}
+
 }  // namespace
 
 std::vector<exact::BigRational> parts_of(const WindowSlants& slants, const RootOrder& angles,
@@ -134,6 +160,8 @@ std::vector<exact::BigRational> parts_of(const WindowSlants& slants, const RootO
   if (all < kCrowd || at.size() < 2) return {};
   std::vector<exact::BigRational> parts = around_crowds(at, angles, range);
   if (!parts.empty() || !(exact::round_to_double(range.high - range.low) < kNarrow)) return parts;
+  parts = around_crowded_angles(at, angles, range);
+  if (!parts.empty()) return parts;
   std::size_t here = 0;
   for (std::size_t k = 0; k + 1 < at.size(); ++k) {
     here += at[k].count;

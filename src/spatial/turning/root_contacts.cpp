@@ -34,13 +34,19 @@ std::optional<exact::BigRational> short_rational(const TurningPair& pair, const 
   return t;
 }
 
-/// Of all t within some 2^-100 of the root's size.
-FineFrame fine_frame(const TurningPair& pair, int chart, const AlgebraicRoot& root) {
+/// Of all t within 2^-bits.
+template <class Frame>
+Frame frame_at(const TurningPair& pair, int chart, const AlgebraicRoot& root, long bits) {
   exact::RootBracket bracket = root.bracket();
-  const double size = std::max(std::abs(root.low()), std::abs(root.high()));
-  if (!bracket.is_point() && size > 0) bracket.refine_to(104L - std::max(std::ilogb(size), -400));
+  if (!bracket.is_point()) bracket.refine_to(bits);
   return {pair, chart, bracket.low().value(), bracket.high().value()};
 }
+/// For pairs of doubles: some 2^-100 of the root's size.
+long fine_bits(const AlgebraicRoot& root) {
+  const double size = std::max(std::abs(root.low()), std::abs(root.high()));
+  return size > 0 ? 104L - std::max(std::ilogb(size), -400) : 104L;
+}
+constexpr long kWideBits = exact::WideInterval::kFractionBits + 8;
 
 SolidFeature edge_feature(std::uint32_t a, std::uint32_t b) {
   return {SolidFeature::Kind::edge, std::min(a, b), std::max(a, b)};
@@ -67,12 +73,13 @@ RootContacts::RootContacts(const TurningPair& pair, const PairOfBalls& balls, co
       balls_(balls),
       w_(window),
       work_(work),
+      root_(root),
       point_(root),
       t_(short_rational(pair, root)),
       radians_(angle_of(pair, window.range.chart, root)),
       reach_(spread_of(pair, window.range.chart, root)),
       jets_frame_(pair, radians_, reach_),
-      fine_frame_(fine_frame(pair, window.range.chart, root)),
+      fine_frame_(frame_at<FineFrame>(pair, window.range.chart, root, fine_bits(root))),
       exact_frame_(t_ ? PolynomialFrame(pair, window.range.chart, *t_)
                       : PolynomialFrame(pair, window.range.chart, &point_)),
       jets_(jets_frame_),
@@ -87,6 +94,8 @@ template <class F>
 int RootContacts::sign(F form) const {
   if (const int s = form(jets_).sign(); s != 0) return s;
   if (const int s = form(fine_).sign(); s != 0) return s;
+  if (!wide_frame_) wide_frame_.emplace(frame_at<WideFrame>(pair_, w_.range.chart, root_, kWideBits));
+  if (const std::optional<int> s = sign_of(form(TurnSigns<WideFrame>(*wide_frame_)))) return *s;
   return exact::sign(form(exact_));
 }
 

@@ -35,7 +35,7 @@ class RootContacts {
  private:
   using Jets = TurnSigns<JetFrame>;
   using Exact = TurnSigns<PolynomialFrame>;
-  /// The sign of form(TurnSigns) here: jets, in doubles and in pairs of them, else exact.
+  /// The sign of form(TurnSigns) here: jets, in doubles and in pairs of them, then in fixed point, else exact.
   template <class F>
   int sign(F form) const;
   bool exists(std::uint32_t facet) const;
@@ -78,11 +78,13 @@ class RootContacts {
   const PairOfBalls& balls_;
   const SolidTurnWindow& w_;
   TurningSolidWork& work_;
+  const exact::AlgebraicRoot& root_;
   exact::RootPoint point_;
   std::optional<exact::BigRational> t_;  // where it is rational, and short
   double radians_ = 0, reach_ = 0;
   JetFrame jets_frame_;
   FineFrame fine_frame_;
+  mutable std::optional<WideFrame> wide_frame_;  // made when it is asked for
   PolynomialFrame exact_frame_;
   Jets jets_;
   TurnSigns<FineFrame> fine_;

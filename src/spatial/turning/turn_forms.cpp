@@ -68,42 +68,67 @@ Box JetFrame::box(SumPoint v) const {
   return box;
 }
 
-FineFrame::FineFrame(const TurningPair& pair, int chart, const exact::BigRational& low, const exact::BigRational& high)
-    : pair_(pair), chart_(chart) {
+namespace {
+
+/// All t from `low` to `high`.
+void set_between(FineJet& t, const exact::BigRational& low, const exact::BigRational& high) {
   const exact::BigRational middle = (low + high) / 2;
   const double first = exact::round_to_double(middle),
                second = exact::round_to_double(middle - exact::exact_value(first));
   const exact::BigRational at = exact::exact_value(first) + exact::exact_value(second);
   const double half = exact::round_to_double(std::max<exact::BigRational>(high - at, at - low)) * (1 + 0x1p-50);
-  t_ = {{first, second}, half, 0};
+  t = {{first, second}, half, 0};
+}
+void set_between(exact::WideInterval& t, const exact::BigRational& low, const exact::BigRational& high) {
+  constexpr int kBits = exact::WideInterval::kFractionBits + 4;
+  const exact::BigRational scale(exact::BigInteger(1) << kBits), middle = (low + high) / 2 * scale,
+                                                                 half = (high - low) / 2 * scale;
+  // Either quotient is cut off by less than 1.
+  const exact::BigInteger at = numerator(middle) / denominator(middle), error = numerator(half) / denominator(half) + 2;
+  t = exact::WideInterval::around(at, low == high && denominator(middle) == 1 ? exact::BigInteger(0) : error, -kBits);
+}
+
+}  // namespace
+
+template <class N>
+PreciseFrame<N>::PreciseFrame(const TurningPair& pair, int chart, const exact::BigRational& low,
+                              const exact::BigRational& high)
+    : pair_(pair), chart_(chart) {
+  set_between(t_, low, high);
   const TurnAxis& axis = pair.circle.axis();
-  axis_ = {FineJet::of(axis[0]), FineJet::of(axis[1]), FineJet::of(axis[2])};
-  square_ = FineJet::of(static_cast<double>(pair.circle.square()));
-  weight_ = FineJet::of(1) + square_ * (t_ * t_);
+  axis_ = {N::of(axis[0]), N::of(axis[1]), N::of(axis[2])};
+  square_ = N::of(static_cast<double>(pair.circle.square()));
+  weight_ = N::of(1) + square_ * (t_ * t_);
   if (chart == 1) weight_ = square_ * weight_;
 }
 
-FineFrame::Vector FineFrame::difference(Vec3 from, Vec3 to) {
-  const auto exactly = [](double a, double b) { return FineJet{base::exact_sum(b, -a), 0, 0}; };
-  return {exactly(from.x, to.x), exactly(from.y, to.y), exactly(from.z, to.z)};
+template <class N>
+typename PreciseFrame<N>::Vector PreciseFrame<N>::difference(Vec3 from, Vec3 to) {
+  return {N::difference(from.x, to.x), N::difference(from.y, to.y), N::difference(from.z, to.z)};
 }
 
 // As TurnCircle::turned.
-FineFrame::Vector FineFrame::placed(int op, const Vector& v, bool weighted) const {
+template <class N>
+typename PreciseFrame<N>::Vector PreciseFrame<N>::placed(int op, const Vector& v, bool weighted) const {
   if (op != pair_.turning) return weighted ? Vector{weight_ * v.x, weight_ * v.y, weight_ * v.z} : v;
   const Vector side = cross(axis_, v);
-  const FineJet along = dot(axis_, v), two = FineJet::of(2);
-  const auto row = [&](const FineJet& x, const FineJet& a, const FineJet& s) {
-    const FineJet last = two * (a * along) - square_ * x;
+  const N along = dot(axis_, v), two = N::of(2);
+  const auto row = [&](const N& x, const N& a, const N& s) {
+    const N last = two * (a * along) - square_ * x;
     return chart_ == 0 ? x + t_ * (two * s + t_ * last) : last + square_ * (t_ * (square_ * (t_ * x) - two * s));
   };
   return {row(v.x, axis_.x, side.x), row(v.y, axis_.y, side.y), row(v.z, axis_.z, side.z)};
 }
 
-FineFrame::Vector FineFrame::normal(int op, std::uint32_t a, std::uint32_t b, std::uint32_t c) const {
+template <class N>
+typename PreciseFrame<N>::Vector PreciseFrame<N>::normal(int op, std::uint32_t a, std::uint32_t b,
+                                                         std::uint32_t c) const {
   const std::vector<Vec3>& at = pair_.places[op];
   return placed(op, cross(difference(at[a], at[b]), difference(at[a], at[c])), false);
 }
+
+template class PreciseFrame<FineJet>;
+template class PreciseFrame<exact::WideInterval>;
 
 /// Of degree at most 2; at n / d times d^2.
 RootValue PolynomialFrame::value(exact::Terms terms) const {

@@ -5,6 +5,7 @@
 #include <optional>
 
 #include "exact/vector3.h"
+#include "exact/wide_interval.h"
 #include "spatial/convolution/sum_space.h"
 #include "spatial/frames/posed_pair.h"
 #include "spatial/mesh/box_tree.h"
@@ -56,14 +57,15 @@ class JetFrame {
   double half_;
 };
 
-/// The same of t in a window of a chart, in pairs of doubles: every vector times a positive factor, as of a
-/// PolynomialFrame.
-class FineFrame {
+/// The same of t in a window of a chart, in pairs of doubles or, where the window is that of a root, in intervals of
+/// seventy digits: every vector times a positive factor, as of a PolynomialFrame. N is FineJet or WideInterval.
+template <class N>
+class PreciseFrame {
  public:
-  using Number = FineJet;
-  using Vector = exact::Vector3<FineJet>;
+  using Number = N;
+  using Vector = exact::Vector3<N>;
   /// All t from `low` to `high`, which are given.
-  FineFrame(const TurningPair& pair, int chart, const exact::BigRational& low, const exact::BigRational& high);
+  PreciseFrame(const TurningPair& pair, int chart, const exact::BigRational& low, const exact::BigRational& high);
   Vector way(int op, std::uint32_t from, std::uint32_t to) const {
     return placed(op, difference(pair_.places[op][from], pair_.places[op][to]), true);
   }
@@ -79,9 +81,11 @@ class FineFrame {
   Vector placed(int op, const Vector& v, bool weighted) const;
   const TurningPair& pair_;
   int chart_;
-  FineJet t_, square_, weight_;
+  N t_, square_, weight_;
   Vector axis_;
 };
+using FineFrame = PreciseFrame<FineJet>;
+using WideFrame = PreciseFrame<exact::WideInterval>;
 
 /// The same as polynomials in t, each vector times a positive factor: one for all ways, any for normals. At a rational
 /// t as their values there, which are integers.
@@ -213,6 +217,10 @@ inline Jet TurnSigns<JetFrame>::one() {
 template <>
 inline FineJet TurnSigns<FineFrame>::one() {
   return FineJet::of(1);
+}
+template <>
+inline exact::WideInterval TurnSigns<WideFrame>::one() {
+  return exact::WideInterval(1);
 }
 template <>
 inline exact::RootValue TurnSigns<PolynomialFrame>::one() {

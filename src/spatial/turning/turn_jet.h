@@ -41,6 +41,8 @@ struct FineJet {
   double slope = 0, rest = 0;
 
   static FineJet of(double v) { return {{v, 0}, 0, 0}; }
+  /// b - a exactly.
+  static FineJet difference(double a, double b) { return {base::exact_sum(b, -a), 0, 0}; }
   double size() const { return std::abs(value.high) * (1 + 0x1p-50); }  ///< at least |value|
   double reach() const { return (std::abs(slope) + rest) * (1 + 0x1p-40); }
   /// As of a Jet.
