@@ -90,8 +90,12 @@ Result<bool> general_obstacle(planar::ObstacleState& state, const ObstacleOption
   const std::function<void()> again = [&] { poll(); };
   ObstacleSweep sweep(forms, catalog, base, options.reference, again);
   // It names contacts as regions do, and knows no pieces without area.
-  if (!touching && !options.reference)
-    if (Result<PlanarLocalSum> near = PlanarLocalSum::create(state.obstacle, state.robot)) sweep.use(*std::move(near));
+  if (!touching && !options.reference) {
+    PlanarLocalOptions near_events;  // boxes lie anywhere: nothing of the last one is near the next one
+    near_events.engine = LocalEngine::hierarchy;
+    if (Result<PlanarLocalSum> near = PlanarLocalSum::create(state.obstacle, state.robot, near_events))
+      sweep.use(*std::move(near));
+  }
   try {
     pass_turn(TurnWindows(forms, catalog, options.reference), sweep, poll, again);
   } catch (const Cancelled&) {

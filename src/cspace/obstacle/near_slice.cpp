@@ -18,8 +18,14 @@ static_assert(64 * kNearTurn < kBeside && 64 * kCutNear < kBeside);
 
 class Splice {
  public:
-  Splice(const SweepScene& scene, const AngleNow& now, Heading h, const NearChange& change)
-      : forms_(scene.forms), graph_(scene.graph), now_(now), h_(h), box_(change.box), chains_(change.chains) {}
+  Splice(const SweepScene& scene, const AngleNow& now, Heading h, const BoxFrame& frame, const NearChange& change)
+      : forms_(scene.forms),
+        graph_(scene.graph),
+        now_(now),
+        h_(h),
+        frame_(frame),
+        box_(change.box),
+        chains_(change.chains) {}
 
   std::optional<SliceEdit> run(std::vector<std::uint32_t> segments) {
     if (!find_stubs() || !walk_chains() || !find_loops(std::move(segments))) return std::nullopt;
@@ -120,7 +126,7 @@ class Splice {
       const Point d = forms_.direction(s, h_), from = forms_.place(TurningForms::start(s), h_);
       const double near = kCutNear * forms_.span();
       if (end.error * std::hypot(d.x, d.y) < near) {
-        const Point p{from.x + end.t * d.x, from.y + end.t * d.y};
+        const Point p = frame_.of({from.x + end.t * d.x, from.y + end.t * d.y});
         const double x = std::min(p.x - box_.low.x, box_.high.x - p.x),
                      y = std::min(p.y - box_.low.y, box_.high.y - p.y), depth = std::min(x, y);
         if (std::abs(depth) > 2 * near) return depth > 0;
@@ -192,6 +198,7 @@ class Splice {
   const BoundaryGraph& graph_;
   const AngleNow& now_;
   Heading h_;
+  const BoxFrame& frame_;
   const FormsBox& box_;
   const std::vector<BoundaryChain>& chains_;
   std::vector<std::uint32_t> ins_, outs_;              // of chains: nodes
@@ -203,9 +210,10 @@ class Splice {
 
 }  // namespace
 
-std::optional<std::vector<BoundaryChain>> NearSlices::in(const PlanarBox& box, const Orientation& at) {
+std::optional<std::vector<BoundaryChain>> NearSlices::in(const PlanarBox& box, const Orientation& frame,
+                                                         const Orientation& at) {
   // The sum of O with -R(theta), which is R turned by half a turn more.
-  const Result<PlanarLocalPart> cut = sum_.in(box, {}, {Orientation::half_turn() * at, {}});
+  const Result<PlanarLocalPart> cut = sum_.in(box, {frame, {}}, {Orientation::half_turn() * frame * at, {}});
   if (!cut) return std::nullopt;
   const std::vector<PlanarLocalPart::Edge>& edges = cut->edges;
   std::vector<std::uint32_t> in(cut->vertices.size(), kNobody), out(cut->vertices.size(), kNobody);
@@ -235,28 +243,43 @@ std::optional<std::vector<BoundaryChain>> NearSlices::in(const PlanarBox& box, c
 
 namespace {
 
-// Around all that an event may change at its angle, but for rounding, and all that it changes within `turn` behind it.
+// What an event may change at its angle, but for rounding, lies between points; within `turn` behind it that is so in a
+// box around them with a rim. `along`: the longest of what lies on one line.
+struct EventExtent {
+  std::vector<Point> points;
+  double turn = kNearTurn;
+  Point along;
+  void add_stretch(Point a, Point b) {
+    points.insert(points.end(), {a, b});
+    const Point d{b.x - a.x, b.y - a.y};
+    if (std::hypot(d.x, d.y) > std::hypot(along.x, along.y)) along = d;
+  }
+};
+
 // The crossing of two lines moves by at most span (1 + 4 / sine) for every radian, while the sine keeps half of itself;
-// where they are nearly parallel it may be anywhere on what the segments share of their line. Nothing where no doubles
-// are known of its place.
-bool add_event(const TurnEvent& event, const SweepScene& scene, const SignsAt& signs, NearChange& to) {
+// where they are nearly parallel it may be anywhere on what the segments share of their line, unless one lies beside
+// the line of the other, farther than anything moves: then they do not meet. Nothing where no doubles are known of its
+// place.
+std::optional<EventExtent> extent_of(const TurnEvent& event, const SweepScene& scene, const SignsAt& signs) {
   const TurningForms& forms = scene.forms;
   const Heading h = signs.heading();
-  const auto add = [&](Pair v) { to.box.add(forms.place(v, h)); };
+  EventExtent to;
   const auto sine = [&](const WalkSegment& s, const WalkSegment& t) {
     return std::abs(forms.cross(s, t).at(h)) / (forms.length1(s) * forms.length1(t));
   };
-  if (event.kind == TurnEvent::Kind::vertex_on_segment) add(event.v);
+  if (event.kind == TurnEvent::Kind::vertex_on_segment) to.points.push_back(forms.place(event.v, h));
   if (event.kind == TurnEvent::Kind::alignment) {
     const std::uint32_t e1 = forms.operand(1).next[event.e], f1 = forms.operand(0).next[event.f];
-    for (const Pair v : {Pair{event.f, event.e}, Pair{f1, event.e}, Pair{event.f, e1}, Pair{f1, e1}}) add(v);
+    const auto at = [&](std::uint32_t p, std::uint32_t q) { return forms.place({p, q}, h); };
+    to.add_stretch(at(event.f, event.e), at(f1, e1));
+    to.add_stretch(at(f1, event.e), at(event.f, e1));
   }
   if (event.kind == TurnEvent::Kind::three_segments)
     for (const auto& [s, t] : {std::pair{&event.a, &event.b}, {&event.b, &event.c}, {&event.c, &event.a}}) {
       if (sine(*s, *t) < kLeastSine) continue;
       const std::optional<Point> at = signs.near(ExactPlace{{true, {}, *s, *t}, {}});
-      if (!at) return false;
-      to.box.add(*at);
+      if (!at) return std::nullopt;
+      to.points.push_back(*at);
       break;
     }
   const std::vector<std::uint32_t> all = segments_of(event, scene);
@@ -271,30 +294,57 @@ bool add_event(const TurnEvent& event, const SweepScene& scene, const SignsAt& s
       const Point d = forms.direction(s, h);
       std::array<Point, 4> ends{forms.place(TurningForms::start(s), h), forms.place(forms.end(s), h),
                                 forms.place(TurningForms::start(t), h), forms.place(forms.end(t), h)};
+      const auto beside = [&](Point p) {
+        return (d.x * (p.y - ends[0].y) - d.y * (p.x - ends[0].x)) / std::hypot(d.x, d.y);
+      };
+      const double b0 = beside(ends[2]), b1 = beside(ends[3]), apart = kBeside * forms.span();
+      if (std::min(b0, b1) > apart || std::max(b0, b1) < -apart) continue;
       std::sort(ends.begin(), ends.end(),
                 [&](Point a, Point b) { return d.x * a.x + d.y * a.y < d.x * b.x + d.y * b.y; });
-      to.box.add(ends[1]);
-      to.box.add(ends[2]);
+      to.add_stretch(ends[1], ends[2]);
     }
-  return true;
+  return to;
+}
+
+// Along the longest stretch, to within what it is short of a box's rim.
+BoxFrame frame_along(Point along) {
+  constexpr double kAlong = 0x1p-22;
+  static_assert(4 * kAlong < kBeside);
+  if (along.x == 0 && along.y == 0) return {};
+  BoxFrame frame;
+  if (const Result<Orientation> turn = Orientation::nearest(-std::atan2(along.y, along.x), kAlong))
+    frame = {*turn, Heading::of(turn->radians())};
+  return frame;
 }
 
 }  // namespace
 
-std::optional<std::vector<NearChange>> boxes_of(std::vector<EventGroup> due, EventGroup& alone, const SweepScene& scene,
-                                                const SignsAt& signs) {
+std::optional<NearChanges> boxes_of(std::vector<EventGroup> due, EventGroup& alone, const SweepScene& scene,
+                                    const SignsAt& signs) {
   const std::size_t first_alone = due.size();
   for (TurnEvent* event : alone) due.push_back({event});
   alone.clear();
-  std::vector<NearChange> all;
-  for (EventGroup& events : due) {
-    NearChange& change = all.emplace_back();
-    for (const TurnEvent* event : events)
-      if (!add_event(*event, scene, signs, change)) return std::nullopt;
-    change.box.grow(kBeside * scene.forms.span());
-    change.events = std::move(events);
+  std::vector<EventExtent> extents;
+  EventExtent longest;
+  for (const EventGroup& events : due) {
+    EventExtent& whole = extents.emplace_back();
+    for (const TurnEvent* event : events) {
+      const std::optional<EventExtent> one = extent_of(*event, scene, signs);
+      if (!one) return std::nullopt;
+      whole.points.insert(whole.points.end(), one->points.begin(), one->points.end());
+      whole.turn = std::min(whole.turn, one->turn);
+      if (extents.size() <= first_alone) longest.add_stretch({}, one->along);
+    }
   }
-  std::vector<NearChange> apart;
+  NearChanges apart{frame_along(longest.along), {}};
+  std::vector<NearChange> all;
+  for (std::size_t k = 0; k < due.size(); ++k) {
+    NearChange& change = all.emplace_back();
+    for (const Point p : extents[k].points) change.box.add(apart.frame.of(p));
+    change.box.grow(kBeside * scene.forms.span());
+    change.turn = extents[k].turn;
+    change.events = std::move(due[k]);
+  }
   std::vector<std::uint8_t> taken(all.size());
   for (std::size_t first = 0; first < first_alone; ++first) {
     if (taken[first]) continue;
@@ -310,20 +360,21 @@ std::optional<std::vector<NearChange>> boxes_of(std::vector<EventGroup> due, Eve
         change.events.insert(change.events.end(), all[k].events.begin(), all[k].events.end());
       }
     }
-    apart.push_back(std::move(change));
+    apart.all.push_back(std::move(change));
   }
   for (std::size_t k = first_alone; k < all.size(); ++k)
     if (!taken[k]) alone.push_back(all[k].events[0]);
   return apart;
 }
 
-std::optional<SliceEdit> edit_near(const SweepScene& scene, const AngleNow& now, Heading h, const NearChange& change) {
+std::optional<SliceEdit> edit_near(const SweepScene& scene, const AngleNow& now, Heading h, const BoxFrame& frame,
+                                   const NearChange& change) {
   std::vector<std::uint32_t> segments;
   for (const TurnEvent* event : change.events) {
     const std::vector<std::uint32_t> of = segments_of(*event, scene);
     segments.insert(segments.end(), of.begin(), of.end());
   }
-  return Splice(scene, now, h, change).run(std::move(segments));
+  return Splice(scene, now, h, frame, change).run(std::move(segments));
 }
 
 }  // namespace dymsum::planar

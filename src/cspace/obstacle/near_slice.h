@@ -25,15 +25,24 @@ struct BoundaryChain {
 class NearSlices {
  public:
   NearSlices(PlanarLocalSum sum, const SliceReader& reader) : sum_(std::move(sum)), reader_(reader) {}
-  /// Nothing where chains meet in the box, or the slice cannot be cut.
-  std::optional<std::vector<BoundaryChain>> in(const PlanarBox& box, const Orientation& at);
+  /// Box and chains as `frame` turns them. Nothing where chains meet in the box, or the slice cannot be cut.
+  std::optional<std::vector<BoundaryChain>> in(const PlanarBox& box, const Orientation& frame, const Orientation& at);
 
  private:
   PlanarLocalSum sum_;
   const SliceReader& reader_;
 };
 
-/// A box in the forms' doubles.
+/// Axes for boxes, turned so that what is long runs along one of them: of a strip that is aslant the box would hold
+/// most of the boundary.
+struct BoxFrame {
+  Orientation turn;  ///< from the forms' coordinates to the frame's
+  Heading h;         ///< its double
+  Point of(Point p) const { return {h.c * p.x - h.s * p.y, h.s * p.x + h.c * p.y}; }
+  Point back(Point p) const { return {h.c * p.x + h.s * p.y, h.c * p.y - h.s * p.x}; }
+};
+
+/// A box in the forms' doubles, along the axes of a frame.
 struct FormsBox {
   Point low{INFINITY, INFINITY}, high{-INFINITY, -INFINITY};
   void add(Point p) {
@@ -60,16 +69,21 @@ struct NearChange {
   EventGroup events;
   FormsBox box;
   double turn = kNearTurn;            ///< so far behind the angle what changes there is in the box
-  std::vector<BoundaryChain> chains;  ///< in the forms' doubles
+  std::vector<BoundaryChain> chains;  ///< in the forms' doubles, not turned
+};
+struct NearChanges {
+  BoxFrame frame;
+  std::vector<NearChange> all;
 };
 /// Parts of a group that are `due`, and events of it that would be handled by themselves: with boxes that are apart.
 /// Parts whose boxes meet are one, and an event whose box meets one of them belongs to it: the others are left. Nothing
 /// where a place is not known.
-std::optional<std::vector<NearChange>> boxes_of(std::vector<EventGroup> due, EventGroup& alone, const SweepScene& scene,
-                                                const SignsAt& signs);
+std::optional<NearChanges> boxes_of(std::vector<EventGroup> due, EventGroup& alone, const SweepScene& scene,
+                                    const SignsAt& signs);
 /// What makes of the boundary before an angle the chains in the box. Requires: there the boundary changes in the box
 /// only; h is that of the chains. Nodes stay and go on as with a whole slice. Nothing where doubles do not tell which
 /// of several nodes of one segment passes a side of the box.
-std::optional<SliceEdit> edit_near(const SweepScene& scene, const AngleNow& now, Heading h, const NearChange& change);
+std::optional<SliceEdit> edit_near(const SweepScene& scene, const AngleNow& now, Heading h, const BoxFrame& frame,
+                                   const NearChange& change);
 
 }  // namespace dymsum::planar

@@ -191,29 +191,35 @@ void ObstacleSweep::change(const Group& group, const TurnRange& range, const Beh
 bool ObstacleSweep::take_near_slices(std::vector<Group> due, Group& alone, const Group& group, const TurnRange& range,
                                      const Behind& behind) {
   const double unit = reader_.base().lattice->unit;
-  if (!near_slices_ || !pending_.empty() || position_error() > kCutNear * forms_.span() * unit) return false;
+  // Positions are turned into a frame, by a heading within 8 roundings, and back: as many roundings once more.
+  if (!near_slices_ || !pending_.empty() || 2 * position_error() > kCutNear * forms_.span() * unit) return false;
   now_.set_exact({range.chart, exact_root(*group[0], forms_, range)}, group[0]->theta());
-  std::optional<std::vector<NearChange>> changes = boxes_of(std::move(due), alone, scene(), now_.signs());
+  std::optional<NearChanges> changes = boxes_of(std::move(due), alone, scene(), now_.signs());
   if (!changes) return false;
+  const BoxFrame& frame = changes->frame;
   double turn = kNearTurn;
-  for (const NearChange& change : *changes) turn = std::min(turn, change.turn);
+  for (const NearChange& change : changes->all) turn = std::min(turn, change.turn);
   const Orientation at = behind(turn);
   const Heading h = Heading::of(at.radians());
-  const Point o = position(h, {});
-  const auto in_forms = [&](Point p) { return Point{(p.x - o.x) / unit, (p.y - o.y) / unit}; };
-  for (NearChange& change : *changes) {
+  const Point o = position(h, {}), o_in_frame = frame.of(o);
+  const auto in_sum = [&](Point p) { return Point{p.x * unit + o_in_frame.x, p.y * unit + o_in_frame.y}; };
+  const auto in_forms = [&](Point in_frame) {
+    const Point p = frame.back(in_frame);
+    return Point{(p.x - o.x) / unit, (p.y - o.y) / unit};
+  };
+  for (NearChange& change : changes->all) {
     std::optional<std::vector<BoundaryChain>> chains =
-        near_slices_->in({position(h, change.box.low), position(h, change.box.high)}, at);
+        near_slices_->in({in_sum(change.box.low), in_sum(change.box.high)}, frame.turn, at);
     if (!chains) return false;
     change.chains = std::move(*chains);
     for (BoundaryChain& chain : change.chains) {
       chain.from = in_forms(chain.from);
       chain.to = in_forms(chain.to);
     }
-    if (!edit_near(scene(), now_, h, change)) return false;
+    if (!edit_near(scene(), now_, h, frame, change)) return false;
   }
-  for (const NearChange& change : *changes) {
-    const std::optional<SliceEdit> edit = edit_near(scene(), now_, h, change);
+  for (const NearChange& change : changes->all) {
+    const std::optional<SliceEdit> edit = edit_near(scene(), now_, h, frame, change);
     if (!edit) return false;
     doubtful_.insert(doubtful_.end(), change.events.begin(), change.events.end());
     sliced_ = true;

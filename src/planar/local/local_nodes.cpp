@@ -13,6 +13,8 @@ constexpr double kEndOff = 2 * PosedRegions::kOff;
 constexpr double kSteep = 0x1p-8;
 /// Of a difference of two ends in pairs of doubles.
 constexpr double kPairGap = 4 * PosedRegions::kPairOff;
+/// Of the double of a pair, and of a product or a sum of doubles: more than twice its rounding.
+constexpr double kTwice = 0x1p-50;
 
 Point minus(Point a, Point b) { return {a.x - b.x, a.y - b.y}; }
 
@@ -74,6 +76,13 @@ const LocalNodes::PairEnds& LocalNodes::pair_ends(std::uint32_t s) const {
   return *kept;
 }
 
+/// The vertices whose sum an end is.
+Pair LocalNodes::end_name(std::uint32_t s, std::uint32_t end) const {
+  const WalkSegment& w = segments_[s];
+  const std::uint32_t walk = end == 0 ? w.edge : posed_.operand(w.side).next[w.edge];
+  return w.side == 0 ? Pair{walk, w.vertex} : Pair{w.vertex, walk};
+}
+
 int LocalNodes::direction(std::uint32_t s, int axis) const {
   const Point d = ends_[s].d();
   const double v = axis == 0 ? d.x : d.y;
@@ -93,6 +102,8 @@ int LocalNodes::cross(std::uint32_t s, std::uint32_t t) const {
 int LocalNodes::side(std::uint32_t s, std::uint32_t t, int end) const {
   const Point v = end == 0 ? ends_[t].a : ends_[t].b;
   if (const int sure = sure_cross(ends_[s].d(), minus(v, ends_[s].a))) return sure;
+  const Pair name = end_name(t, static_cast<std::uint32_t>(end));
+  if (name == end_name(s, 0) || name == end_name(s, 1)) return 0;
   const PairEnds& a = pair_ends(s);
   if (const int sure = sure_cross(a[1] - a[0], pair_ends(t)[static_cast<std::size_t>(end)] - a[0])) return sure;
   return sign(planar::cross(exact_direction(s), exact_end(t, end) - exact_end(s, 0)));
@@ -104,10 +115,13 @@ void LocalNodes::find_meetings() {
   const auto low = [&](std::uint32_t s) { return std::min(ends_[s].a.x, ends_[s].b.x); };
   std::sort(order.begin(), order.end(),
             [&](std::uint32_t s, std::uint32_t t) { return low(s) != low(t) ? low(s) < low(t) : s < t; });
+  // Where they meet outside of the larger box does not matter.
+  const ScaledBox reach = walls_.reach();
   for (std::size_t i = 0; i < order.size(); ++i) {
     const Ends& a = ends_[order[i]];
-    const double right = std::max(a.a.x, a.b.x) + 2 * kEndOff;
-    const double bottom = std::min(a.a.y, a.b.y) - 2 * kEndOff, top = std::max(a.a.y, a.b.y) + 2 * kEndOff;
+    const double right = std::min(std::max(a.a.x, a.b.x), reach.x1) + 2 * kEndOff;
+    const double bottom = std::max(std::min(a.a.y, a.b.y), reach.y0) - 2 * kEndOff,
+                 top = std::min(std::max(a.a.y, a.b.y), reach.y1) + 2 * kEndOff;
     for (std::size_t j = i + 1; j < order.size() && low(order[j]) <= right; ++j) {
       const Ends& b = ends_[order[j]];
       if (std::max(b.a.y, b.b.y) >= bottom && std::min(b.a.y, b.b.y) <= top)
@@ -158,12 +172,23 @@ void LocalNodes::add_crossing(std::uint32_t s, std::uint32_t t) {
         node.y - node.off > reach.y1)
       return;
   } else {
-    const Point at = posed_.scaled(make_exact(node));
-    node.x = at.x, node.y = at.y, node.off = kEndOff;
+    place_finely(node);
   }
   const auto n = static_cast<std::uint32_t>(nodes_.size());
   nodes_.push_back(node);
   along_[s].push_back(n), along_[t].push_back(n);
+}
+
+/// From pairs of doubles, or from integers.
+void LocalNodes::place_finely(LocalNode& node) const {
+  node.off = kEndOff;
+  if (const PairPlace fine = make_pair_place(node); fine.off < kEndOff / 2) {
+    const auto [x, y] = posed_.scaled(fine.at);
+    node.x = x, node.y = y;
+    return;
+  }
+  const Point at = posed_.scaled(make_exact(node));
+  node.x = at.x, node.y = at.y;
 }
 
 /// The sign of an end's coordinate less the wall's.
@@ -180,8 +205,7 @@ void LocalNodes::add_walls(std::uint32_t s) {
     const LocalWall& wall = walls_.all()[k];
     if (wall.beyond || beyond(s, 0, wall) * beyond(s, 1, wall) >= 0) continue;
     LocalNode node{LocalNode::Kind::wall, 0, 0, 0, s, k};
-    const Point at = posed_.scaled(make_exact(node));
-    node.x = at.x, node.y = at.y, node.off = kEndOff;
+    place_finely(node);
     along_[s].push_back(static_cast<std::uint32_t>(nodes_.size()));
     nodes_.push_back(node);
   }
@@ -211,25 +235,25 @@ const BigPlace& LocalNodes::exact(std::uint32_t n) const {
   return *exact_[n];
 }
 
+LocalNodes::PairShare LocalNodes::pair_share(const LocalNode& node) const {
+  const PairEnds& ends = pair_ends(node.a);
+  const PairPoint d = ends[1] - ends[0];
+  if (node.kind == LocalNode::Kind::wall) {
+    const LocalWall& wall = walls_.all()[node.b];
+    const base::DoublePair from = wall.axis == 0 ? ends[0].x : ends[0].y;
+    return {wall.pair - from, wall.axis == 0 ? d.x : d.y, 4 * kPairGap};
+  }
+  const PairEnds& others = pair_ends(node.b);
+  const PairPoint e = others[1] - others[0], gap = others[0] - ends[0];
+  return {planar::cross(gap, e), planar::cross(d, e), 2 * std::max(pair_cross_off(gap, e), pair_cross_off(d, e))};
+}
+
 // Ends are off by 2 kPairOff, as sums. A share n / w of at most 1 is off by what n and w are, over w, and by roundings.
 LocalNodes::PairPlace LocalNodes::make_pair_place(const LocalNode& node) const {
   const PairEnds& ends = pair_ends(node.a);
   if (node.kind == LocalNode::Kind::end) return {ends[node.b], 2 * PosedRegions::kPairOff};
   const PairPoint d = ends[1] - ends[0];
-  base::DoublePair n, w;
-  double off = 0;
-  if (node.kind == LocalNode::Kind::wall) {
-    const LocalWall& wall = walls_.all()[node.b];
-    n = posed_.pair(wall.axis == 0 ? wall.exact.x : wall.exact.y) - (wall.axis == 0 ? ends[0].x : ends[0].y);
-    w = wall.axis == 0 ? d.x : d.y;
-    off = 4 * kPairGap;
-  } else {
-    const PairEnds& others = pair_ends(node.b);
-    const PairPoint e = others[1] - others[0], gap = others[0] - ends[0];
-    n = planar::cross(gap, e);
-    w = planar::cross(d, e);
-    off = 2 * std::max(pair_cross_off(gap, e), pair_cross_off(d, e));
-  }
+  const auto [n, w, off] = pair_share(node);
   if (!(std::abs(w.high) > 4 * off)) return {ends[0], INFINITY};
   const base::DoublePair share = n / w;
   const double size = std::abs(d.x.high) + std::abs(d.y.high);
@@ -249,28 +273,136 @@ int LocalNodes::pair_order(std::uint32_t m, std::uint32_t n, int axis) const {
   return gap > off ? 1 : gap < -off ? -1 : 0;
 }
 
-/// Nodes that doubles do not tell apart are compared exactly; each takes the number of the first that is the same.
-void LocalNodes::merge_same() {
-  std::vector<std::uint32_t> order(nodes_.size()), same(nodes_.size());
-  std::iota(order.begin(), order.end(), 0U), std::iota(same.begin(), same.end(), 0U);
-  double widest = 0;
-  for (const LocalNode& node : nodes_) widest = std::max(widest, node.off);
-  std::sort(order.begin(), order.end(), [&](std::uint32_t m, std::uint32_t n) { return nodes_[m].x < nodes_[n].x; });
-  for (std::size_t i = 0; i < order.size(); ++i) {
-    const LocalNode& a = nodes_[order[i]];
-    for (std::size_t j = i + 1; j < order.size() && nodes_[order[j]].x <= a.x + a.off + widest; ++j) {
-      const LocalNode& b = nodes_[order[j]];
-      std::uint32_t &m = same[order[i]], &n = same[order[j]];
-      const double off = a.off + b.off;
-      if (m == n || b.x - a.x > off || std::abs(b.y - a.y) > off) continue;
-      if (pair_order(order[i], order[j], 0) != 0 || pair_order(order[i], order[j], 1) != 0) continue;
-      if (!same_place(exact(order[i]), exact(order[j]))) continue;
-      // All that are known to be the same have one number.
-      const std::uint32_t less = std::min(m, n), more = std::max(m, n);
-      for (std::uint32_t& number : same)
-        if (number == more) number = less;
+/// Each node by itself, but that ends which are sums of the same two vertices are one.
+std::vector<std::uint32_t> LocalNodes::first_of_same_name() const {
+  std::vector<std::uint32_t> same(nodes_.size());
+  std::iota(same.begin(), same.end(), 0U);
+  std::vector<std::array<std::uint32_t, 3>> names;  // of ends, which are the first nodes
+  for (std::uint32_t n = 0; n < 2 * segments_.size(); ++n) {
+    const Pair v = end_name(n / 2, n % 2);
+    names.push_back({v.p, v.q, n});
+  }
+  std::sort(names.begin(), names.end());
+  for (std::size_t k = 1; k < names.size(); ++k)
+    if (names[k][0] == names[k - 1][0] && names[k][1] == names[k - 1][1]) same[names[k][2]] = same[names[k - 1][2]];
+  return same;
+}
+
+// The place of a crossing or wall node is a + (n / w) d along its segment, so beside the line of u, which starts at c
+// with direction e, it is (e x (a - c) + (n / w) (e x d)) / |e|. Of lines that are parallel but for a rounding all four
+// numbers are small and known to many digits, where the place itself is not.
+bool LocalNodes::surely_beside(const LocalNode& node, std::uint32_t u) const {
+  if (node.a == u || (node.kind == LocalNode::Kind::crossing && node.b == u)) return false;
+  const PairEnds &at = pair_ends(node.a), &line = pair_ends(u);
+  const PairPoint d = at[1] - at[0], e = line[1] - line[0];
+  if (node.kind == LocalNode::Kind::end) return sure_cross(e, at[node.b] - line[0]) != 0;
+  const PairShare share = pair_share(node);
+  const PairPoint gap = at[0] - line[0];
+  const double g = planar::cross(e, gap).value(), k = planar::cross(e, d).value(), n = share.n.value(),
+               w = share.w.value();
+  const double g_off = pair_cross_off(e, gap) + kTwice * std::abs(g),
+               k_off = pair_cross_off(e, d) + kTwice * std::abs(k), n_off = share.off + kTwice * std::abs(n),
+               w_off = share.off + kTwice * std::abs(w);
+  const double off = std::abs(g) * w_off + g_off * (std::abs(w) + w_off) + std::abs(n) * k_off +
+                     n_off * (std::abs(k) + k_off) + kTwice * (std::abs(g * w) + std::abs(n * k));
+  return std::abs(g * w + n * k) > 2 * off;
+}
+
+/// Whether one is provably beside a line that the other one is on.
+bool LocalNodes::surely_apart(std::uint32_t m, std::uint32_t n) const {
+  const auto off_lines = [&](const LocalNode& node, const LocalNode& of) {
+    return surely_beside(node, of.a) || (of.kind == LocalNode::Kind::crossing && surely_beside(node, of.b));
+  };
+  return off_lines(nodes_[m], nodes_[n]) || off_lines(nodes_[n], nodes_[m]);
+}
+
+/// Those that neither names nor doubles nor pairs of these tell apart are compared exactly; each takes the number of
+/// the first that is the same. Nodes outside of the larger box only end pieces that do not matter.
+class LocalNodes::Merging {
+ public:
+  explicit Merging(const LocalNodes& nodes) : nodes_(nodes), same_(nodes.first_of_same_name()) {
+    const ScaledBox reach = nodes.walls_.reach();
+    for (std::uint32_t n = 0; n < same_.size(); ++n) {
+      const LocalNode& v = nodes.nodes_[n];
+      const double off = v.off + kEndOff;
+      if (same_[n] != n || v.x + off < reach.x0 || v.x - off > reach.x1 || v.y + off < reach.y0 || v.y - off > reach.y1)
+        continue;
+      widest_ = std::max(widest_, v.off);
+      all_.push_back(n);
     }
   }
+  std::vector<std::uint32_t> run() {
+    std::sort(all_.begin(), all_.end(), [&](std::uint32_t m, std::uint32_t n) { return x(m) < x(n); });
+    find_near_others();
+    merge_fine();
+    for (std::size_t i = 0; i < all_.size(); ++i)
+      if (near_[i] != 0 && !fine(all_[i])) merge_coarse(i);
+    for (std::uint32_t& n : same_) n = first(n);
+    return std::move(same_);
+  }
+
+ private:
+  /// Places in pairs of doubles that are off by at most this are put into an order by themselves.
+  static constexpr double kFine = 0x1p-70;
+  double x(std::uint32_t n) const { return nodes_.nodes_[n].x; }
+  bool fine(std::uint32_t n) const { return nodes_.pair_place(n).off <= kFine; }
+  std::uint32_t first(std::uint32_t n) const {
+    while (same_[n] != n) n = same_[n];
+    return n;
+  }
+  bool close(std::uint32_t m, std::uint32_t n) const {
+    const LocalNode &a = nodes_.nodes_[m], &b = nodes_.nodes_[n];
+    const double off = a.off + b.off;
+    return std::abs(b.x - a.x) <= off && std::abs(b.y - a.y) <= off;
+  }
+  // Most have none that doubles do not tell apart from them.
+  void find_near_others() {
+    near_.assign(all_.size(), 0);
+    for (std::size_t i = 0; i < all_.size(); ++i)
+      for (std::size_t j = i + 1; j < all_.size() && x(all_[j]) <= x(all_[i]) + 2 * widest_; ++j)
+        if ((near_[i] == 0 || near_[j] == 0) && close(all_[i], all_[j])) near_[i] = near_[j] = 1;
+  }
+  void merge_fine() {
+    std::vector<std::uint32_t> order;
+    for (std::size_t i = 0; i < all_.size(); ++i)
+      if (near_[i] != 0 && fine(all_[i])) order.push_back(all_[i]);
+    const auto at = [&](std::uint32_t n) -> const PairPoint& { return nodes_.pair_place(n).at; };
+    std::sort(order.begin(), order.end(), [&](std::uint32_t m, std::uint32_t n) {
+      const base::DoublePair &a = at(m).x, &b = at(n).x;
+      return a.high != b.high ? a.high < b.high : a.low < b.low;
+    });
+    for (std::size_t i = 0; i < order.size(); ++i)
+      for (std::size_t j = i + 1; j < order.size(); ++j) {
+        if ((at(order[j]).x - at(order[i]).x).value() > 4 * kFine) break;
+        if (std::abs((at(order[j]).y - at(order[i]).y).value()) <= 4 * kFine) merge(order[i], order[j]);
+      }
+  }
+  // With all that doubles do not tell apart from it.
+  void merge_coarse(std::size_t i) {
+    const std::uint32_t n = all_[i];
+    const auto ask = [&](std::uint32_t m) {
+      if (close(m, n)) merge(m, n);
+    };
+    for (std::size_t j = i + 1; j < all_.size() && x(all_[j]) <= x(n) + 2 * widest_; ++j) ask(all_[j]);
+    for (std::size_t j = i; j-- > 0 && x(all_[j]) >= x(n) - 2 * widest_;)
+      if (fine(all_[j])) ask(all_[j]);
+  }
+  void merge(std::uint32_t m, std::uint32_t n) {
+    const std::uint32_t a = first(m), b = first(n);
+    if (a == b || nodes_.pair_order(m, n, 0) != 0 || nodes_.pair_order(m, n, 1) != 0 || nodes_.surely_apart(m, n) ||
+        !same_place(nodes_.exact(m), nodes_.exact(n)))
+      return;
+    same_[std::max(a, b)] = std::min(a, b);
+  }
+
+  const LocalNodes& nodes_;
+  std::vector<std::uint32_t> same_, all_;  // by node; to be told apart, by their doubles
+  std::vector<std::uint8_t> near_;         // of all_: others are near
+  double widest_ = 0;
+};
+
+void LocalNodes::merge_same() {
+  const std::vector<std::uint32_t> same = Merging(*this).run();
   for (std::vector<std::uint32_t>& list : along_)
     for (std::uint32_t& n : list) n = same[n];
 }
@@ -286,7 +418,8 @@ void LocalNodes::place_in_boxes(LocalNode& node, std::uint32_t n) {
     } else if (gap < -off) {
       node.in_box = false;
     } else if (gap <= off && node.in_box) {
-      node.in_box = compare(exact(n), wall.exact, wall.axis) * inward >= 0;
+      const bool on_it = node.kind == LocalNode::Kind::wall && node.b == k;
+      node.in_box = on_it || compare(exact(n), wall.exact, wall.axis) * inward >= 0;
     }
   }
 }

@@ -51,6 +51,7 @@ class LocalNodes {
   void add_crossing(std::uint32_t s, std::uint32_t t);
   void add_walls(std::uint32_t s);
   void merge_same();
+  std::vector<std::uint32_t> first_of_same_name() const;
   void place_in_boxes(LocalNode& node, std::uint32_t n);
   void sort_along(std::uint32_t s);
   int side(std::uint32_t s, std::uint32_t t, int end) const;
@@ -66,7 +67,18 @@ class LocalNodes {
   };
   using PairEnds = std::array<PairPoint, 2>;
   const PairEnds& pair_ends(std::uint32_t s) const;
+  Pair end_name(std::uint32_t s, std::uint32_t end) const;
+  void place_finely(LocalNode& node) const;
   PairPlace make_pair_place(const LocalNode& node) const;
+  /// Of a crossing or a wall: where along its segment it is, n / w, both off by at most `off`.
+  struct PairShare {
+    base::DoublePair n, w;
+    double off = 0;
+  };
+  PairShare pair_share(const LocalNode& node) const;
+  bool surely_beside(const LocalNode& node, std::uint32_t u) const;
+  bool surely_apart(std::uint32_t m, std::uint32_t n) const;
+  class Merging;
   const PairPlace& pair_place(std::uint32_t n) const;
   int pair_order(std::uint32_t m, std::uint32_t n, int axis) const;
 

@@ -21,9 +21,10 @@ double lower(double v, double by) {
 }  // namespace
 
 PlanarBox larger_box(const PlanarBox& box, double extent) {
-  const double size = std::max(box.high.x / 32 - box.low.x / 32, box.high.y / 32 - box.low.y / 32);
-  const double by = std::max(size, extent * kLeastMargin);
-  return {{lower(box.low.x, by), lower(box.low.y, by)}, {-lower(-box.high.x, by), -lower(-box.high.y, by)}};
+  // Along each axis by itself: a thin box stays thin.
+  const double least = extent * kLeastMargin, x = std::max(box.high.x / 32 - box.low.x / 32, least),
+               y = std::max(box.high.y / 32 - box.low.y / 32, least);
+  return {{lower(box.low.x, x), lower(box.low.y, y)}, {-lower(-box.high.x, x), -lower(-box.high.y, y)}};
 }
 
 LocalWalls::LocalWalls(const PosedRegions& posed, const PlanarBox& box, const PlanarBox& reach) {
@@ -38,6 +39,7 @@ LocalWalls::LocalWalls(const PosedRegions& posed, const PlanarBox& box, const Pl
     if (wall.beyond) continue;
     const Big v = posed.exact_number(wall.value);
     wall.exact = {v, v, Big::from_int64(1)};
+    wall.pair = posed.pair(v);
   }
 }
 

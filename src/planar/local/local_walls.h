@@ -15,7 +15,8 @@ struct LocalWall {
   double value = 0;   ///< in input coordinates
   double scaled = 0;  ///< rounded
   bool beyond = false;
-  BigPlace exact;  ///< its coordinate, for both axes
+  BigPlace exact;         ///< its coordinate, for both axes
+  base::DoublePair pair;  ///< the same
 };
 
 class LocalWalls {

@@ -94,7 +94,9 @@ PosedRegions::PosedRegions(const Operand& p, const Operand& q, const PosePair& p
     exact_[op].resize(operands_[op]->size());
     pairs_[op].resize(operands_[op]->size());
   }
-  top_ = static_cast<int>(msb(unit_.den)) + 1 + scale_ - unit_.exponent;
+  const unsigned den_bits = static_cast<unsigned>(msb(unit_.den)) + 1;
+  top_ = static_cast<int>(den_bits) + scale_ - unit_.exponent;
+  pair_scale_ = quotient(BigInteger(1) << den_bits, unit_.den);
 }
 
 // Its 128 leading digits at least, as a sum of two doubles.

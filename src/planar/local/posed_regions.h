@@ -83,6 +83,8 @@ class PosedRegions {
   const LocalUnit& unit() const { return unit_; }
   /// In scaled doubles, rounded.
   Point scaled(const BigPlace& place) const;
+  /// The same of pairs: what is at most 1 there errs by three roundings more than it is off, twice.
+  Point scaled(const PairPoint& at) const { return {at.x.value() * pair_scale_, at.y.value() * pair_scale_}; }
 
  private:
   struct Map {
@@ -97,7 +99,8 @@ class PosedRegions {
   std::array<Map, 2> map_;
   LocalUnit unit_;
   int scale_ = 0;
-  int top_ = 0;  // all sums are below 2^top_ in units
+  int top_ = 0;            // all sums are below 2^top_ in units
+  double pair_scale_ = 1;  // of pairs: from 2^-top_ units, between 1 and 2
   mutable std::array<std::vector<std::optional<BigPoint>>, 2> exact_;
   mutable std::array<std::vector<std::optional<PairPoint>>, 2> pairs_;
 };

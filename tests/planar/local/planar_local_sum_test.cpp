@@ -178,6 +178,45 @@ TEST(PlanarLocalSum, of_coordinates_of_every_kind) {
   }
 }
 
+/// Combs of which no two lines are quite parallel, as those have that were turned in doubles, by angles down to
+/// where lines of one operand are as near to each other: hundreds of crossings that only their lines tell apart.
+TEST(PlanarLocalSum, thin_boxes_along_lines_that_nearly_coincide) {
+  std::mt19937_64 noise(7315);
+  const auto jittered = [&](const Region& region) {
+    RegionData data = region.data();
+    for (Part& part : data.parts)
+      for (Point& v : part.outer) {
+        const auto off = [&](double x) { return x / 3 + std::ldexp(static_cast<double>(noise() % 5) - 2, -51); };
+        v = {off(v.x), off(v.y)};
+      }
+    return region_of(std::move(data));
+  };
+  Random random(7315);
+  std::size_t edges = 0;
+  for (const auto& [one, other] : {std::pair{shapes::comb(4, 2, 1, 3), shapes::comb(3, 2, 1, 3)},
+                                   {shapes::comb(3, 2, 1, 3), shapes::letter_u(4, 3, 1)}}) {
+    const Region p = jittered(one), q = jittered(other);
+    Engines engines(p, q);
+    for (const int bits : {0, 24, 40, 51, 54, 62}) {
+      PlanarPose pose;
+      if (bits != 0) pose.rotation = Orientation::of(1, std::int64_t{1} << bits).value();
+      const PlanarSum whole = rotated_sum(p, q, pose.rotation, open_sums()).value();
+      for (int i = 0; i < 8; ++i) {
+        const PlanarBox at = random_box(random, whole);
+        const double thin = 0x1p-17;
+        const PlanarBox box = i % 2 == 0 ? PlanarBox{{at.low.x, at.low.y - thin}, {at.high.x, at.low.y + thin}}
+                                         : PlanarBox{{at.low.x - thin, at.low.y}, {at.low.x + thin, at.high.y}};
+        const PlanarLocalPart part = engines.in(box, pose, {}, i == 0);
+        ASSERT_TRUE(clipped_sum::shape_of(part) == clipped_sum::cut(whole, box))
+            << "2^-" << bits << " in " << text(box);
+        edges += part.edges.size();
+      }
+      ASSERT_FALSE(HasFailure()) << "2^-" << bits;
+    }
+  }
+  EXPECT_GT(edges, 100U);
+}
+
 TEST(PlanarLocalSum, follows_quarter_turns_and_scales_exactly) {
   const std::uint64_t moves = test::setting("DYMSUM_FUZZ_MOVES", 150);
   Random random(test::setting("DYMSUM_FUZZ_SEED", 5));
