@@ -3,8 +3,10 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <optional>
 
 #include "exact/big.h"
+#include "exact/fine_interval.h"
 #include "exact/grid.h"
 #include "exact/rounding_bound.h"
 
@@ -72,6 +74,15 @@ SignAnswer exact_answer(const Point3& a, const Point3& b, const Point3& c, const
   return {grid_sign<Big>(a, b, c, d, g), Rung::big};
 }
 
+/// In pairs of doubles: points that are nearly in one plane, as those of a plane face that was turned in doubles.
+std::optional<int> fine_sign(const Point3& a, const Point3& b, const Point3& c, const Point3& d) {
+  const auto from_a = [&](const Point3& p) {
+    return Vector<FineInterval>{FineInterval::difference(a.x, p.x), FineInterval::difference(a.y, p.y),
+                                FineInterval::difference(a.z, p.z)};
+  };
+  return sign_of(determinant(from_a(b), from_a(c), from_a(d)));
+}
+
 }  // namespace
 
 SignAnswer orient3_answer(const Point3& a, const Point3& b, const Point3& c, const Point3& d) {
@@ -84,6 +95,9 @@ SignAnswer orient3_answer(const Point3& a, const Point3& b, const Point3& c, con
                              (std::abs(xy) + std::abs(yx)) * std::abs(w.z);
     if (std::abs(s) > kRelative * permanent + kLost) [[likely]]
       return {s > 0 ? 1 : -1, Rung::doubles};
+    // What doubles make 0 is 0 nearly always.
+    if (s != 0)
+      if (const std::optional<int> sign = fine_sign(a, b, c, d)) return {*sign, Rung::double_pairs};
   }
   return exact_answer(a, b, c, d);
 }

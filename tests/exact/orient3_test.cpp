@@ -68,7 +68,9 @@ TEST(Orient3, FreeDoublesAreMostlyFiltered) {
   const Tally t = tally3(2, 20000, [](auto& random) { return std::ldexp(static_cast<double>(random() >> 11), -53); });
   EXPECT_EQ(t.wrong, 0);
   EXPECT_GT(t.at(Rung::doubles), 13000);
-  EXPECT_GT(t.at(Rung::integers), 5000);  // the fourth point rounded from the plane of the others
+  // The fourth point rounded from the plane of the others.
+  EXPECT_GT(t.at(Rung::double_pairs), 2000);
+  EXPECT_GT(t.at(Rung::integers), 2000);
 }
 
 TEST(Orient3, AnyExponentsFromTheSmallestToTheLargestDouble) {
