@@ -7,10 +7,7 @@
 
 #include "dymsum/local_sum.h"
 #include "dymsum/moving_solid_sum.h"
-#include "dymsum/orientation_sum.h"
 #include "dymsum/penetration_depth.h"
-#include "dymsum/planar_local_sum.h"
-#include "dymsum/shapes.h"
 #include "off_grid.h"
 #include "versus/rival.h"
 
@@ -27,8 +24,7 @@ std::vector<Point3> places_on_curve(double reach, int steps) {
   return places;
 }
 
-OffGridCase depth_case(const std::string& name, const MeshData& p, const MeshData& q, double reach, int steps,
-                       bool by_boundary) {
+OffGridCase depth_case(const std::string& name, const MeshData& p, const MeshData& q, double reach, int steps) {
   return off_grid_case("depth, " + name, Mesh::create(p).value(), Mesh::create(q).value(),
                        [=](const Mesh& a, const Mesh& b) {
                          const std::vector<Point3> places = places_on_curve(reach, steps);
@@ -39,7 +35,6 @@ OffGridCase depth_case(const std::string& name, const MeshData& p, const MeshDat
                            return places.size();
                          };
                          work.compare = [=] {
-                           if (!by_boundary) return Compared{"-", false, 0};
                            DepthOptions boundary;
                            boundary.engine = DepthEngine::boundary;
                            SolidDepth ours = SolidDepth::create(a, b).value();
@@ -101,43 +96,6 @@ OffGridCase local_case(const std::string& name, const MeshData& p, const MeshDat
       });
 }
 
-PlanarPose planar_pose(int frame) {
-  PlanarPose pose;
-  pose.rotation = Orientation::nearest(2 * std::numbers::pi * frame / 500, 1e-6).value();
-  return pose;
-}
-
-OffGridCase planar_local_case(const std::string& name, const Region& p, const Region& q) {
-  return off_grid_case("near a place, " + name, p, q, [](const Region& a, const Region& b) {
-    constexpr int kFrames = 50;
-    const SumRing ring = minkowski_sum(a, b).value().parts.front().outer;
-    double size = 0;
-    for (const SumVertex& v : ring.vertices) size = std::max({size, std::abs(v.at.x), std::abs(v.at.y)});
-    const PlanarDisc disc{ring.vertices.front().at, size / 10};
-    const auto updated = std::make_shared<PlanarLocalSum>(PlanarLocalSum::create(a, b).value());
-    OffGridWork work;
-    work.run = [=] {
-      std::size_t edges = 0;
-      for (int k = 1; k <= 2 * kFrames; ++k)
-        edges += updated->in(disc, planar_pose(k <= kFrames ? k : 2 * kFrames - k)).value().edges.size();
-      return edges;
-    };
-    work.compare = [=] {
-      PlanarLocalOptions options;
-      options.engine = LocalEngine::hierarchy;
-      PlanarLocalSum hierarchy = PlanarLocalSum::create(a, b, options).value();
-      std::size_t different = 0;
-      for (int k = 1; k <= kFrames; ++k)
-        different += !(updated->in(disc, planar_pose(k)).value() == hierarchy.in(disc, planar_pose(k)).value());
-      const double start = cpu_ms();
-      rotated_sum(a, b, planar_pose(kFrames).rotation).value();
-      const double whole = 2 * kFrames * (cpu_ms() - start);
-      return Compared{different > 0 ? std::to_string(different) + " DIFFERENT" : "equal", different > 0, whole};
-    };
-    return work;
-  });
-}
-
 }  // namespace
 
 bool measure_kinds(const std::string& folder) {
@@ -145,17 +103,12 @@ bool measure_kinds(const std::string& folder) {
   return off_grid_table(
       {"depth",
        "Penetration depth: preparing a pair and asking at places on a curve (per question). Near a place: the "
-       "part of a sum in a ball or disc while P turns there and back (per face or edge of it).",
+       "part of a sum in a ball while P turns there and back (per face of it).",
        "piece", "whole sums",
        "Whole sums: at as many poses, from scratch. Compared: depths of small pairs with those of the exact sum's "
        "boundary; parts with those made by the hierarchy alone."},
-      {depth_case("torus 256 + torus 256", ring, other, 1.6, 100, true),
-       depth_case("ell + tunnel", ell(), tunnel(), 8, 100, true),
-       depth_case("gear 188 + gear 140", gear(12, 4), gear(9, 3), 5, 100, false),
-       local_case("torus 256 + torus 256", ring, other), local_case("ell + tunnel", ell(), tunnel()),
-       planar_local_case("gear 400 + gear 400", shapes::gear(100, 9, 10, shapes::demo_snap(10)),
-                         shapes::gear(100, 4, 5, shapes::demo_snap(5))),
-       planar_local_case("star 1000 + star 1000", shapes::noisy_star(1000, 0.4, 3), shapes::noisy_star(1000, 0.4, 4))},
+      {depth_case("torus 256 + torus 256", ring, other, 1.6, 100), depth_case("ell + tunnel", ell(), tunnel(), 8, 100),
+       local_case("torus 256 + torus 256", ring, other), local_case("ell + tunnel", ell(), tunnel())},
       folder);
 }
 
