@@ -151,19 +151,25 @@ class Collector {
       });
   }
 
-  // Of two segments with the same direction: the stretch that they share once they are on one line is longer than
-  // nothing.
-  bool share_stretch(const WalkSegment& a, const WalkSegment& b, double theta) const {
-    const Heading h = Heading::of(theta);
+  // Of two segments with the same direction, on one line at the angle of an event: the stretch that they share is
+  // longer than nothing. Lines that coincide but for a rounding have ends that do, and share what doubles do not see.
+  bool share_stretch(const WalkSegment& a, const WalkSegment& b, const TurnEvent& event) const {
+    const Heading h = Heading::of(event.theta());
     const Point d = forms_.direction(a, h), e = forms_.direction(b, h), s = forms_.place(TurningForms::start(a), h),
                 t = forms_.place(TurningForms::start(b), h);
+    if (d.x * e.x + d.y * e.y <= 0) return false;
     const double length = std::hypot(d.x, d.y), other = std::hypot(e.x, e.y),
-                 from = (d.x * (t.x - s.x) + d.y * (t.y - s.y)) / length;
-    return d.x * e.x + d.y * e.y > 0 && std::min(length, from + other) - std::max(0.0, from) >
-                                            kNear * std::min(length, other) + kStretch * forms_.span();
+                 from = (d.x * (t.x - s.x) + d.y * (t.y - s.y)) / length,
+                 shared = std::min(length, from + other) - std::max(0.0, from),
+                 unsure = (kStretch + 2 * (event.high - event.low)) * forms_.span();
+    if (std::abs(shared) > unsure) return shared > 0;
+    const auto ahead = [&](Pair u, Pair v) {
+      return sign_at(*event.root, forms_.exact_along(a, u, v, w_.range.chart)) > 0;
+    };
+    return ahead(TurningForms::start(b), forms_.end(a)) && ahead(TurningForms::start(a), forms_.end(b));
   }
-  bool overlap_at(const WalkSegment& a, const WalkSegment& b, double theta) const {
-    return may_exist(a, theta) && may_exist(b, theta) && share_stretch(a, b, theta);
+  bool overlap_at(const WalkSegment& a, const WalkSegment& b, const TurnEvent& event) const {
+    return may_exist(a, event.theta()) && may_exist(b, event.theta()) && share_stretch(a, b, event);
   }
   bool beside_at_crowded_end(const TrigForm& f, const WalkSegment& s, Pair v) const {
     return ends_.at_end(f, forms_.side_error(s), [&](const QuarterTurn& end) { return end.on_line(s, v); }) ||
@@ -182,18 +188,18 @@ class Collector {
     if (poly.is_zero()) return;
     for (AlgebraicRoot& root : ends_.roots(poly)) {
       TurnEvent event = at(std::move(root), TurnEvent::Kind::overlap);
-      if (!overlap_at(a, b, event.theta())) continue;
+      if (!overlap_at(a, b, event)) continue;
       event.a = a;
       event.b = b;
       out_.events.push_back(std::move(event));
     }
   }
   // The vertex is an end of a segment that comes to lie along a: part of an overlap.
-  bool belongs_to_overlap(const WalkSegment& a, Pair v, double theta) const {
-    const TurnCatalog::Joint joint = catalog_.joint(v, theta);
+  bool belongs_to_overlap(const WalkSegment& a, Pair v, const TurnEvent& event) const {
+    const TurnCatalog::Joint joint = catalog_.joint(v, event.theta());
     if (joint.unsure) return false;
-    return (joint.has_in && forms_.parallel(a, joint.in) && overlap_at(a, joint.in, theta)) ||
-           (joint.has_out && forms_.parallel(a, joint.out) && overlap_at(a, joint.out, theta));
+    return (joint.has_in && forms_.parallel(a, joint.in) && overlap_at(a, joint.in, event)) ||
+           (joint.has_out && forms_.parallel(a, joint.out) && overlap_at(a, joint.out, event));
   }
 
   // Ends of the edge a and of an edge at its vertex: the side of such a pair is zero where the two edges are aligned.
@@ -252,7 +258,7 @@ class Collector {
     const exact::Polynomial poly = forms_.exact_side(a, v, w_.range.chart);
     for (AlgebraicRoot& root : roots(poly, where)) {
       TurnEvent event = at(std::move(root), TurnEvent::Kind::vertex_on_segment);
-      if (!on(a, v, event.theta()) || !may_exist(a, event.theta()) || belongs_to_overlap(a, v, event.theta())) continue;
+      if (!on(a, v, event.theta()) || !may_exist(a, event.theta()) || belongs_to_overlap(a, v, event)) continue;
       event.a = a;
       event.v = v;
       if (!covered(event)) out_.events.push_back(std::move(event));
