@@ -10,6 +10,7 @@
 #include "exact/grid.h"
 #include "exact/int.h"
 #include "exact/integer_pair.h"
+#include "planar/operand/fine_lattice.h"
 #include "planar/operand/lattice_build.h"
 #include "planar/operand/sum_bounds.h"
 #include "planar/position/position_signs.h"
@@ -67,6 +68,7 @@ class LatticeOf final : public Lattice {
   }
 
   int cross(const Edge& d, const Edge& e) const override {
+    if (const auto told = finely([&](const FineLattice& fine) { return fine.cross(d, e); })) return *told;
     const EdgeVec a = edge(d), b = edge(e);
     return exact::sign(a.x * b.y - a.y * b.x);
   }
@@ -83,8 +85,14 @@ class LatticeOf final : public Lattice {
     const EdgeVec a = edge(d), b = edge(e);
     return axis == 0 ? exact::sign(a.x - b.x) : exact::sign(a.y - b.y);
   }
-  int side(const Segment& s, Pair v) const override { return exact::sign(side_value(s, v)); }
-  int along(const Segment& s, Pair v) const override { return exact::sign(along_value(s, v)); }
+  int side(const Segment& s, Pair v) const override {
+    if (const auto told = finely([&](const FineLattice& fine) { return fine.side(s, v); })) return *told;
+    return exact::sign(side_value(s, v));
+  }
+  int along(const Segment& s, Pair v) const override {
+    if (const auto told = finely([&](const FineLattice& fine) { return fine.along(s, v); })) return *told;
+    return exact::sign(along_value(s, v));
+  }
   bool same(Pair a, Pair b) const override {
     const SumVec u = sum(a), v = sum(b);
     return u.x == v.x && u.y == v.y;
@@ -99,6 +107,8 @@ class LatticeOf final : public Lattice {
       const double x = axis == 0 ? u.x : u.y, y = axis == 0 ? v.x : v.y;
       return (x > y) - (x < y);
     }
+    if (const auto told = finely([&](const FineLattice& fine) { return fine.compare_coordinate(a, b, axis); }))
+      return *told;
     const SumVec u = sum(a), v = sum(b);
     return axis == 0 ? exact::sign(u.x - v.x) : exact::sign(u.y - v.y);
   }
@@ -106,6 +116,7 @@ class LatticeOf final : public Lattice {
   // x = on.start + d N / D, so D (d_s x (x - s.start)) = D (d_s x (on.start - s.start)) + N (d_s x d_on).
   int side(const Segment& s, const Place& x) const override {
     if (is_vertex(x)) return side(s, x.first.pair);
+    if (const auto told = finely([&](const FineLattice& fine) { return fine.side(s, x); })) return *told;
     const EdgeVec a = edge(s.edge), b = edge(x.on.edge);
     const Value at_start = side_value(s, start_of(x.on));
     const Value slope = widen(a.x * b.y - a.y * b.x);
@@ -113,6 +124,7 @@ class LatticeOf final : public Lattice {
   }
   int along(const Segment& s, const Place& x) const override {
     if (is_vertex(x)) return along(s, x.first.pair);
+    if (const auto told = finely([&](const FineLattice& fine) { return fine.along(s, x); })) return *told;
     const EdgeVec a = edge(s.edge), b = edge(x.on.edge);
     const Value at_start = along_value(s, start_of(x.on));
     const Value slope = widen(a.x * b.x + a.y * b.y);
@@ -122,6 +134,8 @@ class LatticeOf final : public Lattice {
   // D (v - start) - N d.
   int compare_coordinate(Pair v, const Place& x, int axis) const override {
     if (is_vertex(x)) return compare_coordinate(v, x.first.pair, axis);
+    if (const auto told = finely([&](const FineLattice& fine) { return fine.compare_coordinate(v, x, axis); }))
+      return *told;
     const WideRatio t = ratio(x);
     const SumVec at = sum(v), from = sum(start_of(x.on));
     const EdgeVec d = edge(x.on.edge);
@@ -129,12 +143,15 @@ class LatticeOf final : public Lattice {
   }
 
   int compare(const Segment& on, const Cut& a, const Cut& b) const override {
+    if (const auto told = finely([&](const FineLattice& fine) { return fine.compare(on, a, b); })) return *told;
     const Ratio s = parameter(on, a), t = parameter(on, b);
     return exact::sign(s.n * t.d - t.n * s.d);
   }
 
   // start + d N / D over one denominator each, then crosswise.
   int compare_coordinate(const Place& a, const Place& b, int axis) const override {
+    if (const auto told = finely([&](const FineLattice& fine) { return fine.compare_coordinate(a, b, axis); }))
+      return *told;
     const WideRatio s = ratio(a), t = ratio(b);
     const SumVec from_a = sum(start_of(a.on)), from_b = sum(start_of(b.on));
     const EdgeVec d = edge(a.on.edge), e = edge(b.on.edge);
@@ -227,6 +244,17 @@ class LatticeOf final : public Lattice {
       }
     });
     return origin_;
+  }
+
+  // Long integers are asked where pairs of doubles leave a sign open.
+  template <class F>
+  std::optional<int> finely(F f) const {
+    if constexpr (!kKept<C>) {
+      return std::nullopt;
+    } else {
+      std::call_once(fine_made_, [this] { fine_.emplace(*this, scale_); });
+      return f(*fine_);
+    }
   }
 
   Vec at(std::uint32_t op, std::uint32_t i) const {
@@ -419,6 +447,8 @@ class LatticeOf final : public Lattice {
   mutable std::atomic<bool> filled_ = false;
   mutable std::atomic<const SharedIntegers*> unscaled_ = nullptr;  ///< `integers`, once they are made
   mutable std::array<std::vector<Vec>, 2> integers_;
+  mutable std::once_flag fine_made_;
+  mutable std::optional<FineLattice> fine_;  // where numbers are kept
   mutable std::once_flag origin_made_;
   mutable std::array<exact::BigInteger, 2> origin_;
 };

@@ -5,10 +5,12 @@
 #include <set>
 
 #include "dymsum/region.h"
+#include "exact/rung.h"
 #include "oracles/coordinate_kinds.h"
 #include "oracles/random.h"
 #include "oracles/tiny_regions.h"
 #include "oracles/verdict.h"
+#include "planar/operand/fine_lattice.h"
 #include "planar/placed_pair.h"
 
 namespace dymsum::planar {
@@ -86,6 +88,73 @@ TEST_P(LatticeRungs, tell_the_same_signs) {
   EXPECT_GT(zeros, signs / 1000);
   EXPECT_GE(tiers.size(), 2u) << "more than one rung was asked";
   EXPECT_TRUE(tiers.contains(0));
+}
+
+// Of scaled operands, whose integers are at most 125 bits long here, so that they are asked without pairs of doubles.
+TEST_P(LatticeRungs, pairs_of_doubles_tell_nearly_all_signs_and_none_wrong) {
+  std::mt19937_64 noise(6);
+  oracles::Random random(78);
+  const std::uint64_t wanted = oracles::setting("DYMSUM_FUZZ_SIGNS", 20'000);
+  exact::RungCounts told;
+  while (told.filtered() + told.exact() < wanted) {
+    const auto drawn = [&] { return Region::create(of_kind(oracles::random_region(random, 6), GetParam(), noise)); };
+    const auto a = drawn(), b = drawn();
+    if (!a || !b || a->vertex_count() == 0 || b->vertex_count() == 0) continue;
+    const auto p = prepared_operand(*a, 0), q = prepared_operand(*b, 1);
+    LatticeScale scale;
+    scale.x = 1 + random.below(1 << 30);
+    scale.y = random.chance(50) ? scale.x : exact::BigInteger(1 + random.below(1 << 30));
+    scale.den = 1 + random.below(1 << 30);
+    scale.op = random.chance(50) ? 1 : 0;
+    const auto unscaled = make_lattice(p->points, q->points, 0, Further::lattices);
+    const auto lattice = make_scaled_lattice(*unscaled, scale, 0);
+    if (lattice->tier_bits == 0) continue;
+    const FineLattice fine(*lattice, scale);
+    const auto any = [&](std::size_t n) { return static_cast<std::uint32_t>(random.below(static_cast<int>(n))); };
+    const auto segment = [&] {
+      const bool of_p = random.chance(50);
+      const Operand &o = of_p ? *p : *q, &v = of_p ? *q : *p;
+      return Segment{o.edge(any(o.size())), v.source[any(v.size())]};
+    };
+    const auto pair = [&] { return Pair{p->source[any(p->size())], q->source[any(q->size())]}; };
+    const auto ask = [&](const char* what, int sign, std::optional<int> finely) {
+      EXPECT_EQ(finely.value_or(sign), sign) << what;
+      if (finely || sign != 0) told.count(finely ? exact::Rung::double_pairs : exact::Rung::integers);
+    };
+    for (int k = 0; k < 40; ++k) {
+      const Segment s = segment(), t = segment();
+      const Pair v = pair(), w = pair();
+      const int axis = k % 2;
+      ask("cross", lattice->cross(s.edge, t.edge), fine.cross(s.edge, t.edge));
+      ask("side of a pair", lattice->side(s, v), fine.side(s, v));
+      ask("along to a pair", lattice->along(s, v), fine.along(s, v));
+      ask("pairs", lattice->compare_coordinate(v, w, axis), fine.compare_coordinate(v, w, axis));
+      // Cuts by lines that cross it, and at its ends.
+      const auto cut_of = [&](const Segment& on) {
+        const bool crossed = random.chance(60);
+        for (int i = 0; i < 20 && crossed; ++i)
+          if (const Segment by = segment(); lattice->cross(on.edge, by.edge) != 0)
+            return Cut{Cut::Kind::crossing, {}, by};
+        return Cut{Cut::Kind::pair, random.chance(50) ? start_of(on) : end_of(on), {}};
+      };
+      const auto place = [&] {
+        Place x;
+        x.on = segment();
+        x.first = cut_of(x.on);
+        x.between = random.chance(40);
+        x.second = cut_of(x.on);
+        return x;
+      };
+      const Place x = place(), y = place();
+      ask("cuts", lattice->compare(x.on, x.first, x.second), fine.compare(x.on, x.first, x.second));
+      ask("side of a place", lattice->side(s, x), fine.side(s, x));
+      ask("along to a place", lattice->along(s, x), fine.along(s, x));
+      ask("pair and place", lattice->compare_coordinate(v, x, axis), fine.compare_coordinate(v, x, axis));
+      ask("places", lattice->compare_coordinate(x, y, axis), fine.compare_coordinate(x, y, axis));
+    }
+    if (HasFailure()) return;
+  }
+  EXPECT_LT(told.at(exact::Rung::integers) * 1000, told.filtered());
 }
 
 INSTANTIATE_TEST_SUITE_P(Kinds, LatticeRungs, testing::ValuesIn(kCoordinateKinds),
