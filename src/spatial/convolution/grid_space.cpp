@@ -235,16 +235,26 @@ auto GridSpace<C>::of_planes(const PointSource& point) const {
 }
 
 template <class C>
+typename GridSpace<C>::template Homogeneous<C, C> GridSpace<C>::of_any(const PointSource& point) const {
+  if constexpr (kOneType<C>) {
+    if (point.kind == PointSource::Kind::sum) return {sum({point.a, point.b}), C::from_int64(1)};
+    return point.kind == PointSource::Kind::edge ? of_edge(point) : of_planes(point);
+  } else {
+    return {};
+  }
+}
+
+// A question about points of one type is compiled once. Where widths differ all is in one function: an integer of many
+// limbs that is handed from one to another is written to memory and read again.
+template <class C>
 template <class F>
 auto GridSpace<C>::with_point(const PointSource& point, F f) const {
-  using Kind = PointSource::Kind;
-  // Where all points have one type, f is compiled once.
-  using W = std::conditional_t<kOneType<C>, C, Int<1>>;
-  const auto of_sum = [&] { return Homogeneous<Edge, W>{sum({point.a, point.b}), W::from_int64(1)}; };
   if constexpr (kOneType<C>) {
-    return f(point.kind == Kind::sum ? of_sum() : point.kind == Kind::edge ? of_edge(point) : of_planes(point));
+    return f(of_any(point));
   } else {
-    return point.kind == Kind::sum ? f(of_sum()) : point.kind == Kind::edge ? f(of_edge(point)) : f(of_planes(point));
+    using W = Int<1>;
+    if (point.kind == PointSource::Kind::sum) return f(Homogeneous<Edge, W>{sum({point.a, point.b}), W::from_int64(1)});
+    return point.kind == PointSource::Kind::edge ? f(of_edge(point)) : f(of_planes(point));
   }
 }
 
@@ -253,11 +263,12 @@ namespace {
 template <class C>
 constexpr exact::Rung kExactRung = kOneType<C> ? exact::Rung::big : exact::Rung::integers;
 
-/// Integers of up to 72 bits cost no more than doubles of double length.
+/// Integers of up to 124 bits cost no more than pairs of doubles that are asked first: most signs that doubles leave
+/// open are zeros, which pairs leave open too.
 template <class C>
 constexpr bool has_fine() {
   if constexpr (kOneType<C>) return true;
-  else return C::kBits > 72;
+  else return C::kBits > 124;
 }
 
 }  // namespace
