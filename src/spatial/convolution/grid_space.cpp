@@ -244,8 +244,7 @@ typename GridSpace<C>::template Homogeneous<C, C> GridSpace<C>::of_any(const Poi
   }
 }
 
-// A question about points of one type is compiled once. Where widths differ all is in one function: an integer of many
-// limbs that is handed from one to another is written to memory and read again.
+// A question about points of one type is compiled once.
 template <class C>
 template <class F>
 auto GridSpace<C>::with_point(const PointSource& point, F f) const {

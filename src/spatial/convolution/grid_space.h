@@ -69,8 +69,8 @@ class GridSpace final : public SumSpace {
   /// n . x of all points x of a plane: made where it is asked for, as doubles answer most questions.
   Offset offset(PlaneId plane) const { return exact::dot(n_[plane], sum(plane_sources_[plane].at)); }
   /// Of a point of kind edge, planes: Homogeneous of the widths that these have.
-  [[gnu::always_inline]] inline auto of_edge(const PointSource& point) const;
-  [[gnu::always_inline]] inline auto of_planes(const PointSource& point) const;
+  auto of_edge(const PointSource& point) const;
+  auto of_planes(const PointSource& point) const;
   /// Of any point, where one type has all of them.
   Homogeneous<C, C> of_any(const PointSource& point) const;
   /// f(Homogeneous) with the point in the narrowest form of its kind.
