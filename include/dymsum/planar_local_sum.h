@@ -6,8 +6,8 @@
 #include <string>
 #include <vector>
 
-#include "dymsum/planar_pose.h"
 #include "dymsum/local_sum.h"
+#include "dymsum/planar_pose.h"
 #include "dymsum/planar_sum.h"
 #include "dymsum/progress.h"
 #include "dymsum/rational.h"

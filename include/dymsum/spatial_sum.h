@@ -177,8 +177,8 @@ class SpatialSum {
 /// is the closure of the interior of P + Q, without tight features. Errors: cancelled; out_of_memory
 /// where options.memory does not suffice (the message names the need that is known or predicted by then) or the
 /// machine's memory does not; unsupported_operand for operands that are not both convex and whose coordinates need more
-/// than 8,192 bits on their common grid (doubles of any sizes have 2,099); for thin parts of both where their sum has no interior, and for the open sum of
-/// such that can cross, with the first two: `face` of P and `other_face` of Q.
+/// than 8,192 bits on their common grid (doubles of any sizes have 2,099); for thin parts of both where their sum has
+/// no interior, and for the open sum of such that can cross, with the first two: `face` of P and `other_face` of Q.
 /// Source: Behar 2016, sections 2.3 to 2.6, corrected (docs/design/solid-sum.md).
 Result<SpatialSum> minkowski_sum(const Mesh& p, const Mesh& q, const SpatialOptions& options = {});
 
