@@ -41,7 +41,7 @@ target_compile_definitions(pugixml PRIVATE PUGIXML_NO_XPATH)
 
 # What answers while something is dragged is compiled with -Os, all else with -Oz: a tenth of the size.
 set(DYMSUM_QUICK_ROOMS base exact planar/convolution planar/mask planar/arrangement planar/boundary planar/sum planar/position
-  planar/result planar/operand planar/frames planar/scaling planar/turning planar/rotating cspace/events
+  planar/result planar/operand planar/motion planar/window planar/frame cspace/events
   cspace/obstacle cspace/boundary cspace/queries spatial/convolution spatial/arrangement spatial/boundary spatial/sum
   spatial/moving spatial/frames spatial/gauss spatial/convex)
 

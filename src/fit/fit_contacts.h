@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "dymsum/scale_range.h"
-#include "planar/frames/operand_pair.h"
+#include "planar/motion/operand_pair.h"
 
 namespace dymsum::planar {
 

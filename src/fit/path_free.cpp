@@ -5,8 +5,8 @@
 
 #include "exact/rounding_bound.h"
 #include "planar/boundary/collision.h"
+#include "planar/motion/fill_lattice.h"
 #include "planar/operand/round_place.h"
-#include "planar/scaling/fill_lattice.h"
 
 namespace dymsum::planar {
 

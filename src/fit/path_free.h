@@ -8,8 +8,8 @@
 #include "dymsum/scale_range.h"
 #include "planar/arrangement/soup.h"
 #include "planar/convolution/convolution.h"
-#include "planar/frames/operand_pair.h"
-#include "planar/scaling/exact_forms.h"
+#include "planar/motion/operand_pair.h"
+#include "planar/motion/scaling_forms.h"
 
 namespace dymsum::planar {
 

@@ -10,11 +10,11 @@
 #include "fit/free_intervals.h"
 #include "fit/part_unit.h"
 #include "fit/path_free.h"
+#include "planar/frame/scaling_events.h"
+#include "planar/frame/scaling_sum.h"
 #include "planar/operand/prepared_region.h"
 #include "planar/region/complement.h"
 #include "planar/region/separate_touching.h"
-#include "planar/scaling/events.h"
-#include "planar/scaling/scaling_state.h"
 
 namespace dymsum {
 

@@ -2,8 +2,8 @@
 #include <algorithm>
 #include <numeric>
 
-#include "planar/frames/region_pair.h"
-#include "planar/scaling/scaling_state.h"
+#include "planar/frame/scaling_sum.h"
+#include "planar/motion/operand_pair.h"
 
 namespace dymsum {
 namespace {

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "exact/big.h"
-#include "planar/turning/turn.h"
+#include "planar/motion/orientation.h"
 
 namespace dymsum::nesting {
 namespace {

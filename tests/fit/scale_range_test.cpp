@@ -11,7 +11,7 @@
 #include "dymsum/shapes.h"
 #include "oracles/random.h"
 #include "oracles/snapped_shapes.h"
-#include "planar/scaling/scaling_same.h"
+#include "planar/frame/scaling_same.h"
 
 namespace dymsum {
 namespace {

@@ -37,7 +37,7 @@ TEST(Layering, EveryKindOfViolationIsFound) {
       "knows "
       "nothing of room planar/convolution",
       "src/planar/in_no_room.cpp:0: : no such room",
-      "src/planar/region/looks_down.cpp:2: \"planar/scaling/window.h\": room planar/scaling stands after room "
+      "src/planar/region/looks_down.cpp:2: \"planar/window/window.h\": room planar/window stands after room "
       "planar/region",
       "src/utils/anything.h:0: : no such room",
   };
@@ -51,7 +51,7 @@ TEST(Layering, WhatIsAllowedIsNotReported) {
                        [&](const Violation& v) { return v.file == file; });
   };
   EXPECT_FALSE(mentions("src/planar/region/shape.h"));
-  EXPECT_FALSE(mentions("src/planar/scaling/window.h"));
+  EXPECT_FALSE(mentions("src/planar/window/window.h"));
   EXPECT_EQ(reading.files, 15U);
 }
 

@@ -10,7 +10,7 @@
 #include "exact/grid.h"
 #include "exact/one_rounding.h"
 #include "exact/orient.h"
-#include "planar/turning/turn.h"
+#include "planar/motion/orientation.h"
 
 namespace dymsum {
 namespace {

@@ -14,7 +14,7 @@
 #include "exact/big.h"
 #include "oracles/sanitized.h"
 #include "oracles/snapped_shapes.h"
-#include "planar/turning/turn.h"
+#include "planar/motion/orientation.h"
 
 namespace dymsum {
 namespace {

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "planar/scaling/window_bounds.h"
+#include "planar/motion/scaling_bounds.h"
 
 namespace dymsum::planar {
 

@@ -4,9 +4,9 @@
 #include <cmath>
 
 #include "planar/convolution/convolution.h"
-#include "planar/frames/region_pair.h"
-#include "planar/scaling/exact_forms.h"
-#include "planar/scaling/fill_lattice.h"
+#include "planar/motion/fill_lattice.h"
+#include "planar/motion/operand_pair.h"
+#include "planar/motion/scaling_forms.h"
 #include "thesis/crossing_range.h"
 
 namespace dymsum {

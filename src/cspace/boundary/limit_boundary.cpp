@@ -7,7 +7,7 @@
 #include <string>
 
 #include "base/union_find.h"
-#include "planar/turning/box_pairs.h"
+#include "planar/window/box_pairs.h"
 
 namespace dymsum::planar {
 namespace {

@@ -5,7 +5,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "planar/turning/turning_forms.h"
+#include "planar/motion/turning_forms.h"
 
 namespace dymsum::planar {
 

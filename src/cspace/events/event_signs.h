@@ -6,7 +6,7 @@
 
 #include "cspace/events/exact_place.h"
 #include "cspace/events/turn_events.h"
-#include "planar/turning/turn_catalog.h"
+#include "planar/motion/turn_catalog.h"
 
 namespace dymsum::planar {
 

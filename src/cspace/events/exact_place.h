@@ -4,8 +4,8 @@
 
 #include <optional>
 
-#include "planar/turning/exact_angle.h"
-#include "planar/turning/turning_forms.h"
+#include "planar/motion/exact_angle.h"
+#include "planar/motion/turning_forms.h"
 
 namespace dymsum::planar {
 

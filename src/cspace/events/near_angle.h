@@ -8,8 +8,8 @@
 #include <vector>
 
 #include "base/double_pair.h"
+#include "cspace/events/turn_window.h"
 #include "exact/int.h"
-#include "planar/turning/turn_window.h"
 
 namespace dymsum::planar {
 

@@ -9,7 +9,7 @@
 
 #include "cspace/events/near_angle.h"
 #include "cspace/events/overlap_filter.h"
-#include "planar/turning/turn_catalog.h"
+#include "planar/motion/turn_catalog.h"
 
 namespace dymsum::planar {
 

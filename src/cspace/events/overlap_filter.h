@@ -7,8 +7,8 @@
 #include <utility>
 #include <vector>
 
-#include "planar/turning/turn_window.h"
-#include "planar/turning/turning_bounds.h"
+#include "cspace/events/turn_window.h"
+#include "planar/motion/turning_bounds.h"
 
 namespace dymsum::planar {
 

@@ -9,8 +9,8 @@
 
 #include "base/memory_budget.h"
 #include "cspace/events/overlap_filter.h"
+#include "cspace/events/turn_window.h"
 #include "exact/algebraic_root.h"
-#include "planar/turning/turn_window.h"
 
 namespace dymsum::planar {
 

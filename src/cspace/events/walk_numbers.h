@@ -6,7 +6,7 @@
 #include <memory>
 
 #include "dymsum/region.h"
-#include "planar/turning/turning_forms.h"
+#include "planar/motion/turning_forms.h"
 
 namespace dymsum::planar {
 

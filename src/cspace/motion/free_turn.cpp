@@ -1,7 +1,7 @@
 #include "cspace/motion/free_turn.h"
 
 #include "cspace/boundary/free_place.h"
-#include "planar/frames/region_pair.h"
+#include "planar/motion/operand_pair.h"
 
 namespace dymsum::planar {
 

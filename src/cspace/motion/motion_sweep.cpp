@@ -6,7 +6,7 @@
 #include "cspace/motion/pose.h"
 #include "dymsum/motion.h"
 #include "exact/rounding_bound.h"
-#include "planar/turning/angle_reduction.h"
+#include "planar/motion/orientation.h"
 
 namespace dymsum {
 namespace {

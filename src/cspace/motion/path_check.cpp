@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "planar/turning/angle_reduction.h"
+#include "planar/motion/orientation.h"
 
 namespace dymsum {
 namespace {

@@ -7,8 +7,8 @@
 #include "cspace/motion/pose.h"
 #include "cspace/motion/slice_map.h"
 #include "dymsum/motion.h"
-#include "planar/turning/exact_angle.h"
-#include "planar/turning/turning_forms.h"
+#include "planar/motion/exact_angle.h"
+#include "planar/motion/turning_forms.h"
 
 namespace dymsum::planar {
 

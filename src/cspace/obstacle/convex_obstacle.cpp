@@ -7,7 +7,7 @@
 
 #include "base/memory_budget.h"
 #include "exact/rounding_bound.h"
-#include "planar/turning/exact_angle.h"
+#include "planar/motion/exact_angle.h"
 
 namespace dymsum::planar {
 namespace {

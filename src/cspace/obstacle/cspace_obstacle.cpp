@@ -17,9 +17,9 @@
 #include "cspace/obstacle/obstacle_start.h"
 #include "cspace/obstacle/point_passage.h"
 #include "planar/boundary/collision.h"
-#include "planar/frames/region_pair.h"
-#include "planar/turning/exact_angle.h"
-#include "planar/turning/slice.h"
+#include "planar/motion/exact_angle.h"
+#include "planar/motion/operand_pair.h"
+#include "planar/motion/orientation_sum.h"
 
 namespace dymsum {
 namespace {

@@ -8,7 +8,7 @@
 #include "cspace/obstacle/shared_lines.h"
 #include "cspace/obstacle/tight_curves.h"
 #include "cspace/obstacle/tight_events.h"
-#include "planar/turning/turn.h"
+#include "planar/motion/orientation.h"
 
 namespace dymsum::planar {
 

@@ -5,9 +5,9 @@
 #include "cspace/events/walk_numbers.h"
 #include "exact/rounding_bound.h"
 #include "planar/boundary/collision.h"
+#include "planar/motion/orientation_sum.h"
 #include "planar/position/ring_containment.h"
 #include "planar/sum/sum_engine.h"
-#include "planar/turning/slice.h"
 
 namespace dymsum::planar {
 namespace {

@@ -6,7 +6,7 @@
 #include "cspace/boundary/boundary_graph.h"
 #include "cspace/events/exact_place.h"
 #include "cspace/events/quarter_turn.h"
-#include "planar/turning/turn_catalog.h"
+#include "planar/motion/turn_catalog.h"
 
 namespace dymsum::planar {
 

@@ -13,7 +13,7 @@
 #include "cspace/events/event_place.h"
 #include "cspace/obstacle/tight_places.h"
 #include "exact/rounding_bound.h"
-#include "planar/turning/exact_angle.h"
+#include "planar/motion/exact_angle.h"
 
 namespace dymsum::planar {
 namespace {

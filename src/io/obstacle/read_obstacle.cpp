@@ -8,7 +8,7 @@
 #include "io/obstacle/obstacle_text.h"
 #include "io/read_file.h"
 #include "io/source.h"
-#include "planar/turning/exact_angle.h"
+#include "planar/motion/exact_angle.h"
 
 namespace dymsum {
 namespace {

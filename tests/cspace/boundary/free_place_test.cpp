@@ -2,8 +2,8 @@
 #include "cspace/boundary/free_place.h"
 
 #include "cspace/obstacle/obstacle_slices.h"
-#include "planar/frames/region_pair.h"
-#include "planar/turning/exact_angle.h"
+#include "planar/motion/exact_angle.h"
+#include "planar/motion/operand_pair.h"
 
 namespace dymsum::planar {
 namespace {

@@ -4,8 +4,8 @@
 #include <gtest/gtest.h>
 
 #include "dymsum/shapes.h"
-#include "planar/frames/region_pair.h"
-#include "planar/turning/slice.h"
+#include "planar/motion/operand_pair.h"
+#include "planar/motion/orientation_sum.h"
 
 namespace dymsum::planar {
 namespace {

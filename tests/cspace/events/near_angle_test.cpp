@@ -9,7 +9,7 @@
 
 #include "cspace/obstacle/obstacle_slices.h"
 #include "oracles/random.h"
-#include "planar/frames/region_pair.h"
+#include "planar/motion/operand_pair.h"
 
 namespace dymsum::planar {
 namespace {

@@ -12,7 +12,7 @@
 #include "cspace/events/event_signs.h"
 #include "cspace/obstacle/obstacle_slices.h"
 #include "cspace/obstacle/turn_windows.h"
-#include "planar/frames/region_pair.h"
+#include "planar/motion/operand_pair.h"
 
 namespace dymsum::planar {
 namespace {

@@ -7,7 +7,7 @@
 #include <numbers>
 
 #include "oracles/random.h"
-#include "planar/frames/region_pair.h"
+#include "planar/motion/operand_pair.h"
 
 namespace dymsum::planar {
 namespace {

@@ -8,8 +8,8 @@
 
 #include "cspace/obstacle/turn_windows.h"
 #include "oracles/random.h"
-#include "planar/frames/region_pair.h"
-#include "planar/turning/slice.h"
+#include "planar/motion/operand_pair.h"
+#include "planar/motion/orientation_sum.h"
 
 namespace dymsum::planar {
 namespace {

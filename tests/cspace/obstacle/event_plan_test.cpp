@@ -12,8 +12,8 @@
 #include "dymsum/shapes.h"
 #include "oracles/random.h"
 #include "oracles/snapped_shapes.h"
-#include "planar/frames/region_pair.h"
-#include "planar/turning/turn.h"
+#include "planar/motion/operand_pair.h"
+#include "planar/motion/orientation.h"
 
 namespace dymsum::planar {
 namespace {

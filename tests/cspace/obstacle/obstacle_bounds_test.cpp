@@ -10,7 +10,7 @@
 #include "oracles/digits.h"
 #include "oracles/random.h"
 #include "oracles/random_pentagon.h"
-#include "planar/frames/region_pair.h"
+#include "planar/motion/operand_pair.h"
 
 namespace dymsum::planar {
 namespace {

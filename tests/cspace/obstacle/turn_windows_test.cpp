@@ -5,7 +5,7 @@
 
 #include "dymsum/shapes.h"
 #include "oracles/snapped_shapes.h"
-#include "planar/frames/region_pair.h"
+#include "planar/motion/operand_pair.h"
 
 namespace dymsum::planar {
 namespace {

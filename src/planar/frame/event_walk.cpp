@@ -1,0 +1,239 @@
+#include "planar/frame/scaling_events.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "base/poll.h"
+#include "base/within_memory.h"
+#include "planar/frame/frame_rings.h"
+#include "planar/frame/scaling_sum.h"
+
+namespace dymsum::planar {
+
+LineHashes::LineHashes(std::shared_ptr<const OperandPair> base)
+    : base_(std::move(base)),
+      forms_(*base_),
+      edges_{FirstIndices(base_->operands[0].edge_number), FirstIndices(base_->operands[1].edge_number)},
+      vertices_{FirstIndices(base_->operands[0].vertex_number), FirstIndices(base_->operands[1].vertex_number)} {}
+
+Segment LineHashes::segment(const Contact& c) const {
+  const bool of_p = c.kind == Contact::Kind::edge_of_p;
+  const std::size_t op = of_p ? 0 : 1;
+  const Operand &o = base_->operands[op], &other = base_->operands[1 - op];
+  return Segment{o.edge(edges_[op][of_p ? c.p : c.q]), other.source[vertices_[1 - op][of_p ? c.q : c.p]]};
+}
+
+std::uint64_t LineHashes::line(const Contact& c) {
+  const auto [it, fresh] = lines_.try_emplace(key(c), 0);
+  if (fresh) it->second = forms_.line_hash(segment(c));
+  return it->second;
+}
+
+// Lines instead of contacts: where segments coincide at every scale, any of them may be named.
+std::uint64_t LineHashes::of(const PlanarSum& sum) {
+  std::uint64_t total = sum.parts.size();
+  for (const SumRing* ring : rings_of(sum)) {
+    std::uint64_t h = ring->vertices.size();
+    for (const SumVertex& v : ring->vertices) h += mixed(line(v.in), line(v.out));
+    total += mixed(h, 1);
+  }
+  for (const SumSegment& s : sum.tight_segments) total += mixed(line(s.from.in), 2);
+  total += 3 * sum.tight_points.size() + 5 * sum.segments.size() + 7 * sum.points.size();
+  return total;
+}
+
+}  // namespace dymsum::planar
+
+// ScalingSum's events: those of its windows, less what changes nothing in the sum between them and at them.
+
+namespace dymsum {
+
+using namespace planar;
+using exact::BigRational;
+
+namespace {
+
+/// What makes two sums topologically different.
+struct Topology {
+  std::size_t parts = 0, holes = 0, tight_points = 0, tight_segments = 0, segments = 0, points = 0;
+  friend bool operator==(const Topology&, const Topology&) = default;
+};
+
+Topology topology_of(const PlanarSum& s) {
+  return {s.parts.size(),          s.hole_count(),    s.tight_points.size(),
+          s.tight_segments.size(), s.segments.size(), s.points.size()};
+}
+
+struct Snapshot {
+  std::uint64_t hash = 0;
+  Topology topology;
+};
+
+/// Walks upwards through the events, window by window, looking at the sum between them and at them.
+class EventWalk {
+ public:
+  EventWalk(ScalingState& probe, const Progress& progress) : probe_(probe), lines_(probe.base), poll_(progress) {
+    poll_.stage("events");
+  }
+
+  /// Calls f(event) for the events in [from, to] in order until it returns false. Errors: those of frames. Throws
+  /// Cancelled.
+  template <class F>
+  std::optional<Error> run(const BigRational& from, const BigRational& to, F&& f) {
+    // What lies just outside decides what comes before the first and behind the last.
+    BigRational low = from * BigRational(1023, 1024);
+    const BigRational end = to * BigRational(1025, 1024);
+    low_ = std::log(exact::round_to_double(low));
+    end_ = std::log(exact::round_to_double(end));
+    BigRational last = low;
+    std::optional<Snapshot> before;
+    while (low < end) {
+      const BigRational high = std::min<BigRational>(window_end(low), end);
+      const std::vector<EventValue> values = values_between(low, high);
+      for (std::size_t i = 0; i < values.size() && values[i].s <= to; ++i) {
+        const EventValue& e = values[i];
+        if (e.s == last) continue;  // on the border of two windows
+        if (e.s >= from) {
+          const BigRational next = i + 1 < values.size() ? values[i + 1].s : e.s < high ? high : next_after(high, end);
+          if (!before) {
+            Result<Snapshot> at = look(simple_between(last, e.s));
+            if (!at) return at.error();
+            before = *at;
+          }
+          const Result<Snapshot> here = look(e.s), after = look(simple_between(e.s, next));
+          if (!here) return here.error();
+          if (!after) return after.error();
+          ScaleEvent event;
+          event.s = exact::to_rational(e.s);
+          event.approx = exact::round_to_double(e.s);
+          event.kind = e.kind;
+          event.topology = !(before->topology == after->topology) || !(here->topology == before->topology);
+          event.visible = event.topology || before->hash != after->hash;
+          if (!f(event)) return std::nullopt;
+          before = *after;
+        }
+        last = e.s;
+      }
+      if (high > to) return std::nullopt;
+      low = high;
+    }
+    return std::nullopt;
+  }
+
+ private:
+  /// Windows are as wide as their masks prove much of the sum covered, and have short ends.
+  BigRational window_end(const BigRational& low) {
+    constexpr double kLeast = 0x1p-12, kMost = 1.0 / 16;
+    const double at = exact::round_to_double(low);
+    probe_.windows.convolution_for(at, at);
+    const double width = std::clamp(probe_.windows.widest(at), kLeast, kMost),
+                 unit = std::ldexp(1, std::ilogb(at) - 20);
+    return exact::exact_value(std::ceil(at * std::exp(width) / unit) * unit);
+  }
+
+  /// Asks whether to go on, s being reached.
+  void ask(double s) {
+    share_ = std::max(share_, std::clamp((std::log(s) - low_) / (end_ - low_), 0.0, 1.0));
+    poll_(share_);
+  }
+
+  std::vector<EventValue> values_between(const BigRational& low, const BigRational& high) {
+    ask(exact::round_to_double(low));
+    const auto again = [this] { poll_(share_); };
+    const std::unique_ptr<Window> window = probe_.windows.between(low, high, true, again);
+    std::vector<EventValue> values = events_of(*window, lines_.forms(), low, high, again);
+    std::erase_if(values, [&](const EventValue& e) {
+      again();
+      ExactFrame frame(probe_.base, scale_value(e.s));
+      return is_covered(e, frame);
+    });
+    return values;
+  }
+
+  BigRational next_after(const BigRational& low, const BigRational& end) {
+    BigRational from = low;
+    while (from < end) {
+      const BigRational to = std::min<BigRational>(window_end(from), end);
+      for (const EventValue& e : values_between(from, to))
+        if (e.s > low) return e.s;
+      from = to;
+    }
+    return end;
+  }
+
+  Result<Snapshot> look(const BigRational& s) {
+    ask(exact::round_to_double(s));
+    const Result<Scale> scale = Scale::of(exact::to_rational(s));
+    if (!scale) return scale.error();
+    const Result<FrameChanges> moved = probe_.move_to(*scale, *scale);
+    if (!moved) return moved.error();
+    return Snapshot{lines_.of(probe_.sum), topology_of(probe_.sum)};
+  }
+
+  ScalingState& probe_;
+  LineHashes lines_;
+  Poll poll_;
+  double low_ = 0, end_ = 1, share_ = 0;  ///< logarithms of the first and the last scale; the share that was told last
+};
+
+MovingOptions probe_options(MovingOptions options) {
+  options.mode = FrameMode::window;
+  options.window = 1.0 / 16;
+  options.progress = {};
+  options.kept_window_bytes = 0;  // scales ascend
+  options.memory = 0;             // within that of the sum that is asked
+  return options;
+}
+
+/// EventWalk::run in [low, high] on a sum of its own.
+template <class F>
+std::optional<Error> walk(const ScalingState& state, const BigRational& low, const BigRational& high,
+                          const Progress& progress, F&& f) {
+  return base::within_memory(state.budget(), "the search for events", [&]() -> std::optional<Error> {
+    ScalingState probe(state.base, probe_options(state.options));
+    try {
+      return EventWalk(probe, progress).run(low, high, f);
+    } catch (const Cancelled&) {
+      return Error{ErrorCode::cancelled, "stopped on request", {}};
+    }
+  });
+}
+
+std::optional<Error> not_regular(const OperandPair& base) {
+  if (base.regular) return std::nullopt;
+  return Error{ErrorCode::unsupported_operand, "events are defined for operands without polylines and points", {}};
+}
+
+}  // namespace
+
+Result<std::vector<ScaleEvent>> ScalingSum::events(const Scale& a, const Scale& b, const Progress& progress) const {
+  if (std::optional<Error> error = not_regular(*state_->base)) return *std::move(error);
+  const BigRational low = rational(scale_value(a)), high = rational(scale_value(b));
+  if (low > high)
+    return Error{ErrorCode::bad_scale,
+                 "the range of scales is empty: " + a.exact().to_string() + " > " + b.exact().to_string(),
+                 {}};
+  std::vector<ScaleEvent> events;
+  if (std::optional<Error> error = walk(*state_, low, high, progress, [&](const ScaleEvent& e) {
+        events.push_back(e);
+        return true;
+      }))
+    return *std::move(error);
+  return events;
+}
+
+Result<std::optional<ScaleEvent>> ScalingSum::next_event(const Scale& s, const Scale& limit, EventChange change,
+                                                         const Progress& progress) const {
+  if (std::optional<Error> error = not_regular(*state_->base)) return *std::move(error);
+  const BigRational low = rational(scale_value(s)), high = rational(scale_value(limit));
+  std::optional<ScaleEvent> found;
+  if (low >= high) return found;
+  if (std::optional<Error> error = walk(*state_, low, high, progress, [&](const ScaleEvent& e) {
+        if (exact::exact_value(e.s) > low && (change == EventChange::topology ? e.topology : e.visible)) found = e;
+        return !found;
+      }))
+    return *std::move(error);
+  return found;
+}
+
+}  // namespace dymsum

@@ -1,0 +1,41 @@
+// Which pieces of segments bound the sum: they are linked around nodes, and each patch is asked about once.
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <vector>
+
+#include "planar/frame/local_nodes.h"
+
+namespace dymsum::planar {
+
+/// A piece of segments between two nodes, in the direction of its segment.
+struct LocalEdge {
+  std::uint32_t from = 0, to = 0;
+  std::uint32_t segment = 0;
+};
+
+struct LocalEdges {
+  std::vector<LocalEdge> boundary;  ///< in the box, the sum on their left
+  std::vector<LocalEdge> tight;     ///< in the box, each once
+  std::vector<std::uint32_t> tight_points;
+};
+
+/// Whether a place lies in the open sum.
+struct LocalQuestions {
+  std::function<bool(std::uint32_t node)> at_node;
+  std::function<bool(std::uint32_t from, std::uint32_t to)> halfway;
+};
+
+enum class Linking : std::uint8_t {
+  patches,  ///< one question for each patch; places that may be tight
+  none,     ///< a question for every piece and every node: the reference
+};
+
+/// Pieces with length. Exact.
+LocalEdges local_edges(const LocalNodes& nodes, const LocalQuestions& ask, Linking linking);
+
+/// Pieces in a row on one line made one.
+std::vector<LocalEdge> joined(const LocalNodes& nodes, std::vector<LocalEdge> edges);
+
+}  // namespace dymsum::planar

@@ -1,0 +1,59 @@
+// Whether two regions at exact poses overlap when Q, reflected, is moved to a place: doubles first, then integers.
+#pragma once
+
+#include <array>
+#include <functional>
+#include <vector>
+
+#include "planar/frame/near_segments.h"
+#include "planar/frame/posed_regions.h"
+
+namespace dymsum::planar {
+
+/// In scaled doubles, each coordinate off by at most `off`; the exact place is made when it is asked for.
+struct AskedPlace {
+  double x = 0, y = 0, off = 0;
+  std::function<const BigPlace&()> exact;
+};
+
+class LocalOverlap {
+ public:
+  LocalOverlap(const Operand& p, const Operand& q);
+
+  /// Whether the place lies in int P + int Q. Touching is not overlapping.
+  bool holds(const PosedRegions& posed, const AskedPlace& place);
+
+  std::uint64_t tests() const { return tests_; }
+  std::uint64_t exact_tests() const { return exact_tests_; }
+  void clear_counts() { tests_ = exact_tests_ = 0; }
+
+ private:
+  struct Edges;
+  struct Cone;
+  bool crossed_before();
+  bool boundaries_overlap();
+  bool edges_overlap(std::uint32_t e, std::uint32_t f);
+  bool surely_cross(const Edges& s) const;
+  Edges edges(std::uint32_t e, std::uint32_t f) const;
+  int side_of_p_edge(std::uint32_t e, std::uint32_t q_vertex, const Edges& s, bool end);
+  int side_of_q_edge(std::uint32_t f, std::uint32_t p_vertex, const Edges& s, bool end);
+  bool touch_overlapping(std::uint32_t e, std::uint32_t f, int on_p, int on_q);
+  Cone cone(std::uint32_t op, std::uint32_t walk, bool along_edge) const;
+  bool holds_component(std::uint32_t holder);
+  bool contains(std::uint32_t holder, std::uint32_t vertex);
+  int height(std::uint32_t holder, std::uint32_t walk, std::uint32_t vertex, int axis, Point seen);
+  const BigPlace& exact_place();
+  /// Vertex p of P plus vertex q of Q, less the place, times its denominator.
+  BigPoint from_place(std::uint32_t p, std::uint32_t q);
+
+  std::array<const Operand*, 2> operands_;
+  std::array<FeatureDiscs, 2> edges_;
+  const PosedRegions* posed_ = nullptr;
+  const AskedPlace* place_ = nullptr;
+  const BigPlace* exact_ = nullptr;
+  double off_ = 0;
+  std::vector<std::array<std::uint32_t, 2>> witnesses_;  // edges that crossed properly, the last ones first
+  std::uint64_t tests_ = 0, exact_tests_ = 0;
+};
+
+}  // namespace dymsum::planar

@@ -1,0 +1,112 @@
+// The one skeleton of planar sums in motion. A move goes to the window that covers the new position - the one the last
+// frame was made in, one that was left, one made ahead - or builds one where the controller expects that to pay; the
+// window updates its loops, or the static engine computes the frame; then rings get their identities, and changes and
+// costs are told.
+//
+// A motion (scaling, rotating) supplies windows, the frame inside one and what both cost.
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <vector>
+
+#include "base/memory_budget.h"
+#include "dymsum/frames.h"
+#include "planar/frame/controller.h"
+#include "planar/frame/frame_rings.h"
+#include "planar/operand/placed_pair.h"
+#include "planar/window/frame_window.h"
+#include "planar/window/window_ahead.h"
+
+namespace dymsum::planar {
+
+class MovingSum {
+ public:
+  explicit MovingSum(MovingOptions options);
+  virtual ~MovingSum() = default;
+
+  MovingOptions options;
+  PlanarSum sum;
+  std::vector<std::uint64_t> ring_ids;
+  FrameWork work;
+
+  /// For tests: what is kept, and waits until the window that is under way is ready.
+  const KeptWindows& kept_windows() const { return kept_; }
+  void finish_window_ahead();
+  /// Of MovingOptions::memory; none where there is no limit.
+  const std::shared_ptr<base::MemoryBudget>& budget() const { return budget_; }
+
+ protected:
+  /// A move, as the controller sees it: lengths are logarithms of scales, or angles.
+  struct Move {
+    bool windows = true;       ///< whether windows can serve at the new position
+    bool builds = true;        ///< whether one may be built for it
+    bool stays = false;        ///< it is the old position
+    std::uint64_t family = 0;  ///< of positions: windows serve those of their own only
+    double at = 0;             ///< the new position, as windows have it
+    double step = 0;           ///< from the old position to the new one
+    double widest = 0;         ///< windows should not be wider
+    double asked = 0;          ///< the width that the options ask for, or 0
+  };
+  struct NextFrame {
+    PlanarSum sum;
+    bool followed = false;  ///< the loops know the identities, and the changes are listed
+    std::vector<std::uint64_t*>
+        identities;  ///< where the loops keep them, for the sum's rings in order; empty: no loops
+    FrameChanges changes;
+  };
+  struct WindowCost {
+    double counted = 0, forgiven = 0;  ///< see WindowController::built
+  };
+
+  /// Changes nothing on an error. The motion takes its new position over when this succeeds.
+  Result<FrameChanges> move(const Move& move);
+  /// Storage of a ring that is gone, for one of a frame that comes; what it holds means nothing.
+  SumRing spare_ring();
+  bool chooses() const { return options.mode == FrameMode::automatic && options.window == 0; }
+  /// Windows are made on a thread of their own.
+  bool makes_ahead() const { return options.threads > 1 && chooses(); }
+  /// The current window, or nothing.
+  FrameWindow* window() const { return window_.get(); }
+
+  WindowController controller_;
+  RingIdentities identities_;
+
+ private:
+  /// The operands at the new position.
+  virtual PlacedPair placed() const = 0;
+  /// What makes a window for the new position that reaches so far.
+  virtual MakeWindow window_for(const Move& move, const WindowController::Choice& reach) = 0;
+  /// The same for one that is entered at `end` by a motion such as the last move, and so wide.
+  virtual MakeWindow window_from(double end, const Move& move, double width) = 0;
+  /// The current window is about to be `next`, or none.
+  virtual void window_changes(FrameWindow* next) = 0;
+  /// The frame at the new position inside the window; nothing where it has to be computed from scratch.
+  virtual std::optional<NextFrame> window_frame(const Move& move, FrameWork& work) = 0;
+  /// Of the frame that has just been taken over; of the window that was built for it.
+  virtual double cost_of(const FrameWork& work) = 0;
+  virtual WindowCost cost_of_window() const = 0;
+
+  Result<FrameChanges> frame_at(const Move& move);
+  Result<bool> open_window(const Move& move, FrameWork& work);
+  bool enter_window(const Move& move);
+  void set_window(std::unique_ptr<FrameWindow> next, bool keep);
+  void take_window_ahead();
+  void start_ahead(MakeWindow make, double step);
+  void make_next_window(const Move& move);
+  Result<NextFrame> rebuilt_frame(FrameWork& work) const;
+  FrameChanges take(NextFrame next, const Move& move);
+  void charge(const FrameWork& work);
+
+  std::vector<SumRing> spare_rings_;
+  const std::shared_ptr<base::MemoryBudget> budget_;
+  std::unique_ptr<FrameWindow> window_;
+  KeptWindows kept_;
+  std::unique_ptr<FrameWindow> made_ahead_;
+  bool too_expensive_ahead_ = false;  ///< the next window was abandoned, and none has been entered since
+  double step_ahead_ = 0;             ///< that the window under way was started at
+  WindowAhead ahead_;
+};
+
+}  // namespace dymsum::planar

@@ -1,0 +1,250 @@
+#include "planar/frame/near_segments.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numbers>
+#include <utility>
+
+namespace dymsum::planar {
+
+namespace {
+
+constexpr double kWholeTurn = 2 * std::numbers::pi;
+constexpr std::uint32_t kFeaturesInLeaf = 4;
+
+/// In [0, a whole turn], up to rounding.
+double wrapped(double angle) {
+  const double rest = std::fmod(angle, kWholeTurn);
+  return rest < 0 ? rest + kWholeTurn : rest;
+}
+
+/// A range that holds both: the shorter one of those that begin with either.
+DirectionRange hull(const DirectionRange& a, const DirectionRange& b) {
+  const double from_a = std::max(a.width, wrapped(b.first - a.first) + b.width);
+  const double from_b = std::max(b.width, wrapped(a.first - b.first) + a.width);
+  const DirectionRange range = from_a <= from_b ? DirectionRange{a.first, from_a} : DirectionRange{b.first, from_b};
+  return {range.first, std::min(range.width, kWholeTurn)};
+}
+
+/// Halves are taken before the difference: it cannot overflow.
+double half_distance(Point a, Point b) { return std::hypot(b.x / 2 - a.x / 2, b.y / 2 - a.y / 2); }
+Point between(Point a, Point b) { return {a.x / 2 + b.x / 2, a.y / 2 + b.y / 2}; }
+
+}  // namespace
+
+bool may_meet(const DirectionRange& a, double turn, const DirectionRange& b, double slack) {
+  const double ahead = wrapped(b.first - (a.first + turn));
+  return ahead <= a.width + slack || kWholeTurn - ahead <= b.width + slack;
+}
+
+FeatureDiscs::FeatureDiscs(const Operand& operand, Of of, Point stretch)
+    : operand_(operand), of_(of), stretch_(stretch) {
+  for (std::uint32_t k = 0; k < operand.size(); ++k)
+    if (of == Of::edges || operand.convex[k] != 0) items_.push_back(k);
+  ranges_.resize(operand.size());
+  for (const std::uint32_t k : items_) ranges_[k] = range_of(k);
+  nodes_.reserve(items_.size());
+  if (!items_.empty()) build(0, static_cast<std::uint32_t>(items_.size()));
+}
+
+double FeatureDiscs::angle_of(std::uint32_t edge) const {
+  const Point a = at(edge), b = at(operand_.next[edge]);
+  const double x = b.x - a.x, y = b.y - a.y, most = std::max(std::abs(x), std::abs(y));
+  return std::atan2(y / most * stretch_.y, x / most * stretch_.x);
+}
+
+DirectionRange FeatureDiscs::range_of(std::uint32_t item) const {
+  if (of_ == Of::edges) return {angle_of(item), 0};
+  const double from = angle_of(operand_.prev[item]);
+  return {from, wrapped(angle_of(item) - from)};
+}
+
+FeatureDiscs::Node FeatureDiscs::leaf_of(std::uint32_t item) const {
+  Node node;
+  const Point a = at(item), b = of_ == Of::edges ? at(operand_.next[item]) : a;
+  node.middle = between(a, b);
+  node.radius = half_distance(a, b);
+  node.directions = directions(item);
+  return node;
+}
+
+/// Features in the order of their walks: neighbours are near each other, and their directions too.
+std::uint32_t FeatureDiscs::build(std::uint32_t first, std::uint32_t last) {
+  const auto id = static_cast<std::uint32_t>(nodes_.size());
+  nodes_.emplace_back();
+  Node node = leaf_of(items_[first]);
+  double x0 = node.middle.x, x1 = x0, y0 = node.middle.y, y1 = y0;
+  for (std::uint32_t k = first; k < last; ++k) {
+    const Node one = leaf_of(items_[k]);
+    node.directions = hull(node.directions, one.directions);
+    for (const Point v : {at(items_[k]), of_ == Of::edges ? at(operand_.next[items_[k]]) : at(items_[k])})
+      x0 = std::min(x0, v.x), x1 = std::max(x1, v.x), y0 = std::min(y0, v.y), y1 = std::max(y1, v.y);
+  }
+  node.middle = between({x0, y0}, {x1, y1});
+  node.radius = half_distance({x0, y0}, {x1, y1}) * (1 + 0x1p-40);
+  node.first = first, node.last = last;
+  if (last - first > kFeaturesInLeaf) {
+    const std::uint32_t half = first + (last - first) / 2;
+    node.left = build(first, half), node.right = build(half, last);
+  }
+  nodes_[id] = node;
+  return id;
+}
+
+namespace {
+
+/// More than angles of edges and poses err.
+constexpr double kAngleOff = 0x1p-44;
+/// What is kept for the next places: so much of the box around it, and turns up to so many radians.
+constexpr double kKeptShare = 0.5, kKeptTurn = 0.1;
+/// Where operands move fast: so many times as far as they moved between two calls.
+constexpr double kKeptCalls = 8;
+
+bool misses(const ScaledBox& box, Point middle, double radius) {
+  const double dx = std::max({box.x0 - middle.x, middle.x - box.x1, 0.0}),
+               dy = std::max({box.y0 - middle.y, middle.y - box.y1, 0.0});
+  return dx * dx + dy * dy > radius * radius * (1 + 0x1p-40) + 0x1p-80;
+}
+
+ScaledBox grown(const ScaledBox& b, double by) { return {b.x0 - by, b.y0 - by, b.x1 + by, b.y1 + by}; }
+
+}  // namespace
+
+NearSegments::NearSegments(const Operand& p, const Operand& q, const std::array<Point, 2>& stretch)
+    : operands_{&p, &q},
+      edges_{FeatureDiscs(p, FeatureDiscs::Of::edges, stretch[0]),
+             FeatureDiscs(q, FeatureDiscs::Of::edges, stretch[1])},
+      vertices_{FeatureDiscs(p, FeatureDiscs::Of::vertices, stretch[0]),
+                FeatureDiscs(q, FeatureDiscs::Of::vertices, stretch[1])} {}
+
+base::CountedArray<WalkSegment> NearSegments::find(const PosedRegions& posed, const ScaledBox& box) {
+  rebuilt_ = true, pairs_ = 0;
+  return search(posed, {box, kAngleOff});
+}
+
+base::CountedArray<WalkSegment> NearSegments::update(const PosedRegions& posed, const PosePair& poses,
+                                                     const ScaledBox& box) {
+  rebuilt_ = !still_holds(posed, poses, box), pairs_ = 0;
+  if (rebuilt_) {
+    const double a_call = kept_ ? kept_->moved / static_cast<double>(kept_->calls + 1) : 0;
+    Kept kept;
+    kept.poses = poses, kept.scale = posed.scale(), kept.turn = kKeptTurn;
+    kept.box = grown(box, std::max(kKeptShare * std::max(box.x1 - box.x0, box.y1 - box.y0), kKeptCalls * a_call));
+    kept.segments = search(posed, {kept.box, kept.turn});
+    kept_ = std::move(kept);
+  }
+  ++kept_->calls;
+  pairs_ += kept_->segments.size();
+  const Wanted wanted{box, kAngleOff};
+  base::CountedArray<WalkSegment> near;
+  for (const WalkSegment& s : kept_->segments)
+    if (is_near(posed, s, wanted)) near.push_back(s);
+  return near;
+}
+
+bool NearSegments::still_holds(const PosedRegions& posed, const PosePair& poses, const ScaledBox& box) {
+  if (!kept_ || kept_->scale != posed.scale()) return false;
+  const PoseChange p = change_of(*operands_[0], kept_->poses[0], poses[0]),
+                   q = change_of(*operands_[1], kept_->poses[1], poses[1]);
+  const double moved = std::ldexp(p.distance + q.distance, -posed.scale()) + 4 * PosedRegions::kOff;
+  kept_->moved = moved;
+  if (std::abs(p.turn - q.turn) + kAngleOff > kept_->turn) return false;
+  const ScaledBox reach = grown(box, moved), &held = kept_->box;
+  return reach.x0 > held.x0 && reach.y0 > held.y0 && reach.x1 < held.x1 && reach.y1 < held.y1;
+}
+
+base::CountedArray<WalkSegment> NearSegments::all(const PosedRegions& posed) const {
+  base::CountedArray<WalkSegment> found;
+  const Wanted everywhere{{-4, -4, 4, 4}, kAngleOff};
+  for (std::uint32_t side = 0; side < 2; ++side)
+    for (std::uint32_t e = 0; e < operands_[side]->size(); ++e)
+      for (std::uint32_t v = 0; v < operands_[1 - side]->size(); ++v)
+        if (operands_[1 - side]->convex[v] != 0 && is_near(posed, {side, e, v}, everywhere))
+          found.push_back({side, e, v});
+  return found;
+}
+
+base::CountedArray<WalkSegment> NearSegments::search(const PosedRegions& posed, const Wanted& wanted) {
+  base::CountedArray<WalkSegment> found;
+  for (std::uint32_t side = 0; side < 2; ++side) search_side(posed, wanted, side, found);
+  return found;
+}
+
+void NearSegments::search_side(const PosedRegions& posed, const Wanted& wanted, std::uint32_t side,
+                               base::CountedArray<WalkSegment>& found) {
+  const FeatureDiscs &edges = edges_[side], &vertices = vertices_[1 - side];
+  if (edges.empty() || vertices.empty()) return;
+  const double turn = posed.angle(side) - posed.angle(1 - side);
+  std::vector<std::array<std::uint32_t, 2>> stack{{0, 0}};
+  while (!stack.empty()) {
+    const auto [i, j] = stack.back();
+    stack.pop_back();
+    ++pairs_;
+    const FeatureDiscs::Node &a = edges.node(i), &b = vertices.node(j);
+    if (!may_meet(a.directions, turn, b.directions, wanted.turn)) continue;
+    const Point m = posed.posed(side, a.middle), n = posed.posed(1 - side, b.middle);
+    const double radius = posed.stretched(side, a.radius) + posed.stretched(1 - side, b.radius) + PosedRegions::kOff;
+    if (misses(wanted.box, {m.x + n.x, m.y + n.y}, radius)) continue;
+    if (a.leaf() && b.leaf()) {
+      for (std::uint32_t k = a.first; k < a.last; ++k)
+        for (std::uint32_t l = b.first; l < b.last; ++l)
+          if (const WalkSegment s{side, edges.item(k), vertices.item(l)}; is_near(posed, s, wanted)) found.push_back(s);
+    } else if (b.leaf() || (!a.leaf() && a.last - a.first >= b.last - b.first)) {
+      stack.push_back({a.right, j}), stack.push_back({a.left, j});
+    } else {
+      stack.push_back({i, b.right}), stack.push_back({i, b.left});
+    }
+  }
+}
+
+bool NearSegments::is_near(const PosedRegions& posed, const WalkSegment& s, const Wanted& wanted) const {
+  const Operand& o = *operands_[s.side];
+  const Point v = posed.vertex(1 - s.side, s.vertex), a = posed.vertex(s.side, s.edge),
+              b = posed.vertex(s.side, o.next[s.edge]);
+  const ScaledBox reach = grown(wanted.box, 2 * PosedRegions::kOff);
+  if (std::max(a.x, b.x) + v.x < reach.x0 || std::min(a.x, b.x) + v.x > reach.x1 ||
+      std::max(a.y, b.y) + v.y < reach.y0 || std::min(a.y, b.y) + v.y > reach.y1)
+    return false;
+  return may_meet(edges_[s.side].directions(s.edge), posed.angle(s.side) - posed.angle(1 - s.side),
+                  vertices_[1 - s.side].directions(s.vertex), wanted.turn);
+}
+
+namespace {
+
+/// Of the sums' extent: nodes are found to within 2^-32 of it.
+constexpr double kLeastMargin = 0x1p-28;
+/// In scaled doubles, where all sums are within 1.
+constexpr double kBeyond = 1.5;
+
+double lower(double v, double by) {
+  const double w = v - by;
+  return std::isfinite(w) ? (w < v ? w : std::nextafter(v, -INFINITY)) : -std::numeric_limits<double>::max();
+}
+
+}  // namespace
+
+PlanarBox larger_box(const PlanarBox& box, double extent) {
+  // Along each axis by itself: a thin box stays thin.
+  const double least = extent * kLeastMargin, x = std::max(box.high.x / 32 - box.low.x / 32, least),
+               y = std::max(box.high.y / 32 - box.low.y / 32, least);
+  return {{lower(box.low.x, x), lower(box.low.y, y)}, {-lower(-box.high.x, x), -lower(-box.high.y, y)}};
+}
+
+LocalWalls::LocalWalls(const PosedRegions& posed, const PlanarBox& box, const PlanarBox& reach) {
+  const std::array<double, 8> values{box.low.x,   box.high.x,   box.low.y,   box.high.y,
+                                     reach.low.x, reach.high.x, reach.low.y, reach.high.y};
+  for (std::size_t k = 0; k < 8; ++k) {
+    LocalWall& wall = walls_[k];
+    wall.axis = k % 4 < 2 ? 0 : 1;
+    wall.value = values[k];
+    wall.scaled = posed.scaled(wall.value);
+    wall.beyond = std::abs(wall.scaled) > kBeyond;
+    if (wall.beyond) continue;
+    const Big v = posed.exact_number(wall.value);
+    wall.exact = {v, v, Big::from_int64(1)};
+    wall.pair = posed.pair(v);
+  }
+}
+
+}  // namespace dymsum::planar

@@ -1,0 +1,335 @@
+#include "planar/frame/rotating_loops.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "planar/boundary/leftmost_loop.h"
+
+namespace dymsum::planar {
+namespace {
+
+constexpr std::uint32_t kEnd = RotatingFrame::kEnd;
+constexpr std::uint32_t kGone = 0xfffffffe;  // a segment that a new window does not have
+
+constexpr std::uint32_t kMostLooks = 128;  // pairs of pieces
+
+}  // namespace
+
+/// Signs of trigonometric polynomials over a range of angles.
+class RotatingLoops::Stretch {
+ public:
+  Stretch(const RotatingFrame& frame, double from, double to)
+      : window_(frame.window()),
+        forms_(window_.forms()),
+        low_(std::min(from, to)),
+        high_(std::max(from, to)),
+        half_(0.5 * (high_ - low_) + kAngleDouble),
+        heading_(Heading::of(window_.middle + 0.5 * (low_ + high_))) {}
+
+  /// It exists all the time, or never.
+  bool exists(std::uint32_t s) const { return span(s).from < low_ - kAngleSlack && span(s).to > high_ + kAngleSlack; }
+  bool absent(std::uint32_t s) const { return span(s).from > high_ + kAngleSlack || span(s).to < low_ - kAngleSlack; }
+
+  /// The sign of a side all the time, 0 where it may change.
+  int side(std::uint32_t s, Pair v) const { return sign(forms_.side(walk(s), v), forms_.side_error(walk(s))); }
+  /// Both ends of b lie on one side of a.
+  bool beside(std::uint32_t a, std::uint32_t b) const {
+    const int u = side(a, window_.segments[b].start());
+    return u != 0 && side(a, window_.segments[b].end) == u;
+  }
+  bool across(std::uint32_t a, std::uint32_t b) const {
+    const int u = side(a, window_.segments[b].start());
+    return u != 0 && side(a, window_.segments[b].end) == -u;
+  }
+  /// They cross all the time.
+  bool cross(std::uint32_t a, std::uint32_t b) const { return exists(a) && exists(b) && across(a, b) && across(b, a); }
+  /// The sign of (place of b on the line of a) - (place of c on it), 0 where it may change.
+  int order(std::uint32_t a, std::uint32_t b, std::uint32_t c) const {
+    const int ab = turn(a, b), ac = turn(a, c);
+    if (ab == 0 || ac == 0) return 0;
+    const TrigForm2 form = forms_.concurrency(walk(a), walk(b), walk(c));
+    if (!form.far_from_zero(heading_, half_, forms_.concurrency_error(walk(a), walk(b), walk(c)))) return 0;
+    return (form.at(heading_) > 0 ? 1 : -1) * ab * ac;
+  }
+
+ private:
+  const WalkSegment& walk(std::uint32_t s) const { return window_.segments[s]; }
+  const TurnCatalog::Span& span(std::uint32_t s) const { return window_.segments[s].span; }
+  int sign(const TrigForm& form, double error) const {
+    return !form.far_from_zero(heading_, half_, error) ? 0 : form.at(heading_) > 0 ? 1 : -1;
+  }
+  int turn(std::uint32_t a, std::uint32_t b) const {
+    return sign(forms_.cross(walk(a), walk(b)), kTurnedCross * forms_.length1(walk(a)) * forms_.length1(walk(b)));
+  }
+
+  const RotatingWindow& window_;
+  const TurningForms& forms_;
+  double low_, high_, half_;
+  Heading heading_;
+};
+
+void RotatingLoops::renumber(const RotatingWindow& from, const RotatingWindow& to) {
+  const auto number = [&](std::uint32_t s) {
+    if (s == kEnd || s == kGone) return s;
+    const std::uint32_t n = to.find(from.segments[s]);
+    return n == kNone ? kGone : n;
+  };
+  for (Known& k : steps_) k = {number(k.segment), number(k.from), number(k.to), k.loop, kNone};
+  last_delta_ += from.middle - to.middle;
+  last_delta_ = std::remainder(last_delta_, kTurn);
+}
+
+void RotatingLoops::update(const RotatingFrame& frame, ExactOverlap& exact_overlap, RingIdentities& identities,
+                           FrameWork& work, FrameChanges& changes) {
+  std::swap(old_, loops_);
+  std::swap(old_steps_, steps_);
+  loops_.clear();
+  steps_.clear();
+  head_.assign(frame.window().segments.size(), kNone);
+  for (std::uint32_t k = 0; k < old_steps_.size(); ++k) {
+    Known& s = old_steps_[k];
+    if (s.segment == kGone) continue;
+    s.next = head_[s.segment];
+    head_[s.segment] = k;
+  }
+  told_.clear();
+  const bool comparable = known_ && std::abs(last_delta_) < frame.window().half;
+  for (const RotatingFrame::Cycle& c : frame.cycles()) {
+    Loop loop;
+    loop.first = c.first;
+    loop.last = c.last;
+    loop.turning = c.turning;
+    for (std::uint32_t k = c.first; k < c.last; ++k) loop.vertices += !frame.steps()[k].straight;
+    loops_.push_back(loop);
+  }
+  work.loops_traced += loops_.size();
+  // The only counter-clockwise loop of a connected sum bounds it, whatever was before.
+  const bool one_outer =
+      connected_ && std::count_if(loops_.begin(), loops_.end(), [](const Loop& l) { return l.turning > 0; }) == 1;
+  for (Loop& loop : loops_) {
+    const bool outer = one_outer && loop.turning > 0;
+    work.loops_kept += outer && comparable;
+    told_.push_back(comparable && !outer && inherit(frame, loop, work));
+  }
+  const std::size_t outer = connected_ ? outer_loop(frame, told_) : loops_.size();
+  for (std::size_t i = 0; i < loops_.size(); ++i) {
+    if (told_[i]) continue;
+    Loop& loop = loops_[i];
+    if (i == outer) loop.kept = true;
+    else if (outer != loops_.size() && loop.turning > 0) loop.kept = false;
+    else loop.kept = !covered(frame, loop, exact_overlap, work);
+  }
+  for (std::uint32_t i = 0; i < loops_.size(); ++i)
+    for (std::uint32_t k = loops_[i].first; k < loops_[i].last; ++k) {
+      const RotatingFrame::Step& s = frame.steps()[k];
+      steps_.push_back({s.segment, s.from, s.to, i, kNone});
+    }
+  if (known_) follow(frame, identities, changes);
+  known_ = true;
+  last_delta_ = frame.delta();
+}
+
+const RotatingLoops::Known* RotatingLoops::match(const RotatingFrame::Step& s) const {
+  for (std::uint32_t k = head_[s.segment]; k != kNone; k = old_steps_[k].next)
+    if (old_steps_[k].from == s.from && old_steps_[k].to == s.to) return &old_steps_[k];
+  return nullptr;
+}
+
+// A cycle has the status of any cycle of the frame before with which it shares an undisturbed sub-edge (scaling-sum.md,
+// "Frames": the proof needs continuous motion only); and its witness anyway, which is asked first. Where much has been
+// looked at in vain, a collision test in doubles is cheaper.
+bool RotatingLoops::inherit(const RotatingFrame& frame, Loop& loop, FrameWork& work) const {
+  const RotatingWindow& window = frame.window();
+  const Stretch all(frame, last_delta_, frame.delta());
+  std::uint32_t looked = 0;
+  bool asked = false;
+  for (std::uint32_t k = loop.first; k < loop.last && looked < kMostLooks; ++k) {
+    const RotatingFrame::Step& s = frame.steps()[k];
+    const Known* old = match(s);
+    if (old == nullptr) continue;
+    const Loop& before = old_[old->loop];
+    if (!before.kept && !asked) {
+      asked = true;
+      loop.witness = before.witness;
+      if (witnessed(frame, loop)) {
+        ++work.witnessed;
+        return true;
+      }
+    }
+    if (connected_)
+      looked += 1 + window.first_of[window.segments[s.segment].last_piece] -
+                window.first_of[window.segments[s.segment].first_piece];
+    if (!undisturbed(all, window, s)) continue;
+    loop.kept = before.kept;
+    ++work.loops_kept;
+    return true;
+  }
+  return false;
+}
+
+// By the pair of edges that covered the loop before, or by one that covered others lately.
+bool RotatingLoops::witnessed(const RotatingFrame& frame, Loop& loop) const {
+  const RotatingFrame::Located z = frame.end_of(frame.steps()[loop.first]);
+  if (loop.witness && covers(*loop.witness, frame, z)) return true;
+  for (std::size_t k = 0; k < std::min(found_, lately_.size()); ++k)
+    if (covers(lately_[k], frame, z)) {
+      loop.witness = lately_[k];
+      return true;
+    }
+  return false;
+}
+
+// Whether a sub-edge has existed with nothing between its ends at every angle since the last frame.
+bool RotatingLoops::undisturbed(const Stretch& all, const RotatingWindow& window, const RotatingFrame::Step& s) {
+  const std::uint32_t a = s.segment;
+  if (!all.exists(a)) return false;
+  for (const std::uint32_t end : {s.from, s.to})
+    if (end != kEnd && !all.cross(a, end)) return false;
+  if (s.from != kEnd && s.to != kEnd && all.order(a, s.from, s.to) >= 0) return false;
+  const auto stays_away = [&](std::uint32_t b) {
+    if (all.absent(b) || all.beside(a, b) || all.beside(b, a)) return true;
+    return (s.from != kEnd && all.order(a, b, s.from) < 0) || (s.to != kEnd && all.order(a, b, s.to) > 0);
+  };
+  for (std::uint32_t p = window.segments[a].first_piece; p < window.segments[a].last_piece; ++p)
+    for (std::uint32_t k = window.first_of[p]; k < window.first_of[p + 1]; ++k) {
+      const TurnCandidate& m = window.candidates[window.of[k]];
+      const std::uint32_t b = window.pieces[m.a == p ? m.b : m.a].segment;
+      if (b != s.from && b != s.to && !stays_away(b)) return false;
+    }
+  return true;
+}
+
+// A connected sum has exactly one counter-clockwise true loop, the one that reaches farthest left: its number, or that
+// of loops.
+std::size_t RotatingLoops::outer_loop(const RotatingFrame& frame, const std::vector<std::uint8_t>& told) const {
+  const std::size_t n = loops_.size();
+  std::size_t count = 0, last = 0;
+  for (std::size_t i = 0; i < n; ++i) {
+    if (loops_[i].turning <= 0) continue;
+    if (told[i] && loops_[i].kept) return i;
+    ++count;
+    last = i;
+  }
+  if (count == 1) return last;
+  return leftmost_loop(
+      n, [&](std::size_t i) { return loops_[i].turning < 0; },
+      [&](std::size_t i, auto&& f) {
+        for (std::uint32_t k = loops_[i].first; k < loops_[i].last; ++k) {
+          const RotatingFrame::Located v = frame.end_of(frame.steps()[k]);
+          f(v.at.x, v.error);
+        }
+      });
+}
+
+Segment RotatingLoops::source_segment(std::uint32_t segment, const RotatingWindow& window) const {
+  const WalkSegment& w = window.segments[segment];
+  const Operand &o = forms_.operand(w.side), &other = forms_.operand(1 - w.side);
+  Edge edge = o.edge(w.edge);
+  if (swapped_) edge.op = 1 - edge.op;
+  return {edge, other.source[w.vertex]};
+}
+
+bool RotatingLoops::covered(const RotatingFrame& frame, Loop& loop, ExactOverlap& exact_overlap, FrameWork& work) {
+  if (witnessed(frame, loop)) {
+    ++work.witnessed;
+    return true;
+  }
+  work.witnesses_lost += loop.witness.has_value();
+  ++work.collision_tests;
+  // Beside the longest sub-edge; of those between nearly parallel lines doubles may know no lengths.
+  const RotatingFrame::Step* longest = &frame.steps()[loop.first];
+  double best = -1;
+  for (std::uint32_t k = loop.first; k < loop.last; ++k) {
+    const RotatingFrame::Step& s = frame.steps()[k];
+    const double l = (frame.to_share(s) - frame.from_share(s)) * forms_.length1(frame.window().segments[s.segment]);
+    if (l > best) {
+      best = l;
+      longest = &s;
+    }
+  }
+  if (connected_) {
+    const RotatingOverlap::Result told = overlap_.right_of(frame, *longest);
+    if (told.answer == RotatingOverlap::Answer::free) loop.witness.reset();
+    if (told.answer == RotatingOverlap::Answer::overlap) {
+      loop.witness =
+          swapped_ ? std::array{told.turning_edge, told.fixed_edge} : std::array{told.fixed_edge, told.turning_edge};
+      lately_[found_++ % lately_.size()] = *loop.witness;
+    }
+    if (told.answer != RotatingOverlap::Answer::unknown) return told.answer == RotatingOverlap::Answer::overlap;
+  }
+  const auto by = [&](std::uint32_t s) {
+    return s == kEnd ? std::nullopt : std::optional<Segment>(source_segment(s, frame.window()));
+  };
+  const bool inside = exact_overlap.inside_right_of(source_segment(longest->segment, frame.window()), by(longest->from),
+                                                    by(longest->to));
+  loop.witness = exact_overlap.crossing_edges();
+  if (loop.witness) lately_[found_++ % lately_.size()] = *loop.witness;
+  return inside;
+}
+
+// Doubles only: the edges of P and Q cross properly at a point of a loop, and so they do at a point just right of it.
+bool RotatingLoops::covers(const std::array<std::uint32_t, 2>& edges, const RotatingFrame& frame,
+                           const RotatingFrame::Located& z) const {
+  const std::array<std::uint32_t, 2> edge = swapped_ ? std::array{edges[1], edges[0]} : edges;
+  const Heading h = frame.heading();
+  const auto crossed = [&](std::uint32_t side) {
+    const Operand& other = forms_.operand(1 - side);
+    const std::uint32_t e = edge[side], f = edge[1 - side];
+    const WalkSegment s{side, e, f};
+    const Point d = forms_.direction(s, h);
+    // A turned edge vector is up to sqrt(2) times as long, by the sum of its coordinates, as it was.
+    const double bound = (std::abs(d.x) + std::abs(d.y)) * z.error + forms_.side_error(s);
+    const auto value = [&](std::uint32_t v) {
+      const Point at = frame.place(side == 0 ? Pair{e, v} : Pair{v, e});
+      return d.x * (z.at.y - at.y) - d.y * (z.at.x - at.x);
+    };
+    const double u = value(f), v = value(other.next[f]);
+    return (u > bound && v < -bound) || (u < -bound && v > bound);
+  };
+  return crossed(0) && crossed(1);
+}
+
+// Identities: a ring takes that of the first ring with which it shares a vertex.
+void RotatingLoops::follow(const RotatingFrame& frame, RingIdentities& identities, FrameChanges& changes) {
+  std::vector<std::uint8_t> claimed(old_.size(), 0);
+  const auto vertex = [&](const RotatingFrame::Step& s, std::uint32_t next) -> const Known* {
+    for (std::uint32_t k = head_[s.segment]; k != kNone; k = old_steps_[k].next) {
+      const Known& old = old_steps_[k];
+      const Loop& loop = old_[old.loop];
+      if (old.to != s.to || !loop.kept) continue;
+      const Known& behind = old_steps_[k + 1 == loop.last ? loop.first : k + 1];
+      if (behind.segment == next) return &old;
+    }
+    return nullptr;
+  };
+  for (Loop& loop : loops_) {
+    if (!loop.kept) continue;
+    std::uint32_t shared = 0, from = kNone;
+    for (std::uint32_t k = loop.first; k < loop.last; ++k) {
+      if (frame.steps()[k].straight) continue;
+      const Known* old = vertex(frame.steps()[k], frame.steps()[k + 1 == loop.last ? loop.first : k + 1].segment);
+      if (old == nullptr) continue;
+      if (from == kNone && !claimed[old->loop] && old_[old->loop].ring != 0) {
+        from = old->loop;
+        claimed[from] = 1;
+      }
+      shared += old->loop == from;
+    }
+    const std::uint32_t size = loop.vertices;
+    if (from == kNone) {
+      loop.ring = identities.fresh();
+      changes.rings.push_back({RingChange::Kind::appeared, loop.ring, size, 0});
+      continue;
+    }
+    loop.ring = old_[from].ring;
+    const std::uint32_t before = old_[from].vertices;
+    const bool same = before == size && shared == size;
+    changes.rings.push_back(
+        {same ? RingChange::Kind::moved : RingChange::Kind::reshaped, loop.ring, size - shared, before - shared});
+  }
+  for (std::size_t i = 0; i < old_.size(); ++i)
+    if (old_[i].kept && !claimed[i])
+      changes.rings.push_back({RingChange::Kind::disappeared, old_[i].ring, 0, old_[i].vertices});
+}
+
+}  // namespace dymsum::planar

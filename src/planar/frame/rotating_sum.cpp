@@ -1,0 +1,237 @@
+#include "planar/frame/rotating_sum.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "dymsum/rotating_sum.h"
+#include "planar/frame/frame_cost.h"
+#include "planar/motion/moved_source.h"
+#include "planar/motion/operand_pair.h"
+#include "planar/motion/orientation_sum.h"
+#include "planar/operand/prepared_region.h"
+#include "planar/position/exact_source.h"
+#include "planar/position/vertex_order.h"
+
+namespace dymsum {
+namespace {
+
+// With the smaller operand as operand 1.
+Result<std::shared_ptr<const planar::OperandPair>> pair_of_forms(
+    const Region& p, const Region& q, const MovingOptions& options,
+    const std::shared_ptr<const planar::OperandPair>& base) {
+  if (!planar::RotatingState::has_windows(*base) || !planar::RotatingState::p_is_smaller(*base)) return base;
+  return planar::OperandPair::create(
+      {planar::prepared_operand(q, 0, options.reflect_q), planar::prepared_operand(p, 1)}, {}, 1,
+      planar::SumInternals::min_tier_bits(options));
+}
+
+}  // namespace
+
+RotatingSum::RotatingSum(std::unique_ptr<State> state) : state_(std::move(state)) {}
+RotatingSum::RotatingSum(RotatingSum&&) noexcept = default;
+RotatingSum& RotatingSum::operator=(RotatingSum&&) noexcept = default;
+RotatingSum::~RotatingSum() = default;
+
+Result<RotatingSum> RotatingSum::create(const Region& p, const Region& q, const MovingOptions& options) {
+  const auto base = planar::pair_of_regions(p, q, options);
+  if (!base) return base.error();
+  const auto forms_base = pair_of_forms(p, q, options, *base);
+  if (!forms_base) return forms_base.error();
+  auto state = std::make_unique<State>(*base, *forms_base, options);
+  state->options.mode = FrameMode::rebuild;
+  Result<FrameChanges> first = state->move_to(Orientation());
+  if (!first) return first.error();
+  state->options.mode = options.mode;
+  return RotatingSum(std::move(state));
+}
+
+Result<FrameChanges> RotatingSum::set(const Orientation& theta) { return state_->move_to(theta); }
+const Orientation& RotatingSum::orientation() const { return state_->orientation; }
+const PlanarSum& RotatingSum::sum() const { return state_->sum; }
+std::vector<std::uint64_t> RotatingSum::ring_ids() const { return state_->ring_ids; }
+const FrameWork& RotatingSum::work() const { return state_->work; }
+
+using namespace planar;
+
+namespace {
+
+constexpr double kMaskFrom = 100;    // segments from which a mask pays
+constexpr double kCellsSwept = 1.1;  // a cell is so many times as wide as vertices move from the middle of a window
+constexpr double kCellsPerRoot = 3.5, kMostCells = 256, kLeastCells = 8;
+// Beyond a sweep either way of this share of the extent, divided by the root of the number of segments, pairs that may
+// meet abound.
+constexpr double kWidestSweep = 0.3;
+// No window is tried for larger steps, in shares of the widest one: it would sweep too far to pay within a few frames.
+constexpr double kLargestShare = 0.4;
+// What pairs of boxes may cost before a window is given up, times a frame from scratch.
+constexpr double kMostOfPairs = 3;
+// Loops that are tested at the start of a window: with more of them it begins at the frame before.
+constexpr std::size_t kFewLoops = 8;
+// By so much windows that follow one another overlap at least: more than doubles of angles err by. In radians.
+constexpr double kSharedAngle = 0x1p-40;
+// How far a window reaches in the direction of the motion, and in all: less than a radian from its middle, which is
+// what a window of angles requires.
+constexpr double kFarthestAhead = 1.5, kWidestOfAll = 1.98;
+
+}  // namespace
+
+RotatingSum::State::State(std::shared_ptr<const OperandPair> base, std::shared_ptr<const OperandPair> forms_base,
+                          const MovingOptions& options)
+    : MovingSum(options), base_(std::move(base)), swapped_(p_is_smaller(*base_)) {
+  if (!has_windows(*base_)) return;
+  operands_ = std::make_shared<const TurnedOperands>(std::move(forms_base));
+  grids_ = std::make_shared<Grids>();
+  operands_->catalog.for_each(0, 0, [&](const WalkSegment&) { ++segments_; });
+  loops_ = std::make_unique<RotatingLoops>(forms(), base_->connected, swapped_);
+  rings_ = std::make_unique<TurnedRings>(*operands_->pair, forms(), swapped_, swapped_ == p_turns());
+}
+
+bool RotatingSum::State::has_windows(const OperandPair& base) {
+  return base.regular && base.operands[0].size() > 0 && base.operands[1].size() > 0;
+}
+
+bool RotatingSum::State::p_is_smaller(const OperandPair& base) {
+  const auto size = [&](int op) { return std::hypot(base.width[op], base.height[op]); };
+  return size(0) < size(1) || (size(0) == size(1) && base.moved == 0);
+}
+
+PlacedPair RotatingSum::State::placed() const { return placed_at(*base_, theta_); }
+
+// What is known of the loops goes along.
+void RotatingSum::State::window_changes(FrameWindow* next) {
+  if (next == nullptr) return loops_->forget();
+  const RotatingWindow& entered = static_cast<const TurnedWindow*>(next)->window;
+  if (window() != nullptr) loops_->renumber(turned().window, entered);
+  else loops_->forget();
+  frame_.enter(entered);
+  rings_->enter(entered);
+}
+
+double RotatingSum::State::extent() const { return std::max(forms().width(), forms().height()) + 2 * forms().reach(); }
+
+double RotatingSum::State::widest_window() const {
+  return forms().reach() > 0 ? 2 * kWidestSweep * extent() / (std::sqrt(std::max(segments_, 1.0)) * forms().reach())
+                             : 1;
+}
+
+int RotatingSum::State::cells_for(double half) const {
+  const double most = extent() / (kCellsSwept * half * forms().reach());
+  const double cells = std::clamp(std::min(kCellsPerRoot * std::sqrt(segments_), most), kLeastCells, kMostCells);
+  // In steps of a root of two, so that few grids are made.
+  return static_cast<int>(kLeastCells * std::exp2(0.5 * std::floor(2 * std::log2(cells / kLeastCells))));
+}
+
+MakeWindow RotatingSum::State::maker(double low, double high) {
+  const double half = 0.5 * (high - low), middle = std::remainder(0.5 * (low + high), kTurn);
+  const int cells = cells_for(half);
+  const std::size_t most_pairs =
+      chooses() ? static_cast<std::size_t>(kMostOfPairs * slice_cost_ / kCostOfPair) : ~std::size_t{0};
+  return [operands = operands_, grids = grids_, cells, middle, half, mask = segments_ >= kMaskFrom,
+          most_pairs](const base::StopToken& stop) -> std::unique_ptr<FrameWindow> {
+    std::unique_ptr<TurnGrid>& grid = (*grids)[cells];
+    if (!grid) grid = std::make_unique<TurnGrid>(operands->forms, cells);
+    RotatingWindow next(*grid, operands->catalog, middle, half, mask, most_pairs, stop);
+    if (!next.complete) return nullptr;
+    return std::make_unique<TurnedWindow>(operands, std::move(next));
+  };
+}
+
+// Where many loops would have to be tested the frame before lies inside, so that what is known of it serves.
+double RotatingSum::State::reach_back(const Move& move) const {
+  return loops_->loops().size() > kFewLoops && std::abs(move.step) < 0.5 ? 1.001 * std::abs(move.step) : 0;
+}
+
+// Between it and the window before nothing is left out, for who comes back.
+MakeWindow RotatingSum::State::window_for(const Move& move, const WindowController::Choice& reach) {
+  auto [behind, ahead] = std::pair{reach.behind, reach.ahead};
+  if (options.window > 0 && move.step < 0) std::swap(behind, ahead);
+  double &towards = move.step >= 0 ? behind : ahead, &away = move.step >= 0 ? ahead : behind;
+  away = std::min(away, kFarthestAhead);
+  towards = std::max(towards, reach_back(move));
+  if (window() != nullptr) {
+    const double gap = std::abs(std::remainder(move.at - turned().end(move.step >= 0), kTurn)) + kSharedAngle;
+    if (gap <= std::min(std::abs(move.step) + kSharedAngle, behind + ahead)) towards = std::max(towards, gap);
+  }
+  towards = std::min(towards, kWidestOfAll - away);
+  return maker(move.at - behind, move.at + ahead);
+}
+
+MakeWindow RotatingSum::State::window_from(double end, const Move& move, double width) {
+  const double back = std::max(reach_back(move), kSharedAngle);
+  return move.step > 0 ? maker(end - back, end + width) : maker(end - width, end + back);
+}
+
+// The kept loops as rings in canonical order.
+void RotatingSum::State::assemble(NextFrame& next) {
+  const RotatingWindow& window = turned().window;
+  const RotatingFrame& frame = frame_;
+  PlanarSum& sum = next.sum;
+  exact_source(sum) = std::make_shared<TurnedSource>(base_, theta_);
+  sum.stats.tier_bits = base_->lattice->tier_bits;
+  sum.stats.reduced_segments = window.all_segments;
+  sum.stats.live_segments = window.segments.size();
+  sum.stats.crossings = frame.crossings().size();
+  sum.stats.loops = loops_->loops().size();
+  TurnedRings::Rings kept = rings_->at(theta_, frame, *loops_, *exact_source(sum));
+  sum.at_error = kept.at_error;
+  const VertexOrder order(*exact_source(sum), sum.at_error);
+  for (SumRing& ring : kept.rings)
+    if (const std::size_t first = smallest_vertex(ring.vertices, order, sum.at_error); first != 0)
+      std::rotate(ring.vertices.begin(), ring.vertices.begin() + static_cast<std::ptrdiff_t>(first),
+                  ring.vertices.end());
+  for (const std::size_t i : place_rings(std::move(kept.rings), kept.outer, sum))
+    next.identities.push_back(&kept.loops[i]->ring);
+}
+
+// Nothing where doubles do not decide the frame.
+std::optional<MovingSum::NextFrame> RotatingSum::State::window_frame(const Move&, FrameWork& next_work) {
+  const RotatingWindow& window = turned().window;
+  const double angle = moving_angle(theta_);
+  next_work.pieces = window.pieces.size();
+  next_work.candidates = window.candidates.size();
+  next_work.window_low = window.middle - window.half;
+  next_work.window_high = window.middle + window.half;
+  next_work.peak_bytes = window.bytes() + frame_.bytes() + loops_->bytes() + rings_->bytes();
+  NextFrame next;
+  next.followed = loops_->known();
+  if (frame_.compute(std::remainder(angle - window.middle, kTurn), Heading::of(angle))) {
+    ExactOverlap overlap(base_, theta_);
+    loops_->update(frame_, overlap, identities_, next_work, next.changes);
+    assemble(next);
+    next_work.exact_signs += overlap.exact_signs();
+    return next;
+  }
+  next_work.degenerate = true;
+  loops_->forget();
+  return std::nullopt;
+}
+
+double RotatingSum::State::cost_of(const FrameWork& done) {
+  if (!done.rebuilt) return cost_of_frame(done, sum, slice_cost_);
+  slice_cost_ = cost_of_slice(sum.stats, base_->operands[0].size() + base_->operands[1].size());
+  return slice_cost_;
+}
+
+MovingSum::WindowCost RotatingSum::State::cost_of_window() const {
+  return {planar::cost_of_window(turned().window), 0};
+}
+
+Result<FrameChanges> RotatingSum::State::move_to(const Orientation& theta) {
+  if (theta == orientation && exact_source(sum) != nullptr) {
+    work = {};
+    return FrameChanges{};
+  }
+  theta_ = theta;
+  Move to;
+  to.at = moving_angle(theta);
+  to.step = std::remainder(to.at - moving_angle(orientation), kTurn);
+  to.widest = operands_ != nullptr ? widest_window() : 0;
+  to.windows = operands_ != nullptr;
+  to.builds = !chooses() || std::abs(to.step) <= kLargestShare * to.widest;
+  to.asked = options.window;
+  Result<FrameChanges> changes = move(to);
+  if (changes) orientation = theta;
+  return changes;
+}
+
+}  // namespace dymsum

@@ -1,0 +1,71 @@
+// The state behind a RotatingSum: windows of angles, the frames inside them and their loops.
+#pragma once
+
+#include <map>
+#include <memory>
+
+#include "dymsum/rotating_sum.h"
+#include "planar/frame/moving_sum.h"
+#include "planar/frame/turned_rings.h"
+#include "planar/window/rotating_window.h"
+
+namespace dymsum {
+
+class RotatingSum::State final : public planar::MovingSum {
+ public:
+  /// `forms_base`: the same operands, the smaller one, which moves in windows, as operand 1.
+  State(std::shared_ptr<const planar::OperandPair> base, std::shared_ptr<const planar::OperandPair> forms_base,
+        const MovingOptions& options);
+  /// Whether windows can serve at all; otherwise there is no need of `forms_base`.
+  static bool has_windows(const planar::OperandPair& base);
+  static bool p_is_smaller(const planar::OperandPair& base);
+
+  /// Changes nothing on an error.
+  Result<FrameChanges> move_to(const Orientation& theta);
+
+  Orientation orientation;
+
+ private:
+  using Grids = std::map<int, std::unique_ptr<planar::TurnGrid>>;  ///< by cells
+
+  planar::PlacedPair placed() const override;
+  planar::MakeWindow window_for(const Move& move, const planar::WindowController::Choice& reach) override;
+  planar::MakeWindow window_from(double end, const Move& move, double width) override;
+  void window_changes(planar::FrameWindow* next) override;
+  std::optional<NextFrame> window_frame(const Move& move, FrameWork& work) override;
+  double cost_of(const FrameWork& work) override;
+  WindowCost cost_of_window() const override;
+
+  /// The turn of the moving operand in the frame in which the other one rests.
+  double moving_angle(const Orientation& theta) const { return (swapped_ == p_turns() ? 1 : -1) * theta.radians(); }
+  bool p_turns() const { return options.moving == MovingOperand::p; }
+  double widest_window() const;
+  double extent() const;
+  int cells_for(double half) const;
+  double reach_back(const Move& move) const;
+  planar::MakeWindow maker(double low, double high);
+  const planar::TurnedWindow& turned() const { return static_cast<const planar::TurnedWindow&>(*window()); }
+  const planar::TurningForms& forms() const { return operands_->forms; }
+  void assemble(NextFrame& next);
+
+  std::shared_ptr<const planar::OperandPair> base_;         // P is operand 0
+  bool swapped_ = false;                                    // P is the smaller operand, which moves in windows
+  std::shared_ptr<const planar::TurnedOperands> operands_;  // none: every frame is a rebuild
+  std::shared_ptr<Grids> grids_;                            // used by one window at a time, on any thread
+  double segments_ = 0;                                     // of the reduced convolution, about
+  double slice_cost_ = 0;                                   // of the last frame from scratch
+  Orientation theta_;                                       // the new position, during a move
+  planar::RotatingFrame frame_;                             // in the current window
+  std::unique_ptr<planar::RotatingLoops> loops_;
+  std::unique_ptr<planar::TurnedRings> rings_;
+};
+
+namespace planar {
+
+struct RotatingInternals {
+  using State = RotatingSum::State;
+};
+using RotatingState = RotatingInternals::State;
+
+}  // namespace planar
+}  // namespace dymsum

@@ -1,0 +1,222 @@
+#include "planar/frame/scaling_sum.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "dymsum/scaling_sum.h"
+#include "planar/convolution/convolution.h"
+#include "planar/frame/frame_cost.h"
+#include "planar/frame/scaling_events.h"
+#include "planar/frame/window_frames.h"
+#include "planar/motion/moved_source.h"
+#include "planar/motion/operand_pair.h"
+
+namespace dymsum {
+
+ScalingSum::ScalingSum(std::unique_ptr<State> state) : state_(std::move(state)) {}
+ScalingSum::ScalingSum(ScalingSum&&) noexcept = default;
+ScalingSum& ScalingSum::operator=(ScalingSum&&) noexcept = default;
+ScalingSum::~ScalingSum() = default;
+
+Result<ScalingSum> ScalingSum::create(const Region& p, const Region& q, const MovingOptions& options) {
+  Result<std::shared_ptr<const planar::OperandPair>> base = planar::pair_of_regions(p, q, options);
+  if (!base) return base.error();
+  auto state = std::make_unique<State>(std::move(base).value(), options);
+  const FrameMode mode = state->options.mode;
+  state->options.mode = FrameMode::rebuild;
+  Result<FrameChanges> first = state->move_to(Scale(), Scale());
+  if (!first) return first.error();
+  state->options.mode = mode;
+  return ScalingSum(std::move(state));
+}
+
+Result<FrameChanges> ScalingSum::set(double s) {
+  const Result<Scale> scale = Scale::of(s);
+  if (!scale) return scale.error();
+  return set(*scale);
+}
+Result<FrameChanges> ScalingSum::set(const Scale& s) { return state_->move_to(s, s); }
+Result<FrameChanges> ScalingSum::set(const Scale& sx, const Scale& sy) { return state_->move_to(sx, sy); }
+
+const Scale& ScalingSum::scale() const { return state_->scale; }
+const PlanarSum& ScalingSum::sum() const { return state_->sum; }
+std::vector<std::uint64_t> ScalingSum::ring_ids() const { return state_->ring_ids; }
+const FrameWork& ScalingSum::work() const { return state_->work; }
+std::uint64_t ScalingSum::combinatorial_hash() const { return planar::LineHashes(state_->base).of(state_->sum); }
+
+using namespace planar;
+
+namespace {
+
+constexpr double kWidestStep = 0.16, kBeyondBack = 0x1p-30;  // longer steps are not reached back over; beyond the end
+// A window made ahead begins so much of its width before the last one ends, where it is entered.
+constexpr double kShared = 0x1p-10;
+// No window reaches beyond these: scales do not.
+constexpr double kLowest = 0x1p-65, kHighest = 0x1p65;
+// Exact signs for each piece of a window, from which where so much touches a frame from scratch is cheaper: its twins
+// count once, and a mask proves most of what touches covered.
+constexpr double kMostTouching = 1;
+constexpr std::size_t kMostKnown = 32;  // scales at which something touches, the last ones
+constexpr double kCheapWindow = 4000;   // some milliseconds to build: no window as cheap as that is abandoned
+
+}  // namespace
+
+PlacedPair ScalingSum::State::placed() const {
+  return base->placed_on_lattice(base->lattice_at(base->lattice_scale(x_, y_)));
+}
+
+// With lists and loops at `entry` where it is made ahead, so that the frame that enters it is like any other.
+MakeWindow ScalingSum::State::maker(double low, double high, double entry) {
+  const std::uint32_t all = builder_->convolution_for(low, high).size();
+  const double most = chooses() ? controller_.most_expensive_building() : 0;
+  const std::uint64_t pairs = most > 0 ? pairs_of_window(std::max(most, kCheapWindow), all) : UINT64_MAX;
+  const bool ahead = makes_ahead();
+  return [plan = builder_->plan(low, high, entry, pairs), entry,
+          ahead](const base::StopToken& stop) -> std::unique_ptr<FrameWindow> {
+    WindowPlan stoppable = plan;
+    stoppable.settings.stop = stop;
+    std::unique_ptr<WindowFrames> frames = window_frames(stoppable);
+    if (frames == nullptr || !ahead) return frames;
+    ExactFrame frame(plan.base, scale_value(exact::exact_value(entry)));
+    FrameWork work;
+    frames->follow(frame, work);
+    return frames;
+  };
+}
+
+// It reaches back to the old position, for who comes back and for steps that go to and fro; but not to one where much
+// touched, as where an operand is summed with itself at s = 1.
+MakeWindow ScalingSum::State::window_for(const Move& move, const WindowController::Choice& reach) {
+  const double back = sum.stats.degenerate_nodes > 0 ? 0 : std::min(std::abs(move.step), kWidestStep);
+  const double behind = move.step > 0 ? std::max(reach.behind, back + kBeyondBack) : reach.behind,
+               ahead = move.step < 0 ? std::max(reach.ahead, back + kBeyondBack) : reach.ahead;
+  return maker(std::max(move.at * std::exp(-behind), kLowest), std::min(move.at * std::exp(ahead), kHighest), move.at);
+}
+
+MakeWindow ScalingSum::State::window_from(double end, const Move& move, double width) {
+  const double sign = move.step > 0 ? 1 : -1, before = end * std::exp(-sign * kShared * width),
+               behind = end * std::exp(sign * width);
+  return maker(std::min(before, behind), std::max(before, behind), end);
+}
+
+// The kept loops at tau: rings in canonical order.
+MovingSum::NextFrame ScalingSum::State::assemble(double tau, ExactFrame& frame, bool stays) {
+  NextFrame next;
+  const auto source = std::make_shared<ScaledSource>(swept_, frame.scale());
+  exact_source(next.sum) = source;
+  next.sum.stats.tier_bits = frame.has_lattice() ? frame.lattice().tier_bits : swept_->lattice->tier_bits;
+  next.sum.stats.reduced_segments = frames().convolution->size();
+  next.sum.stats.live_segments = frames().window->segments.size();
+  LoopRings::Rings kept = frames().rings.at(tau, *frames().window, frame, *source, [this] { return spare_ring(); });
+  next.sum.at_error = kept.at_error;
+  std::vector<FrameLoop*> in_order;
+  for (const std::size_t i : place_rings(std::move(kept.rings), kept.outer, next.sum)) {
+    in_order.push_back(kept.loops[i]);
+    next.identities.push_back(&kept.loops[i]->ring);
+  }
+  next.followed = last_ == window();
+  if (next.followed) frames().loops.follow(in_order, identities_, stays, next.changes);
+  return next;
+}
+
+std::optional<MovingSum::NextFrame> ScalingSum::State::window_frame(const Move& move, FrameWork& next_work) {
+  ExactFrame frame(swept_, s_);
+  const Window& window = *frames().window;
+  NextFrame next;
+  if (frames().follow(frame, next_work)) {
+    next = assemble(frame.tau(window.frame().moving), frame, move.stays);
+    last_ = &frames();
+  } else {
+    next_work.degenerate = true;
+    last_ = nullptr;
+    if (chooses() &&
+        static_cast<double>(frame.exact_signs) > kMostTouching * static_cast<double>(window.pieces.size())) {
+      next_work.exact_signs += frame.exact_signs;
+      return std::nullopt;
+    }
+    next.sum = degenerate_frame(window, *frames().convolution, frame, options.semantics);
+    next_work.loops_traced = next.sum.stats.loops;
+  }
+  next_work.exact_signs += frame.exact_signs;
+  if (frame.has_collision()) {
+    const auto& counts = frame.collision().counts();
+    next_work.collision_tests = std::max<std::uint64_t>(next_work.collision_tests, counts.tests);
+    next_work.exact_signs += counts.signs.exact();
+  }
+  next_work.pieces = window.pieces.size();
+  next_work.candidates = window.candidates.size();
+  next_work.window_low = frames().low;
+  next_work.window_high = frames().high;
+  next_work.peak_bytes = frames().bytes();
+  return next;
+}
+
+double ScalingSum::State::cost_of(const FrameWork& done) {
+  return done.rebuilt ? cost_of_sum(sum) : cost_of_frame(done, sum);
+}
+
+MovingSum::WindowCost ScalingSum::State::cost_of_window() const {
+  return {planar::cost_of_window(*frames().window, frames().convolution->size()), 0};
+}
+
+// A motion that comes back there builds no window for it: a window has all that touches at this one scale among its
+// pairs, and serves no frame there.
+void ScalingSum::State::remember_touching(const Scale& x, const Scale& y) {
+  const std::array<Scale, 2> at{x, y};
+  if (std::find(touching_.begin(), touching_.end(), at) != touching_.end()) return;
+  if (touching_.size() == kMostKnown) touching_.erase(touching_.begin());
+  touching_.push_back(at);
+}
+
+RatioSweep* ScalingSum::State::ratio_sweep(const Stretch& stretch, bool make) {
+  RatioSweep* const known = ratios_.find(stretch);
+  return known != nullptr || !make ? known : ratios_.make(*base, stretch);
+}
+
+// Windows of one ratio are those of the uniform scales of the stretched operand. They are built from the second step of
+// one ratio on, and entered again whatever was in between.
+MovingSum::Move ScalingSum::State::move_of(const Scale& x, const Scale& y, const Stretch& stretch) {
+  s_ = stretch.x == ScaleValue{} ? x_ : y_;
+  Move to;
+  to.stays = x == scale && y == scale_y;
+  to.at = s_.approx;
+  to.builds = stretch == stretch_;
+  to.step = to.builds ? std::log(s_.approx / std::max(scale.approx(), scale_y.approx())) : 0;
+  to.asked = std::log1p(options.window);
+  const bool empty = base->operands[0].size() == 0 || base->operands[1].size() == 0;
+  to.windows = options.mode != FrameMode::rebuild && base->regular && !empty;
+  builder_ = &windows;
+  swept_ = base;
+  if (to.windows && !stretch.uniform()) {
+    RatioSweep* const sweep = ratio_sweep(stretch, to.builds);
+    to.windows = sweep != nullptr;
+    if (sweep != nullptr) {
+      to.family = sweep->family;
+      builder_ = &sweep->windows;
+      swept_ = sweep->base;
+    }
+  }
+  const std::array<Scale, 2> at{x, y};
+  to.windows &= !(chooses() && std::find(touching_.begin(), touching_.end(), at) != touching_.end());
+  to.widest = builder_->widest(s_.approx);
+  return to;
+}
+
+Result<FrameChanges> ScalingSum::State::move_to(const Scale& x, const Scale& y) {
+  if (x == scale && y == scale_y && exact_source(sum) != nullptr) {
+    work = {};
+    return FrameChanges{};
+  }
+  x_ = scale_value(x);
+  y_ = x == y ? x_ : scale_value(y);
+  const Stretch stretch = stretch_of(x_, y_);
+  Result<FrameChanges> changes = move(move_of(x, y, stretch));
+  if (!changes) return changes;
+  if (work.rebuilt && sum.stats.degenerate_nodes > 0) remember_touching(x, y);
+  scale = x;
+  scale_y = y;
+  stretch_ = stretch;
+  return changes;
+}
+
+}  // namespace dymsum

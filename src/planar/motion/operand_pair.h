@@ -1,0 +1,73 @@
+// What never changes while an operand moves: the operands, their lattice and walks as they were given; and how
+// everything is placed at a scale.
+#pragma once
+
+#include <array>
+#include <memory>
+
+#include "dymsum/frames.h"
+#include "planar/operand/operand.h"
+#include "planar/operand/placed_pair.h"
+#include "planar/operand/scale_value.h"
+
+namespace dymsum::planar {
+
+/// What numbers a pair may have: all of them for sums at rest, narrow ones (not Lattice::wide) for those that move.
+enum class Spread { narrow, any };
+
+class OperandPair : public std::enable_shared_from_this<OperandPair> {
+ public:
+  /// Of operands, with further source vertices behind their own that belong to no walk. Errors: unsupported_operand.
+  static Result<std::shared_ptr<const OperandPair>> create(const std::array<std::shared_ptr<const Operand>, 2>& kept,
+                                                           const std::array<std::vector<Point>, 2>& further,
+                                                           std::uint32_t moved, int min_tier_bits,
+                                                           Spread spread = Spread::narrow);
+
+  std::uint32_t moved = 0;  ///< the operand that is scaled or turned
+  int min_tier_bits = 0;
+  std::shared_ptr<const Lattice> given;    ///< as they were given
+  std::shared_ptr<const Lattice> lattice;  ///< the same, or with the moved operand stretched
+  std::array<Operand, 2> operands;
+  std::array<double, 2> width{}, height{};  ///< of the operands, in the lattice's doubles
+  bool regular = true;                      ///< every component has area
+  bool connected = true;                    ///< one component each
+
+  /// The same operands with the moved one stretched: its uniform scales s are diag(s x, s y) of the one that was given.
+  /// Doubles carry three roundings there. Requires: this is as it was given; x and y from 2^-kStretchBits to 1.
+  std::shared_ptr<const OperandPair> stretched(const ScaleValue& x, const ScaleValue& y) const;
+  /// Whether doubles stay as moderate when the moved operand is stretched as they are without that.
+  bool may_be_stretched() const;
+  static constexpr int kStretchBits = 32;
+
+  /// diag(x, y) times the moved operand as it was given.
+  LatticeScale lattice_scale(const ScaleValue& x, const ScaleValue& y) const;
+  /// s times the moved operand as it is here.
+  LatticeScale lattice_scale(const ScaleValue& s) const;
+  std::shared_ptr<const Lattice> lattice_at(const LatticeScale& scale) const;
+  /// The walks with edge vectors of a lattice.
+  std::shared_ptr<const Operand> operand_at(std::uint32_t op, const Lattice& at) const;
+  PlacedPair placed_on_lattice(std::shared_ptr<const Lattice> at) const;
+
+ private:
+  void place(const std::array<std::shared_ptr<const Operand>, 2>& placed);
+
+  std::array<ScaleValue, 2> stretch_;  ///< of the moved operand, along x and y
+};
+
+// Regions as the operand pair of a moving sum.
+
+struct PairOptions {
+  std::uint32_t moved = 0;                         ///< operand
+  bool reflect_q = false;                          ///< P (+) -Q
+  std::array<std::vector<Point>, 2> further = {};  ///< source vertices that belong to no walk
+  int min_tier_bits = 0;
+  Spread spread = Spread::narrow;
+};
+
+/// P as operand 0, Q as operand 1. Errors: unsupported_operand; out_of_range for options.
+Result<std::shared_ptr<const OperandPair>> pair_of_regions(const Region& p, const Region& q,
+                                                           const PairOptions& options = {});
+Result<std::shared_ptr<const OperandPair>> pair_of_regions(const Region& p, const Region& q,
+                                                           const MovingOptions& options);
+
+}  // namespace dymsum::planar

@@ -1,0 +1,144 @@
+// A window of angles for a rotating sum: the pieces of convolution segments that can bound the sum somewhere in it, and
+// the pairs of pieces that may meet. Built once; frames inside the window only look here.
+#pragma once
+
+#include <array>
+#include <cmath>
+#include <cstdint>
+#include <memory>
+#include <vector>
+
+#include "base/memory_budget.h"
+#include "base/scratch.h"
+#include "base/stop.h"
+#include "planar/motion/turn_catalog.h"
+#include "planar/window/frame_window.h"
+#include "planar/window/turn_mask.h"
+
+namespace dymsum::planar {
+
+/// A segment that is live somewhere in the window. Windows are kept, so all of this is as small as it can be.
+struct TurnSegment : WalkSegment {
+  bool throughout = false;      ///< it exists at every angle of the window
+  TurnCatalog::Span span = {};  ///< it exists there, relative to the middle of the window
+  Pair end = {};
+  std::uint32_t first_piece = 0, last_piece = 0;  ///< its pieces [first_piece, last_piece)
+  std::array<std::uint32_t, 2> next{kNone,
+                                    kNone};  ///< the live segments that may continue it; at most one exists at a time
+  Pair start() const { return TurningForms::start(*this); }
+};
+
+/// A stretch of a segment between its ends or places that lie in dead cells at every angle of the window. What reaches
+/// one is false.
+struct TurnPiece {
+  double head = 0, tail = 1;  ///< in shares of the segment
+  std::uint32_t segment = 0;
+  std::uint32_t follower = kNone;  ///< a quiet piece that follows it at every angle of the window
+  std::uint32_t run_last = kNone;  ///< of a quiet one: where followers lead to
+  bool head_cut = false, tail_cut = false;
+  bool tail_dead = false;  ///< behind the tail nothing alive can follow, at no angle of the window
+  bool quiet = false;      ///< whole, there at every angle of the window, and nothing meets it
+};
+
+/// Two pieces that may meet.
+struct TurnCandidate {
+  std::uint32_t a = 0, b = 0;
+};
+
+class RotatingWindow : public CandidateIndex {
+ public:
+  /// Angles within `half` of `middle`, a little more being covered. `mask` off: no cell is dead. Given up where boxes
+  /// of more than `most_pairs` pairs of pieces meet, and when it is asked to stop. Requires `half` below a radian:
+  /// bounds of turning_bounds.h count on that, and spans on less than a quarter turn (TurnCatalog::span).
+  RotatingWindow(const TurnGrid& grid, const TurnCatalog& catalog, double middle, double half, bool mask,
+                 std::size_t most_pairs = ~std::size_t{0}, const base::StopToken& stop = {});
+
+  bool complete = true;  ///< not given up
+
+  double middle = 0, half = 0;
+  Heading heading;            ///< of the middle
+  std::vector<Point> turned;  ///< vertices of the turning operand there, about its centre
+  base::CountedArray<TurnSegment> segments;
+  base::CountedArray<TurnPiece> pieces;
+  base::CountedArray<TurnCandidate> candidates;
+  std::vector<std::uint32_t> changing;  ///< segments that do not exist at every angle
+  std::vector<std::uint32_t> rounds;    ///< whole pieces that may follow each other all round, without quiet ones
+  std::vector<std::uint32_t> circles;   ///< quiet pieces whose followers lead back to them, one of each circle
+  std::uint64_t all_segments = 0, pair_tests = 0, cells = 0;  ///< what building it looked at; cells of the mask
+
+  const TurningForms& forms() const { return forms_; }
+  /// The live segment of that name, or kNone.
+  std::uint32_t find(const WalkSegment& s) const;
+  std::uint32_t segment_of(std::uint32_t piece) const { return pieces[piece].segment; }
+  std::size_t bytes() const;
+
+ private:
+  /// A segment at the middle: the vertices it starts with, its vector, and how far a point of it moves from there in
+  /// either axis.
+  struct Swept {
+    Point fixed, turning, d;
+    Point reach;
+    std::uint32_t side = 0;
+    double x() const { return fixed.x + turning.x; }
+    double y() const { return fixed.y + turning.y; }
+  };
+  struct Box {
+    double x0 = 0, y0 = 0, x1 = 0, y1 = 0;
+  };
+  /// The live segments of a vertex with edges of a side, in the order of the edges.
+  struct Turn {
+    std::uint32_t first = 0, last = 0;
+  };
+  struct Making;  ///< what is needed until it is made
+  std::uint32_t find_in_order(const WalkSegment& s) const;
+  Swept swept(const WalkSegment& s, const Making& making) const;
+  void add_segments(const CoveredCells& dead, Making& making);
+  void add_segment(const WalkSegment& walk, const CoveredCells& dead, Making& making) const;
+  void add_pieces(const Swept& w, const CoveredCells& dead, Making& making) const;
+  void find_cuts(Point start, Point d, Point reach, const CoveredCells& dead, Array<double>& cuts) const;
+  Box box_of(const TurnPiece& p, const Swept& w, double reach) const;
+  void find_candidates(const CoveredCells& dead, Making& making);
+  Array<std::array<std::uint32_t, 2>> near_pairs(Making& making);
+  void find_next();
+  void find_dead_tails();
+  void find_runs();
+  void find_rounds();
+
+  const TurningForms& forms_;
+  const TurnCatalog& catalog_;
+  double shift_ = 0;                        // of coordinates to those of the grid
+  bool masked_ = false;                     // cells may be dead
+  std::array<std::vector<Turn>, 2> turns_;  // by side and vertex
+};
+
+// A window of angles as moving sums keep it, and what such windows are made of.
+
+/// What never changes while an operand turns. Windows and the thread that makes them share it.
+struct TurnedOperands {
+  /// The smaller operand, which moves in windows, as operand 1.
+  explicit TurnedOperands(std::shared_ptr<const OperandPair> base)
+      : pair(std::move(base)), forms(*pair), catalog(forms) {}
+  TurnedOperands(const TurnedOperands&) = delete;
+  TurnedOperands& operator=(const TurnedOperands&) = delete;
+
+  std::shared_ptr<const OperandPair> pair;
+  TurningForms forms;
+  TurnCatalog catalog;
+};
+
+struct TurnedWindow final : FrameWindow {
+  TurnedWindow(std::shared_ptr<const TurnedOperands> of, RotatingWindow w)
+      : operands(std::move(of)), window(std::move(w)) {}
+
+  /// Angles come round; doubles of them err, so a window's ends are left a little early.
+  bool covers(double angle) const override {
+    return std::abs(std::remainder(angle - window.middle, kTurn)) <= window.half - kAngleDifference;
+  }
+  double end(bool up) const override { return up ? window.middle + window.half : window.middle - window.half; }
+  std::size_t bytes() const override { return window.bytes(); }
+
+  std::shared_ptr<const TurnedOperands> operands;  // outlive the window
+  RotatingWindow window;
+};
+
+}  // namespace dymsum::planar

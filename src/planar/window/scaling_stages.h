@@ -1,0 +1,100 @@
+// Cutting: segments of a window lose what lies in covered cells throughout.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <optional>
+#include <vector>
+
+#include "base/scratch.h"
+#include "planar/window/scaling_window.h"
+
+namespace dymsum::planar {
+
+/// The ends a and b of a piece, each coordinate at both ends of the window, in the window's frame.
+struct PieceEnds {
+  Two ax, ay, bx, by;
+  double dx, dy;  ///< the unscaled edge vector
+  double error;   ///< of the side of a point of another piece
+};
+
+/// Gives a window's segments their pieces. `swept`: the frame of the mask. Returns the ends of the pieces.
+Array<PieceEnds> cut_pieces(Window& window, const WindowFrame& swept, const SweptMask& mask, Scratch* memory);
+
+// The scales at which a place on a piece's line lies inside the piece, as far as doubles know them.
+
+/// Narrows a candidate's brackets to the scales at which the place t, known up to `error`, lies inside a piece. False
+/// where there are none for certain. `unsure`: at its head or tail throughout the window, as far as doubles tell.
+bool narrow_to_piece(const Window& window, std::uint32_t piece, const Linear& t, double error, Candidate& c,
+                     std::array<bool, 2>& unsure);
+
+// Pair finding: which pieces of a window may meet, and when they cross.
+
+class CoverMemory;
+class EdgeSearch;
+
+/// How crossings inside the sum are found, to be left out.
+struct CoverSearch {
+  EdgeSearch* edges = nullptr;    ///< none: they are not
+  CoverMemory* memory = nullptr;  ///< of windows before, if there is one
+};
+
+/// Fills in a window's candidates, and what touches at every scale. Returns for every touch its pair of vertices;
+/// nothing where more boxes of pieces meet than the settings allow, or where it is stopped. `search` leaves out
+/// crossings that two edges prove covered while they exist.
+std::optional<std::vector<WalkPair>> find_candidates(Window& window, const WindowFrame& swept, const SweptMask& mask,
+                                                     const Array<PieceEnds>& ends, const WindowSettings& settings,
+                                                     const CoverSearch& search);
+
+// What holds at every scale.
+
+/// Whether pairs of vertices lie on the lines of a window's segments at every scale. A side is linear in s: zero at s =
+/// 1 and s = 2 is zero always.
+class AlwaysOn {
+ public:
+  explicit AlwaysOn(const Window& window) : window_(window) {}
+  bool operator()(std::uint32_t segment, Pair v);
+
+ private:
+  const Window& window_;
+  std::shared_ptr<const Lattice> doubled_;  // at scale 2
+};
+
+// What touches at every scale: ends of segments that stay on the lines of others, and the nodes they make.
+
+/// Finds the touches of a window while its pairs are tested.
+class TouchFinder {
+ public:
+  TouchFinder(Window& window, AlwaysOn& always_on) : window_(window), always_on_(always_on) {}
+
+  /// Whether an end of one piece of a pair stays on the line of the other; then they touch there or not at all, and are
+  /// no candidate.
+  bool touch_always(const Candidate& c, std::array<bool, 2> at_a, std::array<bool, 2> at_b);
+  /// Two parallel segments on one line at every scale: each end inside the other one touches it.
+  void touch_parallel(std::uint32_t i, std::uint32_t j);
+  /// Of every touch of the window, in order.
+  const std::vector<WalkPair>& pairs() const { return pairs_; }
+
+ private:
+  void add_touch(std::uint32_t piece, WalkPair v, const Linear& t, double error);
+  Window& window_;
+  AlwaysOn& always_on_;
+  std::vector<WalkPair> pairs_;
+};
+
+/// Touches grouped by their pair of vertices; segments through one node meet there only, so they are no candidates.
+void make_nodes(Window& window, const std::vector<WalkPair>& touch_pairs);
+/// Pieces pass and end in nodes that two edges prove covered throughout `swept` as if nothing touched: what begins or
+/// ends in the open sum is false.
+void drop_covered_nodes(Window& window, const WindowFrame& swept);
+
+// Segments that lie along each other, the same way, at every scale: where several cover a place, one goes on and the
+// others stop there.
+
+using PiecePairs = Array<std::array<std::uint32_t, 2>>;
+
+/// Settles the pairs of pieces that lie along each other; what stays open stays in `close`. What stops counting still
+/// has to be known where something touches at one scale.
+void share_lines(Window& window, AlwaysOn& always_on, PiecePairs& close);
+
+}  // namespace dymsum::planar
