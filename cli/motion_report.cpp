@@ -31,6 +31,18 @@ Json frame_json(const FrameName& name, Json sizes, double update_ms) {
   return json;
 }
 
+Json event_json(const ScaleEvent& event) {
+  return {{"s", event.parameter.to_string()},
+          {"approx", event.approx},
+          {"kind", name(event.kind)},
+          {"visible", event.visible},
+          {"topology", event.topology}};
+}
+
+std::string event_line(const ScaleEvent& event) {
+  return "event " + shown(event.parameter) + (event.topology ? "  topology changes" : "");
+}
+
 Json motion_json(const MotionReport& report) {
   Timing timing = timing_of(report.ms);
   const double update_ms = timing.median_ms;

@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "dymsum/event.h"
 #include "dymsum/orientation.h"
 #include "dymsum/scale.h"
 #include "json_report.h"
@@ -24,6 +25,9 @@ FrameName frame_name(const std::string& pose, const Orientation& orientation);
 
 /// A frame: its name, the sizes of the sum, and how long the update took.
 Json frame_json(const FrameName& name, Json sizes, double update_ms);
+
+Json event_json(const ScaleEvent& event);
+std::string event_line(const ScaleEvent& event);
 
 struct MotionReport {
   std::string verb;

@@ -43,7 +43,7 @@ target_compile_definitions(pugixml PRIVATE PUGIXML_NO_XPATH)
 set(DYMSUM_QUICK_ROOMS base exact planar/convolution planar/mask planar/arrangement planar/boundary planar/sum planar/position
   planar/result planar/operand planar/motion planar/window planar/frame cspace/events
   cspace/obstacle cspace/boundary cspace/queries spatial/convolution spatial/arrangement spatial/boundary spatial/sum
-  spatial/moving spatial/frames spatial/gauss spatial/convex)
+  spatial/moving spatial/motion spatial/gauss spatial/convex)
 
 # Takes the sources of other rooms out of the library's target into one of objects that are small.
 function(dymsum_split target)

@@ -8,7 +8,7 @@ int main() {
   ScalingSum sum = ScalingSum::create(tool, plate).value();  // s tool (+) plate, at s = 1
   const auto events = sum.events(Scale::parse("0.3").value(), Scale::parse("2").value()).value();
   for (const ScaleEvent& event : events)
-    if (event.topology) std::cout << "something opens or closes at s = " << event.s.to_string() << "\n";
+    if (event.topology) std::cout << "something opens or closes at s = " << event.parameter.to_string() << "\n";
   for (const char* text : {"0.4", "1/2", "0.51", "1.49", "3/2", "1.51"}) {
     const FrameChanges changes = sum.set(Scale::parse(text).value()).value();
     const PlanarSum& now = sum.sum();

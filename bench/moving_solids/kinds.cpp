@@ -4,7 +4,7 @@
 #include <numbers>
 
 #include "dymsum/moving_solid_sum.h"
-#include "dymsum/scaling_solid_sum.h"
+#include "dymsum/solid_scale_events.h"
 #include "off_grid.h"
 #include "solid/inputs.h"
 #include "versus/rival.h"
@@ -65,7 +65,7 @@ OffGridCase events_case(const SolidPair& pair) {
   return off_grid_case("events, " + pair.name, Mesh::create(pair.p).value(), Mesh::create(pair.q).value(),
                        [](const Mesh& p, const Mesh& q) {
                          const auto sum =
-                             std::make_shared<const ScalingSolidSum>(ScalingSolidSum::create(p, q).value());
+                             std::make_shared<const SolidScaleEvents>(SolidScaleEvents::create(p, q).value());
                          const Scale low = *Scale::parse("1"), high = *Scale::parse("33/32");
                          OffGridWork work;
                          work.run = [=] { return sum->events(low, high).value().size(); };

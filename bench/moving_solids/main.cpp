@@ -10,7 +10,7 @@
 #include "base/stopwatch.h"
 #include "coordinate_kinds.h"
 #include "dymsum/moving_solid_sum.h"
-#include "dymsum/scaling_solid_sum.h"
+#include "dymsum/solid_scale_events.h"
 #include "moving_solids/kinds.h"
 #include "page.h"
 #include "solid/inputs.h"
@@ -202,12 +202,12 @@ int run_events(const Options& options, const std::string& data, Kind kind) {
   for (const SolidPair& pair : pairs) {
     const Mesh p = Mesh::create(pair.p).value(), q = Mesh::create(pair.q).value();
     Stopwatch time;
-    const ScalingSolidSum sum = ScalingSolidSum::create(p, q).value();
+    const SolidScaleEvents sum = SolidScaleEvents::create(p, q).value();
     SolidEventWork work;
-    const std::vector<SolidScaleEvent> events = sum.events(low, high, {}, &work).value();
+    const std::vector<ScaleEvent> events = sum.events(low, high, {}, &work).value();
     const double ms = time.lap();
     std::size_t topology = 0;
-    for (const SolidScaleEvent& e : events) topology += e.topology;
+    for (const ScaleEvent& e : events) topology += e.topology;
     time.lap();
     if (!sum.at(low).ok()) return 3;
     const double at = time.lap(), scratch = at * 2 * static_cast<double>(events.size());

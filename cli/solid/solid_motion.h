@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "dymsum/convex_sum.h"
-#include "dymsum/scaling_solid_sum.h"
+#include "dymsum/solid_scale_events.h"
 #include "exit_code.h"
 #include "motion_report.h"
 #include "solid/solid_operands.h"

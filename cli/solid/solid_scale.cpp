@@ -1,7 +1,7 @@
 // scale with solid operands.
 #include <algorithm>
 
-#include "dymsum/scaling_solid_sum.h"
+#include "dymsum/solid_scale_events.h"
 #include "outputs.h"
 #include "progress_bar.h"
 #include "solid/any_solid_outputs.h"
@@ -10,39 +10,29 @@
 namespace dymsum::cli {
 namespace {
 
-MotionEvent motion_event(const SolidScaleEvent& e) {
-  constexpr const char* kKinds[] = {"vertex_on_facet", "edge_on_edge", "four_facets", "coplanar_facets"};
-  const Json json = {{"s", e.s.to_string()},
-                     {"approx", e.approx},
-                     {"kind", kKinds[static_cast<std::size_t>(e.kind)]},
-                     {"visible", true},
-                     {"topology", e.topology}};
-  return {e.approx, "event " + shown(e.s) + (e.topology ? "  topology changes" : ""), json};
-}
-
 /// Those between the least and the largest uniform scale of the frames, or the first that is asked for.
-std::vector<SolidScaleEvent> events_of(const SolidMotion& motion, const ScaleCommand& command,
-                                       const std::vector<Scale>& scales) {
+std::vector<ScaleEvent> events_of(const SolidMotion& motion, const ScaleCommand& command,
+                                  const std::vector<Scale>& scales) {
   const auto [low, high] = std::minmax_element(scales.begin(), scales.end(),
                                                [](const Scale& a, const Scale& b) { return a.exact() < b.exact(); });
   const InterruptGuard guard;
   ProgressBar bar;
   const Progress progress = bar.callback();
-  ScalingSolidOptions options;
+  SolidScaleOptions options;
   options.moving = command.scaled == "p" ? MovingOperand::p : MovingOperand::q;
   options.threads = static_cast<int>(command.threads);
-  const Result<ScalingSolidSum> sum = ScalingSolidSum::create(motion.inputs[0].mesh, motion.inputs[1].mesh, options);
+  const Result<SolidScaleEvents> sum = SolidScaleEvents::create(motion.inputs[0].mesh, motion.inputs[1].mesh, options);
   if (!sum) stop_with(in_solid_operand(sum.error(), motion.inputs));
   if (command.next.empty()) {
-    Result<std::vector<SolidScaleEvent>> events = sum->events(*low, *high, progress);
+    Result<std::vector<ScaleEvent>> events = sum->events(*low, *high, progress);
     throw_if_interrupted();
     return require(std::move(events));
   }
   const EventChange change = command.next == "topology" ? EventChange::topology : EventChange::visible;
-  Result<std::optional<SolidScaleEvent>> first = sum->next_event(*low, *high, change, progress);
+  Result<std::optional<ScaleEvent>> first = sum->next_event(*low, *high, change, progress);
   throw_if_interrupted();
-  const std::optional<SolidScaleEvent> event = require(std::move(first));
-  return event ? std::vector<SolidScaleEvent>{*event} : std::vector<SolidScaleEvent>{};
+  const std::optional<ScaleEvent> event = require(std::move(first));
+  return event ? std::vector<ScaleEvent>{*event} : std::vector<ScaleEvent>{};
 }
 
 /// One scale for all axes, or three between colons.
@@ -78,8 +68,8 @@ ExitCode run_solid_scale(const ScaleCommand& command, const std::vector<Scale>& 
   if (command.events && !is_uniform) throw Stop(kUsage, "--events wants the same scale along all axes");
   motion.has_events = command.events;
   if (command.events)
-    for (const SolidScaleEvent& event : events_of(motion, command, uniform))
-      motion.events.push_back(motion_event(event));
+    for (const ScaleEvent& event : events_of(motion, command, uniform))
+      motion.events.push_back({event.approx, event_line(event), event_json(event)});
   const ExitCode code = run_solid_motion(motion, command.report);
   return code == kDone && !command.next.empty() && motion.events.empty() ? kNo : code;
 }

@@ -4,11 +4,12 @@
 #include <array>
 #include <cmath>
 #include <iostream>
+#include <map>
 #include <numbers>
 #include <optional>
 #include <sstream>
 
-#include "dymsum/turning_solid_sum.h"
+#include "dymsum/solid_rotation_events.h"
 #include "numbers.h"
 #include "options.h"
 #include "pictures/svg_paths.h"
@@ -59,70 +60,62 @@ TurnRange read_range(const std::string& text, const TurnAxis& axis) {
   return {turns[0], turns[1], opposite, way == turn};
 }
 
-const char* kind_of(SolidTurnContact::Kind kind) {
-  static const char* const kKinds[] = {"normal_on_arc", "vertex_on_facet", "edge_on_edge", "edge_and_facets",
-                                       "four_facets"};
-  return kKinds[static_cast<int>(kind)];
-}
-
 Json turn_json(const AxisTurn& turn) { return turn.is_half_turn() ? "inf" : turn.t().to_string(); }
 
-Json event_json(const SolidTurnEvent& event) {
+Json event_json(const SolidRotationEvent& event) {
   Json contacts = Json::array();
-  for (const SolidTurnContact& c : event.contacts) {
+  for (const SolidRotationContact& c : event.contacts) {
     Json features = Json::array();
     for (const SolidContact& f : c.features) features.push_back({{"p", feature_json(f.p)}, {"q", feature_json(f.q)}});
-    contacts.push_back({{"kind", kind_of(c.kind)}, {"at", {c.at.x, c.at.y, c.at.z}}, {"features", features}});
+    contacts.push_back({{"kind", name(c.kind)}, {"at", {c.at.x, c.at.y, c.at.z}}, {"features", features}});
   }
-  return {{"theta", event.radians},
-          {"t", event.exact ? turn_json(*event.exact) : Json(nullptr)},
-          {"polynomial", event.polynomial},
-          {"t_low", event.t_low},
-          {"t_high", event.t_high},
-          {"opposite", event.opposite},
-          {"visible", event.visible},
-          {"topology", event.topology},
+  const AlgebraicTurn& at = event.parameter;
+  return {{"theta", event.approx},       {"t", at.exact ? turn_json(*at.exact) : Json(nullptr)},
+          {"polynomial", at.polynomial}, {"t_low", at.t_low},
+          {"t_high", at.t_high},         {"opposite", at.opposite},
+          {"visible", event.visible},    {"topology", event.topology},
           {"contacts", contacts}};
 }
 
-std::string event_line(const SolidTurnEvent& event) {
+std::string event_line(const SolidRotationEvent& event) {
   std::ostringstream out;
-  std::vector<std::size_t> kinds(5);
-  for (const SolidTurnContact& c : event.contacts) ++kinds[static_cast<std::size_t>(c.kind)];
-  out << "event " << number(event.radians * 180 / std::acos(-1.0)) << " degrees";
-  if (event.exact) out << ", t = " << (event.exact->is_half_turn() ? std::string("inf") : shown(event.exact->t()));
-  else out << ", t of degree " << event.polynomial.size() - 1;
+  const AlgebraicTurn& at = event.parameter;
+  std::map<EventKind, std::size_t> kinds;
+  for (const SolidRotationContact& c : event.contacts) ++kinds[c.kind];
+  out << "event " << number(event.approx * 180 / std::acos(-1.0)) << " degrees";
+  if (at.exact) out << ", t = " << (at.exact->is_half_turn() ? std::string("inf") : shown(at.exact->t()));
+  else out << ", t of degree " << at.polynomial.size() - 1;
   out << ":";
-  for (std::size_t k = 0; k < kinds.size(); ++k)
-    if (kinds[k] > 0) out << " " << kinds[k] << " " << kind_of(static_cast<SolidTurnContact::Kind>(k));
+  for (const auto& [kind, count] : kinds) out << " " << count << " " << name(kind);
   out << (event.topology ? "  topology changes" : event.visible ? "" : "  at this angle alone");
   return out.str();
 }
 
-std::optional<SolidTurnEvent> find_next(const TurningSolidSum& sum, const SolidTurns& turns, const TurnRange& range,
-                                        const Progress& progress) {
+std::optional<SolidRotationEvent> find_next(const SolidRotationEvents& sum, const SolidTurns& turns,
+                                            const TurnRange& range, const Progress& progress) {
   const auto next = [&](const AxisTurn& from, const AxisTurn& to) {
     return require(turns.next_topology ? sum.next_topology_change(from, to, progress)
                                        : sum.next_event(from, to, progress));
   };
   if (!range.whole_turn) return next(range.from, range.to);
-  const std::optional<SolidTurnEvent> found = next(range.from, range.opposite);
+  const std::optional<SolidRotationEvent> found = next(range.from, range.opposite);
   return found ? found : next(range.opposite, range.from);
 }
 
-std::vector<SolidTurnEvent> find_events(const TurningSolidSum& sum, const SolidTurns& turns, const Progress& progress) {
+std::vector<SolidRotationEvent> find_events(const SolidRotationEvents& sum, const SolidTurns& turns,
+                                            const Progress& progress) {
   const TurnRange range = read_range(turns.range.empty() ? "0deg:360deg" : turns.range, sum.axis());
   if (turns.next || turns.next_topology) {
-    const std::optional<SolidTurnEvent> found = find_next(sum, turns, range, progress);
-    return found ? std::vector<SolidTurnEvent>{*found} : std::vector<SolidTurnEvent>{};
+    const std::optional<SolidRotationEvent> found = find_next(sum, turns, range, progress);
+    return found ? std::vector<SolidRotationEvent>{*found} : std::vector<SolidRotationEvent>{};
   }
   return require(range.whole_turn ? sum.events_of_turn(progress) : sum.events(range.from, range.to, progress));
 }
 
 /// On the way from zero to `turn`.
-MotionEvent motion_event(const SolidTurnEvent& event, double turn) {
+MotionEvent motion_event(const SolidRotationEvent& event, double turn) {
   const double whole = 2 * std::numbers::pi;
-  double at = event.radians;
+  double at = event.approx;
   if (turn >= 0 && at < 0) at += whole;
   if (turn < 0 && at > 0) at -= whole;
   return {at, event_line(event), event_json(event)};
@@ -138,15 +131,15 @@ std::vector<MotionEvent> turn_events(const std::vector<SolidInput>& inputs, cons
   if (std::abs(way) > whole) throw Stop(kUsage, "--events wants a turn of at most 360 degrees");
   const InterruptGuard guard;
   ProgressBar bar;
-  const TurningSolidSum sum = require(TurningSolidSum::create(inputs[0].mesh, inputs[1].mesh, axis));
+  const SolidRotationEvents sum = require(SolidRotationEvents::create(inputs[0].mesh, inputs[1].mesh, axis));
   const AxisTurn zero = require_option(AxisTurn::nearest(axis, 0), "--axis"),
                  end = require_option(AxisTurn::nearest(axis, radians), "--angle");
-  const Result<std::vector<SolidTurnEvent>> found = std::abs(way) == whole ? sum.events_of_turn(bar.callback())
-                                                    : way > 0              ? sum.events(zero, end, bar.callback())
-                                                                           : sum.events(end, zero, bar.callback());
+  const Result<std::vector<SolidRotationEvent>> found = std::abs(way) == whole ? sum.events_of_turn(bar.callback())
+                                                        : way > 0              ? sum.events(zero, end, bar.callback())
+                                                                               : sum.events(end, zero, bar.callback());
   throw_if_interrupted();
   std::vector<MotionEvent> events;
-  for (const SolidTurnEvent& event : require(found)) events.push_back(motion_event(event, way));
+  for (const SolidRotationEvent& event : require(found)) events.push_back(motion_event(event, way));
   std::stable_sort(events.begin(), events.end(),
                    [&](const MotionEvent& a, const MotionEvent& b) { return way < 0 ? b.at < a.at : a.at < b.at; });
   return events;
@@ -159,19 +152,20 @@ ExitCode run_solid_turns(const SolidTurns& turns, const ReportOptions& report) {
   const InterruptGuard guard;
   std::optional<ProgressBar> bar(std::in_place);
   const Progress progress = bar->callback();
-  const TurningSolidSum sum = require(TurningSolidSum::create(turns.inputs[0].mesh, turns.inputs[1].mesh, axis));
+  const SolidRotationEvents sum =
+      require(SolidRotationEvents::create(turns.inputs[0].mesh, turns.inputs[1].mesh, axis));
   const auto [events, timing] = timed(report.repeat, [&] { return find_events(sum, turns, progress); });
   bar.reset();
   if (report.json) {
     Json list = Json::array();
-    for (const SolidTurnEvent& e : events) list.push_back(event_json(e));
+    for (const SolidRotationEvent& e : events) list.push_back(event_json(e));
     Json json = report_head("rotate", solid_inputs_json(turns.inputs), 0, timing);
     json["axis"] = {axis[0], axis[1], axis[2]};
     json["range"] = turns.range.empty() ? Json(nullptr) : Json(turns.range);
     json["events"] = list;
     print_report(json);
   } else {
-    for (const SolidTurnEvent& e : events) std::cout << event_line(e) << "\n";
+    for (const SolidRotationEvent& e : events) std::cout << event_line(e) << "\n";
     std::cout << counted(events.size(), "event") << ", " << sum.work().windows << " windows, " << sum.work().candidates
               << " polynomials, " << counted(sum.work().sums, "sum") << "\n";
     print_times(std::cout, timing);

@@ -68,12 +68,7 @@ std::vector<AxisScales> scales_of(const ScaleCommand& command) {
 
 Json events_json(const std::vector<ScaleEvent>& events) {
   Json list = Json::array();
-  for (const ScaleEvent& e : events)
-    list.push_back({{"s", e.s.to_string()},
-                    {"approx", e.approx},
-                    {"kind", e.kind == ScaleEvent::Kind::three_segments ? "three_segments" : "vertex_on_segment"},
-                    {"visible", e.visible},
-                    {"topology", e.topology}});
+  for (const ScaleEvent& e : events) list.push_back(event_json(e));
   return list;
 }
 
@@ -110,7 +105,7 @@ void set_scales(ScalingSum& sum, const AxisScales& s) { require(s.uniform() ? su
 std::vector<std::string> event_lines(const std::vector<ScaleEvent>& events) {
   std::vector<std::string> lines;
   for (const ScaleEvent& e : events)
-    if (e.visible) lines.push_back("event " + shown(e.s) + (e.topology ? "  topology changes" : ""));
+    if (e.visible) lines.push_back(event_line(e));
   return lines;
 }
 

@@ -8,6 +8,7 @@
 #include <string_view>
 #include <vector>
 
+#include "dymsum/event.h"
 #include "dymsum/frames.h"
 #include "dymsum/planar_sum.h"
 #include "dymsum/scale.h"
@@ -17,25 +18,6 @@ namespace dymsum {
 namespace planar {
 struct ScalingInternals;
 }
-
-/// An exact scale at which segments of the convolution begin or cease to meet.
-struct ScaleEvent {
-  enum class Kind : std::uint8_t {
-    vertex_on_segment,  ///< the end of a segment lies on another one
-    three_segments,     ///< three segments have a point in common
-  };
-  Rational s;
-  double approx = 0;
-  Kind kind = Kind::vertex_on_segment;
-  bool visible = false;   ///< the boundary's combinatorics or its tight features differ before, at or after it
-  bool topology = false;  ///< the counts of parts, holes or tight features differ before, at or after it
-};
-
-/// What an event has to change to be looked for.
-enum class EventChange : std::uint8_t {
-  visible,   ///< ScaleEvent::visible
-  topology,  ///< ScaleEvent::topology
-};
 
 class ScalingSum {
  public:
@@ -69,9 +51,10 @@ class ScalingSum {
   /// Constant between consecutive visible events.
   std::uint64_t combinatorial_hash() const;
 
-  /// The events in [a, b] in order; a value with events of both kinds is listed once, as vertex_on_segment. Every
-  /// visible event is among them; those that lie in the open sum are not. Costs one exact frame per value. Does not
-  /// move the sum. Errors: bad_scale when a > b; cancelled.
+  /// The events in [a, b], exact scales at which segments of the convolution begin or cease to meet, in order; a value
+  /// with events of both kinds is listed once, as vertex_on_segment. Every visible event is among them; those that lie
+  /// in the open sum are not. Costs one exact frame per value. Does not move the sum. Errors: bad_scale when a > b;
+  /// cancelled.
   Result<std::vector<ScaleEvent>> events(const Scale& a, const Scale& b, const Progress& progress = {}) const;
   /// The first event of the kind asked for after s and at most `limit`, if there is one.
   Result<std::optional<ScaleEvent>> next_event(const Scale& s, const Scale& limit,

@@ -61,7 +61,7 @@ Result<SolidScaleRange> solid_fit_range(const Mesh& part, const Mesh& container,
 
 /// The scales at which s `part` lies inside the container at some translation: erode(container, s part) is not empty.
 /// Its contacts are those at the tight segments and points that are left at an end. Errors as above. Cost: the events
-/// of a ScalingSolidSum, and a sum for every gap between those that change the topology.
+/// of a SolidScaleEvents, and a sum for every gap between those that change the topology.
 Result<SolidScaleRange> solid_fit_range(const Mesh& part, const Mesh& container, const Progress& progress = {});
 
 /// One copy of a master solid: scaled about its origin, then moved.

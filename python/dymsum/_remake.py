@@ -30,11 +30,11 @@ from ._core import (
     Scale,
     ScalingSum,
     SolidPose,
+    SolidRotationEvents,
+    SolidRotationOptions,
     SolidSum,
     SumLocator,
     SumOptions,
-    TurningSolidOptions,
-    TurningSolidSum,
 )
 
 
@@ -147,6 +147,6 @@ def planar_local_part(
 
 
 def turned_solid_sum(
-    p: Mesh, q: Mesh, axis: tuple[int, int, int], options: TurningSolidOptions, turn: AxisTurn
+    p: Mesh, q: Mesh, axis: tuple[int, int, int], options: SolidRotationOptions, turn: AxisTurn
 ) -> "_core.SpatialSum":
-    return TurningSolidSum(p, q, axis, options).at(turn)
+    return SolidRotationEvents(p, q, axis, options).at(turn)

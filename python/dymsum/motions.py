@@ -3,6 +3,7 @@
 from ._core import (
     CopySum as CopySum,
     EventChange as EventChange,
+    EventKind as EventKind,
     FrameChanges as FrameChanges,
     FrameMode as FrameMode,
     FrameWork as FrameWork,
@@ -29,6 +30,7 @@ from ._core import (
 __all__ = [
     "CopySum",
     "EventChange",
+    "EventKind",
     "FrameChanges",
     "FrameMode",
     "FrameWork",

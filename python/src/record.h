@@ -97,8 +97,8 @@ class Record : public nb::class_<T> {
   }
 
   /// A member to be read.
-  template <class M>
-  Record& field(const char* name, M T::*member, const char* doc = "") {
+  template <class M, class Base>
+  requires std::derived_from<T, Base> Record& field(const char* name, M Base::*member, const char* doc = "") {
     this->def_prop_ro(
         name, [member](const T& self) -> const M& { return self.*member; }, nb::rv_policy::reference_internal, doc);
     fields_->push_back(

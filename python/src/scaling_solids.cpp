@@ -3,7 +3,7 @@
 #include "bind.h"
 #include "calls.h"
 #include "dymsum/moving_solid_sum.h"
-#include "dymsum/scaling_solid_sum.h"
+#include "dymsum/solid_scale_events.h"
 #include "dymsum/solid_scale_range.h"
 #include "held.h"
 #include "record.h"
@@ -15,79 +15,69 @@ namespace {
 using namespace nb::literals;
 
 struct ScalingSolid {
-  ScalingSolid(const MeshArgument& p_of, const MeshArgument& q_of, const ScalingSolidOptions& o)
+  ScalingSolid(const MeshArgument& p_of, const MeshArgument& q_of, const SolidScaleOptions& o)
       : p(p_of.object), q(q_of.object), options(o), held(create(*p_of, *q_of)) {}
 
-  ScalingSolidSum create(const Mesh& p_of, const Mesh& q_of) const {
-    return run(Progress(), [&](const Progress&) { return ScalingSolidSum::create(p_of, q_of, options); });
+  SolidScaleEvents create(const Mesh& p_of, const Mesh& q_of) const {
+    return run(Progress(), [&](const Progress&) { return SolidScaleEvents::create(p_of, q_of, options); });
   }
   /// The value of work(sum, progress), a Result, without the GIL.
   template <class Work>
   auto ask(const Progress& progress, Work&& work) {
-    return held.alone(
-        [&](const ScalingSolidSum& sum) { return run(progress, [&](const Progress& own) { return work(sum, own); }); });
+    return held.alone([&](const SolidScaleEvents& sum) {
+      return run(progress, [&](const Progress& own) { return work(sum, own); });
+    });
   }
   nb::object p, q;
-  ScalingSolidOptions options;
-  Held<ScalingSolidSum> held;
+  SolidScaleOptions options;
+  Held<SolidScaleEvents> held;
 };
 
-void bind_event_types(nb::module_& m) {
-  Record<SolidScaleEvent> event(
-      m, "SolidScaleEvent", "An exact scale at which the structure of a sum of solids differs from that beside it.");
-  nb::enum_<SolidScaleEvent::Kind>(event, "Kind", "What meets at an event.")
-      .value("vertex_on_facet", SolidScaleEvent::Kind::vertex_on_facet)
-      .value("edge_on_edge", SolidScaleEvent::Kind::edge_on_edge)
-      .value("four_facets", SolidScaleEvent::Kind::four_facets)
-      .value("coplanar_facets", SolidScaleEvent::Kind::coplanar_facets);
-  event.field("s", &SolidScaleEvent::s)
-      .field("approx", &SolidScaleEvent::approx)
-      .field("kind", &SolidScaleEvent::kind)
-      .field("topology", &SolidScaleEvent::topology, "shells, a genus or the counts of tight features change");
+void bind_event_options(nb::module_& m) {
   Record<SolidEventWork>(m, "SolidEventWork", "How events were found.")
       .field("candidates", &SolidEventWork::candidates)
       .field("exact", &SolidEventWork::exact)
       .field("points", &SolidEventWork::points)
       .field("values", &SolidEventWork::values)
       .field("sums", &SolidEventWork::sums, "computed to compare them");
-  Record<ScalingSolidOptions> options(m, "ScalingSolidOptions", "Options of sums of solids one of which scales.");
+  Record<SolidScaleOptions> options(m, "SolidScaleOptions", "Options of sums of solids one of which scales.");
   options.def(
       "__init__",
-      [](ScalingSolidOptions* self, MovingOperand moving, Semantics semantics, bool tight, int threads) {
-        new (self) ScalingSolidOptions{moving, semantics, tight, threads};
+      [](SolidScaleOptions* self, MovingOperand moving, Semantics semantics, bool tight, int threads) {
+        new (self) SolidScaleOptions{moving, semantics, tight, threads};
       },
       "moving"_a = MovingOperand::q, "semantics"_a = Semantics::closed, "tight"_a = true, "threads"_a = 1);
-  options.option("moving", &ScalingSolidOptions::moving, "which operand scales")
-      .option("semantics", &ScalingSolidOptions::semantics)
-      .option("tight", &ScalingSolidOptions::tight, "look for tight features; False lists none")
-      .option("threads", &ScalingSolidOptions::threads, "0: as many as there are cores");
+  options.option("moving", &SolidScaleOptions::moving, "which operand scales")
+      .option("semantics", &SolidScaleOptions::semantics)
+      .option("tight", &SolidScaleOptions::tight, "look for tight features; False lists none")
+      .option("threads", &SolidScaleOptions::threads, "0: as many as there are cores");
 }
 
 void bind_sum(nb::module_& m) {
-  nb::class_<ScalingSolid> type(m, "ScalingSolidSum",
+  nb::class_<ScalingSolid> type(m, "SolidScaleEvents",
                                 R"doc(P (+) s Q of solids of any shape, with its events.
 
->>> from dymsum import ScalingSolidSum, shapes, solids
+>>> from dymsum import SolidScaleEvents, shapes, solids
 >>> ell = solids.prism(shapes.letter_l(3, 2, 1).parts[0].outer, 1)
->>> sum = ScalingSolidSum(ell, solids.box(0, 0, 0, 1, 1, 1))
+>>> sum = SolidScaleEvents(ell, solids.box(0, 0, 0, 1, 1, 1))
 >>> sum.events(1, 2), sum.at(2).shells
 ([], 1)
 )doc");
   type.def(
           "__init__",
-          [](ScalingSolid* self, const MeshArgument& p, const MeshArgument& q, const ScalingSolidOptions& options) {
+          [](ScalingSolid* self, const MeshArgument& p, const MeshArgument& q, const SolidScaleOptions& options) {
             new (self) ScalingSolid(p, q, options);
           },
-          "p"_a, "q"_a, "options"_a = ScalingSolidOptions())
+          "p"_a, "q"_a, "options"_a = SolidScaleOptions())
       .def_static(
           "create",
-          [](const MeshArgument& p, const MeshArgument& q, const ScalingSolidOptions& options) {
+          [](const MeshArgument& p, const MeshArgument& q, const SolidScaleOptions& options) {
             return new ScalingSolid(p, q, options);
           },
-          nb::rv_policy::take_ownership, "p"_a, "q"_a, "options"_a = ScalingSolidOptions(),
+          nb::rv_policy::take_ownership, "p"_a, "q"_a, "options"_a = SolidScaleOptions(),
           "Raises Error: unsupported_operand; out_of_range for threads below 0.")
       .def("facet_count",
-           [](ScalingSolid& self) { return self.held.alone([](ScalingSolidSum& s) { return s.facet_count(); }); })
+           [](ScalingSolid& self) { return self.held.alone([](SolidScaleEvents& s) { return s.facet_count(); }); })
       .def(
           "at",
           [](ScalingSolid& self, const ScaleArgument& s, const Progress& progress) {
@@ -97,7 +87,7 @@ void bind_sum(nb::module_& m) {
             MovingSolidOptions options;
             options.semantics = self.options.semantics, options.tight = self.options.tight;
             return remembered(
-                self.ask(progress, [&](const ScalingSolidSum& sum, const Progress& own) { return sum.at(at, own); }),
+                self.ask(progress, [&](const SolidScaleEvents& sum, const Progress& own) { return sum.at(at, own); }),
                 "posed_sum", self.p, self.q, pose[0], pose[1], options);
           },
           "s"_a, "progress"_a = nb::none(), "The exact sum at a scale, that of an event included.")
@@ -106,7 +96,7 @@ void bind_sum(nb::module_& m) {
           [](ScalingSolid& self, const ScaleArgument& a, const ScaleArgument& b, const Progress& progress) {
             const Scale low = a.value(), high = b.value();
             return self.ask(
-                progress, [&](const ScalingSolidSum& sum, const Progress& own) { return sum.events(low, high, own); });
+                progress, [&](const SolidScaleEvents& sum, const Progress& own) { return sum.events(low, high, own); });
           },
           "a"_a, "b"_a, "progress"_a = nb::none(), "All events in [a, b] in order. Raises Error: bad_scale, cancelled.")
       .def(
@@ -114,7 +104,7 @@ void bind_sum(nb::module_& m) {
           [](ScalingSolid& self, const ScaleArgument& s, const ScaleArgument& limit, EventChange change,
              const Progress& progress) {
             const Scale low = s.value(), high = limit.value();
-            return self.ask(progress, [&](const ScalingSolidSum& sum, const Progress& own) {
+            return self.ask(progress, [&](const SolidScaleEvents& sum, const Progress& own) {
               return sum.next_event(low, high, change, own);
             });
           },
@@ -124,7 +114,7 @@ void bind_sum(nb::module_& m) {
           "next_topology_change",
           [](ScalingSolid& self, const ScaleArgument& s, const ScaleArgument& limit, const Progress& progress) {
             const Scale low = s.value(), high = limit.value();
-            return self.ask(progress, [&](const ScalingSolidSum& sum, const Progress& own) {
+            return self.ask(progress, [&](const SolidScaleEvents& sum, const Progress& own) {
               return sum.next_topology_change(low, high, own);
             });
           },
@@ -133,7 +123,7 @@ void bind_sum(nb::module_& m) {
           "combinatorial_hash",
           [](ScalingSolid& self, const ScaleArgument& s, const Progress& progress) {
             const Scale at = s.value();
-            return self.ask(progress, [&](const ScalingSolidSum& sum, const Progress& own) {
+            return self.ask(progress, [&](const SolidScaleEvents& sum, const Progress& own) {
               return sum.combinatorial_hash(at, own);
             });
           },
@@ -213,7 +203,7 @@ void bind_solid_copies(nb::module_& m) {
 }  // namespace
 
 void bind_scaling_solids(nb::module_& m) {
-  bind_event_types(m);
+  bind_event_options(m);
   bind_sum(m);
   bind_solid_ranges(m);
   bind_solid_copies(m);

@@ -124,7 +124,7 @@ def test_what_makes_an_array_is_one() -> None:
 
 def test_a_sum_of_others_has_no_hash() -> None:
     ball = solids.geodesic_sphere(2, 1)
-    boxes, balls = (dymsum.TurningSolidSum(one, one, (0, 0, 1)) for one in (BOX, ball))
+    boxes, balls = (dymsum.SolidRotationEvents(one, one, (0, 0, 1)) for one in (BOX, ball))
     with pytest.raises(ValueError, match="other operands"):
         boxes.combinatorial_hash(balls.at(dymsum.AxisTurn.of(1)))
     with pytest.raises(ValueError, match="other operands"):

@@ -23,7 +23,7 @@ DEPTH, QUESTIONS = dymsum.SolidDepth(ANGLE, BOX), [dymsum.DepthQuestion(ANGLE, B
 ROD, WALL = shapes.rectangle(-1, -0.25, 1, 0.25), shapes.gear(8, 2, 3)
 OBSTACLE = dymsum.CspaceObstacle(ROD, WALL)
 QUERIES = dymsum.ObstacleQueries(OBSTACLE)
-TURNING = dymsum.TurningSolidSum(ANGLE, BOX, (0, 0, 1))
+TURNING = dymsum.SolidRotationEvents(ANGLE, BOX, (0, 0, 1))
 TURN, FURTHER = dymsum.AxisTurn.of(Fraction(3, 10)), dymsum.AxisTurn.of(Fraction(3, 8))
 LOCATOR = dymsum.SumLocator(dymsum.minkowski_sum(P, Q))
 FEATURES = dymsum.ShapeFeatures(P)
@@ -76,11 +76,11 @@ CALLS: list[tuple[str, Callable[[Progress], Any]]] = [
     ("MovingSolidSum", lambda f: dymsum.MovingSolidSum.create(ANGLE, BOX, dymsum.MovingSolidOptions(progress=f))),
     ("posed_sum", lambda f: dymsum.posed_sum(ANGLE, BOX, POSE, options=dymsum.MovingSolidOptions(progress=f))),
     ("posed_sums", lambda f: dymsum.posed_sums(ANGLE, BOX, [POSE] * 3, options=dymsum.MovingSolidOptions(progress=f))),
-    ("TurningSolidSum.at", lambda f: TURNING.at(TURN, progress=f)),
-    ("TurningSolidSum.events", lambda f: TURNING.events(TURN, TURN, progress=f)),
-    ("TurningSolidSum.events_of_turn", lambda f: TURNING.events_of_turn(progress=f)),
-    ("TurningSolidSum.next_event", lambda f: TURNING.next_event(TURN, FURTHER, progress=f)),
-    ("TurningSolidSum.next_topology_change", lambda f: TURNING.next_topology_change(TURN, FURTHER, progress=f)),
+    ("SolidRotationEvents.at", lambda f: TURNING.at(TURN, progress=f)),
+    ("SolidRotationEvents.events", lambda f: TURNING.events(TURN, TURN, progress=f)),
+    ("SolidRotationEvents.events_of_turn", lambda f: TURNING.events_of_turn(progress=f)),
+    ("SolidRotationEvents.next_event", lambda f: TURNING.next_event(TURN, FURTHER, progress=f)),
+    ("SolidRotationEvents.next_topology_change", lambda f: TURNING.next_topology_change(TURN, FURTHER, progress=f)),
     ("nfp_each", lambda f: dymsum.nfp_each([(P, Q)] * 3, planar(f))),
     ("nfp_each", lambda f: dymsum.nfp_each([(P, Q)] * 3, planar(f), return_errors=True)),
     ("ScalingSum", lambda f: dymsum.ScalingSum(P, Q, moving(f))),
@@ -90,14 +90,14 @@ CALLS: list[tuple[str, Callable[[Progress], Any]]] = [
     ("RotatingSum", lambda f: dymsum.RotatingSum(P, Q, moving(f))),
     ("RotatingSum", lambda f: dymsum.RotatingSum.create(P, Q, moving(f))),
     ("scaled_copies", lambda f: dymsum.scaled_copies(P, Q, [dymsum.ScaledCopy(dymsum.Scale.of(2), (0, 0))], moving(f))),
-    ("ScalingSolidSum.at", lambda f: dymsum.ScalingSolidSum(ANGLE, BOX).at(2, f)),
-    ("ScalingSolidSum.events", lambda f: dymsum.ScalingSolidSum(ANGLE, BOX).events(1, 2, f)),
-    ("ScalingSolidSum.next_event", lambda f: dymsum.ScalingSolidSum(ANGLE, BOX).next_event(1, 2, progress=f)),
+    ("SolidScaleEvents.at", lambda f: dymsum.SolidScaleEvents(ANGLE, BOX).at(2, f)),
+    ("SolidScaleEvents.events", lambda f: dymsum.SolidScaleEvents(ANGLE, BOX).events(1, 2, f)),
+    ("SolidScaleEvents.next_event", lambda f: dymsum.SolidScaleEvents(ANGLE, BOX).next_event(1, 2, progress=f)),
     (
-        "ScalingSolidSum.next_topology_change",
-        lambda f: dymsum.ScalingSolidSum(ANGLE, BOX).next_topology_change(1, 2, progress=f),
+        "SolidScaleEvents.next_topology_change",
+        lambda f: dymsum.SolidScaleEvents(ANGLE, BOX).next_topology_change(1, 2, progress=f),
     ),
-    ("ScalingSolidSum.combinatorial_hash", lambda f: dymsum.ScalingSolidSum(ANGLE, BOX).combinatorial_hash(2, f)),
+    ("SolidScaleEvents.combinatorial_hash", lambda f: dymsum.SolidScaleEvents(ANGLE, BOX).combinatorial_hash(2, f)),
     ("solid_scale_range", lambda f: dymsum.solid_scale_range(BOX, [(0, 0, 9), (0, 0, -9)], ANGLE, f)),
     ("solid_fit_range", lambda f: dymsum.solid_fit_range(BOX, ANGLE, f)),
     ("solid_fit_range", lambda f: dymsum.solid_fit_range(BOX, ANGLE, (0.1, 0.1, 0.1), f)),

@@ -7,7 +7,7 @@
 #include "dymsum/rotation.h"
 #include "exact/big.h"
 #include "spatial/boundary/collision.h"
-#include "spatial/frames/posed_pair.h"
+#include "spatial/motion/posed_pair.h"
 
 namespace dymsum::depth {
 

@@ -1,7 +1,7 @@
 // Many copies of one solid, each at its own scale, from one convolution.
 #include <map>
 
-#include "dymsum/scaling_solid_sum.h"
+#include "dymsum/solid_scale_events.h"
 #include "dymsum/solid_scale_range.h"
 #include "exact/big.h"
 
@@ -10,9 +10,9 @@ namespace dymsum {
 Result<std::vector<SolidCopySum>> scaled_solid_copies(const Mesh& master, const Mesh& q,
                                                       const std::vector<ScaledSolidCopy>& copies,
                                                       const Progress& progress) {
-  ScalingSolidOptions options;
+  SolidScaleOptions options;
   options.moving = MovingOperand::p;
-  const Result<ScalingSolidSum> sums = ScalingSolidSum::create(master, q, options);
+  const Result<SolidScaleEvents> sums = SolidScaleEvents::create(master, q, options);
   if (!sums) return sums.error();
   std::map<exact::BigRational, std::size_t> first;
   std::vector<SolidCopySum> result;

@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "spatial/boundary/collision.h"
-#include "spatial/scaling/computed_scale.h"
+#include "spatial/motion/computed_scale.h"
 #include "spatial/sum/feature_pairs.h"
 
 namespace dymsum::spatial {

@@ -5,8 +5,8 @@
 #include <map>
 
 #include "dymsum/solid_scale_range.h"
-#include "spatial/scaling/meeting_point.h"
-#include "spatial/scaling/scaled_overlap.h"
+#include "spatial/events/meeting_point.h"
+#include "spatial/events/scaled_overlap.h"
 
 namespace dymsum::spatial {
 

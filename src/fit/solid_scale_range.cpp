@@ -3,13 +3,13 @@
 #include <algorithm>
 #include <cmath>
 
-#include "dymsum/scaling_solid_sum.h"
+#include "dymsum/solid_scale_events.h"
 #include "fit/free_intervals.h"
 #include "fit/part_unit.h"
 #include "fit/solid_path.h"
 #include "spatial/erode/frame.h"
+#include "spatial/motion/computed_scale.h"
 #include "spatial/moving/posed_sum.h"
-#include "spatial/scaling/computed_scale.h"
 
 namespace dymsum {
 
@@ -94,7 +94,7 @@ Result<Mesh> frame_of(const Mesh& part, const Mesh& container, const BigRational
 /// Anywhere inside a container: what the sum of its framed complement and the reflected part leaves free.
 class SolidRoom {
  public:
-  SolidRoom(ScalingSolidSum sum, const Progress& progress) : sum_(std::move(sum)), progress_(progress) {}
+  SolidRoom(SolidScaleEvents sum, const Progress& progress) : sum_(std::move(sum)), progress_(progress) {}
 
   /// Free placements are the shells of the sum behind that of the frame, and its tight features.
   std::optional<Error> look(const BigRational& s) {
@@ -113,18 +113,18 @@ class SolidRoom {
       add(at->tight_segment_contacts[k], at->tight_segments[k][0]);
     return std::nullopt;
   }
-  const ScalingSolidSum& sum() const { return sum_; }
+  const SolidScaleEvents& sum() const { return sum_; }
 
   bool fits = false;
   std::vector<SolidScaleContact> contacts;
 
  private:
-  ScalingSolidSum sum_;
+  SolidScaleEvents sum_;
   const Progress& progress_;
 };
 
 Result<SolidRoom> room_for(const Mesh& part, const Mesh& frame, const Progress& progress) {
-  Result<ScalingSolidSum> sum = ScalingSolidSum::create(frame, negated(part));
+  Result<SolidScaleEvents> sum = SolidScaleEvents::create(frame, negated(part));
   if (!sum) return sum.error();
   return SolidRoom(*std::move(sum), progress);
 }
@@ -185,12 +185,12 @@ Result<SolidScaleRange> range_anywhere(const Mesh& part, const Mesh& container, 
   Result<SolidRoom> made = room_for(part, *frame, progress);
   if (!made) return made.error();
   SolidRoom room = *std::move(made);
-  const Result<std::vector<SolidScaleEvent>> events =
+  const Result<std::vector<ScaleEvent>> events =
       within_scales([&] { return room.sum().events(computed_scale(*low), computed_scale(limit), progress); });
   if (!events) return events.error();
   std::map<BigRational, std::vector<SolidScaleContact>> critical;
-  for (const SolidScaleEvent& e : *events)
-    if (e.topology) critical[exact::exact_value(e.s)];
+  for (const ScaleEvent& e : *events)
+    if (e.topology) critical[exact::exact_value(e.parameter)];
   std::optional<Error> failed;
   const auto fits = [&](const BigRational& s) {
     if (s <= *low) return true;

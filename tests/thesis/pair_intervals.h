@@ -3,7 +3,7 @@
 
 #include <optional>
 
-#include "spatial/scaling/meeting_point.h"
+#include "spatial/events/meeting_point.h"
 
 namespace dymsum::spatial {
 

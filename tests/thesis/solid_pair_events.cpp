@@ -2,7 +2,7 @@
 
 #include <mutex>
 
-#include "spatial/frames/beside_origin.h"
+#include "spatial/motion/beside_origin.h"
 #include "spatial/moving/posed_sum.h"
 #include "thesis/pair_intervals.h"
 
@@ -41,7 +41,7 @@ void count_pairs(const MovingFacets& all, std::uint32_t f, SolidPairEventCount& 
 
 }  // namespace
 
-Result<SolidPairEventCount> count_solid_pair_events(const Mesh& p, const Mesh& q, const ScalingSolidOptions& options,
+Result<SolidPairEventCount> count_solid_pair_events(const Mesh& p, const Mesh& q, const SolidScaleOptions& options,
                                                     const Progress& progress) {
   if (options.threads < 0) return Error{ErrorCode::out_of_range, "the number of threads is negative", {}};
   if (p.has_thin_parts() || q.has_thin_parts())

@@ -3,7 +3,7 @@
 
 #include <cstdint>
 
-#include "dymsum/scaling_solid_sum.h"
+#include "dymsum/solid_scale_events.h"
 
 namespace dymsum {
 
@@ -17,9 +17,8 @@ struct SolidPairEventCount {
   std::uint64_t exact_pairs = 0;      ///< pairs that doubles did not decide
   std::uint64_t events() const { return vertex_on_facet + edge_on_edge; }
 };
-/// O(N^2) time for N facets, O(N) memory. Errors: as ScalingSolidSum::create; cancelled.
-Result<SolidPairEventCount> count_solid_pair_events(const Mesh& p, const Mesh& q,
-                                                    const ScalingSolidOptions& options = {},
+/// O(N^2) time for N facets, O(N) memory. Errors: as SolidScaleEvents::create; cancelled.
+Result<SolidPairEventCount> count_solid_pair_events(const Mesh& p, const Mesh& q, const SolidScaleOptions& options = {},
                                                     const Progress& progress = {});
 
 }  // namespace dymsum

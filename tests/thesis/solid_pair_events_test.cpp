@@ -42,7 +42,7 @@ TEST(SolidPairEvents, DoublesAgreeWithExactIntervals) {
 
 TEST(SolidPairEvents, CountsAreThoseOfEitherOperand) {
   const Mesh p = moving_cases::mesh_of(moving_cases::bumpy(2, 1)), q = moving_cases::mesh_of(moving_cases::bumpy(2, 2));
-  ScalingSolidOptions of_p;
+  SolidScaleOptions of_p;
   of_p.moving = MovingOperand::p;
   const SolidPairEventCount a = count_solid_pair_events(p, q).value(), b = count_solid_pair_events(p, q, of_p).value();
   EXPECT_GT(a.events(), 0u);

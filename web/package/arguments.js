@@ -41,8 +41,8 @@ export const optionsOf = {
   'MovingSolidSum.create': [2, ['semantics', 'tight', 'mode', 'progress']],
   'SolidDepth.create': [2, ['contacts', 'progress']],
   'TurnedDepth.create': [2, ['progress']],
-  'ScalingSolidSum.create': [2, ['moving', 'semantics', 'tight']],
-  'TurningSolidSum.create': [3, ['moving', 'changes', 'window', 'tight']],
+  'SolidScaleEvents.create': [2, ['moving', 'semantics', 'tight']],
+  'SolidRotationEvents.create': [3, ['moving', 'changes', 'window', 'tight']],
   'ShapeFeatures.create': [1, ['concavity', 'hybridTolerance', 'progress']],
   'ShapeFeatures.decompose': [0, ['persistence', 'alphaFrom', 'alphaTo', 'progress']],
 };

@@ -354,7 +354,8 @@ interface MovingPlanarSum extends Disposable {
 export interface ScaleEvent {
   s: ExactText;
   approx: number;
-  kind: 'vertex_on_segment' | 'three_segments';
+  /** in the plane the first two, of solids the others */
+  kind: 'vertex_on_segment' | 'three_segments' | 'vertex_on_facet' | 'edge_on_edge' | 'four_facets' | 'coplanar_facets';
   visible: boolean;
   topology: boolean;
 }
@@ -752,18 +753,13 @@ export interface SolidDepth extends Disposable {
  */
 export interface TurnedDepth extends Disposable { at(q: Point3, turned?: Rotation): ConvexDepth; }
 
-export interface SolidScaleEvent {
-  s: ExactText; approx: number;
-  kind: 'vertex_on_facet' | 'edge_on_edge' | 'four_facets' | 'coplanar_facets';
-  topology: boolean;
-}
-export interface ScalingSolidSum extends Disposable {
+export interface SolidScaleEvents extends Disposable {
   at(s: ExactInput, progress?: Progress): SpatialSum;
-  events(from: ExactInput, to: ExactInput, progress?: Progress): SolidScaleEvent[];
-  nextEvent(after: ExactInput, limit: ExactInput, change?: 'visible' | 'topology', progress?: Progress): SolidScaleEvent | null;
+  events(from: ExactInput, to: ExactInput, progress?: Progress): ScaleEvent[];
+  nextEvent(after: ExactInput, limit: ExactInput, change?: 'visible' | 'topology', progress?: Progress): ScaleEvent | null;
 }
 
-export interface SolidTurnEvent {
+export interface SolidRotationEvent {
   radians: number;
   exactT: ExactText | null;
   polynomial: string[];
@@ -771,10 +767,10 @@ export interface SolidTurnEvent {
   visible: boolean;
   topology: boolean;
 }
-export interface TurningSolidSum extends Disposable {
+export interface SolidRotationEvents extends Disposable {
   at(radians: number, progress?: Progress): SpatialSum;
   /** from `from` counter-clockwise to `to`, in radians */
-  events(from: number, to: number, progress?: Progress): SolidTurnEvent[];
+  events(from: number, to: number, progress?: Progress): SolidRotationEvent[];
 }
 
 export interface SolidSlice extends Disposable {
@@ -955,11 +951,11 @@ export interface Live {
   /** `contacts: false`: ways have none, which saves time */
   readonly SolidDepth: { create(p: Mesh, q: Mesh, options?: { contacts?: boolean; progress?: Progress }): SolidDepth };
   readonly TurnedDepth: { create(p: Mesh, q: Mesh, options?: { progress?: Progress }): TurnedDepth };
-  readonly ScalingSolidSum: {
-    create(p: Mesh, q: Mesh, options?: { moving?: 'p' | 'q'; semantics?: Semantics; tight?: boolean }): ScalingSolidSum;
+  readonly SolidScaleEvents: {
+    create(p: Mesh, q: Mesh, options?: { moving?: 'p' | 'q'; semantics?: Semantics; tight?: boolean }): SolidScaleEvents;
   };
-  readonly TurningSolidSum: {
-    create(p: Mesh, q: Mesh, axis: readonly [number, number, number], options?: { moving?: 'p' | 'q'; changes?: boolean; window?: number; tight?: boolean }): TurningSolidSum;
+  readonly SolidRotationEvents: {
+    create(p: Mesh, q: Mesh, axis: readonly [number, number, number], options?: { moving?: 'p' | 'q'; changes?: boolean; window?: number; tight?: boolean }): SolidRotationEvents;
   };
 
   readonly GrowingDisc: { create(region: Region): GrowingDisc };

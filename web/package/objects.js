@@ -4,7 +4,7 @@ import { refusal } from './errors.js';
 
 const classes = [
   'Region', 'PlanarSum', 'ScalingSum', 'RotatingSum', 'PlanarDepth', 'CspaceObstacle', 'ObstacleQueries', 'Mesh', 'SpatialSum',
-  'SolidSlice', 'ScalingSolidSum', 'TurningSolidSum', 'MovingSolidSum', 'ConvexSum', 'SolidDepth', 'TurnedDepth', 'DiscSet', 'GrowingDisc',
+  'SolidSlice', 'SolidScaleEvents', 'SolidRotationEvents', 'MovingSolidSum', 'ConvexSum', 'SolidDepth', 'TurnedDepth', 'DiscSet', 'GrowingDisc',
   'ShapeFeatures', 'SumLocator', 'LocalSum', 'PlanarLocalSum', 'PlanarLocalPart',
 ];
 const functions = [

@@ -94,24 +94,11 @@ val scale_of(const ScalingSum& sum) {
   return v;
 }
 
-val event_data(const ScaleEvent& event) {
-  val v = val::object();
-  v.set("s", event.s.to_string());
-  v.set("approx", event.approx);
-  v.set("kind",
-        std::string(event.kind == ScaleEvent::Kind::vertex_on_segment ? "vertex_on_segment" : "three_segments"));
-  v.set("visible", event.visible);
-  v.set("topology", event.topology);
-  return v;
-}
 val events_of(const ScalingSum& sum, const val& from, const val& to, const val& progress) {
   return list_of(got(sum.events(scale_in(from), scale_in(to), progress_in(progress))), event_data);
 }
 val next_event_of(const ScalingSum& sum, const val& after, const val& limit, const val& change, const val& progress) {
-  static constexpr Named<EventChange> kNames[] = {{"visible", EventChange::visible},
-                                                  {"topology", EventChange::topology}};
-  const auto event = got(sum.next_event(scale_in(after), scale_in(limit),
-                                        enumerator(change, kNames, EventChange::visible), progress_in(progress)));
+  const auto event = got(sum.next_event(scale_in(after), scale_in(limit), change_in(change), progress_in(progress)));
   return event ? event_data(*event) : val::null();
 }
 std::string hash_of(const ScalingSum& sum) {

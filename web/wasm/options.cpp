@@ -32,6 +32,22 @@ MovingOperand operand_in(const val& v, MovingOperand otherwise) {
   return enumerator(v, kNames, otherwise);
 }
 
+EventChange change_in(const val& v) {
+  static constexpr Named<EventChange> kNames[] = {{"visible", EventChange::visible},
+                                                  {"topology", EventChange::topology}};
+  return enumerator(v, kNames, EventChange::visible);
+}
+
+val event_data(const ScaleEvent& event) {
+  val v = val::object();
+  v.set("s", event.parameter.to_string());
+  v.set("approx", event.approx);
+  v.set("kind", std::string(name(event.kind)));
+  v.set("visible", event.visible);
+  v.set("topology", event.topology);
+  return v;
+}
+
 SumOptions sum_options(const val& v) {
   static constexpr Named<Engine> kEngines[] = {
       {"fast", Engine::fast}, {"brute", Engine::brute}, {"winding", Engine::winding}};

@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "bind.h"
+#include "dymsum/event.h"
 #include "dymsum/frames.h"
 #include "dymsum/orientation.h"
 #include "dymsum/planar_sum.h"
@@ -48,6 +49,9 @@ SpatialOptions spatial_options(const val& v);
 MovingOptions moving_options(const val& v);
 FrameMode mode_in(const val& v);
 MovingOperand operand_in(const val& v, MovingOperand otherwise);
+
+EventChange change_in(const val& v);
+val event_data(const ScaleEvent& event);
 
 /// A number at face value, or the text of one.
 Rational rational_in(const val& v);

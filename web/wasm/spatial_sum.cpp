@@ -4,9 +4,9 @@
 #include <array>
 
 #include "arrays.h"
-#include "dymsum/scaling_solid_sum.h"
+#include "dymsum/solid_rotation_events.h"
+#include "dymsum/solid_scale_events.h"
 #include "dymsum/solid_slice.h"
-#include "dymsum/turning_solid_sum.h"
 #include "mesh.h"
 #include "options.h"
 #include "planar_shape.h"
@@ -99,98 +99,58 @@ std::shared_ptr<SolidSlice> slice_at(const Mesh& p, const Mesh& q, double z, con
 std::shared_ptr<PlanarSum> section_of(const SolidSlice& slice) { return shared(slice.section); }
 val touching_of(const SolidSlice& slice) { return part_rings(slice.touching); }
 
-std::string kind_name(SolidScaleEvent::Kind kind) {
-  switch (kind) {
-    case SolidScaleEvent::Kind::vertex_on_facet:
-      return "vertex_on_facet";
-    case SolidScaleEvent::Kind::edge_on_edge:
-      return "edge_on_edge";
-    case SolidScaleEvent::Kind::four_facets:
-      return "four_facets";
-    case SolidScaleEvent::Kind::coplanar_facets:
-      return "coplanar_facets";
-  }
-  throw std::logic_error("an event of no kind");
-}
-val event_data(const SolidScaleEvent& event) {
-  val v = val::object();
-  v.set("s", event.s.to_string());
-  v.set("approx", event.approx);
-  v.set("kind", kind_name(event.kind));
-  v.set("topology", event.topology);
-  return v;
-}
-std::shared_ptr<ScalingSolidSum> scaling(const Mesh& p, const Mesh& q, const val& options) {
-  ScalingSolidOptions how;
+std::shared_ptr<SolidScaleEvents> scaling(const Mesh& p, const Mesh& q, const val& options) {
+  SolidScaleOptions how;
   how.moving = operand_in(member(options, "moving"), how.moving);
   how.semantics = semantics_in(member(options, "semantics"));
   how.tight = member_or(options, "tight", true);
-  return shared(got(ScalingSolidSum::create(p, q, how)));
+  return shared(got(SolidScaleEvents::create(p, q, how)));
 }
-SharedSum scaled_to(const ScalingSolidSum& sum, const val& s, const val& progress) {
+SharedSum scaled_to(const SolidScaleEvents& sum, const val& s, const val& progress) {
   return shared(got(sum.at(scale_in(s), progress_in(progress))));
 }
-val scale_events(const ScalingSolidSum& sum, const val& from, const val& to, const val& progress) {
+val scale_events(const SolidScaleEvents& sum, const val& from, const val& to, const val& progress) {
   return list_of(got(sum.events(scale_in(from), scale_in(to), progress_in(progress))), event_data);
 }
-val next_scale_event(const ScalingSolidSum& sum, const val& after, const val& limit, const val& change,
+val next_scale_event(const SolidScaleEvents& sum, const val& after, const val& limit, const val& change,
                      const val& progress) {
-  static constexpr Named<EventChange> kNames[] = {{"visible", EventChange::visible},
-                                                  {"topology", EventChange::topology}};
-  const auto event = got(sum.next_event(scale_in(after), scale_in(limit),
-                                        enumerator(change, kNames, EventChange::visible), progress_in(progress)));
+  const auto event = got(sum.next_event(scale_in(after), scale_in(limit), change_in(change), progress_in(progress)));
   return event ? event_data(*event) : val::null();
 }
 
-std::string kind_name(SolidTurnContact::Kind kind) {
-  switch (kind) {
-    case SolidTurnContact::Kind::normal_on_arc:
-      return "normal_on_arc";
-    case SolidTurnContact::Kind::vertex_on_facet:
-      return "vertex_on_facet";
-    case SolidTurnContact::Kind::edge_on_edge:
-      return "edge_on_edge";
-    case SolidTurnContact::Kind::edge_and_facets:
-      return "edge_and_facets";
-    case SolidTurnContact::Kind::four_facets:
-      return "four_facets";
-  }
-  throw std::logic_error("a contact of no kind");
-}
-val turn_contact_data(const SolidTurnContact& contact) {
+val turn_contact_data(const SolidRotationContact& contact) {
   val v = val::object();
-  v.set("kind", kind_name(contact.kind));
+  v.set("kind", std::string(name(contact.kind)));
   v.set("at", point(contact.at));
   v.set("features", list_of(contact.features, solid_contact));
   return v;
 }
-val turn_event_data(const SolidTurnEvent& event) {
+val turn_event_data(const SolidRotationEvent& event) {
   val v = val::object();
-  v.set("radians", event.radians);
-  v.set("exactT", !event.exact                  ? val::null()
-                  : event.exact->is_half_turn() ? val(std::string("inf"))
-                                                : val(event.exact->t().to_string()));
-  v.set("polynomial", list_of(event.polynomial, [](const std::string& c) { return c; }));
+  const std::optional<AxisTurn>& exact = event.parameter.exact;
+  v.set("radians", event.approx);
+  v.set("exactT", !exact ? val::null() : exact->is_half_turn() ? val(std::string("inf")) : val(exact->t().to_string()));
+  v.set("polynomial", list_of(event.parameter.polynomial, [](const std::string& c) { return c; }));
   v.set("contacts", list_of(event.contacts, turn_contact_data));
   v.set("visible", event.visible);
   v.set("topology", event.topology);
   return v;
 }
-std::shared_ptr<TurningSolidSum> turning(const Mesh& p, const Mesh& q, const val& axis, const val& options) {
-  TurningSolidOptions how;
+std::shared_ptr<SolidRotationEvents> turning(const Mesh& p, const Mesh& q, const val& axis, const val& options) {
+  SolidRotationOptions how;
   how.moving = operand_in(member(options, "moving"), how.moving);
   how.changes = member_or(options, "changes", true);
   how.window = member_or(options, "window", 0.0);
   how.tight = member_or(options, "tight", true);
   TurnAxis direction{};
   for (std::size_t k = 0; k < 3; ++k) direction[k] = axis[k].as<std::int32_t>();
-  return shared(got(TurningSolidSum::create(p, q, direction, how)));
+  return shared(got(SolidRotationEvents::create(p, q, direction, how)));
 }
-AxisTurn turn_in(const TurningSolidSum& sum, double radians) { return got(AxisTurn::nearest(sum.axis(), radians)); }
-SharedSum turned_to(const TurningSolidSum& sum, double radians, const val& progress) {
+AxisTurn turn_in(const SolidRotationEvents& sum, double radians) { return got(AxisTurn::nearest(sum.axis(), radians)); }
+SharedSum turned_to(const SolidRotationEvents& sum, double radians, const val& progress) {
   return shared(got(sum.at(turn_in(sum, radians), progress_in(progress))));
 }
-val turn_events(const TurningSolidSum& sum, double from, double to, const val& progress) {
+val turn_events(const SolidRotationEvents& sum, double from, double to, const val& progress) {
   return list_of(got(sum.events(turn_in(sum, from), turn_in(sum, to), progress_in(progress))), turn_event_data);
 }
 
@@ -213,12 +173,12 @@ EMSCRIPTEN_BINDINGS(spatial_sum) {
   handle<SolidSlice>("SolidSlice")
       .function("takeSection", guarded<&section_of>)
       .function("touching", guarded<&touching_of>);
-  handle<ScalingSolidSum>("ScalingSolidSum")
+  handle<SolidScaleEvents>("SolidScaleEvents")
       .class_function("create", guarded<&scaling>)
       .function("at", guarded<&scaled_to>)
       .function("events", guarded<&scale_events>)
       .function("nextEvent", guarded<&next_scale_event>);
-  handle<TurningSolidSum>("TurningSolidSum")
+  handle<SolidRotationEvents>("SolidRotationEvents")
       .class_function("create", guarded<&turning>)
       .function("at", guarded<&turned_to>)
       .function("events", guarded<&turn_events>);

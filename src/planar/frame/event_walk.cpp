@@ -104,7 +104,7 @@ class EventWalk {
           if (!here) return here.error();
           if (!after) return after.error();
           ScaleEvent event;
-          event.s = exact::to_rational(e.s);
+          event.parameter = exact::to_rational(e.s);
           event.approx = exact::round_to_double(e.s);
           event.kind = e.kind;
           event.topology = !(before->topology == after->topology) || !(here->topology == before->topology);
@@ -229,7 +229,8 @@ Result<std::optional<ScaleEvent>> ScalingSum::next_event(const Scale& s, const S
   std::optional<ScaleEvent> found;
   if (low >= high) return found;
   if (std::optional<Error> error = walk(*state_, low, high, progress, [&](const ScaleEvent& e) {
-        if (exact::exact_value(e.s) > low && (change == EventChange::topology ? e.topology : e.visible)) found = e;
+        if (exact::exact_value(e.parameter) > low && (change == EventChange::topology ? e.topology : e.visible))
+          found = e;
         return !found;
       }))
     return *std::move(error);

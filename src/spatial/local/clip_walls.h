@@ -6,7 +6,7 @@
 
 #include "dymsum/local_sum.h"
 #include "spatial/arrangement/solid_arrangement.h"
-#include "spatial/frames/posed_pair.h"
+#include "spatial/motion/posed_pair.h"
 
 namespace dymsum::spatial {
 

@@ -5,9 +5,9 @@
 #include <array>
 
 #include "spatial/convolution/reduced_facets.h"
-#include "spatial/frames/posed_pair.h"
 #include "spatial/local/sphere_tree.h"
 #include "spatial/mesh/box_tree.h"
+#include "spatial/motion/posed_pair.h"
 
 namespace dymsum::spatial {
 

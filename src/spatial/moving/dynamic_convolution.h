@@ -7,8 +7,8 @@
 #include <vector>
 
 #include "spatial/convolution/reduced_facets.h"
-#include "spatial/frames/pose_angles.h"
-#include "spatial/frames/posed_pair.h"
+#include "spatial/motion/pose_angles.h"
+#include "spatial/motion/posed_pair.h"
 #include "spatial/moving/gauss_cells.h"
 #include "spatial/moving/gauss_side.h"
 

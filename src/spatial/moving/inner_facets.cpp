@@ -4,7 +4,7 @@
 #include <cmath>
 #include <limits>
 
-#include "spatial/frames/pose_angles.h"
+#include "spatial/motion/pose_angles.h"
 
 namespace dymsum::spatial {
 

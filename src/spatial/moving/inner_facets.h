@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "spatial/convolution/reduced_facets.h"
-#include "spatial/frames/posed_pair.h"
+#include "spatial/motion/posed_pair.h"
 #include "spatial/moving/inner_balls.h"
 
 namespace dymsum::spatial {

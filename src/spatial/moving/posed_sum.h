@@ -2,7 +2,7 @@
 #pragma once
 
 #include "dymsum/moving_solid_sum.h"
-#include "spatial/frames/posed_pair.h"
+#include "spatial/motion/posed_pair.h"
 #include "spatial/sum/solid_boundary.h"
 
 namespace dymsum::spatial {

@@ -21,7 +21,7 @@ namespace {
 
 using namespace scaling_tests;
 
-exact::BigRational value(const ScaleEvent& e) { return exact::exact_value(e.s); }
+exact::BigRational value(const ScaleEvent& e) { return exact::exact_value(e.parameter); }
 Scale scale_at(const exact::BigRational& v) { return Scale::of(exact::to_rational(v)).value(); }
 
 /// What the static engine says at any rational scale a / b of P, as long as a P and b Q are doubles.
@@ -43,7 +43,7 @@ TEST(ScaleEvents, a_peg_in_a_slot_fits_exactly_at_one_scale) {
   ScalingSum sum = ScalingSum::create(p, negated(peg), options).value();
   const auto next = sum.next_event(Scale(), scale_of(3, 1), EventChange::topology).value();
   ASSERT_TRUE(next.has_value());
-  EXPECT_EQ(next->s.to_string(), "2/1");
+  EXPECT_EQ(next->parameter.to_string(), "2/1");
   EXPECT_TRUE(next->topology);
   ASSERT_TRUE(sum.set(2.0).ok());
   EXPECT_EQ(sum.sum().hole_count(), 0u);
@@ -202,7 +202,7 @@ TEST(ScaleEvents, the_events_of_a_range_are_those_of_its_parts) {
     const auto in = [&](long a, long b) {
       std::vector<std::tuple<std::string, bool, bool>> list;
       for (const ScaleEvent& e : sum.events(scale_of(a, 40), scale_of(b, 40)).value())
-        list.emplace_back(e.s.to_string(), e.visible, e.topology);
+        list.emplace_back(e.parameter.to_string(), e.visible, e.topology);
       return list;
     };
     auto parts = in(36, 38);
@@ -294,13 +294,13 @@ TEST(ScaleEvents, a_plate_whose_holes_fill_one_after_the_other) {
   ASSERT_GE(events.size(), 4u);  // one hole after the other
   std::size_t most = 0, least = 99;
   for (const ScaleEvent& e : events) {
-    ASSERT_TRUE(sum.set(Scale::of(e.s).value()).ok());
+    ASSERT_TRUE(sum.set(Scale::of(e.parameter).value()).ok());
     const PlanarSum& updated = sum.sum();
     most = std::max(most, updated.hole_count());
     least = std::min(least, updated.hole_count());
     ScalingSum fresh = ScalingSum::create(p, tool).value();
-    ASSERT_TRUE(fresh.set(Scale::of(e.s).value()).ok());
-    EXPECT_EQ(described(updated, 1), described(fresh.sum(), 1)) << e.s.to_string();
+    ASSERT_TRUE(fresh.set(Scale::of(e.parameter).value()).ok());
+    EXPECT_EQ(described(updated, 1), described(fresh.sum(), 1)) << e.parameter.to_string();
   }
   EXPECT_GT(most, least + 1) << most << " " << least;
 }

@@ -125,7 +125,7 @@ TEST(SumMemory, EventsOfScalesFitOrSayWhatTheyTake) {
   const std::vector<ScaleEvent> free = events(0).value();
   EXPECT_GT(free.size(), 3u);
   least_limit<std::vector<ScaleEvent>>(events, [&](const std::vector<ScaleEvent>& some) {
-    return some.size() == free.size() && some.back().s == free.back().s;
+    return some.size() == free.size() && some.back().parameter == free.back().parameter;
   });
 }
 

@@ -9,7 +9,7 @@
 
 #include "dymsum/mesh.h"
 #include "dymsum/solids.h"
-#include "spatial/frames/posed_pair.h"
+#include "spatial/motion/posed_pair.h"
 #include "spatial/sum/random_solids.h"
 #include "spatial/sum/solid_cases.h"
 

@@ -390,12 +390,12 @@ test('solids that move: any shape, convex, scaling, turning', () => {
   assert.equal(typeof convex.exact(buffers.triangles[0]).x, 'string');
   assert.ok(convex.depth().inside && convex.support({ x: 1, y: 0, z: 0 }).at.x > 0);
   assert.ok(Math.abs(convex.mesh().volume() - convex.volume()) < 1e-6);
-  const scaling = dymsum.ScalingSolidSum.create(ell, box);
+  const scaling = dymsum.SolidScaleEvents.create(ell, box);
   assert.equal(scaling.at(1).volumeExact(), dymsum.minkowskiSum(ell, box).volumeExact());
   const cup = solids.prism([0, 0, 3, 0, 3, 3, 2, 3, 2, 1, 1, 1, 1, 3, 0, 3], 1);
-  const [closes] = dymsum.ScalingSolidSum.create(cup, box).events('1/8', 4);
-  assert.deepEqual(closes, { s: '1/2', approx: 0.5, kind: 'coplanar_facets', topology: true });
-  const turning = dymsum.TurningSolidSum.create(ell, box, [0, 0, 1], { changes: false });
+  const [closes] = dymsum.SolidScaleEvents.create(cup, box).events('1/8', 4);
+  assert.deepEqual(closes, { s: '1/2', approx: 0.5, kind: 'coplanar_facets', visible: true, topology: true });
+  const turning = dymsum.SolidRotationEvents.create(ell, box, [0, 0, 1], { changes: false });
   assert.equal(turning.at(0).volumeExact(), dymsum.minkowskiSum(ell, box).volumeExact());
   assert.ok(turning.events(0.1, 1.7).length > 0);
 });

@@ -77,13 +77,13 @@ function* calls() {
   yield [box, 'format', ['off']];
   yield [solid, 'exact', [0]];
   yield [solid, 'format', ['off']];
-  for (const name of ['PlanarLocalSum', 'LocalSum', 'MovingSolidSum', 'SolidDepth', 'TurnedDepth', 'ScalingSolidSum'])
+  for (const name of ['PlanarLocalSum', 'LocalSum', 'MovingSolidSum', 'SolidDepth', 'TurnedDepth', 'SolidScaleEvents'])
     yield [dymsum[name], 'create', name === 'PlanarLocalSum' ? [square, bar, {}] : [box, box, {}]];
   yield [dymsum.PlanarLocalSum.create(square, bar), 'in', [{ low: { x: 0, y: 0 }, high: { x: 9, y: 9 } }, {}, { scale: 2 }]];
   yield [dymsum.LocalSum.create(box, box), 'in', [{ middle: { x: 0, y: 0, z: 0 }, radius: 1 }, {}, { scale: 2 }]];
-  yield [dymsum.TurningSolidSum, 'create', [box, box, [0, 0, 1], {}]];
-  yield [dymsum.TurningSolidSum.create(box, box, [0, 0, 1]), 'at', [0.1]];
-  yield [dymsum.ScalingSolidSum.create(box, box), 'at', [2]];
+  yield [dymsum.SolidRotationEvents, 'create', [box, box, [0, 0, 1], {}]];
+  yield [dymsum.SolidRotationEvents.create(box, box, [0, 0, 1]), 'at', [0.1]];
+  yield [dymsum.SolidScaleEvents.create(box, box), 'at', [2]];
   yield [dymsum.MovingSolidSum.create(box, box), 'set', [{ scale: 2 }, {}]];
   yield [dymsum.ConvexSum, 'create', [box, box]];
   const convex = dymsum.ConvexSum.create(box, box);

@@ -1,0 +1,164 @@
+#include "spatial/events/scaled_overlap.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace dymsum::spatial {
+
+namespace {
+
+double size1(Vec3 v) { return std::abs(v.x) + std::abs(v.y) + std::abs(v.z); }
+
+/// The sign of det(u, v, w), each component of which is within `blur`; 0 where that does not tell.
+int sure_det(Vec3 u, Vec3 v, Vec3 w, double blur) {
+  const double U = size1(u) + 3 * blur, V = size1(v) + 3 * blur, W = size1(w) + 3 * blur;
+  const double value = dot(u, cross(v, w)), error = 3 * blur * (U * V + V * W + U * W) + U * V * W * 0x1p-48;
+  return value > error ? 1 : value < -error ? -1 : 0;
+}
+
+enum class Pierce : std::uint8_t { no, yes, unsure };
+
+/// Whether the segment pq passes through the inside of the triangle; `hp`, `hq` are the sides of its plane.
+Pierce pierce(Vec3 p, Vec3 q, int hp, int hq, const Vec3 (&t)[3], double blur) {
+  if (hp * hq > 0) return Pierce::no;
+  bool unsure = hp * hq == 0;
+  int turn = 0;
+  for (int k = 0; k < 3; ++k) {
+    const int s = sure_det(q - p, t[k] - p, t[(k + 1) % 3] - p, blur);
+    if (s == 0) unsure = true;
+    else if (turn * s < 0) return Pierce::no;
+    else turn = s;
+  }
+  return unsure ? Pierce::unsure : Pierce::yes;
+}
+
+}  // namespace
+
+const SolidOperand& ScaledOverlap::fixed() const { return f_ == 0 ? all_.pair().p : all_.pair().q; }
+const SolidOperand& ScaledOverlap::moving() const { return m_ == 0 ? all_.pair().p : all_.pair().q; }
+
+ScaledOverlap::ScaledOverlap(const MovingFacets& all) : all_(all), f_(1 - all.moving()), m_(all.moving()) {
+  const double unit = std::ldexp(1.0, -all.pair().p_places.exponent);
+  for (const int op : {0, 1}) {
+    const SolidOperand& solid = op == 0 ? all.pair().p : all.pair().q;
+    std::vector<Box> boxes(solid.triangles.size());
+    for (std::size_t t = 0; t < boxes.size(); ++t)
+      for (const std::uint32_t v : solid.triangles[t]) boxes[t].add(all.places(op)[v]);
+    trees_[op] = BoxTree(std::move(boxes));
+    balls_[op] = inner_balls(solid);
+    for (InnerBalls::Ball& ball : balls_[op].balls) ball.middle = unit * ball.middle, ball.radius *= unit;
+  }
+}
+
+double ScaledOverlap::gap(BallPair pair, Vec3 x, double s) const {
+  const InnerBalls::Ball &a = balls_[f_].balls[pair.f], &b = balls_[m_].balls[pair.m];
+  return length(x - a.middle - s * b.middle) - (a.radius + s * b.radius) * (1 - 0x1p-40);
+}
+
+/// Downhill from the best of some pairs.
+ScaledOverlap::BallPair ScaledOverlap::nearest_balls(Vec3 x, double s) const {
+  const auto some = [](const InnerBalls& of) {
+    return static_cast<std::uint32_t>(std::min<std::size_t>(of.balls.size(), 14));
+  };
+  BallPair best;
+  double least = 1e300;
+  const auto try_pair = [&](BallPair pair) {
+    const double g = gap(pair, x, s);
+    if (g >= least) return false;
+    least = g, best = pair;
+    return true;
+  };
+  for (std::uint32_t i = 0; i < some(balls_[f_]); ++i)
+    for (std::uint32_t j = 0; j < some(balls_[m_]); ++j) try_pair({i, j});
+  for (bool better = true; better;) {
+    better = false;
+    const BallPair from = best;
+    for (const std::uint32_t i : balls_[f_].neighbours[from.f]) better |= try_pair({i, from.m});
+    for (const std::uint32_t j : balls_[m_].neighbours[from.m]) better |= try_pair({from.f, j});
+  }
+  return best;
+}
+
+// The distance of a moving corner from a moving middle, less the radius, is a convex function of s: what holds at both
+// ends holds between them.
+bool ScaledOverlap::deep_inside(const SumFacet& facet, double low, double high) const {
+  if (balls_[0].balls.empty() || balls_[1].balls.empty()) return false;
+  const double s = (low + high) / 2, margin = all_.span(high) * 0x1p-38;
+  Vec3 middle;
+  for (int k = 0; k < facet.corners; ++k) middle = middle + 1.0 / facet.corners * all_.at(facet.corner[k], s);
+  const BallPair pair = nearest_balls(middle, s);
+  for (int k = 0; k < facet.corners; ++k)
+    for (const double end : {low, high})
+      if (gap(pair, all_.at(facet.corner[k], end), end) > -margin) return false;
+  return true;
+}
+
+ScaledOverlap::Answer ScaledOverlap::triangles(const Placed& at, std::uint32_t i, std::uint32_t j) const {
+  Vec3 a[3], b[3];
+  for (std::size_t k = 0; k < 3; ++k) {
+    a[k] = all_.places(f_)[fixed().triangles[i][k]];
+    b[k] = at.x - at.s * all_.places(m_)[moving().triangles[j][k]];
+  }
+  int ha[3], hb[3];
+  for (int k = 0; k < 3; ++k) hb[k] = sure_det(a[1] - a[0], a[2] - a[0], b[k] - a[0], at.blur);
+  if (hb[0] * hb[1] > 0 && hb[1] * hb[2] > 0) return Answer::apart;
+  for (int k = 0; k < 3; ++k) ha[k] = sure_det(b[1] - b[0], b[2] - b[0], a[k] - b[0], at.blur);
+  if (ha[0] * ha[1] > 0 && ha[1] * ha[2] > 0) return Answer::apart;
+  bool unsure = false;
+  for (int k = 0; k < 3; ++k) {
+    for (const Pierce p : {pierce(a[k], a[(k + 1) % 3], ha[k], ha[(k + 1) % 3], b, at.blur),
+                           pierce(b[k], b[(k + 1) % 3], hb[k], hb[(k + 1) % 3], a, at.blur)}) {
+      if (p == Pierce::yes) return Answer::overlap;
+      unsure |= p == Pierce::unsure;
+    }
+  }
+  return unsure ? Answer::unsure : Answer::apart;
+}
+
+/// Where the surfaces are apart: whether a shell of one solid lies in the other one.
+bool ScaledOverlap::contained(const Placed& at, bool& sure) const {
+  const auto inside = [&](const SolidOperand& solid, auto place, Vec3 from, double far) {
+    const Vec3 to = from + far * Vec3{0.5377, 0.6431, 0.5453};
+    bool in = false;
+    for (const Triangle& t : solid.triangles) {
+      const Vec3 c[3] = {place(t[0]), place(t[1]), place(t[2])};
+      const int hp = sure_det(c[1] - c[0], c[2] - c[0], from - c[0], at.blur),
+                hq = sure_det(c[1] - c[0], c[2] - c[0], to - c[0], at.blur);
+      const Pierce p = pierce(from, to, hp, hq, c, at.blur);
+      if (p == Pierce::unsure) sure = false;
+      in ^= p == Pierce::yes;
+    }
+    return in;
+  };
+  const double far = 8 * all_.span(at.s);
+  const auto of_fixed = [&](std::uint32_t v) { return all_.places(f_)[v]; };
+  const auto of_moving = [&](std::uint32_t v) { return at.x - at.s * all_.places(m_)[v]; };
+  for (const std::uint32_t v : moving().shell_vertex)
+    if (inside(fixed(), of_fixed, of_moving(v), far)) return true;
+  for (const std::uint32_t v : fixed().shell_vertex)
+    if (inside(moving(), of_moving, of_fixed(v), far)) return true;
+  return false;
+}
+
+ScaledOverlap::Answer ScaledOverlap::at(Vec3 x, double s, double radius, double s_radius) const {
+  const double span = all_.span(s);
+  const Placed at{x, s, 2 * (radius + s_radius * span / std::max(s, 1e-300)) + span * 0x1p-49};
+  if (!balls_[0].balls.empty() && !balls_[1].balls.empty() &&
+      gap(nearest_balls(x, s), x, s) < -(2 * at.blur + span * 0x1p-40))
+    return Answer::overlap;
+  Box box;
+  box.add(x), box.grow(2 * at.blur);
+  bool unsure = false;
+  const bool crosses = trees_[f_].any_reflected_pair(trees_[m_], box, s, [&](std::uint32_t i, std::uint32_t j) {
+    const Answer answer = triangles(at, i, j);
+    unsure |= answer == Answer::unsure;
+    return answer == Answer::overlap;
+  });
+  if (crosses) return Answer::overlap;
+  if (unsure) return Answer::unsure;
+  bool sure = true;
+  const bool in = contained(at, sure);
+  return !sure ? Answer::unsure : in ? Answer::overlap : Answer::apart;
+}
+
+}  // namespace dymsum::spatial
