@@ -15,7 +15,7 @@
 #include <wasm_simd128.h>
 #endif
 
-namespace dymsum::planar {
+namespace dymsum {
 
 /// Sides of boxes are below this.
 inline constexpr int kBoxQuanta = 0x7fff;
@@ -100,4 +100,4 @@ void sort_by_left(std::vector<std::uint64_t, Allocator>& order) {
   }
 }
 
-}  // namespace dymsum::planar
+}  // namespace dymsum

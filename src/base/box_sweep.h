@@ -8,7 +8,7 @@
 #include "base/box_lanes.h"
 #include "base/scratch.h"
 
-namespace dymsum::planar {
+namespace dymsum {
 
 /// A box in quanta below kBoxQuanta.
 struct BoxQuanta {
@@ -61,4 +61,4 @@ std::uint64_t sweep_boxes(std::span<const BoxQuanta> boxes, Scratch* memory, Wan
   return compared;
 }
 
-}  // namespace dymsum::planar
+}  // namespace dymsum

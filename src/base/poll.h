@@ -5,11 +5,15 @@
 #include <string_view>
 
 #include "dymsum/progress.h"
+#include "dymsum/result.h"
 
-namespace dymsum::planar {
+namespace dymsum {
 
-/// Thrown where the caller's progress callback asks to stop; compute_boundary makes ErrorCode::cancelled of it.
+/// Thrown where the caller's progress callback asks to stop; the public function makes ErrorCode::cancelled of it.
 struct Cancelled {};
+
+/// What a public function returns that was stopped.
+inline Error cancelled() { return {ErrorCode::cancelled, "stopped on request", {}}; }
 
 /// Tells the progress callback the stage and its share; does not return when that says to stop.
 class Poll {
@@ -38,4 +42,4 @@ class Poll {
   std::string_view stage_;
 };
 
-}  // namespace dymsum::planar
+}  // namespace dymsum

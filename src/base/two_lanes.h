@@ -10,7 +10,7 @@
 #include <wasm_simd128.h>
 #endif
 
-namespace dymsum::planar {
+namespace dymsum {
 
 using Two = double __attribute__((vector_size(16)));
 /// What comparing gives: -1 or 0 in each.
@@ -45,4 +45,4 @@ inline bool every(TwoTold told) {
 #endif
 }
 
-}  // namespace dymsum::planar
+}  // namespace dymsum

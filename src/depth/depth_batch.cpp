@@ -5,6 +5,7 @@
 #include <thread>
 
 #include "base/parallel.h"
+#include "base/poll.h"
 #include "dymsum/penetration_depth.h"
 
 namespace dymsum {
@@ -38,8 +39,6 @@ std::size_t worker_count(std::size_t rows, const DepthBatchOptions& options) {
   return std::max<std::size_t>(1, std::min(threads, rows));
 }
 
-Error batch_cancelled() { return {ErrorCode::cancelled, "the computation was cancelled", {}}; }
-
 bool is_finite_move(const Point3& v) { return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z); }
 
 Error infinite_move(std::size_t k) {
@@ -67,7 +66,7 @@ Result<std::vector<SolidDistance>> all_rows(const SolidDepth& pair, std::span<co
   const bool done = for_each_row(moves.size(), options, workers, [&](std::size_t worker, std::size_t k) {
     rows[k] = pairs[worker].at(moves[k], options.time_limit);
   });
-  if (!done) return batch_cancelled();
+  if (!done) return cancelled();
   return rows;
 }
 
@@ -97,7 +96,7 @@ Result<std::vector<Result<SolidDistance>>> depth_batch(std::span<const DepthQues
   const bool done =
       for_each_row(questions.size(), options, worker_count(questions.size(), options),
                    [&](std::size_t, std::size_t k) { rows[k] = distance_of(questions[k], options.time_limit); });
-  if (!done) return batch_cancelled();
+  if (!done) return cancelled();
   return rows;
 }
 

@@ -5,6 +5,7 @@
 #include <limits>
 #include <stdexcept>
 
+#include "base/poll.h"
 #include "depth/exact_frame.h"
 #include "dymsum/convex_solid.h"
 #include "spatial/mesh/rounded_vector.h"
@@ -117,8 +118,8 @@ Result<std::shared_ptr<const DepthOperands>> depth_operands(const Mesh& p, const
     find_facets(*o, options);
   } catch (const std::invalid_argument& e) {
     return Error{ErrorCode::unsupported_operand, e.what(), {}};
-  } catch (const spatial::Cancelled&) {
-    return Error{ErrorCode::cancelled, "the computation was cancelled", {}};
+  } catch (const Cancelled&) {
+    return cancelled();
   }
   set_scaled_places(*o);
   set_normals(*o);

@@ -6,6 +6,7 @@
 #include <optional>
 #include <vector>
 
+#include "base/poll.h"
 #include "dymsum/progress.h"
 #include "dymsum/result.h"
 #include "exact/big.h"
@@ -35,7 +36,7 @@ std::optional<Error> free_intervals(const std::map<exact::BigRational, Contacts>
     return progress && !progress("scales", static_cast<double>(asked) / static_cast<double>(2 * n + 1));
   };
   for (std::size_t i = 0; i <= n; ++i) {
-    if (stopped(i)) return Error{ErrorCode::cancelled, "stopped on request", {}};
+    if (stopped(i)) return cancelled();
     if (i == n && limit) break;
     const BigRational s = n == 0   ? BigRational(1)
                           : i == 0 ? BigRational(values[0] / 2)
@@ -47,7 +48,7 @@ std::optional<Error> free_intervals(const std::map<exact::BigRational, Contacts>
   bool open = gap[0];
   if (open) range.free.push_back({});
   for (std::size_t i = 0; i < n; ++i) {
-    if (stopped(n + 1 + i)) return Error{ErrorCode::cancelled, "stopped on request", {}};
+    if (stopped(n + 1 + i)) return cancelled();
     const bool here = gap[i] || gap[i + 1] || (++range.tested, free(values[i]));
     if (here && !open) {
       range.free.push_back({});

@@ -98,7 +98,7 @@ Result<ScaleRange> range_of(const Region& part, const std::vector<Point>& path, 
     return *std::move(error);
   return range;
 } catch (const Cancelled&) {
-  return Error{ErrorCode::cancelled, "stopped on request", {}};
+  return cancelled();
 }
 
 // The largest scale at which the part's bounding box is no larger than the container's.
@@ -225,7 +225,7 @@ Result<PathFree::Critical> critical_of(AnyPlacement& placement, const BigRationa
   }
   return critical;
 } catch (const Cancelled&) {
-  return Error{ErrorCode::cancelled, "stopped on request", {}};
+  return cancelled();
 }
 
 Result<ScaleRange> range_along(const Region& part, const std::vector<Point>& path, const Region& obstacles,

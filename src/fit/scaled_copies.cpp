@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <numeric>
 
+#include "base/poll.h"
 #include "planar/frame/scaling_sum.h"
 #include "planar/motion/operand_pair.h"
 
@@ -65,7 +66,7 @@ Result<std::vector<CopySum>> scaled_copies(const Region& master, const Region& q
   std::vector<CopySum> result(copies.size());
   for (std::size_t g = 0; g < groups.size(); ++g) {
     if (options.progress && !options.progress("copies", static_cast<double>(g) / static_cast<double>(groups.size())))
-      return Error{ErrorCode::cancelled, "stopped on request", {}};
+      return cancelled();
     if (plan) {
       state.options.mode = widths[g] > 0 ? FrameMode::window : FrameMode::rebuild;
       state.options.window = widths[g];

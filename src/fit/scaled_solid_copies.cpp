@@ -1,6 +1,7 @@
 // Many copies of one solid, each at its own scale, from one convolution.
 #include <map>
 
+#include "base/poll.h"
 #include "dymsum/solid_scale_events.h"
 #include "dymsum/solid_scale_range.h"
 #include "exact/big.h"
@@ -19,7 +20,7 @@ Result<std::vector<SolidCopySum>> scaled_solid_copies(const Mesh& master, const 
   result.reserve(copies.size());
   for (const ScaledSolidCopy& copy : copies) {
     if (progress && !progress("copies", static_cast<double>(result.size()) / static_cast<double>(copies.size())))
-      return Error{ErrorCode::cancelled, "stopped on request", {}};
+      return cancelled();
     const auto [at, fresh] = first.try_emplace(exact::exact_value(copy.scale.exact()), result.size());
     if (!fresh) {
       result.push_back({result[at->second].sum, copy.at});

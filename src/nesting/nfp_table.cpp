@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "base/parallel.h"
+#include "base/poll.h"
 #include "nesting/row_answer.h"
 #include "nesting/strip_fit.h"
 #include "nesting/table_store.h"
@@ -86,7 +87,7 @@ class TableRunner {
     if (kept_.size() >= kMostKept || Clock::now() >= flushed_ + kLongestKept) flush();
     ++finished_;
     if (options_.progress && !options_.progress("pairs", static_cast<double>(finished_) / static_cast<double>(count_)))
-      stop({ErrorCode::cancelled, "stopped on request", {}});
+      stop(cancelled());
   }
 
   void flush() {

@@ -13,10 +13,10 @@ class PlanningPoll {
  public:
   explicit PlanningPoll(const Progress& progress) : progress_(progress) {}
 
-  /// Throws planar::Cancelled where the callback says to stop.
+  /// Throws Cancelled where the callback says to stop.
   void now(std::string_view stage, std::size_t round, std::size_t rounds) const {
     if (progress_ && !progress_(stage, static_cast<double>(round) / static_cast<double>(rounds)))
-      throw planar::Cancelled{};
+      throw Cancelled{};
   }
   /// For loops: asks once in 4096 rounds.
   void at(std::string_view stage, std::size_t round, std::size_t rounds) const {

@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "base/bit_cast.h"
+#include "base/poll.h"
 #include "exact/big.h"
 #include "io/region/write_wkb.h"
 #include "nesting/angle_differences.h"
@@ -254,8 +255,8 @@ Result<NfpTable> NfpTable::create(TableInput input, const Progress& progress) tr
   NfpTable table;
   table.state_ = std::move(state);
   return table;
-} catch (const planar::Cancelled&) {
-  return Error{ErrorCode::cancelled, "stopped on request", {}};
+} catch (const Cancelled&) {
+  return cancelled();
 }
 
 const TableInput& NfpTable::input() const { return state_->input; }

@@ -9,7 +9,7 @@
 
 #include "oracles/random.h"
 
-namespace dymsum::planar {
+namespace dymsum {
 namespace {
 
 TEST(BoxSweep, finds_the_boxes_that_meet_once_each_and_only_wanted_ones) {
@@ -54,4 +54,4 @@ TEST(BoxSweep, finds_the_boxes_that_meet_once_each_and_only_wanted_ones) {
 }
 
 }  // namespace
-}  // namespace dymsum::planar
+}  // namespace dymsum

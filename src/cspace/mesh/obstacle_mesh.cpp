@@ -7,6 +7,7 @@
 #include <stdexcept>
 #include <utility>
 
+#include "base/poll.h"
 #include "cspace/events/walked_rings.h"
 #include "cspace/mesh/obstacle_rails.h"
 #include "cspace/mesh/station_closing.h"
@@ -70,8 +71,6 @@ class MeshBuilder {
   bool stopped(const char* stage, std::size_t done, std::size_t all) const {
     return options_.progress && !options_.progress(stage, static_cast<double>(done) / static_cast<double>(all));
   }
-  static Error cancelled() { return {ErrorCode::cancelled, "the progress callback asked to stop", {}}; }
-
   std::uint32_t seam() const { return static_cast<std::uint32_t>(layout_.stations.size()); }
   /// Planes are numbered from the bottom: plane k lies below layer k.
   double height(std::uint32_t plane) const {

@@ -2,6 +2,7 @@
 #include <cmath>
 #include <vector>
 
+#include "base/poll.h"
 #include "cspace/events/walked_rings.h"
 #include "cspace/motion/pose.h"
 #include "dymsum/motion.h"
@@ -54,7 +55,7 @@ class Sweep {
     while (!open.empty()) {
       const auto [low, high] = open.back();
       if (progress && check_.poses % kBetween == 0 && !progress("poses", low))
-        return Error{ErrorCode::cancelled, "stopped on request", {}};
+        return cancelled();
       open.pop_back();
       const double middle = 0.5 * (low + high);
       const Pose::Overlap here = overlap(middle);

@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "base/poll.h"
 #include "planar/motion/orientation.h"
 
 namespace dymsum {
@@ -152,7 +153,7 @@ Result<PathCheck> first_not_free(std::span<const Pose> path, const Progress& pro
   PathCheck last;
   for (std::size_t k = path.size() == 1 ? 0 : 1; k < path.size(); ++k) {
     if (progress && !progress("pieces", static_cast<double>(k) / static_cast<double>(path.size())))
-      return Error{ErrorCode::cancelled, "stopped on request", {}};
+      return cancelled();
     Result<PathCheck> piece = check(path[k == 0 ? 0 : k - 1], path[k], k);
     if (!piece) return piece;
     last = *piece;

@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "base/memory_budget.h"
+#include "base/poll.h"
 #include "exact/rounding_bound.h"
 #include "planar/motion/exact_angle.h"
 
@@ -66,9 +67,9 @@ class ConvexMerge {
   Result<bool> run() {
     base::HeldMemory held;
     held.add(kOfPair * n() * m());
-    if (!going_on(0)) return Error{ErrorCode::cancelled, "the progress callback asked to stop", {}};
+    if (!going_on(0)) return cancelled();
     align();
-    if (!going_on(0.5)) return Error{ErrorCode::cancelled, "the progress callback asked to stop", {}};
+    if (!going_on(0.5)) return cancelled();
     for (std::uint32_t f = 0; f < m(); ++f)
       for (std::uint32_t r = 0; r < n(); ++r) add_fixed(f, r);
     for (std::uint32_t e = 0; e < n(); ++e)

@@ -99,7 +99,7 @@ Result<bool> general_obstacle(planar::ObstacleState& state, const ObstacleOption
   try {
     pass_turn(TurnWindows(forms, catalog, options.reference), sweep, poll, again);
   } catch (const Cancelled&) {
-    return Error{ErrorCode::cancelled, "stopped on request", {}};
+    return cancelled();
   }
   const SweptBoundary& found = sweep.found();
   export_obstacle(found, forms, state);

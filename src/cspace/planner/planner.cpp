@@ -4,6 +4,7 @@
 #include <chrono>
 #include <cmath>
 
+#include "base/poll.h"
 #include "base/within_memory.h"
 #include "cspace/events/walked_rings.h"
 #include "cspace/obstacle/obstacle_start.h"
@@ -168,8 +169,6 @@ class Planner {
     }
     return finished();
   }
-
-  static Error cancelled() { return {ErrorCode::cancelled, "cancelled by the progress callback", {}}; }
 
   Plan out_of_time() {
     NoPath& reason = plan_.reason.emplace();

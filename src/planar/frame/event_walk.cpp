@@ -194,7 +194,7 @@ std::optional<Error> walk(const ScalingState& state, const BigRational& low, con
     try {
       return EventWalk(probe, progress).run(low, high, f);
     } catch (const Cancelled&) {
-      return Error{ErrorCode::cancelled, "stopped on request", {}};
+      return cancelled();
     }
   });
 }

@@ -4,6 +4,7 @@
 #include <new>
 #include <utility>
 
+#include "base/poll.h"
 #include "base/stopwatch.h"
 #include "base/within_memory.h"
 #include "planar/sum/placed_sum.h"
@@ -64,7 +65,7 @@ Result<bool> MovingSum::open_window(const Move& move, FrameWork& next_work) {
   if (!move.builds || (makes_ahead() && ahead_.busy())) return false;
   const WindowController::Choice reach = controller_.choose(move.step, move.widest, options.mode, move.asked);
   if (!reach.window) return false;
-  if (options.progress && !options.progress("window", 0)) return Error{ErrorCode::cancelled, "stopped on request", {}};
+  if (options.progress && !options.progress("window", 0)) return cancelled();
   MakeWindow make = window_for(move, reach);
   if (makes_ahead()) {
     start_ahead(std::move(make), move.step);

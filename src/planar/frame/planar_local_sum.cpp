@@ -11,6 +11,7 @@
 #include <tuple>
 #include <utility>
 
+#include "base/poll.h"
 #include "base/stopwatch.h"
 #include "base/within_memory.h"
 #include "dymsum/planar_local_sum.h"
@@ -111,7 +112,7 @@ class PlanarLocalSum::State {
     if (p_->size() == 0 || q_->size() == 0) return part;
     for (const char* stage : {"segments", "arrangement", "boundary"})
       if (options_.progress && !options_.progress(stage, 0))
-        return Error{ErrorCode::cancelled, "the computation was cancelled", {}};
+        return cancelled();
     return base::within_memory(budget_, "the part of the sum", [&]() -> Result<PlanarLocalPart> {
       make(box, disc, poses, part);
       part.work.ms = watch.ms();
@@ -181,7 +182,7 @@ Result<PlanarLocalSum> PlanarLocalSum::create(const Region& p, const Region& q, 
   if (std::optional<Error> error = local_operand_error(p, *p_operand)) return *std::move(error);
   if (std::optional<Error> error = local_operand_error(q, *q_operand)) return *std::move(error);
   if (options.progress && !options.progress("operands", 0))
-    return Error{ErrorCode::cancelled, "the computation was cancelled", {}};
+    return cancelled();
   return PlanarLocalSum(std::make_unique<State>(std::move(p_operand), std::move(q_operand), options));
 }
 

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "base/parallel.h"
+#include "base/poll.h"
 #include "dymsum/progress.h"
 #include "dymsum/result.h"
 
@@ -19,7 +20,7 @@ Result<std::vector<std::uint8_t>> answer_blocks(std::size_t count, std::size_t b
   std::vector<std::uint8_t> answers(count);
   for (std::size_t first = 0; first < count; first += block) {
     if (progress && !progress("points", static_cast<double>(first) / static_cast<double>(count)))
-      return Error{ErrorCode::cancelled, "stopped on request", {}};
+      return cancelled();
     const std::size_t last = std::min(count, first + block);
     base::parallel_parts((last - first + share - 1) / share, threads, [&](std::size_t part) {
       const std::size_t begin = first + part * share;

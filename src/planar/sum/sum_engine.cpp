@@ -72,7 +72,7 @@ std::optional<Error> run(SumState& state, const SumOptions& options, Refine refi
   try {
     run_engine(options, state, refine, poll);
   } catch (const Cancelled&) {
-    return Error{ErrorCode::cancelled, "stopped on request", {}};
+    return cancelled();
   } catch (const base::OverMemory& over) {
     if (options.memory == 0) throw;  // the limit of a larger computation
     return over_limit(state, poll.stage(), over);

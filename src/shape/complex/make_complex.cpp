@@ -1,6 +1,7 @@
 #include <cmath>
 #include <stdexcept>
 
+#include "base/poll.h"
 #include "shape/complex/assemble.h"
 #include "shape/complex/from_candidates.h"
 #include "shape/complex/site_rows.h"
@@ -22,7 +23,7 @@ Candidates all_pairs(const Walks& walks) {
 
 /// Matched cells, or nothing where the certificate fails.
 std::optional<Cells> certified_cells(Order& order, Candidates candidates, int threads, SiteRows::Guess kind,
-                                     const planar::Poll& poll, Work& work) {
+                                     const Poll& poll, Work& work) {
   SiteRows rows(order.walks(), std::move(candidates), threads);
   if (!rows.close(kind, poll)) return std::nullopt;
   const bool closes = rows.closes_at_infinity();
@@ -69,7 +70,7 @@ namespace {
 
 /// One complex from guesses, the best one last.
 Complex complex_of(Walks walks, int threads, std::optional<Candidates> guess, SiteRows::Guess kind,
-                   const planar::Poll& poll) {
+                   const Poll& poll) {
   auto exact = std::make_shared<ExactComplex>();
   exact->walks = std::move(walks);
   Work work;
@@ -99,18 +100,18 @@ Complex complex_of(Walks walks, int threads, std::optional<Candidates> guess, Si
 
 }  // namespace
 
-Complex complex_from(Walks walks, std::optional<Candidates> guess, int threads, const planar::Poll& poll) {
+Complex complex_from(Walks walks, std::optional<Candidates> guess, int threads, const Poll& poll) {
   return complex_of(std::move(walks), threads, std::move(guess), SiteRows::Guess::good, poll);
 }
 
-Complex complex_from_rough(Walks walks, int threads, const planar::Poll& poll) {
+Complex complex_from_rough(Walks walks, int threads, const Poll& poll) {
   std::optional<Candidates> guess = walks.sites.empty() ? Candidates{} : rough_candidates_of(walks);
   return complex_of(std::move(walks), threads, std::move(guess), SiteRows::Guess::rough, poll);
 }
 
 namespace {
 
-Result<Complex> made(const Region& region, Side side, Engine engine, int threads, const planar::Poll& poll) {
+Result<Complex> made(const Region& region, Side side, Engine engine, int threads, const Poll& poll) {
   if (side == Side::outside) {
     if (std::optional<Error> error = thin_contact(region)) return *std::move(error);
   }
@@ -126,12 +127,12 @@ Result<Complex> made(const Region& region, Side side, Engine engine, int threads
 }  // namespace
 
 Result<Complex> make_complex(const Region& region, Side side, Engine engine, int threads, const Progress& progress) {
-  planar::Poll poll(progress);
+  Poll poll(progress);
   try {
     poll.stage("complex");
     return made(region, side, engine, threads, poll);
-  } catch (const planar::Cancelled&) {
-    return Error{ErrorCode::cancelled, "stopped on request", {}};
+  } catch (const Cancelled&) {
+    return cancelled();
   }
 }
 

@@ -41,7 +41,7 @@ SiteRows::SiteRows(const Walks& walks, Candidates candidates, int threads)
   rows_.resize(sections_.size());
 }
 
-bool SiteRows::close(Guess guess, const planar::Poll& poll) {
+bool SiteRows::close(Guess guess, const Poll& poll) {
   constexpr std::uint64_t kRounds = 3;
   std::vector<std::uint32_t> sites(walks_.sites.size());
   std::iota(sites.begin(), sites.end(), 0U);
@@ -59,7 +59,7 @@ bool SiteRows::close(Guess guess, const planar::Poll& poll) {
 }
 
 /// In batches: between them it is asked whether to go on.
-void SiteRows::make_rows(const std::vector<std::uint32_t>& sites, const planar::Poll& poll) {
+void SiteRows::make_rows(const std::vector<std::uint32_t>& sites, const Poll& poll) {
   constexpr std::size_t kSitesPerBatch = 16384;
   for (std::size_t i = 0; i < sites.size(); i += kSitesPerBatch) {
     const double done = work.closing_rounds > 0 ? 1 : static_cast<double>(i) / static_cast<double>(sites.size());

@@ -19,7 +19,7 @@ class SiteRows {
   /// the end of a site, that site's neighbours in the walk become candidates, then all sites.
   /// A rough guess is given up where it wants many rounds or all sites: then false, and nothing is complete.
   enum class Guess : std::uint8_t { good, rough };
-  bool close(Guess guess, const planar::Poll& poll);
+  bool close(Guess guess, const Poll& poll);
 
   const std::vector<Section>& sections() const { return sections_; }
   /// Per section.
@@ -31,7 +31,7 @@ class SiteRows {
 
  private:
   struct Ends;  // two pieces in turn along a walk
-  void make_rows(const std::vector<std::uint32_t>& sites, const planar::Poll& poll);
+  void make_rows(const std::vector<std::uint32_t>& sites, const Poll& poll);
   void make_some_rows(const std::uint32_t* first, const std::uint32_t* last);
   std::vector<std::uint32_t> extend();
   void ask(std::uint32_t s, std::uint32_t j);

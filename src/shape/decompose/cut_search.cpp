@@ -71,7 +71,7 @@ class CutSearch {
       }
   }
 
-  std::vector<PlacedCut> run(const planar::Poll& poll) {
+  std::vector<PlacedCut> run(const Poll& poll) {
     std::vector<bool> done(table_.at.size(), false);
     for (std::size_t k = 0; k < order_.size(); ++k) {
       poll.at_test(k, order_.size());
@@ -186,7 +186,7 @@ class CutSearch {
 
   /// The shortest cut at a vertex of the hull of these rings that connects them with others, or, where none does, the
   /// shortest. It leaves the hull: the cone there and the hull are apart.
-  std::optional<Candidate> partner_of(const CutLinks::Loose& loose, const planar::Poll& poll, double share) const {
+  std::optional<Candidate> partner_of(const CutLinks::Loose& loose, const Poll& poll, double share) const {
     std::optional<Candidate> best;
     bool hangs = true;  // of the best
     for (const std::uint32_t v : hull_vertices(table_, loose.rings)) {
@@ -201,7 +201,7 @@ class CutSearch {
     return best;
   }
 
-  void add_partners(const planar::Poll& poll, double share) {
+  void add_partners(const Poll& poll, double share) {
     while (const std::optional<CutLinks::Loose> loose = links_.first_loose()) {
       const std::optional<Candidate> partner = partner_of(*loose, poll, share);
       if (!partner) throw std::logic_error("rings that one cut connects have a second");
@@ -226,7 +226,7 @@ class CutSearch {
 
 std::vector<PlacedCut> find_cuts(const RingTable& table, const std::vector<FeatureBar>& bars,
                                  const std::vector<BarWorth>& worth, const std::vector<std::uint32_t>& order,
-                                 const planar::Poll& poll) {
+                                 const Poll& poll) {
   return CutSearch(table, bars, worth, order).run(poll);
 }
 

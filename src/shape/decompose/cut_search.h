@@ -34,10 +34,10 @@ using BarWorth = std::tuple<std::uint32_t, double, double, std::optional<std::ui
 /// O(log n) steps in doubles and a few exact ones per bar in practice. Stops as the progress callback asks.
 std::vector<PlacedCut> find_cuts(const RingTable& table, const std::vector<FeatureBar>& bars,
                                  const std::vector<BarWorth>& worth, const std::vector<std::uint32_t>& order,
-                                 const planar::Poll& poll);
+                                 const Poll& poll);
 
 /// The connected components of the region without the cuts, each with simple rings. O(m log m) steps for m vertices and
 /// cuts, and for every hole that no cut touches a walk round the pieces in whose boxes it lies.
-std::vector<Piece> pieces_between(const RingTable& table, const std::vector<PlacedCut>& cuts, const planar::Poll& poll);
+std::vector<Piece> pieces_between(const RingTable& table, const std::vector<PlacedCut>& cuts, const Poll& poll);
 
 }  // namespace dymsum::shape

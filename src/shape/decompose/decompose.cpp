@@ -55,7 +55,7 @@ Result<Decomposition> decompose(const ShapeFeatures& features, const DecomposeOp
   if (options.alpha_to && *options.alpha_to < options.alpha_from)
     return Error{ErrorCode::out_of_range, "the range of diameters ends before it begins", {}};
   if (region.empty()) return Decomposition{};
-  planar::Poll poll(options.progress);
+  Poll poll(options.progress);
   try {
     poll.stage("significance");
     const std::vector<std::uint32_t> order =
@@ -69,8 +69,8 @@ Result<Decomposition> decompose(const ShapeFeatures& features, const DecomposeOp
     for (shape::PlacedCut& cut : cuts) result.cuts.push_back(std::move(cut.cut));
     poll(1);
     return result;
-  } catch (const planar::Cancelled&) {
-    return Error{ErrorCode::cancelled, "stopped on request", {}};
+  } catch (const Cancelled&) {
+    return cancelled();
   }
 }
 

@@ -51,7 +51,7 @@ class PieceMaker {
       if (!outer || i != *outer) holes->push_back(std::move(loops[i]));
   }
 
-  std::vector<Piece> run(const planar::Poll& poll) {
+  std::vector<Piece> run(const Poll& poll) {
     std::vector<PlainBox> boxes;
     if (!loose_.empty())
       for (const LoopPiece& piece : pieces_) boxes.push_back(box_of(piece.outer));
@@ -166,7 +166,7 @@ class PieceMaker {
 }  // namespace
 
 std::vector<Piece> pieces_between(const RingTable& table, const std::vector<PlacedCut>& cuts,
-                                  const planar::Poll& poll) {
+                                  const Poll& poll) {
   const Sections sections = make_sections(table, cuts);
   const std::vector<std::uint32_t> next = following(sections);
   std::vector<bool> used(next.size(), false);

@@ -3,6 +3,7 @@
 #include <mutex>
 #include <utility>
 
+#include "base/poll.h"
 #include "shape/disc/level_set.h"
 
 namespace dymsum {
@@ -15,8 +16,6 @@ namespace {
 bool goes_on(const Progress& progress, const char* stage, double fraction) {
   return !progress || progress(stage, fraction);
 }
-Error stopped() { return {ErrorCode::cancelled, "stopped on request", {}}; }
-
 }  // namespace
 
 /// The complex of each side with the order along the boundary, made when first asked for.
@@ -47,7 +46,7 @@ struct GrowingDisc::State {
         one.order = shape::boundary_order(one.complex);
       }
       one.made = true;
-      if (!goes_on(progress, "complex", 1)) return stopped();
+      if (!goes_on(progress, "complex", 1)) return cancelled();
     }
     if (one.error) return *one.error;
     return &one;
@@ -63,12 +62,12 @@ Result<DiscSet> set_at(const Result<const OneSide*>& side, const Region& region,
                        Semantics semantics, const Progress& progress, Make make) {
   if (!side) return side.error();
   const OneSide& one = **side;
-  if (!goes_on(progress, "set", 0)) return stopped();
+  if (!goes_on(progress, "set", 0)) return cancelled();
   const auto level = shape::level_at(one.complex, r);
   if (!level) return level.error();
   if (level->radius == 0) return shape::set_of(region);
   DiscSet set = make(shape::DiscPlaces(one.complex, *level), one.order, semantics);
-  if (!goes_on(progress, "set", 1)) return stopped();
+  if (!goes_on(progress, "set", 1)) return cancelled();
   return set;
 }
 

@@ -207,7 +207,7 @@ void add_significance(ShapeFeatures::State& state) {
 }
 
 /// What tracks ask of pockets, with the bridges at the ends of edges.
-PocketOracle oracle_of(const ShapeFeatures::State& state, const planar::Poll& poll) {
+PocketOracle oracle_of(const ShapeFeatures::State& state, const Poll& poll) {
   const auto minimum = [&state](std::uint32_t edge) {
     const Bridge bridge = bridge_at_end(state.complex, state.loops, edge);
     return bridge.pocket ? pocket_minimum(state.loops, *state.extremes, bridge, state.options) : Deepest{};
@@ -247,12 +247,12 @@ Result<ShapeFeatures> ShapeFeatures::create(const Region& region, const FeatureO
   state->loops = boundary_loops(state->complex);
   state->extremes.emplace(state->loops);
   try {
-    planar::Poll poll(options.progress);
+    Poll poll(options.progress);
     poll.stage("bars");
     state->tracks = tracks_of(state->complex, oracle_of(*state, poll));
     poll(1);
-  } catch (const planar::Cancelled&) {
-    return Error{ErrorCode::cancelled, "stopped on request", {}};
+  } catch (const Cancelled&) {
+    return cancelled();
   }
   for (std::uint32_t n = 0; n < state->complex.nodes.size(); ++n)
     if (state->complex.nodes[n].rank == state->first_node.size()) state->first_node.push_back(n);

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "base/budget_error.h"
+#include "base/poll.h"
 #include "exact/orient3.h"
 #include "spatial/boolean/cell_windings.h"
 #include "spatial/boundary/cell_links.h"
@@ -150,13 +151,12 @@ Result<SpatialSum> solid_inside(const MeshData& data, InsideRule rule, const Spa
       watch.begin("faces");
       assemble(boundary, surface, point, sum, watch);
       watch.begin("");
-      const_cast<SpatialPositions&>(SpatialSumInternals::positions(sum)).space = std::move(boundary.space);
     } catch (const std::invalid_argument&) {
       if (std::optional<Error> error = grid_error(surface.vertices, point.vertices)) return *std::move(error);
       throw;
     }
   } catch (const Cancelled&) {
-    return Error{ErrorCode::cancelled, "the computation was cancelled", {}};
+    return cancelled();
   } catch (const OverBudget& e) {
     return base::budget_error("the solid takes at least", e.bytes, options.memory);
   } catch (const OpenAt& e) {

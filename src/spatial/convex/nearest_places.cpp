@@ -12,8 +12,6 @@ namespace dymsum::spatial {
 namespace {
 
 using base::DoublePair;
-using planar::both;
-using planar::Two;
 
 /// In units of u^2, of a coordinate: times the sizes of its terms. A matrix entry is a quotient, times a quotient (3
 /// operations on pairs). A term m x: what x is rounded to, the low part of m times x, m times what x has beyond a
@@ -107,7 +105,7 @@ TwoCoordinates coordinate(const Entry* row, const std::array<Two, 3>& upper, con
   }
   const TwoPair two = exact_sum(product[0], product[1]), all = exact_sum(two.high, product[2]);
   return {all.high, (two.low + all.low) + ((low[0] + low[1]) + low[2]),
-          planar::magnitude(product[0]) + planar::magnitude(product[1]) + planar::magnitude(product[2])};
+          magnitude(product[0]) + magnitude(product[1]) + magnitude(product[2])};
 }
 
 Two load(const std::vector<double>& from, std::size_t i) { return Two{from[i], from[i + 1]}; }
@@ -123,7 +121,7 @@ Rounded rounded_sum(Two a_high, Two a_low, Two a_error, Two b_high, Two b_low, T
   const TwoPair sum = exact_sum(a_high, b_high);
   const Two low = sum.low + (a_low + b_low), error = a_error + b_error;
   const Two below = sum.high + (low - error), above = sum.high + (low + error);
-  return {above + both(0), planar::every(below == above)};
+  return {above + both(0), every(below == above)};
 }
 
 }  // namespace

@@ -3,6 +3,7 @@
 #include <mutex>
 
 #include "base/parallel.h"
+#include "base/poll.h"
 #include "dymsum/convex_sum.h"
 #include "spatial/convex/pose_order.h"
 
@@ -35,7 +36,7 @@ Result<std::vector<PoseReport>> pose_batch(const Mesh& p, const Mesh& q, std::sp
       if (!options.progress("poses", static_cast<double>(done) / static_cast<double>(poses.size()))) stop = true;
     }
   });
-  if (stop) return Error{ErrorCode::cancelled, "stopped by the progress callback", {}};
+  if (stop) return cancelled();
   return reports;
 }
 

@@ -10,13 +10,12 @@
 
 #include "base/parallel.h"
 #include "base/parallel_sort.h"
+#include "base/poll.h"
 #include "base/stopwatch.h"
 #include "dymsum/spatial_sum.h"
 
 namespace dymsum::spatial {
 
-/// Thrown where progress asks to stop.
-struct Cancelled {};
 /// Thrown where a stage is about to hold more than the budget.
 struct OverBudget {
   std::uint64_t bytes;  ///< that it would hold

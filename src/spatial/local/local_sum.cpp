@@ -6,6 +6,7 @@
 #include <optional>
 #include <utility>
 
+#include "base/poll.h"
 #include "base/stopwatch.h"
 #include "spatial/convolution/facet_rule.h"
 #include "spatial/local/ball_faces.h"
@@ -106,7 +107,6 @@ class LocalSum::State {
     watch.begin("faces");
     spatial::assemble(local.boundary, pair_.p, pair_.q, part.boundary, watch);
     watch.begin("");
-    set_space(part.boundary, std::move(local.boundary.space));
     spatial::unscale(part.boundary, scale);
     if (ball != nullptr) spatial::keep_in_ball(*ball, part.boundary);
     part.work.contacts = stats.contacts, part.work.collision_tests = stats.collision_tests;
@@ -115,12 +115,6 @@ class LocalSum::State {
                  : local.middle_inside           ? LocalPart::Where::inside
                                                  : LocalPart::Where::outside;
     return part;
-  }
-
-  static void set_space(SpatialSum& sum, std::shared_ptr<const spatial::SumSpace> space) {
-    auto positions = std::make_shared<spatial::SpatialPositions>(spatial::SpatialSumInternals::positions(sum));
-    positions->space = std::move(space);
-    spatial::SpatialSumInternals::set_positions(sum, std::move(positions));
   }
 
   /// Those near the larger box of the walls; of the reference all.
@@ -187,7 +181,7 @@ Result<LocalSum> LocalSum::create(const Mesh& p, const Mesh& q, const LocalOptio
   if (p.has_thin_parts() || q.has_thin_parts())
     return Error{ErrorCode::unsupported_operand, "an operand of a local sum has parts without volume", {}};
   if (options.progress && !options.progress("operands", 0))
-    return Error{ErrorCode::cancelled, "the computation was cancelled", {}};
+    return cancelled();
   return LocalSum(std::make_unique<State>(p, q, options));
 }
 

@@ -22,7 +22,6 @@ SpatialSum sum_of_facets(const SolidPair& pair, PosedSpace space, ReducedConvolu
   watch.begin("faces");
   assemble(boundary, pair.p, pair.q, sum, watch);
   watch.begin("");
-  const_cast<SpatialPositions&>(SpatialSumInternals::positions(sum)).space = std::move(boundary.space);
   unscale(sum, space.scale);
   return sum;
 }

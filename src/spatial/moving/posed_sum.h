@@ -1,6 +1,7 @@
 // A sum of two solids at exact poses, from the facets of its convolution.
 #pragma once
 
+#include "base/poll.h"
 #include "dymsum/moving_solid_sum.h"
 #include "spatial/motion/posed_pair.h"
 #include "spatial/sum/solid_boundary.h"
@@ -24,7 +25,7 @@ auto guarded(F make) -> Result<decltype(make())> {
   try {
     return make();
   } catch (const Cancelled&) {
-    return Error{ErrorCode::cancelled, "the computation was cancelled", {}};
+    return cancelled();
   } catch (const std::invalid_argument&) {
     return Error{ErrorCode::unsupported_operand, "at these poses coordinates need more than 8,192 bits", {}};
   } catch (const std::bad_alloc&) {

@@ -43,7 +43,7 @@ class PoseBatch {
   /// Between the stages of a sum: the caller is asked by one thread at a time, with the share of all poses.
   bool go_on() {
     const std::lock_guard lock(mutex_);
-    if (!failure_ && !asked()) failure_ = std::make_exception_ptr(spatial::Cancelled{});
+    if (!failure_ && !asked()) failure_ = std::make_exception_ptr(Cancelled{});
     return !failure_;
   }
 
@@ -53,11 +53,11 @@ class PoseBatch {
   }
   void tell(std::uint32_t k, const SpatialSum& sum) {
     const std::lock_guard lock(mutex_);
-    if (failure_) throw spatial::Cancelled{};
+    if (failure_) throw Cancelled{};
     try {
       visit_(k, sum);
       ++done_;
-      if (!asked()) throw spatial::Cancelled{};
+      if (!asked()) throw Cancelled{};
     } catch (...) {
       fail();  // still under the lock: no other thread visits after a failure
       throw;

@@ -2,6 +2,7 @@
 #include <cmath>
 
 #include "base/budget_error.h"
+#include "base/poll.h"
 #include "dymsum/solid_slice.h"
 #include "exact/big.h"
 #include "spatial/convolution/stage_watch.h"
@@ -18,8 +19,6 @@ bool within(const Mesh& p, const Mesh& q, double z) {
   return exact::exact_value(a[2]) + exact::exact_value(b[2]) <= at &&
          at <= exact::exact_value(a[5]) + exact::exact_value(b[5]);
 }
-
-const Error kCancelled{ErrorCode::cancelled, "the computation was cancelled", {}};
 
 }  // namespace
 
@@ -42,8 +41,8 @@ Result<SolidSlice> slice_of_sum(const Mesh& p, const Mesh& q, double z, const Sp
     slice.stats = {plane.space->bits(), plane.facets, plane.table.facets.size(), plane.cells.cells.size(),
                    collision.tests()};
     spatial::collect_region(std::move(plane), states, a, b, slice);
-  } catch (const spatial::Cancelled&) {
-    return kCancelled;
+  } catch (const Cancelled&) {
+    return cancelled();
   } catch (const spatial::OverBudget& e) {
     return base::budget_error("the slice takes at least", e.bytes, options.memory);
   } catch (const spatial::NoGridForSlice& e) {

@@ -3,6 +3,7 @@
 #include <optional>
 #include <stdexcept>
 
+#include "base/poll.h"
 #include "dymsum/spatial_sum.h"
 #include "exact/big.h"
 #include "spatial/boundary/collision.h"
@@ -42,7 +43,7 @@ Result<std::vector<bool>> contains_each(const Mesh& p, const Mesh& q, std::span<
   const spatial::Collision collision(*space, a, b);
   for (std::size_t k = 0; k < positions.size(); ++k) {
     if (progress && !progress("positions", static_cast<double>(k) / static_cast<double>(positions.size())))
-      return Error{ErrorCode::cancelled, "stopped on request", {}};
+      return cancelled();
     const RationalPoint3& z = positions[k];
     const std::optional<PointSource> at =
         space->add_place({exact::exact_value(z.x), exact::exact_value(z.y), exact::exact_value(z.z)});

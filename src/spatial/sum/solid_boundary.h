@@ -11,7 +11,7 @@
 namespace dymsum::spatial {
 
 struct SolidBoundary {
-  std::unique_ptr<SumSpace> space;
+  std::shared_ptr<SumSpace> space;
   FacetTable table;
   std::unique_ptr<SolidArrangement> arrangement;
   std::vector<bool> boundary;        ///< per cell

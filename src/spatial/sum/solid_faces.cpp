@@ -115,6 +115,7 @@ class Assembler {
     sort_points(used);
     name_.assign(arrangement_.points.size(), kNoId);
     auto source = std::make_shared<SpatialPositions>();
+    source->space = boundary_.space;
     double world[3], offset[3];
     for (int axis = 0; axis < 3; ++axis) {
       const SumSpace::Line line = space_.line(axis);

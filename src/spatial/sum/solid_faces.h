@@ -5,7 +5,8 @@
 
 namespace dymsum::spatial {
 
-/// Fills vertices, faces, shells and tight features, in canonical order. `p` and `q` give the faces and edges of the
+/// Fills vertices, faces, shells and tight features, in canonical order; the sum keeps the boundary's space for its
+/// exact positions. `p` and `q` give the faces and edges of the
 /// operands' meshes.
 void assemble(const SolidBoundary& boundary, const SolidOperand& p, const SolidOperand& q, SpatialSum& sum,
               StageWatch& watch);

@@ -7,6 +7,7 @@
 
 #include "base/budget_error.h"
 #include "base/parallel.h"
+#include "base/poll.h"
 #include "spatial/boundary/thin_crossings.h"
 #include "spatial/convolution/predicted_cost.h"
 #include "spatial/sum/face_triangles.h"
@@ -49,7 +50,7 @@ Error no_open_sum(const spatial::ThinCrossing& parts) {
 Result<SpatialSum> minkowski_sum(const Mesh& p, const Mesh& q, const SpatialOptions& options) {
   if (options.engine == SpatialEngine::fast && !options.trace) {
     if (options.progress && !options.progress("convex", 0))
-      return Error{ErrorCode::cancelled, "the computation was cancelled", {}};
+      return cancelled();
     const Result<SolidSum> convex = spatial::small_convex_sum(p, q, options.memory);
     if (convex) return spatial::boundary_of(*convex);
     if (convex.error().code == ErrorCode::out_of_memory) return convex.error();
@@ -82,9 +83,8 @@ Result<SpatialSum> spatial::sum_of_operands(const SolidOperand& a, const SolidOp
     spatial::assemble(boundary, a, b, sum, watch);
     if (options.trace) sum.trace = trace_of(boundary, watch);
     watch.begin("");
-    const_cast<SpatialPositions&>(SpatialSumInternals::positions(sum)).space = std::move(boundary.space);
-  } catch (const spatial::Cancelled&) {
-    return Error{ErrorCode::cancelled, "the computation was cancelled", {}};
+  } catch (const Cancelled&) {
+    return cancelled();
   } catch (const spatial::NoOpenSum& e) {
     return no_open_sum(e.parts);
   } catch (const spatial::OverBudget& e) {

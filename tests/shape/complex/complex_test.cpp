@@ -269,7 +269,7 @@ TEST(Complex, ProgressAscendsAndStopsAnywhere) {
 
 std::string from_guess(const Region& region, Side side, const Candidates& guess, bool& certified) {
   const Progress never_stops;
-  const Complex c = complex_from(make_walks(region, side).value(), guess, 1, planar::Poll(never_stops));
+  const Complex c = complex_from(make_walks(region, side).value(), guess, 1, Poll(never_stops));
   certified = c.work.certified;
   return summary(c);
 }
