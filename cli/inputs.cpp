@@ -1,5 +1,6 @@
 #include "inputs.h"
 
+#include "dymsum/planar_boolean.h"
 #include "planar/open_ends.h"
 
 #include <algorithm>
@@ -124,18 +125,43 @@ std::vector<NamedShape> read_all(const std::string& file, const InputOptions& op
 
 std::string remedy(const std::string& changes) { return " (--repair mends it: " + changes + ")"; }
 
+std::optional<Fill> fill_of(const std::string& name) {
+  if (name == "positive") return Fill::positive;
+  if (name == "nonzero") return Fill::nonzero;
+  return name == "even_odd" ? std::optional(Fill::even_odd) : std::nullopt;
+}
+
+namespace {
+
+/// What filling rings would mend.
+bool is_about_rings(ErrorCode code) {
+  return code == ErrorCode::self_crossing || code == ErrorCode::rings_cross || code == ErrorCode::hole_outside ||
+         code == ErrorCode::parts_overlap || code == ErrorCode::no_area;
+}
+
+}  // namespace
+
 Result<Region> make_region(RegionData data, const std::string& file, const InputOptions& options) {
   const auto in_file = [&](Error error) {
     if (error.evidence.file.empty()) error.evidence.file = shown_file(file);
     return error;
   };
   if (!options.quiet) tell_open_ends(data, file);
+  if (!options.fill.empty()) {
+    Result<FilledRegion> made = repair_with_fill(data, *fill_of(options.fill));
+    if (!made) return in_file(made.error());
+    if (!options.quiet && !(Region::create(std::move(data)) && made->report.crossings == 0))
+      std::cerr << file << ": " << made->report.to_string() << "\n";
+    return std::move(made).value().region;
+  }
   if (!options.repair) {
     Result<Region> region = Region::create(data);
     if (region) return region;
     Error error = region.error();
     if (const Result<Repaired> mended = repair(std::move(data)); mended && options.offers_repair)
       error.message += remedy(mended->report.to_string());
+    else if (options.offers_repair && is_about_rings(error.code))
+      error.message += " (--fill RULE takes what the rings bound: nonzero, positive or even_odd)";
     return in_file(std::move(error));
   }
   Result<Repaired> repaired = repair(std::move(data));

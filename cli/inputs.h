@@ -6,6 +6,7 @@
 #include <string_view>
 #include <vector>
 
+#include "dymsum/fill.h"
 #include "dymsum/region.h"
 #include "dymsum/region_io.h"
 #include "exit_code.h"
@@ -18,6 +19,7 @@ struct InputOptions {
   bool thin = false;    ///< solids: points, segments and open surfaces are operands, too
   bool offers_thin = false;    ///< whether the verb has --thin
   bool offers_repair = false;  ///< whether it has --repair
+  std::string fill;            ///< planar: rings bound what this rule says; of solids that are repaired, too
   bool drop_z = false;         ///< planar files: third coordinates are left out
   bool quiet = false;          ///< repairs are not printed: they were before
   std::string from;            ///< the format of standard input; empty: told from its first characters
@@ -67,6 +69,9 @@ std::vector<Input> read_inputs(const std::vector<std::string>& files, const Inpu
 
 /// A Stop when the format of standard input is given and no file is it.
 void refuse_unused_format(const std::vector<std::string>& files, const InputOptions& options);
+
+/// The rule that --fill names.
+std::optional<Fill> fill_of(const std::string& name);
 
 /// Validates, or repairs where asked, one shape of a file.
 Result<Region> make_region(RegionData data, const std::string& file, const InputOptions& options);

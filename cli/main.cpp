@@ -38,6 +38,9 @@ void add_verbs(CLI::App& app, Action& action) {
   add_sum(app, action);
   add_nfp(app, action);
   add_erode(app, action);
+  add_union(app, action);
+  add_intersect(app, action);
+  add_subtract(app, action);
   add_nfp_table(app, action);
   add_disc(app, action);
   add_opening(app, action);

@@ -167,12 +167,10 @@ Json sum_json(const SumReport& report) {
   json.update(size_json(sum, report.exact));
   json.update({{"segments", sum.segments.size()},
                {"points", sum.points.size()},
-               {"convolution",
-                {{"full", report.convolution.full},
-                 {"kinetic", report.convolution.kinetic},
-                 {"reduced", report.convolution.reduced}}},
                {"crossings", sum.stats.crossings},
                {"work", work_json(sum.stats)}});
+  if (const auto& sizes = report.convolution)
+    json["convolution"] = {{"full", sizes->full}, {"kinetic", sizes->kinetic}, {"reduced", sizes->reduced}};
   if (report.orientation) json["orientation"] = orientation_json(*report.orientation);
   if (report.rounding) json["rounding"] = rounding_json(*report.rounding);
   return json;
@@ -183,7 +181,7 @@ void print_sum(std::ostream& out, const SumReport& report) {
   out << report.verb << " of";
   for (std::size_t i = 0; i < report.inputs.size(); ++i) {
     const Input& input = report.inputs[i];
-    out << (i == 0 ? " " : " and ") << input.file << " (" << counted(input.region.vertex_count(), "vertex", "vertices")
+    out << (i == 0 ? " " : i + 1 < report.inputs.size() ? ", " : " and ") << input.file << " (" << counted(input.region.vertex_count(), "vertex", "vertices")
         << ")";
   }
   if (report.orientation) {
@@ -197,9 +195,10 @@ void print_sum(std::ostream& out, const SumReport& report) {
     out << ", " << counted(sum.segments.size(), "segment") << ", " << counted(sum.points.size(), "isolated point");
   }
   out << "\n  area " << shown_area(sum) << "\n  tight features: " << counted(sum.tight_points.size(), "point") << ", "
-      << counted(sum.tight_segments.size(), "segment") << "\n  convolution: full " << report.convolution.full
-      << ", kinetic " << report.convolution.kinetic << ", reduced " << report.convolution.reduced << "; "
-      << counted(sum.stats.crossings, "crossing") << "\n  " << tier_name(sum.stats.tier_bits) << " integers, engine "
+      << counted(sum.tight_segments.size(), "segment") << "\n  ";
+  if (const auto& sizes = report.convolution)
+    out << "convolution: full " << sizes->full << ", kinetic " << sizes->kinetic << ", reduced " << sizes->reduced << "; ";
+  out << counted(sum.stats.crossings, "crossing") << "\n  " << tier_name(sum.stats.tier_bits) << " integers, engine "
       << report.engine << ", " << report.semantics << ", " << shown(report.timing);
   out << "\n";
 }

@@ -23,7 +23,7 @@ struct SumReport {
   std::string verb;
   std::vector<Input> inputs;
   const PlanarSum* sum = nullptr;
-  ConvolutionSizes convolution;
+  std::optional<ConvolutionSizes> convolution;  ///< none of Boolean operations
   Timing timing;
   std::string engine, semantics;
   std::optional<Orientation> orientation;  ///< where an operand is turned

@@ -44,7 +44,8 @@ std::optional<MeshFormat> solid_format_of(std::string_view text) {
 }
 
 Result<RepairedMesh> repaired(MeshData data, const InputOptions& options) {
-  return options.thin ? repair_with_thin_parts(std::move(data)) : repair_with_union(std::move(data));
+  return options.thin ? repair_with_thin_parts(std::move(data))
+                      : repair_with_union(std::move(data), fill_of(options.fill).value_or(Fill::nonzero));
 }
 
 /// What the option would do: of large surfaces that cross that takes too long for a hint.
@@ -136,6 +137,7 @@ Result<SolidInput> make_solid(MeshData data, const std::string& file, const Inpu
     return hull;
   }
   if (!options.repair) {
+    if (!options.fill.empty()) throw Stop(kUsage, "--fill of solids belongs to --repair");
     Result<Mesh> mesh = options.thin ? Mesh::with_thin_parts(data) : Mesh::create(data);
     if (!mesh) return in_file(with_remedy(mesh.error(), data, options));
     return SolidInput{file, std::move(mesh).value()};

@@ -39,6 +39,12 @@ void check(const SumCommand& command) {
     refuse_options(*command.parser, {"--round-repair"}, "belongs to -o FILE.wkt, .poly or .geojson");
 }
 
+std::vector<Region> regions_of(const std::vector<Input>& inputs) {
+  std::vector<Region> regions;
+  for (const Input& input : inputs) regions.push_back(input.region);
+  return regions;
+}
+
 /// Exact fits of the open semantics are tight features alone.
 bool is_empty(const PlanarSum& sum) {
   return sum.parts.empty() && sum.segments.empty() && sum.points.empty() && sum.tight_segments.empty() &&
@@ -66,16 +72,20 @@ void add_output_options(CLI::App& verb, SumCommand& command, bool planar_result)
                     " rounding would change the topology, merge what collides before edges are bent");
 }
 
-void add_sum_options(CLI::App& verb, SumCommand& command, bool planar_result) {
+void add_sum_options(CLI::App& verb, SumCommand& command, const SumVerb& of) {
+  const bool planar_result = of.planar_result;
   add_output_options(verb, command, planar_result);
-  verb.add_option("--engine", command.engine,
-                  planar_result ? "Planar operands: how the boundary is found; all give the same result"
-                                : "How the boundary is found; all give the same set; of solids fast or brute")
-      ->check(CLI::IsMember({"fast", "brute", "winding"}))
-      ->capture_default_str();
+  if (!of.boolean)
+    verb.add_option("--engine", command.engine,
+                    planar_result ? "Planar operands: how the boundary is found; all give the same result"
+                                  : "How the boundary is found; all give the same set; of solids fast or brute")
+        ->check(CLI::IsMember({"fast", "brute", "winding"}))
+        ->capture_default_str();
   verb.add_option("--semantics", command.semantics,
-                  std::string(planar_result ? "Planar operands: " : "") +
-                      "closed: sum of closed sets; open: touching is allowed; regular: no tight features")
+                  of.boolean ? "Planar operands: regular: parts with area alone; closed: with segments and points at which "
+                               "operands only touch; open: of open sets; tight features are listed with both"
+                             : std::string(planar_result ? "Planar operands: " : "") +
+                                   "closed: sum of closed sets; open: touching is allowed; regular: no tight features")
       ->check(CLI::IsMember({"closed", "open", "regular"}))
       ->capture_default_str();
   add_report_options(verb, command.report, "Compute N times and report the median and minimum time");
@@ -85,11 +95,13 @@ void add_sum_options(CLI::App& verb, SumCommand& command, bool planar_result) {
 }  // namespace
 
 CLI::App& declare_sum_verb(CLI::App& app, const SumVerb& verb, SumCommand& command) {
+  command.semantics = verb.semantics;
   CLI::App& parser = *app.add_subcommand(verb.name, verb.description);
   add_operands(parser, verb.first, verb.second, command.operands);
   if (verb.several)
-    parser.add_option("MORE", command.more, "More solids: the sum of all, exact throughout")->type_name("");
-  add_sum_options(parser, command, verb.planar_result);
+    parser.add_option("MORE", command.more, verb.boolean ? "More of them" : "More solids: the sum of all, exact throughout")
+        ->type_name("");
+  add_sum_options(parser, command, verb);
   add_solid_input_options(parser, command.input, OperandKind::either,
                           verb.is_sum ? Hulls::of_results_too : Hulls::of_operands);
   add_memory_option(parser, command.memory_mb, OperandKind::either);
@@ -129,7 +141,7 @@ Action with_viewer(const SumVerb& verb, SumCommand& command, const Action& actio
 
 ExitCode run_sum(const SumVerb& verb, const SumCommand& command) {
   if (are_solid(command.operands, command.input)) return run_solid_sum(verb, command);
-  if (!command.more.empty()) throw Stop(kUsage, "more than two operands have to be solids");
+  if (!command.more.empty() && !verb.boolean) throw Stop(kUsage, "more than two operands have to be solids");
   refuse_options(*command.parser, {"--triangulate", "--thin", "--round"}, "is for solids");
   std::ostream& out = report_stream(command.output.files, command.report.json);
   check(command);
@@ -140,7 +152,9 @@ ExitCode run_sum(const SumVerb& verb, const SumCommand& command) {
   report.semantics = command.semantics;
   report.orientation = verb.orientation;
   report.exact = command.report.exact;
-  report.inputs = read_inputs(command.operands, command.input);
+  std::vector<std::string> files = command.operands;
+  files.insert(files.end(), command.more.begin(), command.more.end());
+  report.inputs = read_inputs(files, command.input);
   const Region& p = report.inputs[0].region;
   const Region& q = report.inputs[1].region;
 
@@ -149,7 +163,8 @@ ExitCode run_sum(const SumVerb& verb, const SumCommand& command) {
   std::optional<ProgressBar> bar(std::in_place);
   options.progress = bar->callback();
   const auto compute = [&] {
-    PlanarSum sum = require_of(report.inputs, verb.compute(p, q, options));
+    PlanarSum sum = require_of(report.inputs, verb.boolean ? verb.boolean(regions_of(report.inputs), options)
+                                                           : verb.compute(p, q, options));
     throw_if_interrupted();
     return sum;
   };
@@ -158,7 +173,8 @@ ExitCode run_sum(const SumVerb& verb, const SumCommand& command) {
   report.sum = &sum;
   report.timing = timing;
   const std::array<Region, 2> operands = verb.shown ? verb.shown(p, q) : std::array{p, q};
-  report.convolution = convolution_sizes(operands[0], verb.reflects_second ? negated(operands[1]) : operands[1]);
+  if (!verb.boolean)
+    report.convolution = convolution_sizes(operands[0], verb.reflects_second ? negated(operands[1]) : operands[1]);
 
   report.rounding = write_sum(operands[0], operands[1], sum, verb.names, command.output);
   if (command.report.json) {

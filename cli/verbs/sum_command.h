@@ -4,6 +4,7 @@
 #include <array>
 #include <functional>
 #include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -29,6 +30,9 @@ struct SumVerb {
   /// The public function it calls.
   std::function<Result<PlanarSum>(const Region&, const Region&, const SumOptions&)> compute;
   std::function<Result<SpatialSum>(const Mesh&, const Mesh&, const SpatialOptions&)> solid;  ///< of solids
+  /// Of any number of regions, in place of `compute`: a Boolean operation, which has no convolution.
+  std::function<Result<PlanarSum>(std::span<const Region>, const SumOptions&)> boolean;
+  std::string semantics = "closed";       ///< where --semantics is not given
   bool reflects_second = false;            ///< the convolution behind it is that of P and -Q
   bool empty_is_no = false;                ///< an empty result ends with kNo
   bool planar_result = false;              ///< of solids, too

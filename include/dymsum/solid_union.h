@@ -2,22 +2,14 @@
 // solids that overlap, and the other Boolean operations.
 #pragma once
 
-#include <cstdint>
 #include <span>
 
+#include "dymsum/fill.h"
 #include "dymsum/mesh.h"
 #include "dymsum/result.h"
 #include "dymsum/spatial_sum.h"
 
 namespace dymsum {
-
-/// Which positions lie inside of closed surfaces: by the winding number, that is how often surfaces go around them
-/// seen from outside, those that are turned inside out counted as -1.
-enum class Fill : std::uint8_t {
-  positive,  ///< 1 or more: the union of solids, cavities taken out
-  nonzero,   ///< any but 0: the same, also of solids that are turned inside out
-  even_odd,  ///< an odd number: what lies in two solids is outside
-};
 
 /// The closure of the interior of all positions inside, whatever the faces of `surface` cross, touch, or lie on. All
 /// faces together have to be closed surfaces, as sets: edges need not have equal vertices on their two sides, and

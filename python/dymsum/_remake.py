@@ -76,6 +76,7 @@ united = _core.united
 intersection = _core.intersection
 difference = _core.difference
 symmetric_difference = _core.symmetric_difference
+filled = _core.filled
 convex_sum_of = _core.convex_sum
 
 

@@ -31,6 +31,7 @@ void bind_mesh_io(nb::module_& m);
 void bind_solids(nb::module_& m);
 void bind_spatial_sum(nb::module_& m);
 void bind_spatial_sums(nb::module_& m);
+void bind_planar_boolean(nb::module_& m);
 void bind_solid_union(nb::module_& m);
 void bind_moving_solids(nb::module_& m);
 void bind_scaling_solids(nb::module_& m);

@@ -14,7 +14,7 @@ NB_MODULE(_core, m) {
                           bind_queries,       bind_motion,           bind_planner,        bind_mesh,
                           bind_mesh_io,       bind_shapes,           bind_solids,         bind_solid_sum,
                           bind_convex_solid,  bind_convex_sum,       bind_spatial_sum,    bind_spatial_sums,
-                          bind_solid_union,   bind_moving_solids,    bind_obstacle_mesh,  bind_nesting,
+                          bind_solid_union,   bind_planar_boolean, bind_moving_solids,    bind_obstacle_mesh,  bind_nesting,
                           bind_nfp_table,     bind_growing_disc,     bind_shape_features, bind_depth,
                           bind_local_sum,     bind_continuous_depth, bind_scaling_solids, bind_planar_local_sum,
                           bind_turning_solids}) {

@@ -24,6 +24,7 @@ const std::vector<std::string> kRooms = {
     "planar/boundary",
     "planar/result",
     "planar/sum",
+    "planar/boolean",
     "planar/motion",
     "planar/window",
     "planar/frame",

@@ -264,6 +264,13 @@ std::string check_erode(const Region& p, const Region& q, const PlanarSum& sum) 
   return wrong.empty() ? check_provenance(p, q, Combination::erosion, sum) : wrong;
 }
 
+std::string check_boolean(const std::vector<RegionData>& inputs, const BooleanExpression& expression,
+                          Semantics semantics, const PlanarSum& result) {
+  return on_either([&](auto number) {
+    return check_against(reference_boolean<decltype(number)>(inputs, expression, semantics), result);
+  });
+}
+
 std::string spot_check_sum(const Region& p, const Region& q, const PlanarSum& sum, int places, std::uint64_t seed) {
   const std::string wrong =
       on_either([&](auto number) { return spot_check<decltype(number)>(p, q, sum, places, seed); });

@@ -5,6 +5,7 @@
 #include <string>
 
 #include "dymsum/planar_sum.h"
+#include "reference_sum.h"
 
 namespace dymsum::oracles {
 
@@ -15,6 +16,10 @@ std::string check_sum(const Region& p, const Region& q, Semantics semantics, con
 /// The same for nfp(a, b) with semantics `closed` and for erode(p, q).
 std::string check_nfp(const Region& a, const Region& b, const PlanarSum& sum);
 std::string check_erode(const Region& p, const Region& q, const PlanarSum& sum);
+
+/// The same for a Boolean expression, without provenance.
+std::string check_boolean(const std::vector<RegionData>& inputs, const BooleanExpression& expression,
+                          Semantics semantics, const PlanarSum& result);
 
 /// For larger operands, in O(nm) a place: the membership of every vertex and edge midpoint of a closed sum, and of
 /// `places` random places near it; canonical rings; provenance.

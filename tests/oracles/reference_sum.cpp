@@ -288,11 +288,44 @@ ReferenceSum<N> reference_erode(const RegionData& p, const RegionData& q) {
   return out;
 }
 
+template <class N>
+ReferenceSum<N> reference_boolean(const std::vector<RegionData>& inputs, const BooleanExpression& expression,
+                                  Semantics semantics) {
+  const RegionData origin{{}, {}, {Point{0, 0}}};
+  std::vector<Membership<N>> members;
+  Lines<N> lines;
+  for (const RegionData& input : inputs) {
+    members.emplace_back(input, origin);
+    const Lines<N> of = all_contacts(pieces_of<N>(input), pieces_of<N>(origin));
+    lines.segments.insert(lines.segments.end(), of.segments.begin(), of.segments.end());
+  }
+  sort_unique(lines.segments);
+  const auto at = [&](const Pt<N>& z) {
+    std::vector<ClosedAndOpen> lies;
+    for (const Membership<N>& member : members) lies.push_back({member.meets(z), member.overlaps(z)});
+    return expression(lies);
+  };
+  Questions<N> ask;
+  ask.in_set = [&](const Pt<N>& z) { return at(z).closed; };
+  ask.in_open = [&](const Pt<N>& z) { return at(z).open; };
+  ReferenceSum<N> out = classify_all(arrange(std::move(lines)), ask);
+  out.tight_segments.insert(out.tight_segments.end(), out.segments.begin(), out.segments.end());
+  out.tight_segments = maximal(std::move(out.tight_segments));
+  out.tight_points.insert(out.tight_points.end(), out.points.begin(), out.points.end());
+  std::sort(out.tight_points.begin(), out.tight_points.end());
+  if (semantics != Semantics::closed) out.segments.clear(), out.points.clear();
+  if (semantics == Semantics::regular) out.tight_segments.clear(), out.tight_points.clear();
+  return out;
+}
+
 template struct ReferenceSum<Small>;
 template struct ReferenceSum<Big>;
 template ReferenceSum<Small> reference_sum<Small>(const RegionData&, const RegionData&, Semantics);
 template ReferenceSum<Big> reference_sum<Big>(const RegionData&, const RegionData&, Semantics);
 template ReferenceSum<Small> reference_erode<Small>(const RegionData&, const RegionData&);
 template ReferenceSum<Big> reference_erode<Big>(const RegionData&, const RegionData&);
+template ReferenceSum<Small> reference_boolean<Small>(const std::vector<RegionData>&, const BooleanExpression&,
+                                                      Semantics);
+template ReferenceSum<Big> reference_boolean<Big>(const std::vector<RegionData>&, const BooleanExpression&, Semantics);
 
 }  // namespace dymsum::oracles

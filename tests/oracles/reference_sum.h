@@ -2,6 +2,7 @@
 // of that arrangement whether it belongs to the sum, and keep what separates the answers. For tiny operands.
 #pragma once
 
+#include <functional>
 #include <vector>
 
 #include "dymsum/planar_sum.h"
@@ -30,6 +31,16 @@ ReferenceSum<N> reference_sum(const RegionData& p, const RegionData& q, Semantic
 /// { x : x + Q inside P }; its segments and points are its tight features.
 template <class N>
 ReferenceSum<N> reference_erode(const RegionData& p, const RegionData& q);
+
+/// Of a Boolean expression: `closed` is what it is of closed sets, `open` of open ones, given these of every input; what
+/// is taken away of a closed set is open. Semantics as those of planar_boolean.h.
+struct ClosedAndOpen {
+  bool closed = false, open = false;
+};
+using BooleanExpression = std::function<ClosedAndOpen(const std::vector<ClosedAndOpen>&)>;
+template <class N>
+ReferenceSum<N> reference_boolean(const std::vector<RegionData>& inputs, const BooleanExpression& expression,
+                                  Semantics semantics);
 
 /// True when a polyline or point of p meets a polyline or point of q in the sum's definition: both have some.
 bool has_thin_pair(const RegionData& p, const RegionData& q);

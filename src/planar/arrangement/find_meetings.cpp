@@ -38,6 +38,18 @@ Meetings all_meetings(const Soup& soup, const Chain* chain, const Poll& poll) {
   return meetings;
 }
 
+Meetings every_meeting(const Soup& soup, const Poll& poll) {
+  Meetings meetings(soup.memory);
+  CrossingFinder finder(soup, meetings, nullptr, &poll);
+  if (sweep_pays(soup)) {
+    finder.sweep();
+  } else {
+    Array<CoveredMark> none(soup.memory);
+    finder.grid(plain_grid(soup.lattice, soup.size()), nullptr, none);
+  }
+  return meetings;
+}
+
 MarkedMeetings open_meetings(const Soup& soup, const Chain& chain, const KnownCover& cover, const Poll& poll) {
   MarkedMeetings found{Meetings(soup.memory), Array<CoveredMark>(soup.memory)};
   CrossingFinder finder(soup, found.meetings, &chain, &poll);

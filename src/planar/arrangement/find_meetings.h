@@ -18,6 +18,9 @@ struct MarkedMeetings {
 /// All meetings, from all pairs of segments. O(n^2) for n segments.
 Meetings all_meetings(const Soup& soup, const Chain* chain, const Poll& poll);
 
+/// All meetings, by a sweep or on a grid.
+Meetings every_meeting(const Soup& soup, const Poll& poll);
+
 /// All meetings outside the cover, by a sweep or on the mask's grid.
 MarkedMeetings open_meetings(const Soup& soup, const Chain& chain, const KnownCover& cover, const Poll& poll);
 

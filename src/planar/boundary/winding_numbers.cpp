@@ -4,6 +4,8 @@
 #include <cstdint>
 #include <stdexcept>
 
+#include "planar/arrangement/ray_rows.h"
+
 namespace dymsum::planar {
 namespace {
 
@@ -21,34 +23,6 @@ std::vector<int> jumps(const Tracing& tracing, const SegmentGraph& graph) {
 
 }  // namespace
 
-int winding_right_of(const Tracing& tracing, const Place& x) {
-  const Soup& soup = tracing.soup;
-  const Lattice& lattice = soup.lattice;
-  const Point d = lattice.vector(x.on.edge);
-  const int tie =
-      d.x != 0 ? (d.x > 0 ? 1 : -1) : (d.y > 0 ? -1 : 1);  // of the height of a vertex over x, when it is zero
-  const auto height = [&](WalkPair v) {
-    const int h = lattice.compare_coordinate(soup.exact(v), x, 1);
-    return h != 0 ? h : tie;
-  };
-  const double margin = x.error + 2 * soup.point_error + kSumHeight * lattice.span;
-  int winding = 0;
-  for (std::uint32_t s = 0; s < soup.size(); ++s) {
-    const SoupBox& b = soup.boxes[s];
-    if (std::max(b.ay, b.by) < x.y - margin || std::min(b.ay, b.by) > x.y + margin ||
-        std::max(b.ax, b.bx) < x.x - margin)
-      continue;
-    const int from = height(soup.start(s)), to = height(soup.end(s));
-    if (from == to) continue;
-    int side = lattice.side(soup.exact(s), x);
-    if (side == 0) side = -lattice.dot(soup.exact(s).edge, x.on.edge);
-    if (side == 0) side = lattice.cross(soup.exact(s).edge, x.on.edge);
-    // An upward segment is crossed from its left, a downward one from its right.
-    if (side == to) winding += to * tracing.signs[s];
-  }
-  return winding;
-}
-
 std::vector<Sides> find_windings(const Tracing& tracing, const SegmentGraph& graph) {
   const auto& edges = graph.edges();
   const std::vector<int> jump = jumps(tracing, graph);
@@ -56,6 +30,7 @@ std::vector<Sides> find_windings(const Tracing& tracing, const SegmentGraph& gra
   std::vector<std::uint8_t> known(edges.size(), 0);
   std::vector<std::uint32_t> open;  // nodes with a known edge
   std::vector<std::uint8_t> done(graph.nodes().size(), 0);
+  const RayRows rows(tracing.soup);
   const auto set_right = [&](const SegmentGraph::Ray& ray, int right) {
     const Sides found = ray.forward ? Sides{right + jump[ray.edge], right} : Sides{right, right - jump[ray.edge]};
     if (known[ray.edge] && !(sides[ray.edge] == found))
@@ -72,7 +47,9 @@ std::vector<Sides> find_windings(const Tracing& tracing, const SegmentGraph& gra
   for (std::uint32_t seed = 0; seed < edges.size(); ++seed) {
     if (known[seed]) continue;
     const bool forward = SegmentGraph::forward(edges[seed], graph.sub_edges()[edges[seed].first]);
-    set_right({seed, forward}, winding_right_of(tracing, graph.sample(seed)));
+    int right = 0;
+    rows.for_each_passed(graph.sample(seed), [&](std::uint32_t s, int by) { right += by * tracing.signs[s]; });
+    set_right({seed, forward}, right);
     while (!open.empty()) {
       const auto rays = graph.rays(open.back());
       open.pop_back();

@@ -29,10 +29,6 @@ struct Sides {
   friend bool operator==(const Sides&, const Sides&) = default;
 };
 
-/// The winding number at x moved infinitely little to the right of its segment, then infinitely less ahead: signed
-/// crossings of the ray from there to +x. Exact. Requires: x is no node. O(n) for n segments.
-int winding_right_of(const Tracing& tracing, const Place& x);
-
 /// The winding numbers beside all edges of the tracing's graph: one ray for every connected piece, then around the
 /// nodes. Throws std::logic_error when the tracing is not closed.
 std::vector<Sides> find_windings(const Tracing& tracing, const SegmentGraph& graph);

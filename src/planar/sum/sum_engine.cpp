@@ -84,27 +84,28 @@ std::optional<Error> run(SumState& state, const SumOptions& options, Refine refi
   return std::nullopt;
 }
 
-// Both operands in the units of their common grid.
-std::optional<Error> place(SumState& state, int min_tier_bits) {
+}  // namespace
+
+Result<SumState> placed_state(std::shared_ptr<const Operand> p, std::shared_ptr<const Operand> q, int min_tier_bits) {
+  SumState state;
+  state.p = std::move(p);
+  state.q = std::move(q);
   StageClock clock(state.stats, timed(state));
   for (const Operand* o : {state.p.get(), state.q.get()})
-    if (std::optional<Error> error = too_large(*o)) return error;
+    if (std::optional<Error> error = too_large(*o)) return *std::move(error);
   state.lattice = make_lattice(state.p->points, state.q->points, min_tier_bits);
   state.p = placed_on(*state.lattice, std::move(state.p));
   state.q = placed_on(*state.lattice, std::move(state.q));
   state.stats.tier_bits = state.lattice->tier_bits;
   clock.done("operands");
-  return std::nullopt;
+  return state;
 }
-
-}  // namespace
 
 Result<SumState> compute_boundary(std::shared_ptr<const Operand> p, std::shared_ptr<const Operand> q,
                                   const SumOptions& options, Refine refine) {
-  SumState state;
-  state.p = std::move(p);
-  state.q = std::move(q);
-  if (std::optional<Error> error = place(state, planar::SumInternals::min_tier_bits(options))) return *std::move(error);
+  Result<SumState> placed = placed_state(std::move(p), std::move(q), SumInternals::min_tier_bits(options));
+  if (!placed) return placed;
+  SumState state = std::move(placed).value();
   if (std::optional<Error> error = run(state, options, refine)) return *std::move(error);
   return state;
 }

@@ -50,9 +50,10 @@ SegmentGraph graph_of(const Soup& soup, Meetings meetings, SumStats& stats) {
   return graph;
 }
 
-void add_tight_features(const WindingBoundary& boundary, SumState& state, double& error) {
+void add_tight_features(const Tracing& tracing, const SegmentGraph& graph, const std::vector<Sides>& sides,
+                        SumState& state, double& error) {
   Collision collision(*state.lattice, *state.p, *state.q, false);
-  boundary.find_tight_features(collision, state.boundary, error);
+  find_tight_features(tracing, graph, sides, collision, state.boundary, error);
   state.stats.collision_tests = collision.counts().tests;
   state.stats.filtered_signs += collision.counts().signs.filtered();
   state.stats.exact_signs += collision.counts().signs.exact();
@@ -89,7 +90,7 @@ void run_winding(const SumOptions& options, SumState& state, Poll& poll) {
   done();
 
   poll.stage("loops");
-  const WindingBoundary boundary(tracing, graph, sides);
+  const GraphRings boundary = winding_rings(tracing, graph, sides);
   const std::vector<BoundaryEdges> rings = boundary.rings();
   state.stats.loops = rings.size();
   double error = soup.point_error;
@@ -99,7 +100,7 @@ void run_winding(const SumOptions& options, SumState& state, Poll& poll) {
   done();
 
   poll.stage("tight");
-  if (options.semantics != Semantics::regular && !parallelograms) add_tight_features(boundary, state, error);
+  if (options.semantics != Semantics::regular && !parallelograms) add_tight_features(tracing, graph, sides, state, error);
   state.boundary.at_error = input_error(*state.lattice, error);
   state.stats.peak_bytes += graph.bytes();
   done();

@@ -20,7 +20,7 @@ TEST(WindingBoundary, of_a_frame_and_the_square_that_fits_into_it) {
   const Progress never;
   const SegmentGraph graph(tracing.soup, all_meetings(tracing.soup, nullptr, Poll(never)));
   const std::vector<Sides> sides = find_windings(tracing, graph);
-  const WindingBoundary boundary(tracing, graph, sides);
+  const GraphRings boundary = winding_rings(tracing, graph, sides);
   const std::vector<BoundaryEdges> rings = boundary.rings();
   ASSERT_EQ(rings.size(), 1u);
   EXPECT_TRUE(boundary.counter_clockwise(rings[0]));
@@ -29,7 +29,7 @@ TEST(WindingBoundary, of_a_frame_and_the_square_that_fits_into_it) {
   EXPECT_EQ(error, 0);
   Collision collision(*o.lattice, *o.p, *o.q, false);
   RawBoundary found;
-  boundary.find_tight_features(collision, found, error);
+  find_tight_features(tracing, graph, sides, collision, found, error);
   EXPECT_TRUE(found.cracks.empty());
   ASSERT_EQ(found.punctures.size(), 1u);
   EXPECT_EQ(found.punctures[0].at, (Point{2, 2}));

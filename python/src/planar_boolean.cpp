@@ -1,0 +1,182 @@
+// Boolean operations of regions and results.
+#include "dymsum/planar_boolean.h"
+
+#include "arguments.h"
+#include "bind.h"
+#include "calls.h"
+#include "record.h"
+#include "remember.h"
+
+namespace dymsum::python {
+
+/// A region, or anything that is one to Python's other packages, or a PlanarSum; kept alive.
+struct PlanarOperandArgument {
+  nb::object object;
+  PlanarOperand operator*() const {
+    if (nb::isinstance<PlanarSum>(object)) return *nb::inst_ptr<PlanarSum>(object);
+    return *nb::inst_ptr<Region>(object);
+  }
+};
+struct PlanarOperands {
+  std::vector<PlanarOperandArgument> items;
+};
+
+}  // namespace dymsum::python
+
+namespace nanobind::detail {
+
+/// A PlanarSum is taken as it is; it would be rounded where it is made a region.
+template <>
+struct type_caster<dymsum::python::PlanarOperandArgument> {
+  using Value = dymsum::python::PlanarOperandArgument;
+  static constexpr auto Name = const_name("dymsum.RegionLike | dymsum.PlanarSum");
+  template <typename U>
+  using Cast = Value;
+  template <typename U>
+  bool can_cast() const {
+    return true;
+  }
+  bool from_python(handle src, uint32_t flags, cleanup_list* list) {
+    if (isinstance<dymsum::PlanarSum>(src)) {
+      sum_ = borrow(src);
+      return true;
+    }
+    return region_.from_python(src, flags, list);
+  }
+  explicit operator Value() {
+    if (sum_.is_valid()) return {sum_};
+    return {region_.operator dymsum::python::RegionArgument().object};
+  }
+
+ private:
+  object sum_;
+  argument_caster<dymsum::Region> region_;
+};
+
+template <>
+struct type_caster<dymsum::python::PlanarOperands> {
+  using Item = type_caster<dymsum::python::PlanarOperandArgument>;
+  using Value = dymsum::python::PlanarOperands;
+  static constexpr auto Name = const_name("collections.abc.Sequence[dymsum.RegionLike | dymsum.PlanarSum]");
+  template <typename U>
+  using Cast = Value;
+  template <typename U>
+  bool can_cast() const {
+    return true;
+  }
+  bool from_python(handle src, uint32_t flags, cleanup_list* list) {
+    items_.clear();
+    return dymsum::python::each_item(src,
+                                     [&](handle item) { return items_.emplace_back().from_python(item, flags, list); });
+  }
+  explicit operator Value() {
+    Value all;
+    for (std::size_t i = 0; i < items_.size(); ++i)
+      all.items.push_back(dymsum::python::of_item(
+          i, [&] { return items_[i].operator dymsum::python::PlanarOperandArgument(); }));
+    return all;
+  }
+
+ private:
+  std::vector<Item> items_;
+};
+
+}  // namespace nanobind::detail
+
+namespace dymsum::python {
+namespace {
+
+using namespace nb::literals;
+
+using OfMany = Result<PlanarSum> (*)(std::span<const PlanarOperand>, const SumOptions&);
+using OfTwo = Result<PlanarSum> (*)(const PlanarOperand&, const PlanarOperand&, const SumOptions&);
+
+template <OfMany operation>
+void bind_of_many(nb::module_& m, const char* name, const char* text) {
+  m.def(
+      name,
+      [name](const PlanarOperands& sets, const SumOptions& options) {
+        std::vector<PlanarOperand> all;
+        nb::list given;
+        for (const PlanarOperandArgument& set : sets.items) {
+          all.push_back(*set);
+          given.append(set.object);
+        }
+        PlanarSum sum = run_with(options, [&](const SumOptions& own) { return operation(all, own); });
+        return remembered(std::move(sum), name, given, options);
+      },
+      "sets"_a, "options"_a = SumOptions(), text);
+}
+
+template <OfTwo operation>
+auto of_two(const char* name) {
+  return [name](const PlanarOperandArgument& a, const PlanarOperandArgument& b, const SumOptions& options) {
+    PlanarSum sum = run_with(options, [&](const SumOptions& own) { return operation(*a, *b, own); });
+    return remembered(std::move(sum), name, a.object, b.object, options);
+  };
+}
+
+template <OfTwo operation>
+void bind_of_two(nb::module_& m, const char* name, const char* sign, const char* text) {
+  m.def(name, of_two<operation>(name), "a"_a, "b"_a, "options"_a = SumOptions(), text);
+  const auto define = [&](auto type) {
+    type.def(
+        sign,
+        [name](const PlanarOperandArgument& a, const PlanarOperandArgument& b) {
+          SumOptions options;
+          options.semantics = Semantics::regular;
+          return of_two<operation>(name)(a, b, options);
+        },
+        nb::is_operator(), text);
+  };
+  define(nb::borrow<nb::class_<Region>>(nb::type<Region>()));
+  define(nb::borrow<nb::class_<PlanarSum>>(nb::type<PlanarSum>()));
+}
+
+}  // namespace
+
+void bind_planar_boolean(nb::module_& m) {
+  bind_of_many<united>(m, "united", R"doc(What lies in one of the sets, exactly. Results are operands as they are: nothing is rounded in between.
+
+>>> from dymsum import shapes, united
+>>> united([shapes.rectangle(0, 0, 2, 2), shapes.rectangle(1, 1, 3, 3)]).area_exact()
+Fraction(7, 1)
+)doc");
+  bind_of_many<intersection>(m, "intersection", "What lies in all of the sets, exactly; of at least one.");
+  bind_of_two<united>(m, "united", "__or__", "What lies in one of two sets, exactly. a | b is the same with Semantics.regular.");
+  bind_of_two<intersection>(m, "intersection", "__and__",
+                            R"doc(What lies in both sets, exactly. Sets are closed: where they only touch, the result has segments and points. a & b is
+the same with Semantics.regular, and has none.
+
+>>> from dymsum import intersection, shapes
+>>> both = intersection(shapes.rectangle(0, 0, 1, 1), shapes.rectangle(1, 0, 2, 1))
+>>> len(both.parts), [(s.from_.at, s.to.at) for s in both.segments]
+(0, [(Point(x=1.0, y=0.0), Point(x=1.0, y=1.0))])
+)doc");
+  bind_of_two<difference>(m, "difference", "__sub__",
+                          R"doc(What lies in the first set and not in the second, exactly. What is taken away is open, so the result is closed. a - b is
+the same with Semantics.regular: parts with area alone.
+
+>>> from dymsum import shapes
+>>> (shapes.rectangle(0, 0, 4, 4) - shapes.rectangle(1, 1, 2, 2)).area_exact()
+Fraction(15, 1)
+)doc");
+  bind_of_two<symmetric_difference>(m, "symmetric_difference", "__xor__",
+                                    "What lies in one of two sets alone, exactly. a ^ b is the same with Semantics.regular.");
+  m.def(
+      "filled",
+      [](const RegionDataArgument& rings, Fill fill, const SumOptions& options) {
+        PlanarSum sum = run_with(options, [&](const SumOptions& own) { return filled(*rings, fill, own); });
+        return remembered(std::move(sum), "filled", *rings, fill, options);
+      },
+      "rings"_a, "fill"_a = Fill::nonzero, "options"_a = SumOptions(),
+      R"doc(What rings bound that may cross, touch or lie on themselves and each other, by winding number.
+
+>>> from dymsum import Fill, filled
+>>> bow = [[(0, 0), (2, 2), (2, 0), (0, 2)]]
+>>> filled(bow, Fill.even_odd).area_exact(), filled(bow, Fill.positive).area_exact()
+(Fraction(2, 1), Fraction(1, 1))
+)doc");
+}
+
+}  // namespace dymsum::python

@@ -1,0 +1,132 @@
+#include "planar/boolean/boolean_boundary.h"
+
+#include <algorithm>
+
+#include "planar/boundary/boundary.h"
+#include "planar/boundary/graph_rings.h"
+
+namespace dymsum::planar {
+namespace {
+
+bool inside(Fill fill, std::int32_t winding) {
+  if (fill == Fill::positive) return winding > 0;
+  return fill == Fill::nonzero ? winding != 0 : (winding & 1) != 0;
+}
+
+class CellMembership {
+ public:
+  CellMembership(const SegmentGraph& graph, const InputWindings& windings, const BooleanTerms& terms)
+      : graph_(graph), windings_(windings), terms_(terms), in_(terms.inputs.size()) {}
+
+  bool face(std::span<const std::int32_t> windings) {
+    begin();
+    add(windings);
+    return end().closed;
+  }
+  Membership edge(std::uint32_t edge) {
+    begin();
+    add(windings_.left(edge));
+    add(windings_.right(edge));
+    return end();
+  }
+  Membership node(std::uint32_t node) {
+    begin();
+    for (const SegmentGraph::Ray& ray : graph_.rays(node)) add(windings_.beside(ray));
+    return end();
+  }
+
+ private:
+  // A cell lies in the closure of an input where some face around it does, in its interior where all do.
+  void begin() { std::fill(in_.begin(), in_.end(), Membership{false, true}); }
+  void add(std::span<const std::int32_t> windings) {
+    for (std::size_t i = 0; i < in_.size(); ++i) {
+      const bool lies = inside(terms_.inputs[i]->fill, windings[i]);
+      in_[i] = {in_[i].closed || lies, in_[i].open && lies};
+    }
+  }
+  Membership end() { return terms_.evaluate(in_, stack_); }
+
+  const SegmentGraph& graph_;
+  const InputWindings& windings_;
+  const BooleanTerms& terms_;
+  std::vector<Membership> in_, stack_;
+};
+
+class Finder {
+ public:
+  Finder(const Soup& soup, const SegmentGraph& graph, const InputWindings& windings, const BooleanTerms& terms)
+      : soup_(soup), graph_(graph), cells_(graph, windings, terms), sides_(graph.edges().size()) {
+    for (std::uint32_t e = 0; e < sides_.size(); ++e)
+      sides_[e] = {cells_.face(windings.left(e)), cells_.face(windings.right(e))};
+  }
+
+  BooleanBoundary run() {
+    const GraphRings rings(soup_, graph_, sides_, names());
+    error_ = soup_.point_error;
+    for (const BoundaryEdges& ring : rings.rings())
+      out_.boundary.add(rings.ring(ring, error_), rings.counter_clockwise(ring));
+    find_tight();
+    out_.boundary.at_error = input_error(soup_.lattice, error_);
+    return std::move(out_);
+  }
+
+ private:
+  // A boundary edge is named by a segment that runs as it does, else, where what lies there is taken away, by one that
+  // runs back.
+  std::vector<std::uint32_t> names() const {
+    std::vector<std::uint32_t> segments(sides_.size(), kNone);
+    const auto any = [](std::uint32_t) { return true; };
+    for (std::uint32_t e = 0; e < sides_.size(); ++e) {
+      if (sides_[e].left == sides_[e].right) continue;
+      segments[e] = segment_along(graph_, e, sides_[e].left, any);
+      if (segments[e] == kNone) segments[e] = segment_along(graph_, e, !sides_[e].left, any);
+    }
+    return segments;
+  }
+
+  // Of cells whose faces are all inside or all outside.
+  static bool is_tight(Membership m) { return m.closed && !m.open; }
+
+  void find_tight() {
+    for (std::uint32_t e = 0; e < sides_.size(); ++e) {
+      const GraphSides s = sides_[e];
+      if (s.left != s.right || !is_tight(cells_.edge(e))) continue;
+      const SegmentGraph::Edge& edge = graph_.edges()[e];
+      const std::uint32_t segment = graph_.sub_edges()[edge.first].segment;
+      out_.boundary.cracks.push_back({vertex(edge.low, segment), vertex(edge.high, segment)});
+      if (!s.left) out_.pieces.segments.push_back(out_.boundary.cracks.back());
+    }
+    for (std::uint32_t v = 0; v < graph_.nodes().size(); ++v) {
+      bool some = false, all = true;
+      for (const SegmentGraph::Ray& ray : graph_.rays(v)) {
+        some |= sides_[ray.edge].left || sides_[ray.edge].right;
+        all &= sides_[ray.edge].left && sides_[ray.edge].right;
+      }
+      if ((some && !all) || !is_tight(cells_.node(v))) continue;
+      const SegmentGraph::Node& node = graph_.nodes()[v];
+      out_.boundary.punctures.push_back(vertex(v, node.end.pair ? node.segment : node.end.other));
+      if (!some) out_.pieces.points.push_back(out_.boundary.punctures.back());
+    }
+  }
+
+  SumVertex vertex(std::uint32_t node, std::uint32_t segment) {
+    error_ = std::max(error_, position_error(soup_, graph_.nodes()[node].place));
+    return vertex_on(soup_, graph_, node, segment);
+  }
+
+  const Soup& soup_;
+  const SegmentGraph& graph_;
+  CellMembership cells_;
+  std::vector<GraphSides> sides_;
+  BooleanBoundary out_;
+  double error_ = 0;
+};
+
+}  // namespace
+
+BooleanBoundary boolean_boundary(const Soup& soup, const SegmentGraph& graph, const InputWindings& windings,
+                                 const BooleanTerms& terms) {
+  return Finder(soup, graph, windings, terms).run();
+}
+
+}  // namespace dymsum::planar

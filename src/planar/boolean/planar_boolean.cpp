@@ -1,0 +1,248 @@
+#include "dymsum/planar_boolean.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "base/poll.h"
+#include "base/within_memory.h"
+#include "planar/arrangement/find_meetings.h"
+#include "planar/boolean/boolean_boundary.h"
+#include "planar/result/finish_sum.h"
+#include "planar/sum/sum_engine.h"
+
+namespace dymsum {
+namespace {
+
+using planar::BooleanTerms;
+
+/// The rings of all inputs, each as a part of its own, and the first vertex of each input.
+struct JoinedRings {
+  planar::EngineRegion region;
+  std::vector<std::uint32_t> first;
+};
+
+// What does not count: a vertex that repeats the one before it, a ring of two vertices.
+void add_ring(const Ring& ring, std::uint32_t& index, planar::EngineRegion& to) {
+  Ring kept;
+  std::vector<std::uint32_t> names;
+  for (std::size_t k = 0; k < ring.size(); ++k, ++index) {
+    if (ring[k] == ring[k + 1 == ring.size() ? 0 : k + 1]) continue;
+    kept.push_back(ring[k]);
+    names.push_back(index);
+  }
+  if (kept.size() < 3) return;
+  to.own.parts.push_back({std::move(kept), {}});
+  to.vertex_numbers.insert(to.vertex_numbers.end(), names.begin(), names.end());
+  to.edge_numbers.insert(to.edge_numbers.end(), names.begin(), names.end());
+}
+
+JoinedRings join(const BooleanTerms& terms) {
+  JoinedRings joined;
+  std::uint32_t index = 0;
+  for (const auto& input : terms.inputs) {
+    joined.first.push_back(index);
+    for (const Ring& ring : input->rings) add_ring(ring, index, joined.region);
+  }
+  return joined;
+}
+
+/// Every walk edge of P at the one vertex of Q.
+planar::Soup soup_of(const planar::SumState& state) {
+  planar::Soup soup(*state.lattice, *state.p, *state.q);
+  soup.reserve(state.p->size());
+  for (std::uint32_t e = 0; e < state.p->size(); ++e) soup.add({0, e, 0});
+  return soup;
+}
+
+std::vector<std::uint32_t> inputs_of(const planar::Operand& p, const std::vector<std::uint32_t>& first) {
+  std::vector<std::uint32_t> input;
+  for (const std::uint32_t v : p.vertex_number)
+    input.push_back(static_cast<std::uint32_t>(std::upper_bound(first.begin(), first.end(), v) - first.begin()) - 1);
+  return input;
+}
+
+// The stages, one after the other. Returns the pieces without interior.
+planar::PieceCandidates find_boundary(const BooleanTerms& terms, const std::vector<std::uint32_t>& first,
+                                      const SumOptions& options, planar::SumState& state) {
+  Poll poll(options.progress);
+  const planar::Soup soup = soup_of(state);
+  state.stats.reduced_segments = state.stats.live_segments = soup.size();
+  poll.stage("crossings");
+  planar::Meetings meetings = planar::every_meeting(soup, poll);
+  state.stats.crossings = meetings.crossings.size();
+  state.stats.pair_tests = meetings.pair_tests;
+  state.stats.exact_signs = meetings.exact_signs;
+  poll.stage("arrangement");
+  const planar::SegmentGraph graph(soup, std::move(meetings));
+  state.stats.exact_signs += graph.exact_orders();
+  for (const planar::SegmentGraph::Node& node : graph.nodes())
+    state.stats.degenerate_nodes += node.end.pair && node.passes > 2;
+  poll.stage("windings");
+  const planar::InputWindings windings(soup, graph, inputs_of(*state.p, first), terms.inputs.size(), poll);
+  poll.stage("boundary");
+  planar::BooleanBoundary found = planar::boolean_boundary(soup, graph, windings, terms);
+  state.boundary = std::move(found.boundary);
+  state.stats.loops = state.boundary.rings.size();
+  poll(1);
+  return std::move(found.pieces);
+}
+
+PlanarSum finished(planar::SumState&& state, const planar::PieceCandidates& pieces, Semantics semantics) {
+  // What sums with a point have of lower dimension is what was found here.
+  SumOptions open;
+  open.semantics = Semantics::open;
+  if (semantics == Semantics::regular) state.boundary.cracks.clear(), state.boundary.punctures.clear();
+  PlanarSum result = planar::finish_sum(std::move(state), open);
+  if (semantics == Semantics::closed)
+    planar::merge_pieces(static_cast<const planar::SumSource&>(*exact_source(result)), {}, pieces, result.segments,
+                         result.points);
+  return result;
+}
+
+Result<PlanarSum> evaluate(BooleanTerms terms, const SumOptions& options) {
+  const auto budget = base::budget_of(options.memory);
+  return base::within_memory(budget, "the Boolean operation", [&]() -> Result<PlanarSum> {
+    const JoinedRings joined = join(terms);
+    PlanarSum result;
+    if (!joined.region.own.parts.empty()) {
+      const planar::EngineRegion origin{nullptr, {{}, {}, {Point{0, 0}}}, false, {}, {}};
+      Result<planar::SumState> placed =
+          planar::placed_state(planar::make_operand(joined.region, 0), planar::make_operand(origin, 1),
+                               planar::SumInternals::min_tier_bits(options));
+      if (!placed) return placed.error();
+      planar::SumState state = std::move(placed).value();
+      try {
+        const planar::PieceCandidates pieces = find_boundary(terms, joined.first, options, state);
+        result = finished(std::move(state), pieces, options.semantics);
+      } catch (const Cancelled&) {
+        return cancelled();
+      }
+    }
+    exact_source(result) = std::make_shared<planar::BooleanSource>(exact_source(result), std::move(terms));
+    return result;
+  });
+}
+
+/// One expression after the other, and what combines each with the ones before it.
+Result<BooleanTerms> combined(std::span<const PlanarOperand> sets, std::int32_t step) {
+  BooleanTerms all;
+  for (std::size_t k = 0; k < sets.size(); ++k) {
+    const Result<BooleanTerms> terms = planar::terms_of(sets[k]);
+    if (!terms) return terms.error();
+    all.append(*terms);
+    if (k > 0) all.steps.push_back(step);
+  }
+  return all;
+}
+
+Result<PlanarSum> combine(std::span<const PlanarOperand> sets, std::int32_t step, const SumOptions& options) {
+  Result<BooleanTerms> terms = combined(sets, step);
+  if (!terms) return terms.error();
+  return evaluate(std::move(terms).value(), options);
+}
+
+/// a and not b.
+void append_difference(const BooleanTerms& a, const BooleanTerms& b, BooleanTerms& to) {
+  to.append(a);
+  to.append(b);
+  to.steps.insert(to.steps.end(), {BooleanTerms::kNot, BooleanTerms::kAnd});
+}
+
+Result<BooleanTerms> without(const PlanarOperand& a, const PlanarOperand& b) {
+  const Result<BooleanTerms> kept = planar::terms_of(a), taken = planar::terms_of(b);
+  if (!kept) return kept;
+  if (!taken) return taken;
+  BooleanTerms terms;
+  append_difference(*kept, *taken, terms);
+  return terms;
+}
+
+}  // namespace
+
+Result<PlanarSum> united(std::span<const PlanarOperand> sets, const SumOptions& options) {
+  return combine(sets, BooleanTerms::kOr, options);
+}
+
+Result<PlanarSum> intersection(std::span<const PlanarOperand> sets, const SumOptions& options) {
+  if (sets.empty()) return Error{ErrorCode::out_of_range, "an intersection takes at least one set, not 0", {}};
+  return combine(sets, BooleanTerms::kAnd, options);
+}
+
+Result<PlanarSum> united(const PlanarOperand& a, const PlanarOperand& b, const SumOptions& options) {
+  return united(std::array{a, b}, options);
+}
+
+Result<PlanarSum> intersection(const PlanarOperand& a, const PlanarOperand& b, const SumOptions& options) {
+  return intersection(std::array{a, b}, options);
+}
+
+Result<PlanarSum> difference(const PlanarOperand& a, const PlanarOperand& b, const SumOptions& options) {
+  Result<BooleanTerms> terms = without(a, b);
+  if (!terms) return terms.error();
+  return evaluate(std::move(terms).value(), options);
+}
+
+Result<PlanarSum> symmetric_difference(const PlanarOperand& a, const PlanarOperand& b, const SumOptions& options) {
+  // Both are made from one reading of the operands, so that their inputs are the same.
+  const Result<BooleanTerms> p = planar::terms_of(a), q = planar::terms_of(b);
+  if (!p) return p.error();
+  if (!q) return q.error();
+  BooleanTerms terms;
+  append_difference(*p, *q, terms);
+  append_difference(*q, *p, terms);
+  terms.steps.push_back(BooleanTerms::kOr);
+  return evaluate(std::move(terms), options);
+}
+
+Result<PlanarSum> filled(const RegionData& data, Fill fill, const SumOptions& options) {
+  planar::RingSet set{{}, fill};
+  for (const Part& part : data.parts) {
+    set.rings.push_back(part.outer);
+    set.rings.insert(set.rings.end(), part.holes.begin(), part.holes.end());
+  }
+  for (const Ring& ring : set.rings)
+    for (const Point& v : ring)
+      if (!std::isfinite(v.x) || !std::isfinite(v.y)) {
+        Error error{ErrorCode::not_finite, "a coordinate is not finite", {}};
+        error.evidence.x = v.x;
+        error.evidence.y = v.y;
+        return error;
+      }
+  BooleanTerms terms{{std::make_shared<const planar::RingSet>(std::move(set))}, {0}};
+  return evaluate(std::move(terms), options);
+}
+
+std::string FillReport::to_string() const {
+  const auto counted = [](std::size_t n, const char* one) {
+    return std::to_string(n) + " " + one + (n == 1 ? "" : "s");
+  };
+  return counted(rings, "ring") + " filled to " + std::to_string(rings_now) + " at " + counted(crossings, "crossing") +
+         "; " + rounding.to_string();
+}
+
+Result<FilledRegion> repair_with_fill(const RegionData& data, Fill fill) {
+  SumOptions options;
+  options.semantics = Semantics::regular;
+  const Result<PlanarSum> set = filled(data, fill, options);
+  if (!set) return set.error();
+  Result<SnapRounded> rounded = snap_rounded(*set);
+  if (!rounded) return rounded.error();
+  FilledRegion made;
+  const auto rings_of = [](const RegionData& region) {
+    std::size_t n = region.parts.size();
+    for (const Part& part : region.parts) n += part.holes.size();
+    return n;
+  };
+  made.report = {rings_of(data), 0, set->stats.crossings + set->stats.degenerate_nodes, rounded->rounding};
+  RegionData all = std::move(rounded).value().region.data();
+  made.report.rings_now = rings_of(all);
+  all.polylines.insert(all.polylines.end(), data.polylines.begin(), data.polylines.end());
+  all.points.insert(all.points.end(), data.points.begin(), data.points.end());
+  Result<Region> region = Region::create(std::move(all));
+  if (!region) return region.error();
+  made.region = std::move(region).value();
+  return made;
+}
+
+}  // namespace dymsum
