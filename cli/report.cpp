@@ -163,7 +163,8 @@ Json sum_json(const SumReport& report) {
   const PlanarSum& sum = *report.sum;
   Json json =
       report_head(report.verb, inputs_json(report.inputs), sum.stats.tier_bits, report.timing, stages_json(sum.stats));
-  json.update({{"engine", report.engine}, {"semantics", report.semantics}});
+  if (!report.engine.empty()) json["engine"] = report.engine;
+  json["semantics"] = report.semantics;
   json.update(size_json(sum, report.exact));
   json.update({{"segments", sum.segments.size()},
                {"points", sum.points.size()},
@@ -198,8 +199,9 @@ void print_sum(std::ostream& out, const SumReport& report) {
       << counted(sum.tight_segments.size(), "segment") << "\n  ";
   if (const auto& sizes = report.convolution)
     out << "convolution: full " << sizes->full << ", kinetic " << sizes->kinetic << ", reduced " << sizes->reduced << "; ";
-  out << counted(sum.stats.crossings, "crossing") << "\n  " << tier_name(sum.stats.tier_bits) << " integers, engine "
-      << report.engine << ", " << report.semantics << ", " << shown(report.timing);
+  out << counted(sum.stats.crossings, "crossing") << "\n  " << tier_name(sum.stats.tier_bits) << " integers, "
+      << (report.engine.empty() ? "" : "engine " + report.engine + ", ") << report.semantics << ", "
+      << shown(report.timing);
   out << "\n";
 }
 

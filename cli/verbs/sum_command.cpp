@@ -145,10 +145,12 @@ ExitCode run_sum(const SumVerb& verb, const SumCommand& command) {
   refuse_options(*command.parser, {"--triangulate", "--thin", "--round"}, "is for solids");
   std::ostream& out = report_stream(command.output.files, command.report.json);
   check(command);
+  for (const std::string& file : command.output.files)
+    if (verb.boolean && is_stage_picture(file)) throw Stop(kUsage, file + ": " + verb.name + " has no stages to draw");
   limit_memory(command.memory_mb);
   SumReport report;
   report.verb = verb.name;
-  report.engine = command.engine;
+  if (!verb.boolean) report.engine = command.engine;
   report.semantics = command.semantics;
   report.orientation = verb.orientation;
   report.exact = command.report.exact;

@@ -1,6 +1,8 @@
 """Planar regions: made, read, written, measured and repaired."""
 
 from ._core import (
+    FilledRegion as FilledRegion,
+    FillReport as FillReport,
     GrownRegion as GrownRegion,
     NamedShape as NamedShape,
     Part as Part,
@@ -31,6 +33,7 @@ from ._core import (
     read_shapes as read_shapes,
     region_format as region_format,
     repair as repair,
+    repair_with_fill as repair_with_fill,
     scaled as scaled,
     sum_to_json as sum_to_json,
     translated as translated,
@@ -40,6 +43,8 @@ from ._core import (
 from ._values import Point as Point, RationalPoint as RationalPoint
 
 __all__ = [
+    "FillReport",
+    "FilledRegion",
     "GrownRegion",
     "NamedShape",
     "Part",
@@ -72,6 +77,7 @@ __all__ = [
     "read_shapes",
     "region_format",
     "repair",
+    "repair_with_fill",
     "scaled",
     "sum_to_json",
     "translated",

@@ -133,6 +133,24 @@ void bind_of_two(nb::module_& m, const char* name, const char* sign, const char*
   define(nb::borrow<nb::class_<PlanarSum>>(nb::type<PlanarSum>()));
 }
 
+void bind_fill_report(nb::module_& m) {
+  Record<FillReport>(m, "FillReport", "What repair_with_fill changed.")
+      .field("rings", &FillReport::rings)
+      .field("rings_now", &FillReport::rings_now)
+      .field("crossings", &FillReport::crossings, "at which rings crossed or touched")
+      .field("rounding", &FillReport::rounding)
+      .def("to_string", &FillReport::to_string);
+  Record<FilledRegion>(m, "FilledRegion", "A region that rings bound, and what was changed.")
+      .field("region", &FilledRegion::region)
+      .field("report", &FilledRegion::report);
+  m.def(
+      "repair_with_fill",
+      [](const RegionDataArgument& rings, Fill fill) { return take(repair_with_fill(*rings, fill)); },
+      "rings"_a, "fill"_a = Fill::nonzero,
+      "What rings bound that cross themselves or each other, with its vertices rounded. Raises Error: not_finite; "
+      "unsupported_operand.");
+}
+
 }  // namespace
 
 void bind_planar_boolean(nb::module_& m) {
@@ -177,6 +195,7 @@ Fraction(15, 1)
 >>> filled(bow, Fill.even_odd).area_exact(), filled(bow, Fill.positive).area_exact()
 (Fraction(2, 1), Fraction(1, 1))
 )doc");
+  bind_fill_report(m);
 }
 
 }  // namespace dymsum::python

@@ -187,6 +187,107 @@ std::size_t bytes_of(const PlaneCells& cells) {
          cells.loops.size() * 4 + cells.found.size() * (2 * sizeof(PointSource) + sizeof(PointId));
 }
 
+/// What cuts the planes: segments of group g are list[begin[g] .. begin[g + 1]).
+struct GroupSegments {
+  std::vector<std::uint32_t> begin;
+  std::vector<PlaneSegment> list;
+};
+
+/// Two facets of different planes that meet, from and to points that are listed beside this.
+struct Meeting {
+  std::uint32_t f, g;
+  bool from_inner, to_inner;
+};
+
+/// Facet edges that are no inner ones, contacts in both planes, and cuts. Names their points: corners first, then ends
+/// of contacts, then those of cuts.
+GroupSegments segments_by_group(const FacetTable& table, Contacts contacts, std::span<const PlaneCut> cuts,
+                                const CutPlanes& across, const std::vector<std::uint32_t>& group_of,
+                                SolidArrangement& result, StageWatch& watch) {
+  std::vector<PointSource> sources;
+  sources.reserve(4 * table.facets.size() + 2 * contacts.contacts.size());
+  for (const TableFacet& f : table.facets)
+    for (int k = 0; k < f.facet.corners; ++k)
+      sources.push_back({PointSource::Kind::sum, f.facet.corner[k].p, f.facet.corner[k].q, 0});
+  std::vector<Meeting> meetings;
+  meetings.reserve(contacts.contacts.size());
+  for (const Contact& c : contacts.contacts) {
+    sources.push_back(c.from), sources.push_back(c.to);
+    meetings.push_back({c.f, c.g, c.from_inner, c.to_inner});
+  }
+  for (const PlaneCut& c : cuts) sources.push_back(c.from), sources.push_back(c.to);
+  base::free_memory(contacts.contacts, contacts.coplanar);
+  const std::vector<PointId> ids = result.points.add(sources, watch);
+  base::free_memory(sources);
+
+  GroupSegments of;
+  of.begin.assign(result.groups.size() + 1, 0);
+  for (std::uint32_t i = 0; i < table.facets.size(); ++i)
+    for (int k = 0; k < table.facets[i].facet.corners; ++k)
+      of.begin[group_of[i] + 1] += table.is_inner(table.facets[i].edge[k]) ? 0 : 1;
+  for (const Meeting& m : meetings) ++of.begin[group_of[m.f] + 1], ++of.begin[group_of[m.g] + 1];
+  for (const PlaneCut& c : cuts) ++of.begin[group_of[c.facet] + 1];
+  std::partial_sum(of.begin.begin(), of.begin.end(), of.begin.begin());
+  of.list.resize(of.begin.back());
+  std::vector<std::uint32_t> next(of.begin.begin(), of.begin.end() - 1);
+  const auto add = [&](std::uint32_t facet, const PlaneSegment& segment) { of.list[next[group_of[facet]]++] = segment; };
+  std::size_t at = 0;
+  for (std::uint32_t i = 0; i < table.facets.size(); ++i) {
+    const TableFacet& f = table.facets[i];
+    const int n = f.facet.corners;
+    for (int k = 0; k < n; ++k)
+      if (!table.is_inner(f.edge[k]))
+        add(i, across.segment(i, k, ids[at + static_cast<std::size_t>(k)], ids[at + static_cast<std::size_t>((k + 1) % n)]));
+    at += static_cast<std::size_t>(n);
+  }
+  for (const Meeting& m : meetings) {
+    const PointId from = ids[at++], to = ids[at++];
+    add(m.f, {from, to, table.facets[m.g].plane, 0, 1, kNoId, m.from_inner, m.to_inner});
+    add(m.g, {to, from, table.facets[m.f].plane, 0, 1, kNoId, m.to_inner, m.from_inner});
+  }
+  for (const PlaneCut& c : cuts) {
+    const PointId from = ids[at++], to = ids[at++];
+    add(c.facet, {from, to, c.plane, 0, 1, kNoId, c.from_inner, c.to_inner});
+  }
+  return of;
+}
+
+/// The cells of every plane.
+void cut_planes(SumSpace& space, GroupSegments segments, SolidArrangement& result, StageWatch& watch) {
+  constexpr std::size_t kPart = 64;
+  const std::size_t count = result.groups.size();
+  watch.run((count + kPart - 1) / kPart, [&](std::size_t part) {
+    PlaneArranger arranger(space, result.points);
+    std::size_t bytes = 0;
+    for (std::size_t g = part * kPart; g < std::min(count, (part + 1) * kPart); ++g) {
+      const PlaneSegment* of = segments.list.data();
+      result.groups[g].cells = arranger.run(result.groups[g].plane, {of + segments.begin[g], of + segments.begin[g + 1]});
+      bytes += bytes_of(result.groups[g].cells);
+    }
+    watch.hold(bytes);
+  });
+}
+
+/// Crossings get names, as the same point is found in several planes; cells are numbered through.
+void name_crossings(SolidArrangement& result, StageWatch& watch) {
+  std::size_t found = 0;
+  for (const PlaneGroup& group : result.groups) found += group.cells.found.size();
+  std::vector<PointSource> sources;
+  sources.reserve(found);
+  for (PlaneGroup& group : result.groups) {
+    sources.insert(sources.end(), group.cells.found.begin(), group.cells.found.end());
+    group.names.resize(group.cells.found.size());
+    base::free_memory(group.cells.found);
+  }
+  const std::vector<PointId> names = result.points.add(sources, watch);
+  std::size_t at = 0;
+  for (PlaneGroup& group : result.groups) {
+    for (PointId& name : group.names) name = names[at++];
+    group.first_cell = result.cell_count;
+    result.cell_count += static_cast<std::uint32_t>(group.cells.cells.size());
+  }
+}
+
 }  // namespace
 
 std::uint32_t SolidArrangement::group_of(std::uint32_t cell) const {
@@ -201,91 +302,10 @@ SolidArrangement arrange(SumSpace& space, const FacetTable& table, Contacts cont
   std::vector<std::uint32_t> group_of;
   result.groups = plane_groups(table, contacts, group_of);
   const CutPlanes across(space, table, contacts, cuts, group_of, result.groups, watch.threads());
-
-  // Points: corners first, then ends of contacts.
-  std::vector<PointSource> sources;
-  sources.reserve(4 * table.facets.size() + 2 * contacts.contacts.size());
-  for (const TableFacet& f : table.facets)
-    for (int k = 0; k < f.facet.corners; ++k)
-      sources.push_back({PointSource::Kind::sum, f.facet.corner[k].p, f.facet.corner[k].q, 0});
-  struct Meeting {
-    std::uint32_t f, g;
-    bool from_inner, to_inner;
-  };
-  std::vector<Meeting> meetings;
-  meetings.reserve(contacts.contacts.size());
-  for (const Contact& c : contacts.contacts) {
-    sources.push_back(c.from), sources.push_back(c.to);
-    meetings.push_back({c.f, c.g, c.from_inner, c.to_inner});
-  }
-  for (const PlaneCut& c : cuts) sources.push_back(c.from), sources.push_back(c.to);
-  base::free_memory(contacts.contacts, contacts.coplanar);
-  std::vector<PointId> ids = result.points.add(sources, watch);
-  base::free_memory(sources);
-
-  // Segments of every group.
-  std::vector<std::uint32_t> begin(result.groups.size() + 1, 0);
-  for (std::uint32_t i = 0; i < table.facets.size(); ++i)
-    for (int k = 0; k < table.facets[i].facet.corners; ++k)
-      begin[group_of[i] + 1] += table.is_inner(table.facets[i].edge[k]) ? 0 : 1;
-  for (const Meeting& m : meetings) ++begin[group_of[m.f] + 1], ++begin[group_of[m.g] + 1];
-  for (const PlaneCut& c : cuts) ++begin[group_of[c.facet] + 1];
-  std::partial_sum(begin.begin(), begin.end(), begin.begin());
-  std::vector<PlaneSegment> segments(begin.back());
-  std::vector<std::uint32_t> place(begin.begin(), begin.end() - 1);
-  std::size_t at = 0;
-  for (std::uint32_t i = 0; i < table.facets.size(); ++i) {
-    const TableFacet& f = table.facets[i];
-    const int n = f.facet.corners;
-    for (int k = 0; k < n; ++k) {
-      if (table.is_inner(f.edge[k])) continue;
-      const PointId a = ids[at + static_cast<std::size_t>(k)], b = ids[at + static_cast<std::size_t>((k + 1) % n)];
-      segments[place[group_of[i]]++] = across.segment(i, k, a, b);
-    }
-    at += static_cast<std::size_t>(n);
-  }
-  for (const Meeting& m : meetings) {
-    const PointId from = ids[at++], to = ids[at++];
-    segments[place[group_of[m.f]]++] = {from, to, table.facets[m.g].plane, 0, 1, kNoId, m.from_inner, m.to_inner};
-    segments[place[group_of[m.g]]++] = {to, from, table.facets[m.f].plane, 0, 1, kNoId, m.to_inner, m.from_inner};
-  }
-  for (const PlaneCut& c : cuts) {
-    const PointId from = ids[at++], to = ids[at++];
-    segments[place[group_of[c.facet]]++] = {from, to, c.plane, 0, 1, kNoId, c.from_inner, c.to_inner};
-  }
-
-  base::free_memory(meetings, ids, place);
-  constexpr std::size_t kPart = 64;
-  const std::size_t count = result.groups.size();
-  watch.run((count + kPart - 1) / kPart, [&](std::size_t part) {
-    PlaneArranger arranger(space, result.points);
-    for (std::size_t g = part * kPart; g < std::min(count, (part + 1) * kPart); ++g)
-      result.groups[g].cells =
-          arranger.run(result.groups[g].plane, {segments.data() + begin[g], segments.data() + begin[g + 1]});
-    std::size_t bytes = 0;
-    for (std::size_t g = part * kPart; g < std::min(count, (part + 1) * kPart); ++g)
-      bytes += bytes_of(result.groups[g].cells);
-    watch.hold(bytes);
-  });
-  // Names of crossings: the same point is found in several planes.
-  base::free_memory(segments, begin, group_of);
-  std::size_t found = 0;
-  for (const PlaneGroup& group : result.groups) found += group.cells.found.size();
-  sources.reserve(found);
-  for (PlaneGroup& group : result.groups) {
-    sources.insert(sources.end(), group.cells.found.begin(), group.cells.found.end());
-    group.names.resize(group.cells.found.size());
-    base::free_memory(group.cells.found);
-  }
-  std::vector<PointId> names = result.points.add(sources, watch);
-  base::free_memory(sources);
-  at = 0;
-  for (PlaneGroup& group : result.groups) {
-    for (PointId& name : group.names) name = names[at++];
-    group.first_cell = result.cell_count;
-    result.cell_count += static_cast<std::uint32_t>(group.cells.cells.size());
-  }
-  base::free_memory(names);
+  GroupSegments segments = segments_by_group(table, std::move(contacts), cuts, across, group_of, result, watch);
+  base::free_memory(group_of);
+  cut_planes(space, std::move(segments), result, watch);
+  name_crossings(result, watch);
   collect_edges(result, watch);
   return result;
 }

@@ -218,71 +218,89 @@ Triangles solid_triangles(const MeshData& data, const std::vector<bool>& thin) {
   return solid;
 }
 
-}  // namespace
+constexpr std::uint32_t kNoRay = 0xffffffff;
 
-// Wraps the cone like a gift: from ray to ray, all others to the left.
-std::vector<std::uint32_t> extreme_rays(const std::vector<Point3>& v, std::uint32_t vertex,
-                                        std::span<const std::uint32_t> neighbours) {
-  const Point3& o = v[vertex];
-  const auto det = [&](std::uint32_t i, std::uint32_t j, std::uint32_t k) {
-    return orient3_sign(o, v[neighbours[i]], v[neighbours[j]], v[neighbours[k]]);
-  };
-  // A fan that goes by an edge of four faces twice has its ray twice.
-  std::vector<std::uint32_t> distinct(neighbours.size());
-  std::iota(distinct.begin(), distinct.end(), 0u);
-  std::sort(distinct.begin(), distinct.end(), [&](std::uint32_t a, std::uint32_t b) {
-    return std::pair(neighbours[a], a) < std::pair(neighbours[b], b);
-  });
-  distinct.erase(std::unique(distinct.begin(), distinct.end(),
-                             [&](std::uint32_t a, std::uint32_t b) { return neighbours[a] == neighbours[b]; }),
-                 distinct.end());
-  std::sort(distinct.begin(), distinct.end());
-  const std::size_t n = distinct.size();
-  // Whether j is strictly between i and k in their plane, that is, the triangle o, i, k faces the point j from outside
-  // never: tells by orientation within the plane.
-  const auto turns = [&](std::uint32_t a,
-                         std::uint32_t b) -> int {  // of a x b along an axis where any plane normal shows, see below
-    for (const exact::Axis axis : {exact::Axis::z, exact::Axis::x, exact::Axis::y})
-      if (const int s = exact::normal_sign(o, v[neighbours[a]], v[neighbours[b]], axis)) return s;
-    return 0;
-  };
-  const auto same_turn = [&](std::uint32_t a, std::uint32_t b, std::uint32_t c, std::uint32_t d) {
-    for (const exact::Axis axis : {exact::Axis::z, exact::Axis::x, exact::Axis::y}) {
-      const int s = exact::normal_sign(o, v[neighbours[a]], v[neighbours[b]], axis);
-      if (s != 0) return s == exact::normal_sign(o, v[neighbours[c]], v[neighbours[d]], axis);
-    }
-    return false;
-  };
-  // From ray i the ray with all others on or to the left of the plane through both; among several in that plane the
-  // last one.
-  const auto next = [&](std::uint32_t i) -> std::uint32_t {
-    std::uint32_t best = 0xffffffff;
-    for (const std::uint32_t k : distinct) {
-      if (k == i || turns(i, k) == 0) continue;
-      if (best == 0xffffffff) {
-        best = k;
-        continue;
+/// Wraps a cone like a gift: from ray to ray, all others to the left. Rays are indices of neighbours.
+class ConeWrap {
+ public:
+  ConeWrap(const std::vector<Point3>& v, std::uint32_t vertex, std::span<const std::uint32_t> neighbours)
+      : v_(v), o_(v[vertex]), neighbours_(neighbours), distinct_(distinct(neighbours)) {}
+
+  /// The extreme rays in their order; none where the cone is not pointed.
+  std::vector<std::uint32_t> run() const {
+    for (const std::uint32_t start : distinct_) {
+      std::vector<std::uint32_t> rays{start};
+      for (std::uint32_t at = next(start); at != kNoRay && rays.size() <= distinct_.size(); at = next(at)) {
+        if (at == start) return rays;
+        rays.push_back(at);
       }
-      const int s = det(i, best, k);
+    }
+    return {};
+  }
+
+ private:
+  // A fan that goes by an edge of four faces twice has its ray twice.
+  static std::vector<std::uint32_t> distinct(std::span<const std::uint32_t> neighbours) {
+    std::vector<std::uint32_t> rays(neighbours.size());
+    std::iota(rays.begin(), rays.end(), 0u);
+    std::sort(rays.begin(), rays.end(), [&](std::uint32_t a, std::uint32_t b) {
+      return std::pair(neighbours[a], a) < std::pair(neighbours[b], b);
+    });
+    rays.erase(std::unique(rays.begin(), rays.end(),
+                           [&](std::uint32_t a, std::uint32_t b) { return neighbours[a] == neighbours[b]; }),
+               rays.end());
+    std::sort(rays.begin(), rays.end());
+    return rays;
+  }
+
+  const Point3& end(std::uint32_t ray) const { return v_[neighbours_[ray]]; }
+  int det(std::uint32_t i, std::uint32_t j, std::uint32_t k) const { return orient3_sign(o_, end(i), end(j), end(k)); }
+  int normal(std::uint32_t a, std::uint32_t b, exact::Axis axis) const {
+    return exact::normal_sign(o_, end(a), end(b), axis);
+  }
+  /// Of a x b, along the first axis where it is not zero; 0 for parallel rays.
+  int turns(std::uint32_t a, std::uint32_t b) const {
+    for (const exact::Axis axis : {exact::Axis::z, exact::Axis::x, exact::Axis::y})
+      if (const int s = normal(a, b, axis)) return s;
+    return 0;
+  }
+  /// Of rays in one plane: a turns to b the same way as c to d.
+  bool same_turn(std::uint32_t a, std::uint32_t b, std::uint32_t c, std::uint32_t d) const {
+    for (const exact::Axis axis : {exact::Axis::z, exact::Axis::x, exact::Axis::y})
+      if (const int s = normal(a, b, axis)) return s == normal(c, d, axis);
+    return false;
+  }
+
+  /// From ray i the ray with all others on or to the left of the plane through both; among several in that plane the
+  /// last one. None where an opposite ray, or one on the other side, shows that the cone is not pointed.
+  std::uint32_t next(std::uint32_t i) const {
+    std::uint32_t best = kNoRay;
+    for (const std::uint32_t k : distinct_) {
+      if (k == i || turns(i, k) == 0) continue;
+      const int s = best == kNoRay ? -1 : det(i, best, k);
       if (s < 0 || (s == 0 && same_turn(i, best, best, k))) best = k;
     }
-    if (best == 0xffffffff) return best;
-    for (const std::uint32_t k : distinct) {
+    if (best == kNoRay) return best;
+    for (const std::uint32_t k : distinct_) {
       if (k == i || k == best) continue;
-      if (turns(i, k) == 0) return 0xffffffff;  // the opposite ray: not pointed
+      if (turns(i, k) == 0) return kNoRay;
       const int s = det(i, best, k);
-      if (s < 0 || (s == 0 && !same_turn(i, best, i, k))) return 0xffffffff;
+      if (s < 0 || (s == 0 && !same_turn(i, best, i, k))) return kNoRay;
     }
     return best;
-  };
-  for (const std::uint32_t start : distinct) {
-    std::vector<std::uint32_t> rays{start};
-    for (std::uint32_t at = next(start); at != 0xffffffff && rays.size() <= n; at = next(at)) {
-      if (at == start) return rays;
-      rays.push_back(at);
-    }
   }
-  return {};
+
+  const std::vector<Point3>& v_;
+  const Point3& o_;
+  std::span<const std::uint32_t> neighbours_;
+  std::vector<std::uint32_t> distinct_;
+};
+
+}  // namespace
+
+std::vector<std::uint32_t> extreme_rays(const std::vector<Point3>& v, std::uint32_t vertex,
+                                        std::span<const std::uint32_t> neighbours) {
+  return ConeWrap(v, vertex, neighbours).run();
 }
 
 SolidOperand solid_operand(const MeshData& data, const std::vector<bool>& thin, FlatFeatures flat) {

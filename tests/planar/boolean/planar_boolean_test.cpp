@@ -171,8 +171,9 @@ TEST(PlanarBoolean, crossings_of_results_are_crossed_again_without_rounding) {
   // Thirds and sevenths are no doubles.
   const Region a = made({{{{{0, 0}, {7, 1}, {1, 7}}, {}}}, {}, {}}), b = made({{{{{6, 6}, {-1, 5}, {5, -1}}, {}}}, {}, {}}),
                c = made({{{{{3, -2}, {4, 9}, {2, 9}}, {}}}, {}, {}});
-  const PlanarSum both = intersection(a, b).value();
-  const PlanarSum cut = difference(both, c).value(), back = united(cut, intersection(both, c).value()).value();
+  const SumOptions regular = with(Semantics::regular);
+  const PlanarSum both = intersection(a, b, regular).value(), cut = difference(both, c, regular).value(),
+                  back = united(cut, intersection(both, c, regular).value(), regular).value();
   EXPECT_TRUE(back == both);
   for (const SumVertex& v : cut.parts[0].outer.vertices) EXPECT_EQ(v.in.q, 0u);
   EXPECT_EQ(cut.stats.tier_bits, both.stats.tier_bits);
