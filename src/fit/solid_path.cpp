@@ -103,16 +103,16 @@ SolidPath::Critical SolidPath::critical(const std::function<void(double)>& ask) 
     }
     for (std::uint32_t k = 0; k < legs_.size(); ++k) {
       for (int i = 0; i < all_.facets()[f].corners; ++i) {
-        const std::uint32_t b = all_.border_of(f, i);
-        const auto& rows = all_.rows_of(b);
+        const std::uint32_t b = all_.borders().of(f, i);
+        const auto along_it = all_.planes_of(b);
         NearMeeting around;
         const Meets meets =
-            meeting_near({&legs_[k].rows[0], &legs_[k].rows[1], &rows[0], &rows[1]}, all_.span(1), around);
-        if (meets == Meets::near && (around.s < -around.s_radius || !may_hold(all_, all_.borders()[b], around)))
-          continue;
-        const std::array<MovingPlane, 2>& planes = all_.planes_of(b);
-        const auto at = meeting_of({&legs_[k].planes[0], &legs_[k].planes[1], &planes[0], &planes[1]});
-        if (!at || at->s <= 0 || !lies_on(all_, all_.borders()[b], *at)) continue;
+            meeting_near({&legs_[k].rows[0], &legs_[k].rows[1], &all_.row(along_it[0]), &all_.row(along_it[1])},
+                         all_.span(1), around);
+        if (meets == Meets::near && (around.s < -around.s_radius || !may_hold(all_, {{b}, {}}, around))) continue;
+        const auto at =
+            meeting_of({&legs_[k].planes[0], &legs_[k].planes[1], &all_.plane(along_it[0]), &all_.plane(along_it[1])});
+        if (!at || at->s <= 0 || !hold(all_, {{b}, {}}, *at, {})) continue;
         const BigRational t = along(k, *at);
         if (t >= 0 && t <= 1) add(found, *at, f, k);
       }
@@ -131,7 +131,7 @@ std::vector<BigRational> SolidPath::cuts(std::uint32_t leg, const BigRational& s
     NearMeeting around;
     const Meets meets =
         meeting_near({&legs_[leg].rows[0], &legs_[leg].rows[1], &all_.row(f), &level_row}, all_.span(near_s), around);
-    if (meets == Meets::near && !may_hold(all_, f, around)) continue;
+    if (meets == Meets::near && surely_holds(all_, f, around) < 0) continue;
     const auto at = meeting_of({&legs_[leg].planes[0], &legs_[leg].planes[1], &all_.plane(f), &level});
     if (!at || !place_in(all_, f, *at, near(*at)).holds) continue;
     if (const BigRational t = along(leg, *at); t > 0 && t < 1) cuts.push_back(t);

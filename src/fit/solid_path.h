@@ -6,7 +6,7 @@
 
 #include "dymsum/solid_scale_range.h"
 #include "spatial/events/meeting_point.h"
-#include "spatial/events/scaled_overlap.h"
+#include "spatial/events/sure_overlap.h"
 
 namespace dymsum::spatial {
 

@@ -38,13 +38,12 @@ Result<SolidScaleRange> range_of_path(const Mesh& part, const std::vector<Ration
                                       const std::optional<BigRational>& limit, const Progress& progress) {
   Result<Result<SolidScaleRange>> made = within_scales([&] {
     return guarded([&]() -> Result<SolidScaleRange> {
-      const SolidPair pair = solid_pair(obstacles, negated(part));
       SpatialOptions stages;
       stages.threads = 1, stages.progress = progress;
       SpatialStats stats;
       StageWatch watch(stages, stats);
       watch.begin("convolution");
-      const MovingFacets facets(pair, 1, watch);
+      const MovingFacets facets(ScalingPair(solid_pair(obstacles, negated(part)), 1), watch);
       const ScaledOverlap overlap(facets);
       const SolidPath walk(facets, overlap, path);
       watch.begin("contacts");

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "exact/rational_order.h"
+#include "spatial/events/meeting_point.h"
 
 namespace dymsum::spatial {
 
@@ -58,7 +59,7 @@ NearRoot root_of(const NearForm& f) {
 NearForm near_form(const SureForm& f) { return {f.a, f.b, std::abs(f.a) * 0x1p-52, std::abs(f.b) * 0x1p-52}; }
 
 /// Of a corner over the plane of a facet: what it has in common with one of that facet's corners drops out.
-NearForm height_form(const MovingFacets& all, SumPoint c, std::uint32_t facet) {
+NearForm height_form(const PairFacets& all, SumPoint c, std::uint32_t facet) {
   if (const std::optional<SureForm> sure = all.sure_height(c, facet)) return near_form(*sure);
   const PlaneRow& row = all.row(facet);
   const Vec3 n{row[0], row[1], row[2]}, f = all.fixed(c), m = all.moved(c);
@@ -78,14 +79,14 @@ struct Side {
   Vec3 way;  // along it, without the scale
   double blur;
 };
-Side side_of(const MovingFacets& all, const SumFacet& facet, int k) {
+Side side_of(const PairFacets& all, const SumFacet& facet, int k) {
   const SumPoint a = facet.corner[k], b = facet.corner[(k + 1) % facet.corners];
   const Vec3 u = all.fixed(b) - all.fixed(a), v = all.moved(b) - all.moved(a);
   return {a, b, u + v, (norm1(all.fixed(a)) + norm1(all.moved(a)) + norm1(u + v)) * 0x1p-51};
 }
 
 /// Of det(e, h, gap) for the gap between two borders, from e's beginning to h's.
-NearForm twist_form(const MovingFacets& all, const Side& e, const Side& h) {
+NearForm twist_form(const PairFacets& all, const Side& e, const Side& h) {
   if (const std::optional<SureForm> sure = all.sure_twist({e.a, e.b}, {h.a, h.b})) return near_form(*sure);
   const Vec3 n = cross(e.way, h.way), f = all.fixed(h.a) - all.fixed(e.a), m = all.moved(h.a) - all.moved(e.a);
   const double E = norm1(e.way), H = norm1(h.way);
@@ -103,7 +104,7 @@ NearForm twist_form(const MovingFacets& all, const Side& e, const Side& h) {
 }
 
 /// Edges of sums with one edge of an operand.
-bool are_parallel(const MovingFacets& all, const Side& e, const Side& h) {
+bool are_parallel(const PairFacets& all, const Side& e, const Side& h) {
   const auto same = [&](SumPoint a, SumPoint b, SumPoint c, SumPoint d, auto equal) {
     return !equal(a, b) && ((equal(a, c) && equal(b, d)) || (equal(a, d) && equal(b, c)));
   };
@@ -112,7 +113,7 @@ bool are_parallel(const MovingFacets& all, const Side& e, const Side& h) {
 }
 
 /// Whether two borders that are in one plane at a root cross there: 1 surely, -1 surely not, else 0.
-int borders_meet(const MovingFacets& all, const Side& e, const Side& h, const NearRoot& root) {
+int borders_meet(const PairFacets& all, const Side& e, const Side& h, const NearRoot& root) {
   // Along e, where the wall through h that is upright on both crosses it, and the other way round.
   const Vec3 n = cross(e.way, h.way);
   const Vec3 e0 = all.at(e.a, root.s), e1 = all.at(e.b, root.s), h0 = all.at(h.a, root.s), h1 = all.at(h.b, root.s);
@@ -131,14 +132,14 @@ int borders_meet(const MovingFacets& all, const Side& e, const Side& h, const Ne
 }
 
 /// Where a corner comes onto a facet's plane.
-NearMeeting corner_at_root(const MovingFacets& all, SumPoint c, const NearRoot& root) {
+NearMeeting corner_at_root(const PairFacets& all, SumPoint c, const NearRoot& root) {
   return {all.at(c, root.s), root.s, norm1(all.moved(c)) * root.radius + all.span(root.s) * 0x1p-50, root.radius};
 }
 
 /// The vertices of what two facets have in common, over (x, s), in doubles.
 class NearVertices {
  public:
-  NearVertices(const MovingFacets& all, std::uint32_t f, std::uint32_t g) : all_(all), f_(f), g_(g) {}
+  NearVertices(const PairFacets& all, std::uint32_t f, std::uint32_t g) : all_(all), f_(f), g_(g) {}
 
   std::optional<PairInterval> interval() {
     NearForm heights[2][4];
@@ -232,7 +233,7 @@ class NearVertices {
     return unsure ? 0 : -1;
   }
 
-  const MovingFacets& all_;
+  const PairFacets& all_;
   std::uint32_t f_, g_;
   std::vector<Vertex> vertices_;
   bool unsure_ = false;
@@ -241,7 +242,7 @@ class NearVertices {
 /// The same in integers, of what doubles do not tell.
 class ExactVertices {
  public:
-  ExactVertices(const MovingFacets& all, std::uint32_t f, std::uint32_t g, Ahead ahead)
+  ExactVertices(const PairFacets& all, std::uint32_t f, std::uint32_t g, Ahead ahead)
       : all_(all), f_(f), g_(g), ahead_(ahead) {}
 
   PairInterval interval() {
@@ -254,7 +255,7 @@ class ExactVertices {
           if (!root.any || surely_holds(all_, plane, corner_at_root(all_, facet.corner[c], root)) < 0) continue;
         } else {
           for (int j = 0; j < all_.facets()[plane].corners; ++j)
-            corner_on_border(facet.corner[c], all_.border_of(plane, j));
+            corner_on_border(facet.corner[c], all_.borders().of(plane, j));
         }
         add(meeting_of(all_, facet.corner[c], all_.plane(plane)), IntervalEnd::corner);
       }
@@ -264,9 +265,9 @@ class ExactVertices {
         if (ahead_ == Ahead::doubles &&
             surely_miss(side_of(all_, all_.facets()[f_], i), side_of(all_, all_.facets()[g_], j)))
           continue;
-        const std::array<MovingPlane, 2>&u = all_.planes_of(all_.border_of(f_, i)),
-                                      &v = all_.planes_of(all_.border_of(g_, j));
-        add(meeting_of({&u[0], &u[1], &v[0], &v[1]}), IntervalEnd::borders);
+        const auto u = all_.planes_of(all_.borders().of(f_, i)), v = all_.planes_of(all_.borders().of(g_, j));
+        add(meeting_of({&all_.plane(u[0]), &all_.plane(u[1]), &all_.plane(v[0]), &all_.plane(v[1])}),
+            IntervalEnd::borders);
       }
     return from_vertices();
   }
@@ -303,7 +304,8 @@ class ExactVertices {
 
   /// A corner that stays in a plane comes onto its facet across a border.
   void corner_on_border(SumPoint c, std::uint32_t border) {
-    for (const MovingPlane& plane : all_.planes_of(border)) add(meeting_of(all_, c, plane), IntervalEnd::corner);
+    for (const std::uint32_t plane : all_.planes_of(border))
+      add(meeting_of(all_, c, all_.plane(plane)), IntervalEnd::corner);
   }
 
   void add(const std::optional<ExactMeeting>& at, IntervalEnd kind) {
@@ -336,8 +338,9 @@ class ExactVertices {
     level.n = {0, 0, 0}, level.d0 = -numerator(s), level.d1 = denominator(s);
     for (const auto& [of, other] : {std::pair{f_, g_}, std::pair{g_, f_}})
       for (int k = 0; k < all_.facets()[of].corners; ++k) {
-        const std::array<MovingPlane, 2>& u = all_.planes_of(all_.border_of(of, k));
-        const std::optional<ExactMeeting> at = meeting_of({&u[0], &u[1], &all_.plane(other), &level});
+        const auto u = all_.planes_of(all_.borders().of(of, k));
+        const std::optional<ExactMeeting> at =
+            meeting_of({&all_.plane(u[0]), &all_.plane(u[1]), &all_.plane(other), &level});
         if (!at) continue;
         const NearMeeting around = near(*at);
         if (place_in(all_, f_, *at, around).holds && place_in(all_, g_, *at, around).holds) return true;
@@ -345,7 +348,7 @@ class ExactVertices {
     return false;
   }
 
-  const MovingFacets& all_;
+  const PairFacets& all_;
   std::uint32_t f_, g_;
   Ahead ahead_;
   std::vector<Vertex> vertices_;
@@ -353,10 +356,10 @@ class ExactVertices {
 
 }  // namespace
 
-std::optional<PairInterval> near_interval(const MovingFacets& all, std::uint32_t f, std::uint32_t g) {
+std::optional<PairInterval> near_interval(const PairFacets& all, std::uint32_t f, std::uint32_t g) {
   return NearVertices(all, f, g).interval();
 }
-PairInterval exact_interval(const MovingFacets& all, std::uint32_t f, std::uint32_t g, Ahead ahead) {
+PairInterval exact_interval(const PairFacets& all, std::uint32_t f, std::uint32_t g, Ahead ahead) {
   return ExactVertices(all, f, g, ahead).interval();
 }
 

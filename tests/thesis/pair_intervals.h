@@ -3,7 +3,7 @@
 
 #include <optional>
 
-#include "spatial/events/meeting_point.h"
+#include "thesis/pair_facets.h"
 
 namespace dymsum::spatial {
 
@@ -16,9 +16,9 @@ struct PairInterval {
 
 /// By doubles; nothing where these do not decide. Requires facets that share no corner, in planes that are not
 /// parallel.
-std::optional<PairInterval> near_interval(const MovingFacets& all, std::uint32_t f, std::uint32_t g);
+std::optional<PairInterval> near_interval(const PairFacets& all, std::uint32_t f, std::uint32_t g);
 /// Exact; corners and borders that doubles prove to miss each other are left out first, or nothing is.
 enum class Ahead : std::uint8_t { nothing, doubles };
-PairInterval exact_interval(const MovingFacets& all, std::uint32_t f, std::uint32_t g, Ahead ahead = Ahead::doubles);
+PairInterval exact_interval(const PairFacets& all, std::uint32_t f, std::uint32_t g, Ahead ahead = Ahead::doubles);
 
 }  // namespace dymsum::spatial

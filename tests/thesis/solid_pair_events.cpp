@@ -12,7 +12,7 @@ using namespace spatial;
 
 namespace {
 
-bool has_parallel_planes(const MovingFacets& all, std::uint32_t f, std::uint32_t g) {
+bool has_parallel_planes(const PairFacets& all, std::uint32_t f, std::uint32_t g) {
   const PlaneRow &a = all.row(f), &b = all.row(g);
   const Vec3 u{a[0], a[1], a[2]}, v{b[0], b[1], b[2]};
   if (length(cross(u, v)) > 0x1p-40) return false;
@@ -21,7 +21,7 @@ bool has_parallel_planes(const MovingFacets& all, std::uint32_t f, std::uint32_t
 }
 
 /// Adds the pairs of facet f with those behind it.
-void count_pairs(const MovingFacets& all, std::uint32_t f, SolidPairEventCount& count) {
+void count_pairs(const PairFacets& all, std::uint32_t f, SolidPairEventCount& count) {
   for (std::uint32_t g = f + 1; g < all.facets().size(); ++g) {
     if (share_corner(all.facets()[f], all.facets()[g])) continue;
     std::optional<PairInterval> interval = near_interval(all, f, g);
@@ -48,14 +48,15 @@ Result<SolidPairEventCount> count_solid_pair_events(const Mesh& p, const Mesh& q
     return Error{ErrorCode::unsupported_operand, "an operand of a scaling sum of solids has parts without volume", {}};
   return guarded([&]() -> SolidPairEventCount {
     SolidPairEventCount all;
-    const SolidPair pair = solid_pair(beside_origin(p).value_or(p), beside_origin(q).value_or(q));
-    if (pair.p.vertices.empty() || pair.q.vertices.empty()) return all;
+    ScalingPair pair(solid_pair(beside_origin(p).value_or(p), beside_origin(q).value_or(q)),
+                     options.moving == MovingOperand::p ? 0 : 1);
+    if (pair.pair().p.vertices.empty() || pair.pair().q.vertices.empty()) return all;
     SpatialOptions stages;
     stages.threads = options.threads, stages.progress = progress;
     SpatialStats stats;
     StageWatch watch(stages, stats);
     watch.begin("convolution");
-    const MovingFacets facets(pair, options.moving == MovingOperand::p ? 0 : 1, watch);
+    const PairFacets facets(std::move(pair), watch);
     watch.begin("pairs");
     all.facets = facets.facets().size();
     std::mutex adding;

@@ -13,12 +13,11 @@ namespace {
 TEST(SolidPairEvents, DoublesAgreeWithExactIntervals) {
   for (const auto& [name, p, q] : moving_cases::small_pairs()) {
     if (name == "torus with itself" || name == "gears in mesh") continue;
-    const spatial::SolidPair pair = spatial::solid_pair(p, q);
     SpatialStats stats;
     SpatialOptions options;
     spatial::StageWatch watch(options, stats);
     watch.begin("convolution");
-    const spatial::MovingFacets all(pair, 1, watch);
+    const spatial::PairFacets all(spatial::ScalingPair(spatial::solid_pair(p, q), 1), watch);
     std::size_t decided = 0, unsure = 0;
     for (std::uint32_t f = 0; f < all.facets().size(); ++f)
       for (std::uint32_t g = f % 5 + 1 + f; g < all.facets().size(); g += 5) {

@@ -56,8 +56,7 @@ ExactMeeting with_positive_weight(ExactMeeting at) {
   return at;
 }
 
-BigInteger big_dot3(const BigVector& a, const BigVector& b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
-BigVector corner_at(const MovingFacets& all, SumPoint c, const ExactMeeting& at) {
+BigVector corner_at(const ScalingPair& all, SumPoint c, const ExactMeeting& at) {
   const BigVector &f = all.exact_fixed(c), &m = all.exact_moved(c);
   return {f[0] * at.w + m[0] * at.s, f[1] * at.w + m[1] * at.s, f[2] * at.w + m[2] * at.s};
 }
@@ -66,7 +65,7 @@ double largest(Vec3 v) { return std::max({std::abs(v.x), std::abs(v.y), std::abs
 
 /// n . (e x g) for a border e of the facet and a gap g from its beginning, and a bound of its error.
 Sized side_of_border(const MovingFacets& all, const SumFacet& facet, Vec3 n, int k, const NearMeeting& at) {
-  const SumPoint a = facet.corner[k], b = facet.corner[(k + 1) % facet.corners];
+  const auto [a, b] = border_of(facet, k);
   const Vec3 p = all.at(a, at.s), e = all.at(b, at.s) - p, g = at.x - p;
   const double reach = std::max(largest(all.moved(a)), largest(all.moved(b)));
   const double blur = 2 * (at.radius + at.s_radius * reach) + all.span(at.s) * 0x1p-48;
@@ -74,11 +73,34 @@ Sized side_of_border(const MovingFacets& all, const SumFacet& facet, Vec3 n, int
   return {dot(n, cross(e, g)), 8 * (blur * (E + G) + blur * blur + E * G * 0x1p-48)};
 }
 
-Vec3 normal_of(const PlaneRow& row) { return {row[0], row[1], row[2]}; }
+/// From a border's beginning to its end and to a point, times the point's weight.
+struct AlongBorder {
+  BigVector way, gap;
+};
+AlongBorder along_border(const MovingFacets& all, const SumEdge& border, const ExactMeeting& at) {
+  const BigVector a = corner_at(all, border.from, at);
+  return {minus(corner_at(all, border.to, at), a), minus(at.x, a)};
+}
+
+bool may_lie_on(const MovingFacets& all, const SumEdge& border, const NearMeeting& at) {
+  const Vec3 a = all.at(border.from, at.s), b = all.at(border.to, at.s);
+  const double reach = std::max(largest(all.moved(border.from)), largest(all.moved(border.to)));
+  const double blur = 2 * (at.radius + at.s_radius * reach) + all.span(at.s) * 0x1p-48;
+  const auto outside = [&](double x, double u, double v) {
+    return x < std::min(u, v) - blur || x > std::max(u, v) + blur;
+  };
+  return !outside(at.x.x, a.x, b.x) && !outside(at.x.y, a.y, b.y) && !outside(at.x.z, a.z, b.z);
+}
+bool lies_on(const MovingFacets& all, const SumEdge& border, const ExactMeeting& at) {
+  const AlongBorder to = along_border(all, border, at);
+  if (!is_zero(cross(to.way, to.gap))) return false;
+  const BigInteger along = dot(to.way, to.gap);
+  return along >= 0 && along <= dot(to.way, to.way);
+}
 
 }  // namespace
 
-std::optional<ExactMeeting> meeting_of(const std::array<const MovingPlane*, 4>& planes) {
+std::optional<ExactMeeting> meeting_of(const FourPlanes& planes) {
   const Determinants<BigInteger> det([&](std::size_t r, std::size_t c) -> BigInteger {
     const MovingPlane& p = *planes[r];
     return c < 3 ? p.n[c] : c == 3 ? BigInteger(-p.d1) : p.d0;
@@ -91,9 +113,9 @@ std::optional<ExactMeeting> meeting_of(const std::array<const MovingPlane*, 4>& 
   return with_positive_weight(std::move(at));
 }
 
-std::optional<ExactMeeting> meeting_of(const MovingFacets& all, SumPoint corner, const MovingPlane& plane) {
-  const BigInteger a = big_dot3(plane.n, all.exact_fixed(corner)) - plane.d0,
-                   b = big_dot3(plane.n, all.exact_moved(corner)) - plane.d1;
+std::optional<ExactMeeting> meeting_of(const ScalingPair& all, SumPoint corner, const MovingPlane& plane) {
+  const BigInteger a = dot(plane.n, all.exact_fixed(corner)) - plane.d0,
+                   b = dot(plane.n, all.exact_moved(corner)) - plane.d1;
   if (b == 0) return std::nullopt;
   ExactMeeting at;
   at.s = b < 0 ? a : BigInteger(-a), at.w = abs(b);
@@ -101,9 +123,8 @@ std::optional<ExactMeeting> meeting_of(const MovingFacets& all, SumPoint corner,
   return at;
 }
 
-bool stays_in(const MovingFacets& all, SumPoint corner, const MovingPlane& plane) {
-  return big_dot3(plane.n, all.exact_fixed(corner)) == plane.d0 &&
-         big_dot3(plane.n, all.exact_moved(corner)) == plane.d1;
+bool stays_in(const ScalingPair& all, SumPoint corner, const MovingPlane& plane) {
+  return dot(plane.n, all.exact_fixed(corner)) == plane.d0 && dot(plane.n, all.exact_moved(corner)) == plane.d1;
 }
 
 Meets meeting_near(const std::array<const PlaneRow*, 4>& rows, double span, NearMeeting& at) {
@@ -126,7 +147,7 @@ Meets meeting_near(const std::array<const PlaneRow*, 4>& rows, double span, Near
   return Meets::near;
 }
 
-Meets meeting_near(const MovingFacets& all, SumPoint corner, const PlaneRow& row, double span, NearMeeting& at) {
+Meets meeting_near(const ScalingPair& all, SumPoint corner, const PlaneRow& row, double span, NearMeeting& at) {
   const Vec3 f = all.fixed(corner), m = all.moved(corner);
   const double a = row[0] * f.x + row[1] * f.y + row[2] * f.z - row[4],
                b = row[0] * m.x + row[1] * m.y + row[2] * m.z + row[3];
@@ -150,16 +171,6 @@ NearMeeting near(const ExactMeeting& at) {
   return result;
 }
 
-bool may_hold(const MovingFacets& all, std::uint32_t f, const NearMeeting& at) {
-  const SumFacet& facet = all.facets()[f];
-  const Vec3 n = normal_of(all.row(f));
-  for (int k = 0; k < facet.corners; ++k) {
-    const Sized side = side_of_border(all, facet, n, k, at);
-    if (side.v < -side.size) return false;
-  }
-  return true;
-}
-
 int surely_holds(const MovingFacets& all, std::uint32_t f, const NearMeeting& at) {
   const SumFacet& facet = all.facets()[f];
   const Vec3 n = normal_of(all.row(f));
@@ -172,16 +183,6 @@ int surely_holds(const MovingFacets& all, std::uint32_t f, const NearMeeting& at
   return holds;
 }
 
-bool may_hold(const MovingFacets& all, const MovingBorder& border, const NearMeeting& at) {
-  const Vec3 a = all.at(border.a, at.s), b = all.at(border.b, at.s);
-  const double reach = std::max(largest(all.moved(border.a)), largest(all.moved(border.b)));
-  const double blur = 2 * (at.radius + at.s_radius * reach) + all.span(at.s) * 0x1p-48;
-  const auto outside = [&](double x, double u, double v) {
-    return x < std::min(u, v) - blur || x > std::max(u, v) + blur;
-  };
-  return !outside(at.x.x, a.x, b.x) && !outside(at.x.y, a.y, b.y) && !outside(at.x.z, a.z, b.z);
-}
-
 PlaceInFacet place_in(const MovingFacets& all, std::uint32_t f, const ExactMeeting& at, const NearMeeting& near) {
   const SumFacet& facet = all.facets()[f];
   const PlaneRow& row = all.row(f);
@@ -190,29 +191,101 @@ PlaceInFacet place_in(const MovingFacets& all, std::uint32_t f, const ExactMeeti
   if (std::abs(height) > 8 * (near.radius + near.s_radius * std::abs(row[3])) + 8 * all.span(near.s) * 0x1p-46)
     return {};
   const MovingPlane& plane = all.plane(f);
-  if (big_dot3(plane.n, at.x) != plane.d0 * at.w + plane.d1 * at.s) return {};
+  if (dot(plane.n, at.x) != plane.d0 * at.w + plane.d1 * at.s) return {};
   PlaceInFacet place{true, 0};
   for (int k = 0; k < facet.corners; ++k) {
     const Sized side = side_of_border(all, facet, n, k, near);
     if (side.v > side.size) continue;
     if (side.v < -side.size) return {};
-    const BigVector a = corner_at(all, facet.corner[k], at),
-                    b = corner_at(all, facet.corner[(k + 1) % facet.corners], at);
-    const BigVector e{b[0] - a[0], b[1] - a[1], b[2] - a[2]}, g{at.x[0] - a[0], at.x[1] - a[1], at.x[2] - a[2]};
-    const BigVector turn{e[1] * g[2] - e[2] * g[1], e[2] * g[0] - e[0] * g[2], e[0] * g[1] - e[1] * g[0]};
-    const int sign = big_dot3(plane.n, turn).sign();
+    const AlongBorder to = along_border(all, border_of(facet, k), at);
+    const int sign = dot(plane.n, cross(to.way, to.gap)).sign();
     if (sign < 0) return {};
     if (sign == 0) place.on = static_cast<std::uint8_t>(place.on | (1U << k));
   }
   return place;
 }
 
-bool lies_on(const MovingFacets& all, const MovingBorder& border, const ExactMeeting& at) {
-  const BigVector a = corner_at(all, border.a, at), b = corner_at(all, border.b, at);
-  const BigVector e{b[0] - a[0], b[1] - a[1], b[2] - a[2]}, g{at.x[0] - a[0], at.x[1] - a[1], at.x[2] - a[2]};
-  if (e[1] * g[2] != e[2] * g[1] || e[2] * g[0] != e[0] * g[2] || e[0] * g[1] != e[1] * g[0]) return false;
-  const BigInteger along = big_dot3(e, g);
-  return along >= 0 && along <= big_dot3(e, e);
+bool may_hold(const MovingFacets& all, const MeetingFeatures& features, const NearMeeting& at) {
+  for (const std::uint32_t b : features.borders)
+    if (!may_lie_on(all, all.borders()[b], at)) return false;
+  for (const std::uint32_t f : features.facets)
+    if (surely_holds(all, f, at) < 0) return false;
+  return true;
+}
+
+bool hold(const MovingFacets& all, const MeetingFeatures& features, const ExactMeeting& at, const NearMeeting& near) {
+  for (const std::uint32_t b : features.borders)
+    if (!lies_on(all, all.borders()[b], at)) return false;
+  for (const std::uint32_t f : features.facets)
+    if (!place_in(all, f, at, near).holds) return false;
+  return true;
+}
+
+namespace {
+
+double sum_of_sizes(Vec3 v) { return std::abs(v.x) + std::abs(v.y) + std::abs(v.z); }
+
+/// A border as place + l way, l from 0 to `length` at a scale.
+struct Line {
+  Vec3 place, way;
+  double length;
+};
+Line line_of(const MovingFacets& all, const SumEdge& border, double s) {
+  const bool scales = is_of_p(border) == (all.moving() == 0);
+  return {all.at(border.from, s),
+          scales ? all.moved(border.to) - all.moved(border.from) : all.fixed(border.to) - all.fixed(border.from),
+          scales ? s : 1};
+}
+
+/// How far along a line something is: -1 surely before its beginning, 1 surely behind its end.
+int beyond(double l, double error, double length) {
+  return l < -error ? -1 : l > length * (1 + 0x1p-50) + error ? 1 : 0;
+}
+
+}  // namespace
+
+bool LastingCrossing::stays_beside(const PlaneRow& row) const {
+  if (!known) return false;
+  const Vec3 n = normal_of(row);
+  int sides[2];
+  for (std::size_t k = 0; k < 2; ++k) {
+    const double v = dot(n, at[k]) + row[3] * scale[k] - row[4];
+    const double size = sum_of_sizes(n) * sum_of_sizes(at[k]) + std::abs(row[3] * scale[k]) + std::abs(row[4]);
+    const double error = 2 * sum_of_sizes(n) * blur + size * 0x1p-48;
+    sides[k] = v > error ? 1 : v < -error ? -1 : 0;
+  }
+  return sides[0] * sides[1] > 0;
+}
+
+// a + l d = b + m h for the gap from a to b: gap x h = l (d x h) and gap x d = m (d x h).
+LastingCrossing lasting_crossing_of(const MovingFacets& all, const SumEdge& one, const SumEdge& other, double low,
+                                    double high) {
+  LastingCrossing result;
+  result.scale = {low, high};
+  int ends[2][2];
+  // Components of ways, places and gaps are off by less than this; it is more than what rounding adds to products.
+  const double off = all.span(high) * 0x1p-49;
+  for (std::size_t k = 0; k < 2; ++k) {
+    const Line e = line_of(all, one, result.scale[k]), h = line_of(all, other, result.scale[k]);
+    const Vec3 gap = h.place - e.place, n = cross(e.way, h.way);
+    const double E = sum_of_sizes(e.way), H = sum_of_sizes(h.way), G = sum_of_sizes(gap), N = sum_of_sizes(n);
+    const double square = dot(n, n), square_error = 16 * off * (E + H) * N + 16 * off * off * (E + H) * (E + H);
+    if (!(square > 2 * square_error)) return result;
+    const auto along = [&](Vec3 across, double A, double& error) {
+      const double l = dot(cross(gap, across), n) / square;
+      error = 32 * off * ((G + A + off) * N + (G + off) * (A + off) * (E + H + off)) + 2 * std::abs(l) * square_error;
+      error = error / (square - square_error) + std::abs(l) * 0x1p-48;
+      return l;
+    };
+    double l_error = 0, m_error = 0;
+    const double l = along(h.way, H, l_error), m = along(e.way, E, m_error);
+    ends[0][k] = beyond(l, l_error, e.length), ends[1][k] = beyond(m, m_error, h.length);
+    result.at[k] = e.place + l * e.way;
+    result.blur = std::max(result.blur, E * l_error + 4 * (1 + std::abs(l)) * off);
+  }
+  result.known = true;
+  result.misses = ends[0][0] * ends[0][1] > 0 || ends[1][0] * ends[1][1] > 0;
+  return result;
 }
 
 }  // namespace dymsum::spatial

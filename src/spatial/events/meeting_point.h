@@ -3,6 +3,7 @@
 
 #include <array>
 #include <cmath>
+#include <initializer_list>
 #include <optional>
 
 #include "spatial/events/moving_facets.h"
@@ -17,12 +18,13 @@ struct ExactMeeting {
   exact::BigRational scale() const { return exact::ratio(exact::Big(s), exact::Big(w)); }
 };
 
+using FourPlanes = std::array<const MovingPlane*, 4>;
 /// The one point that four hyperplanes have in common; nothing where it is not one.
-std::optional<ExactMeeting> meeting_of(const std::array<const MovingPlane*, 4>& planes);
+std::optional<ExactMeeting> meeting_of(const FourPlanes& planes);
 /// Where a corner's line passes a hyperplane; nothing where it stays on one side or in it.
-std::optional<ExactMeeting> meeting_of(const MovingFacets& all, SumPoint corner, const MovingPlane& plane);
+std::optional<ExactMeeting> meeting_of(const ScalingPair& all, SumPoint corner, const MovingPlane& plane);
 /// Whether a corner stays in a hyperplane at all scales.
-bool stays_in(const MovingFacets& all, SumPoint corner, const MovingPlane& plane);
+bool stays_in(const ScalingPair& all, SumPoint corner, const MovingPlane& plane);
 
 /// Doubles near a point: every coordinate of x within `radius`, s within `s_radius`.
 struct NearMeeting {
@@ -33,7 +35,7 @@ struct NearMeeting {
 enum class Meets : std::uint8_t { no, near, unsure };
 /// The same in doubles; `unsure` where these do not tell whether there is one point.
 Meets meeting_near(const std::array<const PlaneRow*, 4>& rows, double span, NearMeeting& at);
-Meets meeting_near(const MovingFacets& all, SumPoint corner, const PlaneRow& row, double span, NearMeeting& at);
+Meets meeting_near(const ScalingPair& all, SumPoint corner, const PlaneRow& row, double span, NearMeeting& at);
 NearMeeting near(const ExactMeeting& at);
 
 /// Where a point of a facet's plane lies in it.
@@ -41,13 +43,35 @@ struct PlaceInFacet {
   bool holds = false;
   std::uint8_t on = 0;  ///< bit k: on the border from corner k to k + 1
 };
-/// Whether the facet's plane may hold the point, and the facet, by doubles: no only where that is sure.
-bool may_hold(const MovingFacets& all, std::uint32_t facet, const NearMeeting& at);
-bool may_hold(const MovingFacets& all, const MovingBorder& border, const NearMeeting& at);
 /// 1 where the facet surely holds a point of its plane, -1 where it surely does not, else 0.
 int surely_holds(const MovingFacets& all, std::uint32_t facet, const NearMeeting& at);
 /// Exact.
 PlaceInFacet place_in(const MovingFacets& all, std::uint32_t facet, const ExactMeeting& at, const NearMeeting& near);
-bool lies_on(const MovingFacets& all, const MovingBorder& border, const ExactMeeting& at);
+
+/// Borders and facets that are to meet in a point.
+struct MeetingFeatures {
+  std::initializer_list<std::uint32_t> borders, facets;
+};
+/// Whether all of them hold a point of their planes: by doubles, no only where that is sure; and exactly.
+bool may_hold(const MovingFacets& all, const MeetingFeatures& features, const NearMeeting& at);
+bool hold(const MovingFacets& all, const MeetingFeatures& features, const ExactMeeting& at, const NearMeeting& near);
+
+/// Two borders that cross at all scales, in one plane: where their crossing is at both ends of a window, in doubles.
+/// Its position is a linear function of the scale: what holds at both ends of a window of the sides of a hyperplane
+/// holds between them.
+struct LastingCrossing {
+  bool misses = false;  ///< surely beyond an end of a border at all scales of the window
+  bool known = false;   ///< the positions are
+  std::array<Vec3, 2> at;
+  std::array<double, 2> scale{};
+  double blur = 0;  ///< of every coordinate
+
+  /// Whether the crossing surely stays on one side of a hyperplane.
+  bool stays_beside(const PlaneRow& row) const;
+};
+
+/// Of borders in one plane that are not parallel, at scales from `low` to `high`.
+LastingCrossing lasting_crossing_of(const MovingFacets& all, const SumEdge& one, const SumEdge& other, double low,
+                                    double high);
 
 }  // namespace dymsum::spatial

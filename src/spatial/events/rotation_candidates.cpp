@@ -3,21 +3,15 @@
 #include <algorithm>
 #include <map>
 #include <optional>
-#include <set>
 
 #include "spatial/events/crossing_search.h"
-#include "spatial/events/plane_hashes.h"
+#include "spatial/events/plane_names.h"
 
 namespace dymsum::spatial {
 
 using exact::AlgebraicRoot;
 
 namespace {
-
-SumEdge ordered(const SumEdge& e) { return e.to < e.from ? SumEdge{e.to, e.from} : e; }
-bool share_end(const SumEdge& a, const SumEdge& b) {
-  return a.from == b.from || a.from == b.to || a.to == b.from || a.to == b.to;
-}
 
 /// Whether a border of a facet runs inside a face of an operand, between triangles in one plane: it bounds nothing.
 bool is_inner(const RotatingPair& pair, const WindowFacet& f, int k) {
@@ -53,7 +47,7 @@ class Finder {
     if (!result_.parts.empty()) return std::move(result_);
     vertices_on_facets();
     edges_on_edges();
-    CrossingSearch<Frame>(w_, frame_, boxes_, result_.cells.of, again_).run([&](const Meeting& meeting) {
+    find_crossings(w_, frame_, boxes_, result_.cells.of, again_, [&](const Meeting& meeting) {
       add_crossing(meeting);
       return true;
     });
@@ -102,7 +96,7 @@ class Finder {
 
   /// False only where a facet exists at no angle of the window; at crowded ones it may exist without a cell.
   bool may_exist(std::uint32_t facet) const { return !result_.cells.crowded.empty() || result_.cells.of[facet] != 0; }
-  bool any_may_exist(const std::vector<std::uint32_t>& facets) const {
+  bool any_may_exist(std::span<const std::uint32_t> facets) const {
     return std::any_of(facets.begin(), facets.end(), [&](std::uint32_t f) { return may_exist(f); });
   }
 
@@ -112,16 +106,19 @@ class Finder {
     for (std::uint32_t f = 0; f < w_.facets.size(); ++f)
       if (may_exist(f)) live.push_back(f), boxes.push_back(w_.facets[f].box);
     const BoxTree tree(std::move(boxes));
-    for (std::size_t k = 0; k < w_.vertices.size(); ++k) {
-      const SumPoint v = w_.vertices[k];
-      if (!any_may_exist(w_.facets_at_vertex[k])) continue;
+    const FeatureLists<SumPoint>& vertices = w_.graph.corners;
+    for (std::uint32_t k = 0; k < vertices.size(); ++k) {
+      const SumPoint v = vertices[k];
+      if (!any_may_exist(vertices.around(k))) continue;
       tree.for_each(boxes_.box(v), [&](std::uint32_t j) {
         const std::uint32_t f = live[j];
         const WindowFacet& facet = w_.facets[f];
         poll();
         if (facet.has_corner(v)) return;
         const SidedPlane plane = jets_.plane(facet.plane);
-        if (jets_.side(plane, v).sign() != 0 || surely_outside(facet, plane.normal, jets_.at(v))) return;
+        if (jets_.side(plane, v).sign() != 0) return;
+        const auto inward = [&](int border) { return jets_.inward(plane.normal, facet.border(border)); };
+        if (surely_outside(jets_, facet, jets_.at(v), inward)) return;
         Meeting meeting;
         meeting.kind = Meeting::Kind::vertex_on_facet, meeting.vertex = v, meeting.facets[0] = f;
         add_roots({1, v.p, v.q, w_.plane_of[f], 0}, meeting,
@@ -129,14 +126,6 @@ class Finder {
       });
     }
   }
-  bool surely_outside(const WindowFacet& f, const typename Jets::Vector& normal, const Place& at) const {
-    const int w = at.w.sign();
-    if (w == 0) return false;
-    for (int k = 0; k < f.facet.corners; ++k)
-      if (jets_.inside(jets_.inward(normal, f.border(k)), f.facet.corner[k], at).sign() * w < 0) return true;
-    return false;
-  }
-
   /// Two edges in one plane across the axis, or both along the axis.
   bool always_coplanar(std::uint32_t i, std::uint32_t j) const {
     return (level_[i] && level_[i] == level_[j]) || (upright_[i] != 0 && upright_[j] != 0);
@@ -148,11 +137,11 @@ class Finder {
       const auto by = [](std::int32_t c) { return exact::Big::from_int64(c); };
       return (by(axis[0]) * at.x + by(axis[1]) * at.y + by(axis[2]) * at.z).value();
     };
-    for (const SumEdge& e : w_.edges) {
+    for (const SumEdge& e : w_.graph.edges.all()) {
       const exact::BigInteger from = along(0, e.from.p) + along(1, e.from.q), to = along(0, e.to.p) + along(1, e.to.q);
       level_.push_back(from == to ? std::optional(from) : std::nullopt);
-      const bool of_p = e.from.q == e.to.q;
-      upright_.push_back(of_p ? pair_.along_axis(0, e.from.p, e.to.p) : pair_.along_axis(1, e.from.q, e.to.q));
+      const Way way = way_of(e);
+      upright_.push_back(pair_.along_axis(way.of == Way::Of::p ? 0 : 1, way.from, way.to));
     }
   }
 
@@ -160,9 +149,10 @@ class Finder {
     find_levels();
     std::vector<Box> boxes;
     std::vector<std::uint32_t> live;
-    for (std::uint32_t i = 0; i < w_.edges.size(); ++i) {
-      if (!w_.bounds[i] || !any_may_exist(w_.facets_at_edge[i])) continue;
-      const SumEdge& e = w_.edges[i];
+    const FeatureLists<SumEdge>& edges = w_.graph.edges;
+    for (std::uint32_t i = 0; i < edges.size(); ++i) {
+      if (!w_.bounds[i] || !any_may_exist(edges.around(i))) continue;
+      const SumEdge& e = edges[i];
       Box box = boxes_.box(e.from);
       box.add(boxes_.box(e.to));
       live.push_back(i), boxes.push_back(box);
@@ -170,17 +160,17 @@ class Finder {
     const BoxTree tree(std::move(boxes));
     for (std::uint32_t n = 0; n < live.size(); ++n) {
       const std::uint32_t i = live[n];
-      const SumEdge& a = w_.edges[i];
+      const SumEdge& a = edges[i];
       tree.for_each(tree.box(n), [&](std::uint32_t m) {
         const std::uint32_t j = live[m];
-        if (j <= i || share_end(a, w_.edges[j]) || always_coplanar(i, j)) return;
+        if (j <= i || share_end(a, edges[j]) || always_coplanar(i, j)) return;
         poll();
-        const SumEdge& b = w_.edges[j];
+        const SumEdge& b = edges[j];
         if (jets_.twist(a, b).sign() != 0) return;
         const Place at = jets_.at(a, b);
         if (surely_beyond(a, at) || surely_beyond(b, jets_.at(b, a))) return;
         Meeting meeting;
-        meeting.kind = Meeting::Kind::edge_on_edge, meeting.a = a, meeting.b = b;
+        meeting.kind = Meeting::Kind::edge_on_edge, meeting.edges = {a, b};
         add_roots({2, i, j, 0, 0}, meeting, [&] { return roots_.of(exact_.twist(a, b).terms()); });
       });
     }
@@ -199,10 +189,9 @@ class Finder {
       return *plane;
     };
     if (m.kind == Meeting::Kind::edge_and_facets) {
-      const auto edge =
-          static_cast<std::uint32_t>(std::lower_bound(w_.edges.begin(), w_.edges.end(), m.a) - w_.edges.begin());
+      const std::uint32_t edge = w_.graph.edges.index(m.edges[0]);
       add_roots({3, edge, std::min(plane(0), plane(1)), std::max(plane(0), plane(1)), 0}, m,
-                [&] { return uncrowded(roots_.of(exact_.order(m.a, exact_plane(0), exact_plane(1)).terms())); });
+                [&] { return uncrowded(roots_.of(exact_.order(m.edges[0], exact_plane(0), exact_plane(1)).terms())); });
       return;
     }
     Key key{4, plane(0), plane(1), plane(2), plane(3)};
@@ -234,10 +223,6 @@ class Finder {
   std::size_t since_ = 0;
 };
 
-}  // namespace
-
-namespace {
-
 /// Whether two planes are one at every angle.
 bool same_plane(const RotationSigns<PolynomialFrame>& signs, const WindowFacet& f, const WindowFacet& g) {
   const auto c = exact::cross(signs.normal(f.plane), signs.normal(g.plane));
@@ -247,13 +232,12 @@ bool same_plane(const RotationSigns<PolynomialFrame>& signs, const WindowFacet& 
 
 /// Numbers for planes: those with equal hashes are compared exactly, with the first of each.
 std::vector<std::uint32_t> number_planes(const RotatingPair& pair, const RotationWindow& window) {
-  const PlaneHashes hashes(pair, window.range.chart);
   const PolynomialFrame frame(pair, window.range.chart);
   const RotationSigns<PolynomialFrame> signs(frame);
   std::multimap<std::uint64_t, std::uint32_t> first;  // facets by hash
   std::vector<std::uint32_t> numbers;
   for (std::uint32_t f = 0; f < window.facets.size(); ++f) {
-    const std::uint64_t hash = hashes.of(signs, window.facets[f].plane);
+    const std::uint64_t hash = plane_hash(frame, window.facets[f].plane);
     std::uint32_t number = f;
     for (auto [at, end] = first.equal_range(hash); at != end && number == f; ++at)
       if (same_plane(signs, window.facets[at->second], window.facets[f])) number = at->second;
@@ -271,29 +255,14 @@ RotationWindow::RotationWindow(const RotatingPair& pair, const GaussMaps& maps, 
                high = pair.circle.radians(range.chart, exact::round_to_double(range.high));
   middle = (low + high) / 2, half = (high - low) / 2 * (1 + 0x1p-30) + 0x1p-45;
   facets = maps.facets(middle, half);
-  std::map<SumPoint, std::vector<std::uint32_t>> at_vertex;
-  std::map<SumEdge, std::vector<std::uint32_t>> at_edge;
-  std::set<SumEdge> inner;
+  std::vector<SumFacet> all;
+  for (const WindowFacet& f : facets) all.push_back(f.facet);
+  graph = FacetGraph(all);
+  bounds.assign(graph.edges.size(), true);
   for (std::uint32_t f = 0; f < facets.size(); ++f)
-    for (int k = 0; k < facets[f].facet.corners; ++k) {
-      at_vertex[facets[f].facet.corner[k]].push_back(f);
-      const SumEdge e = ordered(facets[f].border(k));
-      at_edge[e].push_back(f);
-      if (is_inner(pair, facets[f], k)) inner.insert(e);
-    }
+    for (int k = 0; k < facets[f].facet.corners; ++k)
+      if (is_inner(pair, facets[f], k)) bounds[graph.edges.of(f, k)] = false;
   plane_of = number_planes(pair, *this);
-  for (auto& [v, list] : at_vertex) vertices.push_back(v), facets_at_vertex.push_back(std::move(list));
-  for (auto& [e, list] : at_edge) {
-    edges.push_back(e), facets_at_edge.push_back(std::move(list));
-    bounds.push_back(!inner.contains(e));
-  }
-}
-
-const std::vector<std::uint32_t>& RotationWindow::around(SumPoint v) const {
-  return facets_at_vertex[std::lower_bound(vertices.begin(), vertices.end(), v) - vertices.begin()];
-}
-const std::vector<std::uint32_t>& RotationWindow::around(const SumEdge& e) const {
-  return facets_at_edge[std::lower_bound(edges.begin(), edges.end(), e) - edges.begin()];
 }
 
 WindowMeetings meetings_in(const RotatingPair& pair, const RotationWindow& window, SolidRotationWork& work,

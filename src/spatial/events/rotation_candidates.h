@@ -2,6 +2,7 @@
 #pragma once
 
 #include <functional>
+#include <span>
 #include <vector>
 
 #include "spatial/events/facet_cells.h"
@@ -10,12 +11,22 @@ namespace dymsum::spatial {
 
 /// Features of a window that come together; indices are those of its facets.
 struct Meeting {
-  using Kind = SolidRotationContact::Kind;
+  using Kind = EventKind;
   Kind kind = Kind::normal_on_arc;
   SlantCondition slant;                   ///< normal_on_arc
   SumPoint vertex;                        ///< vertex_on_facet
-  SumEdge a, b;                           ///< edge_on_edge; a of edge_and_facets
+  std::array<SumEdge, 2> edges{};         ///< 2 of edge_on_edge, 1 of edge_and_facets
   std::array<std::uint32_t, 4> facets{};  ///< 1 of vertex_on_facet, 2 of edge_and_facets, 4 of four_facets
+
+  std::span<const SumEdge> all_edges() const {
+    return std::span(edges).first(kind == Kind::edge_on_edge ? 2 : kind == Kind::edge_and_facets ? 1 : 0);
+  }
+  std::span<const std::uint32_t> all_facets() const {
+    return std::span(facets).first(kind == Kind::vertex_on_facet   ? 1
+                                   : kind == Kind::edge_and_facets ? 2
+                                   : kind == Kind::four_facets     ? 4
+                                                                   : 0);
+  }
 };
 
 struct RootMeeting {
@@ -29,14 +40,10 @@ struct RotationWindow {
   double middle = 0, half = 0;  ///< in radians
   std::vector<WindowFacet> facets;
   std::vector<std::uint32_t> plane_of;  ///< per facet: equal where planes are one at every angle, whatever their sides
-  std::vector<std::vector<std::uint32_t>> facets_at_vertex, facets_at_edge;
-  std::vector<SumPoint> vertices;
-  std::vector<SumEdge> edges;  ///< from < to
-  std::vector<bool> bounds;    ///< per edge: false inside a face of an operand, where it bounds nothing
+  FacetGraph graph;
+  std::vector<bool> bounds;  ///< per edge: false inside a face of an operand, where it bounds nothing
 
   RotationWindow(const RotatingPair& pair, const GaussMaps& maps, const RotationRange& range);
-  const std::vector<std::uint32_t>& around(SumPoint v) const;
-  const std::vector<std::uint32_t>& around(const SumEdge& e) const;
 };
 
 struct WindowMeetings {

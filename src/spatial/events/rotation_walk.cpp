@@ -5,7 +5,9 @@
 #include <numbers>
 #include <optional>
 
+#include "spatial/events/plane_names.h"
 #include "spatial/moving/posed_sum.h"
+#include "spatial/moving/sum_shape.h"
 
 namespace dymsum::spatial {
 
@@ -13,9 +15,6 @@ using exact::AlgebraicRoot;
 using exact::BigRational;
 
 namespace {
-
-/// An angle at which masses meet lists so many of its contacts.
-constexpr std::size_t kMostContacts = 16;
 
 /// Windows within which directions and places move by some part of an edge are cheapest.
 double window_of(const RotatingPair& pair) {
@@ -32,22 +31,186 @@ double window_of(const RotatingPair& pair) {
   return std::clamp(0.06 * edges / static_cast<double>(count) / reach, 1e-4, 0.2);
 }
 
-bool precedes(const SolidRotationContact& a, const SolidRotationContact& b) {
-  return a.kind != b.kind ? a.kind < b.kind : a.features < b.features;
-}
-
-/// Triangles of one face have the same features.
-bool lists(const std::vector<SolidRotationContact>& all, const SolidRotationContact& contact) {
-  return std::any_of(all.begin(), all.end(), [&](const SolidRotationContact& c) {
-    return c.kind == contact.kind && c.features == contact.features;
-  });
-}
-
 /// The multiple of a power of two near x, with some bits more than |x| / grain has.
 BigRational dyadic(double x, double grain) {
   const double unit = std::ldexp(1.0, std::ilogb(grain) - 8);
   return exact::exact_value(std::nearbyint(x / unit) * unit);
 }
+
+class RotationWalk {
+ public:
+  RotationWalk(const RotatingFacets& of, const SolidRotationOptions& options, SolidRotationWork& work,
+               const Progress& progress)
+      : of_(of), pair_(of.pair), options_(options), work_(work), progress_(progress) {
+    stages_.tight = options.tight, stages_.threads = options.threads;
+    if (progress) stages_.progress = [this](std::string_view, double) { return progress_("events", share_); };
+    step_ = options.window > 0 ? options.window : window_of(pair_);
+  }
+
+  void run(const RotationPath& path, const std::function<bool(SolidRotationEvent&)>& take) {
+    const ChartPlace &a = path.from, &b = path.to;
+    const TurnCircle& circle = pair_.circle;
+    const auto radians = [&](const ChartPlace& p) { return circle.radians(p.chart, exact::round_to_double(p.t)); };
+    constexpr double kTurn = 2 * std::numbers::pi;
+    double all = radians(b) - radians(a);
+    while (all < 0) all += kTurn;
+    while (all >= kTurn) all -= kTurn;
+    if (a.chart == b.chart && a.t == b.t) all = path.whole ? kTurn : 0;
+    // In t of a chart; angles turn by at most 2 |axis| as much. The walk begins a little before a.
+    const double step = step_ / 2 / circle.length();
+    ChartPlace low{a.chart, dyadic(exact::round_to_double(a.t) - 0.3 * step, step)};
+    double done = radians(low) - radians(a);
+    for (bool first = true;; first = false) {
+      share_ = std::clamp(done / (all + step_), 0.0, 1.0);
+      ask();
+      RotationRange range{low.chart, low.t, dyadic(exact::round_to_double(low.t) + step, step)};
+      const std::optional<BigRational> to = seen_in(range.chart, b);
+      const double ahead = to ? circle.radians(range.chart, exact::round_to_double(*to)) - radians(low) : 0;
+      // A turn or more may lead from a to b: the way that is left tells whether it ends here.
+      const auto ends = [&] { return to && *to >= range.low && *to < range.high && std::abs(done + ahead - all) < 1; };
+      const auto wanted = [&] {
+        return Wanted{first ? std::optional(a.t) : std::nullopt, ends() ? to : std::nullopt, path.behind};
+      };
+      std::vector<Angle> angles = angles_in(range, wanted());
+      for (int k = 1; !angles.empty() && exact::compare(angles.back().root, range.high) == 0; ++k) {
+        range.high = range.low + dyadic(step * (1 - k / (37.0 + 8 * k)), step / std::ldexp(1.0, std::min(k, 30)));
+        angles = angles_in(range, wanted());
+      }
+      before_.reset();
+      for (std::size_t i = 0; i < angles.size(); ++i) {
+        if (!angles[i].wanted) {
+          before_.reset();
+          continue;
+        }
+        std::optional<SolidRotationEvent> event = event_at(range, angles, i);
+        if (!event) continue;
+        ++work_.events;
+        if (!take(*event)) return;
+      }
+      if (ends()) return;
+      done += radians({range.chart, range.high}) - radians(low);
+      low = {range.chart, range.high};
+      if (range.high > circle.reach(range.chart)) low = {1 - range.chart, *seen_in(1 - range.chart, low)};
+    }
+  }
+
+ private:
+  struct Angle {
+    AlgebraicRoot root;
+    bool wanted = false;  ///< others are known by their roots alone, to choose places between
+    std::vector<SolidRotationContact> contacts;
+  };
+  /// Which angles of a window are asked for: from `low` (open where `behind`) to `high`, where they are.
+  struct Wanted {
+    std::optional<BigRational> low, high;
+    bool behind = false;
+    bool holds(const AlgebraicRoot& root) const {
+      if (low && exact::compare(root, *low) < (behind ? 1 : 0)) return false;
+      return !high || exact::compare(root, *high) <= 0;
+    }
+  };
+
+  void ask() {
+    if (progress_ && !progress_("events", share_)) throw Cancelled{};
+  }
+
+  /// A place's t in a chart; nothing for infinity.
+  std::optional<BigRational> seen_in(int chart, const ChartPlace& p) const {
+    if (p.chart == chart) return p.t;
+    if (p.t.is_zero()) return std::nullopt;
+    return BigRational(-1 / (p.t * pair_.circle.square()));
+  }
+
+  std::optional<SolidRotationEvent> event_at(const RotationRange& range, std::vector<Angle>& angles, std::size_t i) {
+    SolidRotationEvent event = event_of(range.chart, angles[i]);
+    if (!options_.changes) return event;
+    look(range, angles, i, event);
+    const bool shown = std::any_of(event.contacts.begin(), event.contacts.end(), [](const SolidRotationContact& c) {
+      return c.kind != SolidRotationContact::Kind::normal_on_arc;
+    });
+    if (!event.visible && !shown) return std::nullopt;
+    return event;
+  }
+
+  std::vector<Angle> angles_in(const RotationRange& range, const Wanted& wanted) {
+    const RotationWindow window(pair_, of_.maps, range);
+    const WindowMeetings found = meetings_in(pair_, window, work_, [this] { ask(); });
+    if (!found.parts.empty()) return angles_in_parts(range, found.parts, wanted);
+    std::vector<MeetingsAt> at(found.angles.size());
+    for (const RootMeeting& m : found.meetings) at[m.angle].all.push_back(m.meeting);
+    std::vector<Angle> angles;
+    for (const std::uint32_t a : found.angles.ascending()) {
+      if (at[a].all.empty()) continue;
+      at[a].crowded = found.cells.is_crowded(a);
+      Angle angle{found.angles[a], wanted.holds(found.angles[a]), {}};
+      if (angle.wanted)
+        angle.contacts = contacts_at(pair_, of_.balls, window, angle.root, at[a], work_, [this] { ask(); });
+      if (!angle.wanted || !angle.contacts.empty()) angles.push_back(std::move(angle));
+    }
+    return angles;
+  }
+
+  /// Of a part without wanted angles one angle is listed, no event's: the end of it that is nearer to wanted ones.
+  std::vector<Angle> angles_in_parts(const RotationRange& range, std::vector<BigRational> ends, const Wanted& wanted) {
+    std::vector<Angle> angles;
+    ends.push_back(range.high);
+    RotationRange part{range.chart, range.low, range.low};
+    for (BigRational& end : ends) {
+      part.low = std::move(part.high), part.high = std::move(end);
+      const auto leave_out = [&](const BigRational& t) {
+        const AlgebraicRoot at = AlgebraicRoot::rational(t);
+        if (angles.empty() || exact::compare(angles.back().root, at) < 0) angles.push_back({at, false, {}});
+      };
+      if (wanted.low && part.high < *wanted.low) leave_out(part.high);
+      else if (wanted.high && part.low > *wanted.high) leave_out(part.low);
+      else
+        for (Angle& angle : angles_in(part, wanted)) angles.push_back(std::move(angle));
+    }
+    return angles;
+  }
+
+  SolidRotationEvent event_of(int chart, Angle& angle) const {
+    SolidRotationEvent event;
+    const AlgebraicRoot& root = angle.root;
+    event.approx = std::remainder(pair_.circle.radians(chart, root.approx()), 2 * std::numbers::pi);
+    if (event.approx == -std::numbers::pi) event.approx = std::numbers::pi;
+    AlgebraicTurn& at = event.parameter;
+    if (const auto t = exact::rational_value(root)) at.exact = pair_.circle.turn({chart, *t});
+    for (int k = 0; k <= root.polynomial().degree(); ++k) at.polynomial.push_back(root.polynomial()[k].value().str());
+    at.t_low = root.low(), at.t_high = root.high(), at.opposite = chart == 1;
+    event.contacts = angle.contacts, event.kind = angle.contacts.back().kind;
+    return event;
+  }
+
+  void look(const RotationRange& range, const std::vector<Angle>& angles, std::size_t i, SolidRotationEvent& event) {
+    const AlgebraicRoot& root = angles[i].root;
+    const auto place = [&](const AlgebraicRoot& a, const AlgebraicRoot& b) {
+      return ChartPlace{range.chart, exact::between(a, b)};
+    };
+    if (!before_) before_ = shape(place(i == 0 ? AlgebraicRoot::rational(range.low) : angles[i - 1].root, root));
+    std::optional<SumShape> at;
+    if (event.parameter.exact) at = shape(pair_.circle.place(*event.parameter.exact));
+    SumShape after =
+        shape(place(root, i + 1 < angles.size() ? angles[i + 1].root : AlgebraicRoot::rational(range.high)));
+    const ShapeChange change = change_of(*before_, at, after);
+    event.visible = change.visible, event.topology = change.topology;
+    before_ = std::move(after);
+  }
+
+  SumShape shape(const ChartPlace& at) {
+    ++work_.sums;
+    return shape_of(turned_sum(pair_, at, stages_), [&](const SolidContact& c) { return plane_name(pair_, c); });
+  }
+
+  const RotatingFacets& of_;
+  const RotatingPair& pair_;
+  const SolidRotationOptions& options_;
+  SolidRotationWork& work_;
+  const Progress& progress_;
+  SpatialOptions stages_;
+  double step_ = 0, share_ = 0;
+  std::optional<SumShape> before_;
+};
 
 }  // namespace
 
@@ -57,176 +220,10 @@ SpatialSum turned_sum(const RotatingPair& pair, const ChartPlace& at, const Spat
   return fresh_sum(pair.pair, posed_space(pair.pair, std::move(turned), std::move(still)), options);
 }
 
-RotationWalk::RotationWalk(const RotatingPair& pair, const GaussMaps& maps, const PairOfBalls& balls,
-                           const SolidRotationOptions& options, SolidRotationWork& work, const Progress& progress)
-    : pair_(pair), maps_(maps), balls_(balls), options_(options), work_(work), progress_(progress) {
-  stages_.tight = options.tight, stages_.threads = options.threads;
-  if (progress) stages_.progress = [this](std::string_view, double) { return progress_("events", share_); };
-  step_ = options.window > 0 ? options.window : window_of(pair);
-}
-
-void RotationWalk::ask() {
-  if (progress_ && !progress_("events", share_)) throw Cancelled{};
-}
-
-void RotationWalk::run(const ChartPlace& a, const ChartPlace& b, bool behind, bool whole,
-                       const std::function<bool(SolidRotationEvent&)>& take) {
-  const TurnCircle& circle = pair_.circle;
-  const auto radians = [&](const ChartPlace& p) { return circle.radians(p.chart, exact::round_to_double(p.t)); };
-  constexpr double kTurn = 2 * std::numbers::pi;
-  double all = radians(b) - radians(a);
-  while (all < 0) all += kTurn;
-  while (all >= kTurn) all -= kTurn;
-  if (a.chart == b.chart && a.t == b.t) all = whole ? kTurn : 0;
-  // In t of a chart; angles turn by at most 2 |axis| as much. The walk begins a little before a.
-  const double step = step_ / 2 / circle.length();
-  ChartPlace low{a.chart, dyadic(exact::round_to_double(a.t) - 0.3 * step, step)};
-  double done = radians(low) - radians(a);
-  for (bool first = true;; first = false) {
-    share_ = std::clamp(done / (all + step_), 0.0, 1.0);
-    ask();
-    RotationRange range{low.chart, low.t, dyadic(exact::round_to_double(low.t) + step, step)};
-    const std::optional<BigRational> to = seen_in(range.chart, b);
-    const double ahead = to ? circle.radians(range.chart, exact::round_to_double(*to)) - radians(low) : 0;
-    // A turn or more may lead from a to b: the way that is left tells whether it ends here.
-    const auto ends = [&] { return to && *to >= range.low && *to < range.high && std::abs(done + ahead - all) < 1; };
-    const auto wanted = [&] {
-      return Wanted{first ? std::optional(a.t) : std::nullopt, ends() ? to : std::nullopt, behind};
-    };
-    std::vector<Angle> angles = angles_in(range, wanted());
-    for (int k = 1; !angles.empty() && exact::compare(angles.back().root, range.high) == 0; ++k) {
-      range.high = range.low + dyadic(step * (1 - k / (37.0 + 8 * k)), step / std::ldexp(1.0, std::min(k, 30)));
-      angles = angles_in(range, wanted());
-    }
-    before_.reset();
-    for (std::size_t i = 0; i < angles.size(); ++i) {
-      if (!angles[i].wanted) {
-        before_.reset();
-        continue;
-      }
-      std::optional<SolidRotationEvent> event = event_at(range, angles, i);
-      if (!event) continue;
-      ++work_.events;
-      if (!take(*event)) return;
-    }
-    if (ends()) return;
-    done += radians({range.chart, range.high}) - radians(low);
-    low = {range.chart, range.high};
-    if (range.high > circle.reach(range.chart)) low = {1 - range.chart, *seen_in(1 - range.chart, low)};
-  }
-}
-
-std::optional<BigRational> RotationWalk::seen_in(int chart, const ChartPlace& p) const {
-  if (p.chart == chart) return p.t;
-  if (p.t.is_zero()) return std::nullopt;
-  return BigRational(-1 / (p.t * pair_.circle.square()));
-}
-
-std::optional<SolidRotationEvent> RotationWalk::event_at(const RotationRange& range, std::vector<Angle>& angles,
-                                                         std::size_t i) {
-  SolidRotationEvent event = event_of(range.chart, angles[i]);
-  if (!options_.changes) return event;
-  look(range, angles, i, event);
-  const bool shown = std::any_of(event.contacts.begin(), event.contacts.end(), [](const SolidRotationContact& c) {
-    return c.kind != SolidRotationContact::Kind::normal_on_arc;
-  });
-  if (!event.visible && !shown) return std::nullopt;
-  return event;
-}
-
-bool RotationWalk::Wanted::holds(const AlgebraicRoot& root) const {
-  if (low && exact::compare(root, *low) < (behind ? 1 : 0)) return false;
-  return !high || exact::compare(root, *high) <= 0;
-}
-
-std::vector<RotationWalk::Angle> RotationWalk::angles_in(const RotationRange& range, const Wanted& wanted) {
-  const RotationWindow window(pair_, maps_, range);
-  const WindowMeetings found = meetings_in(pair_, window, work_, [this] { ask(); });
-  if (!found.parts.empty()) return angles_in_parts(range, found.parts, wanted);
-  std::vector<std::vector<Meeting>> at(found.angles.size());
-  for (const RootMeeting& m : found.meetings) at[m.angle].push_back(m.meeting);
-  std::vector<Angle> angles;
-  for (const std::uint32_t a : found.angles.ascending()) {
-    if (at[a].empty()) continue;
-    Angle angle{found.angles[a], wanted.holds(found.angles[a]), {}};
-    if (angle.wanted) angle.contacts = contacts_at(window, angle.root, at[a], found.cells.is_crowded(a));
-    if (!angle.wanted || !angle.contacts.empty()) angles.push_back(std::move(angle));
-  }
-  return angles;
-}
-
-/// Of a part without wanted angles one angle is listed, no event's: the end of it that is nearer to wanted ones.
-std::vector<RotationWalk::Angle> RotationWalk::angles_in_parts(const RotationRange& range,
-                                                               std::vector<BigRational> ends, const Wanted& wanted) {
-  std::vector<Angle> angles;
-  ends.push_back(range.high);
-  RotationRange part{range.chart, range.low, range.low};
-  for (BigRational& end : ends) {
-    part.low = std::move(part.high), part.high = std::move(end);
-    const auto leave_out = [&](const BigRational& t) {
-      const AlgebraicRoot at = AlgebraicRoot::rational(t);
-      if (angles.empty() || exact::compare(angles.back().root, at) < 0) angles.push_back({at, false, {}});
-    };
-    if (wanted.low && part.high < *wanted.low) leave_out(part.high);
-    else if (wanted.high && part.low > *wanted.high) leave_out(part.low);
-    else
-      for (Angle& angle : angles_in(part, wanted)) angles.push_back(std::move(angle));
-  }
-  return angles;
-}
-
-std::vector<SolidRotationContact> RotationWalk::contacts_at(const RotationWindow& window, const AlgebraicRoot& root,
-                                                            std::span<const Meeting> meetings, bool crowded) {
-  RootContacts all(pair_, balls_, window, root, work_);
-  std::vector<SolidRotationContact> contacts;
-  const auto take = [&](SolidRotationContact contact) {
-    if (!lists(contacts, contact)) contacts.push_back(std::move(contact));
-    return contacts.size() < kMostContacts;
-  };
-  const auto add_all = [&] {
-    for (const Meeting& m : meetings) {
-      if (std::optional<SolidRotationContact> contact = all.contact(m); contact && !take(*std::move(contact))) return;
-      ask();
-    }
-    if (crowded) all.crossings(take, [this] { ask(); });
-  };
-  add_all();
-  std::sort(contacts.begin(), contacts.end(), precedes);
-  return contacts;
-}
-
-SolidRotationEvent RotationWalk::event_of(int chart, Angle& angle) const {
-  SolidRotationEvent event;
-  const AlgebraicRoot& root = angle.root;
-  event.approx = std::remainder(pair_.circle.radians(chart, root.approx()), 2 * std::numbers::pi);
-  if (event.approx == -std::numbers::pi) event.approx = std::numbers::pi;
-  AlgebraicTurn& at = event.parameter;
-  if (const auto t = exact::rational_value(root)) at.exact = pair_.circle.turn({chart, *t});
-  for (int k = 0; k <= root.polynomial().degree(); ++k) at.polynomial.push_back(root.polynomial()[k].value().str());
-  at.t_low = root.low(), at.t_high = root.high(), at.opposite = chart == 1;
-  event.contacts = angle.contacts, event.kind = angle.contacts.back().kind;
-  return event;
-}
-
-void RotationWalk::look(const RotationRange& range, const std::vector<Angle>& angles, std::size_t i,
-                        SolidRotationEvent& event) {
-  const AlgebraicRoot& root = angles[i].root;
-  const auto place = [&](const AlgebraicRoot& a, const AlgebraicRoot& b) {
-    return ChartPlace{range.chart, exact::between(a, b)};
-  };
-  if (!before_) before_ = shape(place(i == 0 ? AlgebraicRoot::rational(range.low) : angles[i - 1].root, root));
-  std::optional<SumShape> at;
-  if (event.parameter.exact) at = shape(pair_.circle.place(*event.parameter.exact));
-  SumShape after = shape(place(root, i + 1 < angles.size() ? angles[i + 1].root : AlgebraicRoot::rational(range.high)));
-  const ShapeChange change = change_of(*before_, at, after);
-  event.visible = change.visible, event.topology = change.topology;
-  before_ = std::move(after);
-}
-
-SumShape RotationWalk::shape(const ChartPlace& at) {
-  ++work_.sums;
-  const TurnedPlanes planes(pair_);
-  return shape_of(turned_sum(pair_, at, stages_), [&](const SolidContact& c) { return planes.name(c); });
+void walk_angles(const RotatingFacets& of, const RotationPath& path, const SolidRotationOptions& options,
+                 SolidRotationWork& work, const Progress& progress,
+                 const std::function<bool(SolidRotationEvent&)>& take) {
+  RotationWalk(of, options, work, progress).run(path, take);
 }
 
 }  // namespace dymsum::spatial

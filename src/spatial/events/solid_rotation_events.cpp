@@ -5,9 +5,11 @@
 #include <stdexcept>
 
 #include "base/stopwatch.h"
+#include "spatial/events/plane_names.h"
 #include "spatial/events/rotation_walk.h"
 #include "spatial/motion/beside_origin.h"
 #include "spatial/moving/posed_sum.h"
+#include "spatial/moving/sum_shape.h"
 
 namespace dymsum {
 
@@ -16,16 +18,9 @@ using spatial::ChartPlace;
 class SolidRotationEvents::State {
  public:
   State(const Mesh& p, const Mesh& q, const TurnAxis& axis, const SolidRotationOptions& given)
-      : options(given),
-        pair(p, q, axis, given.moving == MovingOperand::p ? 0 : 1),
-        moved(beside_origin_of(p, q)),
-        maps(near()),
-        balls(near()) {
+      : options(given), pair(p, q, axis, given.moving == MovingOperand::p ? 0 : 1), near(beside_origin_of(p, q)) {
     stages.tight = options.tight, stages.threads = options.threads;
   }
-
-  /// Of which events are those of the given pair: R(theta) (P + c) + Q + d is R(theta) P + Q moved by R(theta) c + d.
-  const spatial::RotatingPair& near() const { return moved ? *moved : pair; }
 
   /// Runs a walk; errors as events().
   Result<bool> walk(const AxisTurn& a, const AxisTurn& b, bool behind, bool whole, const Progress& progress,
@@ -33,15 +28,27 @@ class SolidRotationEvents::State {
     work = {};
     const Stopwatch watch;
     Result<bool> made = spatial::guarded([&] {
-      spatial::RotationWalk(near(), maps, balls, how, work, progress)
-          .run(pair.circle.place(a), pair.circle.place(b), behind, whole, [&](SolidRotationEvent& e) {
-            if (moved) move_back(e);
-            return take(e);
-          });
+      const spatial::RotationPath path{pair.circle.place(a), pair.circle.place(b), behind, whole};
+      spatial::walk_angles(near, path, how, work, progress, [&](SolidRotationEvent& e) {
+        if (moved) move_back(e);
+        return take(e);
+      });
       return true;
     });
     work.ms = watch.ms();
     return made;
+  }
+
+  /// From a to b, both included; a whole turn behind a where `whole`.
+  Result<std::vector<SolidRotationEvent>> list(const AxisTurn& a, const AxisTurn& b, bool whole,
+                                               const Progress& progress) {
+    std::vector<SolidRotationEvent> events;
+    const Result<bool> made = walk(a, b, whole, whole, progress, options, [&](SolidRotationEvent& e) {
+      events.push_back(std::move(e));
+      return true;
+    });
+    if (!made) return made.error();
+    return events;
   }
 
   Result<std::optional<SolidRotationEvent>> first(const AxisTurn& a, const AxisTurn& limit, const Progress& progress,
@@ -58,16 +65,17 @@ class SolidRotationEvents::State {
     return found;
   }
 
-  std::optional<spatial::RotatingPair> beside_origin_of(const Mesh& p, const Mesh& q) const {
+  spatial::RotatingPair beside_origin_of(const Mesh& p, const Mesh& q) {
     const std::optional<Mesh> near_p = spatial::beside_origin(p), near_q = spatial::beside_origin(q);
-    if (!near_p && !near_q) return std::nullopt;
-    return spatial::RotatingPair(near_p.value_or(p), near_q.value_or(q), pair.circle.axis(), pair.turning);
+    moved = near_p || near_q;
+    if (!moved) return pair;
+    return {near_p.value_or(p), near_q.value_or(q), pair.circle.axis(), pair.turning};
   }
   /// Contacts to where they are of the given operands.
   void move_back(SolidRotationEvent& event) const {
     const spatial::JetFrame frame(pair, event.approx, 0);
     const auto way = [&](int op) {  // of any vertex, which is moved as all are
-      const Point3 &from = near().operand(op).vertices[0], &to = pair.operand(op).vertices[0];
+      const Point3 &from = near.pair.operand(op).vertices[0], &to = pair.operand(op).vertices[0];
       return spatial::Vec3{to.x - from.x, to.y - from.y, to.z - from.z};
     };
     const spatial::Vec3 by = frame.matrix() * way(pair.turning) + way(1 - pair.turning);
@@ -78,9 +86,10 @@ class SolidRotationEvents::State {
   SolidRotationOptions options;
   SpatialOptions stages;
   spatial::RotatingPair pair;
-  std::optional<spatial::RotatingPair> moved;  ///< beside the origin, where an operand is far from it
-  spatial::GaussMaps maps;                     ///< of the near pair, as the balls are
-  spatial::PairOfBalls balls;
+  bool moved = false;  ///< an operand is far from the origin, and moved beside it
+  /// Of the pair beside the origin, the events of which are those of the given one: R(theta) (P + c) + Q + d is
+  /// R(theta) P + Q moved by R(theta) c + d.
+  spatial::RotatingFacets near;
   SolidRotationWork work;
 };
 
@@ -118,7 +127,7 @@ Result<SolidRotationEvents> SolidRotationEvents::create(const Mesh& p, const Mes
       std::make_unique<State>(p, q, TurnAxis{axis[0] / divisor, axis[1] / divisor, axis[2] / divisor}, options);
   int square_bits = 0;
   while ((std::int64_t{1} << square_bits) < state->pair.circle.square()) ++square_bits;
-  if (std::max(state->near().pair.p_places.bits, state->near().pair.q_places.bits) + 2 * square_bits > kMostBits)
+  if (std::max(state->near.pair.pair.p_places.bits, state->near.pair.pair.q_places.bits) + 2 * square_bits > kMostBits)
     return Error{ErrorCode::unsupported_operand,
                  "coordinates on their common grid, with the square of the axis twice, need more than 140 bits",
                  {}};
@@ -146,30 +155,16 @@ std::uint64_t SolidRotationEvents::combinatorial_hash(const SpatialSum& sum) con
   };
   for (const SpatialFace& f : sum.faces) check({f.p, f.q});
   for (const auto& contacts : sum.tight_face_contacts) check(contacts[0]);
-  const spatial::TurnedPlanes planes(state_->pair);
-  return spatial::shape_of(sum, [&](const SolidContact& c) { return planes.name(c); }).hash;
+  return spatial::shape_of(sum, [&](const SolidContact& c) { return spatial::plane_name(state_->pair, c); }).hash;
 }
 
 Result<std::vector<SolidRotationEvent>> SolidRotationEvents::events(const AxisTurn& a, const AxisTurn& b,
                                                                     const Progress& progress) const {
-  std::vector<SolidRotationEvent> events;
-  const Result<bool> made = state_->walk(a, b, false, false, progress, state_->options, [&](SolidRotationEvent& e) {
-    events.push_back(std::move(e));
-    return true;
-  });
-  if (!made) return made.error();
-  return events;
+  return state_->list(a, b, false, progress);
 }
 
 Result<std::vector<SolidRotationEvent>> SolidRotationEvents::events_of_turn(const Progress& progress) const {
-  std::vector<SolidRotationEvent> events;
-  const AxisTurn half = AxisTurn::half_turn();
-  const Result<bool> made = state_->walk(half, half, true, true, progress, state_->options, [&](SolidRotationEvent& e) {
-    events.push_back(std::move(e));
-    return true;
-  });
-  if (!made) return made.error();
-  return events;
+  return state_->list(AxisTurn::half_turn(), AxisTurn::half_turn(), true, progress);
 }
 
 Result<std::optional<SolidRotationEvent>> SolidRotationEvents::next_event(const AxisTurn& a, const AxisTurn& limit,

@@ -2,11 +2,14 @@
 
 #include <algorithm>
 #include <map>
+#include <mutex>
+#include <span>
 #include <utility>
 
+#include "exact/rational_order.h"
 #include "planar/operand/scale_value.h"
-#include "spatial/events/scale_values.h"
-#include "spatial/events/scaled_planes.h"
+#include "spatial/events/plane_names.h"
+#include "spatial/events/scale_judge.h"
 #include "spatial/motion/beside_origin.h"
 #include "spatial/motion/computed_scale.h"
 #include "spatial/moving/posed_sum.h"
@@ -26,26 +29,116 @@ std::optional<Error> refused(const Mesh& p, const Mesh& q, const SolidScaleOptio
   return std::nullopt;
 }
 
-bool has_to_be_compared(const ScaleOfInterest& v) { return v.unknown_topology || (v.unknown && !v.changes); }
-
 /// Beyond both ends, so that there is a scale before the first event and one after the last.
 constexpr double kBeside = 0x1p-12;
+
+struct JudgedScale {
+  ExactMeeting at;
+  BigRational s;
+  double near, radius;
+  JudgedPoint judged;
+};
+using Verdict = JudgedPoint::Verdict;
+
+bool is_before(const JudgedScale& a, const JudgedScale& b) {
+  if (a.near + a.radius < b.near - b.radius) return true;
+  if (b.near + b.radius < a.near - a.radius) return false;
+  return exact::compare(a.s, b.s) < 0;
+}
+
+/// The first of every scale, and the end.
+std::vector<std::size_t> first_of_each(const std::vector<JudgedScale>& judged) {
+  std::vector<std::size_t> first;
+  for (std::size_t k = 0; k < judged.size(); ++k)
+    if (k == 0 || judged[k].s != judged[k - 1].s) first.push_back(k);
+  first.push_back(judged.size());
+  return first;
+}
+
+/// Decides what doubles left unknown at one scale, as far as the points there tell.
+void judge_exactly(const MovingFacets& all, std::span<JudgedScale> points) {
+  std::optional<ExactJudge> judge;
+  for (JudgedScale& point : points) {
+    if (point.judged.verdict != Verdict::unknown) continue;
+    if (!judge && !ExactJudge::has_room(all, point.s)) return;
+    if (!judge) judge.emplace(all, point.s);
+    point.judged.verdict = judge->verdict(point.at, point.judged);
+  }
+}
+
+/// All points in a range of scales, by scales and with what they tell.
+std::vector<JudgedScale> judged_points(const MovingFacets& all, const ScaledOverlap& overlap, double low, double high,
+                                       SolidEventWork& work, StageWatch& watch) {
+  const std::vector<double> ends = window_ends(all, low, high);
+  std::vector<std::vector<JudgedScale>> parts(ends.size() - 1);
+  std::mutex counting;
+  watch.run(parts.size(), [&](std::size_t k) {
+    const auto ask = [&] { watch.ask_within_part(static_cast<double>(k) / static_cast<double>(parts.size())); };
+    Meetings found = find_meetings(all, overlap, ends[k], ends[k + 1], ask);
+    for (MeetingEvent& event : found.points) {
+      ask();
+      JudgedPoint judged = judge(all, found.facets, overlap, event);
+      BigRational s = event.at.scale();
+      parts[k].push_back({std::move(event.at), std::move(s), event.near.s, event.near.s_radius, std::move(judged)});
+    }
+    const std::lock_guard lock(counting);
+    work.candidates += found.candidates, work.exact += found.exact, work.points += found.points.size();
+  });
+  std::vector<JudgedScale> judged;
+  for (std::vector<JudgedScale>& part : parts)
+    judged.insert(judged.end(), std::make_move_iterator(part.begin()), std::make_move_iterator(part.end()));
+  watch.sort(judged, is_before);
+  const std::vector<std::size_t> first = first_of_each(judged);
+  watch.run(first.size() - 1, [&](std::size_t k) {
+    watch.ask_within_part(static_cast<double>(k) / static_cast<double>(first.size()));
+    judge_exactly(all, std::span(judged).subspan(first[k], first[k + 1] - first[k]));
+  });
+  return judged;
+}
+
+/// A scale at which a sum may change, with what is known of it.
+struct ScaleOfInterest {
+  BigRational s;
+  EventKind kind = EventKind::vertex_on_facet;
+  bool changes = false;           ///< surely
+  bool unknown = false;           ///< sums have to be compared, unless it surely changes
+  bool unknown_topology = false;  ///< in any case
+
+  bool has_to_be_compared() const { return unknown_topology || (unknown && !changes); }
+};
+
+/// All of them from `low` to `high` in order, and perhaps some just beside. Exact. Throws Cancelled.
+std::vector<ScaleOfInterest> scales_of_interest(const MovingFacets& all, const ScaledOverlap& overlap, double low,
+                                                double high, SolidEventWork& work, StageWatch& watch) {
+  std::vector<ScaleOfInterest> values;
+  for (const JudgedScale& j : judged_points(all, overlap, low, high, work, watch)) {
+    if (j.judged.verdict == Verdict::covered) continue;
+    if (values.empty() || values.back().s != j.s) values.push_back({j.s, j.judged.kind});
+    ScaleOfInterest& value = values.back();
+    value.kind = std::max(value.kind, j.judged.kind);
+    (j.judged.verdict == Verdict::changes ? value.changes : value.unknown) = true;
+    if (j.judged.verdict == Verdict::unknown) value.unknown_topology = true;
+  }
+  work.values += values.size();
+  return values;
+}
 
 }  // namespace
 
 class SolidScaleEvents::State {
  public:
   State(const Mesh& p, const Mesh& q, const SolidScaleOptions& given)
-      : options_(given), given_(p, q, given.moving == MovingOperand::p ? 0 : 1) {
-    if (given_.pair.p.vertices.empty() || given_.pair.q.vertices.empty()) return;
+      : options_(given), given_(solid_pair(p, q), given.moving == MovingOperand::p ? 0 : 1) {
+    if (given_.pair().p.vertices.empty() || given_.pair().q.vertices.empty()) return;
     stages_ = stage_options({});
     stages_.semantics = options_.semantics, stages_.tight = options_.tight, stages_.threads = options_.threads;
     SpatialStats stats;
     StageWatch watch(stages_, stats);
     watch.begin("convolution");
     const std::optional<Mesh> near_p = beside_origin(p), near_q = beside_origin(q);
-    if (near_p || near_q) near_.emplace(near_p.value_or(p), near_q.value_or(q), given_.moving);
-    facets_.emplace(near().pair, given_.moving, watch);
+    facets_.emplace(
+        near_p || near_q ? ScalingPair(solid_pair(near_p.value_or(p), near_q.value_or(q)), given_.moving()) : given_,
+        watch);
     overlap_.emplace(*facets_);
   }
 
@@ -54,47 +147,33 @@ class SolidScaleEvents::State {
   SpatialSum at(const Scale& s, const Progress& progress) const {
     return sum_of(given_, s, progress, options_.threads);
   }
-  SumShape shape(const Scale& s, const Progress& progress) const { return shape_of_sum(given_, s, progress, 1); }
+  SumShape shape(const Scale& s, const Progress& progress) const { return shape_of_sum(given_, s, progress); }
 
   std::vector<ScaleEvent> events(const BigRational& a, const BigRational& b, const Progress& progress,
                                  SolidEventWork& work) const;
   std::vector<BigRational> steps(const BigRational& from, const BigRational& to) const;
 
  private:
-  struct Operands {
-    Mesh p, q;
-    int moving;
-    SolidPair pair;
-    ScaledPlanes planes;
-
-    Operands(const Mesh& of_p, const Mesh& of_q, int which)
-        : p(of_p), q(of_q), moving(which), pair(solid_pair(p, q)), planes(p, q, moving) {}
-    Operands(const Operands&) = delete;  // planes refer to the meshes
-    Operands& operator=(const Operands&) = delete;
-  };
-  /// Of which events are those of the given ones: (P + c) + s (Q + d) is P + s Q moved by c + s d.
-  const Operands& near() const { return near_ ? *near_ : given_; }
   /// The convolution is that of edge vectors and normals, and refers to vertices by indices.
-  SpatialSum sum_of(const Operands& operands, const Scale& s, const Progress& progress, int threads) const {
+  SpatialSum sum_of(const ScalingPair& of, const Scale& s, const Progress& progress, int threads) const {
     if (!facets_) return {};
     SpatialOptions stages = stages_;
     stages.progress = progress, stages.threads = threads;
-    return sum_of_facets(operands.pair, posed_space(operands.pair, facets_->poses(s)), facets_->convolution(), {},
-                         stages);
+    return sum_of_facets(of.pair(), posed_space(of.pair(), of.poses(s)), facets_->convolution(), {}, stages);
   }
-  SumShape shape_of_sum(const Operands& operands, const Scale& s, const Progress& progress, int threads) const {
+  SumShape shape_of_sum(const ScalingPair& of, const Scale& s, const Progress& progress) const {
     if (!facets_) return {};
-    return shape_of(sum_of(operands, s, progress, threads),
-                    [&](const SolidContact& c) { return operands.planes.name(c); });
+    return shape_of(sum_of(of, s, progress, 1), [&](const SolidContact& c) { return plane_name(of, c); });
   }
   using Shapes = std::map<BigRational, SumShape>;
   Shapes shapes_at(const std::vector<BigRational>& scales, StageWatch& watch) const;
 
   SolidScaleOptions options_;
-  Operands given_;
-  std::optional<Operands> near_;
+  ScalingPair given_;
   SpatialOptions stages_;
-  std::optional<MovingFacets> facets_;  // of the near ones
+  /// Of the operands beside the origin, the events of which are those of the given ones: (P + c) + s (Q + d) is P + s Q
+  /// moved by c + s d.
+  std::optional<MovingFacets> facets_;
   std::optional<ScaledOverlap> overlap_;
 };
 
@@ -102,13 +181,10 @@ SolidScaleEvents::State::Shapes SolidScaleEvents::State::shapes_at(const std::ve
                                                                    StageWatch& watch) const {
   std::vector<SumShape> found(scales.size());
   watch.run(scales.size(), [&](std::size_t k) {
-    found[k] = shape_of_sum(
-        near(), computed_scale(scales[k]),
-        [&](std::string_view, double) {
-          watch.ask_within_part(static_cast<double>(k) / static_cast<double>(scales.size()));
-          return true;
-        },
-        1);
+    found[k] = shape_of_sum(*facets_, computed_scale(scales[k]), [&](std::string_view, double) {
+      watch.ask_within_part(static_cast<double>(k) / static_cast<double>(scales.size()));
+      return true;
+    });
   });
   Shapes shapes;
   for (std::size_t k = 0; k < scales.size(); ++k) shapes.emplace(scales[k], std::move(found[k]));
@@ -136,7 +212,7 @@ std::vector<ScaleEvent> SolidScaleEvents::State::events(const BigRational& a, co
   std::vector<BigRational> wanted;
   const auto is_asked = [&](const ScaleOfInterest& v) { return v.s >= a && v.s <= b; };
   for (std::size_t k = 0; k < values.size(); ++k)
-    if (has_to_be_compared(values[k]) && is_asked(values[k]))
+    if (values[k].has_to_be_compared() && is_asked(values[k]))
       for (const BigRational& s : {between[k], values[k].s, between[k + 1]})
         if (wanted.empty() || wanted.back() < s) wanted.push_back(s);
   const Shapes shapes = shapes_at(wanted, watch);
@@ -146,7 +222,7 @@ std::vector<ScaleEvent> SolidScaleEvents::State::events(const BigRational& a, co
     const ScaleOfInterest& v = values[k];
     if (!is_asked(v)) continue;
     ShapeChange change{v.changes, false};
-    if (has_to_be_compared(v)) {
+    if (v.has_to_be_compared()) {
       change = change_of(shapes.at(between[k]), shapes.at(v.s), shapes.at(between[k + 1]));
       change.visible = change.visible || v.changes;
     }

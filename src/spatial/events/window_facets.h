@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "spatial/convolution/facet_rule.h"
+#include "spatial/events/facet_graph.h"
 #include "spatial/mesh/box_tree.h"
 #include "spatial/motion/rotation_forms.h"
 
@@ -22,12 +23,8 @@ struct WindowFacet {
   std::vector<SlantCondition> unsure;  ///< hold at some angles of the window perhaps; others do at all
   Box box;                             ///< of the facet at all angles, in units
 
-  SumEdge border(int k) const { return {facet.corner[k], facet.corner[(k + 1) % facet.corners]}; }
-  bool has_corner(SumPoint v) const {
-    for (int k = 0; k < facet.corners; ++k)
-      if (facet.corner[k] == v) return true;
-    return false;
-  }
+  SumEdge border(int k) const { return border_of(facet, k); }
+  bool has_corner(SumPoint v) const { return spatial::has_corner(facet, v); }
 };
 
 /// Of two operands without thin parts: their edges' directions and normals, as unit vectors.

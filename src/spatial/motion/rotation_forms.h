@@ -49,6 +49,7 @@ class JetFrame {
     return cross(way(0, a0, a1), way(1, b0, b1));
   }
   const Mat3& matrix() const { return matrix_; }
+  static Jet one() { return {1, 0, 0}; }
 
  private:
   Vector placed(int op, Vec3 v, double error = 0) const;
@@ -75,6 +76,7 @@ class PreciseFrame {
     return cross(placed(0, difference(pair_.places[0][a0], pair_.places[0][a1]), false),
                  placed(1, difference(pair_.places[1][b0], pair_.places[1][b1]), false));
   }
+  static N one() { return N::of(1); }
 
  private:
   static Vector difference(Vec3 from, Vec3 to);
@@ -105,6 +107,7 @@ class PolynomialFrame {
   Vector placed(int op, const exact::Vector3<exact::Big>& v, bool weighted) const;
   /// The factor of all ways, and of vectors placed with it.
   Number weight() const { return value(pair_.circle.weight(chart_)); }
+  static Number one() { return exact::RootValue::from_int64(1); }
 
  private:
   Number value(exact::Terms terms) const;
@@ -173,7 +176,7 @@ class RotationSigns {
   };
   Place at(SumPoint v) const {
     const Vector zero = between(v, v);
-    return {v, zero, one()};
+    return {v, zero, Frame::one()};
   }
   /// Of edge a where it passes edge b.
   Place at(const SumEdge& a, const SumEdge& b) const {
@@ -205,26 +208,8 @@ class RotationSigns {
   }
 
  private:
-  static Number one();
   static Vector scaled(const Number& s, const Vector& v) { return {s * v.x, s * v.y, s * v.z}; }
   const Frame& f_;
 };
-
-template <>
-inline Jet RotationSigns<JetFrame>::one() {
-  return {1, 0, 0};
-}
-template <>
-inline FineJet RotationSigns<FineFrame>::one() {
-  return FineJet::of(1);
-}
-template <>
-inline exact::WideInterval RotationSigns<WideFrame>::one() {
-  return exact::WideInterval(1);
-}
-template <>
-inline exact::RootValue RotationSigns<PolynomialFrame>::one() {
-  return exact::RootValue::from_int64(1);
-}
 
 }  // namespace dymsum::spatial

@@ -189,10 +189,10 @@ TEST(TurnCandidates, HaveAllThatSamplesShow) {
       const auto n = static_cast<std::uint32_t>(window.facets.size());
       for (std::uint32_t f = 0; f < n; ++f) {
         if (!a.exists[f] || !b.exists[f]) continue;
-        for (const SumPoint v : window.vertices) {
+        for (const SumPoint v : window.graph.corners.all()) {
           if (window.facets[f].has_corner(v) || !a.inside(f, a.of(v)) || !b.inside(f, b.of(v))) continue;
           if (!(a.side(f, a.of(v)) * b.side(f, b.of(v)) < -1e-18)) continue;
-          const std::vector<std::uint32_t>& around = window.around(v);
+          const auto around = window.graph.corners.around(window.graph.corners.index(v));
           if (std::none_of(around.begin(), around.end(), [&](std::uint32_t g) { return a.exists[g] || b.exists[g]; }))
             continue;  // no vertex of the sum's facets there
           ++shown[Meeting::Kind::vertex_on_facet];

@@ -17,7 +17,7 @@
 #include "spatial/convex/setting.h"
 #include "spatial/events/meeting_point.h"
 #include "spatial/events/moving_facets.h"
-#include "spatial/events/scaled_planes.h"
+#include "spatial/events/plane_names.h"
 #include "spatial/moving/moving_cases.h"
 #include "spatial/moving/sum_shape.h"
 
@@ -36,8 +36,8 @@ SpatialSum fresh(const Mesh& p, const Mesh& q, const Rational& s) {
   return posed_sum(p, q, {}, of_q).value();
 }
 SumShape shape_at(const Mesh& p, const Mesh& q, const Rational& s) {
-  const spatial::ScaledPlanes planes(p, q, 1);
-  return spatial::shape_of(fresh(p, q, s), [&](const SolidContact& c) { return planes.name(c); });
+  const spatial::ScalingPair pair(spatial::solid_pair(p, q), 1);
+  return spatial::shape_of(fresh(p, q, s), [&](const SolidContact& c) { return spatial::plane_name(pair, c); });
 }
 
 /// What a list of events promises, asked of sums from scratch.
@@ -110,21 +110,20 @@ TEST(SolidScaleEvents, NoFourPlanesMeetWhereAnEventIsMissing) {
   std::size_t candidates = 0;
   for (int round = 0; round < 2; ++round) {
     const Mesh p = moving_cases::mesh_of(round == 0 ? ell() : tunnel()), q = random_solids::valid_polyhedron(random);
-    const spatial::SolidPair pair = spatial::solid_pair(p, q);
     SpatialStats stats;
     SpatialOptions options;
     spatial::StageWatch watch(options, stats);
     watch.begin("convolution");
-    const spatial::MovingFacets all(pair, 1, watch);
+    const spatial::MovingFacets all(spatial::ScalingPair(spatial::solid_pair(p, q), 1), watch);
     std::set<BigRational> scales;
     std::vector<const spatial::MovingPlane*> planes;
     std::set<std::uint32_t> known;
     for (std::uint32_t f = 0; f < all.facets().size(); ++f)
-      if (known.insert(all.hyperplane(f)).second) planes.push_back(&all.plane(f));
+      if (known.insert(all.name(f)).second) planes.push_back(&all.plane(f));
     // All corners against all planes, and a share of all fours.
     for (const auto* plane : planes)
-      for (const spatial::MovingCorner& c : all.corners())
-        if (const auto at = spatial::meeting_of(all, c.at, *plane)) scales.insert(at->scale());
+      for (const spatial::SumPoint c : all.corners().all())
+        if (const auto at = spatial::meeting_of(all, c, *plane)) scales.insert(at->scale());
     for (int k = 0; k < 4000; ++k) {
       const auto any = [&] { return planes[random() % planes.size()]; };
       if (const auto at = spatial::meeting_of({any(), any(), any(), any()})) scales.insert(at->scale());

@@ -1,12 +1,18 @@
-#include "spatial/events/event_judge.h"
+#include "spatial/events/scale_judge.h"
 
 #include <algorithm>
 #include <bit>
 #include <cmath>
 #include <map>
 #include <optional>
+#include <utility>
+
+#include "exact/grid.h"
 
 namespace dymsum::spatial {
+
+using exact::BigInteger;
+using exact::BigRational;
 
 namespace {
 
@@ -19,20 +25,13 @@ struct FacetThere {
 };
 
 Vec3 unit_normal(const MovingFacets& all, std::uint32_t f) {
-  const PlaneRow& row = all.row(f);
-  const Vec3 n{row[0], row[1], row[2]};
+  const Vec3 n = normal_of(all.row(f));
   return (1 / length(n)) * n;
 }
 
 bool are_parallel_planes(const MovingFacets& all, std::uint32_t f, std::uint32_t g) {
   if (length(cross(unit_normal(all, f), unit_normal(all, g))) > 0x1p-40) return false;
-  const BigVector &a = all.plane(f).n, &b = all.plane(g).n;
-  return a[1] * b[2] == a[2] * b[1] && a[2] * b[0] == a[0] * b[2] && a[0] * b[1] == a[1] * b[0];
-}
-/// Of parallel planes: whether they are one at all scales.
-bool is_same_hyperplane(const MovingFacets& all, std::uint32_t f, std::uint32_t g) {
-  const SumPoint c = all.facets()[f].corner[0];
-  return stays_in(all, c, all.plane(g));
+  return is_zero(cross(all.plane(f).n, all.plane(g).n));
 }
 
 /// The facets through a point by the parts of them that it lies in.
@@ -42,11 +41,11 @@ struct Gathering {
   std::size_t insides = 0;
   bool parallel = false, coplanar_now = false;
 
-  Gathering(const MovingFacets& all, const EventSearch& search, const MeetingEvent& event) {
+  Gathering(const MovingFacets& all, const LiveFacets& live, const MeetingEvent& event) {
     Box box;
     box.add(event.near.x);
     box.grow(2 * event.near.radius + all.span(event.near.s) * 0x1p-44);
-    search.for_each_facet(box, [&](std::uint32_t f) {
+    live.for_each(box, [&](std::uint32_t f) {
       const PlaceInFacet place = place_in(all, f, event.at, event.near);
       if (place.holds) facets.push_back({f, place});
     });
@@ -56,7 +55,7 @@ struct Gathering {
       for (std::size_t j = i + 1; j < facets.size(); ++j)
         if (are_parallel_planes(all, facets[i].facet, facets[j].facet)) {
           parallel = true;
-          coplanar_now |= !is_same_hyperplane(all, facets[i].facet, facets[j].facet);
+          coplanar_now |= all.name(facets[i].facet) != all.name(facets[j].facet);
         }
   }
 
@@ -71,10 +70,10 @@ struct Gathering {
   bool is_general(const MovingFacets& all) const {
     if (parallel || corners.size() > 1) return false;
     for (const auto& [border, here] : borders)
-      if (here < 2 || here != all.facets_of(all.borders()[border]).size()) return false;
+      if (here < 2 || here != all.borders().around(border).size()) return false;
     if (corners.empty()) return 2 * borders.size() + insides == 4;
     const auto& [corner, here] = *corners.begin();
-    return borders.empty() && insides == 1 && here == all.facets_of(all.corners()[corner]).size();
+    return borders.empty() && insides == 1 && here == all.corners().around(corner).size();
   }
 
  private:
@@ -87,8 +86,8 @@ struct Gathering {
     const int n = all.facets()[there.facet].corners;
     for (int k = 0; k < n; ++k) {
       const bool here = (there.place.on >> k & 1) != 0, before = (there.place.on >> ((k + n - 1) % n) & 1) != 0;
-      if (sides == 1 && here) ++borders[all.border_of(there.facet, k)];
-      if (sides == 2 && here && before) ++corners[all.corner_of(there.facet, k)];
+      if (sides == 1 && here) ++borders[all.borders().of(there.facet, k)];
+      if (sides == 2 && here && before) ++corners[all.corners().of(there.facet, k)];
     }
   }
 };
@@ -125,7 +124,7 @@ std::optional<Vec3> common_way_in(const MovingFacets& all, const std::vector<Fac
 /// Whether a facet surely misses the segment from x to y.
 bool misses(const MovingFacets& all, std::uint32_t f, Vec3 x, Vec3 y, double s, double room) {
   const PlaneRow& row = all.row(f);
-  const Vec3 n{row[0], row[1], row[2]};
+  const Vec3 n = normal_of(row);
   const double a = dot(n, x) + row[3] * s - row[4], b = dot(n, y) + row[3] * s - row[4];
   if ((a > room && b > room) || (a < -room && b < -room)) return true;
   Box facet, way;
@@ -138,7 +137,7 @@ bool misses(const MovingFacets& all, std::uint32_t f, Vec3 x, Vec3 y, double s, 
 
 /// A place in front of all facets through the point, from which nothing lies between; nothing where others are too
 /// near.
-std::optional<Vec3> place_in_front(const MovingFacets& all, const EventSearch& search,
+std::optional<Vec3> place_in_front(const MovingFacets& all, const LiveFacets& live,
                                    const std::vector<FacetThere>& facets, Vec3 in, const NearMeeting& at) {
   const double span = all.span(at.s), room = span * 0x1p-40 + 16 * (at.radius + at.s_radius * span);
   for (const int power : {8, 11, 14, 17, 20, 23}) {
@@ -149,7 +148,7 @@ std::optional<Vec3> place_in_front(const MovingFacets& all, const EventSearch& s
     box.add(at.x), box.add(y);
     box.grow(room);
     bool clear = true;
-    search.for_each_facet(box, [&](std::uint32_t f) {
+    live.for_each(box, [&](std::uint32_t f) {
       if (!clear) return;
       const bool here = std::any_of(facets.begin(), facets.end(), [&](const FacetThere& t) { return t.facet == f; });
       clear = here || misses(all, f, at.x, y, at.s, room);
@@ -161,18 +160,88 @@ std::optional<Vec3> place_in_front(const MovingFacets& all, const EventSearch& s
 
 }  // namespace
 
-JudgedPoint judge(const MovingFacets& all, const EventSearch& search, const ScaledOverlap& overlap,
+JudgedPoint judge(const MovingFacets& all, const LiveFacets& live, const ScaledOverlap& overlap,
                   const MeetingEvent& event) {
-  const Gathering there(all, search, event);
+  const Gathering there(all, live, event);
   JudgedPoint result{Verdict::unknown, there.kind(), {}, there.is_general(all)};
   const NearMeeting& at = event.near;
   if (const std::optional<Vec3> in = common_way_in(all, there.facets))
-    if (const std::optional<Vec3> y = place_in_front(all, search, there.facets, *in, at))
+    if (const std::optional<Vec3> y = place_in_front(all, live, there.facets, *in, at))
       if (overlap.at(*y, at.s, 2 * at.radius, at.s_radius) == ScaledOverlap::Answer::apart)
         result.verdict = result.is_general ? Verdict::changes : Verdict::quiet;
   if (result.verdict == Verdict::unknown)
     for (const FacetThere& f : there.facets) result.facets.push_back(f.facet);
   return result;
+}
+
+namespace {
+
+PosedSpace space_at(const MovingFacets& all, const BigRational& s) {
+  const auto scaled = [](const BigInteger& num, const BigInteger& den) {
+    return ExactPose{{num, 0, 0, 0, num, 0, 0, 0, num}, den};
+  };
+  ExactPose moved = scaled(numerator(s), denominator(s)), fixed = scaled(1, 1);
+  if (all.moving() == 0) return posed_space(all.pair(), std::move(moved), std::move(fixed));
+  return posed_space(all.pair(), std::move(fixed), std::move(moved));
+}
+
+}  // namespace
+
+bool ExactJudge::has_room(const MovingFacets& all, const BigRational& s) {
+  const auto longer = std::max(msb(numerator(s)), msb(denominator(s)));
+  return static_cast<int>(longer) + 1 + all.pair().p_places.bits <= kMostGridBits;
+}
+
+ExactJudge::ExactJudge(const MovingFacets& all, const BigRational& s)
+    : all_(all), space_(space_at(all, s)), collision_(*space_.space, all.pair().p, all.pair().q) {}
+
+JudgedPoint::Verdict ExactJudge::verdict(const ExactMeeting& at, const JudgedPoint& judged) {
+  std::array<BigRational, 3> world;
+  for (int axis = 0; axis < 3; ++axis) {
+    const int unit = space_.space->line(axis).exponent;
+    world[static_cast<std::size_t>(axis)] =
+        exact::ratio(exact::Big(BigInteger((at.x[static_cast<std::size_t>(axis)] * space_.scale) << std::max(unit, 0))),
+                     exact::Big(BigInteger(at.w << std::max(-unit, 0))));
+  }
+  const std::optional<PointSource> place = space_.space->add_place(world);
+  if (!place) return Verdict::unknown;
+  if (collision_.overlaps({*place})) return Verdict::covered;
+  const std::optional<Flag> front = in_front_of_all(*place, judged.facets);
+  if (!front || collision_.meets(*front)) return Verdict::unknown;
+  return judged.is_general ? Verdict::changes : Verdict::quiet;
+}
+
+/// A flag at the place whose steps lead to the front of all these facets, off all of them. Where such ways are a cone
+/// with an inside, one of its rays is either the normal of a facet or runs along two of their planes, and a step from
+/// there off both of these is in it.
+std::optional<Flag> ExactJudge::in_front_of_all(const PointSource& place, std::span<const std::uint32_t> facets) {
+  std::vector<PlaneSource> sources;
+  for (const std::uint32_t f : facets) sources.push_back(all_.convolution().planes[f]);
+  SumSpace& space = *space_.space;
+  const PlaneId first = space.add_planes(sources);
+  const auto surely_behind = [&](Vec3 way) {
+    return std::any_of(sources.begin(), sources.end(), [&](const PlaneSource& source) {
+      const auto k = static_cast<PlaneId>(&source - sources.data());
+      return dot(space.plane(first + k).n, way) < -0x1p-40;
+    });
+  };
+  const auto is_in_front = [&](const Flag& flag) {
+    return std::all_of(sources.begin(), sources.end(),
+                       [&](const PlaneSource& source) { return space.exact_side(source, flag) > 0; });
+  };
+  const auto count = static_cast<PlaneId>(sources.size());
+  for (PlaneId i = 0; i < count; ++i) {
+    const Flag flag{place, first + i, 0, 0, 0, 1};
+    if (!surely_behind(space.plane(first + i).n) && is_in_front(flag)) return flag;
+  }
+  // Against n x n_cut, then to the left of that, which is to the front of `cut`, then off the plane.
+  for (PlaneId i = 0; i < count; ++i)
+    for (PlaneId k = 0; k < count; ++k) {
+      if (i == k || surely_behind(cross(space.plane(first + k).n, space.plane(first + i).n))) continue;
+      const Flag flag{place, first + i, first + k, -1, 1, 1};
+      if (is_in_front(flag)) return flag;
+    }
+  return std::nullopt;
 }
 
 }  // namespace dymsum::spatial
