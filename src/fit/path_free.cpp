@@ -5,7 +5,6 @@
 
 #include "exact/rounding_bound.h"
 #include "planar/boundary/collision.h"
-#include "planar/motion/fill_lattice.h"
 #include "planar/operand/round_place.h"
 
 namespace dymsum::planar {
@@ -27,7 +26,7 @@ PathFree::PathFree(std::shared_ptr<const OperandPair> base, std::uint32_t first_
                    std::uint32_t reference, std::uint32_t beside)
     : base_(std::move(base)),
       forms_(*base_),
-      convolution_(UnfilledLattice(*base_->lattice), base_->operands[0], base_->operands[1]),
+      convolution_(*base_->lattice, base_->operands[0], base_->operands[1], never_filled),
       first_(first_waypoint),
       count_(waypoints),
       reference_(reference),

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "planar/motion/scaling_bounds.h"
+#include "planar/motion/scaling_forms.h"
 
 namespace dymsum::planar {
 

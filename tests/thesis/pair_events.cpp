@@ -4,7 +4,6 @@
 #include <cmath>
 
 #include "planar/convolution/convolution.h"
-#include "planar/motion/fill_lattice.h"
 #include "planar/motion/operand_pair.h"
 #include "planar/motion/scaling_forms.h"
 #include "thesis/crossing_range.h"
@@ -49,8 +48,7 @@ SegmentPairs::SegmentPairs(const OperandPair& base)
       forms_(base),
       span_fixed_(std::max(base.width[1 - base.moved], base.height[1 - base.moved])),
       span_moving_(std::max(base.width[base.moved], base.height[base.moved])) {
-  const UnfilledLattice never(*base.lattice);
-  const ReducedConvolution convolution(never, base.operands[0], base.operands[1]);
+  const ReducedConvolution convolution(*base.lattice, base.operands[0], base.operands[1], never_filled);
   convolution.for_each([&](const WalkSegment& w) { add(w); });
 }
 

@@ -1,6 +1,6 @@
 #include "cspace/events/event_place.h"
 
-#include "planar/motion/turning_bounds.h"
+#include "planar/motion/turning_forms.h"
 
 namespace dymsum::planar {
 

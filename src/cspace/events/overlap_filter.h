@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "cspace/events/turn_window.h"
-#include "planar/motion/turning_bounds.h"
+#include "planar/motion/turning_forms.h"
 
 namespace dymsum::planar {
 

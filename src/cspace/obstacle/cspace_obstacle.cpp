@@ -19,7 +19,7 @@
 #include "planar/boundary/collision.h"
 #include "planar/motion/exact_angle.h"
 #include "planar/motion/operand_pair.h"
-#include "planar/motion/orientation_sum.h"
+#include "planar/sum/placed_sum.h"
 
 namespace dymsum {
 namespace {
@@ -257,7 +257,7 @@ std::array<Point, 2> CspaceObstacle::ends(const Patch& patch, double theta) cons
 Result<PlanarSum> CspaceObstacle::slice(const Orientation& theta, Semantics semantics) const {
   SumOptions options;
   options.semantics = semantics;
-  return sum_at(*state_->base, theta, options);
+  return placed_sum(state_->base->placed(theta), options);
 }
 
 bool CspaceObstacle::contains(double x, double y, const Orientation& theta) const {
@@ -266,7 +266,7 @@ bool CspaceObstacle::contains(double x, double y, const Orientation& theta) cons
   const auto base = pair_of_regions(
       state_->obstacle, state_->robot,
       {.moved = 1, .reflect_q = true, .further = {{{Point{x, y}}, {Point{0, 0}}}}, .spread = Spread::any});
-  const PlacedPair at = placed_at(**base, theta);
+  const PlacedPair at = (*base)->placed(theta);
   const Lattice& l = *at.lattice;
   Place place;
   place.first.pair = {static_cast<std::uint32_t>(l.points[0]->input.size() - 1),

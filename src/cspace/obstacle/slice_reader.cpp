@@ -5,8 +5,9 @@
 #include "cspace/events/walk_numbers.h"
 #include "exact/rounding_bound.h"
 #include "planar/boundary/collision.h"
-#include "planar/motion/orientation_sum.h"
+#include "planar/motion/operand_pair.h"
 #include "planar/position/ring_containment.h"
+#include "planar/sum/placed_sum.h"
 #include "planar/sum/sum_engine.h"
 
 namespace dymsum::planar {
@@ -82,7 +83,7 @@ std::vector<std::uint32_t> SliceReader::segments(const SumRing& ring) const {
 std::vector<SliceLoop> SliceReader::loops(const Orientation& at) const {
   SumOptions options;
   options.semantics = Semantics::regular;
-  const Result<SumState> computed = compute_boundary(placed_at(*base_, at), options);
+  const Result<SumState> computed = compute_boundary(base_->placed(at), options);
   if (!computed) throw std::logic_error("SliceReader: a slice failed");
   const RawBoundary& raw = computed->boundary;
   std::vector<SliceLoop> all;
@@ -94,7 +95,7 @@ std::vector<SliceLoop> SliceReader::loops(const Orientation& at) const {
 PlanarSum SliceReader::slice(const Orientation& at, Semantics semantics) const {
   SumOptions options;
   options.semantics = semantics;
-  Result<PlanarSum> sum = sum_at(*base_, at, options);
+  Result<PlanarSum> sum = placed_sum(base_->placed(at), options);
   if (!sum) throw std::logic_error("SliceReader: a slice failed");
   return std::move(*sum);
 }
@@ -130,7 +131,7 @@ SliceReader::Faces SliceReader::faces(const Orientation& at, const BoundaryGraph
 }
 
 bool SliceReader::is_free(const std::vector<WalkSegment>& loop, const Orientation& at) const {
-  const PlacedPair state = placed_at(*base_, at);
+  const PlacedPair state = base_->placed(at);
   Collision collision(*state.lattice, *state.p, *state.q, true);
   return !collision.overlaps_right_of(place_on_loop(loop, forms_, state));
 }

@@ -2,6 +2,7 @@
 // is moved there.
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cstdint>
 #include <optional>
@@ -12,6 +13,35 @@
 #include "planar/operand/operand.h"
 
 namespace dymsum::planar {
+
+/// Walk edges of P and Q that cross properly when Q, reflected, stands at a position: they prove that it lies in M.
+using CrossingEdges = std::array<std::uint32_t, 2>;
+
+/// The last `most` of these, the most recent first: what covered other positions often covers the next one.
+template <std::size_t most>
+class RecentEdges {
+ public:
+  /// The first ones for which `cross` holds.
+  template <class Cross>
+  std::optional<CrossingEdges> find(const Cross& cross) {
+    for (std::size_t k = 0; k < count_; ++k)
+      if (cross(edges_[k])) {
+        const auto hit = edges_.begin() + static_cast<std::ptrdiff_t>(k);
+        std::rotate(edges_.begin(), hit, hit + 1);
+        return edges_[0];
+      }
+    return std::nullopt;
+  }
+  void remember(const CrossingEdges& edges) {
+    count_ = std::min(count_ + 1, most);
+    std::rotate(edges_.begin(), edges_.end() - 1, edges_.end());
+    edges_[0] = edges;
+  }
+
+ private:
+  std::array<CrossingEdges, most> edges_{};
+  std::size_t count_ = 0;
+};
 
 struct CollisionCounts {
   std::uint64_t tests = 0, edge_pairs = 0, witnessed = 0;
@@ -34,7 +64,7 @@ class Collision {
 
   /// The walk edges of P and Q whose proper crossing answered the last question with yes, if that is how it was
   /// answered.
-  std::optional<std::array<std::uint32_t, 2>> crossing_edges() const { return answered_by_; }
+  std::optional<CrossingEdges> crossing_edges() const { return answered_by_; }
 
   const CollisionCounts& counts() const { return counts_; }
 
@@ -85,8 +115,8 @@ class Collision {
   Homogeneous at_{};
   bool displaced_ = false;
   CollisionCounts counts_;
-  std::array<std::array<std::uint32_t, 2>, 4> witnesses_{};  ///< pairs of edges that crossed properly lately
-  std::optional<std::array<std::uint32_t, 2>> answered_by_;
+  std::array<CrossingEdges, 4> witnesses_{};  ///< pairs of edges that crossed properly lately
+  std::optional<CrossingEdges> answered_by_;
   std::size_t witness_count_ = 0, next_witness_ = 0;
 };
 

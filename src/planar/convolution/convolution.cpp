@@ -69,7 +69,17 @@ bool hole_is_filled(const Lattice& lattice, const Operand& holed, const Loop& ho
 }
 
 ReducedConvolution::ReducedConvolution(const Lattice& lattice, const Operand& p, const Operand& q, Scratch* memory)
+    : ReducedConvolution(
+          lattice, p, q,
+          [&lattice](const Operand& holed, const Loop& hole, const Operand& other, const Component& component) {
+            return hole_is_filled(lattice, holed, hole, other, component);
+          },
+          memory) {}
+
+ReducedConvolution::ReducedConvolution(const Lattice& lattice, const Operand& p, const Operand& q, HoleFilled filled,
+                                       Scratch* memory)
     : lattice_(lattice),
+      filled_(std::move(filled)),
       operands_{&p, &q},
       turns_{Array<Turn>(memory), Array<Turn>(memory)},
       used_{Array<std::uint32_t>(memory), Array<std::uint32_t>(memory)},
@@ -99,6 +109,7 @@ ReducedConvolution::ReducedConvolution(const Lattice& lattice, const Operand& p,
     if (size >= kNoRank) throw std::length_error("more than 2^32 segments");
     size_ = static_cast<std::uint32_t>(size);
   }
+  filled_ = nullptr;  // what it looks at may be gone from now on
 }
 
 // The holes of one operand's component that the other one's fills, and the lists of its edges without them.
@@ -125,7 +136,7 @@ ReducedConvolution::Edges ReducedConvolution::edges_of(std::uint32_t op, std::ui
   edges.filled.assign(o.loops.size(), 0);
   std::size_t count = 0;
   for (std::uint32_t l = c.first_loop + 1; l < c.last_loop; ++l)
-    if (hole_is_filled(lattice_, o, o.loops[l], other, d)) {
+    if (filled_(o, o.loops[l], other, d)) {
       edges.filled[l] = 1;
       ++count;
     }

@@ -5,6 +5,7 @@
 #include <array>
 #include <cstdint>
 #include <forward_list>
+#include <functional>
 #include <span>
 #include <vector>
 
@@ -21,10 +22,19 @@ struct Turn {
   std::uint32_t list = 0, lo = 0, count = 0, base = 0;
 };
 
+/// Whether a hole of one operand does not show in the sum with a component of the other one.
+using HoleFilled =
+    std::function<bool(const Operand& holed, const Loop& hole, const Operand& other, const Component& component)>;
+/// For the convolution of all positive scales.
+inline bool never_filled(const Operand&, const Loop&, const Operand&, const Component&) { return false; }
+
 /// The reduced convolution as ranges: segment ids are 0 .. size - 1, side 0 first; (edge, vertex) <-> id in O(1).
 class ReducedConvolution {
  public:
   ReducedConvolution(const Lattice& lattice, const Operand& p, const Operand& q, Scratch* memory = nullptr);
+  /// Without the holes that `filled` tells, instead of those that are filled where both operands stand.
+  ReducedConvolution(const Lattice& lattice, const Operand& p, const Operand& q, HoleFilled filled,
+                     Scratch* memory = nullptr);
 
   std::uint32_t size() const { return size_; }
   /// The id of a segment, or kNoRank if it is not in the reduced convolution. O(1).
@@ -86,6 +96,7 @@ class ReducedConvolution {
   void add_turns(std::uint32_t side, const Edges& edges, const Edges& vertices, Bounds& bounds);
 
   const Lattice& lattice_;
+  HoleFilled filled_;
   std::array<const Operand*, 2> operands_;
   std::array<std::uint32_t, 2> columns_{};    ///< components of the edge side
   std::array<Array<Turn>, 2> turns_;          ///< [side][vertex * columns + component of the edge side]

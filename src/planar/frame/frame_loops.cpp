@@ -3,8 +3,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "planar/boundary/leftmost_loop.h"
-
 namespace dymsum::planar {
 std::size_t FrameLoops::bytes() const {
   std::size_t n = (seen_.capacity() + crossing_vertex_.capacity() + end_vertex_.capacity()) * 4 +
@@ -109,6 +107,7 @@ void FrameLoops::carry_over(double tau, FrameWork& work) {
                     : std::any_of(loop.steps.begin(), loop.steps.end(), quiet_edge) ? Look::known
                                                                                     : Look::test);
     loop.fresh = false;
+    loop.vertices_before = loop.vertices_shared = loop.corners;
     if (to != i) loops_[to] = std::move(loop);
     ++to;
   }
@@ -138,18 +137,12 @@ FrameLoops::Look FrameLoops::inherit(FrameLoop& loop, double tau) const {
 
 // A fresh ring takes the identity of the first kept loop that is gone and had one of its vertices.
 void FrameLoops::name_rings() {
-  claimed_.assign(gone_.size(), 0);
+  claims_.begin_frame(gone_.size());
   for (FrameLoop& loop : loops_) {
     if (!loop.kept || !loop.fresh) continue;
-    std::uint32_t from = kNone;
+    claims_.begin(loop);
     const auto shares = [&](std::uint32_t old, std::uint32_t vertices) {
-      if (from == kNone && gone_[old].kept && !claimed_[old]) {
-        from = old;
-        claimed_[from] = 1;
-        loop.ring = gone_[from].ring;
-        loop.vertices_before = gone_[from].corners;
-      }
-      if (old == from) loop.vertices_shared += vertices;
+      if (gone_[old].kept) claims_.shares(old, gone_[old], vertices);
     };
     std::uint32_t r = loop.first_run;
     for (std::uint32_t k = 0; k < loop.steps.size();) {
@@ -163,7 +156,7 @@ void FrameLoops::name_rings() {
     }
   }
   for (std::size_t g = 0; g < gone_.size(); ++g)
-    if (gone_[g].kept && !claimed_[g] && gone_[g].ring != 0) ended_.push_back({gone_[g].ring, gone_[g].corners});
+    if (gone_[g].kept && !claims_.claimed(g) && gone_[g].ring != 0) ended_.push_back({gone_[g].ring, gone_[g].corners});
 }
 
 // Whether a sub-edge has existed, with nothing between its ends, at every scale since the last frame. A point inside it
@@ -206,46 +199,21 @@ bool FrameLoops::undisturbed(const LoopStep& edge, double tau) const {
   return true;
 }
 
-// A connected sum has exactly one counter-clockwise true loop, the one that reaches farthest left: its number, or that
-// of loops.
-std::size_t FrameLoops::outer_loop(double tau) const {
-  const std::size_t n = loops_.size();
-  std::size_t count = 0, last = 0, known = n;
-  for (std::size_t i = 0; i < n; ++i) {
-    if (loops_[i].turning <= 0) continue;
-    ++count;
-    last = i;
-    if (look_[i] != Look::test && loops_[i].kept) known = i;
-  }
-  if (known < n || count == 1) return known < n ? known : last;
+void FrameLoops::verify(double tau, ExactFrame& frame, FrameWork& work) {
   const auto for_each_end = [&](std::size_t i, auto&& f) {
     for (const LoopStep& s : loops_[i].steps) {
       const MovingPoint v = places_.vertex_after(step_of(s), 0, 0).point;
       f(v.x.at(tau), v.error);
     }
   };
-  return leftmost_loop(
-      n, [&](std::size_t i) { return loops_[i].turning < 0; }, for_each_end);
-}
-
-void FrameLoops::verify(double tau, ExactFrame& frame, FrameWork& work) {
-  const std::size_t outer = frame.base().connected ? outer_loop(tau) : loops_.size();
-  for (std::size_t i = 0; i < loops_.size(); ++i) {
-    if (look_[i] != Look::test) continue;
-    FrameLoop& loop = loops_[i];
-    const bool was_kept = loop.kept;
-    if (i == outer) {
-      loop.kept = true;
-    } else if (outer != loops_.size() && loop.turning > 0) {
-      loop.kept = false;
-    } else {
-      loop.kept = !cover_.covers(loop.steps, loop.witness, tau, frame, work);
-    }
-    if (was_kept && !loop.kept && loop.ring != 0) {
+  decide_loops(
+      loops_, frame.base().connected, [&](std::size_t i) { return look_[i] != Look::test; }, for_each_end,
+      [&](FrameLoop& loop) { return cover_.covers(loop.steps, loop.witness, tau, frame, work); });
+  for (FrameLoop& loop : loops_)
+    if (!loop.kept && loop.ring != 0) {
       ended_.push_back({loop.ring, loop.corners});
       loop.ring = 0;
     }
-  }
 }
 
 // Kept loops that came or went count at the nodes they pass.
@@ -259,21 +227,9 @@ void FrameLoops::count_kept(bool whole) {
   }
 }
 
-void FrameLoops::follow(const std::vector<FrameLoop*>& kept, RingIdentities& identities, bool stays,
+void FrameLoops::follow(std::span<LoopStatus* const> kept, RingIdentities& identities, bool stays,
                         FrameChanges& changes) const {
-  for (FrameLoop* ring : kept) {
-    FrameLoop& loop = *ring;
-    const std::uint32_t size = loop.corners;
-    if (loop.ring == 0) {
-      loop.ring = identities.fresh();
-      changes.rings.push_back({RingChange::Kind::appeared, loop.ring, size, 0});
-    } else if (loop.fresh && !(loop.vertices_before == size && loop.vertices_shared == size)) {
-      changes.rings.push_back({RingChange::Kind::reshaped, loop.ring, size - loop.vertices_shared,
-                               loop.vertices_before - loop.vertices_shared});
-    } else if (!stays) {
-      changes.rings.push_back({RingChange::Kind::moved, loop.ring, 0, 0});
-    }
-  }
+  identities.follow(kept, stays, changes);
   for (const auto& [ring, vertices] : ended_)
     changes.rings.push_back({RingChange::Kind::disappeared, ring, 0, vertices});
 }

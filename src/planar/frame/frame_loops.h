@@ -12,18 +12,11 @@
 
 namespace dymsum::planar {
 
-struct FrameLoop {
+struct FrameLoop : LoopStatus {
   std::vector<LoopStep> steps;
-  std::uint32_t corners = 0;            ///< steps with a vertex
-  std::vector<std::uint32_t> vertices;  ///< theirs, of a kept one that has been written
-  int turning = 0;
-  bool kept = false;       ///< a true boundary
-  std::uint64_t ring = 0;  ///< identity of a true one, 0: not yet given
-  bool fresh = true;       ///< walked anew in this frame
-  bool counted = false;    ///< among the visits of the nodes that it passes
-  std::uint32_t vertices_before = 0,
-                vertices_shared = 0;          ///< of a fresh one: of the ring whose identity it has taken, and both
-  std::optional<CrossingEdges> witness;       ///< of a false one
+  std::vector<std::uint32_t> vertices;        ///< theirs, of a kept one that has been written
+  bool fresh = true;                          ///< walked anew in this frame
+  bool counted = false;                       ///< among the visits of the nodes that it passes
   std::uint32_t first_run = 0, last_run = 0;  ///< of a fresh one: its stretches, valid during the update
 };
 
@@ -42,7 +35,7 @@ class FrameLoops {
   const std::vector<MovingPoint>& points() const { return points_; }
   /// What the last update did to rings; names new ones. Requires: it knew the frame before; `kept` are the kept loops,
   /// in the order of the sum's rings. `stays`: at the same scale.
-  void follow(const std::vector<FrameLoop*>& kept, RingIdentities& identities, bool stays, FrameChanges& changes) const;
+  void follow(std::span<LoopStatus* const> kept, RingIdentities& identities, bool stays, FrameChanges& changes) const;
   /// Steps that the last update took over from cycles that were gone.
   std::uint64_t copied() const { return copied_; }
   std::size_t bytes() const;
@@ -55,7 +48,6 @@ class FrameLoops {
   bool stays(FrameLoop& loop);
   Look inherit(FrameLoop& loop, double tau) const;
   void count_kept(bool whole);
-  std::size_t outer_loop(double tau) const;
   void verify(double tau, ExactFrame& frame, FrameWork& work);
   bool undisturbed(const LoopStep& edge, double tau) const;
   void name_rings();
@@ -122,7 +114,7 @@ class FrameLoops {
   };
   std::vector<Trail> trail_;                  ///< of the current walk
   std::vector<std::vector<LoopStep>> spare_;  ///< storage of loops that are gone
-  std::vector<std::uint8_t> claimed_;
+  RingClaims claims_;
 };
 
 }  // namespace dymsum::planar

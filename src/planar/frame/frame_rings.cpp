@@ -35,13 +35,6 @@ std::uint64_t key(const SumVertex& v) {
   return spread(h + both(v.corner_p, v.corner_q), 0x9e3779b97f4a7c15u);
 }
 
-std::size_t smallest_vertex(const std::vector<SumVertex>& v, const VertexOrder& order, double at_error) {
-  std::size_t first = 0;
-  for (std::size_t j = 1; j < v.size(); ++j)
-    if (v[j].at.x - v[first].at.x <= 2 * at_error && order.compare(v[j], v[first]) < 0) first = j;
-  return first;
-}
-
 std::vector<std::size_t> place_rings(std::vector<SumRing> rings, const std::vector<std::uint8_t>& outer,
                                      PlanarSum& sum) {
   std::vector<std::size_t> numbers;
@@ -113,6 +106,25 @@ class VertexOwners {
 
 }  // namespace
 
+void RingIdentities::follow(LoopStatus& loop, bool stays, FrameChanges& changes) {
+  const std::uint32_t size = loop.corners, before = loop.vertices_before, shared = loop.vertices_shared;
+  const auto list = [&](RingChange::Kind kind, std::uint32_t came, std::uint32_t went) {
+    changes.rings.push_back({kind, loop.ring, came, went});
+  };
+  if (loop.ring == 0) {
+    loop.ring = next_++;
+    list(RingChange::Kind::appeared, size, 0);
+  } else if (before != size || shared != size) {
+    list(RingChange::Kind::reshaped, size - shared, before - shared);
+  } else if (!stays) {
+    list(RingChange::Kind::moved, 0, 0);
+  }
+}
+
+void RingIdentities::follow(std::span<LoopStatus* const> kept, bool stays, FrameChanges& changes) {
+  for (LoopStatus* loop : kept) follow(*loop, stays, changes);
+}
+
 std::vector<std::uint64_t> RingIdentities::match(const PlanarSum& from, const std::vector<std::uint64_t>& known,
                                                  const PlanarSum& to, bool same_place, FrameChanges& changes) {
   const std::vector<const SumRing*> before = rings_of(from), after = rings_of(to);
@@ -128,20 +140,16 @@ std::vector<std::uint64_t> RingIdentities::match(const PlanarSum& from, const st
       if (ring == before.size() && !taken[was]) ring = was;
       shared += was == ring;
     }
-    const auto size = static_cast<std::uint32_t>(after[i]->vertices.size());
-    if (ring == before.size()) {
-      ids[i] = next_++;
-      changes.rings.push_back({RingChange::Kind::appeared, ids[i], size, 0});
-      continue;
+    LoopStatus loop;
+    loop.corners = static_cast<std::uint32_t>(after[i]->vertices.size());
+    if (ring != before.size()) {
+      taken[ring] = 1;
+      loop.ring = known[ring];
+      loop.vertices_before = static_cast<std::uint32_t>(before[ring]->vertices.size());
+      loop.vertices_shared = std::min({shared, loop.corners, loop.vertices_before});
     }
-    taken[ring] = 1;
-    ids[i] = known[ring];
-    const auto old = static_cast<std::uint32_t>(before[ring]->vertices.size());
-    shared = std::min({shared, size, old});
-    const bool same = size == old && shared == size;
-    if (!same || !same_place)
-      changes.rings.push_back(
-          {same ? RingChange::Kind::moved : RingChange::Kind::reshaped, ids[i], size - shared, old - shared});
+    follow(loop, same_place, changes);
+    ids[i] = loop.ring;
   }
   for (std::size_t i = 0; i < before.size(); ++i)
     if (!taken[i])

@@ -7,8 +7,6 @@ namespace dymsum::planar {
 
 namespace {
 
-constexpr std::size_t kKeptWitnesses = 8;
-
 /// a x b, and the sign where it is sure for vectors whose components are off by `off`.
 int sure_turn(Point a, Point b, double off) {
   const double value = a.x * b.y - a.y * b.x;
@@ -43,13 +41,7 @@ bool LocalOverlap::holds(const PosedRegions& posed, const AskedPlace& place) {
 }
 
 bool LocalOverlap::crossed_before() {
-  for (std::size_t k = 0; k < witnesses_.size(); ++k) {
-    if (!surely_cross(edges(witnesses_[k][0], witnesses_[k][1]))) continue;
-    std::rotate(witnesses_.begin(), witnesses_.begin() + static_cast<std::ptrdiff_t>(k),
-                witnesses_.begin() + static_cast<std::ptrdiff_t>(k) + 1);
-    return true;
-  }
-  return false;
+  return witnesses_.find([&](const CrossingEdges& pair) { return surely_cross(edges(pair[0], pair[1])); }).has_value();
 }
 
 bool LocalOverlap::boundaries_overlap() {
@@ -129,8 +121,7 @@ bool LocalOverlap::edges_overlap(std::uint32_t e, std::uint32_t f) {
   const int s3 = side_of_q_edge(f, e, s, false), s4 = side_of_q_edge(f, p.next[e], s, true);
   if (s3 * s4 > 0) return false;
   if (s1 != 0 && s2 != 0 && s3 != 0 && s4 != 0) {
-    witnesses_.insert(witnesses_.begin(), {e, f});
-    if (witnesses_.size() > kKeptWitnesses) witnesses_.pop_back();
+    witnesses_.remember({e, f});
     return true;
   }
   return touch_overlapping(e, f, s1, s3);

@@ -5,6 +5,7 @@
 #include <functional>
 #include <vector>
 
+#include "planar/boundary/collision.h"
 #include "planar/frame/near_segments.h"
 #include "planar/frame/posed_regions.h"
 
@@ -52,7 +53,7 @@ class LocalOverlap {
   const AskedPlace* place_ = nullptr;
   const BigPlace* exact_ = nullptr;
   double off_ = 0;
-  std::vector<std::array<std::uint32_t, 2>> witnesses_;  // edges that crossed properly, the last ones first
+  RecentEdges<8> witnesses_;
   std::uint64_t tests_ = 0, exact_tests_ = 0;
 };
 

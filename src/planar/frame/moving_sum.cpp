@@ -92,6 +92,15 @@ Result<MovingSum::NextFrame> MovingSum::rebuilt_frame(FrameWork& next_work) cons
   return next;
 }
 
+void MovingSum::place(KeptRings& kept, NextFrame& next) {
+  next.sum.at_error = kept.at_error;
+  std::vector<LoopStatus*> in_order;
+  for (const std::size_t i : place_rings(std::move(kept.rings), kept.outer, next.sum))
+    in_order.push_back(kept.loops[i]);
+  for (LoopStatus* loop : in_order) next.identities.push_back(&loop->ring);
+  kept.loops = std::move(in_order);
+}
+
 FrameChanges MovingSum::take(NextFrame next, const Move& move) {
   std::vector<std::uint64_t> ids;
   if (next.followed) {

@@ -17,7 +17,6 @@
 #include "planar/frame/frame_rings.h"
 #include "planar/operand/placed_pair.h"
 #include "planar/window/frame_window.h"
-#include "planar/window/window_ahead.h"
 
 namespace dymsum::planar {
 
@@ -62,6 +61,8 @@ class MovingSum {
 
   /// Changes nothing on an error. The motion takes its new position over when this succeeds.
   Result<FrameChanges> move(const Move& move);
+  /// The rings of kept loops as those of the frame's sum, in canonical order; puts the loops into this order.
+  static void place(KeptRings& kept, NextFrame& next);
   /// Storage of a ring that is gone, for one of a frame that comes; what it holds means nothing.
   SumRing spare_ring();
   bool chooses() const { return options.mode == FrameMode::automatic && options.window == 0; }

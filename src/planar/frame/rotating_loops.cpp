@@ -3,8 +3,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "planar/boundary/leftmost_loop.h"
-
 namespace dymsum::planar {
 namespace {
 
@@ -79,8 +77,8 @@ void RotatingLoops::renumber(const RotatingWindow& from, const RotatingWindow& t
   last_delta_ = std::remainder(last_delta_, kTurn);
 }
 
-void RotatingLoops::update(const RotatingFrame& frame, ExactOverlap& exact_overlap, RingIdentities& identities,
-                           FrameWork& work, FrameChanges& changes) {
+void RotatingLoops::update(const RotatingFrame& frame, ExactFrame& exact, RingIdentities& identities, FrameWork& work,
+                           FrameChanges& changes) {
   std::swap(old_, loops_);
   std::swap(old_steps_, steps_);
   loops_.clear();
@@ -99,7 +97,7 @@ void RotatingLoops::update(const RotatingFrame& frame, ExactOverlap& exact_overl
     loop.first = c.first;
     loop.last = c.last;
     loop.turning = c.turning;
-    for (std::uint32_t k = c.first; k < c.last; ++k) loop.vertices += !frame.steps()[k].straight;
+    for (std::uint32_t k = c.first; k < c.last; ++k) loop.corners += !frame.steps()[k].straight;
     loops_.push_back(loop);
   }
   work.loops_traced += loops_.size();
@@ -111,14 +109,15 @@ void RotatingLoops::update(const RotatingFrame& frame, ExactOverlap& exact_overl
     work.loops_kept += outer && comparable;
     told_.push_back(comparable && !outer && inherit(frame, loop, work));
   }
-  const std::size_t outer = connected_ ? outer_loop(frame, told_) : loops_.size();
-  for (std::size_t i = 0; i < loops_.size(); ++i) {
-    if (told_[i]) continue;
-    Loop& loop = loops_[i];
-    if (i == outer) loop.kept = true;
-    else if (outer != loops_.size() && loop.turning > 0) loop.kept = false;
-    else loop.kept = !covered(frame, loop, exact_overlap, work);
-  }
+  const auto for_each_end = [&](std::size_t i, auto&& f) {
+    for (std::uint32_t k = loops_[i].first; k < loops_[i].last; ++k) {
+      const RotatingFrame::Located v = frame.end_of(frame.steps()[k]);
+      f(v.at.x, v.error);
+    }
+  };
+  decide_loops(
+      loops_, connected_, [&](std::size_t i) { return told_[i] != 0; }, for_each_end,
+      [&](Loop& loop) { return covered(frame, loop, exact, work); });
   for (std::uint32_t i = 0; i < loops_.size(); ++i)
     for (std::uint32_t k = loops_[i].first; k < loops_[i].last; ++k) {
       const RotatingFrame::Step& s = frame.steps()[k];
@@ -138,7 +137,7 @@ const RotatingLoops::Known* RotatingLoops::match(const RotatingFrame::Step& s) c
 // A cycle has the status of any cycle of the frame before with which it shares an undisturbed sub-edge (scaling-sum.md,
 // "Frames": the proof needs continuous motion only); and its witness anyway, which is asked first. Where much has been
 // looked at in vain, a collision test in doubles is cheaper.
-bool RotatingLoops::inherit(const RotatingFrame& frame, Loop& loop, FrameWork& work) const {
+bool RotatingLoops::inherit(const RotatingFrame& frame, Loop& loop, FrameWork& work) {
   const RotatingWindow& window = frame.window();
   const Stretch all(frame, last_delta_, frame.delta());
   std::uint32_t looked = 0;
@@ -168,15 +167,13 @@ bool RotatingLoops::inherit(const RotatingFrame& frame, Loop& loop, FrameWork& w
 }
 
 // By the pair of edges that covered the loop before, or by one that covered others lately.
-bool RotatingLoops::witnessed(const RotatingFrame& frame, Loop& loop) const {
+bool RotatingLoops::witnessed(const RotatingFrame& frame, Loop& loop) {
   const RotatingFrame::Located z = frame.end_of(frame.steps()[loop.first]);
   if (loop.witness && covers(*loop.witness, frame, z)) return true;
-  for (std::size_t k = 0; k < std::min(found_, lately_.size()); ++k)
-    if (covers(lately_[k], frame, z)) {
-      loop.witness = lately_[k];
-      return true;
-    }
-  return false;
+  const std::optional<CrossingEdges> found =
+      lately_.find([&](const CrossingEdges& edges) { return covers(edges, frame, z); });
+  if (found) loop.witness = found;
+  return found.has_value();
 }
 
 // Whether a sub-edge has existed with nothing between its ends at every angle since the last frame.
@@ -199,28 +196,6 @@ bool RotatingLoops::undisturbed(const Stretch& all, const RotatingWindow& window
   return true;
 }
 
-// A connected sum has exactly one counter-clockwise true loop, the one that reaches farthest left: its number, or that
-// of loops.
-std::size_t RotatingLoops::outer_loop(const RotatingFrame& frame, const std::vector<std::uint8_t>& told) const {
-  const std::size_t n = loops_.size();
-  std::size_t count = 0, last = 0;
-  for (std::size_t i = 0; i < n; ++i) {
-    if (loops_[i].turning <= 0) continue;
-    if (told[i] && loops_[i].kept) return i;
-    ++count;
-    last = i;
-  }
-  if (count == 1) return last;
-  return leftmost_loop(
-      n, [&](std::size_t i) { return loops_[i].turning < 0; },
-      [&](std::size_t i, auto&& f) {
-        for (std::uint32_t k = loops_[i].first; k < loops_[i].last; ++k) {
-          const RotatingFrame::Located v = frame.end_of(frame.steps()[k]);
-          f(v.at.x, v.error);
-        }
-      });
-}
-
 Segment RotatingLoops::source_segment(std::uint32_t segment, const RotatingWindow& window) const {
   const WalkSegment& w = window.segments[segment];
   const Operand &o = forms_.operand(w.side), &other = forms_.operand(1 - w.side);
@@ -229,7 +204,7 @@ Segment RotatingLoops::source_segment(std::uint32_t segment, const RotatingWindo
   return {edge, other.source[w.vertex]};
 }
 
-bool RotatingLoops::covered(const RotatingFrame& frame, Loop& loop, ExactOverlap& exact_overlap, FrameWork& work) {
+bool RotatingLoops::covered(const RotatingFrame& frame, Loop& loop, ExactFrame& exact, FrameWork& work) {
   if (witnessed(frame, loop)) {
     ++work.witnessed;
     return true;
@@ -253,24 +228,24 @@ bool RotatingLoops::covered(const RotatingFrame& frame, Loop& loop, ExactOverlap
     if (told.answer == RotatingOverlap::Answer::overlap) {
       loop.witness =
           swapped_ ? std::array{told.turning_edge, told.fixed_edge} : std::array{told.fixed_edge, told.turning_edge};
-      lately_[found_++ % lately_.size()] = *loop.witness;
+      lately_.remember(*loop.witness);
     }
     if (told.answer != RotatingOverlap::Answer::unknown) return told.answer == RotatingOverlap::Answer::overlap;
   }
   const auto by = [&](std::uint32_t s) {
     return s == kEnd ? std::nullopt : std::optional<Segment>(source_segment(s, frame.window()));
   };
-  const bool inside = exact_overlap.inside_right_of(source_segment(longest->segment, frame.window()), by(longest->from),
-                                                    by(longest->to));
-  loop.witness = exact_overlap.crossing_edges();
-  if (loop.witness) lately_[found_++ % lately_.size()] = *loop.witness;
+  const bool inside =
+      exact.inside_right_of(source_segment(longest->segment, frame.window()), by(longest->from), by(longest->to));
+  loop.witness = exact.collision().crossing_edges();
+  if (loop.witness) lately_.remember(*loop.witness);
   return inside;
 }
 
 // Doubles only: the edges of P and Q cross properly at a point of a loop, and so they do at a point just right of it.
-bool RotatingLoops::covers(const std::array<std::uint32_t, 2>& edges, const RotatingFrame& frame,
+bool RotatingLoops::covers(const CrossingEdges& edges, const RotatingFrame& frame,
                            const RotatingFrame::Located& z) const {
-  const std::array<std::uint32_t, 2> edge = swapped_ ? std::array{edges[1], edges[0]} : edges;
+  const CrossingEdges edge = swapped_ ? std::array{edges[1], edges[0]} : edges;
   const Heading h = frame.heading();
   const auto crossed = [&](std::uint32_t side) {
     const Operand& other = forms_.operand(1 - side);
@@ -291,7 +266,7 @@ bool RotatingLoops::covers(const std::array<std::uint32_t, 2>& edges, const Rota
 
 // Identities: a ring takes that of the first ring with which it shares a vertex.
 void RotatingLoops::follow(const RotatingFrame& frame, RingIdentities& identities, FrameChanges& changes) {
-  std::vector<std::uint8_t> claimed(old_.size(), 0);
+  claims_.begin_frame(old_.size());
   const auto vertex = [&](const RotatingFrame::Step& s, std::uint32_t next) -> const Known* {
     for (std::uint32_t k = head_[s.segment]; k != kNone; k = old_steps_[k].next) {
       const Known& old = old_steps_[k];
@@ -302,34 +277,21 @@ void RotatingLoops::follow(const RotatingFrame& frame, RingIdentities& identitie
     }
     return nullptr;
   };
+  std::vector<LoopStatus*> kept;
   for (Loop& loop : loops_) {
     if (!loop.kept) continue;
-    std::uint32_t shared = 0, from = kNone;
+    kept.push_back(&loop);
+    claims_.begin(loop);
     for (std::uint32_t k = loop.first; k < loop.last; ++k) {
       if (frame.steps()[k].straight) continue;
       const Known* old = vertex(frame.steps()[k], frame.steps()[k + 1 == loop.last ? loop.first : k + 1].segment);
-      if (old == nullptr) continue;
-      if (from == kNone && !claimed[old->loop] && old_[old->loop].ring != 0) {
-        from = old->loop;
-        claimed[from] = 1;
-      }
-      shared += old->loop == from;
+      if (old != nullptr) claims_.shares(old->loop, old_[old->loop], 1);
     }
-    const std::uint32_t size = loop.vertices;
-    if (from == kNone) {
-      loop.ring = identities.fresh();
-      changes.rings.push_back({RingChange::Kind::appeared, loop.ring, size, 0});
-      continue;
-    }
-    loop.ring = old_[from].ring;
-    const std::uint32_t before = old_[from].vertices;
-    const bool same = before == size && shared == size;
-    changes.rings.push_back(
-        {same ? RingChange::Kind::moved : RingChange::Kind::reshaped, loop.ring, size - shared, before - shared});
   }
+  identities.follow(kept, false, changes);
   for (std::size_t i = 0; i < old_.size(); ++i)
-    if (old_[i].kept && !claimed[i])
-      changes.rings.push_back({RingChange::Kind::disappeared, old_[i].ring, 0, old_[i].vertices});
+    if (old_[i].kept && !claims_.claimed(i))
+      changes.rings.push_back({RingChange::Kind::disappeared, old_[i].ring, 0, old_[i].corners});
 }
 
 }  // namespace dymsum::planar

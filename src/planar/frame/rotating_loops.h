@@ -16,13 +16,8 @@ namespace dymsum::planar {
 
 class RotatingLoops {
  public:
-  struct Loop {
+  struct Loop : LoopStatus {
     std::uint32_t first = 0, last = 0;  ///< steps [first, last)
-    int turning = 0;
-    std::uint32_t vertices = 0;
-    bool kept = false;                                    ///< it bounds the sum
-    std::optional<std::array<std::uint32_t, 2>> witness;  ///< walk edges of P and Q whose crossing covers it
-    std::uint64_t ring = 0;                               ///< identity, of kept ones
   };
 
   /// `swapped`: P is the moving operand, operand 1 of the forms.
@@ -31,7 +26,7 @@ class RotatingLoops {
 
   /// Takes the cycles of a frame over. What the frame before knew is used if both lie in one window; `identities` gives
   /// fresh names.
-  void update(const RotatingFrame& frame, ExactOverlap& exact_overlap, RingIdentities& identities, FrameWork& work,
+  void update(const RotatingFrame& frame, ExactFrame& exact, RingIdentities& identities, FrameWork& work,
               FrameChanges& changes);
   /// Nothing is known any more of the frame before.
   void forget() {
@@ -59,13 +54,11 @@ class RotatingLoops {
   };
   class Stretch;
   const Known* match(const RotatingFrame::Step& s) const;
-  bool inherit(const RotatingFrame& frame, Loop& loop, FrameWork& work) const;
-  bool witnessed(const RotatingFrame& frame, Loop& loop) const;
+  bool inherit(const RotatingFrame& frame, Loop& loop, FrameWork& work);
+  bool witnessed(const RotatingFrame& frame, Loop& loop);
   static bool undisturbed(const Stretch& all, const RotatingWindow& window, const RotatingFrame::Step& s);
-  bool covered(const RotatingFrame& frame, Loop& loop, ExactOverlap& exact_overlap, FrameWork& work);
-  bool covers(const std::array<std::uint32_t, 2>& edges, const RotatingFrame& frame,
-              const RotatingFrame::Located& z) const;
-  std::size_t outer_loop(const RotatingFrame& frame, const std::vector<std::uint8_t>& told) const;
+  bool covered(const RotatingFrame& frame, Loop& loop, ExactFrame& exact, FrameWork& work);
+  bool covers(const CrossingEdges& edges, const RotatingFrame& frame, const RotatingFrame::Located& z) const;
   void follow(const RotatingFrame& frame, RingIdentities& identities, FrameChanges& changes);
   Segment source_segment(std::uint32_t segment, const RotatingWindow& window) const;
 
@@ -78,8 +71,8 @@ class RotatingLoops {
   std::vector<Known> steps_, old_steps_;
   std::vector<std::uint32_t> head_;  // segment -> old steps
   std::vector<std::uint8_t> told_;
-  std::array<std::array<std::uint32_t, 2>, 16> lately_{};  // the last edges that were found to cross, of any loop
-  std::size_t found_ = 0;
+  RecentEdges<16> lately_;  // of any loop
+  RingClaims claims_;
 };
 
 }  // namespace dymsum::planar

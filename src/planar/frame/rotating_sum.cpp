@@ -5,12 +5,9 @@
 
 #include "dymsum/rotating_sum.h"
 #include "planar/frame/frame_cost.h"
-#include "planar/motion/moved_source.h"
 #include "planar/motion/operand_pair.h"
-#include "planar/motion/orientation_sum.h"
 #include "planar/operand/prepared_region.h"
 #include "planar/position/exact_source.h"
-#include "planar/position/vertex_order.h"
 
 namespace dymsum {
 namespace {
@@ -95,7 +92,7 @@ bool RotatingSum::State::p_is_smaller(const OperandPair& base) {
   return size(0) < size(1) || (size(0) == size(1) && base.moved == 0);
 }
 
-PlacedPair RotatingSum::State::placed() const { return placed_at(*base_, theta_); }
+PlacedPair RotatingSum::State::placed() const { return base_->placed(theta_); }
 
 // What is known of the loops goes along.
 void RotatingSum::State::window_changes(FrameWindow* next) {
@@ -166,21 +163,14 @@ void RotatingSum::State::assemble(NextFrame& next) {
   const RotatingWindow& window = turned().window;
   const RotatingFrame& frame = frame_;
   PlanarSum& sum = next.sum;
-  exact_source(sum) = std::make_shared<TurnedSource>(base_, theta_);
+  exact_source(sum) = std::make_shared<FrameSource>(base_, theta_);
   sum.stats.tier_bits = base_->lattice->tier_bits;
   sum.stats.reduced_segments = window.all_segments;
   sum.stats.live_segments = window.segments.size();
   sum.stats.crossings = frame.crossings().size();
   sum.stats.loops = loops_->loops().size();
-  TurnedRings::Rings kept = rings_->at(theta_, frame, *loops_, *exact_source(sum));
-  sum.at_error = kept.at_error;
-  const VertexOrder order(*exact_source(sum), sum.at_error);
-  for (SumRing& ring : kept.rings)
-    if (const std::size_t first = smallest_vertex(ring.vertices, order, sum.at_error); first != 0)
-      std::rotate(ring.vertices.begin(), ring.vertices.begin() + static_cast<std::ptrdiff_t>(first),
-                  ring.vertices.end());
-  for (const std::size_t i : place_rings(std::move(kept.rings), kept.outer, sum))
-    next.identities.push_back(&kept.loops[i]->ring);
+  KeptRings kept = rings_->at(theta_, frame, *loops_, *exact_source(sum), [this] { return spare_ring(); });
+  place(kept, next);
 }
 
 // Nothing where doubles do not decide the frame.
@@ -195,10 +185,10 @@ std::optional<MovingSum::NextFrame> RotatingSum::State::window_frame(const Move&
   NextFrame next;
   next.followed = loops_->known();
   if (frame_.compute(std::remainder(angle - window.middle, kTurn), Heading::of(angle))) {
-    ExactOverlap overlap(base_, theta_);
-    loops_->update(frame_, overlap, identities_, next_work, next.changes);
+    ExactFrame exact(base_, theta_);
+    loops_->update(frame_, exact, identities_, next_work, next.changes);
     assemble(next);
-    next_work.exact_signs += overlap.exact_signs();
+    next_work.exact_signs += exact.all_signs();
     return next;
   }
   next_work.degenerate = true;

@@ -8,7 +8,6 @@
 #include "planar/frame/frame_cost.h"
 #include "planar/frame/scaling_events.h"
 #include "planar/frame/window_frames.h"
-#include "planar/motion/moved_source.h"
 #include "planar/motion/operand_pair.h"
 
 namespace dymsum {
@@ -61,9 +60,7 @@ constexpr double kCheapWindow = 4000;   // some milliseconds to build: no window
 
 }  // namespace
 
-PlacedPair ScalingSum::State::placed() const {
-  return base->placed_on_lattice(base->lattice_at(base->lattice_scale(x_, y_)));
-}
+PlacedPair ScalingSum::State::placed() const { return base->placed(base->lattice_scale(x_, y_)); }
 
 // With lists and loops at `entry` where it is made ahead, so that the frame that enters it is like any other.
 MakeWindow ScalingSum::State::maker(double low, double high, double entry) {
@@ -102,20 +99,15 @@ MakeWindow ScalingSum::State::window_from(double end, const Move& move, double w
 // The kept loops at tau: rings in canonical order.
 MovingSum::NextFrame ScalingSum::State::assemble(double tau, ExactFrame& frame, bool stays) {
   NextFrame next;
-  const auto source = std::make_shared<ScaledSource>(swept_, frame.scale());
+  const auto source = std::make_shared<FrameSource>(swept_, frame.at());
   exact_source(next.sum) = source;
   next.sum.stats.tier_bits = frame.has_lattice() ? frame.lattice().tier_bits : swept_->lattice->tier_bits;
   next.sum.stats.reduced_segments = frames().convolution->size();
   next.sum.stats.live_segments = frames().window->segments.size();
-  LoopRings::Rings kept = frames().rings.at(tau, *frames().window, frame, *source, [this] { return spare_ring(); });
-  next.sum.at_error = kept.at_error;
-  std::vector<FrameLoop*> in_order;
-  for (const std::size_t i : place_rings(std::move(kept.rings), kept.outer, next.sum)) {
-    in_order.push_back(kept.loops[i]);
-    next.identities.push_back(&kept.loops[i]->ring);
-  }
+  KeptRings kept = frames().rings.at(tau, *frames().window, frame, *source, [this] { return spare_ring(); });
+  place(kept, next);
   next.followed = last_ == window();
-  if (next.followed) frames().loops.follow(in_order, identities_, stays, next.changes);
+  if (next.followed) frames().loops.follow(kept.loops, identities_, stays, next.changes);
   return next;
 }
 
@@ -137,12 +129,9 @@ std::optional<MovingSum::NextFrame> ScalingSum::State::window_frame(const Move& 
     next.sum = degenerate_frame(window, *frames().convolution, frame, options.semantics);
     next_work.loops_traced = next.sum.stats.loops;
   }
-  next_work.exact_signs += frame.exact_signs;
-  if (frame.has_collision()) {
-    const auto& counts = frame.collision().counts();
-    next_work.collision_tests = std::max<std::uint64_t>(next_work.collision_tests, counts.tests);
-    next_work.exact_signs += counts.signs.exact();
-  }
+  next_work.exact_signs += frame.all_signs();
+  if (frame.has_collision())
+    next_work.collision_tests = std::max<std::uint64_t>(next_work.collision_tests, frame.collision().counts().tests);
   next_work.pieces = window.pieces.size();
   next_work.candidates = window.candidates.size();
   next_work.window_low = frames().low;

@@ -2,8 +2,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
 #include "planar/operand/contact_of.h"
+#include "planar/position/nearest_point.h"
 
 namespace dymsum::planar {
 namespace {
@@ -51,76 +53,41 @@ double TurnedRings::input_error(double error) const {
   return (kMixed * error + kTurnedBack * forms_.span()) * l.unit + kTurnedOffset * offsets + exact::kSubnormal;
 }
 
-// Of a crossing.
-Point TurnedRings::exactly_rounded(const RotatingFrame::Step& s, const RotatingFrame::Step& next) {
-  if (!nearest_) nearest_.emplace(*source_);
-  SumVertex v;
-  v.in = names(s.segment).contact;
-  v.out = names(next.segment).contact;
-  return (*nearest_)(v);
-}
-
-// The steps of a kept loop that end at vertices and their positions, from the leftmost on: doubles mostly know where a
-// ring begins. Returns the largest error, in the frame.
-double TurnedRings::find_positions(const RotatingLoops::Loop& loop, const RotatingFrame& frame, const Rigid& to_sum) {
-  const Rigid rigid = to_sum;  // by value: what is written below cannot be it
-  const RotatingFrame::Step* steps = frame.steps().data();
-  steps_.resize(loop.vertices);
-  positions_.resize(loop.vertices);
-  std::size_t n = 0, first = 0;
-  const double poor = kPoor * forms_.span();
-  double leftmost = INFINITY, worst = frame.point_error();
-  for (std::uint32_t k = loop.first; k < loop.last; ++k) {
-    const RotatingFrame::Step& s = steps[k];
-    if (s.straight) continue;
-    if (s.to_crossing == RotatingFrame::kEnd) {
-      const Point at = frame.place(window_->segments[s.segment].end);
-      positions_[n] = rigid(at.x, at.y);
-    } else if (const RotatingFrame::Located z = frame.end_of(s); z.error <= poor) {
-      worst = std::max(worst, z.error);
-      positions_[n] = rigid(z.at.x, z.at.y);
-    } else {
-      positions_[n] = exactly_rounded(s, steps[k + 1 == loop.last ? loop.first : k + 1]);
-    }
-    const double u = positions_[n].x;
-    first = u < leftmost ? n : first;
-    leftmost = std::min(u, leftmost);
-    steps_[n++] = k;
-  }
-  std::rotate(steps_.begin(), steps_.begin() + static_cast<std::ptrdiff_t>(first), steps_.end());
-  std::rotate(positions_.begin(), positions_.begin() + static_cast<std::ptrdiff_t>(first), positions_.end());
-  return worst;
-}
-
-SumRing TurnedRings::ring(const RotatingLoops::Loop& loop, const RotatingFrame& frame) {
-  SumRing ring;
-  ring.vertices.resize(steps_.size());
-  for (std::size_t i = 0; i < steps_.size(); ++i) {
-    const std::uint32_t k = steps_[i];
-    const RotatingFrame::Step &s = frame.steps()[k], &next = frame.steps()[k + 1 == loop.last ? loop.first : k + 1];
-    const Names& in = names(s.segment);
-    SumVertex& v = ring.vertices[i];
-    v.at = positions_[i];
-    v.in = in.contact;
-    v.out = names(next.segment).contact;
-    if (s.to_crossing != RotatingFrame::kEnd) continue;
-    v.corner_p = in.corner_p;
-    v.corner_q = in.corner_q;
-  }
-  return ring;
-}
-
-TurnedRings::Rings TurnedRings::at(const Orientation& theta, const RotatingFrame& frame, RotatingLoops& loops,
-                                   const ExactSource& source) {
-  source_ = &source;
-  nearest_.reset();
-  Rings kept;
+KeptRings TurnedRings::at(const Orientation& theta, const RotatingFrame& frame, RotatingLoops& loops,
+                          const ExactSource& source, const std::function<SumRing()>& spare) {
   const Rigid rigid = to_sum(theta);
+  const double poor = kPoor * forms_.span();
+  const VertexOrder order(source, input_error(poor));
+  std::optional<NearestPoint> nearest;  // made when first asked for
+  const RotatingFrame::Step* const steps = frame.steps().data();
+  KeptRings kept;
   double error = 0;
   for (RotatingLoops::Loop& loop : loops.loops()) {
     if (!loop.kept) continue;
-    error = std::max(error, find_positions(loop, frame, rigid));
-    kept.rings.push_back(ring(loop, frame));
+    // Returns the bound on what it puts.
+    const auto put = [&](std::uint32_t k, SumVertex& to) {
+      const RotatingFrame::Step& s = steps[k];
+      const Names& in = names(s.segment);
+      const bool end = s.to_crossing == RotatingFrame::kEnd;
+      to.in = in.contact;
+      to.out = names(steps[k + 1 == loop.last ? loop.first : k + 1].segment).contact;
+      to.corner_p = end ? in.corner_p : SumVertex::kNone;
+      to.corner_q = end ? in.corner_q : SumVertex::kNone;
+      const RotatingFrame::Located z = frame.end_of(s);
+      if (z.error <= poor) {
+        to.at = rigid(z.at.x, z.at.y);
+        return z.error;
+      }
+      if (!nearest) nearest.emplace(source);
+      to.at = (*nearest)(to);
+      return frame.point_error();
+    };
+    corners_.clear();
+    for (std::uint32_t k = loop.first; k < loop.last; ++k)
+      if (!steps[k].straight) corners_.push_back(k);
+    SumRing ring = spare();
+    error = std::max(error, write_ring(corners_, 0, order, put, ring).error);
+    kept.rings.push_back(std::move(ring));
     kept.outer.push_back(loop.turning > 0);
     kept.loops.push_back(&loop);
   }

@@ -1,12 +1,11 @@
 // The loops of a frame as rings of a sum, in input coordinates.
 #pragma once
 
-#include <optional>
+#include <functional>
 #include <vector>
 
 #include "dymsum/orientation.h"
 #include "planar/frame/rotating_loops.h"
-#include "planar/position/nearest_point.h"
 
 namespace dymsum::planar {
 
@@ -20,18 +19,10 @@ class TurnedRings {
   /// Loops are those of frames in this window from now on.
   void enter(const RotatingWindow& window);
 
-  struct Rings {
-    std::vector<SumRing> rings;  ///< from their leftmost vertices on, as doubles have them
-    std::vector<std::uint8_t> outer;
-    std::vector<RotatingLoops::Loop*> loops;
-    double at_error = 0;
-  };
-  std::size_t bytes() const {
-    return names_.capacity() * sizeof(Names) + steps_.capacity() * sizeof(std::uint32_t) +
-           positions_.capacity() * sizeof(Point);
-  }
-  /// The kept loops; `source` knows their exact positions.
-  Rings at(const Orientation& theta, const RotatingFrame& frame, RotatingLoops& loops, const ExactSource& source);
+  std::size_t bytes() const { return names_.capacity() * sizeof(Names) + corners_.capacity() * sizeof(std::uint32_t); }
+  /// The kept loops; `source` knows their exact positions, `spare` gives storage for a ring.
+  KeptRings at(const Orientation& theta, const RotatingFrame& frame, RotatingLoops& loops, const ExactSource& source,
+               const std::function<SumRing()>& spare);
 
  private:
   /// From the coordinates of the forms to those of the sum: perhaps turned, scaled, and moved. In this order, as what
@@ -51,19 +42,13 @@ class TurnedRings {
   Rigid to_sum(const Orientation& theta) const;
   double input_error(double error) const;
   const Names& names(std::uint32_t segment);
-  Point exactly_rounded(const RotatingFrame::Step& s, const RotatingFrame::Step& next);
-  double find_positions(const RotatingLoops::Loop& loop, const RotatingFrame& frame, const Rigid& to_sum);
-  SumRing ring(const RotatingLoops::Loop& loop, const RotatingFrame& frame);
 
   const OperandPair& base_;
   const TurningForms& forms_;
   bool swapped_, moving_turns_;
   const RotatingWindow* window_ = nullptr;
-  std::vector<Names> names_;             // of segments, made when first asked for
-  std::vector<std::uint32_t> steps_;     // scratch: the steps of a ring that end at its vertices
-  std::vector<Point> positions_;         // and where
-  const ExactSource* source_ = nullptr;  // during at()
-  std::optional<NearestPoint> nearest_;  // made when first asked for
+  std::vector<Names> names_;            // of segments, made when first asked for
+  std::vector<std::uint32_t> corners_;  // scratch: the steps of a ring that end at its vertices
 };
 
 }  // namespace dymsum::planar

@@ -1,14 +1,35 @@
-// A window of scales with all that frames inside it know.
+// A window of scales with all that frames inside it know; its loops as rings of a sum.
 #pragma once
 
+#include <functional>
 #include <memory>
+#include <vector>
 
-#include "planar/frame/loop_rings.h"
+#include "planar/frame/frame_loops.h"
 #include "planar/motion/exact_frame.h"
+#include "planar/position/exact_source.h"
 #include "planar/window/frame_window.h"
 #include "planar/window/window_builder.h"
 
 namespace dymsum::planar {
+
+/// In input coordinates.
+class LoopRings {
+ public:
+  explicit LoopRings(FrameLoops& loops) : loops_(loops) {}
+
+  /// The kept loops at tau. `spare` gives storage for a ring.
+  KeptRings at(double tau, const Window& window, const ExactFrame& frame, const ExactSource& source,
+               const std::function<SumRing()>& spare);
+
+ private:
+  std::size_t likely_start(const FrameLoop& loop) const;
+  void lead(std::vector<std::uint32_t> leaders);
+
+  FrameLoops& loops_;
+  std::vector<std::uint32_t> leaders_;  ///< vertices at which the last frame's rings started,
+  std::vector<std::uint8_t> leads_;     ///< and whether a vertex is one of these
+};
 
 struct WindowFrames final : FrameWindow {
   WindowFrames(std::uint64_t family, std::shared_ptr<const OperandPair> base, double low, double high,

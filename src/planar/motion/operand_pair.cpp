@@ -4,6 +4,7 @@
 #include <string>
 
 #include "exact/grid.h"
+#include "planar/motion/orientation.h"
 #include "planar/operand/prepared_region.h"
 #include "planar/position/exact_source.h"
 
@@ -97,8 +98,9 @@ LatticeScale OperandPair::lattice_scale(const ScaleValue& s) const {
   return lattice_scale(along(stretch_[0]), along(stretch_[1]));
 }
 
-std::shared_ptr<const Lattice> OperandPair::lattice_at(const LatticeScale& scale) const {
-  return make_scaled_lattice(*given, scale, min_tier_bits);
+std::shared_ptr<const Lattice> OperandPair::lattice_at(const Placement& at) const {
+  if (const auto* scale = std::get_if<LatticeScale>(&at)) return make_scaled_lattice(*given, *scale, min_tier_bits);
+  return make_turned_lattice(*lattice, turn_of(std::get<Orientation>(at), moved), min_tier_bits);
 }
 
 std::shared_ptr<const Operand> OperandPair::operand_at(std::uint32_t op, const Lattice& at) const {

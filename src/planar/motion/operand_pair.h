@@ -1,16 +1,21 @@
-// What never changes while an operand moves: the operands, their lattice and walks as they were given; and how
-// everything is placed at a scale.
+// What never changes while an operand moves: the operands, their lattice and walks as they were given; and where
+// everything stands when it is scaled or turned.
 #pragma once
 
 #include <array>
 #include <memory>
+#include <variant>
 
 #include "dymsum/frames.h"
+#include "dymsum/orientation.h"
 #include "planar/operand/operand.h"
 #include "planar/operand/placed_pair.h"
 #include "planar/operand/scale_value.h"
 
 namespace dymsum::planar {
+
+/// How the moved operand stands, exactly: scaled, or turned.
+using Placement = std::variant<LatticeScale, Orientation>;
 
 /// What numbers a pair may have: all of them for sums at rest, narrow ones (not Lattice::wide) for those that move.
 enum class Spread { narrow, any };
@@ -43,10 +48,11 @@ class OperandPair : public std::enable_shared_from_this<OperandPair> {
   LatticeScale lattice_scale(const ScaleValue& x, const ScaleValue& y) const;
   /// s times the moved operand as it is here.
   LatticeScale lattice_scale(const ScaleValue& s) const;
-  std::shared_ptr<const Lattice> lattice_at(const LatticeScale& scale) const;
+  std::shared_ptr<const Lattice> lattice_at(const Placement& at) const;
   /// The walks with edge vectors of a lattice.
   std::shared_ptr<const Operand> operand_at(std::uint32_t op, const Lattice& at) const;
   PlacedPair placed_on_lattice(std::shared_ptr<const Lattice> at) const;
+  PlacedPair placed(const Placement& at) const { return placed_on_lattice(lattice_at(at)); }
 
  private:
   void place(const std::array<std::shared_ptr<const Operand>, 2>& placed);

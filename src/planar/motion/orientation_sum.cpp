@@ -1,27 +1,13 @@
-#include "planar/motion/orientation_sum.h"
+#include "dymsum/orientation_sum.h"
 
 #include "dymsum/cspace_obstacle.h"
-#include "dymsum/orientation_sum.h"
 #include "planar/motion/operand_pair.h"
-#include "planar/motion/orientation.h"
 #include "planar/operand/prepared_region.h"
 #include "planar/position/exact_source.h"
 #include "planar/region/complement.h"
 #include "planar/sum/inside_of_frame.h"
 #include "planar/sum/placed_sum.h"
 #include "planar/sum/sum_engine.h"
-
-namespace dymsum::planar {
-
-PlacedPair placed_at(const OperandPair& base, const Orientation& theta) {
-  return base.placed_on_lattice(make_turned_lattice(*base.lattice, turn_of(theta, base.moved), base.min_tier_bits));
-}
-
-Result<PlanarSum> sum_at(const OperandPair& base, const Orientation& theta, const SumOptions& options) {
-  return placed_sum(placed_at(base, theta), options);
-}
-
-}  // namespace dymsum::planar
 
 namespace dymsum {
 namespace {
@@ -32,7 +18,7 @@ Result<PlanarSum> sum_of(const Region& p, const Region& q, const Orientation& th
   pair.spread = planar::Spread::any;
   const auto base = planar::pair_of_regions(p, q, pair);
   if (!base) return base.error();
-  return planar::sum_at(**base, theta, options);
+  return planar::placed_sum((*base)->placed(theta), options);
 }
 
 }  // namespace
@@ -50,8 +36,7 @@ Result<PlanarSum> rotated_erode(const Region& p, const Region& q, const Orientat
                                    planar::prepared_operand(q, 1, true)},
                                   {}, 1, planar::SumInternals::min_tier_bits(options));
   if (!base) return base.error();
-  Result<planar::SumState> computed =
-      planar::compute_boundary(planar::placed_at(**base, theta), planar::options_inside(options));
+  Result<planar::SumState> computed = planar::compute_boundary((*base)->placed(theta), planar::options_inside(options));
   if (!computed) return computed.error();
   return planar::inside_of_frame(std::move(computed).value(), options);
 }

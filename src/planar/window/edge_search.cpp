@@ -32,12 +32,6 @@ bool EdgeSearch::cross(const CrossingEdges& edges, const Way& at) const {
   return opposite(0, edges[0], edges[1], at) && opposite(1, edges[1], edges[0], at);
 }
 
-void EdgeSearch::remember(const CrossingEdges& edges) {
-  known_ = std::min(known_ + 1, lately_.size());
-  std::rotate(lately_.begin(), lately_.end() - 1, lately_.end());
-  lately_[0] = edges;
-}
-
 std::optional<CrossingEdges> EdgeSearch::find_or_spare(const Place& from, const Place& to) {
   const Way at(from, to);
   if (const std::optional<CrossingEdges> known = find_lately(at)) return known;
@@ -45,16 +39,6 @@ std::optional<CrossingEdges> EdgeSearch::find_or_spare(const Place& from, const 
   const std::optional<CrossingEdges> edges = find_new(at);
   in_vain_ = edges ? 0 : std::min(in_vain_ + 1, kInVain);
   return edges;
-}
-
-std::optional<CrossingEdges> EdgeSearch::find_lately(const Way& at) {
-  for (std::size_t k = 0; k < known_; ++k)
-    if (cross(lately_[k], at)) {
-      const auto hit = lately_.begin() + static_cast<std::ptrdiff_t>(k);
-      std::rotate(lately_.begin(), hit, hit + 1);
-      return lately_[0];
-    }
-  return std::nullopt;
 }
 
 std::optional<CrossingEdges> EdgeSearch::find_new(const Way& at) {

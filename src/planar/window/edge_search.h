@@ -10,12 +10,10 @@
 
 #include "base/memory_budget.h"
 #include "base/two_lanes.h"
+#include "planar/boundary/collision.h"
 #include "planar/window/scaling_window.h"
 
 namespace dymsum::planar {
-
-/// Walk edges of P and Q.
-using CrossingEdges = std::array<std::uint32_t, 2>;
 
 class EdgeSearch {
  public:
@@ -37,7 +35,7 @@ class EdgeSearch {
   /// straight line: the sum of two edges is a parallelogram whose sides do not turn. Where the last searches were in
   /// vain, only some of those asked for are made.
   std::optional<CrossingEdges> find_or_spare(const Place& from, const Place& to);
-  void remember(const CrossingEdges& edges);
+  void remember(const CrossingEdges& edges) { lately_.remember(edges); }
 
  private:
   /// Two places.
@@ -50,7 +48,9 @@ class EdgeSearch {
   Two scale(std::uint32_t op, const Way& at) const { return op == window_.frame().moving ? at.tau : both(1); }
   bool cross(const CrossingEdges& edges, const Way& at) const;
   bool opposite(std::uint32_t op, std::uint32_t edge, std::uint32_t other_edge, const Way& at) const;
-  std::optional<CrossingEdges> find_lately(const Way& at);
+  std::optional<CrossingEdges> find_lately(const Way& at) {
+    return lately_.find([&](const CrossingEdges& edges) { return cross(edges, at); });
+  }
   std::optional<CrossingEdges> find_new(const Way& at);
   std::optional<CrossingEdges> find(const Way& at) {
     const std::optional<CrossingEdges> known = find_lately(at);
@@ -60,8 +60,7 @@ class EdgeSearch {
   std::optional<CrossingEdges> find_in_leaves(const EdgeTree::Node& a, const EdgeTree::Node& b, const Way& at) const;
 
   const Window& window_;
-  std::array<CrossingEdges, 8> lately_{};  ///< the last one first
-  std::size_t known_ = 0;
+  RecentEdges<8> lately_;
   std::uint32_t in_vain_ = 0;  ///< searches since the last one that found something, or was spared
   std::vector<std::pair<std::uint32_t, std::uint32_t>> stack_;
 };

@@ -17,7 +17,7 @@
 #include "base/stop.h"
 #include "base/two_lanes.h"
 #include "planar/motion/operand_pair.h"
-#include "planar/motion/scaling_bounds.h"
+#include "planar/motion/scaling_forms.h"
 #include "planar/window/frame_window.h"
 #include "planar/window/swept_mask.h"
 

@@ -4,7 +4,6 @@
 #include <cmath>
 
 #include "planar/convolution/convolution.h"
-#include "planar/motion/fill_lattice.h"
 
 namespace dymsum::planar {
 
@@ -27,22 +26,19 @@ constexpr std::uint32_t kMaskFrom = 300;  // segments from which a mask pays
 const ReducedConvolution& WindowBuilder::convolution_for(double low, double high) {
   if (convolution_ != nullptr && low >= fill_low_ && high <= fill_high_) return *convolution_;
   const auto& [p, q] = base_->operands;
-  const Lattice& lattice = *base_->lattice;
   const bool holes = has_holes(p) || has_holes(q);
   fill_low_ = holes ? low / 1.5 : 0;
   fill_high_ = holes ? high * 1.5 : INFINITY;
-  if (!holes) {
-    convolution_ = std::make_shared<ReducedConvolution>(lattice, p, q);
-    memory_ = std::make_shared<CoverMemory>(convolution_->size());
-    return *convolution_;
-  }
   const auto lattice_at = [&](double s) {
-    const ScaleValue value = scale_value(exact::exact_value(s));
-    return base_->lattice_at(base_->lattice_scale(value));
+    return base_->lattice_at(base_->lattice_scale(scale_value(exact::exact_value(s))));
   };
-  const auto at_low = lattice_at(fill_low_), at_high = lattice_at(fill_high_);
-  const FillLattice fill(lattice, *at_low, *at_high, base_->moved);
-  convolution_ = std::make_shared<ReducedConvolution>(fill, p, q);
+  std::array<std::shared_ptr<const Lattice>, 2> ends;
+  if (holes) ends = {lattice_at(fill_low_), lattice_at(fill_high_)};
+  // A hole is filled throughout where it is at the end of the range at which it is largest in proportion.
+  const auto filled = [&](const Operand& holed, const Loop& hole, const Operand& other, const Component& component) {
+    return hole_is_filled(*ends[holed.op == base_->moved ? 1 : 0], holed, hole, other, component);
+  };
+  convolution_ = std::make_shared<ReducedConvolution>(*base_->lattice, p, q, filled);
   memory_ = std::make_shared<CoverMemory>(convolution_->size());
   return *convolution_;
 }

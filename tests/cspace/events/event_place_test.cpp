@@ -5,7 +5,6 @@
 
 #include "dymsum/shapes.h"
 #include "planar/motion/operand_pair.h"
-#include "planar/motion/orientation_sum.h"
 
 namespace dymsum::planar {
 namespace {

@@ -9,7 +9,6 @@
 #include "cspace/obstacle/turn_windows.h"
 #include "oracles/random.h"
 #include "planar/motion/operand_pair.h"
-#include "planar/motion/orientation_sum.h"
 
 namespace dymsum::planar {
 namespace {

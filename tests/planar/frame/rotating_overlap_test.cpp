@@ -32,7 +32,7 @@ void compare(const Region& p, const Region& q, double radians, Tally& tally) {
   RotatingFrame frame(window);
   if (!frame.compute(theta.radians() - window.middle, Heading::of(theta.radians()))) return;
   RotatingOverlap overlap(forms);
-  ExactOverlap place(base, theta);
+  ExactFrame place(base, theta);
   const auto source = [&](std::uint32_t s) {
     const WalkSegment& w = window.segments[s];
     return Segment{forms.operand(w.side).edge(w.edge), forms.operand(1 - w.side).source[w.vertex]};

@@ -12,7 +12,6 @@
 #include "planar/frame/parallel_shapes.h"
 #include "planar/frame/scaling_same.h"
 #include "planar/frame/scaling_sum.h"
-#include "planar/motion/fill_lattice.h"
 #include "planar/motion/operand_pair.h"
 #include "planar/motion/scaling_forms.h"
 
@@ -125,8 +124,8 @@ Region turned_30(const Region& region) {
 std::vector<exact::BigRational> coincidences(const Region& p, const Region& q, const exact::BigRational& low,
                                              const exact::BigRational& high) {
   const auto base = planar::pair_of_regions(p, q, planar::PairOptions{.moved = 0}).value();
-  const planar::UnfilledLattice never(*base->lattice);
-  const planar::ReducedConvolution convolution(never, base->operands[0], base->operands[1]);
+  const planar::ReducedConvolution convolution(*base->lattice, base->operands[0], base->operands[1],
+                                               planar::never_filled);
   std::vector<planar::Segment> all;
   convolution.for_each([&](const planar::WalkSegment& w) {
     all.push_back({base->operands[w.side].edge(w.edge), base->operands[1 - w.side].source[w.vertex]});

@@ -3,7 +3,7 @@
 
 #include "exact/big.h"
 #include "oracles/random.h"
-#include "planar/motion/scaling_bounds.h"
+#include "planar/motion/scaling_forms.h"
 
 namespace dymsum::planar {
 namespace {

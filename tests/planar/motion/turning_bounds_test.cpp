@@ -1,5 +1,5 @@
 // Bounds of the doubles of turning operands against exact values: they hold, and are not many times too large.
-#include "planar/motion/turning_bounds.h"
+#include "planar/motion/turning_forms.h"
 
 #include <gtest/gtest.h>
 
