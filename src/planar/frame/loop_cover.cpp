@@ -74,14 +74,9 @@ bool LoopNodes::quiet(std::uint32_t touch, double low, double high) const {
   const Window& window = lists_.window();
   const PersistentTouch& v = window.touches[touch];
   if (!(v.in_low < low && v.in_high > high)) return false;
-  for (const PieceLists::Entry& e : lists_.entries(v.piece)) {
-    if (e.id == (touch | kTouchBit) || e.out_high <= low || e.out_low >= high) continue;
-    const double apart = v.error + e.error + kShareGap * std::max(1.0, high), u = std::max(low, e.out_low),
-                 w = std::min(high, e.out_high);
-    const double gap_u = e.t.at(u) - v.t.at(u), gap_w = e.t.at(w) - v.t.at(w);
-    if (!(gap_u > apart && gap_w > apart) && !(gap_u < -apart && gap_w < -apart)) return false;
-  }
-  return true;
+  const double margin = v.error + kShareGap * std::max(1.0, high);
+  const std::uint32_t id = touch | kTouchBit;
+  return lists_.stays_clear(v.piece, {v.t, v.t}, margin, {id, id}, low, high);
 }
 
 void LoopNodes::doubt(std::uint32_t node) {

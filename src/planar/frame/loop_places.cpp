@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "planar/operand/round_place.h"
 #include "planar/operand/sum_bounds.h"
 
 namespace dymsum::planar {
@@ -22,20 +23,17 @@ LoopPlaces::Cutting LoopPlaces::end_cut(Step s, bool at_end) const {
     return c;
   }
   const std::uint32_t entry = lists_.entry(s.piece, at_end ? s.sub : s.sub - 1);
+  const PieceLists::Line line = lists_.line(s.piece, entry);
+  c.t = line.t;
+  c.error = line.error;
   if (entry & kTouchBit) {
-    const PersistentTouch& touch = window.touches[entry & ~kTouchBit];
-    c.cut.pair = window.exact(window.nodes[touch.node].at);
-    c.t = touch.t;
-    c.error = touch.error;
+    c.cut.pair = window.exact(window.nodes[window.touches[entry & ~kTouchBit].node].at);
     c.denominator = on.dx != 0 ? std::abs(on.dx) : std::abs(on.dy);
     return c;
   }
   const Candidate& x = window.candidates[entry];
-  const bool a = x.a == s.piece;
-  const std::uint32_t other = window.pieces[a ? x.b : x.a].segment;
+  const std::uint32_t other = window.pieces[x.a == s.piece ? x.b : x.a].segment;
   const LiveSegment& by = window.segments[other];
-  c.t = a ? x.ta : x.tb;
-  c.error = a ? x.error_a : x.error_b;
   c.cut.kind = Cut::Kind::crossing;
   c.cut.by = window.exact(other);
   const double u = on.dx * by.dy, v = on.dy * by.dx, d = std::abs(u - v);
@@ -94,17 +92,8 @@ Place LoopPlaces::sample(const std::vector<LoopStep>& cycle, double tau, ExactFr
   p.y = grow * (on.y.at(tau) + t * on.dy);
   p.error =
       grow * (t_error * std::max(std::abs(on.dx), std::abs(on.dy)) + kWindowPoint * window.span()) * exact::kOutwards;
-  if (!std::isfinite(p.error)) {
-    // Nearly parallel lines, of which the doubles know nothing: the exact position, rounded.
-    const Lattice& l = frame.lattice();
-    const Lattice::Position at = l.position(p);
-    const Place origin{
-        window.exact(segment), {Cut::Kind::pair, start_of(window.exact(segment)), {}}, {}, false, 0, 0, 0};
-    const Lattice::Position start = l.position(origin);
-    p.x = grow * on.x.at(tau) + exact::round_to_double(exact::BigRational(at.x - start.x)) / l.unit;
-    p.y = grow * on.y.at(tau) + exact::round_to_double(exact::BigRational(at.y - start.y)) / l.unit;
-    p.error = grow * kWindowSample * window.span();
-  }
+  // Nearly parallel lines, of which the doubles know nothing.
+  if (!std::isfinite(p.error)) round_place(frame.lattice(), p);
   return p;
 }
 
@@ -122,11 +111,8 @@ EdgeSearch::Place LoopPlaces::beside(const std::vector<LoopStep>& cycle, double 
 
 EdgeSearch::Place LoopPlaces::at_node(std::uint32_t node, double tau) const {
   const Window& window = lists_.window();
-  const Lattice& l = *window.base().lattice;
-  const Pair v = window.exact(window.nodes[node].at);
-  const std::uint32_t m = window.frame().moving, move = m == 0 ? v.p : v.q, rest = m == 0 ? v.q : v.p;
-  return {l.points[1 - m]->x[rest] + tau * l.points[m]->x[move], l.points[1 - m]->y[rest] + tau * l.points[m]->y[move],
-          kWindowPoint * window.span(), tau};
+  const MovingPoint at = window.place(window.nodes[node].at);
+  return {at.x.at(tau), at.y.at(tau), kWindowPoint * window.span(), tau};
 }
 
 Place LoopPlaces::exact_node(std::uint32_t node, double tau, const ExactFrame& frame) const {
@@ -146,7 +132,6 @@ Place LoopPlaces::exact_node(std::uint32_t node, double tau, const ExactFrame& f
 LoopPlaces::MovingVertex LoopPlaces::vertex_after(Step s, std::uint32_t in, std::uint32_t out) const {
   const Window& window = lists_.window();
   MovingVertex v;
-  v.point.error = kWindowPoint * window.span();
   const bool end = s.sub == lists_.count(s.piece);
   const std::uint32_t entry = end ? kNone : lists_.entry(s.piece, s.sub);
   if (end || entry & kTouchBit) {
@@ -154,11 +139,7 @@ LoopPlaces::MovingVertex LoopPlaces::vertex_after(Step s, std::uint32_t in, std:
         end ? window.end_pair(window.pieces[s.piece]) : window.nodes[window.touches[entry & ~kTouchBit].node].at;
     v.vertex.corner_p = window.base().operands[0].vertex_number[at.p];
     v.vertex.corner_q = window.base().operands[1].vertex_number[at.q];
-    const Lattice& l = *window.base().lattice;
-    const Pair x = window.exact(at);
-    const std::uint32_t m = window.frame().moving, move = m == 0 ? x.p : x.q, rest = m == 0 ? x.q : x.p;
-    v.point.x = {l.points[1 - m]->x[rest], l.points[m]->x[move]};
-    v.point.y = {l.points[1 - m]->y[rest], l.points[m]->y[move]};
+    v.point = window.place(at);
   } else {
     const Candidate& c = window.candidates[entry];
     const LiveSegment &a = window.segments[window.pieces[c.a].segment],
@@ -169,11 +150,12 @@ LoopPlaces::MovingVertex LoopPlaces::vertex_after(Step s, std::uint32_t in, std:
     const Linear& t = ea <= eb ? c.ta : c.tb;
     v.point.x = {best.x.a + best.dx * t.a, best.x.b + best.dx * t.b};
     v.point.y = {best.y.a + best.dy * t.a, best.y.b + best.dy * t.b};
-    v.point.error += std::min(ea, eb);
+    v.point.error = std::min(ea, eb);
     // Where the line is followed far outside the piece, a and b cancel at tau.
     v.point.error += kFollowed * (std::abs(v.point.x.a) + std::abs(v.point.y.a) +
                                   (std::abs(v.point.x.b) + std::abs(v.point.y.b)) * window.frame().tau1);
   }
+  v.point.error += kWindowPoint * window.span();
   v.vertex.in = window.segments[in].contact;
   v.vertex.out = window.segments[out].contact;
   return v;

@@ -10,13 +10,6 @@
 
 namespace dymsum::planar {
 
-/// Where a vertex of the sum is that moves with tau, in the window's coordinates.
-struct MovingPoint {
-  Linear x, y;
-  double error = 0;  ///< anywhere in the window
-  Two at(double tau) const { return Two{x.a, y.a} + Two{x.b, y.b} * both(tau); }
-};
-
 /// A sub-edge of a cycle, and what comes behind it.
 struct LoopStep {
   std::uint32_t piece = kNone, edge = 0;  ///< sub-edge: PieceLists::first_sub(piece) + its place in the list

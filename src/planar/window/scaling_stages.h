@@ -3,6 +3,7 @@
 
 #include <array>
 #include <cstdint>
+#include <memory>
 #include <optional>
 #include <vector>
 
@@ -46,26 +47,16 @@ std::optional<std::vector<WalkPair>> find_candidates(Window& window, const Windo
                                                      const Array<PieceEnds>& ends, const WindowSettings& settings,
                                                      const CoverSearch& search);
 
-// What holds at every scale.
-
-/// Whether pairs of vertices lie on the lines of a window's segments at every scale. A side is linear in s: zero at s =
-/// 1 and s = 2 is zero always.
-class AlwaysOn {
- public:
-  explicit AlwaysOn(const Window& window) : window_(window) {}
-  bool operator()(std::uint32_t segment, Pair v);
-
- private:
-  const Window& window_;
-  std::shared_ptr<const Lattice> doubled_;  // at scale 2
-};
-
 // What touches at every scale: ends of segments that stay on the lines of others, and the nodes they make.
 
 /// Finds the touches of a window while its pairs are tested.
 class TouchFinder {
  public:
-  TouchFinder(Window& window, AlwaysOn& always_on) : window_(window), always_on_(always_on) {}
+  explicit TouchFinder(Window& window) : window_(window) {}
+
+  /// Whether a pair of vertices lies on the line of a segment at every scale. A side is linear in s: zero at s = 1 and
+  /// s = 2 is zero always.
+  bool always_on(std::uint32_t segment, Pair v);
 
   /// Whether an end of one piece of a pair stays on the line of the other; then they touch there or not at all, and are
   /// no candidate.
@@ -78,7 +69,7 @@ class TouchFinder {
  private:
   void add_touch(std::uint32_t piece, WalkPair v, const Linear& t, double error);
   Window& window_;
-  AlwaysOn& always_on_;
+  std::shared_ptr<const Lattice> doubled_;  // at scale 2
   std::vector<WalkPair> pairs_;
 };
 
@@ -95,6 +86,6 @@ using PiecePairs = Array<std::array<std::uint32_t, 2>>;
 
 /// Settles the pairs of pieces that lie along each other; what stays open stays in `close`. What stops counting still
 /// has to be known where something touches at one scale.
-void share_lines(Window& window, AlwaysOn& always_on, PiecePairs& close);
+void share_lines(Window& window, TouchFinder& touches, PiecePairs& close);
 
 }  // namespace dymsum::planar

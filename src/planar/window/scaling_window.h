@@ -32,6 +32,13 @@ struct Linear {
   double at(double tau) const { return a + b * tau; }
 };
 
+/// Where a point is that moves with tau, in the window's coordinates.
+struct MovingPoint {
+  Linear x, y;
+  double error = 0;  ///< anywhere in the window
+  Two at(double tau) const { return Two{x.a, y.a} + Two{x.b, y.b} * both(tau); }
+};
+
 /// A segment of the reduced convolution that is live somewhere in the window.
 struct LiveSegment {
   WalkSegment walk;
@@ -140,6 +147,14 @@ class Window : public CandidateIndex {
   Linear end_place(const Piece& p) const {
     if (p.tail_cut || p.handed_on) return p.tail;
     return segments[p.segment].moving ? Linear{0, 1} : Linear{1, 0};
+  }
+  /// The sum of two vertices; without its error, which is that of all such points.
+  MovingPoint place(WalkPair v) const {
+    const Operand &p = base_.operands[0], &q = base_.operands[1];
+    const auto at = [&](double of_p, double of_q) {
+      return frame_.moving == 0 ? Linear{of_q, of_p} : Linear{of_p, of_q};
+    };
+    return {at(p.x[v.p], q.x[v.q]), at(p.y[v.p], q.y[v.q])};
   }
   Pair exact(WalkPair v) const { return {base_.operands[0].source[v.p], base_.operands[1].source[v.q]}; }
   std::uint64_t pair_tests = 0;
