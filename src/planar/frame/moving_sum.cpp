@@ -133,8 +133,7 @@ SumRing MovingSum::spare_ring() {
 void MovingSum::charge(const FrameWork& done) {
   const double cost = cost_of(done);
   if (done.new_window) {
-    const WindowCost window = cost_of_window();
-    controller_.built(cost + window.counted, window.forgiven);
+    controller_.built(cost + cost_of_window());
   } else if (window_ == nullptr) {
     controller_.rebuilt(cost);
   } else {

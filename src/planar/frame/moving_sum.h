@@ -55,9 +55,6 @@ class MovingSum {
         identities;  ///< where the loops keep them, for the sum's rings in order; empty: no loops
     FrameChanges changes;
   };
-  struct WindowCost {
-    double counted = 0, forgiven = 0;  ///< see WindowController::built
-  };
 
   /// Changes nothing on an error. The motion takes its new position over when this succeeds.
   Result<FrameChanges> move(const Move& move);
@@ -87,7 +84,7 @@ class MovingSum {
   virtual std::optional<NextFrame> window_frame(const Move& move, FrameWork& work) = 0;
   /// Of the frame that has just been taken over; of the window that was built for it.
   virtual double cost_of(const FrameWork& work) = 0;
-  virtual WindowCost cost_of_window() const = 0;
+  virtual double cost_of_window() const = 0;
 
   Result<FrameChanges> frame_at(const Move& move);
   Result<bool> open_window(const Move& move, FrameWork& work);

@@ -63,7 +63,7 @@ Product product(const LiveSegment& a, const LiveSegment& b) {
 
 class PairTests {
  public:
-  PairTests(Window& window, const WindowFrame& swept, const SweptMask& mask, const CoverSearch& search)
+  PairTests(Window& window, const WindowFrame& swept, const CoveredCells& mask, const CoverSearch& search)
       : window_(window), swept_(swept), mask_(mask), search_(search), touches_(window) {}
   bool run(const Array<PieceEnds>& ends, const WindowSettings& settings);
   const std::vector<WalkPair>& touch_pairs() const { return touches_.pairs(); }
@@ -78,7 +78,7 @@ class PairTests {
 
   Window& window_;
   const WindowFrame& swept_;
-  const SweptMask& mask_;
+  const CoveredCells& mask_;
   CoverSearch search_;
   TouchFinder touches_;
 };
@@ -265,7 +265,7 @@ void PairTests::solve(Candidate& c) const {
 
 }  // namespace
 
-std::optional<std::vector<WalkPair>> find_candidates(Window& window, const WindowFrame& swept, const SweptMask& mask,
+std::optional<std::vector<WalkPair>> find_candidates(Window& window, const WindowFrame& swept, const CoveredCells& mask,
                                                      const Array<PieceEnds>& ends, const WindowSettings& settings,
                                                      const CoverSearch& search) {
   PairTests tests(window, swept, mask, search);

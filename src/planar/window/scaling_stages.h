@@ -1,4 +1,4 @@
-// Cutting: segments of a window lose what lies in covered cells throughout.
+// The stages of building a window of scales, in their order.
 #pragma once
 
 #include <array>
@@ -8,9 +8,17 @@
 #include <vector>
 
 #include "base/scratch.h"
+#include "planar/mask/covered_cells.h"
 #include "planar/window/scaling_window.h"
 
 namespace dymsum::planar {
+
+/// Cells of the plane of sums that lie in the open sum at every scale of a window (interior_mask.h for a moving
+/// operand): their closures, grown by 8 kReach cells, lie in int P + Q or P + int Q. `cells` along the longer side.
+/// Without `use` no cell is covered and only the grid is made.
+CoveredCells swept_cells(const OperandPair& base, const WindowFrame& frame, int cells, bool use);
+
+// Cutting: segments of a window lose what lies in covered cells throughout.
 
 /// The ends a and b of a piece, each coordinate at both ends of the window, in the window's frame.
 struct PieceEnds {
@@ -20,7 +28,7 @@ struct PieceEnds {
 };
 
 /// Gives a window's segments their pieces. `swept`: the frame of the mask. Returns the ends of the pieces.
-Array<PieceEnds> cut_pieces(Window& window, const WindowFrame& swept, const SweptMask& mask, Scratch* memory);
+Array<PieceEnds> cut_pieces(Window& window, const WindowFrame& swept, const CoveredCells& mask, Scratch* memory);
 
 // The scales at which a place on a piece's line lies inside the piece, as far as doubles know them.
 
@@ -43,7 +51,7 @@ struct CoverSearch {
 /// Fills in a window's candidates, and what touches at every scale. Returns for every touch its pair of vertices;
 /// nothing where more boxes of pieces meet than the settings allow, or where it is stopped. `search` leaves out
 /// crossings that two edges prove covered while they exist.
-std::optional<std::vector<WalkPair>> find_candidates(Window& window, const WindowFrame& swept, const SweptMask& mask,
+std::optional<std::vector<WalkPair>> find_candidates(Window& window, const WindowFrame& swept, const CoveredCells& mask,
                                                      const Array<PieceEnds>& ends, const WindowSettings& settings,
                                                      const CoverSearch& search);
 

@@ -29,7 +29,7 @@ Window::Window(const OperandPair& base, const ReducedConvolution& convolution, c
   const WindowFrame swept = swept_frame(settings);
   const std::uint32_t m = frame_.moving;
   span_ = std::max(base.width[1 - m], base.height[1 - m]) + 2 * frame_.tau1 * std::max(base.width[m], base.height[m]);
-  const SweptMask mask(*base.lattice, base.operands, swept, settings.cells, settings.mask);
+  const CoveredCells mask = swept_cells(base, swept, settings.cells, settings.mask);
   Scratch memory;
   add_live(convolution, swept, mask, &memory);
   const Array<PieceEnds> ends = cut_pieces(*this, swept, mask, &memory);
@@ -86,7 +86,7 @@ struct SweptBoxes {
 }  // namespace
 
 // Those that come near a live cell.
-void Window::add_live(const ReducedConvolution& convolution, const WindowFrame& swept, const SweptMask& mask,
+void Window::add_live(const ReducedConvolution& convolution, const WindowFrame& swept, const CoveredCells& mask,
                       Scratch* memory) {
   live.assign(convolution.size(), kNone);
   const Grid& g = mask.grid();

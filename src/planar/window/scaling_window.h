@@ -19,12 +19,23 @@
 #include "planar/motion/operand_pair.h"
 #include "planar/motion/scaling_forms.h"
 #include "planar/window/frame_window.h"
-#include "planar/window/swept_mask.h"
 
 namespace dymsum::planar {
 
 class CoverMemory;
+class CoveredCells;
 class ReducedConvolution;
+
+/// How the moving operand's coordinate x stands at parameter tau in the window's frame: tau x + (tau1 - tau) centre.
+/// The fixed operand's coordinates stand as they are. The frame moves with the operand's centre, so that sweeps are
+/// half as long; it never enters an exact sign.
+struct WindowFrame {
+  std::uint32_t moving = 0;  ///< operand
+  double tau0 = 1, tau1 = 1;
+  double centre_x = 0, centre_y = 0;
+  double shift_x(double tau) const { return (tau1 - tau) * centre_x; }
+  double shift_y(double tau) const { return (tau1 - tau) * centre_y; }
+};
 
 /// a + b tau.
 struct Linear {
@@ -162,7 +173,7 @@ class Window : public CandidateIndex {
   std::size_t bytes() const;
 
  private:
-  void add_live(const ReducedConvolution& convolution, const WindowFrame& swept, const SweptMask& mask,
+  void add_live(const ReducedConvolution& convolution, const WindowFrame& swept, const CoveredCells& mask,
                 Scratch* memory);
   LiveSegment segment(const WalkSegment& w, std::uint32_t id) const;
   void link_pieces(const ReducedConvolution& convolution);
