@@ -9,6 +9,7 @@
 #include <cstdint>
 #include <memory>
 #include <optional>
+#include <utility>
 #include <vector>
 
 #include "base/memory_budget.h"
@@ -24,6 +25,15 @@ class MovingSum {
  public:
   explicit MovingSum(MovingOptions options);
   virtual ~MovingSum() = default;
+
+  /// The first frame is computed from scratch.
+  template <class MoveTo>
+  Result<FrameChanges> begin(const MoveTo& move_to) {
+    const FrameMode mode = std::exchange(options.mode, FrameMode::rebuild);
+    Result<FrameChanges> changes = move_to();
+    options.mode = mode;
+    return changes;
+  }
 
   MovingOptions options;
   PlanarSum sum;

@@ -127,10 +127,8 @@ Result<RotatingSum> RotatingSum::create(const Region& p, const Region& q, const 
   const auto forms_base = pair_of_forms(p, q, options, *base);
   if (!forms_base) return forms_base.error();
   auto state = std::make_unique<State>(*base, *forms_base, options);
-  state->options.mode = FrameMode::rebuild;
-  Result<FrameChanges> first = state->move_to(Orientation());
+  const Result<FrameChanges> first = state->begin([&] { return state->move_to(Orientation()); });
   if (!first) return first.error();
-  state->options.mode = options.mode;
   return RotatingSum(std::move(state));
 }
 

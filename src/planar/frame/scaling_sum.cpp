@@ -20,11 +20,8 @@ Result<ScalingSum> ScalingSum::create(const Region& p, const Region& q, const Mo
   Result<std::shared_ptr<const planar::OperandPair>> base = planar::pair_of_regions(p, q, options);
   if (!base) return base.error();
   auto state = std::make_unique<State>(std::move(base).value(), options);
-  const FrameMode mode = state->options.mode;
-  state->options.mode = FrameMode::rebuild;
-  Result<FrameChanges> first = state->move_to(Scale(), Scale());
+  const Result<FrameChanges> first = state->begin([&] { return state->move_to(Scale(), Scale()); });
   if (!first) return first.error();
-  state->options.mode = mode;
   return ScalingSum(std::move(state));
 }
 
