@@ -1,5 +1,5 @@
-// Where the cycles of a window pass: the ends of their sub-edges as linear in tau, points on them and beside them, and
-// the exact names of these.
+// Where the cycles of a window of scales pass, which of them and of its nodes lie in the open sum, and which nodes they
+// pass.
 #pragma once
 
 #include <cstdint>
@@ -24,6 +24,7 @@ struct LoopStep {
   std::int8_t turn = 0;          ///< into the next step: what it adds to the turning number
 };
 
+/// The ends of sub-edges as linear in tau, points on cycles and beside them, and the exact names of these.
 class LoopPlaces {
  public:
   using Step = PieceLists::Step;
@@ -60,9 +61,8 @@ class LoopPlaces {
   const PieceLists& lists_;
 };
 
-// Whether cycles and nodes of a window lie in the open sum: first by edges that cross there, remembered or found in
-// doubles, then by an exact collision test.
-
+/// Whether cycles and nodes lie in the open sum: first by edges that cross there, remembered or found in doubles, then
+/// by an exact collision test.
 class LoopCover {
  public:
   explicit LoopCover(const PieceLists& lists) : places_(lists), search_(lists.window()) {}
@@ -82,9 +82,8 @@ class LoopCover {
   EdgeSearch search_;
 };
 
-// The nodes of a window in which something touches at every scale, and the loops that pass them: whether a frame needs
-// the vertex routine for any of them.
-
+/// The nodes in which something touches at every scale, and the loops that pass them: whether a frame needs the vertex
+/// routine for any of them.
 class LoopNodes {
  public:
   LoopNodes(const PieceLists& lists, LoopCover& cover) : lists_(lists), cover_(cover) {}

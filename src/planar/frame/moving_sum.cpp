@@ -142,9 +142,8 @@ void MovingSum::charge(const FrameWork& done) {
   }
 }
 
-// Which window a moving sum is in: the one it was in, one that it has left, one that was made ahead.
-
-// Whether there is one that covers the position.
+// The window is the one that the last frame was in, one that it has left, or one that was made ahead. Whether there is
+// one that covers the position.
 bool MovingSum::enter_window(const Move& move) {
   const std::uint64_t family = move.family;
   if (window_ != nullptr && window_->serves(family, move.at)) return true;

@@ -1,5 +1,4 @@
-// Where walks go on in the nodes at which something touches at every scale: which rays are there now, and the sector
-// rule on them.
+// For every piece of a window the crossings on it in order, kept true from frame to frame, and where walks go on.
 #pragma once
 
 #include <array>
@@ -16,6 +15,8 @@
 
 namespace dymsum::planar {
 
+/// Where walks go on in the nodes at which something touches at every scale: which rays are there now, and the sector
+/// rule on them.
 class NodeLinks {
  public:
   explicit NodeLinks(const Window& window);
@@ -79,9 +80,8 @@ class NodeLinks {
   std::vector<std::uint32_t> dirty_;  ///< nodes where a touch came or went in this frame
 };
 
-// For every piece of a window the crossings on it in order, kept true from frame to frame. Each list knows an interval
-// of scales over which it certainly stays as it is; only lists whose interval was left are looked at.
-
+/// Each list knows an interval of scales over which it certainly stays as it is; only lists whose interval was left are
+/// looked at.
 class PieceLists {
  public:
   explicit PieceLists(Window& window);

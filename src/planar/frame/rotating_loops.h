@@ -1,5 +1,4 @@
-// Whether a face of a frame of a rotating sum lies in the sum, in doubles with proved bounds: the collision test where
-// nothing is close.
+// The cycles of the frames of a rotating sum: which of them bound it, and which continues which.
 #pragma once
 
 #include <array>
@@ -14,6 +13,7 @@
 
 namespace dymsum::planar {
 
+/// Whether a face of a frame lies in the sum, in doubles with proved bounds: the collision test where nothing is close.
 class RotatingOverlap {
  public:
   enum class Answer : std::uint8_t { free, overlap, unknown };
@@ -48,8 +48,6 @@ class RotatingOverlap {
   std::vector<Edge> of_fixed_, of_turning_;
   std::vector<std::uint32_t> near_;
 };
-
-// The cycles of the frames of a rotating sum: which of them bound it, and which continues which.
 
 class RotatingLoops {
  public:

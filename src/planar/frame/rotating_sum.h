@@ -1,4 +1,4 @@
-// The loops of a frame as rings of a sum, in input coordinates.
+// The state behind a RotatingSum: windows of angles, the frames inside them, their loops, and these as rings.
 #pragma once
 
 #include <functional>
@@ -14,7 +14,7 @@
 
 namespace dymsum::planar {
 
-/// Of one window at a time.
+/// The loops of a frame as rings of a sum, in input coordinates. Of one window at a time.
 class TurnedRings {
  public:
   /// `swapped`: P is the moving operand, operand 1 of the forms. `moving_turns`: the moving operand turns in the sum;
@@ -57,8 +57,6 @@ class TurnedRings {
 };
 
 }  // namespace dymsum::planar
-
-// The state behind a RotatingSum: windows of angles, the frames inside them and their loops.
 
 namespace dymsum {
 

@@ -65,11 +65,9 @@ class EdgeSearch {
   std::vector<std::pair<std::uint32_t, std::uint32_t>> stack_;
 };
 
-// What windows before found out about crossings inside the sum: the edges that covered one crossing of a segment often
-// cover the next one, in this window or a later one.
-
-/// By segments, named by their ids in one convolution. What is remembered decides nothing: edges are asked again
-/// whether they cross.
+/// What windows before found out about crossings inside the sum: the edges that covered one crossing of a segment often
+/// cover the next one, in this window or a later one. By segments, named by their ids in one convolution. What is
+/// remembered decides nothing: edges are asked again whether they cross.
 class CoverMemory {
  public:
   /// Of a convolution with so many segments.
