@@ -57,12 +57,6 @@ class UseBudget {
   std::shared_ptr<MemoryBudget> before_;
 };
 
-/// What lists hold, with the room that they have.
-template <class... Lists>
-std::size_t bytes_of(const Lists&... lists) {
-  return (std::size_t{0} + ... + (lists.capacity() * sizeof(typename Lists::value_type)));
-}
-
 /// Bytes that count with the current budget until this dies.
 class HeldMemory {
  public:

@@ -6,9 +6,9 @@
 namespace dymsum::planar {
 std::size_t FrameLoops::bytes() const {
   std::size_t n =
-      base::bytes_of(seen_, crossing_vertex_, end_vertex_, heads_, owners_, vertex_owners_, vertices_, points_, loops_);
-  for (const FrameLoop& l : loops_) n += base::bytes_of(l.steps, l.vertices);
-  for (const std::vector<LoopStep>& s : spare_) n += base::bytes_of(s);
+      bytes_of(seen_, crossing_vertex_, end_vertex_, heads_, owners_, vertex_owners_, vertices_, points_, loops_);
+  for (const FrameLoop& l : loops_) n += bytes_of(l.steps, l.vertices);
+  for (const std::vector<LoopStep>& s : spare_) n += bytes_of(s);
   return n;
 }
 

@@ -127,8 +127,7 @@ void PieceLists::add_entries() {
 }
 
 std::size_t PieceLists::bytes() const {
-  return base::bytes_of(entries_, crossings_, low_, high_, hot_, list_, touched_, changed_at_, changed_, items_,
-                        new_subs_);
+  return bytes_of(entries_, crossings_, low_, high_, hot_, list_, touched_, changed_at_, changed_, items_, new_subs_);
 }
 
 bool PieceLists::repair(double tau, ExactFrame& frame, FrameWork& work) {

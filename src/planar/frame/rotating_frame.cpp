@@ -55,8 +55,8 @@ void RotatingFrame::enter(const RotatingWindow& window) {
 }
 
 std::size_t RotatingFrame::bytes() const {
-  return base::bytes_of(turned_, turned_edge_, ways_, busy_[0], busy_[1], placed_, meetings_, near_, crossings_,
-                        entries_, stretches_, count_, next_, path_, exists_, seen_, walked_, steps_, cycles_);
+  return bytes_of(turned_, turned_edge_, ways_, busy_[0], busy_[1], placed_, meetings_, near_, crossings_, entries_,
+                  stretches_, count_, next_, path_, exists_, seen_, walked_, steps_, cycles_);
 }
 
 bool RotatingFrame::compute(double delta, Heading heading) {

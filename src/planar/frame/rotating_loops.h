@@ -75,7 +75,7 @@ class RotatingLoops {
   const std::vector<Loop>& loops() const { return loops_; }
   std::vector<Loop>& loops() { return loops_; }
   bool known() const { return known_; }
-  std::size_t bytes() const { return base::bytes_of(steps_, old_steps_, loops_, old_); }
+  std::size_t bytes() const { return bytes_of(steps_, old_steps_, loops_, old_); }
 
  private:
   /// What identifies a sub-edge in a window.

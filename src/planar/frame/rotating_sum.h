@@ -24,7 +24,7 @@ class TurnedRings {
   /// Loops are those of frames in this window from now on.
   void enter(const RotatingWindow& window);
 
-  std::size_t bytes() const { return base::bytes_of(names_, corners_); }
+  std::size_t bytes() const { return bytes_of(names_, corners_); }
   /// The kept loops; `source` knows their exact positions, `spare` gives storage for a ring.
   KeptRings at(const Orientation& theta, const RotatingFrame& frame, RotatingLoops& loops, const ExactSource& source,
                const std::function<SumRing()>& spare);

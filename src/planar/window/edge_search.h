@@ -72,7 +72,7 @@ class CoverMemory {
  public:
   /// Of a convolution with so many segments.
   explicit CoverMemory(std::uint32_t segments) : of_(segments) {}
-  std::size_t bytes() const { return base::bytes_of(of_); }
+  std::size_t bytes() const { return bytes_of(of_); }
 
   /// Whether edges that are remembered for one of two segments cross at both places.
   bool covers(std::uint32_t a, std::uint32_t b, const EdgeSearch& search, const EdgeSearch::Place& from,

@@ -33,6 +33,12 @@ class FrameWindow {
   std::uint64_t family_;
 };
 
+/// What lists hold, with the room that they have.
+template <class... Lists>
+std::size_t bytes_of(const Lists&... lists) {
+  return (std::size_t{0} + ... + (lists.capacity() * sizeof(typename Lists::value_type)));
+}
+
 /// Makes a window, on any thread, from what never changes. Nothing where that would cost too much, or is stopped.
 using MakeWindow = std::function<std::unique_ptr<FrameWindow>(const base::StopToken&)>;
 

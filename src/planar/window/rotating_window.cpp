@@ -60,8 +60,7 @@ RotatingWindow::RotatingWindow(const TurnGrid& grid, const TurnCatalog& catalog,
 }
 
 std::size_t RotatingWindow::bytes() const {
-  return base::bytes_of(turned, segments, pieces, candidates, turns_[0], turns_[1], first_of, of, changing, rounds,
-                        circles);
+  return bytes_of(turned, segments, pieces, candidates, turns_[0], turns_[1], first_of, of, changing, rounds, circles);
 }
 
 std::uint32_t RotatingWindow::find(const WalkSegment& s) const {

@@ -50,8 +50,8 @@ Segment Window::exact(std::uint32_t s) const {
 }
 
 std::size_t Window::bytes() const {
-  return base::bytes_of(segments, pieces, candidates, touches, nodes, rays, folds, touching, first_touch, head_ray,
-                        tail_ray, node_of_ray, first_of, of, live);
+  return bytes_of(segments, pieces, candidates, touches, nodes, rays, folds, touching, first_touch, head_ray, tail_ray,
+                  node_of_ray, first_of, of, live);
 }
 
 namespace {
