@@ -19,11 +19,12 @@ LocalOverlap::LocalOverlap(const Operand& p, const Operand& q)
     : operands_{&p, &q}, edges_{FeatureDiscs(p, FeatureDiscs::Of::edges), FeatureDiscs(q, FeatureDiscs::Of::edges)} {}
 
 bool LocalOverlap::holds(const PosedRegions& posed, const AskedPlace& place) {
-  posed_ = &posed, place_ = &place, exact_ = nullptr;
+  posed_ = &posed, place_ = &place;
+  exact_.reset();
   off_ = place.off + 4 * PosedRegions::kOff;
   ++tests_;
   const bool overlapping = crossed_before() || boundaries_overlap() || holds_component(0) || holds_component(1);
-  exact_tests_ += exact_ != nullptr;
+  exact_tests_ += exact_.has_value();
   return overlapping;
 }
 
@@ -70,7 +71,7 @@ bool LocalOverlap::surely_cross(const Edges& s) const {
 }
 
 const BigPlace& LocalOverlap::exact_place() {
-  if (exact_ == nullptr) exact_ = &place_->exact();
+  if (!exact_) exact_ = place_->exact();
   return *exact_;
 }
 
