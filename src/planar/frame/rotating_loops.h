@@ -39,12 +39,14 @@ class RotatingOverlap {
     double x0, y0, x1, y1;
   };
   static Box box_of(const std::vector<Point>& points);
-  void collect(const Operand& o, const std::vector<Point>& points, const std::vector<Point>& vectors, const Box& box,
+  template <class VectorOf>
+  void collect(const Operand& o, const std::vector<Point>& points, const VectorOf& vector_of, const Box& box,
                std::vector<Edge>& edges) const;
+  void collect_edges(const RotatingFrame& frame, Point z);
+  int sides(const Edge& line, const Edge& e) const;
 
   const TurningForms& forms_;
   std::vector<Point> turning_;  // the turning operand reflected, at the position
-  std::array<std::vector<Point>, 2> vectors_;
   std::vector<Edge> of_fixed_, of_turning_;
   std::vector<std::uint32_t> near_;
 };
@@ -89,6 +91,7 @@ class RotatingLoops {
   bool inherit(const RotatingFrame& frame, Loop& loop, FrameWork& work);
   bool witnessed(const RotatingFrame& frame, Loop& loop);
   static bool undisturbed(const Stretch& all, const RotatingWindow& window, const RotatingFrame::Step& s);
+  const RotatingFrame::Step& longest_of(const RotatingFrame& frame, const Loop& loop) const;
   bool covered(const RotatingFrame& frame, Loop& loop, ExactFrame& exact, FrameWork& work);
   bool covers(const CrossingEdges& edges, const RotatingFrame& frame, const RotatingFrame::Located& z) const;
   void follow(const RotatingFrame& frame, RingIdentities& identities, FrameChanges& changes);
