@@ -18,8 +18,6 @@ namespace {
 // short, the error of a difference of two ends, as far as the leg is long (4 + 4 + 1).
 constexpr double kLegSide = exact::rounding_bound(9 + 2 + 9, 32);
 
-Segment reversed(const Segment& s) { return {{s.edge.op, s.edge.to, s.edge.from}, s.vertex}; }
-
 }  // namespace
 
 PathFree::PathFree(std::shared_ptr<const OperandPair> base, std::uint32_t first_waypoint, std::uint32_t waypoints,

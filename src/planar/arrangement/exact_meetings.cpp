@@ -44,7 +44,7 @@ inline bool CrossingFinder::between(std::uint32_t s, WalkPair v, double x, doubl
   }
   const Pair at = soup_.exact(v);
   const Segment line = soup_.exact(s);
-  return l.along(line, at) > 0 && l.along({{line.edge.op, line.edge.to, line.edge.from}, line.vertex}, at) > 0;
+  return l.along(line, at) > 0 && l.along(reversed(line), at) > 0;
 }
 
 // At least one side is zero or too small for doubles.

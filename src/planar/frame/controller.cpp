@@ -28,13 +28,12 @@ constexpr double kHysteresis = 0.05;  // relative gain below which the width sta
 
 void WindowController::close_window() {
   if (served_ == 0) return;
-  const double cost = (spent_ - forgiven_) / static_cast<double>(served_);
+  const double cost = spent_ / static_cast<double>(served_);
   // Climb towards the cheapest width; turn round when it got more expensive by more than frames differ anyway.
-  if (compared_ > 0 && cost > compared_ * (1 + kHysteresis)) factor_ = 1 / factor_;
-  if (compared_ == 0 || std::abs(cost - compared_) > kHysteresis * compared_)
+  if (last_cost_ > 0 && cost > last_cost_ * (1 + kHysteresis)) factor_ = 1 / factor_;
+  if (last_cost_ == 0 || std::abs(cost - last_cost_) > kHysteresis * last_cost_)
     frames_ahead_ = std::clamp(frames_ahead_ * factor_, kFrames, kMostFrames);
-  compared_ = cost;
-  last_cost_ = spent_ / static_cast<double>(served_);
+  last_cost_ = cost;
   spent_ = 0;
   served_ = 0;
 }
@@ -56,9 +55,8 @@ bool WindowController::give_up(double cost) {
 }
 
 // One frame with many collision tests says little about the next ones.
-void WindowController::built(double cost, double forgiven) {
+void WindowController::built(double cost) {
   spent_ = static_cost_ > 0 ? std::min(cost, kMostOfWindow * static_cost_) : cost;
-  forgiven_ = std::min(forgiven, spent_);
   served_ = 1;
   counts_ = true;
 }
@@ -119,7 +117,7 @@ WindowController::Choice WindowController::choose(double step, double widest, Fr
     if (served > 0 && last_cost_ > 0.7 * static_cost_ && ++windows_since_ % 4 == 0) return {};
     if (rest_ > 0 && size > 0.5 * bad_step_) return {};
   }
-  if (compared_ == 0) frames_ahead_ = std::clamp(first_width_ / size, kFrames, frames_ahead_);
+  if (last_cost_ == 0) frames_ahead_ = std::clamp(first_width_ / size, kFrames, frames_ahead_);
   const double ahead = width(step, widest), behind = std::max(0.02 * size, kNarrowest);
   return step >= 0 ? Choice{true, std::min(behind, ahead), ahead} : Choice{true, ahead, std::min(behind, ahead)};
 }

@@ -8,6 +8,10 @@
 
 namespace dymsum::planar {
 
+/// What a motion counts is in about microseconds. Unlike time it is the same in every run and whatever else the machine
+/// does, so that every run makes the same choices.
+inline double cost_of(double each, std::uint64_t n) { return each * static_cast<double>(n); }
+
 /// Steps and widths are natural logarithms of scales, or angles.
 class WindowController {
  public:
@@ -28,8 +32,7 @@ class WindowController {
 
   /// What was counted, in any unit: a frame from scratch; a frame that built a window; a frame inside one.
   void rebuilt(double cost);
-  /// `forgiven`: so much of it does not count when widths are compared.
-  void built(double cost, double forgiven = 0);
+  void built(double cost);
   /// What building a window may cost before it is abandoned, or 0 if that is not known; and that it was, for a frame
   /// `step` after the last.
   double most_expensive_building() const;
@@ -52,8 +55,7 @@ class WindowController {
   double first_width_ = 0.4;
   double factor_ = 1.5;   ///< what that was last multiplied by
   double last_cost_ = 0;  ///< a frame of the last window, with its share of the building
-  double compared_ = 0;   ///< the same less what was forgiven
-  double spent_ = 0, forgiven_ = 0;
+  double spent_ = 0;
   bool counts_ = false;       ///< frames are of the window that was built last
   std::uint64_t served_ = 0;  ///< frames of the open window
   double recent_ = 0;         ///< the largest recent step, fading

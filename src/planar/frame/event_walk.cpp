@@ -1,3 +1,4 @@
+// ScalingSum's events: those of its windows, less what changes nothing in the sum between them and at them.
 #include "planar/frame/scaling_events.h"
 
 #include <algorithm>
@@ -43,8 +44,6 @@ std::uint64_t LineHashes::of(const PlanarSum& sum) {
 }
 
 }  // namespace dymsum::planar
-
-// ScalingSum's events: those of its windows, less what changes nothing in the sum between them and at them.
 
 namespace dymsum {
 

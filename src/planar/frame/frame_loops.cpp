@@ -5,12 +5,10 @@
 
 namespace dymsum::planar {
 std::size_t FrameLoops::bytes() const {
-  std::size_t n = (seen_.capacity() + crossing_vertex_.capacity() + end_vertex_.capacity()) * 4 +
-                  heads_.capacity() * sizeof(Head) + (owners_.capacity() + vertex_owners_.capacity()) * sizeof(Owner) +
-                  vertices_.capacity() * (sizeof(SumVertex) + sizeof(MovingPoint)) +
-                  loops_.capacity() * sizeof(FrameLoop);
-  for (const FrameLoop& l : loops_) n += l.steps.capacity() * sizeof(LoopStep) + l.vertices.capacity() * 4;
-  for (const std::vector<LoopStep>& s : spare_) n += s.capacity() * sizeof(LoopStep);
+  std::size_t n =
+      bytes_of(seen_, crossing_vertex_, end_vertex_, heads_, owners_, vertex_owners_, vertices_, points_, loops_);
+  for (const FrameLoop& l : loops_) n += bytes_of(l.steps, l.vertices);
+  for (const std::vector<LoopStep>& s : spare_) n += bytes_of(s);
   return n;
 }
 
@@ -168,35 +166,20 @@ bool FrameLoops::undisturbed(const LoopStep& edge, double tau) const {
   const Window& window = lists_.window();
   const double low = std::min(tau, last_tau_), high = std::max(tau, last_tau_);
   const Piece& piece = window.pieces[edge.piece];
-  struct End {
-    Linear t;
-    double error;
-  };
   const auto end = [&](std::uint32_t id, Linear at_end) {
-    if (id == kNone) return End{at_end, 0};
-    if (id & kTouchBit) return End{window.touches[id & ~kTouchBit].t, window.touches[id & ~kTouchBit].error};
-    const Candidate& c = window.candidates[id];
-    return c.a == edge.piece ? End{c.ta, c.error_a} : End{c.tb, c.error_b};
+    return id == kNone ? PieceLists::Line{at_end, 0} : lists_.line(edge.piece, id);
   };
   for (const std::uint32_t id : {edge.from, edge.to}) {
     if (id == kNone) continue;
     const auto stays = [&](const auto& c) { return c.in_low < low && c.in_high > high; };
     if (id & kTouchBit ? !stays(window.touches[id & ~kTouchBit]) : !stays(window.candidates[id])) return false;
   }
-  const End from = end(edge.from, {0, 0}), to = end(edge.to, window.end_place(piece));
+  const PieceLists::Line from = end(edge.from, {0, 0}), to = end(edge.to, window.end_place(piece));
   const double margin = from.error + to.error + piece.tail_error + kShareGap * std::max(1.0, high);
   for (const double x : {low, high})
     if (!(to.t.at(x) - from.t.at(x) > margin)) return false;
   // Whether everything else on the piece stays clear of the sub-edge while it is there.
-  for (const PieceLists::Entry& e : lists_.entries(edge.piece)) {
-    if (e.id == edge.from || e.id == edge.to || e.out_high <= low || e.out_low >= high) continue;
-    const double apart = margin + e.error, u = std::max(low, e.out_low), v = std::min(high, e.out_high),
-                 t_u = e.t.at(u), t_v = e.t.at(v);
-    const bool before = from.t.at(u) - t_u > apart && from.t.at(v) - t_v > apart;
-    const bool behind = t_u - to.t.at(u) > apart && t_v - to.t.at(v) > apart;
-    if (!before && !behind) return false;
-  }
-  return true;
+  return lists_.stays_clear(edge.piece, {from.t, to.t}, margin, {edge.from, edge.to}, low, high);
 }
 
 void FrameLoops::verify(double tau, ExactFrame& frame, FrameWork& work) {

@@ -34,8 +34,8 @@ struct Passing {
 
 class LocalPatches {
  public:
-  LocalPatches(const LocalNodes& nodes, const LocalQuestions& ask, Linking linking)
-      : nodes_(nodes), ask_(ask), linking_(linking) {}
+  LocalPatches(const LocalNodes& nodes, LocalOverlap& overlap, Linking linking)
+      : nodes_(nodes), overlap_(overlap), linking_(linking) {}
 
   LocalEdges run() {
     find_pieces();
@@ -57,13 +57,15 @@ class LocalPatches {
   int half(const Ray& r) const;
   void spread();
   void ask_patches();
+  bool inside_at(std::uint32_t n) const;
+  bool inside_halfway(const LocalPiece& p) const;
   bool touches_box(const LocalPiece& p) const { return nodes_.node(p.low).in_box || nodes_.node(p.high).in_box; }
   bool may_be_tight(std::uint32_t n) const;
   LocalEdge rightwards(const LocalPiece& p) const;
   LocalEdges collect() const;
 
   const LocalNodes& nodes_;
-  const LocalQuestions& ask_;
+  LocalOverlap& overlap_;
   Linking linking_;
   base::CountedArray<LocalPiece> pieces_;
   std::vector<std::vector<std::uint32_t>> at_;        // node -> pieces
@@ -161,6 +163,17 @@ void LocalPatches::spread() {
   for (std::uint32_t k = 0; k < pieces_.size(); ++k) covered_[k] = patch[links_.root(k)];
 }
 
+bool LocalPatches::inside_at(std::uint32_t n) const {
+  const LocalNode& node = nodes_.node(n);
+  return overlap_.holds(nodes_.posed(), {node.x, node.y, node.off, [&] { return nodes_.exact(n); }});
+}
+
+bool LocalPatches::inside_halfway(const LocalPiece& p) const {
+  const LocalNode &a = nodes_.node(p.low), &b = nodes_.node(p.high);
+  return overlap_.holds(nodes_.posed(), {(a.x + b.x) / 2, (a.y + b.y) / 2, std::max(a.off, b.off) + PosedRegions::kOff,
+                                         [&] { return halfway(nodes_.exact(p.low), nodes_.exact(p.high)); }});
+}
+
 void LocalPatches::ask_patches() {
   std::vector<std::uint32_t> asked(pieces_.size(), kNone);  // by patch: the piece that is asked about
   const auto within = [&](const LocalPiece& p) { return nodes_.node(p.low).in_box && nodes_.node(p.high).in_box; };
@@ -172,7 +185,7 @@ void LocalPatches::ask_patches() {
   for (std::uint32_t root = 0; root < pieces_.size(); ++root) {
     const std::uint32_t k = asked[root];
     if (k == kNone || covered_[k] != 0 || !touches_box(pieces_[k])) continue;
-    covered_[root] = ask_.halfway(pieces_[k].low, pieces_[k].high) ? 1 : 0;
+    covered_[root] = inside_halfway(pieces_[k]) ? 1 : 0;
   }
   for (std::uint32_t k = 0; k < pieces_.size(); ++k) covered_[k] = covered_[links_.root(k)];
 }
@@ -204,14 +217,14 @@ LocalEdges LocalPatches::collect() const {
     else edges.boundary.push_back(p.forward() ? LocalEdge{p.low, p.high, p.ahead} : LocalEdge{p.high, p.low, p.back});
   }
   for (std::uint32_t n = 0; n < nodes_.node_count(); ++n)
-    if (may_be_tight(n) && !ask_.at_node(n)) edges.tight_points.push_back(n);
+    if (may_be_tight(n) && !inside_at(n)) edges.tight_points.push_back(n);
   return edges;
 }
 
 }  // namespace
 
-LocalEdges local_edges(const LocalNodes& nodes, const LocalQuestions& ask, Linking linking) {
-  return LocalPatches(nodes, ask, linking).run();
+LocalEdges local_edges(const LocalNodes& nodes, LocalOverlap& overlap, Linking linking) {
+  return LocalPatches(nodes, overlap, linking).run();
 }
 
 std::vector<LocalEdge> joined(const LocalNodes& nodes, std::vector<LocalEdge> edges) {

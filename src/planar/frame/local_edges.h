@@ -2,10 +2,10 @@
 #pragma once
 
 #include <cstdint>
-#include <functional>
 #include <vector>
 
 #include "planar/frame/local_nodes.h"
+#include "planar/frame/local_overlap.h"
 
 namespace dymsum::planar {
 
@@ -21,19 +21,13 @@ struct LocalEdges {
   std::vector<std::uint32_t> tight_points;
 };
 
-/// Whether a place lies in the open sum.
-struct LocalQuestions {
-  std::function<bool(std::uint32_t node)> at_node;
-  std::function<bool(std::uint32_t from, std::uint32_t to)> halfway;
-};
-
 enum class Linking : std::uint8_t {
   patches,  ///< one question for each patch; places that may be tight
   none,     ///< a question for every piece and every node: the reference
 };
 
 /// Pieces with length. Exact.
-LocalEdges local_edges(const LocalNodes& nodes, const LocalQuestions& ask, Linking linking);
+LocalEdges local_edges(const LocalNodes& nodes, LocalOverlap& overlap, Linking linking);
 
 /// Pieces in a row on one line made one.
 std::vector<LocalEdge> joined(const LocalNodes& nodes, std::vector<LocalEdge> edges);

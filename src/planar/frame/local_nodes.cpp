@@ -16,15 +16,6 @@ constexpr double kPairGap = 4 * PosedRegions::kPairOff;
 /// Of the double of a pair, and of a product or a sum of doubles: more than twice its rounding.
 constexpr double kTwice = 0x1p-50;
 
-Point minus(Point a, Point b) { return {a.x - b.x, a.y - b.y}; }
-
-/// a x b, and the sign where it is sure for vectors whose components are off by at most 2 kEndOff.
-int sure_cross(Point a, Point b) {
-  const double value = a.x * b.y - a.y * b.x, off = 2 * kEndOff;
-  const double error = 2 * off * (std::abs(a.x) + std::abs(a.y) + std::abs(b.x) + std::abs(b.y) + 2 * off);
-  return value > error ? 1 : value < -error ? -1 : 0;
-}
-
 /// a x b for vectors whose components are at most 4 and off by kPairGap: how far it is off.
 double pair_cross_off(const PairPoint& a, const PairPoint& b) {
   return 8 * kPairGap * (std::abs(a.x.high) + std::abs(a.y.high) + std::abs(b.x.high) + std::abs(b.y.high) + kPairGap);
@@ -92,7 +83,7 @@ int LocalNodes::direction(std::uint32_t s, int axis) const {
 }
 
 int LocalNodes::cross(std::uint32_t s, std::uint32_t t) const {
-  if (const int sure = sure_cross(ends_[s].d(), ends_[t].d())) return sure;
+  if (const int sure = sure_cross(ends_[s].d(), ends_[t].d(), 2 * kEndOff)) return sure;
   const PairEnds &a = pair_ends(s), &b = pair_ends(t);
   if (const int sure = sure_cross(a[1] - a[0], b[1] - b[0])) return sure;
   return sign(planar::cross(exact_direction(s), exact_direction(t)));
@@ -101,7 +92,7 @@ int LocalNodes::cross(std::uint32_t s, std::uint32_t t) const {
 /// The side of the line of s on which an end of t lies: 1 is its left.
 int LocalNodes::side(std::uint32_t s, std::uint32_t t, int end) const {
   const Point v = end == 0 ? ends_[t].a : ends_[t].b;
-  if (const int sure = sure_cross(ends_[s].d(), minus(v, ends_[s].a))) return sure;
+  if (const int sure = sure_cross(ends_[s].d(), less(v, ends_[s].a), 2 * kEndOff)) return sure;
   const Pair name = end_name(t, static_cast<std::uint32_t>(end));
   if (name == end_name(s, 0) || name == end_name(s, 1)) return 0;
   const PairEnds& a = pair_ends(s);
@@ -159,7 +150,7 @@ bool LocalNodes::between_ends(std::uint32_t s, std::uint32_t t, int end) const {
 
 /// Lines are off by less than 2 kEndOff near their segments, so their crossing by less than that over the sine.
 void LocalNodes::add_crossing(std::uint32_t s, std::uint32_t t) {
-  const Point d = ends_[s].d(), e = ends_[t].d(), gap = minus(ends_[t].a, ends_[s].a);
+  const Point d = ends_[s].d(), e = ends_[t].d(), gap = less(ends_[t].a, ends_[s].a);
   const double area = d.x * e.y - d.y * e.x, sizes = std::hypot(d.x, d.y) * std::hypot(e.x, e.y);
   LocalNode node{LocalNode::Kind::crossing, 0, 0, 0, s, t};
   const double area_off = 4 * kEndOff * (std::abs(d.x) + std::abs(d.y) + std::abs(e.x) + std::abs(e.y));

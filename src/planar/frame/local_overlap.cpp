@@ -5,19 +5,6 @@
 
 namespace dymsum::planar {
 
-namespace {
-
-/// a x b, and the sign where it is sure for vectors whose components are off by `off`.
-int sure_turn(Point a, Point b, double off) {
-  const double value = a.x * b.y - a.y * b.x;
-  const double error = 2 * off * (std::abs(a.x) + std::abs(a.y) + std::abs(b.x) + std::abs(b.y) + 2 * off);
-  return value > error ? 1 : value < -error ? -1 : 0;
-}
-
-Point less(Point a, Point b) { return {a.x - b.x, a.y - b.y}; }
-
-}  // namespace
-
 /// Edge e of P and edge f of Q, reflected and moved to the place.
 struct LocalOverlap::Edges {
   Point a0, a1, b0, b1;
@@ -32,11 +19,12 @@ LocalOverlap::LocalOverlap(const Operand& p, const Operand& q)
     : operands_{&p, &q}, edges_{FeatureDiscs(p, FeatureDiscs::Of::edges), FeatureDiscs(q, FeatureDiscs::Of::edges)} {}
 
 bool LocalOverlap::holds(const PosedRegions& posed, const AskedPlace& place) {
-  posed_ = &posed, place_ = &place, exact_ = nullptr;
+  posed_ = &posed, place_ = &place;
+  exact_.reset();
   off_ = place.off + 4 * PosedRegions::kOff;
   ++tests_;
   const bool overlapping = crossed_before() || boundaries_overlap() || holds_component(0) || holds_component(1);
-  exact_tests_ += exact_ != nullptr;
+  exact_tests_ += exact_.has_value();
   return overlapping;
 }
 
@@ -77,13 +65,13 @@ LocalOverlap::Edges LocalOverlap::edges(std::uint32_t e, std::uint32_t f) const 
 
 bool LocalOverlap::surely_cross(const Edges& s) const {
   const Point d = less(s.a1, s.a0), e = less(s.b1, s.b0);
-  const int one = sure_turn(d, less(s.b0, s.a0), 2 * off_), two = sure_turn(e, less(s.a0, s.b0), 2 * off_);
-  return one != 0 && two != 0 && sure_turn(d, less(s.b1, s.a0), 2 * off_) == -one &&
-         sure_turn(e, less(s.a1, s.b0), 2 * off_) == -two;
+  const int one = sure_cross(d, less(s.b0, s.a0), 2 * off_), two = sure_cross(e, less(s.a0, s.b0), 2 * off_);
+  return one != 0 && two != 0 && sure_cross(d, less(s.b1, s.a0), 2 * off_) == -one &&
+         sure_cross(e, less(s.a1, s.b0), 2 * off_) == -two;
 }
 
 const BigPlace& LocalOverlap::exact_place() {
-  if (exact_ == nullptr) exact_ = &place_->exact();
+  if (!exact_) exact_ = place_->exact();
   return *exact_;
 }
 
@@ -96,14 +84,14 @@ BigPoint LocalOverlap::from_place(std::uint32_t p, std::uint32_t q) {
 /// On which side of edge e of P the vertex of Q lies: 1 is its left.
 int LocalOverlap::side_of_p_edge(std::uint32_t e, std::uint32_t q_vertex, const Edges& s, bool end) {
   const Point d = less(s.a1, s.a0);
-  if (const int sure = sure_turn(d, less(end ? s.b1 : s.b0, s.a0), 2 * off_)) return sure;
+  if (const int sure = sure_cross(d, less(end ? s.b1 : s.b0, s.a0), 2 * off_)) return sure;
   const BigPoint gap = from_place(e, q_vertex);  // the edge's start, seen from the vertex
   return -sign(cross(posed_->exact(0, operands_[0]->next[e]) - posed_->exact(0, e), gap));
 }
 
 int LocalOverlap::side_of_q_edge(std::uint32_t f, std::uint32_t p_vertex, const Edges& s, bool end) {
   const Point d = less(s.b1, s.b0);
-  if (const int sure = sure_turn(d, less(end ? s.a1 : s.a0, s.b0), 2 * off_)) return sure;
+  if (const int sure = sure_cross(d, less(end ? s.a1 : s.a0, s.b0), 2 * off_)) return sure;
   const BigPoint gap = from_place(p_vertex, f);  // the vertex, seen from the start of the reflected edge
   return sign(cross(posed_->exact(1, f) - posed_->exact(1, operands_[1]->next[f]), gap));
 }
@@ -211,7 +199,7 @@ bool LocalOverlap::contains(std::uint32_t holder, std::uint32_t vertex) {
       }
       if ((ya <= 0) == (yb <= 0)) continue;
       const Point from = posed_->vertex(holder, a), d = less(posed_->vertex(holder, b), from);
-      int side = sure_turn(d, less(seen, from), 2 * off_);
+      int side = sure_cross(d, less(seen, from), 2 * off_);
       if (side == 0) {
         const BigPoint gap = holder == 0 ? from_place(a, vertex) : from_place(vertex, a);
         side = -sign(cross(posed_->exact(holder, b) - posed_->exact(holder, a), gap));

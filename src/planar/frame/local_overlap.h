@@ -3,6 +3,7 @@
 
 #include <array>
 #include <functional>
+#include <optional>
 #include <vector>
 
 #include "planar/boundary/collision.h"
@@ -14,7 +15,7 @@ namespace dymsum::planar {
 /// In scaled doubles, each coordinate off by at most `off`; the exact place is made when it is asked for.
 struct AskedPlace {
   double x = 0, y = 0, off = 0;
-  std::function<const BigPlace&()> exact;
+  std::function<BigPlace()> exact;
 };
 
 class LocalOverlap {
@@ -51,7 +52,7 @@ class LocalOverlap {
   std::array<FeatureDiscs, 2> edges_;
   const PosedRegions* posed_ = nullptr;
   const AskedPlace* place_ = nullptr;
-  const BigPlace* exact_ = nullptr;
+  std::optional<BigPlace> exact_;
   double off_ = 0;
   RecentEdges<8> witnesses_;
   std::uint64_t tests_ = 0, exact_tests_ = 0;

@@ -1,16 +1,68 @@
-// Whether cycles and nodes of a window lie in the open sum: first by edges that cross there, remembered or found in
-// doubles, then by an exact collision test.
+// Where the cycles of a window of scales pass, which of them and of its nodes lie in the open sum, and which nodes they
+// pass.
 #pragma once
 
 #include <cstdint>
 #include <optional>
 #include <vector>
 
+#include "base/two_lanes.h"
 #include "dymsum/frames.h"
-#include "planar/frame/loop_places.h"
+#include "planar/frame/piece_lists.h"
+#include "planar/window/edge_search.h"
 
 namespace dymsum::planar {
 
+/// A sub-edge of a cycle, and what comes behind it.
+struct LoopStep {
+  std::uint32_t piece = kNone, edge = 0;  ///< sub-edge: PieceLists::first_sub(piece) + its place in the list
+  std::uint32_t from = kNone,
+                to =
+                    kNone;  ///< what is at its ends, kNone at a segment's own end; valid even when the list has changed
+  std::uint32_t vertex = kNone;  ///< of FrameLoops::vertices, or kNone where the next step goes straight on
+  std::uint32_t node = kNone;    ///< in which it ends, where something touches at every scale
+  std::int8_t turn = 0;          ///< into the next step: what it adds to the turning number
+};
+
+/// The ends of sub-edges as linear in tau, points on cycles and beside them, and the exact names of these.
+class LoopPlaces {
+ public:
+  using Step = PieceLists::Step;
+  explicit LoopPlaces(const PieceLists& lists) : lists_(lists) {}
+
+  struct MovingVertex {
+    SumVertex vertex;  ///< without its position
+    MovingPoint point;
+  };
+  /// The vertex at which a sub-edge ends, between two segments.
+  MovingVertex vertex_after(Step s, std::uint32_t in, std::uint32_t out) const;
+  /// A point of a cycle, for collision tests just right of it: the mediant of the cuts at both ends of its longest
+  /// sub-edge, as the exact layer takes it.
+  Place sample(const std::vector<LoopStep>& cycle, double tau, ExactFrame& frame) const;
+  /// A point of a cycle in doubles. Edges that cross properly when Q, reflected, stands there do so at a point just
+  /// right of it.
+  EdgeSearch::Place beside(const std::vector<LoopStep>& cycle, double tau) const;
+  /// A node in doubles, and as the exact layer takes it.
+  EdgeSearch::Place at_node(std::uint32_t node, double tau) const;
+  Place exact_node(std::uint32_t node, double tau, const ExactFrame& frame) const;
+
+ private:
+  /// Where a sub-edge ends on its segment.
+  struct Cutting {
+    Linear t;
+    double error;
+    Cut cut;
+    double denominator, relative_error;
+  };
+  Cutting end_cut(Step s, bool at_end) const;
+  Step longest_of(const std::vector<LoopStep>& cycle, double tau) const;
+  Step step_of(const LoopStep& s) const { return {s.piece, s.edge - lists_.first_sub(s.piece)}; }
+
+  const PieceLists& lists_;
+};
+
+/// Whether cycles and nodes lie in the open sum: first by edges that cross there, remembered or found in doubles, then
+/// by an exact collision test.
 class LoopCover {
  public:
   explicit LoopCover(const PieceLists& lists) : places_(lists), search_(lists.window()) {}
@@ -30,9 +82,8 @@ class LoopCover {
   EdgeSearch search_;
 };
 
-// The nodes of a window in which something touches at every scale, and the loops that pass them: whether a frame needs
-// the vertex routine for any of them.
-
+/// The nodes in which something touches at every scale, and the loops that pass them: whether a frame needs the vertex
+/// routine for any of them.
 class LoopNodes {
  public:
   LoopNodes(const PieceLists& lists, LoopCover& cover) : lists_(lists), cover_(cover) {}

@@ -134,8 +134,7 @@ SumRing MovingSum::spare_ring() {
 void MovingSum::charge(const FrameWork& done) {
   const double cost = cost_of(done);
   if (done.new_window) {
-    const WindowCost window = cost_of_window();
-    controller_.built(cost + window.counted, window.forgiven);
+    controller_.built(cost + cost_of_window());
   } else if (window_ == nullptr) {
     controller_.rebuilt(cost);
   } else {
@@ -144,9 +143,8 @@ void MovingSum::charge(const FrameWork& done) {
   }
 }
 
-// Which window a moving sum is in: the one it was in, one that it has left, one that was made ahead.
-
-// Whether there is one that covers the position.
+// The window is the one that the last frame was in, one that it has left, or one that was made ahead. Whether there is
+// one that covers the position.
 bool MovingSum::enter_window(const Move& move) {
   const std::uint64_t family = move.family;
   if (window_ != nullptr && window_->serves(family, move.at)) return true;

@@ -9,6 +9,7 @@
 #include <cstdint>
 #include <memory>
 #include <optional>
+#include <utility>
 #include <vector>
 
 #include "base/memory_budget.h"
@@ -24,6 +25,15 @@ class MovingSum {
  public:
   explicit MovingSum(MovingOptions options);
   virtual ~MovingSum() = default;
+
+  /// The first frame is computed from scratch.
+  template <class MoveTo>
+  Result<FrameChanges> begin(const MoveTo& move_to) {
+    const FrameMode mode = std::exchange(options.mode, FrameMode::rebuild);
+    Result<FrameChanges> changes = move_to();
+    options.mode = mode;
+    return changes;
+  }
 
   MovingOptions options;
   PlanarSum sum;
@@ -55,9 +65,6 @@ class MovingSum {
         identities;  ///< where the loops keep them, for the sum's rings in order; empty: no loops
     FrameChanges changes;
   };
-  struct WindowCost {
-    double counted = 0, forgiven = 0;  ///< see WindowController::built
-  };
 
   /// Changes nothing on an error. The motion takes its new position over when this succeeds.
   Result<FrameChanges> move(const Move& move);
@@ -87,7 +94,7 @@ class MovingSum {
   virtual std::optional<NextFrame> window_frame(const Move& move, FrameWork& work) = 0;
   /// Of the frame that has just been taken over; of the window that was built for it.
   virtual double cost_of(const FrameWork& work) = 0;
-  virtual WindowCost cost_of_window() const = 0;
+  virtual double cost_of_window() const = 0;
 
   Result<FrameChanges> frame_at(const Move& move);
   Result<bool> open_window(const Move& move, FrameWork& work);

@@ -1,6 +1,5 @@
-// Edges or convex vertices of an operand in a tree of discs, with the directions that their segments can have. It is
-// made once: where the operand turns and scales, discs move along, and directions unless scales of x and y change
-// ratio.
+// The segments of the convolution near a box, found in trees of discs, or among those that were near the last one; and
+// the sides of that box.
 #pragma once
 
 #include <array>
@@ -21,6 +20,9 @@ struct DirectionRange {
 /// Whether they have a direction in common, once the first one is turned by `turn`, or nearly, within `slack`.
 bool may_meet(const DirectionRange& a, double turn, const DirectionRange& b, double slack);
 
+/// Edges or convex vertices of an operand in a tree of discs, with the directions that their segments can have. It is
+/// made once: where the operand turns and scales, discs move along, and directions unless scales of x and y change
+/// ratio.
 class FeatureDiscs {
  public:
   enum class Of : std::uint8_t {
@@ -58,8 +60,6 @@ class FeatureDiscs {
   std::vector<DirectionRange> ranges_;  // by walk edge or vertex
   std::vector<Node> nodes_;
 };
-
-// The segments of the convolution near a box, found in trees of discs, or among those that were near the last one.
 
 /// In scaled doubles.
 struct ScaledBox {
@@ -111,8 +111,6 @@ class NearSegments {
   std::optional<Kept> kept_;
 };
 
-// The sides of the box that a sum is cut to, and of a larger one, in which everything near it is known.
-
 /// A line x = value or y = value. Beyond all sums it cuts nothing.
 struct LocalWall {
   int axis = 0;
@@ -123,6 +121,7 @@ struct LocalWall {
   base::DoublePair pair;  ///< the same
 };
 
+/// The sides of the box that a sum is cut to, and of a larger one, in which everything near it is known.
 class LocalWalls {
  public:
   LocalWalls(const PosedRegions& posed, const PlanarBox& box, const PlanarBox& reach);

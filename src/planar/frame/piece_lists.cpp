@@ -66,10 +66,7 @@ Meet meet(const Window& window, std::uint32_t a, std::uint32_t b, ExactFrame& fr
   const int s3 = l.side(sb, a0), s4 = l.side(sb, a1);
   if (s3 * s4 > 0) return Meet::none;
   if (s1 != 0 && s2 != 0 && s3 != 0 && s4 != 0) return Meet::crossing;
-  const auto on = [&](const Segment& s, Pair v) {
-    const Segment back{{s.edge.op, s.edge.to, s.edge.from}, s.vertex};
-    return l.along(s, v) >= 0 && l.along(back, v) >= 0;
-  };
+  const auto on = [&](const Segment& s, Pair v) { return l.along(s, v) >= 0 && l.along(reversed(s), v) >= 0; };
   if ((s1 == 0 && on(sa, b0)) || (s2 == 0 && on(sa, b1)) || (s3 == 0 && on(sb, a0)) || (s4 == 0 && on(sb, a1)))
     return Meet::degenerate;
   return Meet::none;
@@ -130,10 +127,7 @@ void PieceLists::add_entries() {
 }
 
 std::size_t PieceLists::bytes() const {
-  return entries_.capacity() * sizeof(Entry) + crossings_.capacity() * sizeof(Crossing) +
-         (low_.capacity() + high_.capacity()) * 8 + hot_.capacity() * sizeof(Hot) +
-         (list_.capacity() + touched_.capacity() + changed_at_.capacity() + changed_.capacity()) * 4 +
-         items_.capacity() * sizeof(Item) + new_subs_.capacity() * sizeof(NewSubs);
+  return bytes_of(entries_, crossings_, low_, high_, hot_, list_, touched_, changed_at_, changed_, items_, new_subs_);
 }
 
 bool PieceLists::repair(double tau, ExactFrame& frame, FrameWork& work) {
@@ -160,6 +154,20 @@ bool PieceLists::repair(double tau, ExactFrame& frame, FrameWork& work) {
   work.lists_changed += changed_.size();
   links_.relink([&](std::uint32_t piece) { mark_changed(piece, {0, count(piece)}); });
   return generic;
+}
+
+bool PieceLists::stays_clear(std::uint32_t piece, const std::array<Linear, 2>& ends, double margin,
+                             const std::array<std::uint32_t, 2>& but, double low, double high) const {
+  const auto& [from, to] = ends;
+  for (const Entry& e : entries(piece)) {
+    if (e.id == but[0] || e.id == but[1] || e.out_high <= low || e.out_low >= high) continue;
+    const double apart = margin + e.error, u = std::max(low, e.out_low), v = std::min(high, e.out_high),
+                 t_u = e.t.at(u), t_v = e.t.at(v);
+    const bool before = from.at(u) - t_u > apart && from.at(v) - t_v > apart;
+    const bool behind = t_u - to.at(u) > apart && t_v - to.at(v) > apart;
+    if (!before && !behind) return false;
+  }
+  return true;
 }
 
 Cut PieceLists::cut_at(std::uint32_t piece, std::uint32_t entry) const {
@@ -242,9 +250,9 @@ bool PieceLists::inside_exactly(std::uint32_t i, std::uint32_t id, ExactFrame& f
     return m == Meet::crossing && before_end(crossings_[id].a, id, frame, certain) &&
            before_end(crossings_[id].b, id, frame, certain);
   }
-  const Segment s = window_.exact(window_.pieces[i].segment), back{{s.edge.op, s.edge.to, s.edge.from}, s.vertex};
+  const Segment s = window_.exact(window_.pieces[i].segment);
   const Pair v = window_.exact(window_.nodes[window_.touches[id & ~kTouchBit].node].at);
-  const int from = frame.lattice().along(s, v), to = frame.lattice().along(back, v);
+  const int from = frame.lattice().along(s, v), to = frame.lattice().along(reversed(s), v);
   frame.exact_signs += 2;
   certain.generic &= from != 0 && to != 0;
   return from > 0 && to > 0 && before_end(i, id, frame, certain);

@@ -1,5 +1,4 @@
-// Where walks go on in the nodes at which something touches at every scale: which rays are there now, and the sector
-// rule on them.
+// For every piece of a window the crossings on it in order, kept true from frame to frame, and where walks go on.
 #pragma once
 
 #include <array>
@@ -16,6 +15,8 @@
 
 namespace dymsum::planar {
 
+/// Where walks go on in the nodes at which something touches at every scale: which rays are there now, and the sector
+/// rule on them.
 class NodeLinks {
  public:
   explicit NodeLinks(const Window& window);
@@ -79,9 +80,8 @@ class NodeLinks {
   std::vector<std::uint32_t> dirty_;  ///< nodes where a touch came or went in this frame
 };
 
-// For every piece of a window the crossings on it in order, kept true from frame to frame. Each list knows an interval
-// of scales over which it certainly stays as it is; only lists whose interval was left are looked at.
-
+/// Each list knows an interval of scales over which it certainly stays as it is; only lists whose interval was left are
+/// looked at.
 class PieceLists {
  public:
   explicit PieceLists(Window& window);
@@ -112,6 +112,20 @@ class PieceLists {
   std::span<const Entry> entries(std::uint32_t piece) const {
     return {entries_.data() + hot_[piece].base, hot_[piece].entries};
   }
+  /// Where an entry stands on a piece, anywhere in the window.
+  struct Line {
+    Linear t;
+    double error = 0;
+  };
+  Line line(std::uint32_t piece, std::uint32_t entry) const {
+    if (entry & kTouchBit) return {window_.touches[entry & ~kTouchBit].t, window_.touches[entry & ~kTouchBit].error};
+    const Candidate& c = window_.candidates[entry];
+    return c.a == piece ? Line{c.ta, c.error_a} : Line{c.tb, c.error_b};
+  }
+  /// Whether all entries of a piece but two stay outside of a part of it while they are there, at every scale from low
+  /// to high. `margin`: what bounds the errors of its ends.
+  bool stays_clear(std::uint32_t piece, const std::array<Linear, 2>& ends, double margin,
+                   const std::array<std::uint32_t, 2>& but, double low, double high) const;
   /// A candidate's pieces and its places in their lists, while it crosses.
   struct Crossing {
     std::uint32_t a, b, at_a, at_b;

@@ -50,46 +50,6 @@ std::optional<Error> local_operand_error(const Region& region, const Operand& op
   return too_large(operand);
 }
 
-/// Questions to the overlap test about nodes and what lies half-way between two.
-class LocalAsking {
- public:
-  LocalAsking(const PosedRegions& posed, LocalOverlap& overlap) : posed_(posed), overlap_(overlap) {}
-
-  LocalQuestions about(const LocalNodes& nodes) {
-    const auto at_node = [this, &nodes](std::uint32_t n) {
-      const LocalNode& node = nodes.node(n);
-      return overlap_.holds(posed_, {node.x, node.y, node.off, [&]() -> const BigPlace& { return nodes.exact(n); }});
-    };
-    const auto halfway_of = [this, &nodes](std::uint32_t m, std::uint32_t n) {
-      const LocalNode &a = nodes.node(m), &b = nodes.node(n);
-      return at({(a.x + b.x) / 2, (a.y + b.y) / 2}, std::max(a.off, b.off) + PosedRegions::kOff,
-                [&] { return halfway(nodes.exact(m), nodes.exact(n)); });
-    };
-    return {at_node, halfway_of};
-  }
-
-  bool middle_inside(const PlanarBox& box, const PlanarDisc* disc) {
-    const Point low = disc != nullptr ? disc->middle : box.low, high = disc != nullptr ? disc->middle : box.high;
-    const BigPoint a = posed_.exact(low), b = posed_.exact(high);
-    const BigPlace middle{a.x + b.x, a.y + b.y, Big::from_int64(2)};
-    const Point rounded = posed_.scaled(middle);
-    return at({std::clamp(rounded.x, -4.0, 4.0), std::clamp(rounded.y, -4.0, 4.0)}, PosedRegions::kOff,
-              [&] { return middle; });
-  }
-
- private:
-  template <class F>
-  bool at(Point place, double off, F make) {
-    std::optional<BigPlace> made;
-    return overlap_.holds(posed_, {place.x, place.y, off, [&]() -> const BigPlace& {
-                                     if (!made) made = make();
-                                     return *made;
-                                   }});
-  }
-  const PosedRegions& posed_;
-  LocalOverlap& overlap_;
-};
-
 }  // namespace
 
 PlanarBox bounding_box(const PlanarDisc& disc) {
@@ -133,12 +93,20 @@ class PlanarLocalSum::State {
     const LocalNodes nodes(posed, walls, segments(posed, poses, walls, part.work));
     part.work.segments = nodes.segment_count();
     overlap_.clear_counts();
-    LocalAsking asking(posed, overlap_);
     const Linking linking = options_.engine == LocalEngine::brute ? Linking::none : Linking::patches;
-    part.positions_ = assemble_part(nodes, local_edges(nodes, asking.about(nodes), linking), disc, part);
+    part.positions_ = assemble_part(nodes, local_edges(nodes, overlap_, linking), disc, part);
     if (!part.vertices.empty()) part.where = PlanarLocalPart::Where::crossed;
-    else if (asking.middle_inside(box, disc)) part.where = PlanarLocalPart::Where::inside;
+    else if (middle_inside(posed, box, disc)) part.where = PlanarLocalPart::Where::inside;
     part.work.collision_tests = overlap_.tests(), part.work.exact_tests = overlap_.exact_tests();
+  }
+
+  bool middle_inside(const PosedRegions& posed, const PlanarBox& box, const PlanarDisc* disc) {
+    const BigPoint a = posed.exact(disc != nullptr ? disc->middle : box.low),
+                   b = posed.exact(disc != nullptr ? disc->middle : box.high);
+    const BigPlace middle{a.x + b.x, a.y + b.y, Big::from_int64(2)};
+    const Point rounded = posed.scaled(middle);
+    return overlap_.holds(posed, {std::clamp(rounded.x, -4.0, 4.0), std::clamp(rounded.y, -4.0, 4.0),
+                                  PosedRegions::kOff, [&] { return middle; }});
   }
 
   /// Directions depend on the ratios of scales.

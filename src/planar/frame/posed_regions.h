@@ -2,6 +2,7 @@
 #pragma once
 
 #include <array>
+#include <cmath>
 #include <optional>
 #include <vector>
 
@@ -14,20 +15,30 @@ namespace dymsum::planar {
 
 using exact::Big;
 
-struct BigPoint {
-  Big x, y;
-  friend BigPoint operator+(const BigPoint& a, const BigPoint& b) { return {a.x + b.x, a.y + b.y}; }
-  friend BigPoint operator-(const BigPoint& a, const BigPoint& b) { return {a.x - b.x, a.y - b.y}; }
+template <class Number>
+struct PointOf {
+  Number x, y;
+  friend PointOf operator+(const PointOf& a, const PointOf& b) { return {a.x + b.x, a.y + b.y}; }
+  friend PointOf operator-(const PointOf& a, const PointOf& b) { return {a.x - b.x, a.y - b.y}; }
 };
-inline Big cross(const BigPoint& a, const BigPoint& b) { return a.x * b.y - a.y * b.x; }
-/// A point in pairs of doubles.
-struct PairPoint {
-  base::DoublePair x, y;
-  friend PairPoint operator+(const PairPoint& a, const PairPoint& b) { return {a.x + b.x, a.y + b.y}; }
-  friend PairPoint operator-(const PairPoint& a, const PairPoint& b) { return {a.x - b.x, a.y - b.y}; }
-};
-inline base::DoublePair cross(const PairPoint& a, const PairPoint& b) { return a.x * b.y - a.y * b.x; }
-inline Big dot(const BigPoint& a, const BigPoint& b) { return a.x * b.x + a.y * b.y; }
+template <class Number>
+Number cross(const PointOf<Number>& a, const PointOf<Number>& b) {
+  return a.x * b.y - a.y * b.x;
+}
+template <class Number>
+Number dot(const PointOf<Number>& a, const PointOf<Number>& b) {
+  return a.x * b.x + a.y * b.y;
+}
+using BigPoint = PointOf<Big>;
+using PairPoint = PointOf<base::DoublePair>;
+
+inline Point less(Point a, Point b) { return {a.x - b.x, a.y - b.y}; }
+/// The sign of a x b where it is certain for vectors whose components are off by at most `off`, or 0.
+inline int sure_cross(Point a, Point b, double off) {
+  const double value = a.x * b.y - a.y * b.x;
+  const double error = 2 * off * (std::abs(a.x) + std::abs(a.y) + std::abs(b.x) + std::abs(b.y) + 2 * off);
+  return value > error ? 1 : value < -error ? -1 : 0;
+}
 
 /// (x, y) / w, w > 0.
 struct BigPlace {

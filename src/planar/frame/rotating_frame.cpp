@@ -55,13 +55,8 @@ void RotatingFrame::enter(const RotatingWindow& window) {
 }
 
 std::size_t RotatingFrame::bytes() const {
-  return (turned_.capacity() + turned_edge_.capacity()) * sizeof(Point) + ways_.capacity() * sizeof(Way) +
-         (busy_[0].capacity() + busy_[1].capacity()) * sizeof(Busy) + placed_.capacity() * sizeof(Placed) +
-         meetings_.capacity() * sizeof(Meeting) + near_.capacity() * sizeof(Near) +
-         crossings_.capacity() * sizeof(Crossing) + entries_.capacity() * sizeof(Entry) +
-         stretches_.capacity() * sizeof(Stretch) +
-         (count_.capacity() + next_.capacity() + path_.capacity()) * sizeof(std::uint32_t) + exists_.capacity() +
-         seen_.capacity() + walked_.capacity() + steps_.capacity() * sizeof(Step) + cycles_.capacity() * sizeof(Cycle);
+  return bytes_of(turned_, turned_edge_, ways_, busy_[0], busy_[1], placed_, meetings_, near_, crossings_, entries_,
+                  stretches_, count_, next_, path_, exists_, seen_, walked_, steps_, cycles_);
 }
 
 bool RotatingFrame::compute(double delta, Heading heading) {

@@ -6,6 +6,86 @@
 namespace dymsum::planar {
 namespace {
 
+constexpr std::size_t kMostPairs = 1 << 16;  // trees of exact boxes are better beyond
+
+}  // namespace
+
+RotatingOverlap::Box RotatingOverlap::box_of(const std::vector<Point>& points) {
+  Box box{INFINITY, INFINITY, -INFINITY, -INFINITY};
+  for (const Point& p : points)
+    box = {std::min(box.x0, p.x), std::min(box.y0, p.y), std::max(box.x1, p.x), std::max(box.y1, p.y)};
+  return box;
+}
+
+// Those that come into a box.
+template <class VectorOf>
+void RotatingOverlap::collect(const Operand& o, const std::vector<Point>& points, const VectorOf& vector_of,
+                              const Box& box, std::vector<Edge>& edges) const {
+  const double off = kOverlapPlace * forms_.span();
+  edges.clear();
+  for (std::uint32_t i = 0; i < points.size(); ++i) {
+    const Point a = points[i], b = points[o.next[i]], d = vector_of(i);
+    const auto [x0, x1] = std::minmax(a.x, b.x);
+    const auto [y0, y1] = std::minmax(a.y, b.y);
+    const Edge e{a.x, a.y, b.x, b.y, d.x, d.y, x0 - off, y0 - off, x1 + off, y1 + off, i};
+    if (e.x0 <= box.x1 && e.x1 >= box.x0 && e.y0 <= box.y1 && e.y1 >= box.y0) edges.push_back(e);
+  }
+}
+
+void RotatingOverlap::collect_edges(const RotatingFrame& frame, Point z) {
+  const Operand &fixed = forms_.operand(0), &turning = forms_.operand(1);
+  turning_.resize(turning.size());
+  for (std::uint32_t v = 0; v < turning_.size(); ++v) turning_[v] = {z.x - frame.turned(v).x, z.y - frame.turned(v).y};
+  const auto reflected = [&](std::uint32_t e) {
+    const Point d = frame.direction({1, e, 0});
+    return Point{-d.x, -d.y};
+  };
+  collect(
+      fixed, forms_.points(0), [&](std::uint32_t e) { return forms_.edge(0, e); }, box_of(turning_), of_fixed_);
+  collect(turning, turning_, reflected, box_of(forms_.points(0)), of_turning_);
+}
+
+// Of the ends of an edge against a line: on one side of it certainly (1), certainly on both sides (-1), or not told.
+int RotatingOverlap::sides(const Edge& line, const Edge& e) const {
+  const double bound = (std::abs(line.dx) + std::abs(line.dy)) * kOverlapSide * forms_.span();
+  const double u = line.dx * (e.ay - line.ay) - line.dy * (e.ax - line.ax),
+               v = line.dx * (e.by - line.ay) - line.dy * (e.bx - line.ax);
+  if (!(std::abs(u) > bound) || !(std::abs(v) > bound)) return 0;
+  return (u > 0) == (v > 0) ? 1 : -1;
+}
+
+RotatingOverlap::Result RotatingOverlap::right_of(const RotatingFrame& frame, const RotatingFrame::Step& s) {
+  const std::optional<Point> z = frame.middle_of(s);
+  if (!z) return {};
+  collect_edges(frame, *z);
+  if (of_fixed_.size() * of_turning_.size() > kMostPairs) return {};
+  const WalkSegment& on = frame.window().segments[s.segment];
+  const auto touches = [&](std::uint32_t e, std::uint32_t f) {
+    if (on.side == 0) return e == on.edge && (f == on.vertex || f == forms_.operand(1).prev[on.vertex]);
+    return f == on.edge && (e == on.vertex || e == forms_.operand(0).prev[on.vertex]);
+  };
+  Result result{Answer::free, 0, 0};
+  near_.resize(of_turning_.size() + 1);
+  for (const Edge& e : of_fixed_) {
+    std::size_t n = 0;
+    for (std::uint32_t k = 0; k < of_turning_.size(); ++k) {
+      const Edge& f = of_turning_[k];
+      near_[n] = k;
+      n += (e.x0 <= f.x1) & (e.x1 >= f.x0) & (e.y0 <= f.y1) & (e.y1 >= f.y0);
+    }
+    for (std::size_t k = 0; k < n; ++k) {
+      const Edge& f = of_turning_[near_[k]];
+      const int u = sides(e, f), v = sides(f, e);
+      if (u > 0 || v > 0 || touches(e.number, f.number)) continue;
+      if (u < 0 && v < 0) return {Answer::overlap, e.number, f.number};
+      result.answer = Answer::unknown;
+    }
+  }
+  return result;
+}
+
+namespace {
+
 constexpr std::uint32_t kEnd = RotatingFrame::kEnd;
 constexpr std::uint32_t kGone = 0xfffffffe;  // a segment that a new window does not have
 
@@ -204,14 +284,8 @@ Segment RotatingLoops::source_segment(std::uint32_t segment, const RotatingWindo
   return {edge, other.source[w.vertex]};
 }
 
-bool RotatingLoops::covered(const RotatingFrame& frame, Loop& loop, ExactFrame& exact, FrameWork& work) {
-  if (witnessed(frame, loop)) {
-    ++work.witnessed;
-    return true;
-  }
-  work.witnesses_lost += loop.witness.has_value();
-  ++work.collision_tests;
-  // Beside the longest sub-edge; of those between nearly parallel lines doubles may know no lengths.
+// Of sub-edges between nearly parallel lines doubles may know no lengths.
+const RotatingFrame::Step& RotatingLoops::longest_of(const RotatingFrame& frame, const Loop& loop) const {
   const RotatingFrame::Step* longest = &frame.steps()[loop.first];
   double best = -1;
   for (std::uint32_t k = loop.first; k < loop.last; ++k) {
@@ -222,12 +296,23 @@ bool RotatingLoops::covered(const RotatingFrame& frame, Loop& loop, ExactFrame& 
       longest = &s;
     }
   }
+  return *longest;
+}
+
+bool RotatingLoops::covered(const RotatingFrame& frame, Loop& loop, ExactFrame& exact, FrameWork& work) {
+  if (witnessed(frame, loop)) {
+    ++work.witnessed;
+    return true;
+  }
+  work.witnesses_lost += loop.witness.has_value();
+  ++work.collision_tests;
+  const RotatingFrame::Step& beside = longest_of(frame, loop);
   if (connected_) {
-    const RotatingOverlap::Result told = overlap_.right_of(frame, *longest);
+    const RotatingOverlap::Result told = overlap_.right_of(frame, beside);
     if (told.answer == RotatingOverlap::Answer::free) loop.witness.reset();
     if (told.answer == RotatingOverlap::Answer::overlap) {
-      loop.witness =
-          swapped_ ? std::array{told.turning_edge, told.fixed_edge} : std::array{told.fixed_edge, told.turning_edge};
+      loop.witness = {told.fixed_edge, told.turning_edge};
+      if (swapped_) std::swap((*loop.witness)[0], (*loop.witness)[1]);
       lately_.remember(*loop.witness);
     }
     if (told.answer != RotatingOverlap::Answer::unknown) return told.answer == RotatingOverlap::Answer::overlap;
@@ -236,7 +321,7 @@ bool RotatingLoops::covered(const RotatingFrame& frame, Loop& loop, ExactFrame& 
     return s == kEnd ? std::nullopt : std::optional<Segment>(source_segment(s, frame.window()));
   };
   const bool inside =
-      exact.inside_right_of(source_segment(longest->segment, frame.window()), by(longest->from), by(longest->to));
+      exact.inside_right_of(source_segment(beside.segment, frame.window()), by(beside.from), by(beside.to));
   loop.witness = exact.collision().crossing_edges();
   if (loop.witness) lately_.remember(*loop.witness);
   return inside;

@@ -9,10 +9,47 @@
 #include "dymsum/frames.h"
 #include "planar/frame/frame_rings.h"
 #include "planar/frame/rotating_frame.h"
-#include "planar/frame/rotating_overlap.h"
 #include "planar/motion/exact_frame.h"
 
 namespace dymsum::planar {
+
+/// Whether a face of a frame lies in the sum, in doubles with proved bounds: the collision test where nothing is close.
+class RotatingOverlap {
+ public:
+  enum class Answer : std::uint8_t { free, overlap, unknown };
+  struct Result {
+    Answer answer = Answer::unknown;
+    std::uint32_t fixed_edge = 0, turning_edge = 0;  ///< of an overlap: walk edges that cross
+  };
+
+  explicit RotatingOverlap(const TurningForms& forms) : forms_(forms) {}
+
+  /// Whether the face to the right of a sub-edge lies in the open sum. Requires: both operands are connected. With the
+  /// sub-edge's middle as the position, a vertex of one operand touches an edge of the other from outside. They overlap
+  /// when another pair of edges crosses; when every other pair lies apart, they do not, as no boundary enters the other
+  /// operand anywhere. O(n m) for the edges in the other one's box.
+  Result right_of(const RotatingFrame& frame, const RotatingFrame::Step& s);
+
+ private:
+  struct Edge {
+    double ax, ay, bx, by, dx, dy, x0, y0, x1, y1;  ///< ends, vector and box
+    std::uint32_t number;
+  };
+  struct Box {
+    double x0, y0, x1, y1;
+  };
+  static Box box_of(const std::vector<Point>& points);
+  template <class VectorOf>
+  void collect(const Operand& o, const std::vector<Point>& points, const VectorOf& vector_of, const Box& box,
+               std::vector<Edge>& edges) const;
+  void collect_edges(const RotatingFrame& frame, Point z);
+  int sides(const Edge& line, const Edge& e) const;
+
+  const TurningForms& forms_;
+  std::vector<Point> turning_;  // the turning operand reflected, at the position
+  std::vector<Edge> of_fixed_, of_turning_;
+  std::vector<std::uint32_t> near_;
+};
 
 class RotatingLoops {
  public:
@@ -40,10 +77,7 @@ class RotatingLoops {
   const std::vector<Loop>& loops() const { return loops_; }
   std::vector<Loop>& loops() { return loops_; }
   bool known() const { return known_; }
-  std::size_t bytes() const {
-    return (steps_.capacity() + old_steps_.capacity()) * sizeof(Known) +
-           (loops_.capacity() + old_.capacity()) * sizeof(Loop);
-  }
+  std::size_t bytes() const { return bytes_of(steps_, old_steps_, loops_, old_); }
 
  private:
   /// What identifies a sub-edge in a window.
@@ -57,6 +91,7 @@ class RotatingLoops {
   bool inherit(const RotatingFrame& frame, Loop& loop, FrameWork& work);
   bool witnessed(const RotatingFrame& frame, Loop& loop);
   static bool undisturbed(const Stretch& all, const RotatingWindow& window, const RotatingFrame::Step& s);
+  const RotatingFrame::Step& longest_of(const RotatingFrame& frame, const Loop& loop) const;
   bool covered(const RotatingFrame& frame, Loop& loop, ExactFrame& exact, FrameWork& work);
   bool covers(const CrossingEdges& edges, const RotatingFrame& frame, const RotatingFrame::Located& z) const;
   void follow(const RotatingFrame& frame, RingIdentities& identities, FrameChanges& changes);

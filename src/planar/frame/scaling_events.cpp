@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "planar/operand/round_place.h"
 #include "planar/window/edge_search.h"
 
 namespace dymsum::planar {
@@ -117,8 +118,7 @@ class Collector {
 
   // v is on the line of s where a form vanishes: is it on the closed segment?
   bool on(const Segment& s, Pair v, const ExactForm& zero) const {
-    const Segment back{{s.edge.op, s.edge.to, s.edge.from}, s.vertex};
-    return sign_at_root(forms_.along(s, v), zero) >= 0 && sign_at_root(forms_.along(back, v), zero) >= 0;
+    return sign_at_root(forms_.along(s, v), zero) >= 0 && sign_at_root(forms_.along(reversed(s), v), zero) >= 0;
   }
 
   // An end of a live segment, exactly and in doubles.
@@ -185,8 +185,7 @@ class Collector {
     };
     if (side.always_zero()) {
       // A vertex that stays on the line reaches an end: then two vertices meet.
-      const Segment back{{exact.edge.op, exact.edge.to, exact.edge.from}, exact.vertex};
-      for (const Segment& along : {exact, back})
+      for (const Segment& along : {exact, reversed(exact)})
         if (const ExactForm form = forms_.along(along, v.exact); has_root(form, at)) add_vertex(form);
       return;
     }
@@ -257,26 +256,13 @@ class Collector {
   base::HeldMemory held_;
 };
 
-// Nearly parallel lines, of which the doubles know nothing: the exact position, rounded from that of a vertex.
-Place rounded(const Place& place, const Lattice& l) {
-  const auto difference = [&](const exact::BigRational& a, const exact::BigRational& b) {
-    return exact::round_to_double(BigRational(a - b)) / l.unit;
-  };
-  const Pair start = start_of(place.on);
-  const Lattice::Position at = l.position(place), from = l.position(start);
-  Place p = place;
-  p.x = l.points[0]->x[start.p] + l.points[1]->x[start.q] + difference(at.x, from.x);
-  p.y = l.points[0]->y[start.p] + l.points[1]->y[start.q] + difference(at.y, from.y);
-  p.error = kWindowSample * (l.span + std::abs(p.x) + std::abs(p.y));
-  return p;
-}
-
 }  // namespace
 
 bool is_covered(const EventValue& event, ExactFrame& frame) {
   return std::all_of(event.at.begin(), event.at.end(), [&](const Place& place) {
     if (std::isfinite(place.error)) return frame.collision().overlaps(place);
-    const Place near = rounded(place, frame.lattice());
+    Place near = place;  // nearly parallel lines, of which the doubles know nothing
+    round_place(frame.lattice(), near);
     return frame.collision().overlaps(near);
   });
 }

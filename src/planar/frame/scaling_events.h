@@ -1,4 +1,4 @@
-// Exact scales at which segments begin or cease to meet.
+// Exact scales at which segments begin or cease to meet, and hashes by which sums are told apart.
 #pragma once
 
 #include <array>
@@ -33,8 +33,6 @@ std::vector<EventValue> events_of(const Window& window, const ExactForms& forms,
 /// scale.
 bool is_covered(const EventValue& event, ExactFrame& frame);
 
-// Hashes of the lines of a pair's segments, which no scale changes: found once each, and kept from frame to frame.
-
 /// For every value the first index that it has in a list. Requires that the values asked for are in it.
 class FirstIndices {
  public:
@@ -50,7 +48,7 @@ class FirstIndices {
   std::vector<std::uint32_t> index_;
 };
 
-/// Of one pair of operands.
+/// Hashes of the lines of a pair's segments, which no scale changes: found once each, and kept from frame to frame.
 class LineHashes {
  public:
   explicit LineHashes(std::shared_ptr<const OperandPair> base);

@@ -5,7 +5,6 @@
 
 #include "dymsum/scaling_sum.h"
 #include "planar/convolution/convolution.h"
-#include "planar/frame/frame_cost.h"
 #include "planar/frame/scaling_events.h"
 #include "planar/frame/window_frames.h"
 #include "planar/motion/operand_pair.h"
@@ -21,11 +20,8 @@ Result<ScalingSum> ScalingSum::create(const Region& p, const Region& q, const Mo
   Result<std::shared_ptr<const planar::OperandPair>> base = planar::pair_of_regions(p, q, options);
   if (!base) return base.error();
   auto state = std::make_unique<State>(std::move(base).value(), options);
-  const FrameMode mode = state->options.mode;
-  state->options.mode = FrameMode::rebuild;
-  Result<FrameChanges> first = state->move_to(Scale(), Scale());
+  const Result<FrameChanges> first = state->begin([&] { return state->move_to(Scale(), Scale()); });
   if (!first) return first.error();
-  state->options.mode = mode;
   return ScalingSum(std::move(state));
 }
 
@@ -57,6 +53,35 @@ constexpr double kLowest = 0x1p-65, kHighest = 0x1p65;
 constexpr double kMostTouching = 1;
 constexpr std::size_t kMostKnown = 32;  // scales at which something touches, the last ones
 constexpr double kCheapWindow = 4000;   // some milliseconds to build: no window as cheap as that is abandoned
+
+// What frames cost by what they looked at, fitted to frames of the pairs of `./run bench scaling`. Of one from scratch,
+// or of the part of a degenerate one that goes through the static engine's arrangement:
+double cost_of_sum(const PlanarSum& sum) {
+  const SumStats& s = sum.stats;
+  const double mask = 0.015 * s.mask_grid * s.mask_grid;
+  return 2 + mask + cost_of(0.005, s.reduced_segments) + cost_of(0.31, s.crossings) + cost_of(0.08, s.exact_signs) +
+         cost_of(0.08, sum.vertex_count()) + cost_of(2, s.collision_tests);
+}
+
+constexpr double kWindow = 45, kSegment = 0.06, kPairOfBoxes = 0.07, kPiece = 0.5;
+
+// A window, without its first frame. `all`: segments of the convolution.
+double cost_of_window(const Window& window, std::uint32_t all) {
+  return kWindow + cost_of(kSegment, all) + cost_of(kPairOfBoxes, window.pair_tests) +
+         cost_of(kPiece, window.pieces.size());
+}
+
+// How many boxes of pieces may meet in one that costs no more.
+std::uint64_t pairs_of_window(double cost, std::uint32_t all) {
+  return static_cast<std::uint64_t>(std::max(0.0, cost - kWindow - cost_of(kSegment, all)) / kPairOfBoxes);
+}
+
+double cost_of_frame(const FrameWork& work, const PlanarSum& sum) {
+  const double repaired =
+      cost_of(0.004, work.pieces) + cost_of(0.24, work.lists_changed) + cost_of(0.075, work.crossings_changed);
+  return 0.5 + repaired + cost_of(0.01, sum.vertex_count()) + cost_of(8, work.collision_tests) +
+         cost_of(0.06, work.exact_signs) + (work.degenerate ? cost_of_sum(sum) : 0);
+}
 
 }  // namespace
 
@@ -144,8 +169,8 @@ double ScalingSum::State::cost_of(const FrameWork& done) {
   return done.rebuilt ? cost_of_sum(sum) : cost_of_frame(done, sum);
 }
 
-MovingSum::WindowCost ScalingSum::State::cost_of_window() const {
-  return {planar::cost_of_window(*frames().window, frames().convolution->size()), 0};
+double ScalingSum::State::cost_of_window() const {
+  return dymsum::cost_of_window(*frames().window, frames().convolution->size());
 }
 
 // A motion that comes back there builds no window for it: a window has all that touches at this one scale among its

@@ -36,7 +36,7 @@ class ScalingSum::State final : public planar::MovingSum {
   void window_changes(planar::FrameWindow*) override { last_ = nullptr; }
   std::optional<NextFrame> window_frame(const Move& move, FrameWork& work) override;
   double cost_of(const FrameWork& work) override;
-  WindowCost cost_of_window() const override;
+  double cost_of_window() const override;
   NextFrame assemble(double tau, planar::ExactFrame& frame, bool stays);
 
   planar::MakeWindow maker(double low, double high, double entry);

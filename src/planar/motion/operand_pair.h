@@ -60,8 +60,6 @@ class OperandPair : public std::enable_shared_from_this<OperandPair> {
   std::array<ScaleValue, 2> stretch_;  ///< of the moved operand, along x and y
 };
 
-// Regions as the operand pair of a moving sum.
-
 struct PairOptions {
   std::uint32_t moved = 0;                         ///< operand
   bool reflect_q = false;                          ///< P (+) -Q

@@ -1,4 +1,4 @@
-// Orientations as the lattice wants them.
+// Orientations as the lattice wants them, and angles of any size less whole turns.
 #pragma once
 
 #include "dymsum/orientation.h"
@@ -17,8 +17,6 @@ Orientation orientation_of(const exact::BigRational& tan_half);
 Orientation orientation_at(int chart, const exact::BigRational& t);
 /// The rotation of operand `op`, in lowest terms.
 LatticeScale turn_of(const Orientation& orientation, std::uint32_t op);
-
-// Angles of any size less whole turns, without losing digits.
 
 /// radians - 2 pi k in (-pi, pi], exactly reduced and then rounded once: within 2^-52, for every finite double. Beyond
 /// half a turn what is within 2^-50 of a multiple of a quarter turn is that multiple, as doubles give it. Up to half a

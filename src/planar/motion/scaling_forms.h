@@ -72,9 +72,6 @@ inline constexpr double kWindowPoint = exact::rounding_bound(4 + 5, 16);
 /// Of a side, times L and the span: with the shift, and both places at cuts.
 inline constexpr int kSideRoundings = 14;
 inline constexpr double kWindowSide = exact::rounding_bound(kSideRoundings + 2 * 1 + 2 * 6, 32);
-/// Of a sample point at most 2 farther from its pair of vertices, blown up and rounded from the exact one, times the
-/// span.
-inline constexpr double kWindowSample = exact::rounding_bound(8, 32);
 /// Of a side of an edge that is scaled where it stands, times |e|_1 and the span: two products with a rounded tau (5
 /// each, of parts of the span), their sum, the difference, edge vector (3), product and difference.
 inline constexpr double kSearchSide = exact::rounding_bound(12, 32);

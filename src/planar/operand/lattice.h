@@ -40,6 +40,7 @@ inline Pair start_of(const Segment& s) {
   return s.edge.op == 0 ? Pair{s.edge.from, s.vertex} : Pair{s.vertex, s.edge.from};
 }
 inline Pair end_of(const Segment& s) { return s.edge.op == 0 ? Pair{s.edge.to, s.vertex} : Pair{s.vertex, s.edge.to}; }
+inline Segment reversed(const Segment& s) { return {{s.edge.op, s.edge.to, s.edge.from}, s.vertex}; }
 
 /// A point on the line of a segment `on`: a pair of vertices lying on it, or its crossing with the line of `by`.
 struct Cut {

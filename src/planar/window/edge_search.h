@@ -65,16 +65,14 @@ class EdgeSearch {
   std::vector<std::pair<std::uint32_t, std::uint32_t>> stack_;
 };
 
-// What windows before found out about crossings inside the sum: the edges that covered one crossing of a segment often
-// cover the next one, in this window or a later one.
-
-/// By segments, named by their ids in one convolution. What is remembered decides nothing: edges are asked again
-/// whether they cross.
+/// What windows before found out about crossings inside the sum: the edges that covered one crossing of a segment often
+/// cover the next one, in this window or a later one. By segments, named by their ids in one convolution. What is
+/// remembered decides nothing: edges are asked again whether they cross.
 class CoverMemory {
  public:
   /// Of a convolution with so many segments.
   explicit CoverMemory(std::uint32_t segments) : of_(segments) {}
-  std::size_t bytes() const { return of_.capacity() * sizeof(Covers); }
+  std::size_t bytes() const { return bytes_of(of_); }
 
   /// Whether edges that are remembered for one of two segments cross at both places.
   bool covers(std::uint32_t a, std::uint32_t b, const EdgeSearch& search, const EdgeSearch::Place& from,

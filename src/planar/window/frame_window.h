@@ -1,5 +1,5 @@
-// A window of positions - scales or angles - in which frames are made, with all that they look at and know. Positions
-// are those of one family: scales of one ratio, say.
+// Windows of positions - scales or angles - in which frames are made, with all that these look at and know: those that
+// were left are kept, and the next one is made ahead. Positions are those of one family: scales of one ratio, say.
 #pragma once
 
 #include <cstddef>
@@ -33,11 +33,16 @@ class FrameWindow {
   std::uint64_t family_;
 };
 
+/// What lists hold, with the room that they have.
+template <class... Lists>
+std::size_t bytes_of(const Lists&... lists) {
+  return (std::size_t{0} + ... + (lists.capacity() * sizeof(typename Lists::value_type)));
+}
+
 /// Makes a window, on any thread, from what never changes. Nothing where that would cost too much, or is stopped.
 using MakeWindow = std::function<std::unique_ptr<FrameWindow>(const base::StopToken&)>;
 
-// The candidates of every piece of a window.
-
+/// The candidates of every piece of a window.
 struct CandidateIndex {
   base::CountedArray<std::uint32_t> first_of, of;  ///< those of piece i are of[first_of[i] .. first_of[i + 1])
 
@@ -59,8 +64,7 @@ struct CandidateIndex {
   }
 };
 
-// Windows that were left, for when the motion comes back.
-
+/// Windows that were left, for when the motion comes back.
 class KeptWindows {
  public:
   /// The most recently used one that covers a position of a family; it is kept no longer. None: nothing.
@@ -80,12 +84,11 @@ class KeptWindows {
   std::uint64_t bytes_ = 0;
 };
 
-// A window that is made on a thread of its own while frames go on. What it becomes does not depend on when it is ready.
-
-/// Used by one thread, except for the work itself. The thread that does it is started with the first window, and waits
-/// for the next one: waking it costs a frame less than starting one. Destroying this stops the work and waits until it
-/// has stopped. Around a fork the work rests: what was done for the window is lost, and the parent begins it again. A
-/// child has no thread, so no window is under way there until one is started.
+/// A window that is made on a thread of its own while frames go on. What it becomes does not depend on when it is
+/// ready. Used by one thread, except for the work itself. The thread that does it is started with the first window, and
+/// waits for the next one: waking it costs a frame less than starting one. Destroying this stops the work and waits
+/// until it has stopped. Around a fork the work rests: what was done for the window is lost, and the parent begins it
+/// again. A child has no thread, so no window is under way there until one is started.
 class WindowAhead final : private base::AroundForks {
  public:
   WindowAhead();

@@ -60,11 +60,7 @@ RotatingWindow::RotatingWindow(const TurnGrid& grid, const TurnCatalog& catalog,
 }
 
 std::size_t RotatingWindow::bytes() const {
-  return turned.capacity() * sizeof(Point) + segments.capacity() * sizeof(TurnSegment) +
-         pieces.capacity() * sizeof(TurnPiece) + candidates.capacity() * sizeof(TurnCandidate) +
-         (turns_[0].capacity() + turns_[1].capacity()) * sizeof(Turn) +
-         (first_of.capacity() + of.capacity() + changing.capacity() + rounds.capacity() + circles.capacity()) *
-             sizeof(std::uint32_t);
+  return bytes_of(turned, segments, pieces, candidates, turns_[0], turns_[1], first_of, of, changing, rounds, circles);
 }
 
 std::uint32_t RotatingWindow::find(const WalkSegment& s) const {

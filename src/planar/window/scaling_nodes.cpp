@@ -11,7 +11,7 @@
 
 namespace dymsum::planar {
 
-bool AlwaysOn::operator()(std::uint32_t segment, Pair v) {
+bool TouchFinder::always_on(std::uint32_t segment, Pair v) {
   const OperandPair& base = window_.base();
   const Segment s = window_.exact(segment);
   if (base.lattice->side(s, v) != 0) return false;
@@ -26,10 +26,10 @@ bool TouchFinder::touch_always(const Candidate& c, std::array<bool, 2> at_a, std
   const std::uint32_t si = window_.pieces[c.a].segment, sj = window_.pieces[c.b].segment;
   const LiveSegment &a = window_.segments[si], &b = window_.segments[sj];
   const WalkPair end_a = window_.end_pair(window_.pieces[c.a]), end_b = window_.end_pair(window_.pieces[c.b]);
-  const bool start_a = at_a[0] && always_on_(sj, window_.exact(a.start)),
-             start_b = at_b[0] && always_on_(si, window_.exact(b.start));
-  const bool a_on_b = start_a || (at_a[1] && always_on_(sj, window_.exact(end_a))),
-             b_on_a = start_b || (at_b[1] && always_on_(si, window_.exact(end_b)));
+  const bool start_a = at_a[0] && always_on(sj, window_.exact(a.start)),
+             start_b = at_b[0] && always_on(si, window_.exact(b.start));
+  const bool a_on_b = start_a || (at_a[1] && always_on(sj, window_.exact(end_a))),
+             b_on_a = start_b || (at_b[1] && always_on(si, window_.exact(end_b)));
   if (!a_on_b && !b_on_a) return false;
   window_.touching.push_back({si, sj});
   if (a_on_b && b_on_a) window_.folds.push_back({si, sj});
@@ -229,14 +229,10 @@ void make_nodes(Window& window, const std::vector<WalkPair>& touch_pairs) { Node
 void drop_covered_nodes(Window& window, const WindowFrame& swept) {
   if (window.nodes.empty()) return;
   EdgeSearch search(window);
-  const Lattice& l = *window.base().lattice;
   for (PersistentNode& node : window.nodes) {
-    const Pair v = window.exact(node.at);
-    const std::uint32_t m = window.frame().moving, move = m == 0 ? v.p : v.q, rest = m == 0 ? v.q : v.p;
+    const MovingPoint place = window.place(node.at);
     const auto at = [&](double tau) {
-      return EdgeSearch::Place{l.points[1 - m]->x[rest] + tau * l.points[m]->x[move],
-                               l.points[1 - m]->y[rest] + tau * l.points[m]->y[move], kWindowPoint * window.span(),
-                               tau};
+      return EdgeSearch::Place{place.x.at(tau), place.y.at(tau), kWindowPoint * window.span(), tau};
     };
     node.covered = search.find_or_spare(at(swept.tau0), at(swept.tau1)).has_value();
     if (!node.covered) continue;

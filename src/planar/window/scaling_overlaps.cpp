@@ -13,7 +13,7 @@ namespace {
 // pieces stay as they are.
 class SharedLines {
  public:
-  SharedLines(Window& window, AlwaysOn& always_on) : window_(window), always_on_(always_on) {}
+  SharedLines(Window& window, TouchFinder& touches) : window_(window), touches_(touches) {}
   void settle(PiecePairs& close);
 
  private:
@@ -30,7 +30,7 @@ class SharedLines {
   std::optional<Linear> begins_inside(std::uint32_t i, std::uint32_t j) const;
 
   Window& window_;
-  AlwaysOn& always_on_;
+  TouchFinder& touches_;
 };
 
 // Whether two pieces lie on one line at every scale, the same way.
@@ -44,7 +44,7 @@ bool SharedLines::along_always(std::uint32_t i, std::uint32_t j) {
     const double side = (b.x.at(tau) - a.x.at(tau)) * a.dy - (b.y.at(tau) - a.y.at(tau)) * a.dx;
     if (std::abs(side) > error) return false;
   }
-  return window_.cross(si, sj) == 0 && always_on_(si, window_.exact(b.start));
+  return window_.cross(si, sj) == 0 && touches_.always_on(si, window_.exact(b.start));
 }
 
 double SharedLines::error_along(std::uint32_t piece) const {
@@ -152,8 +152,8 @@ void SharedLines::hand_on(const std::vector<Stop>& stops, PiecePairs& close) {
 
 }  // namespace
 
-void share_lines(Window& window, AlwaysOn& always_on, PiecePairs& close) {
-  SharedLines(window, always_on).settle(close);
+void share_lines(Window& window, TouchFinder& touches, PiecePairs& close) {
+  SharedLines(window, touches).settle(close);
 }
 
 }  // namespace dymsum::planar

@@ -63,13 +63,8 @@ Product product(const LiveSegment& a, const LiveSegment& b) {
 
 class PairTests {
  public:
-  PairTests(Window& window, const WindowFrame& swept, const SweptMask& mask, const CoverSearch& search)
-      : window_(window),
-        swept_(swept),
-        mask_(mask),
-        search_(search),
-        always_on_(window),
-        touches_(window, always_on_) {}
+  PairTests(Window& window, const WindowFrame& swept, const CoveredCells& mask, const CoverSearch& search)
+      : window_(window), swept_(swept), mask_(mask), search_(search), touches_(window) {}
   bool run(const Array<PieceEnds>& ends, const WindowSettings& settings);
   const std::vector<WalkPair>& touch_pairs() const { return touches_.pairs(); }
 
@@ -83,9 +78,8 @@ class PairTests {
 
   Window& window_;
   const WindowFrame& swept_;
-  const SweptMask& mask_;
+  const CoveredCells& mask_;
   CoverSearch search_;
-  AlwaysOn always_on_;
   TouchFinder touches_;
 };
 
@@ -119,7 +113,7 @@ bool PairTests::run(const Array<PieceEnds>& ends, const WindowSettings& settings
         for (const std::uint32_t j : others) meet(i, j);
       });
   if (stopped()) return false;
-  share_lines(window_, always_on_, close);
+  share_lines(window_, touches_, close);
   for (const auto& [i, j] : close) {
     again();
     if (settings.stop.stop_requested()) return false;
@@ -241,7 +235,7 @@ void PairTests::test_parallel(Candidate c) {
                h0 = h.at(window_.frame().tau0), h1 = h.at(window_.frame().tau1);
   if ((h0 > error && h1 > error) || (h0 < -error && h1 < -error)) return;
   const bool close = std::abs(h0) <= error && std::abs(h1) <= error;
-  if (close && always_on_(window_.pieces[c.a].segment, window_.exact(b.start)))
+  if (close && touches_.always_on(window_.pieces[c.a].segment, window_.exact(b.start)))
     return touches_.touch_parallel(c.a, c.b);
   c.in_low = INFINITY;
   if (h.b != 0 && !close) {
@@ -271,7 +265,7 @@ void PairTests::solve(Candidate& c) const {
 
 }  // namespace
 
-std::optional<std::vector<WalkPair>> find_candidates(Window& window, const WindowFrame& swept, const SweptMask& mask,
+std::optional<std::vector<WalkPair>> find_candidates(Window& window, const WindowFrame& swept, const CoveredCells& mask,
                                                      const Array<PieceEnds>& ends, const WindowSettings& settings,
                                                      const CoverSearch& search) {
   PairTests tests(window, swept, mask, search);

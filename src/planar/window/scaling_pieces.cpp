@@ -47,7 +47,7 @@ PieceEnds ends_between(const SweptSegment& s, const CutPlace& from, const CutPla
 /// tau).
 class PieceCutter {
  public:
-  explicit PieceCutter(const SweptMask& mask) : mask_(mask), grid_(mask.grid()), reach_(2 * kReach * grid_.cell) {}
+  explicit PieceCutter(const CoveredCells& mask) : mask_(mask), grid_(mask.grid()), reach_(2 * kReach * grid_.cell) {}
 
   /// In order along the segment; valid until the next call.
   const std::vector<CutPlace>& cuts(const SweptSegment& s) {
@@ -96,7 +96,7 @@ class PieceCutter {
     return segment.within(column * h, row * h, (column + 1) * h, (row + 1) * h);
   }
 
-  const SweptMask& mask_;
+  const CoveredCells& mask_;
   const Grid& grid_;
   double reach_;
   std::vector<CutPlace> cuts_;
@@ -104,7 +104,7 @@ class PieceCutter {
 
 }  // namespace
 
-Array<PieceEnds> cut_pieces(Window& window, const WindowFrame& frame, const SweptMask& mask, Scratch* memory) {
+Array<PieceEnds> cut_pieces(Window& window, const WindowFrame& frame, const CoveredCells& mask, Scratch* memory) {
   Array<PieceEnds> all_ends(memory);
   Array<Piece> pieces(memory);  // windows are kept: their own list is no longer than it has to be
   all_ends.reserve(window.segments.size() + window.segments.size() / 4);

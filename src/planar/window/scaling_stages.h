@@ -1,15 +1,24 @@
-// Cutting: segments of a window lose what lies in covered cells throughout.
+// The stages of building a window of scales, in their order.
 #pragma once
 
 #include <array>
 #include <cstdint>
+#include <memory>
 #include <optional>
 #include <vector>
 
 #include "base/scratch.h"
+#include "planar/mask/covered_cells.h"
 #include "planar/window/scaling_window.h"
 
 namespace dymsum::planar {
+
+/// Cells of the plane of sums that lie in the open sum at every scale of a window (interior_mask.h for a moving
+/// operand): their closures, grown by 8 kReach cells, lie in int P + Q or P + int Q. `cells` along the longer side.
+/// Without `use` no cell is covered and only the grid is made.
+CoveredCells swept_cells(const OperandPair& base, const WindowFrame& frame, int cells, bool use);
+
+// Cutting: segments of a window lose what lies in covered cells throughout.
 
 /// The ends a and b of a piece, each coordinate at both ends of the window, in the window's frame.
 struct PieceEnds {
@@ -19,7 +28,7 @@ struct PieceEnds {
 };
 
 /// Gives a window's segments their pieces. `swept`: the frame of the mask. Returns the ends of the pieces.
-Array<PieceEnds> cut_pieces(Window& window, const WindowFrame& swept, const SweptMask& mask, Scratch* memory);
+Array<PieceEnds> cut_pieces(Window& window, const WindowFrame& swept, const CoveredCells& mask, Scratch* memory);
 
 // The scales at which a place on a piece's line lies inside the piece, as far as doubles know them.
 
@@ -42,30 +51,20 @@ struct CoverSearch {
 /// Fills in a window's candidates, and what touches at every scale. Returns for every touch its pair of vertices;
 /// nothing where more boxes of pieces meet than the settings allow, or where it is stopped. `search` leaves out
 /// crossings that two edges prove covered while they exist.
-std::optional<std::vector<WalkPair>> find_candidates(Window& window, const WindowFrame& swept, const SweptMask& mask,
+std::optional<std::vector<WalkPair>> find_candidates(Window& window, const WindowFrame& swept, const CoveredCells& mask,
                                                      const Array<PieceEnds>& ends, const WindowSettings& settings,
                                                      const CoverSearch& search);
-
-// What holds at every scale.
-
-/// Whether pairs of vertices lie on the lines of a window's segments at every scale. A side is linear in s: zero at s =
-/// 1 and s = 2 is zero always.
-class AlwaysOn {
- public:
-  explicit AlwaysOn(const Window& window) : window_(window) {}
-  bool operator()(std::uint32_t segment, Pair v);
-
- private:
-  const Window& window_;
-  std::shared_ptr<const Lattice> doubled_;  // at scale 2
-};
 
 // What touches at every scale: ends of segments that stay on the lines of others, and the nodes they make.
 
 /// Finds the touches of a window while its pairs are tested.
 class TouchFinder {
  public:
-  TouchFinder(Window& window, AlwaysOn& always_on) : window_(window), always_on_(always_on) {}
+  explicit TouchFinder(Window& window) : window_(window) {}
+
+  /// Whether a pair of vertices lies on the line of a segment at every scale. A side is linear in s: zero at s = 1 and
+  /// s = 2 is zero always.
+  bool always_on(std::uint32_t segment, Pair v);
 
   /// Whether an end of one piece of a pair stays on the line of the other; then they touch there or not at all, and are
   /// no candidate.
@@ -78,7 +77,7 @@ class TouchFinder {
  private:
   void add_touch(std::uint32_t piece, WalkPair v, const Linear& t, double error);
   Window& window_;
-  AlwaysOn& always_on_;
+  std::shared_ptr<const Lattice> doubled_;  // at scale 2
   std::vector<WalkPair> pairs_;
 };
 
@@ -95,6 +94,6 @@ using PiecePairs = Array<std::array<std::uint32_t, 2>>;
 
 /// Settles the pairs of pieces that lie along each other; what stays open stays in `close`. What stops counting still
 /// has to be known where something touches at one scale.
-void share_lines(Window& window, AlwaysOn& always_on, PiecePairs& close);
+void share_lines(Window& window, TouchFinder& touches, PiecePairs& close);
 
 }  // namespace dymsum::planar

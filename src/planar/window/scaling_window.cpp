@@ -29,7 +29,7 @@ Window::Window(const OperandPair& base, const ReducedConvolution& convolution, c
   const WindowFrame swept = swept_frame(settings);
   const std::uint32_t m = frame_.moving;
   span_ = std::max(base.width[1 - m], base.height[1 - m]) + 2 * frame_.tau1 * std::max(base.width[m], base.height[m]);
-  const SweptMask mask(*base.lattice, base.operands, swept, settings.cells, settings.mask);
+  const CoveredCells mask = swept_cells(base, swept, settings.cells, settings.mask);
   Scratch memory;
   add_live(convolution, swept, mask, &memory);
   const Array<PieceEnds> ends = cut_pieces(*this, swept, mask, &memory);
@@ -50,12 +50,8 @@ Segment Window::exact(std::uint32_t s) const {
 }
 
 std::size_t Window::bytes() const {
-  return segments.capacity() * sizeof(LiveSegment) + pieces.capacity() * sizeof(Piece) +
-         candidates.capacity() * sizeof(Candidate) + touches.capacity() * sizeof(PersistentTouch) +
-         nodes.capacity() * sizeof(PersistentNode) + rays.capacity() * sizeof(PersistentNode::Ray) +
-         (folds.capacity() + touching.capacity()) * 8 +
-         (first_touch.capacity() + head_ray.capacity() + tail_ray.capacity() + node_of_ray.capacity()) * 4 +
-         (first_of.capacity() + of.capacity() + live.capacity()) * 4;
+  return bytes_of(segments, pieces, candidates, touches, nodes, rays, folds, touching, first_touch, head_ray, tail_ray,
+                  node_of_ray, first_of, of, live);
 }
 
 namespace {
@@ -90,7 +86,7 @@ struct SweptBoxes {
 }  // namespace
 
 // Those that come near a live cell.
-void Window::add_live(const ReducedConvolution& convolution, const WindowFrame& swept, const SweptMask& mask,
+void Window::add_live(const ReducedConvolution& convolution, const WindowFrame& swept, const CoveredCells& mask,
                       Scratch* memory) {
   live.assign(convolution.size(), kNone);
   const Grid& g = mask.grid();
@@ -120,20 +116,19 @@ void Window::add_live(const ReducedConvolution& convolution, const WindowFrame& 
 }
 
 LiveSegment Window::segment(const WalkSegment& w, std::uint32_t id) const {
-  const std::uint32_t m = frame_.moving;
-  const Operand &o = base_.operands[w.side], &other = base_.operands[1 - w.side];
-  const bool moving = w.side == m;
+  const Operand& o = base_.operands[w.side];
   const std::uint32_t next = o.next[w.edge];
   LiveSegment s;
   s.walk = w;
   s.id = id;
-  s.moving = moving;
-  s.x = moving ? Linear{other.x[w.vertex], o.x[w.edge]} : Linear{o.x[w.edge], other.x[w.vertex]};
-  s.y = moving ? Linear{other.y[w.vertex], o.y[w.edge]} : Linear{o.y[w.edge], other.y[w.vertex]};
+  s.moving = w.side == frame_.moving;
   s.dx = o.ex[w.edge];
   s.dy = o.ey[w.edge];
   s.start = w.side == 0 ? WalkPair{w.edge, w.vertex} : WalkPair{w.vertex, w.edge};
   s.end = w.side == 0 ? WalkPair{next, w.vertex} : WalkPair{w.vertex, next};
+  const MovingPoint from = place(s.start);
+  s.x = from.x;
+  s.y = from.y;
   s.contact = contact_of(w, base_.operands[0], base_.operands[1]);
   return s;
 }

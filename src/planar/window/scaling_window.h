@@ -19,17 +19,35 @@
 #include "planar/motion/operand_pair.h"
 #include "planar/motion/scaling_forms.h"
 #include "planar/window/frame_window.h"
-#include "planar/window/swept_mask.h"
 
 namespace dymsum::planar {
 
 class CoverMemory;
+class CoveredCells;
 class ReducedConvolution;
+
+/// How the moving operand's coordinate x stands at parameter tau in the window's frame: tau x + (tau1 - tau) centre.
+/// The fixed operand's coordinates stand as they are. The frame moves with the operand's centre, so that sweeps are
+/// half as long; it never enters an exact sign.
+struct WindowFrame {
+  std::uint32_t moving = 0;  ///< operand
+  double tau0 = 1, tau1 = 1;
+  double centre_x = 0, centre_y = 0;
+  double shift_x(double tau) const { return (tau1 - tau) * centre_x; }
+  double shift_y(double tau) const { return (tau1 - tau) * centre_y; }
+};
 
 /// a + b tau.
 struct Linear {
   double a = 0, b = 0;
   double at(double tau) const { return a + b * tau; }
+};
+
+/// Where a point is that moves with tau, in the window's coordinates.
+struct MovingPoint {
+  Linear x, y;
+  double error = 0;  ///< anywhere in the window
+  Two at(double tau) const { return Two{x.a, y.a} + Two{x.b, y.b} * both(tau); }
 };
 
 /// A segment of the reduced convolution that is live somewhere in the window.
@@ -141,13 +159,21 @@ class Window : public CandidateIndex {
     if (p.tail_cut || p.handed_on) return p.tail;
     return segments[p.segment].moving ? Linear{0, 1} : Linear{1, 0};
   }
+  /// The sum of two vertices; without its error, which is that of all such points.
+  MovingPoint place(WalkPair v) const {
+    const Operand &p = base_.operands[0], &q = base_.operands[1];
+    const auto at = [&](double of_p, double of_q) {
+      return frame_.moving == 0 ? Linear{of_q, of_p} : Linear{of_p, of_q};
+    };
+    return {at(p.x[v.p], q.x[v.q]), at(p.y[v.p], q.y[v.q])};
+  }
   Pair exact(WalkPair v) const { return {base_.operands[0].source[v.p], base_.operands[1].source[v.q]}; }
   std::uint64_t pair_tests = 0;
   bool abandoned = false;  ///< more pairs than allowed, or stopped: nothing here is to be used
   std::size_t bytes() const;
 
  private:
-  void add_live(const ReducedConvolution& convolution, const WindowFrame& swept, const SweptMask& mask,
+  void add_live(const ReducedConvolution& convolution, const WindowFrame& swept, const CoveredCells& mask,
                 Scratch* memory);
   LiveSegment segment(const WalkSegment& w, std::uint32_t id) const;
   void link_pieces(const ReducedConvolution& convolution);

@@ -1,7 +1,8 @@
-#include "planar/window/swept_mask.h"
-
+// Cells that stay covered throughout a window of scales.
 #include <algorithm>
 #include <array>
+
+#include "planar/window/scaling_stages.h"
 
 namespace dymsum::planar {
 namespace {
@@ -9,6 +10,45 @@ namespace {
 struct Place2 {
   double x, y;
 };
+
+// Calls f(row, first column, last column) for the cells within `reach` of the convex quadrangle swept by a segment a b
+// from its place a0 b0 at one end of the window to a1 b1 at the other.
+template <class F>
+void for_each_swept_run(const Grid& grid, const double (&x)[4], const double (&y)[4], double reach, F&& f) {
+  double y_low = y[0], y_high = y[0], x_low = x[0], x_high = x[0];
+  for (int k = 1; k < 4; ++k) {
+    y_low = y[k] < y_low ? y[k] : y_low;
+    y_high = y[k] > y_high ? y[k] : y_high;
+    x_low = x[k] < x_low ? x[k] : x_low;
+    x_high = x[k] > x_high ? x[k] : x_high;
+  }
+  const int r0 = grid.row(y_low - reach), r1 = grid.row(y_high + reach);
+  if (r0 == r1) {
+    f(r0, grid.column(x_low - reach), grid.column(x_high + reach));
+    return;
+  }
+  for (int r = r0; r <= r1; ++r) {
+    const double low = r * grid.cell - reach, high = (r + 1) * grid.cell + reach;
+    double left = x_high, right = x_low;
+    for (int k = 0; k < 4; ++k) {
+      const int l = (k + 1) & 3;
+      double ax = x[k], ay = y[k], bx = x[l], by = y[l];
+      if (ay > by) {
+        std::swap(ax, bx);
+        std::swap(ay, by);
+      }
+      if (by < low || ay > high) continue;
+      // by - ay may be tiny: then the clamps make the whole edge.
+      const double slope = by > ay ? (bx - ax) / (by - ay) : 0;
+      const double e0 = ax < bx ? ax : bx, e1 = ax < bx ? bx : ax;
+      const double u = ay >= low ? ax : std::clamp(ax + (low - ay) * slope, e0, e1);
+      const double v = by <= high ? bx : std::clamp(ax + (high - ay) * slope, e0, e1);
+      left = std::min({left, u, v});
+      right = std::max({right, u, v});
+    }
+    if (left <= right) f(r, grid.column(left - reach), grid.column(right + reach));
+  }
+}
 
 // An edge that meets a cell at both ends of the window meets it in between: its places form a plane piece in (x, y,
 // tau), which is convex.
@@ -43,30 +83,26 @@ Raster rasterize(const Operand& o, const Grid& cells, bool moves, const At& at) 
   return std::move(maker).with_area();
 }
 
-CoveredCells covered_cells_of(const Lattice& unscaled, const std::array<Operand, 2>& operands, const WindowFrame& frame,
-                              int cells, bool use) {
-  std::array<double, 2> width{unscaled.points[0]->width, unscaled.points[1]->width};
-  std::array<double, 2> height{unscaled.points[0]->height, unscaled.points[1]->height};
+}  // namespace
+
+CoveredCells swept_cells(const OperandPair& base, const WindowFrame& frame, int cells, bool use) {
+  std::array<double, 2> width = base.width, height = base.height;
   width[frame.moving] *= frame.tau1;
   height[frame.moving] *= frame.tau1;
   const SumGrid grid(width, height, cells);
   if (!use) return CoveredCells(grid.whole);
   const auto raster = [&](std::uint32_t op) {
-    const std::vector<double>&x = unscaled.points[op]->x, &y = unscaled.points[op]->y;
+    const std::vector<double>&x = base.lattice->points[op]->x, &y = base.lattice->points[op]->y;
     if (op != frame.moving)
-      return rasterize(operands[op], grid.part[op], false, [&](std::uint32_t v, int) { return Place2{x[v], y[v]}; });
-    return rasterize(operands[op], grid.part[op], true, [&](std::uint32_t v, int end) {
+      return rasterize(base.operands[op], grid.part[op], false, [&](std::uint32_t v, int) {
+        return Place2{x[v], y[v]};
+      });
+    return rasterize(base.operands[op], grid.part[op], true, [&](std::uint32_t v, int end) {
       const double tau = end == 0 ? frame.tau0 : frame.tau1;
       return Place2{tau * x[v] + frame.shift_x(tau), tau * y[v] + frame.shift_y(tau)};
     });
   };
   return CoveredCells(grid.whole, raster(0), raster(1), CoveredCells::Counts::left_out);
 }
-
-}  // namespace
-
-SweptMask::SweptMask(const Lattice& unscaled, const std::array<Operand, 2>& operands, const WindowFrame& frame,
-                     int cells, bool use)
-    : CoveredCells(covered_cells_of(unscaled, operands, frame, cells, use)) {}
 
 }  // namespace dymsum::planar

@@ -44,11 +44,9 @@ inline Point farther_by(Point a, double by) { return {a.x + by, a.y + by}; }
 /// are `turned`.
 CoveredCells covered_cells(const TurnGrid& base, const std::vector<Point>& turned, double half);
 
-// Cells that lie in the sum of two edges at every angle of a window: where long thin bars cross, neither operand has a
-// cell inside, but their sum does.
-
-/// Edges of an operand whose parallelograms may hold cells of this size, the longest ones; of those that run along each
-/// other within a fraction of a cell one; at most `most`.
+/// Where long thin bars cross, neither operand has a cell inside, but the sum of two edges does. Edges of an operand
+/// whose parallelograms may hold cells of this size, the longest ones; of those that run along each other within a
+/// fraction of a cell one; at most `most`.
 std::vector<std::uint32_t> long_edges(const TurningForms& forms, std::uint32_t op, double cell, std::size_t most);
 
 /// Cells of the sum that lie inside e + f for long edges e and f, at every angle within `half` of the one at which the
@@ -56,9 +54,8 @@ std::vector<std::uint32_t> long_edges(const TurningForms& forms, std::uint32_t o
 /// Q.
 Bitmap edge_parallelograms(const TurnGrid& grid, const std::vector<Point>& turned, double half);
 
-// Which segments of a window of angles stay in covered cells: the cells that an edge reaches there, wherever a vertex
-// of the other operand moves it.
-
+/// Which segments of a window of angles stay in covered cells: the cells that an edge reaches there, wherever a vertex
+/// of the other operand moves it.
 class EdgeCells {
  public:
   /// `turned`: the turning operand's vertices at the middle of the window, about its centre; `reach`: how far a point

@@ -1,4 +1,5 @@
-// Makes windows of scales: the convolution of a range of scales, the grid, and which operand moves in the window.
+// Makes windows of scales: the convolution of a range of scales, the grid, and which operand moves in the window;
+// for scales of one ratio too.
 #pragma once
 
 #include <list>
@@ -55,10 +56,8 @@ class WindowBuilder {
   double fill_low_ = 0, fill_high_ = 0;  ///< scales for which the convolution's filled holes are right
 };
 
-// Scales of one ratio: diag(s, r s) times an operand is s times the operand stretched by diag(1, r), so that windows of
-// uniform scales serve them.
-
-/// What scales of one ratio have in common: diag(x, y) with the larger one 1. Of uniform scales both are.
+/// What scales of one ratio have in common: diag(x, y) with the larger one 1. Of uniform scales both are. diag(s, r s)
+/// times an operand is s times the operand stretched by diag(1, r), so that windows of uniform scales serve them.
 struct Stretch {
   ScaleValue x, y;
   bool uniform() const { return x == y; }

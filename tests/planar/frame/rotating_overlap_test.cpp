@@ -8,7 +8,7 @@
 #include "dymsum/shapes.h"
 #include "oracles/random.h"
 #include "oracles/tiny_regions.h"
-#include "planar/frame/rotating_overlap.h"
+#include "planar/frame/rotating_loops.h"
 #include "planar/motion/exact_frame.h"
 #include "planar/motion/operand_pair.h"
 #include "planar/window/box_pairs.h"

@@ -34,9 +34,7 @@ class TurningWalk {
  public:
   TurningWalk(const Turning& operands, const MovingOptions& options)
       : operands_(operands), state_(made(operands, options)) {
-    state_->options.mode = FrameMode::rebuild;  // as sums are made
-    EXPECT_TRUE(state_->move_to(Orientation()).ok());
-    state_->options.mode = options.mode;
+    EXPECT_TRUE(state_->begin([&] { return state_->move_to(Orientation()); }).ok());
   }
   /// Whether the frame is right.
   testing::AssertionResult to(double radians) {

@@ -40,9 +40,7 @@ class Walk {
   Walk(const Operands& operands, const MovingOptions& options)
       : operands_(operands),
         state_(planar::pair_of_regions(operands.p, operands.q, planar::PairOptions{.moved = 0}).value(), options) {
-    state_.options.mode = FrameMode::rebuild;  // as sums are made
-    EXPECT_TRUE(state_.move_to(scale_of(1, 1), scale_of(1, 1)).ok());
-    state_.options.mode = options.mode;
+    EXPECT_TRUE(state_.begin([&] { return state_.move_to(scale_of(1, 1), scale_of(1, 1)); }).ok());
   }
   /// Whether the frame is right.
   testing::AssertionResult to(long a) {

@@ -1,6 +1,6 @@
 // Windows: conservative, and shown to be so by breaking them; which path answered.
-#include "planar/window/scaling_window.h"
 #include "planar/motion/operand_pair.h"
+#include "planar/window/scaling_stages.h"
 
 #include <gtest/gtest.h>
 
@@ -84,7 +84,7 @@ std::pair<int, int> covered_cells_and_wrong_ones(const Region& p, const Region& 
   auto base = planar::pair_of_regions(p, q, planar::PairOptions{.moved = 1}).value();
   frame.centre_x = base->width[frame.moving] / 2;
   frame.centre_y = base->height[frame.moving] / 2;
-  const planar::SweptMask mask(*base->lattice, base->operands, frame, cells, true);
+  const planar::CoveredCells mask = planar::swept_cells(*base, frame, cells, true);
   const planar::Grid& g = mask.grid();
   int dead = 0, wrong = 0;
   for (const double tau : {frame.tau0, 0.5 * (frame.tau0 + frame.tau1), frame.tau1}) {
