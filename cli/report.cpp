@@ -97,10 +97,6 @@ Measure volume_of(const Mesh& mesh) {
   if (const double v = volume(mesh); std::isnormal(v) || mesh.empty()) return v;
   return volume_text(mesh);
 }
-Measure volume_of(const SolidSum& sum) {
-  if (const double v = sum.volume(); std::isnormal(v) || sum.vertices.empty()) return v;
-  return volume_text(sum);
-}
 Measure volume_of(const SpatialSum& sum) {
   if (const double v = sum.volume(); std::isnormal(v) || sum.faces.empty()) return v;
   return volume_text(sum);
@@ -112,10 +108,6 @@ Measure surface_of(const SpatialSum& sum) {
 Measure surface_of(const Mesh& mesh) {
   if (const double v = surface_area(mesh); std::isnormal(v) || mesh.empty()) return v;
   return surface_text(mesh);
-}
-Measure surface_of(const SolidSum& sum) {
-  if (const double v = sum.area(); std::isnormal(v) || sum.vertices.empty()) return v;
-  return surface_text(sum);
 }
 
 Json area_json(const Region& region) { return measure_json(any_area(region)); }

@@ -7,7 +7,6 @@
 #include <variant>
 #include <vector>
 
-#include "dymsum/convex_sum.h"
 #include "dymsum/mesh.h"
 #include "dymsum/orientation.h"
 #include "dymsum/planar_sum.h"
@@ -38,10 +37,8 @@ Json size_json(const PlanarSum& sum, bool exact);
 /// An area or a volume where it is 0 or a normal double; as text where it was rounded to neither.
 using Measure = std::variant<double, std::string>;
 Measure volume_of(const Mesh& mesh);
-Measure volume_of(const SolidSum& sum);
 Measure volume_of(const SpatialSum& sum);
 Measure surface_of(const Mesh& mesh);
-Measure surface_of(const SolidSum& sum);
 Measure surface_of(const SpatialSum& sum);
 Json measure_json(const Measure& measure);
 /// With 17 digits.

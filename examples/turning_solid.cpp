@@ -10,7 +10,7 @@ int main() {
   for (int k = 0; k < 3; ++k) {
     const MotionWork work = difference.set(step * difference.p_pose().rotation);
     const ConvexDepth depth = difference.depth({0.75, 0, 0});  // the box moved to x = 0.75
-    std::cout << difference.sum().facets.size() << " facets, " << work.facets_added << " new; depth " << depth.depth
+    std::cout << difference.sum().faces.size() << " facets, " << work.facets_added << " new; depth " << depth.depth
               << "\n";
   }
 }

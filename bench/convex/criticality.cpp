@@ -45,10 +45,10 @@ CriticalityRow measure_criticality(const solids::NamedMesh& p, const solids::Nam
     const bool sums = k % kSumEvery == 0;
     facets -= moving.face_vertex_count() + moving.edge_edge_count();
     if (!sums) continue;
-    const SolidSum theirs = moving.sum();
+    const SpatialSum theirs = moving.sum();
     row.update_sum_us += 1e3 * (cpu_ms() - since);
     since = cpu_ms();
-    const SolidSum ours = *map.at(poses[k]);
+    const SpatialSum ours = *map.at(poses[k]);
     row.map_sum_us += 1e3 * (cpu_ms() - since);
     ++row.compared;
     row.different += !(ours == theirs);

@@ -4,6 +4,7 @@
 #include <memory>
 
 #include "convex/motion_tables.h"
+#include "dymsum/convex_solid.h"
 #include "off_grid.h"
 #include "versus/rival.h"
 #include "versus/solid_rivals.h"
@@ -17,10 +18,10 @@ OffGridCase sum_case(const std::string& name, const Mesh& p, const Mesh& q) {
       name, p, q,
       [](const Mesh& a, const Mesh& b) {
         OffGridWork work;
-        work.run = [=] { return convex_sum(a, b).value().facets.size(); };
+        work.run = [=] { return minkowski_sum(a, b).value().faces.size(); };
         work.compare = [=] {
           const HullAnswer hull = cgal_hull_of_sums(a.vertices(), b.vertices());
-          const bool wrong = std::abs(hull.volume / convex_sum(a, b).value().volume() - 1) > 1e-9;
+          const bool wrong = std::abs(hull.volume / minkowski_sum(a, b).value().volume() - 1) > 1e-9;
           return Compared{wrong ? "DIFFERENT" : "equal volumes", wrong, hull.ms};
         };
         return work;
@@ -43,7 +44,7 @@ OffGridCase motion_case(const std::string& name, const Mesh& p, const Mesh& q) {
           std::size_t facets = 0;
           for (int k = 1; k <= 2 * kMoves; ++k) {
             moving->set(poses[static_cast<std::size_t>(k <= kMoves ? k : 2 * kMoves - k)]);
-            facets += moving->sum().facets.size();
+            facets += moving->solid().facet_count;
           }
           return facets;
         };
@@ -55,7 +56,7 @@ OffGridCase motion_case(const std::string& name, const Mesh& p, const Mesh& q) {
             const SolidPose& pose = poses[static_cast<std::size_t>(k)];
             const double start = cpu_ms();
             fresh.rebuild(pose, {});
-            const SolidSum answer = fresh.sum();
+            const SpatialSum answer = fresh.sum();
             ms += 2 * (cpu_ms() - start);
             moving->set(pose);
             different += !(moving->sum() == answer);

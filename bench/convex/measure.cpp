@@ -9,7 +9,9 @@
 
 #include "convex/expert.h"
 #include "dymsum/dymsum.h"  // ConvexSolid, where there is one
+#include "spatial/convex/assemble.h"
 #include "spatial/convex/mixed_volume.h"
+#include "spatial/convex/position_order.h"
 #include "spatial/gauss/overlay.h"
 #include "versus/rival.h"
 #include "versus/solid_rivals.h"
@@ -102,6 +104,31 @@ class Brutes {
   std::optional<ExpertBrute> expert_;
 };
 
+/// The static walk up to the finished solid: facets and nearest positions in flat arrays, as ConvexSolid has them.
+class StaticWalk {
+ public:
+  StaticWalk(const Mesh& p, const Mesh& q) : p_(*spatial::make_polytope(p)), q_(*spatial::make_polytope(q)) {
+    operands_.operand[0].vertices = p.vertices();
+    operands_.operand[1].vertices = q.vertices();
+  }
+  std::size_t solid(const SolidPose& pose) {
+    overlay_.build(spatial::RelativeMap(spatial::PoseFactors::of(pose), spatial::PoseFactors::of({})));
+    const spatial::ConvexFacets facets = spatial::assemble(overlay_);
+    return spatial::nearest_positions(operands_, pose, {}, facets.vertices).size();
+  }
+
+ private:
+  spatial::Polytope p_, q_;
+  spatial::ConvexOperands operands_;
+  spatial::Overlay overlay_{p_, q_};
+};
+
+SpatialSum sum_from_meshes(const Mesh& p, const Mesh& q, const SolidPose& pose) {
+  ConvexSum sum = ConvexSum::create(p, q).value();
+  sum.rebuild(pose, {});
+  return sum.sum();
+}
+
 /// The finished solid by updating, in an order that stays where sums keep it; how many vertices it has.
 template <class Sum>
 std::size_t finish(Sum& moving) {
@@ -111,7 +138,7 @@ std::size_t finish(Sum& moving) {
 
 /// Every move up to the finished solid, twice; the better time of each move counts.
 void time_solids(MotionRow& row, const solids::NamedMesh& p, const solids::NamedMesh& q,
-                 const std::vector<SolidPose>& poses, ConvexSum& moving, ConvexSum& merged) {
+                 const std::vector<SolidPose>& poses, ConvexSum& moving) {
   const double clock_us = 1e3 * clock_ms();
   const auto all_moves = [&](auto&& make) {
     std::vector<double> best(row.moves, 1e300);
@@ -128,16 +155,14 @@ void time_solids(MotionRow& row, const solids::NamedMesh& p, const solids::Named
     moving.set(pose);
     finish(moving);
   });
-  row.static_solid_us = all_moves([&](const SolidPose& pose) {
-    merged.rebuild(pose, {});
-    merged.sum();
-  });
-  row.fresh_solid_us = repeated_us([&] { convex_sum(p.mesh, q.mesh, poses.back()).value(); });
+  StaticWalk walk(p.mesh, q.mesh);
+  row.static_solid_us = all_moves([&](const SolidPose& pose) { walk.solid(pose); });
+  row.fresh_solid_us = repeated_us([&] { sum_from_meshes(p.mesh, q.mesh, poses.back()); });
 }
 
 /// Whether the static walk gives the same solid.
 bool same_solids(ConvexSum& moving, const ConvexSum& merged) {
-  const SolidSum answer = merged.sum();
+  const SpatialSum answer = merged.sum();
   return moving.sum() == answer && finish(moving) == answer.vertices.size();
 }
 
@@ -172,7 +197,7 @@ MotionRow measure(const solids::NamedMesh& p, const solids::NamedMesh& q, const 
     row.static_us = std::min(row.static_us, us / static_cast<double>(row.moves));
   }
 
-  if (protocol.solids) time_solids(row, p, q, poses, moving, merged);
+  if (protocol.solids) time_solids(row, p, q, poses, moving);
 
   // The same moves again, with the others' turns in between.
   moving.set(poses[0]);
@@ -256,8 +281,8 @@ NefRow measure_nef(const solids::NamedMesh& p, const solids::NamedMesh& q, const
   NefRow row;
   row.p = p.name;
   row.q = q.name;
-  SolidSum sum;
-  row.ours_ms = 1e-3 * repeated_us([&] { sum = *convex_sum(p.mesh, q.mesh, {turn, {}}); });
+  SpatialSum sum;
+  row.ours_ms = 1e-3 * repeated_us([&] { sum = sum_from_meshes(p.mesh, q.mesh, {turn, {}}); });
   const NefAnswer nef = cgal_nef_sum(posed(p.mesh, {turn, {}}), posed(q.mesh, {}));
   row.nef_ms = nef.ms;
   row.vertices = sum.vertices.size();

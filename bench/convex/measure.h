@@ -19,7 +19,7 @@ struct MotionRow {
   double expert_pairs_us = 0, expert_faces_us = 0;  ///< see convex/expert.h
   /// Up to the finished solid: by updating, and by the static walk on operands that are there; per move.
   Spread update_solid_us, static_solid_us;
-  double fresh_solid_us = 0;  ///< by convex_sum, from two meshes
+  double fresh_solid_us = 0;  ///< ConvexSum and its sum, from two meshes
   MotionWork work;            ///< totals over all moves
   std::size_t moves = 0;
   std::size_t compared = 0,

@@ -144,8 +144,10 @@ void rotation_tables(Report& report, const Models& models, Kind kind, const Want
               ". Pairs of more than 300 triangles less than 3 times faster than static: " + text(slow) + ".");
   report.line("\n### The same moves up to the finished solid\n");
   report.line(
-      "Facets in order and all positions, each coordinate rounded once: `ConvexSum::set` or `rebuild` and then "
-      "`sum()`; `from meshes`: `convex_sum`, which prepares both operands; CGAL: `convex_hull_3` (EPICK) of all sums "
+      "Facets and all positions, each coordinate rounded once: `ConvexSum::set` and then `solid()`, or the static walk "
+      "and the same arrays; `from meshes`: `ConvexSum::create`, which prepares both operands, `rebuild` and `sum()`; "
+      "CGAL: "
+      "`convex_hull_3` (EPICK) of all sums "
       "of two vertices. Every tenth solid is compared with that of the static walk, facet by facet, and once its "
       "volume with CGAL's.\n");
   solids_heading(report);

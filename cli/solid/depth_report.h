@@ -3,6 +3,7 @@
 
 #include <string>
 
+#include "dymsum/convex_sum.h"
 #include "dymsum/penetration_depth.h"
 #include "report.h"
 

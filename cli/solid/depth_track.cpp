@@ -13,8 +13,8 @@
 #include "pictures/depth_trace.h"
 #include "planar/tier.h"
 #include "progress_bar.h"
-#include "solid/any_solid_outputs.h"
 #include "solid/solid_operands.h"
+#include "solid/solid_outputs.h"
 #include "timing.h"
 
 namespace dymsum::cli {

@@ -8,7 +8,6 @@
 #include "dymsum/moving_solid_sum.h"
 #include "outputs.h"
 #include "progress_bar.h"
-#include "solid/any_solid_outputs.h"
 #include "solid/solid_outputs.h"
 #include "timing.h"
 
@@ -54,7 +53,7 @@ MovingRounds run_rounds(const SolidMotion& motion, const ReportOptions& report, 
       rounds.faces = sum.sum().faces.size();
       if (i == motion.shown.value_or(motion.frames.size() - 1)) rounds.shown = sum.sum();
       if (!report.json) continue;
-      Json sizes = any_solid_sum_json(sum.sum(), false);
+      Json sizes = solid_sum_json(sum.sum(), false);
       sizes.update({{"changed", changed}, {"checked", checked(work)}});
       rounds.frames.push_back(frame_json(motion.frames[i].name, std::move(sizes), work.ms));
     }
@@ -108,7 +107,7 @@ ExitCode run_moving_solids(const SolidMotion& motion, const ReportOptions& repor
   bar.reset();
   throw_if_interrupted();
   std::vector<std::string> texts;
-  for (const std::string& file : motion.files) texts.push_back(any_solid_output(rounds.shown, file, {}));
+  for (const std::string& file : motion.files) texts.push_back(solid_output(rounds.shown, file, {}));
   for (std::size_t i = 0; i < texts.size(); ++i) write_text(motion.files[i], texts[i]);
   MotionReport made = report_of(motion, report.repeat, std::move(rounds));
   print_solid_motion(out, motion, made, report.json);

@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "solid/any_solid_sum.h"
+#include "solid/solid_run.h"
 
 namespace CLI {
 class App;

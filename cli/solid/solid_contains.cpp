@@ -8,7 +8,7 @@
 #include "line_file.h"
 #include "progress_bar.h"
 #include "report.h"
-#include "solid/any_solid_outputs.h"
+#include "solid/solid_outputs.h"
 #include "timing.h"
 
 namespace dymsum::cli {

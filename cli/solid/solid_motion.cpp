@@ -59,8 +59,9 @@ void write_outputs(const SolidMotion& motion, const Rounds& rounds) {
   std::vector<std::string> texts;
   ConvexSum shown = *rounds.sum;
   if (motion.shown) shown.set(motion.frames[*motion.shown].p, motion.frames[*motion.shown].q);
-  for (const std::string& file : motion.files)
-    texts.push_back(solid_output(shown.sum(), file, {"off", motion.inputs[0].hull.has_value(), false}));
+  const SolidOutput how{"off", motion.inputs[0].hull.has_value(), false, 0, shown.changed_facets()};
+  const SpatialSum sum = shown.sum();
+  for (const std::string& file : motion.files) texts.push_back(solid_output(sum, file, how));
   for (std::size_t i = 0; i < texts.size(); ++i) write_text(motion.files[i], texts[i]);
 }
 

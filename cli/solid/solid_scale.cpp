@@ -4,8 +4,8 @@
 #include "dymsum/solid_scale_events.h"
 #include "outputs.h"
 #include "progress_bar.h"
-#include "solid/any_solid_outputs.h"
 #include "solid/solid_motion.h"
+#include "solid/solid_outputs.h"
 
 namespace dymsum::cli {
 namespace {

@@ -11,8 +11,8 @@
 #include "numbers.h"
 #include "progress_bar.h"
 #include "report.h"
-#include "solid/any_solid_outputs.h"
 #include "solid/solid_operands.h"
+#include "solid/solid_outputs.h"
 #include "timing.h"
 
 namespace dymsum::cli {

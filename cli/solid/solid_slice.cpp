@@ -8,8 +8,8 @@
 #include "dymsum/solid_slice.h"
 #include "progress_bar.h"
 #include "report.h"
-#include "solid/any_solid_outputs.h"
 #include "solid/solid_limits.h"
+#include "solid/solid_outputs.h"
 #include "timing.h"
 
 namespace dymsum::cli {

@@ -1,4 +1,4 @@
-// sum and nfp of convex solids.
+// sum, nfp and erode of solids.
 #pragma once
 
 #include "verbs/sum_command.h"

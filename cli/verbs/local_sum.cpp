@@ -12,8 +12,8 @@
 #include "outputs.h"
 #include "planar/planar_local.h"
 #include "progress_bar.h"
-#include "solid/any_solid_outputs.h"
 #include "solid/solid_operands.h"
+#include "solid/solid_outputs.h"
 #include "timing.h"
 #include "verbs/commands.h"
 #include "viewer/viewer_pages.h"
@@ -87,7 +87,7 @@ std::string text_of(const LocalPart& part) {
 
 std::string output_of(const LocalCommand& command, const LocalPart& part, const std::string& file) {
   const SolidOutput how{command.to, false, false};
-  if (!format_name(file, command.to).ends_with(".json")) return any_solid_output(part.boundary, file, how);
+  if (!format_name(file, command.to).ends_with(".json")) return solid_output(part.boundary, file, how);
   return exact_sum_json(part.boundary, summary_of(part)).dump(1) + "\n";
 }
 

@@ -32,7 +32,7 @@ ExitCode run(const OffsetCommand& command) {
     throw Stop(kUsage, (any ? "--tolerance: " : "--by: ") + ball.error().to_string(), ball.error());
   }
   const SolidRun run = read_solid_run("offset", command.solid);
-  return run_any_solid(run, [&](const SpatialOptions& options) -> Result<SolidOutcome> {
+  return run_solid(run, [&](const SpatialOptions& options) -> Result<SolidOutcome> {
     Result<SolidOffset> made = offset(run.inputs[0].mesh, command.by, tolerance, bound, options);
     if (!made) return made.error();
     const Json more{{"by", command.by},

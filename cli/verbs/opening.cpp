@@ -27,7 +27,7 @@ ExitCode run(const std::string& verb, Operation operation, const OpeningCommand&
                            verb);
   const SolidRun run = read_solid_run(verb, command.solid);
   const BetweenSteps between = command.round_between ? BetweenSteps::rounded : BetweenSteps::exact;
-  return run_any_solid(run, [&](const SpatialOptions& options) -> Result<SolidOutcome> {
+  return run_solid(run, [&](const SpatialOptions& options) -> Result<SolidOutcome> {
     Result<SolidOpening> made = operation(run.inputs[0].mesh, run.inputs[1].mesh, options, between);
     if (!made) {
       Error error = made.error();

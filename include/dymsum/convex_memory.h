@@ -11,6 +11,6 @@ namespace dymsum {
 /// limit. What moving it and solid() take comes on top. Errors also: out_of_memory, found out before more than about
 /// the limit is taken, or what the operands alone need.
 Result<ConvexSum> convex_sum_within(const Mesh& p, const Mesh& q, std::uint64_t memory);
-Result<ConvexSum> convex_sum_within(const SolidSum& p, const Mesh& q, std::uint64_t memory);
+Result<ConvexSum> convex_sum_within(const SpatialSum& p, const Mesh& q, std::uint64_t memory);
 
 }  // namespace dymsum

@@ -63,8 +63,8 @@ struct ConvexSolid {
     friend bool operator==(const Facet&, const Facet&) = default;
   };
 
-  std::vector<SolidSum::Vertex> vertices;  ///< pairs of vertices of the meshes; {kFree, kFree} where the index is free
-  std::vector<Point3> at;                  ///< each coordinate the double nearest to the exact one, as in SolidSum
+  std::vector<ConvexSum::Vertex> vertices;  ///< pairs of vertices of the meshes; {kFree, kFree} where the index is free
+  std::vector<Point3> at;                   ///< each coordinate the double nearest to the exact one
   std::vector<Facet> facets;
   std::vector<std::uint32_t> corners;  ///< indices of vertices; of a facet counter-clockwise seen from outside
   std::size_t vertex_count = 0, facet_count = 0, triangle_slots = 0;

@@ -1,5 +1,5 @@
 // Minkowski sums of convex solids, kept exact while the operands rotate and scale: DYMSUM, chapter 5 and section 6.4 of
-// Behar's thesis, corrected and made exact (docs/design/convex-motion.md).
+// Behar's thesis, corrected and made exact (docs/design/convex-motion.md). The sums are values of spatial_sum.h.
 #pragma once
 
 #include <array>
@@ -14,6 +14,7 @@
 #include "dymsum/rational.h"
 #include "dymsum/result.h"
 #include "dymsum/rotation.h"
+#include "dymsum/spatial_sum.h"
 
 namespace dymsum {
 
@@ -23,80 +24,10 @@ struct ConvexOperands;
 struct ConvexSumInternals;
 }  // namespace spatial
 
-/// A feature of an operand, by indices into its mesh.
-struct SolidFeature {
-  enum class Kind : std::uint8_t { vertex, edge, face };
-  Kind kind = Kind::vertex;
-  std::uint32_t a = 0;  ///< the vertex, the edge's smaller vertex, or the smallest of the faces that lie in one plane
-  std::uint32_t b = 0;  ///< the edge's larger vertex, else 0
-  friend auto operator<=>(const SolidFeature&, const SolidFeature&) = default;
-};
-
-/// A facet of a sum: the sum of the features of P and Q that are extreme in its outward direction. Face + vertex,
-/// vertex + face and edge + edge in general; face + edge, edge + face or face + face where directions coincide.
-struct SolidFacet {
-  std::vector<std::uint32_t> vertices;  ///< counter-clockwise seen from outside, from the smallest index on
-  SolidFeature p, q;
-  bool changed = false;  ///< not there before the last move (none before the first one); no part of the value
-  friend bool operator==(const SolidFacet& a, const SolidFacet& b) {
-    return a.p == b.p && a.q == b.q && a.vertices == b.vertices;
-  }
-};
-
-/// The exact sum of two convex solids. Canonical: facets are whole (no two lie in one plane), vertices are sorted by
-/// (p, q), facets by their vertices. Equal operands at equal poses have equal sums.
-struct SolidSum {
-  /// A vertex of P plus a vertex of Q, by their indices in the meshes; every vertex of the sum is one such pair only.
-  struct Vertex {
-    std::uint32_t p = 0, q = 0;
-    friend auto operator<=>(const Vertex&, const Vertex&) = default;
-  };
-  std::vector<Vertex> vertices;
-  std::vector<Point3> at;  ///< their positions, each coordinate the double nearest to the exact value; infinite past
-                           ///< the range of doubles
-  std::vector<SolidFacet> facets;
-  SolidPose p_pose, q_pose;
-
-  /// The exact position of a vertex.
-  RationalPoint3 exact(std::size_t vertex) const;
-  /// The sum with its rounded positions; facets with more than three vertices may no longer be plane to the last bit.
-  MeshData rounded() const { return rounded_data(); }
-  /// A valid convex mesh: the hull of all vertices, every coordinate rounded once. Facets that are no longer plane
-  /// become triangles. Errors: not_finite past the range; rounding_changed_topology where two vertices round to one
-  /// position or one is no longer a corner, with these vertices.
-  Result<Mesh> rounded_mesh(Precision precision = Precision::doubles) const;
-  /// The same hull of what is left where rounding changes the topology. The report's deviation is the largest distance
-  /// of a vertex from its exact position; no point of the two solids is further from the other one. Errors: not_finite;
-  /// no_area when everything collapses into a plane.
-  Result<HulledMesh> rounded_hull(Precision precision = Precision::doubles) const;
-  std::size_t edge_count() const;
-  double volume() const;          ///< nearest to the exact one
-  Rational volume_exact() const;  ///< from the facets, in exact arithmetic
-  double area() const;            ///< of the exact facets, with a relative error below 1e-14
-
-  friend bool operator==(const SolidSum& a, const SolidSum& b) {
-    return a.vertices == b.vertices && a.facets == b.facets && a.p_pose == b.p_pose && a.q_pose == b.q_pose;
-  }
-
- private:
-  friend struct spatial::ConvexSumInternals;
-  MeshData rounded_data() const;
-  std::shared_ptr<const spatial::ConvexOperands> source_;
-};
-
 enum class ConvexEngine : std::uint8_t {
   walk,   ///< two walks over the Gauss maps (the default)
   brute,  ///< all pairs of features, thesis section 5.2: the reference
 };
-
-/// P (+) Q for convex solids of any size. Errors: not_convex with the reflex edge, no_area for an empty operand.
-/// Cost: O(m + n + k) walking steps for m and n faces and k facets; brute O(m n).
-Result<SolidSum> convex_sum(const Mesh& p, const Mesh& q, const SolidPose& p_pose = {}, const SolidPose& q_pose = {},
-                            ConvexEngine engine = ConvexEngine::walk);
-
-/// The exact sum of two or more solids, added from the first one on; vertices and features of P are those of the sum of
-/// all but the last one. Errors as above.
-Result<SolidSum> convex_sum(std::span<const Mesh> solids);
 
 /// The work of one move.
 struct MotionWork {
@@ -118,7 +49,8 @@ struct ConvexDepth {
   Rational depth_squared;  ///< exact
   Point3
       direction;  ///< unit outward normal of that facet, with an error below 2^-50: move the point by depth * direction
-  /// One pair that touches once the point is moved: the facet, as SolidFacet has it; of facets equally near any.
+  /// One pair that touches once the point is moved: that of the facet, as of a face of the sum; of facets equally near
+  /// any.
   SolidFeature p, q;
 };
 
@@ -128,12 +60,18 @@ struct ConvexSolid;
 /// equals a fresh computation, always. Thread-compatible.
 class ConvexSum {
  public:
-  /// At the identity. Errors: as convex_sum.
+  /// A vertex of P plus a vertex of Q, by their indices in the meshes. Every vertex of the sum is one such pair only.
+  struct Vertex {
+    std::uint32_t p = 0, q = 0;
+    friend auto operator<=>(const Vertex&, const Vertex&) = default;
+  };
+
+  /// At the identity, of solids of any size. Errors: not_convex with the reflex edge, no_area for an empty operand.
   static Result<ConvexSum> create(const Mesh& p, const Mesh& q);
-  /// Of a sum and one more solid, from the exact positions of the sum: P's vertices and faces are the vertices and
-  /// facets of `p` by their indices. Errors also: unsupported_operand for sums at poses whose positions are no binary
-  /// fractions.
-  static Result<ConvexSum> create(const SolidSum& p, const Mesh& q);
+  /// Of a convex sum and one more solid, from the exact positions of the sum: P's vertices and faces are those of `p`
+  /// by their indices. Errors also: unsupported_operand for sums that are not SpatialSum::is_convex, and at poses at
+  /// which positions are no binary fractions.
+  static Result<ConvexSum> create(const SpatialSum& p, const Mesh& q);
 
   ConvexSum(const ConvexSum&);  ///< an independent copy
   ConvexSum& operator=(const ConvexSum&);
@@ -160,15 +98,20 @@ class ConvexSum {
   /// Sizes of the generic sum, before coplanar facets merge: face + vertex of either kind, edge + edge.
   std::size_t face_vertex_count() const;
   std::size_t edge_edge_count() const;
-  /// How many facets sum() has, coplanar ones whole, and how many of them the last move brought.
+  /// How many faces sum() has, coplanar facets whole, and how many of them the last move brought.
   struct FacetCount {
     std::size_t all = 0, changed = 0;
   };
   /// O(size), without making the sum.
   FacetCount facet_count() const;
+  /// What touches at the faces that the last move brought (none before the first one), sorted. O(size).
+  std::vector<SolidContact> changed_facets() const;
 
-  /// The sum at the current poses, in canonical order. O(size log size).
-  SolidSum sum() const;
+  /// The sum at the current poses. Its faces name what is extreme in their directions: a face with a vertex or two
+  /// edges in general, a face with an edge or another face where directions coincide. O(size log size).
+  SpatialSum sum() const;
+  /// The exact position of a vertex of P plus one of Q at the current poses. Requires indices of both meshes.
+  RationalPoint3 exact(Vertex vertex) const;
   /// The same solid in an order that stays, kept and brought up to date (convex_solid.h): facets that differ from those
   /// of the last call are made again, whatever moves were in between, and the positions of all vertices are computed,
   /// as turning moves all. Valid until the next call or the end of this object; set and rebuild leave it as it is. The
@@ -189,7 +132,7 @@ class ConvexSum {
   /// The vertex of the sum that is extreme in a direction, and its rounded position. Of several the one with the
   /// largest x, of these with the largest y, then z; so also of all vertices, where the direction is 0.
   struct Support {
-    SolidSum::Vertex vertex;
+    Vertex vertex;
     Point3 at;
   };
   /// Requires a finite direction (else std::invalid_argument).
@@ -208,7 +151,7 @@ class ConvexSum {
 };
 
 /// The penetration depth of two convex solids: the shortest translation of Q that separates them, by P (+) -Q. `inside`
-/// is whether their interiors meet. Errors: as convex_sum; not_finite for a translation that is not finite.
+/// is whether their interiors meet. Errors: as ConvexSum::create; not_finite for a translation that is not finite.
 Result<ConvexDepth> penetration_depth(const Mesh& p, const Mesh& q, const SolidPose& p_pose = {},
                                       const SolidPose& q_pose = {}, Point3 q_moved_by = {});
 

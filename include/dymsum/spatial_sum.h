@@ -12,7 +12,6 @@
 #include <string_view>
 #include <vector>
 
-#include "dymsum/convex_sum.h"
 #include "dymsum/mesh.h"
 #include "dymsum/planar_sum.h"
 #include "dymsum/progress.h"
@@ -48,6 +47,21 @@ struct SpatialOptions {
   Progress progress;
 };
 
+/// A feature of an operand, by indices into its mesh.
+struct SolidFeature {
+  enum class Kind : std::uint8_t { vertex, edge, face };
+  Kind kind = Kind::vertex;
+  std::uint32_t a = 0;  ///< the vertex, the edge's smaller vertex, or the smallest of the faces that lie in one plane
+  std::uint32_t b = 0;  ///< the edge's larger vertex, else 0
+  friend auto operator<=>(const SolidFeature&, const SolidFeature&) = default;
+};
+
+/// A feature of P and one of Q that touch.
+struct SolidContact {
+  SolidFeature p, q;
+  friend auto operator<=>(const SolidContact&, const SolidContact&) = default;
+};
+
 /// A face of the boundary: a polygon in one plane, perhaps with holes, seen from outside.
 struct SpatialFace {
   std::vector<std::vector<std::uint32_t>>
@@ -55,12 +69,6 @@ struct SpatialFace {
   SolidFeature p, q;        ///< what touches there; where several pairs do, the smallest beside its first edge's start
   std::uint32_t shell = 0;  ///< connected pieces of the boundary, in the order of their first faces
   friend bool operator==(const SpatialFace& a, const SpatialFace& b) { return a.loops == b.loops; }
-};
-
-/// A feature of P and one of Q that touch.
-struct SolidContact {
-  SolidFeature p, q;
-  friend auto operator<=>(const SolidContact&, const SolidContact&) = default;
 };
 
 /// An edge of the boundary.
@@ -73,10 +81,13 @@ struct SpatialEdge {
 };
 
 struct SpatialStats {
-  int bits = 0;                                  ///< of coordinates on the common grid
-  std::uint64_t face_vertex = 0, edge_edge = 0;  ///< facets of the reduced convolution
-  std::uint64_t inner_facets = 0;                ///< of these, dropped because they lie deep inside the open sum
-  std::uint64_t box_pairs = 0, contacts = 0;     ///< pairs of facets with overlapping boxes; of these, meeting
+  /// Of coordinates on the common grid; of a convex sum (is_convex) ConvexSum::tier_bits.
+  int bits = 0;
+  /// Facets of the reduced convolution; of a convex sum its faces, those that lie in a face of an operand as
+  /// face_vertex.
+  std::uint64_t face_vertex = 0, edge_edge = 0;
+  std::uint64_t inner_facets = 0;             ///< of these, dropped because they lie deep inside the open sum
+  std::uint64_t box_pairs = 0, contacts = 0;  ///< pairs of facets with overlapping boxes; of these, meeting
   std::uint64_t points = 0, cells = 0, patches = 0;
   std::uint64_t collision_tests = 0, tight_tests = 0;
   std::uint64_t double_pair_signs = 0;  ///< signs that doubles left open and pairs of doubles told
@@ -113,19 +124,25 @@ class SpatialSum {
   SpatialStats stats;
   std::optional<SpatialTrace> trace;
 
+  /// Whether it was made of convex solids by the short way for them: it is convex then, has one shell, faces without
+  /// holes and nothing tight, and a contact at every vertex and along every edge.
+  bool is_convex() const;
+
   /// The tight faces as triangles of their own vertices, in the faces' order. Exact. O(n log n).
   std::vector<std::array<std::uint32_t, 3>> tight_triangles() const;
   /// The exact position of a vertex.
   RationalPoint3 exact(std::size_t vertex) const;
   /// The nearest doubles to the exact volume and area of the surface; zero and infinite past the range of doubles
   /// (volume_text.h has them as text then). O(n), from positions of 100 bits with a proved error; from more where these
-  /// do not decide.
+  /// do not decide; of a convex sum in exact arithmetic.
   double volume() const;
   double area() const;
   /// The volume as one fraction. Its denominator is about the product of those of all vertices, 150 bits each where
   /// three planes cross: for thousands of them this costs as much as the sum. O(M(b) log b) for b bits in that product.
+  /// Those of a convex sum have one common denominator: O(n).
   Rational volume_exact() const;
-  /// The same where that product has at most `bits` bits; found out before anything is multiplied.
+  /// The same where the denominator, before it is reduced, has at most `bits` bits; found out before anything is
+  /// multiplied.
   std::optional<Rational> volume_exact_within(std::size_t bits) const;
 
   struct Rounded {
@@ -156,20 +173,30 @@ class SpatialSum {
   Result<Rounded> rounded(Precision precision = Precision::doubles, double tolerance = 0) const;
   /// The same for a picture: whatever rounding does, triangles may have become lines, and cross.
   Rounded drawn() const;
+  /// A valid mesh for further use: what rounded() gives, and of a convex sum a convex solid with whole faces, the hull
+  /// of all vertices, every coordinate rounded once; faces that are no longer plane become triangles. Errors: as
+  /// rounded(); of a convex sum not_finite past the range, rounding_changed_topology where two vertices round to one
+  /// position or one is no longer a corner, with these vertices.
+  Result<Mesh> rounded_mesh(Precision precision = Precision::doubles) const;
+  /// Of a convex sum the same hull of what is left where rounding changes the topology. The report's deviation is the
+  /// largest distance of a vertex from its exact position; no point of the two solids is further from the other one.
+  /// Errors: not_convex for other sums; not_finite; no_area when everything collapses into a plane.
+  Result<HulledMesh> rounded_hull(Precision precision = Precision::doubles) const;
 
   /// The same set with the same tight features, exactly. Provenance and stats are not compared.
   friend bool operator==(const SpatialSum& a, const SpatialSum& b);
 
  private:
   friend struct spatial::SpatialSumInternals;
-  std::shared_ptr<const spatial::SpatialPositions> positions_;  // the planes behind the exact positions
+  std::shared_ptr<const spatial::SpatialPositions> positions_;  // what the exact positions are made from
 };
 
 /// P (+) Q, the closed sum of closed solids; its boundary is that of the closure of the open sum's complement. Either
 /// operand may be empty (then the sum is), have several parts, cavities, and tunnels. Exact: every decision is the sign
 /// of an integer expression.
-/// Convex operands of any size take a short way through convex_sum (with the fast engine), and faces name the features
-/// that are extreme there: O(m + n + k log k) for m and n faces and k facets. Hold a ConvexSum to follow a motion.
+/// Convex operands of any size take a short way (with the fast engine, docs/design/convex-motion.md), and faces name
+/// the features that are extreme there: O(m + n + k log k) for m and n faces and k facets. Hold a ConvexSum to follow a
+/// motion.
 /// All others: O(N log N + K + T log T) for N facets, K of their pairs that meet and T points where three of them do.
 /// Thin parts (Mesh::with_thin_parts) of one operand: the open sum is int P + Q, Q having the thin parts; all else is
 /// the same, tight features included. Of both: the open sum is int P + Q and P + int Q together, and all else is the
@@ -186,7 +213,8 @@ Result<SpatialSum> minkowski_sum(const Mesh& p, const Mesh& q, const SpatialOpti
 /// unsupported_operand with the position of a vertex that no doubles hold.
 Result<Mesh> as_mesh(const SpatialSum& sum);
 
-/// The sum of several operands, at least one, which are added two at a time: convex solids first, then other solids,
+/// The sum of several operands, at least one. Convex solids alone are added from the first one on, exactly whatever
+/// their coordinates (with the fast engine). Others are added two at a time: convex solids first, then other solids,
 /// then those with thin parts. Sums in between are operands, without what is tight; as the open sum of three takes
 /// nothing from that, nothing is lost. Vertices of theirs may be fractions, where doubles hold them, and the other
 /// operands, in units of a common denominator of at most 2^52; where none do, other pairs are added first. Faces name

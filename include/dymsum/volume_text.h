@@ -4,7 +4,6 @@
 
 #include <string>
 
-#include "dymsum/convex_sum.h"
 #include "dymsum/mesh.h"
 #include "dymsum/spatial_sum.h"
 
@@ -12,13 +11,11 @@ namespace dymsum {
 
 /// The exact volume as a decimal number of 17 significant digits, correctly rounded, and an exponent. O(n).
 std::string volume_text(const Mesh& mesh);
-std::string volume_text(const SolidSum& sum);
 /// Cost: that of SpatialSum::volume.
 std::string volume_text(const SpatialSum& sum);
 
-/// What surface_area() and SolidSum::area() give, with their relative errors, at any size. O(n).
+/// What surface_area() gives, with its relative error, at any size. O(n).
 std::string surface_text(const Mesh& mesh);
-std::string surface_text(const SolidSum& sum);
 /// Correctly rounded. Cost: that of SpatialSum::area.
 std::string surface_text(const SpatialSum& sum);
 

@@ -50,17 +50,17 @@ def picture(points: NDArray[numpy.float64], triangles: NDArray[numpy.uint32]) ->
     return head + "".join(lines) + "</svg>"
 
 
-def solid_svg(solid: _core.Mesh | _core.SpatialSum | _core.SolidSum) -> str:
+def solid_svg(solid: _core.Mesh | _core.SpatialSum) -> str:
     """A picture of a solid."""
     if isinstance(solid, _core.Mesh):
         return picture(solid.vertices, solid.triangles)
-    data = solid.drawn().mesh if isinstance(solid, _core.SpatialSum) else solid.rounded()
+    data = solid.drawn().mesh
     return picture(data.vertices, _triangles(data))
 
 
-def solid_glb(solid: _core.Mesh | _core.SpatialSum | _core.SolidSum) -> bytes:
+def solid_glb(solid: _core.Mesh | _core.SpatialSum) -> bytes:
     """The bytes of a .glb file, as other viewers show it."""
     if isinstance(solid, _core.Mesh):
         return _core.format_mesh(solid, _core.MeshFormat.glb)
-    data = solid.drawn().mesh if isinstance(solid, _core.SpatialSum) else solid.rounded()
+    data = solid.drawn().mesh
     return _core.format_mesh(data, _core.MeshFormat.glb)

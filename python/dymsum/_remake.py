@@ -32,7 +32,7 @@ from ._core import (
     SolidPose,
     SolidRotationEvents,
     SolidRotationOptions,
-    SolidSum,
+    SpatialSum,
     SumLocator,
     SumOptions,
 )
@@ -67,7 +67,6 @@ def rotated_erode(container: Region, part: Region, theta: Orientation, options: 
     return _core.rotated_erode(container, part, theta, options or SumOptions())
 
 
-convex_sum = _core.convex_sum
 sum_locator = SumLocator
 solid_sum = _core.minkowski_sum
 solid_sum_of = _core.minkowski_sum
@@ -77,7 +76,6 @@ intersection = _core.intersection
 difference = _core.difference
 symmetric_difference = _core.symmetric_difference
 filled = _core.filled
-convex_sum_of = _core.convex_sum
 
 
 def scaling(p: Region, q: Region, options: MovingOptions, sx: Scale, sy: Scale) -> ScalingSum:
@@ -104,14 +102,14 @@ def rotating_sum(p: Region, q: Region, options: MovingOptions, theta: Orientatio
     return rotating(p, q, options, theta).sum()
 
 
-def convex(p: Union[Mesh, SolidSum], q: Mesh, p_pose: SolidPose, q_pose: SolidPose) -> ConvexSum:
+def convex(p: Union[Mesh, SpatialSum], q: Mesh, p_pose: SolidPose, q_pose: SolidPose) -> ConvexSum:
     """A sum of convex solids at the poses it stood at."""
     made = ConvexSum(p, q)
     made.set(p_pose, q_pose)
     return made
 
 
-def sum_of_convex(p: Union[Mesh, SolidSum], q: Mesh, p_pose: SolidPose, q_pose: SolidPose) -> SolidSum:
+def sum_of_convex(p: Union[Mesh, SpatialSum], q: Mesh, p_pose: SolidPose, q_pose: SolidPose) -> SpatialSum:
     """The sum that such an object had."""
     return convex(p, q, p_pose, q_pose).sum()
 
@@ -149,5 +147,5 @@ def planar_local_part(
 
 def turned_solid_sum(
     p: Mesh, q: Mesh, axis: tuple[int, int, int], options: SolidRotationOptions, turn: AxisTurn
-) -> "_core.SpatialSum":
+) -> SpatialSum:
     return SolidRotationEvents(p, q, axis, options).at(turn)

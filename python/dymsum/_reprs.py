@@ -6,7 +6,7 @@ from typing import Any
 
 from . import _core
 
-_OPERANDS = (_core.Region, _core.Mesh, _core.PlanarSum, _core.SolidSum, _core.SpatialSum, _core.CspaceObstacle)
+_OPERANDS = (_core.Region, _core.Mesh, _core.PlanarSum, _core.SpatialSum, _core.CspaceObstacle)
 
 
 def _short(value: Any) -> str:

@@ -36,7 +36,6 @@ void bind_solid_union(nb::module_& m);
 void bind_moving_solids(nb::module_& m);
 void bind_scaling_solids(nb::module_& m);
 void bind_turning_solids(nb::module_& m);
-void bind_solid_sum(nb::module_& m);
 void bind_convex_sum(nb::module_& m);
 void bind_convex_solid(nb::module_& m);
 void bind_depth(nb::module_& m);

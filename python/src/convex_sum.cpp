@@ -24,12 +24,15 @@ Convex of_meshes(const MeshArgument& p, const MeshArgument& q) {
   return {p.object, q.object, take(without_gil([&] { return ConvexSum::create(*p, *q); }))};
 }
 
-Convex of_sum(nb::handle_t<SolidSum> p, const MeshArgument& q) {
-  const SolidSum& first = *nb::inst_ptr<SolidSum>(p);
+Convex of_sum(nb::handle_t<SpatialSum> p, const MeshArgument& q) {
+  const SpatialSum& first = *nb::inst_ptr<SpatialSum>(p);
   return {nb::borrow(p), q.object, take(without_gil([&] { return ConvexSum::create(first, *q); }))};
 }
 
 void bind_convex_results(nb::module_& m) {
+  nb::enum_<ConvexEngine>(m, "ConvexEngine", "How a sum of convex solids is found.")
+      .value("walk", ConvexEngine::walk)
+      .value("brute", ConvexEngine::brute);
   Record<MotionWork>(m, "MotionWork", "The work of one move.")
       .field("vertex_checks", &MotionWork::vertex_checks)
       .field("vertex_errors", &MotionWork::vertex_errors)
@@ -56,8 +59,8 @@ void bind_making(nb::class_<Convex>& type) {
           "q"_a, "At the identity. Raises Error: not_convex, no_area, unsupported_operand.")
       .def(
           "__init__",
-          [](Convex* self, nb::handle_t<SolidSum> p, const MeshArgument& q) { new (self) Convex(of_sum(p, q)); }, "p"_a,
-          "q"_a, "Of a sum and one more solid.")
+          [](Convex* self, nb::handle_t<SpatialSum> p, const MeshArgument& q) { new (self) Convex(of_sum(p, q)); },
+          "p"_a, "q"_a, "Of a convex sum and one more solid.")
       .def_static("create", &of_meshes, "p"_a, "q"_a)
       .def_static("create", &of_sum, "p"_a, "q"_a)
       .def("__copy__", [](const Convex& self) { return Convex(self); })
@@ -97,6 +100,13 @@ void bind_telling(nb::class_<Convex>& type) {
       .def("edge_edge_count", [](const Convex& self) { return self.sum.edge_edge_count(); })
       .def("facet_count", [](const Convex& self) { return self.sum.facet_count(); })
       .def(
+          "changed_facets", [](const Convex& self) { return self.sum.changed_facets(); },
+          "What touches at the faces that the last move brought, sorted.")
+      .def(
+          "exact", [](const Convex& self, const ConvexSum::Vertex& vertex) { return self.sum.exact(vertex); },
+          "vertex"_a,
+          "The exact position of a vertex of P plus one of Q. Raises ValueError where there are no such vertices.")
+      .def(
           "sum",
           [](const Convex& self) {
             return remembered(self.sum.sum(), "sum_of_convex", self.p, self.q, self.sum.p_pose(), self.sum.q_pose());
@@ -128,6 +138,9 @@ void bind_convex_sum_class(nb::module_& m) {
 >>> sum.depth((0.75, 0, 0)).inside
 True
 )doc");
+  Record<ConvexSum::Vertex>(type, "Vertex", "A vertex of P plus a vertex of Q, by their indices in the meshes.")
+      .field("p", &ConvexSum::Vertex::p)
+      .field("q", &ConvexSum::Vertex::q);
   Record<ConvexSum::FacetCount>(type, "FacetCount", "How many facets, and how many of them the last move brought.")
       .field("all", &ConvexSum::FacetCount::all)
       .field("changed", &ConvexSum::FacetCount::changed);
@@ -234,8 +247,8 @@ Fraction(1, 4)
       "ConvexSum that holds at most `memory` bytes; 0: no limit. Raises Error also: out_of_memory.");
   m.def(
       "convex_sum_within",
-      [](nb::handle_t<SolidSum> p, const MeshArgument& q, std::uint64_t memory) {
-        const SolidSum& first = *nb::inst_ptr<SolidSum>(p);
+      [](nb::handle_t<SpatialSum> p, const MeshArgument& q, std::uint64_t memory) {
+        const SpatialSum& first = *nb::inst_ptr<SpatialSum>(p);
         return Convex{nb::borrow(p), q.object, take(without_gil([&] { return convex_sum_within(first, *q, memory); }))};
       },
       "p"_a, "q"_a, "memory"_a);

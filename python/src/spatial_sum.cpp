@@ -37,6 +37,12 @@ void bind_spatial_options(nb::module_& m) {
 }
 
 void bind_spatial_parts(nb::module_& m) {
+  Record<SolidFeature> feature(m, "SolidFeature", "A feature of an operand, by indices into its mesh.");
+  nb::enum_<SolidFeature::Kind>(feature, "Kind", "What a feature is.")
+      .value("vertex", SolidFeature::Kind::vertex)
+      .value("edge", SolidFeature::Kind::edge)
+      .value("face", SolidFeature::Kind::face);
+  feature.field("kind", &SolidFeature::kind).field("a", &SolidFeature::a).field("b", &SolidFeature::b);
   Record<SolidContact>(m, "SolidContact", "A feature of P and one of Q that touch.")
       .field("p", &SolidContact::p)
       .field("q", &SolidContact::q);
@@ -149,6 +155,22 @@ void bind_spatial_numbers(nb::class_<SpatialSum>& sum) {
           "precision"_a = Precision::doubles, "tolerance"_a = 0.0,
           "The boundary as triangles, every vertex rounded, and merged where surfaces meet otherwise. Raises Error: "
           "rounding_changed_topology, cannot_write.")
+      .def("is_convex", &SpatialSum::is_convex, "Whether it was made of convex solids.")
+      .def(
+          "rounded_mesh",
+          [](const SpatialSum& self, Precision precision) {
+            return take(without_gil([&] { return self.rounded_mesh(precision); }));
+          },
+          "precision"_a = Precision::doubles,
+          "A valid mesh: of a convex sum a convex one with whole faces, of others triangles. Raises Error: "
+          "rounding_changed_topology, not_finite, cannot_write.")
+      .def(
+          "rounded_hull",
+          [](const SpatialSum& self, Precision precision) {
+            return take(without_gil([&] { return self.rounded_hull(precision); }));
+          },
+          "precision"_a = Precision::doubles,
+          "Of a convex sum the hull of its rounded vertices. Raises Error: not_convex for others, not_finite, no_area.")
       .def(
           "drawn", [](const SpatialSum& self) { return without_gil([&] { return self.drawn(); }); },
           "The same for a picture, whatever rounding does.");

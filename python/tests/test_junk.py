@@ -66,7 +66,6 @@ def samples() -> list[Any]:
         sum.parts[0].outer,
         dymsum.ObstacleQueries(obstacle),
         dymsum.minkowski_sum(box, box),
-        dymsum.convex_sum(box, box),
         convex.solid(),
         dymsum.ScalingSum(unit, unit),
         dymsum.RotatingSum(unit, unit),

@@ -132,7 +132,7 @@ def test_every_public_name_is_there() -> None:
     assert len(names) > 1000, "the headers were not read"
     for known in (
         "minkowski_sum",
-        "convex_sum",
+        "ConvexSum.changed_facets",
         "CspaceObstacle.loops",
         "check_path",
         "SolidFeature.Kind.edge",

@@ -38,7 +38,7 @@ def test_regions_and_sums_have_extents() -> None:
 def test_meshes_and_sums_of_solids_have_extents() -> None:
     assert (BOX.volume(), BOX.area(), BOX.bounds()) == (6, 22, [0, 0, 0, 1, 2, 3])
     ell = solids.prism([(0, 0), (3, 0), (3, 1), (1, 1), (1, 3), (0, 3)], 1)
-    for sum in (dymsum.minkowski_sum(ell, BALL), dymsum.convex_sum(BOX, BALL)):
+    for sum in (dymsum.minkowski_sum(ell, BALL), dymsum.minkowski_sum(BOX, BALL)):
         corners = [sum.exact(v) for v in range(len(sum.vertices))]
         assert sum.bounds() == [float(side(at[k] for at in corners)) for side in (min, max) for k in (0, 1, 2)]
     assert dymsum.SpatialSum.bounds(dymsum.erode(BALL, BOX)) == [0] * 6
@@ -67,7 +67,7 @@ def test_all_classes_have_a_repr() -> None:
     assert [name for name, kind in kinds if not own(kind, "__repr__")] == []
 
 
-VALUES = "Region RegionData Part Mesh MeshData PlanarSum SpatialSum SolidSum DiscSet DiscRadius Scale Orientation Rotation AxisTurn"
+VALUES = "Region RegionData Part Mesh MeshData PlanarSum SpatialSum DiscSet DiscRadius Scale Orientation Rotation AxisTurn"
 
 
 @pytest.mark.parametrize("name", VALUES.split())
@@ -155,7 +155,7 @@ def test_errors_of_batches_have_the_item() -> None:
     except Error:
         assert item_of(lambda: dymsum.nfp_each([plain, (far, far)], threads=2)) == 1
     assert item_of(lambda: dymsum.union_of([SQUARE, BOW])) == 1
-    assert item_of(lambda: dymsum.convex_sum([BOX, BALL, ([(0, 0, 0)], [(0, 9)])])) == 2
+    assert item_of(lambda: dymsum.minkowski_sum([BOX, BALL, ([(0, 0, 0)], [(0, 9)])])) == 2
     assert item_of(lambda: dymsum.convex_hull([(0, 0, 0), (1, 0, 0), (0, third, 0), (0, 0, 1)])) == 2
     assert item_of(lambda: dymsum.pose_batch_arrays(BOX, BOX, [(1, 0, 0, 0), (0, 0, 0, 0)])) == 1
     assert item_of(lambda: dymsum.Region(BOW)) is None

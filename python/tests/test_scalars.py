@@ -67,7 +67,6 @@ def made() -> dict[str, Any]:
         dymsum.ScalingSum(REGION, REGION),
         dymsum.RotatingSum(REGION, REGION),
         dymsum.ConvexSum(MESH, MESH),
-        dymsum.convex_sum(MESH, MESH),
         dymsum.MovingSolidSum(MESH, MESH),
         dymsum.SolidScaleEvents(MESH, MESH),
         dymsum.SolidRotationEvents(MESH, MESH, (0, 0, 1)),

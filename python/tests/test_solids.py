@@ -44,7 +44,7 @@ def test_trimesh_there_and_back() -> None:
     assert Mesh(back).canonical() == U_PRISM.canonical()
     sum = dymsum.minkowski_sum(U_PRISM, BOX)
     assert sum.to_trimesh().volume == pytest.approx(sum.volume())
-    assert dymsum.convex_sum(BOX, BOX).to_trimesh().is_watertight
+    assert dymsum.minkowski_sum(BOX, BOX).to_trimesh().is_watertight
 
 
 def test_views_of_meshes() -> None:
@@ -93,7 +93,7 @@ def test_files_of_meshes(tmp_path: Any) -> None:
 
 
 def test_pictures_of_solids() -> None:
-    for solid in (BOX, U_PRISM, Mesh(), dymsum.minkowski_sum(BOX, U_PRISM), dymsum.convex_sum(BOX, BOX)):
+    for solid in (BOX, U_PRISM, Mesh(), dymsum.minkowski_sum(BOX, U_PRISM), dymsum.minkowski_sum(BOX, BOX)):
         svg = solid._repr_svg_()
         assert svg.startswith("<svg") and svg.endswith("</svg>") and "nan" not in svg
     assert BOX._repr_svg_().count("<polygon") == 6
@@ -137,6 +137,11 @@ def test_a_solid_that_turns() -> None:
     assert buffers.triangles.shape[0] >= solid.facet_count
     assert numpy.allclose(buffers.positions, solid.positions)
     assert sum.sum().volume_exact() == sum.volume_exact()
+    whole = sum.sum()
+    contact = whole.vertex_contacts[0]
+    assert whole.is_convex() and sum.exact(ConvexSum.Vertex(contact.p.a, contact.q.a)) == whole.exact(0)
+    assert len(sum.changed_facets()) == sum.facet_count().changed > 0
+    assert len(whole.rounded_mesh().faces) >= len(whole.faces) and whole.rounded_hull().report.deviation < 1e-12
     depth = sum.depth((0.75, 0, 0))
     assert depth.inside and depth.depth > 0 and float(depth.depth_squared) == pytest.approx(depth.depth**2)
     with pytest.raises(ValueError, match="."):
@@ -144,7 +149,7 @@ def test_a_solid_that_turns() -> None:
     for again in (pickle.loads(pickle.dumps(sum)), copy.copy(sum)):
         assert again.sum() == sum.sum()
     assert pickle.loads(pickle.dumps(sum.sum())) == sum.sum()
-    third = ConvexSum(dymsum.convex_sum(BOX, BOX), BOX)
+    third = ConvexSum(dymsum.minkowski_sum(BOX, BOX), BOX)
     assert third.volume_exact() == 27 * 6 and pickle.loads(pickle.dumps(third)).volume_exact() == 27 * 6
 
 
@@ -157,8 +162,10 @@ def test_poses_in_a_batch() -> None:
     assert arrays.facets.tolist() == [r.facets for r in records]
     assert arrays.depth.tolist() == [r.depth.depth for r in records]
     for k in range(0, 40, 13):
-        one = dymsum.convex_sum(p, q, SolidPose(Rotation.nearest(*quaternions[k])))
-        assert one.volume() == pytest.approx(arrays.volume[k], rel=1e-11) and len(one.facets) == arrays.facets[k]
+        sum = ConvexSum(p, q)
+        sum.set(SolidPose(Rotation.nearest(*quaternions[k])))
+        one = sum.sum()
+        assert one.volume() == pytest.approx(arrays.volume[k], rel=1e-11) and len(one.faces) == arrays.facets[k]
 
 
 def test_depth_of_convex_solids() -> None:
@@ -174,8 +181,8 @@ def test_depth_of_convex_solids() -> None:
     lambda: dymsum.minkowski_sum(U_PRISM, BOX),
     lambda: dymsum.minkowski_sum([BOX, BOX]),
     lambda: dymsum.erode(solids.box(0, 0, 0, 3, 3, 1), solids.box(0, 0, 0, 1, 1, 1)),
-    lambda: dymsum.convex_sum(BOX, BOX, SolidPose(Rotation.of(1, 2, 3, 4))),
-    lambda: dymsum.convex_sum([BOX, BOX, BOX]),
+    lambda: dymsum.posed_sum(BOX, BOX, SolidPose(Rotation.of(1, 2, 3, 4))),
+    lambda: dymsum.minkowski_sum([BOX, BOX, BOX]),
 ])  # fmt: skip
 def test_sums_of_solids_are_pickled(make: Any) -> None:
     sum = make()

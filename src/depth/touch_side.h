@@ -8,6 +8,7 @@
 
 #include "dymsum/penetration_depth.h"
 #include "dymsum/rotation.h"
+#include "exact/big.h"
 #include "exact/vector3.h"
 #include "spatial/mesh/box_tree.h"
 

@@ -17,12 +17,13 @@ std::array<BigRational, 3> exact_point(const RationalPoint3& p) {
 }
 
 /// The least signed squared distance to the plane of a facet, from the exact positions of the canonical sum.
-BigRational least_signed_square(const SolidSum& sum, Point3 x) {
+BigRational least_signed_square(const SpatialSum& sum, Point3 x) {
   const std::array<BigRational, 3> at{exact::exact_value(x.x), exact::exact_value(x.y), exact::exact_value(x.z)};
   std::optional<BigRational> least;
-  for (const SolidFacet& f : sum.facets) {
-    const auto a = exact_point(sum.exact(f.vertices[0])), b = exact_point(sum.exact(f.vertices[1])),
-               c = exact_point(sum.exact(f.vertices[2]));
+  for (const SpatialFace& f : sum.faces) {
+    const std::vector<std::uint32_t>& loop = f.loops[0];
+    const auto a = exact_point(sum.exact(loop[0])), b = exact_point(sum.exact(loop[1])),
+               c = exact_point(sum.exact(loop[2]));
     std::array<BigRational, 3> u, v, w;
     for (int k = 0; k < 3; ++k) {
       u[k] = b[k] - a[k];
@@ -221,9 +222,9 @@ TEST(ConvexDepth, names_the_features_of_the_facet) {
         ConvexSum sum = *ConvexSum::create(p, q);
         sum.set(turn);
         const ConvexDepth depth = sum.depth(at);
-        const SolidSum whole = sum.sum();
-        EXPECT_TRUE(std::any_of(whole.facets.begin(), whole.facets.end(),
-                                [&](const SolidFacet& f) { return f.p == depth.p && f.q == depth.q; }));
+        const SpatialSum whole = sum.sum();
+        EXPECT_TRUE(std::any_of(whole.faces.begin(), whole.faces.end(),
+                                [&](const SpatialFace& f) { return f.p == depth.p && f.q == depth.q; }));
         kinds.insert({depth.p.kind, depth.q.kind});
       }
   EXPECT_GE(kinds.size(), 4u);
@@ -235,12 +236,12 @@ TEST(ConvexDepth, of_every_hard_case_of_the_corpus) {
     const std::string name = entry.path().filename().string();
     const Mesh mesh = *Mesh::create(*read_mesh(entry.path().string()));
     const ConvexSum sum = *ConvexSum::create(mesh, negated(mesh));
-    const SolidSum whole = sum.sum();
+    const SpatialSum whole = sum.sum();
     const ConvexDepth depth = sum.depth();
     EXPECT_TRUE(depth.inside) << name;
     EXPECT_EQ(exact::exact_value(depth.depth_squared), least_signed_square(whole, {})) << name;
     EXPECT_EQ(depth.depth, exact::root_to_double(exact::exact_value(depth.depth_squared))) << name;
-    EXPECT_EQ(sum.facet_count().all, whole.facets.size()) << name;
+    EXPECT_EQ(sum.facet_count().all, whole.faces.size()) << name;
     EXPECT_NEAR(sum.volume(), whole.volume(), 1e-12 * whole.volume()) << name;
     ++found;
   }
@@ -280,7 +281,7 @@ TEST(PoseBatch, reports_what_single_sums_say_in_the_order_given) {
     for (std::size_t k = 0; k < poses.size(); ++k) {
       ConvexSum one = *ConvexSum::create(p, q);
       one.set(poses[k]);
-      EXPECT_EQ(reports[k].facets, one.sum().facets.size());
+      EXPECT_EQ(reports[k].facets, one.sum().faces.size());
       EXPECT_EQ(reports[k].volume, one.volume());
       EXPECT_EQ(reports[k].support, one.support({1, -1, 2}).at);
       EXPECT_EQ(reports[k].depth.depth_squared, one.depth({0.1, 0.2, -0.1}).depth_squared);

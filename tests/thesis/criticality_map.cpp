@@ -6,12 +6,11 @@
 #include <stdexcept>
 #include <utility>
 
-#include "spatial/convex/assemble.h"
 #include "spatial/convex/convex_state.h"
 #include "spatial/convex/exact_places.h"
 #include "spatial/convex/facet_corners.h"
-#include "spatial/convex/place_sum.h"
 #include "spatial/gauss/overlay.h"
+#include "spatial/sum/sum_of_convex_solids.h"
 #include "thesis/critical_angles.h"
 #include "thesis/structure_store.h"
 
@@ -248,19 +247,15 @@ Result<std::size_t> CriticalityMap::facet_count(const Rotation& rotation) const 
 // The structure of an interval is right at its ends too: extreme vertices stay extreme up to there, crossings that are
 // proper there are proper before, and those that are not any more are left out by `assemble`, which looks at the
 // rotation itself. So are those that persistent coincidences make improper everywhere.
-Result<SolidSum> CriticalityMap::at(const Rotation& rotation) const {
+Result<SpatialSum> CriticalityMap::at(const Rotation& rotation) const {
   const Result<std::size_t> i = interval(rotation);
   if (!i) return i.error();
   std::vector<std::uint32_t> words;
   state_->structures.read(*i, words);
   Overlay overlay(state_->p, state_->q);
-  SolidSum sum;
-  sum.p_pose.rotation = rotation;
-  overlay.restore(RelativeMap(spatial::PoseFactors::of(sum.p_pose), {}), words);
-  spatial::assemble(overlay, sum);
-  spatial::ConvexSumInternals::set_operands(sum, state_->source);
-  spatial::place_sum(sum);
-  return sum;
+  const SolidPose pose{rotation, {}};
+  overlay.restore(RelativeMap(spatial::PoseFactors::of(pose), {}), words);
+  return spatial::sum_of_overlay(overlay, state_->source, pose, {});
 }
 
 }  // namespace dymsum

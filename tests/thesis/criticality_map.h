@@ -75,9 +75,9 @@ class CriticalityMap {
   /// critical angle those after it, and where directions coincide throughout one of the ways to tell them apart. From
   /// the stored structures alone. Errors as interval.
   Result<std::size_t> facet_count(const Rotation& rotation) const;
-  /// convex_sum(p, q, {rotation}), from the stored structure; coincidences and positions are those of the rotation.
-  /// Errors as interval.
-  Result<SolidSum> at(const Rotation& rotation) const;
+  /// ConvexSum::sum() with P at that rotation, from the stored structure; coincidences and positions are those of the
+  /// rotation. Errors as interval.
+  Result<SpatialSum> at(const Rotation& rotation) const;
 
  private:
   class State;

@@ -653,7 +653,7 @@ export interface SpatialSum extends Disposable {
   /** The regular part as an operand of further sums. */
   asMesh(): Mesh;
   equals(other: SpatialSum): boolean;
-  /** As `dymsum sum -o` writes it: rounded once; error rounding_changed_topology where that would spoil it, but not of a glb, which is a picture. */
+  /** As `dymsum sum -o` writes it: rounded once, of convex solids a convex solid with whole faces; error rounding_changed_topology where that would spoil it, but not of a glb, which is a picture. */
   format(format: MeshFormat): Uint8Array;
   /** As `dymsum sum -o sum.json`: exact vertices, edges, faces and what is tight, with provenance. */
   toJson(): string;
@@ -699,6 +699,8 @@ export interface ConvexSum extends Disposable {
   /** how deep a point (the origin unless told) lies in the sum */
   depth(point?: Point3): ConvexDepth;
   facetCount(): { all: number; changed: number };
+  /** at the poses that were set; the same as of all solids */
+  sum(): SpatialSum;
   /** rounded: valid convex mesh */
   mesh(): Mesh;
   /** the exact position of a vertex of `buffers()` */

@@ -161,7 +161,9 @@ val facet_count_of(const HeldConvexSum& held) {
 }
 std::shared_ptr<Mesh> mesh_of(const HeldConvexSum& held) { return shared(got(held.sum.sum().rounded_mesh())); }
 std::string file_of(const HeldConvexSum& held, const std::string& extension) {
-  return as_written([&] { return cli::solid_output(held.sum.sum(), "sum." + extension); });
+  return as_written([&] {
+    return cli::solid_output(held.sum.sum(), "sum." + extension, {"off", false, false, 0, held.sum.changed_facets()});
+  });
 }
 val formatted(const HeldConvexSum& held, const std::string& name) {
   mesh_format_in(name);
@@ -169,17 +171,15 @@ val formatted(const HeldConvexSum& held, const std::string& name) {
 }
 std::string json_of(const HeldConvexSum& held) { return file_of(held, "json"); }
 
-/// The canonical sum has the same vertices, named by the same pairs and sorted by them.
+std::shared_ptr<SpatialSum> value_of(const HeldConvexSum& held) { return shared(held.sum.sum()); }
+
 val exact_of(HeldConvexSum& held, double vertex) {
   const ConvexSolid& solid = held.sum.solid();
   if (!(vertex >= 0 && vertex < static_cast<double>(solid.vertices.size())))
     throw Thrown{{ErrorCode::bad_index, "the sum has no such vertex", {}}};
-  const SolidSum sum = held.sum.sum();
-  const SolidSum::Vertex wanted = solid.vertices[static_cast<std::size_t>(vertex)];
-  const auto found = std::lower_bound(sum.vertices.begin(), sum.vertices.end(), wanted);
-  if (found == sum.vertices.end() || *found != wanted)
-    throw Thrown{{ErrorCode::bad_index, "no vertex has this index now", {}}};
-  return exact_point(sum.exact(static_cast<std::size_t>(found - sum.vertices.begin())));
+  const ConvexSum::Vertex pair = solid.vertices[static_cast<std::size_t>(vertex)];
+  if (pair.p == ConvexSolid::kFree) throw Thrown{{ErrorCode::bad_index, "no vertex has this index now", {}}};
+  return exact_point(held.sum.exact(pair));
 }
 
 EMSCRIPTEN_BINDINGS(moving_solids) {
@@ -201,6 +201,7 @@ EMSCRIPTEN_BINDINGS(moving_solids) {
       .function("support", guarded<&support_of>)
       .function("depth", guarded<&depth_of>)
       .function("facetCount", guarded<&facet_count_of>)
+      .function("sum", guarded<&value_of>)
       .function("mesh", guarded<&mesh_of>)
       .function("exact", guarded<&exact_of>)
       .function("format", guarded<&formatted>)

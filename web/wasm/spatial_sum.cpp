@@ -10,7 +10,7 @@
 #include "mesh.h"
 #include "options.h"
 #include "planar_shape.h"
-#include "solid/any_solid_outputs.h"
+#include "solid/solid_outputs.h"
 #include "solid_feature.h"
 #include "spatial_shape.h"
 #include "written.h"
@@ -74,7 +74,7 @@ val tight_contacts_of(const SpatialSum& sum) {
 std::shared_ptr<Mesh> mesh_of(const SpatialSum& sum) { return shared(got(as_mesh(sum))); }
 bool equal(const SpatialSum& a, const SpatialSum& b) { return a == b; }
 std::string file_of(const SpatialSum& sum, const std::string& extension) {
-  return as_written([&] { return cli::any_solid_output(sum, "sum." + extension, {}); });
+  return as_written([&] { return cli::solid_output(sum, "sum." + extension); });
 }
 val formatted(const SpatialSum& sum, const std::string& name) {
   mesh_format_in(name);

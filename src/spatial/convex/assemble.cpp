@@ -9,14 +9,7 @@
 namespace dymsum::spatial {
 namespace {
 
-/// A facet whose vertices are still pairs of vertices of the polytopes.
-struct Draft {
-  std::size_t first;
-  std::uint32_t count;
-  bool changed;
-  SolidFeature p, q;
-};
-
+/// Facets whose corners are still pairs of vertices of the polytopes.
 class Drafts {
  public:
   explicit Drafts(const Overlay& overlay) : o_(overlay) {
@@ -24,13 +17,13 @@ class Drafts {
       changed_[op].assign(o_.poly(op).face_count(), false);
       for (const std::uint32_t f : o_.changes().faces[op]) changed_[op][f] = true;
     }
-    const std::size_t facets = o_.poly(0).face_count() + o_.poly(1).face_count() + o_.crossing_count();
-    drafts.reserve(facets);
-    corners.reserve(5 * facets);
+    const std::size_t count = o_.poly(0).face_count() + o_.poly(1).face_count() + o_.crossing_count();
+    facets.reserve(count);
+    corners.reserve(5 * count);
   }
 
-  std::vector<Draft> drafts;
-  std::vector<VertexPair> corners;  ///< of all drafts
+  std::vector<ConvexFacets::Facet> facets;
+  std::vector<VertexPair> corners;
 
   void add_faces() {
     for (int op = 0; op < 2; ++op)
@@ -60,7 +53,7 @@ class Drafts {
 
  private:
   void close(std::size_t first, const FacetFeatures& features, bool changed) {
-    drafts.push_back({first, static_cast<std::uint32_t>(corners.size() - first), changed, features.p, features.q});
+    facets.push_back({first, static_cast<std::uint32_t>(corners.size() - first), changed, features.p, features.q});
   }
 
   const Overlay& o_;
@@ -68,68 +61,40 @@ class Drafts {
 };
 
 /// The vertices of all corners, sorted by the meshes' indices, and the index of each corner's.
-class Numbering {
- public:
-  Numbering(const Overlay& overlay, const std::vector<VertexPair>& corners, SolidSum& sum) {
-    const Polytope &p = overlay.poly(0), &q = overlay.poly(1);
-    const std::uint32_t sources = 1 + *std::max_element(p.source_vertex.begin(), p.source_vertex.end());
-    begin_.assign(sources + 1, 0);
-    for (const VertexPair& c : corners) ++begin_[p.source_vertex[c.p] + 1];
-    std::partial_sum(begin_.begin(), begin_.end(), begin_.begin());
-    std::vector<std::uint32_t> with(corners.size());  // by P's vertex, those of Q
-    std::vector<std::uint32_t> at(begin_.begin(), begin_.end() - 1);
-    for (const VertexPair& c : corners) with[at[p.source_vertex[c.p]]++] = q.source_vertex[c.q];
-    sum.vertices.clear();
-    for (std::uint32_t v = 0; v < sources; ++v) {
-      const auto from = with.begin() + begin_[v], to = with.begin() + begin_[v + 1];
-      std::sort(from, to);
-      begin_[v] = static_cast<std::uint32_t>(sum.vertices.size());
-      for (auto it = from; it != to; ++it)
-        if (it == from || *it != *(it - 1)) sum.vertices.push_back({v, *it});
+void name_corners(const Overlay& overlay, const std::vector<VertexPair>& corners, ConvexFacets& all) {
+  const Polytope &p = overlay.poly(0), &q = overlay.poly(1);
+  const std::uint32_t sources = 1 + *std::max_element(p.source_vertex.begin(), p.source_vertex.end());
+  std::vector<std::uint32_t> begin(sources + 1, 0);  // by P's vertex
+  for (const VertexPair& c : corners) ++begin[p.source_vertex[c.p] + 1];
+  std::partial_sum(begin.begin(), begin.end(), begin.begin());
+  struct Corner {
+    std::uint32_t q, index;
+  };
+  std::vector<Corner> with(corners.size());  // by P's vertex, those of Q
+  std::vector<std::uint32_t> at(begin.begin(), begin.end() - 1);
+  for (std::uint32_t k = 0; k < corners.size(); ++k)
+    with[at[p.source_vertex[corners[k].p]]++] = {q.source_vertex[corners[k].q], k};
+  all.corners.resize(corners.size());
+  for (std::uint32_t v = 0; v < sources; ++v) {
+    const auto from = with.begin() + begin[v], to = with.begin() + begin[v + 1];
+    std::sort(from, to, [](const Corner& a, const Corner& b) { return a.q < b.q; });
+    for (auto it = from; it != to; ++it) {
+      if (it == from || it->q != (it - 1)->q) all.vertices.push_back({v, it->q});
+      all.corners[it->index] = static_cast<std::uint32_t>(all.vertices.size() - 1);
     }
-    begin_[sources] = static_cast<std::uint32_t>(sum.vertices.size());
-    index.reserve(corners.size());
-    for (const VertexPair& c : corners) {
-      const std::uint32_t v = p.source_vertex[c.p], w = q.source_vertex[c.q];
-      const auto found = std::lower_bound(sum.vertices.begin() + begin_[v], sum.vertices.begin() + begin_[v + 1], w,
-                                          [](const SolidSum::Vertex& x, std::uint32_t y) { return x.q < y; });
-      index.push_back(static_cast<std::uint32_t>(found - sum.vertices.begin()));
-    }
-  }
-
-  std::vector<std::uint32_t> index;
-
- private:
-  std::vector<std::uint32_t> begin_;  // by P's vertex
-};
-
-/// Facets from their smallest vertex on, sorted by their vertices.
-void write_facets(const Drafts& all, std::vector<std::uint32_t> index, SolidSum& sum) {
-  std::vector<std::pair<std::uint64_t, std::uint32_t>> order;  // by the first two vertices: an edge of one facet
-  order.reserve(all.drafts.size());
-  for (std::uint32_t d = 0; d < all.drafts.size(); ++d) {
-    const auto from = index.begin() + static_cast<std::ptrdiff_t>(all.drafts[d].first), to = from + all.drafts[d].count;
-    std::rotate(from, std::min_element(from, to), to);
-    order.emplace_back(std::uint64_t{from[0]} << 32 | from[1], d);
-  }
-  std::sort(order.begin(), order.end());
-  sum.facets.clear();
-  sum.facets.reserve(order.size());
-  for (const auto& [key, d] : order) {
-    const Draft& draft = all.drafts[d];
-    const auto from = index.begin() + static_cast<std::ptrdiff_t>(draft.first);
-    sum.facets.push_back({{from, from + draft.count}, draft.p, draft.q, draft.changed});
   }
 }
 
 }  // namespace
 
-void assemble(const Overlay& overlay, SolidSum& sum) {
+ConvexFacets assemble(const Overlay& overlay) {
   Drafts drafts(overlay);
   drafts.add_faces();
   drafts.add_crossings();
-  Numbering numbering(overlay, drafts.corners, sum);
-  write_facets(drafts, std::move(numbering.index), sum);
+  ConvexFacets all;
+  name_corners(overlay, drafts.corners, all);
+  all.facets = std::move(drafts.facets);
+  return all;
 }
 
 }  // namespace dymsum::spatial

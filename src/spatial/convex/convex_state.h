@@ -33,16 +33,15 @@ class ConvexSum::State {
 
 namespace spatial {
 
-/// What the rooms behind ConvexSum and SolidSum may do with them.
+/// The number tier of two operands, as ConvexSum::tier_bits tells it.
+int tier_bits(const Polytope& p, const Polytope& q);
+
+/// What the rooms behind ConvexSum may do with it.
 struct ConvexSumInternals {
   using State = ConvexSum::State;
-  static void set_operands(SolidSum& sum, std::shared_ptr<const ConvexOperands> operands) {
-    sum.source_ = std::move(operands);
-  }
   /// The sum at the identity; out_of_memory where more than `memory` bytes would be held (0: no limit).
   static Result<ConvexSum> of(std::shared_ptr<const Polytope> p, std::shared_ptr<const Polytope> q,
                               std::shared_ptr<const ConvexOperands> operands, std::uint64_t memory);
-  static const ConvexOperands& operands(const SolidSum& sum) { return *sum.source_; }
 };
 using ConvexState = ConvexSumInternals::State;
 

@@ -2,16 +2,15 @@
 
 #include <algorithm>
 #include <limits>
+#include <stdexcept>
 #include <utility>
 
 #include "base/budget_error.h"
 #include "dymsum/convex_memory.h"
 #include "spatial/convex/assemble.h"
 #include "spatial/convex/convex_state.h"
-#include "spatial/convex/exact_solid.h"
 #include "spatial/convex/facet_count.h"
 #include "spatial/convex/mixed_volume.h"
-#include "spatial/convex/place_sum.h"
 
 namespace dymsum {
 
@@ -107,27 +106,12 @@ Result<ConvexSum> spatial::ConvexSumInternals::of(std::shared_ptr<const Polytope
 
 Result<ConvexSum> ConvexSum::create(const Mesh& p, const Mesh& q) { return convex_sum_within(p, q, 0); }
 
-Result<ConvexSum> ConvexSum::create(const SolidSum& p, const Mesh& q) { return convex_sum_within(p, q, 0); }
-
 Result<ConvexSum> convex_sum_within(const Mesh& p, const Mesh& q, std::uint64_t memory) {
   Result<Operands> made = operands_of(p, q);
   if (!made) return made.error();
   Operands operands = *std::move(made);
   return spatial::ConvexSumInternals::of(std::move(operands.p), std::move(operands.q), std::move(operands.source),
                                          memory);
-}
-
-Result<ConvexSum> convex_sum_within(const SolidSum& p, const Mesh& q, std::uint64_t memory) {
-  Result<spatial::ExactSolid> solid = spatial::exact_solid(p);
-  if (!solid) return solid.error();
-  Result<Polytope> b = spatial::make_polytope(q);
-  if (!b) return b.error();
-  auto source = std::make_shared<spatial::ConvexOperands>();
-  source->operand[0].exact = solid->vertices;
-  source->operand[0].exponent = solid->exponent;
-  source->operand[1].vertices = q.vertices();
-  return spatial::ConvexSumInternals::of(shared(spatial::make_polytope(*solid)), shared(std::move(b).value()),
-                                         std::move(source), memory);
 }
 
 const MotionWork& ConvexSum::set(const SolidPose& p, const SolidPose& q) {
@@ -152,10 +136,11 @@ const MotionWork& ConvexSum::rebuild(const SolidPose& p, const SolidPose& q, Con
 const SolidPose& ConvexSum::p_pose() const { return state_->p_pose; }
 const SolidPose& ConvexSum::q_pose() const { return state_->q_pose; }
 const MotionWork& ConvexSum::work() const { return state_->work; }
-int ConvexSum::tier_bits() const {
-  const int bits = std::max(state_->p->bits, state_->q->bits);
+int spatial::tier_bits(const Polytope& p, const Polytope& q) {
+  const int bits = std::max(p.bits, q.bits);
   return bits <= 26 ? 26 : bits <= 61 ? 61 : 0;
 }
+int ConvexSum::tier_bits() const { return spatial::tier_bits(*state_->p, *state_->q); }
 std::size_t ConvexSum::face_vertex_count() const { return state_->p->face_count() + state_->q->face_count(); }
 std::size_t ConvexSum::edge_edge_count() const { return state_->overlay.crossing_count(); }
 ConvexSum::FacetCount ConvexSum::facet_count() const { return spatial::count_facets(state_->overlay); }
@@ -168,14 +153,24 @@ std::size_t ConvexSum::bytes() const {
 }
 bool ConvexSum::same_combinatorics(const ConvexSum& other) const { return state_->overlay == other.state_->overlay; }
 
-SolidSum ConvexSum::sum() const {
-  SolidSum sum;
-  spatial::assemble(state_->overlay, sum);
-  sum.p_pose = state_->p_pose;
-  sum.q_pose = state_->q_pose;
-  spatial::ConvexSumInternals::set_operands(sum, state_->source);
-  spatial::place_sum(sum);
-  return sum;
+std::vector<SolidContact> ConvexSum::changed_facets() const {
+  std::vector<SolidContact> changed;
+  for (const spatial::ConvexFacets::Facet& facet : spatial::assemble(state_->overlay).facets)
+    if (facet.changed) changed.push_back({facet.p, facet.q});
+  std::sort(changed.begin(), changed.end());
+  return changed;
+}
+
+RationalPoint3 ConvexSum::exact(Vertex vertex) const {
+  const auto& operand = state_->source->operand;
+  if (vertex.p >= operand[0].size() || vertex.q >= operand[1].size())
+    throw std::invalid_argument("ConvexSum::exact: the operands have no such vertices");
+  const spatial::ExactPlaces places(*state_->source, state_->p_pose, state_->q_pose);
+  const spatial::BigVector a = places.of(0, vertex.p), b = places.of(1, vertex.q);
+  const auto value = [&](std::size_t k) {
+    return exact::to_rational(exact::BigRational(exact::BigInteger(a[k] + b[k])) * places.unit());
+  };
+  return {value(0), value(1), value(2)};
 }
 
 const ConvexSolid& ConvexSum::solid() {
@@ -192,27 +187,6 @@ double ConvexSum::volume() const {
   if (const std::optional<double> v = spatial::mixed_volume(state_->overlay, state_->p_factors, state_->q_factors))
     return *v;
   return exact::round_to_double(spatial::exact_mixed_volume(state_->overlay, state_->p_pose, state_->q_pose));
-}
-
-Result<SolidSum> convex_sum(const Mesh& p, const Mesh& q, const SolidPose& p_pose, const SolidPose& q_pose,
-                            ConvexEngine engine) {
-  Result<ConvexSum> sum = ConvexSum::create(p, q);
-  if (!sum) return sum.error();
-  ConvexSum moved = std::move(sum).value();
-  if (!(p_pose == SolidPose()) || !(q_pose == SolidPose())) moved.set(p_pose, q_pose);
-  moved.rebuild(engine);
-  return moved.sum();
-}
-
-Result<SolidSum> convex_sum(std::span<const Mesh> solids) {
-  if (solids.size() < 2) return Error{ErrorCode::unsupported_operand, "a sum needs two solids or more", {}};
-  Result<SolidSum> sum = convex_sum(solids[0], solids[1]);
-  for (std::size_t k = 2; k < solids.size() && sum; ++k) {
-    Result<ConvexSum> next = ConvexSum::create(*sum, solids[k]);
-    if (!next) return next.error();
-    sum = next->sum();
-  }
-  return sum;
 }
 
 }  // namespace dymsum

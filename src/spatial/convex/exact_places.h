@@ -14,7 +14,7 @@ namespace dymsum {
 
 namespace spatial {
 
-/// The vertices of the operands of a SolidSum as they were given.
+/// The vertices of the operands of a convex sum as they were given.
 struct ConvexOperands {
   /// Of a mesh its doubles, of a sum `exact`, multiples of 2^exponent.
   struct Operand {

@@ -1,7 +1,5 @@
 #include "spatial/moving/moving_pair.h"
 
-#include "spatial/sum/sum_of_solids.h"
-
 namespace dymsum::spatial {
 
 namespace {
@@ -57,7 +55,7 @@ SpatialSum MovingPair::convex_frame(const PosePair& to, SolidFrameWork& work) {
   work.normals_checked = moved.vertex_checks, work.pairs_checked = moved.crossing_checks;
   work.facets_added = moved.facets_added, work.facets_removed = moved.facets_removed;
   work.facets = convex_->face_vertex_count() + convex_->edge_edge_count(), work.exact_signs = moved.exact_signs;
-  return boundary_of(convex_->sum());
+  return convex_->sum();
 }
 
 }  // namespace dymsum::spatial

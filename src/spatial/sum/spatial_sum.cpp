@@ -13,6 +13,7 @@
 #include "spatial/sum/face_triangles.h"
 #include "spatial/sum/grid_error.h"
 #include "spatial/sum/solid_faces.h"
+#include "spatial/sum/sum_of_convex_solids.h"
 #include "spatial/sum/sum_of_solids.h"
 #include "spatial/sum/sum_source.h"
 #include "spatial/sum/sum_trace.h"
@@ -51,9 +52,8 @@ Result<SpatialSum> minkowski_sum(const Mesh& p, const Mesh& q, const SpatialOpti
   if (options.engine == SpatialEngine::fast && !options.trace) {
     if (options.progress && !options.progress("convex", 0))
       return cancelled();
-    const Result<SolidSum> convex = spatial::small_convex_sum(p, q, options.memory);
-    if (convex) return spatial::boundary_of(*convex);
-    if (convex.error().code == ErrorCode::out_of_memory) return convex.error();
+    Result<SpatialSum> convex = spatial::small_convex_sum(p, q, options.memory);
+    if (convex || convex.error().code == ErrorCode::out_of_memory) return convex;
   }
   return spatial::sum_of_solids(p, q, options);
 }
@@ -100,6 +100,8 @@ Result<SpatialSum> spatial::sum_of_operands(const SolidOperand& a, const SolidOp
   }
   return sum;
 }
+
+bool SpatialSum::is_convex() const { return positions_ && positions_->convex; }
 
 RationalPoint3 SpatialSum::exact(std::size_t vertex) const {
   const auto [x, y, z] = positions_->at(vertex);

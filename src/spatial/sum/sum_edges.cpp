@@ -43,7 +43,10 @@ std::vector<SpatialEdge> edges_of(const std::vector<SpatialFace>& faces) {
     const auto first = sides.begin() + begin[a], last = sides.begin() + begin[a + 1];
     std::sort(first, last);
     for (auto side = first; side != last; ++side) {
-      if (side == first || side->to != edges.back().to) edges.push_back({a, side->to, {}, std::nullopt});
+      if (side == first || side->to != edges.back().to) {
+        edges.push_back({a, side->to, {}, std::nullopt});
+        edges.back().faces.reserve(2);
+      }
       if (edges.back().faces.empty() || edges.back().faces.back() != side->face)
         edges.back().faces.push_back(side->face);
     }

@@ -1,6 +1,6 @@
 // Volume and surface of a sum. Positions have denominators of their own, so the exact volume is a long fraction; its
 // nearest double comes from positions cut off at a power of two, with a proved error, and from ever longer ones until
-// both ends of the range round to one number.
+// both ends of the range round to one number. Convex sums have one denominator, and measures of their own.
 #include <algorithm>
 #include <cmath>
 #include <functional>
@@ -13,6 +13,7 @@
 #include "exact/decimal_text.h"
 #include "exact/factored_fraction.h"
 #include "exact/square_root.h"
+#include "spatial/sum/convex_measures.h"
 #include "spatial/sum/sum_source.h"
 
 namespace dymsum {
@@ -317,12 +318,28 @@ std::string text(const SpatialSum& sum, Narrow narrow) {
 
 }  // namespace
 
-double SpatialSum::volume() const { return nearest(*this, narrow_volume); }
-double SpatialSum::area() const { return nearest(*this, narrow_area); }
-Rational SpatialSum::volume_exact() const { return *volume_fraction(*this, kAnyLength); }
-std::optional<Rational> SpatialSum::volume_exact_within(std::size_t bits) const { return volume_fraction(*this, bits); }
+double SpatialSum::volume() const {
+  return is_convex() ? exact::round_to_double(spatial::convex_volume(*this)) : nearest(*this, narrow_volume);
+}
 
-std::string volume_text(const SpatialSum& sum) { return text(sum, narrow_volume); }
-std::string surface_text(const SpatialSum& sum) { return text(sum, narrow_area); }
+double SpatialSum::area() const {
+  return is_convex() ? spatial::convex_surface(*this).nearest() : nearest(*this, narrow_area);
+}
+
+Rational SpatialSum::volume_exact() const { return *volume_exact_within(kAnyLength); }
+
+std::optional<Rational> SpatialSum::volume_exact_within(std::size_t bits) const {
+  if (!is_convex()) return volume_fraction(*this, bits);
+  if (spatial::convex_volume_bits(*this) > bits) return std::nullopt;
+  return exact::to_rational(spatial::convex_volume(*this));
+}
+
+std::string volume_text(const SpatialSum& sum) {
+  return sum.is_convex() ? exact::decimal_text(spatial::convex_volume(sum), 17) : text(sum, narrow_volume);
+}
+
+std::string surface_text(const SpatialSum& sum) {
+  return sum.is_convex() ? spatial::convex_surface(sum).text() : text(sum, narrow_area);
+}
 
 }  // namespace dymsum

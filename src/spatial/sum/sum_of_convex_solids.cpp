@@ -1,34 +1,23 @@
+#include "spatial/sum/sum_of_convex_solids.h"
+
 #include <algorithm>
 #include <cmath>
 #include <numeric>
+#include <utility>
 
 #include "base/budget_error.h"
 #include "dymsum/convex_memory.h"
+#include "spatial/convex/assemble.h"
 #include "spatial/convex/convex_state.h"
-#include "spatial/convex/exact_places.h"
+#include "spatial/convex/position_order.h"
 #include "spatial/sum/sum_edges.h"
-#include "spatial/sum/sum_of_solids.h"
 #include "spatial/sum/sum_source.h"
 
-namespace dymsum::spatial {
+namespace dymsum {
+namespace spatial {
 namespace {
 
-/// The positions of all vertices over one positive unit.
-std::vector<BigVector> numerators(const SolidSum& sum, const ExactPlaces& places) {
-  std::vector<BigVector> all;
-  for (const SolidSum::Vertex& v : sum.vertices) {
-    const BigVector a = places.of(0, v.p), b = places.of(1, v.q);
-    all.push_back({a[0] + b[0], a[1] + b[1], a[2] + b[2]});
-  }
-  return all;
-}
-
-ExactPosition position(const BigVector& numerators, const exact::BigRational& unit) {
-  const auto of = [&](const exact::BigInteger& n) { return exact::BigRational(exact::BigRational(n) * unit); };
-  return {of(numerators[0]), of(numerators[1]), of(numerators[2])};
-}
-
-/// The facet and about as many vertices as a SolidSum, with exact positions.
+/// A facet and about as many vertices while the sum is put together.
 constexpr std::size_t kBytesPerConvexFacet = 400;
 
 using Kind = SolidFeature::Kind;
@@ -39,54 +28,101 @@ SolidFeature feature(std::uint32_t a, std::uint32_t b) {
 }
 
 /// Along an edge of a convex sum one edge touches a vertex, or two parallel edges touch.
-SolidContact between(const SolidSum::Vertex& a, const SolidSum::Vertex& b) {
+SolidContact between(const ConvexSum::Vertex& a, const ConvexSum::Vertex& b) {
   return {feature(a.p, b.p), feature(a.q, b.q)};
 }
 
-}  // namespace
+/// Facets from their smallest vertex on, sorted by their vertices: by the first two, an edge of one facet.
+std::vector<SpatialFace> faces_of(ConvexFacets& all, const std::vector<std::uint32_t>& name) {
+  for (std::uint32_t& corner : all.corners) corner = name[corner];
+  std::vector<std::uint32_t> begin(name.size() + 1, 0);  // by the first vertex
+  for (const ConvexFacets::Facet& facet : all.facets) {
+    const auto from = all.corners.begin() + static_cast<std::ptrdiff_t>(facet.first), to = from + facet.count;
+    std::rotate(from, std::min_element(from, to), to);
+    ++begin[*from + 1];
+  }
+  std::partial_sum(begin.begin(), begin.end(), begin.begin());
+  struct Start {
+    std::uint32_t second, facet;
+    auto operator<=>(const Start&) const = default;
+  };
+  std::vector<Start> order(all.facets.size());
+  std::vector<std::uint32_t> at(begin.begin(), begin.end() - 1);
+  for (std::uint32_t f = 0; f < all.facets.size(); ++f) {
+    const std::uint32_t* corners = all.corners.data() + all.facets[f].first;
+    order[at[corners[0]]++] = {corners[1], f};
+  }
+  std::vector<SpatialFace> faces(order.size());
+  for (std::size_t v = 0; v + 1 < begin.size(); ++v) std::sort(order.begin() + begin[v], order.begin() + begin[v + 1]);
+  for (std::size_t k = 0; k < order.size(); ++k) {
+    const ConvexFacets::Facet& facet = all.facets[order[k].facet];
+    const auto from = all.corners.begin() + static_cast<std::ptrdiff_t>(facet.first);
+    faces[k].loops.emplace_back(from, from + facet.count);
+    faces[k].p = facet.p, faces[k].q = facet.q;
+  }
+  return faces;
+}
 
-Result<SolidSum> small_convex_sum(const Mesh& p, const Mesh& q, std::uint64_t memory) {
-  const Result<ConvexSum> sum = convex_sum_within(p, q, memory);
+SpatialStats stats_of(const Overlay& overlay, const std::vector<SpatialFace>& faces) {
+  SpatialStats stats;
+  stats.bits = tier_bits(overlay.poly(0), overlay.poly(1));
+  for (const SpatialFace& face : faces)
+    ++(face.p.kind == Kind::edge && face.q.kind == Kind::edge ? stats.edge_edge : stats.face_vertex);
+  return stats;
+}
+
+Result<SpatialSum> small_sum(const Result<ConvexSum>& sum, std::uint64_t memory) {
   if (!sum) return sum.error();
   const std::uint64_t bytes = memory == 0 ? 0 : sum->bytes() + sum->facet_count().all * kBytesPerConvexFacet;
   if (bytes > memory) return base::budget_error("the sum of convex solids takes at least", bytes, memory);
   return sum->sum();
 }
 
-// The facets of a convex sum are its faces: whole, without holes, and nothing is tight.
-SpatialSum boundary_of(const SolidSum& convex) {
-  const ExactPlaces places(ConvexSumInternals::operands(convex), convex.p_pose, convex.q_pose);
-  const std::vector<BigVector> at = numerators(convex, places);
-  std::vector<std::uint32_t> order(at.size()), name(at.size());
-  std::iota(order.begin(), order.end(), 0u);
-  std::sort(order.begin(), order.end(), [&](std::uint32_t a, std::uint32_t b) { return at[a] < at[b]; });
+}  // namespace
+
+Result<SpatialSum> small_convex_sum(const Mesh& p, const Mesh& q, std::uint64_t memory) {
+  return small_sum(convex_sum_within(p, q, memory), memory);
+}
+
+Result<SpatialSum> small_convex_sum(const SpatialSum& p, const Mesh& q, std::uint64_t memory) {
+  return small_sum(convex_sum_within(p, q, memory), memory);
+}
+
+SpatialSum sum_of_overlay(const Overlay& overlay, std::shared_ptr<const ConvexOperands> operands, const SolidPose& p,
+                          const SolidPose& q) {
+  ConvexFacets facets = assemble(overlay);
+  const std::vector<Point3> nearest = nearest_positions(*operands, p, q, facets.vertices);
+  const std::vector<std::uint32_t> order = order_by_position(*operands, p, q, facets.vertices, nearest);
 
   SpatialSum sum;
-  auto sorted = std::make_shared<SpatialPositions>();
+  std::vector<std::uint32_t> name(order.size());
+  std::vector<ConvexSum::Vertex> pairs;
+  pairs.reserve(order.size());
+  sum.vertices.reserve(order.size());
+  sum.vertex_contacts.reserve(order.size());
   for (std::uint32_t k = 0; k < order.size(); ++k) {
     name[order[k]] = k;
-    sorted->listed.push_back(position(at[order[k]], places.unit()));
-    const Point3& nearest = sum.vertices.emplace_back(convex.at[order[k]]);
-    const SolidSum::Vertex& pair = convex.vertices[order[k]];
+    const Point3& at = sum.vertices.emplace_back(nearest[order[k]]);
+    const ConvexSum::Vertex& pair = pairs.emplace_back(facets.vertices[order[k]]);
     sum.vertex_contacts.push_back(SolidContact{{Kind::vertex, pair.p, 0}, {Kind::vertex, pair.q, 0}});
-    const double size = std::max({std::abs(nearest.x), std::abs(nearest.y), std::abs(nearest.z)});
+    const double size = std::max({std::abs(at.x), std::abs(at.y), std::abs(at.z)});
     sum.at_error = std::max(sum.at_error, size * 0x1p-53 + 0x1p-1074);
   }
-  SpatialSumInternals::set_positions(sum, std::move(sorted));
-
-  for (const SolidFacet& facet : convex.facets) {
-    std::vector<std::uint32_t> loop;
-    for (const std::uint32_t v : facet.vertices) loop.push_back(name[v]);
-    std::rotate(loop.begin(), std::min_element(loop.begin(), loop.end()), loop.end());
-    sum.faces.push_back({{std::move(loop)}, facet.p, facet.q, 0});
-  }
-  std::sort(sum.faces.begin(), sum.faces.end(),
-            [](const SpatialFace& a, const SpatialFace& b) { return a.loops < b.loops; });
+  sum.faces = faces_of(facets, name);
   sum.shells = 1;
   sum.edges = edges_of(sum.faces);
-  for (SpatialEdge& edge : sum.edges)
-    edge.contact = between(convex.vertices[order[edge.from]], convex.vertices[order[edge.to]]);
+  for (SpatialEdge& edge : sum.edges) edge.contact = between(pairs[edge.from], pairs[edge.to]);
+  sum.stats = stats_of(overlay, sum.faces);
+  auto positions = std::make_shared<SpatialPositions>();
+  positions->convex = std::make_shared<const ConvexPlaces>(std::move(operands), p, q, std::move(pairs));
+  SpatialSumInternals::set_positions(sum, std::move(positions));
   return sum;
 }
 
-}  // namespace dymsum::spatial
+}  // namespace spatial
+
+SpatialSum ConvexSum::sum() const {
+  return spatial::sum_of_overlay(state_->overlay, state_->source, state_->p_pose, state_->q_pose);
+}
+
+}  // namespace dymsum

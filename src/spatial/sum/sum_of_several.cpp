@@ -10,6 +10,7 @@
 
 #include "dymsum/spatial_sum.h"
 #include "spatial/sum/face_triangles.h"
+#include "spatial/sum/sum_of_convex_solids.h"
 #include "spatial/sum/sum_source.h"
 #include "spatial/sum/touching_vertices.h"
 
@@ -173,6 +174,16 @@ std::optional<Error> add_two(std::vector<Term>& terms, const SpatialOptions& opt
   return first;
 }
 
+Result<SpatialSum> sum_of_convex(std::span<const Mesh> operands, const SpatialOptions& options) {
+  Result<SpatialSum> sum = minkowski_sum(operands[0], operands[1], options);
+  for (std::size_t k = 2; k < operands.size() && sum; ++k) {
+    if (options.progress && !options.progress("convex", double(k - 1) / double(operands.size() - 1)))
+      return Error{ErrorCode::cancelled, "the computation was cancelled", {}};
+    sum = spatial::small_convex_sum(*sum, operands[k], options.memory);
+  }
+  return sum;
+}
+
 }  // namespace
 
 Result<Mesh> as_mesh(const SpatialSum& sum) {
@@ -183,6 +194,10 @@ Result<Mesh> as_mesh(const SpatialSum& sum) {
 
 Result<SpatialSum> minkowski_sum(std::span<const Mesh> operands, const SpatialOptions& options) {
   if (operands.empty()) return Error{ErrorCode::unsupported_operand, "a sum needs an operand", {}};
+  const auto is_convex = [](const Mesh& mesh) { return !convexity_error(mesh); };
+  if (operands.size() > 1 && options.engine == SpatialEngine::fast && !options.trace &&
+      std::all_of(operands.begin(), operands.end(), is_convex))
+    return sum_of_convex(operands, options);
   std::vector<Term> terms;
   for (const Mesh& mesh : operands) terms.push_back({mesh});
   const auto rank = [](const Term& t) { return t.mesh.has_thin_parts() ? 2 : convexity_error(t.mesh) ? 1 : 0; };

@@ -1,4 +1,4 @@
-// The sum of solids given by plain lists, and that of convex solids as one of any solids.
+// The sum of solids given by plain lists.
 #pragma once
 
 #include "dymsum/spatial_sum.h"
@@ -13,12 +13,5 @@ Result<SpatialSum> sum_of_solids(const MeshData& p, const MeshData& q, const Spa
 Result<SpatialSum> sum_of_solids(const Mesh& p, const Mesh& q, const SpatialOptions& options);
 
 Result<SpatialSum> sum_of_operands(const SolidOperand& p, const SolidOperand& q, const SpatialOptions& options);
-
-/// convex_sum(p, q) where at most `memory` bytes suffice for it and for boundary_of, beside operands and result; else
-/// the error out_of_memory. 0: no limit.
-Result<SolidSum> small_convex_sum(const Mesh& p, const Mesh& q, std::uint64_t memory);
-
-/// The same set as a SpatialSum. Faces keep the features that the convex sum names. O(n log n) exact comparisons.
-SpatialSum boundary_of(const SolidSum& convex);
 
 }  // namespace dymsum::spatial

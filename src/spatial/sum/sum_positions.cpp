@@ -9,10 +9,23 @@ namespace dymsum::spatial {
 
 using exact::BigInteger;
 
+namespace {
+
+/// As SpatialPositions::homogeneous has it.
+std::array<BigInteger, 4> homogeneous_of(const ConvexPlaces& places, std::size_t vertex, const BigInteger& scale) {
+  const BigVector at = places.numerators(vertex);
+  const BigInteger unit = numerator(places.unit());
+  return {at[0] * unit, at[1] * unit, at[2] * unit, denominator(places.unit()) * scale};
+}
+
+}  // namespace
+
 ExactPosition SpatialPositions::at(std::size_t vertex) const {
-  const auto coordinate = [&](int axis) {
-    return space ? space->world_coordinate(vertices[vertex], axis) : listed[vertex][static_cast<std::size_t>(axis)];
-  };
+  if (convex) {
+    const std::array<BigInteger, 4> h = homogeneous(vertex);
+    return {exact::BigRational(h[0], h[3]), exact::BigRational(h[1], h[3]), exact::BigRational(h[2], h[3])};
+  }
+  const auto coordinate = [&](int axis) { return space->world_coordinate(vertices[vertex], axis); };
   ExactPosition at{coordinate(0), coordinate(1), coordinate(2)};
   if (scale != 1)
     for (exact::BigRational& c : at) c /= scale;
@@ -22,9 +35,9 @@ ExactPosition SpatialPositions::at(std::size_t vertex) const {
 // Without at(), whose fractions in lowest terms cost more than all else of writing a sum.
 Point3 SpatialPositions::rounded(std::size_t vertex) const {
   double result[3];
-  if (!space) {
-    const ExactPosition exactly = at(vertex);
-    for (std::size_t i = 0; i < 3; ++i) result[i] = exact::round_to_double(exactly[i]);
+  if (convex) {
+    const std::array<BigInteger, 4> h = homogeneous(vertex);
+    for (std::size_t i = 0; i < 3; ++i) result[i] = exact::round_to_double(h[i], h[3]);
     return {result[0], result[1], result[2]};
   }
   const std::array<BigInteger, 4> h = space->homogeneous(vertices[vertex]);
@@ -46,20 +59,14 @@ Point3 SpatialPositions::rounded(std::size_t vertex) const {
 }
 
 std::array<BigInteger, 4> SpatialPositions::homogeneous(std::size_t vertex) const {
-  if (space) {
-    std::array<BigInteger, 4> h = space->homogeneous(vertices[vertex]);
-    if (scale != 1) h[3] *= scale;
-    return h;
-  }
-  const ExactPosition at = this->at(vertex);
-  std::array<BigInteger, 4> h{0, 0, 0, 1};
-  for (int axis = 0; axis < 3; ++axis) h[3] = lcm(h[3], BigInteger(denominator(at[axis])));
-  for (int axis = 0; axis < 3; ++axis) h[axis] = numerator(at[axis]) * (h[3] / denominator(at[axis]));
+  if (convex) return homogeneous_of(*convex, vertex, scale);
+  std::array<BigInteger, 4> h = space->homogeneous(vertices[vertex]);
+  if (scale != 1) h[3] *= scale;
   return h;
 }
 
 std::array<int, 3> SpatialPositions::unit_exponents() const {
-  if (!space) return {0, 0, 0};
+  if (convex) return {0, 0, 0};
   return {space->line(0).exponent, space->line(1).exponent, space->line(2).exponent};
 }
 

@@ -8,18 +8,19 @@
 
 #include "dymsum/spatial_sum.h"
 #include "exact/big.h"
+#include "spatial/convex/convex_places.h"
 #include "spatial/convolution/sum_space.h"
 
 namespace dymsum::spatial {
 
 using ExactPosition = std::array<exact::BigRational, 3>;
 
-/// Of the vertices of a sum: common points of planes in a space, or, of convex operands, the positions themselves.
+/// Of the vertices of a sum: common points of planes in a space, or, of convex operands, sums of their vertices.
 struct SpatialPositions {
   std::shared_ptr<const SumSpace> space;
   std::vector<PointSource> vertices;
-  std::vector<ExactPosition> listed;
-  exact::BigInteger scale = 1;  ///< of space and list: positions are theirs divided by it
+  std::shared_ptr<const ConvexPlaces> convex;  ///< of a convex sum, which has no space
+  exact::BigInteger scale = 1;                 ///< of space and convex places: positions are theirs divided by it
 
   ExactPosition at(std::size_t vertex) const;
   /// The nearest doubles.
@@ -42,6 +43,10 @@ struct SpatialSumInternals {
     sum.positions_ = std::move(positions);
   }
   static const SpatialPositions& positions(const SpatialSum& sum) { return *sum.positions_; }
+  /// Nothing where it is no convex sum.
+  static const ConvexPlaces* convex(const SpatialSum& sum) {
+    return sum.is_convex() ? sum.positions_->convex.get() : nullptr;
+  }
 };
 
 /// Divides a sum of sets in units of 1 / scale by that.

@@ -3,7 +3,9 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <array>
+#include <compare>
 #include <cstdint>
 #include <numbers>
 #include <random>
@@ -73,18 +75,76 @@ inline Mesh free_box(Point3 low, Point3 high) {
 
 inline Mesh cube(double half) { return solids::box(-half, -half, -half, half, half, half); }
 
+/// The sum at a pair of poses, from nothing.
+inline Result<SpatialSum> convex_sum(const Mesh& p, const Mesh& q, const SolidPose& p_pose = {},
+                                     const SolidPose& q_pose = {}, ConvexEngine engine = ConvexEngine::walk) {
+  Result<ConvexSum> made = ConvexSum::create(p, q);
+  if (!made) return made.error();
+  ConvexSum sum = *std::move(made);
+  sum.rebuild(p_pose, q_pose, engine);
+  return sum.sum();
+}
+
+/// Equal, and with the same doubles, features and contacts throughout.
+inline bool identical(const SpatialSum& a, const SpatialSum& b) {
+  const auto same_face = [](const SpatialFace& f, const SpatialFace& g) { return f.p == g.p && f.q == g.q; };
+  const auto same_edge = [](const SpatialEdge& e, const SpatialEdge& f) {
+    return e.from == f.from && e.to == f.to && e.faces == f.faces && e.contact == f.contact;
+  };
+  return a == b && a.vertices == b.vertices && a.at_error == b.at_error && a.vertex_contacts == b.vertex_contacts &&
+         std::equal(a.faces.begin(), a.faces.end(), b.faces.begin(), b.faces.end(), same_face) &&
+         std::equal(a.edges.begin(), a.edges.end(), b.edges.begin(), b.edges.end(), same_edge);
+}
+
+/// The vertices of a convex sum as pairs.
+inline std::vector<ConvexSum::Vertex> vertex_pairs(const SpatialSum& sum) {
+  std::vector<ConvexSum::Vertex> pairs;
+  for (const std::optional<SolidContact>& c : sum.vertex_contacts) pairs.push_back({c->p.a, c->q.a});
+  return pairs;
+}
+
+/// A convex sum as a mesh with whole faces; of one whose positions are doubles.
+inline Mesh whole_mesh(const SpatialSum& sum) {
+  MeshData data{sum.vertices, {}};
+  for (const SpatialFace& f : sum.faces) data.faces.push_back(f.loops[0]);
+  return *Mesh::create(std::move(data));
+}
+
+/// A face by what touches there and the pairs of vertices round it, from the smallest on.
+struct NamedFace {
+  SolidContact features;
+  std::vector<ConvexSum::Vertex> corners;
+  friend auto operator<=>(const NamedFace&, const NamedFace&) = default;
+};
+/// All that does not depend on positions: the faces, sorted.
+inline std::vector<NamedFace> structure(const SpatialSum& sum) {
+  const std::vector<ConvexSum::Vertex> pairs = vertex_pairs(sum);
+  std::vector<NamedFace> faces;
+  for (const SpatialFace& f : sum.faces) {
+    NamedFace& face = faces.emplace_back(NamedFace{{f.p, f.q}, {}});
+    for (const std::uint32_t v : f.loops[0]) face.corners.push_back(pairs[v]);
+    std::rotate(face.corners.begin(), std::min_element(face.corners.begin(), face.corners.end()), face.corners.end());
+  }
+  std::sort(faces.begin(), faces.end());
+  return faces;
+}
+
 /// Every edge has two facets that run through it in opposite directions, and Euler's formula holds.
-inline void expect_closed(const SolidSum& sum) {
+inline void expect_closed(const SpatialSum& sum) {
   std::set<std::pair<std::uint32_t, std::uint32_t>> directed;
   std::size_t count = 0;
-  for (const SolidFacet& f : sum.facets)
-    for (std::size_t i = 0; i < f.vertices.size(); ++i) {
-      directed.insert({f.vertices[i], f.vertices[(i + 1) % f.vertices.size()]});
+  for (const SpatialFace& f : sum.faces) {
+    ASSERT_EQ(f.loops.size(), 1u);
+    const std::vector<std::uint32_t>& loop = f.loops[0];
+    for (std::size_t i = 0; i < loop.size(); ++i) {
+      directed.insert({loop[i], loop[(i + 1) % loop.size()]});
       ++count;
     }
+  }
   EXPECT_EQ(directed.size(), count);
   for (const auto& [a, b] : directed) EXPECT_TRUE(directed.contains({b, a}));
-  EXPECT_EQ(sum.vertices.size() + sum.facets.size(), sum.edge_count() + 2);
+  EXPECT_EQ(sum.vertices.size() + sum.faces.size(), sum.edges.size() + 2);
+  EXPECT_EQ(2 * sum.edges.size(), count);
 }
 
 /// The hull of all sums of vertices, whose coordinates have to be doubles: the sum by definition.

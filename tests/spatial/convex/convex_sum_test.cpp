@@ -8,14 +8,12 @@
 namespace dymsum::test {
 namespace {
 
-Mesh as_mesh(const SolidSum& sum) { return *Mesh::create(sum.rounded()); }
-
 TEST(ConvexSum, of_two_cubes_is_a_cube) {
-  const SolidSum sum = *convex_sum(cube(1), cube(2));
-  EXPECT_EQ(as_mesh(sum), cube(3));
-  EXPECT_EQ(sum.facets.size(), 6u);
+  const SpatialSum sum = *convex_sum(cube(1), cube(2));
+  EXPECT_EQ(whole_mesh(sum), cube(3));
+  EXPECT_EQ(sum.faces.size(), 6u);
   EXPECT_EQ(sum.volume_exact().to_string(), "216/1");
-  for (const SolidFacet& f : sum.facets) {
+  for (const SpatialFace& f : sum.faces) {
     EXPECT_EQ(f.p.kind, SolidFeature::Kind::face);
     EXPECT_EQ(f.q.kind, SolidFeature::Kind::face);
   }
@@ -25,10 +23,11 @@ TEST(ConvexSum, grid_polytopes_equal_the_hull_of_sums) {
   std::mt19937_64 random(11);
   for (int k = 0; k < 150; ++k) {
     const Mesh p = random_grid_polytope(random, 4 + k % 9, 3), q = random_grid_polytope(random, 4 + k % 7, 3);
-    const SolidSum sum = *convex_sum(p, q);
-    EXPECT_EQ(as_mesh(sum).canonical().data(), hull_of_sums(p, q).canonical().data()) << "case " << k;
+    const SpatialSum sum = *convex_sum(p, q);
+    EXPECT_EQ(whole_mesh(sum).canonical().data(), hull_of_sums(p, q).canonical().data()) << "case " << k;
     expect_closed(sum);
-    EXPECT_EQ(sum, *convex_sum(p, q, {}, {}, ConvexEngine::brute)) << "case " << k;
+    EXPECT_TRUE(identical(sum, *convex_sum(p, q, {}, {}, ConvexEngine::brute))) << "case " << k;
+    EXPECT_TRUE(identical(sum, *minkowski_sum(p, q))) << "case " << k;
   }
 }
 
@@ -40,20 +39,20 @@ TEST(ConvexSum, rotated_grid_polytopes_equal_the_hull_of_sums) {
   for (int k = 0; k < 120; ++k) {
     const Mesh p = random_grid_polytope(random, 4 + k % 9, 3, 45), q = random_grid_polytope(random, 4 + k % 7, 3, 45);
     const Rotation &a = turns[k % turns.size()], &b = turns[(k / 6) % turns.size()];
-    const SolidSum sum = *convex_sum(p, q, {a, {}}, {b, {}});
-    EXPECT_EQ(as_mesh(sum).canonical().data(), hull_of_sums(turned(p, a), turned(q, b)).canonical().data())
+    const SpatialSum sum = *convex_sum(p, q, {a, {}}, {b, {}});
+    EXPECT_EQ(whole_mesh(sum).canonical().data(), hull_of_sums(turned(p, a), turned(q, b)).canonical().data())
         << "case " << k;
-    EXPECT_EQ(sum, *convex_sum(p, q, {a, {}}, {b, {}}, ConvexEngine::brute)) << "case " << k;
+    EXPECT_TRUE(identical(sum, *convex_sum(p, q, {a, {}}, {b, {}}, ConvexEngine::brute))) << "case " << k;
   }
 }
 
 TEST(ConvexSum, solid_with_itself_and_with_its_reflection) {
   for (const solids::NamedMesh& m : solids::thesis_models()) {
-    const SolidSum twice = *convex_sum(m.mesh, m.mesh);
-    EXPECT_EQ(as_mesh(twice), *scaled(m.mesh, 2, 2, 2)) << m.name;
-    const SolidSum difference = *convex_sum(m.mesh, negated(m.mesh));
+    const SpatialSum twice = *convex_sum(m.mesh, m.mesh);
+    EXPECT_EQ(whole_mesh(twice), *scaled(m.mesh, 2, 2, 2)) << m.name;
+    const SpatialSum difference = *convex_sum(m.mesh, negated(m.mesh));
     expect_closed(difference);
-    EXPECT_EQ(as_mesh(difference).canonical().data(), negated(as_mesh(difference)).canonical().data()) << m.name;
+    EXPECT_EQ(whole_mesh(difference).canonical().data(), negated(whole_mesh(difference)).canonical().data()) << m.name;
   }
 }
 
@@ -65,15 +64,15 @@ TEST(ConvexSum, measures_of_random_sums_agree) {
     SolidPose a{random_rotation(random), {random_scale(random), random_scale(random), random_scale(random)}},
         b{random_rotation(random), {}};
     moving.set(a, b);
-    const SolidSum sum = moving.sum();
+    const SpatialSum sum = moving.sum();
     expect_closed(sum);
     EXPECT_EQ(sum.volume_exact(), moving.volume_exact()) << "facets and mixed volumes";
     EXPECT_NEAR(moving.volume() / sum.volume(), 1, 1e-11);
-    EXPECT_EQ(sum.facets.size(), moving.face_vertex_count() + moving.edge_edge_count()) << "in general position";
-    EXPECT_EQ(sum, *convex_sum(p, q, a, b, ConvexEngine::brute));
+    EXPECT_EQ(sum.faces.size(), moving.face_vertex_count() + moving.edge_edge_count()) << "in general position";
+    EXPECT_TRUE(identical(sum, *convex_sum(p, q, a, b, ConvexEngine::brute)));
     // Commutes: the same facets with roles exchanged.
-    const SolidSum other = *convex_sum(q, p, b, a);
-    EXPECT_EQ(other.facets.size(), sum.facets.size());
+    const SpatialSum other = *convex_sum(q, p, b, a);
+    EXPECT_EQ(other.faces.size(), sum.faces.size());
     EXPECT_EQ(other.volume_exact(), sum.volume_exact());
   }
 }
@@ -107,7 +106,7 @@ TEST(ConvexSum, support_is_a_vertex_of_the_sum_whatever_the_direction) {
       for (const Rotation& turn : {Rotation(), *Rotation::of(1, 1, 0, 0), *Rotation::of(3, 1, 0, 2)}) {
         ConvexSum moving = *ConvexSum::create(p, q);
         moving.set({turn, {}}, {turn, {}});
-        const SolidSum sum = moving.sum();
+        const SpatialSum sum = moving.sum();
         std::vector<RationalPoint3> exact;
         for (std::size_t v = 0; v < sum.vertices.size(); ++v) exact.push_back(sum.exact(v));
         for (const Point3 d :
@@ -120,8 +119,9 @@ TEST(ConvexSum, support_is_a_vertex_of_the_sum_whatever_the_direction) {
           for (std::size_t v = 1; v < exact.size(); ++v)
             if (rank(exact[last]) < rank(exact[v])) last = v;
           const ConvexSum::Support s = moving.support(d);
-          EXPECT_EQ(s.vertex, sum.vertices[last]);
-          EXPECT_EQ(s.at, sum.at[last]);
+          EXPECT_EQ(s.vertex, vertex_pairs(sum)[last]);
+          EXPECT_EQ(s.at, sum.vertices[last]);
+          EXPECT_EQ(moving.exact(s.vertex), exact[last]);
         }
       }
 }
@@ -148,21 +148,19 @@ TEST(ConvexSum, within_a_budget_holds_no_more) {
 TEST(ConvexSum, huge_small_and_wide_coordinates_are_exact) {
   std::mt19937_64 random(15);
   const Mesh p = random_grid_polytope(random, 10, 3), q = random_grid_polytope(random, 8, 3);
-  const SolidSum plain = *convex_sum(p, q);
+  const SpatialSum plain = *convex_sum(p, q);
   for (const double unit : {0x1p200, 0x1p-200}) {
-    const SolidSum large = *convex_sum(*scaled(p, unit, unit, unit), *scaled(q, unit, unit, unit));
-    EXPECT_EQ(large.facets, plain.facets);
-    EXPECT_EQ(large.vertices, plain.vertices);
+    const SpatialSum large = *convex_sum(*scaled(p, unit, unit, unit), *scaled(q, unit, unit, unit));
+    EXPECT_EQ(structure(large), structure(plain));
   }
   // A translation by 2^40 and by 2^-60 needs 100 bits and changes nothing but positions.
   MeshData far = p.data();
   for (Point3& v : far.vertices) v = {v.x + 0x1p40, v.y, v.z + 1};
   far.vertices[0].y += 0;  // stays on the grid
-  EXPECT_EQ((*convex_sum(*Mesh::create(far), q)).facets, plain.facets);
+  EXPECT_EQ(structure(*convex_sum(*Mesh::create(far), q)), structure(plain));
   const Mesh thin = *scaled(p, 1, 0x1p-90, 0x1p60);
-  const SolidSum wide = *convex_sum(thin, *scaled(q, 1, 0x1p-90, 0x1p60));
-  EXPECT_EQ(wide.facets, plain.facets);
-  EXPECT_EQ(wide.vertices, plain.vertices);
+  const SpatialSum wide = *convex_sum(thin, *scaled(q, 1, 0x1p-90, 0x1p60));
+  EXPECT_EQ(structure(wide), structure(plain));
 }
 
 /// How far a double is from a number, relative to it.
@@ -199,8 +197,9 @@ TEST(ConvexSum, volumes_keep_their_promise_far_away_and_of_thin_solids) {
 
 TEST(ConvexSum, measures_far_away_are_those_at_the_origin) {
   const Mesh far = free_box({0x1p50, 0x1p50, 0x1p50}, {0x1p50 + 1, 0x1p50 + 1, 0x1p50 + 1});
-  const SolidSum sum = *convex_sum(far, solids::dipyramid(4, 0.25, 0.5, solids::kDemoSnap)),
-                 near = *convex_sum(solids::box(0, 0, 0, 1, 1, 1), solids::dipyramid(4, 0.25, 0.5, solids::kDemoSnap));
+  const SpatialSum sum = *convex_sum(far, solids::dipyramid(4, 0.25, 0.5, solids::kDemoSnap)),
+                   near =
+                       *convex_sum(solids::box(0, 0, 0, 1, 1, 1), solids::dipyramid(4, 0.25, 0.5, solids::kDemoSnap));
   EXPECT_EQ(sum.volume(), near.volume());
   EXPECT_EQ(sum.area(), near.area()) << "from exact positions, although rounded ones collapse";
   const Mesh tiny = *scaled(cube(1), 0x1p-500, 0x1p-500, 0x1p-500);
@@ -215,7 +214,7 @@ TEST(ConvexSum, facets_are_counted_as_they_are) {
   EXPECT_EQ(count(solids::cylinder(12, 1, 1, solids::kDemoSnap), solids::cylinder(12, 1, 3, solids::kDemoSnap)), 14u);
   EXPECT_EQ(count(solids::cylinder(12, 1, 1, solids::kDemoSnap), solids::cone(9, 2, 1, solids::kDemoSnap)),
             convex_sum(solids::cylinder(12, 1, 1, solids::kDemoSnap), solids::cone(9, 2, 1, solids::kDemoSnap))
-                ->facets.size());
+                ->faces.size());
   for (const solids::NamedMesh& m : solids::thesis_models())
     EXPECT_EQ(count(m.mesh, m.mesh), m.mesh.canonical().faces().size()) << m.name;
   std::mt19937_64 random(17);
@@ -226,14 +225,28 @@ TEST(ConvexSum, facets_are_counted_as_they_are) {
         *ConvexSum::create(random_grid_polytope(random, 4 + k % 9, 2), random_grid_polytope(random, 4 + k % 7, 2));
     for (const Rotation& turn : {turns[k % turns.size()], Rotation(), turns[(k / 2) % turns.size()]}) {
       sum.set(turn);
-      const SolidSum whole = sum.sum();
+      const SpatialSum whole = sum.sum();
       const ConvexSum::FacetCount facets = sum.facet_count();
-      EXPECT_EQ(facets.all, whole.facets.size()) << "case " << k;
-      EXPECT_EQ(facets.changed, static_cast<std::size_t>(std::count_if(whole.facets.begin(), whole.facets.end(),
-                                                                       [](const SolidFacet& f) { return f.changed; })))
-          << "case " << k;
+      EXPECT_EQ(facets.all, whole.faces.size()) << "case " << k;
+      EXPECT_EQ(facets.changed, sum.changed_facets().size()) << "case " << k;
     }
   }
+}
+
+TEST(ConvexSum, changed_facets_are_faces_of_the_sum) {
+  std::mt19937_64 random(18);
+  ConvexSum sum = *ConvexSum::create(random_round_polytope(random, 30), random_grid_polytope(random, 9, 3));
+  for (int k = 0; k < 20; ++k) {
+    sum.set(small_rotation(random, 0.1) * sum.p_pose().rotation);
+    const SpatialSum whole = sum.sum();
+    const std::vector<SolidContact> changed = sum.changed_facets();
+    EXPECT_TRUE(std::is_sorted(changed.begin(), changed.end()));
+    for (const SolidContact& c : changed)
+      EXPECT_EQ(std::count_if(whole.faces.begin(), whole.faces.end(),
+                              [&](const SpatialFace& f) { return f.p == c.p && f.q == c.q; }),
+                1);
+  }
+  EXPECT_THROW((void)sum.exact({100000, 0}), std::invalid_argument);
 }
 
 TEST(ConvexSum, operands_that_are_not_convex_solids_are_told) {
@@ -247,10 +260,15 @@ TEST(ConvexSum, operands_that_are_not_convex_solids_are_told) {
   for (std::size_t i = 0; i < top.size(); ++i) dent.faces.push_back({top[i], top[(i + 1) % top.size()], apex});
   const Result<Mesh> mesh = Mesh::create(dent);
   ASSERT_TRUE(mesh) << mesh.error().to_string();
-  const Result<SolidSum> sum = convex_sum(cube(1), *mesh);
+  const Result<SpatialSum> sum = convex_sum(cube(1), *mesh);
   ASSERT_FALSE(sum);
   EXPECT_EQ(sum.error().code, ErrorCode::not_convex);
   EXPECT_TRUE(sum.error().evidence.vertex && sum.error().evidence.other_vertex);
+  const SpatialSum other = *minkowski_sum(cube(1), *mesh);
+  EXPECT_FALSE(other.is_convex());
+  EXPECT_EQ(ConvexSum::create(other, cube(1)).error().code, ErrorCode::unsupported_operand);
+  EXPECT_EQ(other.rounded_hull().error().code, ErrorCode::not_convex);
+  EXPECT_EQ(other.rounded_mesh()->data(), other.rounded()->mesh) << "of triangles";
 }
 
 }  // namespace

@@ -19,13 +19,13 @@ Mesh between(double x0, double x1) {
 
 double nearest(const Rational& v) { return exact::round_to_double(exact::exact_value(v)); }
 
-void expect_nearest(const SolidSum& sum, const std::string& where) {
+void expect_nearest(const SpatialSum& sum, const std::string& where) {
   for (std::size_t v = 0; v < sum.vertices.size(); ++v) {
     const RationalPoint3 at = sum.exact(v);
-    ASSERT_EQ(sum.at[v].x, nearest(at.x)) << where;
-    ASSERT_EQ(sum.at[v].y, nearest(at.y)) << where;
-    ASSERT_EQ(sum.at[v].z, nearest(at.z)) << where;
-    ASSERT_FALSE(std::signbit(sum.at[v].x) && sum.at[v].x == 0) << where;
+    ASSERT_EQ(sum.vertices[v].x, nearest(at.x)) << where;
+    ASSERT_EQ(sum.vertices[v].y, nearest(at.y)) << where;
+    ASSERT_EQ(sum.vertices[v].z, nearest(at.z)) << where;
+    ASSERT_FALSE(std::signbit(sum.vertices[v].x) && sum.vertices[v].x == 0) << where;
   }
 }
 

@@ -10,46 +10,40 @@
 #include <vector>
 
 #include "dymsum/convex_solid.h"
+#include "spatial/convex/convex_cases.h"
 
 namespace dymsum::test {
 
 /// Face by face: the same vertices at the same positions, the same facets, nothing else.
-inline void expect_same_solid(const ConvexSolid& kept, const SolidSum& fresh, const std::string& where) {
-  std::map<SolidSum::Vertex, std::uint32_t> live;
+inline void expect_same_solid(const ConvexSolid& kept, const SpatialSum& fresh, const std::string& where) {
+  std::map<ConvexSum::Vertex, std::uint32_t> live;
   for (std::uint32_t v = 0; v < kept.vertices.size(); ++v) {
     if (kept.vertices[v].p == ConvexSolid::kFree) continue;
     ASSERT_TRUE(live.emplace(kept.vertices[v], v).second) << where;
   }
   ASSERT_EQ(live.size(), kept.vertex_count) << where;
   ASSERT_EQ(live.size(), fresh.vertices.size()) << where;
-  std::vector<std::uint32_t> canonical(kept.vertices.size());
-  std::uint32_t next = 0;
-  for (const auto& [pair, v] : live) {
-    ASSERT_EQ(pair, fresh.vertices[next]) << where;
-    ASSERT_EQ(kept.at[v], fresh.at[next]) << where;
-    canonical[v] = next++;
+  const std::vector<ConvexSum::Vertex> pairs = vertex_pairs(fresh);
+  for (std::uint32_t k = 0; k < pairs.size(); ++k) {
+    const auto v = live.find(pairs[k]);
+    ASSERT_NE(v, live.end()) << where;
+    ASSERT_EQ(kept.at[v->second], fresh.vertices[k]) << where;
   }
-  std::vector<SolidFacet> facets;
+  std::vector<NamedFace> faces;
   for (std::size_t f = 0; f < kept.facets.size(); ++f) {
     if (kept.facets[f].count == 0) continue;
-    SolidFacet& facet = facets.emplace_back();
-    for (const std::uint32_t v : kept.corners_of(f)) facet.vertices.push_back(canonical[v]);
-    std::rotate(facet.vertices.begin(), std::min_element(facet.vertices.begin(), facet.vertices.end()),
-                facet.vertices.end());
-    facet.p = kept.facets[f].p;
-    facet.q = kept.facets[f].q;
+    NamedFace& face = faces.emplace_back(NamedFace{{kept.facets[f].p, kept.facets[f].q}, {}});
+    for (const std::uint32_t v : kept.corners_of(f)) face.corners.push_back(kept.vertices[v]);
+    std::rotate(face.corners.begin(), std::min_element(face.corners.begin(), face.corners.end()), face.corners.end());
   }
-  std::sort(facets.begin(), facets.end(),
-            [](const SolidFacet& a, const SolidFacet& b) { return a.vertices < b.vertices; });
-  ASSERT_EQ(kept.facet_count, fresh.facets.size()) << where;
-  ASSERT_EQ(facets, fresh.facets) << where;
-  ASSERT_EQ(kept.p_pose, fresh.p_pose) << where;
-  ASSERT_EQ(kept.q_pose, fresh.q_pose) << where;
+  std::sort(faces.begin(), faces.end());
+  ASSERT_EQ(kept.facet_count, fresh.faces.size()) << where;
+  ASSERT_EQ(faces, structure(fresh)) << where;
 }
 
 /// The vertices of a facet by pairs; none where its index is free.
-inline std::vector<SolidSum::Vertex> pairs_of(const ConvexSolid& solid, std::size_t facet) {
-  std::vector<SolidSum::Vertex> pairs;
+inline std::vector<ConvexSum::Vertex> pairs_of(const ConvexSolid& solid, std::size_t facet) {
+  std::vector<ConvexSum::Vertex> pairs;
   if (facet < solid.facets.size())
     for (const std::uint32_t v : solid.corners_of(facet)) pairs.push_back(solid.vertices[v]);
   return pairs;
@@ -63,7 +57,7 @@ inline void expect_true_changes(const ConvexSolid& before, const ConvexSolid& no
   ASSERT_TRUE(std::is_sorted(now.changes.facets.begin(), now.changes.facets.end(),
                              [](const FacetChange& a, const FacetChange& b) { return a.facet < b.facet; }));
   for (std::uint32_t f = 0; f < now.facets.size(); ++f) {
-    std::vector<SolidSum::Vertex> was = pairs_of(before, f), is = pairs_of(now, f);
+    std::vector<ConvexSum::Vertex> was = pairs_of(before, f), is = pairs_of(now, f);
     const auto it = listed.find(f);
     ASSERT_EQ(it == listed.end(), was == is && (is.empty() || (before.facets[f].p == now.facets[f].p &&
                                                                before.facets[f].q == now.facets[f].q)))
@@ -71,9 +65,9 @@ inline void expect_true_changes(const ConvexSolid& before, const ConvexSolid& no
     if (it == listed.end()) continue;
     std::sort(was.begin(), was.end());
     std::sort(is.begin(), is.end());
-    std::vector<SolidSum::Vertex> both;
+    std::vector<ConvexSum::Vertex> both;
     std::set_intersection(was.begin(), was.end(), is.begin(), is.end(), std::back_inserter(both));
-    const auto count = [](const std::vector<SolidSum::Vertex>& v) { return static_cast<std::uint32_t>(v.size()); };
+    const auto count = [](const std::vector<ConvexSum::Vertex>& v) { return static_cast<std::uint32_t>(v.size()); };
     std::vector<FacetChange> expected;
     if (it->second.size() == 1 && it->second[0].kind == Kind::turned) {
       ASSERT_EQ(was, is) << where;
@@ -88,9 +82,9 @@ inline void expect_true_changes(const ConvexSolid& before, const ConvexSolid& no
     ASSERT_EQ(it->second, expected) << where << " facet " << f;
   }
   std::vector<std::uint32_t> appeared, disappeared;
-  const SolidSum::Vertex free{ConvexSolid::kFree, ConvexSolid::kFree};
+  const ConvexSum::Vertex free{ConvexSolid::kFree, ConvexSolid::kFree};
   for (std::uint32_t v = 0; v < now.vertices.size(); ++v) {
-    const SolidSum::Vertex was = v < before.vertices.size() ? before.vertices[v] : free;
+    const ConvexSum::Vertex was = v < before.vertices.size() ? before.vertices[v] : free;
     if (was == now.vertices[v]) {
       ASSERT_TRUE(now.changes.moved || before.at[v] == now.at[v]) << where;
       continue;

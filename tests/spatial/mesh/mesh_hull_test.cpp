@@ -109,15 +109,17 @@ TEST(MeshHull, a_moved_solid_stays_convex_and_says_how_far_it_is_off) {
   EXPECT_EQ(translated_hull(*Mesh::create(with_middle(0.5)), 0, 0, 0).error().code, ErrorCode::not_convex);
 }
 
-TEST(SolidSumChain, of_three_solids_is_the_same_in_every_order) {
+TEST(ConvexSumChain, of_three_solids_is_the_same_in_every_order) {
   std::mt19937_64 random(41);
   for (int k = 0; k < 25; ++k) {
     const std::vector<Mesh> solids{random_grid_polytope(random, 5 + k % 4, 3),
                                    random_grid_polytope(random, 5, 3, 0x1p-40),
                                    random_grid_polytope(random, 4 + k % 5, 2, 3)};
-    const SolidSum sum = *convex_sum(solids), other = *convex_sum(std::vector<Mesh>{solids[2], solids[0], solids[1]});
+    const SpatialSum sum = *minkowski_sum(solids),
+                     other = *minkowski_sum(std::vector<Mesh>{solids[2], solids[0], solids[1]});
     EXPECT_EQ(sum.volume_exact(), other.volume_exact()) << k;
-    EXPECT_EQ(sum.facets.size(), other.facets.size()) << k;
+    EXPECT_EQ(sum.faces.size(), other.faces.size()) << k;
+    EXPECT_EQ(sum, other) << k;
     expect_closed(sum);
     std::vector<Point3> at;
     for (const Point3& a : solids[0].vertices())
@@ -127,19 +129,19 @@ TEST(SolidSumChain, of_three_solids_is_the_same_in_every_order) {
   }
 }
 
-TEST(SolidSumChain, needs_more_bits_than_doubles_have) {
+TEST(ConvexSumChain, needs_more_bits_than_doubles_have) {
   // Unit cubes at 2^50, then boxes of 2^-30 and 2^-60: 110 bits, and exact.
   const Mesh far = free_box({0x1p50, 0, 0}, {0x1p50 + 1, 1, 1});
   const std::vector<Mesh> solids{far, *scaled(cube(1), 0x1p-30, 0x1p-30, 0x1p-30),
                                  *scaled(cube(1), 0x1p-60, 0x1p-60, 0x1p-60)};
-  const SolidSum sum = *convex_sum(solids);
+  const SpatialSum sum = *minkowski_sum(solids);
   const exact::BigRational side = exact::exact_value(1 + 0x1p-29) + exact::exact_value(0x1p-59);
   EXPECT_EQ(exact::exact_value(sum.volume_exact()), side * side * side);
-  EXPECT_EQ(sum.facets.size(), 6u);
-  EXPECT_EQ(convex_sum(std::vector<Mesh>{far}).error().code, ErrorCode::unsupported_operand);
-  const SolidSum turned = *convex_sum(far, far, {*Rotation::of(2, 1, 0, 0), {}});
+  EXPECT_EQ(sum.faces.size(), 6u);
+  EXPECT_EQ(minkowski_sum(std::vector<Mesh>{far})->volume_exact(), *Rational::of(1, 1));
+  const SpatialSum turned = *convex_sum(far, far, {*Rotation::of(2, 1, 0, 0), {}});
   EXPECT_EQ(ConvexSum::create(turned, far).error().code, ErrorCode::unsupported_operand) << "fifths";
-  const SolidSum quarter = *convex_sum(far, far, {*Rotation::of(1, 1, 0, 0), {}});
+  const SpatialSum quarter = *convex_sum(far, far, {*Rotation::of(1, 1, 0, 0), {}});
   EXPECT_TRUE(ConvexSum::create(quarter, far).ok());
 }
 
@@ -147,7 +149,7 @@ TEST(RoundedSum, is_a_valid_convex_mesh_within_its_deviation_or_refused) {
   std::mt19937_64 random(42);
   for (int k = 0; k < 30; ++k) {
     const Mesh p = random_round_polytope(random, 20), q = random_round_polytope(random, 15);
-    const SolidSum sum = *convex_sum(p, q, {random_rotation(random), {}});
+    const SpatialSum sum = *convex_sum(p, q, {random_rotation(random), {}});
     for (const Precision precision : {Precision::doubles, Precision::singles}) {
       const Result<Mesh> mesh = sum.rounded_mesh(precision);
       const HulledMesh hull = *sum.rounded_hull(precision);

@@ -267,7 +267,7 @@ TEST(SpatialEngine, convex_solids_keep_to_the_budget_too) {
   // About one axis the sum is small, however many pairs of edges there are.
   EXPECT_TRUE(minkowski_sum(p, solids::cylinder(299, 2, 1, solids::kDemoSnap), options).ok());
   EXPECT_FALSE(convex_sum_within(p, q, 300'000));
-  const SolidSum first = convex_sum_within(p, p, 0)->sum();
+  const SpatialSum first = convex_sum_within(p, p, 0)->sum();
   EXPECT_FALSE(convex_sum_within(first, q, 300'000));
   EXPECT_TRUE(convex_sum_within(first, q, 0).ok());
 }

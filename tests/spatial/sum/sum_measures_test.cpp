@@ -75,8 +75,8 @@ TEST(SumMeasures, of_convex_solids_are_the_nearest_doubles) {
   const Mesh corner =
       Mesh::create({{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}}, {{0, 2, 1}, {0, 1, 3}, {1, 2, 3}, {0, 3, 2}}})
           .value();
-  EXPECT_EQ(convex_sum(corner, corner)->area(), 9.464101615137755);
-  EXPECT_EQ(surface_text(*convex_sum(corner, corner)), "9.4641016151377546e+00");
+  EXPECT_EQ(minkowski_sum(corner, corner)->area(), 9.464101615137755);
+  EXPECT_EQ(surface_text(*minkowski_sum(corner, corner)), "9.4641016151377546e+00");
   std::mt19937_64 random(12);
   for (int pair = 0; pair < 20; ++pair) {
     const auto cloud = [&] {
@@ -86,7 +86,7 @@ TEST(SumMeasures, of_convex_solids_are_the_nearest_doubles) {
       return convex_hull(points).value();
     };
     const Mesh p = cloud(), q = cloud();
-    EXPECT_EQ(convex_sum(p, q)->area(), sum_of_solids(p.data(), q.data(), {})->area());
+    EXPECT_EQ(minkowski_sum(p, q)->area(), sum_of_solids(p.data(), q.data(), {})->area());
   }
 }
 

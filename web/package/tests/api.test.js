@@ -390,6 +390,7 @@ test('solids that move: any shape, convex, scaling, turning', () => {
   assert.equal(typeof convex.exact(buffers.triangles[0]).x, 'string');
   assert.ok(convex.depth().inside && convex.support({ x: 1, y: 0, z: 0 }).at.x > 0);
   assert.ok(Math.abs(convex.mesh().volume() - convex.volume()) < 1e-6);
+  assert.equal(convex.sum().volumeExact(), convex.volumeExact());
   const scaling = dymsum.SolidScaleEvents.create(ell, box);
   assert.equal(scaling.at(1).volumeExact(), dymsum.minkowskiSum(ell, box).volumeExact());
   const cup = solids.prism([0, 0, 3, 0, 3, 3, 2, 3, 2, 1, 1, 1, 1, 3, 0, 3], 1);

@@ -1,11 +1,10 @@
-// Verbs whose result is a solid of any shape: sum, nfp and erode of solids that are not all convex, opening, closing
-// and offset.
+// Verbs whose result is a solid: sum, nfp, erode, opening, closing and offset.
 #pragma once
 
 #include <functional>
 
 #include "options.h"
-#include "solid/any_solid_outputs.h"
+#include "solid/solid_outputs.h"
 #include "viewer/viewer_pages.h"
 
 namespace dymsum::cli {
@@ -31,6 +30,6 @@ struct SolidOutcome {
 };
 
 /// Computes, writes the outputs and reports.
-ExitCode run_any_solid(const SolidRun& run, const std::function<Result<SolidOutcome>(const SpatialOptions&)>& compute);
+ExitCode run_solid(const SolidRun& run, const std::function<Result<SolidOutcome>(const SpatialOptions&)>& compute);
 
 }  // namespace dymsum::cli

@@ -1,4 +1,4 @@
-#include "solid/any_solid_sum.h"
+#include "solid/solid_run.h"
 
 #include <algorithm>
 #include <iostream>
@@ -13,8 +13,10 @@
 namespace dymsum::cli {
 namespace {
 
-/// As solid_tier; convex operands have integers of any size in the end.
-int grid_tier(const SpatialSum& sum) { return sum.stats.cells == 0 ? 0 : solid_tier(sum.stats.bits); }
+/// As solid_tier; 0 where nothing was computed on a grid.
+int grid_tier(const SpatialSum& sum) {
+  return sum.is_convex() ? sum.stats.bits : sum.stats.cells == 0 ? 0 : solid_tier(sum.stats.bits);
+}
 
 bool is_tight(const SpatialSum& sum) {
   return !sum.tight_faces.empty() || !sum.tight_segments.empty() || !sum.tight_points.empty();
@@ -62,7 +64,7 @@ bool is_no(const SolidRun& run, const SpatialSum& sum) {
 std::string shown_text(const SolidRun& run, const SpatialSum& sum) {
   if (!run.pages.any() || is_no(run, sum)) return "";
   if (sum.faces.empty()) run.pages.stop_with_nothing_to_show();
-  return rounded_sum_text(sum, MeshFormat::off, run.pages.file(), run.how.round).text;
+  return mesh_of_sum(sum, MeshFormat::off, run.pages.file(), run.how).text;
 }
 
 void write_pages(const SolidRun& run, std::string text) {
@@ -74,7 +76,7 @@ void write_pages(const SolidRun& run, std::string text) {
 
 }  // namespace
 
-ExitCode run_any_solid(const SolidRun& run, const std::function<Result<SolidOutcome>(const SpatialOptions&)>& compute) {
+ExitCode run_solid(const SolidRun& run, const std::function<Result<SolidOutcome>(const SpatialOptions&)>& compute) {
   const InterruptGuard guard;
   std::optional<ProgressBar> bar(std::in_place);
   SpatialOptions options;
@@ -111,7 +113,7 @@ ExitCode run_any_solid(const SolidRun& run, const std::function<Result<SolidOutc
     Json json = report_head(run.verb, solid_inputs_json(run.inputs), grid_tier(sum), timing, std::move(stages));
     json["engine"] = run.engine;
     json["semantics"] = run.semantics;
-    json.update(any_solid_sum_json(sum, run.report.exact));
+    json.update(solid_sum_json(sum, run.report.exact));
     json.update(outcome.more);
     if (!rounding.is_null()) json["rounding"] = std::move(rounding);
     print_report(json);

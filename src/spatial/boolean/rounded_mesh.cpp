@@ -1,4 +1,4 @@
-// Sums as meshes of doubles or of single-precision numbers.
+// Sums as meshes for further use, of doubles or of single-precision numbers; convex sums as hulls.
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
@@ -10,8 +10,9 @@
 #include <vector>
 
 #include "base/in_single.h"
-#include "dymsum/convex_sum.h"
+#include "dymsum/spatial_sum.h"
 #include "exact/big.h"
+#include "spatial/sum/sum_source.h"
 
 namespace dymsum {
 namespace {
@@ -22,19 +23,21 @@ std::string in_precision(Precision p) {
 
 bool less(const Point3& a, const Point3& b) { return std::tie(a.x, a.y, a.z) < std::tie(b.x, b.y, b.z); }
 
-Error at_vertex(ErrorCode code, std::string message, const SolidSum& sum, std::uint32_t v) {
+Error at_vertex(ErrorCode code, std::string message, const SpatialSum& sum, std::uint32_t v) {
   Error error{code, std::move(message), {}};
   error.evidence.vertex = v;
-  error.evidence.x = sum.at[v].x;
-  error.evidence.y = sum.at[v].y;
-  error.evidence.z = sum.at[v].z;
+  error.evidence.x = sum.vertices[v].x;
+  error.evidence.y = sum.vertices[v].y;
+  error.evidence.z = sum.vertices[v].z;
   return error;
 }
 
 /// The rounded positions, or the vertex that is past the range.
-Result<std::vector<Point3>> rounded_places(const SolidSum& sum, Precision precision) {
-  std::vector<Point3> at = sum.at;
+Result<std::vector<Point3>> rounded_places(const SpatialSum& sum, Precision precision) {
+  std::vector<Point3> at = sum.vertices;
+  const spatial::SpatialPositions& positions = spatial::SpatialSumInternals::positions(sum);
   for (std::uint32_t v = 0; v < at.size(); ++v) {
+    if (positions.scale != 1) at[v] = positions.rounded(v);  // what `vertices` has was divided after it was rounded
     for (double* c : {&at[v].x, &at[v].y, &at[v].z}) {
       if (precision == Precision::singles) *c = base::in_single(*c);
       if (!std::isfinite(*c))
@@ -44,7 +47,7 @@ Result<std::vector<Point3>> rounded_places(const SolidSum& sum, Precision precis
   return at;
 }
 
-std::optional<Error> collision(const SolidSum& sum, const std::vector<Point3>& at, Precision precision) {
+std::optional<Error> collision(const SpatialSum& sum, const std::vector<Point3>& at, Precision precision) {
   std::vector<std::uint32_t> order(at.size());
   std::iota(order.begin(), order.end(), 0u);
   std::sort(order.begin(), order.end(), [&](std::uint32_t a, std::uint32_t b) { return less(at[a], at[b]); });
@@ -59,7 +62,7 @@ std::optional<Error> collision(const SolidSum& sum, const std::vector<Point3>& a
 }
 
 /// How far a vertex moved.
-double moved(const SolidSum& sum, std::uint32_t v, const Point3& to) {
+double moved(const SpatialSum& sum, std::uint32_t v, const Point3& to) {
   const RationalPoint3 from = sum.exact(v);
   const auto lost = [](const Rational& exact, double c) {
     return exact::round_to_double(exact::BigRational(exact::exact_value(exact) - exact::exact_value(c)));
@@ -69,7 +72,12 @@ double moved(const SolidSum& sum, std::uint32_t v, const Point3& to) {
 
 }  // namespace
 
-Result<Mesh> SolidSum::rounded_mesh(Precision precision) const {
+Result<Mesh> SpatialSum::rounded_mesh(Precision precision) const {
+  if (!is_convex()) {
+    Result<Rounded> triangles = rounded(precision);
+    if (!triangles) return triangles.error();
+    return Mesh::create(std::move(*std::move(triangles)).mesh);
+  }
   const Result<std::vector<Point3>> places = rounded_places(*this, precision);
   if (!places) return places.error();
   if (std::optional<Error> error = collision(*this, *places, precision)) return *std::move(error);
@@ -84,7 +92,8 @@ Result<Mesh> SolidSum::rounded_mesh(Precision precision) const {
                    *this, hull ? inside(hull->vertices()) : 0);
 }
 
-Result<HulledMesh> SolidSum::rounded_hull(Precision precision) const {
+Result<HulledMesh> SpatialSum::rounded_hull(Precision precision) const {
+  if (!is_convex()) return Error{ErrorCode::not_convex, "this sum was not made of convex solids", {}};
   const Result<std::vector<Point3>> places = rounded_places(*this, precision);
   if (!places) return places.error();
   Result<HulledMesh> hull = hulled({*places, {}});
