@@ -12,16 +12,17 @@ namespace dymsum::cli {
 namespace {
 
 Result<SpatialSum> sum_of(const SumVerb& verb, const std::vector<SolidInput>& inputs, const SpatialOptions& options) {
-  if (inputs.size() == 2) return verb.solid(inputs[0].mesh, inputs[1].mesh, options);
+  if (inputs.size() == 2 && !verb.solids) return verb.solid(inputs[0].mesh, inputs[1].mesh, options);
   std::vector<Mesh> operands;
   for (const SolidInput& input : inputs) operands.push_back(input.mesh);
-  return minkowski_sum(operands, options);
+  return verb.solids ? verb.solids(operands, options) : minkowski_sum(operands, options);
 }
 
 }  // namespace
 
 ExitCode run_solid_sum(const SumVerb& verb, const SumCommand& command) {
   refuse_options(*command.parser, {"--round-repair"}, "is for planar operands");
+  if (verb.solids) refuse_options(*command.parser, {"--semantics"}, "of " + verb.name + " is for planar operands");
   if (command.engine == "winding")
     throw Stop(kUsage, "--engine winding is for planar operands; for solids there are fast and brute");
   const std::vector<std::string>& files = command.output.files;

@@ -35,9 +35,7 @@ void add_union(CLI::App& app, Action& action) {
   verb.boolean = [](std::span<const Region> regions, const SumOptions& options) {
     return united(operands_of(regions), options);
   };
-  verb.solid = [](const Mesh& a, const Mesh& b, const SpatialOptions& options) {
-    return united(std::array{a, b}, options);
-  };
+  verb.solids = [](std::span<const Mesh> solids, const SpatialOptions& options) { return united(solids, options); };
   add_sum_verb(app, verb, action);
 }
 
@@ -50,7 +48,9 @@ void add_intersect(CLI::App& app, Action& action) {
   verb.boolean = [](std::span<const Region> regions, const SumOptions& options) {
     return intersection(operands_of(regions), options);
   };
-  verb.solid = [](const Mesh& a, const Mesh& b, const SpatialOptions& options) { return intersection(a, b, options); };
+  verb.solids = [](std::span<const Mesh> solids, const SpatialOptions& options) {
+    return intersection(solids, options);
+  };
   verb.empty_is_no = true;
   add_sum_verb(app, verb, action);
 }
@@ -66,7 +66,9 @@ void add_subtract(CLI::App& app, Action& action) {
     if (!taken) return taken;
     return difference(regions[0], *taken, options);
   };
-  verb.solid = [](const Mesh& a, const Mesh& b, const SpatialOptions& options) { return difference(a, b, options); };
+  verb.solids = [](std::span<const Mesh> solids, const SpatialOptions& options) {
+    return difference(solids[0], solids.subspan(1), options);
+  };
   verb.empty_is_no = true;
   add_sum_verb(app, verb, action);
 }

@@ -32,6 +32,8 @@ struct SumVerb {
   std::function<Result<SpatialSum>(const Mesh&, const Mesh&, const SpatialOptions&)> solid;  ///< of solids
   /// Of any number of regions, in place of `compute`: a Boolean operation, which has no convolution.
   std::function<Result<PlanarSum>(std::span<const Region>, const SumOptions&)> boolean;
+  /// Of any number of solids; without it more than two are added.
+  std::function<Result<SpatialSum>(std::span<const Mesh>, const SpatialOptions&)> solids;
   std::string semantics = "closed";       ///< where --semantics is not given
   bool reflects_second = false;            ///< the convolution behind it is that of P and -Q
   bool empty_is_no = false;                ///< an empty result ends with kNo

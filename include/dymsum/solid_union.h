@@ -30,6 +30,10 @@ Result<SpatialSum> intersection(const Mesh& a, const Mesh& b, const SpatialOptio
 Result<SpatialSum> difference(const Mesh& a, const Mesh& b, const SpatialOptions& options = {});
 Result<SpatialSum> symmetric_difference(const Mesh& a, const Mesh& b, const SpatialOptions& options = {});
 
+/// What lies in all of some solids (at least one, else out_of_range), or in `a` and in none of those `taken` away.
+Result<SpatialSum> intersection(std::span<const Mesh> solids, const SpatialOptions& options = {});
+Result<SpatialSum> difference(const Mesh& a, std::span<const Mesh> taken, const SpatialOptions& options = {});
+
 /// The named repair of surfaces that cross: what repair() mends, it mends. Where faces cross, touch or lie on each
 /// other after that, or bound nothing where they meet, the solid that they bound by `fill` is taken (united), with its
 /// vertices rounded as SpatialSum::rounded does. Vertices at one position are merged before, T-junctions closed, single

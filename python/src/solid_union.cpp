@@ -69,6 +69,20 @@ void bind_solid_union(nb::module_& m) {
   bind_fill(m);
   bind_unions(m);
   bind_of_two<intersection>(m, "intersection", "What lies in both solids, exactly: closed and regular.");
+  m.def(
+      "intersection",
+      [](const Many<Mesh>& solids, const SpatialOptions& options) {
+        std::vector<Mesh> all;
+        nb::list kept;
+        for (const MeshArgument& one : solids.items) {
+          all.push_back(*one);
+          kept.append(one.object);
+        }
+        SpatialSum solid =
+            run_with(options, [&](const SpatialOptions& own) { return intersection(std::span<const Mesh>(all), own); });
+        return remembered(std::move(solid), "intersection", kept, options);
+      },
+      "solids"_a, "options"_a = SpatialOptions(), "What lies in all of some solids, exactly.");
   bind_of_two<difference>(m, "difference", "What lies in the first solid and not in the second, exactly.");
   bind_of_two<symmetric_difference>(m, "symmetric_difference", "What lies in one of two solids, exactly.");
   m.def(

@@ -60,6 +60,20 @@ Result<SpatialSum> intersection(const Mesh& a, const Mesh& b, const SpatialOptio
   return of_two(a, b, false, {2, false, false}, options);
 }
 
+Result<SpatialSum> intersection(std::span<const Mesh> solids, const SpatialOptions& options) {
+  if (solids.empty()) return Error{ErrorCode::out_of_range, "an intersection takes at least one solid, not 0", {}};
+  MeshData all;
+  for (const Mesh& solid : solids) append(all, solid);
+  return spatial::solid_inside(all, {static_cast<int>(solids.size()), false, false}, options);
+}
+
+Result<SpatialSum> difference(const Mesh& a, std::span<const Mesh> taken, const SpatialOptions& options) {
+  MeshData all;
+  append(all, a);
+  for (const Mesh& solid : taken) append(all, solid, true);
+  return spatial::solid_inside(all, {}, options);
+}
+
 Result<SpatialSum> difference(const Mesh& a, const Mesh& b, const SpatialOptions& options) {
   return of_two(a, b, true, {}, options);
 }

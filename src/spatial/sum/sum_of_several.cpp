@@ -8,6 +8,7 @@
 #include <utility>
 #include <vector>
 
+#include "base/poll.h"
 #include "dymsum/spatial_sum.h"
 #include "spatial/sum/face_triangles.h"
 #include "spatial/sum/sum_of_convex_solids.h"
@@ -178,7 +179,7 @@ Result<SpatialSum> sum_of_convex(std::span<const Mesh> operands, const SpatialOp
   Result<SpatialSum> sum = minkowski_sum(operands[0], operands[1], options);
   for (std::size_t k = 2; k < operands.size() && sum; ++k) {
     if (options.progress && !options.progress("convex", double(k - 1) / double(operands.size() - 1)))
-      return Error{ErrorCode::cancelled, "the computation was cancelled", {}};
+      return cancelled();
     sum = spatial::small_convex_sum(*sum, operands[k], options.memory);
   }
   return sum;

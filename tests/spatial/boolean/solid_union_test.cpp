@@ -234,6 +234,15 @@ TEST(SolidUnion, positions_are_inside_where_winding_numbers_say_so) {
   EXPECT_GT(found[Fill::even_odd], 8);
 }
 
+TEST(SolidUnion, of_any_number_of_solids_is_common_or_taken_away) {
+  const std::vector<Mesh> boxes{solids::box(0, 0, 0, 4, 4, 4), solids::box(1, 0, 0, 5, 4, 4), solids::box(0, 2, 0, 4, 6, 4)};
+  EXPECT_EQ(intersection(boxes)->volume_exact(), Rational(24));
+  EXPECT_EQ(intersection(std::span(boxes).first(1))->volume_exact(), Rational(64));
+  EXPECT_EQ(intersection(std::span<const Mesh>{}).error().code, ErrorCode::out_of_range);
+  EXPECT_EQ(difference(boxes[0], std::span(boxes).subspan(1))->volume_exact(), Rational(8));
+  EXPECT_EQ(difference(boxes[0], std::span<const Mesh>{})->volume_exact(), Rational(64));
+}
+
 // Volumes of the union and of the intersection together are those of both; and so on, exactly.
 TEST(SolidUnion, volumes_keep_the_laws) {
   std::mt19937_64 random(7);
