@@ -9,6 +9,7 @@ namespace dymsum::planar {
 namespace {
 
 using namespace testing_obstacles;
+using testing_obstacles::reversed;
 
 // 5 cos and 5 sin are integers: so are robots turned whose coordinates are divided by 5.
 struct Turn {

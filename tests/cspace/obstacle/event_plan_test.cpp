@@ -19,6 +19,7 @@ namespace dymsum::planar {
 namespace {
 
 using namespace testing_obstacles;
+using testing_obstacles::reversed;
 using Ids = std::vector<std::uint32_t>;
 using Verdict = EventPlan::Verdict;
 
