@@ -150,8 +150,7 @@ Result<Region> make_region(RegionData data, const std::string& file, const Input
   if (!options.fill.empty()) {
     Result<FilledRegion> made = repair_with_fill(data, *fill_of(options.fill));
     if (!made) return in_file(made.error());
-    if (!options.quiet && !(Region::create(std::move(data)) && made->report.crossings == 0))
-      std::cerr << file << ": " << made->report.to_string() << "\n";
+    if (!options.quiet && made->report.changed()) std::cerr << file << ": " << made->report.to_string() << "\n";
     return std::move(made).value().region;
   }
   if (!options.repair) {

@@ -65,6 +65,8 @@ struct FillReport {
   std::size_t rings = 0, rings_now = 0;  ///< before and after
   std::size_t crossings = 0;             ///< at which rings crossed or touched
   Rounding rounding;                     ///< of the vertices that are crossings
+  bool filled = false;        ///< the rings were no valid region
+  bool changed() const { return filled; }
   /// "2 rings filled to 1 at 4 crossings; nearest doubles".
   std::string to_string() const;
 };
@@ -74,7 +76,7 @@ struct FilledRegion {
 };
 
 /// The named repair of rings that cross themselves or each other, are inside out, or lie on each other: what they bound,
-/// with its vertices rounded as snap_rounded does. Polylines and points stay as they are. Errors: as filled; those of
+/// with its vertices rounded as snap_rounded does. A valid region stays as it is, and so do polylines and points. Errors: as filled; those of
 /// Region::create for polylines and points.
 Result<FilledRegion> repair_with_fill(const RegionData& rings, Fill fill);
 

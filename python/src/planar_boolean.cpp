@@ -139,6 +139,7 @@ void bind_fill_report(nb::module_& m) {
       .field("rings_now", &FillReport::rings_now)
       .field("crossings", &FillReport::crossings, "at which rings crossed or touched")
       .field("rounding", &FillReport::rounding)
+      .field("filled", &FillReport::filled, "the rings were no valid region")
       .def("to_string", &FillReport::to_string);
   Record<FilledRegion>(m, "FilledRegion", "A region that rings bound, and what was changed.")
       .field("region", &FilledRegion::region)

@@ -222,21 +222,28 @@ std::string FillReport::to_string() const {
 }
 
 Result<FilledRegion> repair_with_fill(const RegionData& data, Fill fill) {
+  const auto rings_of = [](const RegionData& region) {
+    std::size_t n = region.parts.size();
+    for (const Part& part : region.parts) n += part.holes.size();
+    return n;
+  };
+  FilledRegion made;
+  made.report.rings = made.report.rings_now = rings_of(data);
+  if (Result<Region> valid = Region::create(data)) {
+    made.region = std::move(valid).value();
+    return made;
+  }
   SumOptions options;
   options.semantics = Semantics::regular;
   const Result<PlanarSum> set = filled(data, fill, options);
   if (!set) return set.error();
   Result<SnapRounded> rounded = snap_rounded(*set);
   if (!rounded) return rounded.error();
-  FilledRegion made;
-  const auto rings_of = [](const RegionData& region) {
-    std::size_t n = region.parts.size();
-    for (const Part& part : region.parts) n += part.holes.size();
-    return n;
-  };
-  made.report = {rings_of(data), 0, set->stats.crossings + set->stats.degenerate_nodes, rounded->rounding};
-  RegionData all = std::move(rounded).value().region.data();
+  RegionData all = rounded->region.data();
+  made.report.filled = true;
   made.report.rings_now = rings_of(all);
+  made.report.crossings = set->stats.crossings + set->stats.degenerate_nodes;
+  made.report.rounding = rounded->rounding;
   all.polylines.insert(all.polylines.end(), data.polylines.begin(), data.polylines.end());
   all.points.insert(all.points.end(), data.points.begin(), data.points.end());
   Result<Region> region = Region::create(std::move(all));
