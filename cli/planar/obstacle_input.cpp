@@ -19,7 +19,7 @@ void check_obstacle_input(const std::string& verb, const ObstacleInput& input) {
   if (input.file.empty() && !both) throw Stop(kUsage, verb + " wants ROBOT and OBSTACLE, or --obstacle FILE");
   if (!input.file.empty() && any) throw Stop(kUsage, "give ROBOT and OBSTACLE or --obstacle, not both");
   if (!input.file.empty() && (input.input.repair || !input.input.fill.empty() || input.input.drop_z || !input.input.from.empty()))
-    throw Stop(kUsage, "--repair, --drop-z and --from do not apply to a file of an obstacle");
+    throw Stop(kUsage, "--repair, --fill, --drop-z and --from do not apply to a file of an obstacle");
   if (input.file.empty()) require_planar(verb, input.operands);
 }
 
