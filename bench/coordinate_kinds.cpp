@@ -44,7 +44,7 @@ double size_of(Point3 p) { return std::max({std::abs(p.x), std::abs(p.y), std::a
 /// Rounds the points of one shape.
 class Rounding {
  public:
-  /// The largest coordinate of a shape tells how many decimals it has: five digits that differ at least.
+  /// The largest coordinate of a shape reports how many decimals it has: five digits that differ at least.
   Rounding(Coordinates kind, double size) : kind_(kind) {
     for (; size > 0 && size < 1 && units_ < 1e15; size *= 10) units_ *= 10;
   }

@@ -1,5 +1,5 @@
 // The shapes of the benchmarks in coordinates as real files have them: tests/oracles/coordinate_kinds.h, but at their
-// size, so that places, radii and steps of a benchmark serve all kinds.
+// size, so that positions, radii and steps of a benchmark serve all kinds.
 #pragma once
 
 #include <array>

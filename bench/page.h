@@ -7,7 +7,7 @@
 
 namespace dymsum::bench {
 
-/// A number with so many digits behind the point.
+/// A number with so many digits after the point.
 std::string fixed(double v, int digits);
 /// a / b with so many digits below 10 and none above; "-" where one of them is missing (0).
 std::string ratio(double a, double b, int digits);

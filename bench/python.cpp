@@ -20,8 +20,8 @@ std::string interpreter() {
 
 bool has_python() { return !interpreter().empty(); }
 
-std::string ask_python(const std::string& script, const std::vector<std::pair<std::string, std::string>>& files,
-                       const std::string& more, double limit_s) {
+std::string query_python(const std::string& script, const std::vector<std::pair<std::string, std::string>>& files,
+                         const std::string& more, double limit_s) {
   const auto folder = std::filesystem::temp_directory_path() / ("dymsum_bench_" + std::to_string(::getpid()));
   std::filesystem::create_directories(folder);
   std::ostringstream command;

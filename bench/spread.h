@@ -1,4 +1,4 @@
-// What a list of times says: its mean, its middle and its worst. Shared by the suites.
+// What a list of times says: its mean, its median and its worst. Shared by the suites.
 #pragma once
 
 #include <cstddef>
@@ -13,8 +13,8 @@ struct Spread {
 };
 Spread spread(const std::vector<double>& values);
 
-/// The least value that at least this share of the others do not exceed; 0 for none.
-double quantile(std::vector<double> values, double share);
+/// The least value that at least this fraction of the others do not exceed; 0 for none.
+double quantile(std::vector<double> values, double fraction);
 
 /// Of positive values; 0 for none.
 double geometric_mean(const std::vector<double>& values);

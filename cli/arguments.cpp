@@ -13,16 +13,16 @@ namespace dymsum::cli {
 namespace {
 
 /// One name for one file, however its path is written.
-std::string place_of(const std::string& output) {
+std::string position_of(const std::string& output) {
   std::error_code unknown;
-  const std::filesystem::path place = std::filesystem::absolute(written_path(output), unknown);
-  return output == "-" || unknown ? output : std::filesystem::weakly_canonical(place, unknown).string();
+  const std::filesystem::path position = std::filesystem::absolute(written_path(output), unknown);
+  return output == "-" || unknown ? output : std::filesystem::weakly_canonical(position, unknown).string();
 }
 
 void refuse_repeated(const CLI::Option& outputs) {
-  std::set<std::string> places;
+  std::set<std::string> positions;
   for (const std::string& output : outputs.results())
-    if (!places.insert(place_of(output)).second)
+    if (!positions.insert(position_of(output)).second)
       throw Stop(kUsage, "-o " + output + " is given twice: one result would replace the other");
 }
 
@@ -30,12 +30,12 @@ bool is_output(const CLI::Option& option) { return option.check_name("-o") || op
 
 void refuse_replaced_input(const CLI::App& verb, const std::string& output) {
   std::error_code unknown;
-  const std::filesystem::path place = written_path(output);
-  if (!std::filesystem::is_regular_file(place, unknown)) return;
+  const std::filesystem::path position = written_path(output);
+  if (!std::filesystem::is_regular_file(position, unknown)) return;
   for (const CLI::Option* option : verb.get_options()) {
     if (is_output(*option)) continue;
     for (const std::string& value : option->results())
-      if (std::filesystem::equivalent(file_of_operand(value), place, unknown))
+      if (std::filesystem::equivalent(file_of_operand(value), position, unknown))
         throw Stop(kUsage,
                    "the output " + output + " is the file that " + value + " is read from, and would replace it");
   }

@@ -10,7 +10,7 @@ void count_memory(std::uint64_t limit);
 
 struct CountedMemory {
   std::uint64_t limit = 0;    ///< the last one
-  std::uint64_t refused = 0;  ///< what would have been held where more was asked for, at last; 0: it never was
+  std::uint64_t refused = 0;  ///< what would have been held where more was requested, at last; 0: it never was
 };
 CountedMemory counted_memory();
 

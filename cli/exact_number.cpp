@@ -48,19 +48,19 @@ std::optional<std::vector<Rational>> exact_numbers(const std::string& text, std:
   return numbers.size() == count ? std::optional(std::move(numbers)) : std::nullopt;
 }
 
-std::optional<RationalPoint> exact_place(const std::string& text) {
+std::optional<RationalPoint> exact_position(const std::string& text) {
   const auto v = exact_numbers(text, 2);
   return v ? std::optional(RationalPoint{(*v)[0], (*v)[1]}) : std::nullopt;
 }
 
-std::optional<RationalPoint3> exact_place_in_space(const std::string& text) {
+std::optional<RationalPoint3> exact_position_in_space(const std::string& text) {
   const auto v = exact_numbers(text, 3);
   return v ? std::optional(RationalPoint3{(*v)[0], (*v)[1], (*v)[2]}) : std::nullopt;
 }
 
-bool is_of_doubles(const RationalPoint& place) { return is_a_double(place.x) && is_a_double(place.y); }
-bool is_of_doubles(const RationalPoint3& place) {
-  return is_a_double(place.x) && is_a_double(place.y) && is_a_double(place.z);
+bool is_of_doubles(const RationalPoint& position) { return is_a_double(position.x) && is_a_double(position.y); }
+bool is_of_doubles(const RationalPoint3& position) {
+  return is_a_double(position.x) && is_a_double(position.y) && is_a_double(position.z);
 }
 
 void print_exact(std::ostream& out, const Rational& value) {

@@ -17,12 +17,12 @@ std::optional<Rational> exact_number(const std::string& text);
 /// So many of these, between commas or else between blanks: x,y or x,y,z; nothing for other text.
 std::optional<std::vector<Rational>> exact_numbers(const std::string& text, std::size_t count);
 /// Two and three of them.
-std::optional<RationalPoint> exact_place(const std::string& text);
-std::optional<RationalPoint3> exact_place_in_space(const std::string& text);
+std::optional<RationalPoint> exact_position(const std::string& text);
+std::optional<RationalPoint3> exact_position_in_space(const std::string& text);
 
 /// Whether doubles hold it.
-bool is_of_doubles(const RationalPoint& place);
-bool is_of_doubles(const RationalPoint3& place);
+bool is_of_doubles(const RationalPoint& position);
+bool is_of_doubles(const RationalPoint3& position);
 
 /// The double that a number is: the nearest one to a decimal number, and a fraction that one is, as 1/4. Nothing for
 /// other text, and for other fractions, as 1/3.

@@ -146,7 +146,7 @@ Result<Region> make_region(RegionData data, const std::string& file, const Input
     if (error.evidence.file.empty()) error.evidence.file = shown_file(file);
     return error;
   };
-  if (!options.quiet) tell_open_ends(data, file);
+  if (!options.quiet) report_open_ends(data, file);
   if (!options.fill.empty()) {
     Result<FilledRegion> made = repair_with_fill(data, *fill_of(options.fill));
     if (!made) return in_file(made.error());
@@ -157,8 +157,8 @@ Result<Region> make_region(RegionData data, const std::string& file, const Input
     Result<Region> region = Region::create(data);
     if (region) return region;
     Error error = region.error();
-    if (const Result<Repaired> mended = repair(std::move(data)); mended && options.offers_repair)
-      error.message += remedy(mended->report.to_string());
+    if (const Result<Repaired> after_repair = repair(std::move(data)); after_repair && options.offers_repair)
+      error.message += remedy(after_repair->report.to_string());
     else if (options.offers_repair && is_about_rings(error.code))
       error.message += " (--fill RULE takes what the rings bound: nonzero, positive or even_odd)";
     return in_file(std::move(error));

@@ -14,7 +14,7 @@
 namespace dymsum::cli {
 
 struct InputOptions {
-  bool repair = false;  ///< mend with dymsum::repair and print its report on standard error
+  bool repair = false;  ///< repair with dymsum::repair and print its report on standard error
   bool hull = false;    ///< solids: take the convex hull with dymsum::hulled and print its report on standard error
   bool thin = false;    ///< solids: points, segments and open surfaces are operands, too
   bool offers_thin = false;    ///< whether the verb has --thin
@@ -36,14 +36,14 @@ T require(Result<T> result);
 /// The same for what an option says: a Stop with kUsage that names it.
 template <class T>
 T require_option(Result<T> result, const std::string& option);
-/// The format that the name of an output asks for: that there is none is wrong usage.
+/// The format that the name of an output requests: that there is none is wrong usage.
 template <class T>
 T require_format(Result<T> format);
 [[noreturn]] void stop_with(const Error& error);
 
 /// A file as messages name it: "standard input" for "-".
 std::string shown_file(const std::string& file);
-/// The error with the file of the operand it is about, where it names none: the one that holds the vertex it tells, or
+/// The error with the file of the operand it is about, where it names none: the one that holds the vertex it names, or
 /// else the first one that is empty or has pieces without area.
 Error in_operand(Error error, const std::vector<Input>& inputs);
 /// As require, for what was computed from these operands.
@@ -73,10 +73,10 @@ void refuse_unused_format(const std::vector<std::string>& files, const InputOpti
 /// The rule that --fill names.
 std::optional<Fill> fill_of(const std::string& name);
 
-/// Validates, or repairs where asked, one shape of a file.
+/// Validates, or repairs where requested, one shape of a file.
 Result<Region> make_region(RegionData data, const std::string& file, const InputOptions& options);
 
-/// How an error of an operand ends that the option mends, with what it changes: " (--repair mends it: ...)".
+/// How an error of an operand ends that the option repairs, with what it changes: " (--repair repairs it: ...)".
 std::string remedy(const std::string& changes);
 
 /// The format whose name is given ("poly", "wkt", "geojson", "svg", "json", "dxf").

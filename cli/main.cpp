@@ -195,7 +195,7 @@ Stop with_memory_limit(const Stop& stop) {
 }
 
 /// Tells on standard error why the command ended, and with --json as an object on standard output.
-ExitCode tell(const Stop& ended, int argc, char** argv) {
+ExitCode report(const Stop& ended, int argc, char** argv) {
   lift_memory_limit();
   const Stop stop = with_memory_limit(ended);
   if (wants_json(argc, argv)) print_report(failure_json(verb_of(argc, argv), stop));
@@ -217,14 +217,14 @@ int main(int count, char** given) {
     if (!std::cout.flush()) throw Stop(kBadInput, "cannot write to standard output");
     return code;
   } catch (const Stop& stop) {
-    return tell(stop, argc, argv);
+    return report(stop, argc, argv);
   } catch (const std::bad_alloc&) {
     const std::string what = "out of memory in `dymsum " + verb_of(argc, argv) + "`";
     const bool limited = !memory_limit_reached().empty();
-    return tell(Stop(kBadInput, limited ? what : what + ": the inputs, or what comes of them, are too large",
-                     dymsum::Error{dymsum::ErrorCode::out_of_memory, what, {}}),
-                argc, argv);
+    return report(Stop(kBadInput, limited ? what : what + ": the inputs, or what comes of them, are too large",
+                       dymsum::Error{dymsum::ErrorCode::out_of_memory, what, {}}),
+                  argc, argv);
   } catch (const std::exception& error) {
-    return tell(Stop(kDefect, std::string("this is a defect of dymsum: ") + error.what()), argc, argv);
+    return report(Stop(kDefect, std::string("this is a defect of dymsum: ") + error.what()), argc, argv);
   }
 }

@@ -48,7 +48,7 @@ Json motion_json(const MotionReport& report) {
   const double update_ms = timing.median_ms;
   timing.repeats = report.repeats;
   Json json = report_head(report.verb, report.inputs, report.tier, timing, {{"frames", update_ms}});
-  json.update(report.asked);
+  json.update(report.requested);
   json.update(
       {{"frames", report.frames}, {"static_ms", report.static_ms}, {"update_ms", update_ms}, {"work", report.work}});
   return json;

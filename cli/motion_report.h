@@ -37,7 +37,7 @@ struct MotionReport {
   std::size_t repeats = 1, frame_count = 0;
   std::vector<double> ms;  ///< of every frame, every time
   double static_ms = 0;    ///< of a frame from scratch
-  Json asked;              ///< what was asked: `semantics`, `scaled`, `robot`, `angle_error`, `axis`
+  Json requested;          ///< what was asked: `semantics`, `scaled`, `robot`, `angle_error`, `axis`
   Json frames, work;
   std::string note;                ///< of the frames, for a person: what makes them exact
   std::string work_text;           ///< the work, for a person

@@ -54,7 +54,7 @@ double Angle::radians() const {
   return *Rational::of(nearest) == exact ? nearest : reduced_radians(exact);
 }
 
-Angle Angle::share(std::size_t k, std::size_t n) const {
+Angle Angle::fraction(std::size_t k, std::size_t n) const {
   return {exact * *Rational::of(static_cast<std::int64_t>(k), static_cast<std::int64_t>(n)), degrees};
 }
 

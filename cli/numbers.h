@@ -35,8 +35,8 @@ struct Angle {
   /// Doubles of radians stay as they are. Degrees, and shares of radians, are reduced to a turn exactly before they are
   /// rounded: quarter turns stay the doubles that stand for them.
   double radians() const;
-  /// A share of the angle, which is k of n.
-  Angle share(std::size_t k, std::size_t n) const;
+  /// A fraction of the angle, which is k of n.
+  Angle fraction(std::size_t k, std::size_t n) const;
   /// Whether it is a number of whole turns: as degrees exactly, as radians never.
   bool whole_turns() const;
   std::string label() const;  ///< "90°", "1.5 rad"

@@ -111,12 +111,13 @@ void add_repair_option(CLI::App& verb, InputOptions& options, OperandKind kind) 
                                                         : planar + "; of solids: " + solid;
   options.offers_repair = true;
   verb.add_flag("--repair", options.repair, "Mend operands, and say on standard error what changed: " + what);
-  verb.add_option("--fill", options.fill,
-                  kind == OperandKind::solid
-                      ? "With --repair: what surfaces that cross bound, by winding number"
-                      : "Take what rings bound that cross, lie on each other or run the wrong way, by winding number, "
-                        "and say on standard error what changed" +
-                            std::string(kind == OperandKind::planar ? "" : "; solids: with --repair, what surfaces bound"))
+  verb.add_option(
+          "--fill", options.fill,
+          kind == OperandKind::solid
+              ? "With --repair: what surfaces that cross bound, by winding number"
+              : "Take what rings bound that cross, lie on each other or run the wrong way, by winding number, "
+                "and say on standard error what changed" +
+                    std::string(kind == OperandKind::planar ? "" : "; solids: with --repair, what surfaces bound"))
       ->check(CLI::IsMember({"nonzero", "positive", "even_odd"}));
   if (kind == OperandKind::solid) return;
   verb.add_flag("--drop-z", options.drop_z,

@@ -28,7 +28,7 @@ class RoundedSum {
   RoundedSum(const PlanarSum& sum, bool with_repair) : sum_(sum), with_repair_(with_repair) {}
 
   const Region& region();
-  /// What rounding did, where region() was asked for and is neither the nearest doubles nor a repair.
+  /// What rounding did, where region() was requested and is neither the nearest doubles nor a repair.
   const std::optional<Rounding>& rounding() const { return rounding_; }
 
  private:
@@ -41,7 +41,7 @@ class RoundedSum {
   std::optional<Rounding> rounding_;
 };
 
-/// Whether a file's name asks for the picture of the stages ("stages.svg", "x.stages.svg").
+/// Whether a file's name requests the picture of the stages ("stages.svg", "x.stages.svg").
 bool is_stage_picture(const std::string& file);
 bool writes_to_stdout(const std::vector<std::string>& files);
 /// Where the report is printed: on standard error when a result takes standard output. Stops with wrong usage for
@@ -56,7 +56,7 @@ bool writes_rounded(const OutputOptions& options);
 
 /// Every output of a sum: the exact sum for .json, the rounded set otherwise, in pictures beside its operands. Nothing
 /// is written before everything is ready; every file is replaced as a whole. Returns what rounding did where it was
-/// asked for and is no repair.
+/// requested and is no repair.
 std::optional<Rounding> write_sum(const Region& p, const Region& q, const PlanarSum& sum, const SumNames& names,
                                   const OutputOptions& options);
 

@@ -27,9 +27,9 @@ struct Stage {
 Stage current;
 
 // What is left of a stage, from the time it has taken so far: nothing while that tells little.
-std::string time_left(double seconds, double share) {
-  if (seconds < 1 || share <= 0 || share >= 1) return "";
-  const double left = seconds / share * (1 - share);
+std::string time_left(double seconds, double fraction) {
+  if (seconds < 1 || fraction <= 0 || fraction >= 1) return "";
+  const double left = seconds / fraction * (1 - fraction);
   return left < 100 ? ", " + std::to_string(static_cast<int>(std::ceil(left))) + " s left"
                     : ", " + std::to_string(static_cast<int>(std::ceil(std::min(left / 60, 1e6)))) + " min left";
 }
@@ -39,9 +39,9 @@ double processor_seconds() { return static_cast<double>(std::clock()) / CLOCKS_P
 
 // Of the current stage, with its name.
 std::string how_far(std::chrono::steady_clock::time_point now) {
-  const double share = std::clamp(current.fraction, 0.0, 1.0);
-  return std::to_string(static_cast<int>(share * 100)) + "% " + current.name +
-         time_left(std::chrono::duration<double>(now - current.start).count(), share);
+  const double fraction = std::clamp(current.fraction, 0.0, 1.0);
+  return std::to_string(static_cast<int>(fraction * 100)) + "% " + current.name +
+         time_left(std::chrono::duration<double>(now - current.start).count(), fraction);
 }
 
 void say(int file, std::string_view text) {
@@ -110,8 +110,8 @@ void ProgressBar::draw(Clock::time_point now) {
   drawn_ = true;
   bar_shown = 1;
   constexpr int kWidth = 40;
-  const double share = std::clamp(current.fraction, 0.0, 1.0);
-  const auto full = static_cast<std::size_t>(share * kWidth);
+  const double fraction = std::clamp(current.fraction, 0.0, 1.0);
+  const auto full = static_cast<std::size_t>(fraction * kWidth);
   std::cerr << "\r[" << std::string(full, '#') << std::string(kWidth - full, '.') << "] " << how_far(now) << "\x1b[K"
             << std::flush;
 }

@@ -174,8 +174,10 @@ void print_sum(std::ostream& out, const SumReport& report) {
   out << report.verb << " of";
   for (std::size_t i = 0; i < report.inputs.size(); ++i) {
     const Input& input = report.inputs[i];
-    out << (i == 0 ? " " : i + 1 < report.inputs.size() ? ", " : " and ") << input.file << " (" << counted(input.region.vertex_count(), "vertex", "vertices")
-        << ")";
+    out << (i == 0                         ? " "
+            : i + 1 < report.inputs.size() ? ", "
+                                           : " and ")
+        << input.file << " (" << counted(input.region.vertex_count(), "vertex", "vertices") << ")";
   }
   if (report.orientation) {
     const Orientation& theta = *report.orientation;
@@ -190,7 +192,8 @@ void print_sum(std::ostream& out, const SumReport& report) {
   out << "\n  area " << shown_area(sum) << "\n  tight features: " << counted(sum.tight_points.size(), "point") << ", "
       << counted(sum.tight_segments.size(), "segment") << "\n  ";
   if (const auto& sizes = report.convolution)
-    out << "convolution: full " << sizes->full << ", kinetic " << sizes->kinetic << ", reduced " << sizes->reduced << "; ";
+    out << "convolution: full " << sizes->full << ", kinetic " << sizes->kinetic << ", reduced " << sizes->reduced
+        << "; ";
   out << counted(sum.stats.crossings, "crossing") << "\n  " << tier_name(sum.stats.tier_bits) << " integers, "
       << (report.engine.empty() ? "" : "engine " + report.engine + ", ") << report.semantics << ", "
       << shown(report.timing);

@@ -24,7 +24,7 @@ struct SumReport {
   const PlanarSum* sum = nullptr;
   std::optional<ConvolutionSizes> convolution;  ///< none of Boolean operations
   Timing timing;
-  std::string engine, semantics;  ///< no engine of Boolean operations
+  std::string engine, semantics;           ///< no engine of Boolean operations
   std::optional<Orientation> orientation;  ///< where an operand is turned
   bool exact = false;                      ///< area_exact of any length
   std::optional<Rounding> rounding;        ///< of what was written where nearest doubles would not do

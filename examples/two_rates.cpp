@@ -21,14 +21,14 @@ int main() {
   std::optional<DepthPatch> patch;
   for (int step = 0; step < 12; ++step) {
     // Over the table's edge.
-    const Point3 place{2.45 + 0.05 * step, 0, -0.2};
+    const Point3 position{2.45 + 0.05 * step, 0, -0.2};
     if (step % 4 == 0) {  // on one thread, every few milliseconds
       const Rotation turned = Rotation::about({0, 1, 0}, 0.01 * step).value();
-      if (const Result<ContinuousContact> contact = pair.query(place, turned); !contact) return 1;
+      if (const Result<ContinuousContact> contact = pair.query(position, turned); !contact) return 1;
       patch = pair.patch();
     }
-    const ContinuousContact now = patch->at(place);  // on another one, every millisecond
-    std::printf("%5.2f: depth %.3f, shortest %.3f, direction (%.2f, %.2f, %.2f)%s\n", place.x, now.depth,
+    const ContinuousContact now = patch->at(position);  // on another one, every millisecond
+    std::printf("%5.2f: depth %.3f, shortest %.3f, direction (%.2f, %.2f, %.2f)%s\n", position.x, now.depth,
                 now.euclidean_depth, now.normal.x, now.normal.y, now.normal.z,
                 now.discontinuity == Discontinuity::fold ? ", jumped" : "");
   }

@@ -43,7 +43,7 @@ class Depths {
   Depths(const solids::NamedMesh& p, const solids::NamedMesh& q, int queries)
       : p_(p), q_(q), size_(bounds(p.mesh)[3] - bounds(p.mesh)[0]), queries_(make_queries(size_, queries)) {}
 
-  void ask_ours() {
+  void query_ours() {
     ConvexSum difference = *ConvexSum::create(p_.mesh, negated(q_.mesh));
     const double start = cpu_ms();
     for (const Query& query : queries_) {
@@ -61,7 +61,7 @@ class Depths {
   }
 
   /// By its own clock inside of its calls; 0: its own tolerances.
-  void ask_coal(double tolerance) {
+  void query_coal(double tolerance) {
     std::ostringstream queries;
     queries << std::setprecision(17);
     for (const Query& query : queries_) {
@@ -70,11 +70,11 @@ class Depths {
     }
     std::ostringstream set;
     set << tolerance;
-    std::istringstream answer(ask_python("coal_depth.py",
-                                         {{"p.off", format_mesh(p_.mesh, MeshFormat::off)},
-                                          {"q.off", format_mesh(q_.mesh, MeshFormat::off)},
-                                          {"queries.txt", queries.str()}},
-                                         set.str(), 120));
+    std::istringstream answer(query_python("coal_depth.py",
+                                           {{"p.off", format_mesh(p_.mesh, MeshFormat::off)},
+                                            {"q.off", format_mesh(q_.mesh, MeshFormat::off)},
+                                            {"queries.txt", queries.str()}},
+                                           set.str(), 120));
     std::string version;
     double us = 0;
     answer >> version >> us;
@@ -115,12 +115,12 @@ class Depths {
 
 std::vector<DepthRow> measure_depth(const solids::NamedMesh& p, const solids::NamedMesh& q, int queries) {
   Depths depths(p, q, queries);
-  depths.ask_ours();
+  depths.query_ours();
   const DepthPair pair(p.mesh, q.mesh);
   for (const DepthRival rival : {DepthRival::fcl, DepthRival::fcl_tight, DepthRival::ccd_gjk_epa, DepthRival::ccd_mpr})
     depths.ask(pair, rival);
   if (has_python())
-    for (const double tolerance : {0.0, 1e-12}) depths.ask_coal(tolerance);
+    for (const double tolerance : {0.0, 1e-12}) depths.query_coal(tolerance);
   return depths.rows();
 }
 

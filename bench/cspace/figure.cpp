@@ -17,12 +17,12 @@ constexpr double kStep = kPi / 36;  // of theta from one quadrangle to the next,
 constexpr int kPiecesAcross = 16;   // of an edge as long as the slice is wide
 constexpr int kShades = 10;
 
-struct Place {
+struct Position {
   double x, y, z;
 };
-Place operator-(Place a, Place b) { return {a.x - b.x, a.y - b.y, a.z - b.z}; }
-Place cross(Place a, Place b) { return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x}; }
-double dot(Place a, Place b) { return a.x * b.x + a.y * b.y + a.z * b.z; }
+Position operator-(Position a, Position b) { return {a.x - b.x, a.y - b.y, a.z - b.z}; }
+Position cross(Position a, Position b) { return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x}; }
+double dot(Position a, Position b) { return a.x * b.x + a.y * b.y + a.z * b.z; }
 
 /// The smallest box around what is to be drawn, and the map from it into a rectangle of the page, y upwards.
 class Frame {
@@ -48,12 +48,12 @@ class Frame {
 class View {
  public:
   explicit View(double height_of_turn) : lift_(height_of_turn / (2 * kPi)) {}
-  Place at(Point p, double theta) const { return {p.x, p.y, lift_ * theta}; }
-  Point flat(Place p) const {
+  Position at(Point p, double theta) const { return {p.x, p.y, lift_ * theta}; }
+  Point flat(Position p) const {
     const double back = p.x * kSinA + p.y * kCosA;
     return {p.x * kCosA - p.y * kSinA, back * kSinE + p.z * kCosE};
   }
-  static Place towards() { return {-kSinA * kCosE, -kCosA * kCosE, kSinE}; }
+  static Position towards() { return {-kSinA * kCosE, -kCosA * kCosE, kSinE}; }
 
  private:
   // About 32 degrees to the side and 35 upwards.
@@ -116,14 +116,14 @@ class Solid {
  private:
   void add(const Patch& patch) {
     const auto theta = [&](std::uint32_t angle) { return obstacle_.angles()[angle].theta; };
-    if (patch.begin == Patch::kNone) return stretch(patch, -kPi, kPi);
-    if (patch.begin < patch.end) return stretch(patch, theta(patch.begin), theta(patch.end));
-    stretch(patch, theta(patch.begin), kPi);
-    stretch(patch, -kPi, theta(patch.end));
+    if (patch.begin == Patch::kNone) return interval(patch, -kPi, kPi);
+    if (patch.begin < patch.end) return interval(patch, theta(patch.begin), theta(patch.end));
+    interval(patch, theta(patch.begin), kPi);
+    interval(patch, -kPi, theta(patch.end));
   }
 
-  /// From a little behind one angle to a little before the other: at the angles themselves lines may be parallel.
-  void stretch(const Patch& patch, double low, double high) {
+  /// From a little after one angle to a little before the other: at the angles themselves lines may be parallel.
+  void interval(const Patch& patch, double low, double high) {
     if (!(high > low)) return;
     const int steps = std::max(1, static_cast<int>(std::ceil((high - low) / kStep)));
     const double inset = 1e-6 * (high - low);
@@ -145,11 +145,11 @@ class Solid {
   }
 
   /// Only what shows its free side to the viewer.
-  void facet(bool rotating, const std::array<Place, 4>& p) {
-    const Place normal = cross(p[2] - p[0], p[3] - p[1]), to = View::towards();
+  void facet(bool rotating, const std::array<Position, 4>& p) {
+    const Position normal = cross(p[2] - p[0], p[3] - p[1]), to = View::towards();
     const double length = std::sqrt(dot(normal, normal));
     if (!(dot(normal, to) > 0)) return;
-    const Place light{-0.8, -0.3, 0.52};
+    const Position light{-0.8, -0.3, 0.52};
     const double bright = std::clamp(0.5 + 0.5 * dot(normal, light) / length, 0.0, 0.999);
     Facet f;
     for (std::size_t k = 0; k < 4; ++k) {

@@ -43,11 +43,11 @@ std::vector<Configuration> around(const CspaceObstacle& obstacle, std::size_t co
 
 // The time of every question, sorted.
 template <class F>
-Spread timed(const std::vector<Configuration>& questions, F&& ask) {
+Spread timed(const std::vector<Configuration>& questions, F&& query) {
   std::vector<double> times;
   for (const Configuration& q : questions) {
     const Clock::time_point start = Clock::now();
-    ask(q);
+    query(q);
     times.push_back(microseconds_since(start));
   }
   return spread(times);
@@ -78,8 +78,8 @@ void measure_contains(const ObstacleQueries& queries, const std::vector<Configur
 std::vector<Clearance> measure_clearance(const ObstacleQueries& queries, const std::vector<Configuration>& questions,
                                          Cells& row) {
   std::vector<Clearance> found;
-  const auto ask = [&](const Configuration& c) { found.push_back(queries.clearance(c)); };
-  const Spread times = timed(questions, ask);
+  const auto query = [&](const Configuration& c) { found.push_back(queries.clearance(c)); };
+  const Spread times = timed(questions, query);
   row.push_back(joined({times.mean, times.median, times.worst}));
   row.push_back(shown(static_cast<double>(queries.bounds_evaluated()) / static_cast<double>(questions.size())));
   double worst = 0;
@@ -92,8 +92,8 @@ std::vector<Clearance> measure_clearance(const ObstacleQueries& queries, const s
 void measure_sampled(const SampledDepth& sampled, const std::vector<Configuration>& questions,
                      const std::vector<Clearance>& exact, Cells& row) {
   std::vector<SampledAnswer> found;
-  const auto ask = [&](const Configuration& c) { found.push_back(sampled.clearance(c)); };
-  row.push_back(shown(timed(questions, ask).mean));
+  const auto query = [&](const Configuration& c) { found.push_back(sampled.clearance(c)); };
+  row.push_back(shown(timed(questions, query).mean));
   const double count = static_cast<double>(questions.size());
   double error = 0, wrong = 0;
   for (std::size_t k = 0; k < questions.size(); ++k) {

@@ -16,7 +16,7 @@ namespace {
 
 using Configurations = std::vector<Configuration>;
 
-constexpr std::size_t kAsked = 100000, kChecked = 2000, kQuestions = 1000, kSamples = 10000;
+constexpr std::size_t kQueried = 100000, kChecked = 2000, kQuestions = 1000, kSamples = 10000;
 
 /// Nanoseconds of processor time since cpu_ms() was `start`.
 double since(double start) { return 1e6 * (cpu_ms() - start); }
@@ -38,36 +38,37 @@ Configurations configurations(const CspaceObstacle& obstacle, std::size_t count)
 void contains_row(std::ostream& out, const QueryPair& pair) {
   const CspaceObstacle obstacle = CspaceObstacle::create(pair.robot, pair.obstacle).value();
   const ObstacleQueries queries(obstacle);
-  const Configurations all = configurations(obstacle, kAsked);
+  const Configurations all = configurations(obstacle, kQueried);
   std::size_t inside = 0, wrong = 0;
   double start = cpu_ms();
   for (const Configuration& c : all) inside += queries.contains(c);
-  const double single = since(start) / kAsked;
+  const double single = since(start) / kQueried;
   start = cpu_ms();
   const std::vector<std::uint8_t> batch = queries.contains(all, 1);
-  const double batched = since(start) / kAsked;
+  const double batched = since(start) / kQueried;
   start = cpu_ms();
   for (std::size_t k = 0; k < kChecked; ++k)
     wrong += obstacle.contains(all[k].x, all[k].y, Orientation::nearest(all[k].theta).value()) != (batch[k] != 0);
   const double slow = since(start) / kChecked;
   out << "| " << pair.name << " | " << std::lround(single) << " | " << std::lround(batched) << " | "
-      << std::lround(slow) << " | " << 100 * inside / kAsked << " | " << kChecked << ", " << wrong << " |" << std::endl;
+      << std::lround(slow) << " | " << 100 * inside / kQueried << " | " << kChecked << ", " << wrong << " |"
+      << std::endl;
 }
 
 }  // namespace
 
 void write_questions(const std::vector<TurningPair>& pairs, std::ostream& out) {
-  std::vector<QueryPair> asked;
+  std::vector<QueryPair> queried;
   for (const TurningPair& pair : pairs)
     for (const char* name : {"bar/circle", "bar/sewing", "star/star", "grate1/grate2"})
-      if (pair.name == name) asked.push_back({pair.name, pair.robot, pair.obstacle});
+      if (pair.name == name) queried.push_back({pair.name, pair.robot, pair.obstacle});
   out << "| P/Q | contains ns, single | ns, in a batch | exact test ns | inside % | compared, different |\n"
          "|---|---|---|---|---|---|\n";
-  for (const QueryPair& pair : asked) contains_row(out, pair);
+  for (const QueryPair& pair : queried) contains_row(out, pair);
   out << "\nClearance with its error, and the sampled penetration depth of the thesis. Wall time.\n\n";
   QueryTables tables(out, kQuestions, kSamples);
   tables.heading();
-  for (const QueryPair& pair : asked) tables.row(pair);
+  for (const QueryPair& pair : queried) tables.row(pair);
   out << "\nTable 4.3 as the thesis prints it:\n\n"
          "| P/Q | mean error | query ms | precomputation s |\n|---|---|---|---|\n"
          "| bar/circle | 0.00004 | 7.8 | 50.1 |\n| bar/sewing | 0.00067 | 6.5 | 80.1 |\n"

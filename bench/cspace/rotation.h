@@ -1,4 +1,4 @@
-// A sum that follows its turning operand against a slice from scratch at the same orientations.
+// A sum that follows its rotating operand against a slice from scratch at the same orientations.
 #pragma once
 
 #include <cstdint>

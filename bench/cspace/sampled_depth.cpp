@@ -22,30 +22,30 @@ SampledDepth::SampledDepth(const CspaceObstacle& obstacle, const ObstacleQueries
   for (const Configuration& s : samples_) nearest_.push_back(exact.clearance(s, weight, Touching::forbidden).patch);
 }
 
-double SampledDepth::square(const Patch& patch, const Configuration& from, double share, double theta) const {
+double SampledDepth::square(const Patch& patch, const Configuration& from, double fraction, double theta) const {
   const auto [a, b] = obstacle_.ends(patch, theta);
-  const double x = a.x + share * (b.x - a.x) - from.x, y = a.y + share * (b.y - a.y) - from.y;
+  const double x = a.x + fraction * (b.x - a.x) - from.x, y = a.y + fraction * (b.y - a.y) - from.y;
   const double turn = weight_ * wrapped(theta - from.theta);
   return x * x + y * y + turn * turn;
 }
 
 // Steps of changing size against the gradient, by differences, kept within the patch.
-double SampledDepth::descend(const Patch& patch, const Configuration& from, double share, double theta, double low,
+double SampledDepth::descend(const Patch& patch, const Configuration& from, double fraction, double theta, double low,
                              double high) const {
   constexpr double kDelta = 1e-6;
-  double best = square(patch, from, share, theta), step = 0.1;
+  double best = square(patch, from, fraction, theta), step = 0.1;
   for (int k = 0; k < 60 && step > 1e-9; ++k) {
     const auto at = [&](double u, double t) { return square(patch, from, u, t); };
-    const double along = (at(share + kDelta, theta) - at(share - kDelta, theta)) / (2 * kDelta);
-    const double turning = (at(share, theta + kDelta) - at(share, theta - kDelta)) / (2 * kDelta);
+    const double along = (at(fraction + kDelta, theta) - at(fraction - kDelta, theta)) / (2 * kDelta);
+    const double turning = (at(fraction, theta + kDelta) - at(fraction, theta - kDelta)) / (2 * kDelta);
     const double norm = std::hypot(along, turning);
     if (!(norm > 0)) break;
-    const double s = std::clamp(share - step * along / norm, 0.0, 1.0);
+    const double s = std::clamp(fraction - step * along / norm, 0.0, 1.0);
     const double t = std::clamp(theta - step * turning / norm, low, high);
     const double now = square(patch, from, s, t);
     if (now < best) {
       best = now;
-      share = s;
+      fraction = s;
       theta = t;
       step *= 1.5;
     } else {
@@ -65,8 +65,8 @@ double SampledDepth::distance(std::uint32_t patch, const Configuration& from) co
   }
   double best = std::numeric_limits<double>::infinity();
   for (int k = 0; k <= 8; ++k)
-    for (const double share : {0.0, 0.499, 0.501, 1.0})
-      best = std::min(best, descend(p, from, share, low + (high - low) * k / 8, low, high));
+    for (const double fraction : {0.0, 0.499, 0.501, 1.0})
+      best = std::min(best, descend(p, from, fraction, low + (high - low) * k / 8, low, high));
   return std::sqrt(best);
 }
 

@@ -29,8 +29,8 @@ class SampledDepth {
   double distance(std::uint32_t patch, const Configuration& from) const;
 
  private:
-  double square(const Patch& patch, const Configuration& from, double share, double theta) const;
-  double descend(const Patch& patch, const Configuration& from, double share, double theta, double low,
+  double square(const Patch& patch, const Configuration& from, double fraction, double theta) const;
+  double descend(const Patch& patch, const Configuration& from, double fraction, double theta, double low,
                  double high) const;
 
   const CspaceObstacle& obstacle_;

@@ -14,7 +14,7 @@ constexpr int kSlices = 360, kFine = 3600, kSample = 36;
 constexpr double kFineLimitMs = 20e3, kCgalLimitMs = 30e3;
 /// CGAL's area of a larger sum is added up in doubles, so ours is compared in doubles as well.
 constexpr std::size_t kExactAreaVertices = 1500;
-/// How often CGAL's vertical decomposition is asked about a pair, and for how long each time.
+/// How often CGAL's vertical decomposition is queried a pair, and for how long each time.
 constexpr std::size_t kWitnesses = 3;
 constexpr double kWitnessSeconds = 5;
 
@@ -73,8 +73,8 @@ void compare(int degrees, const Described& ours, const RivalAnswer& theirs, cons
   row.area_differs += !same_area(ours, theirs);
   if (same(ours, theirs)) return;
   ++row.any_differs;
-  if (row.asked == kWitnesses) return;
-  ++row.asked;
+  if (row.queried == kWitnesses) return;
+  ++row.queried;
   const RivalAnswer witness = operands.sum_in_child(CgalMethod::vertical_decomposition, Repeats{}, kWitnessSeconds);
   const bool agrees = same(ours, witness);
   row.confirmed += agrees;

@@ -88,7 +88,7 @@ void slices_line(Report& report, const SlicesRow& r, const ObstacleRow& obstacle
               "**" + ratio(r.cgal_ms, own) + "**", count(r.cgal_measured) + " of 360" + silent,
               count(r.compared) + " (" + count(r.exact_areas) + " areas as fractions)",
               count(r.vertices_differ) + ", " + count(r.holes_differ) + ", " + count(r.area_differs),
-              count(r.any_differs), r.asked > 0 ? count(r.confirmed) + " of " + count(r.asked) + " asked" : "-"});
+              count(r.any_differs), r.queried > 0 ? count(r.confirmed) + " of " + count(r.queried) + " asked" : "-"});
   add_values(report, "slices", r.name,
              {{"static_360_ms", r.ours_ms},
               {"static_3600_ms", r.fine_ms},

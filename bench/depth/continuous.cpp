@@ -37,10 +37,10 @@ double processor_us() {
 double distance_of(const Point3& a, const Point3& b) { return std::hypot(a.x - b.x, a.y - b.y, a.z - b.z); }
 double angle_between(const Point3& a, const Point3& b) { return 2 * std::asin(std::min(1.0, 0.5 * distance_of(a, b))); }
 
-double percentile(std::vector<double>& sorted, double share) {
+double percentile(std::vector<double>& sorted, double fraction) {
   return sorted.empty() ? 0
                         : sorted[std::min(sorted.size() - 1,
-                                          static_cast<std::size_t>(share * static_cast<double>(sorted.size())))];
+                                          static_cast<std::size_t>(fraction * static_cast<double>(sorted.size())))];
 }
 
 /// Steps of a thousandth of the size, in directions that turn slowly; back to the boundary where Q left P or came deep.
@@ -158,7 +158,7 @@ struct Shared {
   double seconds() const { return us_since(begin) * 1e-6; }
 };
 
-/// A hand that presses Q into P about a place, and moves it to and fro by some hundredths of the size.
+/// A hand that presses Q into P about a position, and moves it to and fro by some hundredths of the size.
 struct Hand {
   Point3 about;
   double size;
@@ -198,7 +198,7 @@ struct ForceLoop {
   long jumps = 0;
 };
 
-ForceLoop ask_patches(const Hand& hand, double seconds, Shared& shared) {
+ForceLoop query_patches(const Hand& hand, double seconds, Shared& shared) {
   ForceLoop loop;
   // Before all others, as force loops run; without the right to, as it comes.
   const sched_param priority{.sched_priority = 10};
@@ -248,7 +248,7 @@ void two_rates(double seconds, Kind kind, Report& report) {
     std::vector<double> ms;
     std::thread geometry([&] { ms = make_patches(depth, hand, shared); });
     ForceLoop loop;
-    std::thread([&] { loop = ask_patches(hand, seconds, shared); }).join();
+    std::thread([&] { loop = query_patches(hand, seconds, shared); }).join();
     shared.stop = true;
     geometry.join();
     for (std::vector<double>* list : {&ms, &loop.us, &loop.late_us}) std::sort(list->begin(), list->end());

@@ -18,13 +18,13 @@ constexpr double kPanel = 300, kGap = 20, kTop = 60;
 
 /// Seen from (1, -2, 1.2), z upwards on the page.
 struct View {
-  Point3 middle;
+  Point3 centre;
   double scale = 1, x0 = 0, y0 = 0;
 
   static constexpr double kC = 0.4472135955, kS = 0.894427191, kU = 0.4724, kV = 0.8814;  // turns of the camera
   Point3 turned(const Point3& v) const {
-    const double x = kS * (v.x - middle.x) + kC * (v.y - middle.y), y = -kC * (v.x - middle.x) + kS * (v.y - middle.y);
-    const double z = v.z - middle.z;
+    const double x = kS * (v.x - centre.x) + kC * (v.y - centre.y), y = -kC * (v.x - centre.x) + kS * (v.y - centre.y);
+    const double z = v.z - centre.z;
     return {x, kV * z + kU * y, kV * y - kU * z};  // right, up, away
   }
   std::array<double, 2> page(const Point3& turned_point) const {
@@ -107,13 +107,13 @@ void draw_pair(std::ostringstream& out, const FigurePair& pair, double left) {
     if (view.turned(v).z < view.turned(*near).z) near = &v;
   const ClipBall ball{*near, diagonal / 10};
   const auto circle = [&](const View& from) {
-    const std::array<double, 2> at = from.page(from.turned(ball.middle));
+    const std::array<double, 2> at = from.page(from.turned(ball.centre));
     out << "<circle cx='" << fixed(at[0], 1) << "' cy='" << fixed(at[1], 1) << "' r='"
         << fixed(from.scale * ball.radius, 1) << "' fill='none' stroke='#d81e3a' stroke-width='1.5'/>\n";
   };
   circle(view);
   const LocalPart part = LocalSum::create(p, q).value().in(ball).value();
-  view.middle = ball.middle, view.scale *= 3, view.y0 += kPanel + kGap;
+  view.centre = ball.centre, view.scale *= 3, view.y0 += kPanel + kGap;
   draw_faces(out, view, part.boundary, {120, 200, 130}, true);
   circle(view);
   out << "<text x='" << left + kPanel / 2 << "' y='" << kTop + 2 * kPanel + kGap + 18 << "' text-anchor='middle'>"

@@ -76,16 +76,16 @@ class Repair {
       if (holds(f)) facets_.insert(f);
       else ended.push_back(f);
     work_.ended += ended.size();
-    for (const SumFacet& f : ended) mend(f);
+    for (const SumFacet& f : ended) repair(f);
   }
 
  private:
   bool holds(const SumFacet& f) const {
     switch (f.kind) {
       case Kind::face_vertex:
-        return supports(Way::Of::p, p_, f.p, q_, f.q);
+        return supports(DirectionSource::Of::p, p_, f.p, q_, f.q);
       case Kind::vertex_face:
-        return supports(Way::Of::q, q_, f.q, p_, f.p);
+        return supports(DirectionSource::Of::q, q_, f.q, p_, f.p);
       case Kind::edge_edge:
         break;
     }
@@ -93,45 +93,48 @@ class Repair {
     const int side = facet_side(space_, p_.solid, q_.solid, f.p, f.q);
     return side != 0 && edge_edge_facet(p_.solid, q_.solid, f.p, f.q, side).corner == f.corner;
   }
-  bool supports(Way::Of of, const Surroundings& faces, std::uint32_t t, const Surroundings& vertices,
+  bool supports(DirectionSource::Of of, const Surroundings& faces, std::uint32_t t, const Surroundings& vertices,
                 std::uint32_t v) const {
     const std::uint32_t c = vertices.cone_of[v];
     return c != Wedge::kNone && makes_facet(space_, of, faces.solid, t, vertices.solid, vertices.solid.cones[c]);
   }
 
-  void mend(const SumFacet& f) {
+  void repair(const SumFacet& f) {
     switch (f.kind) {
       case Kind::face_vertex:
-        return mend_face(Way::Of::p, p_, f.p, q_, f.q);
+        return repair_face(DirectionSource::Of::p, p_, f.p, q_, f.q);
       case Kind::vertex_face:
-        return mend_face(Way::Of::q, q_, f.q, p_, f.p);
+        return repair_face(DirectionSource::Of::q, q_, f.q, p_, f.p);
       case Kind::edge_edge:
-        return mend_edges(f.p, f.q);
+        return repair_edges(f.p, f.q);
     }
   }
-  void mend_face(Way::Of of, const Surroundings& faces, std::uint32_t t, const Surroundings& vertices,
-                 std::uint32_t v) {
-    const std::vector<Vec3>&at = of == Way::Of::p ? space_.p() : space_.q(),
-          &other = of == Way::Of::p ? space_.q() : space_.p();
+  void repair_face(DirectionSource::Of of, const Surroundings& faces, std::uint32_t t, const Surroundings& vertices,
+                   std::uint32_t v) {
+    const std::vector<Vec3>&at = of == DirectionSource::Of::p ? space_.p() : space_.q(),
+          &other = of == DirectionSource::Of::p ? space_.q() : space_.p();
     const Triangle& corners = faces.solid.triangles[t];
     const Vec3 up = cross(at[corners[1]] - at[corners[0]], at[corners[2]] - at[corners[0]]);
     const std::uint32_t top = vertices.climb(v, up, other);
     if (supports(of, faces, t, vertices, top)) add(face_vertex_facet(of, faces.solid, t, top));
     for (const std::uint32_t end : {v, top})
       for (const std::uint32_t w : vertices.convex_at[end])
-        faces.for_each_edge_of(t,
-                               [&](std::uint32_t e) { try_edges(of == Way::Of::p ? e : w, of == Way::Of::p ? w : e); });
+        faces.for_each_edge_of(t, [&](std::uint32_t e) {
+          try_edges(of == DirectionSource::Of::p ? e : w, of == DirectionSource::Of::p ? w : e);
+        });
   }
-  void mend_edges(std::uint32_t e, std::uint32_t g) {
+  void repair_edges(std::uint32_t e, std::uint32_t g) {
     const Wedge &a = p_.solid.wedges[e], &b = q_.solid.wedges[g];
     for (const std::uint32_t t : {b.left, b.right}) q_.for_each_edge_of(t, [&](std::uint32_t w) { try_edges(e, w); });
     for (const std::uint32_t t : {a.left, a.right}) p_.for_each_edge_of(t, [&](std::uint32_t w) { try_edges(w, g); });
     for (const std::uint32_t t : {a.left, a.right})
       for (const std::uint32_t v : {b.from, b.to})
-        if (supports(Way::Of::p, p_, t, q_, v)) add(face_vertex_facet(Way::Of::p, p_.solid, t, v));
+        if (supports(DirectionSource::Of::p, p_, t, q_, v))
+          add(face_vertex_facet(DirectionSource::Of::p, p_.solid, t, v));
     for (const std::uint32_t t : {b.left, b.right})
       for (const std::uint32_t v : {a.from, a.to})
-        if (supports(Way::Of::q, q_, t, p_, v)) add(face_vertex_facet(Way::Of::q, q_.solid, t, v));
+        if (supports(DirectionSource::Of::q, q_, t, p_, v))
+          add(face_vertex_facet(DirectionSource::Of::q, q_.solid, t, v));
   }
   void try_edges(std::uint32_t e, std::uint32_t g) {
     if (!tried_.insert({e, g}).second) return;
@@ -266,8 +269,8 @@ class GapFilling::State {
     const auto half = [](double low, double high) {
       return exact::BigRational((exact::exact_value(low) + exact::exact_value(high)) / 2);
     };
-    const Middle middle{{half(box.low.x, box.high.x), half(box.low.y, box.high.y), half(box.low.z, box.high.z)}, false};
-    return local_boundary(space, std::move(near), pair_, walls, middle, options_, stats_, watch_);
+    const Centre centre{{half(box.low.x, box.high.x), half(box.low.y, box.high.y), half(box.low.z, box.high.z)}, false};
+    return local_boundary(space, std::move(near), pair_, walls, centre, options_, stats_, watch_);
   }
 
   LocalPart part_of(LocalBoundary local, const exact::BigInteger& scale, const ClipBox& box) {
@@ -281,7 +284,7 @@ class GapFilling::State {
     SpatialSumInternals::set_positions(part.boundary, std::move(positions));
     unscale(part.boundary, scale);
     part.where = !part.boundary.vertices.empty() ? LocalPart::Where::crossed
-                 : local.middle_inside           ? LocalPart::Where::inside
+                 : local.centre_inside           ? LocalPart::Where::inside
                                                  : LocalPart::Where::outside;
     return part;
   }

@@ -15,24 +15,24 @@ namespace dymsum::bench {
 namespace {
 
 /// Along a closed curve through and around P.
-std::vector<Point3> places_on_curve(double reach, int steps) {
-  std::vector<Point3> places;
+std::vector<Point3> positions_on_curve(double reach, int steps) {
+  std::vector<Point3> positions;
   for (int k = 0; k < steps; ++k) {
     const double a = 2 * std::numbers::pi * k / steps, r = reach * (0.35 + 0.3 * std::sin(3 * a));
-    places.push_back({r * std::cos(a), r * std::sin(a), 0.3 * r * std::sin(2 * a)});
+    positions.push_back({r * std::cos(a), r * std::sin(a), 0.3 * r * std::sin(2 * a)});
   }
-  return places;
+  return positions;
 }
 
 OffGridCase depth_case(const std::string& name, const MeshData& p, const MeshData& q, double reach, int steps) {
   return off_grid_case("depth, " + name, Mesh::create(p).value(), Mesh::create(q).value(),
                        [=](const Mesh& a, const Mesh& b) {
-                         const std::vector<Point3> places = places_on_curve(reach, steps);
+                         const std::vector<Point3> positions = positions_on_curve(reach, steps);
                          OffGridWork work;
                          work.run = [=] {
                            SolidDepth depth = SolidDepth::create(a, b).value();
-                           for (const Point3& at : places) depth.at(at);
-                           return places.size();
+                           for (const Point3& at : positions) depth.at(at);
+                           return positions.size();
                          };
                          work.compare = [=] {
                            DepthOptions boundary;
@@ -42,7 +42,7 @@ OffGridCase depth_case(const std::string& name, const MeshData& p, const MeshDat
                            constexpr std::size_t kCompared = 20;
                            std::size_t different = 0;
                            for (std::size_t k = 0; k < kCompared; ++k) {
-                             const Point3 at = places[k * places.size() / kCompared];
+                             const Point3 at = positions[k * positions.size() / kCompared];
                              const SolidDistance x = ours.at(at), y = theirs.at(at);
                              different += x.meeting != y.meeting || !(x.squared == y.squared);
                            }

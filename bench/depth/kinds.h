@@ -1,4 +1,4 @@
-// What coordinates cost penetration depth and sums near a place.
+// What coordinates cost penetration depth and sums near a position.
 #pragma once
 
 #include <string>

@@ -45,7 +45,7 @@ std::vector<MotionPair> motion_pairs() {
 }
 
 /// Along a closed curve through and around P.
-Point3 place_on_curve(double reach, int k, int steps) {
+Point3 position_on_curve(double reach, int k, int steps) {
   const double a = 2 * std::numbers::pi * k / steps, r = reach * (0.35 + 0.3 * std::sin(3 * a));
   return {r * std::cos(a), r * std::sin(a), 0.3 * r * std::sin(2 * a)};
 }
@@ -67,7 +67,7 @@ void motions(int steps, Kind kind, Report& report) {
     int overlapping = 0;
     for (int k = 0; k < steps; ++k) {
       SolidDistance d;
-      const double t = us_of([&] { d = depth->at(place_on_curve(pair.reach, k, steps)); });
+      const double t = us_of([&] { d = depth->at(position_on_curve(pair.reach, k, steps)); });
       overlapping += d.meeting == Meeting::overlapping;
       if (k == 0) {
         first = t;
@@ -102,12 +102,12 @@ void convex_pairs(Kind kind, Report& report) {
       width = std::max({width, 2 * std::abs(v.x), 2 * std::abs(v.y), 2 * std::abs(v.z)});
     std::mt19937_64 random(7);
     std::uniform_real_distribution<double> offset(-0.3 * width, 0.3 * width);
-    std::vector<Point3> places(200);
-    for (Point3& at : places) at = {offset(random), offset(random), offset(random)};
+    std::vector<Point3> positions(200);
+    for (Point3& at : positions) at = {offset(random), offset(random), offset(random)};
     SolidDepth ours = SolidDepth::create(p, q).value();
     std::vector<double> truth;
     const double our_us = us_of([&] {
-      for (const Point3& at : places) truth.push_back(ours.at(at).distance);
+      for (const Point3& at : positions) truth.push_back(ours.at(at).distance);
     });
     const std::string name = std::string(a) + " + " + b;
     report.row({name, "dymsum", fixed(our_us / 200, 1), "0", "0", "0"});
@@ -117,8 +117,8 @@ void convex_pairs(Kind kind, Report& report) {
       int wrong = 0, none = 0;
       double worst = 0;
       const double us = us_of([&] {
-        for (std::size_t k = 0; k < places.size(); ++k) {
-          const double error = std::abs(rivals.depth(rival, identity, places[k]) - truth[k]) / width;
+        for (std::size_t k = 0; k < positions.size(); ++k) {
+          const double error = std::abs(rivals.depth(rival, identity, positions[k]) - truth[k]) / width;
           none += std::isnan(error), wrong += error > 1e-6, worst = std::max(worst, error);
         }
       });
@@ -127,7 +127,7 @@ void convex_pairs(Kind kind, Report& report) {
       report.row({name, dymsum::bench::name(rival), fixed(us / 200, 1), std::to_string(none), std::to_string(wrong),
                   text.str()});
     }
-    other_convex_rows(name, p, q, width, places, truth, report);
+    other_convex_rows(name, p, q, width, positions, truth, report);
   }
 }
 

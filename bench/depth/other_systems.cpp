@@ -34,23 +34,23 @@ void convex_row(const std::string& name, const std::string& system, double us, d
 }
 
 /// By its own clock, with its own tolerances.
-void coal_row(const std::string& name, const Mesh& p, const Mesh& q, double width, const std::vector<Point3>& places,
+void coal_row(const std::string& name, const Mesh& p, const Mesh& q, double width, const std::vector<Point3>& positions,
               const std::vector<double>& truth, Report& report) {
   if (!has_python()) return;
   std::ostringstream queries;
   queries << std::setprecision(17);
-  for (const Point3& at : places) queries << "1 0 0 0 1 0 0 0 1 " << at.x << " " << at.y << " " << at.z << "\n";
-  std::istringstream answer(ask_python("coal_depth.py",
-                                       {{"p.off", format_mesh(p, MeshFormat::off)},
-                                        {"q.off", format_mesh(q, MeshFormat::off)},
-                                        {"queries.txt", queries.str()}},
-                                       "0", 120));
+  for (const Point3& at : positions) queries << "1 0 0 0 1 0 0 0 1 " << at.x << " " << at.y << " " << at.z << "\n";
+  std::istringstream answer(query_python("coal_depth.py",
+                                         {{"p.off", format_mesh(p, MeshFormat::off)},
+                                          {"q.off", format_mesh(q, MeshFormat::off)},
+                                          {"queries.txt", queries.str()}},
+                                         "0", 120));
   std::string version;
   double us = 0;
   answer >> version >> us;
   std::vector<double> depths;
   for (double depth; answer >> depth;) depths.push_back(depth);
-  if (depths.size() == places.size()) convex_row(name, "Coal " + version, us, width, depths, truth, report);
+  if (depths.size() == positions.size()) convex_row(name, "Coal " + version, us, width, depths, truth, report);
 }
 
 struct CoalMeshes {
@@ -61,7 +61,7 @@ CoalMeshes coal_meshes(const Mesh& p, const Mesh& q, Point3 at) {
   if (!has_python()) return {};
   std::ostringstream move;
   move << std::setprecision(17) << "'" << at.x << " " << at.y << " " << at.z << "'";
-  std::istringstream answer(ask_python(
+  std::istringstream answer(query_python(
       "coal_meshes.py", {{"p.off", format_mesh(p, MeshFormat::off)}, {"q.off", format_mesh(q, MeshFormat::off)}},
       move.str(), 60));
   std::string version;
@@ -85,14 +85,14 @@ void mesh_row(const std::string& name, double truth, const Mesh& p, const Mesh& 
 }  // namespace
 
 void other_convex_rows(const std::string& name, const Mesh& p, const Mesh& q, double width,
-                       const std::vector<Point3>& places, const std::vector<double>& truth, Report& report) {
+                       const std::vector<Point3>& positions, const std::vector<double>& truth, Report& report) {
   const BulletPair bullet(p, q);
   std::vector<double> depths;
   const auto begin = std::chrono::steady_clock::now();
-  for (const Point3& at : places) depths.push_back(bullet.depth(at));
+  for (const Point3& at : positions) depths.push_back(bullet.depth(at));
   const double us = std::chrono::duration<double, std::micro>(std::chrono::steady_clock::now() - begin).count();
   convex_row(name, "Bullet GJK + EPA", us, width, depths, truth, report);
-  coal_row(name, p, q, width, places, truth, report);
+  coal_row(name, p, q, width, positions, truth, report);
 }
 
 void mesh_rows(Report& report) {

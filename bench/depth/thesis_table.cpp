@@ -148,7 +148,7 @@ struct LocalTimes {
   bool same = true;
 };
 
-/// The ball lies about a vertex of the sum that is at the middle of its list, and stays there while P turns.
+/// The ball lies about a vertex of the sum that is at the midpoint of its list, and stays there while P turns.
 LocalTimes local_times(const ThesisPair& pair, int frames) {
   const Mesh p = Mesh::create(pair.p).value(), q = Mesh::create(pair.q).value();
   const SpatialSum sum = minkowski_sum(p, q).value();

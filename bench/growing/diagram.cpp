@@ -24,7 +24,7 @@ double median_ms(int runs, const Task& task) {
   return quantile(times, 0.5);
 }
 
-std::string percent(double share) { return fixed(100 * share, 2) + " %"; }
+std::string percent(double fraction) { return fixed(100 * fraction, 2) + " %"; }
 
 }  // namespace
 
@@ -45,7 +45,7 @@ DiagramRow measure_diagram(const std::string& name, const Region& region, int ru
   row.outside_ms = measure(Side::outside, 1);
   row.inside_ms = measure(Side::inside, 1);
   row.threads_ms = measure(Side::outside, 0);
-  row.exact_share = exact / std::max(1.0, filtered + exact);
+  row.exact_fraction = exact / std::max(1.0, filtered + exact);
   if (!with_cgal) return row;
   const SegmentDelaunay rival(region.data());
   std::vector<double> times;
@@ -60,18 +60,18 @@ void report_diagrams(Report& report, const std::vector<DiagramRow>& rows) {
   for (const DiagramRow& row : rows) {
     report.row({row.name, std::to_string(row.vertices), std::to_string(row.nodes), fixed(row.outside_ms, 2),
                 fixed(row.inside_ms, 2), fixed(row.threads_ms, 2), row.cgal_ms == 0 ? "-" : fixed(row.cgal_ms, 2),
-                ratio(row.outside_ms + row.inside_ms, row.cgal_ms, 1), percent(row.exact_share),
+                ratio(row.outside_ms + row.inside_ms, row.cgal_ms, 1), percent(row.exact_fraction),
                 row.certified ? "yes" : "no"});
     report.csv << row.name << ",outside_ms," << row.outside_ms << '\n'
                << row.name << ",cgal_ms," << row.cgal_ms << '\n';
   }
 }
 
-BarcodeRow measure_barcode(const std::string& name, const Region& region, double share, int radii, int samples) {
+BarcodeRow measure_barcode(const std::string& name, const Region& region, double fraction, int radii, int samples) {
   BarcodeRow row{.name = name, .vertices = region.vertex_count()};
   row.barcode_ms = median_ms(3, [&] { row.bars = ShapeFeatures::create(region).value().bars().size(); });
   const auto box = bounds(region);
-  const double top = share * std::max(box[2] - box[0], box[3] - box[1]);
+  const double top = fraction * std::max(box[2] - box[0], box[3] - box[1]);
   for (int k = 0; k < samples; ++k) {
     const double radius = top * (k + 0.5) / samples;
     const Region round = shapes::disc(32, radius, shapes::demo_snap(radius));

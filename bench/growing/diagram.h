@@ -15,7 +15,7 @@ struct DiagramRow {
   double outside_ms = 0, inside_ms = 0;  ///< one thread
   double threads_ms = 0;                 ///< outside, all threads
   double cgal_ms = 0;                    ///< both sides at once; 0: not measured
-  double exact_share = 0;                ///< of the decisions: those that intervals leave open
+  double exact_fraction = 0;             ///< of the decisions: those that intervals leave open
   bool certified = true;
 };
 
@@ -30,8 +30,8 @@ struct BarcodeRow {
   double sums_ms = 0;     ///< our sums with a disc of 32 vertices at so many radii, from a sample of them
 };
 
-/// `radii` radii evenly up to `share` of the extent; sums are timed at `samples` of them.
-BarcodeRow measure_barcode(const std::string& name, const Region& region, double share, int radii, int samples);
+/// `radii` radii evenly up to `fraction` of the extent; sums are timed at `samples` of them.
+BarcodeRow measure_barcode(const std::string& name, const Region& region, double fraction, int radii, int samples);
 void report_barcodes(Report& report, const std::vector<BarcodeRow>& rows);
 
 }  // namespace dymsum::bench

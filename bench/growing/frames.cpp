@@ -24,10 +24,10 @@ Rational radius_at(double top, std::size_t i, std::size_t frames) {
 
 }  // namespace
 
-FrameRow measure_frames(const std::string& name, const Region& region, double share, std::size_t frames,
+FrameRow measure_frames(const std::string& name, const Region& region, double fraction, std::size_t frames,
                         std::size_t samples) {
   const auto box = bounds(region);
-  const double top = share * std::max(box[2] - box[0], box[3] - box[1]);
+  const double top = fraction * std::max(box[2] - box[0], box[3] - box[1]);
   FrameRow row{name, region.vertex_count(), 0, frames};
   const GrowingDisc disc(region);
   row.complex_ms = timed_ms([&] { row.events = disc.events(DiscSide::outside).value().size(); });

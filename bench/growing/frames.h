@@ -18,8 +18,8 @@ struct FrameRow {
   double polygon_ms = 0;                                         ///< median of our sum with a disc of 32 vertices
 };
 
-/// `frames` radii from 0 to `share` of the extent, evenly; static ones are timed at `samples` of them.
-FrameRow measure_frames(const std::string& name, const Region& region, double share, std::size_t frames,
+/// `frames` radii from 0 to `fraction` of the extent, evenly; static ones are timed at `samples` of them.
+FrameRow measure_frames(const std::string& name, const Region& region, double fraction, std::size_t frames,
                         std::size_t samples);
 void report_frames(Report& report, const std::vector<FrameRow>& rows);
 

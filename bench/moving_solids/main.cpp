@@ -147,9 +147,9 @@ struct Gains {
     mean.push_back(spread(row.fresh).mean / spread(row.moving).mean);
     convolution.push_back(spread(row.fresh_convolution).mean / spread(row.convolution).mean);
   }
-  static void promise_least(Report& report, const std::string& text, const std::vector<double>& gains, double asked) {
+  static void promise_least(Report& report, const std::string& text, const std::vector<double>& gains, double queried) {
     const auto [least, most] = std::minmax_element(gains.begin(), gains.end());
-    report.promise(text + ", on every pair", fixed(*least, 2) + " to " + fixed(*most, 2), *least >= asked);
+    report.promise(text + ", on every pair", fixed(*least, 2) + " to " + fixed(*most, 2), *least >= queried);
   }
 };
 
@@ -178,7 +178,7 @@ Options parse(int argc, char** argv) {
   return options;
 }
 
-/// Those of kPairs that are asked for, in coordinates of a kind.
+/// Those of kPairs that are requested, in coordinates of a kind.
 std::vector<SolidPair> wanted_pairs(const Options& options, const std::string& data, Kind kind, Report& report) {
   std::vector<SolidPair> pairs = solid_pairs(data);
   std::erase_if(pairs, [&](const SolidPair& pair) {

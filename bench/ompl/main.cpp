@@ -36,7 +36,7 @@ struct Contestant {
   Validator validator;
   double fraction = 0.01;  // OMPL's longestValidSegmentFraction, its default
   double seconds = 20;
-  int share = 1;  // of the runs, one in so many
+  int one_in = 1;  // of the runs, one in so many
   std::function<ob::PlannerPtr(const og::SimpleSetup&, const std::shared_ptr<const for_ompl::Scene>&)> make;
 };
 
@@ -65,7 +65,7 @@ std::string name_of(const Contestant& c) {
 
 Row measure(const Contestant& contestant, const std::shared_ptr<const for_ompl::Scene>& scene, int runs) {
   const sampling::PlainCollision plain(scene->robot(), scene->obstacle());
-  Row row{contestant.name, name_of(contestant), 0, 0, 0, std::max(1, runs / contestant.share), {}};
+  Row row{contestant.name, name_of(contestant), 0, 0, 0, std::max(1, runs / contestant.one_in), {}};
   for (int k = 0; k < row.runs; ++k) {
     og::SimpleSetup setup = sampling::wall_problem(scene, contestant.validator);
     setup.getSpaceInformation()->setStateValidityCheckingResolution(contestant.fraction);

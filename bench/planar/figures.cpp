@@ -37,8 +37,8 @@ std::string speed_up(const std::vector<Row>& rows) {
   return draw_dots(text, {series}, {{1, "as fast as CGAL"}, {100, "100 times"}});
 }
 
-/// Figure 3.6: the share of each stage in our time, for pairs of the larger models.
-std::string stage_shares(const std::vector<Row>& rows) {
+/// Figure 3.6: the fraction of each stage in our time, for pairs of the larger models.
+std::string stage_fractions(const std::vector<Row>& rows) {
   const std::vector<const Row*> chosen = rows_of_thesis_set(rows, true);
   std::vector<Series> series;
   for (std::size_t i = 0; i < chosen.size(); ++i) {
@@ -51,9 +51,9 @@ std::string stage_shares(const std::vector<Row>& rows) {
       found->values[i] += stage.ms;
     }
   }
-  return draw_shares({"Share of each stage in our time (thesis, figure 3.6)", "pairs of the larger models",
-                      "share of the time", names(chosen), "medians over all repetitions; each pair's total is 1"},
-                     series);
+  return draw_fractions({"Share of each stage in our time (thesis, figure 3.6)", "pairs of the larger models",
+                         "share of the time", names(chosen), "medians over all repetitions; each pair's total is 1"},
+                        series);
 }
 
 /// Figure 3.7: reduced, kinetic and full convolution of pairs of the larger models, in the order of the full ones.
@@ -85,7 +85,8 @@ bool write_results(const std::string& folder, const std::vector<Row>& rows) {
   std::error_code failed;
   std::filesystem::create_directories(folder, failed);
   return write(folder + "/planar.csv", to_csv(rows)) && write(folder + "/planar.md", to_markdown(rows)) &&
-         write(folder + "/figure-3.5.svg", speed_up(rows)) && write(folder + "/figure-3.6.svg", stage_shares(rows)) &&
+         write(folder + "/figure-3.5.svg", speed_up(rows)) &&
+         write(folder + "/figure-3.6.svg", stage_fractions(rows)) &&
          write(folder + "/figure-3.7.svg", convolution_plot(rows));
 }
 

@@ -50,9 +50,9 @@ std::vector<Region> read_all(const std::string& path, const std::string& label, 
     pairs.notes.push_back(label + ": left out: " + shapes.error().to_string());
     return regions;
   }
-  Mender mended(label, pairs);
+  Mender repaired(label, pairs);
   for (const NamedShape& shape : shapes.value()) {
-    std::optional<Region> region = mended(shape);
+    std::optional<Region> region = repaired(shape);
     if (region) regions.push_back(std::move(*region));
   }
   return regions;
@@ -64,7 +64,7 @@ std::optional<Region> real_shape(const std::string& data, const std::string& nam
   return std::move(regions[0]);
 }
 
-/// The same region turned by a quarter: (x, y) -> (-y, x). Exact.
+/// The same region rotated by a quarter: (x, y) -> (-y, x). Exact.
 Region turned(const Region& region) {
   RegionData data = region.data();
   const auto turn = [](Ring& ring) {

@@ -27,7 +27,7 @@ std::string escaped(std::string_view text) {
   return result;
 }
 
-/// The page that is being written and the place of the panel on it.
+/// The page that is being written and the position of the panel on it.
 class Sheet {
  public:
   Sheet(const PlotText& text, double low, double high, bool logarithmic)
@@ -53,9 +53,9 @@ class Sheet {
   double step() const { return panel_width() / std::max<double>(1, static_cast<double>(text_.positions.size())); }
   double x(std::size_t i) const { return kLeft + (static_cast<double>(i) + 0.5) * step(); }
   double y(double value) const {
-    const double share =
+    const double fraction =
         logarithmic_ ? std::log(value / low_) / std::log(high_ / low_) : (value - low_) / (high_ - low_);
-    return kTop + kPanel * (1 - share);
+    return kTop + kPanel * (1 - fraction);
   }
 
   void write(double x, double y, const std::string& words, const std::string& style = "") {
@@ -150,7 +150,7 @@ std::string draw_dots(const PlotText& text, const std::vector<Series>& series, c
   return sheet.finish();
 }
 
-std::string draw_shares(const PlotText& text, const std::vector<Series>& series) {
+std::string draw_fractions(const PlotText& text, const std::vector<Series>& series) {
   Sheet sheet(text, 0, 1, false);
   for (const double value : {0.0, 0.2, 0.4, 0.6, 0.8, 1.0}) sheet.tick(value);
   for (std::size_t i = 0; i < text.positions.size(); ++i) {

@@ -29,7 +29,7 @@ struct Mark {
 std::string draw_dots(const PlotText& text, const std::vector<Series>& series, const std::vector<Mark>& marks = {});
 
 /// Bars over positions, each stacked to 1 of the series' shares.
-std::string draw_shares(const PlotText& text, const std::vector<Series>& series);
+std::string draw_fractions(const PlotText& text, const std::vector<Series>& series);
 
 /// Colours that stay apart for the colour-blind (Okabe and Ito).
 std::string colour(std::size_t index);

@@ -15,7 +15,7 @@ namespace {
 
 struct Scaling {
   using Sum = ScalingSum;
-  using Place = Scale;
+  using Position = Scale;
   ScalingSum from_scratch;
 
   Scaling(const Region& p, const Region& q) : from_scratch(rebuilding(p, q)) {}
@@ -32,7 +32,7 @@ struct Scaling {
 
 struct Turning {
   using Sum = RotatingSum;
-  using Place = Orientation;
+  using Position = Orientation;
   Region p, q;
   PlanarSum at(const Orientation& theta) const { return rotated_sum(p, q, theta).value(); }
 };
@@ -40,14 +40,14 @@ struct Turning {
 /// Making the sum, and all frames.
 template <class Motion>
 OffGridCase sweep_case(const std::string& name, const Region& p, const Region& q,
-                       const std::vector<typename Motion::Place>& places) {
-  return off_grid_case(name, p, q, [places](const Region& a, const Region& b) {
+                       const std::vector<typename Motion::Position>& positions) {
+  return off_grid_case(name, p, q, [positions](const Region& a, const Region& b) {
     OffGridWork work;
     work.run = [=] {
       auto sum = Motion::Sum::create(a, b, MovingOptions{}).value();
       std::size_t vertices = 0;
-      for (const auto& place : places) {
-        sum.set(place).value();
+      for (const auto& position : positions) {
+        sum.set(position).value();
         vertices += sum.sum().vertex_count();
       }
       return vertices;
@@ -57,10 +57,10 @@ OffGridCase sweep_case(const std::string& name, const Region& p, const Region& q
       Motion motion(a, b);
       std::size_t different = 0;
       double ms = 0;
-      for (const auto& place : places) {
-        sum.set(place).value();
+      for (const auto& position : positions) {
+        sum.set(position).value();
         const double start = cpu_ms();
-        const PlanarSum answer = motion.at(place);
+        const PlanarSum answer = motion.at(position);
         ms += cpu_ms() - start;
         different += !(answer == sum.sum());
       }

@@ -1,5 +1,5 @@
-// A sum that follows a motion from its first frame to its last and back, beside static sums at the same places: what a
-// user waits for, windows and the making of the sum included.
+// A sum that follows a motion from its first frame to its last and back, beside static sums at the same positions: what
+// a user waits for, windows and the making of the sum included.
 #pragma once
 
 #include <cstdint>
@@ -18,9 +18,9 @@ namespace dymsum::bench {
 struct SweepRow {
   std::string name, coordinates, steps;
   std::uint64_t vertices = 0;  ///< of the largest frame compared
-  /// At every place: the sum from scratch at the exact place, of operands that have been summed before.
+  /// At every position: the sum from scratch at the exact position, of operands that have been summed before.
   std::vector<double> statics;
-  /// At some of the places. `fresh`: both regions made from points, with all checks, and one sum; a scaled operand's
+  /// At some of the positions. `fresh`: both regions made from points, with all checks, and one sum; a scaled operand's
   /// points are rounded to doubles. `rounded` (scaling only): these regions summed a second time.
   Spread fresh, rounded;
   std::vector<double> there, back;                         ///< of each frame; the first one holds the making of the sum

@@ -57,13 +57,13 @@ std::string ms(double v) { return v > 0 ? fixed(v, v < 1 ? 3 : 2) : "-"; }
 
 enum class Way { there, back };
 
-/// Frames of any number of rounds, each in static sums at its place.
+/// Frames of any number of rounds, each in static sums at its position.
 std::vector<double> waits(const SweepRow& r, const std::vector<double>& frames, Way way) {
   std::vector<double> all;
-  const std::size_t places = r.statics.size();
+  const std::size_t positions = r.statics.size();
   for (std::size_t i = 0; i < frames.size(); ++i) {
-    const std::size_t place = way == Way::there ? i % places : places - 2 - i % (places - 1);
-    all.push_back(frames[i] / std::max(r.statics[place], 1e-6));
+    const std::size_t position = way == Way::there ? i % positions : positions - 2 - i % (positions - 1);
+    all.push_back(frames[i] / std::max(r.statics[position], 1e-6));
   }
   return all;
 }
@@ -108,16 +108,16 @@ std::vector<std::pair<std::string, ScalingPair>> named_pairs(Report& report, con
   return named;
 }
 
-template <class Places>
+template <class Positions>
 void table(Report& report, const std::vector<std::pair<std::string, ScalingPair>>& pairs, const Wanted& wanted,
-           const std::string& steps, const Places& places, std::vector<SweepRow>& rows) {
+           const std::string& steps, const Positions& positions, std::vector<SweepRow>& rows) {
   heading(report);
   for (const auto& [coordinates, pair] : pairs) {
     if (!wanted(pair)) continue;
     SweepPlan plan;
     plan.coordinates = coordinates;
     plan.steps = steps;
-    rows.push_back(measure_sweep(pair, places, plan));
+    rows.push_back(measure_sweep(pair, positions, plan));
     line(report, rows.back());
   }
 }
@@ -189,8 +189,8 @@ void sweep_promises(Report& report, const std::vector<SweepRow>& scaling, const 
     compared += r.compared;
     different += r.different;
     const Spread statics = spread(r.statics);
-    const double share = statics.mean / spread(r.back).mean / (statics.median / spread(r.there).median);
-    if (r.steps != kScattered && (slowest == nullptr || share < back)) slowest = &r, back = share;
+    const double fraction = statics.mean / spread(r.back).mean / (statics.median / spread(r.there).median);
+    if (r.steps != kScattered && (slowest == nullptr || fraction < back)) slowest = &r, back = fraction;
     if (r.two_there.size() + r.two_back.size() < 1000) continue;
     const double p99 = spread(two_thread_waits(r)).p99;
     if (late == nullptr || p99 > wait) late = &r, wait = p99;

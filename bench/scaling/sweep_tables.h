@@ -17,7 +17,7 @@ std::vector<SweepRow> turning_sweeps(Report& report, const std::string& data, Ki
 
 void sweep_promises(Report& report, const std::vector<SweepRow>& scaling, const std::vector<SweepRow>& turning);
 
-/// One line a row and pass: the time of every frame, and of the static sum at every place, in milliseconds.
+/// One line a row and pass: the time of every frame, and of the static sum at every position, in milliseconds.
 std::string sweep_csv(const std::vector<SweepRow>& rows);
 
 }  // namespace dymsum::bench

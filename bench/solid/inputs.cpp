@@ -74,10 +74,10 @@ MeshData cells(int nx, int ny, int nz, const std::function<bool(int, int, int)>&
   MeshData mesh;
   std::map<std::array<int, 3>, std::uint32_t> index;
   const auto vertex = [&](const std::array<int, 3>& at) {
-    const auto [place, added] = index.emplace(at, static_cast<std::uint32_t>(mesh.vertices.size()));
+    const auto [position, added] = index.emplace(at, static_cast<std::uint32_t>(mesh.vertices.size()));
     if (added)
       mesh.vertices.push_back({static_cast<double>(at[0]), static_cast<double>(at[1]), static_cast<double>(at[2])});
-    return place->second;
+    return position->second;
   };
   const auto filled = [&](const std::array<int, 3>& c) {
     return c[0] >= 0 && c[0] < nx && c[1] >= 0 && c[1] < ny && c[2] >= 0 && c[2] < nz && solid(c[0], c[1], c[2]);

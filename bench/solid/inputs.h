@@ -25,7 +25,7 @@ MeshData turned(const MeshData& mesh, double x, double y, double z, Snapping = S
 MeshData grate(int bars);
 /// A back along y with teeth along x or z.
 MeshData comb(int teeth, bool upright);
-/// A wheel of two units of height with so many teeth, its middle in the origin.
+/// A wheel of two units of height with so many teeth, its centre at the origin.
 MeshData gear(int teeth, double radius);
 MeshData ell();              ///< a cube of size 10 without a corner of 6 x 6 x 10
 MeshData tunnel();           ///< a cube of size 10 about the origin with a tunnel of 2 x 2 along x

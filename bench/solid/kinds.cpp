@@ -28,7 +28,7 @@ OffGridCase sum_case(const SolidPair& pair, bool by_brute) {
           compared.wrong = !(sum == sum_of(p, q, SpatialEngine::fast, 2)) ||
                            (by_brute && !(sum == sum_of(p, q, SpatialEngine::brute, 1)));
           compared.verdict = compared.wrong ? "DIFFERENT" : by_brute ? "equal" : "equal (threads)";
-          const RivalAnswer manifold = ask_manifold({pair.name, "", p.data(), q.data()}, true, kLimitSeconds);
+          const RivalAnswer manifold = query_manifold({pair.name, "", p.data(), q.data()}, true, kLimitSeconds);
           if (!manifold.finished) return compared;
           compared.rival_ms = manifold.median_ms;
           const double volume = sum.volume();

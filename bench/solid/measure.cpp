@@ -59,7 +59,7 @@ RivalAnswer measured_memory(const Mesh& p, const Mesh& q) {
 /// Of a valid mesh.
 MeshData triangles_of(const MeshData& data) { return triangulated(Mesh::create(data).value()).mesh.data(); }
 
-RivalAnswer ask_cgal(const SolidPair& pair, double limit_s) {
+RivalAnswer query_cgal(const SolidPair& pair, double limit_s) {
   return in_child(
       [&] {
         RivalAnswer answer;
@@ -74,16 +74,16 @@ RivalAnswer ask_cgal(const SolidPair& pair, double limit_s) {
 
 }  // namespace
 
-RivalAnswer ask_manifold(const SolidPair& pair, bool guard, double limit_s) {
+RivalAnswer query_manifold(const SolidPair& pair, bool guard, double limit_s) {
   RivalAnswer answer;
   if (!has_python()) {
     answer.why_not = "no manifold3d";
     return answer;
   }
-  std::istringstream words(ask_python("manifold_sum.py",
-                                      {{"p.off", format_mesh(triangles_of(pair.p), MeshFormat::off)},
-                                       {"q.off", format_mesh(triangles_of(pair.q), MeshFormat::off)}},
-                                      guard ? "--guard" : "", limit_s));
+  std::istringstream words(query_python("manifold_sum.py",
+                                        {{"p.off", format_mesh(triangles_of(pair.p), MeshFormat::off)},
+                                         {"q.off", format_mesh(triangles_of(pair.q), MeshFormat::off)}},
+                                        guard ? "--guard" : "", limit_s));
   if (words >> answer.median_ms >> answer.area >> answer.outer) {
     answer.finished = true, answer.runs = 1, answer.min_ms = answer.median_ms;
   } else {
@@ -149,9 +149,9 @@ SolidRow measure_pair(const SolidPair& pair, const SolidProtocol& protocol) {
   if (!row.ours.wrong.empty()) return row;
   row.p_triangles = triangles_of(pair.p).faces.size(), row.q_triangles = triangles_of(pair.q).faces.size();
   if (protocol.limit_s > 0) {
-    row.cgal = ask_cgal(pair, protocol.limit_s);
-    row.manifold = ask_manifold(pair, true, protocol.limit_s);
-    row.unguarded = ask_manifold(pair, false, protocol.limit_s);
+    row.cgal = query_cgal(pair, protocol.limit_s);
+    row.manifold = query_manifold(pair, true, protocol.limit_s);
+    row.unguarded = query_manifold(pair, false, protocol.limit_s);
   }
   return row;
 }

@@ -36,7 +36,7 @@ struct SolidProtocol {
 };
 
 /// Manifold's sum through Python; `guard`: with both operands moved until the origin lies inside.
-RivalAnswer ask_manifold(const SolidPair& pair, bool guard, double limit_s);
+RivalAnswer query_manifold(const SolidPair& pair, bool guard, double limit_s);
 Ours measure_ours(const SolidPair& pair, double budget_ms);
 SolidRow measure_pair(const SolidPair& pair, const SolidProtocol& protocol);
 

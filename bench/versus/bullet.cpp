@@ -21,10 +21,10 @@ std::unique_ptr<btConvexHullShape> hull_of(const Mesh& mesh) {
 }
 
 btTransform moved_to(Point3 at) {
-  btTransform place;
-  place.setIdentity();
-  place.setOrigin(btVector3(at.x, at.y, at.z));
-  return place;
+  btTransform position;
+  position.setIdentity();
+  position.setOrigin(btVector3(at.x, at.y, at.z));
+  return position;
 }
 
 std::unique_ptr<btTriangleMesh> triangles_of(const MeshData& mesh) {

@@ -106,7 +106,7 @@ RivalAnswer failed(const std::string& why) {
   return answer;
 }
 
-RivalAnswer ask(Clipper which, const RegionData& p, const RegionData& q, const Repeats& repeats) {
+RivalAnswer query(Clipper which, const RegionData& p, const RegionData& q, const Repeats& repeats) {
   if (!p.parts.at(0).holes.empty() || !q.parts.at(0).holes.empty()) return failed("cannot take holes");
   try {
     if (which == Clipper::six) return answer_of<Six>(p, q, repeats);
@@ -124,7 +124,7 @@ RivalAnswer ask(Clipper which, const RegionData& p, const RegionData& q, const R
 
 RivalAnswer clipper_sum_in_child(Clipper which, const RegionData& p, const RegionData& q, const Repeats& repeats,
                                  double limit_s) {
-  return in_child([&] { return ask(which, p, q, repeats); }, limit_s);
+  return in_child([&] { return query(which, p, q, repeats); }, limit_s);
 }
 
 }  // namespace dymsum::bench

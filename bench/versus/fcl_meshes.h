@@ -8,7 +8,7 @@ namespace dymsum::bench {
 struct MeshAnswer {
   double signed_distance = 0;  ///< of fcl::distance with enable_signed_distance; below 0 inside
   double deepest = 0;          ///< the largest depth of a contact of fcl::collide
-  std::size_t contacts = 0;    ///< at most 1000 are asked for
+  std::size_t contacts = 0;    ///< at most 1000 are requested
   double us = 0;               ///< of both
 };
 

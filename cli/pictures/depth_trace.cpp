@@ -35,8 +35,8 @@ struct TracePanel {
 /// Round numbers about a fifth of the range apart.
 double tick_of(double range) {
   const double rough = range / 5, power = std::pow(10, std::floor(std::log10(rough)));
-  const double share = rough / power;
-  return power * (share < 1.5 ? 1 : share < 3.5 ? 2 : share < 7.5 ? 5 : 10);
+  const double fraction = rough / power;
+  return power * (fraction < 1.5 ? 1 : fraction < 3.5 ? 2 : fraction < 7.5 ? 5 : 10);
 }
 
 void draw_axes(std::ostringstream& out, const TracePanel& panel, const std::string& name) {

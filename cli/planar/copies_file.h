@@ -9,7 +9,7 @@
 namespace dymsum::cli {
 
 /// One line `scale x y` per copy: the master shape multiplied by an exact scale about the origin of its coordinates,
-/// then moved to (x, y). Empty lines and everything behind # are skipped. Stops with bad input, with file and line, for
+/// then moved to (x, y). Empty lines and everything after # are skipped. Stops with bad input, with file and line, for
 /// anything else, and for a file without copies.
 std::vector<ScaledCopy> read_copies(const std::string& file);
 

@@ -67,7 +67,7 @@ std::string digits(double v) {
   return {text.data(), static_cast<std::size_t>(std::snprintf(text.data(), text.size(), "%.6g", v))};
 }
 
-/// A Stop where single precision, in which a GLB file holds coordinates, does not tell the sides of the mesh apart.
+/// A Stop where single precision, in which a GLB file holds coordinates, does not distinguish the sides of the mesh.
 void require_singles(const MeshData& data) {
   for (double Point3::*const axis : {&Point3::x, &Point3::y, &Point3::z}) {
     const auto less = [&](const Point3& a, const Point3& b) { return a.*axis < b.*axis; };

@@ -34,7 +34,7 @@ double extent(const RegionData& data, Point from) {
 
 }  // namespace
 
-void tell_open_ends(const RegionData& data, const std::string& file) {
+void report_open_ends(const RegionData& data, const std::string& file) {
   if (!data.parts.empty()) return;
   const std::vector<Point> ends = open_ends(data);
   const double most = ends.empty() ? 0 : kNear * extent(data, ends.front());

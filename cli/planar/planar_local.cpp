@@ -14,24 +14,24 @@
 namespace dymsum::cli {
 namespace {
 
-struct PlanarPlace {
+struct PlanarPosition {
   PlanarBox box;
   std::optional<PlanarDisc> disc;
 };
 
-PlanarPlace place_of(const PlanarLocal& local) {
-  PlanarPlace place;
+PlanarPosition position_of(const PlanarLocal& local) {
+  PlanarPosition position;
   if (local.disc.empty()) {
     const std::vector<double> v = numbers_of(local.box, 4, "--box wants two corners X,Y,X,Y");
     if (!(v[0] < v[2] && v[1] < v[3]))
       throw Stop(kUsage, "--box wants the lower corner first, and an extent along both axes");
-    place.box = {{v[0], v[1]}, {v[2], v[3]}};
-    return place;
+    position.box = {{v[0], v[1]}, {v[2], v[3]}};
+    return position;
   }
   const std::vector<double> v = numbers_of(local.disc, 3, "--disc wants a place and a radius X,Y,R");
   if (!(v[2] > 0)) throw Stop(kUsage, "--disc wants a positive radius");
-  place.disc = PlanarDisc{{v[0], v[1]}, v[2]};
-  return place;
+  position.disc = PlanarDisc{{v[0], v[1]}, v[2]};
+  return position;
 }
 
 const char* name_of(PlanarLocalPart::Where where) {
@@ -88,19 +88,19 @@ std::string part_output(const PlanarLocal& local, const PlanarLocalPart& part, c
   return exact_part_json(part).dump(1) + "\n";
 }
 
-PlanarLocalPart compute(const PlanarLocal& local, const PlanarPlace& place, const std::vector<Input>& inputs,
+PlanarLocalPart compute(const PlanarLocal& local, const PlanarPosition& position, const std::vector<Input>& inputs,
                         const PlanarPose& pose, const Progress& progress) {
   PlanarLocalOptions options;
   options.engine = local.engine, options.progress = progress;
   options.memory = memory_bytes(local.memory_mb);
   PlanarLocalSum sum = require_of(inputs, PlanarLocalSum::create(inputs[0].region, inputs[1].region, options));
-  return require_of(inputs, place.disc ? sum.in(*place.disc, pose) : sum.in(place.box, pose));
+  return require_of(inputs, position.disc ? sum.in(*position.disc, pose) : sum.in(position.box, pose));
 }
 
 }  // namespace
 
 ExitCode run_planar_local(const PlanarLocal& local) {
-  const PlanarPlace place = place_of(local);
+  const PlanarPosition position = position_of(local);
   PlanarPose pose;
   if (local.angle.given())
     pose.rotation = require_option(Orientation::nearest(read_angle(local.angle).radians()), "--angle");
@@ -112,7 +112,7 @@ ExitCode run_planar_local(const PlanarLocal& local) {
   const InterruptGuard guard;
   std::optional<ProgressBar> bar(std::in_place);
   const auto [part, timing] =
-      timed(local.report.repeat, [&] { return compute(local, place, inputs, pose, bar->callback()); });
+      timed(local.report.repeat, [&] { return compute(local, position, inputs, pose, bar->callback()); });
   bar.reset();
   std::vector<std::string> texts;
   for (const std::string& file : local.files) texts.push_back(part_output(local, part, file));

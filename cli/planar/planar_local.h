@@ -1,4 +1,4 @@
-// Sums of regions near a place: what local-sum does with planar operands.
+// Sums of regions near a position: what local-sum does with planar operands.
 #pragma once
 
 #include <string>

@@ -17,10 +17,10 @@
 
 namespace dymsum::cli {
 
-/// A frame to be made. `Place` is what the sum moves to.
-template <class Place>
+/// A frame to be made. `Position` is what the sum moves to.
+template <class Position>
 struct PlanarFrame {
-  Place place;
+  Position position;
   FrameName name;
   std::string caption;  ///< of its picture
 };
@@ -57,9 +57,9 @@ struct PlanarMotion {
   std::vector<PicturedFrame> pictures;
 };
 
-/// Makes the frames `report.repeat` times. `make` returns a fresh sum, `move(sum, place)` moves it.
-template <class Sum, class Place, class Make, class Move>
-PlanarMotion<Sum> run_planar_motion(const std::vector<PlanarFrame<Place>>& frames, const ReportOptions& report,
+/// Makes the frames `report.repeat` times. `make` returns a fresh sum, `move(sum, position)` moves it.
+template <class Sum, class Position, class Make, class Move>
+PlanarMotion<Sum> run_planar_motion(const std::vector<PlanarFrame<Position>>& frames, const ReportOptions& report,
                                     const std::vector<std::string>& files, const Progress& progress, Make&& make,
                                     Move&& move) {
   PlanarMotion<Sum> motion;
@@ -68,7 +68,7 @@ PlanarMotion<Sum> run_planar_motion(const std::vector<PlanarFrame<Place>>& frame
     motion.sum = make();
     for (std::size_t i = 0; i < frames.size(); ++i) {
       if (!progress("frames", double(i) / double(frames.size()))) throw_if_interrupted();
-      move(*motion.sum, frames[i].place);
+      move(*motion.sum, frames[i].position);
       const FrameWork& work = motion.sum->work();
       motion.ms.push_back(work.ms);
       motion.tier = std::max(motion.tier, motion.sum->sum().stats.tier_bits);
@@ -83,23 +83,24 @@ PlanarMotion<Sum> run_planar_motion(const std::vector<PlanarFrame<Place>>& frame
 }
 
 /// The median of fresh computations at a few of the frames. `make` returns a fresh sum that computes every frame from
-/// scratch, `move(sum, place)` moves it there unless that is where it was made.
-template <class Place, class Make, class Move>
-double planar_static_ms(const std::vector<PlanarFrame<Place>>& frames, std::size_t repeat, Make&& make, Move&& move) {
+/// scratch, `move(sum, position)` moves it there unless that is where it was made.
+template <class Position, class Make, class Move>
+double planar_static_ms(const std::vector<PlanarFrame<Position>>& frames, std::size_t repeat, Make&& make,
+                        Move&& move) {
   std::vector<double> ms;
   for (const std::size_t i : {std::size_t{0}, frames.size() / 3, frames.size() / 2, frames.size() - 1})
     for (std::size_t k = 0; k < repeat; ++k) {
       auto fresh = make();
-      move(fresh, frames[i].place);
+      move(fresh, frames[i].position);
       ms.push_back(fresh.work().ms);
     }
   return timing_of(ms).median_ms;
 }
 
 /// What all planar motions report alike.
-template <class Sum, class Place>
+template <class Sum, class Position>
 MotionReport planar_motion_report(const std::string& verb, const std::vector<Input>& inputs, std::size_t repeats,
-                                  const std::vector<PlanarFrame<Place>>& frames, PlanarMotion<Sum>&& motion) {
+                                  const std::vector<PlanarFrame<Position>>& frames, PlanarMotion<Sum>&& motion) {
   MotionReport report;
   report.verb = verb;
   for (const Input& input : inputs) report.files.push_back(input.file);

@@ -10,7 +10,7 @@
 namespace dymsum::cli {
 namespace {
 
-std::vector<PlanarFrame<Orientation>> frames_of(const PlanarTurn& turn) {
+std::vector<PlanarFrame<Orientation>> frames_of(const PlanarRotation& turn) {
   std::vector<PlanarFrame<Orientation>> frames;
   for (const Angle& angle : turn.angles) {
     const Orientation theta = require_option(Orientation::nearest(angle.radians(), turn.error), "--error");
@@ -19,7 +19,7 @@ std::vector<PlanarFrame<Orientation>> frames_of(const PlanarTurn& turn) {
   return frames;
 }
 
-RotatingSum rotating_sum(const PlanarTurn& turn, const std::vector<Input>& inputs, FrameMode mode) {
+RotatingSum rotating_sum(const PlanarRotation& turn, const std::vector<Input>& inputs, FrameMode mode) {
   MovingOptions options;
   options.semantics = turn.semantics == "open"      ? Semantics::open
                       : turn.semantics == "regular" ? Semantics::regular
@@ -37,7 +37,7 @@ void turn_to(RotatingSum& sum, const Orientation& theta) {
 
 }  // namespace
 
-ExitCode run_planar_turn(const PlanarTurn& turn) {
+ExitCode run_planar_rotation(const PlanarRotation& turn) {
   check_frame_pictures(turn.files);
   const std::vector<PlanarFrame<Orientation>> frames = frames_of(turn);
   const std::vector<Input> inputs = read_inputs(turn.operands, turn.input);
@@ -53,7 +53,7 @@ ExitCode run_planar_turn(const PlanarTurn& turn) {
   write_frame_pictures(turn.files, motion.pictures);
   MotionReport report = planar_motion_report("rotate", inputs, turn.report.repeat, frames, std::move(motion));
   report.static_ms = static_ms;
-  report.asked = {{"semantics", turn.semantics}, {"angle_error", turn.error}};
+  report.requested = {{"semantics", turn.semantics}, {"angle_error", turn.error}};
   std::ostringstream note;
   note << ", each exact at an orientation within " << turn.error << " of its angle";
   report.note = note.str();

@@ -9,7 +9,7 @@
 
 namespace dymsum::cli {
 
-struct PlanarTurn {
+struct PlanarRotation {
   std::vector<std::string> operands{"", ""}, files;
   std::vector<Angle> angles;  ///< of the frames
   double error = 1e-6;        ///< in radians: the simplest exact orientation within it is taken
@@ -21,6 +21,6 @@ struct PlanarTurn {
 };
 
 /// Computes the frames, writes pictures and reports.
-ExitCode run_planar_turn(const PlanarTurn& turn);
+ExitCode run_planar_rotation(const PlanarRotation& turn);
 
 }  // namespace dymsum::cli

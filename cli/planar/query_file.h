@@ -1,4 +1,4 @@
-// Places and configurations that questions are asked at, one by one or as a file.
+// Positions and configurations that questions are asked at, one by one or as a file.
 #pragma once
 
 #include <cstdint>

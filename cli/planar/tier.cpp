@@ -47,7 +47,7 @@ class Deciding {
   Point low_x_, high_x_, low_y_, high_y_, fine_x_, fine_y_;
 };
 
-/// Points that ask for the same tier as the region.
+/// Points that request the same tier as the region.
 Region deciding_points(const Region& region) {
   Deciding deciding;
   const auto see = [&](const std::vector<Point>& points) {

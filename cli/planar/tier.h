@@ -1,4 +1,4 @@
-// The number tier that the coordinates of a region or a mesh alone ask for.
+// The number tier that the coordinates of a region or a mesh alone request.
 #pragma once
 
 #include "dymsum/mesh.h"

@@ -37,16 +37,16 @@ std::optional<Region> enlarged(const Region& region, const Rational& times) {
 
 }  // namespace
 
-Rational times_for(const std::vector<RationalPoint>& places) {
+Rational times_for(const std::vector<RationalPoint>& positions) {
   Rational times = 1;
-  for (const RationalPoint& place : places)
-    for (const Rational* c : {&place.x, &place.y}) {
+  for (const RationalPoint& position : positions)
+    for (const Rational* c : {&position.x, &position.y}) {
       Rational odd = require(Rational::parse((*c * times).denominator()));
       for (Rational half = odd / 2; half.is_integer(); half = odd / 2) odd = half;
       times *= odd;
     }
-  for (const RationalPoint& place : places)
-    for (const Rational* c : {&place.x, &place.y})
+  for (const RationalPoint& position : positions)
+    for (const Rational* c : {&position.x, &position.y})
       if (!double_of(*c * times))
         throw Stop(kBadInput, "a place: " + c->to_string() + " times " + times.numerator() +
                                   ", the common denominator of all places, is no double");
@@ -65,8 +65,8 @@ void enlarge(ObstacleSource& source, const Rational& times) {
   }
 }
 
-Point enlarged(const RationalPoint& place, const Rational& times) {
-  return {(place.x * times).to_double(), (place.y * times).to_double()};
+Point enlarged(const RationalPoint& position, const Rational& times) {
+  return {(position.x * times).to_double(), (position.y * times).to_double()};
 }
 
 }  // namespace dymsum::cli

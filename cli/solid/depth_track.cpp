@@ -78,9 +78,9 @@ std::vector<DepthRow> track_rows(const std::vector<SolidInput>& inputs, const st
   options.smoothing_length = track.smoothing, options.inflation = track.inflation, options.threads = 0;
   std::size_t done = 0;
   ProgressBar bar;
-  const Progress told = bar.callback();
+  const Progress reported = bar.callback();
   options.progress = [&](std::string_view, double) {
-    return told("depth", static_cast<double>(done) / static_cast<double>(poses.size()));
+    return reported("depth", static_cast<double>(done) / static_cast<double>(poses.size()));
   };
   Result<ContinuousDepth> made = ContinuousDepth::create(inputs[0].mesh, inputs[1].mesh, options);
   if (!made) stop_with(in_solid_operand(made.error(), inputs));

@@ -17,7 +17,7 @@ struct TrackOptions {
   double inflation = 2;
 };
 
-/// Poses x,y,z or x,y,z,w,x,y,z (a place and a quaternion) of Q, one a line; a row for each.
+/// Poses x,y,z or x,y,z,w,x,y,z (a position and a quaternion) of Q, one a line; a row for each.
 ExitCode run_track(const std::vector<std::string>& operands, const TrackOptions& track, const ReportOptions& report,
                    const InputOptions& input);
 

@@ -88,7 +88,7 @@ class Bends {
 
 }  // namespace
 
-void tell_nearly_convex(const SolidInput& input) {
+void report_nearly_convex(const SolidInput& input) {
   const Mesh& mesh = input.mesh;
   if (mesh.shell_count() != 1 || mesh.has_thin_parts() || !convexity_error(mesh)) return;
   const std::array<double, 6> box = bounds(mesh);

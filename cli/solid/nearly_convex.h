@@ -7,6 +7,6 @@ namespace dymsum::cli {
 
 /// Says on standard error of a solid that only edges keep from being convex which are reflex by no more than rounding
 /// that --hull takes its convex hull.
-void tell_nearly_convex(const SolidInput& input);
+void report_nearly_convex(const SolidInput& input);
 
 }  // namespace dymsum::cli

@@ -15,7 +15,7 @@ namespace dymsum::cli {
 
 namespace {
 
-/// The first word of a text behind comments, in small letters.
+/// The first word of a text after comments, in small letters.
 std::string first_word(std::string_view text) {
   const auto skip = [&](std::size_t length) { text.remove_prefix(std::min(length, text.size())); };
   const auto skip_blanks = [&] { skip(text.find_first_not_of(" \t\r\n\f\v")); };
@@ -60,13 +60,13 @@ Error with_remedy(Error error, const MeshData& data, const InputOptions& options
     error.message = "the file holds vertices and no faces (--hull takes the convex hull of points)";
     return error;
   }
-  const Result<RepairedMesh> mended = repaired_for_a_hint(data, options);
-  if (mended && !mended->mesh.empty() && options.offers_repair) {
-    error.message += remedy(mended->report.to_string());
+  const Result<RepairedMesh> after_repair = repaired_for_a_hint(data, options);
+  if (after_repair && !after_repair->mesh.empty() && options.offers_repair) {
+    error.message += remedy(after_repair->report.to_string());
     return error;
   }
-  // What is left when all else is mended.
-  const ErrorCode code = mended ? error.code : mended.error().code;
+  // What is left when all else is repaired.
+  const ErrorCode code = after_repair ? error.code : after_repair.error().code;
   const bool thin =
       code == ErrorCode::not_closed || code == ErrorCode::not_manifold || error.code == ErrorCode::too_few_vertices;
   if (!thin || !options.offers_thin || options.thin) return error;
@@ -76,7 +76,7 @@ Error with_remedy(Error error, const MeshData& data, const InputOptions& options
 }
 
 /// What repair did, also where that leaves nothing.
-void tell(const MeshRepairReport& report, const Mesh& mesh, const std::string& file) {
+void announce(const MeshRepairReport& report, const Mesh& mesh, const std::string& file) {
   if (!report.changed() && !mesh.empty()) return;
   std::cerr << file << ": " << (report.changed() ? "repaired: " : "") << report.to_string()
             << (mesh.empty() ? "; it holds no face with an area, and is taken as the empty solid" : "") << "\n";
@@ -142,10 +142,10 @@ Result<SolidInput> make_solid(MeshData data, const std::string& file, const Inpu
     if (!mesh) return in_file(with_remedy(mesh.error(), data, options));
     return SolidInput{file, std::move(mesh).value()};
   }
-  Result<RepairedMesh> mended = repaired(std::move(data), options);
-  if (!mended) return in_file(mended.error());
-  if (!options.quiet) tell(mended->report, mended->mesh, shown_file(file));
-  return SolidInput{file, std::move(mended).value().mesh};
+  Result<RepairedMesh> after_repair = repaired(std::move(data), options);
+  if (!after_repair) return in_file(after_repair.error());
+  if (!options.quiet) announce(after_repair->report, after_repair->mesh, shown_file(file));
+  return SolidInput{file, std::move(after_repair).value().mesh};
 }
 
 SolidInput read_solid(const std::string& file, const InputOptions& options) {

@@ -15,7 +15,7 @@ namespace dymsum::cli {
 struct SolidInput {
   std::string file;  ///< as it was written on the command line
   Mesh mesh;
-  std::optional<HullReport> hull = {};  ///< where --hull was asked for
+  std::optional<HullReport> hull = {};  ///< where --hull was requested
 };
 
 /// Stops with wrong usage for FILE#NAME where FILE is one of a solid.
@@ -31,7 +31,7 @@ std::optional<MeshFormat> mesh_format_of_input(const InputOptions& options);
 
 /// The lists of a file, or of standard input.
 Result<MeshData> read_mesh_data(const std::string& file, const InputOptions& options);
-/// Validates what was read from a file, or repairs it or takes its hull where asked.
+/// Validates what was read from a file, or repairs it or takes its hull where requested.
 Result<SolidInput> make_solid(MeshData data, const std::string& file, const InputOptions& options);
 /// The valid mesh of a file.
 SolidInput read_solid(const std::string& file, const InputOptions& options);

@@ -75,7 +75,7 @@ MotionReport report_of(const SolidMotion& motion, std::size_t repeats, Rounds&& 
   report.frame_count = motion.frames.size();
   report.ms = std::move(rounds.ms);
   report.static_ms = static_ms(*rounds.sum);
-  report.asked = motion.asked;
+  report.requested = motion.requested;
   report.note = motion.note;
   report.frames = std::move(rounds.frames);
   report.work = {{"changed", rounds.changed}, {"checked", rounds.checked}};

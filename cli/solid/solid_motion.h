@@ -20,7 +20,7 @@ struct SolidFrame {
   FrameName name;
 };
 
-/// Something that happens between frames, as a report tells it.
+/// Something that happens between frames, as a report says it.
 struct MotionEvent {
   double at = 0;  ///< the uniform scale or the angle in radians
   std::string line;
@@ -33,7 +33,7 @@ struct SolidMotion {
   std::vector<SolidInput> inputs;
   std::vector<SolidFrame> frames;
   std::vector<std::string> files;  ///< meshes of a frame
-  Json asked;                      ///< as MotionReport has it
+  Json requested;                  ///< as MotionReport has it
   std::string note;
   std::optional<std::size_t> shown;  ///< the frame that meshes are of; else the last one
   bool has_events = false;           ///< reports tell them

@@ -36,7 +36,7 @@ std::vector<SolidInput> read_solids(const std::vector<std::string>& files, const
   std::vector<SolidInput> inputs;
   for (const std::string& file : files) {
     inputs.push_back(read_solid(file, options));
-    if (!options.hull && !options.quiet) tell_nearly_convex(inputs.back());
+    if (!options.hull && !options.quiet) report_nearly_convex(inputs.back());
   }
   return inputs;
 }

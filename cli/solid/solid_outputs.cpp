@@ -51,7 +51,7 @@ std::vector<FaceColour> colours_of(const SpatialSum& sum, const SpatialSum::Roun
   return colours;
 }
 
-/// The convolution at its place, and the result to the right of it.
+/// The convolution at its position, and the result to the right of it.
 std::string stages_of(const SpatialSum& sum, const SpatialSum::Rounded& rounded, const SolidOutput& how) {
   std::vector<FaceColour> colours = colours_of(sum, rounded, how);
   MeshData all;
@@ -87,7 +87,7 @@ std::string picture_of(const SpatialSum& sum, const std::string& file, bool stag
   return format_glb(drawn.mesh, {colours, {}, &marks});
 }
 
-/// The faces that meet at a place, by number, for the places of a sum that was rounded.
+/// The faces that meet at a position, by number, for the positions of a sum that was rounded.
 class FacesAt {
  public:
   FacesAt(const SpatialSum& sum, Precision precision) {
@@ -254,11 +254,11 @@ Error in_solid_operand(Error error, const std::vector<SolidInput>& inputs) {
     return error;
   }
   if (!at.file.empty() || !at.vertex || !at.x || !at.y || !at.z) return error;
-  const Point3 place{*at.x, *at.y, *at.z}, reflected{-*at.x, -*at.y, -*at.z};
+  const Point3 position{*at.x, *at.y, *at.z}, reflected{-*at.x, -*at.y, -*at.z};
   const auto input = std::find_if(inputs.begin(), inputs.end(), [&](const SolidInput& one) {
     const auto k = static_cast<std::size_t>(*at.vertex);
     const std::vector<Point3>& vertices = one.mesh.vertices();
-    return k < vertices.size() && (vertices[k] == place || vertices[k] == reflected);
+    return k < vertices.size() && (vertices[k] == position || vertices[k] == reflected);
   });
   if (input == inputs.end()) return error;
   error.evidence.file = shown_file(input->file);

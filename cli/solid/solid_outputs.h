@@ -46,7 +46,7 @@ std::string solid_output(const SpatialSum& sum, const std::string& file, const S
 /// The mesh of these, in a format of meshes; `file` is what errors name. Says on standard error what was merged.
 WrittenSolid mesh_of_sum(const SpatialSum& sum, MeshFormat format, const std::string& file, const SolidOutput& how);
 
-/// Whether a file's name asks for the picture of the stages ("stages.glb", "x.stages.glb"): the convolution, cut along
+/// Whether a file's name requests the picture of the stages ("stages.glb", "x.stages.glb"): the convolution, cut along
 /// red lines, beside the result.
 bool is_stage_mesh(const std::string& file);
 /// What drawing the stages takes beside the sum, as a mesh and as a file.
@@ -63,7 +63,7 @@ inline constexpr const char* kDoubles = ".off, .obj, .ply and .3mf hold it";
 std::string mesh_text(const Mesh& mesh, MeshFormat format, const std::string& file,
                       const std::vector<FaceColour>& colours = {}, const std::string& instead = kDoubles);
 
-/// The error with the file of the operand that has the vertex it tells, or whose reflection has; where it tells
+/// The error with the file of the operand that has the vertex it names, or whose reflection has; where it says
 /// nothing, of the last one that is empty.
 Error in_solid_operand(Error error, const std::vector<SolidInput>& inputs);
 

@@ -50,7 +50,7 @@ void check_stage_memory(const SpatialSum& sum, std::uint64_t memory) {
 }
 
 /// Names the operand at fault; of limits of memory, which are of a sum, the verb that is made of sums.
-Error told(Error error, const SolidRun& run) {
+Error reported(Error error, const SolidRun& run) {
   const bool is_sum = run.verb == "sum" || run.verb == "nfp";
   if (error.code == ErrorCode::out_of_memory && !is_sum) error.message = "in this " + run.verb + ", " + error.message;
   return in_solid_operand(std::move(error), run.inputs);
@@ -90,7 +90,7 @@ ExitCode run_solid(const SolidRun& run, const std::function<Result<SolidOutcome>
   const auto [outcome, timing] = timed(run.report.repeat, [&] {
     Result<SolidOutcome> made = compute(options);
     throw_if_interrupted();
-    if (!made) stop_with(told(made.error(), run));
+    if (!made) stop_with(reported(made.error(), run));
     return *std::move(made);
   });
   bar.reset();

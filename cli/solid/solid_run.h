@@ -9,7 +9,7 @@
 
 namespace dymsum::cli {
 
-/// What such a verb is asked for.
+/// What such a verb is requested.
 struct SolidRun {
   std::string verb, engine = "fast";
   std::vector<SolidInput> inputs;

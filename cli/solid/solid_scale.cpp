@@ -10,7 +10,7 @@
 namespace dymsum::cli {
 namespace {
 
-/// Those between the least and the largest uniform scale of the frames, or the first that is asked for.
+/// Those between the least and the largest uniform scale of the frames, or the first that is requested.
 std::vector<ScaleEvent> events_of(const SolidMotion& motion, const ScaleCommand& command,
                                   const std::vector<Scale>& scales) {
   const auto [low, high] = std::minmax_element(scales.begin(), scales.end(),
@@ -63,7 +63,7 @@ ExitCode run_solid_scale(const ScaleCommand& command, const std::vector<Scale>& 
   for (const Scale& s : sweep) add({s});
   for (const std::string& text : listed(command.at)) add(scales_in(text));
   if (command.robot) motion.inputs[1].mesh = negated(motion.inputs[1].mesh);
-  motion.asked = {{"scaled", command.scaled}, {"robot", command.robot}};
+  motion.requested = {{"scaled", command.scaled}, {"robot", command.robot}};
   const bool is_uniform = uniform.size() == motion.frames.size();
   if (command.events && !is_uniform) throw Stop(kUsage, "--events wants the same scale along all axes");
   motion.has_events = command.events;

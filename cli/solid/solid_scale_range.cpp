@@ -18,15 +18,15 @@
 namespace dymsum::cli {
 namespace {
 
-std::vector<RationalPoint3> places_in(const std::string& text, const std::string& option) {
-  std::vector<RationalPoint3> places;
+std::vector<RationalPoint3> positions_in(const std::string& text, const std::string& option) {
+  std::vector<RationalPoint3> positions;
   std::istringstream words(text);
   for (std::string word; words >> word;) {
-    const std::optional<RationalPoint3> at = exact_place_in_space(word);
+    const std::optional<RationalPoint3> at = exact_position_in_space(word);
     if (!at) throw Stop(kUsage, option + " wants x,y,z, each a number or a fraction 1/3, not '" + word + "'");
-    places.push_back(*at);
+    positions.push_back(*at);
   }
-  return places;
+  return positions;
 }
 
 Json feature_json(const SolidFeature& f) {
@@ -89,19 +89,19 @@ void print_range_text(const SolidScaleRange& range, bool on_path) {
 }  // namespace
 
 ExitCode run_solid_scale_range(const RangeCommand& command) {
-  const std::vector<RationalPoint3> path = places_in(command.path, "--path");
-  const std::vector<RationalPoint3> place = places_in(command.place, "--place");
+  const std::vector<RationalPoint3> path = positions_in(command.path, "--path");
+  const std::vector<RationalPoint3> position = positions_in(command.position, "--place");
   if (!command.inside && path.empty()) throw Stop(kUsage, "--path wants a waypoint: \"x,y,z x,y,z ...\"");
-  if (place.size() > 1) throw Stop(kUsage, "--place wants one translation, x,y,z");
+  if (position.size() > 1) throw Stop(kUsage, "--place wants one translation, x,y,z");
   const std::vector<SolidInput> inputs = read_solids(command.operands, command.input);
   const Mesh &part = inputs[0].mesh, &other = inputs[1].mesh;
   const InterruptGuard guard;
   std::optional<ProgressBar> bar(std::in_place);
   const Progress progress = bar->callback();
   const auto compute = [&] {
-    Result<SolidScaleRange> range = !command.inside ? solid_scale_range(part, std::span(path), other, progress)
-                                    : place.empty() ? solid_fit_range(part, other, progress)
-                                                    : solid_fit_range(part, other, place[0], progress);
+    Result<SolidScaleRange> range = !command.inside    ? solid_scale_range(part, std::span(path), other, progress)
+                                    : position.empty() ? solid_fit_range(part, other, progress)
+                                                       : solid_fit_range(part, other, position[0], progress);
     if (!range) stop_with(in_solid_operand(range.error(), inputs));
     return *std::move(range);
   };

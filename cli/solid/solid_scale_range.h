@@ -10,10 +10,10 @@
 
 namespace dymsum::cli {
 
-/// What the command line asks of the verb scale-range.
+/// What the command line requests of the verb scale-range.
 struct RangeCommand {
   std::vector<std::string> operands{"", ""};
-  std::string path, place;
+  std::string path, position;
   bool inside = false;
   ReportOptions report;
   InputOptions input;

@@ -33,14 +33,14 @@ TurnAxis read_axis(const std::string& text) {
   return whole;
 }
 
-struct TurnRange {
+struct RotationRange {
   AxisTurn from, to;
   AxisTurn opposite;        ///< of `from`
-  bool whole_turn = false;  ///< behind `from`, round to it
+  bool whole_turn = false;  ///< after `from`, round to it
 };
 
 /// FROM:TO, angles as of --angle.
-TurnRange read_range(const std::string& text, const TurnAxis& axis) {
+RotationRange read_range(const std::string& text, const TurnAxis& axis) {
   const std::size_t colon = text.find(':');
   std::array<AxisTurn, 2> turns;
   std::array<Angle, 2> angles;
@@ -92,7 +92,7 @@ std::string event_line(const SolidRotationEvent& event) {
 }
 
 std::optional<SolidRotationEvent> find_next(const SolidRotationEvents& sum, const SolidTurns& turns,
-                                            const TurnRange& range, const Progress& progress) {
+                                            const RotationRange& range, const Progress& progress) {
   const auto next = [&](const AxisTurn& from, const AxisTurn& to) {
     return require(turns.next_topology ? sum.next_topology_change(from, to, progress)
                                        : sum.next_event(from, to, progress));
@@ -104,7 +104,7 @@ std::optional<SolidRotationEvent> find_next(const SolidRotationEvents& sum, cons
 
 std::vector<SolidRotationEvent> find_events(const SolidRotationEvents& sum, const SolidTurns& turns,
                                             const Progress& progress) {
-  const TurnRange range = read_range(turns.range.empty() ? "0deg:360deg" : turns.range, sum.axis());
+  const RotationRange range = read_range(turns.range.empty() ? "0deg:360deg" : turns.range, sum.axis());
   if (turns.next || turns.next_topology) {
     const std::optional<SolidRotationEvent> found = find_next(sum, turns, range, progress);
     return found ? std::vector<SolidRotationEvent>{*found} : std::vector<SolidRotationEvent>{};
@@ -123,8 +123,8 @@ MotionEvent motion_event(const SolidRotationEvent& event, double turn) {
 
 }  // namespace
 
-std::vector<MotionEvent> turn_events(const std::vector<SolidInput>& inputs, const std::string& axis_text,
-                                     const Angle& turn) {
+std::vector<MotionEvent> rotation_events(const std::vector<SolidInput>& inputs, const std::string& axis_text,
+                                         const Angle& turn) {
   const TurnAxis axis = read_axis(axis_text);
   const double radians = turn.radians(), whole = turn.degrees ? 360 : 2 * std::numbers::pi;
   const double way = turn.exact.to_double();

@@ -34,22 +34,22 @@ struct AnglesAnswer {
   std::vector<FreeAngles> free;
 };
 
-std::vector<RationalPoint> read_places(const AnglesCommand& command) {
-  std::vector<RationalPoint> places;
+std::vector<RationalPoint> read_positions(const AnglesCommand& command) {
+  std::vector<RationalPoint> positions;
   for (const std::string& text : command.at) {
-    const std::optional<RationalPoint> at = exact_place(text);
+    const std::optional<RationalPoint> at = exact_position(text);
     if (!at) throw Stop(kUsage, "--at wants a place x,y, each a number or a fraction 1/3, not '" + text + "'");
-    places.push_back(*at);
+    positions.push_back(*at);
   }
   if (!command.at_file.empty()) {
     const auto take = [&](const QueryLine& line, const Refuse& refuse) {
       if (line.theta) refuse("expected a place x,y: all angles are asked for");
-      places.push_back(line.at());
+      positions.push_back(line.at());
     };
     for_each_query(command.at_file, take, Fractions::taken);
   }
-  if (places.empty()) throw Stop(kUsage, "angles wants --at x,y or --at-file FILE");
-  return places;
+  if (positions.empty()) throw Stop(kUsage, "angles wants --at x,y or --at-file FILE");
+  return positions;
 }
 
 /// What the robot would overlap beyond the end of an interval.
@@ -101,8 +101,8 @@ void print_answer(const CspaceObstacle& obstacle, const AnglesAnswer& answer) {
 
 ExitCode run_angles(const AnglesCommand& command) {
   check_obstacle_input("angles", command.source);
-  const std::vector<RationalPoint> places = read_places(command);
-  const Rational times = times_for(places);
+  const std::vector<RationalPoint> positions = read_positions(command);
+  const Rational times = times_for(positions);
   const InterruptGuard guard;
   ObstacleSource source = read_source(command.source);
   enlarge(source, times);
@@ -110,7 +110,7 @@ ExitCode run_angles(const AnglesCommand& command) {
   const ObstacleQueries queries(obstacle);
   const auto [answers, timing] = timed(command.report.repeat, [&] {
     std::vector<AnglesAnswer> all;
-    for (const RationalPoint& at : places) {
+    for (const RationalPoint& at : positions) {
       throw_if_interrupted();
       const Point larger = enlarged(at, times);
       all.push_back({at, queries.free_angles(larger.x, larger.y)});

@@ -57,7 +57,8 @@ void add_intersect(CLI::App& app, Action& action) {
 
 void add_subtract(CLI::App& app, Action& action) {
   SumVerb verb = boolean_verb("subtract", "∖");
-  verb.description = "What lies in the first operand and in none of the others, exactly; ends with 4 where that is nothing";
+  verb.description =
+      "What lies in the first operand and in none of the others, exactly; ends with 4 where that is nothing";
   verb.footer =
       "With --semantics closed what is taken away is open: lines and points that it leaves are listed, as tight.\n"
       "Example: dymsum subtract plate.wkt hole.wkt slot.wkt -o part.json -o part.svg";

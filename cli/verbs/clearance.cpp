@@ -64,12 +64,12 @@ Clearance divided(Clearance c, const Rational& times) {
   return c;
 }
 
-Answer ask(const CspaceObstacle& obstacle, const ObstacleQueries& queries, const PlacedRobot& robot,
-           const Rational& times, double weight, Touching touching) {
+Answer query(const CspaceObstacle& obstacle, const ObstacleQueries& queries, const PlacedRobot& robot,
+             const Rational& times, double weight, Touching touching) {
   Answer answer;
   answer.at = robot;
-  const Point place = enlarged(robot.at, times);
-  const Configuration at{place.x, place.y, robot.theta};
+  const Point position = enlarged(robot.at, times);
+  const Configuration at{position.x, position.y, robot.theta};
   answer.clearance = divided(queries.clearance(at, weight, touching), times);
   answer.translation = divided(queries.clearance(at, std::numeric_limits<double>::infinity(), touching), times);
   answer.free = queries.free_angles(at.x, at.y);
@@ -122,9 +122,9 @@ ExitCode run_clearance(const ClearanceCommand& command) {
     at.insert(at.end(), more.begin(), more.end());
   }
   if (at.empty()) throw Stop(kUsage, "clearance wants --at x,y,theta or --at-file FILE");
-  std::vector<RationalPoint> places;
-  for (const PlacedRobot& robot : at) places.push_back(robot.at);
-  const Rational times = times_for(places);
+  std::vector<RationalPoint> positions;
+  for (const PlacedRobot& robot : at) positions.push_back(robot.at);
+  const Rational times = times_for(positions);
   const InterruptGuard guard;
   ObstacleSource source = read_source(command.source);
   enlarge(source, times);
@@ -136,7 +136,7 @@ ExitCode run_clearance(const ClearanceCommand& command) {
     for (const PlacedRobot& robot : at) {
       throw_if_interrupted();
       all.push_back(
-          ask(obstacle, queries, robot, times, weight, command.strict ? Touching::forbidden : Touching::allowed));
+          query(obstacle, queries, robot, times, weight, command.strict ? Touching::forbidden : Touching::allowed));
     }
     return all;
   });

@@ -30,7 +30,7 @@ struct ContainsCommand {
   InputOptions input;
 };
 
-/// A place of the sum, or with an angle a configuration of a robot.
+/// A position of the sum, or with an angle a configuration of a robot.
 struct Query {
   double x = 0, y = 0;
   std::optional<Orientation> theta;
@@ -74,20 +74,20 @@ bool is_closed(const ContainsCommand& command, bool robot) {
 
 std::vector<bool> in_sum(const std::vector<Input>& inputs, const std::vector<Query>& queries, bool closed,
                          const Progress& progress) {
-  const auto ask = [&](const auto& places) -> std::vector<bool> {
+  const auto answers_at = [&](const auto& positions) -> std::vector<bool> {
     const std::vector<std::uint8_t> inside =
-        require_of(inputs, contains_each(inputs[0].region, inputs[1].region, std::span(places),
+        require_of(inputs, contains_each(inputs[0].region, inputs[1].region, std::span(positions),
                                          closed ? Semantics::closed : Semantics::open, 0, progress));
     return {inside.begin(), inside.end()};
   };
   if (in_fractions(queries)) {
-    std::vector<RationalPoint> places;
-    for (const Query& query : queries) places.push_back(query.at());
-    return ask(places);
+    std::vector<RationalPoint> positions;
+    for (const Query& query : queries) positions.push_back(query.at());
+    return answers_at(positions);
   }
-  std::vector<Point> places;
-  for (const Query& query : queries) places.push_back({query.x, query.y});
-  return ask(places);
+  std::vector<Point> positions;
+  for (const Query& query : queries) positions.push_back({query.x, query.y});
+  return answers_at(positions);
 }
 
 /// The obstacle of all angles is worth its while for many questions; it knows interiors only.

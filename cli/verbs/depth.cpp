@@ -37,7 +37,7 @@ struct DepthCommand {
 };
 
 RationalPoint3 vector_of_option(const std::string& text, const std::string& option) {
-  const std::optional<RationalPoint3> v = text.empty() ? RationalPoint3{} : exact_place_in_space(text);
+  const std::optional<RationalPoint3> v = text.empty() ? RationalPoint3{} : exact_position_in_space(text);
   if (!v) throw Stop(kUsage, option + " wants 3 numbers or fractions x,y,z, not '" + text + "'");
   return *v;
 }
@@ -45,7 +45,7 @@ RationalPoint3 vector_of_option(const std::string& text, const std::string& opti
 std::vector<RationalPoint3> read_moves(const std::string& file) {
   std::vector<RationalPoint3> moves;
   const bool any = for_each_line(file_text(file), [&](const std::string& text, std::int64_t line) {
-    const std::optional<RationalPoint3> v = exact_place_in_space(text);
+    const std::optional<RationalPoint3> v = exact_position_in_space(text);
     if (!v)
       refuse_line({ErrorCode::malformed, "a translation is x,y,z, each a number or a fraction 1/3", {}}, file, line);
     moves.push_back(*v);
@@ -167,7 +167,7 @@ ExitCode run_solids(const DepthCommand& command) {
 ExitCode run_regions(const DepthCommand& command) {
   refuse_options(*command.parser, {"--axis", "--along", "--at-file", "--time", "--threads", "--hull", "--thin"},
                  "is for solids");
-  const std::optional<RationalPoint> moved = command.moved.empty() ? RationalPoint{} : exact_place(command.moved);
+  const std::optional<RationalPoint> moved = command.moved.empty() ? RationalPoint{} : exact_position(command.moved);
   if (!moved) throw Stop(kUsage, "--move wants 2 numbers or fractions x,y, not '" + command.moved + "'");
   const std::vector<Input> inputs = read_inputs(command.operands, command.input);
   const InterruptGuard guard;

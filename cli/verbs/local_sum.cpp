@@ -32,25 +32,25 @@ struct LocalCommand {
 };
 
 /// A box, or a ball with its box.
-struct Place {
+struct Position {
   ClipBox box;
   std::optional<ClipBall> ball;
 };
 
-Place read_place(const LocalCommand& command) {
-  Place place;
+Position read_position(const LocalCommand& command) {
+  Position position;
   if (command.ball.empty()) {
     const std::vector<double> v = numbers_of(command.box, 6, "--box wants two corners X,Y,Z,X,Y,Z");
-    place.box = {{v[0], v[1], v[2]}, {v[3], v[4], v[5]}};
+    position.box = {{v[0], v[1], v[2]}, {v[3], v[4], v[5]}};
     if (!(v[0] < v[3] && v[1] < v[4] && v[2] < v[5]))
       throw Stop(kUsage, "--box wants the lower corner first, and an extent along every axis");
-    return place;
+    return position;
   }
   const std::vector<double> v = numbers_of(command.ball, 4, "--ball wants a place and a radius X,Y,Z,R");
   if (!(v[3] > 0)) throw Stop(kUsage, "--ball wants a positive radius");
-  place.ball = ClipBall{{v[0], v[1], v[2]}, v[3]};
-  place.box = bounding_box(*place.ball);
-  return place;
+  position.ball = ClipBall{{v[0], v[1], v[2]}, v[3]};
+  position.box = bounding_box(*position.ball);
+  return position;
 }
 
 const char* where_name(LocalPart::Where where) {
@@ -120,7 +120,7 @@ ExitCode run_regions(const LocalCommand& command) {
 
 ExitCode run_solid_parts(const LocalCommand& command) {
   refuse_options(*command.parser, {"--disc"}, "is for planar operands");
-  const Place place = read_place(command);
+  const Position position = read_position(command);
   const SolidPose pose = pose_of(command);
   if (!writes_to_stdout(command.files)) refuse_options(*command.parser, {"--to"}, "is the format of -o -");
   for (const std::string& file : command.files)
@@ -138,7 +138,7 @@ ExitCode run_solid_parts(const LocalCommand& command) {
     Result<LocalSum> sum = LocalSum::create(inputs[0].mesh, inputs[1].mesh, options);
     throw_if_interrupted();
     LocalSum made = require(std::move(sum));
-    Result<LocalPart> found = place.ball ? made.in(*place.ball, pose) : made.in(place.box, pose);
+    Result<LocalPart> found = position.ball ? made.in(*position.ball, pose) : made.in(position.box, pose);
     throw_if_interrupted();
     return require(std::move(found));
   });

@@ -161,9 +161,9 @@ NfpTable planned(const TableCommand& command, TableInput input, TableOptions& op
   using Clock = std::chrono::steady_clock;
   const auto seconds = [start = Clock::now()] { return std::chrono::duration<double>(Clock::now() - start).count(); };
   bool late = false;
-  const auto go_on = [&](std::string_view stage, double share) {
+  const auto go_on = [&](std::string_view stage, double fraction) {
     late = seconds() > options.all_seconds;
-    return !late && options.progress(stage, share);
+    return !late && options.progress(stage, fraction);
   };
   Result<NfpTable> table = NfpTable::create(std::move(input), go_on);
   if (late)

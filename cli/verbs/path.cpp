@@ -193,9 +193,9 @@ class Planning {
     bool late = false;
     ObstacleOptions options;
     options.memory = options_.memory;
-    options.progress = [&](std::string_view stage, double share) {
+    options.progress = [&](std::string_view stage, double fraction) {
       late = late || seconds_since(began) > options_.time_limit_seconds;
-      return !late && (!options_.progress || options_.progress(stage, share));
+      return !late && (!options_.progress || options_.progress(stage, fraction));
     };
     Result<CspaceObstacle> made = CspaceObstacle::create(robot_, source_.inputs[1].region, options);
     if (late) return false;

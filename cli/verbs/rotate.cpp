@@ -17,7 +17,7 @@ namespace {
 
 struct RotateCommand {
   const CLI::App* parser = nullptr;  ///< which options were given
-  PlanarTurn planar;
+  PlanarRotation planar;
   std::size_t steps = 0;
   AngleOptions angle;
   std::optional<double> error;
@@ -36,7 +36,7 @@ std::vector<Angle> frame_angles(const RotateCommand& command) {
   const Angle turn = whole_angle(command);
   std::vector<Angle> angles;
   for (std::size_t k = 0; k < command.steps + (turn.whole_turns() ? 0 : 1); ++k)
-    angles.push_back(turn.share(k, command.steps));
+    angles.push_back(turn.fraction(k, command.steps));
   return angles;
 }
 
@@ -59,8 +59,8 @@ ExitCode run_solids(const RotateCommand& command) {
     motion.frames.push_back(
         turned_frame(require_option(Rotation::about(axis, angle.radians()), "--axis"), axis, angle.label()));
   motion.has_events = command.events;
-  if (command.events) motion.events = turn_events(inputs, command.axis.value_or("0,0,1"), whole_angle(command));
-  motion.asked = {{"axis", {axis.x, axis.y, axis.z}}, {"angle_error", Rotation::kAngularError}};
+  if (command.events) motion.events = rotation_events(inputs, command.axis.value_or("0,0,1"), whole_angle(command));
+  motion.requested = {{"axis", {axis.x, axis.y, axis.z}}, {"angle_error", Rotation::kAngularError}};
   std::ostringstream note;
   note << ", each exact at an orientation within " << Rotation::kAngularError << " of its angle";
   motion.note = note.str();
@@ -73,11 +73,11 @@ ExitCode run(const RotateCommand& command) {
   refuse_options(*command.parser, {"--axis", "--frame", "--events", "--range", "--next", "--next-topology"},
                  "is for solid operands");
   if (command.steps == 0) throw Stop(kUsage, "give --steps N");
-  PlanarTurn turn = command.planar;
+  PlanarRotation turn = command.planar;
   turn.angles = frame_angles(command);
   turn.error = command.error.value_or(turn.error);
   turn.semantics = command.semantics.value_or(turn.semantics);
-  return run_planar_turn(turn);
+  return run_planar_rotation(turn);
 }
 
 }  // namespace

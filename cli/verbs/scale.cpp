@@ -85,7 +85,7 @@ std::vector<PlanarFrame<AxisScales>> frames_at(const std::vector<AxisScales>& sc
   return frames;
 }
 
-/// Those that were asked for, or none. Requires, where they were: uniform scales.
+/// Those that were requested, or none. Requires, where they were: uniform scales.
 std::vector<ScaleEvent> events_of(const ScalingSum& sum, const ScaleCommand& command,
                                   const std::vector<AxisScales>& scales, const Progress& progress) {
   if (!command.events) return {};
@@ -137,7 +137,7 @@ ExitCode run_planar_scale(const ScaleCommand& command) {
   write_frame_pictures(command.files, motion.pictures);
   MotionReport report = planar_motion_report("scale", inputs, command.report.repeat, frames, std::move(motion));
   report.static_ms = static_ms;
-  report.asked = {{"semantics", command.semantics}, {"scaled", command.scaled}, {"robot", command.robot}};
+  report.requested = {{"semantics", command.semantics}, {"scaled", command.scaled}, {"robot", command.robot}};
   if (command.report.json) {
     Json json = motion_json(report);
     json["events"] = command.events ? events_json(events) : Json(nullptr);

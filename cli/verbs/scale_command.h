@@ -1,4 +1,4 @@
-// What the command line asks of the verb scale.
+// What the command line requests of the verb scale.
 #pragma once
 
 #include <optional>
@@ -21,7 +21,7 @@ struct ScaleCommand {
   double memory_mb = 0;  ///< 0: no limit
   bool robot = false;    ///< Q is a robot: sums with -Q
   bool events = false;
-  std::string range, next;           ///< of scales whose events are asked for; only the first of a kind
+  std::string range, next;           ///< of scales whose events are requested; only the first of a kind
   std::optional<std::size_t> frame;  ///< of solids: the one that is written
   ReportOptions report;
   InputOptions input;

@@ -25,9 +25,9 @@
 namespace dymsum::cli {
 namespace {
 
-/// A waypoint or a place, whose coordinates may be fractions.
-RationalPoint read_place(const std::string& text, const std::string& option) {
-  const std::optional<RationalPoint> at = exact_place(text);
+/// A waypoint or a position, whose coordinates may be fractions.
+RationalPoint read_position(const std::string& text, const std::string& option) {
+  const std::optional<RationalPoint> at = exact_position(text);
   if (!at) throw Stop(kUsage, option + " wants x,y, each a number or a fraction 1/3, not '" + text + "'");
   return *at;
 }
@@ -39,7 +39,7 @@ std::vector<RationalPoint> read_path(const std::string& text) {
   std::vector<RationalPoint> path;
   if (text.find(',') != std::string::npos && !std::filesystem::exists(text)) {
     std::istringstream words(text);
-    for (std::string word; words >> word;) path.push_back(read_place(word, "--path"));
+    for (std::string word; words >> word;) path.push_back(read_position(word, "--path"));
     return path;
   }
   const RegionData data = require(read_region_data(text));
@@ -110,12 +110,12 @@ void print_text(const ScaleRange& range, bool on_path) {
 
 ExitCode run_range(const RangeCommand& command) {
   if (command.inside == !command.path.empty()) throw Stop(kUsage, "give either --path or --inside");
-  if (!command.inside && !command.place.empty()) throw Stop(kUsage, "--place belongs to --inside");
+  if (!command.inside && !command.position.empty()) throw Stop(kUsage, "--place belongs to --inside");
   if (are_solid(command.operands, command.input)) return run_solid_scale_range(command);
   std::vector<RationalPoint> path;
   if (!command.path.empty()) path = read_path(command.path);
-  std::optional<RationalPoint> place;
-  if (!command.place.empty()) place = read_place(command.place, "--place");
+  std::optional<RationalPoint> position;
+  if (!command.position.empty()) position = read_position(command.position, "--place");
   const std::vector<Input> inputs = read_inputs(command.operands, command.input);
   const Region &part = inputs[0].region, &other = inputs[1].region;
   const InterruptGuard guard;
@@ -124,7 +124,8 @@ ExitCode run_range(const RangeCommand& command) {
   const auto compute = [&] {
     if (!command.inside)
       return require_of(inputs, scale_range(part, std::span<const RationalPoint>(path), other, progress));
-    return require_of(inputs, place ? fit_range(part, other, *place, progress) : fit_range(part, other, progress));
+    return require_of(inputs,
+                      position ? fit_range(part, other, *position, progress) : fit_range(part, other, progress));
   };
   const auto [range, timing] = timed(command.report.repeat, compute);
   bar.reset();
@@ -148,7 +149,7 @@ void add_scale_range(CLI::App& app, Action& action) {
                   "fraction 1/3, or a planar file with one polyline")
       ->type_name("PATH");
   verb.add_flag("--inside", command->inside, "OTHER is a container, anywhere inside which the part may lie");
-  verb.add_option("--place", command->place, "With --inside: only at this translation, numbers or fractions 1/3")
+  verb.add_option("--place", command->position, "With --inside: only at this translation, numbers or fractions 1/3")
       ->type_name("x,y[,z]");
   add_report_options(verb, command->report, "Compute N times and report the median and minimum time");
   add_solid_input_options(verb, command->input, OperandKind::either);

@@ -21,7 +21,7 @@ struct SliceCommand {
   bool reflect = false;
 };
 
-Orientation asked_orientation(const SliceCommand& command) {
+Orientation requested_orientation(const SliceCommand& command) {
   if (command.tan_half.empty() != command.angle.given())
     throw Stop(kUsage, "give one of --tan-half, --angle and --degrees");
   if (!command.angle.given()) {
@@ -62,7 +62,7 @@ ExitCode run_slice(const SliceCommand& command) {
   }
   refuse_options(*command.sum.parser, {"--z", "--reflect", "--hull"}, "is for solids");
   SumVerb verb = slice_verb();
-  const Orientation theta = asked_orientation(command);
+  const Orientation theta = requested_orientation(command);
   verb.orientation = theta;
   verb.compute = [theta](const Region& robot, const Region& obstacle, const SumOptions& options) {
     return cspace_slice(robot, obstacle, theta, options);
@@ -92,7 +92,7 @@ void add_slice(CLI::App& app, Action& action) {
       SumVerb shown = slice_verb();
       // The tangent that was taken for its simplicity; others the page finds by itself.
       if (command->error && !are_solid(command->sum.operands, command->sum.input))
-        shown.orientation = asked_orientation(*command);
+        shown.orientation = requested_orientation(*command);
       return with_viewer(shown, command->sum, [command] { return run_slice(*command); })();
     };
   });

@@ -82,10 +82,11 @@ void add_sum_options(CLI::App& verb, SumCommand& command, const SumVerb& of) {
         ->check(CLI::IsMember({"fast", "brute", "winding"}))
         ->capture_default_str();
   verb.add_option("--semantics", command.semantics,
-                  of.boolean ? "Planar operands: regular: parts with area alone; closed: with segments and points at which "
-                               "operands only touch; open: of open sets; tight features are listed with both"
-                             : std::string(planar_result ? "Planar operands: " : "") +
-                                   "closed: sum of closed sets; open: touching is allowed; regular: no tight features")
+                  of.boolean
+                      ? "Planar operands: regular: parts with area alone; closed: with segments and points at which "
+                        "operands only touch; open: of open sets; tight features are listed with both"
+                      : std::string(planar_result ? "Planar operands: " : "") +
+                            "closed: sum of closed sets; open: touching is allowed; regular: no tight features")
       ->check(CLI::IsMember({"closed", "open", "regular"}))
       ->capture_default_str();
   add_report_options(verb, command.report, "Compute N times and report the median and minimum time");
@@ -99,7 +100,9 @@ CLI::App& declare_sum_verb(CLI::App& app, const SumVerb& verb, SumCommand& comma
   CLI::App& parser = *app.add_subcommand(verb.name, verb.description);
   add_operands(parser, verb.first, verb.second, command.operands);
   if (verb.several)
-    parser.add_option("MORE", command.more, verb.boolean ? "More of them" : "More solids: the sum of all, exact throughout")
+    parser
+        .add_option("MORE", command.more,
+                    verb.boolean ? "More of them" : "More solids: the sum of all, exact throughout")
         ->type_name("");
   add_sum_options(parser, command, verb);
   add_solid_input_options(parser, command.input, OperandKind::either,
@@ -165,8 +168,8 @@ ExitCode run_sum(const SumVerb& verb, const SumCommand& command) {
   std::optional<ProgressBar> bar(std::in_place);
   options.progress = bar->callback();
   const auto compute = [&] {
-    PlanarSum sum = require_of(report.inputs, verb.boolean ? verb.boolean(regions_of(report.inputs), options)
-                                                           : verb.compute(p, q, options));
+    PlanarSum sum = require_of(
+        report.inputs, verb.boolean ? verb.boolean(regions_of(report.inputs), options) : verb.compute(p, q, options));
     throw_if_interrupted();
     return sum;
   };

@@ -34,7 +34,7 @@ struct SumVerb {
   std::function<Result<PlanarSum>(std::span<const Region>, const SumOptions&)> boolean;
   /// Of any number of solids; without it more than two are added.
   std::function<Result<SpatialSum>(std::span<const Mesh>, const SpatialOptions&)> solids;
-  std::string semantics = "closed";       ///< where --semantics is not given
+  std::string semantics = "closed";        ///< where --semantics is not given
   bool reflects_second = false;            ///< the convolution behind it is that of P and -Q
   bool empty_is_no = false;                ///< an empty result ends with kNo
   bool planar_result = false;              ///< of solids, too
@@ -47,7 +47,7 @@ struct SumVerb {
   std::function<std::array<Region, 2>(const Region&, const Region&)> shown;
 };
 
-/// What the command line asks of it.
+/// What the command line requests of it.
 struct SumCommand {
   const CLI::App* parser = nullptr;  ///< which options were given
   std::vector<std::string> operands{"", ""}, more;

@@ -35,7 +35,7 @@ bool holds_several(const ViewCommand& command) {
   return command.files.size() == 1 && read_all(command.files[0], command.input).size() > 1;
 }
 
-/// The page that was asked for, or follows from the files.
+/// The page that was requested, or follows from the files.
 std::string page_of(const ViewCommand& command) {
   if (command.files.empty()) return command.page.empty() ? "home" : command.page;
   const bool solid = are_solid(command.files, command.input);
@@ -64,7 +64,7 @@ void check_inputs(const ViewCommand& command, const std::string& page) {
 }
 
 /// Tells which files changed, and what is wrong with them now.
-void tell_changes(const ViewCommand& command, const std::string& page, const std::vector<std::size_t>& changed) {
+void report_changes(const ViewCommand& command, const std::string& page, const std::vector<std::size_t>& changed) {
   for (const std::size_t i : changed) std::cerr << command.files[i] << " has changed\n";
   // What another file has become meanwhile, as the end of a pipe, may take for ever to read.
   const auto is_there = [](const std::string& file) {
@@ -86,7 +86,7 @@ ExitCode run_view(const ViewCommand& command) {
   WatchedInputs watched(command.files, command.input);
   serve(viewer, {page, watched.inputs(), viewer_parameters(*command.parser), true, 0}, watched,
         {static_cast<int>(command.port), !command.no_open,
-         [&](const std::vector<std::size_t>& changed) { tell_changes(command, page, changed); }});
+         [&](const std::vector<std::size_t>& changed) { report_changes(command, page, changed); }});
   return kDone;
 }
 

@@ -127,11 +127,11 @@ class LoopbackServer::State {
   using Judgement = httplib::Server::HandlerResponse;
 
   [[noreturn]] static void cannot_listen(int port) {
-    const std::string place = std::string(kHost) + ":" + std::to_string(port);
+    const std::string position = std::string(kHost) + ":" + std::to_string(port);
     if (errno == EADDRINUSE)
       throw Stop(kBadInput, "dymsum: port " + std::to_string(port) + " of " + kHost +
                                 " is taken by another program; without --port a free one is found");
-    throw Stop(kBadInput, "dymsum: cannot listen on " + place + ": " + std::strerror(errno));
+    throw Stop(kBadInput, "dymsum: cannot listen on " + position + ": " + std::strerror(errno));
   }
 
   /// Only requests that were meant for this server: a page of another site can reach the loopback, by a name of its own
@@ -172,7 +172,7 @@ class LoopbackServer::State {
     const int peer = request.remote_port;
     watch_->keep(peer);
     response.set_chunked_content_provider(
-        "text/event-stream", [this, known](std::size_t, httplib::DataSink& sink) { return tell(*known, sink); },
+        "text/event-stream", [this, known](std::size_t, httplib::DataSink& sink) { return report(*known, sink); },
         [this, peer](bool) {
           watch_->release(peer);
           --streams_;
@@ -180,7 +180,7 @@ class LoopbackServer::State {
   }
 
   /// One event, or a comment where there is none for a while; false once the reader has gone.
-  bool tell(std::optional<std::size_t>& known, httplib::DataSink& sink) {
+  bool report(std::optional<std::size_t>& known, httplib::DataSink& sink) {
     std::string text = ":\n\n";
     std::unique_lock lock(mutex_);
     if (!known) known = revision_;

@@ -80,7 +80,8 @@ Json input_json(const ViewerInput& input) {
 bool is_made(const std::string& operand, const InputOptions& options) {
   const auto ends = [&](const char* with) { return file_of_operand(operand).ends_with(with); };
   if (ends(".gz") || ends(".3mf") || ends(".glb")) return true;  // formats that the page does not take
-  return options.repair || !options.fill.empty() || options.hull || is_map(operand) || file_of_operand(operand) != operand;
+  return options.repair || !options.fill.empty() || options.hull || is_map(operand) ||
+         file_of_operand(operand) != operand;
 }
 
 ViewerInput made_input(const std::string& operand, InputOptions options) {

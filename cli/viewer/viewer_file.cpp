@@ -18,7 +18,7 @@ constexpr const char* kVariable = "DYMSUM_VIEWER";
 constexpr std::string_view kOpening = R"(<script id="dymsum-data" type="application/json">)", kClosing = "</script>";
 
 /// Where the viewer lies as seen from the folder of the program: installed, and in the build tree.
-constexpr const char* kPlaces[] = {"../share/dymsum/viewer.html", "../../web/viewer/dist/index.html"};
+constexpr const char* kPositions[] = {"../share/dymsum/viewer.html", "../../web/viewer/dist/index.html"};
 
 std::string hole() { return std::string(kOpening) + std::string(kClosing); }
 
@@ -29,8 +29,8 @@ std::optional<std::string> find_viewer() {
   std::error_code unknown;
   const fs::path program = fs::read_symlink("/proc/self/exe", unknown);
   if (unknown) return std::nullopt;
-  for (const char* place : kPlaces) {
-    const fs::path file = (program.parent_path() / place).lexically_normal();
+  for (const char* position : kPositions) {
+    const fs::path file = (program.parent_path() / position).lexically_normal();
     if (fs::is_regular_file(file, unknown)) return file.string();
   }
   return std::nullopt;

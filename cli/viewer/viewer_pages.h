@@ -16,7 +16,7 @@ class App;
 
 namespace dymsum::cli {
 
-/// Whether a file's name asks for a page.
+/// Whether a file's name requests a page.
 bool is_page(const std::string& file);
 
 /// What the viewer shows of a command.

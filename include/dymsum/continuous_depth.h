@@ -25,7 +25,7 @@ struct ContinuousDepthOptions {
   double inflation = 2;
   /// How far Q may move before another local sum is made: the smoothing length, if 0.
   double margin = 0;
-  int halvings = 5;   ///< a step that does not surely stay on its branch is cut into at most 2^halvings parts
+  int halvings = 5;   ///< a step that does not provably stay on its branch is cut into at most 2^halvings parts
   bool tight = true;  ///< passages without clearance count as ways out in `euclidean_depth`
   int threads = 1;    ///< 0: as many as there are cores; the result does not depend on it
   Progress progress;
@@ -72,9 +72,9 @@ struct ContinuousContact {
   Work work;
 };
 
-/// A piece of the sum's boundary at one orientation, as ContinuousDepth::patch gives it: answers near its place without
-/// another local sum. A value; one thread at a time, copies on any. Cost: O(n) for n edges of the piece, a few times:
-/// 10 us for hundreds, 50 to 300 us for two tori of 1,024 triangles.
+/// A piece of the sum's boundary at one orientation, as ContinuousDepth::patch gives it: answers near its position
+/// without another local sum. A value; one thread at a time, copies on any. Cost: O(n) for n edges of the piece, a few
+/// times: 10 us for hundreds, 50 to 300 us for two tori of 1,024 triangles.
 class DepthPatch {
  public:
   DepthPatch(const DepthPatch& other);
@@ -96,7 +96,7 @@ class DepthPatch {
 };
 
 /// Two solids, of which Q moves and turns; one of them may have, or be, points, segments and open surfaces. The
-/// boundary of P (+) -Q near the place is exact (LocalSum; with parts without volume all of it, at every new
+/// boundary of P (+) -Q near the position is exact (LocalSum; with parts without volume all of it, at every new
 /// orientation). A point x of it with h >= 0 and x - h n(x) = t, t being the translation, is a way out: n(x) is the
 /// direction of the integral of the boundary's normals within the smoothing length, weighted by (1 - r^2 / l^2)^2. It
 /// is found in doubles, and followed from one answer to the next. One thread at a time. Source: Lee, Behar, Lien, Kim
@@ -116,7 +116,7 @@ class ContinuousDepth {
   /// or a few.
   Result<ContinuousContact> query(Point3 q_moved_by, const Rotation& q_turned = {});
   /// The square of the shortest way out at the last pose, exactly; 0 where they do not overlap, which an exact
-  /// collision test tells, also where `meeting` is within its error. Requires a query without error before (else
+  /// collision test decides, also where `meeting` is within its error. Requires a query without error before (else
   /// std::logic_error). Cost: the first one at an orientation prepares the solids, O(n log n).
   Rational euclidean_squared() const;
   /// All shortest moves of Q at the last pose, exactly, each with all pairs of features that touch once it is made, as

@@ -81,7 +81,7 @@ class ConvexSum {
 
   /// Moves P and Q. Small motions look at few features: each certificate holds for an angle, and the first small motion
   /// after a large one makes them. Standing still is no work. No memory is allocated once warm, unless the
-  /// poses are scaled. Positions are evaluated when they are asked for.
+  /// poses are scaled. Positions are evaluated when they are requested.
   const MotionWork& set(const SolidPose& p, const SolidPose& q = {});
   const MotionWork& set(const Rotation& p) { return set(SolidPose{p, {}}); }
   /// Forgets all certificates and starts from nothing: what moving is compared with.

@@ -49,7 +49,7 @@ struct ObstacleEvent {
     vertex_on_segment,  ///< a vertex contact meets another contact
     three_segments,     ///< three contacts at once
     /// Free at this one angle only: a contact that can be held but neither reached nor left, as no free placement with
-    /// clearance comes near. Of a stretch of such, and of a curve of such over angles: one event at each end.
+    /// clearance comes near. Of an interval of such, and of a curve of such over angles: one event at each end.
     tight,
   };
   Kind kind = Kind::alignment;
@@ -76,7 +76,7 @@ struct Patch {
   static constexpr std::uint32_t kNone = 0xffffffff;
   Contact contact;      ///< edge_of_p: edge of the obstacle + vertex of the robot (`fixed`); edge_of_q: vertex of the
                         ///< obstacle + edge of the robot (`rotating`)
-  Contact left, right;  ///< the contacts before and behind it along the boundary
+  Contact left, right;  ///< the contacts before and after it along the boundary
   bool left_corner = false, right_corner = false;  ///< they meet in a common vertex pair, and not in a crossing
   std::uint32_t begin = kNone, end = kNone;  ///< indices in angles(); end <= begin: it passes theta = pi; kNone, kNone:
                                              ///< it is there at every angle
@@ -102,10 +102,10 @@ struct FreeCell {
 };
 
 /// An angle at which a vertex of the robot, turning in place, meets a closed edge of the obstacle, or the other way
-/// round; whether the robot may stand there at the angle itself, and behind it up to the next one.
+/// round; whether the robot may stand there at the angle itself, and after it up to the next one.
 struct TurnMark {
   EventAngle angle;
-  bool free = false, free_behind = false;
+  bool free = false, free_after = false;
 };
 
 struct ObstacleWork {

@@ -53,15 +53,15 @@ struct Decomposition {
   std::vector<Piece> pieces;  ///< they tile the region: its connected components without the cuts, by first vertices
 };
 
-/// Cuts at the pocket minima of the bars that ShapeFeatures::significant tells, in its order. Every part of the region
-/// is cut by itself: an island in a hole and what is around it do not know of each other. A cut resolves its notch: it
-/// lies in the cone of the extensions of the two edges there, so that no angle beside it exceeds 180 degrees. It ends
-/// at the nearest such point of its part's boundary or of an earlier cut of that part; of equally near ones at a vertex
-/// whose own notch it resolves, then on the boundary. Ties are decided by geometry: where a ring begins, how the region
-/// is turned by quarter turns or mirrored, and the order of its parts make no difference but for congruent pieces. It
-/// passes over holes of its part that are less significant than the bar it is made for, unless an earlier cut touches
-/// them: it does not count inside these, and its runs leave them out. Runs do not cross. Later cuts end at such a hole
-/// as at others.
+/// Cuts at the pocket minima of the bars that ShapeFeatures::significant reports, in its order. Every part of the
+/// region is cut by itself: an island in a hole and what is around it do not know of each other. A cut resolves its
+/// notch: it lies in the cone of the extensions of the two edges there, so that no angle beside it exceeds 180 degrees.
+/// It ends at the nearest such point of its part's boundary or of an earlier cut of that part; of equally near ones at
+/// a vertex whose own notch it resolves, then on the boundary. Ties are decided by geometry: where a ring begins, how
+/// the region is turned by quarter turns or mirrored, and the order of its parts make no difference but for congruent
+/// pieces. It passes over holes of its part that are less significant than the bar it is made for, unless an earlier
+/// cut touches them: it does not count inside these, and its runs leave them out. Runs do not cross. Later cuts end at
+/// such a hole as at others.
 ///
 /// Every cut separates two pieces. One that alone connects a hole, or a group of holes, with the rest is not left so:
 /// it gets a partner, a cut at a vertex of the convex hull of that group. That is the shortest of those that end

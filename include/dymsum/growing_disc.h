@@ -106,7 +106,7 @@ struct DiscPolygons {
   double error = 0;        ///< no boundary point of either is further than this from the other's boundary
   double rounded = 0;      ///< how far rounding to doubles moved a vertex at most: a part of `error`
   std::size_t chords = 0;  ///< segments that stand for arcs
-  /// `nearest`: stretches of the boundary along which two sides are nearer to each other than positions are known, and
+  /// `nearest`: intervals of the boundary along which two sides are nearer to each other than positions are known, and
   /// rings as small: what of the set is as thin as that is in the points and polylines of `region`, what is beside it
   /// is closed, which the error says nothing of. `inside`: more than 0 where what is no wider than twice the error may
   /// be left out, which the error says nothing of: of a set that vanishes all may be.
@@ -163,20 +163,20 @@ struct GrowingDiscOptions {
   bool brute = false;  ///< compare all with all instead of neighbours; the same result, for tests
 };
 
-/// All discs of a region at once. What belongs to all radii is made once for each side, when first asked for; a radius
+/// All discs of a region at once. What belongs to all radii is made once for each side, when first requested; a radius
 /// then costs one pass over it. Copies share it. Thread-safe.
 class GrowingDisc {
  public:
   explicit GrowingDisc(Region region, GrowingDiscOptions options = {});
   const Region& region() const;
 
-  /// Radii at which the boundary's pieces change, positive and ascending. O(n log n) when first asked for.
+  /// Radii at which the boundary's pieces change, positive and ascending. O(n log n) when first requested.
   Result<std::vector<DiscEvent>> events(DiscSide side, const Progress& progress = {}) const;
 
   // Errors of the following: out_of_range for a negative radius, an event that there is not, coordinates beyond 2^1000
   // and discs larger than doubles reach; outside, unsupported_operand where a polyline or point touches another piece,
-  // with the place; cancelled, where `progress` stops it: it is asked before and after the stages "complex", once for a
-  // side, and "set". Radius 0 gives the region. Cost: O(n).
+  // with the position; cancelled, where `progress` stops it: it is queried before and after the stages "complex", once
+  // for a side, and "set". Radius 0 gives the region. Cost: O(n).
 
   /// P + D, { x : distance from P at most r }. Tight features, of the open semantics: where a disc that stays clear of
   /// P touches it on all sides.

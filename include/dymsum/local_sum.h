@@ -1,4 +1,5 @@
-// The part of a sum of two solids that lies near a place: P (+) Q cut to a box, exactly, without the rest of the sum.
+// The part of a sum of two solids that lies near a position: P (+) Q cut to a box, exactly, without the rest of the
+// sum.
 #pragma once
 
 #include <cstdint>
@@ -20,7 +21,7 @@ struct ClipBox {
 
 /// A closed ball. Spheres have no rational sections: a ball selects faces, and its bounding box cuts them.
 struct ClipBall {
-  Point3 middle;
+  Point3 centre;
   double radius = 0;
 };
 /// The smallest box of doubles that holds the ball.
@@ -70,8 +71,8 @@ struct LocalPart {
   }
 };
 
-/// Two solids whose sum is asked for near one place after the other, while both turn and scale. One thread at a time.
-/// Source: Behar 2016, section 7.2 (docs/design/local-sum.md).
+/// Two solids whose sum is requested near one position after the other, while both turn and scale. One thread at a
+/// time. Source: Behar 2016, section 7.2 (docs/design/local-sum.md).
 class LocalSum {
  public:
   /// Errors: out_of_range for threads below 0; unsupported_operand for parts without volume; cancelled.

@@ -79,7 +79,7 @@ class Mesh {
   std::size_t triangle_count() const;
 
   /// The same solid written in one way: coplanar neighbours merged into faces (where the union has no hole and touches
-  /// itself nowhere), vertices in the middle of straight edges and of faces dropped, vertices sorted by x, y, z, every
+  /// itself nowhere), vertices inside straight edges and of faces dropped, vertices sorted by x, y, z, every
   /// face starting at its smallest vertex, faces sorted. Convex solids that are equal have equal canonical forms. With
   /// thin parts nothing is merged.
   Mesh canonical() const;

@@ -1,5 +1,5 @@
 // Files of meshes. Readers return plain data that is not yet validated, so that a caller can choose between
-// Mesh::create (refuse) and repair (mend and report).
+// Mesh::create (refuse) and repair (change and report).
 #pragma once
 
 #include <array>

@@ -22,7 +22,7 @@ enum class Touching : std::uint8_t { allowed, forbidden };
 
 struct TranslationCheck {
   bool free = true;
-  Rational first;    ///< the share of the way up to which it is free; 0 and `free`: all of it
+  Rational first;    ///< the fraction of the way up to which it is free; 0 and `free`: all of it
   RationalPoint at;  ///< where that is; the end of a free way
   /// there, an edge and a vertex as for patches; none deep inside the obstacle, nor where points meet what has no area
   std::optional<Contact> contact;
@@ -47,7 +47,7 @@ struct TurnInterval {
 
 struct RotationCheck {
   bool free = true;
-  /// the first angle behind which the robot overlaps (or at which it touches, where that is forbidden)
+  /// the first angle after which the robot overlaps (or at which it touches, where that is forbidden)
   std::optional<EventAngle> first;
   std::optional<Contact> contact;  ///< there; none where the start itself is deep inside the obstacle
   bool always = false;             ///< at no angle is there an overlap
@@ -65,15 +65,15 @@ Result<RotationCheck> check_rotation(const Region& robot, const Region& obstacle
                                      const Orientation& to, TurnDirection turn, Touching touch = Touching::allowed);
 
 struct MotionOptions {
-  double resolution = 0x1p-20;         ///< of the share of the way
+  double resolution = 0x1p-20;         ///< of the fraction of the way
   std::uint64_t most_poses = 1 << 20;  ///< more than this many poses are not examined: undecided
 };
 
 struct MotionCheck {
   enum class Outcome : std::uint8_t {
     free,       ///< proved: no touch either
-    blocked,    ///< proved: a pose at share `high` overlaps
-    undecided,  ///< closer to a touch between `low` and `high` than the resolution tells; to be treated as not free
+    blocked,    ///< proved: a pose at fraction `high` overlaps
+    undecided,  ///< closer to a touch between `low` and `high` than the resolution; to be treated as not free
   };
   Outcome outcome = Outcome::free;
   /// the way is proved free on [0, low); the first contact, if any, lies in [low, high]

@@ -61,7 +61,7 @@ class MovingSolidSum {
 
   /// Moves P and Q. A translation moves the sum along and is left to the caller. On an error nothing changes:
   /// cancelled; unsupported_operand for poses at which coordinates need more than 8,192 bits. Cost: the features whose
-  /// certificates ended, and the stages of a fresh sum behind its convolution for the facets that are not deep inside.
+  /// certificates ended, and the stages of a fresh sum after its convolution for the facets that are not deep inside.
   Result<SolidFrameWork> set(const SolidPose& p, const SolidPose& q = {});
 
   const SolidPose& p_pose() const;

@@ -94,10 +94,10 @@ class NfpTable {
   /// Rows in the order of their indices: nfp by fixed item, moving item, relative angle; then bins, then the strip. The
   /// relative angles of A and B are the differences of an orientation of B and one of A, which serve all such pairs:
   /// turned by R(a), row(A, B, b - a) is the no-fit polygon of A turned by a and B turned by b. O(rows), and a hash of
-  /// every shape. `progress` is asked once in some thousands of angles and of rows: smaller tables are planned at once.
-  /// Errors: unsupported_operand for an item or a bin that is empty, for an item without orientations or with more than
-  /// 3600, for a bin with polylines or points; out_of_range for angle errors below 2^-49, strip heights that are not
-  /// positive and finite, and more than 2^32 - 2 rows; cancelled.
+  /// every shape. `progress` is queried once in some thousands of angles and of rows: smaller tables are planned at
+  /// once. Errors: unsupported_operand for an item or a bin that is empty, for an item without orientations or with
+  /// more than 3600, for a bin with polylines or points; out_of_range for angle errors below 2^-49, strip heights that
+  /// are not positive and finite, and more than 2^32 - 2 rows; cancelled.
   static Result<NfpTable> create(TableInput input, const Progress& progress = {});
 
   const TableInput& input() const;

@@ -14,7 +14,7 @@
 namespace dymsum {
 
 struct ObstacleMeshOptions {
-  double tolerance = 1e-3;  ///< largest distance, as a share of the extent; from 1e-6 to 1
+  double tolerance = 1e-3;  ///< largest distance, as a fraction of the extent; from 1e-6 to 1
   Progress progress;
 };
 

@@ -25,7 +25,7 @@ struct Clearance {
 
 /// Angles at which the robot can stand at a position, from `begin` counter-clockwise to `end`, which is less than
 /// `begin` where they pass pi. Each exact end lies within `error` of its double; beyond it the robot would overlap at
-/// the contact of the patch, which is kNone where none tells. The whole circle has begin = -pi, end = pi and no
+/// the contact of the patch, which is kNone where none decides. The whole circle has begin = -pi, end = pi and no
 /// patches. A single angle, and nothing else, has begin = end: turned either way, however little, the robot overlaps
 /// there.
 struct FreeAngles {
@@ -87,7 +87,7 @@ class ObstacleQueries {
   /// The root of the mean square distance of the robot's points, those of a segment too, from the origin of its
   /// coordinates.
   double gyration_radius() const;
-  /// How many bounds of stretches of patches all clearances so far have evaluated.
+  /// How many bounds of intervals of patches all clearances so far have evaluated.
   std::uint64_t bounds_evaluated() const;
 
   std::size_t bytes() const;  ///< of the index, about

@@ -57,10 +57,10 @@ class Orientation {
   double radians_ = 0;
 };
 
-/// An angle less whole turns, in (-pi, pi]: for angles that no double says, as shares of a long turn. Reduced exactly
-/// and rounded once; beyond half a turn what is within 2^-50 of a multiple of a quarter turn is that multiple, as
-/// doubles give it. Orientation::nearest of the result is within 2^-50 of the angle. Requires a magnitude below 2^1024
-/// (else std::invalid_argument).
+/// An angle less whole turns, in (-pi, pi]: for angles that no double says, as fractions of a long turn. Reduced
+/// exactly and rounded once; beyond half a turn what is within 2^-50 of a multiple of a quarter turn is that multiple,
+/// as doubles give it. Orientation::nearest of the result is within 2^-50 of the angle. Requires a magnitude below
+/// 2^1024 (else std::invalid_argument).
 double reduced_radians(const Rational& radians);
 /// The same of degrees, in radians: any magnitude; multiples of 90 are quarter turns.
 double reduced_degrees(const Rational& degrees);

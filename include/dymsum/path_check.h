@@ -11,13 +11,13 @@
 namespace dymsum {
 
 struct PathCheck {
-  /// undecided: a piece that moves and turns at once comes closer to a touch than the resolution tells
+  /// undecided: a piece that moves and turns at once comes closer to a touch than the resolution
   MotionCheck::Outcome outcome = MotionCheck::Outcome::free;
   /// The index of the first piece that is not free, which leads from the pose of that index to the next one; of a free
   /// path that of the last one.
   std::size_t piece = 0;
   bool moves = false, turns = false;  ///< that piece translates; it rotates
-  /// The shares of the piece between which the first contact lies, in doubles; equal up to rounding where exact.
+  /// The fractions of the piece between which the first contact lies, in doubles; equal up to rounding where exact.
   double low = 1, high = 1;
   Configuration at;                ///< at `low`
   std::optional<Contact> contact;  ///< there, as for patches

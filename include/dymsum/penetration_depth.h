@@ -34,7 +34,7 @@ enum class Meeting : std::uint8_t { overlapping, touching, apart };
 struct SolidTouch {
   SolidFeature p, q;  ///< by the meshes' indices; of a face its own one, also where others lie in its plane
   int dimension = 0;  ///< of what they have in common: a point (0), a segment (1), a part of a plane (2)
-  RationalPoint3 at;  ///< one of these positions, exact, Q being moved; inside, the middle of a segment
+  RationalPoint3 at;  ///< one of these positions, exact, Q being moved; inside, the midpoint of a segment
   /// The connected piece of all that touches, from 0 on. Its corners are among its pairs of dimension 0.
   std::uint32_t patch = 0;
   friend bool operator==(const SolidTouch&, const SolidTouch&) = default;
@@ -61,9 +61,9 @@ struct SolidDistance {
 
   struct Work {
     std::uint64_t facets = 0;           ///< of the convolution that were looked at
-    std::uint64_t candidates = 0;       ///< positions that were asked about
+    std::uint64_t candidates = 0;       ///< positions that were queried
     std::uint64_t exact_tests = 0;      ///< of these, in exact arithmetic
-    std::uint64_t collision_tests = 0;  ///< exact ones; none where a free position of the last answer tells
+    std::uint64_t collision_tests = 0;  ///< exact ones; none where a free position of the last answer decides
   };
   Work work;  ///< no part of the value
   friend bool operator==(const SolidDistance& a, const SolidDistance& b);

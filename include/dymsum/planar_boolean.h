@@ -55,9 +55,9 @@ Result<PlanarSum> difference(const PlanarOperand& a, const PlanarOperand& b, con
 Result<PlanarSum> symmetric_difference(const PlanarOperand& a, const PlanarOperand& b, const SumOptions& options = {});
 
 /// What rings bound that may cross, touch or lie on themselves and each other, whichever way they run: the closure of
-/// the positions inside by winding number. `rings` may be given in any parts, as outer rings or holes: only how they run
-/// counts. Vertices repeated one after the other count once, and rings of fewer than three are left out. The result is
-/// an operand of Boolean operations. Errors: not_finite; and as above.
+/// the positions inside by winding number. `rings` may be given in any parts, as outer rings or holes: only how they
+/// run counts. Vertices repeated one after the other count once, and rings of fewer than three are left out. The result
+/// is an operand of Boolean operations. Errors: not_finite; and as above.
 Result<PlanarSum> filled(const RegionData& rings, Fill fill, const SumOptions& options = {});
 
 /// What repair_with_fill changed.
@@ -65,7 +65,7 @@ struct FillReport {
   std::size_t rings = 0, rings_now = 0;  ///< before and after
   std::size_t crossings = 0;             ///< at which rings crossed or touched
   Rounding rounding;                     ///< of the vertices that are crossings
-  bool filled = false;        ///< the rings were no valid region
+  bool filled = false;                   ///< the rings were no valid region
   bool changed() const { return filled; }
   /// "2 rings filled to 1 at 4 crossings; nearest doubles".
   std::string to_string() const;
@@ -75,9 +75,9 @@ struct FilledRegion {
   FillReport report;
 };
 
-/// The named repair of rings that cross themselves or each other, are inside out, or lie on each other: what they bound,
-/// with its vertices rounded as snap_rounded does. A valid region stays as it is, and so do polylines and points. Errors: as filled; those of
-/// Region::create for polylines and points.
+/// The named repair of rings that cross themselves or each other, are inside out, or lie on each other: what they
+/// bound, with its vertices rounded as snap_rounded does. A valid region stays as it is, and so do polylines and
+/// points. Errors: as filled; those of Region::create for polylines and points.
 Result<FilledRegion> repair_with_fill(const RegionData& rings, Fill fill);
 
 }  // namespace dymsum

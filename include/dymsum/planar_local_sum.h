@@ -1,4 +1,5 @@
-// The part of a sum of two regions that lies near a place: P (+) Q cut to a box, exactly, without the rest of the sum.
+// The part of a sum of two regions that lies near a position: P (+) Q cut to a box, exactly, without the rest of the
+// sum.
 #pragma once
 
 #include <cstdint>
@@ -24,14 +25,14 @@ struct PlanarBox {
 
 /// A closed disc. Circles meet edges in irrational points: a disc selects edges, and its bounding box cuts them.
 struct PlanarDisc {
-  Point middle;
+  Point centre;
   double radius = 0;
 };
 /// The smallest box of doubles that holds the disc.
 PlanarBox bounding_box(const PlanarDisc& disc);
 
 struct PlanarLocalOptions {
-  LocalEngine engine = LocalEngine::updated;  ///< how the segments near the place are found; all give the same part
+  LocalEngine engine = LocalEngine::updated;  ///< how the segments near the position are found; all give the same part
   Progress progress;
   /// Bytes that may be held at a time by arrays which grow faster than the operands; each counts before it is made.
   /// Past it: out_of_memory. 0: no limit.
@@ -64,9 +65,9 @@ class PlanarLocalPart {
     bool rebuilt = false;               ///< the segments were found anew
     std::uint64_t pairs = 0;            ///< of features that were looked at
     std::uint64_t segments = 0;         ///< of the convolution that come near the box
-    std::uint64_t collision_tests = 0;  ///< one for each piece of the boundary in the box, one for each place that may
-                                        ///< be tight
-    std::uint64_t exact_tests = 0;      ///< of these, that doubles did not decide
+    std::uint64_t collision_tests = 0;  ///< one for each piece of the boundary in the box, one for each position that
+                                        ///< may be tight
+    std::uint64_t exact_tests = 0;  ///< of these, that doubles did not decide
     double ms = 0;
   };
   Work work;  ///< no part of the value
@@ -83,8 +84,8 @@ class PlanarLocalPart {
   std::shared_ptr<const Positions> positions_;
 };
 
-/// Two regions whose sum is asked for near one place after the other, while both turn and scale. One thread at a time.
-/// Source: Behar 2016, section 7.2, in the plane (docs/design/local-sum.md).
+/// Two regions whose sum is requested near one position after the other, while both turn and scale. One thread at a
+/// time. Source: Behar 2016, section 7.2, in the plane (docs/design/local-sum.md).
 class PlanarLocalSum {
  public:
   /// Errors: unsupported_operand for polylines and points, and for coordinates beyond 2^1000; cancelled.

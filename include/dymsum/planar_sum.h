@@ -34,7 +34,7 @@ enum class Engine {
 /// closure of the interior; tight features and lower-dimensional pieces are dropped.
 enum class Semantics { closed, open, regular };
 
-/// Internal: the number tier that tests ask for. Nothing to be set by users.
+/// Internal: the number tier that tests request. Nothing to be set by users.
 class ForcedTier {
   friend struct planar::SumInternals;
   int min_bits_ = 0;

@@ -104,8 +104,8 @@ struct PlanOptions {
 
 /// The answer where slices at the two angles tell it, without the obstacle of all angles: start or goal is not free, or
 /// translations before or after one rotation in place, at the start or at the goal, lead from one to the other. Nothing
-/// where they do not tell. `plan` answers the same there. Errors: as plan and CspaceObstacle::create. Cost: at most two
-/// slices, a graph of each, and O(NM) filtered signs.
+/// where they do not decide. `plan` answers the same there. Errors: as plan and CspaceObstacle::create. Cost: at most
+/// two slices, a graph of each, and O(NM) filtered signs.
 Result<std::optional<Plan>> direct_plan(const Region& robot, const Region& obstacle, const Configuration& start,
                                         const Configuration& goal, const PlanOptions& options = {});
 Result<std::optional<Plan>> direct_plan(const Region& robot, const Region& obstacle, const ExactConfiguration& start,

@@ -6,9 +6,9 @@
 
 namespace dymsum {
 
-/// Called now and then from the computing thread with the stage's name and its finished share in [0, 1]. Return false
-/// to stop: the computation then returns an Error with ErrorCode::cancelled and changes nothing. An empty function
-/// never stops.
+/// Called now and then from the computing thread with the stage's name and its finished fraction in [0, 1]. Return
+/// false to stop: the computation then returns an Error with ErrorCode::cancelled and changes nothing. An empty
+/// function never stops.
 using Progress = std::function<bool(std::string_view stage, double fraction)>;
 
 }  // namespace dymsum

@@ -92,7 +92,7 @@ class Region {
 /// What repair changed, as counts and in words.
 struct RepairReport {
   std::size_t duplicate_vertices = 0;   ///< consecutive equal vertices merged, closing vertices dropped
-  std::size_t collinear_vertices = 0;   ///< vertices in the middle of straight lines, and spikes, dropped
+  std::size_t collinear_vertices = 0;   ///< vertices inside straight lines, and spikes, dropped
   std::size_t reversed_rings = 0;       ///< outer rings made counter-clockwise, holes made clockwise
   std::size_t dropped_rings = 0;        ///< rings that enclosed nothing
   std::size_t polylines_to_points = 0;  ///< polylines that are one point, made points
@@ -108,7 +108,7 @@ struct Repaired {
 };
 
 /// The named repair: merges duplicate vertices, drops collinear vertices, spikes and empty rings, fixes orientation,
-/// and reports what it changed. Polylines lose duplicate vertices and vertices in the middle of straight lines, but not
+/// and reports what it changed. Polylines lose duplicate vertices and vertices inside straight lines, but not
 /// their folds. Crossings and misplaced holes are not repaired: they come back as the errors of Region::create, with
 /// the indices of `data`.
 Result<Repaired> repair(RegionData data);

@@ -1,5 +1,5 @@
 // Files of planar regions and pictures. Readers return plain data that is not yet validated, so that a caller can
-// choose between Region::create (refuse) and repair (mend and report).
+// choose between Region::create (refuse) and repair (change and report).
 #pragma once
 
 #include <cstdint>
@@ -22,7 +22,7 @@ enum class RegionFormat { poly, wkt, geojson, svg, json, dxf };
 
 /// The format a path's extension names.
 Result<RegionFormat> region_format(std::string_view path);
-/// Whether a text begins as .dxf files do: with a section, or with a comment that is not a number, on the line behind
+/// Whether a text begins as .dxf files do: with a section, or with a comment that is not a number, on the line after
 /// its code. Other formats never do.
 bool begins_like_dxf(std::string_view text);
 /// Whether read_shapes reads files of that name, by the extension, perhaps in front of a "#": those formats and maps.
@@ -64,8 +64,8 @@ std::string format_sum(const PlanarSum& sum, const Region& rounded, RegionFormat
 /// yet. A path that ends in .gz is compressed. Errors: cannot_write; unsupported_format for .gz without zlib
 /// (WebAssembly).
 Result<void> write_file(const std::string& path, std::string_view text);
-/// Whether write_file can do it, as far as can be told without writing: error cannot_write for a directory, a folder
-/// that does not exist, a file that may not be changed.
+/// Whether write_file can do it, as far as can be determined without writing: error cannot_write for a directory, a
+/// folder that does not exist, a file that may not be changed.
 Result<void> check_writable(const std::string& path);
 /// The file that write_file replaces: the path itself, or where symbolic links lead from it in the end.
 std::string written_path(const std::string& path);

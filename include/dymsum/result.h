@@ -47,7 +47,7 @@ enum class ErrorCode {
   bad_scale,                  ///< a scale that is not a positive number, or beyond the supported range
   bad_rotation,               ///< a quaternion of zeros, a zero axis, or components beyond 2^30
   out_of_range,               ///< a number or an option outside of the range that is stated with it
-  cancelled,                  ///< the progress callback asked to stop
+  cancelled,                  ///< the progress callback requested a stop
   out_of_memory,              ///< more memory is needed than the options or the machine give
 };
 

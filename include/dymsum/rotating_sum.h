@@ -1,4 +1,4 @@
-// Planar sums that stay exact while an operand turns: one object holds R(theta) P (+) Q and follows the orientation.
+// Planar sums that stay exact while an operand rotates: one object holds R(theta) P (+) Q and follows the orientation.
 // Setting one updates what the change touches; the result equals a fresh computation there, always.
 #pragma once
 

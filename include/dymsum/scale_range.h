@@ -65,15 +65,15 @@ Result<ScaleRange> scale_range(const Region& part, std::span<const RationalPoint
 /// The scales at which s `part`, placed at `at`, lies inside the container. Errors here and below: as above,
 /// coordinates beyond 2^996.
 Result<ScaleRange> fit_range(const Region& part, const Region& container, Point at, const Progress& progress = {});
-/// The same at a place in fractions. Errors also: unsupported_operand where a coordinate of the place, or of the
-/// container, times the common denominator of the place is no double.
-template <std::same_as<RationalPoint> Place>
-Result<ScaleRange> fit_range(const Region& part, const Region& container, const Place& at,
+/// The same at a position in fractions. Errors also: unsupported_operand where a coordinate of the position, or of the
+/// container, times the common denominator of the position is no double.
+template <std::same_as<RationalPoint> Position>
+Result<ScaleRange> fit_range(const Region& part, const Region& container, const Position& at,
                              const Progress& progress = {});
 
 /// The scales at which s `part` lies inside the container at some translation: erode(container, s part) is not empty.
 /// At an end of an interval the translations left are points and segments; its contacts are those at each of these
-/// points, and those that hold along a stretch of these segments. Cost: an exact frame per event of the scaling sum.
+/// points, and those that hold along an interval of these segments. Cost: an exact frame per event of the scaling sum.
 Result<ScaleRange> fit_range(const Region& part, const Region& container, const Progress& progress = {});
 
 }  // namespace dymsum

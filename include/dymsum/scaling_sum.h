@@ -56,7 +56,7 @@ class ScalingSum {
   /// in the open sum are not. Costs one exact frame per value. Does not move the sum. Errors: bad_scale when a > b;
   /// cancelled.
   Result<std::vector<ScaleEvent>> events(const Scale& a, const Scale& b, const Progress& progress = {}) const;
-  /// The first event of the kind asked for after s and at most `limit`, if there is one.
+  /// The first event of the kind requested after s and at most `limit`, if there is one.
   Result<std::optional<ScaleEvent>> next_event(const Scale& s, const Scale& limit,
                                                EventChange change = EventChange::visible,
                                                const Progress& progress = {}) const;

@@ -20,7 +20,7 @@ Result<SpatialSum> erode(const Mesh& a, const Mesh& b, const SpatialOptions& opt
 enum class BetweenSteps : std::uint8_t {
   exact,    ///< error rounding_changed_topology with the position (the default)
   rounded,  ///< each coordinate to the nearest double, or where nothing is tight and faces cross then, as
-            ///< SpatialSum::rounded; SolidOpening tells how far that moved them. Error rounding_changed_topology with
+            ///< SpatialSum::rounded; SolidOpening reports how far that moved them. Error rounding_changed_topology with
             ///< the position where that leaves less of a tight face or segment, or faces cross beside tight features
 };
 

@@ -11,8 +11,8 @@ namespace dymsum {
 
 /// On which side of the exact offset a result lies.
 enum class OffsetBound : std::uint8_t {
-  inside,   ///< contained in it: material that is certainly there (the default)
-  outside,  ///< containing it: room that is certainly enough
+  inside,   ///< contained in it: material that is provably there (the default)
+  outside,  ///< containing it: room that is provably enough
 };
 
 /// A convex solid about the origin: the ball of radius `low` lies in it, and it in that of radius `high`.

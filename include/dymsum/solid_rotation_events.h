@@ -64,7 +64,7 @@ struct SolidRotationContact {
 };
 
 /// An angle at which something meets on the boundary of the sum; `approx` is in (-pi, pi], within 2^-44. What is
-/// visible is known where changes were asked for. Where t is not rational there is no sum at the angle: before and
+/// visible is known where changes were requested. Where t is not rational there is no sum at the angle: before and
 /// after alone are compared.
 struct SolidRotationEvent : Event<AlgebraicTurn> {
   std::vector<SolidRotationContact> contacts;  ///< by kinds, then by features; 16 of them where masses meet
@@ -72,7 +72,7 @@ struct SolidRotationEvent : Event<AlgebraicTurn> {
 
 struct SolidRotationOptions {
   MovingOperand moving = MovingOperand::p;
-  /// Sums before, at and behind every event tell what changes: one or two exact sums an event. Without, events are the
+  /// Sums before, at and after every event tell what changes: one or two exact sums an event. Without, events are the
   /// angles at which something meets on the boundary, of normal_on_arc: unless proved to lie deep inside.
   bool changes = true;
   /// How far windows of candidates reach, in radians; 0: chosen by the sizes of the operands.
@@ -85,7 +85,7 @@ struct SolidRotationOptions {
 struct SolidRotationWork {
   std::uint64_t windows = 0, facets = 0;  ///< facets: of the convolution, at some angle of a window, added up
   std::uint64_t candidates = 0;           ///< whose polynomials were made
-  std::uint64_t roots = 0;                ///< where features that exist there meet, or doubles do not tell
+  std::uint64_t roots = 0;                ///< where features that exist there meet, or doubles do not decide
   std::uint64_t covered = 0;              ///< of these, at positions that doubles prove to lie in the open sum
   std::uint64_t exact_tests = 0;          ///< distinct ones of the rest, tested exactly, at the algebraic angle
   std::uint64_t events = 0, sums = 0;
@@ -111,12 +111,12 @@ class SolidRotationEvents {
   Result<SpatialSum> at(const AxisTurn& turn, const Progress& progress = {}) const;
 
   /// The events from `a` counter-clockwise to `b`, both included, in order. Equal turns: those of that angle alone.
-  /// Errors: cancelled; as at(). Cost: windows of candidates, and sums where changes are asked for.
+  /// Errors: cancelled; as at(). Cost: windows of candidates, and sums where changes are requested.
   Result<std::vector<SolidRotationEvent>> events(const AxisTurn& a, const AxisTurn& b,
                                                  const Progress& progress = {}) const;
   /// Those of a whole turn, from -pi (excluded) to pi.
   Result<std::vector<SolidRotationEvent>> events_of_turn(const Progress& progress = {}) const;
-  /// The first visible event behind `a` and not beyond `limit`, which is reached counter-clockwise.
+  /// The first visible event after `a` and not beyond `limit`, which is reached counter-clockwise.
   Result<std::optional<SolidRotationEvent>> next_event(const AxisTurn& a, const AxisTurn& limit,
                                                        const Progress& progress = {}) const;
   /// The same of events that change shells, the genus of one, or counts of tight features.

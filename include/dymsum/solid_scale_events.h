@@ -25,9 +25,9 @@ struct SolidScaleOptions {
 struct SolidEventWork {
   std::uint64_t candidates = 0;  ///< tuples of corners, edges and facets that might meet
   std::uint64_t exact = 0;       ///< of these, points that exact numbers had to tell
-  std::uint64_t points = 0;      ///< that are, and are not surely in the open sum
+  std::uint64_t points = 0;      ///< that are, and are not provably in the open sum
   std::uint64_t values = 0;      ///< different scales of these
-  std::uint64_t sums = 0;        ///< sums computed to compare them, where the facets at the points do not tell
+  std::uint64_t sums = 0;        ///< sums computed to compare them, where the facets at the points do not decide
 };
 
 /// P + s Q, or s P + Q, for exact s > 0. The reduced convolution is the same at every scale, so that it is made once,
@@ -45,7 +45,7 @@ class SolidScaleEvents {
   std::size_t facet_count() const;  ///< of the reduced convolution
 
   /// The exact sum at a scale, that of an event included: minkowski_sum of the scaled operands. Errors:
-  /// unsupported_operand where coordinates need more than 8,192 bits; cancelled. Cost: the stages of a sum behind its
+  /// unsupported_operand where coordinates need more than 8,192 bits; cancelled. Cost: the stages of a sum after its
   /// convolution.
   Result<SpatialSum> at(const Scale& s, const Progress& progress = {}) const;
 
@@ -53,7 +53,7 @@ class SolidScaleEvents {
   /// is faces by their planes as the scale moves them, how these meet in edges and vertices, shells, tight features.
   /// Exact. Errors: bad_scale when a > b; cancelled; unsupported_operand as at(), where
   /// sums have to be compared. Cost: pairs and triples of facets that come near each other in windows of scales, an
-  /// exact point for each of their meetings outside of what is surely covered; three sums for every scale at which
+  /// exact point for each of their meetings outside of what is provably covered; three sums for every scale at which
   /// facets meet in more than the general way, or in one that may change the topology.
   Result<std::vector<ScaleEvent>> events(const Scale& a, const Scale& b, const Progress& progress = {},
                                          SolidEventWork* work = nullptr) const;

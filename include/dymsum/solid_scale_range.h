@@ -54,9 +54,9 @@ Result<SolidScaleRange> solid_scale_range(const Mesh& part, std::span<const Rati
 /// The scales at which s `part`, placed at `at`, lies inside the container. Errors as above.
 Result<SolidScaleRange> solid_fit_range(const Mesh& part, const Mesh& container, const Point3& at,
                                         const Progress& progress = {});
-/// The same at a place in fractions.
-template <std::same_as<RationalPoint3> Place>
-Result<SolidScaleRange> solid_fit_range(const Mesh& part, const Mesh& container, const Place& at,
+/// The same at a position in fractions.
+template <std::same_as<RationalPoint3> Position>
+Result<SolidScaleRange> solid_fit_range(const Mesh& part, const Mesh& container, const Position& at,
                                         const Progress& progress = {});
 
 /// The scales at which s `part` lies inside the container at some translation: erode(container, s part) is not empty.

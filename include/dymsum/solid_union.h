@@ -34,7 +34,7 @@ Result<SpatialSum> symmetric_difference(const Mesh& a, const Mesh& b, const Spat
 Result<SpatialSum> intersection(std::span<const Mesh> solids, const SpatialOptions& options = {});
 Result<SpatialSum> difference(const Mesh& a, std::span<const Mesh> taken, const SpatialOptions& options = {});
 
-/// The named repair of surfaces that cross: what repair() mends, it mends. Where faces cross, touch or lie on each
+/// The named repair of surfaces that cross: what repair() repairs, it repairs. Where faces cross, touch or lie on each
 /// other after that, or bound nothing where they meet, the solid that they bound by `fill` is taken (united), with its
 /// vertices rounded as SpatialSum::rounded does. Vertices at one position are merged before, T-junctions closed, single
 /// faces turned over that do not agree with their neighbours, and with Fill::nonzero shells that are inside out and

@@ -100,7 +100,7 @@ struct SpatialStats {
   std::vector<Stage> stages;
 };
 
-/// The sum of two solids. Canonical: no two neighbouring faces in one plane, no vertex in the middle of a straight
+/// The sum of two solids. Canonical: no two neighbouring faces in one plane, no vertex inside a straight
 /// edge; vertices sorted by x, y, z, every loop from its smallest vertex on, faces sorted. Equal sets compare equal.
 class SpatialSum {
  public:

@@ -77,7 +77,7 @@ struct Positions {
 
 /// One position: exactly, but where a coordinate is not finite; and as doubles, where these hold it.
 template <std::size_t K>
-struct Place {
+struct Position {
   std::optional<std::conditional_t<K == 2, RationalPoint, RationalPoint3>> exact;
   std::optional<std::conditional_t<K == 2, Point, Point3>> doubles;
 };
@@ -308,11 +308,11 @@ struct type_caster<dymsum::python::Positions<K>> : list_reader<dymsum::python::P
 };
 
 template <std::size_t K>
-struct type_caster<dymsum::python::Place<K>> : rational_caster<dymsum::python::Place<K>, K> {
+struct type_caster<dymsum::python::Position<K>> : rational_caster<dymsum::python::Position<K>, K> {
   static constexpr auto Name = type_caster<dymsum::RationalPoint>::Name;
-  using Place = dymsum::python::Place<K>;
+  using Position = dymsum::python::Position<K>;
   bool from_python(handle src, uint32_t, cleanup_list*) { return dymsum::python::read_rationals(src, this->numbers_); }
-  explicit operator Place() {
+  explicit operator Position() {
     if (!this->is_finite()) return {};
     std::array<double, K> near;
     bool held = true;
@@ -321,15 +321,15 @@ struct type_caster<dymsum::python::Place<K>> : rational_caster<dymsum::python::P
       const dymsum::Result<dymsum::Rational> back = dymsum::Rational::of(near[k]);
       held = held && this->numbers_[k] && back && *back == *this->numbers_[k];
     }
-    Place place;
+    Position position;
     if constexpr (K == 2) {
-      if (held) place.doubles = {near[0], near[1]};
-      place.exact = {this->template take<0>(), this->template take<1>()};
+      if (held) position.doubles = {near[0], near[1]};
+      position.exact = {this->template take<0>(), this->template take<1>()};
     } else {
-      if (held) place.doubles = {near[0], near[1], near[2]};
-      place.exact = {this->template take<0>(), this->template take<1>(), this->template take<2>()};
+      if (held) position.doubles = {near[0], near[1], near[2]};
+      position.exact = {this->template take<0>(), this->template take<1>(), this->template take<2>()};
     }
-    return place;
+    return position;
   }
 };
 

@@ -16,7 +16,7 @@ struct Callable {
   explicit Callable(nb::object what) : object(std::move(what)) {}
   ~Callable() {
     if (leaving()) {
-      object.release();  // nobody may ask for the GIL any more
+      object.release();  // nobody may request the GIL any more
       return;
     }
     const nb::gil_scoped_acquire held;
@@ -32,8 +32,8 @@ struct PythonProgress {
   /// With the GIL. What the callable returns means stop where it is False; None goes on.
   bool ask(std::string_view stage, double fraction) const {
     const nb::str name(stage.data(), stage.size());
-    const nb::float_ share(fraction);
-    PyObject* const arguments[] = {name.ptr(), share.ptr()};
+    const nb::float_ value(fraction);
+    PyObject* const arguments[] = {name.ptr(), value.ptr()};
     const nb::object answer = nb::steal(call_python(callable->object.ptr(), arguments, 2));
     if (!answer) throw nb::python_error();
     return answer.is_none() || nb::cast<bool>(nb::bool_(answer));

@@ -51,7 +51,7 @@ class Watch {
   /// A call begins, on this thread.
   void begin();
   Progress progress() const;
-  /// The user's progress is asked no more.
+  /// The user's progress is queried no more.
   void forget();
   /// Raises what stopped the call, if anything did. With the GIL.
   void raise() const;

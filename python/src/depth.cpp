@@ -17,9 +17,9 @@ using namespace nb::literals;
 
 /// The position, exactly; ValueError where it is not finite.
 template <std::size_t K>
-const auto& finite(const Place<K>& place) {
-  if (!place.exact) throw std::invalid_argument("the position is not finite");
-  return *place.exact;
+const auto& finite(const Position<K>& position) {
+  if (!position.exact) throw std::invalid_argument("the position is not finite");
+  return *position.exact;
 }
 
 /// A SolidDepth and what it is made of again.
@@ -32,11 +32,11 @@ struct Depth {
   static SolidDepth create(const Mesh& p, const Mesh& q, const DepthOptions& o) {
     return run_with(o, [&](const DepthOptions& own) { return SolidDepth::create(p, q, own); });
   }
-  SolidDistance at(const Place<3>& moved, double time_limit) {
+  SolidDistance at(const Position<3>& moved, double time_limit) {
     const auto& at = finite(moved);
     return held.alone([&](SolidDepth& depth) { return without_gil([&] { return depth.at(at, time_limit); }); });
   }
-  Rational along(const Place<3>& moved, const Place<3>& direction) {
+  Rational along(const Position<3>& moved, const Position<3>& direction) {
     const auto &at = finite(moved), &along = finite(direction);
     return held.alone([&](SolidDepth& depth) { return without_gil([&] { return depth.along(at, along); }); });
   }
@@ -333,7 +333,7 @@ Fraction(1, 16)
       .def_static("create", &of_regions, "p"_a, "q"_a)
       .def(
           "at",
-          [](const DepthOfRegions& self, const Place<2>& moved) {
+          [](const DepthOfRegions& self, const Position<2>& moved) {
             const RationalPoint& at = finite(moved);
             return without_gil([&] { return self.depth.at(at); });
           },

@@ -10,7 +10,7 @@ namespace dymsum::python {
 
 /// [lowest x, y, (z,) highest x, y, (z)] of positions, each the nearest double to the exact one; zeros for none.
 /// each(add) calls add(near, exact) for every position: `near` are its doubles, within `error` in each coordinate, and
-/// exact(k) is the nearest double to coordinate k, which is asked for those alone that may be outermost.
+/// exact(k) is the nearest double to coordinate k, which is requested those alone that may be outermost.
 template <std::size_t K, class Each>
 std::array<double, 2 * K> extent_of(double error, Each&& each) {
   constexpr double kInfinite = std::numeric_limits<double>::infinity();

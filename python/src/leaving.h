@@ -1,4 +1,4 @@
-// What becomes of other threads when the interpreter ends. Python stops each where it next asks for the GIL, and as C++
+// What becomes of other threads when the interpreter ends. Python stops each where it next requests the GIL, and as C++
 // on the way out of that ends the process, no thread may ask any more.
 #pragma once
 

@@ -18,7 +18,7 @@
 
 namespace dymsum::python {
 
-/// Whether the object is a sequence, no text, and `read` is true for every item; asks for signals meanwhile. How many
+/// Whether the object is a sequence, no text, and `read` is true for every item; requests signals meanwhile. How many
 /// there are is found by iterating: what an object says of its length is not believed. Throws what is raised.
 template <class Read>
 bool each_item(nb::handle object, Read&& read) {

@@ -1,4 +1,4 @@
-// Sums of solids near a place.
+// Sums of solids near a position.
 #include "dymsum/local_sum.h"
 
 #include "arguments.h"
@@ -38,7 +38,7 @@ struct Local {
   Held<LocalSum> held;
 };
 
-void bind_places(nb::module_& m) {
+void bind_positions(nb::module_& m) {
   Record<ClipBox> box(m, "ClipBox", "The closed box from `low` to `high`, in the unit of the coordinates.");
   box.def(
       "__init__",
@@ -50,11 +50,11 @@ void bind_places(nb::module_& m) {
   Record<ClipBall> ball(m, "ClipBall", "A closed ball: it selects faces, its bounding box cuts them.");
   ball.def(
       "__init__",
-      [](ClipBall* self, const Point3& middle, double radius) {
-        new (self) ClipBall{middle, radius};
+      [](ClipBall* self, const Point3& centre, double radius) {
+        new (self) ClipBall{centre, radius};
       },
-      "middle"_a, "radius"_a);
-  ball.field("middle", &ClipBall::middle).field("radius", &ClipBall::radius);
+      "centre"_a, "radius"_a);
+  ball.field("centre", &ClipBall::centre).field("radius", &ClipBall::radius);
   m.def(
       "bounding_box", [](const ClipBall& of) { return bounding_box(of); }, "ball"_a,
       "The smallest box of doubles that holds the ball.");
@@ -148,7 +148,7 @@ Where.inside
 }  // namespace
 
 void bind_local_sum(nb::module_& m) {
-  bind_places(m);
+  bind_positions(m);
   bind_local_options(m);
   bind_part(m);
   bind_local_class(m);

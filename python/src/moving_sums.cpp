@@ -38,7 +38,7 @@ struct Moving {
   }
   /// What work(sum) tells at once.
   template <class Work>
-  auto tell(Work&& work) {
+  auto report(Work&& work) {
     return held.alone(work);
   }
 
@@ -67,10 +67,10 @@ void bind_common(nb::class_<Self>& type) {
           nb::rv_policy::take_ownership, "p"_a, "q"_a, "options"_a = MovingOptions(),
           "At rest. Raises Error: unsupported_operand for coordinates beyond 2^1000; cancelled.")
       .def(
-          "ring_ids", [](Self& self) { return self.tell([](const Sum& sum) { return sum.ring_ids(); }); },
+          "ring_ids", [](Self& self) { return self.report([](const Sum& sum) { return sum.ring_ids(); }); },
           "Identities of the rings of sum(), part by part, outer ring first.")
       .def(
-          "work", [](Self& self) { return self.tell([](const Sum& sum) { return sum.work(); }); },
+          "work", [](Self& self) { return self.report([](const Sum& sum) { return sum.work(); }); },
           "The work of the last frame.")
       .def_prop_ro("options", [](const Self& self) { return Self::own_options(self.options); });
 }
@@ -136,22 +136,22 @@ void bind_scaling(nb::module_& m) {
           nb::sig("def set(self, sx: Scale | fractions.Fraction | float, sy: Scale | fractions.Fraction | float) -> "
                   "FrameChanges"),
           "diag(sx, sy) times the scaled operand.")
-      .def("scale", [](ScalingObject& self) { return self.tell([](const ScalingSum& sum) { return sum.scale(); }); })
+      .def("scale", [](ScalingObject& self) { return self.report([](const ScalingSum& sum) { return sum.scale(); }); })
       .def(
           "sum",
           [](ScalingObject& self) {
-            return self.tell([&](const ScalingSum& sum) {
+            return self.report([&](const ScalingSum& sum) {
               return remembered(sum.sum(), "scaling_sum", self.p, self.q, self.options, self.scales[0], self.scales[1]);
             });
           },
           "A copy of the exact sum at the current scale.")
       .def("combinatorial_hash", [](ScalingObject& self) {
-        return self.tell([](const ScalingSum& sum) { return sum.combinatorial_hash(); });
+        return self.report([](const ScalingSum& sum) { return sum.combinatorial_hash(); });
       });
   type.def(
           "events",
           [](ScalingObject& self, const ScaleArgument& a, const ScaleArgument& b, const Progress& progress) {
-            return self.tell([&](const ScalingSum& sum) {
+            return self.report([&](const ScalingSum& sum) {
               return run(progress, [&](Progress own) { return sum.events(a.value(), b.value(), own); });
             });
           },
@@ -160,7 +160,7 @@ void bind_scaling(nb::module_& m) {
           "next_event",
           [](ScalingObject& self, const ScaleArgument& s, const ScaleArgument& limit, EventChange change,
              const Progress& progress) {
-            return self.tell([&](const ScalingSum& sum) {
+            return self.report([&](const ScalingSum& sum) {
               return run(progress, [&](Progress own) { return sum.next_event(s.value(), limit.value(), change, own); });
             });
           },
@@ -192,11 +192,11 @@ void bind_rotating(nb::module_& m) {
           },
           "theta"_a, "Turns to an orientation. Raises Error: cancelled; nothing changes then.")
       .def("orientation",
-           [](Rotating& self) { return self.tell([](const RotatingSum& sum) { return sum.orientation(); }); })
+           [](Rotating& self) { return self.report([](const RotatingSum& sum) { return sum.orientation(); }); })
       .def(
           "sum",
           [](Rotating& self) {
-            return self.tell([&](const RotatingSum& sum) {
+            return self.report([&](const RotatingSum& sum) {
               return remembered(sum.sum(), "rotating_sum", self.p, self.q, self.options, sum.orientation());
             });
           },

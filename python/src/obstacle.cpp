@@ -26,7 +26,7 @@ void require_slab(const CspaceObstacle& obstacle, std::uint32_t slab) {
   if (slab >= std::max<std::size_t>(1, obstacle.angles().size())) throw nb::index_error("no such slab");
 }
 
-/// Patches are told by their place, or by their contacts where they are copies.
+/// Patches are determined by their place, or by their contacts where they are copies.
 bool has_patch(const CspaceObstacle& obstacle, const Patch& patch) {
   const std::vector<Patch>& all = obstacle.patches();
   if (std::less_equal<>()(all.data(), &patch) && std::less<>()(&patch, all.data() + all.size())) return true;

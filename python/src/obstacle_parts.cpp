@@ -54,7 +54,7 @@ void bind_boundary(nb::module_& m) {
   Record<TurnMark>(m, "TurnMark", "An angle at which the robot, turning in place, meets the obstacle.")
       .field("angle", &TurnMark::angle)
       .field("free", &TurnMark::free)
-      .field("free_behind", &TurnMark::free_behind);
+      .field("free_after", &TurnMark::free_after);
 }
 
 void bind_obstacle_work(nb::module_& m) {

@@ -72,8 +72,8 @@ struct type_caster<dymsum::python::PlanarOperands> {
   explicit operator Value() {
     Value all;
     for (std::size_t i = 0; i < items_.size(); ++i)
-      all.items.push_back(dymsum::python::of_item(
-          i, [&] { return items_[i].operator dymsum::python::PlanarOperandArgument(); }));
+      all.items.push_back(
+          dymsum::python::of_item(i, [&] { return items_[i].operator dymsum::python::PlanarOperandArgument(); }));
     return all;
   }
 
@@ -146,8 +146,8 @@ void bind_fill_report(nb::module_& m) {
       .field("report", &FilledRegion::report);
   m.def(
       "repair_with_fill",
-      [](const RegionDataArgument& rings, Fill fill) { return take(repair_with_fill(*rings, fill)); },
-      "rings"_a, "fill"_a = Fill::nonzero,
+      [](const RegionDataArgument& rings, Fill fill) { return take(repair_with_fill(*rings, fill)); }, "rings"_a,
+      "fill"_a = Fill::nonzero,
       "What rings bound that cross themselves or each other, with its vertices rounded. Raises Error: not_finite; "
       "unsupported_operand.");
 }
@@ -155,16 +155,20 @@ void bind_fill_report(nb::module_& m) {
 }  // namespace
 
 void bind_planar_boolean(nb::module_& m) {
-  bind_of_many<united>(m, "united", R"doc(What lies in one of the sets, exactly. Results are operands as they are: nothing is rounded in between.
+  bind_of_many<united>(
+      m, "united",
+      R"doc(What lies in one of the sets, exactly. Results are operands as they are: nothing is rounded in between.
 
 >>> from dymsum import shapes, united
 >>> united([shapes.rectangle(0, 0, 2, 2), shapes.rectangle(1, 1, 3, 3)]).area_exact()
 Fraction(7, 1)
 )doc");
   bind_of_many<intersection>(m, "intersection", "What lies in all of the sets, exactly; of at least one.");
-  bind_of_two<united>(m, "united", "__or__", "What lies in one of two sets, exactly. a | b is the same with Semantics.regular.");
-  bind_of_two<intersection>(m, "intersection", "__and__",
-                            R"doc(What lies in both sets, exactly. Sets are closed: where they only touch, the result has segments and points. a & b is
+  bind_of_two<united>(m, "united", "__or__",
+                      "What lies in one of two sets, exactly. a | b is the same with Semantics.regular.");
+  bind_of_two<intersection>(
+      m, "intersection", "__and__",
+      R"doc(What lies in both sets, exactly. Sets are closed: where they only touch, the result has segments and points. a & b is
 the same with Semantics.regular, and has none.
 
 >>> from dymsum import intersection, shapes
@@ -172,16 +176,18 @@ the same with Semantics.regular, and has none.
 >>> len(both.parts), [(s.from_.at, s.to.at) for s in both.segments]
 (0, [(Point(x=1.0, y=0.0), Point(x=1.0, y=1.0))])
 )doc");
-  bind_of_two<difference>(m, "difference", "__sub__",
-                          R"doc(What lies in the first set and not in the second, exactly. What is taken away is open, so the result is closed. a - b is
+  bind_of_two<difference>(
+      m, "difference", "__sub__",
+      R"doc(What lies in the first set and not in the second, exactly. What is taken away is open, so the result is closed. a - b is
 the same with Semantics.regular: parts with area alone.
 
 >>> from dymsum import shapes
 >>> (shapes.rectangle(0, 0, 4, 4) - shapes.rectangle(1, 1, 2, 2)).area_exact()
 Fraction(15, 1)
 )doc");
-  bind_of_two<symmetric_difference>(m, "symmetric_difference", "__xor__",
-                                    "What lies in one of two sets alone, exactly. a ^ b is the same with Semantics.regular.");
+  bind_of_two<symmetric_difference>(
+      m, "symmetric_difference", "__xor__",
+      "What lies in one of two sets alone, exactly. a ^ b is the same with Semantics.regular.");
   m.def(
       "filled",
       [](const RegionDataArgument& rings, Fill fill, const SumOptions& options) {

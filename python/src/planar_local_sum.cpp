@@ -1,4 +1,4 @@
-// Sums of regions near a place.
+// Sums of regions near a position.
 #include "dymsum/planar_local_sum.h"
 
 #include "arguments.h"
@@ -38,7 +38,7 @@ struct PlanarLocal {
   Held<PlanarLocalSum> held;
 };
 
-void bind_planar_places(nb::module_& m) {
+void bind_planar_positions(nb::module_& m) {
   Record<PlanarBox> box(m, "PlanarBox", "The closed box from `low` to `high`, in the unit of the coordinates.");
   box.def(
       "__init__",
@@ -50,11 +50,11 @@ void bind_planar_places(nb::module_& m) {
   Record<PlanarDisc> disc(m, "PlanarDisc", "A closed disc: it selects edges, its bounding box cuts them.");
   disc.def(
       "__init__",
-      [](PlanarDisc* self, const Point& middle, double radius) {
-        new (self) PlanarDisc{middle, radius};
+      [](PlanarDisc* self, const Point& centre, double radius) {
+        new (self) PlanarDisc{centre, radius};
       },
-      "middle"_a, "radius"_a);
-  disc.field("middle", &PlanarDisc::middle).field("radius", &PlanarDisc::radius);
+      "centre"_a, "radius"_a);
+  disc.field("centre", &PlanarDisc::centre).field("radius", &PlanarDisc::radius);
   m.def(
       "bounding_box", [](const PlanarDisc& of) { return bounding_box(of); }, "disc"_a,
       "The smallest box of doubles that holds the disc.");
@@ -145,7 +145,7 @@ Where.inside
 }  // namespace
 
 void bind_planar_local_sum(nb::module_& m) {
-  bind_planar_places(m);
+  bind_planar_positions(m);
   bind_planar_part(m);
   bind_planar_local(m);
 }

@@ -133,7 +133,7 @@ bool same(const SumVertex& a, const SumVertex& b) {
   return a.at == b.at && a.in == b.in && a.out == b.out && a.corner_p == b.corner_p && a.corner_q == b.corner_q;
 }
 
-/// Whether one of the vertices is this one, by its place or as a copy.
+/// Whether one of the vertices is this one, by its position or as a copy.
 bool holds(const std::vector<SumVertex>& vertices, const SumVertex& vertex) {
   const auto* first = vertices.data();
   if (std::less_equal<>()(first, &vertex) && std::less<>()(&vertex, first + vertices.size())) return true;

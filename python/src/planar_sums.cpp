@@ -100,7 +100,7 @@ Fraction(24, 5)
       "p"_a, "q"_a);
 }
 
-std::span<const Point> places_of(const Rows<2>& rows) {
+std::span<const Point> positions_of(const Rows<2>& rows) {
   static_assert(sizeof(Point) == 2 * sizeof(double));
   return {reinterpret_cast<const Point*>(rows.data), rows.size};
 }
@@ -109,7 +109,7 @@ std::span<const Point> places_of(const Rows<2>& rows) {
 Array<bool> inside_of(const Positions<2>& positions, const Progress& progress, auto&& ask) {
   if (positions.exact.empty()) {
     return truths_of(
-        run(progress, [&](const Progress& watched) { return ask(places_of(positions.doubles), watched); }));
+        run(progress, [&](const Progress& watched) { return ask(positions_of(positions.doubles), watched); }));
   }
   std::vector<std::uint8_t> inside = run(
       progress, [&](const Progress& watched) { return ask(std::span<const RationalPoint>(positions.exact), watched); });
@@ -120,7 +120,7 @@ Array<bool> inside_of(const Positions<2>& positions, const Progress& progress, a
 void bind_planar_contains(nb::module_& m) {
   m.def(
       "contains",
-      [](const RegionArgument& p, const RegionArgument& q, const Place<2>& z, Semantics semantics) {
+      [](const RegionArgument& p, const RegionArgument& q, const Position<2>& z, Semantics semantics) {
         if (z.doubles) return contains(*p, *q, *z.doubles, semantics);
         return z.exact && run({}, [&](const Progress& watched) {
                             return contains_each(*p, *q, std::span(&*z.exact, 1), semantics, 1, watched);
@@ -181,7 +181,7 @@ array([ True,  True, False])
           "interior of its parts without tight features.")
       .def(
           "contains",
-          [](const SumLocator& self, const Place<2>& z) {
+          [](const SumLocator& self, const Position<2>& z) {
             if (z.doubles) return self.contains(*z.doubles);
             return z.exact && self.contains_rational(*z.exact);
           },

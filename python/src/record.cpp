@@ -21,7 +21,7 @@ void set_field(const RecordField& field, void* record, nb::handle value) {
   }
 }
 
-/// Long lists, and bytes, are told by their length.
+/// Long lists, and bytes, are determined by their length.
 std::string short_repr(nb::handle value) {
   constexpr std::size_t kMost = 6;
   if (nb::isinstance<nb::list>(value) && nb::len(value) > kMost) {

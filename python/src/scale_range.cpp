@@ -58,7 +58,7 @@ unsupported_operand, not_finite, cancelled.
 )doc");
   m.def(
       "fit_range",
-      [](const RegionArgument& part, const RegionArgument& container, const Place<2>& at, const Progress& progress) {
+      [](const RegionArgument& part, const RegionArgument& container, const Position<2>& at, const Progress& progress) {
         if (!at.exact) return take(Result<ScaleRange>(Error{ErrorCode::not_finite, "the placement is not finite", {}}));
         return run(progress, [&](Progress own) { return fit_range(*part, *container, *at.exact, own); });
       },

@@ -166,7 +166,7 @@ void bind_solid_ranges(nb::module_& m) {
       "The scales s for which s `part`, moved along the path, never overlaps the obstacles.");
   m.def(
       "solid_fit_range",
-      [](const MeshArgument& part, const MeshArgument& container, const Place<3>& at, const Progress& progress) {
+      [](const MeshArgument& part, const MeshArgument& container, const Position<3>& at, const Progress& progress) {
         if (!at.exact)
           return take(Result<SolidScaleRange>(Error{ErrorCode::not_finite, "the placement is not finite", {}}));
         return run(progress, [&](Progress own) { return solid_fit_range(*part, *container, *at.exact, own); });

@@ -67,7 +67,7 @@ std::vector<RationalPoint3> exact_of(const Positions<3>& positions) {
 void bind_spatial_contains(nb::module_& m) {
   m.def(
       "contains",
-      [](const MeshArgument& p, const MeshArgument& q, const Place<3>& z, Semantics semantics) {
+      [](const MeshArgument& p, const MeshArgument& q, const Position<3>& z, Semantics semantics) {
         if (z.doubles) return take(without_gil([&] { return contains(*p, *q, *z.doubles, semantics); }));
         if (!z.exact) take(Rational::of(std::nan("")));
         return bool(take(without_gil([&] { return contains_each(*p, *q, std::span(&*z.exact, 1), semantics); }))[0]);

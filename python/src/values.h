@@ -35,7 +35,7 @@ PyObject* new_named(const char* type, std::span<const Rational> values) noexcept
 
 namespace nanobind::detail {
 
-/// What is asked for throws what is wrong with the numbers.
+/// What is requested throws what is wrong with the numbers.
 template <class T, std::size_t K>
 struct rational_caster {
   using Value = T;

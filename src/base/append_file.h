@@ -25,7 +25,7 @@ class AppendFile {
   Result<std::string> read();
   /// Cuts it off. Error cannot_write.
   Result<void> resize(std::uint64_t bytes);
-  /// Writes behind its end, without a copy in this process: what has been appended survives its death. Error
+  /// Writes after its end, without a copy in this process: what has been appended survives its death. Error
   /// cannot_write: then part of it may have been written.
   Result<void> append(std::string_view bytes);
   const std::string& path() const { return path_; }

@@ -41,21 +41,21 @@ void in_child() {
   watched().mutex.unlock();
 }
 
-void ask_to_be_called() {
+void query_to_be_called() {
   static const int refused = pthread_atfork(before, in_parent, in_child);
   if (refused != 0) throw std::system_error(refused, std::generic_category());
 }
 
 #else
 
-void ask_to_be_called() {}
+void query_to_be_called() {}
 
 #endif
 
 }  // namespace
 
 void AroundForks::watch() {
-  ask_to_be_called();
+  query_to_be_called();
   const std::lock_guard lock(watched().mutex);
   watched().all.push_back(this);
 }

@@ -15,7 +15,7 @@ struct BoxQuanta {
   std::int16_t x0, y0, x1, y1;
 };
 
-/// For every box k in the order of their left sides: first asks for wanted = wanted_by(k, i), k being the i-th; then
+/// For every box k in the order of their left sides: first requests wanted = wanted_by(k, i), k being the i-th; then
 /// calls meet(k, others) with those that start no earlier, meet it and are wanted(other). Returns how many pairs were
 /// compared.
 template <class WantedBy, class Meet>
@@ -24,7 +24,7 @@ std::uint64_t sweep_boxes(std::span<const BoxQuanta> boxes, Scratch* memory, Wan
   Array<std::uint64_t> order(n, memory);
   for (std::uint32_t k = 0; k < n; ++k) order[k] = left_order(boxes[k].x0, k);
   sort_by_left(order);
-  // Behind the last box lie some that start to the right of everything and meet nothing.
+  // After the last box lie some that start to the right of everything and meet nothing.
   const std::size_t padded = std::size_t{n} + 2 * kLanes;
   Array<std::int16_t> sides(3 * padded, memory);
   std::int16_t *x0 = sides.data(), *y0 = x0 + padded, *y1 = y0 + padded;

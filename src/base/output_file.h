@@ -30,7 +30,7 @@ class OutputDraft {
   int open();
   /// With the permissions of an older target; returns when the text is on the disk.
   int write(std::string_view text);
-  /// Takes the target's name, and its place.
+  /// Takes the target's name, and its position.
   int publish();
 
  private:

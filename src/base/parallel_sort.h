@@ -22,16 +22,16 @@ void parallel_sort(std::vector<T>& values, int threads, Less less) {
   });
   std::vector<T> merged(n);
   for (std::size_t pairs = kQuarters / 2; pairs > 0; pairs /= 2) {
-    // Each pair of sorted stretches in two parts: what comes before the middle of the first one, and the rest.
+    // Each pair of sorted runs in two parts: what comes before the midpoint of the first one, and the rest.
     parallel_parts(2 * pairs, threads, [&](std::size_t part) {
-      const std::size_t k = part / 2, low = n * k / pairs, middle = n * (2 * k + 1) / (2 * pairs),
-                        high = n * (k + 1) / pairs, half = low + (middle - low) / 2;
-      const auto cut = std::lower_bound(at(values, middle), at(values, high), *at(values, half), less);
+      const std::size_t k = part / 2, low = n * k / pairs, midpoint = n * (2 * k + 1) / (2 * pairs),
+                        high = n * (k + 1) / pairs, half = low + (midpoint - low) / 2;
+      const auto cut = std::lower_bound(at(values, midpoint), at(values, high), *at(values, half), less);
       if (part % 2 == 0) {
-        std::merge(at(values, low), at(values, half), at(values, middle), cut, at(merged, low), less);
+        std::merge(at(values, low), at(values, half), at(values, midpoint), cut, at(merged, low), less);
       } else {
-        const auto before = static_cast<std::size_t>(cut - at(values, middle));
-        std::merge(at(values, half), at(values, middle), cut, at(values, high), at(merged, half + before), less);
+        const auto before = static_cast<std::size_t>(cut - at(values, midpoint));
+        std::merge(at(values, half), at(values, midpoint), cut, at(values, high), at(merged, half + before), less);
       }
     });
     values.swap(merged);

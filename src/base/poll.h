@@ -1,4 +1,4 @@
-// How long stages ask whether to go on.
+// How long stages query whether to go on.
 #pragma once
 
 #include <cstddef>
@@ -9,13 +9,13 @@
 
 namespace dymsum {
 
-/// Thrown where the caller's progress callback asks to stop; the public function makes ErrorCode::cancelled of it.
+/// Thrown where the caller's progress callback requests a stop; the public function makes ErrorCode::cancelled of it.
 struct Cancelled {};
 
 /// What a public function returns that was stopped.
 inline Error cancelled() { return {ErrorCode::cancelled, "stopped on request", {}}; }
 
-/// Tells the progress callback the stage and its share; does not return when that says to stop.
+/// Tells the progress callback the stage and its fraction; does not return when that says to stop.
 class Poll {
  public:
   explicit Poll(const Progress& progress) : progress_(progress) {}
@@ -24,8 +24,8 @@ class Poll {
     (*this)(0);
   }
   std::string_view stage() const { return stage_; }
-  void operator()(double share) const {
-    if (progress_ && !progress_(stage_, share)) throw Cancelled{};
+  void operator()(double fraction) const {
+    if (progress_ && !progress_(stage_, fraction)) throw Cancelled{};
   }
   /// For loops: asks once in 4096 rounds.
   void at(std::size_t round, std::size_t rounds) const {

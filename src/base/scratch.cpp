@@ -22,7 +22,7 @@ void give_back(void* pointer, std::size_t) { ::operator delete(pointer); }
 #else
 namespace {
 
-// Freed blocks by size class, the powers of two and the middles between them.
+// Freed blocks by size class, the powers of two and the midpoints between them.
 class Blocks {
  public:
   ~Blocks() {

@@ -12,12 +12,12 @@ namespace dymsum::base {
 class StopToken {
  public:
   StopToken() = default;
-  bool stop_requested() const { return asked_ != nullptr && asked_->load(std::memory_order_acquire); }
+  bool stop_requested() const { return requested_ != nullptr && requested_->load(std::memory_order_acquire); }
 
  private:
   friend class StopSource;
-  explicit StopToken(std::shared_ptr<const std::atomic<bool>> asked) : asked_(std::move(asked)) {}
-  std::shared_ptr<const std::atomic<bool>> asked_;
+  explicit StopToken(std::shared_ptr<const std::atomic<bool>> requested) : requested_(std::move(requested)) {}
+  std::shared_ptr<const std::atomic<bool>> requested_;
 };
 
 /// Who asks. By default nobody listens.
@@ -26,17 +26,17 @@ class StopSource {
   StopSource() = default;
   static StopSource create() {
     StopSource source;
-    source.asked_ = std::make_shared<std::atomic<bool>>(false);
+    source.requested_ = std::make_shared<std::atomic<bool>>(false);
     return source;
   }
-  StopToken token() const { return StopToken(asked_); }
+  StopToken token() const { return StopToken(requested_); }
   void request_stop() {
-    if (asked_ != nullptr) asked_->store(true, std::memory_order_release);
+    if (requested_ != nullptr) requested_->store(true, std::memory_order_release);
   }
   bool stop_requested() const { return token().stop_requested(); }
 
  private:
-  std::shared_ptr<std::atomic<bool>> asked_;
+  std::shared_ptr<std::atomic<bool>> requested_;
 };
 
 }  // namespace dymsum::base

@@ -14,7 +14,7 @@ namespace dymsum {
 
 using Two = double __attribute__((vector_size(16)));
 /// What comparing gives: -1 or 0 in each.
-using TwoTold = std::int64_t __attribute__((vector_size(16)));
+using TwoDecided = std::int64_t __attribute__((vector_size(16)));
 
 inline Two both(double v) { return Two{v, v}; }
 inline Two firsts(Two a, Two b) { return __builtin_shufflevector(a, b, 0, 2); }
@@ -24,24 +24,24 @@ inline Two least(Two a, Two b) { return a < b ? a : b; }
 inline Two most(Two a, Two b) { return a > b ? a : b; }
 inline Two magnitude(Two a) { return most(a, -a); }
 
-inline bool any(TwoTold told) {
+inline bool any(TwoDecided decided) {
 #ifdef __SSE2__
-  return _mm_movemask_pd(reinterpret_cast<__m128d>(told)) != 0;
+  return _mm_movemask_pd(reinterpret_cast<__m128d>(decided)) != 0;
 #elif defined(__wasm_simd128__)
-  return wasm_v128_any_true(reinterpret_cast<v128_t>(told));
+  return wasm_v128_any_true(reinterpret_cast<v128_t>(decided));
 #else
-  return (told[0] | told[1]) != 0;
+  return (decided[0] | decided[1]) != 0;
 #endif
 }
 
 /// In both lanes; false where something is not a number.
-inline bool every(TwoTold told) {
+inline bool every(TwoDecided decided) {
 #ifdef __SSE2__
-  return _mm_movemask_pd(reinterpret_cast<__m128d>(told)) == 3;
+  return _mm_movemask_pd(reinterpret_cast<__m128d>(decided)) == 3;
 #elif defined(__wasm_simd128__)
-  return wasm_i64x2_all_true(reinterpret_cast<v128_t>(told));
+  return wasm_i64x2_all_true(reinterpret_cast<v128_t>(decided));
 #else
-  return (told[0] & told[1]) != 0;
+  return (decided[0] & decided[1]) != 0;
 #endif
 }
 

@@ -26,17 +26,17 @@ RationalVector normal_of(const RationalVector& a, const RationalVector& b) {
 
 using Loops = std::vector<std::vector<std::uint32_t>>;
 
-/// f(a, b) of all borders.
+/// f(a, b) of all facet edges.
 template <class F>
-void for_each_border(const Loops& loops, F f) {
+void for_each_facet_edge(const Loops& loops, F f) {
   for (const auto& loop : loops)
     for (std::size_t k = 0; k < loop.size(); ++k) f(loop[k], loop[(k + 1) % loop.size()]);
 }
 
-/// Vertices relative to the place in doubles, each coordinate within `off_`, and what these prove of distances.
-class SureDistances {
+/// Vertices relative to the position in doubles, each coordinate within `off_`, and what these prove of distances.
+class ProvedDistances {
  public:
-  SureDistances(const SpatialSum& sum, const RationalVector& from) {
+  ProvedDistances(const SpatialSum& sum, const RationalVector& from) {
     const Vec3 origin{exact::round_to_double(from[0]), exact::round_to_double(from[1]),
                       exact::round_to_double(from[2])};
     double size = length(origin);
@@ -45,9 +45,9 @@ class SureDistances {
       size = std::max(size, length(Vec3{v.x, v.y, v.z}));
     }
     off_ = sum.at_error + size * 0x1p-50 + 0x1p-1000;
-    // A position of any border or vertex bounds the least distance.
+    // A position of any facet edge or vertex bounds the least distance.
     const auto look = [&](const Loops& loops) {
-      for_each_border(loops, [&](std::uint32_t a, std::uint32_t b) {
+      for_each_facet_edge(loops, [&](std::uint32_t a, std::uint32_t b) {
         const Bounded d = segment(a, b);
         at_most_ = std::min(at_most_, d.value + d.error);
       });
@@ -134,7 +134,7 @@ class BoundaryDistance {
     std::size_t drop = 0;
     while (n[drop] == 0) ++drop;
     bool inside = false;
-    for_each_border(loops, [&](std::uint32_t a, std::uint32_t b) {
+    for_each_facet_edge(loops, [&](std::uint32_t a, std::uint32_t b) {
       inside ^= passes(at(a), at(b), foot, (drop + 1) % 3, (drop + 2) % 3);
     });
     if (inside) offer(foot);
@@ -164,7 +164,7 @@ class BoundaryDistance {
 
   const SpatialSum& sum_;
   const RationalVector& from_;
-  std::vector<std::optional<RationalVector>> at_;  // where they were asked for
+  std::vector<std::optional<RationalVector>> at_;  // where they were requested
   std::vector<RationalVector> nearest_;
   BigRational least_;
 };
@@ -174,7 +174,7 @@ class BoundaryDistance {
 std::vector<RationalVector> nearest_on_boundary(const SpatialSum& sum, const RationalVector& from) {
   BoundaryDistance distance(sum, from);
   const auto face = [&](const Loops& loops) {
-    for_each_border(loops, [&](std::uint32_t a, std::uint32_t b) { distance.segment(a, b); });
+    for_each_facet_edge(loops, [&](std::uint32_t a, std::uint32_t b) { distance.segment(a, b); });
     distance.foot(loops);
   };
   for (const SpatialFace& f : sum.faces) face(f.loops);
@@ -186,16 +186,16 @@ std::vector<RationalVector> nearest_on_boundary(const SpatialSum& sum, const Rat
 
 NearestOnBoundary nearest_by_doubles_first(const SpatialSum& sum, const RationalVector& from) {
   NearestOnBoundary result;
-  const SureDistances sure(sum, from);
+  const ProvedDistances proved(sum, from);
   BoundaryDistance distance(sum, from);
   const auto segment = [&](std::uint32_t a, std::uint32_t b) {
-    if (sure.is_further(a, b)) return;
+    if (proved.is_further(a, b)) return;
     ++result.segments;
     distance.segment(a, b);
   };
   const auto face = [&](const Loops& loops) {
-    for_each_border(loops, segment);
-    if (sure.is_foot_further(loops)) return;
+    for_each_facet_edge(loops, segment);
+    if (proved.is_foot_further(loops)) return;
     ++result.faces;
     distance.foot(loops);
   };

@@ -6,7 +6,9 @@
 #include <limits>
 #include <numbers>
 #include <stdexcept>
+#include <string>
 
+#include "base/double_text.h"
 #include "base/hypot3.h"
 #include "depth/boundary_distance.h"
 #include "depth/continuous_tracker.h"
@@ -17,7 +19,7 @@
 
 namespace dymsum {
 
-using depth::ContinuousPlace;
+using depth::ContinuousPosition;
 using depth::ContinuousSurface;
 using depth::ContinuousTracker;
 using depth::SurfaceDistance;
@@ -43,10 +45,15 @@ std::optional<Error> options_error(const ContinuousDepthOptions& o) {
   const double length = o.smoothing_length.value_or(0);
   if (!std::isfinite(length) || !std::isfinite(o.inflation) || !std::isfinite(o.margin))
     return Error{ErrorCode::not_finite, "an option of the depth is not finite", {}};
-  if (length < 0 || o.margin < 0) return Error{ErrorCode::out_of_range, "a length is below 0", {}};
-  if (o.inflation < 1) return Error{ErrorCode::out_of_range, "the inflation is below 1", {}};
+  if (length < 0 || o.margin < 0)
+    return Error{ErrorCode::out_of_range,
+                 "lengths must be at least 0, not " + base::general_text(std::min(length, o.margin), 6),
+                 {}};
+  if (o.inflation < 1)
+    return Error{
+        ErrorCode::out_of_range, "the inflation must be at least 1, not " + base::general_text(o.inflation, 6), {}};
   if (o.halvings < 0 || o.halvings > 20)
-    return Error{ErrorCode::out_of_range, "a step is halved between 0 and 20 times", {}};
+    return Error{ErrorCode::out_of_range, "halvings must be from 0 to 20, not " + std::to_string(o.halvings), {}};
   return std::nullopt;
 }
 
@@ -61,8 +68,8 @@ Rotation between(const Rotation& a, const Rotation& b) {
   const double wa = 1 / std::sqrt(na), wb = (product < 0 ? -1 : 1) / std::sqrt(nb);
   for (std::size_t k = 0; k < 4; ++k)
     sum[k] = wa * static_cast<double>(a.quaternion()[k]) + wb * static_cast<double>(b.quaternion()[k]);
-  Result<Rotation> middle = Rotation::nearest(sum[0], sum[1], sum[2], sum[3]);
-  return middle ? *middle : a;
+  Result<Rotation> midpoint = Rotation::nearest(sum[0], sum[1], sum[2], sum[3]);
+  return midpoint ? *midpoint : a;
 }
 
 spatial::Mat3 matrix_of(const Rotation& r) {
@@ -74,7 +81,7 @@ spatial::Mat3 matrix_of(const Rotation& r) {
   return {row(0), row(3), row(6)};
 }
 
-/// A box of short numbers that holds the one about a place.
+/// A box of short numbers that holds the one about a position.
 ClipBox box_about(const Point3& at, double reach) {
   const double step = std::ldexp(1.0, std::ilogb(reach) - 5);
   const auto low = [&](double v) { return (std::floor((v - reach) / step) - 1) * step; };
@@ -82,7 +89,8 @@ ClipBox box_about(const Point3& at, double reach) {
   return {{low(at.x), low(at.y), low(at.z)}, {high(at.x), high(at.y), high(at.z)}};
 }
 
-/// The part of a sum's boundary no further than `reach` from a place, more or less: what cannot be nearest is left out.
+/// The part of a sum's boundary no further than `reach` from a position, more or less: what cannot be nearest is left
+/// out.
 SpatialSum near_part(const SpatialSum& sum, const ContinuousSurface& s, Vec3 from, double reach) {
   SpatialSum part = sum;
   part.faces.clear(), part.tight_faces.clear();
@@ -105,8 +113,8 @@ double default_smoothing(const Mesh& p, const Mesh& q) {
   return 0.25 * std::min(diagonal(p), diagonal(q));
 }
 
-/// The boundary of P + -Q about a place, for Q turned: a local sum, or, where an operand has parts without volume, the
-/// whole one.
+/// The boundary of P + -Q about a position, for Q turned: a local sum, or, where an operand has parts without volume,
+/// the whole one.
 class BoundaryMaker {
  public:
   static Result<BoundaryMaker> create(const Mesh& p, const Mesh& q, const ContinuousDepthOptions& options) {
@@ -210,7 +218,7 @@ class ContinuousDepth::State {
       touching_ = std::make_unique<const depth::TouchingPairs>(depth::touch_side(p_), std::move(side));
       touching_turned_ = turned_;
     }
-    return depth::ways_of(std::move(moves), place_of(at_), touching_.get());
+    return depth::ways_of(std::move(moves), position_of(at_), touching_.get());
   }
 
   const ContinuousTracker& tracker() const {
@@ -220,19 +228,19 @@ class ContinuousDepth::State {
   void forget() { tracker_.drop(Discontinuity::entered), answered_ = false; }
 
  private:
-  static depth::RationalVector place_of(const Point3& at) {
+  static depth::RationalVector position_of(const Point3& at) {
     return {exact::exact_value(at.x), exact::exact_value(at.y), exact::exact_value(at.z)};
   }
 
-  /// All shortest ones; none where they do not overlap. Doubles tell which faces may be nearest; on which side of them
-  /// the place lies is asked exactly.
+  /// All shortest ones; none where they do not overlap. Doubles determine which faces may be nearest; on which side of
+  /// them the position lies is queried exactly.
   std::vector<depth::RationalVector> exact_moves() {
     require_answer();
-    const ContinuousPlace& place = *tracker_.place();
-    const depth::RationalVector from = place_of(at_);
-    if (place.surface.faces.empty() || !overlaps(from)) return {};
+    const ContinuousPosition& position = *tracker_.position();
+    const depth::RationalVector from = position_of(at_);
+    if (position.surface.faces.empty() || !overlaps(from)) return {};
     const double reach = near_.nearest.distance * (1 + 0x1p-30) + 4 * tracker_.error();
-    const SpatialSum part = near_part(*place.boundary, place.surface, tracker_.scaled(at_), reach);
+    const SpatialSum part = near_part(*position.boundary, position.surface, tracker_.scaled(at_), reach);
     return depth::nearest_by_doubles_first(part, from).all;
   }
 
@@ -247,9 +255,9 @@ class ContinuousDepth::State {
     return overlap_->holds(at);
   }
 
-  /// From the last pose to this one, by halves where that is not sure to follow.
+  /// From the last pose to this one, by halves where that is not proved to follow.
   std::optional<Error> step(const Point3& at, const Rotation& turned, int halvings, ContinuousContact& result) {
-    const bool turns = !tracker_.place() || !(turned == turned_);
+    const bool turns = !tracker_.position() || !(turned == turned_);
     const ContinuousTracker before = tracker_;
     const Rotation turned_before = turned_;
     const Point3 from = last_;
@@ -262,11 +270,11 @@ class ContinuousDepth::State {
       return std::nullopt;
     }
     tracker_ = before, turned_ = turned_before;
-    const Point3 middle{0.5 * (from.x + at.x), 0.5 * (from.y + at.y), 0.5 * (from.z + at.z)};
+    const Point3 midpoint{0.5 * (from.x + at.x), 0.5 * (from.y + at.y), 0.5 * (from.z + at.z)};
     const Rotation half = between(turned_before, turned);
     ContinuousContact between_them;
     between_them.work = result.work;
-    if (std::optional<Error> error = step(middle, half, halvings - 1, between_them)) return error;
+    if (std::optional<Error> error = step(midpoint, half, halvings - 1, between_them)) return error;
     result.work = between_them.work;
     if (std::optional<Error> error = step(at, turned, halvings - 1, result)) return error;
     // What jumped on the way has jumped.
@@ -274,11 +282,11 @@ class ContinuousDepth::State {
     return std::nullopt;
   }
 
-  /// What has to be known of the boundary about a place, and the distance there.
+  /// What has to be known of the boundary about a position, and the distance there.
   std::optional<Error> prepare(const Point3& at, const Rotation& turned, bool turns, ContinuousContact& result) {
     const Vec3 from = tracker_.scaled(at);
     if (!turns) {
-      near_ = depth::nearest_on(tracker_.place()->surface, from);
+      near_ = depth::nearest_on(tracker_.position()->surface, from);
       if (is_covered(from)) return std::nullopt;
     }
     if (std::max({std::abs(at.x), std::abs(at.y), std::abs(at.z)}) > extent_) return far_away(at, turned);
@@ -286,10 +294,10 @@ class ContinuousDepth::State {
     double reach = (near_.inside ? tracker_.wanted(near_.nearest.distance) / scale : smoothing_) + margin_;
     for (;;) {
       if (std::optional<Error> error = cut(at, turned, reach, result)) return error;
-      const ContinuousPlace& place = *tracker_.place();
-      near_ = depth::nearest_on(place.surface, from);
+      const ContinuousPosition& position = *tracker_.position();
+      near_ = depth::nearest_on(position.surface, from);
       const double wanted = near_.inside ? tracker_.wanted(near_.nearest.distance) / scale : 0;
-      if (is_covered(from) && (std::isinf(place.reach) || wanted + 0.5 * margin_ <= reach)) return std::nullopt;
+      if (is_covered(from) && (std::isinf(position.reach) || wanted + 0.5 * margin_ <= reach)) return std::nullopt;
       reach = std::max(near_.face.distance / scale <= reach ? wanted : 2 * reach, wanted) + margin_;
     }
   }
@@ -304,22 +312,22 @@ class ContinuousDepth::State {
 
   /// Where no point of Q can meet P.
   std::optional<Error> far_away(const Point3& at, const Rotation& turned) {
-    auto place = std::make_shared<ContinuousPlace>();
-    place->boundary = std::make_shared<const SpatialSum>();
-    place->middle = tracker_.scaled(at);
+    auto position = std::make_shared<ContinuousPosition>();
+    position->boundary = std::make_shared<const SpatialSum>();
+    position->centre = tracker_.scaled(at);
     near_ = {};
     near_.face.distance = near_.nearest.distance = std::numeric_limits<double>::infinity();
     turned_ = turned;
-    tracker_.move_to(std::move(place));
+    tracker_.move_to(std::move(position));
     return std::nullopt;
   }
 
   bool is_covered(Vec3 from) const {
-    const ContinuousPlace& place = *tracker_.place();
-    if (std::isinf(place.reach)) return true;
-    if (near_.face.face == depth::kNoEdge) return !place.all_inside && spatial::length(from - place.middle) == 0;
+    const ContinuousPosition& position = *tracker_.position();
+    if (std::isinf(position.reach)) return true;
+    if (near_.face.face == depth::kNoEdge) return !position.all_inside && spatial::length(from - position.centre) == 0;
     if (near_.inside) return tracker_.covers(from, near_.nearest.distance);
-    return near_.face.distance <= place.reach - spatial::length(from - place.middle);
+    return near_.face.distance <= position.reach - spatial::length(from - position.centre);
   }
 
   std::optional<Error> cut(const Point3& at, const Rotation& turned, double reach, ContinuousContact& result) {
@@ -328,17 +336,18 @@ class ContinuousDepth::State {
     if (!part) return part.error();
     BoundaryMaker::Made made = *std::move(part);
     const double scale = tracker_.limits().scale;
-    auto place = std::make_shared<ContinuousPlace>();
-    place->surface = depth::continuous_surface(made.boundary, scale);
-    place->solids = solids_turned(turned);
-    place->middle = tracker_.scaled(at);
+    auto position = std::make_shared<ContinuousPosition>();
+    position->surface = depth::continuous_surface(made.boundary, scale);
+    position->solids = solids_turned(turned);
+    position->centre = tracker_.scaled(at);
     const double furthest = std::max({std::abs(at.x), std::abs(at.y), std::abs(at.z)});
-    place->size = (furthest + extent_) * scale;
-    place->reach = made.whole || reach >= furthest + extent_ ? std::numeric_limits<double>::infinity() : reach * scale;
-    place->all_inside = made.all_inside;
-    place->boundary = std::make_shared<const SpatialSum>(std::move(made.boundary));
+    position->size = (furthest + extent_) * scale;
+    position->reach =
+        made.whole || reach >= furthest + extent_ ? std::numeric_limits<double>::infinity() : reach * scale;
+    position->all_inside = made.all_inside;
+    position->boundary = std::make_shared<const SpatialSum>(std::move(made.boundary));
     turned_ = turned;
-    tracker_.move_to(std::move(place));
+    tracker_.move_to(std::move(position));
     return std::nullopt;
   }
 
@@ -354,11 +363,11 @@ class ContinuousDepth::State {
   Rotation turned_;
   Point3 at_, last_;
   bool answered_ = false;
-  // Made when the exact square is asked for.
+  // Made when the exact square is requested.
   std::unique_ptr<const spatial::SolidPair> pair_;
   std::unique_ptr<depth::PosedOverlap> overlap_;
   Rotation overlap_turned_;
-  // Made when the ways are asked for.
+  // Made when the ways are requested.
   std::unique_ptr<const depth::TouchingPairs> touching_;
   Rotation touching_turned_;
 };
@@ -403,7 +412,7 @@ DepthPatch::~DepthPatch() = default;
 
 bool DepthPatch::covers(Point3 q_moved_by) const {
   const Vec3 from = tracker_->scaled(q_moved_by);
-  const SurfaceDistance near = depth::nearest_on(tracker_->place()->surface, from);
+  const SurfaceDistance near = depth::nearest_on(tracker_->position()->surface, from);
   return near.inside && tracker_->covers(from, near.nearest.distance);
 }
 
@@ -411,7 +420,7 @@ ContinuousContact DepthPatch::at(Point3 q_moved_by) {
   if (!is_finite_at(q_moved_by)) throw std::invalid_argument("DepthPatch::at: the translation is not finite");
   const Vec3 from = tracker_->scaled(q_moved_by);
   ContinuousContact result;
-  tracker_->answer(from, depth::nearest_on(tracker_->place()->surface, from), 0, true, result);
+  tracker_->answer(from, depth::nearest_on(tracker_->position()->surface, from), 0, true, result);
   return result;
 }
 

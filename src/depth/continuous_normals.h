@@ -6,8 +6,8 @@
 
 namespace dymsum::depth {
 
-/// The integral of the outward normals over the surface, weighted by (l^2 - r^2)^2 where r < l, at any place x, and its
-/// derivative: row k holds the derivatives of component k.
+/// The integral of the outward normals over the surface, weighted by (l^2 - r^2)^2 where r < l, at any position x, and
+/// its derivative: row k holds the derivatives of component k.
 ///
 /// By the divergence theorem it is minus the gradient of the volume of the solid around x, weighted by the same kernel:
 /// it depends on the solid alone, and twice continuously differentiable on x off its edges, once everywhere.

@@ -54,7 +54,7 @@ std::optional<Tangents> tangents_at(const ContinuousSurface& s, double l, Normal
 /// The first edge of a face that a way from x leaves through, and at which share of it.
 struct Leaving {
   std::uint32_t edge = kNoEdge;
-  double share = 1;
+  double fraction = 1;
 };
 
 Leaving leaving(const ContinuousSurface& s, const NormalFoot& foot, Vec3 way) {
@@ -67,10 +67,10 @@ Leaving leaving(const ContinuousSurface& s, const NormalFoot& foot, Vec3 way) {
     if (out <= 0) continue;
     const Vec3 to_start = s.start(e) - foot.x;
     const double gap = dot(to_start, e.out);
-    if (gap < -slack || gap >= first.share * out) continue;
-    const double share = std::max(gap, 0.0) / out, along = share * dot(way, e.along) - dot(to_start, e.along);
+    if (gap < -slack || gap >= first.fraction * out) continue;
+    const double fraction = std::max(gap, 0.0) / out, along = fraction * dot(way, e.along) - dot(to_start, e.along);
     if (along < -slack || along > e.length + slack) continue;
-    first = {k, share};
+    first = {k, fraction};
   }
   return first;
 }
@@ -78,13 +78,13 @@ Leaving leaving(const ContinuousSurface& s, const NormalFoot& foot, Vec3 way) {
 /// One step along (u, v, h), or as far as the face goes. False at the end of the surface.
 bool advance(const ContinuousSurface& s, const Tangents& t, Vec3 step, double l, NormalFoot& foot) {
   Vec3 way = step.x * t.e1 + step.y * t.e2;
-  double share = 1;
+  double fraction = 1;
   const double longest = std::max(length(way), std::abs(step.z));
-  if (longest > kLongestStep * l) share = kLongestStep * l / longest;
-  way = share * way;
+  if (longest > kLongestStep * l) fraction = kLongestStep * l / longest;
+  way = fraction * way;
   const Leaving exit = leaving(s, foot, way);
   foot.is_known = false;
-  foot.x = foot.x + exit.share * way, foot.h += exit.share * share * step.z;
+  foot.x = foot.x + exit.fraction * way, foot.h += exit.fraction * fraction * step.z;
   if (exit.edge == kNoEdge) return true;
   const SurfaceEdge& e = s.edges[exit.edge];
   if (e.twin == kNoEdge) return false;
@@ -157,9 +157,9 @@ WalkEnd follow(const ContinuousSurface& s, double l, Vec3 last, Vec3 from, int h
     return WalkEnd::arrived;
   }
   if (halvings == 0) return end == WalkEnd::arrived ? WalkEnd::folded : end;
-  const Vec3 middle = 0.5 * (last + from);
-  const WalkEnd first = follow(s, l, last, middle, halvings - 1, foot, work);
-  return first == WalkEnd::arrived ? follow(s, l, middle, from, halvings - 1, foot, work) : first;
+  const Vec3 midpoint = 0.5 * (last + from);
+  const WalkEnd first = follow(s, l, last, midpoint, halvings - 1, foot, work);
+  return first == WalkEnd::arrived ? follow(s, l, midpoint, from, halvings - 1, foot, work) : first;
 }
 
 NormalFoot shortest_foot(const ContinuousSurface& s, double l, Vec3 from, double reach, WalkWork& work) {

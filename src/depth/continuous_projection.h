@@ -38,12 +38,12 @@ struct WalkWork {
 /// quadratic.
 WalkEnd walk_to(const ContinuousSurface& surface, double l, Vec3 from, NormalFoot& foot, WalkWork& work);
 
-/// A foot of `from` on the branch of `foot`, which was one of `last`: straight from one place to the other, in steps
+/// A foot of `from` on the branch of `foot`, which was one of `last`: straight from one position to the other, in steps
 /// so short that x does not go much further than its derivative says and n turns little; `halvings` times halved.
 WalkEnd follow(const ContinuousSurface& surface, double l, Vec3 last, Vec3 from, int halvings, NormalFoot& foot,
                WalkWork& work);
 
-/// Whether `next` surely lies on the branch of `last`, whose place was at most `moved` away.
+/// Whether `next` provably lies on the branch of `last`, whose position was at most `moved` away.
 bool goes_on(const NormalFoot& last, const NormalFoot& next, double moved, double l);
 
 /// The one with the least h of those that walks from the local minima of the distance reach, no longer than `reach`.

@@ -21,22 +21,22 @@ Discontinuity reason_of(WalkEnd end) { return end == WalkEnd::lost ? Discontinui
 }  // namespace
 
 bool ContinuousTracker::covers(Vec3 from, double distance) const {
-  return place_ && largest_coordinate(from - place_->middle) + wanted(distance) <= place_->reach;
+  return position_ && largest_coordinate(from - position_->centre) + wanted(distance) <= position_->reach;
 }
 
-void ContinuousTracker::move_to(std::shared_ptr<const ContinuousPlace> place) {
-  place_ = std::move(place);
+void ContinuousTracker::move_to(std::shared_ptr<const ContinuousPosition> position) {
+  position_ = std::move(position);
   if (!foot_) return;
-  const SurfacePoint x = nearest_face(place_->surface, foot_->x);
+  const SurfacePoint x = nearest_face(position_->surface, foot_->x);
   if (x.face == kNoEdge) return drop(Discontinuity::lost);
   foot_->face = x.face, foot_->x = x.at, foot_->is_known = false;
 }
 
 void ContinuousTracker::drop(Discontinuity why) { foot_.reset(), why_ = why, falls_back_ = false; }
 
-/// The end of the shortest way out moves by no more than the place does, off jumps: on a face, an edge or a vertex it
-/// is the foot on a plane, a line or a point. Where it is nearer than a step that tells nothing of its direction, which
-/// may turn by as much as that of smoothed ways.
+/// The end of the shortest way out moves by no more than the position does, off jumps: on a face, an edge or a vertex
+/// it is the foot on a plane, a line or a point. Where it is nearer than a step that says nothing of its direction,
+/// which may turn by as much as that of smoothed ways.
 bool ContinuousTracker::follows_shortest(Vec3 from, const SurfacePoint& nearest, double turned_by) const {
   const double most = (length(from - last_) + 2 * turned_by) * (1 + 1e-9) + 2 * error();
   return length(nearest.at - before_.x) <= most && length(shortest_direction(from, nearest) - before_.n) <= kMostTurn;
@@ -100,9 +100,9 @@ std::optional<bool> ContinuousTracker::follow_or_search(Vec3 from, const Surface
 bool ContinuousTracker::follow_last(Vec3 from, double turned_by, WalkWork& work) {
   WalkEnd end = WalkEnd::stuck;
   if (turned_by == 0) {
-    end = follow(place_->surface, limits_.smoothing, last_, from, limits_.halvings, *foot_, work);
+    end = follow(position_->surface, limits_.smoothing, last_, from, limits_.halvings, *foot_, work);
   } else {
-    end = walk_to(place_->surface, limits_.smoothing, from, *foot_, work);
+    end = walk_to(position_->surface, limits_.smoothing, from, *foot_, work);
     if (end == WalkEnd::arrived &&
         !depth::goes_on(before_, *foot_, length(from - last_) + turned_by, limits_.smoothing))
       end = WalkEnd::lost;
@@ -114,7 +114,7 @@ bool ContinuousTracker::follow_last(Vec3 from, double turned_by, WalkWork& work)
 
 void ContinuousTracker::search(Vec3 from, double distance, WalkWork& work) {
   const double most = limits_.inflation * distance * (1 + 1e-9) + error();
-  const NormalFoot found = shortest_foot(place_->surface, limits_.smoothing, from, most, work);
+  const NormalFoot found = shortest_foot(position_->surface, limits_.smoothing, from, most, work);
   if (found.face == kNoEdge) foot_.reset();
   else foot_ = found;
 }
@@ -134,9 +134,9 @@ void ContinuousTracker::report(Vec3 from, const SurfaceDistance& near, Continuou
   result.depth = foot.h / limits_.scale, result.normal = plain(foot.n), result.gradient = plain(foot.gradient);
   result.turn_rate = foot.turn_rate * limits_.scale;
   result.error = (error() + foot.residual) / limits_.scale;
-  if (foot.face != kNoEdge) result.contact = place_->surface.faces[foot.face].contact;
+  if (foot.face != kNoEdge) result.contact = position_->surface.faces[foot.face].contact;
   Vec3 w = foot.x;
-  if (const std::optional<Witness> witness = touching_position(place_->solids, result.contact, foot.x))
+  if (const std::optional<Witness> witness = touching_position(position_->solids, result.contact, foot.x))
     w = witness->at, result.contact = witness->contact;
   const Vec3 wq = w - foot.h * foot.n;
   result.witness_p = unscaled(w), result.witness_q = unscaled(wq);

@@ -1,4 +1,4 @@
-// What is known of a sum's boundary near a place, and the last answer there.
+// What is known of a sum's boundary near a position, and the last answer there.
 #pragma once
 
 #include <memory>
@@ -11,11 +11,11 @@
 namespace dymsum::depth {
 
 /// Lengths inside are times `scale`, a power of two.
-struct ContinuousPlace {
+struct ContinuousPosition {
   std::shared_ptr<const SpatialSum> boundary;  ///< exactly
   ContinuousSurface surface;                   ///< the same in doubles
   WitnessSolids solids;
-  Vec3 middle;              ///< of the box that the surface was cut to
+  Vec3 centre;              ///< of the box that the surface was cut to
   double reach = 0;         ///< half of its side; infinite where the box holds the whole sum
   double size = 0;          ///< of the coordinates
   bool all_inside = false;  ///< nothing bounds the sum in the box, which lies in it
@@ -31,25 +31,25 @@ class ContinuousTracker {
   ContinuousTracker() = default;
   explicit ContinuousTracker(const Limits& limits) : limits_(limits) {}
 
-  /// How far the surface has to be known around a place at this distance from the boundary.
+  /// How far the surface has to be known around a position at this distance from the boundary.
   double wanted(double distance) const { return limits_.inflation * distance + limits_.smoothing; }
   bool covers(Vec3 from, double distance) const;
   /// The surface changes; the last answer is carried over to its nearest position.
-  void move_to(std::shared_ptr<const ContinuousPlace> place);
+  void move_to(std::shared_ptr<const ContinuousPosition> position);
   /// The branch ends, for this reason.
   void drop(Discontinuity why);
   bool is_tracking() const { return foot_.has_value(); }
 
-  /// The answer at a place and `near` it. Follows the last one: across `moved` of the sum's boundary since, where that
-  /// is not by translation. False, and nothing changed, where the next answer does not surely follow and `must` is
-  /// not set.
+  /// The answer at a position and `near` it. Follows the last one: across `moved` of the sum's boundary since, where
+  /// that is not by translation. False, and nothing changed, where the next answer does not provably follow and `must`
+  /// is not set.
   bool answer(Vec3 from, const SurfaceDistance& near, double turned_by, bool must, ContinuousContact& result);
 
-  const ContinuousPlace* place() const { return place_.get(); }
+  const ContinuousPosition* position() const { return position_.get(); }
   const Limits& limits() const { return limits_; }
   Vec3 scaled(const Point3& v) const { return {limits_.scale * v.x, limits_.scale * v.y, limits_.scale * v.z}; }
   Point3 unscaled(Vec3 v) const { return {v.x / limits_.scale, v.y / limits_.scale, v.z / limits_.scale}; }
-  double error() const { return place_->size * 0x1p-46; }
+  double error() const { return position_->size * 0x1p-46; }
 
  private:
   /// Whether the answer goes on from the last one. The second: nothing, and nothing changed, where it does not and need
@@ -63,7 +63,7 @@ class ContinuousTracker {
   void report(Vec3 from, const SurfaceDistance& near, ContinuousContact& result) const;
 
   Limits limits_;
-  std::shared_ptr<const ContinuousPlace> place_;
+  std::shared_ptr<const ContinuousPosition> position_;
   std::optional<NormalFoot> foot_;  ///< of the last place, on this surface
   NormalFoot before_;               ///< the same as it was found, on the surface then
   Vec3 last_;

@@ -2,8 +2,10 @@
 #include <algorithm>
 #include <atomic>
 #include <cmath>
+#include <string>
 #include <thread>
 
+#include "base/double_text.h"
 #include "base/parallel.h"
 #include "base/poll.h"
 #include "dymsum/penetration_depth.h"
@@ -12,13 +14,17 @@ namespace dymsum {
 namespace {
 
 std::optional<Error> batch_error(const DepthBatchOptions& options) {
-  if (options.threads < 0) return Error{ErrorCode::out_of_range, "threads have to be at least 0", {}};
-  if (!(options.time_limit >= 0)) return Error{ErrorCode::out_of_range, "the time limit has to be at least 0", {}};
+  if (options.threads < 0)
+    return Error{ErrorCode::out_of_range, "threads must be at least 0, not " + std::to_string(options.threads), {}};
+  if (!(options.time_limit >= 0))
+    return Error{ErrorCode::out_of_range,
+                 "the time limit must be at least 0, not " + base::general_text(options.time_limit, 6),
+                 {}};
   return std::nullopt;
 }
 
 /// Calls row(worker, k) for all k below `count`, each worker from the next one on that nobody has taken. False where
-/// progress asked to stop.
+/// progress requested a stop.
 template <class F>
 bool for_each_row(std::size_t count, const DepthBatchOptions& options, std::size_t workers, F row) {
   std::atomic<std::size_t> next{0};
@@ -27,8 +33,8 @@ bool for_each_row(std::size_t count, const DepthBatchOptions& options, std::size
   base::parallel_parts(workers, static_cast<int>(workers), [&](std::size_t worker) {
     for (std::size_t k = next++; k < count && !stop; k = next++) {
       row(worker, k);
-      const double share = static_cast<double>(k + 1) / static_cast<double>(count);
-      if (options.progress && std::this_thread::get_id() == caller && !options.progress("depth", share)) stop = true;
+      const double fraction = static_cast<double>(k + 1) / static_cast<double>(count);
+      if (options.progress && std::this_thread::get_id() == caller && !options.progress("depth", fraction)) stop = true;
     }
   });
   return !stop;

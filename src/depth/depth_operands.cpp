@@ -25,13 +25,13 @@ BigRational over_power(BigRational v, int exponent) {
   return exponent >= 0 ? BigRational(v / power) : BigRational(v * power);
 }
 
-void set_scaled_places(DepthOperands& o) {
+void set_scaled_positions(DepthOperands& o) {
   const spatial::SumSpace& space = *o.space;
   // Every axis has a grid of its own: the largest coordinate of all decides.
   int top = std::numeric_limits<int>::min();
-  for (const std::vector<Vec3>* places : {&space.p(), &space.q()}) {
+  for (const std::vector<Vec3>* positions : {&space.p(), &space.q()}) {
     Vec3 most;
-    for (const Vec3& v : *places)
+    for (const Vec3& v : *positions)
       most = {std::max(most.x, std::abs(v.x)), std::max(most.y, std::abs(v.y)), std::max(most.z, std::abs(v.z))};
     const double sizes[3] = {most.x, most.y, most.z};
     for (int axis = 0; axis < 3; ++axis)
@@ -121,7 +121,7 @@ Result<std::shared_ptr<const DepthOperands>> depth_operands(const Mesh& p, const
   } catch (const Cancelled&) {
     return cancelled();
   }
-  set_scaled_places(*o);
+  set_scaled_positions(*o);
   set_normals(*o);
   o->tree = tree_of(*o);
   if (options.contacts) o->touching = std::make_unique<const TouchingPairs>(touch_side(p), touch_side(q));

@@ -31,7 +31,7 @@ struct DepthOperands {
   std::vector<spatial::Vec3> p_at, q_at;
   std::vector<spatial::Vec3> normals;  ///< of facets, of length 1, each component off by less than 2^-36
   FacetTree tree;
-  std::unique_ptr<const TouchingPairs> touching;  ///< Q as it is; none where contacts are not asked for
+  std::unique_ptr<const TouchingPairs> touching;  ///< Q as it is; none where contacts are not requested
   std::optional<SpatialSum> sum;                  ///< of the engine that searches its boundary
 
   spatial::Vec3 corner(spatial::SumPoint s) const { return p_at[s.p] + q_at[s.q]; }
@@ -41,9 +41,9 @@ struct DepthOperands {
 
 /// An open ball in the open sum, found by an earlier question, in scaled doubles and a little smaller.
 struct CoveredBall {
-  spatial::Vec3 middle;
+  spatial::Vec3 centre;
   double radius = 0;
-  bool holds(spatial::Vec3 x) const { return spatial::length(x - middle) < radius; }
+  bool holds(spatial::Vec3 x) const { return spatial::length(x - centre) < radius; }
 };
 
 Result<std::shared_ptr<const DepthOperands>> depth_operands(const Mesh& p, const Mesh& q, const DepthOptions& options);

@@ -6,24 +6,24 @@ namespace dymsum::depth {
 
 namespace {
 
-/// A space keeps the places that it was asked about: it is made anew before they are many.
-constexpr std::size_t kPlaces = 1 << 16;
+/// A space keeps the positions that it was queried: it is made anew before they are many.
+constexpr std::size_t kPositions = 1 << 16;
 constexpr std::size_t kBalls = 4;
 
 }  // namespace
 
-DepthProbe::DepthProbe(const DepthOperands& o) : o_(o), sure_(o) { renew(); }
+DepthProbe::DepthProbe(const DepthOperands& o) : o_(o), proved_(o) { renew(); }
 
 void DepthProbe::renew() {
   collision_.reset();
   space_ = spatial::make_sum_space(o_.p.vertices, o_.q.vertices);
   collision_ = std::make_unique<const spatial::Collision>(*space_, o_.p, o_.q, o_.inner.get());
-  places_ = 0;
+  positions_ = 0;
 }
 
 bool DepthProbe::overlaps(const std::array<BigRational, 3>& position) {
-  if (++places_ > kPlaces) renew();
-  const std::optional<spatial::PointSource> at = space_->add_place(position);
+  if (++positions_ > kPositions) renew();
+  const std::optional<spatial::PointSource> at = space_->add_position(position);
   return at && collision_->overlaps({*at, 0, 0, 0, 0, 0});
 }
 
@@ -33,6 +33,6 @@ void DepthProbe::remember(const CoveredBall& ball, std::vector<Free> free) {
   free_ = std::move(free);
 }
 
-bool DepthProbe::surely_overlaps(spatial::Vec3 at, double radius) { return sure_.holds(at, radius); }
+bool DepthProbe::provably_overlaps(spatial::Vec3 at, double radius) { return proved_.holds(at, radius); }
 
 }  // namespace dymsum::depth

@@ -5,7 +5,7 @@
 
 #include "depth/depth_operands.h"
 #include "depth/exact_frame.h"
-#include "depth/sure_overlap.h"
+#include "depth/proved_overlap.h"
 #include "spatial/boundary/collision.h"
 
 namespace dymsum::depth {
@@ -16,7 +16,7 @@ class DepthProbe {
 
   bool overlaps(const std::array<BigRational, 3>& position);
   /// A "no" says nothing. `at` is scaled.
-  bool surely_overlaps(spatial::Vec3 at, double radius);
+  bool provably_overlaps(spatial::Vec3 at, double radius);
 
   /// A position that is free, and a facet that it lies on, or kNoFacet.
   struct Free {
@@ -35,10 +35,10 @@ class DepthProbe {
   void renew();
 
   const DepthOperands& o_;
-  SureOverlap sure_;
+  ProvedOverlap proved_;
   std::unique_ptr<spatial::SumSpace> space_;
   std::unique_ptr<const spatial::Collision> collision_;
-  std::size_t places_ = 0;
+  std::size_t positions_ = 0;
   std::vector<CoveredBall> balls_;  // the last one first
   std::vector<Free> free_;
 };

@@ -33,8 +33,8 @@ ExactFacetDistances::ExactFacetDistances(const spatial::ConvexState& s, Point3 p
   x_ = {on(x[0]), on(x[1]), on(x[2])};
 }
 
-exact::Vector3<Big> ExactFacetDistances::place(std::uint32_t p, std::uint32_t q) const {
-  const auto a = exact::apply(m_[0], s_.p->place<Big>(p)), b = exact::apply(m_[1], s_.q->place<Big>(q));
+exact::Vector3<Big> ExactFacetDistances::position(std::uint32_t p, std::uint32_t q) const {
+  const auto a = exact::apply(m_[0], s_.p->position<Big>(p)), b = exact::apply(m_[1], s_.q->position<Big>(q));
   const auto sum = [&](const Big& u, const Big& v) { return unit_[0] * u + unit_[1] * v; };
   return exact::Vector3<Big>{sum(a.x, b.x), sum(a.y, b.y), sum(a.z, b.z)} - x_;
 }
@@ -44,7 +44,7 @@ std::optional<SignedSquare> ExactFacetDistances::signed_square(const GenericFace
   const Big size = exact::dot(n, n);
   if (sign(size) == 0) return std::nullopt;
   const auto [p, q] = corner_of(s_.overlay, facet.op, facet.id);
-  const Big d = exact::dot(n, place(p, q));
+  const Big d = exact::dot(n, position(p, q));
   return SignedSquare{sign(d) < 0 ? -(d * d) : d * d, size};
 }
 
@@ -68,7 +68,7 @@ exact::Vector3<Big> ExactFacetDistances::normal(const GenericFacet& facet) const
 
 // A quotient of two numbers that are scaled to about 1 and rounded once each.
 ScaledVector ExactFacetDistances::base() const {
-  const exact::Vector3<Big> at = place(0, 0);
+  const exact::Vector3<Big> at = position(0, 0);
   const int top = bit_length(at), bottom = bit_length(Big(den_));
   const double den = rounded(Big(den_), -bottom);
   return {(1 / den) * rounded(at, -top), top - bottom + exponent_};

@@ -29,11 +29,11 @@ class ExactFacetDistances {
   exact::BigRational value(const SignedSquare& s) const;
   /// An outward normal.
   exact::Vector3<exact::Big> normal(const GenericFacet& facet) const;
-  /// The place of vertex 0 of P plus vertex 0 of Q, less the point.
+  /// The position of vertex 0 of P plus vertex 0 of Q, less the point.
   ScaledVector base() const;
 
  private:
-  exact::Vector3<exact::Big> place(std::uint32_t p, std::uint32_t q) const;
+  exact::Vector3<exact::Big> position(std::uint32_t p, std::uint32_t q) const;
 
   const spatial::ConvexState& s_;
   std::array<exact::Matrix3<exact::Big>, 2> m_;  // of the poses, over their own denominators

@@ -77,7 +77,7 @@ ExactPlane ExactFrame::plane(const SumFacet& facet) const {
   return {n, dot(n, a)};
 }
 
-ExactPlane ExactFrame::border(const SumFacet& facet, int k, const ExactPlane& plane) const {
+ExactPlane ExactFrame::facet_edge(const SumFacet& facet, int k, const ExactPlane& plane) const {
   const BigVector a = corner(facet.corner[static_cast<std::size_t>(k)]),
                   b = corner(facet.corner[static_cast<std::size_t>((k + 1) % facet.corners)]);
   const BigVector n = cross(plane.n, b - a);
@@ -108,7 +108,7 @@ int ExactFrame::side(const ExactPlane& plane, const ExactPosition& x) {
 ExactPosition ExactFrame::nearest(const SumFacet& facet) const {
   const ExactPlane own = plane(facet);
   ExactPosition best = foot(own);
-  if (within_borders(facet, own, best)) return best;
+  if (within_facet_edges(facet, own, best)) return best;
   for (int k = 0; k < facet.corners; ++k) {
     ExactPosition x = nearest_of_segment(corner(facet.corner[static_cast<std::size_t>(k)]),
                                          corner(facet.corner[static_cast<std::size_t>((k + 1) % facet.corners)]));
@@ -119,12 +119,12 @@ ExactPosition ExactFrame::nearest(const SumFacet& facet) const {
 
 bool ExactFrame::holds(const SumFacet& facet, const ExactPosition& x) const {
   const ExactPlane own = plane(facet);
-  return side(own, x) == 0 && within_borders(facet, own, x);
+  return side(own, x) == 0 && within_facet_edges(facet, own, x);
 }
 
-bool ExactFrame::within_borders(const SumFacet& facet, const ExactPlane& plane, const ExactPosition& x) const {
+bool ExactFrame::within_facet_edges(const SumFacet& facet, const ExactPlane& plane, const ExactPosition& x) const {
   for (int k = 0; k < facet.corners; ++k)
-    if (side(border(facet, k, plane), x) < 0) return false;
+    if (side(facet_edge(facet, k, plane), x) < 0) return false;
   return true;
 }
 

@@ -1,5 +1,5 @@
-// Exact positions as seen from the place that is asked about: where planes of facets and borders meet, and the feet of
-// that place on planes and lines.
+// Exact positions as seen from the position that is queried: where planes of facets and facet edges meet, and the feet
+// of that position on planes and lines.
 #pragma once
 
 #include <array>
@@ -38,8 +38,8 @@ class ExactFrame {
 
   BigVector corner(spatial::SumPoint s) const;
   ExactPlane plane(const spatial::SumFacet& facet) const;
-  /// Through the border from corner k on, and across the facet's plane; its normal points into the facet.
-  ExactPlane border(const spatial::SumFacet& facet, int k) const { return border(facet, k, plane(facet)); }
+  /// Through the facet edge from corner k on, and across the facet's plane; its normal points into the facet.
+  ExactPlane facet_edge(const spatial::SumFacet& facet, int k) const { return facet_edge(facet, k, plane(facet)); }
 
   static ExactPosition foot(const ExactPlane& a);
   /// Nothing for parallel planes.
@@ -63,8 +63,8 @@ class ExactFrame {
 
  private:
   BigVector vertex(const Point3& v) const;
-  ExactPlane border(const spatial::SumFacet& facet, int k, const ExactPlane& plane) const;
-  bool within_borders(const spatial::SumFacet& facet, const ExactPlane& plane, const ExactPosition& x) const;
+  ExactPlane facet_edge(const spatial::SumFacet& facet, int k, const ExactPlane& plane) const;
+  bool within_facet_edges(const spatial::SumFacet& facet, const ExactPlane& plane, const ExactPosition& x) const;
 
   const std::vector<Point3>&p_, &q_;
   std::array<BigRational, 3> at_;

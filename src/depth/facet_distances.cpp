@@ -10,12 +10,12 @@ namespace dymsum::spatial {
 namespace {
 
 // Matrices err by 16 u of their entries and unit vectors by 8: normals, sums of three products, by 27 of entries that
-// make up sqrt(3) of the spread; those across two edges by twice as much and the product of norms: 128. Places err by
-// 16 + 16 of the reach.
-constexpr int kNormal = 128, kPlace = 32;
+// make up sqrt(3) of the spread; those across two edges by twice as much and the product of norms: 128. Positions err
+// by 16 + 16 of the reach.
+constexpr int kNormal = 128, kPosition = 32;
 // Of normal times place over the normal's length, times spread and reach over that length: the normal's error counts
 // again in the length; three products and their sum, the quotient and the root.
-constexpr double kDistanceError = exact::rounding_bound(2 * kNormal + kPlace + 3 + 2, 512);
+constexpr double kDistanceError = exact::rounding_bound(2 * kNormal + kPosition + 3 + 2, 512);
 // Squares above this have lost nothing to underflow.
 constexpr double kNotSmall = 0x1p-900;
 
@@ -38,9 +38,10 @@ FacetDistances::FacetDistances(const Overlay& overlay, const PosedDoubles& p, co
     const double norm = spectral_bound(map_[op]);
     spread_[2] *= norm;
     reach_ += 1.74 * std::ldexp(norm, exponent[op] - top);  // a vertex is at most sqrt(3) units from vertex 0
-    const Mat3 to_place = scaled_by_power(map_[op], exponent[op] - top);
-    place_[op].reserve(o_.poly(op).vertex_count());
-    for (const Vec3& v : o_.poly(op).from_first) place_[op].push_back(op == 0 ? to_place * v + from : to_place * v);
+    const Mat3 to_position = scaled_by_power(map_[op], exponent[op] - top);
+    position_[op].reserve(o_.poly(op).vertex_count());
+    for (const Vec3& v : o_.poly(op).from_first)
+      position_[op].push_back(op == 0 ? to_position * v + from : to_position * v);
   }
 }
 
@@ -51,10 +52,10 @@ std::vector<GenericFacet> FacetDistances::candidates() {
   const Polytope &p = o_.poly(0), &q = o_.poly(1);
   for (std::uint32_t e = 0; e < p.edge_count(); ++e) {
     if (o_.first_crossing(0, e) == kNoCrossing) continue;
-    const Vec3 along = map_[0] * p.direction[e], from = place_[0][p.origin[2 * e]];
+    const Vec3 along = map_[0] * p.direction[e], from = position_[0][p.origin[2 * e]];
     for (std::uint32_t id = o_.first_crossing(0, e); id != kNoCrossing; id = o_.crossing(id).next[0]) {
       const HalfEdge h = o_.crossing(id).q;
-      consider({2, id}, cross(map_[1] * q.along(h), along), from + place_[1][q.origin[h]]);
+      consider({2, id}, cross(map_[1] * q.along(h), along), from + position_[1][q.origin[h]]);
     }
   }
   std::vector<GenericFacet> near;
@@ -81,7 +82,7 @@ void FacetDistances::consider(const GenericFacet& facet, Vec3 n, Vec3 corner) {
 
 Vec3 FacetDistances::corner(const GenericFacet& facet) const {
   const auto [p, q] = corner_of(o_, facet.op, facet.id);
-  return place_[0][p] + place_[1][q];
+  return position_[0][p] + position_[1][q];
 }
 
 }  // namespace dymsum::spatial

@@ -19,11 +19,11 @@ struct ScaledVector {
 };
 
 /// Everything is scaled by one power of two so that the largest of these is about 1: the extents of the posed operands,
-/// the place of the sum of their first vertices as seen from the point. So nothing overflows, and what vanishes is far
-/// below the bounds of errors, whatever the sizes of the solids.
+/// the position of the sum of their first vertices as seen from the point. So nothing overflows, and what vanishes is
+/// far below the bounds of errors, whatever the sizes of the solids.
 class FacetDistances {
  public:
-  /// `base`: the place of vertex 0 of P plus vertex 0 of Q, less the point.
+  /// `base`: the position of vertex 0 of P plus vertex 0 of Q, less the point.
   FacetDistances(const Overlay& overlay, const PosedDoubles& p, const PosedDoubles& q, const ScaledVector& base);
 
   /// The facets that may be nearest.
@@ -34,10 +34,10 @@ class FacetDistances {
   Vec3 corner(const GenericFacet& facet) const;
 
   const Overlay& o_;
-  std::array<Mat3, 2> map_, cofactors_;     // up to positive factors
-  std::array<double, 3> spread_{0, 0, 1};   // bounds of the lengths of normals, by kind of facet
-  std::array<std::vector<Vec3>, 2> place_;  // of every vertex, seen from vertex 0, P's also from the point
-  double reach_ = 0;                        // a bound of the lengths of places, and of their sum
+  std::array<Mat3, 2> map_, cofactors_;        // up to positive factors
+  std::array<double, 3> spread_{0, 0, 1};      // bounds of the lengths of normals, by kind of facet
+  std::array<std::vector<Vec3>, 2> position_;  // of every vertex, seen from vertex 0, P's also from the point
+  double reach_ = 0;                           // a bound of the lengths of positions, and of their sum
   // Of the facets so far: an upper bound of the least distance, a little more than its square, and lower bounds of the
   // distances of those that may have it.
   double least_upper_ = std::numeric_limits<double>::infinity(), far_ = least_upper_;

@@ -31,8 +31,8 @@ bool is_parallel(const ExactFrame& frame, const SumFacet& a, const SumFacet& b) 
   return exact::leading_sign(exact::cross(frame.plane(a).n, frame.plane(b).n)) == 0;
 }
 
-/// Facets with a border in common meet in nothing else, unless they lie in one plane.
-bool share_border(const SumFacet& a, const SumFacet& b) {
+/// Facets with a facet edge in common meet in nothing else, unless they lie in one plane.
+bool share_facet_edge(const SumFacet& a, const SumFacet& b) {
   int shared = 0;
   for (std::size_t k = 0; k < a.corners; ++k)
     for (std::size_t l = 0; l < b.corners; ++l) shared += a.corner[k] == b.corner[l];
@@ -71,7 +71,7 @@ bool FacetView::cover(Vec3 a, Vec3 b, double off, double within) const {
   return std::any_of(balls.begin(), balls.end(), [&](const CoveredBall& ball) {
     const double radius = ball.radius - 2 * off - slack;
     if (!(radius > 0)) return false;
-    const Vec3 e = from - ball.middle;
+    const Vec3 e = from - ball.centre;
     if (length(e + a) < radius && length(e + b) < radius) return true;
     return std::max(dot(a, e), dot(b, e)) < least_beyond(e, radius, within, off + slack);
   });
@@ -81,7 +81,7 @@ bool FacetView::cover(const Box& box, double within) const {
   return std::any_of(balls.begin(), balls.end(), [&](const CoveredBall& ball) {
     if (!(ball.radius > 0)) return false;
     const auto far = [](double low, double high, double v) { return std::max(std::abs(v - low), std::abs(high - v)); };
-    const Vec3 m = ball.middle, e = from - m;
+    const Vec3 m = ball.centre, e = from - m;
     if (length({far(box.low.x, box.high.x, m.x), far(box.low.y, box.high.y, m.y), far(box.low.z, box.high.z, m.z)}) <
         ball.radius)
       return true;
@@ -96,7 +96,7 @@ double FacetLine::distance() const { return length(at(std::clamp(0.0, first, las
 
 FacetCandidates::FacetCandidates(const FacetView& view, const ExactFrame& frame, std::uint32_t facet, double within)
     : view_(view), frame_(frame), f_(facet), within_(within), normal_(view.o.normals[facet]) {
-  add_borders();
+  add_facet_edges();
   add_neighbours();
   add_feet();
   add_crossings();
@@ -112,10 +112,10 @@ void FacetCandidates::add_line(const FacetLine& line) {
 
 namespace {
 
-FacetLine border_line(const FacetView& view, std::uint32_t f, std::size_t k) {
+FacetLine facet_edge_line(const FacetView& view, std::uint32_t f, std::size_t k) {
   const Vec3 a = view.corner(f, k), d = view.corner(f, k + 1) - a;
   FacetLine line;
-  line.facet = f, line.border = static_cast<int>(k);
+  line.facet = f, line.facet_edge = static_cast<int>(k);
   line.last = length(d);
   line.along = (1 / line.last) * d;
   line.first = dot(a, line.along);
@@ -127,9 +127,9 @@ FacetLine border_line(const FacetView& view, std::uint32_t f, std::size_t k) {
 
 }  // namespace
 
-void FacetCandidates::add_borders() {
+void FacetCandidates::add_facet_edges() {
   for (std::size_t k = 0; k < view_.corners(f_); ++k) {
-    add_line(border_line(view_, f_, k));
+    add_line(facet_edge_line(view_, f_, k));
     FacetCandidate c;
     c.at = view_.corner(f_, k), c.off = view_.slack, c.corner = static_cast<int>(k);
     c.lower = length(c.at) - c.off;
@@ -149,7 +149,7 @@ void FacetCandidates::add_neighbours() {
     const SumFacet &a = view_.o.facets[f_], &b = view_.o.facets[g];
     const double sine = length(cross(normal_, view_.o.normals[g]));
     if (sine < kFlat && is_parallel(frame_, a, b)) return add_level(g);
-    if (!share_border(a, b)) add_across(g);
+    if (!share_facet_edge(a, b)) add_across(g);
   });
 }
 
@@ -167,7 +167,7 @@ bool FacetCandidates::may_cross(const Box& part, std::uint32_t g) const {
 void FacetCandidates::add_level(std::uint32_t g) {
   if (std::abs(dot(normal_, view_.corner(g, 0) - view_.corner(f_, 0))) > 2 * view_.slack) return;
   for (std::size_t k = 0; k < view_.corners(g); ++k) {
-    FacetLine line = border_line(view_, g, k);
+    FacetLine line = facet_edge_line(view_, g, k);
     line.kind = FacetLine::Kind::level;
     if (clip(f_, line)) add_line(line);
   }
@@ -197,7 +197,7 @@ void FacetCandidates::add_across(std::uint32_t g) {
   if (clip(f_, line) && clip(g, line)) add_line(line);
 }
 
-/// Keeps the stretch of a line in a facet's plane that may lie in the facet.
+/// Keeps the interval of a line in a facet's plane that may lie in the facet.
 bool FacetCandidates::clip(std::uint32_t f, FacetLine& line) const {
   const Vec3 n = view_.o.normals[f];
   for (std::size_t k = 0; k < view_.corners(f); ++k) {
@@ -247,7 +247,7 @@ void FacetCandidates::add_crossings() {
   }
 }
 
-/// Two stretches in one plane: each has its ends on both sides of the other one's line, or near it.
+/// Two intervals in one plane: each has its ends on both sides of the other one's line, or near it.
 void FacetCandidates::cross_lines(int i, int j) {
   const FacetLine &a = lines_[static_cast<std::size_t>(i)], &b = lines_[static_cast<std::size_t>(j)];
   const double off = 8 * (a.off + b.off + view_.slack);
@@ -275,7 +275,7 @@ void FacetCandidates::cross_lines(int i, int j) {
 
 ExactPlane FacetCandidates::support(const FacetLine& line) const {
   const SumFacet& facet = view_.o.facets[line.facet];
-  return line.kind == FacetLine::Kind::across ? frame_.plane(facet) : frame_.border(facet, line.border);
+  return line.kind == FacetLine::Kind::across ? frame_.plane(facet) : frame_.facet_edge(facet, line.facet_edge);
 }
 
 std::optional<ExactPosition> FacetCandidates::exact(const FacetCandidate& c) const {

@@ -1,4 +1,4 @@
-// What of a facet may be the nearest free position: its lines and where they cross, as the place that is asked about
+// What of a facet may be the nearest free position: its lines and where they cross, as the position that is queried
 // sees them.
 #pragma once
 
@@ -9,10 +9,10 @@
 
 namespace dymsum::depth {
 
-/// Facets seen from a place, in scaled doubles.
+/// Facets seen from a position, in scaled doubles.
 struct FacetView {
   const DepthOperands& o;
-  spatial::Vec3 from;  ///< the place
+  spatial::Vec3 from;  ///< the position
   double slack;        ///< more than positions on facets are off, in any direction
   std::vector<CoveredBall> balls = {};
 
@@ -20,7 +20,7 @@ struct FacetView {
   spatial::Vec3 corner(std::uint32_t f, std::size_t k) const {
     return o.corner(o.facets[f].corner[k % o.facets[f].corners]) - from;
   }
-  /// Whether a ball covers what of a segment is nearer than `within`; its ends as seen from the place, and off by so
+  /// Whether a ball covers what of a segment is nearer than `within`; its ends as seen from the position, and off by so
   /// much.
   bool cover(spatial::Vec3 a, spatial::Vec3 b, double off, double within) const;
   /// The same of a box where it stands.
@@ -29,17 +29,17 @@ struct FacetView {
   spatial::Vec3 nearest(std::uint32_t f) const;
 };
 
-/// A line in a facet's plane, which holds a border of it or of another facet in its plane, or meets a facet in
+/// A line in a facet's plane, which holds a facet edge of it or of another facet in its plane, or meets a facet in
 /// another plane.
 struct FacetLine {
   enum class Kind : std::uint8_t { own, level, across } kind = Kind::own;
   std::uint32_t facet = 0;
-  int border = 0;              ///< of own and level ones
-  spatial::Vec3 foot, along;   ///< the foot of the place, a unit vector
-  double first = 0, last = 0;  ///< the stretch, as multiples of `along`
+  int facet_edge = 0;          ///< of own and level ones
+  spatial::Vec3 foot, along;   ///< the foot of the position, a unit vector
+  double first = 0, last = 0;  ///< the interval, as multiples of `along`
   double off = 0;              ///< how far it may be off
   spatial::Vec3 at(double s) const { return foot + s * along; }
-  double distance() const;  ///< of the stretch, at least
+  double distance() const;  ///< of the interval, at least
 };
 
 /// A position that may be free: the foot on a line, or where two lines cross.
@@ -62,7 +62,7 @@ class FacetCandidates {
   std::optional<ExactPosition> exact(const FacetCandidate& c) const;
 
  private:
-  void add_borders();
+  void add_facet_edges();
   void add_neighbours();
   void add_level(std::uint32_t g);
   void add_across(std::uint32_t g);

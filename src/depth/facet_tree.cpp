@@ -31,19 +31,19 @@ FacetTree::FacetTree(std::vector<Box> boxes) : boxes_(std::move(boxes)), order_(
 std::uint32_t FacetTree::build(std::uint32_t first, std::uint32_t last) {
   const auto id = static_cast<std::uint32_t>(nodes_.size());
   nodes_.emplace_back();
-  Box box, middles;
-  for (std::uint32_t k = first; k < last; ++k) box.add(boxes_[order_[k]]), middles.add(boxes_[order_[k]].middle());
+  Box box, centres;
+  for (std::uint32_t k = first; k < last; ++k) box.add(boxes_[order_[k]]), centres.add(boxes_[order_[k]].centre());
   nodes_[id].box = box;
   if (last - first <= kLeafSize) {
     nodes_[id].first = first, nodes_[id].last = last;
     return id;
   }
-  const Vec3 size = middles.high - middles.low;
+  const Vec3 size = centres.high - centres.low;
   const int axis = size.x >= size.y && size.x >= size.z ? 0 : size.y >= size.z ? 1 : 2;
   const std::uint32_t half = first + (last - first) / 2;
   std::nth_element(order_.begin() + first, order_.begin() + half, order_.begin() + last,
                    [&](std::uint32_t a, std::uint32_t b) {
-                     const double u = coordinate(boxes_[a].middle(), axis), v = coordinate(boxes_[b].middle(), axis);
+                     const double u = coordinate(boxes_[a].centre(), axis), v = coordinate(boxes_[b].centre(), axis);
                      return u != v ? u < v : a < b;
                    });
   const std::uint32_t left = build(first, half), right = build(half, last);

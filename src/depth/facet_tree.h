@@ -8,7 +8,7 @@
 
 namespace dymsum::depth {
 
-/// The distance from a place to a box, to within some units in the last place of their coordinates.
+/// The distance from a position to a box, to within some units in the last place of their coordinates.
 double distance(const spatial::Box& box, spatial::Vec3 from);
 
 class FacetTree {
@@ -16,7 +16,7 @@ class FacetTree {
   struct Node {
     spatial::Box box;
     std::uint32_t left = 0, right = 0;  ///< of an inner node
-    std::uint32_t first = 0, last = 0;  ///< of a leaf: a stretch of order()
+    std::uint32_t first = 0, last = 0;  ///< of a leaf: a run of order()
     bool leaf() const { return last != 0; }
   };
 

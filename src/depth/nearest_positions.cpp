@@ -17,7 +17,7 @@ using spatial::Vec3;
 namespace {
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
-/// Positions that are off by more are asked about in integers only.
+/// Positions that are off by more are queried in integers only.
 constexpr double kVague = 0x1p-16;
 
 /// A node of the tree, or a facet.
@@ -82,7 +82,7 @@ NearestPositions PositionSearch::run(double time_limit) {
   return std::move(result_);
 }
 
-/// Positions that were the nearest free ones to another place are free.
+/// Positions that were the nearest free ones to another position are free.
 void PositionSearch::offer_known() {
   const std::array<BigRational, 3> from = frame_.origin();
   for (const auto& [x, facet] : probe_.free())
@@ -95,12 +95,12 @@ void PositionSearch::remember() {
   if (!free.empty()) probe_.remember({view_.from, bound_ - 4 * view_.slack}, std::move(free));
 }
 
-/// Told by doubles: a "no" says nothing. What may be one of the positions found, as their facets list them too, is not
-/// asked about in vain.
+/// Determined by doubles: a "no" says nothing. What may be one of the positions found, as their facets list them too,
+/// is not queried in vain.
 bool PositionSearch::is_covered(Vec3 x, double off) {
   if (view_.cover(x, x, off, length(x) + off)) return true;
   const auto may_be = [&](Vec3 found) { return length(x - found) <= 2 * (off + view_.slack); };
-  return !std::any_of(found_.begin(), found_.end(), may_be) && probe_.surely_overlaps(view_.from + x, off);
+  return !std::any_of(found_.begin(), found_.end(), may_be) && probe_.provably_overlaps(view_.from + x, off);
 }
 
 void PositionSearch::open(std::uint32_t id) {

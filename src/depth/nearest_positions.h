@@ -1,4 +1,5 @@
-// The search for the nearest positions: free ones from a place in the open sum, ones of the sum from a place outside.
+// The search for the nearest positions: free ones from a position in the open sum, ones of the sum from a position
+// outside.
 #pragma once
 
 #include <vector>
@@ -14,7 +15,7 @@ struct NearestPositions {
   SolidDistance::Work work;
 };
 
-/// docs/design/penetration-depth.md, "The search". `inside`: whether the place lies in the open sum.
+/// docs/design/penetration-depth.md, "The search". `inside`: whether the position lies in the open sum.
 NearestPositions nearest_positions(const FacetView& view, const ExactFrame& frame, DepthProbe& probe, bool inside,
                                    double time_limit);
 

@@ -1,4 +1,4 @@
-// Depth and distance of planar regions: how far a place is from the boundary and the tight features of their sum.
+// Depth and distance of planar regions: how far a position is from the boundary and the tight features of their sum.
 #include <algorithm>
 #include <array>
 #include <cmath>

@@ -16,9 +16,9 @@ PosedOverlap::PosedOverlap(const spatial::SolidPair& pair, const Rotation& q_tur
 
 bool PosedOverlap::holds(const std::array<exact::BigRational, 3>& at) {
   const exact::BigInteger& scale = posed_.scale;
-  const std::optional<spatial::PointSource> place =
-      posed_.space->add_place({at[0] * scale, at[1] * scale, at[2] * scale});
-  return place && collision_.overlaps({*place, 0, 0, 0, 0, 0});
+  const std::optional<spatial::PointSource> position =
+      posed_.space->add_position({at[0] * scale, at[1] * scale, at[2] * scale});
+  return position && collision_.overlaps({*position, 0, 0, 0, 0, 0});
 }
 
 }  // namespace dymsum::depth

@@ -50,7 +50,7 @@ class RayExit {
       if (!may_meet(view_.o.tree.box(f), view_.from, way, 4 * view_.slack)) continue;
       const spatial::SumFacet& facet = view_.o.facets[f];
       if (add(frame_.plane(facet))) continue;
-      for (int k = 0; k < facet.corners; ++k) add(frame_.border(facet, k)), add_corner(facet, k);
+      for (int k = 0; k < facet.corners; ++k) add(frame_.facet_edge(facet, k)), add_corner(facet, k);
     }
     std::sort(found_.begin(), found_.end());
     found_.erase(std::unique(found_.begin(), found_.end()), found_.end());
@@ -90,7 +90,7 @@ BigRational exit_along(const FacetView& view, const ExactFrame& frame, DepthProb
   for (const BigRational& s : RayExit(view, frame, direction).crossings()) {
     const RationalVector x{from[0] + s * direction[0], from[1] + s * direction[1], from[2] + s * direction[2]};
     const Vec3 at = view.o.scaled(x);
-    if (!probe.surely_overlaps(at, view.slack) && !probe.overlaps(x)) return s;
+    if (!probe.provably_overlaps(at, view.slack) && !probe.overlaps(x)) return s;
   }
   throw std::logic_error("exit_along: the sum is bounded, and no way leads out of it");
 }

@@ -1,4 +1,4 @@
-// Where a ray from a place in the open sum first comes to a free position.
+// Where a ray from a position in the open sum first comes to a free position.
 #pragma once
 
 #include "depth/boundary_distance.h"
@@ -7,8 +7,8 @@
 
 namespace dymsum::depth {
 
-/// The least s with from + s direction free. Candidates are where the ray crosses planes of facets near it, and borders
-/// of those in whose planes it runs (docs/design/penetration-depth.md, "Along a direction").
+/// The least s with from + s direction free. Candidates are where the ray crosses planes of facets near it, and facet
+/// edges of those in whose planes it runs (docs/design/penetration-depth.md, "Along a direction").
 BigRational exit_along(const FacetView& view, const ExactFrame& frame, DepthProbe& probe,
                        const RationalVector& direction, const RationalVector& from);
 

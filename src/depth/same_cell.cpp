@@ -10,13 +10,13 @@ namespace {
 
 constexpr double kNearlyFlat = 0x1p-12;
 
-/// How a way from a to b lies to a facet: off it, inside of its borders, or unknown.
-enum class Way : std::uint8_t { off, within, unknown };
+/// How a way from a to b lies to a facet: off it, inside of its facet edges, or unknown.
+enum class Passage : std::uint8_t { off, within, unknown };
 
-Way way_past(const FacetView& view, std::uint32_t g, Vec3 a, Vec3 b) {
+Passage passage_of(const FacetView& view, std::uint32_t g, Vec3 a, Vec3 b) {
   const Vec3 n = view.o.normals[g], o = view.corner(g, 0);
   const double margin = 8 * view.slack, from = spatial::dot(n, a - o), to = spatial::dot(n, b - o);
-  if (std::min(from, to) > margin || std::max(from, to) < -margin) return Way::off;
+  if (std::min(from, to) > margin || std::max(from, to) < -margin) return Passage::off;
   bool within = true;
   for (std::size_t k = 0; k < view.corners(g); ++k) {
     const Vec3 c = view.corner(g, k), d = view.corner(g, k + 1) - c;
@@ -24,10 +24,10 @@ Way way_past(const FacetView& view, std::uint32_t g, Vec3 a, Vec3 b) {
     const Vec3 inward = (1 / size) * spatial::cross(n, d);
     const double u = spatial::dot(inward, a - c), v = spatial::dot(inward, b - c);
     const double off = margin + reach * 0x1p-46 / size;
-    if (std::max(u, v) < -off) return Way::off;
+    if (std::max(u, v) < -off) return Passage::off;
     within = within && std::min(u, v) > off;
   }
-  return within ? Way::within : Way::unknown;
+  return within ? Passage::within : Passage::unknown;
 }
 
 }  // namespace
@@ -47,8 +47,8 @@ bool same_cell(const FacetView& view, const ExactFrame& frame, std::uint32_t fac
   bool same = true;
   view.o.tree.for_each(box, [&](std::uint32_t g) {
     if (!same) return;
-    const Way way = way_past(view, g, a, b);
-    same = way == Way::off || (way == Way::within && in_one_plane(view, frame, facet, g));
+    const Passage way = passage_of(view, g, a, b);
+    same = way == Passage::off || (way == Passage::within && in_one_plane(view, frame, facet, g));
   });
   return same;
 }

@@ -5,9 +5,9 @@
 
 namespace dymsum::depth {
 
-/// Two positions in the plane of a facet, exactly, and within the slack where the place sees a and b: whether no facet
-/// begins or ends on the way between them. Contact is constant along such a way, so one tells of the other. A "no" says
-/// nothing. O(log n + k) for k facets near the way.
+/// Two positions in the plane of a facet, exactly, and within the slack where the position sees a and b: whether no
+/// facet begins or ends on the way between them. Contact is constant along such a way, so one tells of the other. A
+/// "no" says nothing. O(log n + k) for k facets near the way.
 bool same_cell(const FacetView& view, const ExactFrame& frame, std::uint32_t facet, spatial::Vec3 a, spatial::Vec3 b);
 
 /// Whether facets lie in one plane. Exact.

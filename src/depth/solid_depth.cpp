@@ -3,6 +3,7 @@
 #include <cmath>
 #include <limits>
 #include <stdexcept>
+#include <string>
 
 #include "depth/boundary_distance.h"
 #include "depth/nearest_positions.h"
@@ -59,7 +60,8 @@ bool operator==(const SolidDistance& a, const SolidDistance& b) {
 }
 
 Result<SolidDepth> SolidDepth::create(const Mesh& p, const Mesh& q, const DepthOptions& options) {
-  if (options.threads < 0) return Error{ErrorCode::out_of_range, "threads have to be at least 0", {}};
+  if (options.threads < 0)
+    return Error{ErrorCode::out_of_range, "threads must be at least 0, not " + std::to_string(options.threads), {}};
   Result<std::shared_ptr<const DepthOperands>> operands = depth::depth_operands(p, q, options);
   if (!operands) return operands.error();
   return SolidDepth(*std::move(operands));
@@ -87,7 +89,7 @@ SolidDistance SolidDepth::at(const Move& q_moved_by, double time_limit) {
   const RationalVector from = exact_vector(q_moved_by);
   FacetView view = view_from(o, from);
   view.balls = probe_->balls();
-  const bool overlapping = probe_->surely_overlaps(view.from, view.slack) || probe_->overlaps(from);
+  const bool overlapping = probe_->provably_overlaps(view.from, view.slack) || probe_->overlaps(from);
   if (o.engine == DepthEngine::boundary)
     return distance_with(o, depth::nearest_on_boundary(*o.sum, from), from, overlapping);
   const ExactFrame frame(o.p.vertices, o.q.vertices, o.exponent, from);

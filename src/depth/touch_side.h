@@ -25,7 +25,7 @@ struct TouchSide {
   std::vector<Point3> at;            ///< of vertices
   std::vector<Simplex> simplices;    ///< none is a side of another one
   std::vector<SolidFeature> inside;  ///< per simplex: the feature that its relative interior belongs to
-  /// The same of segments that are sides of triangles in the middle of a face, or edges with a name of their own.
+  /// The same of segments that are sides of triangles inside a face, or edges with a name of their own.
   std::map<std::array<std::uint32_t, 2>, SolidFeature> sides;
   /// Vertices are to be turned by this integer matrix over an integer.
   std::array<std::int64_t, 9> matrix{1, 0, 0, 0, 1, 0, 0, 0, 1};

@@ -14,7 +14,7 @@
 
 #include "base/union_find.h"
 #include "depth/exact_frame.h"
-#include "depth/sure_sign.h"
+#include "depth/proved_sign.h"
 #include "spatial/mesh/rounded_vector.h"
 
 namespace dymsum::depth {
@@ -93,7 +93,7 @@ class TouchSearch {
   BigVector exact(int side, std::uint32_t vertex);
   Vec3 approx(int side, std::uint32_t vertex) const;
   Box box(int side, const Simplex& s) const;
-  bool surely_apart(const Simplex& a, const Simplex& b) const;
+  bool provably_apart(const Simplex& a, const Simplex& b) const;
   void look_at(std::uint32_t i, std::uint32_t j);
   void add_vertices(int side, std::uint32_t i, std::uint32_t j, std::vector<std::uint32_t>& points);
   void add_crossings(std::uint32_t i, std::uint32_t j, std::vector<std::uint32_t>& points);
@@ -162,14 +162,14 @@ Box TouchSearch::box(int side, const Simplex& s) const {
 }
 
 /// All corners of one lie on one side of the other's plane.
-bool TouchSearch::surely_apart(const Simplex& a, const Simplex& b) const {
+bool TouchSearch::provably_apart(const Simplex& a, const Simplex& b) const {
   const auto off_plane = [&](int side, const Simplex& s, const Simplex& t) {
     if (dimension_of(t) < 2) return false;
     const Vec3 o = approx(1 - side, t[0]), u = approx(1 - side, t[1]) - o, v = approx(1 - side, t[2]) - o;
     int first = 0;
     for (const std::uint32_t k : s) {
       if (k == kNoVertex) continue;
-      const int here = sure_sign(u, v, approx(side, k) - o, 2 * off_);
+      const int here = proved_sign(u, v, approx(side, k) - o, 2 * off_);
       if (here == 0 || here == -first) return false;
       first = here;
     }
@@ -184,7 +184,7 @@ std::vector<SolidTouch> TouchSearch::run() {
   at.grow(2 * off_);
   std::vector<std::array<std::uint32_t, 2>> near;
   pairs_.p_tree_.any_reflected_pair(pairs_.q_tree_, at, [&](std::uint32_t i, std::uint32_t j) {
-    if (!surely_apart(side_[0]->simplices[i], side_[1]->simplices[j])) near.push_back({i, j});
+    if (!provably_apart(side_[0]->simplices[i], side_[1]->simplices[j])) near.push_back({i, j});
     return false;
   });
   std::sort(near.begin(), near.end());
@@ -210,12 +210,12 @@ std::vector<SolidTouch> TouchSearch::run() {
   std::vector<SolidTouch> all;
   for (const Found& f : found) {
     const Cell& c = cells_[f.cell];
-    const auto number = static_cast<std::uint32_t>(patch.size());
+    const auto index = static_cast<std::uint32_t>(patch.size());
     all.push_back({c.p,
                    c.q,
                    c.dimension,
                    {exact::to_rational(f.at[0]), exact::to_rational(f.at[1]), exact::to_rational(f.at[2])},
-                   patch.emplace(patches_.root(f.cell), number).first->second});
+                   patch.emplace(patches_.root(f.cell), index).first->second});
   }
   return all;
 }
@@ -264,7 +264,7 @@ std::optional<Simplex> TouchSearch::find_side(int side, std::uint32_t vertex, co
   std::array<BigVector, 3> corners;
   const std::size_t count = static_cast<std::size_t>(dimension_of(other)) + 1;
   for (std::size_t k = 0; k < count; ++k) near[k] = approx(1 - side, other[k]) - approx(side, vertex);
-  if (count < 3 || sure_sign(near[0], near[1], near[2], 2 * off_) == 0) {
+  if (count < 3 || proved_sign(near[0], near[1], near[2], 2 * off_) == 0) {
     for (std::size_t k = 0; k < count; ++k) corners[k] = exact(1 - side, other[k]);
     on = side_at(exact(side, vertex), other, corners);
   }
@@ -288,7 +288,7 @@ void TouchSearch::add_crossings(std::uint32_t i, std::uint32_t j, std::vector<st
 /// Where the relative interiors of two edges have one position in common.
 std::optional<ExactPosition> TouchSearch::crossing(const Simplex& e, const Simplex& f) {
   const Vec3 near = approx(0, e[0]);
-  if (sure_sign(approx(0, e[1]) - near, approx(1, f[0]) - near, approx(1, f[1]) - near, 2 * off_) != 0)
+  if (proved_sign(approx(0, e[1]) - near, approx(1, f[0]) - near, approx(1, f[1]) - near, 2 * off_) != 0)
     return std::nullopt;
   const BigVector a = exact(0, e[0]), u = exact(0, e[1]) - a, c = exact(1, f[0]), v = exact(1, f[1]) - c, w = c - a;
   const BigVector n = cross(u, v);

@@ -22,8 +22,8 @@ class TouchingPairs {
 
   /// What touches where Q is moved by `x`: pairs of features whose relative interiors have positions in common, one for
   /// each connected piece of these; the greatest dimension first, then by p, q and position. Requires interiors that do
-  /// not overlap there. Exact: doubles only leave out what surely is apart. O(log n + k log k) for k pairs of simplices
-  /// that come near each other.
+  /// not overlap there. Exact: doubles only leave out what provably is apart. O(log n + k log k) for k pairs of
+  /// simplices that come near each other.
   std::vector<SolidTouch> at(const RationalVector& x) const;
 
  private:

@@ -83,12 +83,12 @@ std::optional<BigRational> filtered_between(const AlgebraicRoot& a, const Algebr
   if (low >= 0) x = simplest_between_positive(low, high);
   if (high <= 0) x = simplest_between_positive(-high, -low);
   if (!x) return std::nullopt;
-  const double middle = high <= 0 ? -*x : *x;
+  const double midpoint = high <= 0 ? -*x : *x;
   // a bound that is not the root is strictly beyond it
-  const bool above = a.high() < middle || (a.high() == middle && a.low() < a.high());
-  const bool below = middle < b.low() || (middle == b.low() && b.low() < b.high());
+  const bool above = a.high() < midpoint || (a.high() == midpoint && a.low() < a.high());
+  const bool below = midpoint < b.low() || (midpoint == b.low() && b.low() < b.high());
   if (!above || !below) return std::nullopt;
-  return exact_value(middle);
+  return exact_value(midpoint);
 }
 
 /// The one multiple of 1 / c in an open bracket narrower than 1 / c, if there is one. Requires c > 0.
@@ -247,13 +247,13 @@ BigRational between(const AlgebraicRoot& a, const AlgebraicRoot& b) {
   }
   DyadicNumber low = x.low(), high = y.high();
   for (;;) {
-    const DyadicNumber middle = simplest_between(low, high);
-    if (x.compare_to(middle) >= 0) {
-      low = middle;
-    } else if (y.compare_to(middle) <= 0) {
-      high = middle;
+    const DyadicNumber midpoint = simplest_between(low, high);
+    if (x.compare_to(midpoint) >= 0) {
+      low = midpoint;
+    } else if (y.compare_to(midpoint) <= 0) {
+      high = midpoint;
     } else {
-      return middle.value();
+      return midpoint.value();
     }
   }
 }

@@ -31,7 +31,7 @@ class AlgebraicRoot {
 
   /// low() < root < high(), or all three are equal. Where the exact path answered they are at most some units in the
   /// last place apart, and equal for every root that is a double; where doubles did, as near as signs in doubles can
-  /// tell. One of them is infinite past the double range.
+  /// decide. One of them is infinite past the double range.
   double low() const { return low_; }
   double high() const { return high_; }
   /// A finite double in [low(), high()].

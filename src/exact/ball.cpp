@@ -29,28 +29,28 @@ double rounded_double(const BigInteger& n, std::int64_t e, bool up) {
 
 }  // namespace
 
-Ball::Ball(BigInteger middle, BigInteger radius, std::int64_t exponent, unsigned precision)
-    : middle_(std::move(middle)), radius_(std::move(radius)), exponent_(exponent) {
-  const std::int64_t excess = std::max(size_of(magnitude_of(middle_)), size_of(radius_)) - precision;
+Ball::Ball(BigInteger centre, BigInteger radius, std::int64_t exponent, unsigned precision)
+    : centre_(std::move(centre)), radius_(std::move(radius)), exponent_(exponent) {
+  const std::int64_t excess = std::max(size_of(magnitude_of(centre_)), size_of(radius_)) - precision;
   if (excess > 0) move_to(exponent_ + excess);
 }
 
-// Cutting moves the middle by less than one unit, and rounds the radius up by one at most.
+// Cutting moves the centre by less than one unit, and rounds the radius up by one at most.
 void Ball::move_to(std::int64_t exponent) {
   if (exponent <= exponent_) {
     const auto shift = static_cast<unsigned>(exponent_ - exponent);
-    middle_ <<= shift;
+    centre_ <<= shift;
     radius_ <<= shift;
   } else {
     const std::int64_t cut = exponent - exponent_;
-    const bool all = cut > std::max(size_of(magnitude_of(middle_)), size_of(radius_));
+    const bool all = cut > std::max(size_of(magnitude_of(centre_)), size_of(radius_));
     const bool exact =
-        radius_.is_zero() && (middle_.is_zero() || static_cast<std::int64_t>(lsb(magnitude_of(middle_))) >= cut);
+        radius_.is_zero() && (centre_.is_zero() || static_cast<std::int64_t>(lsb(magnitude_of(centre_))) >= cut);
     const auto shift = static_cast<unsigned>(all ? 0 : cut);
     // Magnitudes are shifted: Boost 1.74 loses the sign of some negative numbers, as of -(2^64 + 1).
-    const bool negative = middle_.sign() < 0;
-    middle_ = all ? BigInteger(0) : BigInteger(magnitude_of(middle_) >> shift);
-    if (negative) middle_ = -middle_;
+    const bool negative = centre_.sign() < 0;
+    centre_ = all ? BigInteger(0) : BigInteger(magnitude_of(centre_) >> shift);
+    if (negative) centre_ = -centre_;
     radius_ = all ? BigInteger(0) : BigInteger(radius_ >> shift);
     if (!exact) radius_ += 2;
   }
@@ -58,46 +58,46 @@ void Ball::move_to(std::int64_t exponent) {
 }
 
 Ball Ball::sum(const Ball& a, const Ball& b, int sign_of_b, unsigned precision) {
-  if (a.middle_.is_zero() && a.radius_.is_zero()) return {sign_of_b * b.middle_, b.radius_, b.exponent_, precision};
-  if (b.middle_.is_zero() && b.radius_.is_zero()) return {a.middle_, a.radius_, a.exponent_, precision};
+  if (a.centre_.is_zero() && a.radius_.is_zero()) return {sign_of_b * b.centre_, b.radius_, b.exponent_, precision};
+  if (b.centre_.is_zero() && b.radius_.is_zero()) return {a.centre_, a.radius_, a.exponent_, precision};
   // No operand is shifted to the left by more than the precision.
   const std::int64_t exponent =
       std::max(std::min(a.exponent_, b.exponent_), std::max(a.top(), b.top()) - static_cast<std::int64_t>(precision));
   Ball x = a, y = b;
   x.move_to(exponent);
   y.move_to(exponent);
-  return {sign_of_b < 0 ? BigInteger(x.middle_ - y.middle_) : BigInteger(x.middle_ + y.middle_),
+  return {sign_of_b < 0 ? BigInteger(x.centre_ - y.centre_) : BigInteger(x.centre_ + y.centre_),
           BigInteger(x.radius_ + y.radius_), exponent, precision};
 }
 
 Ball Ball::product(const Ball& a, const Ball& b, unsigned precision) {
   BigInteger radius = a.radius_ * b.radius_;
-  if (!a.radius_.is_zero()) radius += a.radius_ * magnitude_of(b.middle_);
-  if (!b.radius_.is_zero()) radius += b.radius_ * magnitude_of(a.middle_);
-  return {BigInteger(a.middle_ * b.middle_), std::move(radius), a.exponent_ + b.exponent_, precision};
+  if (!a.radius_.is_zero()) radius += a.radius_ * magnitude_of(b.centre_);
+  if (!b.radius_.is_zero()) radius += b.radius_ * magnitude_of(a.centre_);
+  return {BigInteger(a.centre_ * b.centre_), std::move(radius), a.exponent_ + b.exponent_, precision};
 }
 
-// With middles m, n, radii r, s and |x - m| <= r, |y - n| <= s:
+// With centres m, n, radii r, s and |x - m| <= r, |y - n| <= s:
 //   |x / y - m / n| = |(x - m) n - m (y - n)| / |y n| <= (r |n| + |m| s) / ((|n| - s) |n|).
 std::optional<Ball> Ball::quotient(const Ball& a, const Ball& b, unsigned precision) {
-  const BigInteger n = magnitude_of(b.middle_), least = n - b.radius_;
+  const BigInteger n = magnitude_of(b.centre_), least = n - b.radius_;
   if (least.sign() <= 0) return std::nullopt;
   const std::int64_t wanted = static_cast<std::int64_t>(precision) + size_of(n) -
-                              std::max(size_of(magnitude_of(a.middle_)), size_of(a.radius_));
+                              std::max(size_of(magnitude_of(a.centre_)), size_of(a.radius_));
   const auto shift = static_cast<unsigned>(std::max<std::int64_t>(wanted, 0));
-  const BigInteger m = a.middle_ << shift, r = a.radius_ << shift;
+  const BigInteger m = a.centre_ << shift, r = a.radius_ << shift;
   BigInteger radius = 1;
   if (!r.is_zero() || !b.radius_.is_zero()) radius += (r * n + magnitude_of(m) * b.radius_) / BigInteger(least * n) + 1;
-  return Ball(BigInteger(m / b.middle_), std::move(radius), a.exponent_ - b.exponent_ - shift, precision);
+  return Ball(BigInteger(m / b.centre_), std::move(radius), a.exponent_ - b.exponent_ - shift, precision);
 }
 
 // Away from zero |sqrt x - sqrt m| = |x - m| / (sqrt x + sqrt m) <= r / floor(sqrt m), and one more for the floor.
 Ball Ball::root(const Ball& a, unsigned precision) {
-  const std::int64_t size = std::max(size_of(magnitude_of(a.middle_)), size_of(a.radius_));
+  const std::int64_t size = std::max(size_of(magnitude_of(a.centre_)), size_of(a.radius_));
   auto shift = static_cast<unsigned>(std::max<std::int64_t>(2 * static_cast<std::int64_t>(precision) - size, 0));
   if ((a.exponent_ - shift) % 2 != 0) ++shift;
   const std::int64_t exponent = (a.exponent_ - static_cast<std::int64_t>(shift)) / 2;
-  const BigInteger m = a.middle_ << shift, r = a.radius_ << shift;
+  const BigInteger m = a.centre_ << shift, r = a.radius_ << shift;
   BigInteger rest;
   if (m > r) {
     const BigInteger floor = floor_root(m, rest);
@@ -109,22 +109,22 @@ Ball Ball::root(const Ball& a, unsigned precision) {
 }
 
 std::optional<int> Ball::sign() const {
-  if (radius_.is_zero()) return middle_.sign();
-  if (magnitude_of(middle_) > radius_) return middle_.sign();
+  if (radius_.is_zero()) return centre_.sign();
+  if (magnitude_of(centre_) > radius_) return centre_.sign();
   return std::nullopt;
 }
 
 std::int64_t Ball::top() const {
-  const BigInteger most = magnitude_of(middle_) + radius_;
+  const BigInteger most = magnitude_of(centre_) + radius_;
   return most.is_zero() ? std::numeric_limits<std::int64_t>::min() : exponent_ + size_of(most);
 }
 
 bool Ball::is_narrow(unsigned bits) const {
-  return radius_.is_zero() || BigInteger(radius_ << bits) <= magnitude_of(middle_);
+  return radius_.is_zero() || BigInteger(radius_ << bits) <= magnitude_of(centre_);
 }
 
 Interval Ball::rounded_outwards() const {
-  const BigInteger low = middle_ - radius_, high = middle_ + radius_;
+  const BigInteger low = centre_ - radius_, high = centre_ + radius_;
   return {low.sign() < 0 ? -rounded_double(-low, exponent_, true) : rounded_double(low, exponent_, false),
           high.sign() < 0 ? -rounded_double(-high, exponent_, false) : rounded_double(high, exponent_, true)};
 }

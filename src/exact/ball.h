@@ -10,12 +10,12 @@
 
 namespace dymsum::exact {
 
-/// All x with |x - middle 2^exponent| <= radius 2^exponent. Results have about `precision` bits at most: what is cut
+/// All x with |x - centre 2^exponent| <= radius 2^exponent. Results have about `precision` bits at most: what is cut
 /// off, and what roots and quotients leave, goes into the radius. Exponents have room for any sum of sizes in memory.
 class Ball {
  public:
   Ball() = default;  ///< exactly 0
-  Ball(BigInteger middle, BigInteger radius, std::int64_t exponent, unsigned precision);
+  Ball(BigInteger centre, BigInteger radius, std::int64_t exponent, unsigned precision);
 
   /// a + b or, for the sign -1, a - b.
   static Ball sum(const Ball& a, const Ball& b, int sign_of_b, unsigned precision);
@@ -29,7 +29,7 @@ class Ball {
   std::optional<int> sign() const;
   /// All |x| < 2^top(); the least exponent for exactly 0.
   std::int64_t top() const;
-  /// radius <= 2^-bits |middle|.
+  /// radius <= 2^-bits |centre|.
   bool is_narrow(unsigned bits) const;
   /// The smallest interval of doubles that contains it.
   Interval rounded_outwards() const;
@@ -37,7 +37,7 @@ class Ball {
  private:
   void move_to(std::int64_t exponent);
 
-  BigInteger middle_ = 0, radius_ = 0;
+  BigInteger centre_ = 0, radius_ = 0;
   std::int64_t exponent_ = 0;
 };
 

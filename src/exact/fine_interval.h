@@ -14,7 +14,7 @@
 
 namespace dymsum::exact {
 
-/// All x with |x - middle()| <= radius, or the whole line: also for what is not defined, or is so large or small that
+/// All x with |x - midpoint()| <= radius, or the whole line: also for what is not defined, or is so large or small that
 /// pairs of doubles could over- or underflow.
 class FineInterval {
  public:
@@ -33,27 +33,28 @@ class FineInterval {
   static FineInterval difference(double a, double b) { return {base::exact_sum(b, -a), 0}; }
 
   bool is_whole() const { return !(radius_ < std::numeric_limits<double>::infinity()); }
-  bool contains_zero() const { return !(std::abs(middle_.value()) > radius_); }
+  bool contains_zero() const { return !(std::abs(midpoint_.value()) > radius_); }
   /// Contains it.
   Interval rounded() const {
     if (is_whole()) return Interval::whole();
-    const Interval middle = Interval(middle_.high) + Interval(middle_.low);
-    return radius_ == 0 ? middle : middle + Interval(-radius_, radius_);
+    const Interval midpoint = Interval(midpoint_.high) + Interval(midpoint_.low);
+    return radius_ == 0 ? midpoint : midpoint + Interval(-radius_, radius_);
   }
   /// The double nearest to each of its numbers, where that is one and no tie.
-  // middle_.high is nearest to the middle. Numbers closer to it than half the way to its nearer neighbour round to it.
+  // midpoint_.high is nearest to the midpoint. Numbers closer to it than half the way to its nearer neighbour round to
+  // it.
   std::optional<double> nearest() const {
     if (is_whole()) return std::nullopt;
-    const double v = middle_.high, size = std::abs(v);
-    if (v == 0) return radius_ == 0 && middle_.low == 0 ? std::optional<double>(0) : std::nullopt;
+    const double v = midpoint_.high, size = std::abs(v);
+    if (v == 0) return radius_ == 0 && midpoint_.low == 0 ? std::optional<double>(0) : std::nullopt;
     const double gap = size - std::nextafter(size, 0.0);  // the one towards zero is the nearer one
-    if (size > kSmall && (std::abs(middle_.low) + radius_) * kOutwards < gap / 2) return v;
+    if (size > kSmall && (std::abs(midpoint_.low) + radius_) * kOutwards < gap / 2) return v;
     return std::nullopt;
   }
 
-  friend FineInterval operator-(const FineInterval& a) { return {-a.middle_, a.radius_}; }
+  friend FineInterval operator-(const FineInterval& a) { return {-a.midpoint_, a.radius_}; }
   friend FineInterval operator+(const FineInterval& a, const FineInterval& b) {
-    const base::DoublePair s = a.middle_ + b.middle_;
+    const base::DoublePair s = a.midpoint_ + b.midpoint_;
     return {s, grown(a.radius_ + b.radius_, s)};
   }
   friend FineInterval operator-(const FineInterval& a, const FineInterval& b) { return a + -b; }
@@ -61,27 +62,27 @@ class FineInterval {
     if (a.is_zero() || b.is_zero()) return {};
     if (a.is_whole() || b.is_whole()) return whole();
     if (!a.is_moderate() || !b.is_moderate()) return a.folded() * b.folded();
-    const base::DoublePair p = a.middle_ * b.middle_;
+    const base::DoublePair p = a.midpoint_ * b.midpoint_;
     return {p, grown(a.size() * b.radius_ + b.size() * a.radius_ + a.radius_ * b.radius_, p)};
   }
   /// The whole line where b contains 0.
-  // With middles m, n and radii r, s: |x / y - m / n| <= (r + |m / n| s) / (|n| - s) for y of the sign of n.
+  // With midpoints m, n and radii r, s: |x / y - m / n| <= (r + |m / n| s) / (|n| - s) for y of the sign of n.
   friend FineInterval operator/(const FineInterval& a, const FineInterval& b) {
     if (b.contains_zero() || !b.is_moderate()) return whole();
     if (a.is_zero()) return {};
     if (a.is_whole()) return whole();
     if (!a.is_moderate()) return a.folded() / b;
-    const base::DoublePair q = a.middle_ / b.middle_;
+    const base::DoublePair q = a.midpoint_ / b.midpoint_;
     const double least = (b.size() * kInwards - b.radius_) * kInwards;
     if (!(least > 0)) return whole();
     return {q, grown((a.radius_ + std::abs(q.high) * kOutwards * b.radius_) / least, q)};
   }
-  /// The roots of the numbers that are not negative; the whole line if there are none, or the middle is 0 or less.
+  /// The roots of the numbers that are not negative; the whole line if there are none, or the midpoint is 0 or less.
   // |sqrt x - sqrt m| <= |x - m| / sqrt m.
   friend FineInterval sqrt(const FineInterval& a) {
     if (a.is_zero()) return {};
-    if (a.is_whole() || !a.is_moderate() || !(a.middle_.high > 0)) return whole();
-    const base::DoublePair root = base::square_root(a.middle_);
+    if (a.is_whole() || !a.is_moderate() || !(a.midpoint_.high > 0)) return whole();
+    const base::DoublePair root = base::square_root(a.midpoint_);
     return {root, grown(a.radius_ / (root.high * kInwards), root)};
   }
 
@@ -89,36 +90,36 @@ class FineInterval {
   friend std::optional<int> sign_of(const FineInterval& a) {
     if (a.is_zero()) return 0;
     if (a.contains_zero()) return std::nullopt;
-    return a.middle_.high > 0 ? 1 : -1;
+    return a.midpoint_.high > 0 ? 1 : -1;
   }
 
  private:
-  FineInterval(base::DoublePair middle, double radius) : middle_(middle), radius_(radius) {
+  FineInterval(base::DoublePair midpoint, double radius) : midpoint_(midpoint), radius_(radius) {
     // Also NaN.
-    if (!(radius_ < std::numeric_limits<double>::infinity()) || !(std::abs(middle_.high) < kLarge))
-      middle_ = {}, radius_ = std::numeric_limits<double>::infinity();
+    if (!(radius_ < std::numeric_limits<double>::infinity()) || !(std::abs(midpoint_.high) < kLarge))
+      midpoint_ = {}, radius_ = std::numeric_limits<double>::infinity();
   }
   static FineInterval around(const Interval& v) {
-    const double middle = v.middle();
-    return {base::DoublePair{middle, 0}, std::max(v.high() - middle, middle - v.low()) * kOutwards + kUnderflow};
+    const double midpoint = v.midpoint();
+    return {base::DoublePair{midpoint, 0}, std::max(v.high() - midpoint, midpoint - v.low()) * kOutwards + kUnderflow};
   }
 
   // Factors and divisors between these: no error term of a product, a quotient or a root underflows.
   static constexpr double kLarge = 0x1p300, kSmall = 0x1p-300;
-  bool is_zero() const { return radius_ == 0 && middle_.high == 0 && middle_.low == 0; }
-  double size() const { return std::abs(middle_.high) * kOutwards; }
-  bool is_moderate() const { return middle_.high == 0 || std::abs(middle_.high) > kSmall; }
-  /// With the middle 0 instead of one that is too small.
+  bool is_zero() const { return radius_ == 0 && midpoint_.high == 0 && midpoint_.low == 0; }
+  double size() const { return std::abs(midpoint_.high) * kOutwards; }
+  bool is_moderate() const { return midpoint_.high == 0 || std::abs(midpoint_.high) > kSmall; }
+  /// With the midpoint 0 instead of one that is too small.
   FineInterval folded() const {
     return is_moderate() ? *this : FineInterval(base::DoublePair{}, (radius_ + size()) * kOutwards + kUnderflow);
   }
 
-  /// A radius of few roundings, with the error of the middle.
-  static double grown(double radius, base::DoublePair middle) {
-    return (radius + std::abs(middle.high) * base::kPairError) * kOutwards + kUnderflow;
+  /// A radius of few roundings, with the error of the midpoint.
+  static double grown(double radius, base::DoublePair midpoint) {
+    return (radius + std::abs(midpoint.high) * base::kPairError) * kOutwards + kUnderflow;
   }
 
-  base::DoublePair middle_;
+  base::DoublePair midpoint_;
   double radius_ = 0;
 };
 

@@ -87,13 +87,13 @@ int bits_needed(double low, double high, double offset, int exponent) {
 }
 
 double grid_center(double low, double high, int exponent) {
-  const double middle = low / 2 + high / 2;
+  const double midpoint = low / 2 + high / 2;
   int e = 0;
-  std::frexp(middle, &e);
-  if (middle == 0) return 0;
-  if (e - 53 >= exponent) return middle;  // its last bit is a multiple of the unit
-  // |middle| < 2^e < 2^(exponent + 53): scaling is exact, or loses only bits below the unit
-  const double center = std::ldexp(std::floor(std::ldexp(middle, -exponent)), exponent);
+  std::frexp(midpoint, &e);
+  if (midpoint == 0) return 0;
+  if (e - 53 >= exponent) return midpoint;  // its last bit is a multiple of the unit
+  // |midpoint| < 2^e < 2^(exponent + 53): scaling is exact, or loses only bits below the unit
+  const double center = std::ldexp(std::floor(std::ldexp(midpoint, -exponent)), exponent);
   return center == 0 ? 0 : center;
 }
 

@@ -36,11 +36,11 @@ int bits_needed(double max_abs, int exponent);
 /// differences may not be doubles. Requires finite values.
 int bits_needed(double low, double high, double offset, int exponent);
 
-/// A multiple of 2^exponent that is a double, at most one unit or one ulp from the middle of [low, high]: the offset
+/// A multiple of 2^exponent that is a double, at most one unit or one ulp from the midpoint of [low, high]: the offset
 /// that leaves the narrowest coordinates. Requires low <= high, finite, multiples of 2^exponent.
 double grid_center(double low, double high, int exponent);
 
-/// A number tier, named by the SumOptions::min_tier_bits value that asks for it. Coordinates X are bounded by 2^B with
+/// A number tier, named by the SumOptions::min_tier_bits value that requests it. Coordinates X are bounded by 2^B with
 /// B = 29, 61, 125 and unbounded. The widest sign of the hot path is the order of two crossings on one segment,
 ///   edge       p2 - p1                  |.| <= 2^(B+1)
 ///   sum        p + q                            2^(B+1)

@@ -44,7 +44,7 @@ class Interval {
   bool is_point() const { return low_ == high_; }
   bool contains(double v) const { return low_ <= v && v <= high_; }
   bool contains_zero() const { return low_ <= 0 && high_ >= 0; }
-  double middle() const { return low_ / 2 + high_ / 2; }
+  double midpoint() const { return low_ / 2 + high_ / 2; }
 
   friend Interval operator-(const Interval& a) { return {-a.high_, -a.low_}; }
   friend Interval operator+(const Interval& a, const Interval& b) {

@@ -95,9 +95,9 @@ constexpr Limbs<R> limbs_multiply_unsigned(const Limbs<N>& a, const Limbs<M>& b)
 constexpr Limbs<4> limbs_multiply_unsigned_2x2(const Limbs<2>& a, const Limbs<2>& b) {
   const u128 low = static_cast<u128>(a.w[0]) * b.w[0], high = static_cast<u128>(a.w[1]) * b.w[1];
   const u128 cross1 = static_cast<u128>(a.w[0]) * b.w[1], cross2 = static_cast<u128>(a.w[1]) * b.w[0];
-  const u128 middle = cross1 + static_cast<std::uint64_t>(low >> 64);  // <= (2^64-1)^2 + 2^64-1 < 2^128
-  const u128 middle2 = cross2 + static_cast<std::uint64_t>(middle);
-  const u128 top = high + static_cast<std::uint64_t>(middle >> 64) + static_cast<std::uint64_t>(middle2 >> 64);
+  const u128 midpoint = cross1 + static_cast<std::uint64_t>(low >> 64);  // <= (2^64-1)^2 + 2^64-1 < 2^128
+  const u128 middle2 = cross2 + static_cast<std::uint64_t>(midpoint);
+  const u128 top = high + static_cast<std::uint64_t>(midpoint >> 64) + static_cast<std::uint64_t>(middle2 >> 64);
   return {{static_cast<std::uint64_t>(low), static_cast<std::uint64_t>(middle2), static_cast<std::uint64_t>(top),
            static_cast<std::uint64_t>(top >> 64)}};
 }

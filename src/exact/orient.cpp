@@ -44,7 +44,7 @@ SignAnswer answer(const Vectors& v) {
   const double ux = v.b.x - v.a.x, uy = v.b.y - v.a.y, wx = v.d.x - v.c.x, wy = v.d.y - v.c.y;
   const double l = form == Form::cross ? ux * wy : ux * wx;
   const double r = form == Form::cross ? -(uy * wx) : uy * wy;
-  if (const int s = certain_sign(l, r); s != 0) [[likely]]
+  if (const int s = proved_sign(l, r); s != 0) [[likely]]
     return {s, Rung::doubles};
   return exact_answer<form>(v);
 }

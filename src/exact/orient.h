@@ -21,17 +21,17 @@ namespace dymsum::exact {
 // The test |fl(s)| > 5e fl(|l| + |r|) + 2^-1000, evaluated in doubles, is stricter: 5e (1 - e)^3 > 4e + 13e^2, and
 // 2^-1000 also covers the underflow of the threshold itself. Overflow makes the threshold infinite or NaN and the test
 // fail.
-inline constexpr double kCertainSign = rounding_bound(4, 5);
+inline constexpr double kProvedSign = rounding_bound(4, 5);
 
-/// The sign of l + r for products l and r of rounded differences where it is certain, else 0.
-inline int certain_sign(double l, double r) {
-  const double s = l + r, threshold = kCertainSign * (std::abs(l) + std::abs(r)) + kUnderflow;
+/// The sign of l + r for products l and r of rounded differences where it is proved, else 0.
+inline int proved_sign(double l, double r) {
+  const double s = l + r, threshold = kProvedSign * (std::abs(l) + std::abs(r)) + kUnderflow;
   return (s > threshold) - (s < -threshold);
 }
 
-/// The sign of (b - a) x (d - c) where doubles tell it, else 0.
-inline int certain_cross_sign(Point a, Point b, Point c, Point d) {
-  return certain_sign((b.x - a.x) * (d.y - c.y), -((b.y - a.y) * (d.x - c.x)));
+/// The sign of (b - a) x (d - c) where doubles determine it, else 0.
+inline int proved_cross_sign(Point a, Point b, Point c, Point d) {
+  return proved_sign((b.x - a.x) * (d.y - c.y), -((b.y - a.y) * (d.x - c.x)));
 }
 
 /// The sign of (b - a) x (d - c), exactly. Requires finite coordinates.
@@ -41,8 +41,8 @@ SignAnswer dot_answer(Point a, Point b, Point c, Point d);
 
 /// The sign of (b - a) x (d - c): > 0 when direction cd points to the left of direction ab.
 inline int cross_sign(Point a, Point b, Point c, Point d) {
-  const int certain = certain_cross_sign(a, b, c, d);
-  return certain != 0 ? certain : cross_answer(a, b, c, d).sign;
+  const int proved = proved_cross_sign(a, b, c, d);
+  return proved != 0 ? proved : cross_answer(a, b, c, d).sign;
 }
 inline int cross_sign(Point a, Point b, Point c, Point d, RungCounts& counts) {
   return counts.add(cross_answer(a, b, c, d));

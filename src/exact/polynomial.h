@@ -1,5 +1,5 @@
 // Polynomials of degree at most 6 with integer coefficients, as rotation events have them in t = tan(theta / 2), and
-// the divisions that tell which roots two of them share and how often one of them has each of its roots.
+// the divisions that determine which roots two of them share and how often one of them has each of its roots.
 #pragma once
 
 #include <array>

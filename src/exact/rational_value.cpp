@@ -34,7 +34,7 @@ int compare(const Rational& a, const Rational& b) {
 }  // namespace
 
 Rational::Rational(Whole value) {
-  // Scales are 1 nearly everywhere: no memory is asked for.
+  // Scales are 1 nearly everywhere: no memory is requested.
   static const Rational kOne = RationalAccess::make(BigInteger(1), BigInteger(1));
   *this = value.value == 1 ? kOne : RationalAccess::make(BigInteger(value.value), BigInteger(1));
 }

@@ -58,11 +58,11 @@ struct Halves {
 };
 
 Halves halves(const SturmChain& chain, const Isolating& i) {
-  const BigInteger middle = i.low + i.high;
+  const BigInteger midpoint = i.low + i.high;
   const unsigned shift = i.shift + 1;
-  const int v = chain.variations(middle, shift);
-  return {{BigInteger(i.low << 1), middle, shift, i.low_variations, v},
-          {middle, BigInteger(i.high << 1), shift, v, i.high_variations}};
+  const int v = chain.variations(midpoint, shift);
+  return {{BigInteger(i.low << 1), midpoint, shift, i.low_variations, v},
+          {midpoint, BigInteger(i.high << 1), shift, v, i.high_variations}};
 }
 
 /// The one root in (low, high], which is not low: halved until low is not another root, unless high is the root.
@@ -133,7 +133,7 @@ DyadicNumber simplest_between(const DyadicNumber& low, const DyadicNumber& high)
   for (unsigned drop = shift;; --drop) {
     BigInteger n = floor_shift(l, drop) + 1;
     if (BigInteger(n << drop) < h) return {std::move(n), shift - drop};
-    if (drop == 0) return {BigInteger(l + h), shift + 1};  // neighbours: the middle
+    if (drop == 0) return {BigInteger(l + h), shift + 1};  // neighbours: the midpoint
   }
 }
 
@@ -194,7 +194,7 @@ bool RootBracket::narrow_towards(const BigInteger& left, const BigInteger& width
 void RootBracket::refine() {
   if (is_point()) return;
   // The root of the chord, rounded to one of 2^gain - 1 inner marks, and the side of it the root lies on. With two
-  // parts the mark is the middle, and the step cannot fail.
+  // parts the mark is the midpoint, and the step cannot fail.
   const BigInteger at_low = magnitude(f_.value_at_dyadic(low_, shift_));
   const BigInteger at_high = magnitude(f_.value_at_dyadic(high_, shift_));
   const BigInteger width = high_ - low_, parts = BigInteger(1) << gain_, sum = at_low + at_high;

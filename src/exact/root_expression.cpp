@@ -188,7 +188,7 @@ Interval narrow_interval(const RootExpression& a) {
 }
 
 // The ends of a narrow interval two steps apart are so because the number is close to the double between them: nearer
-// than 2^-64 of itself. Next to each other, their middle decides.
+// than 2^-64 of itself. Next to each other, their midpoint decides.
 double nearest_double(const RootExpression& a) {
   const Interval near = narrow_interval(a);
   if (near.is_point()) return near.low();
@@ -199,9 +199,9 @@ double nearest_double(const RootExpression& a) {
   }
   const double step = std::nextafter(near.low(), near.high());
   if (step != near.high()) return step;
-  const BigRational middle = (exact_value(near.low()) + exact_value(near.high())) / 2;
-  const int side = compare(a, RootExpression(middle));
-  return side == 0 ? round_to_double(middle) : (side > 0 ? near.high() : near.low()) + 0.0;
+  const BigRational midpoint = (exact_value(near.low()) + exact_value(near.high())) / 2;
+  const int side = compare(a, RootExpression(midpoint));
+  return side == 0 ? round_to_double(midpoint) : (side > 0 ? near.high() : near.low()) + 0.0;
 }
 
 }  // namespace dymsum::exact

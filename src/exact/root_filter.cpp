@@ -45,7 +45,7 @@ Evaluation evaluate(const Polynomial& p, double t) {
 constexpr std::array<std::array<double, 7>, 7> kBinomials = {
     {{1}, {1, 1}, {1, 2, 1}, {1, 3, 3, 1}, {1, 4, 6, 4, 1}, {1, 5, 10, 10, 5, 1}, {1, 6, 15, 20, 15, 6, 1}}};
 
-/// Where p is to be searched; its signs at the ends are certain.
+/// Where p is to be searched; its signs at the ends are proved.
 struct FilteredInterval {
   DoubleBracket ends;
   int low_sign = 0, high_sign = 0;
@@ -97,7 +97,7 @@ Content content(const std::array<int, 7>& signs, std::size_t n) {
   return changes == 0 ? Content::none : changes == 1 ? Content::one : Content::unknown;
 }
 
-/// Moves the end of a bracket to x where the sign is certain. False where it is open.
+/// Moves the end of a bracket to x where the sign is proved. False where it is open.
 bool tighten(DoubleBracket& bracket, double x, int sign_at_x, int low_sign) {
   if (sign_at_x == 0) return false;
   (sign_at_x == low_sign ? bracket.low : bracket.high) = x;
@@ -120,7 +120,7 @@ double approach(const Polynomial& p, DoubleBracket& bracket, int low_sign, doubl
   return x;
 }
 
-/// The bracket narrowed around its root. Every end it ever has carries a certain sign.
+/// The bracket narrowed around its root. Every end it ever has carries a proved sign.
 DoubleBracket narrowed(const Polynomial& p, DoubleBracket bracket, int low_sign) {
   double radius = 0;
   const double x = approach(p, bracket, low_sign, radius);
@@ -134,7 +134,7 @@ DoubleBracket narrowed(const Polynomial& p, DoubleBracket bracket, int low_sign)
   return bracket;
 }
 
-/// Both parts of an interval, if p is certain to be not 0 where it is divided: not in the middle, which is where roots
+/// Both parts of an interval, if p is provably not 0 where it is divided: not in the middle, which is where roots
 /// of simple polynomials lie.
 std::optional<std::pair<FilteredInterval, FilteredInterval>> divided(const Polynomial& p, const FilteredInterval& i) {
   for (const double fraction : {0.4873, 0.6127}) {
@@ -153,10 +153,10 @@ std::optional<std::pair<FilteredInterval, FilteredInterval>> divided(const Polyn
 std::optional<int> filtered_sign(const Polynomial& p, double low, double high) {
   const double size = std::max(std::abs(low), std::abs(high));
   if (!(size <= kLargestArgument)) return std::nullopt;
-  const double middle = low + (high - low) / 2;
-  const Evaluation e = evaluate(p, middle);
-  // |p(t) - p(middle)| <= |t - middle| sum k |c_k| size^(k - 1); kOutwards covers all roundings of that product and
-  // two units of size those of the middle.
+  const double midpoint = low + (high - low) / 2;
+  const Evaluation e = evaluate(p, midpoint);
+  // |p(t) - p(midpoint)| <= |t - midpoint| sum k |c_k| size^(k - 1); kOutwards covers all roundings of that product and
+  // two units of size those of the midpoint.
   double slope = 0;
   for (int k = p.degree(); k > 0; --k) slope = slope * size + k * std::abs(p.approx()[static_cast<std::size_t>(k)]);
   const double radius = (high - low) / 2 + 2 * kRoundoff * size;

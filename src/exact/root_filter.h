@@ -14,7 +14,7 @@ struct DoubleBracket {
   double low = 0, high = 0;
 };
 
-/// The sign that p has at all points of [low, high], if there is one and doubles tell.
+/// The sign that p has at all points of [low, high], if there is one and doubles decide.
 std::optional<int> filtered_sign(const Polynomial& p, double low, double high);
 
 /// All roots of p in (lo, hi), ascending, when doubles prove that they are simple and that lo and hi are none; nothing

@@ -10,7 +10,7 @@ namespace dymsum::exact {
 
 namespace {
 
-/// The largest precision that a sign may ask for.
+/// The largest precision that a sign may request.
 constexpr unsigned kLastPrecision = 1U << 28;
 
 }  // namespace
@@ -20,16 +20,16 @@ bool has_same_value(const RootNode& a, const RootNode& b) {
 }
 
 RootParts::RootParts(const RootNode& node) {
-  std::unordered_map<const RootNode*, std::uint32_t> places;
-  add(node, places);
+  std::unordered_map<const RootNode*, std::uint32_t> positions;
+  add(node, positions);
 }
 
-std::uint32_t RootParts::add(const RootNode& node, std::unordered_map<const RootNode*, std::uint32_t>& places) {
-  if (const auto known = places.find(&node); known != places.end()) return known->second;
-  const std::uint32_t a = node.a ? add(*node.a, places) : 0, b = node.b ? add(*node.b, places) : 0;
+std::uint32_t RootParts::add(const RootNode& node, std::unordered_map<const RootNode*, std::uint32_t>& positions) {
+  if (const auto known = positions.find(&node); known != positions.end()) return known->second;
+  const std::uint32_t a = node.a ? add(*node.a, positions) : 0, b = node.b ? add(*node.b, positions) : 0;
   const auto own = static_cast<std::uint32_t>(parts_.size());
   parts_.push_back({&node, a, b});
-  places.emplace(&node, own);
+  positions.emplace(&node, own);
   return own;
 }
 

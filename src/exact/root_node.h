@@ -37,7 +37,7 @@ struct RootNode {
 /// True only if they are equal: one node, or the same rational.
 bool has_same_value(const RootNode& a, const RootNode& b);
 
-/// A sign, and who told it: one after the other is asked.
+/// A sign, and who determined it: one after the other is asked.
 struct NodeAnswer {
   enum class By : std::uint8_t {
     doubles,            ///< the node's interval, or its rational
@@ -70,7 +70,7 @@ class RootParts {
   const std::vector<Part>& all() const { return parts_; }
 
  private:
-  std::uint32_t add(const RootNode& node, std::unordered_map<const RootNode*, std::uint32_t>& places);
+  std::uint32_t add(const RootNode& node, std::unordered_map<const RootNode*, std::uint32_t>& positions);
   std::vector<Part> parts_;
 };
 

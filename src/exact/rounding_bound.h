@@ -2,14 +2,15 @@
 // named constant next to the forms that it guards, with the count of roundings that its derivation finds; what it
 // grants beyond that count is its slack, and the compiler refuses one that grants too little.
 //
-// The counts are in units u of roundoff, as shares of the product of magnitudes that the bound is multiplied with. Two
-// operations of one rounding each make (1 + d)(1 + e) <= 1 + gamma(2); the difference from 2 u is what gamma is for.
+// The counts are in units u of roundoff, as fractions of the product of magnitudes that the bound is multiplied with.
+// Two operations of one rounding each make (1 + d)(1 + e) <= 1 + gamma(2); the difference from 2 u is what gamma is
+// for.
 #pragma once
 
 namespace dymsum::exact {
 
-/// u: an operation on doubles errs by at most this share of its result. Products and quotients may underflow besides,
-/// sums and differences never lose by it.
+/// u: an operation on doubles errs by at most this fraction of its result. Products and quotients may underflow
+/// besides, sums and differences never lose by it.
 inline constexpr double kRoundoff = 0x1p-53;
 
 /// At least n u / (1 - n u): a product of n factors 1 + d or 1 / (1 + d), |d| <= u, differs from 1 by no more (Higham,
@@ -24,9 +25,9 @@ constexpr double gamma(int n) {
 /// The roundings of magnitudes and of the bound itself that every rounding_bound has room for.
 inline constexpr int kOwnRoundings = 32;
 
-/// `granted` u, for an error of which at most `counted` u have been counted, each a share of one magnitude: it covers
-/// gamma(counted) of the magnitude even where that comes out too small by kOwnRoundings roundings of its own. Does not
-/// compile where it does not. Powers of two are exact factors.
+/// `granted` u, for an error of which at most `counted` u have been counted, each a fraction of one magnitude: it
+/// covers gamma(counted) of the magnitude even where that comes out too small by kOwnRoundings roundings of its own.
+/// Does not compile where it does not. Powers of two are exact factors.
 // throw: not a constant expression.
 consteval double rounding_bound(int counted, int granted) {
   const double bound = granted * kRoundoff;

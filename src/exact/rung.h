@@ -1,5 +1,5 @@
-// The ladder that the sign of an expression climbs until a rung tells it. Every room has some of these rungs, in this
-// order and by these names; a rung that does not tell the sign says so, and never guesses.
+// The ladder that the sign of an expression climbs until a rung determines it. Every room has some of these rungs, in
+// this order and by these names; a rung that does not determine the sign says so, and never guesses.
 #pragma once
 
 #include <array>
@@ -20,32 +20,32 @@ struct SignAnswer {
   Rung rung = Rung::doubles;
 };
 
-/// How many signs each rung has told.
+/// How many signs each rung has determined.
 class RungCounts {
  public:
   RungCounts() = default;
   constexpr RungCounts(std::uint64_t doubles, std::uint64_t double_pairs, std::uint64_t integers, std::uint64_t big)
-      : told_{doubles, double_pairs, integers, big} {}
+      : decided_{doubles, double_pairs, integers, big} {}
 
-  void count(Rung rung) { ++told_[static_cast<std::size_t>(rung)]; }
+  void count(Rung rung) { ++decided_[static_cast<std::size_t>(rung)]; }
   int add(SignAnswer answer) {
     count(answer.rung);
     return answer.sign;
   }
-  std::uint64_t at(Rung rung) const { return told_[static_cast<std::size_t>(rung)]; }
-  /// Told by rungs that round.
+  std::uint64_t at(Rung rung) const { return decided_[static_cast<std::size_t>(rung)]; }
+  /// Determined by rungs that round.
   std::uint64_t filtered() const { return at(Rung::doubles) + at(Rung::double_pairs); }
-  /// Told by exact numbers.
+  /// Determined by exact numbers.
   std::uint64_t exact() const { return at(Rung::integers) + at(Rung::big); }
 
   RungCounts& operator+=(const RungCounts& other) {
-    for (std::size_t i = 0; i < told_.size(); ++i) told_[i] += other.told_[i];
+    for (std::size_t i = 0; i < decided_.size(); ++i) decided_[i] += other.decided_[i];
     return *this;
   }
   friend bool operator==(const RungCounts&, const RungCounts&) = default;
 
  private:
-  std::array<std::uint64_t, 4> told_{};
+  std::array<std::uint64_t, 4> decided_{};
 };
 
 }  // namespace dymsum::exact

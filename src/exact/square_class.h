@@ -27,7 +27,7 @@ class SquareClasses {
 
   const std::vector<BigInteger>& members() const { return members_; }
   /// How n > 0 depends on the members, of which it becomes the last one where it did not depend on the others. Nothing,
-  /// and no change, where the characters do not tell: once in 2^32 / 2^members.
+  /// and no change, where the characters do not decide: once in 2^32 / 2^members.
   std::optional<Relation> add(const BigInteger& n);
 
  private:

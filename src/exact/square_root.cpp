@@ -7,8 +7,8 @@
 namespace dymsum::exact {
 
 // With num / den scaled by 4^k to at least 2^128, its root has at least 64 bits: r, its whole part, and one more bit
-// that says whether something follows. Doubles and the middles between two of them have at most 54 bits, so the number
-// made of r and that bit lies on the same side of each of them as the root does, or is the same.
+// that says whether something follows. Doubles and the midpoints between two of them have at most 54 bits, so the
+// number made of r and that bit lies on the same side of each of them as the root does, or is the same.
 double root_to_double(const BigRational& v) {
   if (v < 0) throw std::logic_error("root_to_double: of a negative number");
   if (v.is_zero()) return 0;

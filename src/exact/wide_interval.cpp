@@ -9,10 +9,10 @@ WideInterval WideInterval::of(double v) {
   double rest = std::abs(v), unit = 1;
   for (int k = 4; k >= 0; --k, unit *= 0x1p-64) {
     const double part = std::floor(rest / unit);
-    r.middle_.w[static_cast<std::size_t>(k)] = static_cast<std::uint64_t>(part);
+    r.midpoint_.w[static_cast<std::size_t>(k)] = static_cast<std::uint64_t>(part);
     rest -= part * unit;
   }
-  if (v < 0) r.middle_ = limbs_sub(Middle{}, r.middle_);
+  if (v < 0) r.midpoint_ = limbs_sub(Midpoint{}, r.midpoint_);
   r.radius_ = rest > 0 ? kUnit : 0;
   return r;
 }
@@ -31,12 +31,12 @@ WideInterval WideInterval::around(const BigInteger& value, const BigInteger& err
     units >>= down;
   }
   WideInterval r;
-  for (std::uint64_t& word : r.middle_.w) {
+  for (std::uint64_t& word : r.midpoint_.w) {
     word = static_cast<std::uint64_t>(units & BigInteger(~std::uint64_t{0}));
     units >>= 64;
   }
-  if (!units.is_zero() || r.middle_.w[4] > kMost) return whole();
-  if (value.sign() < 0) r.middle_ = limbs_sub(Middle{}, r.middle_);
+  if (!units.is_zero() || r.midpoint_.w[4] > kMost) return whole();
+  if (value.sign() < 0) r.midpoint_ = limbs_sub(Midpoint{}, r.midpoint_);
   double radius = cut ? kUnit : 0;
   if (!error.is_zero()) {
     // error < 2^bits.
@@ -44,7 +44,7 @@ WideInterval WideInterval::around(const BigInteger& value, const BigInteger& err
     if (bits > 60) return whole();
     radius += bits < -kFractionBits ? kUnit : std::ldexp(1.0, static_cast<int>(bits));
   }
-  return {r.middle_, radius * kOutwards};
+  return {r.midpoint_, radius * kOutwards};
 }
 
 }  // namespace dymsum::exact

@@ -16,8 +16,8 @@ namespace {
 
 class ContactFinder {
  public:
-  ContactFinder(const OperandPair& base, const PlanarSum& sum, const BigRational& s, const ObstacleNumbers& numbers)
-      : base_(base), s_(s), approx_(exact::round_to_double(s)), numbers_(numbers) {
+  ContactFinder(const OperandPair& base, const PlanarSum& sum, const BigRational& s, const ObstacleIndices& indices)
+      : base_(base), s_(s), approx_(exact::round_to_double(s)), indices_(indices) {
     const auto at = [&](const SumVertex& v) { return make_spot(exact_source(sum)->position(v)); };
     for (const SumVertex& v : sum.tight_points) features_.push_back({at(v), at(v)});
     for (const SumSegment& t : sum.tight_segments) features_.push_back({at(t.from), at(t.to)});
@@ -26,13 +26,13 @@ class ContactFinder {
   /// The contacts of edge `edge` of operand `side` with vertex `vertex` of the other one.
   void see(std::uint32_t side, std::uint32_t edge, std::uint32_t vertex) {
     const std::uint32_t next = base_.operands[side].next[edge];
-    const auto [ax, ay, ae] = place(side, edge, vertex);
-    const auto [bx, by, be] = place(side, next, vertex);
+    const auto [ax, ay, ae] = position(side, edge, vertex);
+    const auto [bx, by, be] = position(side, next, vertex);
     const double error = ae + be, x0 = std::min(ax, bx) - error, x1 = std::max(ax, bx) + error,
                  y0 = std::min(ay, by) - error, y1 = std::max(ay, by) + error;
     for (const Feature& f : features_) {
       const Point u = f.from.nearest, v = f.to.nearest;
-      const double slack = kPlaceError * (std::abs(u.x) + std::abs(u.y) + std::abs(v.x) + std::abs(v.y));
+      const double slack = kPositionError * (std::abs(u.x) + std::abs(u.y) + std::abs(v.x) + std::abs(v.y));
       if (v.x < x0 - slack || u.x > x1 + slack || std::max(u.y, v.y) < y0 - slack || std::min(u.y, v.y) > y1 + slack)
         continue;
       decide(side, edge, vertex, spot(side, edge, vertex), spot(side, next, vertex), f);
@@ -52,8 +52,8 @@ class ContactFinder {
   }
 
  private:
-  // Of a place, times the sizes added up: the scale, the product and the sum, and the sums with the bound itself.
-  static constexpr double kPlaceError = exact::rounding_bound(3 + 2, 8);
+  // Of a position, times the sizes added up: the scale, the product and the sum, and the sums with the bound itself.
+  static constexpr double kPositionError = exact::rounding_bound(3 + 2, 8);
   struct Feature {
     Spot from, to;  // equal for a point; from <= to
   };
@@ -61,7 +61,7 @@ class ContactFinder {
     Spot at;
     ScaleContact contact;
   };
-  struct Place {
+  struct NearPosition {
     double x, y, error;
   };
 
@@ -70,10 +70,10 @@ class ContactFinder {
   }
 
   /// Where walk vertex i of operand `side` and j of the other one put the reference point.
-  Place place(std::uint32_t side, std::uint32_t i, std::uint32_t j) const {
+  NearPosition position(std::uint32_t side, std::uint32_t i, std::uint32_t j) const {
     const Point o = input(0, side == 0 ? i : j), r = input(1, side == 0 ? j : i);
     const double size = std::abs(o.x) + std::abs(o.y) + approx_ * (std::abs(r.x) + std::abs(r.y));
-    return {o.x + approx_ * r.x, o.y + approx_ * r.y, kPlaceError * size + exact::kUnderflow};
+    return {o.x + approx_ * r.x, o.y + approx_ * r.y, kPositionError * size + exact::kUnderflow};
   }
   Spot spot(std::uint32_t side, std::uint32_t i, std::uint32_t j) const {
     const Point o = input(0, side == 0 ? i : j), r = input(1, side == 0 ? j : i);
@@ -105,15 +105,15 @@ class ContactFinder {
 
   void add(ScaleContact::Kind kind, std::uint32_t side, std::uint32_t edge, std::uint32_t vertex, const Spot& at) {
     const Operand &o = base_.operands[0], &r = base_.operands[1];
-    const auto number = [](const std::vector<std::uint32_t>& told, std::uint32_t own) {
-      return told.empty() ? own : told[own];
+    const auto index = [](const std::vector<std::uint32_t>& given, std::uint32_t own) {
+      return given.empty() ? own : given[own];
     };
     ScaleContact c;
     c.kind = kind;
-    if (kind == ScaleContact::Kind::vertex_on_edge) c.obstacle = number(numbers_.edges, o.edge_number[edge]);
-    else c.obstacle = number(numbers_.vertices, o.vertex_number[side == 0 ? edge : vertex]);
+    if (kind == ScaleContact::Kind::vertex_on_edge) c.obstacle = index(indices_.edges, o.edge_index[edge]);
+    else c.obstacle = index(indices_.vertices, o.vertex_index[side == 0 ? edge : vertex]);
     c.part =
-        kind == ScaleContact::Kind::edge_on_vertex ? r.edge_number[edge] : r.vertex_number[side == 0 ? vertex : edge];
+        kind == ScaleContact::Kind::edge_on_vertex ? r.edge_index[edge] : r.vertex_index[side == 0 ? vertex : edge];
     c.at = {exact::to_rational(at.exact.x), exact::to_rational(at.exact.y)};
     found_.push_back({at, std::move(c)});
   }
@@ -121,7 +121,7 @@ class ContactFinder {
   const OperandPair& base_;
   const BigRational& s_;
   double approx_;
-  const ObstacleNumbers& numbers_;
+  const ObstacleIndices& indices_;
   std::vector<Feature> features_;
   std::vector<Found> found_;
 };
@@ -129,8 +129,8 @@ class ContactFinder {
 }  // namespace
 
 std::vector<ScaleContact> tight_contacts(const OperandPair& base, const PlanarSum& sum, const BigRational& s,
-                                         const ObstacleNumbers& numbers) {
-  ContactFinder finder(base, sum, s, numbers);
+                                         const ObstacleIndices& indices) {
+  ContactFinder finder(base, sum, s, indices);
   for (std::uint32_t side = 0; side < 2; ++side)
     for (std::uint32_t edge = 0; edge < base.operands[side].size(); ++edge)
       for (std::uint32_t vertex = 0; vertex < base.operands[1 - side].size(); ++vertex) finder.see(side, edge, vertex);

@@ -32,8 +32,8 @@ std::optional<Error> free_intervals(const std::map<exact::BigRational, Contacts>
   };
   const std::size_t n = values.size();
   std::vector<std::uint8_t> gap(n + 1, 0);  // gap i lies below value i
-  const auto stopped = [&](std::size_t asked) {
-    return progress && !progress("scales", static_cast<double>(asked) / static_cast<double>(2 * n + 1));
+  const auto stopped = [&](std::size_t queried) {
+    return progress && !progress("scales", static_cast<double>(queried) / static_cast<double>(2 * n + 1));
   };
   for (std::size_t i = 0; i <= n; ++i) {
     if (stopped(i)) return cancelled();

@@ -5,7 +5,7 @@
 
 #include "exact/rounding_bound.h"
 #include "planar/boundary/collision.h"
-#include "planar/operand/round_place.h"
+#include "planar/operand/round_position.h"
 
 namespace dymsum::planar {
 
@@ -46,16 +46,16 @@ void PathFree::add(Critical& to, const BigRational& s, const WalkSegment* wall, 
   ScaleContact c;
   if (wall != nullptr && wall->side == 0) {
     c.kind = ScaleContact::Kind::vertex_on_edge;
-    c.obstacle = o.edge_number[wall->edge];
-    c.part = r.vertex_number[wall->vertex];
+    c.obstacle = o.edge_index[wall->edge];
+    c.part = r.vertex_index[wall->vertex];
   } else if (wall != nullptr) {
     c.kind = ScaleContact::Kind::edge_on_vertex;
-    c.part = r.edge_number[wall->edge];
-    c.obstacle = o.vertex_number[wall->vertex];
+    c.part = r.edge_index[wall->edge];
+    c.obstacle = o.vertex_index[wall->vertex];
   } else {
     c.kind = ScaleContact::Kind::vertex_on_vertex;
-    c.obstacle = o.vertex_number[corner->p];
-    c.part = r.vertex_number[corner->q];
+    c.obstacle = o.vertex_index[corner->p];
+    c.part = r.vertex_index[corner->q];
   }
   c.leg = leg;
   // The position of a pair at scale s, in input coordinates.
@@ -76,7 +76,7 @@ void PathFree::add(Critical& to, const BigRational& s, const WalkSegment* wall, 
   to[s].push_back(c);
 }
 
-PathFree::Critical PathFree::critical(const std::function<void(double)>& ask) const {
+PathFree::Critical PathFree::critical(const std::function<void(double)>& query) const {
   Critical found;
   const double all = static_cast<double>(walls_.size() + corners_.size());
   double done = 0;
@@ -94,13 +94,13 @@ PathFree::Critical PathFree::critical(const std::function<void(double)>& ask) co
     }
   };
   for (const WalkSegment& w : walls_) {
-    ask(done++ / all);
+    query(done++ / all);
     const Segment wall{base_->operands[w.side].edge(w.edge), base_->operands[1 - w.side].source[w.vertex]};
     for (std::uint32_t k = 0; k < count_; ++k)
       values(wall, waypoint(k), [&](const BigRational& s) { add(found, s, &w, nullptr, k, waypoint(k), false); });
   }
   for (const WalkPair& corner : corners_) {
-    ask(done++ / all);
+    query(done++ / all);
     const Pair v{base_->operands[0].source[corner.p], base_->operands[1].source[corner.q]};
     for (std::uint32_t k = 0; k + 1 < count_; ++k)
       values(leg(k), v, [&](const BigRational& s) { add(found, s, nullptr, &corner, k, v, true); });
@@ -113,17 +113,17 @@ bool PathFree::free(const BigRational& s) const {
   const std::shared_ptr<const Lattice> lattice = base_->lattice_at(base_->lattice_scale(value, value));
   const std::shared_ptr<const Operand> part = base_->operand_at(1, *lattice);
   Collision collision(*lattice, base_->operands[0], *part, true);
-  Place start;
+  SegmentPosition start;
   start.on = count_ > 1 ? leg(0) : Segment{{0, first_, beside_}, reference_};
   start.first.pair = waypoint(0);
-  round_place(*lattice, start);
+  round_position(*lattice, start);
   if (collision.overlaps(start)) return false;
   for (std::uint32_t k = 0; k + 1 < count_; ++k)
     if (!leg_free(k, *lattice, collision)) return false;
   return true;
 }
 
-// Where the leg meets no segment of the convolution, it lies inside or outside the open sum as a whole: one place
+// Where the leg meets no segment of the convolution, it lies inside or outside the open sum as a whole: one position
 // decides.
 bool PathFree::leg_free(std::uint32_t k, const Lattice& l, Collision& collision) const {
   const Segment on = leg(k);
@@ -169,12 +169,12 @@ bool PathFree::leg_free(std::uint32_t k, const Lattice& l, Collision& collision)
   std::sort(cuts.begin(), cuts.end(), [&](const Cut& x, const Cut& y) { return l.compare(on, x, y) < 0; });
   for (std::size_t i = 0; i + 1 < cuts.size(); ++i) {
     if (l.compare(on, cuts[i], cuts[i + 1]) == 0) continue;
-    Place p;
+    SegmentPosition p;
     p.on = on;
     p.first = cuts[i];
     p.second = cuts[i + 1];
     p.between = true;
-    round_place(l, p);
+    round_position(l, p);
     if (collision.overlaps(p)) return false;
   }
   return true;

@@ -21,8 +21,8 @@ class PathFree {
 
   /// Scales at which something comes into contact with the path, with what does.
   using Critical = std::map<exact::BigRational, std::vector<ScaleContact>>;
-  /// `ask` is called with the share that is done, and may throw.
-  Critical critical(const std::function<void(double)>& ask) const;
+  /// `query` is called with the fraction that is done, and may throw.
+  Critical critical(const std::function<void(double)>& query) const;
   /// Whether the part at this scale overlaps the obstacles nowhere on the path.
   bool free(const exact::BigRational& s) const;
 

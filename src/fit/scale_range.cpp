@@ -93,8 +93,8 @@ Result<ScaleRange> range_of(const Region& part, const std::vector<Point>& path, 
   Poll poll(progress);
   poll.stage("contacts");
   ScaleRange range;
-  if (std::optional<Error> error = free_intervals(walk.critical([&](double share) { poll(share); }), limit, progress,
-                                                  range, [&](const BigRational& s) { return walk.free(s); }))
+  if (std::optional<Error> error = free_intervals(walk.critical([&](double fraction) { poll(fraction); }), limit,
+                                                  progress, range, [&](const BigRational& s) { return walk.free(s); }))
     return *std::move(error);
   return range;
 } catch (const Cancelled&) {
@@ -133,8 +133,8 @@ Result<Region> frame_tool(const Region& part, const BigRational& limit) {
 
 /// A scale below `limit` at which the part's bounding box, taken a little larger than it is, has room: it is convex, so
 /// every smaller part has room too.
-Result<BigRational> certain_fit(const Region& part, const Region& container, const BigRational& limit,
-                                const Progress& progress) {
+Result<BigRational> proved_fit(const Region& part, const Region& container, const BigRational& limit,
+                               const Progress& progress) {
   SumOptions options;
   options.progress = progress;
   const auto box = bounds(part);
@@ -159,14 +159,15 @@ class AnyPlacement {
     const Result<Region> tool = frame_tool(part, limit);
     if (!tool) return tool.error();
     EngineRegion frame = complement_of(container, *tool);
-    // Positions are found by the frame's own numbers, which are unique; contacts are told by those of the container.
-    ObstacleNumbers numbers{std::move(frame.vertex_numbers), std::move(frame.edge_numbers)};
-    frame.vertex_numbers.clear();
-    frame.edge_numbers.clear();
+    // Positions are found by the frame's own numbers, which are unique; contacts are determined by those of the
+    // container.
+    ObstacleIndices indices{std::move(frame.vertex_indices), std::move(frame.edge_indices)};
+    frame.vertex_indices.clear();
+    frame.edge_indices.clear();
     Result<std::shared_ptr<const OperandPair>> base =
         OperandPair::create({make_operand(frame, 0), prepared_operand(part, 1, true)}, {}, 1, 0);
     if (!base) return base.error();
-    return AnyPlacement(std::move(base).value(), std::move(numbers));
+    return AnyPlacement(std::move(base).value(), std::move(indices));
   }
 
   std::optional<Error> move_to(const BigRational& s) {
@@ -198,14 +199,14 @@ class AnyPlacement {
     options.window = 1.0 / 16;
     return options;
   }
-  AnyPlacement(std::shared_ptr<const OperandPair> base, ObstacleNumbers numbers)
+  AnyPlacement(std::shared_ptr<const OperandPair> base, ObstacleIndices indices)
       : base_(base),
-        numbers_(std::move(numbers)),
+        numbers_(std::move(indices)),
         forms_(*base_),
         state_(std::make_unique<planar::ScalingState>(std::move(base), options())) {}
 
   std::shared_ptr<const OperandPair> base_;
-  ObstacleNumbers numbers_;
+  ObstacleIndices numbers_;
   ExactForms forms_;
   std::unique_ptr<planar::ScalingState> state_;
 };
@@ -217,10 +218,10 @@ Result<PathFree::Critical> critical_of(AnyPlacement& placement, const BigRationa
   poll.stage("events");
   for (BigRational from = low; from < limit;) {
     const double done = exact::round_to_double(BigRational((from - low) / (limit - low)));
-    const auto ask = [&] { poll(done); };
-    ask();
+    const auto query = [&] { poll(done); };
+    query();
     const BigRational to = std::min<BigRational>(BigRational(from * BigRational(17, 16)), limit);
-    for (const EventValue& e : placement.events(from, to, ask)) critical[e.s];
+    for (const EventValue& e : placement.events(from, to, query)) critical[e.s];
     from = to;
   }
   return critical;
@@ -268,7 +269,7 @@ Result<ScaleRange> range_anywhere(const Region& part, const Region& container, c
   Result<AnyPlacement> made = AnyPlacement::create(part, container, limit);
   if (!made) return made.error();
   AnyPlacement placement = std::move(made).value();
-  const Result<BigRational> low = certain_fit(part, container, limit, progress);
+  const Result<BigRational> low = proved_fit(part, container, limit, progress);
   if (!low) return low.error();
   const Result<PathFree::Critical> critical = critical_of(placement, *low, limit, progress);
   if (!critical) return critical.error();
@@ -333,14 +334,14 @@ std::optional<Region> part_in_unit(const Region& part, int k) {
 }
 
 /// Asks with the part in its unit.
-template <class Ask>
-Result<ScaleRange> asked_in_unit(const Region& part, double part_size, double other_size, const Ask& ask) {
+template <class Query>
+Result<ScaleRange> queried_in_unit(const Region& part, double part_size, double other_size, const Query& query) {
   const int k = part_unit(part_size, other_size);
   const std::optional<Region> changed = part_in_unit(part, k);
-  if (!changed) return ask(part);
-  Result<ScaleRange> range = ask(*changed);
+  if (!changed) return query(part);
+  Result<ScaleRange> range = query(*changed);
   if (!range && range.error().code == ErrorCode::unsupported_operand)
-    range = ask(part);  // names the operand's own place
+    range = query(part);  // names the operand's own position
   if (!range) return range.error();
   return in_input_units(*std::move(range), k);
 }
@@ -361,32 +362,32 @@ std::optional<Rational> ScaleRange::trap() const {
 
 Result<ScaleRange> scale_range(const Region& part, const std::vector<Point>& path, const Region& obstacles,
                                const Progress& progress) {
-  return asked_in_unit(part, reach_of(part), std::max(reach_of(path), reach_of(obstacles)),
-                       [&](const Region& p) { return range_along(p, path, obstacles, progress); });
+  return queried_in_unit(part, reach_of(part), std::max(reach_of(path), reach_of(obstacles)),
+                         [&](const Region& p) { return range_along(p, path, obstacles, progress); });
 }
 
 namespace {
 
-/// Asks at places and a region that are all so many times as large that the places are doubles: so is the part, at
-/// scales that are. `named`: what a place and the region are.
-template <class Ask>
-Result<ScaleRange> asked_in_whole_numbers(std::span<const RationalPoint> places, const Region& region,
-                                          const std::array<const char*, 2>& named, const Ask& ask) {
+/// Asks at positions and a region that are all so many times as large that the positions are doubles: so is the part,
+/// at scales that are. `named`: what a position and the region are.
+template <class Query>
+Result<ScaleRange> queried_in_whole_numbers(std::span<const RationalPoint> positions, const Region& region,
+                                            const std::array<const char*, 2>& named, const Query& query) {
   exact::BigInteger common = 1;
-  for (const RationalPoint& at : places)
+  for (const RationalPoint& at : positions)
     for (const Rational* c : {&at.x, &at.y}) common = lcm(common, odd_part(exact::denominator_of(*c)));
   const BigRational factor(common);
   std::vector<Point> way;
-  for (const RationalPoint& at : places) {
+  for (const RationalPoint& at : positions) {
     const std::optional<double> x = double_of(exact::exact_value(at.x) * factor),
                                 y = double_of(exact::exact_value(at.y) * factor);
     if (!x || !y) return no_double(named[0], common);
     way.push_back({*x, *y});
   }
-  if (common == 1) return ask(way, region);
+  if (common == 1) return query(way, region);
   const std::optional<Region> larger = times(region, factor);
   if (!larger) return no_double(named[1], common);
-  Result<ScaleRange> made = ask(way, *larger);
+  Result<ScaleRange> made = query(way, *larger);
   if (!made) return made;
   ScaleRange range = std::move(made).value();
   const Rational divisor = exact::to_rational(factor);
@@ -403,28 +404,29 @@ Result<ScaleRange> asked_in_whole_numbers(std::span<const RationalPoint> places,
 
 Result<ScaleRange> scale_range(const Region& part, std::span<const RationalPoint> path, const Region& obstacles,
                                const Progress& progress) {
-  return asked_in_whole_numbers(
+  return queried_in_whole_numbers(
       path, obstacles, {"a waypoint", "a coordinate of the obstacles"},
       [&](const std::vector<Point>& way, const Region& larger) { return scale_range(part, way, larger, progress); });
 }
 
-template <std::same_as<RationalPoint> Place>
-Result<ScaleRange> fit_range(const Region& part, const Region& container, const Place& at, const Progress& progress) {
-  return asked_in_whole_numbers(std::span(&at, 1), container, {"the place", "a coordinate of the container"},
-                                [&](const std::vector<Point>& places, const Region& larger) {
-                                  return fit_range(part, larger, places.front(), progress);
-                                });
+template <std::same_as<RationalPoint> Position>
+Result<ScaleRange> fit_range(const Region& part, const Region& container, const Position& at,
+                             const Progress& progress) {
+  return queried_in_whole_numbers(std::span(&at, 1), container, {"the place", "a coordinate of the container"},
+                                  [&](const std::vector<Point>& positions, const Region& larger) {
+                                    return fit_range(part, larger, positions.front(), progress);
+                                  });
 }
 template Result<ScaleRange> fit_range(const Region&, const Region&, const RationalPoint&, const Progress&);
 
 Result<ScaleRange> fit_range(const Region& part, const Region& container, Point at, const Progress& progress) {
-  return asked_in_unit(part, reach_of(part), extent(container),
-                       [&](const Region& p) { return range_at(p, container, at, progress); });
+  return queried_in_unit(part, reach_of(part), extent(container),
+                         [&](const Region& p) { return range_at(p, container, at, progress); });
 }
 
 Result<ScaleRange> fit_range(const Region& part, const Region& container, const Progress& progress) {
-  return asked_in_unit(part, extent(part), extent(container),
-                       [&](const Region& p) { return range_anywhere(p, container, progress); });
+  return queried_in_unit(part, extent(part), extent(container),
+                         [&](const Region& p) { return range_anywhere(p, container, progress); });
 }
 
 }  // namespace dymsum

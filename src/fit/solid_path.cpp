@@ -34,7 +34,7 @@ MovingPlane level_plane(const BigRational& s) {
 }  // namespace
 
 SolidPath::SolidPath(const MovingFacets& all, const ScaledOverlap& overlap, const std::vector<RationalPoint3>& path)
-    : all_(all), overlap_(overlap), unit_(std::ldexp(1.0, all.pair().p_places.exponent)) {
+    : all_(all), overlap_(overlap), unit_(std::ldexp(1.0, all.pair().p_positions.exponent)) {
   const BigRational unit = exact::exact_value(unit_);
   for (const RationalPoint3& p : path)
     way_.push_back({exact::exact_value(p.x) / unit, exact::exact_value(p.y) / unit, exact::exact_value(p.z) / unit});
@@ -68,7 +68,7 @@ BigRational SolidPath::along(std::uint32_t leg, const ExactMeeting& at) const {
   return up / size;
 }
 
-std::array<BigRational, 3> SolidPath::place(std::uint32_t leg, const BigRational& t) const {
+std::array<BigRational, 3> SolidPath::position(std::uint32_t leg, const BigRational& t) const {
   std::array<BigRational, 3> x;
   for (std::size_t axis = 0; axis < 3; ++axis) x[axis] = way_[leg][axis] + t * (way_[leg + 1][axis] - way_[leg][axis]);
   return x;
@@ -89,21 +89,21 @@ void SolidPath::add(Critical& to, const ExactMeeting& at, std::uint32_t facet, s
   if (std::find(list.begin(), list.end(), contact) == list.end()) list.push_back(std::move(contact));
 }
 
-SolidPath::Critical SolidPath::critical(const std::function<void(double)>& ask) const {
+SolidPath::Critical SolidPath::critical(const std::function<void(double)>& query) const {
   Critical found;
   const auto facets = static_cast<std::uint32_t>(all_.facets().size());
   for (std::uint32_t f = 0; f < facets; ++f) {
-    if (f % 64 == 0) ask(static_cast<double>(f) / facets);
+    if (f % 64 == 0) query(static_cast<double>(f) / facets);
     for (std::uint32_t k = 0; k < way_.size(); ++k) {
       const std::array<MovingPlane, 3> still{still_plane({1, 0, 0}, way_[k][0]), still_plane({0, 1, 0}, way_[k][1]),
                                              still_plane({0, 0, 1}, way_[k][2])};
       const auto at = meeting_of({&still[0], &still[1], &still[2], &all_.plane(f)});
-      if (!at || at->s <= 0 || !place_in(all_, f, *at, near(*at)).holds) continue;
+      if (!at || at->s <= 0 || !position_in(all_, f, *at, near(*at)).holds) continue;
       add(found, *at, f, k < legs_.size() || k == 0 ? k : k - 1);
     }
     for (std::uint32_t k = 0; k < legs_.size(); ++k) {
       for (int i = 0; i < all_.facets()[f].corners; ++i) {
-        const std::uint32_t b = all_.borders().of(f, i);
+        const std::uint32_t b = all_.facet_edges().of(f, i);
         const auto along_it = all_.planes_of(b);
         NearMeeting around;
         const Meets meets =
@@ -131,9 +131,9 @@ std::vector<BigRational> SolidPath::cuts(std::uint32_t leg, const BigRational& s
     NearMeeting around;
     const Meets meets =
         meeting_near({&legs_[leg].rows[0], &legs_[leg].rows[1], &all_.row(f), &level_row}, all_.span(near_s), around);
-    if (meets == Meets::near && surely_holds(all_, f, around) < 0) continue;
+    if (meets == Meets::near && provably_holds(all_, f, around) < 0) continue;
     const auto at = meeting_of({&legs_[leg].planes[0], &legs_[leg].planes[1], &all_.plane(f), &level});
-    if (!at || !place_in(all_, f, *at, near(*at)).holds) continue;
+    if (!at || !position_in(all_, f, *at, near(*at)).holds) continue;
     if (const BigRational t = along(leg, *at); t > 0 && t < 1) cuts.push_back(t);
   }
   std::sort(cuts.begin(), cuts.end());
@@ -148,7 +148,7 @@ bool SolidPath::overlaps(const std::array<BigRational, 3>& x, const BigRational&
   if (answer != ScaledOverlap::Answer::unsure) return answer == ScaledOverlap::Answer::overlap;
   const PosedSpace posed = posed_space(all_.pair(), all_.poses(computed_scale(s)));
   const BigRational scale = BigRational(posed.scale) * exact::exact_value(unit_);
-  const std::optional<PointSource> at = posed.space->add_place({x[0] * scale, x[1] * scale, x[2] * scale});
+  const std::optional<PointSource> at = posed.space->add_position({x[0] * scale, x[1] * scale, x[2] * scale});
   if (!at) return false;
   return Collision(*posed.space, all_.pair().p, all_.pair().q).overlaps({*at, 0, 0, 0, 0, 0});
 }
@@ -160,7 +160,7 @@ bool SolidPath::free(const BigRational& s) const {
   for (std::uint32_t k = 0; k < legs_.size(); ++k) {
     const std::vector<BigRational> at = cuts(k, s);
     for (std::size_t i = 0; i + 1 < at.size(); ++i)
-      if (overlaps(place(k, BigRational((at[i] + at[i + 1]) / 2)), s)) return false;
+      if (overlaps(position(k, BigRational((at[i] + at[i + 1]) / 2)), s)) return false;
   }
   return true;
 }

@@ -6,7 +6,7 @@
 
 #include "dymsum/solid_scale_range.h"
 #include "spatial/events/meeting_point.h"
-#include "spatial/events/sure_overlap.h"
+#include "spatial/events/proved_overlap.h"
 
 namespace dymsum::spatial {
 
@@ -17,8 +17,8 @@ class SolidPath {
   SolidPath(const MovingFacets& all, const ScaledOverlap& overlap, const std::vector<RationalPoint3>& path);
 
   using Critical = std::map<exact::BigRational, std::vector<SolidScaleContact>>;
-  /// Scales at which a facet comes to a waypoint or a border of one to a leg, with what touches. `ask` may throw.
-  Critical critical(const std::function<void(double)>& ask) const;
+  /// Scales at which a facet comes to a waypoint or a facet edge of one to a leg, with what touches. `query` may throw.
+  Critical critical(const std::function<void(double)>& query) const;
   /// Whether the part at this scale overlaps the obstacles nowhere on the path. Exact.
   bool free(const exact::BigRational& s) const;
 
@@ -31,7 +31,7 @@ class SolidPath {
   exact::BigRational along(std::uint32_t leg, const ExactMeeting& at) const;
   std::vector<exact::BigRational> cuts(std::uint32_t leg, const exact::BigRational& s) const;
   bool overlaps(const std::array<exact::BigRational, 3>& x, const exact::BigRational& s) const;
-  std::array<exact::BigRational, 3> place(std::uint32_t leg, const exact::BigRational& t) const;
+  std::array<exact::BigRational, 3> position(std::uint32_t leg, const exact::BigRational& t) const;
 
   const MovingFacets& all_;
   const ScaledOverlap& overlap_;

@@ -47,7 +47,7 @@ Result<SolidScaleRange> range_of_path(const Mesh& part, const std::vector<Ration
       const ScaledOverlap overlap(facets);
       const SolidPath walk(facets, overlap, path);
       watch.begin("contacts");
-      const SolidPath::Critical critical = walk.critical([&](double share) { watch.ask(share); });
+      const SolidPath::Critical critical = walk.critical([&](double fraction) { watch.query(fraction); });
       SolidScaleRange range;
       if (std::optional<Error> error =
               free_intervals(critical, limit, progress, range, [&](const BigRational& s) { return walk.free(s); }))
@@ -104,8 +104,8 @@ class SolidRoom {
     fits = at->shells > 1 || !at->tight_faces.empty() || !at->tight_segments.empty() || !at->tight_points.empty();
     contacts.clear();
     const auto add = [&](const std::vector<SolidContact>& list, std::uint32_t vertex) {
-      const RationalPoint3 place = at->exact(vertex);
-      for (const SolidContact& c : list) contacts.push_back({c.q, c.p, 0, {}, place});
+      const RationalPoint3 position = at->exact(vertex);
+      for (const SolidContact& c : list) contacts.push_back({c.q, c.p, 0, {}, position});
     };
     for (std::size_t k = 0; k < at->tight_points.size(); ++k) add(at->tight_point_contacts[k], at->tight_points[k]);
     for (std::size_t k = 0; k < at->tight_segments.size(); ++k)
@@ -129,7 +129,7 @@ Result<SolidRoom> room_for(const Mesh& part, const Mesh& frame, const Progress& 
 }
 
 /// A scale below the limit at which the part's bounding box has room: it is convex, so every smaller part has, too.
-Result<BigRational> certain_room(const Mesh& part, const Mesh& frame, BigRational low, const Progress& progress) {
+Result<BigRational> proved_room(const Mesh& part, const Mesh& frame, BigRational low, const Progress& progress) {
   Point3 a = part.vertices()[0], b = a;
   for (const Point3& v : part.vertices()) {
     a = {std::min(a.x, v.x), std::min(a.y, v.y), std::min(a.z, v.z)};
@@ -179,7 +179,7 @@ Result<SolidScaleRange> range_anywhere(const Mesh& part, const Mesh& container, 
   const BigRational limit = box_limit_of(part, container);
   const Result<Mesh> frame = frame_of(part, container, limit, {});
   if (!frame) return frame.error();
-  const Result<BigRational> low = certain_room(part, *frame, limit, progress);
+  const Result<BigRational> low = proved_room(part, *frame, limit, progress);
   if (!low) return low.error();
   Result<SolidRoom> made = room_for(part, *frame, progress);
   if (!made) return made.error();
@@ -232,14 +232,14 @@ std::optional<Mesh> part_in_unit(const Mesh& part, int k) {
 }
 
 /// Asks with the part in its unit.
-template <class Ask>
-Result<SolidScaleRange> asked_in_unit(const Mesh& part, double part_size, double other_size, const Ask& ask) {
+template <class Query>
+Result<SolidScaleRange> queried_in_unit(const Mesh& part, double part_size, double other_size, const Query& query) {
   const int k = part_unit(part_size, other_size);
   const std::optional<Mesh> changed = part_in_unit(part, k);
-  if (!changed) return ask(part);
-  Result<SolidScaleRange> range = ask(*changed);
+  if (!changed) return query(part);
+  Result<SolidScaleRange> range = query(*changed);
   if (!range && range.error().code == ErrorCode::unsupported_operand)
-    range = ask(part);  // names the operand's own place
+    range = query(part);  // names the operand's own position
   if (!range) return range.error();
   return in_input_units(*std::move(range), k);
 }
@@ -278,8 +278,8 @@ Result<SolidScaleRange> solid_scale_range(const Mesh& part, std::span<const Rati
   double far = reach_of(obstacles.vertices());
   for (const RationalPoint3& at : path)
     for (const Rational* c : {&at.x, &at.y, &at.z}) far = std::max(far, std::abs(c->to_double()));
-  return asked_in_unit(part, reach_of(part.vertices()), far,
-                       [&](const Mesh& p) { return range_along(p, path, obstacles, progress); });
+  return queried_in_unit(part, reach_of(part.vertices()), far,
+                         [&](const Mesh& p) { return range_along(p, path, obstacles, progress); });
 }
 
 Result<SolidScaleRange> solid_fit_range(const Mesh& part, const Mesh& container, const Point3& at,
@@ -288,17 +288,17 @@ Result<SolidScaleRange> solid_fit_range(const Mesh& part, const Mesh& container,
   return solid_fit_range(part, container, exactly(at), progress);
 }
 
-template <std::same_as<RationalPoint3> Place>
-Result<SolidScaleRange> solid_fit_range(const Mesh& part, const Mesh& container, const Place& at,
+template <std::same_as<RationalPoint3> Position>
+Result<SolidScaleRange> solid_fit_range(const Mesh& part, const Mesh& container, const Position& at,
                                         const Progress& progress) {
-  return asked_in_unit(part, reach_of(part.vertices()), extent(container),
-                       [&](const Mesh& p) { return range_at(p, container, at, progress); });
+  return queried_in_unit(part, reach_of(part.vertices()), extent(container),
+                         [&](const Mesh& p) { return range_at(p, container, at, progress); });
 }
 template Result<SolidScaleRange> solid_fit_range(const Mesh&, const Mesh&, const RationalPoint3&, const Progress&);
 
 Result<SolidScaleRange> solid_fit_range(const Mesh& part, const Mesh& container, const Progress& progress) {
-  return asked_in_unit(part, extent(part), extent(container),
-                       [&](const Mesh& p) { return range_anywhere(p, container, progress); });
+  return queried_in_unit(part, extent(part), extent(container),
+                         [&](const Mesh& p) { return range_anywhere(p, container, progress); });
 }
 
 }  // namespace dymsum

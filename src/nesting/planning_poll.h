@@ -1,4 +1,4 @@
-// How planning asks whether to go on: seldom enough that small tables are planned whatever the limit of time.
+// How planning queries whether to go on: seldom enough that small tables are planned whatever the limit of time.
 #pragma once
 
 #include <cstddef>
@@ -15,8 +15,7 @@ class PlanningPoll {
 
   /// Throws Cancelled where the callback says to stop.
   void now(std::string_view stage, std::size_t round, std::size_t rounds) const {
-    if (progress_ && !progress_(stage, static_cast<double>(round) / static_cast<double>(rounds)))
-      throw Cancelled{};
+    if (progress_ && !progress_(stage, static_cast<double>(round) / static_cast<double>(rounds))) throw Cancelled{};
   }
   /// For loops: asks once in 4096 rounds.
   void at(std::string_view stage, std::size_t round, std::size_t rounds) const {

@@ -8,7 +8,7 @@
 namespace dymsum::nesting {
 
 /// The answers of a task: of its row and, where it has one, of its mirror (else an empty one). Errors of the library
-/// make them refused; where `progress` asks to stop, they are timed out.
+/// make them refused; where `progress` requests a stop, they are timed out.
 std::array<TableAnswer, 2> answers_of(const NfpTable::State& table, const Task& task, const Progress& progress);
 
 }  // namespace dymsum::nesting

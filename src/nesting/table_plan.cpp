@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "base/bit_cast.h"
+#include "base/double_text.h"
 #include "base/poll.h"
 #include "exact/big.h"
 #include "io/region/write_wkb.h"
@@ -56,7 +57,7 @@ class Planner {
     for (const TableBin& bin : state_.input.bins) state_.bin_digests.push_back(digest_of(bin.shape));
   }
 
-  /// The index of an angle, which is made when it is first asked for.
+  /// The index of an angle, which is made when it is first requested.
   std::uint32_t angle(const Rational& degrees) {
     const auto [at, fresh] = angle_of_.emplace(degrees, static_cast<std::uint32_t>(state_.angles.size()));
     if (!fresh) return at->second;
@@ -233,7 +234,10 @@ std::optional<Error> wrong(const TableInput& input) {
   if (!(input.angle_error >= 2 * Orientation::kAngularError))
     return Error{ErrorCode::out_of_range, "angles are met within 2^-49 radians: their error cannot be less", {}};
   if (input.strip_height && !(*input.strip_height > 0 && std::isfinite(*input.strip_height)))
-    return Error{ErrorCode::out_of_range, "the height of the strip has to be positive and finite", {}};
+    return Error{
+        ErrorCode::out_of_range,
+        "the height of the strip must be positive and finite, not " + base::general_text(*input.strip_height, 6),
+        {}};
   return std::nullopt;
 }
 

@@ -101,11 +101,11 @@ class StoreReader {
 
 namespace {
 
-Result<base::AppendFile> own_file(const StorePlace& place) {
-  const std::string stem = "shard-" + std::to_string(place.shard) + "-of-" + std::to_string(place.shards) + ".";
+Result<base::AppendFile> own_file(const StorePath& position) {
+  const std::string stem = "shard-" + std::to_string(position.shard) + "-of-" + std::to_string(position.shards) + ".";
   for (std::uint64_t k = 1;; ++k) {
     Result<std::optional<base::AppendFile>> file = base::AppendFile::open(
-        (fs::path(place.folder) / (stem + std::to_string(k) + std::string(kExtension))).string());
+        (fs::path(position.folder) / (stem + std::to_string(k) + std::string(kExtension))).string());
     if (!file) return file.error();
     std::optional<base::AppendFile> opened = std::move(file).value();
     if (opened) return *std::move(opened);
@@ -135,23 +135,23 @@ Result<std::vector<fs::path>> files_of(const fs::path& folder) {
 
 }  // namespace
 
-Result<TableStore> TableStore::open(const StorePlace& place, bool writable, const std::vector<Key>& keys,
+Result<TableStore> TableStore::open(const StorePath& position, bool writable, const std::vector<Key>& keys,
                                     std::vector<std::optional<TableAnswer>>& answers) {
   TableStore store;
-  if (place.folder.empty()) return store;
+  if (position.folder.empty()) return store;
   StoreReader reader(keys, answers);
   const ErrorCode code = writable ? ErrorCode::cannot_write : ErrorCode::cannot_open;
-  if (std::optional<Error> error = other_than_folder(place.folder, code)) return *std::move(error);
+  if (std::optional<Error> error = other_than_folder(position.folder, code)) return *std::move(error);
   if (writable) {
     std::error_code failed;
-    fs::create_directories(place.folder, failed);
+    fs::create_directories(position.folder, failed);
     if (failed)
-      return store_error(ErrorCode::cannot_write, "the folder cannot be made: " + failed.message(), place.folder);
-    Result<base::AppendFile> own = own_file(place);
+      return store_error(ErrorCode::cannot_write, "the folder cannot be made: " + failed.message(), position.folder);
+    Result<base::AppendFile> own = own_file(position);
     if (own) store.own_ = std::move(own).value();
     else store.unwritable_ = own.error();
   }
-  const Result<std::vector<fs::path>> files = files_of(place.folder);
+  const Result<std::vector<fs::path>> files = files_of(position.folder);
   if (!files) return files.error();
   for (const fs::path& file : *files) {
     const bool own = store.own_ && fs::path(store.own_->path()) == file;

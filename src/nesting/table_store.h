@@ -14,7 +14,7 @@
 namespace dymsum::nesting {
 
 /// Where a process adds to a store: to the first file "shard-I-of-N.K.nfpt", K = 1, 2, ..., that nobody else writes to.
-struct StorePlace {
+struct StorePath {
   std::string folder;  ///< empty: nowhere
   std::uint32_t shard = 1, shards = 1;
 };
@@ -24,7 +24,7 @@ class TableStore {
   /// Reads the answers to `keys` from all files of the folder into `answers`, by the indices of the keys, answers that
   /// are done or refused before those that timed out. `writable`: more may be added; the folder is made where it is not
   /// there. Errors: cannot_open, cannot_write.
-  static Result<TableStore> open(const StorePlace& place, bool writable, const std::vector<Key>& keys,
+  static Result<TableStore> open(const StorePath& position, bool writable, const std::vector<Key>& keys,
                                  std::vector<std::optional<TableAnswer>>& answers);
 
   /// Why nothing can be added, though it was to be writable.

@@ -71,7 +71,7 @@ TEST_F(OmplAdapter, from_inside_the_way_out_is_told) {
   const for_ompl::ExactValidityChecker straight(setup.getSpaceInformation(), scene,
                                                 std::numeric_limits<double>::infinity());
   EXPECT_NEAR(straight.clearance(at(setup, -1.25, 0, 0).get(), valid.get(), available), -0.25, 1e-9);
-  ASSERT_TRUE(available);  // a place at the wall, which doubles meet here
+  ASSERT_TRUE(available);  // a position at the wall, which doubles meet here
   EXPECT_EQ(valid->getX(), -1.5);
   EXPECT_TRUE(setup.getSpaceInformation()->isValid(valid.get()));
 }
@@ -83,27 +83,27 @@ TEST_F(OmplAdapter, the_last_valid_state_is_never_behind_a_contact) {
   const ob::SpaceInformationPtr& si = setup.getSpaceInformation();
   const PlainCollision plain(scene->robot(), scene->obstacle());
   std::mt19937_64 random(7);
-  std::uniform_real_distribution<double> place(-48, 48), angle(-std::numbers::pi, std::numbers::pi);
+  std::uniform_real_distribution<double> position(-48, 48), angle(-std::numbers::pi, std::numbers::pi);
   Scoped last(setup.getStateSpace()), sample(setup.getStateSpace());
   int blocked = 0, free = 0;
   for (int k = 0; k < 300; ++k) {
-    const Scoped a = at(setup, place(random), place(random), angle(random));
-    const Scoped b = at(setup, place(random), place(random), angle(random));
+    const Scoped a = at(setup, position(random), position(random), angle(random));
+    const Scoped b = at(setup, position(random), position(random), angle(random));
     if (!si->isValid(a.get())) continue;
-    std::pair<ob::State*, double> told(last.get(), -1);
-    const bool valid = si->checkMotion(a.get(), b.get(), told);
+    std::pair<ob::State*, double> decided(last.get(), -1);
+    const bool valid = si->checkMotion(a.get(), b.get(), decided);
     EXPECT_EQ(valid, si->checkMotion(a.get(), b.get()));
     (valid ? free : blocked)++;
     if (valid) {
-      EXPECT_EQ(told.second, -1) << "left as it was";
-      told.second = 1;
+      EXPECT_EQ(decided.second, -1) << "left as it was";
+      decided.second = 1;
     } else {
-      EXPECT_GE(told.second, 0);
-      EXPECT_LT(told.second, 1);
+      EXPECT_GE(decided.second, 0);
+      EXPECT_LT(decided.second, 1);
       EXPECT_TRUE(si->isValid(last.get()));
     }
     for (int step = 0; step <= 100; ++step) {
-      si->getStateSpace()->interpolate(a.get(), b.get(), told.second * step / 100, sample.get());
+      si->getStateSpace()->interpolate(a.get(), b.get(), decided.second * step / 100, sample.get());
       EXPECT_FALSE(plain.overlaps(for_ompl::configuration_of(sample.get()))) << "pair " << k << ", share " << step;
     }
   }

@@ -52,7 +52,7 @@ inline ::ompl::geometric::SimpleSetup wall_problem(const std::shared_ptr<const f
   return setup;
 }
 
-/// Whether a path collides at one of 20,000 points of it, told by doubles that share nothing with the library.
+/// Whether a path collides at one of 20,000 points of it, determined by doubles that share nothing with the library.
 inline bool collides(const ::ompl::geometric::PathGeometric& path, const PlainCollision& plain) {
   ::ompl::geometric::PathGeometric fine(path);
   fine.interpolate(20000);

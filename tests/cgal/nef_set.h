@@ -26,7 +26,7 @@ struct Cells {
   friend bool operator==(const Cells&, const Cells&) = default;
 };
 
-/// The cell in which a place lies.
+/// The cell in which a position lies.
 struct Location {
   bool marked = false;
   int dimension = 3;
@@ -35,9 +35,9 @@ struct Location {
 class NefSet {
  public:
   NefSet();  ///< empty
-  /// The closed hull of places that do not lie in one plane.
+  /// The closed hull of positions that do not lie in one plane.
   static NefSet hull(std::span<const Place> places);
-  /// The closed solid that a mesh bounds, of any shape: an odd number of the pyramids over faces from one place.
+  /// The closed solid that a mesh bounds, of any shape: an odd number of the pyramids over faces from one position.
   static NefSet solid(const MeshData& mesh);
 
   NefSet interior() const;

@@ -93,13 +93,13 @@ Place between(const Place& a, const Place& b) {
   const Rational half = Rational(1) / Rational(2);
   return {(a[0] + b[0]) * half, (a[1] + b[1]) * half, (a[2] + b[2]) * half};
 }
-Place middle(const SpatialSum& sum, std::uint32_t i, std::uint32_t j, std::uint32_t k) {
+Place midpoint(const SpatialSum& sum, std::uint32_t i, std::uint32_t j, std::uint32_t k) {
   const Place a = place_of(sum, i), b = place_of(sum, j), c = place_of(sum, k);
   const Rational third = Rational(1) / Rational(3);
   return {(a[0] + b[0] + c[0]) * third, (a[1] + b[1] + c[1]) * third, (a[2] + b[2] + c[2]) * third};
 }
 
-/// Vertices, middles of edges and of triangles of the boundary or of what is tight: all of its vertices, some places
+/// Vertices, middles of edges and of triangles of the boundary or of what is tight: all of its vertices, some positions
 /// inside every edge and face.
 std::vector<Place> places_on(const Cells& cells) {
   std::vector<Place> places(cells.vertices.begin(), cells.vertices.end());
@@ -112,7 +112,7 @@ std::vector<Place> places_on(const Cells& cells) {
 
 struct Tally {
   int pairs = 0, tight = 0, too_large = 0;
-  int located = 0, asked = 0, inside = 0, touching = 0, outside = 0;
+  int located = 0, queried = 0, inside = 0, touching = 0, outside = 0;
 };
 
 class Comparison {
@@ -130,12 +130,12 @@ class Comparison {
     ++tally_.pairs;
     compare_sets();
     locate_ours();
-    ask_membership(seed);
+    query_membership(seed);
   }
 
   /// minkowski_sum_3 has the closed sum of closed operands and the open one of open ones. Of an open operand and a
   /// closed one the sum is the open one as well; CGAL 5.5.1 often adds parts of the boundary to it, and fills tight
-  /// places where int P and x - Q have nothing in common (see locate_ours). Such results are counted.
+  /// positions where int P and x - Q have nothing in common (see locate_ours). Such results are counted.
   void compare_with_cgal() {
     EXPECT_TRUE(cgal_sum(nef_p_, nef_q_) == witness_.closed) << "minkowski_sum_3 of closed operands";
     EXPECT_TRUE(cgal_sum(nef_p_.interior(), nef_q_.interior()) == witness_.open) << "of open operands";
@@ -172,19 +172,19 @@ class Comparison {
     tally_.tight += !tight.vertices.empty();
   }
 
-  /// Places on our boundary are in the closed sum and not in the open one; those on what is tight inside the closed
+  /// Positions on our boundary are in the closed sum and not in the open one; those on what is tight inside the closed
   /// one.
   void locate_ours() {
     const NefSet inside = witness_.closed.interior();
     std::vector<Place> boundary = places_on({boundary_cells(sum_).vertices, boundary_cells(sum_).edges, {}});
-    for (const auto& [a, b, c] : spatial::triangulated(sum_).triangles) boundary.push_back(middle(sum_, a, b, c));
+    for (const auto& [a, b, c] : spatial::triangulated(sum_).triangles) boundary.push_back(midpoint(sum_, a, b, c));
     for (const Place& at : boundary) {
       EXPECT_TRUE(witness_.closed.locate(at).marked && !witness_.open.locate(at).marked);
       EXPECT_LT(witness_.closed.locate(at).dimension, 3);
     }
     std::vector<Place> tight;
     for (const auto& [a, b] : sum_.tight_segments) tight.push_back(between(place_of(sum_, a), place_of(sum_, b)));
-    for (const auto& [a, b, c] : sum_.tight_triangles()) tight.push_back(middle(sum_, a, b, c));
+    for (const auto& [a, b, c] : sum_.tight_triangles()) tight.push_back(midpoint(sum_, a, b, c));
     for (const std::uint32_t v : sum_.tight_points) tight.push_back(place_of(sum_, v));
     for (const Place& at : tight) {
       EXPECT_TRUE(inside.locate(at).marked && !witness_.open.locate(at).marked);
@@ -197,7 +197,7 @@ class Comparison {
   }
 
   /// `contains` at the vertices of the witness, on its edges and facets, at what is tight, and anywhere.
-  void ask_membership(std::uint64_t seed) {
+  void query_membership(std::uint64_t seed) {
     std::vector<Place> places = places_on(witness_.closed.cells()), tight = places_on(witness_.tight.cells());
     places.insert(places.end(), tight.begin(), tight.end());
     std::mt19937_64 random(seed);
@@ -211,17 +211,17 @@ class Comparison {
       }
       places.push_back(at);
     }
-    for (const Place& at : places) ask(at);
+    for (const Place& at : places) query(at);
   }
 
-  void ask(const Place& at) {
+  void query(const Place& at) {
     const RationalPoint3 z{at[0], at[1], at[2]};
     const bool closed = witness_.closed.locate(at).marked, open = witness_.open.locate(at).marked;
     for (const Semantics semantics : {Semantics::closed, Semantics::open, Semantics::regular}) {
       const auto answer = contains_each(p_, q_, std::span(&z, 1), semantics);
       ASSERT_TRUE(answer.ok()) << answer.error().to_string();
       EXPECT_EQ((*answer)[0], semantics == Semantics::open ? open : closed);
-      ++tally_.asked;
+      ++tally_.queried;
     }
     ++(open ? tally_.inside : closed ? tally_.touching : tally_.outside);
   }
@@ -245,7 +245,7 @@ void print(const char* what, const Tally& t) {
   std::printf(
       "%s: %d pairs, %d with tight features; %d places of ours located, %d answers of contains (%d places inside, "
       "%d touching, %d outside); %d sums of CGAL's of an open and a closed operand are too large\n",
-      what, t.pairs, t.tight, t.located, t.asked, t.inside, t.touching, t.outside, t.too_large);
+      what, t.pairs, t.tight, t.located, t.queried, t.inside, t.touching, t.outside, t.too_large);
 }
 
 MeshData mapped(MeshData mesh, const std::function<Point3(Point3)>& map) {

@@ -148,8 +148,8 @@ TEST_F(AnySolidSum, WhatItDoesNotTakeIsRefused) {
   const std::string remedy = "(--repair mends it: what crossed or overlapped united (6 new vertices))";
   EXPECT_NE(work.run("dymsum info crossing.off").err.find(remedy), std::string::npos)
       << work.run("dymsum info crossing.off").err;
-  const Outcome mended = work.run("dymsum convert crossing.off united.off --repair");
-  EXPECT_EQ(mended.err, "crossing.off: repaired: what crossed or overlapped united (6 new vertices)\n");
+  const Outcome repaired = work.run("dymsum convert crossing.off united.off --repair");
+  EXPECT_EQ(repaired.err, "crossing.off: repaired: what crossed or overlapped united (6 new vertices)\n");
   EXPECT_EQ(json("dymsum info united.off --json")["volume"], 15);
   // The same with a body that shares half a face, and one that is turned inside out.
   EXPECT_EQ(json("dymsum sum crossing.off cube.off --repair --json")["volume_exact"],

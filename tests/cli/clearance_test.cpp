@@ -74,7 +74,7 @@ TEST_F(ClearanceCli, FewerRadiansCountMore) {
   EXPECT_NEAR(distance("inf"), 0.2, 1e-8);
 }
 
-TEST_F(ClearanceCli, AsksAnObstacleFromAFileWithoutComputingIt) {
+TEST_F(ClearanceCli, QueriesAnObstacleFromAFileWithoutComputingIt) {
   ASSERT_EQ(work.run("dymsum cspace square.wkt wall.wkt -o wall.obstacle").code, 0);
   work.write("at.txt", "# x, y, theta\n-4, 0, 0\n\n0.5,0,90deg  # inside\n");
   const Json made =

@@ -213,10 +213,10 @@ TEST_F(Cli, BadInputEndsWithTwoAndSaysWhere) {
       {"info bow.wkt", "bow.wkt"},
       {"sum square.wkt square.doc", "square.doc"},
       {"sum square.wkt square.wkt -o absent/sum.wkt", "absent/sum.wkt"}};
-  for (const auto& [arguments, place] : cases) {
+  for (const auto& [arguments, position] : cases) {
     const Outcome outcome = work.run("dymsum " + arguments);
     EXPECT_EQ(outcome.code, 2) << arguments << "\n" << outcome.err;
-    EXPECT_NE(outcome.err.find(place), std::string::npos) << arguments << "\n" << outcome.err;
+    EXPECT_NE(outcome.err.find(position), std::string::npos) << arguments << "\n" << outcome.err;
   }
   EXPECT_EQ(work.file_count(), 5U);
 }
@@ -225,11 +225,11 @@ TEST_F(Cli, RepairIsAskedForAndReported) {
   work.write("twice.wkt", "POLYGON ((0 0, 0 1, 1 1, 1 1, 1 0, 0 0))");
   const Outcome refused = work.run("dymsum sum twice.wkt square.wkt --json");
   EXPECT_EQ(refused.code, 2) << refused.out;
-  const Outcome mended = work.run("dymsum sum twice.wkt square.wkt --json --repair");
-  ASSERT_EQ(mended.code, 0) << mended.err;
-  EXPECT_NE(mended.err.find("twice.wkt: repaired: "), std::string::npos) << mended.err;
-  EXPECT_EQ(mended.err.find("square.wkt"), std::string::npos) << mended.err;
-  EXPECT_EQ(Json::parse(mended.out)["area_exact"], "4/1");
+  const Outcome repaired = work.run("dymsum sum twice.wkt square.wkt --json --repair");
+  ASSERT_EQ(repaired.code, 0) << repaired.err;
+  EXPECT_NE(repaired.err.find("twice.wkt: repaired: "), std::string::npos) << repaired.err;
+  EXPECT_EQ(repaired.err.find("square.wkt"), std::string::npos) << repaired.err;
+  EXPECT_EQ(Json::parse(repaired.out)["area_exact"], "4/1");
 }
 
 TEST_F(Cli, EveryVerbHasHelpWithAnExample) {

@@ -65,7 +65,7 @@ TEST_F(ContainsCli, ManyQuestionsAreReadFromAFile) {
   EXPECT_LT(inside, 50u);
 }
 
-TEST_F(ContainsCli, PlacesMayBeFractions) {
+TEST_F(ContainsCli, PositionsMayBeFractions) {
   // The first is on the boundary of the hole, which is open.
   const Outcome two = work.run("dymsum contains frame.wkt square.wkt --json --at 2,7/3 --at 1/3,0.1 --at 3,3");
   ASSERT_EQ(two.code, 0) << two.err;

@@ -22,7 +22,7 @@ TEST_F(DiscCli, PolygonsNearestToASetAreThereWhereItFallsApart) {
   EXPECT_EQ(nearest.code, 0);
   EXPECT_EQ(nearest.out.rfind("MULTIPOLYGON", 0), 0u);
   EXPECT_NE(work.run(disc + " --to wkt --bound middle").code, 0);
-  // Where no bound is asked for those are made, and said.
+  // Where no bound is requested those are made, and said.
   const auto any = work.run(disc + " --to wkt");
   EXPECT_EQ(any.code, 0) << any.err;
   EXPECT_EQ(any.out, nearest.out);

@@ -1,5 +1,5 @@
 // Every option that takes a place takes fractions, exactly: the answer is that of shapes three times as large at three
-// times the place, which doubles hold.
+// times the position, which doubles hold.
 #include <gtest/gtest.h>
 
 #include <string>
@@ -19,7 +19,7 @@ struct Compared {
 };
 
 struct Question {
-  std::string command;             ///< with P and Q for the operands and a place between bars: 1/3|1
+  std::string command;             ///< with P and Q for the operands and a position between bars: 1/3|1
   std::vector<Compared> compared;  ///< pointers into the answer
   int exit = 0;
 };
@@ -139,7 +139,7 @@ TEST_F(FractionCli, PlacesInSpaceMayBeFractions) {
     compare(question, "cube", "wedge", ".off");
 }
 
-TEST_F(FractionCli, APlaceIsNotRounded) {
+TEST_F(FractionCli, APositionIsNotRounded) {
   // On the long edge, and on the large face; the nearest doubles are inside.
   work.write("triangle.wkt", "POLYGON ((0 0, 3 0, 0 1, 0 0))\n"), work.write("point.wkt", "POINT (0 0)\n");
   EXPECT_EQ(json("dymsum depth triangle.wkt point.wkt --move 1,2/3 --json", 4)["meeting"], "touching");

@@ -68,12 +68,12 @@ TEST_F(LongWork, ScaleRangesEndWithTheirOwnExitCode) {
 TEST_F(LongWork, QuestionsAndScaleRangesEndAtOnce) {
   work.write("big.wkt", format_region(shapes::noisy_star(2000, 0.9, 5), RegionFormat::wkt));
   work.write("room.wkt", "POLYGON((-9 -9,9 -9,9 9,-9 9,-9 -9))");
-  std::string places, poses;
+  std::string positions, poses;
   for (int k = 0; k < 255; ++k) {
-    places += std::to_string(0.001 * k) + ",0.5\n";
+    positions += std::to_string(0.001 * k) + ",0.5\n";
     poses += std::to_string(0.001 * k) + ",0.5,0.25\n";
   }
-  work.write("places.txt", places);
+  work.write("places.txt", positions);
   work.write("poses.txt", poses);
   for (const char* const question : {"contains big.wkt big.wkt --at-file places.txt --repeat 100000",
                                      "contains big.wkt big.wkt --at-file poses.txt --repeat 100000",
@@ -89,7 +89,7 @@ TEST_F(LongWork, QuestionsAndScaleRangesEndAtOnce) {
   }
 }
 
-// Stages that never ask whether to go on, of a solid with thousands of faces.
+// Stages that never query whether to go on, of a solid with thousands of faces.
 TEST_F(LongWork, LargeConvexSolidsEndAtOnce) {
   work.write("ball.off", format_mesh(solids::geodesic_sphere(40, 1, solids::kDemoSnap).data(), MeshFormat::off));
   for (const char* const run :
@@ -108,9 +108,9 @@ TEST_F(LongWork, LargeConvexSolidsEndAtOnce) {
 
 TEST_F(LongWork, ManyQuestionsEndWithOneErrorObject) {
   work.write("ball.off", format_mesh(solids::geodesic_sphere(3, 1, solids::kDemoSnap).data(), MeshFormat::off));
-  std::string places;
-  for (int k = 0; k < 20000; ++k) places += std::to_string(0.0001 * k) + ",0.5,0.25\n";
-  work.write("places.txt", places);
+  std::string positions;
+  for (int k = 0; k < 20000; ++k) positions += std::to_string(0.0001 * k) + ",0.5,0.25\n";
+  work.write("places.txt", positions);
   for (const char* const question : {"contains ball.off ball.off --at-file places.txt --json --repeat 1000",
                                      "depth ball.off ball.off --at-file places.txt --json --repeat 1000",
                                      "depth a.wkt a.wkt --move 0.1,0 --json --repeat 100000",

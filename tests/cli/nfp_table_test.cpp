@@ -61,19 +61,19 @@ TEST_F(NfpTables, WriteRowsGeometryAndManifest) {
   const Outcome piped = done("dymsum nfp-table - -o - < small.json");
   EXPECT_EQ(piped.out, work.read("inline.jsonl"));
   const std::string geometry = work.read("all.wkb");
-  const std::vector<Json> by_place = rows("rows.jsonl"), with_hex = rows("inline.jsonl");
+  const std::vector<Json> by_position = rows("rows.jsonl"), with_hex = rows("inline.jsonl");
   const Json manifest = Json::parse(work.read("table.json"));
-  ASSERT_EQ(by_place.size(), with_hex.size());
-  EXPECT_EQ(manifest["rows"]["all"], by_place.size());
+  ASSERT_EQ(by_position.size(), with_hex.size());
+  EXPECT_EQ(manifest["rows"]["all"], by_position.size());
   EXPECT_EQ(manifest["geometry"]["bytes"], geometry.size());
   EXPECT_EQ(manifest["items"][2]["degrees"], Json::parse("[0.0,22.5]"));
   std::set<std::string> kinds;
-  for (std::size_t i = 0; i < by_place.size(); ++i) {
-    kinds.insert(by_place[i]["kind"]);
-    EXPECT_EQ(by_place[i]["status"], "done");
-    if (by_place[i]["kind"] == "strip_fit") continue;
+  for (std::size_t i = 0; i < by_position.size(); ++i) {
+    kinds.insert(by_position[i]["kind"]);
+    EXPECT_EQ(by_position[i]["status"], "done");
+    if (by_position[i]["kind"] == "strip_fit") continue;
     std::string hex;
-    for (const char c : geometry.substr(by_place[i]["offset"], by_place[i]["bytes"])) {
+    for (const char c : geometry.substr(by_position[i]["offset"], by_position[i]["bytes"])) {
       hex += "0123456789abcdef"[static_cast<unsigned char>(c) >> 4];
       hex += "0123456789abcdef"[static_cast<unsigned char>(c) & 15];
     }

@@ -71,8 +71,9 @@ TEST_F(OptionCli, WhatIsNoNumberIsWrongUsage) {
     refused(std::string("dymsum scale cube.off cube.off --at=") + at, "--at");
   for (const char* path : {"nan,0", "0,0 1", "0,0 1,", "0,0 1,2,3", "0,0x", "1e999,0"})
     refused(std::string("dymsum scale-range peg.wkt slot.wkt --path '") + path + "'", "--path wants x,y");
-  for (const char* place : {"0", "nan,0", "1,2,3", "1,2 3,4"})
-    refused(std::string("dymsum scale-range peg.wkt slot.wkt --inside --place '") + place + "'", "--place wants x,y");
+  for (const char* position : {"0", "nan,0", "1,2,3", "1,2 3,4"})
+    refused(std::string("dymsum scale-range peg.wkt slot.wkt --inside --place '") + position + "'",
+            "--place wants x,y");
   for (const char* q : {"0,0", "0,0,0,0", "nan,0,0", "0,0,90degrees", "0,0,deg", "0,,0", "0,0,inf"}) {
     refused(std::string("dymsum clearance peg.wkt slot.wkt --at=") + q, "--at wants x,y,theta");
     refused(std::string("dymsum path peg.wkt slot.wkt --to 0,0,0 --from=") + q, "--from wants x,y,theta");

@@ -174,7 +174,7 @@ TEST_F(ScaleCli, AxesMayScaleByDifferentFactors) {
     EXPECT_EQ(work.run(std::string("dymsum scale plate.wkt peg.wkt ") + wrong).code, 1) << wrong;
 }
 
-// A sum that is where it was asked to be makes no frame: it tells nothing of what one from scratch takes.
+// A sum that is where it was asked to be makes no frame: it says nothing of what one from scratch takes.
 TEST_F(ScaleCli, FramesFromScratchAreTimedWhereverTheyAreAndHoweverOften) {
   for (const char* motion : {"scale plate.wkt peg.wkt --at 1", "scale plate.wkt peg.wkt --sweep 1:2:1/4 --repeat 5",
                              "rotate plate.wkt peg.wkt --steps 1", "rotate plate.wkt peg.wkt --steps 8 --repeat 5"})

@@ -103,8 +103,8 @@ TEST_F(SolidContains, WhatALongSumWillTakeIsToldBeforeAndHasALimit) {
   EXPECT_NE(refused.err.find("the sum is predicted to take "), std::string::npos) << refused.err;
   EXPECT_NE(refused.err.find("the limit is 20 MB"), std::string::npos) << refused.err;
   EXPECT_EQ(refused.out, "");
-  const std::string told = refused.err.substr(refused.err.find("facets, ") + 8);
-  EXPECT_GT(std::stod(told), 20) << "the same memory that the error names";
+  const std::string reported = refused.err.substr(refused.err.find("facets, ") + 8);
+  EXPECT_GT(std::stod(reported), 20) << "the same memory that the error names";
   const Outcome small = work.run("dymsum sum few.off few.off --memory 1000 -o few.json");
   EXPECT_EQ(small.code, 0) << small.err;
   EXPECT_EQ(small.err, "") << "a short sum";
@@ -120,9 +120,10 @@ TEST_F(SolidContains, TheLimitIsForConvexSolidsAndStagesToo) {
   work.write("ball.off", format_mesh(solids::geodesic_sphere(20, 1, solids::kDemoSnap).data(), MeshFormat::off));
   work.write("few.off", combs(12));
   const std::string convex = "the sum of convex solids takes at least ", any = "the sum is predicted to take ";
-  for (const auto& [sum, says] :
-       {std::pair{"sum ball.off ball.off", convex}, {"sum ball.off ball.off ball.off", convex},
-        {"nfp ball.off ball.off", convex}, {"sum ball.off ball.off --engine brute", any}}) {
+  for (const auto& [sum, says] : {std::pair{"sum ball.off ball.off", convex},
+                                  {"sum ball.off ball.off ball.off", convex},
+                                  {"nfp ball.off ball.off", convex},
+                                  {"sum ball.off ball.off --engine brute", any}}) {
     const Outcome refused = work.run(std::string("dymsum ") + sum + " --memory 1 -o none.off");
     EXPECT_EQ(refused.code, 2) << sum;
     EXPECT_NE(refused.err.find(says), std::string::npos) << refused.err;

@@ -118,9 +118,9 @@ TEST_F(SolidCli, RepairIsAskedForAndReported) {
   const Json invalid = json("dymsum info turned.off --json", 2);
   EXPECT_EQ(invalid["valid"], false);
   EXPECT_EQ(invalid["error"]["code"], "wrong_orientation");
-  const Outcome mended = work.run("dymsum convert turned.off right.off --repair");
-  EXPECT_EQ(mended.code, 0);
-  EXPECT_EQ(mended.err, "turned.off: repaired: 1 face turned over\n");
+  const Outcome repaired = work.run("dymsum convert turned.off right.off --repair");
+  EXPECT_EQ(repaired.code, 0);
+  EXPECT_EQ(repaired.err, "turned.off: repaired: 1 face turned over\n");
   EXPECT_EQ(json("dymsum info right.off --json")["volume"], 6.0);
 }
 

@@ -153,11 +153,11 @@ TEST_F(SolidUsage, DanglingLinksAreOutputs) {
 TEST_F(SolidUsage, StandardInputIsToldFromItsFirstWord) {
   const std::string mark = "\xEF\xBB\xBF",
                     obj = "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\nf 1 3 2\nf 1 2 4\nf 1 4 3\nf 2 3 4\n";
-  const std::string off = kTetrahedron, behind = off.substr(3);
+  const std::string off = kTetrahedron, after = off.substr(3);
   std::string returns = "# a comment\n" + off;
   for (char& c : returns) c = c == '\n' ? '\r' : c;
   for (const std::string& text :
-       {mark + off, "\n \n# one\n# two\n\n" + off, "off" + behind, "Off" + behind, mark + "\r\n" + off, returns,
+       {mark + off, "\n \n# one\n# two\n\n" + off, "off" + after, "Off" + after, mark + "\r\n" + off, returns,
         "# one\n\nmtllib x.mtl\no part\n" + obj, "g part\n" + obj, "usemtl grey\n" + obj, mark + obj}) {
     work.write("text", text);
     const Outcome outcome = work.run("dymsum info - < text");

@@ -15,7 +15,7 @@ class TightOutput : public CliTest {
   TightOutput() {
     work.write("peg.wkt", "POLYGON ((0 0, 2 0, 2 2, 0 2, 0 0))\n");
     work.write("slot.wkt", "POLYGON ((-1 -1, 3 -1, 3 4, 2 4, 2 0, 0 0, 0 4, -1 4, -1 -1))\n");
-    // A cavity of the peg's size: one free place.
+    // A cavity of the peg's size: one free position.
     work.write("box.wkt", "POLYGON ((-1 -1, 3 -1, 3 3, -1 3, -1 -1), (0 0, 0 2, 2 2, 2 0, 0 0))\n");
   }
   std::string run(const std::string& command, int code = 0) {

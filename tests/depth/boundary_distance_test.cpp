@@ -22,7 +22,7 @@ std::vector<RationalVector> sorted(std::vector<RationalVector> all) {
   return all;
 }
 
-std::size_t borders_of(const SpatialSum& sum) {
+std::size_t facet_edges_of(const SpatialSum& sum) {
   std::size_t count = 0;
   for (const SpatialFace& face : sum.faces)
     for (const auto& loop : face.loops) count += loop.size();
@@ -62,7 +62,7 @@ TEST(BoundaryDistance, DoublesLeaveOutWhatIsFurther) {
         if (k == 5) from[0] += 1000;
         const depth::NearestOnBoundary found = depth::nearest_by_doubles_first(sum, from);
         ASSERT_EQ(sorted(found.all), sorted(depth::nearest_on_boundary(sum, from))) << name_of(kind) << ", " << round;
-        all += borders_of(sum) + sum.faces.size(), exactly += found.faces + found.segments;
+        all += facet_edges_of(sum) + sum.faces.size(), exactly += found.faces + found.segments;
       }
     }
     std::cout << name_of(kind) << ": " << exactly << " of " << all << " exactly" << std::endl;
@@ -73,11 +73,11 @@ TEST(BoundaryDistance, DoublesLeaveOutWhatIsFurther) {
 TEST(BoundaryDistance, AllThatAreEquallyNear) {
   const Mesh cube = moving_cases::mesh_of(box(1));
   const SpatialSum sum = minkowski_sum(cube, cube).value();
-  const RationalVector middle{0, 0, 0};
-  const depth::NearestOnBoundary found = depth::nearest_by_doubles_first(sum, middle);
+  const RationalVector centre{0, 0, 0};
+  const depth::NearestOnBoundary found = depth::nearest_by_doubles_first(sum, centre);
   EXPECT_EQ(found.all.size(), 6u);
   EXPECT_EQ(found.faces, 6u);
-  EXPECT_EQ(sorted(found.all), sorted(depth::nearest_on_boundary(sum, middle)));
+  EXPECT_EQ(sorted(found.all), sorted(depth::nearest_on_boundary(sum, centre)));
 }
 
 }  // namespace

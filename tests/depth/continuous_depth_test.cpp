@@ -35,7 +35,7 @@ Point3 point(Vec3 v) { return {v.x, v.y, v.z}; }
 double gap(const Point3& a, const Point3& b) { return spatial::length(vec(a) - vec(b)); }
 Point3 between(const Point3& a, const Point3& b, double s) { return point(vec(a) + s * (vec(b) - vec(a))); }
 
-/// The sum of normals of small triangles, weighted at their middles: by definition.
+/// The sum of normals of small triangles, weighted at their midpoints: by definition.
 void add_triangle(Vec3 a, Vec3 b, Vec3 c, int depth, double l, Vec3 x, Vec3& sum) {
   const Vec3 area = spatial::cross(b - a, c - a);
   if (depth > 0) {
@@ -44,7 +44,7 @@ void add_triangle(Vec3 a, Vec3 b, Vec3 c, int depth, double l, Vec3 x, Vec3& sum
     add_triangle(f, e, c, depth - 1, l, x, sum), add_triangle(d, e, f, depth - 1, l, x, sum);
     return;
   }
-  // Exact for quadratic weights: the middles of the sides.
+  // Exact for quadratic weights: the midpoints of the sides.
   for (const Vec3& m : {0.5 * (a + b), 0.5 * (b + c), 0.5 * (c + a)}) {
     const double left = l * l - spatial::dot(m - x, m - x);
     if (left > 0) sum = sum + left * left / 6 * area;
@@ -65,9 +65,9 @@ TEST(ContinuousNormals, are_the_integral_and_its_derivative) {
   for (const MeshData& data : {ell(), tunnel()}) {
     const SpatialSum sum = minkowski_sum(mesh_of(data), mesh_of(box(1))).value();
     const depth::ContinuousSurface surface = depth::continuous_surface(sum, 1);
-    std::uniform_real_distribution<double> place(-8, 12), length(2, 14);
+    std::uniform_real_distribution<double> position(-8, 12), length(2, 14);
     for (int k = 0; k < 20; ++k) {
-      const Vec3 x{place(random), place(random), place(random)};
+      const Vec3 x{position(random), position(random), position(random)};
       const double l = length(random), scale = std::pow(l, 6);
       const depth::SmoothedNormal n = depth::smoothed_normal(surface, l, x);
       EXPECT_LT(spatial::length(n.value - summed_normal(sum, l, x)), 1e-3 * scale) << k;
@@ -140,7 +140,7 @@ void expect_way_out(SolidDepth& exact, const ContinuousContact& c, const Point3&
 
 TEST(ContinuousDepth, ways_out_end_on_the_boundary_and_the_shortest_is_exact) {
   std::mt19937_64 random(3);
-  std::uniform_real_distribution<double> place(-1, 1);
+  std::uniform_real_distribution<double> position(-1, 1);
   const std::array<std::array<Mesh, 2>, 3> pairs = {
       {{mesh_of(ell()), mesh_of(box(2))}, {mesh_of(tunnel()), mesh_of(ell())}, {mesh_of(cavity()), mesh_of(box(1))}}};
   int overlapping = 0;
@@ -150,7 +150,7 @@ TEST(ContinuousDepth, ways_out_end_on_the_boundary_and_the_shortest_is_exact) {
     for (const double l : {0.0, 0.5, 4.0}) {
       ContinuousDepth pair = tracker_of(p, q, l);
       for (int k = 0; k < 40; ++k) {
-        const Point3 at{9 * place(random), 9 * place(random), 9 * place(random)};
+        const Point3 at{9 * position(random), 9 * position(random), 9 * position(random)};
         const ContinuousContact c = pair.query(at).value();
         expect_way_out(exact, c, at, pair.euclidean_squared());
         if (c.meeting != Meeting::overlapping) continue;
@@ -197,12 +197,12 @@ TEST(ContinuousDepth, without_smoothing_and_in_its_limit_is_the_exact_depth) {
 
 TEST(ContinuousDepth, gradient_is_the_slope_of_depth) {
   std::mt19937_64 random(5);
-  std::uniform_real_distribution<double> place(-1, 1);
+  std::uniform_real_distribution<double> position(-1, 1);
   const Mesh p = mesh_of(ell()), q = mesh_of(box(1));
   int compared = 0;
   for (const double l : {0.0, 1.0, 3.0})
     for (int k = 0; k < 40; ++k) {
-      const Point3 at{5 + 6 * place(random), 2 + 3 * place(random), 5 + 6 * place(random)};
+      const Point3 at{5 + 6 * position(random), 2 + 3 * position(random), 5 + 6 * position(random)};
       ContinuousDepth pair = tracker_of(p, q, l);
       const ContinuousContact c = pair.query(at).value();
       if (c.meeting != Meeting::overlapping || c.turn_rate > 2) continue;
@@ -351,13 +351,13 @@ void expect_features_at_witnesses(const Mesh& p, const Mesh& q, const Continuous
 
 TEST(ContinuousDepth, names_the_features_at_the_witnesses_where_many_faces_lie_in_one_plane) {
   std::mt19937_64 random(9);
-  std::uniform_real_distribution<double> place(-1, 1);
+  std::uniform_real_distribution<double> position(-1, 1);
   const Mesh p = solids::tessellated_cube(8, 4), tip = solids::cone(5, 0.5, 1), cube = solids::tessellated_cube(2, 2);
   for (const Mesh* q : {&tip, &cube})
     for (const double l : {0.0, 1.0}) {
       ContinuousDepth pair = tracker_of(p, *q, l);
       for (int k = 0; k < 40; ++k) {
-        const Point3 at{4 * place(random), 4 * place(random), 4 + 0.75 * place(random)};
+        const Point3 at{4 * position(random), 4 * position(random), 4 + 0.75 * position(random)};
         const ContinuousContact c = pair.query(at).value();
         if (c.meeting == Meeting::overlapping) expect_features_at_witnesses(p, *q, c, at);
       }

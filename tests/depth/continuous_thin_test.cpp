@@ -45,7 +45,7 @@ Mesh quarter_turned(const Mesh& mesh, int quarters) {
   return Mesh::with_thin_parts(data).value();
 }
 
-Point3 random_place(std::mt19937_64& random) {
+Point3 random_position(std::mt19937_64& random) {
   const auto along = [&] { return 0.25 * (static_cast<double>(random() % 33) - 16); };
   return {along(), along(), along()};
 }
@@ -68,7 +68,7 @@ TEST(ContinuousThin, the_exact_depth_is_that_of_solids_wherever_it_has_moved_and
                                                            : 0,
                                            0, 0, quarters == 0 ? 0 : 1)
                                   .value();
-      const Point3 at = random_place(random);
+      const Point3 at = random_position(random);
       const SolidDistance exact = SolidDepth::create(p, quarter_turned(q, quarters)).value().at(at);
       const bool inside = exact.meeting == Meeting::overlapping;
       const Result<ContinuousContact> contact = pair.query(at, turned);
@@ -122,7 +122,7 @@ TEST(ContinuousThin, a_sum_is_made_for_an_orientation_and_no_more) {
   EXPECT_GT(pair.smoothing_length(), 0);
   std::mt19937_64 random(6);
   for (int k = 0; k < 20; ++k)
-    EXPECT_EQ(pair.query(random_place(random), {}).value().work.local_sums, k == 0 ? 1U : 0U) << k;
+    EXPECT_EQ(pair.query(random_position(random), {}).value().work.local_sums, k == 0 ? 1U : 0U) << k;
   pair.forget();  // else the turn may be cut into parts
   EXPECT_EQ(pair.query({1, 1, 1}, Rotation::of(3, 1, 0, 1).value()).value().work.local_sums, 1U);
 }

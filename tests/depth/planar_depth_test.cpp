@@ -153,7 +153,7 @@ std::map<PlanarPair, int> touching_features(const Region& p, const Region& q, co
 
 TEST(PlanarDepth, contacts_are_all_pairs_of_features_that_touch) {
   oracles::Random random(17);
-  std::mt19937_64 places(18);
+  std::mt19937_64 positions(18);
   int flush = 0;
   const int rounds = oracles::rounds(120);
   for (int round = 0; round < rounds; ++round) {
@@ -165,7 +165,7 @@ TEST(PlanarDepth, contacts_are_all_pairs_of_features_that_touch) {
       const auto change = [&](Point& v) {
         if (round % 5 == 2) v = {static_cast<float>(0.1 * v.x), static_cast<float>(0.1 * v.y)};
         if (round % 5 == 4)
-          v.x += 1e-9 * static_cast<double>(places() % 7), v.y += 1e-9 * static_cast<double>(places() % 5);
+          v.x += 1e-9 * static_cast<double>(positions() % 7), v.y += 1e-9 * static_cast<double>(positions() % 5);
       };
       for (Part& part : data.parts) {
         std::for_each(part.outer.begin(), part.outer.end(), change);
@@ -178,7 +178,7 @@ TEST(PlanarDepth, contacts_are_all_pairs_of_features_that_touch) {
     const Result<PlanarDepth> depth = PlanarDepth::create(*p, *q);
     if (!depth) continue;
     const double unit = round % 5 == 1 || round % 5 == 2 ? 0.05 : 0.5;
-    const auto along = [&] { return unit * (static_cast<double>(places() % 25) - 12); };
+    const auto along = [&] { return unit * (static_cast<double>(positions() % 25) - 12); };
     const Point at{along(), along()};
     const PlanarDistance d = depth->at(at);
     for (const PlanarWay& way : d.ways) {
@@ -224,7 +224,7 @@ TEST(PlanarDepth, points_and_polylines_overlap_what_has_area_in_its_interior) {
 TEST(PlanarDepth, thin_parts_separate_and_nothing_shorter_does) {
   std::mt19937 random(23);
   oracles::Random shapes_of(29);
-  int overlapping = 0, asked = 0;
+  int overlapping = 0, queried = 0;
   const int rounds = oracles::rounds(60);
   for (int round = 0; round < rounds; ++round) {
     const auto coordinate = [&] { return static_cast<double>(random() % 13) - 6; };
@@ -248,16 +248,16 @@ TEST(PlanarDepth, thin_parts_separate_and_nothing_shorter_does) {
     for (int k = 0; k < 12; ++k) {
       const Point at{unit * coordinate(), unit * coordinate()};
       const PlanarDistance d = depth->at(at);
-      ++asked;
+      ++queried;
       EXPECT_EQ(d.meeting == Meeting::overlapping, contains(p, back, at, Semantics::open)) << round;
       EXPECT_EQ(d.meeting != Meeting::apart, contains(p, back, at, Semantics::closed)) << round;
       overlapping += d.meeting == Meeting::overlapping;
       for (const PlanarWay& way : d.ways) {
         const RationalPoint moved{way.move.x + Rational::of(at.x).value(), way.move.y + Rational::of(at.y).value()};
-        const std::vector<RationalPoint> places{moved};
-        EXPECT_EQ(contains_each(p, back, std::span<const RationalPoint>(places), Semantics::open).value()[0], 0)
+        const std::vector<RationalPoint> positions{moved};
+        EXPECT_EQ(contains_each(p, back, std::span<const RationalPoint>(positions), Semantics::open).value()[0], 0)
             << round;
-        EXPECT_EQ(contains_each(p, back, std::span<const RationalPoint>(places), Semantics::closed).value()[0], 1)
+        EXPECT_EQ(contains_each(p, back, std::span<const RationalPoint>(positions), Semantics::closed).value()[0], 1)
             << round;
         std::map<PlanarPair, int> found;
         for (const PlanarTouch& t : way.contacts) found[{t.p, t.q}] = t.dimension;
@@ -273,7 +273,7 @@ TEST(PlanarDepth, thin_parts_separate_and_nothing_shorter_does) {
     }
     if (HasFailure()) FAIL() << "round " << round;
   }
-  EXPECT_GT(overlapping, asked / 20);
+  EXPECT_GT(overlapping, queried / 20);
 }
 
 TEST(PlanarDepth, flush_squares_touch_in_edge_and_edge) {

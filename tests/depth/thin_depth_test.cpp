@@ -17,29 +17,33 @@ Mesh thin(std::vector<Point3> vertices, std::vector<Face> faces) {
 }
 
 /// The square of the distance of a position to a solid's surface, in rationals.
-BigRational squared_distance(const TouchingShape& shape, const Place& x) {
-  const auto minus = [](const Place& a, const Place& b) { return Place{a[0] - b[0], a[1] - b[1], a[2] - b[2]}; };
-  const auto dot = [](const Place& a, const Place& b) { return BigRational(a[0] * b[0] + a[1] * b[1] + a[2] * b[2]); };
+BigRational squared_distance(const TouchingShape& shape, const Position& x) {
+  const auto minus = [](const Position& a, const Position& b) {
+    return Position{a[0] - b[0], a[1] - b[1], a[2] - b[2]};
+  };
+  const auto dot = [](const Position& a, const Position& b) {
+    return BigRational(a[0] * b[0] + a[1] * b[1] + a[2] * b[2]);
+  };
   std::optional<BigRational> least;
-  const auto offer = [&](const Place& at) {
-    const Place d = minus(at, x);
+  const auto offer = [&](const Position& at) {
+    const Position d = minus(at, x);
     if (const BigRational s = dot(d, d); !least || s < *least) least = s;
   };
-  for (const Place& v : shape.at) offer(v);
+  for (const Position& v : shape.at) offer(v);
   for (const auto& [a, b] : shape.edges) {
-    const Place d = minus(shape.at[b], shape.at[a]);
+    const Position d = minus(shape.at[b], shape.at[a]);
     const BigRational s = dot(minus(x, shape.at[a]), d) / dot(d, d);
     if (s > 0 && s < 1) offer({shape.at[a][0] + s * d[0], shape.at[a][1] + s * d[1], shape.at[a][2] + s * d[2]});
   }
   for (std::uint32_t f = 0; f < shape.faces.size(); ++f) {
     const Face& face = shape.faces[f];
-    Place n{};
+    Position n{};
     for (std::size_t k = 0; k < face.size(); ++k) {
-      const Place &a = shape.at[face[k]], &b = shape.at[face[(k + 1) % face.size()]];
+      const Position &a = shape.at[face[k]], &b = shape.at[face[(k + 1) % face.size()]];
       for (std::size_t i = 0; i < 3; ++i) n[i] += a[(i + 1) % 3] * b[(i + 2) % 3] - a[(i + 2) % 3] * b[(i + 1) % 3];
     }
     const BigRational s = dot(minus(shape.at[face[0]], x), n) / dot(n, n);
-    const Place foot{x[0] + s * n[0], x[1] + s * n[1], x[2] + s * n[2]};
+    const Position foot{x[0] + s * n[0], x[1] + s * n[1], x[2] + s * n[2]};
     if (feature_holds(shape, {SolidFeature::Kind::face, f, 0}, foot)) offer(foot);
   }
   return *least;
@@ -58,7 +62,8 @@ TEST(ThinDepth, of_a_point_is_its_distance_to_the_surface) {
       const auto along = [&] { return 0.25 * (static_cast<double>(random() % 33) - 16); };
       const Point3 at{along(), along(), along()};
       const SolidDistance d = pair.at(at);
-      const Place x{exact::exact_value(at.x + 0.25), exact::exact_value(at.y - 0.5), exact::exact_value(at.z + 0.125)};
+      const Position x{exact::exact_value(at.x + 0.25), exact::exact_value(at.y - 0.5),
+                       exact::exact_value(at.z + 0.125)};
       EXPECT_EQ(exact::exact_value(d.squared), squared_distance(touching_shape(p, {}), x)) << round;
       const SolidDistance back = other.at({-at.x, -at.y, -at.z});
       EXPECT_EQ(back.squared, d.squared);
@@ -92,7 +97,7 @@ TEST(ThinDepth, of_segments_and_open_surfaces_separates_and_nothing_shorter_does
       EXPECT_TRUE(d == reference.at(at)) << round << " " << k;
       overlapping += d.meeting == Meeting::overlapping;
       for (const SolidWay& way : d.ways) {
-        Place moved = exact_place(way.move);
+        Position moved = exact_position(way.move);
         moved[0] += exact::exact_value(at.x), moved[1] += exact::exact_value(at.y),
             moved[2] += exact::exact_value(at.z);
         std::map<std::pair<SolidFeature, SolidFeature>, int> found;

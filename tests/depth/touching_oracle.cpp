@@ -8,31 +8,31 @@ namespace {
 
 using Kind = SolidFeature::Kind;
 
-Place minus(const Place& a, const Place& b) { return {a[0] - b[0], a[1] - b[1], a[2] - b[2]}; }
-BigRational dot(const Place& a, const Place& b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
-Place cross(const Place& a, const Place& b) {
+Position minus(const Position& a, const Position& b) { return {a[0] - b[0], a[1] - b[1], a[2] - b[2]}; }
+BigRational dot(const Position& a, const Position& b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
+Position cross(const Position& a, const Position& b) {
   return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
 }
-bool is_zero(const Place& v) { return v[0] == 0 && v[1] == 0 && v[2] == 0; }
-Place along(const Place& a, const Place& b, const BigRational& s) {
-  const Place d = minus(b, a);
+bool is_zero(const Position& v) { return v[0] == 0 && v[1] == 0 && v[2] == 0; }
+Position along(const Position& a, const Position& b, const BigRational& s) {
+  const Position d = minus(b, a);
   return {a[0] + s * d[0], a[1] + s * d[1], a[2] + s * d[2]};
 }
 
 /// A face as a polygon in space.
 struct Polygon {
-  std::vector<Place> at;
-  Place n{};
+  std::vector<Position> at;
+  Position n{};
 
   Polygon(const TouchingShape& shape, const Face& face) {
     for (const std::uint32_t v : face) at.push_back(shape.at[v]);
     for (std::size_t k = 0; k < at.size(); ++k) {
-      const Place c = cross(at[k], next(k));
+      const Position c = cross(at[k], next(k));
       for (std::size_t i = 0; i < 3; ++i) n[i] += c[i];
     }
   }
-  const Place& next(std::size_t k) const { return at[(k + 1) % at.size()]; }
-  bool in_plane(const Place& x) const { return dot(n, minus(x, at[0])) == 0; }
+  const Position& next(std::size_t k) const { return at[(k + 1) % at.size()]; }
+  bool in_plane(const Position& x) const { return dot(n, minus(x, at[0])) == 0; }
 };
 
 /// A feature, and a box that holds it and what rounding may do to it.
@@ -47,21 +47,21 @@ bool boxes_meet(const BoxedFeature& a, const BoxedFeature& b) {
   return true;
 }
 
-bool on_edge(const Place& a, const Place& b, const Place& x) {
-  const Place d = minus(b, a), to = minus(x, a);
+bool on_edge(const Position& a, const Position& b, const Position& x) {
+  const Position d = minus(b, a), to = minus(x, a);
   if (!is_zero(cross(d, to))) return false;
   const BigRational s = dot(d, to);
   return s > 0 && s < dot(d, d);
 }
 
-bool inside(const Polygon& f, const Place& x) {
+bool inside(const Polygon& f, const Position& x) {
   if (!f.in_plane(x)) return false;
   std::size_t drop = 0;
   while (f.n[drop] == 0) ++drop;
   const std::size_t i = (drop + 1) % 3, j = (drop + 2) % 3;
   bool odd = false;
   for (std::size_t k = 0; k < f.at.size(); ++k) {
-    const Place &a = f.at[k], &b = f.next(k);
+    const Position &a = f.at[k], &b = f.next(k);
     if (a == x || on_edge(a, b, x)) return false;
     if ((a[j] > x[j]) != (b[j] > x[j]) && x[i] < a[i] + (x[j] - a[j]) / (b[j] - a[j]) * (b[i] - a[i])) odd = !odd;
   }
@@ -69,12 +69,12 @@ bool inside(const Polygon& f, const Place& x) {
 }
 
 /// Where on the segment ab, in a polygon's plane, the polygon's edges end or cross its line: middles between these.
-std::vector<Place> middles(const Polygon& f, const Place& a, const Place& b) {
-  const Place d = minus(b, a), left = cross(f.n, d);
+std::vector<Position> midpoints(const Polygon& f, const Position& a, const Position& b) {
+  const Position d = minus(b, a), left = cross(f.n, d);
   std::vector<BigRational> cuts{0, 1};
   for (std::size_t k = 0; k < f.at.size(); ++k) {
     const BigRational u = dot(left, minus(f.at[k], a)), v = dot(left, minus(f.next(k), a));
-    const auto cut = [&](const Place& x) {
+    const auto cut = [&](const Position& x) {
       const BigRational s = dot(d, minus(x, a)) / dot(d, d);
       if (s > 0 && s < 1) cuts.push_back(s);
     };
@@ -82,17 +82,17 @@ std::vector<Place> middles(const Polygon& f, const Place& a, const Place& b) {
     if ((u > 0 && v < 0) || (u < 0 && v > 0)) cut(along(f.at[k], f.next(k), u / (u - v)));
   }
   std::sort(cuts.begin(), cuts.end());
-  std::vector<Place> all;
+  std::vector<Position> all;
   for (std::size_t k = 0; k + 1 < cuts.size(); ++k)
     if (cuts[k] < cuts[k + 1]) all.push_back(along(a, b, (cuts[k] + cuts[k + 1]) / 2));
   return all;
 }
 
-bool edge_meets_face(const Place& a, const Place& b, const Polygon& f) {
+bool edge_meets_face(const Position& a, const Position& b, const Polygon& f) {
   const BigRational u = dot(f.n, minus(a, f.at[0])), v = dot(f.n, minus(b, f.at[0]));
   if (u == 0 && v == 0) {
-    const std::vector<Place> some = middles(f, a, b);
-    return std::any_of(some.begin(), some.end(), [&](const Place& x) { return inside(f, x); });
+    const std::vector<Position> some = midpoints(f, a, b);
+    return std::any_of(some.begin(), some.end(), [&](const Position& x) { return inside(f, x); });
   }
   return ((u > 0 && v < 0) || (u < 0 && v > 0)) && inside(f, along(a, b, u / (u - v)));
 }
@@ -100,8 +100,8 @@ bool edge_meets_face(const Place& a, const Place& b, const Polygon& f) {
 /// Whether near some edge of f the inside of f lies inside of g.
 bool begins_inside(const Polygon& f, const Polygon& g) {
   for (std::size_t k = 0; k < f.at.size(); ++k) {
-    const Place inward = cross(f.n, minus(f.next(k), f.at[k]));
-    for (const Place& x : middles(g, f.at[k], f.next(k))) {
+    const Position inward = cross(f.n, minus(f.next(k), f.at[k]));
+    for (const Position& x : midpoints(g, f.at[k], f.next(k))) {
       if (inside(g, x)) return true;
       for (std::size_t j = 0; j < g.at.size(); ++j)
         if (on_edge(g.at[j], g.next(j), x) && dot(inward, cross(g.n, minus(g.next(j), g.at[j]))) > 0) return true;
@@ -115,8 +115,8 @@ bool faces_meet(const Polygon& f, const Polygon& g) {
 }
 
 /// 1 for a segment in common, 0 for a point, -1 for nothing.
-int edges_meet(const Place& a, const Place& b, const Place& c, const Place& d) {
-  const Place u = minus(b, a), v = minus(d, c), w = minus(c, a), n = cross(u, v);
+int edges_meet(const Position& a, const Position& b, const Position& c, const Position& d) {
+  const Position u = minus(b, a), v = minus(d, c), w = minus(c, a), n = cross(u, v);
   if (is_zero(n)) {
     if (!is_zero(cross(u, w))) return -1;
     const BigRational s = dot(u, w), t = dot(u, minus(d, a)), all = dot(u, u), low = s < t ? s : t,
@@ -156,11 +156,11 @@ int meet(const TouchingShape& s, const SolidFeature& f, const TouchingShape& t, 
 
 }  // namespace
 
-Place exact_place(const RationalPoint3& x) {
+Position exact_position(const RationalPoint3& x) {
   return {exact::exact_value(x.x), exact::exact_value(x.y), exact::exact_value(x.z)};
 }
 
-TouchingShape touching_shape(const Mesh& mesh, const Place& moved) {
+TouchingShape touching_shape(const Mesh& mesh, const Position& moved) {
   TouchingShape shape;
   for (const Point3& v : mesh.vertices())
     shape.at.push_back(
@@ -176,7 +176,7 @@ TouchingShape touching_shape(const Mesh& mesh, const Place& moved) {
   return shape;
 }
 
-bool feature_holds(const TouchingShape& shape, const SolidFeature& f, const Place& x) {
+bool feature_holds(const TouchingShape& shape, const SolidFeature& f, const Position& x) {
   if (f.kind == Kind::vertex) return shape.at[f.a] == x;
   if (f.kind == Kind::edge) return on_edge(shape.at[f.a], shape.at[f.b], x);
   return inside(Polygon(shape, shape.faces[f.a]), x);

@@ -61,7 +61,7 @@ int expect_all_pairs(const Mesh& p, const Mesh& q, const Point3& at, const Solid
   int pairs = 0;
   for (std::size_t k = 0; k < std::min<std::size_t>(d.ways.size(), 2); ++k) {
     const SolidWay& way = d.ways[k];
-    Place moved = exact_place(way.move);
+    Position moved = exact_position(way.move);
     moved[0] += exact::exact_value(at.x), moved[1] += exact::exact_value(at.y), moved[2] += exact::exact_value(at.z);
     const TouchingShape ps = touching_shape(p, {}), qs = touching_shape(q, moved);
     const auto expected = touching_by_definition(ps, qs);
@@ -70,8 +70,8 @@ int expect_all_pairs(const Mesh& p, const Mesh& q, const Point3& at, const Solid
     for (const SolidTouch& c : way.contacts) {
       found[{c.p, c.q}] = c.dimension;
       patches.insert(c.patch);
-      EXPECT_TRUE(feature_holds(ps, c.p, exact_place(c.at)));
-      EXPECT_TRUE(feature_holds(qs, c.q, exact_place(c.at)));
+      EXPECT_TRUE(feature_holds(ps, c.p, exact_position(c.at)));
+      EXPECT_TRUE(feature_holds(qs, c.q, exact_position(c.at)));
     }
     EXPECT_EQ(found, expected) << "way " << k << " of " << d.ways.size();
     EXPECT_FALSE(found.empty());

@@ -126,8 +126,8 @@ TEST(Grid, TheCenterIsOnTheGridAndHalvesTheBits) {
     const int e = common_exponent(both);
     const double center = grid_center(low, high, e);
     ASSERT_EQ(mpq_class(mpq_class(center) / power_of_two(e)).get_den(), 1) << low << ' ' << high;
-    const mpq_class middle = (mpq_class(low) + mpq_class(high)) / 2;
-    const mpq_class off = abs(mpq_class(center) - middle);
+    const mpq_class midpoint = (mpq_class(low) + mpq_class(high)) / 2;
+    const mpq_class off = abs(mpq_class(center) - midpoint);
     const mpq_class ulp = center == 0 ? mpq_class(0) : mpq_class(std::abs(center)) / power_of_two(52);
     ASSERT_LE(off, power_of_two(e) + ulp) << low << ' ' << high;
   }

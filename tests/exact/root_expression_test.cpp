@@ -142,13 +142,13 @@ TEST(RootExpression, nearly_zero_is_told_by_precision_and_algebra_is_asked_about
   const Root zero = nested(5, 6) + nested(9, 14) - root(2) - root(3) - root(2) - root(7);
   using By = NodeAnswer::By;
   const auto answer_of = [](const Root& e) { return answer_of_node(e.node()); };
-  std::map<By, int> told;
+  std::map<By, int> decided;
   for (int bits = 70; bits < 900; bits += 10) {
     const NodeAnswer answer = answer_of(zero + two_to(-bits));
     EXPECT_EQ(answer.sign, 1);
-    ++told[answer.by];
+    ++decided[answer.by];
   }
-  EXPECT_EQ(told, (std::map<By, int>{{By::precision, 44}, {By::precision_at_last, 39}}));
+  EXPECT_EQ(decided, (std::map<By, int>{{By::precision, 44}, {By::precision_at_last, 39}}));
   EXPECT_EQ(answer_of(zero).sign, 0);
   EXPECT_EQ(answer_of(zero).by, By::algebra);
   EXPECT_EQ(answer_of(nested(5, 6) - root(2)).by, By::doubles);
@@ -331,11 +331,11 @@ TEST(RootExpression, nearest_doubles_at_ties) {
   const Root zero = sqrt(Root(3) + Root(2) * root(2)) - Root(1) - root(2);
   for (const double x : {1.0, 1 + 0x1p-52, 0x1p-1074, 3 * 0x1p-1074, 0x1.fffffffffffffp1022}) {
     const double up = std::nextafter(x, std::numeric_limits<double>::infinity());
-    const BigRational middle = (exact_value(x) + exact_value(up)) / 2;
-    const Root hair = Root(middle) * two_to(-200);
+    const BigRational midpoint = (exact_value(x) + exact_value(up)) / 2;
+    const Root hair = Root(midpoint) * two_to(-200);
     for (const int sign : {1, -1}) {
-      const Root e = (zero + Root(middle)) * Root(sign);
-      EXPECT_EQ(nearest_double(e), sign * round_to_double(middle)) << x;
+      const Root e = (zero + Root(midpoint)) * Root(sign);
+      EXPECT_EQ(nearest_double(e), sign * round_to_double(midpoint)) << x;
       EXPECT_EQ(nearest_double(e + Root(sign) * hair), sign * up) << x;
       EXPECT_EQ(nearest_double(e - Root(sign) * hair), sign * x) << x;
     }

@@ -62,7 +62,7 @@ TEST(RoundingBound, plain_signs_err_by_less_and_not_by_much_less) {
     const double a = random.signed_unit(), b = random.signed_unit() * 0x1p-3, c = random.signed_unit(),
                  d = random.signed_unit() * 0x1p-3, e = random.signed_unit(), f = random.signed_unit() * 0x1p-3,
                  g = random.signed_unit(), h = random.signed_unit() * 0x1p-3;
-    const double l = (b - a) * (d - c), r = (f - e) * (h - g), bound = kCertainSign * (std::abs(l) + std::abs(r));
+    const double l = (b - a) * (d - c), r = (f - e) * (h - g), bound = kProvedSign * (std::abs(l) + std::abs(r));
     const auto minus = [](double x, double y) { return BigRational(exact_value(x) - exact_value(y)); };
     const BigRational truth = minus(b, a) * minus(d, c) + minus(f, e) * minus(h, g);
     most = std::max(most, round_to_double(BigRational(abs(exact_value(l + r) - truth))) / bound);

@@ -40,10 +40,10 @@ TEST(SquareRoot, of_squares_and_of_squares_of_middles) {
     // Half of the last place further: the even neighbour; a hair beyond that: the upper one.
     const double up = std::nextafter(x, 1e308);
     if (!(up > x)) continue;
-    const BigRational middle = (exact + exact_value(up)) / 2, hair(BigInteger(1), BigInteger(1) << 4000);
-    EXPECT_EQ(root_to_double(middle * middle), round_to_double(middle));
-    EXPECT_EQ(root_to_double(middle * middle + hair), up);
-    EXPECT_EQ(root_to_double(middle * middle - hair), x);
+    const BigRational midpoint = (exact + exact_value(up)) / 2, hair(BigInteger(1), BigInteger(1) << 4000);
+    EXPECT_EQ(root_to_double(midpoint * midpoint), round_to_double(midpoint));
+    EXPECT_EQ(root_to_double(midpoint * midpoint + hair), up);
+    EXPECT_EQ(root_to_double(midpoint * midpoint - hair), x);
   }
   EXPECT_EQ(root_to_double(0), 0);
   EXPECT_EQ(root_to_double(BigRational(BigInteger(BigInteger(1) << 2048))), std::numeric_limits<double>::infinity());

@@ -28,7 +28,7 @@ bool may_hold(const WideInterval& a, const BigRational& v) {
 TEST(WideInterval, holds_the_value_of_sums_and_products) {
   std::mt19937_64 random(kWideSeed);
   std::uniform_real_distribution<double> fraction(-1, 1);
-  int certain = 0, zeros = 0, narrow = 0;
+  int proved = 0, zeros = 0, narrow = 0;
   for (int round = 0; round < 3000; ++round) {
     // Of sizes down to what units cut off, and differences of neighbours.
     std::vector<WideInterval> wide;
@@ -61,10 +61,10 @@ TEST(WideInterval, holds_the_value_of_sums_and_products) {
       const std::optional<int> s = sign_of(a);
       if (!s) continue;
       ASSERT_EQ(*s, v.sign()) << "round " << round << ", step " << step;
-      ++certain, zeros += *s == 0;
+      ++proved, zeros += *s == 0;
     }
   }
-  EXPECT_GT(certain, 15000);
+  EXPECT_GT(proved, 15000);
   EXPECT_GT(zeros, 500);
   EXPECT_GT(narrow, 12000);
 }

@@ -28,8 +28,8 @@ std::string text(const ScaleRange& range) {
   return s;
 }
 
-/// Contacts without their places.
-std::vector<std::string> told(const std::vector<ScaleContact>& contacts) {
+/// Contacts without their positions.
+std::vector<std::string> decided(const std::vector<ScaleContact>& contacts) {
   std::vector<std::string> list;
   for (const ScaleContact& c : contacts) {
     const std::string part = std::to_string(c.part), obstacle = std::to_string(c.obstacle);
@@ -62,17 +62,17 @@ struct Numbered {
 std::vector<std::string> touching(const Region& part, const Region& container, const exact::BigRational& s,
                                   const RationalPoint& at) {
   using exact::BigRational;
-  struct Place {
+  struct Position {
     BigRational x, y;
   };
   const Numbered p(part), c(container);
   const auto of_part = [&](Point v) {
-    return Place{BigRational(exact::exact_value(at.x) + s * exact::exact_value(v.x)),
-                 BigRational(exact::exact_value(at.y) + s * exact::exact_value(v.y))};
+    return Position{BigRational(exact::exact_value(at.x) + s * exact::exact_value(v.x)),
+                    BigRational(exact::exact_value(at.y) + s * exact::exact_value(v.y))};
   };
-  const auto of_container = [](Point v) { return Place{exact::exact_value(v.x), exact::exact_value(v.y)}; };
-  const auto same = [](const Place& a, const Place& b) { return a.x == b.x && a.y == b.y; };
-  const auto inside = [&](const Place& a, const Place& b, const Place& v) {
+  const auto of_container = [](Point v) { return Position{exact::exact_value(v.x), exact::exact_value(v.y)}; };
+  const auto same = [](const Position& a, const Position& b) { return a.x == b.x && a.y == b.y; };
+  const auto inside = [&](const Position& a, const Position& b, const Position& v) {
     const BigRational cross = (b.x - a.x) * (v.y - a.y) - (b.y - a.y) * (v.x - a.x),
                       along = (b.x - a.x) * (v.x - a.x) + (b.y - a.y) * (v.y - a.y);
     const BigRational length = (b.x - a.x) * (b.x - a.x) + (b.y - a.y) * (b.y - a.y);
@@ -81,12 +81,12 @@ std::vector<std::string> touching(const Region& part, const Region& container, c
   std::vector<std::string> list;
   for (std::size_t i = 0; i < p.start.size(); ++i)
     for (std::size_t k = 0; k < c.start.size(); ++k) {
-      const Place v = of_part(p.start[i]), w = of_part(p.end[i]), a = of_container(c.start[k]),
-                  b = of_container(c.end[k]);
-      const std::string part_number = std::to_string(i), number = std::to_string(k);
-      if (same(v, a)) list.push_back("vertex " + part_number + " on vertex " + number);
-      if (inside(a, b, v)) list.push_back("vertex " + part_number + " on edge " + number);
-      if (inside(v, w, a)) list.push_back("edge " + part_number + " on vertex " + number);
+      const Position v = of_part(p.start[i]), w = of_part(p.end[i]), a = of_container(c.start[k]),
+                     b = of_container(c.end[k]);
+      const std::string part_index = std::to_string(i), number = std::to_string(k);
+      if (same(v, a)) list.push_back("vertex " + part_index + " on vertex " + number);
+      if (inside(a, b, v)) list.push_back("vertex " + part_index + " on edge " + number);
+      if (inside(v, w, a)) list.push_back("edge " + part_index + " on vertex " + number);
     }
   std::sort(list.begin(), list.end());
   return list;
@@ -216,7 +216,7 @@ TEST(FitRange, a_placement_inside_a_container) {
   EXPECT_EQ(text(range), "(0, 3/1] ");
   EXPECT_FALSE(range.free[0].at_high.empty());
   EXPECT_TRUE(fit_range(part, room, {-1, 5}).value().free.empty());
-  // On the border: every scale sticks out.
+  // On the facet edge: every scale sticks out.
   EXPECT_TRUE(fit_range(part, room, {0, 5}).value().free.empty());
 }
 
@@ -254,15 +254,15 @@ TEST(FitRange, contacts_of_any_placement_name_what_holds_the_part) {
   // A peg as high as the room slides along it.
   const ScaleRange slides = fit_range(shapes::rectangle(3, 5, 5, 6), shapes::rectangle(0, 0, 7, 3)).value();
   ASSERT_EQ(text(slides), "(0, 3/1] ");
-  EXPECT_EQ(told(slides.free[0].at_high), (std::vector<std::string>{"vertex 0 on edge 0", "vertex 1 on edge 0",
-                                                                    "vertex 2 on edge 2", "vertex 3 on edge 2"}));
+  EXPECT_EQ(decided(slides.free[0].at_high), (std::vector<std::string>{"vertex 0 on edge 0", "vertex 1 on edge 0",
+                                                                       "vertex 2 on edge 2", "vertex 3 on edge 2"}));
   for (const ScaleContact& c : slides.free[0].at_high)
     EXPECT_EQ(c.at, (RationalPoint{*Rational::of(-9, 1), *Rational::of(-15, 1)}));
   // A triangle in itself.
   const Region t = ring({{-1, -1}, {1, -1}, {0, 1}});
   const ScaleRange same = fit_range(t, t).value();
   ASSERT_EQ(text(same), "(0, 1/1] ");
-  EXPECT_EQ(told(same.free[0].at_high),
+  EXPECT_EQ(decided(same.free[0].at_high),
             (std::vector<std::string>{"vertex 0 on vertex 0", "vertex 1 on vertex 1", "vertex 2 on vertex 2"}));
 }
 
@@ -288,10 +288,10 @@ TEST(FitRange, a_c_in_a_ring_is_held_from_inside_at_the_low_end_and_from_outside
   ASSERT_TRUE(around.low.has_value());
   EXPECT_EQ(around.low->to_string(), "16/17");
   EXPECT_EQ(around.high->to_string(), "20/19");
-  EXPECT_EQ(told(around.at_low),
+  EXPECT_EQ(decided(around.at_low),
             (std::vector<std::string>{"vertex 3 on edge 6", "vertex 4 on vertex 7", "vertex 5 on vertex 4",
                                       "vertex 6 on vertex 5", "vertex 7 on vertex 6", "vertex 8 on edge 6"}));
-  EXPECT_EQ(told(around.at_high),
+  EXPECT_EQ(decided(around.at_high),
             (std::vector<std::string>{"vertex 0 on vertex 0", "vertex 1 on vertex 1", "vertex 10 on vertex 2",
                                       "vertex 11 on vertex 3", "vertex 2 on edge 1", "vertex 9 on edge 1"}));
 }
@@ -315,7 +315,7 @@ TEST(FitRange, contacts_of_random_fits_are_all_that_touch) {
           std::vector<ScaleContact> here;
           for (const ScaleContact& other : contacts)
             if (other.at == c.at) here.push_back(other);
-          EXPECT_EQ(told(here), touching(part, container, exact::exact_value(*end), c.at))
+          EXPECT_EQ(decided(here), touching(part, container, exact::exact_value(*end), c.at))
               << "round " << round << ", s = " << end->to_string();
           ++points;
         }
@@ -356,15 +356,15 @@ TEST(ScaleRange, is_stopped_wherever_it_asks) {
   const auto check = [](auto&& work, std::size_t least) {
     std::size_t all = 0;
     std::set<std::string, std::less<>> stages;
-    ASSERT_TRUE(work([&](std::string_view stage, double share) {
+    ASSERT_TRUE(work([&](std::string_view stage, double fraction) {
                   stages.emplace(stage);
-                  EXPECT_TRUE(share >= 0 && share <= 1);
+                  EXPECT_TRUE(fraction >= 0 && fraction <= 1);
                   return ++all > 0;
                 }).ok());
     EXPECT_GE(all, least);
     EXPECT_GE(stages.size(), 2u);
-    for (std::size_t asked = 1; asked <= all; asked += 1 + all / 9) {
-      std::size_t left = asked;
+    for (std::size_t queried = 1; queried <= all; queried += 1 + all / 9) {
+      std::size_t left = queried;
       EXPECT_EQ(work([&](std::string_view, double) { return --left > 0; }).error().code, ErrorCode::cancelled);
     }
   };

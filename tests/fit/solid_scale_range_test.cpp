@@ -79,12 +79,13 @@ TEST(SolidScaleRange, IsWhatPositionsOnThePathSay) {
     const Mesh part = solids::box(-0.5 - static_cast<double>(random() % 4) / 4, -0.25, -0.5, 0.5, 0.75, 1);
     const std::vector<Point3> path{{any(), any(), 6}, {0.25, -0.125, 2.5}, {0.25, -0.125, -6}};
     const SolidScaleRange range = solid_scale_range(part, path, obstacle).value();
-    std::vector<Rational> asked;
+    std::vector<Rational> queried;
     for (const SolidScaleInterval& i : range.free)
       for (const std::optional<Rational>& end : {i.low, i.high})
-        if (end) asked.push_back(*end * *Rational::of(255, 256)), asked.push_back(*end * *Rational::of(33, 32)), ++ends;
-    asked.push_back(*Rational::of(1, 8)), asked.push_back(Rational(3));
-    for (const Rational& s : asked)
+        if (end)
+          queried.push_back(*end * *Rational::of(255, 256)), queried.push_back(*end * *Rational::of(33, 32)), ++ends;
+    queried.push_back(*Rational::of(1, 8)), queried.push_back(Rational(3));
+    for (const Rational& s : queried)
       EXPECT_EQ(range.contains(scale(s)), looks_free(part, path, obstacle, s)) << s.to_string();
   }
   EXPECT_GT(ends, 2u);

@@ -13,7 +13,7 @@
 
 namespace dymsum::fuzz {
 
-/// A file of a format without lines behind its header.
+/// A file of a format without lines after its header.
 inline bool is_binary_file(std::string_view bytes, MeshFormat format) {
   return format == MeshFormat::stl || (format == MeshFormat::ply && bytes.find("binary") != std::string_view::npos);
 }

@@ -77,8 +77,8 @@ class Damage {
 /// Damaged seeds of a folder: `problem` of a text is what is wrong with how it is read, nothing being "", and `accepts`
 /// whether it is read at all.
 template <class Problem, class Accepts>
-void expect_damage_is_told(const std::string& folder, const std::vector<std::string>& words, Problem problem,
-                           Accepts accepts) {
+void expect_damage_is_reported(const std::string& folder, const std::vector<std::string>& words, Problem problem,
+                               Accepts accepts) {
   const std::vector<std::string> seeds = seeds_of(folder);
   ASSERT_GE(seeds.size(), 3u);
   int refused = 0, accepted = 0;
@@ -94,7 +94,7 @@ void expect_damage_is_told(const std::string& folder, const std::vector<std::str
 
 /// Every beginning of every seed of a folder.
 template <class Problem>
-void expect_beginnings_are_told(const std::string& folder, Problem problem) {
+void expect_beginnings_are_reported(const std::string& folder, Problem problem) {
   for (const std::string& text : seeds_of(folder)) {
     for (std::size_t size = 0; size <= text.size(); ++size) {
       ASSERT_EQ(problem(text.substr(0, size)), "") << folder << "\n" << text.substr(0, size);

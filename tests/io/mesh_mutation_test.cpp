@@ -31,7 +31,7 @@ void damage_mesh(MeshFormat format) {
                                                   "list",
                                                   "OFF",
                                                   "endsolid"};
-  expect_damage_is_told(
+  expect_damage_is_reported(
       folder_of(format), kWords, [&](const std::string& text) { return fuzz::check_mesh_reader(text, format); },
       [&](const std::string& text) { return parse_mesh(text, format, "damaged").ok(); });
 }
@@ -43,8 +43,8 @@ TEST(DamagedMeshFiles, ply) { damage_mesh(MeshFormat::ply); }
 
 TEST(DamagedMeshFiles, every_truncation_of_every_seed) {
   for (const MeshFormat format : kMeshFormats) {
-    expect_beginnings_are_told(folder_of(format),
-                               [&](const std::string& text) { return fuzz::check_mesh_reader(text, format); });
+    expect_beginnings_are_reported(folder_of(format),
+                                   [&](const std::string& text) { return fuzz::check_mesh_reader(text, format); });
   }
 }
 

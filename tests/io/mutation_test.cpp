@@ -32,7 +32,7 @@ void damage(const std::string& folder, RegionFormat format) {
                                                   " ",          std::string(1, '\0'),
                                                   "\xFF",       "&#0;",
                                                   "<!--",       "<![CDATA["};
-  expect_damage_is_told(
+  expect_damage_is_reported(
       folder, kWords, [&](const std::string& text) { return fuzz::check_reader(text, format); },
       [&](const std::string& text) { return parse_shapes(text, format, "damaged").ok(); });
 }
@@ -45,8 +45,8 @@ TEST(DamagedFiles, dxf) { damage("read_dxf", RegionFormat::dxf); }
 
 TEST(DamagedFiles, every_truncation_of_every_seed) {
   for (const auto& [folder, format] : kFolders) {
-    expect_beginnings_are_told(folder,
-                               [format = format](const std::string& t) { return fuzz::check_reader(t, format); });
+    expect_beginnings_are_reported(folder,
+                                   [format = format](const std::string& t) { return fuzz::check_reader(t, format); });
   }
 }
 

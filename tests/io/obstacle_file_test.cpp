@@ -58,9 +58,9 @@ TEST(ObstacleFile, what_is_read_is_what_was_written) {
     EXPECT_EQ(read->tight(), made.tight());
     EXPECT_EQ(read->may_have_tight_curves(), made.may_have_tight_curves());
     EXPECT_EQ(read->shells().size(), made.shells().size());
-    const ObstacleQueries asked(*read), queries(made);
+    const ObstacleQueries queried(*read), queries(made);
     for (const Configuration q : {Configuration{0, 0, 0}, {0.25, 1.5, 1}, {-3, 2, -2}, {5, 5, 3}}) {
-      EXPECT_EQ(asked.clearance(q, 1).distance, queries.clearance(q, 1).distance);
+      EXPECT_EQ(queried.clearance(q, 1).distance, queries.clearance(q, 1).distance);
       const Orientation theta = *Orientation::nearest(q.theta);
       EXPECT_EQ(read->contains(q.x, q.y, theta), made.contains(q.x, q.y, theta));
     }

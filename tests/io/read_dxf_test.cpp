@@ -58,9 +58,9 @@ void expect_on_circle(const std::vector<Point>& chain, Point centre, double radi
   for (std::size_t i = 0; i + 1 < chain.size(); ++i) {
     const Point a = chain[i], b = chain[i + 1];
     EXPECT_NEAR(std::hypot(a.x - centre.x, a.y - centre.y), radius, 1e-13 * radius);
-    const double middle = std::hypot((a.x + b.x) / 2 - centre.x, (a.y + b.y) / 2 - centre.y);
-    EXPECT_LT(middle, radius) << "chords lie inside of the circle";
-    EXPECT_GT(middle, radius * (1 - 1e-3)) << "and within a thousandth of the radius";
+    const double midpoint = std::hypot((a.x + b.x) / 2 - centre.x, (a.y + b.y) / 2 - centre.y);
+    EXPECT_LT(midpoint, radius) << "chords lie inside of the circle";
+    EXPECT_GT(midpoint, radius * (1 - 1e-3)) << "and within a thousandth of the radius";
   }
 }
 

@@ -99,16 +99,16 @@ TEST(WriteMesh, GlbHoldsEveryTriangleInItsColourOnSharedVertices) {
   ASSERT_EQ(glb.json["meshes"][0]["primitives"].size(), 1u);
   const Json& primitive = glb.json["meshes"][0]["primitives"][0];
   EXPECT_FALSE(primitive["attributes"].contains("NORMAL")) << "vertices of one place would not be merged";
-  const auto places = numbers<float>(glb, primitive["attributes"]["POSITION"], 3),
+  const auto positions = numbers<float>(glb, primitive["attributes"]["POSITION"], 3),
              lights = numbers<float>(glb, primitive["attributes"]["COLOR_0"], 3);
   const auto corners = numbers<std::uint32_t>(glb, primitive["indices"], 1);
-  ASSERT_EQ(places.size(), lights.size());
+  ASSERT_EQ(positions.size(), lights.size());
   EXPECT_EQ(corners.size(), 3 * box.triangle_count());
-  EXPECT_LT(places.size(), 9 * box.triangle_count());
+  EXPECT_LT(positions.size(), 9 * box.triangle_count());
   double area = 0, red = 0, green = 0;
   for (std::size_t t = 0; t < corners.size(); t += 3) {
     const auto d = [&](std::size_t corner, std::size_t i) {
-      return double(places[3 * corners[t + corner] + i]) - places[3 * corners[t] + i];
+      return double(positions[3 * corners[t + corner] + i]) - positions[3 * corners[t] + i];
     };
     const double part = std::hypot(d(1, 1) * d(2, 2) - d(1, 2) * d(2, 1), d(1, 2) * d(2, 0) - d(1, 0) * d(2, 2),
                                    d(1, 0) * d(2, 1) - d(1, 1) * d(2, 0)) /

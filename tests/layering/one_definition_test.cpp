@@ -16,11 +16,11 @@ namespace {
 
 namespace fs = std::filesystem;
 
-using Places = std::map<std::string, std::set<std::string>>;
+using Positions = std::map<std::string, std::set<std::string>>;
 
 /// The types that a file defines in namespaces with names, as the sources are laid out: namespaces are not indented,
 /// and end with a comment.
-void add_types(const std::string& text, const std::string& file, Places& places) {
+void add_types(const std::string& text, const std::string& file, Positions& positions) {
   static const std::regex kNamespace("^namespace ?([a-z_:]*) ?\\{"), kEnd("^\\}  // namespace.*"),
       kType(
           "^(?:struct|class|enum class|enum) (?:alignas\\([^)]*\\) )?([A-Za-z0-9_:]+)(?: final)?(?: : [^;{]*)?(?: "
@@ -40,40 +40,40 @@ void add_types(const std::string& text, const std::string& file, Places& places)
         named = named && !part.empty();
         name += part + "::";
       }
-      if (named) places[name + found[1].str()].insert(file);
+      if (named) positions[name + found[1].str()].insert(file);
     }
   }
 }
 
-Places types_below(const std::vector<std::string>& folders) {
+Positions types_below(const std::vector<std::string>& folders) {
   const fs::path root = DYMSUM_SOURCE_DIR;
-  Places places;
+  Positions positions;
   for (const std::string& folder : folders)
     for (const auto& entry : fs::recursive_directory_iterator(root / folder)) {
       if (entry.path().extension() != ".h" && entry.path().extension() != ".cpp") continue;
       std::ifstream in(entry.path(), std::ios::binary);
       std::stringstream text;
       text << in.rdbuf();
-      add_types(text.str(), fs::relative(entry.path(), root).generic_string(), places);
+      add_types(text.str(), fs::relative(entry.path(), root).generic_string(), positions);
     }
-  return places;
+  return positions;
 }
 
 TEST(OneDefinition, TypesAreFoundWithTheirNamespaces) {
-  Places places;
+  Positions positions;
   add_types(
       "namespace a::b {\nstruct S {\n};\nnamespace {\nclass T : public S {\n};\n}  // namespace\nenum class E : int { "
       "x };\nclass F;\n}  // namespace a::b\n",
-      "f.h", places);
+      "f.h", positions);
   add_types("namespace a::b {\nstruct S {};\n}  // namespace a::b\nnamespace a {\nstruct S {\n};\n}  // namespace a\n",
-            "g.h", places);
-  EXPECT_EQ(places, (Places{{"a::S", {"g.h"}}, {"a::b::S", {"f.h", "g.h"}}, {"a::b::E", {"f.h"}}}));
+            "g.h", positions);
+  EXPECT_EQ(positions, (Positions{{"a::S", {"g.h"}}, {"a::b::S", {"f.h", "g.h"}}, {"a::b::E", {"f.h"}}}));
 }
 
 TEST(OneDefinition, NoTwoTypesOfTheSourcesHaveOneName) {
-  const Places places = types_below({"include", "src", "cli", "web/wasm", "adapters", "python/src"});
-  EXPECT_GT(places.size(), 800U);
-  for (const auto& [name, files] : places) {
+  const Positions positions = types_below({"include", "src", "cli", "web/wasm", "adapters", "python/src"});
+  EXPECT_GT(positions.size(), 800U);
+  for (const auto& [name, files] : positions) {
     std::string all;
     for (const std::string& file : files) all += " " + file;
     EXPECT_EQ(files.size(), 1U) << name << " is defined in" << all;

@@ -95,8 +95,8 @@ TEST(NfpTable, the_angles_are_the_differences_of_orientations) {
   EXPECT_EQ(degrees_between(0, 1), (std::vector<double>{0, 30.5, 90, 120.5, 180, 210.5, 270, 300.5}));
   EXPECT_EQ(degrees_between(1, 0), (std::vector<double>{0, 59.5, 90, 149.5, 180, 239.5, 270, 329.5}));
   for (const TableAngle& angle : table.angles()) {
-    const double asked = reduced_degrees(angle.degrees);
-    EXPECT_LE(std::abs(angle.orientation.radians() - asked), angle.error + 0x1p-49);
+    const double queried = reduced_degrees(angle.degrees);
+    EXPECT_LE(std::abs(angle.orientation.radians() - queried), angle.error + 0x1p-49);
     EXPECT_EQ(angle.error == 0, (angle.degrees / Rational(90)).is_integer());
   }
   // "ell" and "again" are one shape: nothing is computed twice.
@@ -262,10 +262,10 @@ TEST(NfpTable, cancelled_by_its_progress) {
   const NfpTable table = NfpTable::create(small_input()).value();
   TableOptions options;
   double last = 0;
-  options.progress = [&](std::string_view, double share) {
-    EXPECT_GE(share, last);
-    last = share;
-    return share < 0.5;
+  options.progress = [&](std::string_view, double fraction) {
+    EXPECT_GE(fraction, last);
+    last = fraction;
+    return fraction < 0.5;
   };
   EXPECT_EQ(compute_table(table, options).error().code, ErrorCode::cancelled);
 }
@@ -286,8 +286,8 @@ TEST(NfpTable, planning_can_be_cancelled_in_every_stage) {
   for (const std::int64_t denominator : {std::int64_t{1} << 30, (std::int64_t{1} << 60) - 1}) {
     const TableInput input = many_angles(denominator);
     std::set<std::string> stages;
-    const Progress watching = [&](std::string_view stage, double share) {
-      EXPECT_TRUE(share >= 0 && share <= 1) << share;
+    const Progress watching = [&](std::string_view stage, double fraction) {
+      EXPECT_TRUE(fraction >= 0 && fraction <= 1) << fraction;
       stages.emplace(stage);
       return true;
     };

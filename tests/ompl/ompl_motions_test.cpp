@@ -48,8 +48,8 @@ Configuration towards(const Configuration& a, Configuration b) {
   b.theta = a.theta + std::remainder(b.theta - a.theta, 2 * std::numbers::pi);
   return b;
 }
-Configuration along(const Configuration& a, const Configuration& b, double share) {
-  return {a.x + share * (b.x - a.x), a.y + share * (b.y - a.y), a.theta + share * (b.theta - a.theta)};
+Configuration along(const Configuration& a, const Configuration& b, double fraction) {
+  return {a.x + fraction * (b.x - a.x), a.y + fraction * (b.y - a.y), a.theta + fraction * (b.theta - a.theta)};
 }
 
 // A space of poses with OMPL's own validator, which looks at samples.
@@ -173,7 +173,7 @@ void compare_straight(const Room& room, const Sampler& sampler, const Configurat
   }
 }
 
-Configuration free_place(const Room& room, const PlainCollision& plain, Random& random) {
+Configuration free_position(const Room& room, const PlainCollision& plain, Random& random) {
   for (;;) {
     const Configuration c{uniform(random, -room.size, room.size), uniform(random, -room.size, room.size),
                           uniform(random, -std::numbers::pi, std::numbers::pi)};
@@ -197,8 +197,8 @@ TEST(Ompl, sampled_motions_agree_with_certified_ones) {
   for (const Room& room : rooms) {
     const Sampler sampler(room);
     for (int k = 0; k < 60; ++k) {
-      const Configuration a = free_place(room, sampler.plain, random);
-      Configuration b = free_place(room, sampler.plain, random);
+      const Configuration a = free_position(room, sampler.plain, random);
+      Configuration b = free_position(room, sampler.plain, random);
       if (k % 2 == 0) b = along(a, towards(a, b), 0.2);  // many of the long ones are blocked
       if (sampler.plain.overlaps(b)) continue;
       compare_motion(room, sampler, a, b, motions);
@@ -268,9 +268,10 @@ TEST(Ompl, finds_no_path_where_there_is_none) {
   for (Room& room : rooms) {
     const CspaceObstacle obstacle = CspaceObstacle::create(room.robot, room.obstacle).value();
     Sampler sampler(room);
-    while (room.places.size() < 3) room.places.push_back(free_place(room, sampler.plain, random));
-    for (std::size_t i = 0; i < room.places.size(); ++i)
-      for (std::size_t k = 0; k < i; ++k) compare_plans(room, obstacle, sampler, room.places[k], room.places[i], tally);
+    while (room.positions.size() < 3) room.positions.push_back(free_position(room, sampler.plain, random));
+    for (std::size_t i = 0; i < room.positions.size(); ++i)
+      for (std::size_t k = 0; k < i; ++k)
+        compare_plans(room, obstacle, sampler, room.positions[k], room.positions[i], tally);
   }
   std::cout << tally.both << " found by both, " << tally.ours_only << " by us only, " << tally.none << " by none, "
             << tally.tunnels << " by jumping over walls\n";

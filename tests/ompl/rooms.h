@@ -16,8 +16,8 @@ namespace dymsum::sampling {
 struct Room {
   std::string name;
   Region robot, obstacle;
-  std::vector<Configuration> places;  ///< free ones, of which every pair is a question
-  double size = 0;                    ///< the motions stay within [-size, size]
+  std::vector<Configuration> positions;  ///< free ones, of which every pair is a question
+  double size = 0;                       ///< the motions stay within [-size, size]
 };
 
 using test_rooms::box, test_rooms::bug_trap, test_rooms::region, test_rooms::two_rooms;
@@ -34,7 +34,7 @@ inline Region cave(std::mt19937_64& random) {
   }
 }
 
-/// Boxes at random places in a frame.
+/// Boxes at random positions in a frame.
 inline Region boxes(std::mt19937_64& random) {
   for (;;) {
     std::vector<Region> all{region({{box(-9, -9, 9, 9), {{{-8, -8}, {-8, 8}, {8, 8}, {8, -8}}}}})};

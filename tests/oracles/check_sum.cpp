@@ -121,7 +121,7 @@ bool on_ring(const ExactRing<N>& ring, const Pt<N>& c) {
 
 /// A point on a hole's first edge where it touches no outer ring: it may touch them at finitely many points.
 template <class N>
-Pt<N> place_on_first_edge(const ExactRing<N>& hole, const ExactShape<N>& shape) {
+Pt<N> position_on_first_edge(const ExactRing<N>& hole, const ExactShape<N>& shape) {
   for (int k = 2;; ++k) {
     const N t = N(1) / N(k);
     const Pt<N> m{hole[0].x + (hole[1].x - hole[0].x) * t, hole[0].y + (hole[1].y - hole[0].y) * t};
@@ -136,7 +136,7 @@ template <class N>
 std::string check_nesting(const ExactShape<N>& shape) {
   for (const ExactPart<N>& part : shape.parts)
     for (const ExactRing<N>& hole : part.holes) {
-      const Pt<N> m = place_on_first_edge(hole, shape);
+      const Pt<N> m = position_on_first_edge(hole, shape);
       if (!inside_ring(part.outer, m)) return "the hole at " + text(hole[0]) + " lies outside its part";
       for (const ExactPart<N>& other : shape.parts)
         if (inside_ring(other.outer, m) && doubled_area(other.outer) < doubled_area(part.outer))
@@ -199,7 +199,7 @@ std::string on_either(const Work& work) {
 
 /// Every vertex and edge midpoint touches without overlap; random places agree with the rings.
 template <class N>
-std::string spot_check(const Region& p, const Region& q, const PlanarSum& sum, int places, std::uint64_t seed) {
+std::string spot_check(const Region& p, const Region& q, const PlanarSum& sum, int positions, std::uint64_t seed) {
   const ExactShape<N> shape = exact_shape<N>(sum);
   if (std::string wrong = check_rings(shape); !wrong.empty()) return wrong;
   const Membership<N> member(p.data(), q.data());
@@ -222,7 +222,7 @@ std::string spot_check(const Region& p, const Region& q, const PlanarSum& sum, i
     if (!touches({(s.a.x + s.b.x) * half, (s.a.y + s.b.y) * half})) return "the tight segment " + text(s) + " is none";
   const auto box_p = bounds(p), box_q = bounds(q);
   Random random(seed);
-  for (int i = 0; i < places; ++i) {
+  for (int i = 0; i < positions; ++i) {
     const auto pick = [&](double low, double high) {
       const double step = (high - low) / 1024;
       return from_double<N>(std::floor(low + step * static_cast<double>(random.below(1025)))) +
@@ -271,9 +271,9 @@ std::string check_boolean(const std::vector<RegionData>& inputs, const BooleanEx
   });
 }
 
-std::string spot_check_sum(const Region& p, const Region& q, const PlanarSum& sum, int places, std::uint64_t seed) {
+std::string spot_check_sum(const Region& p, const Region& q, const PlanarSum& sum, int positions, std::uint64_t seed) {
   const std::string wrong =
-      on_either([&](auto number) { return spot_check<decltype(number)>(p, q, sum, places, seed); });
+      on_either([&](auto number) { return spot_check<decltype(number)>(p, q, sum, positions, seed); });
   return wrong.empty() ? check_provenance(p, q, Combination::sum, sum) : wrong;
 }
 

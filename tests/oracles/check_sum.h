@@ -21,8 +21,8 @@ std::string check_erode(const Region& p, const Region& q, const PlanarSum& sum);
 std::string check_boolean(const std::vector<RegionData>& inputs, const BooleanExpression& expression,
                           Semantics semantics, const PlanarSum& result);
 
-/// For larger operands, in O(nm) a place: the membership of every vertex and edge midpoint of a closed sum, and of
-/// `places` random places near it; canonical rings; provenance.
-std::string spot_check_sum(const Region& p, const Region& q, const PlanarSum& sum, int places, std::uint64_t seed);
+/// For larger operands, in O(nm) a position: the membership of every vertex and edge midpoint of a closed sum, and of
+/// `positions` random positions near it; canonical rings; provenance.
+std::string spot_check_sum(const Region& p, const Region& q, const PlanarSum& sum, int positions, std::uint64_t seed);
 
 }  // namespace dymsum::oracles

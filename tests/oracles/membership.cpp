@@ -42,7 +42,7 @@ bool share_a_point(const Seg<I>& s, const Seg<I>& t) {
 }
 
 template <class I>
-bool any_share(const std::vector<Seg<I>>& some, const std::vector<Seg<I>>& others) {
+bool any_fraction(const std::vector<Seg<I>>& some, const std::vector<Seg<I>>& others) {
   for (const Seg<I>& s : some)
     for (const Seg<I>& t : others)
       if (share_a_point(s, t)) return true;
@@ -58,18 +58,20 @@ bool any_cross(const std::vector<Seg<I>>& some, const std::vector<Seg<I>>& other
 }
 
 template <class I>
-bool any_not_outside(const std::vector<Pt<I>>& places, const std::vector<Seg<I>>& rim) {
-  return std::any_of(places.begin(), places.end(), [&](const Pt<I>& c) { return locate(rim, c) != Where::outside; });
+bool any_not_outside(const std::vector<Pt<I>>& positions, const std::vector<Seg<I>>& rim) {
+  return std::any_of(positions.begin(), positions.end(),
+                     [&](const Pt<I>& c) { return locate(rim, c) != Where::outside; });
 }
 
 template <class I>
-bool any_inside(const std::vector<Pt<I>>& places, const std::vector<Seg<I>>& rim) {
-  return std::any_of(places.begin(), places.end(), [&](const Pt<I>& c) { return locate(rim, c) == Where::inside; });
+bool any_inside(const std::vector<Pt<I>>& positions, const std::vector<Seg<I>>& rim) {
+  return std::any_of(positions.begin(), positions.end(),
+                     [&](const Pt<I>& c) { return locate(rim, c) == Where::inside; });
 }
 
 template <class I>
-bool any_on(const std::vector<Pt<I>>& places, const std::vector<Seg<I>>& segments) {
-  for (const Pt<I>& c : places)
+bool any_on(const std::vector<Pt<I>>& positions, const std::vector<Seg<I>>& segments) {
+  for (const Pt<I>& c : positions)
     for (const Seg<I>& s : segments)
       if (on_segment(s, c)) return true;
   return false;
@@ -79,7 +81,7 @@ bool any_on(const std::vector<Pt<I>>& places, const std::vector<Seg<I>>& segment
 template <class I>
 struct Run {
   Seg<I> whole;
-  Pt<I> middle;
+  Pt<I> midpoint;
 };
 
 /// Splits segments at the vertices of `rim` on them. Coordinates must be even so that midpoints are whole numbers.
@@ -109,11 +111,11 @@ bool same_direction(const Seg<I>& s, const Seg<I>& t) {
 /// Closed sets share a point; pairs of lower dimension count only on request.
 template <class I>
 bool meet(const Pieces<I>& p, const Pieces<I>& r, bool thin_pairs) {
-  if (any_share(p.rim, r.rim) || any_share(p.rim, r.lines) || any_share(p.lines, r.rim)) return true;
+  if (any_fraction(p.rim, r.rim) || any_fraction(p.rim, r.lines) || any_fraction(p.lines, r.rim)) return true;
   if (any_not_outside(p.corners, r.rim) || any_not_outside(p.dots, r.rim)) return true;
   if (any_not_outside(r.corners, p.rim) || any_not_outside(r.dots, p.rim)) return true;
   if (!thin_pairs) return false;
-  if (any_share(p.lines, r.lines) || any_on(p.dots, r.lines) || any_on(r.dots, p.lines)) return true;
+  if (any_fraction(p.lines, r.lines) || any_on(p.dots, r.lines) || any_on(r.dots, p.lines)) return true;
   for (const Pt<I>& c : p.dots)
     if (std::find(r.dots.begin(), r.dots.end(), c) != r.dots.end()) return true;
   return false;
@@ -126,16 +128,16 @@ template <class I>
 bool overlap(const Pieces<I>& p, const Pieces<I>& r) {
   if (any_cross(p.rim, r.rim) || any_cross(p.rim, r.lines) || any_cross(p.lines, r.rim)) return true;
   for (const Run<I>& run : split(p.rim, r.rim)) {
-    if (locate(r.rim, run.middle) == Where::inside) return true;
+    if (locate(r.rim, run.midpoint) == Where::inside) return true;
     for (const Seg<I>& e : r.rim)  // both interiors on the same side of a common run
-      if (on_segment(e, run.middle) && same_direction(e, run.whole)) return true;
+      if (on_segment(e, run.midpoint) && same_direction(e, run.whole)) return true;
   }
   for (const Run<I>& run : split(r.rim, p.rim))
-    if (locate(p.rim, run.middle) == Where::inside) return true;
+    if (locate(p.rim, run.midpoint) == Where::inside) return true;
   for (const Run<I>& run : split(p.lines, r.rim))
-    if (locate(r.rim, run.middle) == Where::inside) return true;
+    if (locate(r.rim, run.midpoint) == Where::inside) return true;
   for (const Run<I>& run : split(r.lines, p.rim))
-    if (locate(p.rim, run.middle) == Where::inside) return true;
+    if (locate(p.rim, run.midpoint) == Where::inside) return true;
   return any_inside(p.corners, r.rim) || any_inside(r.corners, p.rim) || any_inside(p.dots, r.rim) ||
          any_inside(r.dots, p.rim);
 }
@@ -148,14 +150,14 @@ bool hold(const Pieces<I>& p, const Pieces<I>& r) {
   if (std::any_of(r.corners.begin(), r.corners.end(), outside) || std::any_of(r.dots.begin(), r.dots.end(), outside))
     return false;
   for (const Run<I>& run : split(r.lines, p.rim))
-    if (outside(run.middle)) return false;
+    if (outside(run.midpoint)) return false;
   for (const Run<I>& run : split(r.rim, p.rim)) {
-    if (outside(run.middle)) return false;
+    if (outside(run.midpoint)) return false;
     for (const Seg<I>& e : p.rim)  // p's outside is where r's inside is
-      if (on_segment(e, run.middle) && !same_direction(e, run.whole)) return false;
+      if (on_segment(e, run.midpoint) && !same_direction(e, run.whole)) return false;
   }
   for (const Run<I>& run : split(p.rim, r.rim))
-    if (locate(r.rim, run.middle) == Where::inside) return false;
+    if (locate(r.rim, run.midpoint) == Where::inside) return false;
   return true;
 }
 
@@ -184,7 +186,7 @@ Pieces<I> scaled_pieces(const Pieces<N>& in, const Scale& scale) {
 
 /// z + sign * region. A half turn keeps the interior on the left.
 template <class I>
-void place(Pieces<I>& region, const Pt<I>& z, int sign) {
+void position(Pieces<I>& region, const Pt<I>& z, int sign) {
   const auto move = [&](Pt<I>& c) { c = sign > 0 ? z + c : z - c; };
   for (Seg<I>& s : region.rim) move(s.a), move(s.b);
   for (Seg<I>& s : region.lines) move(s.a), move(s.b);
@@ -198,17 +200,18 @@ void visit_coordinates(const Pieces<N>& region, const Visit& visit) {
   for (const Pt<N>& c : region.dots) visit(c.x), visit(c.y);
 }
 
-template <class I, class N, class Scale, class Ask>
-bool ask_scaled(const Pieces<N>& p, const Pieces<N>& q, const Pt<N>& z, const Scale& scale, int sign, const Ask& ask) {
+template <class I, class N, class Scale, class Query>
+bool query_scaled(const Pieces<N>& p, const Pieces<N>& q, const Pt<N>& z, const Scale& scale, int sign,
+                  const Query& query) {
   const Pieces<I> fixed = scaled_pieces<I>(p, scale);
   Pieces<I> moved = scaled_pieces<I>(q, scale);
-  place(moved, scaled_point<I>(z, scale), sign);
-  return ask(fixed, moved);
+  position(moved, scaled_point<I>(z, scale), sign);
+  return query(fixed, moved);
 }
 
 /// Scales everything to integers that are just wide enough and asks there.
-template <class Ask>
-bool ask_at(const Pieces<Small>& p, const Pieces<Small>& q, const Pt<Small>& z, int sign, const Ask& ask) {
+template <class Query>
+bool query_at(const Pieces<Small>& p, const Pieces<Small>& q, const Pt<Small>& z, int sign, const Query& query) {
   std::int64_t scale = lcm_small(z.x.den(), z.y.den());
   double reach = std::fabs(static_cast<double>(z.x.num()) / static_cast<double>(z.x.den()));
   reach = std::max(reach, std::fabs(static_cast<double>(z.y.num()) / static_cast<double>(z.y.den())));
@@ -220,18 +223,18 @@ bool ask_at(const Pieces<Small>& p, const Pieces<Small>& q, const Pt<Small>& z, 
   visit_coordinates(p, widen);
   visit_coordinates(q, widen);
   const double largest = (reach + extent) * static_cast<double>(scale) * 2.01;
-  if (largest < 0x1p29) return ask_scaled<std::int64_t>(p, q, z, scale, sign, ask);
-  if (largest < 0x1p60) return ask_scaled<Wide>(p, q, z, scale, sign, ask);
+  if (largest < 0x1p29) return query_scaled<std::int64_t>(p, q, z, scale, sign, query);
+  if (largest < 0x1p60) return query_scaled<Wide>(p, q, z, scale, sign, query);
   throw Overflow{};
 }
 
-template <class Ask>
-bool ask_at(const Pieces<Big>& p, const Pieces<Big>& q, const Pt<Big>& z, int sign, const Ask& ask) {
+template <class Query>
+bool query_at(const Pieces<Big>& p, const Pieces<Big>& q, const Pt<Big>& z, int sign, const Query& query) {
   BigInt scale = boost::multiprecision::lcm(denominator_of(z.x), denominator_of(z.y));
   const auto widen = [&](const Big& value) { scale = boost::multiprecision::lcm(scale, denominator_of(value)); };
   visit_coordinates(p, widen);
   visit_coordinates(q, widen);
-  return ask_scaled<BigInt>(p, q, z, scale, sign, ask);
+  return query_scaled<BigInt>(p, q, z, scale, sign, query);
 }
 
 }  // namespace
@@ -280,23 +283,23 @@ Membership<N>::Membership(const RegionData& p, const RegionData& q) : p_(pieces_
 
 template <class N>
 bool Membership<N>::meets(const Pt<N>& z) const {
-  return ask_at(p_, q_, z, -1, [](const auto& p, const auto& r) { return meet(p, r, true); });
+  return query_at(p_, q_, z, -1, [](const auto& p, const auto& r) { return meet(p, r, true); });
 }
 
 template <class N>
 bool Membership<N>::meets_with_area(const Pt<N>& z) const {
-  return ask_at(p_, q_, z, -1, [](const auto& p, const auto& r) { return meet(p, r, false); });
+  return query_at(p_, q_, z, -1, [](const auto& p, const auto& r) { return meet(p, r, false); });
 }
 
 template <class N>
 bool Membership<N>::overlaps(const Pt<N>& z) const {
-  return ask_at(p_, q_, z, -1, [](const auto& p, const auto& r) { return overlap(p, r); });
+  return query_at(p_, q_, z, -1, [](const auto& p, const auto& r) { return overlap(p, r); });
 }
 
 template <class N>
 bool Membership<N>::holds(const Pt<N>& z) const {
   if (!p_.lines.empty() || !p_.dots.empty()) throw std::logic_error("holds() needs a container of parts only");
-  return ask_at(p_, q_, z, +1, [](const auto& p, const auto& r) { return hold(p, r); });
+  return query_at(p_, q_, z, +1, [](const auto& p, const auto& r) { return hold(p, r); });
 }
 
 bool meets_closed(const RegionData& p, const RegionData& q, const Pt<Big>& z) { return Membership<Big>(p, q).meets(z); }

@@ -41,7 +41,7 @@ class Membership {
   Pieces<N> p_, q_;
 };
 
-/// The same answers for a single place.
+/// The same answers for a single position.
 bool meets_closed(const RegionData& p, const RegionData& q, const Pt<Big>& z);
 bool overlaps_open(const RegionData& p, const RegionData& q, const Pt<Big>& z);
 bool holds_closed(const RegionData& p, const RegionData& q, const Pt<Big>& z);

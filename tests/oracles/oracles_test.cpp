@@ -136,7 +136,7 @@ TEST(Membership, holds_is_the_complement_of_overlapping_the_outside) {
         bool inside = true;  // every face of x/2, y/2 + Q lies in P; for half positions cut the faces of Q in halves
         for (int u = 0; u <= 4 * b.width; ++u)
           for (int v = 0; v <= 4 * b.height; ++v) {
-            // the place (x, y)/2 + (u, v)/4, and whether Q has it
+            // the position (x, y)/2 + (u, v)/4, and whether Q has it
             if (!b.has(u % 4 == 0   ? u / 2
                        : u % 4 == 2 ? u / 2
                                     : u / 4 * 2 + 1,
@@ -169,7 +169,7 @@ TEST(Membership, a_line_through_a_touched_edge_enters_nothing) {
   const auto sum = reference_sum<Small>(pinched, pole, Semantics::closed);
   EXPECT_EQ(sum.tight_segments.size(), 1u);
   RegionData bow = polygon({{0, 0}, {2, 0}, {2, 1}, {0, 1}});
-  bow.parts.push_back({{{1, 1}, {2, 2}, {0, 2}}, {}});  // stands on the middle of the box's upper edge
+  bow.parts.push_back({{{1, 1}, {2, 2}, {0, 2}}, {}});  // stands on the centre of the box's upper edge
   EXPECT_TRUE((Membership<Small>(bow, pole).holds(at_half(2, 1))));
   EXPECT_FALSE((Membership<Small>(bow, pole).holds(at_half(1, 1))));
 }

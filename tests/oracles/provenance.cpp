@@ -92,12 +92,12 @@ class Checker {
     if (wrong_.empty()) wrong_ = "provenance: " + what + " at " + point_text(at);
   }
 
-  Pt<N> place(const SumVertex& v) {
+  Pt<N> position(const SumVertex& v) {
     const RationalPoint at = sum_.exact(v);
     return {from_digits<N>(at.x.numerator(), at.x.denominator()), from_digits<N>(at.y.numerator(), at.y.denominator())};
   }
 
-  /// The stated error is small against the extent of the operands, 2^-33 of it, or against what doubles tell.
+  /// The stated error is small against the extent of the operands, 2^-33 of it, or against what doubles decide.
   void check_error_bound() {
     double extent = 0;
     for (const auto* operand : {&p_, &q_})
@@ -141,7 +141,7 @@ class Checker {
     return contact.kind == Contact::Kind::edge_of_p ? p_.on_ring[contact.p] : q_.on_ring[contact.q];
   }
 
-  void check_place(const SumVertex& v, const Pt<N>& at) {
+  void check_position(const SumVertex& v, const Pt<N>& at) {
     if (!within(v.at.x, to_big(at.x), sum_.at_error) || !within(v.at.y, to_big(at.y), sum_.at_error))
       complain("position farther off than at_error", at);
     if (v.corner_p == SumVertex::kNone && v.corner_q == SumVertex::kNone) return;
@@ -166,10 +166,10 @@ class Checker {
   void check_ring(const SumRing& ring) {
     const std::size_t n = ring.vertices.size();
     std::vector<Pt<N>> at;
-    for (const SumVertex& v : ring.vertices) at.push_back(place(v));
+    for (const SumVertex& v : ring.vertices) at.push_back(position(v));
     for (std::size_t i = 0; i < n; ++i) {
       const std::size_t j = (i + 1) % n;
-      check_place(ring.vertices[i], at[i]);
+      check_position(ring.vertices[i], at[i]);
       check_along(ring.vertices[i].out, at[i], at[j], true);
       check_along(ring.vertices[j].in, at[j], at[i], false);
     }
@@ -177,8 +177,8 @@ class Checker {
 
   /// A vertex of a feature: on its contacts where these exist, otherwise a named corner.
   void check_lone(const SumVertex& v) {
-    const Pt<N> at = place(v);
-    check_place(v, at);
+    const Pt<N> at = position(v);
+    check_position(v, at);
     if (v.corner_p < p_.vertices.size() && v.corner_q < q_.vertices.size() && !has_edge(p_, v.corner_p) &&
         !has_edge(q_, v.corner_q))
       return;  // the sum of two points has no contacts

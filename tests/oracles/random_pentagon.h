@@ -1,4 +1,4 @@
-// Regions of five free doubles about a place: nothing of theirs is exact on a small grid.
+// Regions of five free doubles about a position: nothing of theirs is exact on a small grid.
 #pragma once
 
 #include <cmath>

@@ -61,7 +61,7 @@ Pieces<N> reflected(Pieces<N> region) {
   return region;
 }
 
-/// Vertices and edges of the arrangement; edges as pairs of vertex numbers, the smaller first.
+/// Vertices and edges of the arrangement; edges as pairs of vertex indices, the smaller first.
 template <class N>
 struct Arrangement {
   Lines<N> lines;
@@ -117,13 +117,13 @@ Arrangement<N> arrange(Lines<N> lines) {
 }
 
 template <class N>
-Pt<N> middle(const Pt<N>& a, const Pt<N>& b) {
+Pt<N> midpoint(const Pt<N>& a, const Pt<N>& b) {
   const N half = N(1) / N(2);
   return {(a.x + b.x) * half, (a.y + b.y) * half};
 }
 
-/// A place in the open face next to m, looking from m along the y axis (or the x axis) towards `sign`: half way to the
-/// nearest segment.
+/// A position in the open face next to m, looking from m along the y axis (or the x axis) towards `sign`: half way to
+/// the nearest segment.
 template <class N>
 Pt<N> beside(const Arrangement<N>& a, const Pt<N>& m, bool along_y, int sign) {
   const N& here = along_y ? m.x : m.y;
@@ -170,7 +170,7 @@ std::vector<Seg<N>> maximal(std::vector<Seg<N>> pieces) {
   return pieces;
 }
 
-/// What is asked about the set: membership of the closed set, and of an open set inside it whose points are not
+/// What is queried the set: membership of the closed set, and of an open set inside it whose points are not
 /// interesting.
 template <class N>
 struct Questions {
@@ -183,21 +183,21 @@ struct Questions {
 enum class EdgeKind { off, deep, rim_forward, rim_backward, crack, thin };
 
 template <class N>
-EdgeKind classify(const Arrangement<N>& a, const Questions<N>& ask, const Pt<N>& from, const Pt<N>& to,
-                  std::size_t& asked) {
-  const Pt<N> m = middle(from, to);
-  asked += 2;
-  if (!ask.in_set(m)) {
-    if (ask.in_open(m)) throw std::logic_error("the open set is not inside the closed one");
+EdgeKind classify(const Arrangement<N>& a, const Questions<N>& query, const Pt<N>& from, const Pt<N>& to,
+                  std::size_t& queried) {
+  const Pt<N> m = midpoint(from, to);
+  queried += 2;
+  if (!query.in_set(m)) {
+    if (query.in_open(m)) throw std::logic_error("the open set is not inside the closed one");
     return EdgeKind::off;
   }
-  if (ask.in_open(m)) return EdgeKind::deep;
+  if (query.in_open(m)) return EdgeKind::deep;
   const bool along_y = from.x != to.x;  // then the left of from -> to is up; otherwise from is below and left is left
-  const Pt<N> left_place = beside(a, m, along_y, along_y ? 1 : -1),
-              right_place = beside(a, m, along_y, along_y ? -1 : 1);
-  const bool left = ask.in_set(left_place), right = ask.in_set(right_place);
-  asked += 2;
-  if (!ask.has_thin_faces && (ask.in_open(left_place) != left || ask.in_open(right_place) != right))
+  const Pt<N> left_position = beside(a, m, along_y, along_y ? 1 : -1),
+              right_position = beside(a, m, along_y, along_y ? -1 : 1);
+  const bool left = query.in_set(left_position), right = query.in_set(right_position);
+  queried += 2;
+  if (!query.has_thin_faces && (query.in_open(left_position) != left || query.in_open(right_position) != right))
     throw std::logic_error("a face lies in the closed set and not in the open one");
   if (left && right) return EdgeKind::crack;
   if (left) return EdgeKind::rim_forward;
@@ -205,7 +205,7 @@ EdgeKind classify(const Arrangement<N>& a, const Questions<N>& ask, const Pt<N>&
 }
 
 template <class N>
-ReferenceSum<N> classify_all(Arrangement<N> a, const Questions<N>& ask) {
+ReferenceSum<N> classify_all(Arrangement<N> a, const Questions<N>& query) {
   ReferenceSum<N> out;
   struct Around {
     bool any = false, all_deep = true, all_off = true;
@@ -213,7 +213,7 @@ ReferenceSum<N> classify_all(Arrangement<N> a, const Questions<N>& ask) {
   std::vector<Around> around(a.stops.size());
   for (const auto& [from, to] : a.edges) {
     const Pt<N>&u = a.stops[from], &v = a.stops[to];
-    const EdgeKind kind = classify(a, ask, u, v, out.cells_asked);
+    const EdgeKind kind = classify(a, query, u, v, out.cells_queried);
     if (kind == EdgeKind::rim_forward) out.rim.push_back({u, v});
     if (kind == EdgeKind::rim_backward) out.rim.push_back({v, u});
     if (kind == EdgeKind::crack) out.tight_segments.push_back({u, v});
@@ -226,12 +226,12 @@ ReferenceSum<N> classify_all(Arrangement<N> a, const Questions<N>& ask) {
   }
   for (std::size_t i = 0; i < a.stops.size(); ++i) {
     const Pt<N>& c = a.stops[i];
-    ++out.cells_asked;
-    const bool in_set = ask.in_set(c);
+    ++out.cells_queried;
+    const bool in_set = query.in_set(c);
     if (!in_set && around[i].any && !around[i].all_off) throw std::logic_error("the closed set is not closed");
-    if (!in_set || ask.in_open(c)) continue;
+    if (!in_set || query.in_open(c)) continue;
     if (!around[i].any) {
-      if (!ask.in_set(beside(a, c, true, 1))) out.points.push_back(c);
+      if (!query.in_set(beside(a, c, true, 1))) out.points.push_back(c);
     } else if (around[i].all_deep) {
       out.tight_points.push_back(c);
     } else if (around[i].all_off) {
@@ -255,15 +255,15 @@ template <class N>
 ReferenceSum<N> reference_sum(const RegionData& p, const RegionData& q, Semantics semantics) {
   const Membership<N> member(p, q);
   const bool thin_pairs = semantics != Semantics::open && has_thin_pair(p, q);
-  Questions<N> ask;
+  Questions<N> query;
   if (thin_pairs) {
-    ask.in_set = [&](const Pt<N>& z) { return member.meets(z); };
+    query.in_set = [&](const Pt<N>& z) { return member.meets(z); };
   } else {
-    ask.in_set = [&](const Pt<N>& z) { return member.meets_with_area(z); };
+    query.in_set = [&](const Pt<N>& z) { return member.meets_with_area(z); };
   }
-  ask.in_open = [&](const Pt<N>& z) { return member.overlaps(z); };
-  ask.has_thin_faces = thin_pairs;
-  ReferenceSum<N> out = classify_all(arrange(all_contacts(pieces_of<N>(p), pieces_of<N>(q))), ask);
+  query.in_open = [&](const Pt<N>& z) { return member.overlaps(z); };
+  query.has_thin_faces = thin_pairs;
+  ReferenceSum<N> out = classify_all(arrange(all_contacts(pieces_of<N>(p), pieces_of<N>(q))), query);
   if (semantics == Semantics::regular || thin_pairs) {
     out.tight_segments.clear();
     out.tight_points.clear();
@@ -278,11 +278,11 @@ ReferenceSum<N> reference_sum(const RegionData& p, const RegionData& q, Semantic
 template <class N>
 ReferenceSum<N> reference_erode(const RegionData& p, const RegionData& q) {
   const Membership<N> member(p, q);
-  Questions<N> ask;
-  ask.in_set = [&](const Pt<N>& x) { return member.holds(x); };
-  ask.in_open = [](const Pt<N>&) { return false; };
-  ask.has_thin_faces = true;
-  ReferenceSum<N> out = classify_all(arrange(all_contacts(pieces_of<N>(p), reflected(pieces_of<N>(q)))), ask);
+  Questions<N> query;
+  query.in_set = [&](const Pt<N>& x) { return member.holds(x); };
+  query.in_open = [](const Pt<N>&) { return false; };
+  query.has_thin_faces = true;
+  ReferenceSum<N> out = classify_all(arrange(all_contacts(pieces_of<N>(p), reflected(pieces_of<N>(q)))), query);
   out.tight_segments = out.segments;  // cracks here are edges inside the closed set: nothing
   out.tight_points = out.points;
   return out;
@@ -305,10 +305,10 @@ ReferenceSum<N> reference_boolean(const std::vector<RegionData>& inputs, const B
     for (const Membership<N>& member : members) lies.push_back({member.meets(z), member.overlaps(z)});
     return expression(lies);
   };
-  Questions<N> ask;
-  ask.in_set = [&](const Pt<N>& z) { return at(z).closed; };
-  ask.in_open = [&](const Pt<N>& z) { return at(z).open; };
-  ReferenceSum<N> out = classify_all(arrange(std::move(lines)), ask);
+  Questions<N> query;
+  query.in_set = [&](const Pt<N>& z) { return at(z).closed; };
+  query.in_open = [&](const Pt<N>& z) { return at(z).open; };
+  ReferenceSum<N> out = classify_all(arrange(std::move(lines)), query);
   out.tight_segments.insert(out.tight_segments.end(), out.segments.begin(), out.segments.end());
   out.tight_segments = maximal(std::move(out.tight_segments));
   out.tight_points.insert(out.tight_points.end(), out.points.begin(), out.points.end());

@@ -1,4 +1,4 @@
-// The whole sum by definition: cut the plane by every edge + vertex of the operands, ask for each vertex, edge and face
+// The whole sum by definition: cut the plane by every edge + vertex of the operands, request each vertex, edge and face
 // of that arrangement whether it belongs to the sum, and keep what separates the answers. For tiny operands.
 #pragma once
 
@@ -19,7 +19,7 @@ struct ReferenceSum {
   std::vector<Pt<N>> points;
   std::vector<Seg<N>> tight_segments;  ///< maximal, a < b
   std::vector<Pt<N>> tight_points;
-  std::size_t cells_asked = 0;
+  std::size_t cells_queried = 0;
 };
 
 /// P (+) Q. closed: M, with the tight part T = F \ cl int F for F the complement of the open sum; where both operands
@@ -32,8 +32,8 @@ ReferenceSum<N> reference_sum(const RegionData& p, const RegionData& q, Semantic
 template <class N>
 ReferenceSum<N> reference_erode(const RegionData& p, const RegionData& q);
 
-/// Of a Boolean expression: `closed` is what it is of closed sets, `open` of open ones, given these of every input; what
-/// is taken away of a closed set is open. Semantics as those of planar_boolean.h.
+/// Of a Boolean expression: `closed` is what it is of closed sets, `open` of open ones, given these of every input;
+/// what is taken away of a closed set is open. Semantics as those of planar_boolean.h.
 struct ClosedAndOpen {
   bool closed = false, open = false;
 };

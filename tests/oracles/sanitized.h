@@ -1,4 +1,4 @@
-// Sanitizers make the same work some ten times slower: tests then do a share of it.
+// Sanitizers make the same work some ten times slower: tests then do a fraction of it.
 #pragma once
 
 // The address sanitizer's own, in every program that is linked with it.
@@ -10,8 +10,8 @@ namespace dymsum::oracles {
 /// either library, so this is asked when the program starts.
 inline const bool kSanitized = &__asan_init != nullptr;
 
-/// The rounds of a test, or how many cases it has to meet in them: a share of what is usual under sanitizers, which
+/// The rounds of a test, or how many cases it has to meet in them: a fraction of what is usual under sanitizers, which
 /// look at memory and undefined behaviour, not at answers.
-inline int rounds(int usual, int share = 4) { return kSanitized ? usual / share : usual; }
+inline int rounds(int usual, int fraction = 4) { return kSanitized ? usual / fraction : usual; }
 
 }  // namespace dymsum::oracles

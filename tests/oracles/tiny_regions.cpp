@@ -332,11 +332,11 @@ RegionData moved(RegionData region, double dx, double dy) {
 std::vector<RegionData> all_small_polygons(int corners) {
   std::vector<RegionData> out;
   std::vector<int> pick(static_cast<std::size_t>(corners), 0);
-  const auto place = [](int k) { return Point{static_cast<double>(k % 3), static_cast<double>(k / 3)}; };
+  const auto position = [](int k) { return Point{static_cast<double>(k % 3), static_cast<double>(k / 3)}; };
   const auto add = [&] {
     if (*std::min_element(pick.begin(), pick.end()) != pick[0]) return;  // one start vertex
     Ring ring;
-    for (const int k : pick) ring.push_back(place(k));
+    for (const int k : pick) ring.push_back(position(k));
     const auto low = [](const Ring& list, auto member) {
       return std::min_element(list.begin(), list.end(),
                               [&](const Point& a, const Point& b) { return a.*member < b.*member; });

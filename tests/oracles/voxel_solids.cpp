@@ -10,13 +10,13 @@ MeshData voxel_mesh(const Voxels& voxels, const IntegerMap& map) {
   MeshData mesh;
   std::map<Voxel, std::uint32_t> index;
   const auto vertex = [&](const Voxel& at) {
-    const auto [place, added] = index.emplace(at, static_cast<std::uint32_t>(mesh.vertices.size()));
+    const auto [position, added] = index.emplace(at, static_cast<std::uint32_t>(mesh.vertices.size()));
     if (added) {
       double v[3];
       for (int i = 0; i < 3; ++i) v[i] = map[i][0] * at[0] + map[i][1] * at[1] + map[i][2] * at[2];
       mesh.vertices.push_back({v[0], v[1], v[2]});
     }
-    return place->second;
+    return position->second;
   };
   for (const Voxel& voxel : voxels) {
     for (int axis = 0; axis < 3; ++axis) {
@@ -61,7 +61,7 @@ class CellGrid {
   template <class F>
   void add_if(F f) {
     for_all([&](const Voxel& cell) {
-      if (f(cell)) in_sum_[place(cell)] = true;
+      if (f(cell)) in_sum_[position(cell)] = true;
     });
   }
 
@@ -71,8 +71,8 @@ class CellGrid {
       std::vector<Voxel> found;
       for_all([&](const Voxel& cell) {
         if (std::abs(cell[0] % 2) + std::abs(cell[1] % 2) + std::abs(cell[2] % 2) != dimension) return;
-        if (in_sum_[place(cell)]) sum.volume += dimension == 3;
-        else if (dimension == 3 || !reached_[place(cell)]) found.push_back(cell);
+        if (in_sum_[position(cell)]) sum.volume += dimension == 3;
+        else if (dimension == 3 || !reached_[position(cell)]) found.push_back(cell);
       });
       if (dimension == 2) sum.tight_faces = found.size();
       if (dimension == 1) sum.tight_edges = found.size();
@@ -83,7 +83,7 @@ class CellGrid {
   }
 
  private:
-  std::size_t place(const Voxel& c) const {
+  std::size_t position(const Voxel& c) const {
     return (static_cast<std::size_t>(c[0] - low_[0]) * size_[1] + static_cast<std::size_t>(c[1] - low_[1])) * size_[2] +
            static_cast<std::size_t>(c[2] - low_[2]);
   }
@@ -91,7 +91,7 @@ class CellGrid {
   void for_box(const Voxel& low, const Voxel& high, F f) {
     for (int x = low[0]; x <= high[0]; ++x)
       for (int y = low[1]; y <= high[1]; ++y)
-        for (int z = low[2]; z <= high[2]; ++z) f(place({x, y, z}));
+        for (int z = low[2]; z <= high[2]; ++z) f(position({x, y, z}));
   }
   /// All cells but the outermost ones.
   template <class F>
@@ -190,7 +190,7 @@ LatticeCells interior_cells(const Voxels& voxels) {
   return cells;
 }
 
-/// Does x - Q, x the middle of a cell, meet open cells?
+/// Does x - Q, x the centre of a cell, meet open cells?
 bool meet(const LatticeCells& inside, const LatticeCells& q, const Voxel& x) {
   for (const Voxel& b : q) {
     for (const Voxel& c : inside) {
@@ -266,12 +266,12 @@ std::array<Voxels, 2> random_voxels(int size, std::mt19937_64& random) {
   const auto below = [&](int n) { return static_cast<int>(random() % static_cast<std::uint64_t>(n)); };
   const auto filled = [&](const Voxel& box) {
     Voxels voxels;
-    const int share = 20 + below(75);
+    const int fraction = 20 + below(75);
     while (voxels.empty()) {
       for (int x = 0; x < box[0]; ++x)
         for (int y = 0; y < box[1]; ++y)
           for (int z = 0; z < box[2]; ++z)
-            if (below(100) < share) voxels.insert({x, y, z});
+            if (below(100) < fraction) voxels.insert({x, y, z});
     }
     return voxels;
   };

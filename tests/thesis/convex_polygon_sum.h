@@ -15,7 +15,7 @@
 
 namespace dymsum {
 
-/// The exact sum of two convex polygons. Canonical: counter-clockwise, no vertex in the middle of an edge, from the
+/// The exact sum of two convex polygons. Canonical: counter-clockwise, no vertex inside an edge, from the
 /// smallest pair on.
 struct PolygonSum {
   /// A vertex of P plus a vertex of Q, by their indices in the regions. From one to the next P's vertex changes along

@@ -44,7 +44,7 @@ class WaveRoots {
 
   /// Where w' = slope sqrt(r^2 - a^2). Let e bound |w| there and the slope be d: where d^2 >= 16 e (r + error) the
   /// slope stays above 3 d / 4 within 2 e / d, so the true wave has a root there, with this slope, and only one such
-  /// exists. False where doubles cannot tell.
+  /// exists. False where doubles cannot decide.
   bool find(int slope, WaveRoot& root) const {
     const double steep = slope * std::sqrt(height_);
     root.cosine = (-w_.a * w_.b + w_.c * steep) / square_;
@@ -64,7 +64,7 @@ class WaveRoots {
 /// The events of one face with all edges.
 class FaceEvents {
  public:
-  FaceEvents(const TurnForms& forms, TurnEventCounts& counts, std::vector<TurnEvent>& events)
+  FaceEvents(const RotationForms& forms, RotationEventCounts& counts, std::vector<RotationEvent>& events)
       : forms_(forms), counts_(counts), events_(events) {}
 
   void find(int op, std::uint32_t f) {
@@ -139,9 +139,9 @@ class FaceEvents {
         {forms_.angle(*root), f_, e, static_cast<std::int8_t>(op_), static_cast<std::int8_t>(root->slope())});
   }
 
-  const TurnForms& forms_;
-  TurnEventCounts& counts_;
-  std::vector<TurnEvent>& events_;
+  const RotationForms& forms_;
+  RotationEventCounts& counts_;
+  std::vector<RotationEvent>& events_;
   std::vector<Wave> waves_;
   int op_ = 0;
   std::uint32_t f_ = 0;
@@ -149,14 +149,15 @@ class FaceEvents {
 
 /// One event per angle. Doubles order all but clusters of neighbours that are closer than their errors; these are
 /// ordered exactly.
-std::vector<TurnEvent> in_order(const TurnForms& forms, std::vector<TurnEvent> events, TurnEventCounts& counts) {
+std::vector<RotationEvent> in_order(const RotationForms& forms, std::vector<RotationEvent> events,
+                                    RotationEventCounts& counts) {
   std::stable_sort(events.begin(), events.end(),
-                   [](const TurnEvent& a, const TurnEvent& b) { return a.angle < b.angle; });
-  std::vector<TurnEvent> distinct;
+                   [](const RotationEvent& a, const RotationEvent& b) { return a.angle < b.angle; });
+  std::vector<RotationEvent> distinct;
   exact::RungCounts orders;
   for (std::size_t begin = 0, end; begin < events.size(); begin = end) {
     end = begin + 1;
-    while (end < events.size() && events[end].angle - events[end - 1].angle <= 2 * TurnForms::kAngleError) ++end;
+    while (end < events.size() && events[end].angle - events[end - 1].angle <= 2 * RotationForms::kAngleError) ++end;
     std::vector<std::pair<QuadraticRoot, std::size_t>> cluster;
     if (end - begin > 1)
       for (std::size_t k = begin; k < end; ++k) cluster.emplace_back(events[k].root(forms), k);
@@ -173,7 +174,7 @@ std::vector<TurnEvent> in_order(const TurnForms& forms, std::vector<TurnEvent> e
 
 }  // namespace
 
-TurnForms::TurnForms(const Polytope& p, const Polytope& q, std::array<std::int64_t, 3> axis)
+RotationForms::RotationForms(const Polytope& p, const Polytope& q, std::array<std::int64_t, 3> axis)
     : poly_{&p, &q}, axis_(axis) {
   const Vec3 d{static_cast<double>(axis[0]), static_cast<double>(axis[1]), static_cast<double>(axis[2])};
   length_ = length(d);
@@ -182,7 +183,7 @@ TurnForms::TurnForms(const Polytope& p, const Polytope& q, std::array<std::int64
 
 // Widths for coordinates of B bits and an axis of 15: normals 2 B + 3, edges B + 1, their product 3 B + 6; the middle
 // term 3 B + 22 and the last one 3 B + 41 at most.
-Quadratic TurnForms::form(int op, std::uint32_t f, HalfEdge h) const {
+Quadratic RotationForms::form(int op, std::uint32_t f, HalfEdge h) const {
   const Polytope &own = *poly_[op], &other = *poly_[1 - op];
   const auto of = [&](auto c) {
     using C = decltype(c);
@@ -191,9 +192,9 @@ Quadratic TurnForms::form(int op, std::uint32_t f, HalfEdge h) const {
     const auto n = own.template normal_vector<C>(f);
     const auto x = other.template edge_vector<C>(h);
     const auto plain = exact::dot(n, x);
-    const auto middle = exact::shift_left<1>(exact::dot(n, exact::cross(d, x)));
+    const auto midpoint = exact::shift_left<1>(exact::dot(n, exact::cross(d, x)));
     const auto last = exact::shift_left<1>(exact::dot(n, d) * exact::dot(d, x)) - exact::dot(d, d) * plain;
-    return Quadratic(Big(plain), op == 0 ? -Big(middle) : Big(middle), Big(last));
+    return Quadratic(Big(plain), op == 0 ? -Big(midpoint) : Big(midpoint), Big(last));
   };
   const int bits = std::max(own.bits, other.bits);
   if (bits <= 26) return of(exact::Int<26>{});
@@ -203,19 +204,20 @@ Quadratic TurnForms::form(int op, std::uint32_t f, HalfEdge h) const {
 
 // A component errs by 2^-49 of itself, the length by 2^-52, so the half angle by 2^-48 at most, and atan2, doubling and
 // adding a full turn by a few 2^-50.
-double TurnForms::angle(const QuadraticRoot& root) const {
+double RotationForms::angle(const QuadraticRoot& root) const {
   const auto [u, v] = root.approx();
   const double theta = 2 * std::atan2(v * length_, u);
   return theta < 0 ? theta + kTurn : theta;
 }
 
-QuadraticRoot TurnEvent::root(const TurnForms& forms) const {
+QuadraticRoot RotationEvent::root(const RotationForms& forms) const {
   return *QuadraticRoot::of(forms.form(op, face, 2 * edge), static_cast<Slope>(slope));
 }
 
-std::optional<std::vector<TurnEvent>> find_turn_events(const TurnForms& forms, TurnEventCounts& counts,
-                                                       const std::function<bool(std::size_t, std::size_t)>& on_face) {
-  std::vector<TurnEvent> events;
+std::optional<std::vector<RotationEvent>> find_rotation_events(
+    const RotationForms& forms, RotationEventCounts& counts,
+    const std::function<bool(std::size_t, std::size_t)>& on_face) {
+  std::vector<RotationEvent> events;
   FaceEvents face(forms, counts, events);
   const std::size_t all = forms.poly(0).face_count() + forms.poly(1).face_count();
   std::size_t done = 0;

@@ -7,7 +7,7 @@
 #include <utility>
 
 #include "spatial/convex/convex_state.h"
-#include "spatial/convex/exact_places.h"
+#include "spatial/convex/exact_positions.h"
 #include "spatial/convex/facet_corners.h"
 #include "spatial/gauss/overlay.h"
 #include "spatial/sum/sum_of_convex_solids.h"
@@ -23,8 +23,8 @@ using exact::QuadraticRoot;
 using spatial::Overlay;
 using spatial::Polytope;
 using spatial::RelativeMap;
-using spatial::TurnEvent;
-using spatial::TurnForms;
+using spatial::RotationEvent;
+using spatial::RotationForms;
 
 namespace {
 
@@ -67,9 +67,9 @@ class CriticalityMap::State {
   State& operator=(const State&) = delete;
 
   Polytope p, q;
-  TurnForms forms;
+  RotationForms forms;
   std::shared_ptr<const spatial::ConvexOperands> source;
-  std::vector<TurnEvent> events;
+  std::vector<RotationEvent> events;
   spatial::StructureStore structures;
   CriticalityStats stats;
 
@@ -108,9 +108,9 @@ std::optional<QuadraticRoot> CriticalityMap::State::turn_of(const Rotation& rota
 
 std::size_t CriticalityMap::State::interval(const QuadraticRoot& turn) const {
   const double angle = forms.angle(turn);
-  const auto after = std::partition_point(events.begin(), events.end(), [&](const TurnEvent& e) {
+  const auto after = std::partition_point(events.begin(), events.end(), [&](const RotationEvent& e) {
     const double ahead = e.angle - angle;
-    if (std::abs(ahead) > 2 * TurnForms::kAngleError) return ahead < 0;
+    if (std::abs(ahead) > 2 * RotationForms::kAngleError) return ahead < 0;
     return exact::compare_turns(e.root(forms), turn) <= 0;
   });
   return after == events.begin() ? intervals() - 1 : static_cast<std::size_t>(after - events.begin()) - 1;
@@ -154,8 +154,8 @@ Result<CriticalityMap> CriticalityMap::create(const Mesh& p, const Mesh& q, std:
   auto state = std::make_shared<State>(std::move(a).value(), std::move(b).value(), d, std::move(source));
 
   const Error cancelled{ErrorCode::cancelled, "the critical angles were not wanted any more", {}};
-  spatial::TurnEventCounts counts;
-  auto events = spatial::find_turn_events(state->forms, counts, [&](std::size_t done, std::size_t all) {
+  spatial::RotationEventCounts counts;
+  auto events = spatial::find_rotation_events(state->forms, counts, [&](std::size_t done, std::size_t all) {
     return !progress || progress("critical angles", static_cast<double>(done) / static_cast<double>(all));
   });
   if (!events) return cancelled;
@@ -167,7 +167,7 @@ Result<CriticalityMap> CriticalityMap::create(const Mesh& p, const Mesh& q, std:
                   counts.meetings,
                   counts.exact_pairs,
                   counts.exact_orders,
-                  state->events.size() * sizeof(TurnEvent),
+                  state->events.size() * sizeof(RotationEvent),
                   state->structures.key_bytes(),
                   state->structures.difference_bytes(),
                   state->structures.full_bytes()};
@@ -181,7 +181,7 @@ double CriticalityMap::angle(std::size_t i) const { return state_->events.at(i).
 const CriticalityStats& CriticalityMap::stats() const { return state_->stats; }
 
 CriticalAngle CriticalityMap::exact_angle(std::size_t i) const {
-  const TurnEvent& e = state_->events.at(i);
+  const RotationEvent& e = state_->events.at(i);
   const exact::Quadratic q = state_->forms.form(e.op, e.face, 2 * e.edge);
   const BigInteger divisor = gcd(gcd(q[0].value(), q[1].value()), q[2].value());
   CriticalAngle angle;

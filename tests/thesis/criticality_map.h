@@ -72,7 +72,7 @@ class CriticalityMap {
   /// axis. O(log size).
   Result<std::size_t> interval(const Rotation& rotation) const;
   /// How many facets the generic sum has at a rotation: face + vertex and edge + edge, before coplanar ones merge; at a
-  /// critical angle those after it, and where directions coincide throughout one of the ways to tell them apart. From
+  /// critical angle those after it, and where directions coincide throughout one of the ways to distinguish them. From
   /// the stored structures alone. Errors as interval.
   Result<std::size_t> facet_count(const Rotation& rotation) const;
   /// ConvexSum::sum() with P at that rotation, from the stored structure; coincidences and positions are those of the

@@ -255,9 +255,9 @@ TEST(CriticalityMap, errors) {
   EXPECT_EQ(map.interval(other).error().code, ErrorCode::bad_rotation);
   std::set<std::string> stages;
   for (const char* stop : {"critical angles", "structures"}) {
-    const auto cancelled = CriticalityMap::create(p, p, {1, 2, 3}, [&](std::string_view stage, double share) {
-      EXPECT_GE(share, 0);
-      EXPECT_LE(share, 1);
+    const auto cancelled = CriticalityMap::create(p, p, {1, 2, 3}, [&](std::string_view stage, double fraction) {
+      EXPECT_GE(fraction, 0);
+      EXPECT_LE(fraction, 1);
       stages.insert(std::string(stage));
       return stage != stop;
     });

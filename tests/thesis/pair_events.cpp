@@ -24,7 +24,7 @@ class SegmentPairs {
  public:
   explicit SegmentPairs(const OperandPair& base);
   std::size_t segments() const { return lines_.size(); }
-  /// Adds the pairs of segment i with those behind it.
+  /// Adds the pairs of segment i with those after it.
   void count(std::size_t i, PairEventCount& count) const;
 
  private:

@@ -26,11 +26,11 @@ PairFacets::PairFacets(ScalingPair of, StageWatch& watch) : MovingFacets(std::mo
                        v[2].convert_to<std::int64_t>()};
   };
   for (int op = 0; op < 2; ++op)
-    for (const BigVector& v : exact_places(op)) integers_[static_cast<std::size_t>(op)].push_back(narrow(v));
+    for (const BigVector& v : exact_positions(op)) integers_[static_cast<std::size_t>(op)].push_back(narrow(v));
   for (std::uint32_t f = 0; f < facets().size(); ++f) small_normals_.push_back(narrow(plane(f).n));
 }
 
-SureForm PairFacets::form_of(const SmallVector& n, SumPoint from, SumPoint to) const {
+ProvedForm PairFacets::form_of(const SmallVector& n, SumPoint from, SumPoint to) const {
   const auto product = [&](int op, std::uint32_t a, std::uint32_t b) {
     const std::vector<SmallVector>& of = integers_[static_cast<std::size_t>(op)];
     const SmallVector d = difference(of[b], of[a]);
@@ -39,18 +39,18 @@ SureForm PairFacets::form_of(const SmallVector& n, SumPoint from, SumPoint to) c
     return static_cast<double>(sum);
   };
   const double of_p = product(0, from.p, to.p), of_q = product(1, from.q, to.q);
-  return moving() == 0 ? SureForm{of_q, of_p} : SureForm{of_p, of_q};
+  return moving() == 0 ? ProvedForm{of_q, of_p} : ProvedForm{of_p, of_q};
 }
 
-std::optional<SureForm> PairFacets::sure_height(SumPoint corner, std::uint32_t facet) const {
+std::optional<ProvedForm> PairFacets::proved_height(SumPoint corner, std::uint32_t facet) const {
   if (!small_) return std::nullopt;
   return form_of(small_normals_[facet], facets()[facet].corner[0], corner);
 }
 
-std::optional<SureForm> PairFacets::sure_twist(const SumEdge& e, const SumEdge& h) const {
+std::optional<ProvedForm> PairFacets::proved_twist(const SumEdge& e, const SumEdge& h) const {
   if (!small_) return std::nullopt;
-  const auto along = [&](const SumEdge& border) {
-    const Way way = way_of(border);
+  const auto along = [&](const SumEdge& facet_edge) {
+    const Way way = way_of(facet_edge);
     const std::vector<SmallVector>& of = integers_[way.of == Way::Of::p ? 0 : 1];
     return difference(of[way.to], of[way.from]);
   };

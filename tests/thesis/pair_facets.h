@@ -8,7 +8,7 @@
 namespace dymsum::spatial {
 
 /// A linear function of the scale, a + s b: each within 2^-52 of its size, so zero only where it is zero.
-struct SureForm {
+struct ProvedForm {
   double a = 0, b = 0;
 };
 
@@ -21,14 +21,14 @@ class PairFacets : public MovingFacets {
   bool same_moved(SumPoint a, SumPoint b) const { return moving() == 0 ? a.p == b.p : a.q == b.q; }
   /// The height of a corner over a facet's plane, times the length of its normal; nothing where coordinates are too
   /// large for 128 bits.
-  std::optional<SureForm> sure_height(SumPoint corner, std::uint32_t facet) const;
+  std::optional<ProvedForm> proved_height(SumPoint corner, std::uint32_t facet) const;
   /// det(e, h, gap) for two borders, without the scale in their lengths, and the gap from e's beginning to h's.
-  std::optional<SureForm> sure_twist(const SumEdge& e, const SumEdge& h) const;
+  std::optional<ProvedForm> proved_twist(const SumEdge& e, const SumEdge& h) const;
 
  private:
   using SmallVector = std::array<std::int64_t, 3>;
   /// n . (to - from).
-  SureForm form_of(const SmallVector& n, SumPoint from, SumPoint to) const;
+  ProvedForm form_of(const SmallVector& n, SumPoint from, SumPoint to) const;
 
   bool small_ = false;                                // all coordinates are
   std::array<std::vector<SmallVector>, 2> integers_;  // where they are small, as are the normals

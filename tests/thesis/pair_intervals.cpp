@@ -37,7 +37,7 @@ struct NearForm {
   }
 };
 
-/// A positive root; its doubles are not sure where `unsure`.
+/// A positive root; its doubles are not proved where `unsure`.
 struct NearRoot {
   bool any = false, unsure = false;
   double s = 0, radius = 0;
@@ -56,11 +56,11 @@ NearRoot root_of(const NearForm& f) {
   return root;
 }
 
-NearForm near_form(const SureForm& f) { return {f.a, f.b, std::abs(f.a) * 0x1p-52, std::abs(f.b) * 0x1p-52}; }
+NearForm near_form(const ProvedForm& f) { return {f.a, f.b, std::abs(f.a) * 0x1p-52, std::abs(f.b) * 0x1p-52}; }
 
 /// Of a corner over the plane of a facet: what it has in common with one of that facet's corners drops out.
 NearForm height_form(const PairFacets& all, SumPoint c, std::uint32_t facet) {
-  if (const std::optional<SureForm> sure = all.sure_height(c, facet)) return near_form(*sure);
+  if (const std::optional<ProvedForm> proved = all.proved_height(c, facet)) return near_form(*proved);
   const PlaneRow& row = all.row(facet);
   const Vec3 n{row[0], row[1], row[2]}, f = all.fixed(c), m = all.moved(c);
   const auto size = [&](Vec3 v) { return std::abs(n.x * v.x) + std::abs(n.y * v.y) + std::abs(n.z * v.z); };
@@ -87,7 +87,7 @@ Side side_of(const PairFacets& all, const SumFacet& facet, int k) {
 
 /// Of det(e, h, gap) for the gap between two borders, from e's beginning to h's.
 NearForm twist_form(const PairFacets& all, const Side& e, const Side& h) {
-  if (const std::optional<SureForm> sure = all.sure_twist({e.a, e.b}, {h.a, h.b})) return near_form(*sure);
+  if (const std::optional<ProvedForm> proved = all.proved_twist({e.a, e.b}, {h.a, h.b})) return near_form(*proved);
   const Vec3 n = cross(e.way, h.way), f = all.fixed(h.a) - all.fixed(e.a), m = all.moved(h.a) - all.moved(e.a);
   const double E = norm1(e.way), H = norm1(h.way);
   const auto error = [&](Vec3 gap, double sizes) {
@@ -112,8 +112,8 @@ bool are_parallel(const PairFacets& all, const Side& e, const Side& h) {
          same(e.a, e.b, h.a, h.b, [&](SumPoint x, SumPoint y) { return all.same_moved(x, y); });
 }
 
-/// Whether two borders that are in one plane at a root cross there: 1 surely, -1 surely not, else 0.
-int borders_meet(const PairFacets& all, const Side& e, const Side& h, const NearRoot& root) {
+/// Whether two borders that are in one plane at a root cross there: 1 provably, -1 provably not, else 0.
+int facet_edges_meet(const PairFacets& all, const Side& e, const Side& h, const NearRoot& root) {
   // Along e, where the wall through h that is upright on both crosses it, and the other way round.
   const Vec3 n = cross(e.way, h.way);
   const Vec3 e0 = all.at(e.a, root.s), e1 = all.at(e.b, root.s), h0 = all.at(h.a, root.s), h1 = all.at(h.b, root.s);
@@ -158,7 +158,7 @@ class NearVertices {
         corner_on_facet(facet_of(k).corner[c], k == 0 ? g_ : f_, heights[k][c]);
     for (int i = 0; i < facet_of(0).corners && !unsure_; ++i)
       for (int j = 0; j < facet_of(1).corners && !unsure_; ++j)
-        borders_cross(side_of(all_, facet_of(0), i), side_of(all_, facet_of(1), j));
+        facet_edges_cross(side_of(all_, facet_of(0), i), side_of(all_, facet_of(1), j));
     return unsure_ ? std::nullopt : from_vertices();
   }
 
@@ -173,15 +173,15 @@ class NearVertices {
     const NearRoot root = root_of(height);
     unsure_ |= root.unsure;
     if (!root.any) return;
-    add(surely_holds(all_, facet, corner_at_root(all_, c, root)), root, IntervalEnd::corner);
+    add(provably_holds(all_, facet, corner_at_root(all_, c, root)), root, IntervalEnd::corner);
   }
 
-  void borders_cross(const Side& e, const Side& h) {
+  void facet_edges_cross(const Side& e, const Side& h) {
     if (are_parallel(all_, e, h)) return;
     const NearRoot root = root_of(twist_form(all_, e, h));
     unsure_ |= root.unsure;
     if (!root.any) return;
-    if (const int meet = borders_meet(all_, e, h, root); meet >= 0) add(meet, root, IntervalEnd::borders);
+    if (const int meet = facet_edges_meet(all_, e, h, root); meet >= 0) add(meet, root, IntervalEnd::facet_edges);
   }
 
   void add(int holds, const NearRoot& root, IntervalEnd kind) {
@@ -239,7 +239,7 @@ class NearVertices {
   bool unsure_ = false;
 };
 
-/// The same in integers, of what doubles do not tell.
+/// The same in integers, of what doubles do not decide.
 class ExactVertices {
  public:
   ExactVertices(const PairFacets& all, std::uint32_t f, std::uint32_t g, Ahead ahead)
@@ -252,10 +252,10 @@ class ExactVertices {
       for (int c = 0; c < facet.corners; ++c) {
         const NearRoot root = root_of(height_form(all_, facet.corner[c], plane));
         if (ahead_ == Ahead::doubles && !root.unsure) {
-          if (!root.any || surely_holds(all_, plane, corner_at_root(all_, facet.corner[c], root)) < 0) continue;
+          if (!root.any || provably_holds(all_, plane, corner_at_root(all_, facet.corner[c], root)) < 0) continue;
         } else {
           for (int j = 0; j < all_.facets()[plane].corners; ++j)
-            corner_on_border(facet.corner[c], all_.borders().of(plane, j));
+            corner_on_facet_edge(facet.corner[c], all_.facet_edges().of(plane, j));
         }
         add(meeting_of(all_, facet.corner[c], all_.plane(plane)), IntervalEnd::corner);
       }
@@ -263,11 +263,11 @@ class ExactVertices {
     for (int i = 0; i < all_.facets()[f_].corners; ++i)
       for (int j = 0; j < all_.facets()[g_].corners; ++j) {
         if (ahead_ == Ahead::doubles &&
-            surely_miss(side_of(all_, all_.facets()[f_], i), side_of(all_, all_.facets()[g_], j)))
+            provably_miss(side_of(all_, all_.facets()[f_], i), side_of(all_, all_.facets()[g_], j)))
           continue;
-        const auto u = all_.planes_of(all_.borders().of(f_, i)), v = all_.planes_of(all_.borders().of(g_, j));
+        const auto u = all_.planes_of(all_.facet_edges().of(f_, i)), v = all_.planes_of(all_.facet_edges().of(g_, j));
         add(meeting_of({&all_.plane(u[0]), &all_.plane(u[1]), &all_.plane(v[0]), &all_.plane(v[1])}),
-            IntervalEnd::borders);
+            IntervalEnd::facet_edges);
       }
     return from_vertices();
   }
@@ -278,12 +278,12 @@ class ExactVertices {
     IntervalEnd kind;
   };
 
-  bool surely_miss(const Side& e, const Side& h) const {
+  bool provably_miss(const Side& e, const Side& h) const {
     if (are_parallel(all_, e, h)) return true;
     const NearForm twist = twist_form(all_, e, h);
     if (twist.is_zero_b()) return true;  // in one plane at no scale, or at all
     const NearRoot root = root_of(twist);
-    return !root.unsure && (!root.any || borders_meet(all_, e, h, root) < 0);
+    return !root.unsure && (!root.any || facet_edges_meet(all_, e, h, root) < 0);
   }
 
   /// All corners of one facet stay on one side of the other one's plane.
@@ -303,15 +303,15 @@ class ExactVertices {
   }
 
   /// A corner that stays in a plane comes onto its facet across a border.
-  void corner_on_border(SumPoint c, std::uint32_t border) {
-    for (const std::uint32_t plane : all_.planes_of(border))
+  void corner_on_facet_edge(SumPoint c, std::uint32_t facet_edge) {
+    for (const std::uint32_t plane : all_.planes_of(facet_edge))
       add(meeting_of(all_, c, all_.plane(plane)), IntervalEnd::corner);
   }
 
   void add(const std::optional<ExactMeeting>& at, IntervalEnd kind) {
     if (!at || at->s <= 0) return;
     const NearMeeting around = near(*at);
-    if (!place_in(all_, f_, *at, around).holds || !place_in(all_, g_, *at, around).holds) return;
+    if (!position_in(all_, f_, *at, around).holds || !position_in(all_, g_, *at, around).holds) return;
     vertices_.push_back({at->scale(), kind});
   }
 
@@ -320,7 +320,7 @@ class ExactVertices {
     BigRational low = vertices_[0].s, high = low;
     for (const Vertex& v : vertices_) low = std::min(low, v.s), high = std::max(high, v.s);
     const auto kind_at = [&](const BigRational& s) {
-      IntervalEnd kind = IntervalEnd::borders;
+      IntervalEnd kind = IntervalEnd::facet_edges;
       for (const Vertex& v : vertices_)
         if (v.s == s && v.kind == IntervalEnd::corner) kind = IntervalEnd::corner;
       return kind;
@@ -338,12 +338,12 @@ class ExactVertices {
     level.n = {0, 0, 0}, level.d0 = -numerator(s), level.d1 = denominator(s);
     for (const auto& [of, other] : {std::pair{f_, g_}, std::pair{g_, f_}})
       for (int k = 0; k < all_.facets()[of].corners; ++k) {
-        const auto u = all_.planes_of(all_.borders().of(of, k));
+        const auto u = all_.planes_of(all_.facet_edges().of(of, k));
         const std::optional<ExactMeeting> at =
             meeting_of({&all_.plane(u[0]), &all_.plane(u[1]), &all_.plane(other), &level});
         if (!at) continue;
         const NearMeeting around = near(*at);
-        if (place_in(all_, f_, *at, around).holds && place_in(all_, g_, *at, around).holds) return true;
+        if (position_in(all_, f_, *at, around).holds && position_in(all_, g_, *at, around).holds) return true;
       }
     return false;
   }

@@ -9,7 +9,7 @@ namespace dymsum::spatial {
 
 /// The interval of scales in (0, infinity) at which two facets meet: its finite ends.
 struct PairInterval {
-  enum class End : std::uint8_t { none, corner, borders };
+  enum class End : std::uint8_t { none, corner, facet_edges };
   bool meets = false;                     ///< at more than one scale
   End low = End::none, high = End::none;  ///< a corner of one on the other, or borders that cross
 };

@@ -59,7 +59,7 @@ ScaledCoefficient square_root(ScaledCoefficient a) {
 // doubles is below 2^-990 with components of at most 2.
 constexpr double kTermError = rounding_bound(40, 64), kUnderflowLoss = 0x1p-980;
 
-/// The sign of a sum whose terms have these magnitudes together, if doubles tell.
+/// The sign of a sum whose terms have these magnitudes together, if doubles decide.
 std::optional<int> filtered(double value, double magnitudes) {
   const double error = kTermError * magnitudes + kUnderflowLoss;
   if (value > error) return 1;
@@ -78,7 +78,7 @@ int exact_compare(const QuadraticRoot& a, const QuadraticRoot& b) {
   const Quadratic& q = b.form();
   const int leading = sign(q[2]);
   if (leading == 0) return sign_at(a, q) * sign(q[1]);
-  const int side = leading * sign_at(a, derivative(q));  // of the middle of b's two roots that a lies on
+  const int side = leading * sign_at(a, derivative(q));  // of the midpoint of b's two roots that a lies on
   if (b.slope() == Slope::touching) return side;
   const int value = leading * sign_at(a, q);
   if (sign_of(b.slope()) * leading > 0) return value < 0 || side < 0 ? -1 : value;
@@ -193,19 +193,20 @@ SignAnswer compare_turns_answer(const QuadraticRoot& a, const QuadraticRoot& b) 
 }
 
 /// Of the difference of two quotients of components of 8 u each, times their sum: two components, the quotient, the
-/// difference, and half of it and the sum that make the middle.
+/// difference, and half of it and the sum that make the midpoint.
 constexpr double kQuotients = rounding_bound(2 * 8 + 4, 128);
 
 BigRational between(const QuadraticRoot& a, const QuadraticRoot& b) {
   const double low = a.approx()[1] / a.approx()[0], high = b.approx()[1] / b.approx()[0];
-  const double middle = low + (high - low) / 2, gap = high - low, error = kQuotients * (std::abs(low) + std::abs(high));
-  // The gap and its middle err by an eighth of the gap at most; a multiple of a quarter to a half of the gap lies
-  // within a quarter of it from the middle. Nothing that is as large as kLeastGap has lost anything to underflow.
+  const double midpoint = low + (high - low) / 2, gap = high - low,
+               error = kQuotients * (std::abs(low) + std::abs(high));
+  // The gap and its midpoint err by an eighth of the gap at most; a multiple of a quarter to a half of the gap lies
+  // within a quarter of it from the midpoint. Nothing that is as large as kLeastGap has lost anything to underflow.
   constexpr double kKnownGap = 8, kLeastGap = 0x1p-900;
   if (std::isfinite(gap) && gap > kKnownGap * error && gap > kLeastGap) {
     const int k = 1 - std::ilogb(gap);
-    if (std::abs(std::ldexp(middle, k)) < 0x1p52) {
-      const BigInteger n(static_cast<std::int64_t>(std::nearbyint(std::ldexp(middle, k))));
+    if (std::abs(std::ldexp(midpoint, k)) < 0x1p52) {
+      const BigInteger n(static_cast<std::int64_t>(std::nearbyint(std::ldexp(midpoint, k))));
       return k >= 0 ? BigRational(n, BigInteger(1) << static_cast<unsigned>(k))
                     : BigRational(BigInteger(n << static_cast<unsigned>(-k)));
     }

@@ -1,4 +1,4 @@
-// Roots of integer quadratics against 600-bit floating point, whose answers are certain for the coefficients that occur
+// Roots of integer quadratics against 600-bit floating point, whose answers are proved for the coefficients that occur
 // here.
 #include "thesis/quadratic_root.h"
 
@@ -25,7 +25,7 @@ int sign_of(const mpf_class& v, int zero_bits = kBits / 3) {
   return abs(v) < limit ? 0 : sgn(v);
 }
 
-/// A root as a place on the line, by the schoolbook formula, and its polynomial.
+/// A root as a position on the line, by the schoolbook formula, and its polynomial.
 struct QuadraticWitness {
   bool infinite = false;
   mpf_class t{0, kBits};

@@ -1,6 +1,7 @@
 #include "thesis/solid_pair_events.h"
 
 #include <mutex>
+#include <string>
 
 #include "spatial/motion/beside_origin.h"
 #include "spatial/moving/posed_sum.h"
@@ -20,7 +21,7 @@ bool has_parallel_planes(const PairFacets& all, std::uint32_t f, std::uint32_t g
   return n[1] * m[2] == n[2] * m[1] && n[2] * m[0] == n[0] * m[2] && n[0] * m[1] == n[1] * m[0];
 }
 
-/// Adds the pairs of facet f with those behind it.
+/// Adds the pairs of facet f with those after it.
 void count_pairs(const PairFacets& all, std::uint32_t f, SolidPairEventCount& count) {
   for (std::uint32_t g = f + 1; g < all.facets().size(); ++g) {
     if (share_corner(all.facets()[f], all.facets()[g])) continue;
@@ -34,7 +35,7 @@ void count_pairs(const PairFacets& all, std::uint32_t f, SolidPairEventCount& co
     count.pairs_that_meet += interval->meets;
     for (const PairInterval::End end : {interval->low, interval->high}) {
       count.vertex_on_facet += end == PairInterval::End::corner;
-      count.edge_on_edge += end == PairInterval::End::borders;
+      count.edge_on_edge += end == PairInterval::End::facet_edges;
     }
   }
 }
@@ -43,7 +44,8 @@ void count_pairs(const PairFacets& all, std::uint32_t f, SolidPairEventCount& co
 
 Result<SolidPairEventCount> count_solid_pair_events(const Mesh& p, const Mesh& q, const SolidScaleOptions& options,
                                                     const Progress& progress) {
-  if (options.threads < 0) return Error{ErrorCode::out_of_range, "the number of threads is negative", {}};
+  if (options.threads < 0)
+    return Error{ErrorCode::out_of_range, "threads must be at least 0, not " + std::to_string(options.threads), {}};
   if (p.has_thin_parts() || q.has_thin_parts())
     return Error{ErrorCode::unsupported_operand, "an operand of a scaling sum of solids has parts without volume", {}};
   return guarded([&]() -> SolidPairEventCount {
@@ -60,7 +62,7 @@ Result<SolidPairEventCount> count_solid_pair_events(const Mesh& p, const Mesh& q
     watch.begin("pairs");
     all.facets = facets.facets().size();
     std::mutex adding;
-    watch.run_stretches(facets.facets().size(), 16, [&](std::size_t, std::size_t first, std::size_t last) {
+    watch.run_intervals(facets.facets().size(), 16, [&](std::size_t, std::size_t first, std::size_t last) {
       SolidPairEventCount some;
       for (std::size_t f = first; f < last; ++f) count_pairs(facets, static_cast<std::uint32_t>(f), some);
       const std::lock_guard lock(adding);

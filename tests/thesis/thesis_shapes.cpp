@@ -29,9 +29,9 @@ void feathers(Ring& ring, Point from, Point to, int count, double length, double
     // Longest in the middle of the row.
     const double along = (i + 0.5) / count, reach = length * (0.45 + 2.2 * along * (1 - along)) / size;
     const double ox = -dy * reach, oy = dx * reach;  // outward
-    const auto at = [&](double share, double out) {
-      return Point{from.x + (i + share) * dx + out * (ox + lean * oy),
-                   from.y + (i + share) * dy + out * (oy - lean * ox)};
+    const auto at = [&](double fraction, double out) {
+      return Point{from.x + (i + fraction) * dx + out * (ox + lean * oy),
+                   from.y + (i + fraction) * dy + out * (oy - lean * ox)};
     };
     ring.push_back(at(0.0, 0));
     ring.push_back(at(0.1, 0.72));

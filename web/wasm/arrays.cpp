@@ -68,14 +68,14 @@ val point(const Point3& at) {
 }
 
 Point point_in(const val& at) {
-  const Point place{at["x"].as<double>(), at["y"].as<double>()};
-  check_finite({place.x, place.y});
-  return place;
+  const Point position{at["x"].as<double>(), at["y"].as<double>()};
+  check_finite({position.x, position.y});
+  return position;
 }
 Point3 point3_in(const val& at) {
-  const Point3 place{at["x"].as<double>(), at["y"].as<double>(), at["z"].as<double>()};
-  check_finite({place.x, place.y, place.z});
-  return place;
+  const Point3 position{at["x"].as<double>(), at["y"].as<double>(), at["z"].as<double>()};
+  check_finite({position.x, position.y, position.z});
+  return position;
 }
 
 }  // namespace dymsum::web

@@ -37,7 +37,7 @@ std::vector<double> numbers_in(const val& array);
 /// Error bad_index.
 std::uint32_t index_in(double number);
 std::vector<std::uint32_t> indices_in(const val& array);
-/// A place of finite coordinates. Error not_finite.
+/// A position of finite coordinates. Error not_finite.
 void check_finite(std::initializer_list<double> coordinates);
 /// The number of bits that an exact answer may have; a mebibit where nothing is told.
 std::size_t bits_in(const val& bits);

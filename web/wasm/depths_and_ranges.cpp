@@ -147,15 +147,15 @@ val scales_that_fit(const Region& part, const Region& container, const val& at, 
                                     : fit_range(part, container, point_in(at), progress_in(progress))));
 }
 
-std::vector<Point3> places_in(const val& coordinates) {
+std::vector<Point3> positions_in(const val& coordinates) {
   const std::vector<double> numbers = numbers_in(coordinates);
   if (numbers.size() % 3 != 0) throw Thrown{{ErrorCode::malformed, "a place in space has three coordinates", {}}};
-  std::vector<Point3> places;
-  for (std::size_t k = 0; k < numbers.size(); k += 3) places.push_back({numbers[k], numbers[k + 1], numbers[k + 2]});
-  return places;
+  std::vector<Point3> positions;
+  for (std::size_t k = 0; k < numbers.size(); k += 3) positions.push_back({numbers[k], numbers[k + 1], numbers[k + 2]});
+  return positions;
 }
 val solid_scales_along(const Mesh& part, const val& path, const Mesh& obstacles, const val& progress) {
-  return range_data(got(solid_scale_range(part, places_in(path), obstacles, progress_in(progress))));
+  return range_data(got(solid_scale_range(part, positions_in(path), obstacles, progress_in(progress))));
 }
 val solid_scales_that_fit(const Mesh& part, const Mesh& container, const val& at, const val& progress) {
   return range_data(got(is_none(at) ? solid_fit_range(part, container, progress_in(progress))

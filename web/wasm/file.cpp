@@ -26,7 +26,7 @@ bool is_written(const std::string& path, const std::string& bytes) {
 }  // namespace
 
 FileInMemory::FileInMemory(const std::string& name, const std::string& bytes) : path_(relative(name)), file_(path_) {
-  // "#" may also be in the name of a file itself: what is behind the last one and no extension names a shape.
+  // "#" may also be in the name of a file itself: what is after the last one and no extension names a shape.
   const std::size_t mark = file_.rfind('#');
   if (mark != std::string::npos && file_.find('.', mark) == std::string::npos) file_.erase(mark);
   std::error_code ignored;

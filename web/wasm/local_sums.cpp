@@ -1,4 +1,4 @@
-// Sums near a place: of regions, and of solids.
+// Sums near a position: of regions, and of solids.
 #include "arrays.h"
 #include "dymsum/local_sum.h"
 #include "dymsum/planar_local_sum.h"
@@ -15,7 +15,7 @@ LocalEngine engine_in(const val& options) {
 }
 
 /// A box has corners, a disc or a ball a radius.
-bool is_round(const val& place) { return !is_none(place["radius"]); }
+bool is_round(const val& position) { return !is_none(position["radius"]); }
 
 template <class Where>
 std::string where_name(Where where) {
@@ -46,11 +46,12 @@ std::shared_ptr<PlanarLocalSum> planar_created(const Region& p, const Region& q,
   how.progress = progress_in(member(options, "progress"));
   return shared(got(PlanarLocalSum::create(p, q, how)));
 }
-std::shared_ptr<PlanarLocalPart> planar_in(PlanarLocalSum& sum, const val& place, const val& p, const val& q) {
+std::shared_ptr<PlanarLocalPart> planar_in(PlanarLocalSum& sum, const val& position, const val& p, const val& q) {
   const PlanarPose pose_p = planar_pose_in(p), pose_q = planar_pose_in(q);
-  if (is_round(place))
-    return shared(got(sum.in(PlanarDisc{point_in(place["middle"]), place["radius"].as<double>()}, pose_p, pose_q)));
-  return shared(got(sum.in(PlanarBox{point_in(place["low"]), point_in(place["high"])}, pose_p, pose_q)));
+  if (is_round(position))
+    return shared(
+        got(sum.in(PlanarDisc{point_in(position["middle"]), position["radius"].as<double>()}, pose_p, pose_q)));
+  return shared(got(sum.in(PlanarBox{point_in(position["low"]), point_in(position["high"])}, pose_p, pose_q)));
 }
 
 val ends_of(const std::vector<PlanarLocalPart::Edge>& edges) {
@@ -89,11 +90,12 @@ std::shared_ptr<LocalSum> created(const Mesh& p, const Mesh& q, const val& optio
   how.progress = progress_in(member(options, "progress"));
   return shared(got(LocalSum::create(p, q, how)));
 }
-val part_in(LocalSum& sum, const val& place, const val& p, const val& q) {
+val part_in(LocalSum& sum, const val& position, const val& p, const val& q) {
   const SolidPose pose_p = pose_in(p), pose_q = pose_in(q);
-  LocalPart part = is_round(place)
-                       ? got(sum.in(ClipBall{point3_in(place["middle"]), place["radius"].as<double>()}, pose_p, pose_q))
-                       : got(sum.in(ClipBox{point3_in(place["low"]), point3_in(place["high"])}, pose_p, pose_q));
+  LocalPart part =
+      is_round(position)
+          ? got(sum.in(ClipBall{point3_in(position["middle"]), position["radius"].as<double>()}, pose_p, pose_q))
+          : got(sum.in(ClipBox{point3_in(position["low"]), point3_in(position["high"])}, pose_p, pose_q));
   val v = val::object();
   v.set("where", where_name(part.where));
   v.set("box", box_data(part.box));

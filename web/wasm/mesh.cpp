@@ -43,13 +43,13 @@ MeshData parsed(const std::string& name, const std::string& bytes) {
   return got(parse_mesh(bytes, got(mesh_format(name)), name));
 }
 
-RepairedMesh mended(MeshData data, bool thin) {
+RepairedMesh mesh_after_repair(MeshData data, bool thin) {
   return got(thin ? repair_with_thin_parts(std::move(data)) : repair(std::move(data)));
 }
 
 Mesh valid(MeshData data, const val& options) {
   const bool thin = member_or(options, "thinParts", false);
-  if (member_or(options, "repair", false)) return mended(std::move(data), thin).mesh;
+  if (member_or(options, "repair", false)) return mesh_after_repair(std::move(data), thin).mesh;
   if (member_or(options, "hull", false)) return got(hulled(data)).mesh;
   return got(thin ? Mesh::with_thin_parts(std::move(data)) : Mesh::create(std::move(data)));
 }
@@ -85,7 +85,7 @@ val read_data(const std::string& name, const std::string& bytes) {
 }
 
 val repaired(const val& data, const val& options) {
-  RepairedMesh made = mended(data_in(data), member_or(options, "thinParts", false));
+  RepairedMesh made = mesh_after_repair(data_in(data), member_or(options, "thinParts", false));
   val v = val::object();
   v.set("changed", made.report.changed());
   v.set("report", made.report.to_string());

@@ -32,9 +32,9 @@ RegionData data_in(const val& v) {
   return data;
 }
 
-/// As valid, or mended.
-Region region_of(RegionData data, bool mend) {
-  return mend ? got(repair(std::move(data))).region : got(Region::create(std::move(data)));
+/// As valid, or repaired.
+Region region_of(RegionData data, bool with_repair) {
+  return with_repair ? got(repair(std::move(data))).region : got(Region::create(std::move(data)));
 }
 
 ThirdCoordinates third_in(const val& options) {
@@ -65,12 +65,12 @@ val named(const std::string& name, const char* field, const val& value) {
 }
 
 val read_all(const std::string& name, const std::string& bytes, const val& options) {
-  const bool mend = member_or(options, "repair", false);
+  const bool with_repair = member_or(options, "repair", false);
   const std::vector<NamedShape> shapes = shapes_in(name, bytes, options);
   return list_of(shapes, [&](const NamedShape& shape) {
     const std::string own = shape.name.empty() ? std::to_string(&shape - shapes.data()) : shape.name;
     const std::string which = shapes.size() > 1 ? name + "#" + own : name;
-    return named(shape.name, "region", in_file(which, [&] { return val(shared(region_of(shape.data, mend))); }));
+    return named(shape.name, "region", in_file(which, [&] { return val(shared(region_of(shape.data, with_repair))); }));
   });
 }
 

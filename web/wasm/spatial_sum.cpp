@@ -150,7 +150,7 @@ AxisTurn turn_in(const SolidRotationEvents& sum, double radians) { return got(Ax
 SharedSum turned_to(const SolidRotationEvents& sum, double radians, const val& progress) {
   return shared(got(sum.at(turn_in(sum, radians), progress_in(progress))));
 }
-val turn_events(const SolidRotationEvents& sum, double from, double to, const val& progress) {
+val rotation_events(const SolidRotationEvents& sum, double from, double to, const val& progress) {
   return list_of(got(sum.events(turn_in(sum, from), turn_in(sum, to), progress_in(progress))), turn_event_data);
 }
 
@@ -181,7 +181,7 @@ EMSCRIPTEN_BINDINGS(spatial_sum) {
   handle<SolidRotationEvents>("SolidRotationEvents")
       .class_function("create", guarded<&turning>)
       .function("at", guarded<&turned_to>)
-      .function("events", guarded<&turn_events>);
+      .function("events", guarded<&rotation_events>);
   function("sumOfMeshes", guarded<&sum_of_meshes>);
   function("meshContains", guarded<&mesh_contains>);
   function("sliceOfSum", guarded<&slice_at>);

@@ -8,7 +8,7 @@ namespace dymsum::planar {
 
 std::vector<std::uint32_t> BoundaryGraph::alive() const {
   std::vector<std::uint32_t> all;
-  for (const std::uint32_t n : lately_alive_)
+  for (const std::uint32_t n : recently_alive_)
     if (nodes_[n].alive) all.push_back(n);
   return all;
 }
@@ -33,7 +33,7 @@ std::uint32_t BoundaryGraph::add_node(const WalkSegment& s, std::uint32_t cell) 
   if (node.next_on_segment != kNobody) nodes_[node.next_on_segment].prev_on_segment = n;
   first_on_[node.id] = n;
   nodes_.push_back(std::move(node));
-  lately_alive_.push_back(n);
+  recently_alive_.push_back(n);
   shells_.add();
   return n;
 }
@@ -44,9 +44,9 @@ void BoundaryGraph::end_node(std::uint32_t n) {
   ended_.push_back(n);
   node.alive = false;
   node.end = now_;
-  if (++lately_ended_ * 2 > lately_alive_.size()) {
-    std::erase_if(lately_alive_, [&](std::uint32_t m) { return !nodes_[m].alive; });
-    lately_ended_ = 0;
+  if (++recently_ended_ * 2 > recently_alive_.size()) {
+    std::erase_if(recently_alive_, [&](std::uint32_t m) { return !nodes_[m].alive; });
+    recently_ended_ = 0;
   }
   if (node.prev_on_segment != kNobody) nodes_[node.prev_on_segment].next_on_segment = node.next_on_segment;
   else first_on_[node.id] = node.next_on_segment;
@@ -147,19 +147,19 @@ void BoundaryGraph::refresh(std::vector<std::uint32_t> touched) {
 void BoundaryGraph::apply(const SliceEdit& edit) {
   std::vector<std::uint32_t> all, lost;
   for (const SliceEdit::Loop& loop : edit.loops)
-    for (const SliceEdit::Place& place : loop.places) {
-      if (place.stays != kNobody) {
-        all.push_back(place.stays);
+    for (const SliceEdit::Position& position : loop.positions) {
+      if (position.stays != kNobody) {
+        all.push_back(position.stays);
         continue;
       }
-      all.push_back(add_node(segments_.segment(place.segment), edit.loops_may_change ? kNobody : loop.cell));
-      nodes_.back().left = place.left;
-      nodes_.back().right = place.right;
+      all.push_back(add_node(segments_.segment(position.segment), edit.loops_may_change ? kNobody : loop.cell));
+      nodes_.back().left = position.left;
+      nodes_.back().right = position.right;
     }
   std::vector<Claim> claims;
-  for (const auto& [n, place] : edit.continued) {
-    shells_.join(n, all[place]);
-    claims.push_back({all[place], nodes_[n].cell});
+  for (const auto& [n, position] : edit.continued) {
+    shells_.join(n, all[position]);
+    claims.push_back({all[position], nodes_[n].cell});
   }
   for (const std::uint32_t n : edit.ended) {
     lost.push_back(nodes_[n].cell);
@@ -168,10 +168,10 @@ void BoundaryGraph::apply(const SliceEdit& edit) {
   const bool first = cells_.empty();
   std::size_t begin = 0;
   for (const SliceEdit::Loop& loop : edit.loops) {
-    const std::size_t end = begin + loop.places.size();
-    const auto at = [&](const SliceEdit::End& e) { return e.place == kNobody ? e.node : all[e.place]; };
+    const std::size_t end = begin + loop.positions.size();
+    const auto at = [&](const SliceEdit::End& e) { return e.position == kNobody ? e.node : all[e.position]; };
     for (std::size_t k = begin; k + 1 < end; ++k) link(all[k], all[k + 1]);
-    link(all[end - 1], loop.open ? at(loop.behind) : all[begin]);
+    link(all[end - 1], loop.open ? at(loop.after) : all[begin]);
     if (loop.open) link(at(loop.before), all[begin]);
     if (first)
       give_cell({all.begin() + static_cast<std::ptrdiff_t>(begin), all.begin() + static_cast<std::ptrdiff_t>(end)},
@@ -183,7 +183,8 @@ void BoundaryGraph::apply(const SliceEdit& edit) {
     return;
   }
   if (edit.loops_may_change) share_out(all, lost, claims);
-  for (const auto& [n, place] : edit.touching) touching_cells_.emplace_back(nodes_[n].cell, nodes_[all[place]].cell);
+  for (const auto& [n, position] : edit.touching)
+    touching_cells_.emplace_back(nodes_[n].cell, nodes_[all[position]].cell);
 }
 
 // The cells of loops through `touched` after loops were split, joined, born or lost: a loop keeps its free cell if no

@@ -26,7 +26,7 @@ namespace dymsum::planar {
 /// No node, no cell, no angle.
 inline constexpr std::uint32_t kNobody = 0xffffffff;
 
-/// What changes near a place: nodes that go, and what comes instead.
+/// What changes near a position: nodes that go, and what comes instead.
 struct BoundaryEdit {
   /// New nodes along `segments`: they begin where `first` begins and end where `last` ends, two nodes that go.
   struct Run {
@@ -40,36 +40,36 @@ struct BoundaryEdit {
   bool empty() const { return runs.empty() && gone.empty() && births.empty(); }
 };
 
-/// What changes where a slice is taken: the loops behind the angle, of nodes that stay and of new ones. Of a slice that
+/// What changes where a slice is taken: the loops after the angle, of nodes that stay and of new ones. Of a slice that
 /// is cut to a box the pieces of loops in it: nodes outside stay.
 struct SliceEdit {
-  struct Place {
+  struct Position {
     std::uint32_t segment = 0, left = 0, right = 0;
     std::uint32_t stays = kNobody;  ///< the node, or kNobody for a new one
   };
-  /// What a piece follows, or what follows it: a node outside, or a place by its index along all loops.
+  /// What a piece follows, or what follows it: a node outside, or a position by its index along all loops.
   struct End {
-    std::uint32_t node = kNobody, place = kNobody;
+    std::uint32_t node = kNobody, position = kNobody;
   };
   struct Loop {
-    std::vector<Place> places;
+    std::vector<Position> positions;
     bool outer = false;
     bool open = false;  ///< a piece, and then:
-    End before, behind;
+    End before, after;
     std::uint32_t cell = kNobody;  ///< of new nodes, unless loops may change
   };
   std::vector<Loop> loops;
   bool loops_may_change = true;      ///< loops may split, join, begin or vanish
   std::vector<std::uint32_t> ended;  ///< by their segments
-  /// A node that ended and a place, by its index along all loops.
+  /// A node that ended and a position, by its index along all loops.
   using Pairs = std::vector<std::pair<std::uint32_t, std::uint32_t>>;
-  Pairs continued;  ///< the place is what the node goes on as
-  Pairs touching;   ///< walls of a passage that is shut at the angle, before and behind it
+  Pairs continued;  ///< the position is what the node goes on as
+  Pairs touching;   ///< walls of a passage that is shut at the angle, before and after it
   /// Whether it changes nothing.
   bool empty() const {
-    const auto is_new = [](const Place& p) { return p.stays == kNobody; };
+    const auto is_new = [](const Position& p) { return p.stays == kNobody; };
     return ended.empty() && std::all_of(loops.begin(), loops.end(), [&](const Loop& loop) {
-             return std::none_of(loop.places.begin(), loop.places.end(), is_new);
+             return std::none_of(loop.positions.begin(), loop.positions.end(), is_new);
            });
   }
 };
@@ -112,7 +112,7 @@ class BoundaryGraph {
   }
   const std::vector<Cell>& cells() const { return cells_; }
   const std::vector<CellLink>& cell_links() const { return cell_links_; }
-  /// Cells before and behind an angle that touch each other there, in a passage that is shut.
+  /// Cells before and after an angle that touch each other there, in a passage that is shut.
   const std::vector<std::pair<std::uint32_t, std::uint32_t>>& touching_cells() const { return touching_cells_; }
   std::uint32_t shell_of(std::uint32_t node) const { return shells_.find(node); }
   /// The connected components of free space.
@@ -129,7 +129,7 @@ class BoundaryGraph {
   void set_unbounded(std::uint32_t cell) { cells_[cell].unbounded = true; }
 
   /// What the edits of this angle did: whether a node began or ended; those that ended; nodes of before with another
-  /// one behind them now, and the former one; loops without a predecessor.
+  /// one after them now, and the former one; loops without a predecessor.
   bool changed() const { return changed_; }
   const std::vector<std::uint32_t>& ended() const { return ended_; }
   const std::vector<std::pair<std::uint32_t, std::uint32_t>>& relinked() const { return relinked_; }
@@ -137,7 +137,7 @@ class BoundaryGraph {
 
   /// Joins the end of the turn to its start. Whether they are the same boundary.
   bool close();
-  /// After close(): the node that goes on in this one behind the end of the turn, or itself.
+  /// After close(): the node that goes on in this one after the end of the turn, or itself.
   std::uint32_t continued(std::uint32_t node) const { return continued_.empty() ? node : continued_[node]; }
 
   /// Throws std::logic_error unless the invariants hold. O(nodes).
@@ -162,8 +162,8 @@ class BoundaryGraph {
 
   SegmentIndex segments_;
   base::CountedArray<Node> nodes_;
-  std::vector<std::uint32_t> lately_alive_;  // increasing: all that are alive, and fewer others
-  std::size_t lately_ended_ = 0;             // of these
+  std::vector<std::uint32_t> recently_alive_;  // increasing: all that are alive, and fewer others
+  std::size_t recently_ended_ = 0;             // of these
   std::vector<std::uint32_t> first_on_;
   std::vector<Cell> cells_;
   std::vector<CellLink> cell_links_;

@@ -16,19 +16,19 @@ constexpr std::uint32_t kNone = kNobody;
 
 [[noreturn]] void not_a_boundary(const char* why) { throw std::logic_error(std::string("limit_of: ") + why); }
 
-/// Ends that err by more than this share of the span are taken from exact quotients.
+/// Ends that err by more than this fraction of the span are taken from exact quotients.
 constexpr double kKnownEnd = 0x1p-39;
 
-/// A way along the boundary through a place: in along one sub-edge and out along another one, or along one that passes
-/// the place.
+/// A way along the boundary through a position: in along one sub-edge and out along another one, or along one that
+/// passes the position.
 struct Visit {
   std::uint32_t in = 0, out = 0;
 };
-/// One of the two directions in which a visit leaves its place.
+/// One of the two directions in which a visit leaves its position.
 struct Germ {
   std::uint32_t edge = 0;
   int sign = 1;             ///< 1 along the boundary, -1 backwards
-  std::uint32_t visit = 0;  ///< of the place
+  std::uint32_t visit = 0;  ///< of the position
 };
 
 class Limit {
@@ -47,7 +47,7 @@ class Limit {
     for (std::uint32_t i = 0; i < edges_.size(); ++i) is_point_.push_back(shrinks(i));
     find_visits();
     find_touches();
-    look_at_places();
+    look_at_positions();
     return std::move(out_);
   }
 
@@ -66,14 +66,15 @@ class Limit {
   }
   Point end_near(std::uint32_t i, bool at_end) {
     const WalkSegment& s = segment(i);
-    const Located l = place_on(forms_, s, at_end ? edges_[i].at.right : edges_[i].at.left, !at_end, signs_.heading());
+    const Located l =
+        position_on(forms_, s, at_end ? edges_[i].at.right : edges_[i].at.left, !at_end, signs_.heading());
     double t = l.t;
     if (!(l.error * forms_.length1(s) < kKnownEnd * forms_.span())) {
       const Fraction& f = own_end(i, at_end);
       t = signs_.quotient(f.num, product(f.den, signs_.length(s).num));
     }
     t = std::clamp(t, 0.0, 1.0);
-    const Point from = forms_.place(TurningForms::start(s), signs_.heading()),
+    const Point from = forms_.position(TurningForms::start(s), signs_.heading()),
                 d = forms_.direction(s, signs_.heading());
     return {from.x + t * d.x, from.y + t * d.y};
   }
@@ -113,7 +114,7 @@ class Limit {
 
   // Ends of sub-edges on other ones. Limits of disjoint loops do not cross, so they touch at ends of one of them.
   void find_touches() {
-    place_ = UnionFind(static_cast<std::uint32_t>(visits_.size()));
+    position_ = UnionFind(static_cast<std::uint32_t>(visits_.size()));
     Point low{INFINITY, INFINITY}, high{-INFINITY, -INFINITY};
     std::vector<std::uint32_t> long_ones;
     for (std::uint32_t i = 0; i < edges_.size(); ++i) {
@@ -150,18 +151,18 @@ class Limit {
     if (from == 0 || to == 0) {
       const std::uint32_t at = from == 0 ? before_[j] : j;
       if (at == kNone || visits_[at].in == kNone) out_.more_is_needed = true;
-      else place_.unite(i, at);
+      else position_.unite(i, at);
       return;
     }
     const auto passing = static_cast<std::uint32_t>(visits_.size());
     visits_.push_back({j, j});
-    place_.add();
-    place_.unite(i, passing);
+    position_.add();
+    position_.unite(i, passing);
   }
-  // The end of sub-edge i on the line of j: the start of i's segment, and its share of the segment's vector.
+  // The end of sub-edge i on the line of j: the start of i's segment, and its fraction of the segment's vector.
   bool on_line(std::uint32_t i, std::uint32_t j, double error) {
     const WalkSegment &s = segment(j), &t = segment(i);
-    const Point from = forms_.place(TurningForms::start(s), signs_.heading()),
+    const Point from = forms_.position(TurningForms::start(s), signs_.heading()),
                 d = forms_.direction(s, signs_.heading()), z = ends_[i][1];
     if (std::abs(d.x * (z.y - from.y) - d.y * (z.x - from.x)) > error) return false;
     const auto is = [&](const WalkSegment& u) { return u.side == s.side && u.edge == s.edge && u.vertex == s.vertex; };
@@ -171,7 +172,7 @@ class Limit {
     return signs_.sign(sum_of(product(forms_.exact_side(s, TurningForms::start(t), signs_.chart()), whole),
                               product(f.num, forms_.exact_cross(s, t, signs_.chart())), 1)) == 0;
   }
-  // Along j: 1 where the end of i comes behind an end of j.
+  // Along j: 1 where the end of i comes after an end of j.
   int order(std::uint32_t i, std::uint32_t j, bool at_end) {
     const WalkSegment& s = segment(j);
     const double d = signs_.along_near(s, ends_[i][1]) - signs_.along_near(s, ends_[j][at_end]);
@@ -179,15 +180,15 @@ class Limit {
     return signs_.compare(end_on(s, i, true), own_end(j, at_end));
   }
 
-  void look_at_places() {
+  void look_at_positions() {
     std::vector<std::array<std::uint32_t, 2>> order;  // place, visit
     for (std::uint32_t v = 0; v < visits_.size(); ++v)
-      if (visits_[v].in != kNone) order.push_back({place_.root(v), v});
+      if (visits_[v].in != kNone) order.push_back({position_.root(v), v});
     std::sort(order.begin(), order.end());
     for (std::size_t k = 0; k < order.size();) {
       std::size_t l = k;
       std::vector<Visit> here;
-      // A sub-edge passes a place once, however many end on it there.
+      // A sub-edge passes a position once, however many end on it there.
       for (; l < order.size() && order[l][0] == order[k][0]; ++l) {
         const Visit& v = visits_[order[l][1]];
         const bool passes = v.in == v.out;
@@ -232,7 +233,7 @@ class Limit {
         sector_of[o] = i;
         meets[i] = 1;
         out_.halves[outs[o].edge] += 1;
-        out_.touch = place_of(here);
+        out_.touch = position_of(here);
       }
     for (std::uint32_t o = 0; o < outs.size(); ++o) {
       if (sector_of[o] != kNobody) continue;
@@ -251,10 +252,10 @@ class Limit {
       out_.together.push_back({here[v].in, here[v].out});
       if (room.root(v) != v) out_.halves[here[v].out] -= 2;
     }
-    if (here.size() > 1) out_.touch = place_of(here);
+    if (here.size() > 1) out_.touch = position_of(here);
   }
   // Visits that pass along one sub-edge have no end there.
-  Point place_of(const std::vector<Visit>& here) const {
+  Point position_of(const std::vector<Visit>& here) const {
     for (const Visit& v : here)
       if (v.in != v.out) return ends_[v.in][1];
     not_a_boundary("nothing ends at a place");
@@ -269,7 +270,7 @@ class Limit {
   std::vector<std::uint8_t> is_point_;
   std::vector<Visit> visits_;
   std::vector<std::uint32_t> before_;
-  UnionFind place_;  // of visits
+  UnionFind position_;  // of visits
   BoundaryLimit out_;
 };
 
@@ -279,8 +280,8 @@ BoundaryLimit limit_of(const SignsAt& signs, const std::vector<LimitEdge>& edges
 
 namespace {
 
-// Of the nodes before the angle, or behind it; nothing where `near` leaves out what is needed.
-bool add_limit(const SignsAt& signs, const BoundaryGraph& graph, const std::vector<std::uint32_t>& near, bool behind,
+// Of the nodes before the angle, or after it; nothing where `near` leaves out what is needed.
+bool add_limit(const SignsAt& signs, const BoundaryGraph& graph, const std::vector<std::uint32_t>& near, bool after,
                LimitsOfAngle& found) {
   std::map<std::uint32_t, std::uint32_t> next_before;
   for (const auto& [n, next] : graph.relinked()) next_before.emplace(n, next);
@@ -292,11 +293,11 @@ bool add_limit(const SignsAt& signs, const BoundaryGraph& graph, const std::vect
   }
   std::vector<std::uint32_t> nodes;
   for (const std::uint32_t n : all)
-    if (behind ? graph[n].alive : graph[n].begin != graph.angle() && (graph[n].alive || graph[n].end == graph.angle()))
+    if (after ? graph[n].alive : graph[n].begin != graph.angle() && (graph[n].alive || graph[n].end == graph.angle()))
       nodes.push_back(n);
   std::vector<LimitEdge> edges;
   for (const std::uint32_t n : nodes) {
-    const auto before = behind ? next_before.end() : next_before.find(n);
+    const auto before = after ? next_before.end() : next_before.find(n);
     const std::uint32_t next = before == next_before.end() ? graph[n].next : before->second;
     const auto at = std::lower_bound(nodes.begin(), nodes.end(), next);
     const bool known = at != nodes.end() && *at == next;

@@ -1,4 +1,4 @@
-// What lies between the boundary before an angle and a whole slice behind it.
+// What lies between the boundary before an angle and a whole slice after it.
 #pragma once
 
 #include <functional>
@@ -15,7 +15,7 @@ struct SliceLoop {
 
 /// The edit, without `continued`. Nodes with the same segment and neighbours stay, but for those that are `parted`:
 /// they end, and touch what begins in their place. O(n log n).
-SliceEdit slice_difference(const BoundaryGraph& before, const std::vector<SliceLoop>& behind,
+SliceEdit slice_difference(const BoundaryGraph& before, const std::vector<SliceLoop>& after,
                            const std::function<bool(std::uint32_t)>& parted);
 
 }  // namespace dymsum::planar

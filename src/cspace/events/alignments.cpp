@@ -5,7 +5,7 @@
 
 namespace dymsum::planar {
 
-const exact::AlgebraicRoot& exact_root(TurnEvent& event, const TurningForms& forms, const TurnRange& range) {
+const exact::AlgebraicRoot& exact_root(RotationEvent& event, const TurningForms& forms, const RotationRange& range) {
   if (!event.root) {
     // Edges are parallel twice a turn, once in each chart.
     std::vector<exact::AlgebraicRoot> roots =
@@ -16,7 +16,7 @@ const exact::AlgebraicRoot& exact_root(TurnEvent& event, const TurningForms& for
   return *event.root;
 }
 
-std::vector<Alignment> alignments(const TurningForms& forms, const TurnCatalog& catalog) {
+std::vector<Alignment> alignments(const TurningForms& forms, const RotationCatalog& catalog) {
   std::vector<Alignment> all;
   const Operand &fixed = forms.operand(0), &turning = forms.operand(1);
   for (std::uint32_t e = 0; e < turning.size(); ++e)

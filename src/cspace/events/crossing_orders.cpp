@@ -5,12 +5,12 @@
 
 namespace dymsum::planar {
 
-// Where a line crosses a at the middle.
-struct CrossingOrders::Place {
+// Where a line crosses a at the midpoint.
+struct CrossingOrders::Position {
   LineCrossing* crossing;
   double at, error;
   int turn;  // the sign of a's direction x the line's
-  bool before(const Place& o) const { return o.at - at - o.error - error > 0; }
+  bool before(const Position& o) const { return o.at - at - o.error - error > 0; }
 };
 
 void CrossingOrders::find(std::uint32_t i, std::vector<LineCrossing>& list) const {
@@ -26,7 +26,7 @@ void CrossingOrders::find(std::uint32_t i, std::vector<LineCrossing>& list) cons
 }
 
 void CrossingOrders::find(const WalkSegment& a, std::span<LineCrossing> run, std::uint32_t& orders) const {
-  std::vector<Place> places;
+  std::vector<Position> positions;
   for (LineCrossing& c : run) {
     const WalkSegment& b = w_.segments[c.other];
     const TrigForm d = forms_.cross(a, b);
@@ -36,28 +36,29 @@ void CrossingOrders::find(const WalkSegment& a, std::span<LineCrossing> run, std
         d.far_from_zero(w_.heading, w_.half, rounding) || ends_.exactly_at_end(d) || ends_.sign_beside(a, b) != 0;
     if (!crosses || !(size > 0)) continue;
     const double t = forms_.side(b, TurningForms::start(a)).at(w_.heading) / cross;
-    places.push_back({&c, t, (forms_.side_error(b) + std::abs(t) * rounding) / size * kWider, cross > 0 ? 1 : -1});
+    positions.push_back({&c, t, (forms_.side_error(b) + std::abs(t) * rounding) / size * kWider, cross > 0 ? 1 : -1});
   }
-  std::stable_sort(places.begin(), places.end(), [](const Place& x, const Place& y) { return x.at < y.at; });
-  sort_unclear(a, places);
-  for (std::size_t k = 0; k < places.size(); ++k)
-    places[k].crossing->order = k > 0 && keep_order(a, places[k - 1], places[k]) ? orders : ++orders;
+  std::stable_sort(positions.begin(), positions.end(),
+                   [](const Position& x, const Position& y) { return x.at < y.at; });
+  sort_unclear(a, positions);
+  for (std::size_t k = 0; k < positions.size(); ++k)
+    positions[k].crossing->order = k > 0 && keep_order(a, positions[k - 1], positions[k]) ? orders : ++orders;
 }
 
-// Places that come together at a crowded quarter turn may be nearer to each other than doubles tell. A step or two
-// sort most of them.
-void CrossingOrders::sort_unclear(const WalkSegment& a, std::vector<Place>& places) const {
+// Positions that come together at a crowded quarter turn may be nearer to each other than doubles distinguish. A step
+// or two sort most of them.
+void CrossingOrders::sort_unclear(const WalkSegment& a, std::vector<Position>& positions) const {
   constexpr std::size_t kSteps = 8;
-  for (std::size_t k = 1; k < places.size(); ++k)
-    for (std::size_t j = k; j > 0 && j + kSteps > k && !places[j - 1].before(places[j]) &&
-                            order_beside_end(a, places[j - 1], places[j]) > 0;
+  for (std::size_t k = 1; k < positions.size(); ++k)
+    for (std::size_t j = k; j > 0 && j + kSteps > k && !positions[j - 1].before(positions[j]) &&
+                            order_beside_end(a, positions[j - 1], positions[j]) > 0;
          --j)
-      std::swap(places[j - 1], places[j]);
+      std::swap(positions[j - 1], positions[j]);
 }
 
-// The sign of the first place less the second one's in all of the window but a crowded end, at which both are one; 0
+// The sign of the first position less the second one's in all of the window but a crowded end, at which both are one; 0
 // where that is not so.
-int CrossingOrders::order_beside_end(const WalkSegment& a, const Place& x, const Place& y) const {
+int CrossingOrders::order_beside_end(const WalkSegment& a, const Position& x, const Position& y) const {
   const TrigForm2 g = forms_.concurrency(a, w_.segments[x.crossing->other], w_.segments[y.crossing->other]);
   for (const QuarterTurn* end : {ends_.low(), ends_.high()})
     if (end != nullptr && end->exact_forms())
@@ -70,14 +71,14 @@ int CrossingOrders::order_beside_end(const WalkSegment& a, const Place& x, const
 bool CrossingOrders::never_zero(const TrigForm2& g, double error) const {
   constexpr int kParts = 4;
   for (int k = 0; k < kParts; ++k)
-    if (!g.far_from_zero(Heading::of(w_.middle + w_.half * (2 * k + 1 - kParts) / kParts), w_.half / kParts * kWider,
+    if (!g.far_from_zero(Heading::of(w_.midpoint + w_.half * (2 * k + 1 - kParts) / kParts), w_.half / kParts * kWider,
                          error))
       return false;
   return true;
 }
 
 // Whether two lines are one and the same, or the first one crosses a before the second one at all angles.
-bool CrossingOrders::keep_order(const WalkSegment& a, const Place& x, const Place& y) const {
+bool CrossingOrders::keep_order(const WalkSegment& a, const Position& x, const Position& y) const {
   const WalkSegment &b = w_.segments[x.crossing->other], &c = w_.segments[y.crossing->other];
   if (!x.before(y))
     return order_beside_end(a, x, y) < 0 ||

@@ -25,23 +25,23 @@ inline bool same_direction(const TurningForms& forms, const WalkSegment& b, cons
 
 class CrossingOrders {
  public:
-  CrossingOrders(const TurnWindow& window, const TurningForms& forms, const WindowEnds& ends)
+  CrossingOrders(const EventWindow& window, const TurningForms& forms, const WindowEnds& ends)
       : w_(window), forms_(forms), ends_(ends) {}
 
   /// Numbers the crossings of segment i, which are sorted by `low`, where many of them overlap. In the order of their
-  /// places at the middle, neighbours that are never at one place within the window prove that of all between: places
-  /// are continuous functions of the angle, as no line is parallel to the segment.
+  /// positions at the midpoint, neighbours that are never at one position within the window prove that of all between:
+  /// places are continuous functions of the angle, as no line is parallel to the segment.
   void find(std::uint32_t i, std::vector<LineCrossing>& list) const;
 
  private:
-  struct Place;
+  struct Position;
   void find(const WalkSegment& a, std::span<LineCrossing> run, std::uint32_t& orders) const;
-  void sort_unclear(const WalkSegment& a, std::vector<Place>& places) const;
-  int order_beside_end(const WalkSegment& a, const Place& x, const Place& y) const;
+  void sort_unclear(const WalkSegment& a, std::vector<Position>& positions) const;
+  int order_beside_end(const WalkSegment& a, const Position& x, const Position& y) const;
   bool never_zero(const TrigForm2& g, double error) const;
-  bool keep_order(const WalkSegment& a, const Place& x, const Place& y) const;
+  bool keep_order(const WalkSegment& a, const Position& x, const Position& y) const;
 
-  const TurnWindow& w_;
+  const EventWindow& w_;
   const TurningForms& forms_;
   const WindowEnds& ends_;
 };

@@ -38,8 +38,8 @@ bool EdgeAprons::blunt(std::uint32_t op, std::uint32_t edge, std::uint32_t next)
 bool EdgeAprons::clear(std::uint32_t op, std::uint32_t edge) const {
   const Operand& o = forms_.operand(op);
   if (o.components[o.component_of[edge]].dimension != 2 || forms_.is_point(op, edge)) return false;
-  const std::uint32_t before = o.prev[edge], behind = o.next[edge];
-  if (!blunt(op, before, edge) || !blunt(op, edge, behind)) return false;
+  const std::uint32_t before = o.prev[edge], after = o.next[edge];
+  if (!blunt(op, before, edge) || !blunt(op, edge, after)) return false;
   const std::vector<Point>& at = forms_.points(op);
   const Point a = at[edge], e = forms_.edge(op, edge);
   const double length = std::hypot(e.x, e.y), wide = kClear * depth_;
@@ -49,7 +49,7 @@ bool EdgeAprons::clear(std::uint32_t op, std::uint32_t edge) const {
     return Point{u.x * (p.x - a.x) + u.y * (p.y - a.y), u.x * (p.y - a.y) - u.y * (p.x - a.x)};
   };
   for (std::uint32_t f = 0; f < forms_.size(op); ++f) {
-    if (f == edge || f == before || f == behind) continue;
+    if (f == edge || f == before || f == after) continue;
     const Point p = seen(at[f]), q = seen(at[o.next[f]]);
     if (std::max(p.x, q.x) < -wide || std::min(p.x, q.x) > length + wide || std::max(p.y, q.y) < -wide ||
         std::min(p.y, q.y) > wide)

@@ -1,4 +1,4 @@
-// What lies beside the edges of an operand: where a point that is a little to the left of an edge's line is certainly
+// What lies beside the edges of an operand: where a point that is a little to the left of an edge's line is provably
 // in its interior.
 #pragma once
 
@@ -20,7 +20,7 @@ class EdgeAprons {
     no,    ///< nothing is known of it
     edge,  ///< in the interior, if left of the edge
     prev,  ///< if left of the edge and of the one before it
-    next,  ///< of the one behind it
+    next,  ///< of the one after it
   };
   /// Of a point at `along` (a length along an edge from its start) and `left` of its line, both of which may err by a
   /// quarter of the depth. Sharp corners, edges that are not much longer than the depth or near to others, and pieces

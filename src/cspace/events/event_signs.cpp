@@ -2,7 +2,7 @@
 
 namespace dymsum::planar {
 
-using Existence = TurnCatalog::Existence;
+using Existence = RotationCatalog::Existence;
 
 // The edge's direction lies strictly between those of the edges at a convex vertex exactly if it is on the left of the
 // first one and the second one is on its left: the cone is at most a half turn.
@@ -11,7 +11,7 @@ std::array<int, 2> existence_signs(const SignsAt& signs, const WalkSegment& s) {
   return {signs.cross({op, before, 0}, s), signs.cross(s, {op, s.vertex, 0})};
 }
 
-bool exists_at(const SignsAt& signs, const TurnCatalog& catalog, const WalkSegment& s) {
+bool exists_at(const SignsAt& signs, const RotationCatalog& catalog, const WalkSegment& s) {
   if (!catalog.may_exist(s)) return false;
   if (signs.forms().is_point(1 - s.side, s.vertex)) return true;
   const auto [from, to] = existence_signs(signs, s);
@@ -22,7 +22,7 @@ bool exists_at(const SignsAt& signs, const TurnCatalog& catalog, const WalkSegme
 Existence EventSigns::exists(const WalkSegment& s) const {
   if (!catalog_.may_exist(s)) return Existence::no;
   const std::uint32_t op = 1 - s.side;
-  const TurnCatalog::Span span = catalog_.span(s, event_.theta());
+  const RotationCatalog::Span span = catalog_.span(s, event_.theta());
   const double slack = kAngleSlack + (event_.high - event_.low);
   if (span.from > slack || span.to < -slack) return Existence::no;
   if (forms_.is_point(op, s.vertex) || (span.from < -slack && span.to > slack)) return Existence::yes;
@@ -31,8 +31,8 @@ Existence EventSigns::exists(const WalkSegment& s) const {
   return from > 0 && to > 0 ? Existence::yes : Existence::unsure;
 }
 
-TurnCatalog::Joint EventSigns::joint(Pair v) const {
-  TurnCatalog::Joint joint;
+RotationCatalog::Joint EventSigns::joint(Pair v) const {
+  RotationCatalog::Joint joint;
   const auto set = [&](const WalkSegment& s, bool& has, WalkSegment& to) {
     const Existence e = exists(s);
     if (e == Existence::no) return;
@@ -49,7 +49,7 @@ TurnCatalog::Joint EventSigns::joint(Pair v) const {
 }
 
 // By its first derivative that is not zero: what polynomials are multiplied by to be integers is positive.
-int EventSigns::behind(const exact::Polynomial& p) const {
+int EventSigns::after(const exact::Polynomial& p) const {
   int sign = 0;
   for (exact::Polynomial d = p.derivative(); sign == 0 && !d.is_zero(); d = d.derivative()) sign = exact().sign(d);
   return sign;

@@ -17,9 +17,9 @@ InnerPoints::InnerPoints(const TurningForms& forms, const OverlapFilter& filter)
       const std::uint32_t component = o.component_of[e];
       if (o.components[component].dimension != 2) continue;
       const Point a = forms.points(op)[e], b = forms.points(op)[o.next[e]], d{b.x - a.x, b.y - a.y};
-      for (const double share : {0.25, 0.0625, 0.015625}) {
-        const Point x{(a.x + b.x) / 2 - share * d.y, (a.y + b.y) / 2 + share * d.x};
-        if (!filter.holds(op, component, x, Heading{}, share / 2 * std::hypot(d.x, d.y))) continue;
+      for (const double fraction : {0.25, 0.0625, 0.015625}) {
+        const Point x{(a.x + b.x) / 2 - fraction * d.y, (a.y + b.y) / 2 + fraction * d.x};
+        if (!filter.holds(op, component, x, Heading{}, fraction / 2 * std::hypot(d.x, d.y))) continue;
         points_[op].push_back(x);
         break;
       }

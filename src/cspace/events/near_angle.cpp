@@ -140,10 +140,11 @@ void add_roots(const NearPolynomial& p, double low, double high, int depth, std:
     }
     return;
   }
-  const double middle = divide(low, high);
-  if (depth == 0 || roots.size() > kMostRoots || !(middle > low && middle < high)) return roots.push_back({low, high});
-  add_roots(p, low, middle, depth - 1, roots);
-  add_roots(p, middle, high, depth - 1, roots);
+  const double midpoint = divide(low, high);
+  if (depth == 0 || roots.size() > kMostRoots || !(midpoint > low && midpoint < high))
+    return roots.push_back({low, high});
+  add_roots(p, low, midpoint, depth - 1, roots);
+  add_roots(p, midpoint, high, depth - 1, roots);
 }
 
 /// Pairs of doubles hold an integer within 2^-106 of it.
@@ -167,8 +168,8 @@ void NearPolynomial::divide() {
 NearPolynomial::Value NearPolynomial::operator()(double u) const { return value_of(*this, u, std::abs(u)); }
 
 NearPolynomial::Value NearPolynomial::within(double low, double high) const {
-  const double middle = low + 0.5 * (high - low), most = std::max(std::abs(low), std::abs(high));
-  Value v = value_of(*this, middle, most);
+  const double midpoint = low + 0.5 * (high - low), most = std::max(std::abs(low), std::abs(high));
+  Value v = value_of(*this, midpoint, most);
   v.error += steepest(*this, most) * (high - low);
   return v;
 }
@@ -244,7 +245,7 @@ NearPolynomial PairForm::polynomial() const {
 
 // Coordinates in units in which the span is near 1.
 NearAngle::NearAngle(const TurningForms& forms, int chart, double t)
-    : forms_(forms), t_(t), theta_(TurnRange{chart, t, t}.theta(t)) {
+    : forms_(forms), t_(t), theta_(RotationRange{chart, t, t}.theta(t)) {
   const DoublePair tt = base::exact_product(t, t), one{1, 0}, whole = one + tt;
   cos_ = (one - tt) / whole;
   sin_ = (DoublePair{2 * t, 0}) / whole;
@@ -279,7 +280,7 @@ NearAngle::NearAngle(const TurningForms& forms, int chart, double t)
 }
 
 // (t - t_) / (1 + t t_), of which only the difference may be small: each end errs by some roundings of itself.
-std::array<double, 2> NearAngle::range(const TurnRange& range) const {
+std::array<double, 2> NearAngle::range(const RotationRange& range) const {
   const auto u = [&](double t) { return (t - t_) / (1 + t * t_); };
   const double low = u(range.t_low), high = u(range.t_high);
   return {low - 0x1p-48 * std::abs(low), high + 0x1p-48 * std::abs(high)};

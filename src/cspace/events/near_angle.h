@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "base/double_pair.h"
-#include "cspace/events/turn_window.h"
+#include "cspace/events/event_window.h"
 #include "exact/int.h"
 
 namespace dymsum::planar {
@@ -28,13 +28,13 @@ struct NearPolynomial {
     int sign() const { return at > error ? 1 : at < -error ? -1 : 0; }
   };
   Value operator()(double u) const;
-  /// Of all values in [low, high], half of whose width is small: at the middle, with all that it changes by.
+  /// Of all values in [low, high], half of whose width is small: at the midpoint, with all that it changes by.
   Value within(double low, double high) const;
 };
 /// x y - z w for forms of degree 1, which have polynomials of degree 2.
 NearPolynomial difference_of_products(const NearPolynomial& x, const NearPolynomial& y, const NearPolynomial& z,
                                       const NearPolynomial& w);
-/// The sign that it certainly has in all of [low, high]; else 0.
+/// The sign that it provably has in all of [low, high]; else 0.
 int sign_in(const NearPolynomial& p, double low, double high);
 
 /// An interval that may hold roots.
@@ -72,7 +72,7 @@ class NearAngle {
 
   double tangent() const { return t_; }
   /// Of u in a range of the same chart, rounded outwards.
-  std::array<double, 2> range(const TurnRange& range) const;
+  std::array<double, 2> range(const RotationRange& range) const;
   /// theta of u, within kAngleDouble and a rounding.
   double theta_of(double u) const { return theta_ + 2 * std::atan(u); }
 

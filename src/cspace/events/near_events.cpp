@@ -15,9 +15,9 @@ constexpr double kSteepCross = 0x1p-6;
 /// Of the span: how far positions that count as one, and windows, may move.
 constexpr double kDeep = 0x1p-12;
 /// Of u.
-constexpr double kMiddle = 0x1p-44;
-/// Shares of crossings of nearly parallel lines that are known worse are not used.
-constexpr double kKnownShare = 0x1p-30;
+constexpr double kMidpoint = 0x1p-44;
+/// Fractions of crossings of nearly parallel lines that are known worse are not used.
+constexpr double kKnownFraction = 0x1p-30;
 /// How far beyond the ends of a segment, relatively, positions are still taken to be on it.
 constexpr double kBesideEnds = 0x1p-18;
 /// Of the span: how deep covered positions lie below an edge at most.
@@ -25,7 +25,7 @@ constexpr double kDepth = 0x1p-16;
 
 class Finder {
  public:
-  Finder(const TurnWindow& window, const TurningForms& forms, const NearAngle& angle, const OverlapFilter& filter,
+  Finder(const EventWindow& window, const TurningForms& forms, const NearAngle& angle, const OverlapFilter& filter,
          bool end_left_out, const std::function<void()>& again)
       : w_(window),
         forms_(forms),
@@ -46,7 +46,7 @@ class Finder {
     find_partners();
     // Most lines keep their order but for the very middle.
     const double low = low_, high = high_;
-    for (const auto& [from, to] : {std::pair{low, -kMiddle}, {-kMiddle, kMiddle}, {kMiddle, high}}) {
+    for (const auto& [from, to] : {std::pair{low, -kMidpoint}, {-kMidpoint, kMidpoint}, {kMidpoint, high}}) {
       low_ = std::max(low, from);
       high_ = std::min(high, to);
       if (!(low_ < high_)) continue;
@@ -68,7 +68,7 @@ class Finder {
     PairForm side;                           ///< of a's start beside the other one
     PairForm cross;                          ///< a x other
     ExactQuadratic exact_side, exact_cross;  ///< where the angle has them
-    double at = 0, off = 0;  ///< where a steep one crosses a, in shares of it, and by how much that changes
+    double at = 0, off = 0;  ///< where a steep one crosses a, as fractions of it, and by how much that changes
   };
   /// The same around a position along a.
   struct Line {
@@ -137,14 +137,14 @@ class Finder {
 
   void find_partners() {
     first_.assign(w_.segments.size() + 1, 0);
-    for (const TurnWindow::SegmentPair& m : w_.pairs) {
+    for (const EventWindow::SegmentPair& m : w_.pairs) {
       ++first_[m.a + 1];
       ++first_[m.b + 1];
     }
     for (std::size_t k = 1; k < first_.size(); ++k) first_[k] += first_[k - 1];
     others_.resize(first_.back());
     std::vector<std::uint32_t> fill(first_.begin(), first_.end() - 1);
-    for (const TurnWindow::SegmentPair& m : w_.pairs) {
+    for (const EventWindow::SegmentPair& m : w_.pairs) {
       others_[fill[m.a]++] = m.b;
       others_[fill[m.b]++] = m.a;
     }
@@ -170,7 +170,7 @@ class Finder {
   // Of an end of a segment that runs beside d. What lies between both ends does so too: it is left of d, and of the
   // edges beside d at convex corners, towards which it does not come nearer.
   bool always_covers(const WalkSegment& d, Pair v) {
-    const EdgeAprons::Beside where = beside(d, forms_.place(v, w_.heading), w_.heading);
+    const EdgeAprons::Beside where = beside(d, forms_.position(v, w_.heading), w_.heading);
     if (where == EdgeAprons::Beside::no || !always_left(d, v)) return false;
     if (where == EdgeAprons::Beside::edge) return true;
     const Operand& o = forms_.operand(d.side);
@@ -216,12 +216,12 @@ class Finder {
 
   // A position is covered in all of the window. One on a segment moves by a few times the span for every radian, and
   // the other operand by less than the span; those of a run are nearer to each other.
-  bool deep(std::uint32_t a, double share) {
+  bool deep(std::uint32_t a, double fraction) {
     const WalkSegment& s = segment(a);
-    const Point d = forms_.direction(s, w_.heading), at = forms_.place(TurningForms::start(s), w_.heading);
-    return deep(Point{at.x + share * d.x, at.y + share * d.y});
+    const Point d = forms_.direction(s, w_.heading), at = forms_.position(TurningForms::start(s), w_.heading);
+    return deep(Point{at.x + fraction * d.x, at.y + fraction * d.y});
   }
-  bool deep(Pair v) { return deep(forms_.place(v, w_.heading)); }
+  bool deep(Pair v) { return deep(forms_.position(v, w_.heading)); }
   bool deep(Point at) { return inner_.inside(at, w_.heading, kDeep * forms_.span()); }
 
   Line around(const Partner& p, double at) const {
@@ -345,37 +345,38 @@ class Finder {
     const double u = 0.5 * (root.low + root.high);
     const NearPolynomial::Value cross = by.cross.within(root.low, root.high),
                                 side = by.side.within(root.low, root.high);
-    // Where the two are nearly parallel the share may not be known.
-    if (cross.sign() == 0 || !(side.error < kKnownShare * std::abs(cross.at)) ||
-        !(cross.error < kKnownShare * std::abs(cross.at)))
+    // Where the two are nearly parallel the fraction may not be known.
+    if (cross.sign() == 0 || !(side.error < kKnownFraction * std::abs(cross.at)) ||
+        !(cross.error < kKnownFraction * std::abs(cross.at)))
       return true;
-    const double share = at + by.side(u).at / cross.at;
+    const double fraction = at + by.side(u).at / cross.at;
     const Heading h = Heading::of(angle_.theta_of(u));
-    const Point from = forms_.place(TurningForms::start(segment(a)), h), d = forms_.direction(segment(a), h);
-    const Point place{from.x + share * d.x, from.y + share * d.y};
-    if (beyond_ends(a, place, h) || beyond_ends(b.partner->other, place, h) || beyond_ends(c.partner->other, place, h))
+    const Point from = forms_.position(TurningForms::start(segment(a)), h), d = forms_.direction(segment(a), h);
+    const Point position{from.x + fraction * d.x, from.y + fraction * d.y};
+    if (beyond_ends(a, position, h) || beyond_ends(b.partner->other, position, h) ||
+        beyond_ends(c.partner->other, position, h))
       return false;
-    return !covered(a, at, by, cross.sign(), place, h, root);
+    return !covered(a, at, by, cross.sign(), position, h, root);
   }
   double length(const Line& l) const { return angle_.length1(segment(l.partner->other)); }
 
-  bool beyond_ends(std::uint32_t i, Point place, Heading h) const {
+  bool beyond_ends(std::uint32_t i, Point position, Heading h) const {
     const WalkSegment& s = segment(i);
-    const Point d = forms_.direction(s, h), from = forms_.place(TurningForms::start(s), h);
-    const double along = d.x * (place.x - from.x) + d.y * (place.y - from.y), whole = d.x * d.x + d.y * d.y,
+    const Point d = forms_.direction(s, h), from = forms_.position(TurningForms::start(s), h);
+    const double along = d.x * (position.x - from.x) + d.y * (position.y - from.y), whole = d.x * d.x + d.y * d.y,
                  slack = 4 * kBesideEnds * (whole + std::sqrt(whole) * forms_.span());
     return along < -slack || along > whole + slack;
   }
 
-  EdgeAprons::Beside beside(const WalkSegment& s, Point place, Heading h) {
-    const Point d = forms_.direction(s, h), from = forms_.place(TurningForms::start(s), h);
-    const double length = std::hypot(d.x, d.y), x = place.x - from.x, y = place.y - from.y;
+  EdgeAprons::Beside beside(const WalkSegment& s, Point position, Heading h) {
+    const Point d = forms_.direction(s, h), from = forms_.position(TurningForms::start(s), h);
+    const double length = std::hypot(d.x, d.y), x = position.x - from.x, y = position.y - from.y;
     return aprons_.beside(s.side, s.edge, (d.x * x + d.y * y) / length, (d.x * y - d.y * x) / length);
   }
 
   // Whether the position at which `by` crosses a lies in the open sum. That is left of a line d where
   // (side_d (a x by) - side_by (a x d)) / (a x by) is positive.
-  bool covered(std::uint32_t a, double at, const Line& by, int sign, Point place, Heading h, const NearRoot& root) {
+  bool covered(std::uint32_t a, double at, const Line& by, int sign, Point position, Heading h, const NearRoot& root) {
     const auto left_of = [&](const NearPolynomial& side, const NearPolynomial& cross, auto&& exactly) {
       const int known = difference_of_products(side, by.cross, by.side, cross).within(root.low, root.high).sign();
       if (known != 0 || !angle_.exact()) return known * sign > 0;
@@ -384,7 +385,7 @@ class Finder {
     const auto covers = [&](const Line& d) {
       if (&d == &by) return false;
       const WalkSegment& s = segment(d.partner->other);
-      const EdgeAprons::Beside where = beside(s, place, h);
+      const EdgeAprons::Beside where = beside(s, position, h);
       if (where == EdgeAprons::Beside::no ||
           !left_of(d.side, d.cross, [&] { return exact_concurrency(*d.partner, *by.partner); }))
         return false;
@@ -432,19 +433,19 @@ class Finder {
       if (!root.known) return false;
       if (absent(a, root)) return true;
       const Heading h = Heading::of(angle_.theta_of(0.5 * (root.low + root.high)));
-      const Point place = forms_.place(v, h);
-      return beyond_ends(a, place, h) || covered(v, place, h, root);
+      const Point position = forms_.position(v, h);
+      return beyond_ends(a, position, h) || covered(v, position, h, root);
     });
     return where;
   }
 
-  bool covered(Pair v, Point place, Heading h, const NearRoot& root) {
+  bool covered(Pair v, Point position, Heading h, const NearRoot& root) {
     const auto left_of = [&](const WalkSegment& d) {
       return angle_.side_polynomial(d, v).within(root.low, root.high).sign() > 0;
     };
     const auto covers = [&](const Partner& p) {
       const WalkSegment& d = segment(p.other);
-      const EdgeAprons::Beside where = beside(d, place, h);
+      const EdgeAprons::Beside where = beside(d, position, h);
       if (where == EdgeAprons::Beside::no || !left_of(d)) return false;
       if (where == EdgeAprons::Beside::edge) return true;
       const Operand& o = forms_.operand(d.side);
@@ -459,7 +460,7 @@ class Finder {
     return false;
   }
 
-  const TurnWindow& w_;
+  const EventWindow& w_;
   const TurningForms& forms_;
   const NearAngle& angle_;
   const std::function<void()>& again_;
@@ -472,7 +473,7 @@ class Finder {
   std::array<std::vector<std::uint32_t>, 2> line_of_;  // of edges
   std::vector<std::uint32_t> first_, others_;
   // Of the segment that is looked along:
-  std::vector<Partner> partners_;  // steep ones first, by their places
+  std::vector<Partner> partners_;  // steep ones first, by their positions
   std::vector<Line> lines_;
   std::vector<std::array<std::uint32_t, 2>> vertices_;
   std::size_t last_cover_ = 0, last_partner_ = 0;  // what covered the position before
@@ -481,7 +482,7 @@ class Finder {
 
 }  // namespace
 
-NearEvents near_events(const TurnWindow& window, const TurningForms& forms, const NearAngle& angle,
+NearEvents near_events(const EventWindow& window, const TurningForms& forms, const NearAngle& angle,
                        const OverlapFilter& filter, bool end_left_out, const std::function<void()>& again) {
   return Finder(window, forms, angle, filter, end_left_out, again).run();
 }

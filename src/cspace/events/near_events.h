@@ -9,7 +9,7 @@
 
 #include "cspace/events/near_angle.h"
 #include "cspace/events/overlap_filter.h"
-#include "planar/motion/turn_catalog.h"
+#include "planar/motion/rotation_catalog.h"
 
 namespace dymsum::planar {
 
@@ -31,10 +31,10 @@ struct NearEvents {
 
 /// The triples of segments that may meet, and the vertices that may come onto a segment, in a window around an angle; a
 /// superset, less those at positions that are covered at the event's angle: where a vertex of one operand lies in the
-/// interior of the other one, which its place beside an edge there tells, by numbers that are known to all digits.
+/// interior of the other one, which its position beside an edge there decides, by numbers that are known to all digits.
 /// `end_left_out`: without those at the very end of the window, where that is the angle; never with those at its
 /// beginning. `again` is called now and then: it throws to stop.
-NearEvents near_events(const TurnWindow& window, const TurningForms& forms, const NearAngle& angle,
+NearEvents near_events(const EventWindow& window, const TurningForms& forms, const NearAngle& angle,
                        const OverlapFilter& filter, bool end_left_out, const std::function<void()>& again);
 
 }  // namespace dymsum::planar

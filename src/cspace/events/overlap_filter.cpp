@@ -4,7 +4,7 @@
 
 namespace dymsum::planar {
 
-OverlapFilter::OverlapFilter(const TurningForms& forms, const TurnWindow& window) : forms_(forms), window_(window) {
+OverlapFilter::OverlapFilter(const TurningForms& forms, const EventWindow& window) : forms_(forms), window_(window) {
   for (std::uint32_t op = 0; op < 2; ++op) {
     Tree& tree = op == 0 ? fixed_ : turning_;
     for (const Component& c : forms.operand(op).components)
@@ -27,15 +27,15 @@ std::uint32_t OverlapFilter::build(Tree& tree, std::uint32_t op, std::uint32_t f
       node.y1 = std::max(node.y1, at[v].y + grow);
     }
   if (last - first > 4) {
-    const std::uint32_t middle = first + (last - first) / 2;
-    node.left = build(tree, op, first, middle, grow);
-    node.right = build(tree, op, middle, last, grow);
+    const std::uint32_t midpoint = first + (last - first) / 2;
+    node.left = build(tree, op, first, midpoint, grow);
+    node.right = build(tree, op, midpoint, last, grow);
   }
   tree.nodes[id] = node;
   return id;
 }
 
-// A vertex of the turning operand, reflected and moved to `at`.
+// A vertex of the rotating operand, reflected and moved to `at`.
 Point OverlapFilter::placed(std::uint32_t v, Point at, Heading h) const {
   const Point p = forms_.points(1)[v];
   return {at.x - (h.c * p.x - h.s * p.y), at.y - (h.s * p.x + h.c * p.y)};
@@ -56,12 +56,12 @@ bool OverlapFilter::cross(std::uint32_t i, Point c, Point d) const {
          opposite(c, d, a, b);
 }
 
-bool OverlapFilter::lately_cross(Point at, Heading h) const {
+bool OverlapFilter::recent_cross(Point at, Heading h) const {
   for (std::size_t k = 0; k < known_; ++k) {
-    const auto [i, j] = lately_[k];
+    const auto [i, j] = recent_[k];
     if (!cross(i, placed(j, at, h), placed(forms_.operand(1).next[j], at, h))) continue;
-    std::rotate(lately_.begin(), lately_.begin() + static_cast<std::ptrdiff_t>(k),
-                lately_.begin() + static_cast<std::ptrdiff_t>(k) + 1);
+    std::rotate(recent_.begin(), recent_.begin() + static_cast<std::ptrdiff_t>(k),
+                recent_.begin() + static_cast<std::ptrdiff_t>(k) + 1);
     return true;
   }
   return false;
@@ -73,9 +73,9 @@ bool OverlapFilter::edges_cross(const Node& fixed, const Node& turning, Point at
     const Point c = placed(j, at, h), d = placed(forms_.operand(1).next[j], at, h);
     for (std::uint32_t i = fixed.first; i < fixed.last; ++i) {
       if (!cross(i, c, d)) continue;
-      known_ = std::min(known_ + 1, lately_.size());
-      std::rotate(lately_.begin(), lately_.end() - 1, lately_.end());
-      lately_[0] = {i, j};
+      known_ = std::min(known_ + 1, recent_.size());
+      std::rotate(recent_.begin(), recent_.end() - 1, recent_.end());
+      recent_[0] = {i, j};
       return true;
     }
   }
@@ -122,7 +122,7 @@ bool OverlapFilter::touches_only(Point at, Heading h, const std::vector<WalkSegm
   return true;
 }
 
-// Whether a component certainly holds x in its interior; x relative to the component's own doubles.
+// Whether a component provably holds x in its interior; x relative to the component's own doubles.
 bool OverlapFilter::holds(std::uint32_t op, std::uint32_t component, Point x, Heading h, double near) const {
   const Operand& o = forms_.operand(op);
   const Component& c = o.components[component];
@@ -144,7 +144,7 @@ bool OverlapFilter::holds(std::uint32_t op, std::uint32_t component, Point x, He
 }
 
 bool OverlapFilter::inside(Point at, Heading h) const {
-  if (lately_cross(at, h)) return true;
+  if (recent_cross(at, h)) return true;
   const double margin = kMargin * forms_.span();
   std::vector<std::pair<std::uint32_t, std::uint32_t>> stack;
   for (std::uint32_t p = 0; p < fixed_.roots.size(); ++p)

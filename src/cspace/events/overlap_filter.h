@@ -1,4 +1,4 @@
-// Whether the robot certainly overlaps the obstacle somewhere near an angle, in doubles.
+// Whether the robot provably overlaps the obstacle somewhere near an angle, in doubles.
 #pragma once
 
 #include <array>
@@ -7,7 +7,7 @@
 #include <utility>
 #include <vector>
 
-#include "cspace/events/turn_window.h"
+#include "cspace/events/event_window.h"
 #include "planar/motion/turning_forms.h"
 
 namespace dymsum::planar {
@@ -15,12 +15,12 @@ namespace dymsum::planar {
 /// Used by one thread at a time: it remembers which edges crossed last.
 class OverlapFilter {
  public:
-  /// In shares of the span: what edges have to be apart or cross by, so that places may err by kPlace, and by kMoves
-  /// more because they are asked about at a slightly different angle.
-  static constexpr double kMargin = 0x1p-32, kPlace = 0x1p-36, kMoves = 0x1p-33;
-  static_assert(kPlace + kMoves + 4 * kTurnedSide < kMargin);
+  /// As fractions of the span: what edges have to be apart or cross by, so that positions may err by kPosition, and by
+  /// kMoves more because they are queried at a slightly different angle.
+  static constexpr double kMargin = 0x1p-32, kPosition = 0x1p-36, kMoves = 0x1p-33;
+  static_assert(kPosition + kMoves + 4 * kTurnedSide < kMargin);
 
-  OverlapFilter(const TurningForms& forms, const TurnWindow& window);
+  OverlapFilter(const TurningForms& forms, const EventWindow& window);
 
   /// True only if the open obstacle of angle h holds the position `at` (of the forms' doubles): edges cross properly,
   /// or one polygon lies in the other.
@@ -45,18 +45,18 @@ class OverlapFilter {
   bool edges_apart(std::uint32_t i, std::uint32_t j, Point at, Heading h) const;
   Point placed(std::uint32_t v, Point at, Heading h) const;
   bool cross(std::uint32_t i, Point c, Point d) const;
-  bool lately_cross(Point at, Heading h) const;
+  bool recent_cross(Point at, Heading h) const;
   bool edges_cross(const Node& fixed, const Node& turning, Point at, Heading h) const;
   bool holds(std::uint32_t op, std::uint32_t component, Point x, Heading h) const {
     return holds(op, component, x, h, kMargin * forms_.span());
   }
 
   const TurningForms& forms_;
-  const TurnWindow& window_;
+  const EventWindow& window_;
   Tree fixed_, turning_;
-  // Pairs of edges that crossed, the last one first: they mostly cross at the next place too. Asked before the trees,
+  // Pairs of edges that crossed, the last one first: they mostly cross at the next place too. Queried before the trees,
   // so that they change the time and never the answer.
-  mutable std::array<std::pair<std::uint32_t, std::uint32_t>, 8> lately_{};
+  mutable std::array<std::pair<std::uint32_t, std::uint32_t>, 8> recent_{};
   mutable std::size_t known_ = 0;
 };
 

@@ -42,7 +42,7 @@ QuarterTurn::Vec QuarterTurn::direction(const WalkSegment& s) const {
 }
 
 std::int64_t QuarterTurn::side(const WalkSegment& s, Pair v) const {
-  const Vec d = direction(s), from = place(TurningForms::start(s)), to = place(v);
+  const Vec d = direction(s), from = position(TurningForms::start(s)), to = position(v);
   return d.x * (to.y - from.y) - d.y * (to.x - from.x);
 }
 

@@ -1,4 +1,4 @@
-// Crowded quarter turns: orientations at which so many edges are aligned that a whole slice behind the angle costs less
+// Crowded quarter turns: orientations at which so many edges are aligned that a whole slice after the angle costs less
 // than the events there. The coordinates of sums are integers then, so which events are theirs is known without
 // polynomials.
 #pragma once
@@ -9,7 +9,7 @@
 #include <optional>
 #include <vector>
 
-#include "cspace/events/turn_events.h"
+#include "cspace/events/rotation_events.h"
 #include "exact/int.h"
 
 namespace dymsum::planar {
@@ -36,10 +36,10 @@ class QuarterTurn {
   bool zero_here_only(const TrigForm& f, double width) const {
     return zero_here_only(TrigForm2{f.a, f.b, f.g, 0, 0}, width);
   }
-  /// The sign of such a form up to `width` behind this angle, or before it for a negative width; 0 where
+  /// The sign of such a form up to `width` after this angle, or before it for a negative width; 0 where
   /// zero_here_only() does not hold.
   int sign_beside(const TrigForm2& f, double width) const;
-  /// Edge e of the turning operand and edge f of the fixed one point in the same direction.
+  /// Edge e of the rotating operand and edge f of the fixed one point in the same direction.
   bool aligned(std::uint32_t e, std::uint32_t f) const;
 
   /// Whether a form that is zero here has no other zero within `width` of this angle: by Taylor's formula,
@@ -55,7 +55,7 @@ class QuarterTurn {
   struct Vec {
     std::int64_t x = 0, y = 0;
   };
-  Vec place(Pair v) const { return {at_[0][v.p].x + at_[1][v.q].x, at_[0][v.p].y + at_[1][v.q].y}; }
+  Vec position(Pair v) const { return {at_[0][v.p].x + at_[1][v.q].x, at_[0][v.p].y + at_[1][v.q].y}; }
   Vec direction(const WalkSegment& s) const;
   std::int64_t side(const WalkSegment& s, Pair v) const;
 

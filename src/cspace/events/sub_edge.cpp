@@ -2,14 +2,14 @@
 
 #include <cmath>
 
-#include "cspace/events/walk_numbers.h"
+#include "cspace/events/walk_indices.h"
 
 namespace dymsum::planar {
 
 using exact::Polynomial;
 
-Located place_on(const TurningForms& forms, const WalkSegment& s, const WalkSegment& other, bool at_start, Heading h,
-                 double turn) {
+Located position_on(const TurningForms& forms, const WalkSegment& s, const WalkSegment& other, bool at_start, Heading h,
+                    double turn) {
   if (at_start ? meet_at_ends(forms, other, s) : meet_at_ends(forms, s, other)) return {at_start ? 0.0 : 1.0, 0};
   const TrigForm side = forms.side(other, TurningForms::start(s)), cross = forms.cross(s, other);
   const double d = cross.at(h), t = side.at(h) / d;
@@ -21,8 +21,8 @@ Located place_on(const TurningForms& forms, const WalkSegment& s, const WalkSegm
   return {t, size > 0 ? (n_error + std::abs(t) * d_error) / size : INFINITY};
 }
 
-// The start of its segment and a share of its vector, which is a crossing's side / cross. Where the crossing line runs
-// along this one at the angle, both are zero and their derivatives tell the limit.
+// The start of its segment and a fraction of its vector, which is a crossing's side / cross. Where the crossing line
+// runs along this one at the angle, both are zero and their derivatives tell the limit.
 std::optional<Fraction> end_along(const SignsAt& signs, const WalkSegment& s, const SubEdge& e, bool at_end) {
   const TurningForms& forms = signs.forms();
   const int chart = signs.chart();

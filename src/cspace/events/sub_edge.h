@@ -4,7 +4,7 @@
 
 #include <optional>
 
-#include "cspace/events/exact_place.h"
+#include "cspace/events/exact_position.h"
 
 namespace dymsum::planar {
 
@@ -18,8 +18,8 @@ struct Located {
 };
 /// Where a segment is cut by another one, or meets it in a common pair of vertices at the given end: the error is that
 /// at every angle within `turn` of h.
-Located place_on(const TurningForms& forms, const WalkSegment& s, const WalkSegment& other, bool at_start, Heading h,
-                 double turn = 0);
+Located position_on(const TurningForms& forms, const WalkSegment& s, const WalkSegment& other, bool at_start, Heading h,
+                    double turn = 0);
 
 /// Where a sub-edge begins or ends along the line of s at the exact angle, times |d_s|^2 and (1 + t^2); the limit from
 /// near angles where its neighbour's line comes to lie along its own. Nothing where these are parallel at every angle,

@@ -37,7 +37,7 @@ std::vector<RingEdge> sorted_edges(const Region& r) {
 
 }  // namespace
 
-// On one line, an edge that begins behind another one's end has no stretch of it.
+// On one line, an edge that begins after another one's end has no interval of it.
 std::optional<Point> overlapping_polylines(const Region& r) {
   if (r.polylines().empty()) return std::nullopt;
   const std::vector<RingEdge> edges = sorted_edges(r);

@@ -16,7 +16,7 @@ inline constexpr double kLargestCoordinate = 0x1p400;
 inline bool has_thin_pieces(const Region& r) { return !r.polylines().empty() || !r.points().empty(); }
 
 /// The error for operands that no robot and obstacle can be: where neither of two pieces has area their sum has no rule
-/// that tells which of their meetings overlap.
+/// that determines which of their meetings overlap.
 inline std::optional<Error> refused_pair(const Region& robot, const Region& obstacle) {
   if (robot.empty() || obstacle.empty())
     return Error{ErrorCode::unsupported_operand, "robot and obstacle may not be empty", {}};
@@ -29,8 +29,8 @@ inline std::optional<Error> refused_pair(const Region& robot, const Region& obst
   return std::nullopt;
 }
 
-/// A place from which a polyline runs along another one, along itself, or along an edge of a part, for a stretch.
-/// O(n^2) for n edges, most of them told apart by their places in x.
+/// A position from which a polyline runs along another one, along itself, or along an edge of a part, for an interval.
+/// O(n^2) for n edges, most of them distinguished by their positions in x.
 std::optional<Point> overlapping_polylines(const Region& r);
 
 /// A polyline walked there and back.

@@ -16,7 +16,7 @@ inline constexpr double kWider = 1 + 0x1p-20;
 
 class WindowEnds {
  public:
-  WindowEnds(const TurnWindow& window, const QuarterEnds& ends) : w_(window), ends_(ends) {}
+  WindowEnds(const EventWindow& window, const QuarterEnds& ends) : w_(window), ends_(ends) {}
 
   const QuarterTurn* low() const { return ends_.low; }
   const QuarterTurn* high() const { return ends_.high; }
@@ -68,7 +68,7 @@ class WindowEnds {
     return sign_in(p, low, high);
   }
 
-  const TurnWindow& w_;
+  const EventWindow& w_;
   QuarterEnds ends_;
 };
 

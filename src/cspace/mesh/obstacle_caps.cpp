@@ -100,9 +100,9 @@ class Cap {
   /// Whether the direction from a corner to a point leads into the interior there.
   bool into_interior(const Ring3& ring, std::size_t k, Point to) const {
     const Point v = at(ring[k]), before = at(ring[(k + ring.size() - 1) % ring.size()]),
-                behind = at(ring[(k + 1) % ring.size()]);
-    const bool left_out = cross(v, behind, to) >= 0, left_in = cross(before, v, to) >= 0;
-    return cross(before, v, behind) >= 0 ? left_out && left_in : left_out || left_in;
+                after = at(ring[(k + 1) % ring.size()]);
+    const bool left_out = cross(v, after, to) >= 0, left_in = cross(before, v, to) >= 0;
+    return cross(before, v, after) >= 0 ? left_out && left_in : left_out || left_in;
   }
 
   struct Hit {

@@ -7,6 +7,7 @@
 #include <stdexcept>
 #include <utility>
 
+#include "base/double_text.h"
 #include "base/poll.h"
 #include "cspace/events/walked_rings.h"
 #include "cspace/mesh/obstacle_rails.h"
@@ -77,7 +78,7 @@ class MeshBuilder {
     return plane == 0 ? -std::numbers::pi : layout_.stations[plane - 1].theta;
   }
 
-  Point place(const Rail& rail, double theta) const {
+  Point position(const Rail& rail, double theta) const {
     if (theta == -std::numbers::pi) theta = std::numbers::pi;  // bit by bit the same
     const std::vector<Patch>& patches = obstacle_.patches();
     if (rail.before != kNobody) return obstacle_.ends(patches[layout_.pieces[rail.before].patch], theta)[1];
@@ -99,7 +100,7 @@ class MeshBuilder {
 
   std::uint32_t shared_vertex(const Rail& rail, std::uint32_t plane) {
     const auto [at, fresh] = shared_.try_emplace(key_of(rail.joint, plane), 0);
-    if (fresh) at->second = add_vertex(place(rail, height(plane)), height(plane));
+    if (fresh) at->second = add_vertex(position(rail, height(plane)), height(plane));
     return at->second;
   }
 
@@ -152,13 +153,13 @@ class MeshBuilder {
     const OnRail from = chain.back();
     const bool known = next.theta == height(rail.last + 1);
     const Point at =
-        known ? Point{mesh_.vertices[next.vertex].x, mesh_.vertices[next.vertex].y} : place(rail, next.theta);
-    const double middle = from.theta + (next.theta - from.theta) / 2;
-    if (halvings_left > 0 && middle > from.theta && middle < next.theta) {
+        known ? Point{mesh_.vertices[next.vertex].x, mesh_.vertices[next.vertex].y} : position(rail, next.theta);
+    const double midpoint = from.theta + (next.theta - from.theta) / 2;
+    if (halvings_left > 0 && midpoint > from.theta && midpoint < next.theta) {
       const Configuration& a = mesh_.vertices[from.vertex];
-      const Point m = place(rail, middle);
+      const Point m = position(rail, midpoint);
       if (std::hypot(m.x - (a.x + at.x) / 2, m.y - (a.y + at.y) / 2) > mesh_.tolerance) {
-        extend(chain, rail, {0, middle}, halvings_left - 1);
+        extend(chain, rail, {0, midpoint}, halvings_left - 1);
         extend(chain, rail, next, halvings_left - 1);
         return;
       }
@@ -223,7 +224,9 @@ class MeshBuilder {
 Result<ObstacleMesh> obstacle_mesh(const CspaceObstacle& obstacle, const ObstacleMeshOptions& options) {
   // The user's, for the picture: how fine patches are tessellated. No sign depends on it.
   if (!(options.tolerance >= 1e-6 && options.tolerance <= 1))
-    return Error{ErrorCode::out_of_range, "the tolerance of a mesh lies between 1e-6 and 1", {}};
+    return Error{ErrorCode::out_of_range,
+                 "the tolerance must be from 1e-6 to 1, not " + base::general_text(options.tolerance, 6),
+                 {}};
   return MeshBuilder(obstacle, options).build();
 }
 

@@ -84,9 +84,9 @@ Result<RotationCheck> check_rotation(const Region& robot, const Region& obstacle
 
 Result<RotationCheck> check_rotation(const Region& robot, const Region& obstacle, Point at, const Orientation& from,
                                      const Orientation& to, TurnDirection turn, Touching touch) {
-  const Result<RationalPoint> place = rational(at);
-  if (!place) return place.error();
-  return check_rotation(robot, obstacle, *place, from, to, turn, touch);
+  const Result<RationalPoint> position = rational(at);
+  if (!position) return position.error();
+  return check_rotation(robot, obstacle, *position, from, to, turn, touch);
 }
 
 }  // namespace dymsum

@@ -44,7 +44,7 @@ class Sweep {
     // On so long a way doubles tell no angle: that of the start stands for any.
     any_angle_ = std::abs(d_.theta) > 0x1p50;
     if (any_angle_) d_.theta = 0;
-    // Rounding of the angle turns the robot a little, that of the place moves it.
+    // Rounding of the angle turns the robot a little, that of the position moves it.
     slack_ = kAngle * (std::abs(d_.theta) + 4) * pose_.reach() +
              kCoordinate * (std::abs(a.x) + std::abs(b.x) + std::abs(a.y) + std::abs(b.y));
   }
@@ -54,24 +54,23 @@ class Sweep {
     std::vector<std::pair<double, double>> open{{0.0, 1.0}};
     while (!open.empty()) {
       const auto [low, high] = open.back();
-      if (progress && check_.poses % kBetween == 0 && !progress("poses", low))
-        return cancelled();
+      if (progress && check_.poses % kBetween == 0 && !progress("poses", low)) return cancelled();
       open.pop_back();
-      const double middle = 0.5 * (low + high);
-      const Pose::Overlap here = overlap(middle);
+      const double midpoint = 0.5 * (low + high);
+      const Pose::Overlap here = overlap(midpoint);
       if (here == Pose::Overlap::no && gap_.at_least > reached(0.5 * (high - low))) continue;
       if (check_.poses >= options.most_poses) return undecided(low, open.empty() ? high : 1);
-      if (high - low <= options.resolution || middle <= low || middle >= high) return ended(low, high, here);
-      open.push_back({middle, high});
-      open.push_back({low, middle});
+      if (high - low <= options.resolution || midpoint <= low || midpoint >= high) return ended(low, high, here);
+      open.push_back({midpoint, high});
+      open.push_back({low, midpoint});
     }
     return check_;
   }
 
  private:
-  // No point of the robot moves farther in this share of the way: on its arc never more than across the circle.
-  double reached(double share) const {
-    return (share * way_ + std::min(2 * pose_.reach(), share * arc_)) * exact::kOutwards + 4 * share * slack_;
+  // No point of the robot moves farther in this fraction of the way: on its arc never more than across the circle.
+  double reached(double fraction) const {
+    return (fraction * way_ + std::min(2 * pose_.reach(), fraction * arc_)) * exact::kOutwards + 4 * fraction * slack_;
   }
 
   Pose::Overlap overlap(double t) {
@@ -98,7 +97,7 @@ class Sweep {
     return check_;
   }
 
-  // An interval too short to halve and not free: a proved overlap shortly behind tells a collision from grazing.
+  // An interval too short to halve and not free: a proved overlap shortly after tells a collision from grazing.
   MotionCheck ended(double low, double high, Pose::Overlap here) {
     const double width = high - low;
     undecided(low, high);
@@ -116,7 +115,7 @@ class Sweep {
   }
 
   static constexpr std::uint64_t kBetween = 16;  // poses between questions whether to go on
-  static constexpr int kLook = 64;               // half steps behind the first touch that are searched for an overlap
+  static constexpr int kLook = 64;               // half steps after the first touch that are searched for an overlap
 
   Pose pose_;
   Configuration a_, d_;

@@ -14,8 +14,8 @@ namespace {
 
 using Outcome = MotionCheck::Outcome;
 
-Configuration between(const Configuration& a, const Configuration& b, double share) {
-  return {std::lerp(a.x, b.x, share), std::lerp(a.y, b.y, share), std::lerp(a.theta, b.theta, share)};
+Configuration between(const Configuration& a, const Configuration& b, double fraction) {
+  return {std::lerp(a.x, b.x, fraction), std::lerp(a.y, b.y, fraction), std::lerp(a.theta, b.theta, fraction)};
 }
 
 Error malformed(std::size_t index, const std::string& what) {
@@ -32,7 +32,7 @@ PathCheck of_translation(const TranslationCheck& check, const Configuration& a, 
   return piece;
 }
 
-/// The share of the first contact on a way from `from` that turns by `turn` in all.
+/// The fraction of the first contact on a way from `from` that turns by `turn` in all.
 PathCheck of_rotation(const RotationCheck& check, const Configuration& from, double turn) {
   PathCheck piece;
   piece.turns = true;
@@ -141,8 +141,8 @@ Result<PathCheck> check_piece(const Region& robot, const Region& obstacle, const
 // Of the whole path, while a piece of it is examined.
 Progress of_piece(const Progress& progress, std::size_t piece, std::size_t poses) {
   if (!progress) return {};
-  return [&progress, piece, poses](std::string_view, double share) {
-    return progress("pieces", (static_cast<double>(piece) + share) / static_cast<double>(poses));
+  return [&progress, piece, poses](std::string_view, double fraction) {
+    return progress("pieces", (static_cast<double>(piece) + fraction) / static_cast<double>(poses));
   };
 }
 
@@ -152,8 +152,7 @@ Result<PathCheck> first_not_free(std::span<const Pose> path, const Progress& pro
   if (path.empty()) return Error{ErrorCode::malformed, "a path of no poses", {}};
   PathCheck last;
   for (std::size_t k = path.size() == 1 ? 0 : 1; k < path.size(); ++k) {
-    if (progress && !progress("pieces", static_cast<double>(k) / static_cast<double>(path.size())))
-      return cancelled();
+    if (progress && !progress("pieces", static_cast<double>(k) / static_cast<double>(path.size()))) return cancelled();
     Result<PathCheck> piece = check(path[k == 0 ? 0 : k - 1], path[k], k);
     if (!piece) return piece;
     last = *piece;

@@ -30,17 +30,17 @@ Polynomial polynomial(const BigRational& a, const BigRational& b, const BigRatio
   return Polynomial(std::move(whole));
 }
 
-// Of a place that is rounded, times |x| + |y|.
+// Of a position that is rounded, times |x| + |y|.
 constexpr double kRounded = exact::rounding_bound(1, 2);
 // Of a vertex of the turned robot, times its reach: the heading's double and what its cosine and sine err by.
 constexpr double kTurned = exact::rounding_bound(12 + 2, 32);
-// Of the form of a vertex over an edge, times |edge|_1 and all coordinates: two differences and the place (3), products
-// and their sums (2 for each of the three terms), and cosine and sine (16 each).
+// Of the form of a vertex over an edge, times |edge|_1 and all coordinates: two differences and the position (3),
+// products and their sums (2 for each of the three terms), and cosine and sine (16 each).
 constexpr double kForm = exact::rounding_bound(3 * (3 + 2) + 2 * 16, 512);
 // Of half of the difference of two angles.
 constexpr double kHalf = exact::rounding_bound(2 * 12 + 8, 8192);
-// Circles that miss an edge by more than this share of all coordinates miss it; any share above a thousand roundings is
-// right, as only those that come nearer are looked at.
+// Circles that miss an edge by more than this fraction of all coordinates miss it; any fraction above a thousand
+// roundings is right, as only those that come nearer are looked at.
 constexpr double kNear = 0x1p-30;
 
 // Counter-clockwise from `from`: whether a comes before b; `from` itself comes first.
@@ -109,8 +109,8 @@ Pivot::Form Pivot::along_form(const Candidate& c, BigRational& length) const {
   return {BigRational(-dot(d, r)), dot(d, v), cross(d, v)};
 }
 
-// Whether the circle of the turning vertex comes near the edge at all: that of the robot's vertex about the place, or
-// of the obstacle's about the robot's origin. The margin exceeds all rounding errors.
+// Whether the circle of the turning vertex comes near the edge at all: that of the robot's vertex about the position,
+// or of the obstacle's about the robot's origin. The margin exceeds all rounding errors.
 bool Pivot::in_reach(const Candidate& c) const {
   const Outline &robot = pose_.robot(), &obstacle = pose_.obstacle();
   const Point r = robot.vertices[c.robot], o = obstacle.vertices[c.obstacle], v{o.x - near_.x, o.y - near_.y};
@@ -123,8 +123,8 @@ bool Pivot::in_reach(const Candidate& c) const {
   const double radius = c.edge_of_obstacle ? std::hypot(r.x, r.y) : std::hypot(v.x, v.y);
   const double dx = b.x - a.x, dy = b.y - a.y, l = dx * dx + dy * dy;
   const double most = std::max(std::hypot(a.x, a.y), std::hypot(b.x, b.y));
-  const double share = l > 0 ? std::clamp(-(a.x * dx + a.y * dy) / l, 0.0, 1.0) : 0.0;
-  const double least = std::hypot(a.x + share * dx, a.y + share * dy);
+  const double fraction = l > 0 ? std::clamp(-(a.x * dx + a.y * dy) / l, 0.0, 1.0) : 0.0;
+  const double least = std::hypot(a.x + fraction * dx, a.y + fraction * dy);
   const double margin = kNear * (most + radius + std::abs(near_.x) + std::abs(near_.y) + std::abs(o.x) + std::abs(o.y));
   return radius <= most + margin && radius >= least - margin;
 }
@@ -159,8 +159,8 @@ void Pivot::add_events(const Candidate& c, std::vector<PivotEvent>& to) const {
   }
 }
 
-// Whether the contact can happen within `half` of the heading: false is certain, by Taylor's formula.
-bool Pivot::possible(const Candidate& c, Heading middle, double half) const {
+// Whether the contact can happen within `half` of the heading: false is proved, by Taylor's formula.
+bool Pivot::possible(const Candidate& c, Heading midpoint, double half) const {
   const Outline &robot = pose_.robot(), &obstacle = pose_.obstacle();
   const Point r = robot.vertices[c.robot], o = obstacle.vertices[c.obstacle], v{o.x - near_.x, o.y - near_.y};
   const Point to =
@@ -170,7 +170,7 @@ bool Pivot::possible(const Candidate& c, Heading middle, double half) const {
   const double along = d.x * turning.x + d.y * turning.y, g = c.edge_of_obstacle ? along : -along;
   const TrigForm form{-(d.x * still.y - d.y * still.x), d.x * turning.y - d.y * turning.x, g};
   const double size = std::abs(o.x) + std::abs(o.y) + std::abs(near_.x) + std::abs(near_.y) + pose_.reach();
-  return !form.far_from_zero(middle, half, kForm * (std::abs(d.x) + std::abs(d.y)) * size);
+  return !form.far_from_zero(midpoint, half, kForm * (std::abs(d.x) + std::abs(d.y)) * size);
 }
 
 void Pivot::sort_out(std::vector<PivotEvent>& events) {
@@ -192,10 +192,10 @@ std::vector<PivotEvent> Pivot::events() const {
 std::vector<PivotEvent> Pivot::events(const Orientation& from, const Orientation& to) const {
   const double two_pi = 2 * std::numbers::pi, a = from.radians(), b = to.radians() + (to.radians() < a ? two_pi : 0);
   const double half = 0.5 * (b - a) + kHalf;
-  const Heading middle = Heading::of(0.5 * (a + b));
+  const Heading midpoint = Heading::of(0.5 * (a + b));
   std::vector<PivotEvent> events;
   each_candidate([&](const Candidate& c) {
-    if (in_reach(c) && possible(c, middle, half)) add_events(c, events);
+    if (in_reach(c) && possible(c, midpoint, half)) add_events(c, events);
   });
   sort_out(events);
   return events;
@@ -239,7 +239,7 @@ std::optional<PivotStop> Pivot::stop(const Orientation& from, const Orientation&
   if (overlaps(from)) return at;
   if (touch == Touching::forbidden)
     if (const std::optional<Contact> contact = held()) return PivotStop{at.angle, contact};
-  // Whether the robot overlaps between the place reached and the next one.
+  // Whether the robot overlaps between the position reached and the next one.
   const auto blocked = [&](const ExactAngle& next) {
     if (compare(at.angle, next) == 0) return false;
     const bool ahead = turn == TurnDirection::counter_clockwise;

@@ -1,4 +1,4 @@
-// The robot at one place, turning: the exact angles of its contacts, and between which of them it overlaps the
+// The robot at one position, turning: the exact angles of its contacts, and between which of them it overlaps the
 // obstacle.
 #pragma once
 
@@ -35,7 +35,7 @@ class Pivot {
   /// Requires: operands that CspaceObstacle::create takes, which live as long as this.
   Pivot(const Region& robot, const Region& obstacle);
 
-  /// From now on at this place. O(1).
+  /// From now on at this position. O(1).
   void stand(const Position& at);
   /// Whether the interiors meet at an orientation. Exact: doubles, or a slice.
   bool overlaps(const Orientation& theta);
@@ -49,7 +49,7 @@ class Pivot {
   std::vector<PivotGap> gaps(const std::vector<PivotEvent>& events);
   /// The first stop on the way between two orientations; nothing for a free way. Equal ones: no way at all.
   std::optional<PivotStop> stop(const Orientation& from, const Orientation& to, TurnDirection turn, Touching touch);
-  /// An orientation strictly between theta and both `to` and the first event behind theta. Requires: to is not theta.
+  /// An orientation strictly between theta and both `to` and the first event after theta. Requires: to is not theta.
   Orientation beside(const Orientation& theta, const ExactAngle& to, TurnDirection turn) const;
 
  private:
@@ -65,7 +65,7 @@ class Pivot {
   bool in_reach(const Candidate& c) const;
   bool persists(const Candidate& c) const;
   void add_events(const Candidate& c, std::vector<PivotEvent>& to) const;
-  bool possible(const Candidate& c, Heading middle, double half) const;
+  bool possible(const Candidate& c, Heading midpoint, double half) const;
   static Contact contact_of(const Candidate& c);
   static void sort_out(std::vector<PivotEvent>& events);
   std::optional<Contact> held() const;

@@ -20,7 +20,7 @@ constexpr double kLength = exact::rounding_bound(3, 8);
 // |r| together, their difference and the sum by |r| and |x| + |r|.
 constexpr double kPlaced = exact::rounding_bound(5, 8);
 // Of the distance of a vertex from an edge, times M = span + reach + |x| + |y|; vectors from the edge's start to the
-// vertex are at most sqrt(2) M long, and so are those to the foot. The share of the foot errs by 4 of numerator and
+// vertex are at most sqrt(2) M long, and so are those to the foot. The fraction of the foot errs by 4 of numerator and
 // denominator each and the quotient, which moves the foot by 9 sqrt(2) M; the difference of vector and foot errs by 4
 // sqrt(2), its length by 2 sqrt(2).
 constexpr double kDistance = exact::rounding_bound(22, 32);
@@ -31,9 +31,9 @@ double largest(const std::vector<Point>& points) {
   return most;
 }
 
-// The sign of (b - a) x (c - a), every coordinate within e; 0 when it is not certain. Differences err by 2 e, which the
+// The sign of (b - a) x (c - a), every coordinate within e; 0 when it is not proved. Differences err by 2 e, which the
 // other one is multiplied with; a hundredth more covers the roundings of that.
-int certain_side(Point a, Point b, Point c, double e) {
+int proved_side(Point a, Point b, Point c, double e) {
   const double bx = b.x - a.x, by = b.y - a.y, cx = c.x - a.x, cy = c.y - a.y;
   const double det = bx * cy - by * cx;
   const double bound = 2.02 * e * (std::abs(bx) + std::abs(by) + std::abs(cx) + std::abs(cy) + 4 * e) +
@@ -46,23 +46,23 @@ bool boxes_apart(Point a, Point b, Point c, Point d, double e) {
          std::max(a.y, b.y) + 2 * e < std::min(c.y, d.y) || std::max(c.y, d.y) + 2 * e < std::min(a.y, b.y);
 }
 
-// The edges cross in their interiors, are apart, or it is not certain.
+// The edges cross in their interiors, are apart, or it is not proved.
 Pose::Overlap crossing(Point a, Point b, Point c, Point d, double e) {
   if (boxes_apart(a, b, c, d, e)) return Pose::Overlap::no;
-  const int ac = certain_side(a, b, c, e), ad = certain_side(a, b, d, e);
+  const int ac = proved_side(a, b, c, e), ad = proved_side(a, b, d, e);
   if (ac * ad > 0) return Pose::Overlap::no;
-  const int ca = certain_side(c, d, a, e), cb = certain_side(c, d, b, e);
+  const int ca = proved_side(c, d, a, e), cb = proved_side(c, d, b, e);
   if (ca * cb > 0) return Pose::Overlap::no;
   return ac * ad < 0 && ca * cb < 0 ? Pose::Overlap::yes : Pose::Overlap::unsure;
 }
 
-// Whether p, certainly on no edge, lies inside; the parity of a ray upwards in these very doubles.
+// Whether p, provably on no edge, lies inside; the parity of a ray upwards in these very doubles.
 Pose::Overlap holds(const Outline& outline, const std::vector<Point>& at, Point p, double e) {
   bool inside = false;
   for (std::uint32_t k = 0; k < at.size(); ++k) {
     const Point a = at[k], b = at[outline.next[k]];
     if ((a.x <= p.x) == (b.x <= p.x)) continue;
-    const int s = certain_side(a, b, p, e);
+    const int s = proved_side(a, b, p, e);
     if (s == 0) return Pose::Overlap::unsure;
     if (s == (a.x <= p.x ? -1 : 1)) inside = !inside;
   }
@@ -100,7 +100,7 @@ Pose::Pose(const Region& robot, const Region& obstacle, double scale) : robot_(r
 }
 
 // The bound on the error of each coordinate.
-double Pose::place(double x, double y, double c, double s, double slack) {
+double Pose::position(double x, double y, double c, double s, double slack) {
   for (std::size_t k = 0; k < placed_.size(); ++k) {
     const Point r = robot_.vertices[k];
     placed_[k] = {x + (c * r.x - s * r.y), y + (s * r.x + c * r.y)};
@@ -109,16 +109,16 @@ double Pose::place(double x, double y, double c, double s, double slack) {
 }
 
 Pose::Overlap Pose::overlap(double x, double y, double c, double s, double slack) {
-  const double e = place(x, y, c, s, slack);
-  bool sure = true;
+  const double e = position(x, y, c, s, slack);
+  bool proved = true;
   for (std::uint32_t i = 0; i < placed_.size(); ++i)
     for (std::uint32_t j = 0; j < obstacle_.vertices.size(); ++j) {
       const Overlap o = crossing(placed_[i], placed_[robot_.next[i]], obstacle_.vertices[j],
                                  obstacle_.vertices[obstacle_.next[j]], e);
       if (o == Overlap::yes) return o;
-      sure = sure && o == Overlap::no;
+      proved = proved && o == Overlap::no;
     }
-  if (!sure) return Overlap::unsure;
+  if (!proved) return Overlap::unsure;
   // The boundaries are apart: the interiors meet exactly if a ring of one lies inside the other.
   for (const std::uint32_t v : robot_.rings)
     if (const Overlap o = holds(obstacle_, obstacle_.vertices, placed_[v], e); o != Overlap::no) return o;
@@ -128,7 +128,7 @@ Pose::Overlap Pose::overlap(double x, double y, double c, double s, double slack
 }
 
 Pose::Gap Pose::gap(double x, double y, double c, double s, double slack) {
-  const double e = place(x, y, c, s, slack);
+  const double e = position(x, y, c, s, slack);
   Gap gap{std::numeric_limits<double>::infinity(), {}};
   for (std::uint32_t i = 0; i < placed_.size(); ++i)
     for (std::uint32_t j = 0; j < obstacle_.vertices.size(); ++j) {

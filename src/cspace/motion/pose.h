@@ -1,4 +1,4 @@
-// One pose of a robot against an obstacle, in doubles with bounds: a certain overlap, a certain gap, or neither.
+// One pose of a robot against an obstacle, in doubles with bounds: a proved overlap, a proved gap, or neither.
 #pragma once
 
 #include <cstdint>
@@ -9,7 +9,7 @@
 
 namespace dymsum::planar {
 
-/// A region's rings as vertices and edges by their numbers in the region.
+/// A region's rings as vertices and edges by their indices in the region.
 struct Outline {
   std::vector<Point> vertices;
   std::vector<std::uint32_t> next;    ///< the other end of the edge that starts at a vertex
@@ -36,13 +36,13 @@ class Pose {
   const Outline& obstacle() const { return obstacle_; }
   double reach() const { return reach_; }  ///< of the robot about its origin, at least
 
-  /// The robot turned by (c, s) and moved to (x, y), where each coordinate of its vertices errs by at most `slack` more
-  /// than rounding makes it: whether the interiors meet. `no` says that the closed sets do not meet. O(nm).
+  /// The robot rotated by (c, s) and moved to (x, y), where each coordinate of its vertices errs by at most `slack`
+  /// more than rounding makes it: whether the interiors meet. `no` says that the closed sets do not meet. O(nm).
   Overlap overlap(double x, double y, double c, double s, double slack);
   Gap gap(double x, double y, double c, double s, double slack);
 
  private:
-  double place(double x, double y, double c, double s, double slack);
+  double position(double x, double y, double c, double s, double slack);
 
   Outline robot_, obstacle_;
   std::vector<Point> placed_;

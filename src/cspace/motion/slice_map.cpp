@@ -19,8 +19,8 @@ constexpr double kMapCross = exact::rounding_bound(4, 8), kDifference = exact::r
 // The roundings of bounds themselves.
 constexpr double kWider = 1.01;
 
-// Whether d, the difference of two numbers that err by `error` together, has a certain sign.
-bool certain(double d, double error) { return std::abs(d) > kWider * error + kDifference * std::abs(d); }
+// Whether d, the difference of two numbers that err by `error` together, has a proved sign.
+bool proved(double d, double error) { return std::abs(d) > kWider * error + kDifference * std::abs(d); }
 
 int sign_of(const BigRational& v) { return v.sign(); }
 
@@ -28,7 +28,7 @@ BigRational cross(const BigRational& ax, const BigRational& ay, const BigRationa
   return BigRational(ax * by - ay * bx);
 }
 
-// Whether the boxes of the segments are certainly apart.
+// Whether the boxes of the segments are provably apart.
 bool boxes_apart(const SlicePoint& a, const SlicePoint& b, const SlicePoint& c, const SlicePoint& d) {
   const double e = 2 * std::max({a.error(), b.error(), c.error(), d.error()});
   const auto [ax0, ax1] = std::minmax({a.at().x, b.at().x});
@@ -38,8 +38,8 @@ bool boxes_apart(const SlicePoint& a, const SlicePoint& b, const SlicePoint& c, 
   return ax1 + e < cx0 || cx1 + e < ax0 || ay1 + e < cy0 || cy1 + e < ay0;
 }
 
-// The place of p on the line from a to b, as a share.
-BigRational share_of(const Position& a, const Position& b, const Position& p) {
+// The position of p on the line from a to b, as a fraction.
+BigRational fraction_of(const Position& a, const Position& b, const Position& p) {
   const BigRational dx = b.x - a.x, dy = b.y - a.y;
   return BigRational((dx * (p.x - a.x) + dy * (p.y - a.y)) / (dx * dx + dy * dy));
 }
@@ -77,13 +77,13 @@ int side(const SlicePoint& a, const SlicePoint& b, const SlicePoint& c) {
 
 int compare_x(const SlicePoint& a, const SlicePoint& b) {
   const double d = a.at().x - b.at().x;
-  if (certain(d, a.error() + b.error())) return d > 0 ? 1 : -1;
+  if (proved(d, a.error() + b.error())) return d > 0 ? 1 : -1;
   return &a == &b ? 0 : exact::compare(a.exact().x, b.exact().x);
 }
 
 int compare_y(const SlicePoint& a, const SlicePoint& b) {
   const double d = a.at().y - b.at().y;
-  if (certain(d, a.error() + b.error())) return d > 0 ? 1 : -1;
+  if (proved(d, a.error() + b.error())) return d > 0 ? 1 : -1;
   return &a == &b ? 0 : exact::compare(a.exact().y, b.exact().y);
 }
 
@@ -94,8 +94,8 @@ bool on_segment(const SlicePoint& a, const SlicePoint& b, const SlicePoint& p) {
   return compare_x(a, p) * compare_x(p, b) >= 0 && compare_y(a, p) * compare_y(p, b) >= 0;
 }
 
-Position along(const Position& a, const Position& b, const BigRational& share) {
-  return {BigRational(a.x + share * (b.x - a.x)), BigRational(a.y + share * (b.y - a.y))};
+Position along(const Position& a, const Position& b, const BigRational& fraction) {
+  return {BigRational(a.x + fraction * (b.x - a.x)), BigRational(a.y + fraction * (b.y - a.y))};
 }
 
 SliceMap::SliceMap(PlanarSum slice) : slice_(std::move(slice)) {
@@ -155,7 +155,7 @@ std::uint32_t SliceMap::edge_at(const SlicePoint& p) const {
   return kNone;
 }
 
-// The shares of a to b at which it meets the segment from c to d: one, or both ends of what they have in common.
+// The fractions of a to b at which it meets the segment from c to d: one, or both ends of what they have in common.
 void SliceMap::add_meetings(const SlicePoint& a, const SlicePoint& b, const SlicePoint& c, const SlicePoint& d,
                             std::uint32_t edge, std::vector<std::pair<BigRational, std::uint32_t>>& to) const {
   if (boxes_apart(a, b, c, d)) return;
@@ -163,7 +163,7 @@ void SliceMap::add_meetings(const SlicePoint& a, const SlicePoint& b, const Slic
   if (from * til > 0 || side(c, d, a) * side(c, d, b) > 0) return;
   const Position &p = a.exact(), &q = b.exact(), &u = c.exact(), &v = d.exact();
   if (from == 0 && til == 0) {
-    BigRational low = share_of(p, q, u), high = share_of(p, q, v);
+    BigRational low = fraction_of(p, q, u), high = fraction_of(p, q, v);
     if (low > high) std::swap(low, high);
     if (high < 0 || low > 1) return;
     to.emplace_back(low < 0 ? BigRational(0) : low, edge);
@@ -201,11 +201,11 @@ SliceMap::Passage SliceMap::passage(const SlicePoint& a, const SlicePoint& b, bo
   for (std::size_t k = 0; k + 1 < meetings.size(); ++k) {
     const BigRational &low = meetings[k].first, &high = meetings[k + 1].first;
     if (low == high) continue;
-    const SlicePoint middle(along(a.exact(), b.exact(), BigRational((low + high) / 2)));
-    if (where(middle) != Where::inside) continue;
+    const SlicePoint midpoint(along(a.exact(), b.exact(), BigRational((low + high) / 2)));
+    if (where(midpoint) != Where::inside) continue;
     Passage blocked{false, low, kNone};
-    for (const auto& [share, edge] : meetings)
-      if (share == low && edge != kNone) blocked.edge = std::min(blocked.edge, edge);
+    for (const auto& [fraction, edge] : meetings)
+      if (fraction == low && edge != kNone) blocked.edge = std::min(blocked.edge, edge);
     return blocked;
   }
   return {};

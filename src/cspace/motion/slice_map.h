@@ -41,7 +41,7 @@ bool same(const SlicePoint& a, const SlicePoint& b);
 /// Whether p lies on the closed segment from a to b.
 bool on_segment(const SlicePoint& a, const SlicePoint& b, const SlicePoint& p);
 /// a + share (b - a).
-Position along(const Position& a, const Position& b, const exact::BigRational& share);
+Position along(const Position& a, const Position& b, const exact::BigRational& fraction);
 
 class SliceMap {
  public:
@@ -54,7 +54,7 @@ class SliceMap {
   };
   enum class Where : std::uint8_t { outside, touching, inside };
 
-  /// How far a straight way is free: wholly, or up to the share `first` of it, where an edge may be named.
+  /// How far a straight way is free: wholly, or up to the fraction `first` of it, where an edge may be named.
   struct Passage {
     bool free = true;
     exact::BigRational first;
@@ -80,7 +80,7 @@ class SliceMap {
   /// An edge that p lies on, or kNone.
   std::uint32_t edge_at(const SlicePoint& p) const;
   /// The straight way from a to b against the open slice; against the closed one where touching is forbidden.
-  /// The first share is that of the earliest point behind which every neighbourhood is entered, or of the earliest
+  /// The first fraction is that of the earliest point after which every neighbourhood is entered, or of the earliest
   /// touch.
   Passage passage(const SlicePoint& a, const SlicePoint& b, bool touching_allowed) const;
 

@@ -9,8 +9,8 @@ namespace {
 
 using Node = BoundaryGraph::Node;
 
-/// Of the difference of a place along two edges in line and a length, times both lengths: each length (1 for the
-/// coordinates, 2 for the root), a share of one, the sum with the other.
+/// Of the difference of a position along two edges in line and a length, times both lengths: each length (1 for the
+/// coordinates, 2 for the root), a fraction of one, the sum with the other.
 constexpr double kInLine = exact::rounding_bound(3 + 1 + 1 + 3, 16);
 
 /// Visible sub-edges that follow each other along the common line of two aligned edges, and where they start and end
@@ -22,7 +22,7 @@ struct AlignedRun {
 
 class AlignmentEdit {
  public:
-  AlignmentEdit(TurnEvent& event, const TurnRange& range, const SweepScene& scene)
+  AlignmentEdit(RotationEvent& event, const RotationRange& range, const SweepScene& scene)
       : forms_(scene.forms),
         catalog_(scene.catalog),
         graph_(scene.graph),
@@ -33,8 +33,8 @@ class AlignmentEdit {
         length_f_(length(0, event.f)) {
     const std::uint32_t e = event.e, f = event.f, e1 = forms_.operand(1).next[e], f1 = forms_.operand(0).next[f];
     before_ = {WalkSegment{1, e, f}, WalkSegment{0, f, e1}};
-    behind_ = {WalkSegment{0, f, e}, WalkSegment{1, e, f1}};
-    middle_ = {f1, e};
+    after_ = {WalkSegment{0, f, e}, WalkSegment{1, e, f1}};
+    midpoint_ = {f1, e};
   }
 
   /// Nothing where more coincides.
@@ -44,7 +44,7 @@ class AlignmentEdit {
     join_over_vertex(runs);
     BoundaryEdit edit;
     for (const AlignedRun& run : runs) {
-      std::vector<WalkSegment> segments = segments_behind(run);
+      std::vector<WalkSegment> segments = segments_after(run);
       if (segments.empty()) return std::nullopt;
       edit.runs.push_back({run.first, run.last, std::move(segments)});
       edit.gone.push_back(run.first);
@@ -64,8 +64,8 @@ class AlignmentEdit {
       for (std::uint32_t n = graph_.first_on(before_[second]); n != kNobody; n = graph_[n].next_on_segment) {
         const Node& node = graph_[n];
         const double length = second ? length_f_ : length_e_, base = second ? length_e_ : 0;
-        const Located from = place_on(forms_, node.segment, graph_[node.prev].segment, true, heading_, turn_),
-                      to = place_on(forms_, node.segment, graph_[node.next].segment, false, heading_, turn_);
+        const Located from = position_on(forms_, node.segment, graph_[node.prev].segment, true, heading_, turn_),
+                      to = position_on(forms_, node.segment, graph_[node.next].segment, false, heading_, turn_);
         runs.push_back({n, n, base + length * from.t, base + length * to.t, length * (from.error + to.error)});
       }
   }
@@ -86,49 +86,50 @@ class AlignmentEdit {
 
   // What was visible along the line stays so; the segments change, at the new middle vertex. A chain may end or start
   // there: where that vertex is reflex, the boundary turns at it. None where a run ends at that vertex otherwise.
-  std::vector<WalkSegment> segments_behind(const AlignedRun& run) const {
-    const bool from_middle = forms_.end(graph_[graph_[run.first].prev].segment) == middle_;
-    const bool to_middle = TurningForms::start(graph_[graph_[run.last].next].segment) == middle_;
-    const int from = from_middle ? 1 : beside_middle(run, false), to = to_middle ? -1 : beside_middle(run, true);
+  std::vector<WalkSegment> segments_after(const AlignedRun& run) const {
+    const bool from_midpoint = forms_.end(graph_[graph_[run.first].prev].segment) == midpoint_;
+    const bool to_midpoint = TurningForms::start(graph_[graph_[run.last].next].segment) == midpoint_;
+    const int from = from_midpoint ? 1 : beside_midpoint(run, false),
+              to = to_midpoint ? -1 : beside_midpoint(run, true);
     if (from == 0 || to == 0) return {};
     std::vector<WalkSegment> segments;
-    if (from < 0) segments.push_back(behind_[0]);
-    if (to > 0) segments.push_back(behind_[1]);
+    if (from < 0) segments.push_back(after_[0]);
+    if (to > 0) segments.push_back(after_[1]);
     for (const WalkSegment& s : segments)
       if (!catalog_.may_exist(s)) return {};
     return segments;
   }
 
-  // Whether an end of a run comes behind the new middle vertex (1), before it (-1), or is there.
-  int beside_middle(const AlignedRun& run, bool at_end) const {
+  // Whether an end of a run comes after the new middle vertex (1), before it (-1), or is there.
+  int beside_midpoint(const AlignedRun& run, bool at_end) const {
     const double d = (at_end ? run.to : run.from) - length_f_;
     if (std::abs(d) > kInLine * (length_e_ + length_f_) + run.error) return d > 0 ? 1 : -1;
     const SignsAt& signs = signs_.exact();
     const std::optional<Fraction> end =
         end_along(signs, before_[0], graph_.sub_edge(at_end ? run.last : run.first), at_end);
-    return end ? signs.compare(*end, signs.along(before_[0], ExactPlace{{false, middle_, {}, {}}, {}})) : 0;
+    return end ? signs.compare(*end, signs.along(before_[0], ExactPosition{{false, midpoint_, {}, {}}, {}})) : 0;
   }
 
   const TurningForms& forms_;
-  const TurnCatalog& catalog_;
+  const RotationCatalog& catalog_;
   const BoundaryGraph& graph_;
   EventSigns signs_;
   Heading heading_;
   double turn_;  // what its angle errs by
   double length_e_, length_f_;
-  std::array<WalkSegment, 2> before_, behind_;  // along the line, in order
-  Pair middle_;                                 // between the two behind the event
+  std::array<WalkSegment, 2> before_, after_;  // along the line, in order
+  Pair midpoint_;                              // between the two after the event
 };
 
 }  // namespace
 
-EventPlan plan_alignment(TurnEvent& event, const TurnRange& range, const SweepScene& scene) {
+EventPlan plan_alignment(RotationEvent& event, const RotationRange& range, const SweepScene& scene) {
   const WalkSegment first{1, event.e, event.f}, second{0, event.f, scene.forms.operand(1).next[event.e]};
   if (scene.graph.first_on(first) == kNobody && scene.graph.first_on(second) == kNobody) return {};
   exact_root(event, scene.forms, range);
   std::optional<BoundaryEdit> edit = AlignmentEdit(event, range, scene).edit();
   if (!edit) return {EventPlan::Verdict::unsure, {}, {}, {}};
-  const Point at = place_of(event, scene.forms, Heading::of(event.theta())).at;
+  const Point at = position_of(event, scene.forms, Heading::of(event.theta())).at;
   return {EventPlan::Verdict::change, ObstacleEvent::Kind::alignment, at, std::move(*edit)};
 }
 

@@ -98,7 +98,7 @@ class ConvexMerge {
 
   EdgeAlignment alignment(std::uint32_t e, std::uint32_t f) const {
     EdgeAlignment a{e, f, std::remainder(obstacle_edges_[f].angle - robot_edges_[e].angle, 2 * std::numbers::pi)};
-    // Half a turn or a little more or less: the imaginary part tells the sides apart.
+    // Half a turn or a little more or less: the imaginary part distinguishes the sides.
     if (std::abs(a.key) > std::numbers::pi - kKeyError)
       a.key = std::copysign(a.key, imaginary(a).sign() < 0 ? -1.0 : 1.0);
     return a;
@@ -149,11 +149,11 @@ class ConvexMerge {
 
   void add_event(const EdgeAlignment& a, std::uint32_t angle) {
     const double theta = state_.angles[angle].theta, c = std::cos(theta), s = std::sin(theta);
-    const auto middle = [](const Operand& o, std::uint32_t i) {
+    const auto midpoint = [](const Operand& o, std::uint32_t i) {
       const Point u = o.points->input[o.source[i]], v = o.points->input[o.source[o.next[i]]];
       return Point{u.x / 2 + v.x / 2, u.y / 2 + v.y / 2};
     };
-    const Point p = middle(obstacle_, a.f), q = middle(robot_, a.e);
+    const Point p = midpoint(obstacle_, a.f), q = midpoint(robot_, a.e);
     state_.events.push_back(
         {ObstacleEvent::Kind::alignment, angle, {p.x + (c * q.x - s * q.y), p.y + (s * q.x + c * q.y)}});
   }
@@ -164,14 +164,14 @@ class ConvexMerge {
   }
 
   Contact fixed(std::uint32_t f, std::uint32_t r) const {
-    return {Contact::Kind::edge_of_p, obstacle_.edge_number[f], robot_.vertex_number[r]};
+    return {Contact::Kind::edge_of_p, obstacle_.edge_index[f], robot_.vertex_index[r]};
   }
   Contact rotating(std::uint32_t e, std::uint32_t o) const {
-    return {Contact::Kind::edge_of_q, obstacle_.vertex_number[o], robot_.edge_number[e]};
+    return {Contact::Kind::edge_of_q, obstacle_.vertex_index[o], robot_.edge_index[e]};
   }
 
   // Obstacle edge f + robot vertex r, while the direction of f is between those of the edges at r: from its alignment
-  // with the edge behind r until that with the edge before r. Walk edge i starts at walk vertex i.
+  // with the edge after r until that with the edge before r. Walk edge i starts at walk vertex i.
   void add_fixed(std::uint32_t f, std::uint32_t r) {
     const std::uint32_t e_in = robot_.prev[r], e_out = r, f_in = obstacle_.prev[f], f_out = obstacle_.next[f];
     const std::uint32_t begin = angle(e_out, f), end = angle(e_in, f);
@@ -180,7 +180,7 @@ class ConvexMerge {
     add_patches(fixed(f, r), begin, end, left, right);
   }
 
-  // Robot edge e + obstacle vertex o: from the alignment with the edge before o until that with the edge behind it.
+  // Robot edge e + obstacle vertex o: from the alignment with the edge before o until that with the edge after it.
   void add_rotating(std::uint32_t e, std::uint32_t o) {
     const std::uint32_t f_in = obstacle_.prev[o], f_out = o, e_in = robot_.prev[e], e_out = robot_.next[e];
     const std::uint32_t begin = angle(e, f_in), end = angle(e, f_out);

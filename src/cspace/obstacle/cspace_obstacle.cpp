@@ -10,7 +10,7 @@
 #include "base/stopwatch.h"
 #include "base/within_memory.h"
 #include "cspace/boundary/patch_slabs.h"
-#include "cspace/events/walk_numbers.h"
+#include "cspace/events/walk_indices.h"
 #include "cspace/events/walked_rings.h"
 #include "cspace/obstacle/convex_obstacle.h"
 #include "cspace/obstacle/general_obstacle.h"
@@ -102,9 +102,9 @@ PlacedContact placed(const OperandPair& base, const Contact& c, double cosine, d
   const auto turned = [&](Point v) { return Point{cosine * v.x - sine * v.y, sine * v.x + cosine * v.y}; };
   const std::uint32_t moving = c.kind == Contact::Kind::edge_of_p ? 0 : 1, edge = moving == 0 ? c.p : c.q;
   const std::uint32_t other = moving == 0 ? c.q : c.p;
-  const auto [from, to] = base.operands[moving].numbered_edge[edge];
+  const auto [from, to] = base.operands[moving].edge_of_index[edge];
   const Point a = (*at[moving])[from], b = (*at[moving])[to];
-  const Point v = (*at[1 - moving])[base.operands[1 - moving].numbered_vertex[other]];
+  const Point v = (*at[1 - moving])[base.operands[1 - moving].vertex_of_index[other]];
   const Point fixed = moving == 0 ? a : v, arm = turned(moving == 0 ? v : a), d{b.x - a.x, b.y - a.y};
   return {{fixed.x + arm.x, fixed.y + arm.y}, moving == 0 ? d : turned(d)};
 }
@@ -123,11 +123,11 @@ Segment segment_from(const Lattice& l, Pair z) {
   throw std::logic_error("CspaceObstacle: neither operand has an area");
 }
 
-// Where the line of `other` crosses the segment, as a share of it; `unless` where they look parallel.
+// Where the line of `other` crosses the segment, as a fraction of it; `unless` where they look parallel.
 double crossing(const PlacedContact& on, const PlacedContact& other, double unless) {
   const Point gap{other.start.x - on.start.x, other.start.y - on.start.y};
-  const double share = cross(gap, other.along) / cross(on.along, other.along);
-  return share >= 0 && share <= 1 ? share : share < 0 ? 0 : share > 1 ? 1 : unless;
+  const double fraction = cross(gap, other.along) / cross(on.along, other.along);
+  return fraction >= 0 && fraction <= 1 ? fraction : fraction < 0 ? 0 : fraction > 1 ? 1 : unless;
 }
 
 }  // namespace
@@ -247,9 +247,9 @@ std::array<Point, 2> CspaceObstacle::ends(const Patch& patch, double theta) cons
   const double cosine = std::cos(theta), sine = std::sin(theta);
   const OperandPair& base = *state_->base;
   const PlacedContact own = placed(base, patch.contact, cosine, sine);
-  const auto meeting = [&](const Contact& other, bool corner, double share) {
-    if (!corner) share = crossing(own, placed(base, other, cosine, sine), share);
-    return Point{own.start.x + share * own.along.x, own.start.y + share * own.along.y};
+  const auto meeting = [&](const Contact& other, bool corner, double fraction) {
+    if (!corner) fraction = crossing(own, placed(base, other, cosine, sine), fraction);
+    return Point{own.start.x + fraction * own.along.x, own.start.y + fraction * own.along.y};
   };
   return {meeting(patch.left, patch.left_corner, 0), meeting(patch.right, patch.right_corner, 1)};
 }
@@ -268,15 +268,15 @@ bool CspaceObstacle::contains(double x, double y, const Orientation& theta) cons
       {.moved = 1, .reflect_q = true, .further = {{{Point{x, y}}, {Point{0, 0}}}}, .spread = Spread::any});
   const PlacedPair at = (*base)->placed(theta);
   const Lattice& l = *at.lattice;
-  Place place;
-  place.first.pair = {static_cast<std::uint32_t>(l.points[0]->input.size() - 1),
-                      static_cast<std::uint32_t>(l.points[1]->input.size() - 1)};
-  const Pair z = place.first.pair;
-  place.x = l.points[0]->x[z.p] + l.points[1]->x[z.q];
-  place.y = l.points[0]->y[z.p] + l.points[1]->y[z.q];
-  place.error = kPositionInSteps * l.span;
-  place.on = segment_from(l, z);
-  return Collision(l, *at.p, *at.q, true).overlaps(place);
+  SegmentPosition position;
+  position.first.pair = {static_cast<std::uint32_t>(l.points[0]->input.size() - 1),
+                         static_cast<std::uint32_t>(l.points[1]->input.size() - 1)};
+  const Pair z = position.first.pair;
+  position.x = l.points[0]->x[z.p] + l.points[1]->x[z.q];
+  position.y = l.points[0]->y[z.p] + l.points[1]->y[z.q];
+  position.error = kPositionInSteps * l.span;
+  position.on = segment_from(l, z);
+  return Collision(l, *at.p, *at.q, true).overlaps(position);
 }
 
 }  // namespace dymsum

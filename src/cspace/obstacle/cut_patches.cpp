@@ -16,7 +16,7 @@ class CutPatches {
   CutPatches(const SweptBoundary& swept, const ContactNames& names)
       : swept_(swept), names_(names), angles_(static_cast<std::uint32_t>(swept.angles.size())) {}
 
-  // Slab s lies behind angle s - 1; the one before the first angle is the last one.
+  // Slab s lies after angle s - 1; the one before the first angle is the last one.
   std::vector<CutPatch> run() {
     if (angles_ == 0) {
       add_slab(0);
@@ -82,7 +82,7 @@ class CutPatches {
     open_ = std::move(now);
   }
 
-  // What is there before and behind the first angle is one patch.
+  // What is there before and after the first angle is one patch.
   void join_ends(const std::map<PatchKey, std::uint32_t>& first) {
     std::vector<bool> gone(patches_.size(), false);
     for (const auto& [key, from] : open_) {

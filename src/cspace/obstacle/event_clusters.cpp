@@ -2,57 +2,58 @@
 
 #include <algorithm>
 
-#include "cspace/events/event_place.h"
+#include "cspace/events/event_position.h"
 
 namespace dymsum::planar {
 namespace {
 
-/// Angles of events err by less, or their places are not computed.
+/// Angles of events err by less, or their positions are not computed.
 constexpr double kAngle = 0x1p-30;
-/// Places of lines at a smaller sine are not used. They err by less than kCrossing / sine, times the span.
+/// Positions of lines at a smaller sine are not used. They err by less than kCrossing / sine, times the span.
 constexpr double kPlacedLeast = 0x1p-10, kCrossing = 0x1p-40;
-static_assert(kTurnedSide + kTurnedCross + kTurnedPlace <= kCrossing && kCrossing / kPlacedLeast <= kAngle);
+static_assert(kTurnedSide + kTurnedCross + kTurnedPosition <= kCrossing && kCrossing / kPlacedLeast <= kAngle);
 
-/// A disc that certainly holds the place of an event, or the stretch along which it changes the boundary; infinite for
-/// alignments and where doubles do not tell.
+/// A disc that provably holds the position of an event, or the interval along which it changes the boundary; infinite
+/// for alignments and where doubles do not decide.
 struct Spot {
   Point at;
   double radius = INFINITY;
   bool apart_from(const Spot& o) const { return std::hypot(at.x - o.at.x, at.y - o.at.y) > radius + o.radius; }
 };
 
-Spot around_common_stretch(const TurnEvent& event, const TurningForms& forms, Heading h) {
+Spot around_common_interval(const RotationEvent& event, const TurningForms& forms, Heading h) {
   const Point d = forms.direction(event.a, h), e = forms.direction(event.b, h);
-  const Point s = forms.place(TurningForms::start(event.a), h), t = forms.place(TurningForms::start(event.b), h);
+  const Point s = forms.position(TurningForms::start(event.a), h), t = forms.position(TurningForms::start(event.b), h);
   const double length = std::hypot(d.x, d.y), from = (d.x * (t.x - s.x) + d.y * (t.y - s.y)) / length;
   const double first = std::max(0.0, from), last = std::min(length, from + std::hypot(e.x, e.y)),
-               middle = (first + last) / (2 * length);
-  return {{s.x + middle * d.x, s.y + middle * d.y}, std::max(0.0, last - first) / 2 + 4 * kAngle * forms.span()};
+               midpoint = (first + last) / (2 * length);
+  return {{s.x + midpoint * d.x, s.y + midpoint * d.y}, std::max(0.0, last - first) / 2 + 4 * kAngle * forms.span()};
 }
 
-// The place start + (side / cross) d of a crossing moves by at most span (1 + 4 / sin) for every radian, the sine being
-// that of the angle between the segments, and errs by less than 2^-40 span / sin.
-Spot spot_of(const TurnEvent& event, const TurningForms& forms, Heading h) {
+// The position start + (side / cross) d of a crossing moves by at most span (1 + 4 / sin) for every radian, the sine
+// being that of the angle between the segments, and errs by less than 2^-40 span / sin.
+Spot spot_of(const RotationEvent& event, const TurningForms& forms, Heading h) {
   Spot spot;
   if (event.high - event.low > kAngle) return spot;
-  if (event.kind == TurnEvent::Kind::vertex_on_segment) return {forms.place(event.v, h), 2 * kAngle * forms.span()};
-  if (event.kind == TurnEvent::Kind::overlap) return around_common_stretch(event, forms, h);
-  if (event.kind != TurnEvent::Kind::three_segments) return spot;
-  const EventPlace place = place_of(event, forms, h);
-  if (place.sine > kPlacedLeast) spot = {place.at, 8 * kAngle * forms.span() / place.sine};
+  if (event.kind == RotationEvent::Kind::vertex_on_segment)
+    return {forms.position(event.v, h), 2 * kAngle * forms.span()};
+  if (event.kind == RotationEvent::Kind::overlap) return around_common_interval(event, forms, h);
+  if (event.kind != RotationEvent::Kind::three_segments) return spot;
+  const EventPosition position = position_of(event, forms, h);
+  if (position.sine > kPlacedLeast) spot = {position.at, 8 * kAngle * forms.span() / position.sine};
   return spot;
 }
 
-bool may_exist_near(const TurnCatalog& catalog, const WalkSegment& s, const TurnEvent& event) {
+bool may_exist_near(const RotationCatalog& catalog, const WalkSegment& s, const RotationEvent& event) {
   if (!catalog.may_exist(s)) return false;
-  const TurnCatalog::Span span = catalog.span(s, event.theta());
+  const RotationCatalog::Span span = catalog.span(s, event.theta());
   const double slack = kAngleSlack + (event.high - event.low);
   return span.from <= slack && span.to >= -slack;
 }
 
 }  // namespace
 
-std::vector<std::uint32_t> segments_of(const TurnEvent& event, const SweepScene& scene) {
+std::vector<std::uint32_t> segments_of(const RotationEvent& event, const SweepScene& scene) {
   const TurningForms& forms = scene.forms;
   std::vector<std::uint32_t> found;
   const auto add = [&](const WalkSegment& s) { found.push_back(scene.graph.segments().of(s)); };
@@ -64,21 +65,21 @@ std::vector<std::uint32_t> segments_of(const TurnEvent& event, const SweepScene&
     }
   };
   switch (event.kind) {
-    case TurnEvent::Kind::three_segments:
+    case RotationEvent::Kind::three_segments:
       for (const WalkSegment& s : {event.a, event.b, event.c}) add(s);
       break;
-    case TurnEvent::Kind::vertex_on_segment:
+    case RotationEvent::Kind::vertex_on_segment:
       add(event.a);
       add_at(event.v);
       break;
-    case TurnEvent::Kind::overlap:
+    case RotationEvent::Kind::overlap:
       for (const WalkSegment& s : {event.a, event.b}) {
         add(s);
         add_at(TurningForms::start(s));
         add_at(forms.end(s));
       }
       break;
-    case TurnEvent::Kind::alignment: {
+    case RotationEvent::Kind::alignment: {
       const std::uint32_t e1 = forms.operand(1).next[event.e], f1 = forms.operand(0).next[event.f];
       for (const WalkSegment& s : {WalkSegment{1, event.e, event.f}, WalkSegment{0, event.f, e1},
                                    WalkSegment{0, event.f, event.e}, WalkSegment{1, event.e, f1}})

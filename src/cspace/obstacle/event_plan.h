@@ -3,17 +3,17 @@
 // guess.
 #pragma once
 
-#include "cspace/events/event_place.h"
+#include "cspace/events/event_position.h"
 #include "cspace/obstacle/sweep_scene.h"
 #include "exact/rounding_bound.h"
 
 namespace dymsum::planar {
 
-/// Of a place on a segment beside the share's error, in each coordinate, times the span: a place (16), a direction
-/// (19), product and sum.
-inline constexpr double kPlaceError = exact::rounding_bound(16 + 19 + 2, 128);
+/// Of a position on a segment beside the fraction's error, in each coordinate, times the span: a position (16), a
+/// direction (19), product and sum.
+inline constexpr double kPositionError = exact::rounding_bound(16 + 19 + 2, 128);
 /// The same at an angle that errs by `turn`: nothing turns about a centre farther than half a span.
-constexpr double place_error(double turn) { return kPlaceError + turn; }
+constexpr double position_error(double turn) { return kPositionError + turn; }
 
 /// The angles of planned events err by at most this much: wider ones are narrowed first.
 inline constexpr double kPlannedTurn = 0x1p-39;
@@ -28,13 +28,13 @@ static_assert(kTurnedSide + 2 * kPlannedTurn < kSlopes * kTurnedSide);
 static_assert(4 * kConcurrency + 6 * 6 * kPlannedTurn < kSlopes * kConcurrency);
 
 /// What the double of an event's angle errs by.
-inline double turn_of(const TurnEvent& event) { return (event.high - event.low) / 2 * exact::kOutwards; }
+inline double turn_of(const RotationEvent& event) { return (event.high - event.low) / 2 * exact::kOutwards; }
 
 struct EventPlan {
   enum class Verdict : std::uint8_t {
     nothing,   ///< nothing changes
     unsure,    ///< more coincides
-    doubtful,  ///< nothing changes behind the event, but the place may be free at its angle
+    doubtful,  ///< nothing changes after the event, but the position may be free at its angle
     change,    ///< the edit, less its births that are not free
   };
   Verdict verdict = Verdict::nothing;
@@ -44,18 +44,20 @@ struct EventPlan {
 };
 
 /// Where an edge of the robot passes the direction of one of the obstacle, the boundary along their common line changes
-/// hands: before, edge e from vertex q_j and then edge f from p_(i+1); behind, f from p_i and then e from q_(j+1).
-EventPlan plan_alignment(TurnEvent& event, const TurnRange& range, const SweepScene& scene);
+/// hands: before, edge e from vertex q_j and then edge f from p_(i+1); after, f from p_i and then e from q_(j+1).
+EventPlan plan_alignment(RotationEvent& event, const RotationRange& range, const SweepScene& scene);
 
-/// Where two segments with one direction pass over each other: along the stretch that they share the boundary changes
-/// from one to the other, and at the ends of that stretch it turns into the next or the previous segment of a chain.
-EventPlan plan_overlap(TurnEvent& event, const TurnRange& range, const SweepScene& scene);
+/// Where two segments with one direction pass over each other: along the interval that they share the boundary changes
+/// from one to the other, and at the ends of that interval it turns into the next or the previous segment of a chain.
+EventPlan plan_overlap(RotationEvent& event, const RotationRange& range, const SweepScene& scene);
 
-/// Three segments, or a vertex and a segment, that meet where nothing else does: a small arrangement behind the event,
+/// Three segments, or a vertex and a segment, that meet where nothing else does: a small arrangement after the event,
 /// and paths in it from the visible sub-edges that come in to those that go out.
-EventPlan plan_meeting(TurnEvent& event, const TurnRange& range, const SweepScene& scene, const OverlapFilter& filter);
+EventPlan plan_meeting(RotationEvent& event, const RotationRange& range, const SweepScene& scene,
+                       const OverlapFilter& filter);
 
 /// That of the event's kind.
-EventPlan plan_event(TurnEvent& event, const TurnRange& range, const SweepScene& scene, const OverlapFilter& filter);
+EventPlan plan_event(RotationEvent& event, const RotationRange& range, const SweepScene& scene,
+                     const OverlapFilter& filter);
 
 }  // namespace dymsum::planar

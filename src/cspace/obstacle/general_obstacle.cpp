@@ -8,10 +8,10 @@
 
 #include "base/parallel.h"
 #include "base/poll.h"
-#include "cspace/events/walk_numbers.h"
+#include "cspace/events/walk_indices.h"
+#include "cspace/obstacle/event_windows.h"
 #include "cspace/obstacle/obstacle_export.h"
 #include "cspace/obstacle/obstacle_sweep.h"
-#include "cspace/obstacle/turn_windows.h"
 
 namespace dymsum::planar {
 namespace {
@@ -24,25 +24,26 @@ void count(const PreparedWindow& p, ObstacleWork& work) {
   work.potential_events += p.found.events.size();
 }
 
-/// Asks whether to go on, on the thread that made it, and stops on the others too.
-class TurnPoll {
+/// Queries whether to go on, on the thread that made it, and stops on the others too.
+class RotationPoll {
  public:
-  explicit TurnPoll(const Progress& progress) : progress_(progress) {}
-  void at(double share) { share_ = share; }
+  explicit RotationPoll(const Progress& progress) : progress_(progress) {}
+  void at(double fraction) { fraction_ = fraction; }
   void operator()() {
-    if (std::this_thread::get_id() == caller_ && progress_ && !progress_("angles", share_)) stop_ = true;
+    if (std::this_thread::get_id() == caller_ && progress_ && !progress_("angles", fraction_)) stop_ = true;
     if (stop_.load(std::memory_order_relaxed)) throw Cancelled{};
   }
 
  private:
   const Progress& progress_;
   const std::thread::id caller_ = std::this_thread::get_id();
-  double share_ = 0;
+  double fraction_ = 0;
   std::atomic<bool> stop_{false};
 };
 
 // Ranges are prepared side by side, some at a time, and passed one after the other. Throws Cancelled.
-void pass_turn(const TurnWindows& windows, ObstacleSweep& sweep, TurnPoll& poll, const std::function<void()>& again) {
+void pass_turn(const EventWindows& windows, ObstacleSweep& sweep, RotationPoll& poll,
+               const std::function<void()>& again) {
   constexpr int kAtATime = 16;
   std::vector<std::vector<PreparedWindow>> some(kAtATime);
   bool started = false, halved = false;
@@ -53,7 +54,7 @@ void pass_turn(const TurnWindows& windows, ObstacleSweep& sweep, TurnPoll& poll,
     base::parallel_parts(static_cast<std::size_t>(last - first), 0, [&](std::size_t k) {
       const bool at_once = halved && k > 0;
       some[k] = windows.prepare(first + static_cast<int>(k),
-                                at_once ? TurnWindows::Halved::always : TurnWindows::Halved::where_crowded, again);
+                                at_once ? EventWindows::Halved::always : EventWindows::Halved::where_crowded, again);
     });
     // Where all of some ranges had to be halved the next ones will have to be as well; their first one is asked.
     halved = std::all_of(some.begin(), some.begin() + (last - first),
@@ -69,7 +70,7 @@ void pass_turn(const TurnWindows& windows, ObstacleSweep& sweep, TurnPoll& poll,
   }
 }
 
-std::uint64_t surfaces(const TurningForms& forms, const TurnCatalog& catalog) {
+std::uint64_t surfaces(const TurningForms& forms, const RotationCatalog& catalog) {
   std::uint64_t n = 0;
   for (std::uint32_t side = 0; side < 2; ++side)
     for (std::uint32_t e = 0; e < forms.size(side); ++e)
@@ -83,10 +84,10 @@ Result<bool> general_obstacle(planar::ObstacleState& state, const ObstacleOption
   const bool touching = !state.robot.touching_points().empty() || !state.obstacle.touching_points().empty();
   const std::shared_ptr<const OperandPair> base = touching ? numbered_by_walk(*state.base) : state.base;
   const TurningForms forms(*base);
-  const TurnCatalog catalog(forms);
+  const RotationCatalog catalog(forms);
   if (static_cast<double>(forms.size(0)) * forms.size(1) > 0x1p27)
     return Error{ErrorCode::unsupported_operand, "more than 2^27 pairs of vertices", {}};
-  TurnPoll poll(options.progress);
+  RotationPoll poll(options.progress);
   const std::function<void()> again = [&] { poll(); };
   ObstacleSweep sweep(forms, catalog, base, options.reference, again);
   // It names contacts as regions do, and knows no pieces without area.
@@ -97,7 +98,7 @@ Result<bool> general_obstacle(planar::ObstacleState& state, const ObstacleOption
       sweep.use(*std::move(near));
   }
   try {
-    pass_turn(TurnWindows(forms, catalog, options.reference), sweep, poll, again);
+    pass_turn(EventWindows(forms, catalog, options.reference), sweep, poll, again);
   } catch (const Cancelled&) {
     return cancelled();
   }

@@ -1,6 +1,6 @@
-// Two or three segments that meet at one place, just behind the angle at which they do: their crossings in order along
-// each of them, which of the pieces between are visible, and how visible pieces lead from what comes in to what goes
-// out. Signs only, no coordinates.
+// Two or three segments that meet at one position, just after the angle at which they do: their crossings in order
+// along each of them, which of the pieces between are visible, and how visible pieces lead from what comes in to what
+// goes out. Signs only, no coordinates.
 #pragma once
 
 #include <array>
@@ -13,7 +13,7 @@
 namespace dymsum::planar {
 
 struct LocalArrangement {
-  /// Where another segment crosses a segment or, `chain`, where it goes on behind this one's end or ends before its
+  /// Where another segment crosses a segment or, `chain`, where it goes on after this one's end or ends before its
   /// start; -1 where a chain's other segment does not exist.
   struct Vertex {
     int other = -1;
@@ -22,7 +22,7 @@ struct LocalArrangement {
   struct Member {
     WalkSegment segment;
     bool opens = false, closes = false;  ///< it starts, or ends, here
-    int count = 0;                       ///< vertices behind the event, in order
+    int count = 0;                       ///< vertices after the event, in order
     std::array<Vertex, 2> vertices{};
     std::uint32_t in = kNobody, out = kNobody;  ///< visible nodes that come here and that leave
     void add(Vertex v) { vertices[static_cast<std::size_t>(count++)] = v; }
@@ -41,7 +41,7 @@ struct LocalArrangement {
   int size = 0;
   std::array<Member, 3> members;
   std::array<std::array<int, 3>, 3> cross{};  ///< signs of direction x direction
-  std::vector<std::uint32_t> vanish;          ///< nodes that shrink to the place
+  std::vector<std::uint32_t> vanish;          ///< nodes that shrink to the position
 
   /// Whether a visible node comes here.
   bool any() const;

@@ -17,10 +17,10 @@ enum class Fill : std::uint8_t {
   done,
 };
 
-/// The arrangement behind an event, from doubles at the event and, where these do not tell, from exact signs.
+/// The arrangement after an event, from doubles at the event and, where these do not decide, from exact signs.
 class Meeting {
  public:
-  Meeting(TurnEvent& event, const TurnRange& range, const SweepScene& scene)
+  Meeting(RotationEvent& event, const RotationRange& range, const SweepScene& scene)
       : event_(event),
         forms_(scene.forms),
         graph_(scene.graph),
@@ -28,9 +28,9 @@ class Meeting {
         heading_(Heading::of(event.theta())),
         turn_(turn_of(event)) {}
 
-  Fill fill() { return event_.kind == TurnEvent::Kind::three_segments ? fill_triple() : fill_vertex(); }
-  /// The visible sub-edges that come to the place: those bounded by another segment of it, and those that pass. False
-  /// where more coincides. Requires Fill::done.
+  Fill fill() { return event_.kind == RotationEvent::Kind::three_segments ? fill_triple() : fill_vertex(); }
+  /// The visible sub-edges that come to the position: those bounded by another segment of it, and those that pass.
+  /// False where more coincides. Requires Fill::done.
   bool find_nodes();
   const LocalArrangement& local() const { return local_; }
   Point at() const { return at_; }
@@ -38,7 +38,7 @@ class Meeting {
  private:
   Fill fill_triple();
   Fill order_along();
-  bool find_place();
+  bool find_position();
   Fill within(const WalkSegment& s, Located t) const;
   Fill fill_vertex();
   void add_chain(int in, int out, int side);
@@ -46,20 +46,20 @@ class Meeting {
   bool find_nodes(LocalArrangement::Member& member);
   std::optional<bool> passes(const WalkSegment& s, const BoundaryGraph::Node& node) const;
   bool takes_part(std::uint32_t n) const;
-  Point start(const WalkSegment& s) const { return forms_.place(TurningForms::start(s), heading_); }
+  Point start(const WalkSegment& s) const { return forms_.position(TurningForms::start(s), heading_); }
   double along(const WalkSegment& s) const {
     const Point from = start(s), d = forms_.direction(s, heading_);
     return (d.x * (at_.x - from.x) + d.y * (at_.y - from.y)) / (d.x * d.x + d.y * d.y);
   }
 
-  const TurnEvent& event_;
+  const RotationEvent& event_;
   const TurningForms& forms_;
   const BoundaryGraph& graph_;
   EventSigns signs_;
   Heading heading_;
   double turn_;  // what its angle errs by
   LocalArrangement local_;
-  ExactPlace place_;
+  ExactPosition position_;
   Point at_;
   double at_error_ = 0;
 };
@@ -82,37 +82,37 @@ Fill Meeting::fill_triple() {
   const std::array<WalkSegment, 3> s{event_.a, event_.b, event_.c};
   for (int k = 0; k < 3; ++k) {
     local_.members[k].segment = s[k];
-    const TurnCatalog::Existence exists = signs_.exists(s[k]);
-    if (exists != TurnCatalog::Existence::yes)
-      return exists == TurnCatalog::Existence::no ? Fill::nothing : Fill::unsure;
+    const RotationCatalog::Existence exists = signs_.exists(s[k]);
+    if (exists != RotationCatalog::Existence::yes)
+      return exists == RotationCatalog::Existence::no ? Fill::nothing : Fill::unsure;
   }
   if (!find_signs() || !event_.root->changes_sign()) return Fill::unsure;
-  if (!find_place()) return Fill::nothing;
+  if (!find_position()) return Fill::nothing;
   for (int k = 0; k < 3; ++k) {
-    const Located t = place_on(forms_, s[k], s[(k + 1) % 3], false, heading_, turn_),
-                  u = place_on(forms_, s[k], s[(k + 2) % 3], false, heading_, turn_);
+    const Located t = position_on(forms_, s[k], s[(k + 1) % 3], false, heading_, turn_),
+                  u = position_on(forms_, s[k], s[(k + 2) % 3], false, heading_, turn_);
     if (const Fill inside = within(s[k], t.error < u.error ? t : u); inside != Fill::done) return inside;
   }
   return order_along();
 }
 
-// The place lies strictly between the ends of a segment, or not on it, or is an end. `t`: where it is in doubles.
+// The position lies strictly between the ends of a segment, or not on it, or is an end. `t`: where it is in doubles.
 Fill Meeting::within(const WalkSegment& s, Located t) const {
   if (t.t < -t.error || t.t > 1 + t.error) return Fill::nothing;
   if (t.t > t.error && t.t < 1 - t.error) return Fill::done;
   const SignsAt& signs = signs_.exact();
-  const Fraction at = signs.along(s, place_);
+  const Fraction at = signs.along(s, position_);
   const int from = signs.sign(at), to = signs.compare(signs.length(s), at);
   if (from < 0 || to < 0) return Fill::nothing;
   return from > 0 && to > 0 ? Fill::done : Fill::unsure;
 }
 
-// Behind the event the crossings with b and c on a are in the order sign(G) sign(a x b) sign(a x c), G being the
+// After the event the crossings with b and c on a are in the order sign(G) sign(a x b) sign(a x c), G being the
 // concurrency.
 Fill Meeting::order_along() {
   const TrigForm2 g = forms_.concurrency(event_.a, event_.b, event_.c);
   int after = sign_of(g.slope(heading_), kSlopes * forms_.concurrency_error(event_.a, event_.b, event_.c));
-  if (after == 0) after = signs_.behind(forms_.exact_concurrency(event_.a, event_.b, event_.c, signs_.exact().chart()));
+  if (after == 0) after = signs_.after(forms_.exact_concurrency(event_.a, event_.b, event_.c, signs_.exact().chart()));
   for (int k = 0; k < 3; ++k) {
     const int i = (k + 1) % 3, j = (k + 2) % 3;
     const bool i_last = after * local_.cross[k][i] * local_.cross[k][j] > 0;
@@ -124,22 +124,22 @@ Fill Meeting::order_along() {
 
 // The crossing of the two that are least parallel; from exact signs where doubles do not know it well. False where that
 // is clearly off a segment.
-bool Meeting::find_place() {
+bool Meeting::find_position() {
   at_error_ = INFINITY;
   for (int k = 0; k < 3; ++k) {
     const WalkSegment& s = local_.members[k].segment;
-    const Located t = place_on(forms_, s, local_.members[(k + 1) % 3].segment, false, heading_, turn_);
+    const Located t = position_on(forms_, s, local_.members[(k + 1) % 3].segment, false, heading_, turn_);
     const Point from = start(s), d = forms_.direction(s, heading_);
-    const double error = t.error * forms_.length1(s) + place_error(turn_) * forms_.span();
+    const double error = t.error * forms_.length1(s) + position_error(turn_) * forms_.span();
     if (!(error < at_error_)) continue;
     at_error_ = error;
-    place_ = {{true, {}, s, local_.members[(k + 1) % 3].segment}, {}};
+    position_ = {{true, {}, s, local_.members[(k + 1) % 3].segment}, {}};
     at_ = {from.x + t.t * d.x, from.y + t.t * d.y};
   }
   const double known = SignsAt::kCrossingNear * forms_.span();
   if (at_error_ <= known) return true;
-  if (at_error_ == INFINITY) place_ = {{true, {}, local_.members[0].segment, local_.members[1].segment}, {}};
-  const std::optional<Point> at = signs_.exact().near(place_);
+  if (at_error_ == INFINITY) position_ = {{true, {}, local_.members[0].segment, local_.members[1].segment}, {}};
+  const std::optional<Point> at = signs_.exact().near(position_);
   at_ = at.value_or(at_);
   at_error_ = known;
   return at.has_value();
@@ -147,13 +147,13 @@ bool Meeting::find_place() {
 
 // The vertex goes to one side of a; the segments that end and start there cross a or not.
 Fill Meeting::fill_vertex() {
-  const TurnCatalog::Joint joint = signs_.joint(event_.v);
-  const TurnCatalog::Existence exists = signs_.exists(event_.a);
-  if (exists == TurnCatalog::Existence::no) return Fill::nothing;
-  if (joint.unsure || exists == TurnCatalog::Existence::unsure) return Fill::unsure;
-  place_ = {{false, event_.v, {}, {}}, {}};
-  at_ = forms_.place(event_.v, heading_);
-  at_error_ = place_error(turn_) * forms_.span();
+  const RotationCatalog::Joint joint = signs_.joint(event_.v);
+  const RotationCatalog::Existence exists = signs_.exists(event_.a);
+  if (exists == RotationCatalog::Existence::no) return Fill::nothing;
+  if (joint.unsure || exists == RotationCatalog::Existence::unsure) return Fill::unsure;
+  position_ = {{false, event_.v, {}, {}}, {}};
+  at_ = forms_.position(event_.v, heading_);
+  at_error_ = position_error(turn_) * forms_.span();
   const Fill inside = within(event_.a, {along(event_.a), 4 * at_error_ / forms_.length1(event_.a)});
   if (inside != Fill::done) return inside;
   const auto add = [&](const WalkSegment& s) {
@@ -166,12 +166,12 @@ Fill Meeting::fill_vertex() {
   if (out >= 0) local_.members[out].opens = true;
   if (!find_signs() || !event_.root->changes_sign()) return Fill::unsure;
   int side = sign_of(forms_.side(event_.a, event_.v).slope(heading_), kSlopes * forms_.side_error(event_.a));
-  if (side == 0) side = signs_.behind(forms_.exact_side(event_.a, event_.v, signs_.exact().chart()));
+  if (side == 0) side = signs_.after(forms_.exact_side(event_.a, event_.v, signs_.exact().chart()));
   add_chain(in, out, side);
   return Fill::done;
 }
 
-// `side`: of a, on which the vertex lies behind the event.
+// `side`: of a, on which the vertex lies after the event.
 void Meeting::add_chain(int in, int out, int side) {
   auto& members = local_.members;
   const auto& cross = local_.cross;
@@ -232,20 +232,20 @@ bool Meeting::find_nodes(LocalArrangement::Member& member) {
   return !(member.opens && member.in != kNobody) && !(member.closes && member.out != kNobody);
 }
 
-// Whether the place lies between the ends of a sub-edge; nothing where it is one of them.
+// Whether the position lies between the ends of a sub-edge; nothing where it is one of them.
 std::optional<bool> Meeting::passes(const WalkSegment& s, const BoundaryGraph::Node& node) const {
   const double t = along(s), error = 4 * at_error_ / forms_.length1(s);
-  const Located u = place_on(forms_, s, graph_[node.prev].segment, true, heading_, turn_),
-                v = place_on(forms_, s, graph_[node.next].segment, false, heading_, turn_);
+  const Located u = position_on(forms_, s, graph_[node.prev].segment, true, heading_, turn_),
+                v = position_on(forms_, s, graph_[node.next].segment, false, heading_, turn_);
   if (std::abs(t - u.t) > error + u.error && std::abs(t - v.t) > error + v.error) return t > u.t && t < v.t;
   const SignsAt& signs = signs_.exact();
   const SubEdge edge{s, graph_[node.prev].segment, graph_[node.next].segment};
   const std::optional<Fraction> from = end_along(signs, s, edge, false), to = end_along(signs, s, edge, true);
   if (!from || !to) return std::nullopt;
-  const Fraction at = signs.along(s, place_);
-  const int behind_start = signs.compare(at, *from), before_end = signs.compare(*to, at);
-  if (behind_start == 0 || before_end == 0) return std::nullopt;
-  return behind_start > 0 && before_end > 0;
+  const Fraction at = signs.along(s, position_);
+  const int after_start = signs.compare(at, *from), before_end = signs.compare(*to, at);
+  if (after_start == 0 || before_end == 0) return std::nullopt;
+  return after_start > 0 && before_end > 0;
 }
 
 // What goes on along the same node changes nothing.
@@ -272,10 +272,11 @@ BoundaryEdit edit_of(const LocalArrangement& local, const LocalArrangement::Rout
 
 }  // namespace
 
-EventPlan plan_meeting(TurnEvent& event, const TurnRange& range, const SweepScene& scene, const OverlapFilter& filter) {
+EventPlan plan_meeting(RotationEvent& event, const RotationRange& range, const SweepScene& scene,
+                       const OverlapFilter& filter) {
   EventPlan plan;
-  plan.kind = event.kind == TurnEvent::Kind::three_segments ? ObstacleEvent::Kind::three_segments
-                                                            : ObstacleEvent::Kind::vertex_on_segment;
+  plan.kind = event.kind == RotationEvent::Kind::three_segments ? ObstacleEvent::Kind::three_segments
+                                                                : ObstacleEvent::Kind::vertex_on_segment;
   const auto with = [&](EventPlan::Verdict verdict) {
     plan.verdict = verdict;
     return plan;
@@ -285,8 +286,8 @@ EventPlan plan_meeting(TurnEvent& event, const TurnRange& range, const SweepScen
   if (filled == Fill::nothing) return plan;
   // Not generic: of no interest where everything is covered.
   if (filled == Fill::unsure)
-    return with(certainly_covered(event, scene.forms, filter) ? EventPlan::Verdict::nothing
-                                                              : EventPlan::Verdict::unsure);
+    return with(provably_covered(event, scene.forms, filter) ? EventPlan::Verdict::nothing
+                                                             : EventPlan::Verdict::unsure);
   if (!meeting.find_nodes()) return with(EventPlan::Verdict::unsure);
   plan.at = meeting.at();
   const LocalArrangement::Routes routes = meeting.local().routes();
@@ -300,12 +301,13 @@ EventPlan plan_meeting(TurnEvent& event, const TurnRange& range, const SweepScen
   return plan;
 }
 
-EventPlan plan_event(TurnEvent& event, const TurnRange& range, const SweepScene& scene, const OverlapFilter& filter) {
+EventPlan plan_event(RotationEvent& event, const RotationRange& range, const SweepScene& scene,
+                     const OverlapFilter& filter) {
   if (event.root && turn_of(event) > kPlannedTurn) narrow_angles(event, range);
   switch (event.kind) {
-    case TurnEvent::Kind::alignment:
+    case RotationEvent::Kind::alignment:
       return plan_alignment(event, range, scene);
-    case TurnEvent::Kind::overlap:
+    case RotationEvent::Kind::overlap:
       return plan_overlap(event, range, scene);
     default:
       return plan_meeting(event, range, scene, filter);

@@ -9,8 +9,8 @@
 namespace dymsum::planar {
 namespace {
 
-/// Boxes are larger than what they are made for by this share of the span: what happens there is inside, at all angles
-/// within kNearTurn.
+/// Boxes are larger than what they are made for by this fraction of the span: what happens there is inside, at all
+/// angles within kNearTurn.
 constexpr double kBeside = 0x1p-18;
 /// Lines at a smaller one are taken as nearly parallel.
 constexpr double kLeastSine = 0x1p-20;
@@ -33,26 +33,26 @@ class Splice {
   }
 
  private:
-  // The node on a segment that passes a side of the box at a point: of those that end behind it the nearest one, or of
+  // The node on a segment that passes a side of the box at a point: of those that end after it the nearest one, or of
   // those that begin before it. Outside the box nothing changes, so there is one.
   std::optional<std::uint32_t> stub(std::uint32_t segment, Point at, bool comes_in) const {
     const std::uint32_t first = graph_.first_on(segment);
     const WalkSegment s = graph_.segments().segment(segment);
-    const Point from = forms_.place(TurningForms::start(s), h_), d = forms_.direction(s, h_);
+    const Point from = forms_.position(TurningForms::start(s), h_), d = forms_.direction(s, h_);
     const double length2 = d.x * d.x + d.y * d.y, here = (d.x * (at.x - from.x) + d.y * (at.y - from.y)) / length2,
                  near = kCutNear * forms_.span() / std::sqrt(length2);
     std::optional<std::uint32_t> best;
     double best_at = 0;
-    const auto share = [&](Pair v) {
-      const Point p = forms_.place(v, h_);
+    const auto fraction = [&](Pair v) {
+      const Point p = forms_.position(v, h_);
       return (d.x * (p.x - from.x) + d.y * (p.y - from.y)) / length2;
     };
     for (std::uint32_t n = first; n != kNobody; n = graph_[n].next_on_segment) {
       const WalkSegment by = graph_.segments().segment(comes_in ? graph_[n].left : graph_[n].right);
-      Located end = place_on(forms_, s, by, comes_in, h_);
+      Located end = position_on(forms_, s, by, comes_in, h_);
       if (std::isinf(end.error) && n == first && graph_[n].next_on_segment == kNobody) return n;
       // It ends on its neighbour, wherever the lines of both cross.
-      const double u = share(TurningForms::start(by)), v = share(forms_.end(by));
+      const double u = fraction(TurningForms::start(by)), v = fraction(forms_.end(by));
       if (!(end.error < std::abs(v - u) / 2)) end = {(u + v) / 2, std::abs(v - u) / 2};
       const double beyond = comes_in ? here - end.t : end.t - here;
       if (!(std::abs(beyond) > end.error + near)) return std::nullopt;
@@ -122,8 +122,8 @@ class Splice {
     std::uint32_t n = first;
     do {
       const WalkSegment s = graph_[n].segment;
-      const Located end = place_on(forms_, s, graph_.segments().segment(graph_[n].right), false, h_);
-      const Point d = forms_.direction(s, h_), from = forms_.place(TurningForms::start(s), h_);
+      const Located end = position_on(forms_, s, graph_.segments().segment(graph_[n].right), false, h_);
+      const Point d = forms_.direction(s, h_), from = forms_.position(TurningForms::start(s), h_);
       const double near = kCutNear * forms_.span();
       if (end.error * std::hypot(d.x, d.y) < near) {
         const Point p = frame_.of({from.x + end.t * d.x, from.y + end.t * d.y});
@@ -145,7 +145,7 @@ class Splice {
     }
     const SharedLines lines(forms_, now_, std::move(before));
     SliceEdit edit;
-    std::vector<std::uint32_t> first_place;
+    std::vector<std::uint32_t> first_position;
     std::uint32_t index = 0;
     bool cycles_change = false;
     for (std::size_t c = 0; c < chains_.size(); ++c) {
@@ -154,37 +154,37 @@ class Splice {
       SliceEdit::Loop& to = edit.loops.emplace_back();
       to.open = !chain.closed;
       if (to.open) to.cell = graph_[ins_[c]].cell;
-      first_place.push_back(index);
+      first_position.push_back(index);
       for (std::size_t k = 0; k < n; ++k, ++index) {
-        SliceEdit::Place place{chain.segments[k], chain.segments[(k + n - 1) % n], chain.segments[(k + 1) % n],
-                               kNobody};
-        if (to.open && k == 0) place.left = graph_[ins_[c]].left;
-        if (to.open && k + 1 == n) place.right = graph_[outs_[c]].right;
-        const auto it = known.find({place.segment, place.left, place.right});
+        SliceEdit::Position position{chain.segments[k], chain.segments[(k + n - 1) % n], chain.segments[(k + 1) % n],
+                                     kNobody};
+        if (to.open && k == 0) position.left = graph_[ins_[c]].left;
+        if (to.open && k + 1 == n) position.right = graph_[outs_[c]].right;
+        const auto it = known.find({position.segment, position.left, position.right});
         if (it != known.end() && lines.shut(std::array{graph_.sub_edge(it->second)})) {
           edit.touching.emplace_back(it->second, index);
         } else if (it != known.end()) {
-          place.stays = it->second;
+          position.stays = it->second;
           known.erase(it);
         }
-        cycles_change |= chain.closed && place.stays == kNobody;
-        to.places.push_back(place);
+        cycles_change |= chain.closed && position.stays == kNobody;
+        to.positions.push_back(position);
       }
     }
-    first_place.push_back(index);
+    first_position.push_back(index);
     for (const auto& [key, n] : known) edit.ended.push_back(n);
     for (std::size_t c = 0; c < chains_.size(); ++c) {
       if (chains_[c].closed) continue;
       SliceEdit::Loop& loop = edit.loops[c];
-      const std::uint32_t before = graph_[ins_[c]].prev, behind = graph_[outs_[c]].next;
+      const std::uint32_t before = graph_[ins_[c]].prev, after = graph_[outs_[c]].next;
       loop.before.node = before;
-      loop.behind.node = behind;
+      loop.after.node = after;
       if (const auto out = chain_of_out_.find(before); out != chain_of_out_.end())
-        loop.before.place = first_place[out->second + 1] - 1;
+        loop.before.position = first_position[out->second + 1] - 1;
       else if (inside_.contains(before)) return std::nullopt;
-      if (const auto in = std::find(ins_.begin(), ins_.end(), behind); in != ins_.end())
-        loop.behind.place = first_place[static_cast<std::size_t>(in - ins_.begin())];
-      else if (inside_.contains(behind)) return std::nullopt;
+      if (const auto in = std::find(ins_.begin(), ins_.end(), after); in != ins_.end())
+        loop.after.position = first_position[static_cast<std::size_t>(in - ins_.begin())];
+      else if (inside_.contains(after)) return std::nullopt;
     }
     edit.loops_may_change =
         pairs_change_ || cycles_change || std::any_of(loops_.begin(), loops_.end(), [&](std::uint32_t n) {
@@ -243,13 +243,13 @@ std::optional<std::vector<BoundaryChain>> NearSlices::in(const PlanarBox& box, c
 
 namespace {
 
-// What an event may change at its angle, but for rounding, lies between points; within `turn` behind it that is so in a
+// What an event may change at its angle, but for rounding, lies between points; within `turn` after it that is so in a
 // box around them with a rim. `along`: the longest of what lies on one line.
 struct EventExtent {
   std::vector<Point> points;
   double turn = kNearTurn;
   Point along;
-  void add_stretch(Point a, Point b) {
+  void add_interval(Point a, Point b) {
     points.insert(points.end(), {a, b});
     const Point d{b.x - a.x, b.y - a.y};
     if (std::hypot(d.x, d.y) > std::hypot(along.x, along.y)) along = d;
@@ -259,25 +259,25 @@ struct EventExtent {
 // The crossing of two lines moves by at most span (1 + 4 / sine) for every radian, while the sine keeps half of itself;
 // where they are nearly parallel it may be anywhere on what the segments share of their line, unless one lies beside
 // the line of the other, farther than anything moves: then they do not meet. Nothing where no doubles are known of its
-// place.
-std::optional<EventExtent> extent_of(const TurnEvent& event, const SweepScene& scene, const SignsAt& signs) {
+// position.
+std::optional<EventExtent> extent_of(const RotationEvent& event, const SweepScene& scene, const SignsAt& signs) {
   const TurningForms& forms = scene.forms;
   const Heading h = signs.heading();
   EventExtent to;
   const auto sine = [&](const WalkSegment& s, const WalkSegment& t) {
     return std::abs(forms.cross(s, t).at(h)) / (forms.length1(s) * forms.length1(t));
   };
-  if (event.kind == TurnEvent::Kind::vertex_on_segment) to.points.push_back(forms.place(event.v, h));
-  if (event.kind == TurnEvent::Kind::alignment) {
+  if (event.kind == RotationEvent::Kind::vertex_on_segment) to.points.push_back(forms.position(event.v, h));
+  if (event.kind == RotationEvent::Kind::alignment) {
     const std::uint32_t e1 = forms.operand(1).next[event.e], f1 = forms.operand(0).next[event.f];
-    const auto at = [&](std::uint32_t p, std::uint32_t q) { return forms.place({p, q}, h); };
-    to.add_stretch(at(event.f, event.e), at(f1, e1));
-    to.add_stretch(at(f1, event.e), at(event.f, e1));
+    const auto at = [&](std::uint32_t p, std::uint32_t q) { return forms.position({p, q}, h); };
+    to.add_interval(at(event.f, event.e), at(f1, e1));
+    to.add_interval(at(f1, event.e), at(event.f, e1));
   }
-  if (event.kind == TurnEvent::Kind::three_segments)
+  if (event.kind == RotationEvent::Kind::three_segments)
     for (const auto& [s, t] : {std::pair{&event.a, &event.b}, {&event.b, &event.c}, {&event.c, &event.a}}) {
       if (sine(*s, *t) < kLeastSine) continue;
-      const std::optional<Point> at = signs.near(ExactPlace{{true, {}, *s, *t}, {}});
+      const std::optional<Point> at = signs.near(ExactPosition{{true, {}, *s, *t}, {}});
       if (!at) return std::nullopt;
       to.points.push_back(*at);
       break;
@@ -292,8 +292,8 @@ std::optional<EventExtent> extent_of(const TurnEvent& event, const SweepScene& s
         continue;
       }
       const Point d = forms.direction(s, h);
-      std::array<Point, 4> ends{forms.place(TurningForms::start(s), h), forms.place(forms.end(s), h),
-                                forms.place(TurningForms::start(t), h), forms.place(forms.end(t), h)};
+      std::array<Point, 4> ends{forms.position(TurningForms::start(s), h), forms.position(forms.end(s), h),
+                                forms.position(TurningForms::start(t), h), forms.position(forms.end(t), h)};
       const auto beside = [&](Point p) {
         return (d.x * (p.y - ends[0].y) - d.y * (p.x - ends[0].x)) / std::hypot(d.x, d.y);
       };
@@ -301,12 +301,12 @@ std::optional<EventExtent> extent_of(const TurnEvent& event, const SweepScene& s
       if (std::min(b0, b1) > apart || std::max(b0, b1) < -apart) continue;
       std::sort(ends.begin(), ends.end(),
                 [&](Point a, Point b) { return d.x * a.x + d.y * a.y < d.x * b.x + d.y * b.y; });
-      to.add_stretch(ends[1], ends[2]);
+      to.add_interval(ends[1], ends[2]);
     }
   return to;
 }
 
-// Along the longest stretch, to within what it is short of a box's rim.
+// Along the longest interval, to within what it is short of a box's rim.
 BoxFrame frame_along(Point along) {
   constexpr double kAlong = 0x1p-22;
   static_assert(4 * kAlong < kBeside);
@@ -322,18 +322,18 @@ BoxFrame frame_along(Point along) {
 std::optional<NearChanges> boxes_of(std::vector<EventGroup> due, EventGroup& alone, const SweepScene& scene,
                                     const SignsAt& signs) {
   const std::size_t first_alone = due.size();
-  for (TurnEvent* event : alone) due.push_back({event});
+  for (RotationEvent* event : alone) due.push_back({event});
   alone.clear();
   std::vector<EventExtent> extents;
   EventExtent longest;
   for (const EventGroup& events : due) {
     EventExtent& whole = extents.emplace_back();
-    for (const TurnEvent* event : events) {
+    for (const RotationEvent* event : events) {
       const std::optional<EventExtent> one = extent_of(*event, scene, signs);
       if (!one) return std::nullopt;
       whole.points.insert(whole.points.end(), one->points.begin(), one->points.end());
       whole.turn = std::min(whole.turn, one->turn);
-      if (extents.size() <= first_alone) longest.add_stretch({}, one->along);
+      if (extents.size() <= first_alone) longest.add_interval({}, one->along);
     }
   }
   NearChanges apart{frame_along(longest.along), {}};
@@ -370,7 +370,7 @@ std::optional<NearChanges> boxes_of(std::vector<EventGroup> due, EventGroup& alo
 std::optional<SliceEdit> edit_near(const SweepScene& scene, const AngleNow& now, Heading h, const BoxFrame& frame,
                                    const NearChange& change) {
   std::vector<std::uint32_t> segments;
-  for (const TurnEvent* event : change.events) {
+  for (const RotationEvent* event : change.events) {
     const std::vector<std::uint32_t> of = segments_of(*event, scene);
     segments.insert(segments.end(), of.begin(), of.end());
   }

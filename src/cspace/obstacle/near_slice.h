@@ -1,4 +1,4 @@
-// The slice behind an angle near some events only, in the place of a whole one: chains of the boundary in a box, and
+// The slice after an angle near some events only, in the place of a whole one: chains of the boundary in a box, and
 // what lies between the boundary before the angle and these.
 #pragma once
 
@@ -58,17 +58,18 @@ struct FormsBox {
     return low.x <= b.high.x && b.low.x <= high.x && low.y <= b.high.y && b.low.y <= high.y;
   }
 };
-/// How far behind its events a slice that is cut to their box may be, in radians; less where lines cross at a small
+/// How far after its events a slice that is cut to their box may be, in radians; less where lines cross at a small
 /// sine.
 inline constexpr double kNearTurn = 0x1p-26;
-/// Points of a cut slice and ends of sub-edges near it err by less than this share of the span, or are not told apart.
+/// Points of a cut slice and ends of sub-edges near it err by less than this fraction of the span, or are not
+/// distinguished.
 inline constexpr double kCutNear = 0x1p-28;
 
-/// Events at one angle that change the boundary in a box, and the boundary there behind the angle.
+/// Events at one angle that change the boundary in a box, and the boundary there after the angle.
 struct NearChange {
   EventGroup events;
   FormsBox box;
-  double turn = kNearTurn;            ///< so far behind the angle what changes there is in the box
+  double turn = kNearTurn;            ///< so far after the angle what changes there is in the box
   std::vector<BoundaryChain> chains;  ///< in the forms' doubles, not turned
 };
 struct NearChanges {
@@ -77,12 +78,12 @@ struct NearChanges {
 };
 /// Parts of a group that are `due`, and events of it that would be handled by themselves: with boxes that are apart.
 /// Parts whose boxes meet are one, and an event whose box meets one of them belongs to it: the others are left. Nothing
-/// where a place is not known.
+/// where a position is not known.
 std::optional<NearChanges> boxes_of(std::vector<EventGroup> due, EventGroup& alone, const SweepScene& scene,
                                     const SignsAt& signs);
 /// What makes of the boundary before an angle the chains in the box. Requires: there the boundary changes in the box
-/// only; h is that of the chains. Nodes stay and go on as with a whole slice. Nothing where doubles do not tell which
-/// of several nodes of one segment passes a side of the box.
+/// only; h is that of the chains. Nodes stay and go on as with a whole slice. Nothing where doubles do not determine
+/// which of several nodes of one segment passes a side of the box.
 std::optional<SliceEdit> edit_near(const SweepScene& scene, const AngleNow& now, Heading h, const BoxFrame& frame,
                                    const NearChange& change);
 

@@ -3,7 +3,7 @@
 #include <algorithm>
 
 #include "base/memory_budget.h"
-#include "cspace/events/walk_numbers.h"
+#include "cspace/events/walk_indices.h"
 #include "cspace/obstacle/cut_patches.h"
 #include "cspace/obstacle/obstacle_shells.h"
 
@@ -14,12 +14,12 @@ namespace {
 struct AngleOrder {
   std::vector<std::uint32_t> index;  ///< of the sweep's angles
   explicit AngleOrder(const std::vector<ExactAngle>& angles) : index(angles.size()) {
-    std::uint32_t behind = 0;
+    std::uint32_t after = 0;
     const auto passes_pi = [&](const ExactAngle& a) {
       return a.chart == 1 && exact::compare(a.t, exact::BigRational(0)) > 0;
     };
-    for (const ExactAngle& a : angles) behind += passes_pi(a);
-    std::uint32_t first = behind, wrapped = 0;
+    for (const ExactAngle& a : angles) after += passes_pi(a);
+    std::uint32_t first = after, wrapped = 0;
     for (std::size_t k = 0; k < angles.size(); ++k) index[k] = passes_pi(angles[k]) ? wrapped++ : first++;
   }
   std::uint32_t of(std::uint32_t k) const { return k == kNobody ? kNobody : index[k]; }
@@ -77,8 +77,8 @@ class Export {
   Contact contact(std::uint32_t id) const {
     const Operand &p = state_.base->operands[0], &q = state_.base->operands[1];
     const WalkSegment s = graph_.segments().segment(id);
-    if (s.side == 0) return {Contact::Kind::edge_of_p, p.edge_number[s.edge], q.vertex_number[s.vertex]};
-    return {Contact::Kind::edge_of_q, p.vertex_number[s.vertex], q.edge_number[s.edge]};
+    if (s.side == 0) return {Contact::Kind::edge_of_p, p.edge_index[s.edge], q.vertex_index[s.vertex]};
+    return {Contact::Kind::edge_of_q, p.vertex_index[s.vertex], q.edge_index[s.edge]};
   }
   // Whether the second segment follows the first one at an end of both. At a cut, which is no vertex of its edge, they
   // cross.
@@ -91,7 +91,7 @@ class Export {
     const auto& nodes = graph_.nodes();
     patch_of_.assign(nodes.size(), kNobody);
     for (std::uint32_t n = 0; n < nodes.size(); ++n) {
-      // A node that goes on behind the end of the turn belongs to the patch of the one it becomes.
+      // A node that goes on after the end of the turn belongs to the patch of the one it becomes.
       if (graph_.continued(n) != n) continue;
       if (nodes[n].begin != kNobody && nodes[n].begin == nodes[n].end) continue;  // came and went at one angle
       patch_of_[n] = static_cast<std::uint32_t>(state_.patches.size());

@@ -45,7 +45,7 @@ std::vector<std::uint32_t> shell_of_cells(const BoundaryGraph& graph, const Shel
 
 // Over a range of angles without events a shell is made of tubes, which count nothing. At single events a loop is born
 // or vanishes (1) or splits (-1): where a + b tubes end and begin a shell gains 2 - (a + b). Elsewhere limits of the
-// boundary tell.
+// boundary decide.
 void add_euler(const SweptBoundary& swept, const ShellNames& names, planar::ObstacleState& state) {
   const BoundaryGraph& graph = swept.graph;
   const auto count = static_cast<std::uint32_t>(graph.cells().size());

@@ -14,7 +14,7 @@ namespace dymsum::planar {
 
 using exact::AlgebraicRoot;
 
-ObstacleSweep::ObstacleSweep(const TurningForms& forms, const TurnCatalog& catalog,
+ObstacleSweep::ObstacleSweep(const TurningForms& forms, const RotationCatalog& catalog,
                              std::shared_ptr<const OperandPair> base, bool reference,
                              const std::function<void()>& again)
     : forms_(forms),
@@ -25,7 +25,7 @@ ObstacleSweep::ObstacleSweep(const TurningForms& forms, const TurnCatalog& catal
       swept_(SegmentIndex(forms.size(0), forms.size(1))),
       now_(forms) {}
 
-void ObstacleSweep::start(const TurnRange& range, TurnEvents& found, const OverlapFilter& filter) {
+void ObstacleSweep::start(const RotationRange& range, RotationEvents& found, const OverlapFilter& filter) {
   begin_ = sample(range, nullptr, first_event(range, found.events));
   swept_.graph.apply(edit_to(reader_.loops(begin_)));
   always_ = found.always_concurrent;
@@ -34,17 +34,18 @@ void ObstacleSweep::start(const TurnRange& range, TurnEvents& found, const Overl
   if (!reader_.base().connected) join_faces(begin_);
 }
 
-void ObstacleSweep::pass(const TurnRange& range, TurnEvents found, const OverlapFilter& filter,
+void ObstacleSweep::pass(const RotationRange& range, RotationEvents found, const OverlapFilter& filter,
                          const std::optional<CrowdedEnd>& at_end) {
-  base::CountedArray<TurnEvent>& events = found.events;
+  base::CountedArray<RotationEvent>& events = found.events;
   always_ = std::move(found.always_concurrent);
   swept_.always_concurrent |= !always_.empty();
   pass_pending([&](double) { return sample(range, nullptr, first_event(range, events)); }, filter);
   // Runs of events whose intervals overlap. Where events were compared above, exact roots have made intervals narrower.
-  std::stable_sort(events.begin(), events.end(), [](const TurnEvent& a, const TurnEvent& b) { return a.low < b.low; });
+  std::stable_sort(events.begin(), events.end(),
+                   [](const RotationEvent& a, const RotationEvent& b) { return a.low < b.low; });
   std::vector<Group> runs;
   double high = -INFINITY;
-  for (TurnEvent& event : events) {
+  for (RotationEvent& event : events) {
     if (event.low > high) runs.emplace_back();
     runs.back().push_back(&event);
     high = std::max(high, event.high);
@@ -54,7 +55,7 @@ void ObstacleSweep::pass(const TurnRange& range, TurnEvents found, const Overlap
     pass_run(runs[r], r + 1 < runs.size() ? &runs[r + 1] : nullptr, range, filter);
   }
   if (!at_end) return;
-  TurnEvent event;
+  RotationEvent event;
   event.e = at_end->pair.e;
   event.f = at_end->pair.f;
   event.root = AlgebraicRoot::of(range.t_high);
@@ -71,7 +72,8 @@ void ObstacleSweep::close(const OverlapFilter& filter) {
 }
 
 // In doubles where the angles are far enough apart.
-Orientation ObstacleSweep::sample(const TurnRange& range, TurnEvent* from, TurnEvent* to, double within) const {
+Orientation ObstacleSweep::sample(const RotationRange& range, RotationEvent* from, RotationEvent* to,
+                                  double within) const {
   const AlgebraicRoot low = from != nullptr ? exact_root(*from, forms_, range) : AlgebraicRoot::of(range.t_low);
   AlgebraicRoot high = to != nullptr ? exact_root(*to, forms_, range) : AlgebraicRoot::of(range.t_high);
   if (std::isfinite(within)) {
@@ -84,28 +86,28 @@ Orientation ObstacleSweep::sample(const TurnRange& range, TurnEvent* from, TurnE
   return orientation_at(range.chart, exact::between(low, high));
 }
 
-int ObstacleSweep::compare(TurnEvent& a, TurnEvent& b, const TurnRange& range) const {
+int ObstacleSweep::compare(RotationEvent& a, RotationEvent& b, const RotationRange& range) const {
   return exact::compare(exact_root(a, forms_, range), exact_root(b, forms_, range));
 }
 
 // The intervals of events may overlap.
-TurnEvent* ObstacleSweep::first_event(const TurnRange& range, base::CountedArray<TurnEvent>& events) const {
-  TurnEvent* first = nullptr;
-  for (TurnEvent& event : events) {
+RotationEvent* ObstacleSweep::first_event(const RotationRange& range, base::CountedArray<RotationEvent>& events) const {
+  RotationEvent* first = nullptr;
+  for (RotationEvent& event : events) {
     if (first != nullptr && event.low > first->high) break;
     if (first == nullptr || compare(event, *first, range) < 0) first = &event;
   }
   return first;
 }
 
-bool ObstacleSweep::at_end_of(const TurnRange& range, TurnEvent& event) const {
+bool ObstacleSweep::at_end_of(const RotationRange& range, RotationEvent& event) const {
   return event.high >= range.theta(range.t_high) - kAngleDouble &&
          exact::compare(exact_root(event, forms_, range), AlgebraicRoot::of(range.t_high)) == 0;
 }
 
 // Groups at one angle, in order; what follows one of them is the rest of the run or the next one.
-void ObstacleSweep::pass_run(Group& run, Group* following, const TurnRange& range, const OverlapFilter& filter) {
-  const auto before = [&](TurnEvent* a, TurnEvent* b) { return compare(*a, *b, range) < 0; };
+void ObstacleSweep::pass_run(Group& run, Group* following, const RotationRange& range, const OverlapFilter& filter) {
+  const auto before = [&](RotationEvent* a, RotationEvent* b) { return compare(*a, *b, range) < 0; };
   if (run.size() > 1) {
     if (run.back()->high < range.theta(range.t_high) - kAngleDouble && !matters(run, filter)) return;
     std::stable_sort(run.begin(), run.end(), before);
@@ -118,30 +120,30 @@ void ObstacleSweep::pass_run(Group& run, Group* following, const TurnRange& rang
     again_();
     // That waits for the next window.
     if (at_end_of(range, *group[0])) {
-      for (TurnEvent* event : group) pending_.push_back(*event);
+      for (RotationEvent* event : group) pending_.push_back(*event);
       pending_range_ = range;
       continue;
     }
-    TurnEvent* next = last != run.end() ? *last : nullptr;
-    const auto behind = [&](double within) {
+    RotationEvent* next = last != run.end() ? *last : nullptr;
+    const auto after = [&](double within) {
       if (next == nullptr && following != nullptr)
         next = *std::min_element(following->begin(), following->end(), before);
       return sample(range, group[0], next, within);
     };
-    pass_group(group, range, behind, filter);
+    pass_group(group, range, after, filter);
   }
 }
 
-void ObstacleSweep::pass_pending(const Behind& behind, const OverlapFilter& filter) {
+void ObstacleSweep::pass_pending(const After& after, const OverlapFilter& filter) {
   if (pending_.empty()) return;
   Group group;
-  for (TurnEvent& event : pending_) group.push_back(&event);
-  pass_group(group, pending_range_, behind, filter);
+  for (RotationEvent& event : pending_) group.push_back(&event);
+  pass_group(group, pending_range_, after, filter);
   pending_.clear();
   crowded_.reset();
 }
 
-void ObstacleSweep::pass_group(const Group& group, const TurnRange& range, const Behind& behind,
+void ObstacleSweep::pass_group(const Group& group, const RotationRange& range, const After& after,
                                const OverlapFilter& filter) {
   swept_.graph.begin_angle();
   now_.begin(group[0]->theta(), crowded_ ? crowded_->turn : nullptr);
@@ -149,25 +151,25 @@ void ObstacleSweep::pass_group(const Group& group, const TurnRange& range, const
   near_nodes_.clear();
   first_node_ = static_cast<std::uint32_t>(swept_.graph.nodes().size());
   doubtful_.clear();
-  change(group, range, behind, filter);
+  change(group, range, after, filter);
   std::vector<AlwaysConcurrent> curves = turned_ ? begin_curves_ : std::vector<AlwaysConcurrent>{};
-  if (!turned_ && !always_.empty()) curves = tight_curves(scene(), always_, behind(INFINITY), filter);
+  if (!turned_ && !always_.empty()) curves = tight_curves(scene(), always_, after(INFINITY), filter);
   if (doubtful_.empty() && !other_curves(curves_, curves).empty()) doubtful_ = group;
   if (!doubtful_.empty()) examine(range, filter, curves);
   curves_ = std::move(curves);
   // Loops of one face keep to one component of free space: splits and joins hand it on, and a face that is born has one
   // loop unless more are born with it. Whole slices may leave a loop without a claim.
-  if (!reader_.base().connected && swept_.graph.loops_born() > (sliced_ ? 0U : 1U)) join_faces(behind(INFINITY));
+  if (!reader_.base().connected && swept_.graph.loops_born() > (sliced_ ? 0U : 1U)) join_faces(after(INFINITY));
 }
 
-void ObstacleSweep::change(const Group& group, const TurnRange& range, const Behind& behind,
+void ObstacleSweep::change(const Group& group, const RotationRange& range, const After& after,
                            const OverlapFilter& filter) {
-  if (reference_ || crowded_) return take_slice(group, range, behind);
+  if (reference_ || crowded_) return take_slice(group, range, after);
   // What one of several changes is not undone where another one takes a slice, as where opposite segments come to lie
   // along each other with events at both ends: so all are planned before the first one is applied.
   if (group.size() == 1) {
     EventPlan plan = plan_event(*group[0], range, scene(), filter);
-    if (plan.verdict != EventPlan::Verdict::unsure) return settle(*group[0], std::move(plan), range, behind);
+    if (plan.verdict != EventPlan::Verdict::unsure) return settle(*group[0], std::move(plan), range, after);
   }
   Group alone;
   std::vector<Group> due;
@@ -177,19 +179,19 @@ void ObstacleSweep::change(const Group& group, const TurnRange& range, const Beh
       due.push_back(std::move(cluster));
     else if (cluster.size() == 1) alone.push_back(cluster[0]);
   }
-  if (!due.empty() && !take_near_slices(std::move(due), alone, group, range, behind))
-    return take_slice(group, range, behind);
-  for (TurnEvent* event : alone) {
+  if (!due.empty() && !take_near_slices(std::move(due), alone, group, range, after))
+    return take_slice(group, range, after);
+  for (RotationEvent* event : alone) {
     EventPlan plan = plan_event(*event, range, scene(), filter);
-    if (plan.verdict == EventPlan::Verdict::unsure) return take_slice(group, range, behind);
-    settle(*event, std::move(plan), range, behind);
+    if (plan.verdict == EventPlan::Verdict::unsure) return take_slice(group, range, after);
+    settle(*event, std::move(plan), range, after);
   }
 }
 
-// Slices behind the angle that are cut to boxes around the parts that are due. All are made before the first one is
+// Slices after the angle that are cut to boxes around the parts that are due. All are made before the first one is
 // applied. False where a whole one has to be taken.
-bool ObstacleSweep::take_near_slices(std::vector<Group> due, Group& alone, const Group& group, const TurnRange& range,
-                                     const Behind& behind) {
+bool ObstacleSweep::take_near_slices(std::vector<Group> due, Group& alone, const Group& group,
+                                     const RotationRange& range, const After& after) {
   const double unit = reader_.base().lattice->unit;
   // Positions are turned into a frame, by a heading within 8 roundings, and back: as many roundings once more.
   if (!near_slices_ || !pending_.empty() || 2 * position_error() > kCutNear * forms_.span() * unit) return false;
@@ -199,7 +201,7 @@ bool ObstacleSweep::take_near_slices(std::vector<Group> due, Group& alone, const
   const BoxFrame& frame = changes->frame;
   double turn = kNearTurn;
   for (const NearChange& change : changes->all) turn = std::min(turn, change.turn);
-  const Orientation at = behind(turn);
+  const Orientation at = after(turn);
   const Heading h = Heading::of(at.radians());
   const Point o = position(h, {}), o_in_frame = frame.of(o);
   const auto in_sum = [&](Point p) { return Point{p.x * unit + o_in_frame.x, p.y * unit + o_in_frame.y}; };
@@ -225,8 +227,8 @@ bool ObstacleSweep::take_near_slices(std::vector<Group> due, Group& alone, const
     sliced_ = true;
     near_nodes_.insert(near_nodes_.end(), edit->ended.begin(), edit->ended.end());
     for (const SliceEdit::Loop& loop : edit->loops)
-      for (const SliceEdit::Place& place : loop.places)
-        if (place.stays != kNobody) near_nodes_.push_back(place.stays);
+      for (const SliceEdit::Position& position : loop.positions)
+        if (position.stays != kNobody) near_nodes_.push_back(position.stays);
     if (edit->empty()) continue;
     list_angle(range, *group[0]);
     note_first(change.events);
@@ -236,27 +238,27 @@ bool ObstacleSweep::take_near_slices(std::vector<Group> due, Group& alone, const
   return true;
 }
 
-// Whether a segment of these events is visible, or a position of theirs is not certainly covered: else nothing can
+// Whether a segment of these events is visible, or a position of theirs is not provably covered: else nothing can
 // change, in whatever order they come.
 bool ObstacleSweep::matters(const Group& run, const OverlapFilter& filter) const {
   if (reference_) return true;
-  for (const TurnEvent* event : run) {
+  for (const RotationEvent* event : run) {
     for (const std::uint32_t s : segments_of(*event, scene()))
       if (swept_.graph.first_on(s) != kNobody) return true;
     const bool point =
-        event->kind == TurnEvent::Kind::vertex_on_segment || event->kind == TurnEvent::Kind::three_segments;
-    if (point && !certainly_covered(*event, forms_, filter)) return true;
+        event->kind == RotationEvent::Kind::vertex_on_segment || event->kind == RotationEvent::Kind::three_segments;
+    if (point && !provably_covered(*event, forms_, filter)) return true;
   }
   return false;
 }
 
 // Applies what a single event changes, unless that is unsure.
-void ObstacleSweep::settle(TurnEvent& event, EventPlan plan, const TurnRange& range, const Behind& behind) {
+void ObstacleSweep::settle(RotationEvent& event, EventPlan plan, const RotationRange& range, const After& after) {
   if (plan.verdict == EventPlan::Verdict::doubtful) doubtful_.push_back(&event);
   if (plan.verdict != EventPlan::Verdict::change) return;
   swept_.work.collision_tests += plan.edit.births.size();
   std::erase_if(plan.edit.births,
-                [&](const std::vector<WalkSegment>& loop) { return !reader_.is_free(loop, behind(INFINITY)); });
+                [&](const std::vector<WalkSegment>& loop) { return !reader_.is_free(loop, after(INFINITY)); });
   if (plan.edit.empty()) return;
   list_angle(range, event);
   note(Heading::of(event.theta()), plan.kind, plan.at);
@@ -265,11 +267,11 @@ void ObstacleSweep::settle(TurnEvent& event, EventPlan plan, const TurnRange& ra
 }
 
 // At a rational angle between this event and the next one.
-void ObstacleSweep::take_slice(const Group& group, const TurnRange& range, const Behind& behind) {
+void ObstacleSweep::take_slice(const Group& group, const RotationRange& range, const After& after) {
   ++swept_.work.slices;
   list_angle(range, *group[0]);
   note_first(group);
-  swept_.graph.apply(edit_to(reader_.loops(behind(INFINITY))));
+  swept_.graph.apply(edit_to(reader_.loops(after(INFINITY))));
   near_nodes_.clear();
   doubtful_ = group;
   sliced_ = true;
@@ -295,14 +297,14 @@ void ObstacleSweep::join_faces(const Orientation& at) {
 
 // What happens at the angle only: what is tight, and where the boundary touches itself. Where neither is found and no
 // sub-edge began or ended, nothing happens, and the angle is not listed.
-void ObstacleSweep::examine(const TurnRange& range, const OverlapFilter& filter,
-                            const std::vector<AlwaysConcurrent>& curves_behind) {
+void ObstacleSweep::examine(const RotationRange& range, const OverlapFilter& filter,
+                            const std::vector<AlwaysConcurrent>& curves_after) {
   BoundaryGraph& graph = swept_.graph;
   const bool listed = graph.angle() != kNobody;
   list_angle(range, *doubtful_[0]);
   const ExactAngle& angle = swept_.angles.back();
   const auto rational = exact::rational_value(angle.t);
-  const TightCurves curves{curves_, curves_behind};
+  const TightCurves curves{curves_, curves_after};
   // Of a crowded quarter turn there are no events.
   const TightFindings found =
       listed && rational ? tight_in_slice(orientation_at(angle.chart, *rational), curves, scene(), now_, reader_)
@@ -347,7 +349,7 @@ std::vector<std::uint32_t> ObstacleSweep::nodes_near() const {
   return all;
 }
 
-void ObstacleSweep::list_angle(const TurnRange& range, TurnEvent& event) {
+void ObstacleSweep::list_angle(const RotationRange& range, RotationEvent& event) {
   if (swept_.graph.angle() != kNobody) return;
   swept_.angles.push_back({range.chart, exact_root(event, forms_, range)});
   now_.set_exact(swept_.angles.back(), event.theta());
@@ -367,13 +369,13 @@ void ObstacleSweep::note(Heading h, ObstacleEvent::Kind kind, Point at) {
 }
 
 void ObstacleSweep::note_first(const Group& group) {
-  const TurnEvent& event = *group[0];
+  const RotationEvent& event = *group[0];
   const Heading h = Heading::of(event.theta());
   note(h,
-       event.kind == TurnEvent::Kind::alignment        ? ObstacleEvent::Kind::alignment
-       : event.kind == TurnEvent::Kind::three_segments ? ObstacleEvent::Kind::three_segments
-                                                       : ObstacleEvent::Kind::vertex_on_segment,
-       place_of(event, forms_, h).at);
+       event.kind == RotationEvent::Kind::alignment        ? ObstacleEvent::Kind::alignment
+       : event.kind == RotationEvent::Kind::three_segments ? ObstacleEvent::Kind::three_segments
+                                                           : ObstacleEvent::Kind::vertex_on_segment,
+       position_of(event, forms_, h).at);
 }
 
 // What turns places into positions rounds each of four terms, of which one is turned by a heading (16).
@@ -381,9 +383,9 @@ TightFeature ObstacleSweep::tight_feature(const TightCandidate& from, const Tigh
   const Lattice& l = *reader_.base().lattice;
   const Heading h = now_.signs().heading();
   TightFeature feature{swept_.graph.angle(), position(h, from.near), position(h, to.near), 0};
-  const double share =
-      from.place.first.crossing || to.place.first.crossing ? SignsAt::kCrossingNear : SignsAt::kCornerNear;
-  feature.error = share * forms_.span() * l.unit + position_error();
+  const double fraction =
+      from.position.first.crossing || to.position.first.crossing ? SignsAt::kCrossingNear : SignsAt::kCornerNear;
+  feature.error = fraction * forms_.span() * l.unit + position_error();
   return feature;
 }
 

@@ -15,7 +15,7 @@
 #include "cspace/obstacle/near_slice.h"
 #include "cspace/obstacle/slice_reader.h"
 #include "cspace/obstacle/swept_boundary.h"
-#include "cspace/obstacle/tight_places.h"
+#include "cspace/obstacle/tight_positions.h"
 
 namespace dymsum::planar {
 
@@ -23,16 +23,16 @@ class ObstacleSweep {
  public:
   /// `reference`: a whole slice at every event, and every angle is listed. `again` is called now and then: it throws to
   /// stop.
-  ObstacleSweep(const TurningForms& forms, const TurnCatalog& catalog, std::shared_ptr<const OperandPair> base,
+  ObstacleSweep(const TurningForms& forms, const RotationCatalog& catalog, std::shared_ptr<const OperandPair> base,
                 bool reference, const std::function<void()>& again);
 
   /// Slices near events, where the pair has them: in the place of whole ones.
   void use(PlanarLocalSum sum) { near_slices_.emplace(std::move(sum), reader_); }
-  /// The boundary behind the beginning of the first window, before its first event.
-  void start(const TurnRange& range, TurnEvents& found, const OverlapFilter& filter);
+  /// The boundary after the beginning of the first window, before its first event.
+  void start(const RotationRange& range, RotationEvents& found, const OverlapFilter& filter);
   /// Passes the events of a window. `at_end`: its end, where that is a crowded quarter turn; then none of the events is
   /// there.
-  void pass(const TurnRange& range, TurnEvents found, const OverlapFilter& filter,
+  void pass(const RotationRange& range, RotationEvents found, const OverlapFilter& filter,
             const std::optional<CrowdedEnd>& at_end);
   /// Joins the end of the turn to its start. Throws std::logic_error if they differ.
   void close(const OverlapFilter& filter);
@@ -42,31 +42,33 @@ class ObstacleSweep {
   ObstacleWork& work() { return swept_.work; }
 
  private:
-  // An orientation behind the group and before the next event, by so many radians at most.
-  using Behind = std::function<Orientation(double)>;
+  // An orientation after the group and before the next event, by so many radians at most.
+  using After = std::function<Orientation(double)>;
   using Group = EventGroup;
   // Between two angles of a range; without events its ends.
-  Orientation sample(const TurnRange& range, TurnEvent* from, TurnEvent* to, double within = INFINITY) const;
-  TurnEvent* first_event(const TurnRange& range, base::CountedArray<TurnEvent>& events) const;
-  int compare(TurnEvent& a, TurnEvent& b, const TurnRange& range) const;
-  bool at_end_of(const TurnRange& range, TurnEvent& event) const;
-  void pass_run(Group& run, Group* following, const TurnRange& range, const OverlapFilter& filter);
-  void pass_pending(const Behind& behind, const OverlapFilter& filter);
-  void pass_group(const Group& group, const TurnRange& range, const Behind& behind, const OverlapFilter& filter);
+  Orientation sample(const RotationRange& range, RotationEvent* from, RotationEvent* to,
+                     double within = INFINITY) const;
+  RotationEvent* first_event(const RotationRange& range, base::CountedArray<RotationEvent>& events) const;
+  int compare(RotationEvent& a, RotationEvent& b, const RotationRange& range) const;
+  bool at_end_of(const RotationRange& range, RotationEvent& event) const;
+  void pass_run(Group& run, Group* following, const RotationRange& range, const OverlapFilter& filter);
+  void pass_pending(const After& after, const OverlapFilter& filter);
+  void pass_group(const Group& group, const RotationRange& range, const After& after, const OverlapFilter& filter);
   bool matters(const Group& run, const OverlapFilter& filter) const;
-  void change(const Group& group, const TurnRange& range, const Behind& behind, const OverlapFilter& filter);
-  void settle(TurnEvent& event, EventPlan plan, const TurnRange& range, const Behind& behind);
-  bool take_near_slices(std::vector<Group> due, Group& alone, const Group& group, const TurnRange& range,
-                        const Behind& behind);
-  void take_slice(const Group& group, const TurnRange& range, const Behind& behind);
+  void change(const Group& group, const RotationRange& range, const After& after, const OverlapFilter& filter);
+  void settle(RotationEvent& event, EventPlan plan, const RotationRange& range, const After& after);
+  bool take_near_slices(std::vector<Group> due, Group& alone, const Group& group, const RotationRange& range,
+                        const After& after);
+  void take_slice(const Group& group, const RotationRange& range, const After& after);
   SliceEdit edit_to(const std::vector<SliceLoop>& loops) const;
   void join_faces(const Orientation& at);
-  void examine(const TurnRange& range, const OverlapFilter& filter, const std::vector<AlwaysConcurrent>& curves_behind);
+  void examine(const RotationRange& range, const OverlapFilter& filter,
+               const std::vector<AlwaysConcurrent>& curves_after);
   std::optional<Point> look_at_limits();
   std::vector<std::uint32_t> nodes_near() const;
   void unlist_angle(std::size_t tight_before);
   SweepScene scene() const { return {forms_, catalog_, swept_.graph}; }
-  void list_angle(const TurnRange& range, TurnEvent& event);
+  void list_angle(const RotationRange& range, RotationEvent& event);
   void note(Heading h, ObstacleEvent::Kind kind, Point at);
   TightFeature tight_feature(const TightCandidate& from, const TightCandidate& to) const;
   void note_first(const Group& group);
@@ -74,7 +76,7 @@ class ObstacleSweep {
   Point position(Heading h, Point at) const;
 
   const TurningForms& forms_;
-  const TurnCatalog& catalog_;
+  const RotationCatalog& catalog_;
   const std::function<void()>& again_;
   SliceReader reader_;
   bool reference_;
@@ -91,14 +93,14 @@ class ObstacleSweep {
   std::uint32_t first_node_ = 0;  // of those that begin at the angle
   Group doubtful_;                // events that may be positions of tight contacts, or of nothing at all
 
-  // Of the window, and of these the tight ones behind the last group and behind the start; sorted.
+  // Of the window, and of these the tight ones after the last group and after the start; sorted.
   std::vector<AlwaysConcurrent> always_, curves_, begin_curves_;
 
   // At the very end of the last window. Of a crowded quarter turn one event stands for many, so that a whole slice is
   // due.
-  std::vector<TurnEvent> pending_;
+  std::vector<RotationEvent> pending_;
   std::optional<CrowdedEnd> crowded_;
-  TurnRange pending_range_;
+  RotationRange pending_range_;
 };
 
 }  // namespace dymsum::planar

@@ -9,15 +9,15 @@ namespace {
 
 /// Visible sub-edges along the common line, with those that shrink to a point between them, and where they start and
 /// end on it.
-struct Stretch {
+struct Interval {
   std::vector<std::uint32_t> nodes;
   double from = 0, to = 0, error = 0;
 };
 
 class OverlapEdit {
  public:
-  /// `side`: of b's start from a, behind the event.
-  OverlapEdit(const TurnEvent& event, const SweepScene& scene, const EventSigns& signs, int side)
+  /// `side`: of b's start from a, after the event.
+  OverlapEdit(const RotationEvent& event, const SweepScene& scene, const EventSigns& signs, int side)
       : forms_(scene.forms),
         graph_(scene.graph),
         signs_(signs),
@@ -29,22 +29,22 @@ class OverlapEdit {
         direction_(forms_.direction(a_, heading_)),
         length_(std::hypot(direction_.x, direction_.y)),
         turn_(turn_of(event)),
-        unsure_(8 * place_error(turn_) * forms_.span()),
+        unsure_(8 * position_error(turn_) * forms_.span()),
         start_(TurningForms::start(outer_)),
         end_(forms_.end(outer_)),
         low_(along(start_)),
         high_(along(end_)),
         before_(signs.joint(start_)),
-        behind_(signs.joint(end_)) {}
+        after_(signs.joint(end_)) {}
 
-  Point at() const { return forms_.place(start_, heading_); }
+  Point at() const { return forms_.position(start_, heading_); }
 
   /// Nothing where more coincides.
   std::optional<BoundaryEdit> edit() const {
-    if (before_.unsure || behind_.unsure) return std::nullopt;
+    if (before_.unsure || after_.unsure) return std::nullopt;
     BoundaryEdit edit;
-    for (const Stretch& s : joined(stretches())) {
-      std::vector<WalkSegment> segments = segments_behind(s);
+    for (const Interval& s : joined(intervals())) {
+      std::vector<WalkSegment> segments = segments_after(s);
       if (segments.empty()) return std::nullopt;
       if (is_same(s, segments)) continue;
       edit.runs.push_back({s.nodes.front(), s.nodes.back(), std::move(segments)});
@@ -56,18 +56,18 @@ class OverlapEdit {
  private:
   // Along the common line, from a's start.
   double along(Pair v) const {
-    const Point p = forms_.place(v, heading_), origin = forms_.place(TurningForms::start(a_), heading_);
+    const Point p = forms_.position(v, heading_), origin = forms_.position(TurningForms::start(a_), heading_);
     return (direction_.x * (p.x - origin.x) + direction_.y * (p.y - origin.y)) / length_;
   }
 
-  std::vector<Stretch> stretches() const {
-    std::vector<Stretch> found;
+  std::vector<Interval> intervals() const {
+    std::vector<Interval> found;
     for (const WalkSegment* s : {&a_, &b_}) {
       const Point e = forms_.direction(*s, heading_);
       const double base = along(TurningForms::start(*s)), own = std::hypot(e.x, e.y);
       for (std::uint32_t n = graph_.first_on(*s); n != kNobody; n = graph_[n].next_on_segment) {
-        const Located first = place_on(forms_, *s, graph_[graph_[n].prev].segment, true, heading_, turn_),
-                      last = place_on(forms_, *s, graph_[graph_[n].next].segment, false, heading_, turn_);
+        const Located first = position_on(forms_, *s, graph_[graph_[n].prev].segment, true, heading_, turn_),
+                      last = position_on(forms_, *s, graph_[graph_[n].next].segment, false, heading_, turn_);
         found.push_back({{n}, base + own * first.t, base + own * last.t, own * (first.error + last.error)});
       }
     }
@@ -75,7 +75,7 @@ class OverlapEdit {
   }
 
   // Put together where only a vanishing piece of a chain is between them.
-  std::vector<Stretch> joined(std::vector<Stretch> found) const {
+  std::vector<Interval> joined(std::vector<Interval> found) const {
     for (bool joins = true; joins;) {
       joins = false;
       for (std::size_t k = 0; k < found.size() && !joins; ++k)
@@ -92,18 +92,18 @@ class OverlapEdit {
     return found;
   }
 
-  bool follows(const Stretch& s, const Stretch& t) const {
+  bool follows(const Interval& s, const Interval& t) const {
     const std::uint32_t last = s.nodes.back(), first = t.nodes.front();
     return graph_[graph_[last].next].next == first && graph_[last].id != graph_[first].id;
   }
 
-  // Behind the event the boundary runs along the outer segment where that reaches and along the inner one elsewhere.
-  // From the inner to the outer one leads the segment before the outer one in its chain, back leads the one behind it.
-  // None where a stretch ends otherwise at an end of the outer one.
-  std::vector<WalkSegment> segments_behind(const Stretch& s) const {
+  // After the event the boundary runs along the outer segment where that reaches and along the inner one elsewhere.
+  // From the inner to the outer one leads the segment before the outer one in its chain, back leads the one after it.
+  // None where an interval ends otherwise at an end of the outer one.
+  std::vector<WalkSegment> segments_after(const Interval& s) const {
     const bool from_start = forms_.end(graph_[graph_[s.nodes.front()].prev].segment) == start_;
     const bool to_end = TurningForms::start(graph_[graph_[s.nodes.back()].next].segment) == end_;
-    // Its ends: 1 behind an end of the outer segment, -1 before it.
+    // Its ends: 1 after an end of the outer segment, -1 before it.
     const int from_low = from_start ? 1 : beside(s, false, start_, low_), from_high = beside(s, false, end_, high_),
               to_low = beside(s, true, start_, low_), to_high = to_end ? -1 : beside(s, true, end_, high_);
     if (from_low == 0 || from_high == 0 || to_low == 0 || to_high == 0) return {};
@@ -118,24 +118,24 @@ class OverlapEdit {
     if ((from_start || from_high < 0) && (to_end || to_low > 0)) segments.push_back(outer_);
     if (to_high > 0) {
       if (from_start || from_high < 0) {
-        if (!behind_.has_out) return {};
-        segments.push_back(behind_.out);
+        if (!after_.has_out) return {};
+        segments.push_back(after_.out);
       }
       segments.push_back(inner_);
     }
     return segments;
   }
 
-  int beside(const Stretch& s, bool at_end, Pair v, double v_along) const {
+  int beside(const Interval& s, bool at_end, Pair v, double v_along) const {
     const double d = (at_end ? s.to : s.from) - v_along;
     if (std::abs(d) > unsure_ + s.error) return d > 0 ? 1 : -1;
     const SignsAt& signs = signs_.exact();
     const std::optional<Fraction> end =
         end_along(signs, a_, graph_.sub_edge(at_end ? s.nodes.back() : s.nodes.front()), at_end);
-    return end ? signs.compare(*end, signs.along(a_, ExactPlace{{false, v, {}, {}}, {}})) : 0;
+    return end ? signs.compare(*end, signs.along(a_, ExactPosition{{false, v, {}, {}}, {}})) : 0;
   }
 
-  bool is_same(const Stretch& s, const std::vector<WalkSegment>& segments) const {
+  bool is_same(const Interval& s, const std::vector<WalkSegment>& segments) const {
     return std::equal(
         segments.begin(), segments.end(), s.nodes.begin(), s.nodes.end(),
         [&](const WalkSegment& segment, std::uint32_t n) { return graph_.segments().of(segment) == graph_[n].id; });
@@ -149,25 +149,25 @@ class OverlapEdit {
   Point direction_;  // of a
   double length_;
   double turn_;        // what the event's angle errs by
-  double unsure_;      // places along the line that are nearer are not told apart: each errs by up to half of it
+  double unsure_;      // places along the line that are nearer are not distinguished: each errs by up to half of it
   Pair start_, end_;   // of the outer segment
   double low_, high_;  // these along the line
-  TurnCatalog::Joint before_, behind_;
+  RotationCatalog::Joint before_, after_;
 };
 
 }  // namespace
 
-EventPlan plan_overlap(TurnEvent& event, const TurnRange& range, const SweepScene& scene) {
+EventPlan plan_overlap(RotationEvent& event, const RotationRange& range, const SweepScene& scene) {
   if (scene.graph.first_on(event.a) == kNobody && scene.graph.first_on(event.b) == kNobody) return {};
   const EventSigns signs(event, scene.forms, scene.catalog, range);
   const EventPlan unsure{EventPlan::Verdict::unsure, {}, {}, {}};
-  const auto exists = [&](const WalkSegment& s) { return signs.exists(s) == TurnCatalog::Existence::yes; };
+  const auto exists = [&](const WalkSegment& s) { return signs.exists(s) == RotationCatalog::Existence::yes; };
   if (!event.root->changes_sign() || !exists(event.a) || !exists(event.b)) return unsure;
   const Pair start = TurningForms::start(event.b);
   const double slope = scene.forms.side(event.a, start).slope(Heading::of(event.theta()));
   const int side = std::abs(slope) > kSlopes * scene.forms.side_error(event.a)
                        ? (slope > 0 ? 1 : -1)
-                       : signs.behind(scene.forms.exact_side(event.a, start, range.chart));
+                       : signs.after(scene.forms.exact_side(event.a, start, range.chart));
   const OverlapEdit overlap(event, scene, signs, side);
   std::optional<BoundaryEdit> edit = overlap.edit();
   if (!edit) return unsure;

@@ -10,12 +10,12 @@ namespace dymsum::planar {
 namespace {
 
 /// The direction from z to a point, or the opposite one.
-struct Way {
+struct SectorEnd {
   Point to;
   bool opposite = false;
 };
 struct Sector {
-  Way from, to;  ///< counter-clockwise
+  SectorEnd from, to;  ///< counter-clockwise
 };
 
 class Around {
@@ -68,17 +68,17 @@ class Around {
     return z_ != a && z_ != b && exact::orient_sign(a, b, z_) == 0;
   }
 
-  int cross(const Way& a, const Way& b) const {
+  int cross(const SectorEnd& a, const SectorEnd& b) const {
     return exact::orient_sign(z_, a.to, b.to) * (a.opposite == b.opposite ? 1 : -1);
   }
-  bool ahead(const Way& a) const { return (a.to.x != z_.x ? a.to.x > z_.x : a.to.y > z_.y) != a.opposite; }
+  bool ahead(const SectorEnd& a) const { return (a.to.x != z_.x ? a.to.x > z_.x : a.to.y > z_.y) != a.opposite; }
   // Counter-clockwise from a to b: 0 for no turn, 1 for less than a half one, 2 for a half one, 3 for more.
-  int turn(const Way& a, const Way& b) const {
+  int turn(const SectorEnd& a, const SectorEnd& b) const {
     const int c = cross(a, b);
     return c != 0 ? (c > 0 ? 1 : 3) : ahead(a) == ahead(b) ? 0 : 2;
   }
   // In [from, to).
-  bool starts_in(const Way& u, const Sector& s) const {
+  bool starts_in(const SectorEnd& u, const Sector& s) const {
     const int a = turn(s.from, u), b = turn(s.from, s.to);
     return a != b ? a < b : (a == 1 || a == 3) && cross(u, s.to) > 0;
   }

@@ -9,7 +9,7 @@ namespace dymsum::planar {
 
 /// A touching point of a region through which straight lines of a whole range of directions pass without meeting its
 /// interior on the way: they enter by one of the free sectors there and leave by another one. None where each free
-/// sector lies opposite to a filled one, as where a vertex touches the middle of an edge. Exact. O(n) per touching
+/// sector lies opposite to a filled one, as where a vertex touches the midpoint of an edge. Exact. O(n) per touching
 /// point.
 std::optional<Point> point_passage(const Region& region);
 

@@ -9,15 +9,15 @@
 namespace dymsum::planar {
 namespace {
 
-/// Lines that collinear() may call one have offsets from the origin that differ by less than this share of the span, a
-/// tenth of it.
+/// Lines that collinear() may call one have offsets from the origin that differ by less than this fraction of the span,
+/// a tenth of it.
 constexpr double kLineNear = 0x1p-34;
-/// Of an end of a stretch, times the span, beside what its share of the segment errs by: two places (16), a difference
-/// and a direction (19 for the one, 19 and 2 for the unit vector), products and sums.
-constexpr double kStretch = exact::rounding_bound(2 * 16 + 1 + 19 + 21 + 6, 8192);
+/// Of an end of an interval, times the span, beside what its fraction of the segment errs by: two positions (16), a
+/// difference and a direction (19 for the one, 19 and 2 for the unit vector), products and sums.
+constexpr double kInterval = exact::rounding_bound(2 * 16 + 1 + 19 + 21 + 6, 8192);
 /// Of the cross product of two directions, times their lengths, at an angle that errs by 2^-49.
 constexpr double kParallelLines = exact::rounding_bound(56 + 2 * 16, 8192);
-/// So many times what sides err by are certain at the angle, too.
+/// So many times what sides err by are proved at the angle, too.
 constexpr double kSides = 64;
 
 }  // namespace
@@ -30,7 +30,8 @@ SharedLines::SharedLines(const TurningForms& forms, const AngleNow& now, std::ve
       lines_before_(by_offset(before_)) {}
 
 double SharedLines::offset(const SubEdge& e) const {
-  const Point d = forms_.direction(e.segment, heading_), from = forms_.place(TurningForms::start(e.segment), heading_);
+  const Point d = forms_.direction(e.segment, heading_),
+              from = forms_.position(TurningForms::start(e.segment), heading_);
   return (d.x * from.y - d.y * from.x) / std::hypot(d.x, d.y);
 }
 
@@ -55,20 +56,20 @@ std::vector<std::pair<std::uint32_t, std::uint32_t>> SharedLines::continued(cons
   std::vector<std::pair<std::uint32_t, std::uint32_t>> found;
   for (std::uint32_t n = 0; n < ended.size(); ++n)
     for_each_near(lines, offset(ended[n]), [&](std::uint32_t m) {
-      if (have_common_stretch(ended[n], fresh[m])) found.emplace_back(n, m);
+      if (have_common_interval(ended[n], fresh[m])) found.emplace_back(n, m);
     });
   return found;
 }
 
-// A sub-edge's stretch on a line. Places along it of nearly parallel lines may be anywhere on the segment.
-SharedLines::Stretch SharedLines::stretch_on(const WalkSegment& line, const SubEdge& edge) const {
+// A sub-edge's interval on a line. Positions along it of nearly parallel lines may be anywhere on the segment.
+SharedLines::Interval SharedLines::interval_on(const WalkSegment& line, const SubEdge& edge) const {
   const WalkSegment& s = edge.segment;
-  const Point d = forms_.direction(line, heading_), base = forms_.place(TurningForms::start(line), heading_);
-  const Point from = forms_.place(TurningForms::start(s), heading_), e = forms_.direction(s, heading_);
+  const Point d = forms_.direction(line, heading_), base = forms_.position(TurningForms::start(line), heading_);
+  const Point from = forms_.position(TurningForms::start(s), heading_), e = forms_.direction(s, heading_);
   const double length = std::hypot(d.x, d.y);
-  double error = kStretch * forms_.span();
+  double error = kInterval * forms_.span();
   const auto along = [&](bool at_start) {
-    const Located at = place_on(forms_, s, at_start ? edge.left : edge.right, at_start, heading_);
+    const Located at = position_on(forms_, s, at_start ? edge.left : edge.right, at_start, heading_);
     error += std::isnan(at.error) ? INFINITY : at.error * forms_.length1(s);
     const double u = std::clamp(at.t, 0.0, 1.0);
     return (d.x * (from.x + u * e.x - base.x) + d.y * (from.y + u * e.y - base.y)) / length;
@@ -77,14 +78,14 @@ SharedLines::Stretch SharedLines::stretch_on(const WalkSegment& line, const SubE
   return {std::min(first, last), std::max(first, last), error};
 }
 
-// Of one direction, and with a stretch in common at the angle. Ends are quotients `side / cross` of polynomials, where
-// a line runs along this one the quotient of their derivatives.
-bool SharedLines::have_common_stretch(const SubEdge& n, const SubEdge& m) const {
+// Of one direction, and with an interval in common at the angle. Ends are quotients `side / cross` of polynomials,
+// where a line runs along this one the quotient of their derivatives.
+bool SharedLines::have_common_interval(const SubEdge& n, const SubEdge& m) const {
   if (!(cosine(n.segment, m.segment) > 0) || !collinear(n.segment, m.segment)) return false;
-  const Stretch s = stretch_on(n.segment, n), t = stretch_on(n.segment, m);
-  const double share = std::min(s.to, t.to) - std::max(s.from, t.from), error = s.error + t.error;
-  if (share > error) return true;
-  if (share < -error) return false;
+  const Interval s = interval_on(n.segment, n), t = interval_on(n.segment, m);
+  const double fraction = std::min(s.to, t.to) - std::max(s.from, t.from), error = s.error + t.error;
+  if (fraction > error) return true;
+  if (fraction < -error) return false;
   const SignsAt& signs = now_.signs();
   for (const SubEdge* end : {&n, &m}) {
     const std::optional<Fraction> to = end_along(signs, n.segment, *end, true);
@@ -103,7 +104,7 @@ double SharedLines::cosine(const WalkSegment& s, const WalkSegment& t) const {
   return d.x * e.x + d.y * e.y;
 }
 
-// Exactly, where doubles do not tell the lines apart.
+// Exactly, where doubles do not distinguish the lines.
 bool SharedLines::collinear(const WalkSegment& s, const WalkSegment& t) const {
   if (std::abs(forms_.cross(s, t).at(heading_)) > kParallelLines * forms_.length1(s) * forms_.length1(t)) return false;
   const TrigForm side = forms_.side(s, TurningForms::start(t));
@@ -126,23 +127,23 @@ std::vector<SubEdge> SharedLines::opposite_walls(const SubEdge& e) const {
   return walls;
 }
 
-// In doubles where they leave a gap that is certain, else exactly.
+// In doubles where they leave a gap that is proved, else exactly.
 bool SharedLines::shut(std::span<const SubEdge> edges) const {
   const WalkSegment& line = edges[0].segment;
   const std::vector<SubEdge> walls = opposite_walls(edges[0]);
   double low = -INFINITY, high = INFINITY, error = 0;
   for (const SubEdge& e : edges) {
-    const Stretch s = stretch_on(line, e);
+    const Interval s = interval_on(line, e);
     low = std::max(low, s.from);
     high = std::min(high, s.to);
     error += s.error;
   }
   if (walls.empty() && high - low > 2 * error) return false;
   double reach = low, errors = error;
-  std::vector<Stretch> stretches;
-  for (const SubEdge& wall : walls) stretches.push_back(stretch_on(line, wall));
-  std::sort(stretches.begin(), stretches.end());
-  for (const Stretch& s : stretches) {
+  std::vector<Interval> intervals;
+  for (const SubEdge& wall : walls) intervals.push_back(interval_on(line, wall));
+  std::sort(intervals.begin(), intervals.end());
+  for (const Interval& s : intervals) {
     errors = std::max(errors, error + s.error);
     if (s.from <= reach + 2 * errors) reach = std::max(reach, s.to);
   }
@@ -175,20 +176,20 @@ bool SharedLines::covered_exactly(std::span<const SubEdge> edges, const std::vec
 void match_along_lines(const BoundaryGraph& graph, const SharedLines& lines, SliceEdit& edit) {
   std::vector<SubEdge> ended, fresh;
   for (const std::uint32_t n : edit.ended) ended.push_back(graph.sub_edge(n));
-  std::vector<std::uint32_t> place_of_fresh;
+  std::vector<std::uint32_t> position_of_fresh;
   std::uint32_t index = 0;
   for (const SliceEdit::Loop& loop : edit.loops)
-    for (const SliceEdit::Place& p : loop.places) {
+    for (const SliceEdit::Position& p : loop.positions) {
       if (p.stays == kNobody || (graph.angle() != kNobody && graph[p.stays].begin == graph.angle())) {
         const SegmentIndex& segments = graph.segments();
         fresh.push_back({segments.segment(p.segment), segments.segment(p.left), segments.segment(p.right)});
-        place_of_fresh.push_back(index);
+        position_of_fresh.push_back(index);
       }
       ++index;
     }
   for (const auto& [n, m] : lines.continued(ended, fresh)) {
     const bool shut = lines.shut(std::array{ended[n], fresh[m]});
-    (shut ? edit.touching : edit.continued).emplace_back(edit.ended[n], place_of_fresh[m]);
+    (shut ? edit.touching : edit.continued).emplace_back(edit.ended[n], position_of_fresh[m]);
   }
 }
 

@@ -2,7 +2,7 @@
 
 #include <stdexcept>
 
-#include "cspace/events/walk_numbers.h"
+#include "cspace/events/walk_indices.h"
 #include "exact/rounding_bound.h"
 #include "planar/boundary/collision.h"
 #include "planar/motion/operand_pair.h"
@@ -15,10 +15,11 @@ namespace {
 
 // Of a position from the lattice's base: its double, times the span, which Collision's own slack covers as well; and
 // the sum of the offsets, times the reach.
-constexpr double kPlace = exact::rounding_bound(1, 2), kBase = exact::rounding_bound(1, 2);
+constexpr double kPosition = exact::rounding_bound(1, 2), kBase = exact::rounding_bound(1, 2);
 
 // The middle of the loop's first piece.
-Place place_on_loop(const std::vector<WalkSegment>& loop, const TurningForms& forms, const PlacedPair& state) {
+SegmentPosition position_on_loop(const std::vector<WalkSegment>& loop, const TurningForms& forms,
+                                 const PlacedPair& state) {
   const auto exact_segment = [&](const WalkSegment& s) {
     const Operand &o = s.side == 0 ? *state.p : *state.q, &other = s.side == 0 ? *state.q : *state.p;
     return Segment{o.edge(s.edge), other.source[s.vertex]};
@@ -34,20 +35,20 @@ Place place_on_loop(const std::vector<WalkSegment>& loop, const TurningForms& fo
     }
     return c;
   };
-  Place place;
-  place.on = exact_segment(loop[0]);
-  place.between = true;
-  place.first = cut(loop.back(), loop[0], loop.back());
-  place.second = cut(loop[0], loop[1], loop[1]);
+  SegmentPosition position;
+  position.on = exact_segment(loop[0]);
+  position.between = true;
+  position.first = cut(loop.back(), loop[0], loop.back());
+  position.second = cut(loop[0], loop[1], loop[1]);
   const Lattice& lattice = *state.lattice;
-  const Lattice::Position p = lattice.position(place);
+  const Lattice::Position p = lattice.position(position);
   const auto in_steps = [&](const auto& v, double low) {
     return exact::round_to_double(exact::BigRational((v - exact::exact_value(low)) / exact::exact_value(lattice.unit)));
   };
-  place.x = in_steps(p.x, lattice.base.x);
-  place.y = in_steps(p.y, lattice.base.y);
-  place.error = kPlace * lattice.span + (lattice.base_reach * kBase + lattice.base_error) / lattice.unit;
-  return place;
+  position.x = in_steps(p.x, lattice.base.x);
+  position.y = in_steps(p.y, lattice.base.y);
+  position.error = kPosition * lattice.span + (lattice.base_reach * kBase + lattice.base_error) / lattice.unit;
+  return position;
 }
 
 }  // namespace
@@ -56,11 +57,11 @@ SliceReader::SliceReader(const TurningForms& forms, std::shared_ptr<const Operan
     : forms_(forms), base_(std::move(base)), index_(forms.size(0), forms.size(1)) {
   for (std::uint32_t op = 0; op < 2; ++op) {
     const Operand& o = forms.operand(op);
-    walk_vertex_[op].assign(o.numbered_vertex.size(), kNobody);
-    walk_edge_[op].assign(o.numbered_edge.size(), kNobody);
+    walk_vertex_[op].assign(o.vertex_of_index.size(), kNobody);
+    walk_edge_[op].assign(o.edge_of_index.size(), kNobody);
     for (std::uint32_t i = 0; i < o.size(); ++i) {
-      walk_vertex_[op][o.vertex_number[i]] = i;
-      walk_edge_[op][o.edge_number[i]] = i;
+      walk_vertex_[op][o.vertex_index[i]] = i;
+      walk_edge_[op][o.edge_index[i]] = i;
     }
   }
 }
@@ -133,7 +134,7 @@ SliceReader::Faces SliceReader::faces(const Orientation& at, const BoundaryGraph
 bool SliceReader::is_free(const std::vector<WalkSegment>& loop, const Orientation& at) const {
   const PlacedPair state = base_->placed(at);
   Collision collision(*state.lattice, *state.p, *state.q, true);
-  return !collision.overlaps_right_of(place_on_loop(loop, forms_, state));
+  return !collision.overlaps_right_of(position_on_loop(loop, forms_, state));
 }
 
 }  // namespace dymsum::planar

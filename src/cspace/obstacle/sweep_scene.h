@@ -4,19 +4,19 @@
 #include <optional>
 
 #include "cspace/boundary/boundary_graph.h"
-#include "cspace/events/exact_place.h"
+#include "cspace/events/exact_position.h"
 #include "cspace/events/quarter_turn.h"
-#include "planar/motion/turn_catalog.h"
+#include "planar/motion/rotation_catalog.h"
 
 namespace dymsum::planar {
 
 struct SweepScene {
   const TurningForms& forms;
-  const TurnCatalog& catalog;
+  const RotationCatalog& catalog;
   const BoundaryGraph& graph;
 };
 
-/// An angle in doubles, and exactly once its signs are asked for.
+/// An angle in doubles, and exactly once its signs are requested.
 class AngleNow {
  public:
   explicit AngleNow(const TurningForms& forms) : forms_(forms) {}

@@ -15,8 +15,8 @@ struct SweptBoundary {
   std::vector<ExactAngle> angles;
   std::vector<ObstacleEvent> events;
   std::vector<TightFeature> tight;
-  /// Angles at which Euler numbers are told by limits of the boundary, and then twice what surfaces gain there, each
-  /// with a node of theirs.
+  /// Angles at which Euler numbers are determined by limits of the boundary, and then twice what surfaces gain there,
+  /// each with a node of theirs.
   std::vector<std::uint32_t> limit_angles;
   std::vector<std::pair<std::uint32_t, int>> limit_halves;
   bool always_concurrent = false;  ///< of some window: CspaceObstacle::may_have_tight_curves

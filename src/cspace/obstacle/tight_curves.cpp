@@ -1,7 +1,7 @@
 // Three contacts that stay at one point z at every angle are no event. Each covers what lies to its left near z, so
 // where their directions span the plane with positive weights z has no free space beside it: free or covered, z changes
 // only at events of another segment or of an end of the three, all of which are listed. Between two events one exact
-// test therefore tells whether z is free, hence tight, unless it is an end of one of them, beside which free space
+// test therefore determines whether z is free, hence tight, unless it is an end of one of them, beside which free space
 // comes to it: then the boundary passes there.
 #include "cspace/obstacle/tight_curves.h"
 
@@ -9,9 +9,9 @@
 #include <iterator>
 #include <tuple>
 
-#include "cspace/boundary/free_place.h"
-#include "cspace/events/event_place.h"
-#include "cspace/obstacle/tight_places.h"
+#include "cspace/boundary/free_position.h"
+#include "cspace/events/event_position.h"
+#include "cspace/obstacle/tight_positions.h"
 #include "exact/rounding_bound.h"
 #include "planar/motion/exact_angle.h"
 
@@ -25,9 +25,9 @@ bool less(const AlwaysConcurrent& x, const AlwaysConcurrent& y) {
   return std::lexicographical_compare(x.begin(), x.end(), y.begin(), y.end(), before);
 }
 
-TurnEvent event_of(const AlwaysConcurrent& three) {
-  TurnEvent event;
-  event.kind = TurnEvent::Kind::three_segments;
+RotationEvent event_of(const AlwaysConcurrent& three) {
+  RotationEvent event;
+  event.kind = RotationEvent::Kind::three_segments;
   event.a = three[0];
   event.b = three[1];
   event.c = three[2];
@@ -55,16 +55,16 @@ bool may_span(const TurningForms& forms, const AlwaysConcurrent& s, Heading h) {
 }  // namespace
 
 std::vector<AlwaysConcurrent> common_curves(const std::vector<AlwaysConcurrent>& before,
-                                            const std::vector<AlwaysConcurrent>& behind) {
+                                            const std::vector<AlwaysConcurrent>& after) {
   std::vector<AlwaysConcurrent> all;
-  std::set_intersection(before.begin(), before.end(), behind.begin(), behind.end(), std::back_inserter(all), less);
+  std::set_intersection(before.begin(), before.end(), after.begin(), after.end(), std::back_inserter(all), less);
   return all;
 }
 
 std::vector<AlwaysConcurrent> other_curves(const std::vector<AlwaysConcurrent>& before,
-                                           const std::vector<AlwaysConcurrent>& behind) {
+                                           const std::vector<AlwaysConcurrent>& after) {
   std::vector<AlwaysConcurrent> all;
-  std::set_symmetric_difference(before.begin(), before.end(), behind.begin(), behind.end(), std::back_inserter(all),
+  std::set_symmetric_difference(before.begin(), before.end(), after.begin(), after.end(), std::back_inserter(all),
                                 less);
   return all;
 }
@@ -74,20 +74,20 @@ std::vector<AlwaysConcurrent> tight_curves(const SweepScene& scene, const std::v
   std::vector<AlwaysConcurrent> found;
   const Heading h = Heading::of(at.radians());
   std::optional<SignsAt> signs;
-  std::optional<PlacesAtAngle> places;
+  std::optional<PositionsAtAngle> positions;
   std::vector<NodeNow> nodes;
   for (const AlwaysConcurrent& three : threes) {
     if (!may_span(scene.forms, three, h)) continue;
-    const EventPlace place = place_of(event_of(three), scene.forms, h);
-    if (place.sine >= kPlacedSine && filter.inside(place.at, h)) continue;
+    const EventPosition position = position_of(event_of(three), scene.forms, h);
+    if (position.sine >= kPlacedSine && filter.inside(position.at, h)) continue;
     if (!signs) {
       signs.emplace(scene.forms, exact_angle(at));
-      places.emplace(scene, *signs);
+      positions.emplace(scene, *signs);
     }
-    const std::optional<TightCandidate> z = spans(*signs, three) ? places->meeting_of(three) : std::nullopt;
-    if (!z || !is_free(*signs, z->place)) continue;
-    if (nodes.empty()) nodes = places->nodes_now(false);
-    if (std::any_of(nodes.begin(), nodes.end(), [&](const NodeNow& n) { return places->reaches(n, *z); })) continue;
+    const std::optional<TightCandidate> z = spans(*signs, three) ? positions->meeting_of(three) : std::nullopt;
+    if (!z || !is_free(*signs, z->position)) continue;
+    if (nodes.empty()) nodes = positions->nodes_now(false);
+    if (std::any_of(nodes.begin(), nodes.end(), [&](const NodeNow& n) { return positions->reaches(n, *z); })) continue;
     found.push_back(three);
     std::sort(found.back().begin(), found.back().end(), before);
   }

@@ -33,7 +33,7 @@ SearchStop JoinedComponents::join_touching(const CspaceObstacle& obstacle, PathL
     classes_.join(cells[a].component, cells[b].component);
   for (std::size_t k = 0; k < levels.size(); ++k) {
     if (levels.slab(k)) continue;
-    const SearchStop stop = limits.ask();
+    const SearchStop stop = limits.query();
     if (stop == SearchStop::cancelled || (stop == SearchStop::out_of_time && ++looked % kAtATime == 0)) return stop;
     levels.let_go();
     const SliceGraph& graph = levels.graph(k);
@@ -86,13 +86,13 @@ std::string text_of(const SearchLimit& limit) {
                          ? "the time limit of " + base::general_text(limit.seconds, 6) + " s was reached"
                          : "what joins them is passed along a curve alone, touching all the way, and not by "
                            "translations and rotations in place";
-  const auto place = [](const Point& p) {
+  const auto position = [](const Point& p) {
     return "(" + base::general_text(p.x, 10) + ", " + base::general_text(p.y, 10) + ")";
   };
   if (limit.passage)
     text += ", at the passage between " + degrees_text(limit.passage->from, 10) + " and " +
-            degrees_text(limit.passage->to, 10) + " degrees from " + place(limit.passage->reached) + " to " +
-            place(limit.passage->beyond);
+            degrees_text(limit.passage->to, 10) + " degrees from " + position(limit.passage->reached) + " to " +
+            position(limit.passage->beyond);
   return text;
 }
 

@@ -14,7 +14,7 @@ class JoinedComponents {
  public:
   explicit JoinedComponents(const CspaceObstacle& obstacle);
   std::uint32_t root(std::uint32_t component) const { return classes_.find(component); }
-  /// Joins what touches in a slice at a rational event angle, and before and behind an angle at which a passage is
+  /// Joins what touches in a slice at a rational event angle, and before and after an angle at which a passage is
   /// shut. What it was stopped by, if it was.
   SearchStop join_touching(const CspaceObstacle& obstacle, PathLevels& levels, const SearchLimits& limits);
 

@@ -108,10 +108,10 @@ std::optional<std::uint32_t> PathLevels::event_before_next(std::size_t k) const 
   if (events.empty()) return std::nullopt;
   // Levels of one slab or of neighbouring ones.
   if (events.size() > 1) {
-    const std::uint32_t next = slab_behind((k + 1) % size());
-    return slab_behind(k) == next ? std::nullopt : std::optional(next);
+    const std::uint32_t next = slab_after((k + 1) % size());
+    return slab_after(k) == next ? std::nullopt : std::optional(next);
   }
-  const std::uint32_t first = (slab_behind(k) + 1) % static_cast<std::uint32_t>(events.size());
+  const std::uint32_t first = (slab_after(k) + 1) % static_cast<std::uint32_t>(events.size());
   // Beyond a, and not beyond b, on the way round.
   const ExactAngle &a = angle(k), &b = angle((k + 1) % size()), &e = events[first];
   const bool past = compare(e, a) > 0, before = compare(e, b) <= 0;
@@ -145,7 +145,7 @@ std::uint32_t PathLevels::cell_in_slab(std::uint32_t slab, const SliceMap& map, 
   return one ? near[0] : kUnknown;
 }
 
-// One for each loop: where one edge of it does not tell, another may.
+// One for each loop: where one edge of it does not decide, another may.
 std::vector<std::uint32_t> PathLevels::cells_of(std::uint32_t slab, const SliceMap& map, const SliceGraph& graph,
                                                 std::uint32_t face) {
   std::vector<std::uint32_t> all;
@@ -161,7 +161,7 @@ std::vector<std::uint32_t> PathLevels::cells_of(std::uint32_t slab, const SliceM
   return all;
 }
 
-std::uint32_t PathLevels::slab_behind(std::size_t k) const {
+std::uint32_t PathLevels::slab_after(std::size_t k) const {
   if (levels_[k]->slab) return *levels_[k]->slab;
   const std::vector<ExactAngle>& angles = ObstacleInternals::of(obstacle_).exact_angles;
   const auto at =
@@ -169,13 +169,13 @@ std::uint32_t PathLevels::slab_behind(std::size_t k) const {
   return static_cast<std::uint32_t>(at - angles.begin());
 }
 
-// At an event angle: at an orientation next to it, up to which a place of the face stays free.
+// At an event angle: at an orientation next to it, up to which a position of the face stays free.
 std::vector<std::uint32_t> PathLevels::cells_beside(std::size_t k, std::uint32_t face) {
   const SliceGraph& at = graph(k);
   const auto inside =
       std::find_if(at.trapezoids().begin(), at.trapezoids().end(), [&](const auto& t) { return t.face == face; });
   const std::vector<ExactAngle>& angles = ObstacleInternals::of(obstacle_).exact_angles;
-  const std::size_t next = (slab_behind(k) + 1) % angles.size();
+  const std::size_t next = (slab_after(k) + 1) % angles.size();
   const ExactAngle limit = angles.size() > 1 ? angles[next] : exact_angle(orientation_between(angle(k), angle(k)));
   pivot_.stand(inside->centre);
   const Orientation beside = pivot_.beside(theta(k), limit, TurnDirection::counter_clockwise);

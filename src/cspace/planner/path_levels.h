@@ -48,7 +48,7 @@ class PathLevels {
   void let_go();
   std::uint64_t slices() const { return slices_; }
 
-  /// The index of the level at this orientation, which is made if there is none. Indices behind it change.
+  /// The index of the level at this orientation, which is made if there is none. Indices after it change.
   std::size_t add(const Orientation& theta);
   /// Levels at one orientation of every slab, and with touching at every rational event angle.
   void add_all();
@@ -59,14 +59,14 @@ class PathLevels {
   std::vector<Orientation> between(std::size_t k) const;
 
   /// The free cells of all faces that a group of a level consists of, increasing: one for each loop of a face's
-  /// boundary, at an event angle those in the slab behind it. kNone stands for one that is not known.
+  /// boundary, at an event angle those in the slab after it. kNone stands for one that is not known.
   const std::vector<std::uint32_t>& cells(std::size_t k, std::uint32_t group);
   /// Their components.
   std::vector<std::uint32_t> components(std::size_t k, std::uint32_t group);
   /// The slab of a level; nothing at an event angle.
   std::optional<std::uint32_t> slab(std::size_t k) const { return levels_[k]->slab; }
-  /// That, or the one behind the event.
-  std::uint32_t slab_behind(std::size_t k) const;
+  /// That, or the one after the event.
+  std::uint32_t slab_after(std::size_t k) const;
 
  private:
   static std::array<std::uint32_t, 3> key_of(const Contact& c) {

@@ -9,7 +9,7 @@ namespace {
 
 using Move = Waypoint::Move;
 
-bool same_place(const Position& a, const Position& b) { return a.x == b.x && a.y == b.y; }
+bool same_position(const Position& a, const Position& b) { return a.x == b.x && a.y == b.y; }
 
 Move move_of(TurnDirection d) { return d == TurnDirection::clockwise ? Move::clockwise : Move::counter_clockwise; }
 
@@ -23,7 +23,7 @@ void PathPoints::translate(Points& path, const Position& to) {
   levels_.let_go();
   const std::vector<Position> way = levels_.graph(levels_.add(from.theta)).way(from.at, to);
   for (std::size_t k = 1; k < way.size(); ++k)
-    if (!same_place(path.back().at, way[k])) path.push_back({Move::translation, way[k], from.theta});
+    if (!same_position(path.back().at, way[k])) path.push_back({Move::translation, way[k], from.theta});
 }
 
 void PathPoints::rotate(Points& path, const Orientation& to, TurnDirection direction) {
@@ -51,7 +51,7 @@ std::optional<TurnDirection> PathPoints::turns(const Position& at, const Orienta
 }
 
 PathPoints::Points PathPoints::direct(const PathPoint& from, const PathPoint& to, std::size_t most) {
-  const bool stays = same_place(from.at, to.at), keeps = from.theta == to.theta;
+  const bool stays = same_position(from.at, to.at), keeps = from.theta == to.theta;
   if (keeps) return glides(from.theta, from.at, to.at) ? Points{{Move::translation, to.at, to.theta}} : Points{};
   if (stays) {
     const auto d = turns(from.at, from.theta, to.theta);
@@ -97,7 +97,7 @@ void PathPoints::require_free(const Points& path) {
     } else {
       pivot_.stand(a.at);
       const auto d = b.move == Move::clockwise ? TurnDirection::clockwise : TurnDirection::counter_clockwise;
-      free = same_place(a.at, b.at) && !pivot_.stop(a.theta, b.theta, d, touching_);
+      free = same_position(a.at, b.at) && !pivot_.stop(a.theta, b.theta, d, touching_);
     }
     if (!free) throw std::logic_error("plan: a piece of the path is not free");
   }

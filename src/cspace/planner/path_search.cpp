@@ -11,9 +11,9 @@ constexpr std::uint32_t kUnreached = SliceMap::kNone;
 
 double turn_between(double a, double b) { return std::abs(std::remainder(a - b, 2 * std::numbers::pi)); }
 
-// At how many places of a piece a rotation is tried: more and more as levels come closer, so that in the end it is
+// At how many positions of a piece a rotation is tried: more and more as levels come closer, so that in the end it is
 // tried at all.
-std::size_t places_at(std::uint32_t depth) { return std::size_t{12} << std::min(depth, 24u); }
+std::size_t positions_at(std::uint32_t depth) { return std::size_t{12} << std::min(depth, 24u); }
 
 }  // namespace
 
@@ -64,7 +64,7 @@ std::optional<PathSearch::Outcome> PathSearch::expand_all(const SearchLimits& li
       last_ = here.visit;
       return Outcome::found;
     }
-    const SearchStop stop = limits.ask();
+    const SearchStop stop = limits.query();
     if (stop == SearchStop::cancelled) return Outcome::cancelled;
     if (stop == SearchStop::out_of_time) {
       const std::size_t n = levels_.size(), k = levels_.index_of(v.level);
@@ -101,22 +101,22 @@ void PathSearch::expand(std::uint32_t visit, TurnDirection direction) {
   if (missing.empty()) return;
   touched_.push_back(low);
   const auto left = [&] { return std::erase_if(missing, [&](auto h) { return reached(to, h); }), !missing.empty(); };
-  const std::size_t places = places_at(depth_[low]);
+  const std::size_t positions = positions_at(depth_[low]);
   try_place(visit, to, direction, arrival);
-  for (const Position& at : roomy(level, group, arrival, places)) {
+  for (const Position& at : roomy(level, group, arrival, positions)) {
     if (!left()) return;
     try_place(visit, to, direction, at);
   }
-  // Places of the pieces over there that are still missing.
+  // Positions of the pieces over there that are still missing.
   for (const std::uint32_t h : std::vector<std::uint32_t>(missing)) {
     if (reached(to, h)) continue;
-    for (const Position& at : roomy(to, h, arrival, places))
+    for (const Position& at : roomy(to, h, arrival, positions))
       if (levels_.graph(level).group_at(SlicePoint(at)) == group && try_place(visit, to, direction, at)) break;
   }
 }
 
-// Places of a group: the middles of trapezoids and the ends of cracks, those with room for the robot first, the near
-// ones before the far ones.
+// Positions of a group: the midpoints of trapezoids and the ends of cracks, those with room for the robot first, the
+// near ones before the far ones.
 std::vector<Position> PathSearch::roomy(std::size_t level, std::uint32_t group, const Position& near,
                                         std::size_t most) {
   const SliceGraph& graph = levels_.graph(level);
@@ -130,10 +130,10 @@ std::vector<Position> PathSearch::roomy(std::size_t level, std::uint32_t group, 
   }
   std::sort(order.begin(), order.end());
   if (order.size() > most) order.resize(most);
-  std::vector<Position> places;
+  std::vector<Position> positions;
   for (const auto& [size, distance, k] : order)
-    for (Position& place : graph.places_of(k)) places.push_back(std::move(place));
-  return places;
+    for (Position& position : graph.positions_of(k)) positions.push_back(std::move(position));
+  return positions;
 }
 
 bool PathSearch::try_place(std::uint32_t from, std::size_t to, TurnDirection direction, const Position& at) {
@@ -156,7 +156,7 @@ std::vector<PathStep> PathSearch::steps() const {
   return steps;
 }
 
-// The gap behind a level, if a piece of one of its levels is reached, and one of the other is not that it may be
+// The gap after a level, if a piece of one of its levels is reached, and one of the other is not that it may be
 // joined to.
 std::optional<PathSearch::Stuck> PathSearch::stuck_at(const PathLevel* low) {
   const std::size_t k = levels_.index_of(low), next = (k + 1) % levels_.size();

@@ -25,7 +25,7 @@ struct PathEnd {
   Orientation theta;
 };
 
-/// Two neighbouring levels, a place that was reached at one of them, and one at the other that was not.
+/// Two neighbouring levels, a position that was reached at one of them, and one at the other that was not.
 struct PathBarrier {
   Orientation from, to;  ///< counter-clockwise
   Position reached, beyond;
@@ -97,7 +97,7 @@ class PathSearch {
   std::uint32_t last_ = 0;  // of a way that was found
   std::unordered_map<const PathLevel*, std::vector<std::uint32_t>> visits_at_;
   std::priority_queue<Open> open_;
-  std::vector<const PathLevel*> touched_;  // gaps behind them
+  std::vector<const PathLevel*> touched_;  // gaps after them
   std::unordered_map<const PathLevel*, std::uint32_t> depth_;
   std::priority_queue<Stuck> stuck_;
   std::uint64_t rotations_ = 0, refinements_ = 0;

@@ -12,7 +12,9 @@ constexpr int kMostSweeps = 6;
 constexpr std::size_t kMostAttempts = 600;  // a slice map or a pivot is asked a few times in each
 
 double length(Point a, Point b) { return std::hypot(b.x - a.x, b.y - a.y); }
-Point between(Point a, Point b, double share) { return {a.x + share * (b.x - a.x), a.y + share * (b.y - a.y)}; }
+Point between(Point a, Point b, double fraction) {
+  return {a.x + fraction * (b.x - a.x), a.y + fraction * (b.y - a.y)};
+}
 
 // The point of the segment from a to b that is nearest to p.
 Point foot(Point a, Point b, Point p) {
@@ -54,7 +56,7 @@ PathPoints::Points PathPoints::tightened(Points path) {
     // How long to go on: every path on the way is free and checked, so this decides nothing else.
     if (attempts >= kMostAttempts || gained <= 1e-3 * whole) break;
   }
-  // A place may have been drawn to its neighbour.
+  // A position may have been drawn to its neighbour.
   Points moving{path.front()};
   for (std::size_t k = 1; k < path.size(); ++k) {
     const Position &a = path[k - 1].at, &b = path[k].at;
@@ -63,7 +65,7 @@ PathPoints::Points PathPoints::tightened(Points path) {
   return moving;
 }
 
-// The sum of the ways before and behind a place is a convex function of it, least on the segment between its
+// The sum of the ways before and after a position is a convex function of it, least on the segment between its
 // neighbours: towards that and towards either of them it only falls. How much is gained.
 double PathPoints::draw_in(Points& path, std::size_t first, std::size_t last, std::size_t& attempts) {
   const Point a = near(path[first - 1].at), b = near(path[last + 1].at);
@@ -72,21 +74,21 @@ double PathPoints::draw_in(Points& path, std::size_t first, std::size_t last, st
     const Point p = near(path[first].at), goal = towards == 0 ? foot(a, b, p) : towards == 1 ? a : b;
     double now = length(a, p) + length(p, b);
     if (now <= length(a, b) * (1 + 1e-6)) break;
-    double low = 0, high = 1;  // the farthest share that is free lies between, as far as is known
+    double low = 0, high = 1;  // the farthest fraction that is free lies between, as far as is known
     for (int step = 0; step < 5 && attempts < kMostAttempts; ++step, ++attempts) {
-      const double share = step == 0 && towards == 0 ? 1 : (low + high) / 2;
-      const Point to = between(p, goal, share);
+      const double fraction = step == 0 && towards == 0 ? 1 : (low + high) / 2;
+      const Point to = between(p, goal, fraction);
       const double then = length(a, to) + length(to, b);
       if (!(then < now)) break;
       if (!stays_free(path, first, last, exactly(to))) {
-        high = share;
+        high = fraction;
         continue;
       }
       for (std::size_t k = first; k <= last; ++k) path[k].at = exactly(to);
       gained += now - then;
       now = then;
-      low = share;
-      if (share == 1) return gained;
+      low = fraction;
+      if (fraction == 1) return gained;
     }
   }
   return gained;

@@ -4,6 +4,7 @@
 #include <chrono>
 #include <cmath>
 
+#include "base/double_text.h"
 #include "base/poll.h"
 #include "base/within_memory.h"
 #include "cspace/events/walked_rings.h"
@@ -198,12 +199,12 @@ class Planner {
     if (options_.touching == Touching::allowed)
       for (const ObstacleEvent& e : obstacle_.events())
         reason.unexamined_angles += e.kind == ObstacleEvent::Kind::tight && !obstacle_.angles()[e.angle].exact;
-    const auto place = [](const std::vector<FreeComponent>& all) {
+    const auto position = [](const std::vector<FreeComponent>& all) {
       return all.empty() ? std::string("a place that is held by contacts") : text_of(all[0]);
     };
     reason.text = kind == NoPath::Kind::separated ? "there is no path: "
                                                   : "undecided, start and goal are joined, but no path was found: ";
-    reason.text += "the start lies in " + place(reason.start) + "; the goal lies in " + place(reason.goal);
+    reason.text += "the start lies in " + position(reason.start) + "; the goal lies in " + position(reason.goal);
   }
 
   void write_path(const std::vector<PathStep>& steps) {
@@ -265,7 +266,9 @@ auto planned(const CspaceObstacle& obstacle, const ExactConfiguration& start, co
              const PlanOptions& options, F f) -> Result<decltype(f(std::declval<Planner&>()))> {
   const auto began = Clock::now();
   if (!(options.time_limit_seconds >= 0))
-    return Error{ErrorCode::out_of_range, "the time limit is no number of seconds", {}};
+    return Error{ErrorCode::out_of_range,
+                 "the time limit must be at least 0 seconds, not " + base::general_text(options.time_limit_seconds, 6),
+                 {}};
   // Beyond a century the clock's numbers might not do.
   const std::chrono::duration<double> limit(std::min(options.time_limit_seconds, 3e9));
   const auto deadline = began + std::chrono::duration_cast<Clock::duration>(limit);

@@ -15,7 +15,7 @@ struct SearchLimits {
   Progress progress;
 
   /// To be asked between two steps.
-  SearchStop ask() const {
+  SearchStop query() const {
     if (progress && !progress("search", 0)) return SearchStop::cancelled;
     return std::chrono::steady_clock::now() > deadline ? SearchStop::out_of_time : SearchStop::none;
   }

@@ -17,15 +17,15 @@ using exact::BigRational;
 namespace {
 
 // Of the height of an edge over a line between its ends, e being the most that their coordinates and the line's err by:
-// with the slope s and ends more than kTold e apart, 2 e (1 + |s|) / (1 - 2 / kTold) for the slope, e for the left end
-// and 2 e |s| for the distance from it, less than kMoved e (1 + |s|).
-constexpr double kTold = 8, kMoved = 16;
-static_assert(2 / (1 - 2 / kTold) + 2 <= kMoved / 2);
+// with the slope s and ends more than kDistinct e apart, 2 e (1 + |s|) / (1 - 2 / kDistinct) for the slope, e for the
+// left end and 2 e |s| for the distance from it, less than kMoved e (1 + |s|).
+constexpr double kDistinct = 8, kMoved = 16;
+static_assert(2 / (1 - 2 / kDistinct) + 2 <= kMoved / 2);
 // Besides, times the sizes of what is added: two differences, the quotient, another difference, the product, the sum.
 constexpr double kHeight = exact::rounding_bound(6, 8);
 // Of half a sum. No input shows it: twice what spots err by is more where they err at all, and where they do not
 // kHeight grants as much.
-constexpr double kMiddle = exact::rounding_bound(1, 2);
+constexpr double kMidpoint = exact::rounding_bound(1, 2);
 // Of a difference.
 constexpr double kDifference = exact::rounding_bound(1, 2);
 
@@ -101,7 +101,7 @@ std::array<double, 2> SliceGraph::height(std::uint32_t edge, const Line& line) c
   if (edge == kBottom || edge == kTop) return {edge == kTop ? frame_ : -frame_, 0};
   const SlicePoint &a = left(edge), &b = right(edge);
   const double e = std::max({a.error(), b.error(), line.error}), dx = b.at().x - a.at().x;
-  if (!(dx > kTold * e)) return {a.at().y, std::numeric_limits<double>::infinity()};
+  if (!(dx > kDistinct * e)) return {a.at().y, std::numeric_limits<double>::infinity()};
   const double slope = (b.at().y - a.at().y) / dx, y = a.at().y + slope * (line.at - a.at().x);
   return {y,
           kMoved * e * (1 + std::abs(slope)) + kHeight * (std::abs(a.at().y) + std::abs(b.at().y) +
@@ -130,33 +130,33 @@ int SliceGraph::compare_heights(std::uint32_t e, std::uint32_t f, const Line& li
   return exact::compare(exact_height(e, line.exact()), exact_height(f, line.exact()));
 }
 
-BigRational SliceGraph::middle_of(std::uint32_t low, std::uint32_t high, const Line& line) const {
+BigRational SliceGraph::midpoint_of(std::uint32_t low, std::uint32_t high, const Line& line) const {
   const auto [y, y_error] = height(low, line);
   const auto [z, z_error] = height(high, line);
-  const double middle = 0.5 * (y + z);
-  if (z - y > 16 * (y_error + z_error) && y < middle && middle < z) return exact::exact_value(middle);
+  const double midpoint = 0.5 * (y + z);
+  if (z - y > 16 * (y_error + z_error) && y < midpoint && midpoint < z) return exact::exact_value(midpoint);
   return BigRational((exact_height(low, line.exact()) + exact_height(high, line.exact())) / 2);
 }
 
-// Between two lines; as a double where one lies certainly between them.
-SliceGraph::Line SliceGraph::middle_between(const Line& from, const Line& to) {
-  Line middle{0.5 * (from.at + to.at), 0, {}, nullptr};
-  if (to.at - from.at > 16 * (from.error + to.error) && from.at < middle.at && middle.at < to.at) {
-    middle.x = exact::exact_value(middle.at);
-    return middle;
+// Between two lines; as a double where one lies provably between them.
+SliceGraph::Line SliceGraph::midpoint_between(const Line& from, const Line& to) {
+  Line midpoint{0.5 * (from.at + to.at), 0, {}, nullptr};
+  if (to.at - from.at > 16 * (from.error + to.error) && from.at < midpoint.at && midpoint.at < to.at) {
+    midpoint.x = exact::exact_value(midpoint.at);
+    return midpoint;
   }
-  middle.error = 2 * (from.error + to.error) + std::abs(middle.at) * kMiddle;
-  middle.x = BigRational((from.exact() + to.exact()) / 2);
-  return middle;
+  midpoint.error = 2 * (from.error + to.error) + std::abs(midpoint.at) * kMidpoint;
+  midpoint.x = BigRational((from.exact() + to.exact()) / 2);
+  return midpoint;
 }
 
 // A trapezoid ends where an edge above or below it does, or where something begins inside.
 void SliceGraph::end_at(Trapezoid& t, std::uint32_t line) const {
   t.to = line;
-  const Line middle = middle_between(lines_[t.from], lines_[line]);
-  t.centre = {middle.x, middle_of(t.low, t.high, middle)};
+  const Line midpoint = midpoint_between(lines_[t.from], lines_[line]);
+  t.centre = {midpoint.x, midpoint_of(t.low, t.high, midpoint)};
   t.near = SlicePoint(t.centre).at();
-  t.size = (height(t.high, middle)[0] - height(t.low, middle)[0]) * (lines_[line].at - lines_[t.from].at);
+  t.size = (height(t.high, midpoint)[0] - height(t.low, midpoint)[0]) * (lines_[line].at - lines_[t.from].at);
 }
 
 // The edges over a column from below: those that end at its first line leave, and those that begin there come in.
@@ -167,10 +167,11 @@ void SliceGraph::step_into(std::uint32_t column, const std::vector<std::uint32_t
     return rank_[map_.edges()[e].from] == column || rank_[map_.edges()[e].to] == column;
   });
   if (begin.empty()) return;
-  const Line middle = middle_between(lines_[column], lines_[column + 1]);
+  const Line midpoint = midpoint_between(lines_[column], lines_[column + 1]);
   for (const std::uint32_t e : begin) {
-    const auto at = std::partition_point(
-        over.begin(), over.end(), [&](std::uint32_t f) { return compare_heights(f, e, middle, SliceMap::kNone) <= 0; });
+    const auto at = std::partition_point(over.begin(), over.end(), [&](std::uint32_t f) {
+      return compare_heights(f, e, midpoint, SliceMap::kNone) <= 0;
+    });
     over.insert(at, e);
   }
 }
@@ -184,14 +185,14 @@ void SliceGraph::sweep_lines() {
   std::vector<std::uint32_t> over, open, next, ended, begun;  // edges; trapezoids from below
   std::vector<std::uint32_t> above(map_.edges().size() + 1,
                                    SliceMap::kNone);  // the open one above an edge, or the frame
-  const auto place = [&](std::uint32_t low) { return low == kBottom ? map_.edges().size() : low; };
+  const auto position = [&](std::uint32_t low) { return low == kBottom ? map_.edges().size() : low; };
   for (std::uint32_t column = 0; column < lines_.size(); ++column) {
     const bool last = column + 1 == lines_.size();
     if (!last) step_into(column, begin[column], over);
     next.clear(), ended.clear(), begun.clear();
     for (std::size_t k = 0; !last && k <= over.size(); k += 2) {
       const std::uint32_t low = k == 0 ? kBottom : over[k - 1], high = k == over.size() ? kTop : over[k];
-      std::uint32_t& known = above[place(low)];
+      std::uint32_t& known = above[position(low)];
       if (known == SliceMap::kNone || trapezoids_[known].high != high) {
         begun.push_back(static_cast<std::uint32_t>(trapezoids_.size()));
         next.push_back(begun.back());
@@ -202,10 +203,10 @@ void SliceGraph::sweep_lines() {
       known = SliceMap::kNone;
     }
     for (const std::uint32_t t : open)
-      if (above[place(trapezoids_[t].low)] == t) ended.push_back(t);
+      if (above[position(trapezoids_[t].low)] == t) ended.push_back(t);
     for (const std::uint32_t t : ended)
-      end_at(trapezoids_[t], column), above[place(trapezoids_[t].low)] = SliceMap::kNone;
-    for (const std::uint32_t t : next) above[place(trapezoids_[t].low)] = t;
+      end_at(trapezoids_[t], column), above[position(trapezoids_[t].low)] = SliceMap::kNone;
+    for (const std::uint32_t t : next) above[position(trapezoids_[t].low)] = t;
     links_.resize(trapezoids_.size());
     join_sides(column, ended, begun);
     open.swap(next);
@@ -221,7 +222,7 @@ void SliceGraph::link(std::uint32_t a, std::uint32_t b, Link how) {
 
 Position SliceGraph::via(const Link& l) const {
   if (l.touch != nullptr) return l.touch->exact();
-  return {lines_[l.line].exact(), middle_of(l.low, l.high, lines_[l.line])};
+  return {lines_[l.line].exact(), midpoint_of(l.low, l.high, lines_[l.line])};
 }
 
 // Trapezoids on both sides of a line whose sides have more than a point in common; both from below.
@@ -255,7 +256,7 @@ void SliceGraph::name_faces() {
   }
 }
 
-std::vector<Position> SliceGraph::places_of(std::uint32_t node) const {
+std::vector<Position> SliceGraph::positions_of(std::uint32_t node) const {
   if (node < trapezoids_.size()) return {trapezoids_[node].centre};
   const auto [a, b] = map_.cracks()[node - trapezoids_.size()];
   const Position &from = map_.spots()[a].exact(), &to = map_.spots()[b].exact();
@@ -280,7 +281,7 @@ std::vector<std::uint32_t> SliceGraph::nodes_at(const SlicePoint& p) const {
   return nodes_at(p, line, compare_line(lines_[line]) == 0 && line + 1 < lines_.size());
 }
 
-// The same for a place on that line, or left of it and right of the one before.
+// The same for a position on that line, or left of it and right of the one before.
 std::vector<std::uint32_t> SliceGraph::nodes_at(const SlicePoint& p, std::uint32_t line, bool on_line) const {
   std::vector<std::uint32_t> nodes;
   for (std::uint32_t k = 0; k < trapezoids_.size() && trapezoids_[k].from < line + on_line; ++k)
@@ -318,8 +319,8 @@ void SliceGraph::join_touching() {
       if (side(s[c], s[d], s[a]) * side(s[c], s[d], s[b]) >= 0) continue;
       const Position &p = s[a].exact(), &q = s[b].exact(), &u = s[c].exact(), &v = s[d].exact();
       const BigRational dx = v.x - u.x, dy = v.y - u.y;
-      const BigRational share = ((u.x - p.x) * dy - (u.y - p.y) * dx) / ((q.x - p.x) * dy - (q.y - p.y) * dx);
-      crossings_.emplace_back(along(p, q, share));
+      const BigRational fraction = ((u.x - p.x) * dy - (u.y - p.y) * dx) / ((q.x - p.x) * dy - (q.y - p.y) * dx);
+      crossings_.emplace_back(along(p, q, fraction));
       join_at(crossings_.back(), nodes_at(crossings_.back()));
     }
 }

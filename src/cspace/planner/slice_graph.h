@@ -1,4 +1,4 @@
-// The free places of one slice as a graph: trapezoids between vertical lines through the vertices, and the tight
+// The free positions of one slice as a graph: trapezoids between vertical lines through the vertices, and the tight
 // features that join them by touching. Ways in it are exact.
 #pragma once
 
@@ -25,9 +25,9 @@ class SliceGraph {
     std::uint32_t face = 0;                    ///< of the open free space
   };
 
-  /// Requires: the map outlives the graph; all places lie strictly within `frame` of the origin. With touching the
+  /// Requires: the map outlives the graph; all positions lie strictly within `frame` of the origin. With touching the
   /// cracks are part of the free space, and faces that touch are joined. At most 3 n trapezoids of n edges, for
-  /// O(n log n) filtered signs, and O(n k) steps, k edges over one place.
+  /// O(n log n) filtered signs, and O(n k) steps, k edges over one position.
   SliceGraph(const SliceMap& map, bool touching, double frame);
 
   const std::vector<Trapezoid>& trapezoids() const { return trapezoids_; }
@@ -40,13 +40,13 @@ class SliceGraph {
   /// The edges of the slice with that face on their right, increasing; none for the whole plane.
   const std::vector<std::uint32_t>& edges_of(std::uint32_t face) const { return edges_of_face_[face]; }
   /// Trapezoids, then cracks, by index: the centre of one, the ends of the other.
-  std::vector<Position> places_of(std::uint32_t node) const;
+  std::vector<Position> positions_of(std::uint32_t node) const;
   std::uint32_t nodes() const { return static_cast<std::uint32_t>(group_.size()); }
   /// The closed trapezoids, then the tight features, that hold p.
   std::vector<std::uint32_t> nodes_at(const SlicePoint& p) const;
-  /// The group of a free place; kNone where it is none.
+  /// The group of a free position; kNone where it is none.
   std::uint32_t group_at(const SlicePoint& p) const;
-  /// The corners of a free way between two places of one group, both included: few, not the shortest.
+  /// The corners of a free way between two positions of one group, both included: few, not the shortest.
   std::vector<Position> way(const Position& from, const Position& to) const;
 
  private:
@@ -59,13 +59,13 @@ class SliceGraph {
   // Most are never passed, so that where they are passed is made when it is wanted.
   struct Link {
     std::uint32_t to = 0;
-    std::uint32_t line = 0, low = kBottom, high = kTop;  // the middle between two edges on a line
-    const SlicePoint* touch = nullptr;                   // or this place
+    std::uint32_t line = 0, low = kBottom, high = kTop;  // the midpoint between two edges on a line
+    const SlicePoint* touch = nullptr;                   // or this position
   };
   void add_lines();
   void sweep_lines();
   void step_into(std::uint32_t column, const std::vector<std::uint32_t>& begin, std::vector<std::uint32_t>& over) const;
-  static Line middle_between(const Line& from, const Line& to);
+  static Line midpoint_between(const Line& from, const Line& to);
   void end_at(Trapezoid& t, std::uint32_t line) const;
   void join_sides(std::uint32_t line, const std::vector<std::uint32_t>& ended, const std::vector<std::uint32_t>& begun);
   void join_touching();
@@ -74,7 +74,7 @@ class SliceGraph {
   int compare_heights(std::uint32_t e, std::uint32_t f, const Line& line, std::uint32_t rank) const;
   std::array<double, 2> height(std::uint32_t edge, const Line& line) const;  // with its error
   exact::BigRational exact_height(std::uint32_t edge, const exact::BigRational& x) const;
-  exact::BigRational middle_of(std::uint32_t low, std::uint32_t high, const Line& line) const;
+  exact::BigRational midpoint_of(std::uint32_t low, std::uint32_t high, const Line& line) const;
   bool holds(const Trapezoid& t, const SlicePoint& p) const;
   void link(std::uint32_t a, std::uint32_t b, Link how);
   Position via(const Link& l) const;

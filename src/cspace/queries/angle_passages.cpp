@@ -106,10 +106,10 @@ class Finder {
 
   // Coordinates are taken as they are, not from the origin: the error of a position covers their differences.
   void add_tight(const TightFeature& f, Point at) {
-    const Point d = forms_.in_units(f.to - f.from), gap = forms_.in_units(at - f.from), place = forms_.in_units(at);
-    const double length2 = dot(d, d), share = length2 > 0 ? std::clamp(dot(gap, d) / length2, 0.0, 1.0) : 0;
-    const double off = std::hypot(gap.x - share * d.x, gap.y - share * d.y);
-    const double margin = kTight * (std::abs(place.x) + std::abs(place.y) + forms_.size());
+    const Point d = forms_.in_units(f.to - f.from), gap = forms_.in_units(at - f.from), position = forms_.in_units(at);
+    const double length2 = dot(d, d), fraction = length2 > 0 ? std::clamp(dot(gap, d) / length2, 0.0, 1.0) : 0;
+    const double off = std::hypot(gap.x - fraction * d.x, gap.y - fraction * d.y);
+    const double margin = kTight * (std::abs(position.x) + std::abs(position.y) + forms_.size());
     if (off > 2 * forms_.in_units(f.error) + margin) return;
     const EventAngle& angle = obstacle_.angles()[f.angle];
     push(angle.low - kPassageAngle, angle.high + kPassageAngle, Patch::kNone, false);

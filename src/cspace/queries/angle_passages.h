@@ -20,7 +20,7 @@ struct Passages {
   std::vector<Passage> all;
   bool everywhere = false;
 };
-/// Any gap is right that halves of it are told apart in doubles of angles.
+/// Any gap is right that halves of it are distinguished in doubles of angles.
 constexpr double kPassageGap = 0x1p-44;
 static_assert(kPassageGap >= 4 * kAngleMargin);
 

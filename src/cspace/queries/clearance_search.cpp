@@ -10,16 +10,16 @@
 namespace dymsum::cspace {
 namespace {
 
-constexpr double kSure = 1024;  // times its error: a distance at which what is nearest is known to be boundary
+constexpr double kProved = 1024;  // times its error: a distance at which what is nearest is known to be boundary
 
 // From so far away all of the obstacle is at one distance, up to a size or 2^43 sizes for the weight in 2^200.
-constexpr double kFar = 0x1p200, kAskedFrom = 0x1p100, kFarError = 0x1p-43;
-constexpr double kSubnormal = 0x1p-1073;  // two roundings of what is smaller than doubles tell
+constexpr double kFar = 0x1p200, kQueriedFrom = 0x1p100, kFarError = 0x1p-43;
+constexpr double kSubnormal = 0x1p-1073;  // two roundings of what is smaller than doubles distinguish
 // Events so near to an angle are looked at in its slice: any margin above what angles err by is right.
 constexpr double kNearEvent = 4 * kAngleMargin;
 // Distances worse than this share are taken from the slice.
 constexpr double kExactEnough = 0x1p-32;
-// Distances worse than this share of themselves are compared with that at the question's own angle.
+// Distances worse than this fraction of themselves are compared with that at the question's own angle.
 constexpr double kCoarse = 0x1p-20;
 
 double signed_by(bool negative, double v) { return negative ? -v : v; }
@@ -37,7 +37,7 @@ NearestPatch ClearanceSearch::in_coordinates(const ClearanceQuestion& q, bool wh
   const Point origin = forms_.origin(), off{q.from.x - origin.x, q.from.y - origin.y};
   const double farther = std::max(std::abs(off.x), std::abs(off.y)), size = forms_.size() * forms_.unit();
   const bool far = farther > kFar * size;
-  const double shrunk = kAskedFrom * forms_.size() / farther;
+  const double shrunk = kQueriedFrom * forms_.size() / farther;
   const Point from = far ? Point{shrunk * off.x, shrunk * off.y} : forms_.in_units(off);
   NearestPatch found = search({from, q.from.theta, std::isinf(q.weight) ? 0 : forms_.in_units(q.weight), whole_edges});
   found.distance *= forms_.unit();
@@ -53,46 +53,48 @@ NearestPatch ClearanceSearch::in_coordinates(const ClearanceQuestion& q, bool wh
 
 NearestPatch ClearanceSearch::nearest(const ClearanceQuestion& q, bool whole_edges) const {
   return in_coordinates(q, whole_edges,
-                        [&](const DistanceQuestion& asked) { return nearest_patch(forms_, tree_, asked); });
+                        [&](const DistanceQuestion& queried) { return nearest_patch(forms_, tree_, queried); });
 }
 
 NearestPatch ClearanceSearch::nearest_at(const ClearanceQuestion& q) const {
   return in_coordinates(q, false,
-                        [&](const DistanceQuestion& asked) { return nearest_patch_at(forms_, tree_, asked); });
+                        [&](const DistanceQuestion& queried) { return nearest_patch_at(forms_, tree_, queried); });
 }
 
 // What is nearest to a free configuration with clearance can be left into free space, so that it lies on a patch; one
-// that touches is told exactly.
+// that touches is determined exactly.
 ClearanceSearch::Answer ClearanceSearch::any(const ClearanceQuestion& q) const {
   const NearestPatch found = nearest(q, !q.overlaps);
   const NearestTight tight = nearest_tight(obstacle_, q.from, q.weight);
   if (!q.overlaps) {
     const bool at_patch = found.distance <= found.error,
-               at_curve = obstacle_.may_have_tight_curves() && !q.surely_apart;
-    if (at_patch || at_curve || tight.place.least <= 0) {
+               at_curve = obstacle_.may_have_tight_curves() && !q.provably_apart;
+    if (at_patch || at_curve || tight.position.least <= 0) {
       const SliceDistance slice = slice_of(q);
       if (slice.touching()) return touching(q, found, slice.on_edge());
     }
-    const NearestPatch shown = found.distance > kSure * found.error ? found : on_boundary(q, found);
+    const NearestPatch shown = found.distance > kProved * found.error ? found : on_boundary(q, found);
     return {of(shown, false), shown.bounds};
   }
   Clearance nearest = of(found, true);
-  if (q.touching == Touching::forbidden || !(tight.place.least < found.distance + found.error))
+  if (q.touching == Touching::forbidden || !(tight.position.least < found.distance + found.error))
     return {nearest, found.bounds};
-  const double least = std::min(found.distance - found.error, tight.place.least);
-  if (tight.place.distance + tight.place.error < found.distance + found.error)
-    nearest = {
-        -tight.place.distance, tight.place.error, Patch::kNone, {tight.place.at.x, tight.place.at.y, tight.theta}};
+  const double least = std::min(found.distance - found.error, tight.position.least);
+  if (tight.position.distance + tight.position.error < found.distance + found.error)
+    nearest = {-tight.position.distance,
+               tight.position.error,
+               Patch::kNone,
+               {tight.position.at.x, tight.position.at.y, tight.theta}};
   nearest.error = std::max(nearest.error, -nearest.distance - least);
   return {nearest, found.bounds};
 }
 
 // Where angles count little, an edge may be as near at an angle at which it is inside the obstacle.
 NearestPatch ClearanceSearch::on_boundary(const ClearanceQuestion& q, const NearestPatch& found) const {
-  NearestPatch sure = nearest(q, false);
-  if (sure.patch == Patch::kNone) return found;
-  sure.bounds += found.bounds;
-  return sure;
+  NearestPatch proved = nearest(q, false);
+  if (proved.patch == Patch::kNone) return found;
+  proved.bounds += found.bounds;
+  return proved;
 }
 
 // On an edge of the closed slice there is free space with clearance nearby.
@@ -108,7 +110,7 @@ ClearanceSearch::Answer ClearanceSearch::touching(const ClearanceQuestion& q, co
 }
 
 SliceDistance ClearanceSearch::slice_of(const ClearanceQuestion& q) const {
-  return {obstacle_, Orientation::nearest(q.asked).value(), {q.from.x, q.from.y}};
+  return {obstacle_, Orientation::nearest(q.queried).value(), {q.from.x, q.from.y}};
 }
 
 bool ClearanceSearch::near_event(double theta) const {
@@ -123,7 +125,7 @@ bool ClearanceSearch::near_event(double theta) const {
 }
 
 // Patches are those of the angle's slab where no event is near; what touches, and where an end moves too fast for the
-// angle's doubles, is told by the slice.
+// angle's doubles, is determined by the slice.
 ClearanceSearch::Answer ClearanceSearch::translation(const ClearanceQuestion& q) const {
   if (near_event(q.from.theta) || obstacle_.may_have_tight_curves()) return by_slice(q);
   const NearestPatch found = nearest_at(q);
@@ -153,9 +155,11 @@ ClearanceSearch::Answer ClearanceSearch::by_slice(const ClearanceQuestion& q) co
   const bool inside = q.overlaps || (touching && strict);
   Clearance nearest{signed_by(inside, 0), 0, Patch::kNone, q.from};
   if (!touching || (strict && !slice.on_edge())) {
-    const NearestPlace place = inside && !strict ? slice.to_boundary() : slice.to_edges();
-    nearest = {
-        signed_by(inside, place.distance), place.total_error(), Patch::kNone, {place.at.x, place.at.y, q.from.theta}};
+    const NearestPosition position = inside && !strict ? slice.to_boundary() : slice.to_edges();
+    nearest = {signed_by(inside, position.distance),
+               position.total_error(),
+               Patch::kNone,
+               {position.at.x, position.at.y, q.from.theta}};
   }
   // The patch at the nearest point, if there is one.
   ClearanceQuestion there = q;

@@ -10,11 +10,11 @@ namespace dymsum::cspace {
 /// `from.theta` in [-pi, pi], within 2^-50 of Orientation::nearest(asked).
 struct ClearanceQuestion {
   Configuration from;
-  double asked = 0;
+  double queried = 0;
   double weight = 0;
   Touching touching = Touching::allowed;
-  bool overlaps = false;      ///< exactly
-  bool surely_apart = false;  ///< neither overlaps nor touches, as patches tell
+  bool overlaps = false;        ///< exactly
+  bool provably_apart = false;  ///< neither overlaps nor touches, as patches decide
 };
 
 class ClearanceSearch {

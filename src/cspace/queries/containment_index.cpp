@@ -87,11 +87,11 @@ std::optional<std::uint32_t> ContainmentIndex::slab(std::size_t bin, double thet
   const double margin = forms_.angle_margin();
   const auto first = angles_.begin() + first_angle_[bin], last = angles_.begin() + first_angle_[bin + 1];
   // Bins overlap by the margin; a neighbouring bin's angles may count too.
-  auto behind = std::upper_bound(first, last, theta);
-  while (behind != angles_.end() && *behind <= theta) ++behind;
+  auto after = std::upper_bound(first, last, theta);
+  while (after != angles_.end() && *after <= theta) ++after;
   const auto near = [&](double angle) { return std::abs(angle - theta) <= margin; };
-  const auto before = behind == angles_.begin() ? angles_.end() : behind;
-  if ((behind != angles_.end() && near(*behind)) || near(*(before - 1))) return std::nullopt;
+  const auto before = after == angles_.begin() ? angles_.end() : after;
+  if ((after != angles_.end() && near(*after)) || near(*(before - 1))) return std::nullopt;
   if (theta > std::numbers::pi - margin || theta < -std::numbers::pi + margin) return std::nullopt;
   return static_cast<std::uint32_t>(before - angles_.begin()) - 1;
 }

@@ -37,7 +37,7 @@ class ContainmentIndex {
 
   const PatchForms& forms_;
   std::vector<double> angles_;              ///< of the events
-  std::vector<std::uint32_t> first_angle_;  ///< per bin: the first event angle in it or behind it
+  std::vector<std::uint32_t> first_angle_;  ///< per bin: the first event angle in it or after it
   std::vector<Bounds> alive_;               ///< slabs of the patches
   std::size_t bins_ = 0, rows_ = 0;
   std::vector<std::uint32_t> first_;  ///< per cell: its first entry

@@ -1,6 +1,6 @@
-// How far a line of the obstacle and a line that turns with the robot are apart while they are parallel: zero is told
-// exactly, anything else keeps its relative accuracy. Near such an angle their crossing runs along the lines as the
-// quotient of this distance and the angle.
+// How far a line of the obstacle and a line that turns with the robot are apart while they are parallel: zero is
+// determined exactly, anything else keeps its relative accuracy. Near such an angle their crossing runs along the lines
+// as the quotient of this distance and the angle.
 #pragma once
 
 #include <array>

@@ -54,7 +54,7 @@ void EndCurve::set_pole(const PatchEnd& end, int k, double psi) {
   sine_ = std::sin(psi);
 }
 
-double EndCurve::raw(const SmallTurn& x) const {
+double EndCurve::raw(const SmallRotation& x) const {
   if (kind_ == Kind::constant) return constant_;
   if (kind_ == Kind::wave) return constant_ + first_ * x.c + second_ * x.s;
   const Sines p = psi(x);
@@ -68,14 +68,14 @@ double EndCurve::raw(const SmallTurn& x) const {
 double EndCurve::error_at(double sine) const {
   if (kind_ != Kind::pole || gap_ == 0) return slack_;
   if (sine == 0) return std::numeric_limits<double>::infinity();
-  const double share = std::min(std::abs(gap_ / sine), 2 * (length_ + std::abs(constant_) + std::abs(first_)));
+  const double fraction = std::min(std::abs(gap_ / sine), 2 * (length_ + std::abs(constant_) + std::abs(first_)));
   const double terms = exact_ ? std::abs(sine_) + std::abs(sine) : 1;
-  return slack_ + share * (kGap + kSine * terms / std::abs(sine));
+  return slack_ + fraction * (kGap + kSine * terms / std::abs(sine));
 }
 
-double EndCurve::error(const SmallTurn& x) const { return error_at(psi(x).s); }
+double EndCurve::error(const SmallRotation& x) const { return error_at(psi(x).s); }
 
-EndCurve::Derivatives EndCurve::derivatives(const SmallTurn& x) const {
+EndCurve::Derivatives EndCurve::derivatives(const SmallRotation& x) const {
   if (kind_ == Kind::constant) return {constant_, 0, 0};
   if (kind_ == Kind::wave) {
     const double wave = first_ * x.c + second_ * x.s;
@@ -99,10 +99,10 @@ Range EndCurve::range(double a, double b) const { return ranges(a, b).value; }
 // 1 / sin does.
 EndCurve::Ranges EndCurve::ranges(double a, double b) const {
   if (kind_ == Kind::constant) return {{constant_, constant_}, {}, {}, true, 0, 0};
-  const SmallTurn u(a), v(b);
+  const SmallRotation u(a), v(b);
   if (kind_ == Kind::wave) {
-    const double middle = (a + b) / 2, half = (b - a) / 2;
-    const SmallTurn m(middle);
+    const double midpoint = (a + b) / 2, half = (b - a) / 2;
+    const SmallRotation m(midpoint);
     const PointRange wave = turning({first_ * m.c + second_ * m.s, second_ * m.c - first_ * m.s}, half);
     const Range value = constant_ + wave.x;
     const Range wider{value.low - slack_, value.high + slack_};

@@ -8,9 +8,9 @@
 namespace dymsum::cspace {
 
 /// The cosine and the sine of an x with |x| <= 1/2, each to 2^-52.
-struct SmallTurn {
+struct SmallRotation {
   double c = 1, s = 0;
-  explicit SmallTurn(double x) {
+  explicit SmallRotation(double x) {
     const double y = x * x;
     c = 1 - y / 2 * (1 - y / 12 * (1 - y / 30 * (1 - y / 56 * (1 - y / 90 * (1 - y / 132 * (1 - y / 182))))));
     s = x * (1 - y / 6 * (1 - y / 20 * (1 - y / 42 * (1 - y / 72 * (1 - y / 110 * (1 - y / 156 * (1 - y / 210)))))));
@@ -30,12 +30,12 @@ class EndCurve {
   EndCurve(const PatchEnd& end, double length, int k, double psi);
 
   bool constant() const { return kind_ == Kind::constant; }
-  double value(const SmallTurn& x) const { return std::clamp(raw(x), 0.0, length_); }
+  double value(const SmallRotation& x) const { return std::clamp(raw(x), 0.0, length_); }
   struct Derivatives {
     double value = 0, first = 0, second = 0;
   };
   /// Where the curve is on the edge.
-  Derivatives derivatives(const SmallTurn& x) const;
+  Derivatives derivatives(const SmallRotation& x) const;
   /// On the edge, for x between a and b, |a|, |b| <= 1/2.
   Range range(double a, double b) const;
   struct Ranges {
@@ -46,7 +46,7 @@ class EndCurve {
   };
   Ranges ranges(double a, double b) const;
   /// More than value() errs.
-  double error(const SmallTurn& x) const;
+  double error(const SmallRotation& x) const;
   /// The part of [a, b] where the crossing may be on the edge; [a, b] itself where that is no interval.
   Range possible(double a, double b) const;
 
@@ -55,8 +55,8 @@ class EndCurve {
   struct Sines {  // of psi, and how much they err relatively
     double c = 1, s = 0;
   };
-  Sines psi(const SmallTurn& x) const { return {cosine_ * x.c - sine_ * x.s, sine_ * x.c + cosine_ * x.s}; }
-  double raw(const SmallTurn& x) const;
+  Sines psi(const SmallRotation& x) const { return {cosine_ * x.c - sine_ * x.s, sine_ * x.c + cosine_ * x.s}; }
+  double raw(const SmallRotation& x) const;
   void set_pole(const PatchEnd& end, int k, double psi);
   double error_at(double sine) const;
   bool across_pole(const Sines& a, const Sines& b) const { return gap_ != 0 && !(a.s * b.s > 0); }

@@ -14,30 +14,30 @@ constexpr double kTurn = 2 * std::numbers::pi;
 // Of a position or an angle, times the sizes of both: hinges, lines, places on them and the distance, 16 to 64 each
 // (patch_forms.cpp, end_curve.cpp, stretch_distance.cpp).
 constexpr double kPosition = exact::rounding_bound(4 * 64, 1024);
-// Of the angle of a question from a stretch's reference: both doubles (8 each), their difference and that from the
-// middle (4 each, as they are below 8), a turn (3) and the sum with the middle (1).
+// Of the angle of a question from an interval's reference: both doubles (8 each), their difference and that from the
+// midpoint (4 each, as they are below 8), a turn (3) and the sum with the midpoint (1).
 constexpr double kAngle = exact::rounding_bound(2 * 8 + 2 * 4 + 3 + 1, 32);
 // Parts that are shorter, relatively or absolutely, are not halved any more; what they leave open is part of the error.
 constexpr double kShortPart = 0x1p-46, kShortest = 0x1p-80;
-constexpr double kGoodShare = 1 - 0x1p-30;  // any share is right
+constexpr double kGoodFraction = 1 - 0x1p-30;  // any fraction is right
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 constexpr std::uint64_t kMostBounds = 20000;  // what is left open then is part of the error
 
 struct Task {
-  enum class Kind : std::uint32_t { node, stretch, part };
+  enum class Kind : std::uint32_t { node, interval, part };
   double square = 0;  // lower bound
   Kind kind = Kind::node;
-  std::uint32_t index = 0;  // of a node, a stretch or a part
-  /// Least first on a heap; of equals always the same one, so that of places equally near the same one is found
+  std::uint32_t index = 0;  // of a node, an interval or a part
+  /// Least first on a heap; of equals always the same one, so that of positions equally near the same one is found
   /// everywhere.
   friend bool operator<(const Task& a, const Task& b) {
     return a.square != b.square ? a.square > b.square : std::pair(a.kind, a.index) > std::pair(b.kind, b.index);
   }
 };
 
-// x of a stretch between low and high, best looked at on both sides of `split`.
+// x of an interval between low and high, best looked at on both sides of `split`.
 struct BoxedPart {
-  std::uint32_t stretch = 0;
+  std::uint32_t interval = 0;
   double low = 0, high = 0, split = 0, off = 0;
 };
 
@@ -46,10 +46,10 @@ double position_error(const PatchForms& forms, const DistanceQuestion& q) {
   return kPosition * (forms.size() + std::abs(q.from.x) + std::abs(q.from.y) + q.weight);
 }
 
-// The point at x of a stretch, `along` its edge.
-void set_witness(const PatchForms& forms, const PatchStretch& s, double x, double along, NearestPatch& found) {
+// The point at x of an interval, `along` its edge.
+void set_witness(const PatchForms& forms, const PatchInterval& s, double x, double along, NearestPatch& found) {
   const ContactLine& l = forms[s.patch].own;
-  const SmallTurn t(x);
+  const SmallRotation t(x);
   const double c = s.c * t.c - s.s * t.s, sine = s.s * t.c + s.c * t.s;
   const auto turned = [&](Point v) { return Point{c * v.x - sine * v.y, sine * v.x + c * v.y}; };
   const Point foot = l.start.a + turned(l.start.b), e = l.turns ? turned(l.unit) : l.unit;
@@ -66,7 +66,7 @@ class Search {
   }
 
   NearestPatch run() {
-    add_stretch(first_guess());
+    add_interval(first_guess());
     parts_.clear();
     heap_.clear();
     least_ = kInfinity;
@@ -81,21 +81,21 @@ class Search {
         break;
       }
       if (task.kind == Task::Kind::node) open(task.index);
-      else if (task.kind == Task::Kind::stretch) add_stretch(task.index);
+      else if (task.kind == Task::Kind::interval) add_interval(task.index);
       else halve(parts_[task.index]);
     }
     // Nothing is nearer than the least bound that is left; the nearest point errs by what its end does.
     const double below = found_.distance - std::min(least_, upper_);
     found_.error = std::max(below, upper_ - found_.distance) + slack_;
-    if (found_.patch != Patch::kNone) set_witness(forms_, tree_.stretch(stretch_), x_, along_, found_);
+    if (found_.patch != Patch::kNone) set_witness(forms_, tree_.interval(interval_), x_, along_, found_);
     return found_;
   }
 
  private:
   // It is no use to be more exact than positions are known; what is left open is part of the error.
-  double good_enough() const { return upper_ * kGoodShare - 8 * slack_; }
+  double good_enough() const { return upper_ * kGoodFraction - 8 * slack_; }
 
-  // A stretch that is near, so that most others are never kept: down the tree by the nearest boxes.
+  // An interval that is near, so that most others are never kept: down the tree by the nearest boxes.
   std::uint32_t first_guess() const {
     std::uint32_t node = 0;
     for (;;) {
@@ -113,8 +113,8 @@ class Search {
       return best;
     }
   }
-  double to_slab(std::uint32_t stretch) const {
-    return square_distance(tree_.slab(stretch), question_.from, question_.theta, question_.weight);
+  double to_slab(std::uint32_t interval) const {
+    return square_distance(tree_.slab(interval), question_.from, question_.theta, question_.weight);
   }
 
   void push(double square, Task::Kind kind, std::uint32_t index) {
@@ -133,32 +133,32 @@ class Search {
         continue;
       }
       for (std::uint32_t i = node.first[k]; i < node.first[k] + node.count[k]; ++i)
-        push(to_slab(i), Task::Kind::stretch, i);
+        push(to_slab(i), Task::Kind::interval, i);
     }
   }
 
   // An angle half a turn away counts either way round.
-  void add_stretch(std::uint32_t index) {
-    const PatchStretch& s = tree_.stretch(index);
-    const double middle = (s.low + s.high) / 2;
-    const double off = std::remainder(s.reference + middle - question_.theta, kTurn) - middle;
+  void add_interval(std::uint32_t index) {
+    const PatchInterval& s = tree_.interval(index);
+    const double midpoint = (s.low + s.high) / 2;
+    const double off = std::remainder(s.reference + midpoint - question_.theta, kTurn) - midpoint;
     add({index, s.low, s.high, 0, off});
     if (off + s.high > kTurn / 2 - kAngleMargin) add({index, s.low, s.high, 0, off - kTurn});
     if (off + s.low < -kTurn / 2 + kAngleMargin) add({index, s.low, s.high, 0, off + kTurn});
   }
 
   void halve(const BoxedPart part) {
-    add({part.stretch, part.low, part.split, 0, part.off});
-    add({part.stretch, part.split, part.high, 0, part.off});
+    add({part.interval, part.low, part.split, 0, part.off});
+    add({part.interval, part.split, part.high, 0, part.off});
   }
 
   void add(BoxedPart part) {
     ++found_.bounds;
-    const PatchStretch& s = tree_.stretch(part.stretch);
-    const StretchDistance distance(forms_[s.patch], s, question_, part.off);
-    const StretchDistance::Bound bound = distance.lower(part.low, part.high, upper_);
+    const PatchInterval& s = tree_.interval(part.interval);
+    const IntervalDistance distance(forms_[s.patch], s, question_, part.off);
+    const IntervalDistance::Bound bound = distance.lower(part.low, part.high, upper_);
     if (bound.distance >= upper_) return;
-    take(part.stretch, s, distance, bound.x);
+    take(part.interval, s, distance, bound.x);
     if (bound.distance >= good_enough()) {
       least_ = std::min(least_, bound.distance);
       return;
@@ -174,32 +174,32 @@ class Search {
     }
   }
 
-  // Where doubles do not tell when the patch begins, a part of its own is left open.
-  static double split_of(const BoxedPart& part, const PatchStretch& s, const StretchDistance::Bound& bound) {
+  // Where doubles do not determine when the patch begins, a part of its own is left open.
+  static double split_of(const BoxedPart& part, const PatchInterval& s, const IntervalDistance::Bound& bound) {
     const auto within = [&](double x) { return part.low < x && x < part.high; };
     if (bound.splits && within(bound.split)) return bound.split;
-    if (bound.x < s.surely_low && within(s.surely_low)) return s.surely_low;
-    if (bound.x > s.surely_high && within(s.surely_high)) return s.surely_high;
+    if (bound.x < s.proved_low && within(s.proved_low)) return s.proved_low;
+    if (bound.x > s.proved_high && within(s.proved_high)) return s.proved_high;
     return part.low + (part.high - part.low) / 2;
   }
-  bool too_short(const BoxedPart& part, const PatchStretch& s) const {
+  bool too_short(const BoxedPart& part, const PatchInterval& s) const {
     const double width = part.high - part.low;
     if (!(width > kShortPart * (std::abs(part.low) + std::abs(part.high)) && width > kShortest)) return true;
-    return !question_.whole_edges && (part.high <= s.surely_low || part.low >= s.surely_high);
+    return !question_.whole_edges && (part.high <= s.proved_low || part.low >= s.proved_high);
   }
 
-  // From outside every point of an edge is one of the obstacle; else only what surely belongs to the patch counts.
-  void take(std::uint32_t index, const PatchStretch& s, const StretchDistance& distance, double x) {
+  // From outside every point of an edge is one of the obstacle; else only what provably belongs to the patch counts.
+  void take(std::uint32_t index, const PatchInterval& s, const IntervalDistance& distance, double x) {
     if (!question_.whole_edges) {
-      if (!(s.surely_low <= s.surely_high)) return;
-      x = std::clamp(x, s.surely_low, s.surely_high);
+      if (!(s.proved_low <= s.proved_high)) return;
+      x = std::clamp(x, s.proved_low, s.proved_high);
     }
-    const StretchDistance::Nearest nearest = distance.nearest(x);
+    const IntervalDistance::Nearest nearest = distance.nearest(x);
     if (!(nearest.distance + nearest.error < upper_)) return;
     upper_ = nearest.distance + nearest.error;
     upper2_ = upper_ * upper_;
     found_.distance = nearest.distance;
-    stretch_ = index;
+    interval_ = index;
     x_ = x;
     along_ = nearest.along;
     found_.patch = s.patch;
@@ -214,7 +214,7 @@ class Search {
   NearestPatch found_;
   double upper_ = kInfinity, upper2_ = kInfinity;  // the least distance known, with its error
   double least_ = kInfinity;                       // the least bound among what is not looked at any more
-  std::uint32_t stretch_ = 0;
+  std::uint32_t interval_ = 0;
   double x_ = 0, along_ = 0;
 };
 
@@ -240,13 +240,13 @@ NearestPatch nearest_patch_at(const PatchForms& forms, const PatchTree& tree, co
     std::pop_heap(heap.begin(), heap.end());
     const Task task = heap.back();
     heap.pop_back();
-    if (task.kind == Task::Kind::stretch) {
-      const PatchStretch& s = tree.stretch(task.index);
-      const double middle = (s.low + s.high) / 2;
-      const double x = middle + std::remainder(question.theta - s.reference - middle, kTurn);
+    if (task.kind == Task::Kind::interval) {
+      const PatchInterval& s = tree.interval(task.index);
+      const double midpoint = (s.low + s.high) / 2;
+      const double x = midpoint + std::remainder(question.theta - s.reference - midpoint, kTurn);
       ++best.bounds;
-      const StretchDistance distance(forms[s.patch], s, question, 0);
-      StretchDistance::Nearest n = distance.nearest(x);
+      const IntervalDistance distance(forms[s.patch], s, question, 0);
+      IntervalDistance::Nearest n = distance.nearest(x);
       n.error += distance.drift(x, kAngle);
       least = std::min(least, n.distance - n.error);
       if (!(n.distance + n.error < upper)) continue;
@@ -262,7 +262,7 @@ NearestPatch nearest_patch_at(const PatchForms& forms, const PatchTree& tree, co
       if (node.count[k] == 0) push({squares[k], Task::Kind::node, node.first[k]}, node.theta[k], node.theta_half[k]);
       for (std::uint32_t i = node.first[k]; squares[k] < upper2 && i < node.first[k] + node.count[k]; ++i) {
         const PatchTree::Slab& slab = tree.slab(i);
-        push({square_distance(slab, question.from, question.theta, 0), Task::Kind::stretch, i}, slab.theta,
+        push({square_distance(slab, question.from, question.theta, 0), Task::Kind::interval, i}, slab.theta,
              slab.theta_half);
       }
     }

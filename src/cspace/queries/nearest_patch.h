@@ -1,8 +1,8 @@
 // The patch that is nearest to a configuration, by branch and bound.
 #pragma once
 
+#include "cspace/queries/interval_distance.h"
 #include "cspace/queries/patch_tree.h"
-#include "cspace/queries/stretch_distance.h"
 
 namespace dymsum::cspace {
 

@@ -19,7 +19,7 @@ namespace {
 // of its points.
 double turning_radius(const Region& robot) {
   if (!robot.parts().empty()) return radius_of_gyration(robot);
-  // Of a segment its middle, and its length; the mean of these by lengths.
+  // Of a segment its midpoint, and its length; the mean of these by lengths.
   double size = 0, radius = 0;
   const auto add = [&](double more, double mean) {
     if (!(more > 0)) return;
@@ -54,7 +54,7 @@ class ObstacleQueries::State {
         tree(o, forms, forms.in_units(gyration)) {}
 
   // Of what is inside by the patches a curve of tight placements may be free.
-  std::optional<bool> sure(double x, double y, double theta) const {
+  std::optional<bool> proved(double x, double y, double theta) const {
     const std::optional<bool> by_patches = index.contains(x, y, theta);
     return by_patches == true && obstacle.may_have_tight_curves() ? std::nullopt : by_patches;
   }
@@ -79,7 +79,7 @@ ObstacleQueries::~ObstacleQueries() = default;
 bool ObstacleQueries::contains(const Configuration& at) const {
   const State& s = *state_;
   if (std::abs(at.theta) <= std::numbers::pi)
-    if (const std::optional<bool> sure = s.sure(at.x, at.y, at.theta)) return *sure;
+    if (const std::optional<bool> proved = s.proved(at.x, at.y, at.theta)) return *proved;
   if (!std::isfinite(at.theta)) throw std::invalid_argument("ObstacleQueries::contains: theta is not finite");
   return contains(at.x, at.y, Orientation::nearest(at.theta).value());
 }
@@ -87,8 +87,8 @@ bool ObstacleQueries::contains(const Configuration& at) const {
 bool ObstacleQueries::contains(double x, double y, const Orientation& theta) const {
   const State& s = *state_;
   if (!std::isfinite(x) || !std::isfinite(y)) return false;
-  const std::optional<bool> sure = s.sure(x, y, theta.radians());
-  return sure ? *sure : s.exact(x, y, theta);
+  const std::optional<bool> proved = s.proved(x, y, theta.radians());
+  return proved ? *proved : s.exact(x, y, theta);
 }
 
 std::vector<std::uint8_t> ObstacleQueries::contains(std::span<const Configuration> at, int threads) const {
@@ -121,10 +121,10 @@ Clearance ObstacleQueries::clearance(const Configuration& from, double weight, T
     throw std::invalid_argument("clearance: the weight is larger than largest_weight(), but not infinite");
   const State& s = *state_;
   const Configuration at{from.x, from.y, reduced(from.theta)};
-  const std::optional<bool> sure = s.sure(at.x, at.y, at.theta);
-  const bool overlaps = sure ? *sure : contains(from);
+  const std::optional<bool> proved = s.proved(at.x, at.y, at.theta);
+  const bool overlaps = proved ? *proved : contains(from);
   const auto found = cspace::ClearanceSearch(s.obstacle, s.forms, s.tree)
-                         .run({at, from.theta, weight, touching, overlaps, sure == false});
+                         .run({at, from.theta, weight, touching, overlaps, proved == false});
   s.bounds.fetch_add(found.bounds, std::memory_order_relaxed);
   return found.clearance;
 }

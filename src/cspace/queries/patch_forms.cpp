@@ -26,19 +26,19 @@ namespace {
 constexpr double kHinge = exact::rounding_bound(14 + 1 + 1, 32);
 constexpr double kCrossing = exact::rounding_bound(12, 16);
 // Of the cross product of two turned vectors, times their lengths; and besides, of one with a gap, the quotient and the
-// product that make a place of it.
+// product that make a position of it.
 constexpr double kCross = exact::rounding_bound(2 * 14 + 3 + (14 + 3) + 3, 128);
 // Of the ranges of a box, times the size: turned vectors, and a dozen of products and sums.
 constexpr double kBox = exact::rounding_bound(2 * 14 + 2 * 12, 8192);
 
-// Vertices by their numbers, and where the straight run that starts at each of them ends.
+// Vertices by their indices, and where the straight run that starts at each of them ends.
 struct Numbered {
   std::vector<Point> at, exact;
   std::vector<std::uint32_t> run_end;
 };
 
 Numbered numbered(const Region& region) {
-  std::set<std::pair<double, double>> corners;  // vertices that are not in the middle of a straight line
+  std::set<std::pair<double, double>> corners;  // vertices that are not inside a straight line
   planar::for_each_ring(region.canonical(), [&](const Ring& ring) {
     for (const Point& v : ring) corners.insert({v.x, v.y});
   });
@@ -155,19 +155,19 @@ PatchForms::PatchForms(const CspaceObstacle& obstacle) : per_unit_(per_unit_of(o
   for (const EventAngle& a : obstacle.angles()) angle_margin_ = std::max(angle_margin_, 2 * (a.high - a.low));
 }
 
-// The share is cross(gap, other) / cross(d, other): the gap errs by two hinges; what the share errs by is multiplied by
-// the length of d, of which the share itself is at most one.
+// The fraction is cross(gap, other) / cross(d, other): the gap errs by two hinges; what the fraction errs by is
+// multiplied by the length of d, of which the fraction itself is at most one.
 PlacedEnd PatchForms::end(const PatchForm& form, const PatchEnd& end, const Turn& turn) const {
   const double e = kHinge * size_;
-  if (end.corner) return {place(end.hinge, turn), e};
-  const Point s = place(form.own.start, turn), d = direction(form.own, turn);
-  const Point gap = place(end.other.start, turn) - s, other = direction(end.other, turn);
-  const double across = cross(d, other), share = std::clamp(cross(gap, other) / across, 0.0, 1.0);
+  if (end.corner) return {position(end.hinge, turn), e};
+  const Point s = position(form.own.start, turn), d = direction(form.own, turn);
+  const Point gap = position(end.other.start, turn) - s, other = direction(end.other, turn);
+  const double across = cross(d, other), fraction = std::clamp(cross(gap, other) / across, 0.0, 1.0);
   const double length = std::sqrt(dot(d, d)), product = length * std::sqrt(dot(other, other));
-  const double certain = std::abs(across) - kCross * product - exact::kUnderflow;
-  if (!(certain > 0)) return {s, std::numeric_limits<double>::infinity()};
+  const double proved = std::abs(across) - kCross * product - exact::kUnderflow;
+  if (!(proved > 0)) return {s, std::numeric_limits<double>::infinity()};
   const double wide = std::abs(gap.x) + std::abs(gap.y) + length;
-  return {{s.x + share * d.x, s.y + share * d.y}, 2 * e + (4 * e + kCross * wide) * (product / certain)};
+  return {{s.x + fraction * d.x, s.y + fraction * d.y}, 2 * e + (4 * e + kCross * wide) * (product / proved)};
 }
 
 // The ends of all segments, each on the line of the contact.

@@ -52,11 +52,11 @@ struct PatchEnd {
   double constant = 0, cosine = 0, sine = 0, error = 0, tangent = 0, parallel = 0;
   std::array<double, 2> gap{};
   std::array<DoublePair, 2> half_tangent{};
-  /// Any share is right: more angles are kept with more digits.
-  static constexpr double kFastShare = 0x1p-13;
+  /// Any fraction is right: more angles are kept with more digits.
+  static constexpr double kFastFraction = 0x1p-13;
   bool fast(int k, double length) const {
     const double g = std::abs(gap[static_cast<std::size_t>(k)]);
-    return g != 0 && g < kFastShare * length;
+    return g != 0 && g < kFastFraction * length;
   }
 };
 
@@ -66,7 +66,7 @@ struct PatchForm {
   PatchEnd left, right;
 };
 
-/// A stretch of a patch: angles [low, high] within (-pi, pi], up to one rounding.
+/// An interval of a patch: angles [low, high] within (-pi, pi], up to one rounding.
 struct PatchPiece {
   std::uint32_t patch = 0;
   double low = 0, high = 0;
@@ -106,7 +106,7 @@ class PatchForms {
   /// A box around a patch while the angle is within `half` of `theta`, roundings included.
   PointRange box(const PatchForm& form, double theta, double half) const;
 
-  /// The stretches of a patch, none longer than `longest`.
+  /// The intervals of a patch, none longer than `longest`.
   static void split(const CspaceObstacle& obstacle, std::uint32_t patch, double longest, std::vector<PatchPiece>& out);
 
  private:
@@ -120,7 +120,7 @@ inline double cross(Point a, Point b) { return a.x * b.y - a.y * b.x; }
 inline double dot(Point a, Point b) { return a.x * b.x + a.y * b.y; }
 inline Point operator+(Point a, Point b) { return {a.x + b.x, a.y + b.y}; }
 inline Point operator-(Point a, Point b) { return {a.x - b.x, a.y - b.y}; }
-inline Point place(const Hinge& h, const Turn& turn) { return h.a + turn * h.b; }
+inline Point position(const Hinge& h, const Turn& turn) { return h.a + turn * h.b; }
 inline Point direction(const ContactLine& l, const Turn& turn) { return l.turns ? turn * l.along : l.along; }
 
 inline Point quarter(Point v) { return {-v.y, v.x}; }

@@ -9,21 +9,21 @@ namespace dymsum::cspace {
 namespace {
 
 constexpr std::uint32_t kLeaf = 4;
-constexpr double kLongest = 0.1;  // radians: boxes of longer stretches are mostly empty
+constexpr double kLongest = 0.1;  // radians: boxes of longer intervals are mostly empty
 constexpr double kFullTurn = 2 * std::numbers::pi;
 
 using Box = std::array<Range, 3>;  // x, y, theta
 
 Box join(const Box& a, const Box& b) { return {join(a[0], b[0]), join(a[1], b[1]), join(a[2], b[2])}; }
 
-// Of half a width, relatively: the difference from the middle, which is a double itself. No input shows it: boxes are
-// wider by far more (kStretchBox), and searches add what positions err by.
+// Of half a width, relatively: the difference from the midpoint, which is a double itself. No input shows it: boxes are
+// wider by far more (kIntervalBox), and searches add what positions err by.
 constexpr double kHalf = exact::rounding_bound(1, 2);
 
-double middle(Range r) { return r.low / 2 + r.high / 2; }
-double half(Range r) { return std::max(r.high - middle(r), middle(r) - r.low) * (1 + kHalf); }
+double midpoint(Range r) { return r.low / 2 + r.high / 2; }
+double half(Range r) { return std::max(r.high - midpoint(r), midpoint(r) - r.low) * (1 + kHalf); }
 
-// Splits stretches, by their numbers, until few are left.
+// Splits intervals, by their indices, until few are left.
 class Builder {
  public:
   Builder(const std::vector<Box>& boxes, double weight, std::vector<PatchTree::Node>& nodes)
@@ -78,9 +78,9 @@ class Builder {
     }
     const Box box = around(g);
     PatchTree::Node& n = nodes_[node];
-    n.x[k] = middle(box[0]), n.x_half[k] = half(box[0]);
-    n.y[k] = middle(box[1]), n.y_half[k] = half(box[1]);
-    n.theta[k] = middle(box[2]), n.theta_half[k] = half(box[2]);
+    n.x[k] = midpoint(box[0]), n.x_half[k] = half(box[0]);
+    n.y[k] = midpoint(box[1]), n.y_half[k] = half(box[1]);
+    n.theta[k] = midpoint(box[2]), n.theta_half[k] = half(box[2]);
     n.first[k] = g.first;
     n.count[k] = g.last - g.first;
     if (n.count[k] <= kLeaf) {
@@ -102,10 +102,10 @@ class Builder {
   std::vector<std::uint32_t> order;
 };
 
-double outside(double middle, double half, double v) { return std::max(0.0, std::abs(v - middle) - half); }
-// Middles are at most a little more than half a turn from 0, and so is v.
-double angle_outside(double middle, double half, double v) {
-  const double off = std::abs(v - middle);
+double outside(double midpoint, double half, double v) { return std::max(0.0, std::abs(v - midpoint) - half); }
+// Midpoints are at most a little more than half a turn from 0, and so is v.
+double angle_outside(double midpoint, double half, double v) {
+  const double off = std::abs(v - midpoint);
   return std::max(0.0, std::min(off, std::abs(kFullTurn - off)) - half);
 }
 double squared(double v) { return v * v; }
@@ -113,24 +113,24 @@ double squared(double v) { return v * v; }
 }  // namespace
 
 PatchTree::PatchTree(const CspaceObstacle& obstacle, const PatchForms& forms, double weight) {
-  const std::vector<PatchStretch> found = make_stretches(obstacle, forms, kLongest);
+  const std::vector<PatchInterval> found = make_intervals(obstacle, forms, kLongest);
   std::vector<Box> boxes;
   std::vector<Slab> slabs;
-  for (const PatchStretch& s : found) {
-    const StretchBox box = box_of(forms, s);
+  for (const PatchInterval& s : found) {
+    const IntervalBox box = box_of(forms, s);
     boxes.push_back({box.at.x, box.at.y, box.theta});
     slabs.push_back(
-        {box.along, middle(box.u), half(box.u), middle(box.v), half(box.v), middle(box.theta), half(box.theta)});
+        {box.along, midpoint(box.u), half(box.u), midpoint(box.v), half(box.v), midpoint(box.theta), half(box.theta)});
   }
   const Builder builder(boxes, weight, nodes_);
   for (const std::uint32_t k : builder.order) {
-    stretches_.push_back(found[k]);
+    intervals_.push_back(found[k]);
     slabs_.push_back(slabs[k]);
   }
 }
 
 std::size_t PatchTree::bytes() const {
-  return nodes_.size() * sizeof(Node) + stretches_.size() * (sizeof(PatchStretch) + sizeof(Slab));
+  return nodes_.size() * sizeof(Node) + intervals_.size() * (sizeof(PatchInterval) + sizeof(Slab));
 }
 
 std::array<double, PatchTree::kWide> square_distances(const PatchTree::Node& node, Point at, double theta,

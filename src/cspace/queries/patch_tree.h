@@ -1,11 +1,11 @@
-// A hierarchy of boxes around stretches of patches in configuration space, four to a node so that their distances are
+// A hierarchy of boxes around intervals of patches in configuration space, four to a node so that their distances are
 // computed side by side.
 #pragma once
 
 #include <array>
 #include <vector>
 
-#include "cspace/queries/patch_stretch.h"
+#include "cspace/queries/patch_interval.h"
 
 namespace dymsum::cspace {
 
@@ -13,13 +13,13 @@ class PatchTree {
  public:
   static constexpr std::size_t kWide = 4;
 
-  /// Boxes by their middles and halves, roundings included.
+  /// Boxes by their midpoints and halves, roundings included.
   struct Node {
     std::array<double, kWide> x{}, x_half{}, y{}, y_half{}, theta{}, theta_half{};
-    std::array<std::uint32_t, kWide> first{};  ///< of the stretches if there is a count, else another node
+    std::array<std::uint32_t, kWide> first{};  ///< of the intervals if there is a count, else another node
     std::array<std::uint32_t, kWide> count{};  ///< a box without any child is infinitely far
   };
-  /// A box along the edge of a stretch.
+  /// A box along the edge of an interval.
   struct Slab {
     Point along;
     double u = 0, u_half = 0, v = 0, v_half = 0, theta = 0, theta_half = 0;
@@ -29,12 +29,12 @@ class PatchTree {
   PatchTree(const CspaceObstacle& obstacle, const PatchForms& forms, double weight);
 
   const Node& node(std::uint32_t k) const { return nodes_[k]; }  ///< the root is 0
-  const PatchStretch& stretch(std::uint32_t k) const { return stretches_[k]; }
+  const PatchInterval& interval(std::uint32_t k) const { return intervals_[k]; }
   const Slab& slab(std::uint32_t k) const { return slabs_[k]; }
   std::size_t bytes() const;
 
  private:
-  std::vector<PatchStretch> stretches_;
+  std::vector<PatchInterval> intervals_;
   std::vector<Slab> slabs_;
   std::vector<Node> nodes_;
 };

@@ -12,13 +12,13 @@
 namespace dymsum::cspace {
 
 /// Of the distance of a point from a segment, times the sum M of all coordinates. Vectors between the points are at
-/// most M long. The unit vector errs by 6 of itself, the place along the segment by 6 + 3, the foot by 9 and two more
-/// operations of as much, the distance by the difference and its length.
+/// most M long. The unit vector errs by 6 of itself, the position along the segment by 6 + 3, the foot by 9 and two
+/// more operations of as much, the distance by the difference and its length.
 inline constexpr double kSegmentDistance = exact::rounding_bound(9 + 6 + 4 + 3, 128);
 
 /// The nearest point of one of several sets: the exact distance to it differs from `distance` by at most `error`, and
 /// no point of the sets is nearer than `least`.
-struct NearestPlace {
+struct NearestPosition {
   double distance = std::numeric_limits<double>::infinity(), error = 0;
   double least = std::numeric_limits<double>::infinity();
   Point at;

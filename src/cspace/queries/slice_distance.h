@@ -10,12 +10,13 @@ class SliceDistance {
  public:
   SliceDistance(const CspaceObstacle& obstacle, const Orientation& theta, Point from);
 
-  /// Exact: on the boundary of the open slice; on that of the closed one, where free places without contact are near.
+  /// Exact: on the boundary of the open slice; on that of the closed one, where free positions without contact are
+  /// near.
   bool touching() const { return touching_; }
   bool on_edge() const { return on_edge_; }
   /// The nearest point of the edges, and of the tight features of the slice too. A whole slice.
-  NearestPlace to_edges() const;
-  NearestPlace to_boundary() const;
+  NearestPosition to_edges() const;
+  NearestPosition to_boundary() const;
 
  private:
   const CspaceObstacle& obstacle_;

@@ -13,13 +13,13 @@ NearestTight nearest_tight(const CspaceObstacle& obstacle, const Configuration& 
   for (const TightFeature& f : obstacle.tight()) {
     const double theta = obstacle.angles()[f.angle].theta;
     const double turn = weight * std::remainder(theta - from.theta, 2 * std::numbers::pi);
-    if (std::abs(turn) > nearest.place.distance + nearest.place.error + kTurnError * weight) continue;
-    NearestPlace flat;
+    if (std::abs(turn) > nearest.position.distance + nearest.position.error + kTurnError * weight) continue;
+    NearestPosition flat;
     flat.add_segment({from.x, from.y}, f.from, f.to, f.error);
-    const double before = nearest.place.distance;
-    nearest.place.add(std::hypot(flat.distance, turn), flat.error + kTurnError * weight + kFlatLength * flat.distance,
-                      flat.at);
-    if (nearest.place.distance != before) nearest.theta = theta;
+    const double before = nearest.position.distance;
+    nearest.position.add(std::hypot(flat.distance, turn),
+                         flat.error + kTurnError * weight + kFlatLength * flat.distance, flat.at);
+    if (nearest.position.distance != before) nearest.theta = theta;
   }
   return nearest;
 }

@@ -6,8 +6,8 @@
 namespace dymsum::cspace {
 
 struct NearestTight {
-  NearestPlace place;  ///< by the metric dx^2 + dy^2 + weight^2 dtheta^2; infinitely far where nothing is tight
-  double theta = 0;    ///< of the nearest one
+  NearestPosition position;  ///< by the metric dx^2 + dy^2 + weight^2 dtheta^2; infinitely far where nothing is tight
+  double theta = 0;          ///< of the nearest one
 };
 
 /// Over all tight features, one after the other. `from.theta` in [-pi, pi], within 2^-50 of the angle that is meant; a

@@ -19,7 +19,7 @@ MeshData read_ply(const Source& source);
 MeshData read_glb(const Source& source);
 MeshData read_3mf(const Source& source);
 
-/// Vertices at exactly the same place become the first of them, as a mesh without shared vertices needs.
+/// Vertices at exactly the same position become the first of them, as a mesh without shared vertices needs.
 void merge_equal_vertices(MeshData& data);
 
 std::string write_off(const MeshData& data, std::span<const FaceColour> colours);

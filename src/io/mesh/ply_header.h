@@ -35,7 +35,7 @@ struct PlyHeader {
   std::vector<PlyElement> elements;
 };
 
-/// Reads the header and leaves `words` at the first byte behind the line of end_header.
+/// Reads the header and leaves `words` at the first byte after the line of end_header.
 PlyHeader read_ply_header(Words& words);
 
 }  // namespace dymsum::io

@@ -23,7 +23,7 @@ namespace dymsum::io {
 
 namespace {
 
-/// What stands behind the prefix of a namespace.
+/// What stands after the prefix of a namespace.
 std::string_view local_name(std::string_view name) {
   const std::size_t colon = name.find(':');
   return colon == std::string_view::npos ? name : name.substr(colon + 1);

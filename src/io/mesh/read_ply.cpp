@@ -21,7 +21,7 @@ namespace dymsum::io {
 
 namespace {
 
-/// The numbers behind the header, as text.
+/// The numbers after the header, as text.
 class TextNumbers {
  public:
   TextNumbers(const Source& source, std::size_t start) : words_(source, false) { words_.go_to(start); }
@@ -160,10 +160,10 @@ class BodyReader {
   }
 
   void store(Point3& p, const std::string& name, double value, const Evidence& evidence) {
-    double* const place = name == "x" ? &p.x : name == "y" ? &p.y : name == "z" ? &p.z : nullptr;
-    if (!place) return;
+    double* const position = name == "x" ? &p.x : name == "y" ? &p.y : name == "z" ? &p.z : nullptr;
+    if (!position) return;
     if (!std::isfinite(value)) numbers_.fail(ErrorCode::not_finite, "a coordinate is not a finite number", evidence);
-    *place = value;
+    *position = value;
   }
 
   void read_list(const PlyProperty& property, bool corners, const Evidence& evidence) {

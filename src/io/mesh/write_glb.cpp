@@ -1,6 +1,6 @@
 // Meshes as binary glTF 2.0: a header of 12 bytes, a JSON chunk, and a chunk with the numbers that it describes. All
 // triangles are one primitive, whose vertices have colours and are shared by triangles of one colour. Without normals
-// faces look flat, and programs that merge vertices at one place get a surface that is closed where the mesh is.
+// faces look flat, and programs that merge vertices at one position get a surface that is closed where the mesh is.
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -48,14 +48,14 @@ class GlbWriter {
     for (const auto& [name, text] : notes) json_["asset"]["extras"][name] = text;
   }
 
-  /// A triangle with two corners at one place is left out: its other edges become one.
+  /// A triangle with two corners at one position is left out: its other edges become one.
   void add(const MeshData& data, const spatial::Triangle& triangle, std::size_t colour, const Triple& light) {
     const auto at = [&](std::size_t k) { return rounded(data.vertices[triangle[k]]); };
     if (at(0) == at(1) || at(1) == at(2) || at(2) == at(0)) return;
     for (const std::uint32_t vertex : triangle) {
-      const auto [known, fresh] = number_.try_emplace({vertex, colour}, static_cast<std::uint32_t>(places_.size()));
+      const auto [known, fresh] = number_.try_emplace({vertex, colour}, static_cast<std::uint32_t>(positions_.size()));
       if (fresh) {
-        places_.push_back(rounded(data.vertices[vertex]));
+        positions_.push_back(rounded(data.vertices[vertex]));
         lights_.push_back(light);
       }
       corners_.push_back(known->second);
@@ -66,7 +66,7 @@ class GlbWriter {
   /// shows.
   void end_mesh(double opacity) {
     if (corners_.empty()) return;
-    const Json attributes = {{"POSITION", add_triples(places_)}, {"COLOR_0", add_triples(lights_)}};
+    const Json attributes = {{"POSITION", add_triples(positions_)}, {"COLOR_0", add_triples(lights_)}};
     add_bounds(attributes["POSITION"]);
     const std::size_t index = json_["meshes"].size();
     const Json primitive = {{"attributes", attributes}, {"indices", add_corners()}, {"material", index}};
@@ -82,7 +82,7 @@ class GlbWriter {
     const double half = std::sqrt(0.5);
     json_["nodes"].push_back({{"mesh", index}, {"rotation", {-half, 0.0, 0.0, half}}});
     json_["scenes"][0]["nodes"].push_back(index);
-    places_.clear(), lights_.clear(), corners_.clear(), number_.clear();
+    positions_.clear(), lights_.clear(), corners_.clear(), number_.clear();
   }
 
   std::string write() {
@@ -129,18 +129,18 @@ class GlbWriter {
   }
 
   void add_bounds(std::size_t accessor) {
-    Triple low = places_[0], high = places_[0];
-    for (const Triple& place : places_) {
+    Triple low = positions_[0], high = positions_[0];
+    for (const Triple& position : positions_) {
       for (std::size_t i = 0; i < 3; ++i) {
-        low[i] = std::min(low[i], place[i]);
-        high[i] = std::max(high[i], place[i]);
+        low[i] = std::min(low[i], position[i]);
+        high[i] = std::max(high[i], position[i]);
       }
     }
     json_["accessors"][accessor].update({{"min", low}, {"max", high}});
   }
 
   Json json_;
-  std::vector<Triple> places_, lights_;
+  std::vector<Triple> positions_, lights_;
   std::vector<std::uint32_t> corners_;
   std::map<std::pair<std::uint32_t, std::size_t>, std::uint32_t> number_;  ///< of a vertex in a colour
   std::string bytes_;

@@ -20,7 +20,7 @@ using io::Placement;
 /// Path data on the canvas, where y points down: what turns counter-clockwise is swept with flag 0.
 class ArcPath {
  public:
-  ArcPath(const Placement& placement, double radius) : place_(placement), radius_(radius) {}
+  ArcPath(const Placement& placement, double radius) : position_(placement), radius_(radius) {}
 
   void ring(const DiscRing& ring) {
     if (ring.pieces.front().from.kind == DiscCorner::Kind::none) {
@@ -49,7 +49,7 @@ class ArcPath {
  private:
   void number(double v) { append_rounded(d_, v, 3); }
   void command(char letter, Point p) {
-    const Point q = place_(p);
+    const Point q = position_(p);
     d_ += letter;
     number(q.x);
     d_ += ' ';
@@ -60,18 +60,18 @@ class ArcPath {
   }
   void arc_command(double sweep, Point to) {
     d_ += 'A';
-    number(radius_ * place_.scale);
+    number(radius_ * position_.scale);
     d_ += ' ';
-    number(radius_ * place_.scale);
+    number(radius_ * position_.scale);
     d_ += " 0 ";
     d_ += std::abs(sweep) > std::numbers::pi ? "1 " : "0 ";
     d_ += sweep > 0 ? "0 " : "1 ";
-    const Point q = place_(to);
+    const Point q = position_(to);
     number(q.x);
     d_ += ' ';
     number(q.y);
   }
-  /// In two halves where it is nearly all of a circle: an arc is told by its ends, which are close together then.
+  /// In two halves where it is nearly all of a circle: an arc is determined by its ends, which are close together then.
   void arc(const DiscPiece& piece, Point to) {
     if (std::abs(piece.sweep) > 1.5 * std::numbers::pi)
       arc_command(piece.sweep / 2, on_circle(piece, piece.from_angle + piece.sweep / 2));
@@ -85,7 +85,7 @@ class ArcPath {
     d_ += 'Z';
   }
 
-  Placement place_;
+  Placement position_;
   double radius_;
   std::string d_;
 };

@@ -1,4 +1,4 @@
-// The part of a planar sum near a place.
+// The part of a planar sum near a position.
 #include <cmath>
 #include <string>
 #include <utility>

@@ -90,7 +90,7 @@ std::string exact_path(const Part& part) {
 }
 
 void CanvasPath::move_to(Point p) {
-  const Point q = place_(p);
+  const Point q = position_(p);
   const auto hundredths = [](double v) { return std::llround(std::clamp(v, -1e9, 1e9) * 100); };
   const long long x = hundredths(q.x), y = hundredths(q.y);
   d_ += started_ ? 'm' : 'M';

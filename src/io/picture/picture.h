@@ -56,7 +56,7 @@ std::string exact_path(const Part& part);
 /// Path data on the canvas, coordinates shortened to hundredths of a pixel, later ones relative.
 class CanvasPath {
  public:
-  explicit CanvasPath(const Placement& placement) : place_(placement) {}
+  explicit CanvasPath(const Placement& placement) : position_(placement) {}
   CanvasPath& chain(const std::vector<Point>& vertices, bool closed);
   CanvasPath& segment(Point from, Point to);
   CanvasPath& dot(Point at);
@@ -66,7 +66,7 @@ class CanvasPath {
  private:
   void move_to(Point p);
   void line_to(Point p);
-  Placement place_;
+  Placement position_;
   std::string d_;
   long long x_ = 0, y_ = 0;  // in hundredths
   bool started_ = false;

@@ -31,8 +31,8 @@ Point on_circle(Point centre, double radius, double degrees) {
 
 }  // namespace
 
-// The chord to the share t of an arc of the angle a has sin(t a / 2) / sin(a / 2) of the whole chord's length, and is
-// turned from it by (1 - t) a / 2 clockwise. sin(a / 2) = 2 b / (1 + b^2).
+// The chord to the fraction t of an arc of the angle a has sin(t a / 2) / sin(a / 2) of the whole chord's length, and
+// is turned from it by (1 - t) a / 2 clockwise. sin(a / 2) = 2 b / (1 + b^2).
 void append_bulge(std::vector<Point>& chain, Point from, Point to, double b) {
   if (b == 0 || from == to) return;
   const double half = 2 * std::atan(b), over_sine = (1 / b + b) / 2;

@@ -13,8 +13,8 @@ namespace dymsum::io {
 /// coordinates.
 inline constexpr double kArcSteps = 12;
 
-/// Ends of lines and arcs that differ by at most this share of an arc's radius are one: the angles of arcs are rounded
-/// in files, and where an arc ends is rounded here.
+/// Ends of lines and arcs that differ by at most this fraction of an arc's radius are one: the angles of arcs are
+/// rounded in files, and where an arc ends is rounded here.
 inline constexpr double kArcJoint = 1e-6;
 
 /// Appends the vertices strictly between `from` and `to` of the arc with the bulge b = tan(angle / 4),

@@ -42,7 +42,7 @@ class PieceJoiner {
   static constexpr std::size_t kNone = ~std::size_t{0};
   static constexpr std::uint64_t kMostTests = 100'000'000;
 
-  Point place(std::size_t end) const {
+  Point position(std::size_t end) const {
     const std::vector<Point>& points = pieces_[end / 2].points;
     return end % 2 == 0 ? points.front() : points.back();
   }
@@ -57,12 +57,12 @@ class PieceJoiner {
       if (within_reach) widest = std::max(widest, reach(end));
     }
     std::sort(ends.begin(), ends.end(), [this](std::size_t a, std::size_t b) {
-      const Point p = place(a), q = place(b);
+      const Point p = position(a), q = position(b);
       return std::tie(p.x, p.y, a) < std::tie(q.x, q.y, b);
     });
     std::uint64_t tests = 0;
     for (std::size_t i = 0; i < ends.size(); ++i) {
-      for (std::size_t j = i + 1; j < ends.size() && place(ends[j]).x - place(ends[i]).x <= widest; ++j) {
+      for (std::size_t j = i + 1; j < ends.size() && position(ends[j]).x - position(ends[i]).x <= widest; ++j) {
         if (++tests > kMostTests)
           source_.fail(ErrorCode::malformed, "too many ends of lines and arcs lie within reach of one another",
                        pieces_[ends[i] / 2].offset);
@@ -73,14 +73,14 @@ class PieceJoiner {
   }
 
   bool meet(std::size_t a, std::size_t b, bool within_reach) const {
-    const Point p = place(a), q = place(b);
+    const Point p = position(a), q = position(b);
     const double most = within_reach ? std::max(reach(a), reach(b)) : 0;
     return std::abs(p.x - q.x) <= most && std::abs(p.y - q.y) <= most;
   }
 
   void mate(std::size_t a, std::size_t b) {
     if (mate_[a] != kNone || mate_[b] != kNone) {
-      const Point p = place(a);
+      const Point p = position(a);
       std::string at = "more than two lines or arcs end at ";
       append_number(at, p.x);
       at += ' ';

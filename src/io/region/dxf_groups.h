@@ -25,7 +25,7 @@ struct DxfEntity {
   std::string_view kind;
   std::size_t offset = 0;
   const DxfGroup* first = nullptr;
-  const DxfGroup* last = nullptr;  ///< behind the last one
+  const DxfGroup* last = nullptr;  ///< after the last one
 
   const DxfGroup* begin() const { return first; }
   const DxfGroup* end() const { return last; }

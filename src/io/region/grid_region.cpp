@@ -106,30 +106,30 @@ class Tracer {
   // A loop that comes to a corner twice is two that touch there.
   void split(const Loop& loop, std::vector<Loop>& all) {
     Loop open;
-    std::vector<std::size_t> places;
+    std::vector<std::size_t> positions;
     for (const Corner& c : loop) {
-      std::uint32_t& place = place_of(c);
-      if (place != 0) {
-        const auto first = open.begin() + static_cast<std::ptrdiff_t>(place - 1);
+      std::uint32_t& position = position_of(c);
+      if (position != 0) {
+        const auto first = open.begin() + static_cast<std::ptrdiff_t>(position - 1);
         all.emplace_back(first, open.end());
-        for (auto k = first + 1; k != open.end(); ++k) place_of(*k) = 0;
+        for (auto k = first + 1; k != open.end(); ++k) position_of(*k) = 0;
         open.erase(first + 1, open.end());
         continue;
       }
       open.push_back(c);
-      place = static_cast<std::uint32_t>(open.size());
+      position = static_cast<std::uint32_t>(open.size());
     }
-    for (const Corner& c : open) place_of(c) = 0;
+    for (const Corner& c : open) position_of(c) = 0;
     all.push_back(std::move(open));
   }
-  std::uint32_t& place_of(Corner c) {
-    if (places_.empty()) places_.assign(done_.size(), 0);
-    return places_[set_.at(c.i, c.j)];
+  std::uint32_t& position_of(Corner c) {
+    if (positions_.empty()) positions_.assign(done_.size(), 0);
+    return positions_[set_.at(c.i, c.j)];
   }
 
   const CellSet& set_;
-  std::vector<std::uint8_t> done_;     // directions that were walked, per corner
-  std::vector<std::uint32_t> places_;  // in the open loop, from 1
+  std::vector<std::uint8_t> done_;        // directions that were walked, per corner
+  std::vector<std::uint32_t> positions_;  // in the open loop, from 1
 };
 
 // Parts of cells that are connected through sides, by index + 1.

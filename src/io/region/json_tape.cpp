@@ -10,7 +10,7 @@ namespace dymsum::io {
 
 namespace {
 
-/// How far the parser has read; its events carry no place of their own.
+/// How far the parser has read; its events carry no position of their own.
 struct Progress {
   std::uint32_t line = 1;
   char last = 0;
@@ -163,14 +163,14 @@ const JsonToken& JsonValue::token() const { return tape_->tokens_[index_]; }
 
 const std::string& JsonValue::text() const { return tape_->texts_[token().link]; }
 
-std::size_t JsonValue::behind(std::size_t index) const {
+std::size_t JsonValue::after(std::size_t index) const {
   const JsonToken& token = tape_->tokens_[index];
   return token.kind == JsonKind::array || token.kind == JsonKind::object ? token.link : index + 1;
 }
 
 std::optional<JsonValue> JsonValue::find(std::string_view key) const {
   if (!is_object()) return std::nullopt;
-  for (std::size_t i = index_ + 1; i < token().link; i = behind(i + 1)) {
+  for (std::size_t i = index_ + 1; i < token().link; i = after(i + 1)) {
     if (tape_->texts_[tape_->tokens_[i].link] == key) return JsonValue(*tape_, i + 1);
   }
   return std::nullopt;

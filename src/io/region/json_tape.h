@@ -19,7 +19,7 @@ enum class JsonKind : std::uint8_t { null, boolean, number, string, key, array, 
 struct JsonToken {
   JsonKind kind = JsonKind::null;
   std::uint32_t line = 0;
-  std::uint64_t link = 0;  ///< array, object: index behind its last token; string, key: index of its text
+  std::uint64_t link = 0;  ///< array, object: index after its last token; string, key: index of its text
   Point pair;              ///< pair: the two numbers; number: in x
 };
 
@@ -43,12 +43,12 @@ class JsonValue {
   template <class Visit>
   void each(Visit visit) const {
     if (kind() != JsonKind::array) return;
-    for (std::size_t i = index_ + 1; i < token().link; i = behind(i)) visit(JsonValue(*tape_, i));
+    for (std::size_t i = index_ + 1; i < token().link; i = after(i)) visit(JsonValue(*tape_, i));
   }
 
  private:
   const JsonToken& token() const;
-  std::size_t behind(std::size_t index) const;
+  std::size_t after(std::size_t index) const;
 
   const JsonTape* tape_;
   std::size_t index_;

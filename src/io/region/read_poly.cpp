@@ -77,12 +77,12 @@ class PolyReader {
     const std::string_view kind = word();
     if (kind == "out") {
       data_.parts.emplace_back();
-      read_vertices(announced, data_.parts.back().outer, place(0));
+      read_vertices(announced, data_.parts.back().outer, position(0));
     } else if (kind == "in") {
       if (data_.parts.empty()) fail(ErrorCode::malformed, "an 'in' chain without an 'out' chain before it");
       auto& holes = data_.parts.back().holes;
       holes.emplace_back();
-      read_vertices(announced, holes.back(), place(static_cast<std::int64_t>(holes.size())));
+      read_vertices(announced, holes.back(), position(static_cast<std::int64_t>(holes.size())));
     } else if (kind == "open") {
       data_.polylines.emplace_back();
       read_vertices(announced, data_.polylines.back(), {});
@@ -95,7 +95,7 @@ class PolyReader {
     }
   }
 
-  Evidence place(std::int64_t ring) const {
+  Evidence position(std::int64_t ring) const {
     Evidence evidence;
     evidence.part = static_cast<std::int64_t>(data_.parts.size()) - 1;
     evidence.ring = ring;
@@ -147,7 +147,7 @@ class PolyReader {
     return header;
   }
 
-  /// The index line holds the vertex numbers, from 1, in the order of the chain. It may be missing, and it may go on on
+  /// The index line holds the vertex indices, from 1, in the order of the chain. It may be missing, and it may go on on
   /// further lines, as real files have it, until every point has come or the next chain begins.
   void apply_index_line(std::vector<Point>& vertices) {
     skip();

@@ -123,9 +123,9 @@ struct Thresholds {
   // threshold are rounded once each, so that 51 / 255 is no less than a threshold of 0.2.
   GridCell cell(std::uint32_t value, std::uint32_t most) const {
     if (raw && value > 100) return GridCell::unknown;
-    const double share = static_cast<double>(raw || negate ? value : most - value) / (raw ? 100 : most);
-    if (share > occupied) return GridCell::occupied;
-    return share < free ? GridCell::free : GridCell::unknown;
+    const double fraction = static_cast<double>(raw || negate ? value : most - value) / (raw ? 100 : most);
+    if (fraction > occupied) return GridCell::occupied;
+    return fraction < free ? GridCell::free : GridCell::unknown;
   }
 };
 

@@ -79,23 +79,23 @@ std::string stem(std::string_view file) {
   return std::string(dot == std::string_view::npos || dot == 0 ? file : file.substr(0, dot));
 }
 
-/// A shape without a name is called after its place, or after the file when it is the only one.
+/// A shape without a name is called after its position, or after the file when it is the only one.
 void name_shapes(std::vector<NamedShape>& shapes, std::string_view file) {
   for (std::size_t i = 0; i < shapes.size(); ++i) {
     if (shapes[i].name.empty()) shapes[i].name = shapes.size() == 1 ? stem(file) : std::to_string(i);
   }
 }
 
-/// By name, else by place.
+/// By name, else by position.
 Result<NamedShape> select(std::vector<NamedShape> shapes, const std::string& wanted, const std::string& file) {
   const auto named = [&](const NamedShape& shape) { return shape.name == wanted; };
   const auto count = std::count_if(shapes.begin(), shapes.end(), named);
   if (count > 1)
     return file_error(ErrorCode::malformed, std::to_string(count) + " shapes are named " + io::in_quotes(wanted), file);
   if (count == 1) return std::move(*std::find_if(shapes.begin(), shapes.end(), named));
-  const io::ScannedCount place = io::scan_count(wanted);
-  if (place.length > 0 && place.length == wanted.size() && place.value < shapes.size())
-    return std::move(shapes[place.value]);
+  const io::ScannedCount position = io::scan_count(wanted);
+  if (position.length > 0 && position.length == wanted.size() && position.value < shapes.size())
+    return std::move(shapes[position.value]);
   return file_error(ErrorCode::malformed,
                     "no shape " + io::in_quotes(wanted) + " among " + std::to_string(shapes.size()), file);
 }

@@ -248,11 +248,11 @@ class SvgReader {
 
   /// Nothing of it is seen, nor of what is in it.
   static bool is_transparent(const pugi::xml_node& node) { return is_zero(property(node, "opacity")); }
-  /// A share, which may be in percent, that is not above zero.
-  static bool is_zero(std::string_view share) {
-    const ScannedNumber number = scan_number(share);
+  /// A fraction, which may be in percent, that is not above zero.
+  static bool is_zero(std::string_view fraction) {
+    const ScannedNumber number = scan_number(fraction);
     return number.length > 0 && number.value <= 0 &&
-           share.substr(number.length).find_first_not_of("% \t\r\n") == std::string_view::npos;
+           fraction.substr(number.length).find_first_not_of("% \t\r\n") == std::string_view::npos;
   }
 
   /// Styles may place and shape elements as attributes do, and are not read for that.

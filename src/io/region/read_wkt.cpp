@@ -88,9 +88,9 @@ class WktReader {
     const std::size_t start = at_;
     std::string word = read_word();
     if (announces_third(word, start)) {
-      const std::size_t behind = at_;
+      const std::size_t after = at_;
       word = read_word();
-      if (word != "EMPTY") at_ = behind;
+      if (word != "EMPTY") at_ = after;
     } else if (word != "EMPTY") {
       at_ = start;
     }

@@ -12,7 +12,7 @@ namespace dymsum::io {
 /// Shapes as they stand in the file; a shape without a name of its own has an empty one.
 std::vector<NamedShape> read_poly(const Source& source);
 std::vector<NamedShape> read_wkt(const Source& source);
-/// GeoJSON, a nesting instance or a footprint, told apart by what is outermost.
+/// GeoJSON, a nesting instance or a footprint, distinguished by what is outermost.
 std::vector<NamedShape> read_json(const Source& source);
 std::vector<NamedShape> read_svg(const Source& source);
 std::vector<NamedShape> read_dxf(const Source& source);

@@ -19,12 +19,12 @@ void orient(Ring& ring, int wanted) {
   if (ring_sign(ring) == -wanted) std::reverse(ring.begin() + 1, ring.end());
 }
 
-/// The rounded middle of two doubles, without overflow.
-double middle(double a, double b) { return a / 2 + b / 2; }
+/// The rounded midpoint of two doubles, without overflow.
+double midpoint(double a, double b) { return a / 2 + b / 2; }
 
 class RingNester {
  public:
-  explicit RingNester(std::vector<Ring> rings) : rings_(std::move(rings)), places_(rings_.size()) {
+  explicit RingNester(std::vector<Ring> rings) : rings_(std::move(rings)), positions_(rings_.size()) {
     for (std::size_t i = 0; i < rings_.size(); ++i) measure(i);
   }
 
@@ -34,22 +34,22 @@ class RingNester {
     std::iota(order.begin(), order.end(), std::size_t{0});
     std::sort(order.begin(), order.end(), [this](std::size_t a, std::size_t b) { return before(a, b); });
     for (const std::size_t i : order) {
-      std::erase_if(active, [&](std::size_t j) { return places_[j].high.x < places_[i].low.x; });
+      std::erase_if(active, [&](std::size_t j) { return positions_[j].high.x < positions_[i].low.x; });
       steps_ += active.size();
       for (const std::size_t j : active) {
-        if (box_contains(places_[j], places_[i]) && contains(j, i)) {
+        if (box_contains(positions_[j], positions_[i]) && contains(j, i)) {
           settle(i, j);
-        } else if (box_contains(places_[i], places_[j]) && contains(i, j)) {  // boxes are equal
+        } else if (box_contains(positions_[i], positions_[j]) && contains(i, j)) {  // boxes are equal
           settle(j, i);
         }
         if (steps_ > kMostSteps) return false;
       }
       active.push_back(i);
     }
-    for (Place& place : places_) {
+    for (Position& position : positions_) {
       const auto shallower = [this](std::uint32_t a, std::uint32_t b) { return depth(a) < depth(b); };
-      if (!place.around.empty())
-        place.innermost = *std::max_element(place.around.begin(), place.around.end(), shallower);
+      if (!position.around.empty())
+        position.innermost = *std::max_element(position.around.begin(), position.around.end(), shallower);
     }
     return true;
   }
@@ -81,7 +81,7 @@ class RingNester {
  private:
   static constexpr std::uint64_t kMostSteps = 1'000'000'000;
 
-  struct Place {
+  struct Position {
     Point low, high;
     std::vector<std::uint32_t> around;  ///< the rings around this one
     std::uint32_t innermost = 0;        ///< of them, where there are any
@@ -99,7 +99,7 @@ class RingNester {
     for (std::size_t i = 0; i < rings_.size(); ++i) winding_[i].sign = ring_sign(rings_[i]);
     for (std::size_t i = 0; i < rings_.size(); ++i) {
       int outside = 0;
-      for (const std::uint32_t j : places_[i].around) outside += winding_[j].sign;
+      for (const std::uint32_t j : positions_[i].around) outside += winding_[j].sign;
       const bool filled_outside = outside != 0, filled_inside = outside + winding_[i].sign != 0;
       winding_[i].bounds = winding_[i].sign == 0             ? even_odd(i)
                            : filled_outside == filled_inside ? Bounds::nothing
@@ -114,10 +114,10 @@ class RingNester {
   }
   /// The innermost part around a hole. There is one, unless rings cross.
   std::size_t part_around(std::size_t i, FillRule rule) const {
-    std::size_t best = places_[i].innermost;
+    std::size_t best = positions_[i].innermost;
     if (rule == FillRule::even_odd) return best;
     bool any = false;
-    for (const std::uint32_t j : places_[i].around) {
+    for (const std::uint32_t j : positions_[i].around) {
       if (bounds(j, rule) != Bounds::part || (any && depth(j) < depth(best))) continue;
       best = j;
       any = true;
@@ -126,22 +126,22 @@ class RingNester {
   }
 
   void measure(std::size_t i) {
-    Place& place = places_[i];
-    place.low = place.high = rings_[i].front();
+    Position& position = positions_[i];
+    position.low = position.high = rings_[i].front();
     for (const Point p : rings_[i]) {
-      place.low = {std::min(place.low.x, p.x), std::min(place.low.y, p.y)};
-      place.high = {std::max(place.high.x, p.x), std::max(place.high.y, p.y)};
+      position.low = {std::min(position.low.x, p.x), std::min(position.low.y, p.y)};
+      position.high = {std::max(position.high.x, p.x), std::max(position.high.y, p.y)};
     }
   }
 
   bool before(std::size_t a, std::size_t b) const {
-    const Place &p = places_[a], &q = places_[b];
+    const Position &p = positions_[a], &q = positions_[b];
     if (p.low.x != q.low.x) return p.low.x < q.low.x;
     if (p.high.x != q.high.x) return p.high.x > q.high.x;
     return a < b;
   }
 
-  static bool box_contains(const Place& outer, const Place& inner) {
+  static bool box_contains(const Position& outer, const Position& inner) {
     return outer.low.x <= inner.low.x && outer.low.y <= inner.low.y && outer.high.x >= inner.high.x &&
            outer.high.y >= inner.high.y;
   }
@@ -168,7 +168,7 @@ class RingNester {
     return inside ? 1 : -1;
   }
 
-  /// Ring i against ring j: the first vertex, then the first edge middle, of i that is not on j decides.
+  /// Ring i against ring j: the first vertex, then the first edge midpoint, of i that is not on j decides.
   bool contains(std::size_t j, std::size_t i) {
     for (const Point p : rings_[i]) {
       if (const int answer = side(j, p); answer != 0) return answer > 0;
@@ -176,24 +176,24 @@ class RingNester {
     }
     for (std::size_t k = 0, last = rings_[i].size() - 1; k < rings_[i].size(); last = k++) {
       const Point a = rings_[i][last], b = rings_[i][k];
-      if (const int answer = side(j, {middle(a.x, b.x), middle(a.y, b.y)}); answer != 0) return answer > 0;
+      if (const int answer = side(j, {midpoint(a.x, b.x), midpoint(a.y, b.y)}); answer != 0) return answer > 0;
       if (steps_ > kMostSteps) return false;
     }
     return false;
   }
 
   void settle(std::size_t inner, std::size_t outer) {
-    places_[inner].around.push_back(static_cast<std::uint32_t>(outer));
+    positions_[inner].around.push_back(static_cast<std::uint32_t>(outer));
     steps_ += 50;  // bounds the memory of these lists
   }
 
-  std::size_t depth(std::size_t i) const { return places_[i].around.size(); }
+  std::size_t depth(std::size_t i) const { return positions_[i].around.size(); }
 
   /// The second condition fails only for rings that cross others.
-  bool is_hole(std::size_t i) const { return depth(i) % 2 == 1 && depth(places_[i].innermost) % 2 == 0; }
+  bool is_hole(std::size_t i) const { return depth(i) % 2 == 1 && depth(positions_[i].innermost) % 2 == 0; }
 
   std::vector<Ring> rings_;
-  std::vector<Place> places_;
+  std::vector<Position> positions_;
   std::vector<Winding> winding_;
   std::uint64_t steps_ = 0;
 };

@@ -24,8 +24,8 @@ bool same_name(std::string_view a, std::string_view b) {
                     [](unsigned char x, unsigned char y) { return std::tolower(x) == std::tolower(y); });
 }
 
-/// The share of the free space that lies before the content: 0, 1/2 or 1.
-double share(std::string_view align, std::string_view axis) {
+/// The fraction of the free space that lies before the content: 0, 1/2 or 1.
+double fraction(std::string_view align, std::string_view axis) {
   if (align.find(std::string(axis) + "Min") != std::string_view::npos) return 0;
   return align.find(std::string(axis) + "Max") != std::string_view::npos ? 1 : 0.5;
 }
@@ -49,8 +49,8 @@ SvgTransform parse_view_box(const Source& source, const SvgText& text, const Svg
     numbers.fail_before("preserveAspectRatio with slice cuts off what is drawn, and that cannot be read");
   double sx = viewport.width / width, sy = viewport.height / height;
   if (preserve_aspect_ratio.find("none") == std::string_view::npos) sx = sy = std::min(sx, sy);
-  const double left = viewport.x + share(preserve_aspect_ratio, "x") * (viewport.width - sx * width);
-  const double top = viewport.y + share(preserve_aspect_ratio, "Y") * (viewport.height - sy * height);
+  const double left = viewport.x + fraction(preserve_aspect_ratio, "x") * (viewport.width - sx * width);
+  const double top = viewport.y + fraction(preserve_aspect_ratio, "Y") * (viewport.height - sy * height);
   return {sx, 0, 0, sy, left - sx * x, top - sy * y};
 }
 

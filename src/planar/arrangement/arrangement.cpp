@@ -182,7 +182,7 @@ void Arrangement::sort_events(const Poll* poll) {
   if (events_.empty()) return;
   const auto sort_exactly = [this](std::uint32_t s, std::span<std::uint32_t> events) {
     const auto less = [&](std::uint32_t a, std::uint32_t b) { return compare_events(s, a, b) < 0; };
-    // Events at one place stay in the order in which they come, which insertion keeps and std::sort has to be told.
+    // Events at one position stay in the order in which they come, which insertion keeps and std::sort has to be told.
     const auto before = [&](std::uint32_t a, std::uint32_t b) {
       if (const int order = compare_events(s, a, b); order != 0) return order < 0;
       const double t = parameter(s, a), u = parameter(s, b);
@@ -230,26 +230,26 @@ void Arrangement::mark_covered(const Array<CoveredMark>& marks) {
   }
 }
 
-Place Arrangement::event_place(std::uint32_t s, std::uint32_t event) const {
-  return place(s, event_cut(s, event), parameter(s, event), parameter_error(s, event));
+SegmentPosition Arrangement::event_position(std::uint32_t s, std::uint32_t event) const {
+  return position_of_cut(s, event_cut(s, event), parameter(s, event), parameter_error(s, event));
 }
 
-Place Arrangement::place_of(const Node& node) const {
+SegmentPosition Arrangement::position_of(const Node& node) const {
   const std::uint32_t s = node.segment, k = node.sub_after - first_sub(s);
-  if (k > 0 && k <= event_count(s)) return event_place(s, event(s, k - 1));
+  if (k > 0 && k <= event_count(s)) return event_position(s, event(s, k - 1));
   Cut cut;
   cut.pair = soup_.exact(node.end.at);
-  return place(s, cut, k == 0 ? 0 : 1, 0);
+  return position_of_cut(s, cut, k == 0 ? 0 : 1, 0);
 }
 
-Place Arrangement::start_place(Step at) const {
+SegmentPosition Arrangement::start_position(Step at) const {
   const std::uint32_t s = at.segment, k = at.sub - first_sub(s);
-  return k == 0 ? place(s, start_cut(at), 0, 0) : event_place(s, event(s, k - 1));
+  return k == 0 ? position_of_cut(s, start_cut(at), 0, 0) : event_position(s, event(s, k - 1));
 }
 
-Place Arrangement::end_place(Step at) const {
+SegmentPosition Arrangement::end_position(Step at) const {
   const std::uint32_t s = at.segment, k = at.sub - first_sub(s);
-  return k == event_count(s) ? place(s, end_cut(at), 1, 0) : event_place(s, event(s, k));
+  return k == event_count(s) ? position_of_cut(s, end_cut(at), 1, 0) : event_position(s, event(s, k));
 }
 
 Cut Arrangement::start_cut(Step at) const {
@@ -268,8 +268,8 @@ Cut Arrangement::end_cut(Step at) const {
   return cut;
 }
 
-Place Arrangement::place(std::uint32_t s, const Cut& cut, double t, double t_error) const {
-  Place p;
+SegmentPosition Arrangement::position_of_cut(std::uint32_t s, const Cut& cut, double t, double t_error) const {
+  SegmentPosition p;
   p.on = soup_.exact(s);
   p.first = cut;
   const SoupBox& b = soup_.boxes[s];
@@ -280,21 +280,21 @@ Place Arrangement::place(std::uint32_t s, const Cut& cut, double t, double t_err
   return p;
 }
 
-// Of the denominators below, as shares: a component of a scaled vector; a cross product of two of them, times
+// Of the denominators below, as fractions: a component of a scaled vector; a cross product of two of them, times
 // (|u| + |v|) / |u - v|, and the factor with its product.
-constexpr double kLengthShare = exact::rounding_bound(3, 8), kCrossShare = exact::rounding_bound(8 + 2, 16);
+constexpr double kLengthFraction = exact::rounding_bound(3, 8), kCrossFraction = exact::rounding_bound(8 + 2, 16);
 
 // |denominator| of a cut's parameter as the lattice takes it, for the mediant.
 double Arrangement::denominator(std::uint32_t s, const Cut& cut, double& relative_error) const {
   const double dx = soup_.dx(s), dy = soup_.dy(s);
   if (cut.kind == Cut::Kind::pair) {
     const double length = dx != 0 ? std::abs(dx) : std::abs(dy);
-    relative_error = length > exact::kUnderflow ? kLengthShare : 1.0;
+    relative_error = length > exact::kUnderflow ? kLengthFraction : 1.0;
     return length;
   }
   const Point b = soup_.lattice.vector(cut.by.edge);
   const double u = dx * b.y, v = dy * b.x, d = std::abs(u - v);
-  relative_error = d > 0 ? std::min(1.0, (kCrossShare * (std::abs(u) + std::abs(v)) + exact::kUnderflow) / d) : 1.0;
+  relative_error = d > 0 ? std::min(1.0, (kCrossFraction * (std::abs(u) + std::abs(v)) + exact::kUnderflow) / d) : 1.0;
   // In the integers of the exact layer, against which the other kind of cut is measured once less.
   return soup_.lattice.in_integers(d);
 }
@@ -304,12 +304,12 @@ std::optional<double> Arrangement::inner_parameter(Step at) const {
   const double t0 = start_parameter(at), t1 = end_parameter(at);
   const double e0 = k > 0 ? parameter_error(s, event(s, k - 1)) : 0;
   const double e1 = k < event_count(s) ? parameter_error(s, event(s, k)) : 0;
-  const double middle = 0.5 * (t0 + t1);
-  if (!(middle - t0 > e0 + kShareRoundings && t1 - middle > e1 + kShareRoundings)) return std::nullopt;
-  return middle;
+  const double midpoint = 0.5 * (t0 + t1);
+  if (!(midpoint - t0 > e0 + kFractionRoundings && t1 - midpoint > e1 + kFractionRoundings)) return std::nullopt;
+  return midpoint;
 }
 
-Place Arrangement::sample(Step at) const {
+SegmentPosition Arrangement::sample(Step at) const {
   const Cut from = start_cut(at), to = end_cut(at);
   double error_from = 0, error_to = 0;
   const double d0 = denominator(at.segment, from, error_from), d1 = denominator(at.segment, to, error_to);
@@ -324,8 +324,9 @@ Place Arrangement::sample(Step at) const {
   const double e0 = k > 0 ? parameter_error(at.segment, first[k - 1]) : 0.0;
   const double e1 = k < event_count(at.segment) ? parameter_error(at.segment, first[k]) : 0.0;
   const double t = t0 + weight * (t1 - t0);
-  const double error = e0 + e1 + std::abs(t1 - t0) * kMediantShares * (error_from + error_to) + kShareRoundings;
-  Place p = place(at.segment, from, t == 0 || t == 1 ? 0.5 : t, error + (t == 0 || t == 1 ? 0.5 : 0));
+  const double error = e0 + e1 + std::abs(t1 - t0) * kMediantFractions * (error_from + error_to) + kFractionRoundings;
+  SegmentPosition p =
+      position_of_cut(at.segment, from, t == 0 || t == 1 ? 0.5 : t, error + (t == 0 || t == 1 ? 0.5 : 0));
   p.second = to;
   p.between = true;
   return p;

@@ -9,7 +9,7 @@
 #include <span>
 #include <vector>
 
-#include "base/key_numbers.h"
+#include "base/key_indices.h"
 #include "base/poll.h"
 #include "planar/arrangement/crossings.h"
 #include "planar/arrangement/soup.h"
@@ -111,8 +111,8 @@ class Arrangement {
     if (k < event_count(at.segment)) return event_end(at.segment, event(at.segment, k));
     return {true, soup_.end(at.segment), 0};
   }
-  Place start_place(Step at) const;
-  Place end_place(Step at) const;
+  SegmentPosition start_position(Step at) const;
+  SegmentPosition end_position(Step at) const;
   /// Where a sub-edge ends, rounded: |x - exact| and |y - exact| are at most error.
   struct RoundedEnd {
     double x = 0, y = 0, error = 0;
@@ -135,22 +135,22 @@ class Arrangement {
     const std::uint32_t k = at.sub - first_sub(at.segment);
     return k < event_count(at.segment) ? parameter(at.segment, event(at.segment, k)) : 1;
   }
-  /// A parameter strictly inside the sub-edge, or nothing where doubles do not tell.
+  /// A parameter strictly inside the sub-edge, or nothing where doubles do not decide.
   std::optional<double> inner_parameter(Step at) const;
   /// Some point strictly inside the sub-edge.
-  Place sample(Step at) const;
-  Place place(std::uint32_t s, const Cut& cut, double t, double t_error) const;
+  SegmentPosition sample(Step at) const;
+  SegmentPosition position_of_cut(std::uint32_t s, const Cut& cut, double t, double t_error) const;
 
   /// A degenerate node: a candidate for a tight point unless the boundary passes through it.
   struct Node {
-    std::uint32_t number = 0;  ///< as in end_node, 1 .. degenerate_nodes()
+    std::uint32_t index = 0;  ///< as in end_node, 1 .. degenerate_nodes()
     std::uint32_t segment = 0;
     SubEnd end;
-    std::uint32_t sub_after = 0;  ///< the sub-edge of the segment that starts there, or the number behind its last one
+    std::uint32_t sub_after = 0;  ///< the sub-edge of the segment that starts there, or the number after its last one
   };
   const Array<Node>& nodes() const { return nodes_; }
-  Place place_of(const Node& node) const;
-  /// Sub-edges covered from both sides by coinciding segments, candidates for tight segments; each place once.
+  SegmentPosition position_of(const Node& node) const;
+  /// Sub-edges covered from both sides by coinciding segments, candidates for tight segments; each position once.
   const Array<Step>& covered_subs() const { return covered_subs_; }
   std::uint64_t degenerate_nodes() const { return degenerate_nodes_; }
   std::uint64_t exact_orders() const { return exact_orders_; }
@@ -201,7 +201,7 @@ class Arrangement {
   }
   std::uint32_t position(std::uint32_t s, std::uint32_t event) const;
   Cut event_cut(std::uint32_t s, std::uint32_t event) const;
-  Place event_place(std::uint32_t s, std::uint32_t event) const;
+  SegmentPosition event_position(std::uint32_t s, std::uint32_t event) const;
   SubEnd event_end(std::uint32_t s, std::uint32_t event) const {
     if (event & kTouchBit) return {true, meetings_.touches[event & ~kTouchBit].pair, 0};
     return {false, {}, other(s, event)};
@@ -221,7 +221,7 @@ class Arrangement {
     Step to;
     std::uint32_t node = 0;
   };
-  KeyNumbers linked_subs_;  // sub-edges with degenerate ends, where the boundary goes on,
+  KeyIndices linked_subs_;  // sub-edges with degenerate ends, where the boundary goes on,
   Array<Link> links_;       // and there
   Array<Node> nodes_;
   Array<Step> covered_subs_;

@@ -18,7 +18,7 @@ struct Span {
 Array<Span> uncovered_spans(const Soup& soup, double reach, std::size_t fewest, const Poll& poll);
 
 /// The part of the interior of an operand beneath an edge, on its left: at depth d in (0, depth) what lies more than
-/// from_start d behind the start and more than from_end d before the end, along the edge.
+/// from_start d after the start and more than from_end d before the end, along the edge.
 struct Beneath {
   double depth = 0, from_start = 0, from_end = 0;
 };

@@ -7,9 +7,9 @@
 namespace dymsum::planar {
 namespace {
 
-/// Sides nearer than this to zero, times |edge|_1 and the span, tell nothing: far more than they err by.
-constexpr double kSure = 0x1p-44;
-static_assert(kSure >= 4 * kSumSide);
+/// Sides nearer than this to zero, times |edge|_1 and the span, say nothing: far more than they err by.
+constexpr double kProved = 0x1p-44;
+static_assert(kProved >= 4 * kSumSide);
 
 /// A position on a segment, start + t d.
 struct Line {
@@ -25,23 +25,23 @@ struct EdgePair {
 class Crossings {
  public:
   explicit Crossings(const Soup& soup)
-      : p_(*soup.operands[0]), q_(*soup.operands[1]), sure_(kSure * soup.lattice.span) {}
+      : p_(*soup.operands[0]), q_(*soup.operands[1]), proved_(kProved * soup.lattice.span) {}
 
   /// The longest part of the span around t along which a pair of edges that crosses at t crosses; empty where none is
   /// found.
   Span around(const Line& line, double t, Span span) {
     const double x = line.x + t * line.dx, y = line.y + t * line.dy;
     for (std::size_t k = 0; k < known_; ++k)
-      if (crosses(lately_[k], x, y)) {
-        std::rotate(lately_.begin(), lately_.begin() + static_cast<std::ptrdiff_t>(k),
-                    lately_.begin() + static_cast<std::ptrdiff_t>(k) + 1);
-        return along(lately_[0], line, t, span);
+      if (crosses(recent_[k], x, y)) {
+        std::rotate(recent_.begin(), recent_.begin() + static_cast<std::ptrdiff_t>(k),
+                    recent_.begin() + static_cast<std::ptrdiff_t>(k) + 1);
+        return along(recent_[0], line, t, span);
       }
     const std::optional<EdgePair> found = search(x, y);
     if (!found) return {1, 0};
-    known_ = std::min(known_ + 1, lately_.size());
-    std::rotate(lately_.begin(), lately_.end() - 1, lately_.end());
-    lately_[0] = *found;
+    known_ = std::min(known_ + 1, recent_.size());
+    std::rotate(recent_.begin(), recent_.end() - 1, recent_.end());
+    recent_[0] = *found;
     return along(*found, line, t, span);
   }
 
@@ -61,8 +61,8 @@ class Crossings {
             of(q_, pair.f, p_, p_.next[pair.e])};
   }
   std::array<double, 2> bounds(EdgePair pair) const {
-    return {sure_ * (std::abs(p_.ex[pair.e]) + std::abs(p_.ey[pair.e])),
-            sure_ * (std::abs(q_.ex[pair.f]) + std::abs(q_.ey[pair.f]))};
+    return {proved_ * (std::abs(p_.ex[pair.e]) + std::abs(p_.ey[pair.e])),
+            proved_ * (std::abs(q_.ex[pair.f]) + std::abs(q_.ey[pair.f]))};
   }
   static bool opposite(double s, double t, double bound) {
     return (s > bound && t < -bound) || (s < -bound && t > bound);
@@ -120,8 +120,8 @@ class Crossings {
   }
 
   const Operand &p_, &q_;
-  double sure_;
-  std::array<EdgePair, 8> lately_{};
+  double proved_;
+  std::array<EdgePair, 8> recent_{};
   std::size_t known_ = 0;
   std::vector<std::array<std::uint32_t, 2>> stack_;
 };
@@ -151,12 +151,12 @@ class Cutter {
   }
   void cut(Span part, int halvings) {
     if (part.high - part.low <= 4 * rim_ || ++steps_ > kMostSteps) return keep(part);
-    const double middle = 0.5 * (part.low + part.high);
-    Span covered = crossings_.around(line_, middle, part);
+    const double midpoint = 0.5 * (part.low + part.high);
+    Span covered = crossings_.around(line_, midpoint, part);
     if (covered.low > covered.high) {
       if (halvings == kMostHalvings) return keep(part);
-      cut({part.low, middle}, halvings + 1);
-      cut({middle, part.high}, halvings + 1);
+      cut({part.low, midpoint}, halvings + 1);
+      cut({midpoint, part.high}, halvings + 1);
       return;
     }
     // Beyond the ends of the part nothing is left in any case.

@@ -60,12 +60,12 @@ inline CrossingFinder::Probe CrossingFinder::probe(std::uint32_t s) const {
 
 namespace {
 
-// Two opposite sides of a line, both certain.
+// Two opposite sides of a line, both proved.
 inline bool opposite(double s, double t, double error) {
   return (s > error && t < -error) || (s < -error && t > error);
 }
 
-// The same side for both, certainly.
+// The same side for both, provably.
 inline bool one_side(double s, double t, double error) { return std::min(s, t) > error || std::max(s, t) < -error; }
 
 // Two cross products' difference: perhaps zero.
@@ -97,13 +97,14 @@ inline void high_bytes(const std::int16_t* a, const std::int16_t* b, std::uint32
 // bits.
 constexpr std::uint32_t kNumberBits = 7, kUnsorted = 1 << kNumberBits, kSmall = 15 + kNumberBits;
 
-// What a parameter that is not rough errs by besides kShareRoundings.
+// What a parameter that is not rough errs by besides kFractionRoundings.
 constexpr double kFine = Meetings::kApart / 4;
-static_assert(kFine + kShareRoundings <= Meetings::kApart / 2);
+static_assert(kFine + kFractionRoundings <= Meetings::kApart / 2);
 
 }  // namespace
 
-// In doubles, for segments that are no neighbours in a chain. True when these do not tell: then it takes an exact test.
+// In doubles, for segments that are no neighbours in a chain. True when these do not decide: then it takes an exact
+// test.
 inline bool CrossingFinder::undecided_strangers(const Probe& i, std::uint32_t j) {
   const SoupBox &a = i.box, &b = soup_.boxes[j];
   const double o1 = a.dx * (b.ay - a.ay) - a.dy * (b.ax - a.ax);
@@ -115,7 +116,7 @@ inline bool CrossingFinder::undecided_strangers(const Probe& i, std::uint32_t j)
   if (one_side(o3, o4, b_error)) return false;
   const double u = a.dx * b.dy, v = a.dy * b.dx;
   if (opposite(o1, o2, i.error) && opposite(o3, o4, b_error)) {
-    if (!(kCrossingShares * std::max(i.error, b_error) < kFine * std::abs(u - v))) out_.rough = true;
+    if (!(kCrossingFractions * std::max(i.error, b_error) < kFine * std::abs(u - v))) out_.rough = true;
     add_crossing(i.segment, j, o3, o4, o1, o2);
     return false;
   }
@@ -144,7 +145,7 @@ void CrossingFinder::all_pairs() {
   make_keys();
   near_.resize(n);
   for (std::uint32_t i = 0; i < n; ++i) {
-    ask(i, n);
+    query(i, n);
     const std::uint64_t high = keys_[i].high;
     std::uint32_t* near = near_.data();
     for (std::uint32_t j = i + 1; j < n; ++j) {
@@ -192,7 +193,7 @@ struct CrossingFinder::ByteBoxes {
     low_bytes(ay.data(), by.data(), padded, sides[1].data());
     high_bytes(ax.data(), bx.data(), padded, sides[2].data());
     high_bytes(ay.data(), by.data(), padded, sides[3].data());
-    // Behind the last box lie some that start to the right of everything and meet nothing.
+    // After the last box lie some that start to the right of everything and meet nothing.
     for (auto& side : sides) std::memset(&side[n], kBeyond, kByteLanes);
   }
   std::array<std::int16_t, kUnsorted> left;                              // in the finer quanta
@@ -200,7 +201,7 @@ struct CrossingFinder::ByteBoxes {
 };
 
 // Few boxes: each with all behind it, sixteen at a time in bytes. What is found is put into the order of the sweep,
-// because of several contacts at one place the first one is named. Loops without branches, as far as they go: which
+// because of several contacts at one position the first one is named. Loops without branches, as far as they go: which
 // boxes meet is hard to foresee.
 void CrossingFinder::compare_all() {
   const std::uint32_t n = static_cast<std::uint32_t>(soup_.size());
@@ -258,7 +259,7 @@ void CrossingFinder::sweep(const InteriorMask* mask) {
   out_.pair_tests += sweep_boxes(
       boxes, soup_.memory,
       [&](std::uint32_t s, std::uint32_t i) {
-        ask(i, n);
+        query(i, n);
         return [s, next = follower[s], follows = follower.data()](std::uint32_t t) {
           return static_cast<std::uint32_t>(t != next) & static_cast<std::uint32_t>(follows[t] != s);
         };
@@ -288,7 +289,7 @@ void CrossingFinder::pairs(std::span<const std::array<std::uint32_t, 2>> list) {
   finish();
 }
 
-// Whether the crossing of a and b, at parameter t of a, certainly lies in a covered cell, which is in Mo with more
+// Whether the crossing of a and b, at parameter t of a, provably lies in a covered cell, which is in Mo with more
 // around it than t errs.
 bool CrossingFinder::in_covered_cell(std::uint32_t a, std::uint32_t b, double t) const {
   const Grid& g = mask_->grid();
@@ -310,8 +311,8 @@ void CrossingFinder::add_crossing(std::uint32_t i, std::uint32_t j, double a_sta
   const auto on_b = [&] { return b_start / (b_start - b_end); };
   bool ambiguous = false;
   if (grid_ != nullptr) {
-    // The crossing belongs to the cell that holds it; near a border every cell reports it and duplicates are dropped
-    // later.
+    // The crossing belongs to the cell that holds it; near the edge of a cell every cell reports it and duplicates are
+    // dropped later.
     const SoupBox& a = soup_.boxes[i];
     const double dx = soup_.dx(i), dy = soup_.dy(i);
     const double x = (a.ax + t * dx) * grid_->per_cell, y = (a.ay + t * dy) * grid_->per_cell;
@@ -360,7 +361,7 @@ void CrossingFinder::test_cell(std::span<const std::uint32_t> ids) {
 
 namespace {
 
-// What of a segment certainly lies in a cell, not just within reach of it.
+// What of a segment provably lies in a cell, not just within reach of it.
 SegmentClip::Part inside_cell(const SoupBox& b, const Grid& grid, int row, int column) {
   const double h = grid.cell;
   return SegmentClip(b.ax, b.ay, b.bx - b.ax, b.by - b.ay).within(column * h, row * h, (column + 1) * h, (row + 1) * h);
@@ -392,7 +393,7 @@ CrossingFinder::CellLists CrossingFinder::list_cells(Array<CoveredMark>& covered
         if (mask_ != nullptr && mask_->covered(row, c)) {
           if (c > c0 && mask_->covered(row, c - 1)) continue;
           if (const SegmentClip::Part t = inside_cell(b, grid, row, c); t.to > t.from)
-            covered_marks.push_back({s, t.middle()});
+            covered_marks.push_back({s, t.midpoint()});
           continue;
         }
         items.push_back({cell, s});

@@ -1,4 +1,4 @@
-// All places where segments of a soup meet: proper crossings, and touches (every sign that is zero).
+// All positions where segments of a soup meet: proper crossings, and touches (every sign that is zero).
 #pragma once
 
 #include <array>
@@ -39,7 +39,7 @@ struct Meetings {
 
   Array<Crossing> crossings;
   Array<Touch> touches;
-  Array<std::pair<WalkPair, WalkPair>> same;  ///< different pairs at the same place
+  Array<std::pair<WalkPair, WalkPair>> same;  ///< different pairs at the same position
   bool rough = false;                         ///< some crossing has a parameter that errs by half of kApart or more
   std::uint64_t cell_entries = 0, pair_tests = 0, exact_signs = 0;
 };
@@ -95,7 +95,7 @@ class CrossingFinder {
   struct ByteBoxes;
   void compare_all();
   // Whether to go on; of rounds that take long.
-  void ask(std::uint32_t round, std::uint32_t rounds) const {
+  void query(std::uint32_t round, std::uint32_t rounds) const {
     if (poll_ != nullptr && round % 256 == 255) (*poll_)(double(round) / rounds);
   }
   struct Probe;
@@ -134,7 +134,7 @@ class CrossingFinder {
   Array<BoxKey> keys_;
   Array<std::uint64_t> cell_;  // the low keys of the segments of one cell
   Array<std::uint32_t> near_;  // those whose boxes meet the box of one of them, or of one segment in a sweep
-  Array<Crossing> ambiguous_;  // found near a cell border, perhaps several times
+  Array<Crossing> ambiguous_;  // found near the edge of a cell, perhaps several times
 };
 
 // Monotone; one quantum more at the upper end covers the rounding of the coordinates. They lie in [0, span], up to that

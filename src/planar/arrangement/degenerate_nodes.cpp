@@ -56,7 +56,7 @@ std::pair<std::uint32_t, std::uint32_t> Arrangement::equal_run(std::uint32_t s, 
   return {begin, end};
 }
 
-// Places where crossings coincide, or segments end on others: classes of crossings and pairs of vertices. Their
+// Positions where crossings coincide, or segments end on others: classes of crossings and pairs of vertices. Their
 // elements are made one by one.
 struct Arrangement::NodeClasses {
   explicit NodeClasses(Scratch* memory) : index(memory), classes(0, memory), spots(memory) {}
@@ -76,7 +76,7 @@ struct Arrangement::NodeClasses {
     std::uint32_t element;
     Spot spot;
   };
-  KeyNumbers index;
+  KeyIndices index;
   UnionFind classes;
   Array<Touched> spots;  // where segments pass
 };
@@ -104,7 +104,7 @@ void Arrangement::find_degenerate_nodes(const Poll* poll) {
   process_nodes(nodes, poll);
 }
 
-// Events at one place of a suspect are one class, and so is a touch alone.
+// Events at one position of a suspect are one class, and so is a touch alone.
 void Arrangement::join_suspects(NodeClasses& nodes, const Poll* poll) const {
   const auto element = [&](std::uint32_t e) {
     return nodes.element(e & kTouchBit ? NodeClasses::key(meetings_.touches[e & ~kTouchBit].pair) : std::uint64_t{e});
@@ -171,7 +171,7 @@ void Arrangement::process_node(const Array<Spot>& spots, const Array<WalkPair>& 
     flags_[sub] |= out ? kDegenerateStart : kDegenerateEnd;
   };
   Node where;
-  where.number = static_cast<std::uint32_t>(degenerate_nodes_);
+  where.index = static_cast<std::uint32_t>(degenerate_nodes_);
   bool placed = false;
   for (const Spot& spot : spots) {
     if (!placed) {
@@ -180,7 +180,7 @@ void Arrangement::process_node(const Array<Spot>& spots, const Array<WalkPair>& 
       where.sub_after = first_sub(spot.segment) + spot.begin + 1;
     }
     placed = true;
-    // Between events at one place there is nothing.
+    // Between events at one position there is nothing.
     for (std::uint32_t k = spot.begin + 1; k < spot.end; ++k) flags_[first_sub(spot.segment) + k] |= kNoBoundary;
     add(spot.segment, spot.begin, false);
     add(spot.segment, spot.end, true);
@@ -248,7 +248,7 @@ void Arrangement::group_rays(NodeBuffers& buffers) const {
   }
 }
 
-// A sector between two neighbouring rays is free unless the ray before it leaves with it on its left, or the ray behind
+// A sector between two neighbouring rays is free unless the ray before it leaves with it on its left, or the ray after
 // it arrives with it on its left. The boundary of a free sector comes in on the first and goes out on the second.
 void Arrangement::link_rays(NodeBuffers& buffers, const Node& where) {
   group_rays(buffers);
@@ -271,11 +271,11 @@ void Arrangement::link_rays(NodeBuffers& buffers, const Node& where) {
     const Ray& onward = rays[sorted[to.begin]];
     const Step step{onward.sub, onward.segment};
     flags_[step.sub] |= kEntered;
-    const Link link{step, where.number};
+    const Link link{step, where.index};
     for (std::uint32_t k = from.begin; k < from.end; ++k) {
-      const auto [number, fresh] = linked_subs_.add(rays[sorted[k]].sub);
+      const auto [index, fresh] = linked_subs_.add(rays[sorted[k]].sub);
       if (fresh) links_.push_back(link);
-      else links_[number] = link;
+      else links_[index] = link;
     }
   }
 }
@@ -284,12 +284,12 @@ void Arrangement::link_rays(NodeBuffers& buffers, const Node& where) {
 Arrangement::Step Arrangement::linked(Step from) const {
   if (flags_[from.sub] & kNoBoundary) return {};
   const std::uint32_t link = linked_subs_.find(from.sub);
-  return link == KeyNumbers::kMissing ? Step{} : links_[link].to;
+  return link == KeyIndices::kMissing ? Step{} : links_[link].to;
 }
 
 std::uint32_t Arrangement::linked_node(Step at) const {
   const std::uint32_t link = linked_subs_.find(at.sub);
-  return link == KeyNumbers::kMissing ? kNone : links_[link].node;
+  return link == KeyIndices::kMissing ? kNone : links_[link].node;
 }
 
 }  // namespace dymsum::planar

@@ -13,7 +13,7 @@ void CrossingFinder::add_touch(std::uint32_t segment, WalkPair pair) {
   const double dx = soup_.dx(segment), dy = soup_.dy(segment);
   const bool by_x = std::abs(dx) > std::abs(dy);
   const double t = by_x ? (x - s.ax) / dx : (y - s.ay) / dy;
-  const double error = kTouchShares * soup_.point_error / std::max(std::abs(dx), std::abs(dy)) + kShareRoundings;
+  const double error = kTouchFractions * soup_.point_error / std::max(std::abs(dx), std::abs(dy)) + kFractionRoundings;
   out_.touches.push_back({segment, pair, std::clamp(t, 0.0, 1.0), static_cast<float>(error)});
 }
 

@@ -198,11 +198,11 @@ std::optional<Refined> refine(const Operand& p, const Operand& q, InteriorMask& 
       Refined{fine ? FineCells(p, q, mask) : FineCells(mask), LivePieces(soup.memory), fine};
   const bool pays = fine && refine_crowded(refined->cells, visits, always ? 1 : kCrowd, poll);
   const bool gains = always || pays || 2 * visits.pairs <= pairs;
-  const bool asks = soup.size() >= kFew && visits.pairs >= kPairsEach * soup.size();
-  if (!gains && !asks) return std::nullopt;
+  const bool queries = soup.size() >= kFew && visits.pairs >= kPairsEach * soup.size();
+  if (!gains && !queries) return std::nullopt;
   refined->live = live_pieces(soup, spans, refined->cells, poll);
   const bool areas = !has_component_without_area(p) && !has_component_without_area(q);
-  const bool crowded = asks && areas && crossings_each(soup, refined->live, poll) >= kCrossingsEach;
+  const bool crowded = queries && areas && crossings_each(soup, refined->live, poll) >= kCrossingsEach;
   if (!gains && !crowded) return std::nullopt;
   if ((always && areas) || crowded) refined->live = uncrossed_pieces(soup, refined->live, reach, poll);
   drop_covered(soup, live, refined->live);

@@ -42,7 +42,7 @@ void CrossingFinder::sweep(std::span<const SegmentPiece> pieces, double reach) {
   out_.pair_tests += sweep_boxes(
       boxes, soup_.memory,
       [&](std::uint32_t k, std::uint32_t i) {
-        ask(i, n);
+        query(i, n);
         const std::uint32_t s = pieces[k].segment;
         return [&, s, next = follower[s]](std::uint32_t other) {
           const std::uint32_t t = pieces[other].segment;

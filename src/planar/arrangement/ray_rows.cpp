@@ -32,7 +32,8 @@ RayRows::RayRows(const Soup& soup) : soup_(soup) {
   for (std::size_t r = 0; r + 1 < first_.size(); ++r) first_[r + 1] += first_[r];
   listed_.resize(first_.back());
   std::vector<std::uint32_t> next(first_.begin(), first_.end() - 1);
-  for (std::uint32_t s = 0; s < soup.size(); ++s) each_row(soup.boxes[s], [&](std::size_t r) { listed_[next[r]++] = s; });
+  for (std::uint32_t s = 0; s < soup.size(); ++s)
+    each_row(soup.boxes[s], [&](std::size_t r) { listed_[next[r]++] = s; });
 }
 
 }  // namespace dymsum::planar

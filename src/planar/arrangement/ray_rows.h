@@ -21,7 +21,7 @@ class RayRows {
   /// its segment, then infinitely less ahead: `by` is 1 for a segment that runs up, which goes around counter-clockwise
   /// what lies left of it, and -1 for one that runs down. Requires: x is no node.
   template <class F>
-  void for_each_passed(const Place& x, F&& f) const {
+  void for_each_passed(const SegmentPosition& x, F&& f) const {
     const Lattice& lattice = soup_.lattice;
     const Point d = lattice.vector(x.on.edge);
     // Of the height of a vertex over x, when it is zero.
@@ -31,7 +31,7 @@ class RayRows {
       return h != 0 ? h : tie;
     };
     const double margin = x.error + margin_;
-    // A row's segments reach it with the margin of their ends; the place errs by its own.
+    // A row's segments reach it with the margin of their ends; the position errs by its own.
     const std::size_t low = row(x.y - x.error), high = row(x.y + x.error);
     for (std::size_t r = low; r <= high; ++r)
       for (std::uint32_t k = first_[r]; k < first_[r + 1]; ++k) {

@@ -49,8 +49,8 @@ SegmentGraph::Stop SegmentGraph::end_stop(std::uint32_t s, bool start) const {
   return out;
 }
 
-Place SegmentGraph::place(std::uint32_t s, const Stop& stop) const {
-  Place p;
+SegmentPosition SegmentGraph::position(std::uint32_t s, const Stop& stop) const {
+  SegmentPosition p;
   p.on = soup_.exact(s);
   p.first = stop.cut;
   const SoupBox& b = soup_.boxes[s];
@@ -96,8 +96,8 @@ void SegmentGraph::build_events() {
               });
 }
 
-// A node is a class of crossings and pairs of vertices: those at one place of one segment, and pairs known to be at one
-// place.
+// A node is a class of crossings and pairs of vertices: those at one position of one segment, and pairs known to be at
+// one position.
 void SegmentGraph::find_nodes() {
   UnionFind classes(static_cast<std::uint32_t>(meetings_.crossings.size()));
   std::unordered_map<std::uint64_t, std::uint32_t> pairs;
@@ -121,16 +121,16 @@ void SegmentGraph::find_nodes() {
         classes.unite(at, after);
       }
 
-  std::unordered_map<std::uint32_t, std::uint32_t> number;  // class -> node
+  std::unordered_map<std::uint32_t, std::uint32_t> index;  // class -> node
   const auto visit = [&](std::uint32_t s, std::uint32_t e, const Stop& stop) {
-    const auto [it, fresh] = number.try_emplace(classes.root(e), static_cast<std::uint32_t>(nodes_.size()));
+    const auto [it, fresh] = index.try_emplace(classes.root(e), static_cast<std::uint32_t>(nodes_.size()));
     if (fresh) nodes_.emplace_back();
     Node& node = nodes_[it->second];
     // A pair of vertices is the better name: it needs no second segment.
     if (fresh || (stop.end.pair && !node.end.pair)) {
       node.end = stop.end;
       node.segment = s;
-      node.place = place(s, stop);
+      node.position = position(s, stop);
     }
     return it->second;
   };
@@ -140,7 +140,7 @@ void SegmentGraph::find_nodes() {
     sub.from = visit(s, element(soup_.start(s)), end_stop(s, true));
     ++nodes_[sub.from].passes;
     const auto advance = [&](std::uint32_t node, std::uint32_t event) {
-      if (node == sub.from) return;  // the same place again
+      if (node == sub.from) return;  // the same position again
       ++nodes_[node].passes;
       sub.to = node;
       sub.to_event = event;
@@ -199,17 +199,17 @@ int SegmentGraph::compare(const Ray& a, const Ray& b) const {
   return -soup_.cross(segment(a), segment(b)) * along(a) * along(b);
 }
 
-Place SegmentGraph::sample(std::uint32_t edge) const {
+SegmentPosition SegmentGraph::sample(std::uint32_t edge) const {
   const SubEdge& s = sub_edges_[edges_[edge].first];
   const Stop from = s.from_event == kNone ? end_stop(s.segment, true) : stop(s.segment, events_[s.from_event]);
   const Stop to = s.to_event == kNone ? end_stop(s.segment, false) : stop(s.segment, events_[s.to_event]);
-  const Place a = place(s.segment, from), b = place(s.segment, to);
-  Place p = a;
+  const SegmentPosition a = position(s.segment, from), b = position(s.segment, to);
+  SegmentPosition p = a;
   p.second = to.cut;
   p.between = true;
   p.x = 0.5 * (a.x + b.x);
   p.y = 0.5 * (a.y + b.y);
-  // Anywhere between the ends, so half of their distance away, which is rounded; the rest covers the middle's
+  // Anywhere between the ends, so half of their distance away, which is rounded; the rest covers the midpoint's
   // roundings.
   constexpr double kHalf = 0.5 * (1 + exact::rounding_bound(3, 4));
   p.error = kHalf * std::max(std::abs(b.x - a.x), std::abs(b.y - a.y)) + 2 * (a.error + b.error) +

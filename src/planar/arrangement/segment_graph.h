@@ -1,4 +1,4 @@
-// The planar graph that the segments of a soup form when they are cut at all their meetings: nodes are places, every
+// The planar graph that the segments of a soup form when they are cut at all their meetings: nodes are positions, every
 // edge stands for all sub-edges between its two nodes. Knows no convolution and decides nothing about sides.
 #pragma once
 
@@ -21,7 +21,7 @@ class SegmentGraph {
     SubEnd end;                 ///< as seen from `segment`
     std::uint32_t segment = 0;  ///< one that passes through
     std::uint32_t passes = 0;   ///< segments that pass through, start or end here
-    Place place;
+    SegmentPosition position;
   };
   /// Part of a segment between two neighbouring nodes on it.
   struct SubEdge {
@@ -51,7 +51,7 @@ class SegmentGraph {
   static bool forward(const Edge& e, const SubEdge& s) { return s.from == e.low; }
 
   /// Some point strictly inside an edge, on the segment of its first sub-edge.
-  Place sample(std::uint32_t edge) const;
+  SegmentPosition sample(std::uint32_t edge) const;
   std::uint64_t crossing_count() const { return meetings_.crossings.size(); }
   std::uint64_t exact_orders() const { return exact_orders_; }
   std::size_t bytes() const;
@@ -62,7 +62,7 @@ class SegmentGraph {
     double t, error;
     std::uint32_t ref;
   };
-  // A place on a segment: one of its ends or an event.
+  // A position on a segment: one of its ends or an event.
   struct Stop {
     SubEnd end;
     Cut cut;
@@ -78,7 +78,7 @@ class SegmentGraph {
   bool is_touch(const Event& e) const { return e.ref >= meetings_.crossings.size(); }
   Stop stop(std::uint32_t s, const Event& e) const;
   Stop end_stop(std::uint32_t s, bool start) const;
-  Place place(std::uint32_t s, const Stop& stop) const;
+  SegmentPosition position(std::uint32_t s, const Stop& stop) const;
 
   const Soup& soup_;
   Meetings meetings_;

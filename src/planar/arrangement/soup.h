@@ -69,7 +69,7 @@ class Soup {
   /// A bound on the error of the parameter of s where it crosses t properly, computed from its ends' sides of t. It is
   /// at least 1 where the directions are too nearly parallel.
   double parameter_error(std::uint32_t s, std::uint32_t t) const {
-    return kCrossingShares * error(t) / std::abs(dx(s) * dy(t) - dy(s) * dx(t)) + kShareRoundings;
+    return kCrossingFractions * error(t) / std::abs(dx(s) * dy(t) - dy(s) * dx(t)) + kFractionRoundings;
   }
   /// Of each coordinate of start + t d, where t errs by `t_error`.
   double step_error(double t_error, double dx, double dy) const {

@@ -110,7 +110,7 @@ class Finder {
   }
 
   SumVertex vertex(std::uint32_t node, std::uint32_t segment) {
-    error_ = std::max(error_, position_error(soup_, graph_.nodes()[node].place));
+    error_ = std::max(error_, position_error(soup_, graph_.nodes()[node].position));
     return vertex_on(soup_, graph_, node, segment);
   }
 

@@ -10,8 +10,8 @@
 
 namespace dymsum::planar {
 
-/// Rings where faces inside meet faces outside. Cracks and punctures: edges and nodes whose faces are all inside, or all
-/// outside, and that lie in the closed set and not in the open one. `pieces`: those of them that lie outside.
+/// Rings where faces inside meet faces outside. Cracks and punctures: edges and nodes whose faces are all inside, or
+/// all outside, and that lie in the closed set and not in the open one. `pieces`: those of them that lie outside.
 struct BooleanBoundary {
   RawBoundary boundary;
   PieceCandidates pieces;

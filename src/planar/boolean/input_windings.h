@@ -13,8 +13,8 @@ namespace dymsum::planar {
 
 class InputWindings {
  public:
-  /// `input_of`: segment -> input, of `inputs`. The segments of each are closed rings. One ray for every connected piece
-  /// of the graph, then around its nodes.
+  /// `input_of`: segment -> input, of `inputs`. The segments of each are closed rings. One ray for every connected
+  /// piece of the graph, then around its nodes.
   InputWindings(const Soup& soup, const SegmentGraph& graph, const std::vector<std::uint32_t>& input_of,
                 std::size_t inputs, const Poll& poll);
 

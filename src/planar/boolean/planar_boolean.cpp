@@ -33,8 +33,8 @@ void add_ring(const Ring& ring, std::uint32_t& index, planar::EngineRegion& to) 
   }
   if (kept.size() < 3) return;
   to.own.parts.push_back({std::move(kept), {}});
-  to.vertex_numbers.insert(to.vertex_numbers.end(), names.begin(), names.end());
-  to.edge_numbers.insert(to.edge_numbers.end(), names.begin(), names.end());
+  to.vertex_indices.insert(to.vertex_indices.end(), names.begin(), names.end());
+  to.edge_indices.insert(to.edge_indices.end(), names.begin(), names.end());
 }
 
 JoinedRings join(const BooleanTerms& terms) {
@@ -57,7 +57,7 @@ planar::Soup soup_of(const planar::SumState& state) {
 
 std::vector<std::uint32_t> inputs_of(const planar::Operand& p, const std::vector<std::uint32_t>& first) {
   std::vector<std::uint32_t> input;
-  for (const std::uint32_t v : p.vertex_number)
+  for (const std::uint32_t v : p.vertex_index)
     input.push_back(static_cast<std::uint32_t>(std::upper_bound(first.begin(), first.end(), v) - first.begin()) - 1);
   return input;
 }

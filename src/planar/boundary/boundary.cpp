@@ -61,7 +61,7 @@ Array<BoundaryLoop> find_loops(const Soup& soup, const Arrangement& arrangement,
 namespace {
 
 // Of the loops of a connected sum the one that is its outer boundary: the only counter-clockwise one, or of several
-// false ones that which reaches farthest left. loops.size() when doubles do not tell.
+// false ones that which reaches farthest left. loops.size() when doubles do not decide.
 std::size_t outer_loop(const Arrangement& arrangement, const Array<BoundaryLoop>& loops) {
   std::size_t outer = loops.size(), count = 0;
   for (std::size_t i = 0; i < loops.size(); ++i)
@@ -80,13 +80,14 @@ std::size_t outer_loop(const Arrangement& arrangement, const Array<BoundaryLoop>
       loops.size(), [&](std::size_t i) { return loops[i].turning < 0; }, for_each_end);
 }
 
-// Whether the middle of a sub-edge is covered: then the loop is false.
+// Whether the midpoint of a sub-edge is covered: then the loop is false.
 bool passes_covered(const Soup& soup, const Arrangement& arrangement, const BoundaryLoop& loop,
                     const KnownCover& cover) {
   return std::any_of(loop.steps.begin(), loop.steps.end(), [&](const Step& step) {
     const SoupBox& b = soup.boxes[step.segment];
-    const double middle = 0.5 * (arrangement.start_parameter(step) + arrangement.end_parameter(step));
-    return cover.covers(b.ax + middle * b.dx, b.ay + middle * b.dy) && arrangement.inner_parameter(step).has_value();
+    const double midpoint = 0.5 * (arrangement.start_parameter(step) + arrangement.end_parameter(step));
+    return cover.covers(b.ax + midpoint * b.dx, b.ay + midpoint * b.dy) &&
+           arrangement.inner_parameter(step).has_value();
   });
 }
 
@@ -123,24 +124,25 @@ SortedLoops verify_loops(const Soup& soup, const Arrangement& arrangement, Array
   return out;
 }
 
-double position_error(const Soup& soup, const Place& place) {
-  return std::min(place.error, kPoorPosition * soup.lattice.span);
+double position_error(const Soup& soup, const SegmentPosition& position) {
+  return std::min(position.error, kPoorPosition * soup.lattice.span);
 }
 
-SumVertex vertex_of(const Soup& soup, std::uint32_t in, std::uint32_t out, const SubEnd& end, const Place& place) {
+SumVertex vertex_of(const Soup& soup, std::uint32_t in, std::uint32_t out, const SubEnd& end,
+                    const SegmentPosition& position) {
   SumVertex v;
   v.in = contact_of(soup, in);
   v.out = contact_of(soup, out);
   if (end.pair) {
-    v.corner_p = soup.operands[0]->vertex_number[end.at.p];
-    v.corner_q = soup.operands[1]->vertex_number[end.at.q];
+    v.corner_p = soup.operands[0]->vertex_index[end.at.p];
+    v.corner_q = soup.operands[1]->vertex_index[end.at.q];
   }
-  if (position_error(soup, place) < place.error) {
+  if (position_error(soup, position) < position.error) {
     // Nearly parallel lines: the doubles know too little.
-    const Lattice::Position p = soup.lattice.position(place);
+    const Lattice::Position p = soup.lattice.position(position);
     v.at = {exact::round_to_double(p.x), exact::round_to_double(p.y)};
   } else {
-    v.at = soup.lattice.to_input(place.x, place.y);
+    v.at = soup.lattice.to_input(position.x, position.y);
   }
   return v;
 }
@@ -167,13 +169,13 @@ struct Named {
   Contact::Kind kind;
   std::uint32_t p, q, corner_p, corner_q;
 };
-inline Named named(SoupSegment g, const Operand::Numbers* of_p, const Operand::Numbers* of_q) {
+inline Named named(SoupSegment g, const Operand::Indices* of_p, const Operand::Indices* of_q) {
   if (g.side() == 0) {
-    const Operand::Numbers& own = of_p[g.edge()];
+    const Operand::Indices& own = of_p[g.edge()];
     const std::uint32_t q = of_q[g.vertex].vertex;
     return {Contact::Kind::edge_of_p, own.edge, q, own.next_vertex, q};
   }
-  const Operand::Numbers& own = of_q[g.edge()];
+  const Operand::Indices& own = of_q[g.edge()];
   const std::uint32_t p = of_p[g.vertex].vertex;
   return {Contact::Kind::edge_of_q, p, own.edge, p, own.next_vertex};
 }
@@ -183,7 +185,7 @@ inline void set(Contact& contact, const Named& n) {
   contact.q = n.q;
 }
 
-// The step that ends at the lexicographically smallest vertex, crossings aside, as far as doubles tell: a ring that
+// The step that ends at the lexicographically smallest vertex, crossings aside, as far as doubles decide: a ring that
 // starts there hardly has to be rotated. (A crossing on an outer boundary is a notch.)
 std::size_t leftmost_end(const Soup& soup, const Arrangement::Walker& walker, const Array<Step>& steps) {
   const SoupBox* boxes = soup.boxes.data();
@@ -206,7 +208,7 @@ SumRing make_ring(const Soup& soup, const Arrangement& arrangement, const Bounda
   const std::size_t n = loop.steps.size();
   const double poor = kPoorPosition * soup.lattice.span, unit = soup.lattice.unit;
   const Point base = soup.lattice.base;
-  const Operand::Numbers *const of_p = soup.operands[0]->numbers.data(), *const of_q = soup.operands[1]->numbers.data();
+  const Operand::Indices *const of_p = soup.operands[0]->indices.data(), *const of_q = soup.operands[1]->indices.data();
   const SoupBox* const boxes = soup.boxes.data();
   const SoupSegment* const segments = soup.segments.data();
   const Arrangement::Walker walker(arrangement);
@@ -238,16 +240,16 @@ SumRing make_ring(const Soup& soup, const Arrangement& arrangement, const Bounda
       v.corner_q = in.corner_q;
     } else if (const Arrangement::RoundedEnd at = arrangement.rounded_end({sub, s}); at.error > poor) [[unlikely]] {
       const Step step{sub, s};
-      const Place place = arrangement.end_place(step);
-      worst = std::max(worst, position_error(soup, place));
-      v = vertex_of(soup, s, next, arrangement.end_of(step), place);
+      const SegmentPosition position = arrangement.end_position(step);
+      worst = std::max(worst, position_error(soup, position));
+      v = vertex_of(soup, s, next, arrangement.end_of(step), position);
     } else {
       worst = std::max(worst, at.error);
       v.at.x = at.x * unit + base.x;
       v.at.y = at.y * unit + base.y;
       if (const SubEnd end = arrangement.end_of({sub, s}); end.pair) {
-        v.corner_p = soup.operands[0]->vertex_number[end.at.p];
-        v.corner_q = soup.operands[1]->vertex_number[end.at.q];
+        v.corner_p = soup.operands[0]->vertex_index[end.at.p];
+        v.corner_q = soup.operands[1]->vertex_index[end.at.q];
       }
     }
     in = out;

@@ -46,14 +46,15 @@ inline Contact contact_of(const Soup& soup, std::uint32_t segment) {
   const SoupSegment& g = soup.segments[segment];
   return contact_of(WalkSegment{g.side(), g.edge(), g.vertex}, *soup.operands[0], *soup.operands[1]);
 }
-SumVertex vertex_of(const Soup& soup, std::uint32_t in, std::uint32_t out, const SubEnd& end, const Place& place);
+SumVertex vertex_of(const Soup& soup, std::uint32_t in, std::uint32_t out, const SubEnd& end,
+                    const SegmentPosition& position);
 
 /// The ring of a loop with collinear steps merged; grows `error` to the largest error of a position, in input
 /// coordinates.
 SumRing make_ring(const Soup& soup, const Arrangement& arrangement, const BoundaryLoop& loop, double& error);
 
-/// The error of the position that vertex_of gives to a place, in grid units.
-double position_error(const Soup& soup, const Place& place);
+/// The error of the position that vertex_of gives to a position, in grid units.
+double position_error(const Soup& soup, const SegmentPosition& position);
 
 /// A bound on the error of rounding to input coordinates, and of a rounded position there.
 double rounding_error(const Lattice& lattice);

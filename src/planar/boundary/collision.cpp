@@ -14,18 +14,18 @@ Collision::Collision(const Lattice& lattice, const Operand& p, const Operand& q,
       use_tree_(use_tree),
       beyond_doubles_(lattice.tier_bits == 0 ? exact::Rung::big : exact::Rung::integers) {}
 
-bool Collision::overlaps(const Place& x) {
+bool Collision::overlaps(const SegmentPosition& x) {
   displaced_ = false;
   return test(x);
 }
 
-bool Collision::overlaps_right_of(const Place& x) {
+bool Collision::overlaps_right_of(const SegmentPosition& x) {
   displaced_ = true;
   return test(x);
 }
 
 // As LatticeOf's places.
-Collision::Homogeneous Collision::homogeneous(const Place& x) const {
+Collision::Homogeneous Collision::homogeneous(const SegmentPosition& x) const {
   const Whole d = whole(x.on.edge);
   if (!x.between && x.first.kind == Cut::Kind::pair) {
     const Whole at = whole(x.first.pair);
@@ -119,13 +119,13 @@ int Collision::along(std::uint32_t op, std::uint32_t edge, std::uint32_t vertex,
   return lattice_.along({e, operands_[1 - op]->source[vertex]}, *x_);
 }
 
-bool Collision::test(const Place& x) {
+bool Collision::test(const SegmentPosition& x) {
   ++counts_.tests;
   x_ = &x;
   integral_ = lattice_.to_integers != 0;
   if (integral_) at_ = homogeneous(x);
   answered_by_.reset();
-  // Places are asked about in spatial order, so what crossed at the last ones often crosses here.
+  // Positions are queried in spatial order, so what crossed at the last ones often crosses here.
   for (std::size_t k = 0; use_tree_ && k < witness_count_; ++k)
     if (edges_cross(witnesses_[k][0], witnesses_[k][1])) {
       ++counts_.witnessed;

@@ -54,10 +54,10 @@ class Collision {
   Collision(const Lattice& lattice, const Operand& p, const Operand& q, bool use_tree);
 
   /// Whether x itself lies in M. Touching is not overlapping.
-  bool overlaps(const Place& x);
+  bool overlaps(const SegmentPosition& x);
   /// Whether the open face that touches x on the right of segment `on` (the one x lies on) lies in M: x is moved
   /// infinitely little to the right and then infinitely less ahead.
-  bool overlaps_right_of(const Place& x);
+  bool overlaps_right_of(const SegmentPosition& x);
 
   /// Pairs of components without area are looked at too, as the interiors of the parallelograms of their edges.
   bool with_parallelograms = false;
@@ -71,7 +71,7 @@ class Collision {
  private:
   struct Cone;
 
-  bool test(const Place& x);
+  bool test(const SegmentPosition& x);
   bool test_components(std::uint32_t p_component, std::uint32_t q_component);
   bool edges_cross(std::uint32_t e, std::uint32_t f);
   bool edges_overlap(std::uint32_t e, std::uint32_t f, bool parallelogram);
@@ -81,7 +81,7 @@ class Collision {
   int side(std::uint32_t op, std::uint32_t edge, std::uint32_t vertex);
   int along(std::uint32_t op, std::uint32_t edge, std::uint32_t vertex, bool from_end);
 
-  // Where the lattice's integers have 29 bits (Lattice::to_integers), the place is (x, y) / w exactly, w > 0, and
+  // Where the lattice's integers have 29 bits (Lattice::to_integers), the position is (x, y) / w exactly, w > 0, and
   // `ahead` the direction of the segment that it lies on. Parameters of cuts have 62 bits over 62, those of mediants
   // one more; w (x - pair sum) then 31 more.
   struct Whole {
@@ -102,7 +102,7 @@ class Collision {
     const PlacedPoints &p = *lattice_.points[0], &q = *lattice_.points[1];
     return {integer(p.x[v.p] + q.x[v.q]), integer(p.y[v.p] + q.y[v.q])};
   }
-  Homogeneous homogeneous(const Place& x) const;
+  Homogeneous homogeneous(const SegmentPosition& x) const;
   int cross(const Edge& d, const Edge& e) const;
   int dot(const Edge& d, const Edge& e) const;
 
@@ -110,12 +110,12 @@ class Collision {
   std::array<const Operand*, 2> operands_;
   bool use_tree_;
   exact::Rung beyond_doubles_;
-  const Place* x_ = nullptr;
-  bool integral_ = false;  ///< then the place is exactly this:
+  const SegmentPosition* x_ = nullptr;
+  bool integral_ = false;  ///< then the position is exactly this:
   Homogeneous at_{};
   bool displaced_ = false;
   CollisionCounts counts_;
-  std::array<CrossingEdges, 4> witnesses_{};  ///< pairs of edges that crossed properly lately
+  std::array<CrossingEdges, 4> witnesses_{};  ///< pairs of edges that crossed properly recently
   std::optional<CrossingEdges> answered_by_;
   std::size_t witness_count_ = 0, next_witness_ = 0;
 };

@@ -38,8 +38,8 @@ SumRing GraphRings::ring(const BoundaryEdges& edges, double& error) const {
     const BoundaryEdge &in = edges[i], &out = edges[(i + 1) % edges.size()];
     if (soup_.cross(in.segment, out.segment) == 0) continue;  // straight on
     const SegmentGraph::Node& node = graph_.nodes()[in.to];
-    error = std::max(error, position_error(soup_, node.place));
-    ring.vertices.push_back(vertex_of(soup_, in.segment, out.segment, node.end, node.place));
+    error = std::max(error, position_error(soup_, node.position));
+    ring.vertices.push_back(vertex_of(soup_, in.segment, out.segment, node.end, node.position));
   }
   return ring;
 }
@@ -80,9 +80,9 @@ BoundaryEdge GraphRings::oriented(std::uint32_t edge) const {
 
 SumVertex vertex_on(const Soup& soup, const SegmentGraph& graph, std::uint32_t node, std::uint32_t segment) {
   const SegmentGraph::Node& v = graph.nodes()[node];
-  if (v.end.pair) return vertex_of(soup, segment, segment, v.end, v.place);
+  if (v.end.pair) return vertex_of(soup, segment, segment, v.end, v.position);
   const bool parallel = soup.cross(segment, v.segment) == 0;
-  return vertex_of(soup, segment, parallel ? v.end.other : v.segment, v.end, v.place);
+  return vertex_of(soup, segment, parallel ? v.end.other : v.segment, v.end, v.position);
 }
 
 }  // namespace dymsum::planar

@@ -47,15 +47,15 @@ class GraphRings {
   std::vector<std::uint32_t> segments_;
 };
 
-/// The smallest segment along an edge that runs from its low to its high end (`forward`), or back, and is asked for; or
+/// The smallest segment along an edge that runs from its low to its high end (`forward`), or back, and is requested; or
 /// kNone.
-template <class Asked>
-std::uint32_t segment_along(const SegmentGraph& graph, std::uint32_t edge, bool forward, const Asked& asked) {
+template <class Queried>
+std::uint32_t segment_along(const SegmentGraph& graph, std::uint32_t edge, bool forward, const Queried& queried) {
   const SegmentGraph::Edge& e = graph.edges()[edge];
   std::uint32_t smallest = kNone;
   for (std::uint32_t k = e.first; k < e.last; ++k) {
     const SegmentGraph::SubEdge& s = graph.sub_edges()[k];
-    if (SegmentGraph::forward(e, s) == forward && s.segment < smallest && asked(s.segment)) smallest = s.segment;
+    if (SegmentGraph::forward(e, s) == forward && s.segment < smallest && queried(s.segment)) smallest = s.segment;
   }
   return smallest;
 }

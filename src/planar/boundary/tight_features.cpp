@@ -20,7 +20,7 @@ void find_tight_features(const Soup& soup, const Arrangement& arrangement, const
   for (const Step& step : arrangement.covered_subs()) {
     if (poll != nullptr) poll->at_test(round++, rounds);
     if (collision.overlaps(arrangement.sample(step))) continue;
-    const Place from = arrangement.start_place(step), to = arrangement.end_place(step);
+    const SegmentPosition from = arrangement.start_position(step), to = arrangement.end_position(step);
     const SubEnd a = arrangement.start_of(step), b = arrangement.end_of(step);
     grid_error = std::max({grid_error, position_error(soup, from), position_error(soup, to)});
     const std::uint32_t s = step.segment;
@@ -29,12 +29,12 @@ void find_tight_features(const Soup& soup, const Arrangement& arrangement, const
   }
   for (const Arrangement::Node& node : arrangement.nodes()) {
     if (poll != nullptr) poll->at_test(round++, rounds);
-    if (on_boundary[node.number] != 0) continue;
-    const Place place = arrangement.place_of(node);
-    if (collision.overlaps(place)) continue;
-    grid_error = std::max(grid_error, position_error(soup, place));
+    if (on_boundary[node.index] != 0) continue;
+    const SegmentPosition position = arrangement.position_of(node);
+    if (collision.overlaps(position)) continue;
+    grid_error = std::max(grid_error, position_error(soup, position));
     out.punctures.push_back(
-        vertex_of(soup, node.segment, node.end.pair ? node.segment : node.end.other, node.end, place));
+        vertex_of(soup, node.segment, node.end.pair ? node.segment : node.end.other, node.end, position));
   }
 }
 

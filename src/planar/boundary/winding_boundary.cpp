@@ -24,8 +24,7 @@ GraphRings winding_rings(const Tracing& tracing, const SegmentGraph& graph, cons
   for (std::uint32_t e = 0; e < sides.size(); ++e) {
     lies.push_back({sides[e].left > 0, sides[e].right > 0});
     if (lies[e].left == lies[e].right) continue;
-    segments[e] =
-        segment_along(graph, e, lies[e].left, [&](std::uint32_t s) { return tracing.signs[s] > 0; });
+    segments[e] = segment_along(graph, e, lies[e].left, [&](std::uint32_t s) { return tracing.signs[s] > 0; });
     if (segments[e] == kNone)
       throw std::logic_error("winding numbers: a boundary edge without a segment that bounds it");
   }
@@ -35,7 +34,7 @@ GraphRings winding_rings(const Tracing& tracing, const SegmentGraph& graph, cons
 void find_tight_features(const Tracing& tracing, const SegmentGraph& graph, const std::vector<Sides>& sides,
                          Collision& collision, RawBoundary& out, double& error) {
   const auto named = [&](std::uint32_t node, std::uint32_t segment) {
-    error = std::max(error, position_error(tracing.soup, graph.nodes()[node].place));
+    error = std::max(error, position_error(tracing.soup, graph.nodes()[node].position));
     return vertex_on(tracing.soup, graph, node, segment);
   };
   for (std::uint32_t i = 0; i < graph.edges().size(); ++i) {
@@ -50,7 +49,8 @@ void find_tight_features(const Tracing& tracing, const SegmentGraph& graph, cons
     const auto rays = graph.rays(v);
     const auto lies_inside = [&](const SegmentGraph::Ray& r) { return inside(sides[r.edge]); };
     if (node.passes < 3 || !std::all_of(rays.begin(), rays.end(), lies_inside)) continue;
-    if (!collision.overlaps(node.place)) out.punctures.push_back(named(v, node.end.pair ? node.segment : node.end.other));
+    if (!collision.overlaps(node.position))
+      out.punctures.push_back(named(v, node.end.pair ? node.segment : node.end.other));
   }
 }
 

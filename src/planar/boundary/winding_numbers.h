@@ -9,7 +9,7 @@
 
 namespace dymsum::planar {
 
-/// Segments of which segment s counts signs[s] times. Together they must start as often as they end at every place.
+/// Segments of which segment s counts signs[s] times. Together they must start as often as they end at every position.
 struct Tracing {
   Tracing(const Lattice& lattice, const Operand& p, const Operand& q, Scratch* scratch = nullptr)
       : soup(lattice, p, q, scratch) {}

@@ -218,7 +218,7 @@ std::uint32_t ReducedConvolution::next(const WalkSegment& s) const {
   return find(1 - s.side, s.vertex, turned);
 }
 
-// A segment (e, v) is continued by (next e, v) where v still meets that edge, else by v's edge at the vertex behind e.
+// A segment (e, v) is continued by (next e, v) where v still meets that edge, else by v's edge at the vertex after e.
 void ReducedConvolution::fill_next(std::span<std::uint32_t> next) const {
   std::uint32_t* to = next.data();
   for (std::uint32_t side = 0; side < 2; ++side) {

@@ -32,7 +32,7 @@ inline bool never_filled(const Operand&, const Loop&, const Operand&, const Comp
 class ReducedConvolution {
  public:
   ReducedConvolution(const Lattice& lattice, const Operand& p, const Operand& q, Scratch* memory = nullptr);
-  /// Without the holes that `filled` tells, instead of those that are filled where both operands stand.
+  /// Without the holes that `filled` decides, instead of those that are filled where both operands stand.
   ReducedConvolution(const Lattice& lattice, const Operand& p, const Operand& q, HoleFilled filled,
                      Scratch* memory = nullptr);
 
@@ -86,7 +86,7 @@ class ReducedConvolution {
     return columns_[side] == 1 ? turn : turn / columns_[side];
   }
   struct Edges;
-  // Positions of one list's directions in another one, for outer loops and for holes; empty until asked for.
+  // Positions of one list's directions in another one, for outer loops and for holes; empty until requested.
   struct Bounds {
     explicit Bounds(Scratch* memory) : of_outer(memory), of_hole(memory) {}
     Array<std::uint32_t> of_outer, of_hole;

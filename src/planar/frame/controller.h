@@ -39,7 +39,7 @@ class WindowController {
   void abandoned(double step);
   /// Whether frames inside the window have been more expensive than from scratch three times in a row.
   bool give_up(double cost);
-  /// Frames go on in a window that was built before, or elsewhere: what they cost tells nothing of how wide windows
+  /// Frames go on in a window that was built before, or elsewhere: what they cost says nothing of how wide windows
   /// should be, nor whether they pay.
   void returned();
   /// How wide the next window should be, `step` after step.
@@ -54,7 +54,7 @@ class WindowController {
   double frames_ahead_ = 6;  ///< how many steps a window covers ahead
   double first_width_ = 0.4;
   double factor_ = 1.5;   ///< what that was last multiplied by
-  double last_cost_ = 0;  ///< a frame of the last window, with its share of the building
+  double last_cost_ = 0;  ///< a frame of the last window, with its fraction of the building
   double spent_ = 0;
   bool counts_ = false;       ///< frames are of the window that was built last
   std::uint64_t served_ = 0;  ///< frames of the open window

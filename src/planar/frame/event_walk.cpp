@@ -14,8 +14,8 @@ namespace dymsum::planar {
 LineHashes::LineHashes(std::shared_ptr<const OperandPair> base)
     : base_(std::move(base)),
       forms_(*base_),
-      edges_{FirstIndices(base_->operands[0].edge_number), FirstIndices(base_->operands[1].edge_number)},
-      vertices_{FirstIndices(base_->operands[0].vertex_number), FirstIndices(base_->operands[1].vertex_number)} {}
+      edges_{FirstIndices(base_->operands[0].edge_index), FirstIndices(base_->operands[1].edge_index)},
+      vertices_{FirstIndices(base_->operands[0].vertex_index), FirstIndices(base_->operands[1].vertex_index)} {}
 
 Segment LineHashes::segment(const Contact& c) const {
   const bool of_p = c.kind == Contact::Kind::edge_of_p;
@@ -79,7 +79,7 @@ class EventWalk {
   /// Cancelled.
   template <class F>
   std::optional<Error> run(const BigRational& from, const BigRational& to, F&& f) {
-    // What lies just outside decides what comes before the first and behind the last.
+    // What lies just outside decides what comes before the first and after the last.
     BigRational low = from * BigRational(1023, 1024);
     const BigRational end = to * BigRational(1025, 1024);
     low_ = std::log(exact::round_to_double(low));
@@ -91,7 +91,7 @@ class EventWalk {
       const std::vector<EventValue> values = values_between(low, high);
       for (std::size_t i = 0; i < values.size() && values[i].s <= to; ++i) {
         const EventValue& e = values[i];
-        if (e.s == last) continue;  // on the border of two windows
+        if (e.s == last) continue;  // where two windows meet
         if (e.s >= from) {
           const BigRational next = i + 1 < values.size() ? values[i + 1].s : e.s < high ? high : next_after(high, end);
           if (!before) {
@@ -130,15 +130,15 @@ class EventWalk {
     return exact::exact_value(std::ceil(at * std::exp(width) / unit) * unit);
   }
 
-  /// Asks whether to go on, s being reached.
-  void ask(double s) {
-    share_ = std::max(share_, std::clamp((std::log(s) - low_) / (end_ - low_), 0.0, 1.0));
-    poll_(share_);
+  /// Queries whether to go on, s being reached.
+  void query(double s) {
+    fraction_ = std::max(fraction_, std::clamp((std::log(s) - low_) / (end_ - low_), 0.0, 1.0));
+    poll_(fraction_);
   }
 
   std::vector<EventValue> values_between(const BigRational& low, const BigRational& high) {
-    ask(exact::round_to_double(low));
-    const auto again = [this] { poll_(share_); };
+    query(exact::round_to_double(low));
+    const auto again = [this] { poll_(fraction_); };
     const std::unique_ptr<Window> window = probe_.windows.between(low, high, true, again);
     std::vector<EventValue> values = events_of(*window, lines_.forms(), low, high, again);
     std::erase_if(values, [&](const EventValue& e) {
@@ -161,7 +161,7 @@ class EventWalk {
   }
 
   Result<Snapshot> look(const BigRational& s) {
-    ask(exact::round_to_double(s));
+    query(exact::round_to_double(s));
     const Result<Scale> scale = Scale::of(exact::to_rational(s));
     if (!scale) return scale.error();
     const Result<FrameChanges> moved = probe_.move_to(*scale, *scale);
@@ -172,7 +172,8 @@ class EventWalk {
   ScalingState& probe_;
   LineHashes lines_;
   Poll poll_;
-  double low_ = 0, end_ = 1, share_ = 0;  ///< logarithms of the first and the last scale; the share that was told last
+  double low_ = 0, end_ = 1,
+         fraction_ = 0;  ///< logarithms of the first and the last scale; the fraction that was told last
 };
 
 MovingOptions probe_options(MovingOptions options) {

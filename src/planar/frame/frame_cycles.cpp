@@ -1,23 +1,23 @@
-// Walking cycles: stretches of cycles that are gone are copied where no list on them changed, the rest goes step by
+// Walking cycles: runs of cycles that are gone are copied where no list on them changed, the rest goes step by
 // step.
 #include "planar/frame/frame_loops.h"
 
 namespace dymsum::planar {
 
-// Makes the stretches of a loop that is gone known by their first sub-edges; and what lies between them by piece and by
-// vertex. Where the successor map is one-to-one a walk enters a stretch at its head only; in nodes several rays may go
+// Makes the runs of a loop that is gone known by their first sub-edges; and what lies between them by piece and by
+// vertex. Where the successor map is one-to-one a walk enters a run at its head only; in nodes several rays may go
 // on in one.
-void FrameLoops::take_apart(std::uint32_t number) {
-  const FrameLoop& loop = gone_[number];
+void FrameLoops::take_apart(std::uint32_t index) {
+  const FrameLoop& loop = gone_[index];
   const bool owned = loop.kept, all = owned && !lists_.window().nodes.empty();
   const auto n = static_cast<std::uint32_t>(loop.steps.size());
   const LoopStep* const steps = loop.steps.data();
   const auto own = [&](std::uint32_t k) {
-    if (steps[k].vertex != kNone) vertex_owners_[steps[k].vertex] = {walk_, number, k};
+    if (steps[k].vertex != kNone) vertex_owners_[steps[k].vertex] = {walk_, index, k};
   };
   for (std::uint32_t k = 0; k < n;) {
     if (lists_.has_changed(steps[k].piece)) {
-      if (Owner& owner = owners_[steps[k].piece]; owner.walk != walk_) owner = {walk_, number, k};
+      if (Owner& owner = owners_[steps[k].piece]; owner.walk != walk_) owner = {walk_, index, k};
       if (owned) own(k);
       ++k;
       continue;
@@ -25,8 +25,8 @@ void FrameLoops::take_apart(std::uint32_t number) {
     const std::uint32_t begin = k;
     for (; k < n && !lists_.has_changed(steps[k].piece); ++k)
       if (all) own(k);
-    heads_[steps[begin].edge] = {walk_, static_cast<std::uint32_t>(stretches_.size())};
-    stretches_.push_back({number, begin, k});
+    heads_[steps[begin].edge] = {walk_, static_cast<std::uint32_t>(kept_runs_.size())};
+    kept_runs_.push_back({index, begin, k});
   }
 }
 
@@ -60,10 +60,10 @@ bool FrameLoops::follow(Step start) {
   do {
     const Head head = heads_[edge];
     if (head.walk == walk_) {
-      const Stretch& stretch = stretches_[head.stretch];
-      if (!enter(stretch)) return false;
-      trail_.push_back({at, head.stretch});
-      at = lists_.successor(step_of(gone_[stretch.loop].steps[stretch.end - 1]));
+      const KeptRun& kept_run = kept_runs_[head.kept_run];
+      if (!enter(kept_run)) return false;
+      trail_.push_back({at, head.kept_run});
+      at = lists_.successor(step_of(gone_[kept_run.loop].steps[kept_run.end - 1]));
     } else {
       seen_[edge] = walk_;
       trail_.push_back({at, kNone});
@@ -76,9 +76,9 @@ bool FrameLoops::follow(Step start) {
 }
 
 // False where another walk has been before.
-bool FrameLoops::enter(const Stretch& stretch) {
-  const std::vector<LoopStep>& steps = gone_[stretch.loop].steps;
-  for (std::uint32_t k = stretch.begin; k < stretch.end; ++k) {
+bool FrameLoops::enter(const KeptRun& kept_run) {
+  const std::vector<LoopStep>& steps = gone_[kept_run.loop].steps;
+  for (std::uint32_t k = kept_run.begin; k < kept_run.end; ++k) {
     if (seen_[steps[k].edge] >= walk_) return false;
     seen_[steps[k].edge] = walk_;
   }
@@ -95,27 +95,28 @@ FrameLoop FrameLoops::walked_loop() {
   }
   loop.first_run = static_cast<std::uint32_t>(runs_.size());
   for (std::size_t k = 0; k < trail_.size(); ++k) {
-    if (trail_[k].stretch != kNone) add_stretch(stretches_[trail_[k].stretch], loop);
+    if (trail_[k].kept_run != kNone) add_kept_run(kept_runs_[trail_[k].kept_run], loop);
     else add_step(trail_[k].at, trail_[k + 1 < trail_.size() ? k + 1 : 0].at, loop);
   }
   loop.last_run = static_cast<std::uint32_t>(runs_.size());
   return loop;
 }
 
-void FrameLoops::add_stretch(const Stretch& stretch, FrameLoop& loop) {
-  const std::vector<LoopStep>& from = gone_[stretch.loop].steps;
+void FrameLoops::add_kept_run(const KeptRun& kept_run, FrameLoop& loop) {
+  const std::vector<LoopStep>& from = gone_[kept_run.loop].steps;
   std::uint32_t corners = 0;
-  for (std::uint32_t k = stretch.begin; k < stretch.end; ++k) {
+  for (std::uint32_t k = kept_run.begin; k < kept_run.end; ++k) {
     corners += from[k].vertex != kNone;
     loop.turning += from[k].turn;
   }
-  runs_.push_back({static_cast<std::uint32_t>(loop.steps.size()), stretch.end - stretch.begin, corners, stretch.loop});
+  runs_.push_back(
+      {static_cast<std::uint32_t>(loop.steps.size()), kept_run.end - kept_run.begin, corners, kept_run.loop});
   loop.corners += corners;
-  copied_ += stretch.end - stretch.begin;
-  loop.steps.insert(loop.steps.end(), from.begin() + stretch.begin, from.begin() + stretch.end);
+  copied_ += kept_run.end - kept_run.begin;
+  loop.steps.insert(loop.steps.end(), from.begin() + kept_run.begin, from.begin() + kept_run.end);
 }
 
-// A sub-edge and what comes behind it.
+// A sub-edge and what comes after it.
 void FrameLoops::add_step(Step at, Step next, FrameLoop& loop) {
   LoopStep s;
   s.piece = at.piece;
@@ -131,8 +132,8 @@ void FrameLoops::add_step(Step at, Step next, FrameLoop& loop) {
                    : lists_.next_turn(at.piece);
     if (turn != 0) s.vertex = at_node ? node_vertex(at, next.piece) : made(end_vertex_[at.piece], at, next.piece);
   } else {
-    // The two sides of a crossing tell which arrives and which leaves: a candidate has one vertex, and so has a piece's
-    // own end.
+    // The two sides of a crossing determine which arrives and which leaves: a candidate has one vertex, and so has a
+    // piece's own end.
     s.vertex = made(crossing_vertex_[s.to], at, next.piece);
   }
   const int half = lists_.half(at.piece);
@@ -142,13 +143,13 @@ void FrameLoops::add_step(Step at, Step next, FrameLoop& loop) {
   loop.steps.push_back(s);
 }
 
-// The vertex behind a step, made when it is first met in the window.
+// The vertex after a step, made when it is first met in the window.
 std::uint32_t FrameLoops::made(std::uint32_t& vertex, Step at, std::uint32_t next_piece) {
   if (vertex != kNone) return vertex;
   const Window& window = lists_.window();
   vertex = static_cast<std::uint32_t>(vertices_.size());
-  const LoopPlaces::MovingVertex v =
-      places_.vertex_after(at, window.pieces[at.piece].segment, window.pieces[next_piece].segment);
+  const LoopPositions::MovingVertex v =
+      positions_.vertex_after(at, window.pieces[at.piece].segment, window.pieces[next_piece].segment);
   vertices_.push_back(v.vertex);
   points_.push_back(v.point);
   vertex_owners_.push_back({});

@@ -52,7 +52,7 @@ void FrameLoops::begin() {
   gone_.clear();
   look_.clear();
   runs_.clear();
-  stretches_.clear();
+  kept_runs_.clear();
   ++walk_;
 }
 
@@ -115,7 +115,7 @@ void FrameLoops::carry_over(double tau, FrameWork& work) {
 // What is new inherits its status from any sub-edge that it shares with an old loop, if nothing came between; and its
 // witness anyway.
 FrameLoops::Look FrameLoops::inherit(FrameLoop& loop, double tau) const {
-  const auto shares = [&](const LoopStep& s, const FrameLoop& old) {
+  const auto fractions = [&](const LoopStep& s, const FrameLoop& old) {
     if (!loop.witness) loop.witness = old.witness;
     if (!undisturbed(s, tau)) return false;
     loop.kept = old.kept;
@@ -123,12 +123,12 @@ FrameLoops::Look FrameLoops::inherit(FrameLoop& loop, double tau) const {
   };
   for (std::uint32_t r = loop.first_run; r < loop.last_run; ++r)
     for (std::uint32_t k = 0; k < runs_[r].count; ++k)
-      if (shares(loop.steps[runs_[r].at + k], gone_[runs_[r].loop])) return Look::known;
+      if (fractions(loop.steps[runs_[r].at + k], gone_[runs_[r].loop])) return Look::known;
   for (const LoopStep& s : loop.steps) {
     const Owner& owner = owners_[s.piece];
     if (owner.walk != walk_) continue;
     const LoopStep& old = gone_[owner.loop].steps[owner.step];
-    if (old.from == s.from && old.to == s.to && shares(s, gone_[owner.loop])) return Look::known;
+    if (old.from == s.from && old.to == s.to && fractions(s, gone_[owner.loop])) return Look::known;
   }
   return Look::test;
 }
@@ -139,18 +139,18 @@ void FrameLoops::name_rings() {
   for (FrameLoop& loop : loops_) {
     if (!loop.kept || !loop.fresh) continue;
     claims_.begin(loop);
-    const auto shares = [&](std::uint32_t old, std::uint32_t vertices) {
-      if (gone_[old].kept) claims_.shares(old, gone_[old], vertices);
+    const auto fractions = [&](std::uint32_t old, std::uint32_t vertices) {
+      if (gone_[old].kept) claims_.fractions(old, gone_[old], vertices);
     };
     std::uint32_t r = loop.first_run;
     for (std::uint32_t k = 0; k < loop.steps.size();) {
       if (r < loop.last_run && runs_[r].at == k) {
-        if (runs_[r].corners > 0) shares(runs_[r].loop, runs_[r].corners);
+        if (runs_[r].corners > 0) fractions(runs_[r].loop, runs_[r].corners);
         k += runs_[r++].count;
         continue;
       }
       const std::uint32_t v = loop.steps[k++].vertex;
-      if (v != kNone && vertex_owners_[v].walk == walk_) shares(vertex_owners_[v].loop, 1);
+      if (v != kNone && vertex_owners_[v].walk == walk_) fractions(vertex_owners_[v].loop, 1);
     }
   }
   for (std::size_t g = 0; g < gone_.size(); ++g)
@@ -161,7 +161,7 @@ void FrameLoops::name_rings() {
 // then moved continuously without meeting another segment, so what lies on its right is inside or outside the sum as it
 // was (docs/design/scaling-sum.md).
 bool FrameLoops::undisturbed(const LoopStep& edge, double tau) const {
-  // What was not looked at is certain over an interval with both frames inside.
+  // What was not looked at is proved over an interval with both frames inside.
   if (!lists_.touched(edge.piece)) return true;
   const Window& window = lists_.window();
   const double low = std::min(tau, last_tau_), high = std::max(tau, last_tau_);
@@ -174,8 +174,8 @@ bool FrameLoops::undisturbed(const LoopStep& edge, double tau) const {
     const auto stays = [&](const auto& c) { return c.in_low < low && c.in_high > high; };
     if (id & kTouchBit ? !stays(window.touches[id & ~kTouchBit]) : !stays(window.candidates[id])) return false;
   }
-  const PieceLists::Line from = end(edge.from, {0, 0}), to = end(edge.to, window.end_place(piece));
-  const double margin = from.error + to.error + piece.tail_error + kShareGap * std::max(1.0, high);
+  const PieceLists::Line from = end(edge.from, {0, 0}), to = end(edge.to, window.end_position(piece));
+  const double margin = from.error + to.error + piece.tail_error + kFractionGap * std::max(1.0, high);
   for (const double x : {low, high})
     if (!(to.t.at(x) - from.t.at(x) > margin)) return false;
   // Whether everything else on the piece stays clear of the sub-edge while it is there.
@@ -185,7 +185,7 @@ bool FrameLoops::undisturbed(const LoopStep& edge, double tau) const {
 void FrameLoops::verify(double tau, ExactFrame& frame, FrameWork& work) {
   const auto for_each_end = [&](std::size_t i, auto&& f) {
     for (const LoopStep& s : loops_[i].steps) {
-      const MovingPoint v = places_.vertex_after(step_of(s), 0, 0).point;
+      const MovingPoint v = positions_.vertex_after(step_of(s), 0, 0).point;
       f(v.x.at(tau), v.error);
     }
   };

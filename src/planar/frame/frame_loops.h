@@ -17,12 +17,12 @@ struct FrameLoop : LoopStatus {
   std::vector<std::uint32_t> vertices;        ///< theirs, of a kept one that has been written
   bool fresh = true;                          ///< walked anew in this frame
   bool counted = false;                       ///< among the visits of the nodes that it passes
-  std::uint32_t first_run = 0, last_run = 0;  ///< of a fresh one: its stretches, valid during the update
+  std::uint32_t first_run = 0, last_run = 0;  ///< of a fresh one: its runs, valid during the update
 };
 
 class FrameLoops {
  public:
-  explicit FrameLoops(PieceLists& lists) : lists_(lists), places_(lists), cover_(lists), nodes_(lists, cover_) {}
+  explicit FrameLoops(PieceLists& lists) : lists_(lists), positions_(lists), cover_(lists), nodes_(lists, cover_) {}
 
   /// After a repair without degeneracies. `whole`: nothing is known about earlier loops. False when the boundary passes
   /// a node twice or a node may be tight: then this frame is one for the vertex routine, and nothing is known
@@ -54,7 +54,7 @@ class FrameLoops {
   Step step_of(const LoopStep& s) const { return {s.piece, s.edge - lists_.first_sub(s.piece)}; }
 
   // frame_cycles.cpp
-  void take_apart(std::uint32_t number);
+  void take_apart(std::uint32_t index);
   void trace_new(FrameWork& work);
   void trace(Step start, FrameWork& work);
   bool follow(Step start);
@@ -64,7 +64,7 @@ class FrameLoops {
   std::uint32_t node_vertex(Step at, std::uint32_t next_piece);
 
   PieceLists& lists_;
-  LoopPlaces places_;
+  LoopPositions positions_;
   LoopCover cover_;
   LoopNodes nodes_;
   std::vector<FrameLoop> loops_;
@@ -82,16 +82,16 @@ class FrameLoops {
   std::vector<Owner> owners_;         ///< changed piece -> the first sub-edge on it of a loop that is gone
   std::vector<Owner> vertex_owners_;  ///< vertex -> the kept loop that is gone and had it
   /// Steps of a loop that is gone whose pieces did not change: walks copy them.
-  struct Stretch {
+  struct KeptRun {
     std::uint32_t loop, begin, end;
   };
-  std::vector<Stretch> stretches_;
-  bool enter(const Stretch& stretch);
-  void add_stretch(const Stretch& stretch, FrameLoop& loop);
+  std::vector<KeptRun> kept_runs_;
+  bool enter(const KeptRun& kept_run);
+  void add_kept_run(const KeptRun& kept_run, FrameLoop& loop);
   struct Head {
-    std::uint32_t walk = 0, stretch = 0;
+    std::uint32_t walk = 0, kept_run = 0;
   };
-  std::vector<Head> heads_;  ///< sub-edge -> the stretch that starts with it
+  std::vector<Head> heads_;  ///< sub-edge -> the run that starts with it
   struct Run {
     std::uint32_t at, count, corners, loop;  ///< steps of a new loop, copied from one that is gone
   };
@@ -110,7 +110,7 @@ class FrameLoops {
   double last_tau_ = 0;  ///< of the last update
   struct Trail {
     Step at;
-    std::uint32_t stretch;  ///< that starts there, or kNone: a single sub-edge
+    std::uint32_t kept_run;  ///< that starts there, or kNone: a single sub-edge
   };
   std::vector<Trail> trail_;                  ///< of the current walk
   std::vector<std::vector<LoopStep>> spare_;  ///< storage of loops that are gone

@@ -37,16 +37,16 @@ std::uint64_t key(const SumVertex& v) {
 
 std::vector<std::size_t> place_rings(std::vector<SumRing> rings, const std::vector<std::uint8_t>& outer,
                                      PlanarSum& sum) {
-  std::vector<std::size_t> numbers;
+  std::vector<std::size_t> indices;
   if (std::count(outer.begin(), outer.end(), std::uint8_t{1}) != 1) {
     // Several parts: the rings go through the grouping of the static engine, and are recognised by their first
     // vertices.
-    std::unordered_map<std::uint64_t, std::size_t> number_at;
-    for (std::size_t i = 0; i < rings.size(); ++i) number_at[key(rings[i].vertices[0])] = i;
+    std::unordered_map<std::uint64_t, std::size_t> index_at;
+    for (std::size_t i = 0; i < rings.size(); ++i) index_at[key(rings[i].vertices[0])] = i;
     sum.parts = group_rings(std::move(rings), outer, *exact_source(sum), sum.at_error);
     canonicalize(sum.parts, *exact_source(sum), sum.at_error);
-    for (const SumRing* ring : rings_of(sum)) numbers.push_back(number_at.at(key(ring->vertices[0])));
-    return numbers;
+    for (const SumRing* ring : rings_of(sum)) indices.push_back(index_at.at(key(ring->vertices[0])));
+    return indices;
   }
   SumPart part;
   std::vector<std::size_t> holes;
@@ -56,7 +56,7 @@ std::vector<std::size_t> place_rings(std::vector<SumRing> rings, const std::vect
       continue;
     }
     part.outer = std::move(rings[i]);
-    numbers.push_back(i);
+    indices.push_back(i);
   }
   // Rings share no vertices where nothing touches, so their first vertices order them.
   const VertexOrder order(*exact_source(sum), sum.at_error);
@@ -65,10 +65,10 @@ std::vector<std::size_t> place_rings(std::vector<SumRing> rings, const std::vect
   });
   for (const std::size_t i : holes) {
     part.holes.push_back(std::move(rings[i]));
-    numbers.push_back(i);
+    indices.push_back(i);
   }
   sum.parts.push_back(std::move(part));
-  return numbers;
+  return indices;
 }
 
 namespace {
@@ -126,7 +126,7 @@ void RingIdentities::follow(std::span<LoopStatus* const> kept, bool stays, Frame
 }
 
 std::vector<std::uint64_t> RingIdentities::match(const PlanarSum& from, const std::vector<std::uint64_t>& known,
-                                                 const PlanarSum& to, bool same_place, FrameChanges& changes) {
+                                                 const PlanarSum& to, bool same_position, FrameChanges& changes) {
   const std::vector<const SumRing*> before = rings_of(from), after = rings_of(to);
   std::vector<std::uint64_t> ids(after.size(), 0);
   std::vector<std::uint8_t> taken(before.size(), 0);
@@ -148,7 +148,7 @@ std::vector<std::uint64_t> RingIdentities::match(const PlanarSum& from, const st
       loop.vertices_before = static_cast<std::uint32_t>(before[ring]->vertices.size());
       loop.vertices_shared = std::min({shared, loop.corners, loop.vertices_before});
     }
-    follow(loop, same_place, changes);
+    follow(loop, same_position, changes);
     ids[i] = loop.ring;
   }
   for (std::size_t i = 0; i < before.size(); ++i)

@@ -36,12 +36,12 @@ struct LoopStatus {
 
 /// A connected sum has exactly one counter-clockwise true loop, the one that reaches farthest left: its index, or the
 /// number of loops. told(i): the status of loop i is known. for_each_end(i, f) calls f(x, error) for its vertices.
-template <class Loop, class Told, class ForEachEnd>
-std::size_t outer_loop(const std::vector<Loop>& loops, const Told& told, const ForEachEnd& for_each_end) {
+template <class Loop, class Decided, class ForEachEnd>
+std::size_t outer_loop(const std::vector<Loop>& loops, const Decided& decided, const ForEachEnd& for_each_end) {
   std::size_t count = 0, last = 0;
   for (std::size_t i = 0; i < loops.size(); ++i) {
     if (loops[i].turning <= 0) continue;
-    if (told(i) && loops[i].kept) return i;
+    if (decided(i) && loops[i].kept) return i;
     ++count;
     last = i;
   }
@@ -52,12 +52,12 @@ std::size_t outer_loop(const std::vector<Loop>& loops, const Told& told, const F
 
 /// Decides which loops bound the sum among those that are not told. covered(loop): the face right of it lies in the
 /// sum.
-template <class Loop, class Told, class ForEachEnd, class Covered>
-void decide_loops(std::vector<Loop>& loops, bool connected, const Told& told, const ForEachEnd& for_each_end,
+template <class Loop, class Decided, class ForEachEnd, class Covered>
+void decide_loops(std::vector<Loop>& loops, bool connected, const Decided& decided, const ForEachEnd& for_each_end,
                   const Covered& covered) {
-  const std::size_t outer = connected ? outer_loop(loops, told, for_each_end) : loops.size();
+  const std::size_t outer = connected ? outer_loop(loops, decided, for_each_end) : loops.size();
   for (std::size_t i = 0; i < loops.size(); ++i) {
-    if (told(i)) continue;
+    if (decided(i)) continue;
     if (i == outer) loops[i].kept = true;
     else if (outer != loops.size() && loops[i].turning > 0) loops[i].kept = false;
     else loops[i].kept = !covered(loops[i]);
@@ -79,7 +79,7 @@ struct WrittenRing {
   double error = 0;
 };
 /// A loop's vertices as a ring from the smallest one on, which the one at `start` often is. put(item, vertex) makes an
-/// item a vertex of the sum and returns the error of its position. Requires: no two vertices at one place.
+/// item a vertex of the sum and returns the error of its position. Requires: no two vertices at one position.
 template <class Put>
 WrittenRing write_ring(std::span<const std::uint32_t> items, std::size_t start, const VertexOrder& order,
                        const Put& put, SumRing& ring) {
@@ -90,7 +90,7 @@ WrittenRing write_ring(std::span<const std::uint32_t> items, std::size_t start, 
   const auto put_all = [&](std::size_t begin, std::size_t end) {
     for (std::size_t i = begin; i < end; ++i, ++to) {
       written.error = std::max(written.error, put(items[i], *to));
-      if (to != first && (order.certainly_right(*to, *least) || order.compare(*to, *least) >= 0)) continue;
+      if (to != first && (order.provably_right(*to, *least) || order.compare(*to, *least) >= 0)) continue;
       least = to;
       written.leader = items[i];
     }
@@ -115,7 +115,7 @@ class RingIdentities {
   /// Of the rings of `after`, from those of `before` whose identities are given: each takes that of the first ring with
   /// which it shares a vertex, unless it is taken. Lists what changed, not sorted.
   std::vector<std::uint64_t> match(const PlanarSum& before, const std::vector<std::uint64_t>& ids,
-                                   const PlanarSum& after, bool same_place, FrameChanges& changes);
+                                   const PlanarSum& after, bool same_position, FrameChanges& changes);
 
  private:
   void follow(LoopStatus& loop, bool stays, FrameChanges& changes);
@@ -132,7 +132,7 @@ class RingClaims {
   }
   /// The loop has vertices of a kept one of the frame before: it takes the identity of the first such one, unless
   /// another loop has it.
-  void shares(std::uint32_t old, const LoopStatus& before, std::uint32_t vertices) {
+  void fractions(std::uint32_t old, const LoopStatus& before, std::uint32_t vertices) {
     if (from_ == 0xffffffff && !claimed_[old] && before.ring != 0) {
       from_ = old;
       claimed_[old] = 1;
@@ -149,7 +149,7 @@ class RingClaims {
   std::uint32_t from_ = 0xffffffff;
 };
 
-/// Sorts the changed rings and tells what else differs.
+/// Sorts the changed rings and reports what else differs.
 void finish_changes(const PlanarSum& before, const PlanarSum& after, FrameChanges& changes);
 
 }  // namespace dymsum::planar

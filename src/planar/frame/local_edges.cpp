@@ -45,7 +45,7 @@ class LocalPatches {
       for (std::uint32_t n = 0; n < nodes_.node_count(); ++n)
         if (nodes_.node(n).known && !at_[n].empty()) look_around(n);
     spread();
-    ask_patches();
+    query_patches();
     return collect();
   }
 
@@ -56,7 +56,7 @@ class LocalPatches {
   bool turns_before(const Ray& a, const Ray& b) const;
   int half(const Ray& r) const;
   void spread();
-  void ask_patches();
+  void query_patches();
   bool inside_at(std::uint32_t n) const;
   bool inside_halfway(const LocalPiece& p) const;
   bool touches_box(const LocalPiece& p) const { return nodes_.node(p.low).in_box || nodes_.node(p.high).in_box; }
@@ -174,23 +174,23 @@ bool LocalPatches::inside_halfway(const LocalPiece& p) const {
                                          [&] { return halfway(nodes_.exact(p.low), nodes_.exact(p.high)); }});
 }
 
-void LocalPatches::ask_patches() {
-  std::vector<std::uint32_t> asked(pieces_.size(), kNone);  // by patch: the piece that is asked about
+void LocalPatches::query_patches() {
+  std::vector<std::uint32_t> queried(pieces_.size(), kNone);  // by patch: the piece that is queried
   const auto within = [&](const LocalPiece& p) { return nodes_.node(p.low).in_box && nodes_.node(p.high).in_box; };
   const auto order = [&](std::uint32_t k) { return within(pieces_[k]) ? 0 : touches_box(pieces_[k]) ? 1 : 2; };
   for (std::uint32_t k = 0; k < pieces_.size(); ++k) {
-    std::uint32_t& best = asked[links_.root(k)];
+    std::uint32_t& best = queried[links_.root(k)];
     if (best == kNone || order(k) < order(best)) best = k;
   }
   for (std::uint32_t root = 0; root < pieces_.size(); ++root) {
-    const std::uint32_t k = asked[root];
+    const std::uint32_t k = queried[root];
     if (k == kNone || covered_[k] != 0 || !touches_box(pieces_[k])) continue;
     covered_[root] = inside_halfway(pieces_[k]) ? 1 : 0;
   }
   for (std::uint32_t k = 0; k < pieces_.size(); ++k) covered_[k] = covered_[links_.root(k)];
 }
 
-/// Nothing there bounds the sum. Where one segment ends alone, where two meet and no more, or cross, the place is
+/// Nothing there bounds the sum. Where one segment ends alone, where two meet and no more, or cross, the position is
 /// covered with what is around it.
 bool LocalPatches::may_be_tight(std::uint32_t n) const {
   if (!nodes_.node(n).in_box || at_[n].empty()) return false;

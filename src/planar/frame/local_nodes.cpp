@@ -20,7 +20,7 @@ constexpr double kTwice = 0x1p-50;
 double pair_cross_off(const PairPoint& a, const PairPoint& b) {
   return 8 * kPairGap * (std::abs(a.x.high) + std::abs(a.y.high) + std::abs(b.x.high) + std::abs(b.y.high) + kPairGap);
 }
-int sure_cross(const PairPoint& a, const PairPoint& b) {
+int proved_cross(const PairPoint& a, const PairPoint& b) {
   const double value = planar::cross(a, b).value(), off = pair_cross_off(a, b);
   return value > off ? 1 : value < -off ? -1 : 0;
 }
@@ -45,7 +45,7 @@ LocalNodes::LocalNodes(const PosedRegions& posed, const LocalWalls& walls, base:
   find_meetings();
   for (std::uint32_t s = 0; s < segments_.size(); ++s) add_walls(s);
   exact_.resize(nodes_.size());
-  pair_places_.resize(nodes_.size());
+  pair_positions_.resize(nodes_.size());
   merge_same();
   for (std::uint32_t n = 0; n < nodes_.size(); ++n) place_in_boxes(nodes_[n], n);
   for (std::uint32_t s = 0; s < segments_.size(); ++s) sort_along(s);
@@ -83,20 +83,20 @@ int LocalNodes::direction(std::uint32_t s, int axis) const {
 }
 
 int LocalNodes::cross(std::uint32_t s, std::uint32_t t) const {
-  if (const int sure = sure_cross(ends_[s].d(), ends_[t].d(), 2 * kEndOff)) return sure;
+  if (const int proved = proved_cross(ends_[s].d(), ends_[t].d(), 2 * kEndOff)) return proved;
   const PairEnds &a = pair_ends(s), &b = pair_ends(t);
-  if (const int sure = sure_cross(a[1] - a[0], b[1] - b[0])) return sure;
+  if (const int proved = proved_cross(a[1] - a[0], b[1] - b[0])) return proved;
   return sign(planar::cross(exact_direction(s), exact_direction(t)));
 }
 
 /// The side of the line of s on which an end of t lies: 1 is its left.
 int LocalNodes::side(std::uint32_t s, std::uint32_t t, int end) const {
   const Point v = end == 0 ? ends_[t].a : ends_[t].b;
-  if (const int sure = sure_cross(ends_[s].d(), less(v, ends_[s].a), 2 * kEndOff)) return sure;
+  if (const int proved = proved_cross(ends_[s].d(), less(v, ends_[s].a), 2 * kEndOff)) return proved;
   const Pair name = end_name(t, static_cast<std::uint32_t>(end));
   if (name == end_name(s, 0) || name == end_name(s, 1)) return 0;
   const PairEnds& a = pair_ends(s);
-  if (const int sure = sure_cross(a[1] - a[0], pair_ends(t)[static_cast<std::size_t>(end)] - a[0])) return sure;
+  if (const int proved = proved_cross(a[1] - a[0], pair_ends(t)[static_cast<std::size_t>(end)] - a[0])) return proved;
   return sign(planar::cross(exact_direction(s), exact_end(t, end) - exact_end(s, 0)));
 }
 
@@ -155,8 +155,8 @@ void LocalNodes::add_crossing(std::uint32_t s, std::uint32_t t) {
   LocalNode node{LocalNode::Kind::crossing, 0, 0, 0, s, t};
   const double area_off = 4 * kEndOff * (std::abs(d.x) + std::abs(d.y) + std::abs(e.x) + std::abs(e.y));
   if (std::abs(area) > kSteep * sizes && std::abs(area) > 16 * area_off) {
-    const double share = std::clamp((gap.x * e.y - gap.y * e.x) / area, 0.0, 1.0);
-    node.x = ends_[s].a.x + share * d.x, node.y = ends_[s].a.y + share * d.y;
+    const double fraction = std::clamp((gap.x * e.y - gap.y * e.x) / area, 0.0, 1.0);
+    node.x = ends_[s].a.x + fraction * d.x, node.y = ends_[s].a.y + fraction * d.y;
     node.off = 8 * kEndOff * sizes / std::abs(area);
     const ScaledBox reach = walls_.reach();
     if (node.x + node.off < reach.x0 || node.x - node.off > reach.x1 || node.y + node.off < reach.y0 ||
@@ -173,7 +173,7 @@ void LocalNodes::add_crossing(std::uint32_t s, std::uint32_t t) {
 /// From pairs of doubles, or from integers.
 void LocalNodes::place_finely(LocalNode& node) const {
   node.off = kEndOff;
-  if (const PairPlace fine = make_pair_place(node); fine.off < kEndOff / 2) {
+  if (const PairPosition fine = make_pair_position(node); fine.off < kEndOff / 2) {
     const auto [x, y] = posed_.scaled(fine.at);
     node.x = x, node.y = y;
     return;
@@ -202,7 +202,7 @@ void LocalNodes::add_walls(std::uint32_t s) {
   }
 }
 
-BigPlace LocalNodes::make_exact(const LocalNode& node) const {
+BigPosition LocalNodes::make_exact(const LocalNode& node) const {
   const BigPoint a = exact_end(node.a, 0), d = exact_direction(node.a);
   if (node.kind == LocalNode::Kind::end) {
     const BigPoint at = exact_end(node.a, static_cast<int>(node.b));
@@ -221,12 +221,12 @@ BigPlace LocalNodes::make_exact(const LocalNode& node) const {
   return {a.x * w + d.x * n, a.y * w + d.y * n, w};
 }
 
-const BigPlace& LocalNodes::exact(std::uint32_t n) const {
+const BigPosition& LocalNodes::exact(std::uint32_t n) const {
   if (!exact_[n]) exact_[n] = make_exact(nodes_[n]);
   return *exact_[n];
 }
 
-LocalNodes::PairShare LocalNodes::pair_share(const LocalNode& node) const {
+LocalNodes::PairFraction LocalNodes::pair_fraction(const LocalNode& node) const {
   const PairEnds& ends = pair_ends(node.a);
   const PairPoint d = ends[1] - ends[0];
   if (node.kind == LocalNode::Kind::wall) {
@@ -240,26 +240,26 @@ LocalNodes::PairShare LocalNodes::pair_share(const LocalNode& node) const {
 }
 
 // Ends are off by 2 kPairOff, as sums. A share n / w of at most 1 is off by what n and w are, over w, and by roundings.
-LocalNodes::PairPlace LocalNodes::make_pair_place(const LocalNode& node) const {
+LocalNodes::PairPosition LocalNodes::make_pair_position(const LocalNode& node) const {
   const PairEnds& ends = pair_ends(node.a);
   if (node.kind == LocalNode::Kind::end) return {ends[node.b], 2 * PosedRegions::kPairOff};
   const PairPoint d = ends[1] - ends[0];
-  const auto [n, w, off] = pair_share(node);
+  const auto [n, w, off] = pair_fraction(node);
   if (!(std::abs(w.high) > 4 * off)) return {ends[0], INFINITY};
-  const base::DoublePair share = n / w;
+  const base::DoublePair fraction = n / w;
   const double size = std::abs(d.x.high) + std::abs(d.y.high);
-  return {{ends[0].x + d.x * share, ends[0].y + d.y * share}, 4 * off / std::abs(w.high) * size + 4 * kPairGap};
+  return {{ends[0].x + d.x * fraction, ends[0].y + d.y * fraction}, 4 * off / std::abs(w.high) * size + 4 * kPairGap};
 }
 
-const LocalNodes::PairPlace& LocalNodes::pair_place(std::uint32_t n) const {
-  std::optional<PairPlace>& kept = pair_places_[n];
-  if (!kept) kept = make_pair_place(nodes_[n]);
+const LocalNodes::PairPosition& LocalNodes::pair_position(std::uint32_t n) const {
+  std::optional<PairPosition>& kept = pair_positions_[n];
+  if (!kept) kept = make_pair_position(nodes_[n]);
   return *kept;
 }
 
-/// The sign of m less n along an axis, 0 where pairs of doubles do not tell.
+/// The sign of m less n along an axis, 0 where pairs of doubles do not decide.
 int LocalNodes::pair_order(std::uint32_t m, std::uint32_t n, int axis) const {
-  const PairPlace &a = pair_place(m), &b = pair_place(n);
+  const PairPosition &a = pair_position(m), &b = pair_position(n);
   const double gap = (axis == 0 ? a.at.x - b.at.x : a.at.y - b.at.y).value(), off = (a.off + b.off) * (1 + 0x1p-40);
   return gap > off ? 1 : gap < -off ? -1 : 0;
 }
@@ -279,35 +279,35 @@ std::vector<std::uint32_t> LocalNodes::first_of_same_name() const {
   return same;
 }
 
-// The place of a crossing or wall node is a + (n / w) d along its segment, so beside the line of u, which starts at c
-// with direction e, it is (e x (a - c) + (n / w) (e x d)) / |e|. Of lines that are parallel but for a rounding all four
-// numbers are small and known to many digits, where the place itself is not.
-bool LocalNodes::surely_beside(const LocalNode& node, std::uint32_t u) const {
+// The position of a crossing or wall node is a + (n / w) d along its segment, so beside the line of u, which starts at
+// c with direction e, it is (e x (a - c) + (n / w) (e x d)) / |e|. Of lines that are parallel but for a rounding all
+// four numbers are small and known to many digits, where the place itself is not.
+bool LocalNodes::provably_beside(const LocalNode& node, std::uint32_t u) const {
   if (node.a == u || (node.kind == LocalNode::Kind::crossing && node.b == u)) return false;
   const PairEnds &at = pair_ends(node.a), &line = pair_ends(u);
   const PairPoint d = at[1] - at[0], e = line[1] - line[0];
-  if (node.kind == LocalNode::Kind::end) return sure_cross(e, at[node.b] - line[0]) != 0;
-  const PairShare share = pair_share(node);
+  if (node.kind == LocalNode::Kind::end) return proved_cross(e, at[node.b] - line[0]) != 0;
+  const PairFraction fraction = pair_fraction(node);
   const PairPoint gap = at[0] - line[0];
-  const double g = planar::cross(e, gap).value(), k = planar::cross(e, d).value(), n = share.n.value(),
-               w = share.w.value();
+  const double g = planar::cross(e, gap).value(), k = planar::cross(e, d).value(), n = fraction.n.value(),
+               w = fraction.w.value();
   const double g_off = pair_cross_off(e, gap) + kTwice * std::abs(g),
-               k_off = pair_cross_off(e, d) + kTwice * std::abs(k), n_off = share.off + kTwice * std::abs(n),
-               w_off = share.off + kTwice * std::abs(w);
+               k_off = pair_cross_off(e, d) + kTwice * std::abs(k), n_off = fraction.off + kTwice * std::abs(n),
+               w_off = fraction.off + kTwice * std::abs(w);
   const double off = std::abs(g) * w_off + g_off * (std::abs(w) + w_off) + std::abs(n) * k_off +
                      n_off * (std::abs(k) + k_off) + kTwice * (std::abs(g * w) + std::abs(n * k));
   return std::abs(g * w + n * k) > 2 * off;
 }
 
 /// Whether one is provably beside a line that the other one is on.
-bool LocalNodes::surely_apart(std::uint32_t m, std::uint32_t n) const {
+bool LocalNodes::provably_apart(std::uint32_t m, std::uint32_t n) const {
   const auto off_lines = [&](const LocalNode& node, const LocalNode& of) {
-    return surely_beside(node, of.a) || (of.kind == LocalNode::Kind::crossing && surely_beside(node, of.b));
+    return provably_beside(node, of.a) || (of.kind == LocalNode::Kind::crossing && provably_beside(node, of.b));
   };
   return off_lines(nodes_[m], nodes_[n]) || off_lines(nodes_[n], nodes_[m]);
 }
 
-/// Those that neither names nor doubles nor pairs of these tell apart are compared exactly; each takes the number of
+/// Those that neither names nor doubles nor pairs of these distinguish are compared exactly; each takes the number of
 /// the first that is the same. Nodes outside of the larger box only end pieces that do not matter.
 class LocalNodes::Merging {
  public:
@@ -333,10 +333,10 @@ class LocalNodes::Merging {
   }
 
  private:
-  /// Places in pairs of doubles that are off by at most this are put into an order by themselves.
+  /// Positions in pairs of doubles that are off by at most this are put into an order by themselves.
   static constexpr double kFine = 0x1p-70;
   double x(std::uint32_t n) const { return nodes_.nodes_[n].x; }
-  bool fine(std::uint32_t n) const { return nodes_.pair_place(n).off <= kFine; }
+  bool fine(std::uint32_t n) const { return nodes_.pair_position(n).off <= kFine; }
   std::uint32_t first(std::uint32_t n) const {
     while (same_[n] != n) n = same_[n];
     return n;
@@ -346,7 +346,7 @@ class LocalNodes::Merging {
     const double off = a.off + b.off;
     return std::abs(b.x - a.x) <= off && std::abs(b.y - a.y) <= off;
   }
-  // Most have none that doubles do not tell apart from them.
+  // Most have none that doubles do not distinguish from them.
   void find_near_others() {
     near_.assign(all_.size(), 0);
     for (std::size_t i = 0; i < all_.size(); ++i)
@@ -357,7 +357,7 @@ class LocalNodes::Merging {
     std::vector<std::uint32_t> order;
     for (std::size_t i = 0; i < all_.size(); ++i)
       if (near_[i] != 0 && fine(all_[i])) order.push_back(all_[i]);
-    const auto at = [&](std::uint32_t n) -> const PairPoint& { return nodes_.pair_place(n).at; };
+    const auto at = [&](std::uint32_t n) -> const PairPoint& { return nodes_.pair_position(n).at; };
     std::sort(order.begin(), order.end(), [&](std::uint32_t m, std::uint32_t n) {
       const base::DoublePair &a = at(m).x, &b = at(n).x;
       return a.high != b.high ? a.high < b.high : a.low < b.low;
@@ -368,26 +368,26 @@ class LocalNodes::Merging {
         if (std::abs((at(order[j]).y - at(order[i]).y).value()) <= 4 * kFine) merge(order[i], order[j]);
       }
   }
-  // With all that doubles do not tell apart from it.
+  // With all that doubles do not distinguish from it.
   void merge_coarse(std::size_t i) {
     const std::uint32_t n = all_[i];
-    const auto ask = [&](std::uint32_t m) {
+    const auto query = [&](std::uint32_t m) {
       if (close(m, n)) merge(m, n);
     };
-    for (std::size_t j = i + 1; j < all_.size() && x(all_[j]) <= x(n) + 2 * widest_; ++j) ask(all_[j]);
+    for (std::size_t j = i + 1; j < all_.size() && x(all_[j]) <= x(n) + 2 * widest_; ++j) query(all_[j]);
     for (std::size_t j = i; j-- > 0 && x(all_[j]) >= x(n) - 2 * widest_;)
-      if (fine(all_[j])) ask(all_[j]);
+      if (fine(all_[j])) query(all_[j]);
   }
   void merge(std::uint32_t m, std::uint32_t n) {
     const std::uint32_t a = first(m), b = first(n);
-    if (a == b || nodes_.pair_order(m, n, 0) != 0 || nodes_.pair_order(m, n, 1) != 0 || nodes_.surely_apart(m, n) ||
-        !same_place(nodes_.exact(m), nodes_.exact(n)))
+    if (a == b || nodes_.pair_order(m, n, 0) != 0 || nodes_.pair_order(m, n, 1) != 0 || nodes_.provably_apart(m, n) ||
+        !same_position(nodes_.exact(m), nodes_.exact(n)))
       return;
     same_[std::max(a, b)] = std::min(a, b);
   }
 
   const LocalNodes& nodes_;
-  std::vector<std::uint32_t> same_, all_;  // by node; to be told apart, by their doubles
+  std::vector<std::uint32_t> same_, all_;  // by node; to be distinguished, by their doubles
   std::vector<std::uint8_t> near_;         // of all_: others are near
   double widest_ = 0;
 };

@@ -1,4 +1,4 @@
-// Segments near a box, and all places at which they end, meet, or pass a wall: doubles with bounds, exact on demand.
+// Segments near a box, and all positions at which they end, meet, or pass a wall: doubles with bounds, exact on demand.
 #pragma once
 
 #include <array>
@@ -17,7 +17,7 @@ struct LocalNode {
   double x = 0, y = 0, off = 0;  ///< scaled, each coordinate off by at most so much
   std::uint32_t a = 0, b = 0;    ///< segment, and the other segment or the wall; of an end 0: start, 1: end
   bool in_box = false;           ///< in the closed box
-  bool known = false;            ///< strictly inside the larger box, surely: all segments there are at hand
+  bool known = false;            ///< strictly inside the larger box, provably: all segments there are at hand
 };
 
 class LocalNodes {
@@ -27,12 +27,12 @@ class LocalNodes {
 
   std::size_t segment_count() const { return segments_.size(); }
   const WalkSegment& segment(std::uint32_t s) const { return segments_[s]; }
-  /// Along a segment, in its direction, each place once.
+  /// Along a segment, in its direction, each position once.
   const std::vector<std::uint32_t>& along(std::uint32_t s) const { return along_[s]; }
-  /// Places that are the same have one node: its number is the smallest of theirs, others do not occur.
+  /// Positions that are the same have one node: its number is the smallest of theirs, others do not occur.
   std::size_t node_count() const { return nodes_.size(); }
   const LocalNode& node(std::uint32_t n) const { return nodes_[n]; }
-  const BigPlace& exact(std::uint32_t n) const;
+  const BigPosition& exact(std::uint32_t n) const;
 
   /// Signs of the directions of segments: of a coordinate, of their cross product.
   int direction(std::uint32_t s, int axis) const;
@@ -59,9 +59,9 @@ class LocalNodes {
   bool between_ends(std::uint32_t s, std::uint32_t t, int end) const;
   BigPoint exact_end(std::uint32_t s, int end) const;
   BigPoint exact_direction(std::uint32_t s) const { return exact_end(s, 1) - exact_end(s, 0); }
-  BigPlace make_exact(const LocalNode& node) const;
+  BigPosition make_exact(const LocalNode& node) const;
   /// In pairs of doubles, each coordinate off by at most `off`.
-  struct PairPlace {
+  struct PairPosition {
     PairPoint at;
     double off = 0;
   };
@@ -69,17 +69,17 @@ class LocalNodes {
   const PairEnds& pair_ends(std::uint32_t s) const;
   Pair end_name(std::uint32_t s, std::uint32_t end) const;
   void place_finely(LocalNode& node) const;
-  PairPlace make_pair_place(const LocalNode& node) const;
+  PairPosition make_pair_position(const LocalNode& node) const;
   /// Of a crossing or a wall: where along its segment it is, n / w, both off by at most `off`.
-  struct PairShare {
+  struct PairFraction {
     base::DoublePair n, w;
     double off = 0;
   };
-  PairShare pair_share(const LocalNode& node) const;
-  bool surely_beside(const LocalNode& node, std::uint32_t u) const;
-  bool surely_apart(std::uint32_t m, std::uint32_t n) const;
+  PairFraction pair_fraction(const LocalNode& node) const;
+  bool provably_beside(const LocalNode& node, std::uint32_t u) const;
+  bool provably_apart(std::uint32_t m, std::uint32_t n) const;
   class Merging;
-  const PairPlace& pair_place(std::uint32_t n) const;
+  const PairPosition& pair_position(std::uint32_t n) const;
   int pair_order(std::uint32_t m, std::uint32_t n, int axis) const;
 
   const PosedRegions& posed_;
@@ -88,9 +88,9 @@ class LocalNodes {
   base::CountedArray<Ends> ends_;
   base::CountedArray<LocalNode> nodes_;
   std::vector<std::vector<std::uint32_t>> along_;
-  mutable base::CountedArray<std::optional<BigPlace>> exact_;
+  mutable base::CountedArray<std::optional<BigPosition>> exact_;
   mutable base::CountedArray<std::optional<PairEnds>> pair_ends_;
-  mutable base::CountedArray<std::optional<PairPlace>> pair_places_;
+  mutable base::CountedArray<std::optional<PairPosition>> pair_positions_;
 };
 
 }  // namespace dymsum::planar

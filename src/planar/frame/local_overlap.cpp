@@ -5,7 +5,7 @@
 
 namespace dymsum::planar {
 
-/// Edge e of P and edge f of Q, reflected and moved to the place.
+/// Edge e of P and edge f of Q, reflected and moved to the position.
 struct LocalOverlap::Edges {
   Point a0, a1, b0, b1;
 };
@@ -18,10 +18,10 @@ struct LocalOverlap::Cone {
 LocalOverlap::LocalOverlap(const Operand& p, const Operand& q)
     : operands_{&p, &q}, edges_{FeatureDiscs(p, FeatureDiscs::Of::edges), FeatureDiscs(q, FeatureDiscs::Of::edges)} {}
 
-bool LocalOverlap::holds(const PosedRegions& posed, const AskedPlace& place) {
-  posed_ = &posed, place_ = &place;
+bool LocalOverlap::holds(const PosedRegions& posed, const QueriedPosition& position) {
+  posed_ = &posed, position_ = &position;
   exact_.reset();
-  off_ = place.off + 4 * PosedRegions::kOff;
+  off_ = position.off + 4 * PosedRegions::kOff;
   ++tests_;
   const bool overlapping = crossed_before() || boundaries_overlap() || holds_component(0) || holds_component(1);
   exact_tests_ += exact_.has_value();
@@ -29,7 +29,8 @@ bool LocalOverlap::holds(const PosedRegions& posed, const AskedPlace& place) {
 }
 
 bool LocalOverlap::crossed_before() {
-  return witnesses_.find([&](const CrossingEdges& pair) { return surely_cross(edges(pair[0], pair[1])); }).has_value();
+  return witnesses_.find([&](const CrossingEdges& pair) { return provably_cross(edges(pair[0], pair[1])); })
+      .has_value();
 }
 
 bool LocalOverlap::boundaries_overlap() {
@@ -39,9 +40,9 @@ bool LocalOverlap::boundaries_overlap() {
     const auto [i, j] = stack.back();
     stack.pop_back();
     const FeatureDiscs::Node &a = edges_[0].node(i), &b = edges_[1].node(j);
-    const Point m = posed_->posed(0, a.middle), n = posed_->posed(1, b.middle);
+    const Point m = posed_->posed(0, a.centre), n = posed_->posed(1, b.centre);
     const double reach = posed_->stretched(0, a.radius) + posed_->stretched(1, b.radius) + 2 * off_;
-    const double dx = m.x + n.x - place_->x, dy = m.y + n.y - place_->y;
+    const double dx = m.x + n.x - position_->x, dy = m.y + n.y - position_->y;
     if (dx * dx + dy * dy > reach * reach * (1 + 0x1p-40)) continue;
     if (a.leaf() && b.leaf()) {
       for (std::uint32_t k = a.first; k < a.last; ++k)
@@ -58,25 +59,25 @@ bool LocalOverlap::boundaries_overlap() {
 
 LocalOverlap::Edges LocalOverlap::edges(std::uint32_t e, std::uint32_t f) const {
   const Operand &p = *operands_[0], &q = *operands_[1];
-  const Point at{place_->x, place_->y};
+  const Point at{position_->x, position_->y};
   return {posed_->vertex(0, e), posed_->vertex(0, p.next[e]), less(at, posed_->vertex(1, f)),
           less(at, posed_->vertex(1, q.next[f]))};
 }
 
-bool LocalOverlap::surely_cross(const Edges& s) const {
+bool LocalOverlap::provably_cross(const Edges& s) const {
   const Point d = less(s.a1, s.a0), e = less(s.b1, s.b0);
-  const int one = sure_cross(d, less(s.b0, s.a0), 2 * off_), two = sure_cross(e, less(s.a0, s.b0), 2 * off_);
-  return one != 0 && two != 0 && sure_cross(d, less(s.b1, s.a0), 2 * off_) == -one &&
-         sure_cross(e, less(s.a1, s.b0), 2 * off_) == -two;
+  const int one = proved_cross(d, less(s.b0, s.a0), 2 * off_), two = proved_cross(e, less(s.a0, s.b0), 2 * off_);
+  return one != 0 && two != 0 && proved_cross(d, less(s.b1, s.a0), 2 * off_) == -one &&
+         proved_cross(e, less(s.a1, s.b0), 2 * off_) == -two;
 }
 
-const BigPlace& LocalOverlap::exact_place() {
-  if (!exact_) exact_ = place_->exact();
+const BigPosition& LocalOverlap::exact_position() {
+  if (!exact_) exact_ = position_->exact();
   return *exact_;
 }
 
-BigPoint LocalOverlap::from_place(std::uint32_t p, std::uint32_t q) {
-  const BigPlace& z = exact_place();
+BigPoint LocalOverlap::from_position(std::uint32_t p, std::uint32_t q) {
+  const BigPosition& z = exact_position();
   const BigPoint v = posed_->exact(0, p) + posed_->exact(1, q);
   return {v.x * z.w - z.x, v.y * z.w - z.y};
 }
@@ -84,15 +85,15 @@ BigPoint LocalOverlap::from_place(std::uint32_t p, std::uint32_t q) {
 /// On which side of edge e of P the vertex of Q lies: 1 is its left.
 int LocalOverlap::side_of_p_edge(std::uint32_t e, std::uint32_t q_vertex, const Edges& s, bool end) {
   const Point d = less(s.a1, s.a0);
-  if (const int sure = sure_cross(d, less(end ? s.b1 : s.b0, s.a0), 2 * off_)) return sure;
-  const BigPoint gap = from_place(e, q_vertex);  // the edge's start, seen from the vertex
+  if (const int proved = proved_cross(d, less(end ? s.b1 : s.b0, s.a0), 2 * off_)) return proved;
+  const BigPoint gap = from_position(e, q_vertex);  // the edge's start, seen from the vertex
   return -sign(cross(posed_->exact(0, operands_[0]->next[e]) - posed_->exact(0, e), gap));
 }
 
 int LocalOverlap::side_of_q_edge(std::uint32_t f, std::uint32_t p_vertex, const Edges& s, bool end) {
   const Point d = less(s.b1, s.b0);
-  if (const int sure = sure_cross(d, less(end ? s.a1 : s.a0, s.b0), 2 * off_)) return sure;
-  const BigPoint gap = from_place(p_vertex, f);  // the vertex, seen from the start of the reflected edge
+  if (const int proved = proved_cross(d, less(end ? s.a1 : s.a0, s.b0), 2 * off_)) return proved;
+  const BigPoint gap = from_position(p_vertex, f);  // the vertex, seen from the start of the reflected edge
   return sign(cross(posed_->exact(1, f) - posed_->exact(1, operands_[1]->next[f]), gap));
 }
 
@@ -132,16 +133,16 @@ bool LocalOverlap::touch_overlapping(std::uint32_t e, std::uint32_t f, int on_p,
     };
     return inside(a, b.a) || inside(b, a.a);
   };
-  const BigPoint gap = from_place(e, f);  // the start of e, seen from that of f
+  const BigPoint gap = from_position(e, f);  // the start of e, seen from that of f
   if (sign(gap.x) == 0 && sign(gap.y) == 0) return overlap(false, false);
   if (on_p == 0) {
     const BigPoint d = posed_->exact(0, operands_[0]->next[e]) - posed_->exact(0, e);
-    if (sign(dot(d, gap)) < 0 && sign(dot(d, from_place(operands_[0]->next[e], f))) > 0 && overlap(true, false))
+    if (sign(dot(d, gap)) < 0 && sign(dot(d, from_position(operands_[0]->next[e], f))) > 0 && overlap(true, false))
       return true;
   }
   if (on_q == 0) {
     const BigPoint d = posed_->exact(1, operands_[1]->next[f]) - posed_->exact(1, f);
-    return sign(dot(d, gap)) < 0 && sign(dot(d, from_place(e, operands_[1]->next[f]))) > 0 && overlap(false, true);
+    return sign(dot(d, gap)) < 0 && sign(dot(d, from_position(e, operands_[1]->next[f]))) > 0 && overlap(false, true);
   }
   return false;
 }
@@ -162,21 +163,21 @@ bool LocalOverlap::holds_component(std::uint32_t holder) {
                                                 [&](const Component& c) { return contains(holder, c.first); });
 }
 
-/// The sign of a walk vertex's coordinate less that of the other operand's vertex, reflected and moved to the place.
+/// The sign of a walk vertex's coordinate less that of the other operand's vertex, reflected and moved to the position.
 int LocalOverlap::height(std::uint32_t holder, std::uint32_t walk, std::uint32_t vertex, int axis, Point seen) {
   const Point v = posed_->vertex(holder, walk);
   const double gap = axis == 0 ? v.x - seen.x : v.y - seen.y;
   if (std::abs(gap) > 2 * off_) return gap > 0 ? 1 : -1;
-  const BigPoint exact = holder == 0 ? from_place(walk, vertex) : from_place(vertex, walk);
+  const BigPoint exact = holder == 0 ? from_position(walk, vertex) : from_position(vertex, walk);
   return sign(axis == 0 ? exact.x : exact.y);
 }
 
 /// By the winding number; a vertex on the boundary is not inside.
 bool LocalOverlap::contains(std::uint32_t holder, std::uint32_t vertex) {
   const Operand& o = *operands_[holder];
-  const Point v = posed_->vertex(1 - holder, vertex), seen{place_->x - v.x, place_->y - v.y};
-  const auto surely_off = [&](const FeatureDiscs::Node& node) {
-    const Point m = posed_->posed(holder, node.middle);
+  const Point v = posed_->vertex(1 - holder, vertex), seen{position_->x - v.x, position_->y - v.y};
+  const auto provably_off = [&](const FeatureDiscs::Node& node) {
+    const Point m = posed_->posed(holder, node.centre);
     const double reach = posed_->stretched(holder, node.radius) + 2 * off_;
     return std::abs(m.y - seen.y) > reach || m.x + reach < seen.x;
   };
@@ -185,7 +186,7 @@ bool LocalOverlap::contains(std::uint32_t holder, std::uint32_t vertex) {
   while (!stack.empty()) {
     const FeatureDiscs::Node& node = edges_[holder].node(stack.back());
     stack.pop_back();
-    if (surely_off(node)) continue;
+    if (provably_off(node)) continue;
     if (!node.leaf()) {
       stack.push_back(node.left), stack.push_back(node.right);
       continue;
@@ -199,9 +200,9 @@ bool LocalOverlap::contains(std::uint32_t holder, std::uint32_t vertex) {
       }
       if ((ya <= 0) == (yb <= 0)) continue;
       const Point from = posed_->vertex(holder, a), d = less(posed_->vertex(holder, b), from);
-      int side = sure_cross(d, less(seen, from), 2 * off_);
+      int side = proved_cross(d, less(seen, from), 2 * off_);
       if (side == 0) {
-        const BigPoint gap = holder == 0 ? from_place(a, vertex) : from_place(vertex, a);
+        const BigPoint gap = holder == 0 ? from_position(a, vertex) : from_position(vertex, a);
         side = -sign(cross(posed_->exact(holder, b) - posed_->exact(holder, a), gap));
       }
       if (side == 0) return false;

@@ -1,4 +1,4 @@
-// Whether two regions at exact poses overlap when Q, reflected, is moved to a place: doubles first, then integers.
+// Whether two regions at exact poses overlap when Q, reflected, is moved to a position: doubles first, then integers.
 #pragma once
 
 #include <array>
@@ -12,18 +12,18 @@
 
 namespace dymsum::planar {
 
-/// In scaled doubles, each coordinate off by at most `off`; the exact place is made when it is asked for.
-struct AskedPlace {
+/// In scaled doubles, each coordinate off by at most `off`; the exact position is made when it is requested.
+struct QueriedPosition {
   double x = 0, y = 0, off = 0;
-  std::function<BigPlace()> exact;
+  std::function<BigPosition()> exact;
 };
 
 class LocalOverlap {
  public:
   LocalOverlap(const Operand& p, const Operand& q);
 
-  /// Whether the place lies in int P + int Q. Touching is not overlapping.
-  bool holds(const PosedRegions& posed, const AskedPlace& place);
+  /// Whether the position lies in int P + int Q. Touching is not overlapping.
+  bool holds(const PosedRegions& posed, const QueriedPosition& position);
 
   std::uint64_t tests() const { return tests_; }
   std::uint64_t exact_tests() const { return exact_tests_; }
@@ -35,7 +35,7 @@ class LocalOverlap {
   bool crossed_before();
   bool boundaries_overlap();
   bool edges_overlap(std::uint32_t e, std::uint32_t f);
-  bool surely_cross(const Edges& s) const;
+  bool provably_cross(const Edges& s) const;
   Edges edges(std::uint32_t e, std::uint32_t f) const;
   int side_of_p_edge(std::uint32_t e, std::uint32_t q_vertex, const Edges& s, bool end);
   int side_of_q_edge(std::uint32_t f, std::uint32_t p_vertex, const Edges& s, bool end);
@@ -44,15 +44,15 @@ class LocalOverlap {
   bool holds_component(std::uint32_t holder);
   bool contains(std::uint32_t holder, std::uint32_t vertex);
   int height(std::uint32_t holder, std::uint32_t walk, std::uint32_t vertex, int axis, Point seen);
-  const BigPlace& exact_place();
-  /// Vertex p of P plus vertex q of Q, less the place, times its denominator.
-  BigPoint from_place(std::uint32_t p, std::uint32_t q);
+  const BigPosition& exact_position();
+  /// Vertex p of P plus vertex q of Q, less the position, times its denominator.
+  BigPoint from_position(std::uint32_t p, std::uint32_t q);
 
   std::array<const Operand*, 2> operands_;
   std::array<FeatureDiscs, 2> edges_;
   const PosedRegions* posed_ = nullptr;
-  const AskedPlace* place_ = nullptr;
-  std::optional<BigPlace> exact_;
+  const QueriedPosition* position_ = nullptr;
+  std::optional<BigPosition> exact_;
   double off_ = 0;
   RecentEdges<8> witnesses_;
   std::uint64_t tests_ = 0, exact_tests_ = 0;

@@ -3,12 +3,12 @@
 #include <algorithm>
 #include <cmath>
 
-#include "planar/operand/round_place.h"
+#include "planar/operand/round_position.h"
 #include "planar/operand/sum_bounds.h"
 
 namespace dymsum::planar {
 
-LoopPlaces::Cutting LoopPlaces::end_cut(Step s, bool at_end) const {
+LoopPositions::Cutting LoopPositions::end_cut(Step s, bool at_end) const {
   const Window& window = lists_.window();
   const LiveSegment& on = window.segments[window.pieces[s.piece].segment];
   Cutting c;
@@ -17,7 +17,7 @@ LoopPlaces::Cutting LoopPlaces::end_cut(Step s, bool at_end) const {
   if (end || start) {
     const Piece& piece = window.pieces[s.piece];
     c.cut.pair = window.exact(end ? window.end_pair(piece) : on.start);
-    c.t = end ? window.end_place(piece) : Linear{0, 0};
+    c.t = end ? window.end_position(piece) : Linear{0, 0};
     c.error = end ? piece.tail_error : 0;
     c.denominator = on.dx != 0 ? std::abs(on.dx) : std::abs(on.dy);
     return c;
@@ -42,7 +42,7 @@ LoopPlaces::Cutting LoopPlaces::end_cut(Step s, bool at_end) const {
   return c;
 }
 
-LoopPlaces::Step LoopPlaces::longest_of(const std::vector<LoopStep>& cycle, double tau) const {
+LoopPositions::Step LoopPositions::longest_of(const std::vector<LoopStep>& cycle, double tau) const {
   const Window& window = lists_.window();
   // Doubles know nothing of lengths between nearly parallel lines: they may be less than nothing, or no numbers.
   Step longest = step_of(cycle.front());
@@ -59,7 +59,7 @@ LoopPlaces::Step LoopPlaces::longest_of(const std::vector<LoopStep>& cycle, doub
   return longest;
 }
 
-Place LoopPlaces::sample(const std::vector<LoopStep>& cycle, double tau, ExactFrame& frame) const {
+SegmentPosition LoopPositions::sample(const std::vector<LoopStep>& cycle, double tau, ExactFrame& frame) const {
   const Window& window = lists_.window();
   const std::uint32_t moving = window.frame().moving;
   const Step longest = longest_of(cycle, tau);
@@ -79,10 +79,10 @@ Place LoopPlaces::sample(const std::vector<LoopStep>& cycle, double tau, ExactFr
     weight = 0.5;
     relative = 1;
   }
-  const double t = t0 + weight * (t1 - t0),
-               t_error =
-                   from.error + to.error + std::abs(t1 - t0) * kMediantShares * relative + kShare * std::max(1.0, tau);
-  Place p;
+  const double t = t0 + weight * (t1 - t0), t_error = from.error + to.error +
+                                                      std::abs(t1 - t0) * kMediantFractions * relative +
+                                                      kFraction * std::max(1.0, tau);
+  SegmentPosition p;
   p.on = window.exact(segment);
   p.first = from.cut;
   p.second = to.cut;
@@ -93,34 +93,34 @@ Place LoopPlaces::sample(const std::vector<LoopStep>& cycle, double tau, ExactFr
   p.error =
       grow * (t_error * std::max(std::abs(on.dx), std::abs(on.dy)) + kWindowPoint * window.span()) * exact::kOutwards;
   // Nearly parallel lines, of which the doubles know nothing.
-  if (!std::isfinite(p.error)) round_place(frame.lattice(), p);
+  if (!std::isfinite(p.error)) round_position(frame.lattice(), p);
   return p;
 }
 
-EdgeSearch::Place LoopPlaces::beside(const std::vector<LoopStep>& cycle, double tau) const {
+EdgeSearch::Position LoopPositions::beside(const std::vector<LoopStep>& cycle, double tau) const {
   const Window& window = lists_.window();
   const Step s = step_of(cycle[0]);
   const LiveSegment& on = window.segments[window.pieces[s.piece].segment];
   const Cutting from = end_cut(s, false), to = end_cut(s, true);
   const double t = 0.5 * (from.t.at(tau) + to.t.at(tau));
   const double error =
-      (from.error + to.error + kShare * std::max(1.0, tau)) * std::max(std::abs(on.dx), std::abs(on.dy)) +
+      (from.error + to.error + kFraction * std::max(1.0, tau)) * std::max(std::abs(on.dx), std::abs(on.dy)) +
       kWindowPoint * window.span();
   return {on.x.at(tau) + t * on.dx, on.y.at(tau) + t * on.dy, error, tau};
 }
 
-EdgeSearch::Place LoopPlaces::at_node(std::uint32_t node, double tau) const {
+EdgeSearch::Position LoopPositions::at_node(std::uint32_t node, double tau) const {
   const Window& window = lists_.window();
-  const MovingPoint at = window.place(window.nodes[node].at);
+  const MovingPoint at = window.position(window.nodes[node].at);
   return {at.x.at(tau), at.y.at(tau), kWindowPoint * window.span(), tau};
 }
 
-Place LoopPlaces::exact_node(std::uint32_t node, double tau, const ExactFrame& frame) const {
+SegmentPosition LoopPositions::exact_node(std::uint32_t node, double tau, const ExactFrame& frame) const {
   const Window& window = lists_.window();
   const PersistentNode& n = window.nodes[node];
-  const EdgeSearch::Place at = at_node(node, tau);
+  const EdgeSearch::Position at = at_node(node, tau);
   const double grow = frame.blow_up(window.frame().moving);
-  Place p;
+  SegmentPosition p;
   p.on = window.exact(window.pieces[window.rays[n.first_ray].piece].segment);
   p.first.pair = window.exact(n.at);
   p.x = grow * at.x;
@@ -129,7 +129,7 @@ Place LoopPlaces::exact_node(std::uint32_t node, double tau, const ExactFrame& f
   return p;
 }
 
-LoopPlaces::MovingVertex LoopPlaces::vertex_after(Step s, std::uint32_t in, std::uint32_t out) const {
+LoopPositions::MovingVertex LoopPositions::vertex_after(Step s, std::uint32_t in, std::uint32_t out) const {
   const Window& window = lists_.window();
   MovingVertex v;
   const bool end = s.sub == lists_.count(s.piece);
@@ -137,9 +137,9 @@ LoopPlaces::MovingVertex LoopPlaces::vertex_after(Step s, std::uint32_t in, std:
   if (end || entry & kTouchBit) {
     const WalkPair at =
         end ? window.end_pair(window.pieces[s.piece]) : window.nodes[window.touches[entry & ~kTouchBit].node].at;
-    v.vertex.corner_p = window.base().operands[0].vertex_number[at.p];
-    v.vertex.corner_q = window.base().operands[1].vertex_number[at.q];
-    v.point = window.place(at);
+    v.vertex.corner_p = window.base().operands[0].vertex_index[at.p];
+    v.vertex.corner_q = window.base().operands[1].vertex_index[at.q];
+    v.point = window.position(at);
   } else {
     const Candidate& c = window.candidates[entry];
     const LiveSegment &a = window.segments[window.pieces[c.a].segment],
@@ -163,23 +163,23 @@ LoopPlaces::MovingVertex LoopPlaces::vertex_after(Step s, std::uint32_t in, std:
 
 bool LoopCover::covers(const std::vector<LoopStep>& cycle, std::optional<CrossingEdges>& witness, double tau,
                        ExactFrame& frame, FrameWork& work) {
-  if (witnessed(witness, places_.beside(cycle, tau), work)) return true;
-  const bool covered = frame.collision().overlaps_right_of(places_.sample(cycle, tau, frame));
+  if (witnessed(witness, positions_.beside(cycle, tau), work)) return true;
+  const bool covered = frame.collision().overlaps_right_of(positions_.sample(cycle, tau, frame));
   remember(frame.collision(), witness);
   return covered;
 }
 
 bool LoopCover::covers_node(std::uint32_t node, std::optional<CrossingEdges>& witness, double tau, ExactFrame& frame,
                             FrameWork& work) {
-  if (witnessed(witness, places_.at_node(node, tau), work)) return true;
-  const bool covered = frame.collision().overlaps(places_.exact_node(node, tau, frame));
+  if (witnessed(witness, positions_.at_node(node, tau), work)) return true;
+  const bool covered = frame.collision().overlaps(positions_.exact_node(node, tau, frame));
   remember(frame.collision(), witness);
   return covered;
 }
 
 // By the edges that covered it in the frame before, or by others, which are its witness from now on. Otherwise a
-// collision test has to tell.
-bool LoopCover::witnessed(std::optional<CrossingEdges>& witness, const EdgeSearch::Place& at, FrameWork& work) {
+// collision test has to decide.
+bool LoopCover::witnessed(std::optional<CrossingEdges>& witness, const EdgeSearch::Position& at, FrameWork& work) {
   bool covered = witness && search_.cross(*witness, at);
   if (!covered) {
     if (const std::optional<CrossingEdges> edges = search_.find(at)) {
@@ -231,7 +231,7 @@ bool LoopNodes::quiet(std::uint32_t touch, double low, double high) const {
   const Window& window = lists_.window();
   const PersistentTouch& v = window.touches[touch];
   if (!(v.in_low < low && v.in_high > high)) return false;
-  const double margin = v.error + kShareGap * std::max(1.0, high);
+  const double margin = v.error + kFractionGap * std::max(1.0, high);
   const std::uint32_t id = touch | kTouchBit;
   return lists_.stays_clear(v.piece, {v.t, v.t}, margin, {id, id}, low, high);
 }

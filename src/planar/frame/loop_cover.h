@@ -13,7 +13,7 @@
 
 namespace dymsum::planar {
 
-/// A sub-edge of a cycle, and what comes behind it.
+/// A sub-edge of a cycle, and what comes after it.
 struct LoopStep {
   std::uint32_t piece = kNone, edge = 0;  ///< sub-edge: PieceLists::first_sub(piece) + its place in the list
   std::uint32_t from = kNone,
@@ -25,10 +25,10 @@ struct LoopStep {
 };
 
 /// The ends of sub-edges as linear in tau, points on cycles and beside them, and the exact names of these.
-class LoopPlaces {
+class LoopPositions {
  public:
   using Step = PieceLists::Step;
-  explicit LoopPlaces(const PieceLists& lists) : lists_(lists) {}
+  explicit LoopPositions(const PieceLists& lists) : lists_(lists) {}
 
   struct MovingVertex {
     SumVertex vertex;  ///< without its position
@@ -38,13 +38,13 @@ class LoopPlaces {
   MovingVertex vertex_after(Step s, std::uint32_t in, std::uint32_t out) const;
   /// A point of a cycle, for collision tests just right of it: the mediant of the cuts at both ends of its longest
   /// sub-edge, as the exact layer takes it.
-  Place sample(const std::vector<LoopStep>& cycle, double tau, ExactFrame& frame) const;
+  SegmentPosition sample(const std::vector<LoopStep>& cycle, double tau, ExactFrame& frame) const;
   /// A point of a cycle in doubles. Edges that cross properly when Q, reflected, stands there do so at a point just
   /// right of it.
-  EdgeSearch::Place beside(const std::vector<LoopStep>& cycle, double tau) const;
+  EdgeSearch::Position beside(const std::vector<LoopStep>& cycle, double tau) const;
   /// A node in doubles, and as the exact layer takes it.
-  EdgeSearch::Place at_node(std::uint32_t node, double tau) const;
-  Place exact_node(std::uint32_t node, double tau, const ExactFrame& frame) const;
+  EdgeSearch::Position at_node(std::uint32_t node, double tau) const;
+  SegmentPosition exact_node(std::uint32_t node, double tau, const ExactFrame& frame) const;
 
  private:
   /// Where a sub-edge ends on its segment.
@@ -65,7 +65,7 @@ class LoopPlaces {
 /// by an exact collision test.
 class LoopCover {
  public:
-  explicit LoopCover(const PieceLists& lists) : places_(lists), search_(lists.window()) {}
+  explicit LoopCover(const PieceLists& lists) : positions_(lists), search_(lists.window()) {}
 
   /// Whether the face right of a cycle is covered. `witness`: the edges that covered it in the frame before, and do
   /// now.
@@ -75,10 +75,10 @@ class LoopCover {
                    FrameWork& work);
 
  private:
-  bool witnessed(std::optional<CrossingEdges>& witness, const EdgeSearch::Place& at, FrameWork& work);
+  bool witnessed(std::optional<CrossingEdges>& witness, const EdgeSearch::Position& at, FrameWork& work);
   void remember(const Collision& collision, std::optional<CrossingEdges>& witness);
 
-  LoopPlaces places_;
+  LoopPositions positions_;
   EdgeSearch search_;
 };
 

@@ -63,7 +63,7 @@ Result<bool> MovingSum::open_window(const Move& move, FrameWork& next_work) {
   if (!move.windows || options.mode == FrameMode::rebuild) return false;
   if (enter_window(move)) return true;
   if (!move.builds || (makes_ahead() && ahead_.busy())) return false;
-  const WindowController::Choice reach = controller_.choose(move.step, move.widest, options.mode, move.asked);
+  const WindowController::Choice reach = controller_.choose(move.step, move.widest, options.mode, move.requested);
   if (!reach.window) return false;
   if (options.progress && !options.progress("window", 0)) return cancelled();
   MakeWindow make = window_for(move, reach);
@@ -93,7 +93,7 @@ Result<MovingSum::NextFrame> MovingSum::rebuilt_frame(FrameWork& next_work) cons
   return next;
 }
 
-void MovingSum::place(KeptRings& kept, NextFrame& next) {
+void MovingSum::position(KeptRings& kept, NextFrame& next) {
   next.sum.at_error = kept.at_error;
   std::vector<LoopStatus*> in_order;
   for (const std::size_t i : place_rings(std::move(kept.rings), kept.outer, next.sum))

@@ -1,7 +1,7 @@
 // The one skeleton of planar sums in motion. A move goes to the window that covers the new position - the one the last
 // frame was made in, one that was left, one made ahead - or builds one where the controller expects that to pay; the
 // window updates its loops, or the static engine computes the frame; then rings get their identities, and changes and
-// costs are told.
+// costs are reported.
 //
 // A motion (scaling, rotating) supplies windows, the frame inside one and what both cost.
 #pragma once
@@ -56,7 +56,7 @@ class MovingSum {
     double at = 0;             ///< the new position, as windows have it
     double step = 0;           ///< from the old position to the new one
     double widest = 0;         ///< windows should not be wider
-    double asked = 0;          ///< the width that the options ask for, or 0
+    double requested = 0;      ///< the width that the options request, or 0
   };
   struct NextFrame {
     PlanarSum sum;
@@ -69,7 +69,7 @@ class MovingSum {
   /// Changes nothing on an error. The motion takes its new position over when this succeeds.
   Result<FrameChanges> move(const Move& move);
   /// The rings of kept loops as those of the frame's sum, in canonical order; puts the loops into this order.
-  static void place(KeptRings& kept, NextFrame& next);
+  static void position(KeptRings& kept, NextFrame& next);
   /// Storage of a ring that is gone, for one of a frame that comes; what it holds means nothing.
   SumRing spare_ring();
   bool chooses() const { return options.mode == FrameMode::automatic && options.window == 0; }

@@ -38,8 +38,8 @@ bool may_meet(const DirectionRange& a, double turn, const DirectionRange& b, dou
   return ahead <= a.width + slack || kWholeTurn - ahead <= b.width + slack;
 }
 
-FeatureDiscs::FeatureDiscs(const Operand& operand, Of of, Point stretch)
-    : operand_(operand), of_(of), stretch_(stretch) {
+FeatureDiscs::FeatureDiscs(const Operand& operand, Of of, Point factors)
+    : operand_(operand), of_(of), factors_(factors) {
   for (std::uint32_t k = 0; k < operand.size(); ++k)
     if (of == Of::edges || operand.convex[k] != 0) items_.push_back(k);
   ranges_.resize(operand.size());
@@ -51,7 +51,7 @@ FeatureDiscs::FeatureDiscs(const Operand& operand, Of of, Point stretch)
 double FeatureDiscs::angle_of(std::uint32_t edge) const {
   const Point a = at(edge), b = at(operand_.next[edge]);
   const double x = b.x - a.x, y = b.y - a.y, most = std::max(std::abs(x), std::abs(y));
-  return std::atan2(y / most * stretch_.y, x / most * stretch_.x);
+  return std::atan2(y / most * factors_.y, x / most * factors_.x);
 }
 
 DirectionRange FeatureDiscs::range_of(std::uint32_t item) const {
@@ -63,7 +63,7 @@ DirectionRange FeatureDiscs::range_of(std::uint32_t item) const {
 FeatureDiscs::Node FeatureDiscs::leaf_of(std::uint32_t item) const {
   Node node;
   const Point a = at(item), b = of_ == Of::edges ? at(operand_.next[item]) : a;
-  node.middle = between(a, b);
+  node.centre = between(a, b);
   node.radius = half_distance(a, b);
   node.directions = directions(item);
   return node;
@@ -74,14 +74,14 @@ std::uint32_t FeatureDiscs::build(std::uint32_t first, std::uint32_t last) {
   const auto id = static_cast<std::uint32_t>(nodes_.size());
   nodes_.emplace_back();
   Node node = leaf_of(items_[first]);
-  double x0 = node.middle.x, x1 = x0, y0 = node.middle.y, y1 = y0;
+  double x0 = node.centre.x, x1 = x0, y0 = node.centre.y, y1 = y0;
   for (std::uint32_t k = first; k < last; ++k) {
     const Node one = leaf_of(items_[k]);
     node.directions = hull(node.directions, one.directions);
     for (const Point v : {at(items_[k]), of_ == Of::edges ? at(operand_.next[items_[k]]) : at(items_[k])})
       x0 = std::min(x0, v.x), x1 = std::max(x1, v.x), y0 = std::min(y0, v.y), y1 = std::max(y1, v.y);
   }
-  node.middle = between({x0, y0}, {x1, y1});
+  node.centre = between({x0, y0}, {x1, y1});
   node.radius = half_distance({x0, y0}, {x1, y1}) * (1 + 0x1p-40);
   node.first = first, node.last = last;
   if (last - first > kFeaturesInLeaf) {
@@ -97,13 +97,13 @@ namespace {
 /// More than angles of edges and poses err.
 constexpr double kAngleOff = 0x1p-44;
 /// What is kept for the next places: so much of the box around it, and turns up to so many radians.
-constexpr double kKeptShare = 0.5, kKeptTurn = 0.1;
+constexpr double kKeptFraction = 0.5, kKeptTurn = 0.1;
 /// Where operands move fast: so many times as far as they moved between two calls.
 constexpr double kKeptCalls = 8;
 
-bool misses(const ScaledBox& box, Point middle, double radius) {
-  const double dx = std::max({box.x0 - middle.x, middle.x - box.x1, 0.0}),
-               dy = std::max({box.y0 - middle.y, middle.y - box.y1, 0.0});
+bool misses(const ScaledBox& box, Point centre, double radius) {
+  const double dx = std::max({box.x0 - centre.x, centre.x - box.x1, 0.0}),
+               dy = std::max({box.y0 - centre.y, centre.y - box.y1, 0.0});
   return dx * dx + dy * dy > radius * radius * (1 + 0x1p-40) + 0x1p-80;
 }
 
@@ -111,12 +111,12 @@ ScaledBox grown(const ScaledBox& b, double by) { return {b.x0 - by, b.y0 - by, b
 
 }  // namespace
 
-NearSegments::NearSegments(const Operand& p, const Operand& q, const std::array<Point, 2>& stretch)
+NearSegments::NearSegments(const Operand& p, const Operand& q, const std::array<Point, 2>& factors)
     : operands_{&p, &q},
-      edges_{FeatureDiscs(p, FeatureDiscs::Of::edges, stretch[0]),
-             FeatureDiscs(q, FeatureDiscs::Of::edges, stretch[1])},
-      vertices_{FeatureDiscs(p, FeatureDiscs::Of::vertices, stretch[0]),
-                FeatureDiscs(q, FeatureDiscs::Of::vertices, stretch[1])} {}
+      edges_{FeatureDiscs(p, FeatureDiscs::Of::edges, factors[0]),
+             FeatureDiscs(q, FeatureDiscs::Of::edges, factors[1])},
+      vertices_{FeatureDiscs(p, FeatureDiscs::Of::vertices, factors[0]),
+                FeatureDiscs(q, FeatureDiscs::Of::vertices, factors[1])} {}
 
 base::CountedArray<WalkSegment> NearSegments::find(const PosedRegions& posed, const ScaledBox& box) {
   rebuilt_ = true, pairs_ = 0;
@@ -130,7 +130,7 @@ base::CountedArray<WalkSegment> NearSegments::update(const PosedRegions& posed, 
     const double a_call = kept_ ? kept_->moved / static_cast<double>(kept_->calls + 1) : 0;
     Kept kept;
     kept.poses = poses, kept.scale = posed.scale(), kept.turn = kKeptTurn;
-    kept.box = grown(box, std::max(kKeptShare * std::max(box.x1 - box.x0, box.y1 - box.y0), kKeptCalls * a_call));
+    kept.box = grown(box, std::max(kKeptFraction * std::max(box.x1 - box.x0, box.y1 - box.y0), kKeptCalls * a_call));
     kept.segments = search(posed, {kept.box, kept.turn});
     kept_ = std::move(kept);
   }
@@ -183,7 +183,7 @@ void NearSegments::search_side(const PosedRegions& posed, const Wanted& wanted, 
     ++pairs_;
     const FeatureDiscs::Node &a = edges.node(i), &b = vertices.node(j);
     if (!may_meet(a.directions, turn, b.directions, wanted.turn)) continue;
-    const Point m = posed.posed(side, a.middle), n = posed.posed(1 - side, b.middle);
+    const Point m = posed.posed(side, a.centre), n = posed.posed(1 - side, b.centre);
     const double radius = posed.stretched(side, a.radius) + posed.stretched(1 - side, b.radius) + PosedRegions::kOff;
     if (misses(wanted.box, {m.x + n.x, m.y + n.y}, radius)) continue;
     if (a.leaf() && b.leaf()) {

@@ -21,7 +21,7 @@ struct DirectionRange {
 bool may_meet(const DirectionRange& a, double turn, const DirectionRange& b, double slack);
 
 /// Edges or convex vertices of an operand in a tree of discs, with the directions that their segments can have. It is
-/// made once: where the operand turns and scales, discs move along, and directions unless scales of x and y change
+/// made once: where the operand rotates and scales, discs move along, and directions unless scales of x and y change
 /// ratio.
 class FeatureDiscs {
  public:
@@ -30,15 +30,15 @@ class FeatureDiscs {
     vertices,  ///< convex ones: the directions that turn from the edge before to the one after
   };
   struct Node {
-    Point middle;       ///< of a disc that holds the features
+    Point centre;       ///< of a disc that holds the features
     double radius = 0;  ///< a little more
     DirectionRange directions;
     std::uint32_t first = 0, last = 0;  ///< items
     std::uint32_t left = 0, right = 0;  ///< nodes; 0, 0: a leaf
     bool leaf() const { return right == 0; }
   };
-  /// `stretch`: what coordinates are multiplied by before directions are taken.
-  FeatureDiscs(const Operand& operand, Of of, Point stretch = {1, 1});
+  /// `factors`: what coordinates are multiplied by before directions are taken.
+  FeatureDiscs(const Operand& operand, Of of, Point factors = {1, 1});
 
   bool empty() const { return nodes_.empty(); }
   const Node& node(std::uint32_t k) const { return nodes_[k]; }
@@ -55,7 +55,7 @@ class FeatureDiscs {
 
   const Operand& operand_;
   Of of_;
-  Point stretch_;
+  Point factors_;
   std::vector<std::uint32_t> items_;
   std::vector<DirectionRange> ranges_;  // by walk edge or vertex
   std::vector<Node> nodes_;
@@ -69,10 +69,10 @@ struct ScaledBox {
 class NearSegments {
  public:
   /// For poses with these scales; others of the same ratio do, too.
-  NearSegments(const Operand& p, const Operand& q, const std::array<Point, 2>& stretch);
+  NearSegments(const Operand& p, const Operand& q, const std::array<Point, 2>& factors);
 
   /// A superset of the segments of the reduced convolution that meet the box: edges and convex vertices whose
-  /// directions meet, or nearly, as doubles tell.
+  /// directions meet, or nearly, as doubles decide.
   base::CountedArray<WalkSegment> find(const PosedRegions& posed, const ScaledBox& box);
   /// The same among the pairs that were near the last box, kept with a margin; these are found anew where operands and
   /// box have moved further than that since.
@@ -117,7 +117,7 @@ struct LocalWall {
   double value = 0;   ///< in input coordinates
   double scaled = 0;  ///< rounded
   bool beyond = false;
-  BigPlace exact;         ///< its coordinate, for both axes
+  BigPosition exact;      ///< its coordinate, for both axes
   base::DoublePair pair;  ///< the same
 };
 

@@ -27,10 +27,10 @@ void NodeLinks::sort_dirty() {
 // The sector rule of planar-sum.md on the rays that are there now; their order never changes.
 NodeLinks::Activity NodeLinks::link_rays(const PersistentNode& n, std::uint32_t node) {
   rays_here_.clear();
-  ways_before_.clear();
+  passages_before_.clear();
   bool any = false;
   for (std::uint32_t r = n.first_ray; r < n.last_ray; ++r) {
-    ways_before_.push_back({link_[r], entered(r)});
+    passages_before_.push_back({link_[r], entered(r)});
     link_[r] = kNone;
     entered_[r] = 0;
     const PersistentNode::Ray& ray = window_.rays[r];
@@ -164,8 +164,8 @@ bool PieceLists::stays_clear(std::uint32_t piece, const std::array<Linear, 2>& e
     const double apart = margin + e.error, u = std::max(low, e.out_low), v = std::min(high, e.out_high),
                  t_u = e.t.at(u), t_v = e.t.at(v);
     const bool before = from.at(u) - t_u > apart && from.at(v) - t_v > apart;
-    const bool behind = t_u - to.at(u) > apart && t_v - to.at(v) > apart;
-    if (!before && !behind) return false;
+    const bool after = t_u - to.at(u) > apart && t_v - to.at(v) > apart;
+    if (!before && !after) return false;
   }
   return true;
 }
@@ -190,13 +190,13 @@ int PieceLists::compare_exactly(std::uint32_t piece, const Item& a, const Item& 
 }
 
 // Whether an entry lies before the end of a piece that is handed on.
-bool PieceLists::before_end(std::uint32_t piece, std::uint32_t entry, ExactFrame& frame, Certainty& certain) const {
+bool PieceLists::before_end(std::uint32_t piece, std::uint32_t entry, ExactFrame& frame, Certainty& proved) const {
   const Piece& p = window_.pieces[piece];
   if (!p.handed_on) return true;
   ++frame.exact_signs;
   const int order = frame.lattice().compare(window_.exact(p.segment), cut_at(piece, entry),
                                             {Cut::Kind::pair, window_.exact(p.tail_at), {}});
-  certain.generic &= order != 0;
+  proved.generic &= order != 0;
   return order < 0;
 }
 
@@ -224,49 +224,49 @@ bool PieceLists::refresh(std::uint32_t i, double tau, ExactFrame& frame, FrameWo
   return c.generic;
 }
 
-// Whether something is on its piece; the list is certain only as long as that stays so.
-inline bool PieceLists::inside(const Entry& e, double tau, Certainty& certain, bool& unsure) {
+// Whether something is on its piece; the list is proved only as long as that stays so.
+inline bool PieceLists::inside(const Entry& e, double tau, Certainty& proved, bool& unsure) {
   if (tau <= e.out_low) {
-    certain.high = std::min(certain.high, e.out_low);
+    proved.high = std::min(proved.high, e.out_low);
     return false;
   }
   if (tau >= e.out_high) {
-    certain.low = std::max(certain.low, e.out_high);
+    proved.low = std::max(proved.low, e.out_high);
     return false;
   }
   unsure = !(tau > e.in_low && tau < e.in_high);
   if (unsure) return false;
-  certain.low = std::max(certain.low, e.in_low);
-  certain.high = std::min(certain.high, e.in_high);
+  proved.low = std::max(proved.low, e.in_low);
+  proved.high = std::min(proved.high, e.in_high);
   return true;
 }
 
-bool PieceLists::inside_exactly(std::uint32_t i, std::uint32_t id, ExactFrame& frame, Certainty& certain) const {
-  certain.exact = true;
+bool PieceLists::inside_exactly(std::uint32_t i, std::uint32_t id, ExactFrame& frame, Certainty& proved) const {
+  proved.exact = true;
   if (!(id & kTouchBit)) {
     const Meet m =
         meet(window_, window_.pieces[crossings_[id].a].segment, window_.pieces[crossings_[id].b].segment, frame);
-    certain.generic &= m != Meet::degenerate;
-    return m == Meet::crossing && before_end(crossings_[id].a, id, frame, certain) &&
-           before_end(crossings_[id].b, id, frame, certain);
+    proved.generic &= m != Meet::degenerate;
+    return m == Meet::crossing && before_end(crossings_[id].a, id, frame, proved) &&
+           before_end(crossings_[id].b, id, frame, proved);
   }
   const Segment s = window_.exact(window_.pieces[i].segment);
   const Pair v = window_.exact(window_.nodes[window_.touches[id & ~kTouchBit].node].at);
   const int from = frame.lattice().along(s, v), to = frame.lattice().along(reversed(s), v);
   frame.exact_signs += 2;
-  certain.generic &= from != 0 && to != 0;
-  return from > 0 && to > 0 && before_end(i, id, frame, certain);
+  proved.generic &= from != 0 && to != 0;
+  return from > 0 && to > 0 && before_end(i, id, frame, proved);
 }
 
 // What crosses or touches on the piece here: into items_, not yet in order. Returns how much came and went; nodes are
 // linked anew where a touch did.
-std::uint32_t PieceLists::collect(std::uint32_t i, double tau, ExactFrame& frame, Certainty& certain) {
+std::uint32_t PieceLists::collect(std::uint32_t i, double tau, ExactFrame& frame, Certainty& proved) {
   items_.clear();
   std::uint32_t came_or_went = 0;
   for (Entry *at = entries_.data() + hot_[i].base, *end = at + hot_[i].entries; at != end; ++at) {
     Entry& e = *at;
-    bool unsure = false, here = inside(e, tau, certain, unsure);
-    if (unsure) here = inside_exactly(i, e.id, frame, certain);
+    bool unsure = false, here = inside(e, tau, proved, unsure);
+    if (unsure) here = inside_exactly(i, e.id, frame, proved);
     came_or_went += here != e.inside;
     e.inside = here;
     if (e.id & kTouchBit) links_.set_touch(e.id & ~kTouchBit, here);
@@ -290,22 +290,22 @@ void PieceLists::sort_items(std::uint32_t i, ExactFrame& frame) {
   }
 }
 
-// The list is certain while the lines of neighbours stay apart by more than their errors. As doubles at tau they err by
+// The list is proved while the lines of neighbours stay apart by more than their errors. As doubles at tau they err by
 // less than is left of what their errors grant, as do tau and the end: those of shares grant more than twice what they
-// count. The margin's own roundings, its quotient's and the slopes' are shares of the margin, taken off.
-void PieceLists::look_at_neighbours(std::uint32_t i, double tau, ExactFrame& frame, Certainty& certain) const {
+// count. The margin's own roundings, its quotient's and the slopes' are fractions of the margin, taken off.
+void PieceLists::look_at_neighbours(std::uint32_t i, double tau, ExactFrame& frame, Certainty& proved) const {
   for (std::size_t k = 0; k + 1 < items_.size(); ++k) {
     const Item &a = items_[k], &b = items_[k + 1];
     const double margin = (b.t - a.t) - (a.error + b.error);
     if (!(margin > 0)) {
-      certain.exact = true;
-      certain.generic &= compare(i, a, b, frame) != 0;
+      proved.exact = true;
+      proved.generic &= compare(i, a, b, frame) != 0;
       continue;
     }
     // They meet at `end`, ahead or behind; never where they keep apart.
     const double closing = a.slope - b.slope, end = tau + margin / closing * exact::kInwards;
-    certain.high = closing > 0 && end < certain.high ? end : certain.high;
-    certain.low = closing < 0 && end > certain.low ? end : certain.low;
+    proved.high = closing > 0 && end < proved.high ? end : proved.high;
+    proved.low = closing < 0 && end > proved.low ? end : proved.low;
   }
 }
 
@@ -340,7 +340,7 @@ void PieceLists::mark_changed(std::uint32_t piece, NewSubs subs) {
 }
 
 // Where an entry stands that may have left the list.
-std::uint32_t PieceLists::place_in_list(std::uint32_t piece, std::uint32_t entry) const {
+std::uint32_t PieceLists::position_in_list(std::uint32_t piece, std::uint32_t entry) const {
   if (entry & kTouchBit) return window_.touches[entry & ~kTouchBit].at;
   const Crossing& c = crossings_[entry];
   return c.a == piece ? c.at_a : c.at_b;
@@ -349,7 +349,7 @@ std::uint32_t PieceLists::place_in_list(std::uint32_t piece, std::uint32_t entry
 PieceLists::Step PieceLists::between(std::uint32_t piece, std::uint32_t from, std::uint32_t to) const {
   std::uint32_t sub = 0;
   if (from != kNone) {
-    const std::uint32_t at = place_in_list(piece, from);
+    const std::uint32_t at = position_in_list(piece, from);
     if (at >= count(piece) || entry(piece, at) != from) return {};
     sub = at + 1;
   }
@@ -382,7 +382,7 @@ bool PieceLists::alive_at_touch(Step s) const {
   return links_.node_at(ray) == kNone || links_.entered(ray);
 }
 
-// Behind a sub-edge that ends at a touch or at its piece's own end.
+// After a sub-edge that ends at a touch or at its piece's own end.
 PieceLists::Step PieceLists::successor_at_touch(Step s) const {
   const Hot& h = hot_[s.piece];
   Step to{h.next, 0};

@@ -51,7 +51,7 @@ class NodeLinks {
   const std::vector<std::uint32_t>& relinked() const { return dirty_; }
 
  private:
-  struct Way {
+  struct Passage {
     std::uint32_t link = kNone;
     bool entered = false;
   };
@@ -66,7 +66,7 @@ class NodeLinks {
     const PersistentNode& n = window_.nodes[node];
     const Activity active = link_rays(n, node);
     for (std::uint32_t r = n.first_ray; r < n.last_ray; ++r) {
-      const Way before = ways_before_[r - n.first_ray];
+      const Passage before = passages_before_[r - n.first_ray];
       if (active.before == active.now && before.link == link_[r] && before.entered == entered(r)) continue;
       f(window_.rays[r].piece);
     }
@@ -76,11 +76,11 @@ class NodeLinks {
   std::vector<std::uint8_t> touch_active_, node_active_, entered_;  ///< per touch, node, ray
   std::vector<std::uint32_t> link_;                                 ///< ray that arrives -> ray that leaves, or kNone
   std::vector<std::uint32_t> rays_here_;                            ///< of a node
-  std::vector<Way> ways_before_;
+  std::vector<Passage> passages_before_;
   std::vector<std::uint32_t> dirty_;  ///< nodes where a touch came or went in this frame
 };
 
-/// Each list knows an interval of scales over which it certainly stays as it is; only lists whose interval was left are
+/// Each list knows an interval of scales over which it provably stays as it is; only lists whose interval was left are
 /// looked at.
 class PieceLists {
  public:
@@ -126,7 +126,7 @@ class PieceLists {
   /// to high. `margin`: what bounds the errors of its ends.
   bool stays_clear(std::uint32_t piece, const std::array<Linear, 2>& ends, double margin,
                    const std::array<std::uint32_t, 2>& but, double low, double high) const;
-  /// A candidate's pieces and its places in their lists, while it crosses.
+  /// A candidate's pieces and its positions in their lists, while it crosses.
   struct Crossing {
     std::uint32_t a, b, at_a, at_b;
     std::int32_t sign;
@@ -179,8 +179,8 @@ class PieceLists {
   NewSubs new_subs(std::uint32_t piece) const { return new_subs_[piece]; }
   /// The sub-edge between two entries of a piece's list, kNone standing for its own ends, if they are neighbours now.
   Step between(std::uint32_t piece, std::uint32_t from, std::uint32_t to) const;
-  /// A piece's list certainly stays as it is strictly between these; empty where only exact signs know it.
-  std::array<double, 2> certain(std::uint32_t piece) const { return {low_[piece], high_[piece]}; }
+  /// A piece's list provably stays as it is strictly between these; empty where only exact signs know it.
+  std::array<double, 2> proved(std::uint32_t piece) const { return {low_[piece], high_[piece]}; }
   Window& window() const { return window_; }
   std::size_t bytes() const;
 
@@ -190,36 +190,36 @@ class PieceLists {
     double t, error, slope;
     std::uint32_t entry;
   };
-  /// While a piece is looked at: where its list is certain, whether exact signs were needed, whether nothing touches.
+  /// While a piece is looked at: where its list is proved, whether exact signs were needed, whether nothing touches.
   struct Certainty {
     double low = -INFINITY, high = INFINITY;
     bool exact = false, generic = true;
   };
   bool refresh(std::uint32_t piece, double tau, ExactFrame& frame, FrameWork& work);
-  std::uint32_t collect(std::uint32_t piece, double tau, ExactFrame& frame, Certainty& certain);
-  static bool inside(const Entry& e, double tau, Certainty& certain, bool& unsure);
-  bool inside_exactly(std::uint32_t piece, std::uint32_t id, ExactFrame& frame, Certainty& certain) const;
+  std::uint32_t collect(std::uint32_t piece, double tau, ExactFrame& frame, Certainty& proved);
+  static bool inside(const Entry& e, double tau, Certainty& proved, bool& unsure);
+  bool inside_exactly(std::uint32_t piece, std::uint32_t id, ExactFrame& frame, Certainty& proved) const;
   void sort_items(std::uint32_t piece, ExactFrame& frame);
-  void look_at_neighbours(std::uint32_t piece, double tau, ExactFrame& frame, Certainty& certain) const;
+  void look_at_neighbours(std::uint32_t piece, double tau, ExactFrame& frame, Certainty& proved) const;
   std::optional<NewSubs> store(std::uint32_t piece);
   bool alive_at_touch(Step s) const;
   Step successor_at_touch(Step s) const;
   std::uint32_t base(std::uint32_t piece) const { return hot_[piece].base; }
   Step target(std::uint32_t ray) const;
   void mark_changed(std::uint32_t piece, NewSubs subs);
-  std::uint32_t place_in_list(std::uint32_t piece, std::uint32_t entry) const;
+  std::uint32_t position_in_list(std::uint32_t piece, std::uint32_t entry) const;
   int compare(std::uint32_t piece, const Item& a, const Item& b, ExactFrame& frame) const {
     const double gap = a.t - b.t, error = a.error + b.error;
     return gap > error ? 1 : gap < -error ? -1 : compare_exactly(piece, a, b, frame);
   }
   int compare_exactly(std::uint32_t piece, const Item& a, const Item& b, ExactFrame& frame) const;
   Cut cut_at(std::uint32_t piece, std::uint32_t entry) const;
-  bool before_end(std::uint32_t piece, std::uint32_t entry, ExactFrame& frame, Certainty& certain) const;
+  bool before_end(std::uint32_t piece, std::uint32_t entry, ExactFrame& frame, Certainty& proved) const;
 
   Window& window_;
-  base::CountedArray<double> low_, high_;  ///< the list of a piece is certain strictly between
+  base::CountedArray<double> low_, high_;  ///< the list of a piece is proved strictly between
   static constexpr std::uint32_t kBlock = 8;
-  base::CountedArray<std::array<double, 2>> blocks_;  ///< where the lists of kBlock pieces are certain
+  base::CountedArray<std::array<double, 2>> blocks_;  ///< where the lists of kBlock pieces are proved
   /// What walks ask of a piece.
   struct Hot {
     std::uint32_t base = 0, entries = 0;  ///< where its list and its entries start; how many entries

@@ -1,4 +1,4 @@
-// The public class: one place after the other.
+// The public class: one position after the other.
 #include "planar/frame/planar_local_sum.h"
 
 #include <algorithm>
@@ -11,6 +11,7 @@
 #include <tuple>
 #include <utility>
 
+#include "base/double_text.h"
 #include "base/poll.h"
 #include "base/stopwatch.h"
 #include "base/within_memory.h"
@@ -26,10 +27,10 @@ using namespace planar;
 
 namespace {
 
-double disc_end(double middle, double radius, double towards) {
-  const double rounded = middle + radius;
+double disc_end(double centre, double radius, double towards) {
+  const double rounded = centre + radius;
   if (!std::isfinite(rounded)) return std::copysign(std::numeric_limits<double>::max(), towards);
-  const exact::BigRational end = exact::exact_value(middle) + exact::exact_value(radius);
+  const exact::BigRational end = exact::exact_value(centre) + exact::exact_value(radius);
   const bool inside = towards > 0 ? exact::exact_value(rounded) < end : exact::exact_value(rounded) > end;
   return inside ? std::nextafter(rounded, towards) : rounded;
 }
@@ -54,7 +55,7 @@ std::optional<Error> local_operand_error(const Region& region, const Operand& op
 
 PlanarBox bounding_box(const PlanarDisc& disc) {
   constexpr double kUp = std::numeric_limits<double>::infinity();
-  const Point m = disc.middle;
+  const Point m = disc.centre;
   const double r = disc.radius;
   return {{disc_end(m.x, -r, -kUp), disc_end(m.y, -r, -kUp)}, {disc_end(m.x, r, kUp), disc_end(m.y, r, kUp)}};
 }
@@ -71,8 +72,7 @@ class PlanarLocalSum::State {
     part.box = box;
     if (p_->size() == 0 || q_->size() == 0) return part;
     for (const char* stage : {"segments", "arrangement", "boundary"})
-      if (options_.progress && !options_.progress(stage, 0))
-        return cancelled();
+      if (options_.progress && !options_.progress(stage, 0)) return cancelled();
     return base::within_memory(budget_, "the part of the sum", [&]() -> Result<PlanarLocalPart> {
       make(box, disc, poses, part);
       part.work.ms = watch.ms();
@@ -82,12 +82,12 @@ class PlanarLocalSum::State {
 
  private:
   void make(const PlanarBox& box, const PlanarDisc* disc, const PosePair& poses, PlanarLocalPart& part) {
-    std::vector<Point> places{box.low, box.high};
-    if (disc != nullptr) places.push_back(disc->middle);
+    std::vector<Point> positions{box.low, box.high};
+    if (disc != nullptr) positions.push_back(disc->centre);
     const double extent = std::ldexp(1.0, PosedRegions(*p_, *q_, poses, {}).scale());
     const PlanarBox reach = larger_box(box, extent);
-    places.push_back(reach.low), places.push_back(reach.high);
-    const PosedRegions posed(*p_, *q_, poses, places);
+    positions.push_back(reach.low), positions.push_back(reach.high);
+    const PosedRegions posed(*p_, *q_, poses, positions);
     prepare(poses);
     const LocalWalls walls(posed, box, reach);
     const LocalNodes nodes(posed, walls, segments(posed, poses, walls, part.work));
@@ -96,17 +96,17 @@ class PlanarLocalSum::State {
     const Linking linking = options_.engine == LocalEngine::brute ? Linking::none : Linking::patches;
     part.positions_ = assemble_part(nodes, local_edges(nodes, overlap_, linking), disc, part);
     if (!part.vertices.empty()) part.where = PlanarLocalPart::Where::crossed;
-    else if (middle_inside(posed, box, disc)) part.where = PlanarLocalPart::Where::inside;
+    else if (centre_inside(posed, box, disc)) part.where = PlanarLocalPart::Where::inside;
     part.work.collision_tests = overlap_.tests(), part.work.exact_tests = overlap_.exact_tests();
   }
 
-  bool middle_inside(const PosedRegions& posed, const PlanarBox& box, const PlanarDisc* disc) {
-    const BigPoint a = posed.exact(disc != nullptr ? disc->middle : box.low),
-                   b = posed.exact(disc != nullptr ? disc->middle : box.high);
-    const BigPlace middle{a.x + b.x, a.y + b.y, Big::from_int64(2)};
-    const Point rounded = posed.scaled(middle);
+  bool centre_inside(const PosedRegions& posed, const PlanarBox& box, const PlanarDisc* disc) {
+    const BigPoint a = posed.exact(disc != nullptr ? disc->centre : box.low),
+                   b = posed.exact(disc != nullptr ? disc->centre : box.high);
+    const BigPosition centre{a.x + b.x, a.y + b.y, Big::from_int64(2)};
+    const Point rounded = posed.scaled(centre);
     return overlap_.holds(posed, {std::clamp(rounded.x, -4.0, 4.0), std::clamp(rounded.y, -4.0, 4.0),
-                                  PosedRegions::kOff, [&] { return middle; }});
+                                  PosedRegions::kOff, [&] { return centre; }});
   }
 
   /// Directions depend on the ratios of scales.
@@ -114,7 +114,7 @@ class PlanarLocalSum::State {
     const auto ratio = [](const PlanarPose& pose) { return pose.scale[0].exact() / pose.scale[1].exact(); };
     const std::array<Rational, 2> ratios{ratio(poses[0]), ratio(poses[1])};
     if (near_ && ratios == ratios_) return;
-    near_.emplace(*p_, *q_, std::array<Point, 2>{stretch_of(poses[0]), stretch_of(poses[1])});
+    near_.emplace(*p_, *q_, std::array<Point, 2>{factor_of(poses[0]), factor_of(poses[1])});
     ratios_ = ratios;
   }
 
@@ -149,8 +149,7 @@ Result<PlanarLocalSum> PlanarLocalSum::create(const Region& p, const Region& q, 
   auto p_operand = prepared_operand(p, 0), q_operand = prepared_operand(q, 1);
   if (std::optional<Error> error = local_operand_error(p, *p_operand)) return *std::move(error);
   if (std::optional<Error> error = local_operand_error(q, *q_operand)) return *std::move(error);
-  if (options.progress && !options.progress("operands", 0))
-    return cancelled();
+  if (options.progress && !options.progress("operands", 0)) return cancelled();
   return PlanarLocalSum(std::make_unique<State>(std::move(p_operand), std::move(q_operand), options));
 }
 
@@ -164,9 +163,10 @@ Result<PlanarLocalPart> PlanarLocalSum::in(const PlanarBox& box, const PlanarPos
 }
 
 Result<PlanarLocalPart> PlanarLocalSum::in(const PlanarDisc& disc, const PlanarPose& p, const PlanarPose& q) {
-  if (!is_finite_point(disc.middle) || !std::isfinite(disc.radius))
+  if (!is_finite_point(disc.centre) || !std::isfinite(disc.radius))
     return Error{ErrorCode::not_finite, "the disc is not finite", {}};
-  if (!(disc.radius > 0)) return Error{ErrorCode::out_of_range, "the radius has to be positive", {}};
+  if (!(disc.radius > 0))
+    return Error{ErrorCode::out_of_range, "the radius must be positive, not " + base::general_text(disc.radius, 6), {}};
   return state_->in(bounding_box(disc), &disc, {p, q});
 }
 
@@ -184,13 +184,13 @@ struct RationalVertex {
 
 RationalVertex value_of(const LocalNodes& nodes, std::uint32_t n) {
   const LocalUnit& unit = nodes.posed().unit();
-  const BigPlace& at = nodes.exact(n);
+  const BigPosition& at = nodes.exact(n);
   return {unit.value(at.x, at.w), unit.value(at.y, at.w)};
 }
 
 /// Whether the closed disc meets the segment between two nodes, or the one node.
 bool meets(const PlanarDisc& disc, const LocalNodes& nodes, std::uint32_t from, std::uint32_t to) {
-  const RationalVertex m{exact::exact_value(disc.middle.x), exact::exact_value(disc.middle.y)};
+  const RationalVertex m{exact::exact_value(disc.centre.x), exact::exact_value(disc.centre.y)};
   const RationalVertex a = value_of(nodes, from), b = value_of(nodes, to);
   const BigRational dx = b.x - a.x, dy = b.y - a.y, size = dx * dx + dy * dy;
   BigRational t = 0;
@@ -222,12 +222,12 @@ std::vector<std::uint32_t> sorted_nodes(const LocalNodes& nodes, const LocalEdge
 }
 
 std::vector<PlanarLocalPart::Edge> named(const LocalNodes& nodes, const std::vector<LocalEdge>& edges,
-                                         const std::map<std::uint32_t, std::uint32_t>& number) {
+                                         const std::map<std::uint32_t, std::uint32_t>& index) {
   std::vector<PlanarLocalPart::Edge> list;
   const PosedRegions& posed = nodes.posed();
   for (const LocalEdge& e : edges)
     list.push_back(
-        {number.at(e.from), number.at(e.to), contact_of(nodes.segment(e.segment), posed.operand(0), posed.operand(1))});
+        {index.at(e.from), index.at(e.to), contact_of(nodes.segment(e.segment), posed.operand(0), posed.operand(1))});
   std::sort(list.begin(), list.end(),
             [](const auto& a, const auto& b) { return std::tie(a.from, a.to) < std::tie(b.from, b.to); });
   return list;
@@ -242,16 +242,16 @@ std::shared_ptr<const PlanarLocalPart::Positions> assemble_part(const LocalNodes
   if (disc != nullptr) keep_in_disc(*disc, nodes, edges);
   auto positions = std::make_shared<PlanarLocalPart::Positions>();
   positions->unit = nodes.posed().unit();
-  std::map<std::uint32_t, std::uint32_t> number;
+  std::map<std::uint32_t, std::uint32_t> index;
   for (const std::uint32_t n : sorted_nodes(nodes, edges)) {
-    number[n] = static_cast<std::uint32_t>(part.vertices.size());
-    const BigPlace& at = nodes.exact(n);
+    index[n] = static_cast<std::uint32_t>(part.vertices.size());
+    const BigPosition& at = nodes.exact(n);
     part.vertices.push_back({positions->unit.rounded(at.x, at.w), positions->unit.rounded(at.y, at.w)});
     positions->at.push_back(at);
   }
-  part.edges = named(nodes, edges.boundary, number);
-  part.tight_segments = named(nodes, edges.tight, number);
-  for (const std::uint32_t n : edges.tight_points) part.tight_points.push_back(number.at(n));
+  part.edges = named(nodes, edges.boundary, index);
+  part.tight_segments = named(nodes, edges.tight, index);
+  for (const std::uint32_t n : edges.tight_points) part.tight_points.push_back(index.at(n));
   std::sort(part.tight_points.begin(), part.tight_points.end());
   return positions;
 }

@@ -10,7 +10,7 @@ namespace dymsum {
 /// Exact positions of the vertices of a part.
 struct PlanarLocalPart::Positions {
   planar::LocalUnit unit;
-  std::vector<planar::BigPlace> at;
+  std::vector<planar::BigPosition> at;
 };
 
 namespace planar {

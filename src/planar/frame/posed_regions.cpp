@@ -13,14 +13,16 @@ namespace dymsum::planar {
 using exact::BigInteger;
 using exact::BigRational;
 
-int compare(const BigPlace& a, const BigPlace& b, int axis) {
+int compare(const BigPosition& a, const BigPosition& b, int axis) {
   const Big left = (axis == 0 ? a.x : a.y) * b.w, right = (axis == 0 ? b.x : b.y) * a.w;
   return left < right ? -1 : right < left ? 1 : 0;
 }
 
-bool same_place(const BigPlace& a, const BigPlace& b) { return compare(a, b, 0) == 0 && compare(a, b, 1) == 0; }
+bool same_position(const BigPosition& a, const BigPosition& b) {
+  return compare(a, b, 0) == 0 && compare(a, b, 1) == 0;
+}
 
-BigPlace halfway(const BigPlace& a, const BigPlace& b) {
+BigPosition halfway(const BigPosition& a, const BigPosition& b) {
   return {a.x * b.w + b.x * a.w, a.y * b.w + b.y * a.w, Big::from_int64(2) * a.w * b.w};
 }
 
@@ -37,8 +39,8 @@ double LocalUnit::rounded(const Big& n, const Big& w) const {
                       : exact::round_to_double(BigInteger(n.value() << shift), below);
 }
 
-RationalPoint LocalUnit::point(const BigPlace& place) const {
-  return {exact::to_rational(value(place.x, place.w)), exact::to_rational(value(place.y, place.w))};
+RationalPoint LocalUnit::point(const BigPosition& position) const {
+  return {exact::to_rational(value(position.x, position.w)), exact::to_rational(value(position.y, position.w))};
 }
 
 namespace {
@@ -47,8 +49,8 @@ namespace {
 int top_of(const Operand& o, const PlanarPose& pose) {
   double most = 0;
   for (const Point& v : o.points->input) most = std::max({most, std::abs(v.x), std::abs(v.y)});
-  const double stretch = std::max(pose.scale[0].approx(), pose.scale[1].approx());
-  return most > 0 ? std::ilogb(most) + std::ilogb(stretch) + 3 : std::numeric_limits<int>::min() / 2;
+  const double factor = std::max(pose.scale[0].approx(), pose.scale[1].approx());
+  return most > 0 ? std::ilogb(most) + std::ilogb(factor) + 3 : std::numeric_limits<int>::min() / 2;
 }
 
 void lower_to(int& exponent, double v) {
@@ -59,7 +61,8 @@ double quotient(const BigInteger& n, const BigInteger& d) { return exact::round_
 
 }  // namespace
 
-PosedRegions::PosedRegions(const Operand& p, const Operand& q, const PosePair& poses, const std::vector<Point>& places)
+PosedRegions::PosedRegions(const Operand& p, const Operand& q, const PosePair& poses,
+                           const std::vector<Point>& positions)
     : operands_{&p, &q} {
   // Of sums: one more than of either.
   scale_ = std::max({top_of(p, poses[0]), top_of(q, poses[1]), -1022}) + 2;
@@ -67,7 +70,7 @@ PosedRegions::PosedRegions(const Operand& p, const Operand& q, const PosePair& p
   int exponent = kNothing;
   for (const Operand* o : operands_)
     if (!o->points->input.empty()) exponent = std::min(exponent, o->points->exponent);
-  for (const Point& v : places) lower_to(exponent, v.x), lower_to(exponent, v.y);
+  for (const Point& v : positions) lower_to(exponent, v.x), lower_to(exponent, v.y);
   unit_.exponent = exponent == kNothing ? 0 : exponent;
   std::array<LatticeScale, 2> turn;
   std::array<BigInteger, 2> den;
@@ -88,8 +91,8 @@ PosedRegions::PosedRegions(const Operand& p, const Operand& q, const PosePair& p
     };
     entry(BigInteger(c * x), m.xx, m.exact_xx), entry(BigInteger(-s * y), m.xy, m.exact_xy);
     entry(BigInteger(s * x), m.yx, m.exact_yx), entry(BigInteger(c * y), m.yy, m.exact_yy);
-    const Point stretch = stretch_of(poses[op]);
-    m.stretch = std::ldexp(std::max(stretch.x, stretch.y), -scale_);
+    const Point factor = factor_of(poses[op]);
+    m.factor = std::ldexp(std::max(factor.x, factor.y), -scale_);
     m.angle = poses[op].rotation.radians();
     exact_[op].resize(operands_[op]->size());
     pairs_[op].resize(operands_[op]->size());
@@ -142,18 +145,19 @@ const BigPoint& PosedRegions::exact(std::uint32_t op, std::uint32_t walk) const 
   return *kept;
 }
 
-Point PosedRegions::scaled(const BigPlace& place) const {
-  return {std::ldexp(unit_.rounded(place.x, place.w), -scale_), std::ldexp(unit_.rounded(place.y, place.w), -scale_)};
+Point PosedRegions::scaled(const BigPosition& position) const {
+  return {std::ldexp(unit_.rounded(position.x, position.w), -scale_),
+          std::ldexp(unit_.rounded(position.y, position.w), -scale_)};
 }
 
-Point stretch_of(const PlanarPose& pose) { return {pose.scale[0].approx(), pose.scale[1].approx()}; }
+Point factor_of(const PlanarPose& pose) { return {pose.scale[0].approx(), pose.scale[1].approx()}; }
 
 PoseChange change_of(const Operand& operand, const PlanarPose& from, const PlanarPose& to) {
   double most = 0;
   for (const Point& v : operand.points->input) most = std::max(most, std::hypot(v.x, v.y));
   // The largest singular value of the difference of both maps, (x . y; z . w) by columns.
   const auto map = [](const PlanarPose& pose) {
-    const Point s = stretch_of(pose);
+    const Point s = factor_of(pose);
     const double c = std::cos(pose.rotation.radians()), t = std::sin(pose.rotation.radians());
     return std::array{c * s.x, t * s.x, t * s.y, c * s.y};
   };

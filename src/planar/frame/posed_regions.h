@@ -33,21 +33,21 @@ using BigPoint = PointOf<Big>;
 using PairPoint = PointOf<base::DoublePair>;
 
 inline Point less(Point a, Point b) { return {a.x - b.x, a.y - b.y}; }
-/// The sign of a x b where it is certain for vectors whose components are off by at most `off`, or 0.
-inline int sure_cross(Point a, Point b, double off) {
+/// The sign of a x b where it is proved for vectors whose components are off by at most `off`, or 0.
+inline int proved_cross(Point a, Point b, double off) {
   const double value = a.x * b.y - a.y * b.x;
   const double error = 2 * off * (std::abs(a.x) + std::abs(a.y) + std::abs(b.x) + std::abs(b.y) + 2 * off);
   return value > error ? 1 : value < -error ? -1 : 0;
 }
 
 /// (x, y) / w, w > 0.
-struct BigPlace {
+struct BigPosition {
   Big x, y, w;
 };
 /// The sign of a - b along an axis.
-int compare(const BigPlace& a, const BigPlace& b, int axis);
-bool same_place(const BigPlace& a, const BigPlace& b);
-BigPlace halfway(const BigPlace& a, const BigPlace& b);
+int compare(const BigPosition& a, const BigPosition& b, int axis);
+bool same_position(const BigPosition& a, const BigPosition& b);
+BigPosition halfway(const BigPosition& a, const BigPosition& b);
 
 /// Integers count multiples of 2^exponent / den.
 struct LocalUnit {
@@ -55,7 +55,7 @@ struct LocalUnit {
   int exponent = 0;
   exact::BigRational value(const Big& n, const Big& w) const;
   double rounded(const Big& n, const Big& w) const;
-  RationalPoint point(const BigPlace& place) const;
+  RationalPoint point(const BigPosition& position) const;
 };
 
 using PosePair = std::array<PlanarPose, 2>;
@@ -66,8 +66,8 @@ class PosedRegions {
  public:
   static constexpr double kOff = 0x1p-46;
 
-  /// `places` are further points that have to be integers.
-  PosedRegions(const Operand& p, const Operand& q, const PosePair& poses, const std::vector<Point>& places);
+  /// `positions` are further points that have to be integers.
+  PosedRegions(const Operand& p, const Operand& q, const PosePair& poses, const std::vector<Point>& positions);
 
   const Operand& operand(std::uint32_t op) const { return *operands_[op]; }
   /// A point of an operand's own coordinates where it stands.
@@ -77,7 +77,7 @@ class PosedRegions {
   }
   Point vertex(std::uint32_t op, std::uint32_t walk) const { return posed(op, own(op, walk)); }
   /// What a length of an operand's own coordinates becomes, at most.
-  double stretched(std::uint32_t op, double length) const { return length * map_[op].stretch * (1 + 0x1p-40) + kOff; }
+  double stretched(std::uint32_t op, double length) const { return length * map_[op].factor * (1 + 0x1p-40) + kOff; }
   double angle(std::uint32_t op) const { return map_[op].angle; }
   /// Scaled, rounded; numbers beyond 2 in magnitude are 2.
   double scaled(double coordinate) const;
@@ -93,13 +93,13 @@ class PosedRegions {
   const PairPoint& pair(std::uint32_t op, std::uint32_t walk) const;
   const LocalUnit& unit() const { return unit_; }
   /// In scaled doubles, rounded.
-  Point scaled(const BigPlace& place) const;
+  Point scaled(const BigPosition& position) const;
   /// The same of pairs: what is at most 1 there errs by three roundings more than it is off, twice.
   Point scaled(const PairPoint& at) const { return {at.x.value() * pair_scale_, at.y.value() * pair_scale_}; }
 
  private:
   struct Map {
-    double xx = 1, xy = 0, yx = 0, yy = 1, stretch = 1, angle = 0;  // scaled
+    double xx = 1, xy = 0, yx = 0, yy = 1, factor = 1, angle = 0;  // scaled
     Big exact_xx, exact_xy, exact_yx, exact_yy;
   };
   Point own(std::uint32_t op, std::uint32_t walk) const {
@@ -117,7 +117,7 @@ class PosedRegions {
 };
 
 /// Of the coordinates of an operand before it turns.
-Point stretch_of(const PlanarPose& pose);
+Point factor_of(const PlanarPose& pose);
 
 /// How far vertices of an operand move from one pose to another, at most, and how much it turns; in its units.
 struct PoseChange {

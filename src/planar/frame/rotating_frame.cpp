@@ -19,7 +19,7 @@ void RotatingFrame::enter(const RotatingWindow& window) {
   placed_.resize(n);
   for (auto& of_side : busy_) of_side.clear();
   for (std::uint32_t i = 0; i < n; ++i) {
-    const TurnSegment& s = window.segments[i];
+    const RotatingSegment& s = window.segments[i];
     if (window.first_of[s.first_piece] == window.first_of[s.last_piece]) continue;
     busy_[s.side].push_back({i, s.start().p, s.start().q, s.edge});
     placed_[i].length1 = window.forms().length1(s);
@@ -27,7 +27,7 @@ void RotatingFrame::enter(const RotatingWindow& window) {
   }
   meetings_.clear();
   meetings_.reserve(window.candidates.size());
-  for (const TurnCandidate& c : window.candidates)
+  for (const RotationCandidate& c : window.candidates)
     meetings_.push_back({window.segment_of(c.a), window.segment_of(c.b)});
   exists_.assign(n, 1);
   turned_.resize(m);
@@ -35,14 +35,14 @@ void RotatingFrame::enter(const RotatingWindow& window) {
   count_.resize(window.pieces.size());
   entries_.resize(window.of.size());
   walked_.resize(window.pieces.size());
-  stretches_.clear();
-  stretches_.reserve(window.pieces.size());
+  intervals_.clear();
+  intervals_.reserve(window.pieces.size());
   for (std::size_t i = 0; i < window.pieces.size(); ++i)
-    stretches_.push_back({Two{window.pieces[i].head, window.pieces[i].tail}, entries_.data() + window.first_of[i]});
-  ways_.clear();
-  ways_.reserve(window.pieces.size());
-  for (const TurnPiece& p : window.pieces) {
-    Way way{{kNone, kNone}, kNone, p.segment};
+    intervals_.push_back({Two{window.pieces[i].head, window.pieces[i].tail}, entries_.data() + window.first_of[i]});
+  continuations_.clear();
+  continuations_.reserve(window.pieces.size());
+  for (const RotatingPiece& p : window.pieces) {
+    Continuation way{{kNone, kNone}, kNone, p.segment};
     const bool dead = p.tail_dead || (p.follower != kNone && window.pieces[p.follower].tail_dead);
     if (!dead && p.follower != kNone) way.leap = window.pieces[p.follower].run_last;
     for (std::size_t k = 0; k < 2 && !dead && p.follower == kNone; ++k) {
@@ -50,19 +50,19 @@ void RotatingFrame::enter(const RotatingWindow& window) {
       if (next == kNone || window.pieces[window.segments[next].first_piece].head_cut) continue;
       way.next[k] = window.segments[next].first_piece;
     }
-    ways_.push_back(way);
+    continuations_.push_back(way);
   }
 }
 
 std::size_t RotatingFrame::bytes() const {
-  return bytes_of(turned_, turned_edge_, ways_, busy_[0], busy_[1], placed_, meetings_, near_, crossings_, entries_,
-                  stretches_, count_, next_, path_, exists_, seen_, walked_, steps_, cycles_);
+  return bytes_of(turned_, turned_edge_, continuations_, busy_[0], busy_[1], placed_, meetings_, near_, crossings_,
+                  entries_, intervals_, count_, next_, path_, exists_, seen_, walked_, steps_, cycles_);
 }
 
 bool RotatingFrame::compute(double delta, Heading heading) {
   heading_ = heading;
   delta_ = delta;
-  sure_ = true;
+  proved_ = true;
   if (!place_segments(delta)) return false;
   find_near();
   return find_crossings() && link_crossings() && find_cycles();
@@ -78,16 +78,16 @@ bool RotatingFrame::place_segments(double delta) {
     turned_edge_[i] = turn(forms.edge(1, i));
   }
   for (const std::uint32_t i : window_->changing) {
-    const TurnCatalog::Span& span = window_->segments[i].span;
-    const double before = delta - span.from, behind = span.to - delta;
-    if (std::abs(before) < kAngleSlack || std::abs(behind) < kAngleSlack) return false;
-    exists_[i] = before > 0 && behind > 0;
+    const RotationCatalog::Span& span = window_->segments[i].span;
+    const double before = delta - span.from, after = span.to - delta;
+    if (std::abs(before) < kAngleSlack || std::abs(after) < kAngleSlack) return false;
+    exists_[i] = before > 0 && after > 0;
     // Everything lies beside what does not exist.
     placed_[i].error = exists_[i] != 0 ? kTurnedEndSide * forms.span() * placed_[i].length1 : -INFINITY;
   }
   for (const std::uint32_t side : {0u, 1u})
     for (const Busy& b : busy_[side]) {
-      const Point at = place({b.p, b.q}), d = direction({side, b.edge, 0});
+      const Point at = position({b.p, b.q}), d = direction({side, b.edge, 0});
       placed_[b.segment].at = Two{at.x, at.y};
       placed_[b.segment].d = Two{d.x, d.y};
     }
@@ -95,7 +95,7 @@ bool RotatingFrame::place_segments(double delta) {
 }
 
 // Those are left out of which one does not exist, or both ends of one lie on one side of the other. Without branches:
-// which of them cross cannot be predicted, so all are listed and the place moves on for those that may.
+// which of them cross cannot be predicted, so all are listed and the position moves on for those that may.
 void RotatingFrame::find_near() {
   const std::size_t count = window_->candidates.size();
   near_.resize(count + 1);
@@ -113,35 +113,35 @@ void RotatingFrame::find_near() {
   near_count_ = static_cast<std::size_t>(near - near_.data());
 }
 
-// False where it cannot be told whether two cross.
+// False where it cannot be determined whether two cross.
 bool RotatingFrame::find_crossings() {
   std::fill(count_.begin(), count_.end(), 0);
   crossings_.resize(near_count_);
-  std::uint32_t number = 0;
+  std::uint32_t index = 0;
   for (std::size_t i = 0; i < near_count_; ++i) {
     const Near& n = near_[i];
-    const TurnCandidate& m = window_->candidates[n.candidate];
+    const RotationCandidate& m = window_->candidates[n.candidate];
     const Placed &a = placed_[meetings_[n.candidate].a], &b = placed_[meetings_[n.candidate].b];
     const bool unsure = any(least(magnitude(n.starts), magnitude(n.starts + both(n.k))) <= n.error);
     if (unsure || std::abs(n.k) <= kCrossKnown * a.length1 * b.length1) {
-      if (!certainly_beside(a, b) && !certainly_beside(b, a)) return false;
+      if (!provably_beside(a, b) && !provably_beside(b, a)) return false;
       continue;
     }
-    const Stretch &p = stretches_[m.a], &q = stretches_[m.b];
+    const Interval &p = intervals_[m.a], &q = intervals_[m.b];
     const double per = -1 / n.k;
     // First on b, then on a.
     const Two at = n.starts * both(per);
     if (any(at <= firsts(q.range, p.range)) | any(at > seconds(q.range, p.range)))
       continue;  // they cross in other pieces
-    const Two error = both(kCrossingSlack * std::abs(per)) * n.error + both(kCrossingShare);
+    const Two error = both(kCrossingSlack * std::abs(per)) * n.error + both(kCrossingFraction);
     const bool out_on_a = n.k > 0;
     const Two t = out_on_a ? at : exchanged(at), e = out_on_a ? error : exchanged(error);
-    crossings_[number] = {out_on_a ? m.b : m.a, out_on_a ? m.a : m.b, t[0], t[1], e[0], e[1]};
-    insert(p.entries, count_[m.a]++, {at[1], rounded_up(error[1]), out_on_a ? number | kOut : number});
-    insert(q.entries, count_[m.b]++, {at[0], rounded_up(error[0]), out_on_a ? number : number | kOut});
-    ++number;
+    crossings_[index] = {out_on_a ? m.b : m.a, out_on_a ? m.a : m.b, t[0], t[1], e[0], e[1]};
+    insert(p.entries, count_[m.a]++, {at[1], rounded_up(error[1]), out_on_a ? index | kOut : index});
+    insert(q.entries, count_[m.b]++, {at[0], rounded_up(error[0]), out_on_a ? index : index | kOut});
+    ++index;
   }
-  crossings_.resize(number);
+  crossings_.resize(index);
   return true;
 }
 
@@ -150,8 +150,8 @@ void RotatingFrame::insert(Entry* list, std::uint32_t k, Entry entry) {
   list[k] = entry;
 }
 
-// Along the first one, the second one lies before its start or behind its end.
-bool RotatingFrame::certainly_beside(const Placed& a, const Placed& b) {
+// Along the first one, the second one lies before its start or after its end.
+bool RotatingFrame::provably_beside(const Placed& a, const Placed& b) {
   const auto along = [&](Two v) { return a.d[0] * v[0] + a.d[1] * v[1]; };
   const double u = along(b.at - a.at), v = u + along(b.d), whole = along(a.d);
   return (u < -a.error && v < -a.error) || (u > whole + a.error && v > whole + a.error);
@@ -168,17 +168,17 @@ bool RotatingFrame::link_crossings() {
     for (std::uint32_t k = 0; k < last; ++k) {
       if (!(list[k + 1].t - list[k].t > static_cast<double>(list[k].error) + static_cast<double>(list[k + 1].error)))
         return false;
-      if (list[k].out()) next_[list[k].number()] = list[k + 1].out() ? kNone : list[k + 1].crossing;
+      if (list[k].out()) next_[list[k].index()] = list[k + 1].out() ? kNone : list[k + 1].crossing;
     }
-    if (list[last].out()) next_[list[last].number()] = window_->pieces[i].tail_dead ? kNone : kOnward;
+    if (list[last].out()) next_[list[last].index()] = window_->pieces[i].tail_dead ? kNone : kOnward;
   }
   return true;
 }
 
 std::uint32_t RotatingFrame::onward(std::uint32_t piece, std::uint32_t begin, std::vector<std::uint32_t>* path) {
-  const auto exists = [&](std::uint32_t next) { return next != kNone && exists_[ways_[next].segment] != 0; };
-  for (std::size_t steps = 0; steps <= ways_.size(); ++steps) {
-    const Way& way = ways_[piece];
+  const auto exists = [&](std::uint32_t next) { return next != kNone && exists_[continuations_[next].segment] != 0; };
+  for (std::size_t steps = 0; steps <= continuations_.size(); ++steps) {
+    const Continuation& way = continuations_[piece];
     if (way.leap != kNone) {
       for (std::uint32_t next = piece; path != nullptr && next != way.leap; path->push_back(next))
         next = window_->pieces[next].follower;
@@ -186,12 +186,12 @@ std::uint32_t RotatingFrame::onward(std::uint32_t piece, std::uint32_t begin, st
       continue;
     }
     const bool first = exists(way.next[0]), second = exists(way.next[1]);
-    if (first && second) sure_ = false;
+    if (first && second) proved_ = false;
     if (!first && !second) return kNone;
     piece = way.next[first ? 0 : 1];
     if (piece == begin) return kRound;
     if (path != nullptr) path->push_back(piece);
-    if (count(piece) > 0) return entry(piece, 0).out() ? kNone : entry(piece, 0).number();
+    if (count(piece) > 0) return entry(piece, 0).out() ? kNone : entry(piece, 0).index();
     if (begin != kNone && walked_[piece]) return kNone;
     walked_[piece] = 1;
   }
@@ -234,13 +234,13 @@ bool RotatingFrame::find_cycles() {
       at = successor(at);
     } while (at != kNone && !seen_[at]);
     // Every crossing has one predecessor, so only the first one can come again.
-    if (at != c || !sure_) continue;
+    if (at != c || !proved_) continue;
     const auto first = static_cast<std::uint32_t>(steps_.size());
     do at = record(at);
     while (at != c);
     if (!close(first)) return false;
   }
-  return sure_ && find_plain_cycles();
+  return proved_ && find_plain_cycles();
 }
 
 // Cycles without a crossing: along segments that nothing crosses. Those of quiet pieces alone are known; others have
@@ -263,24 +263,24 @@ bool RotatingFrame::find_plain_cycles() {
     walked_[i] = 1;
     if (onward(i, i, &path_) == kRound && !add()) return false;
   }
-  return sure_;
+  return proved_;
 }
 
-// Sets sure_ to false where doubles do not tell.
-int RotatingFrame::half(const TurnSegment& s, Point d) {
+// Sets proved_ to false where doubles do not decide.
+int RotatingFrame::half(const RotatingSegment& s, Point d) {
   if (s.side == 0) return half_plane(d.x, d.y);  // rounded once from exact differences
-  if (std::abs(d.y) <= kTurnedDirection * window_->forms().length1(s)) sure_ = false;
+  if (std::abs(d.y) <= kTurnedDirection * window_->forms().length1(s)) proved_ = false;
   return d.y > 0 ? 0 : 1;
 }
 
 bool RotatingFrame::close(std::uint32_t first) {
   const auto last = static_cast<std::uint32_t>(steps_.size());
-  const TurnSegment* a = &window_->segments[steps_[first].segment];
+  const RotatingSegment* a = &window_->segments[steps_[first].segment];
   Point d = direction(*a);
   int turns = 0, ht = half(*a, d);
   for (std::uint32_t i = first; i < last; ++i) {
     Step& from = steps_[i];
-    const TurnSegment* b = &window_->segments[steps_[i + 1 == last ? first : i + 1].segment];
+    const RotatingSegment* b = &window_->segments[steps_[i + 1 == last ? first : i + 1].segment];
     const Point e = direction(*b);
     const double k = d.x * e.y - d.y * e.x, lengths = window_->forms().length1(*a) * window_->forms().length1(*b);
     if (from.to == kEnd && std::abs(k) <= kNearlyStraight * lengths) from.straight = window_->forms().parallel(*a, *b);
@@ -291,28 +291,28 @@ bool RotatingFrame::close(std::uint32_t first) {
     if (hf == ht) continue;
     int turn = -1;  // at crossings always to the right
     if (from.to == kEnd) {
-      if (std::abs(k) <= kTurnedCross * lengths) sure_ = false;
+      if (std::abs(k) <= kTurnedCross * lengths) proved_ = false;
       turn = k > 0 ? 1 : -1;
     }
     if (turn > 0 && hf == 1) ++turns;
     if (turn < 0 && hf == 0) --turns;
   }
   cycles_.push_back({first, last, turns});
-  return sure_;
+  return proved_;
 }
 
-std::optional<Point> RotatingFrame::middle_of(const Step& s) const {
-  const double from = from_share(s), to = to_share(s), middle = 0.5 * (from + to);
+std::optional<Point> RotatingFrame::midpoint_of(const Step& s) const {
+  const double from = from_fraction(s), to = to_fraction(s), midpoint = 0.5 * (from + to);
   const double low = s.from_crossing == kEnd ? 0 : crossings_[s.from_crossing].e_out,
                high = s.to_crossing == kEnd ? 0 : crossings_[s.to_crossing].e_in;
-  if (!(middle - from > low && to - middle > high)) return std::nullopt;
-  const TurnSegment& segment = window_->segments[s.segment];
-  const Point at = place(segment.start()), d = direction(segment);
-  return Point{at.x + middle * d.x, at.y + middle * d.y};
+  if (!(midpoint - from > low && to - midpoint > high)) return std::nullopt;
+  const RotatingSegment& segment = window_->segments[s.segment];
+  const Point at = position(segment.start()), d = direction(segment);
+  return Point{at.x + midpoint * d.x, at.y + midpoint * d.y};
 }
 
 RotatingFrame::Located RotatingFrame::end_of(const Step& s) const {
-  if (s.to_crossing == kEnd) return {place(window_->segments[s.segment].end), point_error()};
+  if (s.to_crossing == kEnd) return {position(window_->segments[s.segment].end), point_error()};
   const Crossing& c = crossings_[s.to_crossing];
   const Placed &a = placed_[s.segment], &b = placed_[window_->pieces[c.out].segment];
   const double ea = c.e_in * std::max(std::abs(a.d[0]), std::abs(a.d[1])),

@@ -33,7 +33,7 @@ class RotatingFrame {
   /// Two pieces cross: the boundary of what is right of both arrives on one and leaves on the other, turning right.
   struct Crossing {
     std::uint32_t in = 0, out = 0;  ///< pieces
-    double t_in = 0, t_out = 0;     ///< in shares of the segments
+    double t_in = 0, t_out = 0;     ///< as fractions of the segments
     double e_in = 0, e_out = 0;     ///< bounds on their errors
   };
 
@@ -45,8 +45,8 @@ class RotatingFrame {
 
   /// Frames are made in this window from now on; its arrays take the place of those of the window before.
   void enter(const RotatingWindow& window);
-  /// At an angle given as the middle of the window + delta, whose cos and sin err by at most 2^-49. False where doubles
-  /// do not decide; then nothing here means anything.
+  /// At an angle given as the midpoint of the window + delta, whose cos and sin err by at most 2^-49. False where
+  /// doubles do not decide; then nothing here means anything.
   bool compute(double delta, Heading heading);
 
   const RotatingWindow& window() const { return *window_; }
@@ -57,10 +57,10 @@ class RotatingFrame {
   std::size_t bytes() const;
   double delta() const { return delta_; }
 
-  Point place(Pair v) const {
+  Point position(Pair v) const {
     return {window_->forms().points(0)[v.p].x + turned_[v.q].x, window_->forms().points(0)[v.p].y + turned_[v.q].y};
   }
-  double point_error() const { return kTurnedPlace * window_->forms().span(); }
+  double point_error() const { return kTurnedPosition * window_->forms().span(); }
   /// Where a step ends, and a bound on the error of each coordinate.
   struct Located {
     Point at;
@@ -69,17 +69,17 @@ class RotatingFrame {
   Located end_of(const Step& s) const;
   /// A point of the segment that lies inside a sub-edge, each coordinate within 2 point_error(); nothing where doubles
   /// do not know one.
-  std::optional<Point> middle_of(const Step& s) const;
+  std::optional<Point> midpoint_of(const Step& s) const;
   const Point& turned(std::uint32_t v) const { return turned_[v]; }
   Point direction(const WalkSegment& s) const {
     return s.side == 0 ? window_->forms().edge(0, s.edge) : turned_edge_[s.edge];
   }
-  /// In shares of the segment.
-  double from_share(const Step& s) const { return s.from_crossing == kEnd ? 0 : crossings_[s.from_crossing].t_out; }
-  double to_share(const Step& s) const { return s.to_crossing == kEnd ? 1 : crossings_[s.to_crossing].t_in; }
+  /// As fractions of the segment.
+  double from_fraction(const Step& s) const { return s.from_crossing == kEnd ? 0 : crossings_[s.from_crossing].t_out; }
+  double to_fraction(const Step& s) const { return s.to_crossing == kEnd ? 1 : crossings_[s.to_crossing].t_in; }
 
  private:
-  /// A segment at this angle: start, vector, |vector|_1, and a bound on the error of the side of a place.
+  /// A segment at this angle: start, vector, |vector|_1, and a bound on the error of the side of a position.
   struct Placed {
     Two at{}, d{};
     double length1 = 0, error = 0;
@@ -94,7 +94,7 @@ class RotatingFrame {
   };
   /// How a walk that comes to the end of a piece goes on: over a run of quiet pieces to its last one, or to one of two
   /// pieces, whichever exists. Nowhere from dead tails.
-  struct Way {
+  struct Continuation {
     std::array<std::uint32_t, 2> next{kNone, kNone};
     std::uint32_t leap = kNone;
     std::uint32_t segment = 0;  ///< of the piece
@@ -112,10 +112,10 @@ class RotatingFrame {
     float error = 0;  ///< rounded up
     std::uint32_t crossing = 0;
     bool out() const { return (crossing & kOut) != 0; }
-    std::uint32_t number() const { return crossing & ~kOut; }
+    std::uint32_t index() const { return crossing & ~kOut; }
   };
-  /// Of a piece, in shares of its segment, and where its crossings are listed.
-  struct Stretch {
+  /// Of a piece, as fractions of its segment, and where its crossings are listed.
+  struct Interval {
     Two range{0, 1};
     Entry* entries = nullptr;
   };
@@ -123,7 +123,7 @@ class RotatingFrame {
   bool place_segments(double delta);
   void find_near();
   bool find_crossings();
-  static bool certainly_beside(const Placed& a, const Placed& b);
+  static bool provably_beside(const Placed& a, const Placed& b);
   static void insert(Entry* list, std::uint32_t k, Entry entry);
   bool link_crossings();
   bool find_cycles();
@@ -136,36 +136,36 @@ class RotatingFrame {
     return next_[crossing] == kOnward ? onward(crossings_[crossing].out, kNone, nullptr) : next_[crossing];
   }
   /// The same for a walk that comes to the end of a piece; kRound when it gets to the piece `begin`. `path` takes the
-  /// pieces behind the first one.
+  /// pieces after the first one.
   std::uint32_t onward(std::uint32_t piece, std::uint32_t begin, std::vector<std::uint32_t>* path);
   static constexpr std::uint32_t kOnward = 0xfffffffe, kRound = 0xfffffffd;
   std::uint32_t record(std::uint32_t crossing);
   bool close(std::uint32_t first);
-  int half(const TurnSegment& s, Point d);
+  int half(const RotatingSegment& s, Point d);
 
   const RotatingWindow* window_ = nullptr;
   Heading heading_;
   double delta_ = 0;
   std::vector<Point> turned_, turned_edge_;
-  base::CountedArray<Way> ways_;                  // by piece
-  std::array<base::CountedArray<Busy>, 2> busy_;  // segments with candidates, by side
-  base::CountedArray<Placed> placed_;             // by segment, of busy ones; anything where it does not exist
+  base::CountedArray<Continuation> continuations_;  // by piece
+  std::array<base::CountedArray<Busy>, 2> busy_;    // segments with candidates, by side
+  base::CountedArray<Placed> placed_;               // by segment, of busy ones; anything where it does not exist
   std::vector<std::uint8_t> exists_;
   base::CountedArray<Meeting> meetings_;  // of candidates
   base::CountedArray<Near> near_;         // candidates that may cross: the first near_count_
   std::size_t near_count_ = 0;
   std::vector<Crossing> crossings_;
   base::CountedArray<std::uint32_t>
-      count_;                          // of entries, by piece; the places are those of the window's index of candidates
-  base::CountedArray<Entry> entries_;  // along each piece
-  base::CountedArray<Stretch> stretches_;  // by piece
+      count_;  // of entries, by piece; the positions are those of the window's index of candidates
+  base::CountedArray<Entry> entries_;       // along each piece
+  base::CountedArray<Interval> intervals_;  // by piece
   std::vector<std::uint32_t>
       next_;  // crossing -> the crossing at which one arrives, kNone, or kOnward: past the end of the piece
   std::vector<std::uint8_t> seen_, walked_;  // crossing; piece without crossings
   std::vector<std::uint32_t> path_;
   std::vector<Step> steps_;
   std::vector<Cycle> cycles_;
-  bool sure_ = true;
+  bool proved_ = true;
 };
 
 }  // namespace dymsum::planar

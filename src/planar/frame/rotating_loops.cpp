@@ -21,7 +21,7 @@ RotatingOverlap::Box RotatingOverlap::box_of(const std::vector<Point>& points) {
 template <class VectorOf>
 void RotatingOverlap::collect(const Operand& o, const std::vector<Point>& points, const VectorOf& vector_of,
                               const Box& box, std::vector<Edge>& edges) const {
-  const double off = kOverlapPlace * forms_.span();
+  const double off = kOverlapPosition * forms_.span();
   edges.clear();
   for (std::uint32_t i = 0; i < points.size(); ++i) {
     const Point a = points[i], b = points[o.next[i]], d = vector_of(i);
@@ -45,7 +45,7 @@ void RotatingOverlap::collect_edges(const RotatingFrame& frame, Point z) {
   collect(turning, turning_, reflected, box_of(forms_.points(0)), of_turning_);
 }
 
-// Of the ends of an edge against a line: on one side of it certainly (1), certainly on both sides (-1), or not told.
+// Of the ends of an edge against a line: on one side of it provably (1), provably on both sides (-1), or not told.
 int RotatingOverlap::sides(const Edge& line, const Edge& e) const {
   const double bound = (std::abs(line.dx) + std::abs(line.dy)) * kOverlapSide * forms_.span();
   const double u = line.dx * (e.ay - line.ay) - line.dy * (e.ax - line.ax),
@@ -55,7 +55,7 @@ int RotatingOverlap::sides(const Edge& line, const Edge& e) const {
 }
 
 RotatingOverlap::Result RotatingOverlap::right_of(const RotatingFrame& frame, const RotatingFrame::Step& s) {
-  const std::optional<Point> z = frame.middle_of(s);
+  const std::optional<Point> z = frame.midpoint_of(s);
   if (!z) return {};
   collect_edges(frame, *z);
   if (of_fixed_.size() * of_turning_.size() > kMostPairs) return {};
@@ -76,8 +76,8 @@ RotatingOverlap::Result RotatingOverlap::right_of(const RotatingFrame& frame, co
     for (std::size_t k = 0; k < n; ++k) {
       const Edge& f = of_turning_[near_[k]];
       const int u = sides(e, f), v = sides(f, e);
-      if (u > 0 || v > 0 || touches(e.number, f.number)) continue;
-      if (u < 0 && v < 0) return {Answer::overlap, e.number, f.number};
+      if (u > 0 || v > 0 || touches(e.index, f.index)) continue;
+      if (u < 0 && v < 0) return {Answer::overlap, e.index, f.index};
       result.answer = Answer::unknown;
     }
   }
@@ -94,15 +94,15 @@ constexpr std::uint32_t kMostLooks = 128;  // pairs of pieces
 }  // namespace
 
 /// Signs of trigonometric polynomials over a range of angles.
-class RotatingLoops::Stretch {
+class RotatingLoops::AngleInterval {
  public:
-  Stretch(const RotatingFrame& frame, double from, double to)
+  AngleInterval(const RotatingFrame& frame, double from, double to)
       : window_(frame.window()),
         forms_(window_.forms()),
         low_(std::min(from, to)),
         high_(std::max(from, to)),
         half_(0.5 * (high_ - low_) + kAngleDouble),
-        heading_(Heading::of(window_.middle + 0.5 * (low_ + high_))) {}
+        heading_(Heading::of(window_.midpoint + 0.5 * (low_ + high_))) {}
 
   /// It exists all the time, or never.
   bool exists(std::uint32_t s) const { return span(s).from < low_ - kAngleSlack && span(s).to > high_ + kAngleSlack; }
@@ -132,7 +132,7 @@ class RotatingLoops::Stretch {
 
  private:
   const WalkSegment& walk(std::uint32_t s) const { return window_.segments[s]; }
-  const TurnCatalog::Span& span(std::uint32_t s) const { return window_.segments[s].span; }
+  const RotationCatalog::Span& span(std::uint32_t s) const { return window_.segments[s].span; }
   int sign(const TrigForm& form, double error) const {
     return !form.far_from_zero(heading_, half_, error) ? 0 : form.at(heading_) > 0 ? 1 : -1;
   }
@@ -147,13 +147,13 @@ class RotatingLoops::Stretch {
 };
 
 void RotatingLoops::renumber(const RotatingWindow& from, const RotatingWindow& to) {
-  const auto number = [&](std::uint32_t s) {
+  const auto index = [&](std::uint32_t s) {
     if (s == kEnd || s == kGone) return s;
     const std::uint32_t n = to.find(from.segments[s]);
     return n == kNone ? kGone : n;
   };
-  for (Known& k : steps_) k = {number(k.segment), number(k.from), number(k.to), k.loop, kNone};
-  last_delta_ += from.middle - to.middle;
+  for (Known& k : steps_) k = {index(k.segment), index(k.from), index(k.to), k.loop, kNone};
+  last_delta_ += from.midpoint - to.midpoint;
   last_delta_ = std::remainder(last_delta_, kTurn);
 }
 
@@ -170,7 +170,7 @@ void RotatingLoops::update(const RotatingFrame& frame, ExactFrame& exact, RingId
     s.next = head_[s.segment];
     head_[s.segment] = k;
   }
-  told_.clear();
+  decided_.clear();
   const bool comparable = known_ && std::abs(last_delta_) < frame.window().half;
   for (const RotatingFrame::Cycle& c : frame.cycles()) {
     Loop loop;
@@ -187,7 +187,7 @@ void RotatingLoops::update(const RotatingFrame& frame, ExactFrame& exact, RingId
   for (Loop& loop : loops_) {
     const bool outer = one_outer && loop.turning > 0;
     work.loops_kept += outer && comparable;
-    told_.push_back(comparable && !outer && inherit(frame, loop, work));
+    decided_.push_back(comparable && !outer && inherit(frame, loop, work));
   }
   const auto for_each_end = [&](std::size_t i, auto&& f) {
     for (std::uint32_t k = loops_[i].first; k < loops_[i].last; ++k) {
@@ -196,7 +196,7 @@ void RotatingLoops::update(const RotatingFrame& frame, ExactFrame& exact, RingId
     }
   };
   decide_loops(
-      loops_, connected_, [&](std::size_t i) { return told_[i] != 0; }, for_each_end,
+      loops_, connected_, [&](std::size_t i) { return decided_[i] != 0; }, for_each_end,
       [&](Loop& loop) { return covered(frame, loop, exact, work); });
   for (std::uint32_t i = 0; i < loops_.size(); ++i)
     for (std::uint32_t k = loops_[i].first; k < loops_[i].last; ++k) {
@@ -215,20 +215,20 @@ const RotatingLoops::Known* RotatingLoops::match(const RotatingFrame::Step& s) c
 }
 
 // A cycle has the status of any cycle of the frame before with which it shares an undisturbed sub-edge (scaling-sum.md,
-// "Frames": the proof needs continuous motion only); and its witness anyway, which is asked first. Where much has been
-// looked at in vain, a collision test in doubles is cheaper.
+// "Frames": the proof needs continuous motion only); and its witness anyway, which is queried first. Where much has
+// been looked at in vain, a collision test in doubles is cheaper.
 bool RotatingLoops::inherit(const RotatingFrame& frame, Loop& loop, FrameWork& work) {
   const RotatingWindow& window = frame.window();
-  const Stretch all(frame, last_delta_, frame.delta());
+  const AngleInterval all(frame, last_delta_, frame.delta());
   std::uint32_t looked = 0;
-  bool asked = false;
+  bool queried = false;
   for (std::uint32_t k = loop.first; k < loop.last && looked < kMostLooks; ++k) {
     const RotatingFrame::Step& s = frame.steps()[k];
     const Known* old = match(s);
     if (old == nullptr) continue;
     const Loop& before = old_[old->loop];
-    if (!before.kept && !asked) {
-      asked = true;
+    if (!before.kept && !queried) {
+      queried = true;
       loop.witness = before.witness;
       if (witnessed(frame, loop)) {
         ++work.witnessed;
@@ -246,18 +246,18 @@ bool RotatingLoops::inherit(const RotatingFrame& frame, Loop& loop, FrameWork& w
   return false;
 }
 
-// By the pair of edges that covered the loop before, or by one that covered others lately.
+// By the pair of edges that covered the loop before, or by one that covered others recently.
 bool RotatingLoops::witnessed(const RotatingFrame& frame, Loop& loop) {
   const RotatingFrame::Located z = frame.end_of(frame.steps()[loop.first]);
   if (loop.witness && covers(*loop.witness, frame, z)) return true;
   const std::optional<CrossingEdges> found =
-      lately_.find([&](const CrossingEdges& edges) { return covers(edges, frame, z); });
+      recent_.find([&](const CrossingEdges& edges) { return covers(edges, frame, z); });
   if (found) loop.witness = found;
   return found.has_value();
 }
 
 // Whether a sub-edge has existed with nothing between its ends at every angle since the last frame.
-bool RotatingLoops::undisturbed(const Stretch& all, const RotatingWindow& window, const RotatingFrame::Step& s) {
+bool RotatingLoops::undisturbed(const AngleInterval& all, const RotatingWindow& window, const RotatingFrame::Step& s) {
   const std::uint32_t a = s.segment;
   if (!all.exists(a)) return false;
   for (const std::uint32_t end : {s.from, s.to})
@@ -269,7 +269,7 @@ bool RotatingLoops::undisturbed(const Stretch& all, const RotatingWindow& window
   };
   for (std::uint32_t p = window.segments[a].first_piece; p < window.segments[a].last_piece; ++p)
     for (std::uint32_t k = window.first_of[p]; k < window.first_of[p + 1]; ++k) {
-      const TurnCandidate& m = window.candidates[window.of[k]];
+      const RotationCandidate& m = window.candidates[window.of[k]];
       const std::uint32_t b = window.pieces[m.a == p ? m.b : m.a].segment;
       if (b != s.from && b != s.to && !stays_away(b)) return false;
     }
@@ -290,7 +290,8 @@ const RotatingFrame::Step& RotatingLoops::longest_of(const RotatingFrame& frame,
   double best = -1;
   for (std::uint32_t k = loop.first; k < loop.last; ++k) {
     const RotatingFrame::Step& s = frame.steps()[k];
-    const double l = (frame.to_share(s) - frame.from_share(s)) * forms_.length1(frame.window().segments[s.segment]);
+    const double l =
+        (frame.to_fraction(s) - frame.from_fraction(s)) * forms_.length1(frame.window().segments[s.segment]);
     if (l > best) {
       best = l;
       longest = &s;
@@ -308,14 +309,14 @@ bool RotatingLoops::covered(const RotatingFrame& frame, Loop& loop, ExactFrame& 
   ++work.collision_tests;
   const RotatingFrame::Step& beside = longest_of(frame, loop);
   if (connected_) {
-    const RotatingOverlap::Result told = overlap_.right_of(frame, beside);
-    if (told.answer == RotatingOverlap::Answer::free) loop.witness.reset();
-    if (told.answer == RotatingOverlap::Answer::overlap) {
-      loop.witness = {told.fixed_edge, told.turning_edge};
+    const RotatingOverlap::Result decided = overlap_.right_of(frame, beside);
+    if (decided.answer == RotatingOverlap::Answer::free) loop.witness.reset();
+    if (decided.answer == RotatingOverlap::Answer::overlap) {
+      loop.witness = {decided.fixed_edge, decided.turning_edge};
       if (swapped_) std::swap((*loop.witness)[0], (*loop.witness)[1]);
-      lately_.remember(*loop.witness);
+      recent_.remember(*loop.witness);
     }
-    if (told.answer != RotatingOverlap::Answer::unknown) return told.answer == RotatingOverlap::Answer::overlap;
+    if (decided.answer != RotatingOverlap::Answer::unknown) return decided.answer == RotatingOverlap::Answer::overlap;
   }
   const auto by = [&](std::uint32_t s) {
     return s == kEnd ? std::nullopt : std::optional<Segment>(source_segment(s, frame.window()));
@@ -323,7 +324,7 @@ bool RotatingLoops::covered(const RotatingFrame& frame, Loop& loop, ExactFrame& 
   const bool inside =
       exact.inside_right_of(source_segment(beside.segment, frame.window()), by(beside.from), by(beside.to));
   loop.witness = exact.collision().crossing_edges();
-  if (loop.witness) lately_.remember(*loop.witness);
+  if (loop.witness) recent_.remember(*loop.witness);
   return inside;
 }
 
@@ -340,7 +341,7 @@ bool RotatingLoops::covers(const CrossingEdges& edges, const RotatingFrame& fram
     // A turned edge vector is up to sqrt(2) times as long, by the sum of its coordinates, as it was.
     const double bound = (std::abs(d.x) + std::abs(d.y)) * z.error + forms_.side_error(s);
     const auto value = [&](std::uint32_t v) {
-      const Point at = frame.place(side == 0 ? Pair{e, v} : Pair{v, e});
+      const Point at = frame.position(side == 0 ? Pair{e, v} : Pair{v, e});
       return d.x * (z.at.y - at.y) - d.y * (z.at.x - at.x);
     };
     const double u = value(f), v = value(other.next[f]);
@@ -357,8 +358,8 @@ void RotatingLoops::follow(const RotatingFrame& frame, RingIdentities& identitie
       const Known& old = old_steps_[k];
       const Loop& loop = old_[old.loop];
       if (old.to != s.to || !loop.kept) continue;
-      const Known& behind = old_steps_[k + 1 == loop.last ? loop.first : k + 1];
-      if (behind.segment == next) return &old;
+      const Known& after = old_steps_[k + 1 == loop.last ? loop.first : k + 1];
+      if (after.segment == next) return &old;
     }
     return nullptr;
   };
@@ -370,7 +371,7 @@ void RotatingLoops::follow(const RotatingFrame& frame, RingIdentities& identitie
     for (std::uint32_t k = loop.first; k < loop.last; ++k) {
       if (frame.steps()[k].straight) continue;
       const Known* old = vertex(frame.steps()[k], frame.steps()[k + 1 == loop.last ? loop.first : k + 1].segment);
-      if (old != nullptr) claims_.shares(old->loop, old_[old->loop], 1);
+      if (old != nullptr) claims_.fractions(old->loop, old_[old->loop], 1);
     }
   }
   identities.follow(kept, false, changes);

@@ -25,15 +25,15 @@ class RotatingOverlap {
   explicit RotatingOverlap(const TurningForms& forms) : forms_(forms) {}
 
   /// Whether the face to the right of a sub-edge lies in the open sum. Requires: both operands are connected. With the
-  /// sub-edge's middle as the position, a vertex of one operand touches an edge of the other from outside. They overlap
-  /// when another pair of edges crosses; when every other pair lies apart, they do not, as no boundary enters the other
-  /// operand anywhere. O(n m) for the edges in the other one's box.
+  /// sub-edge's midpoint as the position, a vertex of one operand touches an edge of the other from outside. They
+  /// overlap when another pair of edges crosses; when every other pair lies apart, they do not, as no boundary enters
+  /// the other operand anywhere. O(n m) for the edges in the other one's box.
   Result right_of(const RotatingFrame& frame, const RotatingFrame::Step& s);
 
  private:
   struct Edge {
     double ax, ay, bx, by, dx, dy, x0, y0, x1, y1;  ///< ends, vector and box
-    std::uint32_t number;
+    std::uint32_t index;
   };
   struct Box {
     double x0, y0, x1, y1;
@@ -46,7 +46,7 @@ class RotatingOverlap {
   int sides(const Edge& line, const Edge& e) const;
 
   const TurningForms& forms_;
-  std::vector<Point> turning_;  // the turning operand reflected, at the position
+  std::vector<Point> turning_;  // the rotating operand reflected, at the position
   std::vector<Edge> of_fixed_, of_turning_;
   std::vector<std::uint32_t> near_;
 };
@@ -86,11 +86,11 @@ class RotatingLoops {
     std::uint32_t loop = 0;
     std::uint32_t next = kNone;  ///< another one on the same segment
   };
-  class Stretch;
+  class AngleInterval;
   const Known* match(const RotatingFrame::Step& s) const;
   bool inherit(const RotatingFrame& frame, Loop& loop, FrameWork& work);
   bool witnessed(const RotatingFrame& frame, Loop& loop);
-  static bool undisturbed(const Stretch& all, const RotatingWindow& window, const RotatingFrame::Step& s);
+  static bool undisturbed(const AngleInterval& all, const RotatingWindow& window, const RotatingFrame::Step& s);
   const RotatingFrame::Step& longest_of(const RotatingFrame& frame, const Loop& loop) const;
   bool covered(const RotatingFrame& frame, Loop& loop, ExactFrame& exact, FrameWork& work);
   bool covers(const CrossingEdges& edges, const RotatingFrame& frame, const RotatingFrame::Located& z) const;
@@ -105,8 +105,8 @@ class RotatingLoops {
   std::vector<Loop> loops_, old_;
   std::vector<Known> steps_, old_steps_;
   std::vector<std::uint32_t> head_;  // segment -> old steps
-  std::vector<std::uint8_t> told_;
-  RecentEdges<16> lately_;  // of any loop
+  std::vector<std::uint8_t> decided_;
+  RecentEdges<16> recent_;  // of any loop
   RingClaims claims_;
 };
 

@@ -28,11 +28,11 @@ void TurnedRings::enter(const RotatingWindow& window) {
 const TurnedRings::Names& TurnedRings::names(std::uint32_t segment) {
   Names& names = names_[segment];
   if (names.contact.p != kNone) return names;
-  const TurnSegment& s = window_->segments[segment];
+  const RotatingSegment& s = window_->segments[segment];
   const Operand &fixed = forms_.operand(0), &moving = forms_.operand(1);
   names.contact = swapped_ ? contact_of({1 - s.side, s.edge, s.vertex}, moving, fixed) : contact_of(s, fixed, moving);
-  names.corner_p = fixed.vertex_number[s.end.p];
-  names.corner_q = moving.vertex_number[s.end.q];
+  names.corner_p = fixed.vertex_index[s.end.p];
+  names.corner_q = moving.vertex_index[s.end.q];
   if (swapped_) std::swap(names.corner_p, names.corner_q);
   return names;
 }
@@ -62,7 +62,7 @@ KeptRings TurnedRings::at(const Orientation& theta, const RotatingFrame& frame, 
   const Rigid rigid = to_sum(theta);
   const double poor = kPoor * forms_.span();
   const VertexOrder order(source, input_error(poor));
-  std::optional<NearestPoint> nearest;  // made when first asked for
+  std::optional<NearestPoint> nearest;  // made when first requested
   const RotatingFrame::Step* const steps = frame.steps().data();
   KeptRings kept;
   double error = 0;
@@ -143,20 +143,21 @@ using namespace planar;
 namespace {
 
 constexpr double kMaskFrom = 100;    // segments from which a mask pays
-constexpr double kCellsSwept = 1.1;  // a cell is so many times as wide as vertices move from the middle of a window
+constexpr double kCellsSwept = 1.1;  // a cell is so many times as wide as vertices move from the midpoint of a window
 constexpr double kCellsPerRoot = 3.5, kMostCells = 256, kLeastCells = 8;
-// Beyond a sweep either way of this share of the extent, divided by the root of the number of segments, pairs that may
-// meet abound.
+// Beyond a sweep either way of this fraction of the extent, divided by the root of the number of segments, pairs that
+// may meet abound.
 constexpr double kWidestSweep = 0.3;
-// No window is tried for larger steps, in shares of the widest one: it would sweep too far to pay within a few frames.
-constexpr double kLargestShare = 0.4;
+// No window is tried for larger steps, as fractions of the widest one: it would sweep too far to pay within a few
+// frames.
+constexpr double kLargestFraction = 0.4;
 // What pairs of boxes may cost before a window is given up, times a frame from scratch.
 constexpr double kMostOfPairs = 3;
 // Loops that are tested at the start of a window: with more of them it begins at the frame before.
 constexpr std::size_t kFewLoops = 8;
 // By so much windows that follow one another overlap at least: more than doubles of angles err by. In radians.
 constexpr double kSharedAngle = 0x1p-40;
-// How far a window reaches in the direction of the motion, and in all: less than a radian from its middle, which is
+// How far a window reaches in the direction of the motion, and in all: less than a radian from its midpoint, which is
 // what a window of angles requires.
 constexpr double kFarthestAhead = 1.5, kWidestOfAll = 1.98;
 
@@ -231,15 +232,15 @@ int RotatingSum::State::cells_for(double half) const {
 }
 
 MakeWindow RotatingSum::State::maker(double low, double high) {
-  const double half = 0.5 * (high - low), middle = std::remainder(0.5 * (low + high), kTurn);
+  const double half = 0.5 * (high - low), midpoint = std::remainder(0.5 * (low + high), kTurn);
   const int cells = cells_for(half);
   const std::size_t most_pairs =
       chooses() ? static_cast<std::size_t>(kMostOfPairs * slice_cost_ / kCostOfPair) : ~std::size_t{0};
-  return [operands = operands_, grids = grids_, cells, middle, half, mask = segments_ >= kMaskFrom,
+  return [operands = operands_, grids = grids_, cells, midpoint, half, mask = segments_ >= kMaskFrom,
           most_pairs](const base::StopToken& stop) -> std::unique_ptr<FrameWindow> {
-    std::unique_ptr<TurnGrid>& grid = (*grids)[cells];
-    if (!grid) grid = std::make_unique<TurnGrid>(operands->forms, cells);
-    RotatingWindow next(*grid, operands->catalog, middle, half, mask, most_pairs, stop);
+    std::unique_ptr<RotationGrid>& grid = (*grids)[cells];
+    if (!grid) grid = std::make_unique<RotationGrid>(operands->forms, cells);
+    RotatingWindow next(*grid, operands->catalog, midpoint, half, mask, most_pairs, stop);
     if (!next.complete) return nullptr;
     return std::make_unique<TurnedWindow>(operands, std::move(next));
   };
@@ -282,7 +283,7 @@ void RotatingSum::State::assemble(NextFrame& next) {
   sum.stats.crossings = frame.crossings().size();
   sum.stats.loops = loops_->loops().size();
   KeptRings kept = rings_->at(theta_, frame, *loops_, *exact_source(sum), [this] { return spare_ring(); });
-  place(kept, next);
+  position(kept, next);
 }
 
 // Nothing where doubles do not decide the frame.
@@ -291,12 +292,12 @@ std::optional<MovingSum::NextFrame> RotatingSum::State::window_frame(const Move&
   const double angle = moving_angle(theta_);
   next_work.pieces = window.pieces.size();
   next_work.candidates = window.candidates.size();
-  next_work.window_low = window.middle - window.half;
-  next_work.window_high = window.middle + window.half;
+  next_work.window_low = window.midpoint - window.half;
+  next_work.window_high = window.midpoint + window.half;
   next_work.peak_bytes = window.bytes() + frame_.bytes() + loops_->bytes() + rings_->bytes();
   NextFrame next;
   next.followed = loops_->known();
-  if (frame_.compute(std::remainder(angle - window.middle, kTurn), Heading::of(angle))) {
+  if (frame_.compute(std::remainder(angle - window.midpoint, kTurn), Heading::of(angle))) {
     ExactFrame exact(base_, theta_);
     loops_->update(frame_, exact, identities_, next_work, next.changes);
     assemble(next);
@@ -327,8 +328,8 @@ Result<FrameChanges> RotatingSum::State::move_to(const Orientation& theta) {
   to.step = std::remainder(to.at - moving_angle(orientation), kTurn);
   to.widest = operands_ != nullptr ? widest_window() : 0;
   to.windows = operands_ != nullptr;
-  to.builds = !chooses() || std::abs(to.step) <= kLargestShare * to.widest;
-  to.asked = options.window;
+  to.builds = !chooses() || std::abs(to.step) <= kLargestFraction * to.widest;
+  to.requested = options.window;
   Result<FrameChanges> changes = move(to);
   if (changes) orientation = theta;
   return changes;

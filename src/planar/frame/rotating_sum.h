@@ -17,7 +17,7 @@ namespace dymsum::planar {
 /// The loops of a frame as rings of a sum, in input coordinates. Of one window at a time.
 class TurnedRings {
  public:
-  /// `swapped`: P is the moving operand, operand 1 of the forms. `moving_turns`: the moving operand turns in the sum;
+  /// `swapped`: P is the moving operand, operand 1 of the forms. `moving_turns`: the moving operand rotates in the sum;
   /// otherwise what it stands against does.
   TurnedRings(const OperandPair& forms_base, const TurningForms& forms, bool swapped, bool moving_turns)
       : base_(forms_base), forms_(forms), swapped_(swapped), moving_turns_(moving_turns) {}
@@ -52,7 +52,7 @@ class TurnedRings {
   const TurningForms& forms_;
   bool swapped_, moving_turns_;
   const RotatingWindow* window_ = nullptr;
-  std::vector<Names> names_;            // of segments, made when first asked for
+  std::vector<Names> names_;            // of segments, made when first requested
   std::vector<std::uint32_t> corners_;  // scratch: the steps of a ring that end at its vertices
 };
 
@@ -75,7 +75,7 @@ class RotatingSum::State final : public planar::MovingSum {
   Orientation orientation;
 
  private:
-  using Grids = std::map<int, std::unique_ptr<planar::TurnGrid>>;  ///< by cells
+  using Grids = std::map<int, std::unique_ptr<planar::RotationGrid>>;  ///< by cells
 
   planar::PlacedPair placed() const override;
   planar::MakeWindow window_for(const Move& move, const planar::WindowController::Choice& reach) override;

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "planar/operand/round_place.h"
+#include "planar/operand/round_position.h"
 #include "planar/window/edge_search.h"
 
 namespace dymsum::planar {
@@ -84,25 +84,25 @@ class Collector {
     BigRational s;
     double near;  // the nearest double
     ScaleEvent::Kind kind;
-    Place at;
+    SegmentPosition at;
   };
-  // `place(tau)`: the position in the window, known up to `error`.
+  // `position(tau)`: the position in the window, known up to `error`.
   template <class At>
-  void add(const ExactForm& form, ScaleEvent::Kind kind, const Segment& on, const Cut& cut, At place, double error) {
+  void add(const ExactForm& form, ScaleEvent::Kind kind, const Segment& on, const Cut& cut, At position, double error) {
     held_.add(kBesideValue);
     Value v{*form.root(), 0, kind, {on, cut, {}, false, 0, 0, 0}};
     v.near = exact::round_to_double(v.s);
     const double tau = scale_moves_ ? v.near : exact::round_to_double(BigRational(1 / v.s)),
                  grow = scale_moves_ ? 1 : v.near;
-    const auto [x, y] = place(tau);
+    const auto [x, y] = position(tau);
     v.at.x = grow * x;
     v.at.y = grow * y;
     v.at.error = grow * (error + kWindowPoint * window_.span()) * exact::kOutwards;
     values_.push_back(std::move(v));
   }
 
-  // Whether a form has its root in the range of scales, and as far as doubles tell at one of these tau: the quotient of
-  // its rounded coefficients errs by four roundings. It is not brought into lowest terms for that.
+  // Whether a form has its root in the range of scales, and as far as doubles decide at one of these tau: the quotient
+  // of its rounded coefficients errs by four roundings. It is not brought into lowest terms for that.
   bool has_root(const ExactForm& form, const Taus& at) const {
     constexpr double kWider = 1 + 0x1p-50;
     if (form.a.sign() * form.b.sign() >= 0) return false;
@@ -137,12 +137,12 @@ class Collector {
   // What moves in a straight line lies in the open sum at all of these scales. What meets there does not change the
   // boundary: the open sum is open in space and scale together.
   template <class At>
-  bool covered(At place, double error, const Taus& at) {
-    const auto place_at = [&](double tau) {
-      const auto [x, y] = place(tau);
-      return EdgeSearch::Place{x, y, error, tau};
+  bool covered(At position, double error, const Taus& at) {
+    const auto position_at = [&](double tau) {
+      const auto [x, y] = position(tau);
+      return EdgeSearch::Position{x, y, error, tau};
     };
-    return search_.find_or_spare(place_at(at.low), place_at(at.high)).has_value();
+    return search_.find_or_spare(position_at(at.low), position_at(at.high)).has_value();
   }
 
   // Scales at which an end of one segment comes onto the other.
@@ -176,12 +176,12 @@ class Collector {
     const auto [ux, uy] = from(of[1]);
     if (ahead(wx, wy, at.low) < -error && ahead(wx, wy, at.high) < -error) return;
     if (ahead(ux, uy, at.low) > error && ahead(ux, uy, at.high) > error) return;
-    const auto place = [&](double tau) { return std::pair{v.x.at(tau), v.y.at(tau)}; };
-    if (covered(place, point_error_, at)) return;
+    const auto position = [&](double tau) { return std::pair{v.x.at(tau), v.y.at(tau)}; };
+    if (covered(position, point_error_, at)) return;
     const Segment exact = window_.exact(segment);
     const ExactForm side = forms_.side(exact, v.exact);
     const auto add_vertex = [&](const ExactForm& form) {
-      add(form, ScaleEvent::Kind::vertex_on_segment, exact, {Cut::Kind::pair, v.exact, {}}, place, point_error_);
+      add(form, ScaleEvent::Kind::vertex_on_segment, exact, {Cut::Kind::pair, v.exact, {}}, position, point_error_);
     };
     if (side.always_zero()) {
       // A vertex that stays on the line reaches an end: then two vertices meet.
@@ -207,11 +207,11 @@ class Collector {
     for (std::uint32_t k = first; k < last; ++k) {
       count(last - k);
       for (std::uint32_t l = k + 1; l < last; ++l)
-        change_places(i, window_.candidates[window_.of[k]], window_.candidates[window_.of[l]]);
+        change_positions(i, window_.candidates[window_.of[k]], window_.candidates[window_.of[l]]);
     }
   }
 
-  void change_places(std::uint32_t i, const Candidate& x, const Candidate& y) {
+  void change_positions(std::uint32_t i, const Candidate& x, const Candidate& y) {
     if (x.sign == 0 || y.sign == 0) return;
     const Taus both{std::max({x.out_low, y.out_low, all_.low}), std::min({x.out_high, y.out_high, all_.high})};
     if (both.empty()) return;
@@ -228,17 +228,17 @@ class Collector {
     const bool first = error(x) <= error(y);
     const Linear& t = first ? tx : ty;
     const LiveSegment& on = window_.segments[s];
-    const auto place = [&](double tau) {
+    const auto position = [&](double tau) {
       const double along = t.at(tau);
       return std::pair{on.x.at(tau) + along * on.dx, on.y.at(tau) + along * on.dy};
     };
-    const double t_error = std::min(error(x), error(y)) + kShare * std::max(1.0, at.high),
-                 place_error = t_error * std::max(std::abs(on.dx), std::abs(on.dy)) + point_error_;
-    if (std::isfinite(place_error) && covered(place, place_error, at)) return;
+    const double t_error = std::min(error(x), error(y)) + kFraction * std::max(1.0, at.high),
+                 position_error = t_error * std::max(std::abs(on.dx), std::abs(on.dy)) + point_error_;
+    if (std::isfinite(position_error) && covered(position, position_error, at)) return;
     const ExactForm form = forms_.concurrent(window_.exact(s), window_.exact(a), window_.exact(b));
     if (has_root(form, at) && touch(s, a, form) && touch(s, b, form) && touch(a, b, form))
       add(form, ScaleEvent::Kind::three_segments, window_.exact(s),
-          {Cut::Kind::crossing, {}, window_.exact(first ? a : b)}, place, place_error);
+          {Cut::Kind::crossing, {}, window_.exact(first ? a : b)}, position, position_error);
   }
 
   const Window& window_;
@@ -251,7 +251,7 @@ class Collector {
   Taus all_;
   std::uint32_t since_ = 0;
   // What a value has in memory beside itself: the digits of its scale, and its place in the list of the result.
-  static constexpr std::size_t kBesideValue = sizeof(EventValue) + 2 * sizeof(Place);
+  static constexpr std::size_t kBesideValue = sizeof(EventValue) + 2 * sizeof(SegmentPosition);
   base::CountedArray<Value> values_;
   base::HeldMemory held_;
 };
@@ -259,10 +259,10 @@ class Collector {
 }  // namespace
 
 bool is_covered(const EventValue& event, ExactFrame& frame) {
-  return std::all_of(event.at.begin(), event.at.end(), [&](const Place& place) {
-    if (std::isfinite(place.error)) return frame.collision().overlaps(place);
-    Place near = place;  // nearly parallel lines, of which the doubles know nothing
-    round_place(frame.lattice(), near);
+  return std::all_of(event.at.begin(), event.at.end(), [&](const SegmentPosition& position) {
+    if (std::isfinite(position.error)) return frame.collision().overlaps(position);
+    SegmentPosition near = position;  // nearly parallel lines, of which the doubles know nothing
+    round_position(frame.lattice(), near);
     return frame.collision().overlaps(near);
   });
 }

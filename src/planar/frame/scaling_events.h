@@ -1,4 +1,4 @@
-// Exact scales at which segments begin or cease to meet, and hashes by which sums are told apart.
+// Exact scales at which segments begin or cease to meet, and hashes by which sums are distinguished.
 #pragma once
 
 #include <array>
@@ -20,7 +20,8 @@ namespace dymsum::planar {
 struct EventValue {
   exact::BigRational s;
   ScaleEvent::Kind kind = ScaleEvent::Kind::vertex_on_segment;
-  std::vector<Place> at;  ///< where something meets, each position once or more; in the units of the frame's lattice
+  std::vector<SegmentPosition>
+      at;  ///< where something meets, each position once or more; in the units of the frame's lattice
 };
 
 /// All events in [low, high] among the segments live in a window, sorted, each value once, but for those that doubles
@@ -33,7 +34,7 @@ std::vector<EventValue> events_of(const Window& window, const ExactForms& forms,
 /// scale.
 bool is_covered(const EventValue& event, ExactFrame& frame);
 
-/// For every value the first index that it has in a list. Requires that the values asked for are in it.
+/// For every value the first index that it has in a list. Requires that the values requested are in it.
 class FirstIndices {
  public:
   explicit FirstIndices(std::span<const std::uint32_t> values) {

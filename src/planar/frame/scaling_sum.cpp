@@ -130,7 +130,7 @@ MovingSum::NextFrame ScalingSum::State::assemble(double tau, ExactFrame& frame, 
   next.sum.stats.reduced_segments = frames().convolution->size();
   next.sum.stats.live_segments = frames().window->segments.size();
   KeptRings kept = frames().rings.at(tau, *frames().window, frame, *source, [this] { return spare_ring(); });
-  place(kept, next);
+  position(kept, next);
   next.followed = last_ == window();
   if (next.followed) frames().loops.follow(kept.loops, identities_, stays, next.changes);
   return next;
@@ -182,27 +182,27 @@ void ScalingSum::State::remember_touching(const Scale& x, const Scale& y) {
   touching_.push_back(at);
 }
 
-RatioSweep* ScalingSum::State::ratio_sweep(const Stretch& stretch, bool make) {
-  RatioSweep* const known = ratios_.find(stretch);
-  return known != nullptr || !make ? known : ratios_.make(*base, stretch);
+RatioSweep* ScalingSum::State::ratio_sweep(const Factors& factors, bool make) {
+  RatioSweep* const known = ratios_.find(factors);
+  return known != nullptr || !make ? known : ratios_.make(*base, factors);
 }
 
 // Windows of one ratio are those of the uniform scales of the stretched operand. They are built from the second step of
 // one ratio on, and entered again whatever was in between.
-MovingSum::Move ScalingSum::State::move_of(const Scale& x, const Scale& y, const Stretch& stretch) {
-  s_ = stretch.x == ScaleValue{} ? x_ : y_;
+MovingSum::Move ScalingSum::State::move_of(const Scale& x, const Scale& y, const Factors& factors) {
+  s_ = factors.x == ScaleValue{} ? x_ : y_;
   Move to;
   to.stays = x == scale && y == scale_y;
   to.at = s_.approx;
-  to.builds = stretch == stretch_;
+  to.builds = factors == factors_;
   to.step = to.builds ? std::log(s_.approx / std::max(scale.approx(), scale_y.approx())) : 0;
-  to.asked = std::log1p(options.window);
+  to.requested = std::log1p(options.window);
   const bool empty = base->operands[0].size() == 0 || base->operands[1].size() == 0;
   to.windows = options.mode != FrameMode::rebuild && base->regular && !empty;
   builder_ = &windows;
   swept_ = base;
-  if (to.windows && !stretch.uniform()) {
-    RatioSweep* const sweep = ratio_sweep(stretch, to.builds);
+  if (to.windows && !factors.uniform()) {
+    RatioSweep* const sweep = ratio_sweep(factors, to.builds);
     to.windows = sweep != nullptr;
     if (sweep != nullptr) {
       to.family = sweep->family;
@@ -223,13 +223,13 @@ Result<FrameChanges> ScalingSum::State::move_to(const Scale& x, const Scale& y) 
   }
   x_ = scale_value(x);
   y_ = x == y ? x_ : scale_value(y);
-  const Stretch stretch = stretch_of(x_, y_);
-  Result<FrameChanges> changes = move(move_of(x, y, stretch));
+  const Factors factors = factors_of(x_, y_);
+  Result<FrameChanges> changes = move(move_of(x, y, factors));
   if (!changes) return changes;
   if (work.rebuilt && sum.stats.degenerate_nodes > 0) remember_touching(x, y);
   scale = x;
   scale_y = y;
-  stretch_ = stretch;
+  factors_ = factors;
   return changes;
 }
 

@@ -43,13 +43,13 @@ class ScalingSum::State final : public planar::MovingSum {
   planar::WindowFrames& frames() const { return static_cast<planar::WindowFrames&>(*window()); }
 
   /// The motion to the new position, as windows see it.
-  Move move_of(const Scale& x, const Scale& y, const planar::Stretch& stretch);
-  planar::RatioSweep* ratio_sweep(const planar::Stretch& stretch, bool make);
+  Move move_of(const Scale& x, const Scale& y, const planar::Factors& factors);
+  planar::RatioSweep* ratio_sweep(const planar::Factors& factors, bool make);
   void remember_touching(const Scale& x, const Scale& y);
 
   planar::ScaleValue x_, y_;  ///< the new position, during a move
   planar::ScaleValue s_;      ///< the same as windows have it: the larger of both
-  planar::Stretch stretch_;   ///< of the last position
+  planar::Factors factors_;   ///< of the last position
   planar::RatioSweeps ratios_;
   planar::WindowBuilder* builder_ = nullptr;          ///< of windows at the new position, where they serve
   std::shared_ptr<const planar::OperandPair> swept_;  ///< the operands these are of

@@ -18,7 +18,7 @@ struct ToInput {
     unit = l.unit;
     const double s = frame.value().approx;
     const PlacedPoints& moved = *l.points[frame.base().moved];
-    const Point scaled{moved.offset.x * moved.stretch.x, moved.offset.y * moved.stretch.y};
+    const Point scaled{moved.offset.x * moved.factors.x, moved.offset.y * moved.factors.y};
     const Point& other = l.points[1 - frame.base().moved]->offset;
     origin = Two{scaled.x * s + other.x, scaled.y * s + other.y};
     reach = (std::abs(scaled.x) + std::abs(scaled.y)) * s + std::abs(other.x) + std::abs(other.y);

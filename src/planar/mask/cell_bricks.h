@@ -36,7 +36,7 @@ struct FourBricks {
 };
 
 /// The cells o of a brick, of those not in `known`, for which o = u + k with u in `a` and k in the four bricks, `at`
-/// being the brick at the same place as o for u = 0; with `known`. Stops when all are.
+/// being the brick at the same position as o for u = 0; with `known`. Stops when all are.
 inline std::uint64_t brick_sum(std::uint64_t a, const FourBricks& b, std::uint64_t known) {
   constexpr std::uint64_t kColumn = 0x0101010101010101;
   for (int c = 0; c < kBrick; ++c) {

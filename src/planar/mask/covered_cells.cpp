@@ -130,7 +130,7 @@ void add_runs(Bitmap& target, const RunRows& a, const Bitmap& b, int spread) {
   }
 }
 
-// One interval for every row, none at first; in blocks, behind the last row too, for comparing several at once.
+// One interval for every row, none at first; in blocks, after the last row too, for comparing several at once.
 struct Intervals {
   static constexpr std::size_t kBlock = 8;
   std::vector<int> first, last;

@@ -45,7 +45,7 @@ struct Bitmap {
 struct Raster {
   Raster(int rows, int columns) : inner(rows, columns), touch(rows, columns) {}
   Bitmap inner;  ///< cells that lie in the interior of a component, with a rim
-  Bitmap touch;  ///< cells that certainly hold a point of the operand, up to the rim
+  Bitmap touch;  ///< cells that provably hold a point of the operand, up to the rim
 };
 
 /// Boundary cells are those within 32 kReach cells of the boundary, so that an inner cell keeps a rim of that width.
@@ -93,8 +93,8 @@ class CentreWindings {
   std::vector<int> change_;
 };
 
-/// A raster in the making, edge by edge; which cells an edge touches, and which are boundary cells, is told by who
-/// makes it. Centres: CentreWindings or CentreParities.
+/// A raster in the making, edge by edge; which cells an edge touches, and which are boundary cells, is determined by
+/// who makes it. Centres: CentreWindings or CentreParities.
 template <class Centres>
 class RasterMaker {
  public:

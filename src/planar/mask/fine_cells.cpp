@@ -6,7 +6,7 @@
 namespace dymsum::planar {
 namespace {
 
-// A word of zeros before and behind what is read at any place.
+// A word of zeros before and after what is read at any position.
 constexpr int kMargin = 64;
 
 Bitmap occupied(const Bricks& bricks) {
@@ -39,7 +39,7 @@ BrickPairs::BrickPairs(const Bitmap& corners, const Bitmap& touch)
       touch_reversed_(reversed_neighbourhoods(touch_)) {}
 
 // Those of one brick of corners.
-std::uint64_t BrickPairs::with(Place a, Place sum, std::uint64_t known) const {
+std::uint64_t BrickPairs::with(Position a, Position sum, std::uint64_t known) const {
   const int r = sum.row - a.row, c = sum.column - a.column;
   if (a.row < 0 || a.column < 0 || a.row >= corners_.rows() || a.column >= corners_.columns() || r < 0 || c < 0 ||
       r > touch_.rows() || c > touch_.columns())
@@ -48,7 +48,7 @@ std::uint64_t BrickPairs::with(Place a, Place sum, std::uint64_t known) const {
                    {touch_.at(r - 1, c - 1), touch_.at(r - 1, c), touch_.at(r, c - 1), touch_.at(r, c)}, known);
 }
 
-std::uint64_t BrickPairs::with_recent(Place sum, std::uint64_t known) const {
+std::uint64_t BrickPairs::with_recent(Position sum, std::uint64_t known) const {
   for (const Success& s : recent_) {
     known = with(s.corner, sum, known);
     known = with({s.corner.row + sum.row - s.sum.row, s.corner.column + sum.column - s.sum.column}, sum, known);
@@ -57,14 +57,14 @@ std::uint64_t BrickPairs::with_recent(Place sum, std::uint64_t known) const {
   return known;
 }
 
-void BrickPairs::remember(Place corner, Place sum) {
+void BrickPairs::remember(Position corner, Position sum) {
   if (recent_.size() < kRecent) recent_.push_back({corner, sum});
   else recent_[next_recent_++ % kRecent] = {corner, sum};
 }
 
 std::uint64_t BrickPairs::covered(int row, int column, std::uint64_t known) {
   constexpr std::uint64_t kAll = ~std::uint64_t{0};
-  const Place sum{row, column};
+  const Position sum{row, column};
   known = with_recent(sum, known);
   const int width = touch_.columns();
   const int first = std::max(0, column - width), last = std::min(corners_.columns() - 1, column);
@@ -81,7 +81,7 @@ std::uint64_t BrickPairs::covered(int row, int column, std::uint64_t known) {
       const std::uint64_t* const at = other + from / 64;
       both &= by == 0 ? at[0] : (at[0] >> by) | (at[1] << (64 - by));
       for (; both != 0 && known != kAll; both &= both - 1) {
-        const Place corner{r, 64 * w + std::countr_zero(both)};
+        const Position corner{r, 64 * w + std::countr_zero(both)};
         const std::uint64_t more = with(corner, sum, known);
         if (more == known) continue;
         known = more;

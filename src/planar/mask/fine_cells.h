@@ -21,19 +21,19 @@ class BrickPairs {
   std::size_t bytes() const;
 
  private:
-  struct Place {
+  struct Position {
     int row = 0, column = 0;
   };
-  std::uint64_t with(Place corner, Place sum, std::uint64_t known) const;
-  std::uint64_t with_recent(Place sum, std::uint64_t known) const;
-  void remember(Place corner, Place sum);
+  std::uint64_t with(Position corner, Position sum, std::uint64_t known) const;
+  std::uint64_t with_recent(Position sum, std::uint64_t known) const;
+  void remember(Position corner, Position sum);
 
   Bricks corners_, touch_;
   Bitmap some_corner_;     // bricks with corners
   Bitmap touch_reversed_;  // bit kMargin + j of row r: whether brick (r, columns - j) of the touched cells, or one left
                            // of or below it, has any
   struct Success {
-    Place corner, sum;
+    Position corner, sum;
   };
   static constexpr std::size_t kRecent = 6;
   std::vector<Success> recent_;  // bricks that covered something for the last sums: likely for the next one

@@ -11,10 +11,10 @@ class SegmentClip {
  public:
   SegmentClip(double x, double y, double dx, double dy) : x_(x), y_(y), per_x_(1 / dx), per_y_(1 / dy) {}
 
-  /// Shares of the segment; nothing of it where from > to. Each errs by three roundings.
+  /// Fractions of the segment; nothing of it where from > to. Each errs by three roundings.
   struct Part {
     double from = 0, to = 1;
-    double middle() const { return 0.5 * (from + to); }
+    double midpoint() const { return 0.5 * (from + to); }
   };
   /// What lies in [x0, x1] x [y0, y1].
   Part within(double x0, double y0, double x1, double y1) const {

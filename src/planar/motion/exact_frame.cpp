@@ -1,6 +1,6 @@
 #include "planar/motion/exact_frame.h"
 
-#include "planar/operand/round_place.h"
+#include "planar/operand/round_position.h"
 
 namespace dymsum::planar {
 namespace {
@@ -12,7 +12,7 @@ std::optional<int> compare_scaled(const OperandPair& base, const LatticeScale& s
   const SharedIntegers& integers = base.given->unscaled_integers();
   exact::BigInteger sum = 0;
   for (std::uint32_t op = 0; op < 2; ++op) {
-    const auto& source = base.operands[op].numbered_vertex;
+    const auto& source = base.operands[op].vertex_of_index;
     const std::uint32_t i = source[op == 0 ? a.corner_p : a.corner_q], j = source[op == 0 ? b.corner_p : b.corner_q];
     const exact::i128 d = integers.at[op][i][axis] - integers.at[op][j][axis];
     if (d == 0) continue;
@@ -21,11 +21,11 @@ std::optional<int> compare_scaled(const OperandPair& base, const LatticeScale& s
   return sum.sign();
 }
 
-// Sums with one vertex of the turning operand differ as the vertices that stand still do.
+// Sums with one vertex of the rotating operand differ as the vertices that stand still do.
 std::optional<int> compare_turned(const OperandPair& base, const SumVertex& a, const SumVertex& b, int axis) {
   const std::uint32_t still = 1 - base.moved;
   if ((still == 0 ? a.corner_q : a.corner_p) != (still == 0 ? b.corner_q : b.corner_p)) return std::nullopt;
-  const auto& source = base.operands[still].numbered_vertex;
+  const auto& source = base.operands[still].vertex_of_index;
   const std::vector<Point>& input = base.lattice->points[still]->input;
   const Point &u = input[source[still == 0 ? a.corner_p : a.corner_q]],
               &v = input[source[still == 0 ? b.corner_p : b.corner_q]];
@@ -75,12 +75,12 @@ bool ExactFrame::inside_right_of(const Segment& on, const std::optional<Segment>
   const auto cut = [](const std::optional<Segment>& by, Pair end) {
     return by ? Cut{Cut::Kind::crossing, {}, *by} : Cut{Cut::Kind::pair, end, {}};
   };
-  Place p;
+  SegmentPosition p;
   p.on = on;
   p.first = cut(from, start_of(on));
   p.second = cut(to, end_of(on));
   p.between = true;
-  round_place(lattice(), p);
+  round_position(lattice(), p);
   return collision().overlaps_right_of(p);
 }
 
@@ -89,7 +89,7 @@ bool FrameSource::on_common_line(const SumVertex& a, const SumVertex& b, int axi
   const auto straight = [&](const Contact& c) {
     const std::uint32_t op = c.kind == Contact::Kind::edge_of_p ? 0 : 1;
     if (op == base_->moved && std::holds_alternative<Orientation>(at_)) return false;
-    const auto [from, to] = base_->operands[op].numbered_edge[op == 0 ? c.p : c.q];
+    const auto [from, to] = base_->operands[op].edge_of_index[op == 0 ? c.p : c.q];
     const Point &u = base_->lattice->points[op]->input[from], &v = base_->lattice->points[op]->input[to];
     return axis == 0 ? u.x == v.x : u.y == v.y;
   };
@@ -98,7 +98,7 @@ bool FrameSource::on_common_line(const SumVertex& a, const SumVertex& b, int axi
   return false;
 }
 
-// The order of two sums of vertices, where it can be told without placing the operands.
+// The order of two sums of vertices, where it can be determined without placing the operands.
 std::optional<int> FrameSource::compare_corners(const SumVertex& a, const SumVertex& b, int axis) const {
   if (a.corner_p == SumVertex::kNone || b.corner_p == SumVertex::kNone) return std::nullopt;
   const auto* scale = std::get_if<LatticeScale>(&at_);

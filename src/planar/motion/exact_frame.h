@@ -1,5 +1,5 @@
 // One frame, exactly: the operands where they stand, signs and collision tests there, and the positions of the sum's
-// vertices. All of it is made when first asked for.
+// vertices. All of it is made when first requested.
 #pragma once
 
 #include <array>
@@ -50,7 +50,7 @@ class ExactFrame {
   std::unique_ptr<Collision> collision_;
 };
 
-/// Exact positions of the vertices of a frame's sum. The operands are placed when first asked for. Most comparisons of
+/// Exact positions of the vertices of a frame's sum. The operands are placed when first requested. Most comparisons of
 /// coordinates are decided without them.
 class FrameSource final : public ExactSource {
  public:

@@ -3,6 +3,7 @@
 #include <cmath>
 #include <string>
 
+#include "base/double_text.h"
 #include "exact/grid.h"
 #include "planar/motion/orientation.h"
 #include "planar/operand/prepared_region.h"
@@ -65,10 +66,10 @@ void OperandPair::place(const std::array<std::shared_ptr<const Operand>, 2>& pla
 }
 
 // Coordinates of moderate size are stretched and scaled, and two of them multiplied; where units are chosen for their
-// spread, products may underflow as far as they do without a stretch.
-static_assert(2 * (PlacedPoints::kModerateBits + 65 + OperandPair::kStretchBits) <= 1022);
+// spread, products may underflow as far as they do without a factor.
+static_assert(2 * (PlacedPoints::kModerateBits + 65 + OperandPair::kFactorBits) <= 1022);
 bool OperandPair::may_be_stretched() const {
-  return given->points[moved]->bits(given->grid_exponent) + kStretchBits <= kNarrowBits;
+  return given->points[moved]->bits(given->grid_exponent) + kFactorBits <= kNarrowBits;
 }
 
 std::shared_ptr<const OperandPair> OperandPair::stretched(const ScaleValue& x, const ScaleValue& y) const {
@@ -79,7 +80,7 @@ std::shared_ptr<const OperandPair> OperandPair::stretched(const ScaleValue& x, c
   made->lattice = lattice_at(lattice_scale(x, y));
   made->regular = regular;
   made->connected = connected;
-  made->stretch_ = {x, y};
+  made->factors_ = {x, y};
   made->place({operand_at(0, *made->lattice), operand_at(1, *made->lattice)});
   return made;
 }
@@ -91,11 +92,11 @@ LatticeScale OperandPair::lattice_scale(const ScaleValue& x, const ScaleValue& y
 }
 
 LatticeScale OperandPair::lattice_scale(const ScaleValue& s) const {
-  const auto along = [&](const ScaleValue& stretch) {
-    if (stretch == ScaleValue{}) return s;
-    return scale_value(exact::BigRational(rational(s) * rational(stretch)));
+  const auto along = [&](const ScaleValue& factors) {
+    if (factors == ScaleValue{}) return s;
+    return scale_value(exact::BigRational(rational(s) * rational(factors)));
   };
-  return lattice_scale(along(stretch_[0]), along(stretch_[1]));
+  return lattice_scale(along(factors_[0]), along(factors_[1]));
 }
 
 std::shared_ptr<const Lattice> OperandPair::lattice_at(const Placement& at) const {
@@ -121,8 +122,11 @@ Result<std::shared_ptr<const OperandPair>> pair_of_regions(const Region& p, cons
 Result<std::shared_ptr<const OperandPair>> pair_of_regions(const Region& p, const Region& q,
                                                            const MovingOptions& options) {
   if (!(options.window >= 0) || std::isinf(options.window))
-    return Error{ErrorCode::out_of_range, "how far windows reach ahead is a finite number of at least 0", {}};
-  if (options.threads < 0) return Error{ErrorCode::out_of_range, "there are at least 0 threads", {}};
+    return Error{ErrorCode::out_of_range,
+                 "the window must be finite and at least 0, not " + base::general_text(options.window, 6),
+                 {}};
+  if (options.threads < 0)
+    return Error{ErrorCode::out_of_range, "threads must be at least 0, not " + std::to_string(options.threads), {}};
   return pair_of_regions(p, q,
                          PairOptions{.moved = options.moving == MovingOperand::p ? 0U : 1U,
                                      .reflect_q = options.reflect_q,

@@ -22,7 +22,7 @@ enum class Spread { narrow, any };
 
 class OperandPair : public std::enable_shared_from_this<OperandPair> {
  public:
-  /// Of operands, with further source vertices behind their own that belong to no walk. Errors: unsupported_operand.
+  /// Of operands, with further source vertices after their own that belong to no walk. Errors: unsupported_operand.
   static Result<std::shared_ptr<const OperandPair>> create(const std::array<std::shared_ptr<const Operand>, 2>& kept,
                                                            const std::array<std::vector<Point>, 2>& further,
                                                            std::uint32_t moved, int min_tier_bits,
@@ -38,11 +38,11 @@ class OperandPair : public std::enable_shared_from_this<OperandPair> {
   bool connected = true;                    ///< one component each
 
   /// The same operands with the moved one stretched: its uniform scales s are diag(s x, s y) of the one that was given.
-  /// Doubles carry three roundings there. Requires: this is as it was given; x and y from 2^-kStretchBits to 1.
+  /// Doubles carry three roundings there. Requires: this is as it was given; x and y from 2^-kFactorBits to 1.
   std::shared_ptr<const OperandPair> stretched(const ScaleValue& x, const ScaleValue& y) const;
   /// Whether doubles stay as moderate when the moved operand is stretched as they are without that.
   bool may_be_stretched() const;
-  static constexpr int kStretchBits = 32;
+  static constexpr int kFactorBits = 32;
 
   /// diag(x, y) times the moved operand as it was given.
   LatticeScale lattice_scale(const ScaleValue& x, const ScaleValue& y) const;
@@ -57,7 +57,7 @@ class OperandPair : public std::enable_shared_from_this<OperandPair> {
  private:
   void place(const std::array<std::shared_ptr<const Operand>, 2>& placed);
 
-  std::array<ScaleValue, 2> stretch_;  ///< of the moved operand, along x and y
+  std::array<ScaleValue, 2> factors_;  ///< of the moved operand, along x and y
 };
 
 struct PairOptions {

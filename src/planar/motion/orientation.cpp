@@ -5,6 +5,7 @@
 #include <numbers>
 #include <stdexcept>
 
+#include "base/double_text.h"
 #include "base/elementary.h"
 #include "dymsum/orientation.h"
 #include "exact/big.h"
@@ -64,7 +65,8 @@ Result<Orientation> Orientation::parse(std::string_view tan_half) {
 }
 
 Result<Orientation> Orientation::nearest(double radians) {
-  if (!std::isfinite(radians)) return Error{ErrorCode::bad_rotation, "an angle has to be finite", {}};
+  if (!std::isfinite(radians))
+    return Error{ErrorCode::bad_rotation, "an angle must be finite, not " + base::general_text(radians, 6), {}};
   const double theta = planar::reduced_angle(radians);
   if (std::abs(theta) == std::numbers::pi) return half_turn();
   if (std::abs(theta) == std::numbers::pi / 2) return of(theta > 0 ? 1 : -1, 1);
@@ -75,16 +77,17 @@ Result<Orientation> Orientation::nearest(double radians) {
   return planar::orientation_of(BigRational(1 / exact::exact_value(back)));
 }
 
-// Of the error that is allowed a share is kept for what tangents lose, and what the reduced angle errs by; below the
+// Of the error that is allowed a fraction is kept for what tangents lose, and what the reduced angle errs by; below the
 // shortest one the nearest orientation is as good.
-constexpr double kShare = 0.99, kReduced = exact::rounding_bound(4, 8), kShortest = exact::rounding_bound(16, 32);
+constexpr double kFraction = 0.99, kReduced = exact::rounding_bound(4, 8), kShortest = exact::rounding_bound(16, 32);
 
 Result<Orientation> Orientation::nearest(double radians, double error) {
-  if (!std::isfinite(radians)) return Error{ErrorCode::bad_rotation, "an angle has to be finite", {}};
+  if (!std::isfinite(radians))
+    return Error{ErrorCode::bad_rotation, "an angle must be finite, not " + base::general_text(radians, 6), {}};
   if (!(error >= kAngularError))
     return Error{
         ErrorCode::bad_rotation, "an angle is met within 2^-50, 8.9e-16 radians: its error cannot be less", {}};
-  const double theta = planar::reduced_angle(radians), e = kShare * error - kReduced;
+  const double theta = planar::reduced_angle(radians), e = kFraction * error - kReduced;
   if (e < kShortest) return nearest(radians);
   if (std::abs(theta) <= e) return Orientation{};
   if (std::abs(theta) + e >= std::numbers::pi) return half_turn();

@@ -56,20 +56,21 @@ class ExactForms {
 // What doubles lose in a window of scales.
 //
 // In units u of roundoff, for c(tau) = f + tau m in the window's frame, with L = |edge vector|_1, F the extent of the
-// operand that stands still, M that of the moving one and S = F + 2 tau1 M the span. Shares of a segment are multiples
-// of its unscaled edge vector; within a piece they are at most max(1, tau). Coordinates and components of edge vectors
-// carry 3 each: their own, and of an operand that is stretched (OperandPair::stretched) the factor's and the product's.
-//   point    f and m carry 3 each, tau 1, the product and the sum 1 each: 4 F + 6 tau M <= 4 S. A place on a segment
-//            carries 5 more: the edge vector, the product with the share, and the sum.
+// operand that stands still, M that of the moving one and S = F + 2 tau1 M the span. Fractions of a segment are
+// multiples of its unscaled edge vector; within a piece they are at most max(1, tau). Coordinates and components of
+// edge vectors carry 3 each: their own, and of an operand that is stretched (OperandPair::stretched) the factor's and
+// the product's.
+//   point    f and m carry 3 each, tau 1, the product and the sum 1 each: 4 F + 6 tau M <= 4 S. A position on a segment
+//            carries 5 more: the edge vector, the product with the fraction, and the sum.
 //   side     d x (v - w): two points and their difference 9, the edge vector 3, the product and the last difference 1
 //            each: 14 L S. With the shift of the frame, whose sum is one more of at most F + tau1 M, a point has one
-//            more. Ends of cut pieces carry 6 more: the edge vector, the products with its length and with the share,
-//            and the sum.
-//   share    numerator / denominator: what a side and the denominator lose, and the quotient (see share_error()).
+//            more. Ends of cut pieces carry 6 more: the edge vector, the products with its length and with the
+//            fraction, and the sum.
+//   share    numerator / denominator: what a side and the denominator lose, and the quotient (see fraction_error()).
 
-/// Of a sum's coordinate, or of one of a place on a segment, times the span.
+/// Of a sum's coordinate, or of one of a position on a segment, times the span.
 inline constexpr double kWindowPoint = exact::rounding_bound(4 + 5, 16);
-/// Of a side, times L and the span: with the shift, and both places at cuts.
+/// Of a side, times L and the span: with the shift, and both positions at cuts.
 inline constexpr int kSideRoundings = 14;
 inline constexpr double kWindowSide = exact::rounding_bound(kSideRoundings + 2 * 1 + 2 * 6, 32);
 /// Of a side of an edge that is scaled where it stands, times |e|_1 and the span: two products with a rounded tau (5
@@ -77,13 +78,13 @@ inline constexpr double kWindowSide = exact::rounding_bound(kSideRoundings + 2 *
 inline constexpr double kSearchSide = exact::rounding_bound(12, 32);
 
 /// Of a share a + b tau where it is evaluated, times max(1, tau): product, sum and tau; a and b that cancel are covered
-/// by the error of the share, which counts roundings of their size.
-inline constexpr double kShare = exact::rounding_bound(3, 16);
+/// by the error of the fraction, which counts roundings of their size.
+inline constexpr double kFraction = exact::rounding_bound(3, 16);
 /// The same for two shares and their difference.
-inline constexpr double kShareGap = exact::rounding_bound(7, 32);
+inline constexpr double kFractionGap = exact::rounding_bound(7, 32);
 /// Of a share by a scalar product of sums with an edge vector over its square, times max(1, tau1): 6 of the product, 8
 /// of the square, the quotient and the evaluation. Besides, what the sums err by, times |d|_1 and the span over the
-/// square: a side, and for a place farther on the same line a vector, its product and the sum.
+/// square: a side, and for a position farther on the same line a vector, its product and the sum.
 inline constexpr int kProjectionRoundings = 6 + 8 + 1 + 3, kProjectedRoundings = kSideRoundings + 6;
 inline constexpr double kProjection = exact::rounding_bound(kProjectionRoundings, 64),
                         kProjectedSums = exact::rounding_bound(kProjectedRoundings, 64);
@@ -96,7 +97,8 @@ inline constexpr double kRoot = exact::rounding_bound(2, 16);
 /// Of tau, times tau1: it is the double nearest to the scale.
 inline constexpr double kTau = exact::rounding_bound(1, 8);
 
-/// Of where a share of two crossing lines is evaluated, times the sizes of what a and b make: products, sums and tau.
+/// Of where a fraction of two crossing lines is evaluated, times the sizes of what a and b make: products, sums and
+/// tau.
 inline constexpr double kFollowed = exact::rounding_bound(5, 8);
 /// Of the weights of a mediant, relatively: a length alone; a cross product, over its own share of cancellation, with
 /// the three factors that it is multiplied with; the sum and the quotient.
@@ -104,16 +106,16 @@ inline constexpr double kLengthWeight = exact::rounding_bound(3, 8), kCrossWeigh
                         kMediant = exact::rounding_bound(3, 8);
 
 /// Of a position in input coordinates, times the span: evaluation (3), the blow-up and the last sum; times the offsets:
-/// the stretch and its product, the scale, products and sums.
+/// the factor and its product, the scale, products and sums.
 inline constexpr double kKeptPosition = exact::rounding_bound(6, 16), kKeptOffsets = exact::rounding_bound(7, 8);
 
-/// Denominators d that are known to this share of themselves at most may be divided by.
+/// Denominators d that are known to this fraction of themselves at most may be divided by.
 inline constexpr double kKnownDenominator = 0.25;
 
 /// Of a share n / d: n errs by `numerator`, d by `relative` of itself, shares that matter are at most half of `reach`.
-/// A share t errs by (numerator / |d| + |t| relative) / (1 - relative) and three roundings; outside of `reach` a wrong
-/// share cannot become a right one. Requires relative < kKnownDenominator.
-inline double share_error(double numerator, double d, double relative, double reach) {
+/// A fraction t errs by (numerator / |d| + |t| relative) / (1 - relative) and three roundings; outside of `reach` a
+/// wrong share cannot become a right one. Requires relative < kKnownDenominator.
+inline double fraction_error(double numerator, double d, double relative, double reach) {
   constexpr double kDivided = 2, kRounded = exact::rounding_bound(3, 32);
   static_assert(kDivided >= 1 / (1 - kKnownDenominator));
   // Lists rely on more than twice what is counted (PieceLists::look_at_neighbours).

@@ -15,7 +15,7 @@
 
 namespace dymsum::planar {
 
-// What doubles lose where an operand turns, in these forms and in frames of a RotatingSum.
+// What doubles lose where an operand rotates, in these forms and in frames of a RotatingSum.
 //
 // In units u of roundoff, with L = |edge|_1, W the extent of the operand that stands still, R the reach of the turning
 // one and S = W + 2 R the span. Two coordinates of one vector are bounded together: |x| + |y| <= sqrt(2) |(x, y)|.
@@ -24,7 +24,8 @@ namespace dymsum::planar {
 //                and 1 R for the centre taken off: 3 R.
 //   place        q + c p - s p': 1 W + sqrt(2) (16 + 3 + 1) R, and two sums of at most W + R: 3 W + 31 R <= 16 S.
 //   direction    c e - s e': 16 + 1 of the edge vector + 1 of the product + 1 of the difference: 19 L a coordinate.
-//   side         d x (v - start) from places: v - start errs by 2 * 16 + 1 = 33 S, times |d|_1 <= sqrt(2) L makes 47;
+//   side         d x (v - start) from positions: v - start errs by 2 * 16 + 1 = 33 S, times |d|_1 <= sqrt(2) L makes
+//   47;
 //                d makes 2 * 19 = 38, products and difference 3: 88 L S. The form's coefficients err by 6 W + 28 R or
 //                12 W + 14 R, cos and sin make 32 W or 64 R, products and sums 6 W + 12 R: 54 L S.
 //   cross        d x e of two turned edges: 2 * 19 sqrt(2) = 54 and 2 of the products and the difference: 56 L L'.
@@ -35,11 +36,11 @@ namespace dymsum::planar {
 
 /// Of cos and sin of an angle of a few turns that is a sum of doubles, absolutely.
 inline constexpr double kHeading = exact::rounding_bound(12, 16);
-/// Of a place, each coordinate, times the span.
-inline constexpr double kTurnedPlace = exact::rounding_bound(16, 32);
+/// Of a position, each coordinate, times the span.
+inline constexpr double kTurnedPosition = exact::rounding_bound(16, 32);
 /// Of a turned edge vector, each coordinate, times L.
 inline constexpr double kTurnedDirection = exact::rounding_bound(19, 128);
-/// Of a side, from the form or from places, times L and the span.
+/// Of a side, from the form or from positions, times L and the span.
 inline constexpr double kTurnedSide = exact::rounding_bound(88, 128);
 /// Of the cross product of two edge vectors, times their L.
 inline constexpr double kTurnedCross = exact::rounding_bound(56, 128);
@@ -50,19 +51,19 @@ inline constexpr double kConcurrency = exact::rounding_bound(402, 512);
 /// |e|_1 <= sqrt(2) S, of others only 24 are counted and |e|_1 <= 2 S; and the sum.
 inline constexpr double kTurnedEndSide = exact::rounding_bound(88 + 79 + 2, 256);
 
-/// Of a crossing on a segment, in shares of it: times kTurnedEndSide L S / |d x e|. |d x e| is known to 56 of the 256
-/// that it has to exceed (kCrossKnown), so shares of at most 1 err by (88 + 79) / (1 - 56 / 256) of those 256 units:
-/// less than once. The rest is slack.
+/// Of a crossing on a segment, as fractions of it: times kTurnedEndSide L S / |d x e|. |d x e| is known to 56 of the
+/// 256 that it has to exceed (kCrossKnown), so shares of at most 1 err by (88 + 79) / (1 - 56 / 256) of those 256
+/// units: less than once. The rest is slack.
 inline constexpr double kCrossingSlack = 4;
-/// Besides, absolutely: the inverse and the product, of shares up to 1.
-inline constexpr double kCrossingShare = exact::rounding_bound(2, 8);
+/// Besides, absolutely: the inverse and the product, of fractions up to 1.
+inline constexpr double kCrossingFraction = exact::rounding_bound(2, 8);
 
 /// Cross products up to this, times both L, are not divided by.
 inline constexpr double kCrossKnown = exact::rounding_bound(56, 256);
 
-/// Of a difference of coordinates of a place and vertices of either operand, times the span: a place inside a sub-edge
-/// errs by two places, the vertex that turns by one, the differences by roundings.
-inline constexpr double kOverlapPlace = exact::rounding_bound(2 * 32 + 32 + 4, 256);
+/// Of a difference of coordinates of a position and vertices of either operand, times the span: a position inside a
+/// sub-edge errs by two positions, the vertex that turns by one, the differences by roundings.
+inline constexpr double kOverlapPosition = exact::rounding_bound(2 * 32 + 32 + 4, 256);
 /// Of a side of such a vertex, times L and the span: that, a direction (19) times two coordinates of at most 2 S,
 /// products and difference of at most 2 L S.
 inline constexpr double kOverlapSide = exact::rounding_bound(2 * 32 + 32 + 4 + 19 * 4 + 3 * 2, 512);
@@ -81,11 +82,11 @@ inline constexpr double kAngleDifference = exact::rounding_bound(2 * 12 + 4, 512
 /// Each is less than 8 and errs by 4 u or less besides the rounding of what it is made of.
 inline constexpr double kAngleDouble = exact::rounding_bound(12, 32);
 
-/// How far two pieces have to be apart in a window, times L, in shares of the span: computed in floats. In their units
-/// of roundoff, with L' of the other edge at most 2 S:
+/// How far two pieces have to be apart in a window, times L, as fractions of the span: computed in floats. In their
+/// units of roundoff, with L' of the other edge at most 2 S:
 ///   offsets   converted, subtracted and added: 3 W + 4 R + S <= 5 S.
 ///   value     with d, which errs by L, products and difference: 5 + 1 + 2 + 1 = 9 L S.
-///   k, dot    4 L L' <= 8 L S; times a share, which is rounded, 4 L S more; added to the value or slope 3 L S.
+///   k, dot    4 L L' <= 8 L S; times a fraction, which is rounded, 4 L S more; added to the value or slope 3 L S.
 ///   slope     the offset that turns, chosen by a product: 12 S; with d, products and sum 16 L S. Times the half of the
 ///             window, at most a radian.
 ///   turn      its own roundings: 10 L S.
@@ -94,9 +95,9 @@ inline constexpr double kAngleDouble = exact::rounding_bound(12, 32);
 /// a short one: this turns its line about its start, so that the line still passes what crosses the edge within 8 L,
 /// and two ends beyond the bound on one side of it are not on two sides of the edge's.
 inline constexpr double kApart = 128 * exact::kFloatRoundoff;
-/// What places at the middle of a window err by at most, times the span, when swept: the place, and the radius of a
-/// vertex (4 R) times the half.
-inline constexpr double kSweptPlace = exact::rounding_bound(16 + 4, 128);
+/// What positions at the midpoint of a window err by at most, times the span, when swept: the position, and the radius
+/// of a vertex (4 R) times the half.
+inline constexpr double kSweptPosition = exact::rounding_bound(16 + 4, 128);
 inline constexpr double kSweptRim = exact::rounding_bound(16 + 4, 32);
 
 /// cos and sin of an angle.
@@ -114,7 +115,7 @@ struct TrigForm {
   TrigForm operator-() const { return {-a, -b, -g}; }
   TrigForm operator-(const TrigForm& o) const { return {a - o.a, b - o.b, g - o.g}; }
   TrigForm times(double f) const { return {a * f, b * f, g * f}; }
-  /// Whether it is certainly not zero within `half` of heading h, errors up to `error` included: by Taylor's formula.
+  /// Whether it is provably not zero within `half` of heading h, errors up to `error` included: by Taylor's formula.
   bool far_from_zero(Heading h, double half, double error) const {
     return std::abs(at(h)) > std::abs(slope(h)) * half + 0.5 * swing() * half * half + error;
   }
@@ -154,19 +155,19 @@ class TurningForms {
   std::uint32_t size(std::uint32_t op) const { return static_cast<std::uint32_t>(operands_[op]->size()); }
   const std::vector<Point>& points(std::uint32_t op) const { return points_[op]; }
   Point edge(std::uint32_t op, std::uint32_t e) const { return {operands_[op]->ex[e], operands_[op]->ey[e]}; }
-  double reach() const { return reach_; }                      ///< of the turning operand about its centre
+  double reach() const { return reach_; }                      ///< of the rotating operand about its centre
   double radius(std::uint32_t v) const { return radius_[v]; }  ///< of a vertex of it
   double span() const { return span_; }                        ///< of all coordinates of sums
   double width() const { return width_; }
   double height() const { return height_; }
-  Point centre() const { return centre_; }  ///< of the turning operand, in the lattice's doubles
+  Point centre() const { return centre_; }  ///< of the rotating operand, in the lattice's doubles
   struct Vec {
     exact::BigInteger x, y;
   };
   /// A vertex, in steps of the common grid.
   const Vec& grid_point(std::uint32_t op, std::uint32_t v) const { return exact_[op][v]; }
 
-  Point place(Pair v, Heading h) const {
+  Point position(Pair v, Heading h) const {
     const Point &q = points_[0][v.p], &p = points_[1][v.q];
     return {q.x + h.c * p.x - h.s * p.y, q.y + h.s * p.x + h.c * p.y};
   }
@@ -183,7 +184,7 @@ class TurningForms {
     const Point e = edge(s.side, s.edge);
     return std::abs(e.x) + std::abs(e.y);
   }
-  /// A bound on the error of side() and of the same computed from places.
+  /// A bound on the error of side() and of the same computed from positions.
   double side_error(const WalkSegment& s) const { return kTurnedSide * length1(s) * span_; }
 
   /// d x (v - start), d . (v - start), d x d'.
@@ -202,7 +203,7 @@ class TurningForms {
   /// d x d', and d . (v - u) for two pairs.
   exact::Polynomial exact_cross(const WalkSegment& s, const WalkSegment& t, int chart) const;
   exact::Polynomial exact_along(const WalkSegment& s, Pair u, Pair v, int chart) const;
-  /// Zero where walk edge e of the turning operand is parallel to walk edge f of the fixed one.
+  /// Zero where walk edge e of the rotating operand is parallel to walk edge f of the fixed one.
   exact::Polynomial exact_alignment(std::uint32_t e, std::uint32_t f, int chart) const;
   /// The chart in which they point in the same direction once.
   int alignment_chart(std::uint32_t e, std::uint32_t f) const;

@@ -8,8 +8,8 @@ namespace dymsum::planar {
 
 /// Requires: operands P and Q.
 inline Contact contact_of(const WalkSegment& s, const Operand& p, const Operand& q) {
-  if (s.side == 0) return {Contact::Kind::edge_of_p, p.edge_number[s.edge], q.vertex_number[s.vertex]};
-  return {Contact::Kind::edge_of_q, p.vertex_number[s.vertex], q.edge_number[s.edge]};
+  if (s.side == 0) return {Contact::Kind::edge_of_p, p.edge_index[s.edge], q.vertex_index[s.vertex]};
+  return {Contact::Kind::edge_of_q, p.vertex_index[s.vertex], q.edge_index[s.edge]};
 }
 
 }  // namespace dymsum::planar

@@ -20,7 +20,7 @@ struct Item {
   std::uint32_t edge;
 };
 
-// By direction, then by place in the walk: no two are equal.
+// By direction, then by position in the walk: no two are equal.
 class Before {
  public:
   Before(const OwnEdges& edges, const Operand& o) : edges_(edges), o_(o) {}
@@ -49,8 +49,8 @@ double key_of(double x, double y) {
 // So many are counted against each other sooner than put into buckets.
 constexpr std::size_t kFew = 40;
 
-// Nearly in order: by a quantum of the key, then by place in the walk. How many come before each is counted for four at
-// a time.
+// Nearly in order: by a quantum of the key, then by position in the walk. How many come before each is counted for four
+// at a time.
 void sort_few(Array<Item>& items, Scratch& memory) {
   using Four = std::int32_t __attribute__((vector_size(16)));
   const std::size_t n = items.size(), lanes = (n + 3) / 4 * 4;

@@ -20,7 +20,7 @@ struct DirectionList {
   OwnArray<std::uint32_t> edges;
   OwnArray<double> keys;         ///< pseudo-angles in [0, 4]
   OwnArray<std::uint32_t> rank;  ///< walk edge - base -> position in edges, or kNoRank
-  OwnArray<std::uint32_t> next;  ///< position of an edge -> position of the edge behind it in its walk
+  OwnArray<std::uint32_t> next;  ///< position of an edge -> position of the edge after it in its walk
   std::uint32_t base = 0;
 };
 inline constexpr std::uint32_t kNoRank = 0xffffffff;

@@ -18,9 +18,9 @@ std::uint32_t build(EdgeTree& tree, const Operand& o, std::uint32_t first, std::
   tree.nodes.push_back({});
   EdgeTree::Node node{INFINITY, INFINITY, -INFINITY, -INFINITY, first, last, 0, 0};
   if (last - first > kLeaf) {
-    const std::uint32_t middle = first + (last - first) / 2;
-    node.left = build(tree, o, first, middle);
-    node.right = build(tree, o, middle, last);
+    const std::uint32_t midpoint = first + (last - first) / 2;
+    node.left = build(tree, o, first, midpoint);
+    node.right = build(tree, o, midpoint, last);
     const EdgeTree::Node &a = tree.nodes[node.left], &b = tree.nodes[node.right];
     node.x0 = std::min(a.x0, b.x0);
     node.y0 = std::min(a.y0, b.y0);

@@ -19,7 +19,7 @@ struct EdgeTree {
   std::vector<Node> nodes;  ///< the root first
 };
 
-/// The trees of all components of an operand, made when first asked for: small sums rarely do. Copies make their own.
+/// The trees of all components of an operand, made when first requested: small sums rarely do. Copies make their own.
 /// Thread-safe.
 class EdgeTrees {
  public:

@@ -12,7 +12,7 @@ namespace {
 /// Of factors and grids: far from where pairs of doubles over- or underflow.
 constexpr int kMostBits = 900;
 
-bool is_vertex(const Place& x) { return !x.between && x.first.kind == Cut::Kind::pair; }
+bool is_vertex(const SegmentPosition& x) { return !x.between && x.first.kind == Cut::Kind::pair; }
 
 /// n / 2^top.
 exact::FineInterval fraction(const exact::BigInteger& n, int top) {
@@ -28,14 +28,14 @@ exact::FineInterval fraction(const exact::BigInteger& n, int top) {
 FineLattice::FineLattice(const LatticeDoubles& doubles, const std::optional<LatticeScale>& scale)
     : points_{doubles.points[0].get(), doubles.points[1].get()} {
   // Factors of rotations may be negative.
-  tells_ = points_[0]->turned == nullptr && points_[1]->turned == nullptr &&
-           (!scale || (scale->x > 0 && scale->y > 0 && scale->den > 0));
-  if (!tells_) return;
+  decides_ = points_[0]->turned == nullptr && points_[1]->turned == nullptr &&
+             (!scale || (scale->x > 0 && scale->y > 0 && scale->den > 0));
+  if (!decides_) return;
   const exact::BigInteger one = 1, &den = scale ? scale->den : one;
   int top = 0;
   if (scale) top = std::max({factor_bits(scale->x), factor_bits(scale->y), factor_bits(scale->den)});
-  tells_ = top <= kMostBits && std::abs(doubles.grid_exponent - top) <= kMostBits;
-  if (!tells_) return;
+  decides_ = top <= kMostBits && std::abs(doubles.grid_exponent - top) <= kMostBits;
+  if (!decides_) return;
   for (std::uint32_t op = 0; op < 2; ++op) {
     const bool scaled = scale && op == scale->op;
     factor_[op] = {fraction(scaled ? scale->x : den, top), fraction(scaled ? scale->y : den, top)};
@@ -54,16 +54,16 @@ FineLattice::Vec FineLattice::step(Pair from, Pair to) const {
 }
 
 std::optional<int> FineLattice::cross(const Edge& d, const Edge& e) const {
-  return tells_ ? sign_of(cross(edge(d), edge(e))) : std::nullopt;
+  return decides_ ? sign_of(cross(edge(d), edge(e))) : std::nullopt;
 }
 std::optional<int> FineLattice::side(const Segment& s, Pair v) const {
-  return tells_ ? sign_of(cross(edge(s.edge), step(start_of(s), v))) : std::nullopt;
+  return decides_ ? sign_of(cross(edge(s.edge), step(start_of(s), v))) : std::nullopt;
 }
 std::optional<int> FineLattice::along(const Segment& s, Pair v) const {
-  return tells_ ? sign_of(dot(edge(s.edge), step(start_of(s), v))) : std::nullopt;
+  return decides_ ? sign_of(dot(edge(s.edge), step(start_of(s), v))) : std::nullopt;
 }
 std::optional<int> FineLattice::compare_coordinate(Pair a, Pair b, int axis) const {
-  return tells_ ? sign_of(step(b, a).on(axis)) : std::nullopt;
+  return decides_ ? sign_of(step(b, a).on(axis)) : std::nullopt;
 }
 
 // A cut at a pair has the same quotient along both axes; the longer one is known better.
@@ -86,40 +86,40 @@ FineLattice::Ratio FineLattice::parameter(const Segment& on, const Cut& cut, As 
   return *sign > 0 ? r : Ratio{-r.n, -r.d};
 }
 
-FineLattice::Ratio FineLattice::ratio(const Place& x) const {
+FineLattice::Ratio FineLattice::ratio(const SegmentPosition& x) const {
   if (!x.between) return parameter(x.on, x.first, As::quotient);
   const Ratio a = parameter(x.on, x.first, As::integers), b = parameter(x.on, x.second, As::integers);
   return {a.n + b.n, a.d + b.d};
 }
 
 // As in LatticeOf: start + d n / d.
-std::optional<int> FineLattice::side(const Segment& s, const Place& x) const {
+std::optional<int> FineLattice::side(const Segment& s, const SegmentPosition& x) const {
   if (is_vertex(x)) return side(s, x.first.pair);
-  if (!tells_) return std::nullopt;
+  if (!decides_) return std::nullopt;
   const Vec a = edge(s.edge);
   const Ratio t = ratio(x);
   return sign_of(t.d * cross(a, step(start_of(s), start_of(x.on))) + t.n * cross(a, edge(x.on.edge)));
 }
-std::optional<int> FineLattice::along(const Segment& s, const Place& x) const {
+std::optional<int> FineLattice::along(const Segment& s, const SegmentPosition& x) const {
   if (is_vertex(x)) return along(s, x.first.pair);
-  if (!tells_) return std::nullopt;
+  if (!decides_) return std::nullopt;
   const Vec a = edge(s.edge);
   const Ratio t = ratio(x);
   return sign_of(t.d * dot(a, step(start_of(s), start_of(x.on))) + t.n * dot(a, edge(x.on.edge)));
 }
 std::optional<int> FineLattice::compare(const Segment& on, const Cut& a, const Cut& b) const {
-  if (!tells_) return std::nullopt;
+  if (!decides_) return std::nullopt;
   const Ratio s = parameter(on, a, As::quotient), t = parameter(on, b, As::quotient);
   return sign_of(s.n * t.d - t.n * s.d);
 }
-std::optional<int> FineLattice::compare_coordinate(Pair a, const Place& b, int axis) const {
+std::optional<int> FineLattice::compare_coordinate(Pair a, const SegmentPosition& b, int axis) const {
   if (is_vertex(b)) return compare_coordinate(a, b.first.pair, axis);
-  if (!tells_) return std::nullopt;
+  if (!decides_) return std::nullopt;
   const Ratio t = ratio(b);
   return sign_of(t.d * step(start_of(b.on), a).on(axis) - t.n * edge(b.on.edge).on(axis));
 }
-std::optional<int> FineLattice::compare_coordinate(const Place& a, const Place& b, int axis) const {
-  if (!tells_) return std::nullopt;
+std::optional<int> FineLattice::compare_coordinate(const SegmentPosition& a, const SegmentPosition& b, int axis) const {
+  if (!decides_) return std::nullopt;
   const Ratio s = ratio(a), t = ratio(b);
   return sign_of(step(start_of(b.on), start_of(a.on)).on(axis) * s.d * t.d + edge(a.on.edge).on(axis) * s.n * t.d -
                  edge(b.on.edge).on(axis) * t.n * s.d);

@@ -14,18 +14,18 @@ namespace dymsum::planar {
 /// coincides is known to as many digits as anything else.
 class FineLattice {
  public:
-  /// Refers to the points. Of a rotated operand, and of scales beyond 900 bits, it tells nothing.
+  /// Refers to the points. Of a rotated operand, and of scales beyond 900 bits, it says nothing.
   FineLattice(const LatticeDoubles& doubles, const std::optional<LatticeScale>& scale);
 
   std::optional<int> cross(const Edge& d, const Edge& e) const;
   std::optional<int> side(const Segment& s, Pair v) const;
   std::optional<int> along(const Segment& s, Pair v) const;
   std::optional<int> compare_coordinate(Pair a, Pair b, int axis) const;
-  std::optional<int> side(const Segment& s, const Place& x) const;
-  std::optional<int> along(const Segment& s, const Place& x) const;
+  std::optional<int> side(const Segment& s, const SegmentPosition& x) const;
+  std::optional<int> along(const Segment& s, const SegmentPosition& x) const;
   std::optional<int> compare(const Segment& on, const Cut& a, const Cut& b) const;
-  std::optional<int> compare_coordinate(Pair a, const Place& b, int axis) const;
-  std::optional<int> compare_coordinate(const Place& a, const Place& b, int axis) const;
+  std::optional<int> compare_coordinate(Pair a, const SegmentPosition& b, int axis) const;
+  std::optional<int> compare_coordinate(const SegmentPosition& a, const SegmentPosition& b, int axis) const;
 
  private:
   using Fine = exact::FineInterval;
@@ -37,7 +37,7 @@ class FineLattice {
   struct Ratio {
     Fine n, d;
   };
-  /// Of a pair of cuts the mediant is asked for: their numerators and denominators then count as integers do.
+  /// Of a pair of cuts the mediant is requested: their numerators and denominators then count as integers do.
   enum class As : std::uint8_t { quotient, integers };
   static Fine cross(const Vec& a, const Vec& b) { return a.x * b.y - a.y * b.x; }
   static Fine dot(const Vec& a, const Vec& b) { return a.x * b.x + a.y * b.y; }
@@ -45,12 +45,12 @@ class FineLattice {
   Vec step(Pair from, Pair to) const;
   Vec edge(const Edge& e) const { return step(e.op, e.from, e.to); }
   Ratio parameter(const Segment& on, const Cut& cut, As as) const;
-  Ratio ratio(const Place& x) const;
+  Ratio ratio(const SegmentPosition& x) const;
 
   std::array<const PlacedPoints*, 2> points_;
   std::array<Vec, 2> factor_;  ///< of the steps of an operand
   Fine integer_;               ///< what an integer of the lattice is in these units
-  bool tells_ = true;
+  bool decides_ = true;
 };
 
 }  // namespace dymsum::planar

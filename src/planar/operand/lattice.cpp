@@ -20,16 +20,16 @@ namespace {
 
 using exact::Big;
 
-// Of places in pairs of doubles, times the sizes of their terms: integers; the quotient, the product and the sum.
+// Of positions in pairs of doubles, times the sizes of their terms: integers; the quotient, the product and the sum.
 constexpr double kNearVertex = 2 * exact::kIntegerPairError, kNearCrossing = 8 * base::kPairError;
 static_assert(3 * base::kPairError + 8 * exact::kIntegerPairError < kNearCrossing);
 using exact::BigRational;
 
 // Widths for coordinates |X| <= 2^B: edge vectors B + 1 bits, pair sums B + 1, their differences B + 2, side and along
-// values 2B + 4, cut parameters N / D with 2B + 4 and 2B + 4, mediants one more, sides of places 4B + 11. Int computes
-// and proves them.
-/// Numbers whose coordinates are all made at once and kept: others are products of two words, made as they are asked
-/// for.
+// values 2B + 4, cut parameters N / D with 2B + 4 and 2B + 4, mediants one more, sides of positions 4B + 11. Int
+// computes and proves them.
+/// Numbers whose coordinates are all made at once and kept: others are products of two words, made as they are
+/// requested.
 template <class C>
 constexpr bool kKept = true;
 template <int B>
@@ -68,7 +68,7 @@ class LatticeOf final : public Lattice {
   }
 
   int cross(const Edge& d, const Edge& e) const override {
-    if (const auto told = finely([&](const FineLattice& fine) { return fine.cross(d, e); })) return *told;
+    if (const auto decided = finely([&](const FineLattice& fine) { return fine.cross(d, e); })) return *decided;
     const EdgeVec a = edge(d), b = edge(e);
     return exact::sign(a.x * b.y - a.y * b.x);
   }
@@ -86,11 +86,11 @@ class LatticeOf final : public Lattice {
     return axis == 0 ? exact::sign(a.x - b.x) : exact::sign(a.y - b.y);
   }
   int side(const Segment& s, Pair v) const override {
-    if (const auto told = finely([&](const FineLattice& fine) { return fine.side(s, v); })) return *told;
+    if (const auto decided = finely([&](const FineLattice& fine) { return fine.side(s, v); })) return *decided;
     return exact::sign(side_value(s, v));
   }
   int along(const Segment& s, Pair v) const override {
-    if (const auto told = finely([&](const FineLattice& fine) { return fine.along(s, v); })) return *told;
+    if (const auto decided = finely([&](const FineLattice& fine) { return fine.along(s, v); })) return *decided;
     return exact::sign(along_value(s, v));
   }
   bool same(Pair a, Pair b) const override {
@@ -107,24 +107,24 @@ class LatticeOf final : public Lattice {
       const double x = axis == 0 ? u.x : u.y, y = axis == 0 ? v.x : v.y;
       return (x > y) - (x < y);
     }
-    if (const auto told = finely([&](const FineLattice& fine) { return fine.compare_coordinate(a, b, axis); }))
-      return *told;
+    if (const auto decided = finely([&](const FineLattice& fine) { return fine.compare_coordinate(a, b, axis); }))
+      return *decided;
     const SumVec u = sum(a), v = sum(b);
     return axis == 0 ? exact::sign(u.x - v.x) : exact::sign(u.y - v.y);
   }
 
   // x = on.start + d N / D, so D (d_s x (x - s.start)) = D (d_s x (on.start - s.start)) + N (d_s x d_on).
-  int side(const Segment& s, const Place& x) const override {
+  int side(const Segment& s, const SegmentPosition& x) const override {
     if (is_vertex(x)) return side(s, x.first.pair);
-    if (const auto told = finely([&](const FineLattice& fine) { return fine.side(s, x); })) return *told;
+    if (const auto decided = finely([&](const FineLattice& fine) { return fine.side(s, x); })) return *decided;
     const EdgeVec a = edge(s.edge), b = edge(x.on.edge);
     const Value at_start = side_value(s, start_of(x.on));
     const Value slope = widen(a.x * b.y - a.y * b.x);
     return sign_at(x, at_start, slope);
   }
-  int along(const Segment& s, const Place& x) const override {
+  int along(const Segment& s, const SegmentPosition& x) const override {
     if (is_vertex(x)) return along(s, x.first.pair);
-    if (const auto told = finely([&](const FineLattice& fine) { return fine.along(s, x); })) return *told;
+    if (const auto decided = finely([&](const FineLattice& fine) { return fine.along(s, x); })) return *decided;
     const EdgeVec a = edge(s.edge), b = edge(x.on.edge);
     const Value at_start = along_value(s, start_of(x.on));
     const Value slope = widen(a.x * b.x + a.y * b.y);
@@ -132,10 +132,10 @@ class LatticeOf final : public Lattice {
   }
 
   // D (v - start) - N d.
-  int compare_coordinate(Pair v, const Place& x, int axis) const override {
+  int compare_coordinate(Pair v, const SegmentPosition& x, int axis) const override {
     if (is_vertex(x)) return compare_coordinate(v, x.first.pair, axis);
-    if (const auto told = finely([&](const FineLattice& fine) { return fine.compare_coordinate(v, x, axis); }))
-      return *told;
+    if (const auto decided = finely([&](const FineLattice& fine) { return fine.compare_coordinate(v, x, axis); }))
+      return *decided;
     const WideRatio t = ratio(x);
     const SumVec at = sum(v), from = sum(start_of(x.on));
     const EdgeVec d = edge(x.on.edge);
@@ -143,15 +143,15 @@ class LatticeOf final : public Lattice {
   }
 
   int compare(const Segment& on, const Cut& a, const Cut& b) const override {
-    if (const auto told = finely([&](const FineLattice& fine) { return fine.compare(on, a, b); })) return *told;
+    if (const auto decided = finely([&](const FineLattice& fine) { return fine.compare(on, a, b); })) return *decided;
     const Ratio s = parameter(on, a), t = parameter(on, b);
     return exact::sign(s.n * t.d - t.n * s.d);
   }
 
   // start + d N / D over one denominator each, then crosswise.
-  int compare_coordinate(const Place& a, const Place& b, int axis) const override {
-    if (const auto told = finely([&](const FineLattice& fine) { return fine.compare_coordinate(a, b, axis); }))
-      return *told;
+  int compare_coordinate(const SegmentPosition& a, const SegmentPosition& b, int axis) const override {
+    if (const auto decided = finely([&](const FineLattice& fine) { return fine.compare_coordinate(a, b, axis); }))
+      return *decided;
     const WideRatio s = ratio(a), t = ratio(b);
     const SumVec from_a = sum(start_of(a.on)), from_b = sum(start_of(b.on));
     const EdgeVec d = edge(a.on.edge), e = edge(b.on.edge);
@@ -161,7 +161,7 @@ class LatticeOf final : public Lattice {
   }
 
   // start + d N / D and the origin, over D.
-  Homogeneous homogeneous(const Place& x) const override {
+  Homogeneous homogeneous(const SegmentPosition& x) const override {
     const SumVec s = sum(start_of(x.on));
     const EdgeVec d = edge(x.on.edge);
     const WideRatio t = ratio(x);
@@ -180,7 +180,7 @@ class LatticeOf final : public Lattice {
     const Homogeneous zero = in_input(origin()[0], origin()[1], 1), one = in_input(1, 0, 1);
     return NearFrame{{one.x, one.w}, {zero.x, zero.w}, {zero.y, zero.w}};
   }
-  NearPosition near(const Place& x) const override {
+  NearPosition near(const SegmentPosition& x) const override {
     using exact::integer_pair;
     const SumVec s = sum(start_of(x.on));
     const EdgeVec d = edge(x.on.edge);
@@ -279,7 +279,8 @@ class LatticeOf final : public Lattice {
     }
     if (!filled_.load(std::memory_order_acquire)) {
       // Most problems ask about few vertices.
-      if (!scale_ && asked_.fetch_add(1, std::memory_order_relaxed) < points[0]->input.size() + points[1]->input.size())
+      if (!scale_ &&
+          queried_.fetch_add(1, std::memory_order_relaxed) < points[0]->input.size() + points[1]->input.size())
         return integer(op, i);
       fill();
     }
@@ -310,7 +311,7 @@ class LatticeOf final : public Lattice {
     unscaled_.store(integers.get(), std::memory_order_release);
     return *integers;
   }
-  // All integers are made when as many have been asked for.
+  // All integers are made when as many have been requested.
   void fill() const {
     const std::lock_guard lock(filling_);
     if (filled_.load(std::memory_order_relaxed)) return;
@@ -369,8 +370,8 @@ class LatticeOf final : public Lattice {
     return e.x * d.x + e.y * d.y;
   }
 
-  // Whether a place is a sum of two vertices, which tells everything without a parameter.
-  static bool is_vertex(const Place& x) { return !x.between && x.first.kind == Cut::Kind::pair; }
+  // Whether a position is a sum of two vertices, which tells everything without a parameter.
+  static bool is_vertex(const SegmentPosition& x) { return !x.between && x.first.kind == Cut::Kind::pair; }
   // The parameter of a cut on `on`, 0 at its start and 1 at its end.
   Ratio parameter(const Segment& on, const Cut& cut) const {
     const EdgeVec d = edge(on.edge);
@@ -395,15 +396,15 @@ class LatticeOf final : public Lattice {
     }
     return r;
   }
-  WideRatio made_ratio(const Place& x) const {
+  WideRatio made_ratio(const SegmentPosition& x) const {
     const Ratio a = parameter(x.on, x.first);
     if (!x.between) return {Wide(a.n), Wide(a.d)};
     const Ratio b = parameter(x.on, x.second);
     return {a.n + b.n, a.d + b.d};
   }
-  // Whoever asks about a place asks about many segments, one after the other: each thread remembers the last place. By
-  // the lattice's own number, as another one may have its address later.
-  WideRatio ratio(const Place& x) const {
+  // Whoever asks about a position asks about many segments, one after the other: each thread remembers the last place.
+  // By the lattice's own number, as another one may have its address later.
+  WideRatio ratio(const SegmentPosition& x) const {
     // Small numbers are made sooner than looked up.
     if constexpr (std::is_same_v<C, Big> || std::is_same_v<C, exact::Int<29>>) {
       return made_ratio(x);
@@ -432,7 +433,7 @@ class LatticeOf final : public Lattice {
     static std::atomic<std::uint64_t> last = 0;
     return last.fetch_add(1, std::memory_order_relaxed) + 1;
   }
-  int sign_at(const Place& x, const Value& at_start, const Value& slope) const {
+  int sign_at(const SegmentPosition& x, const Value& at_start, const Value& slope) const {
     const WideRatio t = ratio(x);
     return exact::sign(t.d * at_start + t.n * slope);
   }
@@ -442,7 +443,7 @@ class LatticeOf final : public Lattice {
   double per_double_;
   std::optional<LatticeScale> scale_;
   std::array<Vec, 2> factor_{};  // of the integers, where scaled
-  mutable std::atomic<std::size_t> asked_ = 0;
+  mutable std::atomic<std::size_t> queried_ = 0;
   mutable std::mutex filling_;
   mutable std::atomic<bool> filled_ = false;
   mutable std::atomic<const SharedIntegers*> unscaled_ = nullptr;  ///< `integers`, once they are made
@@ -455,7 +456,7 @@ class LatticeOf final : public Lattice {
 
 }  // namespace
 
-Lattice::Position Lattice::position(const Place& x) const { return reduced(homogeneous(x)); }
+Lattice::Position Lattice::position(const SegmentPosition& x) const { return reduced(homogeneous(x)); }
 
 Lattice::Position Lattice::position(Pair v) const { return reduced(homogeneous(v)); }
 

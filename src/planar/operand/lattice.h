@@ -52,7 +52,7 @@ struct Cut {
 
 /// A point of the plane of sums, exactly: the cut `first` on `on`, or (between) the mediant of two cuts: a point
 /// strictly between them on `on`.
-struct Place {
+struct SegmentPosition {
   Segment on;
   Cut first, second;
   bool between = false;
@@ -83,7 +83,7 @@ struct PlacedPoints {
   Point offset;
   std::vector<double> x, y;      ///< input - offset in units of 2^unit, rounded once
   double width = 0, height = 0;  ///< the largest x and y
-  Point stretch{1, 1};           ///< the factors by which x and y are scaled besides, rounded: three roundings in all
+  Point factors{1, 1};           ///< the factors by which x and y are scaled besides, rounded: three roundings in all
   std::shared_ptr<const TurnedPoints> turned;  ///< of a rotated operand: x and y are these then
   double extent = 0;                           ///< the larger of both, in input units
   int exponent = 0;                            ///< the largest grid that holds them: all are multiples of 2^exponent
@@ -108,14 +108,14 @@ inline double with_sign_of(double gap, double component) {
 /// Placed in units of 1 where they are moderate, else in units in which they are where there are any.
 std::shared_ptr<const PlacedPoints> place_points(std::vector<Point> input);
 
-/// The unscaled integers of both operands, shared by the lattices of all scales; made when first asked for. Requires
+/// The unscaled integers of both operands, shared by the lattices of all scales; made when first requested. Requires
 /// 125 bits or fewer.
 struct SharedIntegers {
   std::once_flag made;
   std::array<std::vector<std::array<exact::i128, 2>>, 2> at;
 };
 
-/// What a lattice tells in doubles.
+/// What a lattice reports in doubles.
 struct LatticeDoubles {
   int tier_bits = 0;           ///< 29, 61, 512, 0
   bool exact_doubles = false;  ///< every planar sign of degree two is exact when computed in doubles
@@ -128,7 +128,7 @@ struct LatticeDoubles {
   double unit = 1;           ///< doubles count multiples of this power of two: 1 unless an operand is huge or minute
   /// Not all numbers are moderate in these units: components of vectors can underflow, by less than 2^-1074, while
   /// coordinates are below 2^62. Sums of two products lose less than exact::kUnderflow by it, and are filtered with
-  /// that; lengths and angles of such vectors tell nothing. Only sums that do not move allow it.
+  /// that; lengths and angles of such vectors say nothing. Only sums that do not move allow it.
   bool wide = false;
   double integers_per_unit = 1;  ///< the exact layer's integers per unit of the doubles; may be infinite where wide
   int grid_exponent = 0;         ///< unscaled coordinates are integers times 2^grid_exponent
@@ -145,7 +145,7 @@ struct LatticeDoubles {
     if (o.turned != nullptr) return o.turned->vector(e.from, e.to);
     const Point &a = o.input[e.from], &b = o.input[e.to];
     const double x = b.x - a.x, y = b.y - a.y;
-    return {with_sign_of(x, x / unit * o.stretch.x), with_sign_of(y, y / unit * o.stretch.y)};
+    return {with_sign_of(x, x / unit * o.factors.x), with_sign_of(y, y / unit * o.factors.y)};
   }
   /// The same for angles: times a factor of the edge's own, so that nothing underflows that an angle depends on.
   Point direction(const Edge& e) const {
@@ -186,27 +186,27 @@ class Lattice : public LatticeDoubles {
   virtual bool same(Pair a, Pair b) const = 0;
   /// The sign of a - b along an axis (0 = x, 1 = y).
   virtual int compare_coordinate(Pair a, Pair b, int axis) const = 0;
-  /// The same for any place.
-  virtual int side(const Segment& s, const Place& x) const = 0;
-  virtual int along(const Segment& s, const Place& x) const = 0;
+  /// The same for any position.
+  virtual int side(const Segment& s, const SegmentPosition& x) const = 0;
+  virtual int along(const Segment& s, const SegmentPosition& x) const = 0;
   /// Order along `on` of two cuts on it: -1, 0, 1.
   virtual int compare(const Segment& on, const Cut& a, const Cut& b) const = 0;
   /// The sign of a - b along an axis, for any places.
-  virtual int compare_coordinate(Pair a, const Place& b, int axis) const = 0;
-  virtual int compare_coordinate(const Place& a, const Place& b, int axis) const = 0;
+  virtual int compare_coordinate(Pair a, const SegmentPosition& b, int axis) const = 0;
+  virtual int compare_coordinate(const SegmentPosition& a, const SegmentPosition& b, int axis) const = 0;
   using Position = ExactSource::Position;
   using Homogeneous = ExactSource::Homogeneous;
   using NearFrame = ExactSource::NearFrame;
   using NearPosition = ExactSource::NearPosition;
   /// The exact position in input coordinates.
-  Position position(const Place& x) const;
+  Position position(const SegmentPosition& x) const;
   Position position(Pair v) const;
   /// The same, not in lowest terms.
-  virtual Homogeneous homogeneous(const Place& x) const = 0;
+  virtual Homogeneous homogeneous(const SegmentPosition& x) const = 0;
   virtual Homogeneous homogeneous(Pair v) const = 0;
   /// Positions to some thirty digits, in units of the exact layer's integers; no frame where these have over 400 bits.
   virtual std::optional<NearFrame> near_frame() const = 0;
-  virtual NearPosition near(const Place& x) const = 0;
+  virtual NearPosition near(const SegmentPosition& x) const = 0;
   virtual NearPosition near(Pair v) const = 0;
 
   /// Requires: tier_bits is not 0, and the lattice was made for further ones.

@@ -13,7 +13,7 @@
 namespace dymsum::planar {
 
 /// x and y of points in units of 2^unit.
-void place_in_units(PlacedPoints& points, int unit);
+void position_in_units(PlacedPoints& points, int unit);
 
 /// Grid units while these fit well, else 2^-60 of the extent, so that nothing overflows.
 int unit_for(double extent, int exponent, int bits);

@@ -1,4 +1,4 @@
-// Which lattice operands get: the grid that holds both, the unit of the doubles, and what is told in doubles.
+// Which lattice operands get: the grid that holds both, the unit of the doubles, and what is determined in doubles.
 #include <algorithm>
 #include <cmath>
 
@@ -20,7 +20,7 @@ void add_offsets(LatticeDoubles& lattice, const std::optional<LatticeScale>& sca
     const PlacedPoints& o = *lattice.points[op];
     const bool scaled = scale && op == scale->op;
     const Point at = scaled && o.turned != nullptr ? turned_offset(o, *scale, lattice.grid_exponent)
-                                                   : Point{o.offset.x * o.stretch.x, o.offset.y * o.stretch.y};
+                                                   : Point{o.offset.x * o.factors.x, o.offset.y * o.factors.y};
     lattice.base.x += at.x;
     lattice.base.y += at.y;
     lattice.base_reach += std::abs(at.x) + std::abs(at.y);
@@ -80,7 +80,7 @@ std::shared_ptr<const Lattice> make_lattice(std::shared_ptr<const PlacedPoints> 
   for (auto& o : points) {
     if (o->unit == unit) continue;
     auto moved = std::make_shared<PlacedPoints>(*o);
-    place_in_units(*moved, unit);
+    position_in_units(*moved, unit);
     o = std::move(moved);
   }
   return build_lattice({std::move(points), exponent, unit, bits,
@@ -108,8 +108,8 @@ std::shared_ptr<const Lattice> make_scaled_lattice(const Lattice& unscaled, cons
         bits, points[op]->bits(exponent) +
                   (op == scale.op ? std::max(factor_bits(scale.x), factor_bits(scale.y)) : factor_bits(scale.den)));
   auto stretched = std::make_shared<PlacedPoints>(*points[scale.op]);
-  stretched->stretch = {quotient(scale.x, scale.den), quotient(scale.y, scale.den)};
-  place_in_units(*stretched, unit);
+  stretched->factors = {quotient(scale.x, scale.den), quotient(scale.y, scale.den)};
+  position_in_units(*stretched, unit);
   points[scale.op] = std::move(stretched);
   return build_lattice({std::move(points), exponent, unit, bits, unscaled.integers}, scale, min_tier_bits);
 }

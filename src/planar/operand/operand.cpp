@@ -50,7 +50,7 @@ Size size_of(const RegionData& region) {
 
 // About what the arrays of an operand take, so that one block holds them.
 std::size_t bytes_for(const Size& size) {
-  constexpr std::size_t kPerVertex = sizeof(EdgeBox) + sizeof(Operand::Numbers) + 12 * sizeof(double);
+  constexpr std::size_t kPerVertex = sizeof(EdgeBox) + sizeof(Operand::Indices) + 12 * sizeof(double);
   return kPerVertex * size.walk + (sizeof(Loop) + 2) * size.loops +
          (sizeof(Component) + 2 * sizeof(DirectionList) + 32) * size.components + 256;
 }
@@ -137,7 +137,7 @@ class Builder {
       : region_(region), edges_(*points), made_(std::make_shared<Operand>(bytes_for(size))), out_(*made_) {
     out_.op = op;
     out_.points = std::move(points);
-    for (auto* list : {&out_.source, &out_.next, &out_.prev, &out_.vertex_number, &out_.edge_number})
+    for (auto* list : {&out_.source, &out_.next, &out_.prev, &out_.vertex_index, &out_.edge_index})
       list->resize(size.walk);
     out_.convex.resize(size.walk);
     for (auto* list : {&out_.ex, &out_.ey}) list->resize(size.walk);
@@ -164,14 +164,14 @@ class Builder {
   }
 
   // A closed walk through source vertices; numbers[i] is the number of the edge from walk[i] to walk[i + 1].
-  void add_loop(LoopKind kind, std::span<const std::uint32_t> walk, std::span<const std::uint32_t> numbers) {
+  void add_loop(LoopKind kind, std::span<const std::uint32_t> walk, std::span<const std::uint32_t> indices) {
     const std::size_t n = walk.size();
     const auto edge = [&](std::size_t i) { return Edge{out_.op, walk[i], walk[i + 1 == n ? 0 : i + 1]}; };
     const std::uint32_t first = size_;
     std::uint32_t at = first;
     // Stores of bytes may change anything, as far as the compiler knows: even where the lists lie.
-    std::uint32_t *const source = out_.source.data(), *const edge_number = out_.edge_number.data(),
-                         *const vertex_number = out_.vertex_number.data();
+    std::uint32_t *const source = out_.source.data(), *const edge_index = out_.edge_index.data(),
+                         *const vertex_index = out_.vertex_index.data();
     std::uint8_t* const convex = out_.convex.data();
     double *const ex = out_.ex.data(), *const ey = out_.ey.data();
     const bool touching = region_.touching;
@@ -184,8 +184,8 @@ class Builder {
       d = e;
       source[at] = walk[i];
       // The straight run that starts here; backward runs of a polyline carry the number of their forward run.
-      edge_number[at] = region_.edge_number(numbers[i]);
-      vertex_number[at] = region_.vertex_number(walk[i]);
+      edge_index[at] = region_.edge_index(indices[i]);
+      vertex_index[at] = region_.vertex_index(walk[i]);
       ex[at] = e.x;
       ey[at] = e.y;
       convex[at] = value > 0;
@@ -197,7 +197,7 @@ class Builder {
       convex[at] = t == Turn::convex;
       // Where a walk goes straight from one ring's edge to another's, the vertex stays: a contact names an edge of one
       // ring.
-      const bool same_run = !touching || region_.edge_number(numbers[i]) == region_.edge_number(numbers[before]);
+      const bool same_run = !touching || region_.edge_index(indices[i]) == region_.edge_index(indices[before]);
       if (t != Turn::straight || !same_run) ++at;
     }
     link(first, at);
@@ -208,8 +208,8 @@ class Builder {
   void add_point(std::uint32_t source) {
     begin_component(0);
     out_.source[size_] = source;
-    out_.edge_number[size_] = region_.edge_number(source);
-    out_.vertex_number[size_] = region_.vertex_number(source);
+    out_.edge_index[size_] = region_.edge_index(source);
+    out_.vertex_index[size_] = region_.vertex_index(source);
     out_.convex[size_] = 1;
     out_.ex[size_] = out_.ey[size_] = 0;
     link(size_, size_ + 1);
@@ -218,8 +218,7 @@ class Builder {
   }
 
   std::shared_ptr<Operand> finish() && {
-    for (auto* list : {&out_.source, &out_.next, &out_.prev, &out_.vertex_number, &out_.edge_number})
-      list->resize(size_);
+    for (auto* list : {&out_.source, &out_.next, &out_.prev, &out_.vertex_index, &out_.edge_index}) list->resize(size_);
     out_.convex.resize(size_);
     for (auto* list : {&out_.ex, &out_.ey}) list->resize(size_);
     place_walk(out_);
@@ -273,24 +272,24 @@ class Builder {
 
   // Vertices and edges of an erosion's frame have no numbers.
   void invert_numbers() {
-    const bool renumbered = !region_.vertex_numbers.empty();
+    const bool renumbered = !region_.vertex_indices.empty();
     std::uint32_t size = renumbered ? 0 : static_cast<std::uint32_t>(out_.points->input.size());
     if (renumbered)
-      for (const auto* numbers : {&out_.vertex_number, &out_.edge_number})
-        for (const std::uint32_t v : *numbers) size = v == kUnnumbered ? size : std::max(size, v + 1);
-    out_.numbers.resize(size_);
+      for (const auto* indices : {&out_.vertex_index, &out_.edge_index})
+        for (const std::uint32_t v : *indices) size = v == kUnnumbered ? size : std::max(size, v + 1);
+    out_.indices.resize(size_);
     for (std::uint32_t i = 0; i < size_; ++i)
-      out_.numbers[i] = {out_.vertex_number[i], out_.edge_number[i], out_.vertex_number[out_.next[i]]};
-    out_.numbered_vertex.assign(size, 0);
-    out_.numbered_edge.assign(size, {kUnnumbered, kUnnumbered});
+      out_.indices[i] = {out_.vertex_index[i], out_.edge_index[i], out_.vertex_index[out_.next[i]]};
+    out_.vertex_of_index.assign(size, 0);
+    out_.edge_of_index.assign(size, {kUnnumbered, kUnnumbered});
     // Edges of rings that are not cut have one piece each.
     const bool whole = !renumbered && region_.data().polylines.empty();
     for (std::uint32_t i = 0; i < size_; ++i) {
-      const std::uint32_t vertex = out_.vertex_number[i], edge = out_.edge_number[i];
+      const std::uint32_t vertex = out_.vertex_index[i], edge = out_.edge_index[i];
       const std::uint32_t from = out_.source[i], to = out_.source[out_.next[i]];
-      if (vertex != kUnnumbered) out_.numbered_vertex[vertex] = from;
-      if (whole) out_.numbered_edge[edge] = {from, to};
-      else if (edge != kUnnumbered) extend(out_.numbered_edge[edge], from, to);
+      if (vertex != kUnnumbered) out_.vertex_of_index[vertex] = from;
+      if (whole) out_.edge_of_index[edge] = {from, to};
+      else if (edge != kUnnumbered) extend(out_.edge_of_index[edge], from, to);
     }
   }
   // By the piece from a to b of an edge that is cut: places on one line are in the order of either coordinate that
@@ -348,7 +347,7 @@ std::shared_ptr<Operand> make_operand(const EngineRegion& engine_region, std::ui
   Builder builder(op, engine_region, place_points(source_vertices(region, size.vertices, reflected)), size);
   std::uint32_t at = 0;
   Scratch memory;
-  Array<std::uint32_t> walk(&memory), numbers(&memory);
+  Array<std::uint32_t> walk(&memory), indices(&memory);
   walk.reserve(size.walk);
   const auto ring = [&](const Ring& r, LoopKind kind) {
     walk.resize(r.size());
@@ -366,16 +365,16 @@ std::shared_ptr<Operand> make_operand(const EngineRegion& engine_region, std::ui
     const std::uint32_t n = static_cast<std::uint32_t>(line.size());
     builder.begin_component(1);
     walk.clear();
-    numbers.clear();
+    indices.clear();
     for (std::uint32_t i = 0; i + 1 < n; ++i) {
       walk.push_back(at + i);
-      numbers.push_back(at + i);
+      indices.push_back(at + i);
     }
     for (std::uint32_t i = n - 1; i > 0; --i) {
       walk.push_back(at + i);
-      numbers.push_back(at + i - 1);
+      indices.push_back(at + i - 1);
     }
-    builder.add_loop(LoopKind::curve, walk, numbers);
+    builder.add_loop(LoopKind::curve, walk, indices);
     builder.end_component();
     at += n;
   }

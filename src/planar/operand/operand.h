@@ -58,14 +58,14 @@ struct Operand {
   bool reflected = false;  ///< of the region's reflection: evidence shows coordinates as the region has them
   List<std::uint32_t> source{memory};              ///< walk vertex -> source vertex
   List<std::uint32_t> next{memory}, prev{memory};  ///< walk vertex -> walk vertex
-  List<std::uint32_t> vertex_number{memory};       ///< walk vertex -> vertex number in the region
-  List<std::uint32_t> edge_number{memory};         ///< walk edge -> edge number in the region
-  struct Numbers {
+  List<std::uint32_t> vertex_index{memory};        ///< walk vertex -> vertex index in the region
+  List<std::uint32_t> edge_index{memory};          ///< walk edge -> edge index in the region
+  struct Indices {
     std::uint32_t vertex = 0, edge = 0, next_vertex = 0;
   };
-  List<Numbers> numbers{memory};                ///< the same side by side, with the number of the edge's end
-  List<std::uint32_t> numbered_vertex{memory};  ///< vertex number -> source vertex
-  List<std::array<std::uint32_t, 2>> numbered_edge{memory};  ///< edge number -> the source vertices of its walk edge
+  List<Indices> indices{memory};                ///< the same side by side, with the number of the edge's end
+  List<std::uint32_t> vertex_of_index{memory};  ///< vertex index -> source vertex
+  List<std::array<std::uint32_t, 2>> edge_of_index{memory};  ///< edge index -> the source vertices of its walk edge
   List<std::uint8_t> convex{memory};    ///< strictly convex, tip of a spike, or a point: it can touch with its vertex
   List<double> x{memory}, y{memory};    ///< walk vertices, in the units of `points`
   List<double> ex{memory}, ey{memory};  ///< walk edge vectors, each component rounded once

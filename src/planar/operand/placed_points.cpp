@@ -34,12 +34,12 @@ int top_of(double extent) {
 }
 
 // The largest coordinates are those of the high corner: rounding is monotone, and nothing is stretched backwards.
-void place_below(PlacedPoints& points, int unit, Point high) {
+void position_below(PlacedPoints& points, int unit, Point high) {
   const double per_unit = power_of_two(-unit);
-  const Point offset = points.offset, stretch = points.stretch;
+  const Point offset = points.offset, factors = points.factors;
   // The difference of two doubles is rounded once; the power of two is exact.
-  const auto place_x = [=](double x) { return (x - offset.x) * per_unit * stretch.x; };
-  const auto place_y = [=](double y) { return (y - offset.y) * per_unit * stretch.y; };
+  const auto position_x = [=](double x) { return (x - offset.x) * per_unit * factors.x; };
+  const auto position_y = [=](double y) { return (y - offset.y) * per_unit * factors.y; };
   points.unit = unit;
   const std::size_t n = points.input.size();
   points.x.resize(n);
@@ -47,16 +47,16 @@ void place_below(PlacedPoints& points, int unit, Point high) {
   double *const x = points.x.data(), *const y = points.y.data();
   const Point* const input = points.input.data();
   for (std::size_t i = 0; i < n; ++i) {
-    x[i] = place_x(input[i].x);
-    y[i] = place_y(input[i].y);
+    x[i] = position_x(input[i].x);
+    y[i] = position_y(input[i].y);
   }
-  points.width = n == 0 ? 0 : place_x(high.x);
-  points.height = n == 0 ? 0 : place_y(high.y);
+  points.width = n == 0 ? 0 : position_x(high.x);
+  points.height = n == 0 ? 0 : position_y(high.y);
 }
 
 }  // namespace
 
-void place_in_units(PlacedPoints& points, int unit) { place_below(points, unit, corners_of(points.input).high); }
+void position_in_units(PlacedPoints& points, int unit) { position_below(points, unit, corners_of(points.input).high); }
 
 int unit_for(double extent, int exponent, int bits) {
   return bits <= 61 ? std::max(exponent, -1000) : std::max(std::ilogb(extent) - 60, -1000);
@@ -71,7 +71,7 @@ std::shared_ptr<const PlacedPoints> place_points(std::vector<Point> input) {
   points->exponent = exact::common_exponent(points->input);
   points->top = top_of(points->extent);
   const int unit = points->moderate() ? 0 : unit_for(points->extent, points->exponent, points->bits(points->exponent));
-  place_below(*points, unit, corners.high);
+  position_below(*points, unit, corners.high);
   return points;
 }
 

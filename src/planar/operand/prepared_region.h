@@ -13,7 +13,7 @@
 
 namespace dymsum::planar {
 
-/// Shared by all copies of a region; each operand is made when it is first asked for. Thread-safe.
+/// Shared by all copies of a region; each operand is made when it is first requested. Thread-safe.
 class PreparedRegion {
  public:
   /// The region, or its reflection, as operand `op`. Requires: always the same region.

@@ -50,7 +50,8 @@ Result<BigRational> checked_step(BigRational v, const std::string& text) {
 }  // namespace
 
 Result<Scale> Scale::of(double value) {
-  if (!std::isfinite(value)) return Error{ErrorCode::not_finite, "a scale has to be a finite number", {}};
+  if (!std::isfinite(value))
+    return Error{ErrorCode::not_finite, "a scale must be finite, not " + base::general_text(value, 6), {}};
   constexpr double kLimit = 0x1p64;  // of within_limits
   if (!(value >= 1 / kLimit && value <= kLimit))
     return checked(exact::exact_value(value), shortest_text(value)).error();
@@ -98,7 +99,7 @@ Result<std::vector<Scale>> scale_steps(const Scale& from, const Scale& to, const
                     by = exact::exact_value(step.exact());
   const bool up = last >= first;
   const BigInteger grid = BigInteger(1) << 40;
-  // No step is longer than that: what is too many is told before they are made.
+  // No step is longer than that: what is too many is reported before they are made.
   const BigRational longest =
       kind == StepKind::percent ? BigRational(std::max(first, last) * by / 100 + BigRational(1, grid)) : by;
   if (abs(BigRational(last - first)) >= longest * most) return bad("more than " + std::to_string(most) + " steps");

@@ -2,10 +2,10 @@
 // both operands rest.
 //
 // In units u of roundoff, with L = |edge vector|_1 and S the span. A coordinate of a vertex carries 1 rounding, of a
-// scaled or turned operand 3: its own, the factor's and the product's.
+// scaled or rotated operand 3: its own, the factor's and the product's.
 //   point   3 S of the coordinates, and the sum.
 //   side    d x (v - start): two points and their difference 9 S, the edge vector 3, product and difference 1 each:
-//           14 L S. Where v is a place, its own error counts instead of one point's: 10 L S.
+//           14 L S. Where v is a position, its own error counts instead of one point's: 10 L S.
 //   share   of a segment where another one crosses it, n / (n - m) for the sides n and m of its ends: what n and m err
 //           by is weighted with 1 - t and t, so t errs by what one side does over |n - m|.
 #pragma once
@@ -17,7 +17,7 @@ namespace dymsum::planar {
 /// Of x y' - y x' for vectors whose components carry one rounding each, times |x y'| + |y x'|: two of the factors, the
 /// product and the difference.
 inline constexpr double kEdgeCross = exact::rounding_bound(4, 8);
-/// The same for those of a scaled or turned operand, which carry three each.
+/// The same for those of a scaled or rotated operand, which carry three each.
 inline constexpr double kScaledEdgeCross = exact::rounding_bound(8, 16);
 /// Of the difference of two such components, times the sum of both.
 inline constexpr double kScaledEdgeGap = exact::rounding_bound(4, 8);
@@ -27,38 +27,38 @@ inline constexpr double kScaledEdgeGap = exact::rounding_bound(4, 8);
 // roundings of x, s, p and the sum err by u (x + s) + u^2 + 2 u, where x + s <= 1 + x s: no more than 4 u p, as p = 1
 // only for x = s = 1, when the product is exact. In the binades above, each u of a rounding is 2 u of twice the number.
 inline constexpr double kSumPoint = 4 * exact::kRoundoff;
-/// Of the side of a vertex or a place, times L and the span.
+/// Of the side of a vertex or a position, times L and the span.
 inline constexpr double kSumSide = exact::rounding_bound(14, 16);
-/// How far apart a box and a place, or two boxes at a place, have to be, times the span: coordinates, two differences,
-/// and the margin taken off.
+/// How far apart a box and a position, or two boxes at a position, have to be, times the span: coordinates, two
+/// differences, and the margin taken off.
 inline constexpr double kSumBox = exact::rounding_bound(3 + 1 + 3, 16);
-/// The same for a vertex's height over a place: the sum of two vertices, and the difference.
+/// The same for a vertex's height over a position: the sum of two vertices, and the difference.
 inline constexpr double kSumHeight = exact::rounding_bound(4 + 1, 8);
 
-/// Sides whose signs are known otherwise are taken for at least this share of a side error.
+/// Sides whose signs are known otherwise are taken for at least this fraction of a side error.
 inline constexpr double kLeastSide = 0.5;
-/// Of a share of a crossing: times side error / |d x e|. Sides err by 3/2 of one, as they are taken for kLeastSide at
-/// least; n - m differs from d x e by 3 of them, and d x e by 1. |d x e| is more than 8 where the share says anything,
-/// so n - m is at least half of it.
-inline constexpr double kCrossingShares = 8;
-static_assert((1 + kLeastSide) / (1 - (2 * (1 + kLeastSide) + 1) / kCrossingShares) <= kCrossingShares);
+/// Of a fraction of a crossing: times side error / |d x e|. Sides err by 3/2 of one, as they are taken for kLeastSide
+/// at least; n - m differs from d x e by 3 of them, and d x e by 1. |d x e| is more than 8 where the fraction says
+/// anything, so n - m is at least half of it.
+inline constexpr double kCrossingFractions = 8;
+static_assert((1 + kLeastSide) / (1 - (2 * (1 + kLeastSide) + 1) / kCrossingFractions) <= kCrossingFractions);
 /// The same of a vertex on a segment, times point error / max(|dx|, |dy|): two points, and what the vector errs by;
 /// kept as a float.
-inline constexpr double kTouchShares = 4;
-static_assert(3 <= kTouchShares * (1 - exact::kFloatRoundoff));
-/// Besides, absolutely: the difference, the quotient and what is made of shares up to 1 by three operations.
-inline constexpr double kShareRoundings = exact::rounding_bound(5, 8);
-/// Of the weight w of a mediant, times what both denominators err by, as shares of themselves: w errs by at most
+inline constexpr double kTouchFractions = 4;
+static_assert(3 <= kTouchFractions * (1 - exact::kFloatRoundoff));
+/// Besides, absolutely: the difference, the quotient and what is made of fractions up to 1 by three operations.
+inline constexpr double kFractionRoundings = exact::rounding_bound(5, 8);
+/// Of the weight w of a mediant, times what both denominators err by, as fractions of themselves: w errs by at most
 /// w (1 - w) (r + s) / (1 - r - s) <= (r + s) / 2 where r + s <= 1/2, and by less than 1 anywhere.
-inline constexpr double kMediantShares = 2;
-static_assert(kMediantShares * 0.5 >= 1);
+inline constexpr double kMediantFractions = 2;
+static_assert(kMediantFractions * 0.5 >= 1);
 
 /// Of start + t d beside the errors of the start and of t: product and sum, times |d| and the span. What d is rounded
 /// by is less than another error of a point, which is counted with the start.
 inline constexpr double kStepLength = exact::rounding_bound(1, 4), kStepSum = exact::rounding_bound(1, 2);
 /// Of a position rounded from the exact one relative to a pair of vertices, times the span: the difference, two
 /// vertices of three roundings each and two sums.
-inline constexpr double kRoundedPlace = exact::rounding_bound(9, 32);
+inline constexpr double kRoundedPosition = exact::rounding_bound(9, 32);
 
 /// Positions that are known worse than this, times the span, are rounded from the exact ones. Any value is right.
 inline constexpr double kPoorPosition = 0x1p-38;

@@ -24,10 +24,10 @@ Fraction chain_sum(std::span<const Homogeneous> ring, std::size_t first, std::si
   const Homogeneous& a = ring[first];
   const Homogeneous& b = ring[last % ring.size()];
   if (last - first == 1) return {a.x * b.y - b.x * a.y, 1};
-  const std::size_t middle = (first + last) / 2;
-  const Fraction left = chain_sum(ring, first, middle), right = chain_sum(ring, middle, last);
+  const std::size_t midpoint = (first + last) / 2;
+  const Fraction left = chain_sum(ring, first, midpoint), right = chain_sum(ring, midpoint, last);
   const BigInteger after = right.denominator * b.w, before = a.w * left.denominator;
-  const BigInteger shared = left.denominator * ring[middle].w;
+  const BigInteger shared = left.denominator * ring[midpoint].w;
   return {left.numerator * after + right.numerator * before, shared * right.denominator};
 }
 

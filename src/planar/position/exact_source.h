@@ -11,7 +11,7 @@
 
 namespace dymsum {
 
-/// Exact positions of the vertices of one sum. The vertex's contacts and corner name the place; `at` is never read.
+/// Exact positions of the vertices of one sum. The vertex's contacts and corner name the position; `at` is never read.
 /// Requires: every vertex handed in was made by the engine that made this source. Implementations are immutable.
 class ExactSource {
  public:
@@ -27,7 +27,7 @@ class ExactSource {
   struct Homogeneous {
     exact::BigInteger x, y, w;
   };
-  /// The same position without the greatest common divisors that lowest terms cost. The default asks for position().
+  /// The same position without the greatest common divisors that lowest terms cost. The default requests position().
   virtual Homogeneous homogeneous(const SumVertex& vertex) const;
 
   /// What near() measures in: a position is origin + unit (x, y).

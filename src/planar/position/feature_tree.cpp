@@ -20,14 +20,14 @@ void FeatureTree::add_node(std::uint32_t first, std::uint32_t last) {
   nodes_.push_back({low, high, first, last, 0, last - first <= kLeaf});
   if (!nodes_[self].leaf) {
     const bool wide = high.x - low.x >= high.y - low.y;
-    const auto middle_of = [wide](const Feature& f) {
+    const auto midpoint_of = [wide](const Feature& f) {
       return wide ? f.from.at.x / 2 + f.to.at.x / 2 : f.from.at.y / 2 + f.to.at.y / 2;
     };
-    const std::uint32_t middle = first + (last - first) / 2;
-    std::nth_element(features_.begin() + first, features_.begin() + middle, features_.begin() + last,
-                     [&](const Feature& a, const Feature& b) { return middle_of(a) < middle_of(b); });
-    add_node(first, middle);
-    add_node(middle, last);
+    const std::uint32_t midpoint = first + (last - first) / 2;
+    std::nth_element(features_.begin() + first, features_.begin() + midpoint, features_.begin() + last,
+                     [&](const Feature& a, const Feature& b) { return midpoint_of(a) < midpoint_of(b); });
+    add_node(first, midpoint);
+    add_node(midpoint, last);
   }
   nodes_[self].after = static_cast<std::uint32_t>(nodes_.size());
 }

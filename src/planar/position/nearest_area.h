@@ -17,7 +17,7 @@ using AreaRange = std::pair<exact::BigRational, exact::BigRational>;
 /// Calls decide(range) for narrower and narrower ranges until it returns true, which it has to when both ends are
 /// equal: first positions as pairs of doubles, at a few operations a vertex; then multiples of a power of two, 2^-256
 /// and 2^-1024 of the largest coordinate; then the exact fraction, at the cost of exact_area. A rounding to d bits is
-/// not decided by the first range only where the area is within about n 2^-94 extent^2 of a place where the rounding
+/// not decided by the first range only where the area is within about n 2^-94 extent^2 of a position where the rounding
 /// changes.
 void narrow_area(const PlanarSum& sum, const std::function<bool(const AreaRange&)>& decide);
 

@@ -35,7 +35,7 @@ constexpr double kLeast = 0x1p-800, kMost = 0x1p1000;
 /// Of a unit: beyond, it or its product with the integers could lose error terms.
 constexpr double kLeastUnit = 0x1p-500, kMostUnit = 0x1p500;
 
-/// The double nearest to origin + unit v, |v - exact| <= error, if this is sure. Rounding is monotone, so where both
+/// The double nearest to origin + unit v, |v - exact| <= error, if this is proved. Rounding is monotone, so where both
 /// ends of what is possible round to one double, all of it does; twice as much covers the roundings of these ends.
 std::optional<double> nearest(DoublePair origin, DoublePair unit, DoublePair v, double error) {
   const DoublePair moved = unit * v, at = origin + moved;

@@ -1,4 +1,4 @@
-// Exact signs of points given as rationals: order, orientation, and the place of a point against closed rings. The
+// Exact signs of points given as rationals: order, orientation, and the position of a point against closed rings. The
 // nearest doubles are tried first; they never decide unless their error bound proves the sign.
 #pragma once
 

@@ -14,7 +14,7 @@ namespace dymsum::planar {
 
 namespace {
 
-/// Of a point on an edge, times the largest coordinate: two products and their sum, whose shares add up to 1.
+/// Of a point on an edge, times the largest coordinate: two products and their sum, whose fractions add up to 1.
 constexpr double kOnEdge = exact::rounding_bound(2, 4);
 /// Of the side of a point, besides what differences of coordinates err by that come from positions, times the sum of
 /// both products: the roundings of two differences, of the product and of the difference of products.
@@ -27,7 +27,7 @@ struct RoughPoint {
   double x, y, error;
 };
 
-/// A point on the edge from a to b, near 7/16 of the way: off the middle, where symmetric shapes tend to touch. Each
+/// A point on the edge from a to b, near 7/16 of the way: off the midpoint, where symmetric shapes tend to touch. Each
 /// coordinate of 9/16 a + 7/16 b inherits at most at_error.
 RoughPoint point_on_edge(const SumVertex& a, const SumVertex& b, double at_error) {
   const double x = 0.5625 * a.at.x + 0.4375 * b.at.x, y = 0.5625 * a.at.y + 0.4375 * b.at.y;

@@ -76,14 +76,14 @@ Location RingSlabs::in_slab(std::uint32_t slab, const NearSpot& z) const {
     std::uint32_t first = starts_[node], last = starts_[node + 1];
     left -= first;
     while (first < last) {
-      const std::uint32_t middle = first + (last - first) / 2;
-      const Edge& edge = edges_[members_[middle]];
+      const std::uint32_t midpoint = first + (last - first) / 2;
+      const Edge& edge = edges_[members_[midpoint]];
       const int side = orientation(edge.low, edge.high, z);
       if (side == 0) return Location::boundary;
       if (side < 0) {
-        first = middle + 1;
+        first = midpoint + 1;
       } else {
-        last = middle;
+        last = midpoint;
       }
     }
     left += first;

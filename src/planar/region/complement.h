@@ -12,7 +12,7 @@ enum class Turning { none, any };
 
 /// The frame with P cut out, under the numbers of P; the frame's own vertices and edges have the number
 /// SumVertex::kNone. The frame is wide enough that its boundary plays no part in sums with -Q, or with
-/// Q turned by any angle.
+/// Q rotated by any angle.
 EngineRegion complement_of(const Region& p, const Region& q, Turning turning = Turning::none);
 
 /// The error for operands around which no such frame can be laid: a coordinate that no sum can take, or so large a one

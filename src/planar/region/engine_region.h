@@ -13,11 +13,11 @@ struct EngineRegion {
   const RegionData* borrowed = nullptr;  ///< without touching points: the region's own data, which must outlive this
   RegionData own;
   bool touching = false;                                    ///< edges of different rings may follow each other
-  std::vector<std::uint32_t> vertex_numbers, edge_numbers;  ///< empty: unchanged
+  std::vector<std::uint32_t> vertex_indices, edge_indices;  ///< empty: unchanged
 
   const RegionData& data() const { return borrowed != nullptr ? *borrowed : own; }
-  std::uint32_t vertex_number(std::uint32_t v) const { return vertex_numbers.empty() ? v : vertex_numbers[v]; }
-  std::uint32_t edge_number(std::uint32_t e) const { return edge_numbers.empty() ? e : edge_numbers[e]; }
+  std::uint32_t vertex_index(std::uint32_t v) const { return vertex_indices.empty() ? v : vertex_indices[v]; }
+  std::uint32_t edge_index(std::uint32_t e) const { return edge_indices.empty() ? e : edge_indices[e]; }
 };
 
 }  // namespace dymsum::planar

@@ -120,7 +120,7 @@ class PlainRings {
   }
 
   // Monotone in the coordinates, so that what meets meets in quanta too. False: no area, or too large or small to be
-  // told in doubles.
+  // determined in doubles.
   bool find_quanta() {
     Point low = rings_[0].low, high = rings_[0].high;
     for (const RingSpan& ring : rings_) {
@@ -150,14 +150,14 @@ class PlainRings {
   }
 
   /// Left at every vertex, by less than half a turn, and in all one turn: such a ring is convex. False where doubles do
-  /// not tell.
+  /// not decide.
   bool turns_left_once() const {
     const std::uint32_t n = size();
     const auto upper = [](Point a, Point b) { return b.y > a.y || (b.y == a.y && b.x > a.x); };
     int turns = 0;
     Point a = points_[n - 2], b = points_[n - 1];
     for (bool was_upper = upper(a, b); const Point c : points_) {
-      if (exact::certain_cross_sign(a, b, b, c) <= 0) return false;
+      if (exact::proved_cross_sign(a, b, b, c) <= 0) return false;
       const bool is_upper = upper(b, c);
       turns += is_upper && !was_upper;
       was_upper = is_upper;
@@ -172,7 +172,7 @@ class PlainRings {
     Point a = points_[ring.last - 2], b = points_[ring.last - 1];
     for (std::uint32_t v = ring.first; v < ring.last; ++v) {
       const Point c = points_[v];
-      if (exact::certain_cross_sign(a, b, b, c) == 0 &&
+      if (exact::proved_cross_sign(a, b, b, c) == 0 &&
           (b == c || (exact::orient_sign(a, b, c) == 0 && exact::dot_sign(a, b, b, c) <= 0))) {
         return true;
       }
@@ -229,8 +229,8 @@ class PlainRings {
     }
   }
 
-  // All pairs of edges below the boxes [first, last) of a level. What is left is zero or less once a pair is not told
-  // apart.
+  // All pairs of edges below the boxes [first, last) of a level. What is left is zero or less once a pair is not
+  // distinguished.
   void within(std::uint32_t level, std::uint32_t first, std::uint32_t last) {
     for (std::uint32_t i = first; i < last && left_ > 0; ++i) {
       if (level > 0) within(level - 1, i * kFanOut, end_of(level - 1, i));

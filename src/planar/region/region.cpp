@@ -1,4 +1,4 @@
-// What a region tells about itself.
+// What a region reports about itself.
 #include "dymsum/region.h"
 
 #include <algorithm>
@@ -11,7 +11,7 @@ namespace dymsum {
 
 namespace {
 
-// f(chain) for all vertex lists of a region, in the order of the vertex numbers.
+// f(chain) for all vertex lists of a region, in the order of the vertex indices.
 template <class F>
 void for_each_chain(const RegionData& data, F f) {
   for (const Part& part : data.parts) {

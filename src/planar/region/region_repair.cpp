@@ -1,4 +1,4 @@
-// The named repair: what can be mended without a choice.
+// The named repair: what can be repaired without a choice.
 #include <algorithm>
 #include <string>
 #include <utility>
@@ -13,22 +13,22 @@ namespace {
 
 bool lexicographically_less(Point a, Point b) { return a.x < b.x || (a.x == b.x && a.y < b.y); }
 
-// A mended chain, and where each of its vertices was.
-struct Mended {
+// A repaired chain, and where each of its vertices was.
+struct RepairedChain {
   std::vector<Point> chain;
   std::vector<std::uint32_t> source;
 };
 
 // Drops duplicates, straight vertices and spikes of a ring until there are none. Every drop can make the vertices
-// before it droppable: the list of kept ones is a stack. What remains to mend at the seam is dropped from either end.
+// before it droppable: the list of kept ones is a stack. What remains to repair at the seam is dropped from either end.
 class RingMender {
  public:
   explicit RingMender(const Ring& ring, RepairReport& report) : ring_(ring), report_(report) {}
 
-  Mended run() {
+  RepairedChain run() {
     for (std::uint32_t i = 0; i < ring_.size(); ++i) push(i);
     close_seam();
-    Mended result;
+    RepairedChain result;
     if (kept_.size() - first_ < 3) return result;
     result.source.assign(kept_.begin() + static_cast<std::ptrdiff_t>(first_), kept_.end());
     for (const std::uint32_t i : result.source) result.chain.push_back(ring_[i]);
@@ -77,7 +77,7 @@ class RingMender {
 };
 
 // True when the ring runs counter-clockwise. All its rays at the lexicographically smallest point go right, and what
-// lies under the lowest is outside. Requires a mended ring; means nothing for one that crosses itself.
+// lies under the lowest is outside. Requires a repaired ring; means nothing for one that crosses itself.
 bool runs_counter_clockwise(const Ring& ring) {
   const Point start = *std::min_element(ring.begin(), ring.end(), lexicographically_less);
   bool first = true, outgoing = true;
@@ -95,8 +95,8 @@ bool runs_counter_clockwise(const Ring& ring) {
   return outgoing;
 }
 
-Mended mend_ring(const Ring& ring, bool outer, RepairReport& report) {
-  Mended result = RingMender(ring, report).run();
+RepairedChain repair_ring(const Ring& ring, bool outer, RepairReport& report) {
+  RepairedChain result = RingMender(ring, report).run();
   if (result.chain.empty()) {
     ++report.dropped_rings;
   } else if (runs_counter_clockwise(result.chain) != outer) {
@@ -108,8 +108,8 @@ Mended mend_ring(const Ring& ring, bool outer, RepairReport& report) {
 }
 
 // Folds stay: the end of a fold belongs to the set.
-Mended mend_polyline(const Polyline& line, RepairReport& report) {
-  Mended result;
+RepairedChain repair_polyline(const Polyline& line, RepairReport& report) {
+  RepairedChain result;
   std::vector<Point>& kept = result.chain;
   for (std::uint32_t i = 0; i < line.size(); ++i) {
     if (!kept.empty() && kept.back() == line[i]) {
@@ -130,13 +130,13 @@ Mended mend_polyline(const Polyline& line, RepairReport& report) {
   return result;
 }
 
-// A mended ring and the numbers it had in the given data.
+// A repaired ring and the numbers it had in the given data.
 struct RingSource {
   std::int64_t part, ring;
   std::vector<std::uint32_t> vertices;
 };
 
-// Writes the indices of the given data into the evidence of an error about mended data.
+// Writes the indices of the given data into the evidence of an error about repaired data.
 class SourceNames {
  public:
   void start_part() { parts_.emplace_back(); }
@@ -161,7 +161,7 @@ class SourceNames {
 };
 
 // A hole with area whose outer ring has none.
-Error homeless_hole(std::int64_t part, std::int64_t ring, const Mended& hole) {
+Error homeless_hole(std::int64_t part, std::int64_t ring, const RepairedChain& hole) {
   Error error{ErrorCode::hole_outside, "the outer ring of a hole encloses nothing", {}};
   error.evidence.part = part;
   error.evidence.ring = ring;
@@ -171,29 +171,29 @@ Error homeless_hole(std::int64_t part, std::int64_t ring, const Mended& hole) {
   return error;
 }
 
-std::optional<Error> mend_part(const Part& part, std::int64_t number, RegionData& result, SourceNames& names,
-                               RepairReport& report) {
-  Mended outer = mend_ring(part.outer, true, report);
+std::optional<Error> repair_part(const Part& part, std::int64_t index, RegionData& result, SourceNames& names,
+                                 RepairReport& report) {
+  RepairedChain outer = repair_ring(part.outer, true, report);
   const bool keep = !outer.chain.empty();
   if (keep) {
     result.parts.push_back({std::move(outer.chain), {}});
     names.start_part();
-    names.add_ring({number, 0, std::move(outer.source)});
+    names.add_ring({index, 0, std::move(outer.source)});
   }
   for (std::size_t h = 0; h < part.holes.size(); ++h) {
     const auto ring = static_cast<std::int64_t>(h + 1);
-    Mended hole = mend_ring(part.holes[h], false, report);
+    RepairedChain hole = repair_ring(part.holes[h], false, report);
     if (hole.chain.empty()) continue;
-    if (!keep) return homeless_hole(number, ring, hole);
+    if (!keep) return homeless_hole(index, ring, hole);
     result.parts.back().holes.push_back(std::move(hole.chain));
-    names.add_ring({number, ring, std::move(hole.source)});
+    names.add_ring({index, ring, std::move(hole.source)});
   }
   return std::nullopt;
 }
 
-Error empty_polyline(std::int64_t number) {
+Error empty_polyline(std::int64_t index) {
   Error error{ErrorCode::too_few_vertices, "a polyline needs at least two vertices", {}};
-  error.evidence.ring = number;
+  error.evidence.ring = index;
   return error;
 }
 
@@ -221,18 +221,18 @@ Result<Repaired> repair(RegionData data) {
   RegionData result;
   SourceNames names;
   for (std::size_t i = 0; i < data.parts.size(); ++i) {
-    auto error = mend_part(data.parts[i], static_cast<std::int64_t>(i), result, names, report);
+    auto error = repair_part(data.parts[i], static_cast<std::int64_t>(i), result, names, report);
     if (error) return *std::move(error);
   }
   result.points = std::move(data.points);
   for (std::size_t i = 0; i < data.polylines.size(); ++i) {
-    Mended mended = mend_polyline(data.polylines[i], report);
-    if (mended.chain.empty()) return empty_polyline(static_cast<std::int64_t>(i));
-    if (mended.chain.size() == 1) {
+    RepairedChain repaired = repair_polyline(data.polylines[i], report);
+    if (repaired.chain.empty()) return empty_polyline(static_cast<std::int64_t>(i));
+    if (repaired.chain.size() == 1) {
       ++report.polylines_to_points;
-      result.points.push_back(mended.chain.front());
+      result.points.push_back(repaired.chain.front());
     } else {
-      result.polylines.push_back(std::move(mended.chain));
+      result.polylines.push_back(std::move(repaired.chain));
     }
   }
   Result<Region> region = Region::create(std::move(result));

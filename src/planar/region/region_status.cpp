@@ -8,7 +8,7 @@ namespace dymsum::planar {
 
 namespace {
 
-// Heap priorities of treap nodes: a fixed scrambling of the node number (splitmix64's finisher), so that the same input
+// Heap priorities of treap nodes: a fixed scrambling of the node index (splitmix64's finisher), so that the same input
 // takes the same steps everywhere.
 std::uint64_t priority(SweepStatus::Node node) {
   std::uint64_t z = node + 0x9e3779b97f4a7c15u;
@@ -27,14 +27,14 @@ int SweepStatus::side(Node node, Point p) const {
   return exact::orient_sign(e.left, e.right, p);
 }
 
-SweepStatus::Place SweepStatus::locate(Point p) const {
-  Place place{kNone, kNone};
+SweepStatus::Position SweepStatus::locate(Point p) const {
+  Position position{kNone, kNone};
   for (Node node = root_; node != kNone;) {
     const bool above = side(node, p) > 0;
-    (above ? place.below : place.at_or_above) = node;
+    (above ? position.below : position.at_or_above) = node;
     node = nodes_[node].child[above ? 1 : 0];
   }
-  return place;
+  return position;
 }
 
 SweepStatus::Node SweepStatus::new_node(const Edge& edge) {

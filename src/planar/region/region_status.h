@@ -32,10 +32,10 @@ class SweepStatus {
   /// Sign of p's height over the node's edge, for a p within the edge's lexicographic extent. Exact.
   int side(Node node, Point p) const;
   /// The lowest edge that is not strictly below p, or kNone; `below` is the one before it. Exact.
-  struct Place {
+  struct Position {
     Node below, at_or_above;
   };
-  Place locate(Point p) const;
+  Position locate(Point p) const;
 
   void replace(Node node, const Edge& edge) { nodes_[node].edge = edge; }
   /// Inserts directly above `below` (kNone: at the bottom).

@@ -19,9 +19,10 @@ void RingList::add(const Ring& ring) {
 
 namespace {
 
-constexpr std::uint32_t kNone = RingPlace::kNone;
+constexpr std::uint32_t kNone = RingPosition::kNone;
 
-// The place where two properly crossing segments meet, rounded: for messages. A power of two keeps products in range.
+// The position where two properly crossing segments meet, rounded: for messages. A power of two keeps products in
+// range.
 Point rough_crossing(const SweepStatus::Edge& a, const SweepStatus::Edge& b) {
   double largest = 0;
   for (const Point p : {a.left, a.right, b.left, b.right}) largest = std::max({largest, std::abs(p.x), std::abs(p.y)});
@@ -145,9 +146,9 @@ void RingSweep::collect_rays_left(Point p) {
   range_.clear();
   Node node = ending_;
   if (node == SweepStatus::kNone) {
-    const SweepStatus::Place place = status_.locate(p);
-    below_ = place.below;
-    node = place.at_or_above;
+    const SweepStatus::Position position = status_.locate(p);
+    below_ = position.below;
+    node = position.at_or_above;
   } else {
     below_ = status_.previous(node);
     while (below_ != SweepStatus::kNone && status_.side(below_, p) == 0) {
@@ -215,15 +216,15 @@ bool RingSweep::strands_interleave(Point p) {
 void RingSweep::place_new_rings() {
   for (std::size_t i = 0; i < right_.size(); ++i) {
     const Ray& ray = right_[i];
-    RingPlace& place = layout_.rings[rings_.ring_of[ray.edge.id]];
-    if (place.first_vertex != kNone) continue;
-    place.first_vertex = edge_of(ray.strand);
-    place.counter_clockwise = ray.edge.forward;
+    RingPosition& position = layout_.rings[rings_.ring_of[ray.edge.id]];
+    if (position.first_vertex != kNone) continue;
+    position.first_vertex = edge_of(ray.strand);
+    position.counter_clockwise = ray.edge.forward;
     if (i == 0 && below_ == SweepStatus::kNone) continue;
     const SweepStatus::Edge& under = i > 0 ? right_[i - 1].edge : status_.edge(below_);
     const std::uint32_t ring = rings_.ring_of[under.id];
     const bool inside = under.forward == layout_.rings[ring].counter_clockwise;
-    place.container = inside ? ring : layout_.rings[ring].container;
+    position.container = inside ? ring : layout_.rings[ring].container;
   }
 }
 

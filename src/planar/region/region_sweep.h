@@ -35,7 +35,7 @@ struct RingClash {
 };
 
 /// Where a ring lies.
-struct RingPlace {
+struct RingPosition {
   static constexpr std::uint32_t kNone = 0xffffffff;
   std::uint32_t first_vertex = kNone;  ///< a lexicographically smallest one
   std::uint32_t container = kNone;     ///< the innermost ring around it
@@ -43,8 +43,8 @@ struct RingPlace {
 };
 
 struct RingLayout {
-  std::optional<RingClash> clash;  ///< the first one that the sweep notices; `rings` then tells nothing
-  std::vector<RingPlace> rings;
+  std::optional<RingClash> clash;  ///< the first one that the sweep notices; `rings` then says nothing
+  std::vector<RingPosition> rings;
   std::vector<Point> touching_points;  ///< where several strands meet, lexicographically
 };
 

@@ -163,10 +163,10 @@ class LayoutCheck {
   }
 
   Error ring_error(ErrorCode code, std::string message, std::uint32_t ring,
-                   std::uint32_t other = RingPlace::kNone) const {
+                   std::uint32_t other = RingPosition::kNone) const {
     const std::uint32_t vertex = layout_.rings[ring].first_vertex;
     Error error = vertex_error(code, std::move(message), vertex, rings_.points[vertex]);
-    if (other != RingPlace::kNone) {
+    if (other != RingPosition::kNone) {
       error.evidence.other_part = part_index(other);
       error.evidence.other_ring = ring_index(other);
     }
@@ -188,7 +188,7 @@ class LayoutCheck {
   // A part may lie outside all others, or directly inside a hole.
   std::optional<Error> misplaced_outer(std::uint32_t ring) const {
     const std::uint32_t around = layout_.rings[ring].container;
-    if (around == RingPlace::kNone) return std::nullopt;
+    if (around == RingPosition::kNone) return std::nullopt;
     if (is_outer(around)) return ring_error(ErrorCode::parts_overlap, "a part lies inside another part", ring, around);
     if (part_of_[around] != part_of_[ring]) return std::nullopt;
     return ring_error(ErrorCode::hole_outside, "a hole is not inside its outer ring", around);
@@ -200,7 +200,7 @@ class LayoutCheck {
     const std::uint32_t container = layout_.rings[ring].container;
     if (container == outer) return std::nullopt;
     bool inside = false;
-    for (std::uint32_t around = container; around != RingPlace::kNone; around = layout_.rings[around].container) {
+    for (std::uint32_t around = container; around != RingPosition::kNone; around = layout_.rings[around].container) {
       if (part_of_[around] != part_of_[ring]) continue;
       if (!is_outer(around))
         return ring_error(ErrorCode::hole_outside, "a hole lies inside another hole", ring, around);

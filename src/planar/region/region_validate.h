@@ -13,11 +13,11 @@ namespace dymsum::planar {
 std::optional<Error> check_finite(const RegionData& data);
 
 /// What makes `data` not a valid region (see Region), or nothing. Evidence: `part`, `ring`, `vertex` (the start of the
-/// first edge), the `other_` ones, and the place (not of a coordinate that is not finite); for polylines `ring` and for
-/// points `vertex` count them, and `part` is not set. Of two edges the first is the one with the smaller number; of two
-/// rings the first is the misplaced one: the hole, or the part inside another one, and its vertex a lexicographically
-/// smallest one. Checks run in this order: coordinates; lengths, repeated vertices, area; crossings; orientation;
-/// nesting. Exact. O(n log n) for n vertices.
+/// first edge), the `other_` ones, and the position (not of a coordinate that is not finite); for polylines `ring` and
+/// for points `vertex` count them, and `part` is not set. Of two edges the first is the one with the smaller number; of
+/// two rings the first is the misplaced one: the hole, or the part inside another one, and its vertex a
+/// lexicographically smallest one. Checks run in this order: coordinates; lengths, repeated vertices, area; crossings;
+/// orientation; nesting. Exact. O(n log n) for n vertices.
 struct Validation {
   std::optional<Error> error;
   std::vector<Point> touching_points;  ///< of the rings; only without an error

@@ -8,10 +8,10 @@
 namespace dymsum::planar {
 namespace {
 
-// A ring vertex that may be a cut in the middle of an edge.
+// A ring vertex that may be a cut inside an edge.
 struct Node {
   Point at;
-  std::uint32_t vertex_number, edge_number;  // of the vertex here, of the edge that starts here
+  std::uint32_t vertex_index, edge_index;  // of the vertex here, of the edge that starts here
   std::uint32_t next;
   bool cut;
 };
@@ -41,14 +41,14 @@ class Separation {
     const std::uint32_t begin = static_cast<std::uint32_t>(nodes_.size());
     for (std::size_t i = 0; i < ring.size(); ++i) {
       const Point a = ring[i], b = ring[i + 1 == ring.size() ? 0 : i + 1];
-      add_node(a, number_, false);
+      add_node(a, index_, false);
       std::vector<Point> cuts;
       for (const Point& z : touching)
         if (inside_edge(a, b, z)) cuts.push_back(z);
       std::sort(cuts.begin(), cuts.end(), [](Point u, Point v) { return u.x != v.x ? u.x < v.x : u.y < v.y; });
       if (b.x < a.x || (b.x == a.x && b.y < a.y)) std::reverse(cuts.begin(), cuts.end());
-      for (const Point& z : cuts) add_node(z, number_, true);
-      ++number_;
+      for (const Point& z : cuts) add_node(z, index_, true);
+      ++index_;
     }
     nodes_.back().next = begin;
   }
@@ -71,7 +71,7 @@ class Separation {
       if (n.at == z) rays.push_back({nodes_[n.next].at, i, true});
       if (nodes_[n.next].at == z) rays.push_back({n.at, i, false});
       // Two edges cannot touch in both their interiors: some strand has a vertex here.
-      if (n.at == z && !n.cut) vertex = n.vertex_number;
+      if (n.at == z && !n.cut) vertex = n.vertex_index;
     }
     const auto half = [&](const Ray& r) { return r.to.y > z.y || (r.to.y == z.y && r.to.x > z.x) ? 0 : 1; };
     std::sort(rays.begin(), rays.end(), [&](const Ray& a, const Ray& b) {
@@ -82,7 +82,7 @@ class Separation {
       if (!rays[i].out) joined.emplace_back(rays[i].node, rays[(i + rays.size() - 1) % rays.size()].node);
     for (const auto& [in, out] : joined) nodes_[in].next = out;
     for (const Ray& r : rays)
-      if (r.out && nodes_[r.node].cut) nodes_[r.node].vertex_number = vertex;
+      if (r.out && nodes_[r.node].cut) nodes_[r.node].vertex_index = vertex;
   }
 
   void collect(const RegionData& data) {
@@ -109,8 +109,8 @@ class Separation {
     };
     const auto number = [&](std::size_t r) {
       for (const std::uint32_t n : rings[r]) {
-        result.vertex_numbers.push_back(nodes_[n].vertex_number);
-        result.edge_numbers.push_back(nodes_[n].edge_number);
+        result.vertex_indices.push_back(nodes_[n].vertex_index);
+        result.edge_indices.push_back(nodes_[n].edge_index);
       }
     };
     for (std::size_t r = 0; r < rings.size(); ++r) {
@@ -130,14 +130,14 @@ class Separation {
     result.own.points = data.points;
     std::size_t rest = data.points.size();
     for (const Polyline& line : data.polylines) rest += line.size();
-    for (std::size_t i = 0; i < rest; ++i, ++number_) {
-      result.vertex_numbers.push_back(number_);
-      result.edge_numbers.push_back(number_);
+    for (std::size_t i = 0; i < rest; ++i, ++index_) {
+      result.vertex_indices.push_back(index_);
+      result.edge_indices.push_back(index_);
     }
   }
 
   std::vector<Node> nodes_;
-  std::uint32_t number_ = 0;
+  std::uint32_t index_ = 0;
 };
 
 }  // namespace

@@ -345,7 +345,7 @@ class Snapping {
 
  private:
   void add_ring(const Ring& ring, bool outer) {
-    const auto number = static_cast<std::uint32_t>(left_.size());
+    const auto index = static_cast<std::uint32_t>(left_.size());
     left_.push_back(false);
     bool any = false;
     for (std::size_t i = 0; i < ring.size(); ++i) {
@@ -355,9 +355,9 @@ class Snapping {
         continue;
       }
       any = true;
-      add(edges_, from, to, {from, to, 1, 0, 0, {number}});
+      add(edges_, from, to, {from, to, 1, 0, 0, {index}});
     }
-    if (!any && outer && !ring.empty()) dots_.push_back({ring.front(), number});
+    if (!any && outer && !ring.empty()) dots_.push_back({ring.front(), index});
   }
   void add_thin(const RegionData& data) {
     made_.data.points = data.points;

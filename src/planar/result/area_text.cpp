@@ -7,7 +7,7 @@
 namespace dymsum {
 namespace {
 
-constexpr int kDigits = 17;  // enough to tell any two doubles apart
+constexpr int kDigits = 17;  // enough to distinguish any two doubles
 
 }  // namespace
 

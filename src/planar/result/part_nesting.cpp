@@ -29,7 +29,7 @@ std::size_t canonical_start(const std::vector<SumVertex>& ring, const VertexOrde
   const SumVertex* const v = ring.data();
   std::size_t best = 0;
   for (std::size_t k = 1; k < n; ++k) {
-    if (order.certainly_right(v[k], v[best])) continue;
+    if (order.provably_right(v[k], v[best])) continue;
     const int sign = order.compare(ring[k], ring[best]);
     if (sign < 0) best = k;
     if (sign == 0) best = smaller_rotation(ring, best, k, order);

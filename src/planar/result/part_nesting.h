@@ -21,7 +21,7 @@ std::vector<SumPart> group_rings(std::vector<SumRing> rings, std::span<const std
 
 /// The canonical form: every ring starts at its lexicographically smallest vertex (where it visits that several times,
 /// at the visit after which the ring continues smallest), holes and parts are sorted by their vertices in ring order.
-/// Cost: O(n + r log r) for n vertices of r rings; the source is asked only about vertices that doubles cannot order.
+/// Cost: O(n + r log r) for n vertices of r rings; the source is queried only about vertices that doubles cannot order.
 void canonicalize(std::vector<SumPart>& parts, const ExactSource& source, double at_error);
 
 /// from < to, sorted by from, then to; equal segments once. Provenance of `from` and `to` travels with them.

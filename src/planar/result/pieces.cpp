@@ -36,14 +36,14 @@ struct Run {
   const Spot* high;
 };
 
-/// A place where the run may enter or leave the parts.
+/// A position where the run may enter or leave the parts.
 struct RingCut {
   Spot at;
   std::uint32_t ring, edge;
 };
 
-Interval make_interval(const PieceCandidate& candidate, std::size_t number) {
-  Interval v{{}, make_spot(candidate.a), make_spot(candidate.b), number};
+Interval make_interval(const PieceCandidate& candidate, std::size_t index) {
+  Interval v{{}, make_spot(candidate.a), make_spot(candidate.b), index};
   const int order = compare(v.low, v.high);
   if (order == 0) throw std::invalid_argument("lower_dimensional_pieces: a candidate segment is a point");
   if (order > 0) std::swap(v.low, v.high);
@@ -109,7 +109,7 @@ bool boxes_apart(const Spot& a, const Spot& b, const Spot& c, const Spot& d) {
          apart(a.nearest.y, b.nearest.y, c.nearest.y, d.nearest.y);
 }
 
-/// Ring vertices on the run and crossings of ring edges with it, strictly between its ends, sorted, each place once.
+/// Ring vertices on the run and crossings of ring edges with it, strictly between its ends, sorted, each position once.
 std::vector<RingCut> cuts_of(const Run& run, const Rings& rings) {
   std::vector<RingCut> cuts;
   const auto add = [&](Spot at, std::size_t ring, std::size_t edge) {
@@ -134,7 +134,7 @@ std::vector<RingCut> cuts_of(const Run& run, const Rings& rings) {
   return cuts;
 }
 
-Spot middle(const Spot& a, const Spot& b) {
+Spot midpoint(const Spot& a, const Spot& b) {
   return make_spot(Position{(a.exact.x + b.exact.x) / 2, (a.exact.y + b.exact.y) / 2});
 }
 
@@ -161,7 +161,7 @@ void name_candidates(PieceSegment& piece, const Spot& from, const Spot& to, cons
   }
 }
 
-/// The pieces of one run: its intervals between cuts whose middles lie outside the parts, neighbours joined.
+/// The pieces of one run: its intervals between cuts whose midpoints lie outside the parts, neighbours joined.
 void add_pieces(const Run& run, const Rings& rings, std::vector<PieceSegment>& pieces) {
   const std::vector<RingCut> cuts = cuts_of(run, rings);
   const auto spot = [&](std::size_t i) -> const Spot& {
@@ -169,7 +169,7 @@ void add_pieces(const Run& run, const Rings& rings, std::vector<PieceSegment>& p
   };
   const auto cut = [&](std::size_t i) { return i == 0 || i > cuts.size() ? nullptr : &cuts[i - 1]; };
   const auto free = [&](std::size_t i) {
-    return rings.empty() || locate(rings, middle(spot(i), spot(i + 1))) == Location::outside;
+    return rings.empty() || locate(rings, midpoint(spot(i), spot(i + 1))) == Location::outside;
   };
   for (std::size_t i = 0; i <= cuts.size(); ++i) {
     if (!free(i)) continue;
@@ -186,7 +186,7 @@ std::vector<PiecePoint> isolated_points(std::span<const Position> points, const 
                                         const std::vector<PieceSegment>& segments) {
   struct Candidate {
     Spot at;
-    std::size_t number;
+    std::size_t index;
   };
   std::vector<Candidate> sorted;
   for (std::size_t i = 0; i < points.size(); ++i) sorted.push_back({make_spot(points[i]), i});
@@ -200,7 +200,7 @@ std::vector<PiecePoint> isolated_points(std::span<const Position> points, const 
     if (i > 0 && compare(sorted[i - 1].at, at) == 0) continue;
     const auto covers = [&](const std::pair<Spot, Spot>& s) { return on_segment(s.first, s.second, at); };
     if (std::any_of(spots.begin(), spots.end(), covers) || locate(rings, at) != Location::outside) continue;
-    isolated.push_back({at.exact, sorted[i].number});
+    isolated.push_back({at.exact, sorted[i].index});
   }
   return isolated;
 }

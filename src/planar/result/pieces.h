@@ -15,7 +15,7 @@ struct PieceCandidate {
   Position a, b;
 };
 
-/// An end of a piece: an end of candidate segment `candidate`, or the place where edge `cut_edge` of ring `cut_ring`
+/// An end of a piece: an end of candidate segment `candidate`, or the position where edge `cut_edge` of ring `cut_ring`
 /// meets it (the edge that starts at the vertex of that number). At a vertex of the ring it is one of its two edges
 /// that does not run along the piece's line.
 struct PieceEnd {

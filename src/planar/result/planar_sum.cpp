@@ -39,7 +39,7 @@ class SameVertices {
   SameVertices(const PlanarSum& a, const PlanarSum& b) : a_(exact_source(a).get()), b_(exact_source(b).get()) {}
 
   bool operator()(const SumVertex& a, const SumVertex& b) const {
-    if (a_ == b_ && planar::same_place(a, b)) return true;
+    if (a_ == b_ && planar::same_position(a, b)) return true;
     if (a_ == nullptr || b_ == nullptr) throw std::logic_error("PlanarSum: vertices without exact positions");
     return equal(a_->homogeneous(a), b_->homogeneous(b));
   }

@@ -44,8 +44,8 @@ Error changed(const SumSkeleton& skeleton, std::string what, std::uint32_t verte
   return error;
 }
 
-std::optional<Error> check_finite_places(const SumSkeleton& skeleton) {
-  for (const std::uint32_t v : skeleton.places) {
+std::optional<Error> check_finite_positions(const SumSkeleton& skeleton) {
+  for (const std::uint32_t v : skeleton.positions) {
     const Point p = skeleton.nearest[v];
     if (!std::isfinite(p.x) || !std::isfinite(p.y)) return changed(skeleton, "leaves the range of doubles", v, v);
   }
@@ -82,9 +82,9 @@ std::optional<Error> check_no_new_contact(const SumSkeleton& skeleton, const std
     const auto known = std::equal_range(contacts.begin(), contacts.end(), VertexOnEdge{e, 0},
                                         [](const VertexOnEdge& a, const VertexOnEdge& b) { return a.edge < b.edge; });
     for (std::size_t i = bent.first[e]; i + 1 < bent.first[e + 1]; ++i) {
-      const std::uint32_t from = skeleton.place[bent.path[i]], to = skeleton.place[bent.path[i + 1]];
+      const std::uint32_t from = skeleton.position[bent.path[i]], to = skeleton.position[bent.path[i + 1]];
       const Point a = skeleton.nearest[from], b = skeleton.nearest[to];
-      skeleton.visit_places_in_box(a, b, [&](std::uint32_t v) {
+      skeleton.visit_positions_in_box(a, b, [&](std::uint32_t v) {
         if (v == from || v == to || exact::orient_sign(a, b, skeleton.nearest[v]) != 0) return;
         if (std::find(known.first, known.second, VertexOnEdge{e, v}) != known.second) return;
         error = changed(skeleton, "moves a vertex onto an edge", v, skeleton.edges[e].from);
@@ -170,7 +170,7 @@ std::size_t merge_equal_points(std::vector<Point>& points) {
   return before - points.size();
 }
 
-/// Requires finite places.
+/// Requires finite positions.
 Result<Region> nearest_region(const SumSkeleton& skeleton) {
   if (const auto pair = skeleton.first_collision())
     return changed(skeleton, "makes two vertices equal", pair->first, pair->second);
@@ -188,18 +188,18 @@ double ulp_of(double largest) { return std::nextafter(largest, std::numeric_limi
 /// The largest |x| and the largest |y|.
 Point largest_coordinates(const SumSkeleton& skeleton) {
   Point largest;
-  for (const std::uint32_t v : skeleton.places) {
+  for (const std::uint32_t v : skeleton.positions) {
     largest.x = std::max(largest.x, std::abs(skeleton.nearest[v].x));
     largest.y = std::max(largest.y, std::abs(skeleton.nearest[v].y));
   }
   return largest;
 }
 
-/// Positions with the doubles of another one: `places` are sorted by these.
-std::size_t merged_places(const SumSkeleton& skeleton) {
+/// Positions with the doubles of another one: `positions` are sorted by these.
+std::size_t merged_positions(const SumSkeleton& skeleton) {
   std::size_t count = 0;
-  for (std::size_t i = 1; i < skeleton.places.size(); ++i)
-    count += skeleton.nearest[skeleton.places[i]] == skeleton.nearest[skeleton.places[i - 1]];
+  for (std::size_t i = 1; i < skeleton.positions.size(); ++i)
+    count += skeleton.nearest[skeleton.positions[i]] == skeleton.nearest[skeleton.positions[i - 1]];
   return count;
 }
 
@@ -207,13 +207,13 @@ std::size_t merged_places(const SumSkeleton& skeleton) {
 
 Result<Region> rounded(const PlanarSum& sum) {
   const SumSkeleton skeleton(sum);
-  if (auto error = check_finite_places(skeleton)) return *std::move(error);
+  if (auto error = check_finite_positions(skeleton)) return *std::move(error);
   return nearest_region(skeleton);
 }
 
 Result<SnapRounded> snap_rounded(const PlanarSum& sum) {
   const SumSkeleton skeleton(sum);
-  if (auto error = check_finite_places(skeleton)) return *std::move(error);
+  if (auto error = check_finite_positions(skeleton)) return *std::move(error);
   Rounding rounding;
   const Point largest = largest_coordinates(skeleton);
   double moved = std::hypot(ulp_of(largest.x) / 2, ulp_of(largest.y) / 2);
@@ -221,7 +221,7 @@ Result<SnapRounded> snap_rounded(const PlanarSum& sum) {
   if (!region) {
     SnappedRings snapped = snapped_rings(region_data(skeleton, bend_edges(skeleton, skeleton.contacts())));
     rounding = {.nearest = false,
-                .merged_vertices = merged_places(skeleton),
+                .merged_vertices = merged_positions(skeleton),
                 .collapsed_edges = snapped.collapsed_edges,
                 .bends = snapped.bends,
                 .lines = snapped.lines,
@@ -231,7 +231,7 @@ Result<SnapRounded> snap_rounded(const PlanarSum& sum) {
     region = Region::create(std::move(snapped.data));
     if (!region) throw std::logic_error("snapped rings are no region: " + region.error().to_string());
   }
-  if (skeleton.places.empty()) moved = 0;
+  if (skeleton.positions.empty()) moved = 0;
   rounding.moved = moved * (1 + 0x1p-50);  // of a few roundings
   rounding.moved_ulps = rounding.moved / ulp_of(std::max(largest.x, largest.y));
   return SnapRounded{std::move(region).value(), rounding};
@@ -239,7 +239,7 @@ Result<SnapRounded> snap_rounded(const PlanarSum& sum) {
 
 Result<Repaired> rounded_with_repair(const PlanarSum& sum) {
   const SumSkeleton skeleton(sum);
-  if (auto error = check_finite_places(skeleton)) return *std::move(error);
+  if (auto error = check_finite_positions(skeleton)) return *std::move(error);
   const BentEdges bent = bend_edges(skeleton, skeleton.contacts());
   RegionData data = region_data(skeleton, bent);
   const std::size_t merged = merge_equal_points(data.points);

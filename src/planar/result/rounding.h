@@ -20,9 +20,9 @@ namespace dymsum::planar {
 ///  - the result is valid (Region::create): no rings cross, orientation and nesting of holes are right, parts share no
 ///    interior points.
 /// Error rounding_changed_topology otherwise, with part, ring and vertex numbers of the sum where rings are concerned,
-/// and the place. Not checked: that a part smaller than the rounding lies in the same hole of another part as before.
-/// Cost: O(n log n + m) for n vertices and m pairs of edge and vertex with overlapping x ranges, exact arithmetic on
-/// the pairs that doubles do not tell apart; O(s n) for s segments.
+/// and the position. Not checked: that a part smaller than the rounding lies in the same hole of another part as
+/// before. Cost: O(n log n + m) for n vertices and m pairs of edge and vertex with overlapping x ranges, exact
+/// arithmetic on the pairs that doubles do not distinguish; O(s n) for s segments.
 Result<Region> rounded(const PlanarSum& sum);
 
 /// rounded() where it has an answer, and snapped_rings() of the nearest doubles otherwise. What moves: vertices by half

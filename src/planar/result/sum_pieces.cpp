@@ -38,8 +38,8 @@ class Candidates {
   SumVertex corner(std::uint32_t i, std::uint32_t j, const Contact& line) const {
     SumVertex v;
     v.in = v.out = line;
-    v.corner_p = p_.vertex_number[i];
-    v.corner_q = q_.vertex_number[j];
+    v.corner_p = p_.vertex_index[i];
+    v.corner_q = q_.vertex_index[j];
     v.at = lattice_.to_input(p_.x[i] + q_.x[j], p_.y[i] + q_.y[j]);
     return v;
   }

@@ -37,7 +37,7 @@ SumSkeleton::SumSkeleton(const PlanarSum& sum) : source_(exact_source(sum)) {
     add_chain(chain);
   }
   spots_.resize(nearest.size());
-  find_places();
+  find_positions();
 }
 
 void SumSkeleton::add_vertex(const SumVertex& vertex, const NearestPoint& nearest_point) {
@@ -46,9 +46,9 @@ void SumSkeleton::add_vertex(const SumVertex& vertex, const NearestPoint& neares
 }
 
 void SumSkeleton::add_ring(const SumRing& ring, const NearestPoint& nearest_point, std::int64_t part,
-                           std::int64_t number) {
+                           std::int64_t index) {
   const Chain chain{static_cast<std::uint32_t>(nearest.size()), static_cast<std::uint32_t>(ring.vertices.size()), true,
-                    part, number};
+                    part, index};
   for (const SumVertex& v : ring.vertices) add_vertex(v, nearest_point);
   add_chain(chain);
 }
@@ -61,40 +61,40 @@ const Spot& SumSkeleton::spot(std::uint32_t vertex) const {
 
 int SumSkeleton::compare(std::uint32_t a, std::uint32_t b) const {
   if (nearest[a].x != nearest[b].x) return nearest[a].x < nearest[b].x ? -1 : 1;
-  if (same_place(*named_[a], *named_[b])) return 0;
+  if (same_position(*named_[a], *named_[b])) return 0;
   return planar::compare(spot(a), spot(b));
 }
 
 void SumSkeleton::add_chain(Chain chain) {
-  const auto number = static_cast<std::uint32_t>(chains.size());
-  for (std::uint32_t k = 0; k + 1 < chain.count; ++k) edges.push_back({chain.first + k, chain.first + k + 1, number});
-  if (chain.closed) edges.push_back({chain.first + chain.count - 1, chain.first, number});
+  const auto index = static_cast<std::uint32_t>(chains.size());
+  for (std::uint32_t k = 0; k + 1 < chain.count; ++k) edges.push_back({chain.first + k, chain.first + k + 1, index});
+  if (chain.closed) edges.push_back({chain.first + chain.count - 1, chain.first, index});
   chains.push_back(chain);
 }
 
-void SumSkeleton::find_places() {
+void SumSkeleton::find_positions() {
   std::vector<std::uint32_t> order(nearest.size());
   std::iota(order.begin(), order.end(), 0u);
   // Vertices of one nearest point follow each other in any exact order; exact positions are made for these alone.
   const auto exact_order = [&](std::uint32_t a, std::uint32_t b) {
     if (before(nearest[a], nearest[b])) return -1;
     if (before(nearest[b], nearest[a])) return 1;
-    return same_place(*named_[a], *named_[b]) ? 0 : planar::compare(spot(a).exact, spot(b).exact);
+    return same_position(*named_[a], *named_[b]) ? 0 : planar::compare(spot(a).exact, spot(b).exact);
   };
   std::sort(order.begin(), order.end(), [&](std::uint32_t a, std::uint32_t b) {
     const int sign = exact_order(a, b);
     return sign != 0 ? sign < 0 : a < b;
   });
-  place.resize(nearest.size());
+  position.resize(nearest.size());
   for (const std::uint32_t v : order) {
-    if (places.empty() || exact_order(places.back(), v) != 0) places.push_back(v);
-    place[v] = places.back();
+    if (positions.empty() || exact_order(positions.back(), v) != 0) positions.push_back(v);
+    position[v] = positions.back();
   }
 }
 
 std::optional<std::pair<std::uint32_t, std::uint32_t>> SumSkeleton::first_collision() const {
-  for (std::size_t i = 1; i < places.size(); ++i)
-    if (nearest[places[i - 1]] == nearest[places[i]]) return std::pair{places[i - 1], places[i]};
+  for (std::size_t i = 1; i < positions.size(); ++i)
+    if (nearest[positions[i - 1]] == nearest[positions[i]]) return std::pair{positions[i - 1], positions[i]};
   return std::nullopt;
 }
 
@@ -103,8 +103,8 @@ std::vector<SumSkeleton::VertexOnEdge> SumSkeleton::contacts() const {
   for (std::uint32_t e = 0; e < edges.size(); ++e) {
     const auto [a, b, chain] = edges[e];
     const auto first = static_cast<std::ptrdiff_t>(found.size());
-    visit_places_in_box(nearest[a], nearest[b], [&, a = a, b = b](std::uint32_t v) {
-      if (v == place[a] || v == place[b] || orientation_filtered(nearest[a], nearest[b], nearest[v]) != 0) return;
+    visit_positions_in_box(nearest[a], nearest[b], [&, a = a, b = b](std::uint32_t v) {
+      if (v == position[a] || v == position[b] || orientation_filtered(nearest[a], nearest[b], nearest[v]) != 0) return;
       if (on_segment(spot(a), spot(b), spot(v))) found.push_back({e, v});
     });
     if (found.size() - static_cast<std::size_t>(first) < 2) continue;

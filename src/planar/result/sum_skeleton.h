@@ -33,13 +33,13 @@ class SumSkeleton {
   /// Requires that the sum outlives this.
   explicit SumSkeleton(const PlanarSum& sum);
 
-  std::vector<Point> nearest;         ///< of all vertices, their nearest doubles
-  std::vector<Chain> chains;          ///< rings part by part, outer ring first; then segments; then points
-  std::vector<Edge> edges;            ///< in the order of the chains
-  std::vector<std::uint32_t> place;   ///< per vertex: the one that stands for all at its exact position
-  std::vector<std::uint32_t> places;  ///< those that stand, sorted by their nearest doubles, x then y
+  std::vector<Point> nearest;            ///< of all vertices, their nearest doubles
+  std::vector<Chain> chains;             ///< rings part by part, outer ring first; then segments; then points
+  std::vector<Edge> edges;               ///< in the order of the chains
+  std::vector<std::uint32_t> position;   ///< per vertex: the one that stands for all at its exact position
+  std::vector<std::uint32_t> positions;  ///< those that stand, sorted by their nearest doubles, x then y
 
-  /// A vertex with its exact position, which is made when first asked for.
+  /// A vertex with its exact position, which is made when first requested.
   const Spot& spot(std::uint32_t vertex) const;
 
   /// Two vertices with different exact positions and the same nearest doubles.
@@ -48,15 +48,15 @@ class SumSkeleton {
   /// All contacts, exactly, sorted by edge, then along the edge. O(n log n + m): m vertices in x ranges of edges.
   std::vector<VertexOnEdge> contacts() const;
 
-  /// The places whose nearest doubles lie in the box of the nearest doubles of a and b.
+  /// The positions whose nearest doubles lie in the box of the nearest doubles of a and b.
   template <class Visit>
-  void visit_places_in_box(Point a, Point b, Visit visit) const;
+  void visit_positions_in_box(Point a, Point b, Visit visit) const;
 
  private:
   void add_vertex(const SumVertex& vertex, const NearestPoint& nearest_point);
-  void add_ring(const SumRing& ring, const NearestPoint& nearest_point, std::int64_t part, std::int64_t number);
+  void add_ring(const SumRing& ring, const NearestPoint& nearest_point, std::int64_t part, std::int64_t index);
   void add_chain(Chain chain);
-  void find_places();
+  void find_positions();
   /// Lexicographic order of the exact positions.
   int compare(std::uint32_t a, std::uint32_t b) const;
 
@@ -66,19 +66,19 @@ class SumSkeleton {
 };
 
 template <class Visit>
-void SumSkeleton::visit_places_in_box(Point a, Point b, Visit visit) const {
+void SumSkeleton::visit_positions_in_box(Point a, Point b, Visit visit) const {
   const double min_x = a.x < b.x ? a.x : b.x, max_x = a.x < b.x ? b.x : a.x;
   const double min_y = a.y < b.y ? a.y : b.y, max_y = a.y < b.y ? b.y : a.y;
-  std::size_t low = 0, high = places.size();
+  std::size_t low = 0, high = positions.size();
   while (low < high) {
-    const std::size_t middle = (low + high) / 2;
-    if (nearest[places[middle]].x < min_x) low = middle + 1;
-    else high = middle;
+    const std::size_t midpoint = (low + high) / 2;
+    if (nearest[positions[midpoint]].x < min_x) low = midpoint + 1;
+    else high = midpoint;
   }
-  for (; low < places.size(); ++low) {
-    const Point p = nearest[places[low]];
+  for (; low < positions.size(); ++low) {
+    const Point p = nearest[positions[low]];
     if (p.x > max_x) return;
-    if (p.y >= min_y && p.y <= max_y) visit(places[low]);
+    if (p.y >= min_y && p.y <= max_y) visit(positions[low]);
   }
 }
 

@@ -9,12 +9,12 @@ namespace dymsum::planar {
 
 Segment SumSource::segment(const Contact& contact) const {
   const bool of_p = contact.kind == Contact::Kind::edge_of_p;
-  const auto [from, to] = operands_[of_p ? 0 : 1]->numbered_edge[of_p ? contact.p : contact.q];
-  return {{of_p ? 0u : 1u, from, to}, operands_[of_p ? 1 : 0]->numbered_vertex[of_p ? contact.q : contact.p]};
+  const auto [from, to] = operands_[of_p ? 0 : 1]->edge_of_index[of_p ? contact.p : contact.q];
+  return {{of_p ? 0u : 1u, from, to}, operands_[of_p ? 1 : 0]->vertex_of_index[of_p ? contact.q : contact.p]};
 }
 
 Pair SumSource::corner(const SumVertex& v) const {
-  return {operands_[0]->numbered_vertex[v.corner_p], operands_[1]->numbered_vertex[v.corner_q]};
+  return {operands_[0]->vertex_of_index[v.corner_p], operands_[1]->vertex_of_index[v.corner_q]};
 }
 
 ExactSource::Position SumSource::position(const SumVertex& vertex) const { return reduced(homogeneous(vertex)); }
@@ -37,12 +37,12 @@ std::optional<Point> SumSource::rounded_once(const SumVertex& vertex) const {
   return Point{p.x + q.x + 0.0, p.y + q.y + 0.0};
 }
 
-Place SumSource::crossing(const SumVertex& v) const {
-  Place place;
-  place.on = segment(v.in);
-  place.first.kind = Cut::Kind::crossing;
-  place.first.by = segment(v.out);
-  return place;
+SegmentPosition SumSource::crossing(const SumVertex& v) const {
+  SegmentPosition position;
+  position.on = segment(v.in);
+  position.first.kind = Cut::Kind::crossing;
+  position.first.by = segment(v.out);
+  return position;
 }
 
 int SumSource::compare(const SumVertex& a, const SumVertex& b, int axis) const {
@@ -67,7 +67,7 @@ bool SumSource::on_contact(const Contact& contact, const Position& at) const {
 }
 
 // An edge merged from three contacts or more does not remember those in the middle, and where rings touch an edge
-// number stands for several walk edges: then all walk edges on the line are looked at.
+// index stands for several walk edges: then all walk edges on the line are looked at.
 Contact SumSource::contact_at(const Contact& first, const Contact& last, const Position& at) const {
   if (on_contact(first, at)) return first;
   if (on_contact(last, at)) return last;

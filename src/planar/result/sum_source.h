@@ -33,7 +33,7 @@ class SumSource final : public ExactSource {
   Segment segment(const Contact& contact) const;
   bool on_segment(const Segment& s, const Position& at) const;
   Pair corner(const SumVertex& v) const;
-  Place crossing(const SumVertex& v) const;
+  SegmentPosition crossing(const SumVertex& v) const;
   int compare(const SumVertex& a, const SumVertex& b, int axis) const;
 
   std::shared_ptr<const Lattice> lattice_;

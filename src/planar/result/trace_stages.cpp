@@ -25,7 +25,7 @@ void trace_stages(const Soup& soup, const InteriorMask* mask, const Arrangement&
   const auto ring = [&](const BoundaryLoop& loop) {
     Ring r;
     for (const Step& step : loop.steps) {
-      const Place p = arrangement.end_place(step);
+      const SegmentPosition p = arrangement.end_position(step);
       r.push_back(lattice.to_input(p.x, p.y));
     }
     return r;
@@ -38,7 +38,7 @@ void trace_windings(const Soup& soup, const SegmentGraph& graph, const std::vect
                     PlanarTrace& trace) {
   const Lattice& lattice = soup.lattice;
   const auto at = [&](std::uint32_t node) {
-    const Place& x = graph.nodes()[node].place;
+    const SegmentPosition& x = graph.nodes()[node].position;
     return lattice.to_input(x.x, x.y);
   };
   for (std::uint32_t s = 0; s < soup.size(); ++s) {

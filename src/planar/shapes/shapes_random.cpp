@@ -54,7 +54,7 @@ bool fits(const std::vector<Site>& ring, std::size_t i, Site p) {
 
 std::int64_t extent(Site a, Site b) { return std::max(std::llabs(a.x - b.x), std::llabs(a.y - b.y)); }
 
-/// Grows a triangle: a random edge, the longest of a few, is bent over a random place near it when the ring stays
+/// Grows a triangle: a random edge, the longest of a few, is bent over a random position near it when the ring stays
 /// simple.
 std::vector<Site> grow(int vertices, Bits& bits) {
   std::vector<Site> ring{{-kHalfWidth / 2, -kHalfWidth / 2}, {kHalfWidth / 2, -kHalfWidth / 3}, {0, kHalfWidth / 2}};
@@ -97,7 +97,7 @@ double squared_distance(const Ring& ring, Point z) {
   return least;
 }
 
-/// A small clockwise polygon around the roomiest of some random places inside the part.
+/// A small clockwise polygon around the roomiest of some random positions inside the part.
 Ring hole_in(const Ring& outer, const std::vector<Ring>& holes, Bits& bits) {
   Point best;
   double room = 0;

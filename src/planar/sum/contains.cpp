@@ -38,10 +38,10 @@ Query make_query(const Region& p, const Region& q, Point z) {
   return query;
 }
 
-// z as a place on some segment, or nothing when both operands are the single points z and 0: then it is their sum.
-std::optional<Place> place_of(const Query& query) {
+// z as a position on some segment, or nothing when both operands are the single points z and 0: then it is their sum.
+std::optional<SegmentPosition> position_of(const Query& query) {
   const Lattice& l = *query.lattice;
-  Place x;
+  SegmentPosition x;
   x.first.pair = query.z;
   x.x = l.points[0]->x[query.z.p] + l.points[1]->x[query.z.q];
   x.y = l.points[0]->y[query.z.p] + l.points[1]->y[query.z.q];
@@ -88,7 +88,7 @@ bool pieces_meet(const Query& query, const Component& cp, std::uint32_t i, const
 }
 
 // Whether the boundaries of two components meet, of which only what lies in boxes that do is looked at.
-bool boundaries_meet(const Query& query, const Place& z, std::size_t p_component, std::size_t q_component,
+bool boundaries_meet(const Query& query, const SegmentPosition& z, std::size_t p_component, std::size_t q_component,
                      bool regular) {
   using Node = EdgeTree::Node;
   const Component &cp = query.p->components[p_component], &cq = query.q->components[q_component];
@@ -127,7 +127,7 @@ bool contains(const Region& p, const Region& q, Point z, Semantics semantics) {
   constexpr double kReach = 0x1p1001;  // of all sums
   if (std::abs(z.x) > kReach || std::abs(z.y) > kReach) return false;
   const Query query = make_query(p, q, z);
-  const std::optional<Place> x = place_of(query);
+  const std::optional<SegmentPosition> x = position_of(query);
   if (!x) return semantics == Semantics::closed;
   if (Collision(*query.lattice, *query.p, *query.q, true).overlaps(*x)) return true;
   if (semantics == Semantics::open) return false;

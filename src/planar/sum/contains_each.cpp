@@ -47,7 +47,7 @@ Answers one_by_one(const Region& p, const Region& q, std::span<const Point> poin
                                [&](std::size_t k) { return contains(p, q, points[k], semantics); });
 }
 
-/// Why no sum of these operands is asked about.
+/// Why no sum of these operands is queried.
 std::optional<Error> refusal(const Region& p, const Region& q) {
   for (const auto& operand : {planar::prepared_operand(p, 0), planar::prepared_operand(q, 1)})
     if (std::optional<Error> error = planar::too_large(*operand)) return error;

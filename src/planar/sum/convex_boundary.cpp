@@ -50,8 +50,8 @@ std::optional<SumRing> convex_boundary(const Lattice& lattice, const Operand& p,
     SumVertex& v = ring.vertices.emplace_back();
     v.in = last;
     v.out = order <= 0 ? edge_of_p() : edge_of_q();
-    v.corner_p = p.vertex_number[i];
-    v.corner_q = q.vertex_number[j];
+    v.corner_p = p.vertex_index[i];
+    v.corner_q = q.vertex_index[j];
     v.at = lattice.to_input(p.x[i] + q.x[j], p.y[i] + q.y[j]);
     last = v.out;
     if (order <= 0) {

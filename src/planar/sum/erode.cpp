@@ -20,7 +20,7 @@ using planar::EngineRegion;
 using planar::layout_rings;
 using planar::RingLayout;
 using planar::RingList;
-using planar::RingPlace;
+using planar::RingPosition;
 using planar::separate_touching;
 using planar::Turning;
 
@@ -74,15 +74,15 @@ std::optional<Error> planar::too_large_to_frame(const Region& p, const Region& q
 
 EngineRegion planar::complement_of(const Region& p, const Region& q, Turning turning) {
   RegionData data;
-  std::vector<std::uint32_t> vertex_number(4, kFrame), edge_number(4, kFrame);
+  std::vector<std::uint32_t> vertex_index(4, kFrame), edge_index(4, kFrame);
   const double m = frame_margin(p, q, turning);
   data.parts.push_back({{{-m, -m}, {m, -m}, {m, m}, {-m, m}}, {}});
   const auto reversed = [&](const Ring& ring, std::uint32_t first) {
     const std::uint32_t n = static_cast<std::uint32_t>(ring.size());
     for (std::uint32_t k = 0; k < n; ++k) {
       const std::uint32_t at = n - 1 - k;
-      vertex_number.push_back(first + at);
-      edge_number.push_back(first + (at == 0 ? n - 1 : at - 1));
+      vertex_index.push_back(first + at);
+      edge_index.push_back(first + (at == 0 ? n - 1 : at - 1));
     }
     return Ring(ring.rbegin(), ring.rend());
   };
@@ -114,7 +114,7 @@ EngineRegion planar::complement_of(const Region& p, const Region& q, Turning tur
     for (std::size_t r = 0; r < rings.size(); ++r) {
       if (part_of_hole[r] != 0) continue;
       const std::uint32_t around = layout.rings[r].container;
-      if ((around == RingPlace::kNone ? 0 : part_of_hole[around]) == k)
+      if ((around == RingPosition::kNone ? 0 : part_of_hole[around]) == k)
         data.parts[k].holes.push_back(reversed(*rings[r], first[r]));
     }
   }
@@ -122,11 +122,11 @@ EngineRegion planar::complement_of(const Region& p, const Region& q, Turning tur
   if (complement.borrowed != nullptr) {
     complement.borrowed = nullptr;
     complement.own = std::move(data);
-    complement.vertex_numbers = std::move(vertex_number);
-    complement.edge_numbers = std::move(edge_number);
+    complement.vertex_indices = std::move(vertex_index);
+    complement.edge_indices = std::move(edge_index);
   } else {
-    for (std::uint32_t& n : complement.vertex_numbers) n = vertex_number[n];
-    for (std::uint32_t& n : complement.edge_numbers) n = edge_number[n];
+    for (std::uint32_t& n : complement.vertex_indices) n = vertex_index[n];
+    for (std::uint32_t& n : complement.edge_indices) n = edge_index[n];
   }
   return complement;
 }

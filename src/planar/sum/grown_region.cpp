@@ -3,7 +3,9 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <string>
 
+#include "base/double_text.h"
 #include "dymsum/planar_sum.h"
 #include "exact/rounding_bound.h"
 
@@ -32,8 +34,10 @@ constexpr double kMoved = exact::rounding_bound(2 + 3, 8);
 // A disc that is larger by more than what vertices and edges are moved by holds the given one whichever way they move.
 Result<GrownRegion> grown(const Region& region, double margin, int sides) {
   if (!(margin >= 0 && margin <= 0x1p400))
-    return Error{ErrorCode::out_of_range, "a margin is a number from 0 to 2^400", {}};
-  if (sides < 3 || sides > 4096) return Error{ErrorCode::out_of_range, "a margin has 3 to 4096 sides", {}};
+    return Error{
+        ErrorCode::out_of_range, "the margin must be from 0 to 2^400, not " + base::general_text(margin, 6), {}};
+  if (sides < 3 || sides > 4096)
+    return Error{ErrorCode::out_of_range, "sides must be from 3 to 4096, not " + std::to_string(sides), {}};
   if (margin == 0) return GrownRegion{region, 0, 0};
   const double half = std::numbers::pi / sides, coordinates = largest_coordinate(region) + 4 * margin;
   const double inner = margin * exact::kOutwards + kMoved * coordinates,

@@ -80,11 +80,11 @@ Array<std::uint32_t> add_live(const ReducedConvolution& convolution, const Inter
   const double per_cell = mask != nullptr ? mask->grid().per_cell : 0;
   std::uint32_t side_of_cells = 2;
   std::uint32_t* to = live.data();
-  std::size_t asked = 0;  // when poll was
+  std::size_t queried = 0;  // when poll was
   convolution.for_each_turn([&](std::uint32_t side, std::uint32_t v, std::span<const std::uint32_t> edges,
                                 std::uint32_t lo, std::uint32_t count) {
-    if (const auto done = static_cast<std::size_t>(to - live.data()); done - asked > 10000) {
-      asked = done;
+    if (const auto done = static_cast<std::size_t>(to - live.data()); done - queried > 10000) {
+      queried = done;
       poll(static_cast<double>(done) / n);
     }
     const Operand &o = *soup.operands[side], &other = *soup.operands[1 - side];

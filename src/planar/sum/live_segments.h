@@ -12,7 +12,7 @@ namespace dymsum::planar {
 /// Adds all segments to the soup, in the order of their ids.
 void add_all(const ReducedConvolution& convolution, Soup& soup);
 
-/// Whether segments in the same place become one.
+/// Whether segments in the same position become one.
 enum class Twins { kept, merged };
 
 /// Adds the segments of the convolution that are not wholly in covered cells to the soup. Returns for each id its

@@ -50,8 +50,8 @@ EngineRegion join(const std::vector<Region>& regions) {
       const auto sizes = group_sizes(r.data());
       std::uint32_t at = group == 0 ? 0 : group == 1 ? sizes[0] : sizes[0] + sizes[1];
       for (std::uint32_t k = 0; k < sizes[group]; ++k, ++at) {
-        all.vertex_numbers.push_back(first_number + r.vertex_number(at));
-        all.edge_numbers.push_back(first_number + r.edge_number(at));
+        all.vertex_indices.push_back(first_number + r.vertex_index(at));
+        all.edge_indices.push_back(first_number + r.edge_index(at));
       }
       first_number += static_cast<std::uint32_t>(region.vertex_count());
     }

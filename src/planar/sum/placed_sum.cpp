@@ -40,7 +40,7 @@ CandidateSum sum_of_candidates(PlacedPair placed, const BoundaryCandidates& cand
   Array<std::uint32_t> live(candidates.segment_of.begin(), candidates.segment_of.end(), &scratch);
   const ReducedChain chain(soup, candidates.convolution, std::move(live), soup.size());
   Array<CoveredMark> marks(&scratch);
-  for (const auto& [segment, share] : candidates.covered) marks.push_back({segment, share});
+  for (const auto& [segment, fraction] : candidates.covered) marks.push_back({segment, fraction});
 
   Meetings meetings(&scratch);
   CrossingFinder finder(soup, meetings, &chain);

@@ -24,7 +24,7 @@ struct BoundaryCandidates {
   /// A point of a segment that lies in the open sum: what reaches it is no boundary.
   struct Covered {
     std::uint32_t segment = 0;
-    double share = 0;  ///< of the segment's length
+    double fraction = 0;  ///< of the segment's length
   };
   const ReducedConvolution& convolution;
   std::vector<WalkSegment> segments;                ///< in the order of their ids in the convolution

@@ -6,7 +6,7 @@
 
 namespace dymsum::planar {
 
-/// The chains of the convolution's segments, which come first in the soup; those behind `reduced` (sides of
+/// The chains of the convolution's segments, which come first in the soup; those after `reduced` (sides of
 /// parallelograms) belong to no chain.
 class ReducedChain final : public Chain {
  public:

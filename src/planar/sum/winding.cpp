@@ -100,7 +100,8 @@ void run_winding(const SumOptions& options, SumState& state, Poll& poll) {
   done();
 
   poll.stage("tight");
-  if (options.semantics != Semantics::regular && !parallelograms) add_tight_features(tracing, graph, sides, state, error);
+  if (options.semantics != Semantics::regular && !parallelograms)
+    add_tight_features(tracing, graph, sides, state, error);
   state.boundary.at_error = input_error(*state.lattice, error);
   state.stats.peak_bytes += graph.bytes();
   done();

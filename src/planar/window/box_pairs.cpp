@@ -36,9 +36,9 @@ Array<BoxPairs::Pair> BoxPairs::find(std::size_t most, const base::StopToken& st
   return std::move(pairs_);
 }
 
-// Of a strip, the pairs whose common part begins in it: one of them does. Behind the last box lie some that start to
-// the right of everything and meet nothing. Which of eight boxes meet cannot be predicted: all are listed and the place
-// moves on for those that do.
+// Of a strip, the pairs whose common part begins in it: one of them does. After the last box lie some that start to
+// the right of everything and meet nothing. Which of eight boxes meet cannot be predicted: all are listed and the
+// position moves on for those that do.
 void BoxPairs::sweep(Array<std::uint64_t>& order, std::int16_t strip, std::size_t most) {
   sort_by_left(order);
   const std::size_t n = order.size(), padded = n + 2 * kLanes;

@@ -27,7 +27,7 @@ class BoxPairs {
   }
 
   /// Every two boxes that meet, once, and some that nearly do; only some of them if there are more than `most`, or if
-  /// it is asked to stop. O(n log n + pairs of a strip that meet in x / 8).
+  /// a stop is requested. O(n log n + pairs of a strip that meet in x / 8).
   Array<Pair> find(std::size_t most = ~std::size_t{0}, const base::StopToken& stop = {});
 
  private:

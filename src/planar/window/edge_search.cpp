@@ -14,9 +14,10 @@ constexpr std::uint32_t kInVain = 4, kSpared = 4;
 
 }  // namespace
 
-// Whether the ends of an edge of the other operand lie on opposite sides of an edge, certainly. Which end lies on which
-// side is the same at both places: edges keep their directions.
-inline bool EdgeSearch::opposite(std::uint32_t op, std::uint32_t edge, std::uint32_t other_edge, const Way& at) const {
+// Whether the ends of an edge of the other operand lie on opposite sides of an edge, provably. Which end lies on which
+// side is the same at both positions: edges keep their directions.
+inline bool EdgeSearch::opposite(std::uint32_t op, std::uint32_t edge, std::uint32_t other_edge,
+                                 const PositionPair& at) const {
   const Operand &o = window_.base().operands[op], &other = window_.base().operands[1 - op];
   const Two own = scale(op, at), others = scale(1 - op, at), ex = both(o.ex[edge]), ey = both(o.ey[edge]);
   const Two bound = both(std::abs(o.ex[edge]) + std::abs(o.ey[edge])) * (at.error + both(kSearchSide * window_.span()));
@@ -28,20 +29,20 @@ inline bool EdgeSearch::opposite(std::uint32_t op, std::uint32_t edge, std::uint
   return (every(u > bound) && every(v < -bound)) || (every(u < -bound) && every(v > bound));
 }
 
-bool EdgeSearch::cross(const CrossingEdges& edges, const Way& at) const {
+bool EdgeSearch::cross(const CrossingEdges& edges, const PositionPair& at) const {
   return opposite(0, edges[0], edges[1], at) && opposite(1, edges[1], edges[0], at);
 }
 
-std::optional<CrossingEdges> EdgeSearch::find_or_spare(const Place& from, const Place& to) {
-  const Way at(from, to);
-  if (const std::optional<CrossingEdges> known = find_lately(at)) return known;
+std::optional<CrossingEdges> EdgeSearch::find_or_spare(const Position& from, const Position& to) {
+  const PositionPair at(from, to);
+  if (const std::optional<CrossingEdges> known = find_recent(at)) return known;
   if (in_vain_ >= kInVain && ++in_vain_ < kInVain + kSpared) return std::nullopt;
   const std::optional<CrossingEdges> edges = find_new(at);
   in_vain_ = edges ? 0 : std::min(in_vain_ + 1, kInVain);
   return edges;
 }
 
-std::optional<CrossingEdges> EdgeSearch::find_new(const Way& at) {
+std::optional<CrossingEdges> EdgeSearch::find_new(const PositionPair& at) {
   for (const EdgeTree& p : window_.base().operands[0].trees())
     for (const EdgeTree& q : window_.base().operands[1].trees())
       if (const auto edges = find_in(p, q, at)) {
@@ -51,9 +52,9 @@ std::optional<CrossingEdges> EdgeSearch::find_new(const Way& at) {
   return std::nullopt;
 }
 
-std::optional<CrossingEdges> EdgeSearch::find_in(const EdgeTree& p, const EdgeTree& q, const Way& at) {
+std::optional<CrossingEdges> EdgeSearch::find_in(const EdgeTree& p, const EdgeTree& q, const PositionPair& at) {
   const Two of_p = scale(0, at), of_q = scale(1, at);
-  // The sum of two boxes does not hold one of the places.
+  // The sum of two boxes does not hold one of the positions.
   const auto outside = [&](const EdgeTree::Node& a, const EdgeTree::Node& b) {
     return any(of_p * both(a.x0) + of_q * both(b.x0) > at.x) | any(of_p * both(a.x1) + of_q * both(b.x1) < at.x) |
            any(of_p * both(a.y0) + of_q * both(b.y0) > at.y) | any(of_p * both(a.y1) + of_q * both(b.y1) < at.y);
@@ -78,7 +79,7 @@ std::optional<CrossingEdges> EdgeSearch::find_in(const EdgeTree& p, const EdgeTr
 }
 
 std::optional<CrossingEdges> EdgeSearch::find_in_leaves(const EdgeTree::Node& a, const EdgeTree::Node& b,
-                                                        const Way& at) const {
+                                                        const PositionPair& at) const {
   const double of_p = scale(0, at)[0], of_q = scale(1, at)[0];
   for (std::uint32_t e = a.first; e < a.last; ++e) {
     const EdgeBox& u = window_.base().operands[0].boxes[e];

@@ -44,7 +44,7 @@ struct WindowAhead::Worker {
   std::mutex mutex;
   std::condition_variable wake;                // to the thread: there is something to do, and back: it is done
   MakeWindow make;                             // what is under way; the thread reads it without the mutex
-  std::shared_ptr<base::MemoryBudget> budget;  // of who asked for it
+  std::shared_ptr<base::MemoryBudget> budget;  // of who requested it
   std::unique_ptr<FrameWindow> window;         // what came of it, once ready
   base::StopSource stop;                       // of the work that goes on
   bool works = false, rests = false, ends = false;

@@ -8,18 +8,18 @@ namespace dymsum::planar {
 namespace {
 
 using Four = float __attribute__((vector_size(16)));
-using Told = std::int32_t __attribute__((vector_size(16)));
+using Decided = std::int32_t __attribute__((vector_size(16)));
 
 Four all(float v) { return Four{v, v, v, v}; }
 Four lower_of(Four a, Four b) { return a < b ? a : b; }
 Four higher_of(Four a, Four b) { return a > b ? a : b; }
 Four sizes_of(Four a) { return higher_of(a, -a); }
 
-std::uint32_t bits(Told told) {
+std::uint32_t bits(Decided decided) {
 #ifdef __SSE2__
-  return static_cast<std::uint32_t>(_mm_movemask_ps(reinterpret_cast<__m128>(told)));
+  return static_cast<std::uint32_t>(_mm_movemask_ps(reinterpret_cast<__m128>(decided)));
 #else
-  return static_cast<std::uint32_t>((told[0] & 1) | (told[1] & 2) | (told[2] & 4) | (told[3] & 8));
+  return static_cast<std::uint32_t>((decided[0] & 1) | (decided[1] & 2) | (decided[2] & 4) | (decided[3] & 8));
 #endif
 }
 
@@ -43,7 +43,7 @@ PieceLines::Lines PieceLines::lines(const std::array<std::uint32_t, 4>& of) cons
     w = __builtin_shufflevector(qp, sr, 2, 3, 6, 7);
   };
   Lines l;
-  turned(a.places, b.places, c.places, d.places, l.fx, l.fy, l.tx, l.ty);
+  turned(a.positions, b.positions, c.positions, d.positions, l.fx, l.fy, l.tx, l.ty);
   turned(a.line, b.line, c.line, d.line, l.dx, l.dy, l.head, l.tail);
   const Four ab = __builtin_shufflevector(a.rest, b.rest, 0, 4, 1, 5),
              cd = __builtin_shufflevector(c.rest, d.rest, 0, 4, 1, 5);
@@ -52,8 +52,8 @@ PieceLines::Lines PieceLines::lines(const std::array<std::uint32_t, 4>& of) cons
   return l;
 }
 
-// By Taylor's formula. The side of the place at share u of one piece against the line of the other one is value + u k,
-// and its slope slope + u dot: what turns against a line is the other operand's vertex.
+// By Taylor's formula. The side of the position at share u of one piece against the line of the other one is value + u
+// k, and its slope slope + u dot: what turns against a line is the other operand's vertex.
 std::uint32_t PieceLines::apart(const std::array<std::uint32_t, 4>& first,
                                 const std::array<std::uint32_t, 4>& second) const {
   const Lines a = lines(first), b = lines(second);

@@ -1,4 +1,4 @@
-// Pieces at the middle of a range of angles: which of them stay apart throughout it, four pairs at a time in floats.
+// Pieces at the midpoint of a range of angles: which of them stay apart throughout it, four pairs at a time in floats.
 #pragma once
 
 #include <array>
@@ -12,7 +12,7 @@ namespace dymsum::planar {
 
 class PieceLines {
  public:
-  /// For coordinates of sums up to `span`; `half`: the range reaches so far from its middle, at most a radian.
+  /// For coordinates of sums up to `span`; `half`: the range reaches so far from its midpoint, at most a radian.
   PieceLines(double span, double half, Scratch* memory = nullptr);
 
   void reserve(std::size_t n) { pieces_.reserve(n); }
@@ -25,16 +25,16 @@ class PieceLines {
                        Four{to(std::abs(d.x) + std::abs(d.y)), side == 0 ? 0.0F : 1.0F, 0, 0}});
   }
 
-  /// Of four pairs: bit k where pieces a[k] and b[k] certainly meet at no angle of the range, as both ends of one stay
+  /// Of four pairs: bit k where pieces a[k] and b[k] provably meet at no angle of the range, as both ends of one stay
   /// on the same side of the other one's line. Some that stay apart are not told.
   std::uint32_t apart(const std::array<std::uint32_t, 4>& a, const std::array<std::uint32_t, 4>& b) const;
 
  private:
   using Four = float __attribute__((vector_size(16)));
   struct Piece {
-    Four places;  ///< fixed and turning vertex
-    Four line;    ///< vector, head, tail
-    Four rest;    ///< |vector|_1, side
+    Four positions;  ///< fixed and turning vertex
+    Four line;       ///< vector, head, tail
+    Four rest;       ///< |vector|_1, side
   };
   /// Of four pieces, one in each lane.
   struct Lines {

@@ -5,7 +5,7 @@
 
 #include "planar/window/box_pairs.h"
 #include "planar/window/piece_lines.h"
-#include "planar/window/turn_mask.h"
+#include "planar/window/rotation_mask.h"
 
 namespace dymsum::planar {
 namespace {
@@ -19,18 +19,18 @@ struct RotatingWindow::Making {
   std::size_t most_pairs;
   const base::StopToken& stop;
   Scratch memory{};
-  Array<Point> moved{&memory};  ///< how far a place with each turning vertex moves from the middle
-  Array<TurnSegment> segments{&memory};
+  Array<Point> moved{&memory};  ///< how far a position with each turning vertex moves from the midpoint
+  Array<RotatingSegment> segments{&memory};
   Array<Swept> swept{&memory};  ///< of segments
-  Array<TurnPiece> pieces{&memory};
+  Array<RotatingPiece> pieces{&memory};
   Array<double> cuts{&memory};
   Array<Box> boxes{&memory};  ///< of pieces
-  Array<TurnCandidate> candidates{&memory};
+  Array<RotationCandidate> candidates{&memory};
 };
 
-RotatingWindow::RotatingWindow(const TurnGrid& grid, const TurnCatalog& catalog, double mid, double h, bool mask,
-                               std::size_t most_pairs, const base::StopToken& stop)
-    : middle(mid),
+RotatingWindow::RotatingWindow(const RotationGrid& grid, const RotationCatalog& catalog, double mid, double h,
+                               bool mask, std::size_t most_pairs, const base::StopToken& stop)
+    : midpoint(mid),
       half(h * exact::kOutwards + kAngleSlack),
       heading(Heading::of(mid)),
       forms_(grid.forms),
@@ -43,7 +43,7 @@ RotatingWindow::RotatingWindow(const TurnGrid& grid, const TurnCatalog& catalog,
   for (std::uint32_t v = 0; v < forms_.size(1); ++v) {
     const Point& p = forms_.points(1)[v];
     turned.push_back({heading.c * p.x - heading.s * p.y, heading.s * p.x + heading.c * p.y});
-    making.moved.push_back(farther_by(moved_by(turned.back(), half), kSweptPlace * forms_.span()));
+    making.moved.push_back(farther_by(moved_by(turned.back(), half), kSweptPosition * forms_.span()));
   }
   const CoveredCells dead =
       mask ? covered_cells(grid, turned, half) : CoveredCells(grid.grid.whole, CoveredCells::Counts::left_out);
@@ -74,15 +74,16 @@ std::uint32_t RotatingWindow::find(const WalkSegment& s) const {
 // By the order of the edges, from the first live one round.
 std::uint32_t RotatingWindow::find_in_order(const WalkSegment& s) const {
   const Turn& t = turns_[s.side][s.vertex];
-  const auto place = [&](std::uint32_t edge) { return catalog_.position(s.side, edge, s.vertex); };
-  const std::uint32_t size = catalog_.list_size(s.side, s.vertex), from = place(segments[t.first].edge);
-  if (place(s.edge) == kNone) return kNone;
-  const auto behind = [&](std::uint32_t edge) {
-    return place(edge) >= from ? place(edge) - from : place(edge) + size - from;
+  const auto position = [&](std::uint32_t edge) { return catalog_.position(s.side, edge, s.vertex); };
+  const std::uint32_t size = catalog_.list_size(s.side, s.vertex), from = position(segments[t.first].edge);
+  if (position(s.edge) == kNone) return kNone;
+  const auto after = [&](std::uint32_t edge) {
+    return position(edge) >= from ? position(edge) - from : position(edge) + size - from;
   };
   const auto first = segments.begin() + t.first, last = segments.begin() + t.last;
-  const auto found = std::lower_bound(
-      first, last, behind(s.edge), [&](const TurnSegment& u, std::uint32_t wanted) { return behind(u.edge) < wanted; });
+  const auto found = std::lower_bound(first, last, after(s.edge), [&](const RotatingSegment& u, std::uint32_t wanted) {
+    return after(u.edge) < wanted;
+  });
   return found != last && found->edge == s.edge ? static_cast<std::uint32_t>(found - segments.begin()) : kNone;
 }
 
@@ -108,7 +109,7 @@ void RotatingWindow::add_segments(const CoveredCells& dead, Making& making) {
   making.pieces.reserve(usual);
   const EdgeCells near(forms_, dead, turned, making.moved);
   catalog_.for_each_turn(
-      middle - half, middle + half,
+      midpoint - half, midpoint + half,
       [&](std::uint32_t side, std::uint32_t vertex, const auto& edges, std::size_t at, std::size_t count) {
         const std::size_t first = making.segments.size();
         for (std::size_t k = 0; k < count; ++k, at = at + 1 == edges.size() ? 0 : at + 1)
@@ -125,12 +126,12 @@ void RotatingWindow::add_segments(const CoveredCells& dead, Making& making) {
 // Unless nothing of it is live.
 void RotatingWindow::add_segment(const WalkSegment& walk, const CoveredCells& dead, Making& making) const {
   const Swept w = swept(walk, making);
-  TurnSegment s{walk};
+  RotatingSegment s{walk};
   s.first_piece = static_cast<std::uint32_t>(making.pieces.size());
   add_pieces(w, dead, making);
   s.last_piece = static_cast<std::uint32_t>(making.pieces.size());
   if (s.first_piece == s.last_piece) return;
-  s.span = catalog_.span(walk, middle);
+  s.span = catalog_.span(walk, midpoint);
   s.throughout = s.span.from < -half - 2 * kAngleSlack && s.span.to > half + 2 * kAngleSlack;
   s.end = forms_.end(walk);
   making.segments.push_back(s);
@@ -158,7 +159,7 @@ void RotatingWindow::find_cuts(Point start, Point d, Point reach, const CoveredC
   }
 }
 
-// Cut where a point of the segment stays in one dead cell throughout: at the middle it lies farther inside than it
+// Cut where a point of the segment stays in one dead cell throughout: at the midpoint it lies farther inside than it
 // moves.
 void RotatingWindow::add_pieces(const Swept& w, const CoveredCells& dead, Making& making) const {
   const Grid& g = dead.grid();
@@ -173,7 +174,7 @@ void RotatingWindow::add_pieces(const Swept& w, const CoveredCells& dead, Making
   cuts.clear();
   if (masked_ && kCutFrom * std::max(reach.x, reach.y) < g.cell) find_cuts({x, y}, w.d, reach, dead, cuts);
   for (std::size_t k = 0; k <= cuts.size(); ++k) {
-    TurnPiece p;
+    RotatingPiece p;
     p.segment = static_cast<std::uint32_t>(making.segments.size());
     p.head_cut = k > 0;
     p.tail_cut = p.tail_dead = k < cuts.size();
@@ -184,7 +185,7 @@ void RotatingWindow::add_pieces(const Swept& w, const CoveredCells& dead, Making
   }
 }
 
-RotatingWindow::Box RotatingWindow::box_of(const TurnPiece& p, const Swept& w, double reach) const {
+RotatingWindow::Box RotatingWindow::box_of(const RotatingPiece& p, const Swept& w, double reach) const {
   const double x = w.x() + shift_, y = w.y() + shift_;
   const Point by = farther_by(w.reach, reach);
   const double ax = x + p.head * w.d.x, ay = y + p.head * w.d.y, bx = x + p.tail * w.d.x, cy = y + p.tail * w.d.y;
@@ -192,7 +193,7 @@ RotatingWindow::Box RotatingWindow::box_of(const TurnPiece& p, const Swept& w, d
 }
 
 // Pairs of pieces whose boxes meet, less those that stay apart. Without branches that cannot be predicted: every pair
-// is listed, and the place moves on for those that stay.
+// is listed, and the position moves on for those that stay.
 Array<std::array<std::uint32_t, 2>> RotatingWindow::near_pairs(Making& making) {
   BoxPairs pairs(forms_.span(), &making.memory);
   PieceLines lines(forms_.span(), half, &making.memory);
@@ -230,13 +231,13 @@ void RotatingWindow::find_candidates(const CoveredCells& dead, Making& making) {
   const Grid& g = dead.grid();
   const double reach = kReach * g.cell;
   making.boxes.reserve(pieces.size());
-  for (const TurnPiece& p : pieces) making.boxes.push_back(box_of(p, making.swept[p.segment], reach));
+  for (const RotatingPiece& p : pieces) making.boxes.push_back(box_of(p, making.swept[p.segment], reach));
   const Array<std::array<std::uint32_t, 2>> near = near_pairs(making);
   if (!complete) return;
   making.candidates.reserve(near.size());
   constexpr double kSlack = 4 * kAngleSlack;  // of two spans, either within two of them
   for (const auto [i, j] : near) {
-    const TurnSegment &s = segments[pieces[i].segment], &t = segments[pieces[j].segment];
+    const RotatingSegment &s = segments[pieces[i].segment], &t = segments[pieces[j].segment];
     const Pair from = s.start(), other_from = t.start();
     if ((s.span.from > t.span.to + kSlack) | (t.span.from > s.span.to + kSlack) | (from == other_from) |
         (from == t.end) | (s.end == other_from) | (s.end == t.end))
@@ -252,7 +253,7 @@ void RotatingWindow::find_candidates(const CoveredCells& dead, Making& making) {
 
 // As at most one of the two exists at a time, one that exists throughout is the only one.
 void RotatingWindow::find_next() {
-  for (TurnSegment& s : segments) {
+  for (RotatingSegment& s : segments) {
     s.next = {find({0, s.end.p, s.end.q}), find({1, s.end.q, s.end.p})};
     for (const std::uint32_t k : {0u, 1u})
       if (s.next[k] != kNone && segments[s.next[k]].throughout) s.next = {s.next[k], kNone};
@@ -276,7 +277,7 @@ void RotatingWindow::find_dead_tails() {
     if (ways[s] == 0) kill(s);
   }
   for (std::size_t k = 0; k < dead.size(); ++k) {
-    const TurnSegment& s = segments[dead[k]];
+    const RotatingSegment& s = segments[dead[k]];
     const std::uint32_t p = s.first_piece;
     if (s.last_piece != p + 1 || pieces[p].head_cut || first_of[p] != first_of[p + 1]) continue;
     const Pair start = s.start();
@@ -291,10 +292,10 @@ void RotatingWindow::find_dead_tails() {
 void RotatingWindow::find_runs() {
   const auto n = static_cast<std::uint32_t>(pieces.size());
   for (std::uint32_t i = 0; i < n; ++i) {
-    TurnPiece& p = pieces[i];
+    RotatingPiece& p = pieces[i];
     p.quiet = !p.head_cut && !p.tail_cut && first_of[i] == first_of[i + 1] && segments[p.segment].throughout;
   }
-  for (TurnPiece& p : pieces) {
+  for (RotatingPiece& p : pieces) {
     const std::uint32_t next = segments[p.segment].next[0];
     if (p.tail_cut || next == kNone || !pieces[segments[next].first_piece].quiet) continue;
     p.follower = segments[next].first_piece;
@@ -315,7 +316,7 @@ void RotatingWindow::find_runs() {
 // What nothing whole leads to is on no cycle of whole segments; nor is what only that leads to.
 void RotatingWindow::find_rounds() {
   const auto whole = [&](std::uint32_t s) {
-    const TurnSegment& t = segments[s];
+    const RotatingSegment& t = segments[s];
     return t.last_piece == t.first_piece + 1 && !pieces[t.first_piece].head_cut && !pieces[t.first_piece].tail_dead;
   };
   std::vector<std::uint32_t> arriving(segments.size(), 0), removed;

@@ -11,16 +11,16 @@
 #include "base/memory_budget.h"
 #include "base/scratch.h"
 #include "base/stop.h"
-#include "planar/motion/turn_catalog.h"
+#include "planar/motion/rotation_catalog.h"
 #include "planar/window/frame_window.h"
-#include "planar/window/turn_mask.h"
+#include "planar/window/rotation_mask.h"
 
 namespace dymsum::planar {
 
 /// A segment that is live somewhere in the window. Windows are kept, so all of this is as small as it can be.
-struct TurnSegment : WalkSegment {
-  bool throughout = false;      ///< it exists at every angle of the window
-  TurnCatalog::Span span = {};  ///< it exists there, relative to the middle of the window
+struct RotatingSegment : WalkSegment {
+  bool throughout = false;          ///< it exists at every angle of the window
+  RotationCatalog::Span span = {};  ///< it exists there, relative to the midpoint of the window
   Pair end = {};
   std::uint32_t first_piece = 0, last_piece = 0;  ///< its pieces [first_piece, last_piece)
   std::array<std::uint32_t, 2> next{kNone,
@@ -28,10 +28,10 @@ struct TurnSegment : WalkSegment {
   Pair start() const { return TurningForms::start(*this); }
 };
 
-/// A stretch of a segment between its ends or places that lie in dead cells at every angle of the window. What reaches
-/// one is false.
-struct TurnPiece {
-  double head = 0, tail = 1;  ///< in shares of the segment
+/// An interval of a segment between its ends or positions that lie in dead cells at every angle of the window. What
+/// reaches one is false.
+struct RotatingPiece {
+  double head = 0, tail = 1;  ///< as fractions of the segment
   std::uint32_t segment = 0;
   std::uint32_t follower = kNone;  ///< a quiet piece that follows it at every angle of the window
   std::uint32_t run_last = kNone;  ///< of a quiet one: where followers lead to
@@ -41,26 +41,26 @@ struct TurnPiece {
 };
 
 /// Two pieces that may meet.
-struct TurnCandidate {
+struct RotationCandidate {
   std::uint32_t a = 0, b = 0;
 };
 
 class RotatingWindow : public CandidateIndex {
  public:
-  /// Angles within `half` of `middle`, a little more being covered. `mask` off: no cell is dead. Given up where boxes
-  /// of more than `most_pairs` pairs of pieces meet, and when it is asked to stop. Requires `half` below a radian:
-  /// bounds of turning_bounds.h count on that, and spans on less than a quarter turn (TurnCatalog::span).
-  RotatingWindow(const TurnGrid& grid, const TurnCatalog& catalog, double middle, double half, bool mask,
+  /// Angles within `half` of `midpoint`, a little more being covered. `mask` off: no cell is dead. Given up where boxes
+  /// of more than `most_pairs` pairs of pieces meet, and when a stop is requested. Requires `half` below a radian:
+  /// bounds of turning_bounds.h count on that, and spans on less than a quarter turn (RotationCatalog::span).
+  RotatingWindow(const RotationGrid& grid, const RotationCatalog& catalog, double midpoint, double half, bool mask,
                  std::size_t most_pairs = ~std::size_t{0}, const base::StopToken& stop = {});
 
   bool complete = true;  ///< not given up
 
-  double middle = 0, half = 0;
-  Heading heading;            ///< of the middle
-  std::vector<Point> turned;  ///< vertices of the turning operand there, about its centre
-  base::CountedArray<TurnSegment> segments;
-  base::CountedArray<TurnPiece> pieces;
-  base::CountedArray<TurnCandidate> candidates;
+  double midpoint = 0, half = 0;
+  Heading heading;            ///< of the midpoint
+  std::vector<Point> turned;  ///< vertices of the rotating operand there, about its centre
+  base::CountedArray<RotatingSegment> segments;
+  base::CountedArray<RotatingPiece> pieces;
+  base::CountedArray<RotationCandidate> candidates;
   std::vector<std::uint32_t> changing;  ///< segments that do not exist at every angle
   std::vector<std::uint32_t> rounds;    ///< whole pieces that may follow each other all round, without quiet ones
   std::vector<std::uint32_t> circles;   ///< quiet pieces whose followers lead back to them, one of each circle
@@ -73,7 +73,7 @@ class RotatingWindow : public CandidateIndex {
   std::size_t bytes() const;
 
  private:
-  /// A segment at the middle: the vertices it starts with, its vector, and how far a point of it moves from there in
+  /// A segment at the midpoint: the vertices it starts with, its vector, and how far a point of it moves from there in
   /// either axis.
   struct Swept {
     Point fixed, turning, d;
@@ -96,7 +96,7 @@ class RotatingWindow : public CandidateIndex {
   void add_segment(const WalkSegment& walk, const CoveredCells& dead, Making& making) const;
   void add_pieces(const Swept& w, const CoveredCells& dead, Making& making) const;
   void find_cuts(Point start, Point d, Point reach, const CoveredCells& dead, Array<double>& cuts) const;
-  Box box_of(const TurnPiece& p, const Swept& w, double reach) const;
+  Box box_of(const RotatingPiece& p, const Swept& w, double reach) const;
   void find_candidates(const CoveredCells& dead, Making& making);
   Array<std::array<std::uint32_t, 2>> near_pairs(Making& making);
   void find_next();
@@ -105,7 +105,7 @@ class RotatingWindow : public CandidateIndex {
   void find_rounds();
 
   const TurningForms& forms_;
-  const TurnCatalog& catalog_;
+  const RotationCatalog& catalog_;
   double shift_ = 0;                        // of coordinates to those of the grid
   bool masked_ = false;                     // cells may be dead
   std::array<std::vector<Turn>, 2> turns_;  // by side and vertex
@@ -113,7 +113,7 @@ class RotatingWindow : public CandidateIndex {
 
 // A window of angles as moving sums keep it, and what such windows are made of.
 
-/// What never changes while an operand turns. Windows and the thread that makes them share it.
+/// What never changes while an operand rotates. Windows and the thread that makes them share it.
 struct TurnedOperands {
   /// The smaller operand, which moves in windows, as operand 1.
   explicit TurnedOperands(std::shared_ptr<const OperandPair> base)
@@ -123,7 +123,7 @@ struct TurnedOperands {
 
   std::shared_ptr<const OperandPair> pair;
   TurningForms forms;
-  TurnCatalog catalog;
+  RotationCatalog catalog;
 };
 
 struct TurnedWindow final : FrameWindow {
@@ -132,9 +132,9 @@ struct TurnedWindow final : FrameWindow {
 
   /// Angles come round; doubles of them err, so a window's ends are left a little early.
   bool covers(double angle) const override {
-    return std::abs(std::remainder(angle - window.middle, kTurn)) <= window.half - kAngleDifference;
+    return std::abs(std::remainder(angle - window.midpoint, kTurn)) <= window.half - kAngleDifference;
   }
-  double end(bool up) const override { return up ? window.middle + window.half : window.middle - window.half; }
+  double end(bool up) const override { return up ? window.midpoint + window.half : window.midpoint - window.half; }
   std::size_t bytes() const override { return window.bytes(); }
 
   std::shared_ptr<const TurnedOperands> operands;  // outlive the window

@@ -230,9 +230,9 @@ void drop_covered_nodes(Window& window, const WindowFrame& swept) {
   if (window.nodes.empty()) return;
   EdgeSearch search(window);
   for (PersistentNode& node : window.nodes) {
-    const MovingPoint place = window.place(node.at);
+    const MovingPoint position = window.position(node.at);
     const auto at = [&](double tau) {
-      return EdgeSearch::Place{place.x.at(tau), place.y.at(tau), kWindowPoint * window.span(), tau};
+      return EdgeSearch::Position{position.x.at(tau), position.y.at(tau), kWindowPoint * window.span(), tau};
     };
     node.covered = search.find_or_spare(at(swept.tau0), at(swept.tau1)).has_value();
     if (!node.covered) continue;

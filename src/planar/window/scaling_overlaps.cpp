@@ -8,8 +8,8 @@ namespace dymsum::planar {
 namespace {
 
 // Of two such pieces one covers the other, or the one that ends first is handed on to the other where that begins. Each
-// place stays covered: of the pieces through it take the one that ends last (of those the one that begins first); what
-// stops it there would have to end later. Orders have to be certain throughout the window; where they are not, both
+// position stays covered: of the pieces through it take the one that ends last (of those the one that begins first);
+// what stops it there would have to end later. Orders have to be proved throughout the window; where they are not, both
 // pieces stay as they are.
 class SharedLines {
  public:
@@ -19,13 +19,13 @@ class SharedLines {
  private:
   struct Stop {
     std::uint32_t piece, at;  ///< a piece, and one that begins inside it
-    Linear place;
+    Linear position;
   };
   void hand_on(const std::vector<Stop>& stops, PiecePairs& close);
   bool along_always(std::uint32_t i, std::uint32_t j);
   std::array<Linear, 2> ends_on(std::uint32_t piece, std::uint32_t other) const;
   double error_along(std::uint32_t piece) const;
-  bool certainly_before(const Linear& a, const Linear& b, double error) const;
+  bool provably_before(const Linear& a, const Linear& b, double error) const;
   bool covers(std::uint32_t i, std::uint32_t j) const;
   std::optional<Linear> begins_inside(std::uint32_t i, std::uint32_t j) const;
 
@@ -60,17 +60,17 @@ std::array<Linear, 2> SharedLines::ends_on(std::uint32_t piece, std::uint32_t ot
   const LiveSegment &on = window_.segments[window_.pieces[piece].segment],
                     &s = window_.segments[window_.pieces[other].segment];
   const double length = on.dx * on.dx + on.dy * on.dy;
-  const auto place = [&](const Linear& t) {
+  const auto position = [&](const Linear& t) {
     const double ax = s.x.a + t.a * s.dx - on.x.a, ay = s.y.a + t.a * s.dy - on.y.a, bx = s.x.b + t.b * s.dx - on.x.b,
                  by = s.y.b + t.b * s.dy - on.y.b;
     return Linear{(ax * on.dx + ay * on.dy) / length, (bx * on.dx + by * on.dy) / length};
   };
-  return {place(window_.pieces[other].head_cut ? window_.pieces[other].head : Linear{}),
-          place(window_.end_place(window_.pieces[other]))};
+  return {position(window_.pieces[other].head_cut ? window_.pieces[other].head : Linear{}),
+          position(window_.end_position(window_.pieces[other]))};
 }
 
 // Linear in tau: what holds at both ends of the window holds throughout.
-bool SharedLines::certainly_before(const Linear& a, const Linear& b, double error) const {
+bool SharedLines::provably_before(const Linear& a, const Linear& b, double error) const {
   return b.at(window_.frame().tau0) - a.at(window_.frame().tau0) > error &&
          b.at(window_.frame().tau1) - a.at(window_.frame().tau1) > error;
 }
@@ -85,18 +85,18 @@ bool SharedLines::covers(std::uint32_t i, std::uint32_t j) const {
   const bool same_end =
       !a.tail_cut && !b.tail_cut && window_.segments[a.segment].end == window_.segments[b.segment].end;
   if (same_start && same_end) return i < j;
-  return (same_start || certainly_before(a.head_cut ? a.head : Linear{}, start, error)) &&
-         (same_end || certainly_before(end, window_.end_place(a), error));
+  return (same_start || provably_before(a.head_cut ? a.head : Linear{}, start, error)) &&
+         (same_end || provably_before(end, window_.end_position(a), error));
 }
 
-// Where piece i ends if j begins inside it and ends behind it throughout the window: there.
+// Where piece i ends if j begins inside it and ends after it throughout the window: there.
 std::optional<Linear> SharedLines::begins_inside(std::uint32_t i, std::uint32_t j) const {
   const Piece &a = window_.pieces[i], &b = window_.pieces[j];
   if (a.tail_cut || b.head_cut) return std::nullopt;
   const auto [from, to] = ends_on(i, j);
-  const Linear start = a.head_cut ? a.head : Linear{}, end = window_.end_place(a);
+  const Linear start = a.head_cut ? a.head : Linear{}, end = window_.end_position(a);
   const double error = error_along(i);
-  if (!certainly_before(start, from, error) || !certainly_before(from, end, error) || !certainly_before(end, to, error))
+  if (!provably_before(start, from, error) || !provably_before(from, end, error) || !provably_before(end, to, error))
     return std::nullopt;
   return from;
 }
@@ -117,7 +117,7 @@ void SharedLines::settle(PiecePairs& close) {
   std::vector<Stop> stops;
   for (const auto& [i, j] : along) {
     if (window_.pieces[i].covered || window_.pieces[j].covered) continue;
-    if (const auto place = begins_inside(i, j)) stops.push_back({i, j, *place});
+    if (const auto position = begins_inside(i, j)) stops.push_back({i, j, *position});
     else if (const auto other = begins_inside(j, i)) stops.push_back({j, i, *other});
     else close.push_back({i, j});
   }
@@ -135,16 +135,16 @@ void SharedLines::hand_on(const std::vector<Stop>& stops, PiecePairs& close) {
   for (const Stop& s : stops) {
     Piece& p = window_.pieces[s.piece];
     const double error = error_along(s.piece);
-    if (p.handed_on && !certainly_before(s.place, p.tail, error)) continue;
+    if (p.handed_on && !provably_before(s.position, p.tail, error)) continue;
     p.handed_on = true;
-    p.tail = s.place;
+    p.tail = s.position;
     p.tail_error = error;
     p.tail_at = window_.segments[window_.pieces[s.at].segment].start;
   }
   for (const Stop& s : stops) {
     const Piece& p = window_.pieces[s.piece];
     if (p.tail_at == window_.segments[window_.pieces[s.at].segment].start ||
-        certainly_before(p.tail, s.place, p.tail_error))
+        provably_before(p.tail, s.position, p.tail_error))
       continue;
     close.push_back({std::min(s.piece, s.at), std::max(s.piece, s.at)});
   }

@@ -11,7 +11,7 @@ namespace dymsum::planar {
 namespace {
 
 /// Crossings known worse than this are left to exact signs at every scale. Any value is right.
-constexpr double kKnownShare = 0x1p-8;
+constexpr double kKnownFraction = 0x1p-8;
 
 /// What a piece sweeps lies in its box, some of a cell wider than it; in cells of the mask.
 struct PieceBox {
@@ -144,7 +144,7 @@ void PairTests::test(std::uint32_t i, std::uint32_t j) {
   c.error_a = c.error_b = INFINITY;
   if (sign == 0) return test_parallel(c);
   solve(c);
-  if (!(c.error_a < kKnownShare && c.error_b < kKnownShare)) {
+  if (!(c.error_a < kKnownFraction && c.error_b < kKnownFraction)) {
     c.in_low = INFINITY;  // nearly parallel: exact signs decide wherever both lines are close
     if (bracket_nearly_parallel(c)) window_.candidates.push_back(c);
     return;
@@ -153,13 +153,13 @@ void PairTests::test(std::uint32_t i, std::uint32_t j) {
   if (!narrow_to_piece(window_, i, c.ta, c.error_a, c, at_a) || !narrow_to_piece(window_, j, c.tb, c.error_b, c, at_b))
     return;
   if (c.out_high <= window_.frame().tau0 || c.out_low >= window_.frame().tau1) return;
-  // An end of one on the line of the other, throughout the window as far as doubles tell: at every scale?
+  // An end of one on the line of the other, throughout the window as far as doubles decide: at every scale?
   if ((at_a[0] || at_a[1] || at_b[0] || at_b[1]) && touches_.touch_always(c, at_a, at_b)) return;
   if (!dead_throughout(c) && (search_.edges == nullptr || !covered_throughout(c))) window_.candidates.push_back(c);
 }
 
 // Crossings move along a line: those that do so in dead cells only are left out. Boundaries end at crossings on the
-// boundary, so what passes the place of one in a dead cell is false on both sides of it.
+// boundary, so what passes the position of one in a dead cell is false on both sides of it.
 bool PairTests::dead_throughout(const Candidate& c) const {
   const LiveSegment& a = window_.segments[window_.pieces[c.a].segment];
   const Grid& g = mask_.grid();
@@ -179,11 +179,12 @@ bool PairTests::dead_throughout(const Candidate& c) const {
 bool PairTests::covered_throughout(const Candidate& c) const {
   const LiveSegment& a = window_.segments[window_.pieces[c.a].segment];
   const auto at = [&](double tau) {
-    const double t = c.ta.at(tau), t_error = c.error_a + kShare * std::max(1.0, tau);
-    return EdgeSearch::Place{a.x.at(tau) + t * a.dx, a.y.at(tau) + t * a.dy,
-                             t_error * std::max(std::abs(a.dx), std::abs(a.dy)) + kWindowPoint * window_.span(), tau};
+    const double t = c.ta.at(tau), t_error = c.error_a + kFraction * std::max(1.0, tau);
+    return EdgeSearch::Position{a.x.at(tau) + t * a.dx, a.y.at(tau) + t * a.dy,
+                                t_error * std::max(std::abs(a.dx), std::abs(a.dy)) + kWindowPoint * window_.span(),
+                                tau};
   };
-  const EdgeSearch::Place from = at(std::max(c.out_low, swept_.tau0)), to = at(std::min(c.out_high, swept_.tau1));
+  const EdgeSearch::Position from = at(std::max(c.out_low, swept_.tau0)), to = at(std::min(c.out_high, swept_.tau1));
   if (search_.memory == nullptr) return search_.edges->find_or_spare(from, to).has_value();
   const LiveSegment& b = window_.segments[window_.pieces[c.b].segment];
   if (search_.memory->covers(a.id, b.id, *search_.edges, from, to)) return true;
@@ -194,7 +195,7 @@ bool PairTests::covered_throughout(const Candidate& c) const {
   return true;
 }
 
-// Segments that are nearly parallel cross only where the ends of each do not lie on one side of the other for certain.
+// Segments that are nearly parallel cross only where the ends of each do not lie on one side of the other provably.
 // Sides are linear in tau, so from either end of the window on they stay on one side until one of them may change its
 // own. False where they never cross.
 bool PairTests::bracket_nearly_parallel(Candidate& c) const {
@@ -259,8 +260,8 @@ void PairTests::solve(Candidate& c) const {
   const double size = kWindowSide * window_.span(), relative = d.error / std::abs(d.value),
                reach = 2 * std::max(1.0, window_.frame().tau1);
   if (!(relative < kKnownDenominator)) return;
-  c.error_a = share_error(size * (std::abs(b.dx) + std::abs(b.dy)), std::abs(d.value), relative, reach);
-  c.error_b = share_error(size * (std::abs(a.dx) + std::abs(a.dy)), std::abs(d.value), relative, reach);
+  c.error_a = fraction_error(size * (std::abs(b.dx) + std::abs(b.dy)), std::abs(d.value), relative, reach);
+  c.error_b = fraction_error(size * (std::abs(a.dx) + std::abs(a.dy)), std::abs(d.value), relative, reach);
 }
 
 }  // namespace

@@ -14,8 +14,8 @@ struct SweptSegment {
   double ax[2], ay[2], ex[2], ey[2];
 };
 
-/// A place on a segment, in shares of its length at both ends of the swept window.
-struct CutPlace {
+/// A position on a segment, as fractions of its length at both ends of the swept window.
+struct CutPosition {
   double t[2];
 };
 
@@ -31,7 +31,7 @@ SweptSegment swept_segment(const LiveSegment& s, const WindowFrame& swept) {
   return e;
 }
 
-PieceEnds ends_between(const SweptSegment& s, const CutPlace& from, const CutPlace& to) {
+PieceEnds ends_between(const SweptSegment& s, const CutPosition& from, const CutPosition& to) {
   PieceEnds e{};
   for (int k = 0; k < 2; ++k) {
     e.ax[k] = s.ax[k] + from.t[k] * s.ex[k];
@@ -43,14 +43,14 @@ PieceEnds ends_between(const SweptSegment& s, const CutPlace& from, const CutPla
 }
 
 /// Segments are cut inside dead cells that they meet at both ends of the window (and hence at every scale in between).
-/// The cut is the middle of the chord at both ends and linear in between: the chords and the cell are convex in (x, y,
-/// tau).
+/// The cut is the midpoint of the chord at both ends and linear in between: the chords and the cell are convex in (x,
+/// y, tau).
 class PieceCutter {
  public:
   explicit PieceCutter(const CoveredCells& mask) : mask_(mask), grid_(mask.grid()), reach_(2 * kReach * grid_.cell) {}
 
   /// In order along the segment; valid until the next call.
-  const std::vector<CutPlace>& cuts(const SweptSegment& s) {
+  const std::vector<CutPosition>& cuts(const SweptSegment& s) {
     cuts_.clear();
     if (!any_covered(ends_between(s, {{0, 0}}, {{1, 1}}))) return cuts_;
     const SegmentClip first(s.ax[0], s.ay[0], s.ex[0], s.ey[0]), last(s.ax[1], s.ay[1], s.ex[1], s.ey[1]);
@@ -60,10 +60,10 @@ class PieceCutter {
         const SegmentClip::Part low = in_cell(first, row, c);
         if (!(low.to > low.from)) continue;
         if (const SegmentClip::Part high = in_cell(last, row, c); high.to > high.from)
-          cuts_.push_back({{low.middle(), high.middle()}});
+          cuts_.push_back({{low.midpoint(), high.midpoint()}});
       }
     });
-    std::sort(cuts_.begin(), cuts_.end(), [](const CutPlace& a, const CutPlace& b) {
+    std::sort(cuts_.begin(), cuts_.end(), [](const CutPosition& a, const CutPosition& b) {
       return a.t[0] != b.t[0] ? a.t[0] < b.t[0] : a.t[1] < b.t[1];
     });
     return cuts_;
@@ -99,7 +99,7 @@ class PieceCutter {
   const CoveredCells& mask_;
   const Grid& grid_;
   double reach_;
-  std::vector<CutPlace> cuts_;
+  std::vector<CutPosition> cuts_;
 };
 
 }  // namespace
@@ -114,15 +114,16 @@ Array<PieceEnds> cut_pieces(Window& window, const WindowFrame& frame, const Cove
   for (std::uint32_t n = 0; n < window.segments.size(); ++n) {
     LiveSegment& s = window.segments[n];
     const SweptSegment swept = swept_segment(s, frame);
-    const std::vector<CutPlace>& cuts = cutter.cuts(swept);
-    const auto linear = [&](const CutPlace& c) {
+    const std::vector<CutPosition>& cuts = cutter.cuts(swept);
+    const auto linear = [&](const CutPosition& c) {
       const double u = c.t[0] * s.length(frame.tau0), v = c.t[1] * s.length(frame.tau1);
       const double slope = width > 0 ? (v - u) / width : 0;
       return Linear{u - slope * frame.tau0, slope};
     };
     s.first_piece = static_cast<std::uint32_t>(pieces.size());
     for (std::size_t k = 0; k <= cuts.size(); ++k) {
-      const CutPlace from = k == 0 ? CutPlace{{0, 0}} : cuts[k - 1], to = k == cuts.size() ? CutPlace{{1, 1}} : cuts[k];
+      const CutPosition from = k == 0 ? CutPosition{{0, 0}} : cuts[k - 1],
+                        to = k == cuts.size() ? CutPosition{{1, 1}} : cuts[k];
       PieceEnds ends = ends_between(swept, from, to);
       if (!cuts.empty() && !cutter.live(ends)) continue;
       ends.dx = s.dx;
@@ -147,7 +148,7 @@ Array<PieceEnds> cut_pieces(Window& window, const WindowFrame& frame, const Cove
 namespace {
 
 // Narrows the interval of scales at which g(tau) = a + b tau > 0, where g is known up to `error`. False when it is
-// certainly empty. Sets `unsure` when doubles know nothing of g in the whole window.
+// provably empty. Sets `unsure` when doubles know nothing of g in the whole window.
 bool narrow(const Linear& g, double error, double tau0, double tau1, Candidate& c, bool& unsure) {
   const double g0 = g.at(tau0), g1 = g.at(tau1);
   if (g0 > error && g1 > error) return true;
@@ -157,7 +158,7 @@ bool narrow(const Linear& g, double error, double tau0, double tau1, Candidate& 
     unsure = true;
     return true;
   }
-  // Beyond these values the sign is certain; the division and tau itself are rounded.
+  // Beyond these values the sign is proved; the division and tau itself are rounded.
   const double root = -g.a / g.b, wide = root_error(root, g.b, error, tau1);
   if (g.b > 0) {
     c.out_low = std::max(c.out_low, root - wide);
@@ -194,7 +195,7 @@ bool narrow_to_piece(const Window& window, std::uint32_t piece, const Linear& t,
   const bool head = p.head_cut ? narrow_at_cut({t.a - p.head.a, t.b - p.head.b}, tau0, tau1, c)
                                : narrow(t, error, tau0, tau1, c, unsure[0]);
   if (!head) return false;
-  const Linear end = window.end_place(p), rest{end.a - t.a, end.b - t.b};
+  const Linear end = window.end_position(p), rest{end.a - t.a, end.b - t.b};
   if (p.tail_cut) return narrow_at_cut(rest, tau0, tau1, c);
   return narrow(rest, error + p.tail_error, tau0, tau1, c, unsure[1]);
 }

@@ -30,10 +30,10 @@ struct PieceEnds {
 /// Gives a window's segments their pieces. `swept`: the frame of the mask. Returns the ends of the pieces.
 Array<PieceEnds> cut_pieces(Window& window, const WindowFrame& swept, const CoveredCells& mask, Scratch* memory);
 
-// The scales at which a place on a piece's line lies inside the piece, as far as doubles know them.
+// The scales at which a position on a piece's line lies inside the piece, as far as doubles know them.
 
-/// Narrows a candidate's brackets to the scales at which the place t, known up to `error`, lies inside a piece. False
-/// where there are none for certain. `unsure`: at its head or tail throughout the window, as far as doubles tell.
+/// Narrows a candidate's brackets to the scales at which the position t, known up to `error`, lies inside a piece.
+/// False where there are none provably. `unsure`: at its head or tail throughout the window, as far as doubles decide.
 bool narrow_to_piece(const Window& window, std::uint32_t piece, const Linear& t, double error, Candidate& c,
                      std::array<bool, 2>& unsure);
 
@@ -87,7 +87,7 @@ void make_nodes(Window& window, const std::vector<WalkPair>& touch_pairs);
 /// ends in the open sum is false.
 void drop_covered_nodes(Window& window, const WindowFrame& swept);
 
-// Segments that lie along each other, the same way, at every scale: where several cover a place, one goes on and the
+// Segments that lie along each other, the same way, at every scale: where several cover a position, one goes on and the
 // others stop there.
 
 using PiecePairs = Array<std::array<std::uint32_t, 2>>;

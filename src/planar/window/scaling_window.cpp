@@ -15,9 +15,9 @@ namespace {
 WindowFrame swept_frame(const WindowSettings& settings) {
   WindowFrame swept = settings.frame;
   if (settings.shrink < 1) {
-    const double middle = 0.5 * (swept.tau0 + swept.tau1), half = 0.5 * settings.shrink * (swept.tau1 - swept.tau0);
-    swept.tau0 = middle - half;
-    swept.tau1 = middle + half;
+    const double midpoint = 0.5 * (swept.tau0 + swept.tau1), half = 0.5 * settings.shrink * (swept.tau1 - swept.tau0);
+    swept.tau0 = midpoint - half;
+    swept.tau1 = midpoint + half;
   }
   return swept;
 }
@@ -126,7 +126,7 @@ LiveSegment Window::segment(const WalkSegment& w, std::uint32_t id) const {
   s.dy = o.ey[w.edge];
   s.start = w.side == 0 ? WalkPair{w.edge, w.vertex} : WalkPair{w.vertex, w.edge};
   s.end = w.side == 0 ? WalkPair{next, w.vertex} : WalkPair{w.vertex, next};
-  const MovingPoint from = place(s.start);
+  const MovingPoint from = position(s.start);
   s.x = from.x;
   s.y = from.y;
   s.contact = contact_of(w, base_.operands[0], base_.operands[1]);

@@ -64,9 +64,9 @@ struct LiveSegment {
   double length(double tau) const { return moving ? tau : 1; }
 };
 
-/// A stretch of a live segment between its ends or places in dead cells. What reaches into a dead cell is false. Where
-/// segments lie along each other at every scale, a piece can end where another one begins that goes on, or be covered
-/// by another one as a whole.
+/// An interval of a live segment between its ends or positions in dead cells. What reaches into a dead cell is false.
+/// Where segments lie along each other at every scale, a piece can end where another one begins that goes on, or be
+/// covered by another one as a whole.
 struct Piece {
   std::uint32_t segment = 0;
   bool head_cut = false, tail_cut = false;  ///< ends in a dead cell instead of at the segment's end
@@ -81,7 +81,7 @@ struct Piece {
 };
 
 /// Two pieces that may meet in the window. They cross properly at the scales of one open interval; doubles know it up
-/// to brackets: not outside (out_low, out_high), certainly inside (in_low, in_high), and exact signs decide in between.
+/// to brackets: not outside (out_low, out_high), provably inside (in_low, in_high), and exact signs decide in between.
 struct Candidate {
   std::uint32_t a, b;       ///< pieces
   Linear ta, tb;            ///< where on a and on b
@@ -123,9 +123,9 @@ struct WindowSettings {
   bool covers = true;  ///< leave out crossings and nodes that two edges prove covered while they exist
   std::uint64_t most_pairs = UINT64_MAX;  ///< the window is abandoned when more boxes of pieces meet
   CoverMemory* memory = nullptr;          ///< of windows of the same convolution
-  base::StopToken stop;                   ///< the window is abandoned when that is asked for
+  base::StopToken stop;                   ///< the window is abandoned when that is requested
   std::function<void()> again;            ///< if there is one, called every so many pairs; it may throw
-  double shrink = 1;  ///< tests: sweep masks and pairs over this share of the window only; less than 1 is wrong
+  double shrink = 1;  ///< tests: sweep masks and pairs over this fraction of the window only; less than 1 is wrong
 };
 
 class Window : public CandidateIndex {
@@ -153,14 +153,14 @@ class Window : public CandidateIndex {
   /// The sign of d_a x d_b of two segments.
   int cross(std::uint32_t a, std::uint32_t b) const;
   Segment exact(std::uint32_t segment) const;
-  /// Where a piece that is not cut there ends: the pair of vertices, and the place on its segment with its error.
+  /// Where a piece that is not cut there ends: the pair of vertices, and the position on its segment with its error.
   WalkPair end_pair(const Piece& p) const { return p.handed_on ? p.tail_at : segments[p.segment].end; }
-  Linear end_place(const Piece& p) const {
+  Linear end_position(const Piece& p) const {
     if (p.tail_cut || p.handed_on) return p.tail;
     return segments[p.segment].moving ? Linear{0, 1} : Linear{1, 0};
   }
   /// The sum of two vertices; without its error, which is that of all such points.
-  MovingPoint place(WalkPair v) const {
+  MovingPoint position(WalkPair v) const {
     const Operand &p = base_.operands[0], &q = base_.operands[1];
     const auto at = [&](double of_p, double of_q) {
       return frame_.moving == 0 ? Linear{of_q, of_p} : Linear{of_p, of_q};

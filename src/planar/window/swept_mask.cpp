@@ -12,7 +12,7 @@ struct Place2 {
 };
 
 // Calls f(row, first column, last column) for the cells within `reach` of the convex quadrangle swept by a segment a b
-// from its place a0 b0 at one end of the window to a1 b1 at the other.
+// from its position a0 b0 at one end of the window to a1 b1 at the other.
 template <class F>
 void for_each_swept_run(const Grid& grid, const double (&x)[4], const double (&y)[4], double reach, F&& f) {
   double y_low = y[0], y_high = y[0], x_low = x[0], x_high = x[0];
@@ -50,7 +50,7 @@ void for_each_swept_run(const Grid& grid, const double (&x)[4], const double (&y
   }
 }
 
-// An edge that meets a cell at both ends of the window meets it in between: its places form a plane piece in (x, y,
+// An edge that meets a cell at both ends of the window meets it in between: its positions form a plane piece in (x, y,
 // tau), which is convex.
 void touch_at_both_ends(const Grid& cells, Place2 a0, Place2 b0, Place2 a1, Place2 b1,
                         std::vector<std::array<int, 3>>& scratch, Bitmap& touch) {

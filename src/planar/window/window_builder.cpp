@@ -56,7 +56,7 @@ WindowSettings WindowBuilder::settings_for(const BigRational& low, const BigRati
   const std::array<double, 2> size = sizes(at);
   const bool scaled_moves = size[k] <= size[1 - k];
   settings.frame.moving = scaled_moves ? k : 1 - k;
-  // A little wider than asked for, so that rounding cannot leave anything out.
+  // A little wider than requested, so that rounding cannot leave anything out.
   const double a = exact::round_to_double(scaled_moves ? low : BigRational(1 / high));
   const double b = exact::round_to_double(scaled_moves ? high : BigRational(1 / low));
   settings.frame.tau0 = a * exact::kInwards;
@@ -109,28 +109,28 @@ constexpr std::size_t kMostRatios = 4;
 
 }  // namespace
 
-Stretch stretch_of(const ScaleValue& x, const ScaleValue& y) {
+Factors factors_of(const ScaleValue& x, const ScaleValue& y) {
   if (x == y) return {};
   const exact::BigRational ratio = rational(y) / rational(x);
   if (ratio < 1) return {{}, scale_value(ratio)};
   return {scale_value(exact::BigRational(1 / ratio)), {}};
 }
 
-RatioSweep* RatioSweeps::find(const Stretch& stretch) {
+RatioSweep* RatioSweeps::find(const Factors& factors) {
   const auto found =
-      std::find_if(sweeps_.begin(), sweeps_.end(), [&](const RatioSweep& s) { return s.stretch == stretch; });
+      std::find_if(sweeps_.begin(), sweeps_.end(), [&](const RatioSweep& s) { return s.factors == factors; });
   if (found == sweeps_.end()) return nullptr;
   sweeps_.splice(sweeps_.begin(), sweeps_, found);
   return &sweeps_.front();
 }
 
-RatioSweep* RatioSweeps::make(const OperandPair& base, const Stretch& stretch) {
-  const exact::BigRational least(1, exact::BigInteger(1) << OperandPair::kStretchBits);
-  if (rational(stretch.x) < least || rational(stretch.y) < least || !base.may_be_stretched()) return nullptr;
+RatioSweep* RatioSweeps::make(const OperandPair& base, const Factors& factors) {
+  const exact::BigRational least(1, exact::BigInteger(1) << OperandPair::kFactorBits);
+  if (rational(factors.x) < least || rational(factors.y) < least || !base.may_be_stretched()) return nullptr;
   if (sweeps_.size() == kMostRatios) sweeps_.pop_back();
-  auto stretched = base.stretched(stretch.x, stretch.y);
+  auto stretched = base.stretched(factors.x, factors.y);
   const std::uint64_t family = ++made_;
-  sweeps_.push_front({family, stretch, stretched, WindowBuilder(stretched, family)});
+  sweeps_.push_front({family, factors, stretched, WindowBuilder(stretched, family)});
   return &sweeps_.front();
 }
 

@@ -58,17 +58,17 @@ class WindowBuilder {
 
 /// What scales of one ratio have in common: diag(x, y) with the larger one 1. Of uniform scales both are. diag(s, r s)
 /// times an operand is s times the operand stretched by diag(1, r), so that windows of uniform scales serve them.
-struct Stretch {
+struct Factors {
   ScaleValue x, y;
   bool uniform() const { return x == y; }
-  friend bool operator==(const Stretch&, const Stretch&) = default;
+  friend bool operator==(const Factors&, const Factors&) = default;
 };
 /// Of diag(x, y).
-Stretch stretch_of(const ScaleValue& x, const ScaleValue& y);
+Factors factors_of(const ScaleValue& x, const ScaleValue& y);
 
 struct RatioSweep {
   std::uint64_t family;  ///< of its windows; 0 is that of uniform scales
-  Stretch stretch;
+  Factors factors;
   std::shared_ptr<const OperandPair> base;  ///< the stretched one
   WindowBuilder windows;
 };
@@ -77,9 +77,9 @@ struct RatioSweep {
 class RatioSweeps {
  public:
   /// That of a ratio, if it is known.
-  RatioSweep* find(const Stretch& stretch);
-  /// Makes one. Nothing where windows cannot serve: for ratios beyond 2^OperandPair::kStretchBits.
-  RatioSweep* make(const OperandPair& base, const Stretch& stretch);
+  RatioSweep* find(const Factors& factors);
+  /// Makes one. Nothing where windows cannot serve: for ratios beyond 2^OperandPair::kFactorBits.
+  RatioSweep* make(const OperandPair& base, const Factors& factors);
 
  private:
   std::list<RatioSweep> sweeps_;  // the most recently used first

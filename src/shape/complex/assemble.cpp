@@ -100,7 +100,7 @@ class Assembly {
 
   // Edges.
 
-  /// -1, 0, 1 as the radius falls, stays, grows along the piece at its place `at`: for vertices.
+  /// -1, 0, 1 as the radius falls, stays, grows along the piece at its position `at`: for vertices.
   int side_of_neck(const CellPiece& p, const Section& s, const Mark& at) {
     return order_.sign([&](const auto& formulas) {
       using T = decltype(formulas.value(s, at));

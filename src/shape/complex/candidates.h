@@ -12,8 +12,8 @@ namespace dymsum::shape {
 /// Per site: others, ascending.
 using Candidates = std::vector<std::vector<std::uint32_t>>;
 
-/// Neighbours in the Voronoi diagram of the sites with coordinates rounded to 30 bits; of their ends and middles alone
-/// where rounding makes segments meet. O(n log n).
+/// Neighbours in the Voronoi diagram of the sites with coordinates rounded to 30 bits; of their ends and midpoints
+/// alone where rounding makes segments meet. O(n log n).
 Candidates candidates_of(const Walks& walks);
 
 /// The same with coordinates of 22 bits and without integers of more than 64 bits: two to three times faster, but wrong

@@ -20,7 +20,7 @@ bool begins_past(Order& order, const CellPiece& piece, std::uint32_t other) {
 
 using Iterator = std::vector<std::uint32_t>::iterator;
 
-/// Pieces of one site with one other site, so that those of a vertex begin behind the direction away from the other.
+/// Pieces of one site with one other site, so that those of a vertex begin after the direction away from the other.
 /// The piece across the first direction begins last of all, though it is the first of its row.
 void order_from_away(Order& order, const Cells& cells, Iterator first, Iterator last) {
   const CellPiece& piece = cells.pieces[*first];
@@ -77,15 +77,15 @@ bool match_cells(Order& order, Cells& cells) {
   std::stable_sort(list.begin(), list.end(), [&](std::uint32_t i, std::uint32_t j) { return pair_of(i) < pair_of(j); });
   for (auto first = list.begin(); first != list.end();) {
     const auto pair = pair_of(*first);
-    auto middle = first, last = first;
-    while (middle != list.end() && pair_of(*middle) == pair) ++middle;
-    for (last = middle; last != list.end() && pair_of(*last)[0] == pair[0] && pair_of(*last)[1] == pair[1];) ++last;
-    if (middle - first != last - middle) return false;
-    order_from_away(order, cells, first, middle);
-    order_from_away(order, cells, middle, last);
-    const auto count = middle - first;
+    auto midpoint = first, last = first;
+    while (midpoint != list.end() && pair_of(*midpoint) == pair) ++midpoint;
+    for (last = midpoint; last != list.end() && pair_of(*last)[0] == pair[0] && pair_of(*last)[1] == pair[1];) ++last;
+    if (midpoint - first != last - midpoint) return false;
+    order_from_away(order, cells, first, midpoint);
+    order_from_away(order, cells, midpoint, last);
+    const auto count = midpoint - first;
     for (std::ptrdiff_t k = 0; k < count; ++k) {
-      const std::uint32_t i = first[k], j = middle[count - 1 - k];
+      const std::uint32_t i = first[k], j = midpoint[count - 1 - k];
       cells.pieces[i].mate = j;
       cells.pieces[j].mate = i;
     }

@@ -8,13 +8,13 @@
 
 namespace dymsum::shape {
 
-/// A stretch of a site along which discs first touch `other`. Unless the site is an isolated point, `section` and
+/// An interval of a site along which discs first touch `other`. Unless the site is an isolated point, `section` and
 /// `to_section` are the same.
 struct CellPiece {
   std::uint32_t site = 0, other = kNoIndex;
   Section section, to_section;
   Mark from, to;
-  bool wraps = false;                ///< it begins before the first direction of an isolated point and ends behind it
+  bool wraps = false;                ///< it begins before the first direction of an isolated point and ends after it
   std::uint32_t next = 0, prev = 0;  ///< in the walk
   std::uint32_t mate = kNoIndex;     ///< the same discs as seen from the other site; they go backwards there
 };

@@ -1,4 +1,4 @@
-// The complex of a region: all centres of discs that touch its boundary at two places or more and lie outside it (or
+// The complex of a region: all centres of discs that touch its boundary at two positions or more and lie outside it (or
 // inside it). A sum with a disc is a level of this complex, an event one of its nodes. See
 // docs/design/growing-discs.md.
 #pragma once
@@ -32,13 +32,13 @@ struct Site {
   Point a, b;  ///< the edge's ends in the order of the walk, the discs on the right; equal for a vertex
 };
 
-/// A disc that touches at least two places, or a reflex vertex. Nodes are sorted by radius.
+/// A disc that touches at least two positions, or a reflex vertex. Nodes are sorted by radius.
 struct Node {
   enum class Kind : std::uint8_t {
     corner,  ///< a reflex vertex of the boundary: radius 0, one spoke
     pass,    ///< two spokes: a contact goes from an edge to its end
-    neck,    ///< two spokes, both up: between two places opposite each other, the radius is smallest on its track
-    joint,   ///< three places or more
+    neck,    ///< two spokes, both up: between two positions opposite each other, the radius is smallest on its track
+    joint,   ///< three positions or more
   };
   Kind kind = Kind::joint;
   std::uint32_t rank = 0;           ///< equal exactly for equal radii; ascending, without gaps
@@ -91,9 +91,9 @@ enum class Engine : std::uint8_t {
 };
 
 /// Errors: unsupported_operand where discs lie outside and a polyline or point touches another piece of the region or
-/// itself, with the place; out_of_range for coordinates beyond 2^1000 and where a node's disc is larger than doubles
-/// reach; cancelled where `progress` stops it: it is asked in the stage "complex", not while the approximate diagram is
-/// made, and not at the end. An empty region has the empty complex.
+/// itself, with the position; out_of_range for coordinates beyond 2^1000 and where a node's disc is larger than doubles
+/// reach; cancelled where `progress` stops it: it is queried in the stage "complex", not while the approximate diagram
+/// is made, and not at the end. An empty region has the empty complex.
 Result<Complex> make_complex(const Region& region, Side side, Engine engine = Engine::fast, int threads = 0,
                              const Progress& progress = {});
 
@@ -121,8 +121,8 @@ struct Contact {
   std::uint32_t site = 0;
   Point at;  ///< each coordinate within some ulps of the larger one
 };
-/// The contacts of a node, clockwise about its centre; a place where an edge meets its end is one contact, of the site
-/// that comes last in the walk. A corner has its two edges.
+/// The contacts of a node, clockwise about its centre; a position where an edge meets its end is one contact, of the
+/// site that comes last in the walk. A corner has its two edges.
 std::vector<Contact> contacts_of(const Complex& complex, std::uint32_t node);
 
 /// The disc of radius r on an edge. Requires low radius <= r <= high radius, and an edge that is not flat.

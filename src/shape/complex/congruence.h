@@ -1,4 +1,4 @@
-// What discs touch, told without their places: congruent pictures have equal keys.
+// What discs touch, told without their positions: congruent pictures have equal keys.
 #pragma once
 
 #include <vector>

@@ -8,13 +8,13 @@
 
 namespace dymsum::shape {
 
-struct Stretch {
+struct Interval {
   Mark low, high;
 };
 struct Domain {
-  std::array<Stretch, 2> stretches;
+  std::array<Interval, 2> intervals;
   int count = 0;
-  void add(Mark low, Mark high) { stretches[static_cast<std::size_t>(count++)] = {low, high}; }
+  void add(Mark low, Mark high) { intervals[static_cast<std::size_t>(count++)] = {low, high}; }
 };
 
 /// A superset within which Formulas::function(s, j) is the disc's. At a vertex the function may be negative in it,

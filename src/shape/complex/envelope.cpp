@@ -18,10 +18,10 @@ void Envelope::insert(std::uint32_t j) {
   if (where.count == 0) return;
   functions_.push_back({j, order_.near().function(section_, j)});
   for (int i = 0; i < where.count; ++i)
-    insert_stretch(static_cast<std::uint32_t>(functions_.size() - 1), where.stretches[static_cast<std::size_t>(i)]);
+    insert_interval(static_cast<std::uint32_t>(functions_.size() - 1), where.intervals[static_cast<std::size_t>(i)]);
 }
 
-void Envelope::insert_stretch(std::uint32_t slot, Stretch s) {
+void Envelope::insert_interval(std::uint32_t slot, Interval s) {
   // The parts that it meets, and one on either side, which may be of the same function.
   auto first = std::partition_point(parts_.begin(), parts_.end(), [&](const Part& p) { return !less(s.low, p.to); });
   auto last = std::partition_point(first, parts_.end(), [&](const Part& p) { return less(p.from, s.high); });
@@ -70,7 +70,7 @@ void Envelope::compete(const Part& part, std::uint32_t slot, const Mark& low, co
                                   .i = i,
                                   .j = j});
   };
-  // The signs before the first root, between the roots, behind the last.
+  // The signs before the first root, between the roots, after the last.
   const int roots = signs.a == 0 ? 1 : 2;
   int sign = sense * (signs.a == 0 ? -signs.b : signs.a);
   Mark at = low;

@@ -1,4 +1,4 @@
-// What a disc that touches a site at a given place touches first.
+// What a disc that touches a site at a given position touches first.
 #pragma once
 
 #include <cstdint>
@@ -8,14 +8,14 @@
 
 namespace dymsum::shape {
 
-/// A stretch of a section along which the disc first touches `other`; kNoIndex: nothing.
+/// An interval of a section along which the disc first touches `other`; kNoIndex: nothing.
 struct Piece {
   std::uint32_t other = kNoIndex;
   Mark from, to;
 };
 
 /// The exact lower envelope over the sites inserted. The order of insertion does not matter, but for the names of marks
-/// that are the same place.
+/// that are the same position.
 class Envelope {
  public:
   Envelope(Order& order, const Section& section);
@@ -38,7 +38,7 @@ class Envelope {
   std::vector<Function> functions_;
   std::vector<Part> parts_, scratch_;
 
-  void insert_stretch(std::uint32_t slot, Stretch s);
+  void insert_interval(std::uint32_t slot, Interval s);
   void compete(const Part& part, std::uint32_t slot, const Mark& low, const Mark& high);
   void put(const Mark& from, const Mark& to, std::uint32_t slot);
   bool less(const Mark& a, const Mark& b) { return order_.compare(section_, a, b) < 0; }

@@ -9,7 +9,7 @@
 
 namespace dymsum::shape {
 
-/// A disc that touches a site at a place, and another one.
+/// A disc that touches a site at a position, and another one.
 struct DiscSource {
   enum class Kind : std::uint8_t {
     corner,  ///< the point `site` with radius 0

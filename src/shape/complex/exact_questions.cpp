@@ -45,7 +45,7 @@ class OnEdge {
     const RootExpression y(p.y), half = sqrt(y * (RootExpression(2) * scaled - y));
     return forwards_ ? RootExpression(p.x) + half : RootExpression(p.x) - half;
   }
-  /// From the middle perpendicularly to the vector from s to j: forwards, s on the left, is to its left.
+  /// From the midpoint perpendicularly to the vector from s to j: forwards, s on the left, is to its left.
   ExactPoint between_vertices(const RootExpression& r) const {
     const BoundaryPoint &p = walks_.points[walks_.ends[s_].a], &q = walks_.points[walks_.ends[j_].a];
     const auto d = formulas_.between(walks_.ends[s_].a, walks_.ends[j_].a);
@@ -83,8 +83,8 @@ int compare_radius(const Complex& complex, std::uint32_t node, const Rational& r
 std::uint32_t nodes_below(const Complex& complex, const Rational& r) {
   std::uint32_t low = 0, high = static_cast<std::uint32_t>(complex.nodes.size());
   while (low < high) {
-    const std::uint32_t middle = (low + high) / 2;
-    compare_radius(complex, middle, r) < 0 ? low = middle + 1 : high = middle;
+    const std::uint32_t midpoint = (low + high) / 2;
+    compare_radius(complex, midpoint, r) < 0 ? low = midpoint + 1 : high = midpoint;
   }
   return low;
 }
@@ -92,8 +92,8 @@ std::uint32_t nodes_below(const Complex& complex, const Rational& r) {
 std::uint32_t nodes_up_to(const Complex& complex, const Rational& r) {
   std::uint32_t low = 0, high = static_cast<std::uint32_t>(complex.nodes.size());
   while (low < high) {
-    const std::uint32_t middle = (low + high) / 2;
-    compare_radius(complex, middle, r) <= 0 ? low = middle + 1 : high = middle;
+    const std::uint32_t midpoint = (low + high) / 2;
+    compare_radius(complex, midpoint, r) <= 0 ? low = midpoint + 1 : high = midpoint;
   }
   return low;
 }

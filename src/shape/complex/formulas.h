@@ -59,9 +59,9 @@ T discriminant(const Quadratic<T>& f) {
 }
 
 /// What is known of the sign of a denominator's cancelling terms: not for exact numbers, which do not cancel.
-inline bool surely_positive(const exact::Interval& v) { return v.low() > 0; }
-inline bool surely_positive(const exact::FineInterval& v) { return sign_of(v) == 1; }
-inline bool surely_positive(const exact::BigInteger& v) { return v.sign() > 0; }
+inline bool provably_positive(const exact::Interval& v) { return v.low() > 0; }
+inline bool provably_positive(const exact::FineInterval& v) { return sign_of(v) == 1; }
+inline bool provably_positive(const exact::BigInteger& v) { return v.sign() > 0; }
 
 template <class T>
 class Formulas {
@@ -99,7 +99,7 @@ class Formulas {
 
   /// 1 / (|E| - Ex) for the local vector E of an edge, times Ey: without cancellation.
   static T slant(const Vec<Z>& e, const T& length) {
-    if (surely_positive(e.x) && !may_vanish(e.y)) return (length + T(e.x)) / T(e.y);
+    if (provably_positive(e.x) && !may_vanish(e.y)) return (length + T(e.x)) / T(e.y);
     return T(e.y) / (length - T(e.x));
   }
   static T length_of(const Vec<Z>& e) { return sqrt(T(Z(dot(e, e)))); }
@@ -132,7 +132,7 @@ class Formulas {
     return behind ? (length - v.x) / v.y : v.y / (length + v.x);
   }
   static T half_angle(const Vec<Z>& v, const T& length) {
-    return half_angle(Vec<T>{T(v.x), T(v.y)}, length, surely_positive(Z(-v.x)) && !may_vanish(v.y));
+    return half_angle(Vec<T>{T(v.x), T(v.y)}, length, provably_positive(Z(-v.x)) && !may_vanish(v.y));
   }
   /// (1 + x^2) / radius as a function of x.
   Quadratic<T> curvature_about(const Section& s, std::uint32_t j) const {

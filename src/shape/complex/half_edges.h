@@ -24,8 +24,8 @@ struct HalfEdges {
   std::vector<std::uint32_t> component;                           ///< point -> connected piece of the region
 };
 
-/// Edges are cut at the places where rings touch. Outside, a polyline is there and back; inside, polylines and points
-/// are nothing. Errors: as make_complex. O(n log n) for n vertices that touch at O(log n) places.
+/// Edges are cut at the positions where rings touch. Outside, a polyline is there and back; inside, polylines and
+/// points are nothing. Errors: as make_complex. O(n log n) for n vertices that touch at O(log n) places.
 Result<HalfEdges> make_half_edges(const Region& region, Side side);
 
 }  // namespace dymsum::shape

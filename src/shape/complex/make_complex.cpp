@@ -69,8 +69,7 @@ std::optional<Error> too_large(const Complex& c) {
 namespace {
 
 /// One complex from guesses, the best one last.
-Complex complex_of(Walks walks, int threads, std::optional<Candidates> guess, SiteRows::Guess kind,
-                   const Poll& poll) {
+Complex complex_of(Walks walks, int threads, std::optional<Candidates> guess, SiteRows::Guess kind, const Poll& poll) {
   auto exact = std::make_shared<ExactComplex>();
   exact->walks = std::move(walks);
   Work work;

@@ -1,5 +1,5 @@
-// Places along a site, as what they are: an end, the place of a disc that touches another site at its end, or the place
-// of a disc that touches two other sites. Two marks with the same name are the same place.
+// Positions along a site, as what they are: an end, the position of a disc that touches another site at its end, or the
+// position of a disc that touches two other sites. Two marks with the same name are the same position.
 #pragma once
 
 #include <cstdint>
@@ -9,8 +9,8 @@
 
 namespace dymsum::shape {
 
-/// A site, or a part of a vertex: directions are told by the tangent of half their angle from an axis, 0 = +x, 1 = +y,
-/// 2 = -x, 3 = -y, whose opposite is not in the part.
+/// A site, or a part of a vertex: directions are determined by the tangent of half their angle from an axis, 0 = +x, 1
+/// = +y, 2 = -x, 3 = -y, whose opposite is not in the part.
 struct Section {
   std::uint32_t site = 0;
   std::uint8_t axis = 0;

@@ -1,4 +1,4 @@
-// Exact decisions about the places of a site, intervals first.
+// Exact decisions about the positions of a site, intervals first.
 #pragma once
 
 #include <cstdint>
@@ -9,7 +9,7 @@
 
 namespace dymsum::shape {
 
-/// The signs that tell where a quadratic is negative, as far as they matter.
+/// The signs that determine where a quadratic is negative, as far as they matter.
 struct QuadraticSigns {
   int a = 0, b = 0, c = 0;
   int discriminant = 0;  ///< only where a is not zero
@@ -43,7 +43,7 @@ class Order {
     }
     return sign_beyond(form);
   }
-  /// The same where intervals of doubles do not tell.
+  /// The same where intervals of doubles do not decide.
   template <class Form>
   int sign_beyond(Form&& form) {
     if (const std::optional<int> sign = sign_of(form(fine_))) {

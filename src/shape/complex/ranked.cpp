@@ -17,8 +17,8 @@ using exact::RootExpression;
 bool is_narrow(const Interval& v, double scale) { return !v.is_whole() && v.high() - v.low() <= scale * 0x1p-46; }
 
 bool is_narrow(const DiscOf<Interval>& d) {
-  const double scale = std::max(std::abs(d.x.middle()), std::abs(d.y.middle()));
-  return is_narrow(d.x, scale) && is_narrow(d.y, scale) && is_narrow(d.radius, d.radius.middle());
+  const double scale = std::max(std::abs(d.x.midpoint()), std::abs(d.y.midpoint()));
+  return is_narrow(d.x, scale) && is_narrow(d.y, scale) && is_narrow(d.radius, d.radius.midpoint());
 }
 
 /// Discs, and their radii in order.
@@ -79,12 +79,12 @@ class Ranking {
       std::size_t low = 0, high = classes.size();
       bool found = false;
       while (low < high && !found) {
-        const std::size_t middle = (low + high) / 2;
-        const int sign = compare(*first, classes[middle][0]);
+        const std::size_t midpoint = (low + high) / 2;
+        const int sign = compare(*first, classes[midpoint][0]);
         found = sign == 0;
-        if (found) low = middle;
-        if (sign < 0) high = middle;
-        if (sign > 0) low = middle + 1;
+        if (found) low = midpoint;
+        if (sign < 0) high = midpoint;
+        if (sign > 0) low = midpoint + 1;
       }
       if (!found) classes.insert(classes.begin() + static_cast<std::ptrdiff_t>(low), std::vector<std::uint32_t>{});
       classes[low].push_back(*first);
@@ -131,7 +131,7 @@ class Ranking {
 Point rounded_centre(const Walks& walks, const DiscSource& source, const DiscOf<Interval>& near) {
   if (is_narrow(near)) {
     const int e = walks.unit_exponent;
-    return {std::ldexp(near.x.middle(), e), std::ldexp(near.y.middle(), e)};
+    return {std::ldexp(near.x.midpoint(), e), std::ldexp(near.y.midpoint(), e)};
   }
   const DiscOf<RootExpression> disc = disc_of<RootExpression>(walks, source);
   const RootExpression unit(std::ldexp(1.0, walks.grid_exponent));
@@ -165,12 +165,12 @@ Complex ranked(Graph graph, std::shared_ptr<ExactComplex> exact, Work work) {
   const Walks& walks = exact->walks;
   Ranking ranking(walks, graph.discs, work);
   fill_in(graph, walks, ranking);
-  std::vector<std::uint32_t> order(graph.nodes.size()), place(order.size());
+  std::vector<std::uint32_t> order(graph.nodes.size()), position(order.size());
   std::iota(order.begin(), order.end(), 0U);
   std::stable_sort(order.begin(), order.end(),
                    [&](std::uint32_t i, std::uint32_t j) { return graph.nodes[i].rank < graph.nodes[j].rank; });
   for (std::uint32_t i = 0; i < order.size(); ++i) {
-    place[order[i]] = i;
+    position[order[i]] = i;
     exact->radii.push_back(ranking.near(i).radius);
   }
   permute(graph.nodes, order);
@@ -185,8 +185,8 @@ Complex ranked(Graph graph, std::shared_ptr<ExactComplex> exact, Work work) {
   complex.nodes = std::move(graph.nodes);
   complex.edges = std::move(graph.edges);
   for (Edge& e : complex.edges) {
-    e.low = place[e.low];
-    if (e.high != kNoIndex) e.high = place[e.high];
+    e.low = position[e.low];
+    if (e.high != kNoIndex) e.high = position[e.high];
   }
   complex.first_spoke.push_back(0);
   for (const std::vector<Spoke>& spokes : graph.spokes) {

@@ -47,7 +47,7 @@ RoundedSites round_sites(const Walks& walks, int bits) {
     low = {std::min(low.x, p.input.x), std::min(low.y, p.input.y)};
     high = {std::max(high.x, p.input.x), std::max(high.y, p.input.y)};
   }
-  const Point middle{low.x / 2 + high.x / 2, low.y / 2 + high.y / 2};
+  const Point midpoint{low.x / 2 + high.x / 2, low.y / 2 + high.y / 2};
   const double reach = std::max(high.x / 2 - low.x / 2, high.y / 2 - low.y / 2);
   const int shift = reach > 0 ? bits - 1 - std::ilogb(reach) - 1 : 0;
   const auto round = [&](double v, double from) {
@@ -56,7 +56,7 @@ RoundedSites round_sites(const Walks& walks, int bits) {
     return static_cast<std::int32_t>(whole);
   };
   for (const BoundaryPoint& p : walks.points)
-    out.points.push_back({round(p.input.x, middle.x), round(p.input.y, middle.y)});
+    out.points.push_back({round(p.input.x, midpoint.x), round(p.input.y, midpoint.y)});
   if (out.lossless) drop_zero_bits(out.points);
   for (std::uint32_t s = 0; s < walks.sites.size(); ++s) {
     const RoundedPoint a = out.points[walks.ends[s].a], b = out.points[walks.ends[s].b];

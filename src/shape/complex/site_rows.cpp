@@ -18,9 +18,9 @@ struct SiteRows::Ends {
 namespace {
 
 /// Of the work of a complex: rows begin and end about there.
-constexpr double kFirstShare = 0.4, kLastShare = 0.8;
+constexpr double kFirstFraction = 0.4, kLastFraction = 0.8;
 
-/// Of the disc that touches site j: its radius at a place of an edge, 1 / radius at a vertex.
+/// Of the disc that touches site j: its radius at a position of an edge, 1 / radius at a vertex.
 template <class T>
 T size_at(const Formulas<T>& formulas, const Section& s, const Mark& at, std::uint32_t j) {
   if (j == kNoIndex) return T(0);
@@ -63,7 +63,7 @@ void SiteRows::make_rows(const std::vector<std::uint32_t>& sites, const Poll& po
   constexpr std::size_t kSitesPerBatch = 16384;
   for (std::size_t i = 0; i < sites.size(); i += kSitesPerBatch) {
     const double done = work.closing_rounds > 0 ? 1 : static_cast<double>(i) / static_cast<double>(sites.size());
-    poll(kFirstShare + (kLastShare - kFirstShare) * done);
+    poll(kFirstFraction + (kLastFraction - kFirstFraction) * done);
     make_some_rows(sites.data() + i, sites.data() + std::min(sites.size(), i + kSitesPerBatch));
   }
 }
@@ -101,50 +101,50 @@ std::vector<std::uint32_t> SiteRows::extend() {
       }
     }
   };
-  look([&](const Ends& e) { ask_about(e); });
-  std::vector<std::uint32_t> changed = take_asked();
+  look([&](const Ends& e) { query_about(e); });
+  std::vector<std::uint32_t> changed = take_queried();
   if (!changed.empty()) return changed;
   look([&](const Ends& e) {
     if (is_continuous(e)) return;
-    ask_at_jump(e.before_section.site, e.before.other);
-    ask_at_jump(e.after_section.site, e.after.other);
+    query_at_jump(e.before_section.site, e.before.other);
+    query_at_jump(e.after_section.site, e.after.other);
   });
-  return take_asked();
+  return take_queried();
 }
 
-void SiteRows::ask(std::uint32_t s, std::uint32_t j) {
+void SiteRows::query(std::uint32_t s, std::uint32_t j) {
   if (s == j || s == kNoIndex || j == kNoIndex) return;
   // No disc that touches an edge inside touches its end.
   const bool edge_and_end =
       walks_.is_edge(s) != walks_.is_edge(j) && (walks_.ends[s].next == j || walks_.ends[s].prev == j);
   if (edge_and_end) return;
   const std::vector<std::uint32_t>& list = candidates_[s];
-  if (!std::binary_search(list.begin(), list.end(), j)) asked_.emplace_back(s, j);
+  if (!std::binary_search(list.begin(), list.end(), j)) queried_.emplace_back(s, j);
 }
 
 /// The disc there touches up to four sites: each is a candidate of the others.
-void SiteRows::ask_about(const Ends& e) {
+void SiteRows::query_about(const Ends& e) {
   const std::array<std::uint32_t, 4> sites{e.before_section.site, e.after_section.site, e.before.other, e.after.other};
   for (std::size_t a = 0; a < 4; ++a) {
     for (std::size_t b = 0; b < 4; ++b) {
       if (a < 2 && b < 2) continue;  // neighbours in the walk
-      ask(sites[a], sites[b]);
+      query(sites[a], sites[b]);
     }
   }
 }
 
 /// s wants what continues the site that it lost, or else all others.
-void SiteRows::ask_at_jump(std::uint32_t s, std::uint32_t other) {
+void SiteRows::query_at_jump(std::uint32_t s, std::uint32_t other) {
   if (full_[s]) return;
-  const std::size_t before = asked_.size();
+  const std::size_t before = queried_.size();
   if (other != kNoIndex) {
     const SiteEnds& ends = walks_.ends[other];
     for (const std::uint32_t j : {ends.prev, ends.next, walks_.ends[ends.prev].prev, walks_.ends[ends.next].next})
-      ask(s, j);
+      query(s, j);
   }
-  if (asked_.size() > before) return;
+  if (queried_.size() > before) return;
   full_[s] = 1;
-  for (std::uint32_t j = 0; j < walks_.sites.size(); ++j) ask(s, j);
+  for (std::uint32_t j = 0; j < walks_.sites.size(); ++j) query(s, j);
 }
 
 /// Whether the two discs at the end of one piece and the beginning of the next are the same.
@@ -176,16 +176,16 @@ bool SiteRows::is_continuous(const Ends& e) {
   }) == 0;
 }
 
-std::vector<std::uint32_t> SiteRows::take_asked() {
-  std::sort(asked_.begin(), asked_.end());
-  asked_.erase(std::unique(asked_.begin(), asked_.end()), asked_.end());
+std::vector<std::uint32_t> SiteRows::take_queried() {
+  std::sort(queried_.begin(), queried_.end());
+  queried_.erase(std::unique(queried_.begin(), queried_.end()), queried_.end());
   std::vector<std::uint32_t> changed;
-  for (const auto& [s, j] : asked_) {
+  for (const auto& [s, j] : queried_) {
     if (changed.empty() || changed.back() != s) changed.push_back(s);
     candidates_[s].push_back(j);
   }
   for (const std::uint32_t s : changed) std::sort(candidates_[s].begin(), candidates_[s].end());
-  asked_.clear();
+  queried_.clear();
   return changed;
 }
 

@@ -1,4 +1,4 @@
-// The envelopes of all sites over their candidates, and what they ask for.
+// The envelopes of all sites over their candidates, and what they request.
 #pragma once
 
 #include <cstdint>
@@ -34,11 +34,11 @@ class SiteRows {
   void make_rows(const std::vector<std::uint32_t>& sites, const Poll& poll);
   void make_some_rows(const std::uint32_t* first, const std::uint32_t* last);
   std::vector<std::uint32_t> extend();
-  void ask(std::uint32_t s, std::uint32_t j);
-  void ask_about(const Ends& e);
-  void ask_at_jump(std::uint32_t s, std::uint32_t other);
+  void query(std::uint32_t s, std::uint32_t j);
+  void query_about(const Ends& e);
+  void query_at_jump(std::uint32_t s, std::uint32_t other);
   bool is_continuous(const Ends& e);
-  std::vector<std::uint32_t> take_asked();
+  std::vector<std::uint32_t> take_queried();
 
   const Walks& walks_;
   Order order_;
@@ -47,7 +47,7 @@ class SiteRows {
   std::vector<Section> sections_;
   std::vector<std::uint32_t> first_section_;  // per site, and one more
   std::vector<std::vector<Piece>> rows_;
-  std::vector<std::pair<std::uint32_t, std::uint32_t>> asked_;
+  std::vector<std::pair<std::uint32_t, std::uint32_t>> queried_;
   std::vector<std::uint8_t> full_;  // per site: all others are candidates, or would have to be
 };
 

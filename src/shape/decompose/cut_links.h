@@ -21,7 +21,7 @@ class CutLinks {
 
   struct Stop {
     Rational t;          ///< along the cut
-    std::uint32_t node;  ///< a ring, or a place where cuts of this round meet
+    std::uint32_t node;  ///< a ring, or a position where cuts of this round meet
   };
   /// The next cut: from a ring, over the boundaries of holes, to a ring or, at t, to an earlier cut.
   struct End {

@@ -124,7 +124,7 @@ class CutSearch {
     return {resolves ? 0 : 1, low, high};
   }
 
-  /// The nearest place of what stands in the cone at v. Nothing where the notch is resolved.
+  /// The nearest position of what stands in the cone at v. Nothing where the notch is resolved.
   std::optional<Candidate> nearest_end(std::uint32_t v) const {
     const Notch notch = notch_at(v);
     if (resolved(v, notch)) return std::nullopt;
@@ -135,7 +135,7 @@ class CutSearch {
       const Notch::Estimate estimate = notch.estimate(walls_[w]);
       if (estimate.none || estimate.square.low() > most) return;
       near.emplace_back(estimate.square.low(), w);
-      if (estimate.sure) most = std::min(most, estimate.square.high());
+      if (estimate.proved) most = std::min(most, estimate.square.high());
     });
     std::optional<Candidate> best;
     for (const auto& [least, w] : near) {
@@ -186,11 +186,11 @@ class CutSearch {
 
   /// The shortest cut at a vertex of the hull of these rings that connects them with others, or, where none does, the
   /// shortest. It leaves the hull: the cone there and the hull are apart.
-  std::optional<Candidate> partner_of(const CutLinks::Loose& loose, const Poll& poll, double share) const {
+  std::optional<Candidate> partner_of(const CutLinks::Loose& loose, const Poll& poll, double fraction) const {
     std::optional<Candidate> best;
     bool hangs = true;  // of the best
     for (const std::uint32_t v : hull_vertices(table_, loose.rings)) {
-      poll(share);
+      poll(fraction);
       std::optional<Candidate> found = nearest_end(v);
       if (!found) continue;
       const bool new_hangs = hangs_too(walls_[found->wall], loose);
@@ -201,9 +201,9 @@ class CutSearch {
     return best;
   }
 
-  void add_partners(const Poll& poll, double share) {
+  void add_partners(const Poll& poll, double fraction) {
     while (const std::optional<CutLinks::Loose> loose = links_.first_loose()) {
-      const std::optional<Candidate> partner = partner_of(*loose, poll, share);
+      const std::optional<Candidate> partner = partner_of(*loose, poll, fraction);
       if (!partner) throw std::logic_error("rings that one cut connects have a second");
       add(*partner, cuts_[loose->cut].cut.bar, true);
     }

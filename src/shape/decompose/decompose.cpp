@@ -43,10 +43,10 @@ std::vector<std::optional<std::uint32_t>> vertex_ranks(const Region& region, con
 
 Result<Decomposition> decompose(const ShapeFeatures& features, const DecomposeOptions& options) {
   const Region& region = features.region();
-  if (const std::optional<Point> place = what_is_not_cut(region)) {
+  if (const std::optional<Point> position = what_is_not_cut(region)) {
     Evidence evidence;
-    evidence.x = place->x;
-    evidence.y = place->y;
+    evidence.x = position->x;
+    evidence.y = position->y;
     return Error{ErrorCode::unsupported_operand,
                  "decompose takes polygons whose rings do not touch, no polylines and points", evidence};
   }

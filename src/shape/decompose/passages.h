@@ -8,7 +8,7 @@
 
 namespace dymsum::shape {
 
-/// The places of a cut on holes of its part that do not stand, in order along it. Exact.
+/// The positions of a cut on holes of its part that do not stand, in order along it. Exact.
 std::vector<Passage> passages(const RingTable& table, const WallSet& walls, const Wall& cut,
                               const std::vector<bool>& stands);
 

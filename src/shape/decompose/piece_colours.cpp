@@ -7,8 +7,8 @@
 namespace dymsum {
 namespace {
 
-/// A vertex with its nearest doubles, which decide nearly all comparisons: rounding keeps the order of what it tells
-/// apart.
+/// A vertex with its nearest doubles, which decide nearly all comparisons: rounding keeps the order of what it
+/// distinguishes.
 struct Corner {
   const RationalPoint* at = nullptr;
   double x = 0, y = 0;

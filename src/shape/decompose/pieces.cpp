@@ -13,20 +13,20 @@ constexpr std::uint32_t kNowhere = std::numeric_limits<std::uint32_t>::max();
 using Loop = std::vector<std::uint32_t>;
 
 /// A loop that passes a point twice, as simple ones that touch there.
-std::vector<Loop> simple_loops(const Loop& loop, std::vector<std::uint32_t>& place) {
+std::vector<Loop> simple_loops(const Loop& loop, std::vector<std::uint32_t>& position) {
   std::vector<Loop> made;
   Loop open;
   for (const std::uint32_t p : loop) {
-    if (place[p] != kNowhere) {
-      const auto first = open.begin() + place[p];
-      for (auto q = first; q != open.end(); ++q) place[*q] = kNowhere;
+    if (position[p] != kNowhere) {
+      const auto first = open.begin() + position[p];
+      for (auto q = first; q != open.end(); ++q) position[*q] = kNowhere;
       made.emplace_back(first, open.end());
       open.erase(first, open.end());
     }
-    place[p] = std::uint32_t(open.size());
+    position[p] = std::uint32_t(open.size());
     open.push_back(p);
   }
-  for (const std::uint32_t p : open) place[p] = kNowhere;
+  for (const std::uint32_t p : open) position[p] = kNowhere;
   made.push_back(std::move(open));
   return made;
 }
@@ -165,12 +165,11 @@ class PieceMaker {
 
 }  // namespace
 
-std::vector<Piece> pieces_between(const RingTable& table, const std::vector<PlacedCut>& cuts,
-                                  const Poll& poll) {
+std::vector<Piece> pieces_between(const RingTable& table, const std::vector<PlacedCut>& cuts, const Poll& poll) {
   const Sections sections = make_sections(table, cuts);
   const std::vector<std::uint32_t> next = following(sections);
   std::vector<bool> used(next.size(), false);
-  std::vector<std::uint32_t> place(sections.spots.size(), kNowhere);
+  std::vector<std::uint32_t> position(sections.spots.size(), kNowhere);
   PieceMaker pieces(sections);
   for (std::uint32_t h = 0; h < next.size(); ++h) {
     poll.at(h, next.size());
@@ -180,7 +179,7 @@ std::vector<Piece> pieces_between(const RingTable& table, const std::vector<Plac
       used[g] = true;
       loop.push_back(g % 2 == 0 ? sections.all[g / 2].from : sections.all[g / 2].to);
     }
-    pieces.add_cycle(simple_loops(loop, place));
+    pieces.add_cycle(simple_loops(loop, position));
   }
   return pieces.run(poll);
 }

@@ -11,8 +11,8 @@ namespace {
 
 constexpr std::uint32_t kNew = std::numeric_limits<std::uint32_t>::max();
 
-/// A place along an edge or a cut.
-struct Place {
+/// A position along an edge or a cut.
+struct Position {
   Rational t;
   std::uint32_t cut;      ///< the cut that ends there, or passes
   std::uint32_t passage;  ///< kNew: its end
@@ -33,7 +33,7 @@ class SectionMaker {
   }
 
   Sections run() {
-    place_on_edges();
+    position_on_edges();
     std::vector<std::vector<std::uint32_t>> ends_at(cuts_.size());
     for (std::uint32_t c = 0; c < cuts_.size(); ++c)
       if (cuts_[c].cut.end == Cut::End::cut) ends_at[cuts_[c].cut.index].push_back(c);
@@ -48,32 +48,32 @@ class SectionMaker {
   }
 
   /// Numbers the points where cuts meet the boundary, equal ones alike, and adds the sections of edges.
-  void place_on_edges() {
-    std::vector<std::vector<Place>> places(made_.edges);
+  void position_on_edges() {
+    std::vector<std::vector<Position>> positions(made_.edges);
     for (std::uint32_t c = 0; c < cuts_.size(); ++c) {
       const Cut& cut = cuts_[c].cut;
       if (cut.end == Cut::End::vertex) ends_[c] = cut.index;
-      if (cut.end == Cut::End::edge) places[cut.index].push_back({cuts_[c].t, c, kNew});
+      if (cut.end == Cut::End::edge) positions[cut.index].push_back({cuts_[c].t, c, kNew});
       for (std::uint32_t p = 0; p < cuts_[c].over.size(); ++p) {
         const Passage& passage = cuts_[c].over[p];
         passages_[c].push_back(passage.at_vertex ? passage.index : kNew);
-        if (!passage.at_vertex) places[passage.index].push_back({passage.on_edge, c, p});
+        if (!passage.at_vertex) positions[passage.index].push_back({passage.on_edge, c, p});
       }
     }
     for (std::uint32_t e = 0; e < made_.edges; ++e) {
-      std::sort(places[e].begin(), places[e].end(), [](const Place& a, const Place& b) {
+      std::sort(positions[e].begin(), positions[e].end(), [](const Position& a, const Position& b) {
         return a.t != b.t ? a.t < b.t : std::pair(a.cut, a.passage) < std::pair(b.cut, b.passage);
       });
       std::uint32_t last = e;
-      for (std::size_t i = 0; i < places[e].size(); ++i) {
-        const Place& place = places[e][i];
-        const PlacedCut& cut = cuts_[place.cut];
-        if (i == 0 || place.t != places[e][i - 1].t) {
-          const std::uint32_t spot = add_spot(place.passage == kNew ? cut.cut.to : cut.over[place.passage].at);
+      for (std::size_t i = 0; i < positions[e].size(); ++i) {
+        const Position& position = positions[e][i];
+        const PlacedCut& cut = cuts_[position.cut];
+        if (i == 0 || position.t != positions[e][i - 1].t) {
+          const std::uint32_t spot = add_spot(position.passage == kNew ? cut.cut.to : cut.over[position.passage].at);
           made_.all.push_back({last, spot, e});
           last = spot;
         }
-        (place.passage == kNew ? ends_[place.cut] : passages_[place.cut][place.passage]) = last;
+        (position.passage == kNew ? ends_[position.cut] : passages_[position.cut][position.passage]) = last;
       }
       made_.all.push_back({last, table_.next[e], e});
     }

@@ -111,7 +111,7 @@ bool Notch::misses(const Box& box) const {
   const Point corners[] = {{box.x0, box.y0}, {box.x1, box.y0}, {box.x0, box.y1}, {box.x1, box.y1}};
   const auto all = [&](Point side, int sign) {
     return std::all_of(std::begin(corners), std::end(corners),
-                       [&](Point c) { return exact::certain_cross_sign(m, side, m, c) == sign; });
+                       [&](Point c) { return exact::proved_cross_sign(m, side, m, c) == sign; });
   };
   return all(next, -1) || all(previous, 1);
 }

@@ -58,13 +58,13 @@ struct Notch {
 
   bool admits(Point p) const;
   bool admits_end(const Wall& wall) const;
-  /// Whether doubles are sure that the cone and the box are apart.
+  /// Whether doubles prove that the cone and the box are apart.
   bool misses(const Box& box) const;
 
-  /// Bounds of the square of the distance of the wall's part in the cone. `none`: it has no such part. `sure`: it has,
-  /// and m does not lie on it.
+  /// Bounds of the square of the distance of the wall's part in the cone. `none`: it has no such part. `proved`: it
+  /// has, and m does not lie on it.
   struct Estimate {
-    bool none = false, sure = false;
+    bool none = false, proved = false;
     exact::Interval square;
   };
   Estimate estimate(const Wall& wall) const;

@@ -18,19 +18,19 @@ void WallTree::build(const std::vector<Wall>& walls, std::uint32_t first, std::u
   nodes_.push_back({box, first, last, 0});
   if (last - first <= kLeaf) return;
   const bool wide = box.x1 / 2 - box.x0 / 2 >= box.y1 / 2 - box.y0 / 2;
-  const auto middle_of = [&](std::uint32_t w) {
+  const auto midpoint_of = [&](std::uint32_t w) {
     const Box& b = walls[w].box;
     return wide ? b.x0 / 2 + b.x1 / 2 : b.y0 / 2 + b.y1 / 2;
   };
-  const std::uint32_t middle = first + (last - first) / 2;
-  std::nth_element(of_.begin() + first, of_.begin() + middle, of_.begin() + last,
+  const std::uint32_t midpoint = first + (last - first) / 2;
+  std::nth_element(of_.begin() + first, of_.begin() + midpoint, of_.begin() + last,
                    [&](std::uint32_t a, std::uint32_t b) {
-                     const auto x = middle_of(a), y = middle_of(b);
+                     const auto x = midpoint_of(a), y = midpoint_of(b);
                      return x != y ? x < y : a < b;
                    });
-  build(walls, first, middle);
+  build(walls, first, midpoint);
   nodes_[self].right = std::uint32_t(nodes_.size());
-  build(walls, middle, last);
+  build(walls, midpoint, last);
 }
 
 WallSet::WallSet(std::vector<Wall> edges) : walls_(std::move(edges)), loose_(std::uint32_t(walls_.size())) {

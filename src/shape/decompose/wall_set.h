@@ -15,7 +15,7 @@ class WallTree {
 
   const std::vector<std::uint32_t>& of() const { return of_; }
 
-  /// visit(w) for walls whose boxes meet the cone and are not surely farther than the root of `most`, nearer boxes
+  /// visit(w) for walls whose boxes meet the cone and are not provably farther than the root of `most`, nearer boxes
   /// rather first; `most` may shrink meanwhile.
   template <class Visit>
   void near(const std::vector<Wall>& walls, const Notch& notch, const double& most, const Visit& visit) const {

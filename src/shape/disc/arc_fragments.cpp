@@ -21,8 +21,8 @@ UnionFind parts_below(const Complex& complex, std::uint32_t cut) {
 
 }  // namespace
 
-void cut_arcs(const DiscPlaces& places, std::uint32_t cut, ArcSet& arcs) {
-  const Complex& complex = places.complex();
+void cut_arcs(const DiscPositions& positions, std::uint32_t cut, ArcSet& arcs) {
+  const Complex& complex = positions.complex();
   UnionFind parts = parts_below(complex, cut);
   for (std::uint32_t node = 0; node < cut; ++node) arcs.part.push_back(parts.root(node));
   arcs.is_split.assign(cut, 0);
@@ -32,7 +32,7 @@ void cut_arcs(const DiscPlaces& places, std::uint32_t cut, ArcSet& arcs) {
   arcs.first.assign(arcs.arcs.size(), kNoIndex);
   for (auto& [root, members] : groups) {
     const std::size_t overlaps = arcs.overlaps.size(), touches = arcs.touches.size();
-    cut_group(places, arcs, members);
+    cut_group(positions, arcs, members);
     arcs.is_split[root] = arcs.overlaps.size() > overlaps || arcs.touches.size() > touches;
   }
 }
@@ -41,14 +41,14 @@ namespace {
 
 /// formula(centre of other - centre of disc, r) as doubles.
 template <class Formula>
-Point between_centres(const DiscPlaces& places, const CornerDisc& disc, const CornerDisc& other,
+Point between_centres(const DiscPositions& positions, const CornerDisc& disc, const CornerDisc& other,
                       const Formula& formula) {
-  const Complex& complex = places.complex();
+  const Complex& complex = positions.complex();
   const std::uint32_t edge = disc.at_node ? complex.spokes[complex.first_spoke[disc.index]].edge : disc.index;
   const Point origin = complex.sites[complex.edges[edge].left].a;
   if (disc.at_node || other.at_node) {
-    const auto v = formula(minus(places.exact_centre_from(other, origin), places.exact_centre_from(disc, origin)),
-                           places.level().exact);
+    const auto v = formula(minus(positions.exact_centre_from(other, origin), positions.exact_centre_from(disc, origin)),
+                           positions.level().exact);
     return Point{exact::nearest_double(v.x), exact::nearest_double(v.y)};
   }
   return near_vector(
@@ -56,17 +56,18 @@ Point between_centres(const DiscPlaces& places, const CornerDisc& disc, const Co
         return formula(
             minus(centre_on_edge(complex, other.index, r, origin), centre_on_edge(complex, disc.index, r, origin)), r);
       },
-      places.level(), places.level().radius);
+      positions.level(), positions.level().radius);
 }
 
 }  // namespace
 
-Point towards_crossing(const DiscPlaces& places, const CornerDisc& disc, const CornerDisc& other, bool entered) {
-  return between_centres(places, disc, other, [&](const auto& d, const auto& r) { return crossing(d, r, !entered); });
+Point towards_crossing(const DiscPositions& positions, const CornerDisc& disc, const CornerDisc& other, bool entered) {
+  return between_centres(positions, disc, other,
+                         [&](const auto& d, const auto& r) { return crossing(d, r, !entered); });
 }
 
-Point towards_touch(const DiscPlaces& places, const CornerDisc& disc, const CornerDisc& other) {
-  return between_centres(places, disc, other, [](const auto& d, const auto& r) {
+Point towards_touch(const DiscPositions& positions, const CornerDisc& disc, const CornerDisc& other) {
+  return between_centres(positions, disc, other, [](const auto& d, const auto& r) {
     const std::decay_t<decltype(r)> half(0.5);
     return std::decay_t<decltype(d)>{half * d.x, half * d.y};
   });

@@ -22,10 +22,10 @@ std::vector<std::uint32_t> discs_of(const ArcSet& arcs, const std::vector<std::u
 
 class ArcGroup {
  public:
-  ArcGroup(const DiscPlaces& places, ArcSet& arcs, const std::vector<std::uint32_t>& members)
+  ArcGroup(const DiscPositions& positions, ArcSet& arcs, const std::vector<std::uint32_t>& members)
       : arcs_(arcs),
         members_(members),
-        discs_(places, arcs, discs_of(arcs, members), places.complex().sites[arcs.arcs[members.front()].start].a),
+        discs_(positions, arcs, discs_of(arcs, members), positions.complex().sites[arcs.arcs[members.front()].start].a),
         near_(discs_.size()) {}
 
   void find() {
@@ -40,7 +40,7 @@ class ArcGroup {
   }
 
  private:
-  /// A part of an arc that another disc covers; of one that touches it a single place. Where the disc touches the
+  /// A part of an arc that another disc covers; of one that touches it a single position. Where the disc touches the
   /// vertex at which the arc starts or stops, it is known to begin or end there: else it does so within the arc, as no
   /// contact lies inside of what a disc covers.
   struct Cover {
@@ -59,7 +59,7 @@ class ArcGroup {
   }
   bool are_touching(std::uint32_t i, std::uint32_t j) const { return touching_.count(std::minmax(i, j)) > 0; }
 
-  /// Whether a direction lies in the arc, at neither end of it: where the first sign is open, the second may tell.
+  /// Whether a direction lies in the arc, at neither end of it: where the first sign is open, the second may decide.
   static bool is_within(const LazyVector& start, const LazyVector& v, const LazyVector& stop) {
     const auto first = sign_of(cross(start.near, v.near)), second = sign_of(cross(v.near, stop.near));
     if ((first && *first >= 0) || (second && *second >= 0)) return false;
@@ -74,7 +74,7 @@ class ArcGroup {
     std::vector<Cover> covers;
     for (const std::uint32_t j : near_[i])
       if (auto cover = cover_of(arc, i, j, start, stop)) covers.push_back(std::move(*cover));
-    // Where other discs enter at one place any of them comes first: link() knows.
+    // Where other discs enter at one position any of them comes first: link() knows.
     std::sort(covers.begin(), covers.end(), [&](const Cover& a, const Cover& b) {
       if (a.at_start || b.at_start) return a.at_start != b.at_start ? a.at_start : a.by < b.by;
       const int side = sign_of_cross(a.enter, b.enter);
@@ -95,9 +95,9 @@ class ArcGroup {
   std::optional<Cover> cover_of(const CornerArc& arc, std::uint32_t i, std::uint32_t j, const LazyVector& start,
                                 const LazyVector& stop) const {
     if (are_touching(i, j)) {
-      const LazyVector place = discs_.difference(i, j);
-      if (!is_within(start, place, stop)) return std::nullopt;
-      return Cover{discs_.disc(j), place, place};
+      const LazyVector position = discs_.difference(i, j);
+      if (!is_within(start, position, stop)) return std::nullopt;
+      return Cover{discs_.disc(j), position, position};
     }
     Cover cover{discs_.disc(j), discs_.towards_circle(i, j, false), discs_.towards_circle(i, j, true)};
     if (discs_.touches(j, arc.start_vertex)) {
@@ -141,7 +141,7 @@ class ArcGroup {
   }
 
   /// Which fragment goes on where one enters another disc: that which leaves the first one's disc there. Where more
-  /// than two circles meet at the place, it may be one of another disc that begins there.
+  /// than two circles meet at the position, it may be one of another disc that begins there.
   void link() {
     std::map<std::pair<std::uint32_t, std::uint32_t>, std::uint32_t> leaving;  // (disc, the one it leaves) -> fragment
     const auto count = static_cast<std::uint32_t>(arcs_.fragments.size());
@@ -170,7 +170,7 @@ class ArcGroup {
     }
   }
 
-  LazyVector place(std::uint32_t fragment, bool at_end) const {
+  LazyVector position(std::uint32_t fragment, bool at_end) const {
     const ArcFragment& f = arcs_.fragments[fragment];
     const std::uint32_t i = discs_.local(disc_of(f)), j = discs_.local(at_end ? f.end : f.begin);
     const LazyVector centre = discs_.centre(i), arm = discs_.towards_circle(i, j, !at_end);
@@ -179,15 +179,15 @@ class ArcGroup {
 
   template <class Left>
   typename Left::iterator beginning_at_end_of(std::uint32_t fragment, Left& left) const {
-    const LazyVector end = place(fragment, true);
+    const LazyVector end = position(fragment, true);
     std::vector<typename Left::iterator> near;
     for (auto it = left.begin(); it != left.end(); ++it) {
-      const auto d = minus(place(it->second, false).near, end.near);
+      const auto d = minus(position(it->second, false).near, end.near);
       if (sign_of(d.x).value_or(0) == 0 && sign_of(d.y).value_or(0) == 0) near.push_back(it);
     }
     // The only one near by is the one that there has to be.
     while (near.size() > 1) {
-      const auto d = minus(place(near.back()->second, false).exact(), end.exact());
+      const auto d = minus(position(near.back()->second, false).exact(), end.exact());
       if (exact::sign_of(d.x) == 0 && exact::sign_of(d.y) == 0) return near.back();
       near.pop_back();
     }
@@ -207,12 +207,12 @@ class ArcGroup {
 
 void join(ArcSet& arcs, std::uint32_t fragment) {
   ArcFragment& here = arcs.fragments[fragment];
-  std::uint32_t behind = fragment + 1;
-  while (arcs.fragments[behind].joined) ++behind;
-  here.end = arcs.fragments[behind].end;
-  here.next = arcs.fragments[behind].next;
-  here.touches_at_end = arcs.fragments[behind].touches_at_end;
-  arcs.fragments[behind].joined = true;
+  std::uint32_t after = fragment + 1;
+  while (arcs.fragments[after].joined) ++after;
+  here.end = arcs.fragments[after].end;
+  here.next = arcs.fragments[after].next;
+  here.touches_at_end = arcs.fragments[after].touches_at_end;
+  arcs.fragments[after].joined = true;
 }
 
 std::uint32_t joined_into(const ArcSet& arcs, std::uint32_t fragment) {
@@ -220,8 +220,8 @@ std::uint32_t joined_into(const ArcSet& arcs, std::uint32_t fragment) {
   return fragment;
 }
 
-void cut_group(const DiscPlaces& places, ArcSet& arcs, const std::vector<std::uint32_t>& members) {
-  ArcGroup(places, arcs, members).find();
+void cut_group(const DiscPositions& positions, ArcSet& arcs, const std::vector<std::uint32_t>& members) {
+  ArcGroup(positions, arcs, members).find();
 }
 
 }  // namespace dymsum::shape

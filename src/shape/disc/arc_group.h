@@ -9,6 +9,6 @@
 namespace dymsum::shape {
 
 /// Adds the fragments of these arcs, the overlaps and the touches of their discs.
-void cut_group(const DiscPlaces& places, ArcSet& arcs, const std::vector<std::uint32_t>& members);
+void cut_group(const DiscPositions& positions, ArcSet& arcs, const std::vector<std::uint32_t>& members);
 
 }  // namespace dymsum::shape

@@ -10,7 +10,7 @@ std::uint32_t site_of(const Complex& complex, std::uint32_t half) {
   return half % 2 == 0 ? edge.left : edge.right;
 }
 
-/// The next half-edge with the same face on its left: the spoke behind this one clockwise about its end.
+/// The next half-edge with the same face on its left: the spoke after this one clockwise about its end.
 std::vector<std::uint32_t> followers(const Complex& complex) {
   std::vector<std::uint32_t> next(2 * complex.edges.size(), kNoIndex);
   for (std::uint32_t node = 0; node < complex.nodes.size(); ++node) {
@@ -24,8 +24,8 @@ std::vector<std::uint32_t> followers(const Complex& complex) {
   return next;
 }
 
-/// Appends the half-edges of a site in the order of its places. Rays to infinity part them into two runs at most, the
-/// second of which comes from there.
+/// Appends the half-edges of a site in the order of its positions. Rays to infinity part them into two runs at most,
+/// the second of which comes from there.
 void append_site(const Complex& complex, const std::vector<std::uint32_t>& halves,
                  const std::vector<std::uint32_t>& next, std::vector<std::uint8_t>& has_previous,
                  BoundaryOrder& order) {
@@ -38,15 +38,15 @@ void append_site(const Complex& complex, const std::vector<std::uint32_t>& halve
       half = follower;
     }
   };
-  std::vector<std::uint32_t> from_place, from_infinity;
+  std::vector<std::uint32_t> from_position, from_infinity;
   for (const std::uint32_t half : halves) {
     if (has_previous[half]) continue;
     const bool infinite = half % 2 == 1 && complex.edges[half / 2].high == kNoIndex;
-    (infinite ? from_infinity : from_place).push_back(half);
+    (infinite ? from_infinity : from_position).push_back(half);
   }
-  // A point all around which there is something has no first place.
-  if (from_place.empty() && from_infinity.empty() && !halves.empty()) from_place.push_back(halves.front());
-  for (const std::uint32_t half : from_place) append_run(half);
+  // A point all around which there is something has no first position.
+  if (from_position.empty() && from_infinity.empty() && !halves.empty()) from_position.push_back(halves.front());
+  for (const std::uint32_t half : from_position) append_run(half);
   for (const std::uint32_t half : from_infinity) append_run(half);
 }
 

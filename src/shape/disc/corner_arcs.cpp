@@ -9,15 +9,15 @@ namespace {
 
 class CornerArcs {
  public:
-  explicit CornerArcs(const DiscPlaces& places) : places_(places) {
-    const std::size_t edges = places.complex().edges.size();
-    made_.arc_behind.assign(edges, kNoIndex);
+  explicit CornerArcs(const DiscPositions& positions) : positions_(positions) {
+    const std::size_t edges = positions.complex().edges.size();
+    made_.arc_after.assign(edges, kNoIndex);
     made_.arc_across.assign(edges, {kNoIndex, kNoIndex});
   }
 
   /// Those between the run that ends on edge `in` and the one that begins on `out`.
   void append(std::uint32_t in, std::uint32_t out) {
-    const std::uint32_t disc = index_of(places_.disc_on(in), in), first = size();
+    const std::uint32_t disc = index_of(positions_.disc_on(in), in), first = size();
     if (!made_.discs[disc].at_node) append_on_edge(disc, in);
     else if (complex().edges[in].low == made_.discs[disc].index) append_at_node(disc, in, out);
     else append_across(disc, spoke_of(made_.discs[disc].index, in));
@@ -25,13 +25,13 @@ class CornerArcs {
       made_.arcs[arc].out = out;
       if (arc + 1 < size()) made_.arcs[arc].next = arc + 1;
     }
-    if (first < size()) made_.arc_behind[in] = first;
+    if (first < size()) made_.arc_after[in] = first;
   }
 
   ArcSet take() { return std::move(made_); }
 
  private:
-  const Complex& complex() const { return places_.complex(); }
+  const Complex& complex() const { return positions_.complex(); }
   std::uint32_t size() const { return static_cast<std::uint32_t>(made_.arcs.size()); }
 
   std::uint32_t index_of(const CornerDisc& disc, std::uint32_t in) {
@@ -72,7 +72,7 @@ class CornerArcs {
     const Spoke& s = complex().spokes[spoke];
     return s.up ? complex().edges[s.edge].left : complex().edges[s.edge].right;
   }
-  std::uint32_t behind(std::uint32_t spoke) const {
+  std::uint32_t after(std::uint32_t spoke) const {
     const Spoke& s = complex().spokes[spoke];
     return s.up ? complex().edges[s.edge].right : complex().edges[s.edge].left;
   }
@@ -81,14 +81,14 @@ class CornerArcs {
   void append_across(std::uint32_t disc, std::uint32_t spoke) {
     const std::uint32_t node = made_.discs[disc].index;
     const Spoke& s = complex().spokes[spoke];
-    std::optional<Point> start = vertex(before(spoke)), stop = vertex(behind(spoke));
-    if (!start) start = vertex(behind(counter_clockwise(node, spoke)));
+    std::optional<Point> start = vertex(before(spoke)), stop = vertex(after(spoke));
+    if (!start) start = vertex(after(counter_clockwise(node, spoke)));
     if (!stop) stop = vertex(before(clockwise(node, spoke)));
     made_.arc_across[s.edge][s.up ? 0 : 1] = size();
-    made_.arcs.push_back({disc, s.edge, before(spoke), behind(spoke), start, stop});
+    made_.arcs.push_back({disc, s.edge, before(spoke), after(spoke), start, stop});
   }
 
-  /// Between two edges that rise from the node; none where they follow each other and touch one place.
+  /// Between two edges that rise from the node; none where they follow each other and touch one position.
   void append_at_node(std::uint32_t disc, std::uint32_t in, std::uint32_t out) {
     const std::uint32_t node = made_.discs[disc].index;
     for (std::uint32_t spoke = clockwise(node, spoke_of(node, in)); complex().spokes[spoke].edge != out;
@@ -96,19 +96,19 @@ class CornerArcs {
       append_across(disc, spoke);
   }
 
-  const DiscPlaces& places_;
+  const DiscPositions& positions_;
   ArcSet made_;
   std::map<std::pair<bool, std::uint32_t>, std::uint32_t> index_;
 };
 
 }  // namespace
 
-ArcSet corner_arcs(const DiscPlaces& places, const BoundaryOrder& order, const LevelRings& rings) {
-  CornerArcs arcs(places);
+ArcSet corner_arcs(const DiscPositions& positions, const BoundaryOrder& order, const LevelRings& rings) {
+  CornerArcs arcs(positions);
   for (const Run& run : rings.runs) {
     if (run.whole()) continue;
     const std::uint32_t in = order.items[run.to].edge;
-    arcs.append(in, edge_behind(places.complex(), places.level(), in, Connected::region));
+    arcs.append(in, edge_after(positions.complex(), positions.level(), in, Connected::region));
   }
   return arcs.take();
 }

@@ -5,13 +5,13 @@
 #include <optional>
 
 #include "shape/disc/boundary_order.h"
-#include "shape/disc/disc_places.h"
+#include "shape/disc/disc_positions.h"
 #include "shape/disc/level_rings.h"
 
 namespace dymsum::shape {
 
-/// An arc about a corner disc, clockwise between two places that the disc touches one after the other: across an edge
-/// of the complex that descends from its centre, less than half a turn, or half a turn across a flat edge.
+/// An arc about a corner disc, clockwise between two positions that the disc touches one after the other: across an
+/// edge of the complex that descends from its centre, less than half a turn, or half a turn across a flat edge.
 struct CornerArc {
   std::uint32_t disc = 0;                          ///< into ArcSet::discs
   std::uint32_t edge = 0;                          ///< of the complex, across which it goes
@@ -32,9 +32,9 @@ struct ArcFragment {
 
 struct ArcSet {
   std::vector<CornerDisc> discs;
-  std::vector<std::uint32_t> disc_edge;   ///< disc -> an edge of the complex on which a run ends at it
-  std::vector<CornerArc> arcs;            ///< those of a corner follow each other
-  std::vector<std::uint32_t> arc_behind;  ///< edge of the complex -> the arc after the run that ends on it, or kNoIndex
+  std::vector<std::uint32_t> disc_edge;  ///< disc -> an edge of the complex on which a run ends at it
+  std::vector<CornerArc> arcs;           ///< those of a corner follow each other
+  std::vector<std::uint32_t> arc_after;  ///< edge of the complex -> the arc after the run that ends on it, or kNoIndex
   /// Edge of the complex -> the arc across it about a disc at its low end (flat edges), and at its high one or between.
   std::vector<std::array<std::uint32_t, 2>> arc_across;
   std::vector<ArcFragment> fragments;                  ///< those of an arc follow each other
@@ -46,20 +46,20 @@ struct ArcSet {
 };
 
 /// All arcs, whole: of every corner between a run and the next one, those from contact to contact. O(n).
-ArcSet corner_arcs(const DiscPlaces& places, const BoundaryOrder& order, const LevelRings& rings);
+ArcSet corner_arcs(const DiscPositions& positions, const BoundaryOrder& order, const LevelRings& rings);
 
 /// Adds fragments and overlaps. Discs overlap only within one connected part of the complex below the level: any way
 /// from one to the other leads through it. (docs/design/disc-sum.md)
-void cut_arcs(const DiscPlaces& places, std::uint32_t cut, ArcSet& arcs);
+void cut_arcs(const DiscPositions& positions, std::uint32_t cut, ArcSet& arcs);
 
-/// Takes the fragment that follows on the same arc, across a place where another disc touches, into this one.
+/// Takes the fragment that follows on the same arc, across a position where another disc touches, into this one.
 void join(ArcSet& arcs, std::uint32_t fragment);
 /// The fragment into which this one was taken, or itself.
 std::uint32_t joined_into(const ArcSet& arcs, std::uint32_t fragment);
 
 /// From the centre of a disc to where the circle of another one is entered, going clockwise (`entered`), or left.
-Point towards_crossing(const DiscPlaces& places, const CornerDisc& disc, const CornerDisc& other, bool entered);
-/// The same where they touch: the middle between the centres.
-Point towards_touch(const DiscPlaces& places, const CornerDisc& disc, const CornerDisc& other);
+Point towards_crossing(const DiscPositions& positions, const CornerDisc& disc, const CornerDisc& other, bool entered);
+/// The same where they touch: the midpoint between the centres.
+Point towards_touch(const DiscPositions& positions, const CornerDisc& disc, const CornerDisc& other);
 
 }  // namespace dymsum::shape

@@ -22,7 +22,7 @@ class ArcPolygons {
   /// Vertices as near to each other as `together` in both coordinates are one.
   ArcPolygons(double radius, double error, double together, DiscBound bound)
       : radius_(radius), together_(together), bound_(bound) {
-    // Half of the angle of a chord whose middle is `error` off, of a tangent whose end is.
+    // Half of the angle of a chord whose midpoint is `error` off, of a tangent whose end is.
     chord_half_ = error >= radius ? std::numbers::pi / 2 : std::acos(1 - error / radius);
     tangent_half_ = std::acos(radius / (radius + error));
   }

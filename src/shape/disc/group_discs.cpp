@@ -9,8 +9,9 @@ namespace dymsum::shape {
 using exact::Interval;
 using exact::RootExpression;
 
-GroupDiscs::GroupDiscs(const DiscPlaces& places, const ArcSet& arcs, std::vector<std::uint32_t> indices, Point origin)
-    : places_(places), indices_(std::move(indices)), origin_(origin) {
+GroupDiscs::GroupDiscs(const DiscPositions& positions, const ArcSet& arcs, std::vector<std::uint32_t> indices,
+                       Point origin)
+    : positions_(positions), indices_(std::move(indices)), origin_(origin) {
   if (indices_.size() < 2) return;
   for (const std::uint32_t disc : indices_) {
     centres_.push_back(centre_of(arcs.discs[disc]));
@@ -24,18 +25,18 @@ std::uint32_t GroupDiscs::local(std::uint32_t disc) const {
 
 LazyVector GroupDiscs::centre_of(const CornerDisc& disc) const {
   LazyVector made;
-  made.exact = [this, disc] { return places_.exact_centre_from(disc, origin_); };
+  made.exact = [this, disc] { return positions_.exact_centre_from(disc, origin_); };
   if (disc.at_node) {
     const auto v = made.exact();
     made.near = {exact::narrow_interval(v.x), exact::narrow_interval(v.y)};
   } else {
-    made.near = centre_on_edge(places_.complex(), disc.index, places_.level().near, origin_);
+    made.near = centre_on_edge(positions_.complex(), disc.index, positions_.level().near, origin_);
   }
   return made;
 }
 
 std::vector<Point> GroupDiscs::vertices_of(const CornerDisc& disc) const {
-  const Complex& complex = places_.complex();
+  const Complex& complex = positions_.complex();
   std::vector<Point> made;
   const auto see = [&](std::uint32_t edge) {
     for (const std::uint32_t site : {complex.edges[edge].left, complex.edges[edge].right})
@@ -64,7 +65,7 @@ std::vector<std::uint32_t> GroupDiscs::sorted_by_x() const {
 }
 
 bool GroupDiscs::may_reach(std::uint32_t i, std::uint32_t j) const {
-  const double reach = 2 * places_.level().near.high();
+  const double reach = 2 * positions_.level().near.high();
   return !(centres_[j].near.x.low() - centres_[i].near.x.high() > reach * (1 + 0x1p-50));
 }
 
@@ -73,8 +74,8 @@ int GroupDiscs::meeting(std::uint32_t i, std::uint32_t j) const {
     const auto d = minus(a, b);
     return r * r - dot(d, d) / (decltype(r * r)(4));
   };
-  if (const auto sign = sign_of(reach(centres_[i].near, centres_[j].near, places_.level().near))) return *sign;
-  return exact::sign_of(reach(centres_[i].exact(), centres_[j].exact(), places_.level().exact));
+  if (const auto sign = sign_of(reach(centres_[i].near, centres_[j].near, positions_.level().near))) return *sign;
+  return exact::sign_of(reach(centres_[i].exact(), centres_[j].exact(), positions_.level().exact));
 }
 
 LazyVector GroupDiscs::difference(std::uint32_t i, std::uint32_t j) const {
@@ -86,15 +87,15 @@ LazyVector GroupDiscs::difference(std::uint32_t i, std::uint32_t j) const {
 
 LazyVector GroupDiscs::towards_circle(std::uint32_t i, std::uint32_t j, bool clockwise) const {
   LazyVector made;
-  made.near = crossing(minus(centres_[j].near, centres_[i].near), places_.level().near, clockwise);
+  made.near = crossing(minus(centres_[j].near, centres_[i].near), positions_.level().near, clockwise);
   made.exact = [this, i, j, clockwise] {
-    return crossing(minus(centres_[j].exact(), centres_[i].exact()), places_.level().exact, clockwise);
+    return crossing(minus(centres_[j].exact(), centres_[i].exact()), positions_.level().exact, clockwise);
   };
   return made;
 }
 
 LazyVector GroupDiscs::towards_contact(std::uint32_t i, std::uint32_t site, const std::optional<Point>& vertex) const {
-  const Site& s = places_.complex().sites[site];
+  const Site& s = positions_.complex().sites[site];
   LazyVector made;
   if (s.kind == Site::Kind::edge) {
     const auto n = long_normal<Interval>(s);

@@ -14,7 +14,7 @@ namespace dymsum::shape {
 class GroupDiscs {
  public:
   /// Requires: indices ascend, and are of arcs.discs; all these outlive this.
-  GroupDiscs(const DiscPlaces& places, const ArcSet& arcs, std::vector<std::uint32_t> indices, Point origin);
+  GroupDiscs(const DiscPositions& positions, const ArcSet& arcs, std::vector<std::uint32_t> indices, Point origin);
 
   /// Whether two discs overlap (1), touch from outside (0) or are apart.
   int meeting(std::uint32_t i, std::uint32_t j) const;
@@ -47,7 +47,7 @@ class GroupDiscs {
   std::vector<std::uint32_t> sorted_by_x() const;
   bool may_reach(std::uint32_t i, std::uint32_t j) const;
 
-  const DiscPlaces& places_;
+  const DiscPositions& positions_;
   std::vector<std::uint32_t> indices_;
   Point origin_;
   std::vector<LazyVector> centres_;

@@ -18,7 +18,7 @@ bool goes_on(const Progress& progress, const char* stage, double fraction) {
 }
 }  // namespace
 
-/// The complex of each side with the order along the boundary, made when first asked for.
+/// The complex of each side with the order along the boundary, made when first requested.
 struct GrowingDisc::State {
   Region region;
   GrowingDiscOptions options;
@@ -55,7 +55,7 @@ struct GrowingDisc::State {
 
 namespace {
 
-using Make = DiscSet (*)(const shape::DiscPlaces&, const shape::BoundaryOrder&, Semantics);
+using Make = DiscSet (*)(const shape::DiscPositions&, const shape::BoundaryOrder&, Semantics);
 
 template <class OneSide>
 Result<DiscSet> set_at(const Result<const OneSide*>& side, const Region& region, const DiscRadius& r,
@@ -66,7 +66,7 @@ Result<DiscSet> set_at(const Result<const OneSide*>& side, const Region& region,
   const auto level = shape::level_at(one.complex, r);
   if (!level) return level.error();
   if (level->radius == 0) return shape::set_of(region);
-  DiscSet set = make(shape::DiscPlaces(one.complex, *level), one.order, semantics);
+  DiscSet set = make(shape::DiscPositions(one.complex, *level), one.order, semantics);
   if (!goes_on(progress, "set", 1)) return cancelled();
   return set;
 }

@@ -28,15 +28,15 @@ Vector<T> right_of(const Vector<T>& v) {
 template <class T>
 class HeadingVectors {
  public:
-  explicit HeadingVectors(const DiscPlaces& places) : places_(places) {}
+  explicit HeadingVectors(const DiscPositions& positions) : positions_(positions) {}
 
   Vector<T> of(const Heading& heading) const {
     if (heading.of == Heading::Of::edge) {
-      const Site& site = places_.complex().sites[heading.site];
+      const Site& site = positions_.complex().sites[heading.site];
       return between<T>(site.a, site.b);
     }
     if (heading.of == Heading::Of::vertex)
-      return left_of(centre(heading.disc, places_.complex().sites[heading.site].a));
+      return left_of(centre(heading.disc, positions_.complex().sites[heading.site].a));
     const Point origin = touched_by(heading.disc);
     const Vector<T> d = minus(centre(heading.other, origin), centre(heading.disc, origin));
     return right_of(heading.of == Heading::Of::touch ? d : crossing(d, radius(), !heading.entered));
@@ -47,39 +47,40 @@ class HeadingVectors {
   Vector<T> centre(const CornerDisc& disc, Point origin) const;
 
   Point touched_by(const CornerDisc& disc) const {
-    const Complex& complex = places_.complex();
+    const Complex& complex = positions_.complex();
     const std::uint32_t edge = disc.at_node ? complex.spokes[complex.first_spoke[disc.index]].edge : disc.index;
     return complex.sites[complex.edges[edge].left].a;
   }
 
-  const DiscPlaces& places_;
+  const DiscPositions& positions_;
 };
 
 template <>
 Interval HeadingVectors<Interval>::radius() const {
-  return places_.level().near;
+  return positions_.level().near;
 }
 template <>
 RootExpression HeadingVectors<RootExpression>::radius() const {
-  return places_.level().exact;
+  return positions_.level().exact;
 }
 
 template <>
 Vector<Interval> HeadingVectors<Interval>::centre(const CornerDisc& disc, Point origin) const {
-  if (!disc.at_node) return centre_on_edge(places_.complex(), disc.index, places_.level().near, origin);
-  const Point c = places_.complex().nodes[disc.index].centre;
-  const double off = places_.at_error();
+  if (!disc.at_node) return centre_on_edge(positions_.complex(), disc.index, positions_.level().near, origin);
+  const Point c = positions_.complex().nodes[disc.index].centre;
+  const double off = positions_.at_error();
   return {Interval(c.x - off, c.x + off) - Interval(origin.x), Interval(c.y - off, c.y + off) - Interval(origin.y)};
 }
 template <>
 Vector<RootExpression> HeadingVectors<RootExpression>::centre(const CornerDisc& disc, Point origin) const {
-  return places_.exact_centre_from(disc, origin);
+  return positions_.exact_centre_from(disc, origin);
 }
 
 /// Counts the passes of one ring.
 class PassCount {
  public:
-  PassCount(const DiscPlaces& places, Bend bend) : places_(places), near_(places), exact_(places), bend_(bend) {}
+  PassCount(const DiscPositions& positions, Bend bend)
+      : positions_(positions), near_(positions), exact_(positions), bend_(bend) {}
 
   int of(const Headings& headings) {
     bool before = is_behind(headings.back()[1]);
@@ -116,7 +117,7 @@ class PassCount {
   }
 
   bool is_isolated(const Heading& heading) const {
-    const std::vector<Site>& sites = places_.complex().sites;
+    const std::vector<Site>& sites = positions_.complex().sites;
     const auto shares_loop = [&](std::uint32_t site) {
       return site < sites.size() && sites[site].loop == sites[heading.site].loop;
     };
@@ -131,7 +132,7 @@ class PassCount {
     return exact::sign_of(cross(exact_.of(from), exact_.of(to))) <= 0;
   }
 
-  const DiscPlaces& places_;
+  const DiscPositions& positions_;
   HeadingVectors<Interval> near_;
   HeadingVectors<RootExpression> exact_;
   Bend bend_;
@@ -140,9 +141,9 @@ class PassCount {
 
 }  // namespace
 
-bool runs_counter_clockwise(const DiscPlaces& places, const Headings& headings, Bend bend) {
+bool runs_counter_clockwise(const DiscPositions& positions, const Headings& headings, Bend bend) {
   if (headings.empty()) return bend == Bend::counter_clockwise;
-  const int count = PassCount(places, bend).of(headings);
+  const int count = PassCount(positions, bend).of(headings);
   if (count != 1 && count != -1) throw std::logic_error("a ring of a disc's set does not go round once");
   return count > 0;
 }

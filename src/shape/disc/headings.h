@@ -5,7 +5,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "shape/disc/disc_places.h"
+#include "shape/disc/disc_positions.h"
 
 namespace dymsum::shape {
 
@@ -34,6 +34,6 @@ enum class Bend : std::uint8_t { counter_clockwise, clockwise };
 /// Whether a ring runs counter-clockwise: a simple closed curve turns by 2 pi one way or the other. Counts how often
 /// its direction passes a fixed one, by exact signs. Arcs cover half a turn at most or, about an isolated point, a
 /// whole one. Cost: two signs for each piece. Throws std::logic_error where the count is neither 1 nor -1.
-bool runs_counter_clockwise(const DiscPlaces& places, const Headings& headings, Bend bend);
+bool runs_counter_clockwise(const DiscPositions& positions, const Headings& headings, Bend bend);
 
 }  // namespace dymsum::shape

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/double_text.h"
+
 namespace dymsum::shape {
 
 namespace {
@@ -49,7 +51,8 @@ Result<Level> level_at(const Complex& complex, const DiscRadius& r) {
                    {}};
     level = level_of_event(complex, *r.event + first);
   } else {
-    if (r.value.sign() < 0) return Error{ErrorCode::out_of_range, "a radius is not negative", {}};
+    if (r.value.sign() < 0)
+      return Error{ErrorCode::out_of_range, "the radius must be at least 0, not " + r.value.to_string(), {}};
     level.exact = exact::RootExpression(exact::exact_value(r.value));
     level.text = r.value.is_integer() ? r.value.numerator() : r.value.to_string();
     level.below = nodes_below(complex, r.value);
@@ -59,7 +62,9 @@ Result<Level> level_at(const Complex& complex, const DiscRadius& r) {
   level.radius = r.event ? exact::nearest_double(level.exact) : r.value.to_double();
   const bool zero = !r.event && r.value.sign() == 0;
   if (!zero && !(level.radius >= 0x1p-500 && level.radius <= 0x1p500))
-    return Error{ErrorCode::out_of_range, "a radius is 0 or between 2^-500 and 2^500", {}};
+    return Error{ErrorCode::out_of_range,
+                 "the radius must be 0 or from 2^-500 to 2^500, not " + base::general_text(level.radius, 6),
+                 {}};
   return level;
 }
 

@@ -60,7 +60,7 @@ void split_at_nodes(const Complex& complex, const BoundaryOrder& order, const Le
 
 }  // namespace
 
-std::uint32_t edge_behind(const Complex& complex, const Level& level, std::uint32_t edge, Connected connected) {
+std::uint32_t edge_after(const Complex& complex, const Level& level, std::uint32_t edge, Connected connected) {
   const std::uint32_t node = complex.edges[edge].low;
   if (connected == Connected::discs || !level.holds(node)) return edge;
   const std::uint32_t first = complex.first_spoke[node], last = complex.first_spoke[node + 1];
@@ -86,7 +86,7 @@ LevelRings level_rings(const Complex& complex, const BoundaryOrder& order, const
       done[run] = 1;
       ring.push_back(run);
       const std::uint32_t end = order.items[made.runs[run].to].edge;
-      run = made.run_from[edge_behind(complex, level, end, connected)];
+      run = made.run_from[edge_after(complex, level, end, connected)];
     }
     if (split) split_at_nodes(complex, order, level, ring, made);
     else made.rings.push_back(std::move(ring));

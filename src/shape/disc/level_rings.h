@@ -1,4 +1,4 @@
-// What lies beyond a level: runs of boundary places whose rays go on, and how they follow each other.
+// What lies beyond a level: runs of boundary positions whose rays go on, and how they follow each other.
 #pragma once
 
 #include "shape/disc/boundary_order.h"
@@ -6,7 +6,7 @@
 
 namespace dymsum::shape {
 
-/// Places of one walk, one after the other, whose discs grow beyond the level: from the item at which they begin to
+/// Positions of one walk, one after the other, whose discs grow beyond the level: from the item at which they begin to
 /// that at which they end; a whole walk has no items.
 struct Run {
   std::uint32_t loop = 0, from = kNoIndex, to = kNoIndex;
@@ -26,9 +26,9 @@ struct LevelRings {
 
 /// The edge at which the boundary goes on that came to a crossing of `edge`: itself, or at a node of the level where
 /// the region stays connected that of the next component clockwise.
-std::uint32_t edge_behind(const Complex& complex, const Level& level, std::uint32_t edge, Connected connected);
+std::uint32_t edge_after(const Complex& complex, const Level& level, std::uint32_t edge, Connected connected);
 
-/// Runs of places whose edges of the complex lie beyond nodes [0, cut), with cut = level.below or level.up_to. Rings
+/// Runs of positions whose edges of the complex lie beyond nodes [0, cut), with cut = level.below or level.up_to. Rings
 /// that visit a node of the level twice are split there if `split`. O(n).
 LevelRings level_rings(const Complex& complex, const BoundaryOrder& order, const Level& level, std::uint32_t cut,
                        Connected connected, bool split);

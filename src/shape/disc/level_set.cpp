@@ -12,21 +12,21 @@ namespace dymsum::shape {
 
 namespace {
 
-Pieces moved_pieces(const DiscPlaces& places, const BoundaryOrder& order, const LevelRings& rings,
+Pieces moved_pieces(const DiscPositions& positions, const BoundaryOrder& order, const LevelRings& rings,
                     const std::vector<std::uint32_t>& ring) {
   Pieces pieces;
-  for (const std::uint32_t run : ring) append_moved(places, order, rings.runs[run], pieces);
+  for (const std::uint32_t run : ring) append_moved(positions, order, rings.runs[run], pieces);
   return pieces;
 }
 
 /// Components of the region that a sum joins: across edges of the complex below the radius, and along its rings.
-UnionFind joined_components(const DiscPlaces& places, const BoundaryOrder& order, const LevelRings& rings) {
-  const Complex& complex = places.complex();
+UnionFind joined_components(const DiscPositions& positions, const BoundaryOrder& order, const LevelRings& rings) {
+  const Complex& complex = positions.complex();
   std::uint32_t components = 0;
   for (const Site& site : complex.sites) components = std::max(components, site.component + 1);
   UnionFind joined(components);
   for (const Edge& edge : complex.edges)
-    if (edge.low < places.level().below)
+    if (edge.low < positions.level().below)
       joined.unite(complex.sites[edge.left].component, complex.sites[edge.right].component);
   const auto component = [&](std::uint32_t run) {
     return complex.sites[order.first_site[rings.runs[run].loop]].component;
@@ -38,38 +38,39 @@ UnionFind joined_components(const DiscPlaces& places, const BoundaryOrder& order
 
 }  // namespace
 
-void finish(const DiscPlaces& places, DiscSet& set) {
-  set.radius = places.level().radius;
-  set.radius_exact = places.level().text;
-  set.at_error = places.at_error();
+void finish(const DiscPositions& positions, DiscSet& set) {
+  set.radius = positions.level().radius;
+  set.radius_exact = positions.level().text;
+  set.at_error = positions.at_error();
 }
 
-DiscSet sum_set(const DiscPlaces& places, const BoundaryOrder& order, Semantics semantics) {
-  const Complex& complex = places.complex();
-  const LevelRings rings = level_rings(complex, order, places.level(), places.level().up_to, Connected::region, true);
-  UnionFind joined = joined_components(places, order, rings);
+DiscSet sum_set(const DiscPositions& positions, const BoundaryOrder& order, Semantics semantics) {
+  const Complex& complex = positions.complex();
+  const LevelRings rings =
+      level_rings(complex, order, positions.level(), positions.level().up_to, Connected::region, true);
+  UnionFind joined = joined_components(positions, order, rings);
   std::vector<OwnedRing> made;
   for (const auto& ring : rings.rings) {
     const std::uint32_t loop = rings.runs[ring.front()].loop;
-    Pieces pieces = moved_pieces(places, order, rings, ring);
-    const bool outer = runs_counter_clockwise(places, pieces.headings, Bend::counter_clockwise);
+    Pieces pieces = moved_pieces(positions, order, rings, ring);
+    const bool outer = runs_counter_clockwise(positions, pieces.headings, Bend::counter_clockwise);
     made.push_back({{std::move(pieces.list)}, joined.root(complex.sites[order.first_site[loop]].component), outer});
   }
   DiscSet set;
   set.parts = parts_of(std::move(made));
   if (semantics == Semantics::open) {
-    TightFeatures tight = tight_features(places);
+    TightFeatures tight = tight_features(positions);
     set.tight_segments = std::move(tight.segments);
     set.tight_points = std::move(tight.points);
   }
-  finish(places, set);
+  finish(positions, set);
   return set;
 }
 
-DiscSet eroded_set(const DiscPlaces& places, const BoundaryOrder& order, Semantics semantics) {
-  const Complex& complex = places.complex();
-  const std::uint32_t cut = places.level().up_to;
-  const LevelRings rings = level_rings(complex, order, places.level(), cut, Connected::discs, true);
+DiscSet eroded_set(const DiscPositions& positions, const BoundaryOrder& order, Semantics semantics) {
+  const Complex& complex = positions.complex();
+  const std::uint32_t cut = positions.level().up_to;
+  const LevelRings rings = level_rings(complex, order, positions.level(), cut, Connected::discs, true);
   UnionFind joined(static_cast<std::uint32_t>(complex.nodes.size()));
   for (const Edge& edge : complex.edges)
     if (edge.low >= cut) joined.unite(edge.low, edge.high);
@@ -77,14 +78,14 @@ DiscSet eroded_set(const DiscPlaces& places, const BoundaryOrder& order, Semanti
   for (const auto& ring : rings.rings) {
     const Run& run = rings.runs[ring.front()];
     const std::uint32_t item = run.whole() ? order.first_item[run.loop] : run.from;
-    Pieces pieces = moved_pieces(places, order, rings, ring);
-    const bool outer = !runs_counter_clockwise(places, pieces.headings, Bend::counter_clockwise);
+    Pieces pieces = moved_pieces(positions, order, rings, ring);
+    const bool outer = !runs_counter_clockwise(positions, pieces.headings, Bend::counter_clockwise);
     made.push_back({reversed(std::move(pieces.list)), joined.root(complex.edges[order.items[item].edge].high), outer});
   }
   DiscSet set;
   set.parts = parts_of(std::move(made));
   if (semantics != Semantics::regular) {
-    TightFeatures tight = tight_features(places);
+    TightFeatures tight = tight_features(positions);
     set.tight_segments = tight.segments;
     set.tight_points = tight.points;
     if (semantics == Semantics::closed) {
@@ -92,7 +93,7 @@ DiscSet eroded_set(const DiscPlaces& places, const BoundaryOrder& order, Semanti
       set.points = std::move(tight.points);
     }
   }
-  finish(places, set);
+  finish(positions, set);
   return set;
 }
 

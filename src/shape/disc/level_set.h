@@ -2,18 +2,18 @@
 #pragma once
 
 #include "shape/disc/boundary_order.h"
-#include "shape/disc/disc_places.h"
+#include "shape/disc/disc_positions.h"
 #include "shape/disc/disc_set.h"
 
 namespace dymsum::shape {
 
 // Requires: a radius above 0; sum and closing the outer complex, erosion and opening the inner one.
-DiscSet sum_set(const DiscPlaces& places, const BoundaryOrder& order, Semantics semantics);
-DiscSet eroded_set(const DiscPlaces& places, const BoundaryOrder& order, Semantics semantics);
-DiscSet opened_set(const DiscPlaces& places, const BoundaryOrder& order, Semantics semantics);
-DiscSet closed_set(const DiscPlaces& places, const BoundaryOrder& order, Semantics semantics);
+DiscSet sum_set(const DiscPositions& positions, const BoundaryOrder& order, Semantics semantics);
+DiscSet eroded_set(const DiscPositions& positions, const BoundaryOrder& order, Semantics semantics);
+DiscSet opened_set(const DiscPositions& positions, const BoundaryOrder& order, Semantics semantics);
+DiscSet closed_set(const DiscPositions& positions, const BoundaryOrder& order, Semantics semantics);
 
 /// Radius and at_error of a set whose rings are known.
-void finish(const DiscPlaces& places, DiscSet& set);
+void finish(const DiscPositions& positions, DiscSet& set);
 
 }  // namespace dymsum::shape

@@ -100,7 +100,7 @@ ScaledArea scaled_area(const DiscSet& set) {
 }
 
 std::string text_of(double v, int exponent) {
-  constexpr int kDigits = 17;  // enough to tell any two doubles apart
+  constexpr int kDigits = 17;  // enough to distinguish any two doubles
   exact::BigRational exactly = exact::exact_value(v);
   const exact::BigInteger power = exact::BigInteger(1) << static_cast<unsigned>(std::abs(exponent));
   exactly *= exponent >= 0 ? exact::BigRational(power) : exact::BigRational(exact::BigInteger(1), power);

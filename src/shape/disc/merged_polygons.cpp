@@ -14,10 +14,10 @@ namespace {
 
 using Indices = std::vector<std::uint32_t>;
 
-/// Places that stand for all vertices near them.
-class Places {
+/// Positions that stand for all vertices near them.
+class Positions {
  public:
-  explicit Places(double near) : near_(near) {}
+  explicit Positions(double near) : near_(near) {}
 
   std::uint32_t of(Point p) {
     const Cell here = cell(p);
@@ -88,22 +88,23 @@ bool is_around(const Ring& ring, Point p) {
 
 class Merger {
  public:
-  Merger(const RegionData& data, double near) : places_(near) {
+  Merger(const RegionData& data, double near) : positions_(near) {
     made_.data.polylines = data.polylines, made_.data.points = data.points;
     std::vector<Indices> rings;
     const auto see = [&](const Ring& ring) {
-      Indices places;
+      Indices positions;
       for (const Point& p : ring)
-        if (const std::uint32_t i = places_.of(p); places.empty() || places.back() != i) places.push_back(i);
-      while (places.size() > 1 && places.front() == places.back()) places.pop_back();
-      rings.push_back(std::move(places));
+        if (const std::uint32_t i = positions_.of(p); positions.empty() || positions.back() != i)
+          positions.push_back(i);
+      while (positions.size() > 1 && positions.front() == positions.back()) positions.pop_back();
+      rings.push_back(std::move(positions));
     };
     for (const Part& part : data.parts) {
       see(part.outer);
       for (const Ring& hole : part.holes) see(hole);
     }
-    places_.sort();
-    // A vertex is moved once, and an edge with every place that it is bent to: bends of bends are not followed.
+    positions_.sort();
+    // A vertex is moved once, and an edge with every position that it is bent to: bends of bends are not followed.
     made_.moved = 4 * near;
     for (const Indices& ring : rings) add(ring);
   }
@@ -123,14 +124,14 @@ class Merger {
 
   void add(const Indices& ring) {
     if (ring.size() == 1) {
-      made_.data.points.push_back(places_.at(ring[0]));
+      made_.data.points.push_back(positions_.at(ring[0]));
       ++made_.merged;
       return;
     }
     Indices bent;
     for (std::size_t i = 0; i < ring.size(); ++i) {
       bent.push_back(ring[i]);
-      const Indices between = places_.along(ring[i], ring[(i + 1) % ring.size()]);
+      const Indices between = positions_.along(ring[i], ring[(i + 1) % ring.size()]);
       bent.insert(bent.end(), between.begin(), between.end());
     }
     const auto first = std::uint32_t(halves_.size()), count = std::uint32_t(bent.size());
@@ -168,7 +169,7 @@ class Merger {
       Ring ring;
       for (std::uint32_t h = start; !done[h]; h = halves_[h].next) {
         done[h] = 1;
-        ring.push_back(places_.at(halves_[h].from));
+        ring.push_back(positions_.at(halves_[h].from));
       }
       if (area_of(ring) > 0) made_.data.parts.push_back({std::move(ring), {}});
       else holes.push_back(std::move(ring));
@@ -187,7 +188,7 @@ class Merger {
   /// What lies inside of a part on both sides is none of its boundary any more.
   void keep_thin() {
     for (const auto& [a, b] : thin_) {
-      const Point from = places_.at(a), to = places_.at(b), at{(from.x + to.x) / 2, (from.y + to.y) / 2};
+      const Point from = positions_.at(a), to = positions_.at(b), at{(from.x + to.x) / 2, (from.y + to.y) / 2};
       const bool inside = std::any_of(made_.data.parts.begin(), made_.data.parts.end(), [&](const Part& part) {
         return is_around(part.outer, at) && std::none_of(part.holes.begin(), part.holes.end(),
                                                          [&](const Ring& hole) { return is_around(hole, at); });
@@ -197,7 +198,7 @@ class Merger {
     }
   }
 
-  Places places_;
+  Positions positions_;
   std::vector<Half> halves_;
   std::vector<std::pair<std::uint32_t, std::uint32_t>> thin_;
   MergedPolygons made_;

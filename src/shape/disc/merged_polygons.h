@@ -9,7 +9,7 @@ namespace dymsum::shape {
 
 struct MergedPolygons {
   RegionData data;
-  std::size_t merged = 0;  ///< stretches of boundary along which two sides are one, and rings that are one point
+  std::size_t merged = 0;  ///< intervals of boundary along which two sides are one, and rings that are one point
   double moved = 0;        ///< no point of the boundary is further than this from what it was
 };
 

@@ -11,19 +11,19 @@ namespace {
 using exact::Interval;
 using exact::RootExpression;
 
-/// The exact corners of rings, relative to a place of the region.
+/// The exact corners of rings, relative to a position of the region.
 class ExactCorners {
  public:
-  ExactCorners(const DiscPlaces& places, Point origin) : places_(places), origin_(origin) {}
+  ExactCorners(const DiscPositions& positions, Point origin) : positions_(positions), origin_(origin) {}
 
   LazyVector at(const PlacedRing& ring, std::size_t piece) const {
     const DiscCorner& corner = ring.ring.pieces[piece].from;
     if (corner.kind == DiscCorner::Kind::vertex) return vertex(corner.at);
-    const double off = places_.at_error();
+    const double off = positions_.at_error();
     const Vector<Interval> near{Interval(corner.at.x - off, corner.at.x + off) - Interval(origin_.x),
                                 Interval(corner.at.y - off, corner.at.y + off) - Interval(origin_.y)};
     if (corner.kind == DiscCorner::Kind::crossing) return {near, [this, corner] { return crossing_at(corner); }};
-    const Site& site = places_.complex().sites[ring.sites[piece]];
+    const Site& site = positions_.complex().sites[ring.sites[piece]];
     return {near, [this, corner, &site] { return contact_at(corner, site); }};
   }
   LazyVector vertex(Point p) const {
@@ -33,21 +33,22 @@ class ExactCorners {
  private:
   /// Where corner.disc is entered by those who leave corner.other, clockwise, or touched.
   Vector<RootExpression> crossing_at(const DiscCorner& corner) const {
-    const auto c = places_.exact_centre_from(corner.disc, origin_),
-               d = places_.exact_centre_from(corner.other, origin_);
+    const auto c = positions_.exact_centre_from(corner.disc, origin_),
+               d = positions_.exact_centre_from(corner.other, origin_);
     const auto between = minus(d, c);
     const RootExpression half(0.5),
-        room = places_.level().exact * places_.level().exact - half * half * dot(between, between);
+        room = positions_.level().exact * positions_.level().exact - half * half * dot(between, between);
     if (exact::sign_of(room) == 0) return plus(c, {half * between.x, half * between.y});  // they touch
-    return plus(c, crossing(between, places_.level().exact, true));
+    return plus(c, crossing(between, positions_.level().exact, true));
   }
   Vector<RootExpression> contact_at(const DiscCorner& corner, const Site& edge) const {
     const auto n = long_normal<RootExpression>(edge);
-    const RootExpression share = places_.level().exact / sqrt(dot(n, n));
-    return minus(places_.exact_centre_from(corner.disc, origin_), Vector<RootExpression>{n.x * share, n.y * share});
+    const RootExpression fraction = positions_.level().exact / sqrt(dot(n, n));
+    return minus(positions_.exact_centre_from(corner.disc, origin_),
+                 Vector<RootExpression>{n.x * fraction, n.y * fraction});
   }
 
-  const DiscPlaces& places_;
+  const DiscPositions& positions_;
   Point origin_;
 };
 
@@ -55,12 +56,12 @@ LazyVector difference(const LazyVector& a, const LazyVector& b) {
   return {minus(a.near, b.near), [a, b] { return minus(a.exact(), b.exact()); }};
 }
 
-/// Whether a place of another ring, or a vertex in the part that this bounds, lies within a ring: by the edges that a
-/// ray from it towards +x crosses. Between an arc and its chord lies nothing of the set, as the arc bends into it:
-/// chords wind as often, and never meet the place.
-bool winds_about(const DiscPlaces& places, const PlacedRing& ring, const PlacedRing& inner) {
-  const Point origin = inner.anchor.value_or(places.complex().sites.front().a);
-  const ExactCorners corners(places, origin);
+/// Whether a position of another ring, or a vertex in the part that this bounds, lies within a ring: by the edges that
+/// a ray from it towards +x crosses. Between an arc and its chord lies nothing of the set, as the arc bends into it:
+/// chords wind as often, and never meet the position.
+bool winds_about(const DiscPositions& positions, const PlacedRing& ring, const PlacedRing& inner) {
+  const Point origin = inner.anchor.value_or(positions.complex().sites.front().a);
+  const ExactCorners corners(positions, origin);
   const LazyVector z = inner.anchor ? corners.vertex(origin) : corners.at(inner, 0);
   const std::size_t n = ring.ring.pieces.size();
   int winding = 0;
@@ -77,12 +78,13 @@ bool winds_about(const DiscPlaces& places, const PlacedRing& ring, const PlacedR
 }
 
 /// Of two rings around a hole, which do not cross, one lies within the other.
-std::size_t innermost_around(const DiscPlaces& places, const std::vector<const PlacedRing*>& outer,
+std::size_t innermost_around(const DiscPositions& positions, const std::vector<const PlacedRing*>& outer,
                              const PlacedRing& hole) {
   if (outer.size() == 1) return 0;
   std::optional<std::size_t> innermost;
   for (std::size_t i = 0; i < outer.size(); ++i)
-    if (winds_about(places, *outer[i], hole) && (!innermost || winds_about(places, *outer[*innermost], *outer[i])))
+    if (winds_about(positions, *outer[i], hole) &&
+        (!innermost || winds_about(positions, *outer[*innermost], *outer[i])))
       innermost = i;
   if (!innermost) throw std::logic_error("a hole lies in no part");
   return *innermost;
@@ -90,7 +92,7 @@ std::size_t innermost_around(const DiscPlaces& places, const std::vector<const P
 
 }  // namespace
 
-std::vector<DiscPart> nested(const DiscPlaces& places, std::vector<PlacedRing> rings) {
+std::vector<DiscPart> nested(const DiscPositions& positions, std::vector<PlacedRing> rings) {
   std::vector<DiscPart> parts;
   std::vector<const PlacedRing*> outer;
   std::vector<PlacedRing*> holes;
@@ -107,7 +109,7 @@ std::vector<DiscPart> nested(const DiscPlaces& places, std::vector<PlacedRing> r
   }
   for (PlacedRing* hole : holes) {
     const auto known = hole->owner ? part_of.find(*hole->owner) : part_of.end();
-    const std::size_t part = known != part_of.end() ? known->second : innermost_around(places, outer, *hole);
+    const std::size_t part = known != part_of.end() ? known->second : innermost_around(positions, outer, *hole);
     parts[part].holes.push_back(std::move(hole->ring));
   }
   return parts;

@@ -1,7 +1,7 @@
-// Which hole lies in which part, where what the rings touch does not tell.
+// Which hole lies in which part, where what the rings touch does not decide.
 #pragma once
 
-#include "shape/disc/disc_places.h"
+#include "shape/disc/disc_positions.h"
 #include "shape/disc/disc_set.h"
 #include "shape/disc/lazy_vector.h"
 
@@ -19,6 +19,6 @@ struct PlacedRing {
 /// Parts of rings that do not cross: every hole goes to the part of its owner or, where no outer ring has that, to the
 /// innermost outer ring around it. Exact. Requires: arcs are concave as seen from the set, and outer rings have
 /// different owners. Cost: one pass over all outer rings for each hole that no owner tells about.
-std::vector<DiscPart> nested(const DiscPlaces& places, std::vector<PlacedRing> rings);
+std::vector<DiscPart> nested(const DiscPositions& positions, std::vector<PlacedRing> rings);
 
 }  // namespace dymsum::shape

@@ -18,13 +18,13 @@ namespace {
 class DiscBoundaries {
  public:
   /// Of a closing, what is connected is the region, of an opening the discs.
-  DiscBoundaries(const DiscPlaces& places, const BoundaryOrder& order, std::uint32_t cut, Connected side)
-      : places_(places),
+  DiscBoundaries(const DiscPositions& positions, const BoundaryOrder& order, std::uint32_t cut, Connected side)
+      : positions_(positions),
         order_(order),
         cut_(cut),
-        rings_(level_rings(places.complex(), order, places.level(), cut, Connected::region, false)),
-        arcs_(corner_arcs(places, order, rings_)) {
-    cut_arcs(places, cut, arcs_);
+        rings_(level_rings(positions.complex(), order, positions.level(), cut, Connected::region, false)),
+        arcs_(corner_arcs(positions, order, rings_)) {
+    cut_arcs(positions, cut, arcs_);
     run_done_.assign(rings_.runs.size(), 0);
     settle_touches(side);
     for (const ArcFragment& fragment : arcs_.fragments) fragment_done_.push_back(fragment.joined ? 1 : 0);
@@ -72,7 +72,7 @@ class DiscBoundaries {
   /// What follows on a boundary.
   Next after(Next at) const {
     if (at.run != kNoIndex) {
-      const std::uint32_t to = rings_.runs[at.run].to, arc = arcs_.arc_behind[order_.items[to].edge];
+      const std::uint32_t to = rings_.runs[at.run].to, arc = arcs_.arc_after[order_.items[to].edge];
       return arc == kNoIndex ? next_along(to) : start_of(arc);
     }
     const ArcFragment& fragment = arcs_.fragments[at.fragment];
@@ -85,7 +85,7 @@ class DiscBoundaries {
   DiscBoundary whole(std::uint32_t run) {
     run_done_[run] = 1;
     Pieces pieces;
-    append_in_place(places_, order_, rings_.runs[run], pieces);
+    append_in_place(positions_, order_, rings_.runs[run], pieces);
     const std::uint32_t loop = rings_.runs[run].loop, item = order_.first_item[loop];
     // A convex region alone sees nothing outside.
     const bool has_edge = item < order_.first_item[loop + 1];
@@ -112,7 +112,7 @@ class DiscBoundaries {
     run_done_[run] = 1;
     ring.edge = order_.items[rings_.runs[run].from].edge;
     Pieces pieces;
-    append_in_place(places_, order_, rings_.runs[run], pieces);
+    append_in_place(positions_, order_, rings_.runs[run], pieces);
     ring.touching.push_back(order_.items[rings_.runs[run].from].site);
     // Of a run only the first piece can begin at a contact, on the first site.
     ring.sites.resize(ring.sites.size() + pieces.list.size(), ring.touching.back());
@@ -140,24 +140,24 @@ class DiscBoundaries {
     return next_along(order_.item_of[arcs_.arcs[arc].edge][1]);
   }
 
-  /// The next place of a walk, behind those of an item, at which a run begins, or an arc of a disc that touches there
+  /// The next place of a walk, after those of an item, at which a run begins, or an arc of a disc that touches there
   /// without room to move.
   Next next_along(std::uint32_t item) const {
-    const Complex& complex = places_.complex();
+    const Complex& complex = positions_.complex();
     for (;;) {
       item = order_.next(complex, item);
       const BoundaryItem& here = order_.items[item];
       const Edge& edge = complex.edges[here.edge];
       if (here.up && crosses(edge, cut_)) return {rings_.run_from[here.edge], kNoIndex};
       const std::uint32_t node = here.up ? edge.high : edge.low;
-      const std::uint32_t arc = places_.level().holds(node) ? arc_after(here.edge, node) : kNoIndex;
+      const std::uint32_t arc = positions_.level().holds(node) ? arc_after(here.edge, node) : kNoIndex;
       if (arc != kNoIndex) return start_of(arc);
     }
   }
 
   /// The arc about a node across the edge of the complex that comes clockwise after this one.
   std::uint32_t arc_after(std::uint32_t edge, std::uint32_t node) const {
-    const Complex& complex = places_.complex();
+    const Complex& complex = positions_.complex();
     std::uint32_t spoke = complex.first_spoke[node];
     while (complex.spokes[spoke].edge != edge) ++spoke;
     const Spoke& next =
@@ -169,31 +169,31 @@ class DiscBoundaries {
   /// At an end of a fragment: of its arc, at a contact, or where another disc is met.
   Heading heading_at(const CornerArc& arc, std::uint32_t site, std::uint32_t other, How how) const {
     const CornerDisc& disc = arcs_.discs[arc.disc];
-    if (other == kNoIndex) return heading_at_contact(places_, disc, site);
+    if (other == kNoIndex) return heading_at_contact(positions_, disc, site);
     return {how == How::touched ? Heading::Of::touch : Heading::Of::crossing, kNoIndex, disc, arcs_.discs[other],
             how == How::entered};
   }
 
   DiscPiece arc_piece(const ArcFragment& fragment) const {
-    const Complex& complex = places_.complex();
+    const Complex& complex = positions_.complex();
     const CornerArc& arc = arcs_.arcs[fragment.arc];
     const CornerDisc& disc = arcs_.discs[arc.disc];
     DiscPiece piece;
     piece.of = DiscPiece::Of::disc;
     piece.index = disc.index;
     piece.disc = disc;
-    piece.centre = places_.centre(disc);
+    piece.centre = positions_.centre(disc);
     Point from, to;
-    if (fragment.end == kNoIndex) to = places_.towards(disc, complex.sites[arc.stop]);
-    else if (fragment.touches_at_end) to = towards_touch(places_, disc, arcs_.discs[fragment.end]);
-    else to = towards_crossing(places_, disc, arcs_.discs[fragment.end], true);
+    if (fragment.end == kNoIndex) to = positions_.towards(disc, complex.sites[arc.stop]);
+    else if (fragment.touches_at_end) to = towards_touch(positions_, disc, arcs_.discs[fragment.end]);
+    else to = towards_crossing(positions_, disc, arcs_.discs[fragment.end], true);
     if (fragment.begin == kNoIndex) {
-      from = places_.towards(disc, complex.sites[arc.start]);
-      piece.from = contact_corner(places_, disc, arc.start);
+      from = positions_.towards(disc, complex.sites[arc.start]);
+      piece.from = contact_corner(positions_, disc, arc.start);
     } else {
       const CornerDisc& left = arcs_.discs[fragment.begin];
-      from =
-          fragment.touches_at_begin ? towards_touch(places_, disc, left) : towards_crossing(places_, disc, left, false);
+      from = fragment.touches_at_begin ? towards_touch(positions_, disc, left)
+                                       : towards_crossing(positions_, disc, left, false);
       piece.from.kind = DiscCorner::Kind::crossing;
       piece.from.disc = disc;
       piece.from.other = arcs_.discs[fragment.begin];
@@ -204,7 +204,7 @@ class DiscBoundaries {
     return piece;
   }
 
-  const DiscPlaces& places_;
+  const DiscPositions& positions_;
   const BoundaryOrder& order_;
   std::uint32_t cut_;
   LevelRings rings_;
@@ -214,14 +214,14 @@ class DiscBoundaries {
 
 /// Connected sets of discs: along the complex beyond the cut, from nodes of the level to all that rises from them, and
 /// where corner discs overlap. The last element is what is connected through infinity.
-UnionFind connected_discs(const DiscPlaces& places, std::uint32_t cut, const ArcSet& arcs) {
-  const Complex& complex = places.complex();
+UnionFind connected_discs(const DiscPositions& positions, std::uint32_t cut, const ArcSet& arcs) {
+  const Complex& complex = positions.complex();
   const auto infinity = static_cast<std::uint32_t>(complex.nodes.size());
   UnionFind joined(infinity + 1);
   const auto high = [&](std::uint32_t edge) { return std::min(complex.edges[edge].high, infinity); };
   for (std::uint32_t edge = 0; edge < complex.edges.size(); ++edge) {
     const Edge& e = complex.edges[edge];
-    if (e.low >= cut || (places.level().holds(e.low) && !e.flat)) joined.unite(e.low, high(edge));
+    if (e.low >= cut || (positions.level().holds(e.low) && !e.flat)) joined.unite(e.low, high(edge));
   }
   for (const auto& [a, b] : arcs.overlaps) joined.unite(high(arcs.disc_edge[a]), high(arcs.disc_edge[b]));
   return joined;
@@ -229,9 +229,9 @@ UnionFind connected_discs(const DiscPlaces& places, std::uint32_t cut, const Arc
 
 /// Pieces of the region that a closing joins: along its rings, and across edges of the complex below the level where no
 /// discs overlap.
-UnionFind joined_pieces(const DiscPlaces& places, std::uint32_t cut, const ArcSet& arcs,
+UnionFind joined_pieces(const DiscPositions& positions, std::uint32_t cut, const ArcSet& arcs,
                         const std::vector<DiscBoundary>& rings) {
-  const Complex& complex = places.complex();
+  const Complex& complex = positions.complex();
   std::uint32_t pieces = 0;
   for (const Site& site : complex.sites) pieces = std::max(pieces, site.component + 1);
   UnionFind joined(pieces);
@@ -239,7 +239,7 @@ UnionFind joined_pieces(const DiscPlaces& places, std::uint32_t cut, const ArcSe
     for (const std::uint32_t site : ring.touching)
       joined.unite(complex.sites[ring.touching.front()].component, complex.sites[site].component);
   for (const Edge& edge : complex.edges) {
-    const bool is_below = edge.low < places.level().below || (edge.flat && edge.low < cut);
+    const bool is_below = edge.low < positions.level().below || (edge.flat && edge.low < cut);
     if (is_below && !arcs.is_split[arcs.part[edge.low]])
       joined.unite(complex.sites[edge.left].component, complex.sites[edge.right].component);
   }
@@ -248,38 +248,38 @@ UnionFind joined_pieces(const DiscPlaces& places, std::uint32_t cut, const ArcSe
 
 }  // namespace
 
-DiscSet opened_set(const DiscPlaces& places, const BoundaryOrder& order, Semantics semantics) {
-  const Complex& complex = places.complex();
-  const std::uint32_t cut = semantics == Semantics::regular ? places.level().up_to : places.level().below;
-  DiscBoundaries boundaries(places, order, cut, Connected::discs);
-  UnionFind joined = connected_discs(places, cut, boundaries.arcs());
+DiscSet opened_set(const DiscPositions& positions, const BoundaryOrder& order, Semantics semantics) {
+  const Complex& complex = positions.complex();
+  const std::uint32_t cut = semantics == Semantics::regular ? positions.level().up_to : positions.level().below;
+  DiscBoundaries boundaries(positions, order, cut, Connected::discs);
+  UnionFind joined = connected_discs(positions, cut, boundaries.arcs());
   std::vector<OwnedRing> made;
   for (DiscBoundary& ring : boundaries.make()) {
-    const bool outer = !runs_counter_clockwise(places, ring.headings, Bend::clockwise);
+    const bool outer = !runs_counter_clockwise(positions, ring.headings, Bend::clockwise);
     made.push_back({reversed(std::move(ring.pieces)), joined.root(complex.edges[ring.edge].high), outer});
   }
   DiscSet set;
   set.parts = parts_of(std::move(made));
-  finish(places, set);
+  finish(positions, set);
   return set;
 }
 
-DiscSet closed_set(const DiscPlaces& places, const BoundaryOrder& order, Semantics semantics) {
-  const Complex& complex = places.complex();
-  const std::uint32_t cut = semantics == Semantics::open ? places.level().below : places.level().up_to;
-  DiscBoundaries boundaries(places, order, cut, Connected::region);
+DiscSet closed_set(const DiscPositions& positions, const BoundaryOrder& order, Semantics semantics) {
+  const Complex& complex = positions.complex();
+  const std::uint32_t cut = semantics == Semantics::open ? positions.level().below : positions.level().up_to;
+  DiscBoundaries boundaries(positions, order, cut, Connected::region);
   std::vector<DiscBoundary> rings = boundaries.make();
   DiscSet set;
   if (has_thin_walks(complex)) {
-    ThinPieces thin = without_thin_pieces(places, rings);
+    ThinPieces thin = without_thin_pieces(positions, rings);
     set.segments = std::move(thin.segments), set.points = std::move(thin.points);
     rings = std::move(thin.rings);
   }
-  UnionFind joined = joined_pieces(places, cut, boundaries.arcs(), rings);
+  UnionFind joined = joined_pieces(positions, cut, boundaries.arcs(), rings);
   std::vector<PlacedRing> placed;
   for (DiscBoundary& ring : rings) {
     PlacedRing& made = placed.emplace_back();
-    made.outer = runs_counter_clockwise(places, ring.headings, Bend::clockwise);
+    made.outer = runs_counter_clockwise(positions, ring.headings, Bend::clockwise);
     made.ring = {std::move(ring.pieces)};
     made.sites = std::move(ring.sites);
     if (ring.touching.empty()) continue;
@@ -287,8 +287,8 @@ DiscSet closed_set(const DiscPlaces& places, const BoundaryOrder& order, Semanti
     made.owner = joined.root(site.component);
     made.anchor = site.a;
   }
-  set.parts = nested(places, std::move(placed));
-  finish(places, set);
+  set.parts = nested(positions, std::move(placed));
+  finish(positions, set);
   return set;
 }
 

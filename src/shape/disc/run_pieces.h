@@ -1,4 +1,4 @@
-// The pieces of boundary that a run of places makes at a level.
+// The pieces of boundary that a run of positions makes at a level.
 #pragma once
 
 #include "shape/disc/headings.h"
@@ -13,18 +13,18 @@ struct Pieces {
   DiscCorner end;
 };
 
-/// The places moved by the radius: segments, and arcs about vertices, counter-clockwise. Requires radius > 0.
-void append_moved(const DiscPlaces& places, const BoundaryOrder& order, const Run& run, Pieces& pieces);
+/// The positions moved by the radius: segments, and arcs about vertices, counter-clockwise. Requires radius > 0.
+void append_moved(const DiscPositions& positions, const BoundaryOrder& order, const Run& run, Pieces& pieces);
 
 /// The places themselves: parts of edges between where the discs at both ends of the run touch. Pieces without length
 /// are left out, and so is a run that is a vertex alone. Requires radius > 0.
-void append_in_place(const DiscPlaces& places, const BoundaryOrder& order, const Run& run, Pieces& pieces);
+void append_in_place(const DiscPositions& positions, const BoundaryOrder& order, const Run& run, Pieces& pieces);
 
 /// The direction of a boundary where a disc touches a site: along an edge, or square to what leads from a vertex.
-Heading heading_at_contact(const DiscPlaces& places, const CornerDisc& disc, std::uint32_t site);
+Heading heading_at_contact(const DiscPositions& positions, const CornerDisc& disc, std::uint32_t site);
 
 /// The corner where a disc touches a site.
-DiscCorner contact_corner(const DiscPlaces& places, const CornerDisc& disc, std::uint32_t site);
+DiscCorner contact_corner(const DiscPositions& positions, const CornerDisc& disc, std::uint32_t site);
 
 /// The turn from one direction to another, clockwise or not, in [0, 2 pi): what rounds to just below 0 is 0 where at
 /// most `most` + pi / 4 can be, else beyond it.

@@ -60,8 +60,8 @@ struct HalfPiece {
 
 class ThinPieceFinder {
  public:
-  ThinPieceFinder(const DiscPlaces& places, const std::vector<DiscBoundary>& rings)
-      : places_(places), other_(other_sides(places.complex())) {
+  ThinPieceFinder(const DiscPositions& positions, const std::vector<DiscBoundary>& rings)
+      : positions_(positions), other_(other_sides(positions.complex())) {
     for (const DiscBoundary& ring : rings) add(ring);
   }
 
@@ -79,7 +79,7 @@ class ThinPieceFinder {
   }
 
  private:
-  const Complex& complex() const { return places_.complex(); }
+  const Complex& complex() const { return positions_.complex(); }
 
   void add(const DiscBoundary& ring) {
     if (ring.pieces.empty()) {
@@ -109,9 +109,9 @@ class ThinPieceFinder {
     return halves_[h].piece.of == DiscPiece::Of::edge ? halves_[h].headings[0].site : kNoIndex;
   }
 
-  Stop stop_at(const Corner& place, const Site& along) const {
-    const auto& [corner, site] = place;
-    Stop stop{place, {}, {}};
+  Stop stop_at(const Corner& position, const Site& along) const {
+    const auto& [corner, site] = position;
+    Stop stop{position, {}, {}};
     const bool at_vertex = corner.kind == DiscCorner::Kind::vertex;
     if (at_vertex || complex().sites[site].kind == Site::Kind::vertex) {
       const Point at = at_vertex ? corner.at : complex().sites[site].a;
@@ -122,13 +122,13 @@ class ThinPieceFinder {
       return stop;
     }
     // The foot of the disc's centre.
-    const double off = places_.at_error();
-    const Point c = places_.centre(corner.disc);
+    const double off = positions_.at_error();
+    const Point c = positions_.centre(corner.disc);
     const Vector<Interval> near{Interval(c.x - off, c.x + off) - Interval(along.a.x),
                                 Interval(c.y - off, c.y + off) - Interval(along.a.y)};
     stop.near = dot(near, between<Interval>(along.a, along.b));
     stop.exact = [this, &along, disc = corner.disc] {
-      return dot(places_.exact_centre_from(disc, along.a), between<RootExpression>(along.a, along.b));
+      return dot(positions_.exact_centre_from(disc, along.a), between<RootExpression>(along.a, along.b));
     };
     return stop;
   }
@@ -139,23 +139,23 @@ class ThinPieceFinder {
     for (const std::vector<std::uint32_t>& halves : sides)
       for (const std::uint32_t h : halves)
         stops.push_back(stop_at(halves_[h].from, along)), stops.push_back(stop_at(halves_[h].to, along));
-    std::vector<std::size_t> order(stops.size()), number(stops.size());
+    std::vector<std::size_t> order(stops.size()), index(stops.size());
     std::iota(order.begin(), order.end(), std::size_t{0});
     std::stable_sort(order.begin(), order.end(),
                      [&](std::size_t a, std::size_t b) { return compare(stops[a], stops[b]) < 0; });
-    std::vector<std::size_t> places;  // the first stop at each, ascending
+    std::vector<std::size_t> positions;  // the first stop at each, ascending
     for (const std::size_t k : order) {
-      if (places.empty() || compare(stops[places.back()], stops[k]) != 0) places.push_back(k);
-      number[k] = places.size() - 1;
+      if (positions.empty() || compare(stops[positions.back()], stops[k]) != 0) positions.push_back(k);
+      index[k] = positions.size() - 1;
     }
     // Gap k lies between places k and k + 1.
-    std::vector<std::array<std::uint32_t, 2>> pieces(places.size(), {kNoIndex, kNoIndex});
+    std::vector<std::array<std::uint32_t, 2>> pieces(positions.size(), {kNoIndex, kNoIndex});
     const auto is_thin = [&](std::size_t gap) { return pieces[gap][0] != kNoIndex && pieces[gap][1] != kNoIndex; };
     const auto for_each_span = [&](const auto& use) {
       std::size_t stop = 0;
       for (std::size_t side = 0; side < 2; ++side)
         for (const std::uint32_t h : sides[side]) {
-          const auto [from, to] = std::minmax(number[stop], number[stop + 1]);
+          const auto [from, to] = std::minmax(index[stop], index[stop + 1]);
           use(side, h, from, to);
           stop += 2;
         }
@@ -169,12 +169,12 @@ class ThinPieceFinder {
         pieces[gap][side] = h;
         if (n + 1 == to - from) return;
         if (is_thin(gap) || is_thin(side == 0 ? gap + 1 : gap - 1))
-          h = cut(h, stops[places[side == 0 ? gap + 1 : gap]].at);
+          h = cut(h, stops[positions[side == 0 ? gap + 1 : gap]].at);
       }
     });
-    for (std::size_t gap = 0; gap + 1 < places.size(); ++gap) {
+    for (std::size_t gap = 0; gap + 1 < positions.size(); ++gap) {
       if (!is_thin(gap)) continue;
-      const DiscCorner &from = stops[places[gap]].at.corner, &to = stops[places[gap + 1]].at.corner;
+      const DiscCorner &from = stops[positions[gap]].at.corner, &to = stops[positions[gap + 1]].at.corner;
       if (gap > 0 && is_thin(gap - 1)) made_.segments.back().to = to;
       else made_.segments.push_back({from, to});
       remove(pieces[gap][0], pieces[gap][1]);
@@ -182,11 +182,11 @@ class ThinPieceFinder {
   }
 
   /// Cuts a piece in two; returns the second.
-  std::uint32_t cut(std::uint32_t h, const Corner& place) {
+  std::uint32_t cut(std::uint32_t h, const Corner& position) {
     const auto second = static_cast<std::uint32_t>(halves_.size());
     HalfPiece rest = halves_[h];
-    rest.from = halves_[h].to = place;
-    rest.piece.from = place.corner;
+    rest.from = halves_[h].to = position;
+    rest.piece.from = position.corner;
     rest.previous = h;
     halves_[rest.next].previous = second;
     halves_[h].next = second;
@@ -219,7 +219,7 @@ class ThinPieceFinder {
     }
   }
 
-  const DiscPlaces& places_;
+  const DiscPositions& positions_;
   std::vector<std::uint32_t> other_;
   std::vector<HalfPiece> halves_;
   ThinPieces made_;
@@ -239,8 +239,8 @@ bool has_thin_walks(const Complex& complex) {
   return false;
 }
 
-ThinPieces without_thin_pieces(const DiscPlaces& places, const std::vector<DiscBoundary>& rings) {
-  return ThinPieceFinder(places, rings).run();
+ThinPieces without_thin_pieces(const DiscPositions& positions, const std::vector<DiscBoundary>& rings) {
+  return ThinPieceFinder(positions, rings).run();
 }
 
 }  // namespace dymsum::shape

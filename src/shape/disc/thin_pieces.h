@@ -26,6 +26,6 @@ struct ThinPieces {
 
 /// Takes the pieces of rings apart that run along one another, there and back: they are the thin pieces of the set, and
 /// without them the rings go on as the faces of a plane graph do where an edge is deleted. Exact.
-ThinPieces without_thin_pieces(const DiscPlaces& places, const std::vector<DiscBoundary>& rings);
+ThinPieces without_thin_pieces(const DiscPositions& positions, const std::vector<DiscBoundary>& rings);
 
 }  // namespace dymsum::shape

@@ -32,10 +32,10 @@ bool goes_on(const Spokes& spokes) { return spokes.rising == 0 && spokes.flat.si
 
 }  // namespace
 
-TightFeatures tight_features(const DiscPlaces& places) {
-  const Complex& complex = places.complex();
+TightFeatures tight_features(const DiscPositions& positions) {
+  const Complex& complex = positions.complex();
   TightFeatures made;
-  for (std::uint32_t node = places.level().below; node < places.level().up_to; ++node) {
+  for (std::uint32_t node = positions.level().below; node < positions.level().up_to; ++node) {
     const Spokes here = spokes_of(complex, node);
     if (here.rising == 0 && here.flat.empty()) made.points.push_back(centre_of_node(complex, node));
     if (goes_on(here)) continue;

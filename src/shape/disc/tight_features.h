@@ -1,7 +1,7 @@
 // Positions of a disc that has no room: nodes and flat edges of exactly the radius at hand.
 #pragma once
 
-#include "shape/disc/disc_places.h"
+#include "shape/disc/disc_positions.h"
 
 namespace dymsum::shape {
 
@@ -11,6 +11,6 @@ struct TightFeatures {
 };
 
 /// What of { d >= r } is not in the closure of { d > r }. O(n).
-TightFeatures tight_features(const DiscPlaces& places);
+TightFeatures tight_features(const DiscPositions& positions);
 
 }  // namespace dymsum::shape

@@ -9,7 +9,7 @@
 
 namespace dymsum::shape {
 
-/// A vertex of a loop, reflex or convex. The loop's edge behind it leads to the next one.
+/// A vertex of a loop, reflex or convex. The loop's edge after it leads to the next one.
 struct LoopVertex {
   Point at;
   std::uint32_t vertex = 0;       ///< of the region
@@ -31,7 +31,7 @@ struct BoundaryLoops {
   std::vector<BoundaryLoop> loops;
   std::vector<std::uint32_t> loop_of;  ///< loop vertex -> loop
   std::vector<std::uint32_t> before;   ///< site -> the last loop vertex strictly before a contact with it
-  std::vector<std::uint32_t> after;    ///< site -> the first one strictly behind it
+  std::vector<std::uint32_t> after;    ///< site -> the first one strictly after it
   std::vector<std::uint32_t> loop_of_site;
   std::vector<std::uint32_t> rank;  ///< of loop vertices: see canonical_ranks
 

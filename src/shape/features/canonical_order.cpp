@@ -80,11 +80,11 @@ std::uint32_t behind(const BoundaryLoops& loops, std::uint32_t v, std::uint64_t 
   return ahead(loops, v, size - steps % size);
 }
 
-/// What is seen from every vertex forwards (at v) and backwards (at n + v), over ever longer stretches: ranks of twice
-/// as many steps come from those of two stretches one behind the other.
-class Stretches {
+/// What is seen from every vertex forwards (at v) and backwards (at n + v), over ever longer runs: ranks of twice
+/// as many steps come from those of two runs one after the other.
+class Intervals {
  public:
-  Stretches(const BoundaryLoops& loops, const Lengths& lengths) : loops_(loops), n_(loops.vertices.size()) {
+  Intervals(const BoundaryLoops& loops, const Lengths& lengths) : loops_(loops), n_(loops.vertices.size()) {
     std::vector<std::array<std::uint32_t, 3>> keys(2 * n_);
     for (std::uint32_t v = 0; v < n_; ++v) {
       const BoundaryLoop& loop = loops.loops[loops.loop_of[v]];
@@ -121,7 +121,7 @@ class Frame {
  public:
   Frame(const BoundaryLoops& loops, const FromMean& at, const std::vector<std::uint32_t>& ranks, std::uint32_t axis,
         bool mirrored)
-      : order_(ranks.size()), place_(ranks.size()) {
+      : order_(ranks.size()), position_(ranks.size()) {
     for (std::uint32_t v = 0; v < ranks.size(); ++v) {
       along_.push_back(at.x[axis] * at.x[v] + at.y[axis] * at.y[v]);
       across_.push_back(at.x[axis] * at.y[v] - at.y[axis] * at.x[v]);
@@ -132,9 +132,9 @@ class Frame {
       if (ranks[a] != ranks[b]) return ranks[a] < ranks[b];
       return std::tie(along_[a], across_[a], a) < std::tie(along_[b], across_[b], b);
     });
-    for (std::uint32_t k = 0; k < order_.size(); ++k) place_[order_[k]] = k;
+    for (std::uint32_t k = 0; k < order_.size(); ++k) position_[order_[k]] = k;
     for (const std::uint32_t v : order_) {
-      neighbours_.push_back({place_[loops.next(v)], place_[loops.previous(v)]});
+      neighbours_.push_back({position_[loops.next(v)], position_[loops.previous(v)]});
       if (mirrored) std::swap(neighbours_.back()[0], neighbours_.back()[1]);
     }
   }
@@ -148,18 +148,18 @@ class Frame {
     }
     return neighbours_ < other.neighbours_;
   }
-  std::vector<std::uint32_t> places() && { return std::move(place_); }
+  std::vector<std::uint32_t> positions() && { return std::move(position_); }
 
  private:
   std::vector<BigInteger> along_, across_;
-  std::vector<std::uint32_t> order_, place_;
+  std::vector<std::uint32_t> order_, position_;
   std::vector<Pair> neighbours_;
 };
 
-/// Ranks without ties: those that are equal by their places in the least of the frames whose axis goes through a vertex
-/// of a rank that few have.
-std::vector<std::uint32_t> told_apart(const BoundaryLoops& loops, const FromMean& at,
-                                      const std::vector<std::uint32_t>& ranks) {
+/// Ranks without ties: those that are equal by their positions in the least of the frames whose axis goes through a
+/// vertex of a rank that few have.
+std::vector<std::uint32_t> distinguished(const BoundaryLoops& loops, const FromMean& at,
+                                         const std::vector<std::uint32_t>& ranks) {
   std::vector<std::uint32_t> count(ranks.size(), 0);
   for (const std::uint32_t rank : ranks) ++count[rank];
   std::uint32_t fewest = kNoIndex;
@@ -175,7 +175,7 @@ std::vector<std::uint32_t> told_apart(const BoundaryLoops& loops, const FromMean
       if (!least || frame < *least) least = std::move(frame);
     }
   }
-  return least ? std::move(*least).places() : ranks;
+  return least ? std::move(*least).positions() : ranks;
 }
 
 }  // namespace
@@ -186,15 +186,15 @@ std::vector<std::uint32_t> canonical_ranks(const BoundaryLoops& loops, const Wal
   const Lengths lengths = lengths_of(loops, at);
   std::uint64_t longest = 0;
   for (const BoundaryLoop& loop : loops.loops) longest = std::max<std::uint64_t>(longest, loop.last - loop.first);
-  Stretches stretches(loops, lengths);
-  for (std::uint64_t steps = 1; steps < longest; steps *= 2) stretches.lengthen(steps);
+  Intervals intervals(loops, lengths);
+  for (std::uint64_t steps = 1; steps < longest; steps *= 2) intervals.lengthen(steps);
   // The distance comes first, whatever follows.
-  const std::vector<std::uint32_t> around = stretches.of_vertices();
+  const std::vector<std::uint32_t> around = intervals.of_vertices();
   std::vector<Pair> keys(around.size());
   for (std::size_t v = 0; v < keys.size(); ++v) keys[v] = {lengths.from_mean[v], around[v]};
   const std::vector<std::uint32_t> ranks = ranks_of(keys);
   const bool distinct = *std::max_element(ranks.begin(), ranks.end()) + 1 == ranks.size();
-  return distinct ? ranks : told_apart(loops, at, ranks);
+  return distinct ? ranks : distinguished(loops, at, ranks);
 }
 
 ContactRanks contact_ranks(const Complex& complex, const BoundaryLoops& loops, std::uint32_t edge) {

@@ -1,4 +1,4 @@
-// An order of the boundary's vertices that tells nothing of where the region lies, which way it is turned or mirrored,
+// An order of the boundary's vertices that says nothing of where the region lies, which way it is turned or mirrored,
 // how large it is, or where its rings begin: for ties.
 #pragma once
 
@@ -15,7 +15,7 @@ namespace dymsum::shape {
 /// either direction, distances and lengths of edges. Where that leaves ties all are looked at in one frame: its origin
 /// is the mean, its first axis goes through a vertex, it is mirrored or not; the frame in which the region looks least
 /// is chosen. Frames that look the same are images of each other under a symmetry of the region, so that whatever is
-/// decided by these ranks is decided, up to a congruence, by geometry alone. Only vertices at one place have indices
+/// decided by these ranks is decided, up to a congruence, by geometry alone. Only vertices at one position have indices
 /// for a tie. Exact. O(n log^2 n), with symmetries n log n for each vertex of the rarest kind: rational coordinates
 /// have at most eight symmetries.
 std::vector<std::uint32_t> canonical_ranks(const BoundaryLoops& loops, const Walks& walks);

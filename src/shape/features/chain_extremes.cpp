@@ -62,7 +62,7 @@ ChainExtremes::ChainExtremes(const BoundaryLoops& loops) : loops_(&loops) {
 }
 
 bool ChainExtremes::better(Line& line, std::uint32_t v, std::uint32_t than) const {
-  const Place p{loops_->vertices[v].at, nullptr}, q{loops_->vertices[than].at, nullptr};
+  const Position p{loops_->vertices[v].at, nullptr}, q{loops_->vertices[than].at, nullptr};
   if (const int sign = cross_sign(line.a, line.b, q, p); sign != 0) return sign > 0;
   if (const int sign = dot_sign(line.a, line.b, q, p); sign != 0) {
     line.tied = true;
@@ -80,14 +80,14 @@ void ChainExtremes::see_hull(Line& line, const Hull& hull, std::uint32_t& best) 
   // Along the half hull the distance grows, stays for one edge at most, and falls.
   const std::vector<std::uint32_t>& half = line.dx >= 0 ? hull.upper : hull.lower;
   const auto grows = [&](std::size_t i) {
-    const Place p{loops_->vertices[half[i]].at, nullptr}, q{loops_->vertices[half[i + 1]].at, nullptr};
+    const Position p{loops_->vertices[half[i]].at, nullptr}, q{loops_->vertices[half[i + 1]].at, nullptr};
     return cross_sign(line.a, line.b, p, q) > 0;
   };
   std::size_t low = 0, high = half.size() - 1;  // the first that does not grow
   while (low < high) {
-    const std::size_t middle = (low + high) / 2;
-    if (grows(middle)) low = middle + 1;
-    else high = middle;
+    const std::size_t midpoint = (low + high) / 2;
+    if (grows(midpoint)) low = midpoint + 1;
+    else high = midpoint;
   }
   see(line, half[low], best);
   if (low + 1 < half.size()) see(line, half[low + 1], best);
@@ -120,8 +120,8 @@ std::uint32_t ChainExtremes::farthest_on(Line& line, const BoundaryChain& chain)
   return best;
 }
 
-std::uint32_t ChainExtremes::farthest(const BoundaryChain& chain, const Place& a, const Place& b) const {
-  const Place zero{{0, 0}, nullptr}, up{{0, 1}, nullptr};
+std::uint32_t ChainExtremes::farthest(const BoundaryChain& chain, const Position& a, const Position& b) const {
+  const Position zero{{0, 0}, nullptr}, up{{0, 1}, nullptr};
   Line line{a, b, cross_sign(a, b, zero, up)};
   const std::uint32_t first = farthest_on(line, chain);
   if (!line.tied) return first;

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "shape/features/boundary_loops.h"
-#include "shape/features/place.h"
+#include "shape/features/position.h"
 
 namespace dymsum::shape {
 
@@ -17,14 +17,14 @@ class ChainExtremes {
 
   /// The vertex of the chain that is farthest to the left of the directed line a -> b; of several, of the first and the
   /// last one in its direction, the one of the lesser canonical rank. Exact. O(log^2 n) signs.
-  std::uint32_t farthest(const BoundaryChain& chain, const Place& a, const Place& b) const;
+  std::uint32_t farthest(const BoundaryChain& chain, const Position& a, const Position& b) const;
 
  private:
   struct Hull {
-    std::vector<std::uint32_t> upper, lower;  ///< from left to right, without vertices in the middle of their edges
+    std::vector<std::uint32_t> upper, lower;  ///< from left to right, without vertices inside their edges
   };
   struct Line {
-    const Place &a, &b;
+    const Position &a, &b;
     int dx = 0;         ///< sign of b.x - a.x
     int wanted = -1;    ///< of equally far ones: -1 the first, 1 the last
     bool tied = false;  ///< there were some

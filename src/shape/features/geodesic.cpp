@@ -8,17 +8,17 @@
 namespace dymsum::shape {
 namespace {
 
-bool same(const Place& a, const Place& b) { return !a.exact && !b.exact && a.at == b.at; }
+bool same(const Position& a, const Position& b) { return !a.exact && !b.exact && a.at == b.at; }
 
-/// Whether a vertex p with neighbours before and behind it keeps the ear a, b, c from being cut off: it lies in the
+/// Whether a vertex p with neighbours before and after it keeps the ear a, b, c from being cut off: it lies in the
 /// ear, its corners left out, or at one of them with the boundary going into the ear.
-bool in_triangle(const Place& a, const Place& b, const Place& c, const Place& p) {
+bool in_triangle(const Position& a, const Position& b, const Position& c, const Position& p) {
   return turn_sign(a, b, p) >= 0 && turn_sign(b, c, p) >= 0 && turn_sign(c, a, p) >= 0;
 }
 
 class Ears {
  public:
-  explicit Ears(const std::vector<Place>& polygon) : polygon_(polygon) {
+  explicit Ears(const std::vector<Position>& polygon) : polygon_(polygon) {
     const auto n = std::uint32_t(polygon.size());
     for (std::uint32_t i = 0; i < n; ++i) next_.push_back((i + 1) % n), previous_.push_back((i + n - 1) % n);
   }
@@ -55,7 +55,7 @@ class Ears {
     if (turn == 0)
       return dot_sign(polygon_[b], polygon_[a], polygon_[b], polygon_[c]) < 0 || same(polygon_[a], polygon_[c]);
     for (std::uint32_t v = next_[c]; v != a; v = next_[v]) {
-      const Place& p = polygon_[v];
+      const Position& p = polygon_[v];
       if (same(p, polygon_[a]) || same(p, polygon_[b]) || same(p, polygon_[c])) {
         if (enters(a, b, c, v)) return false;
       } else if (in_triangle(polygon_[a], polygon_[b], polygon_[c], p)) {
@@ -68,20 +68,20 @@ class Ears {
   bool enters(std::uint32_t a, std::uint32_t b, std::uint32_t c, std::uint32_t v) const {
     for (const std::uint32_t w : {previous_[v], next_[v]}) {
       if (w == a || w == b || w == c) continue;
-      const Place &p = polygon_[v], &q = polygon_[w];
+      const Position &p = polygon_[v], &q = polygon_[w];
       const bool at_a = same(p, polygon_[a]), at_b = same(p, polygon_[b]);
-      const Place &u = at_a   ? polygon_[b]
-                       : at_b ? polygon_[c]
-                              : polygon_[a],
-                  &t = at_a   ? polygon_[c]
-                       : at_b ? polygon_[a]
-                              : polygon_[b];
+      const Position &u = at_a   ? polygon_[b]
+                          : at_b ? polygon_[c]
+                                 : polygon_[a],
+                     &t = at_a   ? polygon_[c]
+                          : at_b ? polygon_[a]
+                                 : polygon_[b];
       if (turn_sign(p, u, q) > 0 && turn_sign(p, t, q) < 0) return true;
     }
     return false;
   }
 
-  const std::vector<Place>& polygon_;
+  const std::vector<Position>& polygon_;
   std::vector<std::uint32_t> next_, previous_;
 };
 
@@ -89,7 +89,7 @@ class Ears {
 /// square to it: so a path to a vertex right above it ends at its foot.
 class Funnel {
  public:
-  explicit Funnel(const std::vector<Place>& polygon) : polygon_(polygon), parent_(polygon.size(), kNoIndex) {
+  explicit Funnel(const std::vector<Position>& polygon) : polygon_(polygon), parent_(polygon.size(), kNoIndex) {
     known_.assign(polygon.size(), false);
     known_[0] = known_[1] = true;
     for (const auto& t : triangles_of(polygon))
@@ -111,13 +111,13 @@ class Funnel {
 
   /// 0 for vertices on the edge.
   double distance(std::uint32_t v) const {
-    std::vector<const Place*> way;
+    std::vector<const Position*> way;
     for (; v != kNoIndex; v = parent_[v]) way.push_back(&polygon_[v]);
     return way_length(way, polygon_[0], polygon_[1]);
   }
 
  private:
-  /// From the edge's far side to v; the vertex behind kNoIndex, which is infinity, comes first.
+  /// From the edge's far side to v; the vertex after kNoIndex, which is infinity, comes first.
   std::vector<std::uint32_t> path(std::uint32_t v) const {
     std::vector<std::uint32_t> vertices;
     for (; v != kNoIndex; v = parent_[v]) vertices.push_back(v);
@@ -145,7 +145,7 @@ class Funnel {
     return on_left != apex ? on_left : along(right, -1);
   }
 
-  const std::vector<Place>& polygon_;
+  const std::vector<Position>& polygon_;
   std::map<std::pair<std::uint32_t, std::uint32_t>, std::uint32_t> beyond_;
   std::vector<std::uint32_t> parent_;
   std::vector<bool> known_;
@@ -153,12 +153,13 @@ class Funnel {
 
 }  // namespace
 
-std::vector<std::array<std::uint32_t, 3>> triangles_of(const std::vector<Place>& polygon) {
+std::vector<std::array<std::uint32_t, 3>> triangles_of(const std::vector<Position>& polygon) {
   return Ears(polygon).run();
 }
 
-std::vector<double> distances_from_bridge(const Place& from, const std::vector<Place>& chain, const Place& to) {
-  std::vector<Place> polygon{from, to};
+std::vector<double> distances_from_bridge(const Position& from, const std::vector<Position>& chain,
+                                          const Position& to) {
+  std::vector<Position> polygon{from, to};
   polygon.insert(polygon.end(), chain.rbegin(), chain.rend());
   const Funnel funnel(polygon);
   std::vector<double> distances;

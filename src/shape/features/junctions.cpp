@@ -27,20 +27,20 @@ std::vector<std::uint32_t> contracted(const Complex& complex) {
 
 std::vector<Junction> junctions_of(const Complex& complex) {
   const std::vector<std::uint32_t> root = contracted(complex);
-  std::vector<std::uint32_t> place(root.size(), kNoIndex);
+  std::vector<std::uint32_t> position(root.size(), kNoIndex);
   std::vector<Junction> junctions;
   for (std::uint32_t n = 0; n < root.size(); ++n) {
     if (root[n] == n) {
-      place[n] = std::uint32_t(junctions.size());
+      position[n] = std::uint32_t(junctions.size());
       junctions.emplace_back();
     }
-    junctions[place[root[n]]].nodes.push_back(n);
+    junctions[position[root[n]]].nodes.push_back(n);
   }
   for (std::uint32_t e = 0; e < complex.edges.size(); ++e) {
     const Edge& edge = complex.edges[e];
     if (edge.flat) continue;
-    junctions[place[root[edge.low]]].out.push_back(e);
-    if (edge.high != kNoIndex) junctions[place[root[edge.high]]].in.push_back(e);
+    junctions[position[root[edge.low]]].out.push_back(e);
+    if (edge.high != kNoIndex) junctions[position[root[edge.high]]].in.push_back(e);
   }
   return junctions;
 }

@@ -1,4 +1,4 @@
-// Where the tracks of a complex begin, meet or end, and what is asked about the pockets behind them.
+// Where the tracks of a complex begin, meet or end, and what is queried the pockets behind them.
 #pragma once
 
 #include <array>
@@ -10,7 +10,7 @@
 
 namespace dymsum::shape {
 
-/// A place where tracks begin, meet or end: a node, or nodes that flat edges connect, which lie at one radius.
+/// A position where tracks begin, meet or end: a node, or nodes that flat edges connect, which lie at one radius.
 struct Junction {
   std::vector<std::uint32_t> nodes;    ///< ascending
   std::vector<std::uint32_t> in, out;  ///< edges that ascend to it and from it, ascending
@@ -35,7 +35,7 @@ struct PocketOracle {
   std::function<PocketMinimumAt(std::uint32_t edge)> deepest;
   std::function<bool(std::uint32_t edge, std::uint32_t vertex)> holds;  ///< whether the pocket has the vertex inside
   std::function<PocketAt(std::uint32_t edge)> at;
-  /// What its discs touch, by ranks that tell nothing of indices.
+  /// What its discs touch, by ranks that say nothing of indices.
   std::function<std::array<std::uint32_t, 4>(std::uint32_t edge)> contacts;
 };
 

@@ -14,7 +14,8 @@ bool holds_outermost(const BoundaryLoops& loops, const BoundaryChain& chain) {
                      [&](std::uint32_t v) { return v != kNoIndex && holds(loops, chain, v); });
 }
 
-Bridge bridge_between(const Complex& complex, const BoundaryLoops& loops, std::uint32_t edge, Place left, Place right) {
+Bridge bridge_between(const Complex& complex, const BoundaryLoops& loops, std::uint32_t edge, Position left,
+                      Position right) {
   const PocketSide side = pocket_side(complex, loops, edge);
   const Edge& e = complex.edges[edge];
   if (side.ahead) return {std::move(left), std::move(right), e.left, e.right, side.chain};
@@ -24,9 +25,9 @@ Bridge bridge_between(const Complex& complex, const BoundaryLoops& loops, std::u
 /// Whether an edge of the chain runs backwards along the bridge: only then may shortest paths turn at vertices.
 bool turns_back(const BoundaryLoops& loops, const Bridge& bridge) {
   const BoundaryChain& chain = *bridge.pocket;
-  Place last = bridge.from;
+  Position last = bridge.from;
   for (std::uint32_t v = chain.first;; v = loops.next(v)) {
-    const Place here{loops.vertices[v].at, nullptr};
+    const Position here{loops.vertices[v].at, nullptr};
     if (dot_sign(bridge.from, bridge.to, last, here) < 0) return true;
     last = here;
     if (v == chain.last) break;
@@ -40,7 +41,7 @@ Deepest straight_minimum(const BoundaryLoops& loops, const ChainExtremes& extrem
 }
 
 Deepest geodesic_minimum(const BoundaryLoops& loops, const Bridge& bridge) {
-  std::vector<Place> chain;
+  std::vector<Position> chain;
   for (std::uint32_t v = bridge.pocket->first;; v = loops.next(v)) {
     chain.push_back({loops.vertices[v].at, nullptr});
     if (v == bridge.pocket->last) break;
@@ -71,22 +72,22 @@ PocketSide pocket_side(const Complex& complex, const BoundaryLoops& loops, std::
 Bridge bridge_at_end(const Complex& complex, const BoundaryLoops& loops, std::uint32_t edge) {
   const Edge& e = complex.edges[edge];
   if (e.high == kNoIndex) {
-    const Place left{complex.sites[e.left].a, nullptr}, right{complex.sites[e.right].a, nullptr};
+    const Position left{complex.sites[e.left].a, nullptr}, right{complex.sites[e.right].a, nullptr};
     return bridge_between(complex, loops, edge, left, right);
   }
   if (complex.sites[e.left].kind == Site::Kind::vertex && complex.sites[e.right].kind == Site::Kind::vertex)
     return bridge_between(complex, loops, edge, {complex.sites[e.left].a, nullptr},
                           {complex.sites[e.right].a, nullptr});
   const Centre centre = centre_of(complex, e.high);
-  return bridge_between(complex, loops, edge, contact_place(complex, e.left, centre),
-                        contact_place(complex, e.right, centre));
+  return bridge_between(complex, loops, edge, contact_position(complex, e.left, centre),
+                        contact_position(complex, e.right, centre));
 }
 
 Bridge bridge_at(const Complex& complex, const BoundaryLoops& loops, std::uint32_t edge, const Rational& r) {
   const Edge& e = complex.edges[edge];
   const Centre centre{exact_centre_on_edge(complex, edge, r)};
-  return bridge_between(complex, loops, edge, contact_place(complex, e.left, centre),
-                        contact_place(complex, e.right, centre));
+  return bridge_between(complex, loops, edge, contact_position(complex, e.left, centre),
+                        contact_position(complex, e.right, centre));
 }
 
 Deepest pocket_minimum(const BoundaryLoops& loops, const ChainExtremes& extremes, const Bridge& bridge,

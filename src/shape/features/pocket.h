@@ -1,4 +1,4 @@
-// Bridges and their pockets: what a disc that touches the boundary at two places cuts off.
+// Bridges and their pockets: what a disc that touches the boundary at two positions cuts off.
 #pragma once
 
 #include <cstdint>
@@ -7,13 +7,13 @@
 #include "dymsum/shape_features.h"
 #include "shape/features/boundary_loops.h"
 #include "shape/features/chain_extremes.h"
-#include "shape/features/place.h"
+#include "shape/features/position.h"
 
 namespace dymsum::shape {
 
 /// The segment between the two contacts of a disc on an edge of the complex. Its pocket lies to its left.
 struct Bridge {
-  Place from, to;
+  Position from, to;
   std::uint32_t from_site = 0, to_site = 0;
   std::optional<BoundaryChain> pocket;  ///< from `from` to `to`; none for a gap between two loops
 };

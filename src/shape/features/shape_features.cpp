@@ -1,7 +1,9 @@
 #include <algorithm>
 #include <cmath>
 #include <numeric>
+#include <string>
 
+#include "base/double_text.h"
 #include "base/poll.h"
 #include "shape/features/canonical_order.h"
 #include "shape/features/feature_state.h"
@@ -57,7 +59,7 @@ class Lives {
   }
 
   bool endless(const FeatureBar& bar) const { return !bar.death && !to_; }
-  /// Ranks that tell equal clipped births and deaths apart at once: nodes at the ends of the range count as its ends.
+  /// Ranks that distinguish equal clipped births and deaths at once: nodes at the ends of the range count as its ends.
   std::uint32_t birth_key(const FeatureBar& bar) const {
     const std::uint32_t node = state_.first_node[bar.birth];
     return node < below_ ? kNoIndex : bar.birth;
@@ -126,8 +128,8 @@ class Ranking {
       worth = {Worth::By::concavity, worth.in_range, depth};
     return worth;
   }
-  /// Equal ones are mostly told apart from others without exact work.
-  bool surely_equal(std::uint32_t i, std::uint32_t j) const {
+  /// Equal ones are mostly distinguished from others without exact work.
+  bool provably_equal(std::uint32_t i, std::uint32_t j) const {
     if (worth_[i].by != worth_[j].by) return false;
     const FeatureBar &a = state_.bars[i], &b = state_.bars[j];
     const TrackWorth &x = state_.tracks.bars[i].worth, &y = state_.tracks.bars[j].worth;
@@ -141,7 +143,7 @@ class Ranking {
     const FeatureBar &a = state_.bars[i], &b = state_.bars[j];
     const bool endless = worth_[i].by == Worth::By::nothing;
     if (endless != (worth_[j].by == Worth::By::nothing)) return endless;
-    if (!endless && !surely_equal(i, j))
+    if (!endless && !provably_equal(i, j))
       if (const int sign = compare(worth_[i].half, worth_[j].half); sign != 0) return sign > 0;
     return a.concavity != b.concavity ? a.concavity > b.concavity : i < j;
   }
@@ -152,9 +154,10 @@ class Ranking {
   std::vector<Worth> worth_;
 };
 
-BridgeContact contact_of(const Complex& complex, std::uint32_t site, const Place& place) {
+BridgeContact contact_of(const Complex& complex, std::uint32_t site, const Position& position) {
   const Site& s = complex.sites[site];
-  const Point at = place.exact ? Point{nearest_double(place.exact->x), nearest_double(place.exact->y)} : place.at;
+  const Point at =
+      position.exact ? Point{nearest_double(position.exact->x), nearest_double(position.exact->y)} : position.at;
   return {s.kind == Site::Kind::vertex, s.index, at};
 }
 
@@ -213,9 +216,9 @@ PocketOracle oracle_of(const ShapeFeatures::State& state, const Poll& poll) {
     return bridge.pocket ? pocket_minimum(state.loops, *state.extremes, bridge, state.options) : Deepest{};
   };
   PocketOracle oracle;
-  oracle.deepest = [minimum, &poll, asked = std::size_t{0},
+  oracle.deepest = [minimum, &poll, queried = std::size_t{0},
                     edges = state.complex.edges.size()](std::uint32_t edge) mutable {
-    poll.at_test(std::min(asked++, edges), edges);
+    poll.at_test(std::min(queried++, edges), edges);
     const Deepest found = minimum(edge);
     return PocketMinimumAt{found.vertex, found.concavity};
   };
@@ -236,7 +239,10 @@ PocketOracle oracle_of(const ShapeFeatures::State& state, const Poll& poll) {
 Result<ShapeFeatures> ShapeFeatures::create(const Region& region, const FeatureOptions& options) {
   if (region.empty()) return Error{ErrorCode::unsupported_operand, "an empty region has no features", {}};
   if (!(options.hybrid_tolerance >= 0) || std::isinf(options.hybrid_tolerance))
-    return Error{ErrorCode::out_of_range, "the tolerance of hybrid2 is a number of at least 0", {}};
+    return Error{ErrorCode::out_of_range,
+                 "the tolerance of hybrid2 must be finite and at least 0, not " +
+                     base::general_text(options.hybrid_tolerance, 6),
+                 {}};
   Result<Complex> complex = make_complex(region, Side::outside, Engine::fast, options.threads, options.progress);
   if (!complex) return complex.error();
   auto state = std::make_shared<State>();
@@ -267,18 +273,18 @@ const std::vector<FeatureBar>& ShapeFeatures::bars() const { return state_->bars
 std::uint32_t ShapeFeatures::event_count() const { return std::uint32_t(state_->first_node.size()); }
 
 double ShapeFeatures::event_alpha(std::uint32_t event) const {
-  if (event >= event_count()) throw std::invalid_argument("no such event");
+  if (event >= event_count()) throw std::invalid_argument("no event has the index " + std::to_string(event));
   return 2 * state_->complex.nodes[state_->first_node[event]].radius;
 }
 
 std::string ShapeFeatures::event_text(std::uint32_t event) const {
-  if (event >= event_count()) throw std::invalid_argument("no such event");
+  if (event >= event_count()) throw std::invalid_argument("no event has the index " + std::to_string(event));
   const exact::RootExpression r = exact_radius(state_->complex, state_->first_node[event]);
   return to_text(exact::RootExpression(2) * r);
 }
 
 Result<std::vector<AlphaBridge>> ShapeFeatures::bridges(const Rational& alpha) const {
-  if (alpha.sign() < 0) return Error{ErrorCode::out_of_range, "alpha is a diameter: at least 0", {}};
+  if (alpha.sign() < 0) return Error{ErrorCode::out_of_range, "alpha must be at least 0, not " + alpha.to_string(), {}};
   const Rational r = alpha / Rational(2);
   std::vector<AlphaBridge> bridges;
   for (const std::uint32_t e : crossed_edges(*state_, r)) bridges.push_back(public_bridge(*state_, e, r));

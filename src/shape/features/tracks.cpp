@@ -13,8 +13,8 @@ class Sweep {
  public:
   Sweep(const Complex& complex, const PocketOracle& pockets) : complex_(complex), pockets_(pockets) {
     deepest_.resize(complex.edges.size());
-    pockets_.deepest = [this, asked = pockets.deepest](std::uint32_t e) {
-      if (!deepest_[e]) deepest_[e] = asked(e);
+    pockets_.deepest = [this, queried = pockets.deepest](std::uint32_t e) {
+      if (!deepest_[e]) deepest_[e] = queried(e);
       return *deepest_[e];
     };
     tracks_.junctions = junctions_of(complex);
@@ -158,19 +158,19 @@ class Sweep {
   }
 
   void order() {
-    std::vector<std::uint32_t> sorted(tracks_.bars.size()), place(sorted.size());
+    std::vector<std::uint32_t> sorted(tracks_.bars.size()), position(sorted.size());
     std::iota(sorted.begin(), sorted.end(), 0u);
     const auto before = [&](std::uint32_t a, std::uint32_t b) {
       return before_in_list(tracks_.bars[a], tracks_.bars[b]);
     };
     std::sort(sorted.begin(), sorted.end(), before);
-    for (std::uint32_t i = 0; i < sorted.size(); ++i) place[sorted[i]] = i;
+    for (std::uint32_t i = 0; i < sorted.size(); ++i) position[sorted[i]] = i;
     std::vector<Bar> bars;
     for (const std::uint32_t i : sorted) bars.push_back(tracks_.bars[i]);
     for (Bar& bar : bars)
-      if (bar.parent != kNoIndex) bar.parent = place[bar.parent];
+      if (bar.parent != kNoIndex) bar.parent = position[bar.parent];
     for (std::uint32_t& bar : tracks_.bar_of)
-      if (bar != kNoIndex) bar = place[bar];
+      if (bar != kNoIndex) bar = position[bar];
     tracks_.bars = std::move(bars);
   }
 

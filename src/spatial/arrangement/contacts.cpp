@@ -12,10 +12,10 @@ namespace dymsum::spatial {
 
 namespace {
 
-/// An end of the stretch that a facet has on another one's plane: where `border` (from corner k to k + 1) meets the
-/// plane, along which the height over the plane rises by the sign `rise`; `corner` where that is a corner.
+/// An end of the interval that a facet has on another one's plane: where `facet_edge` (from corner k to k + 1) meets
+/// the plane, along which the height over the plane rises by the sign `rise`; `corner` where that is a corner.
 struct End {
-  int border = -1, rise = 0, corner = -1;
+  int facet_edge = -1, rise = 0, corner = -1;
 };
 
 struct Chord {
@@ -31,7 +31,7 @@ Corners corners_of(const SumSpace& space, const TableFacet& f) {
   return corners;
 }
 
-/// The stretch of facet f on a plane, in the direction n_f x n_plane. None where they do not meet.
+/// The interval of facet f on a plane, in the direction n_f x n_plane. None where they do not meet.
 std::optional<Chord> chord(const SumSpace& space, const TableFacet& f, const Corners& corners, PlaneId plane) {
   const int n = f.facet.corners;
   const Plane& cut = space.plane(plane);
@@ -45,14 +45,14 @@ std::optional<Chord> chord(const SumSpace& space, const TableFacet& f, const Cor
   }
   if (!on && !(above && below)) return std::nullopt;
   Chord result;
-  // Counter-clockwise about the plane's normal the border leaves the upper side at the stretch's end and comes back at
-  // its beginning.
+  // Counter-clockwise about the plane's normal the facet edge leaves the upper side at the interval's end and comes
+  // back at its beginning.
   const auto take = [&](bool end, End e) { (end == (f.side > 0) ? result.to : result.from) = e; };
   for (int k = 0; k < n; ++k) {
     const int next = (k + 1) % n, before = (k + n - 1) % n;
     if (s[k] * s[next] < 0) take(s[k] > 0, {k, s[next] - s[k] > 0 ? 1 : -1, -1});
     if (s[k] != 0) continue;
-    // The border behind or before the corner that leaves the plane; one does.
+    // The facet edge after or before the corner that leaves the plane; one does.
     const End here = s[next] != 0 ? End{k, s[next], k} : End{before, -s[before], k};
     if (s[before] == 0) {
       // The side `before` lies in the plane: it runs backward where the facet is above.
@@ -68,7 +68,9 @@ std::optional<Chord> chord(const SumSpace& space, const TableFacet& f, const Cor
   return result;
 }
 
-SumEdge border(const TableFacet& f, int k) { return {f.facet.corner[k], f.facet.corner[(k + 1) % f.facet.corners]}; }
+SumEdge facet_edge(const TableFacet& f, int k) {
+  return {f.facet.corner[k], f.facet.corner[(k + 1) % f.facet.corners]};
+}
 
 /// A facet with its corners.
 struct Placed {
@@ -86,15 +88,15 @@ int twist(const SumSpace& space, const Placed& f, int k, const Placed& g, int l)
   const double error = U * V * W * 0x1p-48 + 8 * space.sum_radius() * (U * V + V * W + U * W);
   if (value > error) return 1;
   if (value < -error) return -1;
-  const SumEdge a = border(f.facet, k), b = border(g.facet, l);
+  const SumEdge a = facet_edge(f.facet, k), b = facet_edge(g.facet, l);
   if (a.from == b.from || a.from == b.to || a.to == b.from || a.to == b.to) return 0;
   return space.exact_twist(a, b);
 }
 
-/// The sign of the way from f's end to g's end in the direction n_f x n_g: with x on the border e of f and y on h of g,
-/// y - x = l (n_f x n_g) and (e x h) . (n_f x n_g) = -(e . n_g) (h . n_f).
+/// The sign of the way from f's end to g's end in the direction n_f x n_g: with x on the facet edge e of f and y on h
+/// of g, y - x = l (n_f x n_g) and (e x h) . (n_f x n_g) = -(e . n_g) (h . n_f).
 int order(const SumSpace& space, const Placed& f, End x, const Placed& g, End y) {
-  return -twist(space, f, x.border, g, y.border) * x.rise * y.rise;
+  return -twist(space, f, x.facet_edge, g, y.facet_edge) * x.rise * y.rise;
 }
 
 PointSource source(const TableFacet& f, End end, PlaneId plane) {
@@ -102,12 +104,12 @@ PointSource source(const TableFacet& f, End end, PlaneId plane) {
     const SumPoint s = f.facet.corner[end.corner];
     return {PointSource::Kind::sum, s.p, s.q, 0};
   }
-  return {PointSource::Kind::edge, f.edge[end.border], plane, 0};
+  return {PointSource::Kind::edge, f.edge[end.facet_edge], plane, 0};
 }
 
-/// Whether the facet goes on behind an end, in its neighbour.
+/// Whether the facet goes on after an end, in its neighbour.
 bool goes_on(const FacetTable& table, const TableFacet& f, End end) {
-  return end.corner < 0 && table.is_inner(f.edge[end.border]);
+  return end.corner < 0 && table.is_inner(f.edge[end.facet_edge]);
 }
 
 bool share_edge(const TableFacet& f, const TableFacet& g) {
@@ -117,8 +119,8 @@ bool share_edge(const TableFacet& f, const TableFacet& g) {
   return false;
 }
 
-/// Whether a border of a facet ends in its plane at a corner, and none inside of a face.
-bool ends_border(const FacetTable& table, const TableFacet& f, int corner) {
+/// Whether a edge of a facet ends in its plane at a corner, and none inside of a face.
+bool ends_facet_edge(const FacetTable& table, const TableFacet& f, int corner) {
   return !table.is_inner(f.edge[corner]) || !table.is_inner(f.edge[(corner + f.facet.corners - 1) % f.facet.corners]);
 }
 int corner_at(const TableFacet& f, SumPoint point) {
@@ -127,18 +129,18 @@ int corner_at(const TableFacet& f, SumPoint point) {
   return -1;
 }
 
-/// Whether a contact is a point that cuts neither plane: one at which borders end in both of them, or where contacts of
-/// neighbours go on.
+/// Whether a contact is a point that cuts neither plane: one at which facet edges end in both of them, or where
+/// contacts of neighbours go on.
 bool cuts_nothing(const FacetTable& table, const Contact& c) {
   if (!c.point()) return false;
   if (c.from_inner) return true;
   if (c.from.kind != PointSource::Kind::sum) return false;
   const TableFacet &f = table.facets[c.f], &g = table.facets[c.g];
   const int i = corner_at(f, {c.from.a, c.from.b}), j = corner_at(g, {c.from.a, c.from.b});
-  return i >= 0 && j >= 0 && ends_border(table, f, i) && ends_border(table, g, j);
+  return i >= 0 && j >= 0 && ends_facet_edge(table, f, i) && ends_facet_edge(table, g, j);
 }
 
-/// Whether doubles tell that a facet lies to one side of a plane but for one corner.
+/// Whether doubles show that a facet lies to one side of a plane but for one corner.
 bool beside(const SumSpace& space, const Placed& f, int corner, PlaneId plane) {
   const Plane& cut = space.plane(plane);
   const double error = cut.slack + cut.norm1 * space.sum_radius();
@@ -151,13 +153,13 @@ bool beside(const SumSpace& space, const Placed& f, int corner, PlaneId plane) {
   return above || below;
 }
 
-/// Whether two facets have a corner in common, by its name, and doubles tell that they have no other point in common
+/// Whether two facets have a corner in common, by its name, and doubles show that they have no other point in common
 /// and that it cuts nothing: as most neighbours.
 bool only_share_corner(const SumSpace& space, const FacetTable& table, const Placed& f, const Placed& g) {
   for (int i = 0; i < f.facet.facet.corners; ++i) {
     const int j = corner_at(g.facet, f.facet.facet.corner[i]);
     if (j < 0) continue;
-    return ends_border(table, f.facet, i) && ends_border(table, g.facet, j) &&
+    return ends_facet_edge(table, f.facet, i) && ends_facet_edge(table, g.facet, j) &&
            (beside(space, f, i, g.facet.plane) || beside(space, g, j, f.facet.plane));
   }
   return false;
@@ -166,7 +168,7 @@ bool only_share_corner(const SumSpace& space, const FacetTable& table, const Pla
 /// The contact itself, its ends as points, and its segments in two planes, before they are cut.
 constexpr std::size_t kBytesPerContact = sizeof(Contact) + 2 * (sizeof(PointSource) + sizeof(PointId)) + 2 * 24;
 
-/// What two boxes have in common, or a place of the second one.
+/// What two boxes have in common, or a position of the second one.
 Box common(const Box& a, const Box& b) {
   const auto within = [&](Vec3 v) {
     return Vec3{std::clamp(v.x, b.low.x, b.high.x), std::clamp(v.y, b.low.y, b.high.y),
@@ -196,14 +198,14 @@ std::optional<Contact> contact(const SumSpace& space, const FacetTable& table, s
   const int end = order(space, at_f, a->to, at_g, b->to);
   const bool begin_f = begin < 0 || (begin == 0 && a->from.corner >= 0),
              end_f = end > 0 || (end == 0 && a->to.corner >= 0);
-  // The stretch of f begins and ends in order, and so does that of g: only mixed ends can be out of order.
+  // The interval of f begins and ends in order, and so does that of g: only mixed ends can be out of order.
   int length = 1;
   if (begin_f && !end_f) length = order(space, at_f, a->from, at_g, b->to);
   if (!begin_f && end_f) length = -order(space, at_f, a->to, at_g, b->from);
   if (length < 0) return std::nullopt;
-  // Where both end at one place, both have to go on.
-  const auto inner = [&](End x, End y, int way) {
-    return (way > 0 || goes_on(table, f, x)) && (way < 0 || goes_on(table, g, y));
+  // Where both end at one position, both have to go on.
+  const auto inner = [&](End x, End y, int direction) {
+    return (direction > 0 || goes_on(table, f, x)) && (direction < 0 || goes_on(table, g, y));
   };
   Contact result{i,
                  j,
@@ -251,7 +253,7 @@ Contacts find_contacts(const SumSpace& space, const FacetTable& table, StageWatc
   watch.hold(table.facets.size() * (sizeof(Box) + sizeof(Corners)));
   std::vector<Box> boxes(table.facets.size());
   std::vector<Corners> corners(table.facets.size());
-  watch.run_stretches(boxes.size(), 1024, [&](std::size_t, std::size_t first, std::size_t last) {
+  watch.run_intervals(boxes.size(), 1024, [&](std::size_t, std::size_t first, std::size_t last) {
     for (std::size_t f = first; f < last; ++f) {
       corners[f] = corners_of(space, table.facets[f]);
       boxes[f] = box_of(space, table.facets[f], corners[f]);

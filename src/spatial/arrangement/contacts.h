@@ -35,18 +35,18 @@ struct Contacts {
 std::optional<Contact> contact(const SumSpace& space, const FacetTable& table, std::uint32_t f, std::uint32_t g);
 
 /// All of them, but for points at which the contacts of neighbours go on, or that are corners of both facets with
-/// borders that end there. Where two facets in different planes share an edge of sums, that edge is all they have in
-/// common, and not listed. With `within` only contacts that meet that box, on the grid, need be listed.
+/// facet edges that end there. Where two facets in different planes share an edge of sums, that edge is all they have
+/// in common, and not listed. With `within` only contacts that meet that box, on the grid, need be listed.
 Contacts find_contacts(const SumSpace& space, const FacetTable& table, StageWatch& watch, const Box* within = nullptr);
 
-/// The stretch of a facet on a plane that is none of a facet, from `from` to `to` in the direction n_f x n_plane.
+/// The interval of a facet on a plane that is none of a facet, from `from` to `to` in the direction n_f x n_plane.
 struct PlaneCut {
   std::uint32_t facet = 0;
   PlaneId plane = 0;
   PointSource from, to;
   bool from_inner = false, to_inner = false;  ///< as of a Contact
 };
-/// Where planes cut facets: stretches that are no points, of facets that do not lie in the plane. Exact.
+/// Where planes cut facets: intervals that are no points, of facets that do not lie in the plane. Exact.
 std::vector<PlaneCut> plane_cuts(const SumSpace& space, const FacetTable& table, std::span<const PlaneId> planes);
 
 }  // namespace dymsum::spatial

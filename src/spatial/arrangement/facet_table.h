@@ -13,7 +13,7 @@ struct TableFacet {
   SumFacet facet;
   PlaneId plane = 0;              ///< the same for all facets in one plane
   std::int8_t side = 1;           ///< -1 where the facet's normal is opposite to the plane's
-  std::array<EdgeId, 4> edge{};   ///< of the border from corner k to corner k + 1
+  std::array<EdgeId, 4> edge{};   ///< of the facet edge from corner k to corner k + 1
   std::array<bool, 4> forward{};  ///< whether it runs along the edge
 };
 

@@ -37,7 +37,7 @@ FloatBox rounded_outward(const Box& box, double scale) {
   return {{low(box.low.x), low(box.low.y), low(box.low.z)}, {high(box.high.x), high(box.high.y), high(box.high.z)}};
 }
 
-/// Sixteen boxes, coordinate by coordinate; those behind the last one are empty.
+/// Sixteen boxes, coordinate by coordinate; those after the last one are empty.
 struct Leaf {
   std::array<std::array<float, kLeaf>, 3> low, high;
   std::array<std::uint32_t, kLeaf> index;
@@ -109,12 +109,12 @@ class LeafTree {
   void build(std::size_t first, std::size_t last) {
     const auto node = static_cast<std::uint32_t>(nodes_.size());
     nodes_.emplace_back();
-    FloatBox box, middles;
+    FloatBox box, centres;
     for (std::size_t k = first; k < last; ++k) {
       box.add(entries_[k].box);
       for (std::size_t i = 0; i < 3; ++i) {
-        middles.low[i] = std::min(middles.low[i], middle(entries_[k], i));
-        middles.high[i] = std::max(middles.high[i], middle(entries_[k], i));
+        centres.low[i] = std::min(centres.low[i], centre(entries_[k], i));
+        centres.high[i] = std::max(centres.high[i], centre(entries_[k], i));
       }
     }
     nodes_[node].box = box;
@@ -123,12 +123,12 @@ class LeafTree {
     } else {
       std::size_t axis = 0;
       for (std::size_t i = 1; i < 3; ++i)
-        if (middles.high[i] - middles.low[i] > middles.high[axis] - middles.low[axis]) axis = i;
+        if (centres.high[i] - centres.low[i] > centres.high[axis] - centres.low[axis]) axis = i;
       // Full leaves, but for the last one.
       const std::size_t half = first + ((last - first) / kLeaf + 1) / 2 * kLeaf;
       const auto at = [&](std::size_t k) { return entries_.begin() + static_cast<std::ptrdiff_t>(k); };
       std::nth_element(at(first), at(half), at(last), [&](const Entry& a, const Entry& b) {
-        const float x = middle(a, axis), y = middle(b, axis);
+        const float x = centre(a, axis), y = centre(b, axis);
         return x != y ? x < y : a.index < b.index;
       });
       build(first, half);
@@ -137,7 +137,7 @@ class LeafTree {
     }
     nodes_[node].last_leaf = static_cast<std::uint32_t>(leaves_.size());
   }
-  static float middle(const Entry& e, std::size_t axis) { return e.box.low[axis] + e.box.high[axis]; }
+  static float centre(const Entry& e, std::size_t axis) { return e.box.low[axis] + e.box.high[axis]; }
   void add_leaf(std::size_t first, std::size_t last) {
     Leaf& leaf = leaves_.emplace_back();
     leaf.size = last - first;
@@ -184,10 +184,10 @@ NearPairs near_pairs(std::span<const Box> boxes, StageWatch& watch) {
   const LeafTree tree(boxes);
   constexpr std::size_t kPart = 32;
   std::vector<Pairs> parts((tree.leaves().size() + kPart - 1) / kPart);
-  watch.run_stretches(tree.leaves().size(), kPart, [&](std::size_t part, std::size_t first, std::size_t last) {
+  watch.run_intervals(tree.leaves().size(), kPart, [&](std::size_t part, std::size_t first, std::size_t last) {
     for (std::size_t l = first; l < last; ++l) {
       // A leaf may meet very many others.
-      if (l % 4 == 3) watch.ask_within_part(static_cast<double>(l) / static_cast<double>(tree.leaves().size()));
+      if (l % 4 == 3) watch.query_within_part(static_cast<double>(l) / static_cast<double>(tree.leaves().size()));
       add_pairs(tree, static_cast<std::uint32_t>(l), boxes, parts[part], watch);
     }
   });
@@ -198,13 +198,13 @@ NearPairs near_pairs(std::span<const Box> boxes, StageWatch& watch) {
   std::partial_sum(near.begin.begin(), near.begin.end(), near.begin.begin());
   watch.hold(2 * near.begin.size() * sizeof(near.begin[0]) + near.begin.back() * sizeof(near.others[0]));
   near.others.resize(near.begin.back());
-  std::vector<std::size_t> place(near.begin.begin(), near.begin.end() - 1);
+  std::vector<std::size_t> position(near.begin.begin(), near.begin.end() - 1);
   for (Pairs& pairs : parts) {
-    for (const auto& [f, g] : pairs) near.others[place[f]++] = g;
+    for (const auto& [f, g] : pairs) near.others[position[f]++] = g;
     free_counted(pairs, watch);
   }
   give_back(boxes.size() * kBytesPerBox, watch);
-  watch.run_stretches(boxes.size(), 1024, [&](std::size_t, std::size_t first, std::size_t last) {
+  watch.run_intervals(boxes.size(), 1024, [&](std::size_t, std::size_t first, std::size_t last) {
     const auto at = [&](std::size_t f) { return near.others.begin() + static_cast<std::ptrdiff_t>(near.begin[f]); };
     for (std::size_t f = first; f < last; ++f) std::sort(at(f), at(f + 1));
   });

@@ -19,7 +19,7 @@ class PlaneArranger::Cells {
     result_.known = points_.known();
     result_.edges.reserve(lines_.pieces().size());
     for (const LinePiece& p : lines_.pieces())
-      result_.edges.push_back({p.a, p.b, kNoId, kNoId, p.cut, p.along, p.border});
+      result_.edges.push_back({p.a, p.b, kNoId, kNoId, p.cut, p.along, p.facet_edge});
     sort_around_points();
     trace_loops();
     find_components();
@@ -32,7 +32,7 @@ class PlaneArranger::Cells {
   }
 
  private:
-  /// Whether segments are the borders of one facet, each beginning where another one ends, and nothing else.
+  /// Whether segments are the edges of one facet, each beginning where another one ends, and nothing else.
   static bool is_lone_facet(std::span<const PlaneSegment> segments) {
     if (segments.size() < 3 || segments.size() > 4) return false;
     for (std::size_t k = 0; k < segments.size(); ++k) {
@@ -56,7 +56,7 @@ class PlaneArranger::Cells {
       const bool along = s.a < s.b, left = (s.inside > 0) == along;
       result.half_edges.push_back(static_cast<std::uint32_t>(2 * result.edges.size() + (left ? 0 : 1)));
       result.edges.push_back(
-          {std::min(s.a, s.b), std::max(s.a, s.b), left ? 0 : kNoId, left ? kNoId : 0, s.cut, along, s.border});
+          {std::min(s.a, s.b), std::max(s.a, s.b), left ? 0 : kNoId, left ? kNoId : 0, s.cut, along, s.facet_edge});
     }
     // Seen against the plane's normal the way around is clockwise where the facet's is the opposite one.
     if (side < 0) std::reverse(result.half_edges.begin(), result.half_edges.end());
@@ -71,11 +71,11 @@ class PlaneArranger::Cells {
   PointId from(std::uint32_t h) const { return h & 1 ? result_.edges[h / 2].b : result_.edges[h / 2].a; }
   PointId to(std::uint32_t h) const { return from(h ^ 1); }
   /// 1 where half-edge h runs along n x n_cut.
-  int way(std::uint32_t h) const { return (result_.edges[h / 2].along ? 1 : -1) * (h & 1 ? -1 : 1); }
+  int direction(std::uint32_t h) const { return (result_.edges[h / 2].along ? 1 : -1) * (h & 1 ? -1 : 1); }
   /// The sign of the turn from half-edge g to h, both out of one point.
   int turn(std::uint32_t g, std::uint32_t h) const {
     const PlaneId a = result_.edges[g / 2].cut, b = result_.edges[h / 2].cut;
-    return a == b ? 0 : way(g) * way(h) * space_.det(points_.plane(), a, b);
+    return a == b ? 0 : direction(g) * direction(h) * space_.det(points_.plane(), a, b);
   }
 
   /// Gives the ends of half-edges indices from 0 on, in the order of their first half-edges.
@@ -101,8 +101,8 @@ class PlaneArranger::Cells {
     for (const std::uint32_t v : vertex_) ++begin_[v + 1];
     std::partial_sum(begin_.begin(), begin_.end(), begin_.begin());
     out_.resize(half_edge_count()), next_.resize(half_edge_count());
-    place_.assign(begin_.begin(), begin_.end() - 1);
-    for (std::uint32_t h = 0; h < half_edge_count(); ++h) out_[place_[vertex_[h]]++] = h;
+    position_.assign(begin_.begin(), begin_.end() - 1);
+    for (std::uint32_t h = 0; h < half_edge_count(); ++h) out_[position_[vertex_[h]]++] = h;
     for (std::size_t v = 0; v < point_.size(); ++v) {
       const std::uint32_t first = begin_[v], last = begin_[v + 1];
       if (last - first > 2) sort_around(first, last);
@@ -239,7 +239,7 @@ class PlaneArranger::Cells {
       const bool a_above = order(p, from(h), 1) > 0, b_above = order(p, to(h), 1) > 0;
       if (a_above != b_above) {
         // Upward edges have the points to their right on their way's right.
-        const int left = left_of(result_.edges[h / 2].cut, p) * way(h);
+        const int left = left_of(result_.edges[h / 2].cut, p) * direction(h);
         if (b_above ? left < 0 : left > 0) inside = !inside;
       }
       h = next(h);
@@ -352,7 +352,7 @@ class PlaneArranger::Cells {
     std::uint32_t half_edge;
   };
   std::vector<Sector> sectors_;
-  std::vector<std::uint32_t> slot_, place_;
+  std::vector<std::uint32_t> slot_, position_;
   std::vector<std::uint32_t> parent_, index_, around_, todo_;
   std::vector<std::uint8_t> seen_, done_;
   PlaneCells result_;

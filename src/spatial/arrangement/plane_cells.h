@@ -1,5 +1,5 @@
-// The arrangement inside one plane: facets in it, cut along their borders and along their contacts with facets of other
-// planes, into cells.
+// The arrangement inside one plane: facets in it, cut along their facet edges and along their contacts with facets of
+// other planes, into cells.
 #pragma once
 
 #include <cstdint>
@@ -17,14 +17,14 @@ struct Cell {
   std::uint32_t first_loop = 0, last_loop = 0;  ///< of PlaneCells::loops: the outer one first, then those of holes
 };
 
-/// A piece of a line between neighbouring points, with the cells on its sides as seen on the way from a to b against n;
-/// kNoId for what no facet covers.
+/// A piece of a line between neighbouring points, with the cells on its sides as seen on the vector from a to b against
+/// n; kNoId for what no facet covers.
 struct CellEdge {
   PointId a = 0, b = 0;
   std::uint32_t left = kNoId, right = kNoId;
   PlaneId cut = 0;
-  bool along = true;      ///< the way from a to b is n x n_cut
-  EdgeId border = kNoId;  ///< the one edge of sums that runs there as a border, or kManyEdges
+  bool along = true;          ///< the vector from a to b is n x n_cut
+  EdgeId facet_edge = kNoId;  ///< the one edge of sums that runs there as a facet edge, or kManyEdges
 };
 
 struct PlaneCells {
@@ -50,7 +50,7 @@ class PlaneArranger {
   PlaneArranger(const SumSpace& space, const PointTable& points);
   ~PlaneArranger();
 
-  /// The cells of the union of the facets whose borders are among the segments. Points of segments are ids of the
+  /// The cells of the union of the facets whose facet edges are among the segments. Points of segments are ids of the
   /// table; crossings get ids behind those of the table, whose order is that of this plane alone. Exact. Cost: that of
   /// PlaneLines::run, and O(c l) for c components with l loops around them.
   PlaneCells run(PlaneId plane, std::span<const PlaneSegment> segments);

@@ -8,7 +8,7 @@ namespace dymsum::spatial {
 
 namespace {
 
-/// So many stretches, or crossings, are compared with one another faster than they are sorted, or hashed.
+/// So many intervals, or crossings, are compared with one another faster than they are sorted, or hashed.
 constexpr std::size_t kFew = 24;
 
 }  // namespace
@@ -23,9 +23,9 @@ void PlaneLines::run(std::span<const PlaneSegment> segments) {
   cut_runs();
 }
 
-/// Segments with the same ends are one stretch.
+/// Segments with the same ends are one interval.
 void PlaneLines::merge_equal(std::span<const PlaneSegment> segments) {
-  stretches_.clear(), dots_.clear();
+  intervals_.clear(), dots_.clear();
   for (const PlaneSegment& s : segments) {
     if (s.a == s.b) {
       dots_.push_back(s);
@@ -33,105 +33,105 @@ void PlaneLines::merge_equal(std::span<const PlaneSegment> segments) {
     }
     const bool along = s.a < s.b;
     const int left = along ? s.inside : -s.inside;
-    stretches_.push_back({std::min(s.a, s.b), std::max(s.a, s.b), s.cut, along, s.side > 0 ? left : 0,
-                          s.side > 0 ? 0 : left, s.border, 0, along ? s.a_inner : s.b_inner,
+    intervals_.push_back({std::min(s.a, s.b), std::max(s.a, s.b), s.cut, along, s.side > 0 ? left : 0,
+                          s.side > 0 ? 0 : left, s.facet_edge, 0, along ? s.a_inner : s.b_inner,
                           along ? s.b_inner : s.a_inner});
   }
   std::stable_sort(dots_.begin(), dots_.end(), [](const PlaneSegment& s, const PlaneSegment& t) { return s.a < t.a; });
   dots_.erase(
       std::unique(dots_.begin(), dots_.end(), [](const PlaneSegment& s, const PlaneSegment& t) { return s.a == t.a; }),
       dots_.end());
-  if (stretches_.size() <= kFew) merge_few();
+  if (intervals_.size() <= kFew) merge_few();
   else merge_sorted();
 }
 
-void PlaneLines::merge(Stretch& t, const Stretch& s) {
+void PlaneLines::merge(Interval& t, const Interval& s) {
   t.front += s.front, t.back += s.back;
   t.a_inner = t.a_inner && s.a_inner, t.b_inner = t.b_inner && s.b_inner;
-  if (t.border == kNoId) t.border = s.border;
-  else if (s.border != kNoId && s.border != t.border) t.border = kManyEdges;
+  if (t.facet_edge == kNoId) t.facet_edge = s.facet_edge;
+  else if (s.facet_edge != kNoId && s.facet_edge != t.facet_edge) t.facet_edge = kManyEdges;
 }
 
 void PlaneLines::merge_sorted() {
-  std::sort(stretches_.begin(), stretches_.end(), [](const Stretch& s, const Stretch& t) {
-    return std::tie(s.a, s.b, s.cut, s.border) < std::tie(t.a, t.b, t.cut, t.border);
+  std::sort(intervals_.begin(), intervals_.end(), [](const Interval& s, const Interval& t) {
+    return std::tie(s.a, s.b, s.cut, s.facet_edge) < std::tie(t.a, t.b, t.cut, t.facet_edge);
   });
   std::size_t kept = 0;
-  for (const Stretch& s : stretches_) {
-    if (kept == 0 || stretches_[kept - 1].a != s.a || stretches_[kept - 1].b != s.b) stretches_[kept++] = s;
-    else merge(stretches_[kept - 1], s);
+  for (const Interval& s : intervals_) {
+    if (kept == 0 || intervals_[kept - 1].a != s.a || intervals_[kept - 1].b != s.b) intervals_[kept++] = s;
+    else merge(intervals_[kept - 1], s);
   }
-  stretches_.resize(kept);
+  intervals_.resize(kept);
 }
 
 void PlaneLines::merge_few() {
   std::size_t kept = 0;
-  for (std::size_t k = 0; k < stretches_.size(); ++k) {
-    const Stretch& s = stretches_[k];
+  for (std::size_t k = 0; k < intervals_.size(); ++k) {
+    const Interval& s = intervals_[k];
     std::size_t same = 0;
-    while (same < kept && (stretches_[same].a != s.a || stretches_[same].b != s.b)) ++same;
-    if (same < kept) merge(stretches_[same], s);
-    else if (kept++ < k) stretches_[kept - 1] = s;
+    while (same < kept && (intervals_[same].a != s.a || intervals_[same].b != s.b)) ++same;
+    if (same < kept) merge(intervals_[same], s);
+    else if (kept++ < k) intervals_[kept - 1] = s;
   }
-  stretches_.resize(kept);
+  intervals_.resize(kept);
 }
 
-bool PlaneLines::on_line(const Stretch& line, const Stretch& s) const {
+bool PlaneLines::on_line(const Interval& line, const Interval& s) const {
   return points_.left_of(line.cut, s.a) == 0 && points_.left_of(line.cut, s.b) == 0;
 }
 
-/// Numbers the lines of all stretches: `order_` lists stretches line by line.
+/// Numbers the lines of all intervals: `order_` lists intervals line by line.
 void PlaneLines::find_lines() {
-  if (stretches_.size() <= kFew) return find_few_lines();
-  const auto n = static_cast<std::uint32_t>(stretches_.size());
+  if (intervals_.size() <= kFew) return find_few_lines();
+  const auto n = static_cast<std::uint32_t>(intervals_.size());
   cuts_.clear(), order_.clear();
-  for (std::uint32_t k = 0; k < n; ++k) cuts_.push_back(stretches_[k].cut), order_.push_back(k);
+  for (std::uint32_t k = 0; k < n; ++k) cuts_.push_back(intervals_[k].cut), order_.push_back(k);
   points_.space().line_hashes(points_.plane(), cuts_, hash_);
   std::sort(order_.begin(), order_.end(),
             [&](std::uint32_t a, std::uint32_t b) { return std::tie(hash_[a], a) < std::tie(hash_[b], b); });
-  std::vector<std::uint32_t>& leaders = by_x_;  // the first stretch of every line
+  std::vector<std::uint32_t>& leaders = by_x_;  // the first interval of every line
   leaders.clear();
   std::uint32_t same_hash = 0;  // the first line with the hash at hand
   bool mixed = false;
   // What has the hash 0 may lie on any line, and comes first.
   const bool wild = n > 0 && hash_[order_[0]] == 0;
   for (std::uint32_t k = 0; k < n; ++k) {
-    Stretch& s = stretches_[order_[k]];
+    Interval& s = intervals_[order_[k]];
     const auto lines = static_cast<std::uint32_t>(leaders.size());
     if (k > 0 && hash_[order_[k]] != hash_[order_[k - 1]] && !wild) same_hash = lines;
     s.line = same_hash;
-    while (s.line < lines && stretches_[leaders[s.line]].cut != s.cut && !on_line(stretches_[leaders[s.line]], s))
+    while (s.line < lines && intervals_[leaders[s.line]].cut != s.cut && !on_line(intervals_[leaders[s.line]], s))
       ++s.line;
     if (s.line == lines) leaders.push_back(order_[k]);
     else mixed |= s.line + 1 < lines;
   }
   if (mixed)
     std::sort(order_.begin(), order_.end(), [&](std::uint32_t a, std::uint32_t b) {
-      return std::tie(stretches_[a].line, a) < std::tie(stretches_[b].line, b);
+      return std::tie(intervals_[a].line, a) < std::tie(intervals_[b].line, b);
     });
 }
 
-/// Each stretch beside the first ones of all lines before: most are told apart by doubles.
+/// Each interval beside the first ones of all lines before: most are distinguished by doubles.
 void PlaneLines::find_few_lines() {
   std::vector<std::uint32_t>& leaders = by_x_;
   leaders.clear(), order_.clear();
   bool mixed = false;
-  for (std::uint32_t k = 0; k < stretches_.size(); ++k) {
-    Stretch& s = stretches_[k];
+  for (std::uint32_t k = 0; k < intervals_.size(); ++k) {
+    Interval& s = intervals_[k];
     const auto lines = static_cast<std::uint32_t>(leaders.size());
     s.line = 0;
-    const auto differs = [&](const Stretch& lead) {
+    const auto differs = [&](const Interval& lead) {
       return lead.cut != s.cut &&
              (points_.off_line(lead.cut, s.a) || points_.off_line(lead.cut, s.b) || !on_line(lead, s));
     };
-    while (s.line < lines && differs(stretches_[leaders[s.line]])) ++s.line;
+    while (s.line < lines && differs(intervals_[leaders[s.line]])) ++s.line;
     if (s.line == lines) leaders.push_back(k);
     else mixed |= s.line + 1 < lines;
     order_.push_back(k);
   }
   if (mixed)
     std::sort(order_.begin(), order_.end(), [&](std::uint32_t a, std::uint32_t b) {
-      return std::tie(stretches_[a].line, a) < std::tie(stretches_[b].line, b);
+      return std::tie(intervals_[a].line, a) < std::tie(intervals_[b].line, b);
     });
 }
 
@@ -139,15 +139,15 @@ void PlaneLines::make_runs() {
   runs_.clear(), breaks_.clear();
   const auto n = static_cast<std::uint32_t>(order_.size());
   for (std::uint32_t first = 0, last = 0; first < n; first = last) {
-    while (last < n && stretches_[order_[last]].line == stretches_[order_[first]].line) ++last;
-    const Stretch& s = stretches_[order_[first]];
+    while (last < n && intervals_[order_[last]].line == intervals_[order_[first]].line) ++last;
+    const Interval& s = intervals_[order_[first]];
     if (last - first == 1) add_run(first, last, s.a, s.b);
     else split_line(first, last);
   }
 }
 
 void PlaneLines::add_run(std::uint32_t first, std::uint32_t last, PointId a, PointId b) {
-  const Stretch& s = stretches_[order_[first]];
+  const Interval& s = intervals_[order_[first]];
   Run run{a, b, s.cut, s.along, first, last, 1e300, 1e300, -1e300, -1e300};
   for (const PointId p : {a, b}) {
     const Approx& at = points_.approx(p);
@@ -158,28 +158,28 @@ void PlaneLines::add_run(std::uint32_t first, std::uint32_t last, PointId a, Poi
   runs_.push_back(run);
 }
 
-/// Stretches of one line as runs, all in the direction of the first one's way from a to b.
+/// Intervals of one line as runs, all in the direction of the first one's way from a to b.
 void PlaneLines::split_line(std::uint32_t first, std::uint32_t last) {
-  const Stretch lead = stretches_[order_[first]];
-  const int axis = points_.long_axis(lead.a, lead.b), way = points_.order(lead.a, lead.b, axis);
-  const auto before = [&](PointId p, PointId q) { return points_.order(p, q, axis) * way > 0; };
+  const Interval lead = intervals_[order_[first]];
+  const int axis = points_.long_axis(lead.a, lead.b), direction = points_.order(lead.a, lead.b, axis);
+  const auto before = [&](PointId p, PointId q) { return points_.order(p, q, axis) * direction > 0; };
   for (std::uint32_t k = first; k < last; ++k) {
-    Stretch& s = stretches_[order_[k]];
+    Interval& s = intervals_[order_[k]];
     s.cut = lead.cut, s.along = lead.along;
     if (!before(s.a, s.b)) std::swap(s.a, s.b), std::swap(s.a_inner, s.b_inner), s.front = -s.front, s.back = -s.back;
   }
   std::sort(order_.begin() + first, order_.begin() + last, [&](std::uint32_t i, std::uint32_t j) {
-    const Stretch &s = stretches_[i], &t = stretches_[j];
+    const Interval &s = intervals_[i], &t = intervals_[j];
     if (s.a != t.a) return before(s.a, t.a);
     return i < j;
   });
   std::uint32_t begin = first;
-  PointId end = stretches_[order_[first]].b;
+  PointId end = intervals_[order_[first]].b;
   const auto finish = [&](std::uint32_t k) {
-    const PointId start = stretches_[order_[begin]].a;
+    const PointId start = intervals_[order_[begin]].a;
     const auto run = static_cast<std::uint32_t>(runs_.size());
     for (std::uint32_t i = begin; i < k; ++i) {
-      const Stretch& s = stretches_[order_[i]];
+      const Interval& s = intervals_[order_[i]];
       if (!s.a_inner && s.a != start && s.a != end) breaks_.push_back({run, s.a});
       if (!s.b_inner && s.b != start && s.b != end) breaks_.push_back({run, s.b});
     }
@@ -187,7 +187,7 @@ void PlaneLines::split_line(std::uint32_t first, std::uint32_t last) {
     begin = k;
   };
   for (std::uint32_t k = first + 1; k < last; ++k) {
-    const Stretch& s = stretches_[order_[k]];
+    const Interval& s = intervals_[order_[k]];
     if (s.a != end && !before(s.a, end)) {
       finish(k);
       end = s.b;
@@ -273,8 +273,8 @@ void PlaneLines::place_dot(PointId dot, std::uint32_t k) {
   const double x = points_.x(at), y = points_.y(at), r = at.radius;
   if (x + r < run.low_x || x - r > run.high_x || y + r < run.low_y || y - r > run.high_y) return;
   if (dot == run.a || dot == run.b || points_.left_of(run.cut, dot) != 0) return;
-  const int axis = points_.long_axis(run.a, run.b), way = points_.order(run.a, run.b, axis);
-  if (points_.order(run.a, dot, axis) * way > 0 && points_.order(dot, run.b, axis) * way > 0)
+  const int axis = points_.long_axis(run.a, run.b), direction = points_.order(run.a, run.b, axis);
+  if (points_.order(run.a, dot, axis) * direction > 0 && points_.order(dot, run.b, axis) * direction > 0)
     breaks_.push_back({k, dot});
 }
 
@@ -343,9 +343,10 @@ void PlaneLines::cut_runs() {
     for (; at < breaks_.size() && breaks_[at].run == r; ++at)
       if (breaks_[at].at != inner_.back()) inner_.push_back(breaks_[at].at);
     if (inner_.size() > 2) {
-      const int axis = points_.long_axis(runs_[r].a, runs_[r].b), way = points_.order(runs_[r].a, runs_[r].b, axis);
+      const int axis = points_.long_axis(runs_[r].a, runs_[r].b),
+                direction = points_.order(runs_[r].a, runs_[r].b, axis);
       std::sort(inner_.begin() + 1, inner_.end(),
-                [&](PointId p, PointId q) { return points_.order(p, q, axis) * way > 0; });
+                [&](PointId p, PointId q) { return points_.order(p, q, axis) * direction > 0; });
     }
     inner_.push_back(runs_[r].b);
     cut_run(r, inner_);
@@ -356,25 +357,25 @@ void PlaneLines::cut_runs() {
 void PlaneLines::cut_run(std::uint32_t r, std::span<PointId> points) {
   const Run& run = runs_[r];
   const std::size_t n = points.size() - 1;
-  // Per piece: changes (in the run's direction), borders, and the sum of their ids.
+  // Per piece: changes (in the run's direction), facet edges, and the sum of their ids.
   steps_.assign(n + 1, {0, 0, 0, 0});
   if (run.last - run.first > 1) {
     index_.clear();
     for (std::uint32_t k = 0; k <= n; ++k) index_.push_back({points[k], k});
     std::sort(index_.begin(), index_.end());
   }
-  const auto place = [&](PointId p) -> std::size_t {
+  const auto position = [&](PointId p) -> std::size_t {
     if (p == run.a) return 0;
     if (p == run.b) return n;
     return (*std::lower_bound(index_.begin(), index_.end(), std::array<std::uint32_t, 2>{p, 0}))[1];
   };
   for (std::uint32_t k = run.first; k < run.last; ++k) {
-    const Stretch& s = stretches_[order_[k]];
-    const std::uint64_t borders = s.border == kNoId ? 0 : s.border == kManyEdges ? 2 : 1;
+    const Interval& s = intervals_[order_[k]];
+    const std::uint64_t facet_edges = s.facet_edge == kNoId ? 0 : s.facet_edge == kManyEdges ? 2 : 1;
     const std::array<std::uint64_t, 4> step{static_cast<std::uint64_t>(s.front), static_cast<std::uint64_t>(s.back),
-                                            borders, borders == 1 ? s.border : 0};
+                                            facet_edges, facet_edges == 1 ? s.facet_edge : 0};
     if (step == std::array<std::uint64_t, 4>{}) continue;  // contacts, whose inner ends are no points of the line
-    const std::size_t from = place(s.a), to = place(s.b);
+    const std::size_t from = position(s.a), to = position(s.b);
     for (std::size_t i = 0; i < 4; ++i) steps_[from][i] += step[i], steps_[to][i] -= step[i];
   }
   std::array<std::uint64_t, 4> sum{0, 0, 0, 0};
@@ -385,7 +386,7 @@ void PlaneLines::cut_run(std::uint32_t r, std::span<PointId> points) {
     LinePiece piece{
         std::min(points[k], points[k + 1]),      std::max(points[k], points[k + 1]), run.cut, up == run.along, kNoId,
         {up ? front : -front, up ? back : -back}};
-    if (sum[2] > 0) piece.border = sum[2] == 1 ? static_cast<EdgeId>(sum[3]) : kManyEdges;
+    if (sum[2] > 0) piece.facet_edge = sum[2] == 1 ? static_cast<EdgeId>(sum[3]) : kManyEdges;
     pieces_.push_back(piece);
   }
 }

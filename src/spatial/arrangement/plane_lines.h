@@ -1,4 +1,4 @@
-// The lines of one plane: the borders of its facets and the contacts with facets of other planes, each piece between
+// The lines of one plane: the edges of its facets and the contacts with facets of other planes, each piece between
 // neighbouring points once.
 #pragma once
 
@@ -16,11 +16,11 @@ namespace dymsum::spatial {
 struct PlaneSegment {
   PointId a = 0, b = 0;
   PlaneId cut = 0;  ///< a plane through it, across this one
-  /// For the border of a facet: 1 where the facet lies to the left of the way from a to b, seen against n, -1 to the
+  /// For the edge of a facet: 1 where the facet lies to the left of the vector from a to b, seen against n, -1 to the
   /// right; 0 for contacts.
   std::int8_t inside = 0;
   std::int8_t side = 1;                   ///< of the facet: TableFacet::side
-  EdgeId border = kNoId;                  ///< of the facet, an edge of sums; none for contacts
+  EdgeId facet_edge = kNoId;              ///< of the facet, an edge of sums; none for contacts
   bool a_inner = false, b_inner = false;  ///< nothing ends there: other segments of the line go on
 };
 
@@ -31,8 +31,8 @@ inline constexpr EdgeId kManyEdges = kNoId - 1;
 struct LinePiece {
   PointId a = 0, b = 0;
   PlaneId cut = 0;
-  bool along = true;            ///< the way from a to b is n x n_cut
-  EdgeId border = kNoId;        ///< the one edge of sums that runs there, or kManyEdges
+  bool along = true;            ///< the vector from a to b is n x n_cut
+  EdgeId facet_edge = kNoId;    ///< the one edge of sums that runs there, or kManyEdges
   std::array<int, 2> change{};  ///< facets with the plane's normal, and with its opposite: left less right
 };
 
@@ -41,7 +41,7 @@ class PlaneLines {
  public:
   explicit PlaneLines(PlanePoints& points) : points_(points) {}
 
-  /// Adds crossings to the points. Exact: equal stretches are one, stretches on one line are found by a hash of the
+  /// Adds crossings to the points. Exact: equal intervals are one, intervals on one line are found by a hash of the
   /// line (among few of them by doubles) and compared exactly, and only whole runs of them are crossed. O(n log n + k)
   /// for n segments and k pairs of runs with overlapping boxes.
   void run(std::span<const PlaneSegment> segments);
@@ -51,16 +51,16 @@ class PlaneLines {
   const std::vector<PlaneSegment>& dots() const { return dots_; }
 
  private:
-  struct Stretch {
+  struct Interval {
     PointId a, b;  // a < b
     PlaneId cut;
     bool along;
     int front, back;
-    EdgeId border;
+    EdgeId facet_edge;
     std::uint32_t line;
     bool a_inner, b_inner;
   };
-  /// Stretches of one line that overlap or touch, from end to end.
+  /// Intervals of one line that overlap or touch, from end to end.
   struct Run {
     PointId a, b;
     PlaneId cut;
@@ -80,10 +80,10 @@ class PlaneLines {
   void merge_equal(std::span<const PlaneSegment> segments);
   void merge_sorted();
   void merge_few();
-  static void merge(Stretch& t, const Stretch& s);
+  static void merge(Interval& t, const Interval& s);
   void find_lines();
   void find_few_lines();
-  bool on_line(const Stretch& line, const Stretch& s) const;
+  bool on_line(const Interval& line, const Interval& s) const;
   void make_runs();
   void add_run(std::uint32_t first, std::uint32_t last, PointId a, PointId b);
   void split_line(std::uint32_t first, std::uint32_t last);
@@ -97,8 +97,8 @@ class PlaneLines {
   void cut_run(std::uint32_t r, std::span<PointId> points);
 
   PlanePoints& points_;
-  std::vector<Stretch> stretches_;
-  std::vector<std::uint32_t> order_;  // of stretches by lines, then by runs
+  std::vector<Interval> intervals_;
+  std::vector<std::uint32_t> order_;  // of intervals by lines, then by runs
   std::vector<Run> runs_;
   std::vector<Break> breaks_;
   std::vector<Crossing> crossings_;

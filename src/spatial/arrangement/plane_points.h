@@ -47,13 +47,13 @@ class PlanePoints {
     return axis == 0 ? space_.exact_order(source(a), source(b), (axis_ + 1) % 3)
                      : facing_ * space_.exact_order(source(a), source(b), (axis_ + 2) % 3);
   }
-  /// Whether doubles tell that two positions differ.
+  /// Whether doubles show that two positions differ.
   bool apart(const Approx& a, const Approx& b) const {
     const double near = (a.radius + b.radius) * (1 + 0x1p-40) + space_.span() * 0x1p-51;
     const Vec3 gap = b.at - a.at;
     return std::abs(gap.x) > near || std::abs(gap.y) > near || std::abs(gap.z) > near;
   }
-  /// The axis along which two different points differ, and by more where doubles tell.
+  /// The axis along which two different points differ, and by more where doubles decide.
   int long_axis(PointId a, PointId b) const {
     const Approx &u = approx(a), &v = approx(b);
     const int axis = std::abs(x(v) - x(u)) >= std::abs(y(v) - y(u)) ? 0 : 1;
@@ -61,7 +61,7 @@ class PlanePoints {
   }
   /// 1 where the point is to the left of the direction n x n_cut on the line of `cut`, -1 to the right.
   int left_of(PlaneId cut, PointId point) const { return -space_.side(cut, source(point), approx(point)); }
-  /// Whether doubles tell that a point does not lie on the line of `cut`.
+  /// Whether doubles show that a point does not lie on the line of `cut`.
   bool off_line(PlaneId cut, PointId point) const {
     const Plane& p = space_.plane(cut);
     const Approx& at = approx(point);

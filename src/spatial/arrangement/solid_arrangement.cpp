@@ -44,7 +44,7 @@ int dropped_axis(const Plane& plane) {
   return x >= y && x >= z ? 0 : y >= z ? 1 : 2;
 }
 
-/// Upright planes through borders: by edge and axis.
+/// Upright planes through facet edges: by edge and axis.
 class UprightPlanes {
  public:
   explicit UprightPlanes(SumSpace& space) : space_(space), of_(3 * space.edges().size(), kNoId) {}
@@ -54,8 +54,9 @@ class UprightPlanes {
     if (id != kNoId) return;
     id = static_cast<PlaneId>(sources_.size());
     const SumEdge& e = space_.edges()[edge];
-    const Way u = e.from.q == e.to.q ? Way{Way::Of::p, e.from.p, e.to.p} : Way{Way::Of::q, e.from.q, e.to.q};
-    sources_.push_back({e.from, u, {Way::Of::axis, static_cast<std::uint32_t>(axis), 0}, false});
+    const DirectionSource u = e.from.q == e.to.q ? DirectionSource{DirectionSource::Of::p, e.from.p, e.to.p}
+                                                 : DirectionSource{DirectionSource::Of::q, e.from.q, e.to.q};
+    sources_.push_back({e.from, u, {DirectionSource::Of::axis, static_cast<std::uint32_t>(axis), 0}, false});
   }
   void make(int threads) { first_ = space_.add_planes(sources_, threads); }
   PlaneId get(EdgeId edge, int axis) const { return first_ + of_[3 * edge + static_cast<std::size_t>(axis)]; }
@@ -67,8 +68,8 @@ class UprightPlanes {
   PlaneId first_ = 0;
 };
 
-/// Planes across borders. Of a group that nothing cuts only their sides are asked for, now and then: there the plane of
-/// a neighbour serves.
+/// Planes across facet edges. Of a group that nothing cuts only their sides are requested, now and then: there the
+/// plane of a neighbour serves.
 class CutPlanes {
  public:
   CutPlanes(SumSpace& space, const FacetTable& table, const Contacts& contacts, std::span<const PlaneCut> cuts,
@@ -87,7 +88,7 @@ class CutPlanes {
     upright_.make(threads);
   }
 
-  /// The border from `a` at corner k of facet i to `b` at the next one as a segment.
+  /// The facet edge from `a` at corner k of facet i to `b` at the next one as a segment.
   PlaneSegment segment(std::uint32_t i, int k, PointId a, PointId b) const {
     const TableFacet& f = table_.facets[i];
     const std::uint32_t other = neighbour(i, k);
@@ -104,7 +105,7 @@ class CutPlanes {
       // n x (e x axis) = e n_axis: along the edge where the normal points up.
       cut = upright_.get(f.edge[k], axis), along = f.forward[k] == up;
     }
-    // The facet is to the left of its border seen against its own normal.
+    // The facet is to the left of its facet edge seen against its own normal.
     const int inside = (along ? 1 : -1) * f.side;
     return {along ? a : b, along ? b : a, cut, static_cast<std::int8_t>(inside), f.side, f.edge[k], false, false};
   }
@@ -119,10 +120,10 @@ class CutPlanes {
         (first == kNoId ? first : second) = i;
       }
   }
-  /// Of a facet that nothing cuts another one in another plane at a border; kNoId for none.
-  std::uint32_t neighbour(std::uint32_t facet, int border) const {
+  /// Of a facet that nothing cuts another one in another plane at a facet edge; kNoId for none.
+  std::uint32_t neighbour(std::uint32_t facet, int facet_edge) const {
     if (!uncut_[group_of_[facet]]) return kNoId;
-    const auto [first, second] = facets_[table_.facets[facet].edge[border]];
+    const auto [first, second] = facets_[table_.facets[facet].edge[facet_edge]];
     const std::uint32_t other = first == facet ? second : first;
     return other != kNoId && table_.facets[other].plane != table_.facets[facet].plane ? other : kNoId;
   }
@@ -157,7 +158,7 @@ void collect_edges(SolidArrangement& all, StageWatch& watch) {
   std::vector<std::uint32_t> at(begin.begin(), begin.end() - 1);
   for_each([&](PointId a, PointId b, EdgeUse use) { uses[at[a]++] = {b, use}; });
   base::free_memory(at);
-  watch.run_stretches(all.points.size(), 1024, [&](std::size_t, std::size_t from, std::size_t to) {
+  watch.run_intervals(all.points.size(), 1024, [&](std::size_t, std::size_t from, std::size_t to) {
     for (std::size_t a = from; a < to; ++a)
       std::sort(uses.begin() + begin[a], uses.begin() + begin[a + 1], [](const Use& x, const Use& y) {
         return std::tie(x.b, x.use.group, x.use.edge) < std::tie(y.b, y.use.group, y.use.edge);
@@ -230,14 +231,17 @@ GroupSegments segments_by_group(const FacetTable& table, Contacts contacts, std:
   std::partial_sum(of.begin.begin(), of.begin.end(), of.begin.begin());
   of.list.resize(of.begin.back());
   std::vector<std::uint32_t> next(of.begin.begin(), of.begin.end() - 1);
-  const auto add = [&](std::uint32_t facet, const PlaneSegment& segment) { of.list[next[group_of[facet]]++] = segment; };
+  const auto add = [&](std::uint32_t facet, const PlaneSegment& segment) {
+    of.list[next[group_of[facet]]++] = segment;
+  };
   std::size_t at = 0;
   for (std::uint32_t i = 0; i < table.facets.size(); ++i) {
     const TableFacet& f = table.facets[i];
     const int n = f.facet.corners;
     for (int k = 0; k < n; ++k)
       if (!table.is_inner(f.edge[k]))
-        add(i, across.segment(i, k, ids[at + static_cast<std::size_t>(k)], ids[at + static_cast<std::size_t>((k + 1) % n)]));
+        add(i, across.segment(i, k, ids[at + static_cast<std::size_t>(k)],
+                              ids[at + static_cast<std::size_t>((k + 1) % n)]));
     at += static_cast<std::size_t>(n);
   }
   for (const Meeting& m : meetings) {
@@ -261,7 +265,8 @@ void cut_planes(SumSpace& space, GroupSegments segments, SolidArrangement& resul
     std::size_t bytes = 0;
     for (std::size_t g = part * kPart; g < std::min(count, (part + 1) * kPart); ++g) {
       const PlaneSegment* of = segments.list.data();
-      result.groups[g].cells = arranger.run(result.groups[g].plane, {of + segments.begin[g], of + segments.begin[g + 1]});
+      result.groups[g].cells =
+          arranger.run(result.groups[g].plane, {of + segments.begin[g], of + segments.begin[g + 1]});
       bytes += bytes_of(result.groups[g].cells);
     }
     watch.hold(bytes);

@@ -1,4 +1,4 @@
-// The named repair of surfaces that cross: first what else there is to mend, then the union.
+// The named repair of surfaces that cross: first what else there is to repair, then the union.
 #include <algorithm>
 #include <numeric>
 #include <tuple>
@@ -49,11 +49,11 @@ std::size_t turn_crossing_shells(MeshData& triangles) {
   for (const Face& face : triangles.faces) all.triangles.push_back({face[0], face[1], face[2]});
   all.face.resize(triangles.faces.size());
   std::iota(all.face.begin(), all.face.end(), 0u);
-  std::vector<bool> asked;
-  for (const std::uint32_t shell : shells.of_face) asked.push_back(signs[shell] < 0);
+  std::vector<bool> queried;
+  for (const std::uint32_t shell : shells.of_face) queried.push_back(signs[shell] < 0);
   std::vector<bool> turned(shells.count);
   for (const auto& [a, b] :
-       spatial::find_meetings(triangles, all, spatial::boxes_of(triangles.vertices, all.triangles), asked)) {
+       spatial::find_meetings(triangles, all, spatial::boxes_of(triangles.vertices, all.triangles), queried)) {
     const std::uint32_t s = shells.of_face[a], t = shells.of_face[b];
     if (s == t) continue;
     turned[s] = signs[s] < 0, turned[t] = signs[t] < 0;
@@ -63,7 +63,7 @@ std::size_t turn_crossing_shells(MeshData& triangles) {
   return static_cast<std::size_t>(std::count(turned.begin(), turned.end(), true));
 }
 
-/// Errors that no union mends.
+/// Errors that no union repairs.
 bool is_final(ErrorCode code) { return code == ErrorCode::not_finite || code == ErrorCode::bad_index; }
 bool is_limit(ErrorCode code) { return code == ErrorCode::cancelled || code == ErrorCode::out_of_memory; }
 

@@ -33,7 +33,7 @@ Error at_vertex(ErrorCode code, std::string message, const SpatialSum& sum, std:
 }
 
 /// The rounded positions, or the vertex that is past the range.
-Result<std::vector<Point3>> rounded_places(const SpatialSum& sum, Precision precision) {
+Result<std::vector<Point3>> rounded_positions(const SpatialSum& sum, Precision precision) {
   std::vector<Point3> at = sum.vertices;
   const spatial::SpatialPositions& positions = spatial::SpatialSumInternals::positions(sum);
   for (std::uint32_t v = 0; v < at.size(); ++v) {
@@ -78,30 +78,30 @@ Result<Mesh> SpatialSum::rounded_mesh(Precision precision) const {
     if (!triangles) return triangles.error();
     return Mesh::create(std::move(*std::move(triangles)).mesh);
   }
-  const Result<std::vector<Point3>> places = rounded_places(*this, precision);
-  if (!places) return places.error();
-  if (std::optional<Error> error = collision(*this, *places, precision)) return *std::move(error);
-  Result<Mesh> hull = convex_hull(*places);
+  const Result<std::vector<Point3>> positions = rounded_positions(*this, precision);
+  if (!positions) return positions.error();
+  if (std::optional<Error> error = collision(*this, *positions, precision)) return *std::move(error);
+  Result<Mesh> hull = convex_hull(*positions);
   const auto inside = [&](const std::vector<Point3>& corners) {
-    for (std::uint32_t v = 0; v < places->size(); ++v)
-      if (!std::binary_search(corners.begin(), corners.end(), (*places)[v], less)) return v;
-    return static_cast<std::uint32_t>(places->size());
+    for (std::uint32_t v = 0; v < positions->size(); ++v)
+      if (!std::binary_search(corners.begin(), corners.end(), (*positions)[v], less)) return v;
+    return static_cast<std::uint32_t>(positions->size());
   };
-  if (hull && hull->vertices().size() == places->size()) return hull;
+  if (hull && hull->vertices().size() == positions->size()) return hull;
   return at_vertex(ErrorCode::rounding_changed_topology, in_precision(precision) + "a vertex no longer sticks out",
                    *this, hull ? inside(hull->vertices()) : 0);
 }
 
 Result<HulledMesh> SpatialSum::rounded_hull(Precision precision) const {
   if (!is_convex()) return Error{ErrorCode::not_convex, "this sum was not made of convex solids", {}};
-  const Result<std::vector<Point3>> places = rounded_places(*this, precision);
-  if (!places) return places.error();
-  Result<HulledMesh> hull = hulled({*places, {}});
+  const Result<std::vector<Point3>> positions = rounded_positions(*this, precision);
+  if (!positions) return positions.error();
+  Result<HulledMesh> hull = hulled({*positions, {}});
   if (!hull) return hull.error();
   HulledMesh result = std::move(hull).value();
   result.report.deviation = 0;
-  for (std::uint32_t v = 0; v < places->size(); ++v)
-    result.report.deviation = std::max(result.report.deviation, moved(*this, v, (*places)[v]));
+  for (std::uint32_t v = 0; v < positions->size(); ++v)
+    result.report.deviation = std::max(result.report.deviation, moved(*this, v, (*positions)[v]));
   return result;
 }
 

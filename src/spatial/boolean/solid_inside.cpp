@@ -75,7 +75,7 @@ ReducedConvolution facets_of(const SolidOperand& surface) {
   for (std::uint32_t t = 0; t < surface.triangles.size(); ++t) {
     const auto [a, b, c] = surface.triangles[t];
     result.facets.push_back({SumFacet::Kind::face_vertex, 3, t, 0, {SumPoint{a, 0}, SumPoint{b, 0}, SumPoint{c, 0}}});
-    result.planes.push_back({{a, 0}, {Way::Of::p, a, b}, {Way::Of::p, a, c}, false});
+    result.planes.push_back({{a, 0}, {DirectionSource::Of::p, a, b}, {DirectionSource::Of::p, a, c}, false});
   }
   result.counts.face_vertex = result.facets.size();
   return result;

@@ -1,4 +1,4 @@
-// From surfaces to the solid of all positions whose winding number is one of those asked for.
+// From surfaces to the solid of all positions whose winding number is one of those requested.
 #pragma once
 
 #include "dymsum/mesh.h"

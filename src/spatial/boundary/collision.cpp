@@ -49,10 +49,10 @@ std::vector<std::uint32_t> some_corners(const SolidOperand& solid) {
   return some;
 }
 
-/// An end of the stretch that a triangle has on another one's plane: on the border from corner k to k + 1, along which
-/// the height rises by the sign `rise`.
+/// An end of the interval that a triangle has on another one's plane: on the facet edge from corner k to k + 1, along
+/// which the height rises by the sign `rise`.
 struct End {
-  int border = 0, rise = 0;
+  int facet_edge = 0, rise = 0;
 };
 struct Chord {
   End from, to;
@@ -64,7 +64,7 @@ std::optional<Chord> chord(const int (&s)[3]) {
   const bool above = s[0] > 0 || s[1] > 0 || s[2] > 0, below = s[0] < 0 || s[1] < 0 || s[2] < 0;
   const bool on = s[0] == 0 || s[1] == 0 || s[2] == 0;
   if (!on && !(above && below)) return std::nullopt;
-  if (!above && !below) return std::nullopt;  // one plane: their neighbours tell
+  if (!above && !below) return std::nullopt;  // one plane: their neighbours decide
   Chord result;
   for (int k = 0; k < 3; ++k) {
     const int next = (k + 1) % 3, before = (k + 2) % 3;
@@ -102,9 +102,9 @@ bool Collision::meets(const Flag& x) const {
     return true;
   if (segments_cross(query)) return true;
   for (const std::uint32_t v : p_.shell_vertex)
-    if (vertex_inside(query, Way::Of::q, v)) return true;
+    if (vertex_inside(query, DirectionSource::Of::q, v)) return true;
   for (const std::uint32_t v : q_.shell_vertex)
-    if (vertex_inside(query, Way::Of::p, v)) return true;
+    if (vertex_inside(query, DirectionSource::Of::p, v)) return true;
   return false;
 }
 
@@ -115,8 +115,8 @@ Collision::Heights Collision::heights(const Query& query, std::uint32_t i, std::
   const Triangle &a = p_.triangles[i], &c = q_.triangles[j];
   const std::vector<Vec3>&p = space_.p(), &q = space_.q();
   const Vec3 ua = p[a[1]] - p[a[0]], va = p[a[2]] - p[a[0]], uc = q[c[1]] - q[c[0]], vc = q[c[2]] - q[c[0]];
-  const Way wa = {Way::Of::p, a[0], a[1]}, wa2 = {Way::Of::p, a[0], a[2]}, wc = {Way::Of::q, c[0], c[1]},
-            wc2 = {Way::Of::q, c[0], c[2]};
+  const DirectionSource wa = {DirectionSource::Of::p, a[0], a[1]}, wa2 = {DirectionSource::Of::p, a[0], a[2]},
+                        wc = {DirectionSource::Of::q, c[0], c[1]}, wc2 = {DirectionSource::Of::q, c[0], c[2]};
   for (int k = 0; k < 3; ++k) h.c[k] = query.side({{a[0], c[k]}, wa, wa2, false}, ua, va);
   if ((h.c[0] > 0 && h.c[1] > 0 && h.c[2] > 0) || (h.c[0] < 0 && h.c[1] < 0 && h.c[2] < 0)) {
     h.a[0] = h.a[1] = h.a[2] = 1;  // apart: they do not matter
@@ -144,11 +144,13 @@ bool Collision::triangles_meet(const Query& query, std::uint32_t i, std::uint32_
   if (!chord_a) return false;
   // The corners of x - c run clockwise about uc x vc reflected, that is counter-clockwise about it: a point reflection
   // keeps orientation within a plane. So chord_a runs along n_a x n_c, and chord_c along n_c x n_a.
-  const auto later = [&](End x, End y) {  // the sign of the way from x on a's border to y on c's, along n_a x n_c
-    const std::uint32_t e0 = a[x.border], e1 = a[(x.border + 1) % 3], g0 = c[y.border], g1 = c[(y.border + 1) % 3];
+  const auto later = [&](End x, End y) {  // the sign of the way from x on a's edge to y on c's, along n_a x n_c
+    const std::uint32_t e0 = a[x.facet_edge], e1 = a[(x.facet_edge + 1) % 3], g0 = c[y.facet_edge],
+                        g1 = c[(y.facet_edge + 1) % 3];
     const Vec3 e = p[e1] - p[e0], g = q[g1] - q[g0];
-    // det(e, -g, (x - g0) - e0) with e and -g the ways along both borders.
-    const int twist = -query.side({{e0, g0}, {Way::Of::p, e0, e1}, {Way::Of::q, g0, g1}, false}, e, g);
+    // det(e, -g, (x - g0) - e0) with e and -g the ways along both facet edges.
+    const int twist =
+        -query.side({{e0, g0}, {DirectionSource::Of::p, e0, e1}, {DirectionSource::Of::q, g0, g1}, false}, e, g);
     return -twist * x.rise * y.rise;
   };
   const Chord& f = *chord_a;
@@ -171,8 +173,8 @@ int upright(const SumSpace& space, const PlaneSource& plane, Side side) {
 }  // namespace
 
 /// x - v in the given solid, v a vertex of the other one: an odd number of the solid's triangles above it.
-bool Collision::vertex_inside(const Query& query, Way::Of of, std::uint32_t v) const {
-  const bool in_p = of == Way::Of::p;
+bool Collision::vertex_inside(const Query& query, DirectionSource::Of of, std::uint32_t v) const {
+  const bool in_p = of == DirectionSource::Of::p;
   const SolidOperand& solid = in_p ? p_ : q_;
   const std::vector<Vec3>&at = in_p ? space_.p() : space_.q(), &others = in_p ? space_.q() : space_.p();
   const auto sum = [&](std::uint32_t corner) { return in_p ? SumPoint{corner, v} : SumPoint{v, corner}; };
@@ -186,7 +188,7 @@ bool Collision::vertex_inside(const Query& query, Way::Of of, std::uint32_t v) c
     int turn[3];
     for (int k = 0; k < 3; ++k) {
       const std::uint32_t a = c[k], b = c[(k + 1) % 3];
-      const PlaneSource plane{sum(a), {of, a, b}, {Way::Of::axis, 2, 0}, false};
+      const PlaneSource plane{sum(a), {of, a, b}, {DirectionSource::Of::axis, 2, 0}, false};
       turn[k] = upright(space_, plane, [&](const PlaneSource& s) { return query.side(s, at[b] - at[a], {0, 0, 1}); });
     }
     if (turn[0] == 0 || turn[0] != turn[1] || turn[1] != turn[2]) return;

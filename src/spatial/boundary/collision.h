@@ -46,28 +46,29 @@ class Collision {
   bool pierced(const Query& query, std::uint32_t i, std::uint32_t j) const;
   bool pierced(const Query& query, std::uint32_t i, std::uint32_t j, const Heights& h) const;
   bool vertices_inside(const Query& query) const;
-  bool surely_inside(const Query& query, Way::Of of, std::uint32_t v) const;
+  bool provably_inside(const Query& query, DirectionSource::Of of, std::uint32_t v) const;
   void add_touches(const Query& query, std::uint32_t i, std::uint32_t j, const Heights& h,
                    std::vector<Touch>& touches) const;
   void touch_vertices(const Query& query, std::uint32_t i, std::uint32_t j, const Heights& h,
                       std::vector<Touch>& touches) const;
   void touch_edges(const Query& query, std::uint32_t i, std::uint32_t j, const Heights& h,
                    std::vector<Touch>& touches) const;
-  std::optional<Feature> place(const Query& query, Way::Of of, std::uint32_t triangle, std::uint32_t vertex) const;
-  bool segment_crosses(const Query& query, Way::Of of, std::uint32_t wedge, std::uint32_t triangle) const;
+  std::optional<Feature> position(const Query& query, DirectionSource::Of of, std::uint32_t triangle,
+                                  std::uint32_t vertex) const;
+  bool segment_crosses(const Query& query, DirectionSource::Of of, std::uint32_t wedge, std::uint32_t triangle) const;
   bool segments_cross(const Query& query) const;
   std::vector<Touch> all_touches(const Query& query) const;
   void add_thin_touches(const Query& query, std::vector<Touch>& touches) const;
-  void touch_end(const Query& query, Way::Of of, std::uint32_t vertex, std::uint32_t triangle,
+  void touch_end(const Query& query, DirectionSource::Of of, std::uint32_t vertex, std::uint32_t triangle,
                  std::vector<Touch>& touches) const;
-  void touch_segment(const Query& query, Way::Of of, std::uint32_t wedge, std::uint32_t triangle,
+  void touch_segment(const Query& query, DirectionSource::Of of, std::uint32_t wedge, std::uint32_t triangle,
                      std::vector<Touch>& touches) const;
-  bool inside_segment(const Query& query, Way::Of of, std::uint32_t wedge, std::uint32_t vertex) const;
-  bool edges_cross(const Query& query, Way e, Way g) const;
+  bool inside_segment(const Query& query, DirectionSource::Of of, std::uint32_t wedge, std::uint32_t vertex) const;
+  bool edges_cross(const Query& query, DirectionSource e, DirectionSource g) const;
   bool thin_lines_meet(const Query& query) const;
   Heights heights(const Query& query, std::uint32_t i, std::uint32_t j) const;
   bool triangles_meet(const Query& query, std::uint32_t i, std::uint32_t j) const;
-  bool vertex_inside(const Query& query, Way::Of of, std::uint32_t v) const;
+  bool vertex_inside(const Query& query, DirectionSource::Of of, std::uint32_t v) const;
 
   const SumSpace& space_;
   const SolidOperand &p_, &q_;

@@ -24,11 +24,11 @@ struct FlagQuery {
       : space(s),
         flag(x),
         at(s.approximate(x.at)),
-        per_unit(x.way == 0 && x.left == 0 && x.side == 0 ? steps_per_unit() : 0) {}
+        per_unit(x.direction == 0 && x.left == 0 && x.side == 0 ? steps_per_unit() : 0) {}
 
   double steps_per_unit() const {
     if (flag.at.kind == PointSource::Kind::sum) return 1;
-    if (flag.at.kind != PointSource::Kind::place || at.radius != 0) return 0;
+    if (flag.at.kind != PointSource::Kind::position || at.radius != 0) return 0;
     double steps = 1;
     while (steps < 0x1p40 &&
            (is_fraction(at.at.x * steps) || is_fraction(at.at.y * steps) || is_fraction(at.at.z * steps)))
@@ -75,9 +75,9 @@ struct Collision::Touch {
 };
 
 /// An axis that does not lie in the plane of two directions; -1 where they are parallel.
-inline int axis_across(const SumSpace& space, Way u, Way v) {
+inline int axis_across(const SumSpace& space, DirectionSource u, DirectionSource v) {
   for (std::uint32_t axis = 0; axis < 3; ++axis)
-    if (space.det(u, v, {Way::Of::axis, axis, 0}) != 0) return static_cast<int>(axis);
+    if (space.det(u, v, {DirectionSource::Of::axis, axis, 0}) != 0) return static_cast<int>(axis);
   return -1;
 }
 inline Vec3 axis_vector(int axis) { return {axis == 0 ? 1.0 : 0.0, axis == 1 ? 1.0 : 0.0, axis == 2 ? 1.0 : 0.0}; }

@@ -8,7 +8,7 @@ namespace {
 
 /// A direction of P, or the opposite of one of Q: sign times way.
 struct Ray {
-  Way way;
+  DirectionSource direction;
   int sign = 1;
 };
 
@@ -16,7 +16,7 @@ struct Ray {
 /// other seen from outside. The outward normal is sign (u x v).
 struct Sector {
   Ray from, to;
-  Way u, v;
+  DirectionSource u, v;
   int sign = 1;
 };
 
@@ -27,7 +27,7 @@ class Cone {
       : space_(space),
         indexed_(indexed),
         solid_(indexed.solid),
-        of_(reflected ? Way::Of::q : Way::Of::p),
+        of_(reflected ? DirectionSource::Of::q : DirectionSource::Of::p),
         sign_(reflected ? -1 : 1),
         at_(at) {
     const SolidOperand& solid = solid_;
@@ -37,19 +37,21 @@ class Cone {
       if (!is_wanted(at.index)) return;
       // A plane: three sectors between the directions of the triangle's sides.
       const Triangle& t = solid.triangles[at.index];
-      for (int k = 0; k < 3; ++k) add(at.index, way(t[k], t[(k + 1) % 3]), way(t[(k + 1) % 3], t[(k + 2) % 3]));
+      for (int k = 0; k < 3; ++k)
+        add(at.index, direction(t[k], t[(k + 1) % 3]), direction(t[(k + 1) % 3], t[(k + 2) % 3]));
     } else if (at.kind == Feature::Kind::wedge) {
       const Wedge& w = solid.wedges[at.index];
       if (w.is_segment() || !is_wanted(w.left)) return;
-      add(w.left, way(w.from, w.to), way(w.from, w.left_apex));
-      add(w.left, way(w.from, w.left_apex), way(w.to, w.from));
-      add(w.right, way(w.to, w.from), way(w.from, w.right_apex));
-      add(w.right, way(w.from, w.right_apex), way(w.from, w.to));
+      add(w.left, direction(w.from, w.to), direction(w.from, w.left_apex));
+      add(w.left, direction(w.from, w.left_apex), direction(w.to, w.from));
+      add(w.right, direction(w.to, w.from), direction(w.from, w.right_apex));
+      add(w.right, direction(w.from, w.right_apex), direction(w.from, w.to));
     } else {
       for (std::uint32_t c = solid.corner_begin[at.index]; c < solid.corner_begin[at.index + 1]; ++c) {
         const std::uint32_t t = solid.corners[c] / 3, k = solid.corners[c] % 3;
         if (!is_wanted(t)) continue;
-        add(t, way(at.index, solid.triangles[t][(k + 1) % 3]), way(at.index, solid.triangles[t][(k + 2) % 3]));
+        add(t, direction(at.index, solid.triangles[t][(k + 1) % 3]),
+            direction(at.index, solid.triangles[t][(k + 2) % 3]));
       }
     }
   }
@@ -69,22 +71,22 @@ class Cone {
   }
 
   /// Of the sector's outward normal times d.
-  int side(const Sector& s, Ray d) const { return s.sign * d.sign * space_.det(s.u, s.v, d.way); }
+  int side(const Sector& s, Ray d) const { return s.sign * d.sign * space_.det(s.u, s.v, d.direction); }
 
  private:
-  Way way(std::uint32_t from, std::uint32_t to) const { return {of_, from, to}; }
+  DirectionSource direction(std::uint32_t from, std::uint32_t to) const { return {of_, from, to}; }
 
   void add_segments() {
     if (at_.kind == Feature::Kind::wedge && solid_.wedges[at_.index].is_segment()) {
       const Wedge& w = solid_.wedges[at_.index];
-      rays_.push_back({way(w.from, w.to), 1});
-      rays_.push_back({way(w.from, w.to), -1});
+      rays_.push_back({direction(w.from, w.to), 1});
+      rays_.push_back({direction(w.from, w.to), -1});
     }
     if (at_.kind != Feature::Kind::vertex) return;
     indexed_.segments.for_each(box_at_vertex(), [&](std::uint32_t k) {
       const Wedge& w = solid_.wedges[solid_.segments[k]];
-      if (w.from == at_.index) rays_.push_back({way(w.from, w.to), sign_});
-      if (w.to == at_.index) rays_.push_back({way(w.to, w.from), sign_});
+      if (w.from == at_.index) rays_.push_back({direction(w.from, w.to), sign_});
+      if (w.to == at_.index) rays_.push_back({direction(w.to, w.from), sign_});
     });
   }
   Box box_at_vertex() const {
@@ -94,9 +96,9 @@ class Cone {
     return box;
   }
 
-  void add(std::uint32_t triangle, Way from, Way to) {
+  void add(std::uint32_t triangle, DirectionSource from, DirectionSource to) {
     const Triangle& t = solid_.triangles[triangle];
-    const Way u = way(t[0], t[1]), v = way(t[0], t[2]);
+    const DirectionSource u = direction(t[0], t[1]), v = direction(t[0], t[2]);
     // The reflection turns outward normals over, and the order around them with it.
     if (sign_ > 0) sectors_.push_back({{from, 1}, {to, 1}, u, v, 1});
     else sectors_.push_back({{to, -1}, {from, -1}, u, v, -1});
@@ -108,10 +110,11 @@ class Cone {
   bool holds_at_vertex(Ray d) const {
     const int sign = d.sign * sign_;
     const std::uint32_t v = at_.index;
-    const auto order = [&](Way u, Way w, std::uint32_t from) {  // of (u x w) . (vertex + d - from)
-      const int s = from == v ? 0 : space_.det(u, w, way(from, v));
+    const auto order = [&](DirectionSource u, DirectionSource w,
+                           std::uint32_t from) {  // of (u x w) . (vertex + d - from)
+      const int s = from == v ? 0 : space_.det(u, w, direction(from, v));
       if (s != 0) return s;
-      return sign * space_.det(u, w, d.way);
+      return sign * space_.det(u, w, d.direction);
     };
     bool inside = false;
     Box above = box_at_vertex();
@@ -121,14 +124,14 @@ class Cone {
       int turn[3];
       for (int k = 0; k < 3; ++k) {
         const std::uint32_t a = t[k], b = t[(k + 1) % 3];
-        const Way u = way(a, b), up{Way::Of::axis, 2, 0};
+        const DirectionSource u = direction(a, b), up{DirectionSource::Of::axis, 2, 0};
         turn[k] = order(u, up, a);
         for (std::uint32_t axis = 0; axis < 2 && turn[k] == 0; ++axis)
-          turn[k] = space_.det(u, up, {Way::Of::axis, axis, 0});
+          turn[k] = space_.det(u, up, {DirectionSource::Of::axis, axis, 0});
       }
       if (turn[0] == 0 || turn[0] != turn[1] || turn[1] != turn[2]) return;
-      const Way u = way(t[0], t[1]), w = way(t[0], t[2]);
-      const int up = space_.det(u, w, {Way::Of::axis, 2, 0});
+      const DirectionSource u = direction(t[0], t[1]), w = direction(t[0], t[2]);
+      const int up = space_.det(u, w, {DirectionSource::Of::axis, 2, 0});
       if (order(u, w, t[0]) * up < 0) inside = !inside;
     });
     return inside;
@@ -137,7 +140,7 @@ class Cone {
   const SumSpace& space_;
   const IndexedSolid& indexed_;
   const SolidOperand& solid_;
-  Way::Of of_;
+  DirectionSource::Of of_;
   int sign_;
   Feature at_;
   std::vector<Sector> sectors_;
@@ -192,7 +195,7 @@ class Overlap {
   }
 
  private:
-  int side(const Sector& s, Ray d) const { return s.sign * d.sign * space_.det(s.u, s.v, d.way); }
+  int side(const Sector& s, Ray d) const { return s.sign * d.sign * space_.det(s.u, s.v, d.direction); }
 
   /// Whether the insides of both sectors cross.
   bool cross(const Sector& s, const Sector& t) const {
@@ -205,11 +208,11 @@ class Overlap {
     return (a > 0) == (c < 0);
   }
 
-  /// The place of a ray in a sector's plane and sector: 0 outside, 1 along `from`, 2 inside, 3 along `to`.
-  int place(const Sector& s, Ray d) const {
+  /// The position of a ray in a sector's plane and sector: 0 outside, 1 along `from`, 2 inside, 3 along `to`.
+  int position(const Sector& s, Ray d) const {
     if (side(s, d) != 0) return 0;
     const auto turn = [&](Ray x, Ray y) {  // of (x x y) . normal
-      return x.sign * y.sign * s.sign * space_.exact_dot(x.way, y.way, s.u, s.v);
+      return x.sign * y.sign * s.sign * space_.exact_dot(x.direction, y.direction, s.u, s.v);
     };
     const int a = turn(s.from, d), b = turn(d, s.to);
     if (a > 0 && b > 0) return 2;
@@ -220,7 +223,7 @@ class Overlap {
 
   bool on_boundary(int cone, Ray d) const {
     for (const Sector& s : cone_[cone]->sectors())
-      if (place(s, d) != 0) return true;
+      if (position(s, d) != 0) return true;
     return false;
   }
 
@@ -229,7 +232,7 @@ class Overlap {
     walls_.clear();
     for (int c = 0; c < 2; ++c) {
       for (const Sector& s : cone_[c]->sectors()) {
-        const int at = place(s, r);
+        const int at = position(s, r);
         if (at == 1 || at == 2) walls_.push_back({&s, true, c});
         if (at == 3 || at == 2) walls_.push_back({&s, false, c});
       }
@@ -291,7 +294,7 @@ class Overlap {
   int turn(Ray r, const ConeWall& x, const ConeWall& y) const {
     const Sector &s = *x.sector, &t = *y.sector;
     return (x.left ? 1 : -1) * (y.left ? 1 : -1) * s.sign * t.sign * r.sign *
-           space_.exact_turn(r.way, s.u, s.v, t.u, t.v);
+           space_.exact_turn(r.direction, s.u, s.v, t.u, t.v);
   }
   /// For two halves of one plane: with equal normals both to the left or both to the right, with opposite ones the
   /// other way.

@@ -60,7 +60,7 @@ class EdgeWedges {
     return {wall.cell, wall.left == counter_clockwise ? 1 : -1};
   }
 
-  /// Counter-clockwise seen against the way from a to b.
+  /// Counter-clockwise seen against the vector from a to b.
   void sort_around(const std::array<PointId, 2>& edge) {
     const Approx &a = arrangement_.points.approx(edge[0]), &b = arrangement_.points.approx(edge[1]);
     const Vec3 d = b.at - a.at;

@@ -2,7 +2,7 @@
 
 namespace dymsum::spatial {
 
-LoneContacts::Side::Side(const SumSpace& space, Way::Of name, const SolidOperand& operand,
+LoneContacts::Side::Side(const SumSpace& space, DirectionSource::Of name, const SolidOperand& operand,
                          const std::vector<Vec3>& vertices)
     : of(name), solid(operand), at(vertices), radius(space.sum_radius()), tame(operand.vertices.size()) {
   normals.reserve(solid.triangles.size());
@@ -27,7 +27,7 @@ bool LoneContacts::Side::all_edges(std::uint32_t vertex, F f) const {
 }
 
 /// Whether a way leads inward through all faces at a vertex: moved along it, the material there stays in itself.
-bool LoneContacts::Side::has_free_way(std::uint32_t vertex) {
+bool LoneContacts::Side::has_free_direction(std::uint32_t vertex) {
   return tame.get(vertex, [&] {
     Vec3 sum;
     all_triangles(vertex, [&](std::uint32_t t) {
@@ -36,39 +36,39 @@ bool LoneContacts::Side::has_free_way(std::uint32_t vertex) {
       if (size > 0) sum = sum - (1 / size) * n;
       return true;
     });
-    const Direction way = scaled_direction(sum, 0);
-    return all_triangles(vertex, [&](std::uint32_t t) { return filtered_sign(normals[t], way) < 0; });
+    const Direction direction = scaled_direction(sum, 0);
+    return all_triangles(vertex, [&](std::uint32_t t) { return filtered_sign(normals[t], direction) < 0; });
   });
 }
 
 LoneContacts::LoneContacts(const SumSpace& space, const FacetTable& table, const SolidOperand& p, const SolidOperand& q)
     : space_(space),
       table_(table),
-      p_(space, Way::Of::p, p, space.p()),
-      q_(space, Way::Of::q, q, space.q()),
+      p_(space, DirectionSource::Of::p, p, space.p()),
+      q_(space, DirectionSource::Of::q, q, space.q()),
       edge_(space.edges().size()) {}
 
 bool LoneContacts::parallel(const Side& faces, std::uint32_t triangle, const Line& line) const {
   if (filtered_sign(faces.normals[triangle], line.near) != 0) return false;
   const Triangle& t = faces.solid.triangles[triangle];
-  return space_.exact_det({faces.of, t[0], t[1]}, {faces.of, t[0], t[2]}, line.way) == 0;
+  return space_.exact_det({faces.of, t[0], t[1]}, {faces.of, t[0], t[2]}, line.direction) == 0;
 }
 
 bool LoneContacts::lone(const Side& edges, std::uint32_t from, std::uint32_t to, const Side& vertices,
                         std::uint32_t v) const {
   int faces = 0;
-  Vec3 way;
+  Vec3 direction;
   const bool across = edges.all_triangles(from, [&](std::uint32_t t) {
     const Triangle& triangle = edges.solid.triangles[t];
     if (triangle[0] != to && triangle[1] != to && triangle[2] != to) return true;
     ++faces;
     const double size = length(edges.normals[t].v);
-    if (size > 0) way = way - (1 / size) * edges.normals[t].v;
+    if (size > 0) direction = direction - (1 / size) * edges.normals[t].v;
     return vertices.all_edges(v, [&](const Line& d) { return !parallel(edges, t, d); });
   });
   if (!across || faces != 2) return false;
   // Inward through both faces: a way apart.
-  const Direction inward = scaled_direction(way, 0);
+  const Direction inward = scaled_direction(direction, 0);
   const bool free = edges.all_triangles(from, [&](std::uint32_t t) {
     const Triangle& triangle = edges.solid.triangles[t];
     const bool there = triangle[0] == to || triangle[1] == to || triangle[2] == to;
@@ -95,7 +95,7 @@ bool LoneContacts::edge(EdgeId id) {
 }
 
 bool LoneContacts::corner(SumPoint s) {
-  return (p_.has_free_way(s.p) || q_.has_free_way(s.q)) && lone(p_, s.p, q_, s.q) && lone(q_, s.q, p_, s.p);
+  return (p_.has_free_direction(s.p) || q_.has_free_direction(s.q)) && lone(p_, s.p, q_, s.q) && lone(q_, s.q, p_, s.p);
 }
 
 bool LoneContacts::facet(std::uint32_t id) {

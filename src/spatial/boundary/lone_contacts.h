@@ -48,18 +48,18 @@ class LoneContacts {
  private:
   /// An edge of an operand as a direction, by name and in doubles.
   struct Line {
-    Way way;
+    DirectionSource direction;
     Direction near;
   };
   struct Side {
-    Way::Of of;
+    DirectionSource::Of of;
     const SolidOperand& solid;
     const std::vector<Vec3>& at;
     double radius;
     std::vector<Direction> normals;
     Answers tame;  // per vertex
 
-    Side(const SumSpace& space, Way::Of of, const SolidOperand& operand, const std::vector<Vec3>& vertices);
+    Side(const SumSpace& space, DirectionSource::Of of, const SolidOperand& operand, const std::vector<Vec3>& vertices);
     Line line(std::uint32_t from, std::uint32_t to) const {
       return {{of, from, to}, edge_direction(at[from], at[to], radius)};
     }
@@ -67,7 +67,7 @@ class LoneContacts {
     bool all_triangles(std::uint32_t vertex, F f) const;
     template <class F>
     bool all_edges(std::uint32_t vertex, F f) const;
-    bool has_free_way(std::uint32_t vertex);
+    bool has_free_direction(std::uint32_t vertex);
   };
   bool parallel(const Side& faces, std::uint32_t triangle, const Line& line) const;
   bool lone(const Side& edges, std::uint32_t from, std::uint32_t to, const Side& vertices, std::uint32_t v) const;

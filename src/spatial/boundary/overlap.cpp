@@ -62,7 +62,7 @@ bool Collision::overlaps(const Flag& x) const {
   // First what may cross deep: where solids lie in line, most pairs touch and no more.
   if (p_tree_.any_reflected_pair(q_tree_, query.core(), pierces) || segments_cross(query) || vertices_inside(query))
     return true;
-  // Where they touch is told when no pair crosses: it takes far longer.
+  // Where they touch is determined when no pair crosses: it takes far longer.
   struct Near {
     std::uint32_t i, j;
     Heights h;
@@ -94,9 +94,9 @@ bool Collision::overlaps(const Flag& x) const {
     if (bounds_solid(p_, t.p)) mark(q_, t.q, q_touched);
   }
   for (std::size_t k = 0; k < p_touched.size(); ++k)
-    if (!p_touched[k] && vertex_inside(query, Way::Of::q, p_.shell_vertex[k])) return true;
+    if (!p_touched[k] && vertex_inside(query, DirectionSource::Of::q, p_.shell_vertex[k])) return true;
   for (std::size_t k = 0; k < q_touched.size(); ++k)
-    if (!q_touched[k] && vertex_inside(query, Way::Of::p, q_.shell_vertex[k])) return true;
+    if (!q_touched[k] && vertex_inside(query, DirectionSource::Of::p, q_.shell_vertex[k])) return true;
   return false;
 }
 
@@ -120,14 +120,14 @@ std::vector<Collision::Touch> Collision::all_touches(const Query& query) const {
 /// A vertex of one solid strictly inside the other one, found by doubles alone: a "no" says nothing.
 bool Collision::vertices_inside(const Query& query) const {
   return std::any_of(samples_[0].begin(), samples_[0].end(),
-                     [&](std::uint32_t v) { return surely_inside(query, Way::Of::q, v); }) ||
+                     [&](std::uint32_t v) { return provably_inside(query, DirectionSource::Of::q, v); }) ||
          std::any_of(samples_[1].begin(), samples_[1].end(),
-                     [&](std::uint32_t v) { return surely_inside(query, Way::Of::p, v); });
+                     [&](std::uint32_t v) { return provably_inside(query, DirectionSource::Of::p, v); });
 }
 
 /// x - v strictly inside the solid parts of the given operand.
-bool Collision::surely_inside(const Query& query, Way::Of of, std::uint32_t v) const {
-  const bool in_p = of == Way::Of::p;
+bool Collision::provably_inside(const Query& query, DirectionSource::Of of, std::uint32_t v) const {
+  const bool in_p = of == DirectionSource::Of::p;
   const SolidOperand& solid = in_p ? p_ : q_;
   const std::vector<Vec3>&at = in_p ? space_.p() : space_.q(), &others = in_p ? space_.q() : space_.p();
   const Vec3 point = query.at.at - others[v];
@@ -164,13 +164,13 @@ bool Collision::pierced(const Query& query, std::uint32_t i, std::uint32_t j, co
   if (flush(sa) && flush(sc)) return false;
   const Triangle &a = p_.triangles[i], &c = q_.triangles[j];
   const std::vector<Vec3>&p = space_.p(), &q = space_.q();
-  // twist[k][l]: on which side of the line of c's border l the line of a's border k passes.
+  // twist[k][l]: on which side of the line of c's edge l the line of a's edge k passes.
   int twist[3][3];
   for (int k = 0; k < 3; ++k) {
     for (int l = 0; l < 3; ++l) {
       const std::uint32_t e0 = a[k], e1 = a[(k + 1) % 3], g0 = c[l], g1 = c[(l + 1) % 3];
-      twist[k][l] =
-          query.side({{e0, g0}, {Way::Of::p, e0, e1}, {Way::Of::q, g0, g1}, false}, p[e1] - p[e0], q[g1] - q[g0]);
+      twist[k][l] = query.side({{e0, g0}, {DirectionSource::Of::p, e0, e1}, {DirectionSource::Of::q, g0, g1}, false},
+                               p[e1] - p[e0], q[g1] - q[g0]);
     }
   }
   for (int k = 0; k < 3; ++k) {
@@ -189,18 +189,20 @@ void Collision::add_touches(const Query& query, std::uint32_t i, std::uint32_t j
 }
 
 /// Where a vertex of the other operand lies on a triangle, in whose plane it is: seen along an axis across that plane,
-/// on which sides of its borders?
-std::optional<Feature> Collision::place(const Query& query, Way::Of of, std::uint32_t t, std::uint32_t v) const {
-  const SolidOperand& solid = of == Way::Of::p ? p_ : q_;
+/// on which sides of its facet edges?
+std::optional<Feature> Collision::position(const Query& query, DirectionSource::Of of, std::uint32_t t,
+                                           std::uint32_t v) const {
+  const SolidOperand& solid = of == DirectionSource::Of::p ? p_ : q_;
   const Triangle& tri = solid.triangles[t];
-  const std::vector<Vec3>& at = of == Way::Of::p ? space_.p() : space_.q();
+  const std::vector<Vec3>& at = of == DirectionSource::Of::p ? space_.p() : space_.q();
   const int axis = axis_across(space_, {of, tri[0], tri[1]}, {of, tri[0], tri[2]});
   int sides[3];
   for (int k = 0; k < 3; ++k) {
     const std::uint32_t from = tri[k], to = tri[(k + 1) % 3];
-    const SumPoint sum = of == Way::Of::p ? SumPoint{from, v} : SumPoint{v, from};
-    sides[k] = query.side({sum, {of, from, to}, {Way::Of::axis, static_cast<std::uint32_t>(axis), 0}, false},
-                          at[to] - at[from], axis_vector(axis));
+    const SumPoint sum = of == DirectionSource::Of::p ? SumPoint{from, v} : SumPoint{v, from};
+    sides[k] =
+        query.side({sum, {of, from, to}, {DirectionSource::Of::axis, static_cast<std::uint32_t>(axis), 0}, false},
+                   at[to] - at[from], axis_vector(axis));
   }
   int zeros = 0, sign = 0;
   for (const int s : sides) {
@@ -223,10 +225,12 @@ void Collision::touch_vertices(const Query& query, std::uint32_t i, std::uint32_
   const Triangle &a = p_.triangles[i], &c = q_.triangles[j];
   for (int k = 0; k < 3; ++k) {
     if (h.a[k] == 0) {
-      if (const auto f = place(query, Way::Of::q, j, a[k])) touches.push_back({{Feature::Kind::vertex, a[k]}, *f});
+      if (const auto f = position(query, DirectionSource::Of::q, j, a[k]))
+        touches.push_back({{Feature::Kind::vertex, a[k]}, *f});
     }
     if (h.c[k] == 0) {
-      if (const auto f = place(query, Way::Of::p, i, c[k])) touches.push_back({*f, {Feature::Kind::vertex, c[k]}});
+      if (const auto f = position(query, DirectionSource::Of::p, i, c[k]))
+        touches.push_back({*f, {Feature::Kind::vertex, c[k]}});
     }
   }
 }
@@ -235,7 +239,7 @@ void Collision::touch_edges(const Query& query, std::uint32_t i, std::uint32_t j
                             std::vector<Touch>& touches) const {
   const Triangle &a = p_.triangles[i], &c = q_.triangles[j];
   const std::vector<Vec3>&p = space_.p(), &q = space_.q();
-  // Where an edge runs along a face nothing changes at edges inside that face, before it comes to the face's border or
+  // Where an edge runs along a face nothing changes at edges inside that face, before it comes to the face's edge or
   // ends. Edges on one side of the other triangle's plane do not meet it.
   const auto is_inner = [](const SolidOperand& solid, std::uint32_t side) {
     return side / 3 < solid.first_plate && solid.wedges[solid.wedge_of[side]].bend == Wedge::Bend::flat;
@@ -249,11 +253,11 @@ void Collision::touch_edges(const Query& query, std::uint32_t i, std::uint32_t j
           (a_from == 0 && a_to == 0 && is_inner(q_, 3 * j + l)))
         continue;
       const std::uint32_t e0 = a[k], e1 = a[(k + 1) % 3], g0 = c[l], g1 = c[(l + 1) % 3];
-      const Way e{Way::Of::p, e0, e1}, g{Way::Of::q, g0, g1};
+      const DirectionSource e{DirectionSource::Of::p, e0, e1}, g{DirectionSource::Of::q, g0, g1};
       const int axis = axis_across(space_, e, g);
-      if (axis < 0) continue;  // parallel: their ends tell
+      if (axis < 0) continue;  // parallel: their ends decide
       if (query.side({{e0, g0}, e, g, false}, p[e1] - p[e0], q[g1] - q[g0]) != 0) continue;
-      const Way up{Way::Of::axis, static_cast<std::uint32_t>(axis), 0};
+      const DirectionSource up{DirectionSource::Of::axis, static_cast<std::uint32_t>(axis), 0};
       const auto ends_on_both_sides = [&](const PlaneSource& first, const PlaneSource& second, Vec3 along) {
         return query.side(first, along, axis_vector(axis)) * query.side(second, along, axis_vector(axis)) < 0;
       };

@@ -7,18 +7,19 @@ namespace dymsum::spatial {
 namespace {
 
 /// Two directions in a plate.
-std::array<Way, 2> ways_in(Way::Of of, const SolidOperand& solid, std::uint32_t triangle) {
+std::array<DirectionSource, 2> directions_in(DirectionSource::Of of, const SolidOperand& solid,
+                                             std::uint32_t triangle) {
   const Triangle& t = solid.triangles[triangle];
-  return {Way{of, t[0], t[1]}, Way{of, t[0], t[2]}};
+  return {DirectionSource{of, t[0], t[1]}, DirectionSource{of, t[0], t[2]}};
 }
 
 /// Plates of the first operand and segments of the second one.
-std::optional<std::array<std::uint32_t, 2>> plate_and_segment(const SumSpace& space, Way::Of of,
+std::optional<std::array<std::uint32_t, 2>> plate_and_segment(const SumSpace& space, DirectionSource::Of of,
                                                               const SolidOperand& plates,
                                                               const SolidOperand& segments) {
-  const Way::Of other = of == Way::Of::p ? Way::Of::q : Way::Of::p;
+  const DirectionSource::Of other = of == DirectionSource::Of::p ? DirectionSource::Of::q : DirectionSource::Of::p;
   for (std::uint32_t t = plates.first_plate; t < plates.triangles.size(); t += 2) {
-    const auto [u, v] = ways_in(of, plates, t);
+    const auto [u, v] = directions_in(of, plates, t);
     for (std::size_t k = 0; k < segments.segments.size(); ++k) {
       const Wedge& w = segments.wedges[segments.segments[k]];
       if (space.det(u, v, {other, w.from, w.to}) != 0) return std::array{plates.face[t], segments.segment_face[k]};
@@ -30,14 +31,16 @@ std::optional<std::array<std::uint32_t, 2>> plate_and_segment(const SumSpace& sp
 }  // namespace
 
 std::optional<ThinCrossing> find_thin_crossing(const SumSpace& space, const SolidOperand& p, const SolidOperand& q) {
-  if (const auto found = plate_and_segment(space, Way::Of::p, p, q)) return ThinCrossing{(*found)[0], (*found)[1]};
-  if (const auto found = plate_and_segment(space, Way::Of::q, q, p)) return ThinCrossing{(*found)[1], (*found)[0]};
+  if (const auto found = plate_and_segment(space, DirectionSource::Of::p, p, q))
+    return ThinCrossing{(*found)[0], (*found)[1]};
+  if (const auto found = plate_and_segment(space, DirectionSource::Of::q, q, p))
+    return ThinCrossing{(*found)[1], (*found)[0]};
   const auto p_count = static_cast<std::uint32_t>(p.triangles.size()),
              q_count = static_cast<std::uint32_t>(q.triangles.size());
   if (p.first_plate == p_count || q.first_plate == q_count) return std::nullopt;
   const auto cross = [&](std::uint32_t i, std::uint32_t j) {
-    const auto [u, v] = ways_in(Way::Of::p, p, i);
-    for (const Way w : ways_in(Way::Of::q, q, j))
+    const auto [u, v] = directions_in(DirectionSource::Of::p, p, i);
+    for (const DirectionSource w : directions_in(DirectionSource::Of::q, q, j))
       if (space.det(u, v, w) != 0) return true;
     return false;
   };

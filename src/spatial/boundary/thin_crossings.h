@@ -18,7 +18,7 @@ struct ThinCrossing {
 /// plates, O(m k) for m plates and k segments of the other operand.
 std::optional<ThinCrossing> find_thin_crossing(const SumSpace& space, const SolidOperand& p, const SolidOperand& q);
 
-/// Thrown where the open sum is asked for: such parts have none.
+/// Thrown where the open sum is requested: such parts have none.
 struct NoOpenSum {
   ThinCrossing parts;
 };

@@ -14,25 +14,25 @@ namespace {
 struct Trace {
   PointId a, b;  ///< a <= b; equal for a point
   PlaneId plane, cut;
-  std::int8_t way;  ///< 1 where the way from a to b is n x n_cut
-  bool full;        ///< all around it in the plane lie facets of one direction, none of the other
-  /// What facets of the plane end there: none; one facet, along the edge of sums `border`; those with a corner at the
-  /// sum that the point is; or something else.
-  enum class End : std::uint8_t { none, border, corner, other } end = End::other;
-  EdgeId border = kNoId;
+  std::int8_t direction;  ///< 1 where the vector from a to b is n x n_cut
+  bool full;              ///< all around it in the plane lie facets of one direction, none of the other
+  /// What facets of the plane end there: none; one facet, along the edge of sums `facet_edge`; those with a corner at
+  /// the sum that the point is; or something else.
+  enum class End : std::uint8_t { none, facet_edge, corner, other } end = End::other;
+  EdgeId facet_edge = kNoId;
   std::uint32_t group = 0;
 };
 
 class Tight {
  public:
   Tight(const SumSpace& space, const SolidArrangement& arrangement, const std::vector<bool>& boundary,
-        const Collision& collision, LoneContacts lone, bool every_place, StageWatch& watch,
+        const Collision& collision, LoneContacts lone, bool every_position, StageWatch& watch,
         const ArrangementScope* scope)
       : space_(space),
         arrangement_(arrangement),
         collision_(collision),
         lone_(std::move(lone)),
-        every_place_(every_place),
+        every_position_(every_position),
         watch_(watch),
         scope_(scope),
         outside_(boundary),
@@ -44,7 +44,7 @@ class Tight {
              [&](Part& part, std::size_t g) { look_at_cells(arrangement_.groups[g], part); });
     for (const std::uint32_t c : result_.cells) outside_[c] = true;
     leave_out_free_cells();
-    share_ = 1.0 / 3;
+    fraction_ = 1.0 / 3;
     std::vector<std::uint8_t> closed(arrangement_.edge_ends.size());
     in_parts(closed.size(), 512, [&](Part& part, std::size_t e) {
       closed[e] = touches_outside(static_cast<std::uint32_t>(e));
@@ -56,7 +56,7 @@ class Tight {
       for (const PointId p : segment) touched_[p] = true;
     look_at_touches();
     std::sort(dots_.begin(), dots_.end());
-    share_ = 2.0 / 3;
+    fraction_ = 2.0 / 3;
     look_at_points();
     return std::move(result_);
   }
@@ -65,14 +65,14 @@ class Tight {
   /// What is found in a part of a loop.
   struct Part {
     TightFeatures found;
-    std::vector<Trace> traces;  // scratch: of one place
+    std::vector<Trace> traces;  // scratch: of one position
   };
 
   /// Calls f(part, k) for all k below `count`, and puts together what the parts have found, in their order.
   template <class F>
   void in_parts(std::size_t count, std::size_t size, F f) {
     std::vector<TightFeatures> found((count + size - 1) / size);
-    watch_.run_stretches(count, size, [&](std::size_t k, std::size_t first, std::size_t last) {
+    watch_.run_intervals(count, size, [&](std::size_t k, std::size_t first, std::size_t last) {
       Part part;
       for (std::size_t i = first; i < last; ++i) f(part, i);
       found[k] = std::move(part.found);
@@ -114,14 +114,14 @@ class Tight {
       const std::uint32_t h = group.cells.half_edges[group.cells.loops[cell.first_loop]];
       const CellEdge& e = group.cells.edges[h / 2];
       const PointId at = arrangement_.point(group, h & 1 ? e.b : e.a);
-      const auto way = static_cast<std::int8_t>((e.along ? 1 : -1) * (h & 1 ? -1 : 1));
-      if (overlaps({arrangement_.points.source(at), group.plane, e.cut, way, 1, 0}, part)) continue;
+      const auto direction = static_cast<std::int8_t>((e.along ? 1 : -1) * (h & 1 ? -1 : 1));
+      if (overlaps({arrangement_.points.source(at), group.plane, e.cut, direction, 1, 0}, part)) continue;
       part.found.cells.push_back(group.first_cell + c);
     }
   }
 
   bool overlaps(const Flag& flag, Part& part) const {
-    if (++part.found.tests % 16 == 0) watch_.ask_within_part(share_);
+    if (++part.found.tests % 16 == 0) watch_.query_within_part(fraction_);
     return collision_.overlaps(flag);
   }
 
@@ -142,15 +142,16 @@ class Tight {
   static bool one_sided(const PlaneGroup& group, const CellEdge& e) {
     return (e.left == kNoId) != (e.right == kNoId) && single(group, e.left) && single(group, e.right);
   }
-  static bool one_border(const CellEdge& e) { return e.border != kNoId && e.border != kManyEdges; }
+  static bool one_facet_edge(const CellEdge& e) { return e.facet_edge != kNoId && e.facet_edge != kManyEdges; }
 
   Trace edge_trace(std::uint32_t edge, EdgeUse use) const {
     const PlaneGroup& group = arrangement_.groups[use.group];
     const CellEdge& e = group.cells.edges[use.edge];
     const auto [a, b] = arrangement_.edge_ends[edge];
-    const auto way = static_cast<std::int8_t>((e.along ? 1 : -1) * (arrangement_.point(group, e.a) == a ? 1 : -1));
-    Trace trace{a, b, group.plane, e.cut, way, is_full(group, e), Trace::End::other, e.border, use.group};
-    if (one_border(e) && one_sided(group, e)) trace.end = Trace::End::border;
+    const auto direction =
+        static_cast<std::int8_t>((e.along ? 1 : -1) * (arrangement_.point(group, e.a) == a ? 1 : -1));
+    Trace trace{a, b, group.plane, e.cut, direction, is_full(group, e), Trace::End::other, e.facet_edge, use.group};
+    if (one_facet_edge(e) && one_sided(group, e)) trace.end = Trace::End::facet_edge;
     return trace;
   }
   /// Of the edges of one group at a point.
@@ -160,18 +161,19 @@ class Tight {
     const SumPoint sum{source.a, source.b};
     Trace trace{at, at, group.plane, 0, 0, true, Trace::End::other, kNoId, ends[0].group};
     bool alone = true, through = true, corner = source.kind == PointSource::Kind::sum;
-    int borders = 0;
+    int facet_edges = 0;
     for (const EdgeUse use : ends) {
       const CellEdge& e = group.cells.edges[use.edge];
       trace.full = trace.full && is_full(group, e);
       alone = alone && single(group, e.left) && single(group, e.right);
-      if (e.border == kNoId) continue;
-      if (borders++ == 0) trace.border = e.border;
-      through = through && e.border == trace.border && one_border(e) && one_sided(group, e);
-      corner = corner && one_border(e) && (space_.edges()[e.border].from == sum || space_.edges()[e.border].to == sum);
+      if (e.facet_edge == kNoId) continue;
+      if (facet_edges++ == 0) trace.facet_edge = e.facet_edge;
+      through = through && e.facet_edge == trace.facet_edge && one_facet_edge(e) && one_sided(group, e);
+      corner = corner && one_facet_edge(e) &&
+               (space_.edges()[e.facet_edge].from == sum || space_.edges()[e.facet_edge].to == sum);
     }
-    if (borders == 0) trace.end = trace.full ? Trace::End::none : Trace::End::other;
-    else if (alone && through && borders == 2) trace.end = Trace::End::border;
+    if (facet_edges == 0) trace.end = trace.full ? Trace::End::none : Trace::End::other;
+    else if (alone && through && facet_edges == 2) trace.end = Trace::End::facet_edge;
     else if (alone && corner) trace.end = Trace::End::corner;
     return trace;
   }
@@ -189,7 +191,7 @@ class Tight {
   /// solids can be moved apart then, into an open set of positions.
   bool free_by_itself(std::span<const Trace> traces) {
     const Trace* plane = nullptr;
-    const Trace* border = nullptr;
+    const Trace* facet_edge = nullptr;
     std::size_t corners = 0;
     for (const Trace& t : traces) {
       if (t.end == Trace::End::other) return false;
@@ -198,17 +200,17 @@ class Tight {
         if (plane != nullptr) return false;
         plane = &t;
       }
-      if (t.end == Trace::End::border) {
-        if (border != nullptr && border->border != t.border) return false;
-        border = &t;
+      if (t.end == Trace::End::facet_edge) {
+        if (facet_edge != nullptr && facet_edge->facet_edge != t.facet_edge) return false;
+        facet_edge = &t;
       }
     }
     if (corners > 0) {
       const PointSource& at = arrangement_.points.source(traces[0].a);
       return corners == traces.size() && lone_.corner({at.a, at.b});
     }
-    if (border == nullptr || !lone_.edge(border->border)) return false;
-    return plane == nullptr || (lone_.crosses(border->border, plane->plane) && lone_group(plane->group));
+    if (facet_edge == nullptr || !lone_.edge(facet_edge->facet_edge)) return false;
+    return plane == nullptr || (lone_.crosses(facet_edge->facet_edge, plane->plane) && lone_group(plane->group));
   }
   /// Whether the contacts inside all facets of a group are single points.
   bool lone_group(std::uint32_t g) {
@@ -222,9 +224,9 @@ class Tight {
     std::vector<Trace>& traces = part.traces;
     traces.clear();
     for (const EdgeUse use : arrangement_.uses(edge)) traces.push_back(edge_trace(edge, use));
-    if (!every_place_ && ((traces.size() < 3 && free_in_a_wedge(traces)) || free_by_itself(traces))) return;
+    if (!every_position_ && ((traces.size() < 3 && free_in_a_wedge(traces)) || free_by_itself(traces))) return;
     const Trace& t = traces[0];
-    if (overlaps({arrangement_.points.source(t.a), t.plane, t.cut, t.way, 0, 0}, part)) return;
+    if (overlaps({arrangement_.points.source(t.a), t.plane, t.cut, t.direction, 0, 0}, part)) return;
     part.found.segments.push_back({t.a, t.b});
   }
 
@@ -273,8 +275,8 @@ class Tight {
     for_each([&](PointId at, EdgeUse) { ++begin[at + 1]; });
     std::partial_sum(begin.begin(), begin.end(), begin.begin());
     std::vector<EdgeUse> ends(begin.back());
-    std::vector<std::uint32_t> place(begin.begin(), begin.end() - 1);
-    for_each([&](PointId at, EdgeUse use) { ends[place[at]++] = use; });
+    std::vector<std::uint32_t> position(begin.begin(), begin.end() - 1);
+    for_each([&](PointId at, EdgeUse use) { ends[position[at]++] = use; });
     in_parts(arrangement_.points.size(), 256, [&](Part& part, std::size_t at) {
       if (begin[at] < begin[at + 1])
         look_at_point(static_cast<PointId>(at), {ends.data() + begin[at], ends.data() + begin[at + 1]}, part);
@@ -289,7 +291,7 @@ class Tight {
     }
     // Facets that touch it inside of a cell are in no trace.
     const bool dot = std::binary_search(dots_.begin(), dots_.end(), at);
-    if (!every_place_ && (free_in_a_wedge(traces) || (!dot && free_by_itself(traces)))) return;
+    if (!every_position_ && (free_in_a_wedge(traces) || (!dot && free_by_itself(traces)))) return;
     if (!overlaps({arrangement_.points.source(at), 0, 0, 0, 0, 0}, part)) part.found.points.push_back(at);
   }
 
@@ -299,24 +301,24 @@ class Tight {
   const SolidArrangement& arrangement_;
   const Collision& collision_;
   LoneContacts lone_;
-  bool every_place_;
+  bool every_position_;
   StageWatch& watch_;
   const ArrangementScope* scope_;
   std::vector<bool> outside_;  // cells of the boundary, and tight ones
   std::vector<bool> touched_;  // points in the closure of something outside
   std::vector<PointId> dots_;  // points that facets touch inside of a cell
   Answers lone_groups_;        // per group
-  double share_ = 0;
+  double fraction_ = 0;
   TightFeatures result_;
 };
 
 }  // namespace
 
 TightFeatures tight_features(const SumSpace& space, const FacetTable& table, const SolidArrangement& arrangement,
-                             const std::vector<bool>& boundary, const Collision& collision, bool every_place,
+                             const std::vector<bool>& boundary, const Collision& collision, bool every_position,
                              StageWatch& watch, const ArrangementScope* scope) {
   return Tight(space, arrangement, boundary, collision, LoneContacts(space, table, collision.p(), collision.q()),
-               every_place, watch, scope)
+               every_position, watch, scope)
       .run();
 }
 

@@ -17,12 +17,11 @@ struct TightFeatures {
   std::uint64_t tests = 0;
 };
 
-/// `boundary` tells of every cell whether it bounds the regular part of the sum's complement. `every_place` leaves out
-/// no test, for reference. Statement and what is
-/// left out without a test: docs/design/solid-sum.md, "Tight features". With a scope only what is in it is looked at;
-/// around its points everything has to be. Exact.
+/// `boundary` tells of every cell whether it bounds the regular part of the sum's complement. `every_position` leaves
+/// out no test, for reference. Statement and what is left out without a test: docs/design/solid-sum.md, "Tight
+/// features". With a scope only what is in it is looked at; around its points everything has to be. Exact.
 TightFeatures tight_features(const SumSpace& space, const FacetTable& table, const SolidArrangement& arrangement,
-                             const std::vector<bool>& boundary, const Collision& collision, bool every_place,
+                             const std::vector<bool>& boundary, const Collision& collision, bool every_position,
                              StageWatch& watch, const ArrangementScope* scope = nullptr);
 
 }  // namespace dymsum::spatial

@@ -10,21 +10,21 @@ BigVector sum_of(const BigVector& a, const BigVector& b) { return {a[0] + b[0], 
 
 }  // namespace
 
-ConvexPlaces::ConvexPlaces(std::shared_ptr<const ConvexOperands> operands, const SolidPose& p, const SolidPose& q,
-                           std::vector<ConvexSum::Vertex> vertices)
+ConvexPositions::ConvexPositions(std::shared_ptr<const ConvexOperands> operands, const SolidPose& p, const SolidPose& q,
+                                 std::vector<ConvexSum::Vertex> vertices)
     : operands_(std::move(operands)), p_pose_(p), q_pose_(q), vertices_(std::move(vertices)) {}
 
-const ExactPlaces& ConvexPlaces::exactly() const {
+const ExactPositions& ConvexPositions::exactly() const {
   std::call_once(made_, [this] { exactly_.emplace(*operands_, p_pose_, q_pose_); });
   return *exactly_;
 }
 
-BigVector ConvexPlaces::numerators(std::size_t vertex) const {
+BigVector ConvexPositions::numerators(std::size_t vertex) const {
   const ConvexSum::Vertex& v = vertices_.at(vertex);
   return sum_of(exactly().of(0, v.p), exactly().of(1, v.q));
 }
 
-std::vector<BigVector> ConvexPlaces::numerators() const {
+std::vector<BigVector> ConvexPositions::numerators() const {
   std::array<std::vector<std::optional<BigVector>>, 2> table;  // vertices of the sum share those of the operands
   for (std::size_t op = 0; op < 2; ++op) table[op].resize(operands_->operand[op].size());
   const auto at = [&](std::size_t op, std::uint32_t v) -> const BigVector& {

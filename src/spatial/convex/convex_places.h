@@ -1,4 +1,4 @@
-// The exact positions of the vertices of a convex sum, made from its operands when they are asked for.
+// The exact positions of the vertices of a convex sum, made from its operands when they are requested.
 #pragma once
 
 #include <memory>
@@ -7,14 +7,14 @@
 #include <vector>
 
 #include "dymsum/convex_sum.h"
-#include "spatial/convex/exact_places.h"
+#include "spatial/convex/exact_positions.h"
 
 namespace dymsum::spatial {
 
-class ConvexPlaces {
+class ConvexPositions {
  public:
-  ConvexPlaces(std::shared_ptr<const ConvexOperands> operands, const SolidPose& p, const SolidPose& q,
-               std::vector<ConvexSum::Vertex> vertices);
+  ConvexPositions(std::shared_ptr<const ConvexOperands> operands, const SolidPose& p, const SolidPose& q,
+                  std::vector<ConvexSum::Vertex> vertices);
 
   std::size_t size() const { return vertices_.size(); }
   /// Positions are numerators times unit().
@@ -23,13 +23,13 @@ class ConvexPlaces {
   const exact::BigRational& unit() const { return exactly().unit(); }
 
  private:
-  const ExactPlaces& exactly() const;
+  const ExactPositions& exactly() const;
 
   std::shared_ptr<const ConvexOperands> operands_;
   SolidPose p_pose_, q_pose_;
   std::vector<ConvexSum::Vertex> vertices_;
   mutable std::once_flag made_;
-  mutable std::optional<ExactPlaces> exactly_;
+  mutable std::optional<ExactPositions> exactly_;
 };
 
 }  // namespace dymsum::spatial

@@ -5,7 +5,7 @@
 #include <optional>
 
 #include "dymsum/convex_sum.h"
-#include "spatial/convex/exact_places.h"
+#include "spatial/convex/exact_positions.h"
 #include "spatial/convex/kept_solid.h"
 #include "spatial/gauss/overlay.h"
 

@@ -165,10 +165,10 @@ RationalPoint3 ConvexSum::exact(Vertex vertex) const {
   const auto& operand = state_->source->operand;
   if (vertex.p >= operand[0].size() || vertex.q >= operand[1].size())
     throw std::invalid_argument("ConvexSum::exact: the operands have no such vertices");
-  const spatial::ExactPlaces places(*state_->source, state_->p_pose, state_->q_pose);
-  const spatial::BigVector a = places.of(0, vertex.p), b = places.of(1, vertex.q);
+  const spatial::ExactPositions positions(*state_->source, state_->p_pose, state_->q_pose);
+  const spatial::BigVector a = positions.of(0, vertex.p), b = positions.of(1, vertex.q);
   const auto value = [&](std::size_t k) {
-    return exact::to_rational(exact::BigRational(exact::BigInteger(a[k] + b[k])) * places.unit());
+    return exact::to_rational(exact::BigRational(exact::BigInteger(a[k] + b[k])) * positions.unit());
   };
   return {value(0), value(1), value(2)};
 }

@@ -22,7 +22,7 @@ std::uint32_t edges_of_face(const Polytope& p, std::uint32_t f) {
 KeptSolid::KeptSolid(const Overlay& overlay, const ConvexOperands& operands)
     : p_faces_(overlay.poly(0).face_count()),
       q_faces_(overlay.poly(1).face_count()),
-      places_(operands, {overlay.poly(0).source_vertex, overlay.poly(1).source_vertex}) {
+      positions_(operands, {overlay.poly(0).source_vertex, overlay.poly(1).source_vertex}) {
   for (int op = 0; op < 2; ++op) {
     const Polytope& mine = overlay.poly(op);
     extreme_[op].assign(mine.face_count(), kNothing);
@@ -57,8 +57,8 @@ void KeptSolid::follow(const Overlay& overlay, const SolidPose& p, const SolidPo
   if (!changes.moved && changes.vertices_appeared.empty()) return;
   solid_.p_pose = p;
   solid_.q_pose = q;
-  places_.pose(p, q);
-  places_.place(pair_, solid_.at);
+  positions_.pose(p, q);
+  positions_.position(pair_, solid_.at);
 }
 
 /// Facets for the overlay's crossings, as many as it has indices.
@@ -129,7 +129,7 @@ void KeptSolid::find_close(const Overlay& overlay) {
   const int w = overlay.walker();
   const Polytope &mine = overlay.poly(w), &other = overlay.poly(1 - w);
   for (std::uint32_t f = 0; f < mine.face_count(); ++f) {
-    if (overlay.surely_extreme(f)) continue;
+    if (overlay.provably_extreme(f)) continue;
     look_[facet_of(w, f)] = Look::close;
     HalfEdge h = mine.first[f];
     do {
@@ -139,7 +139,7 @@ void KeptSolid::find_close(const Overlay& overlay) {
     } while (h != mine.first[f]);
   }
   for (std::uint32_t id = 0; id < overlay.crossing_indices(); ++id) {
-    if (!overlay.is_crossing(id) || overlay.surely_crosses(id)) continue;
+    if (!overlay.is_crossing(id) || overlay.provably_crosses(id)) continue;
     const std::uint32_t e = edge_of(1 - w, overlay.crossing(id));
     look_[facet_of(id)] = Look::close;
     look_[facet_of(1 - w, other.face[2 * e])] = look_[facet_of(1 - w, other.face[2 * e + 1])] = Look::close;
@@ -217,9 +217,9 @@ bool KeptSolid::is_as_before(std::uint32_t facet) const {
   std::size_t first = 0;
   while (first < corners_.size() && !is(before[0], corners_[first])) ++first;
   const auto start = corners_.begin() + static_cast<std::ptrdiff_t>(first);
-  const auto behind = before.begin() + (corners_.end() - start);
-  return start != corners_.end() && std::equal(before.begin(), behind, start, is) &&
-         std::equal(behind, before.end(), corners_.begin(), is);
+  const auto after = before.begin() + (corners_.end() - start);
+  return start != corners_.end() && std::equal(before.begin(), after, start, is) &&
+         std::equal(after, before.end(), corners_.begin(), is);
 }
 
 /// Room for so many corners, at the end.
@@ -312,7 +312,7 @@ void KeptSolid::join_ranges() {
 std::size_t KeptSolid::bytes() const {
   const auto of = [](const auto&... v) { return (std::size_t{0} + ... + (v.capacity() * sizeof(v[0]))); };
   const SolidChanges& c = solid_.changes;
-  return sizeof(*this) + index_.bytes() + places_.bytes() +
+  return sizeof(*this) + index_.bytes() + positions_.bytes() +
          of(solid_.vertices, solid_.at, solid_.facets, solid_.corners, c.facets, c.vertices_appeared,
             c.vertices_disappeared, c.triangles, extreme_[0], extreme_[1], crossed_, slot_, before_, now_, vacant_,
             look_, look_before_, room_, uses_, pair_, free_vertices_, unused_, corners_, seen_);

@@ -9,7 +9,7 @@
 
 #include "dymsum/convex_solid.h"
 #include "spatial/convex/facet_corners.h"
-#include "spatial/convex/nearest_places.h"
+#include "spatial/convex/nearest_positions.h"
 #include "spatial/convex/pair_index.h"
 #include "spatial/gauss/overlay.h"
 
@@ -75,7 +75,7 @@ class KeptSolid {
   std::vector<std::uint32_t> uses_, seen_;
   std::vector<std::uint32_t> free_vertices_, unused_;
   PairIndex index_;
-  NearestPlaces places_;
+  NearestPositions positions_;
   std::vector<VertexPair> corners_;  // of the facet at hand
   std::uint32_t stamp_ = 0;
 };

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <utility>
 
-#include "spatial/convex/exact_places.h"
+#include "spatial/convex/exact_positions.h"
 #include "spatial/convex/posed_doubles.h"
 #include "spatial/mesh/compensated_sum.h"
 #include "spatial/mesh/wide_sum.h"
@@ -36,11 +36,11 @@ BigRational power_of_two(int e) {
 template <class C>
 auto twice_area(const Polytope& p, std::uint32_t f) {
   const HalfEdge first = p.first[f];
-  const auto a = p.place<C>(p.origin[first]);
+  const auto a = p.position<C>(p.origin[first]);
   using Term = decltype((a - a).x * (a - a).y - (a - a).x * (a - a).y);
   exact::Vector3<WideSum<Term>> total;
   for (HalfEdge h = p.next[first]; p.next[h] != first; h = p.next[h]) {
-    const auto n = exact::cross(p.place<C>(p.origin[h]) - a, p.place<C>(p.target(h)) - a);
+    const auto n = exact::cross(p.position<C>(p.origin[h]) - a, p.position<C>(p.target(h)) - a);
     total.x.add(n.x);
     total.y.add(n.y);
     total.z.add(n.z);
@@ -57,7 +57,7 @@ BigMat moments(const Overlay& o, int op) {
   exact::Matrix3<WideSum<decltype(Area{} * D{})>> sum;
   for (std::uint32_t f = 0; f < mine.face_count(); ++f) {
     const auto area = twice_area<C>(mine, f);
-    const auto x = other.place<D>(o.extreme(op, f));
+    const auto x = other.position<D>(o.extreme(op, f));
     for (auto&& [row, a] : {std::pair{&sum[0], &area.x}, {&sum[1], &area.y}, {&sum[2], &area.z}}) {
       row->x.add(*a * x.x);
       row->y.add(*a * x.y);

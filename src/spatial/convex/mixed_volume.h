@@ -12,8 +12,8 @@
 namespace dymsum::spatial {
 
 exact::BigRational exact_mixed_volume(const Overlay& overlay, const SolidPose& p, const SolidPose& q);
-/// The same in doubles, with a relative error of at most kMixedVolumeError; nothing where that cannot be told, as of
-/// solids much thinner than long.
+/// The same in doubles, with a relative error of at most kMixedVolumeError; nothing where that cannot be determined, as
+/// of solids much thinner than long.
 std::optional<double> mixed_volume(const Overlay& overlay, const PoseFactors& p, const PoseFactors& q);
 constexpr double kMixedVolumeError = 0x1p-41;
 

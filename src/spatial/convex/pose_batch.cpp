@@ -1,6 +1,7 @@
 #include <atomic>
 #include <cmath>
 #include <mutex>
+#include <string>
 
 #include "base/parallel.h"
 #include "base/poll.h"
@@ -14,7 +15,8 @@ Result<std::vector<PoseReport>> pose_batch(const Mesh& p, const Mesh& q, std::sp
   for (const Point3& at : {options.support_direction, options.depth_point})
     if (!std::isfinite(at.x) || !std::isfinite(at.y) || !std::isfinite(at.z))
       return Error{ErrorCode::not_finite, "the direction and the point of a batch have to be finite", {}};
-  if (options.threads < 0) return Error{ErrorCode::out_of_range, "there are at least 0 threads", {}};
+  if (options.threads < 0)
+    return Error{ErrorCode::out_of_range, "threads must be at least 0, not " + std::to_string(options.threads), {}};
   Result<ConvexSum> sum = ConvexSum::create(p, q);
   if (!sum) return sum.error();
   const std::vector<std::uint32_t> order = spatial::pose_order(poses);

@@ -10,8 +10,8 @@ namespace {
 
 constexpr int kBits = 10;
 
-/// The place of a cell of the cube of 2^kBits cells a side along its Hilbert curve (Skilling, "Programming the Hilbert
-/// curve", 2004).
+/// The position of a cell of the cube of 2^kBits cells a side along its Hilbert curve (Skilling, "Programming the
+/// Hilbert curve", 2004).
 std::uint64_t hilbert(std::array<std::uint32_t, 3> x) {
   for (std::uint32_t q = 1u << (kBits - 1); q > 1; q >>= 1)
     for (std::uint32_t& c : x) {
@@ -29,10 +29,10 @@ std::uint64_t hilbert(std::array<std::uint32_t, 3> x) {
   for (std::uint32_t q = 1u << (kBits - 1); q > 1; q >>= 1)
     if (x[2] & q) t ^= q - 1;
   for (std::uint32_t& c : x) c ^= t;
-  std::uint64_t place = 0;
+  std::uint64_t position = 0;
   for (int b = kBits - 1; b >= 0; --b)
-    for (const std::uint32_t c : x) place = place << 1 | (c >> b & 1);
-  return place;
+    for (const std::uint32_t c : x) position = position << 1 | (c >> b & 1);
+  return position;
 }
 
 std::uint64_t key(const Rotation& r) {

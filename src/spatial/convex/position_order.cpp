@@ -5,7 +5,7 @@
 #include <cmath>
 #include <optional>
 
-#include "spatial/convex/nearest_places.h"
+#include "spatial/convex/nearest_positions.h"
 
 namespace dymsum::spatial {
 namespace {
@@ -65,19 +65,19 @@ class PositionOrder {
 
   int exact_order(std::uint32_t a, std::uint32_t b, int axis) {
     const auto at = [&](std::uint32_t v) {
-      return exact::BigInteger(place(0, vertices_[v].p)[static_cast<std::size_t>(axis)] +
-                               place(1, vertices_[v].q)[static_cast<std::size_t>(axis)]);
+      return exact::BigInteger(position(0, vertices_[v].p)[static_cast<std::size_t>(axis)] +
+                               position(1, vertices_[v].q)[static_cast<std::size_t>(axis)]);
     };
     return at(a).compare(at(b));
   }
 
   /// Made where it is needed first: vertices of the sum share those of the operands.
-  const BigVector& place(std::size_t op, std::uint32_t v) {
+  const BigVector& position(std::size_t op, std::uint32_t v) {
     if (!exactly_) {
       exactly_.emplace(operands_, poses_[0], poses_[1]);
-      for (std::size_t k = 0; k < 2; ++k) places_[k].resize(operands_.operand[k].size());
+      for (std::size_t k = 0; k < 2; ++k) positions_[k].resize(operands_.operand[k].size());
     }
-    std::optional<BigVector>& known = places_[op][v];
+    std::optional<BigVector>& known = positions_[op][v];
     if (!known) known = exactly_->of(static_cast<int>(op), v);
     return *known;
   }
@@ -88,8 +88,8 @@ class PositionOrder {
   std::span<const Point3> nearest_;
   std::array<std::array<std::int64_t, 9>, 2> rotation_;
   bool sums_of_doubles_;
-  std::optional<ExactPlaces> exactly_;
-  std::array<std::vector<std::optional<BigVector>>, 2> places_;
+  std::optional<ExactPositions> exactly_;
+  std::array<std::vector<std::optional<BigVector>>, 2> positions_;
 };
 
 }  // namespace
@@ -108,17 +108,17 @@ std::vector<Point3> nearest_positions(const ConvexOperands& operands, const Soli
   std::vector<VertexPair> pairs;
   pairs.reserve(vertices.size());
   for (const ConvexSum::Vertex& v : vertices) pairs.push_back({position_of(0, v.p), position_of(1, v.q)});
-  NearestPlaces places(operands, {used[0], used[1]});
-  places.pose(p, q);
+  NearestPositions positions(operands, {used[0], used[1]});
+  positions.pose(p, q);
   std::vector<Point3> at(pairs.size());
-  places.place(pairs, at);
+  positions.position(pairs, at);
   return at;
 }
 
 std::vector<std::uint32_t> order_by_position(const ConvexOperands& operands, const SolidPose& p, const SolidPose& q,
                                              std::span<const ConvexSum::Vertex> vertices,
                                              std::span<const Point3> nearest) {
-  // By x first, side by side with the indices; then stretches of one x, most of one vertex.
+  // By x first, side by side with the indices; then intervals of one x, most of one vertex.
   struct Key {
     double x;
     std::uint32_t vertex;

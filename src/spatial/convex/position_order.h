@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "dymsum/convex_sum.h"
-#include "spatial/convex/exact_places.h"
+#include "spatial/convex/exact_positions.h"
 
 namespace dymsum::spatial {
 

@@ -1,11 +1,11 @@
 // The vertex that is extreme in a direction: the sum of those of the operands. Ties are decided by position, as then
-// both are of one vertex of the sum: sums of extreme vertices may lie in the middle of its edges and facets.
+// both are of one vertex of the sum: sums of extreme vertices may lie inside its edges and facets.
 #include <cmath>
 #include <stdexcept>
 
 #include "exact/grid.h"
 #include "spatial/convex/convex_state.h"
-#include "spatial/convex/exact_places.h"
+#include "spatial/convex/exact_positions.h"
 #include "spatial/mesh/rounded_vector.h"
 
 namespace dymsum {
@@ -81,10 +81,10 @@ ConvexSum::Support ConvexSum::support(Point3 direction) const {
   }
   Support result;
   result.vertex = {s.p->source_vertex[v[0]], s.q->source_vertex[v[1]]};
-  const spatial::ExactPlaces places(*s.source, s.p_pose, s.q_pose);
-  const spatial::BigVector x = places.of(0, result.vertex.p), y = places.of(1, result.vertex.q);
+  const spatial::ExactPositions positions(*s.source, s.p_pose, s.q_pose);
+  const spatial::BigVector x = positions.of(0, result.vertex.p), y = positions.of(1, result.vertex.q);
   const auto rounded = [&](std::size_t k) {
-    return exact::round_to_double(BigRational(BigInteger(x[k] + y[k])) * places.unit());
+    return exact::round_to_double(BigRational(BigInteger(x[k] + y[k])) * positions.unit());
   };
   result.at = {rounded(0), rounded(1), rounded(2)};
   return result;

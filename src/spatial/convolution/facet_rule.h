@@ -28,16 +28,16 @@ bool ties_hold(const SumSpace& space, const SolidOperand& p, const SolidOperand&
                const EdgePairSigns& at);
 
 /// The sign of a triangle's normal times a direction. Exact.
-int normal_sign(const SumSpace& space, Way::Of of, const Triangle& triangle, Way d);
+int normal_sign(const SumSpace& space, DirectionSource::Of of, const Triangle& triangle, DirectionSource d);
 
 /// Whether triangle t of one operand (`of`) and a cone of the other one make a facet. Exact.
-bool makes_facet(const SumSpace& space, Way::Of of, const SolidOperand& faces, std::uint32_t t,
+bool makes_facet(const SumSpace& space, DirectionSource::Of of, const SolidOperand& faces, std::uint32_t t,
                  const SolidOperand& vertices, const SupportCone& cone);
 /// The side of the facet that two convex wedges of solid parts make, 0 where they make none. Exact.
 int facet_side(const SumSpace& space, const SolidOperand& p, const SolidOperand& q, std::uint32_t e, std::uint32_t g);
 
 /// The facets themselves: of a triangle of `of` and a vertex of the other operand, of wedges of P and of Q.
-SumFacet face_vertex_facet(Way::Of of, const SolidOperand& faces, std::uint32_t t, std::uint32_t vertex);
+SumFacet face_vertex_facet(DirectionSource::Of of, const SolidOperand& faces, std::uint32_t t, std::uint32_t vertex);
 SumFacet edge_edge_facet(const SolidOperand& p, const SolidOperand& q, std::uint32_t e, std::uint32_t g, int side);
 PlaneSource plane_of(const SumFacet& facet);
 

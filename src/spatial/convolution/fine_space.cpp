@@ -19,15 +19,16 @@ std::optional<int> sign_of_product(const N& a, const N& b) {
 }  // namespace
 
 template <class N>
-typename IntervalSpace<N>::Vector IntervalSpace<N>::direction(Way w) const {
-  if (w.of == Way::Of::p) return p_[w.to] - p_[w.from];
-  if (w.of == Way::Of::q) return q_[w.to] - q_[w.from];
+typename IntervalSpace<N>::Vector IntervalSpace<N>::direction(DirectionSource w) const {
+  if (w.of == DirectionSource::Of::p) return p_[w.to] - p_[w.from];
+  if (w.of == DirectionSource::Of::q) return q_[w.to] - q_[w.from];
   return {Number(w.from == 0), Number(w.from == 1), Number(w.from == 2)};
 }
 
 template <class N>
 typename IntervalSpace<N>::Vector IntervalSpace<N>::along(const SumEdge& e) const {
-  return e.from.q == e.to.q ? direction({Way::Of::p, e.from.p, e.to.p}) : direction({Way::Of::q, e.from.q, e.to.q});
+  return e.from.q == e.to.q ? direction({DirectionSource::Of::p, e.from.p, e.to.p})
+                            : direction({DirectionSource::Of::q, e.from.q, e.to.q});
 }
 
 template <class N>
@@ -71,7 +72,7 @@ std::optional<int> IntervalSpace<N>::side(const PlaneSource& plane, SumPoint poi
 template <class N>
 std::optional<int> IntervalSpace<N>::side(const PlaneSource& plane, const PointSource& point) const {
   if (point.kind == PointSource::Kind::sum) return side(plane, SumPoint{point.a, point.b});
-  if (point.kind == PointSource::Kind::place) return std::nullopt;
+  if (point.kind == PointSource::Kind::position) return std::nullopt;
   const Vector n = normal(plane);
   const Number height = dot(n, between(plane.at, beside(point)));
   if (point.kind == PointSource::Kind::edge) {
@@ -100,7 +101,7 @@ std::optional<int> IntervalSpace<N>::det(PlaneId a, PlaneId b, PlaneId c) const 
 
 template <class N>
 std::optional<int> IntervalSpace<N>::order(const PointSource& a, const PointSource& b, int axis) const {
-  if (a.kind == PointSource::Kind::place || b.kind == PointSource::Kind::place) return std::nullopt;
+  if (a.kind == PointSource::Kind::position || b.kind == PointSource::Kind::position) return std::nullopt;
   const SumPoint origin = beside(a);
   const Position x = position(a, origin), y = position(b, origin);
   const auto coordinate = [&](const Vector& v) { return axis == 0 ? v.x : axis == 1 ? v.y : v.z; };

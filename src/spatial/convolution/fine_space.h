@@ -42,7 +42,7 @@ class IntervalSpace {
   };
   /// Differences are taken before sums: of neighbours they are short.
   Vector between(SumPoint from, SumPoint to) const { return (p_[to.p] - p_[from.p]) + (q_[to.q] - q_[from.q]); }
-  Vector direction(Way w) const;
+  Vector direction(DirectionSource w) const;
   Vector along(const SumEdge& e) const;
   Vector normal(const PlaneSource& source) const;
   /// Of kinds sum, edge and planes, from a sum on.

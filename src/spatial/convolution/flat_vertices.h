@@ -8,7 +8,7 @@
 
 namespace dymsum::spatial {
 
-/// Vertices in the middle of a straight edge, or around which all triangles lie in one plane, are left out of a
+/// Vertices inside a straight edge, or around which all triangles lie in one plane, are left out of a
 /// surface, and what they leave is split into triangles anew; every triangle gets the smallest face among those
 /// connected to it in its plane. `wedges` and `wedge_of` are those of the triangles. Vertices stay where `keep` marks
 /// them (nowhere, where it is empty), at edges with more than two triangles, and where several fans meet. Exact. Cost:

@@ -141,33 +141,35 @@ Vec3 GridSpace<C>::near(const Vector3<X>& v) const {
 }
 
 template <class C>
-Vector3<typename GridSpace<C>::Edge> GridSpace<C>::way(Way w) const {
+Vector3<typename GridSpace<C>::Edge> GridSpace<C>::direction(DirectionSource w) const {
   const auto between = [&](const std::vector<Point>& points, const std::vector<Point>& shorter) {
     const std::vector<Point>& of = shorter.empty() ? points : shorter;
     return of[w.to] - of[w.from];
   };
-  if (w.of == Way::Of::p) return between(p_int_, p_short_);
-  if (w.of == Way::Of::q) return between(q_int_, q_short_);
+  if (w.of == DirectionSource::Of::p) return between(p_int_, p_short_);
+  if (w.of == DirectionSource::Of::q) return between(q_int_, q_short_);
   return {small<Edge>(w.from == 0), small<Edge>(w.from == 1), small<Edge>(w.from == 2)};
 }
 
 template <class C>
 Vector3<typename GridSpace<C>::Edge> GridSpace<C>::along(const SumEdge& e) const {
-  return e.from.q == e.to.q ? way({Way::Of::p, e.from.p, e.to.p}) : way({Way::Of::q, e.from.q, e.to.q});
+  return e.from.q == e.to.q ? direction({DirectionSource::Of::p, e.from.p, e.to.p})
+                            : direction({DirectionSource::Of::q, e.from.q, e.to.q});
 }
 
 template <class C>
 Vector3<typename GridSpace<C>::Normal> GridSpace<C>::normal(const PlaneSource& source) const {
-  if (source.v.of == Way::Of::axis) {
+  if (source.v.of == DirectionSource::Of::axis) {
     // u x axis: components of u, one of them turned over.
-    const auto u = way(source.u);
+    const auto u = direction(source.u);
     const Normal x = u.x, y = u.y, z = u.z, zero = small<Normal>(0);
     const exact::Vector3<Normal> n = source.v.from == 0   ? exact::Vector3<Normal>{zero, z, -u.y}
                                      : source.v.from == 1 ? exact::Vector3<Normal>{-u.z, zero, x}
                                                           : exact::Vector3<Normal>{y, -u.x, zero};
     return source.reversed ? exact::Vector3<Normal>{Normal(-n.x), Normal(-n.y), Normal(-n.z)} : n;
   }
-  return source.reversed ? cross(way(source.v), way(source.u)) : cross(way(source.u), way(source.v));
+  return source.reversed ? cross(direction(source.v), direction(source.u))
+                         : cross(direction(source.u), direction(source.v));
 }
 
 template <class C>
@@ -262,7 +264,7 @@ namespace {
 template <class C>
 constexpr exact::Rung kExactRung = kOneType<C> ? exact::Rung::big : exact::Rung::integers;
 
-/// Integers of up to 124 bits cost no more than pairs of doubles that are asked first: most signs that doubles leave
+/// Integers of up to 124 bits cost no more than pairs of doubles that are queried first: most signs that doubles leave
 /// open are zeros, which pairs leave open too.
 template <class C>
 constexpr bool has_fine() {
@@ -313,16 +315,16 @@ const WideSpace* GridSpace<C>::wide() const {
 }
 
 template <class C>
-template <class Ask>
-std::optional<int> GridSpace<C>::by_intervals(Ask ask) const {
+template <class Query>
+std::optional<int> GridSpace<C>::by_intervals(Query query) const {
   if constexpr (has_fine<C>()) {
-    if (const std::optional<int> s = ask(*fine())) {
+    if (const std::optional<int> s = query(*fine())) {
       count(exact::Rung::double_pairs);
       return s;
     }
   }
   if constexpr (std::is_same_v<C, exact::RootValue>) {
-    if (const std::optional<int> s = ask(*wide())) {
+    if (const std::optional<int> s = query(*wide())) {
       count(exact::Rung::integers);
       return s;
     }
@@ -331,9 +333,9 @@ std::optional<int> GridSpace<C>::by_intervals(Ask ask) const {
 }
 
 template <class C>
-template <class Ask, class Exactly>
-int GridSpace<C>::by_rungs(Ask ask, Exactly exactly) const {
-  if (const std::optional<int> s = by_intervals(ask)) return *s;
+template <class Query, class Exactly>
+int GridSpace<C>::by_rungs(Query query, Exactly exactly) const {
+  if (const std::optional<int> s = by_intervals(query)) return *s;
   count(kExactRung<C>);
   return exactly();
 }
@@ -423,23 +425,24 @@ int GridSpace<C>::exact_order(const PointSource& a, const PointSource& b, int ax
 }
 
 template <class C>
-int GridSpace<C>::exact_det(Way u, Way v, Way w) const {
-  return sign(dot(cross(way(u), way(v)), way(w)));
+int GridSpace<C>::exact_det(DirectionSource u, DirectionSource v, DirectionSource w) const {
+  return sign(dot(cross(direction(u), direction(v)), direction(w)));
 }
 
 template <class C>
-int GridSpace<C>::exact_dot(Way u, Way v, Way w, Way x) const {
-  return sign(dot(cross(way(u), way(v)), cross(way(w), way(x))));
+int GridSpace<C>::exact_dot(DirectionSource u, DirectionSource v, DirectionSource w, DirectionSource x) const {
+  return sign(dot(cross(direction(u), direction(v)), cross(direction(w), direction(x))));
 }
 
 template <class C>
-int GridSpace<C>::exact_leading(Way w) const {
-  return exact::leading_sign(way(w));
+int GridSpace<C>::exact_leading(DirectionSource w) const {
+  return exact::leading_sign(direction(w));
 }
 
 template <class C>
-int GridSpace<C>::exact_turn(Way r, Way u, Way v, Way w, Way x) const {
-  return sign(dot(way(r), cross(cross(way(u), way(v)), cross(way(w), way(x)))));
+int GridSpace<C>::exact_turn(DirectionSource r, DirectionSource u, DirectionSource v, DirectionSource w,
+                             DirectionSource x) const {
+  return sign(dot(direction(r), cross(cross(direction(u), direction(v)), cross(direction(w), direction(x)))));
 }
 
 template <class C>
@@ -454,16 +457,17 @@ int GridSpace<C>::exact_side(const PlaneSource& plane, const Flag& flag) const {
   const auto m = normal(plane);
   const Offset d = dot(m, sum(plane.at));
   const auto height = [&](const auto& h) { return sign(dot(m, h.x) - d * h.w) * sign(h.w); };
-  const int at = flag.at.kind == PointSource::Kind::place ? height(places_[flag.at.a].at) : with_point(flag.at, height);
+  const int at =
+      flag.at.kind == PointSource::Kind::position ? height(positions_[flag.at.a].at) : with_point(flag.at, height);
   if (at != 0) return at;
-  if (flag.way != 0) {
-    const int along = flag.way * sign(dot(m, cross(n_[flag.plane], n_[flag.cut])));
+  if (flag.direction != 0) {
+    const int along = flag.direction * sign(dot(m, cross(n_[flag.plane], n_[flag.cut])));
     if (along != 0) return along;
   }
   if (flag.left != 0) {
     // n x (n x c) = n (n . c) - c (n . n).
     const auto &n = n_[flag.plane], &c = n_[flag.cut];
-    const int left = flag.way * sign(dot(m, n) * dot(n, c) - dot(m, c) * dot(n, n));
+    const int left = flag.direction * sign(dot(m, n) * dot(n, c) - dot(m, c) * dot(n, n));
     if (left != 0) return left;
   }
   return flag.side == 0 ? 0 : flag.side * sign(dot(m, n_[flag.plane]));
@@ -476,7 +480,7 @@ int GridSpace<C>::exact_normal(const PlaneSource& plane, int axis) const {
 
 template <class C>
 Approx GridSpace<C>::exact_approximation(const PointSource& point) const {
-  if (point.kind == PointSource::Kind::place) return places_[point.a].approx;
+  if (point.kind == PointSource::Kind::position) return positions_[point.a].approx;
   count(kExactRung<C>);
   return with_point(point, [&](const auto& h) {
     // Both within 2^-51, the quotient rounded once more.
@@ -509,7 +513,7 @@ std::array<exact::BigInteger, 4> GridSpace<C>::homogeneous(const PointSource& po
 }
 
 template <class C>
-std::optional<PointSource> GridSpace<C>::add_place(const std::array<exact::BigRational, 3>& world) {
+std::optional<PointSource> GridSpace<C>::add_position(const std::array<exact::BigRational, 3>& world) {
   std::array<exact::BigRational, 3> at, near;
   exact::BigInteger w = 1;
   for (std::size_t axis = 0; axis < 3; ++axis) {
@@ -534,9 +538,9 @@ std::optional<PointSource> GridSpace<C>::add_place(const std::array<exact::BigRa
       exact::exact_value(x) == near[0] && exact::exact_value(y) == near[1] && exact::exact_value(z) == near[2];
   // Rounded to the nearest, or to a multiple of 2^-1074.
   const double size = std::max({std::abs(x), std::abs(y), std::abs(z)});
-  places_.push_back(
+  positions_.push_back(
       {{{over_w(0), over_w(1), over_w(2)}, Big(w)}, {{x, y, z}, is_near ? 0 : size * 0x1p-50 + 0x1p-1000}});
-  return PointSource{PointSource::Kind::place, static_cast<std::uint32_t>(places_.size() - 1), 0, 0};
+  return PointSource{PointSource::Kind::position, static_cast<std::uint32_t>(positions_.size() - 1), 0, 0};
 }
 
 // Every width of coordinates that make_sum_space and make_root_space choose from.

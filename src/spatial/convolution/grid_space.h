@@ -47,26 +47,27 @@ class GridSpace final : public SumSpace {
   int same_plane(PlaneId a, PlaneId b) const override;
   bool same_point(const PointSource& a, const PointSource& b) const override;
   int exact_order(const PointSource& a, const PointSource& b, int axis) const override;
-  int exact_det(Way u, Way v, Way w) const override;
-  int exact_dot(Way u, Way v, Way w, Way x) const override;
-  int exact_leading(Way w) const override;
-  int exact_turn(Way r, Way u, Way v, Way w, Way x) const override;
+  int exact_det(DirectionSource u, DirectionSource v, DirectionSource w) const override;
+  int exact_dot(DirectionSource u, DirectionSource v, DirectionSource w, DirectionSource x) const override;
+  int exact_leading(DirectionSource w) const override;
+  int exact_turn(DirectionSource r, DirectionSource u, DirectionSource v, DirectionSource w,
+                 DirectionSource x) const override;
   int exact_side(const PlaneSource& plane, const Flag& flag) const override;
   int exact_normal(const PlaneSource& plane, int axis) const override;
   Approx exact_approximation(const PointSource& point) const override;
   int bits() const override { return bits_; }
   exact::BigRational exact_coordinate(const PointSource& point, int axis) const override;
   std::array<exact::BigInteger, 4> homogeneous(const PointSource& point) const override;
-  std::optional<PointSource> add_place(const std::array<exact::BigRational, 3>& world) override;
+  std::optional<PointSource> add_position(const std::array<exact::BigRational, 3>& world) override;
 
  private:
   exact::Vector3<Edge> sum(SumPoint s) const { return p_int_[s.p] + q_int_[s.q]; }
   /// Up to a positive factor, the same for all directions of an operand: signs do not depend on it.
-  exact::Vector3<Edge> way(Way w) const;
+  exact::Vector3<Edge> direction(DirectionSource w) const;
   exact::Vector3<Edge> along(const SumEdge& e) const;
   exact::Vector3<Normal> normal(const PlaneSource& source) const;
   void set_plane(PlaneId id, const PlaneSource& source);
-  /// n . x of all points x of a plane: made where it is asked for, as doubles answer most questions.
+  /// n . x of all points x of a plane: made where it is requested, as doubles answer most questions.
   Offset offset(PlaneId plane) const { return exact::dot(n_[plane], sum(plane_sources_[plane].at)); }
   /// Of a point of kind edge, planes: Homogeneous of the widths that these have.
   auto of_edge(const PointSource& point) const;
@@ -86,22 +87,22 @@ class GridSpace final : public SumSpace {
   /// The same of the next rung, for values at roots: multiplying polynomials costs a hundred times as much.
   const WideSpace* wide() const;
   /// ask(space), of those with intervals, counted where it answers.
-  template <class Ask>
-  std::optional<int> by_intervals(Ask ask) const;
+  template <class Query>
+  std::optional<int> by_intervals(Query query) const;
   /// ask(space) where that answers; else exactly(), counted as exact.
-  template <class Ask, class Exactly>
-  int by_rungs(Ask ask, Exactly exactly) const;
+  template <class Query, class Exactly>
+  int by_rungs(Query query, Exactly exactly) const;
 
   std::vector<Point> p_int_, q_int_;
   /// Of either operand the same, over the largest integer that divides all differences, where that is kept: for
   /// integers of any size.
   std::vector<Point> p_short_, q_short_;
   std::vector<exact::Vector3<Normal>> n_;
-  struct Place {
+  struct Position {
     Homogeneous<exact::Big, exact::Big> at;  // w > 0
     Approx approx;
   };
-  std::vector<Place> places_;
+  std::vector<Position> positions_;
   mutable std::once_flag fine_once_;
   mutable std::unique_ptr<FineSpace> fine_;
   mutable std::once_flag wide_once_;

@@ -10,7 +10,7 @@ namespace dymsum::spatial {
 
 namespace {
 
-Vec3 middle(Vec3 a, Vec3 b) { return 0.5 * (a + b); }
+Vec3 midpoint(Vec3 a, Vec3 b) { return 0.5 * (a + b); }
 
 Box box_around(Vec3 a, Vec3 b, Vec3 c) {
   Box box;
@@ -92,7 +92,7 @@ InnerCells::Lattice InnerCells::inside(const SolidOperand& solid, const std::vec
     const Vec3 d = at[v] - lattice.low;
     return Vec3{d.x / step_.x, d.y / step_.y, d.z / step_.z};
   };
-  watch.run_stretches(solid.triangles.size(), 32, [&](std::size_t, std::size_t first, std::size_t last) {
+  watch.run_intervals(solid.triangles.size(), 32, [&](std::size_t, std::size_t first, std::size_t last) {
     for (std::size_t k = first; k < last; ++k) {
       const Triangle& t = solid.triangles[k];
       mark(lattice, in_steps(t[0]), in_steps(t[1]), in_steps(t[2]));
@@ -113,16 +113,16 @@ void InnerCells::mark(Lattice& lattice, Vec3 a, Vec3 b, Vec3 c) const {
   if (size.x > 0.5 || size.y > 0.5 || size.z > 0.5) {
     const auto length = [](Vec3 d) { return std::max({std::abs(d.x), std::abs(d.y), std::abs(d.z)}); };
     const double ab = length(b - a), bc = length(c - b), ca = length(a - c);
-    if (ab >= bc && ab >= ca) return mark(lattice, a, middle(a, b), c), mark(lattice, middle(a, b), b, c);
-    if (bc >= ca) return mark(lattice, a, b, middle(b, c)), mark(lattice, a, middle(b, c), c);
-    return mark(lattice, a, b, middle(c, a)), mark(lattice, middle(c, a), b, c);
+    if (ab >= bc && ab >= ca) return mark(lattice, a, midpoint(a, b), c), mark(lattice, midpoint(a, b), b, c);
+    if (bc >= ca) return mark(lattice, a, b, midpoint(b, c)), mark(lattice, a, midpoint(b, c), c);
+    return mark(lattice, a, b, midpoint(c, a)), mark(lattice, midpoint(c, a), b, c);
   }
   const auto index = [&](double v, std::size_t axis) {
     return std::clamp(static_cast<int>(std::floor(v)), 0, lattice.size[axis] - 1);
   };
   const Vec3 room{margin_ / step_.x + 0x1p-40, margin_ / step_.y + 0x1p-40, margin_ / step_.z + 0x1p-40};
   const Vec3 low = box.low - room, high = box.high + room;
-  const Place from{index(low.x, 0), index(low.y, 1), index(low.z, 2)},
+  const Position from{index(low.x, 0), index(low.y, 1), index(low.z, 2)},
       to{index(high.x, 0), index(high.y, 1), index(high.z, 2)};
   for (int x = from[0]; x <= to[0]; ++x)
     for (int y = from[1]; y <= to[1]; ++y)
@@ -130,14 +130,14 @@ void InnerCells::mark(Lattice& lattice, Vec3 a, Vec3 b, Vec3 c) const {
 }
 
 /// Decides for the connected part of boxes away from the surface that one of them belongs to.
-void InnerCells::fill(Lattice& lattice, const SolidOperand& solid, const std::vector<Vec3>& at, Place from) const {
-  std::vector<Place> part{from};
+void InnerCells::fill(Lattice& lattice, const SolidOperand& solid, const std::vector<Vec3>& at, Position from) const {
+  std::vector<Position> part{from};
   const std::uint8_t open = 2;
   lattice.state[lattice.at(from[0], from[1], from[2])] = open;
   for (std::size_t k = 0; k < part.size(); ++k) {
     for (std::size_t axis = 0; axis < 3; ++axis)
       for (const int step : {-1, 1}) {
-        Place next = part[k];
+        Position next = part[k];
         next[axis] += step;
         if (next[axis] < 0 || next[axis] >= lattice.size[axis]) continue;
         std::uint8_t& state = lattice.state[lattice.at(next[0], next[1], next[2])];
@@ -146,8 +146,8 @@ void InnerCells::fill(Lattice& lattice, const SolidOperand& solid, const std::ve
         part.push_back(next);
       }
   }
-  // A ray that passes too near an edge does not tell: then the next box is asked.
-  for (const Place& cell : part) {
+  // A ray that passes too near an edge does not decide: then the next box is asked.
+  for (const Position& cell : part) {
     const Vec3 centre{lattice.low.x + (cell[0] + 0.5) * step_.x, lattice.low.y + (cell[1] + 0.5) * step_.y,
                       lattice.low.z + (cell[2] + 0.5) * step_.z};
     bool inside = false, known = true;
@@ -159,7 +159,7 @@ void InnerCells::fill(Lattice& lattice, const SolidOperand& solid, const std::ve
     }
     if (!known) continue;
     if (inside)
-      for (const Place& c : part) lattice.state[lattice.at(c[0], c[1], c[2])] = 1;
+      for (const Position& c : part) lattice.state[lattice.at(c[0], c[1], c[2])] = 1;
     return;
   }
 }
@@ -200,7 +200,7 @@ void InnerCells::set(int x, int y, int first, int last) {
   for (std::size_t w = from / 64 + 1; w < to / 64; ++w) row[w] = ~std::uint64_t{0};
 }
 
-/// The open box that the sum of two boxes is reaches one step either way from its middle, a point of the lattice. Any
+/// The open box that the sum of two boxes is reaches one step either way from its midpoint, a point of the lattice. Any
 /// box less than half a step away from such a point in each direction, corners included, lies in it.
 bool InnerCells::hold(const Box& box) const {
   if (bits_.empty()) return false;
@@ -226,7 +226,7 @@ bool InnerCells::holds_piece(Vec3 a, Vec3 b, Vec3 c) const {
   Box centre;
   centre.add(1.0 / 3 * (a + b + c));
   if (!hold(centre)) return false;
-  const Vec3 ab = middle(a, b), bc = middle(b, c), ca = middle(c, a);
+  const Vec3 ab = midpoint(a, b), bc = midpoint(b, c), ca = midpoint(c, a);
   return holds_piece(ab, bc, ca) && holds_piece(a, ab, ca) && holds_piece(b, bc, ab) && holds_piece(c, ca, bc);
 }
 

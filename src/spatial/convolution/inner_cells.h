@@ -32,10 +32,10 @@ class InnerCells {
   bool empty() const { return bits_.empty(); }
 
  private:
-  using Place = std::array<int, 3>;
+  using Position = std::array<int, 3>;
   struct Lattice {
     Vec3 low;
-    Place size{};
+    Position size{};
     std::vector<std::uint8_t> state;  // 0 not looked at, 1 inside, 2 not inside or not known, 3 near the surface
     std::size_t at(int x, int y, int z) const {
       return (static_cast<std::size_t>(x) * static_cast<std::size_t>(size[1]) + static_cast<std::size_t>(y)) *
@@ -51,7 +51,7 @@ class InnerCells {
   Vec3 turned(Vec3 v) const { return axis_ == 2 ? v : axis_ == 1 ? Vec3{v.z, v.x, v.y} : Vec3{v.y, v.z, v.x}; }
   Lattice inside(const SolidOperand& solid, const std::vector<Vec3>& at, StageWatch& watch) const;
   void mark(Lattice& lattice, Vec3 a, Vec3 b, Vec3 c) const;
-  void fill(Lattice& lattice, const SolidOperand& solid, const std::vector<Vec3>& at, Place from) const;
+  void fill(Lattice& lattice, const SolidOperand& solid, const std::vector<Vec3>& at, Position from) const;
   std::vector<Row> rows(const Lattice& lattice) const;
   void add_rows(int x, const std::vector<Row>& p, const std::vector<Row>& q);
   void set(int x, int y, int first, int last);
@@ -61,7 +61,7 @@ class InnerCells {
   int axis_ = 2;  // along which rows run
   Vec3 step_, low_;
   double margin_ = 0;
-  Place size_{};
+  Position size_{};
   std::size_t words_ = 0;
   std::vector<std::uint64_t> bits_;  // of sums of boxes, rows along z
 };

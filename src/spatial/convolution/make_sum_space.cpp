@@ -32,9 +32,9 @@ Line common_line(const std::vector<Point3>& p, const std::vector<Point3>& q, dou
   const auto offset = [&](const std::vector<double>& values) {
     if (values.empty()) return 0.0;
     const auto [low, high] = std::minmax_element(values.begin(), values.end());
-    const double middle = exact::grid_center(*low, *high, line.exponent);
-    bits = std::max(bits, exact::bits_needed(*low, *high, middle, line.exponent));
-    return middle;
+    const double midpoint = exact::grid_center(*low, *high, line.exponent);
+    bits = std::max(bits, exact::bits_needed(*low, *high, midpoint, line.exponent));
+    return midpoint;
   };
   line.p_offset = offset(a);
   line.q_offset = offset(b);
@@ -53,8 +53,8 @@ std::vector<Vector3<C>> on_grid(const std::vector<Point3>& points, const Line (&
   return result;
 }
 
-/// Coordinates in 128 bits, where products and sums of mapped places stay within 126.
-std::optional<std::vector<Vector3<exact::i128>>> mapped_in_words(const MappedPlaces& p) {
+/// Coordinates in 128 bits, where products and sums of mapped positions stay within 126.
+std::optional<std::vector<Vector3<exact::i128>>> mapped_in_words(const MappedPositions& p) {
   std::array<exact::i128, 9> m;
   int bits = 0;
   for (std::size_t k = 0; k < 9; ++k) {
@@ -62,10 +62,10 @@ std::optional<std::vector<Vector3<exact::i128>>> mapped_in_words(const MappedPla
     if (bits > 124) return std::nullopt;
     m[k] = exact::narrowed<Int<124>>(Big(p.matrix[k])).raw();
   }
-  if (p.places.bits > 61 || p.places.bits + bits > 124) return std::nullopt;
+  if (p.positions.bits > 61 || p.positions.bits + bits > 124) return std::nullopt;
   std::vector<Vector3<exact::i128>> result;
-  result.reserve(p.places.grid.size());
-  for (const auto& [x, y, z] : p.places.grid)
+  result.reserve(p.positions.grid.size());
+  for (const auto& [x, y, z] : p.positions.grid)
     result.push_back({m[0] * x + m[1] * y + m[2] * z, m[3] * x + m[4] * y + m[5] * z, m[6] * x + m[7] * y + m[8] * z});
   for (const Vector3<Big>& v : p.further) {
     if (bit_length(v) > 124) return std::nullopt;
@@ -75,12 +75,12 @@ std::optional<std::vector<Vector3<exact::i128>>> mapped_in_words(const MappedPla
   return result;
 }
 
-std::vector<Vector3<Big>> mapped_of_any_size(const MappedPlaces& p) {
+std::vector<Vector3<Big>> mapped_of_any_size(const MappedPositions& p) {
   exact::Matrix3<Big> m;
   for (std::size_t r = 0; r < 3; ++r) m[r] = {Big(p.matrix[3 * r]), Big(p.matrix[3 * r + 1]), Big(p.matrix[3 * r + 2])};
   std::vector<Vector3<Big>> result;
-  const std::size_t count = p.places.bits <= 61 ? p.places.grid.size() : p.places.big.size();
-  for (std::uint32_t v = 0; v < count; ++v) result.push_back(exact::apply(m, p.places.place<Big>(v)));
+  const std::size_t count = p.positions.bits <= 61 ? p.positions.grid.size() : p.positions.big.size();
+  for (std::uint32_t v = 0; v < count; ++v) result.push_back(exact::apply(m, p.positions.position<Big>(v)));
   result.insert(result.end(), p.further.begin(), p.further.end());
   return result;
 }
@@ -133,7 +133,7 @@ std::unique_ptr<SumSpace> make_sum_space(const std::vector<Point3>& p, const std
   });
 }
 
-std::unique_ptr<SumSpace> make_sum_space(const MappedPlaces& p, const MappedPlaces& q, int exponent) {
+std::unique_ptr<SumSpace> make_sum_space(const MappedPositions& p, const MappedPositions& q, int exponent) {
   const Line lines[3] = {{exponent, 0, 0}, {exponent, 0, 0}, {exponent, 0, 0}};
   const auto a = mapped_in_words(p), b = mapped_in_words(q);
   if (a && b) {

@@ -17,15 +17,15 @@ using EdgeBendSigns = Wedge::Bend;
 
 /// One operand with its normals and edges in doubles.
 struct FacetSide {
-  Way::Of of;
+  DirectionSource::Of of;
   const SolidOperand& solid;
   std::vector<Direction> normals;     // of triangles
   std::vector<std::uint32_t> convex;  // wedges
   std::vector<Direction> edges;       // of these
   std::vector<Direction> rays;        // as solid.rays
 
-  FacetSide(Way::Of which, const SolidOperand& operand, const SumSpace& space) : of(which), solid(operand) {
-    const std::vector<Vec3>& at = which == Way::Of::p ? space.p() : space.q();
+  FacetSide(DirectionSource::Of which, const SolidOperand& operand, const SumSpace& space) : of(which), solid(operand) {
+    const std::vector<Vec3>& at = which == DirectionSource::Of::p ? space.p() : space.q();
     const double each = space.sum_radius();
     for (const Triangle& t : solid.triangles) normals.push_back(normal_direction(at[t[0]], at[t[1]], at[t[2]], each));
     for (std::uint32_t w = 0; w < solid.wedges.size(); ++w) {
@@ -40,11 +40,11 @@ struct FacetSide {
     }
   }
 
-  Way way(std::uint32_t from, std::uint32_t to) const { return {of, from, to}; }
+  DirectionSource direction(std::uint32_t from, std::uint32_t to) const { return {of, from, to}; }
   bool is_thin(const Wedge& w) const { return w.is_segment() || w.left >= solid.first_plate; }
 };
 
-int normal_sign(const SumSpace& space, const FacetSide& faces, std::uint32_t triangle, Way d) {
+int normal_sign(const SumSpace& space, const FacetSide& faces, std::uint32_t triangle, DirectionSource d) {
   return normal_sign(space, faces.of, faces.solid.triangles[triangle], d);
 }
 
@@ -157,7 +157,7 @@ class Facets {
     for (std::uint32_t k = cone.first; k < cone.last; ++k) {
       int s = filtered_sign(faces.normals[t], vertices.rays[k]);
       if (s == 0) {
-        const Way d = vertices.way(cone.vertex, vertices.solid.rays[k]);
+        const DirectionSource d = vertices.direction(cone.vertex, vertices.solid.rays[k]);
         s = normal_sign(space_, faces, t, d);
         if (s == 0) s = space_.exact_leading(d) == tie ? -1 : 1;
       }
@@ -179,7 +179,7 @@ class Facets {
     const int s = filtered_sign(faces.normals[triangle], edges.edges[i]);
     if (s != 0) return s;
     const Wedge& w = edges.solid.wedges[edges.convex[i]];
-    return normal_sign(space_, faces, triangle, edges.way(w.from, w.to));
+    return normal_sign(space_, faces, triangle, edges.direction(w.from, w.to));
   }
 
   void try_edges(std::uint32_t i, std::uint32_t j) {
@@ -208,8 +208,8 @@ class Facets {
     if (s * c > 0) return;
     const int d = bare_g ? 0 : sign_at(q_, g.right, p_, i);
     if (s == 0) s = c != 0 ? -c : d;
-    if (s == 0 &&
-        space_.exact_dot(p_.way(e.from, e.to), q_.way(g.from, g.to), p_.way(e.from, e.to), q_.way(g.from, g.to)) == 0)
+    if (s == 0 && space_.exact_dot(p_.direction(e.from, e.to), q_.direction(g.from, g.to), p_.direction(e.from, e.to),
+                                   q_.direction(g.from, g.to)) == 0)
       return;
     if (s * c > 0 || s * d < 0) return;
     const EdgePairSigns at{a, b, c, d};
@@ -253,8 +253,8 @@ ReducedConvolution reduced_convolution(const SumSpace& space, const SolidOperand
                                        StageWatch& watch) {
   std::optional<FacetSide> sides[2];
   watch.run(2, [&](std::size_t k) {
-    if (k == 0) sides[0].emplace(Way::Of::p, p, space);
-    else sides[1].emplace(Way::Of::q, q, space);
+    if (k == 0) sides[0].emplace(DirectionSource::Of::p, p, space);
+    else sides[1].emplace(DirectionSource::Of::q, q, space);
   });
   const FacetSide &a = *sides[0], &b = *sides[1];
   BoxTree trees[3];

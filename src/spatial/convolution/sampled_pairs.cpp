@@ -10,9 +10,9 @@ namespace dymsum::spatial {
 
 namespace {
 
-/// Of either operand's faces, and of edges; and of facets in all, those behind are left out.
+/// Of either operand's faces, and of edges; and of facets in all, those after are left out.
 constexpr std::size_t kDrawn = 96, kMostFacets = 3000;
-/// A prime, so that every drawn one is asked once.
+/// A prime, so that every drawn one is queried once.
 constexpr std::size_t kStride = 1009;
 static_assert(kStride > kDrawn);
 
@@ -31,18 +31,18 @@ struct Drawing {
     const Point3& p = solid.vertices[v];
     return {p.x, p.y, p.z};
   }
-  Vec3 way(std::uint32_t from, std::uint32_t to) const {
+  Vec3 direction(std::uint32_t from, std::uint32_t to) const {
     const Vec3 d = at(to) - at(from);
     return turns ? slightly_turned(d) : d;
   }
   Vec3 normal(std::uint32_t t) const {
     const Triangle& v = solid.triangles[t];
-    return cross(way(v[0], v[1]), way(v[0], v[2]));
+    return cross(direction(v[0], v[1]), direction(v[0], v[2]));
   }
   bool supports(const SupportCone& cone, Vec3 n) const {
     const auto rays = solid.rays_of(cone);
-    return !cone.flat &&
-           std::all_of(rays.begin(), rays.end(), [&](std::uint32_t r) { return dot(n, way(cone.vertex, r)) <= 0; });
+    return !cone.flat && std::all_of(rays.begin(), rays.end(),
+                                     [&](std::uint32_t r) { return dot(n, direction(cone.vertex, r)) <= 0; });
   }
 };
 
@@ -71,14 +71,14 @@ class Sample {
   template <class F>
   void draw(std::size_t count, F f) {
     const std::size_t first = drawn_.size(), drawn = std::min(count, kDrawn);
-    std::size_t asked = 0;
-    for (; asked < drawn && drawn_.size() < first + kMostFacets / 3; ++asked) {
+    std::size_t queried = 0;
+    for (; queried < drawn && drawn_.size() < first + kMostFacets / 3; ++queried) {
       ++feature_;
       // Neighbours are alike: not one after the other.
-      f(count * ((asked * kStride) % drawn) / drawn);
+      f(count * ((queried * kStride) % drawn) / drawn);
     }
     for (std::size_t k = first; k < drawn_.size(); ++k)
-      drawn_[k].weight = static_cast<double>(count) / static_cast<double>(asked);
+      drawn_[k].weight = static_cast<double>(count) / static_cast<double>(queried);
   }
 
   void draw_faces(const Drawing& faces, const Drawing& vertices) {
@@ -106,10 +106,10 @@ class Sample {
   void draw_edges(const Drawing& p, const Drawing& q) {
     const std::vector<std::uint32_t> own = convex_edges(p.solid), others = convex_edges(q.solid);
     struct Arc {
-      Vec3 way, from, to;  ///< of the edge; normals
+      Vec3 direction, from, to;  ///< of the edge; normals
     };
     const auto arc = [](const Drawing& side, const Wedge& w) {
-      return Arc{side.way(w.from, w.to), side.normal(w.left), side.normal(w.right)};
+      return Arc{side.direction(w.from, w.to), side.normal(w.left), side.normal(w.right)};
     };
     std::vector<Arc> arcs;
     for (const std::uint32_t k : others) arcs.push_back(arc(q, q.solid.wedges[k]));
@@ -118,8 +118,10 @@ class Sample {
       const Arc a = arc(p, e);
       for (std::size_t j = 0; j < arcs.size(); ++j) {
         const Arc& b = arcs[j];
-        if (dot(a.from, b.way) * dot(a.to, b.way) > 0 || dot(b.from, a.way) * dot(b.to, a.way) > 0) continue;
-        const Vec3 n = cross(a.way, b.way);
+        if (dot(a.from, b.direction) * dot(a.to, b.direction) > 0 ||
+            dot(b.from, a.direction) * dot(b.to, a.direction) > 0)
+          continue;
+        const Vec3 n = cross(a.direction, b.direction);
         if (dot(n, a.from + a.to) * dot(n, b.from + b.to) <= 0) continue;
         const Wedge& g = q.solid.wedges[others[j]];
         Drawn facet{{}, 1, feature_};

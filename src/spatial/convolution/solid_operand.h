@@ -13,7 +13,7 @@
 
 namespace dymsum::spatial {
 
-/// What becomes of edges between coplanar faces and of vertices in the middle of edges and faces.
+/// What becomes of edges between coplanar faces and of vertices inside edges and faces.
 enum class FlatFeatures : std::uint8_t {
   merged,  ///< they belong to the face or edge around them
   kept,    ///< features of their own
@@ -67,7 +67,7 @@ struct SolidOperand {
 
 /// Requires triangles whose edges pair up into wedges all around: a closed, oriented surface that does not cross
 /// itself, but for the faces that `thin` marks (none where it is empty). `flat` tells of solid parts whether vertices
-/// in the middle of faces and straight edges are left out; faces in one plane then are named by the smallest of them.
+/// inside faces and straight edges are left out; faces in one plane then are named by the smallest of them.
 /// Exact. O(n log n) for bounded degrees, O(k^2) at a vertex with k edges, some of them reflex.
 SolidOperand solid_operand(const MeshData& data, const std::vector<bool>& thin = {},
                            FlatFeatures flat = FlatFeatures::merged);

@@ -12,14 +12,15 @@ using exact::times;
 /// All of a plane is whole numbers made from coordinates: so are its residues, from theirs.
 SumSpace::PlaneResidue SumSpace::residue_of(const PlaneSource& source) const {
   using Residues = std::array<Residue, 3>;
-  const auto way = [&](const Way& w) {
-    if (w.of == Way::Of::axis) return Residues{w.from == 0, w.from == 1, w.from == 2};
-    const std::vector<Residues>& at = w.of == Way::Of::p ? p_residue_ : q_residue_;
+  const auto direction = [&](const DirectionSource& w) {
+    if (w.of == DirectionSource::Of::axis) return Residues{w.from == 0, w.from == 1, w.from == 2};
+    const std::vector<Residues>& at = w.of == DirectionSource::Of::p ? p_residue_ : q_residue_;
     Residues d;
     for (std::size_t i = 0; i < 3; ++i) d[i] = minus(at[w.to][i], at[w.from][i]);
     return d;
   };
-  const Residues u = way(source.reversed ? source.v : source.u), v = way(source.reversed ? source.u : source.v);
+  const Residues u = direction(source.reversed ? source.v : source.u),
+                 v = direction(source.reversed ? source.u : source.v);
   PlaneResidue plane{{}, 0};
   for (std::size_t i = 0; i < 3; ++i) {
     const std::size_t j = (i + 1) % 3, k = (i + 2) % 3;
@@ -30,7 +31,7 @@ SumSpace::PlaneResidue SumSpace::residue_of(const PlaneSource& source) const {
 }
 
 Residue SumSpace::hash_of_zero_weight(const PointSource& point) const {
-  // The weight is a multiple of the prime. In lowest terms numerators and denominators tell.
+  // The weight is a multiple of the prime. In lowest terms numerators and denominators decide.
   Residue hash = 0;
   for (int axis = 0; axis < 3; ++axis) {
     const exact::BigRational v = exact_coordinate(point, axis);
@@ -135,7 +136,7 @@ void SumSpace::line_hashes(PlaneId plane, std::span<const PlaneId> cuts, std::ve
   Residue all = 1;
   for (std::size_t k = 0; k < cuts.size(); ++k) {
     const PlaneResidue& m = plane_residues_[cuts[k]];
-    Residue way[3], mixed = 0;
+    Residue direction[3], mixed = 0;
     constexpr Residue kFactor[6] = {1,
                                     0x1234567890abcdefULL % exact::kResiduePrime,
                                     0x0fedcba987654321ULL % exact::kResiduePrime,
@@ -144,11 +145,11 @@ void SumSpace::line_hashes(PlaneId plane, std::span<const PlaneId> cuts, std::ve
                                     0x0b4c9e2d511b8735ULL % exact::kResiduePrime};
     for (std::size_t i = 0; i < 3; ++i) {
       const std::size_t j = (i + 1) % 3, l = (i + 2) % 3;
-      way[i] = minus(times(n.n[j], m.n[l]), times(n.n[l], m.n[j]));
-      mixed = plus(mixed, times(way[i], kFactor[i]));
+      direction[i] = minus(times(n.n[j], m.n[l]), times(n.n[l], m.n[j]));
+      mixed = plus(mixed, times(direction[i], kFactor[i]));
       mixed = plus(mixed, times(minus(times(m.n[i], n.d), times(n.n[i], m.d)), kFactor[3 + i]));
     }
-    const Residue lead = way[0] != 0 ? way[0] : way[1] != 0 ? way[1] : way[2];
+    const Residue lead = direction[0] != 0 ? direction[0] : direction[1] != 0 ? direction[1] : direction[2];
     values[k] = {lead, mixed};
     hashes[k] = all;  // the product of all before
     if (lead != 0) all = times(all, lead);

@@ -32,7 +32,7 @@ class StageWatch {
     begun_ = !name.empty();
     if (name.empty()) return;
     stats_.stages.push_back({name, 0});
-    ask(0);
+    query(0);
   }
 
   /// Calls part(k) for all k below `parts`, on several threads, and in between asks progress, on the caller's thread
@@ -44,12 +44,12 @@ class StageWatch {
       if (stop_.load(std::memory_order_relaxed)) throw Cancelled{};
       part(k);
       const std::size_t so_far = done.fetch_add(1, std::memory_order_relaxed) + 1;
-      if (std::this_thread::get_id() == caller_) ask(static_cast<double>(so_far) / static_cast<double>(parts));
+      if (std::this_thread::get_id() == caller_) query(static_cast<double>(so_far) / static_cast<double>(parts));
     });
   }
-  /// Calls part(k, first, last) for the k-th stretch of `size` of `count` things, as run() does.
+  /// Calls part(k, first, last) for the k-th interval of `size` of `count` things, as run() does.
   template <class F>
-  void run_stretches(std::size_t count, std::size_t size, F part) {
+  void run_intervals(std::size_t count, std::size_t size, F part) {
     run((count + size - 1) / size, [&](std::size_t k) { part(k, k * size, std::min(count, (k + 1) * size)); });
   }
   /// Sorts by an order in which only equal values are equivalent.
@@ -59,14 +59,14 @@ class StageWatch {
   }
   int threads() const { return options_.threads; }
   /// To be called in parts that take long, now and then: as ask() on the caller's thread, and stops on the others, too.
-  void ask_within_part(double share) {
+  void query_within_part(double fraction) {
     if (stop_.load(std::memory_order_relaxed)) throw Cancelled{};
-    if (std::this_thread::get_id() == caller_) ask(share);
+    if (std::this_thread::get_id() == caller_) query(fraction);
   }
 
   /// To be called by stages that run in one piece, now and then.
-  void ask(double share) {
-    if (options_.progress && !options_.progress(stats_.stages.back().name, share)) {
+  void query(double fraction) {
+    if (options_.progress && !options_.progress(stats_.stages.back().name, fraction)) {
       stop_ = true;
       throw Cancelled{};
     }

@@ -33,9 +33,11 @@ bool SumSpace::made_from(PlaneId plane, SumPoint point) const {
   const PlaneSource& source = plane_sources_[plane];
   // From `at` along u, along v, or along both, where these are of different operands.
   SumPoint at = source.at;
-  for (const Way* way : {&source.u, &source.v}) {
-    if (way->of == Way::Of::p && point.p == way->to && at.p == way->from) at.p = way->to;
-    if (way->of == Way::Of::q && point.q == way->to && at.q == way->from) at.q = way->to;
+  for (const DirectionSource* direction : {&source.u, &source.v}) {
+    if (direction->of == DirectionSource::Of::p && point.p == direction->to && at.p == direction->from)
+      at.p = direction->to;
+    if (direction->of == DirectionSource::Of::q && point.q == direction->to && at.q == direction->from)
+      at.q = direction->to;
   }
   return at == point;
 }
@@ -64,13 +66,13 @@ int SumSpace::det(PlaneId a, PlaneId b, PlaneId c) const {
   return exact_det(a, b, c);
 }
 
-Vec3 SumSpace::approx(Way w) const {
-  if (w.of == Way::Of::p) return p_[w.to] - p_[w.from];
-  if (w.of == Way::Of::q) return q_[w.to] - q_[w.from];
+Vec3 SumSpace::approx(DirectionSource w) const {
+  if (w.of == DirectionSource::Of::p) return p_[w.to] - p_[w.from];
+  if (w.of == DirectionSource::Of::q) return q_[w.to] - q_[w.from];
   return {w.from == 0 ? 1.0 : 0.0, w.from == 1 ? 1.0 : 0.0, w.from == 2 ? 1.0 : 0.0};
 }
 
-int SumSpace::det(Way u, Way v, Way w) const {
+int SumSpace::det(DirectionSource u, DirectionSource v, DirectionSource w) const {
   const Vec3 a = approx(u), b = approx(v), c = approx(w);
   const auto size = [&](Vec3 d) { return std::abs(d.x) + std::abs(d.y) + std::abs(d.z) + 4 * sum_radius_; };
   const double A = size(a), B = size(b), C = size(c), value = dot(cross(a, b), c);
@@ -81,7 +83,7 @@ int SumSpace::det(Way u, Way v, Way w) const {
 
 Approx SumSpace::approximate(const PointSource& point) const {
   if (point.kind == PointSource::Kind::sum) return {approx(SumPoint{point.a, point.b}), sum_radius_};
-  if (point.kind == PointSource::Kind::place) return exact_approximation(point);
+  if (point.kind == PointSource::Kind::position) return exact_approximation(point);
   const double limit = span_ * 0x1p-30;
   if (point.kind == PointSource::Kind::edge) {
     const SumEdge& edge = edges_[point.a];

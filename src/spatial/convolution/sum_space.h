@@ -27,7 +27,7 @@
 #include "exact/residue.h"
 #include "exact/root_value.h"
 #include "exact/rung.h"
-#include "spatial/mesh/grid_places.h"
+#include "spatial/mesh/grid_positions.h"
 #include "spatial/mesh/vec3.h"
 
 namespace dymsum::spatial {
@@ -53,7 +53,7 @@ struct SumEdge {
 };
 
 /// A direction: from one vertex of an operand to another, or a coordinate axis.
-struct Way {
+struct DirectionSource {
   enum class Of : std::uint8_t { p, q, axis } of = Of::p;
   std::uint32_t from = 0, to = 0;  ///< vertices; for an axis `from` is 0, 1 or 2
 };
@@ -61,7 +61,7 @@ struct Way {
 /// The plane through a sum, spanned by two directions: its normal is u x v, or v x u where reversed.
 struct PlaneSource {
   SumPoint at;
-  Way u, v;
+  DirectionSource u, v;
   bool reversed = false;
 };
 
@@ -73,21 +73,21 @@ struct Plane {
   double norm1 = 0;  ///< |n.x| + |n.y| + |n.z|, rounded up
 };
 
-/// A point: a sum, an edge of sums where it crosses a plane, or three planes; or a place that need not have to do with
-/// the operands, about which a flag's side and approximations can be asked.
+/// A point: a sum, an edge of sums where it crosses a plane, or three planes; or a position that need not have to do
+/// with the operands, about which a flag's side and approximations can be asked.
 struct PointSource {
-  enum class Kind : std::uint8_t { sum, edge, planes, place } kind = Kind::sum;
-  std::uint32_t a = 0, b = 0, c = 0;  ///< p, q; edge, plane; three planes in ascending order; what add_place gave
+  enum class Kind : std::uint8_t { sum, edge, planes, position } kind = Kind::sum;
+  std::uint32_t a = 0, b = 0, c = 0;  ///< p, q; edge, plane; three planes in ascending order; what add_position gave
   friend auto operator<=>(const PointSource&, const PointSource&) = default;
 };
 
 /// A point, and from there infinitesimal steps, each infinitely smaller than the one before: along n x n_cut (times
-/// `way`), to the left of that in the plane, and off the plane along n (times `side`). A `way` or `side` of 0 takes no
-/// such steps.
+/// `direction`), to the left of that in the plane, and off the plane along n (times `side`). A `direction` or `side` of
+/// 0 takes no such steps.
 struct Flag {
   PointSource at;
   PlaneId plane = 0, cut = 0;
-  std::int8_t way = 0, left = 0, side = 0;
+  std::int8_t direction = 0, left = 0, side = 0;
 };
 
 /// Doubles within `radius` of each coordinate of a point.
@@ -136,12 +136,13 @@ class SumSpace {
   /// Of b's coordinate less a's.
   virtual int exact_order(const PointSource& a, const PointSource& b, int axis) const = 0;
   /// Of det(u, v, w).
-  virtual int exact_det(Way u, Way v, Way w) const = 0;
+  virtual int exact_det(DirectionSource u, DirectionSource v, DirectionSource w) const = 0;
   /// Of (u x v) . (w x x).
-  virtual int exact_dot(Way u, Way v, Way w, Way x) const = 0;
-  virtual int exact_leading(Way w) const = 0;
+  virtual int exact_dot(DirectionSource u, DirectionSource v, DirectionSource w, DirectionSource x) const = 0;
+  virtual int exact_leading(DirectionSource w) const = 0;
   /// Of r . ((u x v) x (w x x)).
-  virtual int exact_turn(Way r, Way u, Way v, Way w, Way x) const = 0;
+  virtual int exact_turn(DirectionSource r, DirectionSource u, DirectionSource v, DirectionSource w,
+                         DirectionSource x) const = 0;
   /// On which side of a plane a flag lies, that does not have to be one of the space's.
   virtual int exact_side(const PlaneSource& plane, const Flag& flag) const = 0;
   /// Of the component of a plane's normal.
@@ -157,7 +158,7 @@ class SumSpace {
   int side(PlaneId plane, SumPoint point) const;
   int side(PlaneId plane, const PointSource& point, const Approx& approx) const;
   int det(PlaneId a, PlaneId b, PlaneId c) const;
-  int det(Way u, Way v, Way w) const;
+  int det(DirectionSource u, DirectionSource v, DirectionSource w) const;
   /// Of a determinant of three vectors with these sums of sizes, computed in doubles from integers: whether no rounding
   /// took place.
   bool computed_exactly(double u, double v, double w) const { return sum_radius_ == 0 && u * v * w < 0x1p50; }
@@ -188,17 +189,17 @@ class SumSpace {
   virtual exact::BigRational exact_coordinate(const PointSource& point, int axis) const = 0;
   /// x, y, z and w > 0: the position on the grid is (x, y, z) / w, not in lowest terms.
   virtual std::array<exact::BigInteger, 4> homogeneous(const PointSource& point) const = 0;
-  /// Adds a place by the operands' own numbers, of any size; nothing where no sum is: beyond `span` along an axis.
-  virtual std::optional<PointSource> add_place(const std::array<exact::BigRational, 3>& world) = 0;
-  /// Signs that doubles left open; those that doubles told are not counted. Of values at roots `integers` are those of
-  /// fixed point.
+  /// Adds a position by the operands' own numbers, of any size; nothing where no sum is: beyond `span` along an axis.
+  virtual std::optional<PointSource> add_position(const std::array<exact::BigRational, 3>& world) = 0;
+  /// Signs that doubles left open; those that doubles determined are not counted. Of values at roots `integers` are
+  /// those of fixed point.
   exact::RungCounts signs() const {
-    return {0, told_[0].load(std::memory_order_relaxed), told_[1].load(std::memory_order_relaxed),
-            told_[2].load(std::memory_order_relaxed)};
+    return {0, decided_[0].load(std::memory_order_relaxed), decided_[1].load(std::memory_order_relaxed),
+            decided_[2].load(std::memory_order_relaxed)};
   }
 
  protected:
-  Vec3 approx(Way w) const;
+  Vec3 approx(DirectionSource w) const;
   struct PlaneResidue {
     exact::Residue n[3], d;
   };
@@ -214,11 +215,11 @@ class SumSpace {
   double span_ = 0, sum_radius_ = 0;
 
   void count(exact::Rung rung) const {
-    told_[static_cast<std::size_t>(rung) - 1].fetch_add(1, std::memory_order_relaxed);
+    decided_[static_cast<std::size_t>(rung) - 1].fetch_add(1, std::memory_order_relaxed);
   }
 
  private:
-  mutable std::array<std::atomic<std::uint64_t>, 3> told_{};  // double_pairs, integers, big
+  mutable std::array<std::atomic<std::uint64_t>, 3> decided_{};  // double_pairs, integers, big
   exact::Residue hash_of_zero_weight(const PointSource& point) const;
 };
 
@@ -226,17 +227,18 @@ class SumSpace {
 /// coordinates, and at most kMostGridBits bits: those of any doubles, and of doubles under exact poses.
 std::unique_ptr<SumSpace> make_sum_space(const std::vector<Point3>& p, const std::vector<Point3>& q);
 
-/// Places of a grid under a linear map: x -> matrix x, row by row; and further ones behind them, which are not mapped.
-struct MappedPlaces {
-  const GridPlaces& places;
+/// Positions of a grid under a linear map: x -> matrix x, row by row; and further ones behind them, which are not
+/// mapped.
+struct MappedPositions {
+  const GridPositions& positions;
   std::array<exact::BigInteger, 9> matrix;
   std::vector<exact::Vector3<exact::Big>> further = {};
 };
-/// The space of the sums of mapped places, in units of 2^exponent. Requires at most kMostGridBits bits.
-std::unique_ptr<SumSpace> make_sum_space(const MappedPlaces& p, const MappedPlaces& q, int exponent);
+/// The space of the sums of mapped positions, in units of 2^exponent. Requires at most kMostGridBits bits.
+std::unique_ptr<SumSpace> make_sum_space(const MappedPositions& p, const MappedPositions& q, int exponent);
 
-/// The space of sums of places that are values at one root of a polynomial, for collision tests there: signs are exact,
-/// hashes tell nothing, and coordinates are no integers. Requires values below 2^bits, bits at most 140.
+/// The space of sums of positions that are values at one root of a polynomial, for collision tests there: signs are
+/// exact, hashes say nothing, and coordinates are no integers. Requires values below 2^bits, bits at most 140.
 std::unique_ptr<SumSpace> make_root_space(std::vector<exact::Vector3<exact::RootValue>> p,
                                           std::vector<exact::Vector3<exact::RootValue>> q, int bits);
 

@@ -74,8 +74,8 @@ class ThinParts {
   /// The front or back of a plate that runs through the edge from low to high, or the other way.
   static std::uint32_t face_of(const PlateSide& s, bool forward) { return s.triangle + (s.forward == forward ? 0 : 1); }
 
-  /// Material from one plate counter-clockwise to another one, seen against the way from low to high; between front and
-  /// back of the same one.
+  /// Material from one plate counter-clockwise to another one, seen against the vector from low to high; between front
+  /// and back of the same one.
   Wedge wedge(const PlateSide& right, const PlateSide& left, Wedge::Bend bend) const {
     return {left.low, left.high, face_of(left, true), face_of(right, false), apex(left), apex(right), bend};
   }

@@ -17,7 +17,7 @@ template <class Frame>
 class CrossingSearch {
  public:
   CrossingSearch(const RotationWindow& window, const Frame& frame, const JetFrame& boxes_frame,
-                 std::vector<TurnCells> cells, const std::function<void()>& again)
+                 std::vector<RotationCells> cells, const std::function<void()>& again)
       : w_(window),
         again_(again),
         boxes_(boxes_frame),
@@ -31,7 +31,7 @@ class CrossingSearch {
       NearFacet& near = near_[f];
       near.plane = jets_.plane(facet.plane);
       for (int k = 0; k < facet.facet.corners; ++k) {
-        near.inward[k] = jets_.inward(near.plane.normal, facet.border(k));
+        near.inward[k] = jets_.inward(near.plane.normal, facet.facet_edge(k));
         near.box.add(boxes_.box(facet.facet.corner[k]));
       }
       live_.push_back(f), boxes.push_back(near.box);
@@ -57,18 +57,18 @@ class CrossingSearch {
  private:
   using Jets = RotationSigns<Frame>;
   using SidedPlane = typename Jets::SidedPlane;
-  using Place = typename Jets::Place;
+  using Position = typename Jets::Position;
   struct NearFacet {
     SidedPlane plane;
-    std::array<typename Jets::Vector, 4> inward;  ///< of borders
+    std::array<typename Jets::Vector, 4> inward;  ///< of facet edges
     Box box;
   };
 
   void poll() {
     if (++since_ % 512 == 0) again_();
   }
-  TurnCells cells_around(std::uint32_t edge) const {
-    TurnCells cells = 0;
+  RotationCells cells_around(std::uint32_t edge) const {
+    RotationCells cells = 0;
     for (const std::uint32_t f : w_.graph.edges.around(edge)) cells |= cells_[f];
     return cells;
   }
@@ -76,7 +76,7 @@ class CrossingSearch {
   /// The facets that an edge may pass through, which thereby are neighbours of those beside it.
   void pass(std::uint32_t edge, std::vector<std::uint32_t>& met) {
     met.clear();
-    const TurnCells cells = cells_around(edge);
+    const RotationCells cells = cells_around(edge);
     if (cells == 0) return;
     const SumEdge& e = w_.graph.edges[edge];
     Box box = boxes_.box(e.from);
@@ -102,16 +102,17 @@ class CrossingSearch {
     const int from = jets_.side(plane, e.from).sign(), to = jets_.side(plane, e.to).sign();
     if (from * to > 0) return false;
     for (int k = 0; k < f.facet.corners && rise != 0; ++k)
-      if (jets_.twist(e, f.border(k)).sign() * rise > 0) return false;
+      if (jets_.twist(e, f.facet_edge(k)).sign() * rise > 0) return false;
     return true;
   }
 
-  /// Whether the way from a corner of a facet to a point may lead into its plane between the borders at that corner.
+  /// Whether the way from a corner of a facet to a point may lead into its plane between the facet edges at that
+  /// corner.
   bool may_turn_into(std::uint32_t facet, SumPoint corner, SumPoint to) const {
     const WindowFacet& f = w_.facets[facet];
     for (int k = 0; k < f.facet.corners; ++k) {
-      const SumEdge border = f.border(k);
-      if (border.from != corner && border.to != corner) continue;
+      const SumEdge facet_edge = f.facet_edge(k);
+      if (facet_edge.from != corner && facet_edge.to != corner) continue;
       if (jets_.inside(near_[facet].inward[k], corner, jets_.at(to)).sign() < 0) return false;
     }
     return true;
@@ -119,7 +120,7 @@ class CrossingSearch {
 
   bool pairs_along(std::uint32_t edge, const std::vector<std::uint32_t>& met) {
     const SumEdge& e = w_.graph.edges[edge];
-    const TurnCells cells = cells_around(edge);
+    const RotationCells cells = cells_around(edge);
     for (std::size_t k = 0; k < met.size(); ++k)
       for (std::size_t l = k + 1; l < met.size(); ++l) {
         const std::uint32_t f = met[k], g = met[l];
@@ -134,8 +135,8 @@ class CrossingSearch {
     return true;
   }
 
-  /// Two facets cross along a segment whose ends are on borders, so that neighbours are all that cross somewhere, but
-  /// for those that share a corner, or a border about which they fold.
+  /// Two facets cross along a segment whose ends are on facet edges, so that neighbours are all that cross somewhere,
+  /// but for those that share a corner, or a facet edge about which they fold.
   void join_neighbours() {
     for (std::uint32_t v = 0; v < w_.graph.corners.size(); ++v)
       for (const std::uint32_t f : w_.graph.corners.around(v))
@@ -151,9 +152,9 @@ class CrossingSearch {
     return w_.facets[facet].has_corner(e.from) || w_.facets[facet].has_corner(e.to);
   }
 
-  /// Of two facets in different planes: whether they share a border, or two other corners, and meet nowhere else. They
-  /// do where they fold onto each other, at an angle at which their planes are one.
-  bool meet_in_border(std::uint32_t f, std::uint32_t g) const {
+  /// Of two facets in different planes: whether they share a facet edge, or two other corners, and meet nowhere else.
+  /// They do where they fold onto each other, at an angle at which their planes are one.
+  bool meet_in_facet_edge(std::uint32_t f, std::uint32_t g) const {
     const WindowFacet &a = w_.facets[f], &b = w_.facets[g];
     int shared = 0;
     for (int k = 0; k < a.facet.corners; ++k) shared += b.has_corner(a.facet.corner[k]);
@@ -161,9 +162,9 @@ class CrossingSearch {
     for (int k = 0; k < a.facet.corners; ++k)
       if (jets_.side(near_[g].plane, a.facet.corner[k]).sign() != 0) return true;
     for (int k = 0; k < a.facet.corners; ++k) {
-      const SumEdge e = a.border(k);
+      const SumEdge e = a.facet_edge(k);
       for (int l = 0; l < b.facet.corners; ++l) {
-        const SumEdge other = b.border(l);
+        const SumEdge other = b.facet_edge(l);
         if ((e == other || e == SumEdge{other.to, other.from}) &&
             dot(near_[f].inward[k], near_[g].inward[l]).sign() < 0)
           return true;
@@ -173,19 +174,19 @@ class CrossingSearch {
   }
 
   bool crossing(std::uint32_t f, std::uint32_t g) const {
-    return w_.plane_of[f] != w_.plane_of[g] && overlap(near_[f].box, near_[g].box) && !meet_in_border(f, g);
+    return w_.plane_of[f] != w_.plane_of[g] && overlap(near_[f].box, near_[g].box) && !meet_in_facet_edge(f, g);
   }
 
   bool fours_of(std::uint32_t f, std::uint32_t g) {
     std::vector<std::uint32_t> of_two, of_three;
     common(neighbours_[f], neighbours_[g], g, of_two);
-    const TurnCells both = cells_[f] & cells_[g];
+    const RotationCells both = cells_[f] & cells_[g];
     for (const std::uint32_t h : of_two) {
       poll();
-      const TurnCells all = both & cells_[h];
+      const RotationCells all = both & cells_[h];
       if (all == 0 || !crossing(f, h) || !crossing(g, h)) continue;
-      const Place at = jets_.at(near_[f].plane, near_[g].plane, near_[h].plane);
-      if (surely_outside(f, at) || surely_outside(g, at) || surely_outside(h, at)) continue;
+      const Position at = jets_.at(near_[f].plane, near_[g].plane, near_[h].plane);
+      if (provably_outside(f, at) || provably_outside(g, at) || provably_outside(h, at)) continue;
       common(of_two, neighbours_[h], h, of_three);
       for (const std::uint32_t k : of_three) {
         poll();
@@ -198,18 +199,18 @@ class CrossingSearch {
     return true;
   }
 
-  bool may_meet(const std::array<std::uint32_t, 4>& four, const Place& at) const {
+  bool may_meet(const std::array<std::uint32_t, 4>& four, const Position& at) const {
     const std::uint32_t f = four[0], g = four[1], h = four[2], k = four[3];
     for (int i = 0; i < w_.facets[f].facet.corners; ++i) {  // a common corner is no event
       const SumPoint v = w_.facets[f].facet.corner[i];
       if (w_.facets[g].has_corner(v) && w_.facets[h].has_corner(v) && w_.facets[k].has_corner(v)) return false;
     }
     return jets_.height(near_[f].plane, near_[g].plane, near_[h].plane, near_[k].plane).sign() == 0 &&
-           !surely_outside(k, at);
+           !provably_outside(k, at);
   }
-  bool surely_outside(std::uint32_t facet, const Place& at) const {
-    return spatial::surely_outside(jets_, w_.facets[facet], at,
-                                   [&](int k) -> const typename Jets::Vector& { return near_[facet].inward[k]; });
+  bool provably_outside(std::uint32_t facet, const Position& at) const {
+    return spatial::provably_outside(jets_, w_.facets[facet], at,
+                                     [&](int k) -> const typename Jets::Vector& { return near_[facet].inward[k]; });
   }
 
   const RotationWindow& w_;
@@ -217,7 +218,7 @@ class CrossingSearch {
   const std::function<bool(const Meeting&)>* take_ = nullptr;
   const JetFrame& boxes_;
   Jets jets_;
-  std::vector<TurnCells> cells_;
+  std::vector<RotationCells> cells_;
   std::vector<NearFacet> near_;
   std::vector<std::uint32_t> live_;
   BoxTree tree_;                                        // of live facets
@@ -229,13 +230,13 @@ class CrossingSearch {
 
 template <class Frame>
 void find_crossings(const RotationWindow& window, const Frame& frame, const JetFrame& boxes,
-                    std::vector<TurnCells> cells, const std::function<void()>& again,
+                    std::vector<RotationCells> cells, const std::function<void()>& again,
                     const std::function<bool(const Meeting&)>& take) {
   CrossingSearch<Frame>(window, frame, boxes, std::move(cells), again).run(take);
 }
-template void find_crossings(const RotationWindow&, const JetFrame&, const JetFrame&, std::vector<TurnCells>,
+template void find_crossings(const RotationWindow&, const JetFrame&, const JetFrame&, std::vector<RotationCells>,
                              const std::function<void()>&, const std::function<bool(const Meeting&)>&);
-template void find_crossings(const RotationWindow&, const FineFrame&, const JetFrame&, std::vector<TurnCells>,
+template void find_crossings(const RotationWindow&, const FineFrame&, const JetFrame&, std::vector<RotationCells>,
                              const std::function<void()>&, const std::function<bool(const Meeting&)>&);
 
 }  // namespace dymsum::spatial

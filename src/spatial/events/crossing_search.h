@@ -1,4 +1,4 @@
-// Edges that pass through two facets, and fours of facets, as far as jets tell that they may have a point in common.
+// Edges that pass through two facets, and fours of facets, as far as jets decide that they may have a point in common.
 #pragma once
 
 #include <functional>
@@ -9,9 +9,9 @@
 
 namespace dymsum::spatial {
 
-/// Whether a place surely lies beyond a border of a facet; inward(k): the vector into it across border k.
+/// Whether a position provably lies beyond a edge of a facet; inward(k): the vector into it across facet edge k.
 template <class Signs, class F>
-bool surely_outside(const Signs& signs, const WindowFacet& f, const typename Signs::Place& at, F inward) {
+bool provably_outside(const Signs& signs, const WindowFacet& f, const typename Signs::Position& at, F inward) {
   const int w = at.w.sign();
   if (w == 0) return false;
   for (int k = 0; k < f.facet.corners; ++k)
@@ -25,7 +25,7 @@ bool surely_outside(const Signs& signs, const WindowFacet& f, const typename Sig
 /// called now and then and may throw. Frame is JetFrame or FineFrame.
 template <class Frame>
 void find_crossings(const RotationWindow& window, const Frame& frame, const JetFrame& boxes,
-                    std::vector<TurnCells> cells, const std::function<void()>& again,
+                    std::vector<RotationCells> cells, const std::function<void()>& again,
                     const std::function<bool(const Meeting&)>& take);
 
 }  // namespace dymsum::spatial

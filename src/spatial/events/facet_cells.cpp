@@ -12,7 +12,7 @@ namespace {
 constexpr std::size_t kCrowd = 32;
 constexpr std::size_t kMostCrowded = 63;
 
-bool is_turned_over(const SlantCondition& a, const SlantCondition& b) { return a.way.from != b.way.from; }
+bool is_turned_over(const SlantCondition& a, const SlantCondition& b) { return a.direction.from != b.direction.from; }
 
 std::vector<std::uint32_t> crowded_angles(const WindowSlants& slants, const RootOrder& angles) {
   std::vector<std::size_t> count(angles.size());
@@ -25,12 +25,12 @@ std::vector<std::uint32_t> crowded_angles(const WindowSlants& slants, const Root
 }
 
 /// The cells in which sense times the slant is negative or zero at some angle.
-TurnCells cells_of(const WindowSlant& slant, int sense, const std::vector<std::uint32_t>& ends,
-                   const RootOrder& angles) {
-  const TurnCells all = ~TurnCells{0} >> (kMostCrowded - ends.size());
+RotationCells cells_of(const WindowSlant& slant, int sense, const std::vector<std::uint32_t>& ends,
+                       const RootOrder& angles) {
+  const RotationCells all = ~RotationCells{0} >> (kMostCrowded - ends.size());
   const auto from = [&](std::size_t cell) { return cell > kMostCrowded ? 0 : all >> cell << cell; };
   if (slant.sign == 0) return all;
-  TurnCells cells = 0;
+  RotationCells cells = 0;
   std::size_t first = 0;  // the cell in which the slant has the sign
   int sign = sense * slant.sign;
   for (const FormRoot& root : slant.roots) {
@@ -39,7 +39,7 @@ TurnCells cells_of(const WindowSlant& slant, int sense, const std::vector<std::u
     const auto cell = static_cast<std::size_t>(at - ends.begin());
     const bool at_end = at != ends.end() && *at == root.angle;
     if (sign < 0) cells |= from(first) & ~from(cell + 1);
-    if (!at_end) cells |= TurnCells{1} << cell;
+    if (!at_end) cells |= RotationCells{1} << cell;
     first = at_end ? cell + 1 : cell;
     if (root.changes_sign) sign = -sign;
   }
@@ -49,11 +49,13 @@ TurnCells cells_of(const WindowSlant& slant, int sense, const std::vector<std::u
 }  // namespace
 
 WindowSlants::Key WindowSlants::key(const SlantCondition& c) {
-  return {static_cast<std::uint32_t>(c.op), c.triangle, std::min(c.way.from, c.way.to), std::max(c.way.from, c.way.to)};
+  return {static_cast<std::uint32_t>(c.op), c.triangle, std::min(c.direction.from, c.direction.to),
+          std::max(c.direction.from, c.direction.to)};
 }
 
-WindowSlants::WindowSlants(const RotatingPair& pair, const std::vector<WindowFacet>& facets, const SureSign& sure_sign,
-                           const RotationRange& range, WindowRoots& roots, const std::function<void()>& again) {
+WindowSlants::WindowSlants(const RotatingPair& pair, const std::vector<WindowFacet>& facets,
+                           const ProvedSign& proved_sign, const RotationRange& range, WindowRoots& roots,
+                           const std::function<void()>& again) {
   const PolynomialFrame frame(pair, range.chart);
   const RotationSigns<PolynomialFrame> exact(frame);
   std::vector<exact::Polynomial> forms;
@@ -62,10 +64,10 @@ WindowSlants::WindowSlants(const RotatingPair& pair, const std::vector<WindowFac
       if (!index_.emplace(key(c), all_.size()).second) continue;
       if (all_.size() % 256 == 0) again();
       const Triangle& t = pair.operand(c.op).triangles[c.triangle];
-      WindowSlant slant{c, sure_sign(c), {}};
+      WindowSlant slant{c, proved_sign(c), {}};
       forms.emplace_back();
       if (slant.sign == 0) {
-        forms.back() = roots.polynomial(exact.slant(c.op, t, c.way).terms());
+        forms.back() = roots.polynomial(exact.slant(c.op, t, c.direction).terms());
         slant.roots = roots.of(forms.back());
       }
       all_.push_back(std::move(slant));
@@ -91,7 +93,7 @@ struct SlantsAt {
   std::size_t count = 0;
 };
 constexpr double kCrowdWidth = 0x1p-20, kRoomBesideCrowd = 0x1p10;
-/// In t times |axis|: windows in which boxes and places do not tell anything more.
+/// In t times |axis|: windows in which boxes and positions do not tell anything more.
 constexpr double kNarrow = 0x1p-20;
 constexpr std::size_t kSlantsOfPart = 16;
 
@@ -176,7 +178,7 @@ std::vector<exact::BigRational> parts_of(const WindowSlants& slants, const RootO
 FacetCells::FacetCells(const std::vector<WindowFacet>& facets, const WindowSlants& slants, const RootOrder& angles)
     : crowded(crowded_angles(slants, angles)) {
   for (const WindowFacet& f : facets) {
-    TurnCells cells = ~TurnCells{0} >> (kMostCrowded - crowded.size());
+    RotationCells cells = ~RotationCells{0} >> (kMostCrowded - crowded.size());
     for (const SlantCondition& c : f.unsure) {
       const WindowSlant& slant = slants.of(c);
       cells &= cells_of(slant, is_turned_over(c, slant.of) ? -c.sense : c.sense, crowded, angles);

@@ -22,10 +22,10 @@ struct WindowSlant {
 /// All slants that are open for some facet, each once, in the order of facets.
 class WindowSlants {
  public:
-  /// The sign of a slant in the whole window, or 0 where that is not certain.
-  using SureSign = std::function<int(const SlantCondition&)>;
+  /// The sign of a slant in the whole window, or 0 where that is not proved.
+  using ProvedSign = std::function<int(const SlantCondition&)>;
   /// `again` is called now and then and may throw.
-  WindowSlants(const RotatingPair& pair, const std::vector<WindowFacet>& facets, const SureSign& sure_sign,
+  WindowSlants(const RotatingPair& pair, const std::vector<WindowFacet>& facets, const ProvedSign& proved_sign,
                const RotationRange& range, WindowRoots& roots, const std::function<void()>& again);
   const std::vector<WindowSlant>& all() const { return all_; }
   const WindowSlant& of(const SlantCondition& c) const { return all_[index_.at(key(c))]; }
@@ -46,13 +46,13 @@ std::vector<exact::BigRational> parts_of(const WindowSlants& slants, const RootO
                                          const RotationRange& range);
 
 /// Cells of a window divided at some angles: bit k is the open interval before the k-th of them.
-using TurnCells = std::uint64_t;
+using RotationCells = std::uint64_t;
 
 struct FacetCells {
   /// Rational angles at which so many slants vanish that they crowd, ascending, as indices.
   std::vector<std::uint32_t> crowded;
   /// Per facet: at least the cells in which it exists at some angle. Of facets that exist at crowded angles alone none.
-  std::vector<TurnCells> of;
+  std::vector<RotationCells> of;
 
   FacetCells() = default;
   FacetCells(const std::vector<WindowFacet>& facets, const WindowSlants& slants, const RootOrder& angles);

@@ -18,7 +18,7 @@ inline bool share_corner(const SumFacet& a, const SumFacet& b) {
   return std::any_of(a.corner.begin(), a.corner.begin() + a.corners, [&](SumPoint c) { return has_corner(b, c); });
 }
 /// From corner k to the next one.
-inline SumEdge border_of(const SumFacet& facet, int k) {
+inline SumEdge facet_edge_of(const SumFacet& facet, int k) {
   return {facet.corner[k], facet.corner[(k + 1) % facet.corners]};
 }
 /// `from` < `to`.
@@ -27,8 +27,9 @@ inline bool share_end(const SumEdge& a, const SumEdge& b) {
   return a.from == b.from || a.from == b.to || a.to == b.from || a.to == b.to;
 }
 inline bool is_of_p(const SumEdge& e) { return e.from.q == e.to.q; }
-inline Way way_of(const SumEdge& e) {
-  return is_of_p(e) ? Way{Way::Of::p, e.from.p, e.to.p} : Way{Way::Of::q, e.from.q, e.to.q};
+inline DirectionSource direction_of(const SumEdge& e) {
+  return is_of_p(e) ? DirectionSource{DirectionSource::Of::p, e.from.p, e.to.p}
+                    : DirectionSource{DirectionSource::Of::q, e.from.q, e.to.q};
 }
 
 /// Features of facets, ascending, each with the facets that have it.
@@ -44,10 +45,10 @@ class FeatureLists {
       for (int k = 0; k < facets[f].corners; ++k)
         uses.emplace_back(feature(facets[f], k), 4 * f + static_cast<std::uint32_t>(k));
     std::sort(uses.begin(), uses.end());
-    for (const auto& [of, place] : uses) {
+    for (const auto& [of, position] : uses) {
       if (all_.empty() || all_.back() != of) all_.push_back(of), first_.push_back(facets_.size());
-      of_[place] = static_cast<std::uint32_t>(all_.size() - 1);
-      facets_.push_back(place / 4);
+      of_[position] = static_cast<std::uint32_t>(all_.size() - 1);
+      facets_.push_back(position / 4);
     }
     first_.push_back(facets_.size());
   }
@@ -55,7 +56,7 @@ class FeatureLists {
   const std::vector<Feature>& all() const { return all_; }
   const Feature& operator[](std::uint32_t i) const { return all_[i]; }
   std::uint32_t size() const { return static_cast<std::uint32_t>(all_.size()); }
-  /// The index of corner k of a facet, or of its border from there.
+  /// The index of corner k of a facet, or of its facet edge from there.
   std::uint32_t of(std::uint32_t facet, int k) const { return of_[4 * facet + static_cast<std::uint32_t>(k)]; }
   std::span<const std::uint32_t> around(std::uint32_t i) const {
     return std::span(facets_).subspan(first_[i], first_[i + 1] - first_[i]);
@@ -78,7 +79,7 @@ struct FacetGraph {
   FacetGraph() = default;
   explicit FacetGraph(const std::vector<SumFacet>& facets)
       : corners(facets, [](const SumFacet& f, int k) { return f.corner[k]; }),
-        edges(facets, [](const SumFacet& f, int k) { return ordered(border_of(f, k)); }) {}
+        edges(facets, [](const SumFacet& f, int k) { return ordered(facet_edge_of(f, k)); }) {}
 };
 
 }  // namespace dymsum::spatial

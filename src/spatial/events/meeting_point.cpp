@@ -63,9 +63,9 @@ BigVector corner_at(const ScalingPair& all, SumPoint c, const ExactMeeting& at) 
 
 double largest(Vec3 v) { return std::max({std::abs(v.x), std::abs(v.y), std::abs(v.z)}); }
 
-/// n . (e x g) for a border e of the facet and a gap g from its beginning, and a bound of its error.
-Sized side_of_border(const MovingFacets& all, const SumFacet& facet, Vec3 n, int k, const NearMeeting& at) {
-  const auto [a, b] = border_of(facet, k);
+/// n . (e x g) for a facet edge e of the facet and a gap g from its beginning, and a bound of its error.
+Sized side_of_facet_edge(const MovingFacets& all, const SumFacet& facet, Vec3 n, int k, const NearMeeting& at) {
+  const auto [a, b] = facet_edge_of(facet, k);
   const Vec3 p = all.at(a, at.s), e = all.at(b, at.s) - p, g = at.x - p;
   const double reach = std::max(largest(all.moved(a)), largest(all.moved(b)));
   const double blur = 2 * (at.radius + at.s_radius * reach) + all.span(at.s) * 0x1p-48;
@@ -73,29 +73,29 @@ Sized side_of_border(const MovingFacets& all, const SumFacet& facet, Vec3 n, int
   return {dot(n, cross(e, g)), 8 * (blur * (E + G) + blur * blur + E * G * 0x1p-48)};
 }
 
-/// From a border's beginning to its end and to a point, times the point's weight.
-struct AlongBorder {
-  BigVector way, gap;
+/// From a facet edge's beginning to its end and to a point, times the point's weight.
+struct AlongFacetEdge {
+  BigVector direction, gap;
 };
-AlongBorder along_border(const MovingFacets& all, const SumEdge& border, const ExactMeeting& at) {
-  const BigVector a = corner_at(all, border.from, at);
-  return {minus(corner_at(all, border.to, at), a), minus(at.x, a)};
+AlongFacetEdge along_facet_edge(const MovingFacets& all, const SumEdge& facet_edge, const ExactMeeting& at) {
+  const BigVector a = corner_at(all, facet_edge.from, at);
+  return {minus(corner_at(all, facet_edge.to, at), a), minus(at.x, a)};
 }
 
-bool may_lie_on(const MovingFacets& all, const SumEdge& border, const NearMeeting& at) {
-  const Vec3 a = all.at(border.from, at.s), b = all.at(border.to, at.s);
-  const double reach = std::max(largest(all.moved(border.from)), largest(all.moved(border.to)));
+bool may_lie_on(const MovingFacets& all, const SumEdge& facet_edge, const NearMeeting& at) {
+  const Vec3 a = all.at(facet_edge.from, at.s), b = all.at(facet_edge.to, at.s);
+  const double reach = std::max(largest(all.moved(facet_edge.from)), largest(all.moved(facet_edge.to)));
   const double blur = 2 * (at.radius + at.s_radius * reach) + all.span(at.s) * 0x1p-48;
   const auto outside = [&](double x, double u, double v) {
     return x < std::min(u, v) - blur || x > std::max(u, v) + blur;
   };
   return !outside(at.x.x, a.x, b.x) && !outside(at.x.y, a.y, b.y) && !outside(at.x.z, a.z, b.z);
 }
-bool lies_on(const MovingFacets& all, const SumEdge& border, const ExactMeeting& at) {
-  const AlongBorder to = along_border(all, border, at);
-  if (!is_zero(cross(to.way, to.gap))) return false;
-  const BigInteger along = dot(to.way, to.gap);
-  return along >= 0 && along <= dot(to.way, to.way);
+bool lies_on(const MovingFacets& all, const SumEdge& facet_edge, const ExactMeeting& at) {
+  const AlongFacetEdge to = along_facet_edge(all, facet_edge, at);
+  if (!is_zero(cross(to.direction, to.gap))) return false;
+  const BigInteger along = dot(to.direction, to.gap);
+  return along >= 0 && along <= dot(to.direction, to.direction);
 }
 
 }  // namespace
@@ -171,19 +171,19 @@ NearMeeting near(const ExactMeeting& at) {
   return result;
 }
 
-int surely_holds(const MovingFacets& all, std::uint32_t f, const NearMeeting& at) {
+int provably_holds(const MovingFacets& all, std::uint32_t f, const NearMeeting& at) {
   const SumFacet& facet = all.facets()[f];
   const Vec3 n = normal_of(all.row(f));
   int holds = 1;
   for (int k = 0; k < facet.corners; ++k) {
-    const Sized side = side_of_border(all, facet, n, k, at);
+    const Sized side = side_of_facet_edge(all, facet, n, k, at);
     if (side.v < -side.size) return -1;
     if (!(side.v > side.size)) holds = 0;
   }
   return holds;
 }
 
-PlaceInFacet place_in(const MovingFacets& all, std::uint32_t f, const ExactMeeting& at, const NearMeeting& near) {
+PositionInFacet position_in(const MovingFacets& all, std::uint32_t f, const ExactMeeting& at, const NearMeeting& near) {
   const SumFacet& facet = all.facets()[f];
   const PlaneRow& row = all.row(f);
   const Vec3 n = normal_of(row);
@@ -192,32 +192,32 @@ PlaceInFacet place_in(const MovingFacets& all, std::uint32_t f, const ExactMeeti
     return {};
   const MovingPlane& plane = all.plane(f);
   if (dot(plane.n, at.x) != plane.d0 * at.w + plane.d1 * at.s) return {};
-  PlaceInFacet place{true, 0};
+  PositionInFacet position{true, 0};
   for (int k = 0; k < facet.corners; ++k) {
-    const Sized side = side_of_border(all, facet, n, k, near);
+    const Sized side = side_of_facet_edge(all, facet, n, k, near);
     if (side.v > side.size) continue;
     if (side.v < -side.size) return {};
-    const AlongBorder to = along_border(all, border_of(facet, k), at);
-    const int sign = dot(plane.n, cross(to.way, to.gap)).sign();
+    const AlongFacetEdge to = along_facet_edge(all, facet_edge_of(facet, k), at);
+    const int sign = dot(plane.n, cross(to.direction, to.gap)).sign();
     if (sign < 0) return {};
-    if (sign == 0) place.on = static_cast<std::uint8_t>(place.on | (1U << k));
+    if (sign == 0) position.on = static_cast<std::uint8_t>(position.on | (1U << k));
   }
-  return place;
+  return position;
 }
 
 bool may_hold(const MovingFacets& all, const MeetingFeatures& features, const NearMeeting& at) {
-  for (const std::uint32_t b : features.borders)
-    if (!may_lie_on(all, all.borders()[b], at)) return false;
+  for (const std::uint32_t b : features.facet_edges)
+    if (!may_lie_on(all, all.facet_edges()[b], at)) return false;
   for (const std::uint32_t f : features.facets)
-    if (surely_holds(all, f, at) < 0) return false;
+    if (provably_holds(all, f, at) < 0) return false;
   return true;
 }
 
 bool hold(const MovingFacets& all, const MeetingFeatures& features, const ExactMeeting& at, const NearMeeting& near) {
-  for (const std::uint32_t b : features.borders)
-    if (!lies_on(all, all.borders()[b], at)) return false;
+  for (const std::uint32_t b : features.facet_edges)
+    if (!lies_on(all, all.facet_edges()[b], at)) return false;
   for (const std::uint32_t f : features.facets)
-    if (!place_in(all, f, at, near).holds) return false;
+    if (!position_in(all, f, at, near).holds) return false;
   return true;
 }
 
@@ -225,19 +225,20 @@ namespace {
 
 double sum_of_sizes(Vec3 v) { return std::abs(v.x) + std::abs(v.y) + std::abs(v.z); }
 
-/// A border as place + l way, l from 0 to `length` at a scale.
+/// A facet edge as place + l way, l from 0 to `length` at a scale.
 struct Line {
-  Vec3 place, way;
+  Vec3 position, direction;
   double length;
 };
-Line line_of(const MovingFacets& all, const SumEdge& border, double s) {
-  const bool scales = is_of_p(border) == (all.moving() == 0);
-  return {all.at(border.from, s),
-          scales ? all.moved(border.to) - all.moved(border.from) : all.fixed(border.to) - all.fixed(border.from),
+Line line_of(const MovingFacets& all, const SumEdge& facet_edge, double s) {
+  const bool scales = is_of_p(facet_edge) == (all.moving() == 0);
+  return {all.at(facet_edge.from, s),
+          scales ? all.moved(facet_edge.to) - all.moved(facet_edge.from)
+                 : all.fixed(facet_edge.to) - all.fixed(facet_edge.from),
           scales ? s : 1};
 }
 
-/// How far along a line something is: -1 surely before its beginning, 1 surely behind its end.
+/// How far along a line something is: -1 provably before its beginning, 1 provably after its end.
 int beyond(double l, double error, double length) {
   return l < -error ? -1 : l > length * (1 + 0x1p-50) + error ? 1 : 0;
 }
@@ -267,8 +268,9 @@ LastingCrossing lasting_crossing_of(const MovingFacets& all, const SumEdge& one,
   const double off = all.span(high) * 0x1p-49;
   for (std::size_t k = 0; k < 2; ++k) {
     const Line e = line_of(all, one, result.scale[k]), h = line_of(all, other, result.scale[k]);
-    const Vec3 gap = h.place - e.place, n = cross(e.way, h.way);
-    const double E = sum_of_sizes(e.way), H = sum_of_sizes(h.way), G = sum_of_sizes(gap), N = sum_of_sizes(n);
+    const Vec3 gap = h.position - e.position, n = cross(e.direction, h.direction);
+    const double E = sum_of_sizes(e.direction), H = sum_of_sizes(h.direction), G = sum_of_sizes(gap),
+                 N = sum_of_sizes(n);
     const double square = dot(n, n), square_error = 16 * off * (E + H) * N + 16 * off * off * (E + H) * (E + H);
     if (!(square > 2 * square_error)) return result;
     const auto along = [&](Vec3 across, double A, double& error) {
@@ -278,9 +280,9 @@ LastingCrossing lasting_crossing_of(const MovingFacets& all, const SumEdge& one,
       return l;
     };
     double l_error = 0, m_error = 0;
-    const double l = along(h.way, H, l_error), m = along(e.way, E, m_error);
+    const double l = along(h.direction, H, l_error), m = along(e.direction, E, m_error);
     ends[0][k] = beyond(l, l_error, e.length), ends[1][k] = beyond(m, m_error, h.length);
-    result.at[k] = e.place + l * e.way;
+    result.at[k] = e.position + l * e.direction;
     result.blur = std::max(result.blur, E * l_error + 4 * (1 + std::abs(l)) * off);
   }
   result.known = true;

@@ -33,44 +33,45 @@ struct NearMeeting {
   double radius = 0, s_radius = 0;
 };
 enum class Meets : std::uint8_t { no, near, unsure };
-/// The same in doubles; `unsure` where these do not tell whether there is one point.
+/// The same in doubles; `unsure` where these do not determine whether there is one point.
 Meets meeting_near(const std::array<const PlaneRow*, 4>& rows, double span, NearMeeting& at);
 Meets meeting_near(const ScalingPair& all, SumPoint corner, const PlaneRow& row, double span, NearMeeting& at);
 NearMeeting near(const ExactMeeting& at);
 
 /// Where a point of a facet's plane lies in it.
-struct PlaceInFacet {
+struct PositionInFacet {
   bool holds = false;
-  std::uint8_t on = 0;  ///< bit k: on the border from corner k to k + 1
+  std::uint8_t on = 0;  ///< bit k: on the facet edge from corner k to k + 1
 };
-/// 1 where the facet surely holds a point of its plane, -1 where it surely does not, else 0.
-int surely_holds(const MovingFacets& all, std::uint32_t facet, const NearMeeting& at);
+/// 1 where the facet provably holds a point of its plane, -1 where it provably does not, else 0.
+int provably_holds(const MovingFacets& all, std::uint32_t facet, const NearMeeting& at);
 /// Exact.
-PlaceInFacet place_in(const MovingFacets& all, std::uint32_t facet, const ExactMeeting& at, const NearMeeting& near);
+PositionInFacet position_in(const MovingFacets& all, std::uint32_t facet, const ExactMeeting& at,
+                            const NearMeeting& near);
 
-/// Borders and facets that are to meet in a point.
+/// Facet edges and facets that are to meet in a point.
 struct MeetingFeatures {
-  std::initializer_list<std::uint32_t> borders, facets;
+  std::initializer_list<std::uint32_t> facet_edges, facets;
 };
-/// Whether all of them hold a point of their planes: by doubles, no only where that is sure; and exactly.
+/// Whether all of them hold a point of their planes: by doubles, no only where that is proved; and exactly.
 bool may_hold(const MovingFacets& all, const MeetingFeatures& features, const NearMeeting& at);
 bool hold(const MovingFacets& all, const MeetingFeatures& features, const ExactMeeting& at, const NearMeeting& near);
 
-/// Two borders that cross at all scales, in one plane: where their crossing is at both ends of a window, in doubles.
-/// Its position is a linear function of the scale: what holds at both ends of a window of the sides of a hyperplane
-/// holds between them.
+/// Two facet edges that cross at all scales, in one plane: where their crossing is at both ends of a window, in
+/// doubles. Its position is a linear function of the scale: what holds at both ends of a window of the sides of a
+/// hyperplane holds between them.
 struct LastingCrossing {
-  bool misses = false;  ///< surely beyond an end of a border at all scales of the window
+  bool misses = false;  ///< provably beyond an end of a facet edge at all scales of the window
   bool known = false;   ///< the positions are
   std::array<Vec3, 2> at;
   std::array<double, 2> scale{};
   double blur = 0;  ///< of every coordinate
 
-  /// Whether the crossing surely stays on one side of a hyperplane.
+  /// Whether the crossing provably stays on one side of a hyperplane.
   bool stays_beside(const PlaneRow& row) const;
 };
 
-/// Of borders in one plane that are not parallel, at scales from `low` to `high`.
+/// Of facet edges in one plane that are not parallel, at scales from `low` to `high`.
 LastingCrossing lasting_crossing_of(const MovingFacets& all, const SumEdge& one, const SumEdge& other, double low,
                                     double high);
 

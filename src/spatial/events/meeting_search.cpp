@@ -13,17 +13,17 @@ using exact::BigInteger;
 
 namespace {
 
-int sign_surely(double value, double error) { return value > error ? 1 : value < -error ? -1 : 0; }
+int proved_sign(double value, double error) { return value > error ? 1 : value < -error ? -1 : 0; }
 
-/// The side of a facet's plane on which a corner stays at all scales of a window; 0 where it changes or is not sure.
+/// The side of a facet's plane on which a corner stays at all scales of a window; 0 where it changes or is not proved.
 int lasting_side(const MovingFacets& all, std::uint32_t f, SumPoint c, double low, double high) {
   const PlaneRow& row = all.row(f);
   const Vec3 n = normal_of(row), x = all.fixed(c), m = all.moved(c);
   const auto size = [&](Vec3 v) { return std::abs(n.x * v.x) + std::abs(n.y * v.y) + std::abs(n.z * v.z); };
   const double a = dot(n, x) - row[4], b = dot(n, m) + row[3];
   const double error = (size(x) + std::abs(row[4]) + high * (size(m) + std::abs(row[3]))) * 0x1p-47;
-  const int s = sign_surely(a + low * b, error);
-  return s == sign_surely(a + high * b, error) ? s : 0;
+  const int s = proved_sign(a + low * b, error);
+  return s == proved_sign(a + high * b, error) ? s : 0;
 }
 
 using GridCell = std::array<std::int64_t, 4>;
@@ -55,25 +55,32 @@ bool is_same(const ExactMeeting& a, const ExactMeeting& b) {
 class MeetingSearch {
  public:
   MeetingSearch(const MovingFacets& all, const ScaledOverlap& overlap, double low, double high,
-                const std::function<void()>& ask)
-      : all_(all), overlap_(overlap), low_(low), high_(high), span_(all.span(high)), room_(span_ * 0x1p-44), ask_(ask) {
-    std::vector<std::uint8_t> border(all.borders().size()), corner(all.corners().size());
+                const std::function<void()>& query)
+      : all_(all),
+        overlap_(overlap),
+        low_(low),
+        high_(high),
+        span_(all.span(high)),
+        room_(span_ * 0x1p-44),
+        query_(query) {
+    std::vector<std::uint8_t> facet_edge(all.facet_edges().size()), corner(all.corners().size());
     std::vector<Box> boxes;
     for (std::uint32_t f = 0; f < all.facets().size(); ++f) {
       const SumFacet& facet = all.facets()[f];
       if (overlap.deep_inside(facet, low, high)) continue;
       live_.push_back(f);
       boxes.push_back(swept({facet.corner.data(), facet.corners}));
-      for (int k = 0; k < facet.corners; ++k) border[all.borders().of(f, k)] = 1, corner[all.corners().of(f, k)] = 1;
+      for (int k = 0; k < facet.corners; ++k)
+        facet_edge[all.facet_edges().of(f, k)] = 1, corner[all.corners().of(f, k)] = 1;
     }
     facets_ = BoxTree(std::move(boxes));
     boxes.clear();
-    for (std::uint32_t e = 0; e < border.size(); ++e) {
-      if (border[e] == 0 || all.is_inner(e)) continue;
-      live_borders_.push_back(e);
-      boxes.push_back(swept(all.borders()[e]));
+    for (std::uint32_t e = 0; e < facet_edge.size(); ++e) {
+      if (facet_edge[e] == 0 || all.is_inner(e)) continue;
+      live_facet_edges_.push_back(e);
+      boxes.push_back(swept(all.facet_edges()[e]));
     }
-    borders_ = BoxTree(std::move(boxes));
+    facet_edges_ = BoxTree(std::move(boxes));
     boxes.clear();
     for (std::uint32_t c = 0; c < corner.size(); ++c) {
       if (corner[c] == 0) continue;
@@ -85,16 +92,16 @@ class MeetingSearch {
 
   Meetings run() {
     corners_on_facets();
-    corners_on_borders();
-    borders_on_borders();
-    borders_through_facets();
+    corners_on_facet_edges();
+    facet_edges_on_facet_edges();
+    facet_edges_through_facets();
     facet_neighbours();
     four_facets();
     return {std::move(found_), {std::move(facets_), std::move(live_)}, candidates_, exact_};
   }
 
  private:
-  /// What needs not to be asked again of four hyperplanes, whatever facets and borders lie in them.
+  /// What needs not to be asked again of four hyperplanes, whatever facets and facet edges lie in them.
   enum class Common : std::uint8_t {
     open,     ///< a point outside of what is looked at, perhaps
     lasting,  ///< no one point in common
@@ -102,10 +109,10 @@ class MeetingSearch {
   };
 
   bool is_beside_window(const NearMeeting& at) const { return at.s < low_ - at.s_radius || at.s > high_ + at.s_radius; }
-  void ask_now_and_then() {
-    if (++asked_ % 4096 == 0) ask_();
+  void query_now_and_then() {
+    if (++queried_ % 4096 == 0) query_();
   }
-  Box swept(const SumEdge& border) const { return swept(std::array{border.from, border.to}); }
+  Box swept(const SumEdge& facet_edge) const { return swept(std::array{facet_edge.from, facet_edge.to}); }
 
   Box swept(std::span<const SumPoint> corners) const {
     Box box;
@@ -114,7 +121,7 @@ class MeetingSearch {
     return box;
   }
 
-  /// Whether all of the cell of (x, s) around a point surely lies in the open sum. Many tuples meet in one point, and
+  /// Whether all of the cell of (x, s) around a point provably lies in the open sum. Many tuples meet in one point, and
   /// ask.
   bool is_covered(const NearMeeting& at) {
     const double step = std::ldexp(1.0, std::ilogb(span_) - 28), s_step = std::ldexp(1.0, std::ilogb(high_) - 28);
@@ -124,9 +131,9 @@ class MeetingSearch {
     const auto [known, fresh] = covered_.try_emplace({static_cast<std::int64_t>(x), static_cast<std::int64_t>(y),
                                                       static_cast<std::int64_t>(z), static_cast<std::int64_t>(s)},
                                                      false);
-    const Vec3 middle{(x + 0.5) * step, (y + 0.5) * step, (z + 0.5) * step};
+    const Vec3 centre{(x + 0.5) * step, (y + 0.5) * step, (z + 0.5) * step};
     if (fresh)
-      known->second = overlap_.at(middle, (s + 0.5) * s_step, 2 * step, 2 * s_step) == ScaledOverlap::Answer::overlap;
+      known->second = overlap_.at(centre, (s + 0.5) * s_step, 2 * step, 2 * s_step) == ScaledOverlap::Answer::overlap;
     return known->second;
   }
 
@@ -200,32 +207,33 @@ class MeetingSearch {
       const SumPoint c = all_.corners()[live_corners_[k]];
       facets_.for_each(corners_.box(k), [&](std::uint32_t j) {
         const std::uint32_t f = live_[j];
-        ask_now_and_then();
+        query_now_and_then();
         if (has_corner(all_.facets()[f], c)) return;
         if (lasting_side(all_, f, c, low_, high_) != 0) return;
         ++candidates_;
         NearMeeting at;
         const Meets meets = meeting_near(all_, c, all_.row(f), span_, at);
-        if (meets == Meets::near && surely_holds(all_, f, at) < 0) return;
+        if (meets == Meets::near && provably_holds(all_, f, at) < 0) return;
         decide(meets, at, [&]() -> std::optional<ExactMeeting> {
           std::optional<ExactMeeting> point = meeting_of(all_, c, all_.plane(f));
-          if (point && (point->s <= 0 || !place_in(all_, f, *point, near(*point)).holds)) return std::nullopt;
+          if (point && (point->s <= 0 || !position_in(all_, f, *point, near(*point)).holds)) return std::nullopt;
           return point;
         });
       });
     }
   }
 
-  // In general position a corner misses every border. Where it stays in one of two planes along a border, or comes into
-  // both at once, the facets beside it may not tell when it comes onto it: they may all be in one plane with its way.
-  void corners_on_borders() {
+  // In general position a corner misses every facet edge. Where it stays in one of two planes along a facet edge, or
+  // comes into both at once, the facets beside it may not determine when it comes onto it: they may all be in one plane
+  // with its way.
+  void corners_on_facet_edges() {
     for (std::uint32_t k = 0; k < live_corners_.size(); ++k) {
       const SumPoint c = all_.corners()[live_corners_[k]];
-      borders_.for_each(corners_.box(k), [&](std::uint32_t j) {
-        const std::uint32_t b = live_borders_[j];
-        const SumEdge& border = all_.borders()[b];
-        ask_now_and_then();
-        if (border.from == c || border.to == c) return;
+      facet_edges_.for_each(corners_.box(k), [&](std::uint32_t j) {
+        const std::uint32_t b = live_facet_edges_[j];
+        const SumEdge& facet_edge = all_.facet_edges()[b];
+        query_now_and_then();
+        if (facet_edge.from == c || facet_edge.to == c) return;
         NearMeeting at[2];
         Meets meets[2];
         for (std::size_t i = 0; i < 2; ++i) {
@@ -242,11 +250,11 @@ class MeetingSearch {
         };
         for (const std::uint32_t plane : all_.planes_of(b))
           if (!stays_in(all_, c, all_.plane(plane))) return try_point(meeting_of(all_, c, all_.plane(plane)));
-        // Along the border's own line: it meets the ends.
-        for (const SumPoint end : {border.from, border.to}) {
-          const BigVector way = minus(all_.exact_moved(c), all_.exact_moved(end));
+        // Along the facet edge's own line: it meets the ends.
+        for (const SumPoint end : {facet_edge.from, facet_edge.to}) {
+          const BigVector direction = minus(all_.exact_moved(c), all_.exact_moved(end));
           for (std::size_t axis = 0; axis < 3; ++axis) {
-            if (way[axis] == 0) continue;
+            if (direction[axis] == 0) continue;
             MovingPlane wall{{0, 0, 0}, all_.exact_fixed(end)[axis], all_.exact_moved(end)[axis]};
             wall.n[axis] = 1;
             try_point(meeting_of(all_, c, wall));
@@ -257,32 +265,33 @@ class MeetingSearch {
     }
   }
 
-  void borders_on_borders() {
-    for (std::uint32_t k = 0; k < live_borders_.size(); ++k) {
-      const std::uint32_t e = live_borders_[k];
-      borders_.for_each(borders_.box(k), [&](std::uint32_t j) {
-        const std::uint32_t g = live_borders_[j];
+  void facet_edges_on_facet_edges() {
+    for (std::uint32_t k = 0; k < live_facet_edges_.size(); ++k) {
+      const std::uint32_t e = live_facet_edges_[k];
+      facet_edges_.for_each(facet_edges_.box(k), [&](std::uint32_t j) {
+        const std::uint32_t g = live_facet_edges_[j];
         if (j <= k) return;
-        ask_now_and_then();
-        if (share_end(all_.borders()[e], all_.borders()[g]) || all_.direction(e) == all_.direction(g)) return;
+        query_now_and_then();
+        if (share_end(all_.facet_edges()[e], all_.facet_edges()[g]) || all_.direction(e) == all_.direction(g)) return;
         const auto u = all_.planes_of(e), v = all_.planes_of(g);
         if (four_planes({u[0], u[1], v[0], v[1]}, {{e, g}, {}}) == Common::lasting) lasting_crossing(e, g);
       });
     }
   }
 
-  /// Whether a plane is one of those that are known to hold a border at all scales.
-  bool bounds_plane(std::uint32_t border, std::uint32_t plane) const {
+  /// Whether a plane is one of those that are known to hold a facet edge at all scales.
+  bool bounds_plane(std::uint32_t facet_edge, std::uint32_t plane) const {
     const std::uint32_t name = all_.name(plane);
     const auto is_it = [&](std::uint32_t other) { return all_.name(other) == name; };
-    const auto along = all_.planes_of(border);
-    const auto facets = all_.borders().around(border);
+    const auto along = all_.planes_of(facet_edge);
+    const auto facets = all_.facet_edges().around(facet_edge);
     return is_it(along[0]) || is_it(along[1]) || std::any_of(facets.begin(), facets.end(), is_it);
   }
 
-  /// Two borders that cross at all scales, in one plane: where their crossing passes something else.
+  /// Two facet edges that cross at all scales, in one plane: where their crossing passes something else.
   void lasting_crossing(std::uint32_t e, std::uint32_t g) {
-    const LastingCrossing crossing = lasting_crossing_of(all_, all_.borders()[e], all_.borders()[g], low_, high_);
+    const LastingCrossing crossing =
+        lasting_crossing_of(all_, all_.facet_edges()[e], all_.facet_edges()[g], low_, high_);
     if (crossing.misses) return;
     const auto u = all_.planes_of(e), v = all_.planes_of(g);
     // Whether the crossing does not stay in the plane at all scales.
@@ -296,31 +305,31 @@ class MeetingSearch {
       }
       return false;
     };
-    const Box a = swept(all_.borders()[e]), b = swept(all_.borders()[g]);
+    const Box a = swept(all_.facet_edges()[e]), b = swept(all_.facet_edges()[g]);
     const Box both{{std::max(a.low.x, b.low.x), std::max(a.low.y, b.low.y), std::max(a.low.z, b.low.z)},
                    {std::min(a.high.x, b.high.x), std::min(a.high.y, b.high.y), std::min(a.high.z, b.high.z)}};
     facets_.for_each(both, [&](std::uint32_t j) { try_plane(live_[j], {{e, g}, {live_[j]}}); });
-    borders_.for_each(both, [&](std::uint32_t j) {
-      const std::uint32_t t = live_borders_[j];
+    facet_edges_.for_each(both, [&](std::uint32_t j) {
+      const std::uint32_t t = live_facet_edges_[j];
       if (t == e || t == g) return;
       for (const std::uint32_t plane : all_.planes_of(t))
         if (try_plane(plane, {{e, g, t}, {}})) break;
     });
   }
 
-  void borders_through_facets() {
+  void facet_edges_through_facets() {
     std::vector<std::uint32_t> through;
-    for (std::uint32_t k = 0; k < live_borders_.size(); ++k) {
-      const std::uint32_t e = live_borders_[k];
-      const SumEdge& border = all_.borders()[e];
+    for (std::uint32_t k = 0; k < live_facet_edges_.size(); ++k) {
+      const std::uint32_t e = live_facet_edges_[k];
+      const SumEdge& facet_edge = all_.facet_edges()[e];
       through.clear();
-      facets_.for_each(borders_.box(k), [&](std::uint32_t j) {
+      facets_.for_each(facet_edges_.box(k), [&](std::uint32_t j) {
         const std::uint32_t f = live_[j];
-        ask_now_and_then();
-        if (has_corner(all_.facets()[f], border.from) || has_corner(all_.facets()[f], border.to)) return;
+        query_now_and_then();
+        if (has_corner(all_.facets()[f], facet_edge.from) || has_corner(all_.facets()[f], facet_edge.to)) return;
         if (bounds_plane(e, f)) return;
-        const int a = lasting_side(all_, f, border.from, low_, high_);
-        if (a != 0 && a == lasting_side(all_, f, border.to, low_, high_)) return;
+        const int a = lasting_side(all_, f, facet_edge.from, low_, high_);
+        if (a != 0 && a == lasting_side(all_, f, facet_edge.to, low_, high_)) return;
         through.push_back(f);
       });
       std::sort(through.begin(), through.end());
@@ -328,13 +337,13 @@ class MeetingSearch {
       for (std::size_t i = 0; i < through.size(); ++i)
         for (std::size_t j = i + 1; j < through.size(); ++j) {
           const std::uint32_t f = through[i], g = through[j];
-          ask_now_and_then();
+          query_now_and_then();
           if (all_.name(f) != all_.name(g)) four_planes({u[0], u[1], f, g}, {{e}, {f, g}});
         }
     }
   }
 
-  /// Whether two facets may meet in more than a border or a corner that they share.
+  /// Whether two facets may meet in more than a facet edge or a corner that they share.
   bool may_cross(std::uint32_t f, std::uint32_t g) const {
     const SumFacet &a = all_.facets()[f], &b = all_.facets()[g];
     if (all_.name(f) == all_.name(g)) return false;
@@ -356,7 +365,7 @@ class MeetingSearch {
     neighbours_.assign(live_.size(), {});
     for (std::uint32_t k = 0; k < live_.size(); ++k) {
       facets_.for_each(facets_.box(k), [&](std::uint32_t j) {
-        ask_now_and_then();
+        query_now_and_then();
         if (j > k && may_cross(live_[k], live_[j])) neighbours_[k].push_back(j);
       });
       std::sort(neighbours_[k].begin(), neighbours_[k].end());
@@ -379,7 +388,7 @@ class MeetingSearch {
           if (of_three(f, g, h)) continue;
           for (const std::uint32_t i : near_both) {
             if (i <= h || !std::binary_search(neighbours_[h].begin(), neighbours_[h].end(), i)) continue;
-            ask_now_and_then();
+            query_now_and_then();
             const FourIndices four{live_[f], live_[g], live_[h], live_[i]};
             four_planes(four, {{}, {four[0], four[1], four[2], four[3]}});
           }
@@ -390,22 +399,22 @@ class MeetingSearch {
   const MovingFacets& all_;
   const ScaledOverlap& overlap_;
   double low_, high_, span_, room_;
-  const std::function<void()>& ask_;
-  std::vector<std::uint32_t> live_, live_borders_, live_corners_;  // facets and so on that are not deep inside
-  BoxTree facets_, borders_, corners_;
+  const std::function<void()>& query_;
+  std::vector<std::uint32_t> live_, live_facet_edges_, live_corners_;  // facets and so on that are not deep inside
+  BoxTree facets_, facet_edges_, corners_;
   std::vector<std::vector<std::uint32_t>> neighbours_;  // of live facets, with larger indices, sorted
   std::vector<MeetingEvent> found_;
   std::unordered_multimap<GridCell, std::size_t, GridCellHash> found_at_;  // by their doubles
-  std::unordered_map<GridCell, bool, GridCellHash> covered_;  // small cells of (x, s), surely or perhaps not
-  std::unordered_set<GridCell, GridCellHash> covered_at_;     // doubles of points that surely are
+  std::unordered_map<GridCell, bool, GridCellHash> covered_;  // small cells of (x, s), provably or perhaps not
+  std::unordered_set<GridCell, GridCellHash> covered_at_;     // doubles of points that provably are
   std::unordered_map<FourIndices, Common, FourHash> known_;   // by names of planes; not those that are open
-  std::uint64_t candidates_ = 0, exact_ = 0, asked_ = 0;
+  std::uint64_t candidates_ = 0, exact_ = 0, queried_ = 0;
 };
 
 }  // namespace
 
 std::vector<double> window_ends(const MovingFacets& all, double low, double high) {
-  double size = 0, way = 0;
+  double size = 0, direction = 0;
   for (const SumFacet& facet : all.facets()) {
     Box box;
     Vec3 moved;
@@ -413,9 +422,9 @@ std::vector<double> window_ends(const MovingFacets& all, double low, double high
       box.add(all.at(facet.corner[k], high));
       moved = moved + 1.0 / facet.corners * all.moved(facet.corner[k]);
     }
-    size += box.size() / 3, way += length(moved);
+    size += box.size() / 3, direction += length(moved);
   }
-  const double steps = size > 0 ? std::clamp(std::ceil((high - low) * way / size), 1.0, 4096.0) : 1;
+  const double steps = size > 0 ? std::clamp(std::ceil((high - low) * direction / size), 1.0, 4096.0) : 1;
   std::vector<double> ends;
   for (int k = 0; k < static_cast<int>(steps); ++k) ends.push_back(low + (high - low) * k / steps);
   ends.push_back(high);
@@ -423,8 +432,8 @@ std::vector<double> window_ends(const MovingFacets& all, double low, double high
 }
 
 Meetings find_meetings(const MovingFacets& all, const ScaledOverlap& overlap, double low, double high,
-                       const std::function<void()>& ask) {
-  return MeetingSearch(all, overlap, low, high, ask).run();
+                       const std::function<void()>& query) {
+  return MeetingSearch(all, overlap, low, high, query).run();
 }
 
 }  // namespace dymsum::spatial

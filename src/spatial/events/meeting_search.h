@@ -1,12 +1,12 @@
-// All exact points at which moving facets, borders and corners meet and that are not surely covered: between the scales
-// of these the arrangement of the facets outside the open sum stays what it is.
+// All exact points at which moving facets, facet edges and corners meet and that are not provably covered: between the
+// scales of these the arrangement of the facets outside the open sum stays what it is.
 #pragma once
 
 #include <functional>
 #include <vector>
 
 #include "spatial/events/meeting_point.h"
-#include "spatial/events/sure_overlap.h"
+#include "spatial/events/proved_overlap.h"
 
 namespace dymsum::spatial {
 
@@ -38,8 +38,8 @@ struct Meetings {
   std::uint64_t candidates = 0, exact = 0;
 };
 
-/// At scales from `low` to `high`. `ask` is called now and then, and may throw.
+/// At scales from `low` to `high`. `query` is called now and then, and may throw.
 Meetings find_meetings(const MovingFacets& all, const ScaledOverlap& overlap, double low, double high,
-                       const std::function<void()>& ask);
+                       const std::function<void()>& query);
 
 }  // namespace dymsum::spatial

@@ -52,15 +52,15 @@ MovingFacets::MovingFacets(ScalingPair of, StageWatch& watch) : ScalingPair(std:
   ProportionalNames<3> directions;
   std::map<std::pair<std::uint32_t, std::uint32_t>, std::uint32_t> known[2];  // by the ends of an operand's edge
   const std::unordered_map<std::uint64_t, int> edges[2] = {inner_edges_of(pair().p), inner_edges_of(pair().q)};
-  for (std::uint32_t b = 0; b < borders().size(); ++b) {
-    const Way way = way_of(borders()[b]);
-    const std::size_t op = way.of == Way::Of::p ? 0 : 1;
-    const auto [at, fresh] = known[op].try_emplace({way.from, way.to}, 0);
-    if (fresh) at->second = directions.name(along(way));
+  for (std::uint32_t b = 0; b < facet_edges().size(); ++b) {
+    const DirectionSource direction = direction_of(facet_edges()[b]);
+    const std::size_t op = direction.of == DirectionSource::Of::p ? 0 : 1;
+    const auto [at, fresh] = known[op].try_emplace({direction.from, direction.to}, 0);
+    if (fresh) at->second = directions.name(along(direction));
     directions_.push_back(at->second);
-    const auto found = edges[op].find(pair_key(way.from, way.to));
-    inner_.push_back(borders().around(b).size() == 2 && found != edges[op].end() && found->second == 1);
-    add_planes_along(borders()[b]);
+    const auto found = edges[op].find(pair_key(direction.from, direction.to));
+    inner_.push_back(facet_edges().around(b).size() == 2 && found != edges[op].end() && found->second == 1);
+    add_planes_along(facet_edges()[b]);
   }
   ProportionalNames<5> names;
   for (const MovingPlane& p : planes_) {
@@ -69,16 +69,16 @@ MovingFacets::MovingFacets(ScalingPair of, StageWatch& watch) : ScalingPair(std:
   }
 }
 
-void MovingFacets::add_planes_along(const SumEdge& border) {
-  const BigVector way = along(way_of(border));
+void MovingFacets::add_planes_along(const SumEdge& facet_edge) {
+  const BigVector direction = along(direction_of(facet_edge));
   std::size_t most = 0;
   for (std::size_t k = 1; k < 3; ++k)
-    if (abs(way[k]) > abs(way[most])) most = k;
+    if (abs(direction[k]) > abs(direction[most])) most = k;
   for (std::size_t k = 0; k < 2; ++k) {
     BigVector axis{0, 0, 0};
     axis[(most + 1 + k) % 3] = 1;
-    const BigVector n = cross(way, axis);
-    planes_.push_back({n, dot(n, exact_fixed(border.from)), dot(n, exact_moved(border.from))});
+    const BigVector n = cross(direction, axis);
+    planes_.push_back({n, dot(n, exact_fixed(facet_edge.from)), dot(n, exact_moved(facet_edge.from))});
   }
 }
 

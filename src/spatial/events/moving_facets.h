@@ -13,18 +13,18 @@ class MovingFacets : public ScalingPair {
 
   const ReducedConvolution& convolution() const { return convolution_; }
   const std::vector<SumFacet>& facets() const { return convolution_.facets; }
-  /// Their corners and borders.
+  /// Their corners and facet edges.
   const FeatureLists<SumPoint>& corners() const { return graph_.corners; }
-  const FeatureLists<SumEdge>& borders() const { return graph_.edges; }
-  /// Whether a border is between two triangles of one face.
-  bool is_inner(std::uint32_t border) const { return inner_[border] != 0; }
-  /// The same for parallel borders.
-  std::uint32_t direction(std::uint32_t border) const { return directions_[border]; }
+  const FeatureLists<SumEdge>& facet_edges() const { return graph_.edges; }
+  /// Whether a facet edge is between two triangles of one face.
+  bool is_inner(std::uint32_t facet_edge) const { return inner_[facet_edge] != 0; }
+  /// The same for parallel facet edges.
+  std::uint32_t direction(std::uint32_t facet_edge) const { return directions_[facet_edge]; }
 
-  // Planes have indices: those of facets their facet's, and behind them two along every border, whose directions
+  // Planes have indices: those of facets their facet's, and behind them two along every facet edge, whose directions
   // differ: its 2-flat of (x, s) is where they cross.
-  std::array<std::uint32_t, 2> planes_of(std::uint32_t border) const {
-    const auto first = static_cast<std::uint32_t>(facets().size()) + 2 * border;
+  std::array<std::uint32_t, 2> planes_of(std::uint32_t facet_edge) const {
+    const auto first = static_cast<std::uint32_t>(facets().size()) + 2 * facet_edge;
     return {first, first + 1};
   }
   using ScalingPair::plane;
@@ -34,7 +34,7 @@ class MovingFacets : public ScalingPair {
   std::uint32_t name(std::uint32_t index) const { return names_[index]; }
 
  private:
-  void add_planes_along(const SumEdge& border);
+  void add_planes_along(const SumEdge& facet_edge);
 
   ReducedConvolution convolution_;
   FacetGraph graph_;

@@ -18,15 +18,16 @@ PlaneSource plane_of_contact(const SolidContact& contact, const SolidPair& pair)
     const auto at = std::find(solid.face.begin(), solid.face.end(), f.a);
     return solid.triangles[static_cast<std::size_t>(at - solid.face.begin())];
   };
-  PlaneSource plane{
-      {contact.p.a, contact.q.a}, {Way::Of::p, contact.p.a, contact.p.b}, {Way::Of::q, contact.q.a, contact.q.b}};
+  PlaneSource plane{{contact.p.a, contact.q.a},
+                    {DirectionSource::Of::p, contact.p.a, contact.p.b},
+                    {DirectionSource::Of::q, contact.q.a, contact.q.b}};
   if (contact.q.kind == SolidFeature::Kind::face) {
     const Triangle t = triangle(pair.q, contact.q);
-    plane = {{contact.p.a, t[0]}, {Way::Of::q, t[0], t[1]}, {Way::Of::q, t[0], t[2]}};
+    plane = {{contact.p.a, t[0]}, {DirectionSource::Of::q, t[0], t[1]}, {DirectionSource::Of::q, t[0], t[2]}};
   }
   if (contact.p.kind == SolidFeature::Kind::face) {
     const Triangle t = triangle(pair.p, contact.p);
-    plane = {{t[0], plane.at.q}, {Way::Of::p, t[0], t[1]}, {Way::Of::p, t[0], t[2]}};
+    plane = {{t[0], plane.at.q}, {DirectionSource::Of::p, t[0], t[1]}, {DirectionSource::Of::p, t[0], t[2]}};
   }
   return plane;
 }
@@ -76,9 +77,9 @@ std::uint64_t plane_name(const RotatingPair& pair, const SolidContact& contact) 
 
 std::uint64_t plane_hash(const PolynomialFrame& frame, const PlaneSource& plane) {
   const PolynomialFrame::Vector n = RotationSigns<PolynomialFrame>(frame).normal(plane);
-  // From the sum of the vertices 0 on, all places are vectors times one weight.
-  const PolynomialFrame::Vector way = frame.way(0, 0, plane.at.p) + frame.way(1, 0, plane.at.q);
-  const Residue x[3] = {value_of(way.x), value_of(way.y), value_of(way.z)};
+  // From the sum of the vertices 0 on, all positions are vectors times one weight.
+  const PolynomialFrame::Vector direction = frame.direction(0, 0, plane.at.p) + frame.direction(1, 0, plane.at.q);
+  const Residue x[3] = {value_of(direction.x), value_of(direction.y), value_of(direction.z)};
   Residue v[4] = {value_of(n.x), value_of(n.y), value_of(n.z), 0};
   for (int k = 0; k < 3; ++k) v[3] = exact::plus(v[3], exact::times(v[k], x[k]));
   Residue lead = 0;

@@ -7,7 +7,7 @@
 
 #include "spatial/boundary/collision.h"
 #include "spatial/events/crossing_search.h"
-#include "spatial/events/sure_overlap.h"
+#include "spatial/events/proved_overlap.h"
 #include "spatial/sum/feature_pairs.h"
 
 namespace dymsum::spatial {
@@ -29,7 +29,7 @@ std::optional<exact::BigRational> short_rational(const RotatingPair& pair, const
   if (!t) return t;
   const auto bits = [](const exact::BigInteger& v) { return v.is_zero() ? 1 : static_cast<unsigned>(msb(abs(v))) + 1; };
   const unsigned square = bits(exact::BigInteger(pair.circle.square()));
-  const unsigned most = static_cast<unsigned>(std::max(pair.pair.p_places.bits, pair.pair.q_places.bits)) + 4 +
+  const unsigned most = static_cast<unsigned>(std::max(pair.pair.p_positions.bits, pair.pair.q_positions.bits)) + 4 +
                         2 * (square + std::max(bits(numerator(*t)), bits(denominator(*t))));
   if (most > kMostBits) t.reset();
   return t;
@@ -96,7 +96,7 @@ class RootContacts {
         exact_(exact_frame_),
         turned_(balls.balls),
         known_(window.facets.size(), 0) {
-    for (InnerBalls::Ball& b : turned_[pair.turning]) b.middle = jets_frame_.matrix() * b.middle;
+    for (InnerBalls::Ball& b : turned_[pair.turning]) b.centre = jets_frame_.matrix() * b.centre;
   }
 
   /// What a meeting tells of the sum's boundary: nothing where a feature does not exist at this angle, where they do
@@ -121,8 +121,10 @@ class RootContacts {
                  meeting, [&](const auto& s) { return s.at(a, b); }, always,
                  [&](SumSpace& space) {
                    std::uint32_t axis = 0;
-                   while (space.exact_det(way_of(b), Way{Way::Of::axis, axis, 0}, way_of(a)) == 0) ++axis;
-                   const PlaneSource plane{b.from, way_of(b), {Way::Of::axis, axis, 0}, false};
+                   while (space.exact_det(direction_of(b), DirectionSource{DirectionSource::Of::axis, axis, 0},
+                                          direction_of(a)) == 0)
+                     ++axis;
+                   const PlaneSource plane{b.from, direction_of(b), {DirectionSource::Of::axis, axis, 0}, false};
                    return PointSource{PointSource::Kind::edge, space.add_edges({&a, 1}), space.add_planes({&plane, 1}),
                                       0};
                  })
@@ -135,7 +137,7 @@ class RootContacts {
   /// Calls take(contact) for all edge_and_facets and four_facets of this angle, until it says false. Most facets of a
   /// window do not exist at a crowded angle, or do not meet.
   void crossings(const std::function<bool(SolidRotationContact)>& take, const std::function<void()>& again) {
-    std::vector<TurnCells> here;
+    std::vector<RotationCells> here;
     for (std::uint32_t f = 0; f < w_.facets.size(); ++f) here.push_back(exists(f) ? 1 : 0);
     find_crossings(w_, jets_frame_, jets_frame_, std::move(here), again, [&](const Meeting& meeting) {
       std::optional<SolidRotationContact> found = contact(meeting, false);
@@ -146,11 +148,11 @@ class RootContacts {
  private:
   using Jets = RotationSigns<JetFrame>;
   using Exact = RotationSigns<PolynomialFrame>;
-  /// A place in doubles; not `sure` where they do not tell.
-  struct NearPlace {
+  /// A position in doubles; not `proved` where they do not decide.
+  struct NearPosition {
     Vec3 at;
     double radius = 0;
-    bool sure = false;
+    bool proved = false;
   };
 
   /// The sign of form(RotationSigns) here: jets, in doubles and in pairs of them, then in fixed point, else exact.
@@ -165,7 +167,7 @@ class RootContacts {
 
   bool slant_holds(const SlantCondition& c) const {
     const Triangle& t = pair_.operand(c.op).triangles[c.triangle];
-    return c.sense * sign([&](const auto& s) { return s.slant(c.op, t, c.way); }) <= 0;
+    return c.sense * sign([&](const auto& s) { return s.slant(c.op, t, c.direction); }) <= 0;
   }
 
   bool exists(std::uint32_t facet) const {
@@ -177,7 +179,7 @@ class RootContacts {
       // Parallel edges make no facet.
       const auto strict = [&](const SlantCondition& c) {
         const Triangle& t = pair_.operand(c.op).triangles[c.triangle];
-        return sign([&](const auto& s) { return s.slant(c.op, t, c.way); }) != 0;
+        return sign([&](const auto& s) { return s.slant(c.op, t, c.direction); }) != 0;
       };
       holds = std::any_of(f.unsure.begin(), f.unsure.end(), strict);
     }
@@ -196,11 +198,11 @@ class RootContacts {
   }
 
   template <class F>
-  bool in_facet(std::uint32_t facet, F place, int w) const {
+  bool in_facet(std::uint32_t facet, F position, int w) const {
     const WindowFacet& f = w_.facets[facet];
     for (int k = 0; k < f.facet.corners; ++k)
       if (w * sign([&](const auto& s) {
-            return s.inside(s.inward(s.normal(f.plane), f.border(k)), f.facet.corner[k], place(s));
+            return s.inside(s.inward(s.normal(f.plane), f.facet_edge(k)), f.facet.corner[k], position(s));
           }) <
           0)
         return false;
@@ -208,9 +210,9 @@ class RootContacts {
   }
 
   template <class F>
-  bool on_edge(const SumEdge& e, F place, int w) const {
+  bool on_edge(const SumEdge& e, F position, int w) const {
     for (const SumPoint end : {e.from, e.to})
-      if (w * sign([&](const auto& s) { return s.beyond(e, end, place(s)); }) > 0) return false;
+      if (w * sign([&](const auto& s) { return s.beyond(e, end, position(s)); }) > 0) return false;
     return true;
   }
 
@@ -224,20 +226,22 @@ class RootContacts {
            (meeting.kind != Meeting::Kind::vertex_on_facet || exists_at(meeting.vertex));
   }
 
-  /// What a meeting tells at a place that some of its features determine, and the space of the angle names by `source`;
-  /// nothing where they do not determine one (w = 0). No contact where not vanishes(): other features miss the place.
+  /// What a meeting tells at a position that some of its features determine, and the space of the angle names by
+  /// `source`; nothing where they do not determine one (w = 0). No contact where not vanishes(): other features miss
+  /// the position.
   template <class P, class F, class S>
-  std::optional<std::optional<SolidRotationContact>> contact_at(const Meeting& meeting, P place, F vanishes, S source) {
+  std::optional<std::optional<SolidRotationContact>> contact_at(const Meeting& meeting, P position, F vanishes,
+                                                                S source) {
     using Found = std::optional<SolidRotationContact>;
-    const NearPlace at = near(place(jets_));
-    if (surely_covered(at)) return Found();
-    const int w = sign([&](const auto& s) { return place(s).w; });
+    const NearPosition at = near(position(jets_));
+    if (provably_covered(at)) return Found();
+    const int w = sign([&](const auto& s) { return position(s).w; });
     if (w == 0) return std::nullopt;
     if (!vanishes()) return Found();
     for (const SumEdge& e : meeting.all_edges())
-      if (!on_edge(e, place, w)) return Found();
+      if (!on_edge(e, position, w)) return Found();
     for (const std::uint32_t f : meeting.all_facets())
-      if (!in_facet(f, place, w)) return Found();
+      if (!in_facet(f, position, w)) return Found();
     return free_contact(meeting, at, source);
   }
 
@@ -247,7 +251,7 @@ class RootContacts {
     const auto hangs_on = [&](const WindowFacet& f) {
       return std::any_of(f.unsure.begin(), f.unsure.end(), [&](const SlantCondition& d) {
         return d.op == c.op && d.triangle == c.triangle &&
-               std::minmax(d.way.from, d.way.to) == std::minmax(c.way.from, c.way.to);
+               std::minmax(d.direction.from, d.direction.to) == std::minmax(c.direction.from, c.direction.to);
       });
     };
     bool any = false;
@@ -258,8 +262,8 @@ class RootContacts {
     std::vector<Vec3> corners;
     double radius = 0;
     for (const std::uint32_t v : t)
-      for (const std::uint32_t w : {c.way.from, c.way.to}) {
-        const JetFrame::Vector at = jets_frame_.place(c.op, v) + jets_frame_.place(1 - c.op, w);
+      for (const std::uint32_t w : {c.direction.from, c.direction.to}) {
+        const JetFrame::Vector at = jets_frame_.position(c.op, v) + jets_frame_.position(1 - c.op, w);
         corners.push_back({at.x.value, at.y.value, at.z.value});
         radius = std::max({radius, at.x.reach(), at.y.reach(), at.z.reach()});
       }
@@ -270,7 +274,7 @@ class RootContacts {
     SolidRotationContact contact;
     contact.kind = meeting.kind;
     const std::uint32_t name = pair_.operand(c.op).face[c.triangle];
-    const SolidFeature face{SolidFeature::Kind::face, name, 0}, edge = edge_feature(c.way.from, c.way.to);
+    const SolidFeature face{SolidFeature::Kind::face, name, 0}, edge = edge_feature(c.direction.from, c.direction.to);
     contact.features = {c.op == 0 ? SolidContact{face, edge} : SolidContact{edge, face}};
     const Vec3 at = (1 / pair_.unit) * corners[0];
     contact.at = {at.x, at.y, at.z};
@@ -289,7 +293,7 @@ class RootContacts {
           });
       if (found) return *found;
     }
-    return std::nullopt;  // in both planes: it ends in the facets, or crosses borders of theirs
+    return std::nullopt;  // in both planes: it ends in the facets, or crosses facet edges of theirs
   }
 
   std::optional<SolidRotationContact> four_facets(const Meeting& meeting, bool known) {
@@ -311,56 +315,57 @@ class RootContacts {
           });
       if (found) return *found;
     }
-    return std::nullopt;  // all along a line, that ends in borders
+    return std::nullopt;  // all along a line, that ends in facet edges
   }
 
-  NearPlace near(const Jets::Place& place) const {
-    const JetFrame::Vector origin = jets_frame_.place(0, place.origin.p) + jets_frame_.place(1, place.origin.q);
-    NearPlace near{{origin.x.value, origin.y.value, origin.z.value}, 0, false};
-    const double w = std::abs(place.w.value), w_low = w - place.w.reach();
+  NearPosition near(const Jets::Position& position) const {
+    const JetFrame::Vector origin =
+        jets_frame_.position(0, position.origin.p) + jets_frame_.position(1, position.origin.q);
+    NearPosition near{{origin.x.value, origin.y.value, origin.z.value}, 0, false};
+    const double w = std::abs(position.w.value), w_low = w - position.w.reach();
     if (w_low <= 0) return near;
-    near.sure = true;
-    near.at = near.at + (1 / place.w.value) * Vec3{place.x.x.value, place.x.y.value, place.x.z.value};
+    near.proved = true;
+    near.at = near.at + (1 / position.w.value) * Vec3{position.x.x.value, position.x.y.value, position.x.z.value};
     for (const Jet* x : {&origin.x, &origin.y, &origin.z}) near.radius = std::max(near.radius, x->reach());
-    for (const Jet* x : {&place.x.x, &place.x.y, &place.x.z})
+    for (const Jet* x : {&position.x.x, &position.x.y, &position.x.z})
       near.radius =
-          std::max(near.radius, origin.x.reach() + (x->reach() + std::abs(x->value) * place.w.reach() / w) / w_low);
+          std::max(near.radius, origin.x.reach() + (x->reach() + std::abs(x->value) * position.w.reach() / w) / w_low);
     near.radius *= 2;
     return near;
   }
 
-  bool surely_covered(const NearPlace& place) {
-    if (!place.sure) return false;
-    if (!in_balls({place.at}, place.radius) && !surely_overlaps(place.at, place.radius)) return false;
+  bool provably_covered(const NearPosition& position) {
+    if (!position.proved) return false;
+    if (!in_balls({position.at}, position.radius) && !provably_overlaps(position.at, position.radius)) return false;
     ++work_.roots, ++work_.covered;
     return true;
   }
 
-  /// Whether a place lies in the open sum, exactly. Many meetings share one: each is tested once.
-  bool is_covered(const NearPlace& near, const PointSource& place) {
-    for (const TestedPlace& tested : tested_) {
+  /// Whether a position lies in the open sum, exactly. Many meetings share one: each is tested once.
+  bool is_covered(const NearPosition& near, const PointSource& position) {
+    for (const TestedPosition& tested : tested_) {
       const Vec3 d = near.at - tested.near.at;
       const double room = near.radius + tested.near.radius + 0x1p-40;  // and what doubles of size 4 are rounded by
       if (std::max({std::abs(d.x), std::abs(d.y), std::abs(d.z)}) > room) continue;
-      if (space_->same_point(place, tested.place)) return tested.covered;
+      if (space_->same_point(position, tested.position)) return tested.covered;
     }
     ++work_.exact_tests;
-    tested_.push_back({near, place, collision_->overlaps({place})});
+    tested_.push_back({near, position, collision_->overlaps({position})});
     return tested_.back().covered;
   }
 
   template <class F>
-  std::optional<SolidRotationContact> free_contact(const Meeting& meeting, NearPlace near, F source) {
+  std::optional<SolidRotationContact> free_contact(const Meeting& meeting, NearPosition near, F source) {
     ++work_.roots;
     space();
-    const PointSource place = source(*space_);
-    if (!near.sure) {
-      const Approx rounded = space_->approximate(place);  // in multiples of the grid, weighted
-      const double unit = std::ldexp(pair_.unit, pair_.pair.p_places.exponent),
+    const PointSource position = source(*space_);
+    if (!near.proved) {
+      const Approx rounded = space_->approximate(position);  // in multiples of the grid, weighted
+      const double unit = std::ldexp(pair_.unit, pair_.pair.p_positions.exponent),
                    weight = exact::to_double(exact_frame_.weight());
       near.at = unit * ((1 / weight) * rounded.at), near.radius = unit * (rounded.radius / weight);
     }
-    if (is_covered(near, place)) return std::nullopt;
+    if (is_covered(near, position)) return std::nullopt;
     SolidRotationContact contact;
     contact.kind = meeting.kind;
     contact.features = features(meeting);
@@ -378,15 +383,15 @@ class RootContacts {
     return all;
   }
 
-  bool in_balls(const std::vector<Vec3>& places, double radius) {
+  bool in_balls(const std::vector<Vec3>& positions, double radius) {
     const double margin = radius + 0x1p-36;
     for (const InnerBalls::Ball& a : turned_[0])
       for (const InnerBalls::Ball& b : turned_[1]) {
-        const Vec3 middle = a.middle + b.middle;
+        const Vec3 centre = a.centre + b.centre;
         const double within = a.radius + b.radius - margin;
         if (within <= 0) continue;
-        if (std::all_of(places.begin(), places.end(), [&](Vec3 x) {
-              const Vec3 d = x - middle;
+        if (std::all_of(positions.begin(), positions.end(), [&](Vec3 x) {
+              const Vec3 d = x - centre;
               return dot(d, d) < within * within;
             }))
           return true;
@@ -394,27 +399,27 @@ class RootContacts {
     return false;
   }
 
-  bool surely_overlaps(Vec3 at, double radius) {
+  bool provably_overlaps(Vec3 at, double radius) {
     if (!overlap_) {
-      std::array<std::vector<Vec3>, 2> places = pair_.places;
-      for (Vec3& v : places[pair_.turning]) v = jets_frame_.matrix() * v;
-      overlap_.emplace(pair_.pair.p, std::move(places[0]), pair_.pair.q, std::move(places[1]));
+      std::array<std::vector<Vec3>, 2> positions = pair_.positions;
+      for (Vec3& v : positions[pair_.turning]) v = jets_frame_.matrix() * v;
+      overlap_.emplace(pair_.pair.p, std::move(positions[0]), pair_.pair.q, std::move(positions[1]));
     }
     // Vertices are at most 2 long, and those that have rotated off by 2^-44 of that.
-    return overlap_->surfaces({at, 1, 2 * (radius + 0x1p-43)}) == SureOverlap::Answer::overlap;
+    return overlap_->surfaces({at, 1, 2 * (radius + 0x1p-43)}) == ProvedOverlap::Answer::overlap;
   }
 
   const SumSpace& space() {
     if (space_) return *space_;
-    std::array<std::vector<exact::Vector3<RootValue>>, 2> places;
+    std::array<std::vector<exact::Vector3<RootValue>>, 2> positions;
     int bits = 0;
     for (int op = 0; op < 2; ++op)
       for (std::uint32_t v = 0; v < pair_.operand(op).vertices.size(); ++v)
-        places[op].push_back(exact_frame_.placed(op, pair_.grid(op).place<exact::Big>(v), true));
+        positions[op].push_back(exact_frame_.placed(op, pair_.grid(op).position<exact::Big>(v), true));
     // A turned coordinate is at most twice a coordinate, times the weight.
     const double weight = exact::to_double(exact_frame_.weight());
-    bits = std::max(pair_.pair.p_places.bits, pair_.pair.q_places.bits) + 1 + std::ilogb(weight) + 1;
-    space_ = make_root_space(std::move(places[0]), std::move(places[1]), bits);
+    bits = std::max(pair_.pair.p_positions.bits, pair_.pair.q_positions.bits) + 1 + std::ilogb(weight) + 1;
+    space_ = make_root_space(std::move(positions[0]), std::move(positions[1]), bits);
     collision_.emplace(*space_, pair_.pair.p, pair_.pair.q);
     return *space_;
   }
@@ -429,21 +434,21 @@ class RootContacts {
   double radians_ = 0, reach_ = 0;
   JetFrame jets_frame_;
   FineFrame fine_frame_;
-  mutable std::optional<WideFrame> wide_frame_;  // made when it is asked for
+  mutable std::optional<WideFrame> wide_frame_;  // made when it is requested
   PolynomialFrame exact_frame_;
   Jets jets_;
   RotationSigns<FineFrame> fine_;
   Exact exact_;
   std::array<std::vector<InnerBalls::Ball>, 2> turned_;
-  std::optional<SureOverlap> overlap_;
+  std::optional<ProvedOverlap> overlap_;
   std::unique_ptr<SumSpace> space_;
   std::optional<Collision> collision_;
-  struct TestedPlace {
-    NearPlace near;
-    PointSource place;
+  struct TestedPosition {
+    NearPosition near;
+    PointSource position;
     bool covered = false;
   };
-  std::vector<TestedPlace> tested_;
+  std::vector<TestedPosition> tested_;
   mutable std::vector<std::int8_t> known_;  // per facet: exists, 0 not asked
 };
 
@@ -452,7 +457,7 @@ class RootContacts {
 PairOfBalls::PairOfBalls(const RotatingPair& pair) {
   for (int op = 0; op < 2; ++op) {
     balls[op] = inner_balls(pair.operand(op)).balls;
-    for (InnerBalls::Ball& b : balls[op]) b = {pair.unit * b.middle, pair.unit * b.radius * (1 - 0x1p-40) - 0x1p-40};
+    for (InnerBalls::Ball& b : balls[op]) b = {pair.unit * b.centre, pair.unit * b.radius * (1 - 0x1p-40) - 0x1p-40};
   }
 }
 

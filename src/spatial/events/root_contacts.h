@@ -1,4 +1,4 @@
-// What happens at one exact angle: which of the features that may meet there do, and whether the place is covered.
+// What happens at one exact angle: which of the features that may meet there do, and whether the position is covered.
 #pragma once
 
 #include <functional>

@@ -13,7 +13,7 @@ using exact::AlgebraicRoot;
 
 namespace {
 
-/// Whether a border of a facet runs inside a face of an operand, between triangles in one plane: it bounds nothing.
+/// Whether a edge of a facet runs inside a face of an operand, between triangles in one plane: it bounds nothing.
 bool is_inner(const RotatingPair& pair, const WindowFacet& f, int k) {
   if (f.facet.kind == SumFacet::Kind::edge_edge) return false;
   const int op = f.facet.kind == SumFacet::Kind::face_vertex ? 0 : 1;
@@ -25,7 +25,7 @@ bool is_inner(const RotatingPair& pair, const WindowFacet& f, int k) {
 /// In radians: windows of fewer are looked at in pairs of doubles.
 constexpr double kNarrowWindow = 0x1p-20;
 
-/// What does not happen in the window is told by signs in `Frame`.
+/// What does not happen in the window is determined by signs in `Frame`.
 template <class Frame>
 class Finder {
  public:
@@ -34,7 +34,7 @@ class Finder {
       : pair_(pair),
         w_(window),
         again_(again),
-        boxes_(pair, window.middle, window.half),
+        boxes_(pair, window.midpoint, window.half),
         frame_(frame),
         exact_frame_(pair, window.range.chart),
         jets_(frame_),
@@ -58,14 +58,14 @@ class Finder {
  private:
   using Jets = RotationSigns<Frame>;
   using SidedPlane = typename Jets::SidedPlane;
-  using Place = typename Jets::Place;
+  using Position = typename Jets::Position;
   using ExactPlane = RotationSigns<PolynomialFrame>::SidedPlane;
 
   void poll() {
     if (++since_ % 512 == 0) again_();
   }
 
-  /// What a form is made of, up to what stays the same at all angles: planes by their numbers.
+  /// What a form is made of, up to what stays the same at all angles: planes by their indices.
   using Key = std::array<std::uint32_t, 5>;
   void add(const FormRoot& root, const Meeting& meeting) { result_.meetings.push_back({root.angle, meeting}); }
 
@@ -81,7 +81,7 @@ class Finder {
     const WindowSlants slants(
         pair_, w_.facets,
         [&](const SlantCondition& c) {
-          return jets_.slant(c.op, pair_.operand(c.op).triangles[c.triangle], c.way).sign();
+          return jets_.slant(c.op, pair_.operand(c.op).triangles[c.triangle], c.direction).sign();
         },
         w_.range, roots_, again_);
     result_.parts = parts_of(slants, roots_.angles(), w_.range);
@@ -117,8 +117,8 @@ class Finder {
         if (facet.has_corner(v)) return;
         const SidedPlane plane = jets_.plane(facet.plane);
         if (jets_.side(plane, v).sign() != 0) return;
-        const auto inward = [&](int border) { return jets_.inward(plane.normal, facet.border(border)); };
-        if (surely_outside(jets_, facet, jets_.at(v), inward)) return;
+        const auto inward = [&](int facet_edge) { return jets_.inward(plane.normal, facet.facet_edge(facet_edge)); };
+        if (provably_outside(jets_, facet, jets_.at(v), inward)) return;
         Meeting meeting;
         meeting.kind = Meeting::Kind::vertex_on_facet, meeting.vertex = v, meeting.facets[0] = f;
         add_roots({1, v.p, v.q, w_.plane_of[f], 0}, meeting,
@@ -133,15 +133,16 @@ class Finder {
   void find_levels() {
     const TurnAxis& axis = pair_.circle.axis();
     const auto along = [&](int op, std::uint32_t v) {
-      const auto at = pair_.grid(op).place<exact::Big>(v);
+      const auto at = pair_.grid(op).position<exact::Big>(v);
       const auto by = [](std::int32_t c) { return exact::Big::from_int64(c); };
       return (by(axis[0]) * at.x + by(axis[1]) * at.y + by(axis[2]) * at.z).value();
     };
     for (const SumEdge& e : w_.graph.edges.all()) {
       const exact::BigInteger from = along(0, e.from.p) + along(1, e.from.q), to = along(0, e.to.p) + along(1, e.to.q);
       level_.push_back(from == to ? std::optional(from) : std::nullopt);
-      const Way way = way_of(e);
-      upright_.push_back(pair_.along_axis(way.of == Way::Of::p ? 0 : 1, way.from, way.to));
+      const DirectionSource direction = direction_of(e);
+      upright_.push_back(
+          pair_.along_axis(direction.of == DirectionSource::Of::p ? 0 : 1, direction.from, direction.to));
     }
   }
 
@@ -167,15 +168,15 @@ class Finder {
         poll();
         const SumEdge& b = edges[j];
         if (jets_.twist(a, b).sign() != 0) return;
-        const Place at = jets_.at(a, b);
-        if (surely_beyond(a, at) || surely_beyond(b, jets_.at(b, a))) return;
+        const Position at = jets_.at(a, b);
+        if (provably_beyond(a, at) || provably_beyond(b, jets_.at(b, a))) return;
         Meeting meeting;
         meeting.kind = Meeting::Kind::edge_on_edge, meeting.edges = {a, b};
         add_roots({2, i, j, 0, 0}, meeting, [&] { return roots_.of(exact_.twist(a, b).terms()); });
       });
     }
   }
-  bool surely_beyond(const SumEdge& e, const Place& at) const {
+  bool provably_beyond(const SumEdge& e, const Position& at) const {
     const int w = at.w.sign();
     return w != 0 && (jets_.beyond(e, e.from, at).sign() * w > 0 || jets_.beyond(e, e.to, at).sign() * w > 0);
   }
@@ -215,7 +216,7 @@ class Finder {
   Jets jets_;
   RotationSigns<PolynomialFrame> exact_;
   WindowRoots roots_;
-  std::vector<std::optional<ExactPlane>> exact_planes_;  // of facets, where they were asked for
+  std::vector<std::optional<ExactPlane>> exact_planes_;  // of facets, where they were requested
   WindowMeetings result_;
   std::map<Key, std::vector<FormRoot>> known_;
   std::vector<std::optional<exact::BigInteger>> level_;  // per edge, of those in a plane across the axis
@@ -253,8 +254,8 @@ RotationWindow::RotationWindow(const RotatingPair& pair, const GaussMaps& maps, 
     : range(given) {
   const double low = pair.circle.radians(range.chart, exact::round_to_double(range.low)),
                high = pair.circle.radians(range.chart, exact::round_to_double(range.high));
-  middle = (low + high) / 2, half = (high - low) / 2 * (1 + 0x1p-30) + 0x1p-45;
-  facets = maps.facets(middle, half);
+  midpoint = (low + high) / 2, half = (high - low) / 2 * (1 + 0x1p-30) + 0x1p-45;
+  facets = maps.facets(midpoint, half);
   std::vector<SumFacet> all;
   for (const WindowFacet& f : facets) all.push_back(f.facet);
   graph = FacetGraph(all);
@@ -272,7 +273,7 @@ WindowMeetings meetings_in(const RotatingPair& pair, const RotationWindow& windo
     const FineFrame fine(pair, window.range.chart, window.range.low, window.range.high);
     return Finder<FineFrame>(pair, window, fine, work, again).run();
   }
-  const JetFrame jets(pair, window.middle, window.half);
+  const JetFrame jets(pair, window.midpoint, window.half);
   return Finder<JetFrame>(pair, window, jets, work, again).run();
 }
 

@@ -37,7 +37,7 @@ struct RootMeeting {
 /// The facets of a window with what they are made of.
 struct RotationWindow {
   RotationRange range;
-  double middle = 0, half = 0;  ///< in radians
+  double midpoint = 0, half = 0;  ///< in radians
   std::vector<WindowFacet> facets;
   std::vector<std::uint32_t> plane_of;  ///< per facet: equal where planes are one at every angle, whatever their sides
   FacetGraph graph;

@@ -16,17 +16,17 @@ using exact::BigRational;
 
 namespace {
 
-/// Windows within which directions and places move by some part of an edge are cheapest.
+/// Windows within which directions and positions move by some part of an edge are cheapest.
 double window_of(const RotatingPair& pair) {
   double reach = 0, edges = 0;
   std::size_t count = 0;
   const TurnAxis& axis = pair.circle.axis();
   const double l = pair.circle.length();
   const Vec3 a{axis[0] / l, axis[1] / l, axis[2] / l};
-  for (const Vec3 v : pair.places[pair.turning]) reach = std::max(reach, length(cross(a, v)));
+  for (const Vec3 v : pair.positions[pair.turning]) reach = std::max(reach, length(cross(a, v)));
   for (int op = 0; op < 2; ++op)
     for (const Wedge& w : pair.operand(op).wedges)
-      edges += length(pair.places[op][w.to] - pair.places[op][w.from]), ++count;
+      edges += length(pair.positions[op][w.to] - pair.positions[op][w.from]), ++count;
   if (reach == 0 || count == 0) return 0.25;
   return std::clamp(0.06 * edges / static_cast<double>(count) / reach, 1e-4, 0.2);
 }
@@ -43,14 +43,14 @@ class RotationWalk {
                const Progress& progress)
       : of_(of), pair_(of.pair), options_(options), work_(work), progress_(progress) {
     stages_.tight = options.tight, stages_.threads = options.threads;
-    if (progress) stages_.progress = [this](std::string_view, double) { return progress_("events", share_); };
+    if (progress) stages_.progress = [this](std::string_view, double) { return progress_("events", fraction_); };
     step_ = options.window > 0 ? options.window : window_of(pair_);
   }
 
   void run(const RotationPath& path, const std::function<bool(SolidRotationEvent&)>& take) {
-    const ChartPlace &a = path.from, &b = path.to;
-    const TurnCircle& circle = pair_.circle;
-    const auto radians = [&](const ChartPlace& p) { return circle.radians(p.chart, exact::round_to_double(p.t)); };
+    const ChartPosition &a = path.from, &b = path.to;
+    const RotationCircle& circle = pair_.circle;
+    const auto radians = [&](const ChartPosition& p) { return circle.radians(p.chart, exact::round_to_double(p.t)); };
     constexpr double kTurn = 2 * std::numbers::pi;
     double all = radians(b) - radians(a);
     while (all < 0) all += kTurn;
@@ -58,18 +58,18 @@ class RotationWalk {
     if (a.chart == b.chart && a.t == b.t) all = path.whole ? kTurn : 0;
     // In t of a chart; angles turn by at most 2 |axis| as much. The walk begins a little before a.
     const double step = step_ / 2 / circle.length();
-    ChartPlace low{a.chart, dyadic(exact::round_to_double(a.t) - 0.3 * step, step)};
+    ChartPosition low{a.chart, dyadic(exact::round_to_double(a.t) - 0.3 * step, step)};
     double done = radians(low) - radians(a);
     for (bool first = true;; first = false) {
-      share_ = std::clamp(done / (all + step_), 0.0, 1.0);
-      ask();
+      fraction_ = std::clamp(done / (all + step_), 0.0, 1.0);
+      query();
       RotationRange range{low.chart, low.t, dyadic(exact::round_to_double(low.t) + step, step)};
       const std::optional<BigRational> to = seen_in(range.chart, b);
       const double ahead = to ? circle.radians(range.chart, exact::round_to_double(*to)) - radians(low) : 0;
-      // A turn or more may lead from a to b: the way that is left tells whether it ends here.
+      // A turn or more may lead from a to b: the way that is left determines whether it ends here.
       const auto ends = [&] { return to && *to >= range.low && *to < range.high && std::abs(done + ahead - all) < 1; };
       const auto wanted = [&] {
-        return Wanted{first ? std::optional(a.t) : std::nullopt, ends() ? to : std::nullopt, path.behind};
+        return Wanted{first ? std::optional(a.t) : std::nullopt, ends() ? to : std::nullopt, path.past};
       };
       std::vector<Angle> angles = angles_in(range, wanted());
       for (int k = 1; !angles.empty() && exact::compare(angles.back().root, range.high) == 0; ++k) {
@@ -100,22 +100,22 @@ class RotationWalk {
     bool wanted = false;  ///< others are known by their roots alone, to choose places between
     std::vector<SolidRotationContact> contacts;
   };
-  /// Which angles of a window are asked for: from `low` (open where `behind`) to `high`, where they are.
+  /// Which angles of a window are requested: from `low` (open where `past`) to `high`, where they are.
   struct Wanted {
     std::optional<BigRational> low, high;
-    bool behind = false;
+    bool past = false;
     bool holds(const AlgebraicRoot& root) const {
-      if (low && exact::compare(root, *low) < (behind ? 1 : 0)) return false;
+      if (low && exact::compare(root, *low) < (past ? 1 : 0)) return false;
       return !high || exact::compare(root, *high) <= 0;
     }
   };
 
-  void ask() {
-    if (progress_ && !progress_("events", share_)) throw Cancelled{};
+  void query() {
+    if (progress_ && !progress_("events", fraction_)) throw Cancelled{};
   }
 
-  /// A place's t in a chart; nothing for infinity.
-  std::optional<BigRational> seen_in(int chart, const ChartPlace& p) const {
+  /// A position's t in a chart; nothing for infinity.
+  std::optional<BigRational> seen_in(int chart, const ChartPosition& p) const {
     if (p.chart == chart) return p.t;
     if (p.t.is_zero()) return std::nullopt;
     return BigRational(-1 / (p.t * pair_.circle.square()));
@@ -134,7 +134,7 @@ class RotationWalk {
 
   std::vector<Angle> angles_in(const RotationRange& range, const Wanted& wanted) {
     const RotationWindow window(pair_, of_.maps, range);
-    const WindowMeetings found = meetings_in(pair_, window, work_, [this] { ask(); });
+    const WindowMeetings found = meetings_in(pair_, window, work_, [this] { query(); });
     if (!found.parts.empty()) return angles_in_parts(range, found.parts, wanted);
     std::vector<MeetingsAt> at(found.angles.size());
     for (const RootMeeting& m : found.meetings) at[m.angle].all.push_back(m.meeting);
@@ -144,7 +144,7 @@ class RotationWalk {
       at[a].crowded = found.cells.is_crowded(a);
       Angle angle{found.angles[a], wanted.holds(found.angles[a]), {}};
       if (angle.wanted)
-        angle.contacts = contacts_at(pair_, of_.balls, window, angle.root, at[a], work_, [this] { ask(); });
+        angle.contacts = contacts_at(pair_, of_.balls, window, angle.root, at[a], work_, [this] { query(); });
       if (!angle.wanted || !angle.contacts.empty()) angles.push_back(std::move(angle));
     }
     return angles;
@@ -184,20 +184,20 @@ class RotationWalk {
 
   void look(const RotationRange& range, const std::vector<Angle>& angles, std::size_t i, SolidRotationEvent& event) {
     const AlgebraicRoot& root = angles[i].root;
-    const auto place = [&](const AlgebraicRoot& a, const AlgebraicRoot& b) {
-      return ChartPlace{range.chart, exact::between(a, b)};
+    const auto position = [&](const AlgebraicRoot& a, const AlgebraicRoot& b) {
+      return ChartPosition{range.chart, exact::between(a, b)};
     };
-    if (!before_) before_ = shape(place(i == 0 ? AlgebraicRoot::rational(range.low) : angles[i - 1].root, root));
+    if (!before_) before_ = shape(position(i == 0 ? AlgebraicRoot::rational(range.low) : angles[i - 1].root, root));
     std::optional<SumShape> at;
-    if (event.parameter.exact) at = shape(pair_.circle.place(*event.parameter.exact));
+    if (event.parameter.exact) at = shape(pair_.circle.position(*event.parameter.exact));
     SumShape after =
-        shape(place(root, i + 1 < angles.size() ? angles[i + 1].root : AlgebraicRoot::rational(range.high)));
+        shape(position(root, i + 1 < angles.size() ? angles[i + 1].root : AlgebraicRoot::rational(range.high)));
     const ShapeChange change = change_of(*before_, at, after);
     event.visible = change.visible, event.topology = change.topology;
     before_ = std::move(after);
   }
 
-  SumShape shape(const ChartPlace& at) {
+  SumShape shape(const ChartPosition& at) {
     ++work_.sums;
     return shape_of(turned_sum(pair_, at, stages_), [&](const SolidContact& c) { return plane_name(pair_, c); });
   }
@@ -208,13 +208,13 @@ class RotationWalk {
   SolidRotationWork& work_;
   const Progress& progress_;
   SpatialOptions stages_;
-  double step_ = 0, share_ = 0;
+  double step_ = 0, fraction_ = 0;
   std::optional<SumShape> before_;
 };
 
 }  // namespace
 
-SpatialSum turned_sum(const RotatingPair& pair, const ChartPlace& at, const SpatialOptions& options) {
+SpatialSum turned_sum(const RotatingPair& pair, const ChartPosition& at, const SpatialOptions& options) {
   ExactPose turned = pair.circle.pose(at), still = ExactPose::of({});
   if (pair.turning == 1) std::swap(turned, still);
   return fresh_sum(pair.pair, posed_space(pair.pair, std::move(turned), std::move(still)), options);

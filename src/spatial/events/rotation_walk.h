@@ -17,11 +17,11 @@ struct RotatingFacets {
   PairOfBalls balls;
 };
 
-/// From a place of the circle to another one, both included unless `behind`: then not the first one. A whole turn from
-/// a place back to it where `whole`.
+/// From a position of the circle to another one, both included unless `past`: then not the first one. A whole turn from
+/// a position back to it where `whole`.
 struct RotationPath {
-  ChartPlace from, to;
-  bool behind = false, whole = false;
+  ChartPosition from, to;
+  bool past = false, whole = false;
 };
 
 /// Calls take(event) for the events of a path in order, until it says false. Throws Cancelled, and
@@ -30,7 +30,7 @@ void walk_angles(const RotatingFacets& of, const RotationPath& path, const Solid
                  SolidRotationWork& work, const Progress& progress,
                  const std::function<bool(SolidRotationEvent&)>& take);
 
-/// The exact sum at a place of the circle.
-SpatialSum turned_sum(const RotatingPair& pair, const ChartPlace& at, const SpatialOptions& options);
+/// The exact sum at a position of the circle.
+SpatialSum turned_sum(const RotatingPair& pair, const ChartPosition& at, const SpatialOptions& options);
 
 }  // namespace dymsum::spatial

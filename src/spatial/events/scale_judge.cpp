@@ -21,7 +21,7 @@ using Verdict = JudgedPoint::Verdict;
 
 struct FacetThere {
   std::uint32_t facet;
-  PlaceInFacet place;
+  PositionInFacet position;
 };
 
 Vec3 unit_normal(const MovingFacets& all, std::uint32_t f) {
@@ -37,7 +37,7 @@ bool are_parallel_planes(const MovingFacets& all, std::uint32_t f, std::uint32_t
 /// The facets through a point by the parts of them that it lies in.
 struct Gathering {
   std::vector<FacetThere> facets;
-  std::map<std::uint32_t, std::size_t> borders, corners;  // with their numbers of facets here
+  std::map<std::uint32_t, std::size_t> facet_edges, corners;  // with their numbers of facets here
   std::size_t insides = 0;
   bool parallel = false, coplanar_now = false;
 
@@ -46,8 +46,8 @@ struct Gathering {
     box.add(event.near.x);
     box.grow(2 * event.near.radius + all.span(event.near.s) * 0x1p-44);
     live.for_each(box, [&](std::uint32_t f) {
-      const PlaceInFacet place = place_in(all, f, event.at, event.near);
-      if (place.holds) facets.push_back({f, place});
+      const PositionInFacet position = position_in(all, f, event.at, event.near);
+      if (position.holds) facets.push_back({f, position});
     });
     std::sort(facets.begin(), facets.end(), [](const FacetThere& a, const FacetThere& b) { return a.facet < b.facet; });
     for (const FacetThere& there : facets) count(all, there);
@@ -62,31 +62,31 @@ struct Gathering {
   Kind kind() const {
     if (coplanar_now) return Kind::coplanar_facets;
     if (!corners.empty()) return Kind::vertex_on_facet;
-    return borders.size() > 1 ? Kind::edge_on_edge : Kind::four_facets;
+    return facet_edges.size() > 1 ? Kind::edge_on_edge : Kind::four_facets;
   }
 
-  /// A corner with all its facets on another one's inside, two borders with all theirs, a border on two facets, or four
-  /// facets; no two of them parallel.
+  /// A corner with all its facets on another one's inside, two facet edges with all theirs, a facet edge on two facets,
+  /// or four facets; no two of them parallel.
   bool is_general(const MovingFacets& all) const {
     if (parallel || corners.size() > 1) return false;
-    for (const auto& [border, here] : borders)
-      if (here < 2 || here != all.borders().around(border).size()) return false;
-    if (corners.empty()) return 2 * borders.size() + insides == 4;
+    for (const auto& [facet_edge, here] : facet_edges)
+      if (here < 2 || here != all.facet_edges().around(facet_edge).size()) return false;
+    if (corners.empty()) return 2 * facet_edges.size() + insides == 4;
     const auto& [corner, here] = *corners.begin();
-    return borders.empty() && insides == 1 && here == all.corners().around(corner).size();
+    return facet_edges.empty() && insides == 1 && here == all.corners().around(corner).size();
   }
 
  private:
   void count(const MovingFacets& all, const FacetThere& there) {
-    const int sides = std::popcount(there.place.on);
+    const int sides = std::popcount(there.position.on);
     if (sides == 0) {
       ++insides;
       return;
     }
     const int n = all.facets()[there.facet].corners;
     for (int k = 0; k < n; ++k) {
-      const bool here = (there.place.on >> k & 1) != 0, before = (there.place.on >> ((k + n - 1) % n) & 1) != 0;
-      if (sides == 1 && here) ++borders[all.borders().of(there.facet, k)];
+      const bool here = (there.position.on >> k & 1) != 0, before = (there.position.on >> ((k + n - 1) % n) & 1) != 0;
+      if (sides == 1 && here) ++facet_edges[all.facet_edges().of(there.facet, k)];
       if (sides == 2 && here && before) ++corners[all.corners().of(there.facet, k)];
     }
   }
@@ -94,14 +94,14 @@ struct Gathering {
 
 constexpr double kLeastFall = 0x1p-7;
 
-/// A unit vector that surely goes from the front of all these facets to their backs; nothing where there is none. The
+/// A unit vector that provably goes from the front of all these facets to their backs; nothing where there is none. The
 /// steepest one has the same fall at one, two or three of them.
-std::optional<Vec3> common_way_in(const MovingFacets& all, const std::vector<FacetThere>& facets) {
+std::optional<Vec3> common_direction_in(const MovingFacets& all, const std::vector<FacetThere>& facets) {
   std::vector<Vec3> n;
   for (const FacetThere& there : facets) n.push_back(unit_normal(all, there.facet));
   std::optional<Vec3> best;
   double least = kLeastFall;
-  const auto try_way = [&](Vec3 d) {
+  const auto try_direction = [&](Vec3 d) {
     const double size = length(d);
     if (size < 0x1p-30) return;
     for (const double s : {-1 / size, 1 / size}) {
@@ -112,30 +112,30 @@ std::optional<Vec3> common_way_in(const MovingFacets& all, const std::vector<Fac
   };
   const std::size_t most = std::min<std::size_t>(n.size(), 24);
   for (std::size_t i = 0; i < most; ++i) {
-    try_way(n[i]);
+    try_direction(n[i]);
     for (std::size_t j = i + 1; j < most; ++j) {
-      try_way(n[i] + n[j]);
-      for (std::size_t k = j + 1; k < most; ++k) try_way(cross(n[j] - n[i], n[k] - n[i]));
+      try_direction(n[i] + n[j]);
+      for (std::size_t k = j + 1; k < most; ++k) try_direction(cross(n[j] - n[i], n[k] - n[i]));
     }
   }
   return best;
 }
 
-/// Whether a facet surely misses the segment from x to y.
+/// Whether a facet provably misses the segment from x to y.
 bool misses(const MovingFacets& all, std::uint32_t f, Vec3 x, Vec3 y, double s, double room) {
   const PlaneRow& row = all.row(f);
   const Vec3 n = normal_of(row);
   const double a = dot(n, x) + row[3] * s - row[4], b = dot(n, y) + row[3] * s - row[4];
   if ((a > room && b > room) || (a < -room && b < -room)) return true;
-  Box facet, way;
+  Box facet, direction;
   const SumFacet& of = all.facets()[f];
   for (int k = 0; k < of.corners; ++k) facet.add(all.at(of.corner[k], s));
-  way.add(x), way.add(y);
-  way.grow(room);
-  return !overlap(facet, way);
+  direction.add(x), direction.add(y);
+  direction.grow(room);
+  return !overlap(facet, direction);
 }
 
-/// A place in front of all facets through the point, from which nothing lies between; nothing where others are too
+/// A position in front of all facets through the point, from which nothing lies between; nothing where others are too
 /// near.
 std::optional<Vec3> place_in_front(const MovingFacets& all, const LiveFacets& live,
                                    const std::vector<FacetThere>& facets, Vec3 in, const NearMeeting& at) {
@@ -165,7 +165,7 @@ JudgedPoint judge(const MovingFacets& all, const LiveFacets& live, const ScaledO
   const Gathering there(all, live, event);
   JudgedPoint result{Verdict::unknown, there.kind(), {}, there.is_general(all)};
   const NearMeeting& at = event.near;
-  if (const std::optional<Vec3> in = common_way_in(all, there.facets))
+  if (const std::optional<Vec3> in = common_direction_in(all, there.facets))
     if (const std::optional<Vec3> y = place_in_front(all, live, there.facets, *in, at))
       if (overlap.at(*y, at.s, 2 * at.radius, at.s_radius) == ScaledOverlap::Answer::apart)
         result.verdict = result.is_general ? Verdict::changes : Verdict::quiet;
@@ -189,7 +189,7 @@ PosedSpace space_at(const MovingFacets& all, const BigRational& s) {
 
 bool ExactJudge::has_room(const MovingFacets& all, const BigRational& s) {
   const auto longer = std::max(msb(numerator(s)), msb(denominator(s)));
-  return static_cast<int>(longer) + 1 + all.pair().p_places.bits <= kMostGridBits;
+  return static_cast<int>(longer) + 1 + all.pair().p_positions.bits <= kMostGridBits;
 }
 
 ExactJudge::ExactJudge(const MovingFacets& all, const BigRational& s)
@@ -203,26 +203,26 @@ JudgedPoint::Verdict ExactJudge::verdict(const ExactMeeting& at, const JudgedPoi
         exact::ratio(exact::Big(BigInteger((at.x[static_cast<std::size_t>(axis)] * space_.scale) << std::max(unit, 0))),
                      exact::Big(BigInteger(at.w << std::max(-unit, 0))));
   }
-  const std::optional<PointSource> place = space_.space->add_place(world);
-  if (!place) return Verdict::unknown;
-  if (collision_.overlaps({*place})) return Verdict::covered;
-  const std::optional<Flag> front = in_front_of_all(*place, judged.facets);
+  const std::optional<PointSource> position = space_.space->add_position(world);
+  if (!position) return Verdict::unknown;
+  if (collision_.overlaps({*position})) return Verdict::covered;
+  const std::optional<Flag> front = in_front_of_all(*position, judged.facets);
   if (!front || collision_.meets(*front)) return Verdict::unknown;
   return judged.is_general ? Verdict::changes : Verdict::quiet;
 }
 
-/// A flag at the place whose steps lead to the front of all these facets, off all of them. Where such ways are a cone
-/// with an inside, one of its rays is either the normal of a facet or runs along two of their planes, and a step from
-/// there off both of these is in it.
-std::optional<Flag> ExactJudge::in_front_of_all(const PointSource& place, std::span<const std::uint32_t> facets) {
+/// A flag at the position whose steps lead to the front of all these facets, off all of them. Where such ways are a
+/// cone with an inside, one of its rays is either the normal of a facet or runs along two of their planes, and a step
+/// from there off both of these is in it.
+std::optional<Flag> ExactJudge::in_front_of_all(const PointSource& position, std::span<const std::uint32_t> facets) {
   std::vector<PlaneSource> sources;
   for (const std::uint32_t f : facets) sources.push_back(all_.convolution().planes[f]);
   SumSpace& space = *space_.space;
   const PlaneId first = space.add_planes(sources);
-  const auto surely_behind = [&](Vec3 way) {
+  const auto provably_after = [&](Vec3 direction) {
     return std::any_of(sources.begin(), sources.end(), [&](const PlaneSource& source) {
       const auto k = static_cast<PlaneId>(&source - sources.data());
-      return dot(space.plane(first + k).n, way) < -0x1p-40;
+      return dot(space.plane(first + k).n, direction) < -0x1p-40;
     });
   };
   const auto is_in_front = [&](const Flag& flag) {
@@ -231,14 +231,14 @@ std::optional<Flag> ExactJudge::in_front_of_all(const PointSource& place, std::s
   };
   const auto count = static_cast<PlaneId>(sources.size());
   for (PlaneId i = 0; i < count; ++i) {
-    const Flag flag{place, first + i, 0, 0, 0, 1};
-    if (!surely_behind(space.plane(first + i).n) && is_in_front(flag)) return flag;
+    const Flag flag{position, first + i, 0, 0, 0, 1};
+    if (!provably_after(space.plane(first + i).n) && is_in_front(flag)) return flag;
   }
   // Against n x n_cut, then to the left of that, which is to the front of `cut`, then off the plane.
   for (PlaneId i = 0; i < count; ++i)
     for (PlaneId k = 0; k < count; ++k) {
-      if (i == k || surely_behind(cross(space.plane(first + k).n, space.plane(first + i).n))) continue;
-      const Flag flag{place, first + i, first + k, -1, 1, 1};
+      if (i == k || provably_after(cross(space.plane(first + k).n, space.plane(first + i).n))) continue;
+      const Flag flag{position, first + i, first + k, -1, 1, 1};
       if (is_in_front(flag)) return flag;
     }
   return std::nullopt;

@@ -1,5 +1,5 @@
 // What happens at a point where facets meet while an operand scales: whether the sum changes there, as the facets
-// through it tell, by doubles and, where these do not tell, exactly.
+// through it decide, by doubles and, where these do not decide, exactly.
 #pragma once
 
 #include "dymsum/event.h"
@@ -27,7 +27,7 @@ JudgedPoint judge(const MovingFacets& all, const LiveFacets& live, const ScaledO
 
 /// What doubles do not tell of the points at one scale: whether they lie in the open sum, and whether what is in front
 /// of all facets through them is outside. The solids at that scale, for collision tests. Immutable but for the planes
-/// and places that it is asked about.
+/// and positions that it is queried.
 class ExactJudge {
  public:
   /// Whether coordinates at this scale are within the bits of a space.
@@ -40,7 +40,7 @@ class ExactJudge {
   JudgedPoint::Verdict verdict(const ExactMeeting& at, const JudgedPoint& judged);
 
  private:
-  std::optional<Flag> in_front_of_all(const PointSource& place, std::span<const std::uint32_t> facets);
+  std::optional<Flag> in_front_of_all(const PointSource& position, std::span<const std::uint32_t> facets);
 
   const MovingFacets& all_;
   PosedSpace space_;

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <numeric>
 #include <stdexcept>
+#include <string>
 
 #include "base/stopwatch.h"
 #include "spatial/events/plane_names.h"
@@ -13,7 +14,7 @@
 
 namespace dymsum {
 
-using spatial::ChartPlace;
+using spatial::ChartPosition;
 
 class SolidRotationEvents::State {
  public:
@@ -23,12 +24,12 @@ class SolidRotationEvents::State {
   }
 
   /// Runs a walk; errors as events().
-  Result<bool> walk(const AxisTurn& a, const AxisTurn& b, bool behind, bool whole, const Progress& progress,
+  Result<bool> walk(const AxisTurn& a, const AxisTurn& b, bool after, bool whole, const Progress& progress,
                     const SolidRotationOptions& how, const std::function<bool(SolidRotationEvent&)>& take) {
     work = {};
     const Stopwatch watch;
     Result<bool> made = spatial::guarded([&] {
-      const spatial::RotationPath path{pair.circle.place(a), pair.circle.place(b), behind, whole};
+      const spatial::RotationPath path{pair.circle.position(a), pair.circle.position(b), after, whole};
       spatial::walk_angles(near, path, how, work, progress, [&](SolidRotationEvent& e) {
         if (moved) move_back(e);
         return take(e);
@@ -74,11 +75,11 @@ class SolidRotationEvents::State {
   /// Contacts to where they are of the given operands.
   void move_back(SolidRotationEvent& event) const {
     const spatial::JetFrame frame(pair, event.approx, 0);
-    const auto way = [&](int op) {  // of any vertex, which is moved as all are
+    const auto direction = [&](int op) {  // of any vertex, which is moved as all are
       const Point3 &from = near.pair.operand(op).vertices[0], &to = pair.operand(op).vertices[0];
       return spatial::Vec3{to.x - from.x, to.y - from.y, to.z - from.z};
     };
-    const spatial::Vec3 by = frame.matrix() * way(pair.turning) + way(1 - pair.turning);
+    const spatial::Vec3 by = frame.matrix() * direction(pair.turning) + direction(1 - pair.turning);
     for (SolidRotationContact& contact : event.contacts)
       contact.at = {contact.at.x + by.x, contact.at.y + by.y, contact.at.z + by.z};
   }
@@ -108,7 +109,8 @@ std::optional<Error> refusal(const Mesh& p, const Mesh& q, const TurnAxis& axis,
   if (axis == TurnAxis{}) return Error{ErrorCode::bad_rotation, "the axis is zero", {}};
   for (const std::int32_t a : axis)
     if (a < -(1 << 15) || a > 1 << 15) return Error{ErrorCode::bad_rotation, "the axis is longer than 2^15", {}};
-  if (options.threads < 0) return Error{ErrorCode::out_of_range, "the number of threads is negative", {}};
+  if (options.threads < 0)
+    return Error{ErrorCode::out_of_range, "threads must be at least 0, not " + std::to_string(options.threads), {}};
   if (!(options.window >= 0 && options.window <= 1))
     return Error{ErrorCode::out_of_range, "windows are between 0 and 1 radian wide", {}};
   if (p.empty() || q.empty() || p.has_thin_parts() || q.has_thin_parts())
@@ -127,7 +129,8 @@ Result<SolidRotationEvents> SolidRotationEvents::create(const Mesh& p, const Mes
       std::make_unique<State>(p, q, TurnAxis{axis[0] / divisor, axis[1] / divisor, axis[2] / divisor}, options);
   int square_bits = 0;
   while ((std::int64_t{1} << square_bits) < state->pair.circle.square()) ++square_bits;
-  if (std::max(state->near.pair.pair.p_places.bits, state->near.pair.pair.q_places.bits) + 2 * square_bits > kMostBits)
+  if (std::max(state->near.pair.pair.p_positions.bits, state->near.pair.pair.q_positions.bits) + 2 * square_bits >
+      kMostBits)
     return Error{ErrorCode::unsupported_operand,
                  "coordinates on their common grid, with the square of the axis twice, need more than 140 bits",
                  {}};
@@ -145,7 +148,8 @@ const SolidRotationWork& SolidRotationEvents::work() const { return state_->work
 Result<SpatialSum> SolidRotationEvents::at(const AxisTurn& turn, const Progress& progress) const {
   SpatialOptions stages = state_->stages;
   stages.progress = progress;
-  return spatial::guarded([&] { return spatial::turned_sum(state_->pair, state_->pair.circle.place(turn), stages); });
+  return spatial::guarded(
+      [&] { return spatial::turned_sum(state_->pair, state_->pair.circle.position(turn), stages); });
 }
 
 std::uint64_t SolidRotationEvents::combinatorial_hash(const SpatialSum& sum) const {

@@ -4,6 +4,7 @@
 #include <map>
 #include <mutex>
 #include <span>
+#include <string>
 #include <utility>
 
 #include "exact/rational_order.h"
@@ -23,7 +24,8 @@ using namespace spatial;
 namespace {
 
 std::optional<Error> refused(const Mesh& p, const Mesh& q, const SolidScaleOptions& options) {
-  if (options.threads < 0) return Error{ErrorCode::out_of_range, "the number of threads is negative", {}};
+  if (options.threads < 0)
+    return Error{ErrorCode::out_of_range, "threads must be at least 0, not " + std::to_string(options.threads), {}};
   if (p.has_thin_parts() || q.has_thin_parts())
     return Error{ErrorCode::unsupported_operand, "an operand of a scaling sum of solids has parts without volume", {}};
   return std::nullopt;
@@ -55,7 +57,7 @@ std::vector<std::size_t> first_of_each(const std::vector<JudgedScale>& judged) {
   return first;
 }
 
-/// Decides what doubles left unknown at one scale, as far as the points there tell.
+/// Decides what doubles left unknown at one scale, as far as the points there decide.
 void judge_exactly(const MovingFacets& all, std::span<JudgedScale> points) {
   std::optional<ExactJudge> judge;
   for (JudgedScale& point : points) {
@@ -73,10 +75,10 @@ std::vector<JudgedScale> judged_points(const MovingFacets& all, const ScaledOver
   std::vector<std::vector<JudgedScale>> parts(ends.size() - 1);
   std::mutex counting;
   watch.run(parts.size(), [&](std::size_t k) {
-    const auto ask = [&] { watch.ask_within_part(static_cast<double>(k) / static_cast<double>(parts.size())); };
-    Meetings found = find_meetings(all, overlap, ends[k], ends[k + 1], ask);
+    const auto query = [&] { watch.query_within_part(static_cast<double>(k) / static_cast<double>(parts.size())); };
+    Meetings found = find_meetings(all, overlap, ends[k], ends[k + 1], query);
     for (MeetingEvent& event : found.points) {
-      ask();
+      query();
       JudgedPoint judged = judge(all, found.facets, overlap, event);
       BigRational s = event.at.scale();
       parts[k].push_back({std::move(event.at), std::move(s), event.near.s, event.near.s_radius, std::move(judged)});
@@ -90,7 +92,7 @@ std::vector<JudgedScale> judged_points(const MovingFacets& all, const ScaledOver
   watch.sort(judged, is_before);
   const std::vector<std::size_t> first = first_of_each(judged);
   watch.run(first.size() - 1, [&](std::size_t k) {
-    watch.ask_within_part(static_cast<double>(k) / static_cast<double>(first.size()));
+    watch.query_within_part(static_cast<double>(k) / static_cast<double>(first.size()));
     judge_exactly(all, std::span(judged).subspan(first[k], first[k + 1] - first[k]));
   });
   return judged;
@@ -100,8 +102,8 @@ std::vector<JudgedScale> judged_points(const MovingFacets& all, const ScaledOver
 struct ScaleOfInterest {
   BigRational s;
   EventKind kind = EventKind::vertex_on_facet;
-  bool changes = false;           ///< surely
-  bool unknown = false;           ///< sums have to be compared, unless it surely changes
+  bool changes = false;           ///< provably
+  bool unknown = false;           ///< sums have to be compared, unless it provably changes
   bool unknown_topology = false;  ///< in any case
 
   bool has_to_be_compared() const { return unknown_topology || (unknown && !changes); }
@@ -182,7 +184,7 @@ SolidScaleEvents::State::Shapes SolidScaleEvents::State::shapes_at(const std::ve
   std::vector<SumShape> found(scales.size());
   watch.run(scales.size(), [&](std::size_t k) {
     found[k] = shape_of_sum(*facets_, computed_scale(scales[k]), [&](std::string_view, double) {
-      watch.ask_within_part(static_cast<double>(k) / static_cast<double>(scales.size()));
+      watch.query_within_part(static_cast<double>(k) / static_cast<double>(scales.size()));
       return true;
     });
   });
@@ -195,9 +197,9 @@ std::vector<ScaleEvent> SolidScaleEvents::State::events(const BigRational& a, co
                                                         const Progress& progress, SolidEventWork& work) const {
   if (!facets_) return {};
   SpatialStats stats;
-  SpatialOptions asked = stages_;
-  asked.progress = progress;
-  StageWatch watch(asked, stats);
+  SpatialOptions queried = stages_;
+  queried.progress = progress;
+  StageWatch watch(queried, stats);
   watch.begin("events");
   const double low = exact::round_to_double(a) * (1 - kBeside), high = exact::round_to_double(b) * (1 + kBeside);
   const std::vector<ScaleOfInterest> values = scales_of_interest(*facets_, *overlap_, low, high, work, watch);
@@ -210,9 +212,9 @@ std::vector<ScaleEvent> SolidScaleEvents::State::events(const BigRational& a, co
   }
   watch.begin("sums");
   std::vector<BigRational> wanted;
-  const auto is_asked = [&](const ScaleOfInterest& v) { return v.s >= a && v.s <= b; };
+  const auto is_queried = [&](const ScaleOfInterest& v) { return v.s >= a && v.s <= b; };
   for (std::size_t k = 0; k < values.size(); ++k)
-    if (values[k].has_to_be_compared() && is_asked(values[k]))
+    if (values[k].has_to_be_compared() && is_queried(values[k]))
       for (const BigRational& s : {between[k], values[k].s, between[k + 1]})
         if (wanted.empty() || wanted.back() < s) wanted.push_back(s);
   const Shapes shapes = shapes_at(wanted, watch);
@@ -220,7 +222,7 @@ std::vector<ScaleEvent> SolidScaleEvents::State::events(const BigRational& a, co
   std::vector<ScaleEvent> events;
   for (std::size_t k = 0; k < values.size(); ++k) {
     const ScaleOfInterest& v = values[k];
-    if (!is_asked(v)) continue;
+    if (!is_queried(v)) continue;
     ShapeChange change{v.changes, false};
     if (v.has_to_be_compared()) {
       change = change_of(shapes.at(between[k]), shapes.at(v.s), shapes.at(between[k + 1]));

@@ -6,12 +6,12 @@ namespace dymsum::spatial {
 
 namespace {
 
-Way::Of of_operand(int op) { return op == 0 ? Way::Of::p : Way::Of::q; }
+DirectionSource::Of of_operand(int op) { return op == 0 ? DirectionSource::Of::p : DirectionSource::Of::q; }
 Vec3 unit_of(Vec3 v) { return (1 / length(v)) * v; }
 
-/// The unit vector along u x v within 2^-32, or zero, which excludes nothing, where that is not certain: the product
+/// The unit vector along u x v within 2^-32, or zero, which excludes nothing, where that is not proved: the product
 /// errs by 2^-50 of the sizes of u and v.
-Vec3 surely_unit(Vec3 u, Vec3 v) {
+Vec3 provably_unit(Vec3 u, Vec3 v) {
   const Vec3 n = cross(u, v);
   return length(n) < length(u) * length(v) * 0x1p-16 ? Vec3{} : unit_of(n);
 }
@@ -27,9 +27,9 @@ Box box_of(const WindowFacet& f, const JetFrame& frame) {
 GaussMaps::GaussMaps(const RotatingPair& pair) : pair_(pair) {
   for (int op = 0; op < 2; ++op) {
     const SolidOperand& solid = pair.operand(op);
-    const std::vector<Vec3>& at = pair.places[op];
+    const std::vector<Vec3>& at = pair.positions[op];
     for (const Triangle& t : solid.triangles)
-      sides_[op].normals.push_back(surely_unit(at[t[1]] - at[t[0]], at[t[2]] - at[t[0]]));
+      sides_[op].normals.push_back(provably_unit(at[t[1]] - at[t[0]], at[t[2]] - at[t[0]]));
     for (std::uint32_t w = 0; w < solid.wedges.size(); ++w) {
       if (solid.wedges[w].bend != Wedge::Bend::convex) continue;
       sides_[op].convex.push_back(w);
@@ -43,8 +43,8 @@ GaussMaps::GaussMaps(const RotatingPair& pair) : pair_(pair) {
 }
 
 // Directions turn by at most `half`, so products of unit vectors change by no more.
-std::vector<WindowFacet> GaussMaps::facets(double middle, double half) const {
-  const JetFrame frame(pair_, middle, half);
+std::vector<WindowFacet> GaussMaps::facets(double midpoint, double half) const {
+  const JetFrame frame(pair_, midpoint, half);
   const double margin = half * (1 + 0x1p-20) + 0x1p-30;
   std::vector<WindowFacet> facets;
   for (int op = 0; op < 2; ++op) add_face_vertex(op, frame, margin, facets);
@@ -60,19 +60,19 @@ void GaussMaps::add_face_vertex(int op, const JetFrame& frame, double margin, st
   for (std::uint32_t t = 0; t < faces.triangles.size(); ++t) {
     const Vec3 n = turned(op, frame.matrix(), sides_[op].normals[t]);
     for (const SupportCone& cone : vertices.cones) {
-      bool excluded = false, sure = true;
+      bool excluded = false, proved = true;
       for (std::uint32_t k = cone.first; k < cone.last && !excluded; ++k) {
         const double slant = dot(n, rays[k]);
-        excluded = slant > margin, sure = sure && slant < -margin;
+        excluded = slant > margin, proved = proved && slant < -margin;
       }
       if (excluded) continue;
       WindowFacet facet;
       facet.facet = face_vertex_facet(of_operand(op), faces, t, cone.vertex);
       facet.plane = plane_of(facet.facet);
-      for (std::uint32_t k = cone.first; k < cone.last && !sure; ++k)
+      for (std::uint32_t k = cone.first; k < cone.last && !proved; ++k)
         if (!(dot(n, rays[k]) < -margin))
           facet.unsure.push_back(
-              {static_cast<std::int8_t>(op), 1, t, Way{of_operand(1 - op), cone.vertex, vertices.rays[k]}});
+              {static_cast<std::int8_t>(op), 1, t, DirectionSource{of_operand(1 - op), cone.vertex, vertices.rays[k]}});
       facets.push_back(std::move(facet));
     }
   }
@@ -101,10 +101,11 @@ void GaussMaps::add_edge_edge(const JetFrame& frame, double margin, std::vector<
         // s (g . e_left) >= 0 >= s (g . e_right), s (e . g_left) <= 0 <= s (e . g_right): facet_rule.h.
         const double up[4] = {-s * a, s * b, s * c, -s * d};
         if (up[0] > margin || up[1] > margin || up[2] > margin || up[3] > margin) continue;
-        const SlantCondition all[4] = {{0, static_cast<std::int8_t>(-s), e.left, {Way::Of::q, g.from, g.to}},
-                                       {0, static_cast<std::int8_t>(s), e.right, {Way::Of::q, g.from, g.to}},
-                                       {1, static_cast<std::int8_t>(s), g.left, {Way::Of::p, e.from, e.to}},
-                                       {1, static_cast<std::int8_t>(-s), g.right, {Way::Of::p, e.from, e.to}}};
+        const SlantCondition all[4] = {
+            {0, static_cast<std::int8_t>(-s), e.left, {DirectionSource::Of::q, g.from, g.to}},
+            {0, static_cast<std::int8_t>(s), e.right, {DirectionSource::Of::q, g.from, g.to}},
+            {1, static_cast<std::int8_t>(s), g.left, {DirectionSource::Of::p, e.from, e.to}},
+            {1, static_cast<std::int8_t>(-s), g.right, {DirectionSource::Of::p, e.from, e.to}}};
         WindowFacet facet;
         facet.facet = edge_edge_facet(p, q, we, wg, s);
         facet.plane = plane_of(facet.facet);

@@ -14,7 +14,7 @@ namespace dymsum::spatial {
 struct SlantCondition {
   std::int8_t op = 0, sense = 1;
   std::uint32_t triangle = 0;
-  Way way;
+  DirectionSource direction;
 };
 
 struct WindowFacet {
@@ -23,7 +23,7 @@ struct WindowFacet {
   std::vector<SlantCondition> unsure;  ///< hold at some angles of the window perhaps; others do at all
   Box box;                             ///< of the facet at all angles, in units
 
-  SumEdge border(int k) const { return border_of(facet, k); }
+  SumEdge facet_edge(int k) const { return facet_edge_of(facet, k); }
   bool has_corner(SumPoint v) const { return spatial::has_corner(facet, v); }
 };
 
@@ -31,8 +31,8 @@ struct WindowFacet {
 class GaussMaps {
  public:
   explicit GaussMaps(const RotatingPair& pair);
-  /// All facets whose closed conditions hold at some angle within `half` of `middle`, and perhaps some more.
-  std::vector<WindowFacet> facets(double middle, double half) const;
+  /// All facets whose closed conditions hold at some angle within `half` of `midpoint`, and perhaps some more.
+  std::vector<WindowFacet> facets(double midpoint, double half) const;
 
  private:
   struct Side {

@@ -12,7 +12,7 @@ namespace dymsum::spatial {
 using exact::AlgebraicRoot;
 using exact::Polynomial;
 
-WindowRoots::WindowRoots(const TurnCircle& circle, const RotationRange& range, SolidRotationWork& work)
+WindowRoots::WindowRoots(const RotationCircle& circle, const RotationRange& range, SolidRotationWork& work)
     : circle_(circle), range_(range), work_(work) {
   low_ = std::nextafter(exact::double_bounds(range.low).first, -std::numeric_limits<double>::infinity());
   high_ = exact::double_bounds(range.high).second;
@@ -36,8 +36,8 @@ const std::vector<FormRoot>& WindowRoots::of(const Polynomial& p) {
   return at->second;
 }
 
-/// By the value in the middle and a bound of all slopes. Coefficients are within 2^-51, products of powers and sums of
-/// at most a dozen of them within 2^-48 of the sum of their sizes.
+/// By the value in the midpoint and a bound of all slopes. Coefficients are within 2^-51, products of powers and sums
+/// of at most a dozen of them within 2^-48 of the sum of their sizes.
 bool WindowRoots::has_none(const exact::Terms& form) const {
   std::vector<exact::BinaryParts> parts;
   int top = std::numeric_limits<int>::min();
@@ -45,12 +45,12 @@ bool WindowRoots::has_none(const exact::Terms& form) const {
     parts.push_back(exact::binary_parts(exact::Big(c)));
     if (!parts.back().is_zero()) top = std::max(top, parts.back().exponent);
   }
-  const double middle = low_ + (high_ - low_) / 2, half = std::max(high_ - middle, middle - low_),
+  const double midpoint = low_ + (high_ - low_) / 2, half = std::max(high_ - midpoint, midpoint - low_),
                most = std::max(std::abs(low_), std::abs(high_));
   double value = 0, size = 0, slope = 0;
   for (std::size_t k = parts.size(); k-- > 0;) {
     const double c = parts[k].is_zero() ? 0 : parts[k].scaled(-top);
-    value = value * middle + c;
+    value = value * midpoint + c;
     size = size * most + std::abs(c);
     if (k > 0) slope = slope * most + static_cast<double>(k) * std::abs(c);
   }
@@ -88,10 +88,10 @@ std::vector<FormRoot> WindowRoots::find(const Polynomial& p) {
 std::uint32_t RootOrder::add(const AlgebraicRoot& root) {
   std::size_t low = 0, high = ascending_.size();
   while (low < high) {
-    const std::size_t middle = (low + high) / 2;
-    const int order = exact::compare(root, roots_[ascending_[middle]]);
-    if (order == 0) return ascending_[middle];
-    (order < 0 ? high : low) = order < 0 ? middle : middle + 1;
+    const std::size_t midpoint = (low + high) / 2;
+    const int order = exact::compare(root, roots_[ascending_[midpoint]]);
+    if (order == 0) return ascending_[midpoint];
+    (order < 0 ? high : low) = order < 0 ? midpoint : midpoint + 1;
   }
   const auto index = static_cast<std::uint32_t>(roots_.size());
   roots_.push_back(root);

@@ -40,14 +40,14 @@ struct FormRoot {
 
 class WindowRoots {
  public:
-  WindowRoots(const TurnCircle& circle, const RotationRange& range, SolidRotationWork& work);
+  WindowRoots(const RotationCircle& circle, const RotationRange& range, SolidRotationWork& work);
 
   /// A form of turned vectors as a primitive polynomial in t: a positive multiple of it, factors 1 + |axis|^2 t^2 left
   /// out.
   exact::Polynomial polynomial(exact::Terms form) const;
   /// Its distinct roots in the window, ascending; none where it vanishes at all angles. Many forms have one polynomial.
   const std::vector<FormRoot>& of(const exact::Polynomial& p);
-  /// The same, without a polynomial where doubles tell that it has no root but 0. What coincides at rest has forms that
+  /// The same, without a polynomial where doubles show that it has no root but 0. What coincides at rest has forms that
   /// vanish there, many of them twice.
   std::vector<FormRoot> of(exact::Terms form);
   RootOrder& angles() { return angles_; }
@@ -55,7 +55,7 @@ class WindowRoots {
  private:
   std::vector<FormRoot> find(const exact::Polynomial& p);
   bool has_none(const exact::Terms& form) const;
-  const TurnCircle& circle_;
+  const RotationCircle& circle_;
   const RotationRange& range_;
   SolidRotationWork& work_;
   double low_ = 0, high_ = 0;  // just around the window

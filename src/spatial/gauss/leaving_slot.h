@@ -37,8 +37,8 @@ template <class Value, class Sign>
 
 /// An arc that enters the cell of vertex v of `other` and does not end there leaves it across the arc of the half-edge
 /// from v whose left face lies on the left of the arc's circle and whose right face lies on its right: the circle
-/// crosses the border of a convex cell once outwards. Its slot in the ring. `value(slot)` is, within `error`, on which
-/// side the face on the left of a slot lies, its product with `along`; `sign(slot)` says it exactly.
+/// crosses the boundary of a convex cell once outwards. Its slot in the ring. `value(slot)` is, within `error`, on
+/// which side the face on the left of a slot lies, its product with `along`; `sign(slot)` says it exactly.
 template <class Value, class Sign>
 std::uint32_t leaving_slot(const Polytope& other, std::uint32_t v, Vec3 along, double error, const Value& value,
                            const Sign& sign) {

@@ -68,8 +68,8 @@ void Overlay::make_levels() {
   levels_.push_back(static_cast<std::uint32_t>(visits.size()));
 }
 
-/// Doubles cannot tell whether an edge rises: any that does will do. The vertex it leads to, or v itself, which is then
-/// extreme.
+/// Doubles cannot determine whether an edge rises: any that does will do. The vertex it leads to, or v itself, which is
+/// then extreme.
 std::uint32_t Overlay::step_near_zero(int op, std::uint32_t f, std::uint32_t v) {
   const Polytope& other = poly(1 - op);
   std::uint32_t to = v;
@@ -80,7 +80,7 @@ std::uint32_t Overlay::step_near_zero(int op, std::uint32_t f, std::uint32_t v) 
   return to;
 }
 
-/// Of a vertex of many edges: the product of the steepest one with `row`, and its place in the rings. Where all fall
+/// Of a vertex of many edges: the product of the steepest one with `row`, and its position in the rings. Where all fall
 /// something at least as large, see RingBounds.
 Overlay::Steepest Overlay::steepest_of_many(int op, std::uint32_t v, Vec3 row) const {
   const Polytope& other = poly(1 - op);

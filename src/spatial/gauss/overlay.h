@@ -95,9 +95,9 @@ class Overlay {
   /// The operand whose faces and crossings have certificates.
   int walker() const { return walker_; }
   /// Whether doubles prove that all edges at the extreme vertex of face f of the walker truly fall.
-  bool surely_extreme(std::uint32_t f) const { return vertex_until_[walker_][f] > clock_ || fall_in_doubles(f); }
+  bool provably_extreme(std::uint32_t f) const { return vertex_until_[walker_][f] > clock_ || fall_in_doubles(f); }
   /// Whether doubles prove that the circle of the walker's edge truly passes between the two faces at the other one.
-  bool surely_crosses(std::uint32_t id) const { return crossing_until_[id] > clock_ || passes_in_doubles(id); }
+  bool provably_crosses(std::uint32_t id) const { return crossing_until_[id] > clock_ || passes_in_doubles(id); }
 
   const OverlayWork& work() const { return work_; }
   /// Of the last update or build: faces (operand, face) with another extreme vertex, and crossings that are new. Ids
@@ -161,7 +161,7 @@ class Overlay {
   void follow_pairs(std::span<const std::uint32_t> faces);
   void break_arcs_of(std::uint32_t f, std::uint32_t g);
   void keep_pairs();
-  void mend_new_pairs();
+  void repair_new_pairs();
   // From nothing.
   void clear_crossings();
   void walk(std::uint32_t e);
@@ -172,8 +172,8 @@ class Overlay {
   void correct_vertices();
   void check_crossings();
   void break_arc(std::uint32_t e, std::uint32_t by);
-  void mend_broken();
-  void mend_arc(std::uint32_t e);
+  void repair_broken();
+  void repair_arc(std::uint32_t e);
   std::uint32_t add_crossing(std::uint32_t e, HalfEdge over);
   void remove_crossing(std::uint32_t id);
   double slack(HalfEdge over, Vec3 along) const;

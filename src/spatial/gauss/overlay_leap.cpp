@@ -1,7 +1,7 @@
 // Moves so long that hardly anything stays: all arcs of the walker are walked, without a look at what was, and the
 // walks find the faces' vertices too. Many arcs are walked side by side, a cell each at a time: where an arc ends
 // cannot be guessed, so nothing here branches on it. Pairs of faces that face the same way and still do are known
-// beforehand; those that come to do so are mended afterwards.
+// beforehand; those that come to do so are repaired afterwards.
 #include <algorithm>
 #include <limits>
 #include <stdexcept>
@@ -60,9 +60,9 @@ void Overlay::walk_to_faces(std::size_t begin, std::size_t end) {
       continue;
     }
     const Vec3 edge = signs_.mapped_edge(1 - w, visit.via / 2);
-    const double way = 1 - 2 * static_cast<double>(visit.via & 1);
+    const double direction = 1 - 2 * static_cast<double>(visit.via & 1);
     walks_[i - begin] = {
-        signs_.row_now(w, visit.face), in_floats(way * edge), visit.via, end_cell(w, visit.via), visit.face,
+        signs_.row_now(w, visit.face), in_floats(direction * edge), visit.via, end_cell(w, visit.via), visit.face,
         before_first(visit.via / 2)};
     walking_.push_back(static_cast<std::uint32_t>(i - begin));
   }

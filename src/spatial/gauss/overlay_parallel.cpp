@@ -80,7 +80,7 @@ void Overlay::find_pairs() {
   pairs_.clear();
   if (has_flat_edges_) return;
   for (std::uint32_t f = 0; f < poly(0).face_count(); ++f) {
-    if (vertex_until_[0][f] > clock_) continue;  // all edges at the extreme vertex certainly fall
+    if (vertex_until_[0][f] > clock_) continue;  // all edges at the extreme vertex provably fall
     const std::uint32_t g = parallel_face(0, f);
     if (g != kNoFace) pairs_.push_back({f, g});
   }
@@ -175,7 +175,7 @@ void Overlay::keep_pairs() {
 /// After a long move, whose walks went through the crossings near pairs that it did not know of. The walk to a face of
 /// such a pair has come to an arc on which it lies: the last cell is one of those round the other face of the pair, and
 /// the circle, which goes through that, enters or leaves the cell across one of its two arcs there.
-void Overlay::mend_new_pairs() {
+void Overlay::repair_new_pairs() {
   const int w = walker_;
   expired_.swap(on_arcs_);
   on_arcs_.clear();
@@ -191,7 +191,7 @@ void Overlay::mend_new_pairs() {
       crossing_until_[id] = kBeforeAll;
       break_arc(e, 1);
     }
-  mend_broken();
+  repair_broken();
 }
 
 }  // namespace dymsum::spatial

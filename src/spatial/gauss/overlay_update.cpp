@@ -1,4 +1,4 @@
-// A motion's errors in an overlay, found by certificates and mended where they are.
+// A motion's errors in an overlay, found by certificates and repaired where they are.
 #include <algorithm>
 #include <stdexcept>
 #include <utility>
@@ -36,19 +36,19 @@ void Overlay::update(const RelativeMap& map, bool use_margins) {
   signs_.move(map);
   if (angle > kLeap * cell_) {
     leap();
-    mend_new_pairs();
+    repair_new_pairs();
   } else {
     correct_vertices();
     check_crossings();
     work_.arc_checks = broken_.size();
-    mend_broken();
+    repair_broken();
   }
   work_.exact_signs = signs_.signs().exact() - exact_before;
 }
 
 /// Arcs that broke, and what follows from them.
-void Overlay::mend_broken() {
-  for (const std::uint32_t e : broken_) mend_arc(e);
+void Overlay::repair_broken() {
+  for (const std::uint32_t e : broken_) repair_arc(e);
   broken_.clear();
   settle_other_side();
 }
@@ -59,7 +59,7 @@ void Overlay::correct_vertices() {
   const Polytope& mine = poly(w);
   find_expired(vertex_until_[w], clock_, expired_);
   work_.vertex_checks += expired_.size();
-  // Which ones fail cannot be guessed: they are told apart without branches, and corrected afterwards.
+  // Which ones fail cannot be guessed: they are distinguished without branches, and corrected afterwards.
   const double error = signs_.error(w);
   std::size_t failed = 0;
   for (const std::uint32_t f : expired_) {
@@ -133,7 +133,7 @@ HalfEdge Overlay::exit_now(HalfEdge h, std::uint32_t v, Vec3 along) const {
   return over != kNoEdge ? over : exit_in_doubt(h, v, along);
 }
 
-/// The same where floats cannot tell.
+/// The same where floats cannot decide.
 HalfEdge Overlay::exit_in_doubt(HalfEdge h, std::uint32_t v, Vec3 along) const {
   const int op = 1 - walker_;
   const Polytope& other = poly(op);
@@ -146,7 +146,7 @@ HalfEdge Overlay::exit_in_doubt(HalfEdge h, std::uint32_t v, Vec3 along) const {
 /// ends have changed, otherwise where crossings have failed. `last` is the last crossing that is right, v the cell that
 /// it enters, `next` what follows in the list. Where a crossing ahead is known to leave v, it is the next one, as a
 /// circle leaves a convex cell once; elsewhere the cell says across which arc to leave it.
-void Overlay::mend_arc(std::uint32_t e) {
+void Overlay::repair_arc(std::uint32_t e) {
   const int w = walker_;
   const Polytope& other = poly(1 - w);
   const bool through = breaks_[e] >= kEnds;
@@ -173,15 +173,15 @@ void Overlay::mend_arc(std::uint32_t e) {
     next = crossings_[id].next[w];
     v = other.target(over);
   };
-  const auto pass_certain = [&] {
+  const auto pass_proved = [&] {
     while (next != kNoCrossing && !fails(next)) last = std::exchange(next, crossings_[next].next[w]);
     if (last != kNoCrossing) v = other.target(over_of(last));
   };
-  if (!through) pass_certain();
+  if (!through) pass_proved();
   while (v != end) {
     std::uint32_t ahead = next;
     while (ahead != kNoCrossing && fails(ahead)) ahead = crossings_[ahead].next[w];
-    if (ahead != kNoCrossing && other.origin[over_of(ahead)] != v) {  // perhaps the arc now begins behind it
+    if (ahead != kNoCrossing && other.origin[over_of(ahead)] != v) {  // perhaps the arc now begins after it
       ahead = crossings_[ahead].next[w];
       if (ahead != kNoCrossing && (fails(ahead) || other.origin[over_of(ahead)] != v)) ahead = kNoCrossing;
     }
@@ -190,7 +190,7 @@ void Overlay::mend_arc(std::uint32_t e) {
       pass(ahead, over_of(ahead));
       if (through) continue;
       if (failed == 0) break;
-      pass_certain();
+      pass_proved();
       continue;
     }
     if (walked++ > other.edge_count()) throw std::logic_error("Overlay: an arc does not end");

@@ -26,8 +26,8 @@ void Overlay::restore(const RelativeMap& map, std::span<const std::uint32_t> wor
   signs_.set(map);
   clear_crossings();
   extreme_[0].assign(words.begin(), words.begin() + static_cast<std::ptrdiff_t>(p));
-  const auto middle = words.begin() + static_cast<std::ptrdiff_t>(p);
-  extreme_[1].assign(middle, words.begin() + static_cast<std::ptrdiff_t>(faces));
+  const auto midpoint = words.begin() + static_cast<std::ptrdiff_t>(p);
+  extreme_[1].assign(midpoint, words.begin() + static_cast<std::ptrdiff_t>(faces));
   // Only build may follow, and looks at all faces.
   std::fill(vertex_until_[0].begin(), vertex_until_[0].end(), clock_);
   find_pairs();

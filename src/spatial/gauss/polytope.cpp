@@ -45,10 +45,10 @@ Soup half_edges(const std::vector<Face>& faces) {
 
 /// A vertex of a face at which its boundary turns: collinear ones give no plane.
 template <class C>
-std::uint32_t corner(const GridPlaces& p, const Soup& s, std::uint32_t h) {
+std::uint32_t corner(const GridPositions& p, const Soup& s, std::uint32_t h) {
   for (std::uint32_t k = h;; k = s.next[k]) {
-    const auto a = p.place<C>(s.origin[k]), b = p.place<C>(s.origin[s.next[k]]),
-               c = p.place<C>(s.origin[s.next[s.next[k]]]);
+    const auto a = p.position<C>(s.origin[k]), b = p.position<C>(s.origin[s.next[k]]),
+               c = p.position<C>(s.origin[s.next[s.next[k]]]);
     if (exact::leading_sign(exact::cross(b - a, c - b)) != 0) return k;
     if (s.next[k] == h) return k;
   }
@@ -56,7 +56,7 @@ std::uint32_t corner(const GridPlaces& p, const Soup& s, std::uint32_t h) {
 
 /// Faces in the same plane get the same group: neighbours are compared, as a convex solid's coplanar faces are
 /// connected.
-std::vector<std::uint32_t> coplanar_groups(const GridPlaces& p, const Soup& s, std::size_t faces, bool merge) {
+std::vector<std::uint32_t> coplanar_groups(const GridPositions& p, const Soup& s, std::size_t faces, bool merge) {
   std::vector<std::uint32_t> group(faces), corner_of(faces, kNone);
   std::iota(group.begin(), group.end(), 0);
   if (!merge) return group;
@@ -71,13 +71,13 @@ std::vector<std::uint32_t> coplanar_groups(const GridPlaces& p, const Soup& s, s
     for (std::uint32_t h = 0; h < s.origin.size(); ++h) {
       if (h > s.twin[h]) continue;
       const std::uint32_t k = corner_of[s.face[h]];
-      const auto a = p.place<C>(s.origin[k]), b = p.place<C>(s.origin[s.next[k]]),
-                 d = p.place<C>(s.origin[s.next[s.next[k]]]);
+      const auto a = p.position<C>(s.origin[k]), b = p.position<C>(s.origin[s.next[k]]),
+                 d = p.position<C>(s.origin[s.next[s.next[k]]]);
       const auto n = exact::cross(b - a, d - b);
       bool flat = true;  // all of the neighbour's vertices lie in the plane
       std::uint32_t q = s.twin[h];
       do {
-        flat = sign(exact::dot(n, p.place<C>(s.origin[q]) - a)) == 0;
+        flat = sign(exact::dot(n, p.position<C>(s.origin[q]) - a)) == 0;
         q = s.next[q];
       } while (flat && q != s.twin[h]);
       if (!flat) continue;
@@ -96,25 +96,25 @@ class Merging {
   Merging(const Soup& soup, const std::vector<std::uint32_t>& group, std::size_t vertices)
       : s_(soup), group_(group), degree_(vertices, 0) {
     for (std::uint32_t h = 0; h < s_.origin.size(); ++h)
-      if (border(h)) ++degree_[s_.origin[h]];
+      if (facet_edge(h)) ++degree_[s_.origin[h]];
   }
   bool is_vertex(std::uint32_t v) const { return degree_[v] >= 3; }
-  /// Borders that leave a true vertex start the edges of the merged solid.
-  bool starts(std::uint32_t h) const { return border(h) && is_vertex(s_.origin[h]); }
-  /// The next border of the same group, after h.
+  /// Facet edges that leave a true vertex start the edges of the merged solid.
+  bool starts(std::uint32_t h) const { return facet_edge(h) && is_vertex(s_.origin[h]); }
+  /// The next edge of the same group, after h.
   std::uint32_t following(std::uint32_t h) const {
     h = s_.next[h];
-    while (!border(h)) h = s_.next[s_.twin[h]];
+    while (!facet_edge(h)) h = s_.next[s_.twin[h]];
     return h;
   }
-  /// The last border of the straight edge that h starts.
+  /// The last edge of the straight edge that h starts.
   std::uint32_t end(std::uint32_t h) const {
     for (std::uint32_t k = following(h); !is_vertex(s_.origin[k]); k = following(k)) h = k;
     return h;
   }
 
  private:
-  bool border(std::uint32_t h) const { return group_[s_.face[h]] != group_[s_.face[s_.twin[h]]]; }
+  bool facet_edge(std::uint32_t h) const { return group_[s_.face[h]] != group_[s_.face[s_.twin[h]]]; }
   const Soup& s_;
   const std::vector<std::uint32_t>& group_;
   std::vector<std::uint32_t> degree_;
@@ -125,7 +125,7 @@ struct Numbering {
 };
 
 Numbering number(Polytope& p, const Soup& s, const Merging& merging, const std::vector<std::uint32_t>& group,
-                 const GridPlaces& all, std::uint32_t vertices) {
+                 const GridPositions& all, std::uint32_t vertices) {
   Numbering to{std::vector<std::uint32_t>(vertices, kNone), std::vector<std::uint32_t>(s.origin.size(), kNone),
                std::vector<std::uint32_t>(group.size(), kNone)};
   for (std::uint32_t v = 0; v < vertices; ++v) {
@@ -237,17 +237,18 @@ void make_bounds(Polytope& p) {
 /// it: nothing that is added cancels.
 template <class C>
 void measure_as(Polytope& p) {
-  const exact::Vector3<C> centre = p.place<C>(0);
-  for (std::uint32_t v = 0; v < p.vertex_count(); ++v) p.size = std::max(p.size, bit_length(p.place<C>(v) - centre));
-  for (std::uint32_t v = 0; v < p.vertex_count(); ++v) p.from_first.push_back(rounded(p.place<C>(v) - centre, -p.size));
+  const exact::Vector3<C> centre = p.position<C>(0);
+  for (std::uint32_t v = 0; v < p.vertex_count(); ++v) p.size = std::max(p.size, bit_length(p.position<C>(v) - centre));
+  for (std::uint32_t v = 0; v < p.vertex_count(); ++v)
+    p.from_first.push_back(rounded(p.position<C>(v) - centre, -p.size));
   CompensatedSum volume, area;
   using Six = decltype(exact::dot(exact::cross(centre - centre, centre - centre), centre - centre));
   WideSum<Six> six;
   for (std::uint32_t f = 0; f < p.face_count(); ++f) {
-    const auto a = p.place<C>(p.origin[p.first[f]]);
+    const auto a = p.position<C>(p.origin[p.first[f]]);
     std::array<CompensatedSum, 3> twice;
     for (HalfEdge h = p.next[p.first[f]]; p.next[h] != p.first[f]; h = p.next[h]) {
-      const auto n = exact::cross(p.place<C>(p.origin[h]) - a, p.place<C>(p.target(h)) - a);
+      const auto n = exact::cross(p.position<C>(p.origin[h]) - a, p.position<C>(p.target(h)) - a);
       const Vec3 rounded_n = rounded(n, -2 * p.size);
       twice[0].add(rounded_n.x);
       twice[1].add(rounded_n.y);
@@ -272,7 +273,7 @@ void measure(Polytope& p) {
   });
 }
 
-Polytope make(const GridPlaces& all, std::size_t vertices, const std::vector<Face>& faces, bool merge) {
+Polytope make(const GridPositions& all, std::size_t vertices, const std::vector<Face>& faces, bool merge) {
   const Soup soup = half_edges(faces);
   const std::vector<std::uint32_t> group = coplanar_groups(all, soup, faces.size(), merge);
   const Merging merging(soup, group, vertices);
@@ -310,11 +311,11 @@ Result<Polytope> make_polytope(const Mesh& mesh, bool merge) {
   const MeshData& data = mesh.data();
   if (!merge && !std::all_of(data.faces.begin(), data.faces.end(), [](const Face& f) { return f.size() == 3; }))
     return Error{ErrorCode::unsupported_operand, "without merging, all faces have to be triangles", {}};
-  return make(grid_places(data.vertices), data.vertices.size(), data.faces, merge);
+  return make(grid_positions(data.vertices), data.vertices.size(), data.faces, merge);
 }
 
 Polytope make_polytope(const ExactSolid& solid) {
-  return make(grid_places(solid.vertices, solid.exponent), solid.vertices.size(), solid.faces, true);
+  return make(grid_positions(solid.vertices, solid.exponent), solid.vertices.size(), solid.faces, true);
 }
 
 }  // namespace dymsum::spatial

@@ -9,7 +9,7 @@
 #include "dymsum/mesh.h"
 #include "dymsum/result.h"
 #include "spatial/gauss/ring_bounds.h"
-#include "spatial/mesh/grid_places.h"
+#include "spatial/mesh/grid_positions.h"
 #include "spatial/mesh/ring_of_eight.h"
 #include "spatial/mesh/vec3.h"
 
@@ -21,7 +21,7 @@ using HalfEdge = std::uint32_t;
 constexpr HalfEdge twin(HalfEdge h) { return h ^ 1; }
 
 /// Only true vertices, edges and faces, unless it was made without merging: then flat edges and vertices stay.
-struct Polytope : GridPlaces {
+struct Polytope : GridPositions {
   // Vertices.
   std::vector<Vec3>
       from_first;  // place less that of vertex 0, in units of 2^size: components at most 1, relative error below 2^-52
@@ -71,7 +71,7 @@ struct Polytope : GridPlaces {
 
   template <class C>
   auto edge_vector(HalfEdge h) const {
-    return place<C>(target(h)) - place<C>(origin[h]);
+    return position<C>(target(h)) - position<C>(origin[h]);
   }
   /// An outward normal of a face: the cross product of two consecutive edges.
   template <class C>

@@ -27,7 +27,7 @@ class RelativeMap {
  public:
   RelativeMap() : RelativeMap(PoseFactors{}, PoseFactors{}) {}
   RelativeMap(const PoseFactors& p, const PoseFactors& q);
-  /// P turned by a quaternion (w, x, y, z) of integers of any size, Q where it is.
+  /// P rotated by a quaternion (w, x, y, z) of integers of any size, Q where it is.
   static RelativeMap turned(const std::array<exact::BigInteger, 4>& quaternion);
 
   /// |entries| <= 2^bits().

@@ -82,7 +82,8 @@ bool Signs::plainly_zero(const Form& x) const {
 }
 bool Signs::plainly_zero(int op, std::uint32_t f, HalfEdge h) const { return plainly_zero(form(op, f, h)); }
 
-/// The sign where the value is plainly zero and doubles tell which way the infinitesimal rotation goes; 0 otherwise.
+/// The sign where the value is plainly zero and doubles determine which way the infinitesimal rotation goes; 0
+/// otherwise.
 int Signs::plain_tie(int op, std::uint32_t f, HalfEdge h) const {
   const Form x = form(op, f, h);
   if (!plainly_zero(x)) return 0;
@@ -99,10 +100,10 @@ int Signs::plain_tie(int op, std::uint32_t f, HalfEdge h) const {
   return 0;
 }
 
-// With Q turned by epsilon about w = (1, delta, delta^2), epsilon << delta << 1, in P's coordinates: a mapped edge E of
-// Q becomes E + epsilon w x E, and n . (w x E) = w . (E x n). A mapped normal N of Q becomes N + epsilon w x N, and (w
-// x N) . e = w . (N x e). The vectors are perpendicular and not zero where the first term vanishes, so the second one
-// never does.
+// With Q rotated by epsilon about w = (1, delta, delta^2), epsilon << delta << 1, in P's coordinates: a mapped edge E
+// of Q becomes E + epsilon w x E, and n . (w x E) = w . (E x n). A mapped normal N of Q becomes N + epsilon w x N, and
+// (w x N) . e = w . (N x e). The vectors are perpendicular and not zero where the first term vanishes, so the second
+// one never does.
 int Signs::exact_sign(int op, std::uint32_t f, HalfEdge h) const {
   count_exact();
   return with_types([&](auto c, auto m) {

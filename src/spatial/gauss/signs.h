@@ -27,7 +27,7 @@ class Signs {
   /// Moves the operands. Cost: O(faces).
   void set(const RelativeMap& map);
   /// Moves the operands without the table that `row`, `value` and `sign` read: then only what ends in `_now`, and
-  /// `true_sign`, may be asked for.
+  /// `true_sign`, may be requested.
   void move(const RelativeMap& map) { map_ = map; }
 
   /// Within error(op) of the exact value for unit normal, unit vector and the map as normalised in doubles.
@@ -61,15 +61,15 @@ class Signs {
   /// -1, 0 or 1: without the infinitesimal rotation.
   int true_sign(int op, std::uint32_t f, HalfEdge h) const;
   /// The angle by which directions have to move at least before the sign of (op, f, h) can change; not positive where
-  /// doubles cannot tell.
+  /// doubles cannot decide.
   double margin(int op, double value) const {
     // Of at most 1: the difference, the quotient by the norm and the last difference.
     constexpr double kMarginError = exact::rounding_bound(2 + 2 + 1, 8192);
     return (std::abs(value) - map_.error(op)) * map_.per_norm(op) - kMarginError;
   }
 
-  /// Signs that doubles left open; those that doubles told are not counted.
-  const exact::RungCounts& signs() const { return told_; }
+  /// Signs that doubles left open; those that doubles determined are not counted.
+  const exact::RungCounts& signs() const { return decided_; }
   std::size_t bytes() const { return sizeof(*this) + (row_[0].capacity() + row_[1].capacity()) * sizeof(Vec3); }
 
   /// Calls f(coordinate, map entry) with values of the narrowest types that hold the operands and the map.
@@ -85,7 +85,7 @@ class Signs {
   int coordinate_bits() const { return poly_[0]->bits > poly_[1]->bits ? poly_[0]->bits : poly_[1]->bits; }
   /// All numbers of a sign are integers of proved width.
   bool has_integers() const { return coordinate_bits() <= 61 && map_.bits() <= 126; }
-  void count_exact() const { told_.count(has_integers() ? exact::Rung::integers : exact::Rung::big); }
+  void count_exact() const { decided_.count(has_integers() ? exact::Rung::integers : exact::Rung::big); }
   double value_now(int op, std::uint32_t f, HalfEdge h) const {
     const double v = dot(row_now(op, f), poly_[1 - op]->direction[h / 2]);
     return (h & 1) ? -v : v;
@@ -101,7 +101,7 @@ class Signs {
   std::array<const Polytope*, 2> poly_;
   RelativeMap map_;
   std::array<std::vector<Vec3>, 2> row_;  // n^T M of every face
-  mutable exact::RungCounts told_;
+  mutable exact::RungCounts decided_;
 };
 
 }  // namespace dymsum::spatial

@@ -17,7 +17,7 @@ namespace {
 
 using exact::BigRational;
 using Loops = std::vector<std::vector<std::uint32_t>>;
-using Seen = std::array<BigRational, 3>;  // from the ball's middle
+using Seen = std::array<BigRational, 3>;  // from the ball's centre
 
 BigRational product(const Seen& a, const Seen& b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
 Seen difference(const Seen& a, const Seen& b) { return {a[0] - b[0], a[1] - b[1], a[2] - b[2]}; }
@@ -33,8 +33,8 @@ class BallTest {
     double size = ball.radius;
     for (const Point3& v : part.vertices)
       size =
-          std::max({size, std::abs(v.x - ball.middle.x), std::abs(v.y - ball.middle.y), std::abs(v.z - ball.middle.z)});
-    const double far = std::max({std::abs(ball.middle.x), std::abs(ball.middle.y), std::abs(ball.middle.z)});
+          std::max({size, std::abs(v.x - ball.centre.x), std::abs(v.y - ball.centre.y), std::abs(v.z - ball.centre.z)});
+    const double far = std::max({std::abs(ball.centre.x), std::abs(ball.centre.y), std::abs(ball.centre.z)});
     // Products of four lengths have to stay doubles; else integers decide everything.
     if (size + far > 0x1p-240 && size + far < 0x1p240) slack_ = 4 * part.at_error + (size + far) * 0x1p-44;
   }
@@ -69,15 +69,15 @@ class BallTest {
     const auto [found, is_new] = at_.try_emplace(v);
     if (is_new) {
       const RationalPoint3 x = part_.exact(v);
-      found->second = {exact::exact_value(x.x) - exact::exact_value(ball_.middle.x),
-                       exact::exact_value(x.y) - exact::exact_value(ball_.middle.y),
-                       exact::exact_value(x.z) - exact::exact_value(ball_.middle.z)};
+      found->second = {exact::exact_value(x.x) - exact::exact_value(ball_.centre.x),
+                       exact::exact_value(x.y) - exact::exact_value(ball_.centre.y),
+                       exact::exact_value(x.z) - exact::exact_value(ball_.centre.z)};
     }
     return found->second;
   }
   Vec3 seen(std::uint32_t v) const {
     const Point3& p = part_.vertices[v];
-    return {p.x - ball_.middle.x, p.y - ball_.middle.y, p.z - ball_.middle.z};
+    return {p.x - ball_.centre.x, p.y - ball_.centre.y, p.z - ball_.centre.z};
   }
   /// To within the slack.
   double rough_distance(std::uint32_t a, std::uint32_t b) const {
@@ -100,8 +100,9 @@ class BallTest {
     const Seen x{u[0] + t * d[0], u[1] + t * d[1], u[2] + t * d[2]};
     return product(x, x);
   }
-  /// The same in doubles of a face whose borders are all further away than the ball reaches: then the ball's disc in
-  /// its plane lies inside or outside as a whole, and its middle away from the borders. Nothing where that is not sure.
+  /// The same in doubles of a face whose facet edges are all further away than the ball reaches: then the ball's disc
+  /// in its plane lies inside or outside as a whole, and its centre away from the facet edges. Nothing where that is
+  /// not proved.
   std::optional<bool> rough_inside(const Loops& loops) const {
     const std::vector<std::uint32_t>& outer = loops.front();
     const Vec3 o = seen(outer[0]);
@@ -139,7 +140,7 @@ class BallTest {
     }
     return inside;
   }
-  /// The foot of the middle on the face's plane lies inside, no further than the radius.
+  /// The foot of the centre on the face's plane lies inside, no further than the radius.
   bool meets_inside(const Loops& loops) {
     Seen n{};
     const std::vector<std::uint32_t>& outer = loops.front();

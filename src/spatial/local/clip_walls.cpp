@@ -4,7 +4,7 @@
 #include <cmath>
 #include <limits>
 
-#include "spatial/convex/exact_places.h"
+#include "spatial/convex/exact_positions.h"
 
 namespace dymsum::spatial {
 
@@ -77,8 +77,10 @@ void ClipWalls::add_planes(SumSpace& space, std::uint32_t vertices) {
   std::vector<PlaneSource> sources;
   for (std::uint32_t k = 0; k < walls_.size(); ++k) {
     const auto axis = static_cast<std::uint32_t>(walls_[k].axis);
-    sources.push_back(
-        {{vertices + k, 0}, {Way::Of::axis, (axis + 1) % 3, 0}, {Way::Of::axis, (axis + 2) % 3, 0}, false});
+    sources.push_back({{vertices + k, 0},
+                       {DirectionSource::Of::axis, (axis + 1) % 3, 0},
+                       {DirectionSource::Of::axis, (axis + 2) % 3, 0},
+                       false});
   }
   const PlaneId first = space.add_planes(sources);
   for (std::uint32_t k = 0; k < walls_.size(); ++k) planes_.push_back(first + k);

@@ -21,7 +21,7 @@ class ClipWalls {
   /// Walls beyond the bounds are left out. `with_margin`: with the walls of the larger box.
   ClipWalls(const ClipBox& box, const SumBounds& bounds, bool with_margin);
 
-  bool misses() const { return misses_; }  ///< the box is surely apart from the bounds
+  bool misses() const { return misses_; }  ///< the box is provably apart from the bounds
   const std::vector<AxisLevel>& levels() const { return levels_; }
 
   /// Adds the walls' planes to a space that has places for the levels behind `vertices` of P.

@@ -10,9 +10,9 @@ namespace {
 
 using Scopes = ClipWalls::Scopes;
 
-bool overlaps_at(SumSpace& space, const exact::BigInteger& scale, const Collision& collision, const Middle& middle) {
+bool overlaps_at(SumSpace& space, const exact::BigInteger& scale, const Collision& collision, const Centre& centre) {
   const std::optional<PointSource> at =
-      space.add_place({middle.at[0] * scale, middle.at[1] * scale, middle.at[2] * scale});
+      space.add_position({centre.at[0] * scale, centre.at[1] * scale, centre.at[2] * scale});
   return at && collision.overlaps({*at, 0, 0, 0, 0, 0});
 }
 
@@ -45,10 +45,10 @@ class LocalStages {
   }
 
   /// In the larger box, so that all is known around what lies in the box; then only what lies there.
-  void find_tight(bool every_place) {
+  void find_tight(bool every_position) {
     const ArrangementScope looked_at{scopes_.inside.points, scopes_.within.edges, scopes_.within.cells};
     result_.tight = tight_features(*result_.space, result_.table, arrangement_, result_.boundary, collision_,
-                                   every_place, watch_, &looked_at);
+                                   every_position, watch_, &looked_at);
     std::erase_if(result_.tight.cells, [&](std::uint32_t c) { return !scopes_.inside.cells[c]; });
     std::erase_if(result_.tight.segments, [&](const std::array<PointId, 2>& s) {
       return !scopes_.inside.points[s[0]] || !scopes_.inside.points[s[1]];
@@ -76,7 +76,7 @@ class LocalStages {
   }
   static int facing(const Cell& cell) { return cell.front > 0 ? 1 : -1; }
   bool is_free(const PlaneGroup& group, const Cell& cell, int side) const {
-    if (collision_.tests() % 16 == 15) watch_.ask(0);
+    if (collision_.tests() % 16 == 15) watch_.query(0);
     return !collision_.meets(flag_at(arrangement_, group, cell, side));
   }
 
@@ -96,7 +96,7 @@ bool comes_near(const SumSpace& space, const SumFacet& facet, const Box& box) {
 }
 
 LocalBoundary local_boundary(PosedSpace& space, ReducedConvolution convolution, const SolidPair& pair, ClipWalls& walls,
-                             const Middle& middle, const SpatialOptions& options, SpatialStats& stats,
+                             const Centre& centre, const SpatialOptions& options, SpatialStats& stats,
                              StageWatch& watch) {
   const bool brute = options.engine == SpatialEngine::brute;
   const auto vertices = static_cast<std::uint32_t>(pair.p.vertices.size());
@@ -124,8 +124,8 @@ LocalBoundary local_boundary(PosedSpace& space, ReducedConvolution convolution, 
   watch.begin("tight features");
   if (options.tight) stages.find_tight(brute);
   stages.keep_inside();
-  if (middle.always || stages.is_empty())
-    local.middle_inside = overlaps_at(*result.space, space.scale, collision, middle);
+  if (centre.always || stages.is_empty())
+    local.centre_inside = overlaps_at(*result.space, space.scale, collision, centre);
   watch.begin("");
   stats.bits = result.space->bits();
   stats.points = result.arrangement->points.size(), stats.cells = result.arrangement->cell_count;

@@ -1,11 +1,13 @@
-// The public class: one place after the other.
+// The public class: one position after the other.
 #include "dymsum/local_sum.h"
 
 #include <cmath>
 #include <limits>
 #include <optional>
+#include <string>
 #include <utility>
 
+#include "base/double_text.h"
 #include "base/poll.h"
 #include "base/stopwatch.h"
 #include "spatial/convolution/facet_rule.h"
@@ -26,26 +28,26 @@ using spatial::ReducedConvolution;
 
 namespace {
 
-double exact_end(double middle, double radius, double towards) {
-  const exact::BigRational end = exact::exact_value(middle) + exact::exact_value(radius);
-  const double rounded = middle + radius;
+double exact_end(double centre, double radius, double towards) {
+  const exact::BigRational end = exact::exact_value(centre) + exact::exact_value(radius);
+  const double rounded = centre + radius;
   if (!std::isfinite(rounded)) return std::copysign(std::numeric_limits<double>::max(), towards);
   const bool inside = towards > 0 ? exact::exact_value(rounded) < end : exact::exact_value(rounded) > end;
   return inside ? std::nextafter(rounded, towards) : rounded;
 }
 
-spatial::Middle middle_of(const ClipBox& box, const ClipBall* ball) {
-  const auto middle = [](double low, double high) {
+spatial::Centre centre_of(const ClipBox& box, const ClipBall* ball) {
+  const auto centre = [](double low, double high) {
     return exact::BigRational((exact::exact_value(low) + exact::exact_value(high)) / 2);
   };
-  const Point3 &a = ball != nullptr ? ball->middle : box.low, &b = ball != nullptr ? ball->middle : box.high;
-  return {{middle(a.x, b.x), middle(a.y, b.y), middle(a.z, b.z)}, ball != nullptr};
+  const Point3 &a = ball != nullptr ? ball->centre : box.low, &b = ball != nullptr ? ball->centre : box.high;
+  return {{centre(a.x, b.x), centre(a.y, b.y), centre(a.z, b.z)}, ball != nullptr};
 }
 
-bool is_finite_place(const Point3& v) { return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z); }
+bool is_finite_position(const Point3& v) { return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z); }
 
 std::optional<Error> box_error(const ClipBox& box) {
-  if (!is_finite_place(box.low) || !is_finite_place(box.high))
+  if (!is_finite_position(box.low) || !is_finite_position(box.high))
     return Error{ErrorCode::not_finite, "a corner of the box is not finite", {}};
   if (!(box.low.x < box.high.x && box.low.y < box.high.y && box.low.z < box.high.z))
     return Error{ErrorCode::out_of_range, "the box has no extent along an axis", {}};
@@ -56,7 +58,7 @@ std::optional<Error> box_error(const ClipBox& box) {
 
 ClipBox bounding_box(const ClipBall& ball) {
   constexpr double kUp = std::numeric_limits<double>::infinity();
-  const Point3& m = ball.middle;
+  const Point3& m = ball.centre;
   const double r = ball.radius;
   return {{exact_end(m.x, -r, -kUp), exact_end(m.y, -r, -kUp), exact_end(m.z, -r, -kUp)},
           {exact_end(m.x, r, kUp), exact_end(m.y, r, kUp), exact_end(m.z, r, kUp)}};
@@ -103,7 +105,7 @@ class LocalSum::State {
     part.work.facets = near.facets.size();
     stats.face_vertex = near.counts.face_vertex, stats.edge_edge = near.counts.edge_edge;
     spatial::LocalBoundary local =
-        spatial::local_boundary(space, std::move(near), pair_, walls, middle_of(box, ball), stages_, stats, watch);
+        spatial::local_boundary(space, std::move(near), pair_, walls, centre_of(box, ball), stages_, stats, watch);
     watch.begin("faces");
     spatial::assemble(local.boundary, pair_.p, pair_.q, part.boundary, watch);
     watch.begin("");
@@ -112,7 +114,7 @@ class LocalSum::State {
     part.work.contacts = stats.contacts, part.work.collision_tests = stats.collision_tests;
     part.work.tight_tests = stats.tight_tests, part.work.exact_signs = stats.exact_signs;
     part.where = !part.boundary.vertices.empty() ? LocalPart::Where::crossed
-                 : local.middle_inside           ? LocalPart::Where::inside
+                 : local.centre_inside           ? LocalPart::Where::inside
                                                  : LocalPart::Where::outside;
     return part;
   }
@@ -177,11 +179,11 @@ class LocalSum::State {
 };
 
 Result<LocalSum> LocalSum::create(const Mesh& p, const Mesh& q, const LocalOptions& options) {
-  if (options.threads < 0) return Error{ErrorCode::out_of_range, "the number of threads is negative", {}};
+  if (options.threads < 0)
+    return Error{ErrorCode::out_of_range, "threads must be at least 0, not " + std::to_string(options.threads), {}};
   if (p.has_thin_parts() || q.has_thin_parts())
     return Error{ErrorCode::unsupported_operand, "an operand of a local sum has parts without volume", {}};
-  if (options.progress && !options.progress("operands", 0))
-    return cancelled();
+  if (options.progress && !options.progress("operands", 0)) return cancelled();
   return LocalSum(std::make_unique<State>(p, q, options));
 }
 
@@ -195,9 +197,10 @@ Result<LocalPart> LocalSum::in(const ClipBox& box, const SolidPose& p, const Sol
 }
 
 Result<LocalPart> LocalSum::in(const ClipBall& ball, const SolidPose& p, const SolidPose& q) {
-  if (!is_finite_place(ball.middle) || !std::isfinite(ball.radius))
+  if (!is_finite_position(ball.centre) || !std::isfinite(ball.radius))
     return Error{ErrorCode::not_finite, "the ball is not finite", {}};
-  if (!(ball.radius > 0)) return Error{ErrorCode::out_of_range, "the radius has to be positive", {}};
+  if (!(ball.radius > 0))
+    return Error{ErrorCode::out_of_range, "the radius must be positive, not " + base::general_text(ball.radius, 6), {}};
   return state_->in(bounding_box(ball), &ball, {p, q});
 }
 

@@ -18,13 +18,13 @@ Sphere sphere_of(std::span<const Vec3> corners, double each) {
     high = {std::max(high.x, v.x), std::max(high.y, v.y), std::max(high.z, v.z)};
   }
   Sphere s{0.5 * (low + high), 0};
-  for (const Vec3& v : corners) s.radius = std::max(s.radius, length(v - s.middle));
+  for (const Vec3& v : corners) s.radius = std::max(s.radius, length(v - s.centre));
   s.radius = s.radius * (1 + 0x1p-40) + 4 * each + (length(low) + length(high)) * 0x1p-48;
   return s;
 }
 
 bool reaches(const Sphere& a, const Sphere& b, const Box& box) {
-  const Vec3 m = a.middle + b.middle;
+  const Vec3 m = a.centre + b.centre;
   const auto beyond = [](double low, double high, double v) { return std::max({low - v, v - high, 0.0}); };
   const Vec3 gap{beyond(box.low.x, box.high.x, m.x), beyond(box.low.y, box.high.y, m.y),
                  beyond(box.low.z, box.high.z, m.z)};
@@ -54,11 +54,11 @@ void for_each_pair(const SphereTree& a, const SphereTree& b, const Box& box, F f
 
 /// Normals, edges and rays of one operand where it stands.
 struct PosedSide {
-  Way::Of of;
+  DirectionSource::Of of;
   const SolidOperand& solid;
   std::vector<Direction> normals, edges, rays;  // of triangles, wedges, and as solid.rays
 
-  PosedSide(Way::Of which, const SolidOperand& operand, const std::vector<Vec3>& at, double each)
+  PosedSide(DirectionSource::Of which, const SolidOperand& operand, const std::vector<Vec3>& at, double each)
       : of(which), solid(operand), rays(operand.rays.size()) {
     for (const Triangle& t : solid.triangles) normals.push_back(normal_direction(at[t[0]], at[t[1]], at[t[2]], each));
     for (const Wedge& w : solid.wedges) edges.push_back(edge_direction(at[w.from], at[w.to], each));
@@ -74,13 +74,13 @@ class FilteredRule {
   FilteredRule(const SumSpace& space, const PosedSide& p, const PosedSide& q) : space_(space), p_(p), q_(q) {}
 
   bool holds(const PosedSide& faces, std::uint32_t t, const PosedSide& vertices, const SupportCone& cone) const {
-    bool sure = true;
+    bool proved = true;
     for (std::uint32_t k = cone.first; k < cone.last; ++k) {
       const int s = filtered_sign(faces.normals[t], vertices.rays[k]);
       if (s > 0) return false;
-      sure = sure && s < 0;
+      proved = proved && s < 0;
     }
-    return sure || makes_facet(space_, faces.of, faces.solid, t, vertices.solid, cone);
+    return proved || makes_facet(space_, faces.of, faces.solid, t, vertices.solid, cone);
   }
 
   /// The side of the facet that convex wedges make; 0 for none.
@@ -124,19 +124,20 @@ NearFacets::NearFacets(const SolidPair& pair) : pair_(pair), sides_{Side(pair.p)
 ReducedConvolution NearFacets::find(const SumSpace& space, const Box& box) {
   const double each = space.sum_radius();
   sides_[0].fit(space.p(), each), sides_[1].fit(space.q(), each);
-  const PosedSide p(Way::Of::p, pair_.p, space.p(), each), q(Way::Of::q, pair_.q, space.q(), each);
+  const PosedSide p(DirectionSource::Of::p, pair_.p, space.p(), each),
+      q(DirectionSource::Of::q, pair_.q, space.q(), each);
   const FilteredRule rule(space, p, q);
   ReducedConvolution near;
   pairs_ = 0;
   for_each_pair(sides_[0].faces, sides_[1].cones, box, [&](std::uint32_t t, std::uint32_t c) {
     ++pairs_;
     if (rule.holds(p, t, q, pair_.q.cones[c]))
-      near.facets.push_back(face_vertex_facet(Way::Of::p, pair_.p, t, pair_.q.cones[c].vertex));
+      near.facets.push_back(face_vertex_facet(DirectionSource::Of::p, pair_.p, t, pair_.q.cones[c].vertex));
   });
   for_each_pair(sides_[0].cones, sides_[1].faces, box, [&](std::uint32_t c, std::uint32_t t) {
     ++pairs_;
     if (rule.holds(q, t, p, pair_.p.cones[c]))
-      near.facets.push_back(face_vertex_facet(Way::Of::q, pair_.q, t, pair_.p.cones[c].vertex));
+      near.facets.push_back(face_vertex_facet(DirectionSource::Of::q, pair_.q, t, pair_.p.cones[c].vertex));
   });
   near.counts.face_vertex = near.facets.size();
   for_each_pair(sides_[0].edges, sides_[1].edges, box, [&](std::uint32_t i, std::uint32_t j) {

@@ -11,12 +11,12 @@ double along(Vec3 v, int axis) { return axis == 0 ? v.x : axis == 1 ? v.y : v.z;
 
 /// A sphere around two others, a little larger than the smallest one.
 Sphere around(const Sphere& a, const Sphere& b) {
-  const Vec3 way = b.middle - a.middle;
-  const double gap = length(way);
+  const Vec3 direction = b.centre - a.centre;
+  const double gap = length(direction);
   if (gap + b.radius <= a.radius) return a;
   if (gap + a.radius <= b.radius) return b;
   const double radius = 0.5 * (gap + a.radius + b.radius);
-  return {a.middle + ((radius - a.radius) / gap) * way, radius * (1 + 0x1p-40)};
+  return {a.centre + ((radius - a.radius) / gap) * direction, radius * (1 + 0x1p-40)};
 }
 
 }  // namespace
@@ -35,9 +35,9 @@ std::uint32_t SphereTree::build(const std::vector<Sphere>& spheres, std::uint32_
     nodes_[id].item = order_[first];
     return id;
   }
-  Vec3 low = spheres[order_[first]].middle, high = low;
+  Vec3 low = spheres[order_[first]].centre, high = low;
   for (std::uint32_t k = first; k < last; ++k) {
-    const Vec3 m = spheres[order_[k]].middle;
+    const Vec3 m = spheres[order_[k]].centre;
     low = {std::min(low.x, m.x), std::min(low.y, m.y), std::min(low.z, m.z)};
     high = {std::max(high.x, m.x), std::max(high.y, m.y), std::max(high.z, m.z)};
   }
@@ -46,7 +46,7 @@ std::uint32_t SphereTree::build(const std::vector<Sphere>& spheres, std::uint32_
   const std::uint32_t half = first + (last - first) / 2;
   std::nth_element(order_.begin() + first, order_.begin() + half, order_.begin() + last,
                    [&](std::uint32_t a, std::uint32_t b) {
-                     const double u = along(spheres[a].middle, axis), v = along(spheres[b].middle, axis);
+                     const double u = along(spheres[a].centre, axis), v = along(spheres[b].centre, axis);
                      return u != v ? u < v : a < b;
                    });
   const std::uint32_t left = build(spheres, first, half), right = build(spheres, half, last);

@@ -9,7 +9,7 @@
 namespace dymsum::spatial {
 
 struct Sphere {
-  Vec3 middle;
+  Vec3 centre;
   double radius = 0;
 };
 
@@ -23,7 +23,7 @@ class SphereTree {
   };
 
   SphereTree() = default;
-  /// By medians of the middles. O(n log^2 n).
+  /// By medians of the centres. O(n log^2 n).
   explicit SphereTree(const std::vector<Sphere>& spheres);
   /// New spheres of the same things. O(n).
   void fit(const std::vector<Sphere>& spheres);

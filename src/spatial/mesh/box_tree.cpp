@@ -22,46 +22,46 @@ BoxTree::BoxTree(std::vector<Box> boxes, int threads) : boxes_(std::move(boxes))
   if (boxes_.empty()) return;
   const auto count = static_cast<std::uint32_t>(boxes_.size());
   nodes_.resize(node_count(count, kLeaf));
-  std::vector<Stretch> stretches{{0, 0, count}};
+  std::vector<Interval> intervals{{0, 0, count}};
   constexpr std::uint32_t kFew = 2048;
   for (int level = 0; threads != 1 && count > kFew && level < 3; ++level) {
-    std::vector<Stretch> halves(2 * stretches.size());
-    base::parallel_parts(stretches.size(), threads, [&](std::size_t k) {
-      const Stretch& s = stretches[k];
+    std::vector<Interval> halves(2 * intervals.size());
+    base::parallel_parts(intervals.size(), threads, [&](std::size_t k) {
+      const Interval& s = intervals[k];
       const std::uint32_t half = split(s);
       Node& node = nodes_[s.node];
       node.left = s.node + 1, node.right = node.left + node_count(half - s.first, kLeaf);
       halves[2 * k] = {node.left, s.first, half}, halves[2 * k + 1] = {node.right, half, s.last};
     });
-    stretches.swap(halves);
+    intervals.swap(halves);
   }
-  base::parallel_parts(stretches.size(), threads, [&](std::size_t k) { build(stretches[k]); });
+  base::parallel_parts(intervals.size(), threads, [&](std::size_t k) { build(intervals[k]); });
 }
 
 /// Sets the box of a node; returns where its second half begins, or the end of a leaf.
-std::uint32_t BoxTree::split(const Stretch& s) {
-  Box box, middles;
+std::uint32_t BoxTree::split(const Interval& s) {
+  Box box, centres;
   for (std::uint32_t k = s.first; k < s.last; ++k) {
     box.add(boxes_[order_[k]]);
-    middles.add(boxes_[order_[k]].middle());
+    centres.add(boxes_[order_[k]].centre());
   }
   nodes_[s.node].box = box;
   if (s.last - s.first <= kLeaf) return s.last;
-  const Vec3 extent = middles.high - middles.low;
+  const Vec3 extent = centres.high - centres.low;
   double Vec3::*axis = extent.x >= extent.y && extent.x >= extent.z ? &Vec3::x
                        : extent.y >= extent.z                       ? &Vec3::y
                                                                     : &Vec3::z;
   const std::uint32_t half = s.first + (s.last - s.first) / 2;
   std::nth_element(order_.begin() + s.first, order_.begin() + half, order_.begin() + s.last,
                    [&](std::uint32_t a, std::uint32_t b) {
-                     const double x = boxes_[a].middle().*axis, y = boxes_[b].middle().*axis;
+                     const double x = boxes_[a].centre().*axis, y = boxes_[b].centre().*axis;
                      return x != y ? x < y : a < b;
                    });
   return half;
 }
 
-/// Returns the node behind its last one.
-std::uint32_t BoxTree::build(const Stretch& s) {
+/// Returns the node after its last one.
+std::uint32_t BoxTree::build(const Interval& s) {
   const std::uint32_t half = split(s);
   Node& node = nodes_[s.node];
   if (half == s.last) {

@@ -22,7 +22,7 @@ struct Box {
     low = low - Vec3{r, r, r};
     high = high + Vec3{r, r, r};
   }
-  Vec3 middle() const { return 0.5 * (low + high); }
+  Vec3 centre() const { return 0.5 * (low + high); }
   double size() const { return (high.x - low.x) + (high.y - low.y) + (high.z - low.z); }
 };
 
@@ -112,11 +112,11 @@ class BoxTree {
     std::uint32_t first = 0, last = 0;  ///< of a leaf
     bool leaf() const { return last != 0; }
   };
-  struct Stretch {
+  struct Interval {
     std::uint32_t node, first, last;  // of nodes_, of order_
   };
-  std::uint32_t split(const Stretch& stretch);
-  std::uint32_t build(const Stretch& stretch);
+  std::uint32_t split(const Interval& interval);
+  std::uint32_t build(const Interval& interval);
 
   static constexpr std::uint32_t kLeaf = 4;
   std::vector<Box> boxes_;

@@ -5,7 +5,7 @@
 // A point sees a facet only from strictly outside its plane. A point in a facet's plane is thus treated as a point
 // slightly inside, and gets coplanar facets of its own, which the canonical form merges: coplanar, collinear and equal
 // points need no further care. A point outside that saw a replaced facet sees one of the new ones: on the way to it
-// from a place just above the replaced facet, the new hull is left through a new facet.
+// from a position just above the replaced facet, the new hull is left through a new facet.
 #include <array>
 #include <cmath>
 #include <optional>

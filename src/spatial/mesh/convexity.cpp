@@ -2,7 +2,7 @@
 //
 // Faces of a mesh meet only where they share an edge or a vertex, and each fan of them goes around its vertex once.
 // Where no edge is reflex, a small sphere around a point of the surface cuts the material of a fan in a region whose
-// border is a simple polygon without reflex corners, and that is convex: the surface is locally convex. A connected
+// boundary is a simple polygon without reflex corners, and that is convex: the surface is locally convex. A connected
 // closed surface that is locally convex bounds a convex solid, also if it were allowed to touch itself (van Heijenoort
 // 1952).
 #include <algorithm>

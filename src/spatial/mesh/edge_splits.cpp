@@ -12,7 +12,7 @@
 #include "exact/orient3.h"
 #include "exact/vector3.h"
 #include "spatial/mesh/box_tree.h"
-#include "spatial/mesh/grid_places.h"
+#include "spatial/mesh/grid_positions.h"
 #include "spatial/mesh/half_edges.h"
 
 namespace dymsum::spatial {
@@ -29,13 +29,13 @@ struct Beside {
 };
 
 Beside beside(const Point3& u, const Point3& v, const Point3& w) {
-  const GridPlaces places = grid_places(std::array{u, v, w});
-  const exact::Vector3<Big> edge = places.place<Big>(1) - places.place<Big>(0),
-                            to = places.place<Big>(2) - places.place<Big>(0), off = exact::cross(edge, to);
+  const GridPositions positions = grid_positions(std::array{u, v, w});
+  const exact::Vector3<Big> edge = positions.position<Big>(1) - positions.position<Big>(0),
+                            to = positions.position<Big>(2) - positions.position<Big>(0), off = exact::cross(edge, to);
   return {exact::dot(to, edge), exact::dot(edge, edge), exact::dot(off, off)};
 }
 
-/// Told by doubles: a sign that they cannot tell is left to `beside`.
+/// Determined by doubles: a sign that they cannot tell is left to `beside`.
 bool clearly_far(const Point3& u, const Point3& v, const Point3& w) {
   const Vec3 edge{v.x - u.x, v.y - u.y, v.z - u.z}, to{w.x - u.x, w.y - u.y, w.z - u.z}, off = cross(edge, to);
   const double whole = dot(edge, edge), off_squared = dot(off, off);
@@ -125,7 +125,7 @@ class OpenEdges {
     return box;
   }
 
-  /// Of places on one line.
+  /// Of positions on one line.
   bool order(std::uint32_t a, std::uint32_t b, std::uint32_t from, std::uint32_t to) const {
     const auto key = [&](std::uint32_t v) { return std::tie(at(v).x, at(v).y, at(v).z); };
     return key(from) < key(to) ? key(a) < key(b) : key(b) < key(a);

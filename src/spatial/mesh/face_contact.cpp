@@ -27,23 +27,23 @@ struct SplitFace {
   }
 };
 
-/// Where a point of a face's plane lies, or the crossing of a line with it: on which side of a triangle's borders.
-enum class Place { outside, corner, edge, inside };
+/// Where a point of a face's plane lies, or the crossing of a line with it: on which side of a triangle's edges.
+enum class Position { outside, corner, edge, inside };
 
-struct EdgePlace {
-  Place place = Place::outside;
+struct EdgePosition {
+  Position position = Position::outside;
   std::uint32_t from = 0;  ///< the first vertex of the edge
 };
 
-/// By the signs of turns around a triangle's borders.
-EdgePlace place_of(const SplitFace& face, const Triangle& t, const std::array<int, 3>& signs) {
+/// By the signs of turns around a triangle's edges.
+EdgePosition position_of(const SplitFace& face, const Triangle& t, const std::array<int, 3>& signs) {
   const auto [least, most] = std::minmax_element(signs.begin(), signs.end());
   if (*least * *most < 0) return {};
   const auto zeros = std::count(signs.begin(), signs.end(), 0);
-  if (zeros > 1) return {Place::corner, 0};
+  if (zeros > 1) return {Position::corner, 0};
   for (std::size_t k = 0; k < 3 && zeros == 1; ++k)
-    if (signs[k] == 0 && face.has_edge(t[k], t[(k + 1) % 3])) return {Place::edge, t[k]};
-  return {Place::inside, 0};
+    if (signs[k] == 0 && face.has_edge(t[k], t[(k + 1) % 3])) return {Position::edge, t[k]};
+  return {Position::inside, 0};
 }
 
 class ContactSearch {
@@ -57,7 +57,7 @@ class ContactSearch {
     };
     if (pierced(f_, g_) || pierced(g_, f_)) return between_faces("two faces cross");
     if (lie_on_each_other()) return between_faces("two faces lie on each other");
-    for (const Place where : {Place::inside, Place::edge})
+    for (const Position where : {Position::inside, Position::edge})
       for (const auto& [from, to] : {std::pair{&f_, &g_}, std::pair{&g_, &f_}})
         if (const std::optional<Error> error = vertex_contact(*from, *to, where)) return *error;
     if (const std::optional<Error> error = edge_contact()) return *error;
@@ -88,10 +88,10 @@ class ContactSearch {
   }
 
   /// Where an edge whose ends lie on both sides of a triangle's plane runs through it.
-  EdgePlace crossing(const SplitFace& face, const Triangle& t, std::uint32_t u, std::uint32_t v) const {
+  EdgePosition crossing(const SplitFace& face, const Triangle& t, std::uint32_t u, std::uint32_t v) const {
     std::array<int, 3> signs{};
     for (std::size_t k = 0; k < 3; ++k) signs[k] = orient3_sign(at(u), at(v), at(t[k]), at(t[(k + 1) % 3]));
-    return place_of(face, t, signs);
+    return position_of(face, t, signs);
   }
   /// f(u, v, t) for the edges of one face and the triangles of the other whose planes they cross.
   template <class F>
@@ -105,7 +105,7 @@ class ContactSearch {
   }
   bool pierced(const SplitFace& edges, const SplitFace& face) const {
     return any_crossing(edges, face, [&](std::uint32_t u, std::uint32_t v, const Triangle& t) {
-      return crossing(face, t, u, v).place == Place::inside;
+      return crossing(face, t, u, v).position == Position::inside;
     });
   }
 
@@ -118,7 +118,7 @@ class ContactSearch {
     return exact::normal_sign(at(a), at(b), at(c), axis);
   }
 
-  /// Two triangles of one plane have common inner points unless a border of one has the other one beyond it.
+  /// Two triangles of one plane have common inner points unless a facet edge of one has the other one beyond it.
   bool overlap(const Triangle& s, const Triangle& t) const {
     for (const std::uint32_t v : t)
       if (side(s, v) != 0) return false;
@@ -141,7 +141,7 @@ class ContactSearch {
   }
 
   /// A vertex of one face inside the other one, or inside an edge of it.
-  std::optional<Error> vertex_contact(const SplitFace& from, const SplitFace& to, Place where) const {
+  std::optional<Error> vertex_contact(const SplitFace& from, const SplitFace& to, Position where) const {
     for (const std::uint32_t v : from.corners) {
       if (to.has(v)) continue;
       for (const Triangle& t : to.triangles) {
@@ -149,11 +149,11 @@ class ContactSearch {
         const exact::Axis axis = axis_across(t);
         std::array<int, 3> signs{};
         for (std::size_t k = 0; k < 3; ++k) signs[k] = turn(t[k], t[(k + 1) % 3], v, axis);
-        const EdgePlace place = place_of(to, t, signs);
-        if (place.place != where) continue;
-        if (where == Place::inside)
+        const EdgePosition position = position_of(to, t, signs);
+        if (position.position != where) continue;
+        if (where == Position::inside)
           return made("a vertex touches this face inside", to.index, from.index, v, std::nullopt, at(v));
-        return made("a vertex touches an edge of this face between its ends", to.index, from.index, v, place.from,
+        return made("a vertex touches an edge of this face between its ends", to.index, from.index, v, position.from,
                     at(v));
       }
     }
@@ -163,7 +163,7 @@ class ContactSearch {
   std::optional<Error> edge_contact() const {
     std::optional<Error> error;
     any_crossing(f_, g_, [&](std::uint32_t u, std::uint32_t v, const Triangle& t) {
-      if (crossing(g_, t, u, v).place != Place::edge) return false;
+      if (crossing(g_, t, u, v).position != Position::edge) return false;
       error =
           made("an edge touches one of another face between the ends of both", f_.index, g_.index, u, v, meeting_.at);
       return true;

@@ -1,4 +1,4 @@
-// What two faces have in common that they may not, told apart: the error of a surface that meets itself.
+// What two faces have in common that they may not, distinguished: the error of a surface that meets itself.
 #pragma once
 
 #include "dymsum/mesh.h"

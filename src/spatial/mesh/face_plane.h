@@ -36,8 +36,8 @@ inline int turn_sign(const FacePlane& plane, const Point3& a, const Point3& b, c
 /// The face in its projection along the plane's axis, counter-clockwise.
 Ring projected(const std::vector<Point3>& vertices, const Face& face, const FacePlane& plane);
 
-/// What is wrong with a face by itself, with `vertex` and the place: no_area, not_planar, self_crossing. Requires at
-/// least three vertices at different places. Exact. O(k log k).
+/// What is wrong with a face by itself, with `vertex` and the position: no_area, not_planar, self_crossing. Requires at
+/// least three vertices at different positions. Exact. O(k log k).
 std::optional<Error> face_error(const std::vector<Point3>& vertices, const Face& face);
 
 }  // namespace dymsum::spatial

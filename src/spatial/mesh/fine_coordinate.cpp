@@ -49,8 +49,8 @@ exact::FineInterval fine_coordinate(const exact::RootValue& v, int shift) {
   if (v.at() == nullptr || v.terms().size() == 1) return fine_coordinate(exact::Big(v.terms()[0]), shift);
   const exact::RootPoint::Enclosure e = v.at()->enclose(v.terms(), 160);
   shift -= static_cast<int>(e.scale);
-  const exact::FineInterval middle = fine_coordinate(exact::Big(e.value), shift);
-  return e.error.is_zero() ? middle : middle + up_to_power(static_cast<int>(msb(e.error)) + 1 + shift);
+  const exact::FineInterval midpoint = fine_coordinate(exact::Big(e.value), shift);
+  return e.error.is_zero() ? midpoint : midpoint + up_to_power(static_cast<int>(msb(e.error)) + 1 + shift);
 }
 
 exact::WideInterval wide_coordinate(const exact::RootValue& v, int shift) {

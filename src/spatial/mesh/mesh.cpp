@@ -1,4 +1,4 @@
-// What a mesh tells about itself, and moving meshes.
+// What a mesh reports about itself, and moving meshes.
 #include "dymsum/mesh.h"
 
 #include <algorithm>

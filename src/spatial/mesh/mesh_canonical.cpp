@@ -115,21 +115,21 @@ void drop_straight_vertices(const std::vector<Point3>& vertices, std::vector<Fac
 }  // namespace
 
 MeshData sorted(const std::vector<Point3>& vertices, std::vector<Face> faces) {
-  std::vector<std::uint32_t> order, place(vertices.size(), kNone);
+  std::vector<std::uint32_t> order, position(vertices.size(), kNone);
   for (const Face& face : faces) {
     for (const std::uint32_t v : face) {
-      if (std::exchange(place[v], 0) == kNone) order.push_back(v);
+      if (std::exchange(position[v], 0) == kNone) order.push_back(v);
     }
   }
   std::sort(order.begin(), order.end(), [&](auto a, auto b) { return less(vertices[a], vertices[b]); });
   MeshData data;
   for (const std::uint32_t v : order) {
-    place[v] = static_cast<std::uint32_t>(data.vertices.size());
+    position[v] = static_cast<std::uint32_t>(data.vertices.size());
     const Point3& p = vertices[v];
     data.vertices.push_back({p.x + 0.0, p.y + 0.0, p.z + 0.0});  // no negative zeros
   }
   for (Face& face : faces) {
-    for (std::uint32_t& v : face) v = place[v];
+    for (std::uint32_t& v : face) v = position[v];
     std::rotate(face.begin(), std::min_element(face.begin(), face.end()), face.end());
   }
   std::sort(faces.begin(), faces.end());

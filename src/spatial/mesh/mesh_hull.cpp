@@ -13,7 +13,7 @@
 #include "base/hypot3.h"
 #include "dymsum/mesh.h"
 #include "exact/vector3.h"
-#include "spatial/mesh/grid_places.h"
+#include "spatial/mesh/grid_positions.h"
 #include "spatial/mesh/mesh_validate.h"
 #include "spatial/mesh/rounded_vector.h"
 #include "spatial/mesh/triangulate.h"
@@ -35,7 +35,7 @@ class Depths {
   Depths(const Mesh& hull, std::vector<Point3> points)
       : hull_(hull), points_(std::move(points)), first_(points_.size()) {
     points_.insert(points_.end(), hull.vertices().begin(), hull.vertices().end());
-    places_ = grid_places(points_);
+    positions_ = grid_positions(points_);
     for (std::uint32_t f = 0; f < hull.faces().size(); ++f)
       for (const std::uint32_t v : hull.faces()[f]) faces_at_[hull.vertices()[v]].push_back(f);
   }
@@ -46,7 +46,7 @@ class Depths {
     return corner != faces_at_.end() ? corner->second : faces_at_[points_[point]] = {nearest(point)};
   }
   double depth(std::uint32_t point, std::uint32_t face) const {
-    return with_coordinates(places_, [&](auto c) { return depth_as<decltype(c)>(point, face); });
+    return with_coordinates(positions_, [&](auto c) { return depth_as<decltype(c)>(point, face); });
   }
   bool is_corner(std::uint32_t point) const {
     return std::binary_search(hull_.vertices().begin(), hull_.vertices().end(), points_[point], LessPoint());
@@ -56,17 +56,17 @@ class Depths {
   template <class C>
   double depth_as(std::uint32_t point, std::uint32_t face) const {
     const Face& f = hull_.faces()[face];
-    const auto at = [&](std::size_t i) { return places_.place<C>(static_cast<std::uint32_t>(first_) + f[i]); };
+    const auto at = [&](std::size_t i) { return positions_.position<C>(static_cast<std::uint32_t>(first_) + f[i]); };
     const auto n = exact::cross(at(1) - at(0), at(2) - at(1));
-    const auto below = exact::dot(n, at(0) - places_.place<C>(point));
+    const auto below = exact::dot(n, at(0) - positions_.position<C>(point));
     if (sign(below) == 0) return 0;
     const int top = bit_length(n);
     if constexpr (std::is_same_v<C, exact::Big>) {
       // Grids as fine as the least doubles have more units than doubles count: both are scaled to about 1.
       const int deep = bit_length(below);
-      return std::ldexp(rounded(below, -deep) / length(rounded(n, -top)), places_.exponent + deep - top);
+      return std::ldexp(rounded(below, -deep) / length(rounded(n, -top)), positions_.exponent + deep - top);
     } else {
-      return std::ldexp(to_double(below) / length(rounded(n, -top)), places_.exponent - top);
+      return std::ldexp(to_double(below) / length(rounded(n, -top)), positions_.exponent - top);
     }
   }
   std::uint32_t nearest(std::uint32_t point) const {
@@ -84,7 +84,7 @@ class Depths {
   const Mesh& hull_;
   std::vector<Point3> points_;  // the mesh's, then the hull's
   std::size_t first_;           // of the hull's
-  GridPlaces places_;
+  GridPositions positions_;
   std::map<Point3, std::vector<std::uint32_t>, LessPoint> faces_at_;
 };
 
@@ -132,7 +132,7 @@ double count_inside(Depths& depths, std::size_t points, HullReport& report) {
   return deepest;
 }
 
-/// The points that faces use, each place once, and the faces by these.
+/// The points that faces use, each position once, and the faces by these.
 struct UsedPoints {
   std::vector<Point3> points;
   std::vector<Face> faces;
@@ -144,12 +144,12 @@ UsedPoints used_points(const MeshData& data) {
   for (const Face& face : data.faces)
     for (const std::uint32_t v : face) used[v] = true;
   UsedPoints u;
-  std::map<Point3, std::uint32_t, LessPoint> number;
+  std::map<Point3, std::uint32_t, LessPoint> index;
   std::vector<std::uint32_t> to(data.vertices.size());
   for (std::size_t v = 0; v < used.size(); ++v) {
     u.unused += !used[v];
     if (!used[v]) continue;
-    to[v] = number.try_emplace(data.vertices[v], static_cast<std::uint32_t>(u.points.size())).first->second;
+    to[v] = index.try_emplace(data.vertices[v], static_cast<std::uint32_t>(u.points.size())).first->second;
     if (to[v] == u.points.size()) u.points.push_back(data.vertices[v]);
   }
   u.faces = data.faces;
@@ -185,9 +185,9 @@ std::string HullReport::to_string() const {
     return std::to_string(n) + " of " + std::to_string(all) + (all == 1 ? " vertex" : " vertices");
   };
   std::string text = some(inside_vertices, vertices) + " inside it, largest deviation ";
-  char number[32];
-  std::snprintf(number, sizeof number, "%.3g", deviation);
-  text += number;
+  char index[32];
+  std::snprintf(index, sizeof index, "%.3g", deviation);
+  text += index;
   if (unused_vertices > 0)
     text += ", " + std::to_string(unused_vertices) + (unused_vertices == 1 ? " unused vertex" : " unused vertices") +
             " left out";

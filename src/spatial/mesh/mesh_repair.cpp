@@ -36,7 +36,7 @@ class MeshRepair {
 
   Result<RepairedMesh> run() {
     if (auto error = check_lists()) return *std::move(error);
-    mend_faces();
+    repair_faces();
     orient();
     drop_unused_vertices();
     Result<Mesh> mesh = options_.thin_parts ? Mesh::with_thin_parts(std::move(data_)) : Mesh::create(std::move(data_));
@@ -46,7 +46,7 @@ class MeshRepair {
 
   Result<PreparedSurface> prepare() {
     if (auto error = check_lists()) return *std::move(error);
-    mend_faces();
+    repair_faces();
     report_.reversed_faces = turn_faces(data_);
     drop_unused_vertices();
     return PreparedSurface{std::move(data_), report_};
@@ -58,7 +58,7 @@ class MeshRepair {
     return check_indices(data_);
   }
 
-  void mend_faces() {
+  void repair_faces() {
     merge_vertices();
     drop_degenerate_faces();
     if (options_.drop_needles) drop_needles();
@@ -68,7 +68,7 @@ class MeshRepair {
     split_faces();
   }
 
-  /// Every face names the first of the vertices at its places.
+  /// Every face names the first of the vertices at its positions.
   void merge_vertices() {
     const std::vector<Point3>& points = data_.vertices;
     std::vector<std::uint32_t> order(points.size()), first(points.size());
@@ -235,20 +235,20 @@ class MeshRepair {
     for (const Face& face : data_.faces) {
       for (const std::uint32_t v : face) used[v] = true;
     }
-    std::vector<std::uint32_t> place(data_.vertices.size());
+    std::vector<std::uint32_t> position(data_.vertices.size());
     std::vector<Point3> kept;
     for (std::size_t v = 0; v < used.size(); ++v) {
       if (!used[v]) {
         report_.unused_vertices += !is_duplicate_[v];
         continue;
       }
-      place[v] = static_cast<std::uint32_t>(kept.size());
+      position[v] = static_cast<std::uint32_t>(kept.size());
       kept.push_back(data_.vertices[v]);
       vertex_origin_.push_back(static_cast<std::int64_t>(v));
     }
     data_.vertices = std::move(kept);
     for (Face& face : data_.faces) {
-      for (std::uint32_t& v : face) v = place[v];
+      for (std::uint32_t& v : face) v = position[v];
     }
   }
 

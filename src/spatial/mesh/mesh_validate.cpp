@@ -83,7 +83,7 @@ class MeshCheck {
     if (auto error = check_finite(data_.vertices)) return error;
     if (auto error = check_indices(data_)) return error;
     if (auto error = check_corners()) return error;
-    if (auto error = check_places()) return error;
+    if (auto error = check_positions()) return error;
     if (auto error = check_use()) return error;
     return check_faces();
   }
@@ -138,7 +138,7 @@ class MeshCheck {
     return std::nullopt;
   }
 
-  std::optional<Error> check_places() const {
+  std::optional<Error> check_positions() const {
     std::vector<std::uint32_t> order(data_.vertices.size());
     std::iota(order.begin(), order.end(), 0u);
     std::sort(order.begin(), order.end(), [&](std::uint32_t a, std::uint32_t b) {

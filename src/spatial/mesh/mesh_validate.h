@@ -15,9 +15,9 @@ std::optional<Error> check_finite(const std::vector<Point3>& vertices);
 std::optional<Error> check_indices(const MeshData& data);
 
 /// What makes `data` not a valid mesh (see Mesh), or nothing. Evidence: `face`, `vertex`, the `other_` ones, and the
-/// place of `vertex`; an edge is named by `vertex` and `other_vertex`, in the direction of `face`. Checks run in this
-/// order: coordinates; indices, lengths and repeated indices of faces; equal vertices; unused vertices (bad_index with
-/// no face); faces by themselves; edges; shells. Exact. O(n log n).
+/// position of `vertex`; an edge is named by `vertex` and `other_vertex`, in the direction of `face`. Checks run in
+/// this order: coordinates; indices, lengths and repeated indices of faces; equal vertices; unused vertices (bad_index
+/// with no face); faces by themselves; edges; shells. Exact. O(n log n).
 struct MeshValidation {
   std::optional<Error> error;
   std::size_t shells = 0;  ///< only without an error

@@ -33,10 +33,10 @@ int passage(const Point3& a, const Point3& b, const Point3& c, const Point3& p) 
   return exact::orient3_sign(a, b, c, p) * facing > 0 ? facing : 0;
 }
 
-/// The same for the middle of a triangle, on the grid with all coordinates times three.
-class PassageOfMiddles {
+/// The same for the centre of a triangle, on the grid with all coordinates times three.
+class PassageOfCentres {
  public:
-  explicit PassageOfMiddles(const MeshData& data)
+  explicit PassageOfCentres(const MeshData& data)
       : points_(grid_points<exact::Big>(data.vertices, space_grid(data.vertices))) {}
 
   int passage(const Triangle& t, const Triangle& from) const {
@@ -63,7 +63,7 @@ class PassageOfMiddles {
   std::vector<Point3Big> points_;
 };
 
-/// Where the ray from a shell starts: a vertex of its own, or, where it shares all of them, the middle of a triangle.
+/// Where the ray from a shell starts: a vertex of its own, or, where it shares all of them, the centre of a triangle.
 struct RayStart {
   std::optional<std::uint32_t> vertex;
   std::uint32_t triangle = 0;
@@ -94,11 +94,11 @@ std::vector<std::vector<std::uint32_t>> shells_around(const MeshData& data, cons
                                                       const Triangles& triangles, const BoxTree& boxes) {
   std::vector<std::vector<std::uint32_t>> around(shells.count);
   if (shells.count < 2) return around;
-  std::optional<PassageOfMiddles> middles;
+  std::optional<PassageOfCentres> centres;
   const std::vector<RayStart> starts = ray_starts(data, shells, triangles);
   for (std::uint32_t shell = 0; shell < shells.count; ++shell) {
     const RayStart& start = starts[shell];
-    if (!start.vertex && !middles) middles.emplace(data);
+    if (!start.vertex && !centres) centres.emplace(data);
     Box ray;
     if (start.vertex) {
       const Point3& p = data.vertices[*start.vertex];
@@ -114,7 +114,7 @@ std::vector<std::vector<std::uint32_t>> shells_around(const MeshData& data, cons
       const Triangle& v = triangles.triangles[t];
       winding[other] += start.vertex ? passage(data.vertices[v[0]], data.vertices[v[1]], data.vertices[v[2]],
                                                data.vertices[*start.vertex])
-                                     : middles->passage(v, triangles.triangles[start.triangle]);
+                                     : centres->passage(v, triangles.triangles[start.triangle]);
     });
     for (const auto& [other, turns] : winding)
       if (turns != 0) around[shell].push_back(other);

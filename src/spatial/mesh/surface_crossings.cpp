@@ -46,7 +46,7 @@ bool meet_in_plane(const Segment& s, const Corners& t) {
   const Point p = dropped(s.p, axis), q = dropped(s.q, axis);
   const Point a = dropped(t.a, axis), b = dropped(t.b, axis), c = dropped(t.c, axis);
   if (segments_meet(p, q, a, b) || segments_meet(p, q, b, c) || segments_meet(p, q, c, a)) return true;
-  // Without a common point with its border the segment is inside or outside as a whole.
+  // Without a common point with its facet edge the segment is inside or outside as a whole.
   const int side = orient_sign(a, b, p);
   return side == orient_sign(b, c, p) && side == orient_sign(c, a, p);
 }
@@ -64,13 +64,13 @@ bool meet(const Segment& s, const Corners& t) {
 }
 
 /// Near the point in which the segment meets the triangle's plane.
-Point3 place(const Segment& s, const Corners& t) {
+Point3 position(const Segment& s, const Corners& t) {
   const auto as_vector = [](const Point3& p) { return Vec3{p.x, p.y, p.z}; };
   const Vec3 p = as_vector(s.p), d = as_vector(s.q) - p, a = as_vector(t.a);
   const Vec3 normal = cross(as_vector(t.b) - a, as_vector(t.c) - a);
   const double speed = dot(normal, d);
-  const double share = speed != 0 ? std::clamp(dot(normal, a - p) / speed, 0.0, 1.0) : 0.5;
-  const Vec3 at = p + share * d;
+  const double fraction = speed != 0 ? std::clamp(dot(normal, a - p) / speed, 0.0, 1.0) : 0.5;
+  const Vec3 at = p + fraction * d;
   return {at.x, at.y, at.z};
 }
 
@@ -94,12 +94,12 @@ class MeetingSearch {
     return first;
   }
 
-  std::vector<std::array<std::uint32_t, 2>> all(const BoxTree& boxes, const std::vector<bool>& asked) const {
+  std::vector<std::array<std::uint32_t, 2>> all(const BoxTree& boxes, const std::vector<bool>& queried) const {
     std::vector<std::array<std::uint32_t, 2>> found;
     for (std::uint32_t i = 0; i < triangles_.triangles.size(); ++i) {
-      if (!asked[i]) continue;
+      if (!queried[i]) continue;
       boxes.for_each(boxes.box(i), [&](std::uint32_t j) {
-        if (i == j || (asked[j] && j < i)) return;
+        if (i == j || (queried[j] && j < i)) return;
         if (meeting(i, j)) found.push_back({std::min(i, j), std::max(i, j)});
       });
     }
@@ -151,7 +151,7 @@ class MeetingSearch {
     const Corners a = corners(s), b = corners(t);
     for (const auto& [from, to] : {std::pair{a, b}, std::pair{b, a}}) {
       for (const Segment& side : {Segment{from.a, from.b}, Segment{from.b, from.c}, Segment{from.c, from.a}}) {
-        if (meet(side, to)) return place(side, to);
+        if (meet(side, to)) return position(side, to);
       }
     }
     return std::nullopt;
@@ -163,8 +163,8 @@ class MeetingSearch {
     const Segment opposite_s{at(s[(k + 1) % 3]), at(s[(k + 2) % 3])},
         opposite_t{at(t[(l + 1) % 3]), at(t[(l + 2) % 3])};
     if (one_side(b, opposite_s.p, opposite_s.q) || one_side(a, opposite_t.p, opposite_t.q)) return std::nullopt;
-    if (meet(opposite_s, b)) return place(opposite_s, b);
-    if (meet(opposite_t, a)) return place(opposite_t, a);
+    if (meet(opposite_s, b)) return position(opposite_s, b);
+    if (meet(opposite_t, a)) return position(opposite_t, a);
     return std::nullopt;
   }
 
@@ -173,11 +173,11 @@ class MeetingSearch {
   std::optional<Point3> edge_meeting(std::uint32_t i, std::uint32_t k, std::uint32_t j, std::uint32_t l) const {
     const Triangle &s = triangles_.triangles[i], &t = triangles_.triangles[j];
     const Point3 &u = at(s[(k + 1) % 3]), &v = at(s[(k + 2) % 3]), &a = at(s[k]), &b = at(t[l]);
-    const Point3 middle{u.x / 2 + v.x / 2, u.y / 2 + v.y / 2, u.z / 2 + v.z / 2};
-    if (!is_edge_[3 * i + (k + 1) % 3] || !is_edge_[3 * j + (l + 1) % 3]) return middle;
+    const Point3 midpoint{u.x / 2 + v.x / 2, u.y / 2 + v.y / 2, u.z / 2 + v.z / 2};
+    if (!is_edge_[3 * i + (k + 1) % 3] || !is_edge_[3 * j + (l + 1) % 3]) return midpoint;
     if (orient3_sign(u, v, a, b) != 0) return std::nullopt;
     const exact::Axis axis = axis_of({u, v, a});
-    return exact::normal_sign(u, v, a, axis) == exact::normal_sign(u, v, b, axis) ? std::optional(middle)
+    return exact::normal_sign(u, v, a, axis) == exact::normal_sign(u, v, b, axis) ? std::optional(midpoint)
                                                                                   : std::nullopt;
   }
 
@@ -201,8 +201,8 @@ std::optional<FaceMeeting> find_meeting(const MeshData& data, const Triangles& t
 }
 
 std::vector<std::array<std::uint32_t, 2>> find_meetings(const MeshData& data, const Triangles& triangles,
-                                                        const BoxTree& boxes, const std::vector<bool>& asked) {
-  return MeetingSearch(data, triangles).all(boxes, asked);
+                                                        const BoxTree& boxes, const std::vector<bool>& queried) {
+  return MeetingSearch(data, triangles).all(boxes, queried);
 }
 
 }  // namespace dymsum::spatial

@@ -23,14 +23,14 @@ struct FaceMeeting {
 BoxTree boxes_of(const std::vector<Point3>& vertices, const std::vector<Triangle>& triangles);
 
 /// The meeting of the smallest face with the smallest other one, or nothing. Requires faces that are valid by
-/// themselves, vertices at different places, and two faces at every edge; `triangles` are those of the faces, `boxes`
-/// theirs. Exact: signs of orientations of three and four vertices. O((n + k) log n) for k pairs of triangles with
-/// overlapping boxes.
+/// themselves, vertices at different positions, and two faces at every edge; `triangles` are those of the faces,
+/// `boxes` theirs. Exact: signs of orientations of three and four vertices. O((n + k) log n) for k pairs of triangles
+/// with overlapping boxes.
 std::optional<FaceMeeting> find_meeting(const MeshData& data, const Triangles& triangles, const BoxTree& boxes);
 
-/// All meetings of two triangles, one of which is `asked` for, the smaller index first, sorted. Of a surface whose
+/// All meetings of two triangles, one of which is `queried` for, the smaller index first, sorted. Of a surface whose
 /// faces are the triangles, under the same requirements, but edges may have any number of them.
 std::vector<std::array<std::uint32_t, 2>> find_meetings(const MeshData& data, const Triangles& triangles,
-                                                        const BoxTree& boxes, const std::vector<bool>& asked);
+                                                        const BoxTree& boxes, const std::vector<bool>& queried);
 
 }  // namespace dymsum::spatial

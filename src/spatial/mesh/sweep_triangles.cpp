@@ -1,5 +1,6 @@
-// After de Berg, Cheong, van Kreveld, Overmars: Computational Geometry, sections 3.2 and 3.3. At a place where rings
-// touch, edges are joined anew so that every corner is a whole wedge of the inside; wedges at one place are disjoint.
+// After de Berg, Cheong, van Kreveld, Overmars: Computational Geometry, sections 3.2 and 3.3. At a position where rings
+// touch, edges are joined anew so that every corner is a whole wedge of the inside; wedges at one position are
+// disjoint.
 #include "spatial/mesh/sweep_triangles.h"
 
 #include <algorithm>
@@ -12,18 +13,18 @@ namespace dymsum::spatial {
 namespace {
 
 using Corner = std::uint32_t;
-using PlaceId = std::uint32_t;
+using PositionId = std::uint32_t;
 
 /// Thrown where rings are not what a sweep is for.
 struct NotSimple {};
 
 /// The corners of all rings; the inside is to the left of the way from each to the next one.
 struct RingCorners {
-  std::vector<PlaceId> at;
+  std::vector<PositionId> at;
   std::vector<Corner> next, previous;
 
-  explicit RingCorners(std::span<const std::vector<PlaceId>> rings) {
-    for (const std::vector<PlaceId>& ring : rings) {
+  explicit RingCorners(std::span<const std::vector<PositionId>> rings) {
+    for (const std::vector<PositionId>& ring : rings) {
       const auto first = static_cast<Corner>(at.size()), n = static_cast<Corner>(ring.size());
       if (n < 2) throw NotSimple{};
       for (Corner k = 0; k < n; ++k) {
@@ -33,32 +34,32 @@ struct RingCorners {
       }
     }
   }
-  PlaceId to(Corner c) const { return at[next[c]]; }
-  PlaceId from(Corner c) const { return at[previous[c]]; }
+  PositionId to(Corner c) const { return at[next[c]]; }
+  PositionId from(Corner c) const { return at[previous[c]]; }
 };
 
-/// Directions from a place to others, by their angles from one of them: counter-clockwise, whose own is the last.
+/// Directions from a position to others, by their angles from one of them: counter-clockwise, whose own is the last.
 class Around {
  public:
-  Around(PlaneOrder& order, PlaceId centre, PlaceId first) : order_(order), centre_(centre), first_(first) {}
+  Around(PlaneOrder& order, PositionId centre, PositionId first) : order_(order), centre_(centre), first_(first) {}
 
-  bool operator()(PlaceId a, PlaceId b) const {
+  bool operator()(PositionId a, PositionId b) const {
     const int in_a = sector(a), in_b = sector(b);
     return in_a != in_b ? in_a < in_b : in_a % 2 == 0 && order_.turn(centre_, a, b) > 0;
   }
 
  private:
-  int sector(PlaceId a) const {
+  int sector(PositionId a) const {
     const int turn = order_.turn(centre_, first_, a);
     if (turn != 0) return turn > 0 ? 0 : 2;
     return order_.before(centre_, a) == order_.before(centre_, first_) ? 3 : 1;
   }
 
   PlaneOrder& order_;
-  PlaceId centre_, first_;
+  PositionId centre_, first_;
 };
 
-/// Joins edges at places with several corners: the one that comes in goes on to the next one clockwise that leaves.
+/// Joins edges at positions with several corners: the one that comes in goes on to the next one clockwise that leaves.
 void part_wedges(RingCorners& corners, std::span<const Corner> here, PlaneOrder& order) {
   std::vector<std::pair<Corner, Corner>> joins;  // previous and next corners
   std::vector<Corner> left;                      // ways out that no way in has taken
@@ -101,7 +102,7 @@ class Sweep {
     for (std::size_t first = 0, last = 0; first < sorted_.size(); first = last) {
       while (last < sorted_.size() && corners_.at[sorted_[last]] == corners_.at[sorted_[first]]) ++last;
       const std::span<const Corner> here = sorted_.subspan(first, last - first);
-      // What ends at a place leaves before what begins there comes.
+      // What ends at a position leaves before what begins there comes.
       for (const Corner c : here)
         if (kind_[c] == Kind::end || kind_[c] == Kind::merge || kind_[c] == Kind::lower) leave(c);
       for (const Corner c : here)
@@ -123,7 +124,7 @@ class Sweep {
   };
 
   Kind kind_of(Corner c) const {
-    const PlaceId at = corners_.at[c], from = corners_.from(c), to = corners_.to(c);
+    const PositionId at = corners_.at[c], from = corners_.from(c), to = corners_.to(c);
     const bool came = order_.before(from, at), goes_on = order_.before(at, to);
     if (came && goes_on) return Kind::lower;
     if (!came && !goes_on) return Kind::upper;
@@ -132,21 +133,21 @@ class Sweep {
     return convex ? Kind::start : Kind::split;
   }
 
-  /// Edges by the corners at which they begin, and places.
+  /// Edges by the corners at which they begin, and positions.
   struct Below {
     using is_transparent = void;
     Sweep* sweep;
     struct Point {
-      PlaceId at;
+      PositionId at;
     };
     bool operator()(Corner a, Corner b) const { return sweep->edge_below(a, b); }
     bool operator()(Corner a, Point b) const { return sweep->below(a, b.at); }
   };
-  bool below(Corner edge, PlaceId at) const { return order_.turn(corners_.at[edge], corners_.to(edge), at) > 0; }
+  bool below(Corner edge, PositionId at) const { return order_.turn(corners_.at[edge], corners_.to(edge), at) > 0; }
   /// Of edges that the sweep meets at once.
   bool edge_below(Corner a, Corner b) const {
     if (a == b) return false;
-    const PlaceId from_a = corners_.at[a], from_b = corners_.at[b];
+    const PositionId from_a = corners_.at[a], from_b = corners_.at[b];
     if (from_a == from_b) return order_.turn(from_a, corners_.to(a), corners_.to(b)) > 0;
     if (order_.before(from_a, from_b)) {
       const int turn = order_.turn(from_a, corners_.to(a), from_b);
@@ -243,14 +244,14 @@ class Pieces {
 
   const RingCorners& corners_;
   std::vector<std::uint32_t> first_;  // of each corner's ways: its edge, then its diagonals counter-clockwise
-  std::vector<std::uint32_t> at_;     // the place of a diagonal's half among the ways
+  std::vector<std::uint32_t> at_;     // the position of a diagonal's half among the ways
   std::vector<Way> ways_;
 };
 
 /// A monotone piece, by a stack of corners that are still to be joined.
 class PieceSplitter {
  public:
-  PieceSplitter(const RingCorners& corners, PlaneOrder& order, std::vector<std::array<PlaceId, 3>>& triangles)
+  PieceSplitter(const RingCorners& corners, PlaneOrder& order, std::vector<std::array<PositionId, 3>>& triangles)
       : corners_(corners), order_(order), triangles_(triangles) {}
 
   void run(const std::vector<Corner>& piece) {
@@ -272,11 +273,11 @@ class PieceSplitter {
 
  private:
   struct Step {
-    PlaceId at;
+    PositionId at;
     bool lower;  ///< on the way from the first to the last place, the inside to its left
   };
 
-  /// Both ways from the first place to the last one, as one.
+  /// Both ways from the first position to the last one, as one.
   void sort(const std::vector<Corner>& piece) {
     const auto before = [&](Corner a, Corner b) { return order_.before(corners_.at[a], corners_.at[b]); };
     const auto [first, last] = std::minmax_element(piece.begin(), piece.end(), before);
@@ -297,7 +298,7 @@ class PieceSplitter {
   }
 
   /// Of two steps of one way and a later one: whether these are a triangle inside.
-  bool add(PlaceId a, PlaceId b, PlaceId c, bool lower) {
+  bool add(PositionId a, PositionId b, PositionId c, bool lower) {
     if (!lower) std::swap(a, b);
     if (order_.turn(a, b, c) <= 0) return false;
     triangles_.push_back({a, b, c});
@@ -306,16 +307,16 @@ class PieceSplitter {
 
   const RingCorners& corners_;
   PlaneOrder& order_;
-  std::vector<std::array<PlaceId, 3>>& triangles_;
+  std::vector<std::array<PositionId, 3>>& triangles_;
   std::vector<Step> steps_;
 };
 
-std::vector<std::array<PlaceId, 3>> triangles_of(std::span<const std::vector<PlaceId>> rings, PlaneOrder& order) {
+std::vector<std::array<PositionId, 3>> triangles_of(std::span<const std::vector<PositionId>> rings, PlaneOrder& order) {
   RingCorners corners(rings);
   std::vector<Corner> sorted(corners.at.size());
   std::iota(sorted.begin(), sorted.end(), 0u);
   std::sort(sorted.begin(), sorted.end(), [&](Corner a, Corner b) {
-    const PlaceId at_a = corners.at[a], at_b = corners.at[b];
+    const PositionId at_a = corners.at[a], at_b = corners.at[b];
     return at_a == at_b ? a < b : order.before(at_a, at_b);
   });
   for (std::size_t first = 0, last = 0; first < sorted.size(); first = last) {
@@ -323,7 +324,7 @@ std::vector<std::array<PlaceId, 3>> triangles_of(std::span<const std::vector<Pla
     if (last - first > 1) part_wedges(corners, std::span<const Corner>(sorted).subspan(first, last - first), order);
   }
   const std::vector<std::array<Corner, 2>> diagonals = Sweep(corners, sorted, order).run();
-  std::vector<std::array<PlaceId, 3>> triangles;
+  std::vector<std::array<PositionId, 3>> triangles;
   PieceSplitter splitter(corners, order, triangles);
   for (const std::vector<Corner>& piece : Pieces(corners, diagonals, order).run()) splitter.run(piece);
   return triangles;

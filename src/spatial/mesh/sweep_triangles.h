@@ -9,11 +9,11 @@
 
 namespace dymsum::spatial {
 
-/// What a sweep asks about places in a plane, by their indices: different indices are different places.
+/// What a sweep asks about places in a plane, by their indices: different indices are different positions.
 class PlaneOrder {
  public:
   virtual ~PlaneOrder() = default;
-  /// Whether a comes before b along a direction, the same for all, in which no two places are equally far.
+  /// Whether a comes before b along a direction, the same for all, in which no two positions are equally far.
   virtual bool before(std::uint32_t a, std::uint32_t b) = 0;
   /// 1 where a, b, c turn left, -1 right, 0 on a line.
   virtual int turn(std::uint32_t a, std::uint32_t b, std::uint32_t c) = 0;

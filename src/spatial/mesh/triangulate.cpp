@@ -14,7 +14,7 @@ namespace {
 
 using exact::Axis;
 
-/// The places of a face as it is looked at, along one of the two axes that are seen and, of equal ones, the other.
+/// The positions of a face as it is looked at, along one of the two axes that are seen and, of equal ones, the other.
 class FaceOrder final : public PlaneOrder {
  public:
   FaceOrder(const std::vector<Point3>& vertices, View view) : vertices_(vertices), view_(view) {}
@@ -34,7 +34,7 @@ class FaceOrder final : public PlaneOrder {
   View view_;
 };
 
-/// A polygon that loses its ears one by one; corners are places in the face.
+/// A polygon that loses its ears one by one; corners are positions in the face.
 class Ears {
  public:
   Ears(const std::vector<Point3>& vertices, const Face& face, View view)
@@ -74,7 +74,7 @@ class Ears {
   int turn(std::size_t i) const { return side(previous_[i], i, next_[i]); }
 
   /// A convex corner whose closed triangle holds no other corner; only blunt ones can be in its way. A simple polygon
-  /// always has one. At a bridge to a hole two corners are at the same place: they are not in each other's way.
+  /// always has one. At a bridge to a hole two corners are at the same position: they are not in each other's way.
   std::optional<std::size_t> find_ear(std::size_t start, std::size_t left) const {
     for (std::size_t i = start; left > 0; --left, i = next_[i]) {
       if (turn(i) > 0 && is_clear(i)) return i;

@@ -20,15 +20,15 @@ namespace {
 BigInteger whole(std::int64_t v) { return BigInteger(v); }
 
 /// u, v of the quaternion (u, v axis).
-std::array<BigInteger, 2> quaternion(const ChartPlace& place, std::int64_t square) {
-  const BigInteger n = numerator(place.t), d = denominator(place.t);
-  if (place.chart == 0) return {d, n};
+std::array<BigInteger, 2> quaternion(const ChartPosition& position, std::int64_t square) {
+  const BigInteger n = numerator(position.t), d = denominator(position.t);
+  if (position.chart == 0) return {d, n};
   return {BigInteger(-whole(square) * n), d};
 }
 
 }  // namespace
 
-TurnCircle::TurnCircle(TurnAxis axis) : axis_(axis) {
+RotationCircle::RotationCircle(TurnAxis axis) : axis_(axis) {
   square_ = 0;
   for (const std::int32_t a : axis_) square_ += static_cast<std::int64_t>(a) * a;
   length_ = std::sqrt(static_cast<double>(square_));
@@ -36,30 +36,30 @@ TurnCircle::TurnCircle(TurnAxis axis) : axis_(axis) {
   weight_ = {divisor_, exact::Terms{whole(square_), 0, BigInteger(whole(square_) * square_)}};
 }
 
-ChartPlace TurnCircle::place(const AxisTurn& turn) const {
+ChartPosition RotationCircle::position(const AxisTurn& turn) const {
   if (turn.is_half_turn()) return {1, 0};
   const BigRational t = exact::exact_value(turn.t());
   if (abs(t) <= reach(0)) return {0, t};
   return {1, BigRational(-1 / (t * square_))};
 }
 
-AxisTurn TurnCircle::turn(const ChartPlace& place) const {
-  if (place.chart == 0) return AxisTurn::of(exact::to_rational(place.t));
-  if (place.t.is_zero()) return AxisTurn::half_turn();
-  return AxisTurn::of(exact::to_rational(BigRational(-1 / (place.t * square_))));
+AxisTurn RotationCircle::turn(const ChartPosition& position) const {
+  if (position.chart == 0) return AxisTurn::of(exact::to_rational(position.t));
+  if (position.t.is_zero()) return AxisTurn::half_turn();
+  return AxisTurn::of(exact::to_rational(BigRational(-1 / (position.t * square_))));
 }
 
-exact::BigRational TurnCircle::reach(int chart) const {
+exact::BigRational RotationCircle::reach(int chart) const {
   const auto least = static_cast<std::int64_t>(std::ceil(length_));
   return chart == 0 ? BigRational(1, least) : BigRational(least, square_);
 }
 
-double TurnCircle::radians(int chart, double t) const {
+double RotationCircle::radians(int chart, double t) const {
   return 2 * std::atan(length_ * t) + (chart == 0 ? 0 : std::numbers::pi);
 }
 
-ExactPose TurnCircle::pose(const ChartPlace& place) const {
-  const auto [u, v] = quaternion(place, square_);
+ExactPose RotationCircle::pose(const ChartPosition& position) const {
+  const auto [u, v] = quaternion(position, square_);
   const BigInteger uu = u * u, uv = 2 * u * v, vv = v * v;
   ExactPose pose;
   pose.den = uu + vv * square_;
@@ -78,7 +78,7 @@ ExactPose TurnCircle::pose(const ChartPlace& place) const {
   return pose;
 }
 
-Vector3<RootValue> TurnCircle::turned(int chart, const Vector3<Big>& x, const exact::RootPoint* at) const {
+Vector3<RootValue> RotationCircle::turned(int chart, const Vector3<Big>& x, const exact::RootPoint* at) const {
   const Vector3<Big> a{Big::from_int64(axis_[0]), Big::from_int64(axis_[1]), Big::from_int64(axis_[2])};
   const auto side = exact::cross(a, x);
   const Big along = exact::dot(a, x), two = Big::from_int64(2), square = Big::from_int64(square_);
@@ -103,7 +103,7 @@ Result<AxisTurn> AxisTurn::nearest(const TurnAxis& axis, double radians) {
   if (!std::isfinite(radians)) return Error{ErrorCode::bad_rotation, "the angle is not finite", {}};
   if (axis == TurnAxis{}) return Error{ErrorCode::bad_rotation, "the axis is zero", {}};
   const std::int32_t divisor = std::gcd(std::gcd(axis[0], axis[1]), axis[2]);
-  const spatial::TurnCircle circle({axis[0] / divisor, axis[1] / divisor, axis[2] / divisor});
+  const spatial::RotationCircle circle({axis[0] / divisor, axis[1] / divisor, axis[2] / divisor});
   const double turn = std::remainder(radians, 2 * std::numbers::pi);
   if (std::abs(turn) == std::numbers::pi) return half_turn();
   const int chart = std::abs(turn) > std::numbers::pi / 2 ? 1 : 0;

@@ -3,29 +3,29 @@
 
 #include "dymsum/solid_rotation_events.h"
 #include "exact/root_value.h"
-#include "spatial/convex/exact_places.h"
+#include "spatial/convex/exact_positions.h"
 
 namespace dymsum::spatial {
 
 /// theta = 2 atan(|axis| t) + pi chart.
-struct ChartPlace {
+struct ChartPosition {
   int chart = 0;
   exact::BigRational t;
 };
 
 /// What turns of one axis have in common. P's quaternion is (1, t axis) in chart 0, (-square t, axis) in chart 1.
-class TurnCircle {
+class RotationCircle {
  public:
   /// Requires an axis that is not zero and has no common divisor.
-  explicit TurnCircle(TurnAxis axis);
+  explicit RotationCircle(TurnAxis axis);
 
   const TurnAxis& axis() const { return axis_; }
   std::int64_t square() const { return square_; }  ///< |axis|^2
   double length() const { return length_; }
   /// In the chart where |t| is at most about 1 / |axis|.
-  ChartPlace place(const AxisTurn& turn) const;
-  AxisTurn turn(const ChartPlace& place) const;
-  ExactPose pose(const ChartPlace& place) const;
+  ChartPosition position(const AxisTurn& turn) const;
+  AxisTurn turn(const ChartPosition& position) const;
+  ExactPose pose(const ChartPosition& position) const;
   /// Within 2^-48, in (-pi, 3 pi).
   double radians(int chart, double t) const;
   /// Where charts meet: at t = reach of chart 0 is t = -other_reach of chart 1, and back.

@@ -10,7 +10,7 @@ namespace {
 
 /// Coordinates from `low` to `high` are within a factor of 2 of the one that is returned, so their differences to it
 /// are exact (Sterbenz).
-double way_along(double low, double high) {
+double offset_along(double low, double high) {
   if (low > 0 && high <= 2 * low) return low;
   if (high < 0 && low >= 2 * high) return high;
   return 0;
@@ -18,17 +18,17 @@ double way_along(double low, double high) {
 
 }  // namespace
 
-Point3 way_from_origin(const Mesh& solid) {
+Point3 offset_from_origin(const Mesh& solid) {
   if (solid.empty()) return {};
   const auto [x_low, y_low, z_low, x_high, y_high, z_high] = bounds(solid);
-  return {way_along(x_low, x_high), way_along(y_low, y_high), way_along(z_low, z_high)};
+  return {offset_along(x_low, x_high), offset_along(y_low, y_high), offset_along(z_low, z_high)};
 }
 
 std::optional<Mesh> beside_origin(const Mesh& solid) {
-  const Point3 way = way_from_origin(solid);
-  if (way == Point3{}) return std::nullopt;
+  const Point3 direction = offset_from_origin(solid);
+  if (direction == Point3{}) return std::nullopt;
   MeshData moved = solid.data();
-  for (Point3& v : moved.vertices) v = {v.x - way.x, v.y - way.y, v.z - way.z};
+  for (Point3& v : moved.vertices) v = {v.x - direction.x, v.y - direction.y, v.z - direction.z};
   return trusted_mesh(std::move(moved), solid.shell_count());
 }
 

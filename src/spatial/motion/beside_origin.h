@@ -11,7 +11,7 @@ namespace dymsum::spatial {
 /// The vector from the origin to which a solid is moved back: along every axis on which it is at least as far
 /// from 0 as it is wide, its coordinate nearest to 0; 0 along others. Every coordinate of the solid less that of the
 /// vector is a double.
-Point3 way_from_origin(const Mesh& solid);
+Point3 offset_from_origin(const Mesh& solid);
 /// The solid less that vector; nothing where that is 0. Vertices and faces keep their indices. Requires a solid without
 /// thin parts.
 std::optional<Mesh> beside_origin(const Mesh& solid);

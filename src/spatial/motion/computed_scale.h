@@ -18,7 +18,7 @@ inline Scale computed_scale(const exact::BigRational& s) {
   return *std::move(scale);
 }
 
-/// Calls make(), which returns a Result, and tells what it throws as its error.
+/// Calls make(), which returns a Result, and reports what it throws as its error.
 template <class F>
 auto within_scales(F make) -> decltype(make()) {
   try {

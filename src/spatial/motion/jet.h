@@ -15,7 +15,7 @@ struct Jet {
   double reach() const { return (std::abs(slope) + rest) * (1 + 0x1p-40); }
   double low() const { return value - reach(); }
   double high() const { return value + reach(); }
-  /// Its sign throughout, or 0 where that is not certain.
+  /// Its sign throughout, or 0 where that is not proved.
   int sign() const { return value > reach() ? 1 : value < -reach() ? -1 : 0; }
 };
 
@@ -34,8 +34,8 @@ inline Jet operator*(Jet a, Jet b) {
   return {a.value * b.value, a.value * b.slope + b.value * a.slope, rest * (1 + 0x1p-48) + rounded};
 }
 
-/// The same with some thirty digits of the value, for windows as narrow as 1e-16: what nearly vanishes there is told by
-/// its value. Magnitudes are at most 2^100.
+/// The same with some thirty digits of the value, for windows as narrow as 1e-16: what nearly vanishes there is
+/// determined by its value. Magnitudes are at most 2^100.
 struct FineJet {
   base::DoublePair value;
   double slope = 0, rest = 0;

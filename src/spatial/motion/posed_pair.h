@@ -8,17 +8,17 @@
 #include "dymsum/mesh.h"
 #include "dymsum/rotation.h"
 #include "exact/big.h"
-#include "spatial/convex/exact_places.h"
+#include "spatial/convex/exact_positions.h"
 #include "spatial/convolution/solid_operand.h"
 #include "spatial/convolution/sum_space.h"
-#include "spatial/mesh/grid_places.h"
+#include "spatial/mesh/grid_positions.h"
 
 namespace dymsum::spatial {
 
-/// Triangles, wedges and cones stay what they are under rotations and positive scales: only places move.
+/// Triangles, wedges and cones stay what they are under rotations and positive scales: only positions move.
 struct SolidPair {
   SolidOperand p, q;
-  GridPlaces p_places, q_places;  ///< in one unit
+  GridPositions p_positions, q_positions;  ///< in one unit
 };
 SolidPair solid_pair(const Mesh& p, const Mesh& q);
 
@@ -44,7 +44,7 @@ PosedSpace posed_space(const SolidPair& pair, const PosePair& poses, std::span<c
 /// The same at any rational linear maps.
 PosedSpace posed_space(const SolidPair& pair, ExactPose p, ExactPose q, std::span<const AxisLevel> levels = {});
 
-/// The space at a pair of poses, made when it is first asked for: most signs of a motion need none.
+/// The space at a pair of poses, made when it is first requested: most signs of a motion need none.
 class SpaceOnDemand {
  public:
   SpaceOnDemand(const SolidPair& pair, const PosePair& poses) : pair_(pair), poses_(poses) {}

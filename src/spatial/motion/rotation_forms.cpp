@@ -15,22 +15,22 @@ RotatingPair::RotatingPair(const Mesh& p, const Mesh& q, const TurnAxis& axis, i
     for (const Point3& v : solid->vertices) most = std::max({most, std::abs(v.x), std::abs(v.y), std::abs(v.z)});
   unit = most == 0 ? 1 : std::ldexp(1.0, -std::ilogb(most) - 1);
   for (int op = 0; op < 2; ++op)
-    for (const Point3& v : operand(op).vertices) places[op].push_back({v.x * unit, v.y * unit, v.z * unit});
+    for (const Point3& v : operand(op).vertices) positions[op].push_back({v.x * unit, v.y * unit, v.z * unit});
 }
 
-Vector3<Big> RotatingPair::way(int op, std::uint32_t from, std::uint32_t to) const {
-  return grid(op).place<Big>(to) - grid(op).place<Big>(from);
+Vector3<Big> RotatingPair::direction(int op, std::uint32_t from, std::uint32_t to) const {
+  return grid(op).position<Big>(to) - grid(op).position<Big>(from);
 }
 
 bool RotatingPair::along_axis(int op, std::uint32_t from, std::uint32_t to) const {
   const auto big = [](std::int32_t c) { return Big::from_int64(c); };
   const TurnAxis& a = circle.axis();
-  const auto c = exact::cross(way(op, from, to), Vector3<Big>{big(a[0]), big(a[1]), big(a[2])});
+  const auto c = exact::cross(direction(op, from, to), Vector3<Big>{big(a[0]), big(a[1]), big(a[2])});
   return sign(c.x) == 0 && sign(c.y) == 0 && sign(c.z) == 0;
 }
 
-JetFrame::JetFrame(const RotatingPair& pair, double middle, double half) : pair_(pair), half_(half) {
-  const double c = std::cos(middle), s = std::sin(middle), l = pair.circle.length();
+JetFrame::JetFrame(const RotatingPair& pair, double midpoint, double half) : pair_(pair), half_(half) {
+  const double c = std::cos(midpoint), s = std::sin(midpoint), l = pair.circle.length();
   const TurnAxis& axis = pair.circle.axis();
   const Vec3 a{axis[0] / l, axis[1] / l, axis[2] / l};
   const Vec3 unit[3] = {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
@@ -50,19 +50,19 @@ JetFrame::Vector JetFrame::placed(int op, Vec3 v, double error) const {
   }
   // The middle is off by 2^-46, entries of the matrix by less than 2^-48; beyond the slope angles turn by half^2 / 2.
   const double rest = size * (half_ * half_ * 0.5 * (1 + 0x1p-40) + 0x1p-44) + error;
-  const Vec3 at = matrix_ * v, way = slope_ * v;
-  return {{at.x, way.x, rest}, {at.y, way.y, rest}, {at.z, way.z, rest}};
+  const Vec3 at = matrix_ * v, direction = slope_ * v;
+  return {{at.x, direction.x, rest}, {at.y, direction.y, rest}, {at.z, direction.z, rest}};
 }
 
 JetFrame::Vector JetFrame::normal(int op, std::uint32_t a, std::uint32_t b, std::uint32_t c) const {
-  const std::vector<Vec3>& at = pair_.places[op];
+  const std::vector<Vec3>& at = pair_.positions[op];
   const Vec3 u = at[b] - at[a], v = at[c] - at[a];
   const auto size = [](Vec3 w) { return std::abs(w.x) + std::abs(w.y) + std::abs(w.z); };
   return placed(op, cross(u, v), size(u) * size(v) * 0x1p-49);
 }
 
 Box JetFrame::box(SumPoint v) const {
-  const Vector at = place(0, v.p) + place(1, v.q);
+  const Vector at = position(0, v.p) + position(1, v.q);
   Box box;
   box.add(Vec3{at.x.low(), at.y.low(), at.z.low()}), box.add(Vec3{at.x.high(), at.y.high(), at.z.high()});
   return box;
@@ -72,20 +72,21 @@ namespace {
 
 /// All t from `low` to `high`.
 void set_between(FineJet& t, const exact::BigRational& low, const exact::BigRational& high) {
-  const exact::BigRational middle = (low + high) / 2;
-  const double first = exact::round_to_double(middle),
-               second = exact::round_to_double(middle - exact::exact_value(first));
+  const exact::BigRational midpoint = (low + high) / 2;
+  const double first = exact::round_to_double(midpoint),
+               second = exact::round_to_double(midpoint - exact::exact_value(first));
   const exact::BigRational at = exact::exact_value(first) + exact::exact_value(second);
   const double half = exact::round_to_double(std::max<exact::BigRational>(high - at, at - low)) * (1 + 0x1p-50);
   t = {{first, second}, half, 0};
 }
 void set_between(exact::WideInterval& t, const exact::BigRational& low, const exact::BigRational& high) {
   constexpr int kBits = exact::WideInterval::kFractionBits + 4;
-  const exact::BigRational scale(exact::BigInteger(1) << kBits), middle = (low + high) / 2 * scale,
+  const exact::BigRational scale(exact::BigInteger(1) << kBits), midpoint = (low + high) / 2 * scale,
                                                                  half = (high - low) / 2 * scale;
   // Either quotient is cut off by less than 1.
-  const exact::BigInteger at = numerator(middle) / denominator(middle), error = numerator(half) / denominator(half) + 2;
-  t = exact::WideInterval::around(at, low == high && denominator(middle) == 1 ? exact::BigInteger(0) : error, -kBits);
+  const exact::BigInteger at = numerator(midpoint) / denominator(midpoint),
+                          error = numerator(half) / denominator(half) + 2;
+  t = exact::WideInterval::around(at, low == high && denominator(midpoint) == 1 ? exact::BigInteger(0) : error, -kBits);
 }
 
 }  // namespace
@@ -107,7 +108,7 @@ typename PreciseFrame<N>::Vector PreciseFrame<N>::difference(Vec3 from, Vec3 to)
   return {N::difference(from.x, to.x), N::difference(from.y, to.y), N::difference(from.z, to.z)};
 }
 
-// As TurnCircle::turned.
+// As RotationCircle::turned.
 template <class N>
 typename PreciseFrame<N>::Vector PreciseFrame<N>::placed(int op, const Vector& v, bool weighted) const {
   if (op != pair_.turning) return weighted ? Vector{weight_ * v.x, weight_ * v.y, weight_ * v.z} : v;
@@ -123,7 +124,7 @@ typename PreciseFrame<N>::Vector PreciseFrame<N>::placed(int op, const Vector& v
 template <class N>
 typename PreciseFrame<N>::Vector PreciseFrame<N>::normal(int op, std::uint32_t a, std::uint32_t b,
                                                          std::uint32_t c) const {
-  const std::vector<Vec3>& at = pair_.places[op];
+  const std::vector<Vec3>& at = pair_.positions[op];
   return placed(op, cross(difference(at[a], at[b]), difference(at[a], at[c])), false);
 }
 
@@ -155,7 +156,7 @@ PolynomialFrame::Vector PolynomialFrame::placed(int op, const Vector3<Big>& v, b
 }
 
 PolynomialFrame::Vector PolynomialFrame::normal(int op, std::uint32_t a, std::uint32_t b, std::uint32_t c) const {
-  return placed(op, exact::cross(pair_.way(op, a, b), pair_.way(op, a, c)), false);
+  return placed(op, exact::cross(pair_.direction(op, a, b), pair_.direction(op, a, c)), false);
 }
 
 }  // namespace dymsum::spatial

@@ -1,5 +1,5 @@
-// The signs that the facets of a convolution have among each other while one operand turns, as functions of the angle:
-// one formula each, for jets (what a window excludes) and for polynomials in t (what is exact).
+// The signs that the facets of a convolution have among each other while one operand rotates, as functions of the
+// angle: one formula each, for jets (what a window excludes) and for polynomials in t (what is exact).
 #pragma once
 
 #include <optional>
@@ -17,15 +17,15 @@ namespace dymsum::spatial {
 /// The pair of operands, the circle and which of them turns; what both kinds of numbers are made of.
 struct RotatingPair {
   SolidPair pair;
-  TurnCircle circle;
-  int turning = 0;                          ///< 0: P
-  double unit = 1;                          ///< places times this are at most 1 in magnitude; a power of two
-  std::array<std::vector<Vec3>, 2> places;  ///< of vertices, exact doubles in units
+  RotationCircle circle;
+  int turning = 0;                             ///< 0: P
+  double unit = 1;                             ///< places times this are at most 1 in magnitude; a power of two
+  std::array<std::vector<Vec3>, 2> positions;  ///< of vertices, exact doubles in units
 
   RotatingPair(const Mesh& p, const Mesh& q, const TurnAxis& axis, int turning);
   const SolidOperand& operand(int op) const { return op == 0 ? pair.p : pair.q; }
-  const GridPlaces& grid(int op) const { return op == 0 ? pair.p_places : pair.q_places; }
-  exact::Vector3<exact::Big> way(int op, std::uint32_t from, std::uint32_t to) const;
+  const GridPositions& grid(int op) const { return op == 0 ? pair.p_positions : pair.q_positions; }
+  exact::Vector3<exact::Big> direction(int op, std::uint32_t from, std::uint32_t to) const;
   bool along_axis(int op, std::uint32_t from, std::uint32_t to) const;
 };
 
@@ -34,19 +34,19 @@ class JetFrame {
  public:
   using Number = Jet;
   using Vector = exact::Vector3<Jet>;
-  /// The angles within `half` of `middle`, which is within 2^-46 of what it stands for.
-  JetFrame(const RotatingPair& pair, double middle, double half);
-  Vector way(int op, std::uint32_t from, std::uint32_t to) const {
-    return placed(op, pair_.places[op][to] - pair_.places[op][from]);
+  /// The angles within `half` of `midpoint`, which is within 2^-46 of what it stands for.
+  JetFrame(const RotatingPair& pair, double midpoint, double half);
+  Vector direction(int op, std::uint32_t from, std::uint32_t to) const {
+    return placed(op, pair_.positions[op][to] - pair_.positions[op][from]);
   }
-  Vector place(int op, std::uint32_t v) const { return placed(op, pair_.places[op][v]); }
+  Vector position(int op, std::uint32_t v) const { return placed(op, pair_.positions[op][v]); }
   /// In which a sum lies at all angles.
   Box box(SumPoint v) const;
   /// The normal of a triangle of an operand.
   Vector normal(int op, std::uint32_t a, std::uint32_t b, std::uint32_t c) const;
   /// The way a of P times the way b of Q.
   Vector across(std::uint32_t a0, std::uint32_t a1, std::uint32_t b0, std::uint32_t b1) const {
-    return cross(way(0, a0, a1), way(1, b0, b1));
+    return cross(direction(0, a0, a1), direction(1, b0, b1));
   }
   const Mat3& matrix() const { return matrix_; }
   static Jet one() { return {1, 0, 0}; }
@@ -67,14 +67,14 @@ class PreciseFrame {
   using Vector = exact::Vector3<N>;
   /// All t from `low` to `high`, which are given.
   PreciseFrame(const RotatingPair& pair, int chart, const exact::BigRational& low, const exact::BigRational& high);
-  Vector way(int op, std::uint32_t from, std::uint32_t to) const {
-    return placed(op, difference(pair_.places[op][from], pair_.places[op][to]), true);
+  Vector direction(int op, std::uint32_t from, std::uint32_t to) const {
+    return placed(op, difference(pair_.positions[op][from], pair_.positions[op][to]), true);
   }
-  Vector place(int op, std::uint32_t v) const { return placed(op, difference({}, pair_.places[op][v]), true); }
+  Vector position(int op, std::uint32_t v) const { return placed(op, difference({}, pair_.positions[op][v]), true); }
   Vector normal(int op, std::uint32_t a, std::uint32_t b, std::uint32_t c) const;
   Vector across(std::uint32_t a0, std::uint32_t a1, std::uint32_t b0, std::uint32_t b1) const {
-    return cross(placed(0, difference(pair_.places[0][a0], pair_.places[0][a1]), false),
-                 placed(1, difference(pair_.places[1][b0], pair_.places[1][b1]), false));
+    return cross(placed(0, difference(pair_.positions[0][a0], pair_.positions[0][a1]), false),
+                 placed(1, difference(pair_.positions[1][b0], pair_.positions[1][b1]), false));
   }
   static N one() { return N::of(1); }
 
@@ -98,11 +98,13 @@ class PolynomialFrame {
   PolynomialFrame(const RotatingPair& pair, int chart, const exact::RootPoint* at = nullptr)
       : pair_(pair), chart_(chart), at_(at) {}
   PolynomialFrame(const RotatingPair& pair, int chart, exact::BigRational t) : pair_(pair), chart_(chart), t_(t) {}
-  Vector way(int op, std::uint32_t from, std::uint32_t to) const { return placed(op, pair_.way(op, from, to), true); }
-  Vector place(int op, std::uint32_t v) const { return placed(op, pair_.grid(op).place<exact::Big>(v), true); }
+  Vector direction(int op, std::uint32_t from, std::uint32_t to) const {
+    return placed(op, pair_.direction(op, from, to), true);
+  }
+  Vector position(int op, std::uint32_t v) const { return placed(op, pair_.grid(op).position<exact::Big>(v), true); }
   Vector normal(int op, std::uint32_t a, std::uint32_t b, std::uint32_t c) const;
   Vector across(std::uint32_t a0, std::uint32_t a1, std::uint32_t b0, std::uint32_t b1) const {
-    return cross(placed(0, pair_.way(0, a0, a1), false), placed(1, pair_.way(1, b0, b1), false));
+    return cross(placed(0, pair_.direction(0, a0, a1), false), placed(1, pair_.direction(1, b0, b1), false));
   }
   Vector placed(int op, const exact::Vector3<exact::Big>& v, bool weighted) const;
   /// The factor of all ways, and of vectors placed with it.
@@ -125,12 +127,14 @@ class RotationSigns {
   using Vector = exact::Vector3<Number>;
   explicit RotationSigns(const Frame& frame) : f_(frame) {}
 
-  Vector way(Way w) const { return f_.way(w.of == Way::Of::p ? 0 : 1, w.from, w.to); }
-  Vector along(const SumEdge& e) const {
-    return e.from.q == e.to.q ? f_.way(0, e.from.p, e.to.p) : f_.way(1, e.from.q, e.to.q);
+  Vector direction(DirectionSource w) const {
+    return f_.direction(w.of == DirectionSource::Of::p ? 0 : 1, w.from, w.to);
   }
-  Vector place(SumPoint v) const { return f_.place(0, v.p) + f_.place(1, v.q); }
-  Vector between(SumPoint a, SumPoint b) const { return f_.way(0, a.p, b.p) + f_.way(1, a.q, b.q); }
+  Vector along(const SumEdge& e) const {
+    return e.from.q == e.to.q ? f_.direction(0, e.from.p, e.to.p) : f_.direction(1, e.from.q, e.to.q);
+  }
+  Vector position(SumPoint v) const { return f_.position(0, v.p) + f_.position(1, v.q); }
+  Vector between(SumPoint a, SumPoint b) const { return f_.direction(0, a.p, b.p) + f_.direction(1, a.q, b.q); }
   /// A plane's normal, times any positive number, and a sum in it.
   struct SidedPlane {
     Vector normal;
@@ -139,13 +143,15 @@ class RotationSigns {
   SidedPlane plane(const PlaneSource& f) const { return {normal(f), f.at}; }
   Vector normal(const PlaneSource& f) const {
     const bool same = f.u.of == f.v.of;
-    const int op = f.u.of == Way::Of::p ? 0 : 1;
+    const int op = f.u.of == DirectionSource::Of::p ? 0 : 1;
     const Vector n = same ? f_.normal(op, f.u.from, f.u.to, f.v.to) : f_.across(f.u.from, f.u.to, f.v.from, f.v.to);
     return f.reversed ? Vector{-n.x, -n.y, -n.z} : n;
   }
 
   /// Of a triangle's normal times a way. Degree 2.
-  Number slant(int op, const Triangle& t, Way d) const { return dot(f_.normal(op, t[0], t[1], t[2]), way(d)); }
+  Number slant(int op, const Triangle& t, DirectionSource d) const {
+    return dot(f_.normal(op, t[0], t[1], t[2]), direction(d));
+  }
   /// Of a sum over a plane. Degree 2.
   Number side(const SidedPlane& f, SumPoint v) const { return dot(f.normal, between(f.at, v)); }
   /// How two edges of sums pass: det(a, b, from a to b). Degree 2.
@@ -169,39 +175,39 @@ class RotationSigns {
     return db * dot(d, ca) + dc * dot(d, ab) - dd * dot(b, ca);
   }
   /// A point as `origin` and a vector x / w from there.
-  struct Place {
+  struct Position {
     SumPoint origin;
     Vector x;
     Number w;
   };
-  Place at(SumPoint v) const {
+  Position at(SumPoint v) const {
     const Vector zero = between(v, v);
     return {v, zero, Frame::one()};
   }
   /// Of edge a where it passes edge b.
-  Place at(const SumEdge& a, const SumEdge& b) const {
+  Position at(const SumEdge& a, const SumEdge& b) const {
     const Vector d = along(a), e = along(b), n = cross(e, cross(d, e));
     return {a.from, scaled(dot(n, between(a.from, b.from)), d), dot(n, d)};
   }
-  Place at(const SumEdge& e, const SidedPlane& f) const {
+  Position at(const SumEdge& e, const SidedPlane& f) const {
     const Vector& n = f.normal;
     const Vector d = along(e);
     return {e.from, scaled(dot(n, between(e.from, f.at)), d), dot(n, d)};
   }
-  Place at(const SidedPlane& f, const SidedPlane& g, const SidedPlane& h) const {
+  Position at(const SidedPlane& f, const SidedPlane& g, const SidedPlane& h) const {
     const Vector &a = f.normal, &b = g.normal, &c = h.normal;
     const Vector ca = cross(c, a);
     return {f.at, scaled(dot(b, between(f.at, g.at)), ca) + scaled(dot(c, between(f.at, h.at)), cross(a, b)),
             dot(b, ca)};
   }
-  /// The way into a facet across a border, in a plane of this normal; borders are counter-clockwise.
-  Vector inward(const Vector& n, const SumEdge& border) const { return cross(n, along(border)); }
-  /// On which side of a border that begins at `from` a place lies: positive inside.
-  Number inside(const Vector& inward, SumPoint from, const Place& at) const {
+  /// The direction into a facet across a facet edge, in a plane of this normal; facet edges are counter-clockwise.
+  Vector inward(const Vector& n, const SumEdge& facet_edge) const { return cross(n, along(facet_edge)); }
+  /// On which side of a facet edge that begins at `from` a position lies: positive inside.
+  Number inside(const Vector& inward, SumPoint from, const Position& at) const {
     return dot(inward, at.x) - at.w * dot(inward, between(at.origin, from));
   }
-  /// How far beyond an end of edge e, from the other end, a place on its line lies.
-  Number beyond(const SumEdge& e, SumPoint end, const Place& at) const {
+  /// How far beyond an end of edge e, from the other end, a position on its line lies.
+  Number beyond(const SumEdge& e, SumPoint end, const Position& at) const {
     const Vector d = along(e);
     const Number ahead = dot(d, at.x) - at.w * dot(d, between(at.origin, end));
     return end == e.to ? ahead : -ahead;

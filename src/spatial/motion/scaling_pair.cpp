@@ -33,20 +33,20 @@ PlaneRow row_of(const MovingPlane& plane) {
 
 ScalingPair::ScalingPair(SolidPair pair, int moving) : pair_(std::move(pair)), moving_(moving) {
   for (int op = 0; op < 2; ++op) {
-    const GridPlaces& from = op == 0 ? pair_.p_places : pair_.q_places;
+    const GridPositions& from = op == 0 ? pair_.p_positions : pair_.q_positions;
     for (std::uint32_t v = 0; v < operand(op).vertices.size(); ++v) {
-      const auto at = from.place<exact::Big>(v);
+      const auto at = from.position<exact::Big>(v);
       exact_[op].push_back({at.x.value(), at.y.value(), at.z.value()});
       const BigVector& x = exact_[op].back();
-      places_[op].push_back({nearest(x[0]), nearest(x[1]), nearest(x[2])});
+      positions_[op].push_back({nearest(x[0]), nearest(x[1]), nearest(x[2])});
       for (const BigInteger& c : x) reach_[op] = std::max(reach_[op], std::abs(nearest(c)) * (1 + 0x1p-50));
     }
   }
 }
 
-BigVector ScalingPair::along(const Way& way) const {
-  const std::vector<BigVector>& of = exact_[way.of == Way::Of::p ? 0 : 1];
-  return minus(of[way.to], of[way.from]);
+BigVector ScalingPair::along(const DirectionSource& direction) const {
+  const std::vector<BigVector>& of = exact_[direction.of == DirectionSource::Of::p ? 0 : 1];
+  return minus(of[direction.to], of[direction.from]);
 }
 
 MovingPlane ScalingPair::plane(const PlaneSource& source) const {

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "exact/big.h"
-#include "spatial/convex/exact_places.h"
+#include "spatial/convex/exact_positions.h"
 #include "spatial/motion/posed_pair.h"
 
 namespace dymsum::spatial {
@@ -36,20 +36,20 @@ class ScalingPair {
   const SolidOperand& operand(int op) const { return op == 0 ? pair_.p : pair_.q; }
 
   /// A sum is fixed(c) + s moved(c), in doubles each within 2^-53 of its size.
-  Vec3 fixed(SumPoint c) const { return moving_ == 0 ? places_[1][c.q] : places_[0][c.p]; }
-  Vec3 moved(SumPoint c) const { return moving_ == 0 ? places_[0][c.p] : places_[1][c.q]; }
+  Vec3 fixed(SumPoint c) const { return moving_ == 0 ? positions_[1][c.q] : positions_[0][c.p]; }
+  Vec3 moved(SumPoint c) const { return moving_ == 0 ? positions_[0][c.p] : positions_[1][c.q]; }
   Vec3 at(SumPoint c, double s) const { return fixed(c) + s * moved(c); }
   const BigVector& exact_fixed(SumPoint c) const { return moving_ == 0 ? exact_[1][c.q] : exact_[0][c.p]; }
   const BigVector& exact_moved(SumPoint c) const { return moving_ == 0 ? exact_[0][c.p] : exact_[1][c.q]; }
-  const std::vector<Vec3>& places(int op) const { return places_[static_cast<std::size_t>(op)]; }
-  const std::vector<BigVector>& exact_places(int op) const { return exact_[static_cast<std::size_t>(op)]; }
+  const std::vector<Vec3>& positions(int op) const { return positions_[static_cast<std::size_t>(op)]; }
+  const std::vector<BigVector>& exact_positions(int op) const { return exact_[static_cast<std::size_t>(op)]; }
   /// At least the largest coordinate of an operand.
   double reach(int op) const { return reach_[static_cast<std::size_t>(op)]; }
   /// At least the largest coordinate of any sum at scales up to s.
   double span(double s) const { return reach_[1 - moving_] + s * reach_[moving_]; }
 
   /// From one vertex of an operand to another.
-  BigVector along(const Way& way) const;
+  BigVector along(const DirectionSource& direction) const;
   MovingPlane plane(const PlaneSource& source) const;
   /// The pose of either operand at a scale.
   PosePair poses(const Scale& s) const;
@@ -58,7 +58,7 @@ class ScalingPair {
   SolidPair pair_;
   int moving_;
   std::array<std::vector<BigVector>, 2> exact_;
-  std::array<std::vector<Vec3>, 2> places_;
+  std::array<std::vector<Vec3>, 2> positions_;
   std::array<double, 2> reach_{};
 };
 

@@ -10,7 +10,7 @@ namespace dymsum::spatial {
 
 namespace {
 
-Way::Of operand_name(int op) { return op == 0 ? Way::Of::p : Way::Of::q; }
+DirectionSource::Of operand_name(int op) { return op == 0 ? DirectionSource::Of::p : DirectionSource::Of::q; }
 
 /// Whether all directions stay what they are: nothing moves but by scalings alike along all axes.
 bool same_directions(const SolidPose& a, const SolidPose& b) {
@@ -20,14 +20,14 @@ bool same_directions(const SolidPose& a, const SolidPose& b) {
   return a.rotation == b.rotation && (a.scale == b.scale || (alike(a) && alike(b)));
 }
 
-int certain_sign(double v) { return v > kSignError ? 1 : v < -kSignError ? -1 : 0; }
+int proved_sign(double v) { return v > kSignError ? 1 : v < -kSignError ? -1 : 0; }
 
 }  // namespace
 
 DynamicConvolution::DynamicConvolution(const SolidPair& pair, SkippedCertificate skipped)
     : pair_(pair),
       skipped_(skipped),
-      sides_{GaussSide(pair.p, pair.p_places), GaussSide(pair.q, pair.q_places)},
+      sides_{GaussSide(pair.p, pair.p_positions), GaussSide(pair.q, pair.q_positions)},
       edges_(sides_[0].convex.size()) {
   for (int op = 0; op < 2; ++op) {
     reach_[op] = cells_[op].emplace(sides_[op]).reach();
@@ -98,20 +98,20 @@ void DynamicConvolution::rebuild() {
 }
 
 void DynamicConvolution::match_all_edges() {
-  const auto box_of = [&](const GaussArc& arc, Vec3 middle) {
+  const auto box_of = [&](const GaussArc& arc, Vec3 centre) {
     Box box;
-    box.add(middle);
+    box.add(centre);
     box.grow(arc.radius + 0x1p-30);
     return box;
   };
   std::vector<Box> boxes;
-  for (const GaussArc& arc : sides_[1].arcs) boxes.push_back(box_of(arc, arc.middle));
+  for (const GaussArc& arc : sides_[1].arcs) boxes.push_back(box_of(arc, arc.centre));
   const BoxTree tree(std::move(boxes));
   for (std::uint32_t e = 0; e < edges_.size(); ++e) {
     found_.clear();
     for (const Match& m : edges_[e]) found_.push_back(m.feature);
     const GaussArc& arc = sides_[0].arcs[e];
-    tree.for_each(box_of(arc, seen_from_other(0, arc.middle)), [&](std::uint32_t g) { found_.push_back(g); });
+    tree.for_each(box_of(arc, seen_from_other(0, arc.centre)), [&](std::uint32_t g) { found_.push_back(g); });
     std::sort(found_.begin(), found_.end());
     found_.erase(std::unique(found_.begin(), found_.end()), found_.end());
     for (const std::uint32_t g : found_) match_edges(e, g);
@@ -137,7 +137,7 @@ void DynamicConvolution::look_at(int op, std::uint32_t triangle, double step, bo
     if (std::min({aside[0], aside[1], aside[2], aside[3]}) > near) continue;
     for (int k = 0; k < 4; ++k) {
       if (aside[k] > near) continue;
-      const float dx = x - four.middle_x[k], dy = y - four.middle_y[k], dz = z - four.middle_z[k];
+      const float dx = x - four.centre_x[k], dy = y - four.centre_y[k], dz = z - four.centre_z[k];
       const double far = std::max(aside[k], std::sqrt(dx * dx + dy * dy + dz * dz) - four.radius[k]);
       if (skipped_ != SkippedCertificate::crossings) margin = std::min(margin, far);
       if (far <= passed && (first || pass(op, triangle, n, four.index[k]))) any_passed = true;
@@ -153,7 +153,7 @@ bool DynamicConvolution::pass(int op, std::uint32_t triangle, Vec3 n, std::uint3
   if (same_shapes_) {
     const Vec3 &own = sides_[op].normals[triangle], edge = sides_[1 - op].edges[arc];
     const Vec3 before = op == 0 ? row_times(own, q_to_p_before_) : q_to_p_before_ * own;
-    if (certain_sign(dot(before, edge)) * certain_sign(dot(n, edge)) > 0) return false;
+    if (proved_sign(dot(before, edge)) * proved_sign(dot(n, edge)) > 0) return false;
   }
   sides_[op].for_each_edge(triangle,
                            [&](std::uint32_t edge) { op == 0 ? match_edges(edge, arc) : match_edges(arc, edge); });
@@ -168,7 +168,7 @@ void DynamicConvolution::match_cones(int op, std::uint32_t triangle, Vec3 n, std
     double most = -2;
     for (std::uint32_t k = cone.first; k < cone.last && most <= kSignError; ++k)
       most = std::max(most, dot(n, side.rays[k]));
-    const int sign = certain_sign(most);
+    const int sign = proved_sign(most);
     if (sign < 0 || (sign == 0 && exactly_supported(op, triangle, c))) found_.push_back(c);
   }
   keep_found(op, triangle);
@@ -216,8 +216,8 @@ int DynamicConvolution::edge_side(std::uint32_t e, std::uint32_t g) {
   const GaussSide &p = sides_[0], &q = sides_[1];
   const Vec3 e_there = seen_from_other(0, p.edges[e]), g_here = seen_from_other(1, q.edges[g]);
   const EdgePairSigns at{
-      certain_sign(dot(p.normals[p.wedge(e).left], g_here)), certain_sign(dot(p.normals[p.wedge(e).right], g_here)),
-      certain_sign(dot(q.normals[q.wedge(g).left], e_there)), certain_sign(dot(q.normals[q.wedge(g).right], e_there))};
+      proved_sign(dot(p.normals[p.wedge(e).left], g_here)), proved_sign(dot(p.normals[p.wedge(e).right], g_here)),
+      proved_sign(dot(q.normals[q.wedge(g).left], e_there)), proved_sign(dot(q.normals[q.wedge(g).right], e_there))};
   if (!at.any_zero()) return edge_pair_side(at);
   ++work_.exact_checks;
   return facet_side((*exact_)(), pair_.p, pair_.q, p.convex[e], q.convex[g]);

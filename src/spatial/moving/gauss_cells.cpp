@@ -27,9 +27,9 @@ GaussCells::FourArcs in_floats(const GaussSide& side, std::span<const std::uint3
       continue;
     }
     const std::uint32_t e = edges[k];
-    const Vec3 &d = side.edges[e], &m = side.arcs[e].middle;
+    const Vec3 &d = side.edges[e], &m = side.arcs[e].centre;
     four.x[k] = f(d.x), four.y[k] = f(d.y), four.z[k] = f(d.z);
-    four.middle_x[k] = f(m.x), four.middle_y[k] = f(m.y), four.middle_z[k] = f(m.z);
+    four.centre_x[k] = f(m.x), four.centre_y[k] = f(m.y), four.centre_z[k] = f(m.z);
     four.radius[k] = f(side.arcs[e].radius), four.index[k] = e;
   }
   return four;
@@ -39,8 +39,8 @@ GaussCells::FourArcs in_floats(const GaussSide& side, std::span<const std::uint3
 
 GaussCells::GaussCells(const GaussSide& side) {
   // A quarter of what a cone would be wide if all shared the sphere; cells are half as wide.
-  const double share = 4 * std::numbers::pi / static_cast<double>(side.solid.cones.size() + 1);
-  reach_ = std::clamp(0.3 * std::sqrt(share), 0.02, 0.3);
+  const double fraction = 4 * std::numbers::pi / static_cast<double>(side.solid.cones.size() + 1);
+  reach_ = std::clamp(0.3 * std::sqrt(fraction), 0.02, 0.3);
   while (across_ < kMostAcross && 2.0 / across_ > reach_) across_ *= 2;
   std::vector<std::uint32_t> cones(side.solid.cones.size()), arcs(side.arcs.size());
   std::iota(cones.begin(), cones.end(), 0u), std::iota(arcs.begin(), arcs.end(), 0u);
@@ -65,22 +65,22 @@ void GaussCells::split(const GaussSide& side, const Square& square, std::span<co
     return direction(square.face, 2 * (square.u + u) / across_ - 1, 2 * (square.v + v) / across_ - 1);
   };
   const double size = square.size;
-  const Vec3 middle = at(size / 2, size / 2);
+  const Vec3 centre = at(size / 2, size / 2);
   double radius = 0;
   for (const double u : {0.0, size})
-    for (const double v : {0.0, size}) radius = std::max(radius, length(at(u, v) - middle));
+    for (const double v : {0.0, size}) radius = std::max(radius, length(at(u, v) - centre));
   // Scaling may turn a cone by a quarter of the reach before cells are made again, and rounding may put a direction
   // into the cell beside its own.
   const double around = radius + 0.25 * reach_ + 0x1p-30, far = radius + reach_ + 0x1p-30;
   std::vector<std::uint32_t> near_cones, near_arcs;
   for (const std::uint32_t c : cones) {
     const SupportCone& cone = side.solid.cones[c];
-    const auto above = [&](const Vec3& ray) { return dot(middle, ray) > around; };
+    const auto above = [&](const Vec3& ray) { return dot(centre, ray) > around; };
     if (std::none_of(side.rays.begin() + cone.first, side.rays.begin() + cone.last, above)) near_cones.push_back(c);
   }
   for (const std::uint32_t e : arcs)
-    if (std::abs(dot(middle, side.edges[e])) <= far &&
-        length(middle - side.arcs[e].middle) <= far + side.arcs[e].radius)
+    if (std::abs(dot(centre, side.edges[e])) <= far &&
+        length(centre - side.arcs[e].centre) <= far + side.arcs[e].radius)
       near_arcs.push_back(e);
   if (square.size == 1) {
     const std::size_t here = cell(square.face, square.u, square.v);

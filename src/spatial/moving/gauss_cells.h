@@ -15,7 +15,7 @@ class GaussCells {
   /// Arcs of four convex edges as the cells were made, in floats: directions of the edges, and the balls around arcs.
   /// Where there are fewer, the radius of what is left over is below zero and far from everything.
   struct FourArcs {
-    float x[4], y[4], z[4], middle_x[4], middle_y[4], middle_z[4], radius[4];
+    float x[4], y[4], z[4], centre_x[4], centre_y[4], centre_z[4], radius[4];
     std::uint32_t index[4];
   };
   struct Cell {

@@ -29,28 +29,30 @@ Vec3 times(Vec3 a, Vec3 b) { return {a.x * b.x, a.y * b.y, a.z * b.z}; }
 GaussArc arc_between(Vec3 a, Vec3 b) {
   const Vec3 sum = a + b;
   if (length(sum) < 0x1p-10) return {{0, 0, 0}, 1 + 0x1p-40};
-  const Vec3 middle = unit(sum);
-  return {middle, std::max(length(a - middle), length(b - middle)) + 0x1p-40};
+  const Vec3 centre = unit(sum);
+  return {centre, std::max(length(a - centre), length(b - centre)) + 0x1p-40};
 }
 
 }  // namespace
 
-GaussSide::GaussSide(const SolidOperand& operand, const GridPlaces& places) : solid(operand) {
-  with_coordinates(places, [&]<class C>(C) {
-    const auto way = [&](std::uint32_t from, std::uint32_t to) { return places.place<C>(to) - places.place<C>(from); };
+GaussSide::GaussSide(const SolidOperand& operand, const GridPositions& positions) : solid(operand) {
+  with_coordinates(positions, [&]<class C>(C) {
+    const auto direction = [&](std::uint32_t from, std::uint32_t to) {
+      return positions.position<C>(to) - positions.position<C>(from);
+    };
     for (const Triangle& t : solid.triangles)
-      own_normals_.push_back(scaled_doubles(exact::cross(way(t[0], t[1]), way(t[0], t[2]))));
+      own_normals_.push_back(scaled_doubles(exact::cross(direction(t[0], t[1]), direction(t[0], t[2]))));
     convex_of.assign(solid.wedges.size(), kNone);
     for (std::uint32_t w = 0; w < solid.wedges.size(); ++w) {
       if (solid.wedges[w].bend != Wedge::Bend::convex) continue;
       convex_of[w] = static_cast<std::uint32_t>(convex.size());
       convex.push_back(w);
-      own_edges_.push_back(scaled_doubles(way(solid.wedges[w].from, solid.wedges[w].to)));
+      own_edges_.push_back(scaled_doubles(direction(solid.wedges[w].from, solid.wedges[w].to)));
     }
     own_rays_.resize(solid.rays.size());
     for (const SupportCone& cone : solid.cones)
       for (std::uint32_t k = cone.first; k < cone.last; ++k)
-        own_rays_[k] = scaled_doubles(way(cone.vertex, solid.rays[k]));
+        own_rays_[k] = scaled_doubles(direction(cone.vertex, solid.rays[k]));
   });
   scale({1, 1, 1});
 }

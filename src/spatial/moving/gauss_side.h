@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "spatial/convolution/solid_operand.h"
-#include "spatial/mesh/grid_places.h"
+#include "spatial/mesh/grid_positions.h"
 #include "spatial/mesh/vec3.h"
 
 namespace dymsum::spatial {
@@ -16,10 +16,10 @@ inline constexpr double kUnitError = 0x1p-48;
 /// The product of two of them, one turned by matrix_of of another 2^-46: beyond this its sign is the exact one.
 inline constexpr double kSignError = 0x1p-43;
 
-/// The normals between those of an edge's faces lie in a ball of `radius` about `middle`, which are chords: distances
+/// The normals between those of an edge's faces lie in a ball of `radius` about `centre`, which are chords: distances
 /// between unit vectors, which no turn by some angle changes by more than that.
 struct GaussArc {
-  Vec3 middle;
+  Vec3 centre;
   double radius = 0;
 };
 
@@ -28,7 +28,7 @@ class GaussSide {
   static constexpr std::uint32_t kNone = 0xffffffff;
 
   /// Unscaled. Requires an operand without thin parts, which has to live as long.
-  GaussSide(const SolidOperand& solid, const GridPlaces& places);
+  GaussSide(const SolidOperand& solid, const GridPositions& positions);
   /// Scales along the axes of its frame.
   void scale(Vec3 factors);
 

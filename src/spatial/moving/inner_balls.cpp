@@ -46,9 +46,9 @@ class Finder {
     std::stable_sort(found.begin(), found.end(), [](const auto& a, const auto& b) { return a.radius > b.radius; });
     for (const InnerBalls::Ball& ball : found) {
       const bool known = std::any_of(chosen.begin(), chosen.end(), [&](const InnerBalls::Ball& other) {
-        return length(ball.middle - other.middle) < 0.4 * other.radius;
+        return length(ball.centre - other.centre) < 0.4 * other.radius;
       });
-      if (!known && is_inside(ball.middle)) chosen.push_back(ball);
+      if (!known && is_inside(ball.centre)) chosen.push_back(ball);
     }
     return spread(chosen);
   }
@@ -60,7 +60,7 @@ class Finder {
     for (std::size_t k = 0; k + 1 < balls.size(); ++k) {
       std::size_t next = k + 1;
       for (std::size_t i = k + 1; i < balls.size(); ++i) {
-        far[i] = std::min(far[i], length(balls[i].middle - balls[k].middle));
+        far[i] = std::min(far[i], length(balls[i].centre - balls[k].centre));
         if (far[i] > far[next]) next = i;
       }
       std::swap(balls[k + 1], balls[next]), std::swap(far[k + 1], far[next]);
@@ -78,7 +78,7 @@ class Finder {
     return best;
   }
 
-  /// The largest ball inside that touches the middle of a triangle, or about that.
+  /// The largest ball inside that touches the centre of a triangle, or about that.
   InnerBalls::Ball touching(std::size_t triangle) const {
     const Triangle& t = solid_.triangles[triangle];
     const Vec3 a = at_[t[0]], b = at_[t[1]], c = at_[t[2]], m = 1.0 / 3 * (a + b + c), up = cross(b - a, c - a);
@@ -90,8 +90,8 @@ class Finder {
       if (!(below > 0) || far / (2 * below) > r * (1 - 0x1p-10)) break;
       r = far / (2 * below);
     }
-    const Vec3 middle = m - r * n;
-    return {middle, length(middle - nearest(middle)) * (1 - 0x1p-20) - margin_};
+    const Vec3 centre = m - r * n;
+    return {centre, length(centre - nearest(centre)) * (1 - 0x1p-20) - margin_};
   }
 
   /// By a ray; one that passes too near an edge says nothing.
@@ -123,8 +123,8 @@ InnerBalls inner_balls(const SolidOperand& solid) {
     const std::size_t some = std::min<std::size_t>(InnerBalls::kNeighbours + 1, count);
     std::partial_sort(order.begin(), order.begin() + static_cast<std::ptrdiff_t>(some), order.end(),
                       [&](std::uint32_t a, std::uint32_t b) {
-                        const double x = length(balls[a].middle - balls[i].middle),
-                                     y = length(balls[b].middle - balls[i].middle);
+                        const double x = length(balls[a].centre - balls[i].centre),
+                                     y = length(balls[b].centre - balls[i].centre);
                         return x != y ? x < y : a < b;
                       });
     std::array<std::uint32_t, InnerBalls::kNeighbours>& near = result.neighbours.emplace_back();

@@ -23,7 +23,7 @@ void InnerFacets::move(const PosedSpace& at, const PosePair& poses) {
     const double least = unit * std::min({s.x, s.y, s.z}) * (1 - 0x1p-40);
     posed_[op].clear();
     for (const InnerBalls::Ball& ball : own_[op].balls) {
-      const Vec3& m = ball.middle;
+      const Vec3& m = ball.centre;
       posed_[op].push_back({unit * (turn * Vec3{s.x * m.x, s.y * m.y, s.z * m.z}), least * ball.radius});
     }
   }
@@ -39,8 +39,8 @@ void InnerFacets::make_some() {
   for (std::uint32_t i = 0; i < some(posed_[0]); ++i) {
     for (std::uint32_t j = 0; j < some(posed_[1]); ++j) {
       const InnerBalls::Ball &a = posed_[0][i], &b = posed_[1][j];
-      const Vec3 middle = a.middle + b.middle;
-      some_.x.push_back(middle.x), some_.y.push_back(middle.y), some_.z.push_back(middle.z);
+      const Vec3 centre = a.centre + b.centre;
+      some_.x.push_back(centre.x), some_.y.push_back(centre.y), some_.z.push_back(centre.z);
       some_.radius.push_back(a.radius + b.radius), some_.pair.push_back({i, j});
     }
   }
@@ -62,14 +62,14 @@ bool InnerFacets::hold(std::uint32_t slot, const SumFacet& facet) {
     return true;
   }
   ++tested_;
-  Vec3 middle;
-  for (int k = 0; k < facet.corners; ++k) middle = middle + 1.0 / facet.corners * space_->approx(facet.corner[k]);
+  Vec3 centre;
+  for (int k = 0; k < facet.corners; ++k) centre = centre + 1.0 / facet.corners * space_->approx(facet.corner[k]);
   if (pair.p != kUnknown.p) {
-    pair = descend(pair, middle);
+    pair = descend(pair, centre);
   } else {
     // Facets come in an order in which neighbours are often near to one another.
-    if (last_.p != kUnknown.p) pair = descend(last_, middle);
-    if (pair.p == kUnknown.p || !covers(pair, facet)) pair = search(middle);
+    if (last_.p != kUnknown.p) pair = descend(last_, centre);
+    if (pair.p == kUnknown.p || !covers(pair, facet)) pair = search(centre);
   }
   last_ = pair;
   return covers(pair, facet);

@@ -33,7 +33,7 @@ class InnerFacets {
   static constexpr BallPair kUnknown{0xffffffff, 0xffffffff};
   double gap(BallPair pair, Vec3 x) const {
     const InnerBalls::Ball &a = posed_[0][pair.p], &b = posed_[1][pair.q];
-    return length(x - a.middle - b.middle) - a.radius - b.radius;
+    return length(x - a.centre - b.centre) - a.radius - b.radius;
   }
   bool covers(BallPair pair, const SumFacet& facet) const;
   void make_some();
@@ -43,7 +43,7 @@ class InnerFacets {
   std::array<InnerBalls, 2> own_;
   std::array<std::vector<InnerBalls::Ball>, 2> posed_;  // in units of the space
   std::vector<BallPair> pairs_;                         // per slot
-  BallPair last_ = kUnknown;                            // of the facet asked about before
+  BallPair last_ = kUnknown;                            // of the facet queried before
   struct SomePairs {
     std::vector<double> x, y, z, radius;
     std::vector<BallPair> pair;

@@ -10,7 +10,8 @@ constexpr std::uint32_t kNearStepsToFollow = 4;
 }  // namespace
 
 std::optional<Error> motion_refusal(const Mesh& p, const Mesh& q, const MovingSolidOptions& options) {
-  if (options.threads < 0) return Error{ErrorCode::out_of_range, "the number of threads is negative", {}};
+  if (options.threads < 0)
+    return Error{ErrorCode::out_of_range, "threads must be at least 0, not " + std::to_string(options.threads), {}};
   if (p.has_thin_parts() && q.has_thin_parts())
     return Error{ErrorCode::unsupported_operand, "only one operand of a moving sum may have parts without volume", {}};
   return std::nullopt;

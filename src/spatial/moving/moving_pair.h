@@ -20,7 +20,7 @@ class MovingPair {
   MovingPair(const MovingPair&) = delete;
 
   /// The sum at a pair of poses, from what is kept of the frame before or from scratch. Throws as fresh_sum, Cancelled;
-  /// the next frame then is made as if that one had not been asked for.
+  /// the next frame then is made as if that one had not been requested.
   SpatialSum frame(const PosePair& to, SolidFrameWork& work);
   const PosePair& poses() const { return poses_; }
   const MovingSolidOptions& options() const { return options_; }

@@ -10,7 +10,7 @@ namespace dymsum::spatial {
 
 SpatialOptions stage_options(const MovingSolidOptions& options);
 
-/// The stages behind the convolution. Throws Cancelled.
+/// The stages after the convolution. Throws Cancelled.
 SpatialSum sum_of_facets(const SolidPair& pair, PosedSpace space, ReducedConvolution convolution,
                          const ConvolutionHints& hints, const SpatialOptions& options);
 /// All stages. Throws Cancelled, and std::invalid_argument as posed_space.
@@ -19,7 +19,7 @@ SpatialSum fresh_sum(const SolidPair& pair, const PosePair& poses, const Spatial
 /// The same in the space of given poses.
 SpatialSum fresh_sum(const SolidPair& pair, PosedSpace space, const SpatialOptions& options);
 
-/// Calls make(), and tells what it throws as errors.
+/// Calls make(), and reports what it throws as errors.
 template <class F>
 auto guarded(F make) -> Result<decltype(make())> {
   try {

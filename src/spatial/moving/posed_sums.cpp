@@ -40,15 +40,15 @@ class PoseBatch {
     if (failure_) std::rethrow_exception(failure_);
     return std::move(works_);
   }
-  /// Between the stages of a sum: the caller is asked by one thread at a time, with the share of all poses.
+  /// Between the stages of a sum: the caller is queried by one thread at a time, with the fraction of all poses.
   bool go_on() {
     const std::lock_guard lock(mutex_);
-    if (!failure_ && !asked()) failure_ = std::make_exception_ptr(Cancelled{});
+    if (!failure_ && !queried()) failure_ = std::make_exception_ptr(Cancelled{});
     return !failure_;
   }
 
  private:
-  bool asked() const {
+  bool queried() const {
     return !progress_ || progress_("poses", static_cast<double>(done_) / static_cast<double>(poses_.size()));
   }
   void tell(std::uint32_t k, const SpatialSum& sum) {
@@ -57,7 +57,7 @@ class PoseBatch {
     try {
       visit_(k, sum);
       ++done_;
-      if (!asked()) throw Cancelled{};
+      if (!queried()) throw Cancelled{};
     } catch (...) {
       fail();  // still under the lock: no other thread visits after a failure
       throw;

@@ -43,7 +43,7 @@ class SidesAroundEdge {
   /// Sorts sides along one edge, of four faces or more, so that each two bound one wedge of the outside.
   void pair(std::vector<std::uint32_t>& around) {
     const auto [a, b] = std::minmax(sides_[around[0]].from, sides_[around[0]].to);
-    along_ = minus(place(b), place(a));
+    along_ = minus(position(b), position(a));
     std::vector<Around> order;
     for (const std::uint32_t s : around) {
       const Vector n = normal(sides_[s].face);
@@ -61,16 +61,16 @@ class SidesAroundEdge {
     std::uint32_t side;
     Vector in;  // into the face, across the edge
   };
-  Vector place(std::uint32_t v) const {
+  Vector position(std::uint32_t v) const {
     const RationalPoint3 p = sum_.exact(v);
     return {exact::exact_value(p.x), exact::exact_value(p.y), exact::exact_value(p.z)};
   }
   Vector normal(std::uint32_t face) const {
     const std::vector<std::uint32_t>& loop = sum_.faces[face].loops[0];
-    const Vector origin = place(loop[0]);
+    const Vector origin = position(loop[0]);
     Vector n{0, 0, 0};
     for (std::size_t k = 1; k + 1 < loop.size(); ++k)
-      n = plus(n, cross(minus(place(loop[k]), origin), minus(place(loop[k + 1]), origin)));
+      n = plus(n, cross(minus(position(loop[k]), origin), minus(position(loop[k + 1]), origin)));
     return n;
   }
   /// Counter-clockwise about the edge, from the first one on.

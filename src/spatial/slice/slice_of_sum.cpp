@@ -2,6 +2,7 @@
 #include <cmath>
 
 #include "base/budget_error.h"
+#include "base/double_text.h"
 #include "base/poll.h"
 #include "dymsum/solid_slice.h"
 #include "exact/big.h"
@@ -23,7 +24,8 @@ bool within(const Mesh& p, const Mesh& q, double z) {
 }  // namespace
 
 Result<SolidSlice> slice_of_sum(const Mesh& p, const Mesh& q, double z, const SpatialOptions& options) {
-  if (!std::isfinite(z)) return Error{ErrorCode::not_finite, "the height of a slice is a number", {}};
+  if (!std::isfinite(z))
+    return Error{ErrorCode::not_finite, "the height of a slice must be finite, not " + base::general_text(z, 6), {}};
   SolidSlice slice;
   slice.z = z;
   if (p.has_thin_parts() || q.has_thin_parts())

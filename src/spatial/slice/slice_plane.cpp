@@ -29,10 +29,10 @@ std::array<double, 2> range_of(const std::vector<Point3>& vertices, double Point
   return {(*low).*axis, (*high).*axis};
 }
 
-/// The end of a facet's stretch: at a corner, or on the border that begins there.
+/// The end of a facet's interval: at a corner, or on the facet edge that begins there.
 struct End {
   int corner = 0;
-  bool on_border = false;
+  bool on_facet_edge = false;
 };
 
 class Builder {
@@ -66,7 +66,8 @@ class Builder {
     q.push_back({q[0].x, q[0].y, anchor_z});
     if (const GridNeed need = grid_need(p, q); need.bits > kMostGridBits) throw NoGridForSlice{too_fine(need)};
     result_.space = make_sum_space(p, q);
-    const PlaneSource plane{{first_corner_, anchor_}, {Way::Of::axis, 0, 0}, {Way::Of::axis, 1, 0}, false};
+    const PlaneSource plane{
+        {first_corner_, anchor_}, {DirectionSource::Of::axis, 0, 0}, {DirectionSource::Of::axis, 1, 0}, false};
     result_.plane = result_.space->add_planes(std::array{plane});
   }
 
@@ -125,13 +126,14 @@ class Builder {
   static PointSource source(SumPoint s) { return {PointSource::Kind::sum, s.p, s.q, 0}; }
 
   /// The upright plane through a way: the way is n x n_cut, n pointing up.
-  PlaneId upright(SumPoint at, Way way) {
-    return result_.space->add_planes(std::array{PlaneSource{at, way, {Way::Of::axis, 2, 0}, false}});
+  PlaneId upright(SumPoint at, DirectionSource direction) {
+    return result_.space->add_planes(std::array{PlaneSource{at, direction, {DirectionSource::Of::axis, 2, 0}, false}});
   }
   void add_frame() {
     for (std::uint32_t k = 0; k < 4; ++k) {
       const SumPoint a{first_corner_ + k, anchor_}, b{first_corner_ + (k + 1) % 4, anchor_};
-      add(source(a), source(b), {{0, 0, upright(a, {Way::Of::p, a.p, b.p}), 1, 1}, SliceSegment::kFrame, false});
+      add(source(a), source(b),
+          {{0, 0, upright(a, {DirectionSource::Of::p, a.p, b.p}), 1, 1}, SliceSegment::kFrame, false});
     }
   }
 
@@ -140,7 +142,7 @@ class Builder {
     const std::array<int, 4> sides = sides_of(facet.facet);
     const bool flat = std::all_of(sides.begin(), sides.begin() + facet.facet.corners, [](int s) { return s == 0; });
     if (flat) add_flat(f);
-    else add_stretch(f, sides);
+    else add_interval(f, sides);
   }
 
   void add_flat(std::uint32_t f) {
@@ -149,16 +151,17 @@ class Builder {
     const bool up = result_.space->exact_normal(facet.plane, 2) * facet.side > 0;
     for (std::size_t k = 0; k < n; ++k) {
       const SumPoint a = facet.facet.corner[k], b = facet.facet.corner[(k + 1) % n];
-      const Way way = a.q == b.q ? Way{Way::Of::p, a.p, b.p} : Way{Way::Of::q, a.q, b.q};
+      const DirectionSource direction = a.q == b.q ? DirectionSource{DirectionSource::Of::p, a.p, b.p}
+                                                   : DirectionSource{DirectionSource::Of::q, a.q, b.q};
       const auto side = static_cast<std::int8_t>(up ? 1 : -1);
-      add(source(a), source(b), {{0, 0, upright(a, way), side, side}, f, false});
+      add(source(a), source(b), {{0, 0, upright(a, direction), side, side}, f, false});
     }
   }
 
-  /// Counter-clockwise about the facet's own normal m, its border comes up through the plane at the beginning of the
-  /// stretch in the direction m x z and goes down at its end. A border in the plane is one that comes down at its first
-  /// corner and goes up at its second one where the facet lies above it, and the other way round below.
-  void add_stretch(std::uint32_t f, const std::array<int, 4>& sides) {
+  /// Counter-clockwise about the facet's own normal m, its facet edge comes up through the plane at the beginning of
+  /// the interval in the direction m x z and goes down at its end. A facet edge in the plane is one that comes down at
+  /// its first corner and goes up at its second one where the facet lies above it, and the other way round below.
+  void add_interval(std::uint32_t f, const std::array<int, 4>& sides) {
     const TableFacet& facet = result_.table.facets[f];
     const std::size_t n = facet.facet.corners;
     PointSource from, to;
@@ -168,12 +171,12 @@ class Builder {
       (rises ? has_from : has_to) = true;
     };
     for (std::size_t k = 0; k < n; ++k) {
-      const int before = sides[(k + n - 1) % n], here = sides[k], behind = sides[(k + 1) % n];
+      const int before = sides[(k + n - 1) % n], here = sides[k], after = sides[(k + 1) % n];
       const PointSource corner = source(facet.facet.corner[k]);
-      if (here * behind < 0) take(behind > 0, {PointSource::Kind::edge, facet.edge[k], result_.plane, 0});
+      if (here * after < 0) take(after > 0, {PointSource::Kind::edge, facet.edge[k], result_.plane, 0});
       if (here != 0) continue;
-      if (before == behind) take(true, corner), take(false, corner);
-      else take(before != 0 ? before < 0 : behind > 0, corner);
+      if (before == after) take(true, corner), take(false, corner);
+      else take(before != 0 ? before < 0 : after > 0, corner);
     }
     if (!has_from || !has_to) throw std::logic_error("slice: a facet that meets the plane without a stretch");
     // The way of a segment is z x n_cut, that is z x m where the facet's normal is its plane's.

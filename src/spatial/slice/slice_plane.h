@@ -12,7 +12,8 @@
 
 namespace dymsum::spatial {
 
-/// A stretch of the plane's arrangement: where a facet meets it, the border of one that lies in it, or of the frame.
+/// An interval of the plane's arrangement: where a facet meets it, the facet edge of one that lies in it, or of the
+/// frame.
 struct SliceSegment {
   static constexpr std::uint32_t kFrame = 0xffffffff;
   PlaneSegment segment;

@@ -152,15 +152,16 @@ class Collector {
     return result;
   }
 
-  /// The index of what touches along a half-edge: of the first facet with its cut whose stretch holds it.
+  /// The index of what touches along a half-edge: of the first facet with its cut whose interval holds it.
   std::uint32_t contact(std::uint32_t half_edge) {
     const PointId a = start(half_edge), b = start(half_edge ^ 1);
     for (const std::uint32_t s : by_cut_.at(plane_.cells.edges[half_edge / 2].cut)) {
       const SliceSegment& segment = plane_.segments[s];
       if (segment.facet == SliceSegment::kFrame || !holds(segment.segment, a) || !holds(segment.segment, b)) continue;
-      const auto [place, added] = index_of_.emplace(segment.facet, static_cast<std::uint32_t>(slice_.contacts.size()));
+      const auto [position, added] =
+          index_of_.emplace(segment.facet, static_cast<std::uint32_t>(slice_.contacts.size()));
       if (added) slice_.contacts.push_back(features_of(plane_.table.facets[segment.facet].facet, p_, q_));
-      return place->second;
+      return position->second;
     }
     return SumVertex::kNone;
   }
@@ -169,10 +170,10 @@ class Collector {
     if (at == s.a || at == s.b) return true;
     const PointTable& points = *plane_.points;
     for (int axis = 0; axis < 2; ++axis) {
-      const int way = space_->exact_order(points.source(s.a), points.source(s.b), axis);
-      if (way == 0) continue;
-      return space_->exact_order(points.source(s.a), points.source(at), axis) == way &&
-             space_->exact_order(points.source(at), points.source(s.b), axis) == way;
+      const int direction = space_->exact_order(points.source(s.a), points.source(s.b), axis);
+      if (direction == 0) continue;
+      return space_->exact_order(points.source(s.a), points.source(at), axis) == direction &&
+             space_->exact_order(points.source(at), points.source(s.b), axis) == direction;
     }
     return false;
   }

@@ -24,14 +24,14 @@ class Tracer {
 
   std::vector<std::vector<std::uint32_t>> run() {
     for (std::uint32_t h = 0; h < next_.size(); ++h)
-      if (is_border(h) && !seen_[h]) follow(h);
+      if (is_boundary(h) && !seen_[h]) follow(h);
     return std::move(rings_);
   }
 
  private:
-  bool is_border(std::uint32_t h) const { return inside_[h] && !inside_[h ^ 1]; }
+  bool is_boundary(std::uint32_t h) const { return inside_[h] && !inside_[h ^ 1]; }
 
-  /// From border to border through what is taken at the point between them: the parts that meet there in a point only
+  /// From edge to edge through what is taken at the point between them: the parts that meet there in a point only
   /// stay apart.
   void follow(std::uint32_t start) {
     std::vector<std::uint32_t> path;
@@ -44,7 +44,7 @@ class Tracer {
       seen_[h] = true;
       path.push_back(h);
       h = next_[h];
-      while (!is_border(h)) h = next_[h ^ 1];
+      while (!is_boundary(h)) h = next_[h ^ 1];
     } while (h != start);
     rings_.push_back(std::move(path));
   }

@@ -55,8 +55,8 @@ class Judge {
   Flag inside(const Cell& cell) const {
     const std::uint32_t h = cells_.half_edges[cells_.loops[cell.first_loop]];
     const CellEdge& e = cells_.edges[h / 2];
-    const auto way = static_cast<std::int8_t>((e.along ? 1 : -1) * (h & 1 ? -1 : 1));
-    return {source(h & 1 ? e.b : e.a), plane_.plane, e.cut, way, 1, 0};
+    const auto direction = static_cast<std::int8_t>((e.along ? 1 : -1) * (h & 1 ? -1 : 1));
+    return {source(h & 1 ? e.b : e.a), plane_.plane, e.cut, direction, 1, 0};
   }
 
   void judge_edge(std::uint32_t k) {

@@ -15,7 +15,7 @@ namespace dymsum::solids {
 
 namespace {
 
-/// The lattice points of a cube's surface, numbered as they are asked for.
+/// The lattice points of a cube's surface, numbered as they are requested.
 class CubeLattice {
  public:
   CubeLattice(double size, int k, double snap)

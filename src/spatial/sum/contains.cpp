@@ -46,7 +46,7 @@ Result<std::vector<bool>> contains_each(const Mesh& p, const Mesh& q, std::span<
       return cancelled();
     const RationalPoint3& z = positions[k];
     const std::optional<PointSource> at =
-        space->add_place({exact::exact_value(z.x), exact::exact_value(z.y), exact::exact_value(z.z)});
+        space->add_position({exact::exact_value(z.x), exact::exact_value(z.y), exact::exact_value(z.z)});
     if (!at) continue;
     const Flag flag{*at, 0, 0, 0, 0, 0};
     inside[k] = open ? collision.overlaps(flag) : collision.touches(flag);

@@ -11,7 +11,7 @@ namespace dymsum::spatial {
 
 namespace {
 
-/// Pieces of lines that neighbouring cells of one plane share and that nothing else selected touches are no borders.
+/// Pieces of lines that neighbouring cells of one plane share and that nothing else selected touches are no face edges.
 class Merger {
  public:
   Merger(const SumSpace& space, const SolidArrangement& arrangement, const Selection& selection, StageWatch& watch)
@@ -24,9 +24,9 @@ class Merger {
   std::vector<CellPolygon> run() {
     count_walls();
     in_parts([&](Part& part, const PlaneGroup& group) { trace(group, part); });
-    collect(polygons_, &Part::polygons), collect(borders_, &Part::borders);
+    collect(polygons_, &Part::polygons), collect(face_edges_, &Part::face_edges);
     find_corners();
-    watch_.run_stretches(polygons_.size(), kPart, [&](std::size_t, std::size_t first, std::size_t last) {
+    watch_.run_intervals(polygons_.size(), kPart, [&](std::size_t, std::size_t first, std::size_t last) {
       for (std::size_t k = first; k < last; ++k)
         for (std::vector<PointId>& loop : polygons_[k].loops)
           std::erase_if(loop, [&](PointId p) { return corner_[p] == 0; });
@@ -35,14 +35,14 @@ class Merger {
   }
 
  private:
-  struct Border {
+  struct FaceEdge {
     PointId a, b;
     PlaneId plane, cut;
   };
-  /// What a stretch of groups gives.
+  /// What an interval of groups gives.
   struct Part {
     std::vector<CellPolygon> polygons;
-    std::vector<Border> borders;
+    std::vector<FaceEdge> face_edges;
     struct Scratch {
       std::vector<std::uint32_t> next, cell_of, parent, polygon_of;  // per half-edge; per cell
       std::vector<std::uint8_t> inner, seen;                         // per edge; per half-edge
@@ -52,7 +52,7 @@ class Merger {
 
   template <class F>
   void in_parts(F f) {
-    watch_.run_stretches(arrangement_.groups.size(), kPart, [&](std::size_t k, std::size_t first, std::size_t last) {
+    watch_.run_intervals(arrangement_.groups.size(), kPart, [&](std::size_t k, std::size_t first, std::size_t last) {
       for (std::size_t g = first; g < last; ++g)
         if (is_selected(arrangement_.groups[g])) f(parts_[k], arrangement_.groups[g]);
       parts_[k].scratch = {};
@@ -81,7 +81,7 @@ class Merger {
     for (const PlaneGroup& group : arrangement_.groups)
       first_edge_.push_back(first_edge_.back() + static_cast<std::uint32_t>(group.cells.edges.size()));
     edge_of_.resize(first_edge_.back()), walls_.resize(arrangement_.edge_ends.size());
-    watch_.run_stretches(walls_.size(), 1024, [&](std::size_t, std::size_t first, std::size_t last) {
+    watch_.run_intervals(walls_.size(), 1024, [&](std::size_t, std::size_t first, std::size_t last) {
       for (std::size_t e = first; e < last; ++e) count_walls(static_cast<std::uint32_t>(e));
     });
   }
@@ -139,7 +139,7 @@ class Merger {
         seen[g] = true;
         const CellEdge& e = cells.edges[g / 2];
         loop.push_back(arrangement_.point(group, g & 1 ? e.b : e.a));
-        part.borders.push_back({loop.back(), arrangement_.point(group, g & 1 ? e.a : e.b), group.plane, e.cut});
+        part.face_edges.push_back({loop.back(), arrangement_.point(group, g & 1 ? e.a : e.b), group.plane, e.cut});
         g = next[g];
         while (inner[g / 2]) g = next[g ^ 1];
       }
@@ -148,25 +148,25 @@ class Merger {
     }
   }
 
-  /// A point is no corner where all borders run along one line.
+  /// A point is no corner where all face edges run along one line.
   void find_corners() {
-    if (borders_.empty()) return;
+    if (face_edges_.empty()) return;
     corner_.assign(arrangement_.points.size(), 0);
     std::vector<std::uint32_t> first(arrangement_.points.size(), kNoId);
-    for (std::uint32_t k = 0; k < borders_.size(); ++k)
-      for (const PointId at : {borders_[k].a, borders_[k].b})
+    for (std::uint32_t k = 0; k < face_edges_.size(); ++k)
+      for (const PointId at : {face_edges_[k].a, face_edges_[k].b})
         if (first[at] == kNoId) first[at] = k;
-    watch_.run_stretches(borders_.size(), 1024, [&](std::size_t, std::size_t begin, std::size_t end) {
+    watch_.run_intervals(face_edges_.size(), 1024, [&](std::size_t, std::size_t begin, std::size_t end) {
       for (std::size_t k = begin; k < end; ++k) {
-        for (const PointId at : {borders_[k].a, borders_[k].b}) {
-          if (base::shared_byte(corner_[at]) == 0 && !on_line(borders_[first[at]], borders_[k], at))
+        for (const PointId at : {face_edges_[k].a, face_edges_[k].b}) {
+          if (base::shared_byte(corner_[at]) == 0 && !on_line(face_edges_[first[at]], face_edges_[k], at))
             base::set_shared_byte(corner_[at], 1);
         }
       }
     });
   }
-  /// Whether two borders with an end in common run along one line.
-  bool on_line(const Border& x, const Border& y, PointId common) const {
+  /// Whether two face edges with an end in common run along one line.
+  bool on_line(const FaceEdge& x, const FaceEdge& y, PointId common) const {
     if (x.plane == y.plane && x.cut == y.cut) return true;
     const PointId end = y.a == common ? y.b : y.a;
     const PointSource& s = arrangement_.points.source(end);
@@ -182,7 +182,7 @@ class Merger {
   std::vector<std::uint32_t> first_edge_, edge_of_;  // per group; of its edges: which one of the arrangement each is
   std::vector<std::uint8_t> walls_;                  // per edge of the arrangement
   std::vector<CellPolygon> polygons_;
-  std::vector<Border> borders_;
+  std::vector<FaceEdge> face_edges_;
   std::vector<std::uint8_t> corner_;  // per point
 };
 

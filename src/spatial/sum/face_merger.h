@@ -21,7 +21,7 @@ struct CellPolygon {
 };
 
 /// The selected cells as polygons: a piece of a line that two of them in one plane share, and nothing else that is
-/// selected touches, is no border; a point where all borders run along one line is no corner.
+/// selected touches, is no face edge; a point where all face edges run along one line is no corner.
 std::vector<CellPolygon> merged_cells(const SumSpace& space, const SolidArrangement& arrangement,
                                       const Selection& selection, StageWatch& watch);
 

@@ -64,7 +64,7 @@ class FaceSplitter {
 
  private:
   /// Sees the face counter-clockwise: along the axis of its largest area, from the side that the outer loop's turn at
-  /// its smallest vertex tells, which is a left one.
+  /// its smallest vertex decides, which is a left one.
   void look_at(const Ring& outer) {
     Vec3 n;
     const auto at = [&](std::uint32_t v) { return Vec3{sum_.vertices[v].x, sum_.vertices[v].y, sum_.vertices[v].z}; };

@@ -54,21 +54,21 @@ FeaturePairs::FeaturePairs(const SolidBoundary& boundary, const SolidOperand& p,
   for (const SumEdge& edge : edges) ++first_end_[edge.from.p + 1], ++first_end_[edge.to.p + 1];
   std::partial_sum(first_end_.begin(), first_end_.end(), first_end_.begin());
   ends_.resize(2 * edges.size());
-  std::vector<std::uint32_t> place(first_end_.begin(), first_end_.end() - 1);
+  std::vector<std::uint32_t> position(first_end_.begin(), first_end_.end() - 1);
   for (EdgeId e = 0; e < edges.size(); ++e)
-    for (const SumPoint end : {edges[e].from, edges[e].to}) ends_[place[end.p]++] = {end.q, e};
+    for (const SumPoint end : {edges[e].from, edges[e].to}) ends_[position[end.p]++] = {end.q, e};
 }
 
-// The facets of a group tile or overlap, and which of them cover a place depends on nothing but the sum and its
+// The facets of a group tile or overlap, and which of them cover a position depends on nothing but the sum and its
 // convolution. Of thin parts in both operands, and of surfaces that
 // cross, either side of a facet may be free.
-SolidContact FeaturePairs::of_face(const Place& place, int side) const {
+SolidContact FeaturePairs::of_face(const Position& position, int side) const {
   std::optional<SolidContact> least;
-  for (const std::uint32_t f : place.group.facets) {
+  for (const std::uint32_t f : position.group.facets) {
     const TableFacet& facet = boundary_.table.facets[f];
     if (facet.side != side && !boundary_.either_side) continue;
     const SolidContact contact = features(facet.facet);
-    if ((!least || contact < *least) && covers(facet, place)) least = contact;
+    if ((!least || contact < *least) && covers(facet, position)) least = contact;
   }
   if (!least) throw std::logic_error("solid sum: a face without a facet");
   return *least;
@@ -119,15 +119,15 @@ std::vector<SolidContact> FeaturePairs::of_facets_along(PointId at, PointId to) 
   return contacts;
 }
 
-/// Whether the convex facet covers the place.
-bool FeaturePairs::covers(const TableFacet& facet, const Place& place) const {
-  if (place.group.facets.size() == 1) return true;
-  if (!holds_start(facet, place.from, place.to)) return false;
-  // The facet is to the left of its borders, seen from its own side.
+/// Whether the convex facet covers the position.
+bool FeaturePairs::covers(const TableFacet& facet, const Position& position) const {
+  if (position.group.facets.size() == 1) return true;
+  if (!holds_start(facet, position.from, position.to)) return false;
+  // The facet is to the left of its facet edges, seen from its own side.
   for (int i = 0; i < facet.facet.corners; ++i) {
-    if (side_of_border(facet, i, place.from) != 0 || side_of_border(facet, i, place.to) != 0) continue;
+    if (side_of_facet_edge(facet, i, position.from) != 0 || side_of_facet_edge(facet, i, position.to) != 0) continue;
     const SumPoint a = facet.facet.corner[i], b = facet.facet.corner[(i + 1) % facet.facet.corners];
-    if (runs_with(a, b, place.from, place.to) != (facet.side == place.seen_from)) return false;
+    if (runs_with(a, b, position.from, position.to) != (facet.side == position.seen_from)) return false;
   }
   return true;
 }
@@ -135,8 +135,8 @@ bool FeaturePairs::covers(const TableFacet& facet, const Place& place) const {
 /// Whether a facet holds a point of its plane and what is near it on the way to another one there.
 bool FeaturePairs::holds_start(const TableFacet& facet, PointId at, PointId to) const {
   for (int i = 0; i < facet.facet.corners; ++i) {
-    const int here = side_of_border(facet, i, at);
-    if (here < 0 || (here == 0 && at != to && side_of_border(facet, i, to) < 0)) return false;
+    const int here = side_of_facet_edge(facet, i, at);
+    if (here < 0 || (here == 0 && at != to && side_of_facet_edge(facet, i, to) < 0)) return false;
   }
   return true;
 }
@@ -145,26 +145,26 @@ bool FeaturePairs::is_on(const TableFacet& facet, PointId at) const {
   return space_.side(facet.plane, arrangement_.points.source(at), arrangement_.points.approx(at)) == 0;
 }
 
-/// 1 to the left of the border, 0 on its line, -1 to the right, seen against the facet's normal; requires a point in
-/// the facet's plane.
-int FeaturePairs::side_of_border(const TableFacet& facet, int border, PointId at) const {
+/// 1 to the left of the facet edge, 0 on its line, -1 to the right, seen against the facet's normal; requires a point
+/// in the facet's plane.
+int FeaturePairs::side_of_facet_edge(const TableFacet& facet, int facet_edge, PointId at) const {
   const int n = facet.facet.corners;
-  const SumPoint a = facet.facet.corner[border], b = facet.facet.corner[(border + 1) % n];
+  const SumPoint a = facet.facet.corner[facet_edge], b = facet.facet.corner[(facet_edge + 1) % n];
   const Vec3 normal = static_cast<double>(facet.side) * space_.plane(facet.plane).n;
   const Vec3 from = space_.approx(a), d = space_.approx(b) - from;
   const Approx& p = arrangement_.points.approx(at);
   const Vec3 w = p.at - from;
   const double v = dot(normal, cross(d, w));
   const double size = std::abs(d.x) + std::abs(d.y) + std::abs(d.z) + 4 * space_.sum_radius();
-  // Of a short border the ends' own errors count most: they are off by twice the radius.
+  // Of a short facet edge the ends' own errors count most: they are off by twice the radius.
   const double error = size * (space_.span() * 0x1p-46 + 4 * p.radius + 16 * space_.sum_radius()) +
                        8 * space_.sum_radius() * (std::abs(w.x) + std::abs(w.y) + std::abs(w.z));
   if (v > error) return 1;
   if (v < -error) return -1;
-  return exact_side_of_border(facet, a, b, at);
+  return exact_side_of_facet_edge(facet, a, b, at);
 }
 
-int FeaturePairs::exact_side_of_border(const TableFacet& facet, SumPoint a, SumPoint b, PointId at) const {
+int FeaturePairs::exact_side_of_facet_edge(const TableFacet& facet, SumPoint a, SumPoint b, PointId at) const {
   const PointSource& source = arrangement_.points.source(at);
   if (source.kind == PointSource::Kind::sum && (SumPoint{source.a, source.b} == a || SumPoint{source.a, source.b} == b))
     return 0;
@@ -172,12 +172,13 @@ int FeaturePairs::exact_side_of_border(const TableFacet& facet, SumPoint a, SumP
     const SumEdge& edge = space_.edges()[source.a];
     if (edge == SumEdge{a, b} || edge == SumEdge{b, a}) return 0;
   }
-  const Way along = a.q == b.q ? Way{Way::Of::p, a.p, b.p} : Way{Way::Of::q, a.q, b.q};
+  const DirectionSource along = a.q == b.q ? DirectionSource{DirectionSource::Of::p, a.p, b.p}
+                                           : DirectionSource{DirectionSource::Of::q, a.q, b.q};
   for (std::uint32_t axis = 0; axis < 3; ++axis) {
     const int up = space_.exact_normal(facet.plane, static_cast<int>(axis)) * facet.side;
     if (up == 0) continue;
     // Along the axis e the way d to the point w turns to the left: e . (d x w) = -(d x e) . w.
-    const PlaneSource upright{a, along, {Way::Of::axis, axis, 0}, false};
+    const PlaneSource upright{a, along, {DirectionSource::Of::axis, axis, 0}, false};
     return -space_.exact_side(upright, Flag{source, 0, 0, 0, 0, 0}) * up;
   }
   throw std::logic_error("solid sum: a plane without a normal");
@@ -204,10 +205,10 @@ bool FeaturePairs::is_named_by(PointId at, EdgeId e) const {
 /// Whether an edge of sums that holds `from` goes on from there towards `to`.
 bool FeaturePairs::runs_along(const SumEdge& edge, PointId from, PointId to) const {
   const Approx &f = arrangement_.points.approx(from), &t = arrangement_.points.approx(to);
-  const Vec3 start = space_.approx(edge.from), d = space_.approx(edge.to) - start, way = t.at - f.at;
+  const Vec3 start = space_.approx(edge.from), d = space_.approx(edge.to) - start, direction = t.at - f.at;
   const auto norm = [](Vec3 v) { return std::abs(v.x) + std::abs(v.y) + std::abs(v.z); };
   const double radius = f.radius + t.radius + 8 * space_.sum_radius() + space_.span() * 0x1p-46;
-  if (norm(cross(d, way)) > 8 * (norm(d) + norm(way) + radius) * radius) return false;
+  if (norm(cross(d, direction)) > 8 * (norm(d) + norm(direction) + radius) * radius) return false;
   // With from = x / v and to = y / w, in multiples of v w: the way is y v - x w, and sums have the weight 1.
   using exact::BigInteger;
   const auto x = space_.homogeneous(arrangement_.points.source(from)),

@@ -19,15 +19,15 @@ class FeaturePairs {
  public:
   FeaturePairs(const SolidBoundary& boundary, const SolidOperand& p, const SolidOperand& q, StageWatch& watch);
 
-  /// A place in a plane: near `from`, to the left of the way to `to` as seen from this side (1 or -1: of the plane's
+  /// A position in a plane: near `from`, to the left of the way to `to` as seen from this side (1 or -1: of the plane's
   /// normal).
-  struct Place {
+  struct Position {
     const PlaneGroup& group;
     PointId from, to;
     int seen_from;
   };
-  /// The smallest pair of the facets with this side that cover the place.
-  SolidContact of_face(const Place& place, int side) const;
+  /// The smallest pair of the facets with this side that cover the position.
+  SolidContact of_face(const Position& position, int side) const;
   /// An edge and a vertex whose sum runs along ab at one of its ends; none where two faces cross.
   std::optional<SolidContact> of_edge(PointId a, PointId b) const;
   /// Two vertices with that sum, or an edge and a vertex; none where three faces cross.
@@ -38,11 +38,11 @@ class FeaturePairs {
   std::vector<SolidContact> of_facets_along(PointId at, PointId to) const;
 
  private:
-  bool covers(const TableFacet& facet, const Place& place) const;
+  bool covers(const TableFacet& facet, const Position& position) const;
   bool holds_start(const TableFacet& facet, PointId at, PointId to) const;
   bool is_on(const TableFacet& facet, PointId at) const;
-  int side_of_border(const TableFacet& facet, int border, PointId at) const;
-  int exact_side_of_border(const TableFacet& facet, SumPoint a, SumPoint b, PointId at) const;
+  int side_of_facet_edge(const TableFacet& facet, int facet_edge, PointId at) const;
+  int exact_side_of_facet_edge(const TableFacet& facet, SumPoint a, SumPoint b, PointId at) const;
   bool runs_with(SumPoint a, SumPoint b, PointId from, PointId to) const;
   bool is_named_by(PointId at, EdgeId edge) const;
   bool runs_along(const SumEdge& edge, PointId from, PointId to) const;

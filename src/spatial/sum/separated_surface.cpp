@@ -71,7 +71,7 @@ class Separation {
     return false;
   }
   /// Where it failed.
-  const Point3& place() const { return place_; }
+  const Point3& position() const { return position_; }
 
   SpatialSum::Rounded result() const;
 
@@ -122,7 +122,7 @@ class Separation {
   std::set<std::uint32_t> met_;      // of those before, which met another one
   bool stuck_ = false;               // parts meet that have nothing near enough
   std::size_t merged_ = 0, collapsed_ = 0, bends_ = 0;
-  Point3 place_{};
+  Point3 position_{};
 };
 
 void Separation::merge_equal() {
@@ -255,7 +255,7 @@ bool Separation::resolve() {
   MeshData data;
   data.vertices = edits_.vertices();
   Triangles live;
-  std::vector<bool> asked;
+  std::vector<bool> queried;
   std::vector<std::uint32_t> part;
   for (std::uint32_t t = 0; t < edits_.parts().size(); ++t) {
     const SurfacePart& p = edits_.parts()[t];
@@ -263,17 +263,17 @@ bool Separation::resolve() {
     data.faces.push_back({p.v[0], p.v[1], p.v[2]});
     live.triangles.push_back(p.v);
     live.face.push_back(static_cast<std::uint32_t>(part.size()));
-    asked.push_back(t >= looked_at_ || met_.contains(t));
+    queried.push_back(t >= looked_at_ || met_.contains(t));
     part.push_back(t);
   }
-  const auto meetings = find_meetings(data, live, boxes_of(data.vertices, live.triangles), asked);
+  const auto meetings = find_meetings(data, live, boxes_of(data.vertices, live.triangles), queried);
   if (meetings.empty()) return false;
   std::set<Near> found;
   met_.clear();
   looked_at_ = edits_.parts().size();
   for (const auto& [i, j] : meetings) {
     const SurfacePart &s = edits_.parts()[part[i]], &t = edits_.parts()[part[j]];
-    place_ = point(s.v[0]);
+    position_ = point(s.v[0]);
     const Near near = nearest(s, t);
     if (near.kind != Near::none) found.insert(near);
     met_.insert({part[i], part[j]});
@@ -360,8 +360,8 @@ Result<SpatialSum::Rounded> separated_surface(
       error.evidence.x = checked.error().evidence.x, error.evidence.y = checked.error().evidence.y,
       error.evidence.z = checked.error().evidence.z;
     } else {
-      error.evidence.x = separation.place().x, error.evidence.y = separation.place().y,
-      error.evidence.z = separation.place().z;
+      error.evidence.x = separation.position().x, error.evidence.y = separation.position().y,
+      error.evidence.z = separation.position().z;
     }
     if (!(within < most)) break;
   }

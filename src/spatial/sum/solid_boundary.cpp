@@ -22,7 +22,7 @@ void judge_patches(SolidBoundary& result, const CellLinks& links, const Collisio
     const std::uint32_t patch = links.patch[id];
     if (patch == kNoId) return;
     if (verdict[patch] == Verdict::unknown) {
-      if (collision.tests() % 16 == 15) watch.ask(0);
+      if (collision.tests() % 16 == 15) watch.query(0);
       const bool meets = collision.meets(flag_at(*result.arrangement, group, cell, cell.front > 0 ? 1 : -1));
       verdict[patch] = meets ? Verdict::covered : Verdict::outside;
     }
@@ -34,7 +34,7 @@ void judge_patches(SolidBoundary& result, const CellLinks& links, const Collisio
 /// Every cell by itself: facets of one direction, and nothing in front.
 void judge_cells(SolidBoundary& result, const Collision& collision, StageWatch& watch) {
   for_each_cell(*result.arrangement, [&](const PlaneGroup& group, std::uint32_t id, const Cell& cell) {
-    if (id % 16 == 15) watch.ask(static_cast<double>(id) / result.arrangement->cell_count);
+    if (id % 16 == 15) watch.query(static_cast<double>(id) / result.arrangement->cell_count);
     const bool above = !collision.meets(flag_at(*result.arrangement, group, cell, 1));
     const bool below = !collision.meets(flag_at(*result.arrangement, group, cell, -1));
     result.boundary[id] = above != below;
@@ -46,7 +46,7 @@ void judge_cells(SolidBoundary& result, const Collision& collision, StageWatch& 
 std::size_t drop_inner(ReducedConvolution& convolution, const InnerCells& inner, StageWatch& watch) {
   if (inner.empty()) return 0;
   std::vector<std::uint8_t> inside(convolution.facets.size());
-  watch.run_stretches(inside.size(), 512, [&](std::size_t, std::size_t first, std::size_t last) {
+  watch.run_intervals(inside.size(), 512, [&](std::size_t, std::size_t first, std::size_t last) {
     for (std::size_t f = first; f < last; ++f) inside[f] = inner.hold(convolution.facets[f]);
   });
   std::size_t kept = 0;
@@ -65,7 +65,7 @@ std::size_t drop_inner(ReducedConvolution& convolution, const InnerCells& inner,
 void look_at_both_sides(SolidArrangement& arrangement, const Collision& collision, StageWatch& watch) {
   for (PlaneGroup& group : arrangement.groups) {
     for (Cell& cell : group.cells.cells) {
-      if (collision.tests() % 16 == 15) watch.ask(0);
+      if (collision.tests() % 16 == 15) watch.query(0);
       const bool above = collision.meets(flag_at(arrangement, group, cell, 1));
       const bool below = collision.meets(flag_at(arrangement, group, cell, -1));
       cell.front = below;
@@ -93,8 +93,8 @@ Flag flag_at(const SolidArrangement& arrangement, const PlaneGroup& group, const
   const std::uint32_t h = group.cells.half_edges[group.cells.loops[cell.first_loop]];
   const CellEdge& e = group.cells.edges[h / 2];
   const PointId at = arrangement.point(group, h & 1 ? e.b : e.a);
-  const auto way = static_cast<std::int8_t>((e.along ? 1 : -1) * (h & 1 ? -1 : 1));
-  return {arrangement.points.source(at), group.plane, e.cut, way, 1, static_cast<std::int8_t>(side)};
+  const auto direction = static_cast<std::int8_t>((e.along ? 1 : -1) * (h & 1 ? -1 : 1));
+  return {arrangement.points.source(at), group.plane, e.cut, direction, 1, static_cast<std::int8_t>(side)};
 }
 
 SolidBoundary solid_boundary(const SolidOperand& p, const SolidOperand& q, const SpatialOptions& options,

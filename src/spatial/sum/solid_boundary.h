@@ -28,13 +28,13 @@ SolidBoundary solid_boundary(const SolidOperand& p, const SolidOperand& q, const
 struct ConvolutionHints {
   bool inner_dropped = false;  ///< facets deep inside the open sum are left out already
 };
-/// The same of a space and the facets in it, whatever places of the operands' vertices the space has.
+/// The same of a space and the facets in it, whatever positions of the operands' vertices the space has.
 SolidBoundary solid_boundary(std::unique_ptr<SumSpace> space, ReducedConvolution convolution, const SolidOperand& p,
                              const SolidOperand& q, const ConvolutionHints& hints, const SpatialOptions& options,
                              SpatialStats& stats, StageWatch& watch);
 /// The cells of a boundary whose space and table of facets are there.
 void find_cells(SolidBoundary& boundary, SpatialStats& stats, StageWatch& watch);
-/// Bytes of facets in the table and on the way into it: their planes and edges, borders as segments with upright
+/// Bytes of facets in the table and on the way into it: their planes and edges, facet edges as segments with upright
 /// planes.
 std::uint64_t table_bytes(std::size_t facets);
 

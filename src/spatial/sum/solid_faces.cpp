@@ -75,7 +75,7 @@ class Assembler {
     return 0;
   }
 
-  /// By x, y, z: by the doubles of x first, then stretches in which these do not tell.
+  /// By x, y, z: by the doubles of x first, then intervals in which these do not decide.
   void sort_points(std::vector<PointId>& points) const {
     struct Key {
       double x;
@@ -167,21 +167,21 @@ class Assembler {
   }
 
   /// Where a face is asked what touches there: at its first vertex, beside its first edge.
-  FeaturePairs::Place place_of(const std::vector<std::vector<std::uint32_t>>& loops, const PlaneGroup& group,
-                               int side) const {
+  FeaturePairs::Position position_of(const std::vector<std::vector<std::uint32_t>>& loops, const PlaneGroup& group,
+                                     int side) const {
     return {group, point_of_[loops[0][0]], point_of_[loops[0][1]], side};
   }
 
   void add_faces(const std::vector<CellPolygon>& polygons) {
     std::vector<SpatialFace> faces(polygons.size());
     std::vector<std::uint32_t> order(faces.size()), shell(arrangement_.cell_count, kNoId);
-    watch_.run_stretches(faces.size(), kPart, [&](std::size_t, std::size_t first, std::size_t last) {
+    watch_.run_intervals(faces.size(), kPart, [&](std::size_t, std::size_t first, std::size_t last) {
       for (std::size_t k = first; k < last; ++k) {
         const CellPolygon& polygon = polygons[k];
         const PlaneGroup& group = arrangement_.groups[arrangement_.group_of(polygon.cell)];
         const int side = group.cells.cells[polygon.cell - group.first_cell].front > 0 ? 1 : -1;
         faces[k].loops = named(polygon);
-        const SolidContact contact = pairs_.of_face(place_of(faces[k].loops, group, side), side);
+        const SolidContact contact = pairs_.of_face(position_of(faces[k].loops, group, side), side);
         faces[k].p = contact.p, faces[k].q = contact.q;
         order[k] = static_cast<std::uint32_t>(k);
       }
@@ -204,7 +204,7 @@ class Assembler {
 
   void add_edges() {
     sum_.edges = edges_of(sum_.faces);
-    watch_.run_stretches(sum_.edges.size(), kPart, [&](std::size_t, std::size_t first, std::size_t last) {
+    watch_.run_intervals(sum_.edges.size(), kPart, [&](std::size_t, std::size_t first, std::size_t last) {
       for (std::size_t k = first; k < last; ++k) {
         SpatialEdge& edge = sum_.edges[k];
         edge.contact = pairs_.of_edge(point_of_[edge.from], point_of_[edge.to]);
@@ -218,8 +218,8 @@ class Assembler {
     for (const CellPolygon& polygon : polygons) {
       const int front = tight_side(polygon.cell);
       auto loops = named(polygon);
-      const auto place = place_of(loops, arrangement_.groups[arrangement_.group_of(polygon.cell)], front);
-      entries.push_back({std::move(loops), {pairs_.of_face(place, front), pairs_.of_face(place, -front)}});
+      const auto position = position_of(loops, arrangement_.groups[arrangement_.group_of(polygon.cell)], front);
+      entries.push_back({std::move(loops), {pairs_.of_face(position, front), pairs_.of_face(position, -front)}});
     }
     std::sort(entries.begin(), entries.end());
     for (Entry& entry : entries) {

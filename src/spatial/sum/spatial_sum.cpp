@@ -50,8 +50,7 @@ Error no_open_sum(const spatial::ThinCrossing& parts) {
 
 Result<SpatialSum> minkowski_sum(const Mesh& p, const Mesh& q, const SpatialOptions& options) {
   if (options.engine == SpatialEngine::fast && !options.trace) {
-    if (options.progress && !options.progress("convex", 0))
-      return cancelled();
+    if (options.progress && !options.progress("convex", 0)) return cancelled();
     Result<SpatialSum> convex = spatial::small_convex_sum(p, q, options.memory);
     if (convex || convex.error().code == ErrorCode::out_of_memory) return convex;
   }

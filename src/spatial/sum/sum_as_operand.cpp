@@ -14,9 +14,9 @@ using exact::BigInteger;
 
 /// The sum's exact vertices and faces. Errors: unsupported_operand where positions are not multiples of a power of two.
 Result<spatial::ExactSolid> exact_solid(const SpatialSum& sum) {
-  const spatial::ConvexPlaces* places = spatial::SpatialSumInternals::convex(sum);
-  if (!places) return Error{ErrorCode::unsupported_operand, "this sum was not made of convex solids", {}};
-  const exact::BigRational unit = places->unit() / spatial::SpatialSumInternals::positions(sum).scale;
+  const spatial::ConvexPositions* positions = spatial::SpatialSumInternals::convex(sum);
+  if (!positions) return Error{ErrorCode::unsupported_operand, "this sum was not made of convex solids", {}};
+  const exact::BigRational unit = positions->unit() / spatial::SpatialSumInternals::positions(sum).scale;
   const BigInteger num = numerator(unit), den = denominator(unit);
   if (den != BigInteger(1) << msb(den))
     return Error{ErrorCode::unsupported_operand,
@@ -24,7 +24,7 @@ Result<spatial::ExactSolid> exact_solid(const SpatialSum& sum) {
                  {}};
   spatial::ExactSolid solid;
   solid.exponent = -static_cast<int>(msb(den));
-  for (const spatial::BigVector& at : places->numerators())
+  for (const spatial::BigVector& at : positions->numerators())
     solid.vertices.push_back(
         {Big(BigInteger(at[0] * num)), Big(BigInteger(at[1] * num)), Big(BigInteger(at[2] * num))});
   for (const SpatialFace& f : sum.faces) solid.faces.push_back(f.loops[0]);

@@ -35,8 +35,8 @@ std::vector<SpatialEdge> edges_of(const std::vector<SpatialFace>& faces) {
   });
   std::partial_sum(begin.begin(), begin.end(), begin.begin());
   std::vector<Side> sides(begin.back());
-  std::vector<std::uint32_t> place(begin.begin(), begin.end() - 1);
-  for_each_side(faces, [&](std::uint32_t a, std::uint32_t b, std::uint32_t face) { sides[place[a]++] = {b, face}; });
+  std::vector<std::uint32_t> position(begin.begin(), begin.end() - 1);
+  for_each_side(faces, [&](std::uint32_t a, std::uint32_t b, std::uint32_t face) { sides[position[a]++] = {b, face}; });
   std::vector<SpatialEdge> edges;
   edges.reserve(sides.size() / 2);
   for (std::uint32_t a = 0; a + 1 < begin.size(); ++a) {

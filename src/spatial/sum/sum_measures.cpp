@@ -105,7 +105,7 @@ Range volume_range(const SpatialSum& sum, const std::array<int, 3>& size, int bi
 
 /// Six times the volume of some of the tetrahedra from the origin to the surface: numerator / product of the weights of
 /// the vertices that they have, each once.
-struct VolumeShare {
+struct VolumeTerm {
   BigInteger numerator = 0;
   std::vector<std::uint32_t> vertices;  // sorted; those of weight 1 left out
 };
@@ -119,22 +119,22 @@ class VolumeTree {
           triangles_.push_back({a, b, c});
         });
   }
-  VolumeShare total() const { return triangles_.empty() ? VolumeShare{} : share(0, triangles_.size()); }
+  VolumeTerm total() const { return triangles_.empty() ? VolumeTerm{} : term(0, triangles_.size()); }
   BigInteger weight(std::uint32_t v) const { return at_[v][3]; }
 
  private:
   // Faces are sorted by their smallest vertices, vertices by x: halves have few vertices in common.
-  VolumeShare share(std::size_t first, std::size_t last) const {
+  VolumeTerm term(std::size_t first, std::size_t last) const {
     if (last - first == 1) return leaf(triangles_[first]);
-    const VolumeShare a = share(first, (first + last) / 2), b = share((first + last) / 2, last);
-    VolumeShare both;
+    const VolumeTerm a = term(first, (first + last) / 2), b = term((first + last) / 2, last);
+    VolumeTerm both;
     std::set_union(a.vertices.begin(), a.vertices.end(), b.vertices.begin(), b.vertices.end(),
                    std::back_inserter(both.vertices));
     both.numerator = a.numerator * missing(b, a) + b.numerator * missing(a, b);
     return both;
   }
   /// The product of the weights that one share has and the other one has not.
-  BigInteger missing(const VolumeShare& has, const VolumeShare& not_) const {
+  BigInteger missing(const VolumeTerm& has, const VolumeTerm& not_) const {
     std::vector<std::uint32_t> only;
     std::set_difference(has.vertices.begin(), has.vertices.end(), not_.vertices.begin(), not_.vertices.end(),
                         std::back_inserter(only));
@@ -142,15 +142,15 @@ class VolumeTree {
     for (const std::uint32_t v : only) weights.push_back(weight(v));
     return exact::product_of(weights);
   }
-  VolumeShare leaf(const std::array<std::uint32_t, 3>& triangle) const {
+  VolumeTerm leaf(const std::array<std::uint32_t, 3>& triangle) const {
     const auto &a = at_[triangle[0]], &b = at_[triangle[1]], &c = at_[triangle[2]];
-    VolumeShare share;
-    share.numerator =
+    VolumeTerm term;
+    term.numerator =
         a[0] * (b[1] * c[2] - b[2] * c[1]) + a[1] * (b[2] * c[0] - b[0] * c[2]) + a[2] * (b[0] * c[1] - b[1] * c[0]);
     for (const std::uint32_t v : triangle)
-      if (at_[v][3] != 1) share.vertices.push_back(v);
-    std::sort(share.vertices.begin(), share.vertices.end());
-    return share;
+      if (at_[v][3] != 1) term.vertices.push_back(v);
+    std::sort(term.vertices.begin(), term.vertices.end());
+    return term;
   }
 
   std::vector<std::array<BigInteger, 4>> at_;
@@ -192,7 +192,7 @@ std::optional<Rational> volume_fraction(const SpatialSum& sum, std::size_t bits)
   const std::array<int, 3> unit = positions.unit_exponents();
   const int power = unit[0] + unit[1] + unit[2] - 3 * leave_odd(at);
   const VolumeTree tree(sum, std::move(at));
-  const VolumeShare six = tree.total();
+  const VolumeTerm six = tree.total();
   if (six.numerator.is_zero()) return Rational();
   std::vector<BigInteger> factors{6};
   for (const std::uint32_t v : six.vertices) factors.push_back(tree.weight(v));
@@ -278,7 +278,7 @@ std::optional<BigRational> rational_area(const SpatialSum& sum) {
 }
 
 /// As narrow_volume. The loop ends: positive roots of rationals with a rational sum are rational, and any other number
-/// has a distance from every place where its rounding changes.
+/// has a distance from every position where its rounding changes.
 void narrow_area(const SpatialSum& sum, const std::function<bool(const Range&)>& decide) {
   if (sum.faces.empty()) {
     decide({0, 0});

@@ -114,7 +114,7 @@ SpatialSum sum_of_overlay(const Overlay& overlay, std::shared_ptr<const ConvexOp
   for (SpatialEdge& edge : sum.edges) edge.contact = between(pairs[edge.from], pairs[edge.to]);
   sum.stats = stats_of(overlay, sum.faces);
   auto positions = std::make_shared<SpatialPositions>();
-  positions->convex = std::make_shared<const ConvexPlaces>(std::move(operands), p, q, std::move(pairs));
+  positions->convex = std::make_shared<const ConvexPositions>(std::move(operands), p, q, std::move(pairs));
   SpatialSumInternals::set_positions(sum, std::move(positions));
   return sum;
 }

@@ -4,7 +4,7 @@
 #include <memory>
 
 #include "dymsum/spatial_sum.h"
-#include "spatial/convex/exact_places.h"
+#include "spatial/convex/exact_positions.h"
 #include "spatial/gauss/overlay.h"
 
 namespace dymsum::spatial {

@@ -12,10 +12,11 @@ using exact::BigInteger;
 namespace {
 
 /// As SpatialPositions::homogeneous has it.
-std::array<BigInteger, 4> homogeneous_of(const ConvexPlaces& places, std::size_t vertex, const BigInteger& scale) {
-  const BigVector at = places.numerators(vertex);
-  const BigInteger unit = numerator(places.unit());
-  return {at[0] * unit, at[1] * unit, at[2] * unit, denominator(places.unit()) * scale};
+std::array<BigInteger, 4> homogeneous_of(const ConvexPositions& positions, std::size_t vertex,
+                                         const BigInteger& scale) {
+  const BigVector at = positions.numerators(vertex);
+  const BigInteger unit = numerator(positions.unit());
+  return {at[0] * unit, at[1] * unit, at[2] * unit, denominator(positions.unit()) * scale};
 }
 
 }  // namespace

@@ -19,8 +19,8 @@ using ExactPosition = std::array<exact::BigRational, 3>;
 struct SpatialPositions {
   std::shared_ptr<const SumSpace> space;
   std::vector<PointSource> vertices;
-  std::shared_ptr<const ConvexPlaces> convex;  ///< of a convex sum, which has no space
-  exact::BigInteger scale = 1;                 ///< of space and convex places: positions are theirs divided by it
+  std::shared_ptr<const ConvexPositions> convex;  ///< of a convex sum, which has no space
+  exact::BigInteger scale = 1;                    ///< of space and convex places: positions are theirs divided by it
 
   ExactPosition at(std::size_t vertex) const;
   /// The nearest doubles.
@@ -44,7 +44,7 @@ struct SpatialSumInternals {
   }
   static const SpatialPositions& positions(const SpatialSum& sum) { return *sum.positions_; }
   /// Nothing where it is no convex sum.
-  static const ConvexPlaces* convex(const SpatialSum& sum) {
+  static const ConvexPositions* convex(const SpatialSum& sum) {
     return sum.is_convex() ? sum.positions_->convex.get() : nullptr;
   }
 };

@@ -12,9 +12,9 @@ using exact::BigRational;
 bool between(const SumSpace& space, const PointTable& points, PointId a, PointId b, PointId c) {
   BigRational u[3], v[3];
   for (int axis = 0; axis < 3; ++axis) {
-    const BigRational middle = space.exact_coordinate(points.source(b), axis);
-    u[axis] = middle - space.exact_coordinate(points.source(a), axis);
-    v[axis] = space.exact_coordinate(points.source(c), axis) - middle;
+    const BigRational midpoint = space.exact_coordinate(points.source(b), axis);
+    u[axis] = midpoint - space.exact_coordinate(points.source(a), axis);
+    v[axis] = space.exact_coordinate(points.source(c), axis) - midpoint;
   }
   return u[0] * v[1] == u[1] * v[0] && u[1] * v[2] == u[2] * v[1] && u[2] * v[0] == u[0] * v[2] &&
          u[0] * v[0] + u[1] * v[1] + u[2] * v[2] > 0;

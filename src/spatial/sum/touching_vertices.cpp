@@ -54,7 +54,7 @@ class TouchingVertices {
     return touched;
   }
 
-  /// False where doubles tell that a vertex is off a triangle's plane, or beyond one of its sides.
+  /// False where doubles show that a vertex is off a triangle's plane, or beyond one of its sides.
   bool may_hold(const Triangle& t, std::uint32_t v) const {
     const Vec3 u = at(t[1]) - at(t[0]), w = at(t[2]) - at(t[0]), d = at(v) - at(t[0]), n = cross(u, w);
     const auto size = [&](Vec3 x) { return std::abs(x.x) + std::abs(x.y) + std::abs(x.z) + 4 * sum_.at_error; };
@@ -76,7 +76,7 @@ class TouchingVertices {
   bool contains(const Triangle& t, std::uint32_t v) {
     return signs_.side(t[0], t[1], t[2], v) == 0 && sides(t, v).has_value();
   }
-  /// On which sides of the borders from corner k to k + 1 the vertex lies: 1 inside, 0 on them; none outside.
+  /// On which sides of the facet edges from corner k to k + 1 the vertex lies: 1 inside, 0 on them; none outside.
   std::optional<std::array<int, 3>> sides(const Triangle& t, std::uint32_t v) {
     for (std::size_t axis = 0; axis < 3; ++axis) {
       const int facing = signs_.turn(t[0], t[1], t[2], axis);
@@ -91,7 +91,7 @@ class TouchingVertices {
     return std::nullopt;
   }
 
-  /// The first vertex makes three triangles, or two where it is on a border; the others go where they are.
+  /// The first vertex makes three triangles, or two where it is on a facet edge; the others go where they are.
   void split(Triangles& result, const Triangle& t, std::uint32_t face, const std::vector<std::uint32_t>& inside) {
     if (inside.empty()) return add(result, t, face);
     const std::uint32_t v = inside[0];

@@ -32,24 +32,24 @@ FineInterval fine_ratio(const BigInteger& num, const BigInteger& den, int shift)
 
 }  // namespace
 
-void VertexSigns::make_places() {
+void VertexSigns::make_positions() {
   const SpatialPositions& positions = SpatialSumInternals::positions(sum_);
-  places_.resize(sum_.vertices.size());
+  positions_.resize(sum_.vertices.size());
   int top[3] = {INT_MIN / 4, INT_MIN / 4, INT_MIN / 4};
-  for (std::size_t v = 0; v < places_.size(); ++v) {
-    std::array<BigInteger, 4>& h = places_[v].h = positions.homogeneous(v);
+  for (std::size_t v = 0; v < positions_.size(); ++v) {
+    std::array<BigInteger, 4>& h = positions_[v].h = positions.homogeneous(v);
     for (std::size_t axis = 0; axis < 3; ++axis) top[axis] = std::max(top[axis], bits(h[axis]) - bits(h[3]) + 1);
   }
-  for (Place& p : places_)
+  for (Position& p : positions_)
     p.fine = {fine_ratio(p.h[0], p.h[3], top[0]), fine_ratio(p.h[1], p.h[3], top[1]),
               fine_ratio(p.h[2], p.h[3], top[2])};
 }
 
 // Axes may be scaled, and rows of determinants, by any positive factors: weights are positive.
 int VertexSigns::turn(std::uint32_t a, std::uint32_t b, std::uint32_t c, std::size_t axis) {
-  const Place &p = place(a), &q = place(b), &r = place(c);
+  const Position &p = position(a), &q = position(b), &r = position(c);
   const std::size_t i = (axis + 1) % 3, j = (axis + 2) % 3;
-  const auto gap = [](const Place& to, const Place& from, std::size_t k) {
+  const auto gap = [](const Position& to, const Position& from, std::size_t k) {
     return component(to.fine, k) - component(from.fine, k);
   };
   if (const auto s = sign_of(gap(q, p, i) * gap(r, p, j) - gap(q, p, j) * gap(r, p, i))) return *s;
@@ -58,11 +58,11 @@ int VertexSigns::turn(std::uint32_t a, std::uint32_t b, std::uint32_t c, std::si
 }
 
 int VertexSigns::side(std::uint32_t a, std::uint32_t b, std::uint32_t c, std::uint32_t d) {
-  const Place &o = place(a), &p = place(b), &q = place(c), &r = place(d);
+  const Position &o = position(a), &p = position(b), &q = position(c), &r = position(d);
   if (const auto s = sign_of(dot(cross(p.fine - o.fine, q.fine - o.fine), r.fine - o.fine))) return *s;
   // det(b - a, c - a, d - a) is the negative of the determinant of the rows (a, 1), (b, 1), (c, 1), (d, 1), here by
   // pairs of rows.
-  const auto minor = [](const Place& x, const Place& y, std::size_t k, std::size_t l) {
+  const auto minor = [](const Position& x, const Position& y, std::size_t k, std::size_t l) {
     return BigInteger(x.h[k] * y.h[l] - x.h[l] * y.h[k]);
   };
   const auto pair = [&](std::size_t i, std::size_t j, std::size_t k, std::size_t l) {

@@ -27,19 +27,19 @@ class VertexSigns {
  private:
   using Fine = exact::Vector3<exact::FineInterval>;
   /// (x, y, z) / w, in units that no sign depends on, and the same over powers of two that no coordinate exceeds.
-  struct Place {
+  struct Position {
     std::array<exact::BigInteger, 4> h;
     Fine fine;
   };
-  /// All of them are made when one is asked for.
-  const Place& place(std::uint32_t v) {
-    if (places_.empty()) make_places();
-    return places_[v];
+  /// All of them are made when one is requested.
+  const Position& position(std::uint32_t v) {
+    if (positions_.empty()) make_positions();
+    return positions_[v];
   }
-  void make_places();
+  void make_positions();
 
   const SpatialSum& sum_;
-  std::vector<Place> places_;
+  std::vector<Position> positions_;
 };
 
 }  // namespace dymsum::spatial

@@ -1,4 +1,4 @@
-// Edits of the boundary graph: its invariants hold behind every one, and cells and shells follow the loops.
+// Edits of the boundary graph: its invariants hold after every one, and cells and shells follow the loops.
 #include "cspace/boundary/boundary_graph.h"
 
 #include <gtest/gtest.h>
@@ -167,7 +167,7 @@ TEST(SliceDifference, WhatHasItsNeighboursStays) {
   const SliceEdit edit = slice_difference(s.graph, {{{9, 10, 8}, false}, {{1, 2, 7, 4, 5, 6}, true}}, nothing_parted);
   std::vector<std::uint32_t> stay, fresh;
   for (const SliceEdit::Loop& loop : edit.loops)
-    for (const SliceEdit::Place& p : loop.places) (p.stays == kNobody ? fresh : stay).push_back(p.segment);
+    for (const SliceEdit::Position& p : loop.positions) (p.stays == kNobody ? fresh : stay).push_back(p.segment);
   EXPECT_EQ(stay, (Ids{9, 10, 8, 1, 5, 6}));
   EXPECT_EQ(fresh, (Ids{2, 7, 4}));
   EXPECT_EQ(edit.ended, (Ids{s.on(2), s.on(3), s.on(4)}));
@@ -187,11 +187,11 @@ TEST(SliceEdit, PiecesOfLoopsAreLinkedToWhatIsOutside) {
   Sweep s({{{1, 2, 3, 4, 5, 6}, true}});
   const std::uint32_t one = s.on(1), four = s.on(4), two = s.on(2);
   SliceEdit edit;
-  const auto add = [&](SliceEdit::Place from, SliceEdit::Place to, std::uint32_t outside) {
+  const auto add = [&](SliceEdit::Position from, SliceEdit::Position to, std::uint32_t outside) {
     SliceEdit::Loop& piece = edit.loops.emplace_back();
-    piece.places = {from, to};
+    piece.positions = {from, to};
     piece.open = true;
-    piece.before.node = piece.behind.node = outside;
+    piece.before.node = piece.after.node = outside;
   };
   add({2, 1, 6, kNobody}, {6, 2, 1, kNobody}, one);
   add({5, 4, 3, kNobody}, {3, 5, 4, kNobody}, four);
@@ -215,10 +215,10 @@ TEST(SliceEdit, PiecesThatFollowEachOtherAreLinked) {
   edit.loops_may_change = false;
   edit.loops.resize(2);
   for (SliceEdit::Loop& piece : edit.loops) piece.open = true, piece.cell = cell;
-  edit.loops[0].places = {{1, 4, 5, kNobody}, {5, 1, 2, kNobody}, {2, 5, 3, kNobody}};
-  edit.loops[1].places = {{3, 2, 6, kNobody}, {6, 3, 4, kNobody}, {4, 6, 1, kNobody}};
-  edit.loops[0].before.place = 5, edit.loops[0].behind.place = 3;
-  edit.loops[1].before.place = 2, edit.loops[1].behind.place = 0;
+  edit.loops[0].positions = {{1, 4, 5, kNobody}, {5, 1, 2, kNobody}, {2, 5, 3, kNobody}};
+  edit.loops[1].positions = {{3, 2, 6, kNobody}, {6, 3, 4, kNobody}, {4, 6, 1, kNobody}};
+  edit.loops[0].before.position = 5, edit.loops[0].after.position = 3;
+  edit.loops[1].before.position = 2, edit.loops[1].after.position = 0;
   edit.ended = {s.on(1), s.on(2), s.on(3), s.on(4)};
   s.at_next_angle(edit);
   EXPECT_EQ(s.loop(s.on(1)), (Ids{1, 5, 2, 3, 6, 4}));
@@ -226,7 +226,7 @@ TEST(SliceEdit, PiecesThatFollowEachOtherAreLinked) {
   EXPECT_EQ(s.graph[s.on(6)].cell, cell);
 }
 
-// Walls of a passage that is shut at the angle: what lies before and behind it touches there, and is not connected.
+// Walls of a passage that is shut at the angle: what lies before and after it touches there, and is not connected.
 TEST(SliceDifference, ShutPassagesPart) {
   Sweep s({{{1, 2, 3}, true}, {{8, 9, 10}, false}});
   const std::uint32_t cell = s.graph[s.on(8)].cell, eight = s.on(8);

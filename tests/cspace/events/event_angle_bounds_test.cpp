@@ -16,18 +16,18 @@ TEST(EventAngleBounds, angles_err_by_less_and_not_by_much_less) {
   oracles::Random random(51);
   double most = 0;
   for (int k = 0; k < 2000; ++k) {
-    const TurnRange range{k % 2, -1, 1};
+    const RotationRange range{k % 2, -1, 1};
     // Doubles are roots without a width of their own; of others the interval is wider.
     const BigRational t = exact::exact_value(random.signed_unit()) / (k % 3 == 0 ? 3 : 1);
-    TurnEvent event;
+    RotationEvent event;
     event.root = exact::AlgebraicRoot::rational(t);
     set_angles(event, range);
     const Digits truth = 2 * atan(Digits(t)) + (range.chart == 1 ? Digits::pi() : Digits(0));
     ASSERT_LE(Digits(event.low), truth) << k;
     ASSERT_GE(Digits(event.high), truth) << k;
     if (event.root->low() != event.root->high()) continue;
-    const Digits middle = (Digits(event.low) + Digits(event.high)) / 2;
-    most = std::max(most, static_cast<double>(Digits(abs(Digits(truth - middle)))) / kEventAngle);
+    const Digits midpoint = (Digits(event.low) + Digits(event.high)) / 2;
+    most = std::max(most, static_cast<double>(Digits(abs(Digits(truth - midpoint)))) / kEventAngle);
   }
   EXPECT_GT(most, 1.0 / 16);
 }

@@ -25,11 +25,11 @@ Region turned_square(double degrees, double size) {
   return Region::create(std::move(data)).value();
 }
 
-struct Told {
-  int sure = 0, all = 0;
+struct Decided {
+  int proved = 0, all = 0;
   void compare(int sign, int exact) {
     ++all;
-    sure += sign != 0;
+    proved += sign != 0;
     EXPECT_TRUE(sign == 0 || sign == exact);
   }
 };
@@ -45,7 +45,7 @@ TEST(NearAngle, signs_are_the_exact_ones) {
     const TurningForms forms(*base);
     const NearAngle angle(forms, chart, t);
     EXPECT_EQ(angle.exact(), t == 0 || std::abs(t) == 1);
-    Told sides, products;
+    Decided sides, products;
     for (int k = 0; k < 400; ++k) {
       const auto any = [&](std::uint32_t op) {
         return static_cast<std::uint32_t>(random.below(static_cast<int>(forms.size(op))));
@@ -73,8 +73,8 @@ TEST(NearAngle, signs_are_the_exact_ones) {
                            .sign(),
                        meet);
     }
-    EXPECT_GT(sides.sure * 2, sides.all);
-    EXPECT_GT(products.sure * 3, products.all);
+    EXPECT_GT(sides.proved * 2, sides.all);
+    EXPECT_GT(products.proved * 3, products.all);
   }
 }
 

@@ -8,10 +8,10 @@
 #include <map>
 #include <set>
 
-#include "cspace/boundary/free_place.h"
+#include "cspace/boundary/free_position.h"
 #include "cspace/events/event_signs.h"
+#include "cspace/obstacle/event_windows.h"
 #include "cspace/obstacle/obstacle_slices.h"
-#include "cspace/obstacle/turn_windows.h"
 #include "planar/motion/operand_pair.h"
 
 namespace dymsum::planar {
@@ -41,11 +41,11 @@ struct Compared {
   std::size_t found = 0, left_out = 0, checked = 0;
 };
 
-using EventName = std::pair<TurnEvent::Kind, std::array<SegmentName, 3>>;
-EventName name_of_event(const TurnEvent& e) {
+using EventName = std::pair<RotationEvent::Kind, std::array<SegmentName, 3>>;
+EventName name_of_event(const RotationEvent& e) {
   std::array<SegmentName, 3> names{};
   const auto name = [](const WalkSegment& s) { return SegmentName{s.side + 1, s.edge, s.vertex}; };
-  if (e.kind == TurnEvent::Kind::vertex_on_segment) {
+  if (e.kind == RotationEvent::Kind::vertex_on_segment) {
     names = {name(e.a), SegmentName{0, e.v.p, e.v.q}, SegmentName{}};
   } else {
     names = {name(e.a), name(e.b), name(e.c)};
@@ -54,11 +54,11 @@ EventName name_of_event(const TurnEvent& e) {
   return {e.kind, names};
 }
 
-bool meets_freely(const TurnEvent& e, const TurningForms& forms, const TurnCatalog& catalog, int chart) {
+bool meets_freely(const RotationEvent& e, const TurningForms& forms, const RotationCatalog& catalog, int chart) {
   const SignsAt signs(forms, {chart, *e.root});
   std::vector<WalkSegment> on{e.a};
-  ExactPlace z{{false, e.v, {}, {}}, {}};
-  if (e.kind == TurnEvent::Kind::three_segments) {
+  ExactPosition z{{false, e.v, {}, {}}, {}};
+  if (e.kind == RotationEvent::Kind::three_segments) {
     on = {e.a, e.b, e.c};
     bool crossing = false;
     for (std::size_t k = 0; k < 3 && !crossing; ++k)
@@ -79,21 +79,21 @@ Compared compared_events(const Region& robot, const Region& obstacle, std::size_
   Compared c;
   const auto base = pair_of_regions(obstacle, robot, PairOptions{.moved = 1, .reflect_q = true}).value();
   const TurningForms forms(*base);
-  const TurnCatalog catalog(forms);
-  const TurnWindows fast(forms, catalog, false), slow(forms, catalog, true);
+  const RotationCatalog catalog(forms);
+  const EventWindows fast(forms, catalog, false), slow(forms, catalog, true);
   std::set<std::pair<int, EventName>> found;
   std::set<std::pair<int, double>> whole;
   for (int k = 0; k < fast.count(); ++k)
-    for (const PreparedWindow& p : fast.prepare(k, TurnWindows::Halved::where_crowded)) {
-      for (const TurnEvent& e : p.found.events) found.insert({p.range.chart, name_of_event(e)});
+    for (const PreparedWindow& p : fast.prepare(k, EventWindows::Halved::where_crowded)) {
+      for (const RotationEvent& e : p.found.events) found.insert({p.range.chart, name_of_event(e)});
       c.found += p.found.events.size();
       if (p.at_end) whole.insert({p.range.chart, p.range.t_high});
     }
   std::size_t k = 0;
   for (int w = 0; w < slow.count(); ++w)
-    for (const PreparedWindow& p : slow.prepare(w, TurnWindows::Halved::where_crowded))
-      for (const TurnEvent& e : p.found.events) {
-        if (e.kind != TurnEvent::Kind::vertex_on_segment && e.kind != TurnEvent::Kind::three_segments) continue;
+    for (const PreparedWindow& p : slow.prepare(w, EventWindows::Halved::where_crowded))
+      for (const RotationEvent& e : p.found.events) {
+        if (e.kind != RotationEvent::Kind::vertex_on_segment && e.kind != RotationEvent::Kind::three_segments) continue;
         if (found.contains({p.range.chart, name_of_event(e)})) continue;
         const bool at_slice = std::any_of(whole.begin(), whole.end(), [&](const auto& end) {
           return end.first == p.range.chart && exact::compare(*e.root, end.second) == 0;

@@ -48,7 +48,7 @@ TEST(SubEdge, nearly_parallel_lines_cross_within_the_error_that_is_said) {
         Heading h = Heading::of(theta);
         const double by = random.chance(50) ? off : -off;
         h = {h.c - h.s * by, h.s + h.c * by};
-        const Located at = place_on(forms, s, other, true, h);
+        const Located at = position_on(forms, s, other, true, h);
         const BigRational x = exact::exact_value(t), cross = value(forms.exact_cross(s, other, 0), x);
         if (!std::isfinite(at.error) || cross == 0) {
           ++unknown;
@@ -63,7 +63,7 @@ TEST(SubEdge, nearly_parallel_lines_cross_within_the_error_that_is_said) {
   EXPECT_GT(unknown, 200);
 }
 
-// An event's angle is known up to an interval, of a tenth of which the place moves by more than all roundings.
+// An event's angle is known up to an interval, of a tenth of which the position moves by more than all roundings.
 TEST(SubEdge, places_are_said_for_every_angle_within_the_turn) {
   oracles::Random random(4);
   int moved = 0;
@@ -73,7 +73,7 @@ TEST(SubEdge, places_are_said_for_every_angle_within_the_turn) {
     const WalkSegment s{0, static_cast<std::uint32_t>(k % 5), 1}, other{1, static_cast<std::uint32_t>(k / 5 % 5), 3};
     const double t = random.signed_unit(), turn = std::ldexp(1.0, -24 - static_cast<int>(random.below(16)));
     const Located at =
-        place_on(forms, s, other, true, Heading::of(2 * std::atan(t) + 0.9 * turn * random.signed_unit()), turn);
+        position_on(forms, s, other, true, Heading::of(2 * std::atan(t) + 0.9 * turn * random.signed_unit()), turn);
     const BigRational x = exact::exact_value(t), cross = value(forms.exact_cross(s, other, 0), x);
     if (!std::isfinite(at.error) || cross == 0) continue;
     const BigRational truth = value(forms.exact_side(other, TurningForms::start(s), 0), x) / cross,

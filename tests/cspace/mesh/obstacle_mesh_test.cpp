@@ -132,9 +132,9 @@ TEST(ObstacleMesh, TrianglesStayWithinTheToleranceOfTheSurface) {
         if (t.closing) continue;
         for (std::size_t k = 0; k < 3; ++k) {
           const Configuration &a = mesh.vertices[t.vertices[k]], &b = mesh.vertices[t.vertices[(k + 1) % 3]];
-          for (const double share : {0.25, 0.5, 0.75}) {
-            const Point at{a.x + share * (b.x - a.x), a.y + share * (b.y - a.y)};
-            const double theta = a.theta + share * (b.theta - a.theta);
+          for (const double fraction : {0.25, 0.5, 0.75}) {
+            const Point at{a.x + fraction * (b.x - a.x), a.y + fraction * (b.y - a.y)};
+            const double theta = a.theta + fraction * (b.theta - a.theta);
             worst = std::max(worst, distance(obstacle, obstacle.patches()[t.patch], at, theta));
           }
         }
@@ -243,8 +243,8 @@ TEST(ObstacleMesh, BadTolerancesAndCancelling) {
   const CspaceObstacle obstacle = obstacle_of(pairs()[0]);
   for (const double tolerance : {0.0, -1.0, 1e-7, 2.0, std::nan("")})
     EXPECT_EQ(obstacle_mesh(obstacle, {tolerance, {}}).error().code, ErrorCode::out_of_range) << tolerance;
-  int asked = 0;
-  const auto stop = [&](std::string_view, double) { return ++asked < 2; };
+  int queried = 0;
+  const auto stop = [&](std::string_view, double) { return ++queried < 2; };
   const Result<ObstacleMesh> cancelled = obstacle_mesh(obstacle, {1e-3, stop});
   ASSERT_FALSE(cancelled.ok());
   EXPECT_EQ(cancelled.error().code, ErrorCode::cancelled);

@@ -164,7 +164,7 @@ TEST(Translation, random_ways_agree_with_samples) {
       EXPECT_TRUE(check.free);
     }
     if (check.free || from == to) continue;
-    // Just behind the first contact it overlaps (unless what it passes is a corner cut off by a rounding), just before
+    // Just after the first contact it overlaps (unless what it passes is a corner cut off by a rounding), just before
     // it does not.
     const double f = check.first.to_double(), e = 1e-9;
     if (f + e < 1 && unit == 1) {
@@ -194,7 +194,7 @@ TEST(Rotation, random_turns_agree_with_samples) {
     double turn = to.radians() - from.radians();
     if (direction == kAhead && turn < 0) turn += 2 * std::numbers::pi;
     if (direction == kBack && turn > 0) turn -= 2 * std::numbers::pi;
-    double until = 2;  // the share of the turn at the first contact
+    double until = 2;  // the fraction of the turn at the first contact
     if (!check.free)
       until = check.first->theta == from.radians()
                   ? 0
@@ -214,7 +214,7 @@ TEST(Rotation, random_turns_agree_with_samples) {
       for (const TurnInterval& f : check.free_angles) {
         const double a = f.begin.theta, b = f.end.theta, x = theta.radians();
         inside = inside || (a < b ? a < x && x < b : x > a || x < b);
-        // Rounded to one angle, or past each other, the ends do not tell nothing from the whole circle.
+        // Rounded to one angle, or past each other, the ends do not say nothing from the whole circle.
         near = near || std::abs(a - b) < 1e-12 || std::abs(x - a) < 1e-9 || std::abs(x - b) < 1e-9;
       }
       const bool overlaps = c.contains(at.x, at.y, theta);
@@ -258,25 +258,25 @@ TEST(Motion, free_blocked_and_grazing) {
 TEST(Motion, a_single_motion_asks_progress_and_stops) {
   const Region wall = region({{box(5, -2, 6, 2), {}}});
   const Configuration a{3.999, -9, 0}, b{3.999, 9, 1e-9};
-  std::vector<double> shares;
-  const Progress count = [&](std::string_view, double share) {
-    shares.push_back(share);
+  std::vector<double> fractions;
+  const Progress count = [&](std::string_view, double fraction) {
+    fractions.push_back(fraction);
     return true;
   };
   const MotionCheck check = check_motion(square(), wall, a, b, {}, count).value();
   EXPECT_GT(check.poses, 100u);
-  EXPECT_GE(shares.size(), check.poses / 32);
-  EXPECT_TRUE(std::is_sorted(shares.begin(), shares.end()) && shares.back() <= 1);
-  for (const std::size_t asked : {std::size_t{1}, shares.size()}) {
-    std::size_t left = asked;
+  EXPECT_GE(fractions.size(), check.poses / 32);
+  EXPECT_TRUE(std::is_sorted(fractions.begin(), fractions.end()) && fractions.back() <= 1);
+  for (const std::size_t queried : {std::size_t{1}, fractions.size()}) {
+    std::size_t left = queried;
     const Progress stop = [&](std::string_view, double) { return --left > 0; };
     EXPECT_EQ(check_motion(square(), wall, a, b, {}, stop).error().code, ErrorCode::cancelled);
   }
-  shares.clear();
+  fractions.clear();
   const std::vector<Configuration> path{{0, -9, 0}, a, b};
   ASSERT_TRUE(check_path(square(), wall, path, Touching::allowed, {}, count).ok());
-  EXPECT_GT(shares.size(), 4u);
-  EXPECT_TRUE(std::is_sorted(shares.begin(), shares.end()) && shares.back() <= 1);
+  EXPECT_GT(fractions.size(), 4u);
+  EXPECT_TRUE(std::is_sorted(fractions.begin(), fractions.end()) && fractions.back() <= 1);
 }
 
 TEST(Motion, whole_turns_far_away_are_free_at_any_angle) {

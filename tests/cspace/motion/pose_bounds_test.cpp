@@ -1,5 +1,5 @@
 // Poses that touch exactly, in doubles that are as wrong as their bounds allow: certain answers are never wrong, and a
-// little farther away answers are certain. A bound that is made 32 times smaller fails here.
+// little farther away answers are proved. A bound that is made 32 times smaller fails here.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -26,8 +26,8 @@ Region one_ring(std::vector<Point> ring) {
 
 /// A double that is off the exact cosine or sine by nearly one unit, upwards or downwards.
 double as_granted(const BigRational& v, int sign) {
-  for (const double share : {1.0, 0.75, 0.5}) {
-    const double near = exact::round_to_double(BigRational(v + exact::exact_value(sign * share * kUnit)));
+  for (const double fraction : {1.0, 0.75, 0.5}) {
+    const double near = exact::round_to_double(BigRational(v + exact::exact_value(sign * fraction * kUnit)));
     if (abs(BigRational(exact::exact_value(near) - v)) <= exact::exact_value(kUnit)) return near;
   }
   return exact::round_to_double(v);
@@ -106,7 +106,7 @@ TEST(PoseBounds, sliding_along_an_edge_is_undecided) {
   for (int k = 0; k < 150; ++k) {
     const auto bits = [&] { return std::ldexp(std::floor(random.signed_unit() * 0x1p52), -52); };
     const Point d{0.5 + std::abs(bits()) / 16, 0.5 + std::abs(bits()) / 16};
-    const auto on = [&](double share) { return Point{share * d.x, share * d.y}; };
+    const auto on = [&](double fraction) { return Point{fraction * d.x, fraction * d.y}; };
     const Point right = on(0x1p-10), left = on(-0x1p-6);
     const Region below = one_ring({right, left, {left.x, left.y - 0.125}, {right.x, right.y - 0.125}});
     const auto above = [&](double x) { return Point{0x1p-12 * (x * d.x - d.y), 0x1p-12 * (x * d.y + d.x)}; };
@@ -119,8 +119,8 @@ TEST(PoseBounds, sliding_along_an_edge_is_undecided) {
   }
 }
 
-// A place so little above or below the floor that only exact signs tell. Doubles of angles near half a turn err by 2 or
-// 3 units, a place is granted 16 besides: no pose shows what is granted for the angle alone.
+// A position so little above or below the floor that only exact signs tell. Doubles of angles near half a turn err by 2
+// or 3 units, a position is granted 16 besides: no pose shows what is granted for the angle alone.
 TEST(PoseBounds, a_pivot_knows_an_overlap_from_a_touch) {
   oracles::Random random(44);
   for (int k = 0; k < 150; ++k) {
@@ -144,8 +144,8 @@ TEST(PoseBounds, sides_of_doubles_next_to_a_line) {
     const double size = std::ldexp(1.0, -random.below(30));
     const Point a{size * random.signed_unit(), size * random.signed_unit()},
         b{random.signed_unit(), random.signed_unit()};
-    const double share = random.signed_unit();
-    const Point c{a.x + share * (b.x - a.x), a.y + share * (b.y - a.y)};
+    const double fraction = random.signed_unit();
+    const Point c{a.x + fraction * (b.x - a.x), a.y + fraction * (b.y - a.y)};
     const auto of = [](double v) { return exact::exact_value(v); };
     const BigRational truth = (of(b.x) - of(a.x)) * (of(c.y) - of(a.y)) - (of(b.y) - of(a.y)) * (of(c.x) - of(a.x));
     ASSERT_EQ(side(SlicePoint(a), SlicePoint(b), SlicePoint(c)), truth.sign()) << k;

@@ -31,8 +31,8 @@ TEST(CspaceCoordinates, of_every_kind_have_the_loops_of_slices) {
     }
 }
 
-// Parallel segments that come onto one line share a stretch of 1e-15: of an L and a comb, turned in doubles, whose ends
-// are at one place but for rounding.
+// Parallel segments that come onto one line share an interval of 1e-15: of an L and a comb, turned in doubles, whose
+// ends are at one position but for rounding.
 TEST(CspaceCoordinates, stretches_that_doubles_do_not_see_are_shared) {
   const Region l = Region::create({{{{{0, 0},
                                       {0.10469849010750323, 2.9981724810572872},

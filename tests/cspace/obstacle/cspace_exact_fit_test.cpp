@@ -44,9 +44,9 @@ constexpr std::array<Angle, 6> kAngles{Angle{0, 0.5, 0, 0.5, 2},     Angle{0.5, 
                                        Angle{-0.5, 0, 0, 0.5, 3},    Angle{0.75, 0, 0, 0.25, 7},
                                        Angle{0.25, 0, 0, -0.25, 15}, Angle{0.125, 0, 0, 0.375, 7}};
 
-/// Darts at an angle and a place of its field, and pins that touch their tips there: triangles with an edge on the only
-/// rational line through such a tip. (Where sqrt(d) varies as if it were rational, every tip stays on its line and all
-/// are scaled: so pins around one polygon hold it never.)
+/// Darts at an angle and a position of its field, and pins that touch their tips there: triangles with an edge on the
+/// only rational line through such a tip. (Where sqrt(d) varies as if it were rational, every tip stays on its line and
+/// all are scaled: so pins around one polygon hold it never.)
 struct Held {
   std::vector<Ring> darts, pins;
   std::vector<std::array<double, 3>> normals;  ///< what each pin allows: normal . (dx, dy, dtheta) >= 0
@@ -88,10 +88,11 @@ Held random_held(Random& random) {
     const double u = plus_shape(d, plus(placed[1], placed[0], -1)) / length,
                  v = plus_shape(d, plus(placed[2], placed[0], -1)) / length;
     if (!(u * v > 0 && std::min(std::abs(u), std::abs(v)) > 0.5)) continue;
-    const double step = 1.0 / 64, middle = std::nearbyint(root / step) * step, side = u > 0 ? 1 : -1;
+    const double step = 1.0 / 64, midpoint = std::nearbyint(root / step) * step, side = u > 0 ? 1 : -1;
     const double width = std::max(2.0, std::nearbyint(0.75 / length / step)) * step,
                  off = std::max(1.0, std::nearbyint(32 / length)) / 64;
-    Ring pin{plus(a, d, middle - width), plus(a, d, middle + width), plus(plus(a, d, middle), {d.y, -d.x}, off * side)};
+    Ring pin{plus(a, d, midpoint - width), plus(a, d, midpoint + width),
+             plus(plus(a, d, midpoint), {d.y, -d.x}, off * side)};
     if (u > 0) std::reverse(pin.begin(), pin.end());
     if (!far_apart(held.darts, dart) || !far_apart(held.pins, pin)) continue;
     if (!far_apart(placed_darts, pin) || !far_apart(held.pins, placed)) continue;
@@ -164,11 +165,11 @@ TEST(CspaceExactFit, pins_hold_darts_at_an_irrational_angle) {
     EXPECT_EQ(tight_near(CspaceObstacle::create(pins, darts).value(), turned), count);
   });
   if (std::getenv("DYMSUM_SEED") != nullptr) return;
-  EXPECT_GE(held, 10 / static_cast<int>(kShareOfSeeds));
+  EXPECT_GE(held, 10 / static_cast<int>(kFractionOfSeeds));
   EXPECT_GE(loose, 10);
 }
 
-// The same pins at two places; and by whole slices.
+// The same pins at two positions; and by whole slices.
 TEST(CspaceExactFit, each_place_of_one_angle_is_reported) {
   int held = 0;
   for_seeds(12, [&](Random& random) {
@@ -190,7 +191,7 @@ TEST(CspaceExactFit, each_place_of_one_angle_is_reported) {
     EXPECT_EQ(tight_near(CspaceObstacle::create(darts, of_rings(h.pins), options).value(), h.at), 1u);
   });
   if (std::getenv("DYMSUM_SEED") == nullptr) {
-    EXPECT_GE(held, kShareOfSeeds == 1 ? 2 : 1);
+    EXPECT_GE(held, kFractionOfSeeds == 1 ? 2 : 1);
   }
 }
 
@@ -202,7 +203,7 @@ TEST(CspaceExactFit, a_clamp_slides_at_an_irrational_angle_only) {
   const Region walls = of_rings({box(-40, -5, 40, -0.5), box(-40, 2.5, 40, 7), box(-20, 0, 4, 2)});
   const CspaceObstacle c = CspaceObstacle::create(clamp, walls).value();
   std::vector<Configuration> all = tight(c);
-  ASSERT_EQ(all.size(), 4u);  // and the same at the slab's other end, turned by a half turn about its middle (-8, 1)
+  ASSERT_EQ(all.size(), 4u);  // and the same at the slab's other end, turned by a half turn about its midpoint (-8, 1)
   for (const Configuration& t : all)
     if (t.theta < 0) {
       EXPECT_EQ(tight_near(c, {-16 - t.x, 2 - t.y, t.theta + std::numbers::pi}), 1u);

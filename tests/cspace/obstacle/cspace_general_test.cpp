@@ -102,7 +102,7 @@ CspaceObstacle nearly_in_line() {
   return CspaceObstacle::create(*Region::create(robot), *Region::create(obstacle)).value();
 }
 
-// The crossing of the two told nothing about the place, which was taken for covered.
+// The crossing of the two told nothing about the position, which was taken for covered.
 TEST(CspaceGeneral, places_of_events_of_nearly_parallel_segments_are_not_guessed) {
   Random random(1);
   expect_slices(nearly_in_line(), random, 1000);
@@ -204,7 +204,7 @@ TEST(CspaceGeneral, segments_that_live_for_a_millionth_of_a_turn_have_their_even
   expect_slices(CspaceObstacle::create(shape, shape).value(), random, 2000);
 }
 
-// Some angles are equal as doubles: their half tangents tell them apart, in the order of the list.
+// Some angles are equal as doubles: their half tangents distinguish them, in the order of the list.
 TEST(CspaceGeneral, half_tangents_tell_all_event_angles_apart) {
   const CspaceObstacle c = nearly_in_line();
   int equal_doubles = 0;
@@ -241,8 +241,8 @@ TEST(CspaceGeneral, three_segments_concurrent_at_every_angle_need_no_whole_slice
   expect_slices(c, random, 1000);
 }
 
-// Two bars on either arm of both, all of one width and at equal distances: the same thing happens at several places at
-// once, often along one segment. That takes no whole slice.
+// Two bars on either arm of both, all of one width and at equal distances: the same thing happens at several positions
+// at once, often along one segment. That takes no whole slice.
 TEST(CspaceGeneral, events_at_one_angle_and_several_places_are_handled_one_by_one) {
   const Region robot =
       polygon({{-1, -1},    {31.125, -1}, {31.125, 0}, {30.125, 0}, {30.125, 8}, {30, 8},     {30, 0},     {28.125, 0},
@@ -265,7 +265,7 @@ TEST(CspaceGeneral, events_at_one_angle_and_several_places_are_handled_one_by_on
 }
 
 // Two opposite segments come to lie along each other, with an event at either end: one of them begins a loop near its
-// place, the other one needs a whole slice, in which that loop is none. It was left without patches.
+// position, the other one needs a whole slice, in which that loop is none. It was left without patches.
 TEST(CspaceGeneral, an_event_is_not_handled_where_another_one_of_its_angle_takes_a_slice) {
   const Ring star{{16, 2}, {4, 3}, {4, 13}, {-4, -3}, {-4, -13}, {9, -12}, {4, -1}};
   const std::vector<Ring> pins{{{20, 6}, {21, 6}, {19, 7}}, {{29, 16}, {29, 17}, {28, 16}}};

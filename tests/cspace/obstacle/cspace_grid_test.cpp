@@ -139,7 +139,7 @@ TEST(CspaceGrid, three_contacts_at_one_point_at_every_angle_give_the_same_obstac
   });
 }
 
-// Between the two angles the three hold the robot's reference point at one place, which has free space on no side.
+// Between the two angles the three hold the robot's reference point at one position, which has free space on no side.
 TEST(CspaceGrid, a_curve_of_tight_placements_is_told_where_it_begins_and_ends) {
   RegionData robot, obstacle;
   robot.parts = {{{{130, -320}, {160, -320}, {142, -344}}, {}},

@@ -24,7 +24,7 @@ using testing_obstacles::Random;
 
 double cross(Point o, Point a, Point b) { return (a.x - o.x) * (b.y - o.y) - (a.y - o.y) * (b.x - o.x); }
 
-// The hull of random grid points, sometimes with vertices in the middle of its edges.
+// The hull of random grid points, sometimes with vertices inside its edges.
 Region random_convex(Random& random, int reach, int points) {
   const auto at = [&] { return 2.0 * (static_cast<int>(random() % static_cast<unsigned>(2 * reach + 1)) - reach); };
   for (;;) {
@@ -60,9 +60,9 @@ Orientation elsewhere(const CspaceObstacle& c, std::uint32_t slab, Random& rando
   const double low = c.angles()[slab].theta;
   double high = c.angles()[(slab + 1) % c.angles().size()].theta;
   if (high <= low) high += 2 * M_PI;
-  const double share = std::uniform_real_distribution<double>(0.01, 0.99)(random);
+  const double fraction = std::uniform_real_distribution<double>(0.01, 0.99)(random);
   const Orientation o =
-      *Orientation::nearest(low + share * (high - low), std::max(1e-4 * (high - low), Orientation::kAngularError));
+      *Orientation::nearest(low + fraction * (high - low), std::max(1e-4 * (high - low), Orientation::kAngularError));
   return c.slab_of(o) == slab ? o : c.inside(slab);
 }
 
@@ -209,11 +209,11 @@ std::int64_t euler_of_slabs(const CspaceObstacle& c) {
     }
     std::set<Spot> ridges;
     std::set<std::uint32_t> faces;
-    const double middle = c.inside(k).radians();
+    const double midpoint = c.inside(k).radians();
     for (const auto& loop : c.loops(k))
       for (const std::uint32_t p : loop) {
         faces.insert(p);
-        for (const Point& v : c.ends(c.patches()[p], middle)) ridges.insert(spot(v));
+        for (const Point& v : c.ends(c.patches()[p], midpoint)) ridges.insert(spot(v));
       }
     count += static_cast<std::int64_t>(distinct.size()) - static_cast<std::int64_t>(edges.size() + ridges.size()) +
              static_cast<std::int64_t>(faces.size());

@@ -42,7 +42,7 @@ Region random_obstacle(Random& random) {
   }
 }
 
-// Places on a grid, many on the boundary, against the open slice by the static engine.
+// Positions on a grid, many on the boundary, against the open slice by the static engine.
 void expect_membership(const CspaceObstacle& c, Random& random) {
   for (int k = 0; k < 12; ++k) {
     const Orientation at =
@@ -144,7 +144,7 @@ TEST(CspaceRod, fits_along_the_diagonals) {
   EXPECT_TRUE(shorter.tight().empty());
 }
 
-// In a slot as long as itself and of some width: free along a stretch, at two angles.
+// In a slot as long as itself and of some width: free along an interval, at two angles.
 TEST(CspaceRod, fits_into_a_slot_along_a_stretch) {
   const Region slot = polygon(box(-8, -8, 12, 12), {reversed(box(0, 0, 3, 1))});
   const CspaceObstacle c = CspaceObstacle::create(segment({0, 0}, {3, 0}), slot).value();

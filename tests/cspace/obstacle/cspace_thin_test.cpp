@@ -15,12 +15,12 @@ using namespace testing_obstacles;
 double grid_coordinate(Random& random, int reach) {
   return static_cast<double>(static_cast<int>(random() % static_cast<unsigned>(2 * reach + 1)) - reach);
 }
-Point place(Random& random, int reach) { return {grid_coordinate(random, reach), grid_coordinate(random, reach)}; }
+Point position(Random& random, int reach) { return {grid_coordinate(random, reach), grid_coordinate(random, reach)}; }
 
 Polyline random_line(Random& random, int reach, std::size_t vertices) {
-  Polyline line{place(random, reach)};
+  Polyline line{position(random, reach)};
   while (line.size() < vertices) {
-    const Point next = place(random, reach);
+    const Point next = position(random, reach);
     if (next != line.back()) line.push_back(next);
   }
   return line;
@@ -47,10 +47,10 @@ RegionData random_wires(Random& random, int reach) {
       break;
     }
     case 2: {  // a star of segments
-      const Point middle = place(random, reach);
+      const Point midpoint = position(random, reach);
       for (int k = 0; k < 3; ++k)
-        for (Point end = middle; end == middle;)
-          if ((end = place(random, reach)) != middle) data.polylines.push_back({middle, end});
+        for (Point end = midpoint; end == midpoint;)
+          if ((end = position(random, reach)) != midpoint) data.polylines.push_back({midpoint, end});
       break;
     }
     case 3:
@@ -61,7 +61,7 @@ RegionData random_wires(Random& random, int reach) {
       break;  // a T
     default:
       data.polylines = {random_line(random, reach, 2 + random() % 2)};
-      data.points = {place(random, reach)};
+      data.points = {position(random, reach)};
   }
   return data;
 }
@@ -84,7 +84,7 @@ Region random_mixed(Random& random, int reach) {
   data.parts = random_shape(random, reach, 4, false).parts();
   return made(std::move(data));
 }
-// Whether an edge of a polyline has a stretch in common with another edge.
+// Whether an edge of a polyline has an interval in common with another edge.
 bool runs_along(const Region& region) {
   std::vector<std::array<Point, 2>> edges;
   for (const Polyline& line : region.polylines())
@@ -161,7 +161,7 @@ std::string wkt(const Pair& pair) {
          format_region(pair.obstacle, RegionFormat::wkt);
 }
 
-// Loops of places in doubles, without those in the middle of straight lines.
+// Loops of positions in doubles, without those inside straight lines.
 using Loops = std::vector<std::vector<Point>>;
 void add_loop(Loops& to, const std::vector<Point>& at) {
   std::vector<Point> kept;
@@ -230,7 +230,7 @@ std::string text(const Loops& loops) {
   return s;
 }
 
-Orientation middle_of(const CspaceObstacle& c, std::uint32_t slab) {
+Orientation midpoint_of(const CspaceObstacle& c, std::uint32_t slab) {
   if (c.angles().empty()) return {};
   const double low = c.angles()[slab].theta,
                high = slab + 1 < slabs(c) ? c.angles()[slab + 1].theta : c.angles()[0].theta + 2 * std::numbers::pi;
@@ -238,10 +238,10 @@ Orientation middle_of(const CspaceObstacle& c, std::uint32_t slab) {
   return high - low > 1e-4 && c.slab_of(near) == slab ? near : c.inside(slab);
 }
 
-// In every slab the places of its loops; and nothing is tight between events but along curves.
-void expect_places(const CspaceObstacle& c, const Pair& pair) {
+// In every slab the positions of its loops; and nothing is tight between events but along curves.
+void expect_positions(const CspaceObstacle& c, const Pair& pair) {
   for (std::uint32_t slab = 0; slab < slabs(c); ++slab) {
-    const Orientation at = middle_of(c, slab);
+    const Orientation at = midpoint_of(c, slab);
     SumOptions options;
     options.semantics = Semantics::open;
     const PlanarSum open = *cspace_slice(pair.robot, pair.obstacle, at, options);
@@ -269,7 +269,7 @@ void expect_thin_membership(const CspaceObstacle& c, Random& random, const Pair&
 void expect_slices_and_membership(const Pair& pair, Random& random) {
   const Result<CspaceObstacle> c = CspaceObstacle::create(pair.robot, pair.obstacle);
   ASSERT_TRUE(c.ok()) << c.error().message << wkt(pair);
-  expect_places(*c, pair);
+  expect_positions(*c, pair);
   expect_thin_membership(*c, random, pair);
 }
 void expect_as_by_whole_slices(const Pair& pair) {
@@ -322,8 +322,8 @@ TEST(CspaceThin, rings_that_touch) {
   }
 }
 
-// Three ends in one place are no tight placements: free space comes to them. Nor is a stretch on which one side only of
-// a wall is touched, though both are walked.
+// Three ends in one place are no tight placements: free space comes to them. Nor is an interval on which one side only
+// of a wall is touched, though both are walked.
 TEST(CspaceThin, ends_beside_free_space_are_not_tight) {
   RegionData star, junction;
   star.polylines = {{{0, 1}, {-2, -1}}, {{0, 1}, {1, 0}}, {{0, 1}, {2, -2}}};
@@ -386,7 +386,7 @@ TEST(CspaceThin, a_file_holds_the_same_obstacle) {
     ASSERT_EQ(slabs(*read), slabs(c));
     for (std::uint32_t slab = 0; slab < slabs(c); ++slab)
       EXPECT_EQ(of_slab(*read, slab), of_slab(c, slab)) << wkt(pair);
-    expect_places(*read, pair);
+    expect_positions(*read, pair);
   });
 }
 

@@ -1,14 +1,14 @@
-// What a single event changes, as a plan: against the edit that the geometry asks for and, applied, against the slice
-// from scratch just behind the event.
+// What a single event changes, as a plan: against the edit that the geometry requests and, applied, against the slice
+// from scratch just after the event.
 #include "cspace/obstacle/event_plan.h"
 
 #include <map>
 
 #include "cspace/obstacle/event_clusters.h"
+#include "cspace/obstacle/event_windows.h"
 #include "cspace/obstacle/obstacle_slices.h"
 #include "cspace/obstacle/slice_reader.h"
 #include "cspace/obstacle/tight_events.h"
-#include "cspace/obstacle/turn_windows.h"
 #include "dymsum/shapes.h"
 #include "oracles/random.h"
 #include "oracles/snapped_shapes.h"
@@ -51,8 +51,8 @@ std::vector<Ids> boundary_loops(const BoundaryGraph& graph) {
 struct Turning {
   std::shared_ptr<const OperandPair> base;
   TurningForms forms;
-  TurnCatalog catalog{forms};
-  TurnWindows windows{forms, catalog, true};
+  RotationCatalog catalog{forms};
+  EventWindows windows{forms, catalog, true};
   SliceReader reader{forms, base};
   Turning(const Region& robot, const Region& obstacle)
       : base(pair_of_regions(obstacle, robot, PairOptions{.moved = 1, .reflect_q = true}).value()), forms(*base) {}
@@ -75,21 +75,21 @@ struct Turning {
 struct Moment {
   const Turning& turning;
   EventGroup events;
-  TurnRange range;
+  RotationRange range;
   const OverlapFilter& filter;
-  Orientation before, behind;
+  Orientation before, after;
 };
 
 template <class F>
 void for_each_moment(const Turning& turning, F&& f) {
   for (int k = 0; k < turning.windows.count(); ++k)
-    for (PreparedWindow& p : turning.windows.prepare(k, TurnWindows::Halved::where_crowded)) {
+    for (PreparedWindow& p : turning.windows.prepare(k, EventWindows::Halved::where_crowded)) {
       auto& events = p.found.events;
-      const auto root = [&](TurnEvent& e) -> const exact::AlgebraicRoot& {
+      const auto root = [&](RotationEvent& e) -> const exact::AlgebraicRoot& {
         return exact_root(e, turning.forms, p.range);
       };
       std::sort(events.begin(), events.end(),
-                [&](TurnEvent& a, TurnEvent& b) { return exact::compare(root(a), root(b)) < 0; });
+                [&](RotationEvent& a, RotationEvent& b) { return exact::compare(root(a), root(b)) < 0; });
       const auto end = exact::AlgebraicRoot::of(p.range.t_high);
       exact::AlgebraicRoot last = exact::AlgebraicRoot::of(p.range.t_low);
       for (std::size_t i = 0, j = 0; i < events.size(); i = j) {
@@ -139,21 +139,21 @@ EditIds ids_of(const BoundaryEdit& edit, const SegmentIndex& segments) {
 
 /// How often each kind of plan was compared.
 struct Compared {
-  std::map<std::pair<TurnEvent::Kind, Verdict>, int> plans;
+  std::map<std::pair<RotationEvent::Kind, Verdict>, int> plans;
   int births = 0, whole = 0;
 };
 
 // Plans all of a moment's events one by one, as the sweep does where they are apart; applied to the slice before they
-// are the slice behind. A single event is planned twice.
+// are the slice after. A single event is planned twice.
 void expect_plans(const Moment& m, Compared& compared) {
   const Turning& t = m.turning;
   BoundaryGraph graph = t.graph_at(m.before);
   const SweepScene scene{t.forms, t.catalog, graph};
-  const std::vector<Ids> behind = t.slice(m.behind);
+  const std::vector<Ids> after = t.slice(m.after);
   std::vector<EventPlan> plans;
   bool whole = false;
   for (const EventGroup& cluster : clusters(m.events, scene)) whole |= cluster.size() > 1;
-  for (TurnEvent* event : m.events) {
+  for (RotationEvent* event : m.events) {
     const auto unchanged = contents(graph);
     plans.push_back(plan_event(*event, m.range, scene, m.filter));
     ASSERT_EQ(contents(graph), unchanged);
@@ -179,13 +179,13 @@ void expect_plans(const Moment& m, Compared& compared) {
     for (const std::uint32_t n : ids.gone) EXPECT_TRUE(is_own(graph[n].id));
     // Later plans of the moment are of disjoint neighbourhoods, but neighbours got new names.
     BoundaryEdit edit = k == 0 ? plans[k].edit : plan_event(*m.events[k], m.range, scene, m.filter).edit;
-    std::erase_if(edit.births, [&](const auto& loop) { return !t.reader.is_free(loop, m.behind); });
+    std::erase_if(edit.births, [&](const auto& loop) { return !t.reader.is_free(loop, m.after); });
     compared.births += !edit.births.empty();
     graph.apply(edit);
     ASSERT_NO_THROW(graph.check());
   }
-  ASSERT_EQ(boundary_loops(graph), behind) << "kind " << static_cast<int>(m.events[0]->kind) << " at "
-                                           << m.events[0]->theta() << ", " << m.events.size() << " events";
+  ASSERT_EQ(boundary_loops(graph), after) << "kind " << static_cast<int>(m.events[0]->kind) << " at "
+                                          << m.events[0]->theta() << ", " << m.events.size() << " events";
 }
 
 TEST(EventPlan, applied_it_is_the_slice_behind_the_event) {
@@ -212,7 +212,7 @@ TEST(EventPlan, applied_it_is_the_slice_behind_the_event) {
     for_each_moment(Turning(robot, obstacle), [&](const Moment& m) {
       if (!testing::Test::HasFatalFailure()) expect_plans(m, compared);
     });
-  using Kind = TurnEvent::Kind;
+  using Kind = RotationEvent::Kind;
   for (const auto& [kind, verdict] : {std::pair{Kind::alignment, Verdict::change},
                                       {Kind::vertex_on_segment, Verdict::change},
                                       {Kind::vertex_on_segment, Verdict::doubtful},
@@ -229,8 +229,8 @@ TEST(EventPlan, aligned_edges_change_their_order) {
   const Turning turning(polygon({{0, 0}, {3, 1}, {1, 2}}), polygon({{0, 0}, {7, 1}, {2, 6}}));
   int alignments = 0;
   for_each_moment(turning, [&](const Moment& m) {
-    TurnEvent& event = *m.events[0];
-    if (event.kind != TurnEvent::Kind::alignment) return;
+    RotationEvent& event = *m.events[0];
+    if (event.kind != RotationEvent::Kind::alignment) return;
     const BoundaryGraph graph = turning.graph_at(m.before);
     const SegmentIndex& index = graph.segments();
     const EventPlan plan = plan_event(event, m.range, {turning.forms, turning.catalog, graph}, m.filter);
@@ -246,7 +246,7 @@ TEST(EventPlan, aligned_edges_change_their_order) {
 }
 
 // The robot's tip stands in a notch one side of which is as long as the tip's, up to roundings: where they are aligned
-// doubles do not tell which one is longer, and exact signs do.
+// doubles do not determine which one is longer, and exact signs do.
 TEST(EventPlan, alignments_of_edges_of_nearly_one_length_are_right) {
   oracles::Random random(65);
   Compared compared;
@@ -263,10 +263,10 @@ TEST(EventPlan, alignments_of_edges_of_nearly_one_length_are_right) {
     for (Ring* ring : {&tip, &notched})  // so that differences are rounded
       for (const Point off{random.signed_unit(), random.signed_unit()}; Point & v : *ring) v.x += off.x, v.y += off.y;
     for_each_moment(Turning(polygon(tip), polygon(notched)), [&](const Moment& m) {
-      if (m.events[0]->kind == TurnEvent::Kind::alignment && !HasFatalFailure()) expect_plans(m, compared);
+      if (m.events[0]->kind == RotationEvent::Kind::alignment && !HasFatalFailure()) expect_plans(m, compared);
     });
   }
-  EXPECT_GT((compared.plans[{TurnEvent::Kind::alignment, Verdict::change}]), 100);
+  EXPECT_GT((compared.plans[{RotationEvent::Kind::alignment, Verdict::change}]), 100);
   EXPECT_EQ(compared.whole, 0);
 }
 
@@ -275,8 +275,8 @@ struct BarInNotch {
   Turning turning{polygon({{0, 0}, {3, 0}, {3, 1}, {1, 1}, {1, 2}, {0, 2}}), shapes::rectangle(0, 0, 2, 5)};
   EventPlan plan;
   EditIds ids, expected;
-  explicit BarInNotch(TurnEvent::Kind kind, double theta, const std::vector<WalkSegment>& before,
-                      const std::vector<WalkSegment>& behind) {
+  explicit BarInNotch(RotationEvent::Kind kind, double theta, const std::vector<WalkSegment>& before,
+                      const std::vector<WalkSegment>& after) {
     for_each_moment(turning, [&](const Moment& m) {
       if (m.events.size() != 1 || m.events[0]->kind != kind || std::abs(m.events[0]->theta() - theta) > 1e-9) return;
       const BoundaryGraph graph = turning.graph_at(m.before);
@@ -285,7 +285,7 @@ struct BarInNotch {
       expected = {};
       for (const WalkSegment& s : before) expected.gone.push_back(graph.first_on(s));
       expected.runs = {{expected.gone.front(), expected.gone.back()}};
-      for (const WalkSegment& s : behind) expected.runs[0].push_back(graph.segments().of(s));
+      for (const WalkSegment& s : after) expected.runs[0].push_back(graph.segments().of(s));
     });
     std::sort(ids.gone.begin(), ids.gone.end());
     std::sort(expected.gone.begin(), expected.gone.end());
@@ -295,7 +295,7 @@ struct BarInNotch {
 // The bar's end stands in the notch on the notch's edges 2 and 3, of which the second one is half as long as the bar is
 // wide: at 30 degrees the tip 4 reaches the bar's end, and edge 3 touches nothing any more.
 TEST(EventPlan, a_vertex_on_a_segment_ends_what_lay_between) {
-  const BarInNotch bar(TurnEvent::Kind::vertex_on_segment, std::numbers::pi / 6, {{1, 2, 1}, {1, 3, 0}, {0, 0, 4}},
+  const BarInNotch bar(RotationEvent::Kind::vertex_on_segment, std::numbers::pi / 6, {{1, 2, 1}, {1, 3, 0}, {0, 0, 4}},
                        {{1, 2, 1}, {0, 0, 4}});
   EXPECT_EQ(bar.plan.verdict, Verdict::change);
   EXPECT_EQ(bar.plan.kind, ObstacleEvent::Kind::vertex_on_segment);
@@ -305,7 +305,7 @@ TEST(EventPlan, a_vertex_on_a_segment_ends_what_lay_between) {
 // Both tips of the L, 2 and 4, lie on one side of the bar. On either side of that angle another corner of the bar dips
 // between them.
 TEST(EventPlan, parallel_segments_pass_over_each_other) {
-  const BarInNotch bar(TurnEvent::Kind::overlap, -std::atan(2.0), {{0, 3, 2}, {1, 3, 3}, {0, 3, 4}},
+  const BarInNotch bar(RotationEvent::Kind::overlap, -std::atan(2.0), {{0, 3, 2}, {1, 3, 3}, {0, 3, 4}},
                        {{0, 3, 2}, {1, 2, 0}, {0, 3, 4}});
   EXPECT_EQ(bar.plan.verdict, Verdict::change);
   EXPECT_EQ(bar.ids, bar.expected);
@@ -317,8 +317,8 @@ TEST(EventPlan, three_segments_bear_and_close_a_hole) {
                         polygon(box(0, 0, 12, 12), {reversed({{3, 3}, {8, 4}, {4, 6.5}})}));
   int born = 0, closed = 0;
   for_each_moment(turning, [&](const Moment& m) {
-    TurnEvent& event = *m.events[0];
-    if (event.kind != TurnEvent::Kind::three_segments || m.events.size() != 1) return;
+    RotationEvent& event = *m.events[0];
+    if (event.kind != RotationEvent::Kind::three_segments || m.events.size() != 1) return;
     const BoundaryGraph graph = turning.graph_at(m.before);
     const EventPlan plan = plan_event(event, m.range, {turning.forms, turning.catalog, graph}, m.filter);
     if (plan.verdict != Verdict::change) return;
@@ -328,7 +328,7 @@ TEST(EventPlan, three_segments_bear_and_close_a_hole) {
     if (plan.edit.gone.empty()) {
       ASSERT_EQ(plan.edit.births.size(), 1U);
       for (const WalkSegment& s : plan.edit.births[0]) named.push_back(graph.segments().of(s));
-      born += turning.reader.is_free(plan.edit.births[0], m.behind);
+      born += turning.reader.is_free(plan.edit.births[0], m.after);
     } else {
       EXPECT_TRUE(plan.edit.births.empty());
       EXPECT_TRUE(plan.edit.loops_may_change);
@@ -357,8 +357,8 @@ struct TightMoments {
           ++coincident;
           break;
         }
-      graph.apply(slice_difference(graph, turning.reader.loops(m.behind), [](std::uint32_t) { return false; }));
-      ASSERT_EQ(boundary_loops(graph), turning.slice(m.behind));
+      graph.apply(slice_difference(graph, turning.reader.loops(m.after), [](std::uint32_t) { return false; }));
+      ASSERT_EQ(boundary_loops(graph), turning.slice(m.after));
       AngleNow now(turning.forms);
       now.begin(m.events[0]->theta(), nullptr);
       now.set_exact({m.range.chart, exact_root(*m.events[0], turning.forms, m.range)}, m.events[0]->theta());

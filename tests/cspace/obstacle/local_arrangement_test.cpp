@@ -1,4 +1,4 @@
-// The kill rule on two or three segments that meet at one place, from signs alone.
+// The kill rule on two or three segments that meet at one position, from signs alone.
 #include "cspace/obstacle/local_arrangement.h"
 
 #include <gtest/gtest.h>

@@ -1,5 +1,5 @@
 // Bounds of what an obstacle is made with, against exact values: places on segments, the order of angles that doubles
-// hardly tell apart, and tight placements far from the origin.
+// hardly distinguish, and tight placements far from the origin.
 #include <gtest/gtest.h>
 
 #include <numbers>
@@ -48,7 +48,7 @@ TEST(ObstacleBounds, places_on_segments_err_by_less_and_not_by_much_less) {
       return {BigRational(at[0] - rational_of(forms.centre().x)), BigRational(at[1] - rational_of(forms.centre().y))};
     };
     for (int i = 0; i < 60; ++i) {
-      const double t = random.signed_unit(), share = std::abs(random.signed_unit()), d = 1 + t * t;
+      const double t = random.signed_unit(), fraction = std::abs(random.signed_unit()), d = 1 + t * t;
       const auto wrong = [&] { return (random.chance(50) ? 15 : -15) * exact::kRoundoff; };
       const Heading h{(1 - t * t) / d + wrong(), 2 * t / d + wrong()};
       const RationalTurn turned(rational_of(t));
@@ -60,10 +60,10 @@ TEST(ObstacleBounds, places_on_segments_err_by_less_and_not_by_much_less) {
         return {BigRational(q[0] + r[0]), BigRational(q[1] + r[1])};
       };
       const ExactPair from = truly(start), to = truly(end);
-      const Point at = forms.place(start, h), e = forms.direction(s, h);
-      const BigRational x = from[0] + rational_of(share) * (to[0] - from[0]),
-                        off = abs(BigRational(rational_of(at.x + share * e.x) - x));
-      most = std::max(most, exact::round_to_double(off) / (kPlaceError * forms.span()));
+      const Point at = forms.position(start, h), e = forms.direction(s, h);
+      const BigRational x = from[0] + rational_of(fraction) * (to[0] - from[0]),
+                        off = abs(BigRational(rational_of(at.x + fraction * e.x) - x));
+      most = std::max(most, exact::round_to_double(off) / (kPositionError * forms.span()));
     }
   }
   EXPECT_LE(most, 1);
@@ -96,7 +96,8 @@ TEST(ObstacleBounds, alignments_that_doubles_hardly_tell_apart_are_in_their_orde
   EXPECT_GT(close, 200);
 }
 
-// A square that fits into its room exactly, both far from the origin: the place errs by what turns the square's offset.
+// A square that fits into its room exactly, both far from the origin: the position errs by what turns the square's
+// offset.
 TEST(ObstacleBounds, tight_placements_far_from_the_origin_err_by_less_and_not_by_much_less) {
   oracles::Random random(63);
   double most = 0;

@@ -123,8 +123,8 @@ inline void expect_slices(const CspaceObstacle& c, Random& random, std::uint32_t
     // Constant between events: the same cycles at another orientation of the slab.
     const double low = c.angles()[slab].theta,
                  high = slab + 1 < n ? c.angles()[slab + 1].theta : c.angles()[0].theta + 2 * std::numbers::pi;
-    const double share = 0.02 + 0.96 * static_cast<double>(random() % 4096) / 4096;
-    const Orientation other = *Orientation::nearest(low + share * (high - low));
+    const double fraction = 0.02 + 0.96 * static_cast<double>(random() % 4096) / 4096;
+    const Orientation other = *Orientation::nearest(low + fraction * (high - low));
     if (c.slab_of(other) == slab) {
       ASSERT_EQ(of_slice(*c.slice(other)), expected) << "slab " << slab << " at " << other.radians();
     }
@@ -181,12 +181,12 @@ inline std::size_t tight_at(const CspaceObstacle& c, double theta) {
   return n;
 }
 
-inline const std::uint64_t kShareOfSeeds = oracles::kSanitized ? 3 : 1;
+inline const std::uint64_t kFractionOfSeeds = oracles::kSanitized ? 3 : 1;
 
 // DYMSUM_FUZZ_OBSTACLES times the usual number of seeds; DYMSUM_SEED replays one.
 template <class F>
 inline void for_seeds(std::uint64_t usual, F&& f) {
-  usual = std::max<std::uint64_t>(1, usual / kShareOfSeeds);
+  usual = std::max<std::uint64_t>(1, usual / kFractionOfSeeds);
   const char* first = std::getenv("DYMSUM_SEED");
   const char* count = std::getenv("DYMSUM_FUZZ_OBSTACLES");
   const std::uint64_t begin = first ? std::stoull(first) : 1, n = first ? 1 : usual * (count ? std::stoull(count) : 1);

@@ -57,7 +57,8 @@ void expect_free(const CspaceObstacle& c, const Plan& p, Touching touching, std:
   }
 }
 
-// 88 ladders, a share of them unless DYMSUM_FUZZ_PLANS asks for more: all are found that fit, and none that does not.
+// 88 ladders, a fraction of them unless DYMSUM_FUZZ_PLANS requests more: all are found that fit, and none that does
+// not.
 TEST(NarrowPassages, ladders_round_a_corner) {
   const char* more = std::getenv("DYMSUM_FUZZ_PLANS");
   const int stride = more != nullptr && std::atoi(more) > 12 ? 1 : oracles::kSanitized ? 27 : 9;

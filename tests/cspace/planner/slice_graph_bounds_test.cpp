@@ -1,4 +1,4 @@
-// Heights of edges that doubles do not tell apart: trapezoids lie between the edges that they say, in the exact order.
+// Heights of edges that doubles do not distinguish: trapezoids lie between the edges that they say, in the exact order.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -36,7 +36,7 @@ struct NeighbouringSlopes {
   }
 };
 
-/// Rings whose sums with a unit square have an edge along (p, q) and, from its middle, one along (u, v) below. The
+/// Rings whose sums with a unit square have an edge along (p, q) and, from its midpoint, one along (u, v) below. The
 /// corners of a little triangle far below are lines beside that place: there the edge that begins is put among the
 /// others.
 Region nearly_parallel_edges(const NeighbouringSlopes& s, double x, double y) {

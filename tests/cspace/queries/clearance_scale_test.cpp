@@ -39,7 +39,7 @@ TEST(ClearanceScale, tiny_scenes_are_those_of_their_size) {
   for (const auto& [robot, obstacle] : scenes()) {
     const CspaceObstacle whole_obstacle = CspaceObstacle::create(robot, obstacle).value();
     const ObstacleQueries whole(whole_obstacle);
-    const std::vector<Configuration> asked = questions(random);
+    const std::vector<Configuration> queried = questions(random);
     for (const int exponent : {-300, -530, -600, -1000}) {
       SCOPED_TRACE(exponent);
       const double s = std::ldexp(1.0, exponent);
@@ -47,7 +47,7 @@ TEST(ClearanceScale, tiny_scenes_are_those_of_their_size) {
           CspaceObstacle::create(*scaled(robot, s, s), *scaled(obstacle, s, s)).value();
       const ObstacleQueries tiny(tiny_obstacle);
       EXPECT_EQ(tiny.largest_weight(), s * whole.largest_weight());
-      for (const Configuration& q : asked) {
+      for (const Configuration& q : queried) {
         const Configuration at{s * q.x, s * q.y, q.theta};
         EXPECT_EQ(tiny.contains(at), whole.contains(q));
         for (const double weight : {0.0, 0.01, 1.0, kInfinity})
@@ -83,7 +83,7 @@ TEST(ClearanceScale, of_what_is_very_far_away) {
 }
 
 // A free robot that can turn into the obstacle touches it at some angle: what is nearest by translation alone is that
-// contact, and not a place at which it overlaps.
+// contact, and not a position at which it overlaps.
 TEST(ClearanceScale, without_weight_the_nearest_place_is_boundary) {
   std::mt19937_64 random(2);
   int touched = 0;

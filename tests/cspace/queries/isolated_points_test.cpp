@@ -62,7 +62,7 @@ Region random_pieces(Random& random, int reach, const Region& body) {
   }
 }
 
-void ask_everything(const Region& robot, const Region& obstacle, Random& random, Tally& tally) {
+void query_everything(const Region& robot, const Region& obstacle, Random& random, Tally& tally) {
   SCOPED_TRACE("robot " + format_region(robot, RegionFormat::wkt) + "\nobstacle " +
                format_region(obstacle, RegionFormat::wkt));
   const Result<CspaceObstacle> c = CspaceObstacle::create(robot, obstacle);
@@ -70,7 +70,7 @@ void ask_everything(const Region& robot, const Region& obstacle, Random& random,
     EXPECT_EQ(c.error().code, ErrorCode::unsupported_operand) << c.error().message;
     return;
   }
-  Questions(*c, random, tally).ask();
+  Questions(*c, random, tally).query();
 }
 
 RegionData points(std::vector<Point> at) {
@@ -207,17 +207,17 @@ TEST(IsolatedPoints, every_question_agrees_with_membership) {
     const Region body = random_body(random);
     const bool swapped = random() % 3 == 0;
     const Region pieces = random_pieces(random, 3, body);
-    if (swapped) ask_everything(pieces, body, random, tally);
-    else ask_everything(body, pieces, random, tally);
+    if (swapped) query_everything(pieces, body, random, tally);
+    else query_everything(body, pieces, random, tally);
   });
   if (std::getenv("DYMSUM_SEED") != nullptr) return;
-  const int share = oracles::kSanitized ? 8 : 1;
-  EXPECT_GT(tally.touching, 3000 / share);
-  EXPECT_GT(tally.jammed, 10 / share);
-  EXPECT_GT(tally.single, 40 / share);
-  EXPECT_GT(tally.tight, 15 / share);
-  EXPECT_GT(tally.reached, 40 / share);
-  EXPECT_GT(tally.plans, 4 / share);
+  const int fraction = oracles::kSanitized ? 8 : 1;
+  EXPECT_GT(tally.touching, 3000 / fraction);
+  EXPECT_GT(tally.jammed, 10 / fraction);
+  EXPECT_GT(tally.single, 40 / fraction);
+  EXPECT_GT(tally.tight, 15 / fraction);
+  EXPECT_GT(tally.reached, 40 / fraction);
+  EXPECT_GT(tally.plans, 4 / fraction);
 }
 
 }  // namespace isolated_points

@@ -47,9 +47,9 @@ Configuration near_boundary(const CspaceObstacle& c, Random& random) {
   if (random() % 4 == 0) theta = begin + (random() % 2 == 0 ? 0 : 1e-13 * uniform(random, -1, 1));
   theta = std::remainder(theta, 2 * M_PI);
   const auto [a, b] = c.ends(p, theta);
-  const double share = random() % 4 == 0 ? 0 : uniform(random, 0, 1);
+  const double fraction = random() % 4 == 0 ? 0 : uniform(random, 0, 1);
   const double beside = std::pow(10, uniform(random, -17, -9)) * (random() % 2 == 0 ? 1 : -1);
-  return {a.x + share * (b.x - a.x) + beside, a.y + share * (b.y - a.y), theta};
+  return {a.x + fraction * (b.x - a.x) + beside, a.y + fraction * (b.y - a.y), theta};
 }
 
 void expect_contained(const CspaceObstacle& c, const ObstacleQueries& q, const Configuration& at) {
@@ -84,7 +84,7 @@ void expect_angles(const ObstacleQueries& q, double x, double y, Random& random)
 }
 
 // All kinds of questions within `reach`; returns how many the exact test answered.
-std::uint64_t ask(const CspaceObstacle& made, double reach, double unit, Random& random) {
+std::uint64_t query(const CspaceObstacle& made, double reach, double unit, Random& random) {
   const ObstacleQueries q(made);
   for (int k = 0; k < 40; ++k) expect_contained(made, q, near_boundary(made, random));
   for (int k = 0; k < 40; ++k) {
@@ -113,7 +113,7 @@ TEST(ObstacleQueriesFuzz, random_pairs_on_grids) {
     if (!made) continue;
     ++pairs;
     SCOPED_TRACE(testing::Message() << "pair " << i);
-    exact += ask(*made, 8, 1, random);
+    exact += query(*made, 8, 1, random);
   }
   EXPECT_GT(pairs, tries - 20);
   EXPECT_GT(exact, oracles::kSanitized ? 100u : 1000u);
@@ -132,7 +132,7 @@ TEST(ObstacleQueriesFuzz, coordinates_of_every_kind) {
       if (!made) continue;
       ++pairs;
       SCOPED_TRACE(testing::Message() << name_of(kind) << ", pair " << i);
-      ask(*made, kind == CoordinateKind::turned_far ? 1e5 : 8, 1, random);
+      query(*made, kind == CoordinateKind::turned_far ? 1e5 : 8, 1, random);
     }
     EXPECT_GT(pairs, tries / 2) << name_of(kind);
   }
@@ -146,7 +146,7 @@ TEST(ObstacleQueriesFuzz, several_parts_at_decimal_distances) {
     const Region robot = oracles::decimal_parts(random, 3, 6, 1 + static_cast<int>(random() % 2), unit);
     Region obstacle = oracles::decimal_parts(random, 6, 7, 1 + static_cast<int>(random() % 3), unit);
     if (random() % 2 == 0) obstacle = oracles::framed(obstacle, 12 * unit, 40 * unit);
-    ask(CspaceObstacle::create(robot, obstacle).value(), 15 * unit, unit, random);
+    query(CspaceObstacle::create(robot, obstacle).value(), 15 * unit, unit, random);
   }
 }
 
@@ -159,7 +159,7 @@ TEST(ObstacleQueriesFuzz, segments_and_points) {
     if (random() % 4 == 0) robot.points.push_back(a);
     else robot.polylines.push_back({a, {grid(random, 3), grid(random, 3)}});
     const CspaceObstacle c = CspaceObstacle::create(*Region::create(robot), random_shape(random, 5)).value();
-    ask(c, 8, 1, random);
+    query(c, 8, 1, random);
     // At a contact, to the last bit: never less than 0.
     const ObstacleQueries q(c);
     for (int k = 0; k < 10; ++k) {
@@ -194,7 +194,7 @@ TEST(ObstacleQueriesFuzz, pieces_without_area) {
     const Region wires = *Region::create(thin), shape = random_shape(random, seed % 4 == 3 ? 2 : 5);
     const CspaceObstacle c =
         seed % 4 == 3 ? CspaceObstacle::create(shape, wires).value() : CspaceObstacle::create(wires, shape).value();
-    ask(c, 8, 1, random);
+    query(c, 8, 1, random);
   }
 }
 

@@ -46,7 +46,7 @@ std::vector<std::pair<Region, Region>> pairs() {
           {box, hole_at_an_edge}};
 }
 
-// The extent of the obstacle around its middle, and the middle.
+// The extent of the obstacle around its midpoint, and the midpoint.
 struct Frame {
   double x = 0, y = 0, size = 0;
 };
@@ -92,9 +92,9 @@ TEST(ObstacleQueries, contains_equals_the_exact_test_on_the_boundary) {
     // Points of patches, rounded: some of them inside, some not; and grid points at quarter turns, many exactly on it.
     for (std::uint32_t p = 0; p < c.patches().size(); p += 3) {
       const Patch& patch = c.patches()[p];
-      const double theta = c.angles()[patch.begin].theta + 1e-4, share = uniform_between(random, 0, 1);
+      const double theta = c.angles()[patch.begin].theta + 1e-4, fraction = uniform_between(random, 0, 1);
       const auto [a, b] = c.ends(patch, theta);
-      const Configuration at{a.x + share * (b.x - a.x), a.y + share * (b.y - a.y), theta};
+      const Configuration at{a.x + fraction * (b.x - a.x), a.y + fraction * (b.y - a.y), theta};
       EXPECT_EQ(q.contains(at), c.contains(at.x, at.y, *Orientation::nearest(theta)));
     }
     EXPECT_GT(q.exact_answers(), 5u);
@@ -316,8 +316,8 @@ TEST(ObstacleQueries, clearance_of_a_nearly_symmetric_star) {
   const CspaceObstacle c = make({star, star});
   const ObstacleQueries q(c);
   const double size = frame(c).size, w = q.gyration_radius();
-  const int asked = oracles::rounds(120);
-  for (int k = 0; k < asked; ++k) {
+  const int queried = oracles::rounds(120);
+  for (int k = 0; k < queried; ++k) {
     Configuration from = anywhere(c, random);
     if (k == 0) from = {2.6755101274912469, 6.1136040221208816, -0.22326770522919492};
     if (k == 1) from = {-2.6585513931131821, 6.6042293465492214, -2.7693829285172318};
@@ -342,7 +342,7 @@ TEST(ObstacleQueries, clearance_of_a_nearly_symmetric_star) {
       EXPECT_LE(std::abs(found.distance), std::hypot(slice_distance(c, at), turn) + found.error);
     }
   }
-  EXPECT_LT(q.bounds_evaluated(), 200u * static_cast<unsigned>(asked));
+  EXPECT_LT(q.bounds_evaluated(), 200u * static_cast<unsigned>(queried));
 }
 
 TEST(ObstacleQueries, clearance_looks_at_few_patches) {
@@ -404,7 +404,7 @@ TEST(ObstacleQueries, free_angles_are_those_that_are_free) {
 }
 
 TEST(ObstacleQueries, free_angles_of_a_bar_beside_a_corner) {
-  // A bar of half length 4 and half width 1/2, two above the middle of a square of side 2: free while it is nearly
+  // A bar of half length 4 and half width 1/2, two above the midpoint of a square of side 2: free while it is nearly
   // level.
   const CspaceObstacle c = make({shapes::rectangle(-4, -0.5, 4, 0.5), shapes::rectangle(-1, -1, 1, 1)});
   const ObstacleQueries q(c);

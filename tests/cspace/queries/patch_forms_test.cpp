@@ -1,4 +1,4 @@
-// Ends of patches in doubles, against exact places: within the error that is said, down to lines that are nearly
+// Ends of patches in doubles, against exact positions: within the error that is said, down to lines that are nearly
 // parallel.
 #include "cspace/queries/patch_forms.h"
 
@@ -27,7 +27,7 @@ struct ExactTurn {
     return {BigRational(c * exactly(v.x) - s * exactly(v.y)), BigRational(s * exactly(v.x) + c * exactly(v.y))};
   }
 };
-Vector place_at(const Hinge& h, const ExactTurn& turn) {
+Vector position_at(const Hinge& h, const ExactTurn& turn) {
   const Vector b = turn * h.b;
   return {BigRational(exactly(h.a.x) + b[0]), BigRational(exactly(h.a.y) + b[1])};
 }
@@ -65,16 +65,17 @@ TEST(PatchForms, ends_err_by_less_than_they_say_and_not_by_much_less) {
           if (!std::isfinite(found.error)) continue;
           Vector truth;
           if (end->corner) {
-            truth = place_at(end->hinge, turn);
+            truth = position_at(end->hinge, turn);
           } else {
-            const Vector d = along(form.own, turn), e = along(end->other, turn), s = place_at(form.own.start, turn),
-                         o = place_at(end->other.start, turn), gap{BigRational(o[0] - s[0]), BigRational(o[1] - s[1])};
+            const Vector d = along(form.own, turn), e = along(end->other, turn), s = position_at(form.own.start, turn),
+                         o = position_at(end->other.start, turn),
+                         gap{BigRational(o[0] - s[0]), BigRational(o[1] - s[1])};
             const BigRational across = product(d, e);
             if (across == 0) continue;
-            BigRational share = product(gap, e) / across;
-            if (share < 0) share = 0;
-            if (share > 1) share = 1;
-            truth = {BigRational(s[0] + share * d[0]), BigRational(s[1] + share * d[1])};
+            BigRational fraction = product(gap, e) / across;
+            if (fraction < 0) fraction = 0;
+            if (fraction > 1) fraction = 1;
+            truth = {BigRational(s[0] + fraction * d[0]), BigRational(s[1] + fraction * d[1])};
           }
           const double off = std::max(exact::round_to_double(BigRational(abs(exactly(found.at.x) - truth[0]))),
                                       exact::round_to_double(BigRational(abs(exactly(found.at.y) - truth[1]))));

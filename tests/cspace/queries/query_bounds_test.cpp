@@ -7,14 +7,14 @@
 #include "cspace/queries/angle_passages.h"
 #include "cspace/queries/end_curve.h"
 #include "cspace/queries/tight_distance.h"
-#include "oracles/largest_share.h"
+#include "oracles/largest_fraction.h"
 #include "oracles/random.h"
 
 namespace dymsum::cspace {
 namespace {
 
 using oracles::Digits;
-using oracles::LargestShare;
+using oracles::LargestFraction;
 
 PatchEnd mixed_crossing(oracles::Random& random) {
   PatchEnd end;
@@ -36,7 +36,7 @@ Digits crossing_at(const PatchEnd& end, int k, const Digits& psi) {
 // The parallel angle is known to 12 units, or beyond doubles and the reference's distance from it to 2^-50 of that.
 TEST(QueryBounds, crossings_near_parallel_lines_err_by_less_and_not_by_much_less) {
   oracles::Random random(71);
-  LargestShare of_reference, of_distance;
+  LargestFraction of_reference, of_distance;
   for (int k = 0; k < 10000; ++k) {
     PatchEnd end = mixed_crossing(random);
     const double x = 0.5 * random.signed_unit() * std::ldexp(1.0, -random.below(12));
@@ -45,15 +45,17 @@ TEST(QueryBounds, crossings_near_parallel_lines_err_by_less_and_not_by_much_less
       const EndCurve curve(end, 4, reference);
       const Digits off = Digits(random.chance(50) ? 11 : -11) * exact::kRoundoff,
                    psi = Digits(reference) + Digits(x) - Digits(end.parallel) + off;
-      const double error = curve.error(SmallTurn(x));
-      if (std::isfinite(error)) of_reference.add(Digits(curve.value(SmallTurn(x))) - crossing_at(end, 0, psi), error);
+      const double error = curve.error(SmallRotation(x));
+      if (std::isfinite(error))
+        of_reference.add(Digits(curve.value(SmallRotation(x))) - crossing_at(end, 0, psi), error);
     } else {
       const double psi = std::ldexp(random.signed_unit(), -random.below(30));
       const EndCurve curve(end, 4, 1, psi);
       const Digits truly = Digits(psi) * (1 + Digits(random.signed_unit()) * 0x1p-50) + Digits(x);
-      const double error = curve.error(SmallTurn(x));
+      const double error = curve.error(SmallRotation(x));
       // Beyond the pole from the reference only the terms count.
-      if (std::isfinite(error)) of_distance.add(Digits(curve.value(SmallTurn(x))) - crossing_at(end, 1, truly), error);
+      if (std::isfinite(error))
+        of_distance.add(Digits(curve.value(SmallRotation(x))) - crossing_at(end, 1, truly), error);
     }
   }
   of_reference.expect_bounded(1.0 / 16);
@@ -62,7 +64,7 @@ TEST(QueryBounds, crossings_near_parallel_lines_err_by_less_and_not_by_much_less
 
 TEST(QueryBounds, waves_err_by_less_and_not_by_much_less) {
   oracles::Random random(72);
-  LargestShare wave;
+  LargestFraction wave;
   for (int k = 0; k < 20000; ++k) {
     PatchEnd end;
     end.corner = false;
@@ -72,9 +74,9 @@ TEST(QueryBounds, waves_err_by_less_and_not_by_much_less) {
     const double reference = 3 * random.signed_unit(), x = random.signed_unit() / 2;
     const EndCurve curve(end, 4, reference);
     const Digits theta = Digits(reference) + Digits(x);
-    wave.add(Digits(curve.value(SmallTurn(x))) -
+    wave.add(Digits(curve.value(SmallRotation(x))) -
                  (Digits(end.constant) + Digits(end.cosine) * cos(theta) + Digits(end.sine) * sin(theta)),
-             curve.error(SmallTurn(x)));
+             curve.error(SmallRotation(x)));
   }
   wave.expect_bounded(1.0 / 32);
 }
@@ -113,7 +115,7 @@ Digits passing_angle(const CspaceObstacle& obstacle, const Contact& contact, Poi
 // cosine's error on top: roundings reach no more than a hundredth.
 TEST(QueryBounds, angles_of_passages_are_between_their_ends_and_not_in_the_middle) {
   oracles::Random random(73);
-  LargestShare share;
+  LargestFraction fraction;
   int passages = 0;
   for (int k = 0; k < 12; ++k) {
     const CspaceObstacle obstacle =
@@ -123,15 +125,15 @@ TEST(QueryBounds, angles_of_passages_are_between_their_ends_and_not_in_the_middl
       const Point z{3 * random.signed_unit(), 3 * random.signed_unit()};
       for (const Passage& p : passages_at(obstacle, forms, z).all) {
         if (!p.crosses || p.high - p.low > 0x1p-40) continue;
-        const double middle = (p.low + p.high) / 2;
-        const Digits truth = passing_angle(obstacle, obstacle.patches()[p.patch].contact, z, middle);
-        share.add(2 * truth - Digits(p.low) - Digits(p.high), p.high - p.low);
+        const double midpoint = (p.low + p.high) / 2;
+        const Digits truth = passing_angle(obstacle, obstacle.patches()[p.patch].contact, z, midpoint);
+        fraction.add(2 * truth - Digits(p.low) - Digits(p.high), p.high - p.low);
         ++passages;
       }
     }
   }
   EXPECT_GT(passages, 200);
-  share.expect_bounded(1.0 / 256);
+  fraction.expect_bounded(1.0 / 256);
 }
 
 // A square in its exact room, so much weight on the angle that only that counts. Questions may mean an angle that is
@@ -148,16 +150,16 @@ TEST(QueryBounds, distances_of_tight_angles_err_by_less_and_not_by_much_less) {
   const CspaceObstacle obstacle = CspaceObstacle::create(square, room).value();
   const double weight = 0x1p30;
   const Digits turned = atan2(Digits(3), Digits(4));
-  LargestShare share;
+  LargestFraction fraction;
   for (int k = 0; k < 2000; ++k) {
-    // The first quarter's tight angle is the nearest one; its place is (0, 0).
+    // The first quarter's tight angle is the nearest one; its position is (0, 0).
     const double theta = std::atan2(3.0, 4.0) + 0.7 * random.signed_unit();
     const NearestTight nearest = nearest_tight(obstacle, {0, 0, theta}, weight);
     const Digits meant = Digits(theta) + Digits(random.chance(50) ? 0x1p-50 : -0x1p-50),
                  truth = Digits(weight) * abs(Digits(meant - turned));
-    share.add(Digits(nearest.place.distance) - truth, nearest.place.error);
+    fraction.add(Digits(nearest.position.distance) - truth, nearest.position.error);
   }
-  share.expect_bounded(1.0 / 32);
+  fraction.expect_bounded(1.0 / 32);
 }
 
 }  // namespace

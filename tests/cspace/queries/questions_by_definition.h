@@ -53,7 +53,7 @@ class Truth {
 };
 
 /// A position at an orientation, and the truth about it.
-struct Asked {
+struct Queried {
   Point z;
   Configuration at;
   bool overlaps = false, touches = false;
@@ -90,21 +90,21 @@ class Questions {
   Questions(const CspaceObstacle& c, Random& random, Tally& tally)
       : c_(c), queries_(c), random_(random), tally_(tally), weight_(queries_.gyration_radius()) {}
 
-  void ask() {
-    for (const Turn& turn : kTurns) ask_at(turn);
-    for (const Asked& a : asked_) expect_distances(a);
+  void query() {
+    for (const Turn& turn : kTurns) query_at(turn);
+    for (const Queried& a : queried_) expect_distances(a);
     expect_tight();
     expect_plan();
   }
 
  private:
-  void ask_at(const Turn& turn) {
+  void query_at(const Turn& turn) {
     const Truth truth(c_.robot(), c_.obstacle(), turn);
     const Orientation theta = turn.orientation();
-    std::vector<Asked> here;
+    std::vector<Queried> here;
     for (const Point z : positions(turn)) {
       SCOPED_TRACE(testing::Message() << z.x << ' ' << z.y << " at " << turn.n << '/' << turn.d);
-      const Asked a{z, {z.x, z.y, theta.radians()}, truth.overlaps(z), truth.touches(z)};
+      const Queried a{z, {z.x, z.y, theta.radians()}, truth.overlaps(z), truth.touches(z)};
       expect_membership(a, theta);
       if (!(*Orientation::nearest(theta.radians()) == theta)) continue;
       expect_clearance(a);
@@ -112,10 +112,10 @@ class Questions {
       here.push_back(a);
     }
     if (!here.empty()) expect_ways(here, theta, truth);
-    asked_.insert(asked_.end(), here.begin(), here.end());
+    queried_.insert(queried_.end(), here.begin(), here.end());
   }
 
-  // Sums of two vertices and the middles between two of them, where doubles hold them, and the grid.
+  // Sums of two vertices and the midpoints between two of them, where doubles hold them, and the grid.
   std::vector<Point> positions(const Turn& t) {
     std::vector<Point> sums, all;
     const auto vertices = [](const Region& region) {
@@ -140,7 +140,7 @@ class Questions {
     return all;
   }
 
-  void expect_membership(const Asked& a, const Orientation& theta) {
+  void expect_membership(const Queried& a, const Orientation& theta) {
     EXPECT_EQ(c_.contains(a.z.x, a.z.y, theta), a.overlaps);
     EXPECT_EQ(queries_.contains(a.z.x, a.z.y, theta), a.overlaps);
     for (const Touching touch : {Touching::allowed, Touching::forbidden})
@@ -148,7 +148,7 @@ class Questions {
                 !a.overlaps && (touch == Touching::allowed || !a.touches));
   }
 
-  void expect_clearance(const Asked& a) {
+  void expect_clearance(const Queried& a) {
     for (const double weight : {weight_, 0.25, kOnlyMoves}) {
       const Clearance found = queries_.clearance(a.at, weight);
       EXPECT_EQ(found.distance < 0, a.overlaps) << "weight " << weight << ": " << found.distance;
@@ -161,7 +161,7 @@ class Questions {
 
   bool is_free_at(Point z, double theta) const { return !c_.contains(z.x, z.y, *Orientation::nearest(theta)); }
 
-  void expect_free_angles(const Asked& a) {
+  void expect_free_angles(const Queried& a) {
     bool free = false, single = false;
     for (const FreeAngles& f : queries_.free_angles(a.z.x, a.z.y)) {
       const double turn = 2 * std::numbers::pi, b = f.begin - f.begin_error,
@@ -178,10 +178,10 @@ class Questions {
   }
 
   // No boundary is nearer than the distance to it: a way from here to any configuration of the other kind crosses it.
-  void expect_distances(const Asked& a) {
+  void expect_distances(const Queried& a) {
     SCOPED_TRACE(testing::Message() << a.z.x << ' ' << a.z.y << " at " << a.at.theta);
     const Clearance found = queries_.clearance(a.at, weight_), moves = queries_.clearance(a.at, kOnlyMoves);
-    for (const Asked& b : asked_) {
+    for (const Queried& b : queried_) {
       if (a.overlaps == b.overlaps && !b.touches) continue;
       const double way = std::hypot(a.z.x - b.z.x, a.z.y - b.z.y);
       const double turn = weight_ * std::remainder(a.at.theta - b.at.theta, 2 * std::numbers::pi);
@@ -193,14 +193,14 @@ class Questions {
     }
   }
 
-  // Straight ways between two positions, by the truth at shares of them and just behind the first contact.
-  void expect_ways(const std::vector<Asked>& here, const Orientation& theta, const Truth& truth) {
-    const Asked &a = here[random_() % here.size()], &b = here[random_() % here.size()];
+  // Straight ways between two positions, by the truth at shares of them and just after the first contact.
+  void expect_ways(const std::vector<Queried>& here, const Orientation& theta, const Truth& truth) {
+    const Queried &a = here[random_() % here.size()], &b = here[random_() % here.size()];
     SCOPED_TRACE(testing::Message() << "from " << a.z.x << ' ' << a.z.y << " to " << b.z.x << ' ' << b.z.y << " at "
                                     << theta.radians());
     const TranslationCheck way = check_translation(c_.robot(), c_.obstacle(), a.z, b.z, theta).value();
-    const auto along = [&](double share) {
-      return Point{a.z.x + share * (b.z.x - a.z.x), a.z.y + share * (b.z.y - a.z.y)};
+    const auto along = [&](double fraction) {
+      return Point{a.z.x + fraction * (b.z.x - a.z.x), a.z.y + fraction * (b.z.y - a.z.y)};
     };
     const double first = way.first.to_double();
     bool any = false;
@@ -219,7 +219,7 @@ class Questions {
   }
 
   // In place to another special angle: by the truth at those between.
-  void expect_turn(const Asked& a) {
+  void expect_turn(const Queried& a) {
     const Turn& to = kTurns[random_() % kTurns.size()];
     const Orientation from = *Orientation::nearest(a.at.theta), goal = to.orientation();
     const auto turn = [&](Touching touch) {
@@ -263,13 +263,13 @@ class Questions {
     SCOPED_TRACE(testing::Message() << "angle " << theta.radians());
     const PlanarSum open = c_.slice(theta, Semantics::open).value(),
                     before = c_.slice(*Orientation::nearest(theta.radians() - 1e-9)).value(),
-                    behind = c_.slice(*Orientation::nearest(theta.radians() + 1e-9)).value();
+                    after = c_.slice(*Orientation::nearest(theta.radians() + 1e-9)).value();
     const auto listed = [&](Point z) {
       return std::any_of(c_.tight().begin(), c_.tight().end(),
                          [&](const TightFeature& f) { return f.angle == angle && to_piece(z, f.from, f.to) < 1e-9; });
     };
     const auto expect = [&](Point z) {
-      const bool reached = std::min(to_edges(before, z), to_edges(behind, z)) < 1e-3;
+      const bool reached = std::min(to_edges(before, z), to_edges(after, z)) < 1e-3;
       EXPECT_NE(listed(z), reached) << z.x << ' ' << z.y;
       ++(reached ? tally_.reached : tally_.tight);
     };
@@ -290,7 +290,7 @@ class Questions {
   // Between two free configurations: a path that is found is free.
   void expect_plan() {
     std::vector<Configuration> free;
-    for (const Asked& a : asked_)
+    for (const Queried& a : queried_)
       if (!a.overlaps) free.push_back(a.at);
     if (free.empty() || random_() % 4 != 0) return;
     PlanOptions options;
@@ -309,7 +309,7 @@ class Questions {
   Random& random_;
   Tally& tally_;
   double weight_;
-  std::vector<Asked> asked_;
+  std::vector<Queried> queried_;
 };
 
 }  // namespace dymsum::testing_questions

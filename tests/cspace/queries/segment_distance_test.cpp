@@ -33,7 +33,7 @@ TEST(SegmentDistance, errs_by_less_than_it_says_and_not_by_much_less) {
     // Next to the segment, where the foot tells the most.
     const double t = random.signed_unit(), off = k % 2 == 0 ? 1 : 0x1p-40;
     const Point from{a.x + t * d.x - off * d.y, a.y + t * d.y + off * d.x};
-    cspace::NearestPlace nearest;
+    cspace::NearestPosition nearest;
     nearest.add_segment(from, a, b, 0);
     const BigRational truth = square_distance(from, a, b), low = exactly(nearest.distance - nearest.error),
                       high = exactly(nearest.distance + nearest.error);

@@ -51,7 +51,7 @@ TEST(TightClearance, of_a_square_in_its_exact_room) {
   EXPECT_NEAR(q.clearance({0, 0, 0.5}).distance, -0.5 * w, 1e-9);
   EXPECT_NEAR(q.clearance({0.25, 0, 0.125}).distance, -std::hypot(0.25, 0.125 * w), 1e-9);
   EXPECT_NEAR(q.clearance({0, 0, 0.5}, 0).distance, 0, 1e-9);
-  // By translation alone only the places of this very angle count.
+  // By translation alone only the positions of this very angle count.
   EXPECT_NEAR(q.clearance({0.25, 0, 0}, kOnlyTurns).distance, -0.25, 1e-9);
   EXPECT_NEAR(q.clearance({0.25, 0, 1e-14}, kOnlyTurns).distance, -1.75, 1e-9);
   EXPECT_NEAR(q.clearance({0.25, 0, 0x1p-60}, kOnlyTurns).distance, -1.75, 1e-9);
@@ -278,8 +278,8 @@ TEST(TightClearance, of_cells_in_rooms_against_slices) {
       // A ball without a change.
       const double radius = std::abs(found.distance) - found.error;
       for (int i = 0; i < 6 && radius > 0; ++i) {
-        const auto share = [&] { return static_cast<double>(random() % 2001) / 1000 - 1; };
-        const double x = share(), y = share(), z = share(), length = std::sqrt(x * x + y * y + z * z) + 1e-9;
+        const auto fraction = [&] { return static_cast<double>(random() % 2001) / 1000 - 1; };
+        const double x = fraction(), y = fraction(), z = fraction(), length = std::sqrt(x * x + y * y + z * z) + 1e-9;
         const double f = 0.999 * radius / length;
         EXPECT_EQ(q.contains({from.x + f * x, from.y + f * y, from.theta + f * z / w}), found.distance < 0);
       }

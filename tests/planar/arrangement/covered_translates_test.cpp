@@ -53,9 +53,9 @@ TEST(CoveredTranslates, what_lies_beneath_an_edge_is_interior) {
       ++found;
       const EdgeBox& box = o->boxes[e];
       const double length = std::hypot(box.dx, box.dy), ux = box.dx / length, uy = box.dy / length;
-      for (const double share : {1e-6, 0.25, 0.75, 1 - 1e-6})
+      for (const double fraction : {1e-6, 0.25, 0.75, 1 - 1e-6})
         for (const double between : {1e-6, 0.5, 1 - 1e-6}) {
-          const double depth = share * std::min(b.depth, 2 * length);
+          const double depth = fraction * std::min(b.depth, 2 * length);
           const double from = b.from_start * depth, to = length - b.from_end * depth;
           if (from >= to) continue;
           const double along = from + between * (to - from);

@@ -168,17 +168,17 @@ TEST(Crossings, a_mask_leaves_out_only_crossings_inside_the_sum) {
   const Found all = of_all_pairs(segments), live = found(segments, [&](CrossingFinder&f) { f.sweep(&mask); });
   EXPECT_LT(live.crossings.size(), all.crossings.size() / 2);
   ASSERT_FALSE(live.crossings.empty());
-  const auto told = pairs_of(live);
+  const auto decided = pairs_of(live);
   const auto known = pairs_of(all);
-  for (const auto& pair : told) EXPECT_TRUE(known.contains(pair));
-  std::size_t asked = 0;
+  for (const auto& pair : decided) EXPECT_TRUE(known.contains(pair));
+  std::size_t queried = 0;
   for (const auto& [a, b, ta, tb] : all.crossings) {
-    if (told.contains({a, b}) || ++asked % 50 != 0) continue;
+    if (decided.contains({a, b}) || ++queried % 50 != 0) continue;
     const SoupBox& box = segments.soup->boxes[a];
     const Point at = segments.lattice->to_input(box.ax + ta * (box.bx - box.ax), box.ay + ta * (box.by - box.ay));
     EXPECT_TRUE(contains(p, q, at, Semantics::open)) << at.x << " " << at.y;
   }
-  EXPECT_GT(asked, 1000u);
+  EXPECT_GT(queried, 1000u);
 }
 
 // Against the crossing computed with more than twice the digits: doubles of this size are exact integers.

@@ -22,8 +22,8 @@ namespace {
 constexpr std::uint64_t kSeed = 20261129;
 
 int times(const char* name, int usual) {
-  const char* asked = std::getenv(name);
-  return asked != nullptr ? std::atoi(asked) : usual;
+  const char* queried = std::getenv(name);
+  return queried != nullptr ? std::atoi(queried) : usual;
 }
 
 Region made(const RegionData& data) {
@@ -54,13 +54,20 @@ Evaluated leaf(const RegionData& region, std::size_t k, Semantics semantics) {
 Evaluated combined(int operation, const Evaluated& a, const Evaluated& b, Semantics semantics) {
   const SumOptions options = with(semantics);
   const BooleanExpression f = a.expression, g = b.expression;
-  const auto both = [](ClosedAndOpen x, ClosedAndOpen y) { return ClosedAndOpen{x.closed && y.closed, x.open && y.open}; };
-  const auto either = [](ClosedAndOpen x, ClosedAndOpen y) { return ClosedAndOpen{x.closed || y.closed, x.open || y.open}; };
+  const auto both = [](ClosedAndOpen x, ClosedAndOpen y) {
+    return ClosedAndOpen{x.closed && y.closed, x.open && y.open};
+  };
+  const auto either = [](ClosedAndOpen x, ClosedAndOpen y) {
+    return ClosedAndOpen{x.closed || y.closed, x.open || y.open};
+  };
   const auto no = [](ClosedAndOpen x) { return ClosedAndOpen{!x.open, !x.closed}; };
   switch (operation) {
-    case 0: return {united(a.set, b.set, options).value(), [=](const auto& in) { return either(f(in), g(in)); }};
-    case 1: return {intersection(a.set, b.set, options).value(), [=](const auto& in) { return both(f(in), g(in)); }};
-    case 2: return {difference(a.set, b.set, options).value(), [=](const auto& in) { return both(f(in), no(g(in))); }};
+    case 0:
+      return {united(a.set, b.set, options).value(), [=](const auto& in) { return either(f(in), g(in)); }};
+    case 1:
+      return {intersection(a.set, b.set, options).value(), [=](const auto& in) { return both(f(in), g(in)); }};
+    case 2:
+      return {difference(a.set, b.set, options).value(), [=](const auto& in) { return both(f(in), no(g(in))); }};
     default:
       return {symmetric_difference(a.set, b.set, options).value(),
               [=](const auto& in) { return either(both(f(in), no(g(in))), both(g(in), no(f(in)))); }};
@@ -68,7 +75,8 @@ Evaluated combined(int operation, const Evaluated& a, const Evaluated& b, Semant
 }
 
 /// A random expression of so many operations over the inputs, some of them several times.
-Evaluated random_expression(const std::vector<RegionData>& inputs, int operations, Semantics semantics, Random& random) {
+Evaluated random_expression(const std::vector<RegionData>& inputs, int operations, Semantics semantics,
+                            Random& random) {
   if (operations == 0) {
     const std::size_t k = static_cast<std::size_t>(random.below(static_cast<int>(inputs.size())));
     return leaf(inputs[k], k, semantics);
@@ -126,8 +134,9 @@ TEST(PlanarBoolean, of_every_kind_of_coordinates_has_the_laws) {
       EXPECT_TRUE(intersection(*c, either, options).value() ==
                   united(intersection(*c, *a, options).value(), intersection(*c, *b, options).value(), options).value())
           << "distribution";
-      EXPECT_TRUE(difference(*c, either, options).value() ==
-                  intersection(difference(*c, *a, options).value(), difference(*c, *b, options).value(), options).value())
+      EXPECT_TRUE(
+          difference(*c, either, options).value() ==
+          intersection(difference(*c, *a, options).value(), difference(*c, *b, options).value(), options).value())
           << "De Morgan";
       EXPECT_TRUE(united(united(*a, *b, options).value(), *c, options).value() ==
                   united(*a, united(*b, *c, options).value(), options).value());
@@ -169,7 +178,8 @@ TEST(PlanarBoolean, what_is_taken_away_of_a_closed_set_is_open) {
 
 TEST(PlanarBoolean, crossings_of_results_are_crossed_again_without_rounding) {
   // Thirds and sevenths are no doubles.
-  const Region a = made({{{{{0, 0}, {7, 1}, {1, 7}}, {}}}, {}, {}}), b = made({{{{{6, 6}, {-1, 5}, {5, -1}}, {}}}, {}, {}}),
+  const Region a = made({{{{{0, 0}, {7, 1}, {1, 7}}, {}}}, {}, {}}),
+               b = made({{{{{6, 6}, {-1, 5}, {5, -1}}, {}}}, {}, {}}),
                c = made({{{{{3, -2}, {4, 9}, {2, 9}}, {}}}, {}, {}});
   const SumOptions regular = with(Semantics::regular);
   const PlanarSum both = intersection(a, b, regular).value(), cut = difference(both, c, regular).value(),
@@ -207,7 +217,8 @@ TEST(PlanarBoolean, results_of_other_kinds_are_operands_where_their_vertices_are
   const PlanarSum sum = minkowski_sum(a, b).value(), room = erode(a, b).value();
   EXPECT_EQ(difference(sum, a).value().area(), 9);
   EXPECT_EQ(symmetric_difference(sum, room).value().area(), 16);
-  const Region up = made({{{{{0, 0}, {7, 1}, {1, 7}}, {}}}, {}, {}}), down = made({{{{{3, -2}, {4, 9}, {2, 9}}, {}}}, {}, {}});
+  const Region up = made({{{{{0, 0}, {7, 1}, {1, 7}}, {}}}, {}, {}}),
+               down = made({{{{{3, -2}, {4, 9}, {2, 9}}, {}}}, {}, {}});
   const PlanarSum crossed = union_of({up, down}).value();
   const Result<PlanarSum> refused = difference(crossed, a);
   ASSERT_FALSE(refused.ok());
@@ -244,7 +255,9 @@ TEST(PlanarFill, of_a_pentagram_and_of_rings_that_lie_on_each_other) {
   const Ring square{{0, 0}, {1, 0}, {1, 1}, {0, 1}};
   EXPECT_TRUE(filled({{{square, {}}, {square, {}}}, {}, {}}, Fill::even_odd).value().parts.empty());
   EXPECT_EQ(filled({{{square, {}}, {square, {}}}, {}, {}}, Fill::positive).value().area(), 1);
-  EXPECT_EQ(filled({{{{{0, 0}, {0, 0}, {2, 0}, {2, 2}, {2, 0}, {2, 2}, {0, 2}}, {}}}, {}, {}}, Fill::positive).value().area(), 4)
+  EXPECT_EQ(
+      filled({{{{{0, 0}, {0, 0}, {2, 0}, {2, 2}, {2, 0}, {2, 2}, {0, 2}}, {}}}, {}, {}}, Fill::positive).value().area(),
+      4)
       << "repeated vertices and spikes";
   EXPECT_EQ(filled({{{{{0, 0}, {1, NAN}, {1, 1}}, {}}}, {}, {}}, Fill::positive).error().code, ErrorCode::not_finite);
 }

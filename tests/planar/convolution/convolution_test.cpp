@@ -52,9 +52,9 @@ void for_pairs(int count, const Check& check) {
     for (const Region& q : shapes) check(p, q);
 }
 
-using Place = std::tuple<std::uint32_t, std::uint32_t, std::uint32_t>;  // side, edge, vertex
+using Position = std::tuple<std::uint32_t, std::uint32_t, std::uint32_t>;  // side, edge, vertex
 
-Place key(const WalkSegment& w) { return {w.side, w.edge, w.vertex}; }
+Position key(const WalkSegment& w) { return {w.side, w.edge, w.vertex}; }
 
 std::vector<int> counts_at_pairs(const Operands& o, const std::vector<KineticSegment>& segments) {
   std::vector<int> balance(o.p.size() * o.q.size(), 0);
@@ -94,8 +94,8 @@ bool strictly_between(const Operands& o, const Edge& a, const Edge& e, const Edg
 }
 
 struct Expected {
-  std::map<Place, int> kinetic;  // place -> sign
-  std::set<Place> reduced;
+  std::map<Position, int> kinetic;  // place -> sign
+  std::set<Position> reduced;
   std::uint64_t full = 0;
 };
 
@@ -114,7 +114,7 @@ Expected by_definition(const Operands& o) {
         if (hidden(1 - side, lv, ce) || hidden(side, le, cv)) continue;
         for (std::uint32_t v = lv.first; v < lv.last; ++v)
           for (std::uint32_t e = le.first; e < le.last; ++e) {
-            const Place place{side, e, v};
+            const Position position{side, e, v};
             bool convex = true, met = true;
             if (lv.kind != LoopKind::point) {
               const Edge in = vertices.edge(vertices.prev[v]), way_out = vertices.edge(v);
@@ -126,8 +126,9 @@ Expected by_definition(const Operands& o) {
                            : strictly_between(o, way_out, edges.edge(e), in, side == 0);
             }
             out.full += convex == met;
-            if (met) out.kinetic[place] = convex ? 1 : -1;
-            if (met && convex && !(lv.kind == LoopKind::hole && le.kind == LoopKind::hole)) out.reduced.insert(place);
+            if (met) out.kinetic[position] = convex ? 1 : -1;
+            if (met && convex && !(lv.kind == LoopKind::hole && le.kind == LoopKind::hole))
+              out.reduced.insert(position);
           }
       }
   }
@@ -139,11 +140,11 @@ TEST(Convolutions, are_as_defined) {
   for_pairs(250, [&](const Region& p, const Region& q) {
     const Operands o(p, q);
     const Expected want = by_definition(o);
-    std::map<Place, int> kinetic;
+    std::map<Position, int> kinetic;
     for (const KineticSegment& s : kinetic_convolution(*o.lattice, o.p, o.q))
       ASSERT_TRUE(kinetic.emplace(key(s.walk), s.sign).second) << "twice";
     EXPECT_TRUE(kinetic == want.kinetic);
-    std::set<Place> reduced;
+    std::set<Position> reduced;
     ReducedConvolution(*o.lattice, o.p, o.q).for_each([&](const WalkSegment& w) { reduced.insert(key(w)); });
     EXPECT_TRUE(reduced == want.reduced);
     const ConvolutionSizes sizes = convolution_sizes(p, q);

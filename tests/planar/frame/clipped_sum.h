@@ -14,19 +14,19 @@
 namespace dymsum::clipped_sum {
 
 using exact::BigRational;
-using Place = std::array<BigRational, 2>;
-using Segment = std::pair<Place, Place>;
+using Position = std::array<BigRational, 2>;
+using Segment = std::pair<Position, Position>;
 
 /// Maximal directed segments of the boundary, tight ones to the right, tight points.
 struct Shape {
   std::set<Segment> edges, tight;
-  std::set<Place> points;
+  std::set<Position> points;
   friend bool operator==(const Shape&, const Shape&) = default;
   bool empty() const { return edges.empty() && tight.empty() && points.empty(); }
 };
 
-inline Place place(const RationalPoint& v) { return {exact::exact_value(v.x), exact::exact_value(v.y)}; }
-inline Place place(Point v) { return {exact::exact_value(v.x), exact::exact_value(v.y)}; }
+inline Position position(const RationalPoint& v) { return {exact::exact_value(v.x), exact::exact_value(v.y)}; }
+inline Position position(Point v) { return {exact::exact_value(v.x), exact::exact_value(v.y)}; }
 
 inline bool one_direction(const Segment& a, const Segment& b) {
   const BigRational ax = a.second[0] - a.first[0], ay = a.second[1] - a.first[1];
@@ -51,8 +51,8 @@ inline std::set<Segment> joined(std::set<Segment> list) {
 }
 
 /// The piece with length in the box.
-inline void add_cut(std::set<Segment>& list, const Place& a, const Place& b, const PlanarBox& box) {
-  const Place low = place(box.low), high = place(box.high);
+inline void add_cut(std::set<Segment>& list, const Position& a, const Position& b, const PlanarBox& box) {
+  const Position low = position(box.low), high = position(box.high);
   BigRational from = 0, to = 1;
   for (std::size_t k = 0; k < 2; ++k) {
     const BigRational d = b[k] - a[k];
@@ -66,7 +66,7 @@ inline void add_cut(std::set<Segment>& list, const Place& a, const Place& b, con
   }
   if (!(from < to)) return;
   const auto at = [&](const BigRational& s) {
-    return Place{BigRational(a[0] + s * (b[0] - a[0])), BigRational(a[1] + s * (b[1] - a[1]))};
+    return Position{BigRational(a[0] + s * (b[0] - a[0])), BigRational(a[1] + s * (b[1] - a[1]))};
   };
   list.insert({at(from), at(to)});
 }
@@ -75,18 +75,18 @@ inline Shape cut(const PlanarSum& sum, const PlanarBox& box) {
   Shape shape;
   const auto add_ring = [&](const SumRing& ring) {
     for (std::size_t k = 0; k < ring.vertices.size(); ++k)
-      add_cut(shape.edges, place(sum.exact(ring.vertices[k])),
-              place(sum.exact(ring.vertices[(k + 1) % ring.vertices.size()])), box);
+      add_cut(shape.edges, position(sum.exact(ring.vertices[k])),
+              position(sum.exact(ring.vertices[(k + 1) % ring.vertices.size()])), box);
   };
   for (const SumPart& part : sum.parts) {
     add_ring(part.outer);
     for (const SumRing& hole : part.holes) add_ring(hole);
   }
   for (const SumSegment& s : sum.tight_segments)
-    add_cut(shape.tight, place(sum.exact(s.from)), place(sum.exact(s.to)), box);
-  const Place low = place(box.low), high = place(box.high);
+    add_cut(shape.tight, position(sum.exact(s.from)), position(sum.exact(s.to)), box);
+  const Position low = position(box.low), high = position(box.high);
   for (const SumVertex& v : sum.tight_points) {
-    const Place at = place(sum.exact(v));
+    const Position at = position(sum.exact(v));
     if (at[0] >= low[0] && at[0] <= high[0] && at[1] >= low[1] && at[1] <= high[1]) shape.points.insert(at);
   }
   shape.edges = joined(std::move(shape.edges)), shape.tight = joined(std::move(shape.tight));
@@ -96,16 +96,16 @@ inline Shape cut(const PlanarSum& sum, const PlanarBox& box) {
 inline Shape shape_of(const PlanarLocalPart& part) {
   Shape shape;
   for (const PlanarLocalPart::Edge& e : part.edges)
-    shape.edges.insert({place(part.exact(e.from)), place(part.exact(e.to))});
+    shape.edges.insert({position(part.exact(e.from)), position(part.exact(e.to))});
   for (const PlanarLocalPart::Edge& e : part.tight_segments)
-    shape.tight.insert({place(part.exact(e.from)), place(part.exact(e.to))});
-  for (const std::uint32_t v : part.tight_points) shape.points.insert(place(part.exact(v)));
+    shape.tight.insert({position(part.exact(e.from)), position(part.exact(e.to))});
+  for (const std::uint32_t v : part.tight_points) shape.points.insert(position(part.exact(v)));
   return shape;
 }
 
 /// What of a cut shape meets a closed disc.
 inline Shape in_disc(Shape shape, const PlanarDisc& disc) {
-  const Place m = place(disc.middle);
+  const Position m = position(disc.centre);
   const BigRational r = exact::exact_value(disc.radius);
   const auto off = [&](const Segment& s) {
     const BigRational dx = s.second[0] - s.first[0], dy = s.second[1] - s.first[1], size = dx * dx + dy * dy;
@@ -116,7 +116,7 @@ inline Shape in_disc(Shape shape, const PlanarDisc& disc) {
     return x * x + y * y > r * r;
   };
   std::erase_if(shape.edges, off), std::erase_if(shape.tight, off);
-  std::erase_if(shape.points, [&](const Place& v) { return off({v, v}); });
+  std::erase_if(shape.points, [&](const Position& v) { return off({v, v}); });
   return shape;
 }
 

@@ -35,7 +35,7 @@ class Still final : public MovingSum {
     next.stays = to == at_;
     next.step = to - at_;
     next.widest = 1;
-    next.asked = options.window;
+    next.requested = options.window;
     Result<FrameChanges> changes = move(next);
     if (changes) at_ = to;
     return changes;

@@ -1,5 +1,5 @@
-// Planar local sums: the whole sum cut, whatever way they are found, in boxes and discs at random and critical places,
-// moving.
+// Planar local sums: the whole sum cut, whatever way they are found, in boxes and discs at random and critical
+// positions, moving.
 #include "dymsum/planar_local_sum.h"
 
 #include <gtest/gtest.h>
@@ -44,10 +44,10 @@ Region region_of(RegionData data) { return Region::create(std::move(data)).value
 bool edges_end_at_sides(const PlanarLocalPart& part) {
   std::vector<int> surplus(part.vertices.size(), 0);
   for (const PlanarLocalPart::Edge& e : part.edges) ++surplus[e.from], --surplus[e.to];
-  const clipped_sum::Place low = clipped_sum::place(part.box.low), high = clipped_sum::place(part.box.high);
+  const clipped_sum::Position low = clipped_sum::position(part.box.low), high = clipped_sum::position(part.box.high);
   for (std::uint32_t v = 0; v < part.vertices.size(); ++v) {
     if (surplus[v] == 0) continue;
-    const clipped_sum::Place at = clipped_sum::place(part.exact(v));
+    const clipped_sum::Position at = clipped_sum::position(part.exact(v));
     if (at[0] != low[0] && at[0] != high[0] && at[1] != low[1] && at[1] != high[1]) return false;
   }
   return true;
@@ -119,7 +119,7 @@ PlanarDisc random_disc(Random& random, const PlanarBox& about) {
 TEST(PlanarLocalSum, is_the_whole_sum_cut_in_random_boxes_and_discs_on_tiny_grids) {
   const std::uint64_t pairs = test::setting("DYMSUM_FUZZ_PAIRS", 700);
   Random random(test::setting("DYMSUM_FUZZ_SEED", 41));
-  std::size_t crossed = 0, inside = 0, tight = 0, points = 0, places = 0;
+  std::size_t crossed = 0, inside = 0, tight = 0, points = 0, positions = 0;
   for (std::uint64_t k = 0; k < pairs; ++k) {
     const oracles::Pair pair = oracles::random_pair(random, 3 + random.below(4));
     RegionData pd = pair.p, qd = pair.q;
@@ -128,28 +128,28 @@ TEST(PlanarLocalSum, is_the_whole_sum_cut_in_random_boxes_and_discs_on_tiny_grid
     const Region p = region_of(pd), q = region_of(qd);
     const PlanarSum whole = minkowski_sum(p, q, open_sums()).value();
     Engines engines(p, q);
-    for (int i = 0; i < 12; ++i, ++places) {
+    for (int i = 0; i < 12; ++i, ++positions) {
       const PlanarBox box = random_box(random, whole);
       const PlanarLocalPart part = engines.in(box, {}, {}, i % 4 == 0);
       ASSERT_TRUE(clipped_sum::shape_of(part) == clipped_sum::cut(whole, box)) << "pair " << k << " in " << text(box);
       const PlanarDisc disc = random_disc(random, box);
       const PlanarLocalPart met = engines.in(disc, {}, {}, i % 4 == 1);
       ASSERT_TRUE(clipped_sum::shape_of(met) == clipped_sum::in_disc(clipped_sum::cut(whole, met.box), disc))
-          << "pair " << k << " disc about " << disc.middle.x << ", " << disc.middle.y;
+          << "pair " << k << " disc about " << disc.centre.x << ", " << disc.centre.y;
       if (part.where != Where::crossed) {
-        const Point middle{(box.low.x + box.high.x) / 2, (box.low.y + box.high.y) / 2};
-        ASSERT_EQ(part.where == Where::inside, contains(p, q, middle, Semantics::open)) << k << text(box);
+        const Point centre{(box.low.x + box.high.x) / 2, (box.low.y + box.high.y) / 2};
+        ASSERT_EQ(part.where == Where::inside, contains(p, q, centre, Semantics::open)) << k << text(box);
       }
       crossed += part.where == Where::crossed, inside += part.where == Where::inside;
       tight += !part.tight_segments.empty(), points += !part.tight_points.empty();
     }
     ASSERT_FALSE(HasFailure()) << "pair " << k;
   }
-  std::printf("%zu places twice: %zu crossed, %zu inside, %zu with tight segments, %zu with tight points\n", places,
+  std::printf("%zu places twice: %zu crossed, %zu inside, %zu with tight segments, %zu with tight points\n", positions,
               crossed, inside, tight, points);
-  EXPECT_GT(crossed, places / 3);
-  EXPECT_GT(inside, places / 100);
-  EXPECT_GT(tight, places / 200);
+  EXPECT_GT(crossed, positions / 3);
+  EXPECT_GT(inside, positions / 100);
+  EXPECT_GT(tight, positions / 200);
   EXPECT_GT(points, 0U);
 }
 
@@ -179,7 +179,7 @@ TEST(PlanarLocalSum, of_coordinates_of_every_kind) {
 }
 
 /// Combs of which no two lines are quite parallel, as those have that were turned in doubles, by angles down to
-/// where lines of one operand are as near to each other: hundreds of crossings that only their lines tell apart.
+/// where lines of one operand are as near to each other: hundreds of crossings that only their lines distinguish.
 TEST(PlanarLocalSum, thin_boxes_along_lines_that_nearly_coincide) {
   std::mt19937_64 noise(7315);
   const auto jittered = [&](const Region& region) {

@@ -12,7 +12,7 @@ namespace {
 
 using rotating_frames::expect_frame;
 
-// Positions round to few digits there, which the stated error has to tell.
+// Positions round to few digits there, which the stated error has to decide.
 TEST(RotatingSum, rings_begin_at_their_smallest_vertex_among_subnormal_numbers) {
   std::size_t frames = 0;
   for (const int exponent : {-1040, -1060, -1070}) {

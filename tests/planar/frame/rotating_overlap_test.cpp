@@ -25,14 +25,14 @@ void compare(const Region& p, const Region& q, double radians, Tally& tally) {
   const auto base = pair_of_regions(p, q, PairOptions{.moved = 1}).value();
   if (!base->regular || !base->connected) return;
   const TurningForms forms(*base);
-  const TurnCatalog catalog(forms);
-  const TurnGrid grid(forms, 16);
+  const RotationCatalog catalog(forms);
+  const RotationGrid grid(forms, 16);
   const Orientation theta = Orientation::nearest(radians, 1e-7).value();
   const RotatingWindow window(grid, catalog, theta.radians() + 0.003, 0.01, false);
   RotatingFrame frame(window);
-  if (!frame.compute(theta.radians() - window.middle, Heading::of(theta.radians()))) return;
+  if (!frame.compute(theta.radians() - window.midpoint, Heading::of(theta.radians()))) return;
   RotatingOverlap overlap(forms);
-  ExactFrame place(base, theta);
+  ExactFrame position(base, theta);
   const auto source = [&](std::uint32_t s) {
     const WalkSegment& w = window.segments[s];
     return Segment{forms.operand(w.side).edge(w.edge), forms.operand(1 - w.side).source[w.vertex]};
@@ -41,19 +41,19 @@ void compare(const Region& p, const Region& q, double radians, Tally& tally) {
     return s == RotatingFrame::kEnd ? std::nullopt : std::optional<Segment>(source(s));
   };
   const auto check = [&](const RotatingFrame::Step& s) {
-    const RotatingOverlap::Result told = overlap.right_of(frame, s);
-    const bool inside = place.inside_right_of(source(s.segment), by(s.from), by(s.to));
-    tally.free += told.answer == RotatingOverlap::Answer::free;
-    tally.overlap += told.answer == RotatingOverlap::Answer::overlap;
-    tally.unknown += told.answer == RotatingOverlap::Answer::unknown;
-    if (told.answer != RotatingOverlap::Answer::unknown) {
-      ASSERT_EQ(inside, told.answer == RotatingOverlap::Answer::overlap);
+    const RotatingOverlap::Result decided = overlap.right_of(frame, s);
+    const bool inside = position.inside_right_of(source(s.segment), by(s.from), by(s.to));
+    tally.free += decided.answer == RotatingOverlap::Answer::free;
+    tally.overlap += decided.answer == RotatingOverlap::Answer::overlap;
+    tally.unknown += decided.answer == RotatingOverlap::Answer::unknown;
+    if (decided.answer != RotatingOverlap::Answer::unknown) {
+      ASSERT_EQ(inside, decided.answer == RotatingOverlap::Answer::overlap);
     }
   };
   for (const RotatingFrame::Step& s : frame.steps()) ASSERT_NO_FATAL_FAILURE(check(s));
   // And in the middle of every segment that exists, whatever crosses it.
   for (std::uint32_t i = 0; i < window.segments.size(); ++i)
-    if (catalog.exists(window.segments[i], theta.radians()) == TurnCatalog::Existence::yes) {
+    if (catalog.exists(window.segments[i], theta.radians()) == RotationCatalog::Existence::yes) {
       RotatingFrame::Step s;
       s.segment = i;
       ASSERT_NO_FATAL_FAILURE(check(s));
@@ -90,9 +90,9 @@ TEST(BoxPairs, are_those_of_all_pairs) {
     std::vector<Box> boxes;
     BoxPairs pairs(100);
     for (int i = 0; i < n; ++i) {
-      const auto number = [&](std::uint64_t below) { return static_cast<double>(random.below(below)); };
+      const auto index = [&](std::uint64_t below) { return static_cast<double>(random.below(below)); };
       // Low boxes are swept in strips.
-      const double x = number(100), y = number(100), w = number(12), h = number(n < 1000 ? 30 : 4);
+      const double x = index(100), y = index(100), w = index(12), h = index(n < 1000 ? 30 : 4);
       boxes.push_back({x, y, x + w, y + h});  // some beyond the rim
       pairs.add(x, y, x + w, y + h);
     }

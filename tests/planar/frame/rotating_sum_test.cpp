@@ -29,7 +29,7 @@ std::uint64_t fuzz_rounds(std::uint64_t usual) {
 }
 
 TEST(RotatingSum, tiny_pairs_equal_slices_at_every_step) {
-  std::uint64_t updated = 0, degenerate = 0, told = 0, tested = 0, holes = 0, parts = 0;
+  std::uint64_t updated = 0, degenerate = 0, decided = 0, tested = 0, holes = 0, parts = 0;
   const char* one = std::getenv("DYMSUM_SEED");
   const std::uint64_t first = one != nullptr ? std::strtoull(one, nullptr, 10) : 1,
                       rounds = one != nullptr ? 1 : fuzz_rounds(250);
@@ -59,7 +59,7 @@ TEST(RotatingSum, tiny_pairs_equal_slices_at_every_step) {
           << "theta = " << orientation.radians();
       updated += !sum.work().rebuilt;
       degenerate += sum.work().degenerate;
-      told += sum.work().loops_kept;
+      decided += sum.work().loops_kept;
       tested += sum.work().collision_tests;
       holes += sum.sum().hole_count();
       parts += sum.sum().parts.size() > 1;
@@ -69,7 +69,7 @@ TEST(RotatingSum, tiny_pairs_equal_slices_at_every_step) {
   if (rounds == 1) return;
   EXPECT_GT(updated, 500u);
   EXPECT_GT(degenerate, 50u);
-  EXPECT_GT(told, 100u);
+  EXPECT_GT(decided, 100u);
   EXPECT_GT(tested, 10u);
   EXPECT_GT(holes, 20u);
   EXPECT_GT(parts, 20u);
@@ -129,25 +129,25 @@ TEST(RotatingSum, random_walks_equal_slices) {
       std::uint64_t updated = 0;
       double theta = 0.2;
       for (int k = 0; k < 120; ++k) {
-        const double share = static_cast<double>(1 + random.below(1000)) / 1000, sign = random.chance(50) ? 1 : -1;
+        const double fraction = static_cast<double>(1 + random.below(1000)) / 1000, sign = random.chance(50) ? 1 : -1;
         switch (k / 5 % 6) {
           case 0:
-            theta += sign * share * 1e-7;
+            theta += sign * fraction * 1e-7;
             break;
           case 1:
             theta += 0.0126;
             break;
           case 2:
-            theta -= 0.0126 * share;
+            theta -= 0.0126 * fraction;
             break;
           case 3:
             theta += k % 2 == 0 ? 0.02 : -0.02;
             break;
           case 4:
-            theta += sign * 3 * share;
+            theta += sign * 3 * fraction;
             break;
           default:
-            theta = 0.5 * std::numbers::pi * static_cast<double>(random.below(4)) + sign * share * 0.004;
+            theta = 0.5 * std::numbers::pi * static_cast<double>(random.below(4)) + sign * fraction * 0.004;
             break;
         }
         const Orientation orientation = at(theta, 1e-9);
@@ -159,9 +159,9 @@ TEST(RotatingSum, random_walks_equal_slices) {
     }
 }
 
-// Raw outlines have many: doubles know the place badly, and every sign well.
+// Raw outlines have many: doubles know the position badly, and every sign well.
 TEST(RotatingSum, crossings_of_nearly_parallel_edges_are_no_reason_to_compute_from_scratch) {
-  // The lower step rises over the place of the upper one's end.
+  // The lower step rises over the position of the upper one's end.
   const double low = 5 - 0x1p-10;
   const Region p = Region::create(RegionData{{{{{0, 0}, {20, 0}, {20, 5}, {10, 5}, {10, low}, {0, low}}, {}}}, {}, {}})
                        .value(),

@@ -115,12 +115,12 @@ TEST(RotatingWindows, a_segment_exists_once_within_a_quarter_turn) {
     std::size_t existing = 0;
     for (const double theta : {0.0, 0.7, 2.9, -1.3})
       turned.catalog.for_each(theta - 1.57, theta + 1.57, [&](const planar::WalkSegment& s) {
-        const planar::TurnCatalog::Span span = turned.catalog.span(s, theta);
+        const planar::RotationCatalog::Span span = turned.catalog.span(s, theta);
         for (double by = -1.57; by < 1.57; by += 0.05) {
           const auto exists = turned.catalog.exists(s, theta + by);
-          if (exists == planar::TurnCatalog::Existence::unsure) continue;
-          existing += exists == planar::TurnCatalog::Existence::yes;
-          ASSERT_EQ(exists == planar::TurnCatalog::Existence::yes, span.from < by && by < span.to);
+          if (exists == planar::RotationCatalog::Existence::unsure) continue;
+          existing += exists == planar::RotationCatalog::Existence::yes;
+          ASSERT_EQ(exists == planar::RotationCatalog::Existence::yes, span.from < by && by < span.to);
         }
       });
     EXPECT_GT(existing, 1000u);
@@ -176,11 +176,11 @@ TEST(RotatingWindows, a_window_counts_its_lists) {
   const auto base =
       planar::pair_of_regions(turning_stars().p, turning_stars().q, planar::PairOptions{.moved = 1}).value();
   const planar::TurnedOperands operands(base);
-  const planar::TurnGrid grid(operands.forms, 32);
+  const planar::RotationGrid grid(operands.forms, 32);
   const planar::RotatingWindow w(grid, operands.catalog, 0.3, 0.02, true);
   const std::size_t lists =
-      w.segments.size() * sizeof(planar::TurnSegment) + w.pieces.size() * sizeof(planar::TurnPiece) +
-      w.candidates.size() * sizeof(planar::TurnCandidate) + w.turned.size() * sizeof(Point) +
+      w.segments.size() * sizeof(planar::RotatingSegment) + w.pieces.size() * sizeof(planar::RotatingPiece) +
+      w.candidates.size() * sizeof(planar::RotationCandidate) + w.turned.size() * sizeof(Point) +
       4 * (w.first_of.size() + w.of.size() + w.changing.size() + w.rounds.size() + w.circles.size());
   EXPECT_GE(w.bytes(), lists + 8 * (operands.forms.size(0) + operands.forms.size(1)));
   EXPECT_LE(w.bytes(), 2 * lists) << "and not much that is not used";

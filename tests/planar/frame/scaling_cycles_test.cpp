@@ -56,13 +56,13 @@ TEST(ScalingCycles, those_carried_over_equal_those_walked_from_scratch) {
     bool known = false;
     nodes += window->nodes.size();
     for (const int k : {1001, 1003, 1004, 1007, 1020, 1021, 1060, 1061, 1150, 1149, 1151, 1300, 1301, 1302, 1201}) {
-      planar::ExactFrame place(base, planar::scale_value(exact::BigRational(k, 1000)));
-      const double tau = place.tau(window->frame().moving);
+      planar::ExactFrame position(base, planar::scale_value(exact::BigRational(k, 1000)));
+      const double tau = position.tau(window->frame().moving);
       FrameWork work;
-      if (!lists.repair(tau, place, work)) continue;
-      known = carried.update(tau, place, !known, work);
+      if (!lists.repair(tau, position, work)) continue;
+      known = carried.update(tau, position, !known, work);
       planar::FrameLoops fresh(lists);
-      EXPECT_EQ(fresh.update(tau, place, true, work), known);
+      EXPECT_EQ(fresh.update(tau, position, true, work), known);
       if (!known) continue;
       EXPECT_EQ(cycles(carried), cycles(fresh)) << k;
       EXPECT_EQ(fresh.copied(), 0u);
@@ -73,7 +73,7 @@ TEST(ScalingCycles, those_carried_over_equal_those_walked_from_scratch) {
       }
     }
   }
-  // Stretches are copied, others walked; and both kinds of cycles are there.
+  // Intervals are copied, others walked; and both kinds of cycles are there.
   EXPECT_GT(copied, 500u);
   EXPECT_GT(walked, copied + 500);
   EXPECT_GT(false_ones, 10u);
@@ -118,17 +118,17 @@ TEST(ScalingCycles, those_of_random_pairs_equal_those_walked_from_scratch) {
     bool known = false;
     for (int step = 0, k = 1001; step < 16; ++step) {
       k = random.chance(30) ? 1001 + random.below(998) : std::clamp(k + random.below(121) - 60, 1001, 1999);
-      planar::ExactFrame place(base, planar::scale_value(exact::BigRational(k, 1000)));
-      const double tau = place.tau(window->frame().moving);
+      planar::ExactFrame position(base, planar::scale_value(exact::BigRational(k, 1000)));
+      const double tau = position.tau(window->frame().moving);
       FrameWork work;
-      if (!lists.repair(tau, place, work)) {
+      if (!lists.repair(tau, position, work)) {
         known = false;
         continue;
       }
       const bool whole = !known;
-      known = carried.update(tau, place, whole, work);
+      known = carried.update(tau, position, whole, work);
       planar::FrameLoops fresh(lists);
-      ASSERT_EQ(fresh.update(tau, place, true, work), known) << "round " << round << ", " << k << "/1000";
+      ASSERT_EQ(fresh.update(tau, position, true, work), known) << "round " << round << ", " << k << "/1000";
       refused += !known;
       if (!known) continue;
       ASSERT_EQ(cycles(carried), cycles(fresh)) << "round " << round << ", " << k << "/1000";

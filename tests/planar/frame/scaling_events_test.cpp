@@ -220,11 +220,11 @@ TEST(ScaleEvents, the_events_of_a_range_are_those_of_its_parts) {
 TEST(ScaleEvents, progress_is_asked_while_a_window_is_made) {
   const ScalingSum sum = ScalingSum::create(shapes::noisy_star(120, 0.8, 1), shapes::noisy_star(110, 0.8, 2)).value();
   const Scale a = Scale::of(1).value(), b = Scale::of(1 + 0x1p-40).value();
-  std::size_t asked = 0;
-  const Progress count = [&](std::string_view, double) { return ++asked > 0; };
+  std::size_t queried = 0;
+  const Progress count = [&](std::string_view, double) { return ++queried > 0; };
   const std::size_t events = sum.events(a, b, count).value().size();
-  EXPECT_GT(asked, 20 + 2 * events);
-  for (std::size_t most = 1; most < asked; most += 1 + asked / 7) {
+  EXPECT_GT(queried, 20 + 2 * events);
+  for (std::size_t most = 1; most < queried; most += 1 + queried / 7) {
     std::size_t left = most;
     const Progress stop = [&](std::string_view, double) { return --left > 0; };
     EXPECT_EQ(sum.events(a, b, stop).error().code, ErrorCode::cancelled) << most;
@@ -261,19 +261,19 @@ TEST(ScaleEvents, ranges_and_operands_that_have_no_events_give_errors) {
 TEST(ScaleEvents, progress_is_asked_at_every_event) {
   const ScalingSum sum = ScalingSum::create(shapes::random_polygon(40, 0, 1), shapes::random_polygon(30, 1, 2)).value();
   const Scale a = Scale::of(1).value(), b = Scale::of(2).value();
-  std::vector<double> shares;
-  const Progress count = [&](std::string_view, double share) {
-    shares.push_back(share);
+  std::vector<double> fractions;
+  const Progress count = [&](std::string_view, double fraction) {
+    fractions.push_back(fraction);
     return true;
   };
   const std::size_t events = sum.events(a, b, count).value().size();
   EXPECT_GT(events, 10u);
-  EXPECT_GT(shares.size(), 2 * events);
-  EXPECT_TRUE(std::is_sorted(shares.begin(), shares.end()) && shares.front() >= 0 && shares.back() <= 1);
-  for (std::size_t asked = 1; asked < shares.size(); asked += 1 + shares.size() / 9) {
-    std::size_t left = asked;
+  EXPECT_GT(fractions.size(), 2 * events);
+  EXPECT_TRUE(std::is_sorted(fractions.begin(), fractions.end()) && fractions.front() >= 0 && fractions.back() <= 1);
+  for (std::size_t queried = 1; queried < fractions.size(); queried += 1 + fractions.size() / 9) {
+    std::size_t left = queried;
     const Progress stop = [&](std::string_view, double) { return --left > 0; };
-    EXPECT_EQ(sum.events(a, b, stop).error().code, ErrorCode::cancelled) << asked;
+    EXPECT_EQ(sum.events(a, b, stop).error().code, ErrorCode::cancelled) << queried;
     EXPECT_EQ(left, 0u);
   }
 }

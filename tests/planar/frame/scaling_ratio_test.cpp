@@ -39,7 +39,7 @@ struct Ratio {
 /// diag(s, s num / den) for s = a / 4096.
 constexpr long kSteps = 4096;
 
-/// A state that is asked for such scales, and a static engine that answers each time.
+/// A state that is requested such scales, and a static engine that answers each time.
 class RatioWalk {
  public:
   RatioWalk(const RatioShapes& shapes, const MovingOptions& options)
@@ -229,17 +229,18 @@ TEST(ScalingRatio, samples_of_loops_are_where_the_exact_layer_has_them) {
   for (const RatioShapes& shapes : ratio_shapes()) {
     const auto plain = planar::pair_of_regions(shapes.p, shapes.q, planar::PairOptions{.moved = 0}).value();
     planar::RatioSweeps sweeps;
-    const planar::Stretch stretch =
-        planar::stretch_of(planar::scale_value(Scale()), planar::scale_value(scale_of(100, 137)));
-    planar::RatioSweep& sweep = *sweeps.make(*plain, stretch);
+    const planar::Factors factors =
+        planar::factors_of(planar::scale_value(Scale()), planar::scale_value(scale_of(100, 137)));
+    planar::RatioSweep& sweep = *sweeps.make(*plain, factors);
     const auto frames = planar::window_frames(sweep.windows.plan(1.1, 1.3, 1.2, UINT64_MAX));
-    const planar::LoopPlaces places(frames->lists);
+    const planar::LoopPositions positions(frames->lists);
     for (long a = 1105; a < 1295; a += 5) {
       planar::ExactFrame frame(sweep.base, planar::scale_value(scale_of(a, 1000)));
       FrameWork work;
       if (!frames->follow(frame, work)) continue;
       for (const planar::FrameLoop& loop : frames->loops.loops()) {
-        const planar::Place p = places.sample(loop.steps, frame.tau(frames->window->frame().moving), frame);
+        const planar::SegmentPosition p =
+            positions.sample(loop.steps, frame.tau(frames->window->frame().moving), frame);
         const planar::Lattice::Position at = frame.lattice().position(p);
         const Point& offset = plain->lattice->points[1]->offset;  // P has none
         mixed += p.first.kind != p.second.kind;

@@ -34,7 +34,7 @@ Operands holes() {
   return {on_integers(shapes::random_polygon(60, 3, 5), 3000), on_integers(shapes::noisy_star(16, 0.6, 4), 500)};
 }
 
-/// A state that is asked for scales over 4096, and a static engine that answers each time.
+/// A state that is requested scales over 4096, and a static engine that answers each time.
 class Walk {
  public:
   Walk(const Operands& operands, const MovingOptions& options)

@@ -99,19 +99,19 @@ TEST(FineCells, covered_cells_lie_in_the_open_sum_with_their_rim) {
       const Point at = m.lattice->to_input(x * g.cell, y * g.cell);
       return sum.overlaps({oracles::from_double<oracles::Big>(at.x), oracles::from_double<oracles::Big>(at.y)});
     };
-    int asked = 0, fine_only = 0;
+    int queried = 0, fine_only = 0;
     for (int r = 1; r + 1 < g.rows; ++r)
       for (int c = 1; c + 1 < g.columns; ++c) {
         const bool beside_live =
             !m.covered(r - 1, c) || !m.covered(r + 1, c) || !m.covered(r, c - 1) || !m.covered(r, c + 1);
         if (!m.covered(r, c) || !beside_live || (oracles::kSanitized && (r + c) % 8 != 0)) continue;
-        ++asked;
+        ++queried;
         fine_only += !m.mask->covered(r / kBrick, c / kBrick);
         const double rim = 8 * kReach;
         for (const double y : {r - rim, r + 1 + rim})
           for (const double x : {c - rim, c + 1 + rim}) ASSERT_TRUE(overlaps(x, y)) << r << " " << c;
       }
-    EXPECT_GT(asked, 30);
+    EXPECT_GT(queried, 30);
     EXPECT_GT(fine_only, 20);
   }
 }

@@ -1,4 +1,5 @@
-// Covered cells lie in the open sum with more around them than anything errs, and are told by words as cell by cell.
+// Covered cells lie in the open sum with more around them than anything errs, and are determined by words as cell by
+// cell.
 #include "planar/mask/interior_mask.h"
 #include "oracles/snapped_shapes.h"
 
@@ -77,18 +78,18 @@ TEST(InteriorMask, covered_cells_lie_in_the_open_sum_with_their_rim) {
       const Masked m(p, q, cells);
       const Grid& g = m.mask->grid();
       const oracles::Membership<oracles::Big> sum(p.data(), q.data());
-      int covered = 0, asked = 0;
+      int covered = 0, queried = 0;
       for (int r = 1; r + 1 < g.rows; ++r)
         for (int c = 1; c + 1 < g.columns; ++c) {
           covered += m.mask->covered(r, c);
           if (!m.mask->covered(r, c) || !m.mask->any_live(r - 1, c - 1, r + 1, c + 1)) continue;
           if (cells > 50 && (r + c) % (oracles::kSanitized ? 16 : 4) != 0) continue;
-          ++asked;
+          ++queried;
           ASSERT_TRUE(lies_inside(sum, m, r, c)) << r << " " << c << " of " << cells;
         }
       if (cells == 9) continue;
       EXPECT_GT(covered, g.rows * g.columns / 10);
-      EXPECT_GT(asked, 10);
+      EXPECT_GT(queried, 10);
     }
 }
 

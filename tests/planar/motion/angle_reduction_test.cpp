@@ -14,11 +14,11 @@
 namespace dymsum {
 namespace {
 
-struct Place {
+struct Position {
   double cosine = 1, sine = 0;
 };
 
-Place place_of(const Orientation& o) {
+Position position_of(const Orientation& o) {
   if (o.is_half_turn()) return {-1, 0};
   const exact::BigRational t = exact::exact_value(o.tan_half()), t2 = t * t;
   return {exact::round_to_double(exact::BigRational((1 - t2) / (1 + t2))),
@@ -27,7 +27,7 @@ Place place_of(const Orientation& o) {
 
 // Angles near 0 differ as much as their points on the circle.
 void expect_met(double radians, const Orientation& o, double error) {
-  const Place at = place_of(o);
+  const Position at = position_of(o);
   EXPECT_LE(std::hypot(at.cosine - std::cos(radians), at.sine - std::sin(radians)), error + 0x1p-51) << radians;
   EXPECT_GT(o.radians(), -std::numbers::pi);
   EXPECT_LE(o.radians(), std::numbers::pi);

@@ -37,7 +37,7 @@ TEST(EndSideBounds, sides_of_ends_err_by_less_and_not_by_much_less) {
                            static_cast<std::uint32_t>(random.below(5))};
       };
       const WalkSegment a = any(), b = any();
-      const Point from = forms.place(TurningForms::start(a), h), to = forms.place(TurningForms::start(b), h),
+      const Point from = forms.position(TurningForms::start(a), h), to = forms.position(TurningForms::start(b), h),
                   e = forms.direction(a, h), g = forms.direction(b, h);
       const double side = e.x * (to.y - from.y) - e.y * (to.x - from.x) + (e.x * g.y - e.y * g.x);
       const exact::Polynomial p = forms.exact_side(a, forms.end(b), 0);

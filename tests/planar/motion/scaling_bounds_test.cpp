@@ -16,7 +16,7 @@ using exact::BigRational;
 BigRational exactly(double v) { return exact::exact_value(v); }
 
 /// The largest of many errors as shares of what bounds them.
-class ErrorShares {
+class ErrorFractions {
  public:
   void add(const BigRational& error, double bound) {
     most_ = std::max(most_, exact::round_to_double(BigRational(abs(error))) / bound);
@@ -36,10 +36,10 @@ class ErrorShares {
 struct Rounded {
   BigRational exact;
   double value;
-  Rounded(oracles::Random& random, int place)
-      : exact(exactly(std::abs(random.signed_unit()) * place) + exactly(random.signed_unit() * 0x1p-52)),
+  Rounded(oracles::Random& random, int position)
+      : exact(exactly(std::abs(random.signed_unit()) * position) + exactly(random.signed_unit() * 0x1p-52)),
         value(exact::round_to_double(exact)) {}
-  void stretch(oracles::Random& random) {
+  void factors(oracles::Random& random) {
     const BigRational factor(500 + random.below(500), 1001);
     exact *= factor;
     value *= exact::round_to_double(factor);
@@ -48,7 +48,7 @@ struct Rounded {
 
 TEST(WindowBounds, points_and_sides_err_by_less_and_not_by_much_less) {
   oracles::Random random(7);
-  ErrorShares of_point, of_side, of_search;
+  ErrorFractions of_point, of_side, of_search;
   for (int k = 0; k < oracles::rounds(20000); ++k) {
     // All of the span belongs to the fixed operand, to the moving one, or to both.
     const int fixed = random.below(3), moving = fixed == 0 ? 1 : random.below(3);
@@ -58,7 +58,7 @@ TEST(WindowBounds, points_and_sides_err_by_less_and_not_by_much_less) {
     Rounded fx(random, fixed), fy(random, fixed), mx(random, moving), my(random, moving), gx(random, fixed),
         gy(random, fixed), nx(random, moving), ny(random, moving), dx(random, 1), dy(random, 1);
     if (k % 2 == 1)
-      for (Rounded* stretched : {&fx, &fy, &mx, &my, &gx, &gy, &nx, &ny, &dx, &dy}) stretched->stretch(random);
+      for (Rounded* stretched : {&fx, &fy, &mx, &my, &gx, &gy, &nx, &ny, &dx, &dy}) stretched->factors(random);
     const double x = fx.value + tau * mx.value, y = fy.value + tau * my.value, u = gx.value + tau * nx.value,
                  v = gy.value + tau * ny.value;
     const BigRational ex = fx.exact + scale * mx.exact, ey = fy.exact + scale * my.exact,
@@ -77,30 +77,30 @@ TEST(WindowBounds, points_and_sides_err_by_less_and_not_by_much_less) {
 
 TEST(WindowBounds, cross_products_of_edge_vectors) {
   oracles::Random random(8);
-  ErrorShares shares;
+  ErrorFractions fractions;
   for (int k = 0; k < oracles::rounds(20000); ++k) {
     const Rounded ax(random, 1), ay(random, 1), bx(random, 1), by(random, 1);
     const double u = ax.value * by.value, v = ay.value * bx.value;
-    shares.add(exactly(u - v) - (ax.exact * by.exact - ay.exact * bx.exact), kEdgeCross * (u + v));
+    fractions.add(exactly(u - v) - (ax.exact * by.exact - ay.exact * bx.exact), kEdgeCross * (u + v));
   }
-  shares.expect_bounded(1.0 / 8);
+  fractions.expect_bounded(1.0 / 8);
 }
 
 TEST(WindowBounds, cross_products_of_stretched_edge_vectors) {
   oracles::Random random(17);
-  ErrorShares shares;
+  ErrorFractions fractions;
   for (int k = 0; k < oracles::rounds(20000); ++k) {
     Rounded ax(random, 1), ay(random, 1), bx(random, 1), by(random, 1);
-    for (Rounded* stretched : {&ax, &ay, &bx, &by}) stretched->stretch(random);
+    for (Rounded* stretched : {&ax, &ay, &bx, &by}) stretched->factors(random);
     const double u = ax.value * by.value, v = ay.value * bx.value;
-    shares.add(exactly(u - v) - (ax.exact * by.exact - ay.exact * bx.exact), kScaledEdgeCross * (u + v));
+    fractions.add(exactly(u - v) - (ax.exact * by.exact - ay.exact * bx.exact), kScaledEdgeCross * (u + v));
   }
-  shares.expect_bounded(1.0 / 8);
+  fractions.expect_bounded(1.0 / 8);
 }
 
-TEST(WindowBounds, shares_of_crossing_lines) {
+TEST(WindowBounds, fractions_of_crossing_lines) {
   oracles::Random random(9);
-  ErrorShares shares;
+  ErrorFractions fractions;
   for (int k = 0; k < oracles::rounds(20000); ++k) {
     const BigRational n = exactly(random.signed_unit()), d = exactly(0.25 + std::abs(random.signed_unit()));
     const double rn = 0x1p-30, rd = 0x1p-3;  // the worst of what is known of both
@@ -108,47 +108,47 @@ TEST(WindowBounds, shares_of_crossing_lines) {
                  value_d = exact::round_to_double(BigRational(d * exactly(random.chance(50) ? 1 + rd : 1 - rd)));
     if (abs(n) > d * 2) continue;
     const double relative = 2 * rd < kKnownDenominator ? rd / (1 - rd) : 0.2;
-    shares.add(exactly(value_n / value_d) - n / d, share_error(rn, value_d, relative, 2));
+    fractions.add(exactly(value_n / value_d) - n / d, fraction_error(rn, value_d, relative, 2));
   }
-  shares.expect_bounded(1.0 / 8);
+  fractions.expect_bounded(1.0 / 8);
 }
 
 TEST(WindowBounds, signs_are_certain_beyond_the_error_of_a_root) {
   oracles::Random random(10);
-  ErrorShares shares;
+  ErrorFractions fractions;
   for (int k = 0; k < oracles::rounds(20000); ++k) {
     const double a = -std::abs(random.signed_unit()), b = 1 + random.signed_unit() / 2,
                  error = random.chance(50) ? 0 : 0x1p-50;
     const double root = -a / b, tau1 = 1;
     const BigRational truth = (-exactly(a) + exactly(error)) / exactly(b) * exactly(1 + 0x1p-53);
-    shares.add(exactly(root) - truth, root_error(root, b, error, tau1));
+    fractions.add(exactly(root) - truth, root_error(root, b, error, tau1));
   }
-  shares.expect_bounded(1.0 / 16);
+  fractions.expect_bounded(1.0 / 16);
 }
 
-// ErrorShares that move linearly, evaluated, subtracted, and followed along a line.
+// ErrorFractions that move linearly, evaluated, subtracted, and followed along a line.
 TEST(WindowBounds, moving_shares_err_by_less_and_not_by_much_less) {
   oracles::Random random(11);
-  ErrorShares of_share, of_gap, followed;
+  ErrorFractions of_fraction, of_gap, followed;
   for (int k = 0; k < oracles::rounds(20000); ++k) {
     const BigRational scale(random.below(1000) + 1, 1001);
     const double tau = exact::round_to_double(scale), b = random.signed_unit(), a = random.chance(50) ? 0 : 1 - b * tau,
                  c = random.signed_unit(), d = random.chance(50) ? 0 : 1 - c * tau;
     const BigRational t = exactly(a) + exactly(b) * scale, u = exactly(d) + exactly(c) * scale;
-    of_share.add(exactly(a + b * tau) - t, kShare);
-    of_gap.add(exactly((a + b * tau) - (d + c * tau)) - (t - u), kShareGap);
+    of_fraction.add(exactly(a + b * tau) - t, kFraction);
+    of_gap.add(exactly((a + b * tau) - (d + c * tau)) - (t - u), kFractionGap);
     const double x = random.signed_unit(), m = random.signed_unit(), dx = random.signed_unit();
     const double from = x + dx * a, slope = m + dx * b;
     const BigRational at = exactly(x) + exactly(m) * scale + exactly(dx) * t;
     followed.add(exactly(from + slope * tau) - at, kFollowed * (std::abs(from) + std::abs(slope)) + kWindowPoint * 3);
   }
-  for (const ErrorShares& shares : {of_share, of_gap, followed}) shares.expect_bounded(1.0 / 32);
+  for (const ErrorFractions& fractions : {of_fraction, of_gap, followed}) fractions.expect_bounded(1.0 / 32);
 }
 
 // Positions blown up and moved to where they are in the input, with the scale rounded.
 TEST(WindowBounds, kept_positions_err_by_less_and_not_by_much_less) {
   oracles::Random random(14);
-  ErrorShares inside, outside;
+  ErrorFractions inside, outside;
   for (int k = 0; k < oracles::rounds(20000); ++k) {
     const BigRational s(random.below(1000) + 1, random.below(1000) + 1), tau = 1 / s;
     const double scale = exact::round_to_double(s), t = exact::round_to_double(tau);
@@ -167,7 +167,7 @@ TEST(WindowBounds, kept_positions_err_by_less_and_not_by_much_less) {
 // Where a vertex lies along an edge, by scalar products.
 TEST(WindowBounds, projections_err_by_less_and_not_by_much_less) {
   oracles::Random random(12);
-  ErrorShares of_place, of_gap;
+  ErrorFractions of_position, of_gap;
   for (int k = 0; k < 20000; ++k) {
     const BigRational scale(random.below(1000) + 1, 1001);  // tau1 = 1
     const double tau = exact::round_to_double(scale);
@@ -179,7 +179,7 @@ TEST(WindowBounds, projections_err_by_less_and_not_by_much_less) {
     if (square < 0x1p-24) continue;
     const double span = 1 + 2.0, lost = span * (std::abs(ex) + std::abs(ey)) / square;
     // Two places on the line, their coordinates rounded, the second a vector farther on.
-    const auto place = [&](const BigRational& t, double farther) {
+    const auto position = [&](const BigRational& t, double farther) {
       const BigRational px = ox.exact + t * dx, py = oy.exact + t * dy;
       const double ax = exact::round_to_double(px) + farther * ex - ox.value,
                    ay = exact::round_to_double(py) + farther * ey - oy.value,
@@ -189,18 +189,18 @@ TEST(WindowBounds, projections_err_by_less_and_not_by_much_less) {
                        BigRational(t + exactly(farther) + t * scale)};
     };
     const BigRational t = exactly(random.signed_unit() / 4), u = exactly(random.signed_unit() / 4);
-    const auto [value, truth] = place(t, 1);
-    const auto [other, other_truth] = place(u, 0);
-    of_place.add(exactly(value) - truth, kProjectedSums * lost + kProjection);
+    const auto [value, truth] = position(t, 1);
+    const auto [other, other_truth] = position(u, 0);
+    of_position.add(exactly(value) - truth, kProjectedSums * lost + kProjection);
     of_gap.add(exactly(value - other) - (truth - other_truth), kProjectedGap * lost + kProjectionGap);
   }
-  of_place.expect_bounded(1.0 / 64);
+  of_position.expect_bounded(1.0 / 64);
   of_gap.expect_bounded(1.0 / 128);
 }
 
 TEST(WindowBounds, weights_and_coefficients) {
   oracles::Random random(13);
-  ErrorShares of_length, of_cross, coefficient;
+  ErrorFractions of_length, of_cross, coefficient;
   for (int k = 0; k < oracles::rounds(20000); ++k) {
     Rounded ax(random, 1), ay(random, 1), bx(random, 1), by(random, 1);
     const Rounded vx(random, 1), vy(random, 1), wx(random, 1), wy(random, 1);
@@ -208,7 +208,7 @@ TEST(WindowBounds, weights_and_coefficients) {
     coefficient.add(exactly(side) - (ax.exact * (wy.exact - vy.exact) - ay.exact * (wx.exact - vx.exact)),
                     kSideCoefficient * (ax.value + ay.value));
     if (k % 2 == 1)
-      for (Rounded* stretched : {&ax, &ay, &bx, &by}) stretched->stretch(random);
+      for (Rounded* stretched : {&ax, &ay, &bx, &by}) stretched->factors(random);
     of_length.add(exactly(ax.value) - ax.exact, kLengthWeight * ax.value);
     // A cross product and the three factors that it is multiplied with.
     const BigRational f = 1 + BigRational(random.below(1000), 1001), g = 1 + BigRational(random.below(1000), 1003);
@@ -217,7 +217,7 @@ TEST(WindowBounds, weights_and_coefficients) {
     const BigRational exactly_weight = abs(BigRational(ax.exact * by.exact - ay.exact * bx.exact)) * f * g;
     of_cross.add(exactly(weight) - exactly_weight, kCrossWeight * (u + v) * exact::round_to_double(BigRational(f * g)));
   }
-  for (const ErrorShares& shares : {of_length, of_cross, coefficient}) shares.expect_bounded(1.0 / 32);
+  for (const ErrorFractions& fractions : {of_length, of_cross, coefficient}) fractions.expect_bounded(1.0 / 32);
 }
 
 }  // namespace

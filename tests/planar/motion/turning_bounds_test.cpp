@@ -28,7 +28,7 @@ struct MadeForms {
     base = pair_of_regions(p, q, PairOptions{.moved = 1}).value();
     forms = std::make_unique<TurningForms>(*base);
   }
-  /// A vertex in the forms' doubles, less the centre of the turning operand.
+  /// A vertex in the forms' doubles, less the centre of the rotating operand.
   std::array<BigRational, 2> vertex(std::uint32_t op, std::uint32_t v) const {
     const BigRational unit =
         exact::exact_value(std::ldexp(1.0, base->lattice->grid_exponent)) / exact::exact_value(base->lattice->unit);
@@ -69,7 +69,7 @@ Heading heading_at(double t, bool wrong, Random& random) {
   return h;
 }
 
-struct Shares {
+struct Fractions {
   double side = 0, placed = 0, cross = 0, concurrency = 0;
 };
 
@@ -78,9 +78,9 @@ void add(double& most, double value, const BigRational& truth, double bound) {
     most = std::max(most, exact::round_to_double(BigRational(abs(exact::exact_value(value) - truth))) / bound);
 }
 
-Shares largest_shares(int rounds) {
+Fractions largest_fractions(int rounds) {
   Random random(11);
-  Shares most;
+  Fractions most;
   for (int k = 0; k < rounds; ++k) {
     const double sizes[] = {1, 0x1p-3, 0x1p-9};
     const double sp = sizes[random.below(3)], sq = sizes[random.below(3)];
@@ -99,7 +99,7 @@ Shares largest_shares(int rounds) {
       const Pair v = TurningForms::start(b);
       const BigRational side = m.value(f.exact_side(a, v, 0), at, 2);
       add(most.side, f.side(a, v).at(h), side, f.side_error(a));
-      const Point d = f.direction(a, h), o = f.place(TurningForms::start(a), h), x = f.place(v, h);
+      const Point d = f.direction(a, h), o = f.position(TurningForms::start(a), h), x = f.position(v, h);
       add(most.placed, d.x * (x.y - o.y) - d.y * (x.x - o.x), side, f.side_error(a));
       const BigRational cross = m.value(f.exact_cross(a, b, 0), at, 2);
       const double lengths = f.length1(a) * f.length1(b);
@@ -115,12 +115,12 @@ Shares largest_shares(int rounds) {
 }
 
 TEST(TurningBounds, forms_err_by_less_and_not_by_much_less) {
-  const Shares most = largest_shares(100);
+  const Fractions most = largest_fractions(100);
   RecordProperty("shares", std::to_string(most.side) + " " + std::to_string(most.placed) + " " +
                                std::to_string(most.cross) + " " + std::to_string(most.concurrency));
-  for (const double share : {most.side, most.placed, most.cross, most.concurrency}) {
-    EXPECT_LE(share, 1);
-    EXPECT_GT(share, 1.0 / 40) << most.side << ' ' << most.placed << ' ' << most.cross << ' ' << most.concurrency;
+  for (const double fraction : {most.side, most.placed, most.cross, most.concurrency}) {
+    EXPECT_LE(fraction, 1);
+    EXPECT_GT(fraction, 1.0 / 40) << most.side << ' ' << most.placed << ' ' << most.cross << ' ' << most.concurrency;
   }
 }
 
@@ -136,10 +136,10 @@ struct Turned {
   }
 };
 
-// Places, directions, and what is made of them: differences and sides at a place, positions turned back.
+// Places, directions, and what is made of them: differences and sides at a position, positions turned back.
 TEST(TurningBounds, places_err_by_less_and_not_by_much_less) {
   Random random(13);
-  double place = 0, direction = 0, of_difference = 0, of_side = 0, back = 0;
+  double position = 0, direction = 0, of_difference = 0, of_side = 0, back = 0;
   for (int k = 0; k < 60; ++k) {
     const double sizes[] = {1, 0x1p-3, 0x1p-9};
     const MadeForms m(ring(random, 1.3 * random.signed_unit(), 1.1, sizes[random.below(3)]),
@@ -152,25 +152,25 @@ TEST(TurningBounds, places_err_by_less_and_not_by_much_less) {
       const Heading h = heading_at(t, random.chance(70), random);
       const auto any = [&] { return static_cast<std::uint32_t>(random.below(5)); };
       const Pair v{any(), any()};
-      const Point at = f.place(v, h);
+      const Point at = f.position(v, h);
       const auto q = m.vertex(0, v.p), p = turned(m.vertex(1, v.q));
-      add(place, at.x, q[0] + p[0], kTurnedPlace * span);
-      add(place, at.y, q[1] + p[1], kTurnedPlace * span);
+      add(position, at.x, q[0] + p[0], kTurnedPosition * span);
+      add(position, at.y, q[1] + p[1], kTurnedPosition * span);
       const WalkSegment edge{1, any(), any()};
       const Point d = f.direction(edge, h);
       const auto from = m.vertex(1, edge.edge), to = m.vertex(1, f.operand(1).next[edge.edge]);
       const auto e = turned({to[0] - from[0], to[1] - from[1]});
       add(direction, d.x, e[0], kTurnedDirection * f.length1(edge));
       add(direction, d.y, e[1], kTurnedDirection * f.length1(edge));
-      // A place that errs by two places, against vertices of either operand.
-      const double off = 2 * kTurnedPlace * span, zx = at.x + (random.chance(50) ? off : -off) * 0.9,
+      // A position that errs by two positions, against vertices of either operand.
+      const double off = 2 * kTurnedPosition * span, zx = at.x + (random.chance(50) ? off : -off) * 0.9,
                    zy = at.y + (random.chance(50) ? off : -off) * 0.9;
       const Pair w{any(), any()};
-      const Point moved = f.place({0, w.q}, h), of_fixed = f.points(0)[w.p], zero = f.points(0)[0];
+      const Point moved = f.position({0, w.q}, h), of_fixed = f.points(0)[w.p], zero = f.points(0)[0];
       const double tx = zx - (moved.x - zero.x), ty = zy - (moved.y - zero.y);
       const auto wq = m.vertex(0, w.p), wp = turned(m.vertex(1, w.q));
       const BigRational ex = q[0] + p[0] - wp[0] - wq[0], ey = q[1] + p[1] - wp[1] - wq[1];
-      add(of_difference, tx - of_fixed.x, ex, kOverlapPlace * span);
+      add(of_difference, tx - of_fixed.x, ex, kOverlapPosition * span);
       add(of_side, d.x * (ty - of_fixed.y) - d.y * (tx - of_fixed.x), e[0] * ey - e[1] * ex,
           kOverlapSide * f.length1(edge) * span);
       // As TurnedRings does where the resting operand turned for the user.
@@ -181,13 +181,13 @@ TEST(TurningBounds, places_err_by_less_and_not_by_much_less) {
       add(back, x, whole[0], kTurnedBack * span + kTurnedOffset * (std::abs(offset.x) + std::abs(offset.y)));
     }
   }
-  for (const double most : {place, direction, of_difference, of_side, back}) {
+  for (const double most : {position, direction, of_difference, of_side, back}) {
     EXPECT_LE(most, 1);
-    EXPECT_GT(most, 1.0 / 16) << place << ' ' << direction << ' ' << of_difference << ' ' << of_side << ' ' << back;
+    EXPECT_GT(most, 1.0 / 16) << position << ' ' << direction << ' ' << of_difference << ' ' << of_side << ' ' << back;
   }
 }
 
-// Shares of crossings from the worst sides and cross products that are possible, in units of what a side is granted.
+// Fractions of crossings from the worst sides and cross products that are possible, in units of what a side is granted.
 TEST(TurningBounds, shares_of_crossings_err_by_less_and_not_by_much_less) {
   Random random(14);
   double most = 0;
@@ -197,7 +197,7 @@ TEST(TurningBounds, shares_of_crossings_err_by_less_and_not_by_much_less) {
     const auto wrong = [&](double by) { return random.chance(50) ? by : -by; };
     const double n = t * d + wrong(side + end), whole = d + wrong(cross);
     if (!(whole > e)) continue;
-    add(most, n * (1 / whole), exact::exact_value(t), kCrossingSlack * e / whole + kCrossingShare);
+    add(most, n * (1 / whole), exact::exact_value(t), kCrossingSlack * e / whole + kCrossingFraction);
   }
   EXPECT_LE(most, 1);
   EXPECT_GT(most, 1.0 / 8);
@@ -215,7 +215,7 @@ TEST(TurningBounds, angles_err_by_less) {
   for (int k = 0; k < 40; ++k) {
     const MadeForms m(ring(random, 1.3 * random.signed_unit(), 1.1, 1),
                       ring(random, 0.7, random.signed_unit(), 0x1p-3));
-    const TurnCatalog catalog(*m.forms);
+    const RotationCatalog catalog(*m.forms);
     const auto angle = [&](std::uint32_t op, std::uint32_t edge) {
       const auto a = m.vertex(op, edge), b = m.vertex(op, m.forms->operand(op).next[edge]);
       return Digits(atan2(Digits(BigRational(b[1] - a[1])), Digits(BigRational(b[0] - a[0]))));
@@ -232,7 +232,7 @@ TEST(TurningBounds, angles_err_by_less) {
           const WalkSegment s{side, e, v};
           if (!catalog.may_exist(s)) continue;
           const std::uint32_t op = 1 - side, in = m.forms->operand(op).prev[v];
-          const TurnCatalog::Span span = catalog.span(s, theta);
+          const RotationCatalog::Span span = catalog.span(s, theta);
           const Digits at_in = side == 0 ? Digits(angle(0, e) - truly - angle(1, in))
                                          : Digits(angle(0, in) - truly - angle(1, e)),
                        at_out = side == 0 ? Digits(angle(0, e) - truly - angle(1, v))
@@ -259,21 +259,21 @@ TEST(TurningBounds, short_edges_meet_what_crosses_them) {
     RegionData turning;
     turning.parts.emplace_back();
     turning.parts[0].outer = {{-0.71, -0.63}, {far - 0.01, -0.6}, a, b, {-0.7, 0.83}};
-    // Where the middle of the short edge is at this angle, from the vertex v of the standing operand.
+    // Where the midpoint of the short edge is at this angle, from the vertex v of the standing operand.
     const double t = 0.2 + 0.1 * random.signed_unit(), d = 1 + t * t, c = (1 - t * t) / d, s = 2 * t / d;
     const BigRational rt = exact::exact_value(t), rc = (1 - rt * rt) / (1 + rt * rt), rs = 2 * rt / (1 + rt * rt);
     const auto turned = [&](const BigRational& px, const BigRational& py) {
       return std::array{BigRational(rc * px - rs * py), BigRational(rs * px + rc * py)};
     };
     const auto r = [](double v) { return exact::exact_value(v); };
-    const auto middle = turned((r(a.x) + r(b.x)) / 2, (r(a.y) + r(b.y)) / 2), low = turned(r(-0.71), r(-0.63));
+    const auto midpoint = turned((r(a.x) + r(b.x)) / 2, (r(a.y) + r(b.y)) / 2), low = turned(r(-0.71), r(-0.63));
     const Point v{0, 0};
     // The long edge, plus the vertex opposite, passes there: nearly parallel to the short one, the other way.
     const double gx = b.x - a.x, gy = b.y - a.y, length = std::hypot(gx, gy), off = 0.1 * random.signed_unit();
     const double ux = (c * gx - s * gy) / length, uy = (s * gx + c * gy) / length;
     const Point g{ux - off * uy, uy + off * ux};
-    const Point centre{exact::round_to_double(BigRational(middle[0] - low[0])),
-                       exact::round_to_double(BigRational(middle[1] - low[1]))};
+    const Point centre{exact::round_to_double(BigRational(midpoint[0] - low[0])),
+                       exact::round_to_double(BigRational(midpoint[1] - low[1]))};
     RegionData standing;
     standing.parts.resize(2);
     standing.parts[0].outer = {{-0.3, -0.1}, {v.x, v.y}, {-0.3, 0.1}};
@@ -284,20 +284,20 @@ TEST(TurningBounds, short_edges_meet_what_crosses_them) {
     if (!p.ok() || !q.ok()) continue;
     const MadeForms m(*p, *q);
     const TurningForms& f = *m.forms;
-    const TurnCatalog catalog(f);
-    const TurnGrid grid(f, 8);
+    const RotationCatalog catalog(f);
+    const RotationGrid grid(f, 8);
     const RotatingWindow window(grid, catalog, 2 * std::atan(t), 0x1p-40, false);
-    const auto across = [&](const TurnSegment& i, const TurnSegment& j) {
+    const auto across = [&](const RotatingSegment& i, const RotatingSegment& j) {
       const auto sign = [&](Pair x) { return f.exact_side(i, x, 0).sign_at(rt); };
       return sign(j.start()) * sign(j.end) < 0;
     };
     const auto same = [](Pair i, Pair j) { return i == j; };
     std::set<std::pair<std::uint32_t, std::uint32_t>> meet;
-    for (const TurnCandidate& n : window.candidates)
+    for (const RotationCandidate& n : window.candidates)
       meet.insert(std::minmax(window.segment_of(n.a), window.segment_of(n.b)));
     for (std::uint32_t i = 0; i < window.segments.size(); ++i)
       for (std::uint32_t j = i + 1; j < window.segments.size(); ++j) {
-        const TurnSegment &x = window.segments[i], &z = window.segments[j];
+        const RotatingSegment &x = window.segments[i], &z = window.segments[j];
         if (!x.throughout || !z.throughout || std::min(f.length1(x), f.length1(z)) > 0x1p-40) continue;
         if (same(x.start(), z.start()) || same(x.start(), z.end) || same(x.end, z.start()) || same(x.end, z.end))
           continue;

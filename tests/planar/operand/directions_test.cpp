@@ -1,4 +1,4 @@
-// The order of edges by direction: exact, and by place in the walk where directions are equal.
+// The order of edges by direction: exact, and by position in the walk where directions are equal.
 #include "planar/operand/directions.h"
 #include "oracles/snapped_shapes.h"
 
@@ -41,7 +41,7 @@ TEST(Directions, ShapesOfEverySize) {
   for (int n = 1; n <= 30; ++n) expect_in_order(snapped::pockets(n, 10).data(), "pockets " + std::to_string(n));
 }
 
-// Polylines go there and back; their directions differ by less than doubles tell, or not at all.
+// Polylines go there and back; their directions differ by less than doubles distinguish, or not at all.
 TEST(Directions, ClustersThatKeysDoNotTell) {
   std::mt19937_64 random(7);
   for (const double size : {0x1p20, 0x1p50, 0x1p60, 0x1p300, 0x1p-500})

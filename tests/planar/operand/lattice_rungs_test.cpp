@@ -42,10 +42,10 @@ TEST_P(LatticeRungs, tell_the_same_signs) {
     const auto lattices = lattices_of(*p, *q);
     const Lattice& big = *lattices.back();
     for (const auto& lattice : lattices) tiers.insert(lattice->tier_bits);
-    const auto told = [&](const char* what, auto ask) {
-      const int sign = ask(big);
+    const auto decided = [&](const char* what, auto query) {
+      const int sign = query(big);
       for (const auto& lattice : lattices)
-        EXPECT_EQ(ask(*lattice), sign) << what << ", " << lattice->tier_bits << " bits";
+        EXPECT_EQ(query(*lattice), sign) << what << ", " << lattice->tier_bits << " bits";
       zeros += sign == 0;
       ++signs;
       return sign;
@@ -66,23 +66,23 @@ TEST_P(LatticeRungs, tell_the_same_signs) {
       const Segment s = segment(), t = segment();
       const Pair v = pair(), w = pair();
       const int axis = k % 2;
-      told("cross", [&](const Lattice& l) { return l.cross(s.edge, t.edge); });
-      told("dot", [&](const Lattice& l) { return l.dot(s.edge, t.edge); });
-      told("extents", [&](const Lattice& l) { return l.compare_extent(s.edge, t.edge, axis); });
-      told("side of a pair", [&](const Lattice& l) { return l.side(s, v); });
-      told("along to a pair", [&](const Lattice& l) { return l.along(s, v); });
-      told("pairs", [&](const Lattice& l) { return l.compare_coordinate(v, w, axis); });
-      Place x;
+      decided("cross", [&](const Lattice& l) { return l.cross(s.edge, t.edge); });
+      decided("dot", [&](const Lattice& l) { return l.dot(s.edge, t.edge); });
+      decided("extents", [&](const Lattice& l) { return l.compare_extent(s.edge, t.edge, axis); });
+      decided("side of a pair", [&](const Lattice& l) { return l.side(s, v); });
+      decided("along to a pair", [&](const Lattice& l) { return l.along(s, v); });
+      decided("pairs", [&](const Lattice& l) { return l.compare_coordinate(v, w, axis); });
+      SegmentPosition x;
       x.on = segment();
       const std::optional<Cut> first = crossing(x.on), second = crossing(x.on);
       if (!first || !second) continue;
       x.first = *first;
       x.between = random.chance(30);
       x.second = *second;
-      told("cuts", [&](const Lattice& l) { return l.compare(x.on, *first, *second); });
-      told("side of a place", [&](const Lattice& l) { return l.side(s, x); });
-      told("along to a place", [&](const Lattice& l) { return l.along(s, x); });
-      told("pair and place", [&](const Lattice& l) { return l.compare_coordinate(v, x, axis); });
+      decided("cuts", [&](const Lattice& l) { return l.compare(x.on, *first, *second); });
+      decided("side of a place", [&](const Lattice& l) { return l.side(s, x); });
+      decided("along to a place", [&](const Lattice& l) { return l.along(s, x); });
+      decided("pair and place", [&](const Lattice& l) { return l.compare_coordinate(v, x, axis); });
     }
   }
   EXPECT_GT(zeros, signs / 1000);
@@ -95,8 +95,8 @@ TEST_P(LatticeRungs, pairs_of_doubles_tell_nearly_all_signs_and_none_wrong) {
   std::mt19937_64 noise(6);
   oracles::Random random(78);
   const std::uint64_t wanted = oracles::setting("DYMSUM_FUZZ_SIGNS", 20'000);
-  exact::RungCounts told;
-  while (told.filtered() + told.exact() < wanted) {
+  exact::RungCounts decided;
+  while (decided.filtered() + decided.exact() < wanted) {
     const auto drawn = [&] { return Region::create(of_kind(oracles::random_region(random, 6), GetParam(), noise)); };
     const auto a = drawn(), b = drawn();
     if (!a || !b || a->vertex_count() == 0 || b->vertex_count() == 0) continue;
@@ -117,18 +117,18 @@ TEST_P(LatticeRungs, pairs_of_doubles_tell_nearly_all_signs_and_none_wrong) {
       return Segment{o.edge(any(o.size())), v.source[any(v.size())]};
     };
     const auto pair = [&] { return Pair{p->source[any(p->size())], q->source[any(q->size())]}; };
-    const auto ask = [&](const char* what, int sign, std::optional<int> finely) {
+    const auto query = [&](const char* what, int sign, std::optional<int> finely) {
       EXPECT_EQ(finely.value_or(sign), sign) << what;
-      if (finely || sign != 0) told.count(finely ? exact::Rung::double_pairs : exact::Rung::integers);
+      if (finely || sign != 0) decided.count(finely ? exact::Rung::double_pairs : exact::Rung::integers);
     };
     for (int k = 0; k < 40; ++k) {
       const Segment s = segment(), t = segment();
       const Pair v = pair(), w = pair();
       const int axis = k % 2;
-      ask("cross", lattice->cross(s.edge, t.edge), fine.cross(s.edge, t.edge));
-      ask("side of a pair", lattice->side(s, v), fine.side(s, v));
-      ask("along to a pair", lattice->along(s, v), fine.along(s, v));
-      ask("pairs", lattice->compare_coordinate(v, w, axis), fine.compare_coordinate(v, w, axis));
+      query("cross", lattice->cross(s.edge, t.edge), fine.cross(s.edge, t.edge));
+      query("side of a pair", lattice->side(s, v), fine.side(s, v));
+      query("along to a pair", lattice->along(s, v), fine.along(s, v));
+      query("pairs", lattice->compare_coordinate(v, w, axis), fine.compare_coordinate(v, w, axis));
       // Cuts by lines that cross it, and at its ends.
       const auto cut_of = [&](const Segment& on) {
         const bool crossed = random.chance(60);
@@ -137,24 +137,24 @@ TEST_P(LatticeRungs, pairs_of_doubles_tell_nearly_all_signs_and_none_wrong) {
             return Cut{Cut::Kind::crossing, {}, by};
         return Cut{Cut::Kind::pair, random.chance(50) ? start_of(on) : end_of(on), {}};
       };
-      const auto place = [&] {
-        Place x;
+      const auto position = [&] {
+        SegmentPosition x;
         x.on = segment();
         x.first = cut_of(x.on);
         x.between = random.chance(40);
         x.second = cut_of(x.on);
         return x;
       };
-      const Place x = place(), y = place();
-      ask("cuts", lattice->compare(x.on, x.first, x.second), fine.compare(x.on, x.first, x.second));
-      ask("side of a place", lattice->side(s, x), fine.side(s, x));
-      ask("along to a place", lattice->along(s, x), fine.along(s, x));
-      ask("pair and place", lattice->compare_coordinate(v, x, axis), fine.compare_coordinate(v, x, axis));
-      ask("places", lattice->compare_coordinate(x, y, axis), fine.compare_coordinate(x, y, axis));
+      const SegmentPosition x = position(), y = position();
+      query("cuts", lattice->compare(x.on, x.first, x.second), fine.compare(x.on, x.first, x.second));
+      query("side of a place", lattice->side(s, x), fine.side(s, x));
+      query("along to a place", lattice->along(s, x), fine.along(s, x));
+      query("pair and place", lattice->compare_coordinate(v, x, axis), fine.compare_coordinate(v, x, axis));
+      query("places", lattice->compare_coordinate(x, y, axis), fine.compare_coordinate(x, y, axis));
     }
     if (HasFailure()) return;
   }
-  EXPECT_LT(told.at(exact::Rung::integers) * 1000, told.filtered());
+  EXPECT_LT(decided.at(exact::Rung::integers) * 1000, decided.filtered());
 }
 
 INSTANTIATE_TEST_SUITE_P(Kinds, LatticeRungs, testing::ValuesIn(kCoordinateKinds),

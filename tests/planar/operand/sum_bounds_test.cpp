@@ -17,7 +17,9 @@ namespace {
 using exact::BigRational;
 
 BigRational exactly(double v) { return exact::exact_value(v); }
-double share(const BigRational& error, double bound) { return exact::round_to_double(BigRational(abs(error))) / bound; }
+double fraction(const BigRational& error, double bound) {
+  return exact::round_to_double(BigRational(abs(error))) / bound;
+}
 
 /// A coordinate up to `most` as a lattice holds it: rounded, or with a factor that is rounded, and the product.
 struct Coordinate {
@@ -35,16 +37,16 @@ struct Coordinate {
   }
 };
 
-struct Shares {
-  double point = 0, side = 0, of_place = 0, height = 0, cross = 0, angle = 0, gap = 0, box = 0, touch = 0, step = 0,
+struct Fractions {
+  double point = 0, side = 0, of_position = 0, height = 0, cross = 0, angle = 0, gap = 0, box = 0, touch = 0, step = 0,
          rounded = 0;
-  void take(double& most, const BigRational& error, double bound) { most = std::max(most, share(error, bound)); }
+  void take(double& most, const BigRational& error, double bound) { most = std::max(most, fraction(error, bound)); }
 };
 
 // Roundings are the largest next above powers of two: sizes and factors are there now and then.
-Shares largest_shares(int rounds) {
+Fractions largest_fractions(int rounds) {
   oracles::Random random(21);
-  Shares most;
+  Fractions most;
   for (int k = 0; k < rounds; ++k) {
     const BigRational factor = 1 + BigRational(random.below(1 << 20) + 1, random.chance(50) ? 1 << 30 : 3 << 18);
     const double of_p = random.chance(30) ? 0 : 1 + std::abs(random.signed_unit()) * (random.chance(50) ? 0x1p-20 : 1);
@@ -60,10 +62,10 @@ Shares largest_shares(int rounds) {
     const double length = dx.value + dy.value;
     const BigRational side = dx.exact * (ev - ey) - dy.exact * (eu - ex);
     most.take(most.side, exactly(dx.value * (v - y) - dy.value * (u - x)) - side, kSumSide * length * span);
-    // As of a place at (u, v), seen from the vertices one by one.
+    // As of a position at (u, v), seen from the vertices one by one.
     const double ax = u - px.value, ay = v - py.value;
     const BigRational seen = dx.exact * (exactly(v) - ey) - dy.exact * (exactly(u) - ex);
-    most.take(most.of_place, exactly(dx.value * (ay - qy.value) - dy.value * (ax - qx.value)) - seen,
+    most.take(most.of_position, exactly(dx.value * (ay - qy.value) - dy.value * (ax - qx.value)) - seen,
               kSumSide * length * span);
     most.take(most.height, exactly(py.value + qy.value - v) - (ey - exactly(v)), kSumHeight * span);
     const Coordinate fx = q(), fy = q();
@@ -71,19 +73,19 @@ Shares largest_shares(int rounds) {
     most.take(most.cross, exactly(left - right) - (dx.exact * fy.exact - dy.exact * fx.exact),
               kScaledEdgeCross * (left + right));
     most.take(most.gap, exactly(dx.value - fx.value) - (dx.exact - fx.exact), kScaledEdgeGap * (dx.value + fx.value));
-    // How far a vertex of P lies beside one of Q that a place moves, with a margin taken off.
+    // How far a vertex of P lies beside one of Q that a position moves, with a margin taken off.
     const double margin = kSumBox * span;
     most.take(most.box, exactly((u - qx.value) - px.value - margin) - (exactly(u) - ex - exactly(margin)), margin);
-    // A vertex that lies on a segment, and a place that is a step away from its start.
+    // A vertex that lies on a segment, and a position that is a step away from its start.
     const double wx = dx.value + fx.value, step = std::abs(random.signed_unit());
-    const BigRational share_of = (eu - ex) / dx.exact;
-    if (abs(share_of) <= 1)
-      most.take(most.touch, exactly((u - x) / dx.value) - share_of,
-                static_cast<float>(kTouchShares * kSumPoint * span / dx.value + kShareRoundings));
+    const BigRational fraction_of = (eu - ex) / dx.exact;
+    if (abs(fraction_of) <= 1)
+      most.take(most.touch, exactly((u - x) / dx.value) - fraction_of,
+                static_cast<float>(kTouchFractions * kSumPoint * span / dx.value + kFractionRoundings));
     most.take(most.step, exactly(x + step * dx.value) - (ex + exactly(step) * dx.exact),
               2 * kSumPoint * span + kStepLength * dx.value + kStepSum * span);
     const BigRational far = exactly(random.signed_unit() * span) + exactly(random.signed_unit() * 0x1p-60 * wx);
-    most.take(most.rounded, exactly(x + exact::round_to_double(far)) - (ex + far), kRoundedPlace * span);
+    most.take(most.rounded, exactly(x + exact::round_to_double(far)) - (ex + far), kRoundedPosition * span);
     const BigRational key = 3 + dx.exact / (dx.exact + dy.exact);
     most.take(most.angle, exactly(pseudo_angle(dx.value, -dy.value)) - key, kAngleError / 2);
   }
@@ -91,12 +93,12 @@ Shares largest_shares(int rounds) {
 }
 
 TEST(SumBounds, sums_and_signs_err_by_less_and_not_by_much_less) {
-  const Shares most = largest_shares(oracles::rounds(20000));
-  const double shares[] = {most.point, most.side, most.of_place, most.height, most.cross,  most.angle,
-                           most.gap,   most.box,  most.touch,    most.step,   most.rounded};
-  for (std::size_t k = 0; k < std::size(shares); ++k) {
-    EXPECT_LE(shares[k], 1) << k;
-    EXPECT_GT(shares[k], 1.0 / 16) << k;
+  const Fractions most = largest_fractions(oracles::rounds(20000));
+  const double fractions[] = {most.point, most.side, most.of_position, most.height, most.cross,  most.angle,
+                              most.gap,   most.box,  most.touch,       most.step,   most.rounded};
+  for (std::size_t k = 0; k < std::size(fractions); ++k) {
+    EXPECT_LE(fractions[k], 1) << k;
+    EXPECT_GT(fractions[k], 1.0 / 16) << k;
   }
 }
 
@@ -110,7 +112,8 @@ TEST(SumBounds, weights_of_mediants_err_by_less_and_not_by_much_less) {
                  s = random.chance(50) ? r : 0;
     const double e0 = d0 * (1 + (random.chance(50) ? r : -r)), e1 = d1 * (1 + (random.chance(50) ? s : -s));
     const BigRational weight = exactly(d1) / (exactly(d0) + exactly(d1));
-    most = std::max(most, share(exactly(e1 / (e0 + e1)) - weight, kMediantShares * (r + s + exact::kRoundoff * 3)));
+    most =
+        std::max(most, fraction(exactly(e1 / (e0 + e1)) - weight, kMediantFractions * (r + s + exact::kRoundoff * 3)));
   }
   EXPECT_LE(most, 1);
   EXPECT_GT(most, 1.0 / 8);
@@ -124,7 +127,7 @@ TEST(SumBounds, a_scaled_vertex_takes_nearly_all_that_is_granted) {
     const BigRational x = exactly(1 + std::ldexp(1.0, -k)) + exactly(u), s = exactly(1 + std::ldexp(1.0, k - 53)) + u;
     const double rx = exact::round_to_double(x), rs = exact::round_to_double(s), b = u;
     for (const double off : {-0x1p-80, 0x1p-80})
-      most = std::max(most, share(exactly(rx * rs + b) - (x * s + exactly(b) + exactly(off)), kSumPoint * rx * rs));
+      most = std::max(most, fraction(exactly(rx * rs + b) - (x * s + exactly(b) + exactly(off)), kSumPoint * rx * rs));
   }
   EXPECT_LE(most, 1);
   EXPECT_GT(most, 0.7);
@@ -142,8 +145,9 @@ TEST(SumBounds, shares_of_crossings_err_by_less_and_not_by_much_less) {
     const double rn = std::max(exact::round_to_double(n) + (random.chance(50) ? e : -e), e / 2),
                  rm = std::min(exact::round_to_double(m) + (random.chance(50) ? e : -e), -e / 2);
     const double cross = d + (random.chance(50) ? e : -e);
-    if (!(cross > kCrossingShares * e)) continue;
-    most = std::max(most, share(exactly(rn / (rn - rm)) - exactly(t), kCrossingShares * e / cross + kShareRoundings));
+    if (!(cross > kCrossingFractions * e)) continue;
+    most = std::max(
+        most, fraction(exactly(rn / (rn - rm)) - exactly(t), kCrossingFractions * e / cross + kFractionRoundings));
   }
   EXPECT_LE(most, 1);
   EXPECT_GT(most, 1.0 / 8);

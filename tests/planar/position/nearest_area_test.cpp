@@ -1,4 +1,4 @@
-// Areas and nearest points from some thirty digits: they are those of the exact positions, and these are not asked for.
+// Areas and nearest points from some thirty digits: they are those of the exact positions, and these are not requested.
 #include <gtest/gtest.h>
 
 #include <memory>
@@ -24,17 +24,17 @@ class CountingSource : public ExactSource {
  public:
   explicit CountingSource(std::shared_ptr<const ExactSource> own) : own_(std::move(own)) {}
   Position position(const SumVertex& v) const override {
-    ++asked;
+    ++queried;
     return own_->position(v);
   }
   Homogeneous homogeneous(const SumVertex& v) const override {
-    ++asked;
+    ++queried;
     return own_->homogeneous(v);
   }
   std::optional<NearFrame> near_frame() const override { return own_->near_frame(); }
   NearPosition near(const SumVertex& v) const override { return own_->near(v); }
   std::optional<Point> rounded_once(const SumVertex& v) const override { return own_->rounded_once(v); }
-  mutable std::size_t asked = 0;
+  mutable std::size_t queried = 0;
 
  private:
   std::shared_ptr<const ExactSource> own_;
@@ -73,7 +73,7 @@ void expect_near(const PlanarSum& sum, const std::string& what) {
   PlanarSum counted = sum;
   exact_source(counted) = counting;
   EXPECT_EQ(counted.area(), area.to_double());
-  EXPECT_EQ(counting->asked, 0u);
+  EXPECT_EQ(counting->queried, 0u);
 }
 
 TEST(NearestArea, EqualsTheFractionForEveryTierAndMotion) {
@@ -103,7 +103,7 @@ TEST(NearestArea, RoundedRegionsOfSumsInGeneralPositionAskForNoExactPosition) {
   auto counting = std::make_shared<CountingSource>(exact_source(sum));
   exact_source(sum) = counting;
   ASSERT_TRUE(sum.rounded().ok());
-  EXPECT_LE(counting->asked, 4u);  // coordinates near zero
+  EXPECT_LE(counting->queried, 4u);  // coordinates near zero
 }
 
 /// A rectangle of width 1 and the given height.

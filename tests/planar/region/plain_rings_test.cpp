@@ -55,8 +55,8 @@ TEST(PlainRings, WhatIsNotPlainIsLeftToTheSweep) {
   EXPECT_FALSE(plainly_valid(one({{0, 0}, {1, 0}, {1, INFINITY}})));
 }
 
-// Rings of every size up to where boxes around boxes begin, one vertex moved across: whichever way pairs are told
-// apart, none is missed.
+// Rings of every size up to where boxes around boxes begin, one vertex moved across: whichever way pairs are
+// distinguished, none is missed.
 TEST(PlainRings, OneVertexAcrossIsSeenInRingsOfEverySize) {
   std::size_t crossing = 0;
   for (int n = 5; n <= 130; ++n) {

@@ -1,4 +1,4 @@
-// What repair mends, what it reports, and what it leaves to be refused.
+// What repair repairs, what it reports, and what it leaves to be refused.
 #include <gtest/gtest.h>
 
 #include <limits>
@@ -20,10 +20,10 @@ RepairReport report(std::size_t duplicates, std::size_t collinear, std::size_t r
   return r;
 }
 
-void expect_repaired(RegionData data, const RegionData& mended, const RepairReport& expected) {
+void expect_repaired(RegionData data, const RegionData& repaired, const RepairReport& expected) {
   const Result<Repaired> result = repair(std::move(data));
   ASSERT_TRUE(result.ok()) << result.error().to_string();
-  EXPECT_EQ(result->region.data(), mended);
+  EXPECT_EQ(result->region.data(), repaired);
   EXPECT_EQ(result->report.to_string(), expected.to_string());
   EXPECT_EQ(result->report.changed(), expected.changed());
 }

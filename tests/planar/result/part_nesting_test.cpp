@@ -46,7 +46,7 @@ TEST_F(NestingTest, OneOuterTakesAllWithoutALook) {
   ASSERT_EQ(parts.size(), 1u);
   EXPECT_EQ(first_of(parts[0].outer), (Point{0, 0}));
   EXPECT_EQ(parts[0].holes.size(), 2u);
-  EXPECT_EQ(source.asked, 0u);
+  EXPECT_EQ(source.queried, 0u);
   EXPECT_TRUE(group_rings({}, {}, source, 0).empty());
 }
 
@@ -67,7 +67,7 @@ TEST_F(NestingTest, HolesGoToTheInnermostOuter) {
   EXPECT_EQ(parts[2].holes.size(), 1u);
   EXPECT_EQ(first_of(parts[2].holes[0]), (Point{8, 5}));
   EXPECT_EQ(parts[3].holes.size(), 1u);
-  EXPECT_EQ(source.asked, 0u) << "doubles decide all of this";
+  EXPECT_EQ(source.queried, 0u) << "doubles decide all of this";
 }
 
 TEST_F(NestingTest, TheExactPathAgrees) {
@@ -80,7 +80,7 @@ TEST_F(NestingTest, TheExactPathAgrees) {
     EXPECT_EQ(first_of(parts[0].holes.at(0)), (Point{1, 1}));
     EXPECT_EQ(first_of(parts[1].holes.at(0)), (Point{3, 3}));
   }
-  EXPECT_GT(source.asked, 0u);
+  EXPECT_GT(source.queried, 0u);
 }
 
 TEST_F(NestingTest, AHoleMayTouchItsOuterEverywhere) {
@@ -122,7 +122,7 @@ TEST_F(NestingTest, TouchingAtAllVerticesIsDecidedInsideAnEdge) {
     EXPECT_TRUE(ring_contains(notched, inner, source, at_error));
     EXPECT_FALSE(ring_contains(notched, in_notch, source, at_error));
   }
-  EXPECT_GT(source.asked, 0u);
+  EXPECT_GT(source.queried, 0u);
 }
 
 TEST_F(NestingTest, AHoleWithoutOuterIsABrokenContract) {
@@ -155,7 +155,7 @@ TEST(Canonical, DoublesDecideWhereTheyCan) {
   std::vector<SumPart> parts{{source.ring({{4, 1}, {2, 5}, {0, 3}}), {source.ring({{3, 2}, {1, 3}, {2, 3}})}},
                              {source.ring({{-4, 1}, {-2, 5}, {-5, 3}}), {}}};
   canonicalize(parts, source, kAtError);
-  EXPECT_EQ(source.asked, 0u);
+  EXPECT_EQ(source.queried, 0u);
   EXPECT_EQ(parts[0].outer.vertices[0].at, (Point{-5, 3}));
   EXPECT_EQ(parts[1].outer.vertices[0].at, (Point{0, 3}));
 }
@@ -169,7 +169,7 @@ TEST(Canonical, CloseDoublesAreDecidedExactly) {
   std::vector<SumPart> parts{{ring, {}}};
   canonicalize(parts, source, kAtError);
   EXPECT_EQ(parts[0].outer.vertices[0].at.y, 3);
-  EXPECT_GT(source.asked, 0u);
+  EXPECT_GT(source.queried, 0u);
 }
 
 TEST(Canonical, APinchedRingStartsWhereItContinuesSmallest) {

@@ -135,19 +135,19 @@ struct Scene {
 };
 
 Scene random_scene(std::mt19937_64& random) {
-  const auto number = [&](int limit) { return static_cast<int>(random() % static_cast<unsigned>(limit + 1)); };
+  const auto index = [&](int limit) { return static_cast<int>(random() % static_cast<unsigned>(limit + 1)); };
   Scene scene;
   // parts in separate columns, some with a hole, corners cut so that edges slant
   for (int column = 0; column < 2; ++column) {
-    const int x = 5 * column, y = number(2);
-    scene.rings.push_back({{x, y}, {x + 4, y + number(1)}, {x + 4, y + 5}, {x + number(1), y + 5}});
-    if (number(1) == 1) scene.rings.push_back({{x + 2, y + 2}, {x + 2, y + 4}, {x + 3, y + 3}});
+    const int x = 5 * column, y = index(2);
+    scene.rings.push_back({{x, y}, {x + 4, y + index(1)}, {x + 4, y + 5}, {x + index(1), y + 5}});
+    if (index(1) == 1) scene.rings.push_back({{x + 2, y + 2}, {x + 2, y + 4}, {x + 3, y + 3}});
   }
   while (scene.segments.size() < 12) {
-    const Position a{number(10), number(8)}, b{number(10), number(8)};
+    const Position a{index(10), index(8)}, b{index(10), index(8)};
     if (!same(a, b)) scene.segments.push_back({a, b});
   }
-  for (int i = 0; i < 10; ++i) scene.points.push_back({Q(number(20), 2), Q(number(16), 2)});
+  for (int i = 0; i < 10; ++i) scene.points.push_back({Q(index(20), 2), Q(index(16), 2)});
   return scene;
 }
 

@@ -34,7 +34,7 @@ SnapPoint between(const SnapSegment& s, int k, int of) {
 }
 
 bool is_near(const SnapSegment& s, const SnapPoint& p, double most) {
-  // What doubles tell apart is apart.
+  // What doubles distinguish apart is.
   const auto d = [](const SnapQ& v) { return v.convert_to<double>(); };
   const double slack = 1e-6 * (1 + std::abs(d(p.x)) + std::abs(d(p.y)));
   if (d(p.x) < std::min(d(s.a.x), d(s.b.x)) - slack || d(p.x) > std::max(d(s.a.x), d(s.b.x)) + slack ||

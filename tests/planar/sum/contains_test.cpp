@@ -96,7 +96,7 @@ TEST(Contains, thin_pairs) {
 TEST(Contains, points) {
   EXPECT_TRUE(contains(point({1, 2}), point({3, 4}), {4, 6}));
   EXPECT_FALSE(contains(point({1, 2}), point({3, 4}), {4, 7}));
-  EXPECT_TRUE(contains(point({1, 2}), point({0, 0}), {1, 2}));  // z and 0 are the only places there are
+  EXPECT_TRUE(contains(point({1, 2}), point({0, 0}), {1, 2}));  // z and 0 are the only positions there are
   EXPECT_FALSE(contains(point({1, 2}), point({0, 0}), {1, 2}, Semantics::open));
   EXPECT_FALSE(contains(point({1, 2}), point({0, 0}), {1, 2}, Semantics::regular));
   EXPECT_TRUE(contains(point({0, 0}), point({0, 0}), {0, 0}));
@@ -110,7 +110,7 @@ TEST(Contains, nothing_in_an_empty_sum_or_at_no_place) {
   EXPECT_FALSE(contains(square, square, {0, std::numeric_limits<double>::infinity()}));
 }
 
-// The sum of 0.1 and 0.2 is not a double: both neighbours must be told apart from it, and far translations change
+// The sum of 0.1 and 0.2 is not a double: both neighbours must be distinguished from it, and far translations change
 // nothing.
 TEST(Contains, decides_what_doubles_cannot_hold) {
   const Region p = shapes::rectangle(0, 0, 0.1, 1), q = shapes::rectangle(0, 0, 0.2, 1);

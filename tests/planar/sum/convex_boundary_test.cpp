@@ -1,4 +1,4 @@
-// Convex operands: which ones are told apart, and the same sums as by the reference.
+// Convex operands: which ones are distinguished, and the same sums as by the reference.
 #include "planar/sum/convex_boundary.h"
 #include "oracles/snapped_shapes.h"
 

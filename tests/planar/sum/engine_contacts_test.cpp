@@ -14,13 +14,15 @@ namespace {
 
 using Q = exact::BigRational;
 
-struct Place {
+struct Position {
   Q x, y;
 };
-Q turn(const Place& a, const Place& b, const Place& c) { return (b.x - a.x) * (c.y - a.y) - (b.y - a.y) * (c.x - a.x); }
+Q turn(const Position& a, const Position& b, const Position& c) {
+  return (b.x - a.x) * (c.y - a.y) - (b.y - a.y) * (c.x - a.x);
+}
 
 /// The segment a contact names, for operands of one ring each.
-std::pair<Place, Place> segment(const Ring& p, const Ring& q, const Contact& c) {
+std::pair<Position, Position> segment(const Ring& p, const Ring& q, const Contact& c) {
   const bool of_p = c.kind == Contact::Kind::edge_of_p;
   const Ring& owner = of_p ? p : q;
   const std::size_t edge = of_p ? c.p : c.q;
@@ -28,8 +30,8 @@ std::pair<Place, Place> segment(const Ring& p, const Ring& q, const Contact& c) 
   return {{Q(from.x) + Q(corner.x), Q(from.y) + Q(corner.y)}, {Q(to.x) + Q(corner.x), Q(to.y) + Q(corner.y)}};
 }
 
-/// How many contacts along the line of one carry a place.
-int carriers(const Ring& p, const Ring& q, const Contact& named, const Place& at) {
+/// How many contacts along the line of one carry a position.
+int carriers(const Ring& p, const Ring& q, const Contact& named, const Position& at) {
   const auto [a, b] = segment(p, q, named);
   int count = 0;
   for (const auto kind : {Contact::Kind::edge_of_p, Contact::Kind::edge_of_q})
@@ -51,7 +53,7 @@ int differing(const Region& p, const Region& q, const PlanarSum& a, const Planar
     for (std::size_t k = 0; k < a.parts[part].outer.vertices.size(); ++k) {
       const SumVertex &u = a.parts[part].outer.vertices[k], &v = b.parts[part].outer.vertices[k];
       const RationalPoint exact = a.exact(u);
-      const Place at{exact::exact_value(exact.x), exact::exact_value(exact.y)};
+      const Position at{exact::exact_value(exact.x), exact::exact_value(exact.y)};
       for (const auto contact : {&SumVertex::in, &SumVertex::out}) {
         if (u.*contact == v.*contact) continue;
         ++count;

@@ -15,7 +15,7 @@ namespace dymsum {
 class ListedSource : public ExactSource {
  public:
   Position position(const SumVertex& vertex) const override {
-    ++asked;
+    ++queried;
     return positions.at(vertex.in.p);
   }
 
@@ -36,7 +36,7 @@ class ListedSource : public ExactSource {
   }
 
   std::vector<Position> positions;
-  mutable std::size_t asked = 0;  ///< how often a position was computed
+  mutable std::size_t queried = 0;  ///< how often a position was computed
 };
 
 /// 2^exponent.

@@ -35,11 +35,11 @@ void check(const PlacedPair& o, const InteriorMask* mask) {
       EXPECT_TRUE(soup.start(next) == soup.end(s));
       ++chained;
     }
-    Array<Incidence> told;
-    chain.incident(soup.end(s), told);
+    Array<Incidence> decided;
+    chain.incident(soup.end(s), decided);
     Incident found, expected;
-    for (const Incidence& i : told) found.emplace(i.segment, i.starts);
-    EXPECT_EQ(found.size(), told.size());
+    for (const Incidence& i : decided) found.emplace(i.segment, i.starts);
+    EXPECT_EQ(found.size(), decided.size());
     for (std::uint32_t t = 0; t < soup.size(); ++t) {
       if (soup.start(t) == soup.end(s)) expected.emplace(t, true);
       if (soup.end(t) == soup.end(s)) expected.emplace(t, false);

@@ -142,7 +142,7 @@ TEST(Spread, coordinates_of_all_sizes_in_both_operands) {
 }
 
 // Places just inside and just outside, whatever else is huge.
-TEST(Spread, places_are_told_apart) {
+TEST(Spread, positions_are_told_apart) {
   const Region huge = scaled(region_of({{{{{0, 0}, {3, 1}, {1, 2}}, {}}}, {}, {}}), 500);
   const Region u = scaled(shapes::letter_u(4, 4, 1), -580);
   EXPECT_TRUE(contains(huge, u, {0, 0x1p-578}));

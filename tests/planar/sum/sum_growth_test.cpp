@@ -46,7 +46,7 @@ TEST(SumGrowth, coarse_sums_are_not_refined) {
   EXPECT_LE(minkowski_sum(star, star)->stats.mask_grid, kFineGrid);
 }
 
-// Beside the middle of an edge, on either side.
+// Beside the midpoint of an edge, on either side.
 void check_beside_edges(const Region& p, const Region& q, const PlanarSum& sum, int count, std::uint64_t seed) {
   oracles::Random random(seed);
   const std::vector<SumVertex>& ring = sum.parts.at(0).outer.vertices;
@@ -99,9 +99,9 @@ TEST(SumGrowth, large_sums_ask_often_whether_to_go_on) {
   const Region star = shapes::noisy_star(2000, 0.6, 1);
   std::clock_t last = std::clock(), longest = 0;
   SumOptions options;
-  options.progress = [&](std::string_view, double share) {
-    EXPECT_GE(share, 0);
-    EXPECT_LE(share, 1);
+  options.progress = [&](std::string_view, double fraction) {
+    EXPECT_GE(fraction, 0);
+    EXPECT_LE(fraction, 1);
     const std::clock_t now = std::clock();
     longest = std::max(longest, now - last);
     last = now;

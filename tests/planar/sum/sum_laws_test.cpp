@@ -210,11 +210,11 @@ TEST(SumLaws, number_tiers_agree) {
       options.engine = engine;
       const PlanarSum least = sum_of(p, q, options);
       EXPECT_EQ(least.stats.tier_bits, 29);
-      for (const auto& [asked, reported] : kTiers) {
-        planar::SumInternals::min_tier_bits(options) = asked;
+      for (const auto& [queried, reported] : kTiers) {
+        planar::SumInternals::min_tier_bits(options) = queried;
         const PlanarSum sum = sum_of(p, q, options);
         EXPECT_EQ(sum.stats.tier_bits, reported);
-        EXPECT_TRUE(sum == least) << "tier " << asked;
+        EXPECT_TRUE(sum == least) << "tier " << queried;
       }
     }
   });

@@ -41,11 +41,11 @@ RationalPoint between(const RationalPoint& a, const RationalPoint& b, const Rati
 }
 
 /// Vertices, points inside edges and tight features, and what is a hair beside each of them.
-std::vector<RationalPoint> places_of(const PlanarSum& sum) {
-  std::vector<RationalPoint> places;
+std::vector<RationalPoint> positions_of(const PlanarSum& sum) {
+  std::vector<RationalPoint> positions;
   const auto add = [&](const SumVertex& from, const SumVertex& to) {
     const RationalPoint a = sum.exact(from), b = sum.exact(to);
-    for (const Rational& t : {Rational(0), fraction(1, 3), fraction(1, 2)}) places.push_back(between(a, b, t));
+    for (const Rational& t : {Rational(0), fraction(1, 3), fraction(1, 2)}) positions.push_back(between(a, b, t));
   };
   const auto add_ring = [&](const SumRing& ring) {
     for (std::size_t k = 0; k < ring.vertices.size(); ++k)
@@ -58,19 +58,19 @@ std::vector<RationalPoint> places_of(const PlanarSum& sum) {
   for (const auto* segments : {&sum.segments, &sum.tight_segments})
     for (const SumSegment& s : *segments) {
       add(s.from, s.to);
-      places.push_back(sum.exact(s.to));
+      positions.push_back(sum.exact(s.to));
     }
   for (const auto* points : {&sum.points, &sum.tight_points})
-    for (const SumVertex& v : *points) places.push_back(sum.exact(v));
-  const std::size_t on_features = places.size();
+    for (const SumVertex& v : *points) positions.push_back(sum.exact(v));
+  const std::size_t on_features = positions.size();
   const Rational hair = fraction(1, 1000000007);
   for (std::size_t k = 0; k < on_features; ++k) {
-    const RationalPoint z = places[k];
-    if (k % 2 == 0) places.push_back({z.x + hair, z.y});
-    if (k % 2 == 1) places.push_back({z.x - hair, z.y - hair * hair});
-    if (k % 3 == 0) places.push_back({z.x, z.y + hair});
+    const RationalPoint z = positions[k];
+    if (k % 2 == 0) positions.push_back({z.x + hair, z.y});
+    if (k % 2 == 1) positions.push_back({z.x - hair, z.y - hair * hair});
+    if (k % 3 == 0) positions.push_back({z.x, z.y + hair});
   }
-  return places;
+  return positions;
 }
 
 oracles::Pt<Big> big(const RationalPoint& z) {
@@ -89,9 +89,9 @@ TEST(SumLocator, equals_membership_by_definition_on_the_features_of_tiny_sums) {
     const PlanarSum closed_sum = sum_with(p, q, Semantics::closed), open_sum = sum_with(p, q, Semantics::open);
     const SumLocator closed(closed_sum, Semantics::closed), open(open_sum, Semantics::open),
         regular(sum_with(p, q, Semantics::regular), Semantics::regular);
-    std::vector<RationalPoint> places = places_of(closed_sum);
-    if (places.size() > 90) places.resize(90);
-    for (const RationalPoint& z : places) {
+    std::vector<RationalPoint> positions = positions_of(closed_sum);
+    if (positions.size() > 90) positions.resize(90);
+    for (const RationalPoint& z : positions) {
       const bool meets = member.meets(big(z)), overlaps = member.overlaps(big(z));
       const std::string evidence = z.x.to_string() + " " + z.y.to_string() + "\n" + oracles::to_text(dp, dq);
       ASSERT_EQ(closed.contains_rational(z), meets) << evidence;
@@ -133,7 +133,7 @@ TEST(SumLocator, equals_contains_at_free_coordinates) {
   oracles::Random random(kLocatorSeed);
   const Region shapes[] = {snapped::star(40, 0.7, 3.1), snapped::gear(12, 3, 4), shapes::grate(4, 1.25, 0.3, 3),
                            snapped::spiral(3, 24, 1, 0.3)};
-  int inside = 0, asked = 0;
+  int inside = 0, queried = 0;
   for (const Region& p : shapes)
     for (const Region& q : shapes) {
       const auto a = bounds(p), b = bounds(q);
@@ -148,31 +148,31 @@ TEST(SumLocator, equals_contains_at_free_coordinates) {
         const std::vector<std::uint8_t> found = sum.contains_each(points, 2).value();
         for (std::size_t k = 0; k < points.size(); ++k)
           ASSERT_EQ(found[k] != 0, contains(p, q, points[k], semantics)) << points[k].x << " " << points[k].y;
-        asked += static_cast<int>(points.size());
+        queried += static_cast<int>(points.size());
         inside += static_cast<int>(std::count(found.begin(), found.end(), 1));
       }
     }
-  EXPECT_GT(inside, asked / 4);
-  EXPECT_LT(inside, asked * 15 / 16);
+  EXPECT_GT(inside, queried / 4);
+  EXPECT_LT(inside, queried * 15 / 16);
 }
 
 // Positions nearer to each other than doubles are: what decides is exact, not the nearest double.
-TEST(SumLocator, asks_progress_and_stops) {
+TEST(SumLocator, queries_progress_and_stops) {
   const Region square = shapes::rectangle(0, 0, 1, 1);
   const SumLocator sum(minkowski_sum(square, square).value());
   const std::vector<Point> points(200000, Point{1, 1});
   const std::vector<RationalPoint> exact(10000, RationalPoint{*Rational::of(1, 3), 1});
-  std::vector<double> shares;
-  const Progress count = [&](std::string_view, double share) {
-    shares.push_back(share);
+  std::vector<double> fractions;
+  const Progress count = [&](std::string_view, double fraction) {
+    fractions.push_back(fraction);
     return true;
   };
   EXPECT_EQ(sum.contains_each(points, 1, count).value(), std::vector<std::uint8_t>(points.size(), 1));
-  EXPECT_GE(shares.size(), 3u);
-  EXPECT_TRUE(std::is_sorted(shares.begin(), shares.end()) && shares.back() <= 1);
-  shares.clear();
+  EXPECT_GE(fractions.size(), 3u);
+  EXPECT_TRUE(std::is_sorted(fractions.begin(), fractions.end()) && fractions.back() <= 1);
+  fractions.clear();
   EXPECT_EQ(sum.contains_each(exact, 2, count).value(), std::vector<std::uint8_t>(exact.size(), 1));
-  EXPECT_GE(shares.size(), 3u);
+  EXPECT_GE(fractions.size(), 3u);
   const Progress stop = [](std::string_view, double) { return false; };
   EXPECT_EQ(sum.contains_each(points, 1, stop).error().code, ErrorCode::cancelled);
   EXPECT_EQ(sum.contains_each(exact, 1, stop).error().code, ErrorCode::cancelled);
@@ -265,8 +265,8 @@ TEST(ContainsEach, few_points_and_many_have_the_same_answers) {
 /// The stages that a call for so many points tells of.
 std::vector<std::string> stages_of(std::size_t count) {
   std::vector<std::string> stages;
-  const Progress progress = [&](std::string_view stage, double share) {
-    EXPECT_TRUE(share >= 0 && share <= 1);
+  const Progress progress = [&](std::string_view stage, double fraction) {
+    EXPECT_TRUE(fraction >= 0 && fraction <= 1);
     if (stages.empty() || stages.back() != stage) stages.emplace_back(stage);
     return true;
   };

@@ -125,13 +125,13 @@ TEST_F(EqualityTest, DifferentCountsAreUnequalWithoutAskingForPositions) {
   b.points.clear();
   const auto& source = static_cast<const ListedSource&>(*exact_source(a));
   EXPECT_NE(a, b);
-  EXPECT_EQ(source.asked, 0u);
+  EXPECT_EQ(source.queried, 0u);
 }
 
 TEST_F(EqualityTest, SameSourceAndProvenanceAskForNoPosition) {
   const PlanarSum a = make(), b = a;
   EXPECT_EQ(a, b);
-  EXPECT_EQ(static_cast<const ListedSource&>(*exact_source(a)).asked, 0u);
+  EXPECT_EQ(static_cast<const ListedSource&>(*exact_source(a)).queried, 0u);
 }
 
 }  // namespace

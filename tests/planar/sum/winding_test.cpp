@@ -49,7 +49,7 @@ Tracing kinetic_tracing(const Operands& o) {
   return tracing;
 }
 
-/// The winding number at a place given in lattice units. Operands on small integers only: these doubles are exact.
+/// The winding number at a position given in lattice units. Operands on small integers only: these doubles are exact.
 int winding_at(const Tracing& tracing, double x, double y) {
   int winding = 0;
   for (std::uint32_t s = 0; s < tracing.soup.size(); ++s) {
@@ -182,7 +182,7 @@ TEST(WindingNumbers, around_nodes_are_those_of_rays_and_positive_exactly_inside)
     Collision collision(*o.lattice, o.p, o.q, false);
     for (std::uint32_t e = 0; e < sides.size(); ++e) {
       const SegmentGraph::Edge& edge = graph.edges()[e];
-      const Place x = graph.sample(e);
+      const SegmentPosition x = graph.sample(e);
       const bool forward = SegmentGraph::forward(edge, graph.sub_edges()[edge.first]);
       const int right = forward ? sides[e].right : sides[e].left;
       int passed = 0;
@@ -252,7 +252,7 @@ TEST(WindingEngine, stops_on_request_at_every_stage) {
   for (const std::string_view stage : {"convolution", "crossings", "arrangement", "windings", "loops", "tight"}) {
     SumOptions options;
     options.engine = Engine::winding;
-    options.progress = [&](std::string_view at, double share) { return at != stage || share < 1; };
+    options.progress = [&](std::string_view at, double fraction) { return at != stage || fraction < 1; };
     const Result<PlanarSum> sum = minkowski_sum(p, q, options);
     ASSERT_FALSE(sum.ok()) << stage;
     EXPECT_EQ(sum.error().code, ErrorCode::cancelled);

@@ -5,7 +5,7 @@
 #include "oracles/snapped_shapes.h"
 #include "planar/motion/operand_pair.h"
 #include "planar/window/rotating_window.h"
-#include "planar/window/turn_mask.h"
+#include "planar/window/rotation_mask.h"
 
 namespace dymsum::planar {
 namespace {
@@ -55,18 +55,18 @@ TEST(EdgeParallelograms, every_cell_is_covered_at_every_angle_of_the_window) {
       {slanted(24, 0.5), shapes::rectangle(0, 0, 28, 0.5)},
       {shapes::comb(5, 20, 2, 40), shapes::letter_l(30, 20, 0.5)}};
   for (const auto& [p, q] : pairs)
-    for (const double middle : {0.0, 0.4, 1.6, 3.0})
+    for (const double midpoint : {0.0, 0.4, 1.6, 3.0})
       for (const double half : {0.01, 0.05}) {
         const Made m = made(p, q);
         const TurningForms& forms = *m.forms;
-        const TurnGrid grid(forms, 48);
+        const RotationGrid grid(forms, 48);
         const Grid& cells = grid.grid.whole;
         ASSERT_FALSE(grid.long_edges[0].empty());
         ASSERT_FALSE(grid.long_edges[1].empty());
-        const Bitmap inside = edge_parallelograms(grid, turned(forms, middle), half);
+        const Bitmap inside = edge_parallelograms(grid, turned(forms, midpoint), half);
         std::size_t found = 0;
         for (const double by : {-1.0, -0.5, 0.0, 0.7, 1.0}) {
-          const std::vector<Point> now = turned(forms, middle + by * half);
+          const std::vector<Point> now = turned(forms, midpoint + by * half);
           for (int row = 0; row < cells.rows; ++row)
             for (int column = 0; column < cells.columns; ++column) {
               if (!inside.get(row, column)) continue;
@@ -83,13 +83,13 @@ TEST(EdgeParallelograms, every_cell_is_covered_at_every_angle_of_the_window) {
                         {(column + k % 2) * cells.cell - forms.reach(), (row + k / 2) * cells.cell - forms.reach()});
                   covered |= corners == 4;
                 }
-              ASSERT_TRUE(covered) << row << " " << column << " of " << cells.rows << " at " << middle << " + " << by
+              ASSERT_TRUE(covered) << row << " " << column << " of " << cells.rows << " at " << midpoint << " + " << by
                                    << " * " << half;
             }
         }
-        const bool parallel = &p == &pairs[0].first && middle == 1.6;
+        const bool parallel = &p == &pairs[0].first && midpoint == 1.6;
         if (half < 0.02 && !parallel) {
-          EXPECT_GT(found, 100u) << middle;
+          EXPECT_GT(found, 100u) << midpoint;
         }
       }
 }
@@ -104,9 +104,9 @@ TEST(EdgeParallelograms, long_edges_are_told_once_and_short_ones_left_out) {
 
 TEST(EdgeParallelograms, windows_look_at_fewer_pairs_by_them) {
   const Made m = made(shapes::grate(6, 4, 0.25, 6), shapes::comb(6, 2, 0.25, 20));
-  const TurnCatalog catalog(*m.forms);
-  const TurnGrid grid(*m.forms, 96);
-  TurnGrid without = grid;
+  const RotationCatalog catalog(*m.forms);
+  const RotationGrid grid(*m.forms, 96);
+  RotationGrid without = grid;
   without.long_edges = {};
   const RotatingWindow with(grid, catalog, 0.5, 0.005, true), all(without, catalog, 0.5, 0.005, true);
   EXPECT_LT(4 * with.candidates.size(), 3 * all.candidates.size());

@@ -1,4 +1,4 @@
-// Edges that prove a place covered: the search against all pairs of edges, and each answer by exact signs.
+// Edges that prove a position covered: the search against all pairs of edges, and each answer by exact signs.
 #include "planar/window/edge_search.h"
 #include "planar/motion/operand_pair.h"
 
@@ -63,8 +63,8 @@ TEST(EdgeSearch, finds_edges_wherever_some_cross_and_only_those) {
     for (int k = 0; k < 20; ++k) {
       const double tau = scaled_moves ? 1 + random.below(16) / 16.0 : 1 - random.below(8) / 16.0, span = window.span();
       const Point z{random.below(static_cast<int>(16 * span)) / 16.0, random.below(static_cast<int>(16 * span)) / 16.0};
-      const planar::EdgeSearch::Place place{z.x, z.y, 0, tau};
-      const auto edges = search.find(place);
+      const planar::EdgeSearch::Position position{z.x, z.y, 0, tau};
+      const auto edges = search.find(position);
       bool any = false;
       for (std::uint32_t e = 0; e < base.operands[0].size(); ++e)
         for (std::uint32_t f = 0; f < base.operands[1].size(); ++f) any |= cross_exactly(window, e, f, z, tau);
@@ -81,10 +81,10 @@ TEST(EdgeSearch, finds_edges_wherever_some_cross_and_only_those) {
   EXPECT_GT(none, 1000);
 }
 
-// Edges that are named for two places cross at both and everywhere on the straight way, while the moving operand grows
-// from one scale to the other.
+// Edges that are named for two positions cross at both and everywhere on the straight way, while the moving operand
+// grows from one scale to the other.
 TEST(EdgeSearch, edges_for_two_places_cross_all_the_way) {
-  int found = 0, asked = 0;
+  int found = 0, queried = 0;
   for_each_window([&](int round, Searched& s) {
     auto& [random, window, search, scaled_moves] = s;
     for (int k = 0; k < 20; ++k) {
@@ -93,7 +93,7 @@ TEST(EdgeSearch, edges_for_two_places_cross_all_the_way) {
       const Point from{random.below(span) / 16.0, random.below(span) / 16.0};
       const Point to{from.x + (random.below(65) - 32) / 16.0, from.y + (random.below(65) - 32) / 16.0};
       const auto edges = search.find_or_spare({from.x, from.y, 0, tau0}, {to.x, to.y, 0, tau1});
-      ++asked;
+      ++queried;
       if (!edges) continue;
       ++found;
       for (int i = 0; i <= 8; ++i) {
@@ -105,7 +105,7 @@ TEST(EdgeSearch, edges_for_two_places_cross_all_the_way) {
     }
   });
   EXPECT_GT(found, 200);
-  EXPECT_GT(asked, 3 * found);
+  EXPECT_GT(queried, 3 * found);
 }
 
 }  // namespace

@@ -1,6 +1,7 @@
-// Pieces in floats: those that touch are never told apart, and those a little farther apart are. Nothing looks at pairs
-// again that are told apart. Most of what kApart counts are slopes over half a radian, which no touch in a narrow range
-// reaches: there it is a hundred times what roundings are seen to make, and the second distance keeps it from growing.
+// Pieces in floats: those that touch are never distinguished, and those a little farther apart are. Nothing looks at
+// pairs again that are distinguished. Most of what kApart counts are slopes over half a radian, which no touch in a
+// narrow range reaches: there it is a hundred times what roundings are seen to make, and the second distance keeps it
+// from growing.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -13,7 +14,7 @@
 namespace dymsum::planar {
 namespace {
 
-/// A segment of an edge at the middle of the range, and the shares of it at which its piece begins and ends.
+/// A segment of an edge at the midpoint of the range, and the fractions of it at which its piece begins and ends.
 struct DrawnPiece {
   std::uint32_t side = 0;
   Point fixed, turning, d;
@@ -31,13 +32,15 @@ struct DrawnPiece {
     if (random.chance(50)) head = std::abs(random.signed_unit()) / 2;
     if (random.chance(50)) tail = 1 - std::abs(random.signed_unit()) / 2;
   }
-  Point at(double share) const { return {fixed.x + turning.x + share * d.x, fixed.y + turning.y + share * d.y}; }
+  Point at(double fraction) const {
+    return {fixed.x + turning.x + fraction * d.x, fixed.y + turning.y + fraction * d.y};
+  }
   void add_to(PieceLines& lines) const { lines.add(side, fixed, turning, d, head, tail); }
 };
 
 /// The second one moved until one of its ends touches the first one, or is so far off it that all of it is farther.
-std::optional<DrawnPiece> moved_to(const DrawnPiece& a, DrawnPiece b, bool by_head, double share, double off) {
-  const Point on = a.at(a.head + share * (a.tail - a.head)), end = b.at(by_head ? b.head : b.tail),
+std::optional<DrawnPiece> moved_to(const DrawnPiece& a, DrawnPiece b, bool by_head, double fraction, double off) {
+  const Point on = a.at(a.head + fraction * (a.tail - a.head)), end = b.at(by_head ? b.head : b.tail),
               other = b.at(by_head ? b.tail : b.head);
   const double length = std::hypot(a.d.x, a.d.y),
                away = a.d.x * (other.y - end.y) - a.d.y * (other.x - end.x) > 0 ? off : -off;
@@ -53,9 +56,9 @@ TEST(PieceLinesBounds, pieces_that_touch_are_not_told_apart_and_those_a_little_a
   for (int k = 0; k < 60000; ++k) {
     const DrawnPiece a(random), drawn(random);
     const bool by_head = random.chance(50);
-    const double share = std::abs(random.signed_unit());
+    const double fraction = std::abs(random.signed_unit());
     for (const double off : {0.0, 512 * exact::kFloatRoundoff}) {
-      const std::optional<DrawnPiece> b = moved_to(a, drawn, by_head, share, off);
+      const std::optional<DrawnPiece> b = moved_to(a, drawn, by_head, fraction, off);
       if (!b) continue;
       PieceLines lines(1, 0x1p-40);
       a.add_to(lines);

@@ -1,5 +1,5 @@
 // Edges of one operand on one line: segments of the convolution lie along each other at every scale, and what crosses
-// one crosses several at one place. Windows let one of them go on, so that such frames need no vertex routine; all
+// one crosses several at one position. Windows let one of them go on, so that such frames need no vertex routine; all
 // frames equal the static engine.
 #include <gtest/gtest.h>
 
@@ -47,8 +47,8 @@ TEST(ScalingOverlaps, skylines_equal_the_static_engine_between_events_and_at_the
     options.semantics = round % 3 == 0 ? Semantics::closed : round % 3 == 1 ? Semantics::open : Semantics::regular;
     options.moving = round % 2 == 0 ? MovingOperand::p : MovingOperand::q;
     ScalingSum sum = ScalingSum::create(p, q, options).value();
-    // Quarters and halves are events of integer shapes; 997 divides nothing. Just beside events doubles do not tell
-    // where a piece ends.
+    // Quarters and halves are events of integer shapes; 997 divides nothing. Just beside events doubles do not
+    // determine where a piece ends.
     for (int k = 0; k < 18; ++k) {
       const bool event = k % 3 == 2;
       const long fine = k % 6 == 5 ? 1L << 43 : 1, beside = fine == 1 ? 0 : k % 4 < 2 ? 1 : -1;

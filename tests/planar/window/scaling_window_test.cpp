@@ -51,11 +51,11 @@ TEST(ScalingWindow, every_candidate_crosses_exactly_where_its_interval_says) {
   ASSERT_GT(window->candidates.size(), 40u);
   std::size_t crossing = 0, apart = 0;
   for (const int k : {100, 107, 113, 120}) {
-    planar::ExactFrame place(base, planar::scale_value(exact::BigRational(k, 100)));
-    const double tau = place.tau(window->frame().moving);
+    planar::ExactFrame position(base, planar::scale_value(exact::BigRational(k, 100)));
+    const double tau = position.tau(window->frame().moving);
     for (const planar::Candidate& c : window->candidates) {
       const planar::Piece &a = window->pieces[c.a], &b = window->pieces[c.b];
-      const planar::Meet meet = planar::meet(*window, a.segment, b.segment, place);
+      const planar::Meet meet = planar::meet(*window, a.segment, b.segment, position);
       if (tau > c.in_low && tau < c.in_high) {
         EXPECT_EQ(meet, planar::Meet::crossing);
         ++crossing;
@@ -157,7 +157,7 @@ TEST(ScalingWindow, every_pair_that_meets_is_a_candidate_or_meets_inside) {
     const auto n = static_cast<std::uint32_t>(window.segments.size());
     std::size_t meeting = 0, missed = 0, inside = 0;
     for (const int k : {100, 103, 111, 125, 140, 150}) {
-      planar::ExactFrame place(base, planar::scale_value(exact::BigRational(k, 100)));
+      planar::ExactFrame position(base, planar::scale_value(exact::BigRational(k, 100)));
       const oracles::Membership<oracles::Big> sum(multiplied(p, k, k).data(), multiplied(q, 100, 100).data());
       // Two segments that meet do so in one point, unless they are parallel.
       const auto meet_inside = [&](const planar::LiveSegment& s, const planar::LiveSegment& t) {
@@ -172,7 +172,7 @@ TEST(ScalingWindow, every_pair_that_meets_is_a_candidate_or_meets_inside) {
         for (std::uint32_t b = a + 1; b < n; ++b) {
           const planar::LiveSegment &s = window.segments[a], &t = window.segments[b];
           if (s.start == t.start || s.start == t.end || s.end == t.start || s.end == t.end) continue;
-          if (planar::meet(window, a, b, place) == planar::Meet::none) continue;
+          if (planar::meet(window, a, b, position) == planar::Meet::none) continue;
           ++meeting;
           if (known.contains({a, b})) continue;
           // Every tenth is asked: the oracle is slow.
@@ -273,9 +273,9 @@ TEST(ScalingWindow, lists_stay_as_they_are_within_their_intervals) {
   ASSERT_EQ(window->frame().moving, 1u);
   const auto repaired = [&](planar::Window& of, double s) {
     auto lists = std::make_unique<planar::PieceLists>(of);
-    planar::ExactFrame place(base, planar::scale_value(exact::exact_value(s)));
+    planar::ExactFrame position(base, planar::scale_value(exact::exact_value(s)));
     FrameWork work;
-    lists->repair(s, place, work);
+    lists->repair(s, position, work);
     return lists;
   };
   const auto list = [](const planar::PieceLists& lists, std::uint32_t piece) {
@@ -287,7 +287,7 @@ TEST(ScalingWindow, lists_stay_as_they_are_within_their_intervals) {
   for (const double s : {1.03125, 1.109375, 1.171875}) {
     const auto lists = repaired(*window, s);
     for (std::uint32_t i = 0; i < window->pieces.size(); ++i) {
-      const auto [low, high] = lists->certain(i);
+      const auto [low, high] = lists->proved(i);
       for (const double end : {low, high}) {
         if (!(end > window->frame().tau0 && end < window->frame().tau1)) continue;
         ++ends;
@@ -321,7 +321,7 @@ TEST(ScalingWindow, a_window_keeps_the_convolution_it_was_made_from) {
   ASSERT_TRUE(state.move_to(scale_of(1, 1), scale_of(1, 1)).ok());
   std::size_t degenerate = 0;
   for (int k = 33; k < 40; ++k) {
-    // Looking for events far away asks for the convolution of other scales.
+    // Looking for events far away requests the convolution of other scales.
     (void)state.windows.between(exact::BigRational(k % 2 == 0 ? 20 : 1, 2), exact::BigRational(k % 2 == 0 ? 21 : 2, 2));
     ASSERT_TRUE(state.move_to(scale_of(k, 32), scale_of(k, 32)).ok());
     degenerate += state.work.degenerate;

@@ -1,5 +1,5 @@
-// How far doubles say that vertices and their sums move in a window, against exact places: never less than they do, and
-// not by many times more.
+// How far doubles say that vertices and their sums move in a window, against exact positions: never less than they do,
+// and not by many times more.
 #include <gtest/gtest.h>
 
 #include <numbers>
@@ -8,7 +8,7 @@
 #include "oracles/random.h"
 #include "oracles/random_pentagon.h"
 #include "planar/motion/operand_pair.h"
-#include "planar/window/turn_mask.h"
+#include "planar/window/rotation_mask.h"
 
 namespace dymsum::planar {
 namespace {
@@ -25,7 +25,7 @@ ExactPlane turned_by(const BigRational& t, const ExactPlane& p) {
 TEST(SweptBounds, places_move_by_less_and_not_by_much_less) {
   using oracles::Digits;
   oracles::Random random(23);
-  double of_place = 0, of_rim = 0;
+  double of_position = 0, of_rim = 0;
   for (int k = 0; k < 20; ++k) {
     const double sizes[] = {1, 0x1p-3};
     const auto base =
@@ -54,17 +54,17 @@ TEST(SweptBounds, places_move_by_less_and_not_by_much_less) {
       };
       of_rim = std::max({of_rim, excess(turned.x, moved[0], by.x) / (kSweptRim * forms.span()),
                          excess(turned.y, moved[1], by.y) / (kSweptRim * forms.span())});
-      of_place = std::max({of_place,
-                           excess(fixed.x + turned.x, BigRational(BigRational(q.x) * unit + moved[0]), by.x) /
-                               (kSweptPlace * forms.span()),
-                           excess(fixed.y + turned.y, BigRational(BigRational(q.y) * unit + moved[1]), by.y) /
-                               (kSweptPlace * forms.span())});
+      of_position = std::max({of_position,
+                              excess(fixed.x + turned.x, BigRational(BigRational(q.x) * unit + moved[0]), by.x) /
+                                  (kSweptPosition * forms.span()),
+                              excess(fixed.y + turned.y, BigRational(BigRational(q.y) * unit + moved[1]), by.y) /
+                                  (kSweptPosition * forms.span())});
     }
   }
   EXPECT_LE(of_rim, 1);
   EXPECT_GT(of_rim, 1.0 / 16);
-  EXPECT_LE(of_place, 1);
-  EXPECT_GT(of_place, 1.0 / 64);
+  EXPECT_LE(of_position, 1);
+  EXPECT_GT(of_position, 1.0 / 64);
 }
 
 }  // namespace

@@ -244,24 +244,24 @@ TEST(Complex, CoordinatesAndDiscsBeyondTheRangeAreRefusedWithThePlace) {
 
 TEST(Complex, ProgressAscendsAndStopsAnywhere) {
   const Region region = star(9, 1, 3);
-  std::vector<double> shares;
-  const auto go_on = [&](std::string_view stage, double share) {
+  std::vector<double> fractions;
+  const auto go_on = [&](std::string_view stage, double fraction) {
     EXPECT_EQ(stage, "complex");
-    shares.push_back(share);
+    fractions.push_back(fraction);
     return true;
   };
   ASSERT_TRUE(make_complex(region, Side::outside, Engine::fast, 1, go_on).ok());
-  EXPECT_GE(shares.size(), 4U);
-  EXPECT_TRUE(std::is_sorted(shares.begin(), shares.end()));
-  EXPECT_EQ(shares.front(), 0);
-  EXPECT_LE(shares.back(), 1);
-  for (std::size_t k = 0; k < shares.size(); ++k) {
-    std::size_t asked = 0;
+  EXPECT_GE(fractions.size(), 4U);
+  EXPECT_TRUE(std::is_sorted(fractions.begin(), fractions.end()));
+  EXPECT_EQ(fractions.front(), 0);
+  EXPECT_LE(fractions.back(), 1);
+  for (std::size_t k = 0; k < fractions.size(); ++k) {
+    std::size_t queried = 0;
     const Result<Complex> made =
-        make_complex(region, Side::outside, Engine::fast, 1, [&](std::string_view, double) { return asked++ < k; });
+        make_complex(region, Side::outside, Engine::fast, 1, [&](std::string_view, double) { return queried++ < k; });
     ASSERT_FALSE(made.ok());
     EXPECT_EQ(made.error().code, ErrorCode::cancelled);
-    EXPECT_EQ(asked, k + 1);
+    EXPECT_EQ(queried, k + 1);
   }
 }
 

@@ -47,7 +47,7 @@ class Definition {
     }
   }
 
-  /// Follows the cuts, bar by bar: each has to be the one that the definition asks for.
+  /// Follows the cuts, bar by bar: each has to be the one that the definition requests.
   void follow(const std::vector<FeatureBar>& bars, const std::vector<std::uint32_t>& order,
               const std::vector<Cut>& cuts) {
     std::set<std::uint32_t> done;
@@ -84,7 +84,7 @@ class Definition {
     RationalPoint a, b;
     std::uint32_t ring = 0;  ///< of a cut: where it begins
   };
-  /// The nearest place of what stands.
+  /// The nearest position of what stands.
   struct Near {
     Rational square;
     std::optional<std::size_t> cut;  ///< the cut made before that it lies on
@@ -119,7 +119,7 @@ class Definition {
   std::optional<Near> nearest(std::uint32_t v) const {
     std::optional<Near> best;
     const auto look = [&](const Segment& s, std::optional<std::size_t> cut) {
-      for (const RationalPoint& p : places(v, s)) {
+      for (const RationalPoint& p : positions(v, s)) {
         const Rational square = dot_of(at_[v], p, p);
         if (square.sign() > 0 && admits(v, p) && (!best || square < best->square)) best = Near{square, cut};
       }
@@ -131,8 +131,8 @@ class Definition {
       if (part_[made_[c].ring] == part_[ring_[v]]) look(made_[c], c);
     return best;
   }
-  /// Where the nearest place of a segment in the cone can be: its ends, the foot, the sides of the cone.
-  std::vector<RationalPoint> places(std::uint32_t v, const Segment& s) const {
+  /// Where the nearest position of a segment in the cone can be: its ends, the foot, the sides of the cone.
+  std::vector<RationalPoint> positions(std::uint32_t v, const Segment& s) const {
     std::vector<RationalPoint> found{s.a, s.b};
     const auto add_at = [&](const Rational& t) {
       if (t.sign() >= 0 && t <= Rational(1))

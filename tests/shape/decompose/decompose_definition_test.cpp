@@ -43,22 +43,22 @@ Region plate(unsigned seed) {
 /// Polygons of any doubles in a square with a notched side.
 Region loose_plate(unsigned seed) {
   std::mt19937 random(seed);
-  std::uniform_real_distribution<double> share(0, 1);
+  std::uniform_real_distribution<double> fraction(0, 1);
   std::vector<Ring> holes;
   const int n = 1 + int(random() % 3);
   for (int i = 0; i < n; ++i)
     for (int j = 0; j < 2; ++j) {
       Ring hole;
       const int corners = 3 + int(random() % 5);
-      const double turn = share(random);
+      const double turn = fraction(random);
       for (int k = 0; k < corners; ++k) {
-        const double angle = -2 * M_PI * (k + turn) / corners, r = 0.1 + 0.35 * share(random);
+        const double angle = -2 * M_PI * (k + turn) / corners, r = 0.1 + 0.35 * fraction(random);
         hole.push_back({i + 0.5 + r * std::cos(angle), j + 0.5 + r * std::sin(angle)});
       }
       holes.push_back(hole);
     }
   Ring outer{{0, -0.25}};
-  for (int i = 0; i < n; ++i) outer.push_back({i + 0.5, -0.2 * share(random)}), outer.push_back({i + 1.0, -0.25});
+  for (int i = 0; i < n; ++i) outer.push_back({i + 0.5, -0.2 * fraction(random)}), outer.push_back({i + 1.0, -0.25});
   outer.insert(outer.end(), {{double(n), 2}, {0, 2}});
   return Region::create({{{outer, holes}}, {}, {}}).value();
 }

@@ -515,7 +515,7 @@ TEST(Decompose, PiecesByShortestPathsDoNotDependOnHowTheRegionIsTurned) {
 
 TEST(Decompose, SliversThatRoundAwayAreToldOrRepaired) {
   // Doubles are 1 apart at 2^52, 1/2 below: ends of cuts have no room.
-  int told = 0, emptied = 0;
+  int decided = 0, emptied = 0;
   for (const unsigned seed : {1u, 2u, 3u, 4u, 5u, 6u}) {
     std::mt19937 random(seed);
     Ring ring;
@@ -536,11 +536,11 @@ TEST(Decompose, SliversThatRoundAwayAreToldOrRepaired) {
       EXPECT_TRUE(!plain || repaired[i].region == (*plain)[i]);
     }
     if (plain) continue;
-    ++told;
+    ++decided;
     EXPECT_EQ(plain.error().code, ErrorCode::rounding_changed_topology);
     EXPECT_EQ(plain.error().evidence.part, first);
   }
-  EXPECT_GT(told, 2);
+  EXPECT_GT(decided, 2);
   EXPECT_GT(emptied, 0);
 }
 

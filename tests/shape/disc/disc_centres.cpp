@@ -70,9 +70,9 @@ void DiscCentres::meet(Point v, Point w) {
   const double rest = radius_ * radius_ - d * d / 4;
   if (rest < -kTangent) return;
   const double half = std::sqrt(std::max(0.0, rest));
-  const Point middle{(v.x + w.x) / 2, (v.y + w.y) / 2}, across{-(w.y - v.y) / d, (w.x - v.x) / d};
-  see(along(middle, across, half));
-  see(along(middle, across, -half));
+  const Point midpoint{(v.x + w.x) / 2, (v.y + w.y) / 2}, across{-(w.y - v.y) / d, (w.x - v.x) / d};
+  see(along(midpoint, across, half));
+  see(along(midpoint, across, -half));
 }
 
 std::optional<double> DiscCentres::nearest(Point z) const {

@@ -1,4 +1,4 @@
-// Which points discs of a region reach, by definition: all places where a centre can be nearest to a point.
+// Which points discs of a region reach, by definition: all positions where a centre can be nearest to a point.
 #pragma once
 
 #include <optional>

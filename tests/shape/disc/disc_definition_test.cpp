@@ -38,8 +38,8 @@ Result<DiscSet> made_at(const GrowingDisc& disc, Which which, const DiscRadius& 
   }
 }
 
-/// How many points were asked about and how many the definition in doubles could tell.
-struct Asked {
+/// How many points were queried and how many the definition in doubles could decide.
+struct Queried {
   std::size_t points = 0, decided = 0, sets = 0, polygons = 0;
 };
 
@@ -60,7 +60,7 @@ class Definition {
       if (std::abs(beyond) < 1e-9) return std::nullopt;
       return (beyond > 0) == (which_ == Which::erosion);
     }
-    // A centre with a little room is further away than one without, by the root of it where two places are opposite.
+    // A centre with a little room is further away than one without, by the root of it where two positions are opposite.
     const double margin = (exact_fits_ ? 1e-7 : 1e-3) * (1 + r_);
     const std::optional<double> far = centres_.nearest(z);
     if (far && std::abs(*far - r_) < margin) return std::nullopt;
@@ -130,7 +130,7 @@ void expect_tight(const DiscSet& set, const Definition& definition) {
 }
 
 void expect_as_defined(const Region& region, const GrowingDisc& disc, Which which, const DiscRadius& r,
-                       Semantics semantics, oracles::Random& random, Asked& asked) {
+                       Semantics semantics, oracles::Random& random, Queried& queried) {
   SCOPED_TRACE(std::string(kNames[int(which)]) + " " + kSemanticsNames[int(semantics)] + " " +
                (r.event ? "event:" + std::to_string(*r.event) : r.value.to_string()));
   std::optional<Result<DiscSet>> made;
@@ -141,16 +141,16 @@ void expect_as_defined(const Region& region, const GrowingDisc& disc, Which whic
   const Definition definition(region, which, set.radius, semantics);
   const auto expect_at = [&](Point z) {
     const std::optional<bool> in = definition.has(z);
-    ++asked.points;
+    ++queried.points;
     if (!in) return;
-    ++asked.decided;
+    ++queried.decided;
     EXPECT_EQ(oracles::winding(set, z), *in ? 1 : 0) << "at " << z.x << " " << z.y;
   };
   const double step = definition.step();
-  for (const auto& place : oracles::middles(set)) {
-    if (place.length < 20 * step) continue;
-    expect_at({place.at.x + step * place.left.x, place.at.y + step * place.left.y});
-    expect_at({place.at.x - step * place.left.x, place.at.y - step * place.left.y});
+  for (const auto& position : oracles::midpoints(set)) {
+    if (position.length < 20 * step) continue;
+    expect_at({position.at.x + step * position.left.x, position.at.y + step * position.left.y});
+    expect_at({position.at.x - step * position.left.x, position.at.y - step * position.left.y});
   }
   const auto box = bounds(region);
   const double margin = which == Which::sum ? set.radius : 0.5;
@@ -158,12 +158,12 @@ void expect_as_defined(const Region& region, const GrowingDisc& disc, Which whic
     expect_at({(box[0] + box[2]) / 2 + random.signed_unit() * ((box[2] - box[0]) / 2 + margin),
                (box[1] + box[3]) / 2 + random.signed_unit() * ((box[3] - box[1]) / 2 + margin)});
   if (definition.is_level() && semantics == Semantics::open) expect_tight(set, definition);
-  ++asked.sets;
+  ++queried.sets;
   // Rings that cross or lie in the wrong part are no region.
   for (const double error : {1e-4, 1e-6}) {
     const auto polygons = to_region(set, error * (set.radius + set.at_error / 1e-7), DiscBound::nearest);
     if (polygons.ok()) {
-      ++asked.polygons;
+      ++queried.polygons;
       EXPECT_EQ(polygons->region.parts().size(), set.parts.size());
       EXPECT_NEAR(area(polygons->region), area(set).value, 3 * error * (1 + set.radius) * perimeter(set).value);
       break;
@@ -189,7 +189,7 @@ std::vector<DiscRadius> radii_at_and_between(const std::vector<DiscEvent>& event
   return radii;
 }
 
-void expect_all_sets(const Region& region, std::uint64_t seed, Asked& asked, std::size_t most = 100) {
+void expect_all_sets(const Region& region, std::uint64_t seed, Queried& queried, std::size_t most = 100) {
   const std::string wkt = format_region(region, RegionFormat::wkt);
   SCOPED_TRACE("seed " + std::to_string(seed) + " " + wkt);
   oracles::Random random(seed);
@@ -203,9 +203,9 @@ void expect_all_sets(const Region& region, std::uint64_t seed, Asked& asked, std
     for (const DiscRadius& r : radii_at_and_between(*events, most))
       for (const Semantics semantics : {Semantics::closed, Semantics::open, Semantics::regular}) {
         expect_as_defined(region, disc, side == DiscSide::outside ? Which::sum : Which::erosion, r, semantics, random,
-                          asked);
+                          queried);
         expect_as_defined(region, disc, side == DiscSide::outside ? Which::closing : Which::opening, r, semantics,
-                          random, asked);
+                          random, queried);
       }
   }
 }
@@ -215,12 +215,12 @@ int times() {
   return text != nullptr ? std::max(1, std::atoi(text) / 100) : 1;
 }
 
-void expect_most_decided(const Asked& asked) {
-  EXPECT_GT(asked.sets, 0u);
-  EXPECT_GT(asked.decided, asked.points * 9 / 10);
-  EXPECT_GT(asked.polygons, asked.sets * 9 / 10);
-  std::cout << asked.sets << " sets, " << asked.decided << " of " << asked.points << " points decided, "
-            << asked.polygons << " as polygons\n";
+void expect_most_decided(const Queried& queried) {
+  EXPECT_GT(queried.sets, 0u);
+  EXPECT_GT(queried.decided, queried.points * 9 / 10);
+  EXPECT_GT(queried.polygons, queried.sets * 9 / 10);
+  std::cout << queried.sets << " sets, " << queried.decided << " of " << queried.points << " points decided, "
+            << queried.polygons << " as polygons\n";
 }
 
 /// Simple polygons with vertices on a square grid, without straight angles, counter-clockwise.
@@ -268,15 +268,15 @@ class GridPolygons {
 };
 
 TEST(DiscDefinition, PolygonsOfTheSmallestGrids) {
-  Asked asked;
-  const int share = times();
+  Queried queried;
+  const int fraction = times();
   std::vector<Region> regions = GridPolygons(3, 7).all();
   const std::vector<Region> larger = GridPolygons(4, 5).all();
   regions.insert(regions.end(), larger.begin(), larger.end());
   std::cout << regions.size() << " polygons\n";
-  const auto step = static_cast<std::size_t>(std::max(1, 200 / share));
-  for (std::size_t i = 0; i < regions.size() && !HasFailure(); i += step) expect_all_sets(regions[i], 100 + i, asked);
-  expect_most_decided(asked);
+  const auto step = static_cast<std::size_t>(std::max(1, 200 / fraction));
+  for (std::size_t i = 0; i < regions.size() && !HasFailure(); i += step) expect_all_sets(regions[i], 100 + i, queried);
+  expect_most_decided(queried);
 }
 
 Region region_in(const std::string& name) {
@@ -295,55 +295,55 @@ TEST(DiscDefinition, HardCases) {
       {"arcs_of_one_disc_at_an_event.wkt", Which::opening, DiscRadius::at_event(60)},
       {"hole_in_a_part_behind_a_slit.wkt", Which::closing, *Rational::of(3, 2)},
   };
-  Asked asked;
+  Queried queried;
   for (const auto& one : cases) {
     SCOPED_TRACE(one.file);
     const Region region = region_in(one.file);
     const GrowingDisc disc(region);
     oracles::Random random(1);
     for (const Semantics semantics : {Semantics::closed, Semantics::open, Semantics::regular})
-      expect_as_defined(region, disc, one.which, one.radius, semantics, random, asked);
+      expect_as_defined(region, disc, one.which, one.radius, semantics, random, queried);
   }
-  expect_most_decided(asked);
+  expect_most_decided(queried);
 }
 
 TEST(DiscDefinition, StarsCombsAndChannelsAsWideAsTheDisc) {
-  Asked asked;
+  Queried queried;
   std::vector<Region> regions{snapped::star(5, 2, 5),    snapped::star(4, 1, 3),    shapes::comb(4, 2, 1, 3),
                               snapped::gear(6, 4, 5),    shapes::grate(3, 2, 1, 4), snapped::pockets(3, 1),
                               shapes::letter_u(5, 4, 1), shapes::letter_l(4, 3, 1)};
   for (const Region& region : regions) {
-    expect_all_sets(region, 7, asked, 8);
+    expect_all_sets(region, 7, queried, 8);
     if (HasFailure()) return;
   }
-  expect_most_decided(asked);
+  expect_most_decided(queried);
 }
 
 TEST(DiscDefinition, PartsHolesLinesAndPointsOnGrids) {
-  Asked asked;
+  Queried queried;
   const char* first = std::getenv("DYMSUM_FIRST_SEED");
   const int begin = first != nullptr ? std::atoi(first) : 0, rounds = oracles::rounds(16) * times();
   for (int round = begin; round < begin + rounds; ++round) {
     oracles::Random random(5000 + std::uint64_t(round));
     const int grid = 3 + round % 4;
     const RegionData data = round % 4 == 3 ? oracles::random_region(random, grid) : oracles::random_parts(random, grid);
-    expect_all_sets(*Region::create(data), 5000 + std::uint64_t(round), asked, 8);
+    expect_all_sets(*Region::create(data), 5000 + std::uint64_t(round), queried, 8);
     if (HasFailure()) return;
   }
-  expect_most_decided(asked);
+  expect_most_decided(queried);
 }
 
 /// Polygons whose coordinates are short, or have all their digits.
 TEST(DiscDefinition, RandomPolygons) {
-  Asked asked;
+  Queried queried;
   const char* first = std::getenv("DYMSUM_FIRST_SEED");
   const int begin = first != nullptr ? std::atoi(first) : 0, rounds = oracles::rounds(4) * times();
   for (int round = begin; round < begin + rounds; ++round) {
     const Region region = shapes::random_polygon(6 + round % 20, round % 3, std::uint64_t(round) + 1);
-    expect_all_sets(region, 6000 + std::uint64_t(round), asked, 6);
+    expect_all_sets(region, 6000 + std::uint64_t(round), queried, 6);
     if (HasFailure()) return;
   }
-  expect_most_decided(asked);
+  expect_most_decided(queried);
 }
 
 }  // namespace

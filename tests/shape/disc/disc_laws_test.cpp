@@ -403,12 +403,12 @@ TEST(DiscLaws, NoErosionOfAConvexShapeIsTooSmallForPolygons) {
     const GrowingDisc disc(*region);
     const std::vector<DiscEvent> events = *disc.events(DiscSide::inside);
     for (std::uint32_t k = 0; k < events.size(); ++k)
-      for (const double share : {0.0, 0x1p-53, 1e-15, 1e-14, 1e-12, -1e-15}) {
-        const DiscRadius r = share == 0 ? DiscRadius::at_event(k) : *Rational::of(events[k].radius * (1 - share));
+      for (const double fraction : {0.0, 0x1p-53, 1e-15, 1e-14, 1e-12, -1e-15}) {
+        const DiscRadius r = fraction == 0 ? DiscRadius::at_event(k) : *Rational::of(events[k].radius * (1 - fraction));
         const DiscSet set = *disc.eroded_at(r);
         const double error = std::max(set.radius / 1000, 8 * set.at_error);
         const Result<DiscPolygons> made = to_region(set, error, DiscBound::nearest);
-        ASSERT_TRUE(made) << made.error().to_string() << " round " << round << ", event " << k << ", " << share;
+        ASSERT_TRUE(made) << made.error().to_string() << " round " << round << ", event " << k << ", " << fraction;
         EXPECT_GE(made->region.parts().size() + made->collapsed, set.parts.size());
         // What is left stays where it was.
         const std::array<double, 4> box = bounds(made->region), wanted = bounds(set);
@@ -441,17 +441,18 @@ TEST(DiscLaws, PolygonsNearestToASetAreThereHoweverNarrowItIs) {
     for (const DiscSide side : {DiscSide::inside, DiscSide::outside}) {
       const std::vector<DiscEvent> events = *disc.events(side);
       for (std::uint32_t k = 0; k < events.size(); ++k)
-        for (const double share : {0.0, 0x1p-53, 1e-14, -1e-15}) {
-          const DiscRadius r = share == 0 ? DiscRadius::at_event(k) : *Rational::of(events[k].radius * (1 - share));
+        for (const double fraction : {0.0, 0x1p-53, 1e-14, -1e-15}) {
+          const DiscRadius r =
+              fraction == 0 ? DiscRadius::at_event(k) : *Rational::of(events[k].radius * (1 - fraction));
           for (const bool thick : {false, true}) {
             const DiscSet set = side == DiscSide::inside ? (thick ? *disc.opened_at(r) : *disc.eroded_at(r))
                                                          : (thick ? *disc.closed_at(r) : *disc.sum_at(r));
             const double error = std::max(set.radius / 1000, 8 * set.at_error);
             const Result<DiscPolygons> made = to_region(set, error, DiscBound::nearest);
-            ASSERT_TRUE(made) << made.error().to_string() << " round " << round << ", event " << k << ", " << share;
+            ASSERT_TRUE(made) << made.error().to_string() << " round " << round << ", event " << k << ", " << fraction;
             const Measured wanted = area(set), around = perimeter(set);
             EXPECT_NEAR(area(made->region), wanted.value, wanted.error + 2 * around.value * made->error)
-                << "round " << round << ", event " << k << ", " << share;
+                << "round " << round << ", event " << k << ", " << fraction;
             collapsed += made->collapsed > 0, ++sets;
           }
         }

@@ -70,8 +70,8 @@ bool near_in_parts(const Region& region, Point z) {
   return inside;
 }
 
-Point on_arc(const DiscPiece& piece, double r, double share) {
-  const double angle = piece.from_angle + share * piece.sweep;
+Point on_arc(const DiscPiece& piece, double r, double fraction) {
+  const double angle = piece.from_angle + fraction * piece.sweep;
   return {piece.centre.x + r * std::cos(angle), piece.centre.y + r * std::sin(angle)};
 }
 
@@ -142,26 +142,26 @@ int winding(const DiscSet& set, Point z) {
   return static_cast<int>(std::lround(angle / (2 * std::numbers::pi)));
 }
 
-std::vector<BoundaryPlace> middles(const DiscSet& set) {
-  std::vector<BoundaryPlace> places;
+std::vector<BoundaryPosition> midpoints(const DiscSet& set) {
+  std::vector<BoundaryPosition> positions;
   for_each_ring(set, [&](const DiscRing& ring, bool) {
     for (std::size_t i = 0; i < ring.pieces.size(); ++i) {
       const DiscPiece& piece = ring.pieces[i];
       if (piece.of == DiscPiece::Of::edge) {
         const Point a = piece.from.at, b = ring.pieces[(i + 1) % ring.pieces.size()].from.at;
-        places.push_back({{(a.x + b.x) / 2, (a.y + b.y) / 2},
-                          {-std::sin(piece.heading), std::cos(piece.heading)},
-                          std::hypot(b.x - a.x, b.y - a.y)});
+        positions.push_back({{(a.x + b.x) / 2, (a.y + b.y) / 2},
+                             {-std::sin(piece.heading), std::cos(piece.heading)},
+                             std::hypot(b.x - a.x, b.y - a.y)});
       } else {
         const Point at = on_arc(piece, set.radius, 0.5);
         const double inwards = (piece.sweep > 0 ? -1 : 1) / set.radius;
-        places.push_back({at,
-                          {inwards * (at.x - piece.centre.x), inwards * (at.y - piece.centre.y)},
-                          set.radius * std::abs(piece.sweep)});
+        positions.push_back({at,
+                             {inwards * (at.x - piece.centre.x), inwards * (at.y - piece.centre.y)},
+                             set.radius * std::abs(piece.sweep)});
       }
     }
   });
-  return places;
+  return positions;
 }
 
 void check_form(const DiscSet& set) {

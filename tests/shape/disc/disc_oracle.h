@@ -42,13 +42,13 @@ std::optional<bool> reached(const Clear& clear, dymsum::Point z, double r, int s
   return false;
 }
 
-/// All positions at pieces of the rings: their middles, and the corners.
-struct BoundaryPlace {
+/// All positions at pieces of the rings: their midpoints, and the corners.
+struct BoundaryPosition {
   dymsum::Point at;
   dymsum::Point left;  ///< unit vector into the set
   double length = 0;   ///< of the piece
 };
-std::vector<BoundaryPlace> middles(const dymsum::DiscSet& set);
+std::vector<BoundaryPosition> midpoints(const dymsum::DiscSet& set);
 
 /// What every set promises of itself: pieces join, smooth corners are smooth, orientation, one outer ring a part.
 void check_form(const dymsum::DiscSet& set);

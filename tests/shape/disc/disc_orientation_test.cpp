@@ -1,4 +1,4 @@
-// Outer rings and holes are told apart however little or much a boundary turns.
+// Outer rings and holes are distinguished however little or much a boundary turns.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -50,8 +50,8 @@ Region notched_rectangle(oracles::Random& random) {
       ring.push_back(a);
       const int parts = integer(1, 3);
       for (int k = 1; k < parts; ++k) {
-        const double share = static_cast<double>(k) / parts;
-        Point p{a.x + (b.x - a.x) * share, a.y + (b.y - a.y) * share};
+        const double fraction = static_cast<double>(k) / parts;
+        Point p{a.x + (b.x - a.x) * fraction, a.y + (b.y - a.y) * fraction};
         double& across = a.x == b.x ? p.x : p.y;
         for (int ulps = integer(-2, 2); ulps != 0; ulps += ulps < 0 ? 1 : -1)
           across = std::nextafter(across, ulps < 0 ? -1e9 : 1e9);

@@ -49,10 +49,11 @@ void expect_levels(const DiscSet& set, const Region& region, bool inside, std::m
   oracles::check_form(set);
   const double r = set.radius, margin = 1e-6 * r + 1e-9;
   const auto level = [&](Point z) { return inside ? oracles::depth(region, z) : oracles::distance(region, z); };
-  for (const auto& place : oracles::middles(set)) {
-    EXPECT_NEAR(level(place.at), r, 1e-9 * (1 + r));
-    const double step = (inside ? 1 : -1) * std::min(1e-7, place.length / 1000);
-    EXPECT_GT(level({place.at.x + step * place.left.x, place.at.y + step * place.left.y}) - r, -1e-9 * (1 + r))
+  for (const auto& position : oracles::midpoints(set)) {
+    EXPECT_NEAR(level(position.at), r, 1e-9 * (1 + r));
+    const double step = (inside ? 1 : -1) * std::min(1e-7, position.length / 1000);
+    EXPECT_GT(level({position.at.x + step * position.left.x, position.at.y + step * position.left.y}) - r,
+              -1e-9 * (1 + r))
         << "towards what is beyond the level";
   }
   const Box box = around(region, inside ? 0 : 1.2 * r);

@@ -18,7 +18,7 @@ namespace {
 
 /// Teeth from above and below with tips at (0, 1) and (0, -1), every 64 along x, and slopes p / q of a right triangle
 /// with sides p, q and s. The discs of radius q / (s - p) left and right of a pair of tips touch both of its teeth and,
-/// at the middle between the tips, each other: those of radius r have their centres (s r - q) / p from there.
+/// at the midpoint between the tips, each other: those of radius r have their centres (s r - q) / p from there.
 struct Teeth {
   int pairs = 1;
   double p = 3, q = 4, s = 5;

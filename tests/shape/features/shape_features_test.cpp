@@ -240,7 +240,7 @@ TEST(ShapeFeatures, ShortestPathsGoAroundCornersOfThePocket) {
   EXPECT_EQ(largest(Concavity::hybrid2), 4);
 }
 
-/// Every pocket has ears until it is a triangle, or it is told as a defect.
+/// Every pocket has ears until it is a triangle, or it is reported as a defect.
 TEST(ShapeFeatures, ShortestPathsInPocketsOfAllKinds) {
   std::mt19937 random(5);
   const auto walk = [&](std::size_t n) {
@@ -307,13 +307,13 @@ std::vector<double> significances(const RegionData& data) {
 
 /// Every edge in `parts`, every vertex moved by at most eps.
 Ring noisy(const Ring& ring, double eps, int parts, std::mt19937& random) {
-  std::uniform_real_distribution<double> share(-0.7 * eps, 0.7 * eps);
+  std::uniform_real_distribution<double> fraction(-0.7 * eps, 0.7 * eps);
   Ring moved;
   for (std::size_t i = 0; i < ring.size(); ++i) {
     const Point a = ring[i], b = ring[(i + 1) % ring.size()];
     for (int k = 0; k < parts; ++k) {
       const double t = double(k) / parts;
-      moved.push_back({a.x + t * (b.x - a.x) + share(random), a.y + t * (b.y - a.y) + share(random)});
+      moved.push_back({a.x + t * (b.x - a.x) + fraction(random), a.y + t * (b.y - a.y) + fraction(random)});
     }
   }
   return moved;

@@ -10,10 +10,10 @@ namespace {
 
 using exact::BigInteger;
 using exact::BigRational;
+using spatial::DirectionSource;
 using spatial::PlaneSource;
 using spatial::PointSource;
 using spatial::SumEdge;
-using spatial::Way;
 using Spot = std::array<BigRational, 3>;
 
 Spot minus_of(const Spot& a, const Spot& b) { return {a[0] - b[0], a[1] - b[1], a[2] - b[2]}; }
@@ -29,11 +29,11 @@ TEST(ShortDirections, keep_all_signs_under_long_factors) {
   for (int round = 0; round < 12; ++round) {
     const std::vector<Point3> of[2] = {random_solids::tiny_polyhedron(random).vertices,
                                        random_solids::tiny_polyhedron(random).vertices};
-    const auto scaled = [&](int k, const spatial::GridPlaces& places) {
+    const auto scaled = [&](int k, const spatial::GridPositions& positions) {
       const BigInteger& f = factor[k];
-      return spatial::MappedPlaces{places, {f, 0, 0, 0, f, 0, 0, 0, f}};
+      return spatial::MappedPositions{positions, {f, 0, 0, 0, f, 0, 0, 0, f}};
     };
-    const spatial::GridPlaces p = spatial::grid_places(of[0]), q = spatial::grid_places(of[1]);
+    const spatial::GridPositions p = spatial::grid_positions(of[0]), q = spatial::grid_positions(of[1]);
     if (p.exponent != 0 || q.exponent != 0) continue;
     const auto space = spatial::make_sum_space(scaled(0, p), scaled(1, q), 0);
     ASSERT_GT(space->bits(), 600);
@@ -52,9 +52,13 @@ TEST(ShortDirections, keep_all_signs_under_long_factors) {
     while (planes.size() < 9) {
       const std::uint32_t a = below(of[0].size()), b = below(of[0].size()), c = below(of[1].size()),
                           d = below(of[1].size()), e = below(of[0].size());
-      const PlaneSource plane{
-          {a, c}, {Way::Of::p, a, b}, random() % 2 == 0 ? Way{Way::Of::q, c, d} : Way{Way::Of::p, a, e}, false};
-      const Spot v = plane.v.of == Way::Of::q ? minus_of(spot(1, d), spot(1, c)) : minus_of(spot(0, e), spot(0, a));
+      const PlaneSource plane{{a, c},
+                              {DirectionSource::Of::p, a, b},
+                              random() % 2 == 0 ? DirectionSource{DirectionSource::Of::q, c, d}
+                                                : DirectionSource{DirectionSource::Of::p, a, e},
+                              false};
+      const Spot v =
+          plane.v.of == DirectionSource::Of::q ? minus_of(spot(1, d), spot(1, c)) : minus_of(spot(0, e), spot(0, a));
       const Spot n = cross_of(minus_of(spot(0, b), spot(0, a)), v);
       if (n == Spot{0, 0, 0}) continue;
       planes.push_back(plane), normals.push_back(n);

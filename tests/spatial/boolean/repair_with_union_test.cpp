@@ -31,9 +31,9 @@ TEST(RepairWithUnion, what_is_valid_or_mended_otherwise_stays_so) {
   EXPECT_EQ(whole.mesh.vertices().size(), 8u);
   MeshData turned = cube(0, 0, 0);
   std::reverse(turned.faces[0].begin(), turned.faces[0].end());
-  const RepairedMesh mended = repair_with_union(turned).value();
-  EXPECT_FALSE(mended.report.united);
-  EXPECT_EQ(mended.report.reversed_faces, 1u);
+  const RepairedMesh repaired = repair_with_union(turned).value();
+  EXPECT_FALSE(repaired.report.united);
+  EXPECT_EQ(repaired.report.reversed_faces, 1u);
 }
 
 TEST(RepairWithUnion, bodies_that_overlap_or_share_faces_are_one) {
@@ -82,13 +82,13 @@ TEST(RepairWithUnion, meshes_are_valid_and_hold_what_the_surfaces_go_around) {
     }
     const CoordinateKind kind = kCoordinateKinds[static_cast<std::size_t>(n) % kCoordinateKinds.size()];
     surface = of_kind(std::move(surface), kind, random);
-    const Result<RepairedMesh> mended = repair_with_union(surface);
-    ASSERT_TRUE(mended.ok()) << n << ", " << name_of(kind) << ": " << mended.error().to_string();
-    EXPECT_TRUE(Mesh::create(mended->mesh.data()).ok());
-    if (!mended->report.united) continue;
-    ++united, merged += mended->report.united_distance > 0;
+    const Result<RepairedMesh> repaired = repair_with_union(surface);
+    ASSERT_TRUE(repaired.ok()) << n << ", " << name_of(kind) << ": " << repaired.error().to_string();
+    EXPECT_TRUE(Mesh::create(repaired->mesh.data()).ok());
+    if (!repaired->report.united) continue;
+    ++united, merged += repaired->report.united_distance > 0;
     const oracles::ExactSurface before = oracles::exact_surface(surface),
-                                after = oracles::exact_surface(mended->mesh.data());
+                                after = oracles::exact_surface(repaired->mesh.data());
     for (int k = 0; k < 3; ++k) {
       const Point3& corner = surface.vertices[random() % surface.vertices.size()];
       const auto near = [&](double c) {

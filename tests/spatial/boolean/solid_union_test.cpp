@@ -151,7 +151,7 @@ TEST(SolidUnion, what_does_not_close_is_an_error_with_its_position) {
 
 TEST(SolidUnion, an_edge_may_have_other_vertices_on_its_other_side) {
   MeshData m = box(0, 0, 0, 1, 1, 1);
-  // The upper half of one face by itself: its vertices lie in the middle of edges that know nothing of them.
+  // The upper half of one face by itself: its vertices lie inside edges that know nothing of them.
   for (std::size_t f = 0; f < m.faces.size(); ++f) {
     Face& face = m.faces[f];
     const auto on_top = [&](std::uint32_t v) { return m.vertices[v].z == 1; };
@@ -163,8 +163,8 @@ TEST(SolidUnion, an_edge_may_have_other_vertices_on_its_other_side) {
       const std::uint32_t v = face[k], w = face[(k + 1) % face.size()];
       (on_top(v) ? upper : lower).push_back(v);
       if (on_top(v) == on_top(w)) continue;
-      const std::uint32_t middle = m.vertices[v].y == 0 ? low : low + 1;
-      upper.push_back(middle), lower.push_back(middle);
+      const std::uint32_t midpoint = m.vertices[v].y == 0 ? low : low + 1;
+      upper.push_back(midpoint), lower.push_back(midpoint);
     }
     face = upper;
     m.faces.push_back(lower);
@@ -186,8 +186,8 @@ TEST(SolidUnion, memory_and_progress_are_kept) {
   options.memory = 100000;
   EXPECT_EQ(united(balls, options).error().code, ErrorCode::out_of_memory);
   options.memory = 0;
-  int asked = 0;
-  options.progress = [&](std::string_view, double) { return ++asked < 4; };
+  int queried = 0;
+  options.progress = [&](std::string_view, double) { return ++queried < 4; };
   EXPECT_EQ(united(balls, options).error().code, ErrorCode::cancelled);
   options.progress = {};
   options.threads = 1;
@@ -197,7 +197,7 @@ TEST(SolidUnion, memory_and_progress_are_kept) {
   EXPECT_EQ(one.shells, 1u);
 }
 
-// Of borders that are much shorter than the solid, as where an opening lies on what was opened but for rounding,
+// Of facet edges that are much shorter than the solid, as where an opening lies on what was opened but for rounding,
 // doubles know no side: their ends' own errors are larger. Found by `./run bench files`; the smallest of 400 such
 // openings.
 TEST(SolidUnion, faces_beside_the_shortest_borders_are_named) {
@@ -235,7 +235,8 @@ TEST(SolidUnion, positions_are_inside_where_winding_numbers_say_so) {
 }
 
 TEST(SolidUnion, of_any_number_of_solids_is_common_or_taken_away) {
-  const std::vector<Mesh> boxes{solids::box(0, 0, 0, 4, 4, 4), solids::box(1, 0, 0, 5, 4, 4), solids::box(0, 2, 0, 4, 6, 4)};
+  const std::vector<Mesh> boxes{solids::box(0, 0, 0, 4, 4, 4), solids::box(1, 0, 0, 5, 4, 4),
+                                solids::box(0, 2, 0, 4, 6, 4)};
   EXPECT_EQ(intersection(boxes)->volume_exact(), Rational(24));
   EXPECT_EQ(intersection(std::span(boxes).first(1))->volume_exact(), Rational(64));
   EXPECT_EQ(intersection(std::span<const Mesh>{}).error().code, ErrorCode::out_of_range);

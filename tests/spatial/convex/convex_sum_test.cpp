@@ -95,7 +95,7 @@ TEST(ConvexSum, support_adds_up_and_is_the_furthest_vertex) {
   }
 }
 
-// Extreme vertices of both operands may add up to a place in the middle of an edge or a facet.
+// Extreme vertices of both operands may add up to a position inside an edge or a facet.
 TEST(ConvexSum, support_is_a_vertex_of_the_sum_whatever_the_direction) {
   std::mt19937_64 random(16);
   const std::vector<Mesh> solids{

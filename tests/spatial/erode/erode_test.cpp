@@ -90,8 +90,8 @@ TEST(SolidErosion, of_two_parts_by_two_parts_needs_both) {
     MeshData b = a;
     for (std::size_t k = 0; k < 16; ++k) {
       Point3& v = b.vertices[k];
-      const double middle = k < 8 ? 0 : 10;
-      v = {(v.x - middle) / 2 + (k < 8 ? 0 : gap), v.y / 2, v.z / 2};
+      const double midpoint = k < 8 ? 0 : 10;
+      v = {(v.x - midpoint) / 2 + (k < 8 ? 0 : gap), v.y / 2, v.z / 2};
     }
     return b;
   };
@@ -152,12 +152,12 @@ LatticeFit lattice_fit(const Voxels& a, const Voxels& b) {
   return fit;
 }
 
-Voxels random_set(const Voxel& size, int share, std::mt19937_64& random) {
+Voxels random_set(const Voxel& size, int fraction, std::mt19937_64& random) {
   Voxels set;
   for (int x = 0; x < size[0]; ++x)
     for (int y = 0; y < size[1]; ++y)
       for (int z = 0; z < size[2]; ++z)
-        if (static_cast<int>(random() % 100) < share) set.insert({x, y, z});
+        if (static_cast<int>(random() % 100) < fraction) set.insert({x, y, z});
   if (set.empty()) set.insert({0, 0, 0});
   return set;
 }

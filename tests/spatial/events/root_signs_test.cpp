@@ -29,7 +29,7 @@ MeshData triangulated_ell() {
 }
 
 struct Counts {
-  int asked = 0, told = 0, zeros = 0;
+  int queried = 0, decided = 0, zeros = 0;
 };
 
 /// At one root: forms in fixed point, and the signs of a space of sums, against polynomials.
@@ -40,19 +40,19 @@ class AtRoot {
     exact::RootBracket bracket = root.bracket();
     if (!bracket.is_point()) bracket.refine_to(264);
     wide_frame_.emplace(pair, 0, bracket.low().value(), bracket.high().value());
-    std::array<std::vector<exact::Vector3<RootValue>>, 2> places;
+    std::array<std::vector<exact::Vector3<RootValue>>, 2> positions;
     for (int op = 0; op < 2; ++op)
       for (std::uint32_t v = 0; v < pair.operand(op).vertices.size(); ++v)
-        places[op].push_back(exact_frame_.placed(op, pair.grid(op).place<exact::Big>(v), true));
+        positions[op].push_back(exact_frame_.placed(op, pair.grid(op).position<exact::Big>(v), true));
     const double weight = exact::to_double(exact_frame_.weight());
-    space_ = make_root_space(std::move(places[0]), std::move(places[1]),
-                             std::max(pair.pair.p_places.bits, pair.pair.q_places.bits) + 2 + std::ilogb(weight));
+    space_ = make_root_space(std::move(positions[0]), std::move(positions[1]),
+                             std::max(pair.pair.p_positions.bits, pair.pair.q_positions.bits) + 2 + std::ilogb(weight));
   }
 
   void compare(std::mt19937_64& random, Counts& counts) {
     std::array<const WindowFacet*, 4> f{};
     for (const WindowFacet*& any : f) any = &facets_[random() % facets_.size()];
-    const SumEdge edge = f[0]->border(static_cast<int>(random() % 3));
+    const SumEdge edge = f[0]->facet_edge(static_cast<int>(random() % 3));
     const SumPoint v = f[1]->facet.corner[random() % 3];
     std::array<PlaneSource, 4> sources{f[0]->plane, f[1]->plane, f[2]->plane, f[3]->plane};
     const PlaneId first = space_->add_planes(sources);
@@ -62,7 +62,7 @@ class AtRoot {
     const auto check = [&](auto form) {
       const int wanted = exact_sign(form);
       const std::optional<int> s = sign_of(form(RotationSigns<WideFrame>(*wide_frame_)));
-      ++counts.asked, counts.told += s.has_value(), counts.zeros += wanted == 0;
+      ++counts.queried, counts.decided += s.has_value(), counts.zeros += wanted == 0;
       EXPECT_EQ(s.value_or(wanted), wanted);
       return wanted;
     };
@@ -125,11 +125,11 @@ TEST(RootSigns, FixedPointFindsThoseOfPolynomials) {
       for (int n = 0; n < 20; ++n) at.compare(random, counts);
       wide_here += at.signs().at(exact::Rung::integers), exact += at.signs().at(exact::Rung::big);
     }
-    std::cout << name_of(kind) << ": " << roots << " roots, " << counts.told << " of " << counts.asked << " told, "
+    std::cout << name_of(kind) << ": " << roots << " roots, " << counts.decided << " of " << counts.queried << " told, "
               << counts.zeros << " zeros, " << wide_here << " of the space" << std::endl;
     // Far from the origin, from where events move operands back, edges are short: products of nine are below a unit.
     if (kind != CoordinateKind::turned_far) {
-      EXPECT_GE(counts.told + counts.zeros, counts.asked) << "all but zeros";
+      EXPECT_GE(counts.decided + counts.zeros, counts.queried) << "all but zeros";
     }
     if (kind == CoordinateKind::turned) {
       EXPECT_GT(wide_here, 100u);

@@ -22,7 +22,7 @@ std::size_t degree(const RotatingPair& pair, const exact::RootValue& v) {
   return terms.empty() ? 0 : terms.size() - 1;
 }
 
-TEST(TurnCandidates, PolynomialsHaveTheDegreesOfTheDesignPage) {
+TEST(RotationCandidates, PolynomialsHaveTheDegreesOfTheDesignPage) {
   for (const TurnAxis& axis : {TurnAxis{0, 0, 1}, TurnAxis{2, -1, 3}})
     for (const int chart : {0, 1}) {
       const RotatingPair pair(mesh_of(moving_cases::bumpy(1, 3)), mesh_of(moving_cases::bumpy(1, 8)), axis, 0);
@@ -40,11 +40,11 @@ TEST(TurnCandidates, PolynomialsHaveTheDegreesOfTheDesignPage) {
         const WindowFacet &f = any(), &g = any(), &h = any(), &i = any();
         if (!f.unsure.empty()) {
           const SlantCondition& c = f.unsure[0];
-          note(0, signs.slant(c.op, pair.operand(c.op).triangles[c.triangle], c.way));
+          note(0, signs.slant(c.op, pair.operand(c.op).triangles[c.triangle], c.direction));
         }
         note(1, signs.side(signs.plane(f.plane), g.facet.corner[0]));
-        note(2, signs.twist(f.border(0), g.border(1)));
-        note(3, signs.order(f.border(1), signs.plane(g.plane), signs.plane(h.plane)));
+        note(2, signs.twist(f.facet_edge(0), g.facet_edge(1)));
+        note(3, signs.order(f.facet_edge(1), signs.plane(g.plane), signs.plane(h.plane)));
         note(4, signs.height(signs.plane(f.plane), signs.plane(g.plane), signs.plane(h.plane), signs.plane(i.plane)));
       }
       EXPECT_EQ(most, (std::array<std::size_t, 5>{2, 2, 2, 4, 6}));
@@ -53,7 +53,7 @@ TEST(TurnCandidates, PolynomialsHaveTheDegreesOfTheDesignPage) {
 
 /// A sign in pairs of doubles is that of the exact form at the ends of its window and between them. Near an angle at
 /// which all nearly coincides doubles leave most signs open, and these do not.
-TEST(TurnCandidates, FineSignsAreThoseOfPolynomials) {
+TEST(RotationCandidates, FineSignsAreThoseOfPolynomials) {
   std::mt19937_64 random(23);
   const auto turned_solid = [&](int seed) {
     return mesh_of(of_kind(moving_cases::bumpy(1, seed), CoordinateKind::turned, random));
@@ -72,11 +72,11 @@ TEST(TurnCandidates, FineSignsAreThoseOfPolynomials) {
                                              ? exact::BigRational(3 * width)
                                              : exact::exact_value(std::ldexp(static_cast<double>(random() % 999), -12)),
                                    high = low + width, between = low + width / 3;
-          const double middle = pair.circle.radians(chart, exact::round_to_double(between));
-          const std::vector<WindowFacet> facets = maps.facets(middle, 0x1p-20);
+          const double midpoint = pair.circle.radians(chart, exact::round_to_double(between));
+          const std::vector<WindowFacet> facets = maps.facets(midpoint, 0x1p-20);
           const FineFrame frame(pair, chart, low, high);
           const RotationSigns<FineFrame> fine(frame);
-          const JetFrame jets_frame(pair, middle, exact::round_to_double(width) * pair.circle.length() + 0x1p-44);
+          const JetFrame jets_frame(pair, midpoint, exact::round_to_double(width) * pair.circle.length() + 0x1p-44);
           const RotationSigns<JetFrame> jets(jets_frame);
           std::vector<PolynomialFrame> frames;
           for (const exact::BigRational& t : {low, between, high}) frames.emplace_back(pair, chart, t);
@@ -93,12 +93,13 @@ TEST(TurnCandidates, FineSignsAreThoseOfPolynomials) {
             const WindowFacet &f = any(), &g = any(), &h = any(), &i = any();
             if (!f.unsure.empty()) {
               const SlantCondition& c = f.unsure[0];
-              check([&](const auto& s) { return s.slant(c.op, pair.operand(c.op).triangles[c.triangle], c.way); });
+              check(
+                  [&](const auto& s) { return s.slant(c.op, pair.operand(c.op).triangles[c.triangle], c.direction); });
             }
             const auto plane = [](const WindowFacet& of) { return [&](const auto& s) { return s.plane(of.plane); }; };
             check([&](const auto& s) { return s.side(plane(f)(s), g.facet.corner[0]); });
-            check([&](const auto& s) { return s.twist(f.border(0), g.border(1)); });
-            check([&](const auto& s) { return s.order(f.border(1), plane(g)(s), plane(h)(s)); });
+            check([&](const auto& s) { return s.twist(f.facet_edge(0), g.facet_edge(1)); });
+            check([&](const auto& s) { return s.order(f.facet_edge(1), plane(g)(s), plane(h)(s)); });
             check([&](const auto& s) { return s.height(plane(f)(s), plane(g)(s), plane(h)(s), plane(i)(s)); });
           }
         }
@@ -116,7 +117,8 @@ struct Sample {
   std::vector<bool> exists;
   std::vector<Vec3> normals;
 
-  Sample(const RotatingPair& pair, const std::vector<WindowFacet>& all, double theta) : facets(all), at(pair.places) {
+  Sample(const RotatingPair& pair, const std::vector<WindowFacet>& all, double theta)
+      : facets(all), at(pair.positions) {
     const Vec3 a = (1 / pair.circle.length()) * Vec3{static_cast<double>(pair.circle.axis()[0]),
                                                      static_cast<double>(pair.circle.axis()[1]),
                                                      static_cast<double>(pair.circle.axis()[2])};
@@ -128,7 +130,7 @@ struct Sample {
         const Triangle& t = pair.operand(c.op).triangles[c.triangle];
         const std::vector<Vec3>& own = at[c.op];
         const Vec3 n = cross(own[t[1]] - own[t[0]], own[t[2]] - own[t[0]]);
-        holds = holds && c.sense * dot(n, at[1 - c.op][c.way.to] - at[1 - c.op][c.way.from]) < -1e-9;
+        holds = holds && c.sense * dot(n, at[1 - c.op][c.direction.to] - at[1 - c.op][c.direction.from]) < -1e-9;
       }
       exists.push_back(holds);
       const Vec3 x = of(f.facet.corner[0]), y = of(f.facet.corner[1]), z = of(f.facet.corner[2]);
@@ -138,7 +140,7 @@ struct Sample {
   Vec3 of(SumPoint v) const { return at[0][v.p] + at[1][v.q]; }
   bool inside(std::uint32_t f, Vec3 x) const {
     for (int k = 0; k < facets[f].facet.corners; ++k) {
-      const SumEdge e = facets[f].border(k);
+      const SumEdge e = facets[f].facet_edge(k);
       if (dot(normals[f], cross(of(e.to) - of(e.from), x - of(e.from))) < 1e-7) return false;
     }
     return true;
@@ -159,7 +161,7 @@ struct Sample {
 
 /// Samples of all vertices with all facets, and of all quadruples of facets: where a sign changes while the features
 /// meet well inside each other at both samples, the window has a root between them.
-TEST(TurnCandidates, HaveAllThatSamplesShow) {
+TEST(RotationCandidates, HaveAllThatSamplesShow) {
   std::mt19937_64 random(5);
   std::map<Meeting::Kind, int> shown;
   for (int round = 0; round < 9; ++round) {

@@ -32,14 +32,14 @@ class EventsOfPair {
  public:
   EventsOfPair(const Pair& pair, SolidRotationEvents sum, std::string name, Tally& counts)
       : axis_(pair.axis), sum_(std::move(sum)), name_(std::move(name)), counts_(counts) {
-    low_ = pair.from.radians(axis_), high_ = behind(pair.to.radians(axis_));
+    low_ = pair.from.radians(axis_), high_ = past(pair.to.radians(axis_));
   }
 
   void check(const std::vector<SolidRotationEvent>& events) {
     std::optional<SumCounts> before;
     for (std::size_t k = 0; k <= events.size(); ++k) {
-      const double begin = k == 0 ? low_ : behind(events[k - 1].approx),
-                   end = k == events.size() ? high_ : behind(events[k].approx);
+      const double begin = k == 0 ? low_ : past(events[k - 1].approx),
+                   end = k == events.size() ? high_ : past(events[k].approx);
       const std::optional<SumCounts> first = end - begin < 1e-8 ? std::optional<SumCounts>() : gap(begin, end);
       if (k > 0 && before && first) check_visible(events[k - 1], *before, *first);
       before = first;
@@ -49,7 +49,7 @@ class EventsOfPair {
 
  private:
   /// Angles from the first one on; that at which the range begins may be an event's.
-  double behind(double angle) const { return angle < low_ - 1e-9 ? angle + 2 * std::numbers::pi : angle; }
+  double past(double angle) const { return angle < low_ - 1e-9 ? angle + 2 * std::numbers::pi : angle; }
   SumCounts at(const AxisTurn& turn) {
     const Result<SpatialSum> sum = sum_.at(turn);
     if (!sum.ok()) return {};
@@ -63,7 +63,7 @@ class EventsOfPair {
   }
   SumCounts at(double angle) { return at(AxisTurn::nearest(axis_, angle).value()); }
 
-  /// Just behind one event, before the next one and at angles between them nothing differs.
+  /// Just after one event, before the next one and at angles between them nothing differs.
   SumCounts gap(double begin, double end) {
     ++counts_.gaps;
     const double width = end - begin, beside = std::min(width / 3, 1e-7);

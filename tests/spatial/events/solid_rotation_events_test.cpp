@@ -1,4 +1,4 @@
-// Events of a sum while an operand turns: structure is constant between them and changes at visible ones.
+// Events of a sum while an operand rotates: structure is constant between them and changes at visible ones.
 #include "dymsum/solid_rotation_events.h"
 
 #include <gtest/gtest.h>
@@ -137,13 +137,13 @@ TEST(SolidRotationEvents, MassesThatCoincideButForRoundingMeetOneAfterTheOther) 
     for (std::size_t k = 0; k <= events.size(); ++k) {
       const exact::BigRational low = exactly(k == 0 ? first : events[k - 1].parameter.t_high),
                                high = exactly(k == events.size() ? last : events[k].parameter.t_low);
-      if (!(low < high)) {  // doubles do not tell the events apart
+      if (!(low < high)) {  // doubles do not distinguish the events
         before.reset();
         continue;
       }
       std::optional<Seen> here;
-      for (const int share : {1, 7, 15}) {
-        const exact::BigRational t = low + (high - low) * share / 16;
+      for (const int fraction : {1, 7, 15}) {
+        const exact::BigRational t = low + (high - low) * fraction / 16;
         const Seen one = seen(sum, AxisTurn::of(exact::to_rational(t)));
         if (here) {
           EXPECT_TRUE(one == *here) << "between event " << k << " and the one before";
@@ -194,7 +194,7 @@ TEST(SolidRotationEvents, SolidsFarFromTheAxisCostNoMoreThanBesideIt) {
       EXPECT_EQ(std::tie(w.windows, w.facets, w.candidates, w.roots, w.covered, w.exact_tests, w.sums),
                 std::tie(v.windows, v.facets, v.candidates, v.roots, v.covered, v.exact_tests, v.sums))
           << name_of(kind);
-      const Point3 of_p = spatial::way_from_origin(p), of_q = spatial::way_from_origin(q);
+      const Point3 of_p = spatial::offset_from_origin(p), of_q = spatial::offset_from_origin(q);
       for (std::size_t k = 0; k < events.size(); ++k) {
         const SolidRotationEvent &a = events[k], &b = same[k];
         EXPECT_EQ(std::tie(a.approx, a.parameter, a.visible, a.topology),
@@ -232,7 +232,7 @@ TEST(SolidRotationEvents, MassesMeetAtQuarterAndHalfTurns) {
   EXPECT_LT(slanted.work().candidates, 15000u);
 }
 
-/// Prisms have the same four times at the same algebraic angle, above and below: each place is tested once.
+/// Prisms have the same four times at the same algebraic angle, above and below: each position is tested once.
 TEST(SolidRotationEvents, PlacesThatManyMeetingsShareAreTestedOnce) {
   const Mesh p = moving_cases::gear(5, 4, 2), q = moving_cases::gear(4, 3, 2);
   SolidRotationOptions options;

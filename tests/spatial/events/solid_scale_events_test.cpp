@@ -51,8 +51,8 @@ void check_events(const std::string& name, const Mesh& p, const Mesh& q, const S
     ASSERT_LE(ends[k], ends[k + 1]) << name;
     const Rational gap = ends[k + 1] - ends[k];
     between.push_back(shape_at(p, q, ends[k] + gap / Rational(3)));
-    for (const Rational& share : {*Rational::of(1, 17), *Rational::of(5, 8), *Rational::of(30, 31)})
-      ASSERT_EQ(shape_at(p, q, ends[k] + gap * share).hash, between.back().hash)
+    for (const Rational& fraction : {*Rational::of(1, 17), *Rational::of(5, 8), *Rational::of(30, 31)})
+      ASSERT_EQ(shape_at(p, q, ends[k] + gap * fraction).hash, between.back().hash)
           << name << ": between " << ends[k].to_string() << " and " << ends[k + 1].to_string();
   }
   for (std::size_t k = 0; k < events.size(); ++k) {
@@ -84,7 +84,7 @@ TEST(SolidScaleEvents, EventsSeparateTheCombinatoricsOfSmallPairs) {
   EXPECT_GT(found, 40u);
 }
 
-/// Seven of these events are points of four facets, no two of which share a border: the thesis has none of them.
+/// Seven of these events are points of four facets, no two of which share a facet edge: the thesis has none of them.
 TEST(SolidScaleEvents, FourFacetsInAPointAreEvents) {
   MeshData across = moving_cases::torus(2, 0.75, 5, 5);
   for (Point3& v : across.vertices) v = {v.y, v.z, v.x};
@@ -103,7 +103,7 @@ TEST(SolidScaleEvents, EventsOfRandomPolyhedraOnTinyGrids) {
   EXPECT_GT(found, rounds / 2);
 }
 
-/// Every four of the planes of facets and of those along borders, by exact rationals: the sum has no other
+/// Every four of the planes of facets and of those along facet edges, by exact rationals: the sum has no other
 /// combinatorics beside any of their scales than the events tell.
 TEST(SolidScaleEvents, NoFourPlanesMeetWhereAnEventIsMissing) {
   std::mt19937_64 random(9);
@@ -120,7 +120,7 @@ TEST(SolidScaleEvents, NoFourPlanesMeetWhereAnEventIsMissing) {
     std::set<std::uint32_t> known;
     for (std::uint32_t f = 0; f < all.facets().size(); ++f)
       if (known.insert(all.name(f)).second) planes.push_back(&all.plane(f));
-    // All corners against all planes, and a share of all fours.
+    // All corners against all planes, and a fraction of all fours.
     for (const auto* plane : planes)
       for (const spatial::SumPoint c : all.corners().all())
         if (const auto at = spatial::meeting_of(all, c, *plane)) scales.insert(at->scale());
@@ -152,8 +152,8 @@ TEST(SolidScaleEvents, NoFourPlanesMeetWhereAnEventIsMissing) {
   EXPECT_GT(candidates, 10u);
 }
 
-/// Two combs across each other: hundreds of borders and facets in few planes, where most fours of planes have no one
-/// point in common or share one, so that few are looked at.
+/// Two combs across each other: hundreds of facet edges and facets in few planes, where most fours of planes have no
+/// one point in common or share one, so that few are looked at.
 TEST(SolidScaleEvents, MassesInFewPlanesAreDecidedOnce) {
   Ring teeth;
   for (int k = 0; k < 4; ++k)
@@ -174,8 +174,8 @@ TEST(SolidScaleEvents, MassesInFewPlanesAreDecidedOnce) {
   EXPECT_LT(work.candidates, 100000u);
 }
 
-/// Turned in doubles, plane faces are planes 1e-16 apart, and no place in front of what meets there is apart from all
-/// else in doubles: the facets there tell nearly all the same.
+/// Turned in doubles, plane faces are planes 1e-16 apart, and no position in front of what meets there is apart from
+/// all else in doubles: the facets there tell nearly all the same.
 TEST(SolidScaleEvents, EventsOfTurnedTorusesTakeFewSums) {
   std::mt19937_64 random(4);
   const Mesh p = moving_cases::mesh_of(of_kind(moving_cases::torus(2, 0.75, 8, 5), CoordinateKind::turned, random)),

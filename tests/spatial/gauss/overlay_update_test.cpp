@@ -1,5 +1,5 @@
-// Overlays that follow a motion: equal to those from nothing, whichever operand is walked, and mended where they broke
-// only.
+// Overlays that follow a motion: equal to those from nothing, whichever operand is walked, and repaired where they
+// broke only.
 #include "spatial/gauss/overlay.h"
 
 #include <map>
@@ -45,7 +45,7 @@ Mesh bulging_box(int n, double bulge) {
   return *convex_hull(at);
 }
 
-std::string place(std::uint64_t seed, std::size_t pair, std::uint64_t move) {
+std::string position(std::uint64_t seed, std::size_t pair, std::uint64_t move) {
   return "seed " + std::to_string(seed) + " pair " + std::to_string(pair) + " move " + std::to_string(move);
 }
 
@@ -79,7 +79,7 @@ TEST(OverlayUpdate, equals_the_static_overlay_and_reports_its_changes) {
       const Overlay before = moving;
       const RelativeMap map = map_of(pose);
       moving.update(map);
-      expect_as_built(before, moving, map, place(seed, i, k));
+      expect_as_built(before, moving, map, position(seed, i, k));
       if (HasFatalFailure()) return;
     }
   }
@@ -96,7 +96,7 @@ TEST(OverlayUpdate, short_moves_into_ties_and_out_of_them) {
                                     *Rotation::of(30, 1, 1, 1),
                                     *Rotation::of(12, 0, 0, 1),
                                     *Rotation::of(1000, 1, 2, 3)};
-  std::uint64_t exact = 0, mended = 0;
+  std::uint64_t exact = 0, repaired = 0;
   for (std::size_t i = 0; i < 12; ++i) {
     const Mesh a = random_grid_polytope(random, 8 + static_cast<int>(i), 3);
     const Mesh b = i % 3 == 0 ? negated(a) : i % 3 == 1 ? a : random_grid_polytope(random, 10, 2);
@@ -110,13 +110,13 @@ TEST(OverlayUpdate, short_moves_into_ties_and_out_of_them) {
       const Overlay before = moving;
       moving.update(map_of(pose));
       exact += moving.work().exact_signs;
-      mended += moving.work().crossing_checks;
-      expect_as_built(before, moving, map_of(pose), place(seed, i, k));
+      repaired += moving.work().crossing_checks;
+      expect_as_built(before, moving, map_of(pose), position(seed, i, k));
       if (HasFatalFailure()) return;
     }
   }
   EXPECT_GT(exact, moves);
-  EXPECT_GT(mended, moves);
+  EXPECT_GT(repaired, moves);
 }
 
 // Turning by hundreds of radians in all leaves room for scales that change by 2^-47.
@@ -138,7 +138,7 @@ TEST(OverlayUpdate, minute_steps_are_noticed_after_many_turns) {
     moving.update(map_of(pose));
     changes += moving.work().vertex_errors;
     if (k % 32 != 0) continue;
-    expect_as_built(before, moving, map_of(pose), place(58, 0, static_cast<std::uint64_t>(k + 2000)));
+    expect_as_built(before, moving, map_of(pose), position(58, 0, static_cast<std::uint64_t>(k + 2000)));
     if (HasFatalFailure()) return;
   }
   EXPECT_GT(changes, 0u);
@@ -148,7 +148,7 @@ TEST(OverlayUpdate, cells_smaller_than_the_move_jump_over_normals) {
   const std::uint64_t seed = setting("DYMSUM_FUZZ_SEED", 57), moves = setting("DYMSUM_FUZZ_MOVES", 3000);
   std::mt19937_64 random(seed);
   const Polytope box = *spatial::make_polytope(bulging_box(2, 0.05));
-  std::uint64_t mended = 0;
+  std::uint64_t repaired = 0;
   for (std::size_t i = 0; i < 6; ++i) {
     const Polytope ball = *spatial::make_polytope(random_round_polytope(random, i % 3 == 2 ? 20 : 45));
     Overlay moving(i % 2 ? ball : box, i % 2 ? box : ball);
@@ -157,12 +157,12 @@ TEST(OverlayUpdate, cells_smaller_than_the_move_jump_over_normals) {
       const RelativeMap map = map_of({small_rotation(random, 0.1), {}});
       const Overlay before = moving;
       moving.update(map);
-      mended += moving.work().crossing_checks > 0;
-      expect_as_built(before, moving, map, place(seed, i, k));
+      repaired += moving.work().crossing_checks > 0;
+      expect_as_built(before, moving, map, position(seed, i, k));
       if (HasFatalFailure()) return;
     }
   }
-  EXPECT_GT(2 * mended, moves) << "not leaps";
+  EXPECT_GT(2 * repaired, moves) << "not leaps";
 }
 
 TEST(OverlayUpdate, either_operand_may_be_walked) {

@@ -30,7 +30,7 @@ Mesh turned_profile(int sides, double top, double from) {
   return *convex_hull(at);
 }
 
-std::string place(std::size_t pair, int move) {
+std::string position(std::size_t pair, int move) {
   return "pair " + std::to_string(pair) + " move " + std::to_string(move);
 }
 
@@ -94,10 +94,11 @@ TEST(SharedAxis, moves_equal_the_overlay_from_nothing_and_the_brute_force) {
       const RelativeMap map = map_of(pose);
       const Overlay before = moving;
       moving.update(map);
-      ASSERT_NO_FATAL_FAILURE(expect_as_built(before, moving, map, "seed " + std::to_string(seed) + " " + place(i, k)));
+      ASSERT_NO_FATAL_FAILURE(
+          expect_as_built(before, moving, map, "seed " + std::to_string(seed) + " " + position(i, k)));
       Overlay brute(all[i].p, all[i].q);
       brute.build_brute(map);
-      ASSERT_TRUE(moving == brute) << "seed " << seed << " " << place(i, k);
+      ASSERT_TRUE(moving == brute) << "seed " << seed << " " << position(i, k);
     }
   }
 }

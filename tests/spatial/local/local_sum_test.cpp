@@ -1,4 +1,5 @@
-// Local sums: the whole sum cut, whatever way they are found, in boxes and balls at random and critical places, moving.
+// Local sums: the whole sum cut, whatever way they are found, in boxes and balls at random and critical positions,
+// moving.
 #include "dymsum/local_sum.h"
 
 #include <gtest/gtest.h>
@@ -60,8 +61,8 @@ bool ends_at_walls(const LocalPart& part) {
   const clipped_chains::Walls walls(part.box);
   return std::all_of(part.boundary.edges.begin(), part.boundary.edges.end(), [&](const SpatialEdge& edge) {
     if (edge.faces.size() > 1) return true;
-    const auto a = clipped_chains::exact_place(part.boundary, edge.from),
-               b = clipped_chains::exact_place(part.boundary, edge.to);
+    const auto a = clipped_chains::exact_position(part.boundary, edge.from),
+               b = clipped_chains::exact_position(part.boundary, edge.to);
     for (std::size_t k = 0; k < 3; ++k)
       if (a[k] == b[k] && (a[k] == walls.low[k] || a[k] == walls.high[k])) return true;
     return false;
@@ -77,7 +78,7 @@ class LocalSums {
         hierarchy_(local_sum(p, q, LocalEngine::hierarchy)),
         brute_(local_sum(p, q, LocalEngine::brute)) {}
 
-  /// All engines at a place; the first result. `whole` is the sum at the poses.
+  /// All engines at a position; the first result. `whole` is the sum at the poses.
   LocalPart agreed(const ClipBox& box, const SpatialSum& whole, const spatial::PosePair& poses = {},
                    bool with_brute = true) {
     LocalPart part = updated_.in(box, poses.p, poses.q).value();
@@ -88,8 +89,8 @@ class LocalSums {
     EXPECT_TRUE(clipped_chains::shape_of(part.boundary) == clipped_chains::cut(whole, box)) << "cut";
     EXPECT_TRUE(ends_at_walls(part)) << "ends";
     if (part.where != Where::crossed && poses == spatial::PosePair{}) {
-      const Point3 middle{(box.low.x + box.high.x) / 2, (box.low.y + box.high.y) / 2, (box.low.z + box.high.z) / 2};
-      EXPECT_EQ(part.where == Where::inside, contains(p_, q_, middle, Semantics::open).value());
+      const Point3 centre{(box.low.x + box.high.x) / 2, (box.low.y + box.high.y) / 2, (box.low.z + box.high.z) / 2};
+      EXPECT_EQ(part.where == Where::inside, contains(p_, q_, centre, Semantics::open).value());
     }
     EXPECT_EQ(part.where == Where::crossed, !part.boundary.vertices.empty());
     return part;
@@ -115,9 +116,9 @@ TEST(LocalSum, is_the_whole_sum_cut_in_boxes_at_random_and_critical_places) {
   for (const auto& [name, p, q] : moving_cases::small_pairs()) {
     const SpatialSum whole = minkowski_sum(p, q).value();
     LocalSums sums(p, q);
-    Boxes places(whole, 11);
+    Boxes positions(whole, 11);
     for (std::uint64_t k = 0; k < boxes; ++k) {
-      const ClipBox box = places.next();
+      const ClipBox box = positions.next();
       const LocalPart part = sums.agreed(box, whole, {}, k % 4 == 0);
       crossed += part.where == Where::crossed, inside += part.where == Where::inside;
       ASSERT_FALSE(HasFailure()) << name << " in " << text(box);
@@ -134,9 +135,9 @@ TEST(LocalSum, of_random_solids_of_tiny_grids) {
     const Mesh p = random_solids::valid_polyhedron(random), q = random_solids::valid_polyhedron(random);
     const SpatialSum whole = minkowski_sum(p, q).value();
     LocalSums sums(p, q);
-    Boxes places(whole, k);
+    Boxes positions(whole, k);
     for (int i = 0; i < 6; ++i) {
-      const ClipBox box = places.next();
+      const ClipBox box = positions.next();
       sums.agreed(box, whole, {}, i == 0);
       ASSERT_FALSE(HasFailure()) << "pair " << k << " in " << text(box);
     }
@@ -153,9 +154,9 @@ TEST(LocalSum, of_coordinates_of_every_kind) {
       if (!p.ok() || !q.ok()) continue;
       const SpatialSum whole = minkowski_sum(*p, *q).value();
       LocalSums sums(*p, *q);
-      Boxes places(whole, static_cast<std::uint64_t>(k));
+      Boxes positions(whole, static_cast<std::uint64_t>(k));
       for (int i = 0; i < 4; ++i, ++compared) {
-        const ClipBox box = places.next();
+        const ClipBox box = positions.next();
         sums.agreed(box, whole, {}, i == 0);
         ASSERT_FALSE(HasFailure()) << name_of(kind) << ", pair " << k << " in " << text(box);
       }
@@ -173,10 +174,10 @@ TEST(LocalSum, follows_boxes_and_poses) {
     for (std::uint64_t k = 0; k < moves; ++k) {
       poses = motion.next(poses);
       const SpatialSum whole = posed_sum(p, q, poses.p, poses.q).value();
-      Boxes places(whole, k);
-      const ClipBox box = places.next();
+      Boxes positions(whole, k);
+      const ClipBox box = positions.next();
       sums.agreed(box, whole, poses, k % 3 == 0);
-      sums.in(places.ball(), poses);
+      sums.in(positions.ball(), poses);
       ASSERT_FALSE(HasFailure()) << name << ", move " << k << " in " << text(box);
     }
   }
@@ -208,10 +209,10 @@ TEST(LocalSum, tight_features_at_walls_are_those_of_the_whole_sum) {
   ASSERT_FALSE(sheet.tight_faces.empty());
   LocalSums within(block, plate);
   for (int k = 0; k < 20; ++k) {
-    const ClipBox place{{-below(12), -below(4), -below(4)}, {below(12) + 0.5, below(4) + 0.5, below(4) + 0.5}};
-    along.agreed(place, line, {}, k % 4 == 0);
-    about.agreed(place, point, {}, k % 4 == 0);
-    EXPECT_FALSE(within.agreed(place, sheet, {}, k % 4 == 0).boundary.tight_faces.empty());
+    const ClipBox position{{-below(12), -below(4), -below(4)}, {below(12) + 0.5, below(4) + 0.5, below(4) + 0.5}};
+    along.agreed(position, line, {}, k % 4 == 0);
+    about.agreed(position, point, {}, k % 4 == 0);
+    EXPECT_FALSE(within.agreed(position, sheet, {}, k % 4 == 0).boundary.tight_faces.empty());
   }
 }
 

@@ -37,7 +37,7 @@ TEST(Convexity, FlatFacesMayBeConcave) {
   data.faces[3] = {2, 6, b, 7, 3};
   data.faces[5] = {1, 3, 7, r, 5};
   EXPECT_EQ(convexity_error(solid_of(data)), std::nullopt);
-  // the middle of the top pushed in or pulled out by one unit in the last place is no longer plane
+  // the midpoint of the top pushed in or pulled out by one unit in the last place is no longer plane
   MeshData bent = data;
   bent.vertices[m].z = 2 - 0x1p-52;
   EXPECT_EQ(name(Mesh::create(bent).error().code), "not_planar");

@@ -1,4 +1,5 @@
-// What a surface that meets itself is told: crossing, lying on itself, and touching at vertices and edges, told apart.
+// What a surface that meets itself is told: crossing, lying on itself, and touching at vertices and edges,
+// distinguished.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -17,7 +18,7 @@ Evidence contact(const MeshData& data, const std::string& message) {
   return mesh.error().evidence;
 }
 
-/// A pyramid with its tip down at the place, over a square of half size 1.
+/// A pyramid with its tip down at the position, over a square of half size 1.
 MeshData tip_at(const Point3& p) {
   return {{p,
            {p.x - 1, p.y - 1, p.z + 1},
@@ -26,7 +27,7 @@ MeshData tip_at(const Point3& p) {
            {p.x - 1, p.y + 1, p.z + 1}},
           {{1, 2, 3, 4}, {0, 2, 1}, {0, 3, 2}, {0, 4, 3}, {0, 1, 4}}};
 }
-/// A wedge whose edge runs along y at the place, from -1 to 1 of it.
+/// A wedge whose edge runs along y at the position, from -1 to 1 of it.
 MeshData ridge_at(const Point3& p) {
   return {{{p.x, p.y - 1, p.z},
            {p.x, p.y + 1, p.z},

@@ -84,14 +84,14 @@ inline MeshData turned_inside_out(MeshData data) {
 /// The same solid with its vertices, faces and the faces' first vertices in another order.
 inline MeshData shuffled(const MeshData& data, std::uint64_t seed) {
   std::mt19937_64 random(seed);
-  std::vector<std::uint32_t> place(data.vertices.size());
-  for (std::uint32_t v = 0; v < place.size(); ++v) place[v] = v;
-  std::shuffle(place.begin(), place.end(), random);
+  std::vector<std::uint32_t> position(data.vertices.size());
+  for (std::uint32_t v = 0; v < position.size(); ++v) position[v] = v;
+  std::shuffle(position.begin(), position.end(), random);
   MeshData result;
-  result.vertices.resize(place.size());
-  for (std::size_t v = 0; v < place.size(); ++v) result.vertices[place[v]] = data.vertices[v];
+  result.vertices.resize(position.size());
+  for (std::size_t v = 0; v < position.size(); ++v) result.vertices[position[v]] = data.vertices[v];
   for (Face face : data.faces) {
-    for (std::uint32_t& v : face) v = place[v];
+    for (std::uint32_t& v : face) v = position[v];
     std::rotate(face.begin(), face.begin() + static_cast<std::ptrdiff_t>(random() % face.size()), face.end());
     result.faces.push_back(std::move(face));
   }

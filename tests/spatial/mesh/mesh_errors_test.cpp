@@ -28,7 +28,7 @@ void expect(const Error& error, ErrorCode code, Number face, Number vertex, Numb
   EXPECT_FALSE(error.message.empty());
 }
 
-void expect_place(const Error& error, Point3 at) {
+void expect_position(const Error& error, Point3 at) {
   EXPECT_EQ(error.evidence.x, at.x);
   EXPECT_EQ(error.evidence.y, at.y);
   EXPECT_EQ(error.evidence.z, at.z);
@@ -52,7 +52,7 @@ TEST(MeshErrors, bad_index) {
   data.vertices.push_back({7, 8, 9});
   const Error error = error_of(data);
   expect(error, ErrorCode::bad_index, {}, 8);
-  expect_place(error, {7, 8, 9});
+  expect_position(error, {7, 8, 9});
 }
 
 TEST(MeshErrors, too_few_vertices) {
@@ -71,7 +71,7 @@ TEST(MeshErrors, repeated_vertex) {
   data.vertices[6] = {0, -0.0, 0};
   const Error error = error_of(data);
   expect(error, ErrorCode::repeated_vertex, {}, 0, {}, 6);
-  expect_place(error, {0, 0, 0});
+  expect_position(error, {0, 0, 0});
 }
 
 TEST(MeshErrors, no_area) {
@@ -80,7 +80,7 @@ TEST(MeshErrors, no_area) {
   data.faces.push_back({0, 8, 1});
   const Error line = error_of(data);
   expect(line, ErrorCode::no_area, 6, 0);
-  expect_place(line, {0, 0, 0});
+  expect_position(line, {0, 0, 0});
   // a sheet with two sides
   const Error sheet = error_of({{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}, {{0, 1, 2}, {0, 2, 1}}});
   expect(sheet, ErrorCode::no_area, 0, 0);
@@ -92,7 +92,7 @@ TEST(MeshErrors, not_planar_by_one_unit_in_the_last_place) {
   data.vertices[7].z = 1 + 0x1p-52;
   const Error error = error_of(data);
   expect(error, ErrorCode::not_planar, 1, 6);
-  expect_place(error, {0, 1, 1});
+  expect_position(error, {0, 1, 1});
 }
 
 TEST(MeshErrors, self_crossing) {
@@ -112,7 +112,7 @@ TEST(MeshErrors, not_closed) {
   data.faces.erase(data.faces.begin() + 1);  // the top
   const Error error = error_of(data);
   expect(error, ErrorCode::not_closed, 1, 5, {}, 4);
-  expect_place(error, {1, 0, 1});
+  expect_position(error, {1, 0, 1});
 }
 
 TEST(MeshErrors, not_manifold_where_an_edge_has_three_faces) {
@@ -124,7 +124,7 @@ TEST(MeshErrors, not_manifold_where_an_edge_has_three_faces) {
   const Error error = error_of(data);
   expect(error, ErrorCode::not_manifold, 1, 3, 2, 0);
   EXPECT_NE(error.message.find("odd"), std::string::npos);
-  expect_place(error, {0, 0, 1});
+  expect_position(error, {0, 0, 1});
 }
 
 TEST(MeshErrors, not_manifold_where_solids_at_an_edge_overlap) {
@@ -145,7 +145,7 @@ TEST(MeshErrors, wrong_orientation) {
   expect(edge, ErrorCode::wrong_orientation, 0, 2, 3, 3);
   const Error inside_out = error_of(joined(cube(), turned_inside_out(cube(1, {5, 0, 0}))));
   expect(inside_out, ErrorCode::wrong_orientation, 6, 8);
-  expect_place(inside_out, {5, 0, 0});
+  expect_position(inside_out, {5, 0, 0});
 }
 
 }  // namespace

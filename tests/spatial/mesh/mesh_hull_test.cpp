@@ -8,7 +8,7 @@ namespace dymsum::test {
 namespace {
 
 /// A cube of side 2 about the origin whose top has a middle at this height.
-MeshData with_middle(double height) {
+MeshData with_midpoint(double height) {
   MeshData data = cube(1).data();
   data.vertices.push_back({0, 0, height});
   const Face top = *std::find_if(data.faces.begin(), data.faces.end(), [&](const Face& f) {
@@ -21,17 +21,17 @@ MeshData with_middle(double height) {
 
 TEST(MeshHull, the_deviation_is_that_of_the_deepest_place) {
   for (const double depth : {0x1p-52, 0x1p-30, 0.25, 1.0}) {
-    const HulledMesh hull = *hulled(with_middle(1 - depth));
+    const HulledMesh hull = *hulled(with_midpoint(1 - depth));
     EXPECT_EQ(hull.mesh, cube(1));
     EXPECT_EQ(hull.report.vertices, 9u);
     EXPECT_EQ(hull.report.inside_vertices, 1u);
     EXPECT_EQ(hull.report.deviation, depth);
   }
-  EXPECT_EQ(hulled(with_middle(1))->report.deviation, 0) << "flat is not inside";
-  EXPECT_EQ(hulled(with_middle(1))->report.inside_vertices, 0u);
-  EXPECT_EQ(hulled(with_middle(1.5))->report.deviation, 0);
+  EXPECT_EQ(hulled(with_midpoint(1))->report.deviation, 0) << "flat is not inside";
+  EXPECT_EQ(hulled(with_midpoint(1))->report.inside_vertices, 0u);
+  EXPECT_EQ(hulled(with_midpoint(1.5))->report.deviation, 0);
   const double tiny = 0x1p-1060;
-  MeshData small = with_middle(0.5);
+  MeshData small = with_midpoint(0.5);
   for (Point3& p : small.vertices) p = {tiny * p.x, tiny * p.y, tiny * p.z};
   EXPECT_EQ(hulled(small)->report.deviation, 0.5 * tiny);
 }
@@ -106,7 +106,7 @@ TEST(MeshHull, a_moved_solid_stays_convex_and_says_how_far_it_is_off) {
   EXPECT_LE(far.report.deviation, std::sqrt(3.0) * 0x1p-13);
   EXPECT_EQ(translated_hull(ball, 0x1p80, 0, 0).error().code, ErrorCode::no_area);
   EXPECT_EQ(translated_hull(ball, INFINITY, 0, 0).error().code, ErrorCode::not_finite);
-  EXPECT_EQ(translated_hull(*Mesh::create(with_middle(0.5)), 0, 0, 0).error().code, ErrorCode::not_convex);
+  EXPECT_EQ(translated_hull(*Mesh::create(with_midpoint(0.5)), 0, 0, 0).error().code, ErrorCode::not_convex);
 }
 
 TEST(ConvexSumChain, of_three_solids_is_the_same_in_every_order) {

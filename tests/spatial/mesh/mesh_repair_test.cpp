@@ -1,4 +1,4 @@
-// The named repair: what it mends, what it reports, what it leaves.
+// The named repair: what it repairs, what it reports, what it leaves.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -110,10 +110,10 @@ TEST(MeshRepair, ErrorsKeepTheNumbersOfTheInput) {
   const auto face = static_cast<std::size_t>(holed.error().evidence.face.value());
   const auto vertex = static_cast<std::uint32_t>(holed.error().evidence.vertex.value());
   ASSERT_LT(face, data.faces.size());
-  const Point3 place = data.vertices[vertex];
-  EXPECT_EQ(place.x, holed.error().evidence.x);
+  const Point3 position = data.vertices[vertex];
+  EXPECT_EQ(position.x, holed.error().evidence.x);
   bool on_face = false;
-  for (const std::uint32_t v : data.faces[face]) on_face |= data.vertices[v] == place;
+  for (const std::uint32_t v : data.faces[face]) on_face |= data.vertices[v] == position;
   EXPECT_TRUE(on_face);
 
   data = cube();
@@ -224,7 +224,7 @@ MeshData parted_box() {
 TEST(MeshRepair, DropsWhatPartsTheInside) {
   MeshData data = parted_box();
   EXPECT_EQ(name(Mesh::create(data).error().code), "not_manifold");
-  for (int way = 0; way < 2; ++way) {
+  for (int direction = 0; direction < 2; ++direction) {
     const RepairedMesh one = repaired(data);
     EXPECT_EQ(one.report.membranes, 1u);
     EXPECT_EQ(one.mesh, *Mesh::create(solids::box(0, 0, 0, 2, 1, 1).data()));
@@ -329,12 +329,12 @@ TEST(MeshRepair, vertices_across_a_crack_become_one) {
   std::mt19937 random(3);
   for (Point3& p : soup.vertices)
     if (random() % 10 == 0) p.x += 1e-9, p.y -= 1e-9 * (random() % 3);
-  const RepairedMesh mended = repair(soup).value();
-  EXPECT_GT(mended.report.cracks, 3u);
-  EXPECT_GE(mended.report.largest_crack, 1e-9);
-  EXPECT_LE(mended.report.largest_crack, 4e-9);
-  EXPECT_EQ(mended.mesh.vertices().size(), solids::geodesic_sphere(3, 1).vertices().size());
-  EXPECT_NE(mended.report.to_string().find("merged across cracks (at most "), std::string::npos);
+  const RepairedMesh repaired = repair(soup).value();
+  EXPECT_GT(repaired.report.cracks, 3u);
+  EXPECT_GE(repaired.report.largest_crack, 1e-9);
+  EXPECT_LE(repaired.report.largest_crack, 4e-9);
+  EXPECT_EQ(repaired.mesh.vertices().size(), solids::geodesic_sphere(3, 1).vertices().size());
+  EXPECT_NE(repaired.report.to_string().find("merged across cracks (at most "), std::string::npos);
   // Wider than 2^-20 of the diagonal, some 1.3e-6 here, it stays a crack.
   for (const double wide : {1e-7, 1.2e-6, 1.5e-6, 1e-5}) {
     const std::vector<Point3> corners{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {1, 0, wide}, {0, 1, wide}, {1, 1, 0}};
@@ -347,11 +347,11 @@ TEST(MeshRepair, vertices_across_a_crack_become_one) {
 TEST(MeshRepair, a_small_hole_is_filled_and_a_large_one_is_not) {
   MeshData ball = solids::geodesic_sphere(4, 1).data();
   ball.faces.erase(ball.faces.begin() + 7);
-  const RepairedMesh mended = repair(ball).value();
-  EXPECT_EQ(mended.report.holes, 1u);
-  EXPECT_EQ(mended.report.reversed_faces, 0u) << "it runs as those around it do";
-  EXPECT_EQ(mended.mesh.faces().size(), ball.faces.size() + 1);
-  EXPECT_NE(mended.report.to_string().find("1 small hole filled"), std::string::npos);
+  const RepairedMesh repaired = repair(ball).value();
+  EXPECT_EQ(repaired.report.holes, 1u);
+  EXPECT_EQ(repaired.report.reversed_faces, 0u) << "it runs as those around it do";
+  EXPECT_EQ(repaired.mesh.faces().size(), ball.faces.size() + 1);
+  EXPECT_NE(repaired.report.to_string().find("1 small hole filled"), std::string::npos);
   MeshData box = solids::box(0, 0, 0, 1, 1, 1).data();
   box.faces.pop_back();
   EXPECT_EQ(repair(box).error().code, ErrorCode::not_closed);

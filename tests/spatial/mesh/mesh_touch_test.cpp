@@ -25,7 +25,7 @@ MeshData at_an_edge() {
   return data;
 }
 
-/// Vertices at one place become one.
+/// Vertices at one position become one.
 MeshData merged(const MeshData& data) {
   MeshData result;
   std::map<std::array<double, 3>, std::uint32_t> index;

@@ -22,7 +22,7 @@ Vec3 random_vector(std::mt19937_64& random) {
 TEST(RingOfEight, sides_are_the_same_one_by_one) {
   std::mt19937_64 random(61);
   const float error = static_cast<float>(spatial::kFloatError);
-  int certain = 0, left = 0;
+  int proved = 0, left = 0;
   for (int k = 0; k < 2000; ++k) {
     RingOfEight ring{};
     const std::array<float, 3> along = spatial::in_floats(random_vector(random));
@@ -36,12 +36,12 @@ TEST(RingOfEight, sides_are_the_same_one_by_one) {
     if (odd < 8) ring.x[odd] = ring.y[odd] = ring.z[odd] = 1e-7F;
     const spatial::EightSides sides = spatial::eight_sides(ring, along, error);
     ASSERT_EQ(sides, spatial::eight_sides_one_by_one(ring, along, error));
-    ASSERT_EQ(sides.certain, odd >= 8) << odd;
-    ++certain;
+    ASSERT_EQ(sides.proved, odd >= 8) << odd;
+    ++proved;
     left += std::popcount(sides.left);
   }
-  EXPECT_GT(left, 3 * certain);
-  EXPECT_LT(left, 5 * certain);
+  EXPECT_GT(left, 3 * proved);
+  EXPECT_LT(left, 5 * proved);
 }
 
 TEST(RingOfEight, edges_are_those_that_doubles_find) {

@@ -211,10 +211,10 @@ TEST(ShellNesting, rays_through_edges_and_vertices_of_other_shells) {
 
 TEST(ShellNesting, repair_turns_what_runs_the_wrong_way) {
   const MeshData outer = cube(8), inside = cube(4, {2, 2, 2});
-  const Result<RepairedMesh> mended = repair(joined(inverted(outer), inside));
-  ASSERT_TRUE(mended);
-  EXPECT_EQ(mended->report.reversed_shells, 2u);
-  EXPECT_EQ(volume(mended->mesh), 512 - 64);
+  const Result<RepairedMesh> repaired = repair(joined(inverted(outer), inside));
+  ASSERT_TRUE(repaired);
+  EXPECT_EQ(repaired->report.reversed_shells, 2u);
+  EXPECT_EQ(volume(repaired->mesh), 512 - 64);
 }
 
 }  // namespace

@@ -16,7 +16,7 @@ namespace {
 
 using Rings = std::vector<std::vector<std::uint32_t>>;
 
-/// Places with small integer coordinates.
+/// Positions with small integer coordinates.
 struct Lattice final : spatial::PlaneOrder {
   std::vector<std::array<long, 2>> at;
 
@@ -58,11 +58,11 @@ void expect_split(const Rings& rings, Lattice& plane) {
   }
 }
 
-/// The rings around cells of a lattice, sheared, joined in any way at places where four sides meet.
+/// The rings around cells of a lattice, sheared, joined in any way at positions where four sides meet.
 Rings around_cells(const std::vector<std::vector<bool>>& cells, int shear, Lattice& plane) {
   const int n = static_cast<int>(cells.size());
   const auto in = [&](int x, int y) { return x >= 0 && y >= 0 && x < n && y < n && cells[x][y]; };
-  const auto place = [&](int x, int y) { return static_cast<std::uint32_t>(x * (n + 1) + y); };
+  const auto position = [&](int x, int y) { return static_cast<std::uint32_t>(x * (n + 1) + y); };
   plane.at.clear();
   for (int x = 0; x <= n; ++x)
     for (int y = 0; y <= n; ++y) plane.at.push_back({x + shear * y, 2 * y - shear * x});
@@ -70,10 +70,10 @@ Rings around_cells(const std::vector<std::vector<bool>>& cells, int shear, Latti
   for (int x = 0; x < n; ++x)
     for (int y = 0; y < n; ++y) {
       if (!in(x, y)) continue;
-      if (!in(x, y - 1)) sides.emplace(place(x, y), place(x + 1, y));
-      if (!in(x + 1, y)) sides.emplace(place(x + 1, y), place(x + 1, y + 1));
-      if (!in(x, y + 1)) sides.emplace(place(x + 1, y + 1), place(x, y + 1));
-      if (!in(x - 1, y)) sides.emplace(place(x, y + 1), place(x, y));
+      if (!in(x, y - 1)) sides.emplace(position(x, y), position(x + 1, y));
+      if (!in(x + 1, y)) sides.emplace(position(x + 1, y), position(x + 1, y + 1));
+      if (!in(x, y + 1)) sides.emplace(position(x + 1, y + 1), position(x, y + 1));
+      if (!in(x - 1, y)) sides.emplace(position(x, y + 1), position(x, y));
     }
   Rings rings;
   while (!sides.empty()) {

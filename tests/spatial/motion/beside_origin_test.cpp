@@ -16,19 +16,19 @@ namespace dymsum {
 namespace {
 
 using spatial::beside_origin;
-using spatial::way_from_origin;
+using spatial::offset_from_origin;
 
 std::array<double, 3> coordinates(Point3 p) { return {p.x, p.y, p.z}; }
 
-/// That coordinates are the given ones less `way`, exactly.
-void check_moved(const std::string& name, const Mesh& given, const Mesh& moved, Point3 way) {
+/// That coordinates are the given ones less `direction`, exactly.
+void check_moved(const std::string& name, const Mesh& given, const Mesh& moved, Point3 direction) {
   ASSERT_EQ(given.faces(), moved.faces()) << name;
   ASSERT_EQ(given.vertices().size(), moved.vertices().size()) << name;
   for (std::size_t v = 0; v < given.vertices().size(); ++v)
     for (std::size_t axis = 0; axis < 3; ++axis)
       ASSERT_EQ(exact::exact_value(coordinates(moved.vertices()[v])[axis]),
                 exact::BigRational(exact::exact_value(coordinates(given.vertices()[v])[axis]) -
-                                   exact::exact_value(coordinates(way)[axis])))
+                                   exact::exact_value(coordinates(direction)[axis])))
           << name << ": vertex " << v << ", axis " << axis;
 }
 
@@ -44,12 +44,12 @@ TEST(BesideOrigin, DifferencesAreExactInAllKindsOfCoordinates) {
       for (Point3& v : data.vertices) v = {v.x + by[0], v.y + by[1], v.z + by[2]};
       const Result<Mesh> mesh = Mesh::create(data);
       if (!mesh.ok() || mesh->has_thin_parts()) continue;  // what rounding made of it
-      const Point3 way = way_from_origin(*mesh);
+      const Point3 direction = offset_from_origin(*mesh);
       const std::optional<Mesh> near = beside_origin(*mesh);
-      ASSERT_EQ(near.has_value(), !(way == Point3{}));
+      ASSERT_EQ(near.has_value(), !(direction == Point3{}));
       ++(near ? moved : left);
       if (!near) continue;
-      check_moved(name_of(kind), *mesh, *near, way);
+      check_moved(name_of(kind), *mesh, *near, direction);
       EXPECT_TRUE(Mesh::create(near->data()).ok());
       EXPECT_FALSE(beside_origin(*near).has_value()) << "moved twice";
     }
@@ -63,13 +63,13 @@ TEST(BesideOrigin, TakesAxesAloneAndTheEndThatIsNearer) {
                                  {{0, 2, 1}, {0, 1, 3}, {1, 2, 3}, {0, 3, 2}}})
         .value();
   };
-  EXPECT_EQ(way_from_origin(box_at(1, -2, 0.75, 1)), (Point3{1, -1, 0}));
-  EXPECT_EQ(way_from_origin(box_at(-0.5, 0, -1.75, 1)), (Point3{0, 0, 0}));
-  EXPECT_EQ(way_from_origin(Mesh()), (Point3{}));
+  EXPECT_EQ(offset_from_origin(box_at(1, -2, 0.75, 1)), (Point3{1, -1, 0}));
+  EXPECT_EQ(offset_from_origin(box_at(-0.5, 0, -1.75, 1)), (Point3{0, 0, 0}));
+  EXPECT_EQ(offset_from_origin(Mesh()), (Point3{}));
   const double least = std::numeric_limits<double>::denorm_min(), most = std::ldexp(1.0, 1000);
-  EXPECT_EQ(way_from_origin(box_at(64 * least, 0, 0, least)), (Point3{64 * least, 0, 0}));
+  EXPECT_EQ(offset_from_origin(box_at(64 * least, 0, 0, least)), (Point3{64 * least, 0, 0}));
   const Mesh huge = box_at(most, -2 * most, 0, most);
-  check_moved("huge", huge, beside_origin(huge).value(), way_from_origin(huge));
+  check_moved("huge", huge, beside_origin(huge).value(), offset_from_origin(huge));
 }
 
 }  // namespace

@@ -37,8 +37,8 @@ const ConvolutionWork& move(const SolidPair& pair, DynamicConvolution& moving, c
 
 TEST(DynamicConvolution, IsTheStaticOneAfterMovesOfAllKinds) {
   const std::vector<moving_cases::NamedPair> pairs = moving_cases::small_pairs();
-  const std::uint64_t seed = test::setting("DYMSUM_FUZZ_SEED", 17), asked = test::setting("DYMSUM_FUZZ_MOVES", 1300);
-  const std::size_t each = asked / pairs.size();
+  const std::uint64_t seed = test::setting("DYMSUM_FUZZ_SEED", 17), queried = test::setting("DYMSUM_FUZZ_MOVES", 1300);
+  const std::size_t each = queried / pairs.size();
   std::size_t updated = 0, exact = 0;
   for (const auto& [name, p, q] : pairs) {
     const SolidPair pair = solid_pair(p, q);
@@ -52,8 +52,8 @@ TEST(DynamicConvolution, IsTheStaticOneAfterMovesOfAllKinds) {
       ASSERT_TRUE(same_as_static(pair, moving, poses)) << name << ", move " << k;
     }
   }
-  EXPECT_GT(updated, asked / 4);
-  EXPECT_GT(exact, asked);
+  EXPECT_GT(updated, queried / 4);
+  EXPECT_GT(exact, queried);
 }
 
 /// A whole turn in steps about a tilted axis, of one operand.

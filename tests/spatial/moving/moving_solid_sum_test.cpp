@@ -34,14 +34,14 @@ bool same_features(const SpatialSum& a, const SpatialSum& b) {
 }
 
 TEST(MovingSolidSum, IsAFreshSumAfterMovesOfAllKinds) {
-  const std::uint64_t seed = test::setting("DYMSUM_FUZZ_SEED", 31), asked = test::setting("DYMSUM_FUZZ_MOVES", 130);
+  const std::uint64_t seed = test::setting("DYMSUM_FUZZ_SEED", 31), queried = test::setting("DYMSUM_FUZZ_MOVES", 130);
   std::size_t updated = 0;
   const auto pairs = moving_cases::small_pairs();
   for (const auto& [name, p, q] : pairs) {
     MovingSolidSum moving = MovingSolidSum::create(p, q).value();
     Moves moves(seed);
     PosePair poses;
-    for (std::size_t k = 0; k < asked / pairs.size(); ++k) {
+    for (std::size_t k = 0; k < queried / pairs.size(); ++k) {
       poses = moves.next(poses);
       const Result<SolidFrameWork> work = moving.set(poses.p, poses.q);
       ASSERT_TRUE(work.ok()) << work.error().to_string();
@@ -52,7 +52,7 @@ TEST(MovingSolidSum, IsAFreshSumAfterMovesOfAllKinds) {
       updated += !work->rebuilt;
     }
   }
-  EXPECT_GT(updated, asked / 4);
+  EXPECT_GT(updated, queried / 4);
 }
 
 TEST(MovingSolidSum, OfCoordinatesOfEveryKindIsAFreshSum) {

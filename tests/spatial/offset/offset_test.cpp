@@ -16,17 +16,17 @@ Mesh mesh(const MeshData& data) { return Mesh::create(data).value(); }
 
 TEST(TessellatedBall, LiesBetweenItsRadiiAndOnItsSideOfTheBall) {
   for (const double radius : {1.0, 0.3, 1000.0, 1e-9}) {
-    for (const double share : {0.3, 0.05, 0.004}) {
+    for (const double fraction : {0.3, 0.05, 0.004}) {
       for (const OffsetBound bound : {OffsetBound::inside, OffsetBound::outside}) {
-        const TessellatedBall ball = tessellated_ball(radius, share * radius, bound).value();
-        EXPECT_LE(ball.high - ball.low, share * radius);
+        const TessellatedBall ball = tessellated_ball(radius, fraction * radius, bound).value();
+        EXPECT_LE(ball.high - ball.low, fraction * radius);
         if (bound == OffsetBound::inside) EXPECT_LE(ball.high, radius);
         else EXPECT_GE(ball.low, radius);
         for (const Point3& v : ball.mesh.vertices()) EXPECT_LE(std::hypot(v.x, v.y, v.z), ball.high);
         const double size = 4 * kPi / 3;
         EXPECT_GE(volume(ball.mesh), size * std::pow(ball.low, 3) * (1 - 1e-12));
         EXPECT_LE(volume(ball.mesh), size * std::pow(ball.high, 3) * (1 + 1e-12));
-        EXPECT_LE(static_cast<double>(ball.mesh.faces().size()), 40 + 8 / share);
+        EXPECT_LE(static_cast<double>(ball.mesh.faces().size()), 40 + 8 / fraction);
       }
     }
   }
@@ -77,8 +77,8 @@ TEST(SolidOffset, SurfaceLiesBetweenTheTwoDistances) {
       const MeshData surface = result.solid.rounded().value().mesh;
       for (const Face& f : surface.faces) {
         const Point3 &a = surface.vertices[f[0]], &b = surface.vertices[f[1]], &c = surface.vertices[f[2]];
-        const Point3 middle{(a.x + b.x + c.x) / 3, (a.y + b.y + c.y) / 3, (a.z + b.z + c.z) / 3};
-        for (const Point3& at : {a, middle}) {
+        const Point3 centre{(a.x + b.x + c.x) / 3, (a.y + b.y + c.y) / 3, (a.z + b.z + c.z) / 3};
+        for (const Point3& at : {a, centre}) {
           EXPECT_GE(distance_to_ell(at), result.low - 1e-12);
           EXPECT_LE(distance_to_ell(at), result.high + 1e-12);
         }

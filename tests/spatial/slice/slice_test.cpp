@@ -23,11 +23,11 @@ int fuzz_pairs(int few) {
   return text != nullptr ? std::max(few, std::atoi(text) / 10) : few;
 }
 
-using Place = std::pair<Rational, Rational>;
+using Position = std::pair<Rational, Rational>;
 
 /// The vertices of a section, and twice its area by the faces that it crosses. For heights of no vertex.
 struct Section {
-  std::set<Place> vertices;
+  std::set<Position> vertices;
   Rational twice;
 };
 Section section(const SpatialSum& sum, const Rational& z) {
@@ -36,11 +36,11 @@ Section section(const SpatialSum& sum, const Rational& z) {
   for (std::size_t v = 0; v < sum.vertices.size(); ++v) at.push_back(sum.exact(v));
   const auto cut = [&](std::uint32_t a, std::uint32_t b) {
     const Rational t = (z - at[a].z) / (at[b].z - at[a].z);
-    return Place{at[a].x + t * (at[b].x - at[a].x), at[a].y + t * (at[b].y - at[a].y)};
+    return Position{at[a].x + t * (at[b].x - at[a].x), at[a].y + t * (at[b].y - at[a].y)};
   };
   for (const SpatialFace& face : sum.faces) {
-    // Crossings of a face's border with the plane, on its line, in order: pairs bound stretches.
-    std::vector<std::pair<Place, bool>> crossings;
+    // Crossings of a face's edge with the plane, on its line, in order: pairs bound intervals.
+    std::vector<std::pair<Position, bool>> crossings;
     for (const auto& loop : face.loops) {
       for (std::size_t k = 0; k < loop.size(); ++k) {
         const std::uint32_t a = loop[k], b = loop[(k + 1) % loop.size()];
@@ -49,7 +49,7 @@ Section section(const SpatialSum& sum, const Rational& z) {
         result.vertices.insert(crossings.back().first);
       }
     }
-    // Seen from outside, the border comes up at the end of a stretch that has the inside of the sum on its left.
+    // Seen from outside, the facet edge comes up at the end of an interval that has the inside of the sum on its left.
     std::sort(crossings.begin(), crossings.end());
     for (std::size_t k = 0; k + 1 < crossings.size(); k += 2) {
       const auto &p = crossings[k].first, &q = crossings[k + 1].first;
@@ -60,12 +60,12 @@ Section section(const SpatialSum& sum, const Rational& z) {
   return result;
 }
 
-std::set<Place> vertices_of(const SolidSlice& slice) {
-  std::set<Place> places;
+std::set<Position> vertices_of(const SolidSlice& slice) {
+  std::set<Position> positions;
   const auto add = [&](const SumRing& ring) {
     for (const SumVertex& v : ring.vertices) {
       const RationalPoint at = slice.section.exact(v);
-      places.insert({at.x, at.y});
+      positions.insert({at.x, at.y});
       EXPECT_LE(std::abs(v.at.x - at.x.to_double()), slice.section.at_error + 1e-300);
       EXPECT_LT(v.out.p, slice.contacts.size());
     }
@@ -74,7 +74,7 @@ std::set<Place> vertices_of(const SolidSlice& slice) {
     add(part.outer);
     for (const SumRing& hole : part.holes) add(hole);
   }
-  return places;
+  return positions;
 }
 
 void expect_section(const Mesh& p, const Mesh& q, const SpatialSum& whole, double z, const std::string& what) {

@@ -1,4 +1,4 @@
-// Operands without the vertices in the middle of their faces and edges: the same solids, and the same sums.
+// Operands without the vertices inside their faces and edges: the same solids, and the same sums.
 #include <gtest/gtest.h>
 
 #include <cmath>

@@ -10,13 +10,13 @@
 namespace dymsum {
 namespace {
 
+using spatial::DirectionSource;
 using spatial::FacetTable;
 using spatial::LoneContacts;
 using spatial::SolidOperand;
 using spatial::SumEdge;
 using spatial::SumFacet;
 using spatial::SumPoint;
-using spatial::Way;
 
 /// A tetrahedron with its first vertex in the origin.
 MeshData pyramid(const Point3& a, const Point3& b, const Point3& c) {
@@ -50,8 +50,8 @@ class Contacts {
   }
   /// Edge ab of P, vertex 0 of Q, and the plane of two edges of Q.
   bool crosses(std::uint32_t a, std::uint32_t b, std::uint32_t u, std::uint32_t v) {
-    const auto plane =
-        space_->add_planes(std::array{spatial::PlaneSource{{0, 0}, {Way::Of::q, 0, u}, {Way::Of::q, 0, v}, false}});
+    const auto plane = space_->add_planes(std::array{
+        spatial::PlaneSource{{0, 0}, {DirectionSource::Of::q, 0, u}, {DirectionSource::Of::q, 0, v}, false}});
     const auto id = space_->add_edges(std::array{SumEdge{{a, 0}, {b, 0}}});
     return LoneContacts(*space_, {}, p_, q_).crosses(id, plane);
   }
@@ -110,13 +110,13 @@ TEST(LoneContacts, of_two_corners_leave_a_way_apart) {
   // Two cubes that touch in a corner have normals to all sides there; nothing of the sheared ones is parallel to them.
   const oracles::IntegerMap shear{{{7, 1, 2}, {-1, 6, 3}, {2, -3, 8}}};
   const oracles::Voxels two{{0, 0, 0}, {1, 1, 1}};
-  const auto middle = [](const MeshData& mesh, const Point3& at) {
+  const auto midpoint = [](const MeshData& mesh, const Point3& at) {
     return static_cast<std::uint32_t>(std::find(mesh.vertices.begin(), mesh.vertices.end(), at) -
                                       mesh.vertices.begin());
   };
   const MeshData p = oracles::voxel_mesh(two), q = oracles::voxel_mesh(two, shear),
                  one = oracles::voxel_mesh({{0, 0, 0}}, shear);
-  const std::uint32_t of_p = middle(p, {1, 1, 1}), of_q = middle(q, {10, 8, 7});
+  const std::uint32_t of_p = midpoint(p, {1, 1, 1}), of_q = midpoint(q, {10, 8, 7});
   ASSERT_LT(of_p, p.vertices.size());
   ASSERT_LT(of_q, q.vertices.size());
   EXPECT_FALSE(Contacts(p, q).corner(of_p, of_q));
@@ -130,7 +130,7 @@ TEST(LoneContacts, of_two_corners_leave_a_way_apart) {
     tips.faces.push_back(mirrored);
   }
   EXPECT_FALSE(Contacts(tips, q).corner(0, of_q));
-  EXPECT_TRUE(Contacts(p, one).corner(of_p, middle(one, {10, 8, 7}))) << "the other one has a way";
+  EXPECT_TRUE(Contacts(p, one).corner(of_p, midpoint(one, {10, 8, 7}))) << "the other one has a way";
 }
 
 TEST(LoneContacts, inside_a_facet_have_nothing_parallel) {

@@ -21,20 +21,21 @@ Vector vector(const SpatialSum& sum, std::uint32_t v) {
   return {at.x, at.y, at.z};
 }
 
-/// The middle of a triangle, and places an extremely small step in front of it and behind it.
+/// The centre of a triangle, and places an extremely small step in front of it and behind it.
 std::array<RationalPoint3, 3> on_before_and_behind(const Vector& a, const Vector& b, const Vector& c) {
   const Rational third = Rational(1) / Rational(3), step = *Rational::of(0x1p-500);
-  std::array<RationalPoint3, 3> places;
+  std::array<RationalPoint3, 3> positions;
   for (std::size_t i = 0; i < 3; ++i) {
     const std::size_t j = (i + 1) % 3, k = (i + 2) % 3;
     const Rational normal = (b[j] - a[j]) * (c[k] - a[k]) - (b[k] - a[k]) * (c[j] - a[j]);
-    const Rational middle = (a[i] + b[i] + c[i]) * third;
-    const auto set = [&](RationalPoint3& place, const Rational& v) {
-      (i == 0 ? place.x : i == 1 ? place.y : place.z) = v;
+    const Rational midpoint = (a[i] + b[i] + c[i]) * third;
+    const auto set = [&](RationalPoint3& position, const Rational& v) {
+      (i == 0 ? position.x : i == 1 ? position.y : position.z) = v;
     };
-    set(places[0], middle), set(places[1], middle + step * normal), set(places[2], middle - step * normal);
+    set(positions[0], midpoint), set(positions[1], midpoint + step * normal),
+        set(positions[2], midpoint - step * normal);
   }
-  return places;
+  return positions;
 }
 
 /// A small polyhedron with vertices of 40 and more bits.
@@ -60,12 +61,12 @@ TEST(SolidMembership, at_vertices_with_hundreds_of_digits_and_next_to_faces) {
       largest = std::max(largest, vertices.back().x.denominator().size());
     }
     for (const auto& [a, b, c] : spatial::triangulated(sum).triangles) {
-      const auto places = on_before_and_behind(vector(sum, a), vector(sum, b), vector(sum, c));
-      on.push_back(places[0]), before.push_back(places[1]), behind.push_back(places[2]);
+      const auto positions = on_before_and_behind(vector(sum, a), vector(sum, b), vector(sum, c));
+      on.push_back(positions[0]), before.push_back(positions[1]), behind.push_back(positions[2]);
     }
-    const auto expect = [&](const std::vector<RationalPoint3>& places, bool closed, bool open) {
-      EXPECT_EQ(contains_each(p, q, places).value(), std::vector<bool>(places.size(), closed)) << "seed " << seed;
-      EXPECT_EQ(contains_each(p, q, places, Semantics::open).value(), std::vector<bool>(places.size(), open))
+    const auto expect = [&](const std::vector<RationalPoint3>& positions, bool closed, bool open) {
+      EXPECT_EQ(contains_each(p, q, positions).value(), std::vector<bool>(positions.size(), closed)) << "seed " << seed;
+      EXPECT_EQ(contains_each(p, q, positions, Semantics::open).value(), std::vector<bool>(positions.size(), open))
           << "seed " << seed;
     };
     expect(vertices, true, false), expect(on, true, false), expect(before, false, false), expect(behind, true, true);
@@ -121,7 +122,7 @@ TEST(SolidMembership, of_points_segments_squares_and_cubes_in_both_operands) {
     both_thin += p->has_thin_parts() && q->has_thin_parts();
     for (int k = 0; k < 60; ++k) {
       Voxel x{};
-      const int grain = k % 3 == 0 ? 1 : k % 3 == 1 ? 3 : 6;  // lattice points and middles of cells more often
+      const int grain = k % 3 == 0 ? 1 : k % 3 == 1 ? 3 : 6;  // lattice points and centres of cells more often
       for (int& c : x)
         c = grain * static_cast<int>(random() % static_cast<std::uint64_t>(30 / grain)) - 3 * (grain == 1);
       std::array<Rational, 3> at;

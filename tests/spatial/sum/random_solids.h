@@ -19,18 +19,18 @@ inline MeshData tiny_polyhedron(std::mt19937_64& random) {
   const int rings = 1 + below(3), around = 3 + below(3);
   const int size = 2 + below(3);
   MeshData m;
-  const auto place = [&](double z, double r, double angle) {
+  const auto position = [&](double z, double r, double angle) {
     const double s = size * (0.4 + 0.2 * below(4));
     m.vertices.push_back(
         {std::nearbyint(s * r * std::cos(angle)), std::nearbyint(s * r * std::sin(angle)), std::nearbyint(s * z)});
   };
-  place(-1, 0, 0);
+  position(-1, 0, 0);
   for (int j = 1; j <= rings; ++j)
     for (int i = 0; i < around; ++i) {
       const double a = std::numbers::pi * j / (rings + 1);
-      place(-std::cos(a), std::sin(a), 2 * std::numbers::pi * i / around);
+      position(-std::cos(a), std::sin(a), 2 * std::numbers::pi * i / around);
     }
-  place(1, 0, 0);
+  position(1, 0, 0);
   const auto top = static_cast<std::uint32_t>(m.vertices.size() - 1);
   const auto id = [&](int i, int j) { return static_cast<std::uint32_t>(1 + j * around + i % around); };
   for (int i = 0; i < around; ++i) {
@@ -90,10 +90,10 @@ inline MeshData boundary(const std::vector<Tetrahedron>& complex) {
   MeshData mesh;
   std::map<std::array<double, 3>, std::uint32_t> index;
   const auto vertex = [&](const Point3& p) {
-    const auto [place, added] =
+    const auto [position, added] =
         index.emplace(std::array{p.x, p.y, p.z}, static_cast<std::uint32_t>(mesh.vertices.size()));
     if (added) mesh.vertices.push_back(p);
-    return place->second;
+    return position->second;
   };
   std::map<std::array<std::uint32_t, 3>, std::pair<Face, int>> triangles;
   for (const Tetrahedron& t : complex)

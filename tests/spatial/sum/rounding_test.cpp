@@ -12,21 +12,21 @@
 namespace dymsum {
 namespace {
 
-using Places = std::vector<std::tuple<double, double, double>>;
+using Positions = std::vector<std::tuple<double, double, double>>;
 
-Places exactly_rounded(const SpatialSum& s) {
+Positions exactly_rounded(const SpatialSum& s) {
   std::vector<bool> used(s.vertices.size());
   for (const SpatialFace& face : s.faces)
     for (const auto& loop : face.loops)
       for (const std::uint32_t v : loop) used[v] = true;
-  Places places;
+  Positions positions;
   for (std::size_t v = 0; v < used.size(); ++v) {
     if (!used[v]) continue;
     const RationalPoint3 at = s.exact(v);
-    places.emplace_back(at.x.to_double(), at.y.to_double(), at.z.to_double());
+    positions.emplace_back(at.x.to_double(), at.y.to_double(), at.z.to_double());
   }
-  std::sort(places.begin(), places.end());
-  return places;
+  std::sort(positions.begin(), positions.end());
+  return positions;
 }
 
 /// Sheared by a third, so that edges cross where no double is.
@@ -48,10 +48,10 @@ TEST(Rounding, vertices_are_the_nearest_doubles_to_exact_ones) {
       const SpatialSum s =
           spatial::sum_of_solids(moved(ell, 1.0 / 3, far, scale), moved(ell, -0.71, {}, scale), {}).value();
       const SpatialSum::Rounded rounded = s.rounded().value();
-      Places places;
-      for (const Point3& p : rounded.mesh.vertices) places.emplace_back(p.x, p.y, p.z);
-      std::sort(places.begin(), places.end());
-      EXPECT_EQ(places, exactly_rounded(s)) << "scale " << scale << ", far " << far.x;
+      Positions positions;
+      for (const Point3& p : rounded.mesh.vertices) positions.emplace_back(p.x, p.y, p.z);
+      std::sort(positions.begin(), positions.end());
+      EXPECT_EQ(positions, exactly_rounded(s)) << "scale " << scale << ", far " << far.x;
       std::size_t between = 0;
       for (std::size_t v = 0; v < s.vertices.size(); ++v) {
         const Rational x = s.exact(v).x;

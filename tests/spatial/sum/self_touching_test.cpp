@@ -68,9 +68,9 @@ TEST(SelfTouching, sums_are_the_unions_of_convex_sums) {
     std::vector<MeshData> convex;
     for (const Tetrahedron& t : complex) convex.push_back(minkowski_sum(solid_of(t), q).value().rounded().value().mesh);
     const MeshData all = s.rounded().value().mesh;
-    std::uniform_real_distribution<double> place(-0.5, 4.0 * scale);
+    std::uniform_real_distribution<double> position(-0.5, 4.0 * scale);
     for (int i = 0; i < 40; ++i) {
-      const Point3 x{place(random), place(random), place(random)};
+      const Point3 x{position(random), position(random), position(random)};
       bool covered = false;
       for (const MeshData& c : convex) covered |= winding(c, x) > 0.5;
       EXPECT_EQ(winding(all, x) > 0.5, covered) << "seed " << k << " at " << x.x << " " << x.y << " " << x.z;

@@ -46,7 +46,7 @@ Quad to_triangle(Vec p, Vec a, Vec b, Vec c) {
   return over ? std::min(sides, height * height / dot(n, n)) : sides;
 }
 
-/// How far the middle of a triangle or a corner of `from` is from `to`, at most.
+/// How far the centre of a triangle or a corner of `from` is from `to`, at most.
 double farthest(const MeshData& from, const MeshData& to) {
   Quad most = 0;
   const auto at = [](const MeshData& m, std::uint32_t v) { return vector_of(m.vertices[v]); };

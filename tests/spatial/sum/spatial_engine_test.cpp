@@ -163,14 +163,14 @@ TEST(SpatialEngine, threads_change_nothing_where_much_is_tight) {
 /// A sphere with bumps of all sizes: many facets meet.
 MeshData bumpy(int rings, int around, double turn) {
   MeshData m;
-  const auto place = [&](double a, double b) {
+  const auto position = [&](double a, double b) {
     const double r = 1 + 0.3 * std::sin(5 * a) * std::sin(4 * b);
     m.vertices.push_back(
         turned({r * std::sin(a) * std::cos(b), r * std::sin(a) * std::sin(b), r * std::cos(a)}, turn, 0.7 * turn));
   };
   for (int j = 1; j <= rings; ++j)
-    for (int i = 0; i < around; ++i) place(std::numbers::pi * j / (rings + 1), 2 * std::numbers::pi * i / around);
-  place(0, 0), place(std::numbers::pi, 0);
+    for (int i = 0; i < around; ++i) position(std::numbers::pi * j / (rings + 1), 2 * std::numbers::pi * i / around);
+  position(0, 0), position(std::numbers::pi, 0);
   const auto id = [&](int i, int j) { return static_cast<std::uint32_t>(j * around + i % around); };
   const auto top = static_cast<std::uint32_t>(rings * around);
   for (int i = 0; i < around; ++i) {
@@ -287,8 +287,8 @@ TEST(SpatialEngine, can_be_cancelled_in_every_stage) {
     std::set<std::string> stages;
     SpatialOptions options;
     options.threads = threads;
-    options.progress = [&](std::string_view stage, double share) {
-      EXPECT_TRUE(share >= 0 && share <= 1) << stage;
+    options.progress = [&](std::string_view stage, double fraction) {
+      EXPECT_TRUE(fraction >= 0 && fraction <= 1) << stage;
       stages.insert(std::string(stage));
       return true;
     };

@@ -72,9 +72,9 @@ void expect_provenance(const MeshData& p, const MeshData& q, const SpatialSum& s
   ASSERT_EQ(sum.vertex_contacts.size(), sum.vertices.size());
   for (std::size_t v = 0; v < at.size(); ++v)
     EXPECT_TRUE(!sum.vertex_contacts[v] || witness.carries(*sum.vertex_contacts[v], at[v])) << what;
-  std::size_t sides = 0, borders = 0, along = 0;
+  std::size_t sides = 0, facet_edges = 0, along = 0;
   for (const SpatialFace& face : sum.faces)
-    for (const auto& loop : face.loops) borders += loop.size();
+    for (const auto& loop : face.loops) facet_edges += loop.size();
   for (const SpatialEdge& edge : sum.edges) {
     EXPECT_LT(edge.from, edge.to) << what;
     sides += edge.faces.size();
@@ -83,7 +83,7 @@ void expect_provenance(const MeshData& p, const MeshData& q, const SpatialSum& s
     for (const std::uint32_t v : {edge.from, edge.to}) EXPECT_TRUE(witness.carries(*edge.contact, at[v])) << what;
     EXPECT_NE(edge.contact->p.kind == Kind::vertex && edge.contact->q.kind == Kind::vertex, true) << what;
   }
-  EXPECT_EQ(sides, borders) << what;
+  EXPECT_EQ(sides, facet_edges) << what;
   EXPECT_TRUE(sum.edges.empty() || along > 0) << what;
   ASSERT_EQ(sum.tight_faces.size(), sum.tight_face_contacts.size());
   ASSERT_EQ(sum.tight_segments.size(), sum.tight_segment_contacts.size());

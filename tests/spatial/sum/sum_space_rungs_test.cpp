@@ -11,12 +11,12 @@
 namespace dymsum {
 namespace {
 
+using spatial::DirectionSource;
 using spatial::PlaneSource;
 using spatial::PointSource;
 using spatial::SumEdge;
 using spatial::SumPoint;
 using spatial::SumSpace;
-using spatial::Way;
 
 /// Planes of faces and edges plus vertices, edges of sums, and points of every kind, all at random.
 struct Features {
@@ -35,7 +35,7 @@ Features random_features(std::mt19937_64& random, const std::vector<Point3>& p, 
   for (int k = 0; k < 12; ++k) {
     const auto [a, b] = two(p.size());
     const auto [c, d] = two(q.size());
-    f.planes.push_back({{a, c}, {Way::Of::p, a, b}, {Way::Of::q, c, d}, below(2) == 1});
+    f.planes.push_back({{a, c}, {DirectionSource::Of::p, a, b}, {DirectionSource::Of::q, c, d}, below(2) == 1});
     if (k % 2 == 0) f.edges.push_back({{a, c}, {b, c}});
     else f.edges.push_back({{a, c}, {a, d}});
   }
@@ -63,11 +63,11 @@ struct Spaces {
         wide(spatial::make_sum_space(with_a_digit(p, -200), q)),
         big(spatial::make_sum_space(with_a_digit(p, -900), q)) {}
 
-  template <class Ask>
-  int told(Ask ask) {
-    const int sign = ask(*big);
-    EXPECT_EQ(ask(*plain), sign);
-    EXPECT_EQ(ask(*wide), sign);
+  template <class Query>
+  int decided(Query query) {
+    const int sign = query(*big);
+    EXPECT_EQ(query(*plain), sign);
+    EXPECT_EQ(query(*wide), sign);
     zeros += sign == 0;
     ++signs;
     return sign;
@@ -96,17 +96,17 @@ TEST_P(SumSpaceRungs, tell_the_same_signs) {
       space->add_planes(f.planes), space->add_edges(f.edges);
     for (std::uint32_t k = 0; k < 12; ++k) {
       const std::uint32_t b = (k + 1) % 12, c = (k + 5) % 12;
-      const int det = spaces.told([&](const SumSpace& s) { return s.exact_det(k, b, c); });
+      const int det = spaces.decided([&](const SumSpace& s) { return s.exact_det(k, b, c); });
       EXPECT_EQ(spaces.plain->det(k, b, c), det) << "by doubles first";
-      spaces.told([&](const SumSpace& s) { return s.exact_twist(f.edges[k], f.edges[(k + 7) % 12]); });
+      spaces.decided([&](const SumSpace& s) { return s.exact_twist(f.edges[k], f.edges[(k + 7) % 12]); });
       for (const PointSource& at : f.points) {
         const bool sound = at.kind == PointSource::Kind::sum ||
                            (at.kind == PointSource::Kind::edge ? spaces.big->exact_rise(at.b, f.edges[at.a]) != 0
                                                                : spaces.big->exact_det(at.a, at.b, at.c) != 0);
         if (!sound) continue;
-        const int side = spaces.told([&](const SumSpace& s) { return s.exact_side(k, at); });
+        const int side = spaces.decided([&](const SumSpace& s) { return s.exact_side(k, at); });
         EXPECT_EQ(spaces.plain->side(k, at, spaces.plain->approximate(at)), side) << "by doubles first";
-        spaces.told([&](const SumSpace& s) { return s.exact_order(at, f.points[0], static_cast<int>(k % 3)); });
+        spaces.decided([&](const SumSpace& s) { return s.exact_order(at, f.points[0], static_cast<int>(k % 3)); });
       }
     }
     signs += spaces.signs, zeros += spaces.zeros;

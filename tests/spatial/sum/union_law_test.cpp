@@ -20,37 +20,38 @@ int unions(int few) {
   return text != nullptr ? std::max(few, std::atoi(text) / 50) : few;
 }
 
-RationalPoint3 middle(const RationalPoint3& a, const RationalPoint3& b) {
+RationalPoint3 midpoint(const RationalPoint3& a, const RationalPoint3& b) {
   const Rational half = Rational::of(1, 2).value();
   return {(a.x + b.x) * half, (a.y + b.y) * half, (a.z + b.z) * half};
 }
 
-void add_places_of(const SpatialSum& sum, std::vector<RationalPoint3>& places) {
-  for (std::size_t v = 0; v < sum.vertices.size(); ++v) places.push_back(sum.exact(v));
-  for (const SpatialEdge& e : sum.edges) places.push_back(middle(sum.exact(e.from), sum.exact(e.to)));
-  for (const auto& [from, to] : sum.tight_segments) places.push_back(middle(sum.exact(from), sum.exact(to)));
+void add_positions_of(const SpatialSum& sum, std::vector<RationalPoint3>& positions) {
+  for (std::size_t v = 0; v < sum.vertices.size(); ++v) positions.push_back(sum.exact(v));
+  for (const SpatialEdge& e : sum.edges) positions.push_back(midpoint(sum.exact(e.from), sum.exact(e.to)));
+  for (const auto& [from, to] : sum.tight_segments) positions.push_back(midpoint(sum.exact(from), sum.exact(to)));
   // between edges of a face, mostly inside it
   for (const SpatialFace& f : sum.faces) {
     const auto& loop = f.loops[0];
-    places.push_back(
-        middle(middle(sum.exact(loop[0]), sum.exact(loop[1])), middle(sum.exact(loop[1]), sum.exact(loop[2]))));
+    positions.push_back(
+        midpoint(midpoint(sum.exact(loop[0]), sum.exact(loop[1])), midpoint(sum.exact(loop[1]), sum.exact(loop[2]))));
   }
-  for (const auto& loops : sum.tight_faces) places.push_back(middle(sum.exact(loops[0][0]), sum.exact(loops[0][2])));
+  for (const auto& loops : sum.tight_faces)
+    positions.push_back(midpoint(sum.exact(loops[0][0]), sum.exact(loops[0][2])));
 }
 
-/// Checks the law at all places, and returns how many are in the open sum.
+/// Checks the law at all positions, and returns how many are in the open sum.
 std::size_t expect_union(const Mesh& both, const Mesh& a, const Mesh& b, const Mesh& q,
-                         std::vector<RationalPoint3> places, const std::string& name) {
-  for (const Mesh* part : {&both, &a, &b}) add_places_of(minkowski_sum(*part, q).value(), places);
+                         std::vector<RationalPoint3> positions, const std::string& name) {
+  for (const Mesh* part : {&both, &a, &b}) add_positions_of(minkowski_sum(*part, q).value(), positions);
   std::size_t open = 0;
   for (const Semantics semantics : {Semantics::closed, Semantics::open}) {
-    const std::vector<bool> in_both = contains_each(both, q, places, semantics).value(),
-                            in_a = contains_each(a, q, places, semantics).value(),
-                            in_b = contains_each(b, q, places, semantics).value();
-    for (std::size_t k = 0; k < places.size(); ++k) {
+    const std::vector<bool> in_both = contains_each(both, q, positions, semantics).value(),
+                            in_a = contains_each(a, q, positions, semantics).value(),
+                            in_b = contains_each(b, q, positions, semantics).value();
+    for (std::size_t k = 0; k < positions.size(); ++k) {
       EXPECT_EQ(in_both[k], in_a[k] || in_b[k])
-          << name << " at " << places[k].x.to_string() << " " << places[k].y.to_string() << " "
-          << places[k].z.to_string() << (semantics == Semantics::open ? ", open" : ", closed");
+          << name << " at " << positions[k].x.to_string() << " " << positions[k].y.to_string() << " "
+          << positions[k].z.to_string() << (semantics == Semantics::open ? ", open" : ", closed");
       open += semantics == Semantics::open && in_both[k];
     }
   }

@@ -9,7 +9,7 @@
 
 _LIBCPP_BEGIN_NAMESPACE_STD
 
-/// What std::sort calls for elements that lie one behind the other. Libc++ has it for any iterators; this one is more
+/// What std::sort calls for elements that lie one after the other. Libc++ has it for any iterators; this one is more
 /// special, and has to be known before. A library that calls another function has its own sort, no other results.
 template <class Compare, class T>
 void __sort(T* first, T* last, Compare less);
@@ -63,12 +63,12 @@ T* split(T* first, T* last, std::uint32_t random, Compare less) {
 template <class Compare, class T>
 void sort_stably(T* first, T* last, Compare less) {
   if (last - first <= 16) return insert<Compare>(first, last, less);
-  T* const middle = first + (last - first) / 2;
-  sort_stably<Compare>(first, middle, less);
-  sort_stably<Compare>(middle, last, less);
-  if (!less(*middle, middle[-1])) return;
-  std::vector<T> front(std::make_move_iterator(first), std::make_move_iterator(middle));
-  T *i = front.data(), *const end = i + front.size(), *j = middle;
+  T* const midpoint = first + (last - first) / 2;
+  sort_stably<Compare>(first, midpoint, less);
+  sort_stably<Compare>(midpoint, last, less);
+  if (!less(*midpoint, midpoint[-1])) return;
+  std::vector<T> front(std::make_move_iterator(first), std::make_move_iterator(midpoint));
+  T *i = front.data(), *const end = i + front.size(), *j = midpoint;
   for (T* to = first; i != end; ++to) *to = j != last && less(*j, *i) ? std::move(*j++) : std::move(*i++);
 }
 
@@ -86,13 +86,13 @@ void __sort(T* first, T* last, Compare less) {
   std::uint32_t random = 1;
   while (last - first > kFew) {
     random = random * 1664525 + 1013904223;
-    T* const middle = dymsum::small::split<Compare>(first, last, random, less);
-    if (middle - first < last - middle) {
-      std::__sort<Compare>(first, middle, less);
-      first = middle + 1;
+    T* const midpoint = dymsum::small::split<Compare>(first, last, random, less);
+    if (midpoint - first < last - midpoint) {
+      std::__sort<Compare>(first, midpoint, less);
+      first = midpoint + 1;
     } else {
-      std::__sort<Compare>(middle + 1, last, less);
-      last = middle;
+      std::__sort<Compare>(midpoint + 1, last, less);
+      last = midpoint;
     }
   }
   dymsum::small::insert<Compare>(first, last, less);

@@ -44,18 +44,18 @@ class CertifiedMotionValidator : public ::ompl::base::MotionValidator {
     return *found;
   }
 
-  /// The way is free before `share`; the state there may touch, and is rounded.
-  void set_last(const ::ompl::base::State* from, const ::ompl::base::State* to, double share,
+  /// The way is free before `fraction`; the state there may touch, and is rounded.
+  void set_last(const ::ompl::base::State* from, const ::ompl::base::State* to, double fraction,
                 std::pair<::ompl::base::State*, double>& last) const {
     ::ompl::base::State* state = si_->allocState();
-    if (share >= 1) share = 1 - 0x1p-20;  // free, but the end is out of bounds
-    for (si_->getStateSpace()->interpolate(from, to, share, state); share > 0 && !si_->isValid(state);) {
-      share = share > 0x1p-60 ? share * (1 - 0x1p-10) - 0x1p-60 : 0;
-      if (share < 0) share = 0;
-      si_->getStateSpace()->interpolate(from, to, share, state);
+    if (fraction >= 1) fraction = 1 - 0x1p-20;  // free, but the end is out of bounds
+    for (si_->getStateSpace()->interpolate(from, to, fraction, state); fraction > 0 && !si_->isValid(state);) {
+      fraction = fraction > 0x1p-60 ? fraction * (1 - 0x1p-10) - 0x1p-60 : 0;
+      if (fraction < 0) fraction = 0;
+      si_->getStateSpace()->interpolate(from, to, fraction, state);
     }
-    last.second = share;
-    if (last.first != nullptr) si_->copyState(last.first, share > 0 ? state : from);
+    last.second = fraction;
+    if (last.first != nullptr) si_->copyState(last.first, fraction > 0 ? state : from);
     si_->freeState(state);
   }
 

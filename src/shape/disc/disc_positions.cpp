@@ -1,0 +1,68 @@
+#include "shape/disc/disc_positions.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace dymsum::shape {
+
+DiscPositions::DiscPositions(const Complex& complex, const Level& level)
+    : complex_(complex), level_(level), reach_(level.radius) {
+  for (const Site& site : complex.sites) reach_ = std::max({reach_, std::abs(site.a.x), std::abs(site.a.y)});
+}
+
+CornerDisc DiscPositions::disc_on(std::uint32_t edge) const {
+  const Edge& e = complex_.edges[edge];
+  if (level_.holds(e.low)) return {true, e.low};
+  if (e.high != kNoIndex && level_.holds(e.high)) return {true, e.high};
+  return {false, edge};
+}
+
+Point DiscPositions::centre(const CornerDisc& disc) const {
+  if (disc.at_node) return complex_.nodes[disc.index].centre;
+  // From a position of the region: coordinates far from the origin cost the vector no digits.
+  const Point anchor = complex_.sites[complex_.edges[disc.index].left].a;
+  const Point v =
+      near_vector([&](const auto& r) { return centre_on_edge(complex_, disc.index, r, anchor); }, level_, reach_);
+  return {anchor.x + v.x, anchor.y + v.y};
+}
+
+Point DiscPositions::centre_from(const CornerDisc& disc, Point vertex) const {
+  if (disc.at_node) {
+    const Vector<exact::RootExpression> v = exact_centre_from(disc, vertex);
+    return {exact::nearest_double(v.x), exact::nearest_double(v.y)};
+  }
+  return near_vector([&](const auto& r) { return centre_on_edge(complex_, disc.index, r, vertex); }, level_,
+                     level_.radius);
+}
+
+Vector<exact::RootExpression> DiscPositions::exact_centre_from(const CornerDisc& disc, Point origin) const {
+  using exact::RootExpression;
+  if (!disc.at_node) return centre_on_edge(complex_, disc.index, level_.exact, origin);
+  const ExactDisc node = exact_disc(complex_, disc.index);
+  return {node.centre.x - RootExpression(origin.x), node.centre.y - RootExpression(origin.y)};
+}
+
+Point DiscPositions::normal(const Site& site) const {
+  double dx = site.b.x - site.a.x, dy = site.b.y - site.a.y;
+  if (constexpr double kFewDigits = 0x1p-1000; std::abs(dx) < kFewDigits && std::abs(dy) < kFewDigits)
+    dx = std::scalbn(dx, 1000), dy = std::scalbn(dy, 1000);  // what is below normal doubles has no length in doubles
+  const double length = std::hypot(dx, dy);
+  return {dy / length, -dx / length};
+}
+
+Point DiscPositions::towards(const CornerDisc& disc, const Site& site) const {
+  if (site.kind == Site::Kind::edge) {
+    const Point n = normal(site);
+    return {-n.x * level_.radius, -n.y * level_.radius};
+  }
+  const Point v = centre_from(disc, site.a);
+  return {-v.x, -v.y};
+}
+
+Point DiscPositions::contact(const CornerDisc& disc, const Site& site) const {
+  if (site.kind == Site::Kind::vertex) return site.a;
+  const Point c = centre(disc), v = towards(disc, site);
+  return {c.x + v.x, c.y + v.y};
+}
+
+}  // namespace dymsum::shape

@@ -1,0 +1,58 @@
+// Exact positions of the vertices of two posed operands over one denominator, so that sums of them are additions of
+// integers.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <vector>
+
+#include "dymsum/convex_sum.h"
+#include "exact/big.h"
+#include "exact/vector3.h"
+
+namespace dymsum {
+
+namespace spatial {
+
+/// The vertices of the operands of a convex sum as they were given.
+struct ConvexOperands {
+  /// Of a mesh its doubles, of a sum `exact`, multiples of 2^exponent.
+  struct Operand {
+    std::vector<Point3> vertices;
+    std::vector<exact::Vector3<exact::Big>> exact;
+    int exponent = 0;
+
+    std::size_t size() const { return vertices.size() + exact.size(); }
+    /// Memory held, without what lies behind arbitrary precision.
+    std::size_t bytes() const { return vertices.capacity() * sizeof(Point3) + exact.capacity() * sizeof(exact[0]); }
+  };
+  std::array<Operand, 2> operand;
+};
+
+using BigVector = std::array<exact::BigInteger, 3>;
+
+/// x -> matrix x / den.
+struct ExactPose {
+  std::array<exact::BigInteger, 9> matrix;
+  exact::BigInteger den;
+  static ExactPose of(const SolidPose& pose);
+};
+
+class ExactPositions {
+ public:
+  ExactPositions(const spatial::ConvexOperands& source, const SolidPose& p, const SolidPose& q);
+
+  /// The numerators of the position of vertex v of an operand; positions are numerators times unit().
+  BigVector of(int op, std::uint32_t v) const;
+  /// 2^exponent / denominator.
+  const exact::BigRational& unit() const { return unit_; }
+
+ private:
+  const spatial::ConvexOperands& source_;
+  std::array<std::array<exact::BigInteger, 9>, 2> matrix_;  // over the common denominator
+  int exponent_ = 0;
+  exact::BigRational unit_;
+};
+
+}  // namespace spatial
+}  // namespace dymsum
