@@ -50,9 +50,9 @@ std::optional<ProvedForm> PairFacets::proved_height(SumPoint corner, std::uint32
 std::optional<ProvedForm> PairFacets::proved_twist(const SumEdge& e, const SumEdge& h) const {
   if (!small_) return std::nullopt;
   const auto along = [&](const SumEdge& facet_edge) {
-    const Way way = way_of(facet_edge);
-    const std::vector<SmallVector>& of = integers_[way.of == Way::Of::p ? 0 : 1];
-    return difference(of[way.to], of[way.from]);
+    const DirectionSource d = direction_of(facet_edge);
+    const std::vector<SmallVector>& of = integers_[d.of == DirectionSource::Of::p ? 0 : 1];
+    return difference(of[d.to], of[d.from]);
   };
   const SmallVector u = along(e), v = along(h);
   const SmallVector n{u[1] * v[2] - u[2] * v[1], u[2] * v[0] - u[0] * v[2], u[0] * v[1] - u[1] * v[0]};

@@ -42,7 +42,7 @@ BoxTree tree_of(const SolidOperand& solid, const std::vector<Vec3>& positions) {
 InnerBalls balls_on_grid(const ScalingPair& all, int op) {
   const double unit = std::ldexp(1.0, -all.pair().p_positions.exponent);
   InnerBalls balls = inner_balls(all.operand(op));
-  for (InnerBalls::Ball& ball : balls.balls) ball.midpoint = unit * ball.midpoint, ball.radius *= unit;
+  for (InnerBalls::Ball& ball : balls.balls) ball.centre = unit * ball.centre, ball.radius *= unit;
   return balls;
 }
 
@@ -129,7 +129,7 @@ ScaledOverlap::ScaledOverlap(const ScalingPair& all)
 
 double ScaledOverlap::gap(BallPair pair, Vec3 x, double s) const {
   const InnerBalls::Ball &a = f_balls_.balls[pair.f], &b = m_balls_.balls[pair.m];
-  return length(x - a.midpoint - s * b.midpoint) - (a.radius + s * b.radius) * (1 - 0x1p-40);
+  return length(x - a.centre - s * b.centre) - (a.radius + s * b.radius) * (1 - 0x1p-40);
 }
 
 /// Downhill from the best of some pairs.

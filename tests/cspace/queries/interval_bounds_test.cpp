@@ -25,10 +25,10 @@ Digits reduced(const Digits& angle) { return angle - round(Digits(angle / full_t
 
 struct DigitsPoint {
   Digits x, y;
+  friend Digits cross(const DigitsPoint& a, const DigitsPoint& b) { return a.x * b.y - a.y * b.x; }
+  friend Digits dot(const DigitsPoint& a, const DigitsPoint& b) { return a.x * b.x + a.y * b.y; }
 };
 DigitsPoint difference(Point to, Point from) { return {Digits(to.x) - Digits(from.x), Digits(to.y) - Digits(from.y)}; }
-Digits cross(const DigitsPoint& a, const DigitsPoint& b) { return a.x * b.y - a.y * b.x; }
-Digits dot(const DigitsPoint& a, const DigitsPoint& b) { return a.x * b.x + a.y * b.y; }
 
 Region ring_of(std::vector<Point> ring) {
   RegionData data;
