@@ -67,7 +67,7 @@ class PlanarLocalPart {
     std::uint64_t segments = 0;         ///< of the convolution that come near the box
     std::uint64_t collision_tests = 0;  ///< one for each piece of the boundary in the box, one for each position that
                                         ///< may be tight
-    std::uint64_t exact_tests = 0;  ///< of these, that doubles did not decide
+    std::uint64_t exact_tests = 0;      ///< of these, that doubles did not decide
     double ms = 0;
   };
   Work work;  ///< no part of the value
