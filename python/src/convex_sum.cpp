@@ -140,7 +140,8 @@ True
 )doc");
   Record<ConvexSum::Vertex>(type, "Vertex", "A vertex of P plus a vertex of Q, by their indices in the meshes.")
       .field("p", &ConvexSum::Vertex::p)
-      .field("q", &ConvexSum::Vertex::q);
+      .field("q", &ConvexSum::Vertex::q)
+      .constructible();
   Record<ConvexSum::FacetCount>(type, "FacetCount", "How many facets, and how many of them the last move brought.")
       .field("all", &ConvexSum::FacetCount::all)
       .field("changed", &ConvexSum::FacetCount::changed);

@@ -88,11 +88,11 @@ namespace {
 
 using namespace nb::literals;
 
-using OfMany = Result<PlanarSum> (*)(std::span<const PlanarOperand>, const SumOptions&);
-using OfTwo = Result<PlanarSum> (*)(const PlanarOperand&, const PlanarOperand&, const SumOptions&);
+using PlanarOperations = Result<PlanarSum> (*)(std::span<const PlanarOperand>, const SumOptions&);
+using PlanarOperation = Result<PlanarSum> (*)(const PlanarOperand&, const PlanarOperand&, const SumOptions&);
 
-template <OfMany operation>
-void bind_of_many(nb::module_& m, const char* name, const char* text) {
+template <PlanarOperations operation>
+void bind_boolean_of_many(nb::module_& m, const char* name, const char* text) {
   m.def(
       name,
       [name](const PlanarOperands& sets, const SumOptions& options) {
@@ -108,24 +108,24 @@ void bind_of_many(nb::module_& m, const char* name, const char* text) {
       "sets"_a, "options"_a = SumOptions(), text);
 }
 
-template <OfTwo operation>
-auto of_two(const char* name) {
+template <PlanarOperation operation>
+auto boolean_of_two(const char* name) {
   return [name](const PlanarOperandArgument& a, const PlanarOperandArgument& b, const SumOptions& options) {
     PlanarSum sum = run_with(options, [&](const SumOptions& own) { return operation(*a, *b, own); });
     return remembered(std::move(sum), name, a.object, b.object, options);
   };
 }
 
-template <OfTwo operation>
-void bind_of_two(nb::module_& m, const char* name, const char* sign, const char* text) {
-  m.def(name, of_two<operation>(name), "a"_a, "b"_a, "options"_a = SumOptions(), text);
+template <PlanarOperation operation>
+void bind_boolean_of_two(nb::module_& m, const char* name, const char* sign, const char* text) {
+  m.def(name, boolean_of_two<operation>(name), "a"_a, "b"_a, "options"_a = SumOptions(), text);
   const auto define = [&](auto type) {
     type.def(
         sign,
         [name](const PlanarOperandArgument& a, const PlanarOperandArgument& b) {
           SumOptions options;
           options.semantics = Semantics::regular;
-          return of_two<operation>(name)(a, b, options);
+          return boolean_of_two<operation>(name)(a, b, options);
         },
         nb::is_operator(), text);
   };
@@ -140,6 +140,7 @@ void bind_fill_report(nb::module_& m) {
       .field("crossings", &FillReport::crossings, "at which rings crossed or touched")
       .field("rounding", &FillReport::rounding)
       .field("filled", &FillReport::filled, "the rings were no valid region")
+      .def("changed", &FillReport::changed)
       .def("to_string", &FillReport::to_string);
   Record<FilledRegion>(m, "FilledRegion", "A region that rings bound, and what was changed.")
       .field("region", &FilledRegion::region)
@@ -155,7 +156,7 @@ void bind_fill_report(nb::module_& m) {
 }  // namespace
 
 void bind_planar_boolean(nb::module_& m) {
-  bind_of_many<united>(
+  bind_boolean_of_many<united>(
       m, "united",
       R"doc(What lies in one of the sets, exactly. Results are operands as they are: nothing is rounded in between.
 
@@ -163,10 +164,10 @@ void bind_planar_boolean(nb::module_& m) {
 >>> united([shapes.rectangle(0, 0, 2, 2), shapes.rectangle(1, 1, 3, 3)]).area_exact()
 Fraction(7, 1)
 )doc");
-  bind_of_many<intersection>(m, "intersection", "What lies in all of the sets, exactly; of at least one.");
-  bind_of_two<united>(m, "united", "__or__",
-                      "What lies in one of two sets, exactly. a | b is the same with Semantics.regular.");
-  bind_of_two<intersection>(
+  bind_boolean_of_many<intersection>(m, "intersection", "What lies in all of the sets, exactly; of at least one.");
+  bind_boolean_of_two<united>(m, "united", "__or__",
+                              "What lies in one of two sets, exactly. a | b is the same with Semantics.regular.");
+  bind_boolean_of_two<intersection>(
       m, "intersection", "__and__",
       R"doc(What lies in both sets, exactly. Sets are closed: where they only touch, the result has segments and points. a & b is
 the same with Semantics.regular, and has none.
@@ -176,7 +177,7 @@ the same with Semantics.regular, and has none.
 >>> len(both.parts), [(s.from_.at, s.to.at) for s in both.segments]
 (0, [(Point(x=1.0, y=0.0), Point(x=1.0, y=1.0))])
 )doc");
-  bind_of_two<difference>(
+  bind_boolean_of_two<difference>(
       m, "difference", "__sub__",
       R"doc(What lies in the first set and not in the second, exactly. What is taken away is open, so the result is closed. a - b is
 the same with Semantics.regular: parts with area alone.
@@ -185,7 +186,7 @@ the same with Semantics.regular: parts with area alone.
 >>> (shapes.rectangle(0, 0, 4, 4) - shapes.rectangle(1, 1, 2, 2)).area_exact()
 Fraction(15, 1)
 )doc");
-  bind_of_two<symmetric_difference>(
+  bind_boolean_of_two<symmetric_difference>(
       m, "symmetric_difference", "__xor__",
       "What lies in one of two sets alone, exactly. a ^ b is the same with Semantics.regular.");
   m.def(

@@ -31,8 +31,8 @@ def test_operators_are_regularized_operations() -> None:
 
 
 def test_results_are_operands_without_rounding() -> None:
-    up, down = Region.create([[(0, 0), (7, 1), (1, 7)]]), Region.create([[(6, 6), (-1, 5), (5, -1)]])
-    spike = Region.create([[(3, -2), (4, 9), (2, 9)]])
+    up, down = Region([(0, 0), (7, 1), (1, 7)]), Region([(6, 6), (-1, 5), (5, -1)])
+    spike = Region([(3, -2), (4, 9), (2, 9)])
     both = up & down
     cut = both - spike
     assert (cut | (both & spike)) == both
@@ -68,4 +68,5 @@ def test_rings_that_cross_are_filled() -> None:
     made = dymsum.repair_with_fill(bow, Fill.nonzero)
     assert len(made.region.parts) == 2
     assert made.report.rings == 1 and made.report.rings_now == 2 and made.report.crossings == 1
+    assert made.report.filled and made.report.changed()
     assert "1 crossing" in made.report.to_string()
