@@ -129,7 +129,7 @@ def test_a_solid_that_turns() -> None:
     sum = ConvexSum(solids.rod(18, 9, 0.5, 3), dymsum.negated(solids.box(-1, -1, -1, 1, 1, 1)))
     buffers = dymsum.SolidBuffers()
     step = Rotation.about((1, 2, 3), 0.05)
-    for _ in range(3):
+    for _ in range(4):
         sum.set(step * sum.p_pose().rotation)
         solid = sum.solid()
         solid.write(buffers)

@@ -49,7 +49,7 @@ class RotatingWindow : public CandidateIndex {
  public:
   /// Angles within `half` of `midpoint`, a little more being covered. `mask` off: no cell is dead. Given up where boxes
   /// of more than `most_pairs` pairs of pieces meet, and when a stop is requested. Requires `half` below a radian:
-  /// bounds of turning_bounds.h count on that, and spans on less than a quarter turn (RotationCatalog::span).
+  /// bounds of turning_forms.h count on that, and spans on less than a quarter turn (RotationCatalog::span).
   RotatingWindow(const RotationGrid& grid, const RotationCatalog& catalog, double midpoint, double half, bool mask,
                  std::size_t most_pairs = ~std::size_t{0}, const base::StopToken& stop = {});
 
