@@ -133,7 +133,9 @@ std::optional<Fill> fill_of(const std::string& name) {
 
 namespace {
 
-/// What filling rings would mend.
+constexpr const char* kFillHint = " (--fill RULE takes what the rings bound: nonzero, positive or even_odd)";
+
+/// What filling rings would repair.
 bool is_about_rings(ErrorCode code) {
   return code == ErrorCode::self_crossing || code == ErrorCode::rings_cross || code == ErrorCode::hole_outside ||
          code == ErrorCode::parts_overlap || code == ErrorCode::no_area;
@@ -159,12 +161,15 @@ Result<Region> make_region(RegionData data, const std::string& file, const Input
     Error error = region.error();
     if (const Result<Repaired> after_repair = repair(std::move(data)); after_repair && options.offers_repair)
       error.message += remedy(after_repair->report.to_string());
-    else if (options.offers_repair && is_about_rings(error.code))
-      error.message += " (--fill RULE takes what the rings bound: nonzero, positive or even_odd)";
+    else if (options.offers_repair && is_about_rings(error.code)) error.message += kFillHint;
     return in_file(std::move(error));
   }
   Result<Repaired> repaired = repair(std::move(data));
-  if (!repaired) return in_file(repaired.error());
+  if (!repaired) {
+    Error error = repaired.error();
+    if (is_about_rings(error.code)) error.message += kFillHint;
+    return in_file(std::move(error));
+  }
   if (repaired->report.changed() && !options.quiet)
     std::cerr << file << ": repaired: " << repaired->report.to_string() << "\n";
   return std::move(repaired).value().region;

@@ -69,8 +69,10 @@ extern "C" void on_interrupt(int) {
 
 void print_when_interrupted(std::string text) { last_words = std::move(text); }
 
-InterruptGuard::InterruptGuard() { std::signal(SIGINT, on_interrupt); }
-InterruptGuard::~InterruptGuard() { std::signal(SIGINT, SIG_DFL); }
+InterruptGuard::InterruptGuard() : before_(std::signal(SIGINT, on_interrupt)) {}
+InterruptGuard::~InterruptGuard() {
+  if (interrupted == 0) std::signal(SIGINT, before_);
+}
 
 WriteGuard::WriteGuard() { writing = writing + 1; }
 WriteGuard::~WriteGuard() { writing = writing - 1; }

@@ -11,13 +11,16 @@ namespace dymsum::cli {
 
 /// While one lives, Ctrl-C ends the run at once, wherever it is: with kInterrupted, and saying so. Only while a
 /// WriteGuard lives it sets a flag instead, which throw_if_interrupted() reads, and a second Ctrl-C kills. Before that,
-/// while inputs are read, Ctrl-C kills at once.
+/// while inputs are read, Ctrl-C kills at once. Guards may lie in one another.
 class InterruptGuard {
  public:
   InterruptGuard();
   ~InterruptGuard();
   InterruptGuard(const InterruptGuard&) = delete;
   InterruptGuard& operator=(const InterruptGuard&) = delete;
+
+ private:
+  void (*before_)(int);
 };
 
 /// Around the writing of a file or a report, so that neither is left half-written.

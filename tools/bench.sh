@@ -46,6 +46,12 @@ do_bench() {
     DYMSUM=$PWD/$release/dymsum "${DYMSUM_PYTHON:?}" bench/files/files.py "$@"
     return
   fi
+  if [[ $suite == boolean ]]; then
+    build "$release" dymsum_cli
+    bench_python shapely pyclipr numpy
+    DYMSUM=$PWD/$release/dymsum "${DYMSUM_PYTHON:?}" bench/boolean/boolean.py "$@"
+    return
+  fi
   if [[ $suite == gallery ]]; then
     build "$release" dymsum_cli
     bench_python shapely pyclipper manifold3d python-fcl

@@ -7,6 +7,7 @@
 #include "memory_limit.h"
 #include "options.h"
 #include "planar/planar_turn.h"
+#include "progress_bar.h"
 #include "solid/solid_motion.h"
 #include "solid/solid_turns.h"
 #include "verbs/commands.h"
@@ -127,6 +128,7 @@ void add_rotate(CLI::App& app, Action& action) {
       "          dymsum rotate star.wkt plate.wkt --steps 500 --threads 2");
   verb.callback([command, &action] {
     action = [command] {
+      const InterruptGuard guard;
       return run_with_pages({command->parser, "sum", "solids"}, command->planar.operands, command->planar.input,
                             command->planar.files, [command] { return run(*command); });
     };

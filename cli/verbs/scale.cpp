@@ -262,6 +262,7 @@ void add_scale(CLI::App& app, Action& action) {
       "          dymsum scale block.off peg.off --range 1/2:2 --next topology");
   verb.callback([command, &action] {
     action = [command]() -> ExitCode {
+      const InterruptGuard guard;
       if (!command->copies.empty()) return run_scale(*command);
       return run_with_pages({command->parser, "sum", "solids"}, command->operands, command->input, command->files,
                             [command] { return run_scale(*command); });

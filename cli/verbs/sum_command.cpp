@@ -7,6 +7,8 @@
 #include <optional>
 #include <utility>
 
+#include "dymsum/planar_boolean.h"
+#include "dymsum/snap_rounding.h"
 #include "memory_limit.h"
 #include "progress_bar.h"
 #include "report.h"
@@ -45,10 +47,20 @@ std::vector<Region> regions_of(const std::vector<Input>& inputs) {
   return regions;
 }
 
-/// Exact fits of the open semantics are tight features alone.
-bool is_empty(const PlanarSum& sum) {
-  return sum.parts.empty() && sum.segments.empty() && sum.points.empty() && sum.tight_segments.empty() &&
-         sum.tight_points.empty();
+/// Exact fits of the open semantics are tight features alone; of a Boolean operation of open sets these are no part.
+bool is_empty(const PlanarSum& sum, const SumVerb& verb) {
+  return sum.parts.empty() && sum.segments.empty() && sum.points.empty() &&
+         (verb.boolean || (sum.tight_segments.empty() && sum.tight_points.empty()));
+}
+
+/// What pictures show beside the first operand: the second one, or of a Boolean operation all others.
+Region second_shown(const SumVerb& verb, const std::vector<Input>& inputs) {
+  if (!verb.boolean || inputs.size() == 2) return inputs[1].region;
+  std::vector<PlanarOperand> others;
+  for (std::size_t k = 1; k < inputs.size(); ++k) others.push_back(inputs[k].region);
+  SumOptions regular;
+  regular.semantics = Semantics::regular;
+  return require(snap_rounded(require(united(others, regular)))).region;
 }
 
 void add_output_options(CLI::App& verb, SumCommand& command, bool planar_result) {
@@ -177,17 +189,26 @@ ExitCode run_sum(const SumVerb& verb, const SumCommand& command) {
   bar.reset();
   report.sum = &sum;
   report.timing = timing;
-  const std::array<Region, 2> operands = verb.shown ? verb.shown(p, q) : std::array{p, q};
+  const std::array<Region, 2> operands =
+      verb.shown ? verb.shown(p, q) : std::array{p, second_shown(verb, report.inputs)};
+  SumNames names = verb.names;
+  for (std::size_t k = 2; k < report.inputs.size(); ++k) {
+    names.q += " ∪ " + std::string(1, static_cast<char>('A' + std::min<std::size_t>(k, 25)));
+    names.sum += (verb.name == "intersect"  ? " ∩ "
+                  : verb.name == "subtract" ? " ∖ "
+                                            : " ∪ ") +
+                 std::string(1, static_cast<char>('A' + std::min<std::size_t>(k, 25)));
+  }
   if (!verb.boolean)
     report.convolution = convolution_sizes(operands[0], verb.reflects_second ? negated(operands[1]) : operands[1]);
 
-  report.rounding = write_sum(operands[0], operands[1], sum, verb.names, command.output);
+  report.rounding = write_sum(operands[0], operands[1], sum, names, command.output);
   if (command.report.json) {
     print_report(sum_json(report));
   } else {
     print_sum(out, report);
   }
-  return verb.empty_is_no && is_empty(sum) ? kNo : kDone;
+  return verb.empty_is_no && is_empty(sum, verb) ? kNo : kDone;
 }
 
 }  // namespace dymsum::cli

@@ -38,13 +38,14 @@ class PlanarOperand {
 /// With Semantics::open operands are open and what is taken away is closed, and such pieces do not belong to the set.
 /// Tight features are where a touch decides: where closed and open operands make a difference, off the boundary of the
 /// parts. These are the pieces without interior, and the segments and points that open sets leave out (two open squares
-/// that share an edge miss it). Semantics::regular: the closure of the interior alone.
+/// that share an edge miss it). Semantics::regular: the closure of the interior alone; polylines and points of operands
+/// are left out.
 ///
 /// Exact and canonical: equal sets are equal results. Provenance: `p` of a contact and of a corner counts the vertices
 /// and edges of all regions that take part, one after the other as they come first, each once where a result takes
 /// part several times; `q` is 0. Of the options semantics, progress and memory count.
-/// Errors: unsupported_operand for regions with polylines or points, for coordinates beyond 2^1000, and for other
-/// results with a vertex that is no double, with its position; cancelled; out_of_memory.
+/// Errors: unsupported_operand for regions with polylines or points (but for Semantics::regular), for coordinates
+/// beyond 2^1000, and for other results with a vertex that is no double, with its position; cancelled; out_of_memory.
 /// O(n log n + k + c n / r) for n edges of all regions, k of their crossings and c connected pieces of their edges,
 /// each of which looks at one of r rows; times the number of operands.
 Result<PlanarSum> united(std::span<const PlanarOperand> sets, const SumOptions& options = {});

@@ -17,10 +17,12 @@ Error error_at(ErrorCode code, const char* message, Point at) {
   return error;
 }
 
-Result<BooleanTerms> terms_of_region(const Region& region) {
-  if (!region.polylines().empty() || !region.points().empty())
-    return error_at(ErrorCode::unsupported_operand, "Boolean operations take regions without polylines and points",
-                    region.points().empty() ? region.polylines()[0][0] : region.points()[0]);
+Result<BooleanTerms> terms_of_region(const Region& region, Semantics semantics) {
+  if (semantics != Semantics::regular && !(region.polylines().empty() && region.points().empty()))
+    return error_at(
+        ErrorCode::unsupported_operand,
+        "Boolean operations take regions without polylines and points, which only regular semantics leaves out",
+        region.points().empty() ? region.polylines()[0][0] : region.points()[0]);
   std::vector<Ring> rings;
   for (const Part& part : region.parts()) {
     rings.push_back(part.outer);
@@ -93,8 +95,9 @@ Membership BooleanTerms::evaluate(std::span<const Membership> in, std::vector<Me
   return stack.empty() ? Membership{} : stack.back();
 }
 
-Result<BooleanTerms> terms_of(const PlanarOperand& operand) {
-  if (const Region* const* region = std::get_if<const Region*>(&operand.set())) return terms_of_region(**region);
+Result<BooleanTerms> terms_of(const PlanarOperand& operand, Semantics semantics) {
+  if (const Region* const* region = std::get_if<const Region*>(&operand.set()))
+    return terms_of_region(**region, semantics);
   const PlanarSum& sum = *std::get<const PlanarSum*>(operand.set());
   if (const auto* made = dynamic_cast<const BooleanSource*>(exact_source(sum).get())) return made->terms();
   return terms_of_sum(sum);

@@ -58,7 +58,8 @@ class BooleanSource final : public ExactSource {
   BooleanTerms terms_;
 };
 
-/// An operand as an expression. Errors: as the operations of planar_boolean.h.
-Result<BooleanTerms> terms_of(const PlanarOperand& operand);
+/// An operand as an expression; polylines and points are left out for regular semantics. Errors: as the operations of
+/// planar_boolean.h.
+Result<BooleanTerms> terms_of(const PlanarOperand& operand, Semantics semantics);
 
 }  // namespace dymsum::planar

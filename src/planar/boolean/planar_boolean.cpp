@@ -119,16 +119,18 @@ Result<PlanarSum> evaluate(BooleanTerms terms, const SumOptions& options) {
         return cancelled();
       }
     }
-    exact_source(result) = std::make_shared<planar::BooleanSource>(exact_source(result), std::move(terms));
+    // A result of no rings has no positions, and is an operand without what made it.
+    if (exact_source(result) != nullptr)
+      exact_source(result) = std::make_shared<planar::BooleanSource>(exact_source(result), std::move(terms));
     return result;
   });
 }
 
 /// One expression after the other, and what combines each with the ones before it.
-Result<BooleanTerms> combined(std::span<const PlanarOperand> sets, std::int32_t step) {
+Result<BooleanTerms> combined(std::span<const PlanarOperand> sets, std::int32_t step, Semantics semantics) {
   BooleanTerms all;
   for (std::size_t k = 0; k < sets.size(); ++k) {
-    const Result<BooleanTerms> terms = planar::terms_of(sets[k]);
+    const Result<BooleanTerms> terms = planar::terms_of(sets[k], semantics);
     if (!terms) return terms.error();
     all.append(*terms);
     if (k > 0) all.steps.push_back(step);
@@ -137,7 +139,7 @@ Result<BooleanTerms> combined(std::span<const PlanarOperand> sets, std::int32_t 
 }
 
 Result<PlanarSum> combine(std::span<const PlanarOperand> sets, std::int32_t step, const SumOptions& options) {
-  Result<BooleanTerms> terms = combined(sets, step);
+  Result<BooleanTerms> terms = combined(sets, step, options.semantics);
   if (!terms) return terms.error();
   return evaluate(std::move(terms).value(), options);
 }
@@ -149,8 +151,8 @@ void append_difference(const BooleanTerms& a, const BooleanTerms& b, BooleanTerm
   to.steps.insert(to.steps.end(), {BooleanTerms::kNot, BooleanTerms::kAnd});
 }
 
-Result<BooleanTerms> without(const PlanarOperand& a, const PlanarOperand& b) {
-  const Result<BooleanTerms> kept = planar::terms_of(a), taken = planar::terms_of(b);
+Result<BooleanTerms> without(const PlanarOperand& a, const PlanarOperand& b, Semantics semantics) {
+  const Result<BooleanTerms> kept = planar::terms_of(a, semantics), taken = planar::terms_of(b, semantics);
   if (!kept) return kept;
   if (!taken) return taken;
   BooleanTerms terms;
@@ -178,14 +180,14 @@ Result<PlanarSum> intersection(const PlanarOperand& a, const PlanarOperand& b, c
 }
 
 Result<PlanarSum> difference(const PlanarOperand& a, const PlanarOperand& b, const SumOptions& options) {
-  Result<BooleanTerms> terms = without(a, b);
+  Result<BooleanTerms> terms = without(a, b, options.semantics);
   if (!terms) return terms.error();
   return evaluate(std::move(terms).value(), options);
 }
 
 Result<PlanarSum> symmetric_difference(const PlanarOperand& a, const PlanarOperand& b, const SumOptions& options) {
   // Both are made from one reading of the operands, so that their inputs are the same.
-  const Result<BooleanTerms> p = planar::terms_of(a), q = planar::terms_of(b);
+  const Result<BooleanTerms> p = planar::terms_of(a, options.semantics), q = planar::terms_of(b, options.semantics);
   if (!p) return p.error();
   if (!q) return q.error();
   BooleanTerms terms;

@@ -7,6 +7,7 @@
 #include <cstdlib>
 #include <random>
 
+#include "dymsum/region_io.h"
 #include "dymsum/shapes.h"
 #include "oracles/check_sum.h"
 #include "oracles/coordinate_kinds.h"
@@ -237,6 +238,10 @@ TEST(PlanarBoolean, nothing_and_too_little) {
   EXPECT_EQ(difference(a, a).value().segments.size(), 4u) << "the boundary of what is taken away as an open set stays";
   const Region line = made({{}, {{{0, 0}, {1, 1}}}, {}});
   EXPECT_EQ(united(a, line).error().code, ErrorCode::unsupported_operand);
+  EXPECT_EQ(united(a, line, with(Semantics::regular)).value().area(), 1);
+  const PlanarSum nothing = united(none, none).value();
+  EXPECT_NE(sum_to_json(nothing), "") << "without any position";
+  EXPECT_EQ(united(nothing, a).value().area(), 1);
   SumOptions stop;
   stop.progress = [](std::string_view, double) { return false; };
   EXPECT_EQ(united(a, a, stop).error().code, ErrorCode::cancelled);

@@ -1,0 +1,143 @@
+"""Boolean operations of two regions beside Clipper2 (pyclipr) and GEOS (shapely), on six kinds of coordinates.
+
+`./run bench boolean [--runs N] [--large] [--results FOLDER]`. Times are of the operation alone, in process, the least of the runs: what
+`dymsum union --repeat N --json` reports, and what a call of the other two takes, with their results as they give them. Clipper2 rounds
+its input to multiples of 1e-9; dymsum's result is exact, and areas of all three are compared. The environment's DYMSUM is the command
+line to ask.
+"""
+
+import argparse
+import json
+import math
+import os
+import pathlib
+import random
+import statistics
+import struct
+import subprocess
+import tempfile
+import time
+
+import pyclipr
+import shapely
+
+DYMSUM = os.path.abspath(os.environ.get("DYMSUM", "dymsum"))
+SCALE = 10**9
+OPERATIONS = {"union": (shapely.union, pyclipr.Union), "intersect": (shapely.intersection, pyclipr.Intersection),
+              "subtract": (shapely.difference, pyclipr.Difference)}
+
+
+def of_kind(kind, x, y):
+    if kind == "grid":
+        return round(x * 2**20) / 2**20, round(y * 2**20) / 2**20
+    if kind == "decimals":
+        return round(x, 4), round(y, 4)
+    if kind == "single":
+        return tuple(struct.unpack("f", struct.pack("f", v))[0] for v in (x, y))
+    if kind == "noise":
+        return x + (6.1e-17 if x == 0 else 0), y + (6.1e-17 if y == 0 else 0)
+    c, s = math.cos(math.pi / 6), math.sin(math.pi / 6)
+    far = 0 if kind == "turned" else 1e5 / 3
+    return c * x - s * y + far, s * x + c * y + far
+
+
+def coast(n, x, y, seed):
+    """A rough closed line: about a tenth of its vertices meet that of another one beside it."""
+    r = random.Random(seed)
+    radius = [1 + 0.02 * r.uniform(-1, 1) for _ in range(n)]
+    return [(x + q * math.cos(2 * math.pi * k / n), y + q * math.sin(2 * math.pi * k / n)) for k, q in enumerate(radius)]
+
+
+def comb(teeth, x, y):
+    points = [(x, y), (x + 2 * teeth - 1, y)]
+    for k in reversed(range(teeth)):
+        points += [(x + 2 * k + 1, y + 10), (x + 2 * k, y + 10)]
+        if k > 0:
+            points += [(x + 2 * k, y + 1), (x + 2 * k - 1, y + 1)]
+    return points
+
+
+def pairs(large):
+    for n in (10, 100, 1000, 10000) + ((100000,) if large else ()):
+        yield f"coasts of {n}", coast(n, 0, 0, n), coast(n, 0.4, 0.1, n + 1)
+    for teeth in (5, 50, 200):
+        crossed = [(y, x) for x, y in reversed(comb(teeth, 0, 0))]
+        yield f"crossed combs of {teeth}", comb(teeth, 0, 0), crossed
+        yield f"combs of {teeth}, half a tooth on", comb(teeth, 0, 0), comb(teeth, 1, 0)
+
+
+def least(runs, call):
+    times = []
+    for _ in range(runs):
+        begin = time.perf_counter()
+        value = call()
+        times.append(time.perf_counter() - begin)
+    return min(times) * 1e3, value
+
+
+def ours(folder, verb, a, b, runs):
+    files = []
+    for name, ring in (("a", a), ("b", b)):
+        files.append(folder / f"{name}.wkt")
+        files[-1].write_text("POLYGON((" + ", ".join(f"{x!r} {y!r}" for x, y in (*ring, ring[0])) + "))")
+    done = subprocess.run([DYMSUM, verb, *files, "--json", "--repeat", str(runs)], capture_output=True, text=True)
+    if done.returncode not in (0, 4):
+        raise SystemExit(f"dymsum {verb}: {done.stderr}")
+    report = json.loads(done.stdout)
+    return report["time_ms"]["min"], float(report["area"])
+
+
+def theirs(verb, a, b, runs):
+    p, q = shapely.Polygon(a), shapely.Polygon(b)
+    geos, value = least(runs, lambda: OPERATIONS[verb][0](p, q))
+
+    def clipped():
+        clipper = pyclipr.Clipper()
+        clipper.scaleFactor = SCALE
+        clipper.addPath(a, pyclipr.Subject, False)
+        clipper.addPath(b, pyclipr.Clip, False)
+        return clipper.execute(OPERATIONS[verb][1], pyclipr.FillRule.NonZero)
+
+    clipper, paths = least(runs, clipped)
+    area = sum(shapely.Polygon(path).area * (1 if shapely.LinearRing(path).is_ccw else -1) for path in paths if len(path) > 2)
+    return geos, value.area, clipper, area
+
+
+def main():
+    parser = argparse.ArgumentParser(description=__doc__)
+    parser.add_argument("--runs", type=int, default=5)
+    parser.add_argument("--large", action="store_true", help="coasts of 100,000 vertices, too")
+    parser.add_argument("--results", type=pathlib.Path, help="writes boolean.md there")
+    options = parser.parse_args()
+    lines = ["| pair | operation | coordinates | dymsum ms | Clipper2 ms | GEOS ms | Clipper2 / dymsum | GEOS / dymsum |",
+             "|---|---|---|---|---|---|---|---|"]
+    ratios = {"Clipper2": [], "GEOS": []}
+    apart = 0
+    with tempfile.TemporaryDirectory() as name:
+        for title, first, second in pairs(options.large):
+            for kind in ("grid", "decimals", "single", "noise", "turned", "turned_far"):
+                a, b = ([of_kind(kind, *v) for v in ring] for ring in (first, second))
+                for verb in OPERATIONS:
+                    mine, area = ours(pathlib.Path(name), verb, a, b, options.runs)
+                    geos, geos_area, clipper, clipper_area = theirs(verb, a, b, options.runs)
+                    # GEOS computes in doubles, and areas far from the origin lose digits.
+                    tolerance = 1e-6 * max(1, abs(area))
+                    apart += abs(area - geos_area) > tolerance or abs(area - clipper_area) > tolerance
+                    ratios["Clipper2"].append(clipper / mine)
+                    ratios["GEOS"].append(geos / mine)
+                    lines.append(f"| {title} | {verb} | {kind} | {mine:.3f} | {clipper:.3f} | {geos:.3f} | {clipper / mine:.2f} "
+                                 f"| {geos / mine:.2f} |")
+                    print(lines[-1], flush=True)
+    summary = [f"{who} / dymsum: geometric mean {statistics.geometric_mean(r):.2f}, median {statistics.median(r):.2f}, worst "
+               f"{min(r):.2f}, best {max(r):.1f}, of {len(r)}" for who, r in ratios.items()]
+    summary.append(f"areas that differ by more than 1e-6 of themselves: {apart}")
+    print("\n".join(summary))
+    if options.results:
+        text = "# Boolean operations of two regions\n\n" + __doc__.split("\n\n", 1)[1].strip() + "\n\n"
+        text += "\n\n".join(summary) + "\n\n" + "\n".join(lines) + "\n"
+        (options.results / "boolean.md").write_text(text)
+    return 1 if apart else 0
+
+
+if __name__ == "__main__":
+    raise SystemExit(main())
