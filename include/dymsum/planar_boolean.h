@@ -17,7 +17,9 @@ namespace dymsum {
 /// What a Boolean operation takes: a region, or a result. It refers to it, and is meant for the call alone.
 ///
 /// A result of these operations stands for the operations that made it: its edges lie on edges of the first operands
-/// whatever has been done with it, and no position is rounded in between, nor does any integer grow. Any other result
+/// whatever has been done with it, and no position is rounded in between, nor does any integer grow. So semantics are
+/// those of the last operation: what regular semantics left out of a result counts again where that result takes part
+/// in a closed operation; an empty result is the empty set. Any other result
 /// (a sum, an erosion) is an operand where all its vertices are doubles.
 class PlanarOperand {
  public:

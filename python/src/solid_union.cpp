@@ -20,6 +20,16 @@ void bind_fill(nb::module_& m) {
       .value("even_odd", Fill::even_odd, "an odd number: what lies in two sets is outside");
 }
 
+/// The solids, and the objects to be remembered.
+std::pair<std::vector<Mesh>, nb::list> taken_apart(const Many<Mesh>& solids) {
+  std::pair<std::vector<Mesh>, nb::list> apart;
+  for (const MeshArgument& one : solids.items) {
+    apart.first.push_back(*one);
+    apart.second.append(one.object);
+  }
+  return apart;
+}
+
 void bind_unions(nb::module_& m) {
   m.def(
       "united",
@@ -33,14 +43,9 @@ count as their triangles. Raises Error: not_finite; bad_index; not_closed with a
   m.def(
       "united",
       [](const Many<Mesh>& solids, const SpatialOptions& options) {
-        std::vector<Mesh> all;
-        nb::list kept;
-        for (const MeshArgument& one : solids.items) {
-          all.push_back(*one);
-          kept.append(one.object);
-        }
-        SpatialSum solid =
-            run_with(options, [&](const SpatialOptions& own) { return united(std::span<const Mesh>(all), own); });
+        const auto [all, kept] = taken_apart(solids);
+        SpatialSum solid = run_with(
+            options, [&, &all = all](const SpatialOptions& own) { return united(std::span<const Mesh>(all), own); });
         return remembered(std::move(solid), "united", kept, options);
       },
       "solids"_a, "options"_a = SpatialOptions(), R"(The union of any number of solids, exactly.
@@ -73,14 +78,10 @@ void bind_solid_union(nb::module_& m) {
   m.def(
       "intersection",
       [](const Many<Mesh>& solids, const SpatialOptions& options) {
-        std::vector<Mesh> all;
-        nb::list kept;
-        for (const MeshArgument& one : solids.items) {
-          all.push_back(*one);
-          kept.append(one.object);
-        }
-        SpatialSum solid =
-            run_with(options, [&](const SpatialOptions& own) { return intersection(std::span<const Mesh>(all), own); });
+        const auto [all, kept] = taken_apart(solids);
+        SpatialSum solid = run_with(options, [&, &all = all](const SpatialOptions& own) {
+          return intersection(std::span<const Mesh>(all), own);
+        });
         return remembered(std::move(solid), "intersection", kept, options);
       },
       "solids"_a, "options"_a = SpatialOptions(), "What lies in all of some solids, exactly.");
