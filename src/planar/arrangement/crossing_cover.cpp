@@ -16,7 +16,7 @@ struct Line {
   double x, y, dx, dy;
 };
 
-/// Of one edge of either operand.
+/// One edge of either operand.
 struct EdgePair {
   std::uint32_t e = 0, f = 0;
 };
@@ -131,7 +131,7 @@ class Cutter {
  public:
   Cutter(const Soup& soup, double reach) : soup_(soup), crossings_(soup), reach_(reach) {}
 
-  /// In order; valid until the next call.
+  /// The spans that are left, in order; valid until the next call.
   const std::vector<Span>& rest_of(const SegmentPiece& piece) {
     const SoupBox& b = soup_.boxes[piece.segment];
     line_ = {b.ax, b.ay, b.dx, b.dy};

@@ -71,7 +71,7 @@ class Soup {
   double parameter_error(std::uint32_t s, std::uint32_t t) const {
     return kCrossingFractions * error(t) / std::abs(dx(s) * dy(t) - dy(s) * dx(t)) + kFractionRoundings;
   }
-  /// Of each coordinate of start + t d, where t errs by `t_error`.
+  /// The error of each coordinate of start + t d, where t errs by `t_error`.
   double step_error(double t_error, double dx, double dy) const {
     return 2 * point_error + (t_error + kStepLength) * std::max(std::abs(dx), std::abs(dy)) + kStepSum * lattice.span;
   }
@@ -85,7 +85,7 @@ class Soup {
     const std::uint32_t next = operands[g.side()]->next[g.edge()];
     return g.side() == 0 ? WalkPair{next, g.vertex} : WalkPair{g.vertex, next};
   }
-  /// By source vertices, as the lattice wants them.
+  /// The segment by its source vertices, as the lattice wants them.
   Segment exact(std::uint32_t s) const {
     const SoupSegment& g = segments[s];
     return {operands[g.side()]->edge(g.edge()), operands[1 - g.side()]->source[g.vertex]};

@@ -24,7 +24,7 @@ bool Collision::overlaps_right_of(const SegmentPosition& x) {
   return test(x);
 }
 
-// As LatticeOf's places.
+// The coordinates are those of LatticeOf's positions.
 Collision::Homogeneous Collision::homogeneous(const SegmentPosition& x) const {
   const Whole d = whole(x.on.edge);
   if (!x.between && x.first.kind == Cut::Kind::pair) {
@@ -255,8 +255,8 @@ bool Collision::edges_overlap(std::uint32_t e, std::uint32_t f, bool parallelogr
 
 // The open cone of P at walk vertex i (or along walk edge i) against that of the reflected Q at j.
 struct Collision::Cone {
-  // From ray a counter-clockwise to ray b, each an edge times a sign; area: the open sector, otherwise just the two
-  // rays.
+  // The sector from ray a counter-clockwise to ray b, each an edge times a sign; area: the open sector, otherwise just
+  // the two rays.
   Edge a, b;
   int sign_a, sign_b;
   bool area;

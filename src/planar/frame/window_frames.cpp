@@ -10,7 +10,7 @@
 namespace dymsum::planar {
 namespace {
 
-// From the window's coordinates to those of the input.
+// The map from the window's coordinates to those of the input.
 struct ToInput {
   ToInput(const Window& window, const ExactFrame& frame) : span(window.span()) {
     const Lattice& l = *frame.base().lattice;

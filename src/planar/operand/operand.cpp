@@ -48,7 +48,7 @@ Size size_of(const RegionData& region) {
   return size;
 }
 
-// About what the arrays of an operand take, so that one block holds them.
+// Roughly what the arrays of an operand take, so that one block holds them.
 std::size_t bytes_for(const Size& size) {
   constexpr std::size_t kPerVertex = sizeof(EdgeBox) + sizeof(Operand::Indices) + 12 * sizeof(double);
   return kPerVertex * size.walk + (sizeof(Loop) + 2) * size.loops +
@@ -292,8 +292,8 @@ class Builder {
       else if (edge != kUnnumbered) extend(out_.edge_of_index[edge], from, to);
     }
   }
-  // By the piece from a to b of an edge that is cut: places on one line are in the order of either coordinate that
-  // changes.
+  // Extends an edge that is cut by its piece from a to b: positions on one line are in the order of either coordinate
+  // that changes.
   void extend(std::array<std::uint32_t, 2>& edge, std::uint32_t a, std::uint32_t b) const {
     if (edge[0] == kUnnumbered) {
       edge = {a, b};

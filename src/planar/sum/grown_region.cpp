@@ -28,7 +28,8 @@ double largest_coordinate(const Region& region) {
 
 }  // namespace
 
-// Of coordinates: a vertex of the sum is rounded once, and so is every edge; a vertex of the disc three times.
+// The error of coordinates: a vertex of the sum is rounded once, and so is every edge; a vertex of the disc three
+// times.
 constexpr double kMoved = exact::rounding_bound(2 + 3, 8);
 
 // A disc that is larger by more than what vertices and edges are moved by holds the given one whichever way they move.

@@ -19,12 +19,12 @@ class EdgeSearch {
  public:
   explicit EdgeSearch(const Window& window) : window_(window) {}
 
-  /// In the window's coordinates, each within `error`.
+  /// A position in the window's coordinates, each within `error`.
   struct Position {
     double x, y, error, tau;
   };
   bool cross(const CrossingEdges& edges, const Position& at) const { return cross(edges, PositionPair(at, at)); }
-  /// At both positions, see find_or_spare().
+  /// Whether the edges cross at both positions, see find_or_spare().
   bool cross(const CrossingEdges& edges, const Position& from, const Position& to) const {
     return cross(edges, PositionPair(from, to));
   }
@@ -71,7 +71,7 @@ class EdgeSearch {
 /// remembered decides nothing: edges are queried again whether they cross.
 class CoverMemory {
  public:
-  /// Of a convolution with so many segments.
+  /// A memory for a convolution with so many segments.
   explicit CoverMemory(std::uint32_t segments) : of_(segments) {}
   std::size_t bytes() const { return bytes_of(of_); }
 
