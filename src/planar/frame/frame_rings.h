@@ -12,7 +12,7 @@
 #include "dymsum/planar_sum.h"
 #include "planar/boundary/collision.h"
 #include "planar/boundary/leftmost_loop.h"
-#include "planar/position/vertex_order.h"
+#include "planar/position/exact_source.h"
 
 namespace dymsum::planar {
 

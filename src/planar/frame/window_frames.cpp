@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "planar/operand/sum_bounds.h"
-#include "planar/position/vertex_order.h"
+#include "planar/position/exact_source.h"
 #include "planar/sum/placed_sum.h"
 
 namespace dymsum::planar {
