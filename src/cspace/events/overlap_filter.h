@@ -33,10 +33,7 @@ class OverlapFilter {
   bool holds(std::uint32_t op, std::uint32_t component, Point x, Heading h, double near) const;
 
  private:
-  struct Node {
-    double x0, y0, x1, y1;
-    std::uint32_t first, last, left, right;
-  };
+  using Node = EdgeTree::Node;
   struct Tree {
     std::vector<Node> nodes;
     std::vector<std::uint32_t> roots;  ///< per component

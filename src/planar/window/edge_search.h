@@ -63,7 +63,6 @@ class EdgeSearch {
   const Window& window_;
   RecentEdges<8> recent_;
   std::uint32_t in_vain_ = 0;  ///< searches since the last one that found something, or was spared
-  std::vector<std::pair<std::uint32_t, std::uint32_t>> stack_;
 };
 
 /// What windows before found out about crossings inside the sum: the edges that covered one crossing of a segment often
