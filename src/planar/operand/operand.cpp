@@ -9,6 +9,7 @@
 #include "base/scratch.h"
 #include "planar/operand/own_edges.h"
 #include "planar/operand/sum_bounds.h"
+#include "planar/region/chains.h"
 
 namespace dymsum::planar {
 namespace {
@@ -16,12 +17,8 @@ namespace {
 std::vector<Point> source_vertices(const RegionData& region, std::size_t n, bool reflected) {
   std::vector<Point> all;
   all.reserve(n);
-  for (const Part& part : region.parts) {
-    all.insert(all.end(), part.outer.begin(), part.outer.end());
-    for (const Ring& hole : part.holes) all.insert(all.end(), hole.begin(), hole.end());
-  }
-  for (const Polyline& line : region.polylines) all.insert(all.end(), line.begin(), line.end());
-  all.insert(all.end(), region.points.begin(), region.points.end());
+  for_each_chain(region,
+                 [&](const std::vector<Point>& points) { all.insert(all.end(), points.begin(), points.end()); });
   if (reflected)
     for (Point& p : all) p = {0 - p.x, 0 - p.y};  // leaves no negative zeros
   return all;
