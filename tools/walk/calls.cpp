@@ -1,5 +1,5 @@
-// One public call by its name, for tools/walk.sh: what a call needs is made before it, and its functions are counted
-// from the entry of walked() to its return.
+// One public call by its name, for walk.py: what a call needs is made before it, and its functions are counted from the
+// entry of walked() to its return.
 #include <dymsum/dymsum.h>
 #include <dymsum/penetration_depth.h>
 
@@ -32,8 +32,8 @@ Scale scale_of(int step) { return Scale::parse(std::to_string(100 + step) + "/10
 
 std::map<std::string, std::function<Call()>> calls() {
   std::map<std::string, std::function<Call()>> all;
-  all["minkowski_sum, regions"] = [] { return [] { minkowski_sum(kGear, kStar).value(); }; };
-  all["erode, regions"] = [] { return [] { erode(kGear, kStar).value(); }; };
+  all["minkowski_sum(regions)"] = [] { return [] { minkowski_sum(kGear, kStar).value(); }; };
+  all["erode(regions)"] = [] { return [] { erode(kGear, kStar).value(); }; };
   all["united"] = [] { return [] { united(kGear, kComb).value(); }; };
   all["ScalingSum::set"] = [] {
     const auto sum = held(ScalingSum::create(kGear, kStar));
@@ -58,10 +58,10 @@ std::map<std::string, std::function<Call()>> calls() {
     const auto obstacle = held(CspaceObstacle::create(kRod, kComb));
     return [obstacle] { plan(*obstacle, Configuration{-3, 10, 0}, Configuration{1.5, 3, 1.5}).value(); };
   };
-  all["minkowski_sum, convex solids"] = [] {
+  all["minkowski_sum(convex solids)"] = [] {
     return [p = solids::geodesic_sphere(2, 3), q = solids::cylinder(9, 1, 2)] { minkowski_sum(p, q).value(); };
   };
-  all["minkowski_sum, solids"] = [] {
+  all["minkowski_sum(solids)"] = [] {
     return [p = channel(), q = solids::box(0, 0, 0, 2, 1, 1)] { minkowski_sum(p, q).value(); };
   };
   all["MovingSolidSum::set"] = [] {
