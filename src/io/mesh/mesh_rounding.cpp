@@ -12,7 +12,7 @@
 namespace dymsum {
 namespace {
 
-/// In single precision, or the vertex that is past the range.
+/// The mesh in single precision, or the vertex that is past the range.
 Result<MeshData> in_singles(MeshData data) {
   for (std::size_t v = 0; v < data.vertices.size(); ++v) {
     Point3& p = data.vertices[v];
