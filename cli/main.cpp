@@ -168,7 +168,7 @@ ExitCode run(int argc, char** argv) {
   app.footer(kFooter);
   Action action;
   check_verb(verb_of(argc, argv));
-  add_verbs(app, verb_of(argc, argv), action);
+  if (argc < 2 || std::string(argv[1]) != "--version") add_verbs(app, verb_of(argc, argv), action);
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& error) {
