@@ -4,7 +4,6 @@
 #include <cmath>
 
 #include "depth/proved_sign.h"
-#include "spatial/mesh/surface_crossings.h"
 
 namespace dymsum::depth {
 

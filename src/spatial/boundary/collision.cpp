@@ -1,7 +1,6 @@
 #include <optional>
 
 #include "spatial/boundary/collision_query.h"
-#include "spatial/mesh/surface_crossings.h"
 
 namespace dymsum::spatial {
 

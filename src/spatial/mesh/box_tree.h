@@ -31,6 +31,10 @@ inline bool overlap(const Box& a, const Box& b) {
          a.low.z <= b.high.z && b.low.z <= a.high.z;
 }
 
+/// The boxes of triangles whose corners are off by at most `radius`.
+std::vector<Box> boxes_of(const std::vector<Vec3>& at, const std::vector<std::array<std::uint32_t, 3>>& triangles,
+                          double radius);
+
 /// The distance of a position from a box, to within some units in the last place of their coordinates.
 inline double distance(const Box& box, Vec3 from) {
   const auto beyond = [](double low, double high, double v) { return std::max({low - v, v - high, 0.0}); };

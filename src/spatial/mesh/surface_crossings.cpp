@@ -196,15 +196,6 @@ BoxTree boxes_of(const std::vector<Point3>& vertices, const std::vector<Triangle
   return BoxTree(std::move(boxes));
 }
 
-std::vector<Box> boxes_of(const std::vector<Vec3>& at, const std::vector<Triangle>& triangles, double radius) {
-  std::vector<Box> boxes(triangles.size());
-  for (std::size_t t = 0; t < triangles.size(); ++t) {
-    for (const std::uint32_t v : triangles[t]) boxes[t].add(at[v]);
-    boxes[t].grow(radius);
-  }
-  return boxes;
-}
-
 std::optional<FaceMeeting> find_meeting(const MeshData& data, const Triangles& triangles, const BoxTree& boxes) {
   return MeetingSearch(data, triangles).run(boxes);
 }

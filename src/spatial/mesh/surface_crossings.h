@@ -21,8 +21,6 @@ struct FaceMeeting {
 
 /// The boxes of triangles.
 BoxTree boxes_of(const std::vector<Point3>& vertices, const std::vector<Triangle>& triangles);
-/// The boxes of triangles whose corners are off by at most `radius`.
-std::vector<Box> boxes_of(const std::vector<Vec3>& at, const std::vector<Triangle>& triangles, double radius);
 
 /// The meeting of the smallest face with the smallest other one, or nothing. Requires faces that are valid by
 /// themselves, vertices at different positions, and two faces at every edge; `triangles` are those of the faces,
