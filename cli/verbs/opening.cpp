@@ -31,9 +31,10 @@ ExitCode run(const std::string& verb, Operation operation, const OpeningCommand&
     Result<SolidOpening> made = operation(run.inputs[0].mesh, run.inputs[1].mesh, options, between);
     if (!made) {
       Error error = made.error();
-      if (error.code == ErrorCode::rounding_changed_topology)
-        error.message +=
-            command.round_between ? " (of what is between the two operations)" : " (--round-between rounds it)";
+      if (error.code == ErrorCode::out_of_range && !command.round_between)
+        error.message += " (--round-between rounds what is between the two operations)";
+      if (error.code == ErrorCode::rounding_changed_topology && command.round_between)
+        error.message += " (of what is between the two operations)";
       return error;
     }
     const double moved = made->moved;
@@ -56,7 +57,7 @@ void add(CLI::App& app, Action& action, const std::string& name, Operation opera
   add_solid_options(verb, command->solid);
   verb.add_flag("--round-between", command->round_between,
                 "Round vertices between the two operations that have no doubles for coordinates, and report how far "
-                "that moved them, instead of refusing");
+                "that moved them; without it they are fractions, and the result is exact");
   verb.footer("Example: dymsum " + name + " part.off tool.off -o " + name + ".off --json");
   verb.callback([=, &action] { action = [=] { return run(name, operation, *command); }; });
 }
