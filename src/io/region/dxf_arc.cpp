@@ -8,7 +8,7 @@ namespace {
 
 constexpr double kRadian = std::numbers::pi / 180;
 
-/// In [0, 360), exactly.
+/// The angle in [0, 360), exactly.
 double within_a_turn(double degrees) {
   const double rest = std::fmod(degrees, 360.0);
   return rest < 0 ? rest + 360 : rest;

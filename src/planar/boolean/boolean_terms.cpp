@@ -40,7 +40,7 @@ std::optional<Point> as_point(const ExactSource& source, const SumVertex& vertex
   return nearest;
 }
 
-// Of a result that no Boolean operation has made.
+// The terms of a result that no Boolean operation has made.
 Result<BooleanTerms> terms_of_sum(const PlanarSum& sum) {
   std::vector<Ring> rings;
   std::optional<Error> failed;
