@@ -56,7 +56,7 @@ struct LoggedRegion {
 Result<LoggedRegion> repair(RegionData data, const RegionRepairOptions& options);
 
 /// The repairs of solids. `unused_vertices` no face uses, `degenerate_faces` have no area. `split_faces` are not plane,
-/// or have a vertex twice. `nested_shells` run the same way as the one around them, `membranes` have the solid on both
+/// or have a vertex twice. `nested_shells` run as the one around them does, `membranes` have the solid on both
 /// sides. `loose_walls` are faces with edges that no other face has, inside of the solid that the others bound: without
 /// them it is the same set. `crossings` are where faces cross, overlap or touch.
 enum class MeshRepairKind : std::uint8_t {
@@ -78,7 +78,7 @@ enum class MeshRepairKind : std::uint8_t {
 /// All of them, in their order.
 std::vector<MeshRepairKind> all_mesh_repairs();
 
-/// What a shell is that runs the same way as the one around it: the boundary of a cavity, or of a body inside of
+/// What a shell is that runs as the one around it does: the boundary of a cavity, or of a body inside of
 /// another one, which adds nothing and is dropped.
 enum class NestedShells : std::uint8_t { cavity, solid };
 
@@ -97,7 +97,7 @@ struct MeshRepairMark {
 
 struct MeshRepairLog {
   MeshRepairReport counts;
-  std::size_t nested_bodies = 0;                 ///< shells that ran the same way as the one around them dropped
+  std::size_t nested_bodies = 0;                 ///< shells that ran as the one around them does dropped
   std::size_t loose_walls = 0;                   ///< faces dropped
   static constexpr std::size_t kMostMarks = 16;  ///< of a kind
   std::vector<MeshRepairMark> marks;             ///< where the first ones of every kind are, kind by kind

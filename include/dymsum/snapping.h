@@ -44,13 +44,13 @@ Result<Snapped<MeshData>> snapped(MeshData data, const CoordinateGrid& grid);
 /// Coordinates that rounding in doubles took off a grid.
 struct CoordinateNoise {
   CoordinateGrid grid;
-  std::size_t noisy = 0;        ///< coordinates that are off the grid, by no more than four units in the last place
+  std::size_t noisy = 0;        ///< coordinates that are off the grid, by no more than four ulps of the largest one
   std::size_t coordinates = 0;  ///< all of them
   std::string to_string() const;
 };
 /// The coarsest of the grids 1, 1/2, ..., 2^-20 and 1, 0.1, ..., 1e-9 that at least nine tenths of the coordinates are
-/// on, or off it by no more than four units in the last place of the largest coordinate, if at least one of them is
-/// off; nothing where there is none, or where that unit is no finer than 2^-20 of the grid. A hint: exact sums of such
+/// on, or off it by no more than four ulps of the largest coordinate, if at least one of them is
+/// off; nothing where there is none, or where that ulp is no finer than 2^-20 of the grid. A hint: exact sums of such
 /// data take integers twice as long. O(n).
 std::optional<CoordinateNoise> coordinate_noise(const RegionData& data);
 std::optional<CoordinateNoise> coordinate_noise(const MeshData& data);

@@ -15,7 +15,7 @@
 namespace dymsum {
 namespace {
 
-// 2^970 is the last place of the largest double: all that are larger than 2^53 times the grid are on it.
+// 2^970 is the ulp of the largest double: all that are larger than 2^53 times the grid are on it.
 constexpr int kLeastTwo = -1074, kMostTwo = 970;
 constexpr int kLeastTen = -100;  // 10^-100: the texts of coordinates have no more digits than that after the point
 
@@ -80,13 +80,13 @@ Result<Snapped<Data>> snapped_data(Data data, const CoordinateGrid& grid) {
   return Snapped<Data>{std::move(data), report};
 }
 
-constexpr double kPlaces = 4;     // how far a noisy coordinate may be off, in units in the last place
-constexpr int kLeastFine = 20;    // a grid is at least 2^20 of these units
+constexpr double kUlps = 4;       // how far a noisy coordinate may be off
+constexpr int kLeastFine = 20;    // a grid is at least 2^20 ulps
 constexpr std::size_t kMost = 9;  // of ten coordinates that have to be on the grid
 
 struct Coordinates {
   std::vector<double> values;
-  double unit = 0;  ///< in the last place of the largest one
+  double ulp = 0;  ///< of the largest one
 };
 
 template <class Data>
@@ -97,7 +97,7 @@ Coordinates coordinates_of(Data data) {
     all.values.push_back(x);
     largest = std::max(largest, std::abs(x));
   });
-  if (std::isfinite(largest) && largest > 0) all.unit = std::ldexp(1.0, std::ilogb(largest) - 52);
+  if (std::isfinite(largest) && largest > 0) all.ulp = std::ldexp(1.0, std::ilogb(largest) - 52);
   return all;
 }
 
@@ -113,7 +113,7 @@ std::optional<std::size_t> noisy_on(const Coordinates& all, const CoordinateGrid
   std::size_t noisy = 0, off = 0;
   for (const double x : all.values) {
     const double distance = std::abs(nearly_snapped(x, grid) - x);
-    if (!(distance <= kPlaces * all.unit)) ++off;
+    if (!(distance <= kUlps * all.ulp)) ++off;
     else if (distance > 0) ++noisy;
     if (10 * off > (10 - kMost) * all.values.size()) return std::nullopt;
   }
@@ -133,9 +133,9 @@ std::vector<CoordinateGrid> grids_from_coarse() {
 template <class Data>
 std::optional<CoordinateNoise> noise_of(const Data& data) {
   const Coordinates all = coordinates_of(data);
-  if (!(all.unit > 0)) return std::nullopt;
+  if (!(all.ulp > 0)) return std::nullopt;
   for (const CoordinateGrid& grid : grids_from_coarse()) {
-    if (std::pow(grid.base, grid.exponent) < std::ldexp(all.unit, kLeastFine)) return std::nullopt;
+    if (std::pow(grid.base, grid.exponent) < std::ldexp(all.ulp, kLeastFine)) return std::nullopt;
     const std::optional<std::size_t> noisy = noisy_on(all, grid);
     if (!noisy) continue;
     if (*noisy == 0) return std::nullopt;

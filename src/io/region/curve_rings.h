@@ -1,4 +1,4 @@
-// Rings with curves, nested, and on the side of their curves that was asked for.
+// Rings with curves, nested, and on one side of their curves.
 #pragma once
 
 #include <vector>

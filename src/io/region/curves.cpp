@@ -79,7 +79,7 @@ std::vector<Point> hull_side(const ChordFrame& frame, const std::vector<Point>& 
     while (flat.size() > 1) {
       const auto [x0, y0] = flat[flat.size() - 2];
       const auto [x1, y1] = flat.back();
-      if ((x1 - x0) * (height - y0) - (y1 - y0) * (along - x0) < 0) break;  // turns towards the chord
+      if ((x1 - x0) * (height - y0) - (y1 - y0) * (along - x0) < 0) break;  // bends towards the chord
       flat.pop_back();
       at.pop_back();
     }
@@ -196,8 +196,8 @@ void append_arc(ChordChain& chain, const EllipseArc& arc, Point to, const CurveO
   if (!(steps <= kMostChords)) throw CurveFailure{CurveTrouble::too_many_chords};
   const double step = arc.sweep / steps;
   // Counter-clockwise on the unit circle and an image that is not mirrored: the circle is on the right of its chords.
-  const double turn = (arc.u.x * arc.v.y - arc.u.y * arc.v.x) * arc.sweep;
-  std::vector<Point>&inner = turn > 0 ? chain.left : chain.right, &outer = turn > 0 ? chain.right : chain.left;
+  const double side = (arc.u.x * arc.v.y - arc.u.y * arc.v.x) * arc.sweep;
+  std::vector<Point>&inner = side > 0 ? chain.left : chain.right, &outer = side > 0 ? chain.right : chain.left;
   for (int k = 0; k < static_cast<int>(steps); ++k) {
     const Point corner = arc.corner(step * (k + 0.5), step / 2);
     const bool last = k + 1 == static_cast<int>(steps);
@@ -223,8 +223,8 @@ void append_three_point_arc(ChordChain& chain, Point on, Point to, const CurveOp
     --chain.curves;
     return;
   }
-  const double turn = p.x * q.y - p.y * q.x, pp = p.x * p.x + p.y * p.y, qq = q.x * q.x + q.y * q.y;
-  const Point u{-(q.y * pp - p.y * qq) / (2 * turn), -(p.x * qq - q.x * pp) / (2 * turn)};
+  const double bend = p.x * q.y - p.y * q.x, pp = p.x * p.x + p.y * p.y, qq = q.x * q.x + q.y * q.y;
+  const Point u{-(q.y * pp - p.y * qq) / (2 * bend), -(p.x * qq - q.x * pp) / (2 * bend)};
   if (!std::isfinite(u.x) || !std::isfinite(u.y)) {
     chain.add(on);
     chain.add(to);
@@ -232,7 +232,7 @@ void append_three_point_arc(ChordChain& chain, Point on, Point to, const CurveOp
   }
   const auto seen = [](Point a, Point b) { return std::atan2(a.x * b.y - a.y * b.x, a.x * b.x + a.y * b.y); };
   const Point r{to.x - on.x, to.y - on.y};
-  const double first = 2 * std::copysign(std::abs(seen(q, r)), turn), second = 2 * seen(p, q);
+  const double first = 2 * std::copysign(std::abs(seen(q, r)), bend), second = 2 * seen(p, q);
   append_arc(chain, {from, u, {-u.y, u.x}, first}, on, options);
   const Point w{u.x + p.x, u.y + p.y};
   append_arc(chain, {on, w, {-w.y, w.x}, second}, to, options);

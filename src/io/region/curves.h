@@ -38,7 +38,7 @@ struct EllipseArc {
   Point at(double t) const;
   /// Where the tangents meet in the points of t - h and t + h.
   Point corner(double t, double h) const;
-  /// The length of its longest half axis, rounded up: the largest factor by which the map of the unit circle stretches.
+  /// The length of its longest half axis, rounded up: the largest factor of lengths in the map of the unit circle.
   double reach() const;
 };
 
@@ -46,7 +46,7 @@ struct EllipseArc {
 ///
 /// The arc is the image of one of the unit circle, in n equal steps of h = |sweep| / n. There a chord is at most
 /// 1 - cos(h/2) from its arc, and the corner of the tangents in its two ends 1 / cos(h/2) - 1, which is more. The map
-/// stretches distances by `reach` at most, so that all is within `error` for cos(h/2) >= 1 / (1 + error / reach). The
+/// multiplies distances by `reach` at most, so that all is within `error` for cos(h/2) >= 1 / (1 + error / reach). The
 /// chords lie on the inner side, the tangents on the outer one. Vertices are rounded a few times each.
 void append_arc(ChordChain& chain, const EllipseArc& arc, Point to, const CurveOptions& options);
 

@@ -46,8 +46,8 @@ std::map<std::string, DxfBlock> dxf_blocks(const Source& source, const std::vect
 // The base comes to the origin, is scaled, moved to its row and column, rotated, and moved to its position.
 std::vector<PlaneTransform> dxf_placements(const Source& source, const DxfEntity& insert, const DxfBlock& block) {
   const auto number = [&](int code, double otherwise) { return number_or(source, insert, code, otherwise); };
-  const Point turn = direction(number(50, 0));
-  const PlaneTransform rotation{turn.x, turn.y, -turn.y, turn.x, number(10, 0), number(20, 0)};
+  const Point x_axis = direction(number(50, 0));
+  const PlaneTransform rotation{x_axis.x, x_axis.y, -x_axis.y, x_axis.x, number(10, 0), number(20, 0)};
   const PlaneTransform scaling{number(41, 1), 0, 0, number(42, 1), 0, 0},
       moved{1, 0, 0, 1, -block.base.x, -block.base.y};
   if (scaling.a == 0 || scaling.d == 0)

@@ -18,7 +18,7 @@ struct DxfBlock {
 /// By names without case. Errors: malformed, not_finite.
 std::map<std::string, DxfBlock> dxf_blocks(const Source& source, const std::vector<DxfGroup>& groups);
 
-/// Where an INSERT places its block: one map for each of its rows and columns. Errors: malformed, not_finite.
+/// Where an INSERT puts its block: one map for each of its rows and columns. Errors: malformed, not_finite.
 std::vector<PlaneTransform> dxf_placements(const Source& source, const DxfEntity& insert, const DxfBlock& block);
 
 }  // namespace dymsum::io

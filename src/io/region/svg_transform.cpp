@@ -10,11 +10,11 @@ namespace dymsum::io {
 
 namespace {
 
-/// About a point; exact by quarters of a turn.
+/// About a point; exact for multiples of 90 degrees.
 PlaneTransform rotation(double degrees, Point about) {
   const Point d = direction(degrees);
-  const PlaneTransform turn{d.x, d.y, -d.y, d.x, 0, 0};
-  return PlaneTransform{1, 0, 0, 1, about.x, about.y}.after(turn).after({1, 0, 0, 1, -about.x, -about.y});
+  const PlaneTransform rotated{d.x, d.y, -d.y, d.x, 0, 0};
+  return PlaneTransform{1, 0, 0, 1, about.x, about.y}.after(rotated).after({1, 0, 0, 1, -about.x, -about.y});
 }
 
 double tangent(double degrees) {

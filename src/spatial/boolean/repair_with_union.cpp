@@ -136,8 +136,8 @@ std::optional<Result<LoggedMesh>> repair_crossings(MeshData data, Fill fill, con
   Result<spatial::PreparedSurface> surface = spatial::prepared_surface(std::move(data), repairs);
   if (!surface) return std::nullopt;
   MeshData triangles = as_triangles(surface->data);
-  const bool turns = fill == Fill::nonzero && spatial::allows(repairs, MeshRepairKind::reversed_shells);
-  const std::vector<Point3> turned = turns ? turn_crossing_shells(triangles) : std::vector<Point3>{};
+  const bool reverses = fill == Fill::nonzero && spatial::allows(repairs, MeshRepairKind::reversed_shells);
+  const std::vector<Point3> turned = reverses ? turn_crossing_shells(triangles) : std::vector<Point3>{};
   const Result<SpatialSum> solid = united(triangles, fill, options);
   if (!solid) return is_limit(solid.error().code) ? std::optional<Result<LoggedMesh>>(solid.error()) : std::nullopt;
   if (solid->faces.empty()) return std::nullopt;

@@ -114,7 +114,7 @@ ShellFates as_cavities(const std::vector<int>& signs, const std::vector<std::vec
     const bool inner = around[s].size() % 2 == 1, wrong = signs[s] == (inner ? 1 : -1);
     for (const std::uint32_t next : around[s])  // the innermost one of them
       if (inner && around[next].size() + 1 == around[s].size() && signs[next] == signs[s]) fates.cavity[s] = true;
-    fates.turned[s] = wrong && (fates.cavity[s] ? repairs.nested.has_value() : repairs.turn);
+    fates.turned[s] = wrong && (fates.cavity[s] ? repairs.nested.has_value() : repairs.reverse);
     fates.cavity[s] = fates.cavity[s] && repairs.nested;
   }
   return fates;
@@ -125,7 +125,7 @@ ShellFates as_bodies(std::vector<int> signs, const std::vector<std::vector<std::
                      const ShellRepairs& repairs) {
   ShellFates fates{std::vector<bool>(signs.size()), std::vector<bool>(signs.size()), std::vector<bool>(signs.size())};
   for (std::size_t s = 0; s < signs.size(); ++s) {
-    if (!around[s].empty() || signs[s] > 0 || !repairs.turn) continue;
+    if (!around[s].empty() || signs[s] > 0 || !repairs.reverse) continue;
     fates.turned[s] = true;
     signs[s] = 1;
   }
@@ -134,7 +134,7 @@ ShellFates as_bodies(std::vector<int> signs, const std::vector<std::vector<std::
     for (const std::uint32_t t : around[s]) outside += signs[t];
     const int inside = outside + signs[s];
     fates.dropped[s] = (outside != 0) == (inside != 0);
-    if (!fates.dropped[s] && (inside != 0) != (signs[s] > 0)) fates.turned[s] = repairs.turn;
+    if (!fates.dropped[s] && (inside != 0) != (signs[s] > 0)) fates.turned[s] = repairs.reverse;
   }
   return fates;
 }

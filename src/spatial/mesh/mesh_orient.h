@@ -18,20 +18,20 @@ std::vector<std::uint32_t> turn_faces(MeshData& data);
 
 /// What may be done to shells.
 struct ShellRepairs {
-  bool turn = true;  ///< those that are inside out are turned
+  bool reverse = true;  ///< those that are inside out are reversed
   std::optional<NestedShells> nested =
-      NestedShells::cavity;  ///< what one inside another one becomes that runs the same way
+      NestedShells::cavity;  ///< what one inside another one becomes that runs as that does
 };
 
 /// What was done to shells, by one face of each.
 struct TurnedShells {
   std::vector<std::uint32_t> turned;    ///< that were inside out
-  std::vector<std::uint32_t> cavities;  ///< inside others, that ran the same way: they bound cavities now
+  std::vector<std::uint32_t> cavities;  ///< inside others, that ran as these do: they bound cavities now
   std::vector<std::uint32_t> bodies;    ///< inside others, which they add nothing to
   std::vector<bool> dropped;            ///< the faces of these; empty where there are none
 };
 
-/// Turns whole shells. Does nothing where the surface is not closed, or a face not valid. With NestedShells::solid a
+/// Reverses whole shells. Does nothing where the surface is not closed, or a face not valid. With NestedShells::solid a
 /// shell bounds the solid exactly where the shells around it, each +1 where it runs outward and -1 inward, add up to 0
 /// on one side of it alone.
 TurnedShells turn_shells(MeshData& data, const ShellRepairs& repairs);

@@ -47,7 +47,7 @@ class MeshRepair {
   Result<PreparedSurface> prepare() {
     if (auto error = check_lists()) return *std::move(error);
     repair_faces();
-    if (may(MeshRepairKind::reversed_faces)) turn_single_faces(data_);
+    if (may(MeshRepairKind::reversed_faces)) reverse_faces(data_);
     drop_unused_vertices();
     log_.marks = marks_.all();
     return PreparedSurface{std::move(data_), std::move(log_)};
@@ -206,7 +206,7 @@ class MeshRepair {
     face_origin_ = std::move(origins);
   }
 
-  void turn_single_faces(MeshData& data) {
+  void reverse_faces(MeshData& data) {
     const std::vector<std::uint32_t> turned = turn_faces(data);
     log_.counts.reversed_faces = turned.size();
     for (const std::uint32_t f : turned) mark_face(MeshRepairKind::reversed_faces, data.faces[f]);
@@ -219,14 +219,14 @@ class MeshRepair {
     thin.resize(data_.faces.size());
     std::vector<bool> nested(data_.faces.size());
     for_the_others(thin, [&](MeshData& solid, const std::vector<std::size_t>& origin) {
-      if (may(MeshRepairKind::reversed_faces)) turn_single_faces(solid);
+      if (may(MeshRepairKind::reversed_faces)) reverse_faces(solid);
       if (!mode_.thin_parts && !may(MeshRepairKind::membranes)) return;
       const std::vector<bool> inner = inner_faces(solid);
       for (std::size_t k = 0; k < inner.size(); ++k)
         if (inner[k]) thin[origin[k]] = true;
     });
     for_the_others(thin, [&](MeshData& solid, const std::vector<std::size_t>& origin) {
-      const TurnedShells turned = turn_whole_shells(solid);
+      const TurnedShells turned = orient_shells(solid);
       for (std::size_t k = 0; k < turned.dropped.size(); ++k) nested[origin[k]] = turned.dropped[k];
     });
     if (!mode_.thin_parts)
@@ -236,7 +236,7 @@ class MeshRepair {
       drop_faces(MeshRepairKind::nested_shells, [&](std::size_t f) { return bool{nested[f]}; });
   }
 
-  TurnedShells turn_whole_shells(MeshData& solid) {
+  TurnedShells orient_shells(MeshData& solid) {
     ShellRepairs repairs{may(MeshRepairKind::reversed_shells), std::nullopt};
     if (may(MeshRepairKind::nested_shells)) repairs.nested = options_.nested;
     TurnedShells turned = turn_shells(solid, repairs);
