@@ -69,7 +69,9 @@ Error with_remedy(Error error, const MeshData& data, const InputOptions& options
     error.message = "the file holds vertices and no faces (--hull takes the convex hull of points)";
     return error;
   }
-  const Result<LoggedMesh> after_repair = repaired_for_a_hint(data, options);
+  // With all repairs the error is that of what they leave.
+  const bool all = options.repairs == "all";
+  const Result<LoggedMesh> after_repair = all ? Result<LoggedMesh>(error) : repaired_for_a_hint(data, options);
   if (after_repair && !after_repair->mesh.empty() && options.offers_repair) {
     error.message += remedy(after_repair->log);
     return error;
