@@ -17,7 +17,7 @@ MeshData read_obj(const Source& source);
 MeshData read_stl(const Source& source);
 MeshData read_ply(const Source& source);
 MeshData read_glb(const Source& source);
-MeshData read_3mf(const Source& source);
+MeshFile read_3mf(const Source& source);
 
 /// Vertices at exactly the same position become the first of them, as a mesh without shared vertices needs.
 void merge_equal_vertices(MeshData& data);
