@@ -349,7 +349,7 @@ TEST(ScaleRange, inputs_without_an_answer_give_errors) {
 
 // Whatever it asks first: all of the work may take long.
 TEST(ScaleRange, is_stopped_wherever_it_asks) {
-  const Region part = snapped::star(5, 0.5, 1), container = snapped::gear(8, 3, 4);
+  const Region part = snapped_shapes::star(5, 0.5, 1), container = snapped_shapes::gear(8, 3, 4);
   const auto of_path = [&](const Progress& progress) {
     return scale_range(part, {{0, 0}, {1, 0.5}}, container, progress);
   };
