@@ -1,5 +1,6 @@
 #include "inputs.h"
 
+#include "dymsum/names.h"
 #include "dymsum/planar_boolean.h"
 #include "planar/open_ends.h"
 
@@ -125,12 +126,6 @@ std::vector<NamedShape> read_all(const std::string& file, const InputOptions& op
 
 std::string remedy(const std::string& changes) { return " (--repair mends it: " + changes + ")"; }
 
-std::optional<Fill> fill_of(const std::string& name) {
-  if (name == "positive") return Fill::positive;
-  if (name == "nonzero") return Fill::nonzero;
-  return name == "even_odd" ? std::optional(Fill::even_odd) : std::nullopt;
-}
-
 namespace {
 
 constexpr const char* kFillHint = " (--fill RULE takes what the rings bound: nonzero, positive or even_odd)";
@@ -150,7 +145,7 @@ Result<Region> make_region(RegionData data, const std::string& file, const Input
   };
   if (!options.quiet) report_open_ends(data, file);
   if (!options.fill.empty()) {
-    Result<FilledRegion> made = repair_with_fill(data, *fill_of(options.fill));
+    Result<FilledRegion> made = repair_with_fill(data, parse<Fill>(options.fill).value());
     if (!made) return in_file(made.error());
     if (!options.quiet && made->report.changed()) std::cerr << file << ": " << made->report.to_string() << "\n";
     return std::move(made).value().region;

@@ -71,7 +71,6 @@ std::vector<Input> read_inputs(const std::vector<std::string>& files, const Inpu
 void refuse_unused_format(const std::vector<std::string>& files, const InputOptions& options);
 
 /// The rule that --fill names.
-std::optional<Fill> fill_of(const std::string& name);
 
 /// Validates, or repairs where requested, one shape of a file.
 Result<Region> make_region(RegionData data, const std::string& file, const InputOptions& options);

@@ -50,8 +50,6 @@ Json area_json(const Region& region);
 Json inputs_json(const std::vector<Input>& inputs);
 /// {"tan_half": "1/2", "theta": 0.927...}.
 Json orientation_json(const Orientation& orientation);
-/// {"nearest", "merged_vertices", ..., "moved", "moved_ulps"}.
-Json rounding_json(const Rounding& rounding);
 Json sum_json(const SumReport& report);
 void print_sum(std::ostream& out, const SumReport& report);
 

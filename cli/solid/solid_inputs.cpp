@@ -8,6 +8,7 @@
 #include <string_view>
 #include <utility>
 
+#include "dymsum/names.h"
 #include "dymsum/solid_union.h"
 #include "exit_code.h"
 
@@ -45,7 +46,7 @@ std::optional<MeshFormat> solid_format_of(std::string_view text) {
 
 Result<RepairedMesh> repaired(MeshData data, const InputOptions& options) {
   return options.thin ? repair_with_thin_parts(std::move(data))
-                      : repair_with_union(std::move(data), fill_of(options.fill).value_or(Fill::nonzero));
+                      : repair_with_union(std::move(data), parse<Fill>(options.fill).value_or(Fill::nonzero));
 }
 
 /// What the option would do: of large surfaces that cross that takes too long for a hint.

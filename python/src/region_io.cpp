@@ -3,6 +3,7 @@
 
 #include "arguments.h"
 #include "bind.h"
+#include "enumeration.h"
 #include "paths.h"
 #include "record.h"
 
@@ -12,16 +13,8 @@ namespace {
 using namespace nb::literals;
 
 void bind_region_readers(nb::module_& m) {
-  nb::enum_<RegionFormat>(m, "RegionFormat", "A format of planar files.")
-      .value("poly", RegionFormat::poly)
-      .value("wkt", RegionFormat::wkt)
-      .value("geojson", RegionFormat::geojson)
-      .value("svg", RegionFormat::svg)
-      .value("json", RegionFormat::json)
-      .value("dxf", RegionFormat::dxf);
-  nb::enum_<ThirdCoordinates>(m, "ThirdCoordinates", "What becomes of third coordinates and measures in files.")
-      .value("refused", ThirdCoordinates::refused)
-      .value("dropped", ThirdCoordinates::dropped);
+  enumeration<RegionFormat>(m, "RegionFormat", "A format of planar files.");
+  enumeration<ThirdCoordinates>(m, "ThirdCoordinates", "What becomes of third coordinates and measures in files.");
   Record<NamedShape>(m, "NamedShape", "One named shape of a file.")
       .field("name", &NamedShape::name)
       .field("data", &NamedShape::data, "RegionData, not yet validated");
