@@ -171,8 +171,8 @@ Error homeless_hole(std::int64_t part, std::int64_t ring, const RepairedChain& h
   return error;
 }
 
-std::optional<Error> repair_part(const Part& part, std::int64_t index, RegionData& result, SourceNames& names,
-                                 RepairReport& report) {
+Result<void> repair_part(const Part& part, std::int64_t index, RegionData& result, SourceNames& names,
+                         RepairReport& report) {
   RepairedChain outer = repair_ring(part.outer, true, report);
   const bool keep = !outer.chain.empty();
   if (keep) {
@@ -188,7 +188,7 @@ std::optional<Error> repair_part(const Part& part, std::int64_t index, RegionDat
     result.parts.back().holes.push_back(std::move(hole.chain));
     names.add_ring({index, ring, std::move(hole.source)});
   }
-  return std::nullopt;
+  return {};
 }
 
 Error empty_polyline(std::int64_t index) {
@@ -221,8 +221,8 @@ Result<Repaired> repair(RegionData data) {
   RegionData result;
   SourceNames names;
   for (std::size_t i = 0; i < data.parts.size(); ++i) {
-    auto error = repair_part(data.parts[i], static_cast<std::int64_t>(i), result, names, report);
-    if (error) return *std::move(error);
+    const Result<void> done = repair_part(data.parts[i], static_cast<std::int64_t>(i), result, names, report);
+    if (!done) return done.error();
   }
   result.points = std::move(data.points);
   for (std::size_t i = 0; i < data.polylines.size(); ++i) {

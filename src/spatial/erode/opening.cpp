@@ -68,8 +68,8 @@ Result<Step> rounded_vertices(const SpatialSum& sum, BetweenSteps between) {
 }
 
 /// What is tight, as points, segments and triangles, of which rounding may leave less.
-std::optional<Error> add_tight(const SpatialSum& sum, Step& step) {
-  if (sum.tight_faces.empty() && sum.tight_segments.empty() && sum.tight_points.empty()) return std::nullopt;
+Result<void> add_tight(const SpatialSum& sum, Step& step) {
+  if (sum.tight_faces.empty() && sum.tight_segments.empty() && sum.tight_points.empty()) return {};
   step.thin.assign(step.set.faces.size(), false);
   const std::vector<Point3>& at = step.set.vertices;
   for (const std::uint32_t v : sum.tight_points) step.set.faces.push_back({v});
@@ -84,7 +84,7 @@ std::optional<Error> add_tight(const SpatialSum& sum, Step& step) {
     return error_at(ErrorCode::rounding_changed_topology,
                     "rounding leaves less of a tight feature between the two operations", at[face[0]]);
   }
-  return std::nullopt;
+  return {};
 }
 
 /// Of a sum that is not needed any more.
@@ -108,7 +108,7 @@ Result<Step> next_operand(Result<SpatialSum> first, BetweenSteps between) {
     all = spatial::split_at_touching_vertices(sum, std::move(all));
   }
   for (const spatial::Triangle& t : all.triangles) step.set.faces.push_back({t[0], t[1], t[2]});
-  if (std::optional<Error> error = add_tight(sum, step)) return *std::move(error);
+  if (const Result<void> added = add_tight(sum, step); !added) return added.error();
   return step;
 }
 

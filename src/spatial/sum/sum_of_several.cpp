@@ -157,7 +157,7 @@ Result<Term> sum_of_two(const Term& a, const Term& b, const SpatialOptions& opti
 }
 
 /// Adds the first two operands whose sum is one again; the error of the first two where no sum is.
-std::optional<Error> add_two(std::vector<Term>& terms, const SpatialOptions& options) {
+Result<void> add_two(std::vector<Term>& terms, const SpatialOptions& options) {
   std::optional<Error> first;
   for (std::size_t j = 1; j < terms.size(); ++j) {
     for (std::size_t i = 0; i < j; ++i) {
@@ -169,10 +169,10 @@ std::optional<Error> add_two(std::vector<Term>& terms, const SpatialOptions& opt
       }
       terms[i] = *std::move(term);
       terms.erase(terms.begin() + static_cast<std::ptrdiff_t>(j));
-      return std::nullopt;
+      return {};
     }
   }
-  return first;
+  return *std::move(first);
 }
 
 Result<SpatialSum> sum_of_convex(std::span<const Mesh> operands, const SpatialOptions& options) {
@@ -208,10 +208,11 @@ Result<SpatialSum> minkowski_sum(std::span<const Mesh> operands, const SpatialOp
   between.semantics = Semantics::regular;
   between.trace = false;
   while (terms.size() > 2) {
-    if (std::optional<Error> error = add_two(terms, between)) {
-      error->message =
-          "the sum of " + std::to_string(operands.size() - terms.size() + 2) + " of the operands: " + error->message;
-      return *std::move(error);
+    if (const Result<void> added = add_two(terms, between); !added) {
+      Error error = added.error();
+      error.message =
+          "the sum of " + std::to_string(operands.size() - terms.size() + 2) + " of the operands: " + error.message;
+      return error;
     }
   }
   return sum_of_terms(terms[0], terms[1], options);
