@@ -1,5 +1,6 @@
 #include "inputs.h"
 
+#include "dymsum/names.h"
 #include "dymsum/planar_boolean.h"
 #include "dymsum/snap_rounding.h"
 #include "dymsum/sum_io.h"
@@ -138,11 +139,6 @@ std::vector<NamedShape> read_all(const std::string& file, const InputOptions& op
                      [&](const ReadOptions& how) { return parse_shapes(text, format, "standard input", how); });
 }
 
-std::optional<Fill> fill_of(const std::string& name) {
-  if (name == "positive") return Fill::positive;
-  if (name == "nonzero") return Fill::nonzero;
-  return name == "even_odd" ? std::optional(Fill::even_odd) : std::nullopt;
-}
 
 namespace {
 
@@ -201,7 +197,7 @@ class RegionMaker {
   }
 
   Result<Region> filled() {
-    Result<FilledRegion> made = repair_with_fill(shape_.data, *fill_of(options_.fill));
+    Result<FilledRegion> made = repair_with_fill(shape_.data, parse<Fill>(options_.fill).value());
     if (!made) return made.error();
     if (made->report.changed()) say(made->report.to_string());
     return std::move(made).value().region;

@@ -90,7 +90,6 @@ std::vector<Input> read_operands(const std::vector<std::string>& files, const In
 void refuse_unused_format(const std::vector<std::string>& files, const InputOptions& options);
 
 /// The rule that --fill names.
-std::optional<Fill> fill_of(const std::string& name);
 
 /// Validates one shape of a file, or joins, snaps, fills and repairs it where requested.
 Result<Input> make_input(NamedShape shape, const std::string& file, const InputOptions& options);

@@ -25,13 +25,13 @@ void add_solid_options(CLI::App& verb, SolidCommand& command, OperandKind kind) 
   verb.add_option("--to", command.to, planar ? "Format of -o -; of regions wkt if not given" : "Format of -o -")
       ->check(CLI::IsMember(formats))
       ->capture_default_str();
-  verb.add_option("--engine", command.engine, "How the boundary is found; both give the same result")
-      ->check(CLI::IsMember({"fast", "brute"}))
+  one_of<SpatialEngine>(
+      verb.add_option("--engine", command.engine, "How the boundary is found; both give the same result"))
       ->capture_default_str();
-  verb.add_option(
+  one_of<Semantics>(
+      verb.add_option(
           "--semantics", command.semantics,
-          "closed; open: touching is allowed, and where it is tight is listed; regular: the closure of the interior")
-      ->check(CLI::IsMember({"closed", "open", "regular"}))
+          "closed; open: touching is allowed, and where it is tight is listed; regular: the closure of the interior"))
       ->capture_default_str();
   add_round_option(verb, command.round, kind);
   add_report_options(verb, command.report, "Compute N times and report the median and minimum time");

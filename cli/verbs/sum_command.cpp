@@ -21,15 +21,10 @@
 namespace dymsum::cli {
 namespace {
 
-const std::map<std::string, Engine> kEngines = {
-    {"fast", Engine::fast}, {"brute", Engine::brute}, {"winding", Engine::winding}};
-const std::map<std::string, Semantics> kSemantics = {
-    {"closed", Semantics::closed}, {"open", Semantics::open}, {"regular", Semantics::regular}};
-
 SumOptions sum_options(const SumCommand& command) {
   SumOptions options;
-  options.engine = kEngines.at(command.engine);
-  options.semantics = kSemantics.at(command.semantics);
+  options.engine = named<Engine>(command.engine);
+  options.semantics = named<Semantics>(command.semantics);
   options.memory = memory_bytes(command.memory_mb);
   for (const std::string& file : command.output.files) options.trace |= is_stage_picture(file);
   return options;
@@ -90,11 +85,9 @@ void add_output_options(CLI::App& verb, SumCommand& command, bool planar_result)
           "Write the result; repeatable; " + planar + stages + solid + ", .html (the viewer); - is standard output")
       ->type_name("FILE")
       ->allow_extra_args(false);
-  std::vector<std::string> formats{"poly", "wkt", "geojson", "svg", "json", "dxf"};
-  if (!planar_result) formats.insert(formats.end(), {"off", "obj", "stl", "ply", "glb", "3mf"});
-  verb.add_option("--to", command.output.to,
-                  planar_result ? "Format of -o -" : "Format of -o -; of solids off if not given")
-      ->check(CLI::IsMember(formats))
+  one_of(verb.add_option("--to", command.output.to,
+                         planar_result ? "Format of -o -" : "Format of -o -; of solids off if not given"),
+         file_formats(planar_result ? OperandKind::planar : OperandKind::either))
       ->capture_default_str();
   verb.add_flag("--round-repair", command.output.round_repair,
                 std::string(planar_result ? "Where" : "Planar: where") +
@@ -105,18 +98,18 @@ void add_sum_options(CLI::App& verb, SumCommand& command, const SumVerb& of) {
   const bool planar_result = of.planar_result;
   add_output_options(verb, command, planar_result);
   if (!of.boolean)
-    verb.add_option("--engine", command.engine,
-                    planar_result ? "Planar operands: how the boundary is found; all give the same result"
-                                  : "How the boundary is found; all give the same set; of solids fast or brute")
-        ->check(CLI::IsMember({"fast", "brute", "winding"}))
+    one_of<Engine>(verb.add_option("--engine", command.engine,
+                                   planar_result
+                                       ? "Planar operands: how the boundary is found; all give the same result"
+                                       : "How the boundary is found; all give the same set; of solids fast or brute"))
         ->capture_default_str();
-  verb.add_option("--semantics", command.semantics,
-                  of.boolean
-                      ? "Planar operands: regular: parts with area alone; closed: with segments and points at which "
-                        "operands only touch; open: of open sets; tight features are listed with both"
-                      : std::string(planar_result ? "Planar operands: " : "") +
-                            "closed: sum of closed sets; open: touching is allowed; regular: no tight features")
-      ->check(CLI::IsMember({"closed", "open", "regular"}))
+  one_of<Semantics>(
+      verb.add_option(
+          "--semantics", command.semantics,
+          of.boolean ? "Planar operands: regular: parts with area alone; closed: with segments and points at which "
+                       "operands only touch; open: of open sets; tight features are listed with both"
+                     : std::string(planar_result ? "Planar operands: " : "") +
+                           "closed: sum of closed sets; open: touching is allowed; regular: no tight features"))
       ->capture_default_str();
   add_report_options(verb, command.report, "Compute N times and report the median and minimum time");
   add_exact_option(verb, command.report, planar_result ? OperandKind::planar : OperandKind::either);

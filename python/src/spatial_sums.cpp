@@ -8,6 +8,7 @@
 #include "dymsum/solid_offset.h"
 #include "dymsum/solid_slice.h"
 #include "dymsum/spatial_sum.h"
+#include "enumeration.h"
 #include "record.h"
 #include "remember.h"
 
@@ -123,9 +124,7 @@ void bind_spatial_contains(nb::module_& m) {
 }
 
 void bind_opening(nb::module_& m) {
-  nb::enum_<BetweenSteps>(m, "BetweenSteps", "What becomes of positions between two operations that are no doubles.")
-      .value("exact", BetweenSteps::exact)
-      .value("rounded", BetweenSteps::rounded);
+  enumeration<BetweenSteps>(m, "BetweenSteps", "What becomes of positions between two operations that are no doubles.");
   Record<SolidOpening>(m, "SolidOpening", "An opening or a closing.")
       .field("solid", &SolidOpening::solid)
       .field("moved", &SolidOpening::moved, "no vertex between was moved by more; 0: exact");
@@ -151,9 +150,7 @@ void bind_opening(nb::module_& m) {
 }
 
 void bind_offset(nb::module_& m) {
-  nb::enum_<OffsetBound>(m, "OffsetBound", "On which side of the exact offset a result lies.")
-      .value("inside", OffsetBound::inside)
-      .value("outside", OffsetBound::outside);
+  enumeration<OffsetBound>(m, "OffsetBound", "On which side of the exact offset a result lies.");
   Record<TessellatedBall>(m, "TessellatedBall", "A convex solid between two balls.")
       .field("mesh", &TessellatedBall::mesh)
       .field("low", &TessellatedBall::low)

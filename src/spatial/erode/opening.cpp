@@ -98,7 +98,7 @@ void add_tight(const SpatialSum& sum, Step& step) {
 }
 
 /// Where rounding leaves less of a tight feature.
-std::optional<Error> lost_tight(const Step& step) {
+Result<void> lost_tight(const Step& step) {
   const MeshData& set = step.set.set;
   const auto at = [&](std::uint32_t v) { return set.vertices[v]; };
   for (std::size_t f = 0; f < step.set.thin.size(); ++f) {
@@ -109,7 +109,7 @@ std::optional<Error> lost_tight(const Step& step) {
     return error_at(ErrorCode::rounding_changed_topology,
                     "rounding leaves less of a tight feature between the two operations", at(face[0]));
   }
-  return std::nullopt;
+  return {};
 }
 
 /// The step with vertices at doubles; what crosses then is merged.
@@ -122,7 +122,7 @@ Result<Step> rounded_step(const SpatialSum& sum, Step step) {
     step.round(merged->mesh.vertices, std::max(largest_move(step.set), merged->distance));
     return step;
   }
-  if (std::optional<Error> error = lost_tight(step)) return *std::move(error);
+  if (const Result<void> kept = lost_tight(step); !kept) return kept.error();
   step.round(step.set.set.vertices, largest_move(step.set));
   return step;
 }

@@ -170,7 +170,7 @@ Result<Term> sum_of_two(const Term& a, const Term& b, const SpatialOptions& opti
 }
 
 /// Adds the first two operands whose sum doubles hold, else the first two that have one.
-std::optional<Error> add_two(std::vector<Term>& terms, const SpatialOptions& options) {
+Result<void> add_two(std::vector<Term>& terms, const SpatialOptions& options) {
   struct Made {
     std::size_t i, j;
     Term term;
@@ -186,10 +186,10 @@ std::optional<Error> add_two(std::vector<Term>& terms, const SpatialOptions& opt
       if (term && (!chosen || !term->exact)) chosen = Made{i, j, *std::move(term)};
     }
   }
-  if (!chosen) return first;
+  if (!chosen) return *std::move(first);
   terms[chosen->i] = std::move(chosen->term);
   terms.erase(terms.begin() + static_cast<std::ptrdiff_t>(chosen->j));
-  return std::nullopt;
+  return {};
 }
 
 Result<SpatialSum> sum_of_convex(std::span<const Mesh> operands, const SpatialOptions& options) {
@@ -236,10 +236,11 @@ Result<SpatialSum> minkowski_sum(std::span<const Mesh> operands, const SpatialOp
   between.semantics = Semantics::regular;
   between.trace = false;
   while (terms.size() > 2) {
-    if (std::optional<Error> error = add_two(terms, between)) {
-      error->message =
-          "the sum of " + std::to_string(operands.size() - terms.size() + 2) + " of the operands: " + error->message;
-      return *std::move(error);
+    if (const Result<void> added = add_two(terms, between); !added) {
+      Error error = added.error();
+      error.message =
+          "the sum of " + std::to_string(operands.size() - terms.size() + 2) + " of the operands: " + error.message;
+      return error;
     }
   }
   return sum_of_terms(terms[0], terms[1], options);
