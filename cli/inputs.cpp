@@ -1,7 +1,12 @@
 #include "inputs.h"
 
 #include "dymsum/planar_boolean.h"
+#include "dymsum/snap_rounding.h"
+#include "dymsum/sum_io.h"
+#include "numbers.h"
 #include "planar/open_ends.h"
+#include "repairs.h"
+#include "snapped_operand.h"
 
 #include <algorithm>
 #include <cctype>
@@ -99,14 +104,24 @@ const std::string& standard_input() {
 
 namespace {
 
+CurveOptions curves_of(const InputOptions& options) {
+  CurveOptions curves;
+  if (!options.curve_error.empty()) curves.error = finite_number(options.curve_error);
+  if (options.curve_bound == "inside") curves.bound = CurveBound::inside;
+  if (options.curve_bound == "outside") curves.bound = CurveBound::outside;
+  return curves;
+}
+
 /// What `read` makes of files, with third coordinates as the options say; where it is these that are refused, the
 /// option that leaves them out is named.
 template <class Read>
 auto read_planar(const InputOptions& options, Read read) {
-  auto result = read(options.drop_z ? ThirdCoordinates::dropped : ThirdCoordinates::refused);
+  ReadOptions how{options.drop_z ? ThirdCoordinates::dropped : ThirdCoordinates::refused, curves_of(options)};
+  auto result = read(how);
   if (result) return std::move(result).value();
   Error error = result.error();
-  if (!options.drop_z && error.code == ErrorCode::malformed && read(ThirdCoordinates::dropped))
+  how.third = ThirdCoordinates::dropped;
+  if (!options.drop_z && error.code == ErrorCode::malformed && read(how))
     error.message += " (--drop-z leaves third coordinates out)";
   stop_with(error);
 }
@@ -116,14 +131,12 @@ auto read_planar(const InputOptions& options, Read read) {
 std::vector<NamedShape> read_all(const std::string& file, const InputOptions& options) {
   if (options.hull) throw Stop(kUsage, "--hull is for solids");
   if (is_footprint(file)) return require(parse_shapes(file, RegionFormat::json, "footprint"));
-  if (file != "-") return read_planar(options, [&](ThirdCoordinates third) { return read_shapes(file, third); });
+  if (file != "-") return read_planar(options, [&](const ReadOptions& how) { return read_shapes(file, how); });
   const std::string& text = standard_input();
   const RegionFormat format = options.from.empty() ? format_of_text(text) : format_named(options.from);
   return read_planar(options,
-                     [&](ThirdCoordinates third) { return parse_shapes(text, format, "standard input", third); });
+                     [&](const ReadOptions& how) { return parse_shapes(text, format, "standard input", how); });
 }
-
-std::string remedy(const std::string& changes) { return " (--repair mends it: " + changes + ")"; }
 
 std::optional<Fill> fill_of(const std::string& name) {
   if (name == "positive") return Fill::positive;
@@ -143,50 +156,133 @@ bool is_about_rings(ErrorCode code) {
 
 }  // namespace
 
-Result<Region> make_region(RegionData data, const std::string& file, const InputOptions& options) {
-  const auto in_file = [&](Error error) {
-    if (error.evidence.file.empty()) error.evidence.file = shown_file(file);
+namespace {
+
+/// The steps of make_input.
+class RegionMaker {
+ public:
+  RegionMaker(NamedShape shape, const std::string& file, const InputOptions& options)
+      : shape_(std::move(shape)), file_(file), options_(options) {}
+
+  Result<Input> run() {
+    if (!shape_.unit.empty()) notes_["unit"] = shape_.unit;
+    if (shape_.curves > 0) notes_["curves"] = shape_.curves;
+    std::optional<Error> error = join();
+    if (!error) error = snap_operand(shape_.data, file_, options_, notes_);
+    if (error) return in_file(*std::move(error));
+    Result<Region> region = !options_.fill.empty() ? filled() : options_.repair() ? repaired() : as_it_is();
+    if (!region) return in_file(region.error());
+    return Input{file_, std::move(region).value(), std::move(notes_)};
+  }
+
+ private:
+  Error in_file(Error error) const {
+    if (error.evidence.file.empty()) error.evidence.file = shown_file(file_);
     return error;
-  };
-  if (!options.quiet) report_open_ends(data, file);
-  if (!options.fill.empty()) {
-    Result<FilledRegion> made = repair_with_fill(data, *fill_of(options.fill));
-    if (!made) return in_file(made.error());
-    if (!options.quiet && made->report.changed()) std::cerr << file << ": " << made->report.to_string() << "\n";
+  }
+  void say(const std::string& what) const {
+    if (!options_.quiet) std::cerr << file_ << ": " << what << "\n";
+  }
+
+  std::optional<Error> join() {
+    if (options_.join.empty()) {
+      if (!options_.quiet) report_open_ends(shape_.data, file_);
+      return std::nullopt;
+    }
+    Result<JoinedChains> joined = joined_chains(std::move(shape_.data), *finite_number(options_.join));
+    if (!joined) return joined.error();
+    if (joined->report.changed()) say(joined->report.to_string());
+    if (joined->report.changed())
+      notes_["joined"] = {{"gaps", joined->report.joints},
+                          {"largest_gap", joined->report.largest_gap},
+                          {"rings", joined->report.rings}};
+    shape_.data = std::move(joined).value().data;
+    return std::nullopt;
+  }
+
+  Result<Region> filled() {
+    Result<FilledRegion> made = repair_with_fill(shape_.data, *fill_of(options_.fill));
+    if (!made) return made.error();
+    if (made->report.changed()) say(made->report.to_string());
     return std::move(made).value().region;
   }
-  if (!options.repair) {
-    Result<Region> region = Region::create(data);
-    if (region) return region;
+
+  Result<Region> as_it_is() const {
+    Result<Region> region = Region::create(shape_.data);
+    if (region || !options_.offers_repair) return region;
     Error error = region.error();
-    if (const Result<Repaired> after_repair = repair(std::move(data)); after_repair && options.offers_repair)
-      error.message += remedy(after_repair->report.to_string());
-    else if (options.offers_repair && is_about_rings(error.code)) error.message += kFillHint;
-    return in_file(std::move(error));
+    if (const auto after_repair = repair(shape_.data, RegionRepairOptions{}))
+      error.message += remedy(after_repair->log);
+    else if (is_about_rings(error.code)) error.message += kFillHint;
+    return error;
   }
-  Result<Repaired> repaired = repair(std::move(data));
-  if (!repaired) {
-    Error error = repaired.error();
-    if (is_about_rings(error.code)) error.message += kFillHint;
-    return in_file(std::move(error));
+
+  Result<Region> repaired() {
+    Result<LoggedRegion> made = repair(shape_.data, RegionRepairOptions{named_repairs(options_.repairs).planar});
+    if (made) {
+      if (made->log.changed()) {
+        say("repaired: " + made->log.to_string());
+        say("repaired: " + positions_text(made->log));
+        notes_["repair"] = repair_json(made->log);
+      }
+      return std::move(made).value().region;
+    }
+    Error error = made.error();
+    if (const auto with_all = repair(shape_.data, RegionRepairOptions{})) error.message += remedy(with_all->log);
+    else if (is_about_rings(error.code)) error.message += kFillHint;
+    return error;
   }
-  if (repaired->report.changed() && !options.quiet)
-    std::cerr << file << ": repaired: " << repaired->report.to_string() << "\n";
-  return std::move(repaired).value().region;
+
+  NamedShape shape_;
+  const std::string& file_;
+  const InputOptions& options_;
+  ReadingNotes notes_ = Json::object();
+};
+
+}  // namespace
+
+Result<Input> make_input(NamedShape shape, const std::string& file, const InputOptions& options) {
+  if (!options.nested.empty()) throw Stop(kUsage, "--nested is for solids");
+  if (options.repair() && named_repairs(options.repairs).planar.empty())
+    throw Stop(kUsage, "--repair=" + options.repairs + " names repairs of solids alone");
+  return RegionMaker(std::move(shape), file, options).run();
 }
 
 Input read_input(const std::string& file, const InputOptions& options) {
   if (options.hull) throw Stop(kUsage, "--hull is for solids");
-  if (file != "-" && !is_footprint(file))
-    return {file, require(make_region(
-                      read_planar(options, [&](ThirdCoordinates third) { return read_region_data(file, third); }), file,
-                      options))};
+  if (file != "-" && !is_footprint(file)) {
+    const auto read = [&](const ReadOptions& how) { return read_shape(file, how); };
+    return require(make_input(read_planar(options, read), file, options));
+  }
   std::vector<NamedShape> shapes = read_all(file, options);
   if (shapes.size() != 1) {
     throw Stop(kBadInput, "standard input: holds " + std::to_string(shapes.size()) +
                               " shapes, and one is needed: of a file it can be selected, as FILE#NAME");
   }
-  return {file, require(make_region(std::move(shapes.front().data), file, options))};
+  return require(make_input(std::move(shapes.front()), file, options));
+}
+
+namespace {
+
+/// The exact result that a file holds, if it does.
+std::optional<PlanarSum> result_in(const std::string& file, const InputOptions& options) {
+  if (is_footprint(file)) return std::nullopt;
+  if (file != "-") {
+    if (!names_sum(file)) return std::nullopt;
+    return require(read_sum(file));
+  }
+  if ((!options.from.empty() && options.from != "json") || !begins_like_sum(without_mark(standard_input())))
+    return std::nullopt;
+  return require(parse_sum(standard_input(), "standard input"));
+}
+
+}  // namespace
+
+Input read_operand(const std::string& file, const InputOptions& options) {
+  std::optional<PlanarSum> result = result_in(file, options);
+  if (!result) return read_input(file, options);
+  Region region = require(snap_rounded(*result)).region;
+  return {file, std::move(region), Json::object(), std::move(result)};
 }
 
 void refuse_unused_format(const std::vector<std::string>& files, const InputOptions& options) {
@@ -198,6 +294,13 @@ std::vector<Input> read_inputs(const std::vector<std::string>& files, const Inpu
   refuse_unused_format(files, options);
   std::vector<Input> inputs;
   for (const std::string& file : files) inputs.push_back(read_input(file, options));
+  return inputs;
+}
+
+std::vector<Input> read_operands(const std::vector<std::string>& files, const InputOptions& options) {
+  refuse_unused_format(files, options);
+  std::vector<Input> inputs;
+  for (const std::string& file : files) inputs.push_back(read_operand(file, options));
   return inputs;
 }
 

@@ -7,27 +7,42 @@
 #include <vector>
 
 #include "dymsum/fill.h"
+#include "dymsum/planar_operand.h"
 #include "dymsum/region.h"
 #include "dymsum/region_io.h"
 #include "exit_code.h"
+#include "json_report.h"
 
 namespace dymsum::cli {
 
 struct InputOptions {
-  bool repair = false;  ///< repair with dymsum::repair and print its report on standard error
+  std::string repairs;  ///< what --repair says, "all" without names; empty: nothing is repaired
+  std::string nested;   ///< solids that are repaired: what shells inside of others are
   bool hull = false;    ///< solids: take the convex hull with dymsum::hulled and print its report on standard error
   bool thin = false;    ///< solids: points, segments and open surfaces are operands, too
-  bool offers_thin = false;    ///< whether the verb has --thin
-  bool offers_repair = false;  ///< whether it has --repair
-  std::string fill;            ///< planar: rings bound what this rule says; of solids that are repaired, too
-  bool drop_z = false;         ///< planar files: third coordinates are left out
-  bool quiet = false;          ///< repairs are not printed: they were before
-  std::string from;            ///< the format of standard input; empty: told from its first characters
+  bool offers_thin = false;              ///< whether the verb has --thin
+  bool offers_repair = false;            ///< whether it has --repair
+  std::string fill;                      ///< planar: rings bound what this rule says; of solids that are repaired, too
+  bool drop_z = false;                   ///< planar files: third coordinates are left out
+  std::string curve_error, curve_bound;  ///< planar files: how curves become chords
+  std::string join;                      ///< planar: ends of lines within this are joined
+  std::string snap;                      ///< the grid that coordinates are rounded to
+  bool quiet = false;                    ///< repairs are not printed: they were before
+  std::string from;                      ///< the format of standard input; empty: told from its first characters
+  bool repair() const { return !repairs.empty(); }
 };
+
+/// What was read of a file beside its shape, and what was done to it: the keys unit, curves, joined, snap, noise and
+/// repair of its entry in `inputs`, where they apply.
+using ReadingNotes = Json;
 
 struct Input {
   std::string file;  ///< as it was written on the command line
   Region region;
+  ReadingNotes notes = Json::object();
+  std::optional<PlanarSum> result = {};  ///< of a file that holds an exact one; `region` is that set in doubles then
+
+  PlanarOperand operand() const { return result ? PlanarOperand(*result) : PlanarOperand(region); }
 };
 
 /// The value of a Result, or a Stop with its error: kInterrupted for cancelled, kBadInput otherwise.
@@ -64,8 +79,12 @@ const std::string& standard_input();
 std::vector<NamedShape> read_all(const std::string& file, const InputOptions& options);
 /// The one valid region of FILE, FILE#NAME or "-".
 Input read_input(const std::string& file, const InputOptions& options);
+/// The same, or the exact result that the file holds.
+Input read_operand(const std::string& file, const InputOptions& options);
 /// The operands P and Q.
 std::vector<Input> read_inputs(const std::vector<std::string>& files, const InputOptions& options);
+
+std::vector<Input> read_operands(const std::vector<std::string>& files, const InputOptions& options);
 
 /// A Stop when the format of standard input is given and no file is it.
 void refuse_unused_format(const std::vector<std::string>& files, const InputOptions& options);
@@ -73,11 +92,8 @@ void refuse_unused_format(const std::vector<std::string>& files, const InputOpti
 /// The rule that --fill names.
 std::optional<Fill> fill_of(const std::string& name);
 
-/// Validates, or repairs where requested, one shape of a file.
-Result<Region> make_region(RegionData data, const std::string& file, const InputOptions& options);
-
-/// How an error of an operand ends that the option repairs, with what it changes: " (--repair repairs it: ...)".
-std::string remedy(const std::string& changes);
+/// Validates one shape of a file, or joins, snaps, fills and repairs it where requested.
+Result<Input> make_input(NamedShape shape, const std::string& file, const InputOptions& options);
 
 /// The format whose name is given ("poly", "wkt", "geojson", "svg", "json", "dxf").
 RegionFormat format_named(const std::string& name);

@@ -8,6 +8,7 @@
 #include <system_error>
 
 #include "dymsum/orientation.h"
+#include "repairs.h"
 
 namespace dymsum::cli {
 namespace {
@@ -101,16 +102,47 @@ void add_report_options(CLI::App& verb, ReportOptions& options, const std::strin
       ->capture_default_str();
 }
 
+namespace {
+
+void add_snap_option(CLI::App& verb, InputOptions& options) {
+  verb.add_option("--snap", options.snap,
+                  "Round coordinates to multiples of a grid, 2^-20 or a power of ten such as 1e-6, and say on standard "
+                  "error what that moved")
+      ->type_name("GRID");
+}
+
+void add_curve_options(CLI::App& verb, InputOptions& options, const std::string& planar) {
+  const auto length = [](const std::string& text) { return finite_number(text).value_or(0) > 0; };
+  takes(verb.add_option("--curve-error", options.curve_error,
+                        planar + "how far chords may be from the curves of a file that they stand for, in its units. "
+                                 "If not given, a thousandth of an arc's radius or a curve's size")
+            ->type_name("E"),
+        "a number above 0", length);
+  verb.add_option("--curve-bound", options.curve_bound,
+                  planar + "on which side of the curves that bound a region chords lie; nearest if not given")
+      ->check(CLI::IsMember({"inside", "outside", "nearest"}));
+  takes(verb.add_option("--join", options.join,
+                        planar + "join lines whose ends are no further apart than this, and take closed ones as rings")
+            ->type_name("TOLERANCE"),
+        "a number of at least 0", [](const std::string& text) { return finite_number(text).value_or(-1) >= 0; });
+}
+
+}  // namespace
+
 void add_repair_option(CLI::App& verb, InputOptions& options, OperandKind kind) {
-  const std::string planar = "merge duplicate and collinear vertices, fix orientation",
+  const std::string planar = "merge duplicate and collinear vertices, drop rings that are there twice, fix orientation",
                     solid =
-                        "merge duplicate vertices, drop unused ones, faces without area and faces inside, split edges "
+                        "merge duplicate vertices, drop unused ones, faces without area and walls inside, split edges "
                         "at vertices of neighbours on them and faces that are not plane, turn over faces and shells",
                     what = kind == OperandKind::planar  ? planar
                            : kind == OperandKind::solid ? solid
                                                         : planar + "; of solids: " + solid;
   options.offers_repair = true;
-  verb.add_flag("--repair", options.repair, "Mend operands, and say on standard error what changed: " + what);
+  const std::string some = kind == OperandKind::planar ? "reversed-rings,empty-rings" : "needles,t-junctions";
+  verb.add_flag("--repair{all}", options.repairs,
+                "Repair operands, and say on standard error what changed and where: " + what +
+                    ". With names only those: --repair=" + some)
+      ->check(CLI::Validator([](std::string& names) { return named_repairs(names), std::string(); }, ""));
   verb.add_option(
           "--fill", options.fill,
           kind == OperandKind::solid
@@ -119,7 +151,14 @@ void add_repair_option(CLI::App& verb, InputOptions& options, OperandKind kind) 
                 "and say on standard error what changed" +
                     std::string(kind == OperandKind::planar ? "" : "; solids: with --repair, what surfaces bound"))
       ->check(CLI::IsMember({"nonzero", "positive", "even_odd"}));
+  add_snap_option(verb, options);
+  if (kind != OperandKind::planar)
+    verb.add_option("--nested", options.nested,
+                    "With --repair: what a shell inside of another one is that runs the same way: the boundary of a "
+                    "cavity (the default), or of a body that adds nothing")
+        ->check(CLI::IsMember({"cavity", "solid"}));
   if (kind == OperandKind::solid) return;
+  add_curve_options(verb, options, kind == OperandKind::planar ? "" : "Planar: ");
   verb.add_flag("--drop-z", options.drop_z,
                 std::string(kind == OperandKind::planar ? "Leave" : "Planar: leave") +
                     " out third coordinates and measures (Z, M) that files hold, instead of refusing them");

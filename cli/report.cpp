@@ -73,8 +73,14 @@ Json inputs_json(const std::vector<Input>& inputs) {
                     {"vertices", input.region.vertex_count()},
                     {"holes", input.region.hole_count()},
                     {"parts", input.region.parts().size()}});
+    list.back().update(input.notes);
   }
   return list;
+}
+
+void print_notes(std::ostream& out, const ReadingNotes& notes) {
+  if (notes.contains("unit")) out << "\n  in " << notes["unit"].get<std::string>();
+  if (notes.contains("curves")) out << "\n  chords stand for " << counted(notes["curves"].get<std::size_t>(), "curve");
 }
 
 Json orientation_json(const Orientation& orientation) {

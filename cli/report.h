@@ -48,6 +48,9 @@ std::string shown(const Measure& measure);
 Json area_json(const Region& region);
 
 Json inputs_json(const std::vector<Input>& inputs);
+/// Of what was read beside a shape: the unit of its coordinates, and the curves in it; each on a line of its own that
+/// begins with the end of the one before.
+void print_notes(std::ostream& out, const ReadingNotes& notes);
 /// {"tan_half": "1/2", "theta": 0.927...}.
 Json orientation_json(const Orientation& orientation);
 /// {"nearest", "merged_vertices", ..., "moved", "moved_ulps"}.

@@ -18,9 +18,14 @@ void check_obstacle_input(const std::string& verb, const ObstacleInput& input) {
   const bool both = !input.operands[0].empty() && !input.operands[1].empty(), any = !input.operands[0].empty();
   if (input.file.empty() && !both) throw Stop(kUsage, verb + " wants ROBOT and OBSTACLE, or --obstacle FILE");
   if (!input.file.empty() && any) throw Stop(kUsage, "give ROBOT and OBSTACLE or --obstacle, not both");
-  if (!input.file.empty() &&
-      (input.input.repair || !input.input.fill.empty() || input.input.drop_z || !input.input.from.empty()))
-    throw Stop(kUsage, "--repair, --fill, --drop-z and --from do not apply to a file of an obstacle");
+  const InputOptions& reading = input.input;
+  const bool changes = reading.repair() || !reading.fill.empty() || !reading.join.empty() || !reading.snap.empty();
+  const bool reads = reading.drop_z || !reading.from.empty() || !reading.curve_error.empty() ||
+                     !reading.curve_bound.empty() || !reading.nested.empty();
+  if (!input.file.empty() && (changes || reads))
+    throw Stop(kUsage,
+               "--repair, --fill, --join, --snap, --curve-error, --curve-bound, --drop-z and --from do not apply to a "
+               "file of an obstacle");
   if (input.file.empty()) require_planar(verb, input.operands);
 }
 

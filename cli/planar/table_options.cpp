@@ -62,11 +62,11 @@ TableInput table_input(const std::string& file, NestingInstance instance, const 
     if (!item.degrees && degrees.empty())
       throw Stop(kBadInput, file + ": item " + item.name +
                                 " may take any orientation: a table has some, give them as --orientations");
-    Region shape = require(make_region(std::move(item.shape), file + "#" + item.name, options));
+    Region shape = require(make_input({"", std::move(item.shape)}, file + "#" + item.name, options)).region;
     input.items.push_back({std::move(item.name), std::move(shape), degrees.empty() ? *item.degrees : degrees});
   }
   for (NestingBin& bin : instance.bins) {
-    Region shape = require(make_region(std::move(bin.shape), file + ", bin " + bin.name, options));
+    Region shape = require(make_input({"", std::move(bin.shape)}, file + ", bin " + bin.name, options)).region;
     input.bins.push_back({std::move(bin.name), std::move(shape)});
   }
   return input;

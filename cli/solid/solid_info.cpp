@@ -39,7 +39,8 @@ Json invalid_json(const Error& error, const Timing& timing) {
   return json;
 }
 
-void print_info(const Mesh& mesh, const std::optional<Error>& not_convex) {
+void print_info(const SolidInput& input, const std::optional<Error>& not_convex) {
+  const Mesh& mesh = input.mesh;
   const std::array<double, 6> box = bounds(mesh);
   const auto precision = std::cout.precision(17);
   std::cout << "valid, " << counted(mesh.shell_count(), "shell") << ", "
@@ -47,7 +48,9 @@ void print_info(const Mesh& mesh, const std::optional<Error>& not_convex) {
             << ", " << counted(mesh.faces().size(), "face") << "\n  "
             << (not_convex ? "not convex: " + not_convex->to_string() : std::string("convex")) << "\n  bounds ["
             << box[0] << ", " << box[3] << "] x [" << box[1] << ", " << box[4] << "] x [" << box[2] << ", " << box[5]
-            << "]\n  volume " << shown(volume_of(mesh)) << ", surface " << shown(surface_of(mesh)) << "\n  "
+            << "]";
+  print_notes(std::cout, input.notes);
+  std::cout << "\n  volume " << shown(volume_of(mesh)) << ", surface " << shown(surface_of(mesh)) << "\n  "
             << counted(static_cast<std::size_t>(grid_bits(mesh)), "bit") << " per coordinate, "
             << tier_name(tier_of(mesh)) << " integers\n";
   std::cout.precision(precision);
@@ -79,7 +82,7 @@ ExitCode run_solid_info(const SolidInfo& command) {
   if (command.json) {
     print_report(info_json(*solid, not_convex, timing));
   } else {
-    print_info(mesh, not_convex);
+    print_info(*solid, not_convex);
   }
   return kDone;
 }

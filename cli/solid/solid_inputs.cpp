@@ -10,6 +10,8 @@
 
 #include "dymsum/solid_union.h"
 #include "exit_code.h"
+#include "repairs.h"
+#include "snapped_operand.h"
 
 namespace dymsum::cli {
 
@@ -43,15 +45,22 @@ std::optional<MeshFormat> solid_format_of(std::string_view text) {
   return std::nullopt;
 }
 
-Result<RepairedMesh> repaired(MeshData data, const InputOptions& options) {
-  return options.thin ? repair_with_thin_parts(std::move(data))
-                      : repair_with_union(std::move(data), fill_of(options.fill).value_or(Fill::nonzero));
+MeshRepairOptions repairs_of(const InputOptions& options) {
+  const NamedRepairs named = named_repairs(options.repairs);
+  return {named.solid, options.nested == "solid" ? NestedShells::solid : NestedShells::cavity, named.crack_width};
 }
 
-/// What the option would do: of large surfaces that cross that takes too long for a hint.
-Result<RepairedMesh> repaired_for_a_hint(const MeshData& data, const InputOptions& options) {
+Result<LoggedMesh> repaired(MeshData data, const InputOptions& options, const MeshRepairOptions& repairs) {
+  return options.thin ? repair_with_thin_parts(std::move(data), repairs)
+                      : repair_with_union(std::move(data), fill_of(options.fill).value_or(Fill::nonzero), repairs);
+}
+
+/// What all repairs would do: of large surfaces that cross that takes too long for a hint.
+Result<LoggedMesh> repaired_for_a_hint(const MeshData& data, const InputOptions& options) {
   constexpr std::size_t kMany = 20000;
-  return options.thin || data.faces.size() <= kMany ? repaired(data, options) : repair(data);
+  MeshRepairOptions all = repairs_of(options);
+  all.kinds = all_mesh_repairs();
+  return options.thin || data.faces.size() <= kMany ? repaired(data, options, all) : repair(data, all);
 }
 
 /// Says which option takes the solid: which repairs it, or takes its parts without volume, or its hull.
@@ -60,9 +69,11 @@ Error with_remedy(Error error, const MeshData& data, const InputOptions& options
     error.message = "the file holds vertices and no faces (--hull takes the convex hull of points)";
     return error;
   }
-  const Result<RepairedMesh> after_repair = repaired_for_a_hint(data, options);
+  // With all repairs the error is that of what they leave.
+  const bool all = options.repairs == "all";
+  const Result<LoggedMesh> after_repair = all ? Result<LoggedMesh>(error) : repaired_for_a_hint(data, options);
   if (after_repair && !after_repair->mesh.empty() && options.offers_repair) {
-    error.message += remedy(after_repair->report.to_string());
+    error.message += remedy(after_repair->log);
     return error;
   }
   // What is left when all else is repaired.
@@ -76,10 +87,11 @@ Error with_remedy(Error error, const MeshData& data, const InputOptions& options
 }
 
 /// What repair did, also where that leaves nothing.
-void announce(const MeshRepairReport& report, const Mesh& mesh, const std::string& file) {
+void announce(const MeshRepairLog& report, const Mesh& mesh, const std::string& file) {
   if (!report.changed() && !mesh.empty()) return;
   std::cerr << file << ": " << (report.changed() ? "repaired: " : "") << report.to_string()
             << (mesh.empty() ? "; it holds no face with an area, and is taken as the empty solid" : "") << "\n";
+  if (report.changed()) std::cerr << file << ": repaired: " << positions_text(report) << "\n";
 }
 
 Result<SolidInput> hull_of(const MeshData& data, const std::string& file, bool quiet) {
@@ -116,36 +128,62 @@ bool names_solid(const std::string& file, const InputOptions& options) {
   return file == "-" ? mesh_format_of_input(options).has_value() : mesh_format(file).ok();
 }
 
-Result<MeshData> read_mesh_data(const std::string& file, const InputOptions& options) {
+void refuse_planar_options(const InputOptions& options) {
+  const std::pair<bool, const char*> given[] = {{options.drop_z, "--drop-z"},
+                                                {!options.join.empty(), "--join"},
+                                                {!options.curve_error.empty(), "--curve-error"},
+                                                {!options.curve_bound.empty(), "--curve-bound"}};
+  for (const auto& [is_given, name] : given)
+    if (is_given) throw Stop(kUsage, std::string(name) + " is for planar operands");
+  if (!options.nested.empty() && !options.repair()) throw Stop(kUsage, "--nested belongs to --repair");
+  if (options.repair() && named_repairs(options.repairs).solid.empty())
+    throw Stop(kUsage, "--repair=" + options.repairs + " names repairs of regions alone");
+}
+
+Result<MeshFile> read_mesh_data(const std::string& file, const InputOptions& options) {
   refuse_selection(file);
-  if (options.drop_z) throw Stop(kUsage, "--drop-z is for planar operands");
-  if (file != "-") return read_mesh(file);
+  refuse_planar_options(options);
+  if (file != "-") return read_mesh_file(file);
   const std::optional<MeshFormat> format = mesh_format_of_input(options);
   if (!format)
     throw Stop(kUsage, "--from names the format of the solid on standard input: off, obj, stl, ply, glb or 3mf");
-  return parse_mesh(standard_input(), *format, "standard input");
+  return parse_mesh_file(standard_input(), *format, "standard input");
 }
 
-Result<SolidInput> make_solid(MeshData data, const std::string& file, const InputOptions& options) {
-  const auto in_file = [&](Error error) {
-    if (error.evidence.file.empty()) error.evidence.file = shown_file(file);
-    return error;
-  };
-  if (options.hull) {
-    Result<SolidInput> hull = hull_of(data, file, options.quiet);
-    if (!hull) return in_file(hull.error());
-    return hull;
-  }
-  if (!options.repair) {
+namespace {
+
+/// Validates, repairs or takes the hull of lists whose coordinates are as they are to be.
+Result<SolidInput> solid_of(MeshData data, const std::string& file, const InputOptions& options, ReadingNotes& notes) {
+  if (options.hull) return hull_of(data, file, options.quiet);
+  if (!options.repair()) {
     if (!options.fill.empty()) throw Stop(kUsage, "--fill of solids belongs to --repair");
     Result<Mesh> mesh = options.thin ? Mesh::with_thin_parts(data) : Mesh::create(data);
-    if (!mesh) return in_file(with_remedy(mesh.error(), data, options));
+    if (!mesh) return with_remedy(mesh.error(), data, options);
     return SolidInput{file, std::move(mesh).value()};
   }
-  Result<RepairedMesh> after_repair = repaired(std::move(data), options);
-  if (!after_repair) return in_file(after_repair.error());
-  if (!options.quiet) announce(after_repair->report, after_repair->mesh, shown_file(file));
+  Result<LoggedMesh> after_repair = repaired(data, options, repairs_of(options));
+  if (!after_repair) return with_remedy(after_repair.error(), data, options);
+  if (!options.quiet) announce(after_repair->log, after_repair->mesh, shown_file(file));
+  if (after_repair->log.changed()) notes["repair"] = repair_json(after_repair->log);
   return SolidInput{file, std::move(after_repair).value().mesh};
+}
+
+}  // namespace
+
+Result<SolidInput> make_solid(MeshFile read, const std::string& file, const InputOptions& options) {
+  ReadingNotes notes = Json::object();
+  if (!read.unit.empty()) notes["unit"] = read.unit;
+  std::optional<Error> error = snap_operand(read.data, file, options, notes);
+  Result<SolidInput> made =
+      error ? Result<SolidInput>(*std::move(error)) : solid_of(std::move(read.data), file, options, notes);
+  if (!made) {
+    Error why = made.error();
+    if (why.evidence.file.empty()) why.evidence.file = shown_file(file);
+    return why;
+  }
+  SolidInput input = std::move(made).value();
+  input.notes = std::move(notes);
+  return input;
 }
 
 SolidInput read_solid(const std::string& file, const InputOptions& options) {
@@ -159,9 +197,11 @@ Json solid_inputs_json(const std::vector<SolidInput>& inputs) {
                     {"vertices", input.mesh.vertices().size()},
                     {"faces", input.mesh.faces().size()},
                     {"shells", input.mesh.shell_count()}});
-    if (!input.hull) continue;
-    list.back()["hull"] = {
-        {"given", input.hull->vertices}, {"inside", input.hull->inside_vertices}, {"deviation", input.hull->deviation}};
+    if (input.hull)
+      list.back()["hull"] = {{"given", input.hull->vertices},
+                             {"inside", input.hull->inside_vertices},
+                             {"deviation", input.hull->deviation}};
+    list.back().update(input.notes);
   }
   return list;
 }

@@ -16,6 +16,7 @@ struct SolidInput {
   std::string file;  ///< as it was written on the command line
   Mesh mesh;
   std::optional<HullReport> hull = {};  ///< where --hull was requested
+  ReadingNotes notes = Json::object();
 };
 
 /// Stops with wrong usage for FILE#NAME where FILE is one of a solid.
@@ -29,10 +30,10 @@ bool names_solid(const std::string& file, const InputOptions& options);
 /// The format of the solid on standard input, by --from, else by its first characters; nothing where it is none.
 std::optional<MeshFormat> mesh_format_of_input(const InputOptions& options);
 
-/// The lists of a file, or of standard input.
-Result<MeshData> read_mesh_data(const std::string& file, const InputOptions& options);
-/// Validates what was read from a file, or repairs it or takes its hull where requested.
-Result<SolidInput> make_solid(MeshData data, const std::string& file, const InputOptions& options);
+/// The lists of a file, or of standard input, and their unit.
+Result<MeshFile> read_mesh_data(const std::string& file, const InputOptions& options);
+/// Validates what was read from a file, or snaps, repairs it or takes its hull where requested.
+Result<SolidInput> make_solid(MeshFile read, const std::string& file, const InputOptions& options);
 /// The valid mesh of a file.
 SolidInput read_solid(const std::string& file, const InputOptions& options);
 

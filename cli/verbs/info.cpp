@@ -27,16 +27,16 @@ struct InfoCommand {
 /// One shape of the file: its region when it is valid.
 struct Shape {
   std::string name;
-  Result<Region> region;
+  Result<Input> input;
 };
 
 Json shape_json(const Shape& shape) {
-  Json json = {{"name", shape.name}, {"valid", shape.region.ok()}};
-  if (!shape.region) {
-    json["error"] = error_json(shape.region.error());
+  Json json = {{"name", shape.name}, {"valid", shape.input.ok()}};
+  if (!shape.input) {
+    json["error"] = error_json(shape.input.error());
     return json;
   }
-  const Region& region = *shape.region;
+  const Region& region = shape.input->region;
   json.update({{"tier", tier_of(region)},
                {"outer", region.parts().size()},
                {"holes", region.hole_count()},
@@ -50,11 +50,11 @@ Json shape_json(const Shape& shape) {
 
 void print_shape(std::ostream& out, const Shape& shape) {
   if (!shape.name.empty()) out << shape.name << ": ";
-  if (!shape.region) {
-    out << "not valid (" << name(shape.region.error().code) << ")\n";
+  if (!shape.input) {
+    out << "not valid (" << name(shape.input.error().code) << ")\n";
     return;
   }
-  const Region& region = *shape.region;
+  const Region& region = shape.input->region;
   const std::array<double, 4> box = bounds(region);
   const auto precision = out.precision(17);
   out << "valid, " << counted(region.parts().size(), "part") << ", " << counted(region.hole_count(), "hole") << ", "
@@ -62,19 +62,19 @@ void print_shape(std::ostream& out, const Shape& shape) {
   if (!region.polylines().empty()) out << ", " << counted(region.polylines().size(), "polyline");
   if (!region.points().empty()) out << ", " << counted(region.points().size(), "isolated point");
   if (!region.empty()) out << "\n  bounds [" << box[0] << ", " << box[2] << "] x [" << box[1] << ", " << box[3] << "]";
+  print_notes(out, shape.input->notes);
   out << "\n  area " << shown_area(region) << "\n  " << tier_name(tier_of(region)) << " integers\n";
   out.precision(precision);
 }
 
-Json file_json(const InfoCommand& command, const std::vector<Shape>& shapes, const Timing& timing) {
+Json file_json(const std::vector<Shape>& shapes, const Timing& timing) {
   std::vector<Input> inputs;
   Json list = Json::array();
   int tier = 29;
   for (const Shape& shape : shapes) {
     list.push_back(shape_json(shape));
-    if (!shape.region) continue;
-    const std::string selected = shapes.size() == 1 ? command.file : command.file + "#" + shape.name;
-    inputs.push_back({selected, *shape.region});
+    if (!shape.input) continue;
+    inputs.push_back(*shape.input);
     const int bits = list.back()["tier"];
     tier = tier == 0 || bits == 0 ? 0 : std::max(tier, bits);
   }
@@ -88,7 +88,8 @@ std::vector<Shape> read_and_validate(const InfoCommand& command) {
   std::vector<Shape> shapes;
   for (NamedShape& shape : named) {
     const std::string file = named.size() == 1 ? command.file : command.file + "#" + shape.name;
-    shapes.push_back({shape.name, make_region(std::move(shape.data), file, command.input)});
+    const std::string name = shape.name;
+    shapes.push_back({name, make_input(std::move(shape), file, command.input)});
   }
   return shapes;
 }
@@ -103,7 +104,7 @@ void check_pictures(const InfoCommand& command) {
 void draw(const InfoCommand& command, const std::vector<Shape>& shapes) {
   if (command.draws && shapes.size() != 1) throw Stop(kUsage, "select one shape to draw: " + command.file + "#NAME");
   for (const std::string& file : command.output.files)
-    if (shapes.front().region) write_text(file, draw_region(*shapes.front().region));
+    if (shapes.front().input) write_text(file, draw_region(shapes.front().input->region));
 }
 
 ExitCode run(const InfoCommand& command) {
@@ -117,15 +118,15 @@ ExitCode run(const InfoCommand& command) {
   const auto [shapes, timing] = timed(1, [&] { return read_and_validate(command); });
   draw(command, shapes);
   if (command.json) {
-    print_report(file_json(command, shapes, timing));
+    print_report(file_json(shapes, timing));
   } else {
     for (const Shape& shape : shapes) print_shape(out, shape);
   }
   // That a shape is not valid is what info reports, and bad input all the same.
   ExitCode code = kDone;
   for (const Shape& shape : shapes) {
-    if (shape.region) continue;
-    std::cerr << shape.region.error().to_string() << "\n";
+    if (shape.input) continue;
+    std::cerr << shape.input.error().to_string() << "\n";
     code = kBadInput;
   }
   return code;

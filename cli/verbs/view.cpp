@@ -58,8 +58,10 @@ void check_inputs(const ViewCommand& command, const std::string& page) {
     read_inputs(command.files, command.input);
   } else {
     for (const std::string& file : command.files)
-      for (NamedShape& shape : read_all(file, command.input))
-        require(make_region(std::move(shape.data), shape.name.empty() ? file : file + "#" + shape.name, command.input));
+      for (NamedShape& shape : read_all(file, command.input)) {
+        const std::string which = shape.name.empty() ? file : file + "#" + shape.name;
+        require(make_input(std::move(shape), which, command.input));
+      }
   }
 }
 

@@ -80,7 +80,8 @@ Json input_json(const ViewerInput& input) {
 bool is_made(const std::string& operand, const InputOptions& options) {
   const auto ends = [&](const char* with) { return file_of_operand(operand).ends_with(with); };
   if (ends(".gz") || ends(".3mf") || ends(".glb")) return true;  // formats that the page does not take
-  return options.repair || !options.fill.empty() || options.hull || is_map(operand) ||
+  return options.repair() || !options.fill.empty() || !options.join.empty() || !options.snap.empty() ||
+         !options.curve_error.empty() || !options.curve_bound.empty() || options.hull || is_map(operand) ||
          file_of_operand(operand) != operand;
 }
 
@@ -90,7 +91,7 @@ ViewerInput made_input(const std::string& operand, InputOptions options) {
     return {shape_name(operand) + ".off", format_mesh(read_solid(operand, options).mesh, MeshFormat::off)};
   std::string text;
   for (NamedShape& shape : read_all(operand, options))
-    text += format_region(require(make_region(std::move(shape.data), operand, options)), RegionFormat::wkt);
+    text += format_region(require(make_input(std::move(shape), operand, options)).region, RegionFormat::wkt);
   return {shape_name(operand) + ".wkt", text};
 }
 

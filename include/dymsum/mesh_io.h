@@ -34,6 +34,15 @@ Result<MeshData> parse_mesh(std::string_view bytes, MeshFormat format, std::stri
 /// A file may be compressed (.gz). Errors also: cannot_open, unsupported_format.
 Result<MeshData> read_mesh(const std::string& path);
 
+/// A file's lists, and the unit of its coordinates where it says one: of three_mf "mm", "cm", "m", "in", "ft" or "um".
+/// (glTF's are metres by definition, which few files keep: nothing is said there.)
+struct MeshFile {
+  MeshData data;
+  std::string unit = {};
+};
+Result<MeshFile> parse_mesh_file(std::string_view bytes, MeshFormat format, std::string_view file = {});
+Result<MeshFile> read_mesh_file(const std::string& path);
+
 /// One coloured group of a picture's faces, red, green and blue from 0 to 1 as screens show them (sRGB); `faces` are
 /// indices of faces of the mesh.
 struct FaceColour {

@@ -2,13 +2,16 @@
 // choose between Region::create (refuse) and repair (change and report).
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <iosfwd>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
 
 #include "dymsum/planar_sum.h"
+#include "dymsum/read_options.h"
 #include "dymsum/region.h"
 #include "dymsum/result.h"
 
@@ -16,8 +19,9 @@ namespace dymsum {
 
 /// poly: the thesis's format (number of chains; per chain `n out|in`, n points, their order on an index line or more; #
 /// comments; glued numbers such as `-6.64248.788605` are split). wkt: any geometry. geojson: geometry, feature or
-/// collection. svg: path, polygon, polyline, rect, circle-free. json: a nesting instance with `items`. dxf: polylines
-/// with bulges, lines, arcs, circles, points; arcs as chords (docs/guide/files.md).
+/// collection, with curves. svg: path, polygon, polyline, rect, line, circle, ellipse, use. json: a nesting instance
+/// with `items`. dxf: polylines with bulges, lines, arcs, circles, ellipses, splines, points, blocks. Curves become
+/// chords (CurveOptions).
 enum class RegionFormat { poly, wkt, geojson, svg, json, dxf };
 
 /// The format a path's extension names.
@@ -28,27 +32,42 @@ bool begins_like_dxf(std::string_view text);
 /// Whether read_shapes reads files of that name, by the extension, perhaps in front of a "#": those formats and maps.
 bool names_region(const std::string& path);
 
-/// What becomes of third coordinates and measures (Z and M) in files that hold them: they are errors, or left out, so
-/// that what lies above one another coincides.
-enum class ThirdCoordinates : std::uint8_t { refused, dropped };
-
 /// One named shape of a file. Most files hold one; nesting instances and GeoJSON collections may hold several.
 struct NamedShape {
   std::string name;
   RegionData data;
+  std::string unit = {};   ///< of its coordinates where the file says it: "mm", "cm", "m", "in", "ft" or another name
+  std::size_t curves = 0;  ///< that became chords
 };
 
 /// All shapes of a file, or the one of "f.json#name"; "-" is standard input. Maps (.yaml, .map) are one shape, see
 /// docs/guide/files.md. Errors: cannot_open, unsupported_format, malformed, truncated, not_finite, each with file and
 /// line.
-Result<std::vector<NamedShape>> read_shapes(const std::string& path,
-                                            ThirdCoordinates third = ThirdCoordinates::refused);
+Result<std::vector<NamedShape>> read_shapes(const std::string& path, const ReadOptions& options = {});
 Result<std::vector<NamedShape>> parse_shapes(std::string_view text, RegionFormat format,
-                                             std::string_view name_for_errors,
-                                             ThirdCoordinates third = ThirdCoordinates::refused);
+                                             std::string_view name_for_errors, const ReadOptions& options = {});
 
 /// The file's only or selected shape. Error malformed when the file holds several and none is selected.
-Result<RegionData> read_region_data(const std::string& path, ThirdCoordinates third = ThirdCoordinates::refused);
+Result<NamedShape> read_shape(const std::string& path, const ReadOptions& options = {});
+/// The same, its lists alone.
+Result<RegionData> read_region_data(const std::string& path, const ReadOptions& options = {});
+
+struct JoinReport {
+  std::size_t joints = 0;  ///< pairs of ends that were apart, and are joined by a segment now
+  double largest_gap = 0;  ///< the longest of these segments
+  std::size_t rings = 0;   ///< closed chains that bound parts and holes now
+  bool changed() const { return joints + rings > 0; }
+  std::string to_string() const;
+};
+struct JoinedChains {
+  RegionData data;
+  JoinReport report;
+};
+/// Polylines joined to chains where their ends meet or are no further apart than `tolerance`, by a segment from one end
+/// to the other: no vertex moves. Closed chains become rings, nested even-odd into parts; chains that stay open are
+/// polylines; parts and points stay. Ends that are equal are joined first. Errors: out_of_range for a tolerance below 0
+/// or not finite; malformed where an end is within the tolerance of several others, with the position. O(n log n).
+Result<JoinedChains> joined_chains(RegionData data, double tolerance);
 
 /// The region in a format, coordinates with the fewest digits that read back to the same doubles.
 std::string format_region(const Region& region, RegionFormat format);

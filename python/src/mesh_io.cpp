@@ -59,6 +59,18 @@ void bind_mesh_readers(nb::module_& m) {
   m.def(
       "read_mesh", [](const PathArgument& path) { return take(read_mesh(path.text)); }, "path"_a,
       "MeshData of a file, not yet validated: for Mesh.create or repair.");
+  Record<MeshFile>(m, "MeshFile", "A file's lists, and their unit.")
+      .field("data", &MeshFile::data)
+      .field("unit", &MeshFile::unit, "of its coordinates, where the file says it");
+  m.def(
+      "parse_mesh_file",
+      [](const nb::bytes& bytes, MeshFormat format, const std::string& file) {
+        return take(parse_mesh_file({bytes.c_str(), bytes.size()}, format, file));
+      },
+      "bytes"_a, "format"_a, "file"_a = "", "As parse_mesh, with the unit.");
+  m.def(
+      "read_mesh_file", [](const PathArgument& path) { return take(read_mesh_file(path.text)); }, "path"_a,
+      "As read_mesh, with the unit.");
   m.def("precision_of", &precision_of, "format"_a);
 }
 

@@ -10,7 +10,9 @@
 #include "dymsum/area_text.h"
 #include "dymsum/region_io.h"
 #include "dymsum/snap_rounding.h"
+#include "dymsum/sum_io.h"
 #include "extent.h"
+#include "paths.h"
 #include "record.h"
 #include "remember.h"
 
@@ -291,6 +293,34 @@ void bind_writers(nb::module_& m) {
       .field("p", &SumNames::p)
       .field("q", &SumNames::q)
       .field("sum", &SumNames::sum);
+  m.def(
+      "parse_sum",
+      [](const std::string& text, const std::string& name_for_errors) {
+        return remembered(take(without_gil([&] { return parse_sum(text, name_for_errors); })), "parse_sum", text,
+                          name_for_errors);
+      },
+      "text"_a, "name_for_errors"_a = "text",
+      R"doc(The exact set that to_json has written, as an operand. Raises Error: malformed; unsupported_operand; truncated.
+
+>>> from dymsum import parse_sum, union_of
+>>> sum = union_of([[(0, 0), (3, 0), (3, 1)], [(0, 1), (1, 0), (3, 1)]])
+>>> parse_sum(sum.to_json()) == sum
+True
+)doc");
+  m.def(
+      "read_sum",
+      [](const PathArgument& path) {
+        PlanarSum sum = take(without_gil([&] { return read_sum(path.text); }));
+        std::string own = sum_to_json(sum);
+        return remembered(std::move(sum), "parse_sum", std::move(own), path.text);
+      },
+      "path"_a, "The same of a file. Raises Error: cannot_open; as parse_sum.");
+  m.def(
+      "begins_like_sum", [](const std::string& text) { return begins_like_sum(text); }, "text"_a,
+      "Whether a text begins as what to_json writes.");
+  m.def(
+      "names_sum", [](const PathArgument& path) { return names_sum(path.text); }, "path"_a,
+      "Whether a path ends in .json or .json.gz and names a file that begins so.");
   m.def(
       "format_sum",
       [](const PlanarSum& sum, const RegionArgument& rounded, RegionFormat format) {

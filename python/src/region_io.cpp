@@ -22,9 +22,23 @@ void bind_region_readers(nb::module_& m) {
   nb::enum_<ThirdCoordinates>(m, "ThirdCoordinates", "What becomes of third coordinates and measures in files.")
       .value("refused", ThirdCoordinates::refused)
       .value("dropped", ThirdCoordinates::dropped);
+  nb::enum_<CurveBound>(m, "CurveBound", "On which side of the curves that bound a region chords lie.")
+      .value("nearest", CurveBound::nearest)
+      .value("inside", CurveBound::inside)
+      .value("outside", CurveBound::outside);
+  Record<CurveOptions>(m, "CurveOptions", "How curves of files become chords.")
+      .constructible()
+      .option("error", &CurveOptions::error, "in the file's units; None: a thousandth of a radius or a curve's size")
+      .option("bound", &CurveOptions::bound);
+  Record<ReadOptions>(m, "ReadOptions", "What readers make of third coordinates and of curves.")
+      .constructible()
+      .option("third", &ReadOptions::third)
+      .option("curves", &ReadOptions::curves);
   Record<NamedShape>(m, "NamedShape", "One named shape of a file.")
       .field("name", &NamedShape::name)
-      .field("data", &NamedShape::data, "RegionData, not yet validated");
+      .field("data", &NamedShape::data, "RegionData, not yet validated")
+      .field("unit", &NamedShape::unit, "of its coordinates, where the file says it")
+      .field("curves", &NamedShape::curves, "that became chords");
   m.def(
       "region_format", [](const PathArgument& path) { return take(region_format(path.text)); }, "path"_a,
       "The format that a path's extension names. Raises Error: unsupported_format.");
@@ -36,16 +50,16 @@ void bind_region_readers(nb::module_& m) {
       "Whether a text begins as .dxf files do; other formats never do.");
   m.def(
       "read_shapes",
-      [](const PathArgument& path, ThirdCoordinates third) { return take(read_shapes(path.text, third)); }, "path"_a,
-      "third"_a = ThirdCoordinates::refused,
+      [](const PathArgument& path, const ReadOptions& options) { return take(read_shapes(path.text, options)); },
+      "path"_a, "options"_a = ReadOptions(),
       "All shapes of a file (.poly, .wkt, .geojson, .svg, .dxf, nesting .json), or the one of \"f.json#name\". Raises "
       "Error with file and line.");
   m.def(
       "parse_shapes",
-      [](const std::string& text, RegionFormat format, const std::string& name, ThirdCoordinates third) {
-        return take(parse_shapes(text, format, name, third));
+      [](const std::string& text, RegionFormat format, const std::string& name, const ReadOptions& options) {
+        return take(parse_shapes(text, format, name, options));
       },
-      "text"_a, "format"_a, "name_for_errors"_a = "text", "third"_a = ThirdCoordinates::refused,
+      "text"_a, "format"_a, "name_for_errors"_a = "text", "options"_a = ReadOptions(),
       R"doc(The shapes of a text. Raises Error with `name_for_errors` and line.
 
 >>> from dymsum import Region, RegionFormat, parse_shapes
@@ -54,10 +68,33 @@ void bind_region_readers(nb::module_& m) {
 [6.0, 0.5]
 )doc");
   m.def(
+      "read_shape",
+      [](const PathArgument& path, const ReadOptions& options) { return take(read_shape(path.text, options)); },
+      "path"_a, "options"_a = ReadOptions(),
+      "The file's only or selected shape. Raises Error: malformed where there are several.");
+  m.def(
       "read_region_data",
-      [](const PathArgument& path, ThirdCoordinates third) { return take(read_region_data(path.text, third)); },
-      "path"_a, "third"_a = ThirdCoordinates::refused,
+      [](const PathArgument& path, const ReadOptions& options) { return take(read_region_data(path.text, options)); },
+      "path"_a, "options"_a = ReadOptions(),
       "The file's only or selected shape, not yet validated. Raises Error: malformed where there are several.");
+}
+
+void bind_joined_chains(nb::module_& m) {
+  Record<JoinReport>(m, "JoinReport", "What joining lines changed.")
+      .field("joints", &JoinReport::joints)
+      .field("largest_gap", &JoinReport::largest_gap)
+      .field("rings", &JoinReport::rings)
+      .def("changed", &JoinReport::changed)
+      .def("to_string", &JoinReport::to_string);
+  Record<JoinedChains>(m, "JoinedChains", "Lines joined to rings and chains.")
+      .field("data", &JoinedChains::data)
+      .field("report", &JoinedChains::report);
+  m.def(
+      "joined_chains",
+      [](const RegionDataArgument& data, double tolerance) { return take(joined_chains(*data, tolerance)); }, "data"_a,
+      "tolerance"_a,
+      "Polylines joined where their ends meet or are no further apart than the tolerance; closed ones become rings. "
+      "Raises Error: out_of_range, malformed.");
 }
 
 void bind_region_writers(nb::module_& m) {
@@ -87,6 +124,7 @@ void bind_region_writers(nb::module_& m) {
 
 void bind_region_io(nb::module_& m) {
   bind_region_readers(m);
+  bind_joined_chains(m);
   bind_region_writers(m);
 }
 

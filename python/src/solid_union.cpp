@@ -95,6 +95,14 @@ void bind_solid_union(nb::module_& m) {
       "data"_a, "fill"_a = Fill::nonzero, "options"_a = SpatialOptions(),
       "repair, and where faces cross, touch or lie on each other, the solid that they bound, rounded. Raises Error: "
       "those of repair; cancelled; out_of_memory.");
+  m.def(
+      "repair_with_union",
+      [](const MeshDataArgument& data, Fill fill, const MeshRepairOptions& repairs, const SpatialOptions& options) {
+        return run_with(options,
+                        [&](const SpatialOptions& own) { return repair_with_union(*data, fill, repairs, own); });
+      },
+      "data"_a, "fill"_a, "repairs"_a, "options"_a = SpatialOptions(),
+      "The same with the repairs that are named alone, with positions, and with loose walls dropped.");
 }
 
 }  // namespace dymsum::python

@@ -40,6 +40,24 @@ void bind_sums_of_solids(nb::module_& m) {
       },
       "operands"_a, "options"_a = SpatialOptions(), "The sum of several operands, at least one.");
   m.def(
+      "minkowski_sum",
+      [](nb::handle_t<SpatialSum> p, const MeshArgument& q, const SpatialOptions& options) {
+        const SpatialSum& first = nb::cast<const SpatialSum&>(p);
+        SpatialSum sum = run_with(options, [&](const SpatialOptions& own) { return minkowski_sum(first, *q, own); });
+        return remembered(std::move(sum), "solid_sum", p, q.object, options);
+      },
+      "p"_a, "q"_a, "options"_a = SpatialOptions(),
+      "The sum of a sum's regular part and a solid, unrounded. Raises Error: out_of_range.");
+  m.def(
+      "minkowski_sum",
+      [](nb::handle_t<SpatialSum> p, nb::handle_t<SpatialSum> q, const SpatialOptions& options) {
+        const SpatialSum &first = nb::cast<const SpatialSum&>(p), &second = nb::cast<const SpatialSum&>(q);
+        SpatialSum sum =
+            run_with(options, [&](const SpatialOptions& own) { return minkowski_sum(first, second, own); });
+        return remembered(std::move(sum), "solid_sum", p, q, options);
+      },
+      "p"_a, "q"_a, "options"_a = SpatialOptions(), "The sum of two sums.");
+  m.def(
       "as_mesh", [](const SpatialSum& sum) { return take(as_mesh(sum)); }, "sum"_a,
       "The regular part of a sum as an operand. Raises Error: unsupported_operand where no doubles hold a vertex.");
   m.def(
@@ -50,6 +68,15 @@ void bind_sums_of_solids(nb::module_& m) {
       },
       "a"_a, "b"_a, "options"_a = SpatialOptions(),
       "A (-) B = { x : x + B inside A }, positions without room to move included as tight features.");
+  m.def(
+      "erode",
+      [](nb::handle_t<SpatialSum> a, const MeshArgument& b, const SpatialOptions& options) {
+        const SpatialSum& outer = nb::cast<const SpatialSum&>(a);
+        SpatialSum fit = run_with(options, [&](const SpatialOptions& own) { return erode(outer, *b, own); });
+        return remembered(std::move(fit), "solid_erode", a, b.object, options);
+      },
+      "a"_a, "b"_a, "options"_a = SpatialOptions(),
+      "The same of a sum's regular part, unrounded. Raises Error: out_of_range.");
 }
 
 /// Raises Error: not_finite.
@@ -108,7 +135,7 @@ void bind_opening(nb::module_& m) {
         return run_with(options, [&](const SpatialOptions& own) { return opening(*a, *b, own, between); });
       },
       "a"_a, "b"_a, "options"_a = SpatialOptions(), "between"_a = BetweenSteps::exact,
-      R"doc((A (-) B) (+) B: the union of all x + B inside A. Raises Error: rounding_changed_topology.
+      R"doc((A (-) B) (+) B: the union of all x + B inside A. Raises Error: out_of_range; of rounded steps rounding_changed_topology.
 
 >>> from dymsum import opening, solids
 >>> ell = solids.prism([(0, 0), (3, 0), (3, 1), (1, 1), (1, 3), (0, 3)], 1)

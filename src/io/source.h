@@ -6,6 +6,7 @@
 #include <string>
 #include <string_view>
 
+#include "dymsum/read_options.h"
 #include "dymsum/result.h"
 
 namespace dymsum::io {
@@ -17,8 +18,9 @@ struct ReadFailure {
 
 struct Source {
   std::string_view text;
-  std::string_view file;     ///< for the evidence
-  bool drops_third = false;  ///< third coordinates and measures are left out, not refused
+  std::string_view file;  ///< for the evidence
+  ReadOptions options = {};
+  bool drops_third() const { return options.third == ThirdCoordinates::dropped; }
 
   /// The line of a byte, from 1; past the last character that is not blank, the line of that character.
   std::int64_t line(std::size_t offset) const;

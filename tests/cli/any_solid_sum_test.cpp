@@ -145,7 +145,7 @@ TEST_F(AnySolidSum, WhatItDoesNotTakeIsRefused) {
   const Json failure = json("dymsum sum tunnel.off crossing.off --json", 2);
   EXPECT_EQ(failure["error"]["code"], "faces_cross");
   EXPECT_TRUE(failure["error"]["evidence"].contains("other_face"));
-  const std::string remedy = "(--repair mends it: what crossed or overlapped united (6 new vertices))";
+  const std::string remedy = "(--repair=crossings repairs it: what crossed or overlapped united (6 new vertices))";
   EXPECT_NE(work.run("dymsum info crossing.off").err.find(remedy), std::string::npos)
       << work.run("dymsum info crossing.off").err;
   const Outcome repaired = work.run("dymsum convert crossing.off united.off --repair");

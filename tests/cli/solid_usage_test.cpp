@@ -80,8 +80,8 @@ TEST_F(SolidUsage, ExtensionsThatNothingReadsAreBadInputThatNamesTheFile) {
 TEST_F(SolidUsage, OperandsOfTheWrongKindAreNamed) {
   says("sum cube.off square.wkt", 1, "cube.off is a solid and square.wkt is not");
   says("sum cube.off cube.off square.wkt", 1, "square.wkt is not");
-  for (const char* verb : {"opening square.wkt square.wkt", "offset square.wkt --by 1"})
-    says(verb, 1, "is for solids: .off .obj .stl .ply .glb .3mf, not square.wkt");
+  says("offset square.wkt --by 1", 1, "is for solids: .off .obj .stl .ply .glb .3mf, not square.wkt");
+  says("opening square.wkt square.wkt --round-between", 1, "--round-between is for solids");
   says("depth ell.off cube.off --axis 0,0,1 --degrees 9", 2,
        "only convex solids are taken; --hull takes the convex hull");
 }
@@ -112,8 +112,9 @@ TEST_F(SolidUsage, FilesWithVerticesAloneSaySo) {
   for (const char* verb : {"erode cube.off none.stl", "opening cube.off none.stl", "closing ell.off none.stl"})
     says(verb, 2, "none.stl: every position holds the empty solid");
   work.write("spare.off", "OFF\n5 4 0\n0 0 0\n1 0 0\n0 1 0\n0 0 1\n7 7 7\n3 0 2 1\n3 0 1 3\n3 0 3 2\n3 1 2 3\n");
-  says("info spare.off", 2,
-       "vertex 4: no face uses this vertex (--repair mends it: 1 unused vertex dropped) at (7, 7, 7)");
+  says(
+      "info spare.off", 2,
+      "vertex 4: no face uses this vertex (--repair=unused-vertices repairs it: 1 unused vertex dropped) at (7, 7, 7)");
   EXPECT_EQ(work.run("dymsum info cube.off --repair").err, "");
 }
 

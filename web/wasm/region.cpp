@@ -37,24 +37,24 @@ Region region_of(RegionData data, bool with_repair) {
   return with_repair ? got(repair(std::move(data))).region : got(Region::create(std::move(data)));
 }
 
-ThirdCoordinates third_in(const val& options) {
+ReadOptions reading_in(const val& options) {
   static constexpr Named<ThirdCoordinates> kNames[] = {{"refused", ThirdCoordinates::refused},
                                                        {"dropped", ThirdCoordinates::dropped}};
-  return enumerator(member(options, "thirdCoordinates"), kNames, ThirdCoordinates::refused);
+  return {enumerator(member(options, "thirdCoordinates"), kNames, ThirdCoordinates::refused), {}};
 }
 
 SharedRegion read(const std::string& name, const std::string& bytes, const val& options) {
-  const ThirdCoordinates third = third_in(options);
+  const ReadOptions reading = reading_in(options);
   const FileInMemory file(name, bytes);
   return in_file(name, [&] {
-    return shared(region_of(got(read_region_data(file.path(), third)), member_or(options, "repair", false)));
+    return shared(region_of(got(read_region_data(file.path(), reading)), member_or(options, "repair", false)));
   });
 }
 
 std::vector<NamedShape> shapes_in(const std::string& name, const std::string& bytes, const val& options) {
-  const ThirdCoordinates third = third_in(options);
+  const ReadOptions reading = reading_in(options);
   const FileInMemory file(name, bytes);
-  return got(read_shapes(file.path(), third));
+  return got(read_shapes(file.path(), reading));
 }
 
 val named(const std::string& name, const char* field, const val& value) {

@@ -1,4 +1,4 @@
-// From a path to a mesh and back: format by extension, and the readers and writers behind it.
+// What leads from a path to a mesh and back: format by extension, and the readers and writers behind it.
 #include <optional>
 #include <utility>
 
@@ -12,22 +12,22 @@ namespace dymsum {
 
 namespace {
 
-MeshData read_format(const io::Source& source, MeshFormat format) {
+MeshFile read_format(const io::Source& source, MeshFormat format) {
   switch (format) {
     case MeshFormat::off:
-      return io::read_off({io::PlainText(source.text).view(), source.file});
+      return {io::read_off({io::PlainText(source.text).view(), source.file})};
     case MeshFormat::obj:
-      return io::read_obj({io::PlainText(source.text).view(), source.file});
+      return {io::read_obj({io::PlainText(source.text).view(), source.file})};
     case MeshFormat::stl:
-      return io::read_stl(source);
+      return {io::read_stl(source)};
     case MeshFormat::ply:
-      return io::read_ply(source);
+      return {io::read_ply(source)};
     case MeshFormat::three_mf:
       return io::read_3mf(source);
     case MeshFormat::glb:
       break;
   }
-  return io::read_glb(source);
+  return {io::read_glb(source)};
 }
 
 }  // namespace
@@ -45,6 +45,18 @@ Result<MeshFormat> mesh_format(std::string_view path) {
 }
 
 Result<MeshData> parse_mesh(std::string_view bytes, MeshFormat format, std::string_view file) {
+  Result<MeshFile> parsed = parse_mesh_file(bytes, format, file);
+  if (!parsed) return parsed.error();
+  return std::move(parsed).value().data;
+}
+
+Result<MeshData> read_mesh(const std::string& path) {
+  Result<MeshFile> read = read_mesh_file(path);
+  if (!read) return read.error();
+  return std::move(read).value().data;
+}
+
+Result<MeshFile> parse_mesh_file(std::string_view bytes, MeshFormat format, std::string_view file) {
   try {
     return read_format({bytes, file}, format);
   } catch (io::ReadFailure& failure) {
@@ -52,13 +64,13 @@ Result<MeshData> parse_mesh(std::string_view bytes, MeshFormat format, std::stri
   }
 }
 
-Result<MeshData> read_mesh(const std::string& path) {
+Result<MeshFile> read_mesh_file(const std::string& path) {
   const Result<MeshFormat> format = mesh_format(path);
   if (!format && io::is_directory(path)) return io::read_file(path).error();
   if (!format) return format.error();
   const Result<std::string> bytes = io::read_file(path);
   if (!bytes) return bytes.error();
-  return parse_mesh(*bytes, *format, path);
+  return parse_mesh_file(*bytes, *format, path);
 }
 
 std::string format_mesh(const MeshData& mesh, MeshFormat format, std::span<const FaceColour> colours) {

@@ -4,7 +4,7 @@
 
 namespace dymsum::io {
 
-MeshData read_3mf(const Source& source) {
+MeshFile read_3mf(const Source& source) {
   if (!is_zip(source.text)) source.fail_in_bytes(ErrorCode::malformed, "a .3mf file is a .zip file, and this is none");
   throw ReadFailure{zip_entry(source.text, {}, source.file).error()};
 }

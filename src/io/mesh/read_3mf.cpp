@@ -46,7 +46,7 @@ class ThreeMfReader {
  public:
   explicit ThreeMfReader(const Source& source) : source_(source) {}
 
-  MeshData read() {
+  MeshFile read() {
     if (!is_zip(source_.text))
       source_.fail_in_bytes(ErrorCode::malformed, "a .3mf file is a .zip file, and this is none");
     const Part& root = part(start());
@@ -55,11 +55,21 @@ class ThreeMfReader {
       for (const pugi::xml_node item : node.children())
         if (local_name(item.name()) == "item") place(root, item, {}, 0);
     }
-    return std::move(data_);
+    return {std::move(data_), unit_of(root)};
   }
 
  private:
   static constexpr int kMostNested = 64;
+
+  /// Millimetres where the model names no unit.
+  static std::string unit_of(const Part& root) {
+    static constexpr std::pair<std::string_view, const char*> kUnits[] = {
+        {"micron", "um"}, {"millimeter", "mm"}, {"centimeter", "cm"}, {"inch", "in"}, {"foot", "ft"}, {"meter", "m"}};
+    const std::string_view unit = root.document.document_element().attribute("unit").value();
+    for (const auto& [name, symbol] : kUnits)
+      if (unit == name) return symbol;
+    return unit.empty() ? "mm" : "";
+  }
 
   /// The name of the entry that has what is built.
   std::string start() {
@@ -206,6 +216,6 @@ class ThreeMfReader {
 
 }  // namespace
 
-MeshData read_3mf(const Source& source) { return ThreeMfReader(source).read(); }
+MeshFile read_3mf(const Source& source) { return ThreeMfReader(source).read(); }
 
 }  // namespace dymsum::io

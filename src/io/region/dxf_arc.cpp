@@ -6,13 +6,15 @@
 namespace dymsum::io {
 namespace {
 
-int steps_of(double radians) { return std::max(1, static_cast<int>(std::ceil(std::abs(radians) * kArcSteps))); }
+constexpr double kRadian = std::numbers::pi / 180;
 
-/// In [0, 360), exactly.
+/// The angle in [0, 360), exactly.
 double within_a_turn(double degrees) {
   const double rest = std::fmod(degrees, 360.0);
   return rest < 0 ? rest + 360 : rest;
 }
+
+}  // namespace
 
 Point direction(double degrees) {
   const double angle = within_a_turn(degrees);
@@ -20,8 +22,7 @@ Point direction(double degrees) {
   if (angle == 90) return {0, 1};
   if (angle == 180) return {-1, 0};
   if (angle == 270) return {0, -1};
-  const double radians = angle * (std::numbers::pi / 180);
-  return {std::cos(radians), std::sin(radians)};
+  return {std::cos(angle * kRadian), std::sin(angle * kRadian)};
 }
 
 Point on_circle(Point centre, double radius, double degrees) {
@@ -29,38 +30,33 @@ Point on_circle(Point centre, double radius, double degrees) {
   return {centre.x + radius * d.x, centre.y + radius * d.y};
 }
 
-}  // namespace
-
-// The chord to the fraction t of an arc of the angle a has sin(t a / 2) / sin(a / 2) of the whole chord's length, and
-// is turned from it by (1 - t) a / 2 clockwise. sin(a / 2) = 2 b / (1 + b^2).
-void append_bulge(std::vector<Point>& chain, Point from, Point to, double b) {
-  if (b == 0 || from == to) return;
-  const double half = 2 * std::atan(b), over_sine = (1 / b + b) / 2;
-  const int steps = steps_of(2 * half);
-  for (int k = 1; k < steps; ++k) {
-    const double t = static_cast<double>(k) / steps, ratio = std::sin(t * half) * over_sine, turn = (1 - t) * half;
-    const double c = ratio * std::cos(turn), s = ratio * std::sin(turn), dx = to.x - from.x, dy = to.y - from.y;
-    chain.push_back({from.x + (c * dx + s * dy), from.y + (c * dy - s * dx)});
-  }
+// The centre lies on the chord's bisector, (1 / b - b) / 4 chords to its left.
+EllipseArc bulge_arc(Point from, Point to, double b) {
+  const double dx = to.x - from.x, dy = to.y - from.y, height = (1 / b - b) / 4;
+  const Point u{dy * height - dx / 2, -dx * height - dy / 2};
+  return {from, u, {-u.y, u.x}, 4 * std::atan(b)};
 }
 
-std::vector<Point> arc_chain(Point centre, double radius, double from_degrees, double to_degrees) {
+std::optional<EllipseArc> degree_arc(Point centre, double radius, double from_degrees, double to_degrees) {
   const double from = within_a_turn(from_degrees);
   double sweep = within_a_turn(to_degrees) - from;
-  if (sweep == 0) return {};
+  if (sweep == 0) return std::nullopt;
   if (sweep < 0) sweep += 360;
-  const int steps = steps_of(sweep * (std::numbers::pi / 180));
-  std::vector<Point> chain;
-  for (int k = 0; k < steps; ++k) chain.push_back(on_circle(centre, radius, from + sweep * k / steps));
-  chain.push_back(on_circle(centre, radius, to_degrees));
-  return chain;
+  const Point d = direction(from);
+  const Point u{radius * d.x, radius * d.y};
+  return EllipseArc{on_circle(centre, radius, from), u, {-u.y, u.x}, sweep * kRadian};
 }
 
-Ring circle_ring(Point centre, double radius) {
-  constexpr int kSteps = 76;  // 2 pi 12 = 75.4; a multiple of 4 has the exact extreme points
-  static_assert(kSteps >= 2 * std::numbers::pi * kArcSteps);
-  Ring ring;
-  for (int k = 0; k < kSteps; ++k) ring.push_back(on_circle(centre, radius, 360.0 * k / kSteps));
+ChordChain ellipse_ring(Point centre, Point u, Point v, const CurveOptions& options) {
+  const Point axes[] = {u, v, {-u.x, -u.y}, {-v.x, -v.y}};
+  ChordChain ring;
+  ring.add({centre.x + u.x, centre.y + u.y});
+  for (int k = 0; k < 4; ++k) {
+    const Point from = axes[k], to = axes[(k + 1) % 4];
+    append_arc(ring, {ring.back(), from, to, std::numbers::pi / 2}, {centre.x + to.x, centre.y + to.y}, options);
+  }
+  ring.pop_back();
+  ring.curves = 1;
   return ring;
 }
 

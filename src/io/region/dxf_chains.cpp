@@ -25,13 +25,14 @@ class PieceJoiner {
     DxfChains chains;
     // Open chains begin at an end without a mate; what is left is closed.
     for (std::size_t end = 0; end < mate_.size(); ++end)
-      if (mate_[end] == kNone && !used_[end / 2]) chains.polylines.push_back(follow(end));
+      if (mate_[end] == kNone && !used_[end / 2]) chains.open.push_back(follow(end));
     for (std::size_t i = 0; i < pieces_.size(); ++i) {
       if (used_[i]) continue;
-      Ring ring = follow(2 * i);
       // Its last vertex and its first are one joint.
       const std::size_t last = mate_[2 * i];
-      if (pieces_[i].reach > 0 && pieces_[last / 2].reach == 0) ring.front() = ring.back();
+      const bool of_curve = pieces_[i].reach > 0 && pieces_[last / 2].reach == 0;
+      ChordChain ring = follow(2 * i);
+      if (of_curve) ring.set_front(ring.back());
       ring.pop_back();
       chains.rings.push_back(std::move(ring));
     }
@@ -43,8 +44,8 @@ class PieceJoiner {
   static constexpr std::uint64_t kMostTests = 100'000'000;
 
   Point position(std::size_t end) const {
-    const std::vector<Point>& points = pieces_[end / 2].points;
-    return end % 2 == 0 ? points.front() : points.back();
+    const ChordChain& chain = pieces_[end / 2].chain;
+    return end % 2 == 0 ? chain.front() : chain.back();
   }
   double reach(std::size_t end) const { return pieces_[end / 2].reach; }
 
@@ -92,18 +93,15 @@ class PieceJoiner {
   }
 
   /// The chain that begins with this end.
-  std::vector<Point> follow(std::size_t end) {
-    std::vector<Point> chain;
+  ChordChain follow(std::size_t end) {
+    ChordChain chain;
     double before = 0;
     while (end != kNone && !used_[end / 2]) {
       used_[end / 2] = true;
-      std::vector<Point> points = pieces_[end / 2].points;
-      if (end % 2 != 0) std::reverse(points.begin(), points.end());
-      if (!chain.empty()) {
-        if (before == 0) points.front() = chain.back();
-        chain.pop_back();
-      }
-      chain.insert(chain.end(), points.begin(), points.end());
+      ChordChain next = pieces_[end / 2].chain;
+      if (end % 2 != 0) next.reverse();
+      if (!chain.empty() && before > 0) chain.set_back(next.front());
+      chain.append(next);
       before = reach(end);
       end = mate_[end ^ 1];
     }

@@ -82,6 +82,12 @@ std::vector<DxfEntity> dxf_entities(const Source& source, const std::vector<DxfG
   return entities;
 }
 
+const DxfGroup* dxf_variable(const std::vector<DxfGroup>& groups, std::string_view name) {
+  for (std::size_t k = 0; k + 1 < groups.size(); ++k)
+    if (groups[k].code == 9 && groups[k].value == name) return &groups[k + 1];
+  return nullptr;
+}
+
 double dxf_number(const Source& source, const DxfGroup& group) {
   const ScannedNumber number = scan_number(group.value);
   if (number.length == 0 || number.length != group.value.size())

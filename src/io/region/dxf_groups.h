@@ -36,6 +36,9 @@ struct DxfEntity {
 /// Those of the section with that name, in their order. Errors: malformed, for sections that do not end.
 std::vector<DxfEntity> dxf_entities(const Source& source, const std::vector<DxfGroup>& groups, std::string_view name);
 
+/// The value of a variable of the section HEADER, such as $INSUNITS; nothing where there is none.
+const DxfGroup* dxf_variable(const std::vector<DxfGroup>& groups, std::string_view name);
+
 /// The finite number, or the whole number, of a group. Errors: malformed, not_finite.
 double dxf_number(const Source& source, const DxfGroup& group);
 int dxf_flags(const Source& source, const DxfGroup& group);

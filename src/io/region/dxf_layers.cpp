@@ -7,13 +7,6 @@
 namespace dymsum::io {
 namespace {
 
-std::string without_case(std::string_view name) {
-  std::string text(name);
-  for (char& c : text)
-    if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
-  return text;
-}
-
 /// No bulge, nothing hidden, rings closed and lines open.
 bool is_own_polyline(const Source& source, const DxfEntity& entity) {
   const std::string_view layer = dxf_layer(entity);
@@ -30,6 +23,13 @@ bool is_own_entity(const Source& source, const DxfEntity& entity) {
 }
 
 }  // namespace
+
+std::string without_case(std::string_view name) {
+  std::string text(name);
+  for (char& c : text)
+    if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
+  return text;
+}
 
 std::string_view dxf_layer(const DxfEntity& entity) {
   const DxfGroup* const layer = entity.find(8);

@@ -10,6 +10,9 @@
 
 namespace dymsum::io {
 
+/// A name of a layer or a block, which has no case.
+std::string without_case(std::string_view name);
+
 /// The layer that an entity is on: "0" where it names none.
 std::string_view dxf_layer(const DxfEntity& entity);
 

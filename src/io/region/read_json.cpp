@@ -24,7 +24,7 @@ const std::string& require_text(const Source& source, const JsonValue& value, st
 }
 
 Point require_position(const Source& source, const JsonValue& value) {
-  if (value.kind() == JsonKind::array && source.drops_third) {
+  if (value.kind() == JsonKind::array && source.drops_third()) {
     std::vector<double> numbers;
     bool only_numbers = true;
     value.each([&](const JsonValue& v) {

@@ -1,4 +1,4 @@
-// From a path to shapes: format by extension, selection by "#", and the readers behind it.
+// What leads from a path to shapes: format by extension, selection by "#", and the readers behind it.
 #include <algorithm>
 #include <filesystem>
 #include <optional>
@@ -86,7 +86,7 @@ void name_shapes(std::vector<NamedShape>& shapes, std::string_view file) {
   }
 }
 
-/// By name, else by position.
+/// Selects by name, else by position.
 Result<NamedShape> select(std::vector<NamedShape> shapes, const std::string& wanted, const std::string& file) {
   const auto named = [&](const NamedShape& shape) { return shape.name == wanted; };
   const auto count = std::count_if(shapes.begin(), shapes.end(), named);
@@ -126,11 +126,10 @@ Result<RegionFormat> region_format(std::string_view path) {
 }
 
 Result<std::vector<NamedShape>> parse_shapes(std::string_view text, RegionFormat format,
-                                             std::string_view name_for_errors, ThirdCoordinates third) {
+                                             std::string_view name_for_errors, const ReadOptions& options) {
   const io::PlainText plain(text);
   try {
-    std::vector<NamedShape> shapes =
-        read_format({plain.view(), name_for_errors, third == ThirdCoordinates::dropped}, format);
+    std::vector<NamedShape> shapes = read_format({plain.view(), name_for_errors, options}, format);
     name_shapes(shapes, name_for_errors);
     return shapes;
   } catch (io::ReadFailure& failure) {
@@ -143,7 +142,7 @@ bool names_region(const std::string& path) {
   return io::names_map(file) || format_of_extension(file);
 }
 
-Result<std::vector<NamedShape>> read_shapes(const std::string& path, ThirdCoordinates third) {
+Result<std::vector<NamedShape>> read_shapes(const std::string& path, const ReadOptions& options) {
   const Selection selection = split_selection(path);
   if (io::names_map(selection.file)) return read_map(selection);
   const std::optional<RegionFormat> known = format_of_extension(selection.file);
@@ -154,18 +153,24 @@ Result<std::vector<NamedShape>> read_shapes(const std::string& path, ThirdCoordi
   if (!text) return text.error();
   const Result<RegionFormat> format = known ? Result<RegionFormat>(*known) : format_of_text(*text, selection.file);
   if (!format) return format.error();
-  Result<std::vector<NamedShape>> shapes = parse_shapes(*text, *format, selection.file, third);
+  Result<std::vector<NamedShape>> shapes = parse_shapes(*text, *format, selection.file, options);
   if (!shapes || !selection.shape) return shapes;
   Result<NamedShape> shape = select(std::move(shapes).value(), *selection.shape, selection.file);
   if (!shape) return shape.error();
   return std::vector<NamedShape>{std::move(shape).value()};
 }
 
-Result<RegionData> read_region_data(const std::string& path, ThirdCoordinates third) {
-  Result<std::vector<NamedShape>> read = read_shapes(path, third);
+Result<RegionData> read_region_data(const std::string& path, const ReadOptions& options) {
+  Result<NamedShape> shape = read_shape(path, options);
+  if (!shape) return shape.error();
+  return std::move(shape).value().data;
+}
+
+Result<NamedShape> read_shape(const std::string& path, const ReadOptions& options) {
+  Result<std::vector<NamedShape>> read = read_shapes(path, options);
   if (!read) return read.error();
   std::vector<NamedShape> shapes = std::move(read).value();
-  if (shapes.size() == 1) return std::move(shapes[0].data);
+  if (shapes.size() == 1) return std::move(shapes[0]);
   if (shapes.empty()) return file_error(ErrorCode::malformed, "the file holds no shape", path);
   return file_error(
       ErrorCode::malformed,

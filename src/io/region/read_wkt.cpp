@@ -1,5 +1,5 @@
-// Well-known text: geometries one after the other, usually one a line; each is a shape. Rings are closed in the file
-// (the closing vertex is dropped) and oriented here, because the format leaves orientation open.
+// Well-known text: geometries one after the other, usually one a line; each is a shape. Arcs become chords. Rings are
+// closed in the file (the closing vertex is dropped) and oriented here, because the format leaves orientation open.
 #include <algorithm>
 #include <cmath>
 #include <iterator>
@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "io/number_text.h"
+#include "io/region/curve_rings.h"
 #include "io/region/readers.h"
 #include "io/region/ring_order.h"
 
@@ -19,16 +20,21 @@ class WktReader {
  public:
   explicit WktReader(const Source& source) : source_(source), text_(source.text) {}
 
-  std::vector<NamedShape> read() {
+  std::vector<NamedShape> read() try {
     std::vector<NamedShape> shapes;
     for (skip(); at_ < text_.size(); skip()) {
       shapes.emplace_back();
       data_ = &shapes.back().data;
+      curves_ = 0;
       read_geometry(0);
+      shapes.back().curves = curves_;
       take(';');  // as between statements
     }
     if (shapes.empty()) source_.fail(ErrorCode::truncated, "the file ends before the first geometry", at_);
     return shapes;
+  } catch (const CurveFailure& failure) {
+    source_.fail(failure.trouble == CurveTrouble::not_finite ? ErrorCode::not_finite : ErrorCode::malformed,
+                 text_of(failure), at_);
   }
 
  private:
@@ -39,7 +45,7 @@ class WktReader {
     while (at_ < text_.size() && is_blank(text_[at_])) ++at_;
   }
 
-  /// For messages, which quote less of it.
+  /// The rest of a word for messages, which quote less of it.
   std::string_view rest_of_word() const {
     const std::string_view rest = text_.substr(at_, kLongestWord);
     std::size_t end = 0;
@@ -100,7 +106,7 @@ class WktReader {
   /// Whether a word announces more than two coordinates, where these are not refused.
   bool announces_third(std::string_view word, std::size_t start) const {
     const bool announces = word == "Z" || word == "M" || word == "ZM";
-    if (announces && !source_.drops_third)
+    if (announces && !source_.drops_third())
       source_.fail(ErrorCode::malformed,
                    "coordinates with " + std::string(word) + " are not planar: only x and y can be read", start);
     return announces;
@@ -126,7 +132,7 @@ class WktReader {
     const double y = read_coordinate();
     const auto ends = [&] { return at_ >= text_.size() || text_[at_] == ',' || text_[at_] == ')'; };
     skip();
-    for (int more = 0; source_.drops_third && more < 2 && !ends(); ++more) {
+    for (int more = 0; source_.drops_third() && more < 2 && !ends(); ++more) {
       read_coordinate();
       skip();
     }
@@ -177,6 +183,94 @@ class WktReader {
     data_->parts.push_back(std::move(part));
   }
 
+  /// A word that announces third coordinates, where these are left out.
+  void take_third() {
+    skip();
+    const std::size_t start = at_;
+    if (!announces_third(read_word(), start)) at_ = start;
+  }
+
+  /// The points of a CIRCULARSTRING: every other one is on an arc.
+  ChordChain read_circular_string() {
+    take_third();
+    skip();
+    const std::size_t start = at_;
+    const std::vector<Point> points = read_points();
+    if (points.size() < 3 || points.size() % 2 == 0)
+      source_.fail(ErrorCode::malformed, "a CIRCULARSTRING has an odd number of points, three or more", start);
+    ChordChain chain;
+    chain.add(points.front());
+    for (std::size_t k = 2; k < points.size(); k += 2)
+      append_three_point_arc(chain, points[k - 1], points[k], source_.options.curves);
+    curves_ += chain.curves;
+    return chain;
+  }
+
+  /// A CIRCULARSTRING, a COMPOUNDCURVE, or a line with the word LINESTRING or without; nothing where it is EMPTY.
+  ChordChain read_curve(int depth) {
+    const std::string kind = read_kind();
+    if (take_empty()) return {};
+    if (kind == "CIRCULARSTRING") return read_circular_string();
+    if (kind == "COMPOUNDCURVE" && depth == 0) return read_compound_curve();
+    if (!kind.empty() && kind != "LINESTRING") fail_expecting("LINESTRING, CIRCULARSTRING or COMPOUNDCURVE");
+    ChordChain chain;
+    for (const Point p : read_points()) chain.add(p);
+    return chain;
+  }
+
+  ChordChain read_compound_curve() {
+    ChordChain whole;
+    take_third();
+    read_list([&] {
+      skip();
+      const std::size_t start = at_;
+      const ChordChain piece = read_curve(1);
+      if (piece.empty()) return;
+      if (!whole.empty() && whole.back() != piece.front())
+        source_.fail(ErrorCode::malformed, "a piece of a COMPOUNDCURVE does not begin where the one before ends",
+                     start);
+      whole.append(piece);
+    });
+    return whole;
+  }
+
+  void read_curve_polygon() {
+    std::vector<ChordChain> rings;
+    read_list_or_empty([&] {
+      skip();
+      const std::size_t start = at_;
+      ChordChain ring = read_curve(0);
+      if (ring.empty()) return;
+      if (ring.front() != ring.back())
+        source_.fail(ErrorCode::malformed, "the ring is not closed: its last vertex differs from its first", start);
+      if (ring.on.size() > 1) ring.pop_back();
+      rings.push_back(std::move(ring));
+    });
+    if (!rings.empty()) data_->parts.push_back(part_of_chains(std::move(rings), source_.options.curves.bound));
+  }
+
+  void add_polyline(ChordChain chain) {
+    if (!chain.empty()) data_->polylines.push_back(std::move(chain.on));
+  }
+
+  /// A polygon of a MULTISURFACE.
+  void read_surface() {
+    const std::string kind = read_kind();
+    if (kind == "CURVEPOLYGON") return read_curve_polygon();
+    if (!kind.empty() && kind != "POLYGON") fail_expecting("POLYGON or CURVEPOLYGON");
+    read_polygon();
+  }
+
+  /// A word that is a kind of curve or surface, with what announces third coordinates; else nothing is taken.
+  std::string read_kind() {
+    skip();
+    const std::size_t start = at_;
+    const std::string kind = without_third(read_word(), start);
+    if (is_kind(kind)) return kind;
+    at_ = start;
+    return "";
+  }
+
   void read_line_string() {
     std::vector<Point> points;
     read_list_or_empty([&] { points.push_back(read_point()); });
@@ -210,9 +304,18 @@ class WktReader {
   }
 
   static bool is_kind(std::string_view word) {
-    static constexpr std::string_view kKinds[] = {"POINT",           "LINESTRING",   "POLYGON",           "MULTIPOINT",
-                                                  "MULTILINESTRING", "MULTIPOLYGON", "GEOMETRYCOLLECTION"};
+    static constexpr std::string_view kKinds[] = {
+        "POINT",        "LINESTRING",         "POLYGON",        "MULTIPOINT",    "MULTILINESTRING", "MULTIPOLYGON",
+        "CURVEPOLYGON", "GEOMETRYCOLLECTION", "CIRCULARSTRING", "COMPOUNDCURVE", "MULTICURVE",      "MULTISURFACE"};
     return std::find(std::begin(kKinds), std::end(kKinds), word) != std::end(kKinds);
+  }
+
+  /// POLYGONZ is POLYGON Z.
+  std::string without_third(std::string kind, std::size_t start) const {
+    for (const std::string_view third : {"ZM", "Z", "M"})
+      if (kind.ends_with(third) && is_kind(kind.substr(0, kind.size() - third.size())) && announces_third(third, start))
+        kind.resize(kind.size() - third.size());
+    return kind;
   }
 
   void read_geometry(int depth) {
@@ -220,11 +323,7 @@ class WktReader {
     const std::size_t start = at_;
     if (depth > kMostNested)
       source_.fail(ErrorCode::malformed, "collections nested deeper than " + std::to_string(kMostNested), start);
-    std::string kind = read_word();
-    // POLYGONZ is POLYGON Z.
-    for (const std::string_view third : {"ZM", "Z", "M"})
-      if (kind.ends_with(third) && is_kind(kind.substr(0, kind.size() - third.size())) && announces_third(third, start))
-        kind.resize(kind.size() - third.size());
+    const std::string kind = without_third(read_word(), start);
     if (kind == "POINT") {
       read_single_point();
     } else if (kind == "LINESTRING") {
@@ -237,6 +336,15 @@ class WktReader {
         if (at_ < text_.size() && (text_[at_] == '(' || upper(text_[at_]) == 'E')) return read_single_point();
         data_->points.push_back(read_point());
       });
+    } else if (kind == "CIRCULARSTRING" || kind == "COMPOUNDCURVE") {
+      if (take_empty()) return;
+      add_polyline(kind == "CIRCULARSTRING" ? read_circular_string() : read_compound_curve());
+    } else if (kind == "CURVEPOLYGON") {
+      read_curve_polygon();
+    } else if (kind == "MULTICURVE") {
+      read_list_or_empty([&] { add_polyline(read_curve(0)); });
+    } else if (kind == "MULTISURFACE") {
+      read_list_or_empty([&] { read_surface(); });
     } else if (kind == "MULTILINESTRING") {
       read_list_or_empty([&] { read_line_string(); });
     } else if (kind == "MULTIPOLYGON") {
@@ -253,6 +361,7 @@ class WktReader {
   std::string_view text_;
   std::size_t at_ = 0;
   RegionData* data_ = nullptr;
+  std::size_t curves_ = 0;
 };
 
 }  // namespace

@@ -51,10 +51,10 @@ double SvgNumbers::read() {
   return number.value;
 }
 
-void SvgNumbers::read_flag() {
+bool SvgNumbers::read_flag() {
   skip();
   if (at_end() || (peek() != '0' && peek() != '1')) fail("expected a flag, 0 or 1");
-  ++at_;
+  return text_.value[at_++] == '1';
 }
 
 void SvgNumbers::fail(const std::string& message) const {

@@ -21,7 +21,7 @@ class SvgNumbers {
   void advance() { ++at_; }
   bool at_number();  ///< after blanks and commas
   double read();     ///< failures: malformed, not_finite
-  void read_flag();  ///< 0 or 1, which needs no separator
+  bool read_flag();  ///< 0 or 1, which needs no separator
   std::string_view rest() const { return text_.value.substr(at_ < text_.value.size() ? at_ : text_.value.size()); }
 
   [[noreturn]] void fail(const std::string& message) const;         ///< malformed, showing what stands here

@@ -6,6 +6,8 @@
 #include <vector>
 
 #include "dymsum/region.h"
+#include "io/region/curves.h"
+#include "io/region/plane_transform.h"
 #include "io/source.h"
 
 namespace dymsum::io {
@@ -17,15 +19,15 @@ struct SvgText {
   std::size_t tag = 0;  ///< offset of the element's name
 };
 
-/// A run of straight lines; a closed one does not repeat its first vertex.
+/// A run of lines and curves; a closed one does not repeat its first vertex.
 struct Subpath {
-  std::vector<Point> vertices;
+  ChordChain chain;
   bool closed = false;
 };
 
-/// The subpaths of path data. Curves that are plainly straight (control points at the ends, radius zero) are lines;
-/// other curves fail as malformed, naming the command.
-std::vector<Subpath> parse_path(const Source& source, const SvgText& text);
+/// The subpaths of path data where `placement` puts them. Curves that are plainly straight (control points at the ends,
+/// radius zero) are lines; others become chords as the options of the source say. Throws CurveFailure.
+std::vector<Subpath> parse_path(const Source& source, const SvgText& text, const PlaneTransform& placement);
 
 /// The points of polygon and polyline elements.
 std::vector<Point> parse_points(const Source& source, const SvgText& text);
@@ -33,19 +35,8 @@ std::vector<Point> parse_points(const Source& source, const SvgText& text);
 /// A length: a number, optionally in px.
 double parse_length(const Source& source, const SvgText& text);
 
-/// (x, y) -> (a x + c y + e, b x + d y + f).
-struct SvgTransform {
-  double a = 1, b = 0, c = 0, d = 1, e = 0, f = 0;
-
-  bool identity() const { return a == 1 && b == 0 && c == 0 && d == 1 && e == 0 && f == 0; }
-  /// This after `inner`.
-  SvgTransform after(const SvgTransform& inner) const;
-  /// Coordinates are rounded as they are computed, except under the identity, and infinite past the double range.
-  Point apply(Point p) const;
-};
-
-/// A list of translate, scale and matrix. Rotations and skews, which are inexact, fail as malformed.
-SvgTransform parse_transform(const Source& source, const SvgText& text);
+/// A list of translate, scale, rotate, skewX, skewY and matrix.
+PlaneTransform parse_transform(const Source& source, const SvgText& text);
 
 /// The rectangle of a nested svg element, in the coordinates around it.
 struct SvgViewport {
@@ -54,8 +45,8 @@ struct SvgViewport {
 
 /// What a viewBox makes of the coordinates inside a viewport. Malformed for a size that is not positive, and for what
 /// cuts off: `slice`.
-SvgTransform parse_view_box(const Source& source, const SvgText& text, const SvgViewport& viewport,
-                            std::string_view preserve_aspect_ratio);
+PlaneTransform parse_view_box(const Source& source, const SvgText& text, const SvgViewport& viewport,
+                              std::string_view preserve_aspect_ratio);
 
 /// The value of a property: what the `style` attribute says, else the attribute of that name. Without blanks; empty
 /// where neither does.

@@ -32,8 +32,8 @@ double fraction(std::string_view align, std::string_view axis) {
 
 }  // namespace
 
-SvgTransform parse_view_box(const Source& source, const SvgText& text, const SvgViewport& viewport,
-                            std::string_view preserve_aspect_ratio) {
+PlaneTransform parse_view_box(const Source& source, const SvgText& text, const SvgViewport& viewport,
+                              std::string_view preserve_aspect_ratio) {
   SvgNumbers numbers(source, text);
   std::array<double, 4> box{};
   for (double& v : box) {

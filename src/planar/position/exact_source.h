@@ -7,7 +7,7 @@
 
 #include "base/double_pair.h"
 #include "dymsum/planar_sum.h"
-#include "exact/big.h"
+#include "exact/homogeneous_point.h"
 
 namespace dymsum {
 
@@ -23,10 +23,7 @@ class ExactSource {
 
   virtual Position position(const SumVertex& vertex) const = 0;
 
-  /// (x / w, y / w), w > 0, not necessarily in lowest terms.
-  struct Homogeneous {
-    exact::BigInteger x, y, w;
-  };
+  using Homogeneous = exact::HomogeneousPoint;
   /// The same position without the greatest common divisors that lowest terms cost. The default requests position().
   virtual Homogeneous homogeneous(const SumVertex& vertex) const;
 
@@ -68,6 +65,36 @@ struct SumInternals {
   static int min_tier_bits(const Options& options) {
     return options.forced_tier.min_bits_;
   }
+};
+
+/// True when two vertices have the same provenance, and therefore the same position.
+inline bool same_position(const SumVertex& a, const SumVertex& b) {
+  if (a.corner_p != SumVertex::kNone && a.corner_q != SumVertex::kNone)
+    return a.corner_p == b.corner_p && a.corner_q == b.corner_q;
+  return b.corner_p == SumVertex::kNone && a.in == b.in && a.out == b.out;
+}
+
+class VertexOrder {
+ public:
+  /// Requires |at - exact| <= at_error in each coordinate of every vertex that is compared.
+  VertexOrder(const ExactSource& source, double at_error) : source_(source), slack_(2 * at_error) {}
+
+  /// Lexicographic order of the exact positions: -1, 0, 1.
+  int compare(const SumVertex& a, const SumVertex& b) const {
+    if (const double d = a.at.x - b.at.x; d > slack_ || d < -slack_) return d > 0 ? 1 : -1;
+    if (same_position(a, b)) return 0;
+    if (slack_ == 0) return a.at.y != b.at.y ? (a.at.y > b.at.y ? 1 : -1) : 0;  // the doubles are the exact positions
+    if (const int sign = source_.compare_x(a, b); sign != 0) return sign;
+    if (const double d = a.at.y - b.at.y; d > slack_ || d < -slack_) return d > 0 ? 1 : -1;
+    return source_.compare_y(a, b);
+  }
+
+  /// True when doubles prove that a lies to the right of b.
+  bool provably_right(const SumVertex& a, const SumVertex& b) const { return a.at.x - b.at.x > slack_; }
+
+ private:
+  const ExactSource& source_;
+  double slack_;  // subtraction rounds monotonically, so a computed difference above 2 at_error is above it exactly
 };
 
 }  // namespace planar

@@ -1,9 +1,11 @@
 // The named repair: what can be repaired without a choice.
 #include <algorithm>
+#include <array>
+#include <set>
 #include <string>
 #include <utility>
 
-#include "dymsum/region.h"
+#include "dymsum/named_repairs.h"
 #include "exact/orient.h"
 #include "planar/region/region_validate.h"
 
@@ -19,17 +21,44 @@ struct RepairedChain {
   std::vector<std::uint32_t> source;
 };
 
+// What may be repaired, and what was.
+class RepairNotes {
+ public:
+  explicit RepairNotes(const RegionRepairOptions& options) : options_(options) {}
+
+  bool may(RegionRepairKind kind) const {
+    return std::find(options_.kinds.begin(), options_.kinds.end(), kind) != options_.kinds.end();
+  }
+  void add(RegionRepairKind kind, Point at) {
+    const auto k = static_cast<std::size_t>(kind);
+    if (++counts_[k] <= RegionRepairLog::kMostMarks) marks_[k].push_back({kind, at});
+  }
+  RegionRepairLog log() const {
+    RegionRepairLog log{{counts_[0], counts_[1], counts_[2], counts_[3], counts_[5]}, counts_[4], {}};
+    for (const std::vector<RegionRepairMark>& of_kind : marks_)
+      log.marks.insert(log.marks.end(), of_kind.begin(), of_kind.end());
+    return log;
+  }
+
+ private:
+  static constexpr std::size_t kKinds = 6;
+  static_assert(static_cast<std::size_t>(RegionRepairKind::short_polylines) + 1 == kKinds);
+  const RegionRepairOptions& options_;
+  std::array<std::size_t, kKinds> counts_{};
+  std::array<std::vector<RegionRepairMark>, kKinds> marks_;
+};
+
 // Drops duplicates, straight vertices and spikes of a ring until there are none. Every drop can make the vertices
 // before it droppable: the list of kept ones is a stack. What remains to repair at the seam is dropped from either end.
 class RingMender {
  public:
-  explicit RingMender(const Ring& ring, RepairReport& report) : ring_(ring), report_(report) {}
+  explicit RingMender(const Ring& ring, RepairNotes& log) : ring_(ring), log_(log) {}
 
   RepairedChain run() {
     for (std::uint32_t i = 0; i < ring_.size(); ++i) push(i);
     close_seam();
     RepairedChain result;
-    if (kept_.size() - first_ < 3) return result;
+    if (kept_.size() - first_ < 3 && log_.may(RegionRepairKind::empty_rings)) return result;
     result.source.assign(kept_.begin() + static_cast<std::ptrdiff_t>(first_), kept_.end());
     for (const std::uint32_t i : result.source) result.chain.push_back(ring_[i]);
     return result;
@@ -40,30 +69,33 @@ class RingMender {
   Point from_end(std::size_t k) const { return ring_[kept_[kept_.size() - k]]; }
   Point from_start(std::size_t k) const { return ring_[kept_[first_ + k]]; }
 
+  bool merges() const { return log_.may(RegionRepairKind::duplicate_vertices); }
+  bool straightens() const { return log_.may(RegionRepairKind::collinear_vertices); }
+  bool bends_nowhere(Point a, Point b, Point c) const {
+    return straightens() && size() >= 3 && exact::orient_sign(a, b, c) == 0;
+  }
+
   void push(std::uint32_t i) {
     while (size() >= 1) {
-      if (from_end(1) == ring_[i]) {
-        ++report_.duplicate_vertices;
-        return;
-      }
-      if (size() < 2 || exact::orient_sign(from_end(2), from_end(1), ring_[i]) != 0) break;
+      if (merges() && from_end(1) == ring_[i]) return log_.add(RegionRepairKind::duplicate_vertices, ring_[i]);
+      if (!straightens() || size() < 2 || exact::orient_sign(from_end(2), from_end(1), ring_[i]) != 0) break;
+      log_.add(RegionRepairKind::collinear_vertices, from_end(1));
       kept_.pop_back();
-      ++report_.collinear_vertices;
     }
     kept_.push_back(i);
   }
 
   void close_seam() {
     while (size() >= 2) {
-      if (from_end(1) == from_start(0)) {
+      if (merges() && from_end(1) == from_start(0)) {
+        log_.add(RegionRepairKind::duplicate_vertices, from_end(1));
         kept_.pop_back();
-        ++report_.duplicate_vertices;
-      } else if (size() >= 3 && exact::orient_sign(from_end(2), from_end(1), from_start(0)) == 0) {
+      } else if (bends_nowhere(from_end(2), from_end(1), from_start(0))) {
+        log_.add(RegionRepairKind::collinear_vertices, from_end(1));
         kept_.pop_back();
-        ++report_.collinear_vertices;
-      } else if (size() >= 3 && exact::orient_sign(from_end(1), from_start(0), from_start(1)) == 0) {
+      } else if (bends_nowhere(from_end(1), from_start(0), from_start(1))) {
+        log_.add(RegionRepairKind::collinear_vertices, from_start(0));
         ++first_;
-        ++report_.collinear_vertices;
       } else {
         return;
       }
@@ -71,7 +103,7 @@ class RingMender {
   }
 
   const Ring& ring_;
-  RepairReport& report_;
+  RepairNotes& log_;
   std::vector<std::uint32_t> kept_;
   std::size_t first_ = 0;
 };
@@ -95,12 +127,17 @@ bool runs_counter_clockwise(const Ring& ring) {
   return outgoing;
 }
 
-RepairedChain repair_ring(const Ring& ring, bool outer, RepairReport& report) {
-  RepairedChain result = RingMender(ring, report).run();
-  if (result.chain.empty()) {
-    ++report.dropped_rings;
-  } else if (runs_counter_clockwise(result.chain) != outer) {
-    ++report.reversed_rings;
+bool is_dropped(const Ring& chain, const RepairNotes& log) {
+  return chain.empty() && log.may(RegionRepairKind::empty_rings);
+}
+
+RepairedChain repair_ring(const Ring& ring, bool outer, RepairNotes& log) {
+  RepairedChain result = RingMender(ring, log).run();
+  if (is_dropped(result.chain, log)) {
+    log.add(RegionRepairKind::empty_rings, ring.empty() ? Point{} : ring.front());
+  } else if (log.may(RegionRepairKind::reversed_rings) && result.chain.size() > 2 &&
+             runs_counter_clockwise(result.chain) != outer) {
+    log.add(RegionRepairKind::reversed_rings, result.chain.front());
     std::reverse(result.chain.begin() + 1, result.chain.end());
     std::reverse(result.source.begin() + 1, result.source.end());
   }
@@ -108,26 +145,41 @@ RepairedChain repair_ring(const Ring& ring, bool outer, RepairReport& report) {
 }
 
 // Folds stay: the end of a fold belongs to the set.
-RepairedChain repair_polyline(const Polyline& line, RepairReport& report) {
+RepairedChain repair_polyline(const Polyline& line, RepairNotes& log) {
   RepairedChain result;
   std::vector<Point>& kept = result.chain;
   for (std::uint32_t i = 0; i < line.size(); ++i) {
-    if (!kept.empty() && kept.back() == line[i]) {
-      ++report.duplicate_vertices;
+    if (log.may(RegionRepairKind::duplicate_vertices) && !kept.empty() && kept.back() == line[i]) {
+      log.add(RegionRepairKind::duplicate_vertices, line[i]);
       continue;
     }
-    if (kept.size() >= 2) {
+    if (log.may(RegionRepairKind::collinear_vertices) && kept.size() >= 2) {
       const Point a = kept[kept.size() - 2], b = kept.back();
       if (exact::orient_sign(a, b, line[i]) == 0 && exact::dot_sign(a, b, b, line[i]) > 0) {
+        log.add(RegionRepairKind::collinear_vertices, kept.back());
         kept.pop_back();
         result.source.pop_back();
-        ++report.collinear_vertices;
       }
     }
     kept.push_back(line[i]);
     result.source.push_back(i);
   }
   return result;
+}
+
+// A ring's coordinates from its smallest vertex on: equal for rings that are written alike but for where they begin.
+using RingKey = std::vector<std::pair<double, double>>;
+RingKey key_of(const Ring& ring) {
+  RingKey key;
+  for (const Point p : ring) key.emplace_back(p.x, p.y);
+  std::rotate(key.begin(), std::min_element(key.begin(), key.end()), key.end());
+  return key;
+}
+// Of a part: its holes in any order.
+std::pair<RingKey, std::set<RingKey>> key_of(const Part& part) {
+  std::set<RingKey> holes;
+  for (const Ring& hole : part.holes) holes.insert(key_of(hole));
+  return {key_of(part.outer), std::move(holes)};
 }
 
 // A repaired ring and the numbers it had in the given data.
@@ -141,6 +193,8 @@ class SourceNames {
  public:
   void start_part() { parts_.emplace_back(); }
   void add_ring(RingSource source) { parts_.back().push_back(std::move(source)); }
+
+  void drop_last_part() { parts_.pop_back(); }
 
   void rename(Evidence& evidence) const {
     rename(evidence.part, evidence.ring, evidence.vertex);
@@ -172,23 +226,38 @@ Error homeless_hole(std::int64_t part, std::int64_t ring, const RepairedChain& h
 }
 
 std::optional<Error> repair_part(const Part& part, std::int64_t index, RegionData& result, SourceNames& names,
-                                 RepairReport& report) {
-  RepairedChain outer = repair_ring(part.outer, true, report);
-  const bool keep = !outer.chain.empty();
+                                 RepairNotes& log) {
+  RepairedChain outer = repair_ring(part.outer, true, log);
+  const bool keep = !is_dropped(outer.chain, log);
   if (keep) {
     result.parts.push_back({std::move(outer.chain), {}});
     names.start_part();
     names.add_ring({index, 0, std::move(outer.source)});
   }
+  std::set<RingKey> holes;
   for (std::size_t h = 0; h < part.holes.size(); ++h) {
     const auto ring = static_cast<std::int64_t>(h + 1);
-    RepairedChain hole = repair_ring(part.holes[h], false, report);
-    if (hole.chain.empty()) continue;
+    RepairedChain hole = repair_ring(part.holes[h], false, log);
+    if (is_dropped(hole.chain, log)) continue;
     if (!keep) return homeless_hole(index, ring, hole);
+    if (log.may(RegionRepairKind::duplicate_rings) && !holes.insert(key_of(hole.chain)).second) {
+      log.add(RegionRepairKind::duplicate_rings, hole.chain.front());
+      continue;
+    }
     result.parts.back().holes.push_back(std::move(hole.chain));
     names.add_ring({index, ring, std::move(hole.source)});
   }
   return std::nullopt;
+}
+
+using PartKeys = std::set<std::pair<RingKey, std::set<RingKey>>>;
+
+// Drops the last part where one before it is the same.
+void drop_if_known(RegionData& result, PartKeys& known, SourceNames& names, RepairNotes& log) {
+  if (!log.may(RegionRepairKind::duplicate_rings) || known.insert(key_of(result.parts.back())).second) return;
+  log.add(RegionRepairKind::duplicate_rings, result.parts.back().outer.front());
+  result.parts.pop_back();
+  names.drop_last_part();
 }
 
 Error empty_polyline(std::int64_t index) {
@@ -215,28 +284,59 @@ std::string RepairReport::to_string() const {
   return text;
 }
 
+std::vector<RegionRepairKind> all_region_repairs() {
+  return {RegionRepairKind::duplicate_vertices, RegionRepairKind::collinear_vertices,
+          RegionRepairKind::reversed_rings,     RegionRepairKind::empty_rings,
+          RegionRepairKind::duplicate_rings,    RegionRepairKind::short_polylines};
+}
+
+std::vector<RegionRepairKind> RegionRepairLog::kinds() const {
+  std::vector<RegionRepairKind> made;
+  for (const RegionRepairMark& mark : marks)
+    if (made.empty() || made.back() != mark.kind) made.push_back(mark.kind);
+  return made;
+}
+
+std::string RegionRepairLog::to_string() const {
+  if (duplicate_rings == 0) return counts.to_string();
+  return (counts.changed() ? counts.to_string() + ", " : "") + std::to_string(duplicate_rings) +
+         (duplicate_rings == 1 ? " ring that was there already dropped" : " rings that were there already dropped");
+}
+
 Result<Repaired> repair(RegionData data) {
+  RegionRepairOptions options;
+  std::erase(options.kinds, RegionRepairKind::duplicate_rings);  // which the report does not count
+  Result<LoggedRegion> logged = repair(std::move(data), options);
+  if (!logged) return logged.error();
+  LoggedRegion repaired = std::move(logged).value();
+  return Repaired{std::move(repaired.region), repaired.log.counts};
+}
+
+Result<LoggedRegion> repair(RegionData data, const RegionRepairOptions& options) {
   if (std::optional<Error> error = planar::check_finite(data)) return *std::move(error);
-  RepairReport report;
+  RepairNotes log(options);
+  PartKeys known;
   RegionData result;
   SourceNames names;
   for (std::size_t i = 0; i < data.parts.size(); ++i) {
-    auto error = repair_part(data.parts[i], static_cast<std::int64_t>(i), result, names, report);
+    const std::size_t before = result.parts.size();
+    auto error = repair_part(data.parts[i], static_cast<std::int64_t>(i), result, names, log);
     if (error) return *std::move(error);
+    if (result.parts.size() > before) drop_if_known(result, known, names, log);
   }
   result.points = std::move(data.points);
   for (std::size_t i = 0; i < data.polylines.size(); ++i) {
-    RepairedChain repaired = repair_polyline(data.polylines[i], report);
+    RepairedChain repaired = repair_polyline(data.polylines[i], log);
     if (repaired.chain.empty()) return empty_polyline(static_cast<std::int64_t>(i));
-    if (repaired.chain.size() == 1) {
-      ++report.polylines_to_points;
+    if (repaired.chain.size() == 1 && log.may(RegionRepairKind::short_polylines)) {
+      log.add(RegionRepairKind::short_polylines, repaired.chain.front());
       result.points.push_back(repaired.chain.front());
     } else {
       result.polylines.push_back(std::move(repaired.chain));
     }
   }
   Result<Region> region = Region::create(std::move(result));
-  if (region) return Repaired{std::move(region).value(), report};
+  if (region) return LoggedRegion{std::move(region).value(), log.log()};
   Error error = region.error();
   names.rename(error.evidence);
   return error;

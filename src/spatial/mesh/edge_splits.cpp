@@ -201,7 +201,7 @@ EdgeSplits split_open_edges(const std::vector<Point3>& vertices, std::vector<Fac
       std::erase_if(along, has);
       if (along.size() > left) along.clear();
       left -= along.size();
-      splits.count += !along.empty();
+      if (!along.empty()) splits.at.push_back(along.front());
       for (const std::uint32_t w : along)
         splits.largest_gap =
             std::max(splits.largest_gap, gap(vertices[edges.origin[h]], vertices[edges.target(h)], vertices[w]));

@@ -1,7 +1,6 @@
 // T-junctions: edges with one face along which vertices of other faces lie, as exporters write them.
 #pragma once
 
-#include <cstddef>
 #include <cstdint>
 #include <vector>
 
@@ -17,8 +16,8 @@ bool is_near_edge(const Point3& u, const Point3& v, const Point3& w);
 bool is_needle(const std::vector<Point3>& vertices, const Face& face);
 
 struct EdgeSplits {
-  std::size_t count = 0;   ///< edges of faces that were split
-  double largest_gap = 0;  ///< of a vertex from the edge that it was put into, up to a relative error of 2^-48
+  std::vector<std::uint32_t> at;  ///< of every edge of a face that was split: the first vertex that it was split at
+  double largest_gap = 0;         ///< of a vertex from the edge that it was put into, up to a relative error of 2^-48
 };
 
 /// Puts vertices into the open edges of faces, those with one face: where other open edges lead from one end to the

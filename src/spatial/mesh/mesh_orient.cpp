@@ -88,31 +88,82 @@ bool all_faces_valid(const MeshData& data) {
   });
 }
 
-std::size_t turn_faces(MeshData& data) {
+std::vector<std::uint32_t> turn_faces(MeshData& data) {
   const std::vector<bool> turned = disagreeing_faces(data.faces);
-  for (std::size_t f = 0; f < turned.size(); ++f)
-    if (turned[f]) turn_over(data.faces[f]);
-  return static_cast<std::size_t>(std::count(turned.begin(), turned.end(), true));
+  std::vector<std::uint32_t> faces;
+  for (std::uint32_t f = 0; f < turned.size(); ++f) {
+    if (!turned[f]) continue;
+    turn_over(data.faces[f]);
+    faces.push_back(f);
+  }
+  return faces;
 }
 
-TurnedShells turn_shells(MeshData& data) {
+namespace {
+
+/// What every shell is to become.
+struct ShellFates {
+  std::vector<bool> turned, cavity, dropped;
+};
+
+/// Inward exactly where an odd number of others lie around.
+ShellFates as_cavities(const std::vector<int>& signs, const std::vector<std::vector<std::uint32_t>>& around,
+                       const ShellRepairs& repairs) {
+  ShellFates fates{std::vector<bool>(signs.size()), std::vector<bool>(signs.size()), std::vector<bool>(signs.size())};
+  for (std::size_t s = 0; s < signs.size(); ++s) {
+    const bool inner = around[s].size() % 2 == 1, wrong = signs[s] == (inner ? 1 : -1);
+    for (const std::uint32_t next : around[s])  // the innermost one of them
+      if (inner && around[next].size() + 1 == around[s].size() && signs[next] == signs[s]) fates.cavity[s] = true;
+    fates.turned[s] = wrong && (fates.cavity[s] ? repairs.nested.has_value() : repairs.reverse);
+    fates.cavity[s] = fates.cavity[s] && repairs.nested;
+  }
+  return fates;
+}
+
+/// By the winding number on both sides of every shell.
+ShellFates as_bodies(std::vector<int> signs, const std::vector<std::vector<std::uint32_t>>& around,
+                     const ShellRepairs& repairs) {
+  ShellFates fates{std::vector<bool>(signs.size()), std::vector<bool>(signs.size()), std::vector<bool>(signs.size())};
+  for (std::size_t s = 0; s < signs.size(); ++s) {
+    if (!around[s].empty() || signs[s] > 0 || !repairs.reverse) continue;
+    fates.turned[s] = true;
+    signs[s] = 1;
+  }
+  for (std::size_t s = 0; s < signs.size(); ++s) {
+    int outside = 0;
+    for (const std::uint32_t t : around[s]) outside += signs[t];
+    const int inside = outside + signs[s];
+    fates.dropped[s] = (outside != 0) == (inside != 0);
+    if (!fates.dropped[s] && (inside != 0) != (signs[s] > 0)) fates.turned[s] = repairs.reverse;
+  }
+  return fates;
+}
+
+}  // namespace
+
+TurnedShells turn_shells(MeshData& data, const ShellRepairs& repairs) {
   HalfEdges edges = half_edges_without_twins(data.faces);
   if (!is_closed(edges, data)) return {};
   const Shells shells = find_shells(edges);
   const std::vector<int> signs = shell_signs(data, shells);
+  const bool bodies = repairs.nested == NestedShells::solid;
   const std::vector<std::vector<std::uint32_t>> around = shells_around(data, shells);
-  TurnedShells turned;
-  std::vector<bool> wrong(shells.count);
-  for (std::uint32_t s = 0; s < shells.count; ++s) {
-    const bool cavity = around[s].size() % 2 == 1;
-    wrong[s] = signs[s] == (cavity ? 1 : -1);
-    turned.count += wrong[s];
-    for (const std::uint32_t next : around[s])  // the innermost one of them
-      turned.cavities += cavity && around[next].size() + 1 == around[s].size() && signs[next] == signs[s];
+  const ShellFates fates = bodies ? as_bodies(signs, around, repairs) : as_cavities(signs, around, repairs);
+  TurnedShells result;
+  if (std::find(fates.dropped.begin(), fates.dropped.end(), true) != fates.dropped.end())
+    result.dropped.resize(data.faces.size());
+  std::vector<bool> seen(shells.count);
+  for (std::uint32_t f = 0; f < data.faces.size(); ++f) {
+    const std::uint32_t s = shells.of_face[f];
+    const bool first = !seen[s];
+    seen[s] = true;
+    if (fates.turned[s]) turn_over(data.faces[f]);
+    if (first && fates.turned[s]) result.turned.push_back(f);
+    if (first && fates.cavity[s]) result.cavities.push_back(f);
+    if (first && fates.dropped[s]) result.bodies.push_back(f);
+    if (fates.dropped[s]) result.dropped[f] = true;
   }
-  for (std::size_t f = 0; f < data.faces.size(); ++f)
-    if (wrong[shells.of_face[f]]) turn_over(data.faces[f]);
-  return turned;
+  return result;
 }
 
 }  // namespace dymsum::spatial

@@ -1,16 +1,14 @@
 // The named repair of meshes.
 #include <algorithm>
-#include <cstdio>
-#include <numeric>
 #include <optional>
 #include <string>
-#include <tuple>
 #include <utility>
 
-#include "dymsum/mesh.h"
+#include "dymsum/named_repairs.h"
 #include "exact/orient3.h"
 #include "spatial/mesh/edge_order.h"
 #include "spatial/mesh/edge_splits.h"
+#include "spatial/mesh/equal_positions.h"
 #include "spatial/mesh/mesh_orient.h"
 #include "spatial/mesh/mesh_repair.h"
 #include "spatial/mesh/mesh_validate.h"
@@ -25,31 +23,34 @@ namespace spatial {
 
 namespace {
 
-struct RepairOptions {
+struct RepairMode {
   bool thin_parts = false;    ///< points, segments and open surfaces stay
   bool drop_needles = false;  ///< triangles that are nearly a line go
 };
 
 class MeshRepair {
  public:
-  MeshRepair(MeshData data, const RepairOptions& options) : data_(std::move(data)), options_(options) {}
+  MeshRepair(MeshData data, const MeshRepairOptions& options, const RepairMode& mode)
+      : data_(std::move(data)), options_(options), mode_(mode) {}
 
-  Result<RepairedMesh> run() {
+  Result<LoggedMesh> run() {
     if (auto error = check_lists()) return *std::move(error);
     repair_faces();
     orient();
     drop_unused_vertices();
-    Result<Mesh> mesh = options_.thin_parts ? Mesh::with_thin_parts(std::move(data_)) : Mesh::create(std::move(data_));
+    Result<Mesh> mesh = mode_.thin_parts ? Mesh::with_thin_parts(std::move(data_)) : Mesh::create(std::move(data_));
     if (!mesh) return in_the_input(mesh.error());
-    return RepairedMesh{std::move(mesh).value(), report_};
+    log_.marks = marks_.all();
+    return LoggedMesh{std::move(mesh).value(), std::move(log_)};
   }
 
   Result<PreparedSurface> prepare() {
     if (auto error = check_lists()) return *std::move(error);
     repair_faces();
-    report_.reversed_faces = turn_faces(data_);
+    if (may(MeshRepairKind::reversed_faces)) reverse_faces(data_);
     drop_unused_vertices();
-    return PreparedSurface{std::move(data_), report_};
+    log_.marks = marks_.all();
+    return PreparedSurface{std::move(data_), std::move(log_)};
   }
 
  private:
@@ -58,34 +59,41 @@ class MeshRepair {
     return check_indices(data_);
   }
 
+  bool may(MeshRepairKind kind) const { return allows(options_, kind); }
+  void mark(MeshRepairKind kind, std::uint32_t vertex) { marks_.add(kind, data_.vertices[vertex]); }
+  void mark_face(MeshRepairKind kind, const Face& face) {
+    if (!face.empty()) mark(kind, face.front());
+  }
+
   void repair_faces() {
     merge_vertices();
     drop_degenerate_faces();
-    if (options_.drop_needles) drop_needles();
-    if (!options_.thin_parts) close_cracks_of_faces();
-    split_edges();
-    if (!options_.thin_parts) fill_small_holes();
-    split_faces();
+    if (mode_.drop_needles) drop_needles();
+    if (!mode_.thin_parts && may(MeshRepairKind::cracks)) close_cracks_of_faces();
+    if (may(MeshRepairKind::t_junctions)) split_edges();
+    if (!mode_.thin_parts && may(MeshRepairKind::holes)) fill_small_holes();
+    if (may(MeshRepairKind::split_faces)) split_faces();
   }
 
   /// Every face names the first of the vertices at its positions.
   void merge_vertices() {
-    const std::vector<Point3>& points = data_.vertices;
-    std::vector<std::uint32_t> order(points.size()), first(points.size());
-    std::iota(order.begin(), order.end(), 0u);
-    std::sort(order.begin(), order.end(), [&](std::uint32_t a, std::uint32_t b) {
-      return std::tie(points[a].x, points[a].y, points[a].z, a) < std::tie(points[b].x, points[b].y, points[b].z, b);
-    });
-    for (std::size_t i = 0; i < order.size(); ++i) {
-      const bool again = i > 0 && points[order[i]] == points[order[i - 1]];
-      first[order[i]] = again ? first[order[i - 1]] : order[i];
-      report_.duplicate_vertices += again;
+    is_duplicate_.resize(data_.vertices.size());
+    if (!may(MeshRepairKind::duplicate_vertices)) return;
+    const std::vector<std::uint32_t> first = first_at_position(data_.vertices);
+    for (std::uint32_t v = 0; v < first.size(); ++v) {
+      is_duplicate_[v] = first[v] != v;
+      if (!is_duplicate_[v]) continue;
+      ++log_.counts.duplicate_vertices;
+      mark(MeshRepairKind::duplicate_vertices, v);
     }
-    is_duplicate_.resize(points.size());
-    for (std::uint32_t v = 0; v < points.size(); ++v) is_duplicate_[v] = first[v] != v;
     for (Face& face : data_.faces) {
       for (std::uint32_t& v : face) v = first[v];
     }
+  }
+
+  static void drop_repeated(Face& face) {
+    face.erase(std::unique(face.begin(), face.end()), face.end());
+    while (face.size() > 1 && face.front() == face.back()) face.pop_back();
   }
 
   bool has_area(const Face& face) const {
@@ -100,11 +108,11 @@ class MeshRepair {
     const std::vector<std::int64_t> before = std::exchange(face_origin_, {});
     for (std::size_t f = 0; f < data_.faces.size(); ++f) {
       Face face = std::move(data_.faces[f]);
-      const bool thin = options_.thin_parts && (face.size() == 1 || face.size() == 2);
-      face.erase(std::unique(face.begin(), face.end()), face.end());
-      while (face.size() > 1 && face.front() == face.back()) face.pop_back();
-      if (!thin && !has_area(face)) {
-        ++report_.degenerate_faces;
+      const bool thin = mode_.thin_parts && (face.size() == 1 || face.size() == 2);
+      if (may(MeshRepairKind::duplicate_vertices)) drop_repeated(face);
+      if (!thin && may(MeshRepairKind::degenerate_faces) && !has_area(face)) {
+        ++log_.counts.degenerate_faces;
+        mark_face(MeshRepairKind::degenerate_faces, face);
         continue;
       }
       kept.push_back(std::move(face));
@@ -114,11 +122,14 @@ class MeshRepair {
   }
 
   template <class Drop>
-  std::size_t drop_faces(Drop drop) {
+  std::size_t drop_faces(MeshRepairKind kind, Drop drop) {
     std::size_t kept = 0;
     const std::size_t all = data_.faces.size();
     for (std::size_t f = 0; f < all; ++f) {
-      if (drop(f)) continue;
+      if (drop(f)) {
+        mark_face(kind, data_.faces[f]);
+        continue;
+      }
       if (kept != f) data_.faces[kept] = std::move(data_.faces[f]);
       face_origin_[kept++] = face_origin_[f];
     }
@@ -128,28 +139,34 @@ class MeshRepair {
   }
 
   void drop_needles() {
-    const std::vector<bool> thin = options_.thin_parts ? thin_faces(data_.faces) : std::vector<bool>{};
-    report_.needles = drop_faces(
-        [&](std::size_t f) { return (thin.empty() || !thin[f]) && is_needle(data_.vertices, data_.faces[f]); });
+    const std::vector<bool> thin = mode_.thin_parts ? thin_faces(data_.faces) : std::vector<bool>{};
+    log_.counts.needles = drop_faces(MeshRepairKind::needles, [&](std::size_t f) {
+      return (thin.empty() || !thin[f]) && is_needle(data_.vertices, data_.faces[f]);
+    });
   }
 
   void split_edges() {
     const EdgeSplits splits = split_open_edges(data_.vertices, data_.faces);
-    report_.split_edges += splits.count;
-    report_.largest_gap = std::max(report_.largest_gap, splits.largest_gap);
+    log_.counts.split_edges += splits.at.size();
+    for (const std::uint32_t v : splits.at) mark(MeshRepairKind::t_junctions, v);
+    log_.counts.largest_gap = std::max(log_.counts.largest_gap, splits.largest_gap);
   }
 
   /// Before edges are split: what lies along a crack may be near its other side's edges, too.
   void close_cracks_of_faces() {
-    const ClosedCracks cracks = close_cracks(data_.vertices, data_.faces);
-    report_.cracks = cracks.merged;
-    report_.largest_crack = cracks.furthest;
-    if (cracks.merged > 0) drop_degenerate_faces();
+    const ClosedCracks cracks = close_cracks(data_.vertices, data_.faces, options_.crack_width);
+    log_.counts.cracks = cracks.merged.size();
+    log_.counts.largest_crack = cracks.furthest;
+    for (const std::uint32_t v : cracks.merged) mark(MeshRepairKind::cracks, v);
+    if (cracks.merged.empty()) return;
+    for (Face& face : data_.faces) drop_repeated(face);
+    drop_degenerate_faces();
   }
 
   void fill_small_holes() {
     const FilledHoles holes = fill_holes(data_.vertices, data_.faces);
-    report_.holes = holes.count;
+    log_.counts.holes = holes.at.size();
+    for (const std::uint32_t v : holes.at) mark(MeshRepairKind::holes, v);
     for (const std::uint32_t f : holes.beside) face_origin_.push_back(face_origin_[f]);
   }
 
@@ -180,7 +197,8 @@ class MeshRepair {
     std::vector<std::int64_t> origins;
     for (std::size_t f = 0; f < data_.faces.size(); ++f) {
       const std::vector<Face> pieces = pieces_of(data_.faces[f]);
-      report_.split_faces += pieces.size() > 1;
+      log_.counts.split_faces += pieces.size() > 1;
+      if (pieces.size() > 1) mark_face(MeshRepairKind::split_faces, pieces.front());
       origins.insert(origins.end(), pieces.size(), face_origin_[f]);
       faces.insert(faces.end(), pieces.begin(), pieces.end());
     }
@@ -188,23 +206,48 @@ class MeshRepair {
     face_origin_ = std::move(origins);
   }
 
+  void reverse_faces(MeshData& data) {
+    const std::vector<std::uint32_t> turned = turn_faces(data);
+    log_.counts.reversed_faces = turned.size();
+    for (const std::uint32_t f : turned) mark_face(MeshRepairKind::reversed_faces, data.faces[f]);
+  }
+
   /// What bounds a solid is oriented; it does not matter which way parts without volume run. What parts the inside of
   /// the solid bounds nothing, and is dropped where parts without volume are not kept.
   void orient() {
-    std::vector<bool> thin = options_.thin_parts ? thin_faces(data_.faces) : std::vector<bool>{};
+    std::vector<bool> thin = mode_.thin_parts ? thin_faces(data_.faces) : std::vector<bool>{};
     thin.resize(data_.faces.size());
+    std::vector<bool> nested(data_.faces.size());
     for_the_others(thin, [&](MeshData& solid, const std::vector<std::size_t>& origin) {
-      report_.reversed_faces = turn_faces(solid);
+      if (may(MeshRepairKind::reversed_faces)) reverse_faces(solid);
+      if (!mode_.thin_parts && !may(MeshRepairKind::membranes)) return;
       const std::vector<bool> inner = inner_faces(solid);
       for (std::size_t k = 0; k < inner.size(); ++k)
         if (inner[k]) thin[origin[k]] = true;
     });
-    for_the_others(thin, [&](MeshData& solid, const std::vector<std::size_t>&) {
-      const TurnedShells turned = turn_shells(solid);
-      report_.reversed_shells = turned.count;
-      report_.cavities = turned.cavities;
+    for_the_others(thin, [&](MeshData& solid, const std::vector<std::size_t>& origin) {
+      const TurnedShells turned = orient_shells(solid);
+      for (std::size_t k = 0; k < turned.dropped.size(); ++k) nested[origin[k]] = turned.dropped[k];
     });
-    if (!options_.thin_parts) report_.membranes = drop_faces([&](std::size_t f) { return bool{thin[f]}; });
+    if (!mode_.thin_parts)
+      log_.counts.membranes = drop_faces(MeshRepairKind::membranes, [&](std::size_t f) { return bool{thin[f]}; });
+    // Where there are nested bodies there are no membranes: shells are closed, and nothing was dropped.
+    if (log_.nested_bodies > 0)
+      drop_faces(MeshRepairKind::nested_shells, [&](std::size_t f) { return bool{nested[f]}; });
+  }
+
+  TurnedShells orient_shells(MeshData& solid) {
+    ShellRepairs repairs{may(MeshRepairKind::reversed_shells), std::nullopt};
+    if (may(MeshRepairKind::nested_shells)) repairs.nested = options_.nested;
+    TurnedShells turned = turn_shells(solid, repairs);
+    log_.counts.reversed_shells = turned.turned.size();
+    log_.counts.cavities = turned.cavities.size();
+    log_.nested_bodies = turned.bodies.size();
+    for (const std::uint32_t f : turned.cavities) mark_face(MeshRepairKind::nested_shells, solid.faces[f]);
+    for (const std::uint32_t f : turned.turned)
+      if (std::find(turned.cavities.begin(), turned.cavities.end(), f) == turned.cavities.end())
+        mark_face(MeshRepairKind::reversed_shells, solid.faces[f]);
+    return turned;
   }
 
   /// Membranes; none where faces cross, as what begins inside may end outside then.
@@ -238,8 +281,10 @@ class MeshRepair {
     std::vector<std::uint32_t> position(data_.vertices.size());
     std::vector<Point3> kept;
     for (std::size_t v = 0; v < used.size(); ++v) {
-      if (!used[v]) {
-        report_.unused_vertices += !is_duplicate_[v];
+      const auto index = static_cast<std::uint32_t>(v);
+      if (!used[v] && (is_duplicate_[v] || may(MeshRepairKind::unused_vertices))) {
+        log_.counts.unused_vertices += !is_duplicate_[v];
+        if (!is_duplicate_[v]) mark(MeshRepairKind::unused_vertices, index);
         continue;
       }
       position[v] = static_cast<std::uint32_t>(kept.size());
@@ -265,76 +310,55 @@ class MeshRepair {
   }
 
   MeshData data_;
-  RepairOptions options_;
-  MeshRepairReport report_;
+  const MeshRepairOptions& options_;
+  RepairMode mode_;
+  MeshRepairLog log_;
+  RepairMarks marks_;
   std::vector<bool> is_duplicate_;
   std::vector<std::int64_t> face_origin_, vertex_origin_;
 };
 
 /// Triangles that are nearly a line are dropped only where they are in the way.
-Result<RepairedMesh> repaired(MeshData data, RepairOptions options) {
-  Result<RepairedMesh> made = MeshRepair(data, options).run();
-  if (made || made.error().code != ErrorCode::faces_cross) return made;
+Result<LoggedMesh> repaired(MeshData data, const MeshRepairOptions& options, RepairMode mode) {
+  Result<LoggedMesh> made = MeshRepair(data, options, mode).run();
+  if (made || made.error().code != ErrorCode::faces_cross || !allows(options, MeshRepairKind::needles)) return made;
   const auto needle = [&](const Face& face) { return is_needle(data.vertices, face); };
   if (std::none_of(data.faces.begin(), data.faces.end(), needle)) return made;
-  options.drop_needles = true;
-  Result<RepairedMesh> without = MeshRepair(std::move(data), options).run();
+  mode.drop_needles = true;
+  Result<LoggedMesh> without = MeshRepair(std::move(data), options, mode).run();
   return without ? without : made;
 }
 
 }  // namespace
 
-Result<PreparedSurface> prepared_surface(MeshData data) { return MeshRepair(std::move(data), {}).prepare(); }
+Result<PreparedSurface> prepared_surface(MeshData data, const MeshRepairOptions& options) {
+  return MeshRepair(std::move(data), options, {}).prepare();
+}
 
 }  // namespace spatial
 
-Result<RepairedMesh> repair(MeshData data) { return spatial::repaired(std::move(data), {}); }
+namespace {
 
-Result<RepairedMesh> repair_with_thin_parts(MeshData data) {
-  spatial::RepairOptions options;
-  options.thin_parts = true;
-  return spatial::repaired(std::move(data), options);
+Result<RepairedMesh> without_log(Result<LoggedMesh> logged) {
+  if (!logged) return logged.error();
+  LoggedMesh mesh = std::move(logged).value();
+  return RepairedMesh{std::move(mesh.mesh), mesh.log.counts};
 }
 
-std::string MeshRepairReport::to_string() const {
-  std::string text;
-  const auto say = [&](std::size_t n, const char* one, const char* many) {
-    if (n > 0) text += (text.empty() ? "" : ", ") + std::to_string(n) + " " + (n == 1 ? one : many);
-  };
-  say(duplicate_vertices, "duplicate vertex merged", "duplicate vertices merged");
-  say(unused_vertices, "unused vertex dropped", "unused vertices dropped");
-  say(degenerate_faces, "face without area dropped", "faces without area dropped");
-  say(needles, "needle that lay on its neighbours dropped", "needles that lay on their neighbours dropped");
-  say(split_edges, "edge split at vertices of its neighbours", "edges split at vertices of their neighbours");
-  if (largest_gap > 0) {
-    char gap[32];
-    std::snprintf(gap, sizeof gap, "%.3g", largest_gap);
-    text += std::string(" (the furthest ") + gap + " off)";
-  }
-  say(cracks, "vertex merged across a crack", "vertices merged across cracks");
-  if (cracks > 0) {
-    char wide[32];
-    std::snprintf(wide, sizeof wide, "%.3g", largest_crack);
-    text += std::string(" (at most ") + wide + " wide)";
-  }
-  say(holes, "small hole filled", "small holes filled");
-  say(split_faces, "face split into triangles", "faces split into triangles");
-  say(reversed_faces, "face turned over", "faces turned over");
-  say(reversed_shells, "shell turned right", "shells turned right");
-  say(cavities, "shell that ran the same way as the one around it made a cavity",
-      "shells that ran the same way as those around them made cavities");
-  say(membranes, "face inside the solid dropped", "faces inside the solid dropped");
-  if (united) {
-    text += std::string(text.empty() ? "" : ", ") + "what crossed or overlapped united (" +
-            std::to_string(united_crossings) + (united_crossings == 1 ? " new vertex" : " new vertices");
-    if (united_distance > 0) {
-      char within[48];
-      std::snprintf(within, sizeof within, ", merged within %.3g", united_distance);
-      text += within;
-    }
-    text += ")";
-  }
-  return text.empty() ? "nothing to repair" : text;
+}  // namespace
+
+Result<LoggedMesh> repair(MeshData data, const MeshRepairOptions& options) {
+  return spatial::repaired(std::move(data), options, {});
+}
+Result<LoggedMesh> repair_with_thin_parts(MeshData data, const MeshRepairOptions& options) {
+  spatial::RepairMode mode;
+  mode.thin_parts = true;
+  return spatial::repaired(std::move(data), options, mode);
+}
+
+Result<RepairedMesh> repair(MeshData data) { return without_log(repair(std::move(data), MeshRepairOptions{})); }
+Result<RepairedMesh> repair_with_thin_parts(MeshData data) {
+  return without_log(repair_with_thin_parts(std::move(data), MeshRepairOptions{}));
 }
 
 }  // namespace dymsum

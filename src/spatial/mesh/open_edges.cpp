@@ -62,7 +62,7 @@ std::vector<std::pair<std::uint32_t, std::uint32_t>> pairs_in_faces(const std::v
 
 }  // namespace
 
-ClosedCracks close_cracks(const std::vector<Point3>& vertices, std::vector<Face>& faces) {
+ClosedCracks close_cracks(const std::vector<Point3>& vertices, std::vector<Face>& faces, std::optional<double> width) {
   ClosedCracks closed;
   const HalfEdges edges = half_edges_without_twins(faces);
   std::vector<bool> is_open(vertices.size());
@@ -76,7 +76,7 @@ ClosedCracks close_cracks(const std::vector<Point3>& vertices, std::vector<Face>
            std::tie(vertices[b].x, vertices[b].y, vertices[b].z, b);
   });
   const auto neighbours = pairs_in_faces(faces, is_open);
-  const double near = kCrack * diagonal(vertices, faces);
+  const double near = width ? *width : kCrack * diagonal(vertices, faces);
   std::vector<std::uint32_t> name(vertices.size());
   std::iota(name.begin(), name.end(), 0u);
   for (std::size_t i = 0; i < order.size(); ++i) {
@@ -89,7 +89,7 @@ ClosedCracks close_cracks(const std::vector<Point3>& vertices, std::vector<Face>
           std::binary_search(neighbours.begin(), neighbours.end(), std::pair(std::min(a, b), std::max(a, b))))
         continue;
       name[b] = a;
-      ++closed.merged;
+      closed.merged.push_back(b);
       closed.furthest = std::max(closed.furthest, distance);
     }
   }
@@ -132,7 +132,7 @@ FilledHoles fill_holes(const std::vector<Point3>& vertices, std::vector<Face>& f
       return exact::collinear(vertices[t[0]], vertices[t[1]], vertices[t[2]]);
     });
     if (!sound) continue;
-    ++filled.count;
+    filled.at.push_back(edges.origin[start]);
     for (const Triangle& t : triangles) {
       faces.emplace_back(t.begin(), t.end());
       filled.beside.push_back(edges.face[start]);

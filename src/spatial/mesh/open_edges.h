@@ -2,8 +2,8 @@
 // one, and small holes.
 #pragma once
 
-#include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <vector>
 
 #include "dymsum/mesh.h"
@@ -11,16 +11,18 @@
 namespace dymsum::spatial {
 
 struct ClosedCracks {
-  std::size_t merged = 0;  ///< vertices that became another one
-  double furthest = 0;     ///< the largest distance between the two
+  std::vector<std::uint32_t> merged;  ///< vertices that became another one
+  double furthest = 0;                ///< the largest distance between the two
 };
 
-/// Vertices of open edges that are nearer than 2^-20 of the surface's diagonal to another one, and no neighbours of it
-/// in a face, become that: the first one in the order by x, y, z. O(n log n) where few are that near along x.
-ClosedCracks close_cracks(const std::vector<Point3>& vertices, std::vector<Face>& faces);
+/// Vertices of open edges that are no further than `width` (nothing: 2^-20 of the surface's diagonal) from another one,
+/// and no neighbours of it in a face, become that: the first one in the order by x, y, z. O(n log n) where few are that
+/// near along x.
+ClosedCracks close_cracks(const std::vector<Point3>& vertices, std::vector<Face>& faces,
+                          std::optional<double> width = std::nullopt);
 
 struct FilledHoles {
-  std::size_t count = 0;
+  std::vector<std::uint32_t> at;      ///< a vertex of every hole
   std::vector<std::uint32_t> beside;  ///< of every face that was added: one that was there, at the hole
 };
 

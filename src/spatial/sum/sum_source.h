@@ -21,7 +21,8 @@ struct SpatialPositions {
   std::shared_ptr<const SumSpace> space;
   std::vector<PointSource> vertices;
   std::shared_ptr<const ConvexPositions> convex;  ///< of a convex sum, which has no space
-  exact::BigInteger scale = 1;                    ///< of space and convex places: positions are theirs divided by it
+  exact::BigInteger scale = 1;                    ///< positions are those of space or convex places divided by it
+  int shift = 0;                                  ///< and times 2^shift
 
   ExactPosition at(std::size_t vertex) const;
   /// The nearest doubles.
@@ -54,7 +55,8 @@ struct SpatialSumInternals {
   }
 };
 
-/// Divides a sum of sets in units of 1 / scale by that.
-void unscale(SpatialSum& sum, const exact::BigInteger& scale);
+/// Divides a sum of sets in units of 2^shift / scale by these. Requires that the quotient is a double: 0 < scale <
+/// 2^shift 2^1000.
+void unscale(SpatialSum& sum, const exact::BigInteger& scale, int shift = 0);
 
 }  // namespace dymsum::spatial

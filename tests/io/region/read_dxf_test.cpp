@@ -135,14 +135,14 @@ std::string layers(const std::string& table) {
 
 TEST(ReadDxf, hidden_layers_are_not_read) {
   const std::string entities =
-      "0\nSECTION\n2\nENTITIES\n0\nSPLINE\n8\nHid\n0\nPOLYLINE\n8\nhid\n70\n64\n0\nVERTEX\n10\n0\n0\nSEQEND\n"
+      "0\nSECTION\n2\nENTITIES\n0\nHATCH\n8\nHid\n0\nPOLYLINE\n8\nhid\n70\n64\n0\nVERTEX\n10\n0\n0\nSEQEND\n"
       "0\nPOINT\n8\nseen\n10\n1\n20\n2\n0\nENDSEC\n0\nEOF\n";
   for (const std::string hidden : {"62\n-7\n70\n0\n", "70\n65\n62\n7\n"})
     EXPECT_EQ(read_one(layers("0\nLAYER\n2\nhiD\n" + hidden + "0\nLAYER\n2\nseen\n70\n64\n62\n3\n") + entities,
                        RegionFormat::dxf),
               (RegionData{{}, {}, {{1, 2}}}));
   expect_refused(layers("0\nLAYER\n2\nhid\n62\n7\n70\n2\n") + entities, RegionFormat::dxf, ErrorCode::malformed, 28,
-                 "'SPLINE' cannot be read");
+                 "'HATCH' cannot be read");
   const std::string nothing = layers("0\nLAYER\n2\n0\n62\n-7\n") + "0\nSECTION\n2\nENTITIES\n0\nPOINT\n10\n1\n20\n2\n";
   EXPECT_EQ(read_one(nothing + "0\nENDSEC\n0\nEOF\n", RegionFormat::dxf), RegionData{}) << "layer 0, without a name";
 }
@@ -194,8 +194,13 @@ void refused(const std::string& entities, std::int64_t entity_line, std::string_
 }
 
 TEST(ReadDxf, what_cannot_be_read_is_told) {
-  refused("0\nSPLINE\n", 2, "'SPLINE' cannot be read");
-  refused("0\nINSERT\n2\nA\n", 2, "explode blocks");
+  refused("0\nHATCH\n", 2, "'HATCH' cannot be read");
+  refused("0\nSPLINE\n", 2, "no degree");
+  refused("0\nSPLINE\n71\n3\n10\n0\n20\n0\n", 2, "too few control points");
+  refused("0\nSPLINE\n71\n1\n10\n0\n20\n0\n10\n1\n20\n0\n", 2, "0 knots, not 4");
+  refused("0\nSPLINE\n71\n1\n11\n0\n21\n0\n", 2, "passes through");
+  refused("0\nSPLINE\n71\n99\n", 4, "from 1 to 25");
+  refused("0\nELLIPSE\n10\n0\n20\n0\n11\n0\n21\n0\n40\n1\n", 2, "axes");
   refused("0\nLINE\n10\n0\n20\n0\n11\n1\n", 2, "no y coordinate");
   refused("0\nCIRCLE\n10\n0\n20\n0\n40\n0\n", 2, "radius has to be positive");
   refused("0\nCIRCLE\n10\n0\n20\n0\n", 2, "no radius");

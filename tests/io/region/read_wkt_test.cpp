@@ -97,7 +97,7 @@ TEST(ReadWkt, third_coordinates_are_refused_as_such) {
 
 TEST(ReadWkt, third_coordinates_are_left_out_on_request) {
   const auto flat = [](const char* text) {
-    return parse_shapes(text, RegionFormat::wkt, "text", ThirdCoordinates::dropped).value().at(0).data;
+    return parse_shapes(text, RegionFormat::wkt, "text", {ThirdCoordinates::dropped, {}}).value().at(0).data;
   };
   EXPECT_EQ(flat("POLYGON Z ((0 0 1, 1 0 2, 0 1 3, 0 0 4), EMPTY)"), read_one("POLYGON ((0 0, 1 0, 0 1, 0 0))", kWkt));
   EXPECT_EQ(flat("POLYGONZM((0 0 1 9,1 0 2 9,0 1 3 9,0 0 4 9))"), flat("POLYGON ((0 0, 1 0, 0 1, 0 0))"));
@@ -106,7 +106,7 @@ TEST(ReadWkt, third_coordinates_are_left_out_on_request) {
             flat("GEOMETRYCOLLECTION (POINT (1 2), LINESTRING (0 0, 1 1))"));
   for (const char* text :
        {"POINT Z", "POINT Z Z (1 2 3)", "POINT (1 2 3 4 5)", "POINT (1 2 x)", "POINT Z (1 2 3", "POINT ZEMPTY"})
-    EXPECT_FALSE(parse_shapes(text, RegionFormat::wkt, "text", ThirdCoordinates::dropped)) << text;
+    EXPECT_FALSE(parse_shapes(text, RegionFormat::wkt, "text", {ThirdCoordinates::dropped, {}})) << text;
 }
 
 TEST(ReadWkt, geometries_may_end_with_a_semicolon) {

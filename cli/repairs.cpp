@@ -1,0 +1,134 @@
+#include "repairs.h"
+
+#include <algorithm>
+#include <sstream>
+#include <utility>
+
+#include "numbers.h"
+
+namespace dymsum::cli {
+namespace {
+
+constexpr std::pair<RegionRepairKind, const char*> kPlanar[] = {
+    {RegionRepairKind::duplicate_vertices, "duplicate-vertices"},
+    {RegionRepairKind::collinear_vertices, "collinear-vertices"},
+    {RegionRepairKind::reversed_rings, "reversed-rings"},
+    {RegionRepairKind::empty_rings, "empty-rings"},
+    {RegionRepairKind::duplicate_rings, "duplicate-rings"},
+    {RegionRepairKind::short_polylines, "short-polylines"}};
+
+constexpr std::pair<MeshRepairKind, const char*> kSolid[] = {{MeshRepairKind::duplicate_vertices, "duplicate-vertices"},
+                                                             {MeshRepairKind::unused_vertices, "unused-vertices"},
+                                                             {MeshRepairKind::degenerate_faces, "faces-without-area"},
+                                                             {MeshRepairKind::needles, "needles"},
+                                                             {MeshRepairKind::t_junctions, "t-junctions"},
+                                                             {MeshRepairKind::cracks, "cracks"},
+                                                             {MeshRepairKind::holes, "holes"},
+                                                             {MeshRepairKind::split_faces, "split-faces"},
+                                                             {MeshRepairKind::reversed_faces, "reversed-faces"},
+                                                             {MeshRepairKind::reversed_shells, "reversed-shells"},
+                                                             {MeshRepairKind::nested_shells, "nested-shells"},
+                                                             {MeshRepairKind::membranes, "membranes"},
+                                                             {MeshRepairKind::loose_walls, "loose-walls"},
+                                                             {MeshRepairKind::crossings, "crossings"}};
+
+std::string name_of(RegionRepairKind kind) {
+  return std::find_if(std::begin(kPlanar), std::end(kPlanar), [&](const auto& p) { return p.first == kind; })->second;
+}
+std::string name_of(MeshRepairKind kind) {
+  return std::find_if(std::begin(kSolid), std::end(kSolid), [&](const auto& p) { return p.first == kind; })->second;
+}
+
+template <class Log>
+std::string names(const Log& log) {
+  std::string text;
+  for (const auto kind : log.kinds()) text += (text.empty() ? "" : ",") + name_of(kind);
+  return text;
+}
+
+std::string point_text(const Point& p) {
+  std::ostringstream text;
+  text << "(" << p.x << ", " << p.y << ")";
+  return text.str();
+}
+std::string point_text(const Point3& p) {
+  std::ostringstream text;
+  text << "(" << p.x << ", " << p.y << ", " << p.z << ")";
+  return text.str();
+}
+
+Json point_json(const Point& p) { return {p.x, p.y}; }
+Json point_json(const Point3& p) { return {p.x, p.y, p.z}; }
+
+template <class Log>
+std::string text_of_positions(const Log& log) {
+  constexpr std::size_t kShown = 3;
+  std::string text;
+  for (const auto kind : log.kinds()) {
+    text += (text.empty() ? "" : "; ") + name_of(kind);
+    std::size_t count = 0;
+    for (const auto& mark : log.marks)
+      if (mark.kind == kind && ++count <= kShown) text += (count == 1 ? " at " : ", ") + point_text(mark.at);
+    if (count > kShown) text += " and more";
+  }
+  return text;
+}
+
+template <class Log>
+Json json_of(const Log& log) {
+  Json positions = Json::object();
+  for (const auto& mark : log.marks) positions[name_of(mark.kind)].push_back(point_json(mark.at));
+  return {{"changed", log.to_string()}, {"positions", positions}};
+}
+
+[[noreturn]] void refuse(const std::string& name) {
+  std::string known;
+  const auto add = [&](const std::string& one) { known += (known.empty() ? "" : ", ") + one; };
+  for (const auto& [kind, text] : kPlanar) add(text);
+  for (const auto& [kind, text] : kSolid)
+    if (kind != MeshRepairKind::duplicate_vertices) add(text);
+  throw Stop(kUsage, "--repair wants all, or some of these separated by commas: " + known + "; not '" + name + "'");
+}
+
+void add_named(const std::string& name, NamedRepairs& repairs) {
+  bool known = false;
+  for (const auto& [kind, text] : kPlanar)
+    if (name == text) known = true, repairs.planar.push_back(kind);
+  for (const auto& [kind, text] : kSolid)
+    if (name == text) known = true, repairs.solid.push_back(kind);
+  if (!known) refuse(name);
+}
+
+}  // namespace
+
+NamedRepairs named_repairs(const std::string& text) {
+  if (text.empty() || text == "all") return {all_region_repairs(), all_mesh_repairs(), {}};
+  constexpr const char* kCracks = "cracks:";
+  NamedRepairs repairs;
+  std::istringstream names(text + ",");
+  for (std::string name; std::getline(names, name, ',');) {
+    if (!name.starts_with(kCracks)) {
+      add_named(name, repairs);
+      continue;
+    }
+    repairs.crack_width = finite_number(name.substr(std::string(kCracks).size()));
+    if (!repairs.crack_width || *repairs.crack_width < 0) refuse(name);
+    add_named("cracks", repairs);
+  }
+  return repairs;
+}
+
+std::string remedy(const RegionRepairLog& log) {
+  return " (--repair=" + names(log) + " repairs it: " + log.to_string() + ")";
+}
+std::string remedy(const MeshRepairLog& log, const std::string& options) {
+  return " (" + options + "--repair=" + names(log) + " repairs it: " + log.to_string() + ")";
+}
+
+std::string positions_text(const RegionRepairLog& log) { return text_of_positions(log); }
+std::string positions_text(const MeshRepairLog& log) { return text_of_positions(log); }
+
+Json repair_json(const RegionRepairLog& log) { return json_of(log); }
+Json repair_json(const MeshRepairLog& log) { return json_of(log); }
+
+}  // namespace dymsum::cli
