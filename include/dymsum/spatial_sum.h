@@ -108,7 +108,6 @@ class SpatialSum {
   double at_error = 0;
   std::vector<SpatialFace> faces;
   std::size_t shells = 0;
-  std::vector<SpatialEdge> edges;  ///< of the faces, sorted by from and to
   /// Of every vertex the two vertices that touch there, or an edge and a vertex; none where three faces cross.
   std::vector<std::optional<SolidContact>> vertex_contacts;
 
@@ -128,6 +127,8 @@ class SpatialSum {
   /// holes and nothing tight, and a contact at every vertex and along every edge.
   bool is_convex() const;
 
+  /// The edges of the faces, sorted by from and to, made from these at every call. O(n log n).
+  std::vector<SpatialEdge> edges() const;
   /// The tight faces as triangles of their own vertices, in the faces' order. Exact. O(n log n).
   std::vector<std::array<std::uint32_t, 3>> tight_triangles() const;
   /// The exact position of a vertex.
@@ -189,6 +190,7 @@ class SpatialSum {
  private:
   friend struct spatial::SpatialSumInternals;
   std::shared_ptr<const spatial::SpatialPositions> positions_;  // what the exact positions are made from
+  std::vector<std::optional<SolidContact>> edge_contacts_;      // of edges(); of convex sums vertex_contacts have them
 };
 
 /// P (+) Q, the closed sum of closed solids; its boundary is that of the closure of the open sum's complement. Either

@@ -73,7 +73,7 @@ void bind_fields(nb::class_<SpatialSum>& sum) {
       .def_ro("at_error", &SpatialSum::at_error)
       .def_ro("faces", &SpatialSum::faces)
       .def_ro("shells", &SpatialSum::shells)
-      .def_ro("edges", &SpatialSum::edges)
+      .def_prop_ro("edges", &SpatialSum::edges)
       .def_ro("vertex_contacts", &SpatialSum::vertex_contacts)
       .def_ro("tight_faces", &SpatialSum::tight_faces)
       .def_ro("tight_segments", &SpatialSum::tight_segments)

@@ -181,7 +181,7 @@ val spatial_shape(const SpatialSum& sum) {
     add(contacts, face.q);
     shells.push_back(face.shell);
   }
-  for (const SpatialEdge& edge : sum.edges) edges.insert(edges.end(), {edge.from, edge.to});
+  for (const SpatialEdge& edge : sum.edges()) edges.insert(edges.end(), {edge.from, edge.to});
   val v = val::object();
   v.set("vertices", array_of(vertices));
   v.set("triangles", array_of(triangles));

@@ -105,16 +105,10 @@ class Inside {
       if (s == 0xffffffff) s = static_cast<std::uint32_t>(result_.shells++);
       face.shell = s;
     }
-    result_.edges = edges_of(result_.faces);
-    const auto before = [](const SpatialEdge& x, const SpatialEdge& y) {
-      return std::pair(x.from, x.to) < std::pair(y.from, y.to);
-    };
-    std::vector<SpatialEdge> old;  // sorted alike: names keep their order
-    for (const SpatialEdge& edge : sum_.edges)
-      if (!outside_[sum_.faces[edge.faces[0]].shell])
-        old.push_back({name_[edge.from], name_[edge.to], {}, edge.contact});
-    for (SpatialEdge& edge : result_.edges)
-      edge.contact = std::lower_bound(old.begin(), old.end(), edge, before)->contact;
+    std::vector<std::optional<SolidContact>> contacts;  // in the order of edges: names keep that of vertices
+    for (const SpatialEdge& edge : sum_.edges())
+      if (!outside_[sum_.faces[edge.faces[0]].shell]) contacts.push_back(edge.contact);
+    SpatialSumInternals::set_edge_contacts(result_, std::move(contacts));
   }
 
   void add_tight() {

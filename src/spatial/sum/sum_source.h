@@ -3,12 +3,13 @@
 
 #include <array>
 #include <memory>
+#include <optional>
 #include <utility>
 #include <vector>
 
 #include "dymsum/spatial_sum.h"
 #include "exact/big.h"
-#include "spatial/convex/convex_places.h"
+#include "spatial/convex/exact_positions.h"
 #include "spatial/convolution/sum_space.h"
 
 namespace dymsum::spatial {
@@ -42,6 +43,10 @@ struct SpatialPositions {
 struct SpatialSumInternals {
   static void set_positions(SpatialSum& sum, std::shared_ptr<const SpatialPositions> positions) {
     sum.positions_ = std::move(positions);
+  }
+  /// What touches along each of the sum's edges, in their order.
+  static void set_edge_contacts(SpatialSum& sum, std::vector<std::optional<SolidContact>> contacts) {
+    sum.edge_contacts_ = std::move(contacts);
   }
   static const SpatialPositions& positions(const SpatialSum& sum) { return *sum.positions_; }
   /// Nothing where it is no convex sum.
