@@ -51,7 +51,8 @@ void report_open_ends(const RegionData& data, const std::string& file) {
   if (near == 0) return;
   std::cerr << shown_file(file) << ": lines end near each other and do not meet, " << counted(near, "time")
             << ", with gaps of up to " << widest
-            << ": nothing is enclosed, as they are joined only in equal coordinates\n";
+            << ": nothing is enclosed, as they are joined only in equal coordinates "
+            << "(--join TOLERANCE joins them)\n";
 }
 
 }  // namespace dymsum::cli

@@ -58,7 +58,8 @@ Result<LoggedRegion> repair(RegionData data, const RegionRepairOptions& options)
 /// The repairs of solids. `unused_vertices` no face uses, `degenerate_faces` have no area. `split_faces` are not plane,
 /// or have a vertex twice. `nested_shells` run as the one around them does, `membranes` have the solid on both
 /// sides. `loose_walls` are faces with edges that no other face has, inside of the solid that the others bound: without
-/// them it is the same set. `crossings` are where faces cross, overlap or touch.
+/// them it is the same set. They are taken as inside where thin tetrahedra over them, on one side, lie in the solid.
+/// `crossings` are where faces cross, overlap or touch.
 enum class MeshRepairKind : std::uint8_t {
   duplicate_vertices,
   unused_vertices,

@@ -43,8 +43,7 @@ Result<SpatialSum> difference(const Mesh& a, std::span<const Mesh> taken, const 
 /// runs the other way is a cavity. Errors: that of repair() where the union has none or nothing is inside; cancelled;
 /// out_of_memory.
 Result<RepairedMesh> repair_with_union(MeshData data, Fill fill = Fill::nonzero, const SpatialOptions& options = {});
-/// The same with the repairs that are named alone, and with loose walls dropped. Errors also: those of minkowski_sum,
-/// by which it is decided whether loose walls lie in the solid.
+/// The same with the repairs that are named alone, and with loose walls dropped.
 Result<LoggedMesh> repair_with_union(MeshData data, Fill fill, const MeshRepairOptions& repairs,
                                      const SpatialOptions& options = {});
 

@@ -1,8 +1,11 @@
 // The named repair of surfaces that cross: first what else there is to repair, then the union.
 #include <algorithm>
+#include <array>
+#include <cmath>
 #include <iterator>
 #include <numeric>
 #include <optional>
+#include <span>
 #include <tuple>
 #include <utility>
 #include <vector>
@@ -15,6 +18,7 @@
 #include "spatial/mesh/surface_crossings.h"
 #include "spatial/mesh/thin_faces.h"
 #include "spatial/mesh/triangulate.h"
+#include "spatial/mesh/vec3.h"
 
 namespace dymsum {
 
@@ -82,12 +86,69 @@ bool is_limit(ErrorCode code) { return code == ErrorCode::cancelled || code == E
 
 namespace {
 
-/// Whether the solid holds all parts without volume: the sum with the origin has tight features where it does not.
-Result<bool> holds_thin_parts(const Mesh& mesh, const SpatialOptions& options) {
-  const Mesh origin = Mesh::with_thin_parts({{{0, 0, 0}}, {{0}}}).value();
-  const Result<SpatialSum> set = minkowski_sum(mesh, origin, options);
-  if (!set) return set.error();
-  return set->tight_faces.empty() && set->tight_segments.empty() && set->tight_points.empty();
+/// A triangle of a wall.
+using Wall = std::array<Point3, 3>;
+
+/// The walls as triangles; nothing where there are segments or points, which are no walls.
+std::optional<std::vector<Wall>> walls_of(const Mesh& mesh) {
+  const TriangulatedMesh split = triangulated(mesh);
+  std::vector<Wall> walls;
+  for (std::size_t t = 0; t < split.mesh.faces().size(); ++t) {
+    if (!mesh.thin_faces()[split.face[t]]) continue;
+    const Face& corners = split.mesh.faces()[t];
+    if (corners.size() != 3) return std::nullopt;
+    const std::vector<Point3>& at = split.mesh.vertices();
+    walls.push_back({at[corners[0]], at[corners[1]], at[corners[2]]});
+  }
+  return walls;
+}
+
+/// A point near a triangle's centroid, 2^-10 of its size away from it on one side.
+Point3 apex_over(const Wall& wall, double side) {
+  const auto [a, b, c] = wall;
+  const spatial::Vec3 u{b.x - a.x, b.y - a.y, b.z - a.z}, v{c.x - a.x, c.y - a.y, c.z - a.z}, n = spatial::cross(u, v);
+  // The normal is as long as twice the area: divided by the longest edge that is the triangle's height, at most.
+  const double longest = std::max(spatial::dot(u, u), spatial::dot(v, v)), off = std::ldexp(side, -10) / longest;
+  const double height = std::sqrt(longest) * off;
+  return {(a.x + b.x + c.x) / 3 + n.x * height, (a.y + b.y + c.y) / 3 + n.y * height,
+          (a.z + b.z + c.z) / 3 + n.z * height};
+}
+
+/// Tetrahedra over walls, on one side; an error of Mesh::create where one is flat or two of them meet.
+Result<Mesh> tetrahedra(std::span<const Wall> walls, double side) {
+  MeshData all;
+  for (const Wall& wall : walls) {
+    const auto first = static_cast<std::uint32_t>(all.vertices.size());
+    const std::uint32_t a = first, b = first + 1, c = first + 2, d = first + 3;
+    all.vertices.insert(all.vertices.end(), {wall[0], wall[1], wall[2], apex_over(wall, side)});
+    const bool above = exact::orient3_sign(wall[0], wall[1], wall[2], all.vertices[d]) > 0;
+    if (above) all.faces.insert(all.faces.end(), {{a, c, b}, {a, b, d}, {b, c, d}, {c, a, d}});
+    else all.faces.insert(all.faces.end(), {{a, b, c}, {b, a, d}, {c, b, d}, {a, c, d}});
+  }
+  MeshRepairOptions only;
+  only.kinds = {MeshRepairKind::duplicate_vertices};
+  Result<LoggedMesh> made = repair(std::move(all), only);
+  if (!made) return made.error();
+  return std::move(made).value().mesh;
+}
+
+/// Whether walls lie in the solid: whether tetrahedra over all of them do, on one of the two sides, or, where there are
+/// few, over each of them. (One that touches the solid's boundary from both sides is taken as outside.)
+Result<bool> holds(const Mesh& solid, std::span<const Wall> walls, const SpatialOptions& options) {
+  for (const double side : {1.0, -1.0}) {
+    const Result<Mesh> over = tetrahedra(walls, side);
+    if (!over) continue;
+    const Result<SpatialSum> outside = difference(*over, solid, options);
+    if (!outside) return outside.error();
+    if (outside->faces.empty()) return true;
+  }
+  constexpr std::size_t kFew = 64;
+  if (walls.size() == 1 || walls.size() > kFew) return false;
+  for (std::size_t k = 0; k < walls.size(); ++k) {
+    const Result<bool> one = holds(solid, walls.subspan(k, 1), options);
+    if (!one || !*one) return one;
+  }
+  return true;
 }
 
 /// The faces that are not thin, and their vertices.
@@ -113,9 +174,11 @@ std::optional<Result<LoggedMesh>> repair_loose_walls(const MeshData& data, const
   if (!spatial::allows(repairs, MeshRepairKind::loose_walls)) return std::nullopt;
   Result<LoggedMesh> thin = repair_with_thin_parts(data, repairs);
   if (!thin || !thin->mesh.has_thin_parts()) return std::nullopt;
-  MeshData solid = without_thin_parts(thin->mesh);
-  if (solid.faces.empty()) return std::nullopt;
-  const Result<bool> held = holds_thin_parts(thin->mesh, options);
+  MeshData rest = without_thin_parts(thin->mesh);
+  const std::optional<std::vector<Wall>> walls = walls_of(thin->mesh);
+  if (rest.faces.empty() || !walls) return std::nullopt;
+  Mesh solid = Mesh::create(std::move(rest)).value();
+  const Result<bool> held = holds(solid, *walls, options);
   if (!held) return is_limit(held.error().code) ? std::optional<Result<LoggedMesh>>(held.error()) : std::nullopt;
   if (!*held) return std::nullopt;
   auto [mesh, log] = std::move(thin).value();
@@ -126,7 +189,7 @@ std::optional<Result<LoggedMesh>> repair_loose_walls(const MeshData& data, const
     marks.add(MeshRepairKind::loose_walls, mesh.vertices()[mesh.faces()[f].front()]);
   }
   log.marks = marks.all();
-  return LoggedMesh{Mesh::create(std::move(solid)).value(), std::move(log)};
+  return LoggedMesh{std::move(solid), std::move(log)};
 }
 
 /// The solid that the surface bounds by winding number. Nothing where it bounds none.

@@ -66,6 +66,7 @@ class MeshRepair {
   }
 
   void repair_faces() {
+    was_used_ = used_vertices();
     merge_vertices();
     drop_degenerate_faces();
     if (mode_.drop_needles) drop_needles();
@@ -121,15 +122,19 @@ class MeshRepair {
     data_.faces = std::move(kept);
   }
 
+  /// Drops faces, with a mark for each; returns how many.
   template <class Drop>
   std::size_t drop_faces(MeshRepairKind kind, Drop drop) {
+    for (std::size_t f = 0; f < data_.faces.size(); ++f)
+      if (drop(f)) mark_face(kind, data_.faces[f]);
+    return erase_faces(drop);
+  }
+  template <class Drop>
+  std::size_t erase_faces(Drop drop) {
     std::size_t kept = 0;
     const std::size_t all = data_.faces.size();
     for (std::size_t f = 0; f < all; ++f) {
-      if (drop(f)) {
-        mark_face(kind, data_.faces[f]);
-        continue;
-      }
+      if (drop(f)) continue;
       if (kept != f) data_.faces[kept] = std::move(data_.faces[f]);
       face_origin_[kept++] = face_origin_[f];
     }
@@ -232,8 +237,7 @@ class MeshRepair {
     if (!mode_.thin_parts)
       log_.counts.membranes = drop_faces(MeshRepairKind::membranes, [&](std::size_t f) { return bool{thin[f]}; });
     // Where there are nested bodies there are no membranes: shells are closed, and nothing was dropped.
-    if (log_.nested_bodies > 0)
-      drop_faces(MeshRepairKind::nested_shells, [&](std::size_t f) { return bool{nested[f]}; });
+    if (log_.nested_bodies > 0) erase_faces([&](std::size_t f) { return bool{nested[f]}; });
   }
 
   TurnedShells orient_shells(MeshData& solid) {
@@ -243,6 +247,7 @@ class MeshRepair {
     log_.counts.reversed_shells = turned.turned.size();
     log_.counts.cavities = turned.cavities.size();
     log_.nested_bodies = turned.bodies.size();
+    for (const std::uint32_t f : turned.bodies) mark_face(MeshRepairKind::nested_shells, solid.faces[f]);
     for (const std::uint32_t f : turned.cavities) mark_face(MeshRepairKind::nested_shells, solid.faces[f]);
     for (const std::uint32_t f : turned.turned)
       if (std::find(turned.cavities.begin(), turned.cavities.end(), f) == turned.cavities.end())
@@ -273,18 +278,24 @@ class MeshRepair {
     for (std::size_t k = 0; k < origin.size(); ++k) data_.faces[origin[k]] = std::move(others.faces[k]);
   }
 
-  void drop_unused_vertices() {
+  std::vector<bool> used_vertices() const {
     std::vector<bool> used(data_.vertices.size());
     for (const Face& face : data_.faces) {
       for (const std::uint32_t v : face) used[v] = true;
     }
+    return used;
+  }
+
+  /// Those that only a repair has left without a face are a part of that one: they are counted, and have no mark.
+  void drop_unused_vertices() {
+    const std::vector<bool> used = used_vertices();
     std::vector<std::uint32_t> position(data_.vertices.size());
     std::vector<Point3> kept;
     for (std::size_t v = 0; v < used.size(); ++v) {
-      const auto index = static_cast<std::uint32_t>(v);
-      if (!used[v] && (is_duplicate_[v] || may(MeshRepairKind::unused_vertices))) {
+      const bool by_itself = !was_used_[v] && !is_duplicate_[v];
+      if (!used[v] && (!by_itself || may(MeshRepairKind::unused_vertices))) {
         log_.counts.unused_vertices += !is_duplicate_[v];
-        if (!is_duplicate_[v]) mark(MeshRepairKind::unused_vertices, index);
+        if (by_itself) mark(MeshRepairKind::unused_vertices, static_cast<std::uint32_t>(v));
         continue;
       }
       position[v] = static_cast<std::uint32_t>(kept.size());
@@ -314,7 +325,7 @@ class MeshRepair {
   RepairMode mode_;
   MeshRepairLog log_;
   RepairMarks marks_;
-  std::vector<bool> is_duplicate_;
+  std::vector<bool> is_duplicate_, was_used_;  ///< of vertices: whether one before has its position; at first
   std::vector<std::int64_t> face_origin_, vertex_origin_;
 };
 

@@ -35,9 +35,6 @@ TEST(NamedRegionRepairs, each_is_made_where_it_is_allowed_and_only_then) {
     ASSERT_TRUE(made.ok()) << static_cast<int>(kind) << made.error().to_string();
     EXPECT_TRUE(repair(defect(kind), RegionRepairOptions{made->log.kinds()})) << static_cast<int>(kind);
     EXPECT_FALSE(repair(defect(kind), RegionRepairOptions{{}})) << static_cast<int>(kind);
-    std::vector<Kind> others = all_region_repairs();
-    std::erase(others, kind);
-    EXPECT_FALSE(repair(defect(kind), RegionRepairOptions{others})) << static_cast<int>(kind);
   }
 }
 
