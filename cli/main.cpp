@@ -34,42 +34,47 @@ constexpr const char* kFooter =
     "interrupted.\n"
     "Example: dymsum sum gear.poly disc.wkt --json -o sum.svg -o stages.svg";
 
-void add_verbs(CLI::App& app, Action& action) {
-  add_sum(app, action);
-  add_nfp(app, action);
-  add_erode(app, action);
-  add_union(app, action);
-  add_intersect(app, action);
-  add_subtract(app, action);
-  add_nfp_table(app, action);
-  add_disc(app, action);
-  add_opening(app, action);
-  add_closing(app, action);
-  add_offset(app, action);
-  add_scale(app, action);
-  add_scale_range(app, action);
-  add_rotate(app, action);
-  add_slice(app, action);
-  add_cspace(app, action);
-  add_clearance(app, action);
-  add_angles(app, action);
-  add_path(app, action);
-  add_depth(app, action);
-  add_local_sum(app, action);
-  add_contains(app, action);
-  add_features(app, action);
-  add_decompose(app, action);
-  add_info(app, action);
-  add_convert(app, action);
-  add_hull(app, action);
-  add_view(app, action);
-}
+struct Verb {
+  const char* name;
+  void (*add)(CLI::App&, Action&);
+};
 
-std::vector<std::string> verb_names(const CLI::App& app) {
-  std::vector<std::string> names;
-  for (const CLI::App* verb : app.get_subcommands([](const CLI::App*) { return true; }))
-    names.push_back(verb->get_name());
-  return names;
+constexpr Verb kVerbs[] = {{"sum", add_sum},
+                           {"nfp", add_nfp},
+                           {"erode", add_erode},
+                           {"union", add_union},
+                           {"intersect", add_intersect},
+                           {"subtract", add_subtract},
+                           {"nfp-table", add_nfp_table},
+                           {"disc", add_disc},
+                           {"opening", add_opening},
+                           {"closing", add_closing},
+                           {"offset", add_offset},
+                           {"scale", add_scale},
+                           {"scale-range", add_scale_range},
+                           {"rotate", add_rotate},
+                           {"slice", add_slice},
+                           {"cspace", add_cspace},
+                           {"clearance", add_clearance},
+                           {"angles", add_angles},
+                           {"path", add_path},
+                           {"depth", add_depth},
+                           {"local-sum", add_local_sum},
+                           {"contains", add_contains},
+                           {"features", add_features},
+                           {"decompose", add_decompose},
+                           {"info", add_info},
+                           {"convert", add_convert},
+                           {"hull", add_hull},
+                           {"view", add_view}};
+
+/// Adds the verb of that name, or all of them where none has it: to describe all options of all verbs takes a
+/// millisecond.
+void add_verbs(CLI::App& app, const std::string& name, Action& action) {
+  const auto one =
+      std::find_if(std::begin(kVerbs), std::end(kVerbs), [&](const Verb& verb) { return verb.name == name; });
+  if (one != std::end(kVerbs)) return one->add(app, action);
+  for (const Verb& verb : kVerbs) verb.add(app, action);
 }
 
 /// The verb of a command line, known or not; empty where it begins with an option or with nothing.
@@ -86,9 +91,10 @@ bool wants_json(int argc, char** argv) {
   return std::any_of(argv + 1, argv + argc, [](const std::string& word) { return option_in(word) == "--json"; });
 }
 
-/// The verb is one of ours: else both its name and what may be meant are told.
-void check_verb(const CLI::App& app, const std::string& verb) {
-  const std::vector<std::string> names = verb_names(app);
+/// Refuses a verb that is none of ours: the error gives its name, and what may be meant.
+void check_verb(const std::string& verb) {
+  std::vector<std::string> names;
+  for (const Verb& known : kVerbs) names.push_back(known.name);
   if (verb.empty() || std::find(names.begin(), names.end(), verb) != names.end()) return;
   std::string all;
   for (const std::string& name : names) all += " " + name;
@@ -161,8 +167,8 @@ ExitCode run(int argc, char** argv) {
   app.set_version_flag("--version", DYMSUM_VERSION);
   app.footer(kFooter);
   Action action;
-  add_verbs(app, action);
-  check_verb(app, verb_of(argc, argv));
+  check_verb(verb_of(argc, argv));
+  if (argc < 2 || std::string(argv[1]) != "--version") add_verbs(app, verb_of(argc, argv), action);
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& error) {

@@ -77,3 +77,13 @@ function(dymsum_unite target)
     set_source_files_properties("${source}" PROPERTIES UNITY_GROUP "${group}")
   endforeach()
 endfunction()
+
+# Takes SOURCES out of a library's target into objects of their own, target_PART, which the library still holds.
+function(dymsum_part target part)
+  get_target_property(sources ${target} SOURCES)
+  list(REMOVE_ITEM sources ${ARGN})
+  set_target_properties(${target} PROPERTIES SOURCES "${sources}")
+  add_library(${target}_${part} OBJECT ${ARGN})
+  dymsum_set_library(${target}_${part})
+  target_sources(${target} PRIVATE $<TARGET_OBJECTS:${target}_${part}>)
+endfunction()

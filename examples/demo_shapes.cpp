@@ -1,4 +1,5 @@
-// Writes generated shapes as WKT files into a folder: operands for the command line. Usage: demo_shapes FOLDER
+// Writes generated shapes as WKT files into a folder, operands for the command line, and a picture of the plate, the
+// star and their sum. Usage: demo_shapes FOLDER
 #include <dymsum/dymsum.h>
 
 #include <filesystem>
@@ -22,6 +23,12 @@ Region plate_for(const Region& star) {
   return Region::create(data).value();
 }
 
+bool write(const std::filesystem::path& file, const std::string& text) {
+  const Result<void> written = write_file(file.string(), text);
+  if (!written) std::cerr << written.error().to_string() << "\n";
+  return written.ok();
+}
+
 Region lines(std::vector<Polyline> polylines) { return Region::create({{}, std::move(polylines), {}}).value(); }
 
 }  // namespace
@@ -34,11 +41,11 @@ int main(int argc, char** argv) {
   }
   const std::filesystem::path folder = argv[1];
   std::filesystem::create_directories(folder);
-  const Region star = shapes::star(5, 1.5, 3, shapes::demo_snap(3));
+  const Region star = shapes::star(5, 1.5, 3, shapes::demo_snap(3)), plate = plate_for(star);
   const std::vector<std::pair<std::string, Region>> all = {
       {"gear", shapes::gear(12, 8, 10, shapes::demo_snap(10))},
       {"star", star},
-      {"plate", plate_for(star)},
+      {"plate", plate},
       {"disc", shapes::disc(16, 1, shapes::demo_snap(1))},
       {"disc32", shapes::disc(32, 1, shapes::demo_snap(1))},
       {"grate", shapes::grate(5, 4, 1, 12)},
@@ -51,10 +58,7 @@ int main(int argc, char** argv) {
       {"rooms", lines({{{0, 0}, {8, 0}, {8, 6}, {0, 6}, {0, 0}}, {{4, 0}, {4, 2}}, {{4, 3.5}, {4, 6}}})},  // walls
   };
   for (const auto& [name, region] : all) {
-    const std::string file = (folder / name).string() + ".wkt";
-    if (const Result<void> written = write_file(file, format_region(region, RegionFormat::wkt)); !written) {
-      std::cerr << written.error().to_string() << "\n";
-      return 2;
-    }
+    if (!write(folder / (name + ".wkt"), format_region(region, RegionFormat::wkt))) return 2;
   }
+  if (!write(folder / "plate_and_star.svg", draw_sum(plate, star, minkowski_sum(plate, star).value()))) return 2;
 }

@@ -23,6 +23,23 @@ clipper2_sources() {
   cmake -DDYMSUM_CLIPPER2="$folder/CPP/Clipper2Lib" "$release" >&2
 }
 
+# The command line of an earlier COMMIT, built in build/base/COMMIT; prints its path. base_program COMMIT
+base_program() {
+  local folder=$PWD/build/base/$1
+  [[ -d $folder ]] || git worktree add -f --detach "$folder" "$1" >&2 || return
+  (cd "$folder" && cmake --preset release >&2 && cmake --build build/release -j "$(jobs)" --target dymsum_cli >&2) || return
+  echo "$folder/build/release/dymsum"
+}
+
+# What a change costs: bench_pairs --base COMMIT ARGS...
+bench_pairs() {
+  [[ ${1:-} == --base && -n ${2:-} ]] || { say "pairs needs --base COMMIT, the state to compare with"; return 1; }
+  build "$release" dymsum_cli
+  local program
+  program=${DYMSUM_BASE:-$(base_program "$(git rev-parse --short "$2")")} || return
+  DYMSUM=$PWD/$release/dymsum DYMSUM_BASE=$program python3 bench/pairs/pairs.py "$@"
+}
+
 do_bench() {
   local suite=${1:-planar}
   (($# == 0)) || shift
@@ -33,6 +50,10 @@ do_bench() {
     for suite in planar scaling cspace growing nesting solid moving-solids convex depth python; do
       do_bench "$suite" --off-grid "$@" || return
     done
+    return
+  fi
+  if [[ $suite == pairs ]]; then
+    bench_pairs "$@"
     return
   fi
   if [[ $suite == coordinates ]]; then

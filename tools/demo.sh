@@ -1,13 +1,15 @@
 # ./run demo: sums of real polygons and of solids, as pictures.
 
 do_demo() {
-  need "${core_packages[@]}" "${test_packages[@]}" "${bench_packages[@]}"
-  configure bench
-  build "$release" dymsum_cli example_demo_shapes example_demo_solids dymsum_bench_planar
+  need "${core_packages[@]}" "${test_packages[@]}" || return
+  configure release
+  build "$release" example_demo_shapes
   mkdir -p demo
   local dymsum=$release/dymsum data=../shared/data/planar turn=demo/turn.glb
   [[ ! -f web/viewer/dist/index.html ]] || turn=demo/turn.html  # the viewer, where `./run web` has built it
   "$release/examples/demo_shapes" demo/shapes
+  say "the first picture: demo/shapes/plate_and_star.svg"
+  build "$release" dymsum_cli example_demo_solids
 
   draw() {  # draw NAME VERB P Q: the sum and its stages as pictures, its numbers on the screen
     local name=$1
@@ -36,6 +38,7 @@ do_demo() {
   "$dymsum" rotate demo/solids/v-rod.off demo/solids/cube.off --steps 120 --axis 1,2,3 -o "$turn"
   "$dymsum" depth demo/solids/TI.off demo/solids/cube.off --move 0.5,0,0
   say "compared with CGAL"
+  need "${bench_packages[@]}" && configure bench && build "$release" dymsum_bench_planar || return
   "$release/bench/dymsum_bench_planar" --demo
   say "pictures are in demo/"
 }

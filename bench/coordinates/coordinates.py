@@ -8,6 +8,7 @@ line to ask.
 """
 
 import argparse
+import json
 import math
 import os
 import pathlib
@@ -150,6 +151,7 @@ class Run:
             process.returncode = os.waitstatus_to_exitcode(status)
             errors.seek(0)
             self.complaint = (errors.read().strip().splitlines() or [""])[-1][:150]
+        self.folder = folder
         self.code = "limit" if process.returncode < 0 else process.returncode
         self.seconds = usage.ru_utime + usage.ru_stime
         self.megabytes = usage.ru_maxrss / 1024
@@ -158,6 +160,13 @@ class Run:
 def limit_processor(seconds):
     import resource
     resource.setrlimit(resource.RLIMIT_CPU, (seconds, seconds + 1))
+
+
+def events_of(command, folder):
+    """How many events or critical angles the command's report has, 0 for a command without."""
+    text = subprocess.run([DYMSUM, *command.split(), "--json"], cwd=folder, capture_output=True, text=True).stdout
+    report = json.loads(text) if text else {}
+    return report.get("angles") or (len(report["events"]) if isinstance(report.get("events"), list) else 0)
 
 
 def best(command, folder, options):
@@ -193,12 +202,17 @@ class Table:
                 cell += f" **{run.code}**"
                 self.broken.append(f"{where}: ends with {run.code}, on the grid with {grid.code}: {run.complaint}")
             if ratio > WORST:
-                self.broken.append(f"{where}: {ratio:.1f} times the grid's time")
+                self.broken.append(f"{where}: {ratio:.1f} times the grid's time{self.by_size(command, ratio, grid, run)}")
             if memory > MEMORY:
                 self.broken.append(f"{where}: {memory:.1f} times the grid's memory, {run.megabytes:.0f} MB")
             cells.append(cell)
         self.rows.append(f"| {name}: `{command}` | " + " | ".join(cells) + " |")
         print(self.rows[-1], flush=True)
+
+    def by_size(self, command, ratio, grid, run):
+        """What the ratio is for each event that the command finds: near coincidences of turned shapes are true events."""
+        counts = [events_of(command, folder) for folder in (grid.folder, run.folder)]
+        return f"; {counts[1]} events where the grid has {counts[0]}, {ratio * counts[0] / counts[1]:.2f} times for each" if all(counts) else ""
 
     def finish(self):
         if any(not ratios for ratios in self.ratios.values()):

@@ -58,7 +58,7 @@ void set_normals(DepthOperands& o) {
   }
 }
 
-FacetTree tree_of(const DepthOperands& o) {
+spatial::BoxTree tree_of(const DepthOperands& o) {
   std::vector<spatial::Box> boxes;
   boxes.reserve(o.facets.size());
   for (const SumFacet& f : o.facets) {
@@ -67,7 +67,7 @@ FacetTree tree_of(const DepthOperands& o) {
     box.grow(DepthOperands::kOff);
     boxes.push_back(box);
   }
-  return FacetTree(std::move(boxes));
+  return spatial::BoxTree(std::move(boxes));
 }
 
 std::optional<Error> operand_error(const Mesh& p, const Mesh& q) {

@@ -6,12 +6,12 @@
 #include <optional>
 #include <vector>
 
-#include "depth/facet_tree.h"
 #include "depth/touching_pairs.h"
 #include "dymsum/penetration_depth.h"
 #include "spatial/convolution/inner_cells.h"
 #include "spatial/convolution/reduced_facets.h"
 #include "spatial/convolution/solid_operand.h"
+#include "spatial/mesh/box_tree.h"
 
 namespace dymsum::depth {
 
@@ -29,8 +29,8 @@ struct DepthOperands {
   int exponent = 0;                       ///< of the unit that divides all coordinates
   int scale = 0;                          ///< a length in the operands' units is 2^scale times the scaled one
   std::vector<spatial::Vec3> p_at, q_at;
-  std::vector<spatial::Vec3> normals;  ///< of facets, of length 1, each component off by less than 2^-36
-  FacetTree tree;
+  std::vector<spatial::Vec3> normals;             ///< of facets, of length 1, each component off by less than 2^-36
+  spatial::BoxTree tree;                          ///< boxes of facets
   std::unique_ptr<const TouchingPairs> touching;  ///< Q as it is; none where contacts are not requested
   std::optional<SpatialSum> sum;                  ///< of the engine that searches its boundary
 

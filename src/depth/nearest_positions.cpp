@@ -104,8 +104,8 @@ bool PositionSearch::is_covered(Vec3 x, double off) {
 }
 
 void PositionSearch::open(std::uint32_t id) {
-  const FacetTree& tree = view_.o.tree;
-  const FacetTree::Node& node = tree.node(id);
+  const spatial::BoxTree& tree = view_.o.tree;
+  const spatial::BoxTree::Node& node = tree.node(id);
   const auto push = [&](const SearchItem& item) {
     if (!(item.lower > bound_)) queue_.push(item);
   };

@@ -8,7 +8,6 @@
 namespace dymsum::depth {
 
 using spatial::Box;
-using spatial::BoxTree;
 using spatial::Triangle;
 using spatial::Vec3;
 
@@ -16,17 +15,6 @@ namespace {
 
 constexpr std::size_t kWitnesses = 8, kInner = 96;
 constexpr int kPairs = 600;
-
-BoxTree triangle_tree(const std::vector<Vec3>& at, const std::vector<Triangle>& triangles) {
-  std::vector<Box> boxes;
-  boxes.reserve(triangles.size());
-  for (const Triangle& t : triangles) {
-    Box box;
-    for (const std::uint32_t v : t) box.add(at[v]);
-    boxes.push_back(box);
-  }
-  return BoxTree(std::move(boxes));
-}
 
 /// How far along a ray a triangle lies, about; 8 where it misses.
 double distance_along(Vec3 from, Vec3 way, const std::vector<Vec3>& at, const Triangle& t) {
@@ -54,7 +42,7 @@ bool goes_through(Vec3 e, Vec3 f, const std::array<Vec3, 3>& t, double off) {
 
 /// Positions half-way from the centre of some triangles to what lies behind them.
 ProvedOverlap::Solid::Solid(const spatial::SolidOperand& operand, const std::vector<Vec3>& positions)
-    : solid(operand), at(positions), tree(triangle_tree(positions, operand.triangles)) {
+    : solid(operand), at(positions), tree(spatial::boxes_of(positions, operand.triangles, 0)) {
   const std::size_t count = solid.triangles.size(), step = count / kInner + 1;
   for (std::size_t k = 0; k < count; k += step) {
     const Triangle& t = solid.triangles[k];

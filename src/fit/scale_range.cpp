@@ -13,6 +13,7 @@
 #include "planar/frame/scaling_events.h"
 #include "planar/frame/scaling_sum.h"
 #include "planar/operand/prepared_region.h"
+#include "planar/region/chains.h"
 #include "planar/region/complement.h"
 #include "planar/region/separate_touching.h"
 
@@ -42,26 +43,27 @@ Error no_double(const char* what, const exact::BigInteger& times) {
           {}};
 }
 
-/// The region so many times as large; nothing where a coordinate is no double then.
-std::optional<Region> times(const Region& region, const BigRational& factor) {
+/// The region with of(c) for every coordinate c; nothing where one is no double, or the region is not valid then.
+template <class F>
+std::optional<Region> with_coordinates(const Region& region, const F& of) {
   RegionData data = region.data();
   bool all = true;
-  const auto grow = [&](Ring& ring) {
-    for (Point& p : ring)
+  planar::for_each_chain(data, [&](std::vector<Point>& points) {
+    for (Point& p : points)
       for (double* c : {&p.x, &p.y}) {
-        const std::optional<double> v = double_of(exact::exact_value(*c) * factor);
+        const std::optional<double> v = of(*c);
         all &= v.has_value();
         *c = v.value_or(0);
       }
-  };
-  for (Part& part : data.parts) {
-    grow(part.outer);
-    for (Ring& hole : part.holes) grow(hole);
-  }
-  for (Polyline& line : data.polylines) grow(line);
-  grow(data.points);
+  });
   if (!all) return std::nullopt;
-  return Region::create(std::move(data)).value();
+  const Result<Region> made = Region::create(std::move(data));
+  return made ? std::optional(*made) : std::nullopt;
+}
+
+/// The region so many times as large.
+std::optional<Region> times(const Region& region, const BigRational& factor) {
+  return with_coordinates(region, [&](double c) { return double_of(exact::exact_value(c) * factor); });
 }
 
 Error unsupported(const char* text) { return {ErrorCode::unsupported_operand, text, {}}; }
@@ -314,23 +316,7 @@ double reach_of(const std::vector<Point>& points) {
 /// The part in its unit; nothing where that is its own, or has coordinates that are no doubles.
 std::optional<Region> part_in_unit(const Region& part, int k) {
   if (k == 0) return std::nullopt;
-  RegionData data = part.data();
-  bool fits = true;
-  const auto change = [&](Ring& ring) {
-    for (Point& p : ring)
-      for (double* v : {&p.x, &p.y}) {
-        const std::optional<double> made = in_unit(*v, k);
-        fits = fits && made.has_value();
-        *v = made.value_or(0);
-      }
-  };
-  for (Part& piece : data.parts) {
-    change(piece.outer);
-    for (Ring& hole : piece.holes) change(hole);
-  }
-  if (!fits) return std::nullopt;
-  const Result<Region> made = Region::create(std::move(data));
-  return made ? std::optional(*made) : std::nullopt;
+  return with_coordinates(part, [k](double c) { return in_unit(c, k); });
 }
 
 /// Asks with the part in its unit.

@@ -13,8 +13,8 @@ namespace dymsum::io {
 
 namespace {
 
-/// For a decimal number whose value is outside the double range: true when it is too large, false when too small.
-/// The decimal exponent of its first digit that is not zero decides; both limits are far from 10^0.
+/// Whether a decimal number whose value is outside the double range is too large, or else too small. The decimal
+/// exponent of its first digit that is not zero decides; both limits are far from 10^0.
 bool too_large(std::string_view digits) {
   std::int64_t exponent_of_digit = 0;  // of the current digit once the point is behind, counted from the point
   std::int64_t leading = 0;

@@ -14,7 +14,7 @@ Result<std::string> read_file(const std::string& path);
 
 bool is_directory(const std::string& path);
 
-/// From the last dot of the path's last part on, in lower case: ".off", also of "x.off.gz"; empty where there is none.
+/// The path's last part from its last dot on, in lower case: ".off", also of "x.off.gz"; empty where there is none.
 std::string extension(std::string_view path);
 
 /// Whether a file of this name is compressed.

@@ -24,7 +24,7 @@ class Words {
   bool at_end();
   /// Skips blanks and comments within the line; true at the line's or the text's end.
   bool at_line_end();
-  /// To the start of the next line.
+  /// Moves to the start of the next line.
   void skip_line();
 
   /// The next word, without taking it; empty at the end. Afterwards offset() is where it starts.

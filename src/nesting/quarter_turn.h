@@ -1,7 +1,7 @@
 // Quarter turns, which are exact in doubles.
 #pragma once
 
-#include "dymsum/region.h"
+#include "planar/region/chains.h"
 
 namespace dymsum::nesting {
 
@@ -20,15 +20,9 @@ inline Point turned(Point p, int quarters) {
 }
 
 inline RegionData turned(RegionData data, int quarters) {
-  const auto turn = [quarters](std::vector<Point>& points) {
+  planar::for_each_chain(data, [quarters](std::vector<Point>& points) {
     for (Point& p : points) p = turned(p, quarters);
-  };
-  for (Part& part : data.parts) {
-    turn(part.outer);
-    for (Ring& hole : part.holes) turn(hole);
-  }
-  for (Polyline& line : data.polylines) turn(line);
-  turn(data.points);
+  });
   return data;
 }
 

@@ -9,6 +9,7 @@
 
 #include "dymsum/mesh.h"
 #include "dymsum/region.h"
+#include "oracles/vertices_by.h"
 
 namespace dymsum {
 
@@ -72,16 +73,7 @@ inline Point of_kind(Point p, CoordinateKind kind, std::mt19937_64& random) {
   return {at.x, at.y};
 }
 inline RegionData of_kind(RegionData region, CoordinateKind kind, std::mt19937_64& random) {
-  const auto each = [&](std::vector<Point>& list) {
-    for (Point& p : list) p = of_kind(p, kind, random);
-  };
-  for (Part& part : region.parts) {
-    each(part.outer);
-    for (Ring& hole : part.holes) each(hole);
-  }
-  for (Polyline& line : region.polylines) each(line);
-  each(region.points);
-  return region;
+  return oracles::vertices_by(std::move(region), [&](Point p) { return of_kind(p, kind, random); });
 }
 
 }  // namespace dymsum

@@ -2,6 +2,8 @@
 
 #include <cmath>
 
+#include "vertices_by.h"
+
 namespace dymsum::oracles {
 namespace {
 
@@ -35,15 +37,7 @@ std::vector<RegionData> simpler(const RegionData& region) {
 
 std::vector<Point*> vertices(RegionData& region) {
   std::vector<Point*> out;
-  const auto add = [&](std::vector<Point>& list) {
-    for (Point& c : list) out.push_back(&c);
-  };
-  for (Part& part : region.parts) {
-    add(part.outer);
-    for (Ring& hole : part.holes) add(hole);
-  }
-  for (Polyline& line : region.polylines) add(line);
-  add(region.points);
+  for_each_vertex(region, [&](Point& v) { out.push_back(&v); });
   return out;
 }
 

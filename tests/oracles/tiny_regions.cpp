@@ -6,6 +6,7 @@
 #include <set>
 
 #include "membership.h"
+#include "vertices_by.h"
 
 namespace dymsum::oracles {
 namespace {
@@ -300,33 +301,19 @@ Pair random_pair(Random& random, int grid) {
 }
 
 RegionData mapped(const RegionData& region, double a, double b, double c, double d) {
-  RegionData out = region;
-  const auto map = [&](Point& v) { v = {a * v.x + b * v.y + 0.0, c * v.x + d * v.y + 0.0}; };
-  const auto map_ring = [&](Ring& ring) {
-    for (Point& v : ring) map(v);
-    if (a * d - b * c < 0) std::reverse(ring.begin(), ring.end());
-  };
+  RegionData out = vertices_by(region, [&](Point v) {
+    return Point{a * v.x + b * v.y + 0.0, c * v.x + d * v.y + 0.0};
+  });
+  if (a * d - b * c >= 0) return out;
   for (Part& part : out.parts) {
-    map_ring(part.outer);
-    for (Ring& hole : part.holes) map_ring(hole);
+    std::reverse(part.outer.begin(), part.outer.end());
+    for (Ring& hole : part.holes) std::reverse(hole.begin(), hole.end());
   }
-  for (Polyline& line : out.polylines)
-    for (Point& v : line) map(v);
-  for (Point& v : out.points) map(v);
   return out;
 }
 
 RegionData moved(RegionData region, double dx, double dy) {
-  const auto move = [&](std::vector<Point>& list) {
-    for (Point& v : list) v = {v.x + dx, v.y + dy};
-  };
-  for (Part& part : region.parts) {
-    move(part.outer);
-    for (Ring& hole : part.holes) move(hole);
-  }
-  for (Polyline& line : region.polylines) move(line);
-  move(region.points);
-  return region;
+  return vertices_by(std::move(region), [&](Point v) { return Point{v.x + dx, v.y + dy}; });
 }
 
 std::vector<RegionData> all_small_polygons(int corners) {

@@ -102,7 +102,7 @@ class BoundaryGraph {
   const SegmentIndex& segments() const { return segments_; }
   const base::CountedArray<Node>& nodes() const { return nodes_; }
   const Node& operator[](std::uint32_t n) const { return nodes_[n]; }
-  /// Of the list of nodes of a segment that are alive, along next_on_segment.
+  /// The first of the list of nodes of a segment that are alive, along next_on_segment.
   std::uint32_t first_on(std::uint32_t segment) const { return first_on_[segment]; }
   std::uint32_t first_on(const WalkSegment& s) const { return first_on_[segments_.of(s)]; }
   /// Increasing. O(those).
@@ -137,7 +137,7 @@ class BoundaryGraph {
 
   /// Joins the end of the turn to its start. Whether they are the same boundary.
   bool close();
-  /// After close(): the node that goes on in this one after the end of the turn, or itself.
+  /// The node that after close() goes on in this one after the end of the turn, or itself.
   std::uint32_t continued(std::uint32_t node) const { return continued_.empty() ? node : continued_[node]; }
 
   /// Throws std::logic_error unless the invariants hold. O(nodes).

@@ -16,7 +16,7 @@
 namespace dymsum::planar {
 namespace {
 
-/// Of an edge of the obstacle, or of the reflected robot.
+/// A ray along an edge of the obstacle, or of the reflected robot.
 struct Ray {
   WalkSegment of;
   int sign = 1;
@@ -58,8 +58,8 @@ class FreePosition {
            std::max(a.y, b.y) + margin < std::min(c.y, d.y) || std::max(c.y, d.y) + margin < std::min(a.y, b.y);
   }
 
-  // With side 0: vertex v of the robot is on the left of edge e of the obstacle. With side 1: vertex v of the obstacle
-  // is on the left of edge e of the robot, which is the reflected operand's, turned round.
+  // Side 0: vertex v of the robot is on the left of edge e of the obstacle. Side 1: vertex v of the obstacle is on the
+  // left of edge e of the robot, which is the reflected operand's, turned round.
   int side(std::uint32_t op, std::uint32_t e, std::uint32_t v) const { return signs_.side_sign({op, e, v}, z_, near_); }
 
   // The edge at the robot's own direction.

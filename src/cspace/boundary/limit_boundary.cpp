@@ -172,7 +172,7 @@ class Limit {
     return signs_.sign(sum_of(product(forms_.exact_side(s, TurningForms::start(t), signs_.chart()), whole),
                               product(f.num, forms_.exact_cross(s, t, signs_.chart())), 1)) == 0;
   }
-  // Along j: 1 where the end of i comes after an end of j.
+  // The order along j: 1 where the end of i comes after an end of j.
   int order(std::uint32_t i, std::uint32_t j, bool at_end) {
     const WalkSegment& s = segment(j);
     const double d = signs_.along_near(s, ends_[i][1]) - signs_.along_near(s, ends_[j][at_end]);
@@ -280,7 +280,7 @@ BoundaryLimit limit_of(const SignsAt& signs, const std::vector<LimitEdge>& edges
 
 namespace {
 
-// Of the nodes before the angle, or after it; nothing where `near` leaves out what is needed.
+// Adds the limits of the nodes before the angle, or after it; false where `near` leaves out what is needed.
 bool add_limit(const SignsAt& signs, const BoundaryGraph& graph, const std::vector<std::uint32_t>& near, bool after,
                LimitsOfAngle& found) {
   std::map<std::uint32_t, std::uint32_t> next_before;

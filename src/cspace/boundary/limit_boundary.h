@@ -20,7 +20,7 @@ struct LimitEdge {
 };
 
 struct BoundaryLimit {
-  /// Of every sub-edge, a fraction: the sum over those of one surface is twice what the surface gains between the angle
+  /// A fraction for every sub-edge: the sum over those of one surface is twice what the surface gains between the angle
   /// and this side of it.
   std::vector<int> halves;
   /// Sub-edges that belong to one surface where the free space is made smaller by a trifle.

@@ -24,8 +24,8 @@ class CspaceObstacle::State {
   std::vector<Patch> patches;
   std::vector<Shell> shells;
   std::vector<FreeCell> cells;
-  /// Per patch: the free cell on its right from that slab of its interval on; the first entry is for the slab it begins
-  /// in.
+  /// For each patch the free cell on its right from that slab of its interval on; the first entry is for the slab it
+  /// begins in.
   std::vector<std::vector<std::pair<std::uint32_t, std::uint32_t>>> patch_cells;
   std::vector<std::pair<std::uint32_t, std::uint32_t>>
       touching_cells;  ///< that touch at an event angle and are not connected there

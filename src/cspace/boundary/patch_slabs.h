@@ -1,4 +1,4 @@
-// In which slabs, the ranges between neighbouring event angles, a patch is.
+// The slabs, the ranges between neighbouring event angles, that a patch is in.
 #pragma once
 
 #include "dymsum/cspace_obstacle.h"

@@ -17,7 +17,7 @@ struct LineCrossing {
   std::uint32_t order = 0;   ///< of two with one number, other than 0, the lines keep their order along the segment
 };
 
-/// Of parallel segments.
+/// Whether parallel segments have the same direction.
 inline bool same_direction(const TurningForms& forms, const WalkSegment& b, const WalkSegment& c) {
   const Point d = forms.edge(b.side, b.edge), e = forms.edge(c.side, c.edge);
   return forms.parallel(b, c) && d.x * e.x + d.y * e.y > 0;

@@ -6,7 +6,7 @@
 namespace dymsum::planar {
 namespace {
 
-/// In depths: how far from an edge nothing else may come, how near to an end a corner counts, and beyond one.
+/// Lengths in depths: how far from an edge nothing else may come, how near to an end a corner counts, and beyond one.
 constexpr double kClear = 16, kCorner = 4, kBeyond = 2;
 /// Twice as long, and corners apart.
 constexpr double kLeastLength = 2 * kClear;

@@ -22,9 +22,9 @@ class EdgeAprons {
     prev,  ///< if left of the edge and of the one before it
     next,  ///< of the one after it
   };
-  /// Of a point at `along` (a length along an edge from its start) and `left` of its line, both of which may err by a
-  /// quarter of the depth. Sharp corners, edges that are not much longer than the depth or near to others, and pieces
-  /// without area: no.
+  /// What lies beside a point at `along` (a length along an edge from its start) and `left` of its line, both of which
+  /// may err by a quarter of the depth. Sharp corners, edges that are not much longer than the depth or near to others,
+  /// and pieces without area: no.
   Beside beside(std::uint32_t op, std::uint32_t edge, double along, double left);
 
  private:

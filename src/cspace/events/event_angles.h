@@ -6,8 +6,8 @@
 
 namespace dymsum::planar {
 
-/// Of the angle of a tangent, below 8: twice an arc tangent, half a turn as a double, their sum, and the sum with this
-/// bound, which just below 4 may end at 4.
+/// The error of the angle of a tangent, below 8: twice an arc tangent, half a turn as a double, their sum, and the sum
+/// with this bound, which just below 4 may end at 4.
 inline constexpr double kEventAngle = exact::rounding_bound(2 + 2 + 4 + 4, 16);
 
 /// Requires event.root.

@@ -6,8 +6,9 @@
 
 namespace dymsum::planar {
 
-/// In the forms' doubles at heading h. A vertex for vertex events, for three segments the crossing of the two that are
-/// least parallel, for alignments the vertex between the two edges, for overlaps the start of the first segment.
+/// The position in the forms' doubles at heading h: a vertex for vertex events, for three segments the crossing of the
+/// two that are least parallel, for alignments the vertex between the two edges, for overlaps the start of the first
+/// segment.
 struct EventPosition {
   Point at;
   double sine = 1;  ///< at most that of the angle between the two segments: the position errs by its inverse

@@ -18,7 +18,7 @@ bool exists_at(const SignsAt& signs, const RotationCatalog& catalog, const WalkS
   return from >= 0 && to >= 0;
 }
 
-// In doubles by what they and the event's angle err by, else exactly.
+// Doubles decide with a margin for what they and the event's angle err by, exact signs decide the rest.
 Existence EventSigns::exists(const WalkSegment& s) const {
   if (!catalog_.may_exist(s)) return Existence::no;
   const std::uint32_t op = 1 - s.side;
@@ -48,7 +48,7 @@ RotationCatalog::Joint EventSigns::joint(Pair v) const {
   return joint;
 }
 
-// By its first derivative that is not zero: what polynomials are multiplied by to be integers is positive.
+// The first derivative that is not zero decides: what polynomials are multiplied by to be integers is positive.
 int EventSigns::after(const exact::Polynomial& p) const {
   int sign = 0;
   for (exact::Polynomial d = p.derivative(); sign == 0 && !d.is_zero(); d = d.derivative()) sign = exact().sign(d);

@@ -10,12 +10,13 @@ using exact::Polynomial;
 
 namespace {
 
-// Of crossings in doubles: they err by what the side and the cross product do and the angle moves them by, over it.
+// The least sine for crossings in doubles: they err by what the side and the cross product do and the angle moves them
+// by, over it.
 constexpr double kLeastSine = 0x1p-4;
 static_assert((kTurnedSide + kTurnedCross + 4 * 0x1p-49) / kLeastSine + kTurnedPosition + 0x1p-49 <=
               SignsAt::kCrossingNear);
-// Of the cross or scalar product of two edges at the heading, times their lengths: the form (kTurnedCross, and as much
-// for two directions), and what an angle within 2^-49 turns it by.
+// The error of the cross or scalar product of two edges at the heading is this times their lengths: the form
+// (kTurnedCross, and as much for two directions), and what an angle within 2^-49 turns it by.
 constexpr double kProduct = exact::rounding_bound(56 + 2 * 16, 8192);
 
 Polynomial one() { return Polynomial({exact::Big(exact::BigInteger(1))}); }
@@ -25,7 +26,7 @@ Fraction half_of_sum(const Fraction& x, const Fraction& y) {
   return {sum_of(product(x.num, y.den), product(y.num, x.den), 1), sum_of(den, den, 1)};
 }
 
-// Of t within 2^-60.
+// The heading of t within 2^-60.
 Heading heading_of(exact::RootBracket& bracket, int chart) {
   bracket.refine_to(60);
   const double t = exact::double_bounds(bracket.low().value()).first, sign = chart == 0 ? 1 : -1;
@@ -84,7 +85,7 @@ double SignsAt::quotient(const Polynomial& num, const Polynomial& den) const {
   }
 }
 
-// Along the first segment: by rounding a crossing in doubles errs by less than 2^-45 of the span over the sine
+// Rounding lets a crossing in doubles err along the first segment by less than 2^-45 of the span over the sine
 // (side_error, over the lengths), and by 2^-49 (1 + 4 / sine) by the angle.
 std::optional<Point> SignsAt::near(const ExactPosition::Simple& z) const {
   if (!z.crossing) return forms_.position(z.corner, heading_);
@@ -94,7 +95,7 @@ std::optional<Point> SignsAt::near(const ExactPosition::Simple& z) const {
   const double t =
       clear ? forms_.side(z.b, start).at(heading_) / cross
             : quotient(forms_.exact_side(z.b, start, angle_.chart), forms_.exact_cross(z.a, z.b, angle_.chart));
-  // Of a short segment t may err by more than it is long.
+  // The t of a short segment may err by more than it is long.
   const double slack = kNear * forms_.span() / forms_.length1(z.a);
   if (!(t > -slack && t < 1 + slack)) return std::nullopt;
   const Point from = forms_.position(start, heading_), d = forms_.direction(z.a, heading_);
@@ -174,7 +175,7 @@ bool SignsAt::same(const ExactPosition::Simple& y, const ExactPosition& z) const
   return sign(side(s, z)) == 0 && sign(along(s, z)) == 0;
 }
 
-// Of positions that are no midpoints.
+// Whether y and z are the same. Requires that y is no midpoint.
 bool SignsAt::same(const ExactPosition& y, const ExactPosition& z) const { return same(y.first, z); }
 
 int SignsAt::cross(const WalkSegment& d, const WalkSegment& e) const {

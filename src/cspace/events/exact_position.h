@@ -63,12 +63,12 @@ class SignsAt {
   static_assert(2 * kCrossingNear + kTurnedSide + 2 * 0x1p-49 <= kNear);
   /// The sign of side; in doubles where `near`, the position in them, decides.
   int side_sign(const WalkSegment& s, const ExactPosition& z, Point near) const;
-  /// On the segment, ends included; `within` where it is known to be on its line.
+  /// Whether the position is on the segment, ends included; `within` where it is known to be on its line.
   bool holds(const WalkSegment& s, const ExactPosition& z, Point near) const {
     return side_sign(s, z, near) == 0 && within(s, z, near);
   }
   bool within(const WalkSegment& s, const ExactPosition& z, Point near) const;
-  /// Along s: 1 where y comes after z.
+  /// The order along s: 1 where y comes after z.
   int order(const WalkSegment& s, const ExactPosition& y, Point y_near, const ExactPosition& z, Point z_near) const;
   /// d_s . (z - start_s) in doubles.
   double along_near(const WalkSegment& s, Point near) const {

@@ -5,7 +5,7 @@
 namespace dymsum::planar {
 namespace {
 
-/// Of the span: positions so near to each other get one answer.
+/// Positions so near to each other, as a fraction of the span, get one answer.
 constexpr double kCell = 0x1p-14;
 
 }  // namespace

@@ -10,11 +10,11 @@ using exact::BigInteger;
 
 namespace {
 
-/// Of a polynomial's values in doubles, times the sum of its terms' magnitudes: products, sums and powers, a dozen
-/// roundings of 2^-53 each.
+/// The error of a polynomial's values in doubles is this times the sum of its terms' magnitudes: products, sums and
+/// powers, a dozen roundings of 2^-53 each.
 constexpr double kTerms = 0x1p-48;
 
-/// Of an integer as a double.
+/// The error of an integer as a double, relatively.
 constexpr double kRounded = 0x1p-51;
 
 NearPolynomial::Value value_of(const NearPolynomial& p, double u, double most) {
@@ -29,7 +29,7 @@ NearPolynomial::Value value_of(const NearPolynomial& p, double u, double most) {
   return v;
 }
 
-/// Of sum k |c_k| most^(k - 1).
+/// The value of sum k |c_k| most^(k - 1).
 double steepest(const NearPolynomial& p, double most) {
   double s = 0;
   for (int k = p.degree; k >= 1; --k)
@@ -95,7 +95,7 @@ double divide(double low, double high) {
   return std::sqrt(std::max(low, std::min(kLeast, high * 0x1p-20)) * high);
 }
 
-/// Of a monotone polynomial with different signs at the ends; `slope`: the least one.
+/// The root of a monotone polynomial with different signs at the ends; `slope`: the least one.
 NearRoot single_root(const NearPolynomial& p, double low, double high, double slope) {
   const int rising = slope > 0 ? 1 : -1;
   double x = divide(low, high);
@@ -129,7 +129,7 @@ void add_roots(const NearPolynomial& p, double low, double high, int depth, std:
     const int at_low = p(low).sign(), at_high = p(high).sign();
     if (at_low != 0 && at_low == at_high) return;
     if (at_low != 0 && at_high != 0) return roots.push_back(single_root(p, low, high, slope / (high - low)));
-    // At an end, as far as is known: nearer to it more is.
+    // A root may be at an end, as far as is known: nearer to it more is.
     const double least = std::abs(slope) / (high - low);
     for (const bool at_end : {false, true}) {
       if ((at_end ? at_high : at_low) != 0) continue;

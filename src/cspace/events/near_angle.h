@@ -28,7 +28,7 @@ struct NearPolynomial {
     int sign() const { return at > error ? 1 : at < -error ? -1 : 0; }
   };
   Value operator()(double u) const;
-  /// Of all values in [low, high], half of whose width is small: at the midpoint, with all that it changes by.
+  /// The value for all in [low, high], half of whose width is small: that at the midpoint, with all that it changes by.
   Value within(double low, double high) const;
 };
 /// x y - z w for forms of degree 1, which have polynomials of degree 2.
@@ -67,20 +67,20 @@ NearPolynomial difference_of_products(const ExactQuadratic& x, const ExactQuadra
 
 class NearAngle {
  public:
-  /// Around theta = 2 atan(t) + pi chart.
+  /// Forms around theta = 2 atan(t) + pi chart.
   NearAngle(const TurningForms& forms, int chart, double t);
 
   double tangent() const { return t_; }
-  /// Of u in a range of the same chart, rounded outwards.
+  /// The range of u in a range of the same chart, rounded outwards.
   std::array<double, 2> range(const RotationRange& range) const;
   /// theta of u, within kAngleDouble and a rounding.
   double theta_of(double u) const { return theta_ + 2 * std::atan(u); }
 
-  /// As those of TurningForms, in other units: times a power of two.
+  /// The forms of TurningForms in other units: times a power of two.
   PairForm side(const WalkSegment& s, Pair v) const;
   PairForm cross(const WalkSegment& s, const WalkSegment& t) const { return cross(s.side, s.edge, t.side, t.edge); }
   PairForm cross(std::uint32_t side, std::uint32_t edge, std::uint32_t other_side, std::uint32_t other) const;
-  /// Around quarter turns, of operands of up to 2^62 grid steps, in these: the same exactly, times a power of two.
+  /// The same exactly, times a power of two, around quarter turns of operands of up to 2^62 grid steps, in these.
   bool exact() const { return exact_; }
   ExactQuadratic exact_side(const WalkSegment& s, Pair v) const;
   ExactQuadratic exact_cross(const WalkSegment& s, const WalkSegment& t) const {

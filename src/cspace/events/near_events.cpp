@@ -12,15 +12,15 @@ namespace {
 
 /// Segments at a smaller sine are nearly parallel, and have no crossing that is known in the whole window.
 constexpr double kSteepCross = 0x1p-6;
-/// Of the span: how far positions that count as one, and windows, may move.
+/// How far, as a fraction of the span, positions that count as one, and windows, may move.
 constexpr double kDeep = 0x1p-12;
-/// Of u.
+/// How far the range of u around the angle itself reaches, which is searched by itself.
 constexpr double kMidpoint = 0x1p-44;
 /// Fractions of crossings of nearly parallel lines that are known worse are not used.
 constexpr double kKnownFraction = 0x1p-30;
 /// How far beyond the ends of a segment, relatively, positions are still taken to be on it.
 constexpr double kBesideEnds = 0x1p-18;
-/// Of the span: how deep covered positions lie below an edge at most.
+/// How deep, as a fraction of the span, covered positions lie below an edge at most.
 constexpr double kDepth = 0x1p-16;
 
 class Finder {
@@ -167,8 +167,8 @@ class Finder {
     return d.x * e.x + d.y * e.y > 0 &&
            std::abs(d.x * e.y - d.y * e.x) < kSteepCross * forms_.length1(s) * forms_.length1(t);
   }
-  // Of an end of a segment that runs beside d. What lies between both ends does so too: it is left of d, and of the
-  // edges beside d at convex corners, towards which it does not come nearer.
+  // Whether d always covers an end of a segment that runs beside it. What lies between both ends does so too: it is
+  // left of d, and of the edges beside d at convex corners, towards which it does not come nearer.
   bool always_covers(const WalkSegment& d, Pair v) {
     const EdgeAprons::Beside where = beside(d, forms_.position(v, w_.heading), w_.heading);
     if (where == EdgeAprons::Beside::no || !always_left(d, v)) return false;
@@ -176,7 +176,7 @@ class Finder {
     const Operand& o = forms_.operand(d.side);
     return always_left({d.side, where == EdgeAprons::Beside::prev ? o.prev[d.edge] : o.next[d.edge], d.vertex}, v);
   }
-  // At all angles that are looked at, but for one at an end that is left out.
+  // Whether v is on the left of d at all angles that are looked at, but for one at an end that is left out.
   bool always_left(const WalkSegment& d, Pair v) const {
     NearPolynomial p = angle_.side_polynomial(d, v);
     int sign = 1;
@@ -287,7 +287,7 @@ class Finder {
       }
   }
 
-  // Of three of which no two cross steeply, or two that do while neither crosses the third one steeply.
+  // Looks at threes of which no two cross steeply, or two that do while neither crosses the third one steeply.
   void look_at_parallels(std::uint32_t a, std::size_t parallels) {
     lines_.clear();
     for (std::size_t m = parallels; m < partners_.size(); ++m) lines_.push_back(around(partners_[m], 0));
@@ -331,7 +331,7 @@ class Finder {
     return where;
   }
 
-  // At the angle itself, where that is an end and left out.
+  // Whether a root is at the angle itself, where that is an end and left out.
   bool excluded(const NearRoot& root) const {
     return root.low == 0 && root.high == 0 && ((open_low_ && low_ == 0) || (open_high_ && high_ == 0));
   }
@@ -339,7 +339,7 @@ class Finder {
   bool may_matter(std::uint32_t a, double at, const Line& b, const Line& c, const NearRoot& root) {
     if (!root.known) return true;
     if (absent(a, root) || absent(b.partner->other, root) || absent(c.partner->other, root)) return false;
-    // By the one that is less parallel.
+    // The one that is less parallel decides.
     const bool first = std::abs(b.cross.c[0]) / length(b) >= std::abs(c.cross.c[0]) / length(c);
     const Line& by = first ? b : c;
     const double u = 0.5 * (root.low + root.high);
@@ -472,7 +472,7 @@ class Finder {
   std::vector<std::array<NearPolynomial, 2>> exists_;
   std::array<std::vector<std::uint32_t>, 2> line_of_;  // of edges
   std::vector<std::uint32_t> first_, others_;
-  // Of the segment that is looked along:
+  // What the segment that is looked along has:
   std::vector<Partner> partners_;  // steep ones first, by their positions
   std::vector<Line> lines_;
   std::vector<std::array<std::uint32_t, 2>> vertices_;

@@ -13,7 +13,7 @@
 
 namespace dymsum::planar {
 
-/// By the indices of the window's segments.
+/// Events by the indices of the window's segments.
 struct NearEvents {
   struct Vertex {
     std::uint32_t segment = 0;

@@ -146,27 +146,15 @@ bool OverlapFilter::holds(std::uint32_t op, std::uint32_t component, Point x, He
 bool OverlapFilter::inside(Point at, Heading h) const {
   if (recent_cross(at, h)) return true;
   const double margin = kMargin * forms_.span();
-  std::vector<std::pair<std::uint32_t, std::uint32_t>> stack;
+  const auto apart = [&](const Node& a, const Node& b) {
+    return a.x1 < at.x - b.x1 - margin || a.x0 > at.x - b.x0 + margin || a.y1 < at.y - b.y1 - margin ||
+           a.y0 > at.y - b.y0 + margin;
+  };
+  const auto leaves = [&](const Node& a, const Node& b) { return edges_cross(a, b, at, h); };
   for (std::uint32_t p = 0; p < fixed_.roots.size(); ++p)
     for (std::uint32_t q = 0; q < turning_.roots.size(); ++q) {
-      stack.assign(1, {fixed_.roots[p], turning_.roots[q]});
-      while (!stack.empty()) {
-        const auto [i, j] = stack.back();
-        stack.pop_back();
-        const Node &a = fixed_.nodes[i], &b = turning_.nodes[j];
-        if (a.x1 < at.x - b.x1 - margin || a.x0 > at.x - b.x0 + margin || a.y1 < at.y - b.y1 - margin ||
-            a.y0 > at.y - b.y0 + margin)
-          continue;
-        if (a.left == 0 && b.left == 0) {
-          if (edges_cross(a, b, at, h)) return true;
-        } else if (b.left == 0 || (a.left != 0 && a.last - a.first >= b.last - b.first)) {
-          stack.push_back({a.left, j});
-          stack.push_back({a.right, j});
-        } else {
-          stack.push_back({i, b.left});
-          stack.push_back({i, b.right});
-        }
-      }
+      if (any_pair_of_leaves(fixed_.nodes, fixed_.roots[p], turning_.nodes, turning_.roots[q], apart, leaves))
+        return true;
       // No edges cross: one component may hold the other, and then its first vertex.
       const Component &cp = forms_.operand(0).components[p], &cq = forms_.operand(1).components[q];
       const Point f = forms_.points(0)[cp.first];

@@ -15,7 +15,7 @@ namespace dymsum::planar {
 /// Used by one thread at a time: it remembers which edges crossed last.
 class OverlapFilter {
  public:
-  /// As fractions of the span: what edges have to be apart or cross by, so that positions may err by kPosition, and by
+  /// Edges have to be apart or cross by this fraction of the span, so that positions may err by kPosition, and by
   /// kMoves more because they are queried at a slightly different angle.
   static constexpr double kMargin = 0x1p-32, kPosition = 0x1p-36, kMoves = 0x1p-33;
   static_assert(kPosition + kMoves + 4 * kTurnedSide < kMargin);
@@ -33,10 +33,7 @@ class OverlapFilter {
   bool holds(std::uint32_t op, std::uint32_t component, Point x, Heading h, double near) const;
 
  private:
-  struct Node {
-    double x0, y0, x1, y1;
-    std::uint32_t first, last, left, right;
-  };
+  using Node = EdgeTree::Node;
   struct Tree {
     std::vector<Node> nodes;
     std::vector<std::uint32_t> roots;  ///< per component

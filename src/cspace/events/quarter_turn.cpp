@@ -46,7 +46,7 @@ std::int64_t QuarterTurn::side(const WalkSegment& s, Pair v) const {
   return d.x * (to.y - from.y) - d.y * (to.x - from.x);
 }
 
-// With the origin at the start of a, as TurningForms::concurrency.
+// The origin is at the start of a, as in TurningForms::concurrency.
 bool QuarterTurn::concurrent(const WalkSegment& a, const WalkSegment& b, const WalkSegment& c) const {
   const Vec d = direction(a), e = direction(b), f = direction(c);
   const std::int64_t ca = f.x * d.y - f.y * d.x, ab = d.x * e.y - d.y * e.x;

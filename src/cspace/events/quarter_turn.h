@@ -30,8 +30,8 @@ class QuarterTurn {
   /// Whether the coefficients of forms are exact in doubles: coordinates of at most 2^10 grid steps, whose differences,
   /// products and sums of products in TrigForm2 are multiples of 1/2 below 2^52.
   bool exact_forms() const { return exact_forms_; }
-  /// For exact forms: zero here, and nowhere else within `width`. With d the first derivative that is not zero here,
-  /// the m-th one, by Taylor's formula |f(u)| >= |u|^m / m! (|d| - |u| / (m + 1) max |f^(m + 1)|).
+  /// Whether an exact form is zero here, and nowhere else within `width`. With d the first derivative that is not zero
+  /// here, the m-th one, by Taylor's formula |f(u)| >= |u|^m / m! (|d| - |u| / (m + 1) max |f^(m + 1)|).
   bool zero_here_only(const TrigForm2& f, double width) const { return sign_beside(f, width) != 0; }
   bool zero_here_only(const TrigForm& f, double width) const {
     return zero_here_only(TrigForm2{f.a, f.b, f.g, 0, 0}, width);
@@ -81,7 +81,7 @@ class CrowdedQuarters {
  public:
   /// None where coordinates are too large for QuarterTurn.
   CrowdedQuarters(const TurningForms& forms, const std::vector<Alignment>& alignments);
-  /// Of an end of a range; null where that is no crowded quarter turn.
+  /// The quarter turn at an end of a range; null where that is no crowded quarter turn.
   const CrowdedQuarter* at(int chart, double t) const;
   bool any() const {
     return std::any_of(quarters_.begin(), quarters_.end(), [](const auto& q) { return q.has_value(); });

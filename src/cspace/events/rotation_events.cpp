@@ -17,8 +17,8 @@ namespace {
 
 /// Where doubles look for events they look a little farther, relative to lengths and in radians.
 constexpr double kNear = 0x1p-18;
-/// Of an interval that two segments share, times the span: two positions (16 each) and a product with a direction (19 +
-/// 2).
+/// The error of an interval that two segments share is this times the span: two positions (16 each) and a product with
+/// a direction (19 + 2).
 constexpr double kInterval = exact::rounding_bound(2 * 16 + 19 + 2, 8192);
 /// A vertex whose root doubles know worse, or whose slope there is less than this fraction of what it can be, is looked
 /// at exactly.
@@ -64,7 +64,7 @@ class Collector {
     return std::move(out_);
   }
 
-  // Around an angle at which much is nearly aligned.
+  // Looks around an angle at which much is nearly aligned.
   void look_near() {
     for (const EventWindow::SegmentPair& m : w_.pairs) {
       if (forms_.parallel(w_.segments[m.a], w_.segments[m.b])) overlaps(w_.segments[m.a], w_.segments[m.b]);
@@ -152,8 +152,9 @@ class Collector {
       });
   }
 
-  // Of two segments with the same direction, on one line at the angle of an event: the interval that they share is
-  // longer than nothing. Lines that coincide but for a rounding have ends that do, and share what doubles do not see.
+  // Whether the interval that two segments share is longer than nothing, which have the same direction and lie on one
+  // line at the angle of an event. Lines that coincide but for a rounding have ends that do, and share what doubles do
+  // not see.
   bool share_interval(const WalkSegment& a, const WalkSegment& b, const RotationEvent& event) const {
     const Heading h = Heading::of(event.theta());
     const Point d = forms_.direction(a, h), e = forms_.direction(b, h), s = forms_.position(TurningForms::start(a), h),

@@ -58,7 +58,7 @@ struct QuarterEnds {
   const NearAngle *around = nullptr, *beside = nullptr;
   bool high_left_out = false;  ///< no event is made of the end either way
 };
-/// With a filter, without those at positions that are provably covered. Always without those at crowded ends. `again`
+/// A filter leaves out those at positions that are provably covered. Those at crowded ends are always left out. `again`
 /// is called now and then: it throws to stop.
 RotationEvents events_in(const EventWindow& window, const TurningForms& forms, const RotationCatalog& catalog,
                          const std::vector<Alignment>& all, const OverlapFilter* filter, const QuarterEnds& ends,

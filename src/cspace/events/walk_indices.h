@@ -18,9 +18,9 @@ std::shared_ptr<const OperandPair> numbered_there_and_back(const OperandPair& ba
 /// The same base, but contacts in its slices name walk edges and walk vertices.
 std::shared_ptr<const OperandPair> numbered_by_walk(const OperandPair& base);
 
-/// From the first to the last segment along an edge of a slice's ring. Where the boundary goes straight on at a
-/// touching point, from one edge of a region to another, the slice has no vertex, and names the two where its edge
-/// begins and where it ends: here what lies between follows.
+/// Appends the segments from the first to the last one along an edge of a slice's ring. Where the boundary goes
+/// straight on at a touching point, from one edge of a region to another, the slice has no vertex, and names the two
+/// where its edge begins and where it ends: here what lies between follows.
 void append_run(WalkSegment first, const WalkSegment& last, const TurningForms& forms, std::vector<WalkSegment>& to);
 
 /// Whether one segment ends where the other starts, at every angle: in a common pair of vertices, whichever visits of

@@ -39,8 +39,8 @@ class WindowEnds {
         return true;
     return false;
   }
-  /// Beside an angle at which much is aligned: the sign that a side, a cross product or a concurrency
-  /// (TurningForms::concurrency) has in all of the window; else 0.
+  /// The sign that a side, a cross product or a concurrency (TurningForms::concurrency) has in all of a window beside
+  /// an angle at which much is aligned; else 0.
   int sign_beside(const WalkSegment& s, Pair v) const {
     return ends_.beside == nullptr ? 0 : sign_of(ends_.beside->side(s, v).polynomial());
   }

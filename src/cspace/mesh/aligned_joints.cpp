@@ -24,9 +24,9 @@ Point along(const RingTable& table, std::uint32_t edge) {
   return {b.x - a.x, b.y - a.y};
 }
 
-/// Of the cross product of an edge and a turned one, times their lengths, besides what the angle errs by. The edges (1
-/// each), the cosine and the sine (2), products and their sum (1 each): a component of the turned edge errs by 5, as a
-/// vector that is less than 8. The other edge, and the products and their difference, 1 each.
+/// The error of the cross product of an edge and a rotated one, besides what the angle errs by, is this times their
+/// lengths. The edges (1 each), the cosine and the sine (2), products and their sum (1 each): a component of the turned
+/// edge errs by 5, as a vector that is less than 8. The other edge, and the products and their difference, 1 each.
 constexpr double kTurnedEdges = exact::rounding_bound(8 + 1 + 1 + 1, 16);
 
 /// Whether d and r, turned by an angle, are parallel.
@@ -51,7 +51,7 @@ class Lines {
         obstacle_(ring_table(obstacle.obstacle())),
         robot_(ring_table(obstacle.robot())) {}
 
-  /// To an event angle.
+  /// Rotates to an event angle.
   void turn(std::uint32_t angle) {
     const EventAngle& near = state_.angles[angle];
     angle_ = &state_.exact_angles[angle];

@@ -14,8 +14,8 @@ class FreeRotation {
   /// Requires: an obstacle that lives as long as this.
   FreeRotation(const CspaceObstacle& obstacle, Point at);
 
-  /// As CspaceObstacle::turn_marks: the angles are those of Pivot; between two of them one orientation tells what is
-  /// free, at one with overlaps on both sides free_position does.
+  /// The marks are those of CspaceObstacle::turn_marks, the angles those of Pivot; between two of them one orientation
+  /// decides what is free, at one with overlaps on both sides free_position does.
   std::vector<TurnMark> marks();
   std::vector<TurnMark> marks(const Orientation& from, const Orientation& to);
 

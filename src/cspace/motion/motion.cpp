@@ -21,7 +21,7 @@ Result<RationalPoint> rational(Point p) {
 
 RationalPoint to_public(const Position& p) { return {exact::to_rational(p.x), exact::to_rational(p.y)}; }
 
-// Without a gap whose neighbours are free too: the maximal free intervals.
+// The maximal free intervals: none begins or ends at a gap whose neighbours are free too.
 std::vector<TurnInterval> intervals(const std::vector<PivotEvent>& events, const std::vector<PivotGap>& gaps) {
   std::vector<TurnInterval> free;
   const std::size_t n = gaps.size();

@@ -14,8 +14,8 @@ namespace {
 
 using planar::Pose;
 
-// Of a + t d on the way from a to b, with d = b - a rounded: times |d| + 4 for the angle, which is reduced to at most
-// pi first (2), times |a| + |b| for a coordinate; d, the product and the sum.
+// The error of a + t d between a and b, with d = b - a rounded, is this times |d| + 4 for the angle, which is reduced
+// to at most pi first (2), and times |a| + |b| for a coordinate; d, the product and the sum.
 constexpr double kAngle = exact::rounding_bound(2 + 3, 8), kCoordinate = exact::rounding_bound(3, 8);
 
 double largest(const Region& region) {
@@ -41,7 +41,7 @@ class Sweep {
     d_ = {b.x - a.x, b.y - a.y, to.theta - from.theta};
     way_ = std::hypot(d_.x, d_.y);
     arc_ = pose_.reach() * std::abs(d_.theta);
-    // On so long a way doubles tell no angle: that of the start stands for any.
+    // Doubles determine no angle on so long a path: that of the start stands for any.
     any_angle_ = std::abs(d_.theta) > 0x1p50;
     if (any_angle_) d_.theta = 0;
     // Rounding of the angle turns the robot a little, that of the position moves it.

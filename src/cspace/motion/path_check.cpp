@@ -69,7 +69,7 @@ Result<PathCheck> check_piece(const Region& robot, const Region& obstacle, const
   return of_rotation(*check, a.approx, turn_of(a, b));
 }
 
-// In place, as far as theta says: more than a turn is a whole turn.
+// Checks a rotation in place, as far as theta says: more than a turn is a whole turn.
 template <class At>
 Result<PathCheck> check_turn(const Region& robot, const Region& obstacle, const At& at, const Configuration& a,
                              const Configuration& b, Touching touch) {
@@ -138,7 +138,7 @@ Result<PathCheck> check_piece(const Region& robot, const Region& obstacle, const
                {}};
 }
 
-// Of the whole path, while a piece of it is examined.
+// The progress of the whole path, while a piece of it is examined.
 Progress of_piece(const Progress& progress, std::size_t piece, std::size_t poses) {
   if (!progress) return {};
   return [&progress, piece, poses](std::string_view, double fraction) {

@@ -30,14 +30,15 @@ Polynomial polynomial(const BigRational& a, const BigRational& b, const BigRatio
   return Polynomial(std::move(whole));
 }
 
-// Of a position that is rounded, times |x| + |y|.
+// The error of a position that is rounded is this times |x| + |y|.
 constexpr double kRounded = exact::rounding_bound(1, 2);
-// Of a vertex of the turned robot, times its reach: the heading's double and what its cosine and sine err by.
+// The error of a vertex of the rotated robot is this times its reach: the heading's double and what its cosine and sine
+// err by.
 constexpr double kTurned = exact::rounding_bound(12 + 2, 32);
-// Of the form of a vertex over an edge, times |edge|_1 and all coordinates: two differences and the position (3),
-// products and their sums (2 for each of the three terms), and cosine and sine (16 each).
+// The error of the form of a vertex over an edge is this times |edge|_1 and all coordinates: two differences and the
+// position (3), products and their sums (2 for each of the three terms), and cosine and sine (16 each).
 constexpr double kForm = exact::rounding_bound(3 * (3 + 2) + 2 * 16, 512);
-// Of half of the difference of two angles.
+// The error of half of the difference of two angles.
 constexpr double kHalf = exact::rounding_bound(2 * 12 + 8, 8192);
 // Circles that miss an edge by more than this fraction of all coordinates miss it; any fraction above a thousand
 // roundings is right, as only those that come nearer are looked at.

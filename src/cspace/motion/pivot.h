@@ -18,7 +18,7 @@ struct PivotEvent {
   Contact contact;
 };
 
-/// Between two neighbouring events, counter-clockwise; their numbers.
+/// The gap between two neighbouring events, counter-clockwise; their indices.
 struct PivotGap {
   std::uint32_t begin = 0, end = 0;
   bool overlap = false;
@@ -35,7 +35,7 @@ class Pivot {
   /// Requires: operands that CspaceObstacle::create takes, which live as long as this.
   Pivot(const Region& robot, const Region& obstacle);
 
-  /// From now on at this position. O(1).
+  /// The robot stands at this position from now on. O(1).
   void stand(const Position& at);
   /// Whether the interiors meet at an orientation. Exact: doubles, or a slice.
   bool overlaps(const Orientation& theta);

@@ -11,18 +11,18 @@
 namespace dymsum::planar {
 namespace {
 
-// Of a cross product of differences that are known, times |product| + |product|: two differences, the products and
-// their difference.
+// The error of a cross product of differences that are known is this times |product| + |product|: two differences, the
+// products and their difference.
 constexpr double kCross = exact::rounding_bound(4, 8);
-// Of the length of a vector, which is at least that long: two squares, their sum, the root.
+// The error of the length of a vector, which is at least that long: two squares, their sum, the root.
 constexpr double kLength = exact::rounding_bound(3, 8);
-// Of a coordinate of x + R r, times 2 |r| + |x|: cosine and sine err by 1 each, sqrt(2) |r| together, the products by
-// |r| together, their difference and the sum by |r| and |x| + |r|.
+// The error of a coordinate of x + R r is this times 2 |r| + |x|: cosine and sine err by 1 each, sqrt(2) |r| together,
+// the products by |r| together, their difference and the sum by |r| and |x| + |r|.
 constexpr double kPlaced = exact::rounding_bound(5, 8);
-// Of the distance of a vertex from an edge, times M = span + reach + |x| + |y|; vectors from the edge's start to the
-// vertex are at most sqrt(2) M long, and so are those to the foot. The fraction of the foot errs by 4 of numerator and
-// denominator each and the quotient, which moves the foot by 9 sqrt(2) M; the difference of vector and foot errs by 4
-// sqrt(2), its length by 2 sqrt(2).
+// The error of the distance of a vertex from an edge is this times M = span + reach + |x| + |y|; vectors from the
+// edge's start to the vertex are at most sqrt(2) M long, and so are those to the foot. The fraction of the foot errs by
+// 4 of numerator and denominator each and the quotient, which moves the foot by 9 sqrt(2) M; the difference of vector
+// and foot errs by 4 sqrt(2), its length by 2 sqrt(2).
 constexpr double kDistance = exact::rounding_bound(22, 32);
 
 double largest(const std::vector<Point>& points) {

@@ -12,9 +12,11 @@ using exact::BigRational;
 
 namespace {
 
-// Of a position that is rounded, times its largest coordinate; rounded to a subnormal number it errs by 2^-1075.
+// The error of a position that is rounded is this times its largest coordinate; rounded to a subnormal number it errs
+// by 2^-1075.
 constexpr double kPositionRounded = exact::rounding_bound(1, 2), kSubnormal = 0x1p-1060;
-// Of a cross product of differences, times |product| + |product|, and of a difference, besides what they err by.
+// The errors of a cross product of differences, times |product| + |product|, and of a difference, besides what they err
+// by.
 constexpr double kMapCross = exact::rounding_bound(4, 8), kDifference = exact::rounding_bound(1, 2);
 // The roundings of bounds themselves.
 constexpr double kWider = 1.01;
@@ -197,7 +199,7 @@ SliceMap::Passage SliceMap::passage(const SlicePoint& a, const SlicePoint& b, bo
   meetings.emplace_back(0, kNone);
   meetings.emplace_back(1, kNone);
   std::sort(meetings.begin(), meetings.end(), earlier);
-  // Between two meetings the way stays on one side of everything; its points in the open slice form open intervals.
+  // Between two meetings the path stays on one side of everything; its points in the open slice form open intervals.
   for (std::size_t k = 0; k + 1 < meetings.size(); ++k) {
     const BigRational &low = meetings[k].first, &high = meetings[k + 1].first;
     if (low == high) continue;

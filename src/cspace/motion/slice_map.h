@@ -71,7 +71,7 @@ class SliceMap {
   /// Spots that are the ends of the tight segments; a tight point is both of its ends.
   const std::vector<std::array<std::uint32_t, 2>>& cracks() const { return cracks_; }
 
-  /// About as much as it takes, with exact positions of all spots.
+  /// Roughly what the map takes, with exact positions of all spots.
   std::size_t bytes() const;
 
   /// Touching: on the boundary of the open slice, tight features included, or on a piece of the slice without area.

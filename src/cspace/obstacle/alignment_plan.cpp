@@ -9,8 +9,8 @@ namespace {
 
 using Node = BoundaryGraph::Node;
 
-/// Of the difference of a position along two edges in line and a length, times both lengths: each length (1 for the
-/// coordinates, 2 for the root), a fraction of one, the sum with the other.
+/// The error of the difference of a position along two edges in line and a length is this times both lengths: each
+/// length (1 for the coordinates, 2 for the root), a fraction of one, the sum with the other.
 constexpr double kInLine = exact::rounding_bound(3 + 1 + 1 + 3, 16);
 
 /// Visible sub-edges that follow each other along the common line of two aligned edges, and where they start and end

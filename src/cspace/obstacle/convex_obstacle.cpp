@@ -79,8 +79,8 @@ class ConvexMerge {
   }
 
  private:
-  // Of a pair of edges: an alignment, which may be an event at an angle of its own, with the digits of its polynomial;
-  // and two contacts, each of which has up to three patches of one cell.
+  // The bytes of a pair of edges: an alignment, which may be an event at an angle of its own, with the digits of its
+  // polynomial; and two contacts, each of which has up to three patches of one cell.
   static constexpr std::uint64_t kOfPair = 2 * sizeof(EdgeAlignment) + sizeof(ObstacleEvent) + sizeof(EventAngle) +
                                            sizeof(ExactAngle) + 256 + 6 * (2 * sizeof(Patch) + 48);
   std::uint32_t m() const { return static_cast<std::uint32_t>(obstacle_.size()); }
@@ -130,7 +130,7 @@ class ConvexMerge {
     }
   }
 
-  // With z = a + b i and a >= 0, or -z in chart 1: t is the root in (-1, 1] of b (1 - t^2) - 2 a t; the other one is
+  // Let z = a + b i with a >= 0, or -z in chart 1: t is the root in (-1, 1] of b (1 - t^2) - 2 a t; the other one is
   // -1/t.
   void add_angle(const EdgeAlignment& at) {
     BigInteger a = real(at), b = imaginary(at);
@@ -196,7 +196,7 @@ class ConvexMerge {
     Contact first, then;
   };
 
-  // Of an alignment that comes after the begin by less than pi, or comes before the end by less than pi.
+  // The swap of an alignment that comes after the begin by less than pi, or comes before the end by less than pi.
   std::uint32_t early_swap(std::uint32_t begin, std::uint32_t end, std::uint32_t at) const {
     return std::min(after(begin, at), after(begin, end));
   }

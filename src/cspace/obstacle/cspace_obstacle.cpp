@@ -26,8 +26,8 @@ namespace {
 
 using namespace planar;
 
-// Of a position in the lattice's doubles, times its span: coordinates of up to three roundings, whose sum is no longer
-// than the span, and the sum. No input shows it: what Collision grants beyond its counts is as much.
+// The error of a position in the lattice's doubles is this times its span: coordinates of up to three roundings, whose
+// sum is no longer than the span, and the sum. No input shows it: what Collision grants beyond its counts is as much.
 constexpr double kPositionInSteps = exact::rounding_bound(3 + 1, 8);
 
 Error unsupported(const char* message) { return {ErrorCode::unsupported_operand, message, {}}; }

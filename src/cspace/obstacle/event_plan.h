@@ -9,8 +9,8 @@
 
 namespace dymsum::planar {
 
-/// Of a position on a segment beside the fraction's error, in each coordinate, times the span: a position (16), a
-/// direction (19), product and sum.
+/// The error of a position on a segment beside the fraction's, in each coordinate, is this times the span: a position
+/// (16), a direction (19), product and sum.
 inline constexpr double kPositionError = exact::rounding_bound(16 + 19 + 2, 128);
 /// The same at an angle that errs by `turn`: nothing turns about a centre farther than half a span.
 constexpr double position_error(double turn) { return kPositionError + turn; }

@@ -15,8 +15,8 @@ int cells_for(double pairs) { return std::clamp(static_cast<int>(2.25 * std::sqr
 /// without covered cells.
 constexpr std::size_t kLongEdges = 96;
 
-/// Of half tangents around an angle at which edges are nearly aligned: lines that are 2^-50 apart there, and part with
-/// the square of the angle, have parted within this.
+/// The reach in half tangents around an angle at which edges are nearly aligned: lines that are 2^-50 apart there, and
+/// part with the square of the angle, have parted within this.
 constexpr double kNearCrowd = 0x1p-22;
 double nearby(double t) { return std::nearbyint(t * 0x1p30) * 0x1p-30; }
 

@@ -67,7 +67,7 @@ std::optional<std::vector<LocalArrangement::Path>> LocalArrangement::paths(Seen&
   return found;
 }
 
-// Of visible pieces that no path takes.
+// The cycles of visible pieces that no path takes.
 std::vector<std::vector<int>> LocalArrangement::cycles(Seen& seen) const {
   std::vector<std::vector<int>> found;
   for (int s = 0; s < size; ++s)

@@ -78,7 +78,7 @@ class Splice {
     return true;
   }
 
-  // Along the boundary before the angle, from each node that comes in to the first one that leaves.
+  // Walks along the boundary before the angle, from each node that comes in to the first one that leaves.
   bool walk_chains() {
     std::vector<std::uint8_t> left(chains_.size());
     for (std::size_t c = 0; c < chains_.size(); ++c) {
@@ -306,7 +306,7 @@ std::optional<EventExtent> extent_of(const RotationEvent& event, const SweepScen
   return to;
 }
 
-// Along the longest interval, to within what it is short of a box's rim.
+// The frame lies along the longest interval, to within what it is short of a box's rim.
 BoxFrame frame_along(Point along) {
   constexpr double kAlong = 0x1p-22;
   static_assert(4 * kAlong < kBeside);

@@ -10,7 +10,7 @@
 namespace dymsum::planar {
 namespace {
 
-// By theta in (-pi, pi]: the sweep runs from -pi / 2 to 3 pi / 2.
+// The order of angles by theta in (-pi, pi]: the sweep runs from -pi / 2 to 3 pi / 2.
 struct AngleOrder {
   std::vector<std::uint32_t> index;  ///< of the sweep's angles
   explicit AngleOrder(const std::vector<ExactAngle>& angles) : index(angles.size()) {
@@ -130,7 +130,7 @@ class Export {
       source_.push_back({cut.node});
     }
   }
-  // In the order of slabs from the patch's beginning, or from slab 0.
+  // Adds cells in the order of slabs from the patch's beginning, or from slab 0.
   void add_cells_of_cut_patches(const std::vector<std::uint32_t>& index) {
     for (std::size_t p = 0; p < cut_.size(); ++p) {
       auto& cells = state_.patch_cells[p];

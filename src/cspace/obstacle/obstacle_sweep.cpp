@@ -71,7 +71,7 @@ void ObstacleSweep::close(const OverlapFilter& filter) {
   if (!swept_.graph.close()) throw std::logic_error("ObstacleSweep: a full turn does not lead back to its start");
 }
 
-// In doubles where the angles are far enough apart.
+// Doubles decide where the angles are far enough apart.
 Orientation ObstacleSweep::sample(const RotationRange& range, RotationEvent* from, RotationEvent* to,
                                   double within) const {
   const AlgebraicRoot low = from != nullptr ? exact_root(*from, forms_, range) : AlgebraicRoot::of(range.t_low);
@@ -266,7 +266,7 @@ void ObstacleSweep::settle(RotationEvent& event, EventPlan plan, const RotationR
   swept_.graph.apply(plan.edit);
 }
 
-// At a rational angle between this event and the next one.
+// Takes the slice at a rational angle between this event and the next one.
 void ObstacleSweep::take_slice(const Group& group, const RotationRange& range, const After& after) {
   ++swept_.work.slices;
   list_angle(range, *group[0]);
@@ -305,7 +305,7 @@ void ObstacleSweep::examine(const RotationRange& range, const OverlapFilter& fil
   const ExactAngle& angle = swept_.angles.back();
   const auto rational = exact::rational_value(angle.t);
   const TightCurves curves{curves_, curves_after};
-  // Of a crowded quarter turn there are no events.
+  // A crowded quarter turn has no events.
   const TightFindings found =
       listed && rational ? tight_in_slice(orientation_at(angle.chart, *rational), curves, scene(), now_, reader_)
                          : tight_at_events(doubtful_, curves, scene(), now_, filter);
@@ -397,7 +397,7 @@ double ObstacleSweep::position_error() const {
   return kPosition * (forms_.span() * l.unit + offsets);
 }
 
-// Of a point in the forms' doubles, which leave out the turned centre and the offsets.
+// The position of a point in the forms' doubles, which leave out the turned centre and the offsets.
 Point ObstacleSweep::position(Heading h, Point at) const {
   const Point c = forms_.centre();
   const Lattice& l = *reader_.base().lattice;

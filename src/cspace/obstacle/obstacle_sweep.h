@@ -45,7 +45,7 @@ class ObstacleSweep {
   // An orientation after the group and before the next event, by so many radians at most.
   using After = std::function<Orientation(double)>;
   using Group = EventGroup;
-  // Between two angles of a range; without events its ends.
+  // An orientation between two angles of a range; without events its ends.
   Orientation sample(const RotationRange& range, RotationEvent* from, RotationEvent* to,
                      double within = INFINITY) const;
   RotationEvent* first_event(const RotationRange& range, base::CountedArray<RotationEvent>& events) const;
@@ -85,7 +85,7 @@ class ObstacleSweep {
   bool turned_ = false;  // the last window is passed
   std::optional<NearSlices> near_slices_;
 
-  // At the angle of the group:
+  // What is known at the angle of the group:
   AngleNow now_;
   bool sliced_ = false;  // a whole slice told what changed
   // Unless a whole one did: nodes of before that are in the boxes of slices near events.
@@ -93,11 +93,11 @@ class ObstacleSweep {
   std::uint32_t first_node_ = 0;  // of those that begin at the angle
   Group doubtful_;                // events that may be positions of tight contacts, or of nothing at all
 
-  // Of the window, and of these the tight ones after the last group and after the start; sorted.
+  // The threes of the window, and the tight ones among them after the last group and after the start; sorted.
   std::vector<AlwaysConcurrent> always_, curves_, begin_curves_;
 
-  // At the very end of the last window. Of a crowded quarter turn one event stands for many, so that a whole slice is
-  // due.
+  // What waits at the very end of the last window. One event of a crowded quarter turn stands for many, so that a whole
+  // slice is due.
   std::vector<RotationEvent> pending_;
   std::optional<CrowdedEnd> crowded_;
   RotationRange pending_range_;

@@ -54,7 +54,7 @@ class OverlapEdit {
   }
 
  private:
-  // Along the common line, from a's start.
+  // The position along the common line, from a's start.
   double along(Pair v) const {
     const Point p = forms_.position(v, heading_), origin = forms_.position(TurningForms::start(a_), heading_);
     return (direction_.x * (p.x - origin.x) + direction_.y * (p.y - origin.y)) / length_;

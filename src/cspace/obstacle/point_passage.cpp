@@ -77,7 +77,7 @@ class Around {
     const int c = cross(a, b);
     return c != 0 ? (c > 0 ? 1 : 3) : ahead(a) == ahead(b) ? 0 : 2;
   }
-  // In [from, to).
+  // Whether u is in [from, to).
   bool starts_in(const SectorEnd& u, const Sector& s) const {
     const int a = turn(s.from, u), b = turn(s.from, s.to);
     return a != b ? a < b : (a == 1 || a == 3) && cross(u, s.to) > 0;

@@ -12,10 +12,10 @@ namespace {
 /// Lines that collinear() may call one have offsets from the origin that differ by less than this fraction of the span,
 /// a tenth of it.
 constexpr double kLineNear = 0x1p-34;
-/// Of an end of an interval, times the span, beside what its fraction of the segment errs by: two positions (16), a
-/// difference and a direction (19 for the one, 19 and 2 for the unit vector), products and sums.
+/// The error of an end of an interval, beside what its fraction of the segment errs by, is this times the span: two
+/// positions (16), a difference and a direction (19 for the one, 19 and 2 for the unit vector), products and sums.
 constexpr double kInterval = exact::rounding_bound(2 * 16 + 1 + 19 + 21 + 6, 8192);
-/// Of the cross product of two directions, times their lengths, at an angle that errs by 2^-49.
+/// The error of the cross product of two directions at an angle that errs by 2^-49 is this times their lengths.
 constexpr double kParallelLines = exact::rounding_bound(56 + 2 * 16, 8192);
 /// So many times what sides err by are proved at the angle, too.
 constexpr double kSides = 64;
@@ -78,8 +78,8 @@ SharedLines::Interval SharedLines::interval_on(const WalkSegment& line, const Su
   return {std::min(first, last), std::max(first, last), error};
 }
 
-// Of one direction, and with an interval in common at the angle. Ends are quotients `side / cross` of polynomials,
-// where a line runs along this one the quotient of their derivatives.
+// Whether two sub-edges have one direction and an interval in common at the angle. Ends are quotients `side / cross` of
+// polynomials, where a line runs along this one the quotient of their derivatives.
 bool SharedLines::have_common_interval(const SubEdge& n, const SubEdge& m) const {
   if (!(cosine(n.segment, m.segment) > 0) || !collinear(n.segment, m.segment)) return false;
   const Interval s = interval_on(n.segment, n), t = interval_on(n.segment, m);
@@ -127,7 +127,7 @@ std::vector<SubEdge> SharedLines::opposite_walls(const SubEdge& e) const {
   return walls;
 }
 
-// In doubles where they leave a gap that is proved, else exactly.
+// Doubles decide where they leave a gap that is proved, else exact numbers do.
 bool SharedLines::shut(std::span<const SubEdge> edges) const {
   const WalkSegment& line = edges[0].segment;
   const std::vector<SubEdge> walls = opposite_walls(edges[0]);

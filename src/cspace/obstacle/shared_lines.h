@@ -26,7 +26,7 @@ class SharedLines {
   bool shut(std::span<const SubEdge> edges) const;
 
  private:
-  /// As fractions of the length of a line's segment, from its start, in doubles.
+  /// An interval in fractions of the length of a line's segment, from its start, in doubles.
   struct Interval {
     double from = 0, to = 0, error = 0;
     auto operator<=>(const Interval&) const = default;
@@ -50,7 +50,8 @@ class SharedLines {
   ByOffset lines_before_;
 };
 
-/// Of a slice's edit: what ends and what begins, where they go on along one line, or touch in a passage that is shut.
+/// Matches in a slice's edit what ends and what begins, where they go on along one line, or touch in a passage that is
+/// shut.
 void match_along_lines(const BoundaryGraph& graph, const SharedLines& lines, SliceEdit& edit);
 
 }  // namespace dymsum::planar

@@ -13,8 +13,8 @@
 namespace dymsum::planar {
 namespace {
 
-// Of a position from the lattice's base: its double, times the span, which Collision's own slack covers as well; and
-// the sum of the offsets, times the reach.
+// The errors of a position from the lattice's base: that of its double, times the span, which Collision's own slack
+// covers as well; and that of the sum of the offsets, times the reach.
 constexpr double kPosition = exact::rounding_bound(1, 2), kBase = exact::rounding_bound(1, 2);
 
 // The middle of the loop's first piece.

@@ -39,7 +39,7 @@ bool spans(const SignsAt& signs, const AlwaysConcurrent& s) {
   const int ab = signs.cross(s[0], s[1]);
   return ab != 0 && signs.cross(s[1], s[2]) == ab && signs.cross(s[2], s[0]) == ab;
 }
-// Of a cross product, times the lengths.
+// The error of a cross product is this times the lengths.
 constexpr double kCross = exact::rounding_bound(56, 8192);
 bool may_span(const TurningForms& forms, const AlwaysConcurrent& s, Heading h) {
   int most = 0, least = 0;

@@ -8,7 +8,8 @@
 
 namespace dymsum::planar {
 
-/// Of some threes, those that meet in a tight position at an angle between events; sorted. Requires the boundary there.
+/// Returns those of some threes that meet in a tight position at an angle between events; sorted. Requires the boundary
+/// there.
 std::vector<AlwaysConcurrent> tight_curves(const SweepScene& scene, const std::vector<AlwaysConcurrent>& threes,
                                            const Orientation& at, const OverlapFilter& filter);
 

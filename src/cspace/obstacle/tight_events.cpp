@@ -18,7 +18,7 @@ struct Candidates {
   Intervals between;
 };
 
-// Of an overlap's two segments and what goes on at an end of one of them.
+// The segments of an overlap and what goes on at an end of one of them.
 std::vector<std::uint32_t> through_end(const RotationEvent& event, Pair v, const SweepScene& scene) {
   const SegmentIndex& index = scene.graph.segments();
   std::vector<std::uint32_t> all{index.of(event.a), index.of(event.b)};
@@ -48,8 +48,8 @@ std::optional<ExactPosition::Simple> crossing_of(const RotationEvent& event, con
   return ExactPosition::Simple{true, {}, a, b};
 }
 
-// Of events, those that are not provably covered, each once. Events are a superset: where a segment does not exist at
-// the angle, or does not reach the position, that may be anywhere, in free space too.
+// The positions of events that are not provably covered, each once. Events are a superset: where a segment does not
+// exist at the angle, or does not reach the position, that may be anywhere, in free space too.
 std::vector<TightCandidate> positions_of(const EventGroup& events, const SweepScene& scene, const SignsAt& signs,
                                          const OverlapFilter& filter) {
   std::vector<TightCandidate> all;
@@ -143,7 +143,7 @@ class Judge {
     return std::any_of(goes_on_.begin(), goes_on_.end(),
                        [&](const TightCandidate& y) { return positions_.same_position(y, z); });
   }
-  // Of a part of an interval, `at` it or where the interval itself ends: an event.
+  // The end of a part of an interval, `at` it or where the interval itself ends: an event.
   TightCandidate end_of_part(const std::optional<Point>& at, std::uint32_t k) {
     if (!at) {
       held_[k] = is_event_[k] = on_interval_[k] = true;

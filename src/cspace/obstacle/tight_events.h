@@ -31,10 +31,11 @@ struct TightFindings {
   bool looked = false;                                          ///< there was a position to look at
 };
 
-/// Of the positions of `doubtful` events. Requires the graph after the angle.
+/// Finds what is tight at the positions of `doubtful` events. Requires the graph after the angle.
 TightFindings tight_at_events(const EventGroup& doubtful, const TightCurves& curves, const SweepScene& scene,
                               const AngleNow& now, const OverlapFilter& filter);
-/// After a whole slice at a rational angle one more slice, at the angle, tells instead what is tight in it.
+/// After a whole slice, one more slice, at the angle itself where that is rational, decides instead what is tight in
+/// it.
 TightFindings tight_in_slice(const Orientation& at, const TightCurves& curves, const SweepScene& scene,
                              const AngleNow& now, const SliceReader& reader);
 

@@ -69,9 +69,9 @@ void PathLevels::let_go() {
   }
 }
 
-// Of the difference of two angles in (-pi, pi], absolutely: their doubles, and a rounding of at most 2 pi. No input
-// shows it where arc tangents are rounded monotonously, as they mostly are: orientations then never are in the wrong
-// order.
+// The absolute error of the difference of two angles in (-pi, pi]: their doubles, and a rounding of at most 2 pi. No
+// input shows it where arc tangents are rounded monotonously, as they mostly are: orientations then never are in the
+// wrong order.
 constexpr double kAngleGap = exact::rounding_bound(2 * 12 + 4, 32);
 
 std::size_t PathLevels::index_of(const PathLevel* level) const {
@@ -112,7 +112,7 @@ std::optional<std::uint32_t> PathLevels::event_before_next(std::size_t k) const 
     return slab_after(k) == next ? std::nullopt : std::optional(next);
   }
   const std::uint32_t first = (slab_after(k) + 1) % static_cast<std::uint32_t>(events.size());
-  // Beyond a, and not beyond b, on the way round.
+  // The event is past a, and not past b, on the round.
   const ExactAngle &a = angle(k), &b = angle((k + 1) % size()), &e = events[first];
   const bool past = compare(e, a) > 0, before = compare(e, b) <= 0;
   return (compare(a, b) < 0 ? past && before : past || before) ? std::optional(first) : std::nullopt;
@@ -169,7 +169,7 @@ std::uint32_t PathLevels::slab_after(std::size_t k) const {
   return static_cast<std::uint32_t>(at - angles.begin());
 }
 
-// At an event angle: at an orientation next to it, up to which a position of the face stays free.
+// The cells at an event angle: at an orientation next to it, up to which a position of the face stays free.
 std::vector<std::uint32_t> PathLevels::cells_beside(std::size_t k, std::uint32_t face) {
   const SliceGraph& at = graph(k);
   const auto inside =

@@ -40,7 +40,7 @@ class PathLevels {
   /// What stays the same while indices change.
   const PathLevel* level(std::size_t k) const { return levels_[k].get(); }
   std::size_t index_of(const PathLevel* level) const;
-  /// Until let_go().
+  /// Both are valid until let_go().
   const SliceMap& map(std::size_t k);
   const SliceGraph& graph(std::size_t k);
   /// Where slices take more than PlanOptions::slice_bytes: those that were not looked at for longest go, and are made

@@ -67,7 +67,7 @@ PathPoints::Points PathPoints::direct(const PathPoint& from, const PathPoint& to
   return {};
 }
 
-// From every point by fewer moves to the farthest later one for which that works; a bounded number of attempts.
+// Fewer moves lead from every point to the farthest later one for which that works; a bounded number of attempts.
 PathPoints::Points PathPoints::shortened(const Points& path) {
   constexpr std::size_t kMostAttempts = 400;
   std::size_t attempts = 0;

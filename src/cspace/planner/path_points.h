@@ -1,5 +1,5 @@
-// From the steps of a search to the waypoints of a path: ways inside slices, then shortcuts; every piece checked
-// exactly.
+// What makes the waypoints of a path from the steps of a search: paths inside slices, then shortcuts; every piece
+// checked exactly.
 #pragma once
 
 #include <vector>

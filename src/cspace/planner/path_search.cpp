@@ -11,8 +11,8 @@ constexpr std::uint32_t kUnreached = SliceMap::kNone;
 
 double turn_between(double a, double b) { return std::abs(std::remainder(a - b, 2 * std::numbers::pi)); }
 
-// At how many positions of a piece a rotation is tried: more and more as levels come closer, so that in the end it is
-// tried at all.
+// The number of positions of a piece at which a rotation is tried: more and more as levels come closer, so that in the
+// end it is tried at all.
 std::size_t positions_at(std::uint32_t depth) { return std::size_t{12} << std::min(depth, 24u); }
 
 }  // namespace
@@ -54,7 +54,7 @@ void PathSearch::visit(Visit v) {
   visits_.push_back(std::move(v));
 }
 
-// Until the goal is reached or nothing new is, with the levels there are.
+// Expands until the goal is reached or nothing new is, with the levels there are.
 std::optional<PathSearch::Outcome> PathSearch::expand_all(const SearchLimits& limits) {
   while (!open_.empty()) {
     const Open here = open_.top();

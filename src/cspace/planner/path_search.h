@@ -39,7 +39,7 @@ class PathSearch {
   /// Requires: both are levels, and free. `nothing`: no piece is reached next to one that is not and that it may be
   /// joined to. Ends with `found` if a path exists that keeps some distance from the obstacle, given the time.
   Outcome run(const PathEnd& start, const PathEnd& goal, const SearchLimits& limits);
-  /// Of a search that found a way; the goal is then reached by translations.
+  /// The steps of a search that found a path; the goal is then reached by translations.
   std::vector<PathStep> steps() const;
   /// Where a search that ran out of time was, nearest to the goal.
   std::optional<PathBarrier> barrier();
@@ -62,8 +62,8 @@ class PathSearch {
       return std::tuple{estimate, visit, direction} > std::tuple{o.estimate, o.visit, o.direction};
     }
   };
-  // Between a level and the next, where a piece is reached and one it may be joined to is not. The order: gaps near the
-  // goal first, but not so that one waits for ever, as each gap that is filled leaves deeper ones.
+  // A gap between a level and the next, where a piece is reached and one it may be joined to is not. The order: gaps
+  // near the goal first, but not so that one waits for ever, as each gap that is filled leaves deeper ones.
   struct Stuck {
     std::uint32_t steps = 0, depth = 0;
     double width = 0;

@@ -86,14 +86,15 @@ class Planner {
     return group != kUnknown && group == graph.group_at(SlicePoint(goal_.at));
   }
 
-  // By translations alone.
+  // Whether translations alone lead to the goal.
   bool walks_at_once() {
     if (!(start_.theta == goal_.theta) || !walks(start_.theta)) return false;
     write_path({});
     return true;
   }
 
-  // At the goal, after a way in the start's slice, or at the start; straight ways first.
+  // Whether one rotation is enough: at the goal, after a path in the start's slice, or at the start; straight paths
+  // first.
   bool turns_at_once() {
     if (start_.theta == goal_.theta) return false;
     for (const bool straight : {true, false})
@@ -269,7 +270,7 @@ auto planned(const CspaceObstacle& obstacle, const ExactConfiguration& start, co
     return Error{ErrorCode::out_of_range,
                  "the time limit must be at least 0 seconds, not " + base::general_text(options.time_limit_seconds, 6),
                  {}};
-  // Beyond a century the clock's numbers might not do.
+  // The clock's numbers might not do beyond a century.
   const std::chrono::duration<double> limit(std::min(options.time_limit_seconds, 3e9));
   const auto deadline = began + std::chrono::duration_cast<Clock::duration>(limit);
   Result<PathEnd> from = end_of(start), to = end_of(goal);

@@ -14,7 +14,7 @@ struct SearchLimits {
   std::chrono::steady_clock::time_point deadline;
   Progress progress;
 
-  /// To be asked between two steps.
+  /// The search queries it between two steps.
   SearchStop query() const {
     if (progress && !progress("search", 0)) return SearchStop::cancelled;
     return std::chrono::steady_clock::now() > deadline ? SearchStop::out_of_time : SearchStop::none;

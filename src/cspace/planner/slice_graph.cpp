@@ -16,17 +16,17 @@ using exact::BigRational;
 
 namespace {
 
-// Of the height of an edge over a line between its ends, e being the most that their coordinates and the line's err by:
-// with the slope s and ends more than kDistinct e apart, 2 e (1 + |s|) / (1 - 2 / kDistinct) for the slope, e for the
-// left end and 2 e |s| for the distance from it, less than kMoved e (1 + |s|).
+// The error of the height of an edge over a line between its ends, e being the most that their coordinates and the
+// line's err by: with the slope s and ends more than kDistinct e apart, 2 e (1 + |s|) / (1 - 2 / kDistinct) for the
+// slope, e for the left end and 2 e |s| for the distance from it, less than kMoved e (1 + |s|).
 constexpr double kDistinct = 8, kMoved = 16;
 static_assert(2 / (1 - 2 / kDistinct) + 2 <= kMoved / 2);
 // Besides, times the sizes of what is added: two differences, the quotient, another difference, the product, the sum.
 constexpr double kHeight = exact::rounding_bound(6, 8);
-// Of half a sum. No input shows it: twice what spots err by is more where they err at all, and where they do not
-// kHeight grants as much.
+// The error of half a sum. No input shows it: twice what spots err by is more where they err at all, and where they do
+// not kHeight grants as much.
 constexpr double kMidpoint = exact::rounding_bound(1, 2);
-// Of a difference.
+// The error of a difference.
 constexpr double kDifference = exact::rounding_bound(1, 2);
 
 // Names the connected pieces of a graph 0, 1, ... in the order of their first nodes; returns how many.
@@ -114,7 +114,7 @@ BigRational SliceGraph::exact_height(std::uint32_t edge, const BigRational& x) c
   return BigRational(a.y + (b.y - a.y) * (x - a.x) / (b.x - a.x));
 }
 
-// Of the heights of two edges over a line; `rank` is that of a line through vertices, else SliceMap::kNone.
+// Compares the heights of two edges over a line; `rank` is that of a line through vertices, else SliceMap::kNone.
 int SliceGraph::compare_heights(std::uint32_t e, std::uint32_t f, const Line& line, std::uint32_t rank) const {
   if (e == f) return 0;
   if (e == kBottom || f == kTop) return -1;
@@ -138,7 +138,7 @@ BigRational SliceGraph::midpoint_of(std::uint32_t low, std::uint32_t high, const
   return BigRational((exact_height(low, line.exact()) + exact_height(high, line.exact())) / 2);
 }
 
-// Between two lines; as a double where one lies provably between them.
+// A line between two lines; a double where one lies provably between them.
 SliceGraph::Line SliceGraph::midpoint_between(const Line& from, const Line& to) {
   Line midpoint{0.5 * (from.at + to.at), 0, {}, nullptr};
   if (to.at - from.at > 16 * (from.error + to.error) && from.at < midpoint.at && midpoint.at < to.at) {
@@ -365,7 +365,8 @@ std::vector<Position> SliceGraph::way(const Position& from, const Position& to) 
   return pulled(corners);
 }
 
-// From every corner straight to the farthest later one that is in sight; inner corners as doubles where that is free.
+// The path leads from every corner straight to the farthest later one that is in sight; inner corners as doubles where
+// that is free.
 std::vector<Position> SliceGraph::pulled(const std::vector<Position>& corners) const {
   std::vector<Position> few{corners.front()};
   for (std::size_t k = 0; k + 1 < corners.size();) {

@@ -33,7 +33,7 @@ class SliceGraph {
   const std::vector<Trapezoid>& trapezoids() const { return trapezoids_; }
   std::uint32_t faces() const { return faces_; }
   std::uint32_t groups() const { return groups_; }
-  /// About as much as it takes, without the map.
+  /// Roughly what the graph takes, without the map.
   std::size_t bytes() const;
   /// A connected piece: a face, or with touching what is joined to it.
   std::uint32_t group_of(std::uint32_t node) const { return group_[node]; }

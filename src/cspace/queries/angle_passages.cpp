@@ -7,16 +7,16 @@
 namespace dymsum::cspace {
 namespace {
 
-// Of c + a cos(theta) + b sin(theta), times |edge|_1 and the sizes: a difference of positions (3) or a corner, an edge
-// (1), product and sum, for the constant and for the wave, sqrt(2) of which count.
+// The error of c + a cos(theta) + b sin(theta) is this times |edge|_1 and the sizes: a difference of positions (3) or a
+// corner, an edge (1), product and sum, for the constant and for the wave, sqrt(2) of which count.
 constexpr double kLine = exact::rounding_bound(3 * (3 + 1 + 2), 32);
 // The wave has to exceed what is known of it by this factor, so that the angle errs by at most 4 errors / amplitude.
 constexpr double kKnown = 64;
-// Of an arc cosine, and of its sums with the phase: 4 each; then of the sums with whole turns, of less than 16 each:
-// together with the other ones.
+// The errors of an arc cosine and of its sums with the phase, 4 each; then those of the sums with whole turns, of less
+// than 16 each, together with the other ones.
 constexpr double kPassageAngle = exact::rounding_bound(4 + 4 + 4, 32), kTurned = exact::rounding_bound(4, 8);
 static_assert(exact::gamma(12 + 8 + 8 + 4) < kPassageAngle + kTurned);
-// Of distances, times the sizes: a dozen roundings; of a tight placement besides its own error.
+// The error of distances is these times the sizes: a dozen roundings, and for a tight placement besides its own error.
 constexpr double kCircle = exact::rounding_bound(16, 8192), kTight = exact::rounding_bound(16, 512);
 // Passages that begin so near to each other may be one: any width is right, as such a one is looked at exactly.
 constexpr double kOneBegin = 0x1p-46;

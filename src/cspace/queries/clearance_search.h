@@ -37,7 +37,8 @@ class ClearanceSearch {
   Answer no_farther_than_translation(const ClearanceQuestion& q, Answer answer) const;
   Answer by_slice(const ClearanceQuestion& q) const;
   Answer touching(const ClearanceQuestion& q, const NearestPatch& found, bool on_edge) const;
-  /// Of any angle, or of the question's own; lengths in the coordinates of the obstacle, places absolute.
+  /// The nearest patch at any angle, or at the question's own; lengths in the coordinates of the obstacle, positions
+  /// absolute.
   NearestPatch nearest(const ClearanceQuestion& q, bool whole_edges) const;
   NearestPatch nearest_at(const ClearanceQuestion& q) const;
   NearestPatch on_boundary(const ClearanceQuestion& q, const NearestPatch& found) const;

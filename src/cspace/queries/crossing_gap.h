@@ -12,10 +12,10 @@ namespace dymsum::cspace {
 
 using base::DoublePair;
 
-/// With unit vectors u along the fixed edge and m along the turning one, and any corner of theirs that moves along:
-/// cross(corner_of_fixed - fixed start, u) +- cross(turning start - corner_of_turning, m); the plus sign first, which
-/// stands for equal directions. `corner` is the obstacle's vertex on the turning line, `hand` the robot's on the fixed
-/// one. Within 2^-50 of the value, or 2^-90 of the largest coordinate where those span more than 2^100.
+/// The gaps, for unit vectors u along the fixed edge and m along the rotating one and any corner of theirs that moves
+/// along: cross(corner_of_fixed - fixed start, u) +- cross(turning start - corner_of_turning, m); the plus sign first,
+/// which stands for equal directions. `corner` is the obstacle's vertex on the turning line, `hand` the robot's on the
+/// fixed one. They are within 2^-50 of the value, or 2^-90 of the largest coordinate where those span more than 2^100.
 using CrossingGaps = std::array<double, 2>;
 CrossingGaps crossing_gaps(const std::array<Point, 2>& fixed, const std::array<Point, 2>& turning, Point corner,
                            Point hand);

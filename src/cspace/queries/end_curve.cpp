@@ -7,13 +7,14 @@
 namespace dymsum::cspace {
 namespace {
 
-// Of a value on the edge, times the sizes of its terms. A wave's factors are sums of two products with a cosine and a
-// sine (2 + 1 + 1), and those of x (2) take part as well: 4 + 2 + 1, for both terms, and two sums. The tangent of half
-// of psi errs by what psi does (14), and by 8 for its quotient of a sum; product, sums and the sum with the gap's.
+// The error of a value on the edge is this times the sizes of its terms. A wave's factors are sums of two products with
+// a cosine and a sine (2 + 1 + 1), and those of x (2) take part as well: 4 + 2 + 1, for both terms, and two sums. The
+// tangent of half of psi errs by what psi does (14), and by 8 for its quotient of a sum; product, sums and the sum with
+// the gap's.
 constexpr double kSlack = exact::rounding_bound(14 + 8 + 4, 32);
 static_assert(2 * (4 + 2 + 1) + 2 <= 14 + 8 + 4);
-// Of gap / sin(psi): the gap, the quotient; and of the sine, absolutely or times its terms: the parallel angle, an arc
-// tangent of unit vectors (2 * 5 + 2), and the angle taken off.
+// The errors of gap / sin(psi): the gap, the quotient; and of the sine, absolutely or times its terms: the parallel
+// angle, an arc tangent of unit vectors (2 * 5 + 2), and the angle taken off.
 constexpr double kGap = exact::rounding_bound(6, 32), kSine = exact::rounding_bound(14, 16);
 
 }  // namespace

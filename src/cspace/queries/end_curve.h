@@ -24,9 +24,9 @@ double parallel_angle(const PatchEnd& end, int k);
 class EndCurve {
  public:
   EndCurve() = default;
-  /// Around a reference angle.
+  /// The curve around a reference angle.
   EndCurve(const PatchEnd& end, double length, double reference);
-  /// Of a mixed crossing; the reference is its parallel angle of number k plus `psi`, which errs by 2^-50 of itself.
+  /// The curve of a mixed crossing; the reference is its k-th parallel angle plus `psi`, which errs by 2^-50 of itself.
   EndCurve(const PatchEnd& end, double length, int k, double psi);
 
   bool constant() const { return kind_ == Kind::constant; }
@@ -36,7 +36,7 @@ class EndCurve {
   };
   /// Where the curve is on the edge.
   Derivatives derivatives(const SmallRotation& x) const;
-  /// On the edge, for x between a and b, |a|, |b| <= 1/2.
+  /// The range on the edge, for x between a and b, |a|, |b| <= 1/2.
   Range range(double a, double b) const;
   struct Ranges {
     Range value, first, second;

@@ -39,7 +39,7 @@ class Marks {
     }
   }
 
-  /// In cyclic order; nothing changes between them.
+  /// The marks in cyclic order; nothing changes between them.
   std::vector<Mark> run() { return std::move(found_); }
 
  private:
@@ -66,7 +66,7 @@ class Marks {
     }
   }
 
-  // Of the midpoint of two angles of at most 8, reduced: a half of 8, and 4.
+  // The error of the midpoint of two angles of at most 8, reduced: a half of 8, and 4.
   static constexpr double kMidpoint = exact::rounding_bound(4 + 4, 16);
   static constexpr double kBeside = 0x1p-20;  // few other contacts come so near
   const CspaceObstacle& obstacle_;
@@ -95,7 +95,7 @@ std::vector<FreeAngles> all_or_none(bool free) {
   return {{-std::numbers::pi, std::numbers::pi, 0, 0, Patch::kNone, Patch::kNone}};
 }
 
-// Without those at which nothing changes: what is left begins or ends an interval, or is free alone.
+// The marks without those at which nothing changes: what is left begins or ends an interval, or is free alone.
 std::vector<Mark> changes(const std::vector<Mark>& marks) {
   std::vector<Mark> left;
   for (std::size_t k = 0; k < marks.size(); ++k) {

@@ -1,4 +1,4 @@
-// At which angles a position is free: between the angles at which patches pass through it.
+// The angles at which a position is free: between those at which patches pass through it.
 #pragma once
 
 #include <functional>

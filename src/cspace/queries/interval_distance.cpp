@@ -7,8 +7,9 @@
 namespace dymsum::cspace {
 namespace {
 
-// Of u and v, times the sizes of their terms: scalar and cross products with unit vectors (5 + 3 each), turned (2 * 4),
-// and sums. Of what is made of two of them, times the square of all sizes: both, the product and sums.
+// The error of u and v is this times the sizes of their terms: scalar and cross products with unit vectors (5 + 3
+// each), turned (2 * 4), and sums. What is made of two of them errs by this times the square of all sizes: both, the
+// product and sums.
 constexpr double kCoordinate = exact::rounding_bound(8 + 8 + 2, 512), kSquare = exact::rounding_bound(2 * 18 + 6, 512);
 // A bound so near to the value is not improved any more: any fraction is right.
 constexpr double kNearEnough = 1 - 0x1p-34;

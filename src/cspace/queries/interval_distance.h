@@ -26,14 +26,14 @@ class IntervalDistance {
     bool splits = false;  ///< bounds are better on both sides of `split`: the nearest point becomes an end there
     double split = 0;
   };
-  /// Without more effort where it turns out to be at least `enough`.
+  /// A lower bound, found without more effort where it turns out to be at least `enough`.
   Bound lower(double low, double high, double enough) const;
 
   struct Nearest {
     double distance = 0, error = 0;
     double along = 0;  ///< of the own edge
   };
-  /// At one angle.
+  /// The nearest position at one angle.
   Nearest nearest(double x) const;
   /// The ends move by no more along the edge while x changes by at most `by`; infinite where that is not known.
   double drift(double x, double by) const;

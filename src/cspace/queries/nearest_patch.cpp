@@ -11,11 +11,11 @@ namespace dymsum::cspace {
 namespace {
 
 constexpr double kTurn = 2 * std::numbers::pi;
-// Of a position or an angle, times the sizes of both: hinges, lines, places on them and the distance, 16 to 64 each
-// (patch_forms.cpp, end_curve.cpp, stretch_distance.cpp).
+// The error of a position or an angle is this times the sizes of both: hinges, lines, positions on them and the
+// distance, 16 to 64 each (patch_forms.cpp, end_curve.cpp, interval_distance.cpp).
 constexpr double kPosition = exact::rounding_bound(4 * 64, 1024);
-// Of the angle of a question from an interval's reference: both doubles (8 each), their difference and that from the
-// midpoint (4 each, as they are below 8), a turn (3) and the sum with the midpoint (1).
+// The error of the angle of a question from an interval's reference: both doubles (8 each), their difference and that
+// from the midpoint (4 each, as they are below 8), a turn (3) and the sum with the midpoint (1).
 constexpr double kAngle = exact::rounding_bound(2 * 8 + 2 * 4 + 3 + 1, 32);
 // Parts that are shorter, relatively or absolutely, are not halved any more; what they leave open is part of the error.
 constexpr double kShortPart = 0x1p-46, kShortest = 0x1p-80;
@@ -188,7 +188,8 @@ class Search {
     return !question_.whole_edges && (part.high <= s.proved_low || part.low >= s.proved_high);
   }
 
-  // From outside every point of an edge is one of the obstacle; else only what provably belongs to the patch counts.
+  // Seen from outside, every point of an edge is one of the obstacle; else only what provably belongs to the patch
+  // counts.
   void take(std::uint32_t index, const PatchInterval& s, const IntervalDistance& distance, double x) {
     if (!question_.whole_edges) {
       if (!(s.proved_low <= s.proved_high)) return;

@@ -19,7 +19,7 @@ namespace {
 // of its points.
 double turning_radius(const Region& robot) {
   if (!robot.parts().empty()) return radius_of_gyration(robot);
-  // Of a segment its midpoint, and its length; the mean of these by lengths.
+  // A segment counts with its midpoint and its length; the mean is by lengths.
   double size = 0, radius = 0;
   const auto add = [&](double more, double mean) {
     if (!(more > 0)) return;
@@ -37,7 +37,7 @@ double turning_radius(const Region& robot) {
   return radius;
 }
 
-// In [-pi, pi], within 2^-51 of the angle of Orientation::nearest.
+// The angle in [-pi, pi], within 2^-51 of the angle of Orientation::nearest.
 double reduced(double theta) {
   return std::abs(theta) <= std::numbers::pi ? theta : Orientation::nearest(theta).value().radians();
 }
@@ -53,7 +53,7 @@ class ObstacleQueries::State {
         gyration(turning_radius(o.robot())),
         tree(o, forms, forms.in_units(gyration)) {}
 
-  // Of what is inside by the patches a curve of tight placements may be free.
+  // A curve of tight placements may be free in what is inside by the patches.
   std::optional<bool> proved(double x, double y, double theta) const {
     const std::optional<bool> by_patches = index.contains(x, y, theta);
     return by_patches == true && obstacle.may_have_tight_curves() ? std::nullopt : by_patches;

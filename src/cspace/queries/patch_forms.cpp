@@ -14,21 +14,21 @@
 namespace dymsum::cspace {
 namespace {
 
-// Of a patch's end, in units of u.
-//   turned    a vector of length l by cosine, sine and angle, which err by 8 together: 8 sqrt(2) l, products and sum 2
-//   l. hinge     its turned part, the fixed part (1) and the sum: at most the size. crossing  of two lines, over the
-//   sine s of their angle: the difference of two positions (3) of at most the size
-//             times a unit vector (5), product, difference and quotient; the length on the edge times twice 5 and 2 for
-//             what the sine errs by.
-// Directions of edges that are short against the size err by more, as their ends do: that turns a line about its start
-// by no more than an end errs. Where the lines are so nearly parallel that this changes the sine, the bounds are larger
-// than the edge.
+// The errors of a patch's end, in units of u.
+// - turned: a vector of length l by cosine, sine and angle, which err by 8 together: 8 sqrt(2) l, products and sum 2 l.
+// - hinge: its turned part, the fixed part (1) and the sum: at most the size.
+// - crossing: of two lines, over the sine s of their angle: the difference of two positions (3) of at most the size
+//   times a unit vector (5), product, difference and quotient; the length on the edge times twice 5 and 2 for what the
+//   sine errs by.
+// Directions of edges that are short against the size err by more, as their ends do: that rotates a line about its
+// start by no more than an end errs. Where the lines are so nearly parallel that this changes the sine, the bounds are
+// larger than the edge.
 constexpr double kHinge = exact::rounding_bound(14 + 1 + 1, 32);
 constexpr double kCrossing = exact::rounding_bound(12, 16);
-// Of the cross product of two turned vectors, times their lengths; and besides, of one with a gap, the quotient and the
-// product that make a position of it.
+// The error of the cross product of two rotated vectors is this times their lengths; and besides, of one with a gap,
+// the quotient and the product that make a position of it.
 constexpr double kCross = exact::rounding_bound(2 * 14 + 3 + (14 + 3) + 3, 128);
-// Of the ranges of a box, times the size: turned vectors, and a dozen of products and sums.
+// The error of the ranges of a box is this times the size: rotated vectors, and a dozen of products and sums.
 constexpr double kBox = exact::rounding_bound(2 * 14 + 2 * 12, 8192);
 
 // Vertices by their indices, and where the straight run that starts at each of them ends.
@@ -120,7 +120,7 @@ class FormMaker {
     const CrossingGaps gaps = crossing_gaps(edge(obstacle_, fixed.p), edge(robot_, turning.q),
                                             obstacle_.exact[turning.p], robot_.exact[fixed.q]);
     e.gap = {gaps[0], l.turns ? -gaps[1] : gaps[1]};
-    // By the angle the robot turns from its edge to the obstacle's.
+    // The angle by which the robot rotates from its edge to the obstacle's counts.
     if (e.fast(0, l.length) || e.fast(1, l.length))
       e.half_tangent = half_tangents(edge(robot_, turning.q), edge(obstacle_, fixed.p));
   }

@@ -6,17 +6,17 @@
 
 namespace dymsum::cspace {
 namespace {
-// Of an angle from a reference: the sums of an event's angle and of the reference with whole turns (8 each, as they are
-// below 16), the turn that is left of both (3), differences of what is near each other (1), and the reference itself
-// where lines are parallel (8). Inputs hardly show it: angles that whole turns are added to are near half a turn, where
-// those of events are known to 16 only.
+// The error of an angle from a reference: the sums of an event's angle and of the reference with whole turns (8 each,
+// as they are below 16), the turn that is left of both (3), differences of what is near each other (1), and the
+// reference itself where lines are parallel (8). Inputs hardly show it: angles that whole turns are added to are near
+// half a turn, where those of events are known to 16 only.
 constexpr double kAngleError = exact::rounding_bound(8 + 8 + 3 + 1 + 8, 32);
 constexpr double kFast = 0x1p-10;  // radians from a pole, farther away a crossing takes its time
-// Of the difference of two angles by tangents of their halves in pairs of doubles: relatively the arc tangent (2), its
-// argument's value and the sum with the error (1 each); absolutely what is left of pairs that cancel.
+// The error of the difference of two angles by tangents of their halves in pairs of doubles: relatively the arc tangent
+// (2), its argument's value and the sum with the error (1 each); absolutely what is left of pairs that cancel.
 constexpr double kDifference = exact::rounding_bound(2 + 1 + 1, 8), kCancelled = 0x1p-90;
 static_assert(kCancelled > 1000 * base::kPairError);
-// Of the ranges of a box, times the size: turned vectors (14), and a dozen of products and sums.
+// The error of the ranges of a box is this times the size: rotated vectors (14), and a dozen of products and sums.
 constexpr double kIntervalBox = exact::rounding_bound(2 * 14 + 2 * 12, 8192);
 
 // Angles that a patch covers, counter-clockwise, and those that it provably has.

@@ -16,8 +16,8 @@ using Box = std::array<Range, 3>;  // x, y, theta
 
 Box join(const Box& a, const Box& b) { return {join(a[0], b[0]), join(a[1], b[1]), join(a[2], b[2])}; }
 
-// Of half a width, relatively: the difference from the midpoint, which is a double itself. No input shows it: boxes are
-// wider by far more (kIntervalBox), and searches add what positions err by.
+// The error of half a width, relatively: the difference from the midpoint, which is a double itself. No input shows it:
+// boxes are wider by far more (kIntervalBox), and searches add what positions err by.
 constexpr double kHalf = exact::rounding_bound(1, 2);
 
 double midpoint(Range r) { return r.low / 2 + r.high / 2; }

@@ -11,9 +11,9 @@
 
 namespace dymsum::cspace {
 
-/// Of the distance of a point from a segment, times the sum M of all coordinates. Vectors between the points are at
-/// most M long. The unit vector errs by 6 of itself, the position along the segment by 6 + 3, the foot by 9 and two
-/// more operations of as much, the distance by the difference and its length.
+/// The error of the distance of a point from a segment is this times the sum M of all coordinates. Vectors between the
+/// points are at most M long. The unit vector errs by 6 of itself, the position along the segment by 6 + 3, the foot by
+/// 9 and two more operations of as much, the distance by the difference and its length.
 inline constexpr double kSegmentDistance = exact::rounding_bound(9 + 6 + 4 + 3, 128);
 
 /// The nearest point of one of several sets: the exact distance to it differs from `distance` by at most `error`, and

@@ -4,8 +4,8 @@
 
 namespace dymsum::cspace {
 
-// Of a turn, times its weight: both angles' doubles, and the product of at most 4. Of the length of a vector,
-// relatively.
+// The error of a rotation is this times its weight: both angles' doubles, and the product of at most 4. The length of a
+// vector errs relatively.
 constexpr double kTurnError = exact::rounding_bound(2 * 12 + 4, 128), kFlatLength = exact::rounding_bound(3, 8);
 
 NearestTight nearest_tight(const CspaceObstacle& obstacle, const Configuration& from, double weight) {

@@ -10,8 +10,8 @@ struct NearestTight {
   double theta = 0;          ///< of the nearest one
 };
 
-/// Over all tight features, one after the other. `from.theta` in [-pi, pi], within 2^-50 of the angle that is meant; a
-/// finite weight.
+/// The nearest of all tight features, tried one after the other. `from.theta` in [-pi, pi], within 2^-50 of the angle
+/// that is meant; a finite weight.
 NearestTight nearest_tight(const CspaceObstacle& obstacle, const Configuration& from, double weight);
 
 }  // namespace dymsum::cspace

@@ -11,7 +11,7 @@ namespace dymsum::io {
 
 class FaceEdges {
  public:
-  /// Of the faces with three and more vertices. O(n log n).
+  /// The edges of the faces with three and more vertices. O(n log n).
   explicit FaceEdges(const std::vector<Face>& faces);
   /// Whether a face with two vertices is one.
   bool has(const Face& segment) const;

@@ -1,4 +1,4 @@
-// From a path to a mesh and back: format by extension, and the readers and writers behind it.
+// What leads from a path to a mesh and back: format by extension, and the readers and writers behind it.
 #include <optional>
 #include <utility>
 

@@ -32,7 +32,7 @@ std::string write_glb(const MeshData& data, const GlbLook& look);
 
 /// The nearest single-precision number; the largest finite one where the nearest is infinite.
 float to_float(double value);
-/// Per face the number of the last colour that names it, or colours.size().
+/// Returns per face the index of the last colour that names it, or colours.size().
 std::vector<std::size_t> colour_of_faces(const MeshData& data, std::span<const FaceColour> colours);
 /// A colour's part as 0..255.
 int colour_byte(double part);

@@ -119,7 +119,7 @@ class ObjReader {
         if (v < data_.vertices.size()) continue;
         Evidence evidence = at_face(f);
         evidence.vertex = v;
-        // As the file counts, from 1.
+        // The file counts from 1.
         const std::string named = in_quotes(std::to_string(std::uint64_t{v} + 1));
         words_.fail_at(face_offset_[f], ErrorCode::bad_index, "a face names a vertex that does not exist: " + named,
                        evidence);

@@ -100,7 +100,7 @@ bool is_corner_list(const PlyProperty& property) {
   return property.count && (property.name == "vertex_indices" || property.name == "vertex_index");
 }
 
-/// With two ends; others say nothing.
+/// Whether an element is an edge with two ends; others say nothing.
 bool is_edge(const PlyElement& element) {
   const auto has = [&](std::string_view name) {
     return std::any_of(element.properties.begin(), element.properties.end(),

@@ -5,9 +5,7 @@
 #include <bit>
 #include <cmath>
 #include <cstdint>
-#include <numeric>
 #include <string>
-#include <tuple>
 #include <utility>
 #include <vector>
 
@@ -15,6 +13,7 @@
 #include "io/mesh/mesh_readers.h"
 #include "io/plain_text.h"
 #include "io/words.h"
+#include "spatial/mesh/equal_positions.h"
 
 namespace dymsum::io {
 
@@ -133,29 +132,20 @@ MeshData read_triangles(const Source& source) {
 }  // namespace
 
 void merge_equal_vertices(MeshData& data) {
-  const std::vector<Point3>& points = data.vertices;
-  std::vector<std::uint32_t> order(points.size()), number(points.size());
-  std::iota(order.begin(), order.end(), 0u);
-  std::sort(order.begin(), order.end(), [&](std::uint32_t a, std::uint32_t b) {
-    return std::tie(points[a].x, points[a].y, points[a].z, a) < std::tie(points[b].x, points[b].y, points[b].z, b);
-  });
-  for (std::size_t i = 0; i < order.size(); ++i) {
-    const bool again = i > 0 && points[order[i]] == points[order[i - 1]];
-    number[order[i]] = again ? number[order[i - 1]] : order[i];
-  }
-  // the first of each keeps its place in the order of the file
+  std::vector<std::uint32_t> index = spatial::first_at_position(data.vertices);
+  // The first of each keeps its position in the order of the file.
   std::vector<Point3> kept;
-  for (std::uint32_t v = 0; v < number.size(); ++v) {
-    if (number[v] != v) {
-      number[v] = number[number[v]];
+  for (std::uint32_t v = 0; v < index.size(); ++v) {
+    if (index[v] != v) {
+      index[v] = index[index[v]];
       continue;
     }
-    number[v] = static_cast<std::uint32_t>(kept.size());
-    kept.push_back(points[v]);
+    index[v] = static_cast<std::uint32_t>(kept.size());
+    kept.push_back(data.vertices[v]);
   }
   data.vertices = std::move(kept);
   for (Face& face : data.faces) {
-    for (std::uint32_t& v : face) v = number[v];
+    for (std::uint32_t& v : face) v = index[v];
   }
 }
 

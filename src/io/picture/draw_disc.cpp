@@ -71,7 +71,8 @@ class ArcPath {
     d_ += ' ';
     number(q.y);
   }
-  /// In two halves where it is nearly all of a circle: an arc is determined by its ends, which are close together then.
+  /// The arc is drawn in two halves where it is nearly all of a circle: an arc is determined by its ends, which are
+  /// close together then.
   void arc(const DiscPiece& piece, Point to) {
     if (std::abs(piece.sweep) > 1.5 * std::numbers::pi)
       arc_command(piece.sweep / 2, on_circle(piece, piece.from_angle + piece.sweep / 2));

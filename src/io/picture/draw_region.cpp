@@ -15,7 +15,8 @@ namespace io {
 
 namespace {
 
-/// Inside the group that scales: vector-effect would do the same, but not every renderer knows it.
+/// The width of a stroke inside the group that scales: vector-effect would do the same, but not every renderer knows
+/// it.
 std::string scaled_stroke(std::string_view edge, double width, double scale) {
   std::string style =
       "stroke=\"" + std::string(edge) + "\" stroke-linejoin=\"round\" stroke-linecap=\"round\" stroke-width=\"";

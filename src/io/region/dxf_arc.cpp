@@ -8,7 +8,7 @@ namespace {
 
 int steps_of(double radians) { return std::max(1, static_cast<int>(std::ceil(std::abs(radians) * kArcSteps))); }
 
-/// In [0, 360), exactly.
+/// The angle in [0, 360), exactly.
 double within_a_turn(double degrees) {
   const double rest = std::fmod(degrees, 360.0);
   return rest < 0 ? rest + 360 : rest;

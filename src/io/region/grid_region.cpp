@@ -32,7 +32,7 @@ class CellSet {
   std::int64_t height() const { return height_; }
   bool inside(std::int64_t i, std::int64_t j) const { return inside_[at(i, j)] != 0; }
   std::size_t at(std::int64_t i, std::int64_t j) const { return static_cast<std::size_t>(j * width_ + i); }
-  // In cells of the map.
+  // The corner in cells of the map.
   Corner on_map(Corner c) const { return {c.i - 1 - border_, c.j - 1 - border_}; }
 
   /// The cell on the left of the grid edge that leaves a corner in a direction.

@@ -90,7 +90,7 @@ class InstanceReader {
     return {std::move(shape.name), std::move(shape.data)};
   }
 
-  /// By index what has no name. Rows of a table are distinguished by names.
+  /// Names by its index what has no name. Rows of a table are distinguished by names.
   template <class T>
   void name_all(std::vector<T>& all, const std::string& what, const JsonValue& root) const {
     std::set<std::string> names;

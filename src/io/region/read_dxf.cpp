@@ -169,7 +169,7 @@ class DxfReader {
     else data_.polylines.push_back(std::move(chain));
   }
 
-  /// Of a file of our own: as it stands, distinguished by its layer.
+  /// Takes a chain of a file of our own as it stands, distinguished by its layer.
   void add_own(const DxfEntity& entity, std::vector<Point> chain) {
     const std::string_view layer = dxf_layer(entity);
     if (layer == kDxfOuter) data_.parts.push_back({std::move(chain), {}});

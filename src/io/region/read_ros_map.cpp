@@ -119,8 +119,8 @@ struct Thresholds {
   double occupied = 0, free = 0;
   bool negate = false, raw = false;
 
-  // As map_server decides. Raw: the value is the occupancy in per cent, unknown beyond 100. The quotient and the
-  // threshold are rounded once each, so that 51 / 255 is no less than a threshold of 0.2.
+  // The cell is what map_server decides. Raw: the value is the occupancy in per cent, unknown beyond 100. The quotient
+  // and the threshold are rounded once each, so that 51 / 255 is no less than a threshold of 0.2.
   GridCell cell(std::uint32_t value, std::uint32_t most) const {
     if (raw && value > 100) return GridCell::unknown;
     const double fraction = static_cast<double>(raw || negate ? value : most - value) / (raw ? 100 : most);

@@ -1,4 +1,4 @@
-// From a path to shapes: format by extension, selection by "#", and the readers behind it.
+// What leads from a path to shapes: format by extension, selection by "#", and the readers behind it.
 #include <algorithm>
 #include <filesystem>
 #include <optional>
@@ -86,7 +86,7 @@ void name_shapes(std::vector<NamedShape>& shapes, std::string_view file) {
   }
 }
 
-/// By name, else by position.
+/// Selects by name, else by position.
 Result<NamedShape> select(std::vector<NamedShape> shapes, const std::string& wanted, const std::string& file) {
   const auto named = [&](const NamedShape& shape) { return shape.name == wanted; };
   const auto count = std::count_if(shapes.begin(), shapes.end(), named);

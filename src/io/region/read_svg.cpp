@@ -164,7 +164,7 @@ class SvgReader {
       fail(node, "how this path is filled depends on a style sheet, and style sheets cannot be read");
   }
 
-  /// Of what is filled, SVG's own default too; what is not filled is an outline, and its rings nest.
+  /// The rule of what is filled is SVG's own default too; what is not filled is an outline, and its rings nest.
   static FillRule fill_rule(const pugi::xml_node& node) {
     if (inherited(node, "fill") == "none") return FillRule::even_odd;
     return inherited(node, "fill-rule") == "evenodd" ? FillRule::even_odd : FillRule::nonzero;
@@ -282,7 +282,7 @@ class SvgReader {
     return is_zero("width") || is_zero("height");
   }
 
-  /// Of the whole file: they stand in `defs`, too.
+  /// Reads the style sheets of the whole file: they stand in `defs`, too.
   void read_sheets(const pugi::xml_node& root) {
     root.find_node([this](const pugi::xml_node& node) {
       if (local_name(node) != "style") return false;

@@ -39,7 +39,7 @@ class WktReader {
     while (at_ < text_.size() && is_blank(text_[at_])) ++at_;
   }
 
-  /// For messages, which quote less of it.
+  /// The rest of a word for messages, which quote less of it.
   std::string_view rest_of_word() const {
     const std::string_view rest = text_.substr(at_, kLongestWord);
     std::size_t end = 0;

@@ -233,7 +233,7 @@ bool nest_rings(std::vector<Ring> rings, std::vector<Part>& parts, FillRule rule
   RingNester nester(std::move(rings));
   if (!nester.nest()) return false;
   std::vector<Part> nested = nester.parts(FillRule::even_odd);
-  // Of rings that cross none is left out, so that validation finds them.
+  // No ring is left out where some cross, so that validation finds them.
   if (rule == FillRule::nonzero && nester.winds_otherwise() && Region::create({nested, {}, {}}))
     nested = nester.parts(FillRule::nonzero);
   parts.insert(parts.end(), std::make_move_iterator(nested.begin()), std::make_move_iterator(nested.end()));

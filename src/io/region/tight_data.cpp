@@ -36,7 +36,7 @@ bool before(const std::vector<Point>& a, const std::vector<Point>& b) {
                                       [](Point p, Point q) { return before(p, q); });
 }
 
-/// In their order, without those that are there already.
+/// Appends items in their order, without those that are there already.
 template <class T>
 void append_new(std::vector<T>& to, const std::vector<T>& items) {
   const auto less = [](const T& a, const T& b) { return before(a, b); };

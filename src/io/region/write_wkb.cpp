@@ -12,7 +12,7 @@
 namespace dymsum::io {
 namespace {
 
-// As OGC and ISO number them; the kind of several is three more than that of one.
+// The numbers are those of OGC and ISO; the kind of several is three more than that of one.
 constexpr std::uint32_t kPoint = 1, kLineString = 2, kPolygon = 3, kSeveral = 3, kCollection = 7;
 
 void append_count(std::string& out, std::size_t count) { append_bytes(out, static_cast<std::uint32_t>(count)); }

@@ -177,7 +177,7 @@ inline bool Arrangement::too_close(std::uint32_t s, std::span<const std::uint32_
   return close;
 }
 
-// By parameter first. Only where neighbours are closer than their errors, by exact comparison; those are remembered.
+// Parameters order events. Neighbours that are closer than their errors are compared exactly, and remembered.
 void Arrangement::sort_events(const Poll* poll) {
   if (events_.empty()) return;
   const auto sort_exactly = [this](std::uint32_t s, std::span<std::uint32_t> events) {
@@ -280,8 +280,8 @@ SegmentPosition Arrangement::position_of_cut(std::uint32_t s, const Cut& cut, do
   return p;
 }
 
-// Of the denominators below, as fractions: a component of a scaled vector; a cross product of two of them, times
-// (|u| + |v|) / |u - v|, and the factor with its product.
+// The denominators below err by these fractions of themselves: a component of a scaled vector; a cross product of two
+// of them, times (|u| + |v|) / |u - v|, and the factor with its product.
 constexpr double kLengthFraction = exact::rounding_bound(3, 8), kCrossFraction = exact::rounding_bound(8 + 2, 16);
 
 // |denominator| of a cut's parameter as the lattice takes it, for the mediant.
@@ -295,7 +295,7 @@ double Arrangement::denominator(std::uint32_t s, const Cut& cut, double& relativ
   const Point b = soup_.lattice.vector(cut.by.edge);
   const double u = dx * b.y, v = dy * b.x, d = std::abs(u - v);
   relative_error = d > 0 ? std::min(1.0, (kCrossFraction * (std::abs(u) + std::abs(v)) + exact::kUnderflow) / d) : 1.0;
-  // In the integers of the exact layer, against which the other kind of cut is measured once less.
+  // The denominator is in the integers of the exact layer, against which the other kind of cut is measured once less.
   return soup_.lattice.in_integers(d);
 }
 

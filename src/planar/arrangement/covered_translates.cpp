@@ -8,7 +8,7 @@
 namespace dymsum::planar {
 namespace {
 
-// Along an edge from its start, and to its left.
+// The coordinates along an edge from its start, and to its left.
 struct Frame {
   double ax, ay, ux, uy, length;
   explicit Frame(const EdgeBox& e) : ax(e.ax), ay(e.ay), ux(0), uy(0), length(std::hypot(e.dx, e.dy)) {
@@ -80,7 +80,7 @@ class Family {
   }
 
  private:
-  // For every translate one of the last ones before it that is higher, if covers(own, that) accepts it.
+  // Finds for every translate one of the last ones before it that is higher, if covers(own, that) accepts it.
   template <class F>
   void scan(const Array<Translate>& list, F&& covers) {
     constexpr std::size_t kTries = 4;
@@ -135,9 +135,9 @@ Beneath beneath(const Operand& o, std::uint32_t edge, double margin) {
 Array<Span> uncovered_spans(const Soup& soup, double reach, std::size_t fewest, const Poll& poll) {
   // Looking at all edges of an operand once for every so many translates.
   constexpr std::size_t kEdgesEach = 8;
-  // Of a difference of two lengths, each the scalar product of a difference of two points (3 + 3 + 1 roundings of a
-  // coordinate) with a unit vector (3 + 2 + 1): 15 roundings of |x| + |y| <= sqrt(2) S, the product's among them, and
-  // the sum.
+  // The error of a difference of two lengths, each the scalar product of a difference of two points (3 + 3 + 1
+  // roundings of a coordinate) with a unit vector (3 + 2 + 1): 15 roundings of |x| + |y| <= sqrt(2) S, the product's
+  // among them, and the sum.
   constexpr double kLengths = exact::rounding_bound(2 * (22 + 1) + 1, 8192);
   const double margin = kLengths * soup.lattice.span;
   Array<Span> spans(soup.memory);

@@ -12,9 +12,9 @@ struct Span {
   double low = 0, high = 1;
 };
 
-/// For every segment the part that other translates of its edge do not prove to lie in the open sum, with a rim: where
-/// the rest ends, the open sum goes on for `reach`. Only edges with at least `fewest` translates, of operands with few
-/// edges beside that, are looked at; empty where there are none. O(n log n) for n segments.
+/// Returns for every segment the part that other translates of its edge do not prove to lie in the open sum, with a
+/// rim: where the rest ends, the open sum goes on for `reach`. Only edges with at least `fewest` translates, of
+/// operands with few edges beside that, are looked at; empty where there are none. O(n log n) for n segments.
 Array<Span> uncovered_spans(const Soup& soup, double reach, std::size_t fewest, const Poll& poll);
 
 /// The part of the interior of an operand beneath an edge, on its left: at depth d in (0, depth) what lies more than

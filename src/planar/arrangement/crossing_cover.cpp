@@ -16,7 +16,7 @@ struct Line {
   double x, y, dx, dy;
 };
 
-/// Of one edge of either operand.
+/// One edge of either operand.
 struct EdgePair {
   std::uint32_t e = 0, f = 0;
 };
@@ -95,27 +95,22 @@ class Crossings {
   }
 
   std::optional<EdgePair> search(double x, double y) {
-    for (const EdgeTree& a : p_.trees())
-      for (const EdgeTree& b : q_.trees()) {
-        stack_.assign(1, {0, 0});
-        while (!stack_.empty()) {
-          const auto [i, j] = stack_.back();
-          stack_.pop_back();
-          const EdgeTree::Node &m = a.nodes[i], &n = b.nodes[j];
-          if (m.x1 < x - n.x1 || m.x0 > x - n.x0 || m.y1 < y - n.y1 || m.y0 > y - n.y0) continue;
-          if (m.left == 0 && n.left == 0) {
-            for (std::uint32_t e = m.first; e < m.last; ++e)
-              for (std::uint32_t f = n.first; f < n.last; ++f)
-                if (crosses({e, f}, x, y)) return EdgePair{e, f};
-          } else if (n.left == 0 || (m.left != 0 && m.last - m.first >= n.last - n.first)) {
-            stack_.push_back({m.left, j});
-            stack_.push_back({m.right, j});
-          } else {
-            stack_.push_back({i, n.left});
-            stack_.push_back({i, n.right});
+    std::optional<EdgePair> found;
+    const auto apart = [&](const EdgeTree::Node& m, const EdgeTree::Node& n) {
+      return m.x1 < x - n.x1 || m.x0 > x - n.x0 || m.y1 < y - n.y1 || m.y0 > y - n.y0;
+    };
+    const auto leaves = [&](const EdgeTree::Node& m, const EdgeTree::Node& n) {
+      for (std::uint32_t e = m.first; e < m.last; ++e)
+        for (std::uint32_t f = n.first; f < n.last; ++f)
+          if (crosses({e, f}, x, y)) {
+            found = EdgePair{e, f};
+            return true;
           }
-        }
-      }
+      return false;
+    };
+    for (const EdgeTree& a : p_.trees())
+      for (const EdgeTree& b : q_.trees())
+        if (any_pair_of_leaves(a.nodes, 0, b.nodes, 0, apart, leaves)) return found;
     return std::nullopt;
   }
 
@@ -123,7 +118,6 @@ class Crossings {
   double proved_;
   std::array<EdgePair, 8> recent_{};
   std::size_t known_ = 0;
-  std::vector<std::array<std::uint32_t, 2>> stack_;
 };
 
 /// What is left of one piece after another.
@@ -131,7 +125,7 @@ class Cutter {
  public:
   Cutter(const Soup& soup, double reach) : soup_(soup), crossings_(soup), reach_(reach) {}
 
-  /// In order; valid until the next call.
+  /// The spans that are left, in order; valid until the next call.
   const std::vector<Span>& rest_of(const SegmentPiece& piece) {
     const SoupBox& b = soup_.boxes[piece.segment];
     line_ = {b.ax, b.ay, b.dx, b.dy};

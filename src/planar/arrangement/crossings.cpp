@@ -103,8 +103,7 @@ static_assert(kFine + kFractionRoundings <= Meetings::kApart / 2);
 
 }  // namespace
 
-// In doubles, for segments that are no neighbours in a chain. True when these do not decide: then it takes an exact
-// test.
+// Doubles decide, for segments that are no neighbours in a chain. True when they do not: then it takes an exact test.
 inline bool CrossingFinder::undecided_strangers(const Probe& i, std::uint32_t j) {
   const SoupBox &a = i.box, &b = soup_.boxes[j];
   const double o1 = a.dx * (b.ay - a.ay) - a.dy * (b.ax - a.ax);

@@ -42,12 +42,12 @@ SoupBox part_of(const SoupBox& b, Span t) {
   return part;
 }
 
-// Of one segment, in no order.
+// The intervals of one segment, found in no order.
 class LiveIntervals {
  public:
   LiveIntervals(const FineCells& cells, Scratch* memory) : cells_(cells), found_(memory) {}
 
-  /// In the segment's order, disjoint.
+  /// The spans in the segment's order, disjoint.
   const Array<Span>& of(const SoupBox& b, Span span) {
     found_.clear();
     span_ = span;

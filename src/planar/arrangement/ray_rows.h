@@ -24,7 +24,7 @@ class RayRows {
   void for_each_passed(const SegmentPosition& x, F&& f) const {
     const Lattice& lattice = soup_.lattice;
     const Point d = lattice.vector(x.on.edge);
-    // Of the height of a vertex over x, when it is zero.
+    // The sign of the height of a vertex over x where that height is zero.
     const int tie = d.x != 0 ? (d.x > 0 ? 1 : -1) : (d.y > 0 ? -1 : 1);
     const auto height = [&](WalkPair v) {
       const int h = lattice.compare_coordinate(soup_.exact(v), x, 1);

@@ -5,7 +5,6 @@
 #include <cstdint>
 
 #include "base/bit_cast.h"
-#include "planar/arrangement/chain.h"
 #include "planar/arrangement/soup.h"
 
 namespace dymsum::planar {

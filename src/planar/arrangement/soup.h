@@ -1,5 +1,6 @@
-// Labelled segments whose left sides lie in the open set M: what the arrangement works on. A label names the ends of a
-// segment, and the segment itself for exact signs; which segments there are, and why, is not known here.
+// Labelled segments whose left sides lie in the open set M, and how they hang together at their ends: what the
+// arrangement works on. A label names the ends of a segment, and the segment itself for exact signs; which segments
+// there are, and why, is not known here.
 #pragma once
 
 #include <algorithm>
@@ -71,7 +72,7 @@ class Soup {
   double parameter_error(std::uint32_t s, std::uint32_t t) const {
     return kCrossingFractions * error(t) / std::abs(dx(s) * dy(t) - dy(s) * dx(t)) + kFractionRoundings;
   }
-  /// Of each coordinate of start + t d, where t errs by `t_error`.
+  /// The error of each coordinate of start + t d, where t errs by `t_error`.
   double step_error(double t_error, double dx, double dy) const {
     return 2 * point_error + (t_error + kStepLength) * std::max(std::abs(dx), std::abs(dy)) + kStepSum * lattice.span;
   }
@@ -85,7 +86,7 @@ class Soup {
     const std::uint32_t next = operands[g.side()]->next[g.edge()];
     return g.side() == 0 ? WalkPair{next, g.vertex} : WalkPair{g.vertex, next};
   }
-  /// By source vertices, as the lattice wants them.
+  /// The segment by its source vertices, as the lattice wants them.
   Segment exact(std::uint32_t s) const {
     const SoupSegment& g = segments[s];
     return {operands[g.side()]->edge(g.edge()), operands[1 - g.side()]->source[g.vertex]};
@@ -133,6 +134,29 @@ class Soup {
   Array<SoupBox> boxes;
   Scratch* memory;  ///< of the arrays of everything that is done with this soup
   double side_error = 0, point_error = 0;
+};
+
+/// A segment that starts or ends at a pair.
+struct Incidence {
+  std::uint32_t segment = 0;
+  bool starts = false;
+};
+
+class Chain {
+ public:
+  explicit Chain(Scratch* memory) : next_(memory) {}
+  virtual ~Chain() = default;
+  /// The segment that continues s at its end in the generic case, or kNone.
+  std::uint32_t next(std::uint32_t s) const { return next_[s]; }
+  std::span<const std::uint32_t> next() const { return next_; }
+  /// Segments from this index on belong to no chain: their shared ends are meetings like any other.
+  std::uint32_t first_unchained() const { return first_unchained_; }
+  /// Appends all segments that start or end at a pair of walk vertices.
+  virtual void incident(WalkPair v, Array<Incidence>& out) const = 0;
+
+ protected:
+  Array<std::uint32_t> next_;
+  std::uint32_t first_unchained_ = kNone;
 };
 
 }  // namespace dymsum::planar

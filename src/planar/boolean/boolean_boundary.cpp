@@ -84,7 +84,7 @@ class Finder {
     return segments;
   }
 
-  // Of cells whose faces are all inside or all outside.
+  // Whether a cell is tight whose faces are all inside or all outside.
   static bool is_tight(Membership m) { return m.closed && !m.open; }
 
   void find_tight() {

@@ -36,7 +36,7 @@ struct BooleanTerms {
 
   /// Appends the steps of another expression, with its inputs among those of this one.
   void append(const BooleanTerms& other);
-  /// Of a cell, given its membership in every input. The complement of a closed set is open. `stack` is scratch.
+  /// The membership of a cell, given that in every input. The complement of a closed set is open. `stack` is scratch.
   Membership evaluate(std::span<const Membership> inputs, std::vector<Membership>& stack) const;
 };
 

@@ -18,10 +18,10 @@ class InputWindings {
   InputWindings(const Soup& soup, const SegmentGraph& graph, const std::vector<std::uint32_t>& input_of,
                 std::size_t inputs, const Poll& poll);
 
-  /// Of every input, on the left or the right of an edge as seen from its low end.
+  /// The winding number of every input on the left or the right of an edge as seen from its low end.
   std::span<const std::int32_t> left(std::uint32_t edge) const { return side(edge, 0); }
   std::span<const std::int32_t> right(std::uint32_t edge) const { return side(edge, 1); }
-  /// Of the face counter-clockwise of a ray.
+  /// The winding numbers of the face counter-clockwise of a ray.
   std::span<const std::int32_t> beside(const SegmentGraph::Ray& ray) const {
     return ray.forward ? left(ray.edge) : right(ray.edge);
   }

@@ -60,8 +60,8 @@ Array<BoundaryLoop> find_loops(const Soup& soup, const Arrangement& arrangement,
 
 namespace {
 
-// Of the loops of a connected sum the one that is its outer boundary: the only counter-clockwise one, or of several
-// false ones that which reaches farthest left. loops.size() when doubles do not decide.
+// The loop that is the outer boundary of a connected sum: the only counter-clockwise one, or of several false ones that
+// which reaches farthest left. loops.size() when doubles do not decide.
 std::size_t outer_loop(const Arrangement& arrangement, const Array<BoundaryLoop>& loops) {
   std::size_t outer = loops.size(), count = 0;
   for (std::size_t i = 0; i < loops.size(); ++i)

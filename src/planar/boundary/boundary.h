@@ -1,4 +1,4 @@
-// From the arrangement to the boundary: loops, which of them are true, and rings with interior on the left.
+// What leads from the arrangement to the boundary: loops, which of them are true, and rings with interior on the left.
 #pragma once
 
 #include <cstdint>

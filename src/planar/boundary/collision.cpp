@@ -24,7 +24,7 @@ bool Collision::overlaps_right_of(const SegmentPosition& x) {
   return test(x);
 }
 
-// As LatticeOf's places.
+// The coordinates are those of LatticeOf's positions.
 Collision::Homogeneous Collision::homogeneous(const SegmentPosition& x) const {
   const Whole d = whole(x.on.edge);
   if (!x.between && x.first.kind == Cut::Kind::pair) {
@@ -170,28 +170,8 @@ bool Collision::test_components(std::uint32_t p_component, std::uint32_t q_compo
   if (!use_tree_) {
     const Node all_p{0, 0, 0, 0, cp.first, cp.last, 0, 0}, all_q{0, 0, 0, 0, cq.first, cq.last, 0, 0};
     if (leaves(all_p, all_q)) return true;
-  } else {
-    std::array<std::uint32_t, 128> stack_p, stack_q;  // two per level, of at most 2 x 32 levels; not cleared
-    std::size_t top = 0;
-    const auto push = [&](std::uint32_t i, std::uint32_t j) {
-      stack_p[top] = i;
-      stack_q[top++] = j;
-    };
-    push(0, 0);
-    while (top > 0) {
-      const std::uint32_t i = stack_p[--top], j = stack_q[top];
-      const Node &a = tp.nodes[i], &b = tq.nodes[j];
-      if (apart(a, b)) continue;
-      if (a.left == 0 && b.left == 0) {
-        if (leaves(a, b)) return true;
-      } else if (b.left == 0 || (a.left != 0 && a.last - a.first >= b.last - b.first)) {
-        push(a.left, j);
-        push(a.right, j);
-      } else {
-        push(i, b.left);
-        push(i, b.right);
-      }
-    }
+  } else if (any_pair_of_leaves(tp.nodes, 0, tq.nodes, 0, apart, leaves)) {
+    return true;
   }
   if (parallelogram) return false;
   // No boundaries overlap: one component may hold the other, which then holds its first outer vertex.
@@ -255,8 +235,8 @@ bool Collision::edges_overlap(std::uint32_t e, std::uint32_t f, bool parallelogr
 
 // The open cone of P at walk vertex i (or along walk edge i) against that of the reflected Q at j.
 struct Collision::Cone {
-  // From ray a counter-clockwise to ray b, each an edge times a sign; area: the open sector, otherwise just the two
-  // rays.
+  // The sector from ray a counter-clockwise to ray b, each an edge times a sign; area: the open sector, otherwise just
+  // the two rays.
   Edge a, b;
   int sign_a, sign_b;
   bool area;

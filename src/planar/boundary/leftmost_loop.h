@@ -7,7 +7,7 @@
 
 namespace dymsum::planar {
 
-/// Of n loops that do not turn clockwise the one that provably reaches farthest left, or n where doubles do not decide:
+/// The one of n loops that do not turn clockwise that provably reaches farthest left, or n where doubles do not decide:
 /// of a connected sum its outer boundary. for_each_end(i, f) calls f(x, error) for the vertices of loop i.
 template <class Clockwise, class ForEachEnd>
 std::size_t leftmost_loop(std::size_t n, const Clockwise& clockwise, const ForEachEnd& for_each_end) {

@@ -8,8 +8,8 @@
 namespace dymsum::planar {
 namespace {
 
-// For every position of `own` the number of directions in `other` that are less, or (upper) not greater: one merge.
-// Counts the positions that have an equal direction, unless upper.
+// Finds for every position of `own` the number of directions in `other` that are less, or (upper) not greater: one
+// merge. Counts the positions that have an equal direction, unless upper.
 template <bool upper>
 std::size_t merge_positions(const Lattice& lattice, const Operand& own_op, const DirectionList& own,
                             const Operand& other_op, const DirectionList& other, Array<std::uint32_t>& bound) {

@@ -25,14 +25,14 @@ struct Turn {
 /// Whether a hole of one operand does not show in the sum with a component of the other one.
 using HoleFilled =
     std::function<bool(const Operand& holed, const Loop& hole, const Operand& other, const Component& component)>;
-/// For the convolution of all positive scales.
+/// No hole stays filled in the convolution of all positive scales.
 inline bool never_filled(const Operand&, const Loop&, const Operand&, const Component&) { return false; }
 
 /// The reduced convolution as ranges: segment ids are 0 .. size - 1, side 0 first; (edge, vertex) <-> id in O(1).
 class ReducedConvolution {
  public:
   ReducedConvolution(const Lattice& lattice, const Operand& p, const Operand& q, Scratch* memory = nullptr);
-  /// Without the holes that `filled` decides, instead of those that are filled where both operands stand.
+  /// Leaves out the holes that `filled` decides, instead of those that are filled where both operands stand.
   ReducedConvolution(const Lattice& lattice, const Operand& p, const Operand& q, HoleFilled filled,
                      Scratch* memory = nullptr);
 

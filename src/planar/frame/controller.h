@@ -26,8 +26,8 @@ class WindowController {
     bool window = false;
     double behind = 0, ahead = 0;  ///< how far the window reaches below and above the scale
   };
-  /// For a frame outside the current window, `step` after the last one; windows should not be wider than `widest`,
-  /// unless that is less than a few steps. `window`: their width where the caller knows it, else 0.
+  /// Chooses how a frame outside the current window is made, `step` after the last one; windows should not be wider
+  /// than `widest`, unless that is less than a few steps. `window`: their width where the caller knows it, else 0.
   Choice choose(double step, double widest, FrameMode mode, double window);
 
   /// What was counted, in any unit: a frame from scratch; a frame that built a window; a frame inside one.

@@ -24,13 +24,13 @@ class FrameLoops {
  public:
   explicit FrameLoops(PieceLists& lists) : lists_(lists), positions_(lists), cover_(lists), nodes_(lists, cover_) {}
 
-  /// After a repair without degeneracies. `whole`: nothing is known about earlier loops. False when the boundary passes
-  /// a node twice or a node may be tight: then this frame is one for the vertex routine, and nothing is known
+  /// Follows a repair without degeneracies. `whole`: nothing is known about earlier loops. False when the boundary
+  /// passes a node twice or a node may be tight: then this frame is one for the vertex routine, and nothing is known
   /// afterwards.
   bool update(double tau, ExactFrame& frame, bool whole, FrameWork& work);
   const std::vector<FrameLoop>& loops() const { return loops_; }
   std::vector<FrameLoop>& loops() { return loops_; }
-  /// By the numbers in steps; without their positions, which points() knows.
+  /// The vertices that steps name by their indices; points() has their positions.
   const std::vector<SumVertex>& vertices() const { return vertices_; }
   const std::vector<MovingPoint>& points() const { return points_; }
   /// What the last update did to rings; names new ones. Requires: it knew the frame before; `kept` are the kept loops,

@@ -12,11 +12,11 @@
 #include "dymsum/planar_sum.h"
 #include "planar/boundary/collision.h"
 #include "planar/boundary/leftmost_loop.h"
-#include "planar/position/vertex_order.h"
+#include "planar/position/exact_source.h"
 
 namespace dymsum::planar {
 
-/// Of all parts, the outer ring of each first.
+/// The rings of all parts, the outer ring of each first.
 std::vector<const SumRing*> rings_of(const PlanarSum& sum);
 
 /// Hashes of what names a contact and a vertex.
@@ -112,8 +112,8 @@ class RingIdentities {
  public:
   /// Lists what became of the rings of kept loops, in this order, and names new ones. `stays`: at the same position.
   void follow(std::span<LoopStatus* const> kept, bool stays, FrameChanges& changes);
-  /// Of the rings of `after`, from those of `before` whose identities are given: each takes that of the first ring with
-  /// which it shares a vertex, unless it is taken. Lists what changed, not sorted.
+  /// Finds the identities of the rings of `after` from those of `before`, which are given: each takes that of the first
+  /// ring with which it shares a vertex, unless it is taken. Lists what changed, not sorted.
   std::vector<std::uint64_t> match(const PlanarSum& before, const std::vector<std::uint64_t>& ids,
                                    const PlanarSum& after, bool same_position, FrameChanges& changes);
 

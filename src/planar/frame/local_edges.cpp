@@ -10,7 +10,7 @@ namespace dymsum::planar {
 
 namespace {
 
-/// Between two nodes, with the segments that run along it: from `low` to `high`, and back. One at least.
+/// A piece between two nodes, with the segments that run along it: from `low` to `high`, and back. One at least.
 struct LocalPiece {
   std::uint32_t low = 0, high = 0;
   std::uint32_t ahead = kNone, back = kNone;
@@ -201,7 +201,7 @@ bool LocalPatches::may_be_tight(std::uint32_t n) const {
   return segments_[n].size() != 2 || !passes(segments_[n][0]) || !passes(segments_[n][1]);
 }
 
-/// Of both directions the one to the right, or straight up.
+/// The one of both directions that leads to the right, or straight up.
 LocalEdge LocalPatches::rightwards(const LocalPiece& p) const {
   const int x = nodes_.direction(p.ahead, 0);
   const bool ahead = x != 0 ? x > 0 : nodes_.direction(p.ahead, 1) > 0;

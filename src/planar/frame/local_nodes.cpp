@@ -9,11 +9,11 @@ namespace dymsum::planar {
 namespace {
 
 constexpr double kEndOff = 2 * PosedRegions::kOff;
-/// Below this sine of the angle of two lines their crossing is rounded from integers.
+/// The sine of the angle of two lines below which their crossing is rounded from integers.
 constexpr double kSteep = 0x1p-8;
-/// Of a difference of two ends in pairs of doubles.
+/// The error of a difference of two ends in pairs of doubles.
 constexpr double kPairGap = 4 * PosedRegions::kPairOff;
-/// Of the double of a pair, and of a product or a sum of doubles: more than twice its rounding.
+/// The error of the double of a pair, and of a product or a sum of doubles: more than twice its rounding.
 constexpr double kTwice = 0x1p-50;
 
 /// a x b for vectors whose components are at most 4 and off by kPairGap: how far it is off.
@@ -170,7 +170,7 @@ void LocalNodes::add_crossing(std::uint32_t s, std::uint32_t t) {
   along_[s].push_back(n), along_[t].push_back(n);
 }
 
-/// From pairs of doubles, or from integers.
+/// Pairs of doubles place the node, or integers.
 void LocalNodes::place_finely(LocalNode& node) const {
   node.off = kEndOff;
   if (const PairPosition fine = make_pair_position(node); fine.off < kEndOff / 2) {
@@ -368,7 +368,7 @@ class LocalNodes::Merging {
         if (std::abs((at(order[j]).y - at(order[i]).y).value()) <= 4 * kFine) merge(order[i], order[j]);
       }
   }
-  // With all that doubles do not distinguish from it.
+  // Merges a node with all that doubles do not distinguish from it.
   void merge_coarse(std::size_t i) {
     const std::uint32_t n = all_[i];
     const auto query = [&](std::uint32_t m) {

@@ -27,7 +27,7 @@ class LocalNodes {
 
   std::size_t segment_count() const { return segments_.size(); }
   const WalkSegment& segment(std::uint32_t s) const { return segments_[s]; }
-  /// Along a segment, in its direction, each position once.
+  /// The nodes along a segment, in its direction, each position once.
   const std::vector<std::uint32_t>& along(std::uint32_t s) const { return along_[s]; }
   /// Positions that are the same have one node: its number is the smallest of theirs, others do not occur.
   std::size_t node_count() const { return nodes_.size(); }
@@ -60,7 +60,7 @@ class LocalNodes {
   BigPoint exact_end(std::uint32_t s, int end) const;
   BigPoint exact_direction(std::uint32_t s) const { return exact_end(s, 1) - exact_end(s, 0); }
   BigPosition make_exact(const LocalNode& node) const;
-  /// In pairs of doubles, each coordinate off by at most `off`.
+  /// A position in pairs of doubles, each coordinate off by at most `off`.
   struct PairPosition {
     PairPoint at;
     double off = 0;
@@ -70,7 +70,7 @@ class LocalNodes {
   Pair end_name(std::uint32_t s, std::uint32_t end) const;
   void place_finely(LocalNode& node) const;
   PairPosition make_pair_position(const LocalNode& node) const;
-  /// Of a crossing or a wall: where along its segment it is, n / w, both off by at most `off`.
+  /// Where along its segment a crossing or a wall is: n / w, both off by at most `off`.
   struct PairFraction {
     base::DoublePair n, w;
     double off = 0;

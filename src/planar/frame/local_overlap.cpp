@@ -82,7 +82,7 @@ BigPoint LocalOverlap::from_position(std::uint32_t p, std::uint32_t q) {
   return {v.x * z.w - z.x, v.y * z.w - z.y};
 }
 
-/// On which side of edge e of P the vertex of Q lies: 1 is its left.
+/// The side of edge e of P on which the vertex of Q lies: 1 is its left.
 int LocalOverlap::side_of_p_edge(std::uint32_t e, std::uint32_t q_vertex, const Edges& s, bool end) {
   const Point d = less(s.a1, s.a0);
   if (const int proved = proved_cross(d, less(end ? s.b1 : s.b0, s.a0), 2 * off_)) return proved;
@@ -147,7 +147,7 @@ bool LocalOverlap::touch_overlapping(std::uint32_t e, std::uint32_t f, int on_p,
   return false;
 }
 
-/// At a vertex, or along its edge: half a plane. Q's is reflected.
+/// The cone of an operand at a vertex, or along its edge: half a plane. Q's is reflected.
 LocalOverlap::Cone LocalOverlap::cone(std::uint32_t op, std::uint32_t walk, bool along_edge) const {
   const Operand& o = *operands_[op];
   const BigPoint here = posed_->exact(op, walk), after = posed_->exact(op, o.next[walk]) - here;
@@ -172,7 +172,7 @@ int LocalOverlap::height(std::uint32_t holder, std::uint32_t walk, std::uint32_t
   return sign(axis == 0 ? exact.x : exact.y);
 }
 
-/// By the winding number; a vertex on the boundary is not inside.
+/// The winding number decides; a vertex on the boundary is not inside.
 bool LocalOverlap::contains(std::uint32_t holder, std::uint32_t vertex) {
   const Operand& o = *operands_[holder];
   const Point v = posed_->vertex(1 - holder, vertex), seen{position_->x - v.x, position_->y - v.y};

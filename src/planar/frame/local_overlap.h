@@ -12,7 +12,7 @@
 
 namespace dymsum::planar {
 
-/// In scaled doubles, each coordinate off by at most `off`; the exact position is made when it is requested.
+/// A position in scaled doubles, each coordinate off by at most `off`; the exact position is made when it is requested.
 struct QueriedPosition {
   double x = 0, y = 0, off = 0;
   std::function<BigPosition()> exact;

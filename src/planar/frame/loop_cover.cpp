@@ -177,8 +177,8 @@ bool LoopCover::covers_node(std::uint32_t node, std::optional<CrossingEdges>& wi
   return covered;
 }
 
-// By the edges that covered it in the frame before, or by others, which are its witness from now on. Otherwise a
-// collision test has to decide.
+// The edges that covered the loop in the frame before are tried, then others, which are its witness from now on.
+// Otherwise a collision test has to decide.
 bool LoopCover::witnessed(std::optional<CrossingEdges>& witness, const EdgeSearch::Position& at, FrameWork& work) {
   bool covered = witness && search_.cross(*witness, at);
   if (!covered) {

@@ -90,7 +90,7 @@ class LoopNodes {
 
   /// Nothing is known of any node.
   void reset();
-  /// Before the loops of a frame are counted; `whole`: no loops of earlier ones are.
+  /// Comes before the loops of a frame are counted; `whole`: no loops of earlier ones are.
   void begin(bool whole);
   /// A kept loop has come or gone.
   void count(const std::vector<LoopStep>& steps, bool comes);

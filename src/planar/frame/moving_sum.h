@@ -40,10 +40,10 @@ class MovingSum {
   std::vector<std::uint64_t> ring_ids;
   FrameWork work;
 
-  /// For tests: what is kept, and waits until the window that is under way is ready.
+  /// Tests query what is kept, and wait until the window that is being made is ready.
   const KeptWindows& kept_windows() const { return kept_; }
   void finish_window_ahead();
-  /// Of MovingOptions::memory; none where there is no limit.
+  /// The budget of MovingOptions::memory; null where there is no limit.
   const std::shared_ptr<base::MemoryBudget>& budget() const { return budget_; }
 
  protected:
@@ -92,7 +92,7 @@ class MovingSum {
   virtual void window_changes(FrameWindow* next) = 0;
   /// The frame at the new position inside the window; nothing where it has to be computed from scratch.
   virtual std::optional<NextFrame> window_frame(const Move& move, FrameWork& work) = 0;
-  /// Of the frame that has just been taken over; of the window that was built for it.
+  /// The costs of the frame that has just been taken over, and of the window that was built for it.
   virtual double cost_of(const FrameWork& work) = 0;
   virtual double cost_of_window() const = 0;
 

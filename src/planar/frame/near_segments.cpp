@@ -13,7 +13,7 @@ namespace {
 constexpr double kWholeTurn = 2 * std::numbers::pi;
 constexpr std::uint32_t kFeaturesInLeaf = 4;
 
-/// In [0, a whole turn], up to rounding.
+/// The angle in [0, a whole turn], up to rounding.
 double wrapped(double angle) {
   const double rest = std::fmod(angle, kWholeTurn);
   return rest < 0 ? rest + kWholeTurn : rest;
@@ -212,9 +212,9 @@ bool NearSegments::is_near(const PosedRegions& posed, const WalkSegment& s, cons
 
 namespace {
 
-/// Of the sums' extent: nodes are found to within 2^-32 of it.
+/// The least margin as a fraction of the sums' extent: nodes are found to within 2^-32 of it.
 constexpr double kLeastMargin = 0x1p-28;
-/// In scaled doubles, where all sums are within 1.
+/// What lies beyond all sums in scaled doubles, where they are within 1.
 constexpr double kBeyond = 1.5;
 
 double lower(double v, double by) {
@@ -225,7 +225,7 @@ double lower(double v, double by) {
 }  // namespace
 
 PlanarBox larger_box(const PlanarBox& box, double extent) {
-  // Along each axis by itself: a thin box stays thin.
+  // Each axis has a margin of its own: a thin box stays thin.
   const double least = extent * kLeastMargin, x = std::max(box.high.x / 32 - box.low.x / 32, least),
                y = std::max(box.high.y / 32 - box.low.y / 32, least);
   return {{lower(box.low.x, x), lower(box.low.y, y)}, {-lower(-box.high.x, x), -lower(-box.high.y, y)}};

@@ -61,14 +61,14 @@ class FeatureDiscs {
   std::vector<Node> nodes_;
 };
 
-/// In scaled doubles.
+/// A box in scaled doubles.
 struct ScaledBox {
   double x0 = 0, y0 = 0, x1 = 0, y1 = 0;
 };
 
 class NearSegments {
  public:
-  /// For poses with these scales; others of the same ratio do, too.
+  /// The search serves poses with these scales; others of the same ratio do, too.
   NearSegments(const Operand& p, const Operand& q, const std::array<Point, 2>& factors);
 
   /// A superset of the segments of the reduced convolution that meet the box: edges and convex vertices whose

@@ -382,7 +382,7 @@ bool PieceLists::alive_at_touch(Step s) const {
   return links_.node_at(ray) == kNone || links_.entered(ray);
 }
 
-// After a sub-edge that ends at a touch or at its piece's own end.
+// The step after a sub-edge that ends at a touch or at its piece's own end.
 PieceLists::Step PieceLists::successor_at_touch(Step s) const {
   const Hot& h = hot_[s.piece];
   Step to{h.next, 0};

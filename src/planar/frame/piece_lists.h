@@ -1,4 +1,4 @@
-// For every piece of a window the crossings on it in order, kept true from frame to frame, and where walks go on.
+// The crossings on every piece of a window in order, kept true from frame to frame, and where walks go on.
 #pragma once
 
 #include <array>
@@ -21,7 +21,7 @@ class NodeLinks {
  public:
   explicit NodeLinks(const Window& window);
 
-  /// Before the lists of a frame are looked at; `first`: of the first one.
+  /// Comes before the lists of a frame are looked at; `first`: it is the first one.
   void begin(bool first);
   /// Whether a touch lies inside its piece now.
   void set_touch(std::uint32_t touch, bool here) {
@@ -97,7 +97,7 @@ class PieceLists {
   std::uint32_t first_sub(std::uint32_t piece) const { return base(piece) + piece; }
   std::uint32_t sub_limit() const { return static_cast<std::uint32_t>(list_.size() + hot_.size()); }
 
-  /// As in the window's piece.
+  /// What the window's piece has.
   std::uint8_t half(std::uint32_t piece) const { return hot_[piece].half; }
   std::int8_t next_turn(std::uint32_t piece) const { return hot_[piece].next_turn; }
 
@@ -171,8 +171,8 @@ class PieceLists {
   const std::vector<std::uint32_t>& looked_at() const { return looked_at_; }
   const std::vector<std::uint32_t>& changed() const { return changed_; }
   bool has_changed(std::uint32_t piece) const { return changed_at_[piece] == frame_; }
-  /// Of a piece whose list changed: the sub-edges [first, last] that were not there before, by what is at their ends or
-  /// where they lead.
+  /// What is new on a piece whose list changed: the sub-edges [first, last] that were not there before, by what is at
+  /// their ends or where they lead.
   struct NewSubs {
     std::uint32_t first = 0, last = 0;
   };

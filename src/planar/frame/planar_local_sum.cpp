@@ -118,7 +118,7 @@ class PlanarLocalSum::State {
     ratios_ = ratios;
   }
 
-  /// In an order that does not depend on how they were found.
+  /// The order of the segments does not depend on how they were found.
   base::CountedArray<WalkSegment> segments(const PosedRegions& posed, const PosePair& poses, const LocalWalls& walls,
                                            PlanarLocalPart::Work& work) {
     work.rebuilt = true;

@@ -64,7 +64,7 @@ double quotient(const BigInteger& n, const BigInteger& d) { return exact::round_
 PosedRegions::PosedRegions(const Operand& p, const Operand& q, const PosePair& poses,
                            const std::vector<Point>& positions)
     : operands_{&p, &q} {
-  // Of sums: one more than of either.
+  // Sums have one bit more than either operand.
   scale_ = std::max({top_of(p, poses[0]), top_of(q, poses[1]), -1022}) + 2;
   constexpr int kNothing = std::numeric_limits<int>::max();
   int exponent = kNothing;

@@ -92,7 +92,7 @@ class PosedRegions {
   base::DoublePair pair(const Big& n) const;
   const PairPoint& pair(std::uint32_t op, std::uint32_t walk) const;
   const LocalUnit& unit() const { return unit_; }
-  /// In scaled doubles, rounded.
+  /// The position in scaled doubles, rounded.
   Point scaled(const BigPosition& position) const;
   /// The same of pairs: what is at most 1 there errs by three roundings more than it is off, twice.
   Point scaled(const PairPoint& at) const { return {at.x.value() * pair_scale_, at.y.value() * pair_scale_}; }
@@ -116,7 +116,7 @@ class PosedRegions {
   mutable std::array<std::vector<std::optional<PairPoint>>, 2> pairs_;
 };
 
-/// Of the coordinates of an operand before it turns.
+/// The factors of the coordinates of an operand before it rotates.
 Point factor_of(const PlanarPose& pose);
 
 /// How far vertices of an operand move from one pose to another, at most, and how much it turns; in its units.

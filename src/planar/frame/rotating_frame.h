@@ -37,7 +37,7 @@ class RotatingFrame {
     double e_in = 0, e_out = 0;     ///< bounds on their errors
   };
 
-  /// In no window yet.
+  /// A frame in no window yet.
   RotatingFrame() = default;
   explicit RotatingFrame(const RotatingWindow& window) { enter(window); }
   RotatingFrame(const RotatingFrame&) = delete;
@@ -45,7 +45,7 @@ class RotatingFrame {
 
   /// Frames are made in this window from now on; its arrays take the place of those of the window before.
   void enter(const RotatingWindow& window);
-  /// At an angle given as the midpoint of the window + delta, whose cos and sin err by at most 2^-49. False where
+  /// Computes the frame at the midpoint of the window + delta, whose cos and sin err by at most 2^-49. False where
   /// doubles do not decide; then nothing here means anything.
   bool compute(double delta, Heading heading);
 
@@ -74,7 +74,7 @@ class RotatingFrame {
   Point direction(const WalkSegment& s) const {
     return s.side == 0 ? window_->forms().edge(0, s.edge) : turned_edge_[s.edge];
   }
-  /// As fractions of the segment.
+  /// The ends of a step as fractions of the segment.
   double from_fraction(const Step& s) const { return s.from_crossing == kEnd ? 0 : crossings_[s.from_crossing].t_out; }
   double to_fraction(const Step& s) const { return s.to_crossing == kEnd ? 1 : crossings_[s.to_crossing].t_in; }
 
@@ -114,7 +114,7 @@ class RotatingFrame {
     bool out() const { return (crossing & kOut) != 0; }
     std::uint32_t index() const { return crossing & ~kOut; }
   };
-  /// Of a piece, as fractions of its segment, and where its crossings are listed.
+  /// The range of a piece as fractions of its segment, and where its crossings are listed.
   struct Interval {
     Two range{0, 1};
     Entry* entries = nullptr;

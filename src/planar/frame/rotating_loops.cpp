@@ -45,7 +45,8 @@ void RotatingOverlap::collect_edges(const RotatingFrame& frame, Point z) {
   collect(turning, turning_, reflected, box_of(forms_.points(0)), of_turning_);
 }
 
-// Of the ends of an edge against a line: on one side of it provably (1), provably on both sides (-1), or not told.
+// Where the ends of an edge are against a line: on one side of it provably (1), provably on both sides (-1), or
+// undecided.
 int RotatingOverlap::sides(const Edge& line, const Edge& e) const {
   const double bound = (std::abs(line.dx) + std::abs(line.dy)) * kOverlapSide * forms_.span();
   const double u = line.dx * (e.ay - line.ay) - line.dy * (e.ax - line.ax),
@@ -246,7 +247,7 @@ bool RotatingLoops::inherit(const RotatingFrame& frame, Loop& loop, FrameWork& w
   return false;
 }
 
-// By the pair of edges that covered the loop before, or by one that covered others recently.
+// The pair of edges that covered the loop before is tried, then those that covered others recently.
 bool RotatingLoops::witnessed(const RotatingFrame& frame, Loop& loop) {
   const RotatingFrame::Located z = frame.end_of(frame.steps()[loop.first]);
   if (loop.witness && covers(*loop.witness, frame, z)) return true;
@@ -284,7 +285,7 @@ Segment RotatingLoops::source_segment(std::uint32_t segment, const RotatingWindo
   return {edge, other.source[w.vertex]};
 }
 
-// Of sub-edges between nearly parallel lines doubles may know no lengths.
+// Doubles may know no lengths of sub-edges between nearly parallel lines.
 const RotatingFrame::Step& RotatingLoops::longest_of(const RotatingFrame& frame, const Loop& loop) const {
   const RotatingFrame::Step* longest = &frame.steps()[loop.first];
   double best = -1;

@@ -71,7 +71,7 @@ class RotatingLoops {
     steps_.clear();
     known_ = false;
   }
-  /// Before the first frame of a new window: the frame before in the numbers of its segments.
+  /// Puts the frame before into the indices of a new window's segments, before its first frame.
   void renumber(const RotatingWindow& from, const RotatingWindow& to);
 
   const std::vector<Loop>& loops() const { return loops_; }

@@ -104,7 +104,7 @@ KeptRings TurnedRings::at(const Orientation& theta, const RotatingFrame& frame, 
 namespace dymsum {
 namespace {
 
-// With the smaller operand as operand 1.
+// The pair has the smaller operand as operand 1.
 Result<std::shared_ptr<const planar::OperandPair>> pair_of_forms(
     const Region& p, const Region& q, const MovingOptions& options,
     const std::shared_ptr<const planar::OperandPair>& base) {
@@ -145,8 +145,8 @@ namespace {
 constexpr double kMaskFrom = 100;    // segments from which a mask pays
 constexpr double kCellsSwept = 1.1;  // a cell is so many times as wide as vertices move from the midpoint of a window
 constexpr double kCellsPerRoot = 3.5, kMostCells = 256, kLeastCells = 8;
-// Beyond a sweep either way of this fraction of the extent, divided by the root of the number of segments, pairs that
-// may meet abound.
+// Pairs that may meet abound beyond a sweep to either side of this fraction of the extent, divided by the root of the
+// number of segments.
 constexpr double kWidestSweep = 0.3;
 // No window is tried for larger steps, as fractions of the widest one: it would sweep too far to pay within a few
 // frames.
@@ -155,7 +155,7 @@ constexpr double kLargestFraction = 0.4;
 constexpr double kMostOfPairs = 3;
 // Loops that are tested at the start of a window: with more of them it begins at the frame before.
 constexpr std::size_t kFewLoops = 8;
-// By so much windows that follow one another overlap at least: more than doubles of angles err by. In radians.
+// Windows that follow one another overlap by so many radians at least: more than doubles of angles err by.
 constexpr double kSharedAngle = 0x1p-40;
 // How far a window reaches in the direction of the motion, and in all: less than a radian from its midpoint, which is
 // what a window of angles requires.
@@ -168,7 +168,7 @@ double cost_of_slice(const SumStats& s, std::size_t vertices) {
          cost_of(0.0025, s.pair_tests) + cost_of(1.5, s.collision_tests);
 }
 
-// Of two pieces whose boxes meet, when a window is built.
+// The cost of two pieces whose boxes meet, when a window is built.
 constexpr double kCostOfPair = 0.03;
 
 double cost_of_window(const RotatingWindow& w) {
@@ -227,7 +227,7 @@ double RotatingSum::State::widest_window() const {
 int RotatingSum::State::cells_for(double half) const {
   const double most = extent() / (kCellsSwept * half * forms().reach());
   const double cells = std::clamp(std::min(kCellsPerRoot * std::sqrt(segments_), most), kLeastCells, kMostCells);
-  // In steps of a root of two, so that few grids are made.
+  // Cells grow in steps of a root of two, so that few grids are made.
   return static_cast<int>(kLeastCells * std::exp2(0.5 * std::floor(2 * std::log2(cells / kLeastCells))));
 }
 
@@ -251,7 +251,7 @@ double RotatingSum::State::reach_back(const Move& move) const {
   return loops_->loops().size() > kFewLoops && std::abs(move.step) < 0.5 ? 1.001 * std::abs(move.step) : 0;
 }
 
-// Between it and the window before nothing is left out, for who comes back.
+// The window leaves nothing out between itself and the one before, for whoever comes back.
 MakeWindow RotatingSum::State::window_for(const Move& move, const WindowController::Choice& reach) {
   auto [behind, ahead] = std::pair{reach.behind, reach.ahead};
   if (options.window > 0 && move.step < 0) std::swap(behind, ahead);

@@ -30,8 +30,8 @@ class TurnedRings {
                const std::function<SumRing()>& spare);
 
  private:
-  /// From the coordinates of the forms to those of the sum: perhaps turned, scaled, and moved. In this order, as what
-  /// is small may be subnormal.
+  /// Takes the coordinates of the forms to those of the sum: they may be rotated, scaled and moved, in this order, as
+  /// what is small may be subnormal.
   struct Rigid {
     double c = 1, s = 0, unit = 1;
     Point by;

@@ -71,7 +71,7 @@ class Collector {
   }
 
  private:
-  // After so many pairs, some of which cost exact roots.
+  // Progress is reported after so many pairs, some of which cost exact roots.
   void count(std::uint32_t pairs) {
     constexpr std::uint32_t kBetween = 1024;
     since_ += pairs;
@@ -169,7 +169,7 @@ class Collector {
     const auto [wx, wy] = from(of[0]);
     const Taus at = zeros_of({s.dx * wy.a - s.dy * wx.a, s.dx * wy.b - s.dy * wx.b}, error, all_);
     if (at.empty()) return;
-    // Beyond an end at all of them.
+    // The vertex is beyond an end at all of them.
     const auto ahead = [&](const Linear& x, const Linear& y, double tau) {
       return s.dx * x.at(tau) + s.dy * y.at(tau);
     };

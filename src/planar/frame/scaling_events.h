@@ -34,7 +34,7 @@ std::vector<EventValue> events_of(const Window& window, const ExactForms& forms,
 /// scale.
 bool is_covered(const EventValue& event, ExactFrame& frame);
 
-/// For every value the first index that it has in a list. Requires that the values requested are in it.
+/// The first index that every value has in a list. Requires that the values requested are in it.
 class FirstIndices {
  public:
   explicit FirstIndices(std::span<const std::uint32_t> values) {

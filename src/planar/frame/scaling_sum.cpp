@@ -87,7 +87,7 @@ double cost_of_frame(const FrameWork& work, const PlanarSum& sum) {
 
 PlacedPair ScalingSum::State::placed() const { return base->placed(base->lattice_scale(x_, y_)); }
 
-// With lists and loops at `entry` where it is made ahead, so that the frame that enters it is like any other.
+// The window has lists and loops at `entry` where it is made ahead, so that the frame that enters it is like any other.
 MakeWindow ScalingSum::State::maker(double low, double high, double entry) {
   const std::uint32_t all = builder_->convolution_for(low, high).size();
   const double most = chooses() ? controller_.most_expensive_building() : 0;

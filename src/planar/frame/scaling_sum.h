@@ -27,7 +27,7 @@ class ScalingSum::State final : public planar::MovingSum {
   Scale scale, scale_y;
 
  private:
-  /// Of the first window: where steps are small it is not narrower for that, as building costs nearly as much.
+  /// The first window is not narrower where steps are small, as building costs nearly as much.
   static constexpr double kFirstFrames = 160, kFirstWidth = 0.08, kFactor = 1.2, kPayback = 8;
 
   planar::PlacedPair placed() const override;

@@ -4,13 +4,13 @@
 #include <cmath>
 
 #include "planar/operand/sum_bounds.h"
-#include "planar/position/vertex_order.h"
+#include "planar/position/exact_source.h"
 #include "planar/sum/placed_sum.h"
 
 namespace dymsum::planar {
 namespace {
 
-// From the window's coordinates to those of the input.
+// The map from the window's coordinates to those of the input.
 struct ToInput {
   ToInput(const Window& window, const ExactFrame& frame) : span(window.span()) {
     const Lattice& l = *frame.base().lattice;

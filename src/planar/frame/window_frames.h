@@ -13,7 +13,7 @@
 
 namespace dymsum::planar {
 
-/// In input coordinates.
+/// The rings of loops in input coordinates.
 class LoopRings {
  public:
   explicit LoopRings(FrameLoops& loops) : loops_(loops) {}

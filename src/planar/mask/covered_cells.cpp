@@ -218,7 +218,8 @@ void add_run_pairs(Bitmap& target, const RunRows& a, const RunRows& b, int sprea
   }
 }
 
-// By pairs of runs, or the runs of the one that has fewer of them for the other's words: whatever is less work.
+// Adds sums by pairs of runs, or by the runs of the one that has fewer of them and the other's words: whatever is less
+// work.
 void add_sums(Bitmap& target, const Bitmap& a, const Bitmap& b, int spread) {
   const RunRows runs_a(a), runs_b(b);
   const double per_word = 0.8;  // of one pair of runs

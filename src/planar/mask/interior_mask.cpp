@@ -6,12 +6,12 @@
 namespace dymsum::planar {
 namespace {
 
-// With the centres' winding numbers or parities.
+// Rasterizes with the centres' winding numbers or parities.
 template <class Centres>
 Raster rasterize(const Operand& o, const Grid& cells) {
   RasterMaker<Centres> maker(cells);
   const double rim = kRim * cells.cell;
-  // Without clamps: coordinates are not negative, and the raster reaches farther than the operand by a cell.
+  // No clamps are needed: coordinates are not negative, and the raster reaches farther than the operand by a cell.
   const auto cell = [&](double v) { return static_cast<int>(v * cells.per_cell); };
   bool has_area = false;
   for (const Loop& loop : o.loops) {

@@ -23,7 +23,8 @@ int sign_of(const AlgebraicRoot& t) {
 // The charts in the order of the angles: (-pi, -pi/2], (-pi/2, pi/2], (pi/2, pi].
 int section(const ExactAngle& a) { return a.chart == 0 ? 1 : sign_of(a.t) > 0 ? 0 : 2; }
 
-/// Of angle_at: an arc tangent, pi and their sum err by less than 4 u each; of twice an arc tangent, times itself.
+/// The error of angle_at: an arc tangent, pi and their sum err by less than 4 u each; and that of twice an arc tangent,
+/// relatively.
 constexpr double kTurned = exact::rounding_bound(12, 16), kArc = exact::rounding_bound(2, 4);
 
 double angle_at(double t, int section) {

@@ -34,8 +34,8 @@ class ExactFrame {
   std::uint64_t exact_signs = 0;  ///< without those of collision tests
   std::uint64_t all_signs() const { return exact_signs + (has_collision() ? collision_->counts().signs.exact() : 0); }
 
-  /// Of a scaling: the scale, the parameter of a window whose operand `moving` moves, and what the window's coordinates
-  /// are multiplied by.
+  /// What a scaling has: the scale, the parameter of a window whose operand `moving` moves, and what the window's
+  /// coordinates are multiplied by.
   const ScaleValue& value() const { return value_; }
   const LatticeScale& scale() const { return std::get<LatticeScale>(at_); }
   double tau(std::uint32_t moving) const;

@@ -22,7 +22,8 @@ enum class Spread { narrow, any };
 
 class OperandPair : public std::enable_shared_from_this<OperandPair> {
  public:
-  /// Of operands, with further source vertices after their own that belong to no walk. Errors: unsupported_operand.
+  /// A pair of operands, with further source vertices after their own that belong to no walk. Errors:
+  /// unsupported_operand.
   static Result<std::shared_ptr<const OperandPair>> create(const std::array<std::shared_ptr<const Operand>, 2>& kept,
                                                            const std::array<std::vector<Point>, 2>& further,
                                                            std::uint32_t moved, int min_tier_bits,

@@ -77,7 +77,7 @@ Result<Orientation> Orientation::nearest(double radians) {
   return planar::orientation_of(BigRational(1 / exact::exact_value(back)));
 }
 
-// Of the error that is allowed a fraction is kept for what tangents lose, and what the reduced angle errs by; below the
+// A fraction of the error that is allowed is kept for what tangents lose, and what the reduced angle errs by; below the
 // shortest one the nearest orientation is as good.
 constexpr double kFraction = 0.99, kReduced = exact::rounding_bound(4, 8), kShortest = exact::rounding_bound(16, 32);
 

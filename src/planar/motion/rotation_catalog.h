@@ -23,7 +23,7 @@ inline constexpr double kTurn = 2 * std::numbers::pi;
 //   with      the angle of a frame, from the midpoint of its window: 28 (kAngleDifference) and the difference.
 inline constexpr double kAngleSlack = exact::rounding_bound(156 + 28 + 4, 8192);
 
-/// In [0, 2 pi).
+/// The angle in [0, 2 pi).
 inline double positive_angle(double a) {
   a = a - kTurn * static_cast<double>(static_cast<long long>(a / kTurn));
   return a < 0 ? a + kTurn : a;

@@ -68,23 +68,23 @@ class ExactForms {
 //            fraction, and the sum.
 //   share    numerator / denominator: what a side and the denominator lose, and the quotient (see fraction_error()).
 
-/// Of a sum's coordinate, or of one of a position on a segment, times the span.
+/// The error of a sum's coordinate, or of one of a position on a segment, is this times the span.
 inline constexpr double kWindowPoint = exact::rounding_bound(4 + 5, 16);
-/// Of a side, times L and the span: with the shift, and both positions at cuts.
+/// The error of a side is this times L and the span: with the shift, and both positions at cuts.
 inline constexpr int kSideRoundings = 14;
 inline constexpr double kWindowSide = exact::rounding_bound(kSideRoundings + 2 * 1 + 2 * 6, 32);
-/// Of a side of an edge that is scaled where it stands, times |e|_1 and the span: two products with a rounded tau (5
-/// each, of parts of the span), their sum, the difference, edge vector (3), product and difference.
+/// The error of a side of an edge that is scaled where it stands is this times |e|_1 and the span: two products with a
+/// rounded tau (5 each, of parts of the span), their sum, the difference, edge vector (3), product and difference.
 inline constexpr double kSearchSide = exact::rounding_bound(12, 32);
 
-/// Of a share a + b tau where it is evaluated, times max(1, tau): product, sum and tau; a and b that cancel are covered
-/// by the error of the fraction, which counts roundings of their size.
+/// The error of a fraction a + b tau where it is evaluated is this times max(1, tau): product, sum and tau; a and b
+/// that cancel are covered by the error of the fraction, which counts roundings of their size.
 inline constexpr double kFraction = exact::rounding_bound(3, 16);
 /// The same for two shares and their difference.
 inline constexpr double kFractionGap = exact::rounding_bound(7, 32);
-/// Of a share by a scalar product of sums with an edge vector over its square, times max(1, tau1): 6 of the product, 8
-/// of the square, the quotient and the evaluation. Besides, what the sums err by, times |d|_1 and the span over the
-/// square: a side, and for a position farther on the same line a vector, its product and the sum.
+/// The error of a fraction by a scalar product of sums with an edge vector over its square is this times max(1, tau1):
+/// 6 of the product, 8 of the square, the quotient and the evaluation. Besides, what the sums err by, times |d|_1 and
+/// the span over the square: a side, and for a position farther on the same line a vector, its product and the sum.
 inline constexpr int kProjectionRoundings = 6 + 8 + 1 + 3, kProjectedRoundings = kSideRoundings + 6;
 inline constexpr double kProjection = exact::rounding_bound(kProjectionRoundings, 64),
                         kProjectedSums = exact::rounding_bound(kProjectedRoundings, 64);
@@ -92,29 +92,29 @@ inline constexpr double kProjection = exact::rounding_bound(kProjectionRoundings
 inline constexpr double kProjectionGap = exact::rounding_bound(2 * kProjectionRoundings, 128),
                         kProjectedGap = exact::rounding_bound(2 * kProjectedRoundings, 128);
 
-/// Of -a / b, times itself: the quotient, and the sum that makes it an end of a range.
+/// The error of -a / b, relatively: the quotient, and the sum that makes it an end of a range.
 inline constexpr double kRoot = exact::rounding_bound(2, 16);
-/// Of tau, times tau1: it is the double nearest to the scale.
+/// The error of tau is this times tau1: it is the double nearest to the scale.
 inline constexpr double kTau = exact::rounding_bound(1, 8);
 
-/// Of where a fraction of two crossing lines is evaluated, times the sizes of what a and b make: products, sums and
-/// tau.
+/// The error of a fraction of two crossing lines where it is evaluated is this times the sizes of what a and b make:
+/// products, sums and tau.
 inline constexpr double kFollowed = exact::rounding_bound(5, 8);
-/// Of the weights of a mediant, relatively: a length alone; a cross product, over its own share of cancellation, with
-/// the three factors that it is multiplied with; the sum and the quotient.
+/// The errors of the weights of a mediant, relatively: a length alone; a cross product, over its own part of
+/// cancellation, with the three factors that it is multiplied with; the sum and the quotient.
 inline constexpr double kLengthWeight = exact::rounding_bound(3, 8), kCrossWeight = exact::rounding_bound(8 + 4, 32),
                         kMediant = exact::rounding_bound(3, 8);
 
-/// Of a position in input coordinates, times the span: evaluation (3), the blow-up and the last sum; times the offsets:
-/// the factor and its product, the scale, products and sums.
+/// The error of a position in input coordinates is this times the span: evaluation (3), the blow-up and the last sum;
+/// times the offsets: the factor and its product, the scale, products and sums.
 inline constexpr double kKeptPosition = exact::rounding_bound(6, 16), kKeptOffsets = exact::rounding_bound(7, 8);
 
 /// Denominators d that are known to this fraction of themselves at most may be divided by.
 inline constexpr double kKnownDenominator = 0.25;
 
-/// Of a share n / d: n errs by `numerator`, d by `relative` of itself, shares that matter are at most half of `reach`.
-/// A fraction t errs by (numerator / |d| + |t| relative) / (1 - relative) and three roundings; outside of `reach` a
-/// wrong share cannot become a right one. Requires relative < kKnownDenominator.
+/// The error of a fraction n / d: n errs by `numerator`, d by `relative` of itself, fractions that matter are at most
+/// half of `reach`. A fraction t errs by (numerator / |d| + |t| relative) / (1 - relative) and three roundings; outside
+/// of `reach` a wrong fraction cannot become a right one. Requires relative < kKnownDenominator.
 inline double fraction_error(double numerator, double d, double relative, double reach) {
   constexpr double kDivided = 2, kRounded = exact::rounding_bound(3, 32);
   static_assert(kDivided >= 1 / (1 - kKnownDenominator));

@@ -12,8 +12,8 @@ using exact::Polynomial;
 
 namespace {
 
-/// Of a cross or scalar product of two edge vectors as given, times their |.|_1: two of the factors, the product, the
-/// sum.
+/// The error of a cross or scalar product of two edge vectors as given is this times their |.|_1: two of the factors,
+/// the product, the sum.
 constexpr double kFixedEdges = exact::rounding_bound(4, 32);
 
 double cross(Point a, Point b) { return a.x * b.y - a.y * b.x; }
@@ -130,7 +130,7 @@ TurningForms::Form TurningForms::cross_form(const WalkSegment& s, const WalkSegm
   return {0, x, s.side == 1 ? BigInteger(-dot) : dot};
 }
 
-// As concurrency().
+// The polynomial of concurrency().
 Polynomial TurningForms::exact_concurrency(const WalkSegment& a, const WalkSegment& b, const WalkSegment& c,
                                            int chart) const {
   const bool same = a.side == b.side && b.side == c.side;
@@ -157,7 +157,7 @@ Polynomial TurningForms::exact_cross(const WalkSegment& s, const WalkSegment& t,
   return polynomial(quadratic(f.a, f.b, f.g, chart));
 }
 
-// With d' = d turned right, d . w = d' x w.
+// Let d' be d turned right; d . w = d' x w.
 Polynomial TurningForms::exact_along(const WalkSegment& s, Pair u, Pair v, int chart) const {
   const Vec e = vector(s.side, s.edge);
   const Form f = crossed({BigInteger(e.y), BigInteger(-e.x)}, s.side, u, v);

@@ -34,26 +34,26 @@ namespace dymsum::planar {
 //                2 (14 sqrt(2) + 2 * 8 + 3 * 3) + 6 <= 96. The coefficients add up to 6; cos 2 theta and sin 2 theta
 //                err by 45, six operations by 6: 6 * 51 = 306. Together 402 L L' L'' S.
 
-/// Of cos and sin of an angle of a few turns that is a sum of doubles, absolutely.
+/// The absolute error of cos and sin of an angle of a few turns that is a sum of doubles.
 inline constexpr double kHeading = exact::rounding_bound(12, 16);
-/// Of a position, each coordinate, times the span.
+/// The error of each coordinate of a position is this times the span.
 inline constexpr double kTurnedPosition = exact::rounding_bound(16, 32);
-/// Of a turned edge vector, each coordinate, times L.
+/// The error of each coordinate of a rotated edge vector is this times L.
 inline constexpr double kTurnedDirection = exact::rounding_bound(19, 128);
-/// Of a side, from the form or from positions, times L and the span.
+/// The error of a side, from the form or from positions, is this times L and the span.
 inline constexpr double kTurnedSide = exact::rounding_bound(88, 128);
-/// Of the cross product of two edge vectors, times their L.
+/// The error of the cross product of two edge vectors is this times their L.
 inline constexpr double kTurnedCross = exact::rounding_bound(56, 128);
-/// Of a form of three lines, times their L and the span.
+/// The error of a form of three lines is this times their L and the span.
 inline constexpr double kConcurrency = exact::rounding_bound(402, 512);
 
-/// Of the side of a segment's end, taken as the side of its start plus d x e: 88 + 56 |e|_1, an edge that turns has
-/// |e|_1 <= sqrt(2) S, of others only 24 are counted and |e|_1 <= 2 S; and the sum.
+/// The error of the side of a segment's end, taken as the side of its start plus d x e: 88 + 56 |e|_1, an edge that
+/// turns has |e|_1 <= sqrt(2) S, of others only 24 are counted and |e|_1 <= 2 S; and the sum.
 inline constexpr double kTurnedEndSide = exact::rounding_bound(88 + 79 + 2, 256);
 
-/// Of a crossing on a segment, as fractions of it: times kTurnedEndSide L S / |d x e|. |d x e| is known to 56 of the
-/// 256 that it has to exceed (kCrossKnown), so shares of at most 1 err by (88 + 79) / (1 - 56 / 256) of those 256
-/// units: less than once. The rest is slack.
+/// The error of a crossing on a segment, as a fraction of it, is this times kTurnedEndSide L S / |d x e|. |d x e| is
+/// known to 56 of the 256 that it has to exceed (kCrossKnown), so fractions of at most 1 err by (88 + 79) / (1 - 56 /
+/// 256) of those 256 units: less than once. The rest is slack.
 inline constexpr double kCrossingSlack = 4;
 /// Besides, absolutely: the inverse and the product, of fractions up to 1.
 inline constexpr double kCrossingFraction = exact::rounding_bound(2, 8);
@@ -61,25 +61,25 @@ inline constexpr double kCrossingFraction = exact::rounding_bound(2, 8);
 /// Cross products up to this, times both L, are not divided by.
 inline constexpr double kCrossKnown = exact::rounding_bound(56, 256);
 
-/// Of a difference of coordinates of a position and vertices of either operand, times the span: a position inside a
-/// sub-edge errs by two positions, the vertex that turns by one, the differences by roundings.
+/// The error of a difference of coordinates of a position and vertices of either operand is this times the span: a
+/// position inside a sub-edge errs by two positions, the vertex that turns by one, the differences by roundings.
 inline constexpr double kOverlapPosition = exact::rounding_bound(2 * 32 + 32 + 4, 256);
-/// Of a side of such a vertex, times L and the span: that, a direction (19) times two coordinates of at most 2 S,
-/// products and difference of at most 2 L S.
+/// The error of a side of such a vertex is this times L and the span: that, a direction (19) times two coordinates of
+/// at most 2 S, products and difference of at most 2 L S.
 inline constexpr double kOverlapSide = exact::rounding_bound(2 * 32 + 32 + 4 + 19 * 4 + 3 * 2, 512);
 
 /// Turning a position back mixes the errors of both coordinates, by |cos| + |sin| <= sqrt(2).
 inline constexpr double kMixed = 1.5;
-/// Of the rest of turning a position back, times the span: cos and sin, sqrt(2) 16, and six operations; and of turning
-/// the offsets, whose sums carry 2.
+/// The error of what is left when a position is turned back is this times the span: cos and sin, sqrt(2) 16, and six
+/// operations; and of turning the offsets, whose sums carry 2.
 inline constexpr double kTurnedBack = exact::rounding_bound(23 + 9, 128),
                         kTurnedOffset = exact::rounding_bound(23 + 9, 64);
 
-/// Of two doubles of angles and their difference.
+/// The error of two doubles of angles and their difference.
 inline constexpr double kAngleDifference = exact::rounding_bound(2 * 12 + 4, 512);
 
-/// Of the double of an angle of at most a turn and a half, in radians: twice an arc tangent, half a turn, their sum.
-/// Each is less than 8 and errs by 4 u or less besides the rounding of what it is made of.
+/// The error of the double of an angle of at most a turn and a half, in radians: twice an arc tangent, half a turn,
+/// their sum. Each is less than 8 and errs by 4 u or less besides the rounding of what it is made of.
 inline constexpr double kAngleDouble = exact::rounding_bound(12, 32);
 
 /// How far two pieces have to be apart in a window, times L, as fractions of the span: computed in floats. In their
@@ -146,11 +146,11 @@ struct TrigForm2 {
 class TurningForms {
  public:
   explicit TurningForms(const OperandPair& base);
-  /// With the further source vertices of the base, as many of either operand, behind the walk vertices.
+  /// The forms have the further source vertices of the base, as many of either operand, after the walk vertices.
   TurningForms(const OperandPair& base, std::uint32_t further);
 
   const Operand& operand(std::uint32_t op) const { return *operands_[op]; }
-  /// Of a single point, which is a vertex without an edge.
+  /// Whether a vertex is a single point, without an edge.
   bool is_point(std::uint32_t op, std::uint32_t v) const { return operands_[op]->next[v] == v; }
   std::uint32_t size(std::uint32_t op) const { return static_cast<std::uint32_t>(operands_[op]->size()); }
   const std::vector<Point>& points(std::uint32_t op) const { return points_[op]; }

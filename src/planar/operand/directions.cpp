@@ -20,7 +20,7 @@ struct Item {
   std::uint32_t edge;
 };
 
-// By direction, then by position in the walk: no two are equal.
+// The order by direction, then by position in the walk: no two are equal.
 class Before {
  public:
   Before(const OwnEdges& edges, const Operand& o) : edges_(edges), o_(o) {}

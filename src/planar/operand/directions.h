@@ -33,9 +33,10 @@ inline double pseudo_angle(double x, double y) {
   const double c = x / (std::abs(x) + std::abs(y));
   return half_plane(x, y) == 0 ? 1 - c : 3 + c;
 }
-/// Of the pseudo-angle of a vector whose components carry three roundings each, of a scaled one: a change of x by d of
-/// itself changes x / (|x| + |y|) by |x y| / (|x| + |y|)^2 d <= d / 4, so components make 2 * 3 / 4, sum and quotient
-/// 1 each, and the final sum, which is less than 4, makes 2. Two of them are compared, and the bound's own sum makes 2.
+/// The error of the pseudo-angle of a vector whose components carry three roundings each, of a scaled one: a change of
+/// x by d of itself changes x / (|x| + |y|) by |x y| / (|x| + |y|)^2 d <= d / 4, so components make 2 * 3 / 4, sum and
+/// quotient 1 each, and the final sum, which is less than 4, makes 2. Two of them are compared, and the bound's own sum
+/// makes 2.
 inline constexpr double kAngleError = exact::rounding_bound(2 * 6 + 2, 32);
 
 /// The order of directions: by half plane (angles [0, pi) first), then counter-clockwise. -1, 0, 1.

@@ -9,7 +9,7 @@
 namespace dymsum::planar {
 namespace {
 
-/// Of factors and grids: far from where pairs of doubles over- or underflow.
+/// The bits of factors and grids: far from where pairs of doubles over- or underflow.
 constexpr int kMostBits = 900;
 
 bool is_vertex(const SegmentPosition& x) { return !x.between && x.first.kind == Cut::Kind::pair; }
@@ -92,7 +92,7 @@ FineLattice::Ratio FineLattice::ratio(const SegmentPosition& x) const {
   return {a.n + b.n, a.d + b.d};
 }
 
-// As in LatticeOf: start + d n / d.
+// The position is that of LatticeOf: start + d n / d.
 std::optional<int> FineLattice::side(const Segment& s, const SegmentPosition& x) const {
   if (is_vertex(x)) return side(s, x.first.pair);
   if (!decides_) return std::nullopt;

@@ -37,7 +37,7 @@ class FineLattice {
   struct Ratio {
     Fine n, d;
   };
-  /// Of a pair of cuts the mediant is requested: their numerators and denominators then count as integers do.
+  /// Where the mediant of a pair of cuts is requested, their numerators and denominators count as integers do.
   enum class As : std::uint8_t { quotient, integers };
   static Fine cross(const Vec& a, const Vec& b) { return a.x * b.y - a.y * b.x; }
   static Fine dot(const Vec& a, const Vec& b) { return a.x * b.x + a.y * b.y; }

@@ -20,7 +20,8 @@ namespace {
 
 using exact::Big;
 
-// Of positions in pairs of doubles, times the sizes of their terms: integers; the quotient, the product and the sum.
+// The error of positions in pairs of doubles is this times the sizes of their terms: integers; the quotient, the
+// product and the sum.
 constexpr double kNearVertex = 2 * exact::kIntegerPairError, kNearCrossing = 8 * base::kPairError;
 static_assert(3 * base::kPairError + 8 * exact::kIntegerPairError < kNearCrossing);
 using exact::BigRational;
@@ -99,7 +100,7 @@ class LatticeOf final : public Lattice {
   }
 
   int compare_coordinate(Pair a, Pair b, int axis) const override {
-    // With one vertex in common, as the ends of a segment have, the other operand's coordinates as given tell.
+    // Where one vertex is common to both, as to the ends of a segment, the other operand's coordinates as given decide.
     if (!scale_ && (a.p == b.p || a.q == b.q)) {
       const std::uint32_t op = a.p == b.p ? 1 : 0;
       const std::vector<Point>& input = points[op]->input;

@@ -12,7 +12,7 @@ using exact::BigRational;
 
 namespace {
 
-// Of a scaled offset.
+// The error of a scaled offset.
 constexpr double kScaledBase = exact::rounding_bound(2, 4);
 
 // The sum of both offsets in input coordinates, and how it errs.
@@ -34,7 +34,8 @@ bool is_dyadic(const std::optional<LatticeScale>& scale) { return !scale || (sca
 
 }  // namespace
 
-// Over a power of two where the scale's denominator is one: of at most 53 bits, no step of making them was rounded.
+// Integers are doubles over a power of two where the scale's denominator is one: with at most 53 bits, no step of
+// making them was rounded.
 double integers_per_double(const LatticePoints& points, const std::optional<LatticeScale>& scale) {
   const bool dyadic = is_dyadic(scale), turned = scale && points.points[scale->op]->turned != nullptr;
   const int shift = points.unit - points.grid_exponent + (scale && dyadic ? static_cast<int>(msb(scale->den)) : 0);

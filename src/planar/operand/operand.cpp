@@ -9,6 +9,7 @@
 #include "base/scratch.h"
 #include "planar/operand/own_edges.h"
 #include "planar/operand/sum_bounds.h"
+#include "planar/region/chains.h"
 
 namespace dymsum::planar {
 namespace {
@@ -16,12 +17,8 @@ namespace {
 std::vector<Point> source_vertices(const RegionData& region, std::size_t n, bool reflected) {
   std::vector<Point> all;
   all.reserve(n);
-  for (const Part& part : region.parts) {
-    all.insert(all.end(), part.outer.begin(), part.outer.end());
-    for (const Ring& hole : part.holes) all.insert(all.end(), hole.begin(), hole.end());
-  }
-  for (const Polyline& line : region.polylines) all.insert(all.end(), line.begin(), line.end());
-  all.insert(all.end(), region.points.begin(), region.points.end());
+  for_each_chain(region,
+                 [&](const std::vector<Point>& points) { all.insert(all.end(), points.begin(), points.end()); });
   if (reflected)
     for (Point& p : all) p = {0 - p.x, 0 - p.y};  // leaves no negative zeros
   return all;
@@ -56,7 +53,7 @@ Size size_of(const RegionData& region) {
   return size;
 }
 
-// About what the arrays of an operand take, so that one block holds them.
+// Roughly what the arrays of an operand take, so that one block holds them.
 std::size_t bytes_for(const Size& size) {
   constexpr std::size_t kPerVertex = sizeof(EdgeBox) + sizeof(Operand::Indices) + 12 * sizeof(double);
   return kPerVertex * size.walk + (sizeof(Loop) + 2) * size.loops +
@@ -302,8 +299,8 @@ class Builder {
       else if (edge != kUnnumbered) extend(out_.edge_of_index[edge], from, to);
     }
   }
-  // By the piece from a to b of an edge that is cut: places on one line are in the order of either coordinate that
-  // changes.
+  // Extends an edge that is cut by its piece from a to b: positions on one line are in the order of either coordinate
+  // that changes.
   void extend(std::array<std::uint32_t, 2>& edge, std::uint32_t a, std::uint32_t b) const {
     if (edge[0] == kUnnumbered) {
       edge = {a, b};

@@ -48,7 +48,7 @@ struct EdgeBox {
 
 struct Operand {
   Operand() = default;
-  /// With room for `bytes` of arrays in one block.
+  /// An operand with room for `bytes` of arrays in one block.
   explicit Operand(std::size_t bytes) : memory(bytes) {}
 
   template <class T>

@@ -34,7 +34,7 @@ class OwnEdges {
     const Point d = direction(from, to);
     return {with_sign_of(d.x, d.x * per_unit_), with_sign_of(d.y, d.y * per_unit_)};
   }
-  /// In input units, or those of the edge's own fractions: no rounding underflows.
+  /// The direction in input units, or those of the edge's own fractions: no rounding underflows.
   Point direction(std::uint32_t from, std::uint32_t to) const {
     if (fractions_ != nullptr) return fractions_->direction(from, to);
     const Point a = input_[from], b = input_[to];
@@ -56,7 +56,7 @@ class OwnEdges {
   exact::Int<54> along(const double* coordinates, const Edge& e) const {
     return integer(coordinates[e.to]) - integer(coordinates[e.from]);
   }
-  // Of at most 53 bits, no step of making the double was rounded.
+  // The integer has at most 53 bits: no step of making the double was rounded.
   exact::Int<53> integer(double coordinate) const {
     return exact::Int<53>::from_int64(static_cast<std::int64_t>(coordinate * per_double_));
   }

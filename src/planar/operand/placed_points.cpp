@@ -15,7 +15,7 @@ struct Corners {
   Point low, high;
 };
 
-// Of the bounding box: their coordinates are coordinates of vertices, hence on the grid.
+// The corners of the bounding box: their coordinates are coordinates of vertices, hence on the grid.
 Corners corners_of(std::span<const Point> points) {
   if (points.empty()) return {};
   Point low = points[0], high = low;

@@ -74,7 +74,7 @@ class PairSum {
   double error_ = 0;
 };
 
-/// From pairs of doubles, relative to where the source measures from: the area does not depend on it.
+/// The range by pairs of doubles, relative to where the source measures from: the area does not depend on it.
 std::optional<AreaRange> pair_range(const PlanarSum& sum) {
   const std::optional<ExactSource::NearFrame> frame = exact_source(sum)->near_frame();
   if (!frame) return std::nullopt;
@@ -127,8 +127,8 @@ class Multiples {
   BigInteger largest_ = 0;
 };
 
-/// From multiples of 2^-bits of the largest coordinate. Coordinates X err by less than 1, so each of n cross products
-/// by less than 4 max |X| + 2.
+/// The range by multiples of 2^-bits of the largest coordinate. Coordinates X err by less than 1, so each of n cross
+/// products by less than 4 max |X| + 2.
 AreaRange multiple_range(const PlanarSum& sum, int bits) {
   const double largest = largest_coordinate(sum);
   const int shift = bits - (largest > 0 ? std::ilogb(largest) : 0);
@@ -152,7 +152,7 @@ AreaRange multiple_range(const PlanarSum& sum, int bits) {
   return {value(twice - error), value(twice + error)};
 }
 
-/// In lowest terms. Powers of two, which is what corners have, need no greatest common divisor.
+/// The position in lowest terms. Powers of two, which is what corners have, need no greatest common divisor.
 ExactSource::Homogeneous lowest(ExactSource::Homogeneous p) {
   const auto shared = [&](const BigInteger& n) { return n.is_zero() ? lsb(p.w) : std::min(lsb(abs(n)), lsb(p.w)); };
   const auto twos = std::min(shared(p.x), shared(p.y));

@@ -10,7 +10,7 @@ namespace {
 
 using base::DoublePair;
 
-/// Within 2^-105 of itself where nothing underflows.
+/// The pair is within 2^-105 of the number, relatively, where nothing underflows.
 DoublePair pair_of(const exact::BigRational& v) {
   const double high = exact::round_to_double(v);
   if (!std::isfinite(high)) return {high, 0};
@@ -28,11 +28,12 @@ DoublePair pair_of(const exact::BigRational& v) {
   return {high, num.is_zero() ? 0 : exact::round_to_double(num, den)};
 }
 
-/// Of origin + unit v, times the sizes of both terms: unit and origin (2^-105), the product and the sum.
+/// The error of origin + unit v is this times the sizes of both terms: unit and origin (2^-105), the product and the
+/// sum.
 constexpr double kMoved = 4 * base::kPairError;
 /// Error terms below may underflow, sums above overflow.
 constexpr double kLeast = 0x1p-800, kMost = 0x1p1000;
-/// Of a unit: beyond, it or its product with the integers could lose error terms.
+/// The range of a unit: beyond, it or its product with the integers could lose error terms.
 constexpr double kLeastUnit = 0x1p-500, kMostUnit = 0x1p500;
 
 /// The double nearest to origin + unit v, |v - exact| <= error, if this is proved. Rounding is monotone, so where both

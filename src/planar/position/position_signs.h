@@ -12,9 +12,9 @@ namespace dymsum::planar {
 using Position = ExactSource::Position;
 using Homogeneous = ExactSource::Homogeneous;
 
-/// Over the least common denominator.
+/// The position over the least common denominator.
 Homogeneous homogeneous(const Position& p);
-/// In lowest terms.
+/// The position in lowest terms.
 Position reduced(const Homogeneous& p);
 
 /// The sign of a - b. (Boost's own comparison of rationals expands continued fractions.)

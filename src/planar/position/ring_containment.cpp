@@ -14,10 +14,11 @@ namespace dymsum::planar {
 
 namespace {
 
-/// Of a point on an edge, times the largest coordinate: two products and their sum, whose fractions add up to 1.
+/// The error of a point on an edge is this times the largest coordinate: two products and their sum, whose fractions
+/// add up to 1.
 constexpr double kOnEdge = exact::rounding_bound(2, 4);
-/// Of the side of a point, besides what differences of coordinates err by that come from positions, times the sum of
-/// both products: the roundings of two differences, of the product and of the difference of products.
+/// The error of the side of a point, besides what differences of coordinates err by that come from positions, is this
+/// times the sum of both products: the roundings of two differences, of the product and of the difference of products.
 constexpr double kSide = exact::rounding_bound(4, 8);
 
 enum class Side { inside, outside, unsure };

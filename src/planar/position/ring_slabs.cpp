@@ -60,16 +60,16 @@ void RingSlabs::fill_nodes() {
     std::sort(members_.begin() + starts_[node], members_.begin() + starts_[node + 1], left);
 }
 
-// Of two edges that do not meet between the heights that they share. Where the upper one of the lower ends lies on the
-// other edge, the lower one of the upper ends does not.
+// Whether the first of two edges is left of the other, given that they do not meet between the heights that they share.
+// Where the upper one of the lower ends lies on the other edge, the lower one of the upper ends does not.
 bool RingSlabs::left_of(const Edge& a, const Edge& b) {
   const int low = a.from >= b.from ? orientation(b.low, b.high, a.low) : -orientation(a.low, a.high, b.low);
   if (low != 0) return low > 0;
   return (a.to <= b.to ? orientation(b.low, b.high, a.high) : -orientation(a.low, a.high, b.high)) > 0;
 }
 
-/// By the edges to the left of z. Requires that z lies in the closed slab; where that is on one of its ends, the answer
-/// is that of the points of the slab next to z, unless an edge of the slab passes z.
+/// The edges to the left of z decide. Requires that z lies in the closed slab; where that is on one of its ends, the
+/// answer is that of the points of the slab next to z, unless an edge of the slab passes z.
 Location RingSlabs::in_slab(std::uint32_t slab, const NearSpot& z) const {
   std::uint32_t left = 0;
   for (std::uint32_t node = leaves_ + slab; node > 0; node /= 2) {

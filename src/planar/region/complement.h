@@ -8,7 +8,7 @@
 
 namespace dymsum::planar {
 
-/// By which angles Q may be turned.
+/// The angles by which Q may be rotated.
 enum class Turning { none, any };
 
 /// The frame with P cut out, under the numbers of P; the frame's own vertices and edges have the number

@@ -255,7 +255,7 @@ class PlainRings {
     if (!on_one_side(a, b, c, d) && !on_one_side(c, d, a, b)) left_ = 0;
   }
 
-  /// Of a simple ring: the turn at its smallest vertex, where it is strictly convex.
+  /// Whether a simple ring is counter-clockwise: the turn at its smallest vertex, where it is strictly convex.
   bool counter_clockwise(const RingSpan& ring) const {
     std::uint32_t v = ring.first;
     for (std::uint32_t u = v + 1; u < ring.last; ++u)

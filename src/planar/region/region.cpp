@@ -6,21 +6,11 @@
 #include <limits>
 
 #include "base/double_pair.h"
+#include "planar/region/chains.h"
 
 namespace dymsum {
 
 namespace {
-
-// f(chain) for all vertex lists of a region, in the order of the vertex indices.
-template <class F>
-void for_each_chain(const RegionData& data, F f) {
-  for (const Part& part : data.parts) {
-    f(part.outer);
-    for (const Ring& hole : part.holes) f(hole);
-  }
-  for (const Polyline& line : data.polylines) f(line);
-  f(data.points);
-}
 
 // An exact sum of doubles, as partial sums of increasing size that do not overlap (Shewchuk 1997), rounded once at the
 // end.
@@ -74,7 +64,7 @@ bool Region::empty() const { return data_.parts.empty() && data_.polylines.empty
 
 std::size_t Region::vertex_count() const {
   std::size_t count = 0;
-  for_each_chain(data_, [&count](const std::vector<Point>& chain) { count += chain.size(); });
+  planar::for_each_chain(data_, [&count](const std::vector<Point>& chain) { count += chain.size(); });
   return count;
 }
 
@@ -88,7 +78,7 @@ std::array<double, 4> bounds(const Region& region) {
   if (region.empty()) return {0, 0, 0, 0};
   constexpr double kInfinity = std::numeric_limits<double>::infinity();
   std::array<double, 4> box{kInfinity, kInfinity, -kInfinity, -kInfinity};
-  for_each_chain(region.data(), [&box](const std::vector<Point>& chain) {
+  planar::for_each_chain(region.data(), [&box](const std::vector<Point>& chain) {
     for (const Point p : chain) {
       box = {std::min(box[0], p.x), std::min(box[1], p.y), std::max(box[2], p.x), std::max(box[3], p.y)};
     }

@@ -168,7 +168,8 @@ void RingSweep::collect_rays_left(Point p) {
   }
 }
 
-// By direction from p, all within the half-plane to its right. False after a clash: two edges run along each other.
+// Sorts rays by direction from p, all within the half-plane to its right. False after a clash: two edges run along each
+// other.
 bool RingSweep::sort_rays_right(Point p) {
   const auto turn = [p](const Ray& a, const Ray& b) { return exact::orient_sign(p, a.edge.right, b.edge.right); };
   if (right_.size() > 1) {

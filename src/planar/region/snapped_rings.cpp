@@ -162,7 +162,7 @@ class Noding {
   std::vector<std::vector<Cut>> cuts_;
 };
 
-/// Of pieces that meet in their ends only: the winding numbers beside them.
+/// The winding numbers beside pieces that meet in their ends only.
 class WindingSweep {
  public:
   explicit WindingSweep(const std::vector<Piece>& pieces)
@@ -190,7 +190,7 @@ class WindingSweep {
   struct Event {
     std::vector<std::uint32_t> start, end;
   };
-  /// From below, of pieces that meet the sweep line.
+  /// The order from below of pieces that meet the sweep line.
   struct Order {
     const std::vector<Piece>* pieces;
     bool operator()(std::uint32_t i, std::uint32_t j) const {

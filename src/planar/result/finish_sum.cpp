@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "base/stage_clock.h"
+#include "base/stopwatch.h"
 #include "planar/boundary/boundary.h"
 #include "planar/result/part_nesting.h"
 #include "planar/result/sum_pieces.h"

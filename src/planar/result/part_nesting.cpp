@@ -6,8 +6,8 @@
 #include <stdexcept>
 #include <utility>
 
+#include "planar/position/exact_source.h"
 #include "planar/position/ring_containment.h"
-#include "planar/position/vertex_order.h"
 
 namespace dymsum::planar {
 

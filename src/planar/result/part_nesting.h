@@ -1,4 +1,4 @@
-// From boundary rings to parts, and the canonical order of rings, holes, parts and features.
+// What makes parts of boundary rings, and the canonical order of rings, holes, parts and features.
 #pragma once
 
 #include <cstdint>

@@ -6,7 +6,6 @@
 
 #include "planar/position/exact_source.h"
 #include "planar/position/nearest_area.h"
-#include "planar/position/vertex_order.h"
 #include "planar/result/rounding.h"
 
 namespace dymsum {

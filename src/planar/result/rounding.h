@@ -30,9 +30,9 @@ Result<Region> rounded(const PlanarSum& sum);
 /// doubles, and so on for cuts of what was cut, along each edge added up.
 Result<SnapRounded> snap_rounded(const PlanarSum& sum);
 
-/// As rounded(), with nothing but validity promised of the result: vertices that collide are merged, rings that
-/// collapse are dropped, segments that collapse become points, all by dymsum::repair, which also drops vertices that
-/// rounding made collinear; the report counts everything, equal points as duplicate vertices. Error
+/// Rounds as rounded() does and promises nothing but validity of the result: vertices that collide are merged, rings
+/// that collapse are dropped, segments that collapse become points, all by dymsum::repair, which also drops vertices
+/// that rounding made collinear; the report counts everything, equal points as duplicate vertices. Error
 /// rounding_changed_topology where coordinates are not finite or the repaired data are still not valid.
 Result<Repaired> rounded_with_repair(const PlanarSum& sum);
 

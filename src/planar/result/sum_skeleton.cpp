@@ -4,7 +4,7 @@
 #include <numeric>
 #include <stdexcept>
 
-#include "planar/position/vertex_order.h"
+#include "planar/position/exact_source.h"
 
 namespace dymsum::planar {
 

@@ -12,8 +12,8 @@
 
 namespace dymsum::planar {
 
-/// inside(k) for every k below `count`, block after block on so many threads, in shares (1: true); progress is queried
-/// on this one before each block. Errors: cancelled.
+/// Returns inside(k) for every k below `count`, block after block on so many threads (1: true); progress is queried on
+/// this one before each block. Errors: cancelled.
 template <class Inside>
 Result<std::vector<std::uint8_t>> answer_blocks(std::size_t count, std::size_t block, std::size_t fraction, int threads,
                                                 const Progress& progress, Inside&& inside) {

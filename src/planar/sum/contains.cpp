@@ -108,23 +108,12 @@ bool boundaries_meet(const Query& query, const SegmentPosition& z, std::size_t p
     return a.x1 < z.x - b.x1 - margin || a.x0 > z.x - b.x0 + margin || a.y1 < z.y - b.y1 - margin ||
            a.y0 > z.y - b.y0 + margin;
   };
-  std::vector<std::array<std::uint32_t, 2>> stack{{0, 0}};
-  while (!stack.empty()) {
-    const auto [i, j] = stack.back();
-    stack.pop_back();
-    const Node &a = tp[i], &b = tq[j];
-    if (apart(a, b)) continue;
-    if (a.left == 0 && b.left == 0) {
-      for (std::uint32_t e = a.first; e < a.last; ++e)
-        for (std::uint32_t f = b.first; f < b.last; ++f)
-          if (pieces_meet(query, cp, e, cq, f, regular)) return true;
-    } else if (b.left == 0 || (a.left != 0 && a.last - a.first >= b.last - b.first)) {
-      stack.insert(stack.end(), {{a.left, j}, {a.right, j}});
-    } else {
-      stack.insert(stack.end(), {{i, b.left}, {i, b.right}});
-    }
-  }
-  return false;
+  return any_pair_of_leaves(tp, 0, tq, 0, apart, [&](const Node& a, const Node& b) {
+    for (std::uint32_t e = a.first; e < a.last; ++e)
+      for (std::uint32_t f = b.first; f < b.last; ++f)
+        if (pieces_meet(query, cp, e, cq, f, regular)) return true;
+    return false;
+  });
 }
 
 }  // namespace

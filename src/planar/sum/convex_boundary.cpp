@@ -9,8 +9,8 @@
 namespace dymsum::planar {
 namespace {
 
-// Of the difference of two extents, times the sum of both operands' sizes: coordinates (3), their differences, what is
-// left and the error taken off, 3 + 1 + 1 + 1 roundings of one extent and 3 + 1 + 1 of the other.
+// The error of the difference of two extents is this times the sum of both operands' sizes: coordinates (3), their
+// differences, what is left and the error taken off, 3 + 1 + 1 + 1 roundings of one extent and 3 + 1 + 1 of the other.
 constexpr double kExtents = exact::rounding_bound(11, 128);
 
 // The largest holes tell mostly, by their rounded extents.

@@ -6,6 +6,7 @@
 
 #include "dymsum/planar_sum.h"
 #include "planar/operand/prepared_region.h"
+#include "planar/region/chains.h"
 #include "planar/region/complement.h"
 #include "planar/region/region_sweep.h"
 #include "planar/region/separate_touching.h"
@@ -32,16 +33,10 @@ double size(Point v) { return std::max(std::abs(v.x), std::abs(v.y)); }
 /// The vertex with the largest coordinate.
 Point farthest(const Region& r) {
   Point best;
-  const auto see = [&](const std::vector<Point>& points) {
+  planar::for_each_chain(r.data(), [&](const std::vector<Point>& points) {
     for (const Point& v : points)
       if (size(v) > size(best)) best = v;
-  };
-  for (const Part& part : r.parts()) {
-    see(part.outer);
-    for (const Ring& hole : part.holes) see(hole);
-  }
-  for (const Polyline& line : r.polylines()) see(line);
-  see(r.points());
+  });
   return best;
 }
 

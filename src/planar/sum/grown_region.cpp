@@ -8,27 +8,23 @@
 #include "base/double_text.h"
 #include "dymsum/planar_sum.h"
 #include "exact/rounding_bound.h"
+#include "planar/region/chains.h"
 
 namespace dymsum {
 namespace {
 
 double largest_coordinate(const Region& region) {
   double most = 0;
-  const auto add = [&](const std::vector<Point>& points) {
+  planar::for_each_chain(region.data(), [&](const std::vector<Point>& points) {
     for (const Point& p : points) most = std::max({most, std::abs(p.x), std::abs(p.y)});
-  };
-  for (const Part& part : region.parts()) {
-    add(part.outer);
-    for (const Ring& hole : part.holes) add(hole);
-  }
-  for (const auto& line : region.polylines()) add(line);
-  add(region.points());
+  });
   return most;
 }
 
 }  // namespace
 
-// Of coordinates: a vertex of the sum is rounded once, and so is every edge; a vertex of the disc three times.
+// The error of coordinates: a vertex of the sum is rounded once, and so is every edge; a vertex of the disc three
+// times.
 constexpr double kMoved = exact::rounding_bound(2 + 3, 8);
 
 // A disc that is larger by more than what vertices and edges are moved by holds the given one whichever way they move.

@@ -4,7 +4,7 @@
 #include <utility>
 
 #include "base/memory_budget.h"
-#include "base/stage_clock.h"
+#include "base/stopwatch.h"
 #include "planar/arrangement/arrangement.h"
 #include "planar/arrangement/find_meetings.h"
 #include "planar/arrangement/live_pieces.h"

@@ -1,7 +1,7 @@
 // How the segments that a reduced convolution has put into a soup hang together.
 #pragma once
 
-#include "planar/arrangement/chain.h"
+#include "planar/arrangement/soup.h"
 #include "planar/convolution/convolution.h"
 
 namespace dymsum::planar {

@@ -5,7 +5,7 @@
 #include <string>
 
 #include "base/poll.h"
-#include "base/stage_clock.h"
+#include "base/stopwatch.h"
 #include "base/within_memory.h"
 #include "planar/boundary/boundary.h"
 #include "planar/sum/convex_boundary.h"

@@ -10,7 +10,7 @@ BoxPairs::BoxPairs(double extent, Scratch* memory) : memory_(memory), boxes_(mem
   per_unit_ = factor <= std::numeric_limits<double>::max() ? factor : 0;
 }
 
-// As many that boxes mostly lie in one, and hold enough of them to fill the lanes.
+// There are as many strips that boxes mostly lie in one, and that each holds enough of them to fill the lanes.
 int BoxPairs::strips() const {
   constexpr std::size_t kBoxes = 96, kMost = 32;
   constexpr long kHeights = 4;
@@ -36,9 +36,9 @@ Array<BoxPairs::Pair> BoxPairs::find(std::size_t most, const base::StopToken& st
   return std::move(pairs_);
 }
 
-// Of a strip, the pairs whose common part begins in it: one of them does. After the last box lie some that start to
-// the right of everything and meet nothing. Which of eight boxes meet cannot be predicted: all are listed and the
-// position moves on for those that do.
+// Lists the pairs of a strip whose common part begins in it: it begins in one of the strips. After the last box lie
+// some that start to the right of everything and meet nothing. Which of eight boxes meet cannot be predicted: all are
+// listed and the position moves on for those that do.
 void BoxPairs::sweep(Array<std::uint64_t>& order, std::int16_t strip, std::size_t most) {
   sort_by_left(order);
   const std::size_t n = order.size(), padded = n + 2 * kLanes;

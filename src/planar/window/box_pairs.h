@@ -17,7 +17,7 @@ class BoxPairs {
  public:
   using Pair = std::array<std::uint32_t, 2>;
 
-  /// For boxes within [0, extent] in both axes; what lies beyond counts as at the rim.
+  /// Takes boxes within [0, extent] in both axes; what lies beyond counts as at the rim.
   explicit BoxPairs(double extent, Scratch* memory = nullptr);
 
   void reserve(std::size_t n) { boxes_.reserve(n); }

@@ -59,23 +59,16 @@ std::optional<CrossingEdges> EdgeSearch::find_in(const EdgeTree& p, const EdgeTr
     return any(of_p * both(a.x0) + of_q * both(b.x0) > at.x) | any(of_p * both(a.x1) + of_q * both(b.x1) < at.x) |
            any(of_p * both(a.y0) + of_q * both(b.y0) > at.y) | any(of_p * both(a.y1) + of_q * both(b.y1) < at.y);
   };
-  stack_.assign(1, {0, 0});
-  for (std::uint32_t looked = 0; !stack_.empty() && looked < kMostLooks; ++looked) {
-    const auto [i, j] = stack_.back();
-    stack_.pop_back();
-    const EdgeTree::Node &a = p.nodes[i], &b = q.nodes[j];
-    if (outside(a, b)) continue;
-    if (a.left == 0 && b.left == 0) {
-      if (const auto edges = find_in_leaves(a, b, at)) return edges;
-    } else if (b.left == 0 || (a.left != 0 && a.last - a.first >= b.last - b.first)) {
-      stack_.push_back({a.left, j});
-      stack_.push_back({a.right, j});
-    } else {
-      stack_.push_back({i, b.left});
-      stack_.push_back({i, b.right});
-    }
-  }
-  return std::nullopt;
+  std::uint32_t looked = 0;
+  const auto apart = [&](const EdgeTree::Node& a, const EdgeTree::Node& b) {
+    return looked++ >= kMostLooks || outside(a, b);
+  };
+  std::optional<CrossingEdges> found;
+  any_pair_of_leaves(p.nodes, 0, q.nodes, 0, apart, [&](const EdgeTree::Node& a, const EdgeTree::Node& b) {
+    found = find_in_leaves(a, b, at);
+    return found.has_value();
+  });
+  return found;
 }
 
 std::optional<CrossingEdges> EdgeSearch::find_in_leaves(const EdgeTree::Node& a, const EdgeTree::Node& b,

@@ -19,12 +19,12 @@ class EdgeSearch {
  public:
   explicit EdgeSearch(const Window& window) : window_(window) {}
 
-  /// In the window's coordinates, each within `error`.
+  /// A position in the window's coordinates, each within `error`.
   struct Position {
     double x, y, error, tau;
   };
   bool cross(const CrossingEdges& edges, const Position& at) const { return cross(edges, PositionPair(at, at)); }
-  /// At both positions, see find_or_spare().
+  /// Whether the edges cross at both positions, see find_or_spare().
   bool cross(const CrossingEdges& edges, const Position& from, const Position& to) const {
     return cross(edges, PositionPair(from, to));
   }
@@ -63,7 +63,6 @@ class EdgeSearch {
   const Window& window_;
   RecentEdges<8> recent_;
   std::uint32_t in_vain_ = 0;  ///< searches since the last one that found something, or was spared
-  std::vector<std::pair<std::uint32_t, std::uint32_t>> stack_;
 };
 
 /// What windows before found out about crossings inside the sum: the edges that covered one crossing of a segment often
@@ -71,7 +70,7 @@ class EdgeSearch {
 /// remembered decides nothing: edges are queried again whether they cross.
 class CoverMemory {
  public:
-  /// Of a convolution with so many segments.
+  /// A memory for a convolution with so many segments.
   explicit CoverMemory(std::uint32_t segments) : of_(segments) {}
   std::size_t bytes() const { return bytes_of(of_); }
 

@@ -52,8 +52,8 @@ PieceLines::Lines PieceLines::lines(const std::array<std::uint32_t, 4>& of) cons
   return l;
 }
 
-// By Taylor's formula. The side of the position at share u of one piece against the line of the other one is value + u
-// k, and its slope slope + u dot: what turns against a line is the other operand's vertex.
+// Taylor's formula proves it. The side of the position at fraction u of one piece against the line of the other one is
+// value + u k, and its slope slope + u dot: what turns against a line is the other operand's vertex.
 std::uint32_t PieceLines::apart(const std::array<std::uint32_t, 4>& first,
                                 const std::array<std::uint32_t, 4>& second) const {
   const Lines a = lines(first), b = lines(second);

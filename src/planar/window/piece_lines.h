@@ -12,7 +12,7 @@ namespace dymsum::planar {
 
 class PieceLines {
  public:
-  /// For coordinates of sums up to `span`; `half`: the range reaches so far from its midpoint, at most a radian.
+  /// Serves coordinates of sums up to `span`; `half`: the range reaches so far from its midpoint, at most a radian.
   PieceLines(double span, double half, Scratch* memory = nullptr);
 
   void reserve(std::size_t n) { pieces_.reserve(n); }
@@ -25,8 +25,8 @@ class PieceLines {
                        Four{to(std::abs(d.x) + std::abs(d.y)), side == 0 ? 0.0F : 1.0F, 0, 0}});
   }
 
-  /// Of four pairs: bit k where pieces a[k] and b[k] provably meet at no angle of the range, as both ends of one stay
-  /// on the same side of the other one's line. Some that stay apart are not told.
+  /// Bit k of four is set where pieces a[k] and b[k] provably meet at no angle of the range, as both ends of one stay
+  /// on the same side of the other one's line. Some that stay apart are not found.
   std::uint32_t apart(const std::array<std::uint32_t, 4>& a, const std::array<std::uint32_t, 4>& b) const;
 
  private:
@@ -36,7 +36,7 @@ class PieceLines {
     Four line;       ///< vector, head, tail
     Four rest;       ///< |vector|_1, side
   };
-  /// Of four pieces, one in each lane.
+  /// The lines of four pieces, one in each lane.
   struct Lines {
     Four fx, fy, tx, ty, dx, dy, head, tail, length, side;
   };

@@ -71,7 +71,7 @@ std::uint32_t RotatingWindow::find(const WalkSegment& s) const {
   return kNone;
 }
 
-// By the order of the edges, from the first live one round.
+// The order of the edges finds it, from the first live one round.
 std::uint32_t RotatingWindow::find_in_order(const WalkSegment& s) const {
   const Turn& t = turns_[s.side][s.vertex];
   const auto position = [&](std::uint32_t edge) { return catalog_.position(s.side, edge, s.vertex); };

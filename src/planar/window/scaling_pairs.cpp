@@ -52,7 +52,7 @@ bool apart(const PieceEnds& line, const PieceEnds& e) {
   return (every(u > error) && every(v > error)) || (every(u < -error) && every(v < -error));
 }
 
-/// Between the vectors u and v of two pieces: the double of their cross product and its error.
+/// The double of the cross product of the vectors u and v of two pieces, and its error.
 struct Product {
   double value, error;
 };

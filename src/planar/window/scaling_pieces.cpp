@@ -49,7 +49,7 @@ class PieceCutter {
  public:
   explicit PieceCutter(const CoveredCells& mask) : mask_(mask), grid_(mask.grid()), reach_(2 * kReach * grid_.cell) {}
 
-  /// In order along the segment; valid until the next call.
+  /// The cuts in order along the segment; valid until the next call.
   const std::vector<CutPosition>& cuts(const SweptSegment& s) {
     cuts_.clear();
     if (!any_covered(ends_between(s, {{0, 0}}, {{1, 1}}))) return cuts_;

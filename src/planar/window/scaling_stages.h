@@ -71,7 +71,7 @@ class TouchFinder {
   bool touch_always(const Candidate& c, std::array<bool, 2> at_a, std::array<bool, 2> at_b);
   /// Two parallel segments on one line at every scale: each end inside the other one touches it.
   void touch_parallel(std::uint32_t i, std::uint32_t j);
-  /// Of every touch of the window, in order.
+  /// The pair of every touch of the window, in order.
   const std::vector<WalkPair>& pairs() const { return pairs_; }
 
  private:

@@ -85,7 +85,7 @@ double WindowBuilder::widest(double s) const {
 std::unique_ptr<Window> WindowBuilder::between(const BigRational& low, const BigRational& high, bool covers,
                                                const std::function<void()>& again) {
   const double a = exact::round_to_double(low), b = exact::round_to_double(high);
-  // Of all scales of the window, which is a little wider on either side, or of one over those.
+  // The convolution of all scales of the window, which is a little wider on either side, or of one over those.
   constexpr double kWider = exact::kOutwards * exact::kOutwards * exact::kOutwards;
   const ReducedConvolution& convolution = convolution_for(a / kWider, b * kWider);
   WindowSettings settings = with_grid(settings_for(low, high, a));

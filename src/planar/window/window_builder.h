@@ -31,8 +31,8 @@ class WindowBuilder {
   /// and then and may throw.
   std::unique_ptr<Window> between(const exact::BigRational& low, const exact::BigRational& high, bool covers = false,
                                   const std::function<void()>& again = {});
-  /// For frames in (low, high), near `at` at first; abandoned when more than `most_pairs` boxes meet. Plans of one
-  /// convolution share a memory.
+  /// A plan for frames in (low, high), near `at` at first; abandoned when more than `most_pairs` boxes meet. Plans of
+  /// one convolution share a memory.
   WindowPlan plan(double low, double high, double at, std::uint64_t most_pairs);
   /// The width, as a logarithm, beyond which masks lose more than longer windows gain.
   double widest(double s) const;
@@ -41,7 +41,7 @@ class WindowBuilder {
   const ReducedConvolution& convolution_for(double low, double high);
   /// The one the last window was made from: its ids are the window's.
   std::shared_ptr<const ReducedConvolution> convolution() const { return convolution_; }
-  /// Of a window for scales in [low, high]: all but the grid. At `at` the smaller operand moves.
+  /// The settings of a window for scales in [low, high]: all but the grid. At `at` the smaller operand moves.
   WindowSettings settings_for(const exact::BigRational& low, const exact::BigRational& high, double at) const;
   double shrink = 1;  ///< tests only, see WindowSettings
 
@@ -63,7 +63,7 @@ struct Factors {
   bool uniform() const { return x == y; }
   friend bool operator==(const Factors&, const Factors&) = default;
 };
-/// Of diag(x, y).
+/// The factors of diag(x, y).
 Factors factors_of(const ScaleValue& x, const ScaleValue& y);
 
 struct RatioSweep {

@@ -1,25 +1,22 @@
 #include "shape/features/junctions.h"
 
 #include <algorithm>
-#include <numeric>
+
+#include "base/union_find.h"
 
 namespace dymsum::shape {
 namespace {
 
 /// Node -> first node of its junction. Flat edges lie on a line, so their chains are short and simple.
 std::vector<std::uint32_t> contracted(const Complex& complex) {
-  std::vector<std::uint32_t> root(complex.nodes.size());
-  std::iota(root.begin(), root.end(), 0u);
-  const auto find = [&](std::uint32_t n) {
-    while (root[n] != n) n = root[n] = root[root[n]];
-    return n;
-  };
+  UnionFind junctions(static_cast<std::uint32_t>(complex.nodes.size()));
   for (const Edge& e : complex.edges) {
     if (!e.flat) continue;
-    const std::uint32_t a = find(e.low), b = find(e.high);
-    root[std::max(a, b)] = std::min(a, b);
+    const auto [first, second] = std::minmax({junctions.root(e.low), junctions.root(e.high)});
+    junctions.unite(second, first);
   }
-  for (std::uint32_t n = 0; n < root.size(); ++n) root[n] = find(n);
+  std::vector<std::uint32_t> root(complex.nodes.size());
+  for (std::uint32_t n = 0; n < root.size(); ++n) root[n] = junctions.root(n);
   return root;
 }
 

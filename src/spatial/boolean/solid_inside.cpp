@@ -3,9 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <new>
-#include <numeric>
 #include <stdexcept>
-#include <tuple>
 #include <utility>
 #include <vector>
 
@@ -14,6 +12,7 @@
 #include "exact/orient3.h"
 #include "spatial/boolean/cell_windings.h"
 #include "spatial/boundary/cell_links.h"
+#include "spatial/mesh/equal_positions.h"
 #include "spatial/mesh/mesh_validate.h"
 #include "spatial/sum/grid_error.h"
 #include "spatial/sum/solid_faces.h"
@@ -22,18 +21,6 @@
 namespace dymsum::spatial {
 
 namespace {
-
-/// The first of the vertices at every one's position.
-std::vector<std::uint32_t> first_at_position(const std::vector<Point3>& points) {
-  std::vector<std::uint32_t> order(points.size()), first(points.size());
-  std::iota(order.begin(), order.end(), 0u);
-  std::sort(order.begin(), order.end(), [&](std::uint32_t a, std::uint32_t b) {
-    return std::tie(points[a].x, points[a].y, points[a].z, a) < std::tie(points[b].x, points[b].y, points[b].z, b);
-  });
-  for (std::size_t i = 0; i < order.size(); ++i)
-    first[order[i]] = i > 0 && points[order[i]] == points[order[i - 1]] ? first[order[i - 1]] : order[i];
-  return first;
-}
 
 /// The surface's triangles with an area. Vertices keep their indices; those that no triangle has lie where another one
 /// does, so that they need no digits of their own.

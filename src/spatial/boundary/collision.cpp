@@ -6,18 +6,6 @@ namespace dymsum::spatial {
 
 namespace {
 
-std::vector<Box> boxes_of(const std::vector<Vec3>& at, const std::vector<Triangle>& triangles, double radius) {
-  std::vector<Box> boxes;
-  boxes.reserve(triangles.size());
-  for (const Triangle& t : triangles) {
-    Box box;
-    for (const std::uint32_t v : t) box.add(at[v]);
-    box.grow(radius);
-    boxes.push_back(box);
-  }
-  return boxes;
-}
-
 std::vector<Box> segment_boxes(const std::vector<Vec3>& at, const SolidOperand& solid, double radius) {
   std::vector<Box> boxes;
   for (const std::uint32_t w : solid.segments) {

@@ -17,6 +17,16 @@ std::uint32_t node_count(std::uint32_t boxes, std::uint32_t leaf) {
 
 }  // namespace
 
+std::vector<Box> boxes_of(const std::vector<Vec3>& at, const std::vector<std::array<std::uint32_t, 3>>& triangles,
+                          double radius) {
+  std::vector<Box> boxes(triangles.size());
+  for (std::size_t t = 0; t < triangles.size(); ++t) {
+    for (const std::uint32_t v : triangles[t]) boxes[t].add(at[v]);
+    boxes[t].grow(radius);
+  }
+  return boxes;
+}
+
 BoxTree::BoxTree(std::vector<Box> boxes, int threads) : boxes_(std::move(boxes)), order_(boxes_.size()) {
   std::iota(order_.begin(), order_.end(), 0u);
   if (boxes_.empty()) return;

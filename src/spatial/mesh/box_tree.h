@@ -31,8 +31,26 @@ inline bool overlap(const Box& a, const Box& b) {
          a.low.z <= b.high.z && b.low.z <= a.high.z;
 }
 
+/// The boxes of triangles whose corners are off by at most `radius`.
+std::vector<Box> boxes_of(const std::vector<Vec3>& at, const std::vector<std::array<std::uint32_t, 3>>& triangles,
+                          double radius);
+
+/// The distance of a position from a box, to within some units in the last place of their coordinates.
+inline double distance(const Box& box, Vec3 from) {
+  const auto beyond = [](double low, double high, double v) { return std::max({low - v, v - high, 0.0}); };
+  return length({beyond(box.low.x, box.high.x, from.x), beyond(box.low.y, box.high.y, from.y),
+                 beyond(box.low.z, box.high.z, from.z)});
+}
+
 class BoxTree {
  public:
+  struct Node {
+    Box box;
+    std::uint32_t left = 0, right = 0;  ///< of an inner node
+    std::uint32_t first = 0, last = 0;  ///< of a leaf: a run of item()
+    bool leaf() const { return last != 0; }
+  };
+
   BoxTree() = default;
   /// The same tree, and the same order of all that it finds, for any number of threads and with any standard library.
   /// O(n log n).
@@ -41,6 +59,9 @@ class BoxTree {
   const Box& box(std::uint32_t i) const { return boxes_[i]; }
   bool empty() const { return nodes_.empty(); }
   const Box& bounds() const { return nodes_[0].box; }
+  /// Node 0 is the root.
+  const Node& node(std::uint32_t k) const { return nodes_[k]; }
+  std::uint32_t item(std::uint32_t k) const { return order_[k]; }
 
   /// Calls f(i) for all boxes that overlap the given one.
   template <class F>
@@ -106,12 +127,6 @@ class BoxTree {
     return false;
   }
 
-  struct Node {
-    Box box;
-    std::uint32_t left = 0, right = 0;  ///< of an inner node
-    std::uint32_t first = 0, last = 0;  ///< of a leaf
-    bool leaf() const { return last != 0; }
-  };
   struct Interval {
     std::uint32_t node, first, last;  // of nodes_, of order_
   };

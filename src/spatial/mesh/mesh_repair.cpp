@@ -1,16 +1,15 @@
 // The named repair of meshes.
 #include <algorithm>
 #include <cstdio>
-#include <numeric>
 #include <optional>
 #include <string>
-#include <tuple>
 #include <utility>
 
 #include "dymsum/mesh.h"
 #include "exact/orient3.h"
 #include "spatial/mesh/edge_order.h"
 #include "spatial/mesh/edge_splits.h"
+#include "spatial/mesh/equal_positions.h"
 #include "spatial/mesh/mesh_orient.h"
 #include "spatial/mesh/mesh_repair.h"
 #include "spatial/mesh/mesh_validate.h"
@@ -70,19 +69,12 @@ class MeshRepair {
 
   /// Every face names the first of the vertices at its positions.
   void merge_vertices() {
-    const std::vector<Point3>& points = data_.vertices;
-    std::vector<std::uint32_t> order(points.size()), first(points.size());
-    std::iota(order.begin(), order.end(), 0u);
-    std::sort(order.begin(), order.end(), [&](std::uint32_t a, std::uint32_t b) {
-      return std::tie(points[a].x, points[a].y, points[a].z, a) < std::tie(points[b].x, points[b].y, points[b].z, b);
-    });
-    for (std::size_t i = 0; i < order.size(); ++i) {
-      const bool again = i > 0 && points[order[i]] == points[order[i - 1]];
-      first[order[i]] = again ? first[order[i - 1]] : order[i];
-      report_.duplicate_vertices += again;
+    const std::vector<std::uint32_t> first = first_at_position(data_.vertices);
+    is_duplicate_.resize(first.size());
+    for (std::uint32_t v = 0; v < first.size(); ++v) {
+      is_duplicate_[v] = first[v] != v;
+      report_.duplicate_vertices += is_duplicate_[v];
     }
-    is_duplicate_.resize(points.size());
-    for (std::uint32_t v = 0; v < points.size(); ++v) is_duplicate_[v] = first[v] != v;
     for (Face& face : data_.faces) {
       for (std::uint32_t& v : face) v = first[v];
     }

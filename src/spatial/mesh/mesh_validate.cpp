@@ -2,12 +2,11 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numeric>
 #include <string>
-#include <tuple>
 #include <utility>
 
 #include "spatial/mesh/edge_order.h"
+#include "spatial/mesh/equal_positions.h"
 #include "spatial/mesh/face_contact.h"
 #include "spatial/mesh/face_plane.h"
 #include "spatial/mesh/half_edges.h"
@@ -139,12 +138,7 @@ class MeshCheck {
   }
 
   std::optional<Error> check_positions() const {
-    std::vector<std::uint32_t> order(data_.vertices.size());
-    std::iota(order.begin(), order.end(), 0u);
-    std::sort(order.begin(), order.end(), [&](std::uint32_t a, std::uint32_t b) {
-      const Point3 &p = data_.vertices[a], &q = data_.vertices[b];
-      return std::tie(p.x, p.y, p.z, a) < std::tie(q.x, q.y, q.z, b);
-    });
+    const std::vector<std::uint32_t> order = order_by_position(data_.vertices);
     for (std::size_t i = 1; i < order.size(); ++i) {
       if (data_.vertices[order[i - 1]] != data_.vertices[order[i]]) continue;
       Error error = error_at(ErrorCode::repeated_vertex, "two vertices are at the same place", order[i - 1]);

@@ -145,10 +145,16 @@ class MeetingSearch {
     const int side = orient3_sign(plane.a, plane.b, plane.c, p);
     return side != 0 && side == orient3_sign(plane.a, plane.b, plane.c, q);
   }
+  bool one_side(const Corners& plane, const Corners& t) const {
+    const int side = orient3_sign(plane.a, plane.b, plane.c, t.a);
+    return side != 0 && side == orient3_sign(plane.a, plane.b, plane.c, t.b) &&
+           side == orient3_sign(plane.a, plane.b, plane.c, t.c);
+  }
 
   /// Without a common vertex any common point is too much: on a side of one of the two.
   std::optional<Point3> apart_meeting(const Triangle& s, const Triangle& t) const {
     const Corners a = corners(s), b = corners(t);
+    if (one_side(a, b) || one_side(b, a)) return std::nullopt;
     for (const auto& [from, to] : {std::pair{a, b}, std::pair{b, a}}) {
       for (const Segment& side : {Segment{from.a, from.b}, Segment{from.b, from.c}, Segment{from.c, from.a}}) {
         if (meet(side, to)) return position(side, to);

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <cstdio>
 #include <map>
+#include <memory>
 #include <numeric>
 #include <optional>
 #include <set>
@@ -47,12 +48,21 @@ double foot(Vec3 p, Vec3 d, Vec3 x) {
   return square > 0 ? std::clamp(dot(x - p, d) / square, 0.0, 1.0) : 0.0;
 }
 
+/// Pairs of parts that meet, the smaller index first, sorted.
+using Meetings = std::vector<std::array<std::uint32_t, 2>>;
+
+/// The live parts of one round, and their boxes.
+struct PartTree {
+  std::vector<std::uint32_t> part;  ///< of every box
+  std::size_t end = 0;              ///< parts from here on were made later
+  BoxTree boxes;
+};
+
 class Separation {
  public:
-  Separation(const SpatialSum::Rounded& drawn, Precision precision, double size, double tolerance, double most)
+  Separation(const SpatialSum::Rounded& drawn, Precision precision, double size, double most)
       : drawn_(drawn),
         single_(precision == Precision::singles),
-        tolerance_(tolerance),
         // Half a unit in the last place in each coordinate; to singles by way of doubles: a whole one of doubles more.
         size_(size),
         slack_(size * (single_ ? 0x1p-23 : 0x1p-52)),
@@ -60,13 +70,21 @@ class Separation {
         edits_(in_precision(drawn.mesh), drawn.face, slack_),
         from_(drawn.vertex) {}
 
-  /// Whether nothing meets any more.
-  bool run() {
+  /// What is the same for all tolerances: equal vertices are merged, flat triangles are gone, and what meets is known.
+  void prepare() {
     merge_equal();
-    for (int round = 0; round < kRounds; ++round) {
-      if (stuck_ || edits_.moved() > limit_) return false;
+    while (can_go_on() && !flatten()) ++round_;
+    if (can_go_on()) first_ = std::make_shared<const Meetings>(meetings());
+  }
+  /// Whether nothing meets any more, once what is nearer than the tolerance is merged.
+  bool run(double tolerance) {
+    tolerance_ = tolerance;
+    for (; can_go_on(); ++round_) {
       if (!flatten()) continue;
-      if (!resolve()) return true;
+      const std::shared_ptr<const Meetings> first = std::exchange(first_, nullptr);
+      const Meetings met = first ? *first : meetings();
+      if (met.empty()) return true;
+      resolve(met);
     }
     return false;
   }
@@ -92,9 +110,14 @@ class Separation {
   /// 4 units of 2^-53 of u and v and 3 of the size, in each coordinate.
   double moved(double gap, double u, double v = 0) const { return gap + (size_ + u + v) * 0x1p-50; }
 
+  bool can_go_on() const { return round_ < kRounds && !stuck_ && edits_.moved() <= limit_; }
   void merge_equal();
   bool flatten();
-  bool resolve();
+  void plant();
+  bool is_queried(std::uint32_t part) const { return part >= looked_at_ || met_.contains(part); }
+  std::vector<std::uint32_t> near_queried() const;
+  Meetings meetings();
+  void resolve(const Meetings& meetings);
   void apply(const Near& near);
   void consider(Near& best, const Near& next) const {
     if (next.gap <= tolerance_ && next < best) best = next;
@@ -115,9 +138,13 @@ class Separation {
 
   const SpatialSum::Rounded& drawn_;
   bool single_;
-  double tolerance_, size_, slack_, limit_;
+  double tolerance_ = 0, size_, slack_, limit_;
   SurfaceEdits edits_;
   std::vector<std::uint32_t> from_;  // of every vertex one of the sum
+  int round_ = 0;
+  std::shared_ptr<const Meetings> first_;  // of the first round, until they are taken
+  std::shared_ptr<const PartTree> tree_;   // of an earlier round: a part keeps its corners as long as it lives
+  std::size_t flat_until_ = 0;       // parts before this one are not flat
   std::size_t looked_at_ = 0;        // parts from here on are new
   std::set<std::uint32_t> met_;      // of those before, which met another one
   bool stuck_ = false;               // parts meet that have nothing near enough
@@ -140,8 +167,8 @@ void Separation::merge_equal() {
 /// Triangles on a line get their corner between the others into the edge of these, and vanish. Whether there were none.
 bool Separation::flatten() {
   bool none = true;
-  for (std::size_t t = 0; t < edits_.parts().size(); ++t) {
-    const SurfacePart part = edits_.parts()[t];
+  for (; flat_until_ < edits_.parts().size(); ++flat_until_) {
+    const SurfacePart part = edits_.parts()[flat_until_];
     if (!part.live || !exact::collinear(point(part.v[0]), point(part.v[1]), point(part.v[2]))) continue;
     none = false;
     std::size_t k = 0;
@@ -250,33 +277,73 @@ void Separation::apply(const Near& near) {
   }
 }
 
-/// One round: whether parts met. Of everything near where two do, the nearest goes first; nothing is touched twice.
-bool Separation::resolve() {
+/// The tree of all parts that live.
+void Separation::plant() {
+  auto tree = std::make_shared<PartTree>();
+  std::vector<Triangle> triangles;
+  for (std::uint32_t t = 0; t < edits_.parts().size(); ++t) {
+    if (!edits_.parts()[t].live) continue;
+    tree->part.push_back(t);
+    triangles.push_back(edits_.parts()[t].v);
+  }
+  tree->end = edits_.parts().size();
+  tree->boxes = boxes_of(edits_.vertices(), triangles);
+  tree_ = std::move(tree);
+}
+
+/// The live parts whose boxes overlap that of one that is queried for, and perhaps more, sorted.
+std::vector<std::uint32_t> Separation::near_queried() const {
+  std::set<std::uint32_t> found;
+  const auto look = [&](std::uint32_t t) {
+    const SurfacePart& part = edits_.parts()[t];
+    if (!part.live) return;
+    Box box;
+    for (const std::uint32_t v : part.v) box.add(at(v));
+    found.insert(t);
+    tree_->boxes.for_each(box, [&](std::uint32_t i) {
+      if (edits_.parts()[tree_->part[i]].live) found.insert(tree_->part[i]);
+    });
+  };
+  for (const std::uint32_t t : met_) look(t);
+  for (std::size_t t = looked_at_; t < edits_.parts().size(); ++t) look(static_cast<std::uint32_t>(t));
+  for (std::size_t t = tree_->end; t < edits_.parts().size(); ++t)
+    if (edits_.parts()[t].live) found.insert(static_cast<std::uint32_t>(t));
+  return {found.begin(), found.end()};
+}
+
+/// What meets now of those parts that are new or met before: others were found apart. Only what is near them is looked at,
+/// so a round costs what it changed.
+Meetings Separation::meetings() {
+  const bool all = !tree_ || edits_.parts().size() - tree_->end > tree_->part.size() / 4;
+  if (all) plant();
+  const std::vector<std::uint32_t> part = all ? tree_->part : near_queried();
   MeshData data;
   data.vertices = edits_.vertices();
   Triangles live;
   std::vector<bool> queried;
-  std::vector<std::uint32_t> part;
-  for (std::uint32_t t = 0; t < edits_.parts().size(); ++t) {
+  for (const std::uint32_t t : part) {
     const SurfacePart& p = edits_.parts()[t];
-    if (!p.live) continue;
-    data.faces.push_back({p.v[0], p.v[1], p.v[2]});
+    live.face.push_back(static_cast<std::uint32_t>(data.faces.size()));
     live.triangles.push_back(p.v);
-    live.face.push_back(static_cast<std::uint32_t>(part.size()));
-    queried.push_back(t >= looked_at_ || met_.contains(t));
-    part.push_back(t);
+    data.faces.push_back({p.v[0], p.v[1], p.v[2]});
+    queried.push_back(is_queried(t));
   }
-  const auto meetings = find_meetings(data, live, boxes_of(data.vertices, live.triangles), queried);
-  if (meetings.empty()) return false;
+  Meetings found = find_meetings(data, live, all ? tree_->boxes : boxes_of(data.vertices, live.triangles), queried);
+  for (auto& pair : found) pair = {part[pair[0]], part[pair[1]]};
+  return found;
+}
+
+/// Of everything near where two parts meet, the nearest goes first; nothing is touched twice.
+void Separation::resolve(const Meetings& meetings) {
   std::set<Near> found;
   met_.clear();
   looked_at_ = edits_.parts().size();
   for (const auto& [i, j] : meetings) {
-    const SurfacePart &s = edits_.parts()[part[i]], &t = edits_.parts()[part[j]];
+    const SurfacePart &s = edits_.parts()[i], &t = edits_.parts()[j];
     position_ = point(s.v[0]);
     const Near near = nearest(s, t);
     if (near.kind != Near::none) found.insert(near);
-    met_.insert({part[i], part[j]});
+    met_.insert({i, j});
   }
   std::set<std::uint32_t> touched;
   for (const Near& near : found) {
@@ -289,7 +356,6 @@ bool Separation::resolve() {
     apply(near);
   }
   if (found.empty()) stuck_ = true;
-  return true;
 }
 
 SpatialSum::Rounded Separation::result() const {
@@ -345,10 +411,12 @@ Result<SpatialSum::Rounded> separated_surface(
   if (size != 0 && !(0x1p-300 < size && size < 0x1p300))
     return Error{ErrorCode::rounding_changed_topology, "coordinates this large or small are not merged", {}};
   Error error{ErrorCode::rounding_changed_topology, "two faces cross or touch once they are rounded", {}};
+  Separation prepared(drawn, precision, size, most);
+  prepared.prepare();
   for (double within = size * (single ? 0x1p-22 : 0x1p-51);; within *= 2) {
     within = std::min(within, most);
-    Separation separation(drawn, precision, size, within, most);
-    if (separation.run()) {
+    Separation separation = prepared;
+    if (separation.run(within)) {
       SpatialSum::Rounded made = separation.result();
       const Result<Mesh> checked = Mesh::create(made.mesh);
       if (checked) return made;

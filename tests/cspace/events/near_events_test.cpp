@@ -20,23 +20,6 @@ namespace {
 using namespace testing_obstacles;
 using SegmentName = std::array<std::uint32_t, 3>;
 
-Region turned_by(const Region& region, double degrees) {
-  const double theta = degrees * std::numbers::pi / 180, c = std::cos(theta), s = std::sin(theta);
-  return *Region::create(mapped(region, [&](Point p) { return Point{c * p.x - s * p.y, s * p.x + c * p.y}; }));
-}
-
-Region comb_of(int teeth) {
-  Ring ring{{0, 0}, {2.0 * teeth - 1, 0}};
-  for (int k = teeth - 1; k >= 0; --k) {
-    ring.push_back({2.0 * k + 1, 3});
-    ring.push_back({2.0 * k, 3});
-    if (k == 0) break;
-    ring.push_back({2.0 * k, 1});
-    ring.push_back({2.0 * k - 1, 1});
-  }
-  return polygon(ring);
-}
-
 struct Compared {
   std::size_t found = 0, left_out = 0, checked = 0;
 };
@@ -109,10 +92,10 @@ Compared compared_events(const Region& robot, const Region& obstacle, std::size_
 }
 
 TEST(NearEvents, what_is_left_out_is_covered) {
-  const Compared same = compared_events(turned_by(comb_of(2), 30), turned_by(comb_of(3), 30), 3);
+  const Compared same = compared_events(turned(toothed(2), 30), turned(toothed(3), 30), 3);
   EXPECT_GT(same.checked, 300U);
   EXPECT_GT(same.left_out, 2 * same.found);
-  const Compared other = compared_events(comb_of(2), turned_by(comb_of(3), 30), 3);
+  const Compared other = compared_events(toothed(2), turned(toothed(3), 30), 3);
   EXPECT_GT(other.checked, 300U);
   EXPECT_GT(other.left_out, 2 * other.found);
 }
@@ -121,7 +104,7 @@ TEST(NearEvents, what_is_left_out_of_random_cells_is_covered) {
   std::size_t checked = 0;
   for_seeds(6, [&](Random& random) {
     const Region robot = random_cells(random, 3, 1), obstacle = random_cells(random, 4, 1);
-    checked += compared_events(turned_by(robot, 30), turned_by(obstacle, random() % 2 == 0 ? 30 : 77), 9).checked;
+    checked += compared_events(turned(robot, 30), turned(obstacle, random() % 2 == 0 ? 30 : 77), 9).checked;
   });
   EXPECT_GT(checked, 100U);
 }

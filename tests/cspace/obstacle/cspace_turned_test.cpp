@@ -10,24 +10,6 @@ namespace {
 
 using namespace testing_obstacles;
 
-Region turned(const Region& region, double degrees) {
-  const double theta = degrees * std::numbers::pi / 180, c = std::cos(theta), s = std::sin(theta);
-  return *Region::create(mapped(region, [&](Point p) { return Point{c * p.x - s * p.y, s * p.x + c * p.y}; }));
-}
-
-/// A bar with teeth as wide as their gaps.
-Region toothed(int teeth) {
-  Ring ring{{0, 0}, {2.0 * teeth - 1, 0}};
-  for (int k = teeth - 1; k >= 0; --k) {
-    ring.push_back({2.0 * k + 1, 3});
-    ring.push_back({2.0 * k, 3});
-    if (k == 0) break;
-    ring.push_back({2.0 * k, 1});
-    ring.push_back({2.0 * k - 1, 1});
-  }
-  return polygon(ring);
-}
-
 Region squares(int rows) {
   RegionData data;
   for (int i = 0; i < rows; ++i)

@@ -14,6 +14,7 @@
 #include "dymsum/cspace_obstacle.h"
 #include "dymsum/region_io.h"
 #include "oracles/sanitized.h"
+#include "oracles/vertices_by.h"
 
 namespace dymsum::testing_obstacles {
 
@@ -55,17 +56,8 @@ inline std::vector<Cycle> of_slice(const PlanarSum& sum) {
 
 /// A region's data with every position replaced.
 template <class Map>
-RegionData mapped(const Region& region, Map map) {
-  RegionData data = region.data();
-  for (Part& part : data.parts) {
-    for (Point& p : part.outer) p = map(p);
-    for (Ring& hole : part.holes)
-      for (Point& p : hole) p = map(p);
-  }
-  for (Polyline& line : data.polylines)
-    for (Point& p : line) p = map(p);
-  for (Point& p : data.points) p = map(p);
-  return data;
+RegionData mapped(const Region& region, const Map& map) {
+  return oracles::vertices_by(region.data(), map);
 }
 
 // The vector of an edge of a region, by its number.
@@ -160,6 +152,25 @@ inline Region polygon(Ring outer, std::vector<Ring> holes = {}) {
   RegionData data;
   data.parts.push_back({std::move(outer), std::move(holes)});
   return *Region::create(std::move(data));
+}
+
+/// Rotated in doubles, so that what would coincide on a grid is 10^-16 apart.
+inline Region turned(const Region& region, double degrees) {
+  const double theta = degrees * std::numbers::pi / 180, c = std::cos(theta), s = std::sin(theta);
+  return *Region::create(mapped(region, [&](Point p) { return Point{c * p.x - s * p.y, s * p.x + c * p.y}; }));
+}
+
+/// A bar with teeth as wide as their gaps.
+inline Region toothed(int teeth) {
+  Ring ring{{0, 0}, {2.0 * teeth - 1, 0}};
+  for (int k = teeth - 1; k >= 0; --k) {
+    ring.push_back({2.0 * k + 1, 3});
+    ring.push_back({2.0 * k, 3});
+    if (k == 0) break;
+    ring.push_back({2.0 * k, 1});
+    ring.push_back({2.0 * k - 1, 1});
+  }
+  return polygon(ring);
 }
 
 inline Ring box(double x0, double y0, double x1, double y1) { return {{x0, y0}, {x1, y0}, {x1, y1}, {x0, y1}}; }

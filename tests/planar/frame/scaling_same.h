@@ -11,24 +11,15 @@
 
 #include "dymsum/scaling_sum.h"
 #include "exact/big.h"
+#include "oracles/vertices_by.h"
 
 namespace dymsum::scaling_tests {
 
-inline Point times(Point p, double fx, double fy) { return {p.x * fx, p.y * fy}; }
-
 /// The region with coordinates multiplied; exact for small integers.
 inline Region multiplied(const Region& region, double fx, double fy) {
-  RegionData data = region.data();
-  const auto all = [&](std::vector<Point>& list) {
-    for (Point& p : list) p = times(p, fx, fy);
-  };
-  for (Part& part : data.parts) {
-    all(part.outer);
-    for (Ring& hole : part.holes) all(hole);
-  }
-  for (Polyline& line : data.polylines) all(line);
-  all(data.points);
-  Result<Region> result = Region::create(std::move(data));
+  Result<Region> result = Region::create(oracles::vertices_by(region.data(), [&](Point p) {
+    return Point{p.x * fx, p.y * fy};
+  }));
   if (!result.ok()) throw std::logic_error(result.error().to_string());
   return std::move(result).value();
 }

@@ -1,9 +1,12 @@
 // Inner fits of turned parts: where the turned part is a region itself, the inner fit of that region.
 #include <gtest/gtest.h>
 
+#include <cmath>
+
 #include "dymsum/orientation_sum.h"
 #include "oracles/pair_text.h"
 #include "oracles/tiny_regions.h"
+#include "oracles/vertices_by.h"
 
 namespace dymsum {
 namespace {
@@ -17,17 +20,8 @@ RegionData turned_by_345(const RegionData& q) { return oracles::mapped(q, 0.6, -
 
 RegionData times(const RegionData& data, double factor) { return oracles::mapped(data, factor, 0, 0, factor); }
 
-RegionData rounded_coordinates(RegionData data) {
-  const auto to_integers = [](std::vector<Point>& points) {
-    for (Point& p : points) p = {std::round(p.x), std::round(p.y)};
-  };
-  for (Part& part : data.parts) {
-    to_integers(part.outer);
-    for (Ring& hole : part.holes) to_integers(hole);
-  }
-  for (Polyline& line : data.polylines) to_integers(line);
-  to_integers(data.points);
-  return data;
+RegionData rounded_coordinates(const RegionData& data) {
+  return oracles::vertices_by(data, [](Point p) { return Point{std::round(p.x), std::round(p.y)}; });
 }
 
 TEST(RotatedErode, by_a_rational_angle_as_by_the_turned_region) {

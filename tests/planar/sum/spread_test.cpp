@@ -21,23 +21,15 @@
 #include "oracles/pair_text.h"
 #include "oracles/snapped_shapes.h"
 #include "oracles/tiny_regions.h"
+#include "oracles/vertices_by.h"
 
 namespace dymsum {
 namespace {
 
 using oracles::Big;
 
-RegionData stretched(RegionData region, int by_x, int by_y) {
-  const auto all = [&](std::vector<Point>& points) {
-    for (Point& p : points) p = {std::ldexp(p.x, by_x), std::ldexp(p.y, by_y)};
-  };
-  for (Part& part : region.parts) {
-    all(part.outer);
-    for (Ring& hole : part.holes) all(hole);
-  }
-  for (Polyline& line : region.polylines) all(line);
-  all(region.points);
-  return region;
+RegionData stretched(const RegionData& region, int by_x, int by_y) {
+  return oracles::vertices_by(region, [&](Point p) { return Point{std::ldexp(p.x, by_x), std::ldexp(p.y, by_y)}; });
 }
 
 Region region_of(const RegionData& data) { return Region::create(data).value(); }

@@ -12,6 +12,7 @@
 #include "oracles/pair_text.h"
 #include "oracles/sanitized.h"
 #include "oracles/verdict.h"
+#include "oracles/vertices_by.h"
 
 namespace dymsum::oracles {
 namespace {
@@ -55,17 +56,9 @@ TEST(SumFuzz, tiny_grid_pairs_equal_the_sum_by_definition) {
 
 /// Tiny-grid coordinates plus noise of 2^-40: nearly degenerate, and in the widest fixed tier.
 RegionData shaken(const RegionData& region, Random& random) {
-  RegionData out = region;
-  const auto shake = [&](std::vector<Point>& list) {
-    for (Point& c : list) c = {c.x + random.signed_unit() * 0x1p-40, c.y + random.signed_unit() * 0x1p-40};
-  };
-  for (Part& part : out.parts) {
-    shake(part.outer);
-    for (Ring& hole : part.holes) shake(hole);
-  }
-  for (Polyline& line : out.polylines) shake(line);
-  shake(out.points);
-  return out;
+  return oracles::vertices_by(region, [&](Point p) {
+    return Point{p.x + random.signed_unit() * 0x1p-40, p.y + random.signed_unit() * 0x1p-40};
+  });
 }
 
 TEST(SumFuzz, free_coordinates_equal_the_sum_by_definition) {
