@@ -322,7 +322,7 @@ Result<FrameChanges> RotatingSum::State::move_to(const Orientation& theta) {
     work = {};
     return FrameChanges{};
   }
-  TurnMove to;
+  RotationMove to;
   to.theta = theta;
   to.at = moving_angle(theta);
   to.step = std::remainder(to.at - moving_angle(orientation), kTurn);

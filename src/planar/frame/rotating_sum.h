@@ -75,10 +75,10 @@ class RotatingSum::State final : public planar::MovingSum {
   Orientation orientation;
 
  private:
-  struct TurnMove : Move {
+  struct RotationMove : Move {
     Orientation theta;  ///< the new position
   };
-  static const Orientation& theta_of(const Move& move) { return static_cast<const TurnMove&>(move).theta; }
+  static const Orientation& theta_of(const Move& move) { return static_cast<const RotationMove&>(move).theta; }
 
   using Grids = std::map<int, std::unique_ptr<planar::RotationGrid>>;  ///< by cells
 

@@ -111,9 +111,9 @@ class Funnel {
 
   /// 0 for vertices on the edge.
   double distance(std::uint32_t v) const {
-    std::vector<const Position*> way;
-    for (; v != kNoIndex; v = parent_[v]) way.push_back(&polygon_[v]);
-    return way_length(way, polygon_[0], polygon_[1]);
+    std::vector<const Position*> path;
+    for (; v != kNoIndex; v = parent_[v]) path.push_back(&polygon_[v]);
+    return way_length(path, polygon_[0], polygon_[1]);
   }
 
  private:

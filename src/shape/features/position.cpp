@@ -57,10 +57,10 @@ N distance(const Position& a, const Position& b, const Position& p) {
 }
 
 template <class N>
-N length_of(const std::vector<const Position*>& way, const Position& a, const Position& b, bool leaves) {
-  N length = leaves ? distance<N>(a, b, *way.back()) : N(0);
-  for (std::size_t k = 1; k < way.size(); ++k)
-    length = length + sqrt(dot<N>(*way[k - 1], *way[k], *way[k - 1], *way[k]));
+N length_of(const std::vector<const Position*>& path, const Position& a, const Position& b, bool leaves) {
+  N length = leaves ? distance<N>(a, b, *path.back()) : N(0);
+  for (std::size_t k = 1; k < path.size(); ++k)
+    length = length + sqrt(dot<N>(*path[k - 1], *path[k], *path[k - 1], *path[k]));
   return length;
 }
 
@@ -98,10 +98,10 @@ double distance_left(const Position& a, const Position& b, const Position& p) {
 
 // A sum of positive roots of rationals is rational only where each of them is, and RootExpression knows these: of other
 // sums some precision tells the nearest double.
-double way_length(const std::vector<const Position*>& way, const Position& a, const Position& b) {
-  const bool leaves = turn_sign(a, b, *way.back()) > 0;
-  if (const std::optional<double> near = nearest_normal(length_of<FineInterval>(way, a, b, leaves))) return *near;
-  return nearest_double(length_of<RootExpression>(way, a, b, leaves));
+double way_length(const std::vector<const Position*>& path, const Position& a, const Position& b) {
+  const bool leaves = turn_sign(a, b, *path.back()) > 0;
+  if (const std::optional<double> near = nearest_normal(length_of<FineInterval>(path, a, b, leaves))) return *near;
+  return nearest_double(length_of<RootExpression>(path, a, b, leaves));
 }
 
 Centre centre_of(const Complex& complex, std::uint32_t node) {

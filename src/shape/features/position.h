@@ -29,10 +29,10 @@ inline int turn_sign(const Position& a, const Position& b, const Position& c) { 
 /// and b are one point.
 double distance_left(const Position& a, const Position& b, const Position& p);
 
-/// The length of the straight pieces through these positions, and of the way from the last one square to the line a ->
+/// The length of the straight pieces through these positions, and of the path from the last one square to the line a ->
 /// b where it lies to the left of that: the double nearest to their sum. So it does not depend on the order in which
 /// pieces are added, nor on how the positions are turned by quarter turns or mirrored. Requires: a position.
-double way_length(const std::vector<const Position*>& way, const Position& a, const Position& b);
+double way_length(const std::vector<const Position*>& path, const Position& a, const Position& b);
 
 /// Where the disc about a centre touches a site. The fine centre is that of the exact one, or the whole plane.
 struct Centre {
