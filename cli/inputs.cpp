@@ -1,6 +1,9 @@
 #include "inputs.h"
 
+#include "dymsum/names.h"
 #include "dymsum/planar_boolean.h"
+#include "dymsum/snap_rounding.h"
+#include "dymsum/sum_io.h"
 #include "numbers.h"
 #include "planar/open_ends.h"
 #include "repairs.h"
@@ -136,11 +139,6 @@ std::vector<NamedShape> read_all(const std::string& file, const InputOptions& op
                      [&](const ReadOptions& how) { return parse_shapes(text, format, "standard input", how); });
 }
 
-std::optional<Fill> fill_of(const std::string& name) {
-  if (name == "positive") return Fill::positive;
-  if (name == "nonzero") return Fill::nonzero;
-  return name == "even_odd" ? std::optional(Fill::even_odd) : std::nullopt;
-}
 
 namespace {
 
@@ -199,7 +197,7 @@ class RegionMaker {
   }
 
   Result<Region> filled() {
-    Result<FilledRegion> made = repair_with_fill(shape_.data, *fill_of(options_.fill));
+    Result<FilledRegion> made = repair_with_fill(shape_.data, parse<Fill>(options_.fill).value());
     if (!made) return made.error();
     if (made->report.changed()) say(made->report.to_string());
     return std::move(made).value().region;
@@ -260,6 +258,29 @@ Input read_input(const std::string& file, const InputOptions& options) {
   return require(make_input(std::move(shapes.front()), file, options));
 }
 
+namespace {
+
+/// The exact result that a file holds, if it does.
+std::optional<PlanarSum> result_in(const std::string& file, const InputOptions& options) {
+  if (is_footprint(file)) return std::nullopt;
+  if (file != "-") {
+    if (!names_sum(file)) return std::nullopt;
+    return require(read_sum(file));
+  }
+  if ((!options.from.empty() && options.from != "json") || !begins_like_sum(without_mark(standard_input())))
+    return std::nullopt;
+  return require(parse_sum(standard_input(), "standard input"));
+}
+
+}  // namespace
+
+Input read_operand(const std::string& file, const InputOptions& options) {
+  std::optional<PlanarSum> result = result_in(file, options);
+  if (!result) return read_input(file, options);
+  Region region = require(snap_rounded(*result)).region;
+  return {file, std::move(region), Json::object(), std::move(result)};
+}
+
 void refuse_unused_format(const std::vector<std::string>& files, const InputOptions& options) {
   if (!options.from.empty() && std::count(files.begin(), files.end(), "-") == 0)
     throw Stop(kUsage, "--from is the format of standard input, and no operand is -");
@@ -269,6 +290,13 @@ std::vector<Input> read_inputs(const std::vector<std::string>& files, const Inpu
   refuse_unused_format(files, options);
   std::vector<Input> inputs;
   for (const std::string& file : files) inputs.push_back(read_input(file, options));
+  return inputs;
+}
+
+std::vector<Input> read_operands(const std::vector<std::string>& files, const InputOptions& options) {
+  refuse_unused_format(files, options);
+  std::vector<Input> inputs;
+  for (const std::string& file : files) inputs.push_back(read_operand(file, options));
   return inputs;
 }
 

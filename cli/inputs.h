@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "dymsum/fill.h"
+#include "dymsum/planar_operand.h"
 #include "dymsum/region.h"
 #include "dymsum/region_io.h"
 #include "exit_code.h"
@@ -39,6 +40,9 @@ struct Input {
   std::string file;  ///< as it was written on the command line
   Region region;
   ReadingNotes notes = Json::object();
+  std::optional<PlanarSum> result = {};  ///< of a file that holds an exact one; `region` is that set in doubles then
+
+  PlanarOperand operand() const { return result ? PlanarOperand(*result) : PlanarOperand(region); }
 };
 
 /// The value of a Result, or a Stop with its error: kInterrupted for cancelled, kBadInput otherwise.
@@ -75,14 +79,17 @@ const std::string& standard_input();
 std::vector<NamedShape> read_all(const std::string& file, const InputOptions& options);
 /// The one valid region of FILE, FILE#NAME or "-".
 Input read_input(const std::string& file, const InputOptions& options);
+/// The same, or the exact result that the file holds.
+Input read_operand(const std::string& file, const InputOptions& options);
 /// The operands P and Q.
 std::vector<Input> read_inputs(const std::vector<std::string>& files, const InputOptions& options);
+
+std::vector<Input> read_operands(const std::vector<std::string>& files, const InputOptions& options);
 
 /// A Stop when the format of standard input is given and no file is it.
 void refuse_unused_format(const std::vector<std::string>& files, const InputOptions& options);
 
 /// The rule that --fill names.
-std::optional<Fill> fill_of(const std::string& name);
 
 /// Validates one shape of a file, or joins, snaps, fills and repairs it where requested.
 Result<Input> make_input(NamedShape shape, const std::string& file, const InputOptions& options);

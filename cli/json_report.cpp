@@ -4,28 +4,22 @@
 
 #include "dymsum/version.h"
 #include "progress_bar.h"
+#include "record_json.h"
 
 namespace dymsum::cli {
 namespace {
 
-Json evidence_json(const Evidence& e) {
+bool is_there(const std::string& text) { return !text.empty(); }
+template <class T>
+bool is_there(const std::optional<T>& value) {
+  return value.has_value();
+}
+
+Json evidence_json(const Evidence& evidence) {
   Json json = Json::object();
-  if (!e.file.empty()) json["file"] = e.file;
-  const auto add = [&](const char* key, const auto& value) {
-    if (value) json[key] = *value;
-  };
-  add("line", e.line);
-  add("part", e.part);
-  add("ring", e.ring);
-  add("vertex", e.vertex);
-  add("other_part", e.other_part);
-  add("other_ring", e.other_ring);
-  add("other_vertex", e.other_vertex);
-  add("face", e.face);
-  add("other_face", e.other_face);
-  add("x", e.x);
-  add("y", e.y);
-  add("z", e.z);
+  names::for_each_field(evidence, [&](std::string_view name, const auto& value) {
+    if (is_there(value)) json[std::string(name)] = json_of(value);
+  });
   return json;
 }
 

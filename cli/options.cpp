@@ -50,6 +50,10 @@ CLI::Option* whole_within(CLI::Option* option, std::size_t least, std::size_t mo
   });
 }
 
+CLI::Option* one_of(CLI::Option* option, std::span<const std::string_view> names) {
+  return option->check(CLI::IsMember(std::vector<std::string>(names.begin(), names.end())));
+}
+
 CLI::Option* add_error_option(CLI::App& verb, std::optional<double>& error, const std::string& what) {
   return takes(verb.add_option("--error", error, what)->type_name("E"), "a number of at least 8.9e-16, 2^-50",
                [](const std::string& text) { return finite_number(text).value_or(0) >= Orientation::kAngularError; });
@@ -143,14 +147,13 @@ void add_repair_option(CLI::App& verb, InputOptions& options, OperandKind kind) 
                 "Repair operands, and say on standard error what changed and where: " + what +
                     ". With names only those: --repair=" + some)
       ->check(CLI::Validator([](std::string& names) { return named_repairs(names), std::string(); }, ""));
-  verb.add_option(
-          "--fill", options.fill,
-          kind == OperandKind::solid
-              ? "With --repair: what surfaces that cross bound, by winding number"
-              : "Take what rings bound that cross, lie on each other or run the wrong way, by winding number, "
-                "and say on standard error what changed" +
-                    std::string(kind == OperandKind::planar ? "" : "; solids: with --repair, what surfaces bound"))
-      ->check(CLI::IsMember({"nonzero", "positive", "even_odd"}));
+  one_of<Fill>(verb.add_option(
+      "--fill", options.fill,
+      kind == OperandKind::solid
+          ? "With --repair: what surfaces that cross bound, by winding number"
+          : "Take what rings bound that cross, lie on each other or run the wrong way, by winding number, "
+            "and say on standard error what changed" +
+                std::string(kind == OperandKind::planar ? "" : "; solids: with --repair, what surfaces bound")));
   add_snap_option(verb, options);
   if (kind != OperandKind::planar)
     verb.add_option("--nested", options.nested,
@@ -176,13 +179,19 @@ void add_exact_option(CLI::App& verb, ReportOptions& options, OperandKind kind) 
       ->needs("--json");
 }
 
-void add_from_option(CLI::App& verb, InputOptions& options, OperandKind kind) {
-  std::vector<std::string> formats;
-  if (kind != OperandKind::solid) formats = {"poly", "wkt", "geojson", "svg", "json", "dxf"};
+std::vector<std::string_view> file_formats(OperandKind kind) {
+  std::vector<std::string_view> formats;
+  if (kind != OperandKind::solid) formats.assign(names_of<RegionFormat>().begin(), names_of<RegionFormat>().end());
   if (kind != OperandKind::planar) formats.insert(formats.end(), {"off", "obj", "stl", "ply", "glb", "3mf"});
+  return formats;
+}
+
+void add_from_option(CLI::App& verb, InputOptions& options, OperandKind kind) {
+  const std::vector<std::string_view> formats = file_formats(kind);
   const std::string but = kind == OperandKind::planar ? "" : " (not of binary .stl)";
-  verb.add_option("--from", options.from, "Format of standard input; otherwise told from its first characters" + but)
-      ->check(CLI::IsMember(formats));
+  one_of(verb.add_option("--from", options.from,
+                         "Format of standard input; otherwise told from its first characters" + but),
+         formats);
 }
 
 void add_input_options(CLI::App& verb, InputOptions& options) {

@@ -4,9 +4,12 @@
 #include <cstddef>
 #include <limits>
 #include <optional>
+#include <span>
 #include <string>
+#include <string_view>
 #include <vector>
 
+#include "dymsum/names.h"
 #include "inputs.h"
 #include "numbers.h"
 
@@ -47,6 +50,8 @@ void add_report_options(CLI::App& verb, ReportOptions& options, const std::strin
 void add_repair_option(CLI::App& verb, InputOptions& options, OperandKind kind);
 /// Declares --exact, for verbs whose reports hold `area_exact` of regions or `volume_exact` of solids.
 void add_exact_option(CLI::App& verb, ReportOptions& options, OperandKind kind);
+/// The formats of files of such operands, as extensions name them.
+std::vector<std::string_view> file_formats(OperandKind kind);
 /// Declares --from.
 void add_from_option(CLI::App& verb, InputOptions& options, OperandKind kind);
 
@@ -75,6 +80,18 @@ Angle read_angle(const AngleOptions& options);
 CLI::Option* within(CLI::Option* option, double least, double most = std::numeric_limits<double>::infinity());
 /// The same of whole numbers.
 CLI::Option* whole_within(CLI::Option* option, std::size_t least, std::size_t most);
+/// Takes one of these names.
+CLI::Option* one_of(CLI::Option* option, std::span<const std::string_view> names);
+/// Takes the name of an enumerator.
+template <names::Enumeration E>
+CLI::Option* one_of(CLI::Option* option) {
+  return one_of(option, names_of<E>());
+}
+/// What a name that one_of took stands for.
+template <names::Enumeration E>
+E named(const std::string& name) {
+  return parse<E>(name).value();
+}
 /// Takes the largest error of an angle: at least Orientation::kAngularError.
 CLI::Option* add_error_option(CLI::App& verb, std::optional<double>& error, const std::string& what);
 

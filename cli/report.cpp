@@ -1,4 +1,5 @@
 #include "report.h"
+#include "record_json.h"
 
 #include <cmath>
 #include <ostream>
@@ -19,17 +20,9 @@ Json stages_json(const SumStats& stats) {
   return stages;
 }
 
+/// What stands elsewhere in a report is left out.
 Json work_json(const SumStats& stats) {
-  return {{"live_segments", stats.live_segments},
-          {"cell_entries", stats.cell_entries},
-          {"pair_tests", stats.pair_tests},
-          {"degenerate_nodes", stats.degenerate_nodes},
-          {"loops", stats.loops},
-          {"collision_tests", stats.collision_tests},
-          {"filtered_signs", stats.filtered_signs},
-          {"exact_signs", stats.exact_signs},
-          {"mask_grid", stats.mask_grid},
-          {"peak_bytes", stats.peak_bytes}};
+  return json_without(stats, {"tier_bits", "reduced_segments", "crossings", "stages"});
 }
 
 double area_of(const PlanarSum& sum) { return sum.area(); }
@@ -145,18 +138,6 @@ void print_times(std::ostream& out, const Timing& timing) {
   if (timing.repeats > 1) out << "  " << shown(timing) << "\n";
 }
 
-Json rounding_json(const Rounding& rounding) {
-  return {{"nearest", rounding.nearest},
-          {"merged_vertices", rounding.merged_vertices},
-          {"collapsed_edges", rounding.collapsed_edges},
-          {"bends", rounding.bends},
-          {"lines", rounding.lines},
-          {"points", rounding.points},
-          {"vanished_rings", rounding.vanished_rings},
-          {"moved", rounding.moved},
-          {"moved_ulps", rounding.moved_ulps}};
-}
-
 Json sum_json(const SumReport& report) {
   const PlanarSum& sum = *report.sum;
   Json json =
@@ -171,7 +152,7 @@ Json sum_json(const SumReport& report) {
   if (const auto& sizes = report.convolution)
     json["convolution"] = {{"full", sizes->full}, {"kinetic", sizes->kinetic}, {"reduced", sizes->reduced}};
   if (report.orientation) json["orientation"] = orientation_json(*report.orientation);
-  if (report.rounding) json["rounding"] = rounding_json(*report.rounding);
+  if (report.rounding) json["rounding"] = json_of(*report.rounding);
   return json;
 }
 

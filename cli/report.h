@@ -53,8 +53,6 @@ Json inputs_json(const std::vector<Input>& inputs);
 void print_notes(std::ostream& out, const ReadingNotes& notes);
 /// {"tan_half": "1/2", "theta": 0.927...}.
 Json orientation_json(const Orientation& orientation);
-/// {"nearest", "merged_vertices", ..., "moved", "moved_ulps"}.
-Json rounding_json(const Rounding& rounding);
 Json sum_json(const SumReport& report);
 void print_sum(std::ostream& out, const SumReport& report);
 

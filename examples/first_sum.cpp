@@ -9,6 +9,7 @@ int main() {
   std::cout << "area " << sum.area_exact().to_string() << ", " << sum.hole_count() << " holes\n";
   for (const SumSegment& passage : sum.tight_segments) {
     const Point from = passage.from.at, to = passage.to.at;
-    std::cout << "the peg fits, and slides from (" << from.x << ", " << from.y << ") to (" << to.x << ", " << to.y << ")\n";
+    std::cout << "the peg fits, and slides from (" << from.x << ", " << from.y << ") to (" << to.x << ", " << to.y
+              << ")\n";
   }
 }

@@ -101,7 +101,7 @@ void add_convolutions(const spatial::SolidPair& pair, const Motion& motion, int 
     const std::vector<std::uint32_t> slots = moving.in_order();
     row.same = row.same && slots.size() == fresh.facets.size();
     for (std::size_t f = 0; row.same && f < slots.size(); ++f)
-      row.same = moving.facet(slots[f]).corner == fresh.facets[f].corner;
+      row.same = moving.slots()[slots[f]].corner == fresh.facets[f].corner;
     if (k == 0) continue;
     row.convolution.push_back(update), row.fresh_convolution.push_back(scratch);
     row.facets = static_cast<double>(slots.size());

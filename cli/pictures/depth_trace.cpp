@@ -7,6 +7,7 @@
 #include <functional>
 #include <sstream>
 
+#include "dymsum/names.h"
 #include "json_report.h"
 #include "pictures/svg_paths.h"
 
@@ -79,7 +80,7 @@ void draw_jumps(std::ostringstream& out, const TracePanel& panel, const std::vec
       draw(k, "stroke='#8c8c8c' stroke-dasharray='2 3'", "row " + std::to_string(k) + ": the shortest way out jumps");
     if (jumps(rows[k]))
       draw(k, "stroke='#d81e3a' stroke-width='1.5'",
-           "row " + std::to_string(k) + ": " + discontinuity_name(rows[k].contact.discontinuity));
+           "row " + std::to_string(k) + ": " + std::string(name(rows[k].contact.discontinuity)));
   }
 }
 
@@ -129,26 +130,6 @@ void draw_legend(std::ostringstream& out, double y) {
 
 }  // namespace
 
-const char* meeting_name(Meeting meeting) {
-  return meeting == Meeting::overlapping ? "overlapping" : meeting == Meeting::touching ? "touching" : "apart";
-}
-
-const char* discontinuity_name(Discontinuity why) {
-  switch (why) {
-    case Discontinuity::none:
-      return "none";
-    case Discontinuity::entered:
-      return "entered";
-    case Discontinuity::fold:
-      return "fold";
-    case Discontinuity::inflation:
-      return "inflation";
-    case Discontinuity::lost:
-      break;
-  }
-  return "lost";
-}
-
 bool jumps(const DepthRow& row) {
   const Discontinuity why = row.contact.discontinuity;
   return why != Discontinuity::none && why != Discontinuity::entered;
@@ -164,10 +145,10 @@ std::string depth_csv(const std::vector<DepthRow>& rows) {
     const ContinuousContact& c = row.contact;
     vector(row.at);
     for (const std::int64_t q : row.turned.quaternion()) out += std::to_string(q) + ",";
-    out += std::string(meeting_name(c.meeting)) + ",";
+    out += std::string(name(c.meeting)) + ",";
     number(c.euclidean_depth), number(c.depth);
     for (const Point3& v : {c.euclidean_normal, c.normal, c.witness_p, c.witness_q}) vector(v);
-    out += std::to_string(c.branch) + "," + discontinuity_name(c.discontinuity) + (row.exact_jumps ? ",1\n" : ",0\n");
+    out += std::to_string(c.branch) + "," + std::string(name(c.discontinuity)) + (row.exact_jumps ? ",1\n" : ",0\n");
   }
   return out;
 }

@@ -17,8 +17,6 @@ struct DepthRow {
       false;  ///< the shortest way out ends where no continuous motion of its end leads from the last one
 };
 
-const char* meeting_name(Meeting meeting);
-const char* discontinuity_name(Discontinuity why);
 /// Whether a row is drawn as a jump: it does not follow, and is not the first one inside.
 bool jumps(const DepthRow& row);
 

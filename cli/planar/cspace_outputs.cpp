@@ -10,6 +10,7 @@
 #include "inputs.h"
 #include "pictures/frame_pictures.h"
 #include "planar/contact.h"
+#include "record_json.h"
 
 namespace dymsum::cli {
 namespace {
@@ -92,11 +93,9 @@ Json shells_json(const CspaceObstacle& obstacle) {
 }
 
 Json obstacle_json(const CspaceObstacle& obstacle) {
-  Json patches = Json::array(), angles = Json::array(), events = Json::array(), cells = Json::array();
+  Json patches = Json::array(), angles = Json::array(), cells = Json::array();
   for (const Patch& p : obstacle.patches()) patches.push_back(patch_json(obstacle, p));
   for (std::uint32_t k = 0; k < obstacle.angles().size(); ++k) angles.push_back(angle_json(obstacle, k));
-  for (const ObstacleEvent& e : obstacle.events())
-    events.push_back({{"kind", name(e.kind)}, {"angle", e.angle}, {"at", {e.at.x, e.at.y}}});
   for (const FreeCell& c : obstacle.free_cells())
     cells.push_back({{"theta0", angle_json(obstacle, c.begin)},
                      {"theta1", angle_json(obstacle, c.end)},
@@ -104,7 +103,7 @@ Json obstacle_json(const CspaceObstacle& obstacle) {
                      {"component", c.component}});
   return {{"patches", patches},
           {"angles", angles},
-          {"events", events},
+          {"events", json_of(obstacle.events())},
           {"shells", shells_json(obstacle)},
           {"free_cells", cells}};
 }

@@ -34,13 +34,8 @@ PlanarPosition position_of(const PlanarLocal& local) {
   return position;
 }
 
-const char* name_of(PlanarLocalPart::Where where) {
-  using Where = PlanarLocalPart::Where;
-  return where == Where::crossed ? "crossed" : where == Where::inside ? "inside" : "outside";
-}
-
 Json part_summary(const PlanarLocalPart& part) {
-  return {{"where", name_of(part.where)},
+  return {{"where", name(part.where)},
           {"box", {part.box.low.x, part.box.low.y, part.box.high.x, part.box.high.y}},
           {"vertices", part.vertices.size()},
           {"edges", part.edges.size()},
@@ -52,10 +47,8 @@ Json part_summary(const PlanarLocalPart& part) {
 Json edges_json(const std::vector<PlanarLocalPart::Edge>& edges) {
   Json list = Json::array();
   for (const PlanarLocalPart::Edge& e : edges)
-    list.push_back({{"vertices", {e.from, e.to}},
-                    {"kind", e.contact.kind == Contact::Kind::edge_of_p ? "edge_of_p" : "edge_of_q"},
-                    {"p", e.contact.p},
-                    {"q", e.contact.q}});
+    list.push_back(
+        {{"vertices", {e.from, e.to}}, {"kind", name(e.contact.kind)}, {"p", e.contact.p}, {"q", e.contact.q}});
   return list;
 }
 
@@ -79,7 +72,7 @@ std::string part_text(const PlanarLocalPart& part) {
     out << "  " << counted(part.edges.size(), "edge") << ", " << counted(part.vertices.size(), "vertex", "vertices")
         << "; tight: " << counted(part.tight_segments.size(), "segment") << ", "
         << counted(part.tight_points.size(), "point") << "\n";
-  else out << "  nothing bounds the sum there: it lies " << name_of(part.where) << "\n";
+  else out << "  nothing bounds the sum there: it lies " << name(part.where) << "\n";
   return out.str();
 }
 

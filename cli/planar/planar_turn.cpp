@@ -21,9 +21,7 @@ std::vector<PlanarFrame<Orientation>> frames_of(const PlanarRotation& turn) {
 
 RotatingSum rotating_sum(const PlanarRotation& turn, const std::vector<Input>& inputs, FrameMode mode) {
   MovingOptions options;
-  options.semantics = turn.semantics == "open"      ? Semantics::open
-                      : turn.semantics == "regular" ? Semantics::regular
-                                                    : Semantics::closed;
+  options.semantics = named<Semantics>(turn.semantics);
   options.mode = mode;
   options.memory = memory_bytes(turn.memory_mb);
   options.threads = static_cast<int>(turn.threads);

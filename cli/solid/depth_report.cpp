@@ -3,6 +3,7 @@
 #include <limits>
 #include <sstream>
 
+#include "dymsum/names.h"
 #include "pictures/depth_trace.h"
 #include "solid/solid_outputs.h"
 
@@ -13,9 +14,7 @@ Json xyz(const Point3& v) { return {v.x, v.y, v.z}; }
 Json xy(const Point& v) { return {v.x, v.y}; }
 
 Json named_feature(const SolidFeature& f) { return feature_json(f); }
-Json named_feature(const PlanarFeature& f) {
-  return {{f.kind == PlanarFeature::Kind::vertex ? "vertex" : "edge", f.index}};
-}
+Json named_feature(const PlanarFeature& f) { return {{std::string(name(f.kind)), f.index}}; }
 void add_position(const RationalPoint3& at, Json& json) {
   json["at"] = {at.x.to_double(), at.y.to_double(), at.z.to_double()};
   json["at_exact"] = {at.x.to_string(), at.y.to_string(), at.z.to_string()};
@@ -47,12 +46,10 @@ Json way_json(const PlanarWay& way) {
 template <class Distance>
 Json distance_json(const Distance& d) {
   const bool inside = d.meeting == Meeting::overlapping;
-  Json json = {{"meeting", meeting_name(d.meeting)},
-               {"inside", inside},
-               {"depth", inside ? d.distance : 0},
-               {"depth_squared_exact", (inside ? d.squared : Rational()).to_string()},
-               {"distance", d.distance},
-               {"distance_squared_exact", d.squared.to_string()}};
+  Json json = {
+      {"meeting", name(d.meeting)},       {"inside", inside},
+      {"depth", inside ? d.distance : 0}, {"depth_squared_exact", (inside ? d.squared : Rational()).to_string()},
+      {"distance", d.distance},           {"distance_squared_exact", d.squared.to_string()}};
   Json ways = Json::array();
   for (const auto& way : d.ways) {
     Json one = way_json(way);
@@ -116,8 +113,7 @@ std::string distance_text(const Distance& d, const std::string& p, const std::st
 
 Json depth_json(const SolidDistance& d) {
   if (d.complete) return distance_json(d);
-  Json json = {
-      {"meeting", meeting_name(d.meeting)}, {"complete", false}, {"at_least", d.at_least}, {"at_most", d.distance}};
+  Json json = {{"meeting", name(d.meeting)}, {"complete", false}, {"at_least", d.at_least}, {"at_most", d.distance}};
   if (!(d.distance < std::numeric_limits<double>::infinity())) json["at_most"] = nullptr;
   return json;
 }

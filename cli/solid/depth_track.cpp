@@ -106,7 +106,7 @@ Json row_json(const DepthRow& row) {
   const ContinuousContact& c = row.contact;
   Json json = {{"at", json_xyz(row.at)},
                {"quaternion", row.turned.quaternion()},
-               {"meeting", meeting_name(c.meeting)},
+               {"meeting", name(c.meeting)},
                {"exact_depth", c.euclidean_depth},
                {"depth_squared_exact", row.squared.to_string()},
                {"depth", c.depth}};
@@ -118,7 +118,7 @@ Json row_json(const DepthRow& row) {
                {"gradient", json_xyz(c.gradient)},
                {"torque", json_xyz(c.torque)},
                {"branch", c.branch},
-               {"discontinuity", discontinuity_name(c.discontinuity)},
+               {"discontinuity", name(c.discontinuity)},
                {"exact_jumps", row.exact_jumps},
                {"smoothed", c.smoothed}});
   return json;

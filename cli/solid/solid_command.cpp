@@ -9,30 +9,35 @@
 
 namespace dymsum::cli {
 
-void add_solid_options(CLI::App& verb, SolidCommand& command) {
+void add_solid_options(CLI::App& verb, SolidCommand& command, OperandKind kind) {
   command.parser = &verb;
+  const bool planar = kind == OperandKind::either;
   verb.add_option(
           "-o", command.files,
-          "Write the result; repeatable; by extension .off .obj .stl .ply .3mf (rounded), .glb (picture), .json "
-          "(exact, with provenance), .html (the viewer with the result); - is standard output")
+          std::string("Write the result; repeatable; by extension .off .obj .stl .ply .3mf (rounded), .glb (picture), "
+                      ".json (exact, with provenance), .html (the viewer with the result)") +
+              (planar ? "; of regions .wkt .poly .geojson .dxf (rounded), .svg (picture), .json" : "") +
+              "; - is standard output")
       ->type_name("FILE")
       ->allow_extra_args(false);
-  verb.add_option("--to", command.to, "Format of -o -")
-      ->check(CLI::IsMember({"off", "obj", "stl", "ply", "3mf", "glb", "json"}))
+  std::vector<std::string> formats{"off", "obj", "stl", "ply", "3mf", "glb", "json"};
+  if (planar) formats.insert(formats.end(), {"wkt", "poly", "geojson", "svg", "dxf"});
+  verb.add_option("--to", command.to, planar ? "Format of -o -; of regions wkt if not given" : "Format of -o -")
+      ->check(CLI::IsMember(formats))
       ->capture_default_str();
-  verb.add_option("--engine", command.engine, "How the boundary is found; both give the same result")
-      ->check(CLI::IsMember({"fast", "brute"}))
+  one_of<SpatialEngine>(
+      verb.add_option("--engine", command.engine, "How the boundary is found; both give the same result"))
       ->capture_default_str();
-  verb.add_option(
+  one_of<Semantics>(
+      verb.add_option(
           "--semantics", command.semantics,
-          "closed; open: touching is allowed, and where it is tight is listed; regular: the closure of the interior")
-      ->check(CLI::IsMember({"closed", "open", "regular"}))
+          "closed; open: touching is allowed, and where it is tight is listed; regular: the closure of the interior"))
       ->capture_default_str();
-  add_round_option(verb, command.round, OperandKind::solid);
+  add_round_option(verb, command.round, kind);
   add_report_options(verb, command.report, "Compute N times and report the median and minimum time");
-  add_exact_option(verb, command.report, OperandKind::solid);
-  add_memory_option(verb, command.memory_mb, OperandKind::solid);
-  add_solid_input_options(verb, command.input, OperandKind::solid);
+  add_exact_option(verb, command.report, kind);
+  add_memory_option(verb, command.memory_mb, kind);
+  add_solid_input_options(verb, command.input, kind);
 }
 
 SolidRun read_solid_run(const std::string& verb, const SolidCommand& command) {

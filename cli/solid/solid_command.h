@@ -23,7 +23,7 @@ struct SolidCommand {
 };
 
 /// Declares -o, --to, --engine, --semantics, --round, --json, --repeat, --exact, --memory, --repair, --hull and --from.
-void add_solid_options(CLI::App& verb, SolidCommand& command);
+void add_solid_options(CLI::App& verb, SolidCommand& command, OperandKind kind = OperandKind::solid);
 
 /// Checks outputs and reads the operands.
 SolidRun read_solid_run(const std::string& verb, const SolidCommand& command);

@@ -8,6 +8,7 @@
 #include <string_view>
 #include <utility>
 
+#include "dymsum/names.h"
 #include "dymsum/solid_union.h"
 #include "exit_code.h"
 #include "repairs.h"
@@ -52,7 +53,7 @@ MeshRepairOptions repairs_of(const InputOptions& options) {
 
 Result<LoggedMesh> repaired(MeshData data, const InputOptions& options, const MeshRepairOptions& repairs) {
   return options.thin ? repair_with_thin_parts(std::move(data), repairs)
-                      : repair_with_union(std::move(data), fill_of(options.fill).value_or(Fill::nonzero), repairs);
+                      : repair_with_union(std::move(data), parse<Fill>(options.fill).value_or(Fill::nonzero), repairs);
 }
 
 /// What all repairs would do: of large surfaces that cross that takes too long for a hint.

@@ -90,7 +90,7 @@ Json exact_sum_json(const SpatialSum& sum, Json json) {
                      {"shell", f.shell},
                      {"loops", f.loops}});
   }
-  for (const SpatialEdge& e : sum.edges)
+  for (const SpatialEdge& e : sum.edges())
     edges.push_back(with_contact({{"vertices", {e.from, e.to}}, {"faces", e.faces}}, e.contact));
   json["vertex_list"] = vertex_list(sum);
   json["edge_list"] = std::move(edges);

@@ -80,11 +80,9 @@ ExitCode run_solid(const SolidRun& run, const std::function<Result<SolidOutcome>
   const InterruptGuard guard;
   std::optional<ProgressBar> bar(std::in_place);
   SpatialOptions options;
-  options.semantics = run.semantics == "regular" ? Semantics::regular
-                      : run.semantics == "open"  ? Semantics::open
-                                                 : Semantics::closed;
+  options.semantics = named<Semantics>(run.semantics);
   options.memory = memory_bytes(run.memory_mb);
-  options.engine = run.engine == "brute" ? SpatialEngine::brute : SpatialEngine::fast;
+  options.engine = named<SpatialEngine>(run.engine);
   options.progress = bar->callback();
   options.trace = std::any_of(run.files.begin(), run.files.end(), is_stage_mesh);
   const auto [outcome, timing] = timed(run.report.repeat, [&] {

@@ -19,7 +19,7 @@ std::vector<ScaleEvent> events_of(const SolidMotion& motion, const ScaleCommand&
   ProgressBar bar;
   const Progress progress = bar.callback();
   SolidScaleOptions options;
-  options.moving = command.scaled == "p" ? MovingOperand::p : MovingOperand::q;
+  options.moving = named<MovingOperand>(command.scaled);
   options.threads = static_cast<int>(command.threads);
   const Result<SolidScaleEvents> sum = SolidScaleEvents::create(motion.inputs[0].mesh, motion.inputs[1].mesh, options);
   if (!sum) stop_with(in_solid_operand(sum.error(), motion.inputs));
@@ -28,7 +28,7 @@ std::vector<ScaleEvent> events_of(const SolidMotion& motion, const ScaleCommand&
     throw_if_interrupted();
     return require(std::move(events));
   }
-  const EventChange change = command.next == "topology" ? EventChange::topology : EventChange::visible;
+  const EventChange change = named<EventChange>(command.next);
   Result<std::optional<ScaleEvent>> first = sum->next_event(*low, *high, change, progress);
   throw_if_interrupted();
   const std::optional<ScaleEvent> event = require(std::move(first));

@@ -7,6 +7,7 @@
 
 #include "dymsum/solid_slice.h"
 #include "progress_bar.h"
+#include "record_json.h"
 #include "report.h"
 #include "solid/solid_limits.h"
 #include "solid/solid_outputs.h"
@@ -131,7 +132,7 @@ ExitCode run_solid_slice(const SumCommand& command, double z, bool reflected) {
                  {"crossed", slice.stats.crossed},
                  {"cells", slice.stats.cells},
                  {"collision_tests", slice.stats.collision_tests}});
-    if (rounded.rounding()) json["rounding"] = rounding_json(*rounded.rounding());
+    if (rounded.rounding()) json["rounding"] = json_of(*rounded.rounding());
     print_report(json);
   } else {
     print_text(out, inputs, slice, timing);

@@ -9,14 +9,12 @@
 namespace dymsum::cli {
 namespace {
 
-std::vector<PlanarOperand> operands_of(std::span<const Region> regions) { return {regions.begin(), regions.end()}; }
-
 SumVerb boolean_verb(const std::string& name, const std::string& sign) {
   SumVerb verb;
   verb.name = name;
   verb.first = {"A", "A region or solid"};
   verb.second = {"B", "Another one of the same kind"};
-  verb.several = true;
+  verb.several = verb.boolean = true;
   verb.semantics = "regular";
   verb.page = "sum";
   verb.solid_page = "solids";
@@ -32,9 +30,7 @@ void add_union(CLI::App& app, Action& action) {
   verb.footer =
       "With --semantics open operands are open: where they only touch, that is tight.\n"
       "Example: dymsum union plate.wkt rib.wkt boss.wkt -o part.json -o part.svg";
-  verb.boolean = [](std::span<const Region> regions, const SumOptions& options) {
-    return united(operands_of(regions), options);
-  };
+  verb.planar = [](std::span<const PlanarOperand> sets, const SumOptions& options) { return united(sets, options); };
   verb.solids = [](std::span<const Mesh> solids, const SpatialOptions& options) { return united(solids, options); };
   add_sum_verb(app, verb, action);
 }
@@ -45,8 +41,8 @@ void add_intersect(CLI::App& app, Action& action) {
   verb.footer =
       "With --semantics closed the result of regions that only touch has segments and points.\n"
       "Example: dymsum intersect sheet.wkt part.wkt --json";
-  verb.boolean = [](std::span<const Region> regions, const SumOptions& options) {
-    return intersection(operands_of(regions), options);
+  verb.planar = [](std::span<const PlanarOperand> sets, const SumOptions& options) {
+    return intersection(sets, options);
   };
   verb.solids = [](std::span<const Mesh> solids, const SpatialOptions& options) {
     return intersection(solids, options);
@@ -62,10 +58,10 @@ void add_subtract(CLI::App& app, Action& action) {
   verb.footer =
       "With --semantics closed what is taken away is open: lines and points that it leaves are listed, as tight.\n"
       "Example: dymsum subtract plate.wkt hole.wkt slot.wkt -o part.json -o part.svg";
-  verb.boolean = [](std::span<const Region> regions, const SumOptions& options) -> Result<PlanarSum> {
-    const Result<PlanarSum> taken = united(operands_of(regions.subspan(1)), options);
+  verb.planar = [](std::span<const PlanarOperand> sets, const SumOptions& options) -> Result<PlanarSum> {
+    const Result<PlanarSum> taken = united(sets.subspan(1), options);
     if (!taken) return taken;
-    return difference(regions[0], *taken, options);
+    return difference(sets[0], *taken, options);
   };
   verb.solids = [](std::span<const Mesh> solids, const SpatialOptions& options) {
     return difference(solids[0], solids.subspan(1), options);

@@ -88,10 +88,7 @@ class WaypointEntries {
 };
 
 Waypoint::Move move_in(const std::string& file, const std::string& name) {
-  if (name == "start") return Waypoint::Move::start;
-  if (name == "translation") return Waypoint::Move::translation;
-  if (name == "counter_clockwise") return Waypoint::Move::counter_clockwise;
-  if (name == "clockwise") return Waypoint::Move::clockwise;
+  if (const auto move = parse<Waypoint::Move>(name)) return *move;
   refuse(file, "'" + name + "' is no move");
 }
 

@@ -187,10 +187,10 @@ void add_contains(CLI::App& app, Action& action) {
   verb.add_option("--at-file", command->at_file,
                   "Such places or configurations, one a line; # begins a comment; - for standard input")
       ->type_name("FILE");
-  verb.add_option("--semantics", command->semantics,
-                  "closed: touching counts as inside (the default of places); open: it does not (the default of "
-                  "configurations)")
-      ->check(CLI::IsMember({"closed", "open"}));
+  one_of(verb.add_option("--semantics", command->semantics,
+                         "closed: touching counts as inside (the default of places); open: it does not (the default of "
+                         "configurations)"),
+         std::span(names_of<Semantics>()).first<2>());
   add_report_options(verb, command->report, "Ask N times and report the median and minimum time");
   add_solid_input_options(verb, command->input);
   add_thin_option(verb, command->input);

@@ -70,8 +70,8 @@ void add_convert(CLI::App& app, Action& action) {
                    "viewer), or - for "
                    "standard output")
       ->required();
-  verb->add_option("--to", command->output.to, "Format of the output -; of solids off if not given")
-      ->check(CLI::IsMember({"poly", "wkt", "geojson", "svg", "json", "dxf", "off", "obj", "stl", "ply", "glb", "3mf"}))
+  one_of(verb->add_option("--to", command->output.to, "Format of the output -; of solids off if not given"),
+         file_formats(OperandKind::either))
       ->capture_default_str();
   verb->add_flag("--canonical", command->canonical, "Write the canonical form: equal sets become equal files");
   verb->add_flag("--triangulate", command->triangulate,

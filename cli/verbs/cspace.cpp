@@ -12,6 +12,7 @@
 #include "outputs.h"
 #include "planar/cspace_outputs.h"
 #include "progress_bar.h"
+#include "record_json.h"
 #include "report.h"
 #include "solid/solid_limits.h"
 #include "solid/solid_operands.h"
@@ -74,17 +75,9 @@ Json events_json(const ObstacleWork& work) {
           {"tight", work.tight_events}};
 }
 
+/// What stands elsewhere in the report is left out.
 Json work_json(const ObstacleWork& work) {
-  return {{"windows", work.windows},
-          {"segments", work.segments},
-          {"candidate_pairs", work.candidate_pairs},
-          {"candidate_triples", work.candidate_triples},
-          {"potential_events", work.potential_events},
-          {"visible_events", work.visible_events},
-          {"local_updates", work.local_updates},
-          {"slices", work.slices},
-          {"exact_signs", work.exact_signs},
-          {"collision_tests", work.collision_tests}};
+  return json_without(work, {"surfaces", "alignments", "vertex_events", "triple_events", "tight_events", "ms"});
 }
 
 void print_json(const CspaceReport& report) {

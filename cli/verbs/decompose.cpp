@@ -13,6 +13,7 @@
 #include "pictures/shape_pictures.h"
 #include "planar/tier.h"
 #include "progress_bar.h"
+#include "record_json.h"
 #include "timing.h"
 #include "verbs/commands.h"
 #include "verbs/features_command.h"
@@ -20,35 +21,6 @@
 
 namespace dymsum::cli {
 namespace {
-
-Json point_json(const RationalPoint& p) { return {p.x.to_string(), p.y.to_string()}; }
-
-Json ring_json(const RationalRing& ring) {
-  Json points = Json::array();
-  for (const RationalPoint& p : ring) points.push_back(point_json(p));
-  return points;
-}
-
-Json cut_json(const Cut& cut) {
-  const char* end = cut.end == Cut::End::vertex ? "vertex" : cut.end == Cut::End::edge ? "edge" : "cut";
-  Json runs = Json::array();
-  for (const RationalSegment& run : cut.runs) runs.push_back(Json::array({point_json(run[0]), point_json(run[1])}));
-  return {{"vertex", cut.vertex},     {"end", end},     {"index", cut.index},     {"from", point_json(cut.from)},
-          {"to", point_json(cut.to)}, {"bar", cut.bar}, {"partner", cut.partner}, {"runs", runs}};
-}
-
-Json piece_json(const Piece& piece) {
-  Json holes = Json::array();
-  for (const RationalRing& hole : piece.holes) holes.push_back(ring_json(hole));
-  return {{"outer", ring_json(piece.outer)}, {"holes", holes}};
-}
-
-Json pieces_json(const Decomposition& made) {
-  Json cuts = Json::array(), pieces = Json::array();
-  for (const Cut& cut : made.cuts) cuts.push_back(cut_json(cut));
-  for (const Piece& piece : made.pieces) pieces.push_back(piece_json(piece));
-  return {{"cuts", cuts}, {"pieces", pieces}};
-}
 
 /// Pieces of doubles, a line each. Where rounding changes one, a Stop that names the file, or the repair and a note.
 std::string rounded_text(const std::string& file, const Decomposition& made, bool with_repair) {
@@ -80,7 +52,7 @@ void write_pieces(const FeaturesCommand& command, const Region& region, const De
   for (const std::string& file : command.output.files) {
     const RegionFormat format = output_format(file, command.output);
     if (format == RegionFormat::svg) texts.push_back(decomposition_picture(region, made));
-    else if (format == RegionFormat::json) texts.push_back(pieces_json(made).dump() + "\n");
+    else if (format == RegionFormat::json) texts.push_back(json_of(made).dump() + "\n");
     else texts.push_back(rounded_text(file, made, command.output.round_repair));
   }
   throw_if_interrupted();
@@ -121,7 +93,7 @@ ExitCode run_decompose(const FeaturesCommand& command) {
     return kDone;
   }
   Json json = report_head("decompose", inputs_json(inputs), tier_of(inputs[0].region), timing);
-  json.update(pieces_json(made));
+  json.update(json_of(made));
   print_report(json);
   return kDone;
 }

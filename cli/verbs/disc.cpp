@@ -38,12 +38,6 @@ struct DiscCommand {
   OutputOptions output;
 };
 
-const std::map<std::string, Semantics> kDiscSemantics = {
-    {"closed", Semantics::closed}, {"open", Semantics::open}, {"regular", Semantics::regular}};
-
-const std::map<std::string, DiscBound> kDiscBounds = {
-    {"inside", DiscBound::inside}, {"outside", DiscBound::outside}, {"nearest", DiscBound::nearest}};
-
 DiscRadius read_radius(const std::string& text) {
   if (!text.starts_with("event:")) return require_option(Rational::parse(text), "--radius");
   const std::string digits = text.substr(6);
@@ -68,7 +62,7 @@ void check(const DiscCommand& command) {
 using DiscMaker = std::function<Result<DiscSet>(const DiscRadius&)>;
 
 DiscMaker maker(const GrowingDisc& disc, const DiscCommand& command, const Progress& progress) {
-  const Semantics semantics = kDiscSemantics.at(command.semantics);
+  const Semantics semantics = named<Semantics>(command.semantics);
   if (command.set == "erosion") return [=](const DiscRadius& r) { return disc.eroded_at(r, semantics, progress); };
   if (command.set == "opening") return [=](const DiscRadius& r) { return disc.opened_at(r, semantics, progress); };
   if (command.set == "closing") return [=](const DiscRadius& r) { return disc.closed_at(r, semantics, progress); };
@@ -113,7 +107,7 @@ double default_error(const DiscSet& set) { return set.radius > 0 ? std::max(set.
 MadePolygons made_polygons(const DiscCommand& command, const DiscSet& set) {
   const double error = command.error.value_or(default_error(set));
   const std::string bound = command.bound.value_or("inside");
-  Result<DiscPolygons> made = to_region(set, error, kDiscBounds.at(bound));
+  Result<DiscPolygons> made = to_region(set, error, named<DiscBound>(bound));
   if (made && (command.bound || made->collapsed == 0)) return {*std::move(made), bound};
   const auto crossed = [](const Result<DiscPolygons>& polygons) {
     return !polygons && polygons.error().code == ErrorCode::rounding_changed_topology;
@@ -265,16 +259,13 @@ void add_disc_outputs(CLI::App& verb, DiscCommand& command) {
           ".geojson .dxf (polygons), .html (the viewer); - is standard output")
       ->type_name("FILE")
       ->allow_extra_args(false);
-  verb.add_option("--to", command.output.to, "Format of -o -")
-      ->check(CLI::IsMember({"poly", "wkt", "geojson", "svg", "json", "dxf"}))
-      ->capture_default_str();
+  one_of<RegionFormat>(verb.add_option("--to", command.output.to, "Format of -o -"))->capture_default_str();
   within(verb.add_option("--error", command.error, "Of polygons: how far they may be from the arcs; a 1000th of R"), 0)
       ->type_name("E");
-  verb.add_option(
-          "--bound", command.bound,
-          "Of polygons: inside the set (what is made if not given; nearest where that is no valid region), outside "
-          "around it, or nearest, with vertices on its boundary")
-      ->check(CLI::IsMember({"inside", "outside", "nearest"}));
+  one_of<DiscBound>(verb.add_option(
+      "--bound", command.bound,
+      "Of polygons: inside the set (what is made if not given; nearest where that is no valid region), outside "
+      "around it, or nearest, with vertices on its boundary"));
 }
 
 }  // namespace
@@ -295,9 +286,10 @@ void add_disc(CLI::App& app, Action& action) {
           "P cover; closing: what discs outside P do not")
       ->check(CLI::IsMember({"sum", "erosion", "opening", "closing"}))
       ->capture_default_str();
-  verb.add_option("--semantics", command->semantics,
-                  "closed; open: touching is allowed, and tight features are listed; regular: exact fits do not count")
-      ->check(CLI::IsMember({"closed", "open", "regular"}))
+  one_of<Semantics>(
+      verb.add_option(
+          "--semantics", command->semantics,
+          "closed; open: touching is allowed, and tight features are listed; regular: exact fits do not count"))
       ->capture_default_str();
   verb.add_flag("--events", command->events, "List the radii at which the boundary's pieces change");
   add_memory_limit(verb, command->memory_mb);

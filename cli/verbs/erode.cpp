@@ -18,7 +18,9 @@ void add_erode(CLI::App& app, Action& action) {
       "the\n"
       "tight features: of solids faces, segments and points.\n"
       "Example: dymsum erode sheet.wkt part.wkt --json";
-  verb.compute = [](const Region& p, const Region& q, const SumOptions& options) { return erode(p, q, options); };
+  verb.planar = [](std::span<const PlanarOperand> sets, const SumOptions& options) {
+    return erode(sets[0], sets[1], options);
+  };
   verb.solid = [](const Mesh& a, const Mesh& b, const SpatialOptions& options) { return erode(a, b, options); };
   verb.reflects_second = true;
   verb.empty_is_no = true;

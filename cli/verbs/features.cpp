@@ -26,15 +26,11 @@ namespace {
 Json point_json(Point p) { return {p.x, p.y}; }
 Json optional_json(const std::optional<std::uint32_t>& v) { return v ? Json(*v) : Json(nullptr); }
 
-const char* death_name(FeatureBar::Death death) {
-  return death == FeatureBar::Death::merged ? "merged" : death == FeatureBar::Death::filled ? "filled" : "never";
-}
-
 Json bar_json(const ShapeFeatures& features, std::uint32_t index, bool exact) {
   const FeatureBar& bar = features.bars()[index];
   Json json{{"bar", index},
-            {"born", bar.born == FeatureBar::Birth::corner ? "corner" : "neck"},
-            {"died", death_name(bar.died)},
+            {"born", name(bar.born)},
+            {"died", name(bar.died)},
             {"birth", bar.birth_alpha},
             {"death", bar.death ? Json(bar.death_alpha) : Json(nullptr)},
             {"birth_event", bar.birth},
@@ -75,7 +71,8 @@ void print_bars(const ShapeFeatures& features, const std::vector<std::uint32_t>&
     const FeatureBar& bar = features.bars()[i];
     char line[160];
     std::snprintf(line, sizeof line, "%10.6g %10.6g  %-6s  %7s %10.6g\n", bar.birth_alpha, bar.death_alpha,
-                  death_name(bar.died), bar.minimum ? std::to_string(*bar.minimum).c_str() : "gap", bar.concavity);
+                  std::string(name(bar.died)).c_str(), bar.minimum ? std::to_string(*bar.minimum).c_str() : "gap",
+                  bar.concavity);
     std::cout << line;
   }
   if (bridges != nullptr) std::cout << counted(bridges->size(), "bridge") << "\n";

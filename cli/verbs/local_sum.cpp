@@ -53,14 +53,10 @@ Position read_position(const LocalCommand& command) {
   return position;
 }
 
-const char* where_name(LocalPart::Where where) {
-  return where == LocalPart::Where::crossed ? "crossed" : where == LocalPart::Where::inside ? "inside" : "outside";
-}
-
 Json summary_of(const LocalPart& part) {
   const SpatialSum& sum = part.boundary;
   const ClipBox& b = part.box;
-  return {{"where", where_name(part.where)},
+  return {{"where", name(part.where)},
           {"box", {b.low.x, b.low.y, b.low.z, b.high.x, b.high.y, b.high.z}},
           {"pieces", sum.shells},
           {"vertices", sum.vertices.size()},
@@ -81,7 +77,7 @@ std::string text_of(const LocalPart& part) {
         << counted(sum.vertices.size(), "vertex", "vertices") << "; tight: " << counted(sum.tight_faces.size(), "face")
         << ", " << counted(sum.tight_segments.size(), "segment") << ", " << counted(sum.tight_points.size(), "point")
         << "\n";
-  else out << "  nothing bounds the sum there: it lies " << where_name(part.where) << "\n";
+  else out << "  nothing bounds the sum there: it lies " << name(part.where) << "\n";
   return out.str();
 }
 
@@ -100,19 +96,13 @@ SolidPose pose_of(const LocalCommand& command) {
   return pose;
 }
 
-LocalEngine engine_of(const LocalCommand& command) {
-  return command.engine == "brute"       ? LocalEngine::brute
-         : command.engine == "hierarchy" ? LocalEngine::hierarchy
-                                         : LocalEngine::updated;
-}
-
 ExitCode run_regions(const LocalCommand& command) {
   refuse_options(*command.parser, {"--ball", "--axis", "--hull"}, "is for solid operands");
   PlanarLocal local;
   local.operands = command.operands, local.files = command.files;
   local.box = command.box, local.disc = command.disc, local.to = command.to;
   local.memory_mb = command.memory_mb;
-  local.engine = engine_of(command), local.engine_name = command.engine;
+  local.engine = named<LocalEngine>(command.engine), local.engine_name = command.engine;
   local.angle = command.angle, local.report = command.report, local.input = command.input;
   if (!writes_to_stdout(command.files)) refuse_options(*command.parser, {"--to"}, "is the format of -o -");
   return run_planar_local(local);
@@ -129,7 +119,7 @@ ExitCode run_solid_parts(const LocalCommand& command) {
   std::ostream& out = report_stream(command.files, command.report.json);
   const std::vector<SolidInput> inputs = read_solids(command.operands, command.input);
   LocalOptions options;
-  options.engine = engine_of(command);
+  options.engine = named<LocalEngine>(command.engine);
   options.threads = 0;
   const InterruptGuard guard;
   std::optional<ProgressBar> bar(std::in_place);
@@ -195,8 +185,8 @@ void add_local_sum(CLI::App& app, Action& action) {
   verb.add_option("--to", command->to, "Format of -o -")
       ->check(CLI::IsMember({"json", "svg", "glb"}))
       ->capture_default_str();
-  verb.add_option("--engine", command->engine, "How the facets near the place are found; all give the same part")
-      ->check(CLI::IsMember({"updated", "hierarchy", "brute"}))
+  one_of<LocalEngine>(
+      verb.add_option("--engine", command->engine, "How the facets near the place are found; all give the same part"))
       ->capture_default_str();
   add_memory_limit(verb, command->memory_mb);
   add_report_options(verb, command->report, "Compute N times and report the median and minimum time");

@@ -17,7 +17,9 @@ void add_nfp(CLI::App& app, Action& action) {
       "The shape that stays comes first. slice, cspace, clearance and path take the ROBOT first: nfp OBSTACLE ROBOT "
       "is\n"
       "slice ROBOT OBSTACLE at angle 0.\nExample: dymsum nfp 'swim.json#0' 'swim.json#3' --repair -o nfp.svg";
-  verb.compute = nfp;
+  verb.planar = [](std::span<const PlanarOperand> sets, const SumOptions& options) {
+    return nfp(sets[0], sets[1], options);
+  };
   verb.solid = [](const Mesh& fixed, const Mesh& moving, const SpatialOptions& options) {
     return minkowski_sum(fixed, negated(moving), options);
   };

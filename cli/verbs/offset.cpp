@@ -23,7 +23,7 @@ struct OffsetCommand {
 
 ExitCode run(const OffsetCommand& command) {
   const double tolerance = command.tolerance.value_or(std::abs(command.by) / 50);
-  const OffsetBound bound = command.bound == "inside" ? OffsetBound::inside : OffsetBound::outside;
+  const OffsetBound bound = named<OffsetBound>(command.bound);
   // What is no distance is wrong usage, told before anything is read.
   if (command.by == 0) throw Stop(kUsage, "--by wants a distance, not 0");
   if (const auto ball = tessellated_ball(std::abs(command.by), tolerance, bound); !ball) {
@@ -65,8 +65,8 @@ void add_offset(CLI::App& app, Action& action) {
                          "Largest difference to the exact offset; a 50th of the distance if not given"),
          0)
       ->type_name("T");
-  verb.add_option("--bound", command->bound, "inside: contained in the exact offset; outside: containing it")
-      ->check(CLI::IsMember({"inside", "outside"}))
+  one_of<OffsetBound>(
+      verb.add_option("--bound", command->bound, "inside: contained in the exact offset; outside: containing it"))
       ->capture_default_str();
   add_solid_options(verb, command->solid);
   verb.footer(

@@ -21,6 +21,7 @@
 #include "planar/obstacle_input.h"
 #include "planar/tier.h"
 #include "progress_bar.h"
+#include "record_json.h"
 #include "report.h"
 #include "solid/solid_limits.h"
 #include "timing.h"
@@ -87,15 +88,10 @@ Json margin_json(const GrownRegion& robot) { return {{"kept", robot.margin}, {"a
 Json plan_json(const Plan& plan) {
   Json waypoints = Json::array();
   for (const Waypoint& w : plan.path) waypoints.push_back(waypoint_json(w));
-  const PlanWork& work = plan.work;
   return {{"found", plan.found()},
           {"waypoints", waypoints},
           {"reason", plan.found() ? Json(nullptr) : reason_json(*plan.reason)},
-          {"work",
-           {{"levels", work.levels},
-            {"slices", work.slices},
-            {"rotations", work.rotations},
-            {"refinements", work.refinements}}}};
+          {"work", json_without(plan.work, {"ms"})}};
 }
 
 // Of one goal its plan; of several a list of them.

@@ -109,8 +109,7 @@ void add_rotate(CLI::App& app, Action& action) {
   add_angle_options(verb, command->angle,
                     "The whole turn [360 degrees], its frames met within 2^-28 (solids) or --error (planar),");
   add_error_option(verb, command->error, "Planar: largest error of a frame's angle in radians [1e-6]");
-  verb.add_option("--semantics", command->semantics, "Planar: closed, open or regular [closed]")
-      ->check(CLI::IsMember({"closed", "open", "regular"}));
+  one_of<Semantics>(verb.add_option("--semantics", command->semantics, "Planar: closed, open or regular [closed]"));
   add_threads_option(verb, command->planar.threads);
   add_memory_limit(verb, command->planar.memory_mb);
   verb.add_option("-o", command->planar.files,

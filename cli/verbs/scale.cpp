@@ -93,7 +93,7 @@ std::vector<ScaleEvent> events_of(const ScalingSum& sum, const ScaleCommand& com
       std::minmax_element(scales.begin(), scales.end(),
                           [](const AxisScales& a, const AxisScales& b) { return a.x.approx() < b.x.approx(); });
   if (!command.next.empty()) {
-    const EventChange change = command.next == "topology" ? EventChange::topology : EventChange::visible;
+    const EventChange change = named<EventChange>(command.next);
     const std::optional<ScaleEvent> first = require(sum.next_event(low->x, high->x, change, progress));
     return first ? std::vector<ScaleEvent>{*first} : std::vector<ScaleEvent>{};
   }
@@ -191,17 +191,14 @@ void add_options(CLI::App& verb, ScaleCommand& command) {
                   "Planar: copies of P, one `scale x y` a line: the sum of each with Q, from one sum that scales")
       ->type_name("FILE");
   verb.add_flag("--robot", command.robot, "Q is a robot and P an obstacle: sums with -Q");
-  verb.add_option("--scaled", command.scaled, "Which operand scales")
-      ->check(CLI::IsMember({"p", "q"}))
-      ->capture_default_str();
-  verb.add_option("--mode", command.mode,
-                  "Planar: automatic chooses between the others by their cost; all give the same sums")
-      ->check(CLI::IsMember({"automatic", "window", "rebuild"}))
+  one_of<MovingOperand>(verb.add_option("--scaled", command.scaled, "Which operand scales"))->capture_default_str();
+  one_of<FrameMode>(
+      verb.add_option("--mode", command.mode,
+                      "Planar: automatic chooses between the others by their cost; all give the same sums"))
       ->capture_default_str();
   add_threads_option(verb, command.threads);
   add_memory_limit(verb, command.memory_mb);
-  verb.add_option("--semantics", command.semantics, "Planar: closed, open or regular")
-      ->check(CLI::IsMember({"closed", "open", "regular"}))
+  one_of<Semantics>(verb.add_option("--semantics", command.semantics, "Planar: closed, open or regular"))
       ->capture_default_str();
   verb.add_option(
           "-o", command.files,
@@ -215,10 +212,10 @@ void add_options(CLI::App& verb, ScaleCommand& command) {
       ->type_name("N");
   verb.add_flag("--events", command.events, "List the exact scales at which the sum changes");
   verb.add_option("--range", command.range, "Events of these scales, with frames at both ends")->type_name("A:B");
-  verb.add_option("--next", command.next,
-                  "With --range: only the first event after A that is visible, or changes the topology; exit code 4 if "
-                  "there is none")
-      ->check(CLI::IsMember({"visible", "topology"}));
+  one_of<EventChange>(verb.add_option(
+      "--next", command.next,
+      "With --range: only the first event after A that is visible, or changes the topology; exit code 4 if "
+      "there is none"));
   add_report_options(verb, command.report, "Sweep N times and report the median and minimum frame");
   add_exact_option(verb, command.report, OperandKind::planar);
   add_solid_input_options(verb, command.input, OperandKind::either, Hulls::of_results_too);
@@ -239,14 +236,10 @@ Scale read_scale(const std::string& text, const std::string& option) {
 
 MovingOptions scaling_options(const ScaleCommand& command) {
   MovingOptions options;
-  options.moving = command.scaled == "p" ? MovingOperand::p : MovingOperand::q;
+  options.moving = named<MovingOperand>(command.scaled);
   options.reflect_q = command.robot;
-  options.mode = command.mode == "window"    ? FrameMode::window
-                 : command.mode == "rebuild" ? FrameMode::rebuild
-                                             : FrameMode::automatic;
-  options.semantics = command.semantics == "open"      ? Semantics::open
-                      : command.semantics == "regular" ? Semantics::regular
-                                                       : Semantics::closed;
+  options.mode = named<FrameMode>(command.mode);
+  options.semantics = named<Semantics>(command.semantics);
   options.memory = memory_bytes(command.memory_mb);
   return options;
 }

@@ -16,6 +16,7 @@
 #include "options.h"
 #include "planar/tier.h"
 #include "progress_bar.h"
+#include "record_json.h"
 #include "report.h"
 #include "solid/solid_operands.h"
 #include "solid/solid_scale_range.h"
@@ -52,18 +53,6 @@ std::vector<RationalPoint> read_path(const std::string& text) {
   throw Stop(kBadInput, text + ": a path is one polyline or one point");
 }
 
-Json contact_json(const ScaleContact& c) {
-  const char* kind = c.kind == ScaleContact::Kind::vertex_on_edge   ? "vertex_on_edge"
-                     : c.kind == ScaleContact::Kind::edge_on_vertex ? "edge_on_vertex"
-                                                                    : "vertex_on_vertex";
-  return {{"kind", kind},
-          {"part", c.part},
-          {"obstacle", c.obstacle},
-          {"leg", c.leg},
-          {"along", c.along.to_string()},
-          {"at", {c.at.x.to_string(), c.at.y.to_string()}}};
-}
-
 std::string contact_text(const ScaleContact& c, bool on_path) {
   const std::string part = std::to_string(c.part), obstacle = std::to_string(c.obstacle);
   const std::string text =
@@ -74,23 +63,10 @@ std::string contact_text(const ScaleContact& c, bool on_path) {
   return text + ", part at (" + shown(c.at.x) + ", " + shown(c.at.y) + ")";
 }
 
-Json interval_json(const ScaleInterval& i) {
-  Json low = Json::array(), high = Json::array();
-  for (const ScaleContact& c : i.at_low) low.push_back(contact_json(c));
-  for (const ScaleContact& c : i.at_high) high.push_back(contact_json(c));
-  return {{"low", i.low ? Json(i.low->to_string()) : Json(nullptr)},
-          {"high", i.high ? Json(i.high->to_string()) : Json(nullptr)},
-          {"at_low", low},
-          {"at_high", high}};
-}
-
 void print_json(const ScaleRange& range, const Timing& timing, const std::vector<Input>& inputs) {
-  Json free = Json::array();
-  for (const ScaleInterval& i : range.free) free.push_back(interval_json(i));
-  const auto trap = range.trap();
   Json json = report_head("scale-range", inputs_json(inputs), tier_of(inputs[0].region, inputs[1].region), timing);
-  json.update({{"free", free},
-               {"trap", trap ? Json(trap->to_string()) : Json(nullptr)},
+  json.update({{"free", json_of(range.free)},
+               {"trap", json_of(range.trap())},
                {"critical", range.critical},
                {"tested", range.tested}});
   print_report(json);

@@ -64,8 +64,9 @@ ExitCode run_slice(const SliceCommand& command) {
   SumVerb verb = slice_verb();
   const Orientation theta = requested_orientation(command);
   verb.orientation = theta;
-  verb.compute = [theta](const Region& robot, const Region& obstacle, const SumOptions& options) {
-    return cspace_slice(robot, obstacle, theta, options);
+  verb.planar = [theta](std::span<const PlanarOperand> sets, const SumOptions& options) {
+    const auto region = [&](std::size_t k) -> const Region& { return *std::get<const Region*>(sets[k].set()); };
+    return cspace_slice(region(0), region(1), theta, options);
   };
   verb.shown = [theta](const Region& robot, const Region& obstacle) {
     return std::array{obstacle, turned(robot, theta).value_or(robot)};

@@ -1,6 +1,7 @@
 #include "verbs/sum_command.h"
 
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <iostream>
 #include <map>
 #include <memory>
@@ -20,15 +21,10 @@
 namespace dymsum::cli {
 namespace {
 
-const std::map<std::string, Engine> kEngines = {
-    {"fast", Engine::fast}, {"brute", Engine::brute}, {"winding", Engine::winding}};
-const std::map<std::string, Semantics> kSemantics = {
-    {"closed", Semantics::closed}, {"open", Semantics::open}, {"regular", Semantics::regular}};
-
 SumOptions sum_options(const SumCommand& command) {
   SumOptions options;
-  options.engine = kEngines.at(command.engine);
-  options.semantics = kSemantics.at(command.semantics);
+  options.engine = named<Engine>(command.engine);
+  options.semantics = named<Semantics>(command.semantics);
   options.memory = memory_bytes(command.memory_mb);
   for (const std::string& file : command.output.files) options.trace |= is_stage_picture(file);
   return options;
@@ -41,10 +37,10 @@ void check(const SumCommand& command) {
     refuse_options(*command.parser, {"--round-repair"}, "belongs to -o FILE.wkt, .poly or .geojson");
 }
 
-std::vector<Region> regions_of(const std::vector<Input>& inputs) {
-  std::vector<Region> regions;
-  for (const Input& input : inputs) regions.push_back(input.region);
-  return regions;
+std::vector<PlanarOperand> operands_of(const std::vector<Input>& inputs) {
+  std::vector<PlanarOperand> operands;
+  for (const Input& input : inputs) operands.push_back(input.operand());
+  return operands;
 }
 
 /// Exact fits of the open semantics are tight features alone; of a Boolean operation of open sets these are no part.
@@ -53,14 +49,30 @@ bool is_empty(const PlanarSum& sum, const SumVerb& verb) {
          (verb.boolean || (sum.tight_segments.empty() && sum.tight_points.empty()));
 }
 
-/// What pictures show beside the first operand: the second one, or of a Boolean operation all others.
-Region second_shown(const SumVerb& verb, const std::vector<Input>& inputs) {
-  if (!verb.boolean || inputs.size() == 2) return inputs[1].region;
+/// What pictures show beside the first operand: the second one, or all others.
+Region second_shown(const std::vector<Input>& inputs) {
+  if (inputs.size() == 2) return inputs[1].region;
   std::vector<PlanarOperand> others;
   for (std::size_t k = 1; k < inputs.size(); ++k) others.push_back(inputs[k].region);
   SumOptions regular;
   regular.semantics = Semantics::regular;
   return require(snap_rounded(require(united(others, regular)))).region;
+}
+
+/// Of the operands in pictures: the second shown stands for all but the first.
+SumNames names_of(const SumVerb& verb, std::size_t operands) {
+  SumNames names = verb.names;
+  const std::string sign = verb.name == "intersect"  ? " ∩ "
+                           : verb.name == "subtract" ? " ∖ "
+                           : verb.boolean            ? " ∪ "
+                                                     : " ⊕ ";
+  const char first = verb.boolean ? 'A' : 'P';
+  for (std::size_t k = 2; k < operands; ++k) {
+    const std::string name(1, static_cast<char>(std::min<std::size_t>(first + k, 'Z')));
+    names.q += " ∪ " + name;
+    names.sum += sign + name;
+  }
+  return names;
 }
 
 void add_output_options(CLI::App& verb, SumCommand& command, bool planar_result) {
@@ -73,11 +85,9 @@ void add_output_options(CLI::App& verb, SumCommand& command, bool planar_result)
           "Write the result; repeatable; " + planar + stages + solid + ", .html (the viewer); - is standard output")
       ->type_name("FILE")
       ->allow_extra_args(false);
-  std::vector<std::string> formats{"poly", "wkt", "geojson", "svg", "json", "dxf"};
-  if (!planar_result) formats.insert(formats.end(), {"off", "obj", "stl", "ply", "glb", "3mf"});
-  verb.add_option("--to", command.output.to,
-                  planar_result ? "Format of -o -" : "Format of -o -; of solids off if not given")
-      ->check(CLI::IsMember(formats))
+  one_of(verb.add_option("--to", command.output.to,
+                         planar_result ? "Format of -o -" : "Format of -o -; of solids off if not given"),
+         file_formats(planar_result ? OperandKind::planar : OperandKind::either))
       ->capture_default_str();
   verb.add_flag("--round-repair", command.output.round_repair,
                 std::string(planar_result ? "Where" : "Planar: where") +
@@ -88,18 +98,18 @@ void add_sum_options(CLI::App& verb, SumCommand& command, const SumVerb& of) {
   const bool planar_result = of.planar_result;
   add_output_options(verb, command, planar_result);
   if (!of.boolean)
-    verb.add_option("--engine", command.engine,
-                    planar_result ? "Planar operands: how the boundary is found; all give the same result"
-                                  : "How the boundary is found; all give the same set; of solids fast or brute")
-        ->check(CLI::IsMember({"fast", "brute", "winding"}))
+    one_of<Engine>(verb.add_option("--engine", command.engine,
+                                   planar_result
+                                       ? "Planar operands: how the boundary is found; all give the same result"
+                                       : "How the boundary is found; all give the same set; of solids fast or brute"))
         ->capture_default_str();
-  verb.add_option("--semantics", command.semantics,
-                  of.boolean
-                      ? "Planar operands: regular: parts with area alone; closed: with segments and points at which "
-                        "operands only touch; open: of open sets; tight features are listed with both"
-                      : std::string(planar_result ? "Planar operands: " : "") +
-                            "closed: sum of closed sets; open: touching is allowed; regular: no tight features")
-      ->check(CLI::IsMember({"closed", "open", "regular"}))
+  one_of<Semantics>(
+      verb.add_option(
+          "--semantics", command.semantics,
+          of.boolean ? "Planar operands: regular: parts with area alone; closed: with segments and points at which "
+                       "operands only touch; open: of open sets; tight features are listed with both"
+                     : std::string(planar_result ? "Planar operands: " : "") +
+                           "closed: sum of closed sets; open: touching is allowed; regular: no tight features"))
       ->capture_default_str();
   add_report_options(verb, command.report, "Compute N times and report the median and minimum time");
   add_exact_option(verb, command.report, planar_result ? OperandKind::planar : OperandKind::either);
@@ -111,11 +121,7 @@ CLI::App& declare_sum_verb(CLI::App& app, const SumVerb& verb, SumCommand& comma
   command.semantics = verb.semantics;
   CLI::App& parser = *app.add_subcommand(verb.name, verb.description);
   add_operands(parser, verb.first, verb.second, command.operands);
-  if (verb.several)
-    parser
-        .add_option("MORE", command.more,
-                    verb.boolean ? "More of them" : "More solids: the sum of all, exact throughout")
-        ->type_name("");
+  if (verb.several) parser.add_option("MORE", command.more, "More of them")->type_name("");
   add_sum_options(parser, command, verb);
   add_solid_input_options(parser, command.input, OperandKind::either,
                           verb.is_sum ? Hulls::of_results_too : Hulls::of_operands);
@@ -156,12 +162,13 @@ Action with_viewer(const SumVerb& verb, SumCommand& command, const Action& actio
 
 ExitCode run_sum(const SumVerb& verb, const SumCommand& command) {
   if (are_solid(command.operands, command.input)) return run_solid_sum(verb, command);
-  if (!command.more.empty() && !verb.boolean) throw Stop(kUsage, "more than two operands have to be solids");
   refuse_options(*command.parser, {"--triangulate", "--thin", "--round"}, "is for solids");
   std::ostream& out = report_stream(command.output.files, command.report.json);
   check(command);
   for (const std::string& file : command.output.files)
-    if (verb.boolean && is_stage_picture(file)) throw Stop(kUsage, file + ": " + verb.name + " has no stages to draw");
+    if ((verb.boolean || verb.two_steps || !command.more.empty()) && is_stage_picture(file))
+      throw Stop(kUsage, file + ": " + verb.name + (verb.is_sum ? " of more than two operands" : "") +
+                             " has no stages to draw");
   limit_memory(command.memory_mb);
   SumReport report;
   report.verb = verb.name;
@@ -171,7 +178,7 @@ ExitCode run_sum(const SumVerb& verb, const SumCommand& command) {
   report.exact = command.report.exact;
   std::vector<std::string> files = command.operands;
   files.insert(files.end(), command.more.begin(), command.more.end());
-  report.inputs = read_inputs(files, command.input);
+  report.inputs = verb.orientation ? read_inputs(files, command.input) : read_operands(files, command.input);
   const Region& p = report.inputs[0].region;
   const Region& q = report.inputs[1].region;
 
@@ -180,8 +187,7 @@ ExitCode run_sum(const SumVerb& verb, const SumCommand& command) {
   std::optional<ProgressBar> bar(std::in_place);
   options.progress = bar->callback();
   const auto compute = [&] {
-    PlanarSum sum = require_of(
-        report.inputs, verb.boolean ? verb.boolean(regions_of(report.inputs), options) : verb.compute(p, q, options));
+    PlanarSum sum = require_of(report.inputs, verb.planar(operands_of(report.inputs), options));
     throw_if_interrupted();
     return sum;
   };
@@ -189,20 +195,13 @@ ExitCode run_sum(const SumVerb& verb, const SumCommand& command) {
   bar.reset();
   report.sum = &sum;
   report.timing = timing;
-  const std::array<Region, 2> operands =
-      verb.shown ? verb.shown(p, q) : std::array{p, second_shown(verb, report.inputs)};
-  SumNames names = verb.names;
-  for (std::size_t k = 2; k < report.inputs.size(); ++k) {
-    names.q += " ∪ " + std::string(1, static_cast<char>('A' + std::min<std::size_t>(k, 25)));
-    names.sum += (verb.name == "intersect"  ? " ∩ "
-                  : verb.name == "subtract" ? " ∖ "
-                                            : " ∪ ") +
-                 std::string(1, static_cast<char>('A' + std::min<std::size_t>(k, 25)));
-  }
-  if (!verb.boolean)
+  const std::array<Region, 2> operands = verb.shown ? verb.shown(p, q) : std::array{p, second_shown(report.inputs)};
+  const bool regions =
+      std::none_of(report.inputs.begin(), report.inputs.end(), [](const Input& i) { return i.result; });
+  if (!verb.boolean && !verb.two_steps && regions && report.inputs.size() == 2)
     report.convolution = convolution_sizes(operands[0], verb.reflects_second ? negated(operands[1]) : operands[1]);
 
-  report.rounding = write_sum(operands[0], operands[1], sum, names, command.output);
+  report.rounding = write_sum(operands[0], operands[1], sum, names_of(verb, report.inputs.size()), command.output);
   if (command.report.json) {
     print_report(sum_json(report));
   } else {

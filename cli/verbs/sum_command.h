@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "dymsum/orientation.h"
-#include "dymsum/planar_sum.h"
+#include "dymsum/planar_operand.h"
 #include "dymsum/spatial_sum.h"
 #include "exit_code.h"
 #include "inputs.h"
@@ -27,11 +27,11 @@ struct SumVerb {
   std::string name;
   Operand first, second;
   std::string description, footer;
-  /// The public function it calls.
-  std::function<Result<PlanarSum>(const Region&, const Region&, const SumOptions&)> compute;
+  /// The public function it calls, of regions and results: two, or where it takes several more.
+  std::function<Result<PlanarSum>(std::span<const PlanarOperand>, const SumOptions&)> planar;
   std::function<Result<SpatialSum>(const Mesh&, const Mesh&, const SpatialOptions&)> solid;  ///< of solids
-  /// Of any number of regions, in place of `compute`: a Boolean operation, which has no convolution.
-  std::function<Result<PlanarSum>(std::span<const Region>, const SumOptions&)> boolean;
+  bool boolean = false;    ///< a Boolean operation, which has no convolution
+  bool two_steps = false;  ///< made of two operations: neither has the convolution, nor the stages, of the operands
   /// Of any number of solids; without it more than two are added.
   std::function<Result<SpatialSum>(std::span<const Mesh>, const SpatialOptions&)> solids;
   std::string semantics = "closed";        ///< where --semantics is not given
@@ -39,7 +39,7 @@ struct SumVerb {
   bool empty_is_no = false;                ///< an empty result ends with kNo
   bool planar_result = false;              ///< of solids, too
   bool is_sum = false;                     ///< of solids: takes parts without volume, and keeps convex faces whole
-  bool several = false;                    ///< takes more than two solids
+  bool several = false;                    ///< takes more than two operands
   std::string page, solid_page;            ///< of the viewer that shows regions, and solids
   std::optional<Orientation> orientation;  ///< of the operand that is turned, for the report
   SumNames names;                          ///< in pictures

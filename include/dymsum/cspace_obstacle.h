@@ -11,9 +11,9 @@
 #include <optional>
 #include <span>
 #include <string>
-#include <string_view>
 #include <vector>
 
+#include "dymsum/names.h"
 #include "dymsum/orientation.h"
 #include "dymsum/planar_sum.h"
 #include "dymsum/progress.h"
@@ -56,9 +56,6 @@ struct ObstacleEvent {
   std::uint32_t angle = 0;  ///< index in angles()
   Point at;                 ///< position (x, y), rounded
 };
-
-/// As reports write it: "alignment", "vertex_on_segment", "three_segments", "tight".
-std::string_view name(ObstacleEvent::Kind kind);
 
 /// Tight placements: free at one event angle, and no free placement with clearance comes near them. A point, where
 /// `from` equals `to`, or a segment. They belong to the boundary of the obstacle, beside the patches; together these

@@ -1,10 +1,9 @@
 // What happens at one parameter of a motion: one type for scales and angles, in the plane and in space.
 #pragma once
 
-#include <array>
 #include <cstdint>
-#include <string_view>
 
+#include "dymsum/names.h"
 #include "dymsum/rational.h"
 
 namespace dymsum {
@@ -20,12 +19,6 @@ enum class EventKind : std::uint8_t {
   four_facets,        ///< four facets have a point in common, two of them perhaps at a common edge
   coplanar_facets,    ///< parallel facets come into one plane
 };
-constexpr std::string_view name(EventKind kind) {
-  constexpr std::array<std::string_view, 8> kNames{"vertex_on_segment", "three_segments", "normal_on_arc",
-                                                   "vertex_on_facet",   "edge_on_edge",   "edge_and_facets",
-                                                   "four_facets",       "coplanar_facets"};
-  return kNames[static_cast<std::size_t>(kind)];
-}
 
 /// What an event has to change to be looked for.
 enum class EventChange : std::uint8_t {

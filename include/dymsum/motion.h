@@ -4,10 +4,10 @@
 
 #include <cstdint>
 #include <optional>
-#include <string_view>
 #include <vector>
 
 #include "dymsum/cspace_obstacle.h"
+#include "dymsum/names.h"
 #include "dymsum/orientation.h"
 #include "dymsum/planar_sum.h"
 #include "dymsum/progress.h"
@@ -81,9 +81,6 @@ struct MotionCheck {
   std::optional<Contact> contact;  ///< the nearest edge and vertex at `low`
   std::uint64_t poses = 0;         ///< examined
 };
-
-/// As reports write it: "free", "blocked", "undecided".
-std::string_view name(MotionCheck::Outcome outcome);
 
 /// x, y and theta linear in time at once, theta at face value: the way from 0 to 7 is more than a whole turn.
 /// Certified: a pose with a gap larger than |d(x, y)| + min(R |d theta|, 2 R) is free up to there, R being the robot's

@@ -4,33 +4,15 @@
 #include <cstddef>
 #include <span>
 #include <string>
-#include <variant>
 
 #include "dymsum/fill.h"
+#include "dymsum/planar_operand.h"
 #include "dymsum/planar_sum.h"
 #include "dymsum/region.h"
 #include "dymsum/result.h"
 #include "dymsum/snap_rounding.h"
 
 namespace dymsum {
-
-/// What a Boolean operation takes: a region, or a result. It refers to it, and is meant for the call alone.
-///
-/// A result of these operations stands for the operations that made it: its edges lie on edges of the first operands
-/// whatever has been done with it, and no position is rounded in between, nor does any integer grow. So semantics are
-/// those of the last operation: what regular semantics left out of a result counts again where that result takes part
-/// in a closed operation; an empty result is the empty set. Any other result
-/// (a sum, an erosion) is an operand where all its vertices are doubles.
-class PlanarOperand {
- public:
-  PlanarOperand(const Region& region) : set_(&region) {}     // NOLINT(google-explicit-constructor)
-  PlanarOperand(const PlanarSum& result) : set_(&result) {}  // NOLINT(google-explicit-constructor)
-
-  const std::variant<const Region*, const PlanarSum*>& set() const { return set_; }
-
- private:
-  std::variant<const Region*, const PlanarSum*> set_;
-};
 
 /// What lies in one of the sets, in all of them, in `a` but not in `b`, in one of both alone. Of no sets the union is
 /// empty; the intersection takes at least one (out_of_range).
@@ -43,11 +25,16 @@ class PlanarOperand {
 /// that share an edge miss it). Semantics::regular: the closure of the interior alone; polylines and points of operands
 /// are left out.
 ///
+/// A result of these operations is taken for the operations that made it: its edges lie on edges of the first operands
+/// whatever has been done with it, and no integer grows. So semantics are those of the last operation: what regular
+/// semantics left out of a result counts again where that result takes part in a closed operation; an empty result is
+/// the empty set. Of any other result (a sum, an erosion) the parts take part.
+///
 /// Exact and canonical: equal sets are equal results. Provenance: `p` of a contact and of a corner counts the vertices
 /// and edges of all regions that take part, one after the other as they come first, each once where a result takes
 /// part several times; `q` is 0. Of the options semantics, progress and memory count.
-/// Errors: unsupported_operand for regions with polylines or points (but for Semantics::regular), for coordinates
-/// beyond 2^1000, and for other results with a vertex that is no double, with its position; cancelled; out_of_memory.
+/// Errors: unsupported_operand for regions with polylines or points (but for Semantics::regular) and for coordinates
+/// beyond 2^1000; cancelled; out_of_memory.
 /// O(n log n + k + c n / r) for n edges of all regions, k of their crossings and c connected pieces of their edges,
 /// each of which looks at one of r rows; times the number of operands.
 Result<PlanarSum> united(std::span<const PlanarOperand> sets, const SumOptions& options = {});

@@ -5,10 +5,10 @@
 #include <cstdint>
 #include <optional>
 #include <string>
-#include <string_view>
 #include <vector>
 
 #include "dymsum/motion.h"
+#include "dymsum/names.h"
 
 namespace dymsum {
 
@@ -26,9 +26,6 @@ struct ExactConfiguration {
   RationalPoint at;
   Orientation theta;
 };
-
-/// As reports write it: "start", "translation", "counter_clockwise", "clockwise".
-std::string_view name(Waypoint::Move move);
 
 /// A connected component of free space, touching not counted as a connection.
 struct FreeComponent {
@@ -71,9 +68,6 @@ struct NoPath {
   /// events at irrational angles, at which nothing is passed by touching alone
   std::uint32_t unexamined_angles = 0;
 };
-
-/// As reports write it: "start_not_free", "goal_not_free", "separated", "undecided".
-std::string_view name(NoPath::Kind kind);
 
 struct PlanWork {
   std::uint64_t levels = 0, slices = 0, rotations = 0;

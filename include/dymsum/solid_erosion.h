@@ -15,10 +15,13 @@ namespace dymsum {
 /// Cost: that of the sum of A with a box around it, and -B. Errors: as minkowski_sum; unsupported_operand for an empty
 /// B (every position holds it), and where A is too far from the origin to put a box around it.
 Result<SpatialSum> erode(const Mesh& a, const Mesh& b, const SpatialOptions& options = {});
+/// The same of the regular part of a sum, unrounded. Errors also: out_of_range, as minkowski_sum of a sum.
+Result<SpatialSum> erode(const SpatialSum& a, const Mesh& b, const SpatialOptions& options = {});
 
 /// What becomes of positions between two operations that are no doubles.
 enum class BetweenSteps : std::uint8_t {
-  exact,    ///< error rounding_changed_topology with the position (the default)
+  exact,    ///< they are fractions, and the result is exact (the default). Error out_of_range with the position where
+            ///< all of them, in units of their common denominator, need more than 8,192 bits
   rounded,  ///< each coordinate to the nearest double, or where nothing is tight and faces cross then, as
             ///< SpatialSum::rounded; SolidOpening reports how far that moved them. Error rounding_changed_topology with
             ///< the position where that leaves less of a tight face or segment, or faces cross beside tight features
@@ -33,8 +36,8 @@ struct SolidOpening {
 /// (A (-) B) (+) B: the union of all x + B inside A. What is tight in A (-) B counts, positions without room to move:
 /// a channel opened by itself is itself. With Semantics::regular it does not, and only what B covers in positions with
 /// room to move is left. The result's own tight features are those of the open sum with int B, such as the seam
-/// between two copies of B side by side. Exact where the vertices of A (-) B are doubles, as those of solids with
-/// axis-parallel faces; see BetweenSteps.
+/// between two copies of B side by side. Exact; where vertices of A (-) B are fractions, as those of most solids whose
+/// faces are not parallel to the axes, signs cost more: see BetweenSteps.
 Result<SolidOpening> opening(const Mesh& a, const Mesh& b, const SpatialOptions& options = {},
                              BetweenSteps between = BetweenSteps::exact);
 

@@ -108,7 +108,6 @@ class SpatialSum {
   double at_error = 0;
   std::vector<SpatialFace> faces;
   std::size_t shells = 0;
-  std::vector<SpatialEdge> edges;  ///< of the faces, sorted by from and to
   /// Of every vertex the two vertices that touch there, or an edge and a vertex; none where three faces cross.
   std::vector<std::optional<SolidContact>> vertex_contacts;
 
@@ -128,6 +127,8 @@ class SpatialSum {
   /// holes and nothing tight, and a contact at every vertex and along every edge.
   bool is_convex() const;
 
+  /// The edges of the faces, sorted by from and to, made from these at every call. O(n log n).
+  std::vector<SpatialEdge> edges() const;
   /// The tight faces as triangles of their own vertices, in the faces' order. Exact. O(n log n).
   std::vector<std::array<std::uint32_t, 3>> tight_triangles() const;
   /// The exact position of a vertex.
@@ -189,6 +190,7 @@ class SpatialSum {
  private:
   friend struct spatial::SpatialSumInternals;
   std::shared_ptr<const spatial::SpatialPositions> positions_;  // what the exact positions are made from
+  std::vector<std::optional<SolidContact>> edge_contacts_;      // of edges(); of convex sums vertex_contacts have them
 };
 
 /// P (+) Q, the closed sum of closed solids; its boundary is that of the closure of the open sum's complement. Either
@@ -213,14 +215,20 @@ Result<SpatialSum> minkowski_sum(const Mesh& p, const Mesh& q, const SpatialOpti
 /// unsupported_operand with the position of a vertex that no doubles hold.
 Result<Mesh> as_mesh(const SpatialSum& sum);
 
+/// The sum of the regular part of a sum and a solid, or another sum's: nothing is rounded, whatever fractions the
+/// vertices are. Where they are no doubles, signs are those of integers in units of the common denominator of all
+/// vertices. Faces name triangles and vertices of the operands as as_mesh would number them. Errors: as minkowski_sum;
+/// out_of_range with a position where these integers need more than 8,192 bits.
+Result<SpatialSum> minkowski_sum(const SpatialSum& p, const Mesh& q, const SpatialOptions& options = {});
+Result<SpatialSum> minkowski_sum(const SpatialSum& p, const SpatialSum& q, const SpatialOptions& options = {});
+
 /// The sum of several operands, at least one. Convex solids alone are added from the first one on, exactly whatever
 /// their coordinates (with the fast engine). Others are added two at a time: convex solids first, then other solids,
 /// then those with thin parts. Sums in between are operands, without what is tight; as the open sum of three takes
-/// nothing from that, nothing is lost. Vertices of theirs may be fractions, where doubles hold them, and the other
-/// operands, in units of a common denominator of at most 2^52; where none do, other pairs are added first. Faces name
-/// features of the last two. Errors: as minkowski_sum; unsupported_operand where no two operands are left whose sum is
-/// an operand, with the number of those that were added in the message and a vertex of the first sum. Cost: that of all
-/// sums in between, and of those that are no operand.
+/// nothing from that, nothing is lost. Two whose sum doubles hold, in units of a common denominator of at most 2^52,
+/// are added first; where there are none, vertices in between are fractions, as above. Faces name features of the last
+/// two. Errors: as minkowski_sum; out_of_range as above, with the number of operands that were added in the message.
+/// Cost: that of all sums in between, and of those that are tried.
 Result<SpatialSum> minkowski_sum(std::span<const Mesh> operands, const SpatialOptions& options = {});
 
 /// True when z lies in the sum: P and z - Q meet (closed, regular), or their interiors do (open; of thin parts: they

@@ -38,17 +38,32 @@ from ._core import (
 )
 
 
-def minkowski_sum(p: Region, q: Region, options: Optional[SumOptions]) -> PlanarSum:
+PlanarOperand = Union[Region, PlanarSum]
+
+
+def minkowski_sum(p: PlanarOperand, q: PlanarOperand, options: Optional[SumOptions]) -> PlanarSum:
     """As the function of this name; without options by the default ones. So the following."""
     return _core.minkowski_sum(p, q, options or SumOptions())
 
 
-def nfp(a: Region, b: Region, options: Optional[SumOptions]) -> PlanarSum:
+def planar_sum_of(sets: list[PlanarOperand], options: Optional[SumOptions]) -> PlanarSum:
+    return _core.minkowski_sum(sets, options or SumOptions())
+
+
+def nfp(a: PlanarOperand, b: PlanarOperand, options: Optional[SumOptions]) -> PlanarSum:
     return _core.nfp(a, b, options or SumOptions())
 
 
-def erode(p: Region, q: Region, options: Optional[SumOptions]) -> PlanarSum:
+def erode(p: PlanarOperand, q: PlanarOperand, options: Optional[SumOptions]) -> PlanarSum:
     return _core.erode(p, q, options or SumOptions())
+
+
+def opening(p: PlanarOperand, q: PlanarOperand, options: Optional[SumOptions]) -> PlanarSum:
+    return _core.opening(p, q, options or SumOptions())
+
+
+def closing(p: PlanarOperand, q: PlanarOperand, options: Optional[SumOptions]) -> PlanarSum:
+    return _core.closing(p, q, options or SumOptions())
 
 
 def union_of(regions: list[Region], options: Optional[SumOptions]) -> PlanarSum:
@@ -76,6 +91,7 @@ intersection = _core.intersection
 difference = _core.difference
 symmetric_difference = _core.symmetric_difference
 filled = _core.filled
+parse_sum = _core.parse_sum
 
 
 def scaling(p: Region, q: Region, options: MovingOptions, sx: Scale, sy: Scale) -> ScalingSum:

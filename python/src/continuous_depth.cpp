@@ -4,6 +4,7 @@
 #include "arguments.h"
 #include "bind.h"
 #include "calls.h"
+#include "enumeration.h"
 #include "held.h"
 #include "record.h"
 #include "remember.h"
@@ -76,12 +77,9 @@ void bind_continuous_options(nb::module_& m) {
 }
 
 void bind_contact(nb::module_& m) {
-  nb::enum_<Discontinuity>(m, "Discontinuity", "Why an answer does not follow from the last one continuously.")
-      .value("none", Discontinuity::none, "it does")
-      .value("entered", Discontinuity::entered, "there is no last one inside")
-      .value("fold", Discontinuity::fold, "the branch ends here, or turns back")
-      .value("inflation", Discontinuity::inflation, "the branch goes on, but is too long a way out")
-      .value("lost", Discontinuity::lost, "the sum's boundary changed too much");
+  enumeration<Discontinuity>(m, "Discontinuity", "Why an answer does not follow from the last one continuously.",
+                             {"it does", "there is no last one inside", "the branch ends here, or turns back",
+                              "the branch goes on, but is too long a way out", "the sum's boundary changed too much"});
   Record<ContinuousContact> contact(m, "ContinuousContact", "Depth at one pose, rounded.");
   Record<ContinuousContact::Work>(contact, "Work", "What an answer took.")
       .field("local_sums", &ContinuousContact::Work::local_sums)

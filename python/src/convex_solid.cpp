@@ -3,6 +3,7 @@
 
 #include "arguments.h"
 #include "bind.h"
+#include "enumeration.h"
 #include "record.h"
 
 namespace dymsum::python {
@@ -15,11 +16,7 @@ void bind_solid_changes(nb::module_& m) {
       .field("first", &IndexRange::first)
       .field("count", &IndexRange::count);
   Record<FacetChange> change(m, "FacetChange", "What happened to a facet from one solid to the next.");
-  nb::enum_<FacetChange::Kind>(change, "Kind", "What happened to a facet.")
-      .value("appeared", FacetChange::Kind::appeared)
-      .value("disappeared", FacetChange::Kind::disappeared)
-      .value("reshaped", FacetChange::Kind::reshaped)
-      .value("turned", FacetChange::Kind::turned);
+  enumeration<FacetChange::Kind>(change, "Kind", "What happened to a facet.");
   change.field("kind", &FacetChange::kind)
       .field("facet", &FacetChange::facet)
       .field("vertices_appeared", &FacetChange::vertices_appeared)

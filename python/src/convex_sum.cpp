@@ -6,6 +6,7 @@
 #include "calls.h"
 #include "dymsum/convex_memory.h"
 #include "dymsum/convex_solid.h"
+#include "enumeration.h"
 #include "record.h"
 #include "remember.h"
 
@@ -30,26 +31,9 @@ Convex of_sum(nb::handle_t<SpatialSum> p, const MeshArgument& q) {
 }
 
 void bind_convex_results(nb::module_& m) {
-  nb::enum_<ConvexEngine>(m, "ConvexEngine", "How a sum of convex solids is found.")
-      .value("walk", ConvexEngine::walk)
-      .value("brute", ConvexEngine::brute);
-  Record<MotionWork>(m, "MotionWork", "The work of one move.")
-      .field("vertex_checks", &MotionWork::vertex_checks)
-      .field("vertex_errors", &MotionWork::vertex_errors)
-      .field("crossing_checks", &MotionWork::crossing_checks)
-      .field("arc_checks", &MotionWork::arc_checks)
-      .field("arcs_changed", &MotionWork::arcs_changed)
-      .field("steps", &MotionWork::steps)
-      .field("facets_added", &MotionWork::facets_added)
-      .field("facets_removed", &MotionWork::facets_removed)
-      .field("exact_signs", &MotionWork::exact_signs);
-  Record<ConvexDepth>(m, "ConvexDepth", "How deep a point lies in a sum.")
-      .field("inside", &ConvexDepth::inside, "in the interior")
-      .field("depth", &ConvexDepth::depth)
-      .field("depth_squared", &ConvexDepth::depth_squared, "exact")
-      .field("direction", &ConvexDepth::direction, "unit outward normal of the nearest facet")
-      .field("p", &ConvexDepth::p)
-      .field("q", &ConvexDepth::q);
+  enumeration<ConvexEngine>(m, "ConvexEngine", "How a sum of convex solids is found.");
+  Record<MotionWork>(m, "MotionWork", "The work of one move.").listed();
+  Record<ConvexDepth>(m, "ConvexDepth", "How deep a point lies in a sum.").listed();
 }
 
 void bind_making(nb::class_<Convex>& type) {
@@ -143,8 +127,7 @@ True
       .field("q", &ConvexSum::Vertex::q)
       .constructible();
   Record<ConvexSum::FacetCount>(type, "FacetCount", "How many facets, and how many of them the last move brought.")
-      .field("all", &ConvexSum::FacetCount::all)
-      .field("changed", &ConvexSum::FacetCount::changed);
+      .listed();
   Record<ConvexSum::Support>(type, "Support", "An extreme vertex and its position.")
       .field("vertex", &ConvexSum::Support::vertex)
       .field("at", &ConvexSum::Support::at);

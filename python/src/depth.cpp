@@ -4,6 +4,7 @@
 #include "arguments.h"
 #include "bind.h"
 #include "calls.h"
+#include "enumeration.h"
 #include "held.h"
 #include "record.h"
 
@@ -56,42 +57,21 @@ struct Question {
 };
 
 void bind_solid_distance(nb::module_& m) {
-  nb::enum_<Meeting>(m, "Meeting", "How two sets lie.")
-      .value("overlapping", Meeting::overlapping, "their interiors meet")
-      .value("touching", Meeting::touching, "they touch and no more")
-      .value("apart", Meeting::apart, "they have no point in common");
+  enumeration<Meeting>(m, "Meeting", "How two sets lie.",
+                       {"their interiors meet", "they touch and no more", "they have no point in common"});
   Record<SolidTouch>(m, "SolidTouch", "A feature of P and one of Q that touch: their relative interiors meet.")
-      .field("p", &SolidTouch::p, "by the mesh's indices")
-      .field("q", &SolidTouch::q)
-      .field("dimension", &SolidTouch::dimension,
-             "of what they have in common: 0 a point, 1 a segment, 2 a part of a plane")
-      .field("at", &SolidTouch::at, "one of these positions, exact, Q being moved")
-      .field("patch", &SolidTouch::patch, "the connected piece of all that touches, from 0 on");
+      .listed();
   Record<SolidWay>(m, "SolidWay", "A shortest move of Q: it separates overlapping solids, or brings others in touch.")
-      .field("move", &SolidWay::move, "exact")
-      .field("direction", &SolidWay::direction, "of length 1, rounded; zero where `move` is")
-      .field("contacts", &SolidWay::contacts,
-             "all pairs of features that touch once Q is moved, the greatest dimension first");
+      .listed();
   Record<SolidDistance> distance(m, "SolidDistance", "The depth of what overlaps, else the gap.");
-  Record<SolidDistance::Work>(distance, "Work", "What an answer took.")
-      .field("facets", &SolidDistance::Work::facets, "of the convolution that were looked at")
-      .field("candidates", &SolidDistance::Work::candidates, "positions that were asked about")
-      .field("exact_tests", &SolidDistance::Work::exact_tests, "of these, in exact arithmetic")
-      .field("collision_tests", &SolidDistance::Work::collision_tests,
-             "exact ones; none where a free position of the last answer tells");
-  distance.field("meeting", &SolidDistance::meeting)
-      .field("squared", &SolidDistance::squared, "the exact square of `distance`")
-      .field("distance", &SolidDistance::distance, "the nearest double, in the unit of the coordinates")
-      .field("ways", &SolidDistance::ways, "all shortest moves, sorted; one of nothing where the solids touch")
-      .field("complete", &SolidDistance::complete, "false where the time limit came first")
-      .field("at_least", &SolidDistance::at_least, "a lower bound of the distance; itself where complete")
-      .field("work", &SolidDistance::work, "no part of the value");
+  Record<SolidDistance::Work>(distance, "Work", "What an answer took.").listed();
+  distance.listed();
 }
 
 void bind_depth_options(nb::module_& m) {
-  nb::enum_<DepthEngine>(m, "DepthEngine", "How depth is found; the answers are equal.")
-      .value("search", DepthEngine::search, "best first over the facets of the convolution; no sum is built")
-      .value("boundary", DepthEngine::boundary, "all faces and tight features of the exact sum: the reference");
+  enumeration<DepthEngine>(m, "DepthEngine", "How depth is found; the answers are equal.",
+                           {"best first over the facets of the convolution; no sum is built",
+                            "all faces and tight features of the exact sum: the reference"});
   Record<DepthOptions> options(m, "DepthOptions", "Options of SolidDepth.");
   options.def(
       "__init__",
@@ -296,25 +276,12 @@ DepthOfRegions of_regions(const RegionArgument& p, const RegionArgument& q) {
 
 void bind_planar_depth(nb::module_& m) {
   Record<PlanarFeature> feature(m, "PlanarFeature", "A vertex of a region, or the edge that starts there.");
-  nb::enum_<PlanarFeature::Kind>(feature, "Kind", "What a feature is.")
-      .value("vertex", PlanarFeature::Kind::vertex)
-      .value("edge", PlanarFeature::Kind::edge);
-  feature.field("kind", &PlanarFeature::kind).field("index", &PlanarFeature::index);
+  enumeration<PlanarFeature::Kind>(feature, "Kind", "What a feature is.");
+  feature.listed();
   Record<PlanarTouch>(m, "PlanarTouch", "A feature of P and one of Q that touch: their relative interiors meet.")
-      .field("p", &PlanarTouch::p, "by the region's indices")
-      .field("q", &PlanarTouch::q)
-      .field("dimension", &PlanarTouch::dimension, "of what they have in common: 0 a point, 1 a segment")
-      .field("at", &PlanarTouch::at, "one of these points, exact, Q being moved")
-      .field("patch", &PlanarTouch::patch, "the connected piece of all that touches, from 0 on");
-  Record<PlanarWay>(m, "PlanarWay", "A shortest move of planar Q.")
-      .field("move", &PlanarWay::move, "exact")
-      .field("direction", &PlanarWay::direction, "of length 1, rounded; zero where `move` is")
-      .field("contacts", &PlanarWay::contacts, "all pairs of features that touch then, the greatest dimension first");
-  Record<PlanarDistance>(m, "PlanarDistance", "The depth of regions that overlap, else the gap.")
-      .field("meeting", &PlanarDistance::meeting)
-      .field("squared", &PlanarDistance::squared, "the exact square of `distance`")
-      .field("distance", &PlanarDistance::distance, "the nearest double")
-      .field("ways", &PlanarDistance::ways, "all shortest moves, sorted by x, y");
+      .listed();
+  Record<PlanarWay>(m, "PlanarWay", "A shortest move of planar Q.").listed();
+  Record<PlanarDistance>(m, "PlanarDistance", "The depth of regions that overlap, else the gap.").listed();
   nb::class_<DepthOfRegions>(
       m, "PlanarDepth",
       R"doc(How deep planar regions lie in each other: the sum is built once. May be shared by threads.

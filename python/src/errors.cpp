@@ -6,6 +6,8 @@
 #include <optional>
 #include <string>
 
+#include "dymsum/fields.h"
+#include "enumeration.h"
 #include "leaving.h"
 
 namespace dymsum::python {
@@ -13,49 +15,37 @@ namespace {
 
 using namespace nb::literals;
 
+nb::object object_of(const std::string& text) { return nb::cast(text); }
 template <class T>
-nb::object or_none(const std::optional<T>& value) {
+nb::object object_of(const std::optional<T>& value) {
   return value ? nb::cast(*value) : nb::none();
 }
 
-nb::object evidence_object(const Evidence& e) {
-  return nb::module_::import_("dymsum._errors")
-      .attr("Evidence")(e.file, or_none(e.line), or_none(e.part), or_none(e.ring), or_none(e.vertex),
-                        or_none(e.other_part), or_none(e.other_ring), or_none(e.other_vertex), or_none(e.face),
-                        or_none(e.other_face), or_none(e.x), or_none(e.y), or_none(e.z));
+nb::object evidence_object(const Evidence& evidence) {
+  nb::dict fields;
+  names::for_each_field(evidence, [&](std::string_view name, const auto& value) {
+    fields[nb::str(name.data(), name.size())] = object_of(value);
+  });
+  return nb::module_::import_("dymsum._errors").attr("Evidence")(**fields);
 }
 
+void read(nb::handle from, std::string& to) { to = nb::cast<std::string>(from); }
 template <class T>
-void read(nb::handle from, const char* name, std::optional<T>& to) {
-  const nb::object value = from.attr(name);
-  if (!value.is_none()) to = nb::cast<T>(value);
+void read(nb::handle from, std::optional<T>& to) {
+  if (!from.is_none()) to = nb::cast<T>(from);
 }
 
 Evidence evidence_of(nb::handle object) {
-  Evidence e;
-  e.file = nb::cast<std::string>(object.attr("file"));
-  read(object, "line", e.line);
-  read(object, "part", e.part);
-  read(object, "ring", e.ring);
-  read(object, "vertex", e.vertex);
-  read(object, "other_part", e.other_part);
-  read(object, "other_ring", e.other_ring);
-  read(object, "other_vertex", e.other_vertex);
-  read(object, "face", e.face);
-  read(object, "other_face", e.other_face);
-  read(object, "x", e.x);
-  read(object, "y", e.y);
-  read(object, "z", e.z);
-  return e;
+  Evidence evidence;
+  names::for_each_field(
+      evidence, [&](std::string_view name, auto& value) { read(object.attr(std::string(name).c_str()), value); });
+  return evidence;
 }
 
 void bind_codes(nb::module_& m) {
-  nb::enum_<ErrorCode> codes(m, "ErrorCode", "What went wrong: the code of an Error.");
-  for (int k = 0; k <= static_cast<int>(ErrorCode::out_of_memory); ++k) {
-    const auto code = static_cast<ErrorCode>(k);
-    codes.value(std::string(name(code)).c_str(), code);
-  }
-  m.def("name", nb::overload_cast<ErrorCode>(&name), "code"_a, "The name of a code as it is written in code.");
+  enumeration<ErrorCode>(m, "ErrorCode", "What went wrong: the code of an Error.");
+  m.def(
+      "name", [](ErrorCode code) { return name(code); }, "code"_a, "The name of a code as it is written in code.");
 }
 
 }  // namespace

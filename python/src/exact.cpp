@@ -4,6 +4,7 @@
 #include "dymsum/orientation.h"
 #include "dymsum/planar_pose.h"
 #include "dymsum/rotation.h"
+#include "enumeration.h"
 #include "record.h"
 
 namespace dymsum::python {
@@ -45,9 +46,7 @@ True
       .def("__reduce__",
            [](nb::handle_t<Scale> self) { return nb::make_tuple(self.type(), nb::make_tuple(self.attr("exact")())); });
   bind_hash<Scale>(scale, [](const Scale& self) { return nb::cast(self.exact()); });
-  nb::enum_<StepKind>(m, "StepKind", "How a step leads from one scale to the next.")
-      .value("difference", StepKind::difference)
-      .value("percent", StepKind::percent);
+  enumeration<StepKind>(m, "StepKind", "How a step leads from one scale to the next.");
   m.def(
       "parse_scale_step", [](const std::string& text) { return take(parse_scale_step(text)); }, "text"_a);
   m.def(

@@ -3,6 +3,7 @@
 
 #include "bind.h"
 #include "calls.h"
+#include "enumeration.h"
 #include "record.h"
 
 namespace dymsum::python {
@@ -11,13 +12,8 @@ namespace {
 using namespace nb::literals;
 
 void bind_moving_options(nb::module_& m) {
-  nb::enum_<MovingOperand>(m, "MovingOperand", "Which operand moves, about the origin of its coordinates.")
-      .value("p", MovingOperand::p)
-      .value("q", MovingOperand::q);
-  nb::enum_<FrameMode>(m, "FrameMode", "How frames are made; all give the same sums.")
-      .value("automatic", FrameMode::automatic)
-      .value("window", FrameMode::window)
-      .value("rebuild", FrameMode::rebuild);
+  enumeration<MovingOperand>(m, "MovingOperand", "Which operand moves, about the origin of its coordinates.");
+  enumeration<FrameMode>(m, "FrameMode", "How frames are made; all give the same sums.");
   Record<MovingOptions> options(m, "MovingOptions", "Options of sums in motion.");
   options.def(
       "__init__",
@@ -41,44 +37,13 @@ void bind_moving_options(nb::module_& m) {
               "bytes that arrays which grow faster than the operands may hold; 0: no limit");
 }
 
-void bind_frame_work(nb::module_& m) {
-  Record<FrameWork>(m, "FrameWork", "The work of one frame.")
-      .field("rebuilt", &FrameWork::rebuilt)
-      .field("new_window", &FrameWork::new_window)
-      .field("degenerate", &FrameWork::degenerate)
-      .field("pieces", &FrameWork::pieces)
-      .field("candidates", &FrameWork::candidates)
-      .field("pieces_repaired", &FrameWork::pieces_repaired)
-      .field("lists_changed", &FrameWork::lists_changed)
-      .field("crossings_changed", &FrameWork::crossings_changed)
-      .field("loops_traced", &FrameWork::loops_traced)
-      .field("loops_kept", &FrameWork::loops_kept)
-      .field("witnessed", &FrameWork::witnessed)
-      .field("witnesses_lost", &FrameWork::witnesses_lost)
-      .field("collision_tests", &FrameWork::collision_tests)
-      .field("exact_signs", &FrameWork::exact_signs)
-      .field("window_low", &FrameWork::window_low)
-      .field("window_high", &FrameWork::window_high)
-      .field("ms", &FrameWork::ms)
-      .field("peak_bytes", &FrameWork::peak_bytes);
-}
+void bind_frame_work(nb::module_& m) { Record<FrameWork>(m, "FrameWork", "The work of one frame.").listed(); }
 
 void bind_frame_changes(nb::module_& m) {
   Record<RingChange> ring(m, "RingChange", "What happened to a ring from one frame to the next.");
-  nb::enum_<RingChange::Kind>(ring, "Kind", "What happened to a ring.")
-      .value("appeared", RingChange::Kind::appeared)
-      .value("disappeared", RingChange::Kind::disappeared)
-      .value("reshaped", RingChange::Kind::reshaped)
-      .value("moved", RingChange::Kind::moved);
-  ring.field("kind", &RingChange::kind)
-      .field("ring", &RingChange::ring, "identity")
-      .field("vertices_appeared", &RingChange::vertices_appeared)
-      .field("vertices_disappeared", &RingChange::vertices_disappeared);
-  Record<FrameChanges>(m, "FrameChanges", "What a frame changed.")
-      .field("rings", &FrameChanges::rings)
-      .field("tight_points", &FrameChanges::tight_points)
-      .field("tight_segments", &FrameChanges::tight_segments)
-      .field("topology", &FrameChanges::topology);
+  enumeration<RingChange::Kind>(ring, "Kind", "What happened to a ring.");
+  ring.listed();
+  Record<FrameChanges>(m, "FrameChanges", "What a frame changed.").listed();
 }
 
 }  // namespace

@@ -7,6 +7,7 @@
 #include "bind.h"
 #include "calls.h"
 #include "dymsum/region_io.h"
+#include "enumeration.h"
 #include "record.h"
 
 namespace dymsum::python {
@@ -56,13 +57,10 @@ constexpr M DiscSetOf::*of_set(M DiscSet::*member) {
 }
 
 void bind_disc_radius(nb::module_& m) {
-  nb::enum_<DiscSide>(m, "DiscSide", "Where discs grow.")
-      .value("outside", DiscSide::outside, "outside of the region: sum, closing")
-      .value("inside", DiscSide::inside, "inside: erosion, opening");
-  nb::enum_<DiscBound>(m, "DiscBound", "Where polygons that stand for a set lie.")
-      .value("inside", DiscBound::inside, "in it")
-      .value("outside", DiscBound::outside, "around it")
-      .value("nearest", DiscBound::nearest, "with all vertices on its boundary");
+  enumeration<DiscSide>(m, "DiscSide", "Where discs grow.",
+                        {"outside of the region: sum, closing", "inside: erosion, opening"});
+  enumeration<DiscBound>(m, "DiscBound", "Where polygons that stand for a set lie.",
+                         {"in it", "around it", "with all vertices on its boundary"});
   nb::class_<DiscRadius> radius(m, "DiscRadius",
                                 "A radius: an exact number, or exactly that of an event, which need not be rational.");
   radius
@@ -87,9 +85,7 @@ void bind_disc_radius(nb::module_& m) {
         return nb::make_tuple(self.type(), nb::make_tuple(own->value));
       });
   radius.attr("__hash__") = nb::none();
-  Record<DiscEvent>(m, "DiscEvent", "A radius at which the pieces of the boundary change.")
-      .field("radius", &DiscEvent::radius, "the nearest double")
-      .field("nodes", &DiscEvent::nodes, "discs that touch the region there as others beside them do not");
+  Record<DiscEvent>(m, "DiscEvent", "A radius at which the pieces of the boundary change.").listed();
 }
 
 void bind_disc_corner(nb::module_& m) {
@@ -97,12 +93,10 @@ void bind_disc_corner(nb::module_& m) {
       .field("at_node", &CornerDisc::at_node)
       .field("index", &CornerDisc::index, "of the edge or of the node");
   Record<DiscCorner> corner(m, "DiscCorner", "Where two pieces of a boundary meet.");
-  nb::enum_<DiscCorner::Kind>(corner, "Kind", "What is there.")
-      .value("none", DiscCorner::Kind::none, "a whole circle starts nowhere in particular")
-      .value("vertex", DiscCorner::Kind::vertex, "over a vertex of the region, or that vertex")
-      .value("centre", DiscCorner::Kind::centre, "the centre of `disc`: a corner")
-      .value("contact", DiscCorner::Kind::contact, "where `disc` touches the region")
-      .value("crossing", DiscCorner::Kind::crossing, "of the arcs about `disc` and `other`");
+  enumeration<DiscCorner::Kind>(
+      corner, "Kind", "What is there.",
+      {"a whole circle starts nowhere in particular", "over a vertex of the region, or that vertex",
+       "the centre of `disc`: a corner", "where `disc` touches the region", "of the arcs about `disc` and `other`"});
   corner.field("kind", &DiscCorner::kind)
       .field("vertex", &DiscCorner::vertex)
       .field("disc", &DiscCorner::disc)
@@ -121,10 +115,9 @@ PointsView corners_of(const DiscRing& ring, nb::handle owner) {
 
 void bind_disc_pieces(nb::module_& m) {
   Record<DiscPiece> piece(m, "DiscPiece", "A segment or an arc; it ends where the next one of its ring begins.");
-  nb::enum_<DiscPiece::Of>(piece, "Of", "What a piece comes from.")
-      .value("edge", DiscPiece::Of::edge, "a segment: a part of edge `index` of the region, moved or in place")
-      .value("vertex", DiscPiece::Of::vertex, "an arc about vertex `index` of the region")
-      .value("disc", DiscPiece::Of::disc, "an arc of the boundary of `disc`");
+  enumeration<DiscPiece::Of>(piece, "Of", "What a piece comes from.",
+                             {"a segment: a part of edge `index` of the region, moved or in place",
+                              "an arc about vertex `index` of the region", "an arc of the boundary of `disc`"});
   piece.field("of", &DiscPiece::of)
       .field("index", &DiscPiece::index)
       .field("disc", &DiscPiece::disc)
@@ -182,9 +175,7 @@ void bind_disc_set(nb::module_& m) {
   Record<MeasuredText>(m, "MeasuredText", "A number and how far it may be from the exact one, as decimal numbers.")
       .field("value", &MeasuredText::value)
       .field("error", &MeasuredText::error);
-  Record<Measured>(m, "Measured", "A double and how far it may be from the exact number.")
-      .field("value", &Measured::value)
-      .field("error", &Measured::error);
+  Record<Measured>(m, "Measured", "A double and how far it may be from the exact number.").listed();
   Record<DiscSetOf> set(m, "DiscSet",
                         R"doc(A set whose boundary is made of segments and arcs.
 

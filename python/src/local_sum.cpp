@@ -4,6 +4,7 @@
 #include "arguments.h"
 #include "bind.h"
 #include "calls.h"
+#include "enumeration.h"
 #include "held.h"
 #include "record.h"
 #include "remember.h"
@@ -61,10 +62,10 @@ void bind_positions(nb::module_& m) {
 }
 
 void bind_local_options(nb::module_& m) {
-  nb::enum_<LocalEngine>(m, "LocalEngine", "How the facets near a place are found; all give the same part.")
-      .value("updated", LocalEngine::updated, "those of the last call are brought to the new poses")
-      .value("hierarchy", LocalEngine::hierarchy, "by bounding spheres over pairs of features, at every call")
-      .value("brute", LocalEngine::brute, "the whole sum, every cell tested by itself, then cut: the reference");
+  enumeration<LocalEngine>(m, "LocalEngine", "How the facets near a place are found; all give the same part.",
+                           {"those of the last call are brought to the new poses",
+                            "by bounding spheres over pairs of features, at every call",
+                            "the whole sum, every cell tested by itself, then cut: the reference"});
   Record<LocalOptions> options(m, "LocalOptions", "Options of LocalSum.");
   options.def(
       "__init__",
@@ -80,10 +81,9 @@ void bind_local_options(nb::module_& m) {
 
 void bind_part(nb::module_& m) {
   Record<LocalPart> part(m, "LocalPart", "What a box cuts out of the boundary of a sum.", nb::dynamic_attr());
-  nb::enum_<LocalPart::Where>(part, "Where", "How the box lies.")
-      .value("crossed", LocalPart::Where::crossed, "something is listed")
-      .value("inside", LocalPart::Where::inside, "nothing is, and the box lies in the sum")
-      .value("outside", LocalPart::Where::outside, "nothing is, and its inside lies outside");
+  enumeration<LocalPart::Where>(
+      part, "Where", "How the box lies.",
+      {"something is listed", "nothing is, and the box lies in the sum", "nothing is, and its inside lies outside"});
   Record<LocalPart::Work>(part, "Work", "What a part took.")
       .field("rebuilt", &LocalPart::Work::rebuilt, "the facets were found anew")
       .field("pairs", &LocalPart::Work::pairs, "of features that the bounding spheres left")

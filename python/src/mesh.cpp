@@ -7,6 +7,7 @@
 #include "bind.h"
 #include "calls.h"
 #include "dymsum/volume_text.h"
+#include "enumeration.h"
 #include "record.h"
 
 namespace dymsum::python {
@@ -266,9 +267,7 @@ void bind_mesh_functions(nb::module_& m) {
       .field("face", &TriangulatedMesh::face, "of every triangle the face that it is part of");
   m.def(
       "triangulated", [](const MeshArgument& mesh) { return triangulated(*mesh); }, "mesh"_a);
-  nb::enum_<Precision>(m, "Precision", "How exactly a file holds coordinates.")
-      .value("doubles", Precision::doubles)
-      .value("singles", Precision::singles);
+  enumeration<Precision>(m, "Precision", "How exactly a file holds coordinates.");
   m.def(
       "volume", [](const MeshArgument& mesh) { return volume(*mesh); }, "mesh"_a, R"doc(The exact volume, rounded once.
 

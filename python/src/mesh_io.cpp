@@ -7,6 +7,7 @@
 
 #include "arguments.h"
 #include "bind.h"
+#include "enumeration.h"
 #include "paths.h"
 #include "record.h"
 
@@ -41,13 +42,7 @@ void require_indices(const MeshData& mesh, const std::vector<FaceColour>& colour
 }
 
 void bind_mesh_readers(nb::module_& m) {
-  nb::enum_<MeshFormat>(m, "MeshFormat", "A format of mesh files; three_mf is .3mf.")
-      .value("off", MeshFormat::off)
-      .value("obj", MeshFormat::obj)
-      .value("stl", MeshFormat::stl)
-      .value("ply", MeshFormat::ply)
-      .value("glb", MeshFormat::glb)
-      .value("three_mf", MeshFormat::three_mf);
+  enumeration<MeshFormat>(m, "MeshFormat", "A format of mesh files; three_mf is .3mf.");
   m.def(
       "mesh_format", [](const PathArgument& path) { return take(mesh_format(path.text)); }, "path"_a);
   m.def(

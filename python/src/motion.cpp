@@ -5,6 +5,7 @@
 #include "bind.h"
 #include "calls.h"
 #include "dymsum/path_check.h"
+#include "enumeration.h"
 #include "record.h"
 
 namespace dymsum::python {
@@ -18,9 +19,7 @@ void bind_motion_results(nb::module_& m) {
       .field("first", &TranslationCheck::first, "the share of the way up to which it is free")
       .field("at", &TranslationCheck::at)
       .field("contact", &TranslationCheck::contact);
-  nb::enum_<TurnDirection>(m, "TurnDirection", "Which way a rotation goes.")
-      .value("counter_clockwise", TurnDirection::counter_clockwise)
-      .value("clockwise", TurnDirection::clockwise);
+  enumeration<TurnDirection>(m, "TurnDirection", "Which way a rotation goes.");
   Record<TurnInterval>(m, "TurnInterval", "A closed interval of angles, counter-clockwise.")
       .field("begin", &TurnInterval::begin)
       .field("end", &TurnInterval::end)
@@ -33,10 +32,7 @@ void bind_motion_results(nb::module_& m) {
       .field("always", &RotationCheck::always)
       .field("free_angles", &RotationCheck::free_angles);
   Record<MotionCheck> check(m, "MotionCheck", "Whether a motion is free, certified.");
-  nb::enum_<MotionCheck::Outcome>(check, "Outcome", "What is proved of a motion.")
-      .value("free", MotionCheck::Outcome::free)
-      .value("blocked", MotionCheck::Outcome::blocked)
-      .value("undecided", MotionCheck::Outcome::undecided);
+  enumeration<MotionCheck::Outcome>(check, "Outcome", "What is proved of a motion.");
   check.field("outcome", &MotionCheck::outcome)
       .field("low", &MotionCheck::low, "the way is proved free on [0, low)")
       .field("high", &MotionCheck::high)

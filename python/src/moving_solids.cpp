@@ -56,26 +56,8 @@ void bind_options(nb::module_& m) {
 }
 
 void bind_results(nb::module_& m) {
-  Record<SolidFrameWork>(m, "SolidFrameWork", "The work of one frame.")
-      .field("rebuilt", &SolidFrameWork::rebuilt, "computed from scratch")
-      .field("normals_checked", &SolidFrameWork::normals_checked, "faces whose certificates had ended")
-      .field("pairs_checked", &SolidFrameWork::pairs_checked, "pairs of edges that may have come or gone")
-      .field("facets", &SolidFrameWork::facets, "of the reduced convolution")
-      .field("facets_added", &SolidFrameWork::facets_added)
-      .field("facets_removed", &SolidFrameWork::facets_removed)
-      .field("inner_kept", &SolidFrameWork::inner_kept, "facets that stay deep inside the open sum")
-      .field("inner_tested", &SolidFrameWork::inner_tested, "facets for which that was found out anew")
-      .field("contacts", &SolidFrameWork::contacts, "of the other facets")
-      .field("exact_signs", &SolidFrameWork::exact_signs)
-      .field("ms", &SolidFrameWork::ms);
-  Record<SolidFrameChanges>(m, "SolidFrameChanges", "What happened to the faces since the frame before.")
-      .field("appeared", &SolidFrameChanges::appeared, "pairs of features that make faces now, and did not before")
-      .field("disappeared", &SolidFrameChanges::disappeared)
-      .field("changed", &SolidFrameChanges::changed, "those that did and do, with other neighbours or vertices")
-      .field("shells", &SolidFrameChanges::shells, "how many more there are; so the following")
-      .field("tight_faces", &SolidFrameChanges::tight_faces)
-      .field("tight_segments", &SolidFrameChanges::tight_segments)
-      .field("tight_points", &SolidFrameChanges::tight_points);
+  Record<SolidFrameWork>(m, "SolidFrameWork", "The work of one frame.").listed();
+  Record<SolidFrameChanges>(m, "SolidFrameChanges", "What happened to the faces since the frame before.").listed();
 }
 
 void bind_class(nb::module_& m) {

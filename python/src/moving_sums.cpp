@@ -4,6 +4,7 @@
 #include "calls.h"
 #include "dymsum/rotating_sum.h"
 #include "dymsum/scaling_sum.h"
+#include "enumeration.h"
 #include "held.h"
 #include "record.h"
 #include "remember.h"
@@ -76,25 +77,14 @@ void bind_common(nb::class_<Self>& type) {
 }
 
 void bind_event(nb::module_& m) {
-  const nb::enum_<EventKind> kind = nb::enum_<EventKind>(m, "EventKind", "What meets at an event.")
-                                        .value("vertex_on_segment", EventKind::vertex_on_segment)
-                                        .value("three_segments", EventKind::three_segments)
-                                        .value("normal_on_arc", EventKind::normal_on_arc)
-                                        .value("vertex_on_facet", EventKind::vertex_on_facet)
-                                        .value("edge_on_edge", EventKind::edge_on_edge)
-                                        .value("edge_and_facets", EventKind::edge_and_facets)
-                                        .value("four_facets", EventKind::four_facets)
-                                        .value("coplanar_facets", EventKind::coplanar_facets);
   Record<ScaleEvent> event(m, "ScaleEvent", "An exact scale at which something meets on the boundary of a sum.");
-  event.attr("Kind") = kind;
+  event.attr("Kind") = enumeration<EventKind>(m, "EventKind", "What meets at an event.");
   event.field("s", &ScaleEvent::parameter)
       .field("approx", &ScaleEvent::approx)
       .field("kind", &ScaleEvent::kind)
       .field("visible", &ScaleEvent::visible, "the sum's structure changes")
       .field("topology", &ScaleEvent::topology, "so do counts of parts, holes, shells or tight features, or a genus");
-  nb::enum_<EventChange>(m, "EventChange", "What an event has to change to be looked for.")
-      .value("visible", EventChange::visible)
-      .value("topology", EventChange::topology);
+  enumeration<EventChange>(m, "EventChange", "What an event has to change to be looked for.");
 }
 
 /// ScalingSum with the scales it was last set to.

@@ -4,6 +4,7 @@
 #include "arguments.h"
 #include "bind.h"
 #include "calls.h"
+#include "enumeration.h"
 #include "paths.h"
 #include "record.h"
 
@@ -52,10 +53,9 @@ void bind_table_rows(nb::module_& m) {
       .field("orientation", &TableAngle::orientation, "The exact one that shapes are turned by.")
       .field("error", &TableAngle::error, "They differ by at most so many radians; 0 for quarter turns.");
   Record<TableRow> row(m, "TableRow", "A row: which shapes it is about, at which angle, and which answer it has.");
-  nb::enum_<TableRow::Kind>(row, "Kind", "What a row tells.")
-      .value("nfp", TableRow::Kind::nfp, "item `fixed` (+) -R(angle) item `moving`, in the frame of the fixed one")
-      .value("bin_fit", TableRow::Kind::bin_fit, "bin `fixed` (-) R(angle) item `moving`")
-      .value("strip_fit", TableRow::Kind::strip_fit, "the strip (-) R(angle) item `moving`");
+  enumeration<TableRow::Kind>(row, "Kind", "What a row tells.",
+                              {"item `fixed` (+) -R(angle) item `moving`, in the frame of the fixed one",
+                               "bin `fixed` (-) R(angle) item `moving`", "the strip (-) R(angle) item `moving`"});
   row.def_ro_static("kNone", &TableRow::kNone, "`fixed` of strip fits.");
   row.field("kind", &TableRow::kind)
       .field("fixed", &TableRow::fixed, "Index of an item or a bin.")
@@ -71,14 +71,11 @@ void bind_answers(nb::module_& m) {
       .field("y_min", &StripFit::y_min)
       .field("y_max", &StripFit::y_max);
   Record<TableAnswer> answer(m, "TableAnswer", "The answer of rows with the same shapes.");
-  nb::enum_<TableAnswer::Status>(answer, "Status", "What came of it.")
-      .value("done", TableAnswer::Status::done)
-      .value("refused", TableAnswer::Status::refused, "by the library, with an error")
-      .value("timed_out", TableAnswer::Status::timed_out, "a limit of time was reached");
-  nb::enum_<TableAnswer::Rounding>(answer, "Rounding", "What rounding changed.")
-      .value("none", TableAnswer::Rounding::none, "every vertex is exact")
-      .value("nearest", TableAnswer::Rounding::nearest, "to the nearest doubles; the topology is the exact one")
-      .value("repaired", TableAnswer::Rounding::repaired, "vertices that met were merged, what collapsed was dropped");
+  enumeration<TableAnswer::Status>(answer, "Status", "What came of it.",
+                                   {"with an answer", "by the library, with an error", "a limit of time was reached"});
+  enumeration<TableAnswer::Rounding>(answer, "Rounding", "What rounding changed.",
+                                     {"every vertex is exact", "to the nearest doubles; the topology is the exact one",
+                                      "vertices that met were merged, what collapsed was dropped"});
   answer.field("status", &TableAnswer::status)
       .field("rounding", &TableAnswer::rounding)
       .field("vertices", &TableAnswer::vertices, "Of the exact polygons.")

@@ -2,6 +2,7 @@
 #include "bind.h"
 #include "calls.h"
 #include "dymsum/motion.h"
+#include "enumeration.h"
 #include "record.h"
 
 namespace dymsum::python {
@@ -16,36 +17,17 @@ void bind_events(nb::module_& m) {
       .field("high", &EventAngle::high)
       .field("exact", &EventAngle::exact, "where the tangent of the half angle is rational");
   Record<ObstacleEvent> event(m, "ObstacleEvent", "What happens at an event angle.");
-  nb::enum_<ObstacleEvent::Kind>(event, "Kind", "What happens at an event angle.")
-      .value("alignment", ObstacleEvent::Kind::alignment)
-      .value("vertex_on_segment", ObstacleEvent::Kind::vertex_on_segment)
-      .value("three_segments", ObstacleEvent::Kind::three_segments)
-      .value("tight", ObstacleEvent::Kind::tight);
-  event.field("kind", &ObstacleEvent::kind).field("angle", &ObstacleEvent::angle).field("at", &ObstacleEvent::at);
+  enumeration<ObstacleEvent::Kind>(event, "Kind", "What happens at an event angle.");
+  event.listed();
   Record<TightFeature>(m, "TightFeature", "Tight placements: free at one event angle, with nothing free near them.")
-      .field("angle", &TightFeature::angle)
-      .field("from_", &TightFeature::from)
-      .field("to", &TightFeature::to)
-      .field("error", &TightFeature::error);
+      .listed();
 }
 
 void bind_boundary(nb::module_& m) {
   Record<Patch> patch(m, "Patch", "A piece of ruled surface of the boundary.");
-  patch.field("contact", &Patch::contact)
-      .field("left", &Patch::left)
-      .field("right", &Patch::right)
-      .field("left_corner", &Patch::left_corner)
-      .field("right_corner", &Patch::right_corner)
-      .field("begin", &Patch::begin, "index in angles(), or kNone")
-      .field("end", &Patch::end, "index in angles(), or kNone")
-      .field("shell", &Patch::shell)
-      .def("rotating", &Patch::rotating);
+  patch.listed().def("rotating", &Patch::rotating);
   patch.attr("kNone") = Patch::kNone;
-  Record<Shell>(m, "Shell", "A connected piece of the boundary.")
-      .field("outer", &Shell::outer)
-      .field("patches", &Shell::patches)
-      .field("euler", &Shell::euler)
-      .field("free_component", &Shell::free_component);
+  Record<Shell>(m, "Shell", "A connected piece of the boundary.").listed();
   Record<FreeCell>(m, "FreeCell", "A piece of free space between two event angles.")
       .field("begin", &FreeCell::begin)
       .field("end", &FreeCell::end)
@@ -58,23 +40,7 @@ void bind_boundary(nb::module_& m) {
 }
 
 void bind_obstacle_work(nb::module_& m) {
-  Record<ObstacleWork>(m, "ObstacleWork", "The work that was done.")
-      .field("windows", &ObstacleWork::windows)
-      .field("segments", &ObstacleWork::segments)
-      .field("candidate_pairs", &ObstacleWork::candidate_pairs)
-      .field("candidate_triples", &ObstacleWork::candidate_triples)
-      .field("surfaces", &ObstacleWork::surfaces)
-      .field("potential_events", &ObstacleWork::potential_events)
-      .field("visible_events", &ObstacleWork::visible_events)
-      .field("alignments", &ObstacleWork::alignments)
-      .field("vertex_events", &ObstacleWork::vertex_events)
-      .field("triple_events", &ObstacleWork::triple_events)
-      .field("tight_events", &ObstacleWork::tight_events)
-      .field("local_updates", &ObstacleWork::local_updates)
-      .field("slices", &ObstacleWork::slices)
-      .field("exact_signs", &ObstacleWork::exact_signs)
-      .field("collision_tests", &ObstacleWork::collision_tests)
-      .field("ms", &ObstacleWork::ms);
+  Record<ObstacleWork>(m, "ObstacleWork", "The work that was done.").listed();
   Record<ObstacleOptions> options(m, "ObstacleOptions", "Options of obstacles.");
   options.def(
       "__init__",
@@ -91,9 +57,7 @@ void bind_obstacle_work(nb::module_& m) {
 }  // namespace
 
 void bind_obstacle_parts(nb::module_& m) {
-  nb::enum_<Touching>(m, "Touching", "Whether robot and obstacle may touch.")
-      .value("allowed", Touching::allowed)
-      .value("forbidden", Touching::forbidden);
+  enumeration<Touching>(m, "Touching", "Whether robot and obstacle may touch.");
   bind_events(m);
   bind_boundary(m);
   bind_obstacle_work(m);

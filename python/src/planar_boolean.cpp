@@ -1,87 +1,11 @@
 // Boolean operations of regions and results.
 #include "dymsum/planar_boolean.h"
 
-#include "arguments.h"
 #include "bind.h"
 #include "calls.h"
+#include "planar_operand.h"
 #include "record.h"
 #include "remember.h"
-
-namespace dymsum::python {
-
-/// A region, or anything that is one to Python's other packages, or a PlanarSum; kept alive.
-struct PlanarOperandArgument {
-  nb::object object;
-  PlanarOperand operator*() const {
-    if (nb::isinstance<PlanarSum>(object)) return *nb::inst_ptr<PlanarSum>(object);
-    return *nb::inst_ptr<Region>(object);
-  }
-};
-struct PlanarOperands {
-  std::vector<PlanarOperandArgument> items;
-};
-
-}  // namespace dymsum::python
-
-namespace nanobind::detail {
-
-/// A PlanarSum is taken as it is; it would be rounded where it is made a region.
-template <>
-struct type_caster<dymsum::python::PlanarOperandArgument> {
-  using Value = dymsum::python::PlanarOperandArgument;
-  static constexpr auto Name = const_name("dymsum.RegionLike | dymsum.PlanarSum");
-  template <typename U>
-  using Cast = Value;
-  template <typename U>
-  bool can_cast() const {
-    return true;
-  }
-  bool from_python(handle src, uint32_t flags, cleanup_list* list) {
-    if (isinstance<dymsum::PlanarSum>(src)) {
-      sum_ = borrow(src);
-      return true;
-    }
-    return region_.from_python(src, flags, list);
-  }
-  explicit operator Value() {
-    if (sum_.is_valid()) return {sum_};
-    return {region_.operator dymsum::python::RegionArgument().object};
-  }
-
- private:
-  object sum_;
-  argument_caster<dymsum::Region> region_;
-};
-
-template <>
-struct type_caster<dymsum::python::PlanarOperands> {
-  using Item = type_caster<dymsum::python::PlanarOperandArgument>;
-  using Value = dymsum::python::PlanarOperands;
-  static constexpr auto Name = const_name("collections.abc.Sequence[dymsum.RegionLike | dymsum.PlanarSum]");
-  template <typename U>
-  using Cast = Value;
-  template <typename U>
-  bool can_cast() const {
-    return true;
-  }
-  bool from_python(handle src, uint32_t flags, cleanup_list* list) {
-    items_.clear();
-    return dymsum::python::each_item(src,
-                                     [&](handle item) { return items_.emplace_back().from_python(item, flags, list); });
-  }
-  explicit operator Value() {
-    Value all;
-    for (std::size_t i = 0; i < items_.size(); ++i)
-      all.items.push_back(
-          dymsum::python::of_item(i, [&] { return items_[i].operator dymsum::python::PlanarOperandArgument(); }));
-    return all;
-  }
-
- private:
-  std::vector<Item> items_;
-};
-
-}  // namespace nanobind::detail
 
 namespace dymsum::python {
 namespace {
@@ -96,12 +20,7 @@ void bind_boolean_of_many(nb::module_& m, const char* name, const char* text) {
   m.def(
       name,
       [name](const PlanarOperands& sets, const SumOptions& options) {
-        std::vector<PlanarOperand> all;
-        nb::list given;
-        for (const PlanarOperandArgument& set : sets.items) {
-          all.push_back(*set);
-          given.append(set.object);
-        }
+        const auto [all, given] = operands_of(sets);
         PlanarSum sum = run_with(options, [&](const SumOptions& own) { return operation(all, own); });
         return remembered(std::move(sum), name, given, options);
       },

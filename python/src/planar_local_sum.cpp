@@ -4,6 +4,7 @@
 #include "arguments.h"
 #include "bind.h"
 #include "calls.h"
+#include "enumeration.h"
 #include "held.h"
 #include "record.h"
 #include "remember.h"
@@ -74,10 +75,9 @@ void bind_planar_positions(nb::module_& m) {
 void bind_planar_part(nb::module_& m) {
   Record<PlanarLocalPart> part(m, "PlanarLocalPart", "What a box cuts out of the boundary of a sum of regions.",
                                nb::dynamic_attr());
-  nb::enum_<PlanarLocalPart::Where>(part, "Where", "How the box lies.")
-      .value("crossed", PlanarLocalPart::Where::crossed, "something is listed")
-      .value("inside", PlanarLocalPart::Where::inside, "nothing is, and the box lies in the sum")
-      .value("outside", PlanarLocalPart::Where::outside, "nothing is, and its inside lies outside");
+  enumeration<PlanarLocalPart::Where>(
+      part, "Where", "How the box lies.",
+      {"something is listed", "nothing is, and the box lies in the sum", "nothing is, and its inside lies outside"});
   Record<PlanarLocalPart::Edge>(part, "Edge", "A maximal segment of the boundary in the box, the sum on its left.")
       .field("from_", &PlanarLocalPart::Edge::from, "vertex")
       .field("to", &PlanarLocalPart::Edge::to, "vertex")

@@ -10,7 +10,10 @@
 #include "dymsum/area_text.h"
 #include "dymsum/region_io.h"
 #include "dymsum/snap_rounding.h"
+#include "dymsum/sum_io.h"
+#include "enumeration.h"
 #include "extent.h"
+#include "paths.h"
 #include "record.h"
 #include "remember.h"
 
@@ -20,15 +23,9 @@ namespace {
 using namespace nb::literals;
 
 void bind_sum_options(nb::module_& m) {
-  nb::enum_<Engine>(m, "Engine", "How the boundary is found; all give the same result.")
-      .value("fast", Engine::fast)
-      .value("brute", Engine::brute)
-      .value("winding", Engine::winding);
-  nb::enum_<Semantics>(m, "Semantics",
-                       "closed: sums of closed sets; open: touching is allowed; regular: closure of the interior.")
-      .value("closed", Semantics::closed)
-      .value("open", Semantics::open)
-      .value("regular", Semantics::regular);
+  enumeration<Engine>(m, "Engine", "How the boundary is found; all give the same result.");
+  enumeration<Semantics>(m, "Semantics",
+                         "closed: sums of closed sets; open: touching is allowed; regular: closure of the interior.");
   Record<SumOptions> options(m, "SumOptions", "Options of planar sums.");
   options.def(
       "__init__",
@@ -48,10 +45,9 @@ void bind_sum_options(nb::module_& m) {
 void bind_contact(nb::module_& m) {
   Record<Contact> contact(m, "Contact",
                           "A segment of the convolution: an edge of one operand added to a vertex of the other.");
-  nb::enum_<Contact::Kind>(contact, "Kind", "Whose edge it is.")
-      .value("edge_of_p", Contact::Kind::edge_of_p, "edge p of P + vertex q of Q")
-      .value("edge_of_q", Contact::Kind::edge_of_q, "vertex p of P + edge q of Q");
-  contact.constructible().field("kind", &Contact::kind).field("p", &Contact::p).field("q", &Contact::q);
+  enumeration<Contact::Kind>(contact, "Kind", "Whose edge it is.",
+                             {"edge p of P + vertex q of Q", "vertex p of P + edge q of Q"});
+  contact.constructible().listed();
   Record<SumVertex>(m, "SumVertex", "A vertex of the result: the common point of two segments of the convolution.")
       .field("at", &SumVertex::at, "position within PlanarSum.at_error")
       .field("in_", &SumVertex::in, "the edge that arrives")
@@ -77,31 +73,13 @@ void bind_planar_parts(nb::module_& m) {
   Record<SumSegment>(m, "SumSegment", "A maximal segment of a tight feature or of a piece without area.")
       .field("from_", &SumSegment::from)
       .field("to", &SumSegment::to);
-  Record<ConvolutionSizes>(m, "ConvolutionSizes", "Sizes of the three convolutions.")
-      .field("full", &ConvolutionSizes::full)
-      .field("kinetic", &ConvolutionSizes::kinetic)
-      .field("reduced", &ConvolutionSizes::reduced);
+  Record<ConvolutionSizes>(m, "ConvolutionSizes", "Sizes of the three convolutions.").listed();
 }
 
 void bind_stats(nb::module_& m) {
   Record<SumStats> stats(m, "SumStats", "The work that was done.");
-  Record<SumStats::Stage>(stats, "Stage", "Time of a stage.")
-      .field("name", &SumStats::Stage::name)
-      .field("ms", &SumStats::Stage::ms);
-  stats.field("tier_bits", &SumStats::tier_bits)
-      .field("reduced_segments", &SumStats::reduced_segments)
-      .field("live_segments", &SumStats::live_segments)
-      .field("cell_entries", &SumStats::cell_entries)
-      .field("pair_tests", &SumStats::pair_tests)
-      .field("crossings", &SumStats::crossings)
-      .field("degenerate_nodes", &SumStats::degenerate_nodes)
-      .field("loops", &SumStats::loops)
-      .field("collision_tests", &SumStats::collision_tests)
-      .field("filtered_signs", &SumStats::filtered_signs)
-      .field("exact_signs", &SumStats::exact_signs)
-      .field("mask_grid", &SumStats::mask_grid)
-      .field("peak_bytes", &SumStats::peak_bytes)
-      .field("stages", &SumStats::stages);
+  Record<SumStats::Stage>(stats, "Stage", "Time of a stage.").listed();
+  stats.listed();
 }
 
 void bind_planar_trace(nb::module_& m) {
@@ -221,15 +199,7 @@ void bind_planar_numbers(nb::class_<PlanarSum>& sum) {
 
 void bind_snap_rounding(nb::module_& m) {
   Record<Rounding>(m, "Rounding", "What became of an exact set in doubles.")
-      .field("nearest", &Rounding::nearest, "as PlanarSum.rounded: nothing happened but that")
-      .field("merged_vertices", &Rounding::merged_vertices, "positions that have the doubles of another one")
-      .field("collapsed_edges", &Rounding::collapsed_edges, "edges whose ends are one")
-      .field("bends", &Rounding::bends, "vertices where edges cross or touch in doubles that did not")
-      .field("lines", &Rounding::lines, "polylines for what is thinner than rounding")
-      .field("points", &Rounding::points, "points for what is smaller")
-      .field("vanished_rings", &Rounding::vanished_rings, "gaps that closed, and parts that lie within others now")
-      .field("moved", &Rounding::moved, "set and region are at most this far from each other")
-      .field("moved_ulps", &Rounding::moved_ulps, "the same in units in the last place of the largest coordinate")
+      .listed()
       .def("to_string", &Rounding::to_string);
   Record<SnapRounded>(m, "SnapRounded", "A set in doubles and what rounding did.")
       .field("region", &SnapRounded::region)
@@ -291,6 +261,34 @@ void bind_writers(nb::module_& m) {
       .field("p", &SumNames::p)
       .field("q", &SumNames::q)
       .field("sum", &SumNames::sum);
+  m.def(
+      "parse_sum",
+      [](const std::string& text, const std::string& name_for_errors) {
+        return remembered(take(without_gil([&] { return parse_sum(text, name_for_errors); })), "parse_sum", text,
+                          name_for_errors);
+      },
+      "text"_a, "name_for_errors"_a = "text",
+      R"doc(The exact set that to_json has written, as an operand. Raises Error: malformed; unsupported_operand; truncated.
+
+>>> from dymsum import parse_sum, union_of
+>>> sum = union_of([[(0, 0), (3, 0), (3, 1)], [(0, 1), (1, 0), (3, 1)]])
+>>> parse_sum(sum.to_json()) == sum
+True
+)doc");
+  m.def(
+      "read_sum",
+      [](const PathArgument& path) {
+        PlanarSum sum = take(without_gil([&] { return read_sum(path.text); }));
+        std::string own = sum_to_json(sum);
+        return remembered(std::move(sum), "parse_sum", std::move(own), path.text);
+      },
+      "path"_a, "The same of a file. Raises Error: cannot_open; as parse_sum.");
+  m.def(
+      "begins_like_sum", [](const std::string& text) { return begins_like_sum(text); }, "text"_a,
+      "Whether a text begins as what to_json writes.");
+  m.def(
+      "names_sum", [](const PathArgument& path) { return names_sum(path.text); }, "path"_a,
+      "Whether a path ends in .json or .json.gz and names a file that begins so.");
   m.def(
       "format_sum",
       [](const PlanarSum& sum, const RegionArgument& rounded, RegionFormat format) {

@@ -3,9 +3,10 @@
 #include "bind.h"
 #include "calls.h"
 #include "dymsum/orientation_sum.h"
-#include "dymsum/planar_sum.h"
+#include "dymsum/sum_io.h"
 #include "dymsum/sum_locator.h"
 #include "parallel.h"
+#include "planar_operand.h"
 #include "record.h"
 #include "remember.h"
 
@@ -14,10 +15,10 @@ namespace {
 
 using namespace nb::literals;
 
-using OfTwo = Result<PlanarSum> (*)(const Region&, const Region&, const SumOptions&);
+using OfTwo = Result<PlanarSum> (*)(const PlanarOperand&, const PlanarOperand&, const SumOptions&);
 
 template <OfTwo function>
-Remembered<PlanarSum> of_two(const char* name, const RegionArgument& p, const RegionArgument& q,
+Remembered<PlanarSum> of_two(const char* name, const PlanarOperandArgument& p, const PlanarOperandArgument& q,
                              const SumOptions& options) {
   PlanarSum sum = run_with(options, [&](const SumOptions& own) { return function(*p, *q, own); });
   return remembered(std::move(sum), name, p.object, q.object, kept(options));
@@ -26,11 +27,12 @@ Remembered<PlanarSum> of_two(const char* name, const RegionArgument& p, const Re
 void bind_sums_of_regions(nb::module_& m) {
   m.def(
       "minkowski_sum",
-      [](const RegionArgument& p, const RegionArgument& q, const SumOptions& options) {
+      [](const PlanarOperandArgument& p, const PlanarOperandArgument& q, const SumOptions& options) {
         return of_two<minkowski_sum>("minkowski_sum", p, q, options);
       },
       "p"_a, "q"_a, "options"_a = SumOptions(),
-      R"doc(P (+) Q = { p + q : p in P, q in Q }, exactly. Raises Error: cancelled; unsupported_operand beyond 2^1000.
+      R"doc(P (+) Q = { p + q : p in P, q in Q }, exactly. Operands are regions, or results as they are: nothing is rounded in
+between. Raises Error: cancelled; unsupported_operand beyond 2^1000.
 
 >>> from dymsum import minkowski_sum
 >>> minkowski_sum("POLYGON((0 0, 1 0, 0 1, 0 0))", [(0, 0), (2, 0), (2, 2), (0, 2)]).area_exact()
@@ -38,7 +40,7 @@ Fraction(17, 2)
 )doc");
   m.def(
       "nfp",
-      [](const RegionArgument& a, const RegionArgument& b, const SumOptions& options) {
+      [](const PlanarOperandArgument& a, const PlanarOperandArgument& b, const SumOptions& options) {
         return of_two<nfp>("nfp", a, b, options);
       },
       "a"_a, "b"_a, "options"_a = SumOptions(),
@@ -51,7 +53,7 @@ Fraction(17, 2)
 )doc");
   m.def(
       "erode",
-      [](const RegionArgument& p, const RegionArgument& q, const SumOptions& options) {
+      [](const PlanarOperandArgument& p, const PlanarOperandArgument& q, const SumOptions& options) {
         return of_two<erode>("erode", p, q, options);
       },
       "p"_a, "q"_a, "options"_a = SumOptions(),
@@ -63,6 +65,41 @@ unsupported_operand when P has polylines or points, or Q is empty; cancelled.
 >>> [(s.from_.at, s.to.at) for s in fit.segments]
 [(Point(x=0.0, y=0.0), Point(x=2.0, y=0.0))]
 )doc");
+  m.def(
+      "minkowski_sum",
+      [](const PlanarOperands& sets, const SumOptions& options) {
+        const auto [all, given] = operands_of(sets);
+        PlanarSum sum = run_with(options, [&](const SumOptions& own) { return minkowski_sum(all, own); });
+        return remembered(std::move(sum), "planar_sum_of", given, kept(options));
+      },
+      "sets"_a, "options"_a = SumOptions(),
+      R"doc(The sum of all regions and results of a list, exactly. Raises Error: out_of_range for none.
+
+>>> from dymsum import minkowski_sum, shapes
+>>> square = shapes.rectangle(0, 0, 1, 1)
+>>> minkowski_sum([square, square, square]).area(), minkowski_sum(minkowski_sum(square, square), square).area()
+(9.0, 9.0)
+)doc");
+  m.def(
+      "opening",
+      [](const PlanarOperandArgument& p, const PlanarOperandArgument& q, const SumOptions& options) {
+        return of_two<opening>("opening", p, q, options);
+      },
+      "p"_a, "q"_a, "options"_a = SumOptions(),
+      R"doc(All of P that translates of Q inside P cover: the erosion, then the sum, nothing rounded in between.
+
+>>> from dymsum import opening, shapes
+>>> opening(shapes.letter_u(4, 4, 1), shapes.rectangle(0, 0, 2, 1)).area()
+4.0
+)doc");
+  m.def(
+      "closing",
+      [](const PlanarOperandArgument& p, const PlanarOperandArgument& q, const SumOptions& options) {
+        return of_two<closing>("closing", p, q, options);
+      },
+      "p"_a, "q"_a, "options"_a = SumOptions(),
+      "P with all that translates of -Q outside of P do not reach: the sum, then the erosion, nothing rounded in "
+      "between.");
   m.def(
       "union_of",
       [](const Many<Region>& regions, const SumOptions& options) {
@@ -120,11 +157,14 @@ Array<bool> inside_of(const Positions<2>& positions, const Progress& progress, a
 void bind_planar_contains(nb::module_& m) {
   m.def(
       "contains",
-      [](const RegionArgument& p, const RegionArgument& q, const Position<2>& z, Semantics semantics) {
+      [](const PlanarOperandArgument& p, const PlanarOperandArgument& q, const Position<2>& z, Semantics semantics) {
         if (z.doubles) return contains(*p, *q, *z.doubles, semantics);
-        return z.exact && run({}, [&](const Progress& watched) {
-                            return contains_each(*p, *q, std::span(&*z.exact, 1), semantics, 1, watched);
-                          })[0] != 0;
+        SumOptions options;
+        options.semantics = semantics;
+        return z.exact &&
+               SumLocator(run_with(options, [&](const SumOptions& own) { return minkowski_sum(*p, *q, own); }),
+                          semantics)
+                   .contains_rational(*z.exact);
       },
       "p"_a, "q"_a, "z"_a, "semantics"_a = Semantics::closed,
       R"doc(True when z lies in P (+) Q: P and z - Q meet (closed), or overlap (open). Exact; nothing that is not finite

@@ -11,6 +11,7 @@
 #include "bind.h"
 #include "calls.h"
 #include "dymsum/path_check.h"
+#include "enumeration.h"
 #include "record.h"
 
 namespace dymsum::python {
@@ -52,11 +53,7 @@ using namespace nb::literals;
 
 void bind_waypoint(nb::module_& m) {
   Record<Waypoint> waypoint(m, "Waypoint", "A point of a path, and how it is reached.");
-  nb::enum_<Waypoint::Move>(waypoint, "Move", "How a waypoint is reached.")
-      .value("start", Waypoint::Move::start)
-      .value("translation", Waypoint::Move::translation)
-      .value("counter_clockwise", Waypoint::Move::counter_clockwise)
-      .value("clockwise", Waypoint::Move::clockwise);
+  enumeration<Waypoint::Move>(waypoint, "Move", "How a waypoint is reached.");
   waypoint.constructible()
       .field("move", &Waypoint::move)
       .field("at", &Waypoint::at, "exactly")
@@ -83,35 +80,13 @@ Fraction(1, 3)
 }
 
 void bind_no_path(nb::module_& m) {
-  Record<FreeComponent>(m, "FreeComponent", "A connected component of free space.")
-      .field("index", &FreeComponent::index)
-      .field("unbounded", &FreeComponent::unbounded)
-      .field("all_angles", &FreeComponent::all_angles)
-      .field("from_", &FreeComponent::from)
-      .field("to", &FreeComponent::to)
-      .field("shells", &FreeComponent::shells);
+  Record<FreeComponent>(m, "FreeComponent", "A connected component of free space.").listed();
   Record<SearchLimit> limit(m, "SearchLimit", "What a search that did not decide was limited by.");
-  Record<SearchLimit::Passage>(limit, "Passage", "The passage nearest to the goal that was not crossed.")
-      .field("from_", &SearchLimit::Passage::from)
-      .field("to", &SearchLimit::Passage::to)
-      .field("reached", &SearchLimit::Passage::reached)
-      .field("beyond", &SearchLimit::Passage::beyond);
-  limit.field("out_of_time", &SearchLimit::out_of_time)
-      .field("seconds", &SearchLimit::seconds)
-      .field("passage", &SearchLimit::passage);
+  Record<SearchLimit::Passage>(limit, "Passage", "The passage nearest to the goal that was not crossed.").listed();
+  limit.listed();
   Record<NoPath> reason(m, "NoPath", "Why there is no path.");
-  nb::enum_<NoPath::Kind>(reason, "Kind", "Why there is no path.")
-      .value("start_not_free", NoPath::Kind::start_not_free)
-      .value("goal_not_free", NoPath::Kind::goal_not_free)
-      .value("separated", NoPath::Kind::separated)
-      .value("undecided", NoPath::Kind::undecided);
-  reason.field("kind", &NoPath::kind)
-      .field("text", &NoPath::text)
-      .field("contact", &NoPath::contact)
-      .field("start", &NoPath::start)
-      .field("goal", &NoPath::goal)
-      .field("limit", &NoPath::limit)
-      .field("unexamined_angles", &NoPath::unexamined_angles);
+  enumeration<NoPath::Kind>(reason, "Kind", "Why there is no path.");
+  reason.listed();
 }
 
 void bind_plan_options(nb::module_& m) {
@@ -132,12 +107,7 @@ void bind_plan_options(nb::module_& m) {
 }
 
 void bind_plan(nb::module_& m) {
-  Record<PlanWork>(m, "PlanWork", "The work that was done.")
-      .field("levels", &PlanWork::levels)
-      .field("slices", &PlanWork::slices)
-      .field("rotations", &PlanWork::rotations)
-      .field("refinements", &PlanWork::refinements)
-      .field("ms", &PlanWork::ms);
+  Record<PlanWork>(m, "PlanWork", "The work that was done.").listed();
   Record<Plan>(m, "Plan", "A path, or the reason why there is none.")
       .field("path", &Plan::path, "from start to goal; empty when there is none")
       .field("reason", &Plan::reason, "exactly when there is none")
@@ -191,16 +161,7 @@ True
 }
 
 void bind_check(nb::module_& m) {
-  Record<PathCheck>(m, "PathCheck", "Whether a path is free, and the first piece that is not.")
-      .field("outcome", &PathCheck::outcome)
-      .field("piece", &PathCheck::piece)
-      .field("moves", &PathCheck::moves)
-      .field("turns", &PathCheck::turns)
-      .field("low", &PathCheck::low)
-      .field("high", &PathCheck::high)
-      .field("at", &PathCheck::at)
-      .field("contact", &PathCheck::contact)
-      .field("pieces", &PathCheck::pieces);
+  Record<PathCheck>(m, "PathCheck", "Whether a path is free, and the first piece that is not.").listed();
   m.def(
       "check_path",
       [](const RegionArgument& robot, const RegionArgument& obstacle, const std::vector<Waypoint>& path, Touching touch,

@@ -13,18 +13,9 @@ namespace {
 using namespace nb::literals;
 
 void bind_answers(nb::module_& m) {
-  Record<Clearance>(m, "Clearance", "The distance of a configuration to the boundary of the obstacle.")
-      .field("distance", &Clearance::distance, "negative inside: minus the penetration depth")
-      .field("error", &Clearance::error, "proved: the exact distance differs by at most this")
-      .field("patch", &Clearance::patch, "where the nearest point lies; Patch.kNone at a tight placement")
-      .field("nearest", &Clearance::nearest);
+  Record<Clearance>(m, "Clearance", "The distance of a configuration to the boundary of the obstacle.").listed();
   Record<FreeAngles>(m, "FreeAngles", "Angles at which the robot can stand at a position, counter-clockwise.")
-      .field("begin", &FreeAngles::begin)
-      .field("end", &FreeAngles::end)
-      .field("begin_error", &FreeAngles::begin_error)
-      .field("end_error", &FreeAngles::end_error)
-      .field("begin_patch", &FreeAngles::begin_patch)
-      .field("end_patch", &FreeAngles::end_patch)
+      .listed()
       .def("single", &FreeAngles::single);
 }
 

@@ -82,6 +82,10 @@ std::string record_repr(const std::vector<RecordField>& fields, nb::handle recor
   return text + ")";
 }
 
+std::string attribute_name(std::string_view member) {
+  return std::string(member) + (member == "from" || member == "in" ? "_" : "");
+}
+
 std::string_view interned(std::string_view text) {
   static std::set<std::string, std::less<>>& texts = *new std::set<std::string, std::less<>>;
   return *texts.emplace(text).first;

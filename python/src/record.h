@@ -18,6 +18,7 @@
 
 #include "arguments.h"
 #include "calls.h"
+#include "dymsum/fields.h"
 #include "dymsum/progress.h"
 #include "paths.h"
 #include "values.h"
@@ -40,6 +41,8 @@ void restore_record(const std::vector<RecordField>& fields, void* record, nb::tu
 void copy_record(const std::vector<RecordField>& fields, nb::handle record, nb::handle made, void* to,
                  const nb::object& memo);
 std::string record_repr(const std::vector<RecordField>& fields, nb::handle record);
+/// What Python calls a member: "from_" where "from" is a word of the language.
+std::string attribute_name(std::string_view member);
 /// A text that lives for ever: names of stages are views of literals.
 std::string_view interned(std::string_view text);
 
@@ -103,6 +106,15 @@ class Record : public nb::class_<T> {
         name, [member](const T& self) -> const M& { return self.*member; }, nb::rv_policy::reference_internal, doc);
     fields_->push_back(
         {name, [member](void* self, nb::handle value) { static_cast<T*>(self)->*member = member_of<M>(value); }});
+    return *this;
+  }
+
+  /// All members that are listed.
+  Record& listed() {
+    const auto one = [this]<auto pointer>(const names::Field<pointer>& listed) {
+      field(attribute_name(listed.kName).c_str(), pointer, listed.about);
+    };
+    std::apply([&](const auto&... fields) { (one(fields), ...); }, names::kFields<T>);
     return *this;
   }
 

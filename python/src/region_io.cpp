@@ -3,6 +3,7 @@
 
 #include "arguments.h"
 #include "bind.h"
+#include "enumeration.h"
 #include "paths.h"
 #include "record.h"
 
@@ -12,20 +13,9 @@ namespace {
 using namespace nb::literals;
 
 void bind_region_readers(nb::module_& m) {
-  nb::enum_<RegionFormat>(m, "RegionFormat", "A format of planar files.")
-      .value("poly", RegionFormat::poly)
-      .value("wkt", RegionFormat::wkt)
-      .value("geojson", RegionFormat::geojson)
-      .value("svg", RegionFormat::svg)
-      .value("json", RegionFormat::json)
-      .value("dxf", RegionFormat::dxf);
-  nb::enum_<ThirdCoordinates>(m, "ThirdCoordinates", "What becomes of third coordinates and measures in files.")
-      .value("refused", ThirdCoordinates::refused)
-      .value("dropped", ThirdCoordinates::dropped);
-  nb::enum_<CurveBound>(m, "CurveBound", "On which side of the curves that bound a region chords lie.")
-      .value("nearest", CurveBound::nearest)
-      .value("inside", CurveBound::inside)
-      .value("outside", CurveBound::outside);
+  enumeration<RegionFormat>(m, "RegionFormat", "A format of planar files.");
+  enumeration<ThirdCoordinates>(m, "ThirdCoordinates", "What becomes of third coordinates and measures in files.");
+  enumeration<CurveBound>(m, "CurveBound", "On which side of the curves that bound a region chords lie.");
   Record<CurveOptions>(m, "CurveOptions", "How curves of files become chords.")
       .constructible()
       .option("error", &CurveOptions::error, "in the file's units; None: a thousandth of a radius or a curve's size")

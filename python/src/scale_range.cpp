@@ -4,6 +4,7 @@
 #include "arguments.h"
 #include "bind.h"
 #include "calls.h"
+#include "enumeration.h"
 #include "record.h"
 
 namespace dymsum::python {
@@ -13,25 +14,12 @@ using namespace nb::literals;
 
 void bind_range_results(nb::module_& m) {
   Record<ScaleContact> contact(m, "ScaleContact", "A contact of part and obstacle at one exact scale.");
-  nb::enum_<ScaleContact::Kind>(contact, "Kind", "What touches what.")
-      .value("vertex_on_edge", ScaleContact::Kind::vertex_on_edge)
-      .value("edge_on_vertex", ScaleContact::Kind::edge_on_vertex)
-      .value("vertex_on_vertex", ScaleContact::Kind::vertex_on_vertex);
-  contact.field("kind", &ScaleContact::kind)
-      .field("part", &ScaleContact::part)
-      .field("obstacle", &ScaleContact::obstacle)
-      .field("leg", &ScaleContact::leg)
-      .field("along", &ScaleContact::along)
-      .field("at", &ScaleContact::at);
+  enumeration<ScaleContact::Kind>(contact, "Kind", "What touches what.");
+  contact.listed();
   Record<ScaleInterval>(m, "ScaleInterval", "A closed interval of scales; low None: from 0 on, high None: without end.")
-      .field("low", &ScaleInterval::low)
-      .field("high", &ScaleInterval::high)
-      .field("at_low", &ScaleInterval::at_low)
-      .field("at_high", &ScaleInterval::at_high);
+      .listed();
   Record<ScaleRange>(m, "ScaleRange", "An exact set of scales.")
-      .field("free", &ScaleRange::free, "intervals in order, disjoint")
-      .field("critical", &ScaleRange::critical)
-      .field("tested", &ScaleRange::tested)
+      .listed()
       .def(
           "contains", [](const ScaleRange& self, const ScaleArgument& s) { return self.contains(s.value()); }, "s"_a)
       .def("trap", &ScaleRange::trap, "The scale up to which all smaller parts are free; None: never blocked.");

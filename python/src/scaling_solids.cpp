@@ -136,22 +136,12 @@ void bind_sum(nb::module_& m) {
 }
 
 void bind_solid_ranges(nb::module_& m) {
-  Record<SolidScaleContact>(m, "SolidScaleContact", "A contact of part and obstacle at one exact scale.")
-      .field("part", &SolidScaleContact::part)
-      .field("obstacle", &SolidScaleContact::obstacle)
-      .field("leg", &SolidScaleContact::leg)
-      .field("along", &SolidScaleContact::along)
-      .field("at", &SolidScaleContact::at);
+  Record<SolidScaleContact>(m, "SolidScaleContact", "A contact of part and obstacle at one exact scale.").listed();
   Record<SolidScaleInterval>(m, "SolidScaleInterval",
                              "A closed interval of scales; low None: from 0 on, high None: without end.")
-      .field("low", &SolidScaleInterval::low)
-      .field("high", &SolidScaleInterval::high)
-      .field("at_low", &SolidScaleInterval::at_low)
-      .field("at_high", &SolidScaleInterval::at_high);
+      .listed();
   Record<SolidScaleRange>(m, "SolidScaleRange", "An exact set of scales.")
-      .field("free", &SolidScaleRange::free, "intervals in order, disjoint")
-      .field("critical", &SolidScaleRange::critical)
-      .field("tested", &SolidScaleRange::tested)
+      .listed()
       .def(
           "contains", [](const SolidScaleRange& self, const ScaleArgument& s) { return self.contains(s.value()); },
           "s"_a)

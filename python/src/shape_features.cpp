@@ -5,6 +5,7 @@
 #include "bind.h"
 #include "calls.h"
 #include "dymsum/decomposition.h"
+#include "enumeration.h"
 #include "record.h"
 
 namespace dymsum::python {
@@ -13,11 +14,11 @@ namespace {
 using namespace nb::literals;
 
 void bind_feature_options(nb::module_& m) {
-  nb::enum_<Concavity>(m, "Concavity", "How deep a vertex lies in the pocket of a bridge.")
-      .value("straight_line", Concavity::straight_line, "its distance to the line of the bridge")
-      .value("shortest_path", Concavity::shortest_path, "the length of the shortest path to the bridge in the pocket")
-      .value("hybrid1", Concavity::hybrid1, "shortest_path where the pocket runs backwards, else straight_line")
-      .value("hybrid2", Concavity::hybrid2, "straight_line where that exceeds hybrid_tolerance, else shortest_path");
+  enumeration<Concavity>(
+      m, "Concavity", "How deep a vertex lies in the pocket of a bridge.",
+      {"its distance to the line of the bridge", "the length of the shortest path to the bridge in the pocket",
+       "shortest_path where the pocket runs backwards, else straight_line",
+       "straight_line where that exceeds hybrid_tolerance, else shortest_path"});
   Record<FeatureOptions> options(m, "FeatureOptions", "Options of ShapeFeatures.");
   options.def(
       "__init__",
@@ -33,45 +34,19 @@ void bind_feature_options(nb::module_& m) {
 
 void bind_feature_bar(nb::module_& m) {
   Record<FeatureBar> bar(m, "FeatureBar", "The life of a corner of the sum with a growing disc, from birth to death.");
-  nb::enum_<FeatureBar::Birth>(bar, "Birth", "Where a bar begins.")
-      .value("corner", FeatureBar::Birth::corner, "at diameter 0, at a reflex vertex of the region")
-      .value("neck", FeatureBar::Birth::neck, "one of two, between places opposite each other");
-  nb::enum_<FeatureBar::Death>(bar, "Death", "Why a bar ends.")
-      .value("merged", FeatureBar::Death::merged, "into another bar, `parent`")
-      .value("filled", FeatureBar::Death::filled, "the pocket or hole is full")
-      .value("never", FeatureBar::Death::never, "it goes on to an edge of the convex hull");
-  bar.field("born", &FeatureBar::born)
-      .field("died", &FeatureBar::died)
-      .field("birth", &FeatureBar::birth, "event; equal events are exactly equal diameters")
-      .field("death", &FeatureBar::death, "event; None: never")
-      .field("birth_alpha", &FeatureBar::birth_alpha, "diameter, the nearest double")
-      .field("death_alpha", &FeatureBar::death_alpha, "the same; infinity for never")
-      .field("parent", &FeatureBar::parent, "index of the bar that it merged into")
-      .field("vertex", &FeatureBar::vertex, "of the region: where a corner is born")
-      .field("minimum", &FeatureBar::minimum, "vertex of the region: the pocket minimum; None of gaps")
-      .field("concavity", &FeatureBar::concavity, "of the minimum where the bar dies, rounded")
-      .field("counts_from", &FeatureBar::counts_from, "diameter from which significant() counts its life, rounded")
-      .field("significance", &FeatureBar::significance,
-             "how much it counts: see significant(); infinity for gaps without end")
-      .field("in_hole", &FeatureBar::in_hole, "its disc touches the ring of a hole")
-      .field("loop", &FeatureBar::loop, "boundary ring of its minimum: outer ring, then holes, part by part");
+  enumeration<FeatureBar::Birth>(
+      bar, "Birth", "Where a bar begins.",
+      {"at diameter 0, at a reflex vertex of the region", "one of two, between places opposite each other"});
+  enumeration<FeatureBar::Death>(
+      bar, "Death", "Why a bar ends.",
+      {"into another bar, `parent`", "the pocket or hole is full", "it goes on to an edge of the convex hull"});
+  bar.listed();
 }
 
 void bind_alpha_bridge(nb::module_& m) {
-  Record<BridgeContact>(m, "BridgeContact", "Where a disc touches the region.")
-      .field("at_vertex", &BridgeContact::at_vertex)
-      .field("index", &BridgeContact::index, "vertex or edge of the region")
-      .field("at", &BridgeContact::at, "rounded");
+  Record<BridgeContact>(m, "BridgeContact", "Where a disc touches the region.").listed();
   Record<AlphaBridge>(m, "AlphaBridge", "The segment between the two contacts of a disc, the pocket on its left.")
-      .field("from_", &AlphaBridge::from)
-      .field("to", &AlphaBridge::to)
-      .field("centre", &AlphaBridge::centre, "of the disc, rounded")
-      .field("gap", &AlphaBridge::gap, "between two boundary rings: there is no pocket")
-      .field("length", &AlphaBridge::length)
-      .field("bar", &AlphaBridge::bar, "index of its bar")
-      .field("minimum", &AlphaBridge::minimum, "vertex of the region")
-      .field("concavity", &AlphaBridge::concavity)
-      .field("pocket_size", &AlphaBridge::pocket_size, "vertices of the pocket between the contacts");
+      .listed();
 }
 
 ShapeFeatures features_of(const RegionArgument& region, const FeatureOptions& options) {
@@ -194,19 +169,8 @@ void bind_cuts(nb::module_& m) {
       .option("alpha_to", &DecomposeOptions::alpha_to, "None: infinity")
       .option("progress", &DecomposeOptions::progress);
   Record<Cut> cut(m, "Cut", "A segment from a reflex vertex to the boundary or to an earlier cut of the same part.");
-  nb::enum_<Cut::End>(cut, "End", "What a cut ends at.")
-      .value("vertex", Cut::End::vertex)
-      .value("edge", Cut::End::edge)
-      .value("cut", Cut::End::cut);
-  cut.field("vertex", &Cut::vertex, "of the region: where it begins")
-      .field("end", &Cut::end)
-      .field("index", &Cut::index, "vertex or edge of the region, or earlier cut, that it ends at")
-      .field("from_", &Cut::from)
-      .field("to", &Cut::to)
-      .field("bar", &Cut::bar,
-             "the most significant bar whose minimum it begins at; of a partner that of the other cut")
-      .field("partner", &Cut::partner, "made at once with a cut that would have separated nothing without it")
-      .field("runs", &Cut::runs, "what of it separates pieces: all but the holes that it passes over and their edges");
+  enumeration<Cut::End>(cut, "End", "What a cut ends at.");
+  cut.listed();
 }
 
 /// One of the pieces, rounded.
@@ -214,8 +178,7 @@ nb::object shapely_piece(const Region& piece) { return nb::cast(piece).attr("to_
 
 void bind_pieces(nb::module_& m) {
   Record<Piece>(m, "Piece", "A connected piece with exact vertices: outer ring counter-clockwise, holes clockwise.")
-      .field("outer", &Piece::outer)
-      .field("holes", &Piece::holes)
+      .listed()
       .def(
           "to_shapely",
           [](const Piece& self) {
@@ -224,8 +187,7 @@ void bind_pieces(nb::module_& m) {
           "The piece rounded to doubles as a shapely polygon (needs shapely 2). Raises Error: "
           "rounding_changed_topology.");
   Record<Decomposition>(m, "Decomposition", "Cuts, and the pieces between them.")
-      .field("cuts", &Decomposition::cuts, "in the order in which they were made")
-      .field("pieces", &Decomposition::pieces, "they tile the region: its connected components without the cuts")
+      .listed()
       .def(
           "to_shapely",
           [](const Decomposition& self) {

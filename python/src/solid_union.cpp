@@ -4,6 +4,7 @@
 #include "arguments.h"
 #include "bind.h"
 #include "calls.h"
+#include "enumeration.h"
 #include "record.h"
 #include "remember.h"
 
@@ -13,11 +14,10 @@ namespace {
 using namespace nb::literals;
 
 void bind_fill(nb::module_& m) {
-  nb::enum_<Fill>(m, "Fill",
-                  "Which positions lie inside of closed rings or surfaces, by how often these go around them.")
-      .value("positive", Fill::positive, "once or more: the union of sets, their holes taken out")
-      .value("nonzero", Fill::nonzero, "the same, also of sets whose boundaries run the other way")
-      .value("even_odd", Fill::even_odd, "an odd number: what lies in two sets is outside");
+  enumeration<Fill>(
+      m, "Fill", "Which positions lie inside of closed rings or surfaces, by how often these go around them.",
+      {"once or more: the union of sets, their holes taken out",
+       "the same, also of sets whose boundaries run the other way", "an odd number: what lies in two sets is outside"});
 }
 
 /// The solids, and the objects to be remembered.

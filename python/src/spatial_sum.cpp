@@ -5,6 +5,7 @@
 #include "bind.h"
 #include "calls.h"
 #include "dymsum/volume_text.h"
+#include "enumeration.h"
 #include "extent.h"
 #include "record.h"
 #include "remember.h"
@@ -15,9 +16,7 @@ namespace {
 using namespace nb::literals;
 
 void bind_spatial_options(nb::module_& m) {
-  nb::enum_<SpatialEngine>(m, "SpatialEngine", "How the boundary is found; both give the same result.")
-      .value("fast", SpatialEngine::fast)
-      .value("brute", SpatialEngine::brute);
+  enumeration<SpatialEngine>(m, "SpatialEngine", "How the boundary is found; both give the same result.");
   Record<SpatialOptions> options(m, "SpatialOptions", "Options of sums of solids.");
   options.def(
       "__init__",
@@ -38,14 +37,9 @@ void bind_spatial_options(nb::module_& m) {
 
 void bind_spatial_parts(nb::module_& m) {
   Record<SolidFeature> feature(m, "SolidFeature", "A feature of an operand, by indices into its mesh.");
-  nb::enum_<SolidFeature::Kind>(feature, "Kind", "What a feature is.")
-      .value("vertex", SolidFeature::Kind::vertex)
-      .value("edge", SolidFeature::Kind::edge)
-      .value("face", SolidFeature::Kind::face);
-  feature.field("kind", &SolidFeature::kind).field("a", &SolidFeature::a).field("b", &SolidFeature::b);
-  Record<SolidContact>(m, "SolidContact", "A feature of P and one of Q that touch.")
-      .field("p", &SolidContact::p)
-      .field("q", &SolidContact::q);
+  enumeration<SolidFeature::Kind>(feature, "Kind", "What a feature is.");
+  feature.listed();
+  Record<SolidContact>(m, "SolidContact", "A feature of P and one of Q that touch.").listed();
   Record<SpatialFace>(m, "SpatialFace", "A face of the boundary: a polygon in one plane, perhaps with holes.")
       .field("loops", &SpatialFace::loops, "vertex indices: the outer loop, then holes")
       .field("p", &SpatialFace::p)
@@ -57,33 +51,14 @@ void bind_spatial_parts(nb::module_& m) {
       .field("faces", &SpatialEdge::faces)
       .field("contact", &SpatialEdge::contact);
   Record<SpatialStats> stats(m, "SpatialStats", "The work that was done.");
-  Record<SpatialStats::Stage>(stats, "Stage", "Time of a stage.")
-      .field("name", &SpatialStats::Stage::name)
-      .field("ms", &SpatialStats::Stage::ms);
-  stats.field("bits", &SpatialStats::bits)
-      .field("face_vertex", &SpatialStats::face_vertex)
-      .field("edge_edge", &SpatialStats::edge_edge)
-      .field("inner_facets", &SpatialStats::inner_facets)
-      .field("box_pairs", &SpatialStats::box_pairs)
-      .field("contacts", &SpatialStats::contacts)
-      .field("points", &SpatialStats::points)
-      .field("cells", &SpatialStats::cells)
-      .field("patches", &SpatialStats::patches)
-      .field("collision_tests", &SpatialStats::collision_tests)
-      .field("tight_tests", &SpatialStats::tight_tests)
-      .field("double_pair_signs", &SpatialStats::double_pair_signs)
-      .field("exact_signs", &SpatialStats::exact_signs)
-      .field("held_bytes", &SpatialStats::held_bytes)
-      .field("stages", &SpatialStats::stages);
+  Record<SpatialStats::Stage>(stats, "Stage", "Time of a stage.").listed();
+  stats.listed();
 }
 
 void bind_spatial_trace(nb::module_& m) {
   Record<SpatialTrace> trace(m, "SpatialTrace", "The stages of a sum as data, rounded.");
   Record<SpatialTrace::Facet> facet(trace, "Facet", "A facet of the reduced convolution.");
-  nb::enum_<SpatialTrace::Facet::Kind>(facet, "Kind", "What a facet is the sum of.")
-      .value("face_vertex", SpatialTrace::Facet::Kind::face_vertex)
-      .value("vertex_face", SpatialTrace::Facet::Kind::vertex_face)
-      .value("edge_edge", SpatialTrace::Facet::Kind::edge_edge);
+  enumeration<SpatialTrace::Facet::Kind>(facet, "Kind", "What a facet is the sum of.");
   facet.field("corners", &SpatialTrace::Facet::corners).field("kind", &SpatialTrace::Facet::kind);
   trace.field("facets", &SpatialTrace::facets).field("pieces", &SpatialTrace::pieces);
 }
@@ -98,7 +73,7 @@ void bind_fields(nb::class_<SpatialSum>& sum) {
       .def_ro("at_error", &SpatialSum::at_error)
       .def_ro("faces", &SpatialSum::faces)
       .def_ro("shells", &SpatialSum::shells)
-      .def_ro("edges", &SpatialSum::edges)
+      .def_prop_ro("edges", &SpatialSum::edges)
       .def_ro("vertex_contacts", &SpatialSum::vertex_contacts)
       .def_ro("tight_faces", &SpatialSum::tight_faces)
       .def_ro("tight_segments", &SpatialSum::tight_segments)

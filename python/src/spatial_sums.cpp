@@ -8,6 +8,7 @@
 #include "dymsum/solid_offset.h"
 #include "dymsum/solid_slice.h"
 #include "dymsum/spatial_sum.h"
+#include "enumeration.h"
 #include "record.h"
 #include "remember.h"
 
@@ -40,6 +41,24 @@ void bind_sums_of_solids(nb::module_& m) {
       },
       "operands"_a, "options"_a = SpatialOptions(), "The sum of several operands, at least one.");
   m.def(
+      "minkowski_sum",
+      [](nb::handle_t<SpatialSum> p, const MeshArgument& q, const SpatialOptions& options) {
+        const SpatialSum& first = nb::cast<const SpatialSum&>(p);
+        SpatialSum sum = run_with(options, [&](const SpatialOptions& own) { return minkowski_sum(first, *q, own); });
+        return remembered(std::move(sum), "solid_sum", p, q.object, options);
+      },
+      "p"_a, "q"_a, "options"_a = SpatialOptions(),
+      "The sum of a sum's regular part and a solid, unrounded. Raises Error: out_of_range.");
+  m.def(
+      "minkowski_sum",
+      [](nb::handle_t<SpatialSum> p, nb::handle_t<SpatialSum> q, const SpatialOptions& options) {
+        const SpatialSum &first = nb::cast<const SpatialSum&>(p), &second = nb::cast<const SpatialSum&>(q);
+        SpatialSum sum =
+            run_with(options, [&](const SpatialOptions& own) { return minkowski_sum(first, second, own); });
+        return remembered(std::move(sum), "solid_sum", p, q, options);
+      },
+      "p"_a, "q"_a, "options"_a = SpatialOptions(), "The sum of two sums.");
+  m.def(
       "as_mesh", [](const SpatialSum& sum) { return take(as_mesh(sum)); }, "sum"_a,
       "The regular part of a sum as an operand. Raises Error: unsupported_operand where no doubles hold a vertex.");
   m.def(
@@ -50,6 +69,15 @@ void bind_sums_of_solids(nb::module_& m) {
       },
       "a"_a, "b"_a, "options"_a = SpatialOptions(),
       "A (-) B = { x : x + B inside A }, positions without room to move included as tight features.");
+  m.def(
+      "erode",
+      [](nb::handle_t<SpatialSum> a, const MeshArgument& b, const SpatialOptions& options) {
+        const SpatialSum& outer = nb::cast<const SpatialSum&>(a);
+        SpatialSum fit = run_with(options, [&](const SpatialOptions& own) { return erode(outer, *b, own); });
+        return remembered(std::move(fit), "solid_erode", a, b.object, options);
+      },
+      "a"_a, "b"_a, "options"_a = SpatialOptions(),
+      "The same of a sum's regular part, unrounded. Raises Error: out_of_range.");
 }
 
 /// Raises Error: not_finite.
@@ -96,9 +124,7 @@ void bind_spatial_contains(nb::module_& m) {
 }
 
 void bind_opening(nb::module_& m) {
-  nb::enum_<BetweenSteps>(m, "BetweenSteps", "What becomes of positions between two operations that are no doubles.")
-      .value("exact", BetweenSteps::exact)
-      .value("rounded", BetweenSteps::rounded);
+  enumeration<BetweenSteps>(m, "BetweenSteps", "What becomes of positions between two operations that are no doubles.");
   Record<SolidOpening>(m, "SolidOpening", "An opening or a closing.")
       .field("solid", &SolidOpening::solid)
       .field("moved", &SolidOpening::moved, "no vertex between was moved by more; 0: exact");
@@ -108,7 +134,7 @@ void bind_opening(nb::module_& m) {
         return run_with(options, [&](const SpatialOptions& own) { return opening(*a, *b, own, between); });
       },
       "a"_a, "b"_a, "options"_a = SpatialOptions(), "between"_a = BetweenSteps::exact,
-      R"doc((A (-) B) (+) B: the union of all x + B inside A. Raises Error: rounding_changed_topology.
+      R"doc((A (-) B) (+) B: the union of all x + B inside A. Raises Error: out_of_range; of rounded steps rounding_changed_topology.
 
 >>> from dymsum import opening, solids
 >>> ell = solids.prism([(0, 0), (3, 0), (3, 1), (1, 1), (1, 3), (0, 3)], 1)
@@ -124,9 +150,7 @@ void bind_opening(nb::module_& m) {
 }
 
 void bind_offset(nb::module_& m) {
-  nb::enum_<OffsetBound>(m, "OffsetBound", "On which side of the exact offset a result lies.")
-      .value("inside", OffsetBound::inside)
-      .value("outside", OffsetBound::outside);
+  enumeration<OffsetBound>(m, "OffsetBound", "On which side of the exact offset a result lies.");
   Record<TessellatedBall>(m, "TessellatedBall", "A convex solid between two balls.")
       .field("mesh", &TessellatedBall::mesh)
       .field("low", &TessellatedBall::low)

@@ -1,6 +1,7 @@
 #include "dymsum/result.h"
 
 #include "base/double_text.h"
+#include "dymsum/names.h"
 
 namespace dymsum {
 
@@ -20,65 +21,7 @@ void append(std::string& text, std::string_view label, std::optional<std::int64_
 
 }  // namespace
 
-std::string_view name(ErrorCode code) {
-  switch (code) {
-    case ErrorCode::cannot_open:
-      return "cannot_open";
-    case ErrorCode::cannot_write:
-      return "cannot_write";
-    case ErrorCode::unsupported_format:
-      return "unsupported_format";
-    case ErrorCode::malformed:
-      return "malformed";
-    case ErrorCode::truncated:
-      return "truncated";
-    case ErrorCode::not_finite:
-      return "not_finite";
-    case ErrorCode::too_few_vertices:
-      return "too_few_vertices";
-    case ErrorCode::repeated_vertex:
-      return "repeated_vertex";
-    case ErrorCode::no_area:
-      return "no_area";
-    case ErrorCode::wrong_orientation:
-      return "wrong_orientation";
-    case ErrorCode::self_crossing:
-      return "self_crossing";
-    case ErrorCode::rings_cross:
-      return "rings_cross";
-    case ErrorCode::hole_outside:
-      return "hole_outside";
-    case ErrorCode::parts_overlap:
-      return "parts_overlap";
-    case ErrorCode::bad_index:
-      return "bad_index";
-    case ErrorCode::not_planar:
-      return "not_planar";
-    case ErrorCode::not_closed:
-      return "not_closed";
-    case ErrorCode::not_manifold:
-      return "not_manifold";
-    case ErrorCode::faces_cross:
-      return "faces_cross";
-    case ErrorCode::not_convex:
-      return "not_convex";
-    case ErrorCode::unsupported_operand:
-      return "unsupported_operand";
-    case ErrorCode::rounding_changed_topology:
-      return "rounding_changed_topology";
-    case ErrorCode::bad_scale:
-      return "bad_scale";
-    case ErrorCode::bad_rotation:
-      return "bad_rotation";
-    case ErrorCode::out_of_range:
-      return "out_of_range";
-    case ErrorCode::cancelled:
-      return "cancelled";
-    case ErrorCode::out_of_memory:
-      return "out_of_memory";
-  }
-  throw std::logic_error("name(ErrorCode): not a code");
-}
+std::string_view name(ErrorCode code) { return name<ErrorCode>(code); }
 
 std::string Error::to_string() const {
   std::string text = evidence.file;

@@ -194,9 +194,9 @@ class ContinuousDepth::State {
   Result<ContinuousContact> query(const Point3& at, const Rotation& turned) {
     answered_ = false;
     ContinuousContact result;
-    if (std::optional<Error> error = step(at, turned, halvings_, result)) {
+    if (const Result<void> done = step(at, turned, halvings_, result); !done) {
       forget();
-      return *std::move(error);
+      return done.error();
     }
     at_ = at, answered_ = true;
     return result;
@@ -256,48 +256,51 @@ class ContinuousDepth::State {
   }
 
   /// From the last pose to this one, by halves where that is not proved to follow.
-  std::optional<Error> step(const Point3& at, const Rotation& turned, int halvings, ContinuousContact& result) {
+  Result<void> step(const Point3& at, const Rotation& turned, int halvings, ContinuousContact& result) {
     const bool turns = !tracker_.position() || !(turned == turned_);
     const ContinuousTracker before = tracker_;
     const Rotation turned_before = turned_;
     const Point3 from = last_;
     const double angle = turns ? (turned * turned_.inverse()).angle() : 0;
-    if (std::optional<Error> error = prepare(at, turned, turns, result)) return error;
+    if (const Result<void> done = prepare(at, turned, turns, result); !done) return done;
     const double turned_by = angle * radius_q_ * tracker_.limits().scale;
     const bool must = !turns || halvings == 0 || !before.is_tracking();
     if (tracker_.answer(tracker_.scaled(at), near_, turned_by, must, result)) {
       last_ = at;
-      return std::nullopt;
+      return {};
     }
     tracker_ = before, turned_ = turned_before;
     const Point3 midpoint{0.5 * (from.x + at.x), 0.5 * (from.y + at.y), 0.5 * (from.z + at.z)};
     const Rotation half = between(turned_before, turned);
     ContinuousContact between_them;
     between_them.work = result.work;
-    if (std::optional<Error> error = step(midpoint, half, halvings - 1, between_them)) return error;
+    if (const Result<void> done = step(midpoint, half, halvings - 1, between_them); !done) return done;
     result.work = between_them.work;
-    if (std::optional<Error> error = step(at, turned, halvings - 1, result)) return error;
+    if (const Result<void> done = step(at, turned, halvings - 1, result); !done) return done;
     // What jumped on the way has jumped.
     if (result.discontinuity == Discontinuity::none) result.discontinuity = between_them.discontinuity;
-    return std::nullopt;
+    return {};
   }
 
   /// What has to be known of the boundary about a position, and the distance there.
-  std::optional<Error> prepare(const Point3& at, const Rotation& turned, bool turns, ContinuousContact& result) {
+  Result<void> prepare(const Point3& at, const Rotation& turned, bool turns, ContinuousContact& result) {
     const Vec3 from = tracker_.scaled(at);
     if (!turns) {
       near_ = depth::nearest_on(tracker_.position()->surface, from);
-      if (is_covered(from)) return std::nullopt;
+      if (is_covered(from)) return {};
     }
-    if (std::max({std::abs(at.x), std::abs(at.y), std::abs(at.z)}) > extent_) return far_away(at, turned);
+    if (std::max({std::abs(at.x), std::abs(at.y), std::abs(at.z)}) > extent_) {
+      far_away(at, turned);
+      return {};
+    }
     const double scale = tracker_.limits().scale;
     double reach = (near_.inside ? tracker_.wanted(near_.nearest.distance) / scale : smoothing_) + margin_;
     for (;;) {
-      if (std::optional<Error> error = cut(at, turned, reach, result)) return error;
+      if (const Result<void> done = cut(at, turned, reach, result); !done) return done;
       const ContinuousPosition& position = *tracker_.position();
       near_ = depth::nearest_on(position.surface, from);
       const double wanted = near_.inside ? tracker_.wanted(near_.nearest.distance) / scale : 0;
-      if (is_covered(from) && (std::isinf(position.reach) || wanted + 0.5 * margin_ <= reach)) return std::nullopt;
+      if (is_covered(from) && (std::isinf(position.reach) || wanted + 0.5 * margin_ <= reach)) return {};
       reach = std::max(near_.face.distance / scale <= reach ? wanted : 2 * reach, wanted) + margin_;
     }
   }
@@ -311,7 +314,7 @@ class ContinuousDepth::State {
   }
 
   /// Where no point of Q can meet P.
-  std::optional<Error> far_away(const Point3& at, const Rotation& turned) {
+  void far_away(const Point3& at, const Rotation& turned) {
     auto position = std::make_shared<ContinuousPosition>();
     position->boundary = std::make_shared<const SpatialSum>();
     position->centre = tracker_.scaled(at);
@@ -319,7 +322,6 @@ class ContinuousDepth::State {
     near_.face.distance = near_.nearest.distance = std::numeric_limits<double>::infinity();
     turned_ = turned;
     tracker_.move_to(std::move(position));
-    return std::nullopt;
   }
 
   bool is_covered(Vec3 from) const {
@@ -330,7 +332,7 @@ class ContinuousDepth::State {
     return near_.face.distance <= position.reach - spatial::length(from - position.centre);
   }
 
-  std::optional<Error> cut(const Point3& at, const Rotation& turned, double reach, ContinuousContact& result) {
+  Result<void> cut(const Point3& at, const Rotation& turned, double reach, ContinuousContact& result) {
     ++result.work.local_sums;
     Result<BoundaryMaker::Made> part = maker_.about(at, reach, turned);
     if (!part) return part.error();
@@ -348,7 +350,7 @@ class ContinuousDepth::State {
     position->boundary = std::make_shared<const SpatialSum>(std::move(made.boundary));
     turned_ = turned;
     tracker_.move_to(std::move(position));
-    return std::nullopt;
+    return {};
   }
 
   Mesh p_, q_;

@@ -17,9 +17,9 @@ namespace dymsum {
 /// The free set from an oracle that is constant between consecutive critical scales and closed: one question per gap,
 /// and one per critical scale between two blocked gaps. Above `limit` (if any) nothing is free.
 template <class Contacts, class Range, class Free>
-std::optional<Error> free_intervals(const std::map<exact::BigRational, Contacts>& critical,
-                                    const std::optional<exact::BigRational>& limit, const Progress& progress,
-                                    Range& range, Free&& free) {
+Result<void> free_intervals(const std::map<exact::BigRational, Contacts>& critical,
+                            const std::optional<exact::BigRational>& limit, const Progress& progress, Range& range,
+                            Free&& free) {
   using exact::BigRational;
   std::vector<BigRational> values;
   for (const auto& [s, contacts] : critical)
@@ -61,7 +61,7 @@ std::optional<Error> free_intervals(const std::map<exact::BigRational, Contacts>
       range.free.back().at_high = contacts_at(values[i]);
     }
   }
-  return std::nullopt;
+  return {};
 }
 
 }  // namespace dymsum

@@ -95,9 +95,9 @@ Result<ScaleRange> range_of(const Region& part, const std::vector<Point>& path, 
   Poll poll(progress);
   poll.stage("contacts");
   ScaleRange range;
-  if (std::optional<Error> error = free_intervals(walk.critical([&](double fraction) { poll(fraction); }), limit,
-                                                  progress, range, [&](const BigRational& s) { return walk.free(s); }))
-    return *std::move(error);
+  const Result<void> done = free_intervals(walk.critical([&](double fraction) { poll(fraction); }), limit, progress,
+                                           range, [&](const BigRational& s) { return walk.free(s); });
+  if (!done) return done.error();
   return range;
 } catch (const Cancelled&) {
   return cancelled();
@@ -172,12 +172,12 @@ class AnyPlacement {
     return AnyPlacement(std::move(base).value(), std::move(indices));
   }
 
-  std::optional<Error> move_to(const BigRational& s) {
+  Result<void> move_to(const BigRational& s) {
     const Result<Scale> scale = Scale::of(exact::to_rational(s));
     if (!scale) return scale.error();
     const Result<FrameChanges> moved = state_->move_to(*scale, *scale);
     if (!moved) return moved.error();
-    return std::nullopt;
+    return {};
   }
   /// After move_to(). Free placements are holes of the sum and its tight features.
   bool fits() const {
@@ -275,15 +275,15 @@ Result<ScaleRange> range_anywhere(const Region& part, const Region& container, c
   if (!low) return low.error();
   const Result<PathFree::Critical> critical = critical_of(placement, *low, limit, progress);
   if (!critical) return critical.error();
-  std::optional<Error> failed;
+  Result<void> moved;
   const auto fits_at = [&](const BigRational& s) {
-    if (!failed) failed = placement.move_to(s);
-    return !failed && placement.fits();
+    if (moved) moved = placement.move_to(s);
+    return moved && placement.fits();
   };
   ScaleRange range;
-  if (std::optional<Error> error = free_intervals(*critical, limit, progress, range,
-                                                  [&](const BigRational& s) { return s <= *low || fits_at(s); }))
-    return *std::move(error);
+  const Result<void> done =
+      free_intervals(*critical, limit, progress, range, [&](const BigRational& s) { return s <= *low || fits_at(s); });
+  if (!done) return done.error();
   const auto name = [&](const std::optional<Rational>& end, std::vector<ScaleContact>& contacts) {
     if (!end || !fits_at(exact::exact_value(*end))) return;
     contacts = placement.contacts(exact::exact_value(*end));
@@ -292,7 +292,7 @@ Result<ScaleRange> range_anywhere(const Region& part, const Region& container, c
     name(i.low, i.at_low);
     name(i.high, i.at_high);
   }
-  if (failed) return *std::move(failed);
+  if (!moved) return moved.error();
   return range;
 }
 

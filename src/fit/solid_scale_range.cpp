@@ -49,9 +49,9 @@ Result<SolidScaleRange> range_of_path(const Mesh& part, const std::vector<Ration
       watch.begin("contacts");
       const SolidPath::Critical critical = walk.critical([&](double fraction) { watch.query(fraction); });
       SolidScaleRange range;
-      if (std::optional<Error> error =
-              free_intervals(critical, limit, progress, range, [&](const BigRational& s) { return walk.free(s); }))
-        return *std::move(error);
+      const Result<void> done =
+          free_intervals(critical, limit, progress, range, [&](const BigRational& s) { return walk.free(s); });
+      if (!done) return done.error();
       return range;
     });
   });
@@ -96,7 +96,7 @@ class SolidRoom {
   SolidRoom(SolidScaleEvents sum, const Progress& progress) : sum_(std::move(sum)), progress_(progress) {}
 
   /// Free placements are the shells of the sum behind that of the frame, and its tight features.
-  std::optional<Error> look(const BigRational& s) {
+  Result<void> look(const BigRational& s) {
     const Result<Scale> scale = Scale::of(exact::to_rational(s));
     if (!scale) return scale.error();
     Result<SpatialSum> at = sum_.at(*scale, progress_);
@@ -110,7 +110,7 @@ class SolidRoom {
     for (std::size_t k = 0; k < at->tight_points.size(); ++k) add(at->tight_point_contacts[k], at->tight_points[k]);
     for (std::size_t k = 0; k < at->tight_segments.size(); ++k)
       add(at->tight_segment_contacts[k], at->tight_segments[k][0]);
-    return std::nullopt;
+    return {};
   }
   const SolidScaleEvents& sum() const { return sum_; }
 
@@ -149,7 +149,7 @@ Result<BigRational> proved_room(const Mesh& part, const Mesh& frame, BigRational
   SolidRoom room = *std::move(made);
   for (int k = 0; k < 60; ++k) {
     low /= 2;
-    if (std::optional<Error> error = room.look(low)) return *std::move(error);
+    if (const Result<void> seen = room.look(low); !seen) return seen.error();
     if (room.fits) return low;
   }
   return refused_solid("the container is too thin for its size");
@@ -190,19 +190,19 @@ Result<SolidScaleRange> range_anywhere(const Mesh& part, const Mesh& container, 
   std::map<BigRational, std::vector<SolidScaleContact>> critical;
   for (const ScaleEvent& e : *events)
     if (e.topology) critical[exact::exact_value(e.parameter)];
-  std::optional<Error> failed;
+  Result<void> seen;
   const auto fits = [&](const BigRational& s) {
     if (s <= *low) return true;
-    if (!failed) failed = room.look(s);
-    return !failed && room.fits;
+    if (seen) seen = room.look(s);
+    return seen && room.fits;
   };
   SolidScaleRange range;
-  if (std::optional<Error> error = free_intervals(critical, limit, progress, range, fits)) return *std::move(error);
+  if (const Result<void> done = free_intervals(critical, limit, progress, range, fits); !done) return done.error();
   for (SolidScaleInterval& i : range.free) {
-    if (i.low && !failed && fits(exact::exact_value(*i.low))) i.at_low = room.contacts;
-    if (i.high && !failed && fits(exact::exact_value(*i.high))) i.at_high = room.contacts;
+    if (i.low && seen && fits(exact::exact_value(*i.low))) i.at_low = room.contacts;
+    if (i.high && seen && fits(exact::exact_value(*i.high))) i.at_high = room.contacts;
   }
-  if (failed) return *std::move(failed);
+  if (!seen) return seen.error();
   return range;
 }
 

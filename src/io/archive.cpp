@@ -16,7 +16,8 @@ namespace dymsum::io {
 namespace {
 
 constexpr int kGzip = 16 + MAX_WBITS;  ///< zlib's way to name the format
-// Text of a million triangles takes a third of the time that level 9 takes, which is libzip's own choice, and a third more bytes.
+// Text of a million triangles takes a third of the time that level 9 takes, which is libzip's own choice, and a third
+// more bytes.
 constexpr int kLevel = 3;
 constexpr std::size_t kBlock = std::size_t{1} << 18;
 
@@ -123,8 +124,7 @@ Result<std::string> unzipped_gz(std::string_view bytes, std::string_view file) {
 
 Result<std::string> gz_of(std::string_view text) {
   z_stream stream{};  // without a header of ours: no name, no time
-  if (deflateInit2(&stream, kLevel, Z_DEFLATED, kGzip, 8, Z_DEFAULT_STRATEGY) != Z_OK)
-    throw std::bad_alloc();
+  if (deflateInit2(&stream, kLevel, Z_DEFLATED, kGzip, 8, Z_DEFAULT_STRATEGY) != Z_OK) throw std::bad_alloc();
   const std::unique_ptr<z_stream, decltype(&deflateEnd)> closed(&stream, &deflateEnd);
   std::string out, block(kBlock, '\0');
   int state = Z_OK;

@@ -36,18 +36,19 @@ class TableRunner {
   TableRunner(const NfpTable::State& table, const TableOptions& options, TableResult& result, TableStore& store)
       : table_(table), options_(options), result_(result), store_(store), end_(after(options.all_seconds)) {}
 
-  std::optional<Error> run() {
+  Result<void> run() {
     std::vector<std::size_t> open;
     for (std::size_t t = options_.shard - 1; t < table_.tasks.size(); t += options_.shards) {
       ++result_.work.tasks;
       if (!done(table_.tasks[t])) open.push_back(t);
     }
-    if (!open.empty() && store_.unwritable()) return store_.unwritable();
+    if (!open.empty() && store_.unwritable()) return *store_.unwritable();
     count_ = open.size();
     base::parallel_parts(open.size(), options_.threads, [&](std::size_t i) { run_task(table_.tasks[open[i]]); });
     const std::lock_guard<std::mutex> lock(mutex_);
     flush();
-    return error_;
+    if (error_) return *std::move(error_);
+    return {};
   }
 
  private:
@@ -150,7 +151,7 @@ Result<TableResult> compute_table(const NfpTable& table, const TableOptions& opt
   result.work.refused_files = store.refused();
   nesting::fit_strips(state, options.threads, result);
   if (!options.compute) return result;
-  if (std::optional<Error> error = nesting::TableRunner(state, options, result, store).run()) return *std::move(error);
+  if (const Result<void> done = nesting::TableRunner(state, options, result, store).run(); !done) return done.error();
   return result;
 }
 

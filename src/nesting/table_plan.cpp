@@ -39,14 +39,14 @@ class Planner {
  public:
   Planner(NfpTable::State& state, const Progress& progress) : state_(state), poll_(progress) {}
 
-  std::optional<Error> run() {
+  Result<void> run() {
     digest();
     list_orientations();
     if (!list_rows()) return Error{ErrorCode::out_of_range, "the table has more than 2^32 - 2 rows", {}};
     turn_by_quarters();
     list_answers();
     mark_rows();
-    return std::nullopt;
+    return {};
   }
 
  private:
@@ -255,7 +255,7 @@ Result<NfpTable> NfpTable::create(TableInput input, const Progress& progress) tr
   if (std::optional<Error> error = nesting::wrong(input)) return *std::move(error);
   auto state = std::make_shared<State>();
   state->input = std::move(input);
-  if (std::optional<Error> error = nesting::Planner(*state, progress).run()) return *std::move(error);
+  if (const Result<void> done = nesting::Planner(*state, progress).run(); !done) return done.error();
   NfpTable table;
   table.state_ = std::move(state);
   return table;

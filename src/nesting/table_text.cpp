@@ -1,10 +1,11 @@
 // A table as texts. Nothing of how it came about is in them.
-#include <map>
+#include <array>
 #include <nlohmann/json.hpp>
 #include <stdexcept>
 #include <string>
 #include <utility>
 
+#include "dymsum/names.h"
 #include "io/number_text.h"
 #include "nesting/table_plan.h"
 
@@ -13,42 +14,6 @@ namespace nesting {
 namespace {
 
 using Json = nlohmann::ordered_json;
-
-const char* name_of(TableRow::Kind kind) {
-  switch (kind) {
-    case TableRow::Kind::nfp:
-      return "nfp";
-    case TableRow::Kind::bin_fit:
-      return "bin_fit";
-    case TableRow::Kind::strip_fit:
-      break;
-  }
-  return "strip_fit";
-}
-
-const char* name_of(TableAnswer::Status status) {
-  switch (status) {
-    case TableAnswer::Status::done:
-      return "done";
-    case TableAnswer::Status::refused:
-      return "refused";
-    case TableAnswer::Status::timed_out:
-      break;
-  }
-  return "timed_out";
-}
-
-const char* name_of(TableAnswer::Rounding rounding) {
-  switch (rounding) {
-    case TableAnswer::Rounding::none:
-      return "none";
-    case TableAnswer::Rounding::nearest:
-      return "nearest";
-    case TableAnswer::Rounding::repaired:
-      break;
-  }
-  return "repaired";
-}
 
 std::string hex_of(std::string_view bytes) {
   constexpr const char* kDigits = "0123456789abcdef";
@@ -100,11 +65,12 @@ class RowWriter {
 
   void write(std::string& out, const TableRow& row, const TableAnswer& answer) {
     out += R"({"kind":")";
-    out += name_of(row.kind);
+    out += name(row.kind);
     if (row.kind == TableRow::Kind::nfp) out += R"(","fixed":)" + items_[row.fixed];
     else if (row.kind == TableRow::Kind::bin_fit) out += R"(","bin":)" + bins_[row.fixed];
     else out += '"';
-    out += R"(,"moving":)" + items_[row.moving] + angles_[row.angle] + R"(,"status":")" + name_of(answer.status) + '"';
+    out += R"(,"moving":)" + items_[row.moving] + angles_[row.angle] + R"(,"status":")" +
+           std::string(name(answer.status)) + '"';
     if (answer.error) write_error(out, *answer.error);
     if (answer.status == TableAnswer::Status::done) {
       if (answer.strip) write_strip(out, answer);
@@ -121,7 +87,7 @@ class RowWriter {
 
   void write_rounding(std::string& out, const TableAnswer& answer) const {
     out += R"(,"rounding":")";
-    out += name_of(answer.rounding);
+    out += name(answer.rounding);
     out += '"';
   }
 
@@ -158,12 +124,12 @@ Json degrees_json(const std::vector<Rational>& degrees) {
 Json text_json(std::string_view text) { return {{"bytes", text.size()}, {"sha256", hex_of(base::sha256(text))}}; }
 
 Json counts_json(const NfpTable::State& table, const TableResult& result) {
-  std::map<std::string, std::uint64_t> counts{{"done", 0}, {"refused", 0}, {"timed_out", 0}};
-  for (const TableRow& row : table.rows) ++counts[name_of(answer_of(result, row).status)];
-  return {{"all", table.rows.size()},
-          {"done", counts["done"]},
-          {"refused", counts["refused"]},
-          {"timed_out", counts["timed_out"]}};
+  constexpr const auto& kNames = names_of<TableAnswer::Status>();
+  std::array<std::uint64_t, kNames.size()> counts{};
+  for (const TableRow& row : table.rows) ++counts[static_cast<std::size_t>(answer_of(result, row).status)];
+  Json json{{"all", table.rows.size()}};
+  for (std::size_t k = 0; k < counts.size(); ++k) json[std::string(kNames[k])] = counts[k];
+  return json;
 }
 
 }  // namespace

@@ -74,7 +74,7 @@ void add_face(const SpatialSum& sum, const std::vector<std::vector<std::uint32_t
 Cells boundary_cells(const SpatialSum& sum) {
   Cells cells;
   for (const SpatialFace& face : sum.faces) add_face(sum, face.loops, cells);
-  EXPECT_EQ(cells.edges.size(), sum.edges.size());
+  EXPECT_EQ(cells.edges.size(), sum.edges().size());
   return cells;
 }
 

@@ -89,7 +89,7 @@ std::size_t expect_same_discs(const RegionData& given, const std::string& name) 
 
 TEST(SegmentDelaunay, CombsStarsAndGridsOfHoles) {
   std::size_t discs = expect_same_discs(shapes::comb(5, 2, 1, 3).data(), "comb");
-  discs += expect_same_discs(snapped::star(5, 1, 3).data(), "star");
+  discs += expect_same_discs(snapped_shapes::star(5, 1, 3).data(), "star");
   discs += expect_same_discs(shapes::grate(4, 2, 1, 3).data(), "grid of holes");
   discs += expect_same_discs(shapes::noisy_star(24, 0.3, 1).data(), "noisy star");
   discs += expect_same_discs(shapes::random_polygon(16, 1, 3).data(), "random polygon");

@@ -34,7 +34,7 @@ class NfpTables : public CliTest {
     work.write(
         "small.json",
         instance_text({item_text("ell", shapes::letter_l(3, 3, 1), two), item_text("u", shapes::letter_u(3, 3, 1), two),
-                       item_text("star", snapped::star(5, 1, 2), R"(,"allowed_orientations":[0,22.5])")},
+                       item_text("star", snapped_shapes::star(5, 1, 2), R"(,"allowed_orientations":[0,22.5])")},
                       R"(,"strip_height":5,"bins":[{"shape":{"type":"rectangle","data":)"
                       R"({"x_min":0,"y_min":0,"width":8,"height":5}}}])"));
     std::vector<std::string> stars;
@@ -106,7 +106,7 @@ TEST_F(NfpTables, ShardsAreMergedToTheSameBytes) {
 TEST_F(NfpTables, AnswersAreTakenFromAnotherInstance) {
   done("dymsum nfp-table small.json --cache c");
   work.write("other.json",
-             instance_text({item_text("renamed", snapped::star(5, 1, 2), R"(,"allowed_orientations":[22.5,0])"),
+             instance_text({item_text("renamed", snapped_shapes::star(5, 1, 2), R"(,"allowed_orientations":[22.5,0])"),
                             item_text("new", shapes::rectangle(0, 0, 2, 1), R"(,"allowed_orientations":[0])")}));
   const Json report = json("dymsum nfp-table other.json --cache c --json");
   EXPECT_GT(report["computed"], 0);
@@ -120,9 +120,9 @@ TEST_F(NfpTables, AnswersAreTakenFromAnotherInstance) {
 TEST_F(NfpTables, TwoInstancesInOneCacheStayApart) {
   const std::string turns = R"(,"allowed_orientations":[0,90,22.5])";
   work.write("a.json", instance_text({item_text("x", shapes::letter_l(3, 3, 1), turns),
-                                      item_text("y", snapped::star(5, 1, 2), turns)}));
+                                      item_text("y", snapped_shapes::star(5, 1, 2), turns)}));
   work.write("b.json", instance_text({item_text("x", shapes::letter_u(3, 3, 1), turns),
-                                      item_text("y", snapped::star(5, 1, 2), turns)}));
+                                      item_text("y", snapped_shapes::star(5, 1, 2), turns)}));
   for (const std::string name : {"a", "b"}) {
     const std::string command = "dymsum nfp-table " + name + ".json ";
     done(command + "-o " + name + ".jsonl -o " + name + ".manifest.json");

@@ -118,7 +118,7 @@ TEST_F(TightOutput, LongFractionsOfAreasAreGivenWhenAskedFor) {
     work.write(file, format_region(region, RegionFormat::wkt));
   };
   save("star.wkt", shapes::noisy_star(3000, 0.5, 1));
-  save("small.wkt", snapped::disc(7, 0.0004));
+  save("small.wkt", snapped_shapes::disc(7, 0.0004));
   const Json plain = json("dymsum sum star.wkt small.wkt --json"),
              exact = json("dymsum sum star.wkt small.wkt --json --exact");
   ASSERT_GT(plain["crossings"], 50);

@@ -177,8 +177,9 @@ TEST(ScaleRange, random_paths_agree_with_membership_at_many_scales) {
       // integer region.
       for (std::size_t k = 0; k + 1 < path.size(); ++k) {
         RegionData leg;
-        leg.polylines.push_back({times(path[k], double(b), double(b)), times(path[k + 1], double(b), double(b))});
-        if (path[k] == path[k + 1]) leg = {{}, {}, {times(path[k], double(b), double(b))}};
+        const auto scaled = [b](Point p) { return Point{p.x * double(b), p.y * double(b)}; };
+        leg.polylines.push_back({scaled(path[k]), scaled(path[k + 1])});
+        if (path[k] == path[k + 1]) leg = {{}, {}, {scaled(path[k])}};
         const Region swept = minkowski_sum(multiplied(part, double(a), double(a)), Region::create(leg).value())
                                  .value()
                                  .rounded()
@@ -348,7 +349,7 @@ TEST(ScaleRange, inputs_without_an_answer_give_errors) {
 
 // Whatever it asks first: all of the work may take long.
 TEST(ScaleRange, is_stopped_wherever_it_asks) {
-  const Region part = snapped::star(5, 0.5, 1), container = snapped::gear(8, 3, 4);
+  const Region part = snapped_shapes::star(5, 0.5, 1), container = snapped_shapes::gear(8, 3, 4);
   const auto of_path = [&](const Progress& progress) {
     return scale_range(part, {{0, 0}, {1, 0.5}}, container, progress);
   };

@@ -89,8 +89,8 @@ TEST(RoundTrip, nothing_and_the_smallest_things) {
 
 TEST(RoundTrip, generated_regions_with_holes) {
   expect_round_trip(shapes::grate(6, 2, 0.7, 9).data(), "grate");
-  expect_round_trip(snapped::pockets(7, 1).data(), "pockets");
-  expect_round_trip(snapped::disc(97, 1.0 / 3).data(), "disc");
+  expect_round_trip(snapped_shapes::pockets(7, 1).data(), "pockets");
+  expect_round_trip(snapped_shapes::disc(97, 1.0 / 3).data(), "disc");
   for (std::uint64_t seed = 1; seed <= 5; ++seed)
     expect_round_trip(shapes::random_polygon(120, 4, seed).data(), "random polygon");
 }

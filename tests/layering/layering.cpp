@@ -25,6 +25,7 @@ const std::vector<std::string> kRooms = {
     "planar/result",
     "planar/sum",
     "planar/boolean",
+    "planar/composed",
     "planar/motion",
     "planar/window",
     "planar/frame",

@@ -23,9 +23,9 @@ NfpTable store_table() {
   TableInput input;
   std::vector<Rational> degrees;
   for (const int d : {0, 45, 90}) degrees.emplace_back(d);
-  input.items = {{"a", snapped::star(5, 1, 2), degrees},
+  input.items = {{"a", snapped_shapes::star(5, 1, 2), degrees},
                  {"b", shapes::letter_u(3, 3, 1), degrees},
-                 {"c", snapped::gear(6, 2, 3), degrees}};
+                 {"c", snapped_shapes::gear(6, 2, 3), degrees}};
   input.bins = {{"bin", shapes::rectangle(0, 0, 9, 9)}};
   return NfpTable::create(input).value();
 }

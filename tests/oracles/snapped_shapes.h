@@ -3,7 +3,7 @@
 
 #include "dymsum/shapes.h"
 
-namespace dymsum::snapped {
+namespace dymsum::snapped_shapes {
 
 /// Polygons of more vertices would not stay convex, and keep all their bits.
 inline Region disc(int vertices, double radius) {
@@ -20,4 +20,4 @@ inline Region spiral(int turns, int vertices_per_turn, double pitch, double widt
 }
 inline Region pockets(int holes, double size) { return shapes::pockets(holes, size, shapes::demo_snap(size)); }
 
-}  // namespace dymsum::snapped
+}  // namespace dymsum::snapped_shapes

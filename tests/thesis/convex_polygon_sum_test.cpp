@@ -174,8 +174,8 @@ TEST(ConvexPolygonSum, moving_equals_starting_anew) {
   std::mt19937_64 random = seeded(2);
   const double angles[] = {1e-7, 1e-4, 0.0126, 0.2, 1, 3};
   for (int pair = 0; pair < 4; ++pair) {
-    const Region p = pair == 0 ? snapped::disc(120, 3) : random_convex(random, 200, 100 * pair),
-                 q = pair == 1 ? snapped::disc(77, 1) : random_convex(random, 300, 5000);
+    const Region p = pair == 0 ? snapped_shapes::disc(120, 3) : random_convex(random, 200, 100 * pair),
+                 q = pair == 1 ? snapped_shapes::disc(77, 1) : random_convex(random, 300, 5000);
     ConvexPolygonSum moving = *ConvexPolygonSum::create(p, q);
     PlanarPose a, b;
     std::uint64_t errors = 0, clean = 0;
@@ -226,7 +226,7 @@ TEST(ConvexPolygonSum, parallel_edges_merge_through_quarter_turns) {
 
 TEST(ConvexPolygonSum, work_is_what_changes) {
   std::mt19937_64 random = seeded(3);
-  const Region p = snapped::disc(300, 2), q = random_convex(random, 4000, 100000);
+  const Region p = snapped_shapes::disc(300, 2), q = random_convex(random, 4000, 100000);
   ConvexPolygonSum moving = *ConvexPolygonSum::create(p, q);
   EXPECT_EQ(moving.work().vertex_checks, 300u);
   const Orientation start = *Orientation::nearest(1);

@@ -134,7 +134,7 @@ export interface RegionData {
   polylines?: Coordinates[];
   points?: Coordinates;
 }
-export type RegionFormat = 'poly' | 'wkt' | 'geojson' | 'svg' | 'json';
+export type RegionFormat = 'poly' | 'wkt' | 'geojson' | 'svg' | 'json' | 'dxf';
 
 /**
  * A region's rings as flat arrays. Vertex k is at vertices[2 k], vertices[2 k + 1]; ring r has the vertices from
@@ -452,7 +452,7 @@ export interface Patch {
 }
 export interface Shell { outer: boolean; patches: number; euler: number; freeComponent: number; }
 export interface ObstacleWork {
-  windows: number; segments: number; surfaces: number; potentialEvents: number; visibleEvents: number;
+  windows: number; segments: number; candidatePairs: number; candidateTriples: number; surfaces: number; potentialEvents: number; visibleEvents: number;
   alignments: number; vertexEvents: number; tripleEvents: number; tightEvents: number;
   localUpdates: number; slices: number; exactSigns: number; collisionTests: number; ms: number;
 }
@@ -536,10 +536,15 @@ export interface ObstacleQueries extends Disposable {
 export interface PathCheck {
   outcome: 'free' | 'blocked' | 'undecided';
   piece: number;
+  /** what that piece does: it translates, it rotates */
+  moves: boolean;
+  turns: boolean;
   low: number;
   high: number;
   at: Configuration;
   contact: Contact | null;
+  /** how many were examined */
+  pieces: number;
 }
 
 // ------------------------------------------------------------------------------------------------------------- solids
@@ -741,6 +746,7 @@ export interface SolidDistance {
   ways: SolidWay[];
   complete: boolean;
   atLeast: number;
+  work: { facets: number; candidates: number; exactTests: number; collisionTests: number };
 }
 /** Penetration depth and distance of two solids of any shape, of which Q is moved. */
 export interface SolidDepth extends Disposable {

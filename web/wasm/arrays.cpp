@@ -54,19 +54,6 @@ Ring points_in(const val& coordinates) {
   return ring;
 }
 
-val point(Point at) {
-  val v = val::object();
-  v.set("x", at.x);
-  v.set("y", at.y);
-  return v;
-}
-
-val point(const Point3& at) {
-  val v = point(Point{at.x, at.y});
-  v.set("z", at.z);
-  return v;
-}
-
 Point point_in(const val& at) {
   const Point position{at["x"].as<double>(), at["y"].as<double>()};
   check_finite({position.x, position.y});

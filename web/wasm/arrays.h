@@ -47,9 +47,6 @@ Ring points_in(const val& coordinates);
 inline void add(std::vector<double>& numbers, Point at) { numbers.insert(numbers.end(), {at.x, at.y}); }
 inline void add(std::vector<double>& numbers, const Point3& at) { numbers.insert(numbers.end(), {at.x, at.y, at.z}); }
 
-/// {x, y} and {x, y, z}
-val point(Point at);
-val point(const Point3& at);
 Point point_in(const val& at);
 Point3 point3_in(const val& at);
 

@@ -4,68 +4,42 @@
 #include "dymsum/scale_range.h"
 #include "dymsum/solid_scale_range.h"
 #include "options.h"
-#include "planar_shape.h"
-#include "solid_feature.h"
+#include "plain.h"
 
 namespace dymsum::web {
 namespace {
 
 using emscripten::function;
 
-std::string meeting_name(Meeting meeting) {
-  return meeting == Meeting::overlapping ? "overlapping" : meeting == Meeting::touching ? "touching" : "apart";
-}
-
-template <class Distance>
-val distance_data(const Distance& distance) {
-  val v = val::object();
-  v.set("meeting", meeting_name(distance.meeting));
-  v.set("squared", distance.squared.to_string());
-  v.set("distance", distance.distance);
-  return v;
-}
-
 Point approx(const RationalPoint& at) { return {at.x.to_double(), at.y.to_double()}; }
 Point3 approx(const RationalPoint3& at) { return {at.x.to_double(), at.y.to_double(), at.z.to_double()}; }
 
-template <class Way, class Contacts>
-val way_data(const Way& way, Contacts contact_data) {
-  val v = val::object();
-  v.set("move", exact_point(way.move));
-  v.set("approx", point(approx(way.move)));
-  v.set("direction", point(way.direction));
-  v.set("contacts", list_of(way.contacts, contact_data));
-  return v;
-}
+}  // namespace
 
-val feature_data(const SolidFeature& feature) { return solid_feature(feature); }
-val feature_data(const PlanarFeature& feature) {
-  val v = val::object();
-  v.set("kind", std::string(feature.kind == PlanarFeature::Kind::vertex ? "vertex" : "edge"));
-  v.set("index", feature.index);
-  return v;
-}
+/// Exact positions have doubles beside them.
+template <class T>
+requires std::is_same_v<T, PlanarTouch> || std::is_same_v<T, SolidTouch>
+struct Derived<T> {
+  static void add(val& made, const T& touch) { made.set("approx", plain(approx(touch.at))); }
+};
+template <class T>
+requires std::is_same_v<T, PlanarWay> || std::is_same_v<T, SolidWay>
+struct Derived<T> {
+  static void add(val& made, const T& way) { made.set("approx", plain(approx(way.move))); }
+};
+template <class T>
+requires std::is_same_v<T, ScaleRange> || std::is_same_v<T, SolidScaleRange>
+struct Derived<T> {
+  static void add(val& made, const T& range) { made.set("trap", plain(range.trap())); }
+};
 
-template <class Touch>
-val touch_data(const Touch& touch) {
-  val v = val::object();
-  v.set("p", feature_data(touch.p));
-  v.set("q", feature_data(touch.q));
-  v.set("dimension", touch.dimension);
-  v.set("at", exact_point(touch.at));
-  v.set("approx", point(approx(touch.at)));
-  v.set("patch", touch.patch);
-  return v;
-}
+namespace {
 
 std::shared_ptr<PlanarDepth> planar_depth(const Region& p, const Region& q) {
   return shared(got(PlanarDepth::create(p, q)));
 }
 val planar_at(const PlanarDepth& depth, const val& x, const val& y) {
-  const PlanarDistance distance = depth.at({is_none(x) ? 0 : x.as<double>(), is_none(y) ? 0 : y.as<double>()});
-  val v = distance_data(distance);
-  v.set("ways", list_of(distance.ways, [](const PlanarWay& way) { return way_data(way, touch_data<PlanarTouch>); }));
-  return v;
+  return plain(depth.at({is_none(x) ? 0 : x.as<double>(), is_none(y) ? 0 : y.as<double>()}));
 }
 
 std::shared_ptr<SolidDepth> solid_depth(const Mesh& p, const Mesh& q, const val& options) {
@@ -77,74 +51,16 @@ std::shared_ptr<SolidDepth> solid_depth(const Mesh& p, const Mesh& q, const val&
 }
 val solid_at(SolidDepth& depth, const val& x, const val& y, const val& z, const val& limit) {
   const auto number = [](const val& v) { return is_none(v) ? 0 : v.as<double>(); };
-  const SolidDistance distance = depth.at({number(x), number(y), number(z)}, number(limit));
-  val v = distance_data(distance);
-  v.set("ways", list_of(distance.ways, [](const SolidWay& way) { return way_data(way, touch_data<SolidTouch>); }));
-  v.set("complete", distance.complete);
-  v.set("atLeast", distance.at_least);
-  return v;
+  return plain(depth.at({number(x), number(y), number(z)}, number(limit)));
 }
 double facet_count(const SolidDepth& depth) { return static_cast<double>(depth.facet_count()); }
 
-std::string kind_name(ScaleContact::Kind kind) {
-  switch (kind) {
-    case ScaleContact::Kind::vertex_on_edge:
-      return "vertex_on_edge";
-    case ScaleContact::Kind::edge_on_vertex:
-      return "edge_on_vertex";
-    case ScaleContact::Kind::vertex_on_vertex:
-      return "vertex_on_vertex";
-  }
-  throw std::logic_error("a contact of no kind");
-}
-
-val contact_data(const ScaleContact& contact) {
-  val v = val::object();
-  v.set("kind", kind_name(contact.kind));
-  v.set("part", contact.part);
-  v.set("obstacle", contact.obstacle);
-  v.set("leg", contact.leg);
-  v.set("along", contact.along.to_string());
-  v.set("at", exact_point(contact.at));
-  return v;
-}
-
-val text_or_null(const std::optional<Rational>& number) { return number ? val(number->to_string()) : val::null(); }
-
-val contact_data(const SolidScaleContact& contact) {
-  val v = val::object();
-  v.set("part", solid_feature(contact.part));
-  v.set("obstacle", solid_feature(contact.obstacle));
-  v.set("leg", contact.leg);
-  v.set("along", contact.along.to_string());
-  v.set("at", exact_point(contact.at));
-  return v;
-}
-
-template <class Range>
-val range_data(const Range& range) {
-  val v = val::object();
-  v.set("free", list_of(range.free, [](const auto& interval) {
-          val one = val::object();
-          one.set("low", text_or_null(interval.low));
-          one.set("high", text_or_null(interval.high));
-          const auto data = [](const auto& contact) { return contact_data(contact); };
-          one.set("atLow", list_of(interval.at_low, data));
-          one.set("atHigh", list_of(interval.at_high, data));
-          return one;
-        }));
-  v.set("trap", text_or_null(range.trap()));
-  v.set("critical", static_cast<double>(range.critical));
-  v.set("tested", static_cast<double>(range.tested));
-  return v;
-}
-
 val scales_along(const Region& part, const val& path, const Region& obstacles, const val& progress) {
-  return range_data(got(scale_range(part, points_in(path), obstacles, progress_in(progress))));
+  return plain(got(scale_range(part, points_in(path), obstacles, progress_in(progress))));
 }
 val scales_that_fit(const Region& part, const Region& container, const val& at, const val& progress) {
-  return range_data(got(is_none(at) ? fit_range(part, container, progress_in(progress))
-                                    : fit_range(part, container, point_in(at), progress_in(progress))));
+  return plain(got(is_none(at) ? fit_range(part, container, progress_in(progress))
+                               : fit_range(part, container, point_in(at), progress_in(progress))));
 }
 
 std::vector<Point3> positions_in(const val& coordinates) {
@@ -155,11 +71,11 @@ std::vector<Point3> positions_in(const val& coordinates) {
   return positions;
 }
 val solid_scales_along(const Mesh& part, const val& path, const Mesh& obstacles, const val& progress) {
-  return range_data(got(solid_scale_range(part, positions_in(path), obstacles, progress_in(progress))));
+  return plain(got(solid_scale_range(part, positions_in(path), obstacles, progress_in(progress))));
 }
 val solid_scales_that_fit(const Mesh& part, const Mesh& container, const val& at, const val& progress) {
-  return range_data(got(is_none(at) ? solid_fit_range(part, container, progress_in(progress))
-                                    : solid_fit_range(part, container, point3_in(at), progress_in(progress))));
+  return plain(got(is_none(at) ? solid_fit_range(part, container, progress_in(progress))
+                               : solid_fit_range(part, container, point3_in(at), progress_in(progress))));
 }
 
 EMSCRIPTEN_BINDINGS(depths_and_ranges) {

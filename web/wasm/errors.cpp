@@ -3,31 +3,22 @@
 #include <stdexcept>
 #include <string_view>
 
-#include "bind.h"
+#include "plain.h"
 
 namespace dymsum::web {
 namespace {
 
+bool is_there(const std::string& text) { return !text.empty(); }
 template <class T>
-void set(val& object, const char* name, const std::optional<T>& value) {
-  if (value) object.set(name, static_cast<double>(*value));
+bool is_there(const std::optional<T>& value) {
+  return value.has_value();
 }
 
 val evidence_data(const Evidence& evidence) {
   val data = val::object();
-  if (!evidence.file.empty()) data.set("file", evidence.file);
-  set(data, "line", evidence.line);
-  set(data, "part", evidence.part);
-  set(data, "ring", evidence.ring);
-  set(data, "vertex", evidence.vertex);
-  set(data, "otherPart", evidence.other_part);
-  set(data, "otherRing", evidence.other_ring);
-  set(data, "otherVertex", evidence.other_vertex);
-  set(data, "face", evidence.face);
-  set(data, "otherFace", evidence.other_face);
-  set(data, "x", evidence.x);
-  set(data, "y", evidence.y);
-  set(data, "z", evidence.z);
+  names::for_each_field(evidence, [&](std::string_view name, const auto& value) {
+    if (is_there(value)) data.set(camel_case(name), plain(value));
+  });
   return data;
 }
 

@@ -3,47 +3,23 @@
 
 #include "arrays.h"
 #include "options.h"
+#include "plain.h"
 
 namespace dymsum::web {
 namespace {
-
-DiscSide side_in(const val& v) {
-  static constexpr Named<DiscSide> kNames[] = {{"outside", DiscSide::outside}, {"inside", DiscSide::inside}};
-  return enumerator(v, kNames, DiscSide::outside);
-}
 
 DiscRadius radius_in(const val& v) {
   if (v.typeOf().as<std::string>() == "object") return DiscRadius::at_event(index_in(v["event"].as<double>()));
   return {rational_in(v)};
 }
 
-std::string of_name(DiscPiece::Of of) {
-  return of == DiscPiece::Of::edge ? "edge" : of == DiscPiece::Of::vertex ? "vertex" : "disc";
-}
-
-std::string corner_name(DiscCorner::Kind kind) {
-  switch (kind) {
-    case DiscCorner::Kind::none:
-      return "none";
-    case DiscCorner::Kind::vertex:
-      return "vertex";
-    case DiscCorner::Kind::centre:
-      return "centre";
-    case DiscCorner::Kind::contact:
-      return "contact";
-    case DiscCorner::Kind::crossing:
-      return "crossing";
-  }
-  throw std::logic_error("a corner of no kind");
-}
-
 val piece_data(const DiscPiece& piece) {
   val v = val::object();
-  v.set("of", of_name(piece.of));
+  v.set("of", plain(piece.of));
   v.set("index", piece.index);
   v.set("x", piece.from.at.x);
   v.set("y", piece.from.at.y);
-  v.set("corner", corner_name(piece.from.kind));
+  v.set("corner", plain(piece.from.kind));
   v.set("arc", val::null());
   if (piece.of == DiscPiece::Of::edge) return v;
   val arc = val::object();
@@ -89,21 +65,11 @@ val shape_of(const DiscSet& set) {
   return v;
 }
 
-val measured(const Measured& m) {
-  val v = val::object();
-  v.set("value", m.value);
-  v.set("error", m.error);
-  return v;
-}
-val area_of(const DiscSet& set) { return measured(area(set)); }
-val perimeter_of(const DiscSet& set) { return measured(perimeter(set)); }
-val bounds_of(const DiscSet& set) {
-  return list_of(bounds(set), [](double v) { return v; });
-}
+val area_of(const DiscSet& set) { return plain(area(set)); }
+val perimeter_of(const DiscSet& set) { return plain(perimeter(set)); }
+val bounds_of(const DiscSet& set) { return plain(bounds(set)); }
 val polygons(const DiscSet& set, double error, const val& bound) {
-  static constexpr Named<DiscBound> kNames[] = {
-      {"inside", DiscBound::inside}, {"outside", DiscBound::outside}, {"nearest", DiscBound::nearest}};
-  DiscPolygons made = got(to_region(set, error, enumerator(bound, kNames, DiscBound::inside)));
+  DiscPolygons made = got(to_region(set, error, enumerator(bound, DiscBound::inside)));
   val v = val::object();
   v.set("error", made.error);
   v.set("chords", static_cast<double>(made.chords));
@@ -116,12 +82,7 @@ std::string json_of(const DiscSet& set) { return disc_set_to_json(set); }
 
 std::shared_ptr<GrowingDisc> created(const Region& region) { return std::make_shared<GrowingDisc>(region); }
 val events_of(const GrowingDisc& disc, const val& side, const val& progress) {
-  return list_of(got(disc.events(side_in(side), progress_in(progress))), [](const DiscEvent& event) {
-    val v = val::object();
-    v.set("radius", event.radius);
-    v.set("nodes", event.nodes);
-    return v;
-  });
+  return plain(got(disc.events(enumerator(side, DiscSide::outside), progress_in(progress))));
 }
 using At = Result<DiscSet> (GrowingDisc::*)(const DiscRadius&, Semantics, const Progress&) const;
 template <At at>

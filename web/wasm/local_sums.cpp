@@ -3,30 +3,22 @@
 #include "dymsum/local_sum.h"
 #include "dymsum/planar_local_sum.h"
 #include "options.h"
+#include "plain.h"
 #include "planar_shape.h"
 
 namespace dymsum::web {
 namespace {
 
-LocalEngine engine_in(const val& options) {
-  constexpr Named<LocalEngine> kNames[] = {
-      {"updated", LocalEngine::updated}, {"hierarchy", LocalEngine::hierarchy}, {"brute", LocalEngine::brute}};
-  return enumerator(member(options, "engine"), kNames, LocalEngine::updated);
-}
+LocalEngine engine_in(const val& options) { return enumerator(member(options, "engine"), LocalEngine::updated); }
 
 /// A box has corners, a disc or a ball a radius.
 bool is_round(const val& position) { return !is_none(position["radius"]); }
 
-template <class Where>
-std::string where_name(Where where) {
-  return where == Where::crossed ? "crossed" : where == Where::inside ? "inside" : "outside";
-}
-
 template <class Box>
 val box_data(const Box& box) {
   val v = val::object();
-  v.set("low", point(box.low));
-  v.set("high", point(box.high));
+  v.set("low", plain(box.low));
+  v.set("high", plain(box.high));
   return v;
 }
 
@@ -60,7 +52,7 @@ val ends_of(const std::vector<PlanarLocalPart::Edge>& edges) {
   return array_of(ends);
 }
 val contacts_of(const std::vector<PlanarLocalPart::Edge>& edges) {
-  return list_of(edges, [](const auto& edge) { return contact(edge.contact); });
+  return list_of(edges, [](const auto& edge) { return plain(edge.contact); });
 }
 val planar_part_shape(const PlanarLocalPart& part) {
   std::vector<double> vertices;
@@ -76,9 +68,9 @@ val planar_part_shape(const PlanarLocalPart& part) {
 val planar_part_exact(const PlanarLocalPart& part, double vertex) {
   if (!(vertex >= 0 && vertex < static_cast<double>(part.vertices.size())))
     throw Thrown{{ErrorCode::bad_index, "the part has no such vertex", {}}};
-  return exact_point(part.exact(static_cast<std::uint32_t>(vertex)));
+  return plain(part.exact(static_cast<std::uint32_t>(vertex)));
 }
-std::string planar_part_where(const PlanarLocalPart& part) { return where_name(part.where); }
+std::string planar_part_where(const PlanarLocalPart& part) { return std::string(name(part.where)); }
 val planar_part_box(const PlanarLocalPart& part) { return box_data(part.box); }
 bool planar_parts_equal(const PlanarLocalPart& a, const PlanarLocalPart& b) { return a == b; }
 std::string planar_part_drawn(const PlanarLocalPart& part) { return part_svg(part); }
@@ -97,7 +89,7 @@ val part_in(LocalSum& sum, const val& position, const val& p, const val& q) {
           ? got(sum.in(ClipBall{point3_in(position["middle"]), position["radius"].as<double>()}, pose_p, pose_q))
           : got(sum.in(ClipBox{point3_in(position["low"]), point3_in(position["high"])}, pose_p, pose_q));
   val v = val::object();
-  v.set("where", where_name(part.where));
+  v.set("where", plain(part.where));
   v.set("box", box_data(part.box));
   v.set("boundary", shared(std::move(part.boundary)));
   return v;

@@ -6,6 +6,7 @@
 #include "arrays.h"
 #include "file.h"
 #include "options.h"
+#include "plain.h"
 
 namespace dymsum::web {
 namespace {
@@ -115,9 +116,7 @@ val shape_of(const Mesh& mesh) {
 
 double volume_of(const Mesh& mesh) { return volume(mesh); }
 double surface_of(const Mesh& mesh) { return surface_area(mesh); }
-val bounds_of(const Mesh& mesh) {
-  return list_of(bounds(mesh), [](double v) { return v; });
-}
+val bounds_of(const Mesh& mesh) { return plain(bounds(mesh)); }
 val convexity_of(const Mesh& mesh) {
   const auto error = convexity_error(mesh);
   return error ? error_data(*error) : val::null();
@@ -166,13 +165,9 @@ EMSCRIPTEN_BINDINGS(mesh) {
 
 }  // namespace
 
-MeshFormat mesh_format_in(const std::string& name) {
-  static constexpr Named<MeshFormat> kNames[] = {{"off", MeshFormat::off},
-                                                 {"obj", MeshFormat::obj},
-                                                 {"stl", MeshFormat::stl},
-                                                 {"ply", MeshFormat::ply},
-                                                 {"glb", MeshFormat::glb}};
-  return enumerator(val(name), kNames, MeshFormat::off);
+MeshFormat mesh_format_in(const std::string& text) {
+  static_assert(name(MeshFormat::three_mf) == names_of<MeshFormat>().back());  // it is zipped, which needs libzip
+  return enumerator(val(text), MeshFormat::off, std::span(names_of<MeshFormat>()).first<5>());
 }
 
 }  // namespace dymsum::web

@@ -8,6 +8,7 @@
 #include "dymsum/moving_solid_sum.h"
 #include "mesh.h"
 #include "options.h"
+#include "plain.h"
 #include "solid/solid_outputs.h"
 #include "solid_feature.h"
 #include "spatial_shape.h"
@@ -20,47 +21,17 @@ std::shared_ptr<MovingSolidSum> moving(const Mesh& p, const Mesh& q, const val& 
   MovingSolidOptions how;
   how.semantics = semantics_in(member(options, "semantics"));
   how.tight = member_or(options, "tight", true);
-  how.mode = mode_in(member(options, "mode"));
+  how.mode = enumerator(member(options, "mode"), FrameMode::automatic);
   how.progress = progress_in(member(options, "progress"));
   return shared(got(MovingSolidSum::create(p, q, how)));
 }
 
-val work_data(const SolidFrameWork& work) {
-  val v = val::object();
-  v.set("rebuilt", work.rebuilt);
-  const auto set = [&](const char* name, auto value) { v.set(name, static_cast<double>(value)); };
-  set("normalsChecked", work.normals_checked);
-  set("pairsChecked", work.pairs_checked);
-  set("facets", work.facets);
-  set("facetsAdded", work.facets_added);
-  set("facetsRemoved", work.facets_removed);
-  set("innerKept", work.inner_kept);
-  set("innerTested", work.inner_tested);
-  set("contacts", work.contacts);
-  set("exactSigns", work.exact_signs);
-  set("ms", work.ms);
-  return v;
-}
-
-val move_solid(MovingSolidSum& sum, const val& p, const val& q) {
-  return work_data(got(sum.set(pose_in(p), pose_in(q))));
-}
+val move_solid(MovingSolidSum& sum, const val& p, const val& q) { return plain(got(sum.set(pose_in(p), pose_in(q)))); }
 val shape_of(const MovingSolidSum& sum) { return spatial_shape(sum.sum()); }
 std::shared_ptr<SpatialSum> sum_of(const MovingSolidSum& sum) { return shared(sum.sum()); }
-val work_of(const MovingSolidSum& sum) { return work_data(sum.work()); }
+val work_of(const MovingSolidSum& sum) { return plain(sum.work()); }
 
-val changes_of(const MovingSolidSum& sum) {
-  const SolidFrameChanges changes = sum.changes();
-  val v = val::object();
-  v.set("appeared", list_of(changes.appeared, solid_contact));
-  v.set("disappeared", list_of(changes.disappeared, solid_contact));
-  v.set("changed", list_of(changes.changed, solid_contact));
-  v.set("shells", static_cast<double>(changes.shells));
-  v.set("tightFaces", static_cast<double>(changes.tight_faces));
-  v.set("tightSegments", static_cast<double>(changes.tight_segments));
-  v.set("tightPoints", static_cast<double>(changes.tight_points));
-  return v;
-}
+val changes_of(const MovingSolidSum& sum) { return plain(sum.changes()); }
 
 constexpr std::uint8_t kAppeared = 1, kChanged = 2;
 
@@ -75,21 +46,6 @@ val face_changes(const MovingSolidSum& sum) {
   return array_of(marks);
 }
 
-val motion_data(const MotionWork& work) {
-  val v = val::object();
-  const auto set = [&](const char* name, auto value) { v.set(name, static_cast<double>(value)); };
-  set("vertexChecks", work.vertex_checks);
-  set("vertexErrors", work.vertex_errors);
-  set("crossingChecks", work.crossing_checks);
-  set("arcChecks", work.arc_checks);
-  set("arcsChanged", work.arcs_changed);
-  set("steps", work.steps);
-  set("facetsAdded", work.facets_added);
-  set("facetsRemoved", work.facets_removed);
-  set("exactSigns", work.exact_signs);
-  return v;
-}
-
 /// A sum with the buffers that follow it.
 struct HeldConvexSum {
   explicit HeldConvexSum(ConvexSum made) : sum(std::move(made)) {}
@@ -100,10 +56,8 @@ struct HeldConvexSum {
 std::shared_ptr<HeldConvexSum> convex(const Mesh& p, const Mesh& q) {
   return std::make_shared<HeldConvexSum>(got(ConvexSum::create(p, q)));
 }
-val move_convex(HeldConvexSum& held, const val& p, const val& q) {
-  return motion_data(held.sum.set(pose_in(p), pose_in(q)));
-}
-val motion_of(const HeldConvexSum& held) { return motion_data(held.sum.work()); }
+val move_convex(HeldConvexSum& held, const val& p, const val& q) { return plain(held.sum.set(pose_in(p), pose_in(q))); }
+val motion_of(const HeldConvexSum& held) { return plain(held.sum.work()); }
 
 val buffers_of(HeldConvexSum& held) {
   const ConvexSolid& solid = held.sum.solid();
@@ -138,27 +92,13 @@ val support_of(const HeldConvexSum& held, const val& direction) {
   val v = val::object();
   v.set("p", support.vertex.p);
   v.set("q", support.vertex.q);
-  v.set("at", point(support.at));
+  v.set("at", plain(support.at));
   return v;
 }
 val depth_of(const HeldConvexSum& held, const val& at) {
-  const ConvexDepth depth = held.sum.depth(is_none(at) ? Point3{} : point3_in(at));
-  val v = val::object();
-  v.set("inside", depth.inside);
-  v.set("depth", depth.depth);
-  v.set("depthSquared", depth.depth_squared.to_string());
-  v.set("direction", point(depth.direction));
-  v.set("p", solid_feature(depth.p));
-  v.set("q", solid_feature(depth.q));
-  return v;
+  return plain(held.sum.depth(is_none(at) ? Point3{} : point3_in(at)));
 }
-val facet_count_of(const HeldConvexSum& held) {
-  const ConvexSum::FacetCount count = held.sum.facet_count();
-  val v = val::object();
-  v.set("all", static_cast<double>(count.all));
-  v.set("changed", static_cast<double>(count.changed));
-  return v;
-}
+val facet_count_of(const HeldConvexSum& held) { return plain(held.sum.facet_count()); }
 std::shared_ptr<Mesh> mesh_of(const HeldConvexSum& held) { return shared(got(held.sum.sum().rounded_mesh())); }
 std::string file_of(const HeldConvexSum& held, const std::string& extension) {
   return as_written([&] {
@@ -179,7 +119,7 @@ val exact_of(HeldConvexSum& held, double vertex) {
     throw Thrown{{ErrorCode::bad_index, "the sum has no such vertex", {}}};
   const ConvexSum::Vertex pair = solid.vertices[static_cast<std::size_t>(vertex)];
   if (pair.p == ConvexSolid::kFree) throw Thrown{{ErrorCode::bad_index, "no vertex has this index now", {}}};
-  return exact_point(held.sum.exact(pair));
+  return plain(held.sum.exact(pair));
 }
 
 EMSCRIPTEN_BINDINGS(moving_solids) {

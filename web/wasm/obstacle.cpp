@@ -5,11 +5,18 @@
 #include "dymsum/obstacle_file.h"
 #include "dymsum/obstacle_mesh.h"
 #include "options.h"
+#include "plain.h"
 #include "planar/cspace_outputs.h"
 #include "planar_shape.h"
 #include "written.h"
 
 namespace dymsum::web {
+
+template <>
+struct Derived<Patch> {
+  static void add(val& made, const Patch& patch) { made.set("rotating", patch.rotating()); }
+};
+
 namespace {
 
 std::shared_ptr<CspaceObstacle> created(const Region& robot, const Region& obstacle, const val& options) {
@@ -32,74 +39,11 @@ val angles_of(const CspaceObstacle& obstacle) {
   });
 }
 
-val events_of(const CspaceObstacle& obstacle) {
-  return list_of(obstacle.events(), [](const ObstacleEvent& event) {
-    val v = val::object();
-    v.set("kind", std::string(name(event.kind)));
-    v.set("angle", event.angle);
-    v.set("at", point(event.at));
-    return v;
-  });
-}
-
-val tight_of(const CspaceObstacle& obstacle) {
-  return list_of(obstacle.tight(), [](const TightFeature& tight) {
-    val v = val::object();
-    v.set("angle", tight.angle);
-    v.set("from", point(tight.from));
-    v.set("to", point(tight.to));
-    v.set("error", tight.error);
-    return v;
-  });
-}
-
-val patches_of(const CspaceObstacle& obstacle) {
-  return list_of(obstacle.patches(), [](const Patch& patch) {
-    val v = val::object();
-    v.set("contact", contact(patch.contact));
-    v.set("left", contact(patch.left));
-    v.set("right", contact(patch.right));
-    v.set("leftCorner", patch.left_corner);
-    v.set("rightCorner", patch.right_corner);
-    v.set("begin", patch.begin);
-    v.set("end", patch.end);
-    v.set("shell", patch.shell);
-    v.set("rotating", patch.rotating());
-    return v;
-  });
-}
-
-val shells_of(const CspaceObstacle& obstacle) {
-  return list_of(obstacle.shells(), [](const Shell& shell) {
-    val v = val::object();
-    v.set("outer", shell.outer);
-    v.set("patches", shell.patches);
-    v.set("euler", static_cast<double>(shell.euler));
-    v.set("freeComponent", shell.free_component);
-    return v;
-  });
-}
-
-val work_of(const CspaceObstacle& obstacle) {
-  const ObstacleWork& work = obstacle.work();
-  val v = val::object();
-  const auto set = [&](const char* name, auto value) { v.set(name, static_cast<double>(value)); };
-  set("windows", work.windows);
-  set("segments", work.segments);
-  set("surfaces", work.surfaces);
-  set("potentialEvents", work.potential_events);
-  set("visibleEvents", work.visible_events);
-  set("alignments", work.alignments);
-  set("vertexEvents", work.vertex_events);
-  set("tripleEvents", work.triple_events);
-  set("tightEvents", work.tight_events);
-  set("localUpdates", work.local_updates);
-  set("slices", work.slices);
-  set("exactSigns", work.exact_signs);
-  set("collisionTests", work.collision_tests);
-  set("ms", work.ms);
-  return v;
-}
+val events_of(const CspaceObstacle& obstacle) { return plain(obstacle.events()); }
+val tight_of(const CspaceObstacle& obstacle) { return plain(obstacle.tight()); }
+val patches_of(const CspaceObstacle& obstacle) { return plain(obstacle.patches()); }
+val shells_of(const CspaceObstacle& obstacle) { return plain(obstacle.shells()); }
+val work_of(const CspaceObstacle& obstacle) { return plain(obstacle.work()); }
 
 std::shared_ptr<PlanarSum> slice_of(const CspaceObstacle& obstacle, const val& angle, const val& semantics) {
   return shared(got(obstacle.slice(orientation_in(angle), semantics_in(semantics))));
@@ -136,7 +80,7 @@ val patch_ends(const CspaceObstacle& obstacle, double index, double theta) {
   const std::uint32_t patch = index_in(index);
   check_finite({theta});
   if (patch >= obstacle.patches().size()) throw Thrown{{ErrorCode::bad_index, "the obstacle has no such patch", {}}};
-  return list_of(obstacle.ends(obstacle.patches()[patch], theta), [](Point at) { return point(at); });
+  return plain(obstacle.ends(obstacle.patches()[patch], theta));
 }
 
 ObstacleMesh made_mesh(const CspaceObstacle& obstacle, const val& options) {
@@ -196,21 +140,12 @@ EMSCRIPTEN_BINDINGS(obstacle) {
 
 }  // namespace
 
-val configuration(const Configuration& at) {
-  val v = point(Point{at.x, at.y});
-  v.set("theta", at.theta);
-  return v;
-}
-
 Configuration configuration_in(const val& v) {
   const Configuration at{v["x"].as<double>(), v["y"].as<double>(), v["theta"].as<double>()};
   check_finite({at.x, at.y, at.theta});
   return at;
 }
 
-Touching touching_in(const val& v) {
-  static constexpr Named<Touching> kNames[] = {{"allowed", Touching::allowed}, {"forbidden", Touching::forbidden}};
-  return enumerator(v, kNames, Touching::allowed);
-}
+Touching touching_in(const val& v) { return enumerator(v, Touching::allowed); }
 
 }  // namespace dymsum::web

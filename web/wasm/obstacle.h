@@ -7,8 +7,6 @@
 
 namespace dymsum::web {
 
-/// {x, y, theta}
-val configuration(const Configuration& at);
 Configuration configuration_in(const val& v);
 Touching touching_in(const val& v);
 

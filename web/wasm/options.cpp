@@ -1,4 +1,5 @@
 #include "options.h"
+#include "plain.h"
 
 #include <algorithm>
 #include <stdexcept>
@@ -15,44 +16,19 @@ Progress progress_in(const val& callback) {
   };
 }
 
-Semantics semantics_in(const val& v) {
-  static constexpr Named<Semantics> kNames[] = {
-      {"closed", Semantics::closed}, {"open", Semantics::open}, {"regular", Semantics::regular}};
-  return enumerator(v, kNames, Semantics::closed);
-}
-
-FrameMode mode_in(const val& v) {
-  static constexpr Named<FrameMode> kNames[] = {
-      {"automatic", FrameMode::automatic}, {"window", FrameMode::window}, {"rebuild", FrameMode::rebuild}};
-  return enumerator(v, kNames, FrameMode::automatic);
-}
-
-MovingOperand operand_in(const val& v, MovingOperand otherwise) {
-  static constexpr Named<MovingOperand> kNames[] = {{"p", MovingOperand::p}, {"q", MovingOperand::q}};
-  return enumerator(v, kNames, otherwise);
-}
-
-EventChange change_in(const val& v) {
-  static constexpr Named<EventChange> kNames[] = {{"visible", EventChange::visible},
-                                                  {"topology", EventChange::topology}};
-  return enumerator(v, kNames, EventChange::visible);
-}
-
 val event_data(const ScaleEvent& event) {
   val v = val::object();
   v.set("s", event.parameter.to_string());
   v.set("approx", event.approx);
-  v.set("kind", std::string(name(event.kind)));
+  v.set("kind", plain(event.kind));
   v.set("visible", event.visible);
   v.set("topology", event.topology);
   return v;
 }
 
 SumOptions sum_options(const val& v) {
-  static constexpr Named<Engine> kEngines[] = {
-      {"fast", Engine::fast}, {"brute", Engine::brute}, {"winding", Engine::winding}};
   SumOptions options;
-  options.engine = enumerator(member(v, "engine"), kEngines, Engine::fast);
+  options.engine = enumerator(member(v, "engine"), Engine::fast);
   options.semantics = semantics_in(member(v, "semantics"));
   options.trace = member_or(v, "trace", false);
   options.progress = progress_in(member(v, "progress"));
@@ -60,9 +36,8 @@ SumOptions sum_options(const val& v) {
 }
 
 SpatialOptions spatial_options(const val& v) {
-  static constexpr Named<SpatialEngine> kEngines[] = {{"fast", SpatialEngine::fast}, {"brute", SpatialEngine::brute}};
   SpatialOptions options;
-  options.engine = enumerator(member(v, "engine"), kEngines, SpatialEngine::fast);
+  options.engine = enumerator(member(v, "engine"), SpatialEngine::fast);
   options.semantics = semantics_in(member(v, "semantics"));
   options.tight = member_or(v, "tight", true);
   options.threads = 1;
@@ -75,10 +50,10 @@ SpatialOptions spatial_options(const val& v) {
 
 MovingOptions moving_options(const val& v) {
   MovingOptions options;
-  options.moving = operand_in(member(v, "moving"), MovingOperand::p);
+  options.moving = enumerator(member(v, "moving"), MovingOperand::p);
   options.reflect_q = member_or(v, "reflectQ", false);
   options.semantics = semantics_in(member(v, "semantics"));
-  options.mode = mode_in(member(v, "mode"));
+  options.mode = enumerator(member(v, "mode"), FrameMode::automatic);
   options.window = member_or(v, "window", 0.0);
   options.kept_window_bytes =
       static_cast<std::uint64_t>(member_or(v, "keptWindowBytes", static_cast<double>(options.kept_window_bytes)));
@@ -160,19 +135,6 @@ SolidPose pose_in(const val& v) {
 
 std::string tan_half_text(const Orientation& theta) {
   return theta.is_half_turn() ? "inf" : theta.tan_half().to_string();
-}
-
-val exact_point(const RationalPoint& at) {
-  val v = val::object();
-  v.set("x", at.x.to_string());
-  v.set("y", at.y.to_string());
-  return v;
-}
-
-val exact_point(const RationalPoint3& at) {
-  val v = exact_point(RationalPoint{at.x, at.y});
-  v.set("z", at.z.to_string());
-  return v;
 }
 
 }  // namespace dymsum::web

@@ -1,14 +1,16 @@
 // Options and exact numbers as JavaScript gives them.
 #pragma once
 
+#include <algorithm>
 #include <optional>
+#include <span>
 #include <string>
 #include <string_view>
-#include <utility>
 
 #include "bind.h"
 #include "dymsum/event.h"
 #include "dymsum/frames.h"
+#include "dymsum/names.h"
 #include "dymsum/orientation.h"
 #include "dymsum/planar_sum.h"
 #include "dymsum/progress.h"
@@ -28,29 +30,22 @@ T member_or(const val& options, const char* name, T otherwise) {
   return is_none(v) ? otherwise : v.as<T>();
 }
 
+/// The enumerator of a name, of those that are offered; malformed for others.
 template <class E>
-using Named = std::pair<const char*, E>;
-/// The enumerator of a name; malformed for others.
-template <class E, std::size_t n>
-E enumerator(const val& v, const Named<E> (&names)[n], E otherwise) {
+E enumerator(const val& v, E otherwise, std::span<const std::string_view> offered = names_of<E>()) {
   if (is_none(v)) return otherwise;
   const auto text = v.as<std::string>();
-  for (const auto& [name, value] : names)
-    if (text == name) return value;
+  if (std::find(offered.begin(), offered.end(), text) != offered.end()) return *parse<E>(text);
   std::string all;
-  for (const auto& entry : names) all += std::string(all.empty() ? "" : ", ") + entry.first;
+  for (const std::string_view one : offered) all.append(all.empty() ? "" : ", ").append(one);
   throw Thrown{{ErrorCode::malformed, "\"" + text + "\" is none of " + all, {}}};
 }
 
 Progress progress_in(const val& callback);
-Semantics semantics_in(const val& v);
+inline Semantics semantics_in(const val& v) { return enumerator(v, Semantics::closed); }
 SumOptions sum_options(const val& v);
 SpatialOptions spatial_options(const val& v);
 MovingOptions moving_options(const val& v);
-FrameMode mode_in(const val& v);
-MovingOperand operand_in(const val& v, MovingOperand otherwise);
-
-EventChange change_in(const val& v);
 val event_data(const ScaleEvent& event);
 
 /// A number at face value, or the text of one.
@@ -63,7 +58,5 @@ Rotation rotation_in(const val& v);
 SolidPose pose_in(const val& v);
 
 std::string tan_half_text(const Orientation& theta);
-val exact_point(const RationalPoint& at);
-val exact_point(const RationalPoint3& at);
 
 }  // namespace dymsum::web

@@ -110,12 +110,4 @@ const SumVertex& vertex_at(const PlanarSum& sum, std::size_t index) {
   throw Thrown{{ErrorCode::bad_index, "the sum has no such vertex", {}}};
 }
 
-val contact(const Contact& contact) {
-  val v = val::object();
-  v.set("kind", std::string(contact.kind == Contact::Kind::edge_of_p ? "edge_of_p" : "edge_of_q"));
-  v.set("p", contact.p);
-  v.set("q", contact.q);
-  return v;
-}
-
 }  // namespace dymsum::web

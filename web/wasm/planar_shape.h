@@ -14,6 +14,5 @@ val sum_shape(const PlanarSum& sum);
 const SumVertex& vertex_at(const PlanarSum& sum, std::size_t index);
 /// Rings of parts alone.
 val part_rings(const std::vector<SumPart>& parts);
-val contact(const Contact& contact);
 
 }  // namespace dymsum::web

@@ -8,6 +8,7 @@
 #include "dymsum/region_io.h"
 #include "dymsum/snap_rounding.h"
 #include "options.h"
+#include "plain.h"
 #include "planar_shape.h"
 #include "region.h"
 
@@ -17,31 +18,7 @@ namespace {
 using emscripten::function;
 using SharedSum = std::shared_ptr<PlanarSum>;
 
-val stats_of(const PlanarSum& sum) {
-  const SumStats& s = sum.stats;
-  val v = val::object();
-  const auto set = [&](const char* name, auto value) { v.set(name, static_cast<double>(value)); };
-  set("tierBits", s.tier_bits);
-  set("reducedSegments", s.reduced_segments);
-  set("liveSegments", s.live_segments);
-  set("cellEntries", s.cell_entries);
-  set("pairTests", s.pair_tests);
-  set("crossings", s.crossings);
-  set("degenerateNodes", s.degenerate_nodes);
-  set("loops", s.loops);
-  set("collisionTests", s.collision_tests);
-  set("filteredSigns", s.filtered_signs);
-  set("exactSigns", s.exact_signs);
-  set("maskGrid", s.mask_grid);
-  set("peakBytes", s.peak_bytes);
-  v.set("stages", list_of(s.stages, [](const SumStats::Stage& stage) {
-          val one = val::object();
-          one.set("name", std::string(stage.name));
-          one.set("ms", stage.ms);
-          return one;
-        }));
-  return v;
-}
+val stats_of(const PlanarSum& sum) { return plain(sum.stats); }
 
 val loops(const std::vector<Ring>& rings) {
   std::vector<double> vertices;
@@ -96,28 +73,16 @@ std::shared_ptr<Region> rounded_of(const PlanarSum& sum, const val& options) {
 
 val snap_rounded_of(const PlanarSum& sum) {
   SnapRounded made = got(snap_rounded(sum));
-  const Rounding& r = made.rounding;
-  val rounding = val::object();
-  const auto set = [&](const char* name, auto value) { rounding.set(name, static_cast<double>(value)); };
-  rounding.set("nearest", r.nearest);
-  set("mergedVertices", r.merged_vertices);
-  set("collapsedEdges", r.collapsed_edges);
-  set("bends", r.bends);
-  set("lines", r.lines);
-  set("points", r.points);
-  set("vanishedRings", r.vanished_rings);
-  set("moved", r.moved);
-  set("movedUlps", r.moved_ulps);
   val v = val::object();
   v.set("region", shared(std::move(made.region)));
-  v.set("rounding", rounding);
+  v.set("rounding", plain(made.rounding));
   return v;
 }
 
 val shape_of(const PlanarSum& sum) { return sum_shape(sum); }
 double area_of(const PlanarSum& sum) { return sum.area(); }
 std::string area_text_of(const PlanarSum& sum) { return area_text(sum); }
-val exact_of(const PlanarSum& sum, double vertex) { return exact_point(sum.exact(vertex_at(sum, index_in(vertex)))); }
+val exact_of(const PlanarSum& sum, double vertex) { return plain(sum.exact(vertex_at(sum, index_in(vertex)))); }
 bool equal(const PlanarSum& a, const PlanarSum& b) { return a == b; }
 std::string formatted(const PlanarSum& sum, const std::string& format) {
   return format_sum(sum, got(snap_rounded(sum)).region, region_format_in(format));
@@ -148,14 +113,7 @@ SharedSum united(const val& regions, const val& options) {
 bool region_contains(const Region& p, const Region& q, const val& z, const val& semantics) {
   return contains(p, q, point_in(z), semantics_in(semantics));
 }
-val sizes(const Region& p, const Region& q) {
-  const ConvolutionSizes counts = convolution_sizes(p, q);
-  val v = val::object();
-  v.set("full", static_cast<double>(counts.full));
-  v.set("kinetic", static_cast<double>(counts.kinetic));
-  v.set("reduced", static_cast<double>(counts.reduced));
-  return v;
-}
+val sizes(const Region& p, const Region& q) { return plain(convolution_sizes(p, q)); }
 std::string drawn_sum(const Region& p, const Region& q, const PlanarSum& sum, const val& given) {
   const SumNames usual;
   return draw_sum(

@@ -7,6 +7,7 @@
 #include "dymsum/region_io.h"
 #include "file.h"
 #include "options.h"
+#include "plain.h"
 #include "region.h"
 
 namespace dymsum::web {
@@ -38,9 +39,7 @@ Region region_of(RegionData data, bool with_repair) {
 }
 
 ReadOptions reading_in(const val& options) {
-  static constexpr Named<ThirdCoordinates> kNames[] = {{"refused", ThirdCoordinates::refused},
-                                                       {"dropped", ThirdCoordinates::dropped}};
-  return {enumerator(member(options, "thirdCoordinates"), kNames, ThirdCoordinates::refused), {}};
+  return {enumerator(member(options, "thirdCoordinates"), ThirdCoordinates::refused), {}};
 }
 
 SharedRegion read(const std::string& name, const std::string& bytes, const val& options) {
@@ -137,9 +136,7 @@ SharedRegion with_vertex(const Region& region, double index, double x, double y)
 val shape_of(const Region& region) { return region_shape(region.data()); }
 double area_of(const Region& region) { return area(region); }
 std::string area_text_of(const Region& region) { return area_text(region); }
-val bounds_of(const Region& region) {
-  return list_of(bounds(region), [](double v) { return v; });
-}
+val bounds_of(const Region& region) { return plain(bounds(region)); }
 double gyration_of(const Region& region) { return radius_of_gyration(region); }
 SharedRegion negated_of(const Region& region) { return shared(negated(region)); }
 SharedRegion translated_of(const Region& region, double dx, double dy) {
@@ -209,13 +206,6 @@ val region_shape(const RegionData& data) {
   return shape;
 }
 
-RegionFormat region_format_in(const std::string& name) {
-  static constexpr Named<RegionFormat> kNames[] = {{"poly", RegionFormat::poly},
-                                                   {"wkt", RegionFormat::wkt},
-                                                   {"geojson", RegionFormat::geojson},
-                                                   {"svg", RegionFormat::svg},
-                                                   {"json", RegionFormat::json}};
-  return enumerator(val(name), kNames, RegionFormat::wkt);
-}
+RegionFormat region_format_in(const std::string& name) { return enumerator(val(name), RegionFormat::wkt); }
 
 }  // namespace dymsum::web

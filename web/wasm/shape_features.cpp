@@ -4,69 +4,36 @@
 #include "arrays.h"
 #include "dymsum/decomposition.h"
 #include "options.h"
+#include "plain.h"
 #include "region.h"
 
 namespace dymsum::web {
 namespace {
 
 std::shared_ptr<ShapeFeatures> created(const Region& region, const val& options) {
-  static constexpr Named<Concavity> kNames[] = {{"straight_line", Concavity::straight_line},
-                                                {"shortest_path", Concavity::shortest_path},
-                                                {"hybrid1", Concavity::hybrid1},
-                                                {"hybrid2", Concavity::hybrid2}};
   FeatureOptions how;
-  how.concavity = enumerator(member(options, "concavity"), kNames, Concavity::straight_line);
+  how.concavity = enumerator(member(options, "concavity"), Concavity::straight_line);
   how.hybrid_tolerance = member_or(options, "hybridTolerance", 0.0);
   how.threads = 1;
   how.progress = progress_in(member(options, "progress"));
   return shared(got(ShapeFeatures::create(region, how)));
 }
 
-val index_or_null(const std::optional<std::uint32_t>& index) { return index ? val(*index) : val::null(); }
-
-val bar_data(const FeatureBar& bar) {
-  val v = val::object();
-  v.set("born", std::string(bar.born == FeatureBar::Birth::corner ? "corner" : "neck"));
-  v.set("died", std::string(bar.died == FeatureBar::Death::merged   ? "merged"
-                            : bar.died == FeatureBar::Death::filled ? "filled"
-                                                                    : "never"));
-  v.set("birth", bar.birth);
-  v.set("death", index_or_null(bar.death));
-  v.set("birthAlpha", bar.birth_alpha);
-  v.set("deathAlpha", bar.death_alpha);
-  v.set("parent", index_or_null(bar.parent));
-  v.set("vertex", index_or_null(bar.vertex));
-  v.set("minimum", index_or_null(bar.minimum));
-  v.set("concavity", bar.concavity);
-  v.set("countsFrom", bar.counts_from);
-  v.set("significance", bar.significance);
-  v.set("inHole", bar.in_hole);
-  v.set("loop", bar.loop);
-  return v;
-}
-
 val bridge_end(const BridgeContact& contact) {
-  val v = point(contact.at);
+  val v = plain(contact.at);
   v.set("atVertex", contact.at_vertex);
   v.set("index", contact.index);
   return v;
 }
 
 val bridge_data(const AlphaBridge& bridge) {
-  val v = val::object();
+  val v = plain(bridge);
   v.set("from", bridge_end(bridge.from));
   v.set("to", bridge_end(bridge.to));
-  v.set("centre", point(bridge.centre));
-  v.set("gap", bridge.gap);
-  v.set("length", bridge.length);
-  v.set("bar", bridge.bar);
-  v.set("minimum", index_or_null(bridge.minimum));
-  v.set("concavity", bridge.concavity);
-  v.set("pocketSize", bridge.pocket_size);
   return v;
 }
 
-val bars_of(const ShapeFeatures& features) { return list_of(features.bars(), bar_data); }
+val bars_of(const ShapeFeatures& features) { return plain(features.bars()); }
 double alpha_of(const ShapeFeatures& features, double event) { return features.event_alpha(index_in(event)); }
 std::string text_of(const ShapeFeatures& features, double event) { return features.event_text(index_in(event)); }
 val bridges_of(const ShapeFeatures& features, const val& alpha) {
@@ -85,12 +52,12 @@ Point approx(const RationalPoint& at) { return {at.x.to_double(), at.y.to_double
 val cut_data(const Cut& cut) {
   val v = val::object();
   v.set("vertex", cut.vertex);
-  v.set("end", std::string(cut.end == Cut::End::vertex ? "vertex" : cut.end == Cut::End::edge ? "edge" : "cut"));
+  v.set("end", plain(cut.end));
   v.set("index", cut.index);
-  v.set("from", point(approx(cut.from)));
-  v.set("to", point(approx(cut.to)));
-  v.set("exactFrom", exact_point(cut.from));
-  v.set("exactTo", exact_point(cut.to));
+  v.set("from", plain(approx(cut.from)));
+  v.set("to", plain(approx(cut.to)));
+  v.set("exactFrom", plain(cut.from));
+  v.set("exactTo", plain(cut.to));
   v.set("bar", cut.bar);
   v.set("partner", cut.partner);
   std::vector<double> runs;
@@ -128,8 +95,8 @@ val decomposed(const ShapeFeatures& features, const val& options) {
   val v = val::object();
   v.set("cuts", list_of(made.cuts, cut_data));
   v.set("pieces", region_shape(pieces));
-  v.set("colours", list_of(piece_colours(made), [](std::uint32_t colour) { return colour; }));
-  v.set("areas", list_of(areas, [](double area) { return area; }));
+  v.set("colours", plain(piece_colours(made)));
+  v.set("areas", plain(areas));
   return v;
 }
 

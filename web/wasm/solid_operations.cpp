@@ -13,10 +13,7 @@ std::shared_ptr<SpatialSum> eroded(const Mesh& a, const Mesh& b, const val& opti
   return shared(got(erode(a, b, spatial_options(options))));
 }
 
-BetweenSteps between_in(const val& options) {
-  constexpr Named<BetweenSteps> kNames[] = {{"exact", BetweenSteps::exact}, {"rounded", BetweenSteps::rounded}};
-  return enumerator(member(options, "between"), kNames, BetweenSteps::exact);
-}
+BetweenSteps between_in(const val& options) { return enumerator(member(options, "between"), BetweenSteps::exact); }
 val opened_data(SolidOpening made) {
   val v = val::object();
   v.set("solid", shared(std::move(made.solid)));
@@ -31,8 +28,7 @@ val closed(const Mesh& a, const Mesh& b, const val& options) {
 }
 
 val offset_by(const Mesh& mesh, double distance, double tolerance, const val& options) {
-  constexpr Named<OffsetBound> kNames[] = {{"inside", OffsetBound::inside}, {"outside", OffsetBound::outside}};
-  const OffsetBound bound = enumerator(member(options, "bound"), kNames, OffsetBound::inside);
+  const OffsetBound bound = enumerator(member(options, "bound"), OffsetBound::inside);
   SolidOffset made = got(offset(mesh, distance, tolerance, bound, spatial_options(options)));
   val v = val::object();
   v.set("solid", shared(std::move(made.solid)));

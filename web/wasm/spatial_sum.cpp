@@ -9,6 +9,7 @@
 #include "dymsum/solid_slice.h"
 #include "mesh.h"
 #include "options.h"
+#include "plain.h"
 #include "planar_shape.h"
 #include "solid/solid_outputs.h"
 #include "solid_feature.h"
@@ -23,32 +24,7 @@ using SharedSum = std::shared_ptr<SpatialSum>;
 
 val shape_of(const SpatialSum& sum) { return spatial_shape(sum); }
 
-val stats_of(const SpatialSum& sum) {
-  const SpatialStats& s = sum.stats;
-  val v = val::object();
-  const auto set = [&](const char* name, auto value) { v.set(name, static_cast<double>(value)); };
-  set("bits", s.bits);
-  set("faceVertex", s.face_vertex);
-  set("edgeEdge", s.edge_edge);
-  set("innerFacets", s.inner_facets);
-  set("boxPairs", s.box_pairs);
-  set("contacts", s.contacts);
-  set("points", s.points);
-  set("cells", s.cells);
-  set("patches", s.patches);
-  set("collisionTests", s.collision_tests);
-  set("tightTests", s.tight_tests);
-  set("doublePairSigns", s.double_pair_signs);
-  set("exactSigns", s.exact_signs);
-  set("heldBytes", s.held_bytes);
-  v.set("stages", list_of(s.stages, [](const SpatialStats::Stage& stage) {
-          val one = val::object();
-          one.set("name", std::string(stage.name));
-          one.set("ms", stage.ms);
-          return one;
-        }));
-  return v;
-}
+val stats_of(const SpatialSum& sum) { return plain(sum.stats); }
 
 double volume_of(const SpatialSum& sum) { return sum.volume(); }
 double area_of(const SpatialSum& sum) { return sum.area(); }
@@ -59,16 +35,13 @@ val volume_exact_of(const SpatialSum& sum, const val& bits) {
 val exact_of(const SpatialSum& sum, double vertex) {
   if (!(vertex >= 0 && vertex < static_cast<double>(sum.vertices.size())))
     throw Thrown{{ErrorCode::bad_index, "the sum has no such vertex", {}}};
-  return exact_point(sum.exact(static_cast<std::size_t>(vertex)));
+  return plain(sum.exact(static_cast<std::size_t>(vertex)));
 }
 val tight_contacts_of(const SpatialSum& sum) {
-  const auto lists = [](const auto& all) {
-    return list_of(all, [](const auto& contacts) { return list_of(contacts, solid_contact); });
-  };
   val v = val::object();
-  v.set("faces", lists(sum.tight_face_contacts));
-  v.set("segments", lists(sum.tight_segment_contacts));
-  v.set("points", lists(sum.tight_point_contacts));
+  v.set("faces", plain(sum.tight_face_contacts));
+  v.set("segments", plain(sum.tight_segment_contacts));
+  v.set("points", plain(sum.tight_point_contacts));
   return v;
 }
 std::shared_ptr<Mesh> mesh_of(const SpatialSum& sum) { return shared(got(as_mesh(sum))); }
@@ -101,7 +74,7 @@ val touching_of(const SolidSlice& slice) { return part_rings(slice.touching); }
 
 std::shared_ptr<SolidScaleEvents> scaling(const Mesh& p, const Mesh& q, const val& options) {
   SolidScaleOptions how;
-  how.moving = operand_in(member(options, "moving"), how.moving);
+  how.moving = enumerator(member(options, "moving"), how.moving);
   how.semantics = semantics_in(member(options, "semantics"));
   how.tight = member_or(options, "tight", true);
   return shared(got(SolidScaleEvents::create(p, q, how)));
@@ -114,15 +87,16 @@ val scale_events(const SolidScaleEvents& sum, const val& from, const val& to, co
 }
 val next_scale_event(const SolidScaleEvents& sum, const val& after, const val& limit, const val& change,
                      const val& progress) {
-  const auto event = got(sum.next_event(scale_in(after), scale_in(limit), change_in(change), progress_in(progress)));
+  const auto event = got(sum.next_event(scale_in(after), scale_in(limit), enumerator(change, EventChange::visible),
+                                        progress_in(progress)));
   return event ? event_data(*event) : val::null();
 }
 
 val turn_contact_data(const SolidRotationContact& contact) {
   val v = val::object();
-  v.set("kind", std::string(name(contact.kind)));
-  v.set("at", point(contact.at));
-  v.set("features", list_of(contact.features, solid_contact));
+  v.set("kind", plain(contact.kind));
+  v.set("at", plain(contact.at));
+  v.set("features", plain(contact.features));
   return v;
 }
 val turn_event_data(const SolidRotationEvent& event) {
@@ -130,7 +104,7 @@ val turn_event_data(const SolidRotationEvent& event) {
   const std::optional<AxisTurn>& exact = event.parameter.exact;
   v.set("radians", event.approx);
   v.set("exactT", !exact ? val::null() : exact->is_half_turn() ? val(std::string("inf")) : val(exact->t().to_string()));
-  v.set("polynomial", list_of(event.parameter.polynomial, [](const std::string& c) { return c; }));
+  v.set("polynomial", plain(event.parameter.polynomial));
   v.set("contacts", list_of(event.contacts, turn_contact_data));
   v.set("visible", event.visible);
   v.set("topology", event.topology);
@@ -138,7 +112,7 @@ val turn_event_data(const SolidRotationEvent& event) {
 }
 std::shared_ptr<SolidRotationEvents> turning(const Mesh& p, const Mesh& q, const val& axis, const val& options) {
   SolidRotationOptions how;
-  how.moving = operand_in(member(options, "moving"), how.moving);
+  how.moving = enumerator(member(options, "moving"), how.moving);
   how.changes = member_or(options, "changes", true);
   how.window = member_or(options, "window", 0.0);
   how.tight = member_or(options, "tight", true);
@@ -207,7 +181,7 @@ val spatial_shape(const SpatialSum& sum) {
     add(contacts, face.q);
     shells.push_back(face.shell);
   }
-  for (const SpatialEdge& edge : sum.edges) edges.insert(edges.end(), {edge.from, edge.to});
+  for (const SpatialEdge& edge : sum.edges()) edges.insert(edges.end(), {edge.from, edge.to});
   val v = val::object();
   v.set("vertices", array_of(vertices));
   v.set("triangles", array_of(triangles));

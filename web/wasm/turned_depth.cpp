@@ -2,7 +2,7 @@
 #include "arrays.h"
 #include "dymsum/continuous_depth.h"
 #include "options.h"
-#include "solid_feature.h"
+#include "plain.h"
 
 namespace dymsum::web {
 namespace {
@@ -20,9 +20,9 @@ val depth_at(ContinuousDepth& depth, const val& at, const val& turned) {
   v.set("inside", contact.meeting == Meeting::overlapping);
   v.set("depth", contact.euclidean_depth);
   v.set("depthSquared", depth.euclidean_squared().to_string());
-  v.set("direction", point(contact.euclidean_normal));
-  v.set("p", solid_feature(contact.contact.p));
-  v.set("q", solid_feature(contact.contact.q));
+  v.set("direction", plain(contact.euclidean_normal));
+  v.set("p", plain(contact.contact.p));
+  v.set("q", plain(contact.contact.q));
   return v;
 }
 

@@ -64,7 +64,7 @@ class ConvexMerge {
         obstacle_edges_(directions(obstacle_, *state.base->lattice)),
         robot_edges_(directions(robot_, *state.base->lattice)) {}
 
-  Result<bool> run() {
+  Result<void> run() {
     base::HeldMemory held;
     held.add(kOfPair * n() * m());
     if (!going_on(0)) return cancelled();
@@ -75,7 +75,7 @@ class ConvexMerge {
     for (std::uint32_t e = 0; e < n(); ++e)
       for (std::uint32_t o = 0; o < m(); ++o) add_rotating(e, o);
     finish();
-    return true;
+    return {};
   }
 
  private:
@@ -254,7 +254,7 @@ bool is_convex_pair(const planar::ObstacleState& state) {
   });
 }
 
-Result<bool> convex_obstacle(planar::ObstacleState& state, const ObstacleOptions& options) {
+Result<void> convex_obstacle(planar::ObstacleState& state, const ObstacleOptions& options) {
   return ConvexMerge(state, options).run();
 }
 

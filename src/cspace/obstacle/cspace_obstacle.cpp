@@ -157,7 +157,7 @@ Result<CspaceObstacle> CspaceObstacle::create(const Region& robot, const Region&
   const Stopwatch watch;
   auto state = start_obstacle(robot, obstacle);
   if (!state) return state.error();
-  const Result<bool> done = base::within_memory(options.memory, "the obstacle", [&] {
+  const Result<void> done = base::within_memory(options.memory, "the obstacle", [&] {
     return is_convex_pair(**state) ? convex_obstacle(**state, options) : general_obstacle(**state, options);
   });
   if (!done) return done.error();

@@ -80,7 +80,7 @@ std::uint64_t surfaces(const TurningForms& forms, const RotationCatalog& catalog
 
 }  // namespace
 
-Result<bool> general_obstacle(planar::ObstacleState& state, const ObstacleOptions& options) {
+Result<void> general_obstacle(planar::ObstacleState& state, const ObstacleOptions& options) {
   const bool touching = !state.robot.touching_points().empty() || !state.obstacle.touching_points().empty();
   const std::shared_ptr<const OperandPair> base = touching ? numbered_by_walk(*state.base) : state.base;
   const TurningForms forms(*base);
@@ -114,7 +114,7 @@ Result<bool> general_obstacle(planar::ObstacleState& state, const ObstacleOption
     state.work.tight_events += e.kind == ObstacleEvent::Kind::tight;
   }
   state.work.visible_events = found.events.size();
-  return true;
+  return {};
 }
 
 }  // namespace dymsum::planar

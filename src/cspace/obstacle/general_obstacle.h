@@ -5,8 +5,8 @@
 
 namespace dymsum::planar {
 
-/// Fills everything but robot, obstacle and base, which are set. False does not occur. Errors: cancelled;
-/// unsupported_operand for regions that touch themselves.
-Result<bool> general_obstacle(planar::ObstacleState& state, const ObstacleOptions& options);
+/// Fills everything but robot, obstacle and base, which are set. Errors: cancelled; unsupported_operand for
+/// regions that touch themselves.
+Result<void> general_obstacle(planar::ObstacleState& state, const ObstacleOptions& options);
 
 }  // namespace dymsum::planar

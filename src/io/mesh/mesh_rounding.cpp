@@ -65,7 +65,8 @@ std::optional<Error> rounding_error(const Mesh& mesh, MeshFormat format) {
   MeshData triangles = triangulated(mesh).mesh.data();  // what a file would hold
   Result<MeshData> data = precision == Precision::singles ? in_singles(std::move(triangles)) : std::move(triangles);
   if (!data) return data.error();
-  if (data->faces == mesh.faces() && data->vertices == mesh.vertices()) return std::nullopt;  // the file holds the mesh itself
+  if (data->faces == mesh.faces() && data->vertices == mesh.vertices())
+    return std::nullopt;  // the file holds the mesh itself
   const Result<Mesh> back = read_back(mesh, std::move(data).value());
   if (back) return std::nullopt;
   Evidence evidence = back.error().evidence;

@@ -1,14 +1,13 @@
 #include "planar/boolean/boolean_terms.h"
 
 #include <algorithm>
-#include <cmath>
+
+#include "planar/result/result_region.h"
 
 namespace dymsum::planar {
 namespace {
 
-BooleanTerms terms_of_rings(std::vector<Ring> rings, Fill fill) {
-  return {{std::make_shared<const RingSet>(RingSet{std::move(rings), fill})}, {0}};
-}
+BooleanTerms terms_of_rings(RingSet rings) { return {{std::make_shared<const RingSet>(std::move(rings))}, {0}}; }
 
 Error error_at(ErrorCode code, const char* message, Point at) {
   Error error{code, message, {}};
@@ -17,49 +16,53 @@ Error error_at(ErrorCode code, const char* message, Point at) {
   return error;
 }
 
+RingSet rings_of(const Region& region) {
+  std::vector<Ring> rings;
+  for (const Part& part : region.parts()) {
+    rings.push_back(part.outer);
+    rings.insert(rings.end(), part.holes.begin(), part.holes.end());
+  }
+  return {std::move(rings), Fill::positive, {}};
+}
+
 Result<BooleanTerms> terms_of_region(const Region& region, Semantics semantics) {
   if (semantics != Semantics::regular && !(region.polylines().empty() && region.points().empty()))
     return error_at(
         ErrorCode::unsupported_operand,
         "Boolean operations take regions without polylines and points, which only regular semantics leaves out",
         region.points().empty() ? region.polylines()[0][0] : region.points()[0]);
-  std::vector<Ring> rings;
-  for (const Part& part : region.parts()) {
-    rings.push_back(part.outer);
-    rings.insert(rings.end(), part.holes.begin(), part.holes.end());
-  }
-  return terms_of_rings(std::move(rings), Fill::positive);
+  return terms_of_rings(rings_of(region));
 }
 
-/// A vertex that is the pair of doubles nearest to it, or nothing.
-std::optional<Point> as_point(const ExactSource& source, const SumVertex& vertex) {
-  const ExactSource::Position at = source.position(vertex);
-  const Point nearest{exact::round_to_double(at.x), exact::round_to_double(at.y)};
-  if (!(std::abs(nearest.x) <= 0x1p1000) || !(std::abs(nearest.y) <= 0x1p1000)) return std::nullopt;
-  if (exact::exact_value(nearest.x) != at.x || exact::exact_value(nearest.y) != at.y) return std::nullopt;
-  return nearest;
-}
-
-// The terms of a result that no Boolean operation has made.
-Result<BooleanTerms> terms_of_sum(const PlanarSum& sum) {
-  std::vector<Ring> rings;
-  std::optional<Error> failed;
+RingSet rings_of(const PlanarSum& sum) {
+  RingSet set;
+  bool doubles = true;
+  if (!sum.parts.empty()) set.fractions = positions_of(sum);
+  auto at = set.fractions.begin();
   const auto add = [&](const SumRing& ring) {
-    Ring& points = rings.emplace_back();
-    for (const SumVertex& v : ring.vertices) {
-      const std::optional<Point> at = exact_source(sum) ? as_point(*exact_source(sum), v) : v.at;
-      if (!at && !failed)
-        failed = error_at(ErrorCode::unsupported_operand,
-                          "a vertex of this result is no double, so it is no operand; round it first (rounded)", v.at);
-      points.push_back(at.value_or(v.at));
+    Ring& points = set.rings.emplace_back();
+    for (std::size_t k = 0; k < ring.vertices.size(); ++k, ++at) {
+      points.push_back({exact::round_to_double(at->x, at->w), exact::round_to_double(at->y, at->w)});
+      doubles &= is_double(*at, points.back());
     }
   };
   for (const SumPart& part : sum.parts) {
     add(part.outer);
     for (const SumRing& hole : part.holes) add(hole);
   }
-  if (failed) return *std::move(failed);
-  return terms_of_rings(std::move(rings), Fill::positive);
+  if (doubles) set.fractions.clear();
+  else set.fractions.erase(at, set.fractions.end());  // of segments and points
+  return set;
+}
+
+// Of a result that no Boolean operation has made.
+Result<BooleanTerms> terms_of_sum(const PlanarSum& sum, Semantics semantics) {
+  if (semantics != Semantics::regular && !(sum.segments.empty() && sum.points.empty()))
+    return error_at(ErrorCode::unsupported_operand,
+                    "Boolean operations take results without segments and points, which only regular semantics leaves "
+                    "out",
+                    sum.points.empty() ? sum.segments[0].from.at : sum.points[0].at);
+  return terms_of_rings(rings_of(sum));
 }
 
 }  // namespace
@@ -72,6 +75,12 @@ void BooleanTerms::append(const BooleanTerms& other) {
     if (known == inputs.end()) inputs.push_back(input);
   }
   for (const std::int32_t step : other.steps) steps.push_back(step < 0 ? step : index[static_cast<std::size_t>(step)]);
+}
+
+void append_difference(const BooleanTerms& a, const BooleanTerms& b, BooleanTerms& to) {
+  to.append(a);
+  to.append(b);
+  to.steps.insert(to.steps.end(), {BooleanTerms::kNot, BooleanTerms::kAnd});
 }
 
 Membership BooleanTerms::evaluate(std::span<const Membership> in, std::vector<Membership>& stack) const {
@@ -95,12 +104,16 @@ Membership BooleanTerms::evaluate(std::span<const Membership> in, std::vector<Me
   return stack.empty() ? Membership{} : stack.back();
 }
 
+BooleanTerms terms_of_parts(const PlanarOperand& operand) {
+  return terms_of_rings(std::visit([](const auto* set) { return rings_of(*set); }, operand.set()));
+}
+
 Result<BooleanTerms> terms_of(const PlanarOperand& operand, Semantics semantics) {
   if (const Region* const* region = std::get_if<const Region*>(&operand.set()))
     return terms_of_region(**region, semantics);
   const PlanarSum& sum = *std::get<const PlanarSum*>(operand.set());
   if (const auto* made = dynamic_cast<const BooleanSource*>(exact_source(sum).get())) return made->terms();
-  return terms_of_sum(sum);
+  return terms_of_sum(sum, semantics);
 }
 
 }  // namespace dymsum::planar

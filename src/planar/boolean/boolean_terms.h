@@ -17,6 +17,8 @@ namespace dymsum::planar {
 struct RingSet {
   std::vector<Ring> rings;
   Fill fill = Fill::positive;
+  /// Of all vertices, ring after ring, where some are no doubles: `rings` has the nearest doubles then. Otherwise none.
+  std::vector<exact::HomogeneousPoint> fractions;
 };
 
 /// Whether a cell - a face, an edge, a node - lies in a set: in its closure, in its interior. Faces lie in both or in
@@ -57,6 +59,15 @@ class BooleanSource final : public ExactSource {
   std::shared_ptr<const ExactSource> positions_;
   BooleanTerms terms_;
 };
+
+/// a and not b.
+void append_difference(const BooleanTerms& a, const BooleanTerms& b, BooleanTerms& to);
+
+/// What an expression stands for. Errors: as the operations of planar_boolean.h.
+Result<PlanarSum> evaluate(BooleanTerms terms, const SumOptions& options);
+
+/// The parts of an operand by their rings, also of a result that keeps what made it: indices are the operand's own.
+BooleanTerms terms_of_parts(const PlanarOperand& operand);
 
 /// An operand as an expression; polylines and points are left out for regular semantics. Errors: as the operations of
 /// planar_boolean.h.

@@ -22,30 +22,49 @@ struct JoinedRings {
   std::vector<std::uint32_t> first;
 };
 
-// What does not count: a vertex that repeats the one before it, a ring of two vertices.
-void add_ring(const Ring& ring, std::uint32_t& index, planar::EngineRegion& to) {
-  Ring kept;
-  std::vector<std::uint32_t> names;
-  for (std::size_t k = 0; k < ring.size(); ++k, ++index) {
-    if (ring[k] == ring[k + 1 == ring.size() ? 0 : k + 1]) continue;
-    kept.push_back(ring[k]);
-    names.push_back(index);
+/// Rings one after the other.
+class RingJoiner {
+ public:
+  explicit RingJoiner(const BooleanTerms& terms) {
+    for (const auto& input : terms.inputs) exact_ |= !input->fractions.empty();
+    for (const auto& input : terms.inputs) {
+      joined_.first.push_back(index_);
+      auto at = input->fractions.begin();
+      for (const Ring& ring : input->rings) {
+        add(ring, input->fractions.empty() ? nullptr : &*at);
+        if (!input->fractions.empty()) at += static_cast<std::ptrdiff_t>(ring.size());
+      }
+    }
+    joined_.region.edge_indices = joined_.region.vertex_indices;
+    if (exact_)
+      joined_.region.fractions = std::make_shared<const std::vector<exact::HomogeneousPoint>>(std::move(fractions_));
   }
-  if (kept.size() < 3) return;
-  to.own.parts.push_back({std::move(kept), {}});
-  to.vertex_indices.insert(to.vertex_indices.end(), names.begin(), names.end());
-  to.edge_indices.insert(to.edge_indices.end(), names.begin(), names.end());
-}
+  JoinedRings joined() && { return std::move(joined_); }
 
-JoinedRings join(const BooleanTerms& terms) {
-  JoinedRings joined;
-  std::uint32_t index = 0;
-  for (const auto& input : terms.inputs) {
-    joined.first.push_back(index);
-    for (const Ring& ring : input->rings) add_ring(ring, index, joined.region);
+ private:
+  // What does not count: a vertex that repeats the one before it, a ring of two vertices. Fractions are of results,
+  // which have neither.
+  void add(const Ring& ring, const exact::HomogeneousPoint* fractions) {
+    std::vector<std::uint32_t> kept;
+    for (std::uint32_t k = 0; k < ring.size(); ++k)
+      if (fractions != nullptr || ring[k] != ring[k + 1 == ring.size() ? 0 : k + 1]) kept.push_back(k);
+    if (kept.size() >= 3) {
+      Ring& own = joined_.region.own.parts.emplace_back().outer;
+      for (const std::uint32_t k : kept) {
+        own.push_back(ring[k]);
+        joined_.region.vertex_indices.push_back(index_ + k);
+        if (exact_)
+          fractions_.push_back(fractions != nullptr ? fractions[k] : exact::homogeneous(ring[k].x, ring[k].y));
+      }
+    }
+    index_ += static_cast<std::uint32_t>(ring.size());
   }
-  return joined;
-}
+
+  JoinedRings joined_;
+  std::vector<exact::HomogeneousPoint> fractions_;
+  bool exact_ = false;
+  std::uint32_t index_ = 0;
+};
 
 /// Every walk edge of P at the one vertex of Q.
 planar::Soup soup_of(const planar::SumState& state) {
@@ -100,13 +119,16 @@ PlanarSum finished(planar::SumState&& state, const planar::PieceCandidates& piec
   return result;
 }
 
-Result<PlanarSum> evaluate(BooleanTerms terms, const SumOptions& options) {
+}  // namespace
+
+Result<PlanarSum> planar::evaluate(BooleanTerms terms, const SumOptions& options) {
   const auto budget = base::budget_of(options.memory);
   return base::within_memory(budget, "the Boolean operation", [&]() -> Result<PlanarSum> {
-    const JoinedRings joined = join(terms);
+    const JoinedRings joined = RingJoiner(terms).joined();
     PlanarSum result;
     if (!joined.region.own.parts.empty()) {
-      const planar::EngineRegion origin{nullptr, {{}, {}, {Point{0, 0}}}, false, {}, {}};
+      planar::EngineRegion origin;
+      origin.own.points.push_back({0, 0});
       Result<planar::SumState> placed =
           planar::placed_state(planar::make_operand(joined.region, 0), planar::make_operand(origin, 1),
                                planar::SumInternals::min_tier_bits(options));
@@ -126,6 +148,8 @@ Result<PlanarSum> evaluate(BooleanTerms terms, const SumOptions& options) {
   });
 }
 
+namespace {
+
 /// One expression after the other, and what combines each with the ones before it.
 Result<BooleanTerms> combined(std::span<const PlanarOperand> sets, std::int32_t step, Semantics semantics) {
   BooleanTerms all;
@@ -141,14 +165,7 @@ Result<BooleanTerms> combined(std::span<const PlanarOperand> sets, std::int32_t 
 Result<PlanarSum> combine(std::span<const PlanarOperand> sets, std::int32_t step, const SumOptions& options) {
   Result<BooleanTerms> terms = combined(sets, step, options.semantics);
   if (!terms) return terms.error();
-  return evaluate(std::move(terms).value(), options);
-}
-
-/// a and not b.
-void append_difference(const BooleanTerms& a, const BooleanTerms& b, BooleanTerms& to) {
-  to.append(a);
-  to.append(b);
-  to.steps.insert(to.steps.end(), {BooleanTerms::kNot, BooleanTerms::kAnd});
+  return planar::evaluate(std::move(terms).value(), options);
 }
 
 Result<BooleanTerms> without(const PlanarOperand& a, const PlanarOperand& b, Semantics semantics) {
@@ -156,7 +173,7 @@ Result<BooleanTerms> without(const PlanarOperand& a, const PlanarOperand& b, Sem
   if (!kept) return kept;
   if (!taken) return taken;
   BooleanTerms terms;
-  append_difference(*kept, *taken, terms);
+  planar::append_difference(*kept, *taken, terms);
   return terms;
 }
 
@@ -182,7 +199,7 @@ Result<PlanarSum> intersection(const PlanarOperand& a, const PlanarOperand& b, c
 Result<PlanarSum> difference(const PlanarOperand& a, const PlanarOperand& b, const SumOptions& options) {
   Result<BooleanTerms> terms = without(a, b, options.semantics);
   if (!terms) return terms.error();
-  return evaluate(std::move(terms).value(), options);
+  return planar::evaluate(std::move(terms).value(), options);
 }
 
 Result<PlanarSum> symmetric_difference(const PlanarOperand& a, const PlanarOperand& b, const SumOptions& options) {
@@ -191,14 +208,14 @@ Result<PlanarSum> symmetric_difference(const PlanarOperand& a, const PlanarOpera
   if (!p) return p.error();
   if (!q) return q.error();
   BooleanTerms terms;
-  append_difference(*p, *q, terms);
-  append_difference(*q, *p, terms);
+  planar::append_difference(*p, *q, terms);
+  planar::append_difference(*q, *p, terms);
   terms.steps.push_back(BooleanTerms::kOr);
-  return evaluate(std::move(terms), options);
+  return planar::evaluate(std::move(terms), options);
 }
 
 Result<PlanarSum> filled(const RegionData& data, Fill fill, const SumOptions& options) {
-  planar::RingSet set{{}, fill};
+  planar::RingSet set{{}, fill, {}};
   for (const Part& part : data.parts) {
     set.rings.push_back(part.outer);
     set.rings.insert(set.rings.end(), part.holes.begin(), part.holes.end());
@@ -212,7 +229,7 @@ Result<PlanarSum> filled(const RegionData& data, Fill fill, const SumOptions& op
         return error;
       }
   BooleanTerms terms{{std::make_shared<const planar::RingSet>(std::move(set))}, {0}};
-  return evaluate(std::move(terms), options);
+  return planar::evaluate(std::move(terms), options);
 }
 
 std::string FillReport::to_string() const {

@@ -78,7 +78,7 @@ class EventWalk {
   /// Calls f(event) for the events in [from, to] in order until it returns false. Errors: those of frames. Throws
   /// Cancelled.
   template <class F>
-  std::optional<Error> run(const BigRational& from, const BigRational& to, F&& f) {
+  Result<void> run(const BigRational& from, const BigRational& to, F&& f) {
     // What lies just outside decides what comes before the first and after the last.
     BigRational low = from * BigRational(1023, 1024);
     const BigRational end = to * BigRational(1025, 1024);
@@ -108,15 +108,15 @@ class EventWalk {
           event.kind = e.kind;
           event.topology = !(before->topology == after->topology) || !(here->topology == before->topology);
           event.visible = event.topology || before->hash != after->hash;
-          if (!f(event)) return std::nullopt;
+          if (!f(event)) return {};
           before = *after;
         }
         last = e.s;
       }
-      if (high > to) return std::nullopt;
+      if (high > to) return {};
       low = high;
     }
-    return std::nullopt;
+    return {};
   }
 
  private:
@@ -187,9 +187,9 @@ MovingOptions probe_options(MovingOptions options) {
 
 /// EventWalk::run in [low, high] on a sum of its own.
 template <class F>
-std::optional<Error> walk(const ScalingState& state, const BigRational& low, const BigRational& high,
-                          const Progress& progress, F&& f) {
-  return base::within_memory(state.budget(), "the search for events", [&]() -> std::optional<Error> {
+Result<void> walk(const ScalingState& state, const BigRational& low, const BigRational& high, const Progress& progress,
+                  F&& f) {
+  return base::within_memory(state.budget(), "the search for events", [&]() -> Result<void> {
     ScalingState probe(state.base, probe_options(state.options));
     try {
       return EventWalk(probe, progress).run(low, high, f);
@@ -214,11 +214,11 @@ Result<std::vector<ScaleEvent>> ScalingSum::events(const Scale& a, const Scale& 
                  "the range of scales is empty: " + a.exact().to_string() + " > " + b.exact().to_string(),
                  {}};
   std::vector<ScaleEvent> events;
-  if (std::optional<Error> error = walk(*state_, low, high, progress, [&](const ScaleEvent& e) {
-        events.push_back(e);
-        return true;
-      }))
-    return *std::move(error);
+  const Result<void> done = walk(*state_, low, high, progress, [&](const ScaleEvent& e) {
+    events.push_back(e);
+    return true;
+  });
+  if (!done) return done.error();
   return events;
 }
 
@@ -228,12 +228,11 @@ Result<std::optional<ScaleEvent>> ScalingSum::next_event(const Scale& s, const S
   const BigRational low = rational(scale_value(s)), high = rational(scale_value(limit));
   std::optional<ScaleEvent> found;
   if (low >= high) return found;
-  if (std::optional<Error> error = walk(*state_, low, high, progress, [&](const ScaleEvent& e) {
-        if (exact::exact_value(e.parameter) > low && (change == EventChange::topology ? e.topology : e.visible))
-          found = e;
-        return !found;
-      }))
-    return *std::move(error);
+  const Result<void> done = walk(*state_, low, high, progress, [&](const ScaleEvent& e) {
+    if (exact::exact_value(e.parameter) > low && (change == EventChange::topology ? e.topology : e.visible)) found = e;
+    return !found;
+  });
+  if (!done) return done.error();
   return found;
 }
 

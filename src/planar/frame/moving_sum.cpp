@@ -45,7 +45,7 @@ Result<FrameChanges> MovingSum::frame_at(const Move& move) {
   std::optional<NextFrame> next;
   if (*in_window) next = window_frame(move, next_work);
   if (!next) {
-    Result<NextFrame> rebuilt = rebuilt_frame(next_work);
+    Result<NextFrame> rebuilt = rebuilt_frame(move, next_work);
     if (!rebuilt) return rebuilt.error();
     if (!*in_window) set_window(nullptr, true);
     next = std::move(rebuilt).value();
@@ -78,12 +78,12 @@ Result<bool> MovingSum::open_window(const Move& move, FrameWork& next_work) {
   return next_work.new_window;
 }
 
-Result<MovingSum::NextFrame> MovingSum::rebuilt_frame(FrameWork& next_work) const {
+Result<MovingSum::NextFrame> MovingSum::rebuilt_frame(const Move& move, FrameWork& next_work) const {
   next_work.rebuilt = true;
   SumOptions sum_options;
   sum_options.semantics = options.semantics;
   sum_options.progress = options.progress;
-  Result<PlanarSum> computed = placed_sum(placed(), sum_options);
+  Result<PlanarSum> computed = placed_sum(placed(move), sum_options);
   if (!computed) return computed.error();
   NextFrame next;
   next.sum = std::move(computed).value();

@@ -47,7 +47,8 @@ class MovingSum {
   const std::shared_ptr<base::MemoryBudget>& budget() const { return budget_; }
 
  protected:
-  /// A move, as the controller sees it: lengths are logarithms of scales, or angles.
+  /// A move, as the controller sees it: lengths are logarithms of scales, or angles. A motion adds the new position as
+  /// it has it, and gets its own move back wherever it is called during one.
   struct Move {
     bool windows = true;       ///< whether windows can serve at the new position
     bool builds = true;        ///< whether one may be built for it
@@ -83,7 +84,7 @@ class MovingSum {
 
  private:
   /// The operands at the new position.
-  virtual PlacedPair placed() const = 0;
+  virtual PlacedPair placed(const Move& move) const = 0;
   /// What makes a window for the new position that reaches so far.
   virtual MakeWindow window_for(const Move& move, const WindowController::Choice& reach) = 0;
   /// The same for one that is entered at `end` by a motion such as the last move, and so wide.
@@ -103,7 +104,7 @@ class MovingSum {
   void take_window_ahead();
   void start_ahead(MakeWindow make, double step);
   void make_next_window(const Move& move);
-  Result<NextFrame> rebuilt_frame(FrameWork& work) const;
+  Result<NextFrame> rebuilt_frame(const Move& move, FrameWork& work) const;
   FrameChanges take(NextFrame next, const Move& move);
   void charge(const FrameWork& work);
 

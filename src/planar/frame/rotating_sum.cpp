@@ -205,7 +205,7 @@ bool RotatingSum::State::p_is_smaller(const OperandPair& base) {
   return size(0) < size(1) || (size(0) == size(1) && base.moved == 0);
 }
 
-PlacedPair RotatingSum::State::placed() const { return base_->placed(theta_); }
+PlacedPair RotatingSum::State::placed(const Move& move) const { return base_->placed(theta_of(move)); }
 
 // What is known of the loops goes along.
 void RotatingSum::State::window_changes(FrameWindow* next) {
@@ -272,24 +272,24 @@ MakeWindow RotatingSum::State::window_from(double end, const Move& move, double 
 }
 
 // The kept loops as rings in canonical order.
-void RotatingSum::State::assemble(NextFrame& next) {
+void RotatingSum::State::assemble(const Orientation& theta, NextFrame& next) {
   const RotatingWindow& window = turned().window;
   const RotatingFrame& frame = frame_;
   PlanarSum& sum = next.sum;
-  exact_source(sum) = std::make_shared<FrameSource>(base_, theta_);
+  exact_source(sum) = std::make_shared<FrameSource>(base_, theta);
   sum.stats.tier_bits = base_->lattice->tier_bits;
   sum.stats.reduced_segments = window.all_segments;
   sum.stats.live_segments = window.segments.size();
   sum.stats.crossings = frame.crossings().size();
   sum.stats.loops = loops_->loops().size();
-  KeptRings kept = rings_->at(theta_, frame, *loops_, *exact_source(sum), [this] { return spare_ring(); });
+  KeptRings kept = rings_->at(theta, frame, *loops_, *exact_source(sum), [this] { return spare_ring(); });
   position(kept, next);
 }
 
 // Nothing where doubles do not decide the frame.
-std::optional<MovingSum::NextFrame> RotatingSum::State::window_frame(const Move&, FrameWork& next_work) {
+std::optional<MovingSum::NextFrame> RotatingSum::State::window_frame(const Move& move, FrameWork& next_work) {
   const RotatingWindow& window = turned().window;
-  const double angle = moving_angle(theta_);
+  const double angle = moving_angle(theta_of(move));
   next_work.pieces = window.pieces.size();
   next_work.candidates = window.candidates.size();
   next_work.window_low = window.midpoint - window.half;
@@ -298,9 +298,9 @@ std::optional<MovingSum::NextFrame> RotatingSum::State::window_frame(const Move&
   NextFrame next;
   next.followed = loops_->known();
   if (frame_.compute(std::remainder(angle - window.midpoint, kTurn), Heading::of(angle))) {
-    ExactFrame exact(base_, theta_);
+    ExactFrame exact(base_, theta_of(move));
     loops_->update(frame_, exact, identities_, next_work, next.changes);
-    assemble(next);
+    assemble(theta_of(move), next);
     next_work.exact_signs += exact.all_signs();
     return next;
   }
@@ -322,8 +322,8 @@ Result<FrameChanges> RotatingSum::State::move_to(const Orientation& theta) {
     work = {};
     return FrameChanges{};
   }
-  theta_ = theta;
-  Move to;
+  TurnMove to;
+  to.theta = theta;
   to.at = moving_angle(theta);
   to.step = std::remainder(to.at - moving_angle(orientation), kTurn);
   to.widest = operands_ != nullptr ? widest_window() : 0;

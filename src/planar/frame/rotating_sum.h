@@ -75,9 +75,14 @@ class RotatingSum::State final : public planar::MovingSum {
   Orientation orientation;
 
  private:
+  struct TurnMove : Move {
+    Orientation theta;  ///< the new position
+  };
+  static const Orientation& theta_of(const Move& move) { return static_cast<const TurnMove&>(move).theta; }
+
   using Grids = std::map<int, std::unique_ptr<planar::RotationGrid>>;  ///< by cells
 
-  planar::PlacedPair placed() const override;
+  planar::PlacedPair placed(const Move& move) const override;
   planar::MakeWindow window_for(const Move& move, const planar::WindowController::Choice& reach) override;
   planar::MakeWindow window_from(double end, const Move& move, double width) override;
   void window_changes(planar::FrameWindow* next) override;
@@ -95,7 +100,7 @@ class RotatingSum::State final : public planar::MovingSum {
   planar::MakeWindow maker(double low, double high);
   const planar::TurnedWindow& turned() const { return static_cast<const planar::TurnedWindow&>(*window()); }
   const planar::TurningForms& forms() const { return operands_->forms; }
-  void assemble(NextFrame& next);
+  void assemble(const Orientation& theta, NextFrame& next);
 
   std::shared_ptr<const planar::OperandPair> base_;         // P is operand 0
   bool swapped_ = false;                                    // P is the smaller operand, which moves in windows
@@ -103,7 +108,6 @@ class RotatingSum::State final : public planar::MovingSum {
   std::shared_ptr<Grids> grids_;                            // used by one window at a time, on any thread
   double segments_ = 0;                                     // of the reduced convolution, about
   double slice_cost_ = 0;                                   // of the last frame from scratch
-  Orientation theta_;                                       // the new position, during a move
   planar::RotatingFrame frame_;                             // in the current window
   std::unique_ptr<planar::RotatingLoops> loops_;
   std::unique_ptr<planar::TurnedRings> rings_;

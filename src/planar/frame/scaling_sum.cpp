@@ -85,15 +85,17 @@ double cost_of_frame(const FrameWork& work, const PlanarSum& sum) {
 
 }  // namespace
 
-PlacedPair ScalingSum::State::placed() const { return base->placed(base->lattice_scale(x_, y_)); }
+PlacedPair ScalingSum::State::placed(const Move& move) const {
+  return base->placed(base->lattice_scale(scaling(move).x, scaling(move).y));
+}
 
 // The window has lists and loops at `entry` where it is made ahead, so that the frame that enters it is like any other.
-MakeWindow ScalingSum::State::maker(double low, double high, double entry) {
-  const std::uint32_t all = builder_->convolution_for(low, high).size();
+MakeWindow ScalingSum::State::maker(const ScaleMove& move, double low, double high, double entry) {
+  const std::uint32_t all = move.builder->convolution_for(low, high).size();
   const double most = chooses() ? controller_.most_expensive_building() : 0;
   const std::uint64_t pairs = most > 0 ? pairs_of_window(std::max(most, kCheapWindow), all) : UINT64_MAX;
   const bool ahead = makes_ahead();
-  return [plan = builder_->plan(low, high, entry, pairs), entry,
+  return [plan = move.builder->plan(low, high, entry, pairs), entry,
           ahead](const base::StopToken& stop) -> std::unique_ptr<FrameWindow> {
     WindowPlan stoppable = plan;
     stoppable.settings.stop = stop;
@@ -112,36 +114,37 @@ MakeWindow ScalingSum::State::window_for(const Move& move, const WindowControlle
   const double back = sum.stats.degenerate_nodes > 0 ? 0 : std::min(std::abs(move.step), kWidestStep);
   const double behind = move.step > 0 ? std::max(reach.behind, back + kBeyondBack) : reach.behind,
                ahead = move.step < 0 ? std::max(reach.ahead, back + kBeyondBack) : reach.ahead;
-  return maker(std::max(move.at * std::exp(-behind), kLowest), std::min(move.at * std::exp(ahead), kHighest), move.at);
+  return maker(scaling(move), std::max(move.at * std::exp(-behind), kLowest),
+               std::min(move.at * std::exp(ahead), kHighest), move.at);
 }
 
 MakeWindow ScalingSum::State::window_from(double end, const Move& move, double width) {
   const double sign = move.step > 0 ? 1 : -1, before = end * std::exp(-sign * kShared * width),
                behind = end * std::exp(sign * width);
-  return maker(std::min(before, behind), std::max(before, behind), end);
+  return maker(scaling(move), std::min(before, behind), std::max(before, behind), end);
 }
 
 // The kept loops at tau: rings in canonical order.
-MovingSum::NextFrame ScalingSum::State::assemble(double tau, ExactFrame& frame, bool stays) {
+MovingSum::NextFrame ScalingSum::State::assemble(const ScaleMove& move, double tau, ExactFrame& frame) {
   NextFrame next;
-  const auto source = std::make_shared<FrameSource>(swept_, frame.at());
+  const auto source = std::make_shared<FrameSource>(move.swept, frame.at());
   exact_source(next.sum) = source;
-  next.sum.stats.tier_bits = frame.has_lattice() ? frame.lattice().tier_bits : swept_->lattice->tier_bits;
+  next.sum.stats.tier_bits = frame.has_lattice() ? frame.lattice().tier_bits : move.swept->lattice->tier_bits;
   next.sum.stats.reduced_segments = frames().convolution->size();
   next.sum.stats.live_segments = frames().window->segments.size();
   KeptRings kept = frames().rings.at(tau, *frames().window, frame, *source, [this] { return spare_ring(); });
   position(kept, next);
   next.followed = last_ == window();
-  if (next.followed) frames().loops.follow(kept.loops, identities_, stays, next.changes);
+  if (next.followed) frames().loops.follow(kept.loops, identities_, move.stays, next.changes);
   return next;
 }
 
 std::optional<MovingSum::NextFrame> ScalingSum::State::window_frame(const Move& move, FrameWork& next_work) {
-  ExactFrame frame(swept_, s_);
+  ExactFrame frame(scaling(move).swept, scaling(move).s);
   const Window& window = *frames().window;
   NextFrame next;
   if (frames().follow(frame, next_work)) {
-    next = assemble(frame.tau(window.frame().moving), frame, move.stays);
+    next = assemble(scaling(move), frame.tau(window.frame().moving), frame);
     last_ = &frames();
   } else {
     next_work.degenerate = true;
@@ -189,30 +192,33 @@ RatioSweep* ScalingSum::State::ratio_sweep(const Factors& factors, bool make) {
 
 // Windows of one ratio are those of the uniform scales of the stretched operand. They are built from the second step of
 // one ratio on, and entered again whatever was in between.
-MovingSum::Move ScalingSum::State::move_of(const Scale& x, const Scale& y, const Factors& factors) {
-  s_ = factors.x == ScaleValue{} ? x_ : y_;
-  Move to;
+ScalingSum::State::ScaleMove ScalingSum::State::move_of(const Scale& x, const Scale& y) {
+  ScaleMove to;
+  to.x = scale_value(x);
+  to.y = x == y ? to.x : scale_value(y);
+  const Factors factors = factors_of(to.x, to.y);
+  to.s = factors.x == ScaleValue{} ? to.x : to.y;
   to.stays = x == scale && y == scale_y;
-  to.at = s_.approx;
+  to.at = to.s.approx;
   to.builds = factors == factors_;
-  to.step = to.builds ? std::log(s_.approx / std::max(scale.approx(), scale_y.approx())) : 0;
+  to.step = to.builds ? std::log(to.s.approx / std::max(scale.approx(), scale_y.approx())) : 0;
   to.requested = std::log1p(options.window);
   const bool empty = base->operands[0].size() == 0 || base->operands[1].size() == 0;
   to.windows = options.mode != FrameMode::rebuild && base->regular && !empty;
-  builder_ = &windows;
-  swept_ = base;
+  to.builder = &windows;
+  to.swept = base;
   if (to.windows && !factors.uniform()) {
     RatioSweep* const sweep = ratio_sweep(factors, to.builds);
     to.windows = sweep != nullptr;
     if (sweep != nullptr) {
       to.family = sweep->family;
-      builder_ = &sweep->windows;
-      swept_ = sweep->base;
+      to.builder = &sweep->windows;
+      to.swept = sweep->base;
     }
   }
   const std::array<Scale, 2> at{x, y};
   to.windows &= !(chooses() && std::find(touching_.begin(), touching_.end(), at) != touching_.end());
-  to.widest = builder_->widest(s_.approx);
+  to.widest = to.builder->widest(to.s.approx);
   return to;
 }
 
@@ -221,15 +227,13 @@ Result<FrameChanges> ScalingSum::State::move_to(const Scale& x, const Scale& y) 
     work = {};
     return FrameChanges{};
   }
-  x_ = scale_value(x);
-  y_ = x == y ? x_ : scale_value(y);
-  const Factors factors = factors_of(x_, y_);
-  Result<FrameChanges> changes = move(move_of(x, y, factors));
+  const ScaleMove to = move_of(x, y);
+  Result<FrameChanges> changes = move(to);
   if (!changes) return changes;
   if (work.rebuilt && sum.stats.degenerate_nodes > 0) remember_touching(x, y);
   scale = x;
   scale_y = y;
-  factors_ = factors;
+  factors_ = factors_of(to.x, to.y);
   return changes;
 }
 

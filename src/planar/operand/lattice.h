@@ -77,6 +77,8 @@ struct TurnedPoints {
   int compare(std::uint32_t i, std::uint32_t j, int axis) const;
 };
 
+struct FractionPoints;
+
 /// The source vertices of one operand: as given, and relative to the smallest corner of their bounding box.
 struct PlacedPoints {
   std::vector<Point> input;
@@ -85,8 +87,11 @@ struct PlacedPoints {
   double width = 0, height = 0;  ///< the largest x and y
   Point factors{1, 1};           ///< the factors by which x and y are scaled besides, rounded: three roundings in all
   std::shared_ptr<const TurnedPoints> turned;  ///< of a rotated operand: x and y are these then
-  double extent = 0;                           ///< the larger of both, in input units
-  int exponent = 0;                            ///< the largest grid that holds them: all are multiples of 2^exponent
+  /// Of the result of other operations, where some vertices are no doubles: x and y are these then, and `input` their
+  /// nearest doubles.
+  std::shared_ptr<const FractionPoints> fractions;
+  double extent = 0;  ///< the larger of both, in input units
+  int exponent = 0;   ///< the largest grid that holds them: all are multiples of 2^exponent
   int unit = 0;
   int top = 0;  ///< the extent is at most 2^top, with its rounding
   /// The bits of the integers on a grid that holds them.
@@ -143,6 +148,7 @@ struct LatticeDoubles {
   Point vector(const Edge& e) const {
     const PlacedPoints& o = *points[e.op];
     if (o.turned != nullptr) return o.turned->vector(e.from, e.to);
+    if (o.fractions != nullptr) return fraction_vector(o, e);
     const Point &a = o.input[e.from], &b = o.input[e.to];
     const double x = b.x - a.x, y = b.y - a.y;
     return {with_sign_of(x, x / unit * o.factors.x), with_sign_of(y, y / unit * o.factors.y)};
@@ -152,6 +158,7 @@ struct LatticeDoubles {
     const PlacedPoints& o = *points[e.op];
     if (!wide) return vector(e);
     if (o.turned != nullptr) return o.turned->direction(e.from, e.to);
+    if (o.fractions != nullptr) return fraction_direction(o, e);
     // Differences of doubles never underflow, nor do they overflow below 2^1000.
     const Point &a = o.input[e.from], &b = o.input[e.to];
     return {b.x - a.x, b.y - a.y};
@@ -165,6 +172,10 @@ struct LatticeDoubles {
   int integer_exponent = 0;  ///< mantissa in [1, 2]
   /// A rounded position in input coordinates.
   Point to_input(double gx, double gy) const { return {gx * unit + base.x, gy * unit + base.y}; }
+
+ private:
+  static Point fraction_vector(const PlacedPoints& points, const Edge& e);
+  static Point fraction_direction(const PlacedPoints& points, const Edge& e);
 };
 
 /// Integer operands and exact signs. Coordinates are grid units relative to one offset per operand, so that a
@@ -216,8 +227,8 @@ class Lattice : public LatticeDoubles {
 /// Whether scaled and rotated lattices will be made from this one.
 enum class Further { none, lattices };
 
-/// Both operands on their common grid. `min_tier_bits` forces a larger tier. Points are placed anew when their units
-/// differ.
+/// Both operands on their common grid, or as fractions where one of them has these. `min_tier_bits` forces a larger
+/// tier. Points are placed anew when their units differ.
 std::shared_ptr<const Lattice> make_lattice(std::shared_ptr<const PlacedPoints> p,
                                             std::shared_ptr<const PlacedPoints> q, int min_tier_bits,
                                             Further further = Further::none);

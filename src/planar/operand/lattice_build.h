@@ -15,6 +15,9 @@ namespace dymsum::planar {
 /// x and y of points in units of 2^unit.
 void position_in_units(PlacedPoints& points, int unit);
 
+/// The smallest k for which an extent and its ulp are at most 2^k.
+int top_of(double extent);
+
 /// Grid units while these fit well, else 2^-60 of the extent, so that nothing overflows.
 int unit_for(double extent, int exponent, int bits);
 

@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "exact/rounding_bound.h"
+#include "planar/operand/fraction_points.h"
 #include "planar/operand/lattice_build.h"
 
 namespace dymsum::planar {
@@ -71,6 +72,7 @@ std::shared_ptr<const Lattice> make_lattice(std::shared_ptr<const PlacedPoints> 
   std::array<std::shared_ptr<const PlacedPoints>, 2> points{std::move(p), std::move(q)};
   // All-zero coordinates are on every grid.
   const auto no_grid = [](const PlacedPoints& o) { return o.extent == 0 && o.offset == Point{}; };
+  const bool fractions = points[0]->fractions != nullptr || points[1]->fractions != nullptr;
   const int exponent = no_grid(*points[0])   ? points[1]->exponent
                        : no_grid(*points[1]) ? points[0]->exponent
                                              : std::min(points[0]->exponent, points[1]->exponent);
@@ -84,6 +86,7 @@ std::shared_ptr<const Lattice> make_lattice(std::shared_ptr<const PlacedPoints> 
     position_in_units(*moved, unit);
     o = std::move(moved);
   }
+  if (fractions) return make_fraction_lattice({std::move(points), exponent, unit, bits, nullptr});
   return build_lattice({std::move(points), exponent, unit, bits,
                         further == Further::lattices ? std::make_shared<SharedIntegers>() : nullptr},
                        std::nullopt, min_tier_bits);

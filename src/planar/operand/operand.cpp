@@ -24,6 +24,14 @@ std::vector<Point> source_vertices(const RegionData& region, std::size_t n, bool
   return all;
 }
 
+std::shared_ptr<const PlacedPoints> placed_vertices(const EngineRegion& region, std::size_t n, bool reflected) {
+  if (region.fractions == nullptr) return place_points(source_vertices(region.data(), n, reflected));
+  std::vector<exact::HomogeneousPoint> at = *region.fractions;
+  if (reflected)
+    for (exact::HomogeneousPoint& v : at) v.x.backend().negate(), v.y.backend().negate();
+  return fractions_as_points(std::move(at));
+}
+
 struct Size {
   std::size_t vertices = 0, walk = 0, loops = 0, components = 0;  // `walk` before collinear vertices are dropped
 };
@@ -65,14 +73,16 @@ void restart(DirectionList& list, const Operand& o, const Lattice& lattice) {
   number(list, o);
 }
 
-void find_turned_extremes(Loop& loop, const Operand& o, const TurnedPoints& turned) {
+// By points that are no doubles.
+template <class Points>
+void find_exact_extremes(Loop& loop, const Operand& o, const Points& points) {
   loop.min_x = loop.max_x = loop.min_y = loop.max_y = o.source[loop.first];
   for (std::uint32_t i = loop.first; i < loop.last; ++i) {
     const std::uint32_t s = o.source[i];
-    if (turned.compare(s, loop.min_x, 0) < 0) loop.min_x = s;
-    if (turned.compare(s, loop.max_x, 0) > 0) loop.max_x = s;
-    if (turned.compare(s, loop.min_y, 1) < 0) loop.min_y = s;
-    if (turned.compare(s, loop.max_y, 1) > 0) loop.max_y = s;
+    if (points.compare(s, loop.min_x, 0) < 0) loop.min_x = s;
+    if (points.compare(s, loop.max_x, 0) > 0) loop.max_x = s;
+    if (points.compare(s, loop.min_y, 1) < 0) loop.min_y = s;
+    if (points.compare(s, loop.max_y, 1) > 0) loop.max_y = s;
   }
 }
 
@@ -121,7 +131,7 @@ void place(Operand& o, const Lattice& lattice) {
     }
   if (o.points->turned != nullptr) {
     for (DirectionList& list : o.directions) restart(list, o, lattice);
-    for (Loop& loop : o.loops) find_turned_extremes(loop, o, *o.points->turned);
+    for (Loop& loop : o.loops) find_exact_extremes(loop, o, *o.points->turned);
     find_largest_holes(o);
   }
 }
@@ -296,16 +306,26 @@ class Builder {
       edge = {a, b};
       return;
     }
-    const std::vector<Point>& v = out_.points->input;
-    const bool forward = v[a].x != v[b].x ? v[a].x < v[b].x : v[a].y < v[b].y;
-    const auto before = [&](std::uint32_t i, std::uint32_t j) {
-      const bool less = v[i].x != v[j].x ? v[i].x < v[j].x : v[i].y < v[j].y;
-      return v[i] != v[j] && less == forward;
-    };
+    const int forward = compare(a, b);
+    const auto before = [&](std::uint32_t i, std::uint32_t j) { return compare(i, j) == forward; };
     if (before(a, edge[0])) edge[0] = a;
     if (before(edge[1], b)) edge[1] = b;
   }
+  // Lexicographic order of two source vertices: -1, 0, 1.
+  int compare(std::uint32_t i, std::uint32_t j) const {
+    if (const FractionPoints* fractions = out_.points->fractions.get(); fractions != nullptr) {
+      const int order = fractions->compare(i, j, 0);
+      return order != 0 ? order : fractions->compare(i, j, 1);
+    }
+    const Point a = out_.points->input[i], b = out_.points->input[j];
+    if (a == b) return 0;
+    return (a.x != b.x ? a.x < b.x : a.y < b.y) ? -1 : 1;
+  }
   void find_extremes(Loop& loop) const {
+    if (out_.points->fractions != nullptr) {
+      find_exact_extremes(loop, out_, *out_.points->fractions);
+      return;
+    }
     const std::vector<Point>& v = out_.points->input;
     std::uint32_t min_x = out_.source[loop.first], max_x = min_x, min_y = min_x, max_y = min_x;
     Point low = v[min_x], high = low;
@@ -341,7 +361,7 @@ class Builder {
 std::shared_ptr<Operand> make_operand(const EngineRegion& engine_region, std::uint32_t op, bool reflected) {
   const RegionData& region = engine_region.data();
   const Size size = size_of(region);
-  Builder builder(op, engine_region, place_points(source_vertices(region, size.vertices, reflected)), size);
+  Builder builder(op, engine_region, placed_vertices(engine_region, size.vertices, reflected), size);
   std::uint32_t at = 0;
   Scratch memory;
   Array<std::uint32_t> walk(&memory), indices(&memory);

@@ -5,6 +5,7 @@
 #include <cstdint>
 
 #include "base/bit_cast.h"
+#include "planar/operand/fraction_points.h"
 #include "planar/operand/lattice_build.h"
 
 namespace dymsum::planar {
@@ -23,14 +24,6 @@ Corners corners_of(std::span<const Point> points) {
     high = {std::max(high.x, p.x), std::max(high.y, p.y)};
   }
   return {low, high};
-}
-
-// The smallest k with extent + 1 ulp <= 2^k: one unit in the last place covers the rounding of the differences.
-int top_of(double extent) {
-  const int field = static_cast<int>(base::bit_cast<std::uint64_t>(extent) >> 52);
-  if (field != 0 && field < 0x7ff) return field - 1022;  // the next double is at most the next power of two
-  constexpr int kLow = -1100;                            // below all grids
-  return kLow + exact::bits_needed(std::nextafter(extent, INFINITY), kLow);
 }
 
 // The largest coordinates are those of the high corner: rounding is monotone, and nothing is stretched backwards.
@@ -56,7 +49,18 @@ void position_below(PlacedPoints& points, int unit, Point high) {
 
 }  // namespace
 
-void position_in_units(PlacedPoints& points, int unit) { position_below(points, unit, corners_of(points.input).high); }
+// One unit in the last place covers the rounding of the differences.
+int top_of(double extent) {
+  const int field = static_cast<int>(base::bit_cast<std::uint64_t>(extent) >> 52);
+  if (field != 0 && field < 0x7ff) return field - 1022;  // the next double is at most the next power of two
+  constexpr int kLow = -1100;                            // below all grids
+  return kLow + exact::bits_needed(std::nextafter(extent, INFINITY), kLow);
+}
+
+void position_in_units(PlacedPoints& points, int unit) {
+  if (points.fractions != nullptr) fractions_in_units(points, unit);
+  else position_below(points, unit, corners_of(points.input).high);
+}
 
 int unit_for(double extent, int exponent, int bits) {
   return bits <= 61 ? std::max(exponent, -1000) : std::max(std::ilogb(extent) - 60, -1000);

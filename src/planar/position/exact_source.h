@@ -7,7 +7,7 @@
 
 #include "base/double_pair.h"
 #include "dymsum/planar_sum.h"
-#include "exact/big.h"
+#include "exact/homogeneous_point.h"
 
 namespace dymsum {
 
@@ -23,10 +23,7 @@ class ExactSource {
 
   virtual Position position(const SumVertex& vertex) const = 0;
 
-  /// (x / w, y / w), w > 0, not necessarily in lowest terms.
-  struct Homogeneous {
-    exact::BigInteger x, y, w;
-  };
+  using Homogeneous = exact::HomogeneousPoint;
   /// The same position without the greatest common divisors that lowest terms cost. The default requests position().
   virtual Homogeneous homogeneous(const SumVertex& vertex) const;
 

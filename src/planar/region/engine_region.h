@@ -2,9 +2,14 @@
 #pragma once
 
 #include <cstdint>
+#include <memory>
 #include <vector>
 
 #include "dymsum/region.h"
+
+namespace dymsum::exact {
+struct HomogeneousPoint;
+}
 
 namespace dymsum::planar {
 
@@ -14,6 +19,9 @@ struct EngineRegion {
   RegionData own;
   bool touching = false;                                    ///< edges of different rings may follow each other
   std::vector<std::uint32_t> vertex_indices, edge_indices;  ///< empty: unchanged
+
+  /// Of all vertices in their order, where some are no doubles: `own` has the nearest doubles then. Otherwise none.
+  std::shared_ptr<const std::vector<exact::HomogeneousPoint>> fractions;
 
   const RegionData& data() const { return borrowed != nullptr ? *borrowed : own; }
   std::uint32_t vertex_index(std::uint32_t v) const { return vertex_indices.empty() ? v : vertex_indices[v]; }

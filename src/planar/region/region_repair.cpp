@@ -225,7 +225,7 @@ Error homeless_hole(std::int64_t part, std::int64_t ring, const RepairedChain& h
   return error;
 }
 
-std::optional<Error> repair_part(const Part& part, std::int64_t index, RegionData& result, SourceNames& names,
+Result<void> repair_part(const Part& part, std::int64_t index, RegionData& result, SourceNames& names,
                                  RepairNotes& log) {
   RepairedChain outer = repair_ring(part.outer, true, log);
   const bool keep = !is_dropped(outer.chain, log);
@@ -247,7 +247,7 @@ std::optional<Error> repair_part(const Part& part, std::int64_t index, RegionDat
     result.parts.back().holes.push_back(std::move(hole.chain));
     names.add_ring({index, ring, std::move(hole.source)});
   }
-  return std::nullopt;
+  return {};
 }
 
 using PartKeys = std::set<std::pair<RingKey, std::set<RingKey>>>;
@@ -320,8 +320,8 @@ Result<LoggedRegion> repair(RegionData data, const RegionRepairOptions& options)
   SourceNames names;
   for (std::size_t i = 0; i < data.parts.size(); ++i) {
     const std::size_t before = result.parts.size();
-    auto error = repair_part(data.parts[i], static_cast<std::int64_t>(i), result, names, log);
-    if (error) return *std::move(error);
+    const Result<void> done = repair_part(data.parts[i], static_cast<std::int64_t>(i), result, names, log);
+    if (!done) return done.error();
     if (result.parts.size() > before) drop_if_known(result, known, names, log);
   }
   result.points = std::move(data.points);

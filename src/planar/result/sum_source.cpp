@@ -30,8 +30,10 @@ ExactSource::NearPosition SumSource::near(const SumVertex& vertex) const {
 }
 
 std::optional<Point> SumSource::rounded_once(const SumVertex& vertex) const {
-  // The lattices of operands that are scaled or turned share integers.
+  // The lattices of operands that are scaled or turned share integers; vertices of results may be fractions.
   if (vertex.corner_p == SumVertex::kNone || lattice_->integers != nullptr) return std::nullopt;
+  for (const auto& points : lattice_->points)
+    if (points->fractions != nullptr) return std::nullopt;
   const Pair v = corner(vertex);
   const Point &p = lattice_->points[0]->input[v.p], &q = lattice_->points[1]->input[v.q];
   return Point{p.x + q.x + 0.0, p.y + q.y + 0.0};

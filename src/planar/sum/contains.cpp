@@ -5,12 +5,12 @@
 #include <stdexcept>
 #include <vector>
 
-#include "dymsum/planar_sum.h"
+#include "dymsum/planar_operand.h"
 #include "planar/boundary/collision.h"
-#include "planar/operand/lattice.h"
+#include "planar/operand/fraction_points.h"
 #include "planar/operand/operand.h"
-#include "planar/operand/prepared_region.h"
 #include "planar/operand/sum_bounds.h"
+#include "planar/sum/taken_operand.h"
 
 namespace dymsum {
 namespace {
@@ -24,15 +24,24 @@ struct Query {
   Pair z;
 };
 
-Query make_query(const Region& p, const Region& q, Point z) {
+// The vertices of an operand and a point besides.
+std::shared_ptr<const PlacedPoints> points_with(const Operand& operand, Point z) {
+  if (const auto& fractions = operand.points->fractions; fractions != nullptr) {
+    std::vector<exact::HomogeneousPoint> at = fractions->at;
+    at.push_back(exact::homogeneous(z.x, z.y));
+    return fractions_as_points(std::move(at));
+  }
+  std::vector<Point> at = operand.points->input;
+  at.push_back(z);
+  return place_points(std::move(at));
+}
+
+Query make_query(std::shared_ptr<const Operand> p, std::shared_ptr<const Operand> q, Point z) {
   Query query;
-  query.p = prepared_operand(p, 0);
-  query.q = prepared_operand(q, 1);
-  std::vector<Point> vp = query.p->points->input, vq = query.q->points->input;
-  query.z = {static_cast<std::uint32_t>(vp.size()), static_cast<std::uint32_t>(vq.size())};
-  vp.push_back(z);
-  vq.push_back({0, 0});
-  query.lattice = make_lattice(place_points(std::move(vp)), place_points(std::move(vq)), 0);
+  query.z = {static_cast<std::uint32_t>(p->points->input.size()), static_cast<std::uint32_t>(q->points->input.size())};
+  query.lattice = make_lattice(points_with(*p, z), points_with(*q, {0, 0}), 0);
+  query.p = std::move(p);
+  query.q = std::move(q);
   query.p = placed_on(*query.lattice, std::move(query.p));
   query.q = placed_on(*query.lattice, std::move(query.q));
   return query;
@@ -49,7 +58,7 @@ std::optional<SegmentPosition> position_of(const Query& query) {
   for (std::uint32_t op = 0; op < 2; ++op) {
     const std::uint32_t own = op == 0 ? query.z.p : query.z.q, other = op == 0 ? query.z.q : query.z.p;
     for (std::uint32_t v = 0; v < own; ++v)
-      if (!(l.points[op]->input[v] == l.points[op]->input[own])) {
+      if (!l.same(op == 0 ? Pair{v, other} : Pair{other, v}, query.z)) {
         x.on = {{op, own, v}, other};
         return x;
       }
@@ -109,13 +118,14 @@ bool boundaries_meet(const Query& query, const SegmentPosition& z, std::size_t p
 
 }  // namespace
 
-bool contains(const Region& p, const Region& q, Point z, Semantics semantics) {
-  if (p.empty() || q.empty() || !std::isfinite(z.x) || !std::isfinite(z.y)) return false;
-  for (const auto& o : {prepared_operand(p, 0), prepared_operand(q, 1)})
+bool contains(const PlanarOperand& p, const PlanarOperand& q, Point z, Semantics semantics) {
+  const std::shared_ptr<const Operand> first = taken_operand(p, 0), second = taken_operand(q, 1);
+  if (first->size() == 0 || second->size() == 0 || !std::isfinite(z.x) || !std::isfinite(z.y)) return false;
+  for (const auto& o : {first, second})
     if (const std::optional<Error> error = too_large(*o)) throw std::invalid_argument("contains: " + error->message);
   constexpr double kReach = 0x1p1001;  // of all sums
   if (std::abs(z.x) > kReach || std::abs(z.y) > kReach) return false;
-  const Query query = make_query(p, q, z);
+  const Query query = make_query(first, second, z);
   const std::optional<SegmentPosition> x = position_of(query);
   if (!x) return semantics == Semantics::closed;
   if (Collision(*query.lattice, *query.p, *query.q, true).overlaps(*x)) return true;
@@ -124,6 +134,10 @@ bool contains(const Region& p, const Region& q, Point z, Semantics semantics) {
     for (std::size_t j = 0; j < query.q->components.size(); ++j)
       if (boundaries_meet(query, *x, i, j, semantics == Semantics::regular)) return true;
   return false;
+}
+
+bool contains(const Region& p, const Region& q, Point z, Semantics semantics) {
+  return contains(PlanarOperand(p), PlanarOperand(q), z, semantics);
 }
 
 }  // namespace dymsum

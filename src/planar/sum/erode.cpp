@@ -28,20 +28,6 @@ using planar::Turning;
 // The number of the frame's own vertices and edges.
 constexpr std::uint32_t kFrame = SumVertex::kNone;
 
-// Integers are grid points of any grid with a unit of at most 1; a power of two at least as large as everything else is
-// one of any.
-double frame_margin(const Region& p, const Region& q, Turning turning) {
-  const auto bp = bounds(p), bq = bounds(q);
-  const double reach = std::max({bp[2] - bp[0], bp[3] - bp[1], bq[2] - bq[0], bq[3] - bq[1], std::abs(bp[0]),
-                                 std::abs(bp[1]), std::abs(bp[2]), std::abs(bp[3])});
-  constexpr double kLeast = 0x1p-1000;  // of a point, which reaches nowhere
-  // The frame is farther away than Q is wide, turned by any angle at most sqrt(2) times as much.
-  return std::ldexp(1.0, std::ilogb(std::max(reach, kLeast)) + (turning == Turning::any ? 3 : 2));
-}
-
-constexpr double kLargestFramed =
-    0x1p996;  // widths are at most twice as large, and the frame's coordinates eight times that
-
 double size(Point v) { return std::max(std::abs(v.x), std::abs(v.y)); }
 
 /// The vertex with the largest coordinate.
@@ -58,7 +44,7 @@ Point farthest(const Region& r) {
 
 std::optional<Error> planar::too_large_to_frame(const Region& p, const Region& q) {
   const Point a = farthest(p), b = farthest(q), worst = size(a) >= size(b) ? a : b;
-  if (size(worst) <= kLargestFramed) return std::nullopt;
+  if (size(worst) <= planar::kLargestFramed) return std::nullopt;
   Error error{ErrorCode::unsupported_operand,
               "a coordinate is larger than 2^996, too large to look for room inside a region",
               {}};
@@ -67,10 +53,20 @@ std::optional<Error> planar::too_large_to_frame(const Region& p, const Region& q
   return error;
 }
 
+// Integers are grid points of any grid with a unit of at most 1; a power of two at least as large as everything else is
+// one of any.
+double planar::frame_margin(const std::array<double, 4>& bp, const std::array<double, 4>& bq, Turning turning) {
+  const double reach = std::max({bp[2] - bp[0], bp[3] - bp[1], bq[2] - bq[0], bq[3] - bq[1], std::abs(bp[0]),
+                                 std::abs(bp[1]), std::abs(bp[2]), std::abs(bp[3])});
+  constexpr double kLeast = 0x1p-1000;  // of a point, which reaches nowhere
+  // The frame is farther away than Q is wide, turned by any angle at most sqrt(2) times as much.
+  return std::ldexp(1.0, std::ilogb(std::max(reach, kLeast)) + (turning == Turning::any ? 3 : 2));
+}
+
 EngineRegion planar::complement_of(const Region& p, const Region& q, Turning turning) {
   RegionData data;
   std::vector<std::uint32_t> vertex_index(4, kFrame), edge_index(4, kFrame);
-  const double m = frame_margin(p, q, turning);
+  const double m = frame_margin(bounds(p), bounds(q), turning);
   data.parts.push_back({{{-m, -m}, {m, -m}, {m, m}, {-m, m}}, {}});
   const auto reversed = [&](const Ring& ring, std::uint32_t first) {
     const std::uint32_t n = static_cast<std::uint32_t>(ring.size());

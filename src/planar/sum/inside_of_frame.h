@@ -10,6 +10,10 @@ namespace dymsum::planar {
 /// Why P cannot be eroded by Q, or by Q turned.
 std::optional<Error> not_erodible(const Region& p, const Region& q);
 
+/// The largest coordinate of an operand around which a frame is laid: widths are at most twice as large, and the
+/// frame's coordinates eight times that.
+inline constexpr double kLargestFramed = 0x1p996;
+
 /// How the sum of complement_of(P, Q) and -Q is to be computed for an erosion with `options`.
 SumOptions options_inside(const SumOptions& options);
 

@@ -65,7 +65,7 @@ Error over_limit(const SumState& state, std::string_view stage, const base::Over
   return error;
 }
 
-std::optional<Error> run(SumState& state, const SumOptions& options, Refine refine) {
+Result<void> run(SumState& state, const SumOptions& options, Refine refine) {
   if (options.trace) state.trace = std::make_unique<PlanarTrace>();
   Poll poll(options.progress);
   const base::UseBudget use(base::budget_of(options.memory));
@@ -81,7 +81,7 @@ std::optional<Error> run(SumState& state, const SumOptions& options, Refine refi
   } catch (const std::length_error& more) {
     return no_room(ErrorCode::unsupported_operand, state, poll.stage(), more.what());
   }
-  return std::nullopt;
+  return {};
 }
 
 }  // namespace
@@ -106,13 +106,13 @@ Result<SumState> compute_boundary(std::shared_ptr<const Operand> p, std::shared_
   Result<SumState> placed = placed_state(std::move(p), std::move(q), SumInternals::min_tier_bits(options));
   if (!placed) return placed;
   SumState state = std::move(placed).value();
-  if (std::optional<Error> error = run(state, options, refine)) return *std::move(error);
+  if (const Result<void> done = run(state, options, refine); !done) return done.error();
   return state;
 }
 
 Result<SumState> compute_boundary(PlacedPair placed, const SumOptions& options) {
   SumState state(std::move(placed));
-  if (std::optional<Error> error = run(state, options, Refine::where_it_pays)) return *std::move(error);
+  if (const Result<void> done = run(state, options, Refine::where_it_pays); !done) return done.error();
   return state;
 }
 

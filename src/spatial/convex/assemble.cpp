@@ -4,6 +4,7 @@
 #include <array>
 #include <numeric>
 
+#include "spatial/convex/close_facets.h"
 #include "spatial/convex/facet_corners.h"
 
 namespace dymsum::spatial {
@@ -18,6 +19,7 @@ class Drafts {
       for (const std::uint32_t f : o_.changes().faces[op]) changed_[op][f] = true;
     }
     const std::size_t count = o_.poly(0).face_count() + o_.poly(1).face_count() + o_.crossing_count();
+    close_.find(o_);
     facets.reserve(count);
     corners.reserve(5 * count);
   }
@@ -29,7 +31,8 @@ class Drafts {
     for (int op = 0; op < 2; ++op)
       for (std::uint32_t f = 0; f < o_.poly(op).face_count(); ++f) {
         const std::size_t first = corners.size();
-        const FacetFeatures features = append_face(o_, op, f, corners);
+        const FacetFeatures features =
+            close_.of_face(op, f) ? append_face(o_, op, f, corners) : append_face_and_vertex(o_, op, f, corners);
         if (corners.size() == first) continue;  // there already, as a face of P
         close(first, features, changed_[op][f] || (features.parallel != kNoFace && changed_[1][features.parallel]));
       }
@@ -44,7 +47,7 @@ class Drafts {
     for (std::uint32_t e = 0; e < o_.poly(0).edge_count(); ++e)
       for (std::uint32_t id = o_.first_crossing(0, e); id != kNoCrossing; id = o_.crossing(id).next[0]) {
         const Crossing& c = o_.crossing(id);
-        if (!crosses_properly(o_, c)) continue;
+        if (close_.of_crossing(id) && !crosses_properly(o_, c)) continue;
         const std::size_t first = corners.size();
         const FacetFeatures features = append_crossing(o_, c, corners);
         close(first, features, id < is_new.size() && is_new[id]);
@@ -57,30 +60,31 @@ class Drafts {
   }
 
   const Overlay& o_;
+  CloseFacets close_;
   std::array<std::vector<bool>, 2> changed_;
 };
 
-/// The vertices of all corners, sorted by the meshes' indices, and the index of each corner's.
+/// The vertices of all corners by P's, and the index of each corner's.
 void name_corners(const Overlay& overlay, const std::vector<VertexPair>& corners, ConvexFacets& all) {
   const Polytope &p = overlay.poly(0), &q = overlay.poly(1);
-  const std::uint32_t sources = 1 + *std::max_element(p.source_vertex.begin(), p.source_vertex.end());
-  std::vector<std::uint32_t> begin(sources + 1, 0);  // by P's vertex
-  for (const VertexPair& c : corners) ++begin[p.source_vertex[c.p] + 1];
+  std::vector<std::uint32_t> begin(p.vertex_count() + std::size_t{1}, 0);  // by P's vertex
+  for (const VertexPair& c : corners) ++begin[c.p + 1];
   std::partial_sum(begin.begin(), begin.end(), begin.begin());
-  struct Corner {
-    std::uint32_t q, index;
-  };
-  std::vector<Corner> with(corners.size());  // by P's vertex, those of Q
-  std::vector<std::uint32_t> at(begin.begin(), begin.end() - 1);
-  for (std::uint32_t k = 0; k < corners.size(); ++k)
-    with[at[p.source_vertex[corners[k].p]]++] = {q.source_vertex[corners[k].q], k};
+  std::vector<std::uint32_t> of_p(corners.size());
+  for (std::uint32_t k = 0; k < corners.size(); ++k) of_p[begin[corners[k].p]++] = k;  // begin becomes end
   all.corners.resize(corners.size());
-  for (std::uint32_t v = 0; v < sources; ++v) {
-    const auto from = with.begin() + begin[v], to = with.begin() + begin[v + 1];
-    std::sort(from, to, [](const Corner& a, const Corner& b) { return a.q < b.q; });
-    for (auto it = from; it != to; ++it) {
-      if (it == from || it->q != (it - 1)->q) all.vertices.push_back({v, it->q});
-      all.corners[it->index] = static_cast<std::uint32_t>(all.vertices.size() - 1);
+  std::vector<std::uint32_t> named(q.vertex_count(),
+                                   0);  // how many vertices there were with the last one of Q's vertex
+  std::uint32_t k = 0;
+  for (std::uint32_t v = 0; v < p.vertex_count(); ++v) {
+    const std::size_t first = all.vertices.size();
+    for (; k < begin[v]; ++k) {
+      const std::uint32_t w = corners[of_p[k]].q;
+      if (named[w] <= first) {
+        all.vertices.push_back({p.source_vertex[v], q.source_vertex[w]});
+        named[w] = static_cast<std::uint32_t>(all.vertices.size());
+      }
+      all.corners[of_p[k]] = named[w] - 1;
     }
   }
 }

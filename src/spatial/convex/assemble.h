@@ -20,8 +20,8 @@ struct ConvexFacets {
     bool changed;  ///< not there before the last move
     SolidFeature p, q;
   };
-  std::vector<ConvexSum::Vertex> vertices;  ///< sorted
-  std::vector<std::uint32_t> corners;       ///< indices of vertices; of a facet counter-clockwise seen from outside
+  std::vector<ConvexSum::Vertex> vertices;
+  std::vector<std::uint32_t> corners;  ///< indices of vertices; of a facet counter-clockwise seen from outside
   std::vector<Facet> facets;
 };
 ConvexFacets assemble(const Overlay& overlay);

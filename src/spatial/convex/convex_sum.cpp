@@ -8,8 +8,9 @@
 #include "base/budget_error.h"
 #include "dymsum/convex_memory.h"
 #include "spatial/convex/assemble.h"
+#include "spatial/convex/close_facets.h"
 #include "spatial/convex/convex_state.h"
-#include "spatial/convex/facet_count.h"
+#include "spatial/convex/facet_corners.h"
 #include "spatial/convex/mixed_volume.h"
 
 namespace dymsum {
@@ -51,6 +52,16 @@ ConvexSum& ConvexSum::operator=(ConvexSum&&) noexcept = default;
 ConvexSum::~ConvexSum() = default;
 
 namespace {
+
+/// Marks of some of n things.
+std::vector<bool> marked(std::size_t n, const std::vector<std::uint32_t>& some) {
+  std::vector<bool> marks(n);
+  for (const std::uint32_t i : some) {
+    if (i >= marks.size()) marks.resize(i + 1);
+    marks[i] = true;
+  }
+  return marks;
+}
 
 std::shared_ptr<const Polytope> shared(Polytope p) { return std::make_shared<const Polytope>(std::move(p)); }
 
@@ -143,7 +154,6 @@ int spatial::tier_bits(const Polytope& p, const Polytope& q) {
 int ConvexSum::tier_bits() const { return spatial::tier_bits(*state_->p, *state_->q); }
 std::size_t ConvexSum::face_vertex_count() const { return state_->p->face_count() + state_->q->face_count(); }
 std::size_t ConvexSum::edge_edge_count() const { return state_->overlay.crossing_count(); }
-ConvexSum::FacetCount ConvexSum::facet_count() const { return spatial::count_facets(state_->overlay); }
 std::size_t ConvexSum::bytes() const {
   std::size_t total =
       sizeof(*state_) - sizeof(spatial::Overlay) + state_->overlay.bytes() + state_->p->bytes() + state_->q->bytes();
@@ -152,6 +162,29 @@ std::size_t ConvexSum::bytes() const {
   return total;
 }
 bool ConvexSum::same_combinatorics(const ConvexSum& other) const { return state_->overlay == other.state_->overlay; }
+
+// Every face makes a facet, a pair that faces the same way one together, and so does every crossing that has an area.
+ConvexSum::FacetCount ConvexSum::facet_count() const {
+  const spatial::Overlay& o = state_->overlay;
+  const std::vector<bool> new_p = marked(o.poly(0).face_count(), o.changes().faces[0]),
+                          new_q = marked(o.poly(1).face_count(), o.changes().faces[1]),
+                          new_crossing = marked(0, o.changes().crossings);
+  const auto count = [](const std::vector<bool>& marks) {
+    return static_cast<std::size_t>(std::count(marks.begin(), marks.end(), true));
+  };
+  FacetCount facets{new_p.size() + new_q.size(), count(new_p) + count(new_q)};
+  facets.all -= o.pairs().size();
+  for (const spatial::FacePair& pair : o.pairs()) facets.changed -= new_p[pair.p] && new_q[pair.q];
+  spatial::CloseFacets close;
+  close.find(o);
+  for (std::uint32_t e = 0; e < o.poly(0).edge_count(); ++e)
+    for (std::uint32_t id = o.first_crossing(0, e); id != spatial::kNoCrossing; id = o.crossing(id).next[0]) {
+      if (close.of_crossing(id) && !spatial::crosses_properly(o, o.crossing(id))) continue;
+      ++facets.all;
+      facets.changed += id < new_crossing.size() && new_crossing[id];
+    }
+  return facets;
+}
 
 std::vector<SolidContact> ConvexSum::changed_facets() const {
   std::vector<SolidContact> changed;

@@ -4,6 +4,9 @@
 
 #include <array>
 #include <cstdint>
+#include <memory>
+#include <mutex>
+#include <optional>
 #include <vector>
 
 #include "dymsum/convex_sum.h"
@@ -52,6 +55,28 @@ class ExactPositions {
   std::array<std::array<exact::BigInteger, 9>, 2> matrix_;  // over the common denominator
   int exponent_ = 0;
   exact::BigRational unit_;
+};
+
+/// The exact positions of the vertices of a convex sum, made from its operands when they are requested.
+class ConvexPositions {
+ public:
+  ConvexPositions(std::shared_ptr<const ConvexOperands> operands, const SolidPose& p, const SolidPose& q,
+                  std::vector<ConvexSum::Vertex> vertices);
+
+  std::size_t size() const { return vertices_.size(); }
+  /// Positions are numerators times unit().
+  BigVector numerators(std::size_t vertex) const;
+  std::vector<BigVector> numerators() const;
+  const exact::BigRational& unit() const { return exactly().unit(); }
+
+ private:
+  const ExactPositions& exactly() const;
+
+  std::shared_ptr<const ConvexOperands> operands_;
+  SolidPose p_pose_, q_pose_;
+  std::vector<ConvexSum::Vertex> vertices_;
+  mutable std::once_flag made_;
+  mutable std::optional<ExactPositions> exactly_;
 };
 
 }  // namespace spatial

@@ -84,6 +84,7 @@ FacetFeatures append_face(const Overlay& overlay, int op, std::uint32_t f, std::
   const FacetFeatures features = op == 0 ? FacetFeatures{face, beyond, g} : FacetFeatures{beyond, face, g};
   if (op == 1 && g != kNoFace) return features;
   std::vector<HalfEdge> round;
+  round.reserve(16);  // enough for most
   append_edges(mine, f, round);
   const std::size_t n = round.size(), first = corners.size();
   if (g == kNoFace) round.insert(round.end(), {level, twin(level)});

@@ -1,6 +1,7 @@
 #include "spatial/convex/kept_solid.h"
 
 #include <algorithm>
+#include <utility>
 
 namespace dymsum::spatial {
 namespace {
@@ -26,11 +27,7 @@ KeptSolid::KeptSolid(const Overlay& overlay, const ConvexOperands& operands)
   for (int op = 0; op < 2; ++op) {
     const Polytope& mine = overlay.poly(op);
     extreme_[op].assign(mine.face_count(), kNothing);
-    for (std::uint32_t f = 0; f < mine.face_count(); ++f) {
-      solid_.facets.emplace_back();
-      room_.push_back(0);
-      allot(facet_of(op, f), edges_of_face(mine, f));
-    }
+    for (std::uint32_t f = 0; f < mine.face_count(); ++f) add_facet(edges_of_face(mine, f));
   }
 }
 
@@ -38,13 +35,12 @@ void KeptSolid::follow(const Overlay& overlay, const SolidPose& p, const SolidPo
   SolidChanges& changes = solid_.changes;
   changes.facets.clear();
   changes.vertices_appeared.clear();
-  changes.vertices_disappeared.clear();
   if (solid_.frame > 0) changes.triangles.clear();
   changes.moved = solid_.frame == 0 || !(p == solid_.p_pose) || !(q == solid_.q_pose);
   ++solid_.frame;
   add_crossings(overlay);
-  keep_slots(overlay);
-  find_close(overlay);
+  slots_.keep(overlay);
+  close_.find(overlay);
   follow_faces(overlay);
   follow_crossings(overlay);
   const auto in_order = [](const FacetChange& a, const FacetChange& b) {
@@ -58,102 +54,23 @@ void KeptSolid::follow(const Overlay& overlay, const SolidPose& p, const SolidPo
   solid_.p_pose = p;
   solid_.q_pose = q;
   positions_.pose(p, q);
-  positions_.position(pair_, solid_.at);
+  positions_.position(vertices_.pairs(), solid_.at);
 }
 
 /// Facets for the overlay's crossings, as many as it has indices.
 void KeptSolid::add_crossings(const Overlay& overlay) {
-  while (crossed_.size() < overlay.crossing_indices()) {
-    slot_.push_back(static_cast<std::uint32_t>(crossed_.size()));
-    crossed_.push_back({kNothing, kNothing});
-    solid_.facets.emplace_back();
-    room_.push_back(0);
-    allot(static_cast<std::uint32_t>(solid_.facets.size() - 1), 4);
+  while (slots_.size() < overlay.crossing_indices()) {
+    slots_.add();
+    add_facet(4);
   }
-  before_.reserve(slot_.capacity());
-  now_.reserve(slot_.capacity());
-  vacant_.reserve(slot_.capacity());
-}
-
-KeptSolid::Edges KeptSolid::edges_now(const Overlay& overlay, std::uint32_t id) {
-  if (id >= overlay.crossing_indices() || !overlay.is_crossing(id)) return {kNothing, kNothing};
-  return {overlay.crossing(id).p, overlay.crossing(id).q};
-}
-
-/// What was made anew, or went and came back, has another index now: its facet stays. The slots of crossings that
-/// differ are handed out again, first to those that had one, then to the others.
-void KeptSolid::keep_slots(const Overlay& overlay) {
-  before_.clear();
-  now_.clear();
-  vacant_.clear();
-  for (std::uint32_t id = 0; id < slot_.size(); ++id) {
-    const Edges now = edges_now(overlay, id), before = crossed_[slot_[id]];
-    if (now.key() == before.key()) continue;
-    before_.push_back({before.key(), slot_[id]});
-    now_.push_back({now.key(), id});
-  }
-  const auto in_order = [](const Moved& a, const Moved& b) { return a.key != b.key ? a.key < b.key : a.at < b.at; };
-  std::sort(before_.begin(), before_.end(), in_order);
-  std::sort(now_.begin(), now_.end(), in_order);
-  const std::uint64_t nothing = Edges{kNothing, kNothing}.key();
-  auto was = before_.begin();
-  std::size_t others = 0;
-  for (const Moved& is : now_) {
-    for (; was != before_.end() && was->key < is.key; ++was) vacant_.push_back(was->at);
-    if (is.key == nothing || was == before_.end() || was->key != is.key) {
-      now_[others++] = is;
-      continue;
-    }
-    slot_[is.at] = was->at;
-    ++was;
-  }
-  for (; was != before_.end(); ++was) vacant_.push_back(was->at);
-  // In order, so that most keep theirs.
-  std::sort(vacant_.begin(), vacant_.end());
-  std::sort(now_.begin(), now_.begin() + static_cast<std::ptrdiff_t>(others),
-            [](const Moved& a, const Moved& b) { return a.at < b.at; });
-  for (std::size_t k = 0; k < others; ++k) slot_[now_[k].at] = vacant_[k];
-}
-
-/// A facet differs from what the overlay's words say only where something is truly zero. A face of the walker has a
-/// level edge only where doubles cannot prove that all fall. A crossing is improper where the circle of the walker's
-/// edge goes through a face at the other edge, which doubles cannot exclude then, or where its arc only begins or ends
-/// there, at a face of the first kind. A face of the other operand has a level edge only where an arc of the walker
-/// goes through its direction: then some arc from there is crossed by it, after the infinitesimal rotation, as its arcs
-/// leave in directions that no half-plane holds, and that crossing is improper; or it faces the same way as a face of
-/// the walker.
-void KeptSolid::find_close(const Overlay& overlay) {
-  look_before_.swap(look_);
-  look_.assign(solid_.facets.size(), Look::plain);
-  look_before_.resize(look_.size(), Look::plain);
-  const int w = overlay.walker();
-  const Polytope &mine = overlay.poly(w), &other = overlay.poly(1 - w);
-  for (std::uint32_t f = 0; f < mine.face_count(); ++f) {
-    if (overlay.provably_extreme(f)) continue;
-    look_[facet_of(w, f)] = Look::close;
-    HalfEdge h = mine.first[f];
-    do {
-      for (std::uint32_t id = overlay.first_crossing(w, h / 2); id != kNoCrossing; id = overlay.crossing(id).next[w])
-        look_[facet_of(id)] = Look::close;
-      h = mine.next[h];
-    } while (h != mine.first[f]);
-  }
-  for (std::uint32_t id = 0; id < overlay.crossing_indices(); ++id) {
-    if (!overlay.is_crossing(id) || overlay.provably_crosses(id)) continue;
-    const std::uint32_t e = edge_of(1 - w, overlay.crossing(id));
-    look_[facet_of(id)] = Look::close;
-    look_[facet_of(1 - w, other.face[2 * e])] = look_[facet_of(1 - w, other.face[2 * e + 1])] = Look::close;
-  }
-  for (const Overlay::FacePair& pair : overlay.pairs())
-    look_[facet_of(0, pair.p)] = look_[facet_of(1, pair.q)] = Look::close;
 }
 
 void KeptSolid::follow_faces(const Overlay& overlay) {
   for (int op = 0; op < 2; ++op)
     for (std::uint32_t f = 0; f < overlay.poly(op).face_count(); ++f) {
       const std::uint32_t facet = facet_of(op, f), v = overlay.extreme(op, f);
-      const bool close = look_[facet] == Look::close;
-      if (!close && look_before_[facet] == Look::plain && extreme_[op][f] == v) continue;
+      const bool close = close_.of_face(op, f), was_close = std::exchange(was_close_[facet], close);
+      if (!close && !was_close && extreme_[op][f] == v) continue;
       extreme_[op][f] = v;
       corners_.clear();
       const FacetFeatures features =
@@ -163,18 +80,18 @@ void KeptSolid::follow_faces(const Overlay& overlay) {
 }
 
 void KeptSolid::follow_crossings(const Overlay& overlay) {
-  for (std::uint32_t id = 0; id < crossed_.size(); ++id) {
+  for (std::uint32_t id = 0; id < slots_.size(); ++id) {
     const std::uint32_t facet = facet_of(id);
-    const Edges now = edges_now(overlay, id);
-    const bool is_there = now.p != kNothing;
-    const bool close = look_[facet] == Look::close;
-    Edges& before = crossed_[slot_[id]];
-    if (!close && look_before_[facet] == Look::plain && now.p == before.p && now.q == before.q) continue;
+    const CrossingSlots::Edges now = CrossingSlots::edges_now(overlay, id);
+    const bool close = now.is_there() && close_.of_crossing(id);
+    const bool was_close = std::exchange(was_close_[facet], close);
+    CrossingSlots::Edges& before = slots_.seen(id);
+    if (!close && !was_close && now == before) continue;
     const bool same = now.key() == before.key();
     before = now;
     corners_.clear();
     FacetFeatures features;
-    if (is_there && (!close || crosses_properly(overlay, overlay.crossing(id))))
+    if (now.is_there() && (!close || crosses_properly(overlay, overlay.crossing(id))))
       features = append_crossing(overlay, overlay.crossing(id), corners_);
     change(facet, features, same);
   }
@@ -186,20 +103,12 @@ void KeptSolid::change(std::uint32_t facet, const FacetFeatures& features, bool 
   ConvexSolid::Facet& f = solid_.facets[facet];
   const std::uint32_t before = f.count, now = static_cast<std::uint32_t>(corners_.size());
   if (before == 0 && now == 0) return;
-  if (++stamp_ == 0) {
-    std::fill(seen_.begin(), seen_.end(), 0);
-    stamp_ = 1;
-  }
-  for (const std::uint32_t v : solid_.corners_of(facet)) {
-    seen_[v] = stamp_;
-    if (--uses_[v] == 0) unused_.push_back(v);
-  }
+  vertices_.leave(solid_.corners_of(facet));
   if (now > room_[facet]) allot(facet, std::max(now, 2 * room_[facet]));
   std::uint32_t kept = 0;
   for (std::uint32_t k = 0; k < now; ++k) {
-    const std::uint32_t v = vertex_of(corners_[k]);
-    ++uses_[v];
-    kept += seen_[v] == stamp_;
+    const std::uint32_t v = vertices_.enter(corners_[k], [this](std::uint32_t fresh) { add_vertex(fresh); });
+    kept += vertices_.was_left(v);
     solid_.corners[f.first + k] = v;
   }
   f.count = now;
@@ -208,18 +117,35 @@ void KeptSolid::change(std::uint32_t facet, const FacetFeatures& features, bool 
   note(facet, same, {before, now, kept});
 }
 
+/// At an index that was free.
+void KeptSolid::add_vertex(std::uint32_t v) {
+  if (v == solid_.vertices.size()) {
+    solid_.vertices.emplace_back();
+    solid_.at.emplace_back();
+  }
+  ++solid_.vertex_count;
+  solid_.changes.vertices_appeared.push_back(v);
+}
+
 /// The same vertices in the same order, from whichever on.
 bool KeptSolid::is_as_before(std::uint32_t facet) const {
   const std::span<const std::uint32_t> before = solid_.corners_of(facet);
   if (before.size() != corners_.size()) return false;
   if (before.empty()) return true;
-  const auto is = [this](std::uint32_t v, const VertexPair& pair) { return pair_[v] == pair; };
+  const auto is = [this](std::uint32_t v, const VertexPair& pair) { return vertices_.pairs()[v] == pair; };
   std::size_t first = 0;
   while (first < corners_.size() && !is(before[0], corners_[first])) ++first;
   const auto start = corners_.begin() + static_cast<std::ptrdiff_t>(first);
   const auto after = before.begin() + (corners_.end() - start);
   return start != corners_.end() && std::equal(before.begin(), after, start, is) &&
          std::equal(after, before.end(), corners_.begin(), is);
+}
+
+void KeptSolid::add_facet(std::uint32_t corners) {
+  solid_.facets.emplace_back();
+  room_.push_back(0);
+  was_close_.push_back(0);
+  allot(static_cast<std::uint32_t>(solid_.facets.size() - 1), corners);
 }
 
 /// Room for so many corners, at the end.
@@ -250,49 +176,22 @@ void KeptSolid::note(std::uint32_t facet, bool same, const Counts& corners) {
   solid_.changes.triangles.push_back({solid_.facets[facet].first_triangle, room_[facet] - 2});
 }
 
-std::uint32_t KeptSolid::vertex_of(VertexPair pair) {
-  return index_.find_or_add(pair, [&] {
-    std::uint32_t v;
-    if (free_vertices_.empty()) {
-      v = static_cast<std::uint32_t>(pair_.size());
-      pair_.push_back(pair);
-      uses_.push_back(0);
-      seen_.push_back(0);
-      solid_.vertices.emplace_back();
-      solid_.at.emplace_back();
-    } else {
-      v = free_vertices_.back();
-      free_vertices_.pop_back();
-      pair_[v] = pair;
-    }
-    ++solid_.vertex_count;
-    solid_.changes.vertices_appeared.push_back(v);
-    return v;
-  });
-}
-
 void KeptSolid::drop_unused_vertices() {
   std::vector<std::uint32_t>& gone = solid_.changes.vertices_disappeared;
-  for (const std::uint32_t v : unused_) {
-    if (uses_[v] > 0 || pair_[v] == kNoPair) continue;
-    index_.erase(pair_[v]);
-    pair_[v] = kNoPair;
+  vertices_.drop_unused(gone);
+  solid_.vertex_count -= gone.size();
+  for (const std::uint32_t v : gone) {
     solid_.vertices[v] = {ConvexSolid::kFree, ConvexSolid::kFree};
     solid_.at[v] = {};
-    gone.push_back(v);
   }
-  unused_.clear();
-  solid_.vertex_count -= gone.size();
-  std::sort(gone.begin(), gone.end());
-  // The smallest one is taken first.
-  free_vertices_.insert(free_vertices_.end(), gone.rbegin(), gone.rend());
 }
 
 void KeptSolid::name_new_vertices(const Overlay& overlay) {
   std::vector<std::uint32_t>& fresh = solid_.changes.vertices_appeared;
   std::sort(fresh.begin(), fresh.end());
+  const std::span<const VertexPair> pairs = vertices_.pairs();
   for (const std::uint32_t v : fresh)
-    solid_.vertices[v] = {overlay.poly(0).source_vertex[pair_[v].p], overlay.poly(1).source_vertex[pair_[v].q]};
+    solid_.vertices[v] = {overlay.poly(0).source_vertex[pairs[v].p], overlay.poly(1).source_vertex[pairs[v].q]};
 }
 
 /// Ranges that touch become one.
@@ -312,10 +211,9 @@ void KeptSolid::join_ranges() {
 std::size_t KeptSolid::bytes() const {
   const auto of = [](const auto&... v) { return (std::size_t{0} + ... + (v.capacity() * sizeof(v[0]))); };
   const SolidChanges& c = solid_.changes;
-  return sizeof(*this) + index_.bytes() + positions_.bytes() +
+  return sizeof(*this) + close_.bytes() + slots_.bytes() + vertices_.bytes() + positions_.bytes() +
          of(solid_.vertices, solid_.at, solid_.facets, solid_.corners, c.facets, c.vertices_appeared,
-            c.vertices_disappeared, c.triangles, extreme_[0], extreme_[1], crossed_, slot_, before_, now_, vacant_,
-            look_, look_before_, room_, uses_, pair_, free_vertices_, unused_, corners_, seen_);
+            c.vertices_disappeared, c.triangles, extreme_[0], extreme_[1], was_close_, room_, corners_);
 }
 
 }  // namespace dymsum::spatial

@@ -20,11 +20,19 @@ struct Turn {
 
 class Edges {
  public:
+  /// Seen from operand op, which the normal n of f belongs to: the map to it takes edges to edges, and turns none the
+  /// other way.
   Edges(const Signs& signs, const FlatFeature& p, const FlatFeature& q, int op, std::uint32_t f)
-      : s_(signs), p_(p.edges), q_(q.edges), op_(op), f_(f), error_(kTurnError * signs.map().norm(op)) {}
+      : s_(signs), p_(p.edges), q_(q.edges), op_(op), f_(f), error_(kTurnError * signs.map().norm(op)) {
+    const Vec3 n = s_.poly(op).normal[f];
+    const Mat3& m = s_.map().approx(op);
+    seen_.reserve(p_.size() + q_.size());
+    for (const HalfEdge h : p_) seen_.push_back(op == 0 ? cross(n, s_.poly(0).along(h)) : m * s_.poly(0).along(h));
+    for (const HalfEdge h : q_) seen_.push_back(op == 0 ? m * s_.poly(1).along(h) : cross(n, s_.poly(1).along(h)));
+  }
 
   Turn turn(std::size_t i, std::size_t j) const {
-    const double cross = cross_in_doubles(p_[i], q_[j]);
+    const double product = dot(seen_[i], seen_[p_.size() + j]), cross = op_ == 0 ? product : -product;
     if (cross > error_) return {1, 0};
     if (cross < -error_) return {-1, 0};
     if (const int dot = plainly_parallel(p_[i], q_[j])) return {0, dot};
@@ -44,13 +52,6 @@ class Edges {
   }
 
  private:
-  // Seen from the operand that the normal n belongs to: the map to it takes edges to edges, and turns none the other
-  // way.
-  double cross_in_doubles(HalfEdge u, HalfEdge w) const {
-    const Vec3 n = s_.poly(op_).normal[f_], a = s_.poly(0).along(u), b = s_.poly(1).along(w);
-    const Mat3& m = s_.map().approx(op_);
-    return op_ == 0 ? dot(cross(n, a), m * b) : -dot(cross(n, b), m * a);
-  }
   /// Where every term of the cross product has a factor zero, as for edges along an axis that both solids keep, and
   /// doubles tell the dot product: its sign; 0 otherwise. Doubles that stand for numbers of the two narrow kinds are
   /// zero only where those are.
@@ -91,6 +92,8 @@ class Edges {
   int op_;
   std::uint32_t f_;
   double error_;
+  std::vector<Vec3>
+      seen_;  // of all edges of P, then of Q: the product of two is their cross product along n, up to its sign
 };
 
 }  // namespace

@@ -16,44 +16,46 @@ class PositionOrder {
  public:
   PositionOrder(const ConvexOperands& operands, const SolidPose& p, const SolidPose& q,
                 std::span<const ConvexSum::Vertex> vertices, std::span<const Point3> nearest)
-      : operands_(operands),
-        poses_{p, q},
-        vertices_(vertices),
-        nearest_(nearest),
-        rotation_{p.rotation.matrix(), q.rotation.matrix()} {
+      : operands_(operands), poses_{p, q}, vertices_(vertices), nearest_(nearest) {
+    for (std::size_t op = 0; op < 2; ++op) {
+      const std::array<std::int64_t, 9> rotation = poses_[op].rotation.matrix();
+      for (std::size_t k = 0; k < 9; ++k) depends_[op][k / 3] |= rotation[k] != 0 ? 1U << k % 3 : 0U;
+    }
     const bool still = p == SolidPose() && q == SolidPose();
     sums_of_doubles_ = still && operands.operand[0].exact.empty() && operands.operand[1].exact.empty();
   }
 
   bool less(std::uint32_t a, std::uint32_t b) {
-    for (int axis = 0; axis < 3; ++axis) {
-      const double u = coordinate(nearest_[a], axis), v = coordinate(nearest_[b], axis);
-      if (u != v) return u < v;  // rounding keeps the order
-      if (const int order = order_of_rests(a, b, axis); order != 0) return order < 0;
-    }
-    return false;
+    const Apart apart{apart_along(0, vertices_[a].p, vertices_[b].p), apart_along(1, vertices_[a].q, vertices_[b].q)};
+    const Point3 &u = nearest_[a], &v = nearest_[b];
+    if (const int x = order(a, b, 0, u.x, v.x, apart)) return x < 0;
+    if (const int y = order(a, b, 1, u.y, v.y, apart)) return y < 0;
+    return order(a, b, 2, u.z, v.z, apart) < 0;
   }
 
  private:
+  using Apart = std::array<unsigned, 2>;
+
+  /// Along an axis, from the nearest doubles: rounding keeps the order.
+  int order(std::uint32_t a, std::uint32_t b, std::size_t axis, double u, double v, const Apart& apart) {
+    if (u != v) return u < v ? -1 : 1;
+    // Nearly all ties are of this kind. Others may be ties as well.
+    if ((apart[0] & depends_[0][axis]) == 0 && (apart[1] & depends_[1][axis]) == 0) return 0;
+    return order_of_rests(a, b, static_cast<int>(axis));
+  }
   int order_of_rests(std::uint32_t a, std::uint32_t b, int axis) {
-    if (same_part(0, vertices_[a].p, vertices_[b].p, axis) && same_part(1, vertices_[a].q, vertices_[b].q, axis))
-      return 0;
     if (!sums_of_doubles_ || !std::isfinite(coordinate(nearest_[a], axis))) return exact_order(a, b, axis);
     const double u = rest(a, axis), v = rest(b, axis);
     return (u > v) - (u < v);
   }
 
-  /// Whether two vertices of an operand add the same to a coordinate, as all coordinates of theirs that count for it
-  /// are the same: nearly all ties are of this kind. Others may be ties as well.
-  bool same_part(std::size_t op, std::uint32_t a, std::uint32_t b, int axis) const {
-    if (a == b) return true;
+  /// The axes along which two vertices of an operand lie apart, as bits; all of them where that is not looked at.
+  unsigned apart_along(std::size_t op, std::uint32_t a, std::uint32_t b) const {
+    if (a == b) return 0;
     const ConvexOperands::Operand& operand = operands_.operand[op];
-    if (!operand.exact.empty()) return false;
-    for (int k = 0; k < 3; ++k)
-      if (rotation_[op][static_cast<std::size_t>(3 * axis + k)] != 0 &&
-          coordinate(operand.vertices[a], k) != coordinate(operand.vertices[b], k))
-        return false;
-    return true;
+    if (!operand.exact.empty()) return 7;
+    const Point3 &u = operand.vertices[a], &v = operand.vertices[b];
+    return (u.x != v.x ? 1U : 0U) | (u.y != v.y ? 2U : 0U) | (u.z != v.z ? 4U : 0U);
   }
 
   /// What the nearest double of a sum of two doubles leaves out: a double, exactly.
@@ -86,7 +88,7 @@ class PositionOrder {
   std::array<SolidPose, 2> poses_;
   std::span<const ConvexSum::Vertex> vertices_;
   std::span<const Point3> nearest_;
-  std::array<std::array<std::int64_t, 9>, 2> rotation_;
+  std::array<std::array<unsigned, 3>, 2> depends_{};  // of each operand, each coordinate: on which of its own, as bits
   bool sums_of_doubles_;
   std::optional<ExactPositions> exactly_;
   std::array<std::vector<std::optional<BigVector>>, 2> positions_;

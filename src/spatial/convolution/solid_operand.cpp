@@ -5,7 +5,6 @@
 #include <stdexcept>
 #include <tuple>
 
-#include "exact/orient3.h"
 #include "spatial/convolution/flat_vertices.h"
 #include "spatial/convolution/thin_parts.h"
 
@@ -13,7 +12,6 @@ namespace dymsum::spatial {
 
 namespace {
 
-using exact::orient3_sign;
 using Bend = Wedge::Bend;
 
 /// One side of an edge: a triangle's corner index k, running from vertex k to vertex k + 1.
@@ -42,41 +40,39 @@ std::uint32_t apex(const std::vector<Triangle>& triangles, const Side& s) {
 }
 
 /// The sides at one edge, counter-clockwise around it seen against the direction from low to high.
-void sort_around(const SolidOperand& solid, std::span<Side> sides) {
-  const auto& v = solid.vertices;
-  const Point3 &low = v[sides[0].low], &high = v[sides[0].high], &reference = v[apex(solid.triangles, sides[0])];
+void sort_around(const SolidOperand& solid, const OperandSigns& signs, std::span<Side> sides) {
+  const std::uint32_t low = sides[0].low, high = sides[0].high, reference = apex(solid.triangles, sides[0]);
   // 0 along the reference, 1 before half a turn, 2 opposite, 3 beyond.
-  const auto sector = [&](const Point3& p) {
-    const int s = orient3_sign(low, high, reference, p);
+  const auto sector = [&](std::uint32_t p) {
+    const int s = signs.orient(low, high, reference, p);
     if (s != 0) return s > 0 ? 1 : 3;
     // In the reference's plane: on its side of the edge, or on the other one.
     for (const exact::Axis axis : {exact::Axis::z, exact::Axis::x, exact::Axis::y}) {
-      const int a = exact::normal_sign(low, high, reference, axis);
-      if (a != 0) return exact::normal_sign(low, high, p, axis) == a ? 0 : 2;
+      const int a = signs.normal(low, high, reference, axis);
+      if (a != 0) return signs.normal(low, high, p, axis) == a ? 0 : 2;
     }
     return 0;
   };
   std::stable_sort(sides.begin(), sides.end(), [&](const Side& a, const Side& b) {
-    const Point3 &pa = v[apex(solid.triangles, a)], &pb = v[apex(solid.triangles, b)];
+    const std::uint32_t pa = apex(solid.triangles, a), pb = apex(solid.triangles, b);
     const int sa = sector(pa), sb = sector(pb);
     if (sa != sb) return sa < sb;
-    return orient3_sign(low, high, pa, pb) > 0;
+    return signs.orient(low, high, pa, pb) > 0;
   });
 }
 
-Bend bend_of(const SolidOperand& solid, const Wedge& w) {
-  const auto& v = solid.vertices;
+Bend bend_of(const SolidOperand& solid, const OperandSigns& signs, const Wedge& w) {
   const Triangle& t = solid.triangles[w.left];
-  const int s = orient3_sign(v[t[0]], v[t[1]], v[t[2]], v[w.right_apex]);
+  const int s = signs.orient(t[0], t[1], t[2], w.right_apex);
   return s < 0 ? Bend::convex : s > 0 ? Bend::reflex : Bend::flat;
 }
 
-void add_wedges(SolidOperand& solid) {
+void add_wedges(SolidOperand& solid, const OperandSigns& signs) {
   std::vector<Side> sides = sorted_sides(solid.triangles);
   for (std::size_t first = 0, last = 0; first < sides.size(); first = last) {
     while (last < sides.size() && sides[last].low == sides[first].low && sides[last].high == sides[first].high) ++last;
     const std::span<Side> edge(&sides[first], last - first);
-    if (edge.size() > 2) sort_around(solid, edge);
+    if (edge.size() > 2) sort_around(solid, signs, edge);
     // Counter-clockwise from a triangle that runs backward comes material, up to one that runs forward.
     const std::size_t n = edge.size();
     std::size_t paired = 0;
@@ -90,7 +86,7 @@ void add_wedges(SolidOperand& solid) {
               apex(solid.triangles, ahead),
               apex(solid.triangles, back),
               Bend::flat};
-      w.bend = bend_of(solid, w);
+      w.bend = bend_of(solid, signs, w);
       solid.wedges.push_back(w);
       paired += 2;
     }
@@ -146,8 +142,8 @@ void for_each_fan(const SolidOperand& solid, const std::vector<std::uint32_t>& w
   }
 }
 
-void add_cone(SolidOperand& solid, const Fan& fan) {
-  const std::vector<std::uint32_t> rays = extreme_rays(solid.vertices, fan.vertex, fan.neighbours);
+void add_cone(SolidOperand& solid, const OperandSigns& signs, const Fan& fan) {
+  const std::vector<std::uint32_t> rays = extreme_rays(signs, fan.vertex, fan.neighbours);
   if (rays.size() < 3) return;
   // The material is on the cone's side where an extreme ray is a convex edge, and on the other side of a pit. A fan may
   // go by an edge of four faces twice: then all of its wedges count, as a pit has a convex one inside its cone too.
@@ -176,11 +172,11 @@ void add_shells(SolidOperand& solid) {
   for (std::uint32_t t = 0; t < parent.size(); ++t) solid.shell.push_back(index[root(t)]);
 }
 
-void add_surface(SolidOperand& solid, Triangles surface) {
+void add_surface(SolidOperand& solid, const OperandSigns& signs, Triangles surface) {
   solid.triangles = std::move(surface.triangles);
   solid.face = std::move(surface.face);
   solid.wedges.clear();
-  add_wedges(solid);
+  add_wedges(solid, signs);
   solid.wedge_of = wedge_of_side(solid);
 }
 
@@ -223,8 +219,8 @@ constexpr std::uint32_t kNoRay = 0xffffffff;
 /// Wraps a cone like a gift: from ray to ray, all others to the left. Rays are indices of neighbours.
 class ConeWrap {
  public:
-  ConeWrap(const std::vector<Point3>& v, std::uint32_t vertex, std::span<const std::uint32_t> neighbours)
-      : v_(v), o_(v[vertex]), neighbours_(neighbours), distinct_(distinct(neighbours)) {}
+  ConeWrap(const OperandSigns& signs, std::uint32_t vertex, std::span<const std::uint32_t> neighbours)
+      : signs_(signs), o_(vertex), neighbours_(neighbours), distinct_(distinct(neighbours)) {}
 
   /// The extreme rays in their order; none where the cone is not pointed.
   std::vector<std::uint32_t> run() const {
@@ -253,10 +249,10 @@ class ConeWrap {
     return rays;
   }
 
-  const Point3& end(std::uint32_t ray) const { return v_[neighbours_[ray]]; }
-  int det(std::uint32_t i, std::uint32_t j, std::uint32_t k) const { return orient3_sign(o_, end(i), end(j), end(k)); }
+  std::uint32_t end(std::uint32_t ray) const { return neighbours_[ray]; }
+  int det(std::uint32_t i, std::uint32_t j, std::uint32_t k) const { return signs_.orient(o_, end(i), end(j), end(k)); }
   int normal(std::uint32_t a, std::uint32_t b, exact::Axis axis) const {
-    return exact::normal_sign(o_, end(a), end(b), axis);
+    return signs_.normal(o_, end(a), end(b), axis);
   }
   /// Of a x b, along the first axis where it is not zero; 0 for parallel rays.
   int turns(std::uint32_t a, std::uint32_t b) const {
@@ -290,34 +286,51 @@ class ConeWrap {
     return best;
   }
 
-  const std::vector<Point3>& v_;
-  const Point3& o_;
+  const OperandSigns& signs_;
+  std::uint32_t o_;
   std::span<const std::uint32_t> neighbours_;
   std::vector<std::uint32_t> distinct_;
 };
 
 }  // namespace
 
-std::vector<std::uint32_t> extreme_rays(const std::vector<Point3>& v, std::uint32_t vertex,
+std::vector<std::uint32_t> extreme_rays(const OperandSigns& signs, std::uint32_t vertex,
                                         std::span<const std::uint32_t> neighbours) {
-  return ConeWrap(v, vertex, neighbours).run();
+  return ConeWrap(signs, vertex, neighbours).run();
 }
 
-SolidOperand solid_operand(const MeshData& data, const std::vector<bool>& thin, FlatFeatures flat) {
+namespace {
+
+SolidOperand operand_of(const MeshData& data, const std::vector<bool>& thin, FlatFeatures flat,
+                        const OperandSigns& signs) {
   SolidOperand solid;
   solid.vertices = data.vertices;
-  add_surface(solid, solid_triangles(data, thin));
+  add_surface(solid, signs, solid_triangles(data, thin));
   if (flat == FlatFeatures::merged && has_flat_edges(solid)) {
     Triangles surface{std::move(solid.triangles), std::move(solid.face)};
     surface = without_flat_vertices(solid.vertices, std::move(surface), solid.wedges, solid.wedge_of,
                                     vertices_of_thin_faces(data, thin));
-    add_surface(solid, std::move(surface));
+    add_surface(solid, signs, std::move(surface));
   }
   solid.first_plate = static_cast<std::uint32_t>(solid.triangles.size());
-  for_each_fan(solid, solid.wedge_of, [&](const Fan& fan) { add_cone(solid, fan); });
+  for_each_fan(solid, solid.wedge_of, [&](const Fan& fan) { add_cone(solid, signs, fan); });
   add_shells(solid);
-  if (!thin.empty()) add_thin_parts(solid, data, thin);
+  if (!thin.empty()) add_thin_parts(solid, signs, data, thin);
   add_corners(solid);
+  return solid;
+}
+
+}  // namespace
+
+SolidOperand solid_operand(const MeshData& data, const std::vector<bool>& thin, FlatFeatures flat) {
+  return operand_of(data, thin, flat, SignsOfDoubles(data.vertices));
+}
+
+SolidOperand solid_operand(const MeshData& data, const std::vector<bool>& thin, std::vector<ExactVertex> exact,
+                           int exponent) {
+  // Flat vertices are left out by doubles.
+  SolidOperand solid = operand_of(data, thin, FlatFeatures::kept, SignsOfIntegers(exact));
+  solid.exact = std::move(exact), solid.exponent = exponent;
   return solid;
 }
 

@@ -9,6 +9,7 @@
 
 #include "dymsum/convex_sum.h"
 #include "dymsum/mesh.h"
+#include "spatial/convolution/operand_signs.h"
 #include "spatial/mesh/triangulate.h"
 
 namespace dymsum::spatial {
@@ -56,6 +57,10 @@ struct SolidOperand {
   std::vector<std::uint32_t> segment_face;  ///< of the mesh, per segment
   std::vector<std::uint32_t> points;        ///< vertices that are thin parts by themselves
   std::vector<std::uint32_t> thin_shell;    ///< per vertex: the shell of thin parts there, or Wedge::kNone
+  /// Where no doubles hold the vertices: in units of 2^exponent, which both operands of a sum have then; `vertices` are
+  /// near them.
+  std::vector<ExactVertex> exact;
+  int exponent = 0;
 
   bool has_solid() const { return first_plate > 0; }
   bool has_thin() const { return !thin_shell.empty(); }
@@ -71,11 +76,15 @@ struct SolidOperand {
 /// Exact. O(n log n) for bounded degrees, O(k^2) at a vertex with k edges, some of them reflex.
 SolidOperand solid_operand(const MeshData& data, const std::vector<bool>& thin = {},
                            FlatFeatures flat = FlatFeatures::merged);
+/// The same of vertices that are `exact`, one for each of the data's, which are near them. Flat features are kept.
+/// Requires faces with more than three vertices, and none of these else, to have exact doubles.
+SolidOperand solid_operand(const MeshData& data, const std::vector<bool>& thin, std::vector<ExactVertex> exact,
+                           int exponent);
 
 /// The extreme rays of the cone that the directions from a vertex to its neighbours span, as positions among these, in
 /// order around it, the first of those to one neighbour; none where the cone is not pointed, or flat. Requires
 /// different directions of different neighbours. O(k^2).
-std::vector<std::uint32_t> extreme_rays(const std::vector<Point3>& vertices, std::uint32_t vertex,
+std::vector<std::uint32_t> extreme_rays(const OperandSigns& signs, std::uint32_t vertex,
                                         std::span<const std::uint32_t> neighbours);
 
 }  // namespace dymsum::spatial

@@ -5,13 +5,9 @@
 #include <numeric>
 #include <tuple>
 
-#include "exact/orient3.h"
-
 namespace dymsum::spatial {
 
 namespace {
-
-using exact::orient3_sign;
 
 /// A side of a plate's front, from corner k to k + 1.
 struct PlateSide {
@@ -22,17 +18,10 @@ struct PlateSide {
   }
 };
 
-/// Whether two points lie in one direction from o: on its line, on the same side. Requires both different from o.
-bool same_direction(const Point3& o, const Point3& a, const Point3& b) {
-  if (!exact::collinear(o, a, b)) return false;
-  const auto side = [](double from, double to) { return (to > from) - (to < from); };
-  return side(o.x, a.x) == side(o.x, b.x) && side(o.y, a.y) == side(o.y, b.y) && side(o.z, a.z) == side(o.z, b.z);
-}
-
 class ThinParts {
  public:
-  ThinParts(SolidOperand& operand, const MeshData& data, const std::vector<bool>& thin)
-      : operand_(operand), data_(data), thin_(thin), neighbours_(data.vertices.size()) {}
+  ThinParts(SolidOperand& operand, const OperandSigns& signs, const MeshData& data, const std::vector<bool>& thin)
+      : operand_(operand), signs_(signs), data_(data), thin_(thin), neighbours_(data.vertices.size()) {}
 
   void run() {
     add_plates();
@@ -47,7 +36,12 @@ class ThinParts {
   }
 
  private:
-  const Point3& at(std::uint32_t v) const { return data_.vertices[v]; }
+  /// Whether two vertices lie in one direction from o: on its line, on the same side. Requires both elsewhere than o.
+  bool same_direction(std::uint32_t o, std::uint32_t a, std::uint32_t b) const {
+    const auto same_side = [&](exact::Axis axis) { return signs_.order(o, a, axis) == signs_.order(o, b, axis); };
+    return signs_.collinear(o, a, b) && same_side(exact::Axis::x) && same_side(exact::Axis::y) &&
+           same_side(exact::Axis::z);
+  }
 
   void add_plates() {
     const Triangles all = triangulated(data_);
@@ -96,14 +90,12 @@ class ThinParts {
     }
   }
 
-  int turn(const PlateSide& a, const PlateSide& b) const {
-    return orient3_sign(at(a.low), at(a.high), at(apex(a)), at(apex(b)));
-  }
+  int turn(const PlateSide& a, const PlateSide& b) const { return signs_.orient(a.low, a.high, apex(a), apex(b)); }
   /// For plates in one plane.
   bool same_half(const PlateSide& a, const PlateSide& b) const {
     for (const exact::Axis axis : {exact::Axis::z, exact::Axis::x, exact::Axis::y}) {
-      const int s = exact::normal_sign(at(a.low), at(a.high), at(apex(a)), axis);
-      if (s != 0) return s == exact::normal_sign(at(a.low), at(a.high), at(apex(b)), axis);
+      const int s = signs_.normal(a.low, a.high, apex(a), axis);
+      if (s != 0) return s == signs_.normal(a.low, a.high, apex(b), axis);
     }
     return true;
   }
@@ -158,14 +150,14 @@ class ThinParts {
   void add_cone(std::uint32_t v) {
     std::vector<std::uint32_t> rays;
     for (const std::uint32_t n : neighbours_[v]) {
-      const auto same = [&](std::uint32_t r) { return same_direction(at(v), at(r), at(n)); };
+      const auto same = [&](std::uint32_t r) { return same_direction(v, r, n); };
       if (std::none_of(rays.begin(), rays.end(), same)) rays.push_back(n);
     }
     SupportCone cone{v, static_cast<std::uint32_t>(operand_.rays.size()), 0, lie_in_a_plane(v, rays)};
     if (cone.flat) {
       operand_.rays.insert(operand_.rays.end(), rays.begin(), rays.end());
     } else {
-      for (const std::uint32_t k : extreme_rays(data_.vertices, v, rays)) operand_.rays.push_back(rays[k]);
+      for (const std::uint32_t k : extreme_rays(signs_, v, rays)) operand_.rays.push_back(rays[k]);
     }
     cone.last = static_cast<std::uint32_t>(operand_.rays.size());
     if (cone.flat || cone.last > cone.first) operand_.cones.push_back(cone);
@@ -173,14 +165,15 @@ class ThinParts {
 
   bool lie_in_a_plane(std::uint32_t v, const std::vector<std::uint32_t>& rays) const {
     for (std::size_t j = 1; j < rays.size(); ++j) {
-      if (exact::collinear(at(v), at(rays[0]), at(rays[j]))) continue;
+      if (signs_.collinear(v, rays[0], rays[j])) continue;
       return std::all_of(rays.begin(), rays.end(),
-                         [&](std::uint32_t r) { return orient3_sign(at(v), at(rays[0]), at(rays[j]), at(r)) == 0; });
+                         [&](std::uint32_t r) { return signs_.orient(v, rays[0], rays[j], r) == 0; });
     }
     return true;
   }
 
   SolidOperand& operand_;
+  const OperandSigns& signs_;
   const MeshData& data_;
   const std::vector<bool>& thin_;
   std::vector<PlateSide> sides_;
@@ -189,8 +182,9 @@ class ThinParts {
 
 }  // namespace
 
-void add_thin_parts(SolidOperand& operand, const MeshData& data, const std::vector<bool>& thin) {
-  ThinParts(operand, data, thin).run();
+void add_thin_parts(SolidOperand& operand, const OperandSigns& signs, const MeshData& data,
+                    const std::vector<bool>& thin) {
+  ThinParts(operand, signs, data, thin).run();
 }
 
 }  // namespace dymsum::spatial

@@ -15,6 +15,7 @@ namespace dymsum::spatial {
 /// Adds the faces that `thin` marks: with one vertex points, with two segments, else plates. Requires plates that are
 /// valid by themselves; all parts may cross each other and the solid. Exact. O(n log n) for bounded degrees, O(k^2) at
 /// an edge with k plates and a vertex with k edges.
-void add_thin_parts(SolidOperand& operand, const MeshData& data, const std::vector<bool>& thin);
+void add_thin_parts(SolidOperand& operand, const OperandSigns& signs, const MeshData& data,
+                    const std::vector<bool>& thin);
 
 }  // namespace dymsum::spatial

@@ -66,6 +66,7 @@ class Inside {
     const SpatialPositions& old = SpatialSumInternals::positions(sum_);
     auto positions = std::make_shared<SpatialPositions>();
     positions->space = old.space;
+    positions->scale = old.scale, positions->shift = old.shift;
     name_.resize(used.size());
     for (std::uint32_t v = 0; v < used.size(); ++v) {
       if (!used[v]) continue;
@@ -104,16 +105,10 @@ class Inside {
       if (s == 0xffffffff) s = static_cast<std::uint32_t>(result_.shells++);
       face.shell = s;
     }
-    result_.edges = edges_of(result_.faces);
-    const auto before = [](const SpatialEdge& x, const SpatialEdge& y) {
-      return std::pair(x.from, x.to) < std::pair(y.from, y.to);
-    };
-    std::vector<SpatialEdge> old;  // sorted alike: names keep their order
-    for (const SpatialEdge& edge : sum_.edges)
-      if (!outside_[sum_.faces[edge.faces[0]].shell])
-        old.push_back({name_[edge.from], name_[edge.to], {}, edge.contact});
-    for (SpatialEdge& edge : result_.edges)
-      edge.contact = std::lower_bound(old.begin(), old.end(), edge, before)->contact;
+    std::vector<std::optional<SolidContact>> contacts;  // in the order of edges: names keep that of vertices
+    for (const SpatialEdge& edge : sum_.edges())
+      if (!outside_[sum_.faces[edge.faces[0]].shell]) contacts.push_back(edge.contact);
+    SpatialSumInternals::set_edge_contacts(result_, std::move(contacts));
   }
 
   void add_tight() {
@@ -144,16 +139,32 @@ Error of_operands(Error error, const MeshData& b) {
   return error;
 }
 
-}  // namespace
-
-Result<SpatialSum> erosion(const MeshData& a, const MeshData& b, const SpatialOptions& options) {
+/// `sum_with` adds the reflected b to the complement of a.
+template <class F>
+Result<SpatialSum> inside_of(const MeshData& a, const MeshData& b, F sum_with) {
   if (b.faces.empty()) return Error{ErrorCode::unsupported_operand, "every position holds the empty solid", {}};
   if (a.faces.empty() || !fits_lengthwise(a, b)) return SpatialSum();
   Result<MeshData> complement = framed_complement(a, b);
   if (!complement) return complement.error();
-  const Result<SpatialSum> sum = sum_of_solids(*complement, reflected(b), options);
+  const Result<SpatialSum> sum = sum_with(*std::move(complement), reflected(b));
   if (!sum) return of_operands(sum.error(), b);
   return Inside(*sum, a).run();
+}
+
+}  // namespace
+
+Result<SpatialSum> erosion(const MeshData& a, const MeshData& b, const SpatialOptions& options) {
+  return inside_of(a, b, [&](const MeshData& complement, const MeshData& reflection) {
+    return sum_of_solids(complement, reflection, options);
+  });
+}
+
+Result<SpatialSum> erosion(const ExactSet& a, const MeshData& b, const SpatialOptions& options) {
+  return inside_of(a.set, b, [&](MeshData complement, MeshData reflection) {
+    ExactSet outside = exact_set(std::move(complement));  // of which the frame comes after a
+    std::copy(a.at.begin(), a.at.end(), outside.at.begin());
+    return sum_of_exact_sets(outside, exact_set(std::move(reflection)), options);
+  });
 }
 
 }  // namespace dymsum::spatial

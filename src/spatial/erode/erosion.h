@@ -2,10 +2,13 @@
 #pragma once
 
 #include "dymsum/spatial_sum.h"
+#include "spatial/sum/exact_set.h"
 
 namespace dymsum::spatial {
 
 /// As erode, for surfaces that sum_of_solids takes.
 Result<SpatialSum> erosion(const MeshData& a, const MeshData& b, const SpatialOptions& options);
+/// The same where vertices of `a` are fractions.
+Result<SpatialSum> erosion(const ExactSet& a, const MeshData& b, const SpatialOptions& options);
 
 }  // namespace dymsum::spatial

@@ -39,19 +39,20 @@ class CrossingSearch {
     tree_ = BoxTree(std::move(boxes));
   }
 
+  using Take = std::function<bool(const Meeting&)>;
+
   /// Calls take(meeting) until it says false.
-  void run(const std::function<bool(const Meeting&)>& take) {
-    take_ = &take;
+  void run(const Take& take) {
     neighbours_.assign(w_.facets.size(), {});
     std::vector<std::uint32_t> met;
     for (std::uint32_t e = 0; e < w_.graph.edges.size(); ++e) {
       pass(e, met);
-      if (w_.bounds[e] && !pairs_along(e, met)) return;
+      if (w_.bounds[e] && !pairs_along(e, met, take)) return;
     }
     join_neighbours();
     for (const std::uint32_t f : live_)
       for (const std::uint32_t g : neighbours_[f])
-        if (g > f && crossing(f, g) && !fours_of(f, g)) return;
+        if (g > f && crossing(f, g) && !fours_of(f, g, take)) return;
   }
 
  private:
@@ -118,7 +119,7 @@ class CrossingSearch {
     return true;
   }
 
-  bool pairs_along(std::uint32_t edge, const std::vector<std::uint32_t>& met) {
+  bool pairs_along(std::uint32_t edge, const std::vector<std::uint32_t>& met, const Take& take) {
     const SumEdge& e = w_.graph.edges[edge];
     const RotationCells cells = cells_around(edge);
     for (std::size_t k = 0; k < met.size(); ++k)
@@ -130,7 +131,7 @@ class CrossingSearch {
         if (jets_.order(e, near_[f].plane, near_[g].plane).sign() != 0) continue;
         Meeting meeting;
         meeting.kind = Meeting::Kind::edge_and_facets, meeting.edges[0] = e, meeting.facets = {f, g, 0, 0};
-        if (!(*take_)(meeting)) return false;
+        if (!take(meeting)) return false;
       }
     return true;
   }
@@ -177,7 +178,7 @@ class CrossingSearch {
     return w_.plane_of[f] != w_.plane_of[g] && overlap(near_[f].box, near_[g].box) && !meet_in_facet_edge(f, g);
   }
 
-  bool fours_of(std::uint32_t f, std::uint32_t g) {
+  bool fours_of(std::uint32_t f, std::uint32_t g, const Take& take) {
     std::vector<std::uint32_t> of_two, of_three;
     common(neighbours_[f], neighbours_[g], g, of_two);
     const RotationCells both = cells_[f] & cells_[g];
@@ -193,7 +194,7 @@ class CrossingSearch {
         if ((all & cells_[k]) == 0 || !crossing(f, k) || !crossing(g, k) || !crossing(h, k)) continue;
         Meeting meeting;
         meeting.kind = Meeting::Kind::four_facets, meeting.facets = {f, g, h, k};
-        if (may_meet(meeting.facets, at) && !(*take_)(meeting)) return false;
+        if (may_meet(meeting.facets, at) && !take(meeting)) return false;
       }
     }
     return true;
@@ -215,7 +216,6 @@ class CrossingSearch {
 
   const RotationWindow& w_;
   const std::function<void()>& again_;
-  const std::function<bool(const Meeting&)>* take_ = nullptr;
   const JetFrame& boxes_;
   Jets jets_;
   std::vector<RotationCells> cells_;

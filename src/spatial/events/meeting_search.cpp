@@ -3,13 +3,8 @@
 #include <algorithm>
 #include <cmath>
 #include <unordered_map>
-#include <unordered_set>
-
-#include "base/bit_cast.h"
 
 namespace dymsum::spatial {
-
-using exact::BigInteger;
 
 namespace {
 
@@ -26,17 +21,6 @@ int lasting_side(const MovingFacets& all, std::uint32_t f, SumPoint c, double lo
   return s == proved_sign(a + high * b, error) ? s : 0;
 }
 
-using GridCell = std::array<std::int64_t, 4>;
-struct GridCellHash {
-  std::size_t operator()(const GridCell& cell) const {
-    std::uint64_t h = 0;
-    for (const std::int64_t c : cell) {
-      h ^= static_cast<std::uint64_t>(c) + 0x9e3779b97f4a7c15ULL + (h << 6) + (h >> 2);
-      h ^= h >> 31, h *= 0x7fb5d329728ea185ULL, h ^= h >> 29;
-    }
-    return h;
-  }
-};
 using FourIndices = std::array<std::uint32_t, 4>;
 struct FourHash {
   std::size_t operator()(const FourIndices& names) const {
@@ -46,48 +30,30 @@ struct FourHash {
   }
 };
 
-bool is_same(const ExactMeeting& a, const ExactMeeting& b) {
-  const auto equal = [&](const BigInteger& x, const BigInteger& y) { return x * b.w == y * a.w; };
-  return equal(a.s, b.s) && equal(a.x[0], b.x[0]) && equal(a.x[1], b.x[1]) && equal(a.x[2], b.x[2]);
-}
-
 /// In one window of scales.
 class MeetingSearch {
  public:
   MeetingSearch(const MovingFacets& all, const ScaledOverlap& overlap, double low, double high,
                 const std::function<void()>& query)
-      : all_(all),
-        overlap_(overlap),
-        low_(low),
-        high_(high),
-        span_(all.span(high)),
-        room_(span_ * 0x1p-44),
-        query_(query) {
-    std::vector<std::uint8_t> facet_edge(all.facet_edges().size()), corner(all.corners().size());
-    std::vector<Box> boxes;
+      : all_(all), low_(low), high_(high), span_(all.span(high)), query_(query), list_(overlap, low, high, span_) {
+    std::vector<std::uint32_t> facets, facet_edges, corners;
+    std::vector<std::uint8_t> of_facet_edge(all.facet_edges().size()), of_corner(all.corners().size());
     for (std::uint32_t f = 0; f < all.facets().size(); ++f) {
       const SumFacet& facet = all.facets()[f];
       if (overlap.deep_inside(facet, low, high)) continue;
-      live_.push_back(f);
-      boxes.push_back(swept({facet.corner.data(), facet.corners}));
+      facets.push_back(f);
       for (int k = 0; k < facet.corners; ++k)
-        facet_edge[all.facet_edges().of(f, k)] = 1, corner[all.corners().of(f, k)] = 1;
+        of_facet_edge[all.facet_edges().of(f, k)] = 1, of_corner[all.corners().of(f, k)] = 1;
     }
-    facets_ = BoxTree(std::move(boxes));
-    boxes.clear();
-    for (std::uint32_t e = 0; e < facet_edge.size(); ++e) {
-      if (facet_edge[e] == 0 || all.is_inner(e)) continue;
-      live_facet_edges_.push_back(e);
-      boxes.push_back(swept(all.facet_edges()[e]));
-    }
-    facet_edges_ = BoxTree(std::move(boxes));
-    boxes.clear();
-    for (std::uint32_t c = 0; c < corner.size(); ++c) {
-      if (corner[c] == 0) continue;
-      live_corners_.push_back(c);
-      boxes.push_back(swept({&all.corners()[c], 1}));
-    }
-    corners_ = BoxTree(std::move(boxes));
+    for (std::uint32_t e = 0; e < of_facet_edge.size(); ++e)
+      if (of_facet_edge[e] != 0 && !all.is_inner(e)) facet_edges.push_back(e);
+    for (std::uint32_t c = 0; c < of_corner.size(); ++c)
+      if (of_corner[c] != 0) corners.push_back(c);
+    facets_ = live(std::move(facets), [&](std::uint32_t f) {
+      return swept({all.facets()[f].corner.data(), static_cast<std::size_t>(all.facets()[f].corners)});
+    });
+    facet_edges_ = live(std::move(facet_edges), [&](std::uint32_t e) { return swept(all.facet_edges()[e]); });
+    corners_ = live(std::move(corners), [&](std::uint32_t c) { return swept({&all.corners()[c], 1}); });
   }
 
   Meetings run() {
@@ -97,7 +63,7 @@ class MeetingSearch {
     facet_edges_through_facets();
     facet_neighbours();
     four_facets();
-    return {std::move(found_), {std::move(facets_), std::move(live_)}, candidates_, exact_};
+    return {list_.take(), std::move(facets_), candidates_, exact_};
   }
 
  private:
@@ -108,69 +74,35 @@ class MeetingSearch {
     done,     ///< the point is listed, covered, or at no scale of the window
   };
 
-  bool is_beside_window(const NearMeeting& at) const { return at.s < low_ - at.s_radius || at.s > high_ + at.s_radius; }
   void query_now_and_then() {
     if (++queried_ % 4096 == 0) query_();
+  }
+  template <class BoxOf>
+  static LiveFeatures live(std::vector<std::uint32_t> features, const BoxOf& box_of) {
+    std::vector<Box> boxes;
+    boxes.reserve(features.size());
+    for (const std::uint32_t feature : features) boxes.push_back(box_of(feature));
+    return {BoxTree(std::move(boxes)), std::move(features)};
   }
   Box swept(const SumEdge& facet_edge) const { return swept(std::array{facet_edge.from, facet_edge.to}); }
 
   Box swept(std::span<const SumPoint> corners) const {
     Box box;
     for (const SumPoint c : corners) box.add(all_.at(c, low_)), box.add(all_.at(c, high_));
-    box.grow(room_);
+    box.grow(span_ * 0x1p-44);
     return box;
-  }
-
-  /// Whether all of the cell of (x, s) around a point provably lies in the open sum. Many tuples meet in one point, and
-  /// ask.
-  bool is_covered(const NearMeeting& at) {
-    const double step = std::ldexp(1.0, std::ilogb(span_) - 28), s_step = std::ldexp(1.0, std::ilogb(high_) - 28);
-    if (at.radius > step || at.s_radius > s_step) return false;
-    const auto cell = [](double v, double width) { return std::floor(v / width); };
-    const double x = cell(at.x.x, step), y = cell(at.x.y, step), z = cell(at.x.z, step), s = cell(at.s, s_step);
-    const auto [known, fresh] = covered_.try_emplace({static_cast<std::int64_t>(x), static_cast<std::int64_t>(y),
-                                                      static_cast<std::int64_t>(z), static_cast<std::int64_t>(s)},
-                                                     false);
-    const Vec3 centre{(x + 0.5) * step, (y + 0.5) * step, (z + 0.5) * step};
-    if (fresh)
-      known->second = overlap_.at(centre, (s + 0.5) * s_step, 2 * step, 2 * s_step) == ScaledOverlap::Answer::overlap;
-    return known->second;
-  }
-
-  /// Of the doubles of an exact point.
-  bool is_in_window(const NearMeeting& at) const {
-    return at.s >= low_ * (1 - 0x1p-50) && at.s <= high_ * (1 + 0x1p-50);
-  }
-
-  void add(ExactMeeting at) {
-    MeetingEvent event{std::move(at), {}};
-    event.near = near(event.at);
-    if (!is_in_window(event.near)) return;
-    const auto bits = [](double v) { return base::bit_cast<std::int64_t>(v); };
-    const GridCell key{bits(event.near.x.x), bits(event.near.x.y), bits(event.near.x.z), bits(event.near.s)};
-    if (covered_at_.contains(key)) return;
-    const auto [first, last] = found_at_.equal_range(key);
-    for (auto k = first; k != last; ++k)
-      if (is_same(found_[k->second].at, event.at)) return;
-    if (overlap_.at(event.near.x, event.near.s, event.near.radius, event.near.s_radius) ==
-        ScaledOverlap::Answer::overlap) {
-      covered_at_.insert(key);
-      return;
-    }
-    found_at_.emplace(key, found_.size());
-    found_.push_back(std::move(event));
   }
 
   /// Lists a point that doubles leave open: `exact` gives it where it is one, and lies in all that is to meet there.
   template <class Exact>
   void decide(Meets meets, const NearMeeting& around, Exact exact) {
     if (meets == Meets::no) return;
-    if (meets == Meets::near && (is_beside_window(around) || is_covered(around))) return;
+    if (meets == Meets::near && (list_.is_beside_window(around) || list_.is_covered(around))) return;
     ++exact_;
     std::optional<ExactMeeting> at = exact();
     if (!at || at->s <= 0) return;
-    if (meets != Meets::near && is_covered(near(*at))) return;
-    add(*std::move(at));
+    if (meets != Meets::near && list_.is_covered(near(*at))) return;
+    list_.add(*std::move(at));
   }
 
   /// The same of the one point of four hyperplanes: in masses of parallel and coplanar facets many fours of them lie in
@@ -188,25 +120,24 @@ class MeetingSearch {
     NearMeeting at;
     const Meets meets = meeting_near(of_all([&](std::uint32_t k) { return &all_.row(k); }), span_, at);
     if (meets == Meets::near) {
-      if (is_beside_window(at) || !may_hold(all_, features, at)) return Common::open;
-      if (is_covered(at)) return learn(Common::done);
+      if (list_.is_beside_window(at) || !may_hold(all_, features, at)) return Common::open;
+      if (list_.is_covered(at)) return learn(Common::done);
     }
     ++exact_;
     std::optional<ExactMeeting> point = meeting_of(of_all([&](std::uint32_t k) { return &all_.plane(k); }));
     if (!point) return learn(Common::lasting);
     if (point->s <= 0) return learn(Common::done);
     const NearMeeting around = near(*point);
-    if (!is_in_window(around) || (meets != Meets::near && is_covered(around))) return learn(Common::done);
+    if (!list_.is_in_window(around) || (meets != Meets::near && list_.is_covered(around))) return learn(Common::done);
     if (!hold(all_, features, *point, around)) return Common::open;
-    add(*std::move(point));
+    list_.add(*std::move(point));
     return learn(Common::done);
   }
 
   void corners_on_facets() {
-    for (std::uint32_t k = 0; k < live_corners_.size(); ++k) {
-      const SumPoint c = all_.corners()[live_corners_[k]];
-      facets_.for_each(corners_.box(k), [&](std::uint32_t j) {
-        const std::uint32_t f = live_[j];
+    for (std::uint32_t k = 0; k < corners_.size(); ++k) {
+      const SumPoint c = all_.corners()[corners_[k]];
+      facets_.for_each(corners_.box(k), [&](std::uint32_t f) {
         query_now_and_then();
         if (has_corner(all_.facets()[f], c)) return;
         if (lasting_side(all_, f, c, low_, high_) != 0) return;
@@ -227,10 +158,9 @@ class MeetingSearch {
   // comes into both at once, the facets beside it may not determine when it comes onto it: they may all be in one plane
   // with its way.
   void corners_on_facet_edges() {
-    for (std::uint32_t k = 0; k < live_corners_.size(); ++k) {
-      const SumPoint c = all_.corners()[live_corners_[k]];
-      facet_edges_.for_each(corners_.box(k), [&](std::uint32_t j) {
-        const std::uint32_t b = live_facet_edges_[j];
+    for (std::uint32_t k = 0; k < corners_.size(); ++k) {
+      const SumPoint c = all_.corners()[corners_[k]];
+      facet_edges_.for_each(corners_.box(k), [&](std::uint32_t b) {
         const SumEdge& facet_edge = all_.facet_edges()[b];
         query_now_and_then();
         if (facet_edge.from == c || facet_edge.to == c) return;
@@ -238,7 +168,7 @@ class MeetingSearch {
         Meets meets[2];
         for (std::size_t i = 0; i < 2; ++i) {
           meets[i] = meeting_near(all_, c, all_.row(all_.planes_of(b)[i]), span_, at[i]);
-          if (meets[i] == Meets::no || (meets[i] == Meets::near && is_beside_window(at[i]))) return;
+          if (meets[i] == Meets::no || (meets[i] == Meets::near && list_.is_beside_window(at[i]))) return;
         }
         if (meets[0] == Meets::near && meets[1] == Meets::near &&
             std::abs(at[0].s - at[1].s) > 2 * (at[0].s_radius + at[1].s_radius))
@@ -266,11 +196,10 @@ class MeetingSearch {
   }
 
   void facet_edges_on_facet_edges() {
-    for (std::uint32_t k = 0; k < live_facet_edges_.size(); ++k) {
-      const std::uint32_t e = live_facet_edges_[k];
-      facet_edges_.for_each(facet_edges_.box(k), [&](std::uint32_t j) {
-        const std::uint32_t g = live_facet_edges_[j];
-        if (j <= k) return;
+    for (std::uint32_t k = 0; k < facet_edges_.size(); ++k) {
+      const std::uint32_t e = facet_edges_[k];
+      facet_edges_.for_each(facet_edges_.box(k), [&](std::uint32_t g) {
+        if (g <= e) return;
         query_now_and_then();
         if (share_end(all_.facet_edges()[e], all_.facet_edges()[g]) || all_.direction(e) == all_.direction(g)) return;
         const auto u = all_.planes_of(e), v = all_.planes_of(g);
@@ -308,9 +237,8 @@ class MeetingSearch {
     const Box a = swept(all_.facet_edges()[e]), b = swept(all_.facet_edges()[g]);
     const Box both{{std::max(a.low.x, b.low.x), std::max(a.low.y, b.low.y), std::max(a.low.z, b.low.z)},
                    {std::min(a.high.x, b.high.x), std::min(a.high.y, b.high.y), std::min(a.high.z, b.high.z)}};
-    facets_.for_each(both, [&](std::uint32_t j) { try_plane(live_[j], {{e, g}, {live_[j]}}); });
-    facet_edges_.for_each(both, [&](std::uint32_t j) {
-      const std::uint32_t t = live_facet_edges_[j];
+    facets_.for_each(both, [&](std::uint32_t f) { try_plane(f, {{e, g}, {f}}); });
+    facet_edges_.for_each(both, [&](std::uint32_t t) {
       if (t == e || t == g) return;
       for (const std::uint32_t plane : all_.planes_of(t))
         if (try_plane(plane, {{e, g, t}, {}})) break;
@@ -319,12 +247,11 @@ class MeetingSearch {
 
   void facet_edges_through_facets() {
     std::vector<std::uint32_t> through;
-    for (std::uint32_t k = 0; k < live_facet_edges_.size(); ++k) {
-      const std::uint32_t e = live_facet_edges_[k];
+    for (std::uint32_t k = 0; k < facet_edges_.size(); ++k) {
+      const std::uint32_t e = facet_edges_[k];
       const SumEdge& facet_edge = all_.facet_edges()[e];
       through.clear();
-      facets_.for_each(facet_edges_.box(k), [&](std::uint32_t j) {
-        const std::uint32_t f = live_[j];
+      facets_.for_each(facet_edges_.box(k), [&](std::uint32_t f) {
         query_now_and_then();
         if (has_corner(all_.facets()[f], facet_edge.from) || has_corner(all_.facets()[f], facet_edge.to)) return;
         if (bounds_plane(e, f)) return;
@@ -362,11 +289,11 @@ class MeetingSearch {
   }
 
   void facet_neighbours() {
-    neighbours_.assign(live_.size(), {});
-    for (std::uint32_t k = 0; k < live_.size(); ++k) {
-      facets_.for_each(facets_.box(k), [&](std::uint32_t j) {
+    neighbours_.assign(facets_.size(), {});
+    for (std::uint32_t k = 0; k < facets_.size(); ++k) {
+      facets_.for_each_position(facets_.box(k), [&](std::uint32_t j) {
         query_now_and_then();
-        if (j > k && may_cross(live_[k], live_[j])) neighbours_[k].push_back(j);
+        if (j > k && may_cross(facets_[k], facets_[j])) neighbours_[k].push_back(j);
       });
       std::sort(neighbours_[k].begin(), neighbours_[k].end());
     }
@@ -375,11 +302,11 @@ class MeetingSearch {
   void four_facets() {
     std::vector<std::uint32_t> near_both;
     const auto of_three = [&](std::uint32_t f, std::uint32_t g, std::uint32_t h) {
-      const SumFacet &a = all_.facets()[live_[f]], &b = all_.facets()[live_[g]], &c = all_.facets()[live_[h]];
+      const SumFacet &a = all_.facets()[facets_[f]], &b = all_.facets()[facets_[g]], &c = all_.facets()[facets_[h]];
       return std::any_of(a.corner.begin(), a.corner.begin() + a.corners,
                          [&](SumPoint at) { return has_corner(b, at) && has_corner(c, at); });
     };
-    for (std::uint32_t f = 0; f < live_.size(); ++f)
+    for (std::uint32_t f = 0; f < facets_.size(); ++f)
       for (const std::uint32_t g : neighbours_[f]) {
         near_both.clear();
         std::set_intersection(neighbours_[f].begin(), neighbours_[f].end(), neighbours_[g].begin(),
@@ -389,7 +316,7 @@ class MeetingSearch {
           for (const std::uint32_t i : near_both) {
             if (i <= h || !std::binary_search(neighbours_[h].begin(), neighbours_[h].end(), i)) continue;
             query_now_and_then();
-            const FourIndices four{live_[f], live_[g], live_[h], live_[i]};
+            const FourIndices four{facets_[f], facets_[g], facets_[h], facets_[i]};
             four_planes(four, {{}, {four[0], four[1], four[2], four[3]}});
           }
         }
@@ -397,17 +324,12 @@ class MeetingSearch {
   }
 
   const MovingFacets& all_;
-  const ScaledOverlap& overlap_;
-  double low_, high_, span_, room_;
+  double low_, high_, span_;
   const std::function<void()>& query_;
-  std::vector<std::uint32_t> live_, live_facet_edges_, live_corners_;  // facets and so on that are not deep inside
-  BoxTree facets_, facet_edges_, corners_;
-  std::vector<std::vector<std::uint32_t>> neighbours_;  // of live facets, with larger indices, sorted
-  std::vector<MeetingEvent> found_;
-  std::unordered_multimap<GridCell, std::size_t, GridCellHash> found_at_;  // by their doubles
-  std::unordered_map<GridCell, bool, GridCellHash> covered_;  // small cells of (x, s), provably or perhaps not
-  std::unordered_set<GridCell, GridCellHash> covered_at_;     // doubles of points that provably are
-  std::unordered_map<FourIndices, Common, FourHash> known_;   // by names of planes; not those that are open
+  LiveFeatures facets_, facet_edges_, corners_;
+  std::vector<std::vector<std::uint32_t>> neighbours_;  // of live facets, by position, with larger ones, sorted
+  MeetingList list_;
+  std::unordered_map<FourIndices, Common, FourHash> known_;  // by names of planes; not those that are open
   std::uint64_t candidates_ = 0, exact_ = 0, queried_ = 0;
 };
 

@@ -5,36 +5,41 @@
 #include <functional>
 #include <vector>
 
-#include "spatial/events/meeting_point.h"
-#include "spatial/events/proved_overlap.h"
+#include "spatial/events/meeting_list.h"
 
 namespace dymsum::spatial {
-
-struct MeetingEvent {
-  ExactMeeting at;
-  NearMeeting near;
-};
 
 /// Scales between which facets move by about their own size.
 std::vector<double> window_ends(const MovingFacets& all, double low, double high);
 
-/// Facets that may come near a box at some scales of a window, but for those deep inside the open sum.
-class LiveFacets {
+/// Features of one kind that are not deep inside the open sum, by where they are in a window of scales.
+class LiveFeatures {
  public:
-  LiveFacets(BoxTree tree, std::vector<std::uint32_t> facets) : tree_(std::move(tree)), facets_(std::move(facets)) {}
+  LiveFeatures() = default;
+  /// By their indices, and in the same positions their boxes.
+  LiveFeatures(BoxTree tree, std::vector<std::uint32_t> features)
+      : tree_(std::move(tree)), features_(std::move(features)) {}
+  std::size_t size() const { return features_.size(); }
+  std::uint32_t operator[](std::size_t position) const { return features_[position]; }
+  const Box& box(std::uint32_t position) const { return tree_.box(position); }
+  /// Calls f(feature) for those that may come near a box; f(position).
   template <class F>
   void for_each(const Box& box, F f) const {
-    tree_.for_each(box, [&](std::uint32_t k) { f(facets_[k]); });
+    tree_.for_each(box, [&](std::uint32_t k) { f(features_[k]); });
+  }
+  template <class F>
+  void for_each_position(const Box& box, F f) const {
+    tree_.for_each(box, f);
   }
 
  private:
   BoxTree tree_;
-  std::vector<std::uint32_t> facets_;
+  std::vector<std::uint32_t> features_;
 };
 
 struct Meetings {
   std::vector<MeetingEvent> points;  ///< each once
-  LiveFacets facets;
+  LiveFeatures facets;
   std::uint64_t candidates = 0, exact = 0;
 };
 

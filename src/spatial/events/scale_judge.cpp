@@ -41,7 +41,7 @@ struct Gathering {
   std::size_t insides = 0;
   bool parallel = false, coplanar_now = false;
 
-  Gathering(const MovingFacets& all, const LiveFacets& live, const MeetingEvent& event) {
+  Gathering(const MovingFacets& all, const LiveFeatures& live, const MeetingEvent& event) {
     Box box;
     box.add(event.near.x);
     box.grow(2 * event.near.radius + all.span(event.near.s) * 0x1p-44);
@@ -137,7 +137,7 @@ bool misses(const MovingFacets& all, std::uint32_t f, Vec3 x, Vec3 y, double s, 
 
 /// A position in front of all facets through the point, from which nothing lies between; nothing where others are too
 /// near.
-std::optional<Vec3> place_in_front(const MovingFacets& all, const LiveFacets& live,
+std::optional<Vec3> place_in_front(const MovingFacets& all, const LiveFeatures& live,
                                    const std::vector<FacetThere>& facets, Vec3 in, const NearMeeting& at) {
   const double span = all.span(at.s), room = span * 0x1p-40 + 16 * (at.radius + at.s_radius * span);
   for (const int power : {8, 11, 14, 17, 20, 23}) {
@@ -160,7 +160,7 @@ std::optional<Vec3> place_in_front(const MovingFacets& all, const LiveFacets& li
 
 }  // namespace
 
-JudgedPoint judge(const MovingFacets& all, const LiveFacets& live, const ScaledOverlap& overlap,
+JudgedPoint judge(const MovingFacets& all, const LiveFeatures& live, const ScaledOverlap& overlap,
                   const MeetingEvent& event) {
   const Gathering there(all, live, event);
   JudgedPoint result{Verdict::unknown, there.kind(), {}, there.is_general(all)};

@@ -22,7 +22,7 @@ struct JudgedPoint {
 };
 
 /// By doubles. Statement and proof: docs/design/scaling-solids.md, "What the facets tell".
-JudgedPoint judge(const MovingFacets& all, const LiveFacets& live, const ScaledOverlap& overlap,
+JudgedPoint judge(const MovingFacets& all, const LiveFeatures& live, const ScaledOverlap& overlap,
                   const MeetingEvent& event);
 
 /// What doubles do not tell of the points at one scale: whether they lie in the open sum, and whether what is in front

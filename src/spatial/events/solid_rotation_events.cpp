@@ -24,17 +24,16 @@ class SolidRotationEvents::State {
   }
 
   /// Runs a walk; errors as events().
-  Result<bool> walk(const AxisTurn& a, const AxisTurn& b, bool after, bool whole, const Progress& progress,
+  Result<void> walk(const AxisTurn& a, const AxisTurn& b, bool after, bool whole, const Progress& progress,
                     const SolidRotationOptions& how, const std::function<bool(SolidRotationEvent&)>& take) {
     work = {};
     const Stopwatch watch;
-    Result<bool> made = spatial::guarded([&] {
+    Result<void> made = spatial::guarded([&] {
       const spatial::RotationPath path{pair.circle.position(a), pair.circle.position(b), after, whole};
       spatial::walk_angles(near, path, how, work, progress, [&](SolidRotationEvent& e) {
         if (moved) move_back(e);
         return take(e);
       });
-      return true;
     });
     work.ms = watch.ms();
     return made;
@@ -44,7 +43,7 @@ class SolidRotationEvents::State {
   Result<std::vector<SolidRotationEvent>> list(const AxisTurn& a, const AxisTurn& b, bool whole,
                                                const Progress& progress) {
     std::vector<SolidRotationEvent> events;
-    const Result<bool> made = walk(a, b, whole, whole, progress, options, [&](SolidRotationEvent& e) {
+    const Result<void> made = walk(a, b, whole, whole, progress, options, [&](SolidRotationEvent& e) {
       events.push_back(std::move(e));
       return true;
     });
@@ -58,7 +57,7 @@ class SolidRotationEvents::State {
     if (a == limit) return found;
     SolidRotationOptions how = options;
     how.changes = true;
-    const Result<bool> made = walk(a, limit, true, false, progress, how, [&](SolidRotationEvent& e) {
+    const Result<void> made = walk(a, limit, true, false, progress, how, [&](SolidRotationEvent& e) {
       if (topology ? e.topology : e.visible) found = std::move(e);
       return !found;
     });

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <numeric>
 #include <stdexcept>
 
@@ -10,62 +9,19 @@
 #include "spatial/gauss/most_rise.h"
 
 namespace dymsum::spatial {
-namespace {
-
-constexpr double kNever = -std::numeric_limits<double>::infinity();
-/// Of a face, from which on the next faces round it are climbed for from one another.
-constexpr std::uint32_t kManyEdges = 8;
-
-}  // namespace
-
-Overlay::Overlay(const Polytope& p, const Polytope& q) : signs_(p, q) {
+Overlay::Overlay(const Polytope& p, const Polytope& q)
+    : signs_(p, q),
+      arcs_(p, q),
+      pairs_(p, q),
+      visits_{FaceVisits(p), FaceVisits(q)},
+      walker_(q.face_count() < p.face_count() ? 1 : 0),
+      plan_(poly(walker_), visits_[walker_]),
+      cell_(2 / std::sqrt(static_cast<double>(poly(1 - walker_).vertex_count()))) {  // 4 pi = n pi r^2
   for (int op = 0; op < 2; ++op) {
     extreme_[op].assign(poly(op).face_count(), 0);
-    vertex_until_[op].assign(poly(op).face_count(), kNever);
-    head_[op].assign(poly(op).edge_count(), kNoCrossing);
-    parallel_[op].assign(poly(op).face_count(), kNoFace);
-    start_[op].assign(2 * poly(op).edge_count(), 0);
-    has_flat_edges_ |= poly(op).has_flat_edges;
+    vertex_until_[op].assign(poly(op).face_count(), kBeforeAll);
   }
-  for (int op = 0; op < 2; ++op) {
-    const Polytope& mine = poly(op);
-    std::vector<std::uint8_t> seen(mine.face_count(), 0);
-    seen[0] = 1;
-    visits_[op].push_back({0, 0, 0, 0});
-    for (std::size_t i = 0; i < visits_[op].size(); ++i) {
-      const std::uint32_t f = visits_[op][i].face;
-      HalfEdge h = mine.first[f];
-      std::uint32_t near = f, edges = 0;
-      do {
-        const std::uint32_t g = mine.face[twin(h)];
-        if (!seen[g]) visits_[op].push_back({g, f, h, near});
-        seen[g] = 1;
-        if (++edges >= kManyEdges) near = g;
-        h = mine.next[h];
-      } while (h != mine.first[f]);
-    }
-    is_touched_[op].assign(mine.edge_count(), 0);
-  }
-  walker_ = q.face_count() < p.face_count() ? 1 : 0;
-  cell_ = 2 / std::sqrt(static_cast<double>(poly(1 - walker_).vertex_count()));  // 4 pi = n pi r^2
   breaks_.assign(poly(walker_).edge_count(), 0);
-  std::vector<bool> visited(poly(walker_).edge_count(), false);
-  for (std::size_t i = 1; i < visits_[walker_].size(); ++i) visited[visits_[walker_][i].via / 2] = true;
-  for (std::uint32_t e = 0; e < visited.size(); ++e)
-    if (!visited[e]) chords_.push_back(e);
-  make_levels();
-}
-
-/// Visits are sorted by their distance from the first face.
-void Overlay::make_levels() {
-  const std::vector<Visit>& visits = visits_[walker_];
-  std::vector<std::uint32_t> level(visits.size(), 0);
-  levels_.push_back(0);
-  for (std::uint32_t i = 0; i < visits.size(); ++i) {
-    if (i > 0) level[visits[i].face] = level[visits[i].from] + 1;
-    if (level[visits[i].face] == levels_.size()) levels_.push_back(i);
-  }
-  levels_.push_back(static_cast<std::uint32_t>(visits.size()));
 }
 
 /// Doubles cannot determine whether an edge rises: any that does will do. The vertex it leads to, or v itself, which is
@@ -166,62 +122,29 @@ void Overlay::walk(std::uint32_t e) {
   work_.arcs_changed += walked > 0;
 }
 
-void Overlay::touch(int op, std::uint32_t e) {
-  if (is_touched_[op][e]) return;
-  is_touched_[op][e] = 1;
-  touched_.push_back(e);
-}
-
 /// While crossings are found from nothing: a crossing of edge e of P after the one before it, if any.
 std::uint32_t Overlay::append_crossing(std::uint32_t e, HalfEdge q, double until, std::uint32_t before) {
-  if (crossings_.size() >= most_crossings_) throw TooManyCrossings{};
-  const auto id = static_cast<std::uint32_t>(crossings_.size());
-  std::uint32_t& head = head_[1][q / 2];
-  crossings_.push_back({e, q, {kNoCrossing, head}});
-  head = id;
-  crossing_until_.push_back(until);
-  (before == kNoCrossing ? head_[0][e] : crossings_[before].next[0]) = id;
-  touch(1, q / 2);
-  return id;
+  if (arcs_.all.size() >= most_crossings_) throw TooManyCrossings{};
+  return arcs_.append(e, q, until, before);
 }
 
 /// When all crossings are found from nothing.
 void Overlay::finish_crossings() {
-  changes_.crossings.resize(crossings_.size());
+  changes_.crossings.resize(arcs_.all.size());
   std::iota(changes_.crossings.begin(), changes_.crossings.end(), 0);
-  work_.crossings_added = crossings_.size();
+  work_.crossings_added = arcs_.all.size();
   order_along_q();
-}
-
-/// Puts the crossings along the arc of edge e of operand op, which begins in the cell of vertex v of the other one, in
-/// order: each leaves the cell that the one before entered. The vertex in whose cell the arc ends.
-std::uint32_t Overlay::order_along(int op, std::uint32_t e, std::uint32_t v) {
-  const Polytope& other = poly(1 - op);
-  for (std::uint32_t* link = &head_[op][e]; *link != kNoCrossing; link = &crossings_[*link].next[op]) {
-    std::uint32_t* found = link;
-    while (*found != kNoCrossing && other.origin[across(op, crossings_[*found])] != v)
-      found = &crossings_[*found].next[op];
-    if (*found == kNoCrossing) throw std::logic_error("Overlay: the crossings of an arc do not join");
-    if (found != link) {
-      const std::uint32_t id = *found;
-      *found = crossings_[id].next[op];
-      crossings_[id].next[op] = *link;
-      *link = id;
-    }
-    v = other.target(across(op, crossings_[*link]));
-  }
-  return v;
 }
 
 /// All arcs of Q that are crossed: their ends are known, so this compares the walks along P's arcs with the climbs from
 /// Q's faces.
 void Overlay::order_along_q() {
-  for (const std::uint32_t e : touched_) {
-    is_touched_[1][e] = 0;
-    if (order_along(1, e, end_cell(1, 2 * e)) != end_cell(1, 2 * e + 1))
+  for (const std::uint32_t e : arcs_.touched) {
+    arcs_.marked[1][e] = 0;
+    if (arcs_.order_along(1, poly(0), e, end_cell(1, 2 * e)) != end_cell(1, 2 * e + 1))
       throw std::logic_error("Overlay: the crossings of an arc do not lead to its end");
   }
-  touched_.clear();
+  arcs_.touched.clear();
 }
 
 void Overlay::note_face(int op, std::uint32_t f) {
@@ -240,22 +163,15 @@ void Overlay::restart() {
   forget_changes();
 }
 
-void Overlay::clear_crossings() {
-  crossings_.clear();
-  crossing_until_.clear();
-  free_.clear();
-  for (std::vector<std::uint32_t>& heads : head_) std::fill(heads.begin(), heads.end(), kNoCrossing);
-}
-
 void Overlay::build(const RelativeMap& map) {
   restart();
   const std::uint64_t exact_before = signs_.signs().exact();
   signs_.set(map);
-  clear_crossings();
+  arcs_.clear();
   // Neighbouring faces have extreme vertices near by.
   for (int op = 0; op < 2; ++op) {
-    work_.vertex_checks += visits_[op].size();
-    for (const Visit& visit : visits_[op])
+    work_.vertex_checks += visits_[op].all.size();
+    for (const FaceVisits::Visit& visit : visits_[op].all)
       if (climb(op, visit.face, extreme_[op][visit.near], signs_.row(op, visit.face))) note_face(op, visit.face);
   }
   find_pairs();
@@ -267,12 +183,13 @@ void Overlay::build(const RelativeMap& map) {
 
 bool operator==(const Overlay& a, const Overlay& b) {
   if (a.extreme_ != b.extreme_) return false;
-  if (a.head_[0].size() != b.head_[0].size() || a.head_[1].size() != b.head_[1].size()) return false;
+  if (a.arcs_.head[0].size() != b.arcs_.head[0].size() || a.arcs_.head[1].size() != b.arcs_.head[1].size())
+    return false;
   for (int op = 0; op < 2; ++op)
-    for (std::uint32_t e = 0; e < a.head_[op].size(); ++e) {
-      std::uint32_t i = a.head_[op][e], j = b.head_[op][e];
+    for (std::uint32_t e = 0; e < a.arcs_.head[op].size(); ++e) {
+      std::uint32_t i = a.arcs_.head[op][e], j = b.arcs_.head[op][e];
       while (i != kNoCrossing && j != kNoCrossing) {
-        const Crossing &x = a.crossings_[i], &y = b.crossings_[j];
+        const Crossing &x = a.arcs_[i], &y = b.arcs_[j];
         if (x.p != y.p || x.q != y.q) return false;
         i = x.next[op];
         j = y.next[op];

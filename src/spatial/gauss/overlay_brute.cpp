@@ -31,7 +31,7 @@ void Overlay::build_brute(const RelativeMap& map) {
   restart();
   const std::uint64_t exact_before = signs_.signs().exact();
   signs_.set(map);
-  clear_crossings();
+  arcs_.clear();
   for (int op = 0; op < 2; ++op) {
     std::fill(vertex_until_[op].begin(), vertex_until_[op].end(), clock_);
     for (std::uint32_t f = 0; f < poly(op).face_count(); ++f) {
@@ -50,7 +50,7 @@ void Overlay::build_brute(const RelativeMap& map) {
   const auto share_an_end = [this](std::uint32_t p, std::uint32_t q) {
     for (const std::uint32_t f : {poly(0).face[2 * p], poly(0).face[2 * p + 1]})
       for (const std::uint32_t g : {poly(1).face[2 * q], poly(1).face[2 * q + 1]})
-        if (parallel_[0][f] == g) return true;
+        if (pairs_.parallel[0][f] == g) return true;
     return false;
   };
   std::vector<HalfEdge> crossed;

@@ -46,13 +46,6 @@ void Overlay::update(const RelativeMap& map, bool use_margins) {
   work_.exact_signs = signs_.signs().exact() - exact_before;
 }
 
-/// Arcs that broke, and what follows from them.
-void Overlay::repair_broken() {
-  for (const std::uint32_t e : broken_) repair_arc(e);
-  broken_.clear();
-  settle_other_side();
-}
-
 /// The walker's faces. Where a face's vertex changes, its edges' arcs begin or end elsewhere.
 void Overlay::correct_vertices() {
   const int w = walker_;
@@ -78,7 +71,7 @@ void Overlay::correct_vertices() {
       h = mine.next[h];
     } while (h != mine.first[f]);
   }
-  if (!expired_.empty() || !pairs_.empty()) follow_pairs(expired_);
+  if (!expired_.empty() || !pairs_.all.empty()) follow_pairs(expired_);
 }
 
 /// Its ends have changed (`by` = kEnds), or one of its crossings may be none any more (1).
@@ -108,19 +101,19 @@ bool Overlay::fall_in_doubles(std::uint32_t f) const {
 
 bool Overlay::passes_in_doubles(std::uint32_t id) const {
   const int w = walker_;
-  const Crossing& c = crossings_[id];
+  const Crossing& c = arcs_[id];
   return slack(across(w, c), signs_.mapped_edge(1 - w, edge_of(w, c))) != kBeforeAll;
 }
 
 /// Crossings whose certificates have ended: those that doubles do not prove any more break the arc that they lie on.
 void Overlay::check_crossings() {
   const int w = walker_;
-  find_expired(crossing_until_, clock_, expired_);
+  find_expired(arcs_.until, clock_, expired_);
   work_.crossing_checks += expired_.size();
   for (const std::uint32_t id : expired_) {
-    const std::uint32_t e = edge_of(w, crossings_[id]);
-    crossing_until_[id] = later(slack(across(w, crossings_[id]), signs_.mapped_edge(1 - w, e)));
-    if (crossing_until_[id] == kBeforeAll) break_arc(e, 1);
+    const std::uint32_t e = edge_of(w, arcs_[id]);
+    arcs_.until[id] = later(slack(across(w, arcs_[id]), signs_.mapped_edge(1 - w, e)));
+    if (arcs_.until[id] == kBeforeAll) break_arc(e, 1);
   }
 }
 
@@ -143,162 +136,143 @@ HalfEdge Overlay::exit_in_doubt(HalfEdge h, std::uint32_t v, Vec3 along) const {
 }
 
 /// Corrects the crossings of an arc of the walker in place, from its left face to its right one: all of them when its
-/// ends have changed, otherwise where crossings have failed. `last` is the last crossing that is right, v the cell that
-/// it enters, `next` what follows in the list. Where a crossing ahead is known to leave v, it is the next one, as a
-/// circle leaves a convex cell once; elsewhere the cell says across which arc to leave it.
-void Overlay::repair_arc(std::uint32_t e) {
-  const int w = walker_;
-  const Polytope& other = poly(1 - w);
-  const bool through = breaks_[e] >= kEnds;
-  std::uint32_t failed = breaks_[e] % kEnds;
-  breaks_[e] = 0;
-  const Vec3 along = signs_.mapped_edge(1 - w, e);
-  const std::uint32_t end = end_cell(w, 2 * e + 1);
-  const auto over_of = [&](std::uint32_t id) { return across(w, crossings_[id]); };
-  const auto fails = [&](std::uint32_t id) { return crossing_until_[id] == kBeforeAll; };
-  std::uint32_t last = kNoCrossing, next = head_[w][e], v = end_cell(w, 2 * e), walked = 0;
-  bool changed = false;
-  const auto link = [&](std::uint32_t id) { (last == kNoCrossing ? head_[w][e] : crossings_[last].next[w]) = id; };
-  const auto drop_until = [&](std::uint32_t id) {
-    while (next != id) {
-      const std::uint32_t dropped = std::exchange(next, crossings_[next].next[w]);
-      failed -= fails(dropped) ? 1 : 0;
-      crossing_until_[dropped] = kForever;
-      dropped_.push_back(dropped);
-    }
-  };
-  const auto pass = [&](std::uint32_t id, HalfEdge over) {
-    link(id);
-    last = id;
-    next = crossings_[id].next[w];
-    v = other.target(over);
-  };
-  const auto pass_proved = [&] {
-    while (next != kNoCrossing && !fails(next)) last = std::exchange(next, crossings_[next].next[w]);
-    if (last != kNoCrossing) v = other.target(over_of(last));
-  };
-  if (!through) pass_proved();
-  while (v != end) {
-    std::uint32_t ahead = next;
-    while (ahead != kNoCrossing && fails(ahead)) ahead = crossings_[ahead].next[w];
-    if (ahead != kNoCrossing && other.origin[over_of(ahead)] != v) {  // perhaps the arc now begins after it
-      ahead = crossings_[ahead].next[w];
-      if (ahead != kNoCrossing && (fails(ahead) || other.origin[over_of(ahead)] != v)) ahead = kNoCrossing;
-    }
-    if (ahead != kNoCrossing) {
+/// ends have changed, otherwise where crossings have failed. `last_` is the last crossing that is right, `v_` the cell
+/// that it enters, `next_` what follows in the list.
+class Overlay::ArcRepair {
+ public:
+  ArcRepair(Overlay& overlay, std::uint32_t e)
+      : o_(overlay),
+        w_(overlay.walker_),
+        other_(overlay.poly(1 - w_)),
+        e_(e),
+        through_(overlay.breaks_[e] >= kEnds),
+        failed_(overlay.breaks_[e] % kEnds),
+        along_(overlay.signs_.mapped_edge(1 - w_, e)),
+        next_(overlay.arcs_.head[w_][e]),
+        v_(overlay.end_cell(w_, 2 * e)),
+        end_(overlay.end_cell(w_, 2 * e + 1)) {
+    overlay.breaks_[e] = 0;
+  }
+
+  void run() {
+    if (!through_) pass_proved();
+    while (v_ != end_) {
+      const std::uint32_t ahead = known_exit();
+      if (ahead == kNoCrossing) {
+        walk();
+        continue;
+      }
       drop_until(ahead);
       pass(ahead, over_of(ahead));
-      if (through) continue;
-      if (failed == 0) break;
+      if (through_) continue;
+      if (failed_ == 0) break;
       pass_proved();
-      continue;
     }
-    if (walked++ > other.edge_count()) throw std::logic_error("Overlay: an arc does not end");
-    const HalfEdge over = exit_now(2 * e, v, along);
-    std::uint32_t id = head_[1 - w][over / 2];
-    while (id != kNoCrossing && edge_of(w, crossings_[id]) != e) id = crossings_[id].next[1 - w];
+    if (v_ == end_) {
+      drop_until(kNoCrossing);
+      link(kNoCrossing);
+    }
+    for (const std::uint32_t id : o_.dropped_) o_.remove_crossing(id);
+    o_.work_.arcs_changed += changed_ || !o_.dropped_.empty();
+    o_.dropped_.clear();
+    o_.work_.steps += walked_;
+  }
+
+ private:
+  HalfEdge over_of(std::uint32_t id) const { return across(w_, o_.arcs_[id]); }
+  bool fails(std::uint32_t id) const { return o_.arcs_.until[id] == kBeforeAll; }
+  std::uint32_t& after(std::uint32_t id) const { return o_.arcs_[id].next[w_]; }
+  void link(std::uint32_t id) { (last_ == kNoCrossing ? o_.arcs_.head[w_][e_] : after(last_)) = id; }
+  void drop_until(std::uint32_t id) {
+    while (next_ != id) {
+      const std::uint32_t dropped = std::exchange(next_, after(next_));
+      failed_ -= fails(dropped) ? 1 : 0;
+      o_.arcs_.until[dropped] = kForever;
+      o_.dropped_.push_back(dropped);
+    }
+  }
+  void pass(std::uint32_t id, HalfEdge over) {
+    link(id);
+    last_ = id;
+    next_ = after(id);
+    v_ = other_.target(over);
+  }
+  void pass_proved() {
+    while (next_ != kNoCrossing && !fails(next_)) last_ = std::exchange(next_, after(next_));
+    if (last_ != kNoCrossing) v_ = other_.target(over_of(last_));
+  }
+
+  /// A crossing ahead that is known to leave the cell at hand is the next one, as a circle leaves a convex cell once.
+  std::uint32_t known_exit() const {
+    const auto leaves = [&](std::uint32_t id) { return other_.origin[over_of(id)] == v_; };
+    std::uint32_t ahead = next_;
+    while (ahead != kNoCrossing && fails(ahead)) ahead = after(ahead);
+    if (ahead == kNoCrossing || leaves(ahead)) return ahead;
+    ahead = after(ahead);  // perhaps the arc now begins after it
+    return ahead != kNoCrossing && !fails(ahead) && leaves(ahead) ? ahead : kNoCrossing;
+  }
+
+  /// Elsewhere the cell says across which arc to leave it.
+  void walk() {
+    if (walked_++ > other_.edge_count()) throw std::logic_error("Overlay: an arc does not end");
+    const HalfEdge over = o_.exit_now(2 * e_, v_, along_);
+    std::uint32_t id = o_.arcs_.head[1 - w_][over / 2];
+    while (id != kNoCrossing && edge_of(w_, o_.arcs_[id]) != e_) id = o_.arcs_[id].next[1 - w_];
     if (id == kNoCrossing) {
-      id = add_crossing(e, over);
-      crossings_[id].next[w] = next;
-      changed = true;
-    } else {                                  // of the same two edges: it keeps its number
-      if (crossing_until_[id] == kForever) {  // dropped too early
-        std::erase(dropped_, id);
-        crossings_[id].next[w] = next;
-      } else {
-        drop_until(id);
-        failed -= fails(id) ? 1 : 0;
-      }
-      if (over_of(id) != over) {
-        crossings_[id].q = crossing_of(w, e, over).q;
-        touch(1 - w, over / 2);
-        changed = true;
-      }
+      id = o_.add_crossing(e_, over);
+      after(id) = next_;
+      changed_ = true;
+    } else {
+      take_again(id, over);
     }
-    crossing_until_[id] = std::max(clock_, later(slack(over, along)));
+    o_.arcs_.until[id] = std::max(o_.clock_, o_.later(o_.slack(over, along_)));
     pass(id, over);
   }
-  if (v == end) {
-    drop_until(kNoCrossing);
-    link(kNoCrossing);
+  /// A crossing of the same two edges keeps its number.
+  void take_again(std::uint32_t id, HalfEdge over) {
+    if (o_.arcs_.until[id] == kForever) {  // dropped too early
+      std::erase(o_.dropped_, id);
+      after(id) = next_;
+    } else {
+      drop_until(id);
+      failed_ -= fails(id) ? 1 : 0;
+    }
+    if (over_of(id) == over) return;
+    o_.arcs_[id].q = crossing_of(w_, e_, over).q;
+    o_.arcs_.touch(1 - w_, over / 2);
+    changed_ = true;
   }
-  for (const std::uint32_t id : dropped_) remove_crossing(id);
-  work_.arcs_changed += changed || !dropped_.empty();
-  dropped_.clear();
-  work_.steps += walked;
+
+  Overlay& o_;
+  const int w_;
+  const Polytope& other_;
+  const std::uint32_t e_;
+  const bool through_;
+  std::uint32_t failed_;  // crossings ahead that have failed
+  const Vec3 along_;
+  std::uint32_t last_ = kNoCrossing, next_, v_, end_, walked_ = 0;
+  bool changed_ = false;
+};
+
+/// Arcs that broke, and what follows from them.
+void Overlay::repair_broken() {
+  for (const std::uint32_t e : broken_) ArcRepair(*this, e).run();
+  broken_.clear();
+  settle_other_side();
 }
 
 /// Of edge e of the walker; it still has to be linked into the arc of e.
 std::uint32_t Overlay::add_crossing(std::uint32_t e, HalfEdge over) {
-  const int op = 1 - walker_;
-  std::uint32_t id;
-  if (free_.empty()) {
-    id = static_cast<std::uint32_t>(crossings_.size());
-    crossings_.emplace_back();
-    crossing_until_.push_back(kBeforeAll);
-  } else {
-    id = free_.back();
-    free_.pop_back();
-  }
-  Crossing& c = crossings_[id];
-  c = crossing_of(walker_, e, over);
-  c.next[op] = head_[op][over / 2];
-  head_[op][over / 2] = id;
+  const std::uint32_t id = arcs_.add(1 - walker_, crossing_of(walker_, e, over));
   changes_.crossings.push_back(id);
   ++work_.crossings_added;
-  touch(op, over / 2);
   return id;
 }
 
 /// One that is linked into the arc of the walker no more.
 void Overlay::remove_crossing(std::uint32_t id) {
-  const int op = 1 - walker_;
-  const std::uint32_t e = edge_of(op, crossings_[id]);
-  std::uint32_t* link = &head_[op][e];
-  while (*link != id) link = &crossings_[*link].next[op];
-  *link = crossings_[id].next[op];
-  touch(op, e);
-  free_crossing(id);
-}
-
-void Overlay::free_crossing(std::uint32_t id) {
-  crossing_until_[id] = kForever;
-  free_.push_back(id);
+  arcs_.remove(1 - walker_, id);
   ++work_.crossings_removed;
-}
-
-/// The vertices in whose cells the crossed arc of edge e of operand op begins and ends. Puts its crossings in order:
-/// each leaves the cell that the one before entered.
-std::pair<std::uint32_t, std::uint32_t> Overlay::cells_of_ends(int op, std::uint32_t e) {
-  const Polytope& other = poly(1 - op);
-  const std::uint32_t first = head_[op][e];
-  const HalfEdge over = across(op, crossings_[first]);
-  std::uint32_t begin = other.origin[over], end = other.target(over);
-  // Crossings that follow are joined at either end, those that do not fit yet are tried again.
-  std::uint32_t rest = crossings_[first].next[op], last = first, waiting = kNoCrossing;
-  crossings_[last].next[op] = kNoCrossing;
-  bool joined = false;
-  while (rest != kNoCrossing) {
-    const std::uint32_t id = std::exchange(rest, crossings_[rest].next[op]);
-    const HalfEdge next_over = across(op, crossings_[id]);
-    std::uint32_t& next = crossings_[id].next[op];
-    if (other.origin[next_over] == end) {
-      end = other.target(next_over);
-      next = kNoCrossing;
-      last = crossings_[last].next[op] = id;
-      joined = true;
-    } else if (other.target(next_over) == begin) {
-      begin = other.origin[next_over];
-      next = std::exchange(head_[op][e], id);
-      joined = true;
-    } else {
-      next = std::exchange(waiting, id);
-    }
-    if (rest != kNoCrossing || waiting == kNoCrossing) continue;
-    if (!std::exchange(joined, false)) throw std::logic_error("Overlay: the crossings of an arc do not join");
-    rest = std::exchange(waiting, kNoCrossing);
-  }
-  return {begin, end};
 }
 
 /// The arcs of the other operand whose crossings changed, and the extreme vertices of its faces, which follow: a
@@ -308,13 +282,13 @@ std::pair<std::uint32_t, std::uint32_t> Overlay::cells_of_ends(int op, std::uint
 void Overlay::settle_other_side() {
   const int op = 1 - walker_;
   const Polytope& other = poly(op);
-  for (const std::uint32_t e : touched_) {
-    is_touched_[op][e] = 0;
-    if (head_[op][e] == kNoCrossing) {
+  for (const std::uint32_t e : arcs_.touched) {
+    arcs_.marked[op][e] = 0;
+    if (arcs_.head[op][e] == kNoCrossing) {
       uncrossed_.push_back(e);
       continue;
     }
-    const auto [begin, end] = cells_of_ends(op, e);
+    const auto [begin, end] = arcs_.ends_along(op, poly(1 - op), e);
     set_vertex(op, other.face[2 * e], begin);
     set_vertex(op, other.face[2 * e + 1], end);
   }
@@ -323,7 +297,7 @@ void Overlay::settle_other_side() {
   for (const std::uint32_t e : uncrossed_) {
     if (end_cell(op, 2 * e) == end_cell(op, 2 * e + 1)) continue;
     for (const std::uint32_t f : {other.face[2 * e], other.face[2 * e + 1]}) {
-      if (parallel_[op][f] != kNoFace) continue;
+      if (pairs_.parallel[op][f] != kNoFace) continue;
       ++work_.vertex_checks;
       if (!climb(op, f, extreme_[op][f], signs_.row_now(op, f))) continue;
       note_face(op, f);
@@ -332,11 +306,11 @@ void Overlay::settle_other_side() {
     spread_vertex(op);
   }
   uncrossed_.clear();
-  touched_.clear();
+  arcs_.touched.clear();
 }
 
 void Overlay::set_vertex(int op, std::uint32_t f, std::uint32_t v) {
-  if (extreme_[op][f] == v || parallel_[op][f] != kNoFace) return;
+  if (extreme_[op][f] == v || pairs_.parallel[op][f] != kNoFace) return;
   extreme_[op][f] = v;
   note_face(op, f);
   spreading_.push_back(f);
@@ -350,7 +324,7 @@ void Overlay::spread_vertex(int op) {
     spreading_.pop_back();
     HalfEdge h = mine.first[f];
     do {
-      if (head_[op][h / 2] == kNoCrossing) set_vertex(op, mine.face[twin(h)], extreme_[op][f]);
+      if (arcs_.head[op][h / 2] == kNoCrossing) set_vertex(op, mine.face[twin(h)], extreme_[op][f]);
       h = mine.next[h];
     } while (h != mine.first[f]);
   }

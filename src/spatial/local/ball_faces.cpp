@@ -184,17 +184,21 @@ void keep_entries(F keep, std::size_t count, List&... lists) {
   (lists.resize(kept), ...);
 }
 
-/// Faces have new indices, and pieces of the boundary too.
-void rename_faces(const std::vector<std::uint32_t>& name, SpatialSum& part) {
+/// Those of edges of which a face is kept.
+std::vector<std::optional<SolidContact>> kept_contacts(const std::vector<std::uint32_t>& name, const SpatialSum& part) {
+  std::vector<std::optional<SolidContact>> contacts;
+  for (const SpatialEdge& edge : part.edges())
+    if (std::any_of(edge.faces.begin(), edge.faces.end(), [&](std::uint32_t f) { return name[f] != kNoId; }))
+      contacts.push_back(edge.contact);
+  return contacts;
+}
+
+/// Pieces of the boundary have new indices.
+void rename_shells(SpatialSum& part) {
   std::map<std::uint32_t, std::uint32_t> shell;
   for (SpatialFace& face : part.faces)
     face.shell = shell.try_emplace(face.shell, static_cast<std::uint32_t>(shell.size())).first->second;
   part.shells = shell.size();
-  for (SpatialEdge& edge : part.edges) {
-    std::erase_if(edge.faces, [&](std::uint32_t f) { return name[f] == kNoId; });
-    for (std::uint32_t& f : edge.faces) f = name[f];
-  }
-  std::erase_if(part.edges, [](const SpatialEdge& edge) { return edge.faces.empty(); });
 }
 
 void drop_unused_vertices(SpatialSum& part) {
@@ -216,7 +220,6 @@ void drop_unused_vertices(SpatialSum& part) {
                positions->vertices);
   SpatialSumInternals::set_positions(part, std::move(positions));
   for_each([&](std::uint32_t& v) { v = name[v]; });
-  for (SpatialEdge& edge : part.edges) edge.from = name[edge.from], edge.to = name[edge.to];
 }
 
 }  // namespace
@@ -228,6 +231,7 @@ void keep_in_ball(const ClipBall& ball, SpatialSum& part) {
   std::uint32_t kept = 0;
   for (std::size_t k = 0; k < part.faces.size(); ++k)
     if (test.meets(part.faces[k].loops)) name[k] = kept++;
+  SpatialSumInternals::set_edge_contacts(part, kept_contacts(name, part));
   keep_entries([&](std::size_t k) { return name[k] != kNoId; }, name.size(), part.faces);
   keep_entries([&](std::size_t k) { return test.meets(part.tight_faces[k]); }, part.tight_faces.size(),
                part.tight_faces, part.tight_face_contacts);
@@ -235,7 +239,7 @@ void keep_in_ball(const ClipBall& ball, SpatialSum& part) {
                part.tight_segments.size(), part.tight_segments, part.tight_segment_contacts);
   keep_entries([&](std::size_t k) { return test.meets(part.tight_points[k]); }, part.tight_points.size(),
                part.tight_points, part.tight_point_contacts);
-  rename_faces(name, part);
+  rename_shells(part);
   drop_unused_vertices(part);
 }
 

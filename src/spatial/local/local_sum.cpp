@@ -85,7 +85,7 @@ class LocalSum::State {
     return result;
   }
 
-  std::size_t facet_count() const { return convolution_ && moved_ ? convolution_->size() : all_facets_; }
+  std::size_t facet_count() const { return convolution_ && moved_ ? convolution_->slots().facets() : all_facets_; }
 
  private:
   bool is_empty() const { return pair_.p.vertices.empty() || pair_.q.vertices.empty(); }
@@ -153,12 +153,13 @@ class LocalSum::State {
       spatial::SpaceOnDemand exact(pair_, poses);
       work.rebuilt = convolution_->set(poses, exact).rebuilt;
       poses_ = poses, moved_ = true;
-      for (const std::uint32_t slot : convolution_->added()) inner_->forget(slot);
+      for (const std::uint32_t slot : convolution_->slots().added()) inner_->forget(slot);
     }
     ReducedConvolution near;
-    for (std::uint32_t slot = 0; slot < convolution_->slots(); ++slot) {
-      if (!convolution_->exists(slot)) continue;
-      const spatial::SumFacet& facet = convolution_->facet(slot);
+    const spatial::FacetSlots& slots = convolution_->slots();
+    for (std::uint32_t slot = 0; slot < slots.count(); ++slot) {
+      if (!slots.exists(slot)) continue;
+      const spatial::SumFacet& facet = slots[slot];
       ++(facet.kind == spatial::SumFacet::Kind::edge_edge ? near.counts.edge_edge : near.counts.face_vertex);
       if (!spatial::comes_near(space, facet, reach) || inner_->hold(slot, facet)) continue;
       near.facets.push_back(facet);

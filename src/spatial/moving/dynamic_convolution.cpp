@@ -38,8 +38,7 @@ DynamicConvolution::DynamicConvolution(const SolidPair& pair, SkippedCertificate
 
 const ConvolutionWork& DynamicConvolution::set(const PosePair& poses, SpaceOnDemand& exact) {
   work_ = {};
-  free_.insert(free_.end(), removed_.begin(), removed_.end());
-  added_.clear(), removed_.clear();
+  slots_.begin_move();
   const bool still = started_ && same_directions(poses_.p, poses.p) && same_directions(poses_.q, poses.q);
   poses_ = poses;
   if (still) return work_;
@@ -57,7 +56,7 @@ const ConvolutionWork& DynamicConvolution::set(const PosePair& poses, SpaceOnDem
         if (walkers_[op].due[t] <= travelled_) look_at(op, t, step, false);
   }
   exact_ = nullptr;
-  work_.added = added_.size(), work_.removed = removed_.size();
+  work_.added = slots_.added().size(), work_.removed = slots_.removed().size();
   return work_;
 }
 
@@ -179,14 +178,14 @@ void DynamicConvolution::keep_found(int op, std::uint32_t triangle) {
   Matches& matches = walkers_[op].matches[triangle];
   const std::size_t lost = std::erase_if(matches, [&](const Match& m) {
     const bool gone = std::find(found_.begin(), found_.end(), m.feature) == found_.end();
-    if (gone) remove(m.slot);
+    if (gone) slots_.remove(m.slot);
     return gone;
   });
   if (skipped_ == SkippedCertificate::births && lost == 0 && !work_.rebuilt) return;
   for (const std::uint32_t c : found_) {
     if (std::any_of(matches.begin(), matches.end(), [&](const Match& m) { return m.feature == c; })) continue;
     const std::uint32_t vertex = operand(1 - op).cones[c].vertex;
-    matches.push_back({c, 0, add(face_vertex_facet(operand_name(op), operand(op), triangle, vertex))});
+    matches.push_back({c, 0, slots_.add(face_vertex_facet(operand_name(op), operand(op), triangle, vertex))});
   }
 }
 
@@ -203,13 +202,13 @@ void DynamicConvolution::match_edges(std::uint32_t e, std::uint32_t g) {
   const auto at = std::find_if(matches.begin(), matches.end(), [&](const Match& m) { return m.feature == g; });
   if (at != matches.end()) {
     if (at->side == side) return;
-    remove(at->slot);
+    slots_.remove(at->slot);
     *at = matches.back();
     matches.pop_back();
   }
   if (side != 0)
     matches.push_back(
-        {g, side, add(edge_edge_facet(pair_.p, pair_.q, sides_[0].convex[e], sides_[1].convex[g], side))});
+        {g, side, slots_.add(edge_edge_facet(pair_.p, pair_.q, sides_[0].convex[e], sides_[1].convex[g], side))});
 }
 
 int DynamicConvolution::edge_side(std::uint32_t e, std::uint32_t g) {
@@ -223,28 +222,9 @@ int DynamicConvolution::edge_side(std::uint32_t e, std::uint32_t g) {
   return facet_side((*exact_)(), pair_.p, pair_.q, p.convex[e], q.convex[g]);
 }
 
-std::uint32_t DynamicConvolution::add(const SumFacet& facet) {
-  std::uint32_t slot = 0;
-  if (free_.empty()) {
-    slot = static_cast<std::uint32_t>(facets_.size());
-    facets_.push_back(facet), exists_.push_back(1);
-  } else {
-    slot = free_.back();
-    free_.pop_back();
-    facets_[slot] = facet, exists_[slot] = 1;
-  }
-  added_.push_back(slot);
-  return slot;
-}
-
-void DynamicConvolution::remove(std::uint32_t slot) {
-  exists_[slot] = 0;
-  removed_.push_back(slot);
-}
-
 std::vector<std::uint32_t> DynamicConvolution::in_order() const {
   std::vector<std::uint32_t> slots;
-  slots.reserve(size());
+  slots.reserve(slots_.facets());
   Matches sorted;
   const auto list = [&](const Matches& matches) {
     sorted = matches;

@@ -9,6 +9,7 @@
 #include "spatial/convolution/reduced_facets.h"
 #include "spatial/motion/pose_angles.h"
 #include "spatial/motion/posed_pair.h"
+#include "spatial/moving/facet_slots.h"
 #include "spatial/moving/gauss_cells.h"
 #include "spatial/moving/gauss_side.h"
 
@@ -45,15 +46,7 @@ class DynamicConvolution {
   double motion(const PosePair& from, const PosePair& to) const;
   double longest_step() const { return 0.5 * std::min(reach_[0], reach_[1]); }
 
-  /// Facets have a slot as long as they exist; slots of facets that ended are used again from the next move on.
-  std::size_t slots() const { return facets_.size(); }
-  bool exists(std::uint32_t slot) const { return exists_[slot]; }
-  const SumFacet& facet(std::uint32_t slot) const { return facets_[slot]; }
-  /// The slots of the last move's new facets, and of those that ended.
-  const std::vector<std::uint32_t>& added() const { return added_; }
-  const std::vector<std::uint32_t>& removed() const { return removed_; }
-  std::size_t size() const { return facets_.size() - free_.size() - removed_.size(); }
-
+  const FacetSlots& slots() const { return slots_; }
   /// The slots in the order of reduced_convolution's facets.
   std::vector<std::uint32_t> in_order() const;
 
@@ -80,8 +73,6 @@ class DynamicConvolution {
   void match_edges(std::uint32_t e, std::uint32_t g);
   int edge_side(std::uint32_t e, std::uint32_t g);
   bool exactly_supported(int op, std::uint32_t triangle, std::uint32_t cone);
-  std::uint32_t add(const SumFacet& facet);
-  void remove(std::uint32_t slot);
   Vec3 seen_from_other(int op, Vec3 v) const { return op == 0 ? row_times(v, q_to_p_) : q_to_p_ * v; }
   const SolidOperand& operand(int op) const { return op == 0 ? pair_.p : pair_.q; }
 
@@ -102,9 +93,7 @@ class DynamicConvolution {
   std::vector<Matches> edges_;  // per convex edge of P, by those of Q
   SpaceOnDemand* exact_ = nullptr;
 
-  std::vector<SumFacet> facets_;
-  std::vector<std::uint8_t> exists_;
-  std::vector<std::uint32_t> free_, added_, removed_;
+  FacetSlots slots_;
   std::vector<std::uint32_t> found_;  // scratch
   ConvolutionWork work_;
 };

@@ -1,6 +1,8 @@
 // A sum of two solids at exact poses, from the facets of its convolution.
 #pragma once
 
+#include <type_traits>
+
 #include "base/poll.h"
 #include "dymsum/moving_solid_sum.h"
 #include "spatial/motion/posed_pair.h"
@@ -23,7 +25,12 @@ SpatialSum fresh_sum(const SolidPair& pair, PosedSpace space, const SpatialOptio
 template <class F>
 auto guarded(F make) -> Result<decltype(make())> {
   try {
-    return make();
+    if constexpr (std::is_void_v<decltype(make())>) {
+      make();
+      return {};
+    } else {
+      return make();
+    }
   } catch (const Cancelled&) {
     return cancelled();
   } catch (const std::invalid_argument&) {

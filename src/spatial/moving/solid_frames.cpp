@@ -29,9 +29,9 @@ SpatialSum SolidFrames::frame(const PosePair& poses, SolidFrameWork& work) {
   exact();  // throws before anything has moved
   const ConvolutionWork& moved = convolution_.set(poses, exact);
   work.normals_checked = moved.normals_checked, work.pairs_checked = moved.pairs_checked;
-  work.facets = convolution_.size(), work.facets_added = moved.added, work.facets_removed = moved.removed;
-  if (!moved.rebuilt && moved.exact_checks > convolution_.size()) crowded_ = kFramesFromScratch;
-  for (const std::uint32_t slot : convolution_.added()) inner_.forget(slot);
+  work.facets = convolution_.slots().facets(), work.facets_added = moved.added, work.facets_removed = moved.removed;
+  if (!moved.rebuilt && moved.exact_checks > convolution_.slots().facets()) crowded_ = kFramesFromScratch;
+  for (const std::uint32_t slot : convolution_.slots().added()) inner_.forget(slot);
   PosedSpace space = exact.take();
   inner_.move(space, poses);
   ReducedConvolution outer = outer_facets();
@@ -50,9 +50,9 @@ SpatialSum SolidFrames::frame(const PosePair& poses, SolidFrameWork& work) {
 /// The facets that are not known to lie deep inside, in the order of a fresh convolution.
 ReducedConvolution SolidFrames::outer_facets() {
   ReducedConvolution outer;
-  outer.facets.reserve(convolution_.size()), outer.planes.reserve(convolution_.size());
+  outer.facets.reserve(convolution_.slots().facets()), outer.planes.reserve(convolution_.slots().facets());
   for (const std::uint32_t slot : convolution_.in_order()) {
-    const SumFacet& facet = convolution_.facet(slot);
+    const SumFacet& facet = convolution_.slots()[slot];
     ++(facet.kind == SumFacet::Kind::edge_edge ? outer.counts.edge_edge : outer.counts.face_vertex);
     if (inner_.hold(slot, facet)) continue;
     outer.facets.push_back(facet);

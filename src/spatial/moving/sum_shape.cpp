@@ -35,7 +35,8 @@ std::uint64_t cyclic_hash(const Names& ring) {
 /// Names of the parts of a sum, made of those of planes.
 class PartNames {
  public:
-  PartNames(const SpatialSum& sum, const PlaneName& plane_name) : sum_(sum), plane_name_(plane_name) {
+  PartNames(const SpatialSum& sum, const PlaneName& plane_name)
+      : sum_(sum), plane_name_(plane_name), edges_(sum.edges()) {
     std::vector<Names> around(sum.vertices.size());
     for (const SpatialFace& face : sum.faces) {
       plane_.push_back(plane({face.p, face.q}));
@@ -62,12 +63,11 @@ class PartNames {
   }
   std::uint64_t edge(std::uint32_t a, std::uint32_t b) const {
     const std::pair ends{std::min(a, b), std::max(a, b)};
-    const auto at =
-        std::lower_bound(sum_.edges.begin(), sum_.edges.end(), ends, [](const SpatialEdge& e, const auto& v) {
-          return std::pair{e.from, e.to} < v;
-        });
+    const auto at = std::lower_bound(edges_.begin(), edges_.end(), ends, [](const SpatialEdge& e, const auto& v) {
+      return std::pair{e.from, e.to} < v;
+    });
     Names faces;
-    if (at != sum_.edges.end() && at->from == ends.first && at->to == ends.second)
+    if (at != edges_.end() && at->from == ends.first && at->to == ends.second)
       for (const std::uint32_t f : at->faces) faces.push_back(plane_[f]);
     return mixed_list(17, faces);
   }
@@ -84,6 +84,7 @@ class PartNames {
 
   const SpatialSum& sum_;
   const PlaneName& plane_name_;
+  std::vector<SpatialEdge> edges_;
   std::map<SolidContact, std::uint64_t> known_;
   Names plane_, vertex_;  // of faces, of vertices
 };

@@ -144,10 +144,10 @@ class Separation {
   int round_ = 0;
   std::shared_ptr<const Meetings> first_;  // of the first round, until they are taken
   std::shared_ptr<const PartTree> tree_;   // of an earlier round: a part keeps its corners as long as it lives
-  std::size_t flat_until_ = 0;       // parts before this one are not flat
-  std::size_t looked_at_ = 0;        // parts from here on are new
-  std::set<std::uint32_t> met_;      // of those before, which met another one
-  bool stuck_ = false;               // parts meet that have nothing near enough
+  std::size_t flat_until_ = 0;             // parts before this one are not flat
+  std::size_t looked_at_ = 0;              // parts from here on are new
+  std::set<std::uint32_t> met_;            // of those before, which met another one
+  bool stuck_ = false;                     // parts meet that have nothing near enough
   std::size_t merged_ = 0, collapsed_ = 0, bends_ = 0;
   Point3 position_{};
 };
@@ -311,8 +311,8 @@ std::vector<std::uint32_t> Separation::near_queried() const {
   return {found.begin(), found.end()};
 }
 
-/// What meets now of those parts that are new or met before: others were found apart. Only what is near them is looked at,
-/// so a round costs what it changed.
+/// What meets now of those parts that are new or met before: others were found apart. Only what is near them is looked
+/// at, so a round costs what it changed.
 Meetings Separation::meetings() {
   const bool all = !tree_ || edits_.parts().size() - tree_->end > tree_->part.size() / 4;
   if (all) plant();

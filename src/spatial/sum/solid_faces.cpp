@@ -34,7 +34,7 @@ class Assembler {
     const std::vector<TightLine> lines = joined_lines(space_, arrangement_.points, boundary_.tight.segments);
     name_vertices(faces, tight, lines);
     add_faces(faces);
-    add_edges();
+    add_edge_contacts();
     add_tight_faces(tight);
     add_tight_lines(lines);
     add_tight_points();
@@ -202,14 +202,14 @@ class Assembler {
     }
   }
 
-  void add_edges() {
-    sum_.edges = edges_of(sum_.faces);
-    watch_.run_intervals(sum_.edges.size(), kPart, [&](std::size_t, std::size_t first, std::size_t last) {
-      for (std::size_t k = first; k < last; ++k) {
-        SpatialEdge& edge = sum_.edges[k];
-        edge.contact = pairs_.of_edge(point_of_[edge.from], point_of_[edge.to]);
-      }
+  void add_edge_contacts() {
+    const std::vector<SpatialEdge> edges = edges_of(sum_.faces);
+    std::vector<std::optional<SolidContact>> contacts(edges.size());
+    watch_.run_intervals(edges.size(), kPart, [&](std::size_t, std::size_t first, std::size_t last) {
+      for (std::size_t k = first; k < last; ++k)
+        contacts[k] = pairs_.of_edge(point_of_[edges[k].from], point_of_[edges[k].to]);
     });
+    SpatialSumInternals::set_edge_contacts(sum_, std::move(contacts));
   }
 
   void add_tight_faces(const std::vector<CellPolygon>& polygons) {

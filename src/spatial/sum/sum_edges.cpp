@@ -3,9 +3,18 @@
 #include <algorithm>
 #include <numeric>
 
-namespace dymsum::spatial {
-
+namespace dymsum {
+namespace spatial {
 namespace {
+
+SolidFeature spanned(const SolidFeature& a, const SolidFeature& b) {
+  if (a == b) return a;
+  return {SolidFeature::Kind::edge, std::min(a.a, b.a), std::max(a.a, b.a)};
+}
+
+/// Along an edge of a convex sum, between vertices at which vertices touch, one edge touches a vertex, or two parallel
+/// edges touch.
+SolidContact between(const SolidContact& a, const SolidContact& b) { return {spanned(a.p, b.p), spanned(a.q, b.q)}; }
 
 /// Calls f(a, b, face) for all sides of faces, from a vertex to a larger one.
 template <class F>
@@ -54,4 +63,17 @@ std::vector<SpatialEdge> edges_of(const std::vector<SpatialFace>& faces) {
   return edges;
 }
 
-}  // namespace dymsum::spatial
+}  // namespace spatial
+
+std::vector<SpatialEdge> SpatialSum::edges() const {
+  std::vector<SpatialEdge> edges = spatial::edges_of(faces);
+  if (is_convex()) {
+    for (SpatialEdge& edge : edges)
+      edge.contact = spatial::between(*vertex_contacts[edge.from], *vertex_contacts[edge.to]);
+  } else {
+    for (std::size_t k = 0; k < edges.size(); ++k) edges[k].contact = edge_contacts_[k];
+  }
+  return edges;
+}
+
+}  // namespace dymsum

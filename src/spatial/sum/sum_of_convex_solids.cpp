@@ -10,7 +10,6 @@
 #include "spatial/convex/assemble.h"
 #include "spatial/convex/convex_state.h"
 #include "spatial/convex/position_order.h"
-#include "spatial/sum/sum_edges.h"
 #include "spatial/sum/sum_source.h"
 
 namespace dymsum {
@@ -21,16 +20,6 @@ namespace {
 constexpr std::size_t kBytesPerConvexFacet = 400;
 
 using Kind = SolidFeature::Kind;
-
-SolidFeature feature(std::uint32_t a, std::uint32_t b) {
-  if (a == b) return {Kind::vertex, a, 0};
-  return {Kind::edge, std::min(a, b), std::max(a, b)};
-}
-
-/// Along an edge of a convex sum one edge touches a vertex, or two parallel edges touch.
-SolidContact between(const ConvexSum::Vertex& a, const ConvexSum::Vertex& b) {
-  return {feature(a.p, b.p), feature(a.q, b.q)};
-}
 
 /// Facets from their smallest vertex on, sorted by their vertices: by the first two, an edge of one facet.
 std::vector<SpatialFace> faces_of(ConvexFacets& all, const std::vector<std::uint32_t>& name) {
@@ -73,8 +62,11 @@ SpatialStats stats_of(const Overlay& overlay, const std::vector<SpatialFace>& fa
 
 Result<SpatialSum> small_sum(const Result<ConvexSum>& sum, std::uint64_t memory) {
   if (!sum) return sum.error();
-  const std::uint64_t bytes = memory == 0 ? 0 : sum->bytes() + sum->facet_count().all * kBytesPerConvexFacet;
-  if (bytes > memory) return base::budget_error("the sum of convex solids takes at least", bytes, memory);
+  const auto bytes = [&](std::size_t facets) { return sum->bytes() + facets * kBytesPerConvexFacet; };
+  // Facets are counted where all of the generic sum would be too many.
+  if (memory != 0 && bytes(sum->face_vertex_count() + sum->edge_edge_count()) > memory)
+    if (const std::uint64_t least = bytes(sum->facet_count().all); least > memory)
+      return base::budget_error("the sum of convex solids takes at least", least, memory);
   return sum->sum();
 }
 
@@ -110,8 +102,6 @@ SpatialSum sum_of_overlay(const Overlay& overlay, std::shared_ptr<const ConvexOp
   }
   sum.faces = faces_of(facets, name);
   sum.shells = 1;
-  sum.edges = edges_of(sum.faces);
-  for (SpatialEdge& edge : sum.edges) edge.contact = between(pairs[edge.from], pairs[edge.to]);
   sum.stats = stats_of(overlay, sum.faces);
   auto positions = std::make_shared<SpatialPositions>();
   positions->convex = std::make_shared<const ConvexPositions>(std::move(operands), p, q, std::move(pairs));

@@ -1,5 +1,5 @@
 // Sums as operands of further sums. Where vertices of a sum are fractions, it is an operand in units of their common
-// denominator: sums commute with scaling.
+// denominator: sums commute with scaling. Of doubles in these units where those hold the vertices, else of integers.
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -10,6 +10,7 @@
 
 #include "base/poll.h"
 #include "dymsum/spatial_sum.h"
+#include "spatial/sum/exact_set.h"
 #include "spatial/sum/face_triangles.h"
 #include "spatial/sum/sum_of_convex_solids.h"
 #include "spatial/sum/sum_source.h"
@@ -23,10 +24,11 @@ using exact::BigInteger;
 using exact::BigRational;
 using spatial::SpatialSumInternals;
 
-/// A set in units of 1 / scale.
+/// A set in units of 1 / scale; or, where no doubles hold it, by its exact positions alone.
 struct Term {
   Mesh mesh;
   BigInteger scale = 1;
+  std::optional<spatial::ExactSet> exact = std::nullopt;
 };
 
 const BigInteger kWhole = 1;
@@ -105,10 +107,19 @@ std::optional<Mesh> in_units(const Term& term, const BigInteger& scale) {
   return larger ? std::optional(*std::move(larger)) : std::nullopt;
 }
 
+spatial::ExactSet as_exact_set(const Term& term) {
+  if (term.exact) return *term.exact;
+  spatial::ExactSet set = spatial::exact_set(term.mesh.data(), term.mesh.thin_faces());
+  for (spatial::ExactPosition& at : set.at)
+    for (BigRational& c : at) c /= term.scale;
+  return set;
+}
+
 Result<SpatialSum> sum_of_terms(const Term& a, const Term& b, const SpatialOptions& options) {
+  if (a.exact || b.exact) return spatial::sum_of_exact_sets(as_exact_set(a), as_exact_set(b), options);
   const BigInteger scale = lcm(a.scale, b.scale);
   const std::optional<Mesh> p = in_units(a, scale), q = in_units(b, scale);
-  if (!p || !q) return no_operand((p ? b : a).mesh.vertices()[0]);
+  if (!p || !q) return spatial::sum_of_exact_sets(as_exact_set(a), as_exact_set(b), options);
   Result<SpatialSum> sum = minkowski_sum(*p, *q, options);
   if (!sum) return sum;
   SpatialSum made = *std::move(sum);
@@ -150,29 +161,35 @@ std::optional<Term> sum_of_straight_terms(const Term& a, const Term& b) {
 }
 
 Result<Term> sum_of_two(const Term& a, const Term& b, const SpatialOptions& options) {
-  if (std::optional<Term> flat = sum_of_straight_terms(a, b)) return *std::move(flat);
+  if (!a.exact && !b.exact)
+    if (std::optional<Term> flat = sum_of_straight_terms(a, b)) return *std::move(flat);
   const Result<SpatialSum> sum = sum_of_terms(a, b, options);
   if (!sum) return sum.error();
-  return as_term(*sum, kLargestScale);
+  Result<Term> in_doubles = as_term(*sum, kLargestScale);
+  return in_doubles ? std::move(in_doubles) : Term{{}, 1, spatial::exact_set(*sum)};
 }
 
-/// Adds the first two operands whose sum is one again; the error of the first two where no sum is.
-std::optional<Error> add_two(std::vector<Term>& terms, const SpatialOptions& options) {
+/// Adds the first two operands whose sum doubles hold, else the first two that have one.
+Result<void> add_two(std::vector<Term>& terms, const SpatialOptions& options) {
+  struct Made {
+    std::size_t i, j;
+    Term term;
+  };
   std::optional<Error> first;
-  for (std::size_t j = 1; j < terms.size(); ++j) {
-    for (std::size_t i = 0; i < j; ++i) {
+  std::optional<Made> chosen;
+  for (std::size_t j = 1; j < terms.size() && !(chosen && !chosen->term.exact); ++j) {
+    for (std::size_t i = 0; i < j && !(chosen && !chosen->term.exact); ++i) {
       Result<Term> term = sum_of_two(terms[i], terms[j], options);
-      if (!term && term.error().code != ErrorCode::unsupported_operand) return term.error();
-      if (!term) {
-        if (!first) first = term.error();
-        continue;
-      }
-      terms[i] = *std::move(term);
-      terms.erase(terms.begin() + static_cast<std::ptrdiff_t>(j));
-      return std::nullopt;
+      if (!term && term.error().code != ErrorCode::unsupported_operand && term.error().code != ErrorCode::out_of_range)
+        return term.error();
+      if (!term && !first) first = term.error();
+      if (term && (!chosen || !term->exact)) chosen = Made{i, j, *std::move(term)};
     }
   }
-  return first;
+  if (!chosen) return *std::move(first);
+  terms[chosen->i] = std::move(chosen->term);
+  terms.erase(terms.begin() + static_cast<std::ptrdiff_t>(chosen->j));
+  return {};
 }
 
 Result<SpatialSum> sum_of_convex(std::span<const Mesh> operands, const SpatialOptions& options) {
@@ -193,6 +210,17 @@ Result<Mesh> as_mesh(const SpatialSum& sum) {
   return std::move(*std::move(term)).mesh;
 }
 
+Result<SpatialSum> minkowski_sum(const SpatialSum& p, const Mesh& q, const SpatialOptions& options) {
+  if (const Result<Mesh> mesh = as_mesh(p)) return minkowski_sum(*mesh, q, options);
+  return spatial::sum_of_exact_sets(spatial::exact_set(p), spatial::exact_set(q.data(), q.thin_faces()), options);
+}
+
+Result<SpatialSum> minkowski_sum(const SpatialSum& p, const SpatialSum& q, const SpatialOptions& options) {
+  const Result<Mesh> a = as_mesh(p), b = as_mesh(q);
+  if (a && b) return minkowski_sum(*a, *b, options);
+  return spatial::sum_of_exact_sets(spatial::exact_set(p), spatial::exact_set(q), options);
+}
+
 Result<SpatialSum> minkowski_sum(std::span<const Mesh> operands, const SpatialOptions& options) {
   if (operands.empty()) return Error{ErrorCode::unsupported_operand, "a sum needs an operand", {}};
   const auto is_convex = [](const Mesh& mesh) { return !convexity_error(mesh); };
@@ -208,10 +236,11 @@ Result<SpatialSum> minkowski_sum(std::span<const Mesh> operands, const SpatialOp
   between.semantics = Semantics::regular;
   between.trace = false;
   while (terms.size() > 2) {
-    if (std::optional<Error> error = add_two(terms, between)) {
-      error->message =
-          "the sum of " + std::to_string(operands.size() - terms.size() + 2) + " of the operands: " + error->message;
-      return *std::move(error);
+    if (const Result<void> added = add_two(terms, between); !added) {
+      Error error = added.error();
+      error.message =
+          "the sum of " + std::to_string(operands.size() - terms.size() + 2) + " of the operands: " + error.message;
+      return error;
     }
   }
   return sum_of_terms(terms[0], terms[1], options);

@@ -29,7 +29,7 @@ ExactPosition SpatialPositions::at(std::size_t vertex) const {
   const auto coordinate = [&](int axis) { return space->world_coordinate(vertices[vertex], axis); };
   ExactPosition at{coordinate(0), coordinate(1), coordinate(2)};
   if (scale != 1)
-    for (exact::BigRational& c : at) c /= scale;
+    for (exact::BigRational& c : at) c = c * (BigInteger(1) << shift) / scale;
   return at;
 }
 
@@ -52,6 +52,7 @@ Point3 SpatialPositions::rounded(std::size_t vertex) const {
     BigInteger num = h[static_cast<std::size_t>(axis)] << (line.exponent - unit), den = h[3] * scale;
     for (const exact::Dyadic& d : {p, q})
       if (d.mantissa != 0) num += (BigInteger(d.mantissa) << (d.exponent - unit)) * h[3];
+    unit += shift;
     if (unit >= 0) num <<= unit;
     else den <<= -unit;
     result[axis] = exact::round_to_double(num, den);
@@ -62,7 +63,9 @@ Point3 SpatialPositions::rounded(std::size_t vertex) const {
 std::array<BigInteger, 4> SpatialPositions::homogeneous(std::size_t vertex) const {
   if (convex) return homogeneous_of(*convex, vertex, scale);
   std::array<BigInteger, 4> h = space->homogeneous(vertices[vertex]);
-  if (scale != 1) h[3] *= scale;
+  if (scale == 1) return h;
+  for (std::size_t axis = 0; axis < 3; ++axis) h[axis] <<= shift;
+  h[3] *= scale;
   return h;
 }
 
@@ -97,11 +100,11 @@ void SpatialPositions::grow(std::size_t vertex, std::array<int, 3>& exponents) c
   }
 }
 
-void unscale(SpatialSum& sum, const BigInteger& scale) {
+void unscale(SpatialSum& sum, const BigInteger& scale, int shift) {
   if (scale == 1 || sum.vertices.empty()) return;
-  const double by = exact::round_to_double(scale, BigInteger(1));
+  const double by = exact::round_to_double(scale, BigInteger(1) << shift);
   auto positions = std::make_shared<SpatialPositions>(SpatialSumInternals::positions(sum));
-  positions->scale = scale;
+  positions->scale = scale, positions->shift = shift;
   SpatialSumInternals::set_positions(sum, std::move(positions));
   double largest = 0;
   const auto divide = [&](Point3& p) {

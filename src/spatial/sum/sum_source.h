@@ -3,12 +3,13 @@
 
 #include <array>
 #include <memory>
+#include <optional>
 #include <utility>
 #include <vector>
 
 #include "dymsum/spatial_sum.h"
 #include "exact/big.h"
-#include "spatial/convex/convex_places.h"
+#include "spatial/convex/exact_positions.h"
 #include "spatial/convolution/sum_space.h"
 
 namespace dymsum::spatial {
@@ -20,7 +21,8 @@ struct SpatialPositions {
   std::shared_ptr<const SumSpace> space;
   std::vector<PointSource> vertices;
   std::shared_ptr<const ConvexPositions> convex;  ///< of a convex sum, which has no space
-  exact::BigInteger scale = 1;                    ///< of space and convex places: positions are theirs divided by it
+  exact::BigInteger scale = 1;                    ///< positions are those of space or convex places divided by it
+  int shift = 0;                                  ///< and times 2^shift
 
   ExactPosition at(std::size_t vertex) const;
   /// The nearest doubles.
@@ -42,6 +44,10 @@ struct SpatialSumInternals {
   static void set_positions(SpatialSum& sum, std::shared_ptr<const SpatialPositions> positions) {
     sum.positions_ = std::move(positions);
   }
+  /// What touches along each of the sum's edges, in their order.
+  static void set_edge_contacts(SpatialSum& sum, std::vector<std::optional<SolidContact>> contacts) {
+    sum.edge_contacts_ = std::move(contacts);
+  }
   static const SpatialPositions& positions(const SpatialSum& sum) { return *sum.positions_; }
   /// Nothing where it is no convex sum.
   static const ConvexPositions* convex(const SpatialSum& sum) {
@@ -49,7 +55,8 @@ struct SpatialSumInternals {
   }
 };
 
-/// Divides a sum of sets in units of 1 / scale by that.
-void unscale(SpatialSum& sum, const exact::BigInteger& scale);
+/// Divides a sum of sets in units of 2^shift / scale by these. Requires that the quotient is a double: 0 < scale <
+/// 2^shift 2^1000.
+void unscale(SpatialSum& sum, const exact::BigInteger& scale, int shift = 0);
 
 }  // namespace dymsum::spatial

@@ -35,10 +35,10 @@ std::vector<Pair> pairs() {
   return {
       {"squares", shapes::rectangle(0, 0, 1, 1), shapes::rectangle(0, 0, 2, 3)},
       {"the same twice", shapes::rectangle(0, 0, 1, 1), shapes::rectangle(0, 0, 1, 1)},
-      {"discs", snapped::disc(12, 1), snapped::disc(16, 2)},
+      {"discs", snapped_shapes::disc(12, 1), snapped_shapes::disc(16, 2)},
       {"exactly fitting", shapes::rectangle(0, 0, 2, 1), shapes::letter_u(4, 4, 1)},
       {"letters", shapes::letter_l(2, 1.5, 0.5), shapes::letter_u(4, 4, 1)},
-      {"cavities", snapped::star(5, 0.5, 1), shapes::grate(3, 4, 1, 6)},
+      {"cavities", snapped_shapes::star(5, 0.5, 1), shapes::grate(3, 4, 1, 6)},
       {"cavities that open and close", shapes::rectangle(-1.5, -0.2, 1.5, 0.2), shapes::grate(4, 2, 1, 6)},
       {"free positions", shapes::noisy_star(10, 0.5, 3), shapes::noisy_star(14, 0.6, 4)},
       {"touching squares", triangle, two_squares},
@@ -197,8 +197,8 @@ TEST(ObstacleMesh, SameInputSameMesh) {
 
 TEST(ObstacleMesh, CapsCloseTheSurfaceInSpaceWithTheSliceAtHalfATurn) {
   std::vector<Pair> all = pairs();
-  all.push_back({"many holes", snapped::disc(8, 0.25), shapes::grate(5, 2, 1, 6)});
-  all.push_back({"a star in a star's holes", snapped::star(5, 0.5, 1), shapes::grate(4, 3, 1, 9)});
+  all.push_back({"many holes", snapped_shapes::disc(8, 0.25), shapes::grate(5, 2, 1, 6)});
+  all.push_back({"a star in a star's holes", snapped_shapes::star(5, 0.5, 1), shapes::grate(4, 3, 1, 9)});
   for (const Pair& pair : all) {
     SCOPED_TRACE(pair.name);
     const CspaceObstacle obstacle = obstacle_of(pair);

@@ -14,7 +14,7 @@ TEST(CspaceCoordinates, of_every_kind_have_the_loops_of_slices) {
   std::mt19937_64 random(7304);
   const std::pair<Region, Region> pairs[] = {{shapes::letter_l(3, 3, 1), shapes::comb(3, 2, 1, 3)},
                                              {shapes::comb(3, 2, 1, 3), shapes::letter_u(4, 3, 1)},
-                                             {snapped::gear(5, 1, 2), shapes::grate(3, 3, 1, 6)}};
+                                             {snapped_shapes::gear(5, 1, 2), shapes::grate(3, 3, 1, 6)}};
   for (const CoordinateKind kind : kCoordinateKinds)
     for (const auto& [one, other] : pairs) {
       const Result<Region> robot = Region::create(of_kind(one.data(), kind, random)),

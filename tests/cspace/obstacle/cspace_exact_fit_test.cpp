@@ -407,8 +407,8 @@ TEST(CspaceExactFit, something_happens_at_every_angle_that_is_listed) {
     expect_happenings(CspaceObstacle::create(robot, *Region::create(data)).value());
     expect_happenings(CspaceObstacle::create(robot, room).value());
   });
-  expect_happenings(CspaceObstacle::create(snapped::star(5, 0.5, 1), snapped::star(5, 0.5, 1)).value());
-  expect_happenings(CspaceObstacle::create(snapped::gear(6, 0.8, 1), snapped::gear(8, 1.5, 2)).value());
+  expect_happenings(CspaceObstacle::create(snapped_shapes::star(5, 0.5, 1), snapped_shapes::star(5, 0.5, 1)).value());
+  expect_happenings(CspaceObstacle::create(snapped_shapes::gear(6, 0.8, 1), snapped_shapes::gear(8, 1.5, 2)).value());
 }
 
 }  // namespace

@@ -131,12 +131,12 @@ TEST(CspaceGeneral, whole_slices_give_the_same_obstacle) {
 TEST(CspaceGeneral, shapes_with_many_coinciding_events_equal_slices) {
   Random random(1);
   const std::vector<std::pair<Region, Region>> pairs = {
-      {snapped::star(5, 0.5, 1), snapped::star(5, 0.5, 1)},
+      {snapped_shapes::star(5, 0.5, 1), snapped_shapes::star(5, 0.5, 1)},
       {shapes::grate(4, 2, 1, 6), shapes::grate(3, 2, 0.5, 5)},
       {shapes::letter_l(3, 3, 1), shapes::letter_l(3, 3, 1)},
       {shapes::letter_u(3, 3, 1), shapes::comb(4, 2, 1, 2)},
-      {snapped::gear(6, 0.8, 1), snapped::gear(8, 1.5, 2)},
-      {shapes::rectangle(0, 0, 1, 1), snapped::pockets(6, 10)},
+      {snapped_shapes::gear(6, 0.8, 1), snapped_shapes::gear(8, 1.5, 2)},
+      {shapes::rectangle(0, 0, 1, 1), snapped_shapes::pockets(6, 10)},
       {shapes::noisy_star(30, 0.5, 1), shapes::noisy_star(25, 0.5, 2)}};
   for (std::size_t k = 0; k < pairs.size(); ++k) {
     SCOPED_TRACE(testing::Message() << "pair " << k);

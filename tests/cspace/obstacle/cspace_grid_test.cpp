@@ -183,7 +183,7 @@ TEST(CspaceGrid, combs_and_stars_give_the_same_obstacle_as_whole_slices) {
       return shapes::comb(2 + static_cast<int>(random() % 4), 2 + static_cast<double>(random() % 2), 1,
                           2 + static_cast<double>(random() % 3));
     };
-    const auto star = [&] { return snapped::star(3 + static_cast<int>(random() % 5), 0.25, 1); };
+    const auto star = [&] { return snapped_shapes::star(3 + static_cast<int>(random() % 5), 0.25, 1); };
     const bool combs = random() % 2 == 0;
     const Region robot = combs ? comb() : star(), obstacle = combs ? comb() : star();
     ObstacleOptions options;
@@ -198,7 +198,7 @@ TEST(CspaceGrid, combs_and_stars_give_the_same_obstacle_as_whole_slices) {
 // Segments of this star really meet six to twelve others at every angle: its windows were halved to 320 with as many
 // meetings each.
 TEST(CspaceGrid, real_crossings_are_no_reason_to_halve_windows) {
-  const Region star = snapped::star(25, 0.2, 1);
+  const Region star = snapped_shapes::star(25, 0.2, 1);
   const CspaceObstacle c = CspaceObstacle::create(star, star).value();
   EXPECT_LT(c.work().windows, 200u);
 }

@@ -285,8 +285,8 @@ TEST(ConvexObstacle, a_rational_turn_of_itself_meets_at_pythagorean_angles) {
 
 TEST(ConvexObstacle, discs_and_far_coordinates) {
   Random random(5);
-  expect_obstacle(make(snapped::disc(13, 1), snapped::disc(17, 2)), random, 40);
-  expect_obstacle(make(snapped::disc(32, 1), snapped::disc(32, 1)), random, 40);
+  expect_obstacle(make(snapped_shapes::disc(13, 1), snapped_shapes::disc(17, 2)), random, 40);
+  expect_obstacle(make(snapped_shapes::disc(32, 1), snapped_shapes::disc(32, 1)), random, 40);
   const double far = 0x1p50;
   const CspaceObstacle c =
       make(polygon({{0, 0}, {1, 0}, {0, 1}}), polygon({{far, far}, {far + 3, far + 1}, {far + 1, far + 4}}));

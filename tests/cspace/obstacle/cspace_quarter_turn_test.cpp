@@ -112,7 +112,7 @@ TEST(CspaceQuarterTurn, cells_are_finer_than_teeth) {
 
 // All edges are equally long; of the first 24 alone most sectors of the sum had no dead cells: 1.3 million pairs.
 TEST(CspaceQuarterTurn, no_sector_of_a_star_is_left_without_dead_cells) {
-  const Region star = snapped::star(oracles::kSanitized ? 15 : 30, 0.2, 1);
+  const Region star = snapped_shapes::star(oracles::kSanitized ? 15 : 30, 0.2, 1);
   const CspaceObstacle c = CspaceObstacle::create(star, star).value();
   EXPECT_LT(c.work().candidate_pairs, 1000000u);
   Random random(1);

@@ -39,7 +39,7 @@ void expect_full_turn(const Region& robot, const Region& obstacle, EventWindows:
 }
 
 TEST(EventWindows, CoverTheTurn) {
-  const Region comb = shapes::comb(5, 3, 1, 5), star = snapped::star(6, 0.4, 1);
+  const Region comb = shapes::comb(5, 3, 1, 5), star = snapped_shapes::star(6, 0.4, 1);
   for (const auto halved : {EventWindows::Halved::where_crowded, EventWindows::Halved::always}) {
     expect_full_turn(comb, comb, halved);
     expect_full_turn(star, comb, halved);

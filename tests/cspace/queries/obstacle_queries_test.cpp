@@ -33,7 +33,7 @@ std::vector<std::pair<Region, Region>> pairs() {
   holed.parts = {{{{0, 0}, {8, 0}, {8, 8}, {0, 8}}, {{{4, 0}, {1, 4}, {4, 7}, {6, 4}}}}};
   const Region two_squares = *Region::create(parts), hole_at_an_edge = *Region::create(holed);
   return {{box, box},
-          {bar, snapped::disc(32, 2)},
+          {bar, snapped_shapes::disc(32, 2)},
           {kite, wedge},
           {wedge, moved(kite, 1000, -777)},
           {moved(box, 5, 0), wedge},
@@ -312,7 +312,7 @@ TEST(ObstacleQueries, clearance_is_a_lipschitz_function) {
 // edges between neighbouring events.
 TEST(ObstacleQueries, clearance_of_a_nearly_symmetric_star) {
   Random random(12);
-  const Region star = snapped::star(22, 3.2, 6.9);
+  const Region star = snapped_shapes::star(22, 3.2, 6.9);
   const CspaceObstacle c = make({star, star});
   const ObstacleQueries q(c);
   const double size = frame(c).size, w = q.gyration_radius();

@@ -168,7 +168,7 @@ TEST(EndCurve, is_on_the_edge_only_where_it_may_be) {
 
 std::vector<CspaceObstacle> obstacles() {
   std::vector<CspaceObstacle> all;
-  const Region star = snapped::star(6, 3.2, 6.9), bar = shapes::rectangle(-4, -0.5, 4, 0.5);
+  const Region star = snapped_shapes::star(6, 3.2, 6.9), bar = shapes::rectangle(-4, -0.5, 4, 0.5);
   all.push_back(CspaceObstacle::create(star, star).value());
   all.push_back(CspaceObstacle::create(bar, shapes::letter_u(4, 3, 0.75)).value());
   all.push_back(CspaceObstacle::create(shapes::letter_l(3, 2, 0.5), shapes::grate(3, 2, 0.5, 3)).value());

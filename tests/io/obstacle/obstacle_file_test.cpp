@@ -30,8 +30,8 @@ std::vector<std::pair<Region, Region>> pairs() {
   RegionData touching;
   touching.parts = {{box(0, 0, 1, 1), {}}, {box(1, 1, 3, 2), {}}};
   return {{polygon(box(0, 0, 2, 3)), peg_in_slot().obstacle()},
-          {snapped::star(5, 0.4, 1), shapes::noisy_star(12, 0.5, 1)},
-          {shapes::rectangle(0, 0, 0.1, 0.3), snapped::disc(7, 1.0 / 3)},
+          {snapped_shapes::star(5, 0.4, 1), shapes::noisy_star(12, 0.5, 1)},
+          {shapes::rectangle(0, 0, 0.1, 0.3), snapped_shapes::disc(7, 1.0 / 3)},
           {polygon(box(-1, -1, 1, 1)), polygon(box(-5, -5, 5, 5), {{{-1, -1}, {-1, 1}, {1, 1}, {1, -1}}})},
           {shapes::letter_l(2, 2, 0.5), *Region::create(touching)}};
 }

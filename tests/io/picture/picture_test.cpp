@@ -106,7 +106,7 @@ TEST(Pictures, empty_and_flat_regions_have_pictures) {
 
 TEST(Pictures, the_picture_of_a_sum_reads_back_as_the_rounded_sum) {
   const PlanarSum sum = hand_made_sum();
-  const std::string svg = draw_sum(shapes::grate(3, 2, 0.5, 5), snapped::disc(12, 1), sum);
+  const std::string svg = draw_sum(shapes::grate(3, 2, 0.5, 5), snapped_shapes::disc(12, 1), sum);
   parse(svg);
   const RegionData data = read_one(svg, RegionFormat::svg);
   EXPECT_EQ(data, io::rounded_data(sum));

@@ -30,13 +30,13 @@ Region region(std::string_view text) { return *Region::create(oracles::parse_wkt
 
 /// Acute, right, obtuse and reflex ends; edges with little beneath them; edges of holes.
 std::vector<Region> various() {
-  return {snapped::disc(12, 0.3),
+  return {snapped_shapes::disc(12, 0.3),
           region("POLYGON((0 0,1 0,0.3 0.7,0 0))"),
           region("POLYGON((0 0,4 0,4 1,1 1,1 4,0 4,0 0))"),
           region("POLYGON((0 0,6 0,6 6,0 6,0 0),(2 2,2 4,4 4,4 2,2 2))"),
           region("POLYGON((0 0,8 0,5 1,8 8,0 5,0 0))"),
-          snapped::star(5, 0.3, 1),
-          snapped::gear(6, 0.7, 1)};
+          snapped_shapes::star(5, 0.3, 1),
+          snapped_shapes::gear(6, 0.7, 1)};
 }
 
 TEST(CoveredTranslates, what_lies_beneath_an_edge_is_interior) {
@@ -118,7 +118,7 @@ TEST(CoveredTranslates, sums_are_the_same_as_without) {
 // Without it some 60 crossings for every vertex of the result.
 TEST(CoveredTranslates, a_jittered_circle_and_a_polygon_have_few_crossings) {
   for (const double jitter : {1e-5, 1e-4, 1e-3}) {
-    const Result<PlanarSum> sum = minkowski_sum(shapes::noisy_star(100000, jitter, 7), snapped::disc(64, 0.1));
+    const Result<PlanarSum> sum = minkowski_sum(shapes::noisy_star(100000, jitter, 7), snapped_shapes::disc(64, 0.1));
     ASSERT_TRUE(sum.ok());
     EXPECT_LT(sum->stats.crossings, sum->vertex_count()) << "jitter " << jitter;
   }

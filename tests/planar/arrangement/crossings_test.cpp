@@ -218,12 +218,13 @@ TEST(Crossings, sums_are_the_same_however_their_crossings_are_found) {
     Region p, q;
     bool mask, grid;
   };
-  const Case cases[] = {{shapes::noisy_star(20, 0.8, 1), shapes::noisy_star(20, 0.8, 2), false, false},
-                        {shapes::noisy_star(60, 0.9, 3), shapes::noisy_star(60, 0.9, 4), true, false},
-                        {shapes::noisy_star(100, 0.3, 5), shapes::random_polygon(40, 3, 6), true, false},
-                        {shapes::grate(120, 1, 0.25, 20), snapped::disc(16, 0.125), true, false},  // with holes
-                        {shapes::comb(900, 2, 1, 40), snapped::disc(8, 0.75), true, false},  // swept, although many
-                        {quarter_turned(shapes::comb(400, 2, 1, 800)), snapped::disc(16, 0.75), true, true}};
+  const Case cases[] = {
+      {shapes::noisy_star(20, 0.8, 1), shapes::noisy_star(20, 0.8, 2), false, false},
+      {shapes::noisy_star(60, 0.9, 3), shapes::noisy_star(60, 0.9, 4), true, false},
+      {shapes::noisy_star(100, 0.3, 5), shapes::random_polygon(40, 3, 6), true, false},
+      {shapes::grate(120, 1, 0.25, 20), snapped_shapes::disc(16, 0.125), true, false},  // with holes
+      {shapes::comb(900, 2, 1, 40), snapped_shapes::disc(8, 0.75), true, false},        // swept, although many
+      {quarter_turned(shapes::comb(400, 2, 1, 800)), snapped_shapes::disc(16, 0.75), true, true}};
   std::size_t holes = 0;
   for (const Case& c : cases) {
     const PlanarSum sum = minkowski_sum(c.p, c.q).value();

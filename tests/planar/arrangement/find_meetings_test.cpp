@@ -42,7 +42,7 @@ bool finds_all(const Region& a, const Region& b) {
 }
 
 TEST(FindMeetings, few_segments_are_swept) {
-  EXPECT_FALSE(finds_all(snapped::star(5, 1, 3), shapes::letter_u(3, 4, 1)));
+  EXPECT_FALSE(finds_all(snapped_shapes::star(5, 1, 3), shapes::letter_u(3, 4, 1)));
   EXPECT_FALSE(finds_all(shapes::noisy_star(60, 0.5, 1), shapes::noisy_star(50, 0.5, 2)));
 }
 

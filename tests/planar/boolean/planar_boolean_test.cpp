@@ -213,18 +213,20 @@ TEST(PlanarBoolean, contacts_name_edges_of_the_regions_in_their_order) {
   EXPECT_EQ(corners, 6u) << "two vertices are crossings";
 }
 
-TEST(PlanarBoolean, results_of_other_kinds_are_operands_where_their_vertices_are_doubles) {
+TEST(PlanarBoolean, results_of_other_kinds_are_operands) {
   const Region a = shapes::rectangle(0, 0, 4, 4), b = shapes::rectangle(0, 0, 1, 1);
   const PlanarSum sum = minkowski_sum(a, b).value(), room = erode(a, b).value();
   EXPECT_EQ(difference(sum, a).value().area(), 9);
   EXPECT_EQ(symmetric_difference(sum, room).value().area(), 16);
+  EXPECT_NE(difference(sum, a).value().stats.tier_bits, 0) << "all vertices are doubles";
   const Region up = made({{{{{0, 0}, {7, 1}, {1, 7}}, {}}}, {}, {}}),
                down = made({{{{{3, -2}, {4, 9}, {2, 9}}, {}}}, {}, {}});
-  const PlanarSum crossed = union_of({up, down}).value();
-  const Result<PlanarSum> refused = difference(crossed, a);
-  ASSERT_FALSE(refused.ok());
-  EXPECT_EQ(refused.error().code, ErrorCode::unsupported_operand);
-  EXPECT_TRUE(refused.error().evidence.x.has_value());
+  const PlanarSum crossed = union_of({up, down}).value(), left = difference(crossed, a).value();
+  EXPECT_TRUE(left == difference(united(up, down).value(), a).value());
+  EXPECT_EQ(left.stats.tier_bits, 0);
+  const PlanarSum exact_fit = erode(a, a).value();
+  EXPECT_EQ(united(a, exact_fit).error().code, ErrorCode::unsupported_operand);
+  EXPECT_EQ(united(a, exact_fit, with(Semantics::regular)).value().area(), 16);
 }
 
 TEST(PlanarBoolean, nothing_and_too_little) {

@@ -93,7 +93,7 @@ TEST(Tight, peg_over_a_row_of_slots) {
 /// Cutting a convex disc out of a plate and putting it back.
 TEST(Tight, disc_in_its_own_hole) {
   for (const int corners : {3, 5, 8, 13, 32}) {
-    const Region disc = snapped::disc(corners, 7);
+    const Region disc = snapped_shapes::disc(corners, 7);
     Ring lid = disc.parts()[0].outer;
     std::reverse(lid.begin(), lid.end());
     const Region plate = made({{box(-10, -10, 10, 10), {lid}}});
@@ -139,7 +139,7 @@ TEST(Tight, regular_semantics_drops_what_open_and_closed_report) {
 
 TEST(Tight, eroding_a_shape_by_itself_leaves_one_position) {
   for (const int corners : {3, 4, 7, 32}) {
-    const Region disc = snapped::disc(corners, 5);
+    const Region disc = snapped_shapes::disc(corners, 5);
     for (const Engine engine : kEngines) {
       const PlanarSum inner = erode(disc, disc, with(engine)).value();
       EXPECT_TRUE(inner.parts.empty());
@@ -152,7 +152,7 @@ TEST(Tight, eroding_a_shape_by_itself_leaves_one_position) {
 
 TEST(Tight, eroding_a_doubled_convex_shape_gives_it_back) {
   for (const int corners : {3, 4, 7, 32}) {
-    const Region disc = snapped::disc(corners, 5), twice = scaled(disc, 2, 2).value();
+    const Region disc = snapped_shapes::disc(corners, 5), twice = scaled(disc, 2, 2).value();
     RegionData origin;
     origin.points.push_back({0, 0});
     for (const Engine engine : kEngines) {
@@ -183,7 +183,7 @@ TEST(Tight, translation_by_a_billion_and_a_third_keeps_every_hole) {
     EXPECT_EQ(features(lost, square, engine), (Features{1, 0, 0}));
     EXPECT_EQ(features(lost, moved_square, engine), (Features{1, 0, 0}));
   }
-  const Region plate = snapped::pockets(20, 40);
+  const Region plate = snapped_shapes::pockets(20, 40);
   const Region probe = shapes::rectangle(0, 0, 0.125, 0.125);
   const std::size_t holes = minkowski_sum(plate, probe)->hole_count();
   EXPECT_GE(holes, 20u);

@@ -46,7 +46,7 @@ void for_pairs(int count, const Check& check) {
     check(Region::create(p).value(), Region::create(q).value());
     if (::testing::Test::HasFailure()) return;
   }
-  const Region shapes[] = {snapped::star(7, 1, 3), shapes::grate(4, 3, 1, 5), shapes::random_polygon(20, 2, 5),
+  const Region shapes[] = {snapped_shapes::star(7, 1, 3), shapes::grate(4, 3, 1, 5), shapes::random_polygon(20, 2, 5),
                            shapes::comb(3, 2, 1, 4)};
   for (const Region& p : shapes)
     for (const Region& q : shapes) check(p, q);
@@ -231,7 +231,7 @@ TEST(ConvolutionSizes, of_the_shapes_of_the_thesis) {
     return Region::create(read_region_data((folder / name).string()).value()).value();
   };
   const Region neuron = load("neuron.poly"), bird = load("bird.poly"), star = load("star.poly");
-  EXPECT_EQ(convolution_sizes(neuron, snapped::disc(32, 0.01)), (ConvolutionSizes{33178, 5090, 3166}));
+  EXPECT_EQ(convolution_sizes(neuron, snapped_shapes::disc(32, 0.01)), (ConvolutionSizes{33178, 5090, 3166}));
   EXPECT_EQ(convolution_sizes(load("monkey.poly"), bird), (ConvolutionSizes{319708, 31334, 16406}));
   EXPECT_EQ(convolution_sizes(load("dog.poly"), bird), (ConvolutionSizes{36722, 5043, 2726}));
   EXPECT_EQ(convolution_sizes(star, star), (ConvolutionSizes{1428, 540, 312}));

@@ -23,7 +23,7 @@ std::vector<MovingPair> moving_pairs(CoordinateKind kind, std::mt19937_64& rando
     if (p.ok() && q.ok()) pairs.push_back({*std::move(p), *std::move(q)});
   };
   add(shapes::comb(5, 2, 1, 3), shapes::comb(3, 2, 1, 3));
-  add(snapped::gear(8, 3, 4), snapped::gear(5, 1, 2));
+  add(snapped_shapes::gear(8, 3, 4), snapped_shapes::gear(5, 1, 2));
   add(shapes::random_polygon(20, 1, 9), shapes::noisy_star(13, 0.6, 9));
   return pairs;
 }

@@ -54,7 +54,7 @@ class Still final : public MovingSum {
   double at_ = 0;
 
  private:
-  PlacedPair placed() const override { return pair_->placed_on_lattice(pair_->lattice); }
+  PlacedPair placed(const Move&) const override { return pair_->placed_on_lattice(pair_->lattice); }
   MakeWindow window_for(const Move& to, const WindowController::Choice& reach) override {
     return maker(to.at - reach.behind, to.at + reach.ahead);
   }
@@ -76,10 +76,10 @@ class Still final : public MovingSum {
     entered += next != nullptr;
     dropped += next == nullptr;
   }
-  std::optional<NextFrame> window_frame(const Move&, FrameWork&) override {
+  std::optional<NextFrame> window_frame(const Move& to, FrameWork&) override {
     if (undecided) return std::nullopt;
     NextFrame next;
-    next.sum = *placed_sum(placed(), {});
+    next.sum = *placed_sum(placed(to), {});
     next.followed = followed;
     next.identities = {&identity};
     return next;

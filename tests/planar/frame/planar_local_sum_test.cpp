@@ -254,7 +254,7 @@ TEST(PlanarLocalSum, follows_quarter_turns_and_scales_exactly) {
 TEST(PlanarLocalSum, follows_a_turning_operand_and_updates_what_it_keeps) {
   const std::uint64_t frames = test::setting("DYMSUM_FUZZ_FRAMES", 60);
   const std::vector<std::pair<Region, Region>> pairs = {
-      {snapped::gear(9, 2, 3), snapped::star(7, 0.75, 1.5)},
+      {snapped_shapes::gear(9, 2, 3), snapped_shapes::star(7, 0.75, 1.5)},
       {shapes::random_polygon(40, 2, 3), shapes::letter_l(0.5, 0.5, 0.125)},
       {shapes::grate(4, 2, 0.5, 6), shapes::rectangle(0, 0, 1.5, 1)}};
   for (const auto& [p, q] : pairs) {
@@ -276,7 +276,7 @@ TEST(PlanarLocalSum, follows_a_turning_operand_and_updates_what_it_keeps) {
 }
 
 TEST(PlanarLocalSum, both_operands_turn_against_each_other_as_one_does) {
-  const Region p = snapped::gear(9, 2, 3), q = snapped::star(7, 0.75, 1.5);
+  const Region p = snapped_shapes::gear(9, 2, 3), q = snapped_shapes::star(7, 0.75, 1.5);
   const Orientation by = Orientation::of(2, 7).value(), other = Orientation::of(-3, 11).value();
   // The box holds both whole: what lies in it is the sum itself, turned.
   const PlanarBox all{{-20, -20}, {20, 20}};
@@ -346,7 +346,7 @@ TEST(PlanarLocalSum, a_disc_takes_the_edges_that_it_meets_exactly) {
 }
 
 TEST(PlanarLocalSum, asks_once_for_each_piece_of_the_boundary) {
-  const Region p = snapped::gear(60, 9, 10), q = snapped::gear(60, 0.9, 1);
+  const Region p = snapped_shapes::gear(60, 9, 10), q = snapped_shapes::gear(60, 0.9, 1);
   PlanarLocalSum sum = near_sum(p, q), brute = near_sum(p, q, LocalEngine::brute);
   const PlanarDisc disc{{0, 10.5}, 1};
   const PlanarLocalPart part = sum.in(disc).value();

@@ -84,8 +84,8 @@ std::vector<TurnedPair> turned_pairs() {
   std::vector<TurnedPair> list;
   list.push_back({"star 60 and star 50", shapes::noisy_star(60, 0.5, 1), shapes::noisy_star(50, 0.7, 2)});
   list.push_back({"random with holes and star", shapes::random_polygon(120, 5, 3), shapes::noisy_star(24, 0.6, 4)});
-  list.push_back({"pockets and disc", snapped::pockets(12, 10), snapped::disc(16, 1)});
-  list.push_back({"spiral and gear", snapped::spiral(3, 24, 1, 0.4), snapped::gear(9, 1, 1.3)});
+  list.push_back({"pockets and disc", snapped_shapes::pockets(12, 10), snapped_shapes::disc(16, 1)});
+  list.push_back({"spiral and gear", snapped_shapes::spiral(3, 24, 1, 0.4), snapped_shapes::gear(9, 1, 1.3)});
   list.push_back({"grate and comb", shapes::grate(6, 4, 1, 20), shapes::comb(7, 2, 1, 5)});
   return list;
 }
@@ -117,8 +117,9 @@ TEST(RotatingSum, larger_pairs_with_masks_equal_slices) {
 
 // Steps of every kind: windows are entered from either side, left at once, and built anew in the middle of nowhere.
 TEST(RotatingSum, random_walks_equal_slices) {
-  const TurnedPair shapes[]{{"star and star", shapes::noisy_star(26, 0.5, 1), shapes::noisy_star(20, 0.7, 2)},
-                            {"random with holes and gear", shapes::random_polygon(50, 3, 7), snapped::gear(7, 1, 1.3)}};
+  const TurnedPair shapes[]{
+      {"star and star", shapes::noisy_star(26, 0.5, 1), shapes::noisy_star(20, 0.7, 2)},
+      {"random with holes and gear", shapes::random_polygon(50, 3, 7), snapped_shapes::gear(7, 1, 1.3)}};
   for (const TurnedPair& shape : shapes)
     for (const FrameMode mode : {FrameMode::window, FrameMode::automatic}) {
       SCOPED_TRACE(shape.name);
@@ -283,7 +284,7 @@ TEST(RotatingSum, polylines_points_and_nothing_are_computed_from_scratch) {
   RegionData line;
   line.polylines.push_back({{0, 0}, {3, 1}, {4, 4}});
   line.points.push_back({-2, 0});
-  const Region thin = Region::create(line).value(), disc = snapped::disc(8, 1);
+  const Region thin = Region::create(line).value(), disc = snapped_shapes::disc(8, 1);
   RotatingSum sum = RotatingSum::create(thin, disc).value();
   for (int k = 1; k < 10; ++k) {
     const Orientation theta = at(0.05 * k);

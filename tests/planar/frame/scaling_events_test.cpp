@@ -286,7 +286,7 @@ TEST(ScaleEvents, a_plate_whose_holes_fill_one_after_the_other) {
     const double x = 8.0 * k, r = k;
     plate.parts[0].holes.push_back({{x - r, 10}, {x, 10 + r}, {x + r, 10}, {x, 10 - r}});
   }
-  const Region p = Region::create(plate).value(), q = snapped::star(5, 1, 2);
+  const Region p = Region::create(plate).value(), q = snapped_shapes::star(5, 1, 2);
   const Region tool = multiplied(q, 1, 1);
   ScalingSum sum = ScalingSum::create(p, tool).value();
   const std::vector<ScaleEvent> events = sum.events(scale_of(1, 4), scale_of(4, 1)).value();

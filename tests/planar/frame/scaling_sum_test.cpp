@@ -80,10 +80,10 @@ std::vector<ScaledPair> scaled_pairs() {
                   on_integers(shapes::noisy_star(50, 0.7, 2), 9000)});
   list.push_back({"random with holes and star", on_integers(shapes::random_polygon(120, 5, 3), 30000),
                   on_integers(shapes::noisy_star(24, 0.6, 4), 4000)});
-  list.push_back(
-      {"pockets and disc", on_integers(snapped::pockets(12, 10), 20000), on_integers(snapped::disc(16, 1), 900)});
-  list.push_back({"spiral and gear", on_integers(snapped::spiral(3, 24, 1, 0.4), 20000),
-                  on_integers(snapped::gear(9, 1, 1.3), 2500)});
+  list.push_back({"pockets and disc", on_integers(snapped_shapes::pockets(12, 10), 20000),
+                  on_integers(snapped_shapes::disc(16, 1), 900)});
+  list.push_back({"spiral and gear", on_integers(snapped_shapes::spiral(3, 24, 1, 0.4), 20000),
+                  on_integers(snapped_shapes::gear(9, 1, 1.3), 2500)});
   list.push_back(
       {"grate and comb", on_integers(shapes::grate(6, 4, 1, 20), 120), on_integers(shapes::comb(7, 2, 1, 5), 26)});
   return list;

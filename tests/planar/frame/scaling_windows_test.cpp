@@ -261,7 +261,8 @@ TEST(ScalingWindows, sums_move_with_a_window_under_way) {
 // Changes account for every ring from window to window, and no identity is used twice.
 TEST(ScalingWindows, identities_last_over_windows_that_are_left_and_entered_again) {
   std::size_t all_ended = 0;
-  const Operands pockets{on_integers(snapped::pockets(12, 10), 20000), on_integers(snapped::disc(16, 1), 900)};
+  const Operands pockets{on_integers(snapped_shapes::pockets(12, 10), 20000),
+                         on_integers(snapped_shapes::disc(16, 1), 900)};
   for (const Operands& operands : {pockets, holes()}) {
     Walk walk(operands, with_windows(0.2));
     Steps steps(7);

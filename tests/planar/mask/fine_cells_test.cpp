@@ -89,7 +89,7 @@ struct Refining {
 
 TEST(FineCells, covered_cells_lie_in_the_open_sum_with_their_rim) {
   const Region star = shapes::noisy_star(40, 0.5, 1), holed = shapes::random_polygon(30, 3, 2),
-               disc = snapped::disc(60, 0.3);
+               disc = snapped_shapes::disc(60, 0.3);
   const std::pair<Region, Region> pairs[] = {{star, holed}, {disc, star}, {holed, star}};
   for (const auto& [p, q] : pairs) {
     const Refining m(p, q, 13);
@@ -170,9 +170,9 @@ TEST(FineCells, refined_sums_of_tiny_grids_are_the_same) {
 }
 
 TEST(FineCells, refined_sums_of_larger_shapes_are_the_same) {
-  const Region shapes_of[] = {shapes::noisy_star(60, 0.8, 1), shapes::random_polygon(50, 4, 2),
-                              shapes::grate(6, 3, 1, 11),     snapped::disc(70, 1),
-                              snapped::spiral(3, 12, 1, 0.4), shapes::comb(8, 3, 1, 5)};
+  const Region shapes_of[] = {
+      shapes::noisy_star(60, 0.8, 1), shapes::random_polygon(50, 4, 2),      shapes::grate(6, 3, 1, 11),
+      snapped_shapes::disc(70, 1),    snapped_shapes::spiral(3, 12, 1, 0.4), shapes::comb(8, 3, 1, 5)};
   for (const Region& p : shapes_of)
     for (const Region& q : shapes_of) {
       const Result<PlanarSum> by_mask = refined_sum(p, q);

@@ -71,7 +71,8 @@ TEST(InteriorMask, edges_between_cells_keep_both_rows_from_being_covered) {
 // Those beside a live cell: any other lies among them.
 TEST(InteriorMask, covered_cells_lie_in_the_open_sum_with_their_rim) {
   const Region star = shapes::noisy_star(40, 0.5, 1), holed = shapes::random_polygon(30, 3, 2);
-  const Region fine = snapped::disc(400, 1), gear = snapped::gear(60, 3, 4), disc = snapped::disc(90, 0.4);
+  const Region fine = snapped_shapes::disc(400, 1), gear = snapped_shapes::gear(60, 3, 4),
+               disc = snapped_shapes::disc(90, 0.4);
   const std::pair<Region, Region> pairs[] = {{star, holed}, {fine, star}, {gear, disc}, {holed, fine}};
   for (const auto& [p, q] : pairs)
     for (const int cells : {9, 40, 100}) {

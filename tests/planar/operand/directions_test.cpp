@@ -38,7 +38,7 @@ void expect_in_order(const RegionData& data, const std::string& what) {
 TEST(Directions, ShapesOfEverySize) {
   for (int n = 5; n <= 150; ++n) expect_in_order(shapes::noisy_star(n, 0.5, n).data(), "star " + std::to_string(n));
   for (int n = 2; n <= 60; ++n) expect_in_order(shapes::grate(n, 1, 0.25, 20).data(), "grate " + std::to_string(n));
-  for (int n = 1; n <= 30; ++n) expect_in_order(snapped::pockets(n, 10).data(), "pockets " + std::to_string(n));
+  for (int n = 1; n <= 30; ++n) expect_in_order(snapped_shapes::pockets(n, 10).data(), "pockets " + std::to_string(n));
 }
 
 // Polylines go there and back; their directions differ by less than doubles distinguish, or not at all.
@@ -57,7 +57,7 @@ TEST(Directions, ClustersThatKeysDoNotTell) {
 
 // Sums of many threads make them beside one operand, whose memory is not theirs.
 TEST(Directions, ListsWithoutSomeHolesHaveMemoryOfTheirOwn) {
-  const std::shared_ptr<Operand> o = make_operand(separate_touching(snapped::pockets(5, 10).data(), {}), 0);
+  const std::shared_ptr<Operand> o = make_operand(separate_touching(snapped_shapes::pockets(5, 10).data(), {}), 0);
   ASSERT_EQ(o->components.size(), 1u);
   ASSERT_GT(o->loops.size(), 2u);
   std::vector<std::uint8_t> keep(o->loops.size(), 1);

@@ -17,7 +17,7 @@ namespace dymsum {
 namespace {
 
 TEST(PreparedRegion, IsSharedByCopiesAndMadeOncePerRole) {
-  const Region star = snapped::star(7, 1, 3);
+  const Region star = snapped_shapes::star(7, 1, 3);
   const Region copy = star;
   EXPECT_EQ(planar::prepared_operand(star, 0), planar::prepared_operand(copy, 0));
   EXPECT_EQ(planar::prepared_operand(star, 1, true), planar::prepared_operand(copy, 1, true));
@@ -30,7 +30,7 @@ TEST(PreparedRegion, IsSharedByCopiesAndMadeOncePerRole) {
 TEST(PreparedRegion, ServesPartnersOfEverySize) {
   const Region p = shapes::random_polygon(12, 3, 5);
   for (const double factor : {1.0, 0x1p80, 0x1p-80, 0x1p500, 0x1p-500}) {
-    const Region q = scaled(snapped::star(5, 1, 2), factor, factor).value();
+    const Region q = scaled(snapped_shapes::star(5, 1, 2), factor, factor).value();
     const Region fresh_p = Region::create(p.data()).value(), fresh_q = Region::create(q.data()).value();
     SumOptions brute;
     brute.engine = Engine::brute;
@@ -71,7 +71,7 @@ TEST(PreparedRegion, ServesManyThreadsWhoseSumsFillSomeHoles) {
   };
   RegionData plate{{{{{0, 0}, {200, 0}, {200, 10}, {0, 10}}, {}}}, {}, {}};
   for (int k = 0; k < 30; ++k) plate.parts[0].holes.push_back(square(6 * k + 1, 1, k % 2 == 0 ? 4 : 0.5));
-  const Region p = Region::create(plate).value(), q = snapped::disc(16, 1);
+  const Region p = Region::create(plate).value(), q = snapped_shapes::disc(16, 1);
   const PlanarSum expected = minkowski_sum(p, q).value();
   ASSERT_EQ(expected.hole_count(), 15u);
   std::atomic<int> equal = 0;
@@ -93,7 +93,7 @@ TEST(PreparedRegion, ReflectsEveryKindOfPiece) {
                       {{-1, 5}, {0, -4}}})
           .value();
   ASSERT_FALSE(b.touching_points().empty());
-  for (const Region& a : {shapes::rectangle(0, 0, 0.5, 0.25), snapped::star(5, 1, 2)}) {
+  for (const Region& a : {shapes::rectangle(0, 0, 0.5, 0.25), snapped_shapes::star(5, 1, 2)}) {
     const PlanarSum reflected = nfp(a, b).value(), expected = minkowski_sum(a, negated(b)).value();
     EXPECT_TRUE(reflected == expected);
     EXPECT_EQ(reflected.area_exact(), expected.area_exact());

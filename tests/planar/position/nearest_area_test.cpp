@@ -83,7 +83,7 @@ TEST(NearestArea, EqualsTheFractionForEveryTierAndMotion) {
     planar::SumInternals::min_tier_bits(options) = tier;
     expect_near(minkowski_sum(p, q, options).value(), "tier " + std::to_string(tier));
   }
-  expect_near(minkowski_sum(shapes::grate(5, 2, 1, 9), snapped::gear(7, 0.25, 0.5)).value(), "grate and gear");
+  expect_near(minkowski_sum(shapes::grate(5, 2, 1, 9), snapped_shapes::gear(7, 0.25, 0.5)).value(), "grate and gear");
   ScalingSum scaling = ScalingSum::create(p, q).value();
   for (const double s : {0.3, 1.0, 1.75}) {
     ASSERT_TRUE(scaling.set(s));
@@ -97,7 +97,7 @@ TEST(NearestArea, EqualsTheFractionForEveryTierAndMotion) {
 }
 
 TEST(NearestArea, RoundedRegionsOfSumsInGeneralPositionAskForNoExactPosition) {
-  const Region p = shapes::noisy_star(300, 0.5, 1), q = snapped::disc(7, 0.004);
+  const Region p = shapes::noisy_star(300, 0.5, 1), q = snapped_shapes::disc(7, 0.004);
   PlanarSum sum = minkowski_sum(p, q).value();
   ASSERT_GT(sum.stats.crossings, 50u);
   auto counting = std::make_shared<CountingSource>(exact_source(sum));
@@ -132,14 +132,14 @@ TEST(NearestArea, FractionsAreGivenWhileTheyAreShort) {
   // Powers of two count for nothing.
   const PlanarSum square = minkowski_sum(shapes::rectangle(0, 0, 0.125, 3), shapes::rectangle(0, 0, 1, 1)).value();
   EXPECT_EQ(square.area_exact_within(0), square.area_exact());
-  const PlanarSum crossing = minkowski_sum(shapes::noisy_star(300, 0.5, 1), snapped::disc(7, 0.004)).value();
+  const PlanarSum crossing = minkowski_sum(shapes::noisy_star(300, 0.5, 1), snapped_shapes::disc(7, 0.004)).value();
   EXPECT_EQ(crossing.area_exact_within(1000), std::nullopt);
   EXPECT_EQ(crossing.area_exact_within(10000000), crossing.area_exact());
 }
 
 TEST(NearestArea, PowersOfTwoInDenominatorsAreTakenTogether) {
   // 4000 corners on a fine grid: as one fraction each has a power of two of its own, and these used to be multiplied.
-  const PlanarSum sum = minkowski_sum(snapped::disc(4000, 1), shapes::rectangle(0, 0, 1, 1)).value();
+  const PlanarSum sum = minkowski_sum(snapped_shapes::disc(4000, 1), shapes::rectangle(0, 0, 1, 1)).value();
   const Rational area = sum.area_exact();
   EXPECT_LT(area.denominator().size(), 100u);
   EXPECT_EQ(sum.area(), area.to_double());

@@ -20,8 +20,8 @@ RegionData one(Ring ring) { return {{{std::move(ring), {}}}, {}, {}}; }
 
 TEST(PlainRings, GeneratedShapesNeedNoSweep) {
   for (const Region& region :
-       {shapes::rectangle(0, 0, 3, 2), snapped::disc(32, 1), snapped::disc(5000, 1), shapes::grate(20, 1, 0.25, 20),
-        shapes::noisy_star(100, 0.5, 1), snapped::pockets(20, 10)}) {
+       {shapes::rectangle(0, 0, 3, 2), snapped_shapes::disc(32, 1), snapped_shapes::disc(5000, 1),
+        shapes::grate(20, 1, 0.25, 20), shapes::noisy_star(100, 0.5, 1), snapped_shapes::pockets(20, 10)}) {
     EXPECT_TRUE(plainly_valid(region.data())) << region.vertex_count() << " vertices";
   }
 }

@@ -174,7 +174,7 @@ TEST(SnapRounding, TurnedShapesAreAlwaysWritten) {
       return Region::create(of_kind(region.data(), kind, random)).value();
     };
     const Region comb = shape(shapes::comb(8, 2, 1, 2)), small = shape(shapes::comb(5, 0.7, 0.3, 1)),
-                 l = shape(shapes::letter_l(3, 3, 1)), gear = shape(snapped::gear(9, 2, 3)),
+                 l = shape(shapes::letter_l(3, 3, 1)), gear = shape(snapped_shapes::gear(9, 2, 3)),
                  grate = shape(shapes::grate(4, 2, 1, 4));
     expect_snapped(minkowski_sum(comb, small), tally);
     expect_snapped(minkowski_sum(l, l), tally);

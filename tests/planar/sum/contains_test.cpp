@@ -67,7 +67,7 @@ TEST(Contains, an_exact_fit_is_closed_but_not_open) {
 }
 
 TEST(Contains, one_set_inside_the_other_without_touching) {
-  const Region big = shapes::rectangle(0, 0, 100, 100), small = snapped::disc(12, 1);
+  const Region big = shapes::rectangle(0, 0, 100, 100), small = snapped_shapes::disc(12, 1);
   for (const Semantics s : {Semantics::closed, Semantics::open, Semantics::regular}) {
     EXPECT_TRUE(contains(big, small, {50, 50}, s));
     EXPECT_TRUE(contains(small, big, {50, 50}, s));

@@ -34,7 +34,8 @@ Region plate_with_hole(double hole) {
 }
 
 TEST(ConvexBoundary, is_for_two_convex_operands_whose_holes_are_filled) {
-  const Region square = shapes::rectangle(0, 0, 2, 2), disc = snapped::disc(12, 1), star = snapped::star(5, 1, 3);
+  const Region square = shapes::rectangle(0, 0, 2, 2), disc = snapped_shapes::disc(12, 1),
+               star = snapped_shapes::star(5, 1, 3);
   EXPECT_TRUE(answers(square, disc));
   EXPECT_TRUE(answers(square, square));
   EXPECT_FALSE(answers(star, square));
@@ -52,9 +53,10 @@ TEST(ConvexBoundary, is_for_two_convex_operands_whose_holes_are_filled) {
 
 // Parallel edges, the same operand twice, holes, and operands of very different size.
 TEST(ConvexBoundary, equals_the_reference) {
-  const Region shapes[] = {shapes::rectangle(0, 0, 2, 1), shapes::rectangle(-1, 3, 4, 8), snapped::disc(3, 2),
-                           snapped::disc(16, 1),          snapped::disc(33, 1.0 / 3),     plate_with_hole(1),
-                           snapped::disc(8, 0x1p-300),    snapped::disc(5, 0x1p200)};
+  const Region shapes[] = {shapes::rectangle(0, 0, 2, 1),     shapes::rectangle(-1, 3, 4, 8),
+                           snapped_shapes::disc(3, 2),        snapped_shapes::disc(16, 1),
+                           snapped_shapes::disc(33, 1.0 / 3), plate_with_hole(1),
+                           snapped_shapes::disc(8, 0x1p-300), snapped_shapes::disc(5, 0x1p200)};
   for (const Region& p : shapes)
     for (const Region& q : shapes) {
       SCOPED_TRACE(oracles::to_text(p.data(), q.data()));

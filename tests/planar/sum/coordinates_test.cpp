@@ -39,7 +39,7 @@ TEST(PlanarCoordinates, of_every_kind_are_alike_to_every_engine) {
   std::mt19937_64 random(7301);
   const std::pair<Region, Region> pairs[] = {{shapes::comb(7, 2, 1, 3), shapes::comb(4, 2, 1, 3)},
                                              {shapes::grate(4, 2, 1, 8), shapes::letter_l(3, 3, 1)},
-                                             {snapped::gear(9, 3, 4), snapped::gear(5, 1, 2)},
+                                             {snapped_shapes::gear(9, 3, 4), snapped_shapes::gear(5, 1, 2)},
                                              {shapes::random_polygon(24, 2, 5), shapes::noisy_star(15, 0.6, 5)}};
   for (const CoordinateKind kind : kCoordinateKinds)
     for (const auto& [one, other] : pairs) {

@@ -146,7 +146,8 @@ TEST(Spread, positions_are_told_apart) {
 
 // Enough for a mask, where there is one.
 TEST(Spread, operands_with_many_edges) {
-  const Region gear = scaled(snapped::gear(16, 1, 1.75), 500), star = scaled(snapped::star(16, 1, 2), -550);
+  const Region gear = scaled(snapped_shapes::gear(16, 1, 1.75), 500),
+               star = scaled(snapped_shapes::star(16, 1, 2), -550);
   SumOptions options;
   options.engine = Engine::brute;
   const PlanarSum sum = minkowski_sum(gear, star).value();
@@ -201,7 +202,7 @@ TEST(Spread, sums_that_move_say_what_they_do_not_take) {
 
 // Up to there they equal sums at rest.
 TEST(Spread, sums_that_move_within_their_limit) {
-  const Region u = shapes::letter_u(4, 4, 1), star = snapped::star(5, 1, 2);
+  const Region u = shapes::letter_u(4, 4, 1), star = snapped_shapes::star(5, 1, 2);
   for (const auto& [e, f] : {std::pair{400, -330}, {-330, 400}, {960, 200}, {-1020, -250}, {-250, -1020}}) {
     const Region p = scaled(u, e), q = scaled(star, f);
     ScalingSum moving = ScalingSum::create(p, q).value();

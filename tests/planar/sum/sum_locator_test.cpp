@@ -131,8 +131,8 @@ TEST(SumLocator, equals_contains_on_the_points_of_tiny_grids) {
 
 TEST(SumLocator, equals_contains_at_free_coordinates) {
   oracles::Random random(kLocatorSeed);
-  const Region shapes[] = {snapped::star(40, 0.7, 3.1), snapped::gear(12, 3, 4), shapes::grate(4, 1.25, 0.3, 3),
-                           snapped::spiral(3, 24, 1, 0.3)};
+  const Region shapes[] = {snapped_shapes::star(40, 0.7, 3.1), snapped_shapes::gear(12, 3, 4),
+                           shapes::grate(4, 1.25, 0.3, 3), snapped_shapes::spiral(3, 24, 1, 0.3)};
   int inside = 0, queried = 0;
   for (const Region& p : shapes)
     for (const Region& q : shapes) {
@@ -248,7 +248,7 @@ std::vector<Point> lattice(double low, double high, double step) {
 }
 
 TEST(ContainsEach, few_points_and_many_have_the_same_answers) {
-  const Region p = snapped::star(9, 1, 4), q = shapes::letter_u(4, 4, 1);
+  const Region p = snapped_shapes::star(9, 1, 4), q = shapes::letter_u(4, 4, 1);
   const std::vector<Point> many = lattice(-6, 9, 0.25);
   for (const Semantics semantics : kSemantics)
     for (const int threads : {1, 2}) {
@@ -270,7 +270,7 @@ std::vector<std::string> stages_of(std::size_t count) {
     if (stages.empty() || stages.back() != stage) stages.emplace_back(stage);
     return true;
   };
-  const Region p = snapped::star(30, 1, 4), q = snapped::gear(20, 3, 4);
+  const Region p = snapped_shapes::star(30, 1, 4), q = snapped_shapes::gear(20, 3, 4);
   EXPECT_TRUE(contains_each(p, q, std::vector<Point>(count, Point{1, 1}), Semantics::closed, 1, progress).ok());
   return stages;
 }
@@ -291,7 +291,7 @@ TEST(ContainsEach, at_fractions) {
 }
 
 TEST(ContainsEach, is_cancelled_and_refuses_what_sums_refuse) {
-  const Region p = snapped::star(30, 1, 4), huge = shapes::rectangle(0, 0, 0x1p1001, 1);
+  const Region p = snapped_shapes::star(30, 1, 4), huge = shapes::rectangle(0, 0, 0x1p1001, 1);
   for (const std::size_t count : {3, 100000}) {
     const std::vector<Point> points(count, Point{1, 1});
     const auto stopped =

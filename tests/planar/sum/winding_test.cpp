@@ -222,9 +222,10 @@ TEST(WindingEngine, gives_the_sum_by_definition_and_those_of_the_other_engines) 
 }
 
 TEST(WindingEngine, gives_the_sums_of_the_other_engines_on_larger_shapes) {
-  const Region shapes[] = {snapped::star(9, 1, 3),         shapes::grate(5, 3, 1, 7), shapes::random_polygon(40, 3, 11),
-                           shapes::comb(5, 2, 1, 4),       snapped::gear(8, 2, 3),    snapped::spiral(2, 9, 1.5, 0.5),
-                           shapes::noisy_star(30, 0.6, 4), shapes::letter_u(4, 4, 1), snapped::pockets(4, 1)};
+  const Region shapes[] = {
+      snapped_shapes::star(9, 1, 3),  shapes::grate(5, 3, 1, 7),     shapes::random_polygon(40, 3, 11),
+      shapes::comb(5, 2, 1, 4),       snapped_shapes::gear(8, 2, 3), snapped_shapes::spiral(2, 9, 1.5, 0.5),
+      shapes::noisy_star(30, 0.6, 4), shapes::letter_u(4, 4, 1),     snapped_shapes::pockets(4, 1)};
   for (const Region& p : shapes)
     for (const Region& q : shapes) {
       const Result<PlanarSum> mine = sum_by(Engine::winding, p, q);
@@ -239,16 +240,16 @@ TEST(WindingEngine, tests_no_face_for_collision) {
   SumOptions options;
   options.engine = Engine::winding;
   options.semantics = Semantics::regular;
-  const Result<PlanarSum> sum = minkowski_sum(shapes::grate(4, 3, 1, 5), snapped::star(5, 0.2, 0.6), options);
+  const Result<PlanarSum> sum = minkowski_sum(shapes::grate(4, 3, 1, 5), snapped_shapes::star(5, 0.2, 0.6), options);
   ASSERT_TRUE(sum.ok());
   EXPECT_EQ(sum->stats.collision_tests, 0u);
   EXPECT_GT(sum->hole_count(), 0u);
   EXPECT_EQ(sum->stats.reduced_segments,
-            convolution_sizes(shapes::grate(4, 3, 1, 5), snapped::star(5, 0.2, 0.6)).kinetic);
+            convolution_sizes(shapes::grate(4, 3, 1, 5), snapped_shapes::star(5, 0.2, 0.6)).kinetic);
 }
 
 TEST(WindingEngine, stops_on_request_at_every_stage) {
-  const Region p = snapped::star(9, 1, 3), q = shapes::letter_u(4, 4, 1);
+  const Region p = snapped_shapes::star(9, 1, 3), q = shapes::letter_u(4, 4, 1);
   for (const std::string_view stage : {"convolution", "crossings", "arrangement", "windings", "loops", "tight"}) {
     SumOptions options;
     options.engine = Engine::winding;

@@ -96,7 +96,7 @@ TEST(EdgeParallelograms, every_cell_is_covered_at_every_angle_of_the_window) {
 
 // Of the two sides of a bar one is enough, and short edges say nothing.
 TEST(EdgeParallelograms, long_edges_are_told_once_and_short_ones_left_out) {
-  const Made m = made(shapes::rectangle(0, 0, 32, 0.25), snapped::disc(64, 1));
+  const Made m = made(shapes::rectangle(0, 0, 32, 0.25), snapped_shapes::disc(64, 1));
   EXPECT_EQ(long_edges(*m.forms, 0, 1, 24).size(), 1u);
   EXPECT_EQ(long_edges(*m.forms, 0, 0.125, 24).size(), 2u);
   EXPECT_TRUE(long_edges(*m.forms, 1, 1, 24).empty());

@@ -87,9 +87,10 @@ void expect_all_crossings(const TurnedPair& t, double midpoint, double half, std
 }
 
 TEST(RotatingWindow, knows_every_segment_and_every_crossing_inside_it) {
-  const std::vector<std::pair<Region, Region>> pairs{{shapes::noisy_star(24, 0.5, 1), shapes::noisy_star(18, 0.7, 2)},
-                                                     {shapes::random_polygon(40, 2, 3), snapped::gear(6, 1, 1.3)},
-                                                     {shapes::comb(7, 2, 1, 5), shapes::letter_l(4, 3, 0.5)}};
+  const std::vector<std::pair<Region, Region>> pairs{
+      {shapes::noisy_star(24, 0.5, 1), shapes::noisy_star(18, 0.7, 2)},
+      {shapes::random_polygon(40, 2, 3), snapped_shapes::gear(6, 1, 1.3)},
+      {shapes::comb(7, 2, 1, 5), shapes::letter_l(4, 3, 0.5)}};
   std::size_t crossings = 0;
   for (const auto& [p, q] : pairs) {
     const TurnedPair t = turned(p, q);

@@ -309,9 +309,10 @@ TEST(DiscDefinition, HardCases) {
 
 TEST(DiscDefinition, StarsCombsAndChannelsAsWideAsTheDisc) {
   Queried queried;
-  std::vector<Region> regions{snapped::star(5, 2, 5),    snapped::star(4, 1, 3),    shapes::comb(4, 2, 1, 3),
-                              snapped::gear(6, 4, 5),    shapes::grate(3, 2, 1, 4), snapped::pockets(3, 1),
-                              shapes::letter_u(5, 4, 1), shapes::letter_l(4, 3, 1)};
+  std::vector<Region> regions{snapped_shapes::star(5, 2, 5), snapped_shapes::star(4, 1, 3),
+                              shapes::comb(4, 2, 1, 3),      snapped_shapes::gear(6, 4, 5),
+                              shapes::grate(3, 2, 1, 4),     snapped_shapes::pockets(3, 1),
+                              shapes::letter_u(5, 4, 1),     shapes::letter_l(4, 3, 1)};
   for (const Region& region : regions) {
     expect_all_sets(region, 7, queried, 8);
     if (HasFailure()) return;

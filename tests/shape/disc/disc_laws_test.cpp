@@ -34,7 +34,7 @@ double length_of(const Region& region) { return perimeter(*GrowingDisc(region).s
 
 TEST(DiscLaws, SteinersFormulaHoldsForConvexRegions) {
   for (const Region& region :
-       {shapes::rectangle(0, 0, 3, 2), snapped::disc(7, 2), region_of("POLYGON((0 0,9 1,2 1,0 0))")})
+       {shapes::rectangle(0, 0, 3, 2), snapped_shapes::disc(7, 2), region_of("POLYGON((0 0,9 1,2 1,0 0))")})
     for (const char* r : {"1/1000", "1/3", "5", "1000"}) {
       const double radius = rational(r).to_double();
       const DiscSet set = *GrowingDisc(region).sum_at(rational(r));
@@ -125,12 +125,13 @@ TEST(DiscLaws, ASquareOpenedByItsIncircleIsThatCircle) {
 }
 
 TEST(DiscLaws, PolygonalDiscsBoundTheSumFromBothSides) {
-  for (const Region& region : {snapped::star(5, 2, 5), shapes::grate(3, 2, 1, 4), shapes::random_polygon(24, 1, 3)})
+  for (const Region& region :
+       {snapped_shapes::star(5, 2, 5), shapes::grate(3, 2, 1, 4), shapes::random_polygon(24, 1, 3)})
     for (const double r : {0.1, 0.4, 1.3}) {
       const GrowingDisc disc(region);
       constexpr int kSides = 64;
-      const Region inner = snapped::disc(kSides, r * (1 - 1e-12)),
-                   outer = snapped::disc(kSides, r / std::cos(kTurn / kSides) * (1 + 1e-12));
+      const Region inner = snapped_shapes::disc(kSides, r * (1 - 1e-12)),
+                   outer = snapped_shapes::disc(kSides, r / std::cos(kTurn / kSides) * (1 + 1e-12));
       const DiscSet sum = *disc.sum_at(*Rational::of(r)), eroded = *disc.eroded_at(*Rational::of(r));
       const double a = area(sum).value, e = area(eroded).value;
       EXPECT_LT(minkowski_sum(region, inner)->area(), a);
@@ -141,7 +142,7 @@ TEST(DiscLaws, PolygonalDiscsBoundTheSumFromBothSides) {
 }
 
 TEST(DiscLaws, PolygonsOfASetKeepTheirSideAndTheirError) {
-  const Region region = snapped::star(7, 2, 5);
+  const Region region = snapped_shapes::star(7, 2, 5);
   const GrowingDisc disc(region);
   for (const auto& made : {disc.sum_at(rational("1/2")), disc.eroded_at(rational("1/2")),
                            disc.opened_at(rational("0.7")), disc.closed_at(rational("0.7"))}) {
@@ -287,7 +288,7 @@ std::string names(const DiscSet& set) {
 }
 
 TEST(DiscLaws, NamesDoNotChangeWithPlaceAndScale) {
-  const Region region = snapped::star(9, 2, 5);
+  const Region region = snapped_shapes::star(9, 2, 5);
   const Region scaled = *dymsum::scaled(region, 0x1p40, 0x1p40);
   for (const char* r : {"1/5", "1", "2"}) {
     const std::string here = names(*GrowingDisc(region).sum_at(rational(r)));

@@ -15,9 +15,10 @@ constexpr double kPi = std::numbers::pi;
 Rational fraction(std::int64_t n, std::int64_t d) { return *Rational::of(n, d); }
 
 std::vector<Region> sample_regions() {
-  std::vector<Region> regions{shapes::rectangle(0, 0, 3, 2), shapes::letter_u(6, 5, 1), shapes::letter_l(5, 4, 1),
-                              shapes::comb(4, 2, 1, 3),      snapped::star(5, 2, 5),    snapped::gear(6, 4, 5),
-                              shapes::grate(3, 2, 1, 4),     snapped::pockets(3, 1)};
+  std::vector<Region> regions{shapes::rectangle(0, 0, 3, 2), shapes::letter_u(6, 5, 1),
+                              shapes::letter_l(5, 4, 1),     shapes::comb(4, 2, 1, 3),
+                              snapped_shapes::star(5, 2, 5), snapped_shapes::gear(6, 4, 5),
+                              shapes::grate(3, 2, 1, 4),     snapped_shapes::pockets(3, 1)};
   for (const std::uint64_t seed : {1, 2, 3, 5, 6})
     regions.push_back(shapes::random_polygon(12 + 4 * int(seed), int(seed % 3), seed));
   return regions;

@@ -91,9 +91,10 @@ inline bool identical(const SpatialSum& a, const SpatialSum& b) {
   const auto same_edge = [](const SpatialEdge& e, const SpatialEdge& f) {
     return e.from == f.from && e.to == f.to && e.faces == f.faces && e.contact == f.contact;
   };
+  const std::vector<SpatialEdge> a_edges = a.edges(), b_edges = b.edges();
   return a == b && a.vertices == b.vertices && a.at_error == b.at_error && a.vertex_contacts == b.vertex_contacts &&
          std::equal(a.faces.begin(), a.faces.end(), b.faces.begin(), b.faces.end(), same_face) &&
-         std::equal(a.edges.begin(), a.edges.end(), b.edges.begin(), b.edges.end(), same_edge);
+         std::equal(a_edges.begin(), a_edges.end(), b_edges.begin(), b_edges.end(), same_edge);
 }
 
 /// The vertices of a convex sum as pairs.
@@ -143,8 +144,9 @@ inline void expect_closed(const SpatialSum& sum) {
   }
   EXPECT_EQ(directed.size(), count);
   for (const auto& [a, b] : directed) EXPECT_TRUE(directed.contains({b, a}));
-  EXPECT_EQ(sum.vertices.size() + sum.faces.size(), sum.edges.size() + 2);
-  EXPECT_EQ(2 * sum.edges.size(), count);
+  const std::size_t edges = sum.edges().size();
+  EXPECT_EQ(sum.vertices.size() + sum.faces.size(), edges + 2);
+  EXPECT_EQ(2 * edges, count);
 }
 
 /// The hull of all sums of vertices, whose coordinates have to be doubles: the sum by definition.

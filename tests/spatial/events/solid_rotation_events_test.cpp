@@ -266,7 +266,7 @@ TEST(SolidRotationEvents, ATightFitAtOneAngleIsAChangeOfTopology) {
 /// Prisms about the axis along which they were extruded: the sum is the prism over the planar sum, whose vertices come
 /// and go at the same angles.
 TEST(SolidRotationEvents, PrismsChangeWhereThePlanarSumDoes) {
-  const Region star = snapped::star(5, 1.25, 3), ell = shapes::letter_l(3, 2, 1);
+  const Region star = snapped_shapes::star(5, 1.25, 3), ell = shapes::letter_l(3, 2, 1);
   const Mesh p = solids::prism(star.parts()[0].outer, 2, solids::kDemoSnap),
              q = solids::prism(ell.parts()[0].outer, 3, solids::kDemoSnap);
   const TurnAxis axis{0, 0, 1};

@@ -59,7 +59,8 @@ class Boxes {
 /// Edges with one face lie in walls of the box: nothing ends within it.
 bool ends_at_walls(const LocalPart& part) {
   const clipped_chains::Walls walls(part.box);
-  return std::all_of(part.boundary.edges.begin(), part.boundary.edges.end(), [&](const SpatialEdge& edge) {
+  const std::vector<SpatialEdge> edges = part.boundary.edges();
+  return std::all_of(edges.begin(), edges.end(), [&](const SpatialEdge& edge) {
     if (edge.faces.size() > 1) return true;
     const auto a = clipped_chains::exact_position(part.boundary, edge.from),
                b = clipped_chains::exact_position(part.boundary, edge.to);

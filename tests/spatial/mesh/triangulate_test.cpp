@@ -38,8 +38,9 @@ TEST(Triangulate, PrismsOverShapes) {
   expect_splits(cube());
   expect_splits(l_prism());
   expect_splits(square_ring(), false);
-  for (const Region& shape : {snapped::gear(9, 1, 2), snapped::star(7, 1, 3), snapped::spiral(2, 12, 2, 1),
-                              shapes::comb(5, 2, 1, 4), snapped::disc(40, 1)}) {
+  for (const Region& shape :
+       {snapped_shapes::gear(9, 1, 2), snapped_shapes::star(7, 1, 3), snapped_shapes::spiral(2, 12, 2, 1),
+        shapes::comb(5, 2, 1, 4), snapped_shapes::disc(40, 1)}) {
     expect_splits(prism(lifted(shape.parts()[0].outer), 1));
   }
 }

@@ -24,9 +24,9 @@ bool same_as_static(const SolidPair& pair, const DynamicConvolution& moving, con
   const PosedSpace posed = posed_space(pair, poses);
   const ReducedConvolution fresh = reduced_convolution(*posed.space, pair.p, pair.q, watch);
   const std::vector<std::uint32_t> slots = moving.in_order();
-  if (slots.size() != fresh.facets.size() || moving.size() != slots.size()) return false;
+  if (slots.size() != fresh.facets.size() || moving.slots().facets() != slots.size()) return false;
   for (std::size_t k = 0; k < slots.size(); ++k)
-    if (record(moving.facet(slots[k])) != record(fresh.facets[k]) || !moving.exists(slots[k])) return false;
+    if (record(moving.slots()[slots[k]]) != record(fresh.facets[k]) || !moving.slots().exists(slots[k])) return false;
   return true;
 }
 
@@ -91,7 +91,7 @@ TEST(DynamicConvolution, ThereAndBackIsTheSame) {
   std::vector<std::vector<SumFacet>> there;
   const auto facets = [&] {
     std::vector<SumFacet> all;
-    for (const std::uint32_t slot : moving.in_order()) all.push_back(moving.facet(slot));
+    for (const std::uint32_t slot : moving.in_order()) all.push_back(moving.slots()[slot]);
     return all;
   };
   for (const PosePair& pose : poses) move(pair, moving, pose), there.push_back(facets());

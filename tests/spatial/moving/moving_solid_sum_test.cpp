@@ -27,8 +27,9 @@ SpatialSum fresh(const Mesh& p, const Mesh& q, const PosePair& poses) {
 bool same_features(const SpatialSum& a, const SpatialSum& b) {
   const auto of_faces = [](const SpatialFace& f, const SpatialFace& g) { return f.p == g.p && f.q == g.q; };
   const auto of_edges = [](const SpatialEdge& e, const SpatialEdge& f) { return e.contact == f.contact; };
+  const std::vector<SpatialEdge> a_edges = a.edges(), b_edges = b.edges();
   return std::equal(a.faces.begin(), a.faces.end(), b.faces.begin(), b.faces.end(), of_faces) &&
-         std::equal(a.edges.begin(), a.edges.end(), b.edges.begin(), b.edges.end(), of_edges) &&
+         std::equal(a_edges.begin(), a_edges.end(), b_edges.begin(), b_edges.end(), of_edges) &&
          a.vertex_contacts == b.vertex_contacts && a.tight_face_contacts == b.tight_face_contacts &&
          a.tight_segment_contacts == b.tight_segment_contacts && a.tight_point_contacts == b.tight_point_contacts;
 }

@@ -25,20 +25,21 @@ void expect_one_value(const Mesh& p, const Mesh& q, const std::string& what) {
   expect_closed(convex);
   ASSERT_EQ(convex, any) << what;
   ASSERT_EQ(convex.shells, any.shells) << what;
-  ASSERT_EQ(convex.edges.size(), any.edges.size()) << what;
+  const std::vector<SpatialEdge> edges = convex.edges(), others = any.edges();
+  ASSERT_EQ(edges.size(), others.size()) << what;
   for (std::size_t f = 0; f < convex.faces.size(); ++f) {
     EXPECT_EQ(convex.faces[f].shell, any.faces[f].shell) << what;
     if (!is_one_pair(convex.faces[f])) continue;
     EXPECT_EQ(convex.faces[f].p, any.faces[f].p) << what << ", face " << f;
     EXPECT_EQ(convex.faces[f].q, any.faces[f].q) << what << ", face " << f;
   }
-  for (std::size_t e = 0; e < convex.edges.size(); ++e) {
-    EXPECT_EQ(convex.edges[e].from, any.edges[e].from) << what;
-    EXPECT_EQ(convex.edges[e].to, any.edges[e].to) << what;
-    EXPECT_EQ(convex.edges[e].faces, any.edges[e].faces) << what;
-    const SolidContact& contact = *convex.edges[e].contact;
-    if (contact.p.kind == contact.q.kind || !any.edges[e].contact) continue;  // of parallel edges any part may be named
-    EXPECT_EQ(contact, *any.edges[e].contact) << what << ", edge " << e;
+  for (std::size_t e = 0; e < edges.size(); ++e) {
+    EXPECT_EQ(edges[e].from, others[e].from) << what;
+    EXPECT_EQ(edges[e].to, others[e].to) << what;
+    EXPECT_EQ(edges[e].faces, others[e].faces) << what;
+    const SolidContact& contact = *edges[e].contact;
+    if (contact.p.kind == contact.q.kind || !others[e].contact) continue;  // of parallel edges any part may be named
+    EXPECT_EQ(contact, *others[e].contact) << what << ", edge " << e;
   }
   for (std::size_t v = 0; v < convex.vertices.size(); ++v) {
     EXPECT_EQ(convex.exact(v), any.exact(v)) << what << ", vertex " << v;

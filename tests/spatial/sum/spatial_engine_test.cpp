@@ -124,10 +124,11 @@ void expect_same_to_the_last_bit(const SpatialSum& one, const SpatialSum& two) {
     EXPECT_EQ(one.faces[f].q, two.faces[f].q);
     EXPECT_EQ(one.faces[f].shell, two.faces[f].shell);
   }
-  ASSERT_EQ(one.edges.size(), two.edges.size());
-  for (std::size_t e = 0; e < one.edges.size(); ++e) {
-    EXPECT_EQ(one.edges[e].faces, two.edges[e].faces);
-    EXPECT_EQ(one.edges[e].contact, two.edges[e].contact);
+  const std::vector<SpatialEdge> edges = one.edges(), edges_of_two = two.edges();
+  ASSERT_EQ(edges.size(), edges_of_two.size());
+  for (std::size_t e = 0; e < edges.size(); ++e) {
+    EXPECT_EQ(edges[e].faces, edges_of_two[e].faces);
+    EXPECT_EQ(edges[e].contact, edges_of_two[e].contact);
   }
   EXPECT_EQ(one.tight_face_contacts, two.tight_face_contacts);
   EXPECT_EQ(one.tight_segment_contacts, two.tight_segment_contacts);

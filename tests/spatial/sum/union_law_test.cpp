@@ -27,7 +27,7 @@ RationalPoint3 midpoint(const RationalPoint3& a, const RationalPoint3& b) {
 
 void add_positions_of(const SpatialSum& sum, std::vector<RationalPoint3>& positions) {
   for (std::size_t v = 0; v < sum.vertices.size(); ++v) positions.push_back(sum.exact(v));
-  for (const SpatialEdge& e : sum.edges) positions.push_back(midpoint(sum.exact(e.from), sum.exact(e.to)));
+  for (const SpatialEdge& e : sum.edges()) positions.push_back(midpoint(sum.exact(e.from), sum.exact(e.to)));
   for (const auto& [from, to] : sum.tight_segments) positions.push_back(midpoint(sum.exact(from), sum.exact(to)));
   // between edges of a face, mostly inside it
   for (const SpatialFace& f : sum.faces) {
