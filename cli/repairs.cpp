@@ -4,45 +4,24 @@
 #include <sstream>
 #include <utility>
 
+#include "dymsum/names.h"
 #include "numbers.h"
 
 namespace dymsum::cli {
 namespace {
 
-constexpr std::pair<RegionRepairKind, const char*> kPlanar[] = {
-    {RegionRepairKind::duplicate_vertices, "duplicate-vertices"},
-    {RegionRepairKind::collinear_vertices, "collinear-vertices"},
-    {RegionRepairKind::reversed_rings, "reversed-rings"},
-    {RegionRepairKind::empty_rings, "empty-rings"},
-    {RegionRepairKind::duplicate_rings, "duplicate-rings"},
-    {RegionRepairKind::short_polylines, "short-polylines"}};
-
-constexpr std::pair<MeshRepairKind, const char*> kSolid[] = {{MeshRepairKind::duplicate_vertices, "duplicate-vertices"},
-                                                             {MeshRepairKind::unused_vertices, "unused-vertices"},
-                                                             {MeshRepairKind::degenerate_faces, "faces-without-area"},
-                                                             {MeshRepairKind::needles, "needles"},
-                                                             {MeshRepairKind::t_junctions, "t-junctions"},
-                                                             {MeshRepairKind::cracks, "cracks"},
-                                                             {MeshRepairKind::holes, "holes"},
-                                                             {MeshRepairKind::split_faces, "split-faces"},
-                                                             {MeshRepairKind::reversed_faces, "reversed-faces"},
-                                                             {MeshRepairKind::reversed_shells, "reversed-shells"},
-                                                             {MeshRepairKind::nested_shells, "nested-shells"},
-                                                             {MeshRepairKind::membranes, "membranes"},
-                                                             {MeshRepairKind::loose_walls, "loose-walls"},
-                                                             {MeshRepairKind::crossings, "crossings"}};
-
-std::string name_of(RegionRepairKind kind) {
-  return std::find_if(std::begin(kPlanar), std::end(kPlanar), [&](const auto& p) { return p.first == kind; })->second;
-}
-std::string name_of(MeshRepairKind kind) {
-  return std::find_if(std::begin(kSolid), std::end(kSolid), [&](const auto& p) { return p.first == kind; })->second;
+/// The name of a kind as options have it, with hyphens.
+template <class Kind>
+std::string option_name(Kind kind) {
+  std::string text(name(kind));
+  std::replace(text.begin(), text.end(), '_', '-');
+  return text;
 }
 
 template <class Log>
 std::string names(const Log& log) {
   std::string text;
-  for (const auto kind : log.kinds()) text += (text.empty() ? "" : ",") + name_of(kind);
+  for (const auto kind : log.kinds()) text += (text.empty() ? "" : ",") + option_name(kind);
   return text;
 }
 
@@ -65,7 +44,7 @@ std::string text_of_positions(const Log& log) {
   constexpr std::size_t kShown = 3;
   std::string text;
   for (const auto kind : log.kinds()) {
-    text += (text.empty() ? "" : "; ") + name_of(kind);
+    text += (text.empty() ? "" : "; ") + option_name(kind);
     std::size_t count = 0;
     for (const auto& mark : log.marks)
       if (mark.kind == kind && ++count <= kShown) text += (count == 1 ? " at " : ", ") + point_text(mark.at);
@@ -77,25 +56,25 @@ std::string text_of_positions(const Log& log) {
 template <class Log>
 Json json_of(const Log& log) {
   Json positions = Json::object();
-  for (const auto& mark : log.marks) positions[name_of(mark.kind)].push_back(point_json(mark.at));
+  for (const auto& mark : log.marks) positions[option_name(mark.kind)].push_back(point_json(mark.at));
   return {{"changed", log.to_string()}, {"positions", positions}};
 }
 
 [[noreturn]] void refuse(const std::string& name) {
   std::string known;
   const auto add = [&](const std::string& one) { known += (known.empty() ? "" : ", ") + one; };
-  for (const auto& [kind, text] : kPlanar) add(text);
-  for (const auto& [kind, text] : kSolid)
-    if (kind != MeshRepairKind::duplicate_vertices) add(text);
+  for (const RegionRepairKind kind : all_region_repairs()) add(option_name(kind));
+  for (const MeshRepairKind kind : all_mesh_repairs())
+    if (kind != MeshRepairKind::duplicate_vertices) add(option_name(kind));
   throw Stop(kUsage, "--repair wants all, or some of these separated by commas: " + known + "; not '" + name + "'");
 }
 
 void add_named(const std::string& name, NamedRepairs& repairs) {
   bool known = false;
-  for (const auto& [kind, text] : kPlanar)
-    if (name == text) known = true, repairs.planar.push_back(kind);
-  for (const auto& [kind, text] : kSolid)
-    if (name == text) known = true, repairs.solid.push_back(kind);
+  for (const RegionRepairKind kind : all_region_repairs())
+    if (name == option_name(kind)) known = true, repairs.planar.push_back(kind);
+  for (const MeshRepairKind kind : all_mesh_repairs())
+    if (name == option_name(kind)) known = true, repairs.solid.push_back(kind);
   if (!known) refuse(name);
 }
 

@@ -4,6 +4,7 @@
 #include <iostream>
 #include <optional>
 
+#include "outputs.h"
 #include "planar/tier.h"
 #include "progress_bar.h"
 #include "report.h"

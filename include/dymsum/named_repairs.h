@@ -55,7 +55,7 @@ struct LoggedRegion {
 /// repair() of those kinds alone; the data is left as it is else, so that Region::create refuses it.
 Result<LoggedRegion> repair(RegionData data, const RegionRepairOptions& options);
 
-/// The repairs of solids. `unused_vertices` no face uses, `degenerate_faces` have no area. `split_faces` are not plane,
+/// The repairs of solids. `unused_vertices` no face uses, `faces_without_area` have none. `split_faces` are not plane,
 /// or have a vertex twice. `nested_shells` run as the one around them does, `membranes` have the solid on both
 /// sides. `loose_walls` are faces with edges that no other face has, inside of the solid that the others bound: without
 /// them it is the same set. They are taken as inside where thin tetrahedra over them, on one side, lie in the solid.
@@ -63,7 +63,7 @@ Result<LoggedRegion> repair(RegionData data, const RegionRepairOptions& options)
 enum class MeshRepairKind : std::uint8_t {
   duplicate_vertices,
   unused_vertices,
-  degenerate_faces,
+  faces_without_area,
   needles,
   t_junctions,
   cracks,

@@ -4,6 +4,7 @@
 #include "arguments.h"
 #include "bind.h"
 #include "dymsum/snapping.h"
+#include "enumeration.h"
 #include "record.h"
 
 namespace dymsum::python {
@@ -12,13 +13,7 @@ namespace {
 using namespace nb::literals;
 
 void bind_region_repairs(nb::module_& m) {
-  nb::enum_<RegionRepairKind>(m, "RegionRepairKind", "The repairs of regions.")
-      .value("duplicate_vertices", RegionRepairKind::duplicate_vertices)
-      .value("collinear_vertices", RegionRepairKind::collinear_vertices)
-      .value("reversed_rings", RegionRepairKind::reversed_rings)
-      .value("empty_rings", RegionRepairKind::empty_rings)
-      .value("duplicate_rings", RegionRepairKind::duplicate_rings)
-      .value("short_polylines", RegionRepairKind::short_polylines);
+  enumeration<RegionRepairKind>(m, "RegionRepairKind", "The repairs of regions.");
   m.def("all_region_repairs", &all_region_repairs, "All RegionRepairKinds, in their order.");
   Record<RegionRepairOptions>(m, "RegionRepairOptions", "Which repairs of regions may be made.")
       .constructible()
@@ -44,25 +39,9 @@ void bind_region_repairs(nb::module_& m) {
 }
 
 void bind_mesh_repairs(nb::module_& m) {
-  nb::enum_<MeshRepairKind>(m, "MeshRepairKind", "The repairs of solids.")
-      .value("duplicate_vertices", MeshRepairKind::duplicate_vertices)
-      .value("unused_vertices", MeshRepairKind::unused_vertices)
-      .value("degenerate_faces", MeshRepairKind::degenerate_faces)
-      .value("needles", MeshRepairKind::needles)
-      .value("t_junctions", MeshRepairKind::t_junctions)
-      .value("cracks", MeshRepairKind::cracks)
-      .value("holes", MeshRepairKind::holes)
-      .value("split_faces", MeshRepairKind::split_faces)
-      .value("reversed_faces", MeshRepairKind::reversed_faces)
-      .value("reversed_shells", MeshRepairKind::reversed_shells)
-      .value("nested_shells", MeshRepairKind::nested_shells)
-      .value("membranes", MeshRepairKind::membranes)
-      .value("loose_walls", MeshRepairKind::loose_walls)
-      .value("crossings", MeshRepairKind::crossings);
+  enumeration<MeshRepairKind>(m, "MeshRepairKind", "The repairs of solids.");
   m.def("all_mesh_repairs", &all_mesh_repairs, "All MeshRepairKinds, in their order.");
-  nb::enum_<NestedShells>(m, "NestedShells", "What a shell is that runs the same way as the one around it.")
-      .value("cavity", NestedShells::cavity)
-      .value("solid", NestedShells::solid);
+  enumeration<NestedShells>(m, "NestedShells", "What a shell is that runs the same way as the one around it.");
   Record<MeshRepairOptions>(m, "MeshRepairOptions", "Which repairs of solids may be made.")
       .constructible()
       .option("kinds", &MeshRepairOptions::kinds)

@@ -8,6 +8,7 @@
 #include "dymsum/growing_disc.h"
 #include "dymsum/local_sum.h"
 #include "dymsum/mesh_io.h"
+#include "dymsum/named_repairs.h"
 #include "dymsum/names.h"
 #include "dymsum/nfp_table.h"
 #include "dymsum/planar_local_sum.h"
@@ -36,6 +37,7 @@ std::vector<Enumerators> enumerations() {
           of<Contact::Kind>("Kind"),
           of<ConvexEngine>("ConvexEngine"),
           of<Cut::End>("End"),
+          of<CurveBound>("CurveBound"),
           of<DepthEngine>("DepthEngine"),
           of<DiscBound>("DiscBound"),
           of<DiscCorner::Kind>("Kind"),
@@ -55,8 +57,10 @@ std::vector<Enumerators> enumerations() {
           of<LocalPart::Where>("Where"),
           of<Meeting>("Meeting"),
           of<MeshFormat>("MeshFormat"),
+          of<MeshRepairKind>("MeshRepairKind"),
           of<MotionCheck::Outcome>("Outcome"),
           of<MovingOperand>("MovingOperand"),
+          of<NestedShells>("NestedShells"),
           of<NoPath::Kind>("Kind"),
           of<ObstacleEvent::Kind>("Kind"),
           of<OffsetBound>("OffsetBound"),
@@ -64,6 +68,7 @@ std::vector<Enumerators> enumerations() {
           of<PlanarLocalPart::Where>("Where"),
           of<Precision>("Precision"),
           of<RegionFormat>("RegionFormat"),
+          of<RegionRepairKind>("RegionRepairKind"),
           of<RingChange::Kind>("Kind"),
           of<ScaleContact::Kind>("Kind"),
           of<Semantics>("Semantics"),

@@ -18,6 +18,7 @@
 #include "io/mesh/mesh_readers.h"
 #include "io/mesh/transform3.h"
 #include "io/number_text.h"
+#include "io/words.h"
 
 namespace dymsum::io {
 

@@ -55,7 +55,7 @@ RingSet rings_of(const PlanarSum& sum) {
   return set;
 }
 
-// Of a result that no Boolean operation has made.
+// The terms of a result that no Boolean operation has made.
 Result<BooleanTerms> terms_of_sum(const PlanarSum& sum, Semantics semantics) {
   if (semantics != Semantics::regular && !(sum.segments.empty() && sum.points.empty()))
     return error_at(ErrorCode::unsupported_operand,

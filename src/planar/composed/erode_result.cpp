@@ -28,7 +28,7 @@ auto of_set(const PlanarOperand& operand, F f) {
 }
 
 Bounds bounds_of(const Region& region) { return bounds(region); }
-// Around the exact positions.
+// These bounds hold the exact positions.
 Bounds bounds_of(const PlanarSum& sum) {
   constexpr double kMost = std::numeric_limits<double>::infinity();
   Bounds b{kMost, kMost, -kMost, -kMost};
@@ -115,7 +115,7 @@ Result<PlanarSum> erode(const PlanarOperand& p, const PlanarOperand& q, const Su
 
 namespace {
 
-/// Of the first of two steps: what is tight counts, but where the result has none.
+/// The options of the first of two steps: what is tight counts, but with regular semantics.
 SumOptions options_between(const SumOptions& options) {
   SumOptions between = options;
   if (between.semantics == Semantics::open) between.semantics = Semantics::closed;

@@ -37,7 +37,7 @@ int compare_fractions(const BigInteger& a, const BigInteger& aw, const BigIntege
 struct Line {
   BigInteger dx, dy, height, w;
 };
-/// What is divided by a common factor, and what is not.
+// A common factor of a numerator and its denominator is divided out.
 void lower(BigInteger& n, BigInteger& d) {
   if (d == 1) return;
   const BigInteger common = gcd(n, d);
@@ -128,7 +128,7 @@ class FractionLattice final : public Lattice {
   Vec sum(Pair v) const { return sum_of(vertices_[0][v.p], vertices_[1][v.q]); }
   Vec vector_of(const Edge& e) const { return difference_of(vertices_[e.op][e.to], vertices_[e.op][e.from]); }
 
-  // Of an edge alone, kept: lowest terms cost more than what they are used for.
+  // The line of an edge alone is kept: lowest terms cost more than what they are used for.
   const Line& line(const Edge& e) const {
     const std::uint64_t key = (std::uint64_t{e.from} << 32) | e.to;
     const std::lock_guard lock(making_);
@@ -148,7 +148,7 @@ class FractionLattice final : public Lattice {
     lower(line.height, line.w);
     return line;
   }
-  // Of a segment: moved by its vertex.
+  // The line of a segment is that of its edge, moved by its vertex.
   Line line(const Segment& s) const {
     const Line& own = line(s.edge);
     const Vec& by = vertices_[1 - s.edge.op][s.vertex];
@@ -170,7 +170,7 @@ class FractionLattice final : public Lattice {
     return compare_fractions(ahead, x.w, start, from.w);
   }
 
-  // Where two lines meet that are not parallel.
+  // The position at which two lines meet that are not parallel.
   static Vec meeting(const Line& a, const Line& b) {
     BigInteger w = a.dx * b.dy - a.dy * b.dx, ah = a.height * b.w, bh = b.height * a.w;
     Vec out{ah * b.dx - bh * a.dx, ah * b.dy - bh * a.dy, w * a.w * b.w};

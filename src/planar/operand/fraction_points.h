@@ -28,13 +28,13 @@ struct FractionPoints {
   exact::HomogeneousPoint difference(std::uint32_t from, std::uint32_t to) const;
 };
 
-/// Placed in units of 1 where they are moderate; the nearest doubles are the points' input. Requires: not empty.
+/// The points in units of 1 where they are moderate; their nearest doubles are the input. Requires: not empty.
 std::shared_ptr<const PlacedPoints> fractions_as_points(std::vector<exact::HomogeneousPoint> at);
 
 /// x and y of such points in units of 2^unit, rounded once.
 void fractions_in_units(PlacedPoints& points, int unit);
 
-/// Of operands of which one has fractions for vertices, or both: numbers of any size.
+/// The lattice of operands of which one has fractions for vertices, or both: its numbers have any size.
 std::shared_ptr<const Lattice> make_fraction_lattice(LatticePoints points);
 
 }  // namespace dymsum::planar

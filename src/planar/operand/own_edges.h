@@ -34,7 +34,7 @@ class OwnEdges {
     const Point d = direction(from, to);
     return {with_sign_of(d.x, d.x * per_unit_), with_sign_of(d.y, d.y * per_unit_)};
   }
-  /// In input units, or those of the edge's own fractions: no rounding underflows.
+  /// The direction in input units, or those of the edge's own fractions: no rounding underflows.
   Point direction(std::uint32_t from, std::uint32_t to) const {
     if (fractions_ != nullptr) return fractions_->direction(from, to);
     const Point a = input_[from], b = input_[to];

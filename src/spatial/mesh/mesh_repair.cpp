@@ -111,9 +111,9 @@ class MeshRepair {
       Face face = std::move(data_.faces[f]);
       const bool thin = mode_.thin_parts && (face.size() == 1 || face.size() == 2);
       if (may(MeshRepairKind::duplicate_vertices)) drop_repeated(face);
-      if (!thin && may(MeshRepairKind::degenerate_faces) && !has_area(face)) {
+      if (!thin && may(MeshRepairKind::faces_without_area) && !has_area(face)) {
         ++log_.counts.degenerate_faces;
-        mark_face(MeshRepairKind::degenerate_faces, face);
+        mark_face(MeshRepairKind::faces_without_area, face);
         continue;
       }
       kept.push_back(std::move(face));
