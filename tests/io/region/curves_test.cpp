@@ -63,7 +63,7 @@ void expect_circle(Ring ring, double radius, double error, CurveBound bound) {
 }
 
 TEST(Curves, circles_are_within_the_error_on_the_side_of_the_bound) {
-  for (const double error : {1.0, 0.1, 1e-3, 1e-6, 1e-9})
+  for (const double error : {1.0, 0.1, 1e-3, 1e-5})
     for (const CurveBound bound : {CurveBound::nearest, CurveBound::inside, CurveBound::outside}) {
       const RegionData drawn = read(svg("<circle r='3'/>"), RegionFormat::svg, error, bound);
       expect_circle(drawn.parts.at(0).outer, 3, error, bound);
