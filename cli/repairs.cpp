@@ -54,7 +54,7 @@ std::string text_of_positions(const Log& log) {
 }
 
 template <class Log>
-Json json_of(const Log& log) {
+Json json_of_log(const Log& log) {
   Json positions = Json::object();
   for (const auto& mark : log.marks) positions[option_name(mark.kind)].push_back(point_json(mark.at));
   return {{"changed", log.to_string()}, {"positions", positions}};
@@ -107,7 +107,7 @@ std::string remedy(const MeshRepairLog& log, const std::string& options) {
 std::string positions_text(const RegionRepairLog& log) { return text_of_positions(log); }
 std::string positions_text(const MeshRepairLog& log) { return text_of_positions(log); }
 
-Json repair_json(const RegionRepairLog& log) { return json_of(log); }
-Json repair_json(const MeshRepairLog& log) { return json_of(log); }
+Json repair_json(const RegionRepairLog& log) { return json_of_log(log); }
+Json repair_json(const MeshRepairLog& log) { return json_of_log(log); }
 
 }  // namespace dymsum::cli

@@ -52,11 +52,11 @@ SolidDistance distance_with(const DepthOperands& o, std::vector<RationalVector> 
 }  // namespace
 
 bool operator==(const SolidDistance& a, const SolidDistance& b) {
-  const auto same_way = [](const SolidWay& x, const SolidWay& y) {
+  const auto same_sense = [](const SolidWay& x, const SolidWay& y) {
     return x.move == y.move && x.direction == y.direction && x.contacts == y.contacts;
   };
   return a.meeting == b.meeting && a.squared == b.squared && a.distance == b.distance && a.complete == b.complete &&
-         a.at_least == b.at_least && std::equal(a.ways.begin(), a.ways.end(), b.ways.begin(), b.ways.end(), same_way);
+         a.at_least == b.at_least && std::equal(a.ways.begin(), a.ways.end(), b.ways.begin(), b.ways.end(), same_sense);
 }
 
 Result<SolidDepth> SolidDepth::create(const Mesh& p, const Mesh& q, const DepthOptions& options) {

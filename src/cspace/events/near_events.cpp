@@ -120,7 +120,7 @@ class Finder {
   bool parallel(const WalkSegment& s, const WalkSegment& t) const {
     return s.side == t.side && line_of_[s.side][s.edge] == line_of_[t.side][t.edge];
   }
-  bool same_way(const WalkSegment& s, const WalkSegment& t) const {
+  bool same_sense(const WalkSegment& s, const WalkSegment& t) const {
     const Point d = forms_.edge(s.side, s.edge), e = forms_.edge(t.side, t.edge);
     return d.x * e.x + d.y * e.y > 0;
   }
@@ -196,7 +196,7 @@ class Finder {
       if (!parallel(s, t)) p.exact_cross = angle_.exact_cross(s, t);
     }
     if (parallel(s, t)) {
-      p.kind = same_way(s, t) ? Kind::same_direction : Kind::opposite;
+      p.kind = same_sense(s, t) ? Kind::same_direction : Kind::opposite;
       return p;
     }
     p.cross = angle_.cross(s, t);
@@ -275,7 +275,7 @@ class Finder {
         const WalkSegment &s = segment(b), &t = segment(c);
         if (!w_.meet(b, c)) continue;
         if (parallel(s, t)) {
-          if (same_way(s, t)) continue;  // seen as an overlap
+          if (same_sense(s, t)) continue;  // seen as an overlap
         } else if (a > b && steep(s, t)) {
           continue;  // found from its smallest member
         }
@@ -301,7 +301,7 @@ class Finder {
         if (!w_.meet(b, c)) continue;
         const WalkSegment &s = segment(b), &t = segment(c);
         if (parallel(s, t)) {
-          if (same_way(s, t)) continue;
+          if (same_sense(s, t)) continue;
         } else if (a > b && !steep(s, t)) {
           continue;
         }

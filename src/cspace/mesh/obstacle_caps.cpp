@@ -41,11 +41,11 @@ class Cap {
   /// The cap runs along an edge against the triangle that uses it.
   void use(std::uint32_t a, std::uint32_t b) {
     if (!in_plane_.contains(a) || !in_plane_.contains(b)) return;
-    const auto same_way = open_.find({a, b});
-    if (same_way == open_.end()) {
+    const auto same_sense = open_.find({a, b});
+    if (same_sense == open_.end()) {
       ++open_[{b, a}];
-    } else if (--same_way->second == 0) {
-      open_.erase(same_way);
+    } else if (--same_sense->second == 0) {
+      open_.erase(same_sense);
     }
   }
 

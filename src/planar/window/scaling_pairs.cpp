@@ -131,8 +131,8 @@ void PairTests::test(std::uint32_t i, std::uint32_t j) {
       end_b == a.start || end_a == end_b) {
     // They meet in the common end only, at every scale, unless they fold back onto each other.
     if (sign != 0) return;
-    const bool same_way = window_.base().lattice->dot(window_.exact(si).edge, window_.exact(sj).edge) > 0;
-    if (same_way == (a.start == b.start || a.end == b.end)) window_.folds.push_back({si, sj});
+    const bool same_sense = window_.base().lattice->dot(window_.exact(si).edge, window_.exact(sj).edge) > 0;
+    if (same_sense == (a.start == b.start || a.end == b.end)) window_.folds.push_back({si, sj});
     return;
   }
   Candidate c{};
