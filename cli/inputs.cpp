@@ -139,7 +139,6 @@ std::vector<NamedShape> read_all(const std::string& file, const InputOptions& op
                      [&](const ReadOptions& how) { return parse_shapes(text, format, "standard input", how); });
 }
 
-
 namespace {
 
 constexpr const char* kFillHint = " (--fill RULE takes what the rings bound: nonzero, positive or even_odd)";

@@ -226,7 +226,7 @@ Error homeless_hole(std::int64_t part, std::int64_t ring, const RepairedChain& h
 }
 
 Result<void> repair_part(const Part& part, std::int64_t index, RegionData& result, SourceNames& names,
-                                 RepairNotes& log) {
+                         RepairNotes& log) {
   RepairedChain outer = repair_ring(part.outer, true, log);
   const bool keep = !is_dropped(outer.chain, log);
   if (keep) {

@@ -42,7 +42,7 @@ RegionData read(const std::string& text, RegionFormat format, double error, Curv
   return shapes ? shapes->at(0).data : RegionData{};
 }
 
-std::string svg(const std::string& elements) { return "<svg>" + elements + "</svg>"; }
+std::string svg_of(const std::string& elements) { return "<svg>" + elements + "</svg>"; }
 
 /// Rounding of vertices: a few units in the last place of coordinates up to 16.
 const Rational kRounding = exact(0x1p-46);
@@ -65,7 +65,7 @@ void expect_circle(Ring ring, double radius, double error, CurveBound bound) {
 TEST(Curves, circles_are_within_the_error_on_the_side_of_the_bound) {
   for (const double error : {1.0, 0.1, 1e-3, 1e-5})
     for (const CurveBound bound : {CurveBound::nearest, CurveBound::inside, CurveBound::outside}) {
-      const RegionData drawn = read(svg("<circle r='3'/>"), RegionFormat::svg, error, bound);
+      const RegionData drawn = read(svg_of("<circle r='3'/>"), RegionFormat::svg, error, bound);
       expect_circle(drawn.parts.at(0).outer, 3, error, bound);
       EXPECT_TRUE(Region::create(drawn).ok());
       const std::string dxf = "0\nSECTION\n2\nENTITIES\n0\nCIRCLE\n10\n0\n20\n0\n40\n3\n0\nENDSEC\n0\nEOF\n";
@@ -80,7 +80,7 @@ TEST(Curves, holes_are_bound_on_their_other_side) {
   const std::string path = "<path fill-rule='evenodd' d='M-9 -9H9V9H-9Z M2 0 A2 2 0 0 1 -2 0 A2 2 0 0 1 2 0Z'/>";
   for (const auto& [bound, of_hole] :
        {std::pair{CurveBound::inside, CurveBound::outside}, std::pair{CurveBound::outside, CurveBound::inside}}) {
-    const RegionData drawn = read(svg(path), RegionFormat::svg, 0.01, bound);
+    const RegionData drawn = read(svg_of(path), RegionFormat::svg, 0.01, bound);
     ASSERT_EQ(drawn.parts.at(0).holes.size(), 1u);
     expect_circle(drawn.parts[0].holes[0], 2, 0.01, of_hole);
     EXPECT_TRUE(Region::create(drawn).ok());
@@ -92,7 +92,7 @@ TEST(Curves, holes_are_bound_on_their_other_side) {
 TEST(Curves, ellipses_lie_on_their_equation) {
   for (const CurveBound bound : {CurveBound::nearest, CurveBound::inside, CurveBound::outside}) {
     const RegionData drawn =
-        read(svg("<g transform='rotate(90)'><ellipse rx='4' ry='1'/></g>"), RegionFormat::svg, 1e-4, bound);
+        read(svg_of("<g transform='rotate(90)'><ellipse rx='4' ry='1'/></g>"), RegionFormat::svg, 1e-4, bound);
     for (const Point p : drawn.parts.at(0).outer) {
       const Rational value = exact(p.y) * exact(p.y) / Rational(16) + exact(p.x) * exact(p.x) - Rational(1);
       EXPECT_GE(value, -kRounding);
@@ -128,7 +128,7 @@ TEST(Curves, bezier_curves_are_within_the_error) {
     for (Point& p : control) p = {std::stod(std::to_string(p.x)), std::stod(std::to_string(p.y))};
     const double error = round < 3 ? 0.05 : 1e-4;
     const Polyline chain =
-        read(svg("<path d='" + d + "'/>"), RegionFormat::svg, error, CurveBound::nearest).polylines.at(0);
+        read(svg_of("<path d='" + d + "'/>"), RegionFormat::svg, error, CurveBound::nearest).polylines.at(0);
     EXPECT_EQ(chain.front(), control.front());
     EXPECT_EQ(chain.back(), control.back());
     for (int k = 0; k <= 32; ++k) {
@@ -143,7 +143,7 @@ TEST(Curves, bezier_curves_are_within_the_error) {
 TEST(Curves, bezier_curves_are_on_the_side_of_the_bound) {
   const std::string path = "<path d='M0 0 Q1 0 2 4 H0 Z'/>";
   for (const CurveBound bound : {CurveBound::nearest, CurveBound::inside, CurveBound::outside}) {
-    const RegionData drawn = read(svg(path), RegionFormat::svg, 1e-3, bound);
+    const RegionData drawn = read(svg_of(path), RegionFormat::svg, 1e-3, bound);
     Ring ring = drawn.parts.at(0).outer;
     EXPECT_GT(ring.size(), 10u);
     ring.push_back(ring.front());
@@ -175,7 +175,7 @@ TEST(Curves, splines_are_the_curves_of_their_control_points) {
   const std::string points = "10\n0\n20\n0\n10\n1\n20\n4\n10\n3\n20\n-4\n10\n4\n20\n0\n";
   const RegionData spline =
       read(dxf("0\nSPLINE\n70\n8\n71\n3\n" + ends + points), RegionFormat::dxf, 1e-3, CurveBound::nearest);
-  EXPECT_EQ(spline, read(svg("<path d='M0 0C1 4 3 -4 4 0'/>"), RegionFormat::svg, 1e-3, CurveBound::nearest));
+  EXPECT_EQ(spline, read(svg_of("<path d='M0 0C1 4 3 -4 4 0'/>"), RegionFormat::svg, 1e-3, CurveBound::nearest));
   // Half of the unit circle: three points to a quarter, the middle ones with the weight sqrt(1/2).
   const std::string w = "0.70710678118654757";
   const std::string half =
@@ -241,7 +241,7 @@ TEST(Curves, what_blocks_cannot_be_is_refused) {
 }
 
 TEST(Curves, use_draws_what_it_names) {
-  const auto parts = [](const std::string& elements) { return read_one(svg(elements), RegionFormat::svg).parts; };
+  const auto parts = [](const std::string& elements) { return read_one(svg_of(elements), RegionFormat::svg).parts; };
   const std::string tile = "<defs><rect id='t' width='2' height='1'/><g id='g'><use href='#t' x='1'/></g></defs>";
   EXPECT_EQ(parts(tile + "<use href='#t' x='5' y='6'/>").at(0).outer, (Ring{{5, 6}, {7, 6}, {7, 7}, {5, 7}}));
   EXPECT_EQ(parts(tile + "<use xlink:href='#g' transform='scale(2)'/>").at(0).outer,
@@ -255,7 +255,7 @@ TEST(Curves, use_draws_what_it_names) {
   // What is used inherits from where it is used.
   EXPECT_TRUE(parts(tile + "<g visibility='hidden'><use href='#t'/></g>").empty());
   const auto refused = [](const std::string& elements, const std::string& words) {
-    const auto read = parse_shapes(svg(elements), RegionFormat::svg, "test");
+    const auto read = parse_shapes(svg_of(elements), RegionFormat::svg, "test");
     ASSERT_FALSE(read);
     EXPECT_NE(read.error().message.find(words), std::string::npos) << read.error().to_string();
   };
@@ -266,7 +266,7 @@ TEST(Curves, use_draws_what_it_names) {
 
 TEST(Curves, smooth_curves_go_on) {
   // S and T mirror the control point before them; after other commands they have none.
-  const auto line = [](const std::string& d) { return read_one(svg("<path d='" + d + "'/>"), RegionFormat::svg); };
+  const auto line = [](const std::string& d) { return read_one(svg_of("<path d='" + d + "'/>"), RegionFormat::svg); };
   EXPECT_EQ(line("M0 0C0 1 1 2 2 2S4 1 4 0"), line("M0 0C0 1 1 2 2 2C3 2 4 1 4 0"));
   EXPECT_EQ(line("M0 0q1 2 2 0t2 0"), line("M0 0Q1 2 2 0Q3 -2 4 0"));
   EXPECT_EQ(line("M0 0L2 2S4 1 4 0"), line("M0 0L2 2C2 2 4 1 4 0"));
@@ -276,7 +276,7 @@ TEST(Curves, smooth_curves_go_on) {
 
 TEST(Curves, round_corners_of_rectangles) {
   const RegionData drawn =
-      read(svg("<rect x='-4' y='-3' width='8' height='6' rx='1'/>"), RegionFormat::svg, 1e-4, CurveBound::nearest);
+      read(svg_of("<rect x='-4' y='-3' width='8' height='6' rx='1'/>"), RegionFormat::svg, 1e-4, CurveBound::nearest);
   EXPECT_TRUE(Region::create(drawn).ok());
   const double pi = 3.14159265358979;
   EXPECT_NEAR(area(Region::create(drawn).value()), 48 - 4 + pi, 1e-3);
@@ -284,7 +284,8 @@ TEST(Curves, round_corners_of_rectangles) {
 
 TEST(Curves, errors_that_are_too_small_and_curves_that_are_too_large) {
   const auto refused = [](const std::string& elements, double error, ErrorCode code) {
-    const auto read = parse_shapes(svg(elements), RegionFormat::svg, "test", {ThirdCoordinates::refused, {error, {}}});
+    const auto read =
+        parse_shapes(svg_of(elements), RegionFormat::svg, "test", {ThirdCoordinates::refused, {error, {}}});
     ASSERT_FALSE(read);
     EXPECT_EQ(name(read.error().code), name(code)) << read.error().to_string();
   };

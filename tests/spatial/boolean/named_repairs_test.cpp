@@ -12,7 +12,7 @@ namespace {
 
 using Kind = MeshRepairKind;
 
-MeshData with(MeshData a, const MeshData& b) {
+MeshData together(MeshData a, const MeshData& b) {
   const auto first = static_cast<std::uint32_t>(a.vertices.size());
   a.vertices.insert(a.vertices.end(), b.vertices.begin(), b.vertices.end());
   for (Face face : b.faces) {
@@ -43,7 +43,7 @@ MeshData defect(Kind kind) {
     case Kind::unused_vertices:
       data.vertices.push_back({7, 7, 7});
       return data;
-    case Kind::degenerate_faces:
+    case Kind::faces_without_area:
       data.faces.push_back({0, 1, 0});
       return data;
     case Kind::needles:
@@ -80,7 +80,7 @@ MeshData defect(Kind kind) {
       for (Face& face : data.faces) std::reverse(face.begin(), face.end());
       return data;
     case Kind::nested_shells:
-      return with(cube(0, 4), cube(1, 1));
+      return together(cube(0, 4), cube(1, 1));
     case Kind::membranes:  // two halves of a box, and the wall between them
       return {{{0, 0, 0},
                {2, 0, 0},
@@ -111,7 +111,7 @@ MeshData defect(Kind kind) {
       data.faces.push_back({8, 10, 11});
       return data;
     case Kind::crossings:
-      return with(cube(0, 2), cube(1, 2));
+      return together(cube(0, 2), cube(1, 2));
   }
   return data;
 }
@@ -178,12 +178,12 @@ TEST(NamedRepairs, nested_shells_are_cavities_or_bodies_as_asked) {
     for (Face& face : data.faces) std::reverse(face.begin(), face.end());
     return data;
   };
-  const MeshData hollow = with(with(cube(0, 10), inward(cube(1, 8))), cube(3, 2));
+  const MeshData hollow = together(together(cube(0, 10), inward(cube(1, 8))), cube(3, 2));
   EXPECT_EQ(volume(repair(hollow, options)->mesh), 1000 - 512 + 8);
-  const MeshData filled = with(with(cube(0, 10), cube(1, 8)), inward(cube(3, 2)));
+  const MeshData filled = together(together(cube(0, 10), cube(1, 8)), inward(cube(3, 2)));
   EXPECT_EQ(volume(repair(filled, options)->mesh), 1000);
   // All inside out: the outermost one is turned, and the others with it by what they are inside of.
-  EXPECT_EQ(volume(repair(inward(with(cube(0, 4), cube(1, 1))), options)->mesh), 63);
+  EXPECT_EQ(volume(repair(inward(together(cube(0, 4), cube(1, 1))), options)->mesh), 63);
 }
 
 TEST(NamedRepairs, cracks_are_as_wide_as_allowed) {

@@ -56,7 +56,7 @@ class EventsOfPair {
     ++counts_.sums;
     return {sum_.combinatorial_hash(*sum),
             sum->vertices.size(),
-            sum->edges.size(),
+            sum->edges().size(),
             sum->faces.size(),
             sum->shells,
             sum->tight_faces.size() + sum->tight_segments.size() + sum->tight_points.size()};
