@@ -20,7 +20,7 @@ def test_repairs_of_regions_are_chosen_and_have_positions() -> None:
 
 
 def test_loose_walls_and_nested_bodies() -> None:
-    box = dymsum.solids.box(0, 0, 0, 1, 1, 1).data()
+    box = dymsum.solids.box(0, 0, 0, 1, 1, 1).data
     walled = dymsum.MeshData(
         [*box.vertices, (0.5, 0, 0), (0.5, 1, 0), (0.5, 1, 1)], [*(list(face) for face in box.faces), [8, 9, 10]]
     )

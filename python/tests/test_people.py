@@ -50,9 +50,10 @@ def test_results_are_geometry_to_others() -> None:
     disc = dymsum.GrowingDisc(SQUARE).sum_at(1)
     assert shapely.shape(sum.__geo_interface__).area == sum.area() == 30
     assert shapely.shape(disc.__geo_interface__).area == pytest.approx(disc.area(), rel=1e-2)
-    for rounded in (sum, disc):  # never an operand by the way
-        with pytest.raises(TypeError):
-            dymsum.nfp(rounded, SQUARE)  # type: ignore[call-overload, arg-type, unused-ignore]
+    assert dymsum.nfp(sum, SQUARE).area() > sum.area()  # exactly, as it is
+    with pytest.raises(TypeError):
+        dymsum.nfp(disc, SQUARE)  # type: ignore[call-overload, arg-type, unused-ignore]
+    for rounded in (sum, disc):  # never rounded by the way
         with pytest.raises(TypeError):
             dymsum.Region(rounded)  # type: ignore[arg-type, unused-ignore]
 
