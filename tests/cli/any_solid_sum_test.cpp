@@ -149,7 +149,9 @@ TEST_F(AnySolidSum, WhatItDoesNotTakeIsRefused) {
   EXPECT_NE(work.run("dymsum info crossing.off").err.find(remedy), std::string::npos)
       << work.run("dymsum info crossing.off").err;
   const Outcome repaired = work.run("dymsum convert crossing.off united.off --repair");
-  EXPECT_EQ(repaired.err, "crossing.off: repaired: what crossed or overlapped united (6 new vertices)\n");
+  EXPECT_EQ(repaired.err,
+            "crossing.off: repaired: what crossed or overlapped united (6 new vertices)\ncrossing.off: repaired: "
+            "crossings at (1, 1, 2), (2, 1, 2), (1, 2, 2) and more\n");
   EXPECT_EQ(json("dymsum info united.off --json")["volume"], 15);
   // The same with a body that shares half a face, and one that is turned inside out.
   EXPECT_EQ(json("dymsum sum crossing.off cube.off --repair --json")["volume_exact"],
