@@ -1,5 +1,4 @@
-// Writes generated shapes as WKT files into a folder, operands for the command line, and a picture of the plate, the
-// star and their sum. Usage: demo_shapes FOLDER
+// Writes shapes as WKT files, operands for the command line, and a picture of a sum of two. Usage: demo_shapes FOLDER
 #include <dymsum/dymsum.h>
 
 #include <filesystem>
@@ -23,10 +22,9 @@ Region plate_for(const Region& star) {
   return Region::create(data).value();
 }
 
-bool write(const std::filesystem::path& file, const std::string& text) {
+void write(const std::filesystem::path& file, const std::string& text) {
   const Result<void> written = write_file(file.string(), text);
-  if (!written) std::cerr << written.error().to_string() << "\n";
-  return written.ok();
+  if (!written) std::cerr << written.error().to_string() << "\n", std::exit(2);
 }
 
 Region lines(std::vector<Polyline> polylines) { return Region::create({{}, std::move(polylines), {}}).value(); }
@@ -40,7 +38,6 @@ int main(int argc, char** argv) {
     return asked ? 0 : 1;
   }
   const std::filesystem::path folder = argv[1];
-  std::filesystem::create_directories(folder);
   const Region star = shapes::star(5, 1.5, 3, shapes::demo_snap(3)), plate = plate_for(star);
   const std::vector<std::pair<std::string, Region>> all = {
       {"gear", shapes::gear(12, 8, 10, shapes::demo_snap(10))},
@@ -57,8 +54,7 @@ int main(int argc, char** argv) {
       {"hook", lines({{{0, 0}, {2, 0}, {2, 1}}})},  // a bent wire
       {"rooms", lines({{{0, 0}, {8, 0}, {8, 6}, {0, 6}, {0, 0}}, {{4, 0}, {4, 2}}, {{4, 3.5}, {4, 6}}})},  // walls
   };
-  for (const auto& [name, region] : all) {
-    if (!write(folder / (name + ".wkt"), format_region(region, RegionFormat::wkt))) return 2;
-  }
-  if (!write(folder / "plate_and_star.svg", draw_sum(plate, star, minkowski_sum(plate, star).value()))) return 2;
+  std::filesystem::create_directories(folder);
+  for (const auto& [name, region] : all) write(folder / (name + ".wkt"), format_region(region, RegionFormat::wkt));
+  write(folder / "plate_and_star.svg", draw_sum(plate, star, minkowski_sum(plate, star).value()));
 }
