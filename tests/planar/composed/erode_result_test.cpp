@@ -79,6 +79,25 @@ TEST(ErodeResult, equals_the_erosion_of_the_same_region_in_integers) {
   EXPECT_GT(tight, 20u);
 }
 
+// A cup with a hole, and a lid that touches it at two corners: outlines of what is left out touch, and the parts are
+// two.
+TEST(ErodeResult, parts_that_touch_at_corners_are_parts) {
+  const Region cup =
+      Region::create(
+          {{{{{0, 0}, {6, 0}, {6, 4}, {4, 4}, {4, 2}, {2, 2}, {2, 4}, {0, 4}}, {{{1, 0.5}, {1, 1}, {2, 1}, {2, 0.5}}}},
+            {{{2, 4}, {4, 4}, {4, 6}, {2, 6}}, {}}},
+           {},
+           {}})
+          .value();
+  const Region point = Region::create({{}, {}, {Point{0, 0}}}).value(), square = shapes::rectangle(0, 0, 0.25, 0.25);
+  const PlanarSum itself = minkowski_sum(cup, point).value(), grown = minkowski_sum(cup, square).value();
+  EXPECT_EQ(itself.parts.size(), 2u);
+  EXPECT_EQ(erode(PlanarOperand(cup), PlanarOperand(point)).value(), itself);
+  EXPECT_EQ(opening(cup, point).value(), itself);
+  EXPECT_EQ(closing(cup, point).value(), itself);
+  EXPECT_EQ(opening(PlanarOperand(grown), square).value(), grown);
+}
+
 TEST(ErodeResult, by_one_set_after_the_other_is_the_erosion_by_their_sum) {
   std::size_t room = 0;
   for_triples(times(300), [&](const Region& p, const Region& q, const Region& r) {
