@@ -276,6 +276,9 @@ std::optional<PlanarSum> result_in(const std::string& file, const InputOptions& 
 Input read_operand(const std::string& file, const InputOptions& options) {
   std::optional<PlanarSum> result = result_in(file, options);
   if (!result) return read_input(file, options);
+  if (!options.snap.empty())
+    throw Stop(kUsage, "--snap is for coordinates in doubles, and " + shown_file(file) +
+                           " holds an exact result; written as .wkt it is in doubles");
   Region region = require(snap_rounded(*result)).region;
   return {file, std::move(region), Json::object(), std::move(result)};
 }

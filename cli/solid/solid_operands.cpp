@@ -16,7 +16,9 @@ bool are_solid(const std::vector<std::string>& files, const InputOptions& option
   if (!planar.empty())
     for (const std::string& file : files) refuse_unknown_extension(file);
   if (!solid.empty() && !planar.empty())
-    throw Stop(kUsage, solid + " is a solid and " + planar + " is not: all operands have to be solids, or none");
+    throw Stop(kUsage,
+               solid + " is a solid and " + planar + " is not: all operands have to be solids, or none" +
+                   (planar.ends_with(".json") ? "; exact results of solids are not read back, but .off is" : ""));
   return planar.empty();
 }
 

@@ -92,7 +92,7 @@ void add(CLI::App& app, Action& action, const TwoSteps& steps, const std::string
       "--round-between", command->round_between,
       "Solids: round vertices between the two operations that have no doubles for coordinates, and report how far "
       "that moved them; without it they are fractions, and the result is exact");
-  verb.footer("Of regions, and of results in .json, both steps are exact.\nExample: dymsum " + name +
+  verb.footer("Both steps are exact. A planar result in .json is an operand.\nExample: dymsum " + name +
               " plate.wkt tool.wkt -o " + name + ".json\nExample: dymsum " + name + " part.off tool.off -o " + name +
               ".off --json");
   verb.callback([=, &action] { action = [=] { return run(steps, *command); }; });

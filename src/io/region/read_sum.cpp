@@ -2,6 +2,7 @@
 // has to be the one that they are.
 #include <algorithm>
 #include <cmath>
+#include <filesystem>
 
 #include "dymsum/sum_io.h"
 #include "io/plain_text.h"
@@ -140,9 +141,11 @@ bool begins_like_sum(std::string_view text) {
 }
 
 bool names_sum(const std::string& path) {
-  if (io::extension(path) != ".json") return false;
+  std::error_code unknown;
+  // A pipe can be read once only.
+  if (io::extension(path) != ".json" || !std::filesystem::is_regular_file(path, unknown)) return false;
   const Result<std::string> text = io::read_file(path);
-  return text && begins_like_sum(*text);
+  return text && begins_like_sum(io::PlainText(*text).view());
 }
 
 Result<PlanarSum> parse_sum(std::string_view text, std::string_view name_for_errors) {
