@@ -46,6 +46,12 @@ void expect_scaled(const SpatialSum& small, const SpatialSum& large, std::int64_
     EXPECT_EQ((RationalPoint3{at.x * factor, at.y * factor, at.z * factor}), large.exact(v));
     EXPECT_NEAR(small.vertices[v].x, at.x.to_double(), small.at_error);
   }
+  const SpatialSum::Rounded drawn = small.drawn();
+  for (std::size_t v = 0; v < drawn.vertex.size(); ++v) {
+    const RationalPoint3 at = small.exact(drawn.vertex[v]);
+    EXPECT_EQ(drawn.mesh.vertices[v], (Point3{at.x.to_double(), at.y.to_double(), at.z.to_double()}))
+        << "the nearest doubles";
+  }
   ASSERT_EQ(small.faces.size(), large.faces.size());
   for (std::size_t f = 0; f < small.faces.size(); ++f) EXPECT_EQ(small.faces[f].loops, large.faces[f].loops);
   EXPECT_EQ(small.tight_faces, large.tight_faces);
