@@ -89,8 +89,6 @@ std::vector<Input> read_operands(const std::vector<std::string>& files, const In
 /// A Stop when the format of standard input is given and no file is it.
 void refuse_unused_format(const std::vector<std::string>& files, const InputOptions& options);
 
-/// The rule that --fill names.
-
 /// Validates one shape of a file, or joins, snaps, fills and repairs it where requested.
 Result<Input> make_input(NamedShape shape, const std::string& file, const InputOptions& options);
 
