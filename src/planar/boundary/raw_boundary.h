@@ -14,6 +14,7 @@ struct RawBoundary {
   std::vector<SumSegment> cracks;    ///< closed sub-edges of tight segments, not merged
   std::vector<SumVertex> punctures;  ///< candidates that are not on cracks are tight points
   double at_error = 0;               ///< |at - exact| in input coordinates
+  bool may_touch = true;             ///< rings may touch one another
 
   void add(SumRing ring, bool counter_clockwise) {
     rings.push_back(std::move(ring));

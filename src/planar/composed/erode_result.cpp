@@ -93,38 +93,12 @@ Result<planar::EngineRegion> outside_of(const PlanarOperand& p, double margin, c
   return region;
 }
 
-/// The parts of an erosion, determined anew; nothing where they are the same. Its rings are those of what it leaves
-/// out, the other way round: where a hole touches an outline in several points, the interior falls apart there.
-Result<std::optional<PlanarSum>> other_parts(const PlanarSum& fit, const SumOptions& options) {
-  const auto has_holes = [](const SumPart& part) { return !part.holes.empty(); };
-  if (std::none_of(fit.parts.begin(), fit.parts.end(), has_holes)) return std::optional<PlanarSum>();
-  SumOptions regular;
-  regular.semantics = Semantics::regular;
-  regular.progress = options.progress;
-  Result<PlanarSum> bounded = planar::evaluate(planar::terms_of_parts(fit), regular);
-  if (!bounded) return bounded.error();
-  PlanarSum parts;
-  parts.parts = fit.parts;
-  exact_source(parts) = exact_source(fit);
-  return parts == *bounded ? std::optional<PlanarSum>() : std::optional(*std::move(bounded));
-}
-
-/// An erosion with its parts, of which those that are determined anew name their own rings. With positions without room
-/// to move beside them they stay as they are.
-Result<PlanarSum> with_parts(Result<PlanarSum> fit, const SumOptions& options) {
-  if (!fit || is_thin(*fit) || !fit->tight_segments.empty() || !fit->tight_points.empty()) return fit;
-  Result<std::optional<PlanarSum>> other = other_parts(*fit, options);
-  if (!other) return other.error();
-  std::optional<PlanarSum> parts = *std::move(other);
-  return parts ? Result<PlanarSum>(*std::move(parts)) : fit;
-}
-
 }  // namespace
 
 Result<PlanarSum> erode(const PlanarOperand& p, const PlanarOperand& q, const SumOptions& options) {
   const auto* const* region_p = std::get_if<const Region*>(&p.set());
   const auto* const* region_q = std::get_if<const Region*>(&q.set());
-  if (region_p != nullptr && region_q != nullptr) return with_parts(erode(**region_p, **region_q, options), options);
+  if (region_p != nullptr && region_q != nullptr) return erode(**region_p, **region_q, options);
   const auto empty = [](const auto& set) { return is_empty(set); };
   if (of_set(q, empty)) return Error{ErrorCode::unsupported_operand, "every position holds the empty region", {}};
   if (of_set(p, empty)) return minkowski_sum(p, q, options);  // empty too
@@ -137,7 +111,7 @@ Result<PlanarSum> erode(const PlanarOperand& p, const PlanarOperand& q, const Su
   Result<planar::SumState> computed = planar::compute_boundary(
       planar::make_operand(*outside, 0), planar::taken_operand(q, 1, true), planar::options_inside(options));
   if (!computed) return computed.error();
-  return with_parts(planar::inside_of_frame(std::move(computed).value(), options), options);
+  return planar::inside_of_frame(std::move(computed).value(), options);
 }
 
 namespace {
@@ -155,15 +129,6 @@ SumOptions options_between(const SumOptions& options) {
 Result<PlanarSum> opening(const PlanarOperand& p, const PlanarOperand& q, const SumOptions& options) {
   const Result<PlanarSum> fit = erode(p, q, options_between(options));
   if (!fit) return fit;
-  if (is_thin(*fit)) {
-    const Result<std::optional<PlanarSum>> other = other_parts(*fit, options);
-    if (!other) return other.error();
-    if (*other)
-      return Error{ErrorCode::unsupported_operand,
-                   "the erosion has a hole that touches its outline in several points, and positions without room to "
-                   "move: such a set is no operand",
-                   {}};
-  }
   return minkowski_sum(*fit, q, options);
 }
 

@@ -10,6 +10,7 @@
 #include "planar/region/complement.h"
 #include "planar/region/region_sweep.h"
 #include "planar/region/separate_touching.h"
+#include "planar/result/connected_parts.h"
 #include "planar/result/finish_sum.h"
 #include "planar/sum/inside_of_frame.h"
 #include "planar/sum/sum_engine.h"
@@ -145,6 +146,7 @@ PlanarSum planar::inside_of_frame(SumState&& state, const SumOptions& options) {
   // Positions that hold Q are what the sum leaves free: its rings the other way round, without the frame's.
   RawBoundary inner;
   inner.at_error = state.boundary.at_error;
+  const bool may_touch = state.boundary.may_touch;
   for (std::size_t i = 0; i < state.boundary.rings.size(); ++i) {
     SumRing& ring = state.boundary.rings[i];
     if (std::any_of(ring.vertices.begin(), ring.vertices.end(), [](const SumVertex& v) { return of_frame(v.in); }))
@@ -158,6 +160,7 @@ PlanarSum planar::inside_of_frame(SumState&& state, const SumOptions& options) {
   inner.punctures = std::move(state.boundary.punctures);
   state.boundary = std::move(inner);
   PlanarSum result = finish_sum(std::move(state), options_inside(options));
+  if (may_touch) separate_parts(result);
   if (options.semantics == Semantics::closed) {
     result.segments = result.tight_segments;
     result.points = result.tight_points;

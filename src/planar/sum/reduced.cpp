@@ -134,6 +134,7 @@ void add_boundary(Run& run, const Soup& soup, const Arrangement& arrangement, Co
   for (const BoundaryLoop& ring : rings) run.rings.add(ring.steps.size() * sizeof(SumVertex));
   for (const BoundaryLoop& ring : rings) boundary.add(make_ring(soup, arrangement, ring, grid_error), ring.turning > 0);
   boundary.at_error = input_error(run.lattice, grid_error);
+  boundary.may_touch = arrangement.degenerate_nodes() > 0;
 }
 
 void count_work(Run& run, const Collision& collision, const KnownCover& cover) {
