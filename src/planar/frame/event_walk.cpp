@@ -1,5 +1,5 @@
-// ScalingSum's events: those of its windows, less what changes nothing in the sum between them and at them.
-#include "planar/frame/scaling_events.h"
+// Events of a scaling pair: those of its windows, less what changes nothing in the sum between them and at them.
+#include "planar/frame/event_walk.h"
 
 #include <algorithm>
 #include <cmath>
@@ -7,7 +7,7 @@
 #include "base/poll.h"
 #include "base/within_memory.h"
 #include "planar/frame/frame_rings.h"
-#include "planar/frame/scaling_sum.h"
+#include "planar/frame/scaling_events.h"
 
 namespace dymsum::planar {
 
@@ -71,14 +71,13 @@ struct Snapshot {
 /// Walks upwards through the events, window by window, looking at the sum between them and at them.
 class EventWalk {
  public:
-  EventWalk(ScalingState& probe, const Progress& progress) : probe_(probe), lines_(probe.base), poll_(progress) {
+  EventWalk(ScalingState& probe, const ScalingPath& path, const Progress& progress)
+      : probe_(probe), path_(path), windows_(path.swept), lines_(path.swept), poll_(progress) {
     poll_.stage("events");
   }
 
-  /// Calls f(event) for the events in [from, to] in order until it returns false. Errors: those of frames. Throws
-  /// Cancelled.
-  template <class F>
-  Result<void> run(const BigRational& from, const BigRational& to, F&& f) {
+  /// Visits the events in [from, to] in order until the visitor ends it. Errors: those of frames. Throws Cancelled.
+  Result<void> run(const BigRational& from, const BigRational& to, EventVisitor& visitor) {
     // What lies just outside decides what comes before the first and after the last.
     BigRational low = from * BigRational(1023, 1024);
     const BigRational end = to * BigRational(1025, 1024);
@@ -98,6 +97,7 @@ class EventWalk {
             Result<Snapshot> at = look(simple_between(last, e.s));
             if (!at) return at.error();
             before = *at;
+            visitor.before_events(probe_);
           }
           const Result<Snapshot> here = look(e.s), after = look(simple_between(e.s, next));
           if (!here) return here.error();
@@ -108,7 +108,7 @@ class EventWalk {
           event.kind = e.kind;
           event.topology = !(before->topology == after->topology) || !(here->topology == before->topology);
           event.visible = event.topology || before->hash != after->hash;
-          if (!f(event)) return {};
+          if (!visitor.passes(event, probe_)) return {};
           before = *after;
         }
         last = e.s;
@@ -124,8 +124,8 @@ class EventWalk {
   BigRational window_end(const BigRational& low) {
     constexpr double kLeast = 0x1p-12, kMost = 1.0 / 16;
     const double at = exact::round_to_double(low);
-    probe_.windows.convolution_for(at, at);
-    const double width = std::clamp(probe_.windows.widest(at), kLeast, kMost),
+    windows_.convolution_for(at, at);
+    const double width = std::clamp(windows_.widest(at), kLeast, kMost),
                  unit = std::ldexp(1, std::ilogb(at) - 20);
     return exact::exact_value(std::ceil(at * std::exp(width) / unit) * unit);
   }
@@ -139,11 +139,11 @@ class EventWalk {
   std::vector<EventValue> values_between(const BigRational& low, const BigRational& high) {
     query(exact::round_to_double(low));
     const auto again = [this] { poll_(fraction_); };
-    const std::unique_ptr<Window> window = probe_.windows.between(low, high, true, again);
+    const std::unique_ptr<Window> window = windows_.between(low, high, true, again);
     std::vector<EventValue> values = events_of(*window, lines_.forms(), low, high, again);
     std::erase_if(values, [&](const EventValue& e) {
       again();
-      ExactFrame frame(probe_.base, scale_value(e.s));
+      ExactFrame frame(path_.swept, scale_value(e.s));
       return is_covered(e, frame);
     });
     return values;
@@ -162,14 +162,20 @@ class EventWalk {
 
   Result<Snapshot> look(const BigRational& s) {
     query(exact::round_to_double(s));
-    const Result<Scale> scale = Scale::of(exact::to_rational(s));
-    if (!scale) return scale.error();
-    const Result<FrameChanges> moved = probe_.move_to(*scale, *scale);
+    const auto times = [&](const ScaleValue& factor) {
+      return Scale::of(exact::to_rational(BigRational(s * rational(factor))));
+    };
+    const Result<Scale> x = times(path_.factors.x), y = times(path_.factors.y);
+    if (!x) return x.error();
+    if (!y) return y.error();
+    const Result<FrameChanges> moved = probe_.move_to(*x, *y);
     if (!moved) return moved.error();
     return Snapshot{lines_.of(probe_.sum), topology_of(probe_.sum)};
   }
 
   ScalingState& probe_;
+  const ScalingPath& path_;
+  WindowBuilder windows_;
   LineHashes lines_;
   Poll poll_;
   double low_ = 0, end_ = 1,
@@ -185,29 +191,46 @@ MovingOptions probe_options(MovingOptions options) {
   return options;
 }
 
-/// EventWalk::run in [low, high] on a sum of its own.
+/// Calls f(event) for the events until it returns false.
+template <class F>
+class VisitEach final : public EventVisitor {
+ public:
+  explicit VisitEach(F f) : f_(std::move(f)) {}
+  bool passes(const ScaleEvent& event, const ScalingState&) override { return f_(event); }
+
+ private:
+  F f_;
+};
+
+/// The events of a sum in [low, high], of which f(event) is called until it returns false.
 template <class F>
 Result<void> walk(const ScalingState& state, const BigRational& low, const BigRational& high, const Progress& progress,
-                  F&& f) {
-  return base::within_memory(state.budget(), "the search for events", [&]() -> Result<void> {
-    ScalingState probe(state.base, probe_options(state.options));
-    try {
-      return EventWalk(probe, progress).run(low, high, f);
-    } catch (const Cancelled&) {
-      return cancelled();
-    }
+                  F f) {
+  return base::within_memory(state.budget(), "the search for events", [&] {
+    VisitEach<F> visitor(std::move(f));
+    return walk_events({state.base, state.base, {}}, state.options, low, high, progress, visitor);
   });
-}
-
-std::optional<Error> not_regular(const OperandPair& base) {
-  if (base.regular) return std::nullopt;
-  return Error{ErrorCode::unsupported_operand, "events are defined for operands without polylines and points", {}};
 }
 
 }  // namespace
 
+Result<void> planar::walk_events(const ScalingPath& path, const MovingOptions& options, const BigRational& low,
+                                 const BigRational& high, const Progress& progress, EventVisitor& visitor) {
+  ScalingState probe(path.given, probe_options(options));
+  try {
+    return EventWalk(probe, path, progress).run(low, high, visitor);
+  } catch (const Cancelled&) {
+    return cancelled();
+  }
+}
+
+std::optional<Error> planar::without_events(const OperandPair& base) {
+  if (base.regular) return std::nullopt;
+  return Error{ErrorCode::unsupported_operand, "events are defined for operands without polylines and points", {}};
+}
+
 Result<std::vector<ScaleEvent>> ScalingSum::events(const Scale& a, const Scale& b, const Progress& progress) const {
-  if (std::optional<Error> error = not_regular(*state_->base)) return *std::move(error);
+  if (std::optional<Error> error = without_events(*state_->base)) return *std::move(error);
   const BigRational low = rational(scale_value(a)), high = rational(scale_value(b));
   if (low > high)
     return Error{ErrorCode::bad_scale,
@@ -224,7 +247,7 @@ Result<std::vector<ScaleEvent>> ScalingSum::events(const Scale& a, const Scale& 
 
 Result<std::optional<ScaleEvent>> ScalingSum::next_event(const Scale& s, const Scale& limit, EventChange change,
                                                          const Progress& progress) const {
-  if (std::optional<Error> error = not_regular(*state_->base)) return *std::move(error);
+  if (std::optional<Error> error = without_events(*state_->base)) return *std::move(error);
   const BigRational low = rational(scale_value(s)), high = rational(scale_value(limit));
   std::optional<ScaleEvent> found;
   if (low >= high) return found;

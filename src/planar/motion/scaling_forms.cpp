@@ -6,12 +6,18 @@ namespace dymsum::planar {
 
 using exact::BigInteger;
 
+// A stretched operand has fractions over the denominator of its factors, with which the other one is multiplied.
 ExactForms::ExactForms(const OperandPair& base) : scaled_(base.moved) {
-  const Lattice& l = *base.lattice;
-  for (int op = 0; op < 2; ++op)
+  const Lattice& l = *base.given;
+  const LatticeScale factors = base.lattice_scale(ScaleValue{});
+  for (std::uint32_t op = 0; op < 2; ++op) {
+    const bool moves = op == base.moved;
+    const BigInteger &x = moves ? factors.x : factors.den, &y = moves ? factors.y : factors.den;
+    const Point offset = l.points[op]->offset;
     for (const Point& v : l.points[op]->input)
-      at_[op].push_back({exact::grid_coordinate<exact::Big>(v.x, l.points[op]->offset.x, l.grid_exponent).value(),
-                         exact::grid_coordinate<exact::Big>(v.y, l.points[op]->offset.y, l.grid_exponent).value()});
+      at_[op].push_back({exact::grid_coordinate<exact::Big>(v.x, offset.x, l.grid_exponent).value() * x,
+                         exact::grid_coordinate<exact::Big>(v.y, offset.y, l.grid_exponent).value() * y});
+  }
 }
 
 ExactForms::Vec ExactForms::edge(const Edge& e) const {

@@ -1,0 +1,45 @@
+// The cells of a scaling family: the events of its interval, the structure of the sum between each two, and the sum at
+// a scale.
+#pragma once
+
+#include <array>
+#include <memory>
+#include <vector>
+
+#include "dymsum/event.h"
+#include "dymsum/family.h"
+#include "dymsum/scale.h"
+#include "planar/family/scaled_positions.h"
+#include "planar/family/sum_structures.h"
+#include "planar/frame/event_walk.h"
+
+namespace dymsum::planar {
+
+struct ScalingCells {
+  ScalingPath path;
+  exact::BigRational unit;         ///< the scale of `path` over that of the family
+  std::vector<ScaleEvent> events;  ///< of the family, in order
+  SumStructures structures;        ///< of cell k, between events k - 1 and k
+  std::unique_ptr<ScaledPositions> positions;
+
+  struct Location {
+    std::uint32_t index = 0;
+    bool event = false;
+  };
+  /// The event that a scale is, or its cell. O(log n).
+  Location locate(const Scale& s) const;
+  /// The scales along both axes at a scale t of `path`. Errors: bad_scale.
+  Result<std::array<Scale, 2>> scales(const exact::BigRational& t) const;
+  /// The sum at a scale. Requires: it lies in the interval. Errors: as sums from scratch.
+  Result<PlanarSum> at(const Scale& s, Semantics semantics) const;
+
+ private:
+  Result<PlanarSum> from_scratch(const Scale& s, Semantics semantics) const;
+  PlanarSum in_cell(std::uint32_t cell, const Scale& s) const;
+};
+
+/// Errors: those of ScalingFamily::create.
+Result<ScalingCells> scaling_cells(const Region& p, const Region& q, const Scale& low, const Scale& high,
+                                   const Scale& ratio, const FamilyOptions& options);
+
+}  // namespace dymsum::planar

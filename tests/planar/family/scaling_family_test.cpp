@@ -1,0 +1,237 @@
+// Families of scales: any sum of one equals that from scratch, in every cell, at every event and right beside it.
+#include "dymsum/scaling_family.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <cstdio>
+#include <cstdlib>
+
+#include "dymsum/planar_boolean.h"
+#include "dymsum/scaling_sum.h"
+#include "dymsum/shapes.h"
+#include "oracles/coordinate_kinds.h"
+#include "oracles/pair_text.h"
+#include "oracles/tiny_regions.h"
+#include "planar/operand/scale_value.h"
+
+namespace dymsum::oracles {
+namespace {
+
+using exact::BigRational;
+
+constexpr std::uint64_t kFamilySeed = 20261130;
+
+int family_rounds(int usual) {
+  const char* queried = std::getenv("DYMSUM_FUZZ_FAMILIES");
+  return queried != nullptr ? std::atoi(queried) : usual;
+}
+
+Scale scale_at(const BigRational& value) { return Scale::of(exact::to_rational(value)).value(); }
+Scale ratio_of(int n, int d) { return scale_at(BigRational(n, d)); }
+BigRational value_of(const ScaleEvent& event) { return exact::exact_value(event.parameter); }
+
+/// A family with the sums from scratch that it has to equal.
+class Compared {
+ public:
+  Compared(const Region& p, const Region& q, const Scale& low, const Scale& high, const Scale& ratio = {},
+           const FamilyOptions& options = {})
+      : ratio_(ratio), family_(ScalingFamily::create(p, q, low, high, ratio, options).value()) {
+    MovingOptions moving;
+    moving.moving = options.moving;
+    moving.reflect_q = options.reflect_q;
+    moving.semantics = options.semantics;
+    moving.mode = FrameMode::rebuild;
+    fresh_.emplace(ScalingSum::create(p, q, moving).value());
+  }
+  const ScalingFamily& family() const { return family_; }
+  const PlanarSum& fresh(const Scale& s) {
+    const Scale y = scale_at(exact::exact_value(s.exact()) * exact::exact_value(ratio_.exact()));
+    EXPECT_TRUE(fresh_->set(s, y).ok());
+    return fresh_->sum();
+  }
+  void check(const BigRational& s) {
+    if (s < exact::exact_value(family_.low().exact()) || s > exact::exact_value(family_.high().exact())) return;
+    const Scale scale = scale_at(s);
+    const PlanarSum sum = family_.at(scale).value();
+    ++compared;
+    vertices += sum.vertex_count();
+    EXPECT_TRUE(sum == fresh(scale)) << "at " << s;
+    double worst = 0;
+    for (const SumPart& part : sum.parts)
+      for (const SumVertex& v : part.outer.vertices) {
+        const RationalPoint at = sum.exact(v);
+        worst = std::max({worst, std::abs(at.x.to_double() - v.at.x), std::abs(at.y.to_double() - v.at.y)});
+      }
+    EXPECT_LE(worst, sum.at_error * (1 + 0x1p-40)) << "at " << s;
+  }
+  /// In every cell, at every event, and beside it.
+  void check_all() {
+    const BigRational beside(1, exact::BigInteger(1) << 200);
+    BigRational last = exact::exact_value(family_.low().exact());
+    for (const ScaleEvent& event : family_.events()) {
+      const BigRational s = value_of(event);
+      if (s > last) check((s + last) / 2);
+      check(s);
+      check(s - beside);
+      check(s + beside);
+      if (::testing::Test::HasFailure()) return;
+      last = s;
+    }
+    check((last + exact::exact_value(family_.high().exact())) / 2);
+  }
+  std::size_t compared = 0, vertices = 0;
+
+ private:
+  Scale ratio_;
+  ScalingFamily family_;
+  std::optional<ScalingSum> fresh_;
+};
+
+TEST(ScalingFamily, of_tiny_parts_equals_sums_from_scratch_everywhere) {
+  std::printf("seed %llu\n", static_cast<unsigned long long>(kFamilySeed));
+  std::size_t compared = 0, events = 0;
+  for (int k = 0; k < family_rounds(100); ++k) {
+    Random random(kFamilySeed + static_cast<std::uint64_t>(k));
+    const RegionData p = random_parts(random, 7), q = random_parts(random, 5);
+    SCOPED_TRACE("pair " + std::to_string(k) + "\n" + to_wkt(p) + "\n" + to_wkt(q));
+    FamilyOptions options;
+    options.moving = k % 2 == 0 ? MovingOperand::p : MovingOperand::q;
+    options.reflect_q = k % 3 == 0;
+    options.semantics = k % 5 == 0 ? Semantics::open : k % 5 == 1 ? Semantics::regular : Semantics::closed;
+    const Scale ratio = k % 4 == 3 ? ratio_of(3, 2) : k % 4 == 2 ? ratio_of(5, 7) : Scale();
+    Compared pair(Region::create(p).value(), Region::create(q).value(), ratio_of(1, 4), ratio_of(4, 1), ratio, options);
+    pair.check_all();
+    compared += pair.compared;
+    events += pair.family().events().size();
+    if (::testing::Test::HasFailure()) return;
+  }
+  EXPECT_GT(compared, 1000u);
+  EXPECT_GT(events, 200u);
+}
+
+TEST(ScalingFamily, of_every_kind_of_coordinates_equals_sums_from_scratch) {
+  std::size_t compared = 0, cells = 0;
+  for (const CoordinateKind kind : kCoordinateKinds) {
+    std::mt19937_64 noise(kFamilySeed);
+    const auto of = [&](const Region& r) { return Region::create(of_kind(r.data(), kind, noise)); };
+    const Result<Region> p = of(shapes::noisy_star(40, 0.8, 5)), q = of(shapes::gear(6, 0.25, 0.375, 0.03125)),
+                         r = of(shapes::grate(3, 2, 1, 4)), t = of(shapes::rectangle(0, 0, 0.75, 0.5));
+    for (const auto& [a, b] : {std::pair(p, q), std::pair(r, t)}) {
+      if (!a || !b) continue;
+      SCOPED_TRACE(name_of(kind));
+      Compared pair(*a, *b, ratio_of(9, 10), ratio_of(5, 4));
+      pair.check_all();
+      compared += pair.compared;
+      cells += pair.family().work().cells;
+      if (::testing::Test::HasFailure()) return;
+    }
+  }
+  EXPECT_GT(compared, 300u);
+  EXPECT_GT(cells, 100u);
+}
+
+TEST(ScalingFamily, lists_what_changes_and_what_lives_how_long) {
+  // A 4 x 4 plate with a 2 x 1 hole; the peg is 1 x 1/2 at scale 1, and fits exactly at 2.
+  const Region plate =
+      Region::create({{{{{0, 0}, {4, 0}, {4, 4}, {0, 4}}, {{{1, 1}, {1, 2}, {3, 2}, {3, 1}}}}}, {}, {}}).value();
+  FamilyOptions options;
+  options.moving = MovingOperand::q;
+  options.reflect_q = true;
+  const ScalingFamily family =
+      ScalingFamily::create(plate, shapes::rectangle(0, 0, 1, 0.5), ratio_of(1, 1), ratio_of(4, 1), options).value();
+  const auto topology = family.changes(family.low(), family.high(), EventChange::topology);
+  ASSERT_EQ(topology.size(), 1u);
+  EXPECT_EQ(topology[0].parameter.to_string(), "2/1");
+  EXPECT_EQ(family.next(ratio_of(1, 1), EventChange::topology)->parameter.to_string(), "2/1");
+  EXPECT_FALSE(family.next(ratio_of(2, 1), EventChange::topology).has_value());
+  EXPECT_EQ(family.at(ratio_of(2, 1)).value().tight_points.size(), 1u);
+  const auto [at, event] = family.locate(ratio_of(2, 1));
+  EXPECT_TRUE(event);
+  std::size_t holes = 0, edges = 0;
+  for (const Lifetime& life : family.lifetimes().value()) {
+    EXPECT_LE(life.first_cell, life.last_cell);
+    EXPECT_LT(life.last_cell, family.work().cells);
+    edges += life.feature == FamilyFeature::edge;
+    if (life.feature != FamilyFeature::hole) continue;
+    ++holes;
+    EXPECT_EQ(life.first_cell, 0u);
+    EXPECT_EQ(life.last_cell, at);
+  }
+  EXPECT_EQ(holes, 1u);
+  EXPECT_GE(edges, 8u);
+}
+
+TEST(ScalingFamily, inner_and_outer_are_what_holds_for_all_scales_and_for_some) {
+  std::printf("seed %llu\n", static_cast<unsigned long long>(kFamilySeed));
+  SumOptions regular;
+  regular.semantics = Semantics::regular;
+  std::size_t inner_vertices = 0, touched = 0;
+  for (int k = 0; k < family_rounds(16); ++k) {
+    Random random(kFamilySeed + 500 + static_cast<std::uint64_t>(k));
+    const RegionData p = moved(random_parts(random, 5), k % 3 - 1.0, k % 2 - 3.0), q = random_parts(random, 3);
+    SCOPED_TRACE("pair " + std::to_string(k) + "\n" + to_wkt(p) + "\n" + to_wkt(q));
+    FamilyOptions options;
+    options.moving = k % 2 == 0 ? MovingOperand::p : MovingOperand::q;
+    options.reflect_q = k % 3 == 0;
+    const Scale ratio = k % 4 == 3 ? ratio_of(3, 2) : Scale();
+    const ScalingFamily family = ScalingFamily::create(Region::create(p).value(), Region::create(q).value(),
+                                                       ratio_of(3, 4), ratio_of(3, 2), ratio, options)
+                                     .value();
+    const Scale a = ratio_of(4, 5), b = ratio_of(4, 3);
+    const PlanarSum outer = family.outer(a, b).value(), inner = family.inner(a, b).value();
+    PlanarSum common = family.at(a).value(), all = common;
+    for (int i = 0; i <= 12; ++i) {
+      const Scale s = scale_at(BigRational(4, 5) + BigRational(i, 12) * BigRational(8, 15));
+      const PlanarSum sum = family.at(s).value();
+      EXPECT_TRUE(difference(inner, sum, regular).value().parts.empty()) << "inner lies in every sum, " << i;
+      EXPECT_TRUE(difference(sum, outer, regular).value().parts.empty()) << "outer holds every sum, " << i;
+      common = intersection(common, sum, regular).value();
+      all = united(all, sum, regular).value();
+    }
+    // What many scales have in common is not much more than what all have, and the other way round.
+    EXPECT_LE(inner.area(), common.area());
+    EXPECT_GE(outer.area(), all.area());
+    EXPECT_LE(common.area() - inner.area(), 0.1 * all.area());
+    EXPECT_LE(outer.area() - all.area(), 0.1 * all.area());
+    touched += outer.area() > all.area();
+    inner_vertices += inner.vertex_count();
+    if (::testing::Test::HasFailure()) return;
+  }
+  EXPECT_GT(inner_vertices, 60u);
+  EXPECT_GT(touched, 4u);
+}
+
+TEST(ScalingFamily, refuses_what_it_cannot_answer) {
+  const Region square = shapes::rectangle(0, 0, 1, 1),
+               line = Region::create({{}, {{{0, 0}, {1, 0}}}, {}}).value();
+  EXPECT_EQ(ScalingFamily::create(square, square, ratio_of(2, 1), ratio_of(1, 1)).error().code, ErrorCode::bad_scale);
+  EXPECT_EQ(ScalingFamily::create(square, line, ratio_of(1, 1), ratio_of(2, 1)).error().code,
+            ErrorCode::unsupported_operand);
+  FamilyOptions options;
+  options.structure_bytes = 1;
+  const ScalingFamily family =
+      ScalingFamily::create(shapes::star(5, 1, 2), shapes::star(4, 1, 2), ratio_of(1, 2), ratio_of(2, 1), options)
+          .value();
+  EXPECT_LT(family.work().kept, family.work().cells);
+  EXPECT_EQ(family.at(ratio_of(3, 1)).error().code, ErrorCode::bad_scale);
+  EXPECT_EQ(family.lifetimes().error().code, ErrorCode::out_of_memory);
+  EXPECT_EQ(family.inner(ratio_of(1, 1), ratio_of(2, 1)).error().code, ErrorCode::out_of_memory);
+  EXPECT_EQ(family.at(ratio_of(7, 5)).value(),
+            ScalingFamily::create(shapes::star(5, 1, 2), shapes::star(4, 1, 2), ratio_of(1, 1), ratio_of(3, 2))
+                .value()
+                .at(ratio_of(7, 5))
+                .value());
+  options.progress = [](std::string_view, double fraction) { return fraction < 0.5; };
+  EXPECT_EQ(ScalingFamily::create(shapes::star(5, 1, 2), shapes::star(4, 1, 2), ratio_of(1, 2), ratio_of(2, 1), options)
+                .error()
+                .code,
+            ErrorCode::cancelled);
+  // Without an event in the interval there is one cell.
+  const ScalingFamily still = ScalingFamily::create(square, square, ratio_of(1, 3), ratio_of(1, 3)).value();
+  EXPECT_EQ(still.work().cells, 1u);
+  EXPECT_EQ(still.at(ratio_of(1, 3)).value().area_exact().to_string(), "16/9");
+}
+
+}  // namespace
+}  // namespace dymsum::oracles
