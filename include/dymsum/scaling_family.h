@@ -37,9 +37,9 @@ class ScalingFamily {
   const std::vector<ScaleEvent>& events() const;
   const FamilyWork& work() const;
 
-  /// The sum at a scale of the interval: equal to minkowski_sum there, with its tight features at events. Between events
-  /// in O(n) for n vertices; at an event from scratch. Stats hold the tier alone, where no sum is computed from scratch.
-  /// Errors: bad_scale outside the interval.
+  /// The sum at a scale of the interval: equal to minkowski_sum there, with its tight features at events. Between
+  /// events in O(n) for n vertices; at an event from scratch. Stats hold the tier alone, where no sum is computed from
+  /// scratch. Errors: bad_scale outside the interval.
   Result<PlanarSum> at(const Scale& s) const;
   /// The events in [a, b] that are visible, or change the topology.
   std::vector<ScaleEvent> changes(const Scale& a, const Scale& b, EventChange change = EventChange::visible) const;

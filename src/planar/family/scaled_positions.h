@@ -14,9 +14,9 @@
 namespace dymsum::planar {
 
 /// A vertex of a sum that scales: the sum of two vertices, or the crossing of two lines of fixed directions whose
-/// heights are linear in the scale. So its coordinates are a + b (s - at), with a and b the doubles nearest to the exact
-/// numbers, and `at` a scale at which the vertex is on the boundary: |a| and what is added to it are then no larger than
-/// the sum is wide.
+/// heights are linear in the scale. So its coordinates are a + b (s - at), with a and b the doubles nearest to the
+/// exact numbers, and `at` a scale at which the vertex is on the boundary: |a| and what is added to it are then no
+/// larger than the sum is wide.
 class ScaledPositions {
  public:
   explicit ScaledPositions(std::shared_ptr<const OperandPair> base);

@@ -1,6 +1,7 @@
 #include "planar/family/scaling_cells.h"
 
 #include <algorithm>
+#include <mutex>
 #include <utility>
 
 #include "planar/result/part_nesting.h"
@@ -20,6 +21,30 @@ MovingOptions moving_options(const FamilyOptions& options) {
   return moving;
 }
 
+/// Exact positions at a scale, placed when first requested.
+class PathSource final : public ExactSource {
+ public:
+  PathSource(std::shared_ptr<const OperandPair> base, const Scale& t) : base_(std::move(base)), t_(t) {}
+  Position position(const SumVertex& v) const override { return frame().position(v); }
+  Homogeneous homogeneous(const SumVertex& v) const override { return frame().homogeneous(v); }
+  std::optional<NearFrame> near_frame() const override { return frame().near_frame(); }
+  NearPosition near(const SumVertex& v) const override { return frame().near(v); }
+  int compare_x(const SumVertex& a, const SumVertex& b) const override { return frame().compare_x(a, b); }
+  int compare_y(const SumVertex& a, const SumVertex& b) const override { return frame().compare_y(a, b); }
+
+ private:
+  const FrameSource& frame() const {
+    std::call_once(made_,
+                   [this] { frame_ = std::make_unique<FrameSource>(base_, base_->lattice_scale(scale_value(t_))); });
+    return *frame_;
+  }
+
+  std::shared_ptr<const OperandPair> base_;
+  Scale t_;
+  mutable std::once_flag made_;
+  mutable std::unique_ptr<const FrameSource> frame_;
+};
+
 /// Takes over events, and the structure of the sum after each.
 class CellVisitor final : public EventVisitor {
  public:
@@ -28,7 +53,7 @@ class CellVisitor final : public EventVisitor {
   void before_events(const ScalingState& before) override { add(before); }
   bool passes(const ScaleEvent& event, const ScalingState& after) override {
     ScaleEvent own = event;
-    if (cells_.unit != 1) {
+    if (!cells_.unit_is_one) {
       const BigRational s = exact::exact_value(event.parameter) / cells_.unit;
       own.parameter = exact::to_rational(s);
       own.approx = exact::round_to_double(s);
@@ -50,17 +75,18 @@ class CellVisitor final : public EventVisitor {
 /// diag(x, y) with y = ratio x, as the path that windows can serve.
 Result<ScalingCells> cells_along(std::shared_ptr<const OperandPair> base, const Scale& ratio,
                                  const FamilyOptions& options) {
-  ScalingCells cells{{base, base, {}}, 1, {}, SumStructures(options.structure_bytes), nullptr};
+  ScalingCells cells{{base, base, {}}, 1, true, {}, SumStructures(options.structure_bytes), nullptr};
   const BigRational r = rational(scale_value(ratio));
   if (r != 1) {
     const Factors factors = factors_of({}, scale_value(r));
     RatioSweeps sweeps;
     const RatioSweep* sweep = sweeps.make(*base, factors);
     if (sweep == nullptr)
-      return Error{ErrorCode::bad_scale, "the ratio " + ratio.exact().to_string() + " is not between 2^-32 and 2^32",
-                   {}};
+      return Error{
+          ErrorCode::bad_scale, "the ratio " + ratio.exact().to_string() + " is not between 2^-32 and 2^32", {}};
     cells.path.swept = sweep->base;
     cells.path.factors = factors;
+    cells.unit_is_one = r < 1;
     if (r > 1) cells.unit = r;
   }
   cells.positions = std::make_unique<ScaledPositions>(cells.path.swept);
@@ -108,13 +134,15 @@ Result<std::array<Scale, 2>> ScalingCells::scales(const BigRational& t) const {
 ScalingCells::Location ScalingCells::locate(const Scale& s) const {
   const auto before = [&](const ScaleEvent& e, double at) { return e.approx < at; };
   auto at = std::lower_bound(events.begin(), events.end(), s.approx(), before);
-  const BigRational value = rational(scale_value(s));
   for (; at != events.end() && at->approx == s.approx(); ++at) {
-    const BigRational event = exact::exact_value(at->parameter);
-    if (event == value) return {static_cast<std::uint32_t>(at - events.begin()), true};
-    if (event > value) break;
+    if (at->parameter == s.exact()) return {static_cast<std::uint32_t>(at - events.begin()), true};
+    if (exact::exact_value(at->parameter) > rational(scale_value(s))) break;
   }
   return {static_cast<std::uint32_t>(at - events.begin()), false};
+}
+
+Scale ScalingCells::of_path(const Scale& s) const {
+  return unit_is_one ? s : Scale::of(exact::to_rational(BigRational(rational(scale_value(s)) * unit))).value();
 }
 
 Result<PlanarSum> ScalingCells::at(const Scale& s, Semantics semantics) const {
@@ -124,7 +152,7 @@ Result<PlanarSum> ScalingCells::at(const Scale& s, Semantics semantics) const {
 }
 
 Result<PlanarSum> ScalingCells::from_scratch(const Scale& s, Semantics semantics) const {
-  const BigRational t = rational(scale_value(s)) * unit;
+  const BigRational t = rational(scale_value(of_path(s)));
   SumOptions options;
   options.semantics = semantics;
   const Result<std::array<Scale, 2>> at = scales(t);
@@ -134,13 +162,14 @@ Result<PlanarSum> ScalingCells::from_scratch(const Scale& s, Semantics semantics
 }
 
 PlanarSum ScalingCells::in_cell(std::uint32_t cell, const Scale& s) const {
-  const ScaleValue t = unit == 1 ? scale_value(s) : scale_value(BigRational(rational(scale_value(s)) * unit));
+  const Scale along = of_path(s);
+  const double t = along.approx();
   PlanarSum sum;
-  const auto source = std::make_shared<FrameSource>(path.swept, path.swept->lattice_scale(t));
+  const auto source = std::make_shared<PathSource>(path.swept, along);
   exact_source(sum) = source;
   const auto put = [&](std::uint32_t name, SumVertex& to) {
     to = structures.names()[name];
-    const double error = positions->put(name, t.approx, to);
+    const double error = positions->put(name, t, to);
     if (error < INFINITY) return error;
     const ExactSource::Position at = source->position(to);
     to.at = {exact::round_to_double(at.x), exact::round_to_double(at.y)};

@@ -17,7 +17,8 @@ namespace dymsum::planar {
 
 struct ScalingCells {
   ScalingPath path;
-  exact::BigRational unit;         ///< the scale of `path` over that of the family
+  exact::BigRational unit;  ///< the scale of `path` over that of the family
+  bool unit_is_one = true;
   std::vector<ScaleEvent> events;  ///< of the family, in order
   SumStructures structures;        ///< of cell k, between events k - 1 and k
   std::unique_ptr<ScaledPositions> positions;
@@ -34,6 +35,8 @@ struct ScalingCells {
   Result<PlanarSum> at(const Scale& s, Semantics semantics) const;
 
  private:
+  /// The scale of the path. Requires: s lies in the interval.
+  Scale of_path(const Scale& s) const;
   Result<PlanarSum> from_scratch(const Scale& s, Semantics semantics) const;
   PlanarSum in_cell(std::uint32_t cell, const Scale& s) const;
 };

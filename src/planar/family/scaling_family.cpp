@@ -34,6 +34,8 @@ class ScalingFamily::State {
 
   /// The error of a scale outside the interval.
   std::optional<Error> outside(const Scale& s) const {
+    // Rounding is monotone: where doubles differ, scales do.
+    if (s.approx() > low.approx() && s.approx() < high.approx()) return std::nullopt;
     const BigRational value = rational(scale_value(s));
     if (value >= rational(scale_value(low)) && value <= rational(scale_value(high))) return std::nullopt;
     return Error{ErrorCode::bad_scale,
@@ -51,8 +53,8 @@ class ScalingFamily::State {
   std::optional<Error> not_all_kept(const char* what) const {
     if (work.kept == work.cells) return std::nullopt;
     return Error{ErrorCode::out_of_memory,
-                 "of " + std::to_string(work.cells) + " structures " + std::to_string(work.kept) + " are kept: " + what +
-                     " need all of them, allow more than " + std::to_string(options.structure_bytes) + " bytes",
+                 "of " + std::to_string(work.cells) + " structures " + std::to_string(work.kept) + " are kept: " +
+                     what + " need all of them, allow more than " + std::to_string(options.structure_bytes) + " bytes",
                  {}};
   }
 };
@@ -95,9 +97,8 @@ Result<ScalingFamily> ScalingFamily::create(const Region& p, const Region& q, co
                                             const Scale& ratio, const FamilyOptions& options) {
   const Stopwatch watch;
   if (value_of(low) > value_of(high)) return empty_interval(low, high);
-  Result<ScalingCells> cells = base::within_memory(options.memory, "the family of sums", [&] {
-    return scaling_cells(p, q, low, high, ratio, options);
-  });
+  Result<ScalingCells> cells = base::within_memory(options.memory, "the family of sums",
+                                                   [&] { return scaling_cells(p, q, low, high, ratio, options); });
   if (!cells) return cells.error();
   FamilyWork work = work_of(*cells);
   work.ms = watch.ms();

@@ -125,8 +125,7 @@ class EventWalk {
     constexpr double kLeast = 0x1p-12, kMost = 1.0 / 16;
     const double at = exact::round_to_double(low);
     windows_.convolution_for(at, at);
-    const double width = std::clamp(windows_.widest(at), kLeast, kMost),
-                 unit = std::ldexp(1, std::ilogb(at) - 20);
+    const double width = std::clamp(windows_.widest(at), kLeast, kMost), unit = std::ldexp(1, std::ilogb(at) - 20);
     return exact::exact_value(std::ceil(at * std::exp(width) / unit) * unit);
   }
 

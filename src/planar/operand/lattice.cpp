@@ -280,9 +280,9 @@ class LatticeOf final : public Lattice {
     }
     if (!filled_.load(std::memory_order_acquire)) {
       // Most problems ask about few vertices.
-      if (!scale_ &&
+      if (points[op]->turned == nullptr &&
           queried_.fetch_add(1, std::memory_order_relaxed) < points[0]->input.size() + points[1]->input.size())
-        return integer(op, i);
+        return scale_ ? scaled_integer(op, i) : integer(op, i);
       fill();
     }
     return integers_[op][i];
@@ -297,6 +297,20 @@ class LatticeOf final : public Lattice {
       return {on_grid(v.x, origin.x), on_grid(v.y, origin.y)};
     } else {
       return {exact::grid_coordinate<C>(v.x, origin.x, exponent_), exact::grid_coordinate<C>(v.y, origin.y, exponent_)};
+    }
+  }
+  // A vertex where one operand is scaled: the other one counts in fractions of its units.
+  Vec scaled_integer(std::uint32_t op, std::uint32_t i) const {
+    if constexpr (kKept<C>) {
+      const bool scaled = op == scale_->op;
+      const Point &v = points[op]->input[i], &origin = points[op]->offset;
+      const auto times = [&](double a, double from, const exact::BigInteger& factor) {
+        return exact::narrowed<C>(exact::grid_coordinate<Big>(a, from, exponent_) * Big(factor));
+      };
+      return {times(v.x, origin.x, scaled ? scale_->x : scale_->den),
+              times(v.y, origin.y, scaled ? scale_->y : scale_->den)};
+    } else {
+      return integer(op, i);  // never: such numbers are products made where they are needed
     }
   }
   const SharedIntegers& unscaled() const {
@@ -327,17 +341,9 @@ class LatticeOf final : public Lattice {
             else add(exact::to_big(turned->at[i][0]), exact::to_big(turned->at[i][1]));
           continue;
         }
-        if (scale_) {
-          const bool scaled = op == scale_->op;
-          const Big x(scaled ? scale_->x : scale_->den), y(scaled ? scale_->y : scale_->den);
-          const Point& origin = points[op]->offset;
-          for (const Point& v : points[op]->input)
-            add(exact::grid_coordinate<Big>(v.x, origin.x, exponent_) * x,
-                exact::grid_coordinate<Big>(v.y, origin.y, exponent_) * y);
-          continue;
-        }
       }
-      for (std::uint32_t i = 0; i < points[op]->input.size(); ++i) integers_[op].push_back(integer(op, i));
+      for (std::uint32_t i = 0; i < points[op]->input.size(); ++i)
+        integers_[op].push_back(scale_ ? scaled_integer(op, i) : integer(op, i));
     }
     filled_.store(true, std::memory_order_release);
   }

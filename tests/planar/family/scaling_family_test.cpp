@@ -203,8 +203,7 @@ TEST(ScalingFamily, inner_and_outer_are_what_holds_for_all_scales_and_for_some) 
 }
 
 TEST(ScalingFamily, refuses_what_it_cannot_answer) {
-  const Region square = shapes::rectangle(0, 0, 1, 1),
-               line = Region::create({{}, {{{0, 0}, {1, 0}}}, {}}).value();
+  const Region square = shapes::rectangle(0, 0, 1, 1), line = Region::create({{}, {{{0, 0}, {1, 0}}}, {}}).value();
   EXPECT_EQ(ScalingFamily::create(square, square, ratio_of(2, 1), ratio_of(1, 1)).error().code, ErrorCode::bad_scale);
   EXPECT_EQ(ScalingFamily::create(square, line, ratio_of(1, 1), ratio_of(2, 1)).error().code,
             ErrorCode::unsupported_operand);
