@@ -1,0 +1,225 @@
+#include "dymsum/rotation_family.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "base/stopwatch.h"
+#include "cspace/boundary/obstacle_state.h"
+#include "cspace/family/slab_loops.h"
+#include "cspace/family/turned_positions.h"
+#include "cspace/family/turned_sets.h"
+#include "dymsum/orientation_sum.h"
+#include "planar/motion/exact_frame.h"
+#include "planar/position/position_signs.h"
+#include "planar/result/part_nesting.h"
+#include "planar/sum/placed_sum.h"
+
+namespace dymsum {
+
+using namespace planar;
+
+class RotationFamily::State {
+ public:
+  State(CspaceObstacle made, std::shared_ptr<const OperandPair> pair, Region first, Region second, FamilyOptions given)
+      : obstacle(std::move(made)),
+        base(std::move(pair)),
+        p(std::move(first)),
+        q(std::move(second)),
+        options(std::move(given)),
+        loops(obstacle),
+        positions(*ObstacleInternals::of(obstacle).base, obstacle),
+        structured(p.touching_points().empty() && q.touching_points().empty() && !obstacle.may_have_tight_curves()) {}
+
+  CspaceObstacle obstacle;
+  std::shared_ptr<const OperandPair> base;  ///< of P and Q as contacts name them
+  Region p, q;
+  FamilyOptions options;
+  SlabLoops loops;
+  TurnedPositions positions;
+  bool structured;  ///< slices are what patches say, and nothing else
+  FamilyWork work;
+
+  bool p_moves() const { return options.moving == MovingOperand::p; }
+  /// A contact of the obstacle as one of P and Q.
+  Contact named(const Contact& c) const {
+    if (!p_moves()) return c;
+    const bool of_obstacle = c.kind == Contact::Kind::edge_of_p;
+    return {of_obstacle ? Contact::Kind::edge_of_q : Contact::Kind::edge_of_p, c.q, c.p};
+  }
+  PlanarSum in_slab(std::uint32_t slab, const Orientation& theta) const;
+
+ private:
+  SumVertex vertex(std::uint32_t patch, std::uint32_t follower, Turn2 turn, const ExactSource& source,
+                   double& error) const;
+};
+
+namespace {
+
+/// Whether a ring runs counter-clockwise: the corner at its smallest vertex turns as it does. In doubles by its area,
+/// where that is larger than all errors.
+bool is_counter_clockwise(const SumRing& ring, const ExactSource& source, double error) {
+  const std::vector<SumVertex>& v = ring.vertices;
+  double area = 0, length = 0, reach = 0;
+  for (std::size_t k = 0; k < v.size(); ++k) {
+    const Point a = v[k].at, b = v[(k + 1) % v.size()].at, o = v[0].at;
+    area += (a.x - o.x) * (b.y - o.y) - (a.y - o.y) * (b.x - o.x);
+    length += std::abs(b.x - a.x) + std::abs(b.y - a.y);
+    reach = std::max({reach, std::abs(a.x - o.x), std::abs(a.y - o.y)});
+  }
+  // Each position moves by its error, and what is summed has some roundings for each vertex.
+  const double rounded = exact::kRoundoff * 16 * static_cast<double>(v.size()) * reach * (length + reach);
+  if (std::abs(area) > 8 * error * (length + static_cast<double>(v.size()) * error) + rounded) return area > 0;
+  const VertexOrder order(source, error);
+  std::size_t least = 0;
+  for (std::size_t k = 1; k < v.size(); ++k)
+    if (order.compare(v[k], v[least]) < 0) least = k;
+  const auto spot = [&](std::size_t k) { return make_spot(source.position(v[k % v.size()])); };
+  return orientation(spot(least + v.size() - 1), spot(least), spot(least + 1)) > 0;
+}
+
+}  // namespace
+
+SumVertex RotationFamily::State::vertex(std::uint32_t patch, std::uint32_t follower, Turn2 turn,
+                                        const ExactSource& source, double& error) const {
+  SumVertex v;
+  v.in = named(obstacle.patches()[patch].contact);
+  v.out = named(obstacle.patches()[follower].contact);
+  const TurnedPositions::Corner& corner = positions.corner_of(patch);
+  v.corner_p = p_moves() ? corner.q : corner.p;
+  v.corner_q = p_moves() ? corner.p : corner.q;
+  const TurnedPositions::Placed placed = positions.end(patch, follower, turn);
+  v.at = placed.at;
+  if (placed.error < INFINITY) {
+    error = std::max(error, placed.error);
+    return v;
+  }
+  const ExactSource::Position at = source.position(v);
+  v.at = {exact::round_to_double(at.x), exact::round_to_double(at.y)};
+  error = std::max(error, exact::kRoundoff * std::max(std::abs(v.at.x), std::abs(v.at.y)) + exact::kSubnormal);
+  return v;
+}
+
+PlanarSum RotationFamily::State::in_slab(std::uint32_t slab, const Orientation& theta) const {
+  PlanarSum sum;
+  const auto source = std::make_shared<FrameSource>(base, theta);
+  exact_source(sum) = source;
+  const SlabLoops::Loops found = loops.in(slab);
+  const Turn2 turn = turn_of_orientation(theta);
+  std::vector<SumRing> rings;
+  std::vector<std::uint8_t> outer;
+  std::uint32_t first = 0;
+  for (const std::uint32_t end : found.ends) {
+    SumRing& ring = rings.emplace_back();
+    for (std::uint32_t k = first; k < end; ++k)
+      ring.vertices.push_back(
+          vertex(found.patches[k], found.patches[k + 1 == end ? first : k + 1], turn, *source, sum.at_error));
+    first = end;
+  }
+  for (const SumRing& ring : rings) outer.push_back(is_counter_clockwise(ring, *source, sum.at_error));
+  sum.parts = group_rings(std::move(rings), outer, *source, sum.at_error);
+  canonicalize(sum.parts, *source, sum.at_error);
+  return sum;
+}
+
+RotationFamily::RotationFamily(std::unique_ptr<const State> state) : state_(std::move(state)) {}
+RotationFamily::RotationFamily(RotationFamily&&) noexcept = default;
+RotationFamily& RotationFamily::operator=(RotationFamily&&) noexcept = default;
+RotationFamily::~RotationFamily() = default;
+
+Result<RotationFamily> RotationFamily::create(const Region& p, const Region& q, const FamilyOptions& options) {
+  const Stopwatch watch;
+  for (const Region* r : {&p, &q})
+    if (!r->polylines().empty() || !r->points().empty())
+      return Error{ErrorCode::unsupported_operand, "families are of operands without polylines and points", {}};
+  // The obstacle is O (+) -R(theta) robot.
+  const bool p_moves = options.moving == MovingOperand::p;
+  const Region robot = p_moves ? negated(p) : options.reflect_q ? q : negated(q);
+  const Region stays = !p_moves ? p : options.reflect_q ? negated(q) : q;
+  ObstacleOptions made;
+  made.progress = options.progress;
+  made.memory = options.memory;
+  Result<CspaceObstacle> obstacle = CspaceObstacle::create(robot, stays, made);
+  if (!obstacle) return obstacle.error();
+  PairOptions pair;
+  pair.moved = p_moves ? 0 : 1;
+  pair.reflect_q = options.reflect_q;
+  Result<std::shared_ptr<const OperandPair>> base = pair_of_regions(p, q, pair);
+  if (!base) return base.error();
+  FamilyOptions at_rest = options;
+  at_rest.progress = {};
+  auto state = std::make_unique<State>(*std::move(obstacle), *std::move(base), p, q, std::move(at_rest));
+  FamilyWork& work = state->work;
+  work.events = work.visible = state->obstacle.angles().size();
+  work.cells = std::max<std::uint64_t>(1, work.events);
+  work.kept = state->structured ? work.cells : 0;
+  work.names = state->obstacle.patches().size();
+  work.bytes = state->loops.bytes();
+  work.ms = watch.ms();
+  return RotationFamily(std::move(state));
+}
+
+Result<RotationFamily> RotationFamily::create(const Region& p, const Region& q, Point centre,
+                                              const FamilyOptions& options) {
+  const bool p_moves = options.moving == MovingOperand::p;
+  // R(theta)(P - c) + c: what c adds is added to the operand that stands still.
+  const double sign = options.reflect_q && p_moves ? -1 : 1;
+  const Result<Region> turns = translated_exactly(p_moves ? p : q, {-centre.x, -centre.y});
+  const double own = options.reflect_q && !p_moves ? -1 : 1;
+  const Result<Region> stays = translated_exactly(p_moves ? q : p, {sign * own * centre.x, sign * own * centre.y});
+  if (!turns) return turns.error();
+  if (!stays) return stays.error();
+  return p_moves ? create(*turns, *stays, options) : create(*stays, *turns, options);
+}
+
+const std::vector<EventAngle>& RotationFamily::angles() const { return state_->obstacle.angles(); }
+const FamilyWork& RotationFamily::work() const { return state_->work; }
+
+std::optional<std::uint32_t> RotationFamily::cell_of(const Orientation& theta) const {
+  return state_->obstacle.slab_of(theta);
+}
+
+Result<PlanarSum> RotationFamily::at(const Orientation& theta) const {
+  const std::optional<std::uint32_t> slab = cell_of(theta);
+  if (slab && state_->structured) return state_->in_slab(*slab, theta);
+  SumOptions options;
+  options.semantics = state_->options.semantics;
+  return placed_sum(state_->base->placed(theta), options);
+}
+
+std::optional<EventAngle> RotationFamily::next(const Orientation& theta) const {
+  if (angles().empty()) return std::nullopt;
+  if (const std::optional<std::uint32_t> slab = cell_of(theta)) return angles()[(*slab + 1) % angles().size()];
+  const ExactAngle at = exact_angle(theta);
+  const auto& exact = ObstacleInternals::of(state_->obstacle).exact_angles;
+  for (std::size_t k = 0; k < exact.size(); ++k)
+    if (compare(exact[k], at) > 0) return angles()[k];
+  return angles()[0];
+}
+
+std::vector<Lifetime> RotationFamily::lifetimes() const {
+  std::vector<Lifetime> lives;
+  const std::uint32_t cells = static_cast<std::uint32_t>(std::max<std::size_t>(1, angles().size()));
+  for (const Patch& patch : state_->obstacle.patches()) {
+    Lifetime life;
+    life.feature = FamilyFeature::edge;
+    life.in = life.out = state_->named(patch.contact);
+    const bool always = patch.begin == Patch::kNone;
+    life.first_cell = always ? 0 : patch.begin;
+    life.last_cell = always ? cells - 1 : (patch.end + cells - 1) % cells;
+    lives.push_back(life);
+  }
+  return lives;
+}
+
+Result<PlanarSum> RotationFamily::outer(const Orientation& a, const Orientation& b, double tolerance) const {
+  return outer_set(turned_operands(state_->p, state_->q, state_->p_moves(), state_->options.reflect_q), a, b,
+                   tolerance);
+}
+
+Result<PlanarSum> RotationFamily::inner(const Orientation& a, const Orientation& b, double tolerance) const {
+  return inner_set(turned_operands(state_->p, state_->q, state_->p_moves(), state_->options.reflect_q), a, b,
+                   tolerance);
+}
+
+}  // namespace dymsum
