@@ -14,7 +14,7 @@ namespace {
 constexpr const char* kUsage =
     "dymsum_bench_families [--coordinates KIND] [--only TEXT] [--part NAME] [--results DIR]\n"
     "  --only TEXT    only pairs whose name contains TEXT\n"
-    "  --part NAME    only one of: making, table\n"
+    "  --part NAME    only one of: making, turning, table\n"
     "  --results DIR  also write families.md into DIR\n";
 
 struct Options {
@@ -26,6 +26,24 @@ struct Options {
 
 Scale ratio_of(std::int64_t n, std::int64_t d) { return Scale::of(Rational::of(n, d).value()).value(); }
 
+void heading(Report& report) {
+  report.heading({"pair", "interval", "vertices", "events, visible", "names", "MB", "making ms", "in static sums",
+                  "static ms, mean", "at ms, mean", "median", "p99", "worst", "static / at, mean", "least", "paid",
+                  "compared, different"});
+}
+
+void write_row(Report& report, const FamilyRow& row) {
+  const double gain = row.static_ms.mean - row.at_ms.mean;
+  report.row({row.name, row.interval, std::to_string(row.vertices),
+              std::to_string(row.events) + ", " + std::to_string(row.visible), std::to_string(row.names),
+              fixed(static_cast<double>(row.bytes) * 1e-6, 1), fixed(row.making_ms, 0),
+              ratio(row.making_ms, row.static_ms.mean, 0), fixed(row.static_ms.mean, 3), fixed(row.at_ms.mean, 4),
+              fixed(row.at_ms.median, 4), fixed(row.at_ms.p99, 4), fixed(row.at_ms.worst, 4),
+              "**" + ratio(row.static_ms.mean, row.at_ms.mean, 1) + "**", fixed(row.least, 1),
+              gain > 0 ? fixed(std::ceil(row.making_ms / gain), 0) : "never",
+              std::to_string(row.compared) + ", " + std::to_string(row.different)});
+}
+
 void making(Report& report, const Options& options, const std::string& data, Kind kind) {
   report.line(
       "\n## Making a family, and queries\n\nP scales. Static: the sum from scratch at the same exact scale, of "
@@ -33,9 +51,7 @@ void making(Report& report, const Options& options, const std::string& data, Kin
       "that have been summed before; a query is `at(s)`, 100 random scales, each the median of three. Paid: queries "
       "after "
       "which making has paid.\n");
-  report.heading({"pair", "interval", "vertices", "events, visible", "names", "MB", "making ms", "in static sums",
-                  "static ms, mean", "at ms, mean", "median", "p99", "worst", "static / at, mean", "least", "paid",
-                  "compared, different"});
+  heading(report);
   std::vector<std::string> notes;
   std::vector<ScalingPair> pairs = sweep_pairs(data, Snapping::raw);
   pairs.push_back({"star 400 + star 400", shapes::noisy_star(400, 0.5, 1), shapes::noisy_star(400, 0.5, 2)});
@@ -51,18 +67,36 @@ void making(Report& report, const Options& options, const std::string& data, Kin
                     : narrow ? ratio_of(11, 10)
                              : ratio_of(2, 1),
                     scales_in(low + 1e-3, high - 1e-3, 100)};
-    const FamilyRow row = measure_family(pair, plan);
-    const double gain = row.static_ms.mean - row.at_ms.mean;
-    report.row({row.name, row.interval, std::to_string(row.vertices),
-                std::to_string(row.events) + ", " + std::to_string(row.visible), std::to_string(row.names),
-                fixed(static_cast<double>(row.bytes) * 1e-6, 1), fixed(row.making_ms, 0),
-                ratio(row.making_ms, row.static_ms.mean, 0), fixed(row.static_ms.mean, 3), fixed(row.at_ms.mean, 4),
-                fixed(row.at_ms.median, 4), fixed(row.at_ms.p99, 4), fixed(row.at_ms.worst, 4),
-                "**" + ratio(row.static_ms.mean, row.at_ms.mean, 1) + "**", fixed(row.least, 1),
-                gain > 0 ? fixed(std::ceil(row.making_ms / gain), 0) : "never",
-                std::to_string(row.compared) + ", " + std::to_string(row.different)});
+    write_row(report, measure_family(pair, plan));
   }
   for (const std::string& note : notes) report.line("\n" + note);
+}
+
+/// P turns.
+void turning(Report& report, const Options& options, const std::string& data, Kind kind) {
+  report.line(
+      "\n## A whole turn\n\nP turns about the origin. Static: the sum from scratch at the same exact orientation. 100 "
+      "random orientations, with tangents of half the angle of some 20 bits.\n");
+  heading(report);
+  std::vector<std::string> notes;
+  std::vector<ScalingPair> pairs;
+  for (ScalingPair& pair : sweep_pairs(data, Snapping::raw))
+    if (pair.name == "dog + dog" || pair.name == "dog + bird" || pair.name == "star + star" ||
+        pair.name == "star 100 + star 100")
+      pairs.push_back(std::move(pair));
+  pairs.push_back({"gear 24 + gear 16", shapes::gear(24, 0.9, 1, 0x1p-20), shapes::gear(16, 0.7, 0.8, 0x1p-20)});
+  double least = INFINITY;
+  for (const ScalingPair& pair : with_coordinates(std::move(pairs), kind, notes)) {
+    if (!options.wants(pair)) continue;
+    const FamilyRow row = measure_turn(pair, 100);
+    least = std::min(least, row.static_ms.mean / row.at_ms.mean);
+    write_row(report, row);
+  }
+  for (const std::string& note : notes) report.line("\n" + note);
+  if (least == INFINITY) return;
+  report.line("");
+  report.promise("turning: 10 times our static engine on the mean of every pair", fixed(least, 1) + " times at least",
+                 least >= 10);
 }
 
 void table_6_1(Report& report, const Options& options, Kind kind) {
@@ -125,6 +159,7 @@ int run(int argc, char** argv) {
     if (kind) report.line("\nCoordinates: " + name(*kind) + ".");
     if (data.empty()) report.line("\nNo data folder (DYMSUM_DATA): the thesis's polygons are left out.");
     if (options.wants("making")) making(report, options, data, kind);
+    if (options.wants("turning")) turning(report, options, data, kind);
     if (options.wants("table")) table_6_1(report, options, kind);
     write_result(KindOptions::folder(options.results, kind), "families.md", report.markdown.str());
   }

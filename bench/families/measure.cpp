@@ -4,6 +4,8 @@
 #include <cmath>
 #include <stdexcept>
 
+#include "dymsum/rotating_sum.h"
+#include "dymsum/rotation_family.h"
 #include "dymsum/scaling_family.h"
 #include "dymsum/scaling_sum.h"
 #include "versus/rival.h"
@@ -28,30 +30,58 @@ ScalingSum sums_from_scratch(const ScalingPair& pair) {
 }
 
 /// The median of queries, of many in a row: one takes no longer than reading the clock.
-double query_ms(const ScalingFamily& family, const Scale& s, double clock) {
+template <class Family, class Parameter>
+double query_ms(const Family& family, const Parameter& at, double clock) {
   constexpr int kInARow = 32;
   std::vector<double> ms;
   std::size_t parts = 0;
   for (int round = 0; round < kRounds; ++round) {
     const double start = cpu_ms();
-    for (int k = 0; k < kInARow; ++k) parts += family.at(s).value().parts.size();
+    for (int k = 0; k < kInARow; ++k) parts += family.at(at).value().parts.size();
     ms.push_back(std::max(cpu_ms() - start - clock, 0.0) / kInARow);
   }
   if (parts == 0) throw std::runtime_error("a query failed");
   return spread(ms).median;
 }
 
-/// The median of sums from scratch at s; a scale that stays would be no frame.
-double scratch_ms(ScalingSum& scratch, const Scale& s, double clock) {
-  const Scale other = Scale::of(s.approx() * 1.5).value();
+/// The median of sums from scratch at a parameter; one that stays would be no frame.
+template <class Sum, class Parameter>
+double scratch_ms(Sum& scratch, const Parameter& at, const Parameter& other, double clock) {
   std::vector<double> ms;
   for (int round = 0; round < kRounds; ++round) {
     if (!scratch.set(other)) throw std::runtime_error("a frame failed");
     const double start = cpu_ms();
-    if (!scratch.set(s)) throw std::runtime_error("a frame failed");
+    if (!scratch.set(at)) throw std::runtime_error("a frame failed");
     ms.push_back(std::max(cpu_ms() - start - clock, 0.0));
   }
   return spread(ms).median;
+}
+
+/// Queries of a family against sums from scratch.
+template <class Family, class Sum, class Parameter>
+void compare_queries(const Family& family, Sum& scratch, const std::vector<Parameter>& queries, const Parameter& first,
+                     FamilyRow& row) {
+  row.events = family.work().events;
+  row.visible = family.work().visible;
+  row.names = family.work().names;
+  row.bytes = family.work().bytes;
+  const double clock = clock_ms();
+  std::vector<double> at, statics;
+  row.least = INFINITY;
+  Parameter other = first;
+  for (const Parameter& query : queries) {
+    if (query == other) continue;
+    at.push_back(query_ms(family, query, clock));
+    statics.push_back(scratch_ms(scratch, query, other, clock));
+    other = query;
+    row.least = std::min(row.least, statics.back() / std::max(at.back(), 1e-6));
+    const PlanarSum sum = family.at(query).value();
+    row.vertices = std::max<std::uint64_t>(row.vertices, sum.vertex_count());
+    ++row.compared;
+    row.different += !(sum == scratch.sum());
+  }
+  row.at_ms = spread(at);
+  row.static_ms = spread(statics);
 }
 
 double all_pairs_ms(const ScalingPair& pair, const FamilyPlan& plan) {
@@ -100,26 +130,26 @@ FamilyRow measure_family(const ScalingPair& pair, const FamilyPlan& plan) {
   const double start = cpu_ms();
   const ScalingFamily family = ScalingFamily::create(pair.p, pair.q, plan.low, plan.high, family_options(pair)).value();
   row.making_ms = cpu_ms() - start;
-  row.events = family.work().events;
-  row.visible = family.work().visible;
-  row.names = family.work().names;
-  row.bytes = family.work().bytes;
   ScalingSum scratch = sums_from_scratch(pair);
-  const double clock = clock_ms();
-  std::vector<double> at, statics;
-  row.least = INFINITY;
-  for (const Scale& s : plan.scales) {
-    at.push_back(query_ms(family, s, clock));
-    statics.push_back(scratch_ms(scratch, s, clock));
-    row.least = std::min(row.least, statics.back() / std::max(at.back(), 1e-6));
-    const PlanarSum sum = family.at(s).value();
-    row.vertices = std::max<std::uint64_t>(row.vertices, sum.vertex_count());
-    ++row.compared;
-    row.different += !(sum == scratch.sum());
-  }
-  row.at_ms = spread(at);
-  row.static_ms = spread(statics);
+  compare_queries(family, scratch, plan.scales, Scale(), row);
   row.scratch_ms = all_pairs_ms(pair, plan);
+  return row;
+}
+
+FamilyRow measure_turn(const ScalingPair& pair, std::size_t count) {
+  FamilyRow row;
+  row.name = pair.name;
+  row.interval = "a whole turn";
+  const double start = cpu_ms();
+  const RotationFamily family = RotationFamily::create(pair.p, pair.q).value();
+  row.making_ms = cpu_ms() - start;
+  MovingOptions options;
+  options.mode = FrameMode::rebuild;
+  RotatingSum scratch = RotatingSum::create(pair.p, pair.q, options).value();
+  std::vector<Orientation> thetas;
+  for (const Scale& s : scales_in(0.001, 6.25, count))
+    thetas.push_back(Orientation::nearest(s.approx(), 0x1p-20).value());
+  compare_queries(family, scratch, thetas, Orientation(), row);
   return row;
 }
 

@@ -32,5 +32,7 @@ std::vector<Scale> scales_in(double low, double high, std::size_t count);
 std::vector<Scale> tenths(std::size_t count);
 
 FamilyRow measure_family(const ScalingPair& pair, const FamilyPlan& plan);
+/// The family of a whole turn of P, queried at so many seeded orientations.
+FamilyRow measure_turn(const ScalingPair& pair, std::size_t count);
 
 }  // namespace dymsum::bench

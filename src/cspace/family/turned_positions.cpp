@@ -11,10 +11,10 @@
 namespace dymsum::planar {
 namespace {
 
-// In roundings of the reach: of the cosine, the products, their sum and the last one; an edge vector has one more
-// before it is turned.
-constexpr int kOfPoint = 5, kOfVector = 6;
-constexpr double kPointError = exact::rounding_bound(kOfPoint, 8), kVectorError = exact::rounding_bound(kOfVector, 8);
+// In roundings of the reach: the cosine and the sine err by at most 8 (turn_of_orientation); the products, their sum
+// and the last one. An edge vector has one more before it is turned.
+constexpr int kOfTurn = 8, kOfPoint = kOfTurn + 4, kOfVector = kOfTurn + 4;
+constexpr double kPointError = exact::rounding_bound(kOfPoint, 16), kVectorError = exact::rounding_bound(kOfVector, 16);
 // A cross product of two edge vectors errs by what both err by, and three of its own; with a gap of two points, which
 // errs absolutely, by one more.
 constexpr double kCrossError = exact::rounding_bound(2 * kOfVector + 3 + 1, 32);
@@ -44,11 +44,15 @@ struct EdgeEndIndex {
 
 }  // namespace
 
+// The tangent t of half the angle, or of a right angle less that, is at most 1, and errs by one rounding, or two where
+// it is inverted: the cosine and the sine by less than 1.3 times that, so 2.6. Their own: t^2 and the numerator 2, the
+// denominator 1.5, the quotient 1.
 Turn2 turn_of_orientation(const Orientation& theta) {
   if (theta.is_half_turn()) return {-1, 0};
-  const exact::BigRational t = exact::exact_value(theta.tan_half()), whole = 1 + t * t;
-  return {exact::round_to_double(exact::BigRational((1 - t * t) / whole)),
-          exact::round_to_double(exact::BigRational(2 * t / whole))};
+  const double tangent = theta.tan_half().to_double();
+  const bool inverted = std::abs(tangent) > 1;
+  const double t = inverted ? 1 / tangent : tangent, whole = 1 + t * t, cosine = (1 - t * t) / whole;
+  return {inverted ? -cosine : cosine, 2 * t / whole};
 }
 
 TurnedPositions::TurnedPositions(const OperandPair& base, const CspaceObstacle& obstacle)

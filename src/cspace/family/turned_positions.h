@@ -10,7 +10,7 @@
 
 namespace dymsum::planar {
 
-/// An orientation's cosine and sine, each rounded once.
+/// An orientation's cosine and sine, within eight roundings of 1.
 struct Turn2 {
   double cosine = 1, sine = 0;
 };

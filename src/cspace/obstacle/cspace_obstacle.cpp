@@ -188,13 +188,15 @@ CspaceObstacle::HalfTangent CspaceObstacle::half_tangent(std::uint32_t angle) co
 std::optional<std::uint32_t> CspaceObstacle::slab_of(const Orientation& theta) const {
   const State& s = *state_;
   if (s.angles.empty()) return 0;
-  const ExactAngle at = exact_angle(theta);
+  std::optional<ExactAngle> exact;  // where doubles do not decide
   const double low = theta.radians() - kAngleDouble, high = theta.radians() + kAngleDouble;
   std::size_t first = 0, last = s.angles.size();  // the first angle beyond theta is in [first, last]
   while (first < last) {
     const std::size_t mid = (first + last) / 2;
     const EventAngle& e = s.angles[mid];
-    const int sign = e.high < low ? -1 : e.low > high ? 1 : compare(s.exact_angles[mid], at);
+    const bool decided = e.high < low || e.low > high;
+    if (!decided && !exact) exact = exact_angle(theta);
+    const int sign = e.high < low ? -1 : e.low > high ? 1 : compare(s.exact_angles[mid], *exact);
     if (sign == 0) return std::nullopt;
     if (sign < 0) first = mid + 1;
     else last = mid;
