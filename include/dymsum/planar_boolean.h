@@ -22,21 +22,22 @@ namespace dymsum {
 /// With Semantics::open operands are open and what is taken away is closed, and such pieces do not belong to the set.
 /// Tight features are where a touch decides: where closed and open operands make a difference, off the boundary of the
 /// parts. These are the pieces without interior, and the segments and points that open sets leave out (two open squares
-/// that share an edge miss it). Semantics::regular: the closure of the interior alone; polylines and points of operands
-/// are left out.
+/// that share an edge miss it). Semantics::regular: the closure of the interior alone.
+///
+/// Polylines and points of regions, segments and points of results (exact fits of an erosion) are closed sets without
+/// interior: they take part as such, and regular semantics leaves them out.
 ///
 /// A result of these operations is taken for the operations that made it: its edges lie on edges of the first operands
 /// whatever has been done with it, and no integer grows. So semantics are those of the last operation: what regular
 /// semantics left out of a result counts again where that result takes part in a closed operation; an empty result is
-/// the empty set. Of any other result (a sum, an erosion) the parts take part.
+/// the empty set. Of any other result (a sum, an erosion) its parts, segments and points take part.
 ///
 /// Exact and canonical: equal sets are equal results. Provenance: `p` of a contact and of a corner counts the vertices
 /// and edges of all regions that take part, one after the other as they come first, each once where a result takes
 /// part several times; `q` is 0. Of the options semantics, progress and memory count.
-/// Errors: unsupported_operand for regions with polylines or points (but for Semantics::regular) and for coordinates
-/// beyond 2^1000; cancelled; out_of_memory.
+/// Errors: unsupported_operand for coordinates beyond 2^1000; cancelled; out_of_memory.
 /// O(n log n + k + c n / r) for n edges of all regions, k of their crossings and c connected pieces of their edges,
-/// each of which looks at one of r rows; times the number of operands.
+/// each of which looks at one of r rows; times the number of operands. O(n) besides for each point.
 Result<PlanarSum> united(std::span<const PlanarOperand> sets, const SumOptions& options = {});
 Result<PlanarSum> intersection(std::span<const PlanarOperand> sets, const SumOptions& options = {});
 Result<PlanarSum> united(const PlanarOperand& a, const PlanarOperand& b, const SumOptions& options = {});

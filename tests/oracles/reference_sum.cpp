@@ -231,7 +231,7 @@ ReferenceSum<N> classify_all(Arrangement<N> a, const Questions<N>& query) {
     if (!in_set && around[i].any && !around[i].all_off) throw std::logic_error("the closed set is not closed");
     if (!in_set || query.in_open(c)) continue;
     if (!around[i].any) {
-      if (!query.in_set(beside(a, c, true, 1))) out.points.push_back(c);
+      (query.in_set(beside(a, c, true, 1)) ? out.tight_points : out.points).push_back(c);
     } else if (around[i].all_deep) {
       out.tight_points.push_back(c);
     } else if (around[i].all_off) {
@@ -298,8 +298,10 @@ ReferenceSum<N> reference_boolean(const std::vector<RegionData>& inputs, const B
     members.emplace_back(input, origin);
     const Lines<N> of = all_contacts(pieces_of<N>(input), pieces_of<N>(origin));
     lines.segments.insert(lines.segments.end(), of.segments.begin(), of.segments.end());
+    lines.dots.insert(lines.dots.end(), of.dots.begin(), of.dots.end());
   }
   sort_unique(lines.segments);
+  sort_unique(lines.dots);
   const auto at = [&](const Pt<N>& z) {
     std::vector<ClosedAndOpen> lies;
     for (const Membership<N>& member : members) lies.push_back({member.meets(z), member.overlaps(z)});

@@ -1,6 +1,7 @@
 #include "planar/boolean/boolean_boundary.h"
 
 #include <algorithm>
+#include <map>
 
 #include "planar/boundary/boundary.h"
 #include "planar/boundary/graph_rings.h"
@@ -15,8 +16,15 @@ bool inside(Fill fill, std::int32_t winding) {
 
 class CellMembership {
  public:
-  CellMembership(const SegmentGraph& graph, const InputWindings& windings, const BooleanTerms& terms)
-      : graph_(graph), windings_(windings), terms_(terms), in_(terms.inputs.size()) {}
+  CellMembership(const SegmentGraph& graph, const InputWindings& windings, const SegmentInputs& segments,
+                 const BooleanTerms& terms)
+      : graph_(graph), windings_(windings), segments_(segments), terms_(terms), in_(terms.inputs.size()) {
+    if (!segments.thin) return;
+    // A point is where the segment begins that leads to it.
+    for (const SegmentGraph::SubEdge& s : graph.sub_edges())
+      if (s.from_event == kNone && segments.kind[s.segment] == SegmentInputs::Kind::from_point)
+        points_.emplace(s.from, segments.input[s.segment]);
+  }
 
   bool face(std::span<const std::int32_t> windings) {
     begin();
@@ -27,11 +35,17 @@ class CellMembership {
     begin();
     add(windings_.left(edge));
     add(windings_.right(edge));
+    add_lines(edge);
     return end();
   }
   Membership node(std::uint32_t node) {
     begin();
-    for (const SegmentGraph::Ray& ray : graph_.rays(node)) add(windings_.beside(ray));
+    for (const SegmentGraph::Ray& ray : graph_.rays(node)) {
+      add(windings_.beside(ray));
+      add_lines(ray.edge);
+    }
+    const auto [first, last] = points_.equal_range(node);
+    for (auto at = first; at != last; ++at) in_[at->second].closed = true;
     return end();
   }
 
@@ -44,18 +58,34 @@ class CellMembership {
       in_[i] = {in_[i].closed || lies, in_[i].open && lies};
     }
   }
+  // Lines and points have no interior.
+  void add_lines(std::uint32_t edge) {
+    if (!segments_.thin) return;
+    const SegmentGraph::Edge& e = graph_.edges()[edge];
+    for (std::uint32_t k = e.first; k < e.last; ++k) {
+      const std::uint32_t s = graph_.sub_edges()[k].segment;
+      if (segments_.kind[s] == SegmentInputs::Kind::line) in_[segments_.input[s]].closed = true;
+    }
+  }
   Membership end() { return terms_.evaluate(in_, stack_); }
 
   const SegmentGraph& graph_;
   const InputWindings& windings_;
+  const SegmentInputs& segments_;
   const BooleanTerms& terms_;
   std::vector<Membership> in_, stack_;
+  std::multimap<std::uint32_t, std::uint32_t> points_;  // node -> input
 };
 
 class Finder {
  public:
-  Finder(const Soup& soup, const SegmentGraph& graph, const InputWindings& windings, const BooleanTerms& terms)
-      : soup_(soup), graph_(graph), cells_(graph, windings, terms), sides_(graph.edges().size()) {
+  Finder(const Soup& soup, const SegmentGraph& graph, const InputWindings& windings, const SegmentInputs& segments,
+         const BooleanTerms& terms)
+      : soup_(soup),
+        graph_(graph),
+        segments_(segments),
+        cells_(graph, windings, segments, terms),
+        sides_(graph.edges().size()) {
     for (std::uint32_t e = 0; e < sides_.size(); ++e)
       sides_[e] = {cells_.face(windings.left(e)), cells_.face(windings.right(e))};
   }
@@ -75,7 +105,7 @@ class Finder {
   // runs back.
   std::vector<std::uint32_t> names() const {
     std::vector<std::uint32_t> segments(sides_.size(), kNone);
-    const auto any = [](std::uint32_t) { return true; };
+    const auto any = [&](std::uint32_t s) { return segments_.kind[s] == SegmentInputs::Kind::ring; };
     for (std::uint32_t e = 0; e < sides_.size(); ++e) {
       if (sides_[e].left == sides_[e].right) continue;
       segments[e] = segment_along(graph_, e, sides_[e].left, any);
@@ -92,7 +122,7 @@ class Finder {
       const GraphSides s = sides_[e];
       if (s.left != s.right || !is_tight(cells_.edge(e))) continue;
       const SegmentGraph::Edge& edge = graph_.edges()[e];
-      const std::uint32_t segment = graph_.sub_edges()[edge.first].segment;
+      const std::uint32_t segment = segment_on(edge);
       out_.boundary.cracks.push_back({vertex(edge.low, segment), vertex(edge.high, segment)});
       if (!s.left) out_.pieces.segments.push_back(out_.boundary.cracks.back());
     }
@@ -109,6 +139,13 @@ class Finder {
     }
   }
 
+  // One that belongs to an input, and does not only lead to a point.
+  std::uint32_t segment_on(const SegmentGraph::Edge& edge) const {
+    for (std::uint32_t k = edge.first; k < edge.last; ++k)
+      if (const std::uint32_t s = graph_.sub_edges()[k].segment; segments_.is_of_input(s)) return s;
+    return graph_.sub_edges()[edge.first].segment;
+  }
+
   SumVertex vertex(std::uint32_t node, std::uint32_t segment) {
     error_ = std::max(error_, position_error(soup_, graph_.nodes()[node].position));
     return vertex_on(soup_, graph_, node, segment);
@@ -116,6 +153,7 @@ class Finder {
 
   const Soup& soup_;
   const SegmentGraph& graph_;
+  const SegmentInputs& segments_;
   CellMembership cells_;
   std::vector<GraphSides> sides_;
   BooleanBoundary out_;
@@ -125,8 +163,8 @@ class Finder {
 }  // namespace
 
 BooleanBoundary boolean_boundary(const Soup& soup, const SegmentGraph& graph, const InputWindings& windings,
-                                 const BooleanTerms& terms) {
-  return Finder(soup, graph, windings, terms).run();
+                                 const SegmentInputs& segments, const BooleanTerms& terms) {
+  return Finder(soup, graph, windings, segments, terms).run();
 }
 
 }  // namespace dymsum::planar

@@ -5,6 +5,7 @@
 
 #include "planar/boolean/boolean_terms.h"
 #include "planar/boolean/input_windings.h"
+#include "planar/boolean/joined_inputs.h"
 #include "planar/boundary/raw_boundary.h"
 #include "planar/result/sum_pieces.h"
 
@@ -17,6 +18,6 @@ struct BooleanBoundary {
   PieceCandidates pieces;
 };
 BooleanBoundary boolean_boundary(const Soup& soup, const SegmentGraph& graph, const InputWindings& windings,
-                                 const BooleanTerms& terms);
+                                 const SegmentInputs& segments, const BooleanTerms& terms);
 
 }  // namespace dymsum::planar

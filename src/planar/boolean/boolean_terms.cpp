@@ -9,60 +9,50 @@ namespace {
 
 BooleanTerms terms_of_rings(RingSet rings) { return {{std::make_shared<const RingSet>(std::move(rings))}, {0}}; }
 
-Error error_at(ErrorCode code, const char* message, Point at) {
-  Error error{code, message, {}};
-  error.evidence.x = at.x;
-  error.evidence.y = at.y;
-  return error;
-}
-
 RingSet rings_of(const Region& region) {
   std::vector<Ring> rings;
   for (const Part& part : region.parts()) {
     rings.push_back(part.outer);
     rings.insert(rings.end(), part.holes.begin(), part.holes.end());
   }
-  return {std::move(rings), Fill::positive, {}};
+  return {std::move(rings), Fill::positive, {}, {}, {}};
 }
 
-Result<BooleanTerms> terms_of_region(const Region& region, Semantics semantics) {
-  if (semantics != Semantics::regular && !(region.polylines().empty() && region.points().empty()))
-    return error_at(
-        ErrorCode::unsupported_operand,
-        "Boolean operations take regions without polylines and points, which only regular semantics leaves out",
-        region.points().empty() ? region.polylines()[0][0] : region.points()[0]);
-  return terms_of_rings(rings_of(region));
+RingSet set_of(const Region& region) {
+  RingSet set = rings_of(region);
+  set.lines = region.polylines();
+  set.points = region.points();
+  return set;
 }
 
-RingSet rings_of(const PlanarSum& sum) {
+/// The rings of a result at their exact positions, and its segments and points if they count.
+RingSet set_of(const PlanarSum& sum, bool with_pieces) {
   RingSet set;
   bool doubles = true;
-  if (!sum.parts.empty()) set.fractions = positions_of(sum);
+  if (!sum.parts.empty() || with_pieces) set.fractions = positions_of(sum);
   auto at = set.fractions.begin();
+  const auto next = [&] {
+    const Point nearest{exact::round_to_double(at->x, at->w), exact::round_to_double(at->y, at->w)};
+    doubles &= is_double(*at, nearest);
+    ++at;
+    return nearest;
+  };
   const auto add = [&](const SumRing& ring) {
     Ring& points = set.rings.emplace_back();
-    for (std::size_t k = 0; k < ring.vertices.size(); ++k, ++at) {
-      points.push_back({exact::round_to_double(at->x, at->w), exact::round_to_double(at->y, at->w)});
-      doubles &= is_double(*at, points.back());
-    }
+    for (std::size_t k = 0; k < ring.vertices.size(); ++k) points.push_back(next());
   };
   for (const SumPart& part : sum.parts) {
     add(part.outer);
     for (const SumRing& hole : part.holes) add(hole);
   }
+  for (std::size_t k = 0; k < sum.segments.size() && with_pieces; ++k) {
+    const Point from = next();
+    set.lines.push_back({from, next()});
+  }
+  for (std::size_t k = 0; k < sum.points.size() && with_pieces; ++k) set.points.push_back(next());
   if (doubles) set.fractions.clear();
-  else set.fractions.erase(at, set.fractions.end());  // of segments and points
+  else set.fractions.erase(at, set.fractions.end());  // of what does not count
   return set;
-}
-
-// The terms of a result that no Boolean operation has made.
-Result<BooleanTerms> terms_of_sum(const PlanarSum& sum, Semantics semantics) {
-  if (semantics != Semantics::regular && !(sum.segments.empty() && sum.points.empty()))
-    return error_at(ErrorCode::unsupported_operand,
-                    "Boolean operations take results without segments and points, which only regular semantics leaves "
-                    "out",
-                    sum.points.empty() ? sum.segments[0].from.at : sum.points[0].at);
-  return terms_of_rings(rings_of(sum));
 }
 
 }  // namespace
@@ -105,15 +95,18 @@ Membership BooleanTerms::evaluate(std::span<const Membership> in, std::vector<Me
 }
 
 BooleanTerms terms_of_parts(const PlanarOperand& operand) {
-  return terms_of_rings(std::visit([](const auto* set) { return rings_of(*set); }, operand.set()));
+  if (const Region* const* region = std::get_if<const Region*>(&operand.set()))
+    return terms_of_rings(rings_of(**region));
+  return terms_of_rings(set_of(*std::get<const PlanarSum*>(operand.set()), false));
 }
 
-Result<BooleanTerms> terms_of(const PlanarOperand& operand, Semantics semantics) {
+BooleanTerms terms_of(const PlanarOperand& operand, Semantics semantics) {
+  const bool with_pieces = semantics != Semantics::regular;
   if (const Region* const* region = std::get_if<const Region*>(&operand.set()))
-    return terms_of_region(**region, semantics);
+    return terms_of_rings(with_pieces ? set_of(**region) : rings_of(**region));
   const PlanarSum& sum = *std::get<const PlanarSum*>(operand.set());
   if (const auto* made = dynamic_cast<const BooleanSource*>(exact_source(sum).get())) return made->terms();
-  return terms_of_sum(sum, semantics);
+  return terms_of_rings(set_of(sum, with_pieces));
 }
 
 }  // namespace dymsum::planar

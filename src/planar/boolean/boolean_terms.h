@@ -13,11 +13,14 @@
 
 namespace dymsum::planar {
 
-/// A set bounded by closed rings.
+/// A set bounded by closed rings, with closed polylines and points that have no interior.
 struct RingSet {
   std::vector<Ring> rings;
   Fill fill = Fill::positive;
-  /// Of all vertices, ring after ring, where some are no doubles: `rings` has the nearest doubles then. Otherwise none.
+  std::vector<Polyline> lines;
+  std::vector<Point> points;
+  /// Of all vertices - rings, then lines, then points - where some are no doubles: those have the nearest doubles then.
+  /// Otherwise none.
   std::vector<exact::HomogeneousPoint> fractions;
 };
 
@@ -69,8 +72,7 @@ Result<PlanarSum> evaluate(BooleanTerms terms, const SumOptions& options);
 /// The parts of an operand by their rings, also of a result that keeps what made it: indices are the operand's own.
 BooleanTerms terms_of_parts(const PlanarOperand& operand);
 
-/// An operand as an expression; polylines and points are left out for regular semantics. Errors: as the operations of
-/// planar_boolean.h.
-Result<BooleanTerms> terms_of(const PlanarOperand& operand, Semantics semantics);
+/// An operand as an expression; what has no interior is left out for regular semantics.
+BooleanTerms terms_of(const PlanarOperand& operand, Semantics semantics);
 
 }  // namespace dymsum::planar

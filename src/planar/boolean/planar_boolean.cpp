@@ -8,6 +8,7 @@
 #include "base/within_memory.h"
 #include "planar/arrangement/find_meetings.h"
 #include "planar/boolean/boolean_boundary.h"
+#include "planar/boolean/joined_inputs.h"
 #include "planar/result/finish_sum.h"
 #include "planar/sum/sum_engine.h"
 
@@ -15,56 +16,6 @@ namespace dymsum {
 namespace {
 
 using planar::BooleanTerms;
-
-/// The rings of all inputs, each as a part of its own, and the first vertex of each input.
-struct JoinedRings {
-  planar::EngineRegion region;
-  std::vector<std::uint32_t> first;
-};
-
-/// Rings one after the other.
-class RingJoiner {
- public:
-  explicit RingJoiner(const BooleanTerms& terms) {
-    for (const auto& input : terms.inputs) exact_ |= !input->fractions.empty();
-    for (const auto& input : terms.inputs) {
-      joined_.first.push_back(index_);
-      auto at = input->fractions.begin();
-      for (const Ring& ring : input->rings) {
-        add(ring, input->fractions.empty() ? nullptr : &*at);
-        if (!input->fractions.empty()) at += static_cast<std::ptrdiff_t>(ring.size());
-      }
-    }
-    joined_.region.edge_indices = joined_.region.vertex_indices;
-    if (exact_)
-      joined_.region.fractions = std::make_shared<const std::vector<exact::HomogeneousPoint>>(std::move(fractions_));
-  }
-  JoinedRings joined() && { return std::move(joined_); }
-
- private:
-  // What does not count: a vertex that repeats the one before it, a ring of two vertices. Fractions are of results,
-  // which have neither.
-  void add(const Ring& ring, const exact::HomogeneousPoint* fractions) {
-    std::vector<std::uint32_t> kept;
-    for (std::uint32_t k = 0; k < ring.size(); ++k)
-      if (fractions != nullptr || ring[k] != ring[k + 1 == ring.size() ? 0 : k + 1]) kept.push_back(k);
-    if (kept.size() >= 3) {
-      Ring& own = joined_.region.own.parts.emplace_back().outer;
-      for (const std::uint32_t k : kept) {
-        own.push_back(ring[k]);
-        joined_.region.vertex_indices.push_back(index_ + k);
-        if (exact_)
-          fractions_.push_back(fractions != nullptr ? fractions[k] : exact::homogeneous(ring[k].x, ring[k].y));
-      }
-    }
-    index_ += static_cast<std::uint32_t>(ring.size());
-  }
-
-  JoinedRings joined_;
-  std::vector<exact::HomogeneousPoint> fractions_;
-  bool exact_ = false;
-  std::uint32_t index_ = 0;
-};
 
 /// Every walk edge of P at the one vertex of Q.
 planar::Soup soup_of(const planar::SumState& state) {
@@ -74,18 +25,12 @@ planar::Soup soup_of(const planar::SumState& state) {
   return soup;
 }
 
-std::vector<std::uint32_t> inputs_of(const planar::Operand& p, const std::vector<std::uint32_t>& first) {
-  std::vector<std::uint32_t> input;
-  for (const std::uint32_t v : p.vertex_index)
-    input.push_back(static_cast<std::uint32_t>(std::upper_bound(first.begin(), first.end(), v) - first.begin()) - 1);
-  return input;
-}
-
 // The stages, one after the other. Returns the pieces without interior.
-planar::PieceCandidates find_boundary(const BooleanTerms& terms, const std::vector<std::uint32_t>& first,
+planar::PieceCandidates find_boundary(const BooleanTerms& terms, const planar::JoinedInputs& joined,
                                       const SumOptions& options, planar::SumState& state) {
   Poll poll(options.progress);
   const planar::Soup soup = soup_of(state);
+  const planar::SegmentInputs segments = planar::segments_of(joined, *state.p);
   state.stats.reduced_segments = state.stats.live_segments = soup.size();
   poll.stage("crossings");
   planar::Meetings meetings = planar::every_meeting(soup, poll);
@@ -98,9 +43,9 @@ planar::PieceCandidates find_boundary(const BooleanTerms& terms, const std::vect
   for (const planar::SegmentGraph::Node& node : graph.nodes())
     state.stats.degenerate_nodes += node.end.pair && node.passes > 2;
   poll.stage("windings");
-  const planar::InputWindings windings(soup, graph, inputs_of(*state.p, first), terms.inputs.size(), poll);
+  const planar::InputWindings windings(soup, graph, segments.input, terms.inputs.size(), poll);
   poll.stage("boundary");
-  planar::BooleanBoundary found = planar::boolean_boundary(soup, graph, windings, terms);
+  planar::BooleanBoundary found = planar::boolean_boundary(soup, graph, windings, segments, terms);
   state.boundary = std::move(found.boundary);
   state.stats.loops = state.boundary.rings.size();
   poll(1);
@@ -124,9 +69,9 @@ PlanarSum finished(planar::SumState&& state, const planar::PieceCandidates& piec
 Result<PlanarSum> planar::evaluate(BooleanTerms terms, const SumOptions& options) {
   const auto budget = base::budget_of(options.memory);
   return base::within_memory(budget, "the Boolean operation", [&]() -> Result<PlanarSum> {
-    const JoinedRings joined = RingJoiner(terms).joined();
+    const planar::JoinedInputs joined = planar::joined_inputs(terms);
     PlanarSum result;
-    if (!joined.region.own.parts.empty()) {
+    if (!joined.region.own.parts.empty() || !joined.region.own.polylines.empty()) {
       planar::EngineRegion origin;
       origin.own.points.push_back({0, 0});
       Result<planar::SumState> placed =
@@ -135,7 +80,7 @@ Result<PlanarSum> planar::evaluate(BooleanTerms terms, const SumOptions& options
       if (!placed) return placed.error();
       planar::SumState state = std::move(placed).value();
       try {
-        const planar::PieceCandidates pieces = find_boundary(terms, joined.first, options, state);
+        const planar::PieceCandidates pieces = find_boundary(terms, joined, options, state);
         result = finished(std::move(state), pieces, options.semantics);
       } catch (const Cancelled&) {
         return cancelled();
@@ -151,30 +96,13 @@ Result<PlanarSum> planar::evaluate(BooleanTerms terms, const SumOptions& options
 namespace {
 
 /// One expression after the other, and what combines each with the ones before it.
-Result<BooleanTerms> combined(std::span<const PlanarOperand> sets, std::int32_t step, Semantics semantics) {
+Result<PlanarSum> combine(std::span<const PlanarOperand> sets, std::int32_t step, const SumOptions& options) {
   BooleanTerms all;
   for (std::size_t k = 0; k < sets.size(); ++k) {
-    const Result<BooleanTerms> terms = planar::terms_of(sets[k], semantics);
-    if (!terms) return terms.error();
-    all.append(*terms);
+    all.append(planar::terms_of(sets[k], options.semantics));
     if (k > 0) all.steps.push_back(step);
   }
-  return all;
-}
-
-Result<PlanarSum> combine(std::span<const PlanarOperand> sets, std::int32_t step, const SumOptions& options) {
-  Result<BooleanTerms> terms = combined(sets, step, options.semantics);
-  if (!terms) return terms.error();
-  return planar::evaluate(std::move(terms).value(), options);
-}
-
-Result<BooleanTerms> without(const PlanarOperand& a, const PlanarOperand& b, Semantics semantics) {
-  const Result<BooleanTerms> kept = planar::terms_of(a, semantics), taken = planar::terms_of(b, semantics);
-  if (!kept) return kept;
-  if (!taken) return taken;
-  BooleanTerms terms;
-  planar::append_difference(*kept, *taken, terms);
-  return terms;
+  return planar::evaluate(std::move(all), options);
 }
 
 }  // namespace
@@ -197,25 +125,23 @@ Result<PlanarSum> intersection(const PlanarOperand& a, const PlanarOperand& b, c
 }
 
 Result<PlanarSum> difference(const PlanarOperand& a, const PlanarOperand& b, const SumOptions& options) {
-  Result<BooleanTerms> terms = without(a, b, options.semantics);
-  if (!terms) return terms.error();
-  return planar::evaluate(std::move(terms).value(), options);
+  BooleanTerms terms;
+  planar::append_difference(planar::terms_of(a, options.semantics), planar::terms_of(b, options.semantics), terms);
+  return planar::evaluate(std::move(terms), options);
 }
 
 Result<PlanarSum> symmetric_difference(const PlanarOperand& a, const PlanarOperand& b, const SumOptions& options) {
   // Both are made from one reading of the operands, so that their inputs are the same.
-  const Result<BooleanTerms> p = planar::terms_of(a, options.semantics), q = planar::terms_of(b, options.semantics);
-  if (!p) return p.error();
-  if (!q) return q.error();
+  const BooleanTerms p = planar::terms_of(a, options.semantics), q = planar::terms_of(b, options.semantics);
   BooleanTerms terms;
-  planar::append_difference(*p, *q, terms);
-  planar::append_difference(*q, *p, terms);
+  planar::append_difference(p, q, terms);
+  planar::append_difference(q, p, terms);
   terms.steps.push_back(BooleanTerms::kOr);
   return planar::evaluate(std::move(terms), options);
 }
 
 Result<PlanarSum> filled(const RegionData& data, Fill fill, const SumOptions& options) {
-  planar::RingSet set{{}, fill, {}};
+  planar::RingSet set{{}, fill, {}, {}, {}};
   for (const Part& part : data.parts) {
     set.rings.push_back(part.outer);
     set.rings.insert(set.rings.end(), part.holes.begin(), part.holes.end());
