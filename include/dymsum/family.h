@@ -1,5 +1,5 @@
 // Families of planar sums: all sums of an interval of scales, or of all angles, as one object. Between two events the
-// structure of the sum is the same, so a sum at any parameter is that structure with its vertices put in place.
+// structure of the sum is the same, so a sum at any parameter is that structure with its vertices at their positions.
 #pragma once
 
 #include <cstddef>
@@ -29,7 +29,7 @@ struct FamilyOptions {
 enum class FamilyFeature : std::uint8_t {
   vertex,  ///< of a ring, by its contacts and its corner
   edge,    ///< a contact that carries an edge of the boundary
-  hole,    ///< a hole, from cell to cell while it shares a vertex with what it was
+  hole,    ///< a hole, from cell to cell while it has a vertex of what it was
 };
 
 /// The cells in which a feature of the sum is there. Cell k lies between events k - 1 and k of the family, cell 0

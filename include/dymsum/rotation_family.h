@@ -1,5 +1,5 @@
-// All sums R(theta) P (+) Q of a turn as one object: any of them in time proportional to its size, all exact angles at
-// which it changes, and what holds for all angles of an interval and for some.
+// All sums R(theta) P (+) Q of a whole rotation as one object: any of them in time proportional to its size, all exact
+// angles at which it changes, and what holds for all angles of an interval and for some.
 #pragma once
 
 #include <memory>
@@ -17,11 +17,11 @@ namespace dymsum {
 /// threads may query one family at the same time.
 class RotationFamily {
  public:
-  /// The moving operand turns about the origin of its coordinates. Errors: as CspaceObstacle::create;
+  /// The moving operand rotates about the origin of its coordinates. Errors: as CspaceObstacle::create;
   /// unsupported_operand for polylines and points; cancelled; out_of_memory. Cost: that of the obstacle.
   static Result<RotationFamily> create(const Region& p, const Region& q, const FamilyOptions& options = {});
-  /// The moving operand turns about another point. Errors: also unsupported_operand where a vertex less that point, or
-  /// a vertex of the other operand and that point, is no double.
+  /// The moving operand rotates about another point. Errors: also unsupported_operand where a vertex less that point,
+  /// or a vertex of the other operand and that point, is no double.
   static Result<RotationFamily> create(const Region& p, const Region& q, Point centre,
                                        const FamilyOptions& options = {});
 
@@ -46,10 +46,10 @@ class RotationFamily {
   std::vector<Lifetime> lifetimes() const;
 
   /// A set that holds the sums at all angles from a counter-clockwise to b, and lies within `tolerance` of their union:
-  /// the sums of so many orientations, grown by how far a point of the turning operand is away from the next one.
+  /// the sums of so many orientations, grown by how far a point of the rotating operand is away from the next one.
   /// Errors: out_of_range for a tolerance that is not positive, or takes more than 4096 orientations; and as sums.
   Result<PlanarSum> outer(const Orientation& a, const Orientation& b, double tolerance) const;
-  /// A set that lies in the sums at all these angles: of so many orientations, the sums of the turning operand shrunk
+  /// A set that lies in the sums at all these angles: of so many orientations, the sums of the rotating operand shrunk
   /// by at most `tolerance`. What is thinner than that is lost. Errors: as outer.
   Result<PlanarSum> inner(const Orientation& a, const Orientation& b, double tolerance) const;
 

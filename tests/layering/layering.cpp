@@ -36,6 +36,7 @@ const std::vector<std::string> kRooms = {
     "cspace/planner",
     "cspace/queries",
     "cspace/mesh",
+    "cspace/family",
     "spatial/mesh",
     "spatial/solids",
     "spatial/gauss",

@@ -6,9 +6,9 @@
 
 #include "base/stopwatch.h"
 #include "cspace/boundary/obstacle_state.h"
+#include "cspace/family/rotated_positions.h"
+#include "cspace/family/rotated_sets.h"
 #include "cspace/family/slab_loops.h"
-#include "cspace/family/turned_positions.h"
-#include "cspace/family/turned_sets.h"
 #include "dymsum/orientation_sum.h"
 #include "planar/motion/exact_frame.h"
 #include "planar/position/position_signs.h"
@@ -36,7 +36,7 @@ class RotationFamily::State {
   Region p, q;
   FamilyOptions options;
   SlabLoops loops;
-  TurnedPositions positions;
+  RotatedPositions positions;
   bool structured;  ///< slices are what patches say, and nothing else
   FamilyWork work;
 
@@ -50,13 +50,13 @@ class RotationFamily::State {
   PlanarSum in_slab(std::uint32_t slab, const Orientation& theta) const;
 
  private:
-  SumVertex vertex(std::uint32_t patch, std::uint32_t follower, Turn2 turn, const ExactSource& source,
+  SumVertex vertex(std::uint32_t patch, std::uint32_t follower, Rotor rotor, const ExactSource& source,
                    double& error) const;
 };
 
 namespace {
 
-/// Whether a ring runs counter-clockwise: the corner at its smallest vertex turns as it does. In doubles by its area,
+/// Whether a ring runs counter-clockwise: the corner at its smallest vertex bends as it does. In doubles by its area,
 /// where that is larger than all errors.
 bool is_counter_clockwise(const SumRing& ring, const ExactSource& source, double error) {
   const std::vector<SumVertex>& v = ring.vertices;
@@ -80,15 +80,15 @@ bool is_counter_clockwise(const SumRing& ring, const ExactSource& source, double
 
 }  // namespace
 
-SumVertex RotationFamily::State::vertex(std::uint32_t patch, std::uint32_t follower, Turn2 turn,
+SumVertex RotationFamily::State::vertex(std::uint32_t patch, std::uint32_t follower, Rotor rotor,
                                         const ExactSource& source, double& error) const {
   SumVertex v;
   v.in = named(obstacle.patches()[patch].contact);
   v.out = named(obstacle.patches()[follower].contact);
-  const TurnedPositions::Corner& corner = positions.corner_of(patch);
+  const RotatedPositions::Corner& corner = positions.corner_of(patch);
   v.corner_p = p_moves() ? corner.q : corner.p;
   v.corner_q = p_moves() ? corner.p : corner.q;
-  const TurnedPositions::Placed placed = positions.end(patch, follower, turn);
+  const RotatedPositions::Placed placed = positions.end(patch, follower, rotor);
   v.at = placed.at;
   if (placed.error < INFINITY) {
     error = std::max(error, placed.error);
@@ -105,7 +105,7 @@ PlanarSum RotationFamily::State::in_slab(std::uint32_t slab, const Orientation& 
   const auto source = std::make_shared<FrameSource>(base, theta);
   exact_source(sum) = source;
   const SlabLoops::Loops found = loops.in(slab);
-  const Turn2 turn = turn_of_orientation(theta);
+  const Rotor rotor = rotor_of(theta);
   std::vector<SumRing> rings;
   std::vector<std::uint8_t> outer;
   std::uint32_t first = 0;
@@ -113,7 +113,7 @@ PlanarSum RotationFamily::State::in_slab(std::uint32_t slab, const Orientation& 
     SumRing& ring = rings.emplace_back();
     for (std::uint32_t k = first; k < end; ++k)
       ring.vertices.push_back(
-          vertex(found.patches[k], found.patches[k + 1 == end ? first : k + 1], turn, *source, sum.at_error));
+          vertex(found.patches[k], found.patches[k + 1 == end ? first : k + 1], rotor, *source, sum.at_error));
     first = end;
   }
   for (const SumRing& ring : rings) outer.push_back(is_counter_clockwise(ring, *source, sum.at_error));
@@ -164,12 +164,12 @@ Result<RotationFamily> RotationFamily::create(const Region& p, const Region& q, 
   const bool p_moves = options.moving == MovingOperand::p;
   // R(theta)(P - c) + c: what c adds is added to the operand that stands still.
   const double sign = options.reflect_q && p_moves ? -1 : 1;
-  const Result<Region> turns = translated_exactly(p_moves ? p : q, {-centre.x, -centre.y});
+  const Result<Region> moves = translated_exactly(p_moves ? p : q, {-centre.x, -centre.y});
   const double own = options.reflect_q && !p_moves ? -1 : 1;
   const Result<Region> stays = translated_exactly(p_moves ? q : p, {sign * own * centre.x, sign * own * centre.y});
-  if (!turns) return turns.error();
+  if (!moves) return moves.error();
   if (!stays) return stays.error();
-  return p_moves ? create(*turns, *stays, options) : create(*stays, *turns, options);
+  return p_moves ? create(*moves, *stays, options) : create(*stays, *moves, options);
 }
 
 const std::vector<EventAngle>& RotationFamily::angles() const { return state_->obstacle.angles(); }
@@ -213,12 +213,12 @@ std::vector<Lifetime> RotationFamily::lifetimes() const {
 }
 
 Result<PlanarSum> RotationFamily::outer(const Orientation& a, const Orientation& b, double tolerance) const {
-  return outer_set(turned_operands(state_->p, state_->q, state_->p_moves(), state_->options.reflect_q), a, b,
+  return outer_set(rotated_operands(state_->p, state_->q, state_->p_moves(), state_->options.reflect_q), a, b,
                    tolerance);
 }
 
 Result<PlanarSum> RotationFamily::inner(const Orientation& a, const Orientation& b, double tolerance) const {
-  return inner_set(turned_operands(state_->p, state_->q, state_->p_moves(), state_->options.reflect_q), a, b,
+  return inner_set(rotated_operands(state_->p, state_->q, state_->p_moves(), state_->options.reflect_q), a, b,
                    tolerance);
 }
 

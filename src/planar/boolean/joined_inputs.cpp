@@ -8,7 +8,7 @@ namespace {
 using Kind = SegmentInputs::Kind;
 using exact::HomogeneousPoint;
 
-/// A vertex on its way into the region.
+/// A vertex that is to be one of the region.
 struct JoinedVertex {
   Point at;
   const HomogeneousPoint* exact = nullptr;  ///< null where the double is
@@ -20,7 +20,7 @@ HomogeneousPoint exact_position(const JoinedVertex& v) {
   return v.exact != nullptr ? *v.exact : exact::homogeneous(v.at.x, v.at.y);
 }
 
-bool same_place(const JoinedVertex& a, const JoinedVertex& b) {
+bool same_position_as(const JoinedVertex& a, const JoinedVertex& b) {
   if (a.exact == nullptr && b.exact == nullptr) return a.at == b.at;
   const HomogeneousPoint u = exact_position(a), v = exact_position(b);
   return u.x * v.w == v.x * u.w && u.y * v.w == v.y * u.w;
@@ -82,7 +82,7 @@ class InputJoiner {
     }
   }
 
-  // To some vertex elsewhere: windings cancel, and what lies on the way belongs to nothing.
+  // To some vertex elsewhere: windings cancel, and what lies between belongs to nothing.
   void add_point(const JoinedVertex& point) {
     JoinedVertex other = elsewhere(point);
     other.index = index_++;
@@ -95,7 +95,7 @@ class InputJoiner {
   JoinedVertex elsewhere(const JoinedVertex& point) const {
     for (const std::vector<JoinedVertex>* vertices : {&rings_, &lines_, &points_})
       for (const JoinedVertex& v : *vertices)
-        if (!same_place(v, point)) return v;
+        if (!same_position_as(v, point)) return v;
     // Nothing is anywhere else.
     JoinedVertex twice = point;
     twice.exact = nullptr;

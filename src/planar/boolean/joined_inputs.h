@@ -16,7 +16,7 @@ struct SegmentInputs {
     ring,        ///< of a ring
     line,        ///< of a polyline, there or back
     from_point,  ///< from a point to some other vertex, so that the point is a node of the graph
-    to_point,    ///< the way back
+    to_point,    ///< the same segment back
   };
   std::vector<std::uint32_t> input;  ///< by segments
   std::vector<Kind> kind;

@@ -24,8 +24,8 @@ class ScaledPositions {
   /// Adds the next vertices; they are on the boundary at the scale `at`.
   void add(std::span<const SumVertex> vertices, double at);
 
-  /// Puts vertex k in place at a scale, of which s is the nearest double. Returns a bound on the error of both
-  /// coordinates, which is infinite where doubles know too little.
+  /// Moves vertex k to where it stands at a scale, of which s is the nearest double. Returns a bound on the error of
+  /// both coordinates, which is infinite where doubles know too little.
   double put(std::uint32_t k, double s, SumVertex& to) const {
     const Path& path = paths_[k];
     const double gap = s - path.at;

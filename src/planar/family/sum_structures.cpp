@@ -68,7 +68,7 @@ std::uint32_t SumStructures::add(const PlanarSum& sum, std::span<const std::uint
 }
 
 std::size_t SumStructures::bytes() const {
-  constexpr std::size_t kOfName = sizeof(SumVertex) + 32;  // with its place in the index
+  constexpr std::size_t kOfName = sizeof(SumVertex) + 32;  // with its entry in the index
   return names_.size() * kOfName + items_.size() * sizeof(std::uint32_t) + rings_.size() * sizeof(Ring) +
          cells_.size() * sizeof(Cell);
 }

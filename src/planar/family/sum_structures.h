@@ -13,7 +13,7 @@
 
 namespace dymsum::planar {
 
-/// The structures of the cells of a family, one after the other. Names are shared: a vertex is an index.
+/// The structures of the cells of a family, one after the other. Cells have names in common: a vertex is an index.
 class SumStructures {
  public:
   /// Structures are kept in at most so many bytes; 0: all of them.
@@ -73,7 +73,7 @@ template <class Put>
 void SumStructures::write(std::uint32_t cell, const Put& put, PlanarSum& sum) const {
   const Cell& of = cells_[cell];
   double error = 0;
-  const auto place = [&](std::uint32_t item, SumVertex& to) {
+  const auto set_vertex = [&](std::uint32_t item, SumVertex& to) {
     const double e = put(item, to);
     error = e > error ? e : error;
   };
@@ -82,18 +82,18 @@ void SumStructures::write(std::uint32_t cell, const Put& put, PlanarSum& sum) co
     SumRing& to = ring.hole ? sum.parts[ring.part].holes.emplace_back() : sum.parts[ring.part].outer;
     to.vertices.resize(ring.last - ring.first);
     SumVertex* vertex = to.vertices.data();
-    for (const std::uint32_t item : vertices(ring)) place(item, *vertex++);
+    for (const std::uint32_t item : vertices(ring)) set_vertex(item, *vertex++);
   }
   const std::uint32_t* next = items_.data() + of.pieces.first;
   const auto segments = [&](std::uint32_t count, std::vector<SumSegment>& to) {
     for (std::uint32_t k = 0; k < count; ++k) {
       SumSegment& segment = to.emplace_back();
-      place(*next++, segment.from);
-      place(*next++, segment.to);
+      set_vertex(*next++, segment.from);
+      set_vertex(*next++, segment.to);
     }
   };
   const auto points = [&](std::uint32_t count, std::vector<SumVertex>& to) {
-    for (std::uint32_t k = 0; k < count; ++k) place(*next++, to.emplace_back());
+    for (std::uint32_t k = 0; k < count; ++k) set_vertex(*next++, to.emplace_back());
   };
   segments(of.pieces.segments, sum.segments);
   points(of.pieces.points, sum.points);

@@ -86,7 +86,7 @@ class RingWriter {
     return out;
   }
 
-  /// The corner at the lexicographically smallest position turns as the ring does.
+  /// The corner at the lexicographically smallest position bends as the ring does.
   bool counter_clockwise(const Path& path) const {
     const auto before = [&](std::uint32_t a, std::uint32_t b) { return compare(spot(a), spot(b)) < 0; };
     const auto least = std::min_element(path.begin(), path.end(), before);

@@ -1,4 +1,4 @@
-#include "cspace/family/turned_sets.h"
+#include "cspace/family/rotated_sets.h"
 
 #include <algorithm>
 #include <cmath>
@@ -32,20 +32,20 @@ Region octagon(double radius) {
       .value();
 }
 
-/// Orientations of an interval, and how far a point of the turning operand is from where it stands at the nearest one.
+/// Orientations of an interval, and how far a point of the rotating operand is from where it stands at the nearest one.
 struct Steps {
   std::vector<Orientation> orientations;
   double rho = 0;
 };
 
-Result<Steps> steps_of(const TurnedOperands& operands, const Orientation& a, const Orientation& b, double tolerance) {
+Result<Steps> steps_of(const RotatedOperands& operands, const Orientation& a, const Orientation& b, double tolerance) {
   if (!(tolerance > 0) || !std::isfinite(tolerance))
     return Error{ErrorCode::out_of_range, "the tolerance must be positive, not " + std::to_string(tolerance), {}};
   if (a == b) return Steps{{a}, 0};
-  constexpr double kTurn = 2 * std::numbers::pi, kCorner = 1.09;  // how far an octagon reaches, in radii
+  constexpr double kCircle = 2 * std::numbers::pi, kCorner = 1.09;  // how far an octagon reaches, in radii
   double width = b.radians() - a.radians();
-  if (width <= 0) width += kTurn;
-  const double radius = radius_of(operands.turns), wanted = std::ceil(kCorner * radius * width / (1.9 * tolerance));
+  if (width <= 0) width += kCircle;
+  const double radius = radius_of(operands.moves), wanted = std::ceil(kCorner * radius * width / (1.9 * tolerance));
   if (!(wanted <= static_cast<double>(kMostOrientations)))
     return Error{ErrorCode::out_of_range,
                  "a tolerance of " + std::to_string(tolerance) + " takes more than " +
@@ -75,18 +75,18 @@ SumOptions regular() {
 
 }  // namespace
 
-TurnedOperands turned_operands(const Region& p, const Region& q, bool p_moves, bool reflect_q) {
+RotatedOperands rotated_operands(const Region& p, const Region& q, bool p_moves, bool reflect_q) {
   const Region second = reflect_q ? negated(q) : q;
-  return p_moves ? TurnedOperands{p, second} : TurnedOperands{second, p};
+  return p_moves ? RotatedOperands{p, second} : RotatedOperands{second, p};
 }
 
-Result<PlanarSum> outer_set(const TurnedOperands& operands, const Orientation& a, const Orientation& b,
+Result<PlanarSum> outer_set(const RotatedOperands& operands, const Orientation& a, const Orientation& b,
                             double tolerance) {
   const Result<Steps> steps = steps_of(operands, a, b, tolerance);
   if (!steps) return steps.error();
   std::vector<PlanarSum> sums;
   for (const Orientation& theta : steps->orientations) {
-    Result<PlanarSum> sum = rotated_sum(operands.turns, operands.stays, theta);
+    Result<PlanarSum> sum = rotated_sum(operands.moves, operands.stays, theta);
     if (sum && steps->rho > 0) sum = minkowski_sum(*sum, octagon(steps->rho));
     if (!sum) return sum;
     sums.push_back(*std::move(sum));
@@ -95,16 +95,16 @@ Result<PlanarSum> outer_set(const TurnedOperands& operands, const Orientation& a
   return united(std::vector<PlanarOperand>(sums.begin(), sums.end()));
 }
 
-Result<PlanarSum> inner_set(const TurnedOperands& operands, const Orientation& a, const Orientation& b,
+Result<PlanarSum> inner_set(const RotatedOperands& operands, const Orientation& a, const Orientation& b,
                             double tolerance) {
   const Result<Steps> steps = steps_of(operands, a, b, tolerance);
   if (!steps) return steps.error();
   std::vector<PlanarSum> sums;
   for (const Orientation& theta : steps->orientations) {
-    Result<PlanarSum> turned = rotated_sum(operands.turns, origin(), theta, regular());
-    if (turned && steps->rho > 0) turned = erode(*turned, octagon(steps->rho), regular());
-    if (!turned) return turned;
-    Result<PlanarSum> sum = minkowski_sum(*turned, operands.stays, regular());
+    Result<PlanarSum> rotated = rotated_sum(operands.moves, origin(), theta, regular());
+    if (rotated && steps->rho > 0) rotated = erode(*rotated, octagon(steps->rho), regular());
+    if (!rotated) return rotated;
+    Result<PlanarSum> sum = minkowski_sum(*rotated, operands.stays, regular());
     if (!sum) return sum;
     sums.push_back(*std::move(sum));
   }
@@ -123,7 +123,7 @@ Result<Region> translated_exactly(const Region& region, Point by) {
       if (!exact_sum(v.x, by.x) || !exact_sum(v.y, by.y)) rounded = v;
   });
   if (!rounded) return translated(region, by.x, by.y);
-  Error error{ErrorCode::unsupported_operand, "a vertex moved by the centre of the turn is no double", {}};
+  Error error{ErrorCode::unsupported_operand, "a vertex moved by the centre of rotation is no double", {}};
   error.evidence.x = rounded->x;
   error.evidence.y = rounded->y;
   return error;
